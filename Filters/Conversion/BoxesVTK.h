@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The kernel's boxes as a vtkUnstructuredGrid of voxels, and back.
+//
+// Cell arrays: GlobalBox (int, components I, J, K), Status (unsigned char: 1 inside, 2
+// intersected), CornerStatus (unsigned char, bit x + 2 y + 4 z: that corner is inside).
+// Field data: LatticeOrigin (3, user units), LatticeStep (1, user units), PlanesX, PlanesY, PlanesZ
+// (even levels of the lattice), SurfaceClosed (1 or 0).
+#pragma once
+
+#include "Boxes.h"
+
+class vtkUnstructuredGrid;
+
+namespace cartesian
+{
+
+void toVTK(const Boxes& boxes, vtkUnstructuredGrid* grid);
+
+// Throws Error (MissingArray) where an array is not there or not what toVTK wrote.
+Boxes boxesFromVTK(vtkUnstructuredGrid* grid);
+
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Named arrays of few numbers that describe a whole data object.
+#pragma once
+
+#include "Error.h"
+
+#include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+
+#include <vector>
+
+namespace cartesian
+{
+
+inline void setField(vtkDataObject* data, const char* name, const std::vector<double>& values)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  for (const double value : values)
+  {
+    array->InsertNextValue(value);
+  }
+  data->GetFieldData()->AddArray(array);
+}
+
+// Throws Error (MissingArray) unless there is such an array of `size` numbers (0: of any size).
+inline std::vector<double> getField(vtkDataObject* data, const char* name, vtkIdType size)
+{
+  vtkDataArray* array = data->GetFieldData()->GetArray(name);
+  if (!array || array->GetNumberOfComponents() != 1 ||
+    (size != 0 && array->GetNumberOfTuples() != size))
+  {
+    throw Error(Fault::MissingArray,
+      std::string("The field data array \"") + name +
+        "\" is missing or has the wrong size: connect the output of Cartesian Boxer.");
+  }
+  std::vector<double> values;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    values.push_back(array->GetComponent(i, 0));
+  }
+  return values;
+}
+
+}

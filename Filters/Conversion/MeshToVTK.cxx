@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshToVTK.h"
+
+#include "FieldData.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVersionMacros.h"
+
+namespace cartesian
+{
+
+static_assert(std::is_same<Id, vtkIdType>::value, "the kernel writes vtkIdType arrays directly");
+
+namespace
+{
+
+void setCells(const Mesh& mesh, vtkUnstructuredGrid* grid, Execution& execution)
+{
+  vtkNew<vtkIdTypeArray> offsets;
+  vtkNew<vtkIdTypeArray> connectivity;
+  vtkNew<vtkUnsignedCharArray> types;
+  vtkNew<vtkIdTypeArray> faceStart;
+  vtkNew<vtkIdTypeArray> faceStream;
+  offsets->SetNumberOfValues(mesh.cellCount() + 1);
+  connectivity->SetNumberOfValues(mesh.connectivitySize());
+  types->SetNumberOfValues(mesh.cellCount());
+  faceStart->SetNumberOfValues(mesh.cellCount());
+  faceStream->SetNumberOfValues(mesh.faceStreamSize());
+  mesh.writeCells({ offsets->GetPointer(0), connectivity->GetPointer(0), types->GetPointer(0),
+                    faceStart->GetPointer(0), faceStream->GetPointer(0), VTK_HEXAHEDRON,
+                    VTK_POLYHEDRON },
+    execution);
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, connectivity);
+  const bool polyhedra = mesh.faceStreamSize() > 0;
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20240112)
+#error "polyhedra are two vtkCellArrays from this version on: split faceStream here"
+#else
+  grid->SetCells(types, cells, polyhedra ? faceStart.Get() : nullptr,
+    polyhedra ? faceStream.Get() : nullptr);
+#endif
+}
+
+void setCellData(const Mesh& mesh, vtkUnstructuredGrid* grid, Execution& execution)
+{
+  vtkNew<vtkIntArray> global;
+  global->SetName("GlobalBox");
+  global->SetNumberOfComponents(3);
+  global->SetComponentName(0, "I");
+  global->SetComponentName(1, "J");
+  global->SetComponentName(2, "K");
+  global->SetNumberOfTuples(mesh.cellCount());
+  vtkNew<vtkIntArray> region;
+  region->SetName("Region");
+  region->SetNumberOfTuples(mesh.cellCount());
+  vtkNew<vtkDoubleArray> fraction;
+  fraction->SetName("VolumeFraction");
+  fraction->SetNumberOfTuples(mesh.cellCount());
+  mesh.writeCellData(
+    { global->GetPointer(0), region->GetPointer(0), fraction->GetPointer(0) }, execution);
+  grid->GetCellData()->AddArray(global);
+  grid->GetCellData()->AddArray(region);
+  grid->GetCellData()->AddArray(fraction);
+}
+
+void setMesh(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution& execution)
+{
+  const Mesh& mesh = assembly.mesh();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(mesh.pointCount());
+  mesh.writePoints(static_cast<double*>(points->GetVoidPointer(0)), execution);
+  grid->SetPoints(points);
+  setCells(mesh, grid, execution);
+  setCellData(mesh, grid, execution);
+  for (const auto& [name, value] : assembly.statistics())
+  {
+    setField(grid, name, { value });
+  }
+}
+
+void setBoundary(
+  const Mesh& mesh, vtkUnstructuredGrid* grid, vtkPolyData* boundary, Execution& execution)
+{
+  const BoundaryMesh faces = mesh.boundaryMesh(execution);
+  const auto faceCount = static_cast<vtkIdType>(mesh.boundary().size());
+  const auto pointCount = static_cast<vtkIdType>(faces.meshPoint.size());
+
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(pointCount);
+  vtkNew<vtkIdTypeArray> meshPoint;
+  meshPoint->SetName("MeshPointId");
+  meshPoint->SetNumberOfValues(pointCount);
+  for (vtkIdType i = 0; i < pointCount; ++i)
+  {
+    const Id id = faces.meshPoint[static_cast<std::size_t>(i)];
+    points->SetPoint(i, grid->GetPoint(id));
+    meshPoint->SetValue(i, id);
+  }
+  vtkNew<vtkIdTypeArray> offsets;
+  offsets->SetNumberOfValues(faceCount + 1);
+  std::copy(faces.start.begin(), faces.start.end(), offsets->GetPointer(0));
+  vtkNew<vtkIdTypeArray> corners;
+  corners->SetNumberOfValues(static_cast<vtkIdType>(faces.corners.size()));
+  std::copy(faces.corners.begin(), faces.corners.end(), corners->GetPointer(0));
+  vtkNew<vtkCellArray> polygons;
+  polygons->SetData(offsets, corners);
+  vtkNew<vtkIntArray> id;
+  id->SetName("BoundaryId");
+  id->SetNumberOfValues(faceCount);
+  vtkNew<vtkIdTypeArray> owner;
+  owner->SetName("OwnerCell");
+  owner->SetNumberOfValues(faceCount);
+  for (vtkIdType i = 0; i < faceCount; ++i)
+  {
+    id->SetValue(i, mesh.boundary()[static_cast<std::size_t>(i)].boundary);
+    owner->SetValue(i, mesh.boundary()[static_cast<std::size_t>(i)].cell);
+  }
+  boundary->SetPoints(points);
+  boundary->SetPolys(polygons);
+  boundary->GetPointData()->AddArray(meshPoint);
+  boundary->GetCellData()->AddArray(id);
+  boundary->GetCellData()->AddArray(owner);
+}
+
+}
+
+void toVTK(const Assembly& assembly, vtkUnstructuredGrid* mesh, vtkPolyData* boundary,
+  Execution& execution)
+{
+  execution.stage("Writing the mesh", AfterNumbering, 1);
+  setMesh(assembly, mesh, execution);
+  setBoundary(assembly.mesh(), mesh, boundary, execution);
+}
+
+}

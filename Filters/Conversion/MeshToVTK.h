@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The kernel's mesh as VTK data. The only file that knows how this version of VTK stores polyhedra.
+//
+// Mesh (vtkUnstructuredGrid of VTK_HEXAHEDRON and VTK_POLYHEDRON with outward faces). Cell arrays:
+// GlobalBox (int, components I, J, K), Region (int, from 1), VolumeFraction (double, of the cell's
+// box). Field data: one array of one number for each of the statistics.
+//
+// Boundary (vtkPolyData): the faces that only one cell has. Cell arrays: BoundaryId (int; -1 where no
+// patch was), OwnerCell (id type: cell of the mesh). Point array: MeshPointId (id type).
+#pragma once
+
+#include "Mesher.h"
+
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+namespace cartesian
+{
+
+void toVTK(const Assembly& assembly, vtkUnstructuredGrid* mesh, vtkPolyData* boundary,
+  Execution& execution);
+
+}

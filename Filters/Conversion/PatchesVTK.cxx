@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PatchesVTK.h"
+
+#include "Error.h"
+#include "Sorting.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+namespace cartesian
+{
+
+namespace
+{
+
+vtkDataArray* cellArray(vtkPolyData* input, const char* name)
+{
+  vtkDataArray* array = input->GetCellData()->GetArray(name);
+  if (!array || array->GetNumberOfComponents() != 1)
+  {
+    throw Error(Fault::MissingArray,
+      std::string("The patches have no cell array \"") + name +
+        "\": connect the output of Patcher.");
+  }
+  return array;
+}
+
+[[noreturn]] void throwMismatch(vtkIdType patch)
+{
+  throw Error(Fault::MissingArray,
+    "Patch " + std::to_string(patch) +
+      " does not belong to the boxes: connect the same Cartesian Boxer here and to Patcher.");
+}
+
+}
+
+void toVTK(const Patches& patches, const Boxes& boxes, const std::vector<vtkIdType>& surfaceCells,
+  vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(patches.points.size()));
+  for (std::size_t i = 0; i < patches.points.size(); ++i)
+  {
+    const Point& p = patches.points[i];
+    points->SetPoint(static_cast<vtkIdType>(i), boxes.lattice.position(0, p[0]),
+      boxes.lattice.position(1, p[1]), boxes.lattice.position(2, p[2]));
+  }
+
+  vtkNew<vtkIdTypeArray> offsets;
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(patches.start.size()));
+  std::copy(patches.start.begin(), patches.start.end(), offsets->GetPointer(0));
+  vtkNew<vtkIdTypeArray> corners;
+  corners->SetNumberOfValues(static_cast<vtkIdType>(patches.corners.size()));
+  std::copy(patches.corners.begin(), patches.corners.end(), corners->GetPointer(0));
+  vtkNew<vtkCellArray> polygons;
+  polygons->SetData(offsets, corners);
+
+  const auto count = static_cast<vtkIdType>(patches.size());
+  vtkNew<vtkIntArray> boundary;
+  boundary->SetName("BoundaryId");
+  boundary->SetNumberOfValues(count);
+  std::copy(patches.boundary.begin(), patches.boundary.end(), boundary->GetPointer(0));
+  vtkNew<vtkIdTypeArray> cell;
+  cell->SetName("SurfaceCell");
+  cell->SetNumberOfValues(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    cell->SetValue(i, surfaceCells[patches.triangle[static_cast<std::size_t>(i)]]);
+  }
+  vtkNew<vtkIdTypeArray> box;
+  box->SetName("BoxId");
+  box->SetNumberOfValues(count);
+  const std::vector<std::uint32_t> intersected = intersectedBoxes(boxes);
+  for (std::size_t n = 0; n < intersected.size(); ++n)
+  {
+    std::fill(box->GetPointer(0) + patches.boxStart[n], box->GetPointer(0) + patches.boxStart[n + 1],
+      static_cast<vtkIdType>(intersected[n]));
+  }
+
+  output->SetPoints(points);
+  output->SetPolys(polygons);
+  output->GetCellData()->AddArray(boundary);
+  output->GetCellData()->AddArray(box);
+  output->GetCellData()->AddArray(cell);
+}
+
+Patches patchesFromVTK(vtkPolyData* input, const Boxes& boxes)
+{
+  Patches patches;
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    std::array<double, 3> x;
+    input->GetPoint(i, x.data());
+    patches.points.push_back({ boxes.lattice.level(0, x[0]), boxes.lattice.level(1, x[1]),
+      boxes.lattice.level(2, x[2]) });
+  }
+
+  vtkDataArray* boundary = cellArray(input, "BoundaryId");
+  vtkDataArray* box = cellArray(input, "BoxId");
+  const std::vector<std::uint32_t> intersected = intersectedBoxes(boxes);
+  patches.boxStart.assign(intersected.size() + 1, 0);
+  std::size_t n = 0;
+  auto polygon = vtk::TakeSmartPointer(input->GetPolys()->NewIterator());
+  for (polygon->GoToFirstCell(); !polygon->IsDoneWithTraversal(); polygon->GoToNextCell())
+  {
+    const vtkIdType id = polygon->GetCurrentCellId();
+    const double wanted = box->GetComponent(id, 0);
+    while (n < intersected.size() && intersected[n] < wanted)
+    {
+      ++n;
+    }
+    if (n == intersected.size() || intersected[n] != wanted)
+    {
+      throwMismatch(id);
+    }
+    ++patches.boxStart[n];
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    polygon->GetCurrentCell(size, corners);
+    patches.start.push_back(patches.corners.size());
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      const Point& p = patches.points[static_cast<std::size_t>(corners[i])];
+      const Box& around = boxes.boxes[intersected[n]];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        if (p[axis] < around.low[axis] || p[axis] > around.high[axis])
+        {
+          throwMismatch(id);
+        }
+      }
+      patches.corners.push_back(static_cast<std::uint32_t>(corners[i]));
+    }
+    patches.boundary.push_back(static_cast<std::int32_t>(boundary->GetComponent(id, 0)));
+    patches.triangle.push_back(0); // the surface is not here; cells do not need it
+  }
+  patches.start.push_back(patches.corners.size());
+  scan(patches.boxStart);
+  return patches;
+}
+
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The kernel's patches as a vtkPolyData, and back.
+//
+// Cell arrays: BoundaryId (int), BoxId (id type: the box's cell in the grid of boxes), SurfaceCell (id
+// type: the cell of the surface that the patch is a part of).
+#pragma once
+
+#include "Patches.h"
+
+#include "vtkType.h"
+
+class vtkPolyData;
+
+namespace cartesian
+{
+
+// `surfaceCells`: the cell of each triangle of the surface (SurfaceFromVTK).
+void toVTK(const Patches& patches, const Boxes& boxes, const std::vector<vtkIdType>& surfaceCells,
+  vtkPolyData* output);
+
+// Throws Error (MissingArray) where an array is not there, or patches and boxes do not belong
+// together.
+Patches patchesFromVTK(vtkPolyData* input, const Boxes& boxes);
+
+}

@@ -1,0 +1,56 @@
+// The boundary of the mesh: patches, and inner faces that lost the cell on their other side (4.10).
+#pragma once
+
+#include "Cells.h"
+
+namespace cartesian
+{
+
+using Id = long long;
+
+// All that the mesh is made of.
+struct MeshParts
+{
+  const Boxes& boxes;
+  const Patches& patches;
+  const Sides& sides;
+  const Nodes& nodes;
+  const InnerFaces& inner;
+  const Cells& cells;
+};
+
+// Numbers of the cells that stay, in order of boxes: 0, 1, 2, ...
+struct CellNumbers
+{
+  std::vector<std::uint32_t> ofBox;  // of the (first) cell of each box; the total at the end
+  std::vector<std::uint32_t> ofCell; // of each cell of intersected boxes, or None where removed
+};
+
+CellNumbers numberCells(const MeshParts& parts);
+
+struct BoundaryFace
+{
+  enum class Kind : std::uint8_t
+  {
+    Patch,       // a polygon of the patches
+    Inner,       // an inner face as it is
+    TurnedInner, // ... turned over
+    BoxSide,     // of an inside box: 6 * box + (low x, high x, low y, high y, low z, high z)
+  };
+  Id cell; // its owner
+  std::size_t index;
+  std::int32_t boundary;
+  Kind kind;
+
+  bool operator<(const BoundaryFace& other) const
+  {
+    return cell != other.cell
+      ? cell < other.cell
+      : (kind != other.kind ? kind < other.kind : index < other.index);
+  }
+};
+
+// In order of their cells.
+std::vector<BoundaryFace> collectBoundary(const MeshParts& parts, const CellNumbers& numbers);
+
+}

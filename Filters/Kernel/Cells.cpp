@@ -1,0 +1,532 @@
+#include "Cells.h"
+
+#include "Error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t BoxesAChunk = 512;
+
+using Vector = std::array<double, 3>;
+
+Vector minus(const Point& p, const Point& q)
+{
+  return { double(p[0]) - q[0], double(p[1]) - q[1], double(p[2]) - q[2] };
+}
+
+Vector cross(const Vector& u, const Vector& v)
+{
+  return { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
+}
+
+double dot(const Vector& u, const Vector& v)
+{
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+// Area vector and volume of the cone to the origin, by star triangulation (equation 1).
+struct FaceMeasure
+{
+  double area = 0;
+  double volume = 0;
+};
+
+// One use of an edge by a face of the box.
+struct EdgeUse
+{
+  std::uint32_t lower;
+  std::uint32_t upper;
+  std::uint32_t face;
+  int direction;
+
+  bool operator<(const EdgeUse& other) const
+  {
+    return lower != other.lower ? lower < other.lower
+                                : (upper != other.upper ? upper < other.upper : face < other.face);
+  }
+  bool sameEdge(const EdgeUse& other) const
+  {
+    return lower == other.lower && upper == other.upper;
+  }
+};
+
+struct Part
+{
+  std::vector<Cell> cells;
+  std::vector<FaceRef> faces;
+  std::vector<std::uint32_t> cellsOfBox;
+  std::vector<std::uint8_t> flawed;
+  std::size_t voids = 0;
+};
+
+// Separates the volumes of one box. Keeps its storage from box to box.
+class BoxAssembler
+{
+public:
+  BoxAssembler(const Boxes& boxes, const Patches& patches, const Sides& sides, const Nodes& nodes,
+    const InnerFaces& inner, const CellSpec& spec)
+    : boxes_(boxes)
+    , patches_(patches)
+    , sides_(sides)
+    , nodes_(nodes)
+    , inner_(inner)
+    , spec_(spec)
+  {
+  }
+
+  void addBox(std::size_t n, Part& part)
+  {
+    const std::size_t before = part.cells.size();
+    const bool closed = gatherFaces(n) && joinFaces();
+    part.flawed.push_back(closed ? 0 : 1);
+    if (closed)
+    {
+      measureFaces(boxes_.boxes[sides_.intersected[n]]);
+      findShells();
+      part.voids += fillVoids();
+      emit(sides_.intersected[n], part);
+    }
+    part.cellsOfBox.push_back(static_cast<std::uint32_t>(part.cells.size() - before));
+  }
+
+private:
+  // A connected set of faces: closed, hence the boundary of a volume or of a hole in one.
+  struct Shell
+  {
+    std::vector<std::uint32_t> faces;
+    double volume = 0;
+    bool hasInnerFace = false;
+  };
+
+  // Calls visit(node) for the corners of a face of this box, counter-clockwise from outside.
+  template <class Visitor>
+  void forEachNode(const FaceRef& face, Visitor&& visit) const
+  {
+    const bool patch = face.kind() == FaceRef::Kind::Patch;
+    const auto& start = patch ? patches_.start : inner_.start;
+    const auto& nodes = patch ? patches_.corners : inner_.nodes;
+    const std::size_t begin = start[face.index];
+    const std::size_t end = start[face.index + 1];
+    const bool turned = face.kind() == FaceRef::Kind::TurnedInner;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      visit(nodes[turned ? begin + end - 1 - i : i]);
+    }
+  }
+
+  // All faces of the box; false where one of its sides is flawed.
+  bool gatherFaces(std::size_t n)
+  {
+    faces_.clear();
+    for (std::size_t p = patches_.boxStart[n]; p < patches_.boxStart[n + 1]; ++p)
+    {
+      faces_.emplace_back(p, FaceRef::Kind::Patch);
+    }
+    bool whole = true;
+    for (int i = 0; i < 6; ++i)
+    {
+      const std::uint32_t side = sides_.ofBox[n][i];
+      whole = whole && !inner_.flawed[side];
+      for (std::size_t f = inner_.sideStart[side]; f < inner_.sideStart[side + 1]; ++f)
+      {
+        faces_.emplace_back(f, i % 2 == 1 ? FaceRef::Kind::Inner : FaceRef::Kind::TurnedInner);
+      }
+    }
+    return whole;
+  }
+
+  std::uint32_t root(std::uint32_t face)
+  {
+    while (parent_[face] != face)
+    {
+      parent_[face] = parent_[parent_[face]];
+      face = parent_[face];
+    }
+    return face;
+  }
+
+  void join(std::uint32_t f, std::uint32_t g)
+  {
+    f = root(f);
+    g = root(g);
+    parent_[std::max(f, g)] = std::min(f, g);
+  }
+
+  // Joins faces that share an edge; false where an edge is not run through as often one way as
+  // the other. Volumes that only touch in an edge stay apart where each closes by itself.
+  bool joinFaces()
+  {
+    listEdges();
+    parent_.resize(faces_.size());
+    std::iota(parent_.begin(), parent_.end(), 0);
+    shared_.clear();
+    for (std::size_t i = 0; i < edges_.size();)
+    {
+      std::size_t end = i;
+      int sum = 0;
+      for (; end < edges_.size() && edges_[end].sameEdge(edges_[i]); ++end)
+      {
+        sum += edges_[end].direction;
+      }
+      if (sum != 0)
+      {
+        return false;
+      }
+      if (end - i == 2)
+      {
+        join(edges_[i].face, edges_[i + 1].face);
+      }
+      else
+      {
+        shared_.emplace_back(i, end);
+      }
+      i = end;
+    }
+    joinAtSharedEdges();
+    return true;
+  }
+
+  void listEdges()
+  {
+    edges_.clear();
+    for (std::uint32_t f = 0; f < faces_.size(); ++f)
+    {
+      walk_.clear();
+      forEachNode(faces_[f], [&](std::uint32_t node) { walk_.push_back(node); });
+      std::uint32_t from = walk_.back();
+      for (const std::uint32_t to : walk_)
+      {
+        edges_.push_back({ std::min(from, to), std::max(from, to), f, from < to ? 1 : -1 });
+        from = to;
+      }
+    }
+    std::sort(edges_.begin(), edges_.end());
+  }
+
+  // Edges of more than two faces: those of a volume that is not closed without the others' faces
+  // belong together. Repeats, as joining at one edge may close another.
+  void joinAtSharedEdges()
+  {
+    for (bool changed = true; changed;)
+    {
+      changed = false;
+      for (const auto& [begin, end] : shared_)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          int sum = 0;
+          for (std::size_t j = begin; j < end; ++j)
+          {
+            sum += root(edges_[j].face) == root(edges_[i].face) ? edges_[j].direction : 0;
+          }
+          if (sum != 0)
+          {
+            for (std::size_t j = begin; j < end; ++j)
+            {
+              join(edges_[i].face, edges_[j].face);
+            }
+            changed = true;
+            break;
+          }
+        }
+      }
+    }
+  }
+
+  void measureFaces(const Box& box)
+  {
+    measures_.clear();
+    for (const FaceRef& face : faces_)
+    {
+      ring_.clear();
+      Vector mean{ 0, 0, 0 };
+      forEachNode(face, [&](std::uint32_t node) {
+        ring_.push_back(minus(nodes_.at[node], box.low));
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          mean[axis] += ring_.back()[axis];
+        }
+      });
+      for (double& x : mean)
+      {
+        x /= static_cast<double>(ring_.size());
+      }
+      measures_.push_back(measure(mean));
+    }
+  }
+
+  FaceMeasure measure(const Vector& mean) const
+  {
+    Vector area{ 0, 0, 0 };
+    FaceMeasure m;
+    for (std::size_t i = 0; i < ring_.size(); ++i)
+    {
+      const Vector& p = ring_[i];
+      const Vector& q = ring_[i + 1 < ring_.size() ? i + 1 : 0];
+      const Vector twice = cross({ p[0] - mean[0], p[1] - mean[1], p[2] - mean[2] },
+        { q[0] - mean[0], q[1] - mean[1], q[2] - mean[2] });
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        area[axis] += twice[axis] / 2;
+      }
+      m.volume += dot(twice, mean) / 6;
+    }
+    m.area = std::sqrt(dot(area, area));
+    return m;
+  }
+
+  void findShells()
+  {
+    shells_.clear();
+    shellOf_.assign(faces_.size(), None);
+    for (std::uint32_t f = 0; f < faces_.size(); ++f)
+    {
+      const std::uint32_t r = root(f);
+      if (shellOf_[r] == None)
+      {
+        shellOf_[r] = static_cast<std::uint32_t>(shells_.size());
+        shells_.emplace_back();
+      }
+      Shell& shell = shells_[shellOf_[r]];
+      shell.faces.push_back(f);
+      shell.volume += measures_[f].volume;
+      shell.hasInnerFace = shell.hasInnerFace || faces_[f].kind() != FaceRef::Kind::Patch;
+    }
+  }
+
+  // A closed piece of surface in this box that encloses no part of the domain is a hole of the
+  // cell around it.
+  std::size_t fillVoids()
+  {
+    std::size_t voids = 0;
+    for (Shell& shell : shells_)
+    {
+      if (shell.volume >= 0 || shell.hasInnerFace)
+      {
+        continue;
+      }
+      if (Shell* around = shellAround(shell))
+      {
+        around->faces.insert(around->faces.end(), shell.faces.begin(), shell.faces.end());
+        around->volume += shell.volume;
+        shell.faces.clear();
+        ++voids;
+      }
+    }
+    return voids;
+  }
+
+  // The smallest volume that a void lies in.
+  Shell* shellAround(const Shell& inner)
+  {
+    Shell* best = nullptr;
+    const Point& from = firstNode(inner.faces.front());
+    for (Shell& shell : shells_)
+    {
+      if (shell.volume > 0 && (!best || shell.volume < best->volume) &&
+        std::abs(solidAngle(shell, from)) > HalfAround)
+      {
+        best = &shell;
+      }
+    }
+    return best;
+  }
+
+  const Point& firstNode(std::uint32_t face) const
+  {
+    const Point* first = nullptr;
+    forEachNode(faces_[face], [&](std::uint32_t node) {
+      if (!first)
+      {
+        first = &nodes_.at[node];
+      }
+    });
+    return *first;
+  }
+
+  // Of a shell seen from a point: 4 pi from inside, 0 from outside.
+  double solidAngle(const Shell& shell, const Point& from)
+  {
+    double sum = 0;
+    for (const std::uint32_t f : shell.faces)
+    {
+      ring_.clear();
+      forEachNode(
+        faces_[f], [&](std::uint32_t node) { ring_.push_back(minus(nodes_.at[node], from)); });
+      for (std::size_t i = 1; i + 1 < ring_.size(); ++i)
+      {
+        const Vector& a = ring_[0];
+        const Vector& b = ring_[i];
+        const Vector& c = ring_[i + 1];
+        const double la = std::sqrt(dot(a, a));
+        const double lb = std::sqrt(dot(b, b));
+        const double lc = std::sqrt(dot(c, c));
+        sum += 2 * std::atan2(dot(a, cross(b, c)),
+                     la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+      }
+    }
+    return sum;
+  }
+
+  void emit(std::uint32_t boxIndex, Part& part)
+  {
+    const Box& box = boxes_.boxes[boxIndex];
+    const Vector size = minus(box.high, box.low);
+    for (const Shell& shell : shells_)
+    {
+      if (shell.faces.empty())
+      {
+        continue;
+      }
+      Cell cell;
+      cell.box = boxIndex;
+      cell.boundary = mainBoundary(shell);
+      cell.volumeFraction = shell.volume / (size[0] * size[1] * size[2]);
+      cell.firstFace = part.faces.size();
+      cell.removed = !(cell.volumeFraction > 0) || cell.volumeFraction < spec_.smallCellRatio;
+      part.cells.push_back(cell);
+      for (const std::uint32_t f : shell.faces)
+      {
+        part.faces.push_back(faces_[f]);
+      }
+    }
+  }
+
+  // The boundary index that has the largest area of patches in the shell.
+  std::int32_t mainBoundary(const Shell& shell)
+  {
+    areas_.clear();
+    for (const std::uint32_t f : shell.faces)
+    {
+      if (faces_[f].kind() == FaceRef::Kind::Patch)
+      {
+        areas_.emplace_back(patches_.boundary[faces_[f].index], measures_[f].area);
+      }
+    }
+    std::sort(areas_.begin(), areas_.end());
+    std::int32_t best = NoBoundary;
+    double most = -1;
+    for (std::size_t i = 0; i < areas_.size();)
+    {
+      const std::int32_t boundary = areas_[i].first;
+      double sum = 0;
+      for (; i < areas_.size() && areas_[i].first == boundary; ++i)
+      {
+        sum += areas_[i].second;
+      }
+      if (sum > most)
+      {
+        most = sum;
+        best = boundary;
+      }
+    }
+    return best;
+  }
+
+  // A solid angle beyond this is that of a point inside.
+  static constexpr double HalfAround = 2 * 3.14159265358979;
+
+  const Boxes& boxes_;
+  const Patches& patches_;
+  const Sides& sides_;
+  const Nodes& nodes_;
+  const InnerFaces& inner_;
+  const CellSpec& spec_;
+  std::vector<FaceRef> faces_;
+  std::vector<EdgeUse> edges_;
+  std::vector<std::uint32_t> walk_;
+  std::vector<std::uint32_t> parent_;
+  std::vector<std::pair<std::size_t, std::size_t>> shared_;
+  std::vector<FaceMeasure> measures_;
+  std::vector<Vector> ring_;
+  std::vector<Shell> shells_;
+  std::vector<std::uint32_t> shellOf_;
+  std::vector<std::pair<std::int32_t, double>> areas_;
+};
+
+Cells join(const std::vector<Part>& parts, std::size_t boxes, Execution& execution)
+{
+  std::vector<std::size_t> cell;
+  std::vector<std::size_t> face;
+  Cells result;
+  for (const Part& part : parts)
+  {
+    cell.push_back(part.cells.size());
+    face.push_back(part.faces.size());
+    result.voids += part.voids;
+  }
+  const std::size_t cells = scan(cell);
+  const std::size_t faces = scan(face);
+  result.cells.resize(cells + 1);
+  result.cells.back().firstFace = faces;
+  result.faces.resize(faces, FaceRef(0, FaceRef::Kind::Patch));
+  result.boxStart.resize(boxes + 1);
+  result.boxStart.back() = cells;
+  result.flawed.resize(boxes);
+  execution.forEach(parts.size(), 1, [&](std::size_t i, std::size_t) {
+    const Part& part = parts[i];
+    std::copy(part.faces.begin(), part.faces.end(), result.faces.begin() + std::ptrdiff_t(face[i]));
+    std::copy(part.flawed.begin(), part.flawed.end(),
+      result.flawed.begin() + std::ptrdiff_t(i * BoxesAChunk));
+    for (std::size_t c = 0; c < part.cells.size(); ++c)
+    {
+      result.cells[cell[i] + c] = part.cells[c];
+      result.cells[cell[i] + c].firstFace += face[i];
+    }
+    std::size_t next = cell[i];
+    for (std::size_t n = 0; n < part.cellsOfBox.size(); ++n)
+    {
+      result.boxStart[i * BoxesAChunk + n] = next;
+      next += part.cellsOfBox[n];
+    }
+  });
+  return result;
+}
+
+}
+
+Cells assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sides,
+  const Nodes& nodes, const InnerFaces& inner, const CellSpec& spec, Execution& execution)
+{
+  if (std::max(patches.size(), inner.size()) > FaceRef::MostFaces)
+  {
+    throw Error(Fault::TooManyBoxes,
+      "The boundary has more than " + std::to_string(FaceRef::MostFaces) +
+        " faces: choose larger cells.");
+  }
+  const std::size_t count = sides.intersected.size();
+  std::vector<Part> parts(chunks(count, BoxesAChunk));
+  execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
+    BoxAssembler assembler(boxes, patches, sides, nodes, inner, spec);
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      assembler.addBox(n, parts[begin / BoxesAChunk]);
+    }
+  });
+  Cells cells = join(parts, count, execution);
+  cells.ofInnerFace.assign(inner.size(), { None, None });
+  execution.forEach(cells.size(), BoxesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c)
+    {
+      for (std::size_t f = cells.cells[c].firstFace; f < cells.cells[c + 1].firstFace; ++f)
+      {
+        const FaceRef& face = cells.faces[f];
+        if (face.kind() != FaceRef::Kind::Patch)
+        {
+          const int above = face.kind() == FaceRef::Kind::TurnedInner ? 1 : 0;
+          cells.ofInnerFace[face.index][above] = static_cast<std::uint32_t>(c);
+        }
+      }
+    }
+  });
+  return cells;
+}
+
+}

@@ -1,0 +1,102 @@
+// The finished mesh (section 6, steps 11 and 13): cells and points numbered and written.
+//
+// Cells are hexahedra (inside boxes) and polyhedra, in order of their boxes. Points are the used
+// vertices of the global mesh, row by row, then the used points of patches. All are written
+// straight into arrays of the caller's.
+#pragma once
+
+#include "Boundary.h"
+#include "VertexRows.h"
+
+namespace cartesian
+{
+
+// Arrays of the caller's, of the sizes that Mesh gives.
+struct CellArrays
+{
+  Id* offsets;              // cellCount() + 1
+  Id* connectivity;         // connectivitySize(): points of each cell, hexahedra in VTK's order
+  unsigned char* types;     // cellCount()
+  Id* faceStart;            // cellCount(): where in faceStream, -1 for hexahedra
+  Id* faceStream;           // faceStreamSize(): a number of faces, then for each its size and points
+  unsigned char hexahedron; // what to write into types
+  unsigned char polyhedron;
+};
+
+struct CellData
+{
+  int* globalBox;         // 3 * cellCount(): I, J, K
+  int* region;            // cellCount()
+  double* volumeFraction; // cellCount(): part of the box's volume
+};
+
+// The boundary faces by themselves, with points numbered in the order of the mesh's.
+struct BoundaryMesh
+{
+  std::vector<Id> start;     // first corner of each face, and the end
+  std::vector<Id> corners;   // indices into meshPoint, counter-clockwise from outside
+  std::vector<Id> meshPoint; // the mesh's point
+};
+
+class Mesh
+{
+public:
+  Mesh(const MeshParts& parts, Execution& execution);
+
+  Id pointCount() const { return static_cast<Id>(vertices_.size() + patchPoints_); }
+  Id cellCount() const { return numbers_.ofBox.back(); }
+  Id connectivitySize() const { return rows_.back().connectivity; }
+  Id faceStreamSize() const { return rows_.back().faceStream; }
+  const CellNumbers& numbers() const { return numbers_; }
+  const std::vector<BoundaryFace>& boundary() const { return boundary_; }
+
+  void writePoints(double* xyz, Execution& execution) const;
+  void writeCells(const CellArrays& arrays, Execution& execution) const;
+  void writeCellData(const CellData& data, Execution& execution) const;
+
+  // Faces as in boundary().
+  BoundaryMesh boundaryMesh(Execution& execution) const;
+
+private:
+  // Calls visit(point) for the corners of a boundary face, counter-clockwise from outside.
+  template <class Visitor>
+  void forEachPoint(const BoundaryFace& face, Visitor&& visit) const;
+
+
+  // Where a row of boxes starts in the output arrays.
+  struct RowOffsets
+  {
+    Id connectivity = 0;
+    Id faceStream = 0;
+  };
+  struct CellSize
+  {
+    std::uint32_t points = 0;
+    std::uint32_t faceStream = 0;
+  };
+
+  std::vector<std::uint8_t> usedNodes() const;
+  void numberNodes();
+  void measureCells(Execution& execution);
+  void placeRows();
+
+  std::array<Id, 8> corners(const Box& box) const;
+  void writeRow(std::size_t row, const CellArrays& arrays, std::vector<Id>& scratch) const;
+  void writeFaces(std::size_t cell, Id* stream) const;
+  void distinctPoints(std::size_t cell, std::vector<Id>& points) const;
+
+  template <class Visitor>
+  void forEachPoint(const FaceRef& face, Visitor&& visit) const;
+
+  MeshParts parts_;
+  CellNumbers numbers_;
+  std::vector<std::uint8_t> used_; // nodes
+  VertexRows vertices_;
+  std::size_t patchPoints_ = 0;          // used ones
+  std::vector<std::uint32_t> nodePoint_; // point of each used node
+  std::vector<CellSize> cellSizes_;      // of each cell of intersected boxes
+  std::vector<RowOffsets> rows_;
+  std::vector<BoundaryFace> boundary_;
+};
+
+}

@@ -1,0 +1,174 @@
+#include "Mesher.h"
+
+#include "Error.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace cartesian
+{
+
+namespace
+{
+
+std::string rounded(double x)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", x);
+  return text;
+}
+
+std::string position(const Lattice& lattice, const Point& p)
+{
+  return "(" + rounded(lattice.position(0, p[0])) + ", " + rounded(lattice.position(1, p[1])) +
+    ", " + rounded(lattice.position(2, p[2])) + ")";
+}
+
+void checkMemory(const Surface& surface, const Meshlines& planes, double limit)
+{
+  constexpr double GiB = 1024.0 * 1024 * 1024;
+  const Estimate estimate = estimateMesh(surface, planes);
+  if (estimate.bytes > limit)
+  {
+    throw Error(Fault::TooManyBoxes,
+      "The mesh would have about " + rounded(estimate.boxes) + " boxes and take about " +
+        rounded(estimate.bytes / GiB) + " GiB, more than the Memory Limit of " +
+        rounded(limit / GiB) + " GiB: choose a larger Cell Size or raise the limit.");
+  }
+}
+
+}
+
+PreparedSurface prepareSurface(
+  const SurfaceView& view, const GridSpec& grid, double memoryLimit, Execution& execution)
+{
+  execution.stage("Scaling and Dual Levels", 0, AfterSurface);
+  PreparedSurface prepared;
+  prepared.bounds = boundsOf(view);
+  const Lattice lattice(domainOf(grid, prepared.bounds));
+  prepared.planes = onLattice(grid, prepared.bounds, lattice);
+  prepared.surface = onLattice(view, lattice, execution);
+  checkMemory(prepared.surface, prepared.planes, memoryLimit);
+  prepared.check = check(prepared.surface, execution);
+  return prepared;
+}
+
+std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>& cells)
+{
+  const SurfaceCheck& check = prepared.check;
+  if (check.places.empty())
+  {
+    return "";
+  }
+  std::string text = "The surface has " + std::to_string(check.openEdges) + " open edges, " +
+    std::to_string(check.nonManifoldEdges) + " edges of more than two triangles and " +
+    std::to_string(check.inconsistentEdges) + " inconsistently oriented edges:";
+  for (const SurfaceCheck::Place& place : check.places)
+  {
+    const Surface& s = prepared.surface;
+    text += std::string("\n  ") + place.what + " edge from " +
+      position(s.lattice, s.vertices[place.edge[0]]) + " to " +
+      position(s.lattice, s.vertices[place.edge[1]]) + " of cell " +
+      std::to_string(cells[place.triangle]);
+  }
+  return text;
+}
+
+BoxedSurface boxSurface(const PreparedSurface& prepared, Execution& execution)
+{
+  execution.stage("Boxes", AfterSurface, AfterBoxes);
+  SurfaceRows rows = shoeboxes(prepared.surface, prepared.planes, execution);
+  Boxes boxes = generateBoxes(prepared.surface, prepared.check, prepared.planes, rows, execution);
+  return { std::move(boxes), std::move(rows.shoeboxes) };
+}
+
+Assembly::Assembly(
+  const Boxes& boxes, const Patches& patches, const CellSpec& spec, Execution& execution)
+  : boxes_(boxes)
+  , patches_(patches)
+{
+  if (!(spec.smallCellRatio >= 0 && spec.smallCellRatio < 1))
+  {
+    throw Error(Fault::BadParameter,
+      "Small Cell Ratio is " + rounded(spec.smallCellRatio) + ": it must be from 0 to less than 1.");
+  }
+  execution.stage("Common sides of boxes", AfterPatches, AfterSides);
+  sides_ = findSides(boxes, execution);
+  nodes_ = findNodes(boxes, patches, sides_, execution);
+  execution.stage("Inner faces", AfterSides, AfterInnerFaces);
+  inner_ = generateInnerFaces(boxes, patches, sides_, nodes_, execution);
+  execution.stage("Cells", AfterInnerFaces, AfterCells);
+  cells_ = assembleCells(boxes, patches, sides_, nodes_, inner_, spec, execution);
+  execution.stage("Numbering", AfterCells, AfterNumbering);
+  mesh_ = std::make_unique<Mesh>(
+    MeshParts{ boxes, patches, sides_, nodes_, inner_, cells_ }, execution);
+}
+
+std::vector<std::uint32_t> Assembly::flawedBoxes() const
+{
+  std::vector<std::uint32_t> flawed;
+  for (std::size_t n = 0; n < cells_.flawed.size(); ++n)
+  {
+    if (cells_.flawed[n])
+    {
+      flawed.push_back(sides_.intersected[n]);
+    }
+  }
+  return flawed;
+}
+
+std::string Assembly::describeFlaws() const
+{
+  constexpr std::size_t MostPlaces = 5;
+  const std::vector<std::uint32_t> flawed = flawedBoxes();
+  if (flawed.empty())
+  {
+    return "";
+  }
+  std::string text = "The surface does not close in " + std::to_string(flawed.size()) +
+    " boxes (a hole, or parts that overlap); they are left out of the mesh:";
+  for (std::size_t i = 0; i < std::min(flawed.size(), MostPlaces); ++i)
+  {
+    const Box& box = boxes_.boxes[flawed[i]];
+    text += "\n  box " + std::to_string(box.global[0]) + ", " + std::to_string(box.global[1]) + ", " +
+      std::to_string(box.global[2]) + " from " + position(boxes_.lattice, box.low) + " to " +
+      position(boxes_.lattice, box.high);
+  }
+  return text;
+}
+
+std::vector<std::pair<const char*, double>> Assembly::statistics() const
+{
+  double removed = 0;
+  double isolated = 0;
+  for (std::size_t c = 0; c < cells_.size(); ++c)
+  {
+    bool hasInnerFace = false;
+    for (std::size_t f = cells_.cells[c].firstFace; f < cells_.cells[c + 1].firstFace; ++f)
+    {
+      hasInnerFace = hasInnerFace || cells_.faces[f].kind() != FaceRef::Kind::Patch;
+    }
+    removed += cells_.cells[c].removed;
+    isolated += !hasInnerFace && !cells_.cells[c].removed;
+  }
+  const double intersected = static_cast<double>(sides_.intersected.size());
+  const double inside = static_cast<double>(boxes_.boxes.size()) - intersected;
+  const double cells = static_cast<double>(mesh_->cellCount());
+  return {
+    { "Cells", cells },
+    { "Hexahedra", inside },
+    { "Polyhedra", cells - inside },
+    { "Points", static_cast<double>(mesh_->pointCount()) },
+    { "BoundaryFaces", static_cast<double>(mesh_->boundary().size()) },
+    { "BoxesInside", inside },
+    { "BoxesIntersected", intersected },
+    { "BoxesByExactFit", intersected },
+    { "BoxesFlawed", static_cast<double>(flawedBoxes().size()) },
+    { "Patches", static_cast<double>(patches_.size()) },
+    { "SmallCellsRemoved", removed },
+    { "IsolatedCells", isolated },
+    { "VoidsInsideCells", static_cast<double>(cells_.voids) },
+  };
+}
+
+}

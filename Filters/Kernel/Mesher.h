@@ -1,0 +1,77 @@
+// The whole meshing task, step by step (section 6): what the filters run.
+//
+//   surface --prepareSurface--> Surface, Meshlines     steps 2, 3, 4
+//           --boxSurface------> Boxes, Shoeboxes       steps 5, 7, 8   (Cartesian Boxer)
+//           --generatePatches-> Patches                A1              (Patcher)
+//           --Assembly--------> Sides, InnerFaces,     9, A3, B1-B4    (Cell Assembler)
+//                               Cells, Mesh            11-13
+#pragma once
+
+#include "Mesh.h"
+#include "SurfaceCheck.h"
+
+namespace cartesian
+{
+
+// Where each stage ends, as a part of all work.
+constexpr double AfterSurface = 0.1;
+constexpr double AfterBoxes = 0.25;
+constexpr double AfterPatches = 0.5;
+constexpr double AfterSides = 0.55;
+constexpr double AfterInnerFaces = 0.65;
+constexpr double AfterCells = 0.8;
+constexpr double AfterNumbering = 0.9;
+
+struct PreparedSurface
+{
+  Surface surface;
+  SurfaceCheck check;
+  Meshlines planes;
+  Bounds bounds; // of the surface, user units
+};
+
+// Scaling, Dual Levels and the check of the surface. `memoryLimit` in bytes. Throws Error:
+// EmptySurface, BadCoordinate, BadCellSize, BadMeshlines, TooManyBoxes.
+PreparedSurface prepareSurface(
+  const SurfaceView& view, const GridSpec& grid, double memoryLimit, Execution& execution);
+
+// What the check found, in words with places, or nothing. `cells`: the user's number of each triangle.
+std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>& cells);
+
+struct BoxedSurface
+{
+  Boxes boxes;
+  Shoeboxes shoeboxes;
+};
+
+BoxedSurface boxSurface(const PreparedSurface& prepared, Execution& execution);
+
+// Boxes and patches made into a mesh; borrows both. Throws Error: BadParameter, TooManyBoxes.
+class Assembly
+{
+public:
+  Assembly(
+    const Boxes& boxes, const Patches& patches, const CellSpec& spec, Execution& execution);
+
+  const Mesh& mesh() const { return *mesh_; }
+
+  // Intersected boxes that have no cells because the surface does not close in them.
+  std::vector<std::uint32_t> flawedBoxes() const;
+
+  // ... in words, with places, or nothing.
+  std::string describeFlaws() const;
+
+  // The statistics of step 12: names and values.
+  std::vector<std::pair<const char*, double>> statistics() const;
+
+private:
+  const Boxes& boxes_;
+  const Patches& patches_;
+  Sides sides_;
+  Nodes nodes_;
+  InnerFaces inner_;
+  Cells cells_;
+  std::unique_ptr<Mesh> mesh_;
+};
+
+}

@@ -1,0 +1,173 @@
+#include "Meshlines.h"
+
+#include "Error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// A last cell thinner than this part of the cell size is rounding, not a cell.
+constexpr double RoundingOfCounts = 1e-6;
+
+// More lines a direction than this would not fit in memory with any surface.
+constexpr double MostLines = 1e8;
+
+const char* const AxisName[] = { "X", "Y", "Z" };
+
+double cellSize(const GridSpec& spec, const Bounds& surface)
+{
+  const double size =
+    spec.cellSize == 0 ? surface.longest() / DefaultCellsAlongLongest : spec.cellSize;
+  if (!(size > 0) || !std::isfinite(size))
+  {
+    throw Error(Fault::BadCellSize,
+      "Cell Size is " + std::to_string(spec.cellSize) +
+        ": it must be a positive length (0 stands for the longest dimension / 50).");
+  }
+  return size;
+}
+
+double cellCount(double size, double extent)
+{
+  return std::max(1.0, std::ceil(extent / size - RoundingOfCounts));
+}
+
+void checkMeshlines(const std::vector<double>& lines, int axis, const Bounds& surface)
+{
+  const std::string name = std::string("Meshlines ") + AxisName[axis];
+  if (lines.size() < 2)
+  {
+    throw Error(Fault::BadMeshlines, name + " has one position: give at least two, or none.");
+  }
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    if (!std::isfinite(lines[i]) || (i > 0 && !(lines[i] > lines[i - 1])))
+    {
+      throw Error(Fault::BadMeshlines,
+        name + " must increase: position " + std::to_string(i) + " is " +
+          std::to_string(lines[i]) + (i > 0 ? " after " + std::to_string(lines[i - 1]) : "") + ".");
+    }
+  }
+  if (lines.back() <= surface.low[axis] || lines.front() >= surface.high[axis])
+  {
+    throw Error(Fault::BadMeshlines,
+      name + " run from " + std::to_string(lines.front()) + " to " + std::to_string(lines.back()) +
+        " and miss the surface, which lies between " + std::to_string(surface.low[axis]) +
+        " and " + std::to_string(surface.high[axis]) + ".");
+  }
+}
+
+std::vector<Level> uniformLines(
+  double size, double low, double high, int axis, const Lattice& lattice)
+{
+  const double count = cellCount(size, high - low);
+  if (count > MostLines)
+  {
+    throw Error(Fault::TooManyBoxes,
+      "Cell Size " + std::to_string(size) + " makes " + std::to_string(count) + " cells along " +
+        AxisName[axis] + ": choose a larger one.");
+  }
+  std::vector<Level> lines;
+  for (double i = 0; i < count; ++i)
+  {
+    lines.push_back(lattice.plane(axis, low + i * size));
+  }
+  lines.push_back(lattice.plane(axis, std::max(low + count * size, high)));
+  return lines;
+}
+
+// Planes that would touch the surface's bounds step out of its way.
+void clearOf(std::vector<Level>& lines, Level least, Level most)
+{
+  if (lines.front() == least + 1)
+  {
+    lines.front() = least - 1;
+  }
+  if (lines.back() == most - 1)
+  {
+    lines.back() = most + 1;
+  }
+}
+
+}
+
+Bounds domainOf(const GridSpec& spec, const Bounds& surface)
+{
+  Bounds domain = surface;
+  const double size = cellSize(spec, surface);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto& lines = spec.meshlines[axis];
+    if (lines.empty())
+    {
+      const double extent = surface.high[axis] - surface.low[axis];
+      domain.include(axis, surface.low[axis] + cellCount(size, extent) * size);
+    }
+    else
+    {
+      checkMeshlines(lines, axis, surface);
+      domain.include(axis, lines.front());
+      domain.include(axis, lines.back());
+    }
+  }
+  return domain;
+}
+
+Meshlines onLattice(const GridSpec& spec, const Bounds& surface, const Lattice& lattice)
+{
+  Meshlines planes;
+  const double size = cellSize(spec, surface);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto& lines = spec.meshlines[axis];
+    if (lines.empty())
+    {
+      planes[axis] =
+        uniformLines(size, surface.low[axis], surface.high[axis], axis, lattice);
+    }
+    else
+    {
+      for (const double x : lines)
+      {
+        planes[axis].push_back(lattice.plane(axis, x));
+      }
+    }
+    clearOf(planes[axis], lattice.vertex(axis, surface.low[axis]),
+      lattice.vertex(axis, surface.high[axis]));
+    const auto twice = std::adjacent_find(
+      planes[axis].begin(), planes[axis].end(), [](Level a, Level b) { return a >= b; });
+    if (twice != planes[axis].end())
+    {
+      throw Error(lines.empty() ? Fault::BadCellSize : Fault::BadMeshlines,
+        std::string("Two meshlines along ") + AxisName[axis] + " are closer than the lattice's " +
+          "step of " + std::to_string(2 * lattice.step()) + " around " +
+          std::to_string(lattice.position(axis, *twice)) + ": space them wider.");
+    }
+  }
+  return planes;
+}
+
+double boxesOf(const GridSpec& spec, const Bounds& surface)
+{
+  double boxes = 1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    boxes *= spec.meshlines[axis].empty()
+      ? cellCount(cellSize(spec, surface), surface.high[axis] - surface.low[axis])
+      : static_cast<double>(spec.meshlines[axis].size() - 1);
+  }
+  return boxes;
+}
+
+std::int64_t intervalOf(const std::vector<Level>& lines, Level level)
+{
+  return std::upper_bound(lines.begin(), lines.end(), level) - lines.begin() - 1;
+}
+
+}

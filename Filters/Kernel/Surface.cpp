@@ -1,0 +1,186 @@
+#include "Surface.h"
+
+#include "Error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t VerticesAChunk = 1 << 14;
+
+// Squares of coordinates must stay finite in double precision.
+constexpr double LargestCoordinate = 1e150;
+
+std::string place(const double* p)
+{
+  return "(" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) +
+    ")";
+}
+
+void checkTriangle(const SurfaceView& view, std::size_t triangle)
+{
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const std::uint32_t id = view.triangles[3 * triangle + corner];
+    if (id >= view.pointCount)
+    {
+      throw Error(Fault::BadParameter,
+        "Triangle " + std::to_string(triangle) + " names point " + std::to_string(id) +
+          ", but the surface has " + std::to_string(view.pointCount) + " points.");
+    }
+    const double* p = view.points + 3 * std::size_t(id);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (!(std::abs(p[axis]) <= LargestCoordinate))
+      {
+        throw Error(Fault::BadCoordinate,
+          "Point " + std::to_string(id) + " of the surface, used by triangle " +
+            std::to_string(triangle) + ", is at " + place(p) +
+            ": not a finite number, or too large. Remove or correct it.");
+      }
+    }
+  }
+}
+
+using Vector = std::array<double, 3>;
+
+Vector minus(const Point& a, const Point& b)
+{
+  return { double(a[0]) - b[0], double(a[1]) - b[1], double(a[2]) - b[2] };
+}
+
+Vector cross(const Vector& a, const Vector& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+double dot(const Vector& a, const Vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// Gives points that share all levels one vertex: fills `surface.vertices`, returns each point's.
+std::vector<std::uint32_t> mergePoints(const std::vector<Point>& points, Surface& surface)
+{
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return points[a] != points[b] ? points[a] < points[b] : a < b;
+  });
+  std::vector<std::uint32_t> vertex(points.size());
+  for (const std::uint32_t id : order)
+  {
+    if (surface.vertices.empty() || surface.vertices.back() != points[id])
+    {
+      surface.vertices.push_back(points[id]);
+    }
+    vertex[id] = static_cast<std::uint32_t>(surface.vertices.size() - 1);
+  }
+  return vertex;
+}
+
+}
+
+Bounds boundsOf(const SurfaceView& view)
+{
+  if (view.triangleCount == 0)
+  {
+    throw Error(Fault::EmptySurface,
+      "The surface has no triangles: connect a closed triangulated surface.");
+  }
+  Bounds bounds = Bounds::none();
+  for (std::size_t t = 0; t < view.triangleCount; ++t)
+  {
+    checkTriangle(view, t);
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        bounds.include(axis, view.points[3 * std::size_t(view.triangles[3 * t + corner]) + axis]);
+      }
+    }
+  }
+  if (bounds.longest() == 0)
+  {
+    throw Error(Fault::EmptySurface, "All points of the surface coincide: nothing to mesh.");
+  }
+  return bounds;
+}
+
+Surface onLattice(const SurfaceView& view, const Lattice& lattice, Execution& execution)
+{
+  // Points that no triangle uses may be anything, NaN too: they stay at the lattice's corner.
+  std::vector<bool> used(view.pointCount);
+  for (std::size_t i = 0; i < 3 * view.triangleCount; ++i)
+  {
+    used[view.triangles[i]] = true;
+  }
+  std::vector<Point> points(view.pointCount);
+  execution.forEach(view.pointCount, VerticesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      for (int axis = 0; used[i] && axis < 3; ++axis)
+      {
+        points[i][axis] = lattice.vertex(axis, view.points[3 * i + axis]);
+      }
+    }
+  });
+
+  Surface surface;
+  surface.lattice = lattice;
+  const std::vector<std::uint32_t> vertex = mergePoints(points, surface);
+  surface.triangles.resize(view.triangleCount);
+  surface.boundary.assign(view.triangleCount, 0);
+  for (std::size_t t = 0; t < view.triangleCount; ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      surface.triangles[t][corner] = vertex[view.triangles[3 * t + corner]];
+    }
+  }
+  if (view.boundary)
+  {
+    std::copy_n(view.boundary, view.triangleCount, surface.boundary.begin());
+  }
+  if (volumeOf(surface) < 0)
+  {
+    for (auto& triangle : surface.triangles)
+    {
+      std::swap(triangle[1], triangle[2]);
+    }
+  }
+  return surface;
+}
+
+double areaOf(const Surface& surface)
+{
+  double twice = 0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const Corners c = surface.corners(t);
+    const Vector normal = cross(minus(c[1], c[0]), minus(c[2], c[0]));
+    twice += std::sqrt(dot(normal, normal));
+  }
+  return twice / 2 * surface.lattice.step() * surface.lattice.step();
+}
+
+double volumeOf(const Surface& surface)
+{
+  double six = 0;
+  const Point base = surface.corners(0)[0];
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const Corners c = surface.corners(t);
+    six += dot(minus(c[0], base), cross(minus(c[1], c[0]), minus(c[2], c[0])));
+  }
+  const double step = surface.lattice.step();
+  return six / 6 * step * step * step;
+}
+
+}

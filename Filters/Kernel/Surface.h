@@ -1,0 +1,49 @@
+// The triangulated surface on the lattice (sections 4.1, 4.2; steps 2 and 3).
+#pragma once
+
+#include "Crossing.h"
+#include "Execution.h"
+
+#include <vector>
+
+namespace cartesian
+{
+
+// Triangles in user units, as the caller has them; borrowed. Corners are counter-clockwise seen
+// from outside the domain that is to be meshed (outward normals).
+struct SurfaceView
+{
+  const double* points = nullptr; // x, y, z of each point
+  std::size_t pointCount = 0;
+  const std::uint32_t* triangles = nullptr; // three points each
+  std::size_t triangleCount = 0;
+  const std::int32_t* boundary = nullptr; // boundary index of each triangle, or null: all 0
+};
+
+// The bounds of all points that triangles use. Throws Error: EmptySurface, BadCoordinate (with
+// the point's id), BadParameter (a triangle that names no point).
+Bounds boundsOf(const SurfaceView& surface);
+
+struct Surface
+{
+  Lattice lattice;
+  std::vector<Point> vertices; // distinct
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::int32_t> boundary; // one a triangle
+
+  Corners corners(std::size_t triangle) const
+  {
+    const auto& t = triangles[triangle];
+    return { vertices[t[0]], vertices[t[1]], vertices[t[2]] };
+  }
+};
+
+// Puts a surface on the lattice. Points that share all three levels become one vertex.
+// A surface that encloses a negative volume (normals inward as a whole) is turned over.
+Surface onLattice(const SurfaceView& view, const Lattice& lattice, Execution& execution);
+
+// Area in square, volume in cubic user units.
+double areaOf(const Surface& surface);
+double volumeOf(const Surface& surface);
+
+}

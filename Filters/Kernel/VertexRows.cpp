@@ -1,0 +1,142 @@
+#include "VertexRows.h"
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t RowsAChunk = 64;
+
+// Marks which vertices of one row are used, i from 0.
+class RowMarks
+{
+public:
+  RowMarks(const Boxes& boxes, const Nodes& nodes, const std::vector<std::uint8_t>& used)
+    : boxes_(boxes)
+    , nodes_(nodes)
+    , used_(used)
+    , marks_(boxes.planes[0].size() + 1)
+  {
+  }
+
+  // Calls visit(begin, end) for the runs of used vertices in row (j, k) of vertices.
+  template <class Visitor>
+  void forEachRun(std::size_t j, std::size_t k, Visitor&& visit)
+  {
+    first_ = marks_.size();
+    last_ = 0;
+    for (std::size_t up = 0; up < 2; ++up)
+    {
+      for (std::size_t back = 0; back < 2; ++back)
+      {
+        markBoxes(j - up, k - back);
+      }
+    }
+    markNodes(j + k * boxes_.planes[1].size());
+    for (std::size_t i = first_; i <= last_ && i < marks_.size();)
+    {
+      std::size_t end = i;
+      for (; marks_[end]; ++end)
+      {
+        marks_[end] = 0;
+      }
+      if (end > i)
+      {
+        visit(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(end));
+      }
+      i = end + 1;
+    }
+  }
+
+private:
+  void mark(std::size_t i)
+  {
+    marks_[i] = 1;
+    first_ = std::min(first_, i);
+    last_ = std::max(last_, i);
+  }
+
+  // Rows before the first wrap around to huge indices.
+  void markBoxes(std::size_t j, std::size_t k)
+  {
+    if (j >= boxes_.planes[1].size() - 1 || k >= boxes_.planes[2].size() - 1)
+    {
+      return;
+    }
+    const std::size_t row = boxes_.row(j, k);
+    for (std::size_t b = boxes_.rowStart[row]; b < boxes_.rowStart[row + 1]; ++b)
+    {
+      const Box& box = boxes_.boxes[b];
+      if (box.status == BoxStatus::Inside)
+      {
+        mark(box.global[0]);
+        mark(box.global[0] + 1);
+      }
+    }
+  }
+
+  void markNodes(std::size_t row)
+  {
+    for (std::size_t c = nodes_.rowStart[row]; c < nodes_.rowStart[row + 1]; ++c)
+    {
+      const std::size_t node = nodes_.patchPoints + c;
+      if (used_[node])
+      {
+        mark(static_cast<std::size_t>(intervalOf(boxes_.planes[0], nodes_.at[node][0])));
+      }
+    }
+  }
+
+  const Boxes& boxes_;
+  const Nodes& nodes_;
+  const std::vector<std::uint8_t>& used_;
+  std::vector<std::uint8_t> marks_;
+  std::size_t first_ = 0;
+  std::size_t last_ = 0;
+};
+
+}
+
+VertexRows::VertexRows(const Boxes& boxes, const Nodes& nodes,
+  const std::vector<std::uint8_t>& used, Execution& execution)
+  : rowLength_(boxes.planes[1].size())
+{
+  const std::size_t rows = rowLength_ * boxes.planes[2].size();
+  std::vector<std::vector<Run>> parts(chunks(rows, RowsAChunk));
+  rowStart_.assign(rows + 1, 0);
+  execution.forEach(rows, RowsAChunk, [&](std::size_t begin, std::size_t end) {
+    RowMarks marks(boxes, nodes, used);
+    for (std::size_t row = begin; row < end; ++row)
+    {
+      marks.forEachRun(
+        row % rowLength_, row / rowLength_, [&](std::uint32_t first, std::uint32_t last) {
+          parts[begin / RowsAChunk].push_back({ first, last, 0 });
+          ++rowStart_[row];
+        });
+    }
+  });
+  runs_.reserve(scan(rowStart_));
+  for (const auto& part : parts)
+  {
+    for (Run run : part)
+    {
+      run.number = size_;
+      size_ += run.end - run.begin;
+      runs_.push_back(run);
+    }
+  }
+}
+
+std::size_t VertexRows::number(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
+{
+  const std::size_t row = j + k * rowLength_;
+  const auto begin = runs_.begin() + static_cast<std::ptrdiff_t>(rowStart_[row]);
+  const auto end = runs_.begin() + static_cast<std::ptrdiff_t>(rowStart_[row + 1]);
+  const auto after =
+    std::upper_bound(begin, end, i, [](std::uint32_t x, const Run& run) { return x < run.begin; });
+  const Run& run = *(after - 1);
+  return run.number + (i - run.begin);
+}
+
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCartesianAlgorithm.h"
+
+#include "Error.h"
+#include "Execution.h"
+
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <new>
+
+namespace
+{
+
+constexpr unsigned long Code(cartesian::Fault fault)
+{
+  return vtkErrorCode::UserError + static_cast<unsigned long>(fault);
+}
+
+static_assert(Code(cartesian::Fault::EmptySurface) == vtkCartesianAlgorithm::EmptySurface);
+static_assert(Code(cartesian::Fault::OutOfMemory) == vtkCartesianAlgorithm::OutOfMemory);
+
+}
+
+bool vtkCartesianAlgorithm::Run(const std::function<void(cartesian::Execution&)>& work)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  try
+  {
+    cartesian::Execution execution(
+      this->NumberOfThreads, [this](double fraction, const char* stage) {
+        this->SetProgressText(stage);
+        this->UpdateProgress(fraction);
+        return !this->CheckAbort();
+      });
+    work(execution);
+    return true;
+  }
+  catch (const cartesian::Error& error)
+  {
+    this->SetErrorCode(Code(error.fault));
+    vtkErrorMacro(<< error.what());
+  }
+  catch (const cartesian::Stopped&)
+  {
+    this->SetErrorCode(vtkCartesianAlgorithm::Stopped);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->SetErrorCode(vtkCartesianAlgorithm::OutOfMemory);
+    vtkErrorMacro("Out of memory. Use a larger cell size, or set a lower memory limit to be told "
+                  "before the work begins.");
+  }
+  return false;
+}
+
+void vtkCartesianAlgorithm::ReportFlaws(const std::string& text)
+{
+  if (!text.empty())
+  {
+    this->SetErrorCode(vtkCartesianAlgorithm::FlawedSurface);
+    vtkWarningMacro(<< text);
+  }
+}
+
+bool vtkCartesianAlgorithm::IsLeftToFirstProcess(vtkInformationVector* output)
+{
+  vtkInformation* info = output->GetInformationObject(0);
+  return info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) &&
+    info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0;
+}
+
+void vtkCartesianAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+}

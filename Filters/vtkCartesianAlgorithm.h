@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkCartesianAlgorithm
+ * @brief what the filters of the Cartesian mesher have in common
+ *
+ * Results do not depend on the number of threads.
+ *
+ * On an error a filter says what is wrong, where and what to do (vtkErrorMacro), sets an
+ * `ErrorCode` (vtkAlgorithm::GetErrorCode) from the list below, and gives an empty or partial but
+ * valid output. Without an error the code is 0.
+ *
+ * @sa vtkCartesianBoxer vtkPatcher vtkCellAssembler vtkCartesianMesher
+ */
+#ifndef vtkCartesianAlgorithm_h
+#define vtkCartesianAlgorithm_h
+
+#include "vtkCartesianMesherFiltersModule.h" // for the export macro
+#include "vtkDataObjectAlgorithm.h"
+
+#include <functional> // for std::function
+#include <string>     // for std::string
+
+namespace cartesian
+{
+class Execution;
+}
+
+class VTKCARTESIANMESHERFILTERS_EXPORT vtkCartesianAlgorithm : public vtkDataObjectAlgorithm
+{
+public:
+  vtkTypeMacro(vtkCartesianAlgorithm, vtkDataObjectAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * What GetErrorCode() says after an update that went wrong; from vtkErrorCode::UserError on.
+   */
+  enum ErrorCodes
+  {
+    EmptySurface = 40001,  ///< the input is missing or has no triangles
+    BadCoordinate = 40002, ///< a coordinate is NaN, infinite or too large
+    BadCellSize = 40003,   ///< the cell size is negative, NaN or too small
+    BadMeshlines = 40004,  ///< meshlines do not increase, are too few, or miss the surface
+    TooManyBoxes = 40005,  ///< the estimated memory exceeds the limit
+    MissingArray = 40006,  ///< an array is not there, or has the wrong length or type
+    FlawedSurface = 40007, ///< open or inconsistent: meshed as far as possible
+    BadParameter = 40008,  ///< another property is out of its range
+    Stopped = 40009,       ///< by the user
+    OutOfMemory = 40010    ///< there was less memory than estimated
+  };
+
+  ///@{
+  /**
+   * Number of threads; 0, the default, means one for each core.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+protected:
+  vtkCartesianAlgorithm() = default;
+  ~vtkCartesianAlgorithm() override = default;
+
+  /**
+   * Calls `work` with this filter's threads, progress and abort flag, and turns what it throws
+   * into an error message and an error code. True if nothing was thrown.
+   */
+  bool Run(const std::function<void(cartesian::Execution&)>& work);
+
+  /**
+   * Flaws of the surface that the mesh survives: a warning, and the error code FlawedSurface. No
+   * text, no flaws.
+   */
+  void ReportFlaws(const std::string& text);
+
+  /**
+   * True where another process makes the mesh: the surface is read by the first one, all others
+   * give an empty output.
+   */
+  static bool IsLeftToFirstProcess(vtkInformationVector* output);
+
+  int NumberOfThreads = 0;
+
+private:
+  vtkCartesianAlgorithm(const vtkCartesianAlgorithm&) = delete;
+  void operator=(const vtkCartesianAlgorithm&) = delete;
+};
+
+#endif

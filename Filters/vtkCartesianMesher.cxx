@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCartesianMesher.h"
+
+#include "MeshToVTK.h"
+#include "SurfaceFromVTK.h"
+
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+vtkStandardNewMacro(vtkCartesianMesher);
+
+vtkCartesianMesher::vtkCartesianMesher()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+int vtkCartesianMesher::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
+  return 1;
+}
+
+int vtkCartesianMesher::RequestData(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+{
+  if (IsLeftToFirstProcess(output))
+  {
+    return 1;
+  }
+  this->Run([&](cartesian::Execution& execution) {
+    const cartesian::SurfaceFromVTK surface(vtkPolyData::GetData(input[0]), this->BoundaryArray);
+    const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
+    const cartesian::BoxedSurface boxed = cartesian::boxSurface(prepared, execution);
+    execution.stage("Patches", cartesian::AfterBoxes, cartesian::AfterPatches);
+    const cartesian::Patches patches = cartesian::generatePatches(
+      prepared.surface, boxed.boxes, boxed.shoeboxes, execution);
+    const cartesian::Assembly assembly(
+      boxed.boxes, patches, { this->SmallCellRatio }, execution);
+    cartesian::toVTK(assembly, vtkUnstructuredGrid::GetData(output, 0),
+      vtkPolyData::GetData(output, 1), execution);
+    this->ReportFlaws(assembly.describeFlaws());
+  });
+  return 1;
+}
+
+void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "BoundaryArray: " << this->BoundaryArray << "\n";
+  os << indent << "PatchMethod: " << this->PatchMethod << "\n";
+  os << indent << "SmallCellRatio: " << this->SmallCellRatio << "\n";
+}

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCellAssembler.h"
+
+#include "BoxesVTK.h"
+#include "MeshToVTK.h"
+#include "PatchesVTK.h"
+
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+vtkStandardNewMacro(vtkCellAssembler);
+
+vtkCellAssembler::vtkCellAssembler()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+int vtkCellAssembler::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
+  return 1;
+}
+
+int vtkCellAssembler::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
+  return 1;
+}
+
+int vtkCellAssembler::RequestData(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+{
+  if (IsLeftToFirstProcess(output))
+  {
+    return 1;
+  }
+  this->Run([&](cartesian::Execution& execution) {
+    const cartesian::Boxes boxes = cartesian::boxesFromVTK(vtkUnstructuredGrid::GetData(input[0]));
+    const cartesian::Patches patches =
+      cartesian::patchesFromVTK(vtkPolyData::GetData(input[1]), boxes);
+    const cartesian::Assembly assembly(boxes, patches, { this->SmallCellRatio }, execution);
+    cartesian::toVTK(assembly, vtkUnstructuredGrid::GetData(output, 0),
+      vtkPolyData::GetData(output, 1), execution);
+    this->ReportFlaws(assembly.describeFlaws());
+  });
+  return 1;
+}
+
+void vtkCellAssembler::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SmallCellRatio: " << this->SmallCellRatio << "\n";
+}

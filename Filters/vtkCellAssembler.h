@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkCellAssembler
+ * @brief builds the cells of the mesh from boxes and patches
+ *
+ * Inputs: port 0 the boxes of vtkCartesianBoxer (vtkUnstructuredGrid), port 1 the patches of
+ * vtkPatcher (vtkPolyData). Outputs: port 0 "Mesh" (vtkUnstructuredGrid), port 1 "Boundary"
+ * (vtkPolyData), the faces of the mesh that only one cell has. Sections 4.9 and 4.10 and part B of
+ * section 6 of the paper.
+ *
+ * Mesh: hexahedra and polyhedra with outward faces. Cell arrays GlobalBox (int, components I, J, K),
+ * Region (int, from 1), VolumeFraction (double: of the cell's box). Field data: the statistics, one
+ * array of one number each (Cells, Hexahedra, Polyhedra, Points, BoundaryFaces, BoxesInside,
+ * BoxesIntersected, BoxesByExactFit, BoxesFlawed, Patches, SmallCellsRemoved, IsolatedCells,
+ * VoidsInsideCells).
+ *
+ * Boundary: cell arrays BoundaryId (int; -1 where no patch was), OwnerCell (cell of the mesh); point
+ * array MeshPointId (point of the mesh).
+ *
+ * Errors: MissingArray (inputs that do not belong together), BadParameter; FlawedSurface with a valid
+ * output that leaves out the boxes where the surface does not close.
+ *
+ * @sa vtkCartesianBoxer vtkPatcher vtkCartesianMesher
+ */
+#ifndef vtkCellAssembler_h
+#define vtkCellAssembler_h
+
+#include "vtkCartesianAlgorithm.h"
+#include "vtkCartesianMesherFiltersModule.h" // for the export macro
+
+class VTKCARTESIANMESHERFILTERS_EXPORT vtkCellAssembler : public vtkCartesianAlgorithm
+{
+public:
+  static vtkCellAssembler* New();
+  vtkTypeMacro(vtkCellAssembler, vtkCartesianAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Cells smaller than this fraction of their box are left out: 0 (none but those without volume)
+   * to less than 1; default 0.001.
+   */
+  vtkSetMacro(SmallCellRatio, double);
+  vtkGetMacro(SmallCellRatio, double);
+  ///@}
+
+protected:
+  vtkCellAssembler();
+  ~vtkCellAssembler() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+  double SmallCellRatio = 1e-3;
+
+private:
+  vtkCellAssembler(const vtkCellAssembler&) = delete;
+  void operator=(const vtkCellAssembler&) = delete;
+};
+
+#endif

@@ -1,0 +1,35 @@
+"""Labels without spaces are the filters' and properties' names in Python: users' scripts and
+saved states depend on them and on the defaults."""
+
+from paraview import simple
+
+grid = {"CellSize": 0.0, "MeshlinesX": [], "MeshlinesY": [], "MeshlinesZ": []}
+patches = {"BoundaryArray": "", "PatchMethod": "Exact Fit"}
+cells = {"SmallCellRatio": 0.001}
+threads = {"NumberOfThreads": 0}
+memory = {"MemoryLimit": 0.0}
+
+surface = simple.Sphere()
+boxer = simple.CartesianBoxer(Input=surface)
+patcher = simple.Patcher(Input=surface, Boxes=boxer)
+assembler = simple.CellAssembler(Input=boxer, Patches=patcher)
+mesher = simple.CartesianMesher(Input=surface)
+
+expected = {
+    boxer: ("Cartesian Boxer", ["Input"], grid | threads | memory),
+    patcher: ("Patcher", ["Input", "Boxes"], patches | threads),
+    assembler: ("Cell Assembler", ["Input", "Patches"], cells | threads),
+    mesher: ("Cartesian Mesher", ["Input"], grid | patches | cells | threads | memory),
+}
+for proxy, (label, inputs, properties) in expected.items():
+    assert proxy.GetXMLLabel() == label, proxy.GetXMLLabel()
+    names = sorted(proxy.ListProperties())
+    assert names == sorted(inputs + list(properties)), f"{label} has the properties {names}"
+    for name, default in properties.items():
+        value = proxy.GetPropertyValue(name)
+        value = list(value) if isinstance(default, list) else value
+        assert value == default, f"the default of {name} of {label} is {value!r}"
+
+for proxy in assembler, mesher:
+    ports = [proxy.GetOutputPortName(i) for i in range(proxy.GetNumberOfOutputPorts())]
+    assert ports == ["Mesh", "Boundary"], ports

@@ -1,0 +1,19 @@
+#!/bin/sh
+# ./demo.sh [SURFACE] [CELL_SIZE]
+#
+# Meshes a surface (STL, OBJ, PLY or VTP), prints the statistics, and writes the mesh (.vtu) and a
+# picture of it cut open (.png) into the current folder. CELL_SIZE is a length in the surface's
+# units; without it, 1/50 of the longest side of the surface's bounding box.
+set -eu
+here=$(dirname "$(readlink -f "$0")")
+surface=${1:-$here/Data/kcl_exhaust_header_lumens.stl}
+cell_size=${2:-0}
+
+"$here/.ci/install"
+(
+  cd "$here"
+  cmake --preset release --log-level=WARNING
+  cmake --build --preset release --target CartesianMesher
+)
+PV_PLUGIN_PATH=$here/build/release/lib/paraview-5.11/plugins \
+  exec xvfb-run -a pvpython "$here/Plugin/demo.py" "$surface" "$cell_size"
