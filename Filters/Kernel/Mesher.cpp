@@ -24,6 +24,24 @@ std::string position(const Lattice& lattice, const Point& p)
     ", " + rounded(lattice.position(2, p[2])) + ")";
 }
 
+// Where the surface reaches beyond the meshlines.
+std::string describeOverhang(const PreparedSurface& prepared)
+{
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto& planes = prepared.planes[axis];
+    const Lattice& lattice = prepared.surface.lattice;
+    if (lattice.vertex(axis, prepared.bounds.low[axis]) < planes.front() ||
+      lattice.vertex(axis, prepared.bounds.high[axis]) > planes.back())
+    {
+      text += std::string("The surface reaches beyond the Meshlines ") + "XYZ"[axis] +
+        ", which cut the mesh off there. ";
+    }
+  }
+  return text;
+}
+
 void checkMemory(const Surface& surface, const Meshlines& planes, double limit)
 {
   constexpr double GiB = 1024.0 * 1024 * 1024;
@@ -56,11 +74,12 @@ PreparedSurface prepareSurface(
 std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>& cells)
 {
   const SurfaceCheck& check = prepared.check;
+  std::string text = describeOverhang(prepared);
   if (check.places.empty())
   {
-    return "";
+    return text;
   }
-  std::string text = "The surface has " + std::to_string(check.openEdges) + " open edges, " +
+  text += "The surface has " + std::to_string(check.openEdges) + " open edges, " +
     std::to_string(check.nonManifoldEdges) + " edges of more than two triangles and " +
     std::to_string(check.inconsistentEdges) + " inconsistently oriented edges:";
   for (const SurfaceCheck::Place& place : check.places)
@@ -102,6 +121,12 @@ Assembly::Assembly(
   execution.stage("Numbering", AfterCells, AfterNumbering);
   mesh_ = std::make_unique<Mesh>(
     MeshParts{ boxes, patches, sides_, nodes_, inner_, cells_ }, execution);
+  if (mesh_->cellCount() == 0)
+  {
+    throw Error(Fault::FlawedSurface,
+      "There is nothing to mesh: the surface encloses no volume, or is open everywhere. " +
+        describeFlaws());
+  }
 }
 
 std::vector<std::uint32_t> Assembly::flawedBoxes() const

@@ -15,6 +15,9 @@ namespace
 // A last cell thinner than this part of the cell size is rounding, not a cell.
 constexpr double RoundingOfCounts = 1e-6;
 
+// A surface this many times smaller than a cell would lose its shape on the cell's lattice.
+constexpr double LargestCell = 1000;
+
 // More lines a direction than this would not fit in memory with any surface.
 constexpr double MostLines = 1e8;
 
@@ -29,6 +32,12 @@ double cellSize(const GridSpec& spec, const Bounds& surface)
     throw Error(Fault::BadCellSize,
       "Cell Size is " + std::to_string(spec.cellSize) +
         ": it must be a positive length (0 stands for the longest dimension / 50).");
+  }
+  if (size > LargestCell * surface.longest())
+  {
+    throw Error(Fault::BadCellSize,
+      "Cell Size is " + std::to_string(size) + ", but the surface is only " +
+        std::to_string(surface.longest()) + " long: choose a smaller one.");
   }
   return size;
 }
