@@ -2,6 +2,7 @@
 #include "vtkCartesianBoxer.h"
 
 #include "BoxesVTK.h"
+#include "Error.h"
 #include "Mesher.h"
 #include "SurfaceFromVTK.h"
 
@@ -12,6 +13,10 @@
 
 #include "vtksys/SystemInformation.hxx"
 
+#include <cmath>
+#include <limits>
+#include <memory>
+
 namespace
 {
 
@@ -21,9 +26,88 @@ constexpr double BytesOfAGiB = BytesOfAKiB * BytesOfAKiB * BytesOfAKiB;
 // Of the machine's memory, where the user sets no limit.
 constexpr double ShareOfMemory = 0.75;
 
+template <class Table>
+void PrintTable(ostream& os, vtkIndent indent, const char* name, const Table& table)
+{
+  os << indent << name << ":\n";
+  for (const auto& row : table)
+  {
+    os << indent.GetNextIndent();
+    for (const double value : row)
+    {
+      os << value << " ";
+    }
+    os << "\n";
+  }
+}
+
+// Tables hold doubles; all their numbers are whole.
+int WholeNumber(double value, const std::string& where)
+{
+  if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max())
+  {
+    throw cartesian::Error(cartesian::Fault::BadParameter,
+      "In " + where + ", " + std::to_string(value) + " is no whole number.");
+  }
+  return static_cast<int>(value);
+}
+
 }
 
 vtkStandardNewMacro(vtkCartesianBoxer);
+
+vtkCartesianBoxer::vtkCartesianBoxer()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+void vtkCartesianBoxer::SetNumberOfRefinementBlocks(int number)
+{
+  this->Resize(this->RefinementBlocks, number);
+}
+
+void vtkCartesianBoxer::SetRefinementBlock(int row, double firstI, double lastI, double firstJ,
+  double lastJ, double firstK, double lastK, double allowed, double forced)
+{
+  this->SetRow(this->RefinementBlocks, row,
+    { firstI, lastI, firstJ, lastJ, firstK, lastK, allowed, forced });
+}
+
+void vtkCartesianBoxer::SetNumberOfBoundaryRefinements(int number)
+{
+  this->Resize(this->BoundaryRefinements, number);
+}
+
+void vtkCartesianBoxer::SetBoundaryRefinement(
+  int row, double boundary, double depth, double blendLayers, double blendBelow)
+{
+  this->SetRow(this->BoundaryRefinements, row, { boundary, depth, blendLayers, blendBelow });
+}
+
+template <class Row>
+void vtkCartesianBoxer::Resize(std::vector<Row>& table, int number)
+{
+  if (number >= 0 && table.size() != static_cast<std::size_t>(number))
+  {
+    table.resize(static_cast<std::size_t>(number), Row{});
+    this->Modified();
+  }
+}
+
+template <class Row>
+void vtkCartesianBoxer::SetRow(std::vector<Row>& table, int row, const Row& values)
+{
+  if (row < 0 || static_cast<std::size_t>(row) >= table.size())
+  {
+    vtkErrorMacro("There is no row " << row << ": set the number of rows first.");
+    return;
+  }
+  if (table[static_cast<std::size_t>(row)] != values)
+  {
+    table[static_cast<std::size_t>(row)] = values;
+    this->Modified();
+  }
+}
 
 void vtkCartesianBoxer::SetNumberOfMeshlines(int axis, int number)
 {
@@ -70,8 +154,9 @@ double vtkCartesianBoxer::GetMeshline(int axis, int i)
   return this->HasMeshline(axis, i) ? this->Meshlines[axis][i] : 0.0;
 }
 
-int vtkCartesianBoxer::FillInputPortInformation(int, vtkInformation* info)
+int vtkCartesianBoxer::FillInputPortInformation(int port, vtkInformation* info)
 {
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1 ? 1 : 0);
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   return 1;
 }
@@ -96,6 +181,43 @@ cartesian::PreparedSurface vtkCartesianBoxer::Prepare(
   return prepared;
 }
 
+cartesian::BoxedSurface vtkCartesianBoxer::Divide(const cartesian::PreparedSurface& prepared,
+  vtkInformationVector* regions, cartesian::Execution& execution)
+{
+  cartesian::RefinementSpec spec;
+  spec.depth = this->RefinementDepth;
+  for (std::size_t n = 0; n < this->RefinementBlocks.size(); ++n)
+  {
+    const std::string name = "row " + std::to_string(n) + " of Refinement Blocks";
+    std::array<int, 8> whole;
+    for (std::size_t i = 0; i < whole.size(); ++i)
+    {
+      whole[i] = WholeNumber(this->RefinementBlocks[n][i], name);
+    }
+    spec.blocks.push_back({ { whole[0], whole[2], whole[4] }, { whole[1], whole[3], whole[5] },
+      whole[6], whole[7] });
+  }
+  for (std::size_t n = 0; n < this->BoundaryRefinements.size(); ++n)
+  {
+    const std::string name = "row " + std::to_string(n) + " of Boundary Refinement";
+    const std::array<double, 4>& row = this->BoundaryRefinements[n];
+    spec.boundaries.push_back({ WholeNumber(row[0], name), WholeNumber(row[1], name),
+      WholeNumber(row[2], name), WholeNumber(row[3], name) != 0 });
+  }
+  std::unique_ptr<cartesian::SurfaceFromVTK> region;
+  if (vtkPolyData* input = regions ? vtkPolyData::GetData(regions) : nullptr)
+  {
+    region = std::make_unique<cartesian::SurfaceFromVTK>(input, "");
+    spec.regions.push_back({ region->view(), this->RegionDepth });
+  }
+  cartesian::BoxedSurface boxed = cartesian::boxSurface(prepared, spec, execution);
+  if (!boxed.warnings.empty())
+  {
+    vtkWarningMacro(<< boxed.warnings);
+  }
+  return boxed;
+}
+
 int vtkCartesianBoxer::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
@@ -104,10 +226,10 @@ int vtkCartesianBoxer::RequestData(
     return 1;
   }
   this->Run([&](cartesian::Execution& execution) {
-    const cartesian::SurfaceFromVTK surface(vtkPolyData::GetData(input[0]), "");
+    const cartesian::SurfaceFromVTK surface(vtkPolyData::GetData(input[0]), this->BoundaryArray);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
-    cartesian::toVTK(
-      cartesian::boxSurface(prepared, execution).boxes, vtkUnstructuredGrid::GetData(output));
+    cartesian::toVTK(this->Divide(prepared, input[1], execution).boxes,
+      vtkUnstructuredGrid::GetData(output));
   });
   return 1;
 }
@@ -126,5 +248,10 @@ void vtkCartesianBoxer::PrintSelf(ostream& os, vtkIndent indent)
     }
     os << "\n";
   }
+  os << indent << "BoundaryArray: " << this->BoundaryArray << "\n";
+  os << indent << "RefinementDepth: " << this->RefinementDepth << "\n";
+  PrintTable(os, indent, "RefinementBlocks", this->RefinementBlocks);
+  PrintTable(os, indent, "BoundaryRefinements", this->BoundaryRefinements);
+  os << indent << "RegionDepth: " << this->RegionDepth << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }

@@ -4,17 +4,23 @@
  * @brief divides the space around a surface into boxes
  *
  * Input: a closed surface (vtkPolyData). Output: the boxes that hold a part of the inside
- * (vtkUnstructuredGrid of voxels; sections 4.1 to 4.5 of the paper).
+ * (vtkUnstructuredGrid of voxels; sections 4.1 to 4.6 of the paper).
  *
- * Cell arrays of the output: GlobalBox (int, components I, J, K), Status (1 inside, 2 intersected by
+ * Cell arrays of the output: GlobalBox (int, components I, J, K), Level and Offset (how often
+ * halved along x, y, z, and where in the global box, in 1/64 of it), Status (1 inside, 2 intersected by
  * the surface), CornerStatus (bit x + 2 y + 4 z: that corner is inside). Field data: LatticeOrigin,
  * LatticeStep, PlanesX, PlanesY, PlanesZ, SurfaceClosed (see Conversion/BoxesVTK.h).
  *
- * Errors: EmptySurface, BadCoordinate, BadCellSize, BadMeshlines, TooManyBoxes; FlawedSurface with a
+ * Errors: EmptySurface, BadCoordinate, BadCellSize, BadMeshlines, TooManyBoxes,
+ * MissingArray, BadParameter (a depth, a block, an unknown boundary); FlawedSurface with a
  * valid output.
  *
  * The boxes lie between meshlines: planes across x, y and z. They are CellSize apart, starting at
- * the surface's bounding box, or where the user puts them.
+ * the surface's bounding box, or where the user puts them. The global boxes between them may be
+ * halved again and again, along one, two or three axes: into the fewest boxes that cover what is
+ * inside or intersected at the depth allowed there, balanced between neighbours.
+ *
+ * Input port 1, optional: a closed surface (vtkPolyData) around a region to refine.
  *
  * @sa vtkPatcher vtkCellAssembler vtkCartesianMesher
  */
@@ -25,10 +31,12 @@
 #include "vtkCartesianMesherFiltersModule.h" // for the export macro
 
 #include <array>  // for std::array
+#include <string> // for std::string
 #include <vector> // for std::vector
 
 namespace cartesian
 {
+struct BoxedSurface;
 struct PreparedSurface;
 class SurfaceFromVTK;
 }
@@ -74,6 +82,55 @@ public:
 
   ///@{
   /**
+   * Cell array of the surface that numbers its boundaries. Empty, the default: the one that a
+   * reader made for the solids that an STL file names, if there is one, else one boundary.
+   */
+  vtkSetMacro(BoundaryArray, std::string);
+  vtkGetMacro(BoundaryArray, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * How often global boxes that the surface passes through may be halved along each axis, unless
+   * a block or a boundary says otherwise: 0, the default, to 6.
+   */
+  vtkSetMacro(RefinementDepth, int);
+  vtkGetMacro(RefinementDepth, int);
+  ///@}
+
+  ///@{
+  /**
+   * Blocks of global boxes with depths of their own; later ones win. First and last box along each
+   * axis (whole numbers from 0, both included), allowed depth (where the surface passes), forced
+   * depth (everywhere in the block), 0 to 6.
+   */
+  void SetNumberOfRefinementBlocks(int number);
+  void SetRefinementBlock(int row, double firstI, double lastI, double firstJ, double lastJ,
+    double firstK, double lastK, double allowed, double forced);
+  ///@}
+
+  ///@{
+  /**
+   * Depth along boundaries, applied after blocks: the boundary, the depth of global boxes that it
+   * passes through (0 to 6), the number of layers at each forced depth (0: no blending), 1 for
+   * blending from depth - 1 on, else 0.
+   */
+  void SetNumberOfBoundaryRefinements(int number);
+  void SetBoundaryRefinement(
+    int row, double boundary, double depth, double blendLayers, double blendBelow);
+  ///@}
+
+  ///@{
+  /**
+   * Depth, allowed and forced, of global boxes in or at the closed surface on input port 1; 0 to 6,
+   * default 1. Applied last; only ever refines.
+   */
+  vtkSetMacro(RegionDepth, int);
+  vtkGetMacro(RegionDepth, int);
+  ///@}
+
+  ///@{
+  /**
    * Memory that the mesh may need by an estimate made first, in GiB; beyond it the filter refuses
    * with TooManyBoxes. 0, the default, means three quarters of this machine's memory.
    */
@@ -82,7 +139,7 @@ public:
   ///@}
 
 protected:
-  vtkCartesianBoxer() = default;
+  vtkCartesianBoxer();
   ~vtkCartesianBoxer() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
@@ -96,8 +153,19 @@ protected:
   cartesian::PreparedSurface Prepare(
     const cartesian::SurfaceFromVTK& surface, cartesian::Execution& execution);
 
+  /**
+   * The boxes; rows of tables that reach beyond the grid are reported. `regions`: port 1, or null.
+   */
+  cartesian::BoxedSurface Divide(const cartesian::PreparedSurface& prepared,
+    vtkInformationVector* regions, cartesian::Execution& execution);
+
   double CellSize = 0;
   std::array<std::vector<double>, 3> Meshlines;
+  std::string BoundaryArray;
+  int RefinementDepth = 0;
+  std::vector<std::array<double, 8>> RefinementBlocks;
+  std::vector<std::array<double, 4>> BoundaryRefinements;
+  int RegionDepth = 1;
   double MemoryLimit = 0;
 
 private:
@@ -105,6 +173,10 @@ private:
   void operator=(const vtkCartesianBoxer&) = delete;
 
   bool HasMeshline(int axis, int i);
+  template <class Row>
+  void Resize(std::vector<Row>& table, int number);
+  template <class Row>
+  void SetRow(std::vector<Row>& table, int row, const Row& values);
 };
 
 #endif

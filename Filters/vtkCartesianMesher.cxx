@@ -32,7 +32,7 @@ int vtkCartesianMesher::RequestData(
   this->Run([&](cartesian::Execution& execution) {
     const cartesian::SurfaceFromVTK surface(vtkPolyData::GetData(input[0]), this->BoundaryArray);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
-    const cartesian::BoxedSurface boxed = cartesian::boxSurface(prepared, execution);
+    const cartesian::BoxedSurface boxed = this->Divide(prepared, input[1], execution);
     execution.stage("Patches", cartesian::AfterBoxes, cartesian::AfterPatches);
     const cartesian::Patches patches = cartesian::generatePatches(
       prepared.surface, boxed.boxes, boxed.shoeboxes, execution);
@@ -48,7 +48,6 @@ int vtkCartesianMesher::RequestData(
 void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "BoundaryArray: " << this->BoundaryArray << "\n";
   os << indent << "PatchMethod: " << this->PatchMethod << "\n";
   os << indent << "SmallCellRatio: " << this->SmallCellRatio << "\n";
 }

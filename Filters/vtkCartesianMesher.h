@@ -18,8 +18,6 @@
 #include "vtkCartesianBoxer.h"
 #include "vtkCartesianMesherFiltersModule.h" // for the export macro
 
-#include <string> // for std::string
-
 class VTKCARTESIANMESHERFILTERS_EXPORT vtkCartesianMesher : public vtkCartesianBoxer
 {
 public:
@@ -31,8 +29,6 @@ public:
   /**
    * See vtkPatcher.
    */
-  vtkSetMacro(BoundaryArray, std::string);
-  vtkGetMacro(BoundaryArray, std::string);
   vtkSetClampMacro(PatchMethod, int, 0, 0);
   vtkGetMacro(PatchMethod, int);
   ///@}
@@ -53,7 +49,6 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
-  std::string BoundaryArray;
   int PatchMethod = 0;
   double SmallCellRatio = 1e-3;
 

@@ -45,9 +45,10 @@ int vtkPatcher::RequestData(
     cartesian::boundsOf(source.view()); // checks the coordinates
     const cartesian::Surface surface =
       cartesian::onLattice(source.view(), boxes.lattice, execution);
-    const cartesian::SurfaceRows rows = cartesian::shoeboxes(surface, boxes.planes, execution);
+    const cartesian::Shoeboxes shoeboxes =
+      cartesian::fillShoeboxes(surface, boxes.planes, execution);
     execution.stage("Patches", cartesian::AfterBoxes, 1);
-    cartesian::toVTK(cartesian::generatePatches(surface, boxes, rows.shoeboxes, execution), boxes,
+    cartesian::toVTK(cartesian::generatePatches(surface, boxes, shoeboxes, execution), boxes,
       source.cells(), vtkPolyData::GetData(output));
   });
   return 1;

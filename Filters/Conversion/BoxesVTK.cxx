@@ -10,6 +10,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkPoints.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -31,7 +32,8 @@ Numbering numberCorners(const Boxes& boxes)
     for (unsigned corner = 0; corner < 8; ++corner)
     {
       const Point p = cornerOf(box, corner);
-      uses[0].push_back({ p, rowOfPoint(p, boxes.planes, box.global[1], box.global[2]),
+      const auto& global = boxes.globalOf(box).index;
+      uses[0].push_back({ p, rowOfPoint(p, boxes.planes, global[1], global[2]),
         static_cast<std::uint32_t>(uses[0].size()) });
     }
   }
@@ -51,12 +53,128 @@ vtkDataArray* cellArray(vtkUnstructuredGrid* grid, const char* name, int compone
   return array;
 }
 
-bool before(const Box& a, const Box& b)
+// Three numbers a cell, named.
+template <class Array>
+vtkSmartPointer<Array> newTriples(
+  const char* name, const std::array<const char*, 3>& components, vtkIdType count)
 {
-  const std::array<std::uint32_t, 3> left = { a.global[2], a.global[1], a.global[0] };
-  const std::array<std::uint32_t, 3> right = { b.global[2], b.global[1], b.global[0] };
-  return left < right;
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  for (int i = 0; i < 3; ++i)
+  {
+    array->SetComponentName(i, components[static_cast<std::size_t>(i)]);
+  }
+  array->SetNumberOfTuples(count);
+  return array;
 }
+
+// Whole numbers of one cell, each from 0 to `most`.
+std::array<std::uint32_t, 3> readTriple(
+  vtkDataArray* array, vtkIdType cell, const std::array<double, 3>& most)
+{
+  std::array<std::uint32_t, 3> result;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double value = array->GetComponent(cell, axis);
+    if (!(value >= 0 && value <= most[static_cast<std::size_t>(axis)]))
+    {
+      throw Error(Fault::MissingArray,
+        "Box " + std::to_string(cell) + " has the " + array->GetName() + " " +
+          std::to_string(value) + ", which Cartesian Boxer did not write.");
+    }
+    result[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(value);
+  }
+  return result;
+}
+
+// Boxes come in order of their global boxes' rows, of those, and of their places in them.
+std::array<std::uint32_t, 6> orderOf(const GlobalBox& global, const Box& box)
+{
+  return { global.index[2], global.index[1], global.index[0], box.offset[2], box.offset[1],
+    box.offset[0] };
+}
+
+class BoxReader
+{
+public:
+  explicit BoxReader(vtkUnstructuredGrid* grid)
+    : global_(cellArray(grid, "GlobalBox", 3))
+    , level_(cellArray(grid, "Level", 3))
+    , offset_(cellArray(grid, "Offset", 3))
+    , status_(cellArray(grid, "Status", 1))
+    , corners_(cellArray(grid, "CornerStatus", 1))
+  {
+  }
+
+  // Appends the grid's cell to the boxes.
+  void read(vtkIdType cell, Boxes& boxes)
+  {
+    std::array<double, 3> last;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      last[axis] = static_cast<double>(boxes.planes[axis].size()) - 2;
+    }
+    const GlobalBox global{ readTriple(global_, cell, last),
+      static_cast<std::uint32_t>(boxes.boxes.size()), None, 0 };
+    const double deepest = DeepestLevel;
+    const double widest = FinePerBox - 1;
+    const auto level = readTriple(level_, cell, { deepest, deepest, deepest });
+    const auto offset = readTriple(offset_, cell, { widest, widest, widest });
+    Box box;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      box.level[axis] = static_cast<std::uint8_t>(level[axis]);
+      box.offset[axis] = static_cast<std::uint8_t>(offset[axis]);
+    }
+    box.status = status_->GetComponent(cell, 0) == 1 ? BoxStatus::Inside : BoxStatus::Intersected;
+    box.corners = static_cast<std::uint8_t>(corners_->GetComponent(cell, 0));
+
+    const auto order = orderOf(global, box);
+    if (cell > 0 && !(before_ < order))
+    {
+      throw Error(Fault::MissingArray,
+        "Box " + std::to_string(cell) +
+          " is out of order: connect the output of Cartesian Boxer as it is.");
+    }
+    before_ = order;
+    if (boxes.globals.empty() || boxes.globals.back().index != global.index)
+    {
+      boxes.globals.push_back(global);
+      ++boxes.rowStart[boxes.row(global.index[1], global.index[2])];
+    }
+    place(box, boxes);
+    boxes.boxes.push_back(box);
+  }
+
+private:
+  static void place(Box& box, Boxes& boxes)
+  {
+    GlobalBox& global = boxes.globals.back();
+    box.global = static_cast<std::uint32_t>(boxes.globals.size() - 1);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const std::int64_t low = global.index[axis] * FinePerBox + box.offset[axis];
+      const std::int64_t size = FinePerBox >> box.level[axis];
+      if (low % size != 0)
+      {
+        throw Error(Fault::MissingArray,
+          "Level and Offset of box " + std::to_string(boxes.boxes.size()) +
+            " do not fit together: connect the output of Cartesian Boxer.");
+      }
+      box.low[axis] = planeAt(boxes.planes[axis], low);
+      box.high[axis] = planeAt(boxes.planes[axis], low + size);
+      global.depth = std::max(global.depth, box.level[axis]);
+    }
+  }
+
+  vtkDataArray* global_;
+  vtkDataArray* level_;
+  vtkDataArray* offset_;
+  vtkDataArray* status_;
+  vtkDataArray* corners_;
+  std::array<std::uint32_t, 6> before_{};
+};
 
 Meshlines readPlanes(vtkUnstructuredGrid* grid)
 {
@@ -107,13 +225,9 @@ void toVTK(const Boxes& boxes, vtkUnstructuredGrid* grid)
   }
   vtkNew<vtkIdTypeArray> offsets;
   offsets->SetNumberOfValues(count + 1);
-  vtkNew<vtkIntArray> global;
-  global->SetName("GlobalBox");
-  global->SetNumberOfComponents(3);
-  global->SetComponentName(0, "I");
-  global->SetComponentName(1, "J");
-  global->SetComponentName(2, "K");
-  global->SetNumberOfTuples(count);
+  const auto global = newTriples<vtkIntArray>("GlobalBox", { "I", "J", "K" }, count);
+  const auto level = newTriples<vtkUnsignedCharArray>("Level", { "X", "Y", "Z" }, count);
+  const auto offset = newTriples<vtkUnsignedCharArray>("Offset", { "X", "Y", "Z" }, count);
   vtkNew<vtkUnsignedCharArray> status;
   status->SetName("Status");
   status->SetNumberOfTuples(count);
@@ -126,7 +240,10 @@ void toVTK(const Boxes& boxes, vtkUnstructuredGrid* grid)
     offsets->SetValue(i, 8 * i);
     for (int axis = 0; axis < 3; ++axis)
     {
-      global->SetTypedComponent(i, axis, static_cast<int>(box.global[axis]));
+      const auto a = static_cast<std::size_t>(axis);
+      global->SetTypedComponent(i, axis, static_cast<int>(boxes.globalOf(box).index[a]));
+      level->SetTypedComponent(i, axis, box.level[a]);
+      offset->SetTypedComponent(i, axis, box.offset[a]);
     }
     status->SetValue(i, static_cast<unsigned char>(box.status));
     cornerStatus->SetValue(i, box.corners);
@@ -138,6 +255,8 @@ void toVTK(const Boxes& boxes, vtkUnstructuredGrid* grid)
   grid->SetPoints(points);
   grid->SetCells(VTK_VOXEL, cells);
   grid->GetCellData()->AddArray(global);
+  grid->GetCellData()->AddArray(level);
+  grid->GetCellData()->AddArray(offset);
   grid->GetCellData()->AddArray(status);
   grid->GetCellData()->AddArray(cornerStatus);
   setField(grid, "LatticeOrigin",
@@ -159,36 +278,16 @@ Boxes boxesFromVTK(vtkUnstructuredGrid* grid)
   boxes.closed = getField(grid, "SurfaceClosed", 1)[0] != 0;
   boxes.planes = readPlanes(grid);
 
-  vtkDataArray* global = cellArray(grid, "GlobalBox", 3);
-  vtkDataArray* status = cellArray(grid, "Status", 1);
-  vtkDataArray* corners = cellArray(grid, "CornerStatus", 1);
+  BoxReader reader(grid);
   boxes.rowStart.assign((boxes.planes[1].size() - 1) * (boxes.planes[2].size() - 1) + 1, 0);
-  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
-    Box box;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double index = global->GetComponent(i, axis);
-      if (!(index >= 0) || index + 1 >= static_cast<double>(boxes.planes[axis].size()))
-      {
-        throw Error(Fault::MissingArray,
-          "Box " + std::to_string(i) + " lies outside the grid: GlobalBox is not what Cartesian Boxer wrote.");
-      }
-      box.global[axis] = static_cast<std::uint32_t>(index);
-      box.low[axis] = boxes.planes[axis][box.global[axis]];
-      box.high[axis] = boxes.planes[axis][box.global[axis] + 1];
-    }
-    box.status = status->GetComponent(i, 0) == 1 ? BoxStatus::Inside : BoxStatus::Intersected;
-    box.corners = static_cast<std::uint8_t>(corners->GetComponent(i, 0));
-    if (!boxes.boxes.empty() && !before(boxes.boxes.back(), box))
-    {
-      throw Error(Fault::MissingArray,
-        "Box " + std::to_string(i) + " is out of order: connect the output of Cartesian Boxer as it is.");
-    }
-    boxes.boxes.push_back(box);
-    ++boxes.rowStart[boxes.row(box.global[1], box.global[2])];
+    reader.read(cell, boxes);
   }
   scan(boxes.rowStart);
+  boxes.globals.push_back(
+    { { 0, 0, 0 }, static_cast<std::uint32_t>(boxes.boxes.size()), None, 0 });
+  boxes.listUnits();
   return boxes;
 }
 

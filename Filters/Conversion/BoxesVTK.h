@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The kernel's boxes as a vtkUnstructuredGrid of voxels, and back.
 //
-// Cell arrays: GlobalBox (int, components I, J, K), Status (unsigned char: 1 inside, 2
-// intersected), CornerStatus (unsigned char, bit x + 2 y + 4 z: that corner is inside).
+// Cell arrays: GlobalBox (int, components I, J, K), Level (unsigned char, components X, Y, Z: how
+// often the global box is halved along each axis), Offset (unsigned char, components X, Y, Z: of the
+// low corner in its global box, in 1/64 of it), Status (unsigned char: 1 inside, 2 intersected),
+// CornerStatus (unsigned char, bit x + 2 y + 4 z: that corner is inside).
 // Field data: LatticeOrigin (3, user units), LatticeStep (1, user units), PlanesX, PlanesY, PlanesZ
 // (even levels of the lattice), SurfaceClosed (1 or 0).
 #pragma once

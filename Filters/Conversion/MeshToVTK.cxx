@@ -59,6 +59,13 @@ void setCellData(const Mesh& mesh, vtkUnstructuredGrid* grid, Execution& executi
   global->SetComponentName(1, "J");
   global->SetComponentName(2, "K");
   global->SetNumberOfTuples(mesh.cellCount());
+  vtkNew<vtkUnsignedCharArray> level;
+  level->SetName("Level");
+  level->SetNumberOfComponents(3);
+  level->SetComponentName(0, "X");
+  level->SetComponentName(1, "Y");
+  level->SetComponentName(2, "Z");
+  level->SetNumberOfTuples(mesh.cellCount());
   vtkNew<vtkIntArray> region;
   region->SetName("Region");
   region->SetNumberOfTuples(mesh.cellCount());
@@ -66,8 +73,11 @@ void setCellData(const Mesh& mesh, vtkUnstructuredGrid* grid, Execution& executi
   fraction->SetName("VolumeFraction");
   fraction->SetNumberOfTuples(mesh.cellCount());
   mesh.writeCellData(
-    { global->GetPointer(0), region->GetPointer(0), fraction->GetPointer(0) }, execution);
+    { global->GetPointer(0), level->GetPointer(0), region->GetPointer(0),
+      fraction->GetPointer(0) },
+    execution);
   grid->GetCellData()->AddArray(global);
+  grid->GetCellData()->AddArray(level);
   grid->GetCellData()->AddArray(region);
   grid->GetCellData()->AddArray(fraction);
 }

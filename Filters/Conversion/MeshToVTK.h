@@ -2,7 +2,7 @@
 // The kernel's mesh as VTK data. The only file that knows how this version of VTK stores polyhedra.
 //
 // Mesh (vtkUnstructuredGrid of VTK_HEXAHEDRON and VTK_POLYHEDRON with outward faces). Cell arrays:
-// GlobalBox (int, components I, J, K), Region (int, from 1), VolumeFraction (double, of the cell's
+// GlobalBox (int, components I, J, K), Level (unsigned char, components X, Y, Z: of the cell's box), Region (int, from 1), VolumeFraction (double, of the cell's
 // box). Field data: one array of one number for each of the statistics.
 //
 // Boundary (vtkPolyData): the faces that only one cell has. Cell arrays: BoundaryId (int; -1 where no

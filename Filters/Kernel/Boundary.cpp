@@ -71,14 +71,17 @@ private:
     {
       return {};
     }
-    const std::uint32_t n = parts_.sides.ordinal[box];
+    const std::uint32_t n = parts_.sides.polyhedralOrdinal(box);
     if (n == None)
     {
       return { numbers_.ofBox[box], NoBoundary };
     }
-    const std::size_t first = parts_.patches.boxStart[n];
-    return { None,
-      first < parts_.patches.boxStart[n + 1] ? parts_.patches.boundary[first] : NoBoundary };
+    const std::uint32_t patches = parts_.sides.patchBox[n];
+    if (patches == None || parts_.patches.boxStart[patches] == parts_.patches.boxStart[patches + 1])
+    {
+      return {};
+    }
+    return { None, parts_.patches.boundary[parts_.patches.boxStart[patches]] };
   }
 
   void exposeInnerFaces(std::size_t s)
@@ -99,8 +102,8 @@ private:
     }
   }
 
-  // Inside boxes at the end of the grid, where the meshlines cut the domain, or without a
-  // neighbour, where the surface leaks. On a flawed side only the inside box has a face.
+  // Hexahedra at the end of the grid, where the meshlines cut the domain, or without a neighbour,
+  // where the surface leaks. On a flawed side only the hexahedron has a face.
   void exposeBoxSides()
   {
     const auto& flawed = parts_.inner.flawed;
@@ -108,45 +111,48 @@ private:
       !parts_.boxes.closed || std::find(flawed.begin(), flawed.end(), 1) != flawed.end();
     for (std::uint32_t b = 0; b < parts_.boxes.boxes.size(); ++b)
     {
-      const Box& box = parts_.boxes.boxes[b];
-      if (box.status != BoxStatus::Inside)
+      if (parts_.sides.polyhedralOrdinal(b) != None)
       {
         continue;
       }
-      for (int axis = 0; axis < 3; ++axis)
+      const Box& box = parts_.boxes.boxes[b];
+      for (unsigned i = 0; i < 6; ++i)
       {
-        const bool first = box.global[axis] == 0;
-        const bool last = box.global[axis] + 2 == parts_.boxes.planes[axis].size();
-        for (const int direction : { -1, +1 })
+        if ((anywhere || isAtEnd(box, i / 2, i % 2 == 1)) &&
+          exposed(b, static_cast<int>(i / 2), i % 2 == 1))
         {
-          const bool atEnd = direction < 0 ? first : last;
-          if ((atEnd || anywhere) && exposed(box, axis, direction))
-          {
-            exposed_.push_back({ numbers_.ofBox[b], std::size_t(6) * b + 2 * axis + (direction > 0),
-              NoBoundary, BoundaryFace::Kind::BoxSide });
-          }
+          exposed_.push_back({ numbers_.ofBox[b], std::size_t(6) * b + i, NoBoundary,
+            BoundaryFace::Kind::BoxSide });
         }
       }
     }
   }
 
-  bool exposed(const Box& box, int axis, int direction) const
+  bool isAtEnd(const Box& box, std::size_t axis, bool upper) const
   {
-    std::array<std::int64_t, 3> at = { box.global[0], box.global[1], box.global[2] };
-    at[axis] += direction;
-    const std::uint32_t other = boxAt(parts_.boxes, at[0], at[1], at[2]);
-    if (other == None)
-    {
-      return true;
-    }
-    const std::uint32_t n = parts_.sides.ordinal[other];
+    const auto& planes = parts_.boxes.planes[axis];
+    return upper ? box.high[axis] == planes.back() : box.low[axis] == planes.front();
+  }
+
+  // A hexahedron has one neighbour on each side, or none. Where the side between them carries
+  // faces, they are the boundary; a side without any is missing.
+  bool exposed(std::uint32_t b, int axis, bool upper) const
+  {
+    const std::uint32_t other = facing(parts_.boxes, parts_.boxes.boxes[b], axis, upper)[0];
+    const std::uint32_t n = parts_.sides.polyhedralOrdinal(other);
     if (n == None)
     {
-      return false;
+      return other == None;
     }
-    // Where the side carries faces, they are the boundary; a side without any is missing here.
-    const std::uint32_t side = parts_.sides.ofBox[n][2 * axis + (direction < 0)];
-    return parts_.inner.sideStart[side] == parts_.inner.sideStart[side + 1];
+    for (std::size_t i = parts_.sides.boxStart[n]; i < parts_.sides.boxStart[n + 1]; ++i)
+    {
+      const std::uint32_t s = parts_.sides.ofBox[i].side;
+      if ((upper ? parts_.sides.sides[s].low : parts_.sides.sides[s].high) == b)
+      {
+        return parts_.inner.sideStart[s] == parts_.inner.sideStart[s + 1];
+      }
+    }
+    return true;
   }
 
   const MeshParts& parts_;
@@ -162,11 +168,11 @@ CellNumbers numberCells(const MeshParts& parts)
   numbers.ofBox.reserve(parts.boxes.boxes.size() + 1);
   numbers.ofCell.assign(parts.cells.size(), None);
   std::uint32_t next = 0;
-  std::size_t n = 0;
-  for (const Box& box : parts.boxes.boxes)
+  for (std::uint32_t b = 0; b < parts.boxes.boxes.size(); ++b)
   {
     numbers.ofBox.push_back(next);
-    if (box.status == BoxStatus::Inside)
+    const std::uint32_t n = parts.sides.polyhedralOrdinal(b);
+    if (n == None)
     {
       ++next;
       continue;
@@ -178,7 +184,6 @@ CellNumbers numberCells(const MeshParts& parts)
         numbers.ofCell[c] = next++;
       }
     }
-    ++n;
   }
   numbers.ofBox.push_back(next);
   return numbers;

@@ -23,7 +23,7 @@ struct MeshParts
 struct CellNumbers
 {
   std::vector<std::uint32_t> ofBox;  // of the (first) cell of each box; the total at the end
-  std::vector<std::uint32_t> ofCell; // of each cell of intersected boxes, or None where removed
+  std::vector<std::uint32_t> ofCell; // of each cell of polyhedral boxes, or None where removed
 };
 
 CellNumbers numberCells(const MeshParts& parts);
@@ -35,7 +35,7 @@ struct BoundaryFace
     Patch,       // a polygon of the patches
     Inner,       // an inner face as it is
     TurnedInner, // ... turned over
-    BoxSide,     // of an inside box: 6 * box + (low x, high x, low y, high y, low z, high z)
+    BoxSide,     // of a hexahedron: 6 * box + (low x, high x, low y, high y, low z, high z)
   };
   Id cell; // its owner
   std::size_t index;

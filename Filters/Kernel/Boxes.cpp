@@ -1,9 +1,6 @@
 #include "Boxes.h"
 
-#include "InOut.h"
-
-#include <bitset>
-#include <cmath>
+#include <algorithm>
 
 namespace cartesian
 {
@@ -11,170 +8,168 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t RowsAChunk = 16;
-
-// Peak memory, measured on a sphere and on the surfaces in Data/ (see Testing/Benchmark).
-constexpr double BytesOfAnInsideBox = 260;
-constexpr double BytesOfAnIntersectedBox = 2600;
-constexpr double BytesOfATriangle = 150;
-
-// Walks the boxes of the grid row by row.
-class Generator
+std::uint32_t unitIndex(const GlobalBox& global, const std::array<std::int64_t, 3>& offset)
 {
-public:
-  Generator(const Meshlines& planes, const Shoeboxes& shoeboxes, const InOut& inOut, bool closed)
-    : planes_(planes)
-    , shoeboxes_(shoeboxes)
-    , inOut_(inOut)
-    , closed_(closed)
-  {
-  }
-
-  // Calls visit(i, status) for the boxes of a row that are kept.
-  template <class Visitor>
-  void forEachBox(std::uint32_t j, std::uint32_t k, Visitor&& visit) const
-  {
-    const std::size_t row = j + k * (planes_[1].size() - 1);
-    std::uint32_t next = 0;
-    for (std::size_t b = shoeboxes_.rowStart[row]; b < shoeboxes_.rowStart[row + 1]; ++b)
-    {
-      const std::uint32_t i = shoeboxes_.column[b];
-      visitGap(next, i, j, k, visit);
-      visit(i, BoxStatus::Intersected);
-      next = i + 1;
-    }
-    visitGap(next, static_cast<std::uint32_t>(planes_[0].size() - 1), j, k, visit);
-  }
-
-  Box box(std::uint32_t i, std::uint32_t j, std::uint32_t k, BoxStatus status) const
-  {
-    Box b;
-    b.low = { planes_[0][i], planes_[1][j], planes_[2][k] };
-    b.high = { planes_[0][i + 1], planes_[1][j + 1], planes_[2][k + 1] };
-    b.global = { i, j, k };
-    b.corners = status == BoxStatus::Inside ? AllCorners : inOut_.corners(i, j, k);
-    b.status = status;
-    return b;
-  }
-
-private:
-  // Boxes [begin, end) of a row, which no triangle passes through: on a closed surface all of
-  // them have the status of any of their corners.
-  template <class Visitor>
-  void visitGap(
-    std::uint32_t begin, std::uint32_t end, std::uint32_t j, std::uint32_t k, Visitor& visit) const
-  {
-    if (begin >= end || (closed_ && !inOut_.inside(begin, j, k)))
-    {
-      return;
-    }
-    for (std::uint32_t i = begin; i < end; ++i)
-    {
-      if (closed_ || std::bitset<8>(inOut_.corners(i, j, k)).count() > 4)
-      {
-        visit(i, BoxStatus::Inside);
-      }
-    }
-  }
-
-  const Meshlines& planes_;
-  const Shoeboxes& shoeboxes_;
-  const InOut& inOut_;
-  bool closed_;
-};
-
-double spacing(const std::vector<Level>& planes, double level)
-{
-  const auto last = static_cast<std::int64_t>(planes.size()) - 2;
-  const std::int64_t i =
-    std::clamp<std::int64_t>(intervalOf(planes, static_cast<Level>(level)), 0, last);
-  return double(planes[i + 1]) - planes[i];
+  const int shift = DeepestLevel - global.depth;
+  const std::int64_t x = offset[0] >> shift;
+  const std::int64_t y = offset[1] >> shift;
+  const std::int64_t z = offset[2] >> shift;
+  return static_cast<std::uint32_t>(x | y << global.depth | z << 2 * global.depth);
 }
 
-// Boxes that a triangle passes through, taking the spacing around its middle.
-double boxesOfTriangle(const Corners& c, const Meshlines& planes)
+}
+
+FinePoint Boxes::fineLow(const Box& box) const
 {
-  std::array<double, 3> h;
-  std::array<double, 3> u;
-  std::array<double, 3> v;
+  FinePoint fine;
   for (int axis = 0; axis < 3; ++axis)
   {
-    h[axis] = spacing(planes[axis], (double(c[0][axis]) + c[1][axis] + c[2][axis]) / 3);
-    u[axis] = (double(c[1][axis]) - c[0][axis]) / h[axis];
-    v[axis] = (double(c[2][axis]) - c[0][axis]) / h[axis];
+    fine[axis] = globalOf(box).index[axis] * FinePerBox + box.offset[axis];
   }
-  double sum = 0;
-  for (int a = 0; a < 3; ++a)
-  {
-    const int b = (a + 1) % 3;
-    sum += std::abs(u[a] * v[b] - u[b] * v[a]) / 2;
-  }
-  return sum;
+  return fine;
 }
 
-}
-
-Boxes generateBoxes(const Surface& surface, const SurfaceCheck& check, const Meshlines& planes,
-  const SurfaceRows& rows, Execution& execution)
+std::uint32_t Boxes::globalAt(std::int64_t i, std::int64_t j, std::int64_t k) const
 {
-  const InOut inOut(surface, check, planes, rows.crossings, execution);
-  const Generator generator(planes, rows.shoeboxes, inOut, check.closed());
+  const auto nj = static_cast<std::int64_t>(planes[1].size()) - 1;
+  const auto nk = static_cast<std::int64_t>(planes[2].size()) - 1;
+  if (i < 0 || j < 0 || k < 0 || j >= nj || k >= nk)
+  {
+    return None;
+  }
+  const std::size_t r = row(static_cast<std::size_t>(j), static_cast<std::size_t>(k));
+  const auto begin = globals.begin() + static_cast<std::ptrdiff_t>(rowStart[r]);
+  const auto end = globals.begin() + static_cast<std::ptrdiff_t>(rowStart[r + 1]);
+  const auto found = std::lower_bound(
+    begin, end, i, [](const GlobalBox& g, std::int64_t x) { return g.index[0] < x; });
+  return found != end && found->index[0] == i
+    ? static_cast<std::uint32_t>(found - globals.begin())
+    : None;
+}
 
-  Boxes result;
-  result.lattice = surface.lattice;
-  result.planes = planes;
-  result.closed = check.closed();
-  const std::size_t rowsAlongY = planes[1].size() - 1;
-  const std::size_t rowCount = rowsAlongY * (planes[2].size() - 1);
-  result.rowStart.assign(rowCount + 1, 0);
-  const auto forEachRow = [&](auto&& visit) {
-    execution.forEach(rowCount, RowsAChunk, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t row = begin; row < end; ++row)
+std::uint32_t Boxes::boxAt(const FinePoint& fine, std::int64_t* step) const
+{
+  if (step)
+  {
+    *step = FinePerBox;
+  }
+  const std::uint32_t g =
+    globalAt(fine[0] >> DeepestLevel, fine[1] >> DeepestLevel, fine[2] >> DeepestLevel);
+  if (g == None || globals[g].firstUnit == None)
+  {
+    return g == None ? None : globals[g].firstBox;
+  }
+  if (step)
+  {
+    *step = FinePerBox >> globals[g].depth;
+  }
+  constexpr std::int64_t Mask = FinePerBox - 1;
+  return units[globals[g].firstUnit +
+    unitIndex(globals[g], { fine[0] & Mask, fine[1] & Mask, fine[2] & Mask })];
+}
+
+void Boxes::listUnits()
+{
+  std::size_t size = 0;
+  for (std::size_t g = 0; g + 1 < globals.size(); ++g)
+  {
+    globals[g].firstUnit = globals[g].depth == 0 ? None : static_cast<std::uint32_t>(size);
+    size += globals[g].depth == 0 ? 0 : std::size_t(1) << 3 * globals[g].depth;
+  }
+  units.assign(size, None);
+  for (std::uint32_t b = 0; b < boxes.size(); ++b)
+  {
+    const Box& box = boxes[b];
+    const GlobalBox& global = globalOf(box);
+    if (global.depth == 0)
+    {
+      continue;
+    }
+    const std::int64_t unit = FinePerBox >> global.depth;
+    for (std::int64_t z = 0; z < fineSize(box, 2); z += unit)
+    {
+      for (std::int64_t y = 0; y < fineSize(box, 1); y += unit)
       {
-        visit(row, std::uint32_t(row % rowsAlongY), std::uint32_t(row / rowsAlongY));
+        for (std::int64_t x = 0; x < fineSize(box, 0); x += unit)
+        {
+          units[global.firstUnit +
+            unitIndex(global, { box.offset[0] + x, box.offset[1] + y, box.offset[2] + z })] = b;
+        }
       }
-    });
-  };
-  forEachRow([&](std::size_t row, std::uint32_t j, std::uint32_t k) {
-    generator.forEachBox(
-      j, k, [&](std::uint32_t, BoxStatus) { ++result.rowStart[row]; });
-  });
-  result.boxes.resize(scan(result.rowStart));
-  forEachRow([&](std::size_t row, std::uint32_t j, std::uint32_t k) {
-    std::size_t next = result.rowStart[row];
-    generator.forEachBox(j, k, [&](std::uint32_t i, BoxStatus status) {
-      result.boxes[next++] = generator.box(i, j, k, status);
-    });
-  });
+    }
+  }
+}
+
+Level planeAt(const std::vector<Level>& planes, std::int64_t fine)
+{
+  const auto i = static_cast<std::size_t>(fine >> DeepestLevel);
+  const std::int64_t part = fine & (FinePerBox - 1);
+  if (part == 0)
+  {
+    return planes[i];
+  }
+  const std::int64_t half = (std::int64_t(planes[i + 1]) - planes[i]) / 2;
+  return static_cast<Level>(planes[i] + 2 * (half * part / FinePerBox));
+}
+
+std::array<std::uint32_t, 4> facing(const Boxes& boxes, const Box& box, int axis, bool upper)
+{
+  const int a = (axis + 1) % 3;
+  const int b = (axis + 2) % 3;
+  FinePoint fine = boxes.fineLow(box);
+  fine[axis] += upper ? Boxes::fineSize(box, axis) : -1;
+  const FinePoint low = fine;
+  std::array<std::uint32_t, 4> across;
+  for (unsigned quarter = 0; quarter < 4; ++quarter)
+  {
+    fine[a] = low[a] + (quarter & 1) * Boxes::fineSize(box, a) / 2;
+    fine[b] = low[b] + (quarter >> 1) * Boxes::fineSize(box, b) / 2;
+    std::int64_t step = 0;
+    across[quarter] = boxes.boxAt(fine, &step);
+    if (quarter == 0 && step >= std::max(Boxes::fineSize(box, a), Boxes::fineSize(box, b)))
+    {
+      across.fill(across[0]); // one box, or none, spans the whole side
+      break;
+    }
+  }
+  return across;
+}
+
+bool nearDivided(const Boxes& boxes, std::uint32_t global)
+{
+  if (boxes.units.empty())
+  {
+    return false;
+  }
+  const auto& at = boxes.globals[global].index;
+  for (std::int64_t k = -1; k <= 1; ++k)
+  {
+    for (std::int64_t j = -1; j <= 1; ++j)
+    {
+      for (std::int64_t i = -1; i <= 1; ++i)
+      {
+        const std::uint32_t g = boxes.globalAt(at[0] + i, at[1] + j, at[2] + k);
+        if (g != None && boxes.globals[g].depth > 0)
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+std::vector<std::uint32_t> intersectedBoxes(const Boxes& boxes)
+{
+  std::vector<std::uint32_t> result;
+  for (std::size_t b = 0; b < boxes.boxes.size(); ++b)
+  {
+    if (boxes.boxes[b].status == BoxStatus::Intersected)
+    {
+      result.push_back(static_cast<std::uint32_t>(b));
+    }
+  }
   return result;
-}
-
-Estimate estimateMesh(const Surface& surface, const Meshlines& planes)
-{
-  double intersected = 0;
-  Bounds bounds = Bounds::none();
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-  {
-    const Corners c = surface.corners(t);
-    intersected += boxesOfTriangle(c, planes);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      bounds.include(axis, c[0][axis]);
-      bounds.include(axis, c[1][axis]);
-      bounds.include(axis, c[2][axis]);
-    }
-  }
-  double all = 1;
-  double extent = 1;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    all *= static_cast<double>(planes[axis].size() - 1);
-    extent *= std::max(2.0, bounds.high[axis] - bounds.low[axis]) * surface.lattice.step();
-  }
-  const double inside = all * std::min(1.0, std::abs(volumeOf(surface)) / extent);
-  return { inside + intersected,
-    inside * BytesOfAnInsideBox + intersected * BytesOfAnIntersectedBox +
-      static_cast<double>(surface.triangles.size()) * BytesOfATriangle };
 }
 
 }

@@ -1,13 +1,21 @@
-// Box Generation (section 4.5; steps 7 and 8): the boxes that cover the domain.
+// The boxes that cover the domain (sections 4 and 4.5).
 //
-// Only boxes inside or intersected are kept: memory grows with the mesh, not with the grid.
+// Meshlines cut space into global boxes. A global box may be divided into boxes: halved along x,
+// y or z again and again, so that a box has a level of its own in each direction (0: as wide as
+// the global box). Only boxes inside or intersected are kept: memory grows with the mesh, not with
+// the grid.
 #pragma once
 
-#include "Shoeboxes.h"
-#include "SurfaceCheck.h"
+#include "Meshlines.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
 
 namespace cartesian
 {
+
+constexpr std::uint32_t None = ~std::uint32_t(0);
 
 enum class BoxStatus : std::uint8_t
 {
@@ -20,12 +28,20 @@ enum class BoxStatus : std::uint8_t
 constexpr std::int32_t OutsideRegion = 0;
 constexpr std::int32_t FirstRegion = 1;
 
+// Halvings in one direction. Positions count in the smallest parts of a global box that these
+// allow, from the first meshline on: the fine grid.
+constexpr int DeepestLevel = 6;
+constexpr std::int64_t FinePerBox = 1 << DeepestLevel;
+using FinePoint = std::array<std::int64_t, 3>;
+
 struct Box
 {
   Point low;
   Point high;
-  std::array<std::uint32_t, 3> global; // I, J, K of the global box
-  std::uint8_t corners;                // bit x + 2 y + 4 z: that corner is inside
+  std::uint32_t global;               // index in Boxes::globals
+  std::array<std::uint8_t, 3> offset; // of the low corner in its global box, fine
+  std::array<std::uint8_t, 3> level;  // halvings along x, y, z; its size is FinePerBox >> level
+  std::uint8_t corners;               // bit x + 2 y + 4 z: that corner is inside
   BoxStatus status;
 };
 
@@ -37,29 +53,53 @@ inline Point cornerOf(const Box& box, unsigned corner)
     corner & 4 ? box.high[2] : box.low[2] };
 }
 
+struct GlobalBox
+{
+  std::array<std::uint32_t, 3> index; // I, J, K
+  std::uint32_t firstBox;             // its boxes end where the next one's begin
+  std::uint32_t firstUnit;            // in Boxes::units, or None: undivided
+  std::uint8_t depth;                 // its units are 2^depth along x, y and z
+};
+
 struct Boxes
 {
   Lattice lattice;
   Meshlines planes;
-  std::vector<Box> boxes;            // by rows along x (J + K * boxes along y), then by I
-  std::vector<std::size_t> rowStart; // first box of each row, and the end
+  std::vector<GlobalBox> globals;    // by rows along x (J + K * boxes along y), then by I; one more at the end
+  std::vector<std::size_t> rowStart; // first global box of each row, and the end
+  std::vector<Box> boxes;            // in order of global boxes
+  std::vector<std::uint32_t> units;  // the box that holds each unit of divided global boxes, or None
 
   bool closed = true; // every line enters the domain as often as it leaves it
 
   std::size_t row(std::size_t j, std::size_t k) const { return j + k * (planes[1].size() - 1); }
+  const GlobalBox& globalOf(const Box& box) const { return globals[box.global]; }
+
+  FinePoint fineLow(const Box& box) const;
+  static std::int64_t fineSize(const Box& box, int axis) { return FinePerBox >> box.level[axis]; }
+
+  // The global box (i, j, k), or None where nothing of it is kept.
+  std::uint32_t globalAt(std::int64_t i, std::int64_t j, std::int64_t k) const;
+
+  // The box that holds the fine cell with this low corner, or None. `step` receives how far along
+  // each axis the answer is the same at least: the size of the unit, or of the global box.
+  std::uint32_t boxAt(const FinePoint& fine, std::int64_t* step = nullptr) const;
+
+  // Fills `units` and GlobalBox::firstUnit from the boxes.
+  void listUnits();
 };
 
-// Statuses from the crossings along x where the surface is closed; where it is not, each vertex
-// takes the vote of its six rays (4.4).
-Boxes generateBoxes(const Surface& surface, const SurfaceCheck& check, const Meshlines& planes,
-  const SurfaceRows& rows, Execution& execution);
+// The level of a plane of the fine grid.
+Level planeAt(const std::vector<Level>& planes, std::int64_t fine);
 
-// How many boxes and bytes the mesh will take, roughly, before anything is built.
-struct Estimate
-{
-  double boxes;
-  double bytes;
-};
-Estimate estimateMesh(const Surface& surface, const Meshlines& planes);
+// The boxes across a side of `box` at its four quarters: (low, low), (high, low), (low, high),
+// (high, high) along the two other axes in cyclic order. In balanced boxes each quarter has one.
+std::array<std::uint32_t, 4> facing(const Boxes& boxes, const Box& box, int axis, bool upper);
+
+// Whether the global box or one of its 26 neighbours is divided: nodes may hang in it.
+bool nearDivided(const Boxes& boxes, std::uint32_t global);
+
+// Indices of the intersected boxes, in order.
+std::vector<std::uint32_t> intersectedBoxes(const Boxes& boxes);
 
 }

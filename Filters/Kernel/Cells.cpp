@@ -88,10 +88,10 @@ public:
     part.flawed.push_back(closed ? 0 : 1);
     if (closed)
     {
-      measureFaces(boxes_.boxes[sides_.intersected[n]]);
+      measureFaces(boxes_.boxes[sides_.polyhedral[n]]);
       findShells();
       part.voids += fillVoids();
-      emit(sides_.intersected[n], part);
+      emit(sides_.polyhedral[n], part);
     }
     part.cellsOfBox.push_back(static_cast<std::uint32_t>(part.cells.size() - before));
   }
@@ -125,18 +125,21 @@ private:
   bool gatherFaces(std::size_t n)
   {
     faces_.clear();
-    for (std::size_t p = patches_.boxStart[n]; p < patches_.boxStart[n + 1]; ++p)
+    if (const std::uint32_t box = sides_.patchBox[n]; box != None)
     {
-      faces_.emplace_back(p, FaceRef::Kind::Patch);
+      for (std::size_t p = patches_.boxStart[box]; p < patches_.boxStart[box + 1]; ++p)
+      {
+        faces_.emplace_back(p, FaceRef::Kind::Patch);
+      }
     }
     bool whole = true;
-    for (int i = 0; i < 6; ++i)
+    for (std::size_t i = sides_.boxStart[n]; i < sides_.boxStart[n + 1]; ++i)
     {
-      const std::uint32_t side = sides_.ofBox[n][i];
+      const auto [side, upper] = sides_.ofBox[i];
       whole = whole && !inner_.flawed[side];
       for (std::size_t f = inner_.sideStart[side]; f < inner_.sideStart[side + 1]; ++f)
       {
-        faces_.emplace_back(f, i % 2 == 1 ? FaceRef::Kind::Inner : FaceRef::Kind::TurnedInner);
+        faces_.emplace_back(f, upper ? FaceRef::Kind::Inner : FaceRef::Kind::TurnedInner);
       }
     }
     return whole;
@@ -501,7 +504,7 @@ Cells assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sid
       "The boundary has more than " + std::to_string(FaceRef::MostFaces) +
         " faces: choose larger cells.");
   }
-  const std::size_t count = sides.intersected.size();
+  const std::size_t count = sides.polyhedral.size();
   std::vector<Part> parts(chunks(count, BoxesAChunk));
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     BoxAssembler assembler(boxes, patches, sides, nodes, inner, spec);

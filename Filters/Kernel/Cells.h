@@ -30,7 +30,7 @@ struct FaceRef
   static constexpr std::uint32_t MostFaces = (1u << 30) - 1;
 };
 
-// A separated volume (B2) of an intersected box.
+// A separated volume (B2) of a polyhedral box (Sides.h).
 struct Cell
 {
   std::uint32_t box;
@@ -45,13 +45,13 @@ constexpr std::int32_t NoBoundary = -1;
 
 struct Cells
 {
-  std::vector<Cell> cells;             // of intersected boxes, in order of boxes; one more at the end
+  std::vector<Cell> cells;             // of polyhedral boxes, in order; one more at the end
   std::vector<FaceRef> faces;
-  std::vector<std::size_t> boxStart;   // first cell of the n-th intersected box, and the end
+  std::vector<std::size_t> boxStart;   // first cell of the n-th polyhedral box, and the end
   std::vector<std::uint8_t> flawed;    // 1: the box's faces do not close (a hole), it has no cells
   std::size_t voids = 0;               // closed pieces of surface inside one cell, now holes of it
 
-  // The cells below and above each inner face, or None: there is no box, or it is not intersected.
+  // The cells below and above each inner face, or None: there is no box, or it is a hexahedron.
   std::vector<std::array<std::uint32_t, 2>> ofInnerFace;
 
   std::size_t size() const { return cells.size() - 1; }
@@ -62,7 +62,7 @@ struct CellSpec
   double smallCellRatio = 1e-3; // R: cells below this part of their box's volume are removed; [0, 1)
 };
 
-// Distinguishes the separated volumes of each intersected box and marks small ones as removed.
+// Distinguishes the separated volumes of each polyhedral box and marks small ones as removed.
 // Cells without a positive volume (slivers that rounding closed) are removed whatever R is.
 Cells assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sides,
   const Nodes& nodes, const InnerFaces& inner, const CellSpec& spec, Execution& execution);

@@ -1,7 +1,7 @@
 // In/Out Status (section 4.4) of the vertices of the global mesh, for whole rows at once.
 #pragma once
 
-#include "Shoeboxes.h"
+#include "LineCrossings.h"
 #include "SurfaceCheck.h"
 
 namespace cartesian
@@ -14,7 +14,7 @@ class InOut
 {
 public:
   InOut(const Surface& surface, const SurfaceCheck& check, const Meshlines& planes,
-    const LineCrossings& alongX, Execution& execution);
+    Execution& execution);
 
   bool inside(std::uint32_t i, std::uint32_t j, std::uint32_t k) const;
 
@@ -26,8 +26,7 @@ private:
   static int votes(const LineCrossings& lines, const std::array<std::uint32_t, 3>& vertex);
 
   bool closed_;
-  const LineCrossings& alongX_;
-  std::vector<LineCrossings> others_; // along y and z, where the surface is open
+  std::vector<LineCrossings> along_; // x; y and z too where the surface is open
 };
 
 }

@@ -26,13 +26,23 @@ struct Edge
   }
 };
 
-// The side of a box as its faces see it.
+// Statuses of a side's corners, as far as a corner of one of its boxes tells.
+enum class Known : std::int8_t
+{
+  Nothing = -1,
+  Outside = 0,
+  Inside = 1,
+};
+
+// A side as its faces see it.
 struct Rectangle
 {
   int axis;
-  std::array<Flat, 4> corner; // counter-clockwise from the lower corner
-  std::array<std::uint32_t, 4> node;
-  std::array<bool, 4> inside;
+  Flat low;
+  Flat high;
+  const std::uint32_t* border; // grid nodes, counter-clockwise from the lowest corner
+  std::size_t borderSize;
+  std::array<Known, 4> corner; // counter-clockwise from the lowest corner
 };
 
 struct Part
@@ -83,11 +93,11 @@ public:
   // Appends the faces of the region that the chords bound; false where they do not close.
   bool trace(const Rectangle& r, Part& part)
   {
+    rectangle_ = &r;
     if (chords_.empty())
     {
-      return tracePlain(r, part);
+      return tracePlain(part);
     }
-    rectangle_ = &r;
     edges_ = chords_;
     if (!addBorder())
     {
@@ -107,53 +117,65 @@ public:
 private:
   struct BorderNode
   {
-    int border;
+    int border; // 0 to 3, counter-clockwise from the lowest corner
     std::int64_t along;
     std::uint32_t node;
     int change; // of the status past this node
+    Known known;
   };
 
   Flat at(std::uint32_t node) const { return flatten(nodes_[node], rectangle_->axis); }
 
-  static bool tracePlain(const Rectangle& r, Part& part)
+  // A side that no surface crosses is inside or outside as a whole.
+  bool tracePlain(Part& part) const
   {
-    const int in = r.inside[0] + r.inside[1] + r.inside[2] + r.inside[3];
-    if (in == 4)
+    const auto& corner = rectangle_->corner;
+    const bool anyInside = std::count(corner.begin(), corner.end(), Known::Inside) > 0;
+    const bool anyOutside = std::count(corner.begin(), corner.end(), Known::Outside) > 0;
+    if (anyInside && !anyOutside)
     {
-      part.nodes.insert(part.nodes.end(), r.node.begin(), r.node.end());
-      part.faceSizes.push_back(4);
+      part.nodes.insert(part.nodes.end(), rectangle_->border,
+        rectangle_->border + rectangle_->borderSize);
+      part.faceSizes.push_back(static_cast<std::uint32_t>(rectangle_->borderSize));
     }
-    return in == 0 || in == 4;
+    return anyInside != anyOutside;
   }
 
+  // Adds a node if it lies on the border. Corners belong to the border that begins there.
   void addBorderNode(std::uint32_t node, int change)
   {
     const Flat p = at(node);
-    const Flat low = rectangle_->corner[0];
-    const Flat high = rectangle_->corner[2];
-    if (p.b == low.b)
+    const Flat low = rectangle_->low;
+    const Flat high = rectangle_->high;
+    if (p.b == low.b && p.a < high.a)
     {
-      border_.push_back({ 0, p.a, node, change });
+      const Known known = p.a == low.a ? rectangle_->corner[0] : Known::Nothing;
+      border_.push_back({ 0, p.a, node, change, known });
     }
-    else if (p.a == high.a)
+    else if (p.a == high.a && p.b < high.b)
     {
-      border_.push_back({ 1, p.b, node, change });
+      const Known known = p.b == low.b ? rectangle_->corner[1] : Known::Nothing;
+      border_.push_back({ 1, p.b, node, change, known });
     }
-    else if (p.b == high.b)
+    else if (p.b == high.b && p.a > low.a)
     {
-      border_.push_back({ 2, -p.a, node, change });
+      const Known known = p.a == high.a ? rectangle_->corner[2] : Known::Nothing;
+      border_.push_back({ 2, -p.a, node, change, known });
     }
     else if (p.a == low.a)
     {
-      border_.push_back({ 3, -p.b, node, change });
+      const Known known = p.b == high.b ? rectangle_->corner[3] : Known::Nothing;
+      border_.push_back({ 3, -p.b, node, change, known });
     }
   }
 
-  // The pieces of the border that are inside. The status changes where chords end: past the end
-  // of one that arrives it is inside, past the start of one that leaves outside.
-  bool addBorder()
+  void listBorderNodes()
   {
     border_.clear();
+    for (std::size_t i = 0; i < rectangle_->borderSize; ++i)
+    {
+      addBorderNode(rectangle_->border[i], 0);
+    }
     for (const Edge& chord : chords_)
     {
       addBorderNode(chord.from, -1);
@@ -162,41 +184,44 @@ private:
     std::sort(border_.begin(), border_.end(), [](const BorderNode& x, const BorderNode& y) {
       return x.border != y.border ? x.border < y.border : x.along < y.along;
     });
-    int status = rectangle_->inside[0];
-    auto next = border_.cbegin();
-    for (int border = 0; border < 4; ++border)
+  }
+
+  // The pieces of the border that are inside. The status changes where chords end: past the end
+  // of one that arrives it is inside, past the start of one that leaves outside.
+  bool addBorder()
+  {
+    listBorderNodes();
+    const auto known = std::find_if(border_.cbegin(), border_.cend(),
+      [](const BorderNode& node) { return node.known != Known::Nothing; });
+    if (known == border_.cend())
     {
-      const int end = (border + 1) % 4;
-      std::uint32_t from = rectangle_->node[border];
-      while (next != border_.cend() && next->border == border)
+      return false;
+    }
+    const auto first = static_cast<std::size_t>(known - border_.cbegin());
+    int status = static_cast<int>(known->known);
+    std::uint32_t from = known->node;
+    for (std::size_t i = 1; i <= border_.size(); ++i)
+    {
+      const BorderNode& node = border_[(first + i) % border_.size()];
+      if (node.node != from)
       {
-        const std::uint32_t node = next->node;
-        addIfInside(status, from, node);
-        for (; next != border_.cend() && next->node == node; ++next)
-        {
-          status += next->change;
-        }
         if (status < 0 || status > 1)
         {
           return false;
         }
-        from = node;
+        if (status == 1)
+        {
+          edges_.push_back({ from, node.node });
+        }
+        from = node.node;
       }
-      addIfInside(status, from, rectangle_->node[end]);
-      if (status != int(rectangle_->inside[end]))
+      status += node.change;
+      if (node.known != Known::Nothing && status != static_cast<int>(node.known))
       {
         return false;
       }
     }
     return true;
-  }
-
-  void addIfInside(int status, std::uint32_t from, std::uint32_t to)
-  {
-    if (status == 1)
-    {
-      edges_.push_back({ from, to });
-    }
   }
 
   // Edges that run to and fro between the same nodes bound nothing. Leaves edges sorted.
@@ -386,9 +411,8 @@ public:
     {
       const std::size_t facesBefore = part.faceSizes.size();
       const std::size_t nodesBefore = part.nodes.size();
-      const bool upper = sides_.sides[s].low == sides_.intersected[n];
-      const Rectangle r = rectangle(n, sides_.sides[s].axis, upper);
-      findChords(n, sides_.sides[s].axis, upper);
+      const Rectangle r = rectangle(s);
+      findChords(sides_.sides[s], r);
       const bool closed = tracer_.trace(r, part);
       if (!closed)
       {
@@ -401,42 +425,76 @@ public:
   }
 
 private:
-  Rectangle rectangle(std::size_t n, int axis, bool upper) const
+  Rectangle rectangle(std::size_t s) const
   {
-    const Box& box = boxes_.boxes[sides_.intersected[n]];
+    const Side& side = sides_.sides[s];
     Rectangle r;
-    r.axis = axis;
-    const std::array<unsigned, 4> corners = sideCorners(axis, upper ? 1 : 0);
-    for (int i = 0; i < 4; ++i)
+    r.axis = side.axis;
+    r.border = nodes_.border.data() + nodes_.borderStart[s];
+    r.borderSize = nodes_.borderStart[s + 1] - nodes_.borderStart[s];
+    r.low = flatten(nodes_.at[r.border[0]], side.axis);
+    r.high = r.low;
+    for (std::size_t i = 0; i < r.borderSize; ++i)
     {
-      r.node[i] = nodes_.ofBox[n][corners[i]];
-      r.corner[i] = flatten(nodes_.at[r.node[i]], axis);
-      r.inside[i] = (box.corners >> corners[i] & 1) != 0;
+      const Flat p = flatten(nodes_.at[r.border[i]], side.axis);
+      r.high = { std::max(r.high.a, p.a), std::max(r.high.b, p.b) };
+    }
+    r.corner.fill(Known::Nothing);
+    const std::array<Flat, 4> at = { r.low, Flat{ r.high.a, r.low.b }, r.high,
+      Flat{ r.low.a, r.high.b } };
+    for (const bool upper : { true, false })
+    {
+      const std::uint32_t b = upper ? side.low : side.high;
+      const std::array<unsigned, 4> corners = sideCorners(side.axis, upper ? 1 : 0);
+      for (std::size_t i = 0; b != None && i < 4; ++i)
+      {
+        const Box& box = boxes_.boxes[b];
+        const Flat p = flatten(cornerOf(box, corners[i]), side.axis);
+        if (p.a == at[i].a && p.b == at[i].b)
+        {
+          r.corner[i] = (box.corners >> corners[i] & 1) != 0 ? Known::Inside : Known::Outside;
+        }
+      }
     }
     return r;
   }
 
-  // Edges of the box's patches on a side. A face of the side runs along them the other way than
-  // the patch; on a lower side it is seen from within.
-  void findChords(std::size_t n, int axis, bool upper)
+  // Edges of patches on the side, taken from the lower box if it has patches, else from the upper.
+  // A face of the side runs along them the other way than the patch; seen from the upper box, the
+  // face is turned over.
+  void findChords(const Side& side, const Rectangle& r)
   {
-    const Box& box = boxes_.boxes[sides_.intersected[n]];
-    const Level plane = upper ? box.high[axis] : box.low[axis];
     std::vector<Edge>& chords = tracer_.chords();
     chords.clear();
-    for (std::size_t p = patches_.boxStart[n]; p < patches_.boxStart[n + 1]; ++p)
+    const std::uint32_t low = sides_.polyhedralOrdinal(side.low);
+    const bool fromLow = low != None && sides_.patchBox[low] != None;
+    const std::uint32_t n = fromLow ? low : sides_.polyhedralOrdinal(side.high);
+    if (n == None || sides_.patchBox[n] == None)
+    {
+      return;
+    }
+    const Level plane = planeAt(boxes_.planes[side.axis], side.corner[side.axis]);
+    const std::uint32_t box = sides_.patchBox[n];
+    for (std::size_t p = patches_.boxStart[box]; p < patches_.boxStart[box + 1]; ++p)
     {
       std::uint32_t from = patches_.corners[patches_.start[p + 1] - 1];
       for (std::size_t c = patches_.start[p]; c < patches_.start[p + 1]; ++c)
       {
         const std::uint32_t to = patches_.corners[c];
-        if (patches_.points[from][axis] == plane && patches_.points[to][axis] == plane)
+        if (lies(patches_.points[from], plane, r) && lies(patches_.points[to], plane, r))
         {
-          chords.push_back(upper ? Edge{ to, from } : Edge{ from, to });
+          chords.push_back(fromLow ? Edge{ to, from } : Edge{ from, to });
         }
         from = to;
       }
     }
+  }
+
+  static bool lies(const Point& p, Level plane, const Rectangle& r)
+  {
+    const Flat at = flatten(p, r.axis);
+    return p[static_cast<std::size_t>(r.axis)] == plane && at.a >= r.low.a && at.a <= r.high.a &&
+      at.b >= r.low.b && at.b <= r.high.b;
   }
 
   const Boxes& boxes_;
@@ -488,45 +546,146 @@ InnerFaces join(const std::vector<Part>& parts, Execution& execution)
 
 }
 
+namespace
+{
+
+// Grid nodes that one chunk of boxes needs.
+class NodeUses
+{
+public:
+  NodeUses(const Boxes& boxes, std::vector<PointUse>& uses)
+    : boxes_(boxes)
+    , uses_(uses)
+  {
+  }
+
+  void add(const FinePoint& fine)
+  {
+    Point p;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      p[axis] = planeAt(boxes_.planes[axis], fine[axis]);
+    }
+    const std::int64_t row = (fine[1] >> DeepestLevel) +
+      (fine[2] >> DeepestLevel) * static_cast<std::int64_t>(boxes_.planes[1].size());
+    uses_.push_back(
+      { p, static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(uses_.size()) });
+  }
+
+  // The border of a side, counter-clockwise, with the nodes that hang on it.
+  void addBorder(const Side& side, bool nodesMayHang)
+  {
+    const std::size_t u = (side.axis + 1u) % 3;
+    const std::size_t v = (side.axis + 2u) % 3;
+    FinePoint corner = side.corner;
+    addLine(corner, u, side.size[0], true, nodesMayHang);
+    corner[u] += side.size[0];
+    addLine(corner, v, side.size[1], true, nodesMayHang);
+    corner[v] += side.size[1];
+    addLine(corner, u, side.size[0], false, nodesMayHang);
+    corner[u] -= side.size[0];
+    addLine(corner, v, side.size[1], false, nodesMayHang);
+  }
+
+private:
+  // From a corner up or down one axis, without the end.
+  void addLine(const FinePoint& from, std::size_t axis, std::int64_t length, bool up, bool mayHang)
+  {
+    add(from);
+    if (!mayHang)
+    {
+      return;
+    }
+    FinePoint low = from;
+    low[axis] -= up ? 0 : length;
+    hangingNodes(boxes_, static_cast<int>(axis), low, length, positions_);
+    if (!up)
+    {
+      std::reverse(positions_.begin(), positions_.end());
+    }
+    for (const std::int64_t position : positions_)
+    {
+      low[axis] = position;
+      add(low);
+    }
+  }
+
+  const Boxes& boxes_;
+  std::vector<PointUse>& uses_;
+  std::vector<std::int64_t> positions_;
+};
+
+}
+
 Nodes findNodes(const Boxes& boxes, const Patches& patches, const Sides& sides, Execution& execution)
 {
-  const std::size_t count = sides.intersected.size();
-  std::vector<std::vector<PointUse>> uses(chunks(count, BoxesAChunk));
+  const std::size_t count = sides.polyhedral.size();
+  const std::size_t sideChunks = chunks(count, BoxesAChunk);
+  std::vector<std::vector<PointUse>> uses(
+    sideChunks + chunks(sides.divided.size(), BoxesAChunk));
+  Nodes nodes;
+  nodes.borderStart.assign(sides.sides.size() + 1, 0);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
-    auto& use = uses[begin / BoxesAChunk];
+    auto& part = uses[begin / BoxesAChunk];
+    NodeUses list(boxes, part);
     for (std::size_t n = begin; n < end; ++n)
     {
-      const Box& box = boxes.boxes[sides.intersected[n]];
-      for (unsigned corner = 0; corner < 8; ++corner)
+      const bool mayHang = nearDivided(boxes, boxes.boxes[sides.polyhedral[n]].global);
+      for (std::size_t s = sides.ownStart[n]; s < sides.ownStart[n + 1]; ++s)
       {
-        const Point p = cornerOf(box, corner);
-        use.push_back({ p, rowOfPoint(p, boxes.planes, box.global[1], box.global[2]),
-          static_cast<std::uint32_t>(8 * n + corner) });
+        const std::size_t before = part.size();
+        list.addBorder(sides.sides[s], mayHang);
+        nodes.borderStart[s] = part.size() - before;
       }
     }
   });
+  execution.forEach(sides.divided.size(), BoxesAChunk, [&](std::size_t begin, std::size_t end) {
+    NodeUses list(boxes, uses[sideChunks + begin / BoxesAChunk]);
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      const Box& box = boxes.boxes[sides.divided[n]];
+      for (unsigned corner = 0; corner < 8; ++corner)
+      {
+        FinePoint fine = boxes.fineLow(box);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          fine[static_cast<std::size_t>(axis)] +=
+            (corner >> axis & 1) * Boxes::fineSize(box, axis);
+        }
+        list.add(fine);
+      }
+    }
+  });
+  offsetSlots(uses);
   Numbering numbering = numberPoints(uses, pointRows(boxes.planes), execution);
-  Nodes nodes;
+  const auto node = [&](std::size_t slot) {
+    return static_cast<std::uint32_t>(patches.points.size() + numbering.ofSlot[slot]);
+  };
+  nodes.border.resize(scan(nodes.borderStart));
+  for (std::size_t slot = 0; slot < nodes.border.size(); ++slot)
+  {
+    nodes.border[slot] = node(slot);
+  }
+  nodes.ofDivided.resize(sides.divided.size());
+  for (std::size_t n = 0; n < sides.divided.size(); ++n)
+  {
+    for (std::size_t corner = 0; corner < 8; ++corner)
+    {
+      nodes.ofDivided[n][corner] = node(nodes.border.size() + 8 * n + corner);
+    }
+  }
   nodes.patchPoints = patches.points.size();
+  nodes.at.reserve(patches.points.size() + numbering.points.size());
   nodes.at = patches.points;
   nodes.at.insert(nodes.at.end(), numbering.points.begin(), numbering.points.end());
   nodes.rowStart.swap(numbering.rowStart);
-  nodes.ofBox.resize(count);
-  for (std::size_t n = 0; n < count; ++n)
-  {
-    for (unsigned corner = 0; corner < 8; ++corner)
-    {
-      nodes.ofBox[n][corner] =
-        static_cast<std::uint32_t>(nodes.patchPoints + numbering.ofSlot[8 * n + corner]);
-    }
-  }
   return nodes;
 }
 
 InnerFaces generateInnerFaces(const Boxes& boxes, const Patches& patches, const Sides& sides,
   const Nodes& nodes, Execution& execution)
 {
-  const std::size_t count = sides.intersected.size();
+  const std::size_t count = sides.polyhedral.size();
   std::vector<Part> parts(chunks(count, BoxesAChunk));
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     SideBuilder builder(boxes, patches, sides, nodes);

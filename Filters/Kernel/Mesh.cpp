@@ -34,7 +34,7 @@ Mesh::Mesh(const MeshParts& parts, Execution& execution)
   : parts_(parts)
   , numbers_(numberCells(parts))
   , used_(usedNodes())
-  , vertices_(parts.boxes, parts.nodes, used_, execution)
+  , vertices_(parts.boxes, parts.sides, parts.nodes, used_, execution)
 {
   numberNodes();
   measureCells(execution);
@@ -45,20 +45,42 @@ Mesh::Mesh(const MeshParts& parts, Execution& execution)
 std::vector<std::uint8_t> Mesh::usedNodes() const
 {
   std::vector<std::uint8_t> used(parts_.nodes.at.size());
+  const auto mark = [&](const FaceRef& face) {
+    const bool patch = face.kind() == FaceRef::Kind::Patch;
+    const auto& start = patch ? parts_.patches.start : parts_.inner.start;
+    const auto& nodes = patch ? parts_.patches.corners : parts_.inner.nodes;
+    for (std::size_t i = start[face.index]; i < start[face.index + 1]; ++i)
+    {
+      used[nodes[i]] = 1;
+    }
+  };
   const Cells& cells = parts_.cells;
   for (std::size_t c = 0; c < cells.size(); ++c)
   {
     for (std::size_t f = cells.cells[c].firstFace;
          !cells.cells[c].removed && f < cells.cells[c + 1].firstFace; ++f)
     {
-      const FaceRef& face = cells.faces[f];
-      const bool patch = face.kind() == FaceRef::Kind::Patch;
-      const auto& start = patch ? parts_.patches.start : parts_.inner.start;
-      const auto& nodes = patch ? parts_.patches.corners : parts_.inner.nodes;
-      for (std::size_t i = start[face.index]; i < start[face.index + 1]; ++i)
-      {
-        used[nodes[i]] = 1;
-      }
+      mark(cells.faces[f]);
+    }
+  }
+  // A hexahedron keeps its faces, whatever became of the cells beyond.
+  for (std::size_t s = 0; s < parts_.sides.sides.size(); ++s)
+  {
+    const Side& side = parts_.sides.sides[s];
+    const std::uint32_t other =
+      parts_.sides.polyhedralOrdinal(side.low) == None ? side.low : side.high;
+    const bool hexahedron = other != None && parts_.sides.polyhedralOrdinal(other) == None;
+    for (std::size_t f = parts_.inner.sideStart[s];
+         hexahedron && f < parts_.inner.sideStart[s + 1]; ++f)
+    {
+      mark(FaceRef(f, FaceRef::Kind::Inner));
+    }
+  }
+  for (const auto& corners : parts_.nodes.ofDivided)
+  {
+    for (const std::uint32_t node : corners)
+    {
+      used[node] = 1;
     }
   }
   return used;
@@ -66,26 +88,33 @@ std::vector<std::uint8_t> Mesh::usedNodes() const
 
 void Mesh::numberNodes()
 {
+  const Nodes& nodes = parts_.nodes;
+  const std::size_t rowLength = parts_.boxes.planes[1].size();
   nodePoint_.assign(used_.size(), None);
-  for (std::size_t node = 0; node < parts_.nodes.patchPoints; ++node)
+  points_ = vertices_.size();
+  for (std::size_t row = 0; row + 1 < nodes.rowStart.size(); ++row)
+  {
+    const std::size_t j = row % rowLength;
+    const std::size_t k = row / rowLength;
+    for (std::size_t c = nodes.rowStart[row]; c < nodes.rowStart[row + 1]; ++c)
+    {
+      const std::size_t node = nodes.patchPoints + c;
+      if (used_[node])
+      {
+        std::uint32_t i = 0;
+        const bool vertex =
+          VertexRows::isVertex(parts_.boxes.planes, nodes.at[node], j, k, i);
+        nodePoint_[node] = static_cast<std::uint32_t>(vertex
+            ? vertices_.number(i, static_cast<std::uint32_t>(j), static_cast<std::uint32_t>(k))
+            : points_++);
+      }
+    }
+  }
+  for (std::size_t node = 0; node < nodes.patchPoints; ++node)
   {
     if (used_[node])
     {
-      nodePoint_[node] = static_cast<std::uint32_t>(vertices_.size() + patchPoints_++);
-    }
-  }
-  // Corners of intersected boxes that inside boxes share have numbers without being used.
-  for (std::size_t n = 0; n < parts_.nodes.ofBox.size(); ++n)
-  {
-    const auto& global = parts_.boxes.boxes[parts_.sides.intersected[n]].global;
-    for (unsigned corner = 0; corner < 8; ++corner)
-    {
-      const std::uint32_t node = parts_.nodes.ofBox[n][corner];
-      if (used_[node] && nodePoint_[node] == None)
-      {
-        nodePoint_[node] = static_cast<std::uint32_t>(vertices_.number(
-          global[0] + (corner & 1), global[1] + (corner >> 1 & 1), global[2] + (corner >> 2)));
-      }
+      nodePoint_[node] = static_cast<std::uint32_t>(points_++);
     }
   }
 }
@@ -135,9 +164,9 @@ void Mesh::placeRows()
   for (std::size_t row = 0; row + 1 < boxes.rowStart.size(); ++row)
   {
     rows_.push_back(sum);
-    for (std::size_t b = boxes.rowStart[row]; b < boxes.rowStart[row + 1]; ++b)
+    for (std::size_t b = firstBoxOfRow(row); b < firstBoxOfRow(row + 1); ++b)
     {
-      if (boxes.boxes[b].status == BoxStatus::Inside)
+      if (parts_.sides.polyhedralOrdinal(static_cast<std::uint32_t>(b)) == None)
       {
         sum.connectivity += CornersOfAHexahedron;
         continue;
@@ -152,13 +181,24 @@ void Mesh::placeRows()
   rows_.push_back(sum);
 }
 
-std::array<Id, 8> Mesh::corners(const Box& box) const
+std::array<Id, 8> Mesh::corners(std::size_t box) const
 {
   std::array<Id, 8> p;
+  const std::uint32_t ordinal = parts_.sides.ordinal[box];
+  if (ordinal != None)
+  {
+    const auto& nodes = parts_.nodes.ofDivided[ordinal & ~Sides::HexahedronBit];
+    for (std::size_t corner = 0; corner < 8; ++corner)
+    {
+      p[corner] = nodePoint_[nodes[corner]];
+    }
+    return p;
+  }
+  const auto& at = parts_.boxes.globalOf(parts_.boxes.boxes[box]).index;
   for (unsigned row = 0; row < 4; ++row)
   {
-    p[2 * row] = static_cast<Id>(vertices_.number(
-      box.global[0], box.global[1] + (row & 1), box.global[2] + (row >> 1)));
+    p[2 * row] =
+      static_cast<Id>(vertices_.number(at[0], at[1] + (row & 1), at[2] + (row >> 1)));
     p[2 * row + 1] = p[2 * row] + 1;
   }
   return p;
@@ -181,7 +221,7 @@ void Mesh::writePoints(double* xyz, Execution& execution) const
       }
     });
   execution.forEach(
-    parts_.nodes.patchPoints, CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    parts_.nodes.at.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t node = begin; node < end; ++node)
       {
         for (int axis = 0; used_[node] && axis < 3; ++axis)
@@ -208,14 +248,14 @@ void Mesh::writeCells(const CellArrays& arrays, Execution& execution) const
 void Mesh::writeRow(
   std::size_t row, const CellArrays& arrays, std::vector<Id>& scratch) const
 {
-  const Boxes& boxes = parts_.boxes;
   RowOffsets at = rows_[row];
-  for (std::size_t b = boxes.rowStart[row]; b < boxes.rowStart[row + 1]; ++b)
+  for (std::size_t b = firstBoxOfRow(row); b < firstBoxOfRow(row + 1); ++b)
   {
     std::size_t id = numbers_.ofBox[b];
-    if (boxes.boxes[b].status == BoxStatus::Inside)
+    const std::uint32_t n = parts_.sides.polyhedralOrdinal(static_cast<std::uint32_t>(b));
+    if (n == None)
     {
-      const std::array<Id, 8> p = corners(boxes.boxes[b]);
+      const std::array<Id, 8> p = corners(b);
       constexpr std::array<int, 8> order = { 0, 1, 3, 2, 4, 5, 7, 6 };
       for (int i = 0; i < 8; ++i)
       {
@@ -227,7 +267,6 @@ void Mesh::writeRow(
       at.connectivity += CornersOfAHexahedron;
       continue;
     }
-    const std::uint32_t n = parts_.sides.ordinal[b];
     for (std::size_t c = parts_.cells.boxStart[n]; c < parts_.cells.boxStart[n + 1]; ++c)
     {
       if (parts_.cells.cells[c].removed)
@@ -266,7 +305,8 @@ void Mesh::writeCellData(const CellData& data, Execution& execution) const
   const auto write = [&](std::size_t id, const Box& box, double fraction) {
     for (int axis = 0; axis < 3; ++axis)
     {
-      data.globalBox[3 * id + axis] = static_cast<int>(box.global[axis]);
+      data.globalBox[3 * id + axis] = static_cast<int>(parts_.boxes.globalOf(box).index[axis]);
+      data.level[3 * id + axis] = box.level[axis];
     }
     data.region[id] = FirstRegion;
     data.volumeFraction[id] = fraction;
@@ -275,7 +315,7 @@ void Mesh::writeCellData(const CellData& data, Execution& execution) const
   execution.forEach(boxes.boxes.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b)
     {
-      if (boxes.boxes[b].status == BoxStatus::Inside)
+      if (parts_.sides.polyhedralOrdinal(static_cast<std::uint32_t>(b)) == None)
       {
         write(numbers_.ofBox[b], boxes.boxes[b], 1);
       }
@@ -310,7 +350,7 @@ void Mesh::forEachPoint(const BoundaryFace& face, Visitor&& visit) const
       break;
     case BoundaryFace::Kind::BoxSide:
     {
-      const std::array<Id, 8> p = corners(parts_.boxes.boxes[face.index / 6]);
+      const std::array<Id, 8> p = corners(face.index / 6);
       const bool upper = face.index % 2 == 1;
       const std::array<unsigned, 4> side =
         sideCorners(static_cast<int>(face.index % 6 / 2), upper ? 1 : 0);

@@ -1,8 +1,8 @@
 // The finished mesh (section 6, steps 11 and 13): cells and points numbered and written.
 //
-// Cells are hexahedra (inside boxes) and polyhedra, in order of their boxes. Points are the used
-// vertices of the global mesh, row by row, then the used points of patches. All are written
-// straight into arrays of the caller's.
+// Cells are hexahedra (inside boxes without hanging nodes) and polyhedra, in order of their boxes.
+// Points are the used vertices of the global mesh, row by row, then used nodes between them, then
+// the used points of patches. All are written straight into arrays of the caller's.
 #pragma once
 
 #include "Boundary.h"
@@ -26,6 +26,7 @@ struct CellArrays
 struct CellData
 {
   int* globalBox;         // 3 * cellCount(): I, J, K
+  unsigned char* level;   // 3 * cellCount(): halvings of the global box along x, y, z
   int* region;            // cellCount()
   double* volumeFraction; // cellCount(): part of the box's volume
 };
@@ -43,7 +44,7 @@ class Mesh
 public:
   Mesh(const MeshParts& parts, Execution& execution);
 
-  Id pointCount() const { return static_cast<Id>(vertices_.size() + patchPoints_); }
+  Id pointCount() const { return static_cast<Id>(points_); }
   Id cellCount() const { return numbers_.ofBox.back(); }
   Id connectivitySize() const { return rows_.back().connectivity; }
   Id faceStreamSize() const { return rows_.back().faceStream; }
@@ -80,7 +81,11 @@ private:
   void measureCells(Execution& execution);
   void placeRows();
 
-  std::array<Id, 8> corners(const Box& box) const;
+  std::array<Id, 8> corners(std::size_t box) const;
+  std::size_t firstBoxOfRow(std::size_t row) const
+  {
+    return parts_.boxes.globals[parts_.boxes.rowStart[row]].firstBox;
+  }
   void writeRow(std::size_t row, const CellArrays& arrays, std::vector<Id>& scratch) const;
   void writeFaces(std::size_t cell, Id* stream) const;
   void distinctPoints(std::size_t cell, std::vector<Id>& points) const;
@@ -92,9 +97,9 @@ private:
   CellNumbers numbers_;
   std::vector<std::uint8_t> used_; // nodes
   VertexRows vertices_;
-  std::size_t patchPoints_ = 0;          // used ones
+  std::size_t points_ = 0;
   std::vector<std::uint32_t> nodePoint_; // point of each used node
-  std::vector<CellSize> cellSizes_;      // of each cell of intersected boxes
+  std::vector<CellSize> cellSizes_;      // of each cell of polyhedral boxes
   std::vector<RowOffsets> rows_;
   std::vector<BoundaryFace> boundary_;
 };

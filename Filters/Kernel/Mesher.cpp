@@ -42,19 +42,6 @@ std::string describeOverhang(const PreparedSurface& prepared)
   return text;
 }
 
-void checkMemory(const Surface& surface, const Meshlines& planes, double limit)
-{
-  constexpr double GiB = 1024.0 * 1024 * 1024;
-  const Estimate estimate = estimateMesh(surface, planes);
-  if (estimate.bytes > limit)
-  {
-    throw Error(Fault::TooManyBoxes,
-      "The mesh would have about " + rounded(estimate.boxes) + " boxes and take about " +
-        rounded(estimate.bytes / GiB) + " GiB, more than the Memory Limit of " +
-        rounded(limit / GiB) + " GiB: choose a larger Cell Size or raise the limit.");
-  }
-}
-
 }
 
 PreparedSurface prepareSurface(
@@ -66,7 +53,8 @@ PreparedSurface prepareSurface(
   const Lattice lattice(domainOf(grid, prepared.bounds));
   prepared.planes = onLattice(grid, prepared.bounds, lattice);
   prepared.surface = onLattice(view, lattice, execution);
-  checkMemory(prepared.surface, prepared.planes, memoryLimit);
+  prepared.memoryLimit = memoryLimit;
+  checkMemory(estimateMesh(prepared.surface, prepared.planes), memoryLimit);
   prepared.check = check(prepared.surface, execution);
   return prepared;
 }
@@ -93,12 +81,18 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
   return text;
 }
 
-BoxedSurface boxSurface(const PreparedSurface& prepared, Execution& execution)
+BoxedSurface boxSurface(
+  const PreparedSurface& prepared, const RefinementSpec& spec, Execution& execution)
 {
   execution.stage("Boxes", AfterSurface, AfterBoxes);
-  SurfaceRows rows = shoeboxes(prepared.surface, prepared.planes, execution);
-  Boxes boxes = generateBoxes(prepared.surface, prepared.check, prepared.planes, rows, execution);
-  return { std::move(boxes), std::move(rows.shoeboxes) };
+  BoxedSurface result;
+  result.shoeboxes = fillShoeboxes(prepared.surface, prepared.planes, execution);
+  const Refinement refinement(
+    spec, prepared.surface, result.shoeboxes, prepared.planes, execution);
+  result.warnings = refinement.warnings();
+  result.boxes = generateBoxes(prepared.surface, prepared.check, prepared.planes,
+    result.shoeboxes, refinement, prepared.memoryLimit, execution);
+  return result;
 }
 
 Assembly::Assembly(
@@ -136,7 +130,7 @@ std::vector<std::uint32_t> Assembly::flawedBoxes() const
   {
     if (cells_.flawed[n])
     {
-      flawed.push_back(sides_.intersected[n]);
+      flawed.push_back(sides_.polyhedral[n]);
     }
   }
   return flawed;
@@ -155,8 +149,9 @@ std::string Assembly::describeFlaws() const
   for (std::size_t i = 0; i < std::min(flawed.size(), MostPlaces); ++i)
   {
     const Box& box = boxes_.boxes[flawed[i]];
-    text += "\n  box " + std::to_string(box.global[0]) + ", " + std::to_string(box.global[1]) + ", " +
-      std::to_string(box.global[2]) + " from " + position(boxes_.lattice, box.low) + " to " +
+    const auto& global = boxes_.globalOf(box).index;
+    text += "\n  in global box " + std::to_string(global[0]) + ", " + std::to_string(global[1]) +
+      ", " + std::to_string(global[2]) + ", from " + position(boxes_.lattice, box.low) + " to " +
       position(boxes_.lattice, box.high);
   }
   return text;
@@ -176,16 +171,17 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
     removed += cells_.cells[c].removed;
     isolated += !hasInnerFace && !cells_.cells[c].removed;
   }
-  const double intersected = static_cast<double>(sides_.intersected.size());
-  const double inside = static_cast<double>(boxes_.boxes.size()) - intersected;
-  const double cells = static_cast<double>(mesh_->cellCount());
+  const auto boxes = static_cast<double>(boxes_.boxes.size());
+  const auto intersected = static_cast<double>(patches_.boxStart.size() - 1);
+  const double hexahedra = boxes - static_cast<double>(sides_.polyhedral.size());
+  const auto cells = static_cast<double>(mesh_->cellCount());
   return {
     { "Cells", cells },
-    { "Hexahedra", inside },
-    { "Polyhedra", cells - inside },
+    { "Hexahedra", hexahedra },
+    { "Polyhedra", cells - hexahedra },
     { "Points", static_cast<double>(mesh_->pointCount()) },
     { "BoundaryFaces", static_cast<double>(mesh_->boundary().size()) },
-    { "BoxesInside", inside },
+    { "BoxesInside", boxes - intersected },
     { "BoxesIntersected", intersected },
     { "BoxesByExactFit", intersected },
     { "BoxesFlawed", static_cast<double>(flawedBoxes().size()) },

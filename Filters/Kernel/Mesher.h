@@ -7,6 +7,7 @@
 //                               Cells, Mesh            11-13
 #pragma once
 
+#include "BoxGeneration.h"
 #include "Mesh.h"
 #include "SurfaceCheck.h"
 
@@ -28,6 +29,7 @@ struct PreparedSurface
   SurfaceCheck check;
   Meshlines planes;
   Bounds bounds; // of the surface, user units
+  double memoryLimit; // bytes
 };
 
 // Scaling, Dual Levels and the check of the surface. `memoryLimit` in bytes. Throws Error:
@@ -42,9 +44,13 @@ struct BoxedSurface
 {
   Boxes boxes;
   Shoeboxes shoeboxes;
+  std::string warnings; // rows of the specification that reach beyond the grid, or nothing
 };
 
-BoxedSurface boxSurface(const PreparedSurface& prepared, Execution& execution);
+// Throws Error: BadParameter (of the refinement), TooManyBoxes.
+
+BoxedSurface boxSurface(
+  const PreparedSurface& prepared, const RefinementSpec& refinement, Execution& execution);
 
 // Boxes and patches made into a mesh; borrows both. Throws Error: BadParameter, TooManyBoxes.
 class Assembly

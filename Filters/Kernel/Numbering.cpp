@@ -25,6 +25,19 @@ void forEachDistinct(const PointUse* begin, const PointUse* end, Visitor&& visit
 
 }
 
+void offsetSlots(std::vector<std::vector<PointUse>>& uses)
+{
+  std::size_t before = 0;
+  for (auto& chunk : uses)
+  {
+    for (PointUse& use : chunk)
+    {
+      use.slot += static_cast<std::uint32_t>(before);
+    }
+    before += chunk.size();
+  }
+}
+
 Numbering numberPoints(
   std::vector<std::vector<PointUse>>& uses, std::size_t rows, Execution& execution)
 {

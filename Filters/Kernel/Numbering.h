@@ -41,6 +41,9 @@ struct Numbering
   std::vector<std::size_t> rowStart;  // first id of each row, and the end
 };
 
+// Makes slots that count from 0 in each chunk count on from chunk to chunk.
+void offsetSlots(std::vector<std::vector<PointUse>>& uses);
+
 // Slots of all chunks together are 0 to n - 1. Empties the chunks.
 Numbering numberPoints(
   std::vector<std::vector<PointUse>>& uses, std::size_t rows, Execution& execution);

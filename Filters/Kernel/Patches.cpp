@@ -21,6 +21,112 @@ struct Part
   std::vector<std::uint32_t> polygonsOfBox;
 };
 
+// The lines along which finer neighbours divide the sides of a box.
+class SideLines
+{
+public:
+  void find(const Boxes& boxes, const Box& box)
+  {
+    any_ = false;
+    if (!nearDivided(boxes, box.global))
+    {
+      return;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (const bool upper : { false, true })
+      {
+        Cross& cross = crosses_[static_cast<std::size_t>(2 * axis + upper)];
+        const std::array<std::uint32_t, 4> across = facing(boxes, box, axis, upper);
+        cross.plane = upper ? box.high[static_cast<std::size_t>(axis)]
+                            : box.low[static_cast<std::size_t>(axis)];
+        cross.u = { across[0] != across[1], across[2] != across[3] };
+        cross.v = { across[0] != across[2], across[1] != across[3] };
+        any_ = any_ || cross.u[0] || cross.u[1] || cross.v[0] || cross.v[1];
+      }
+    }
+    if (any_)
+    {
+      const FinePoint low = boxes.fineLow(box);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        middle_[axis] = planeAt(
+          boxes.planes[axis], low[axis] + Boxes::fineSize(box, static_cast<int>(axis)) / 2);
+      }
+    }
+  }
+
+  // Calls visit(point) where the i-th side of a fragment, if it lies on a side of the box, crosses a
+  // line there; in order.
+  template <class Visitor>
+  void forEachCrossing(
+    const Corners& triangle, const Fragment& fragment, int i, Visitor&& visit) const
+  {
+    const auto n = static_cast<std::size_t>(i);
+    if (!any_ || fragment.side[n] < Fragment::FirstPlane)
+    {
+      return;
+    }
+    const int axis = fragment.side[n] - Fragment::FirstPlane;
+    const Point& p = fragment.corner[n];
+    const Point& q = fragment.corner[i + 1 < fragment.size ? n + 1 : 0];
+    for (const std::size_t side : { 2u * axis, 2u * axis + 1u })
+    {
+      const Cross& cross = crosses_[side];
+      if (cross.plane != p[static_cast<std::size_t>(axis)])
+      {
+        continue;
+      }
+      const std::size_t u = (static_cast<std::size_t>(axis) + 1) % 3;
+      const std::size_t v = (static_cast<std::size_t>(axis) + 2) % 3;
+      Point atU;
+      Point atV;
+      const bool crossesU = crossing(triangle, p, q, u, v, cross.u, atU);
+      const bool crossesV = crossing(triangle, p, q, v, u, cross.v, atV);
+      const bool firstU = crossesU && (!crossesV || (atU[u] < atV[u]) == (p[u] < q[u]));
+      if (firstU)
+      {
+        visit(atU);
+      }
+      if (crossesV)
+      {
+        visit(atV);
+      }
+      if (crossesU && !firstU)
+      {
+        visit(atU);
+      }
+    }
+  }
+
+private:
+  // The middle lines of a side, each in two halves: whether neighbours meet there.
+  struct Cross
+  {
+    Level plane = 0;
+    std::array<bool, 2> u{}; // on the line across u: its lower and upper half along v
+    std::array<bool, 2> v{};
+  };
+
+  // Where pq crosses the middle line across axis u, if that half of it is one between neighbours.
+  bool crossing(const Corners& triangle, const Point& p, const Point& q, std::size_t u,
+    std::size_t v, const std::array<bool, 2>& halves, Point& at) const
+  {
+    if ((!halves[0] && !halves[1]) || (p[u] < middle_[u]) == (q[u] < middle_[u]))
+    {
+      return false;
+    }
+    at = p;
+    at[u] = middle_[u];
+    at = crossLine(triangle, static_cast<int>(v), at);
+    return halves[at[v] < middle_[v] ? 0 : 1];
+  }
+
+  std::array<Cross, 6> crosses_; // low x, high x, low y, ...
+  Point middle_{};
+  bool any_ = false;
+};
+
 class PartBuilder
 {
 public:
@@ -34,17 +140,36 @@ public:
   void addBox(const Box& box, const std::uint32_t* begin, const std::uint32_t* end)
   {
     points_.clear();
+    lines_.find(boxes_, box);
     const std::size_t before = part_.sizes.size();
     const std::size_t firstCorner = part_.corners.size();
     for (const std::uint32_t* triangle = begin; triangle != end; ++triangle)
     {
-      addPolygons(clip(surface_.corners(*triangle), box.low, box.high), *triangle);
+      const Corners corners = surface_.corners(*triangle);
+      if (mayMeet(corners, box))
+      {
+        addPolygons(corners, clip(corners, box.low, box.high), *triangle);
+      }
     }
     part_.polygonsOfBox.push_back(static_cast<std::uint32_t>(part_.sizes.size() - before));
     giveSlots(box, firstCorner);
   }
 
 private:
+  // A global box's triangles may all lie in other boxes of it.
+  static bool mayMeet(const Corners& c, const Box& box)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      if (std::max({ c[0][axis], c[1][axis], c[2][axis] }) < box.low[axis] ||
+        std::min({ c[0][axis], c[1][axis], c[2][axis] }) > box.high[axis])
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
   // Turns the box's own numbers of corners into slots, leaving out points that no polygon kept.
   void giveSlots(const Box& box, std::size_t firstCorner)
   {
@@ -57,20 +182,23 @@ private:
       {
         const Point& p = points_.points()[local];
         slot_[local] = static_cast<std::uint32_t>(part_.uses.size());
+        const auto& global = boxes_.globalOf(box).index;
         part_.uses.push_back(
-          { p, rowOfPoint(p, boxes_.planes, box.global[1], box.global[2]), slot_[local] });
+          { p, rowOfPoint(p, boxes_.planes, global[1], global[2]), slot_[local] });
       }
       part_.corners[c] = slot_[local];
     }
   }
 
   // Rounding may let corners of a thin piece coincide: what is left of it are simple loops.
-  void addPolygons(const Fragment& fragment, std::uint32_t triangle)
+  void addPolygons(const Corners& corners, const Fragment& fragment, std::uint32_t triangle)
   {
     walk_.clear();
     for (int i = 0; i < fragment.size; ++i)
     {
       walk_.push_back(points_.add(fragment.corner[i]));
+      lines_.forEachCrossing(
+        corners, fragment, i, [&](const Point& p) { walk_.push_back(points_.add(p)); });
     }
     forEachSimpleLoop(walk_, [&](const std::uint32_t* begin, const std::uint32_t* end) {
       part_.corners.insert(part_.corners.end(), begin, end);
@@ -83,6 +211,7 @@ private:
   const Boxes& boxes_;
   Part& part_;
   LocalPoints points_;
+  SideLines lines_;
   std::vector<std::uint32_t> walk_;
   std::vector<std::uint32_t> slot_;
 };
@@ -139,19 +268,6 @@ void copyPart(const Part& part, std::size_t index, const Offsets& offsets,
 
 }
 
-std::vector<std::uint32_t> intersectedBoxes(const Boxes& boxes)
-{
-  std::vector<std::uint32_t> result;
-  for (std::size_t b = 0; b < boxes.boxes.size(); ++b)
-  {
-    if (boxes.boxes[b].status == BoxStatus::Intersected)
-    {
-      result.push_back(static_cast<std::uint32_t>(b));
-    }
-  }
-  return result;
-}
-
 Patches generatePatches(
   const Surface& surface, const Boxes& boxes, const Shoeboxes& shoeboxes, Execution& execution)
 {
@@ -163,8 +279,9 @@ Patches generatePatches(
     for (std::size_t n = begin; n < end; ++n)
     {
       const Box& box = boxes.boxes[intersected[n]];
+      const auto& global = boxes.globalOf(box).index;
       const auto [first, last] =
-        shoeboxes.triangles(boxes.row(box.global[1], box.global[2]), box.global[0]);
+        shoeboxes.triangles(boxes.row(global[1], global[2]), global[0]);
       builder.addBox(box, first, last);
     }
   });
@@ -173,12 +290,9 @@ Patches generatePatches(
   std::vector<std::vector<PointUse>> uses(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    for (PointUse& use : parts[i].uses)
-    {
-      use.slot += static_cast<std::uint32_t>(offsets.slot[i]);
-    }
     uses[i].swap(parts[i].uses);
   }
+  offsetSlots(uses);
   Numbering numbering = numberPoints(uses, pointRows(boxes.planes), execution);
 
   Patches patches;

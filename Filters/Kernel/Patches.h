@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Boxes.h"
+#include "Shoeboxes.h"
 
 namespace cartesian
 {
@@ -20,9 +21,8 @@ struct Patches
   std::size_t size() const { return triangle.size(); }
 };
 
-// Indices of the intersected boxes, in order.
-std::vector<std::uint32_t> intersectedBoxes(const Boxes& boxes);
-
+// Exact Fit in every intersected box. Where finer neighbours divide a side of a box, its patches have
+// nodes on the lines between them, so that patches meet corner to corner across the side.
 Patches generatePatches(
   const Surface& surface, const Boxes& boxes, const Shoeboxes& shoeboxes, Execution& execution);
 

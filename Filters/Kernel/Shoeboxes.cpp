@@ -21,35 +21,6 @@ struct Span
   bool operator<(const Span& other) const { return triangle < other.triangle; }
 };
 
-std::uint32_t planesBelow(const std::vector<Level>& planes, Level level)
-{
-  return static_cast<std::uint32_t>(intervalOf(planes, level) + 1);
-}
-
-// The crossing with the line at the upper middle and outer planes of a row, where the piece of
-// the triangle in that row has one. Each crossing touches four rows and is seen from one.
-void findCrossings(const Fragment& piece, const RowAxes& axes, const Meshlines& planes,
-  std::int64_t middle, std::int64_t outer, std::vector<LineCrossing>& found)
-{
-  const auto& middles = planes[axes.middle];
-  const auto& outers = planes[axes.outer];
-  const auto m = static_cast<std::size_t>(middle + 1);
-  const auto o = static_cast<std::size_t>(outer + 1);
-  if (m >= middles.size() || o >= outers.size())
-  {
-    return;
-  }
-  for (int i = 0; i < piece.size; ++i)
-  {
-    const Point& p = piece.corner[i];
-    if (p[axes.middle] == middles[m] && p[axes.outer] == outers[o])
-    {
-      found.push_back({ static_cast<std::uint32_t>(m + o * middles.size()),
-        planesBelow(planes[axes.along], p[axes.along]) });
-    }
-  }
-}
-
 // The boxes of a row that the piece of a triangle in it passes through.
 void findSpan(const Fragment& piece, const Meshlines& planes, std::int64_t j, std::int64_t k,
   std::size_t triangle, std::vector<Span>& found)
@@ -69,18 +40,6 @@ void findSpan(const Fragment& piece, const Meshlines& planes, std::int64_t j, st
     found.push_back({ static_cast<std::uint32_t>(j + k * nj), static_cast<std::uint32_t>(triangle),
       static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last) });
   }
-}
-
-LineCrossings sortCrossings(std::vector<std::vector<LineCrossing>>& found, const RowAxes& axes,
-  const Meshlines& planes, Execution& execution)
-{
-  LineCrossings result;
-  result.axes = axes;
-  result.linesOfMiddle = planes[axes.middle].size();
-  result.crossings = sortIntoBuckets(
-    found, result.linesOfMiddle * planes[axes.outer].size(),
-    [](const LineCrossing& c) { return c.line; }, execution);
-  return result;
 }
 
 // How many triangles pass through each box of a row.
@@ -180,46 +139,24 @@ Shoeboxes boxesOfRows(
 
 }
 
-SurfaceRows shoeboxes(const Surface& surface, const Meshlines& planes, Execution& execution)
+Shoeboxes fillShoeboxes(const Surface& surface, const Meshlines& planes, Execution& execution)
 {
   const RowAxes axes = RowsAlong[0];
   const std::size_t count = surface.triangles.size();
   std::vector<std::vector<Span>> spans(chunks(count, TrianglesAChunk));
-  std::vector<std::vector<LineCrossing>> crossings(spans.size());
   execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
-    const std::size_t chunk = begin / TrianglesAChunk;
     for (std::size_t t = begin; t < end; ++t)
     {
       forEachRow(surface.corners(t), axes, planes,
         [&](std::int64_t j, std::int64_t k, const Fragment& piece) {
-          findCrossings(piece, axes, planes, j, k, crossings[chunk]);
-          findSpan(piece, planes, j, k, t, spans[chunk]);
+          findSpan(piece, planes, j, k, t, spans[begin / TrianglesAChunk]);
         });
     }
   });
   const std::size_t rows = (planes[1].size() - 1) * (planes[2].size() - 1);
   const Buckets<Span> byRow =
     sortIntoBuckets(spans, rows, [](const Span& s) { return s.row; }, execution);
-  return { boxesOfRows(byRow, planes[0].size() - 1, execution),
-    sortCrossings(crossings, axes, planes, execution) };
-}
-
-LineCrossings lineCrossings(
-  const Surface& surface, const Meshlines& planes, int along, Execution& execution)
-{
-  const RowAxes axes = RowsAlong[along];
-  const std::size_t count = surface.triangles.size();
-  std::vector<std::vector<LineCrossing>> crossings(chunks(count, TrianglesAChunk));
-  execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t)
-    {
-      forEachRow(surface.corners(t), axes, planes,
-        [&](std::int64_t middle, std::int64_t outer, const Fragment& piece) {
-          findCrossings(piece, axes, planes, middle, outer, crossings[begin / TrianglesAChunk]);
-        });
-    }
-  });
-  return sortCrossings(crossings, axes, planes, execution);
+  return boxesOfRows(byRow, planes[0].size() - 1, execution);
 }
 
 }

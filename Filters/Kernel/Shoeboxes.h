@@ -37,49 +37,6 @@ struct Shoeboxes
   }
 };
 
-// Crossings of the surface with the mesh lines along one axis: those lines where a plane of
-// rows.outer meets one of rows.middle, numbered middle + outer * (planes of middle).
-struct LineCrossing
-{
-  std::uint32_t line;
-  std::uint32_t planesBelow; // planes of rows.along below the crossing
-
-  bool operator<(const LineCrossing& other) const { return planesBelow < other.planesBelow; }
-};
-
-struct LineCrossings
-{
-  RowAxes axes;
-  std::size_t linesOfMiddle = 0;
-  Buckets<LineCrossing> crossings; // by line
-
-  // How often the line crosses the surface, in all.
-  std::size_t total(std::size_t middle, std::size_t outer) const
-  {
-    const std::size_t line = middle + outer * linesOfMiddle;
-    return crossings.start[line + 1] - crossings.start[line];
-  }
-
-  // ... and below the plane of rows.along with this index.
-  std::size_t below(std::size_t middle, std::size_t outer, std::uint32_t plane) const
-  {
-    const std::size_t line = middle + outer * linesOfMiddle;
-    return std::upper_bound(
-             crossings.begin(line), crossings.end(line), LineCrossing{ 0, plane }) -
-      crossings.begin(line);
-  }
-};
-
-struct SurfaceRows
-{
-  Shoeboxes shoeboxes;
-  LineCrossings crossings; // with the lines along x
-};
-
-// Both at once: they come from the same pieces.
-SurfaceRows shoeboxes(const Surface& surface, const Meshlines& planes, Execution& execution);
-
-LineCrossings lineCrossings(
-  const Surface& surface, const Meshlines& planes, int along, Execution& execution);
+Shoeboxes fillShoeboxes(const Surface& surface, const Meshlines& planes, Execution& execution);
 
 }

@@ -1,6 +1,8 @@
 #include "Sides.h"
 
-#include "Patches.h"
+#include "Sorting.h"
+
+#include <algorithm>
 
 namespace cartesian
 {
@@ -8,31 +10,160 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t BoxesAChunk = 1024;
+constexpr std::size_t BoxesAChunk = 512;
 
-std::uint32_t neighbour(const Boxes& boxes, const Box& box, int axis, int direction)
+bool hasHangingNodes(const Boxes& boxes, const Box& box, std::vector<std::int64_t>& scratch)
 {
-  std::array<std::int64_t, 3> at = { box.global[0], box.global[1], box.global[2] };
-  at[axis] += direction;
-  return boxAt(boxes, at[0], at[1], at[2]);
+  if (!nearDivided(boxes, box.global))
+  {
+    return false;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const bool upper : { false, true })
+    {
+      const std::array<std::uint32_t, 4> across = facing(boxes, box, axis, upper);
+      if (std::any_of(across.begin(), across.end(),
+            [&](std::uint32_t other) { return other != across[0]; }))
+      {
+        return true;
+      }
+    }
+    for (unsigned edge = 0; edge < 4; ++edge)
+    {
+      const int a = (axis + 1) % 3;
+      const int b = (axis + 2) % 3;
+      FinePoint from = boxes.fineLow(box);
+      from[a] += (edge & 1) * Boxes::fineSize(box, a);
+      from[b] += (edge >> 1) * Boxes::fineSize(box, b);
+      hangingNodes(boxes, axis, from, Boxes::fineSize(box, axis), scratch);
+      if (!scratch.empty())
+      {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
-// The sides that an intersected box owns: all its upper ones, and those lower ones that face no
-// other intersected box.
-std::size_t ownSides(const Boxes& boxes, std::uint32_t b, Side* sides)
+// Calls visit(neighbour, side) for the rectangles into which its neighbours divide a side of a box.
+template <class Visitor>
+void forEachPart(const Boxes& boxes, std::uint32_t b, int axis, bool upper, Visitor&& visit)
 {
   const Box& box = boxes.boxes[b];
-  std::size_t count = 0;
-  for (std::uint8_t axis = 0; axis < 3; ++axis)
+  const int u = (axis + 1) % 3;
+  const int v = (axis + 2) % 3;
+  const std::array<std::uint32_t, 4> across = facing(boxes, box, axis, upper);
+  FinePoint corner = boxes.fineLow(box);
+  corner[axis] += upper ? Boxes::fineSize(box, axis) : 0;
+  const std::int64_t halfU = Boxes::fineSize(box, u) / 2;
+  const std::int64_t halfV = Boxes::fineSize(box, v) / 2;
+  std::array<bool, 4> done{};
+  for (unsigned quarter = 0; quarter < 4; ++quarter)
   {
-    const std::uint32_t below = neighbour(boxes, box, axis, -1);
-    if (below == None || boxes.boxes[below].status != BoxStatus::Intersected)
+    if (done[quarter])
     {
-      sides[count++] = { below, b, axis };
+      continue;
     }
-    sides[count++] = { b, neighbour(boxes, box, axis, +1), axis };
+    const bool left = (quarter & 1) == 0;
+    const bool lower = (quarter & 2) == 0;
+    const bool wide = left && across[quarter + 1] == across[quarter];
+    const bool tall = lower && across[quarter + 2] == across[quarter] &&
+      (!wide || across[quarter + 3] == across[quarter]);
+    for (unsigned other = quarter; other < 4; ++other)
+    {
+      const bool right = (other & 1) != (quarter & 1);
+      const bool above = (other & 2) != (quarter & 2);
+      done[other] = done[other] || ((!right || wide) && (!above || tall));
+    }
+    Side side;
+    side.low = upper ? b : across[quarter];
+    side.high = upper ? across[quarter] : b;
+    side.axis = static_cast<std::uint8_t>(axis);
+    side.corner = corner;
+    side.corner[u] += left ? 0 : halfU;
+    side.corner[v] += lower ? 0 : halfV;
+    side.size[0] = static_cast<std::uint8_t>(wide ? Boxes::fineSize(box, u) : halfU);
+    side.size[1] = static_cast<std::uint8_t>(tall ? Boxes::fineSize(box, v) : halfV);
+    visit(across[quarter], side);
   }
-  return count;
+}
+
+// The sides that a polyhedral box owns: all its upper ones, and those lower ones that face no
+// other polyhedral box.
+template <class Visitor>
+void forEachOwnSide(const Boxes& boxes, const Sides& sides, std::uint32_t b, Visitor&& visit)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    forEachPart(boxes, b, axis, false, [&](std::uint32_t other, const Side& side) {
+      if (sides.polyhedralOrdinal(other) == None)
+      {
+        visit(side);
+      }
+    });
+    forEachPart(
+      boxes, b, axis, true, [&](std::uint32_t, const Side& side) { visit(side); });
+  }
+}
+
+void classify(const Boxes& boxes, Sides& result, Execution& execution)
+{
+  const std::size_t count = boxes.boxes.size();
+  std::vector<std::uint8_t> polyhedral(count);
+  execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::int64_t> scratch;
+    for (std::size_t b = begin; b < end; ++b)
+    {
+      const Box& box = boxes.boxes[b];
+      polyhedral[b] =
+        box.status == BoxStatus::Intersected || hasHangingNodes(boxes, box, scratch);
+    }
+  });
+  result.ordinal.assign(count, None);
+  std::uint32_t intersected = 0;
+  for (std::uint32_t b = 0; b < count; ++b)
+  {
+    const Box& box = boxes.boxes[b];
+    if (polyhedral[b])
+    {
+      result.ordinal[b] = static_cast<std::uint32_t>(result.polyhedral.size());
+      result.polyhedral.push_back(b);
+      result.patchBox.push_back(box.status == BoxStatus::Intersected ? intersected++ : None);
+    }
+    else if (box.level != std::array<std::uint8_t, 3>{ 0, 0, 0 })
+    {
+      result.ordinal[b] =
+        static_cast<std::uint32_t>(result.divided.size()) | Sides::HexahedronBit;
+      result.divided.push_back(b);
+    }
+  }
+}
+
+void listSidesOfBoxes(Sides& result)
+{
+  result.boxStart.assign(result.polyhedral.size() + 1, 0);
+  const auto forEachBox = [&](const Side& side, auto&& visit) {
+    for (const bool upper : { true, false })
+    {
+      const std::uint32_t n = result.polyhedralOrdinal(upper ? side.low : side.high);
+      if (n != None)
+      {
+        visit(n, upper);
+      }
+    }
+  };
+  for (const Side& side : result.sides)
+  {
+    forEachBox(side, [&](std::uint32_t n, bool) { ++result.boxStart[n]; });
+  }
+  result.ofBox.resize(scan(result.boxStart));
+  std::vector<std::size_t> next(result.boxStart.begin(), result.boxStart.end() - 1);
+  for (std::uint32_t s = 0; s < result.sides.size(); ++s)
+  {
+    forEachBox(result.sides[s],
+      [&](std::uint32_t n, bool upper) { result.ofBox[next[n]++] = { s, upper }; });
+  }
 }
 
 }
@@ -45,65 +176,66 @@ std::array<unsigned, 4> sideCorners(int axis, unsigned upper)
   return { base, base | a, base | a | b, base | b };
 }
 
-std::uint32_t boxAt(const Boxes& boxes, std::int64_t i, std::int64_t j, std::int64_t k)
+void hangingNodes(const Boxes& boxes, int axis, const FinePoint& from, std::int64_t length,
+  std::vector<std::int64_t>& positions)
 {
-  const auto nj = static_cast<std::int64_t>(boxes.planes[1].size()) - 1;
-  const auto nk = static_cast<std::int64_t>(boxes.planes[2].size()) - 1;
-  if (i < 0 || j < 0 || k < 0 || j >= nj || k >= nk)
+  positions.clear();
+  const int a = (axis + 1) % 3;
+  const int b = (axis + 2) % 3;
+  const std::int64_t end = from[axis] + length;
+  const auto add = [&](std::int64_t position) {
+    if (position > from[axis] && position < end)
+    {
+      positions.push_back(position);
+    }
+  };
+  for (std::int64_t quadrant = 0; quadrant < 4; ++quadrant)
   {
-    return None;
+    FinePoint at = from;
+    at[a] -= quadrant & 1;
+    at[b] -= quadrant >> 1;
+    while (at[axis] < end)
+    {
+      std::int64_t step = 0;
+      const std::uint32_t box = boxes.boxAt(at, &step);
+      if (box == None)
+      {
+        at[axis] = (at[axis] / step + 1) * step;
+        continue;
+      }
+      const std::int64_t low = boxes.fineLow(boxes.boxes[box])[axis];
+      at[axis] = low + Boxes::fineSize(boxes.boxes[box], axis);
+      add(low);
+      add(at[axis]);
+    }
   }
-  const std::size_t row = boxes.row(static_cast<std::size_t>(j), static_cast<std::size_t>(k));
-  const auto begin = boxes.boxes.begin() + static_cast<std::ptrdiff_t>(boxes.rowStart[row]);
-  const auto end = boxes.boxes.begin() + static_cast<std::ptrdiff_t>(boxes.rowStart[row + 1]);
-  const auto found = std::lower_bound(
-    begin, end, i, [](const Box& box, std::int64_t x) { return box.global[0] < x; });
-  return found != end && found->global[0] == i
-    ? static_cast<std::uint32_t>(found - boxes.boxes.begin())
-    : None;
+  std::sort(positions.begin(), positions.end());
+  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
 }
 
 Sides findSides(const Boxes& boxes, Execution& execution)
 {
   Sides result;
-  result.intersected = intersectedBoxes(boxes);
-  const std::size_t count = result.intersected.size();
-  result.ordinal.assign(boxes.boxes.size(), None);
-  for (std::uint32_t n = 0; n < count; ++n)
-  {
-    result.ordinal[result.intersected[n]] = n;
-  }
-
-  std::vector<std::array<Side, 6>> own(count);
+  classify(boxes, result, execution);
+  const std::size_t count = result.polyhedral.size();
+  std::vector<std::vector<Side>> parts(chunks(count, BoxesAChunk));
   result.ownStart.assign(count + 1, 0);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
+    std::vector<Side>& part = parts[begin / BoxesAChunk];
     for (std::size_t n = begin; n < end; ++n)
     {
-      result.ownStart[n] = ownSides(boxes, result.intersected[n], own[n].data());
+      const std::size_t before = part.size();
+      forEachOwnSide(boxes, result, result.polyhedral[n],
+        [&](const Side& side) { part.push_back(side); });
+      result.ownStart[n] = part.size() - before;
     }
   });
-  result.sides.resize(scan(result.ownStart));
-  result.ofBox.resize(count);
-  execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n)
-    {
-      for (std::size_t s = result.ownStart[n]; s < result.ownStart[n + 1]; ++s)
-      {
-        const Side side = own[n][s - result.ownStart[n]];
-        const auto id = static_cast<std::uint32_t>(s);
-        result.sides[s] = side;
-        // Each box and direction has one side: no two threads write the same place.
-        if (side.low != None && result.ordinal[side.low] != None)
-        {
-          result.ofBox[result.ordinal[side.low]][2 * side.axis + 1] = id;
-        }
-        if (side.high != None && result.ordinal[side.high] != None)
-        {
-          result.ofBox[result.ordinal[side.high]][2 * side.axis] = id;
-        }
-      }
-    }
-  });
+  result.sides.reserve(scan(result.ownStart));
+  for (const std::vector<Side>& part : parts)
+  {
+    result.sides.insert(result.sides.end(), part.begin(), part.end());
+  }
+  listSidesOfBoxes(result);
   return result;
 }
 

@@ -2,40 +2,60 @@
 #pragma once
 
 #include "Boxes.h"
+#include "Execution.h"
 
 namespace cartesian
 {
-
-constexpr std::uint32_t None = ~std::uint32_t(0);
 
 // The rectangle that two neighbouring boxes share; its normal points from low to high.
 struct Side
 {
   std::uint32_t low;  // box below the plane, or None
   std::uint32_t high; // box above, or None
+  FinePoint corner;   // the rectangle's lowest corner
+  std::array<std::uint8_t, 2> size; // fine, along the two other axes in cyclic order
   std::uint8_t axis;
 };
 
-// The sides of intersected boxes, in order of the box that owns them: the lower box if it is
-// intersected, else the upper. Sides of two inside boxes are plain rectangles and not listed.
+// A side of a box, and which of its two boxes it is.
+struct SideOfBox
+{
+  std::uint32_t side;
+  bool upper; // the box is the side's lower one: the side is on top of it
+};
+
+// Boxes with a part of the surface in them or with hanging nodes on them become polyhedra. Their
+// sides are listed, in order of the box that owns them: the lower box if it becomes a polyhedron,
+// else the upper. All other boxes become hexahedra, and sides between those are plain.
 struct Sides
 {
-  std::vector<std::uint32_t> intersected; // the intersected boxes, in order
-  std::vector<std::uint32_t> ordinal;     // of each box among the intersected, or None
-  std::vector<Side> sides;
-  std::vector<std::size_t> ownStart; // first side that the n-th intersected box owns, and the end
+  static constexpr std::uint32_t HexahedronBit = 1u << 31;
 
-  // Sides of the n-th intersected box: low x, high x, low y, high y, low z, high z.
-  std::vector<std::array<std::uint32_t, 6>> ofBox;
+  std::vector<std::uint32_t> polyhedral; // boxes, in order
+  std::vector<std::uint32_t> divided;    // other boxes that are smaller than their global box
+  std::vector<std::uint32_t> ordinal;    // of each box: in `polyhedral`, in `divided` with HexahedronBit, or None
+  std::vector<std::uint32_t> patchBox;   // of polyhedral boxes: number among the intersected, or None
+  std::vector<Side> sides;
+  std::vector<std::size_t> ownStart;     // first side that each polyhedral box owns, and the end
+  std::vector<std::size_t> boxStart;     // first of each polyhedral box's sides in ofBox, and the end
+  std::vector<SideOfBox> ofBox;
+
+  // The number among the polyhedral boxes, or None.
+  std::uint32_t polyhedralOrdinal(std::uint32_t box) const
+  {
+    return box == None || (ordinal[box] & HexahedronBit) != 0 ? None : ordinal[box];
+  }
 };
 
 Sides findSides(const Boxes& boxes, Execution& execution);
 
+// Nodes of the fine grid that hang on the line along `axis` from `from`, `length` fine steps long:
+// ends of boxes around it, in order, without the line's own ends.
+void hangingNodes(const Boxes& boxes, int axis, const FinePoint& from, std::int64_t length,
+  std::vector<std::int64_t>& positions);
+
 // The corners (bits as in Box::corners) of a box's lower (0) or upper (1) side, counter-clockwise
 // seen from above.
 std::array<unsigned, 4> sideCorners(int axis, unsigned upper);
-
-// The box at (i, j, k) of the global mesh, or None where none is kept.
-std::uint32_t boxAt(const Boxes& boxes, std::int64_t i, std::int64_t j, std::int64_t k);
 
 }

@@ -12,8 +12,10 @@ constexpr std::size_t RowsAChunk = 64;
 class RowMarks
 {
 public:
-  RowMarks(const Boxes& boxes, const Nodes& nodes, const std::vector<std::uint8_t>& used)
+  RowMarks(const Boxes& boxes, const Sides& sides, const Nodes& nodes,
+    const std::vector<std::uint8_t>& used)
     : boxes_(boxes)
+    , sides_(sides)
     , nodes_(nodes)
     , used_(used)
     , marks_(boxes.planes[0].size() + 1)
@@ -33,7 +35,7 @@ public:
         markBoxes(j - up, k - back);
       }
     }
-    markNodes(j + k * boxes_.planes[1].size());
+    markNodes(j, k);
     for (std::size_t i = first_; i <= last_ && i < marks_.size();)
     {
       std::size_t end = i;
@@ -65,30 +67,33 @@ private:
       return;
     }
     const std::size_t row = boxes_.row(j, k);
-    for (std::size_t b = boxes_.rowStart[row]; b < boxes_.rowStart[row + 1]; ++b)
+    for (std::size_t g = boxes_.rowStart[row]; g < boxes_.rowStart[row + 1]; ++g)
     {
-      const Box& box = boxes_.boxes[b];
-      if (box.status == BoxStatus::Inside)
+      const GlobalBox& global = boxes_.globals[g];
+      if (global.depth == 0 && sides_.ordinal[global.firstBox] == None)
       {
-        mark(box.global[0]);
-        mark(box.global[0] + 1);
+        mark(global.index[0]);
+        mark(global.index[0] + 1);
       }
     }
   }
 
-  void markNodes(std::size_t row)
+  void markNodes(std::size_t j, std::size_t k)
   {
+    const std::size_t row = j + k * boxes_.planes[1].size();
     for (std::size_t c = nodes_.rowStart[row]; c < nodes_.rowStart[row + 1]; ++c)
     {
       const std::size_t node = nodes_.patchPoints + c;
-      if (used_[node])
+      std::uint32_t i = 0;
+      if (used_[node] && VertexRows::isVertex(boxes_.planes, nodes_.at[node], j, k, i))
       {
-        mark(static_cast<std::size_t>(intervalOf(boxes_.planes[0], nodes_.at[node][0])));
+        mark(i);
       }
     }
   }
 
   const Boxes& boxes_;
+  const Sides& sides_;
   const Nodes& nodes_;
   const std::vector<std::uint8_t>& used_;
   std::vector<std::uint8_t> marks_;
@@ -98,7 +103,18 @@ private:
 
 }
 
-VertexRows::VertexRows(const Boxes& boxes, const Nodes& nodes,
+bool VertexRows::isVertex(
+  const Meshlines& planes, const Point& node, std::size_t j, std::size_t k, std::uint32_t& i)
+{
+  if (node[1] != planes[1][j] || node[2] != planes[2][k])
+  {
+    return false;
+  }
+  i = static_cast<std::uint32_t>(intervalOf(planes[0], node[0]));
+  return planes[0][i] == node[0];
+}
+
+VertexRows::VertexRows(const Boxes& boxes, const Sides& sides, const Nodes& nodes,
   const std::vector<std::uint8_t>& used, Execution& execution)
   : rowLength_(boxes.planes[1].size())
 {
@@ -106,7 +122,7 @@ VertexRows::VertexRows(const Boxes& boxes, const Nodes& nodes,
   std::vector<std::vector<Run>> parts(chunks(rows, RowsAChunk));
   rowStart_.assign(rows + 1, 0);
   execution.forEach(rows, RowsAChunk, [&](std::size_t begin, std::size_t end) {
-    RowMarks marks(boxes, nodes, used);
+    RowMarks marks(boxes, sides, nodes, used);
     for (std::size_t row = begin; row < end; ++row)
     {
       marks.forEachRun(

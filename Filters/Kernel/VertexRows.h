@@ -10,9 +10,9 @@ namespace cartesian
 class VertexRows
 {
 public:
-  // Vertices of the inside boxes, and corner nodes with used[node] != 0.
-  VertexRows(const Boxes& boxes, const Nodes& nodes, const std::vector<std::uint8_t>& used,
-    Execution& execution);
+  // Vertices of undivided boxes that become hexahedra, and grid nodes with used[node] != 0.
+  VertexRows(const Boxes& boxes, const Sides& sides, const Nodes& nodes,
+    const std::vector<std::uint8_t>& used, Execution& execution);
 
   std::size_t size() const { return size_; }
 
@@ -31,6 +31,10 @@ public:
       }
     }
   }
+
+  // Whether a grid node of the row of points (j, k) is a vertex of the global mesh; then `i`.
+  static bool isVertex(
+    const Meshlines& planes, const Point& node, std::size_t j, std::size_t k, std::uint32_t& i);
 
 private:
   struct Run

@@ -1,0 +1,439 @@
+#include "BoxGeneration.h"
+
+#include "Balance.h"
+#include "Error.h"
+#include "FewestBoxes.h"
+#include "GlobalBoxes.h"
+#include "UnitStatuses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t RowsAChunk = 16;
+constexpr std::size_t GlobalsAChunk = 64;
+
+// Peak memory, measured on a sphere and on the surfaces in Data/ (see Testing/Benchmark).
+constexpr double BytesOfAnInsideBox = 260;
+constexpr double BytesOfAnIntersectedBox = 2600;
+constexpr double BytesOfATriangle = 150;
+
+// Units that a smooth surface passes through in a box of depth d are about this many times 4^d.
+constexpr double UnitsAcrossABox = 1.6;
+
+double spacing(const std::vector<Level>& planes, double level)
+{
+  const auto last = static_cast<std::int64_t>(planes.size()) - 2;
+  const std::int64_t i =
+    std::clamp<std::int64_t>(intervalOf(planes, static_cast<Level>(level)), 0, last);
+  return double(planes[static_cast<std::size_t>(i + 1)]) - planes[static_cast<std::size_t>(i)];
+}
+
+// Boxes that a triangle passes through, taking the spacing around its middle.
+double boxesOfTriangle(const Corners& c, const Meshlines& planes)
+{
+  std::array<double, 3> u;
+  std::array<double, 3> v;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double h =
+      spacing(planes[axis], (double(c[0][axis]) + c[1][axis] + c[2][axis]) / 3);
+    u[axis] = (double(c[1][axis]) - c[0][axis]) / h;
+    v[axis] = (double(c[2][axis]) - c[0][axis]) / h;
+  }
+  double sum = 0;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const std::size_t b = (a + 1) % 3;
+    sum += std::abs(u[a] * v[b] - u[b] * v[a]) / 2;
+  }
+  return sum;
+}
+
+// Divides global boxes. Undivided ones have no list of their own.
+class Generator
+{
+public:
+  Generator(const Surface& surface, const SurfaceCheck& check, const Meshlines& planes,
+    const Shoeboxes& shoeboxes, const Refinement& refinement, Execution& execution)
+    : surface_(surface)
+    , planes_(planes)
+    , shoeboxes_(shoeboxes)
+    , refinement_(refinement)
+    , statuses_(surface, check, planes, shoeboxes, execution)
+    , execution_(execution)
+  {
+    boxes_.lattice = surface.lattice;
+    boxes_.planes = planes;
+    boxes_.closed = check.closed();
+  }
+
+  Boxes generate(double mostBytes)
+  {
+    listGlobals();
+    if (refinement_.any())
+    {
+      findDepths();
+      checkDepths(mostBytes);
+      divide();
+    }
+    flatten();
+    while (refinement_.any() && halveTooCoarse())
+    {
+      flatten();
+    }
+    return std::move(boxes_);
+  }
+
+private:
+  template <class Visitor>
+  void forEachRow(Visitor&& visit)
+  {
+    const std::size_t rowsAlongY = planes_[1].size() - 1;
+    execution_.forEach(
+      boxes_.rowStart.size() - 1, RowsAChunk, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t row = begin; row < end; ++row)
+        {
+          visit(row, static_cast<std::uint32_t>(row % rowsAlongY),
+            static_cast<std::uint32_t>(row / rowsAlongY));
+        }
+      });
+  }
+
+  template <class Visitor>
+  void forEachGlobal(Visitor&& visit)
+  {
+    execution_.forEach(
+      statusOf_.size(), GlobalsAChunk, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t g = begin; g < end; ++g)
+        {
+          visit(g);
+        }
+      });
+  }
+
+  void listGlobals()
+  {
+    boxes_.rowStart.assign((planes_[1].size() - 1) * (planes_[2].size() - 1) + 1, 0);
+    forEachRow([&](std::size_t row, std::uint32_t j, std::uint32_t k) {
+      statuses_.forEachBox(j, k, [&](std::uint32_t, BoxStatus) { ++boxes_.rowStart[row]; });
+    });
+    const std::size_t count = scan(boxes_.rowStart);
+    if (count >= None)
+    {
+      throw Error(Fault::TooManyBoxes, "The mesh has more boxes than can be numbered in 32 bits.");
+    }
+    boxes_.globals.resize(count + 1);
+    statusOf_.resize(count);
+    forEachRow([&](std::size_t row, std::uint32_t j, std::uint32_t k) {
+      std::size_t next = boxes_.rowStart[row];
+      statuses_.forEachBox(j, k, [&](std::uint32_t i, BoxStatus status) {
+        boxes_.globals[next] = { { i, j, k }, 0, None, 0 };
+        statusOf_[next++] = status;
+      });
+    });
+  }
+
+  TriangleRange trianglesOf(const GlobalBox& global) const
+  {
+    return shoeboxes_.triangles(boxes_.row(global.index[1], global.index[2]), global.index[0]);
+  }
+
+  std::uint8_t cornersOf(std::size_t g) const
+  {
+    const auto& at = boxes_.globals[g].index;
+    return statuses_.corners(at[0], at[1], at[2], statusOf_[g]);
+  }
+
+  void findDepths()
+  {
+    depths_.resize(statusOf_.size());
+    parts_.resize(statusOf_.size());
+    forEachGlobal([&](std::size_t g) {
+      const auto& at = boxes_.globals[g].index;
+      depths_[g] = refinement_.at(at[0], at[1], at[2]);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const Level size = planes_[axis][at[axis] + 1] - planes_[axis][at[axis]];
+        if (depths_[g].allowed > 0 && size < 2 * FinePerBox)
+        {
+          throw Error(Fault::BadParameter,
+            "Global box " + std::to_string(at[0]) + ", " + std::to_string(at[1]) + ", " +
+              std::to_string(at[2]) + " is too thin to be divided on this lattice.");
+        }
+      }
+    });
+  }
+
+  void checkDepths(double mostBytes) const
+  {
+    Estimate estimate{ 0, 0 };
+    for (std::size_t g = 0; g < statusOf_.size(); ++g)
+    {
+      const double inside = std::pow(8, depths_[g].forced);
+      const double intersected = statusOf_[g] == BoxStatus::Intersected
+        ? std::min(std::pow(8, depths_[g].allowed),
+            UnitsAcrossABox * std::pow(4, depths_[g].allowed))
+        : 0;
+      estimate.boxes += inside + intersected;
+      estimate.bytes += inside * BytesOfAnInsideBox + intersected * BytesOfAnIntersectedBox;
+    }
+    checkMemory(estimate, mostBytes);
+  }
+
+  void divide()
+  {
+    execution_.forEach(
+      statusOf_.size(), GlobalsAChunk, [&](std::size_t begin, std::size_t end) {
+        FewestBoxes search;
+        UnitStatuses statuses;
+        for (std::size_t g = begin; g < end; ++g)
+        {
+          if (statusOf_[g] == BoxStatus::Intersected && depths_[g].allowed > 0)
+          {
+            const GlobalBox& global = boxes_.globals[g];
+            statuses.compute(surface_, trianglesOf(global), planes_, global.index,
+              depths_[g].allowed, (cornersOf(g) & 1) != 0);
+            search.search(depths_[g].allowed, depths_[g].forced, statuses.units());
+            search.collect(parts_[g]);
+            for (LocalBox& box : parts_[g])
+            {
+              box.corners = statuses.corners(box.offset, box.level);
+            }
+          }
+          else if (depths_[g].forced > 0)
+          {
+            divideEvenly(depths_[g].forced, parts_[g]);
+          }
+        }
+      });
+  }
+
+  static void divideEvenly(int depth, std::vector<LocalBox>& parts)
+  {
+    const auto level = static_cast<std::uint8_t>(depth);
+    const std::int64_t step = FinePerBox >> depth;
+    for (std::int64_t z = 0; z < FinePerBox; z += step)
+    {
+      for (std::int64_t y = 0; y < FinePerBox; y += step)
+      {
+        for (std::int64_t x = 0; x < FinePerBox; x += step)
+        {
+          parts.push_back({ { static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y),
+                              static_cast<std::uint8_t>(z) },
+            { level, level, level }, BoxStatus::Inside, AllCorners });
+        }
+      }
+    }
+  }
+
+  // Makes Boxes of what each global box is divided into.
+  void flatten()
+  {
+    std::uint32_t next = 0;
+    for (std::size_t g = 0; g < statusOf_.size(); ++g)
+    {
+      boxes_.globals[g].firstBox = next;
+      next += static_cast<std::uint32_t>(isDivided(g) ? parts_[g].size() : 1);
+    }
+    boxes_.globals.back().firstBox = next;
+    boxes_.boxes.resize(next);
+    forEachGlobal([&](std::size_t g) { flatten(g); });
+    boxes_.listUnits();
+  }
+
+  bool isDivided(std::size_t g) const { return !parts_.empty() && !parts_[g].empty(); }
+
+  void flatten(std::size_t g)
+  {
+    GlobalBox& global = boxes_.globals[g];
+    std::uint32_t next = global.firstBox;
+    if (!isDivided(g))
+    {
+      boxes_.boxes[next] =
+        placed(g, { { 0, 0, 0 }, { 0, 0, 0 }, statusOf_[g], cornersOf(g) });
+      return;
+    }
+    std::sort(parts_[g].begin(), parts_[g].end(), [](const LocalBox& a, const LocalBox& b) {
+      return std::lexicographical_compare(
+        a.offset.rbegin(), a.offset.rend(), b.offset.rbegin(), b.offset.rend());
+    });
+    for (const LocalBox& part : parts_[g])
+    {
+      global.depth = std::max(
+        { global.depth, part.level[0], part.level[1], part.level[2] });
+      boxes_.boxes[next++] = placed(g, part);
+    }
+  }
+
+  Box placed(std::size_t g, const LocalBox& part) const
+  {
+    Box box;
+    box.global = static_cast<std::uint32_t>(g);
+    box.offset = part.offset;
+    box.level = part.level;
+    box.corners = part.corners;
+    box.status = part.status;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const std::int64_t low = boxes_.globals[g].index[axis] * FinePerBox + part.offset[axis];
+      box.low[axis] = planeAt(planes_[axis], low);
+      box.high[axis] = planeAt(planes_[axis], low + (FinePerBox >> part.level[axis]));
+    }
+    return box;
+  }
+
+  // One round of balancing; false where nothing was to be done.
+  bool halveTooCoarse()
+  {
+    const std::vector<std::uint8_t> axes = tooCoarse(boxes_, execution_);
+    if (axes.empty())
+    {
+      return false;
+    }
+    forEachGlobal([&](std::size_t g) {
+      const std::uint32_t first = boxes_.globals[g].firstBox;
+      const std::uint32_t end = boxes_.globals[g + 1].firstBox;
+      if (std::all_of(axes.begin() + first, axes.begin() + end,
+            [](std::uint8_t axis) { return axis == NoAxis; }))
+      {
+        return;
+      }
+      std::vector<LocalBox> parts;
+      for (std::uint32_t b = first; b < end; ++b)
+      {
+        const Box& box = boxes_.boxes[b];
+        const LocalBox part{ box.offset, box.level, box.status, box.corners };
+        if (axes[b] == NoAxis)
+        {
+          parts.push_back(part);
+        }
+        else
+        {
+          halve(g, part, axes[b], parts);
+        }
+      }
+      parts_[g].swap(parts);
+    });
+    return true;
+  }
+
+  // Appends the two halves of a box, as far as they are inside or intersected.
+  void halve(std::size_t g, const LocalBox& whole, std::uint8_t axis,
+    std::vector<LocalBox>& parts) const
+  {
+    for (const bool upper : { false, true })
+    {
+      LocalBox half = whole;
+      ++half.level[axis];
+      if (upper)
+      {
+        half.offset[axis] =
+          static_cast<std::uint8_t>(half.offset[axis] + (FinePerBox >> half.level[axis]));
+      }
+      if (whole.status == BoxStatus::Intersected)
+      {
+        findStatus(g, half);
+      }
+      if (half.status != BoxStatus::Outside)
+      {
+        parts.push_back(half);
+      }
+    }
+  }
+
+  void findStatus(std::size_t g, LocalBox& part) const
+  {
+    const Box box = placed(g, part);
+    const TriangleRange triangles = trianglesOf(boxes_.globals[g]);
+    const auto& at = boxes_.globals[g].index;
+    const Point corner = { planes_[0][at[0]], planes_[1][at[1]], planes_[2][at[2]] };
+    const bool cornerInside = (cornersOf(g) & 1) != 0;
+    unsigned bits = 0;
+    for (unsigned c = 0; c < 8; ++c)
+    {
+      const bool in = insideAt(surface_, triangles, corner, cornerInside, cornerOf(box, c));
+      bits |= static_cast<unsigned>(in) << c;
+    }
+    part.corners = static_cast<std::uint8_t>(bits);
+    part.status = (bits & 1) != 0 ? BoxStatus::Inside : BoxStatus::Outside;
+    for (const std::uint32_t* t = triangles.first; t != triangles.second; ++t)
+    {
+      if (clip(surface_.corners(*t), box.low, box.high).size > 0)
+      {
+        part.status = BoxStatus::Intersected;
+        return;
+      }
+    }
+  }
+
+  const Surface& surface_;
+  const Meshlines& planes_;
+  const Shoeboxes& shoeboxes_;
+  const Refinement& refinement_;
+  GlobalStatuses statuses_;
+  Execution& execution_;
+  Boxes boxes_;
+  std::vector<BoxStatus> statusOf_; // of global boxes
+  std::vector<Depths> depths_;
+  std::vector<std::vector<LocalBox>> parts_; // of divided global boxes
+};
+
+}
+
+Boxes generateBoxes(const Surface& surface, const SurfaceCheck& check, const Meshlines& planes,
+  const Shoeboxes& shoeboxes, const Refinement& refinement, double mostBytes,
+  Execution& execution)
+{
+  return Generator(surface, check, planes, shoeboxes, refinement, execution).generate(mostBytes);
+}
+
+Estimate estimateMesh(const Surface& surface, const Meshlines& planes)
+{
+  double intersected = 0;
+  Bounds bounds = Bounds::none();
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const Corners c = surface.corners(t);
+    intersected += boxesOfTriangle(c, planes);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      bounds.include(axis, c[0][axis]);
+      bounds.include(axis, c[1][axis]);
+      bounds.include(axis, c[2][axis]);
+    }
+  }
+  double all = 1;
+  double extent = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    all *= static_cast<double>(planes[axis].size() - 1);
+    extent *= std::max(2.0, bounds.high[axis] - bounds.low[axis]) * surface.lattice.step();
+  }
+  const double inside = all * std::min(1.0, std::abs(volumeOf(surface)) / extent);
+  return { inside + intersected,
+    inside * BytesOfAnInsideBox + intersected * BytesOfAnIntersectedBox +
+      static_cast<double>(surface.triangles.size()) * BytesOfATriangle };
+}
+
+void checkMemory(const Estimate& estimate, double mostBytes)
+{
+  constexpr double GiB = 1024.0 * 1024 * 1024;
+  if (estimate.bytes > mostBytes)
+  {
+    std::array<char, 300> text;
+    std::snprintf(text.data(), text.size(),
+      "The mesh would have about %.4g boxes and take about %.4g GiB, more than the Memory Limit of "
+      "%.4g GiB: choose a larger Cell Size, less refinement, or raise the limit.",
+      estimate.boxes, estimate.bytes / GiB, mostBytes / GiB);
+    throw Error(Fault::TooManyBoxes, text.data());
+  }
+}
+
+}

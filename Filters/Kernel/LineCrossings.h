@@ -1,0 +1,92 @@
+// Where axis-parallel lines cross the surface (section 4.4: rays).
+#pragma once
+
+#include "Rows.h"
+#include "Sorting.h"
+#include "Surface.h"
+
+namespace cartesian
+{
+
+// Calls visit(middle, outer, point) for the crossings of a triangle with those lines along
+// axes.along where middles[middle] meets outers[outer]: planes of the other two axes.
+template <class Visitor>
+void forEachLineCrossing(const Corners& triangle, const RowAxes& axes,
+  const std::vector<Level>& middles, const std::vector<Level>& outers, Visitor&& visit)
+{
+  const auto [least, most] =
+    std::minmax({ triangle[0][axes.outer], triangle[1][axes.outer], triangle[2][axes.outer] });
+  for (auto o = std::lower_bound(outers.begin(), outers.end(), least);
+       o != outers.end() && *o < most; ++o)
+  {
+    std::array<Level, 2> ends{};
+    int found = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const Point& p = triangle[i];
+      const Point& q = triangle[(i + 1) % 3];
+      if ((p[axes.outer] < *o) != (q[axes.outer] < *o))
+      {
+        ends[found++] = crossPlane(p, q, axes.outer, *o)[axes.middle];
+      }
+    }
+    const auto [from, to] = std::minmax(ends[0], ends[1]);
+    for (auto m = std::lower_bound(middles.begin(), middles.end(), from);
+         m != middles.end() && *m < to; ++m)
+    {
+      Point at{};
+      at[axes.outer] = *o;
+      at[axes.middle] = *m;
+      visit(static_cast<std::size_t>(m - middles.begin()),
+        static_cast<std::size_t>(o - outers.begin()), crossLine(triangle, axes.along, at));
+    }
+  }
+}
+
+// Crossings of the surface with the mesh lines along one axis.
+class LineCrossings
+{
+public:
+  LineCrossings(
+    const Surface& surface, const Meshlines& planes, int along, Execution& execution);
+
+  const RowAxes& axes() const { return axes_; }
+
+  // How often the line at these planes crosses the surface, in all.
+  std::size_t total(std::size_t middle, std::size_t outer) const
+  {
+    return static_cast<std::size_t>(end(middle, outer) - begin(middle, outer));
+  }
+
+  // ... and below the plane of axes().along with this index.
+  std::size_t below(std::size_t middle, std::size_t outer, std::uint32_t plane) const
+  {
+    return static_cast<std::size_t>(
+      std::upper_bound(begin(middle, outer), end(middle, outer), Crossing{ 0, plane }) -
+      begin(middle, outer));
+  }
+
+private:
+  struct Crossing
+  {
+    std::uint32_t line;        // middle + outer * planes of middle
+    std::uint32_t planesBelow; // planes of axes.along below the crossing
+
+    bool operator<(const Crossing& other) const { return planesBelow < other.planesBelow; }
+  };
+
+  const Crossing* begin(std::size_t middle, std::size_t outer) const
+  {
+    return crossings_.begin(middle + outer * linesOfMiddle_);
+  }
+  const Crossing* end(std::size_t middle, std::size_t outer) const
+  {
+    return crossings_.end(middle + outer * linesOfMiddle_);
+  }
+
+  RowAxes axes_;
+  std::size_t linesOfMiddle_;
+  Buckets<Crossing> crossings_; // by line
+};
+
+}
