@@ -2,6 +2,7 @@
 
 #include "LineCrossings.h"
 
+#include <algorithm>
 #include <tuple>
 
 namespace cartesian
@@ -88,6 +89,23 @@ PreparedSurface prepare(const Soup& soup, const GridSpec& grid)
 {
   Execution execution;
   return prepareSurface(soup.view(), grid, PlentyOfMemory, execution);
+}
+
+Meshlines randomPlanes(unsigned seed, int width)
+{
+  std::mt19937 random(seed);
+  Meshlines planes;
+  for (auto& levels : planes)
+  {
+    for (int i = 0; i <= width + 1; ++i)
+    {
+      levels.push_back(static_cast<Level>(2 * i));
+    }
+    std::shuffle(levels.begin(), levels.end(), random);
+    levels.resize(2 + random() % static_cast<unsigned>(width + 1));
+    std::sort(levels.begin(), levels.end());
+  }
+  return planes;
 }
 
 PreparedSurface prepareOnLevels(const Soup& soup, const Meshlines& planes)

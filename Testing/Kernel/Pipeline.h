@@ -64,6 +64,9 @@ RefinementSpec depth(int levels); // everywhere
 
 PreparedSurface prepare(const Soup& soup, const GridSpec& grid);
 
+// From two to all planes a direction between the levels 0 and 2 * width + 2.
+Meshlines randomPlanes(unsigned seed, int width);
+
 // A surface whose coordinates are levels, all odd, cut by these planes.
 PreparedSurface prepareOnLevels(const Soup& soup, const Meshlines& planes);
 

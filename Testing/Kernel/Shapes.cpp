@@ -426,7 +426,7 @@ Soup randomTetrahedra(unsigned seed, int count, int width)
     {
       for (double& x : corner)
       {
-        x = 2 * level(random) + 1;
+        x = 2.0 * level(random) + 1;
       }
     }
     soup.add(tetrahedron(corners));
