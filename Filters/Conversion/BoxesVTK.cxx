@@ -116,7 +116,7 @@ public:
       last[axis] = static_cast<double>(boxes.planes[axis].size()) - 2;
     }
     const GlobalBox global{ readTriple(global_, cell, last),
-      static_cast<std::uint32_t>(boxes.boxes.size()), None, 0 };
+      static_cast<std::uint32_t>(boxes.boxes.size()), None, 0, false };
     const double deepest = DeepestLevel;
     const double widest = FinePerBox - 1;
     const auto level = readTriple(level_, cell, { deepest, deepest, deepest });
@@ -286,7 +286,7 @@ Boxes boxesFromVTK(vtkUnstructuredGrid* grid)
   }
   scan(boxes.rowStart);
   boxes.globals.push_back(
-    { { 0, 0, 0 }, static_cast<std::uint32_t>(boxes.boxes.size()), None, 0 });
+    { { 0, 0, 0 }, static_cast<std::uint32_t>(boxes.boxes.size()), None, 0, false });
   boxes.listUnits();
   return boxes;
 }
