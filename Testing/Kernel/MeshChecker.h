@@ -1,0 +1,31 @@
+// An independent judge of meshes: it knows the arrays that were written, and nothing of how.
+#pragma once
+
+#include "Pipeline.h"
+
+#include <gtest/gtest.h>
+
+namespace cartesian
+{
+
+// A valid finite-volume mesh, whatever it is a mesh of:
+// - cells lie in their boxes, are closed edge by edge and have a positive volume, which is
+//   `volumeFraction` of the box's
+// - each face belongs to two cells, once either way round, or is listed once as boundary
+// - boundary edges are run through as often one way as the other
+// - no points coincide, none is unused
+::testing::AssertionResult isValid(const MeshArrays& mesh);
+
+// The mesh fills the surface: its volume, and its boundary's area, boundary by boundary, are the
+// surface's to 1e-9 or to two steps of the lattice.
+::testing::AssertionResult fills(const MeshArrays& mesh, const Soup& soup);
+
+// How far off the volume may be: 1e-9 or two steps of the lattice.
+double volumeSlack(const MeshArrays& mesh, const Soup& soup);
+
+double volumeOf(const MeshArrays& mesh);
+
+// Volumes of the cells of each box (I, J, K), ascending.
+std::map<std::array<int, 3>, std::vector<double>> volumesByBox(const MeshArrays& mesh);
+
+}
