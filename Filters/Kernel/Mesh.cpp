@@ -45,19 +45,34 @@ Mesh::Mesh(const MeshParts& parts, Execution& execution)
 std::vector<std::uint8_t> Mesh::usedNodes() const
 {
   std::vector<std::uint8_t> used(parts_.nodes.at.size());
+  const auto mark = [&](const FaceRef& face) {
+    const bool patch = face.kind() == FaceRef::Kind::Patch;
+    const auto& start = patch ? parts_.patches.start : parts_.inner.start;
+    const auto& nodes = patch ? parts_.patches.corners : parts_.inner.nodes;
+    for (std::size_t i = start[face.index]; i < start[face.index + 1]; ++i)
+    {
+      used[nodes[i]] = 1;
+    }
+  };
   const Cells& cells = parts_.cells;
   for (std::size_t c = 0; c < cells.size(); ++c)
   {
     for (std::size_t f = cells.cells[c].firstFace;
          !cells.cells[c].removed && f < cells.cells[c + 1].firstFace; ++f)
     {
-      const FaceRef& face = cells.faces[f];
-      const bool patch = face.kind() == FaceRef::Kind::Patch;
-      const auto& start = patch ? parts_.patches.start : parts_.inner.start;
-      const auto& nodes = patch ? parts_.patches.corners : parts_.inner.nodes;
-      for (std::size_t i = start[face.index]; i < start[face.index + 1]; ++i)
+      mark(cells.faces[f]);
+    }
+  }
+  // Where an inside box has a face, its neighbour may have lost its cells.
+  for (std::size_t s = 0; s < parts_.sides.sides.size(); ++s)
+  {
+    const Side& side = parts_.sides.sides[s];
+    for (const std::uint32_t box : { side.low, side.high })
+    {
+      const bool inside = box != None && parts_.sides.ordinal[box] == None;
+      for (std::size_t f = parts_.inner.sideStart[s]; inside && f < parts_.inner.sideStart[s + 1]; ++f)
       {
-        used[nodes[i]] = 1;
+        mark(FaceRef(f, FaceRef::Kind::Inner));
       }
     }
   }

@@ -239,9 +239,3 @@ class Mesh:
                 ("BoundaryFaces", len(self.once))):
             said = grid.GetFieldData().GetArray(name).GetValue(0)
             assert said == value, f"{name} is {value}, not {said}"
-
-
-def output(proxy, port=0):
-    """What a proxy made, itself: paraview.servermanager.Fetch makes a copy, and of port 0 only."""
-    proxy.UpdatePipeline()
-    return proxy.SMProxy.GetClientSideObject().GetOutputDataObject(port)
