@@ -38,6 +38,10 @@ int vtkCellAssembler::RequestData(
   {
     return 1;
   }
+  for (int port = 0; port < 2; ++port)
+  {
+    cartesian::removeBoxFields(vtkDataObject::GetData(output, port));
+  }
   this->Run([&](cartesian::Execution& execution) {
     const cartesian::Boxes boxes = cartesian::boxesFromVTK(vtkUnstructuredGrid::GetData(input[0]));
     const cartesian::Patches patches =
