@@ -42,21 +42,22 @@ class Faces:
         return np.minimum(a, b), np.maximum(a, b), np.where(a < b, 1, -1)
 
     def names(self):
-        """The same two numbers for faces of the same points in the same or opposite order: which
-        face, counted from 0, and the direction, +1 or -1."""
+        """The same name, a number from 0, for faces of the same edges, all in the same or all in
+        the opposite direction; and which of the two it is, +1 or -1."""
+        points = self.corners.max() + 1
+        ahead = self.corners * points + self.corners[self.next]
+        back = self.corners[self.next] * points + self.corners
         name, direction = np.empty(len(self), int), np.empty(len(self), int)
         count = 0
         for size in np.unique(self.size):
             those = np.flatnonzero(self.size == size)
-            rows = self.corners[self.start[those][:, None] + np.arange(size)]
-            turn = rows.argmin(axis=1)[:, None] + np.arange(size)
-            rows = np.take_along_axis(rows, turn % size, axis=1)
-            turned = np.roll(rows[:, ::-1], 1, axis=1)
-            ahead = rows[:, 1] < rows[:, -1]
-            rows = np.where(ahead[:, None], rows, turned)
-            unique, inverse = np.unique(rows, axis=0, return_inverse=True)
+            at = self.start[those][:, None] + np.arange(size)
+            rows, turned = np.sort(ahead[at], axis=1), np.sort(back[at], axis=1)
+            first = (rows != turned).argmax(axis=1)[:, None]  # where they differ
+            smaller = np.take_along_axis(rows < turned, first, axis=1)
+            unique, inverse = np.unique(np.where(smaller, rows, turned), axis=0, return_inverse=True)
             name[those] = count + inverse
-            direction[those] = np.where(ahead, 1, -1)
+            direction[those] = np.where(smaller[:, 0], 1, -1)
             count += len(unique)
         return name, direction
 
@@ -167,7 +168,7 @@ class Mesh:
         distinct = len(np.unique(self.xyz, axis=0))
         assert distinct == len(self.xyz), f"{len(self.xyz) - distinct} points coincide"
         pairs = np.unique(np.stack([self.faces.face, self.faces.corners], axis=1), axis=0)
-        assert len(pairs) == len(self.faces.corners), "a face names a point twice"
+        self.repeated = len(self.faces.corners) - len(pairs)
         assert self.faces.size.min() >= 3, "a face has fewer than three points"
 
     def check_sharing(self):

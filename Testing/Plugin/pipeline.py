@@ -5,7 +5,7 @@ import sys
 
 import numpy as np
 from paraview import simple
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkStringOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
@@ -84,3 +84,38 @@ class Messages:
 
     def __str__(self):
         return self.window.GetOutput()
+
+
+def arrays(data):
+    """Everything in a data object: names and arrays."""
+    all = {"points": data.GetPoints() and data.GetPoints().GetData()}
+    cells = {"cells": data.GetCells()} if hasattr(data, "GetFaces") else {
+        "verts": data.GetVerts(), "lines": data.GetLines(),
+        "polygons": data.GetPolys(), "strips": data.GetStrips()}
+    for name, value in cells.items():
+        all[name + ", offsets"] = value.GetOffsetsArray()
+        all[name] = value.GetConnectivityArray()
+    if hasattr(data, "GetFaces"):
+        all |= {"types": data.GetCellTypesArray(), "faces": data.GetFaces(),
+                "face locations": data.GetFaceLocations()}
+    for where in "PointData", "CellData", "FieldData":
+        attributes = getattr(data, "Get" + where)()
+        for i in range(attributes.GetNumberOfArrays()):
+            array = attributes.GetArray(i)
+            all[f"{where}, {array.GetName()}"] = array
+    return all
+
+
+def assert_identical(what, left, right):
+    """Bit for bit, all arrays in the same order."""
+    left, right = arrays(left), arrays(right)
+    assert list(left) == list(right), f"{what}: {list(left)} and {list(right)}"
+    for name, array in left.items():
+        other = right[name]
+        if array is None or other is None:
+            assert array is other, f"{what}: only one has {name}"
+            continue
+        assert array.GetDataType() == other.GetDataType(), f"{what}: types of {name} differ"
+        same = vtk_to_numpy(array).tobytes() == vtk_to_numpy(other).tobytes()
+        assert same and array.GetNumberOfComponents() == other.GetNumberOfComponents(), \
+            f"{what}: {name} differ"
