@@ -65,9 +65,32 @@ void vtkCartesianAlgorithm::ReportFlaws(const std::string& text)
   }
 }
 
-bool vtkCartesianAlgorithm::IsLeftToFirstProcess(vtkInformationVector* output)
+int vtkCartesianAlgorithm::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
-  vtkInformation* info = output->GetInformationObject(0);
+  if (IsLeftToFirstProcess(request, output))
+  {
+    return 1;
+  }
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < input[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* info = input[port]->GetInformationObject(i);
+      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    }
+  }
+  return 1;
+}
+
+bool vtkCartesianAlgorithm::IsLeftToFirstProcess(
+  vtkInformation* request, vtkInformationVector* output)
+{
+  // Only the output that was asked for knows its piece.
+  const int asked = request->Get(vtkDemandDrivenPipeline::FROM_OUTPUT_PORT());
+  vtkInformation* info = output->GetInformationObject(asked < 0 ? 0 : asked);
   return info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) &&
     info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0;
 }

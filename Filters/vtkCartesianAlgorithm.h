@@ -73,10 +73,15 @@ protected:
   void ReportFlaws(const std::string& text);
 
   /**
-   * True where another process makes the mesh: the surface is read by the first one, all others
-   * give an empty output.
+   * The first process asks for all of its inputs, whole: it makes the mesh alone.
    */
-  static bool IsLeftToFirstProcess(vtkInformationVector* output);
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+  /**
+   * True on all processes but the first: they give an empty output.
+   */
+  static bool IsLeftToFirstProcess(vtkInformation* request, vtkInformationVector* output);
 
   int NumberOfThreads = 0;
 

@@ -97,9 +97,9 @@ cartesian::PreparedSurface vtkCartesianBoxer::Prepare(
 }
 
 int vtkCartesianBoxer::RequestData(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
-  if (IsLeftToFirstProcess(output))
+  if (IsLeftToFirstProcess(request, output))
   {
     return 1;
   }

@@ -23,9 +23,9 @@ int vtkCartesianMesher::FillOutputPortInformation(int port, vtkInformation* info
 }
 
 int vtkCartesianMesher::RequestData(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
-  if (IsLeftToFirstProcess(output))
+  if (IsLeftToFirstProcess(request, output))
   {
     return 1;
   }

@@ -32,9 +32,9 @@ int vtkCellAssembler::FillOutputPortInformation(int port, vtkInformation* info)
 }
 
 int vtkCellAssembler::RequestData(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
-  if (IsLeftToFirstProcess(output))
+  if (IsLeftToFirstProcess(request, output))
   {
     return 1;
   }

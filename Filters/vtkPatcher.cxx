@@ -58,9 +58,9 @@ int vtkPatcher::FillOutputPortInformation(int, vtkInformation* info)
 }
 
 int vtkPatcher::RequestData(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
-  if (IsLeftToFirstProcess(output))
+  if (IsLeftToFirstProcess(request, output))
   {
     return 1;
   }
