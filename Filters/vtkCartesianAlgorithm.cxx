@@ -9,6 +9,7 @@
 #include "vtkInformationVector.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <new>
 
 namespace
@@ -24,17 +25,20 @@ static_assert(Code(cartesian::Fault::OutOfMemory) == vtkCartesianAlgorithm::OutO
 
 }
 
-bool vtkCartesianAlgorithm::Run(const std::function<void(cartesian::Execution&)>& work)
+bool vtkCartesianAlgorithm::Run(
+  double begin, double end, const std::function<void(cartesian::Execution&)>& work)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
   try
   {
-    cartesian::Execution execution(
-      this->NumberOfThreads, [this](double fraction, const char* stage) {
-        this->SetProgressText(stage);
-        this->UpdateProgress(fraction);
-        return !this->CheckAbort();
-      });
+    double progress = 0;
+    cartesian::Execution execution(this->NumberOfThreads, [&](double fraction, const char* stage) {
+      // A stage may be several loops, each of which begins where the stage does.
+      progress = std::max(progress, (fraction - begin) / (end - begin));
+      this->SetProgressText(stage);
+      this->UpdateProgress(progress);
+      return !this->CheckAbort();
+    });
     work(execution);
     return true;
   }

@@ -62,9 +62,10 @@ protected:
 
   /**
    * Calls `work` with this filter's threads, progress and abort flag, and turns what it throws
-   * into an error message and an error code. True if nothing was thrown.
+   * into an error message and an error code. True if nothing was thrown. The work is the part from
+   * `begin` to `end` of the whole task (Kernel/Mesher.h); the filter's progress never goes back.
    */
-  bool Run(const std::function<void(cartesian::Execution&)>& work);
+  bool Run(double begin, double end, const std::function<void(cartesian::Execution&)>& work);
 
   /**
    * Flaws of the surface that the mesh survives: a warning, and the error code FlawedSurface. No

@@ -103,7 +103,7 @@ int vtkCartesianBoxer::RequestData(
   {
     return 1;
   }
-  this->Run([&](cartesian::Execution& execution) {
+  this->Run(0, cartesian::AfterBoxes, [&](cartesian::Execution& execution) {
     const cartesian::SurfaceFromVTK surface(vtkPolyData::GetData(input[0]), "");
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
     cartesian::toVTK(

@@ -29,7 +29,7 @@ int vtkCartesianMesher::RequestData(
   {
     return 1;
   }
-  this->Run([&](cartesian::Execution& execution) {
+  this->Run(0, 1, [&](cartesian::Execution& execution) {
     const cartesian::SurfaceFromVTK surface(vtkPolyData::GetData(input[0]), this->BoundaryArray);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
     const cartesian::BoxedSurface boxed = cartesian::boxSurface(prepared, execution);

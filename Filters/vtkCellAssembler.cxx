@@ -42,7 +42,7 @@ int vtkCellAssembler::RequestData(
   {
     cartesian::removeBoxFields(vtkDataObject::GetData(output, port));
   }
-  this->Run([&](cartesian::Execution& execution) {
+  this->Run(cartesian::AfterPatches, 1, [&](cartesian::Execution& execution) {
     const cartesian::Boxes boxes = cartesian::boxesFromVTK(vtkUnstructuredGrid::GetData(input[0]));
     const cartesian::Patches patches =
       cartesian::patchesFromVTK(vtkPolyData::GetData(input[1]), boxes);

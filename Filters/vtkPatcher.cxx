@@ -64,7 +64,7 @@ int vtkPatcher::RequestData(
   {
     return 1;
   }
-  this->Run([&](cartesian::Execution& execution) {
+  this->Run(0, 1, [&](cartesian::Execution& execution) {
     execution.stage("Shoeboxes", 0, cartesian::AfterBoxes);
     const cartesian::SurfaceFromVTK source(vtkPolyData::GetData(input[0]), this->BoundaryArray);
     const cartesian::Boxes boxes = cartesian::boxesFromVTK(vtkUnstructuredGrid::GetData(input[1]));
