@@ -9,6 +9,7 @@
 #include "vtkInformationVector.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <new>
 
 namespace
@@ -24,17 +25,20 @@ static_assert(Code(cartesian::Fault::OutOfMemory) == vtkCartesianAlgorithm::OutO
 
 }
 
-bool vtkCartesianAlgorithm::Run(const std::function<void(cartesian::Execution&)>& work)
+bool vtkCartesianAlgorithm::Run(
+  double begin, double end, const std::function<void(cartesian::Execution&)>& work)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
   try
   {
-    cartesian::Execution execution(
-      this->NumberOfThreads, [this](double fraction, const char* stage) {
-        this->SetProgressText(stage);
-        this->UpdateProgress(fraction);
-        return !this->CheckAbort();
-      });
+    double progress = 0;
+    cartesian::Execution execution(this->NumberOfThreads, [&](double fraction, const char* stage) {
+      // A stage may be several loops, each of which begins where the stage does.
+      progress = std::max(progress, (fraction - begin) / (end - begin));
+      this->SetProgressText(stage);
+      this->UpdateProgress(progress);
+      return !this->CheckAbort();
+    });
     work(execution);
     return true;
   }
@@ -65,9 +69,32 @@ void vtkCartesianAlgorithm::ReportFlaws(const std::string& text)
   }
 }
 
-bool vtkCartesianAlgorithm::IsLeftToFirstProcess(vtkInformationVector* output)
+int vtkCartesianAlgorithm::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
-  vtkInformation* info = output->GetInformationObject(0);
+  if (IsLeftToFirstProcess(request, output))
+  {
+    return 1;
+  }
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < input[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* info = input[port]->GetInformationObject(i);
+      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    }
+  }
+  return 1;
+}
+
+bool vtkCartesianAlgorithm::IsLeftToFirstProcess(
+  vtkInformation* request, vtkInformationVector* output)
+{
+  // Only the output that was asked for knows its piece.
+  const int asked = request->Get(vtkDemandDrivenPipeline::FROM_OUTPUT_PORT());
+  vtkInformation* info = output->GetInformationObject(asked < 0 ? 0 : asked);
   return info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) &&
     info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0;
 }

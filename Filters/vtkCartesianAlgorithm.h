@@ -62,9 +62,10 @@ protected:
 
   /**
    * Calls `work` with this filter's threads, progress and abort flag, and turns what it throws
-   * into an error message and an error code. True if nothing was thrown.
+   * into an error message and an error code. True if nothing was thrown. The work is the part from
+   * `begin` to `end` of the whole task (Kernel/Mesher.h); the filter's progress never goes back.
    */
-  bool Run(const std::function<void(cartesian::Execution&)>& work);
+  bool Run(double begin, double end, const std::function<void(cartesian::Execution&)>& work);
 
   /**
    * Flaws of the surface that the mesh survives: a warning, and the error code FlawedSurface. No
@@ -73,10 +74,15 @@ protected:
   void ReportFlaws(const std::string& text);
 
   /**
-   * True where another process makes the mesh: the surface is read by the first one, all others
-   * give an empty output.
+   * The first process asks for all of its inputs, whole: it makes the mesh alone.
    */
-  static bool IsLeftToFirstProcess(vtkInformationVector* output);
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+  /**
+   * True on all processes but the first: they give an empty output.
+   */
+  static bool IsLeftToFirstProcess(vtkInformation* request, vtkInformationVector* output);
 
   int NumberOfThreads = 0;
 

@@ -219,13 +219,13 @@ cartesian::BoxedSurface vtkCartesianBoxer::Divide(const cartesian::PreparedSurfa
 }
 
 int vtkCartesianBoxer::RequestData(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
-  if (IsLeftToFirstProcess(output))
+  if (IsLeftToFirstProcess(request, output))
   {
     return 1;
   }
-  this->Run([&](cartesian::Execution& execution) {
+  this->Run(0, cartesian::AfterBoxes, [&](cartesian::Execution& execution) {
     const cartesian::SurfaceFromVTK surface(vtkPolyData::GetData(input[0]), this->BoundaryArray);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
     cartesian::toVTK(this->Divide(prepared, input[1], execution).boxes,

@@ -23,13 +23,13 @@ int vtkCartesianMesher::FillOutputPortInformation(int port, vtkInformation* info
 }
 
 int vtkCartesianMesher::RequestData(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
-  if (IsLeftToFirstProcess(output))
+  if (IsLeftToFirstProcess(request, output))
   {
     return 1;
   }
-  this->Run([&](cartesian::Execution& execution) {
+  this->Run(0, 1, [&](cartesian::Execution& execution) {
     const cartesian::SurfaceFromVTK surface(vtkPolyData::GetData(input[0]), this->BoundaryArray);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
     const cartesian::BoxedSurface boxed = this->Divide(prepared, input[1], execution);

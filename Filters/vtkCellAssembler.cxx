@@ -32,13 +32,17 @@ int vtkCellAssembler::FillOutputPortInformation(int port, vtkInformation* info)
 }
 
 int vtkCellAssembler::RequestData(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
-  if (IsLeftToFirstProcess(output))
+  if (IsLeftToFirstProcess(request, output))
   {
     return 1;
   }
-  this->Run([&](cartesian::Execution& execution) {
+  for (int port = 0; port < 2; ++port)
+  {
+    cartesian::removeBoxFields(vtkDataObject::GetData(output, port));
+  }
+  this->Run(cartesian::AfterPatches, 1, [&](cartesian::Execution& execution) {
     const cartesian::Boxes boxes = cartesian::boxesFromVTK(vtkUnstructuredGrid::GetData(input[0]));
     const cartesian::Patches patches =
       cartesian::patchesFromVTK(vtkPolyData::GetData(input[1]), boxes);

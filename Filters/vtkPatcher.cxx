@@ -2,6 +2,7 @@
 #include "vtkPatcher.h"
 
 #include "BoxesVTK.h"
+#include "Error.h"
 #include "Mesher.h"
 #include "PatchesVTK.h"
 #include "SurfaceFromVTK.h"
@@ -10,6 +11,31 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
+
+namespace
+{
+
+[[noreturn]] void throwMisplaced()
+{
+  throw cartesian::Error(cartesian::Fault::MissingArray,
+    "The surface does not lie in the boxes: connect the one that they were made for.");
+}
+
+// Levels of the lattice are no more than 32 bits hold.
+void checkPlace(const cartesian::Bounds& surface, const cartesian::Lattice& lattice)
+{
+  constexpr auto Last = static_cast<cartesian::Level>(cartesian::LevelsOfTheDomain);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (surface.low[axis] < lattice.position(axis, 0) ||
+      surface.high[axis] > lattice.position(axis, Last))
+    {
+      throwMisplaced();
+    }
+  }
+}
+
+}
 
 vtkStandardNewMacro(vtkPatcher);
 
@@ -32,24 +58,29 @@ int vtkPatcher::FillOutputPortInformation(int, vtkInformation* info)
 }
 
 int vtkPatcher::RequestData(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
-  if (IsLeftToFirstProcess(output))
+  if (IsLeftToFirstProcess(request, output))
   {
     return 1;
   }
-  this->Run([&](cartesian::Execution& execution) {
+  this->Run(0, 1, [&](cartesian::Execution& execution) {
     execution.stage("Shoeboxes", 0, cartesian::AfterBoxes);
     const cartesian::SurfaceFromVTK source(vtkPolyData::GetData(input[0]), this->BoundaryArray);
     const cartesian::Boxes boxes = cartesian::boxesFromVTK(vtkUnstructuredGrid::GetData(input[1]));
-    cartesian::boundsOf(source.view()); // checks the coordinates
+    checkPlace(cartesian::boundsOf(source.view()), boxes.lattice);
     const cartesian::Surface surface =
       cartesian::onLattice(source.view(), boxes.lattice, execution);
     const cartesian::Shoeboxes shoeboxes =
       cartesian::fillShoeboxes(surface, boxes.planes, execution);
     execution.stage("Patches", cartesian::AfterBoxes, 1);
-    cartesian::toVTK(cartesian::generatePatches(surface, boxes, shoeboxes, execution), boxes,
-      source.cells(), vtkPolyData::GetData(output));
+    const cartesian::Patches patches =
+      cartesian::generatePatches(surface, boxes, shoeboxes, execution);
+    if (patches.size() == 0)
+    {
+      throwMisplaced();
+    }
+    cartesian::toVTK(patches, boxes, source.cells(), vtkPolyData::GetData(output));
   });
   return 1;
 }

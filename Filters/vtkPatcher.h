@@ -11,7 +11,7 @@
  * Section 4.7 of the paper.
  *
  * Errors: EmptySurface, BadCoordinate, MissingArray (no Boundary Array of that name, or boxes that
- * Cartesian Boxer did not make).
+ * Cartesian Boxer did not make, or not for this surface).
  *
  * @sa vtkCartesianBoxer vtkCellAssembler vtkCartesianMesher
  */

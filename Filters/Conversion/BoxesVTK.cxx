@@ -20,6 +20,9 @@ namespace cartesian
 namespace
 {
 
+constexpr const char* LatticeOrigin = "LatticeOrigin";
+constexpr const char* LatticeStep = "LatticeStep";
+constexpr const char* SurfaceClosed = "SurfaceClosed";
 constexpr std::array<const char*, 3> PlaneNames = { "PlanesX", "PlanesY", "PlanesZ" };
 
 // Corners of all boxes, numbered.
@@ -116,7 +119,7 @@ public:
       last[axis] = static_cast<double>(boxes.planes[axis].size()) - 2;
     }
     const GlobalBox global{ readTriple(global_, cell, last),
-      static_cast<std::uint32_t>(boxes.boxes.size()), None, 0 };
+      static_cast<std::uint32_t>(boxes.boxes.size()), None, 0, false };
     const double deepest = DeepestLevel;
     const double widest = FinePerBox - 1;
     const auto level = readTriple(level_, cell, { deepest, deepest, deepest });
@@ -259,10 +262,10 @@ void toVTK(const Boxes& boxes, vtkUnstructuredGrid* grid)
   grid->GetCellData()->AddArray(offset);
   grid->GetCellData()->AddArray(status);
   grid->GetCellData()->AddArray(cornerStatus);
-  setField(grid, "LatticeOrigin",
+  setField(grid, LatticeOrigin,
     { boxes.lattice.origin()[0], boxes.lattice.origin()[1], boxes.lattice.origin()[2] });
-  setField(grid, "LatticeStep", { boxes.lattice.step() });
-  setField(grid, "SurfaceClosed", { boxes.closed ? 1.0 : 0.0 });
+  setField(grid, LatticeStep, { boxes.lattice.step() });
+  setField(grid, SurfaceClosed, { boxes.closed ? 1.0 : 0.0 });
   for (int axis = 0; axis < 3; ++axis)
   {
     setField(grid, PlaneNames[axis], { boxes.planes[axis].begin(), boxes.planes[axis].end() });
@@ -272,10 +275,10 @@ void toVTK(const Boxes& boxes, vtkUnstructuredGrid* grid)
 Boxes boxesFromVTK(vtkUnstructuredGrid* grid)
 {
   Boxes boxes;
-  const std::vector<double> origin = getField(grid, "LatticeOrigin", 3);
+  const std::vector<double> origin = getField(grid, LatticeOrigin, 3);
   boxes.lattice =
-    Lattice({ origin[0], origin[1], origin[2] }, getField(grid, "LatticeStep", 1)[0]);
-  boxes.closed = getField(grid, "SurfaceClosed", 1)[0] != 0;
+    Lattice({ origin[0], origin[1], origin[2] }, getField(grid, LatticeStep, 1)[0]);
+  boxes.closed = getField(grid, SurfaceClosed, 1)[0] != 0;
   boxes.planes = readPlanes(grid);
 
   BoxReader reader(grid);
@@ -286,9 +289,18 @@ Boxes boxesFromVTK(vtkUnstructuredGrid* grid)
   }
   scan(boxes.rowStart);
   boxes.globals.push_back(
-    { { 0, 0, 0 }, static_cast<std::uint32_t>(boxes.boxes.size()), None, 0 });
+    { { 0, 0, 0 }, static_cast<std::uint32_t>(boxes.boxes.size()), None, 0, false });
   boxes.listUnits();
   return boxes;
+}
+
+void removeBoxFields(vtkDataObject* data)
+{
+  for (const char* name : { LatticeOrigin, LatticeStep, SurfaceClosed, PlaneNames[0], PlaneNames[1],
+         PlaneNames[2] })
+  {
+    data->GetFieldData()->RemoveArray(name);
+  }
 }
 
 }

@@ -11,6 +11,7 @@
 
 #include "Boxes.h"
 
+class vtkDataObject;
 class vtkUnstructuredGrid;
 
 namespace cartesian
@@ -20,5 +21,8 @@ void toVTK(const Boxes& boxes, vtkUnstructuredGrid* grid);
 
 // Throws Error (MissingArray) where an array is not there or not what toVTK wrote.
 Boxes boxesFromVTK(vtkUnstructuredGrid* grid);
+
+// Takes away the field data that toVTK wrote: VTK hands a filter's first input's on to its outputs.
+void removeBoxFields(vtkDataObject* data);
 
 }

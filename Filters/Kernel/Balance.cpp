@@ -27,7 +27,7 @@ void forEachAcross(const Boxes& boxes, const Box& box, int axis, bool upper, Vis
   {
     for (fine[a] = firstA; fine[a] < endA; fine[a] += step)
     {
-      const std::uint32_t neighbour = boxes.boxAt(fine, &step);
+      const std::uint32_t neighbour = boxes.boxAt(fine, box.global, step);
       if (neighbour != None)
       {
         visit(boxes.boxes[neighbour]);
@@ -66,7 +66,7 @@ std::vector<std::uint8_t> tooCoarse(const Boxes& boxes, Execution& execution)
   execution.forEach(boxes.globals.size() - 1, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g)
     {
-      if (!nearDivided(boxes, static_cast<std::uint32_t>(g)))
+      if (!boxes.globals[g].nearDivided)
       {
         continue;
       }

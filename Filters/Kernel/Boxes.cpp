@@ -47,22 +47,20 @@ std::uint32_t Boxes::globalAt(std::int64_t i, std::int64_t j, std::int64_t k) co
     : None;
 }
 
-std::uint32_t Boxes::boxAt(const FinePoint& fine, std::int64_t* step) const
+std::uint32_t Boxes::boxAt(
+  const FinePoint& fine, std::uint32_t near, std::int64_t& step) const
 {
-  if (step)
-  {
-    *step = FinePerBox;
-  }
-  const std::uint32_t g =
-    globalAt(fine[0] >> DeepestLevel, fine[1] >> DeepestLevel, fine[2] >> DeepestLevel);
+  const FinePoint at = { fine[0] >> DeepestLevel, fine[1] >> DeepestLevel,
+    fine[2] >> DeepestLevel };
+  const auto& guess = globals[near].index;
+  const bool hit = guess[0] == at[0] && guess[1] == at[1] && guess[2] == at[2];
+  const std::uint32_t g = hit ? near : globalAt(at[0], at[1], at[2]);
+  step = FinePerBox;
   if (g == None || globals[g].firstUnit == None)
   {
     return g == None ? None : globals[g].firstBox;
   }
-  if (step)
-  {
-    *step = FinePerBox >> globals[g].depth;
-  }
+  step = FinePerBox >> globals[g].depth;
   constexpr std::int64_t Mask = FinePerBox - 1;
   return units[globals[g].firstUnit +
     unitIndex(globals[g], { fine[0] & Mask, fine[1] & Mask, fine[2] & Mask })];
@@ -77,6 +75,7 @@ void Boxes::listUnits()
     size += globals[g].depth == 0 ? 0 : std::size_t(1) << 3 * globals[g].depth;
   }
   units.assign(size, None);
+  markNearDivided();
   for (std::uint32_t b = 0; b < boxes.size(); ++b)
   {
     const Box& box = boxes[b];
@@ -94,6 +93,36 @@ void Boxes::listUnits()
         {
           units[global.firstUnit +
             unitIndex(global, { box.offset[0] + x, box.offset[1] + y, box.offset[2] + z })] = b;
+        }
+      }
+    }
+  }
+}
+
+void Boxes::markNearDivided()
+{
+  for (GlobalBox& global : globals)
+  {
+    global.nearDivided = false;
+  }
+  for (std::size_t g = 0; g + 1 < globals.size(); ++g)
+  {
+    if (globals[g].depth == 0)
+    {
+      continue;
+    }
+    const auto at = globals[g].index;
+    for (std::int64_t k = -1; k <= 1; ++k)
+    {
+      for (std::int64_t j = -1; j <= 1; ++j)
+      {
+        for (std::int64_t i = -1; i <= 1; ++i)
+        {
+          const std::uint32_t near = globalAt(at[0] + i, at[1] + j, at[2] + k);
+          if (near != None)
+          {
+            globals[near].nearDivided = true;
+          }
         }
       }
     }
@@ -125,7 +154,7 @@ std::array<std::uint32_t, 4> facing(const Boxes& boxes, const Box& box, int axis
     fine[a] = low[a] + (quarter & 1) * Boxes::fineSize(box, a) / 2;
     fine[b] = low[b] + (quarter >> 1) * Boxes::fineSize(box, b) / 2;
     std::int64_t step = 0;
-    across[quarter] = boxes.boxAt(fine, &step);
+    across[quarter] = boxes.boxAt(fine, box.global, step);
     if (quarter == 0 && step >= std::max(Boxes::fineSize(box, a), Boxes::fineSize(box, b)))
     {
       across.fill(across[0]); // one box, or none, spans the whole side
@@ -133,30 +162,6 @@ std::array<std::uint32_t, 4> facing(const Boxes& boxes, const Box& box, int axis
     }
   }
   return across;
-}
-
-bool nearDivided(const Boxes& boxes, std::uint32_t global)
-{
-  if (boxes.units.empty())
-  {
-    return false;
-  }
-  const auto& at = boxes.globals[global].index;
-  for (std::int64_t k = -1; k <= 1; ++k)
-  {
-    for (std::int64_t j = -1; j <= 1; ++j)
-    {
-      for (std::int64_t i = -1; i <= 1; ++i)
-      {
-        const std::uint32_t g = boxes.globalAt(at[0] + i, at[1] + j, at[2] + k);
-        if (g != None && boxes.globals[g].depth > 0)
-        {
-          return true;
-        }
-      }
-    }
-  }
-  return false;
 }
 
 std::vector<std::uint32_t> intersectedBoxes(const Boxes& boxes)

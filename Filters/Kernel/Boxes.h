@@ -59,6 +59,7 @@ struct GlobalBox
   std::uint32_t firstBox;             // its boxes end where the next one's begin
   std::uint32_t firstUnit;            // in Boxes::units, or None: undivided
   std::uint8_t depth;                 // its units are 2^depth along x, y and z
+  bool nearDivided;                   // it or one of its 26 neighbours is divided: nodes may hang
 };
 
 struct Boxes
@@ -82,11 +83,15 @@ struct Boxes
   std::uint32_t globalAt(std::int64_t i, std::int64_t j, std::int64_t k) const;
 
   // The box that holds the fine cell with this low corner, or None. `step` receives how far along
-  // each axis the answer is the same at least: the size of the unit, or of the global box.
-  std::uint32_t boxAt(const FinePoint& fine, std::int64_t* step = nullptr) const;
+  // each axis the answer is the same at least: the size of the unit, or of the global box. `near`: a
+  // global box that is likely the right one.
+  std::uint32_t boxAt(const FinePoint& fine, std::uint32_t near, std::int64_t& step) const;
 
-  // Fills `units` and GlobalBox::firstUnit from the boxes.
+  // Fills `units`, GlobalBox::firstUnit and nearDivided from the boxes.
   void listUnits();
+
+private:
+  void markNearDivided();
 };
 
 // The level of a plane of the fine grid.
@@ -95,9 +100,6 @@ Level planeAt(const std::vector<Level>& planes, std::int64_t fine);
 // The boxes across a side of `box` at its four quarters: (low, low), (high, low), (low, high),
 // (high, high) along the two other axes in cyclic order. In balanced boxes each quarter has one.
 std::array<std::uint32_t, 4> facing(const Boxes& boxes, const Box& box, int axis, bool upper);
-
-// Whether the global box or one of its 26 neighbours is divided: nodes may hang in it.
-bool nearDivided(const Boxes& boxes, std::uint32_t global);
 
 // Indices of the intersected boxes, in order.
 std::vector<std::uint32_t> intersectedBoxes(const Boxes& boxes);

@@ -64,6 +64,7 @@ struct Part
   std::vector<std::uint32_t> cellsOfBox;
   std::vector<std::uint8_t> flawed;
   std::size_t voids = 0;
+  std::size_t folds = 0;
 };
 
 // Separates the volumes of one box. Keeps its storage from box to box.
@@ -91,6 +92,7 @@ public:
       measureFaces(boxes_.boxes[sides_.polyhedral[n]]);
       findShells();
       part.voids += fillVoids();
+      part.folds += dropFolds();
       emit(sides_.polyhedral[n], part);
     }
     part.cellsOfBox.push_back(static_cast<std::uint32_t>(part.cells.size() - before));
@@ -326,6 +328,60 @@ private:
     return voids;
   }
 
+  // Two patches of one volume with the same corners that run the opposite way are a wall without
+  // thickness inside it: they bound nothing, and both go. All their edges have other faces too.
+  std::size_t dropFolds()
+  {
+    if (shared_.empty())
+    {
+      return 0;
+    }
+    std::size_t folds = 0;
+    for (Shell& shell : shells_)
+    {
+      cycles_.clear();
+      for (std::size_t i = 0; i < shell.faces.size(); ++i)
+      {
+        if (faces_[shell.faces[i]].kind() == FaceRef::Kind::Patch)
+        {
+          cycles_.push_back({ cycleOf(shell.faces[i], false), shell.faces[i] });
+        }
+      }
+      std::sort(cycles_.begin(), cycles_.end());
+      dropped_.clear();
+      for (const auto& [cycle, face] : cycles_)
+      {
+        const std::vector<std::uint32_t> opposite = cycleOf(face, true);
+        const auto found = std::lower_bound(
+          cycles_.begin(), cycles_.end(), std::make_pair(opposite, std::uint32_t(0)));
+        if (found != cycles_.end() && found->first == opposite)
+        {
+          dropped_.push_back(face);
+        }
+      }
+      const auto gone = [&](std::uint32_t face) {
+        return std::find(dropped_.begin(), dropped_.end(), face) != dropped_.end();
+      };
+      shell.faces.erase(
+        std::remove_if(shell.faces.begin(), shell.faces.end(), gone), shell.faces.end());
+      folds += dropped_.size() / 2;
+    }
+    return folds;
+  }
+
+  // The corners of a face from the lowest on, as it runs or the other way.
+  std::vector<std::uint32_t> cycleOf(std::uint32_t face, bool opposite) const
+  {
+    std::vector<std::uint32_t> cycle;
+    forEachNode(faces_[face], [&](std::uint32_t node) { cycle.push_back(node); });
+    if (opposite)
+    {
+      std::reverse(cycle.begin(), cycle.end());
+    }
+    std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
+    return cycle;
+  }
+
   // The smallest volume that a void lies in.
   Shell* shellAround(const Shell& inner)
   {
@@ -452,6 +508,8 @@ private:
   std::vector<Shell> shells_;
   std::vector<std::uint32_t> shellOf_;
   std::vector<std::pair<std::int32_t, double>> areas_;
+  std::vector<std::pair<std::vector<std::uint32_t>, std::uint32_t>> cycles_;
+  std::vector<std::uint32_t> dropped_;
 };
 
 Cells join(const std::vector<Part>& parts, std::size_t boxes, Execution& execution)
@@ -464,6 +522,7 @@ Cells join(const std::vector<Part>& parts, std::size_t boxes, Execution& executi
     cell.push_back(part.cells.size());
     face.push_back(part.faces.size());
     result.voids += part.voids;
+    result.folds += part.folds;
   }
   const std::size_t cells = scan(cell);
   const std::size_t faces = scan(face);

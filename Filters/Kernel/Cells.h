@@ -49,6 +49,7 @@ struct Cells
   std::vector<FaceRef> faces;
   std::vector<std::size_t> boxStart;   // first cell of the n-th polyhedral box, and the end
   std::vector<std::uint8_t> flawed;    // 1: the box's faces do not close (a hole), it has no cells
+  std::size_t folds = 0;               // walls without thickness inside one cell, left out
   std::size_t voids = 0;               // closed pieces of surface inside one cell, now holes of it
 
   // The cells below and above each inner face, or None: there is no box, or it is a hexahedron.

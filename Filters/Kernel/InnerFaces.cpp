@@ -572,11 +572,13 @@ public:
       { p, static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(uses_.size()) });
   }
 
-  // The border of a side, counter-clockwise, with the nodes that hang on it.
-  void addBorder(const Side& side, bool nodesMayHang)
+  // The border of a side, counter-clockwise, with the nodes that hang on it; `global`: one of its
+  // boxes' global box.
+  void addBorder(const Side& side, std::uint32_t global, bool nodesMayHang)
   {
     const std::size_t u = (side.axis + 1u) % 3;
     const std::size_t v = (side.axis + 2u) % 3;
+    near_ = global;
     FinePoint corner = side.corner;
     addLine(corner, u, side.size[0], true, nodesMayHang);
     corner[u] += side.size[0];
@@ -598,7 +600,7 @@ private:
     }
     FinePoint low = from;
     low[axis] -= up ? 0 : length;
-    hangingNodes(boxes_, static_cast<int>(axis), low, length, positions_);
+    hangingNodes(boxes_, static_cast<int>(axis), low, length, near_, positions_);
     if (!up)
     {
       std::reverse(positions_.begin(), positions_.end());
@@ -612,6 +614,7 @@ private:
 
   const Boxes& boxes_;
   std::vector<PointUse>& uses_;
+  std::uint32_t near_ = 0;
   std::vector<std::int64_t> positions_;
 };
 
@@ -630,11 +633,12 @@ Nodes findNodes(const Boxes& boxes, const Patches& patches, const Sides& sides, 
     NodeUses list(boxes, part);
     for (std::size_t n = begin; n < end; ++n)
     {
-      const bool mayHang = nearDivided(boxes, boxes.boxes[sides.polyhedral[n]].global);
+      const std::uint32_t global = boxes.boxes[sides.polyhedral[n]].global;
+      const bool mayHang = boxes.globals[global].nearDivided;
       for (std::size_t s = sides.ownStart[n]; s < sides.ownStart[n + 1]; ++s)
       {
         const std::size_t before = part.size();
-        list.addBorder(sides.sides[s], mayHang);
+        list.addBorder(sides.sides[s], global, mayHang);
         nodes.borderStart[s] = part.size() - before;
       }
     }

@@ -189,6 +189,7 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
     { "SmallCellsRemoved", removed },
     { "IsolatedCells", isolated },
     { "VoidsInsideCells", static_cast<double>(cells_.voids) },
+    { "FoldsLeftOut", static_cast<double>(cells_.folds) },
   };
 }
 

@@ -28,7 +28,7 @@ public:
   void find(const Boxes& boxes, const Box& box)
   {
     any_ = false;
-    if (!nearDivided(boxes, box.global))
+    if (!boxes.globalOf(box).nearDivided)
     {
       return;
     }

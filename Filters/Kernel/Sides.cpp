@@ -14,7 +14,7 @@ constexpr std::size_t BoxesAChunk = 512;
 
 bool hasHangingNodes(const Boxes& boxes, const Box& box, std::vector<std::int64_t>& scratch)
 {
-  if (!nearDivided(boxes, box.global))
+  if (!boxes.globalOf(box).nearDivided)
   {
     return false;
   }
@@ -36,7 +36,7 @@ bool hasHangingNodes(const Boxes& boxes, const Box& box, std::vector<std::int64_
       FinePoint from = boxes.fineLow(box);
       from[a] += (edge & 1) * Boxes::fineSize(box, a);
       from[b] += (edge >> 1) * Boxes::fineSize(box, b);
-      hangingNodes(boxes, axis, from, Boxes::fineSize(box, axis), scratch);
+      hangingNodes(boxes, axis, from, Boxes::fineSize(box, axis), box.global, scratch);
       if (!scratch.empty())
       {
         return true;
@@ -177,7 +177,7 @@ std::array<unsigned, 4> sideCorners(int axis, unsigned upper)
 }
 
 void hangingNodes(const Boxes& boxes, int axis, const FinePoint& from, std::int64_t length,
-  std::vector<std::int64_t>& positions)
+  std::uint32_t near, std::vector<std::int64_t>& positions)
 {
   positions.clear();
   const int a = (axis + 1) % 3;
@@ -197,7 +197,7 @@ void hangingNodes(const Boxes& boxes, int axis, const FinePoint& from, std::int6
     while (at[axis] < end)
     {
       std::int64_t step = 0;
-      const std::uint32_t box = boxes.boxAt(at, &step);
+      const std::uint32_t box = boxes.boxAt(at, near, step);
       if (box == None)
       {
         at[axis] = (at[axis] / step + 1) * step;

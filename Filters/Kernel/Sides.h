@@ -50,9 +50,9 @@ struct Sides
 Sides findSides(const Boxes& boxes, Execution& execution);
 
 // Nodes of the fine grid that hang on the line along `axis` from `from`, `length` fine steps long:
-// ends of boxes around it, in order, without the line's own ends.
+// ends of boxes around it, in order, without the line's own ends. `near`: a global box at the line.
 void hangingNodes(const Boxes& boxes, int axis, const FinePoint& from, std::int64_t length,
-  std::vector<std::int64_t>& positions);
+  std::uint32_t near, std::vector<std::int64_t>& positions);
 
 // The corners (bits as in Box::corners) of a box's lower (0) or upper (1) side, counter-clockwise
 // seen from above.

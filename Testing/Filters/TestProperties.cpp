@@ -1,8 +1,49 @@
-// Setting a property to what it is must not make the pipeline run again, changing it must.
+// Setting a property to what it is must not make the pipeline run again, changing it must; what is
+// out of range is refused or set right; all of them are printed.
 #include "vtkCartesianMesher.h"
+#include "vtkCellAssembler.h"
+#include "vtkPatcher.h"
+
+#include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 
 #include <gtest/gtest.h>
+
+#include <functional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+// How many errors an object reports while `work` runs.
+int errorsOf(vtkObject* object, const std::function<void()>& work)
+{
+  int errors = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&errors);
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  const unsigned long tag = object->AddObserver(vtkCommand::ErrorEvent, count);
+  work();
+  object->RemoveObserver(tag);
+  return errors;
+}
+
+void expectToPrint(vtkObject* object, const std::vector<std::string>& lines)
+{
+  std::ostringstream text;
+  object->Print(text);
+  for (const std::string& line : lines)
+  {
+    EXPECT_NE(text.str().find("  " + line + "\n"), std::string::npos)
+      << "no \"" << line << "\" in\n"
+      << text.str();
+  }
+}
+
+}
 
 TEST(Properties, MeshlinesOfEachAxisAreKeptApart)
 {
@@ -18,18 +59,61 @@ TEST(Properties, MeshlinesOfEachAxisAreKeptApart)
   EXPECT_EQ(mesher->GetMeshline(2, 0), -3.0);
 }
 
-TEST(Properties, OnlyAChangeModifies)
+TEST(Properties, MeshlinesThatAreNotThereAreRefused)
 {
   vtkNew<vtkCartesianMesher> mesher;
   mesher->SetNumberOfMeshlinesY(2);
-  mesher->SetMeshlineY(1, 2.5);
   const vtkMTimeType before = mesher->GetMTime();
-  mesher->SetNumberOfMeshlinesY(2);
-  mesher->SetMeshlineY(1, 2.5);
-  mesher->SetBoundaryArray("");
+  const std::vector<std::function<void()>> wrong = {
+    [&] { mesher->SetMeshlineY(2, 1); },
+    [&] { mesher->SetMeshlineY(-1, 1); },
+    [&] { mesher->SetMeshlineX(0, 1); },
+    [&] { mesher->SetMeshline(3, 0, 1); },
+    [&] { mesher->SetMeshline(-1, 0, 1); },
+    [&] { mesher->SetNumberOfMeshlines(3, 2); },
+    [&] { mesher->SetNumberOfMeshlines(0, -1); },
+    [&] { mesher->GetMeshline(0, 0); },
+  };
+  for (std::size_t i = 0; i < wrong.size(); ++i)
+  {
+    EXPECT_EQ(errorsOf(mesher, wrong[i]), 1) << i;
+  }
+  EXPECT_EQ(mesher->GetNumberOfMeshlines(3), 0);
   EXPECT_EQ(mesher->GetMTime(), before);
-  mesher->SetMeshlineY(1, 3.5);
-  EXPECT_GT(mesher->GetMTime(), before);
+}
+
+TEST(Properties, OnlyAChangeModifies)
+{
+  vtkNew<vtkCartesianMesher> mesher;
+  const auto setAll = [&](double length, const char* name) {
+    mesher->SetNumberOfMeshlinesY(2);
+    mesher->SetMeshlineY(1, length);
+    mesher->SetCellSize(length);
+    mesher->SetMemoryLimit(length);
+    mesher->SetSmallCellRatio(length);
+    mesher->SetNumberOfThreads(static_cast<int>(length));
+    mesher->SetPatchMethod(vtkPatcher::ExactFit);
+    mesher->SetBoundaryArray(name);
+  };
+  setAll(2.5, "Side");
+  const vtkMTimeType before = mesher->GetMTime();
+  setAll(2.5, "Side");
+  EXPECT_EQ(mesher->GetMTime(), before);
+  const std::vector<std::function<void()>> changes = {
+    [&] { mesher->SetNumberOfMeshlinesY(3); },
+    [&] { mesher->SetMeshlineY(1, 3.5); },
+    [&] { mesher->SetCellSize(3.5); },
+    [&] { mesher->SetMemoryLimit(3.5); },
+    [&] { mesher->SetSmallCellRatio(0.5); },
+    [&] { mesher->SetNumberOfThreads(3); },
+    [&] { mesher->SetBoundaryArray(""); },
+  };
+  for (std::size_t i = 0; i < changes.size(); ++i)
+  {
+    const vtkMTimeType last = mesher->GetMTime();
+    changes[i]();
+    EXPECT_GT(mesher->GetMTime(), last) << i;
+  }
 }
 
 TEST(Properties, NegativeThreadsAndMemoryBecomeAutomatic)
@@ -39,4 +123,27 @@ TEST(Properties, NegativeThreadsAndMemoryBecomeAutomatic)
   mesher->SetMemoryLimit(-1.0);
   EXPECT_EQ(mesher->GetNumberOfThreads(), 0);
   EXPECT_EQ(mesher->GetMemoryLimit(), 0.0);
+}
+
+TEST(Properties, AllArePrinted)
+{
+  vtkNew<vtkCartesianMesher> mesher;
+  mesher->SetNumberOfThreads(3);
+  mesher->SetCellSize(0.25);
+  mesher->SetNumberOfMeshlinesX(2);
+  mesher->SetMeshlineX(1, 1.5);
+  mesher->SetNumberOfMeshlinesZ(1);
+  mesher->SetMemoryLimit(8);
+  mesher->SetBoundaryArray("Side");
+  mesher->SetSmallCellRatio(0.125);
+  expectToPrint(mesher,
+    { "NumberOfThreads: 3", "CellSize: 0.25", "MeshlinesX: 0 1.5", "MeshlinesY:", "MeshlinesZ: 0",
+      "MemoryLimit: 8", "BoundaryArray: Side", "PatchMethod: 0", "SmallCellRatio: 0.125" });
+
+  vtkNew<vtkPatcher> patcher;
+  patcher->SetBoundaryArray("Side");
+  expectToPrint(patcher, { "NumberOfThreads: 0", "BoundaryArray: Side", "PatchMethod: 0" });
+
+  vtkNew<vtkCellAssembler> assembler;
+  expectToPrint(assembler, { "NumberOfThreads: 0", "SmallCellRatio: 0.001" });
 }

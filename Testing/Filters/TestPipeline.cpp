@@ -1,0 +1,247 @@
+// The filters as parts of a pipeline: when they run, what they report on the way, how they stop.
+#include "vtkCartesianBoxer.h"
+#include "vtkCartesianMesher.h"
+#include "vtkCellAssembler.h"
+#include "vtkPatcher.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace
+{
+
+struct Report
+{
+  double progress;
+  std::string text;
+  std::thread::id thread;
+};
+
+// All that an algorithm reports; asks it to stop when its progress gets to `stopAt`.
+class Observer
+{
+public:
+  Observer(vtkAlgorithm* algorithm, double stopAt)
+    : stopAt_(stopAt)
+  {
+    command_->SetClientData(this);
+    command_->SetCallback([](vtkObject* caller, unsigned long, void* self, void*) {
+      static_cast<Observer*>(self)->hear(vtkAlgorithm::SafeDownCast(caller));
+    });
+    algorithm->AddObserver(vtkCommand::ProgressEvent, command_);
+  }
+
+  const std::vector<Report>& reports() const { return reports_; }
+
+private:
+  void hear(vtkAlgorithm* algorithm)
+  {
+    const char* text = algorithm->GetProgressText();
+    reports_.push_back({ algorithm->GetProgress(), text ? text : "", std::this_thread::get_id() });
+    if (algorithm->GetProgress() >= stopAt_)
+    {
+      algorithm->SetAbortExecute(1);
+    }
+  }
+
+  vtkNew<vtkCallbackCommand> command_;
+  double stopAt_;
+  std::vector<Report> reports_;
+};
+
+constexpr double Never = 2;
+
+vtkNew<vtkSphereSource> sphere()
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetThetaResolution(40);
+  source->SetPhiResolution(40);
+  return source;
+}
+
+vtkUnstructuredGrid* mesh(vtkAlgorithm* filter)
+{
+  return vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+}
+
+vtkPolyData* boundary(vtkAlgorithm* filter)
+{
+  return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
+}
+
+}
+
+TEST(Pipeline, RunsAgainOnlyAfterAChange)
+{
+  const auto source = sphere();
+  vtkNew<vtkCartesianMesher> mesher;
+  mesher->SetInputConnection(source->GetOutputPort());
+  int runs = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&runs);
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  mesher->AddObserver(vtkCommand::StartEvent, count);
+
+  mesher->Update();
+  mesher->Update();
+  mesher->SetCellSize(mesher->GetCellSize());
+  mesher->Update(1);
+  EXPECT_EQ(runs, 1);
+  const vtkIdType cells = mesh(mesher)->GetNumberOfCells();
+
+  mesher->SetCellSize(0.1);
+  mesher->Update();
+  EXPECT_EQ(runs, 2);
+  EXPECT_LT(mesh(mesher)->GetNumberOfCells(), cells);
+
+  mesher->SetNumberOfMeshlinesX(2);
+  mesher->SetMeshlineX(0, -1);
+  mesher->SetMeshlineX(1, 1);
+  mesher->Update();
+  EXPECT_EQ(runs, 3);
+  EXPECT_LE(mesh(mesher)->GetNumberOfCells(), 100);
+
+  mesher->SetNumberOfMeshlinesX(0);
+  mesher->SetCellSize(0);
+  mesher->Update();
+  EXPECT_EQ(runs, 4);
+  EXPECT_EQ(mesh(mesher)->GetNumberOfCells(), cells);
+
+  source->SetRadius(2);
+  mesher->Update();
+  EXPECT_EQ(runs, 5);
+}
+
+TEST(Pipeline, ErrorsGoWhenTheirCauseGoes)
+{
+  const auto source = sphere();
+  vtkNew<vtkCartesianMesher> mesher;
+  mesher->SetInputConnection(source->GetOutputPort());
+  mesher->SetCellSize(-1);
+  mesher->Update();
+  EXPECT_EQ(mesher->GetErrorCode(), vtkCartesianAlgorithm::BadCellSize);
+  EXPECT_EQ(mesh(mesher)->GetNumberOfCells(), 0);
+  mesher->SetCellSize(0.1);
+  mesher->Update();
+  EXPECT_EQ(mesher->GetErrorCode(), 0U);
+  EXPECT_GT(mesh(mesher)->GetNumberOfCells(), 0);
+  mesher->SetSmallCellRatio(1);
+  mesher->Update();
+  EXPECT_EQ(mesher->GetErrorCode(), vtkCartesianAlgorithm::BadParameter);
+  EXPECT_EQ(mesh(mesher)->GetNumberOfCells(), 0);
+  EXPECT_EQ(boundary(mesher)->GetNumberOfCells(), 0);
+}
+
+TEST(Pipeline, ProgressGrowsAndNamesTheStages)
+{
+  const auto source = sphere();
+  vtkNew<vtkCartesianMesher> mesher;
+  mesher->SetInputConnection(source->GetOutputPort());
+  mesher->SetNumberOfThreads(4);
+  const Observer observer(mesher, Never);
+  mesher->Update();
+
+  std::vector<std::string> stages;
+  double last = 0;
+  for (const Report& report : observer.reports())
+  {
+    EXPECT_GE(report.progress, last) << report.text;
+    EXPECT_EQ(report.thread, std::this_thread::get_id());
+    last = report.progress;
+    // VTK itself reports the beginning and the end, with the text of then.
+    if (!report.text.empty() && (stages.empty() || stages.back() != report.text))
+    {
+      stages.push_back(report.text);
+    }
+  }
+  EXPECT_EQ(last, 1);
+  const std::vector<std::string> expected = { "Scaling and Dual Levels", "Boxes", "Patches",
+    "Common sides of boxes", "Inner faces", "Cells", "Numbering", "Writing the mesh" };
+  EXPECT_EQ(stages, expected);
+}
+
+TEST(Pipeline, EveryFilterReportsProgress)
+{
+  const auto source = sphere();
+  vtkNew<vtkCartesianBoxer> boxer;
+  boxer->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkPatcher> patcher;
+  patcher->SetInputConnection(0, source->GetOutputPort());
+  patcher->SetInputConnection(1, boxer->GetOutputPort());
+  vtkNew<vtkCellAssembler> assembler;
+  assembler->SetInputConnection(0, boxer->GetOutputPort());
+  assembler->SetInputConnection(1, patcher->GetOutputPort());
+  for (vtkAlgorithm* filter : std::vector<vtkAlgorithm*>{ boxer, patcher, assembler })
+  {
+    const Observer observer(filter, Never);
+    filter->Update();
+    EXPECT_GE(observer.reports().size(), 4U) << filter->GetClassName();
+    double last = 0;
+    for (const Report& report : observer.reports())
+    {
+      EXPECT_GE(report.progress, last) << filter->GetClassName() << ": " << report.text;
+      last = report.progress;
+    }
+    EXPECT_LT(observer.reports()[2].progress, 0.1) << filter->GetClassName();
+    filter->RemoveAllObservers();
+  }
+}
+
+TEST(Pipeline, StopsWhereverItIsAskedTo)
+{
+  const auto source = sphere();
+  for (const double stopAt : { 0.0, 0.05, 0.2, 0.3, 0.52, 0.6, 0.7, 0.85, 0.9 })
+  {
+    vtkNew<vtkCartesianMesher> mesher;
+    mesher->SetInputConnection(source->GetOutputPort());
+    const Observer observer(mesher, stopAt);
+    mesher->Update();
+    EXPECT_EQ(mesher->GetErrorCode(), vtkCartesianAlgorithm::Stopped) << stopAt;
+    EXPECT_EQ(mesh(mesher)->GetNumberOfCells(), 0) << stopAt;
+    EXPECT_EQ(mesh(mesher)->GetNumberOfPoints(), 0) << stopAt;
+    EXPECT_EQ(boundary(mesher)->GetNumberOfCells(), 0) << stopAt;
+
+    mesher->RemoveAllObservers();
+    mesher->SetAbortExecute(0);
+    mesher->Modified();
+    mesher->Update();
+    EXPECT_EQ(mesher->GetErrorCode(), 0U) << stopAt;
+    EXPECT_GT(mesh(mesher)->GetNumberOfCells(), 0) << stopAt;
+  }
+}
+
+TEST(Pipeline, OutputsHaveTheirTypesAndArrays)
+{
+  const auto source = sphere();
+  vtkNew<vtkCartesianMesher> mesher;
+  mesher->SetInputConnection(source->GetOutputPort());
+  mesher->SetCellSize(0.2);
+  mesher->Update();
+  ASSERT_TRUE(mesh(mesher));
+  ASSERT_TRUE(boundary(mesher));
+  EXPECT_EQ(mesh(mesher)->GetPoints()->GetDataType(), VTK_DOUBLE);
+  EXPECT_EQ(boundary(mesher)->GetPoints()->GetDataType(), VTK_DOUBLE);
+  vtkCellData* cells = mesh(mesher)->GetCellData();
+  ASSERT_TRUE(cells->GetArray("GlobalBox"));
+  EXPECT_STREQ(cells->GetArray("GlobalBox")->GetComponentName(2), "K");
+  EXPECT_EQ(cells->GetArray("Region")->GetDataType(), VTK_INT);
+  EXPECT_EQ(cells->GetArray("VolumeFraction")->GetDataType(), VTK_DOUBLE);
+  EXPECT_EQ(boundary(mesher)->GetCellData()->GetArray("BoundaryId")->GetDataType(), VTK_INT);
+  EXPECT_TRUE(vtkIdTypeArray::SafeDownCast(boundary(mesher)->GetCellData()->GetArray("OwnerCell")));
+  EXPECT_TRUE(
+    vtkIdTypeArray::SafeDownCast(boundary(mesher)->GetPointData()->GetArray("MeshPointId")));
+}

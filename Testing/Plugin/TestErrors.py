@@ -1,0 +1,162 @@
+"""Whatever is wrong with the input: a message that says what, where and what to do, an error code,
+an output that is empty or valid, and no crash."""
+
+import math
+
+from cartesianmesher.vtkCartesianMesherFilters import vtkCartesianMesher
+from paraview import simple
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+import measure
+from pipeline import (Messages, assert_identical, error_code, merged, octahedron, output, polydata,
+                      producer, read)
+
+EMPTY_SURFACE, BAD_COORDINATE, BAD_CELL_SIZE, BAD_MESHLINES, TOO_MANY_BOXES, MISSING_ARRAY, \
+    FLAWED_SURFACE, BAD_PARAMETER = range(40001, 40009)
+
+clean = octahedron()
+points = [clean.GetPoint(i) for i in range(6)]
+triangles = [(0, 1, 2), (1, 3, 2), (3, 4, 2), (4, 0, 2), (1, 0, 5), (3, 1, 5), (4, 3, 5), (0, 4, 5)]
+surface = producer(clean)
+
+
+def check(filter, code, *parts):
+    """One message, that has all the parts in it, or none where nothing is wrong."""
+    with Messages() as said:
+        data = output(filter)
+    text = str(said)
+    found = error_code(filter)
+    assert found == code, f"error code {found} instead of {code}: {text}"
+    assert bool(text) == bool(code), text
+    for part in parts:
+        assert part in text, f"no '{part}' in: {text}"
+    print(code, text.partition("): ")[2].strip().partition("\n")[0])
+    return data
+
+
+def refused(source, code, *parts, **properties):
+    mesher = simple.CartesianMesher(Input=source, **properties)
+    mesh = check(mesher, code, *parts)
+    assert mesh.GetNumberOfCells() == 0 and mesh.GetNumberOfPoints() == 0
+    assert output(mesher, 1).GetNumberOfCells() == 0
+
+
+def partial(source, *parts, code=FLAWED_SURFACE, **properties):
+    mesher = simple.CartesianMesher(Input=source, **properties)
+    mesh = check(mesher, code, *parts)
+    assert mesh.GetNumberOfCells() > 0
+    return measure.Mesh(mesh, output(mesher, 1))
+
+
+# No surface.
+refused(producer(vtkPolyData()), EMPTY_SURFACE, "no polygons", "connect")
+refused(producer(polydata(points, [])), EMPTY_SURFACE, "no polygons")
+refused(producer(polydata(points, [(0, 1), (1, 2)])), EMPTY_SURFACE, "no triangles")
+refused(producer(polydata([(1, 2, 3)] * 3, [(0, 1, 2)])), EMPTY_SURFACE, "coincide")
+with Messages() as said:
+    vtkCartesianMesher().Update()
+assert "has 0 connections but is not optional" in str(said), said
+
+# Coordinates.
+for bad in math.nan, math.inf, -math.inf, 1e300:
+    points_of_bad = list(points)
+    points_of_bad[4] = (0, bad, 0)
+    refused(producer(polydata(points_of_bad, triangles)), BAD_COORDINATE, "Point 4", "triangle 2")
+# ... of a point that no triangle uses do no harm.
+idle = producer(polydata(points + [(math.nan, 0, 0)], triangles))
+assert_identical("idle point", output(simple.CartesianMesher(Input=idle)),
+    output(simple.CartesianMesher(Input=surface)))
+
+# Cell size.
+for bad in -1, math.nan, math.inf:
+    refused(surface, BAD_CELL_SIZE, f"Cell Size is {bad}", "positive", CellSize=bad)
+refused(surface, BAD_CELL_SIZE, "only 2", "smaller", CellSize=1e9)
+refused(surface, TOO_MANY_BOXES, "1.335e+12 boxes", "GiB", "larger Cell Size", CellSize=1e-4)
+refused(surface, TOO_MANY_BOXES, "along X", "larger", CellSize=1e-300)
+refused(surface, TOO_MANY_BOXES, "Memory Limit of 0.001 GiB", MemoryLimit=1e-3)
+
+# Meshlines.
+refused(surface, BAD_MESHLINES, "Meshlines X", "at least two", MeshlinesX=[0])
+for bad in [0, 0], [0.5, -0.5], [0, math.nan]:
+    refused(surface, BAD_MESHLINES, "Meshlines Y must increase", "position 1", MeshlinesY=bad)
+refused(surface, BAD_MESHLINES, "Meshlines Z must increase", "position 0",
+    MeshlinesZ=[-math.inf, 0])
+for bad in [3, 4], [-9, -1]:
+    refused(surface, BAD_MESHLINES, "Meshlines X", "miss the surface", "between -1", MeshlinesX=bad)
+refused(surface, BAD_MESHLINES, "along X are closer than", MeshlinesX=[0, 1e-12])
+cut_off = partial(surface, "Meshlines X", "cut the mesh off", MeshlinesX=[-0.5, 0, 0.5])
+assert abs(cut_off.volume - 7 / 6) < 1e-8, cut_off.volume
+assert sorted(cut_off.areas) == [-1, 0]
+
+# Other properties.
+refused(surface, MISSING_ARRAY, 'Boundary Array "Nope"', "choose another", BoundaryArray="Nope")
+for bad in -0.1, 1, math.nan:
+    refused(surface, BAD_PARAMETER, f"Small Cell Ratio is {bad}", "less than 1", SmallCellRatio=bad)
+
+# Flaws of the surface, and what is left of the mesh.
+for name, flawed, parts in (
+    ("open", polydata(points, triangles[:-1]), ["3 open edges", "of cell 6", "(0, -1, 0)"]),
+    ("inconsistent", polydata(points, triangles[:-1] + [(0, 5, 4)]),
+        ["3 inconsistently oriented edges", "of cell 6", "(0, -1, 0)"]),
+    ("overlapping", merged(clean, octahedron(1, (0.3, 0.4, 0.1))), ["does not close in", "box"]),
+    ("nested", merged(clean, octahedron(0.5)), ["does not close in", "box"]),
+):
+    mesh = partial(producer(flawed), *parts, CellSize=0.2)
+    assert 0.5 < mesh.volume < 4 / 3 * 2, f"{name}: volume {mesh.volume}"
+partial(read("tm_not_convex.obj"), "12 edges of more than two triangles", "non-manifold edge")
+refused(producer(merged(clean, clean)), FLAWED_SURFACE, "12 edges of more than two", CellSize=0.2)
+refused(producer(polydata(points, triangles[:1])), FLAWED_SURFACE, "nothing to mesh", "3 open edges")
+refused(producer(polydata(points, [(0, 1, 2), (0, 2, 1)])), FLAWED_SURFACE, "encloses no volume")
+refused(producer(polydata(points, [(0, 1, 1)])), FLAWED_SURFACE, "encloses no volume")
+wing = simple.CartesianMesher(Input=read("HD_airframe_aileron_gap.stl"))
+assert check(wing, FLAWED_SURFACE, "8 open edges", "does not close").GetNumberOfCells() > 500
+
+# Polygons that are no triangles.
+box = simple.Box()
+assert_identical("polygons", output(simple.CartesianMesher(Input=box)),
+    output(simple.CartesianMesher(Input=simple.Triangulate(Input=box))))
+
+# Boxes and patches that do not belong together.
+boxer = simple.CartesianBoxer(Input=surface, CellSize=0.3)
+coarser = simple.CartesianBoxer(Input=surface, CellSize=0.5)
+patcher = simple.Patcher(Input=surface, Boxes=boxer)
+other = simple.Patcher(Input=simple.Sphere(), Boxes=boxer)
+
+
+def assembled(boxes, patches, code, *parts):
+    assembler = simple.CellAssembler(Input=boxes, Patches=patches)
+    mesh = check(assembler, code, *parts)
+    if code == MISSING_ARRAY:
+        assert mesh.GetNumberOfCells() == 0
+    elif mesh.GetNumberOfCells():
+        measure.Mesh(mesh, output(assembler, 1))
+
+
+def without(filter, name, where="CellData"):
+    data = output(filter)
+    copy = data.NewInstance()
+    copy.ShallowCopy(data)
+    getattr(copy, "Get" + where)().RemoveArray(name)
+    return producer(copy)
+
+
+assembled(boxer, patcher, 0)
+assembled(coarser, patcher, MISSING_ARRAY, "Patch ", "same Cartesian Boxer")
+assembled(boxer, surface, MISSING_ARRAY, '"BoundaryId"', "Patcher")
+for name in "GlobalBox", "Status", "CornerStatus":
+    assembled(without(boxer, name), patcher, MISSING_ARRAY, f'"{name}"', "Cartesian Boxer")
+for name in "BoundaryId", "BoxId":
+    assembled(boxer, without(patcher, name), MISSING_ARRAY, f'"{name}"', "Patcher")
+for name in "LatticeOrigin", "LatticeStep", "SurfaceClosed", "PlanesX", "PlanesY", "PlanesZ":
+    bare = without(boxer, name, "FieldData")
+    assembled(bare, patcher, MISSING_ARRAY, f'"{name}"', "Cartesian Boxer")
+    check(simple.Patcher(Input=surface, Boxes=bare), MISSING_ARRAY, f'"{name}"')
+# Some boxes taken away.
+for status in 1, 2:
+    some = simple.Threshold(Input=boxer, Scalars=["CELLS", "Status"], LowerThreshold=status,
+        UpperThreshold=status)
+    assembled(some, patcher, MISSING_ARRAY, "does not belong", "same Cartesian Boxer")
+# The patches of another surface in the same boxes.
+assembled(boxer, other, FLAWED_SURFACE, "does not close")
+for elsewhere in octahedron(1, (100, 0, 0)), octahedron(1e-3, (0.95, 0.95, 0.95)):
+    check(simple.Patcher(Input=producer(elsewhere), Boxes=boxer), MISSING_ARRAY, "does not lie in the boxes")

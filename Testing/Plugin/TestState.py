@@ -1,0 +1,69 @@
+"""Saved states, as XML and as Python, keep every property and give the same mesh again."""
+
+import pathlib
+import tempfile
+
+from paraview import simple, smstate, smtrace
+
+from pipeline import assert_identical, output, read
+
+GRID = {"CellSize": 9.5, "MeshlinesX": [-30, 0, 40.25, 200], "MeshlinesY": [],
+        "MeshlinesZ": [-300, -100.5, 20]}
+OTHERS = {"NumberOfThreads": 1, "MemoryLimit": 2.5, "BoundaryArray": "STLSolidLabeling",
+          "PatchMethod": "Exact Fit", "SmallCellRatio": 0.01}
+FILTERS = {"CartesianBoxer": ["NumberOfThreads", "MemoryLimit", *GRID],
+           "Patcher": ["NumberOfThreads", "BoundaryArray", "PatchMethod"],
+           "CellAssembler": ["NumberOfThreads", "SmallCellRatio"],
+           "CartesianMesher": [*GRID, *OTHERS]}
+
+
+def build():
+    def make(name, **inputs):
+        values = {property: (GRID | OTHERS)[property] for property in FILTERS[name]}
+        return getattr(simple, name)(registrationName=name, **inputs, **values)
+
+    source = read("kcl_exhaust_header_lumens.stl")
+    boxer = make("CartesianBoxer", Input=source)
+    patcher = make("Patcher", Input=source, Boxes=boxer)
+    make("CellAssembler", Input=boxer, Patches=patcher)
+    make("CartesianMesher", Input=source)
+
+
+def check(mesh):
+    """All is there again, in a session that was emptied or is new."""
+    for filter, properties in FILTERS.items():
+        proxy = simple.FindSource(filter)
+        assert proxy, f"there is no {filter}"
+        for name in properties:
+            value = proxy.GetPropertyValue(name)
+            value = list(value) if isinstance((GRID | OTHERS)[name], list) else value
+            assert value == (GRID | OTHERS)[name], f"{name} of {filter} is {value}"
+    for filter in "CartesianMesher", "CellAssembler":
+        assert_identical(filter, output(simple.FindSource(filter)), mesh)
+
+
+build()
+mesh = output(simple.FindSource("CartesianMesher"))
+assert mesh.GetNumberOfCells() > 50
+check(mesh)
+with tempfile.TemporaryDirectory() as folder:
+    state, script = (pathlib.Path(folder) / name for name in ("state.pvsm", "state.py"))
+    simple.SaveState(str(state))
+    script.write_text(smstate.get_state())
+
+    simple.ResetSession()
+    simple.LoadState(str(state))
+    check(mesh)
+
+    simple.ResetSession()
+    exec(compile(script.read_text(), script, "exec"), {})
+    check(mesh)
+
+# What the window's Start Trace records.
+simple.ResetSession()
+smtrace.start_trace()
+build()
+trace = smtrace.stop_trace()
+simple.ResetSession()
+exec(compile(trace, "trace", "exec"), {})
+check(mesh)
