@@ -209,8 +209,8 @@ TEST(Refinement, BoxesOfABlockFillTheirGlobalBoxes)
     double whole = 1;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      whole *=
-        double(meshed.prepared.planes[axis][at[axis] + 1]) - meshed.prepared.planes[axis][at[axis]];
+      whole *= double(meshed.prepared.planes[axis][at[axis] + 1]) -
+        meshed.prepared.planes[axis][at[axis]];
     }
     EXPECT_EQ(sum, whole);
     refined += count[global] == 64;
