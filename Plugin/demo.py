@@ -3,8 +3,10 @@
 import pathlib
 import sys
 
-from paraview.simple import *
+import numpy
 from paraview.servermanager import Fetch
+from paraview.simple import *
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 READERS = {
     ".stl": lambda name: STLReader(FileNames=[name]),
@@ -31,18 +33,28 @@ def print_statistics(mesh):
         print(f"{array.GetName():32} {' '.join(values)}")
 
 
-def draw(mesher, picture):
-    """The half behind the middle of the shortest side, whole cells only, seen at an angle."""
-    bounds = OutputPort(mesher, "Mesh").GetDataInformation().GetBounds()
+def longest_cut(mesh, axis):
+    """Where a plane across `axis` shows most cells: on top of a layer of boxes, a hair below so
+    that it meets the cells of that layer only."""
+    layers = vtk_to_numpy(mesh.GetCellData().GetArray("GlobalBox"))[:, axis]
+    cells = numpy.flatnonzero(layers == numpy.bincount(layers).argmax())
+    tops = [mesh.GetCell(cell).GetBounds()[2 * axis + 1] for cell in cells]
+    return max(tops) - 1e-6 * mesh.GetLength()
+
+
+def draw(mesher, mesh, picture):
+    """The layers of boxes behind a plane across the shortest side, seen at an angle."""
+    bounds = mesh.GetBounds()
     low, high = bounds[0::2], bounds[1::2]
     middle = [(a + b) / 2 for a, b in zip(low, high)]
     sizes = [b - a for a, b in zip(low, high)]
     across, up, _ = sorted(range(3), key=lambda axis: sizes[axis])
+    middle[across] = longest_cut(mesh, across)
     normal = [float(axis == across) for axis in range(3)]
-    away = [1.0 if axis == across else 0.35 for axis in range(3)]
+    away = [1.0 if axis == across else 0.3 for axis in range(3)]
 
     view = CreateView("RenderView")
-    view.ViewSize = [1600, 1000]
+    view.ViewSize = [1400, 1000]
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground = 0
     view.Background = [1, 1, 1]
@@ -53,19 +65,20 @@ def draw(mesher, picture):
         half.ClipType.Normal = normal
         display = Show(half, view)
         display.Representation = "Surface With Edges"
-        display.EdgeColor = [0.25, 0.25, 0.25]
-        display.Ambient = 0.2
+        display.EdgeColor = [0.3, 0.3, 0.3]
+        display.Ambient = 0.25
         return display
 
-    mesh = show("Mesh")
-    mesh.ColorArrayName = ["CELLS", ""]
-    mesh.AmbientColor = mesh.DiffuseColor = [1.0, 0.97, 0.88]
+    cells = show("Mesh")
+    cells.ColorArrayName = ["CELLS", ""]
+    cells.AmbientColor = cells.DiffuseColor = [1.0, 0.97, 0.88]
     boundary = show("Boundary")
     ColorBy(boundary, ("CELLS", "BoundaryId"))
-    first, last = boundary.Input.CellData["BoundaryId"].GetRange()
+    first, last = (int(n) for n in boundary.Input.CellData["BoundaryId"].GetRange())
     colours = GetColorTransferFunction("BoundaryId")
-    colours.ApplyPreset("Rainbow Uniform", True)
-    colours.RescaleTransferFunction(first - 0.5, last + 0.5)
+    colours.InterpretValuesAsCategories = 1
+    colours.ApplyPreset("Brewer Qualitative Set3", True)
+    colours.Annotations = [str(n) for n in range(first, last + 1) for _ in "ab"]
     boundary.SetScalarBarVisibility(view, False)
     # The boundary's faces are faces of the mesh too: a hair nearer, they win.
     boundary.Position = [1e-3 * max(sizes) * a for a in away]
@@ -74,7 +87,7 @@ def draw(mesher, picture):
     view.CameraPosition = [m + max(sizes) * a for m, a in zip(middle, away)]
     view.CameraViewUp = [float(axis == up) for axis in range(3)]
     ResetCamera(view)
-    GetActiveCamera().Zoom(1.2)
+    GetActiveCamera().Zoom(1.25)
     SaveScreenshot(picture, view)
 
 
@@ -89,6 +102,6 @@ print_statistics(mesh)
 files = [surface.stem + suffix for suffix in (".vtu", ".png")]
 # ParaView 5.11 on Debian 12 can't read back the default, appended data.
 SaveData(files[0], proxy=OutputPort(mesher, "Mesh"), DataMode="Binary")
-draw(mesher, files[1])
+draw(mesher, mesh, files[1])
 for name in files:
     print("wrote", pathlib.Path(name).absolute())

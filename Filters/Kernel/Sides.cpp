@@ -198,6 +198,10 @@ void hangingNodes(const Boxes& boxes, int axis, const FinePoint& from, std::int6
     {
       std::int64_t step = 0;
       const std::uint32_t box = boxes.boxAt(at, near, step);
+      if (step >= length)
+      {
+        break; // no box here is shorter than the line
+      }
       if (box == None)
       {
         at[axis] = (at[axis] / step + 1) * step;

@@ -1,5 +1,6 @@
 // Benchmark [THREADS...]: seconds and memory of the kernel, stage by stage, for three surfaces at
-// three sizes, with each of the given numbers of threads (default: 1, and one a core).
+// three sizes, with each of the given numbers of threads (default: 1, and one a core); then what
+// refinement costs a cell, and how many boxes it takes against an isotropic octree.
 //
 // Memory is what the process takes above what it had before the run: the peak within each stage.
 // Linux forgets a peak when told so; where it does not, peaks are those since the beginning.
@@ -206,19 +207,21 @@ double write(const Mesh& mesh, Execution& execution)
   std::vector<Id> faceStart(cells);
   std::vector<Id> faceStream(static_cast<std::size_t>(mesh.faceStreamSize()));
   std::vector<int> globalBox(3 * cells);
+  std::vector<unsigned char> level(3 * cells);
   std::vector<int> region(cells);
   std::vector<double> fraction(cells);
   mesh.writePoints(points.data(), execution);
   mesh.writeCells({ offsets.data(), connectivity.data(), types.data(), faceStart.data(),
                     faceStream.data(), 12, 42 },
     execution);
-  mesh.writeCellData({ globalBox.data(), region.data(), fraction.data() }, execution);
+  mesh.writeCellData(
+    { globalBox.data(), level.data(), region.data(), fraction.data() }, execution);
   const BoundaryMesh boundary = mesh.boundaryMesh(execution);
   const auto bytes = [](const auto&... arrays) {
     return (0.0 + ... + static_cast<double>(arrays.size() * sizeof(arrays[0])));
   };
-  return bytes(points, offsets, connectivity, types, faceStart, faceStream, globalBox, region,
-    fraction, boundary.start, boundary.corners, boundary.meshPoint);
+  return bytes(points, offsets, connectivity, types, faceStart, faceStream, globalBox, level,
+    region, fraction, boundary.start, boundary.corners, boundary.meshPoint);
 }
 
 // The cell size that gives about as many boxes.
@@ -230,50 +233,145 @@ double sizeFor(double boxes, const Triangles& surface)
   for (int i = 0; i < 2; ++i)
   {
     const PreparedSurface prepared = prepareSurface(surface.view(), grid, 1e12, execution);
-    const BoxedSurface boxed = boxSurface(prepared, execution);
+    const BoxedSurface boxed = boxSurface(prepared, RefinementSpec(), execution);
     grid.cellSize *= std::cbrt(static_cast<double>(boxed.boxes.boxes.size()) / boxes);
   }
   return grid.cellSize;
 }
 
-void run(const Triangles& surface, double cellSize, int threads)
+struct Figures
 {
-  Memory memory;
+  double cells = 0;
+  double cut = 0;
+  double seconds = 0;
+  double peak = 0;
+  double output = 0;
+  std::vector<std::pair<std::string, double>> stages;
+};
+
+Figures measure(
+  const Triangles& surface, double cellSize, int depth, int threads, Memory& memory)
+{
   Execution execution(threads, [&](double, const char* stage) { return memory(stage); });
   GridSpec grid;
   grid.cellSize = cellSize;
   const PreparedSurface prepared = prepareSurface(surface.view(), grid, 1e12, execution);
-  const BoxedSurface boxed = boxSurface(prepared, execution);
+  RefinementSpec refinement;
+  refinement.depth = depth;
+  const BoxedSurface boxed = boxSurface(prepared, refinement, execution);
   execution.stage("Patches", AfterBoxes, AfterPatches);
   const Patches patches =
     generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes, execution);
   const Assembly assembly(boxed.boxes, patches, CellSpec(), execution);
   execution.stage("Writing the mesh", AfterNumbering, 1);
-  const double output = write(assembly.mesh(), execution);
-  const auto stages = execution.seconds();
+  Figures figures;
+  figures.output = write(assembly.mesh(), execution);
+  figures.stages = execution.seconds();
   memory.close();
-
-  double seconds = 0;
-  for (const auto& [stage, time] : stages)
+  for (const auto& [stage, time] : figures.stages)
   {
-    seconds += time;
+    figures.seconds += time;
   }
-  double cut = 0;
   for (const auto& [name, value] : assembly.statistics())
   {
-    cut = std::strcmp(name, "Polyhedra") == 0 ? value : cut;
+    figures.cut = std::strcmp(name, "Polyhedra") == 0 ? value : figures.cut;
   }
-  const auto cells = static_cast<double>(assembly.mesh().cellCount());
+  figures.cells = static_cast<double>(assembly.mesh().cellCount());
+  figures.peak = memory.peak();
+  return figures;
+}
+
+void printRun(const Triangles& surface, double cellSize, int threads)
+{
+  Memory memory;
+  const Figures f = measure(surface, cellSize, 0, threads, memory);
   std::printf("%-32s%10s%10s%8s%10s%12s%10s%10s\n", surface.name.c_str(), "cells", "cut", "threads",
     "seconds", "cells/s", "peak MB", "output MB");
-  std::printf("%8zu triangles%42.0f%10.0f%8d%10.2f%12.0f%10.0f%10.0f\n", surface.size(), cells, cut,
-    execution.threads(), seconds, cells / seconds, memory.peak() / MB, output / MB);
-  for (const auto& [stage, time] : stages)
+  std::printf("%8zu triangles%42.0f%10.0f%8d%10.2f%12.0f%10.0f%10.0f\n", surface.size(), f.cells,
+    f.cut, threads, f.seconds, f.cells / f.seconds, f.peak / MB, f.output / MB);
+  for (const auto& [stage, time] : f.stages)
   {
     std::printf("  %-58s%10.2f%12s%10.0f\n", stage.c_str(), time, "", memory.peak(stage) / MB);
   }
   std::printf("\n");
   std::fflush(stdout);
+}
+
+// What refinement costs: cells halved again and again along the same surface, on one thread.
+void printDepths(const Triangles& surface)
+{
+  const double size = sizeFor(2e3, surface);
+  std::printf("%-32s%10s%10s%10s%10s%12s%14s%12s\n", (surface.name + ", refined").c_str(), "depth",
+    "cells", "cut", "seconds", "us a cell", "us a cut cell", "bytes a cell");
+  for (int depth = 0; depth <= 4; ++depth)
+  {
+    Memory memory;
+    const Figures f = measure(surface, size, depth, 1, memory);
+    std::printf("%42d%10.0f%10.0f%10.2f%12.1f%14.1f%12.0f\n", depth, f.cells, f.cut, f.seconds,
+      1e6 * f.seconds / f.cells, 1e6 * f.seconds / f.cut, f.peak / f.cells);
+    std::fflush(stdout);
+  }
+  std::printf("\n");
+}
+
+// The leaves of an octree that divides whatever the surface passes through to the same depth: the
+// units that boxes are made of, joined only eight at a time.
+double octreeLeaves(const Boxes& boxes, const GlobalBox& global, const FinePoint& low, int level)
+{
+  const std::int64_t size = FinePerBox >> level;
+  std::int64_t step = 0;
+  bool kept = false;
+  bool divided = false;
+  for (std::int64_t i = 0; i < size * size * size; ++i)
+  {
+    const FinePoint at = { low[0] + i % size, low[1] + i / size % size, low[2] + i / size / size };
+    const std::uint32_t b = boxes.boxAt(at, boxes.boxes[global.firstBox].global, step);
+    kept = kept || b != None;
+    divided = divided || b == None || boxes.boxes[b].status == BoxStatus::Intersected;
+  }
+  if (!kept || !divided || level == global.depth)
+  {
+    return kept ? 1 : 0;
+  }
+  double leaves = 0;
+  for (std::int64_t octant = 0; octant < 8; ++octant)
+  {
+    const std::int64_t half = size / 2;
+    leaves += octreeLeaves(boxes, global,
+      { low[0] + (octant & 1) * half, low[1] + (octant >> 1 & 1) * half,
+        low[2] + (octant >> 2) * half },
+      level + 1);
+  }
+  return leaves;
+}
+
+// A ball of 10 mm in boxes of 1 mm: how many boxes the halving along single axes saves.
+void printSaving()
+{
+  const Triangles ball = sphere(60); // radius 1, in units of 5 mm
+  std::printf("%-32s%10s%12s%12s%10s\n", "ball of 10 mm in boxes of 1 mm", "depth", "boxes", "octree",
+    "saving");
+  for (int depth = 0; depth <= 3; ++depth)
+  {
+    Execution execution(0);
+    GridSpec grid;
+    grid.cellSize = 0.2;
+    RefinementSpec refinement;
+    refinement.depth = depth;
+    const PreparedSurface prepared = prepareSurface(ball.view(), grid, 1e12, execution);
+    const BoxedSurface boxed = boxSurface(prepared, refinement, execution);
+    double leaves = 0;
+    for (std::size_t g = 0; g + 1 < boxed.boxes.globals.size(); ++g)
+    {
+      const GlobalBox& global = boxed.boxes.globals[g];
+      leaves += octreeLeaves(boxed.boxes, global,
+        { global.index[0] * FinePerBox, global.index[1] * FinePerBox,
+          global.index[2] * FinePerBox },
+        0);
+    }
+    const auto count = static_cast<double>(boxed.boxes.boxes.size());
+    std::printf("%42d%12.0f%12.0f%9.1f%%\n", depth, count, leaves, 100 * (1 - count / leaves));
+  }
 }
 
 }
@@ -299,10 +397,13 @@ int main(int count, char** arguments)
         const double size = sizeFor(cells, surface);
         for (const int number : threads)
         {
-          run(surface, size, number);
+          printRun(surface, size, number);
         }
       }
     }
+    printDepths(sphere(100));
+    printDepths(readStl("kcl_exhaust_header_lumens.stl"));
+    printSaving();
   }
   catch (const Error& error)
   {

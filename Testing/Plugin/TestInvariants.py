@@ -83,3 +83,14 @@ for name in ("kcl_exhaust_header_lumens.stl", "tm_featuretype_occ.stl", "tm_7_8t
              "cino_spot.obj"):
     for cells in 12, 25:
         check(name, read(name), cells)
+
+# Without its small cells it is a smaller mesh, and still one.
+for name, source in (round_shapes | {"spot": read("cino_spot.obj")}).items():
+    volumes = []
+    for ratio in 1e-9, 0.3:
+        mesher = simple.CartesianMesher(Input=source, SmallCellRatio=ratio)
+        mesh = measure.Mesh(output(mesher), output(mesher, 1))
+        volumes.append(mesh.volume)
+        smallest = np.min(mesh.volumes) / mesh.box_volumes[0]
+        assert smallest >= ratio * (1 - 1e-6), f"{name}: a cell of {smallest} of its box"
+    assert volumes[1] < volumes[0], f"{name}: volumes {volumes}"

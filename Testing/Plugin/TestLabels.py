@@ -4,7 +4,10 @@ saved states depend on them and on the defaults."""
 from paraview import simple
 
 grid = {"CellSize": 0.0, "MeshlinesX": [], "MeshlinesY": [], "MeshlinesZ": []}
-patches = {"BoundaryArray": "", "PatchMethod": "Exact Fit"}
+refinement = {"RefinementDepth": 0, "RefinementBlocks": [], "BoundaryRefinement": [],
+              "RegionDepth": 1}
+boundaries = {"BoundaryArray": ""}
+patches = {"PatchMethod": "Exact Fit"}
 cells = {"SmallCellRatio": 0.001}
 threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}
@@ -16,10 +19,12 @@ assembler = simple.CellAssembler(Input=boxer, Patches=patcher)
 mesher = simple.CartesianMesher(Input=surface)
 
 expected = {
-    boxer: ("Cartesian Boxer", ["Input"], grid | threads | memory),
-    patcher: ("Patcher", ["Input", "Boxes"], patches | threads),
+    boxer: ("Cartesian Boxer", ["Input", "RefinementRegions"],
+            boundaries | grid | refinement | threads | memory),
+    patcher: ("Patcher", ["Input", "Boxes"], boundaries | patches | threads),
     assembler: ("Cell Assembler", ["Input", "Patches"], cells | threads),
-    mesher: ("Cartesian Mesher", ["Input"], grid | patches | cells | threads | memory),
+    mesher: ("Cartesian Mesher", ["Input", "RefinementRegions"],
+             boundaries | grid | refinement | patches | cells | threads | memory),
 }
 for proxy, (label, inputs, properties) in expected.items():
     assert proxy.GetXMLLabel() == label, proxy.GetXMLLabel()
