@@ -148,6 +148,13 @@ Diagonal optimalDiagonal(const std::vector<Flat>& at, std::size_t i)
   return best;
 }
 
+// A bridge that rounding hides from isStar still shows in nodes that come twice.
+bool areDistinct(std::vector<std::uint32_t> nodes)
+{
+  std::sort(nodes.begin(), nodes.end());
+  return std::adjacent_find(nodes.begin(), nodes.end()) == nodes.end();
+}
+
 // A polygon that crosses itself (by rounding) may have no diagonal: any will do.
 std::size_t anyDiagonal(std::size_t i, std::size_t corners)
 {
@@ -167,6 +174,22 @@ FlatPolygon part(const FlatPolygon& polygon, std::size_t from, std::size_t to)
       return result;
     }
   }
+}
+
+// Whether a bridge between these corners runs inside the polygon and outside the hole: of several
+// corners in the same place, where earlier bridges end, only one is the right one.
+bool leadsInside(const std::vector<Flat>& polygon, std::size_t o, const std::vector<Flat>& hole,
+  std::size_t h)
+{
+  const std::size_t n = polygon.size();
+  const std::size_t m = hole.size();
+  const Flat& p = polygon[o];
+  const Flat& q = hole[h];
+  const Flat& before = polygon[(o + n - 1) % n];
+  const Flat& after = polygon[(o + 1) % n];
+  return same(p, q)
+    ? inCone(before, p, after, hole[(h + 1) % m])
+    : inCone(before, p, after, q) && inCone(hole[(h + m - 1) % m], q, hole[(h + 1) % m], p);
 }
 
 }
@@ -217,7 +240,8 @@ void joinHole(FlatPolygon& polygon, const FlatPolygon& hole)
   Bridge chosen = bridges.front();
   for (const Bridge& b : bridges)
   {
-    if (!obstructed(polygon.at, polygon.at[b.outer], hole.at[b.inner]) &&
+    if (leadsInside(polygon.at, b.outer, hole.at, b.inner) &&
+      !obstructed(polygon.at, polygon.at[b.outer], hole.at[b.inner]) &&
       !obstructed(hole.at, polygon.at[b.outer], hole.at[b.inner]))
     {
       chosen = b;
@@ -249,7 +273,7 @@ void splitIntoStars(const FlatPolygon& polygon, std::vector<FlatPolygon>& parts)
     const FlatPolygon next = std::move(todo.back());
     todo.pop_back();
     const std::size_t n = next.nodes.size();
-    if (n <= 3 || isStar(next.at))
+    if (n <= 3 || (isStar(next.at) && areDistinct(next.nodes)))
     {
       parts.push_back(next);
       continue;
