@@ -211,9 +211,12 @@ cartesian::BoxedSurface vtkCartesianBoxer::Divide(const cartesian::PreparedSurfa
     spec.regions.push_back({ region->view(), this->RegionDepth });
   }
   cartesian::BoxedSurface boxed = cartesian::boxSurface(prepared, spec, execution);
-  if (!boxed.warnings.empty())
+  for (const std::string& warning : { cartesian::describeOverhang(prepared), boxed.warnings })
   {
-    vtkWarningMacro(<< boxed.warnings);
+    if (!warning.empty())
+    {
+      vtkWarningMacro(<< warning);
+    }
   }
   return boxed;
 }

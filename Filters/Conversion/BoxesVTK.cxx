@@ -84,7 +84,7 @@ std::array<std::uint32_t, 3> readTriple(
     {
       throw Error(Fault::MissingArray,
         "Box " + std::to_string(cell) + " has the " + array->GetName() + " " +
-          std::to_string(value) + ", which Cartesian Boxer did not write.");
+          number(value) + ", which Cartesian Boxer did not write.");
     }
     result[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(value);
   }

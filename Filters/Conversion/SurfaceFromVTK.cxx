@@ -125,7 +125,7 @@ void SurfaceFromVTK::readBoundaries(vtkPolyData* input, const std::string& bound
     if (!(std::abs(value) <= std::numeric_limits<std::int32_t>::max()))
     {
       throw Error(Fault::MissingArray,
-        "Boundary Array \"" + name + "\" holds " + std::to_string(value) + " at cell " +
+        "Boundary Array \"" + name + "\" holds " + number(value) + " at cell " +
           std::to_string(cells_[t]) + ", which is no boundary number.");
     }
     boundary_[t] = static_cast<std::int32_t>(std::lround(value));
@@ -135,7 +135,7 @@ void SurfaceFromVTK::readBoundaries(vtkPolyData* input, const std::string& bound
 SurfaceView SurfaceFromVTK::view() const
 {
   return { points_.data(), points_.size() / 3, triangles_.data(), cells_.size(),
-    boundary_.data() };
+    boundary_.data(), cells_.data() };
 }
 
 }

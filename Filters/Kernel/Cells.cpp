@@ -31,6 +31,9 @@ double dot(const Vector& u, const Vector& v)
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
+// A cell less thick than this part of a lattice step, on average, is rounding and not a volume.
+constexpr double ThinnestCell = 0.01;
+
 // Area vector and volume of the cone to the origin, by star triangulation (equation 1).
 struct FaceMeasure
 {
@@ -104,6 +107,7 @@ private:
   {
     std::vector<std::uint32_t> faces;
     double volume = 0;
+    double area = 0; // of all its faces
     bool hasInnerFace = false;
   };
 
@@ -302,6 +306,7 @@ private:
       Shell& shell = shells_[shellOf_[r]];
       shell.faces.push_back(f);
       shell.volume += measures_[f].volume;
+      shell.area += measures_[f].area;
       shell.hasInnerFace = shell.hasInnerFace || faces_[f].kind() != FaceRef::Kind::Patch;
     }
   }
@@ -453,7 +458,8 @@ private:
       cell.boundary = mainBoundary(shell);
       cell.volumeFraction = shell.volume / (size[0] * size[1] * size[2]);
       cell.firstFace = part.faces.size();
-      cell.removed = !(cell.volumeFraction > 0) || cell.volumeFraction < spec_.smallCellRatio;
+      cell.removed = !(shell.volume > ThinnestCell * shell.area / 2) ||
+        cell.volumeFraction < spec_.smallCellRatio;
       part.cells.push_back(cell);
       for (const std::uint32_t f : shell.faces)
       {

@@ -64,7 +64,8 @@ struct CellSpec
 };
 
 // Distinguishes the separated volumes of each polyhedral box and marks small ones as removed.
-// Cells without a positive volume (slivers that rounding closed) are removed whatever R is.
+// Cells less thick than a hundredth of a lattice step (slivers that rounding closed) are removed
+// whatever R is.
 Cells assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sides,
   const Nodes& nodes, const InnerFaces& inner, const CellSpec& spec, Execution& execution);
 

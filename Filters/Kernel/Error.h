@@ -1,7 +1,10 @@
 // What is wrong with the user's input: what, where, what to do.
 #pragma once
 
+#include <array>
+#include <cstdio>
 #include <stdexcept>
+#include <string>
 
 namespace cartesian
 {
@@ -20,6 +23,14 @@ enum class Fault
   Stopped = 9,        // by the user
   OutOfMemory = 10,
 };
+
+// A number for a message: as long as it needs to be, at most six digits.
+inline std::string number(double x)
+{
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.6g", x);
+  return text.data();
+}
 
 struct Error : std::runtime_error
 {

@@ -381,8 +381,12 @@ private:
     }
     for (const FlatPolygon& star : stars_)
     {
-      part.nodes.insert(part.nodes.end(), star.nodes.begin(), star.nodes.end());
-      part.faceSizes.push_back(static_cast<std::uint32_t>(star.nodes.size()));
+      // A last resort of the splitting may leave a node in a face twice.
+      walk_ = star.nodes;
+      forEachSimpleLoop(walk_, [&](const std::uint32_t* begin, const std::uint32_t* end) {
+        part.nodes.insert(part.nodes.end(), begin, end);
+        part.faceSizes.push_back(static_cast<std::uint32_t>(end - begin));
+      });
     }
   }
 

@@ -3,7 +3,6 @@
 #include "Error.h"
 
 #include <cmath>
-#include <cstdio>
 
 namespace cartesian
 {
@@ -11,35 +10,16 @@ namespace cartesian
 namespace
 {
 
-std::string rounded(double x)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", x);
-  return text;
-}
-
+// Planes step aside by a few levels: what is next to 0 is written as 0.
 std::string position(const Lattice& lattice, const Point& p)
-{
-  return "(" + rounded(lattice.position(0, p[0])) + ", " + rounded(lattice.position(1, p[1])) +
-    ", " + rounded(lattice.position(2, p[2])) + ")";
-}
-
-// Where the surface reaches beyond the meshlines.
-std::string describeOverhang(const PreparedSurface& prepared)
 {
   std::string text;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const auto& planes = prepared.planes[axis];
-    const Lattice& lattice = prepared.surface.lattice;
-    if (lattice.vertex(axis, prepared.bounds.low[axis]) < planes.front() ||
-      lattice.vertex(axis, prepared.bounds.high[axis]) > planes.back())
-    {
-      text += std::string("The surface reaches beyond the Meshlines ") + "XYZ"[axis] +
-        ", which cut the mesh off there. ";
-    }
+    const double x = lattice.position(axis, p[static_cast<std::size_t>(axis)]);
+    text += (axis == 0 ? "(" : ", ") + number(std::abs(x) < 4 * lattice.step() ? 0 : x);
   }
-  return text;
+  return text + ")";
 }
 
 }
@@ -51,6 +31,7 @@ PreparedSurface prepareSurface(
   PreparedSurface prepared;
   prepared.bounds = boundsOf(view);
   const Lattice lattice(domainOf(grid, prepared.bounds));
+  checkGrid(grid, prepared.bounds, memoryLimit);
   prepared.planes = onLattice(grid, prepared.bounds, lattice);
   prepared.surface = onLattice(view, lattice, execution);
   prepared.memoryLimit = memoryLimit;
@@ -62,12 +43,11 @@ PreparedSurface prepareSurface(
 std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>& cells)
 {
   const SurfaceCheck& check = prepared.check;
-  std::string text = describeOverhang(prepared);
   if (check.places.empty())
   {
-    return text;
+    return "";
   }
-  text += "The surface has " + std::to_string(check.openEdges) + " open edges, " +
+  std::string text = "The surface has " + std::to_string(check.openEdges) + " open edges, " +
     std::to_string(check.nonManifoldEdges) + " edges of more than two triangles and " +
     std::to_string(check.inconsistentEdges) + " inconsistently oriented edges:";
   for (const SurfaceCheck::Place& place : check.places)
@@ -77,6 +57,23 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
       position(s.lattice, s.vertices[place.edge[0]]) + " to " +
       position(s.lattice, s.vertices[place.edge[1]]) + " of cell " +
       std::to_string(cells[place.triangle]);
+  }
+  return text;
+}
+
+std::string describeOverhang(const PreparedSurface& prepared)
+{
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto& planes = prepared.planes[axis];
+    const Lattice& lattice = prepared.surface.lattice;
+    if (lattice.vertex(axis, prepared.bounds.low[axis]) < planes.front() ||
+      lattice.vertex(axis, prepared.bounds.high[axis]) > planes.back())
+    {
+      text += std::string(text.empty() ? "" : " ") + "The surface reaches beyond the Meshlines " +
+        "XYZ"[axis] + ", which cut the mesh off there.";
+    }
   }
   return text;
 }
@@ -103,7 +100,7 @@ Assembly::Assembly(
   if (!(spec.smallCellRatio >= 0 && spec.smallCellRatio < 1))
   {
     throw Error(Fault::BadParameter,
-      "Small Cell Ratio is " + rounded(spec.smallCellRatio) + ": it must be from 0 to less than 1.");
+      "Small Cell Ratio is " + number(spec.smallCellRatio) + ": it must be from 0 to less than 1.");
   }
   execution.stage("Common sides of boxes", AfterPatches, AfterSides);
   sides_ = findSides(boxes, execution);
@@ -118,8 +115,12 @@ Assembly::Assembly(
   if (mesh_->cellCount() == 0)
   {
     throw Error(Fault::FlawedSurface,
-      "There is nothing to mesh: the surface encloses no volume, or is open everywhere. " +
-        describeFlaws());
+      cells_.size() > 0
+        ? "There is nothing left to mesh: all " + std::to_string(cells_.size()) +
+          " cells are smaller than the Small Cell Ratio allows (" + number(spec.smallCellRatio) +
+          " of their boxes). Choose a smaller ratio or a smaller Cell Size."
+        : "There is nothing to mesh: the surface encloses no volume, or is open everywhere." +
+          describeFlaws());
   }
 }
 

@@ -40,6 +40,9 @@ PreparedSurface prepareSurface(
 // What the check found, in words with places, or nothing. `cells`: the user's number of each triangle.
 std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>& cells);
 
+// Where the surface reaches beyond the meshlines, in words, or nothing.
+std::string describeOverhang(const PreparedSurface& prepared);
+
 struct BoxedSurface
 {
   Boxes boxes;

@@ -18,6 +18,9 @@ constexpr double RoundingOfCounts = 1e-6;
 // A surface this many times smaller than a cell would lose its shape on the cell's lattice.
 constexpr double LargestCell = 1000;
 
+// What each row of boxes along x takes, even where it is empty: where it starts in several lists.
+constexpr double BytesOfARow = 40;
+
 // More lines a direction than this would not fit in memory with any surface.
 constexpr double MostLines = 1e8;
 
@@ -30,14 +33,14 @@ double cellSize(const GridSpec& spec, const Bounds& surface)
   if (!(size > 0) || !std::isfinite(size))
   {
     throw Error(Fault::BadCellSize,
-      "Cell Size is " + std::to_string(spec.cellSize) +
+      "Cell Size is " + number(spec.cellSize) +
         ": it must be a positive length (0 stands for the longest dimension / 50).");
   }
   if (size > LargestCell * surface.longest())
   {
     throw Error(Fault::BadCellSize,
-      "Cell Size is " + std::to_string(size) + ", but the surface is only " +
-        std::to_string(surface.longest()) + " long: choose a smaller one.");
+      "Cell Size is " + number(size) + ", but the surface is only " +
+        number(surface.longest()) + " long: choose a smaller one.");
   }
   return size;
 }
@@ -60,15 +63,15 @@ void checkMeshlines(const std::vector<double>& lines, int axis, const Bounds& su
     {
       throw Error(Fault::BadMeshlines,
         name + " must increase: position " + std::to_string(i) + " is " +
-          std::to_string(lines[i]) + (i > 0 ? " after " + std::to_string(lines[i - 1]) : "") + ".");
+          number(lines[i]) + (i > 0 ? " after " + number(lines[i - 1]) : "") + ".");
     }
   }
   if (lines.back() <= surface.low[axis] || lines.front() >= surface.high[axis])
   {
     throw Error(Fault::BadMeshlines,
-      name + " run from " + std::to_string(lines.front()) + " to " + std::to_string(lines.back()) +
-        " and miss the surface, which lies between " + std::to_string(surface.low[axis]) +
-        " and " + std::to_string(surface.high[axis]) + ".");
+      name + " run from " + number(lines.front()) + " to " + number(lines.back()) +
+        " and miss the surface, which lies between " + number(surface.low[axis]) +
+        " and " + number(surface.high[axis]) + ".");
   }
 }
 
@@ -79,7 +82,7 @@ std::vector<Level> uniformLines(
   if (count > MostLines)
   {
     throw Error(Fault::TooManyBoxes,
-      "Cell Size " + std::to_string(size) + " makes " + std::to_string(count) + " cells along " +
+      "Cell Size " + number(size) + " makes " + number(count) + " cells along " +
         AxisName[axis] + ": choose a larger one.");
   }
   std::vector<Level> lines;
@@ -155,23 +158,29 @@ Meshlines onLattice(const GridSpec& spec, const Bounds& surface, const Lattice& 
     {
       throw Error(lines.empty() ? Fault::BadCellSize : Fault::BadMeshlines,
         std::string("Two meshlines along ") + AxisName[axis] + " are closer than the lattice's " +
-          "step of " + std::to_string(2 * lattice.step()) + " around " +
-          std::to_string(lattice.position(axis, *twice)) + ": space them wider.");
+          "step of " + number(2 * lattice.step()) + " around " +
+          number(lattice.position(axis, *twice)) + ": space them wider.");
     }
   }
   return planes;
 }
 
-double boxesOf(const GridSpec& spec, const Bounds& surface)
+void checkGrid(const GridSpec& spec, const Bounds& surface, double mostBytes)
 {
-  double boxes = 1;
-  for (int axis = 0; axis < 3; ++axis)
+  std::array<double, 3> cells;
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    boxes *= spec.meshlines[axis].empty()
+    cells[axis] = spec.meshlines[axis].empty()
       ? cellCount(cellSize(spec, surface), surface.high[axis] - surface.low[axis])
       : static_cast<double>(spec.meshlines[axis].size() - 1);
   }
-  return boxes;
+  if (cells[1] * cells[2] * BytesOfARow > mostBytes)
+  {
+    throw Error(Fault::TooManyBoxes,
+      "The grid would have " + number(cells[0]) + " x " + number(cells[1]) + " x " +
+        number(cells[2]) + " boxes, which do not fit in the Memory Limit: choose a larger Cell "
+        "Size.");
+  }
 }
 
 std::int64_t intervalOf(const std::vector<Level>& lines, Level level)

@@ -29,8 +29,9 @@ Bounds domainOf(const GridSpec& spec, const Bounds& surface);
 // Throws Error: BadCellSize, BadMeshlines (away from the surface, closer than the lattice).
 Meshlines onLattice(const GridSpec& spec, const Bounds& surface, const Lattice& lattice);
 
-// Boxes of the whole grid, as a double: it may be beyond any integer.
-double boxesOf(const GridSpec& spec, const Bounds& surface);
+// Refuses a grid whose rows alone would take more bytes than `mostBytes`, before it is built.
+// Throws Error: TooManyBoxes, with the number of boxes.
+void checkGrid(const GridSpec& spec, const Bounds& surface, double mostBytes);
 
 // The interval [lines[i], lines[i + 1]) that holds `level`: -1 below the first line,
 // lines.size() - 1 from the last line on.

@@ -69,8 +69,8 @@ void Refinement::addBlocks(const RefinementSpec& spec, const Meshlines& planes)
       const auto most = static_cast<std::int64_t>(planes[axis].size()) - 2;
       if (block.first[axis] < 0 || block.last[axis] > most)
       {
-        warnings_ += "In " + name + ", " + range + " reaches beyond the grid (0 to " +
-          std::to_string(most) + "): what lies outside is left out. ";
+        warnings_ += (warnings_.empty() ? "In " : " In ") + name + ", " + range + " reaches beyond the grid (0 to " +
+          std::to_string(most) + "): what lies outside is left out.";
         block.first[axis] = std::max<std::int64_t>(block.first[axis], 0);
         block.last[axis] = std::min(block.last[axis], most);
         empty = empty || block.first[axis] > block.last[axis];

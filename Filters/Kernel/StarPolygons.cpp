@@ -152,6 +152,13 @@ Diagonal optimalDiagonal(const std::vector<Flat>& at, std::size_t i)
   return best;
 }
 
+// A bridge that rounding hides from isStar still shows in nodes that come twice.
+bool areDistinct(std::vector<std::uint32_t> nodes)
+{
+  std::sort(nodes.begin(), nodes.end());
+  return std::adjacent_find(nodes.begin(), nodes.end()) == nodes.end();
+}
+
 // A polygon that crosses itself (by rounding) may have no diagonal: any will do.
 std::size_t anyDiagonal(std::size_t i, std::size_t corners)
 {
@@ -335,7 +342,7 @@ void splitIntoStars(const FlatPolygon& polygon, std::vector<FlatPolygon>& parts)
     const FlatPolygon next = std::move(todo.back());
     todo.pop_back();
     const std::size_t n = next.nodes.size();
-    if (n <= 3 || isStar(next.at))
+    if (n <= 3 || (isStar(next.at) && areDistinct(next.nodes)))
     {
       parts.push_back(next);
       continue;

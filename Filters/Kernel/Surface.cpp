@@ -19,8 +19,14 @@ constexpr double LargestCoordinate = 1e150;
 
 std::string place(const double* p)
 {
-  return "(" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) +
+  return "(" + number(p[0]) + ", " + number(p[1]) + ", " + number(p[2]) +
     ")";
+}
+
+// The user's number of a triangle.
+long long cellOf(const SurfaceView& view, std::size_t triangle)
+{
+  return view.cells ? view.cells[triangle] : static_cast<long long>(triangle);
 }
 
 void checkTriangle(const SurfaceView& view, std::size_t triangle)
@@ -31,7 +37,7 @@ void checkTriangle(const SurfaceView& view, std::size_t triangle)
     if (id >= view.pointCount)
     {
       throw Error(Fault::BadParameter,
-        "Triangle " + std::to_string(triangle) + " names point " + std::to_string(id) +
+        "Cell " + std::to_string(cellOf(view, triangle)) + " of the surface names point " + std::to_string(id) +
           ", but the surface has " + std::to_string(view.pointCount) + " points.");
     }
     const double* p = view.points + 3 * std::size_t(id);
@@ -40,8 +46,8 @@ void checkTriangle(const SurfaceView& view, std::size_t triangle)
       if (!(std::abs(p[axis]) <= LargestCoordinate))
       {
         throw Error(Fault::BadCoordinate,
-          "Point " + std::to_string(id) + " of the surface, used by triangle " +
-            std::to_string(triangle) + ", is at " + place(p) +
+          "Point " + std::to_string(id) + " of the surface, used by cell " +
+            std::to_string(cellOf(view, triangle)) + ", is at " + place(p) +
             ": not a finite number, or too large. Remove or correct it.");
       }
     }

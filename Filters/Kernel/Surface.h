@@ -18,6 +18,7 @@ struct SurfaceView
   const std::uint32_t* triangles = nullptr; // three points each
   std::size_t triangleCount = 0;
   const std::int32_t* boundary = nullptr; // boundary index of each triangle, or null: all 0
+  const long long* cells = nullptr;       // the user's number of each, for messages, or null
 };
 
 // The bounds of all points that triangles use. Throws Error: EmptySurface, BadCoordinate (with

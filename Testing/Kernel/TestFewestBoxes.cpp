@@ -91,7 +91,8 @@ std::vector<BoxStatus> randomUnits(int depth, std::mt19937& random)
   for (std::size_t u = 0; u < units.size(); ++u)
   {
     const double draw = std::uniform_real_distribution<>(0, 1)(random);
-    const bool out = halves ? u % side < outside * static_cast<double>(side) : draw < outside;
+    const auto column = static_cast<double>(u % side) / static_cast<double>(side);
+    const bool out = halves ? column < outside : draw < outside;
     units[u] = out ? BoxStatus::Outside : BoxStatus::Inside;
     if (std::uniform_real_distribution<>(0, 1)(random) < intersected)
     {

@@ -1,6 +1,7 @@
 // Cutting planes from cell sizes and meshlines.
 #include "Meshlines.h"
 
+#include "Error.h"
 #include "Lattice.h"
 
 #include <gtest/gtest.h>
@@ -117,7 +118,21 @@ TEST(Meshlines, WinOverCellSize)
   EXPECT_EQ(planes[0].size(), 11U);
   EXPECT_EQ(planes[1].size(), 3U);
   EXPECT_EQ(planes[2].size(), 11U);
-  EXPECT_EQ(boxesOf(grid, bounds(0, 1)), 10 * 2 * 10);
+}
+
+TEST(Meshlines, GridsThatDoNotFitAreRefusedBeforeTheyAreBuilt)
+{
+  EXPECT_NO_THROW(checkGrid(cells(0.01), bounds(0, 1), 1e9));
+  try
+  {
+    checkGrid(cells(1e-6), bounds(0, 1), 1e9);
+    FAIL() << "no error";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.fault, Fault::TooManyBoxes);
+    EXPECT_NE(std::string(error.what()).find("1e+06 x 1e+06 x 1e+06 boxes"), std::string::npos);
+  }
 }
 
 TEST(Meshlines, IntervalOfALevel)

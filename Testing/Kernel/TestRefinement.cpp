@@ -161,7 +161,7 @@ TEST(Refinement, RandomSpecificationsHold)
   for (int n = 0; n < 24; ++n)
   {
     const Soup soup = n % 3 == 0 ? box({ 0, 0, 0 }, { 1, 0.7, 0.4 }).turned()
-                                 : (n % 3 == 1 ? bumpySphere(random(), 6) : torus(12, 1, 0.3));
+                                 : (n % 3 == 1 ? bumpySphere(static_cast<unsigned>(random()), 6) : torus(12, 1, 0.3));
     const std::int32_t boundaries = n % 3 == 0 ? 6 : 1;
     Options options;
     const GridSpec grid = cellsAlongLongest(soup, 4.5);

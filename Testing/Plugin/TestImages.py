@@ -72,6 +72,12 @@ spot, exhaust = read("cino_spot.obj"), read("kcl_exhaust_header_lumens.stl")
 boxer = simple.CartesianBoxer(Input=spot, CellSize=0.1)
 draw("BoxesByStatus", half(boxer, [1, 0, 0]), "Status", [1, 2], [1, 0.3, -0.5], [0, 1, 0])
 
+refined = simple.CartesianBoxer(Input=spot, CellSize=0.2, RefinementDepth=3)
+# Boxes by the sum of their levels: how often they were halved in all.
+halvings = simple.Calculator(Input=half(refined, [1, 0, 0]), AttributeType="Cell Data",
+    ResultArrayName="Halvings", Function="Level_X + Level_Y + Level_Z")
+draw("BoxesByLevel", halvings, "Halvings", range(10), [1, 0.3, -0.5], [0, 1, 0])
+
 patcher = simple.Patcher(Input=exhaust, Boxes=simple.CartesianBoxer(Input=exhaust, CellSize=12))
 draw("PatchesByBoundary", patcher, "BoundaryId", range(12), [1, 0.6, 0.8], [0, 0, 1])
 
@@ -85,7 +91,7 @@ cut = simple.CartesianMesher(Input=exhaust, CellSize=12, MeshlinesZ=[-200, -150,
 draw("BoundaryCutOff", simple.OutputPort(cut, "Boundary"), "BoundaryId", range(-1, 11),
     [1, 0.6, 0.8], [0, 0, 1])
 
-names = ["BoxesByStatus", "PatchesByBoundary", "MeshByFraction", "BoundaryCutOff"]
+names = ["BoxesByStatus", "BoxesByLevel", "PatchesByBoundary", "MeshByFraction", "BoundaryCutOff"]
 for name in names:
     for baseline in names:
         error = difference(f"{name}.png", BASELINE / f"{baseline}.png")

@@ -23,6 +23,9 @@ check("exhaust, named array", exhaust, {"CellSize": 15}, {"BoundaryArray": "STLS
 check("spot, small cells removed", read("cino_spot.obj"), cells={"SmallCellRatio": 0.2})
 check("part between meshlines", read("tm_featuretype_occ.stl"),
     {"CellSize": 4, "MeshlinesX": [-40, -39, 0, 17, 50], "MeshlinesZ": [-10, 10, 20]})
+check("exhaust, refined", exhaust, {"CellSize": 30, "RefinementDepth": 2,
+    "RefinementBlocks": [0, 2, 0, 3, 0, 1, 3, 1], "BoundaryRefinement": [2, 3, 1, 0],
+    "RefinementRegions": simple.Sphere(Center=[70, 200, -100], Radius=50)})
 check("sphere on 1 thread", simple.Sphere(), {"NumberOfThreads": 1})
 check("box", simple.Box())
 

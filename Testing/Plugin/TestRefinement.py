@@ -1,0 +1,80 @@
+"""Refinement through the filters: tables, regions, all kinds together; the mesh stays valid and
+exact, and what is wrong in a table is said."""
+
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import measure
+from pipeline import Messages, error_code, octahedron, output, producer, read
+
+BAD_PARAMETER = 40008
+
+
+def check(name, source, **properties):
+    """Meshes with 8 boxes along the longest side, measures, compares with the surface."""
+    surface = output(source)
+    bounds = surface.GetBounds()
+    size = max(high - low for low, high in zip(bounds[0::2], bounds[1::2])) / 8
+    mesher = simple.CartesianMesher(
+        Input=source, CellSize=size, SmallCellRatio=1e-9, **properties)
+    try:
+        mesh = measure.Mesh(output(mesher), output(mesher, 1))
+        measure.Surface(surface, "STLSolidLabeling").check(mesh.volume, mesh.areas)
+    except AssertionError as error:
+        raise AssertionError(f"{name}: {error}") from error
+    level = vtk_to_numpy(output(mesher).GetCellData().GetArray("Level"))
+    print(f"{name}: {mesh.cells} cells, deepest level {level.max()}")
+    simple.Delete(mesher)
+    return level
+
+
+exhaust, part, spot = (read(name) for name in (
+    "kcl_exhaust_header_lumens.stl", "tm_featuretype_occ.stl", "cino_spot.obj"))
+blocks = [0, 2, 0, 3, 0, 1, 2, 2,
+          3, 6, 1, 5, 0, 7, 3, 0]
+for name, source in ("exhaust", exhaust), ("part", part), ("spot", spot):
+    for depth in 1, 2, 3:
+        level = check(f"{name}, depth {depth}", source, RefinementDepth=depth)
+        assert level.max() == depth
+    with Messages():  # blocks reach beyond the grid of some
+        check(f"{name}, blocks", source, RefinementBlocks=blocks)
+        bounds = output(source).GetBounds()
+        ball = simple.Sphere(Center=[sum(bounds[i:i + 2]) / 2 for i in (0, 2, 4)],
+                             Radius=(bounds[1] - bounds[0]) / 4)
+        check(f"{name}, region", source, RefinementRegions=ball, RegionDepth=2)
+        check(f"{name}, boundary", source, BoundaryRefinement=[0, 3, 1, 0])
+        check(f"{name}, all together", source, RefinementDepth=1, RefinementBlocks=blocks,
+              BoundaryRefinement=[0, 2, 2, 1], RefinementRegions=ball, RegionDepth=3)
+
+# A box as a region: the boxes in it, and no others, are halved.
+region = simple.Box(XLength=0.6, YLength=0.6, ZLength=0.6)
+boxer = simple.CartesianBoxer(Input=producer(octahedron()), CellSize=0.25,
+                              RefinementRegions=region, RegionDepth=1)
+boxes = output(boxer)
+level = vtk_to_numpy(boxes.GetCellData().GetArray("Level"))
+low = vtk_to_numpy(boxes.GetCellData().GetArray("GlobalBox")) * 0.25 - 1
+touches = ((low < 0.3) & (low + 0.25 > -0.3)).all(axis=1)
+# Boxes beside the region are halved only where balance asks for it: here it does not.
+assert touches.any() and not touches.all()
+assert (level.min(axis=1) == touches).all() and (level.max(axis=1) == touches).all()
+
+
+def refused(words, **properties):
+    mesher = simple.CartesianMesher(Input=spot, **properties)
+    with Messages() as text:
+        cells = output(mesher).GetNumberOfCells()
+    assert error_code(mesher) == BAD_PARAMETER, (error_code(mesher), str(text))
+    assert cells == 0 and words in str(text), str(text)
+    simple.Delete(mesher)
+
+
+refused("no boundary 3", BoundaryRefinement=[3, 1, 0, 0])
+refused("runs backward", RefinementBlocks=[4, 2, 0, 3, 0, 1, 1, 1])
+refused("must be from 0 to 6", RefinementBlocks=[0, 2, 0, 3, 0, 1, 9, 0])
+refused("no whole number", RefinementBlocks=[0, 2.5, 0, 3, 0, 1, 1, 0])
+
+mesher = simple.CartesianMesher(Input=spot, RefinementBlocks=[0, 2, 0, 3, 45, 99, 1, 1])
+with Messages() as text:
+    cells = output(mesher).GetNumberOfCells()
+assert cells > 0 and error_code(mesher) == 0
+assert "row 0 of Refinement Blocks" in str(text) and "K from 45 to 99" in str(text), str(text)
