@@ -454,8 +454,8 @@ private:
       cell.boundary = mainBoundary(shell);
       cell.volumeFraction = shell.volume / (size[0] * size[1] * size[2]);
       cell.firstFace = part.faces.size();
-      cell.removed = !(shell.volume > ThinnestCell * shell.area / 2) ||
-        cell.volumeFraction < spec_.smallCellRatio;
+      cell.sliver = !(shell.volume > ThinnestCell * shell.area / 2);
+      cell.removed = cell.sliver || cell.volumeFraction < spec_.smallCellRatio;
       part.cells.push_back(cell);
       for (const std::uint32_t f : shell.faces)
       {

@@ -37,7 +37,8 @@ struct Cell
   std::int32_t boundary;    // that most of its patches (by area) belong to, or NoBoundary
   double volumeFraction;    // of its box
   std::size_t firstFace;    // in Cells::faces; up to the next cell's first
-  bool removed;             // smaller than R of its box (4.10)
+  bool sliver;              // of no volume but that of rounding
+  bool removed;             // a sliver, or smaller than R of its box (4.10)
 };
 
 // Boundary index of faces that no patch lent theirs: the end of the grid, a leak.

@@ -114,8 +114,10 @@ Assembly::Assembly(
     MeshParts{ boxes, patches, sides_, nodes_, inner_, cells_ }, execution);
   if (mesh_->cellCount() == 0)
   {
+    const bool onlySlivers = std::all_of(
+      cells_.cells.begin(), cells_.cells.end() - 1, [](const Cell& cell) { return cell.sliver; });
     throw Error(Fault::FlawedSurface,
-      cells_.size() > 0
+      !onlySlivers
         ? "There is nothing left to mesh: all " + std::to_string(cells_.size()) +
           " cells are smaller than the Small Cell Ratio allows (" + number(spec.smallCellRatio) +
           " of their boxes). Choose a smaller ratio or a smaller Cell Size."
