@@ -354,14 +354,18 @@ private:
       }
       std::sort(cycles_.begin(), cycles_.end());
       dropped_.clear();
-      for (const auto& [cycle, face] : cycles_)
+      std::ptrdiff_t twin = 0; // patches with the same corners before this one
+      for (std::size_t i = 0; i < cycles_.size(); ++i)
       {
-        const std::vector<std::uint32_t> opposite = cycleOf(face, true);
+        // A patch may be there several times, where parts overlap: each takes one opposite with it.
+        const bool again = i > 0 && cycles_[i].first == cycles_[i - 1].first;
+        twin = again ? twin + 1 : 0;
+        const std::vector<std::uint32_t> opposite = cycleOf(cycles_[i].second, true);
         const auto found = std::lower_bound(
           cycles_.begin(), cycles_.end(), std::make_pair(opposite, std::uint32_t(0)));
-        if (found != cycles_.end() && found->first == opposite)
+        if (cycles_.end() - found > twin && (found + twin)->first == opposite)
         {
-          dropped_.push_back(face);
+          dropped_.push_back(cycles_[i].second);
         }
       }
       const auto gone = [&](std::uint32_t face) {

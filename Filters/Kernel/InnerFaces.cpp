@@ -109,7 +109,7 @@ public:
       return false;
     }
     traceLoops();
-    joinHoles();
+    joinHolesToLoops();
     emit(part);
     return true;
   }
@@ -331,26 +331,32 @@ private:
 
   // A hole belongs to the smallest loop around it. A loop that rounding has turned over has none
   // around it and is a face by itself.
-  void joinHoles()
+  void joinHolesToLoops()
   {
-    for (const FlatPolygon& hole : holes_)
+    std::vector<std::vector<FlatPolygon>> holesOf(outer_.size());
+    for (FlatPolygon& hole : holes_)
     {
-      FlatPolygon* around = nullptr;
-      for (FlatPolygon& loop : outer_)
+      std::size_t around = holesOf.size();
+      for (std::size_t i = 0; i < holesOf.size(); ++i)
       {
-        if (encloses(loop, hole) && (!around || area(loop.at) < area(around->at)))
+        if (encloses(outer_[i], hole) &&
+          (around == holesOf.size() || area(outer_[i].at) < area(outer_[around].at)))
         {
-          around = &loop;
+          around = i;
         }
       }
-      if (around)
+      if (around < holesOf.size())
       {
-        joinHole(*around, hole);
+        holesOf[around].push_back(std::move(hole));
       }
       else
       {
-        outer_.push_back(hole);
+        outer_.push_back(std::move(hole));
       }
+    }
+    for (std::size_t i = 0; i < holesOf.size(); ++i)
+    {
+      joinHoles(outer_[i], std::move(holesOf[i]));
     }
   }
 

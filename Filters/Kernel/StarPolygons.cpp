@@ -46,9 +46,13 @@ bool between(const Flat& p, const Flat& q, const Flat& x)
     x.b <= std::max(p.b, q.b);
 }
 
-// Whether segments pq and rs share a point other than a common end.
+// Whether segments pq and rs share a point other than one common end.
 bool obstructs(const Flat& p, const Flat& q, const Flat& r, const Flat& s)
 {
+  if ((same(p, r) && same(q, s)) || (same(p, s) && same(q, r)))
+  {
+    return true;
+  }
   const int pqr = sign(turn(p, q, r));
   const int pqs = sign(turn(p, q, s));
   const int rsp = sign(turn(r, s, p));
@@ -176,20 +180,114 @@ FlatPolygon part(const FlatPolygon& polygon, std::size_t from, std::size_t to)
   }
 }
 
-// Whether a bridge between these corners runs inside the polygon and outside the hole: of several
-// corners in the same place, where earlier bridges end, only one is the right one.
-bool leadsInside(const std::vector<Flat>& polygon, std::size_t o, const std::vector<Flat>& hole,
-  std::size_t h)
+Flat rightmost(const FlatPolygon& polygon)
 {
-  const std::size_t n = polygon.size();
-  const std::size_t m = hole.size();
-  const Flat& p = polygon[o];
-  const Flat& q = hole[h];
-  const Flat& before = polygon[(o + n - 1) % n];
-  const Flat& after = polygon[(o + 1) % n];
-  return same(p, q)
-    ? inCone(before, p, after, hole[(h + 1) % m])
-    : inCone(before, p, after, q) && inCone(hole[(h + m - 1) % m], q, hole[(h + 1) % m], p);
+  return *std::max_element(polygon.at.begin(), polygon.at.end(),
+    [](const Flat& p, const Flat& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
+}
+
+// Whether x lies in the interior angle at corner i.
+bool inCone(const std::vector<Flat>& at, std::size_t i, const Flat& x)
+{
+  const std::size_t n = at.size();
+  return inCone(at[(i + n - 1) % n], at[i], at[(i + 1) % n], x);
+}
+
+// From a corner of the polygon to one of the hole.
+struct Bridge
+{
+  double length2;
+  std::size_t outer;
+  std::size_t inner;
+
+  bool operator<(const Bridge& other) const
+  {
+    return length2 != other.length2
+      ? length2 < other.length2
+      : (outer != other.outer ? outer < other.outer : inner < other.inner);
+  }
+};
+
+// Whether the bridge runs inside the polygon and outside the hole and the others. A corner may be
+// there several times, where other holes were joined: only one is the right one.
+bool runsInside(const Bridge& bridge, const FlatPolygon& polygon, const FlatPolygon& hole,
+  const std::vector<FlatPolygon>& others)
+{
+  const Flat& p = polygon.at[bridge.outer];
+  const Flat& q = hole.at[bridge.inner];
+  const std::size_t n = hole.at.size();
+  if (same(p, q))
+  {
+    return inCone(polygon.at, bridge.outer, hole.at[(bridge.inner + 1) % n]) &&
+      inCone(polygon.at, bridge.outer, hole.at[(bridge.inner + n - 1) % n]);
+  }
+  return inCone(polygon.at, bridge.outer, q) && inCone(hole.at, bridge.inner, p) &&
+    !obstructed(polygon.at, p, q) && !obstructed(hole.at, p, q) &&
+    std::none_of(others.begin(), others.end(),
+      [&](const FlatPolygon& other) { return obstructed(other.at, p, q); });
+}
+
+// The shortest bridge; where (by rounding) none runs inside, the shortest of all.
+Bridge bestBridge(
+  const FlatPolygon& polygon, const FlatPolygon& hole, const std::vector<FlatPolygon>& others)
+{
+  std::vector<Bridge> bridges;
+  for (std::size_t o = 0; o < polygon.at.size(); ++o)
+  {
+    for (std::size_t h = 0; h < hole.at.size(); ++h)
+    {
+      bridges.push_back({ distance2(polygon.at[o], hole.at[h]), o, h });
+    }
+  }
+  std::sort(bridges.begin(), bridges.end());
+  const auto best = std::find_if(bridges.begin(), bridges.end(),
+    [&](const Bridge& bridge) { return runsInside(bridge, polygon, hole, others); });
+  return best == bridges.end() ? bridges.front() : *best;
+}
+
+// outer ... o, h ... h, o ... : a shared corner needs no edge.
+void joinAlong(const Bridge& bridge, FlatPolygon& polygon, const FlatPolygon& hole)
+{
+  FlatPolygon joined = part(polygon, (bridge.outer + 1) % polygon.nodes.size(), bridge.outer);
+  const bool shared = polygon.nodes[bridge.outer] == hole.nodes[bridge.inner];
+  const std::size_t n = hole.nodes.size();
+  for (std::size_t i = shared ? 1 : 0; i <= n; ++i)
+  {
+    joined.nodes.push_back(hole.nodes[(bridge.inner + i) % n]);
+    joined.at.push_back(hole.at[(bridge.inner + i) % n]);
+  }
+  if (!shared)
+  {
+    joined.nodes.push_back(polygon.nodes[bridge.outer]);
+    joined.at.push_back(polygon.at[bridge.outer]);
+  }
+  polygon = std::move(joined);
+}
+
+bool touch(const FlatPolygon& x, const FlatPolygon& y)
+{
+  return std::find_first_of(x.nodes.begin(), x.nodes.end(), y.nodes.begin(), y.nodes.end()) !=
+    x.nodes.end();
+}
+
+// Joins those holes that share a corner with `loop`, a part of the polygon, and so on with them.
+void joinTouching(FlatPolygon loop, FlatPolygon& polygon, std::vector<FlatPolygon>& holes)
+{
+  std::vector<FlatPolygon> todo{ std::move(loop) };
+  while (!todo.empty())
+  {
+    const FlatPolygon from = std::move(todo.back());
+    todo.pop_back();
+    for (std::size_t i = holes.size(); i-- > 0;)
+    {
+      if (touch(from, holes[i]))
+      {
+        joinAlong(bestBridge(polygon, holes[i], {}), polygon, holes[i]);
+        todo.push_back(std::move(holes[i]));
+        holes.erase(holes.begin() + static_cast<std::ptrdiff_t>(i));
+      }
+    }
+  }
 }
 
 }
@@ -217,52 +315,23 @@ bool isStar(const std::vector<Flat>& at)
   return least >= -RoundingOfAreas * std::abs(area);
 }
 
-void joinHole(FlatPolygon& polygon, const FlatPolygon& hole)
+void joinHoles(FlatPolygon& polygon, std::vector<FlatPolygon> holes)
 {
-  struct Bridge
-  {
-    double length2;
-    std::size_t outer;
-    std::size_t inner;
-  };
-  std::vector<Bridge> bridges;
-  for (std::size_t o = 0; o < polygon.at.size(); ++o)
-  {
-    for (std::size_t h = 0; h < hole.at.size(); ++h)
-    {
-      bridges.push_back({ distance2(polygon.at[o], hole.at[h]), o, h });
-    }
-  }
-  std::sort(bridges.begin(), bridges.end(), [](const Bridge& x, const Bridge& y) {
-    return x.length2 != y.length2 ? x.length2 < y.length2
-                                  : (x.outer != y.outer ? x.outer < y.outer : x.inner < y.inner);
+  // What lies right of a hole is joined before it, so nothing hides the polygon from the hole's
+  // rightmost corner but the polygon itself: there is an edge.
+  std::sort(holes.begin(), holes.end(), [](const FlatPolygon& x, const FlatPolygon& y) {
+    const Flat p = rightmost(x);
+    const Flat q = rightmost(y);
+    return p.a != q.a ? p.a < q.a : (p.b != q.b ? p.b < q.b : x.nodes < y.nodes);
   });
-  Bridge chosen = bridges.front();
-  for (const Bridge& b : bridges)
+  joinTouching(polygon, polygon, holes);
+  while (!holes.empty())
   {
-    if (leadsInside(polygon.at, b.outer, hole.at, b.inner) &&
-      !obstructed(polygon.at, polygon.at[b.outer], hole.at[b.inner]) &&
-      !obstructed(hole.at, polygon.at[b.outer], hole.at[b.inner]))
-    {
-      chosen = b;
-      break;
-    }
+    FlatPolygon hole = std::move(holes.back());
+    holes.pop_back();
+    joinAlong(bestBridge(polygon, hole, holes), polygon, hole);
+    joinTouching(std::move(hole), polygon, holes);
   }
-  // outer ... o, h ... h, o ... : a shared corner needs no edge.
-  FlatPolygon joined = part(polygon, (chosen.outer + 1) % polygon.nodes.size(), chosen.outer);
-  const bool shared = polygon.nodes[chosen.outer] == hole.nodes[chosen.inner];
-  const std::size_t n = hole.nodes.size();
-  for (std::size_t i = shared ? 1 : 0; i <= n; ++i)
-  {
-    joined.nodes.push_back(hole.nodes[(chosen.inner + i) % n]);
-    joined.at.push_back(hole.at[(chosen.inner + i) % n]);
-  }
-  if (!shared)
-  {
-    joined.nodes.push_back(polygon.nodes[chosen.outer]);
-    joined.at.push_back(polygon.at[chosen.outer]);
-  }
-  polygon = std::move(joined);
 }
 
 void splitIntoStars(const FlatPolygon& polygon, std::vector<FlatPolygon>& parts)

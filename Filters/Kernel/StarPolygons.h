@@ -23,8 +23,9 @@ struct FlatPolygon
 // Whether the star triangulation has no triangle turned over (by more than rounding).
 bool isStar(const std::vector<Flat>& at);
 
-// Joins a hole (clockwise) to the polygon around it by the shortest edge that both can see.
-void joinHole(FlatPolygon& polygon, const FlatPolygon& hole);
+// Joins holes (clockwise) to the polygon around them, each by the shortest edge that it and what is
+// joined already can see of each other past the other holes.
+void joinHoles(FlatPolygon& polygon, std::vector<FlatPolygon> holes);
 
 // Replaces the polygon by parts with a star triangulation; any polygon ends in a finite number
 // of steps, also one that crosses itself.

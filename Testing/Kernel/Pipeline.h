@@ -4,6 +4,8 @@
 #include "Mesher.h"
 #include "Shapes.h"
 
+#include <gtest/gtest.h>
+
 #include <map>
 
 namespace cartesian
@@ -72,6 +74,12 @@ PreparedSurface prepareOnLevels(const Soup& soup, const Meshlines& planes);
 
 Meshed meshPrepared(const PreparedSurface& prepared, const Options& options = {});
 Meshed meshOf(const Soup& soup, const GridSpec& grid, const Options& options = {});
+
+// For parametrised tests.
+inline std::string nameOf(const ::testing::TestParamInfo<NamedShape>& info)
+{
+  return info.param.name;
+}
 
 // Whether each vertex of the global mesh has an odd number of crossings below it along `axis`, x
 // fastest.

@@ -387,6 +387,12 @@ Soup comb(int teeth)
   return voxels(lines, [](int i, int, int k) { return k == 0 || i % 2 == 0; });
 }
 
+Soup blockWithTubes()
+{
+  const std::vector<double> lines = { 0, 0.1, 0.25, 0.41, 0.55, 0.71, 0.85, 1 };
+  return voxels({ lines, lines, { 0, 1 } }, [](int i, int j, int) { return i * j % 2 == 0; });
+}
+
 Soup starPolyhedron(unsigned seed, int n)
 {
   std::mt19937 random(seed);
@@ -462,6 +468,7 @@ std::vector<NamedShape> cleanShapes()
         [](int i, int j, int k) {
           return i % 2 == j % 2 && j % 2 == k % 2 && (i / 2 + j / 2 + k / 2) % 3 != 1;
         }) },
+    { "BlockWithTubes", blockWithTubes() },
     { "PyramidOnAPlane", pyramidOnAPlane() },
     { "Needle", needle() },
     { "StarPolyhedron", starPolyhedron(1, 4) },

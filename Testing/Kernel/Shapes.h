@@ -55,6 +55,7 @@ Soup needle();          // 1 long, 1e-4 thick
 Soup pyramidOnAPlane(); // its apex touches the inside of a slab's face
 Soup nestedSpheres();   // a ball with a ball cut out
 Soup comb(int teeth);   // thin sheets on a base
+Soup blockWithTubes();  // 3 x 3 tubes
 Soup starPolyhedron(unsigned seed, int n);
 Soup bumpySphere(unsigned seed, int n);
 

@@ -44,8 +44,8 @@ Wide areaAlong(const Fragment& f, int axis)
   Wide sum = 0;
   for (int i = 1; i + 1 < f.size; ++i)
   {
-    sum += turn(
-      flatten(f.corner[0], axis), flatten(f.corner[i], axis), flatten(f.corner[i + 1], axis));
+    sum +=
+      turn(flatten(f.corner[0], axis), flatten(f.corner[i], axis), flatten(f.corner[i + 1], axis));
   }
   return sum;
 }
@@ -105,8 +105,7 @@ TEST(ExactFit, SplitLeavesBothPartsOnTheirSides)
         EXPECT_GE(above.corner[c][axis], plane);
       }
       EXPECT_TRUE(below.size == 0 || below.size == 3 || below.size == 4);
-      EXPECT_EQ(below.size + above.size,
-        below.size == 0 || above.size == 0 ? 3 : 7);
+      EXPECT_EQ(below.size + above.size, below.size == 0 || above.size == 0 ? 3 : 7);
       expectSides(t, below);
       expectSides(t, above);
     }

@@ -17,9 +17,8 @@ using Walk = std::vector<std::uint32_t>;
 std::vector<Walk> loopsOf(Walk walk)
 {
   std::vector<Walk> loops;
-  forEachSimpleLoop(walk, [&](const std::uint32_t* begin, const std::uint32_t* end) {
-    loops.emplace_back(begin, end);
-  });
+  forEachSimpleLoop(walk,
+    [&](const std::uint32_t* begin, const std::uint32_t* end) { loops.emplace_back(begin, end); });
   return loops;
 }
 

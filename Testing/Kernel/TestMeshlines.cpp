@@ -47,8 +47,8 @@ TEST(Meshlines, AreEvenAndIncrease)
     {
       ASSERT_GE(levels.size(), 2U);
       EXPECT_TRUE(std::all_of(levels.begin(), levels.end(), onPlane));
-      EXPECT_TRUE(std::is_sorted(levels.begin(), levels.end(), std::less_equal<>()) ||
-        levels.size() == 2);
+      EXPECT_TRUE(
+        std::is_sorted(levels.begin(), levels.end(), std::less_equal<>()) || levels.size() == 2);
       EXPECT_TRUE(std::adjacent_find(levels.begin(), levels.end()) == levels.end());
     }
   }

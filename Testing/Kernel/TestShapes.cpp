@@ -22,11 +22,6 @@ class ThinShape : public ::testing::TestWithParam<NamedShape>
 {
 };
 
-std::string nameOf(const ::testing::TestParamInfo<NamedShape>& info)
-{
-  return info.param.name;
-}
-
 }
 
 TEST_P(CleanShape, MeshIsValidAndFillsTheSurface)

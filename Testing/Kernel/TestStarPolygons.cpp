@@ -179,7 +179,8 @@ TEST(StarPolygons, ConvexPolygonsStayWhole)
 
 TEST(StarPolygons, SlightlyConcavePolygonsStayWhole)
 {
-  EXPECT_EQ(split(polygon({ { 0, 0 }, { 50, 10 }, { 100, 0 }, { 100, 100 }, { 0, 100 } })).size(), 1U);
+  EXPECT_EQ(
+    split(polygon({ { 0, 0 }, { 50, 10 }, { 100, 0 }, { 100, 100 }, { 0, 100 } })).size(), 1U);
 }
 
 TEST(StarPolygons, LShapeIsSplitInTwo)
@@ -218,16 +219,17 @@ TEST(StarPolygons, SpikyPolygons)
 TEST(StarPolygons, AHole)
 {
   FlatPolygon p = polygon(square(0, 100));
-  joinHole(p, hole(square(40, 60), 4));
+  joinHoles(p, { hole(square(40, 60), 4) });
   EXPECT_EQ(p.nodes.size(), 10U);
   EXPECT_TRUE(twiceArea(p.at) == 2 * (100 * 100 - 20 * 20));
   expectStars(p);
 }
 
+// Bridges end in corners where others end already, and must not cut through holes to come.
 TEST(StarPolygons, SeveralHoles)
 {
   FlatPolygon p = polygon(square(0, 1000));
-  Wide area = 2 * 1000 * 1000;
+  std::vector<FlatPolygon> holes;
   for (std::uint32_t i = 0; i < 9; ++i)
   {
     std::vector<Flat> at = square(0, 150);
@@ -235,10 +237,65 @@ TEST(StarPolygons, SeveralHoles)
     {
       corner = { corner.a + 100 + 300 * (i % 3) + i, corner.b + 100 + 300 * (i / 3) + 2 * i };
     }
-    joinHole(p, hole(at, 4 + 4 * i));
-    area -= 2 * 150 * 150;
+    holes.push_back(hole(at, 4 + 4 * i));
   }
-  EXPECT_TRUE(twiceArea(p.at) == area);
+  joinHoles(p, holes);
+  EXPECT_TRUE(twiceArea(p.at) == 2 * (1000 * 1000 - 9 * 150 * 150));
+  expectStars(p);
+}
+
+// A wide thin hole hides the others from the polygon's corners.
+TEST(StarPolygons, HolesBehindHoles)
+{
+  FlatPolygon p = polygon(square(0, 1000));
+  std::vector<FlatPolygon> holes;
+  for (std::uint32_t i = 0; i < 9; ++i)
+  {
+    const std::int64_t low = 100 * i + 50;
+    const std::int64_t inset = i % 2 == 0 ? 5 : 450;
+    holes.push_back(hole(
+      { { inset, low }, { 1000 - inset, low }, { 1000 - inset, low + 20 }, { inset, low + 20 } },
+      4 + 4 * i));
+  }
+  joinHoles(p, holes);
+  expectStars(p);
+}
+
+TEST(StarPolygons, ManyTriangularHoles)
+{
+  for (unsigned seed = 0; seed < 10; ++seed)
+  {
+    std::mt19937 random(seed);
+    FlatPolygon p = polygon(square(0, 1000));
+    std::vector<FlatPolygon> holes;
+    for (std::uint32_t i = 0; i < 64; ++i)
+    {
+      const auto corner = [&](std::int64_t a, std::int64_t b) {
+        return Flat{ 100 + 100 * (i % 8) + a + static_cast<std::int64_t>(random() % 40),
+          100 + 100 * (i / 8) + b + static_cast<std::int64_t>(random() % 40) };
+      };
+      const Flat first = corner(0, 0);
+      const Flat second = corner(50, 0);
+      holes.push_back(hole({ first, second, corner(20, 50) }, 4 + 3 * i));
+    }
+    std::shuffle(holes.begin(), holes.end(), random);
+    joinHoles(p, holes);
+    expectStars(p);
+  }
+}
+
+// Two holes that share a corner, and so do they with the polygon.
+TEST(StarPolygons, HolesThatTouchEachOther)
+{
+  FlatPolygon p = polygon(square(0, 100));
+  FlatPolygon first = hole({ { 0, 0 }, { 50, 10 }, { 50, 20 } }, 4);
+  FlatPolygon second = hole({ { 50, 20 }, { 60, 60 }, { 20, 60 } }, 7);
+  FlatPolygon third = hole({ { 0, 0 }, { 20, 40 }, { 10, 40 } }, 10);
+  first.nodes.back() = 0;
+  second.nodes.back() = first.nodes.front(); // reversed: its last corner is the hole's first
+  third.nodes.back() = 0;
+  joinHoles(p, { first, second, third });
+  EXPECT_EQ(p.nodes.size(), 13U);
   expectStars(p);
 }
 
@@ -248,7 +305,7 @@ TEST(StarPolygons, AHoleThatTouchesACorner)
   FlatPolygon p = polygon(square(0, 100));
   FlatPolygon h = hole({ { 0, 0 }, { 50, 20 }, { 20, 50 } }, 4);
   h.nodes.back() = 0;
-  joinHole(p, h);
+  joinHoles(p, { h });
   EXPECT_EQ(p.nodes.size(), 7U);
   expectStars(p);
 }

@@ -1,0 +1,231 @@
+// Surfaces with flaws: what can be meshed is meshed, validly; the rest is said.
+#include "Error.h"
+#include "MeshChecker.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace cartesian;
+
+namespace
+{
+
+Soup without(Soup soup, std::size_t begin, std::size_t end)
+{
+  soup.triangles.erase(soup.triangles.begin() + static_cast<std::ptrdiff_t>(begin),
+    soup.triangles.begin() + static_cast<std::ptrdiff_t>(end));
+  soup.boundary.clear();
+  return soup;
+}
+
+Soup unmarked(Soup soup)
+{
+  soup.boundary.clear();
+  return soup;
+}
+
+// Valid at all sizes of cells; returns that of a good many.
+Meshed meshAll(const Soup& soup)
+{
+  for (const double cells : { 0.2, 1.3, 3.0, 7.7 })
+  {
+    for (const int levels : { 0, 2 })
+    {
+      SCOPED_TRACE(std::to_string(cells) + " cells, depth " + std::to_string(levels));
+      try
+      {
+        const Options options{ 0, 1, depth(levels) };
+        EXPECT_TRUE(isValid(meshOf(soup, cellsAlongLongest(soup, cells), options).mesh));
+      }
+      catch (const Error& error)
+      {
+        EXPECT_EQ(error.fault, Fault::FlawedSurface) << error.what();
+      }
+    }
+  }
+  Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 14.3));
+  EXPECT_TRUE(isValid(meshed.mesh));
+  EXPECT_EQ(meshed.statistics.at("BoxesFlawed"), static_cast<double>(meshed.flawedBoxes.size()));
+  return meshed;
+}
+
+}
+
+// What is lost is a few boxes around the hole.
+TEST(Flaws, AMissingTriangle)
+{
+  const Soup soup = unmarked(sphere(8, 1));
+  const Meshed meshed = meshAll(without(soup, 100, 101));
+  EXPECT_FALSE(meshed.flawedBoxes.empty());
+  EXPECT_LT(meshed.flawedBoxes.size(), 40U);
+  const double boxes = std::pow(2 / 14.3, 3) * static_cast<double>(meshed.flawedBoxes.size());
+  EXPECT_NEAR(volumeOf(meshed.mesh), soup.volume(), boxes);
+}
+
+TEST(Flaws, TrianglesMissingInManyPlaces)
+{
+  for (unsigned seed = 0; seed < 5; ++seed)
+  {
+    Soup soup = unmarked(bumpySphere(seed, 6));
+    std::mt19937 random(seed);
+    for (int i = 0; i < 20; ++i)
+    {
+      const std::size_t t = random() % soup.triangles.size();
+      soup = without(soup, t, t + 1);
+    }
+    meshAll(soup);
+  }
+}
+
+TEST(Flaws, AFlippedTriangle)
+{
+  Soup soup = unmarked(sphere(8, 1));
+  std::swap(soup.triangles[100][0], soup.triangles[100][1]);
+  const Meshed meshed = meshAll(soup);
+  EXPECT_FALSE(meshed.flawedBoxes.empty());
+  EXPECT_LT(meshed.flawedBoxes.size(), 40U);
+}
+
+TEST(Flaws, ADoubleTriangle)
+{
+  Soup soup = unmarked(sphere(8, 1));
+  soup.triangles.push_back(soup.triangles[100]);
+  const Meshed meshed = meshAll(soup);
+  EXPECT_GT(volumeOf(meshed.mesh), 0.8 * soup.volume());
+}
+
+TEST(Flaws, EverythingTwice)
+{
+  const Soup soup = unmarked(sphere(4, 1));
+  Soup twice = soup;
+  twice.add(soup);
+  for (const double cells : { 1.0, 5.0 })
+  {
+    try
+    {
+      EXPECT_TRUE(isValid(meshOf(twice, cellsAlongLongest(twice, cells)).mesh));
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(error.fault, Fault::FlawedSurface) << error.what();
+    }
+  }
+}
+
+TEST(Flaws, SpheresThatOverlap)
+{
+  meshAll(sphere(5, 1).add(sphere(6, 0.8).moved({ 0.9, 0.1, 0.2 })));
+}
+
+TEST(Flaws, ABoxThroughABox)
+{
+  meshAll(cube().add(box({ 0.25, 0.25, -1 }, { 0.75, 0.75, 2 })));
+  meshAll(cube().add(cube().moved({ 0.5, 0, 0 })));   // walls in one plane
+  meshAll(cube().add(cube().moved({ 1, 0, 0 })));     // a wall in common
+  meshAll(cube().add(cube().moved({ 1, 0.5, 0.25 }))); // part of a wall in common
+}
+
+TEST(Flaws, HalfASphere)
+{
+  const Soup soup = unmarked(sphere(8, 1));
+  meshAll(without(soup, 0, soup.triangles.size() / 2));
+  meshAll(without(soup, 0, soup.triangles.size() / 6));
+}
+
+TEST(Flaws, ASingleTriangle)
+{
+  const Soup soup = without(cube().turned(), 1, 12);
+  for (const double cells : { 0.5, 2.0, 9.0 })
+  {
+    try
+    {
+      EXPECT_TRUE(isValid(meshOf(soup, cellsAlongLongest(soup, cells)).mesh));
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(error.fault, Fault::FlawedSurface) << error.what();
+    }
+  }
+}
+
+TEST(Flaws, ABoxWithoutALid)
+{
+  const Soup open = without(cube(), 10, 12);
+  const Meshed meshed = meshAll(open);
+  EXPECT_FALSE(meshed.prepared.check.closed());
+  meshAll(without(cube(), 8, 12)); // nor a floor
+}
+
+TEST(Flaws, AMoebiusBand)
+{
+  Soup soup;
+  const int n = 24;
+  for (int i = 0; i < n; ++i)
+  {
+    const double u = 2 * 3.14159265358979 * i / n;
+    for (const double v : { -0.4, 0.4 })
+    {
+      const double r = 1 + v * std::cos(u / 2);
+      soup.points.push_back({ r * std::cos(u), r * std::sin(u), v * std::sin(u / 2) });
+    }
+  }
+  for (std::uint32_t i = 0; i < n; ++i)
+  {
+    const bool last = i + 1 == n;
+    const std::uint32_t a = 2 * i;
+    const std::uint32_t c = last ? 1 : a + 2;
+    const std::uint32_t d = last ? 0 : a + 3;
+    soup.triangles.push_back({ a, a + 1, c });
+    soup.triangles.push_back({ c, a + 1, d });
+  }
+  for (const double cells : { 1.0, 6.0 })
+  {
+    try
+    {
+      EXPECT_TRUE(isValid(meshOf(soup, cellsAlongLongest(soup, cells)).mesh));
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(error.fault, Fault::FlawedSurface) << error.what();
+    }
+  }
+}
+
+TEST(Flaws, AreDescribedWithPlaces)
+{
+  Soup soup = without(cube(), 0, 1);
+  const PreparedSurface prepared = prepare(soup, cellsOf(0.3));
+  std::vector<Id> cells;
+  for (Id i = 0; i < 11; ++i)
+  {
+    cells.push_back(1000 + i);
+  }
+  const std::string text = describeFlaws(prepared, cells);
+  EXPECT_NE(text.find("3 open edges"), std::string::npos) << text;
+  EXPECT_NE(text.find("(0, 0, 0)"), std::string::npos) << text;
+  EXPECT_NE(text.find("of cell 10"), std::string::npos) << text;
+  EXPECT_EQ(describeFlaws(prepare(cube(), cellsOf(0.3)), cells), "");
+}
+
+TEST(Flaws, MeshlinesThatCutAreMentioned)
+{
+  GridSpec grid;
+  grid.meshlines[1] = { -1, 0.5 };
+  const std::string text = describeFlaws(prepare(cube(), grid), {});
+  EXPECT_NE(text.find("Meshlines Y"), std::string::npos) << text;
+}
+
+TEST(Flaws, BoxesLeftOutAreDescribedWithPlaces)
+{
+  const PreparedSurface prepared = prepare(without(sphere(8, 1), 100, 101), cellsOf(0.2));
+  Execution execution;
+  const BoxedSurface boxed = boxSurface(prepared, {}, execution);
+  const Patches patches =
+    generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes, execution);
+  const Assembly assembly(boxed.boxes, patches, {}, execution);
+  const std::string text = assembly.describeFlaws();
+  EXPECT_NE(text.find(std::to_string(assembly.flawedBoxes().size()) + " boxes"), std::string::npos)
+    << text;
+  EXPECT_NE(text.find("global box "), std::string::npos) << text;
+}
