@@ -83,8 +83,8 @@ std::array<std::uint32_t, 3> readTriple(
     if (!(value >= 0 && value <= most[static_cast<std::size_t>(axis)]))
     {
       throw Error(Fault::MissingArray,
-        "Box " + std::to_string(cell) + " has the " + array->GetName() + " " +
-          number(value) + ", which Cartesian Boxer did not write.");
+        "Box " + std::to_string(cell) + " has the " + array->GetName() + " " + number(value) +
+          ", which Cartesian Boxer did not write.");
     }
     result[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(value);
   }
@@ -192,7 +192,8 @@ Meshlines readPlanes(vtkUnstructuredGrid* grid)
         (planes[axis].size() > 1 && planes[axis].back() <= planes[axis][planes[axis].size() - 2]))
       {
         throw Error(Fault::MissingArray,
-          std::string("Field data array \"") + PlaneNames[axis] + "\" is not what Cartesian Boxer wrote.");
+          std::string("Field data array \"") + PlaneNames[axis] +
+            "\" is not what Cartesian Boxer wrote.");
       }
     }
     if (planes[axis].size() < 2)
@@ -276,8 +277,7 @@ Boxes boxesFromVTK(vtkUnstructuredGrid* grid)
 {
   Boxes boxes;
   const std::vector<double> origin = getField(grid, LatticeOrigin, 3);
-  boxes.lattice =
-    Lattice({ origin[0], origin[1], origin[2] }, getField(grid, LatticeStep, 1)[0]);
+  boxes.lattice = Lattice({ origin[0], origin[1], origin[2] }, getField(grid, LatticeStep, 1)[0]);
   boxes.closed = getField(grid, SurfaceClosed, 1)[0] != 0;
   boxes.planes = readPlanes(grid);
 
@@ -296,8 +296,8 @@ Boxes boxesFromVTK(vtkUnstructuredGrid* grid)
 
 void removeBoxFields(vtkDataObject* data)
 {
-  for (const char* name : { LatticeOrigin, LatticeStep, SurfaceClosed, PlaneNames[0], PlaneNames[1],
-         PlaneNames[2] })
+  for (const char* name :
+    { LatticeOrigin, LatticeStep, SurfaceClosed, PlaneNames[0], PlaneNames[1], PlaneNames[2] })
   {
     data->GetFieldData()->RemoveArray(name);
   }

@@ -42,13 +42,11 @@ std::uint32_t Boxes::globalAt(std::int64_t i, std::int64_t j, std::int64_t k) co
   const auto end = globals.begin() + static_cast<std::ptrdiff_t>(rowStart[r + 1]);
   const auto found = std::lower_bound(
     begin, end, i, [](const GlobalBox& g, std::int64_t x) { return g.index[0] < x; });
-  return found != end && found->index[0] == i
-    ? static_cast<std::uint32_t>(found - globals.begin())
-    : None;
+  return found != end && found->index[0] == i ? static_cast<std::uint32_t>(found - globals.begin())
+                                              : None;
 }
 
-std::uint32_t Boxes::boxAt(
-  const FinePoint& fine, std::uint32_t near, std::int64_t& step) const
+std::uint32_t Boxes::boxAt(const FinePoint& fine, std::uint32_t near, std::int64_t& step) const
 {
   const FinePoint at = { fine[0] >> DeepestLevel, fine[1] >> DeepestLevel,
     fine[2] >> DeepestLevel };

@@ -66,10 +66,11 @@ struct Boxes
 {
   Lattice lattice;
   Meshlines planes;
-  std::vector<GlobalBox> globals;    // by rows along x (J + K * boxes along y), then by I; one more at the end
+  std::vector<GlobalBox>
+    globals; // by rows along x (J + K * boxes along y), then by I; one more at the end
   std::vector<std::size_t> rowStart; // first global box of each row, and the end
   std::vector<Box> boxes;            // in order of global boxes
-  std::vector<std::uint32_t> units;  // the box that holds each unit of divided global boxes, or None
+  std::vector<std::uint32_t> units; // the box that holds each unit of divided global boxes, or None
 
   bool closed = true; // every line enters the domain as often as it leaves it
 

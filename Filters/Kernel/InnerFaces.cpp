@@ -134,8 +134,8 @@ private:
     const bool anyOutside = std::count(corner.begin(), corner.end(), Known::Outside) > 0;
     if (anyInside && !anyOutside)
     {
-      part.nodes.insert(part.nodes.end(), rectangle_->border,
-        rectangle_->border + rectangle_->borderSize);
+      part.nodes.insert(
+        part.nodes.end(), rectangle_->border, rectangle_->border + rectangle_->borderSize);
       part.faceSizes.push_back(static_cast<std::uint32_t>(rectangle_->borderSize));
     }
     return anyInside != anyOutside;
@@ -630,12 +630,12 @@ private:
 
 }
 
-Nodes findNodes(const Boxes& boxes, const Patches& patches, const Sides& sides, Execution& execution)
+Nodes findNodes(
+  const Boxes& boxes, const Patches& patches, const Sides& sides, Execution& execution)
 {
   const std::size_t count = sides.polyhedral.size();
   const std::size_t sideChunks = chunks(count, BoxesAChunk);
-  std::vector<std::vector<PointUse>> uses(
-    sideChunks + chunks(sides.divided.size(), BoxesAChunk));
+  std::vector<std::vector<PointUse>> uses(sideChunks + chunks(sides.divided.size(), BoxesAChunk));
   Nodes nodes;
   nodes.borderStart.assign(sides.sides.size() + 1, 0);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
@@ -663,8 +663,7 @@ Nodes findNodes(const Boxes& boxes, const Patches& patches, const Sides& sides, 
         FinePoint fine = boxes.fineLow(box);
         for (int axis = 0; axis < 3; ++axis)
         {
-          fine[static_cast<std::size_t>(axis)] +=
-            (corner >> axis & 1) * Boxes::fineSize(box, axis);
+          fine[static_cast<std::size_t>(axis)] += (corner >> axis & 1) * Boxes::fineSize(box, axis);
         }
         list.add(fine);
       }

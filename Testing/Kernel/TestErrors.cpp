@@ -103,8 +103,8 @@ TEST(Errors, CellsBelowTheLattice)
   expectRefusal(Fault::TooManyBoxes, { "cells along X" }, cube(), cellsOf(1e-9));
   expectRefusal(Fault::TooManyBoxes, { "cells along X" }, cube(), cellsOf(1e-300));
   // Few cells, but of a surface so far away that coordinates cannot tell them apart.
-  expectRefusal(Fault::BadCellSize, { "closer than the lattice" },
-    cube().moved({ 1e15, 0, 0 }), cellsOf(0.25));
+  expectRefusal(
+    Fault::BadCellSize, { "closer than the lattice" }, cube().moved({ 1e15, 0, 0 }), cellsOf(0.25));
 }
 
 TEST(Errors, ZeroIsTheDefaultCellSize)
@@ -160,8 +160,9 @@ TEST(Errors, BadDepth)
 {
   for (const int bad : { -1, DeepestLevel + 1 })
   {
-    expectError(Fault::BadParameter, { "Depth", std::to_string(bad) },
-      [&] { meshOf(cube(), cellsOf(0.3), { 0, 1, depth(bad) }); });
+    expectError(Fault::BadParameter, { "Depth", std::to_string(bad) }, [&] {
+      meshOf(cube(), cellsOf(0.3), { 0, 1, depth(bad) });
+    });
   }
 }
 
@@ -169,8 +170,9 @@ TEST(Errors, BadSmallCellRatio)
 {
   for (const double bad : { -1e-3, 1.0, 2.0, Nan, Infinity })
   {
-    expectError(Fault::BadParameter, { "Small Cell Ratio" },
-      [&] { meshOf(cube(), cellsOf(0.3), { bad, 1, {} }); });
+    expectError(Fault::BadParameter, { "Small Cell Ratio" }, [&] {
+      meshOf(cube(), cellsOf(0.3), { bad, 1, {} });
+    });
   }
 }
 
@@ -178,8 +180,9 @@ TEST(Errors, NothingToMesh)
 {
   Soup flat = cube().scaled({ 1, 1, 0 });
   expectError(Fault::FlawedSurface, { "nothing to mesh" }, [&] { meshOf(flat, cellsOf(0.3)); });
-  expectError(Fault::FlawedSurface, { "nothing to mesh" },
-    [&] { meshOf(cube().scaled(0.01), cellsOf(0.3), { 0.5, 1, {} }); });
+  expectError(Fault::FlawedSurface, { "nothing to mesh" }, [&] {
+    meshOf(cube().scaled(0.01), cellsOf(0.3), { 0.5, 1, {} });
+  });
 }
 
 TEST(Errors, StoppedAtOnce)

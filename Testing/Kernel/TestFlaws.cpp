@@ -121,8 +121,8 @@ TEST(Flaws, SpheresThatOverlap)
 TEST(Flaws, ABoxThroughABox)
 {
   meshAll(cube().add(box({ 0.25, 0.25, -1 }, { 0.75, 0.75, 2 })));
-  meshAll(cube().add(cube().moved({ 0.5, 0, 0 })));   // walls in one plane
-  meshAll(cube().add(cube().moved({ 1, 0, 0 })));     // a wall in common
+  meshAll(cube().add(cube().moved({ 0.5, 0, 0 })));    // walls in one plane
+  meshAll(cube().add(cube().moved({ 1, 0, 0 })));      // a wall in common
   meshAll(cube().add(cube().moved({ 1, 0.5, 0.25 }))); // part of a wall in common
 }
 

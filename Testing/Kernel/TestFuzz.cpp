@@ -58,8 +58,8 @@ TEST(Fuzz, OneTetrahedronOnATinyLattice)
   {
     SCOPED_TRACE(seed);
     const int width = 1 + static_cast<int>(seed % 12);
-    expectValid(
-      prepareOnLevels(randomTetrahedra(seed, 1, width), randomPlanes(seed, width)), { TinyRatio, 1, {} });
+    expectValid(prepareOnLevels(randomTetrahedra(seed, 1, width), randomPlanes(seed, width)),
+      { TinyRatio, 1, {} });
   }
 }
 
@@ -93,9 +93,8 @@ TEST(Fuzz, VoxelsOnATinyLattice)
     {
       in[i] = random() % 2 == 0;
     }
-    const Soup soup = voxels({ lines, lines, lines }, [&](int i, int j, int k) {
-      return in[static_cast<std::size_t>(i + n * (j + n * k))];
-    });
+    const Soup soup = voxels({ lines, lines, lines },
+      [&](int i, int j, int k) { return in[static_cast<std::size_t>(i + n * (j + n * k))]; });
     if (!soup.triangles.empty())
     {
       expectValid(prepareOnLevels(soup, randomPlanes(seed, n)), { TinyRatio, 1, {} });
@@ -112,7 +111,8 @@ TEST(Fuzz, RefinedBoxesOnALatticeNotMuchFiner)
     const int width = 2 + static_cast<int>(seed % 7);
     const Soup soup = nearCoarseLattice(seed, 1 + static_cast<int>(seed % 4), width, 32);
     const Meshlines planes = scaled(randomPlanes(seed, (width + 3) / 4), 64);
-    expectValid(prepareOnLevels(soup, planes), { TinyRatio, 1, depth(1 + static_cast<int>(seed % 3)) });
+    expectValid(
+      prepareOnLevels(soup, planes), { TinyRatio, 1, depth(1 + static_cast<int>(seed % 3)) });
   }
 }
 
