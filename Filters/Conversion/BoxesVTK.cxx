@@ -119,7 +119,7 @@ public:
       last[axis] = static_cast<double>(boxes.planes[axis].size()) - 2;
     }
     const GlobalBox global{ readTriple(global_, cell, last),
-      static_cast<std::uint32_t>(boxes.boxes.size()), None, 0, false };
+      static_cast<std::uint32_t>(boxes.boxes.size()), None, 0, 0 };
     const double deepest = DeepestLevel;
     const double widest = FinePerBox - 1;
     const auto level = readTriple(level_, cell, { deepest, deepest, deepest });
@@ -289,7 +289,7 @@ Boxes boxesFromVTK(vtkUnstructuredGrid* grid)
   }
   scan(boxes.rowStart);
   boxes.globals.push_back(
-    { { 0, 0, 0 }, static_cast<std::uint32_t>(boxes.boxes.size()), None, 0, false });
+    { { 0, 0, 0 }, static_cast<std::uint32_t>(boxes.boxes.size()), None, 0, 0 });
   boxes.listUnits();
   return boxes;
 }

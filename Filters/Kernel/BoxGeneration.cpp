@@ -132,7 +132,7 @@ private:
     forEachRow([&](std::size_t row, std::uint32_t j, std::uint32_t k) {
       std::size_t next = boxes_.rowStart[row];
       statuses_.forEachBox(j, k, [&](std::uint32_t i, BoxStatus status) {
-        boxes_.globals[next] = { { i, j, k }, 0, None, 0, false };
+        boxes_.globals[next] = { { i, j, k }, 0, None, 0, 0 };
         statusOf_[next++] = status;
       });
     });

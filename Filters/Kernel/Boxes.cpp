@@ -73,7 +73,7 @@ void Boxes::listUnits()
     size += globals[g].depth == 0 ? 0 : std::size_t(1) << 3 * globals[g].depth;
   }
   units.assign(size, None);
-  markNearDivided();
+  findNearDepths();
   for (std::uint32_t b = 0; b < boxes.size(); ++b)
   {
     const Box& box = boxes[b];
@@ -97,11 +97,11 @@ void Boxes::listUnits()
   }
 }
 
-void Boxes::markNearDivided()
+void Boxes::findNearDepths()
 {
   for (GlobalBox& global : globals)
   {
-    global.nearDivided = false;
+    global.nearDepth = 0;
   }
   for (std::size_t g = 0; g + 1 < globals.size(); ++g)
   {
@@ -119,7 +119,7 @@ void Boxes::markNearDivided()
           const std::uint32_t near = globalAt(at[0] + i, at[1] + j, at[2] + k);
           if (near != None)
           {
-            globals[near].nearDivided = true;
+            globals[near].nearDepth = std::max(globals[near].nearDepth, globals[g].depth);
           }
         }
       }

@@ -59,7 +59,7 @@ struct GlobalBox
   std::uint32_t firstBox;             // its boxes end where the next one's begin
   std::uint32_t firstUnit;            // in Boxes::units, or None: undivided
   std::uint8_t depth;                 // its units are 2^depth along x, y and z
-  bool nearDivided;                   // it or one of its 26 neighbours is divided: nodes may hang
+  std::uint8_t nearDepth; // the largest depth of it and its 26 neighbours: 0, no nodes hang
 };
 
 struct Boxes
@@ -88,11 +88,11 @@ struct Boxes
   // global box that is likely the right one.
   std::uint32_t boxAt(const FinePoint& fine, std::uint32_t near, std::int64_t& step) const;
 
-  // Fills `units`, GlobalBox::firstUnit and nearDivided from the boxes.
+  // Fills `units`, GlobalBox::firstUnit and nearDepth from the boxes.
   void listUnits();
 
 private:
-  void markNearDivided();
+  void findNearDepths();
 };
 
 // The level of a plane of the fine grid.

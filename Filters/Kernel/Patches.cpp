@@ -28,7 +28,7 @@ public:
   void find(const Boxes& boxes, const Box& box)
   {
     any_ = false;
-    if (!boxes.globalOf(box).nearDivided)
+    if (boxes.globalOf(box).nearDepth == 0)
     {
       return;
     }

@@ -14,7 +14,7 @@ constexpr std::size_t BoxesAChunk = 512;
 
 bool hasHangingNodes(const Boxes& boxes, const Box& box, std::vector<std::int64_t>& scratch)
 {
-  if (!boxes.globalOf(box).nearDivided)
+  if (boxes.globalOf(box).nearDepth == 0)
   {
     return false;
   }
