@@ -69,8 +69,8 @@ void vtkCartesianBoxer::SetNumberOfRefinementBlocks(int number)
 void vtkCartesianBoxer::SetRefinementBlock(int row, double firstI, double lastI, double firstJ,
   double lastJ, double firstK, double lastK, double allowed, double forced)
 {
-  this->SetRow(this->RefinementBlocks, row,
-    { firstI, lastI, firstJ, lastJ, firstK, lastK, allowed, forced });
+  this->SetRow(
+    this->RefinementBlocks, row, { firstI, lastI, firstJ, lastJ, firstK, lastK, allowed, forced });
 }
 
 void vtkCartesianBoxer::SetNumberOfBoundaryRefinements(int number)
@@ -170,9 +170,8 @@ int vtkCartesianBoxer::FillOutputPortInformation(int, vtkInformation* info)
 cartesian::PreparedSurface vtkCartesianBoxer::Prepare(
   const cartesian::SurfaceFromVTK& surface, cartesian::Execution& execution)
 {
-  const double limit = this->MemoryLimit > 0
-    ? this->MemoryLimit * BytesOfAGiB
-    : ShareOfMemory * BytesOfAKiB *
+  const double limit = this->MemoryLimit > 0 ? this->MemoryLimit * BytesOfAGiB
+                                             : ShareOfMemory * BytesOfAKiB *
       static_cast<double>(vtksys::SystemInformation().GetHostMemoryTotal());
   const cartesian::GridSpec grid{ this->CellSize, this->Meshlines };
   cartesian::PreparedSurface prepared =
@@ -194,8 +193,8 @@ cartesian::BoxedSurface vtkCartesianBoxer::Divide(const cartesian::PreparedSurfa
     {
       whole[i] = WholeNumber(this->RefinementBlocks[n][i], name);
     }
-    spec.blocks.push_back({ { whole[0], whole[2], whole[4] }, { whole[1], whole[3], whole[5] },
-      whole[6], whole[7] });
+    spec.blocks.push_back(
+      { { whole[0], whole[2], whole[4] }, { whole[1], whole[3], whole[5] }, whole[6], whole[7] });
   }
   for (std::size_t n = 0; n < this->BoundaryRefinements.size(); ++n)
   {
@@ -231,8 +230,8 @@ int vtkCartesianBoxer::RequestData(
   this->Run(0, cartesian::AfterBoxes, [&](cartesian::Execution& execution) {
     const cartesian::SurfaceFromVTK surface(vtkPolyData::GetData(input[0]), this->BoundaryArray);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
-    cartesian::toVTK(this->Divide(prepared, input[1], execution).boxes,
-      vtkUnstructuredGrid::GetData(output));
+    cartesian::toVTK(
+      this->Divide(prepared, input[1], execution).boxes, vtkUnstructuredGrid::GetData(output));
   });
   return 1;
 }

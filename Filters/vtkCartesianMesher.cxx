@@ -34,10 +34,9 @@ int vtkCartesianMesher::RequestData(
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
     const cartesian::BoxedSurface boxed = this->Divide(prepared, input[1], execution);
     execution.stage("Patches", cartesian::AfterBoxes, cartesian::AfterPatches);
-    const cartesian::Patches patches = cartesian::generatePatches(
-      prepared.surface, boxed.boxes, boxed.shoeboxes, execution);
-    const cartesian::Assembly assembly(
-      boxed.boxes, patches, { this->SmallCellRatio }, execution);
+    const cartesian::Patches patches =
+      cartesian::generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes, execution);
+    const cartesian::Assembly assembly(boxed.boxes, patches, { this->SmallCellRatio }, execution);
     cartesian::toVTK(assembly, vtkUnstructuredGrid::GetData(output, 0),
       vtkPolyData::GetData(output, 1), execution);
     this->ReportFlaws(assembly.describeFlaws());

@@ -83,8 +83,8 @@ std::array<std::uint32_t, 3> readTriple(
     if (!(value >= 0 && value <= most[static_cast<std::size_t>(axis)]))
     {
       throw Error(Fault::MissingArray,
-        "Box " + std::to_string(cell) + " has the " + array->GetName() + " " +
-          number(value) + ", which Cartesian Boxer did not write.");
+        "Box " + std::to_string(cell) + " has the " + array->GetName() + " " + number(value) +
+          ", which Cartesian Boxer did not write.");
     }
     result[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(value);
   }
@@ -119,7 +119,7 @@ public:
       last[axis] = static_cast<double>(boxes.planes[axis].size()) - 2;
     }
     const GlobalBox global{ readTriple(global_, cell, last),
-      static_cast<std::uint32_t>(boxes.boxes.size()), None, 0, false };
+      static_cast<std::uint32_t>(boxes.boxes.size()), None, 0, 0 };
     const double deepest = DeepestLevel;
     const double widest = FinePerBox - 1;
     const auto level = readTriple(level_, cell, { deepest, deepest, deepest });
@@ -192,7 +192,8 @@ Meshlines readPlanes(vtkUnstructuredGrid* grid)
         (planes[axis].size() > 1 && planes[axis].back() <= planes[axis][planes[axis].size() - 2]))
       {
         throw Error(Fault::MissingArray,
-          std::string("Field data array \"") + PlaneNames[axis] + "\" is not what Cartesian Boxer wrote.");
+          std::string("Field data array \"") + PlaneNames[axis] +
+            "\" is not what Cartesian Boxer wrote.");
       }
     }
     if (planes[axis].size() < 2)
@@ -276,8 +277,7 @@ Boxes boxesFromVTK(vtkUnstructuredGrid* grid)
 {
   Boxes boxes;
   const std::vector<double> origin = getField(grid, LatticeOrigin, 3);
-  boxes.lattice =
-    Lattice({ origin[0], origin[1], origin[2] }, getField(grid, LatticeStep, 1)[0]);
+  boxes.lattice = Lattice({ origin[0], origin[1], origin[2] }, getField(grid, LatticeStep, 1)[0]);
   boxes.closed = getField(grid, SurfaceClosed, 1)[0] != 0;
   boxes.planes = readPlanes(grid);
 
@@ -289,15 +289,15 @@ Boxes boxesFromVTK(vtkUnstructuredGrid* grid)
   }
   scan(boxes.rowStart);
   boxes.globals.push_back(
-    { { 0, 0, 0 }, static_cast<std::uint32_t>(boxes.boxes.size()), None, 0, false });
+    { { 0, 0, 0 }, static_cast<std::uint32_t>(boxes.boxes.size()), None, 0, 0 });
   boxes.listUnits();
   return boxes;
 }
 
 void removeBoxFields(vtkDataObject* data)
 {
-  for (const char* name : { LatticeOrigin, LatticeStep, SurfaceClosed, PlaneNames[0], PlaneNames[1],
-         PlaneNames[2] })
+  for (const char* name :
+    { LatticeOrigin, LatticeStep, SurfaceClosed, PlaneNames[0], PlaneNames[1], PlaneNames[2] })
   {
     data->GetFieldData()->RemoveArray(name);
   }

@@ -35,9 +35,9 @@ void setCells(const Mesh& mesh, vtkUnstructuredGrid* grid, Execution& execution)
   types->SetNumberOfValues(mesh.cellCount());
   faceStart->SetNumberOfValues(mesh.cellCount());
   faceStream->SetNumberOfValues(mesh.faceStreamSize());
-  mesh.writeCells({ offsets->GetPointer(0), connectivity->GetPointer(0), types->GetPointer(0),
-                    faceStart->GetPointer(0), faceStream->GetPointer(0), VTK_HEXAHEDRON,
-                    VTK_POLYHEDRON },
+  mesh.writeCells(
+    { offsets->GetPointer(0), connectivity->GetPointer(0), types->GetPointer(0),
+      faceStart->GetPointer(0), faceStream->GetPointer(0), VTK_HEXAHEDRON, VTK_POLYHEDRON },
     execution);
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);
@@ -45,8 +45,8 @@ void setCells(const Mesh& mesh, vtkUnstructuredGrid* grid, Execution& execution)
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20240112)
 #error "polyhedra are two vtkCellArrays from this version on: split faceStream here"
 #else
-  grid->SetCells(types, cells, polyhedra ? faceStart.Get() : nullptr,
-    polyhedra ? faceStream.Get() : nullptr);
+  grid->SetCells(
+    types, cells, polyhedra ? faceStart.Get() : nullptr, polyhedra ? faceStream.Get() : nullptr);
 #endif
 }
 
@@ -73,8 +73,7 @@ void setCellData(const Mesh& mesh, vtkUnstructuredGrid* grid, Execution& executi
   fraction->SetName("VolumeFraction");
   fraction->SetNumberOfTuples(mesh.cellCount());
   mesh.writeCellData(
-    { global->GetPointer(0), level->GetPointer(0), region->GetPointer(0),
-      fraction->GetPointer(0) },
+    { global->GetPointer(0), level->GetPointer(0), region->GetPointer(0), fraction->GetPointer(0) },
     execution);
   grid->GetCellData()->AddArray(global);
   grid->GetCellData()->AddArray(level);
@@ -145,8 +144,8 @@ void setBoundary(
 
 }
 
-void toVTK(const Assembly& assembly, vtkUnstructuredGrid* mesh, vtkPolyData* boundary,
-  Execution& execution)
+void toVTK(
+  const Assembly& assembly, vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution)
 {
   execution.stage("Writing the mesh", AfterNumbering, 1);
   setMesh(assembly, mesh, execution);

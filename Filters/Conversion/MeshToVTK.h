@@ -17,7 +17,7 @@ class vtkUnstructuredGrid;
 namespace cartesian
 {
 
-void toVTK(const Assembly& assembly, vtkUnstructuredGrid* mesh, vtkPolyData* boundary,
-  Execution& execution);
+void toVTK(
+  const Assembly& assembly, vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution);
 
 }

@@ -81,8 +81,8 @@ void toVTK(const Patches& patches, const Boxes& boxes, const std::vector<vtkIdTy
   const std::vector<std::uint32_t> intersected = intersectedBoxes(boxes);
   for (std::size_t n = 0; n < intersected.size(); ++n)
   {
-    std::fill(box->GetPointer(0) + patches.boxStart[n], box->GetPointer(0) + patches.boxStart[n + 1],
-      static_cast<vtkIdType>(intersected[n]));
+    std::fill(box->GetPointer(0) + patches.boxStart[n],
+      box->GetPointer(0) + patches.boxStart[n + 1], static_cast<vtkIdType>(intersected[n]));
   }
 
   output->SetPoints(points);
@@ -99,8 +99,8 @@ Patches patchesFromVTK(vtkPolyData* input, const Boxes& boxes)
   {
     std::array<double, 3> x;
     input->GetPoint(i, x.data());
-    patches.points.push_back({ boxes.lattice.level(0, x[0]), boxes.lattice.level(1, x[1]),
-      boxes.lattice.level(2, x[2]) });
+    patches.points.push_back(
+      { boxes.lattice.level(0, x[0]), boxes.lattice.level(1, x[1]), boxes.lattice.level(2, x[2]) });
   }
 
   vtkDataArray* boundary = cellArray(input, "BoundaryId");

@@ -53,15 +53,15 @@ vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData* input)
 
 SurfaceFromVTK::SurfaceFromVTK(vtkPolyData* input, const std::string& boundaryArray)
 {
-  if (!input || !input->GetPoints() ||
-    input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
+  if (!input || !input->GetPoints() || input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
   {
-    throw Error(Fault::EmptySurface,
-      "The surface has no polygons: connect a closed triangulated surface.");
+    throw Error(
+      Fault::EmptySurface, "The surface has no polygons: connect a closed triangulated surface.");
   }
   if (input->GetNumberOfPoints() >= std::numeric_limits<std::uint32_t>::max())
   {
-    throw Error(Fault::BadParameter, "The surface has more points than can be numbered in 32 bits.");
+    throw Error(
+      Fault::BadParameter, "The surface has more points than can be numbered in 32 bits.");
   }
   readTriangles(input);
   readBoundaries(input, boundaryArray);
@@ -134,8 +134,8 @@ void SurfaceFromVTK::readBoundaries(vtkPolyData* input, const std::string& bound
 
 SurfaceView SurfaceFromVTK::view() const
 {
-  return { points_.data(), points_.size() / 3, triangles_.data(), cells_.size(),
-    boundary_.data(), cells_.data() };
+  return { points_.data(), points_.size() / 3, triangles_.data(), cells_.size(), boundary_.data(),
+    cells_.data() };
 }
 
 }

@@ -66,12 +66,14 @@ std::vector<std::uint8_t> tooCoarse(const Boxes& boxes, Execution& execution)
   execution.forEach(boxes.globals.size() - 1, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g)
     {
-      if (!boxes.globals[g].nearDivided)
-      {
-        continue;
-      }
+      const int deepest = boxes.globals[g].nearDepth;
       for (std::uint32_t b = boxes.globals[g].firstBox; b < boxes.globals[g + 1].firstBox; ++b)
       {
+        const auto& level = boxes.boxes[b].level;
+        if (std::min({ level[0], level[1], level[2] }) + 1 >= deepest)
+        {
+          continue; // no box around is deep enough
+        }
         axes[b] = axisToHalve(boxes, boxes.boxes[b]);
         if (axes[b] != NoAxis)
         {

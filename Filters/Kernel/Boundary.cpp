@@ -11,7 +11,7 @@ namespace
 // What lies on one side of an inner face.
 struct Beyond
 {
-  std::uint32_t cell = None; // number of the cell that stays there
+  std::uint32_t cell = None;          // number of the cell that stays there
   std::int32_t boundary = NoBoundary; // or the boundary that the face takes over
 };
 
@@ -121,8 +121,8 @@ private:
         if ((anywhere || isAtEnd(box, i / 2, i % 2 == 1)) &&
           exposed(b, static_cast<int>(i / 2), i % 2 == 1))
         {
-          exposed_.push_back({ numbers_.ofBox[b], std::size_t(6) * b + i, NoBoundary,
-            BoundaryFace::Kind::BoxSide });
+          exposed_.push_back(
+            { numbers_.ofBox[b], std::size_t(6) * b + i, NoBoundary, BoundaryFace::Kind::BoxSide });
         }
       }
     }

@@ -44,9 +44,8 @@ struct BoundaryFace
 
   bool operator<(const BoundaryFace& other) const
   {
-    return cell != other.cell
-      ? cell < other.cell
-      : (kind != other.kind ? kind < other.kind : index < other.index);
+    return cell != other.cell ? cell < other.cell
+                              : (kind != other.kind ? kind < other.kind : index < other.index);
   }
 };
 

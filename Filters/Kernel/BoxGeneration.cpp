@@ -42,8 +42,7 @@ double boxesOfTriangle(const Corners& c, const Meshlines& planes)
   std::array<double, 3> v;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const double h =
-      spacing(planes[axis], (double(c[0][axis]) + c[1][axis] + c[2][axis]) / 3);
+    const double h = spacing(planes[axis], (double(c[0][axis]) + c[1][axis] + c[2][axis]) / 3);
     u[axis] = (double(c[1][axis]) - c[0][axis]) / h;
     v[axis] = (double(c[2][axis]) - c[0][axis]) / h;
   }
@@ -109,13 +108,12 @@ private:
   template <class Visitor>
   void forEachGlobal(Visitor&& visit)
   {
-    execution_.forEach(
-      statusOf_.size(), GlobalsAChunk, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t g = begin; g < end; ++g)
-        {
-          visit(g);
-        }
-      });
+    execution_.forEach(statusOf_.size(), GlobalsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t g = begin; g < end; ++g)
+      {
+        visit(g);
+      }
+    });
   }
 
   void listGlobals()
@@ -134,7 +132,7 @@ private:
     forEachRow([&](std::size_t row, std::uint32_t j, std::uint32_t k) {
       std::size_t next = boxes_.rowStart[row];
       statuses_.forEachBox(j, k, [&](std::uint32_t i, BoxStatus status) {
-        boxes_.globals[next] = { { i, j, k }, 0, None, 0, false };
+        boxes_.globals[next] = { { i, j, k }, 0, None, 0, 0 };
         statusOf_[next++] = status;
       });
     });
@@ -178,8 +176,8 @@ private:
     {
       const double inside = std::pow(8, depths_[g].forced);
       const double intersected = statusOf_[g] == BoxStatus::Intersected
-        ? std::min(std::pow(8, depths_[g].allowed),
-            UnitsAcrossABox * std::pow(4, depths_[g].allowed))
+        ? std::min(
+            std::pow(8, depths_[g].allowed), UnitsAcrossABox * std::pow(4, depths_[g].allowed))
         : 0;
       estimate.boxes += inside + intersected;
       estimate.bytes += inside * BytesOfAnInsideBox + intersected * BytesOfAnIntersectedBox;
@@ -189,30 +187,29 @@ private:
 
   void divide()
   {
-    execution_.forEach(
-      statusOf_.size(), GlobalsAChunk, [&](std::size_t begin, std::size_t end) {
-        FewestBoxes search;
-        UnitStatuses statuses;
-        for (std::size_t g = begin; g < end; ++g)
+    execution_.forEach(statusOf_.size(), GlobalsAChunk, [&](std::size_t begin, std::size_t end) {
+      FewestBoxes search;
+      UnitStatuses statuses;
+      for (std::size_t g = begin; g < end; ++g)
+      {
+        if (statusOf_[g] == BoxStatus::Intersected && depths_[g].allowed > 0)
         {
-          if (statusOf_[g] == BoxStatus::Intersected && depths_[g].allowed > 0)
+          const GlobalBox& global = boxes_.globals[g];
+          statuses.compute(surface_, trianglesOf(global), planes_, global.index, depths_[g].allowed,
+            (cornersOf(g) & 1) != 0);
+          search.search(depths_[g].allowed, depths_[g].forced, statuses.units());
+          search.collect(parts_[g]);
+          for (LocalBox& box : parts_[g])
           {
-            const GlobalBox& global = boxes_.globals[g];
-            statuses.compute(surface_, trianglesOf(global), planes_, global.index,
-              depths_[g].allowed, (cornersOf(g) & 1) != 0);
-            search.search(depths_[g].allowed, depths_[g].forced, statuses.units());
-            search.collect(parts_[g]);
-            for (LocalBox& box : parts_[g])
-            {
-              box.corners = statuses.corners(box.offset, box.level);
-            }
-          }
-          else if (depths_[g].forced > 0)
-          {
-            divideEvenly(depths_[g].forced, parts_[g]);
+            box.corners = statuses.corners(box.offset, box.level);
           }
         }
-      });
+        else if (depths_[g].forced > 0)
+        {
+          divideEvenly(depths_[g].forced, parts_[g]);
+        }
+      }
+    });
   }
 
   static void divideEvenly(int depth, std::vector<LocalBox>& parts)
@@ -256,8 +253,7 @@ private:
     std::uint32_t next = global.firstBox;
     if (!isDivided(g))
     {
-      boxes_.boxes[next] =
-        placed(g, { { 0, 0, 0 }, { 0, 0, 0 }, statusOf_[g], cornersOf(g) });
+      boxes_.boxes[next] = placed(g, { { 0, 0, 0 }, { 0, 0, 0 }, statusOf_[g], cornersOf(g) });
       return;
     }
     std::sort(parts_[g].begin(), parts_[g].end(), [](const LocalBox& a, const LocalBox& b) {
@@ -266,8 +262,7 @@ private:
     });
     for (const LocalBox& part : parts_[g])
     {
-      global.depth = std::max(
-        { global.depth, part.level[0], part.level[1], part.level[2] });
+      global.depth = std::max({ global.depth, part.level[0], part.level[1], part.level[2] });
       boxes_.boxes[next++] = placed(g, part);
     }
   }
@@ -325,8 +320,8 @@ private:
   }
 
   // Appends the two halves of a box, as far as they are inside or intersected.
-  void halve(std::size_t g, const LocalBox& whole, std::uint8_t axis,
-    std::vector<LocalBox>& parts) const
+  void halve(
+    std::size_t g, const LocalBox& whole, std::uint8_t axis, std::vector<LocalBox>& parts) const
   {
     for (const bool upper : { false, true })
     {
@@ -388,8 +383,7 @@ private:
 }
 
 Boxes generateBoxes(const Surface& surface, const SurfaceCheck& check, const Meshlines& planes,
-  const Shoeboxes& shoeboxes, const Refinement& refinement, double mostBytes,
-  Execution& execution)
+  const Shoeboxes& shoeboxes, const Refinement& refinement, double mostBytes, Execution& execution)
 {
   return Generator(surface, check, planes, shoeboxes, refinement, execution).generate(mostBytes);
 }

@@ -16,8 +16,7 @@ namespace cartesian
 //
 // Throws Error (TooManyBoxes) where the mesh would take more bytes than `mostBytes`.
 Boxes generateBoxes(const Surface& surface, const SurfaceCheck& check, const Meshlines& planes,
-  const Shoeboxes& shoeboxes, const Refinement& refinement, double mostBytes,
-  Execution& execution);
+  const Shoeboxes& shoeboxes, const Refinement& refinement, double mostBytes, Execution& execution);
 
 // How many boxes and bytes the mesh will take, roughly, before anything is built and without
 // refinement.

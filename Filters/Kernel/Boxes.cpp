@@ -42,13 +42,11 @@ std::uint32_t Boxes::globalAt(std::int64_t i, std::int64_t j, std::int64_t k) co
   const auto end = globals.begin() + static_cast<std::ptrdiff_t>(rowStart[r + 1]);
   const auto found = std::lower_bound(
     begin, end, i, [](const GlobalBox& g, std::int64_t x) { return g.index[0] < x; });
-  return found != end && found->index[0] == i
-    ? static_cast<std::uint32_t>(found - globals.begin())
-    : None;
+  return found != end && found->index[0] == i ? static_cast<std::uint32_t>(found - globals.begin())
+                                              : None;
 }
 
-std::uint32_t Boxes::boxAt(
-  const FinePoint& fine, std::uint32_t near, std::int64_t& step) const
+std::uint32_t Boxes::boxAt(const FinePoint& fine, std::uint32_t near, std::int64_t& step) const
 {
   const FinePoint at = { fine[0] >> DeepestLevel, fine[1] >> DeepestLevel,
     fine[2] >> DeepestLevel };
@@ -75,7 +73,7 @@ void Boxes::listUnits()
     size += globals[g].depth == 0 ? 0 : std::size_t(1) << 3 * globals[g].depth;
   }
   units.assign(size, None);
-  markNearDivided();
+  findNearDepths();
   for (std::uint32_t b = 0; b < boxes.size(); ++b)
   {
     const Box& box = boxes[b];
@@ -99,11 +97,11 @@ void Boxes::listUnits()
   }
 }
 
-void Boxes::markNearDivided()
+void Boxes::findNearDepths()
 {
   for (GlobalBox& global : globals)
   {
-    global.nearDivided = false;
+    global.nearDepth = 0;
   }
   for (std::size_t g = 0; g + 1 < globals.size(); ++g)
   {
@@ -121,7 +119,7 @@ void Boxes::markNearDivided()
           const std::uint32_t near = globalAt(at[0] + i, at[1] + j, at[2] + k);
           if (near != None)
           {
-            globals[near].nearDivided = true;
+            globals[near].nearDepth = std::max(globals[near].nearDepth, globals[g].depth);
           }
         }
       }

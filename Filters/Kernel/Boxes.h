@@ -59,17 +59,18 @@ struct GlobalBox
   std::uint32_t firstBox;             // its boxes end where the next one's begin
   std::uint32_t firstUnit;            // in Boxes::units, or None: undivided
   std::uint8_t depth;                 // its units are 2^depth along x, y and z
-  bool nearDivided;                   // it or one of its 26 neighbours is divided: nodes may hang
+  std::uint8_t nearDepth; // the largest depth of it and its 26 neighbours: 0, no nodes hang
 };
 
 struct Boxes
 {
   Lattice lattice;
   Meshlines planes;
-  std::vector<GlobalBox> globals;    // by rows along x (J + K * boxes along y), then by I; one more at the end
+  std::vector<GlobalBox>
+    globals; // by rows along x (J + K * boxes along y), then by I; one more at the end
   std::vector<std::size_t> rowStart; // first global box of each row, and the end
   std::vector<Box> boxes;            // in order of global boxes
-  std::vector<std::uint32_t> units;  // the box that holds each unit of divided global boxes, or None
+  std::vector<std::uint32_t> units; // the box that holds each unit of divided global boxes, or None
 
   bool closed = true; // every line enters the domain as often as it leaves it
 
@@ -87,11 +88,11 @@ struct Boxes
   // global box that is likely the right one.
   std::uint32_t boxAt(const FinePoint& fine, std::uint32_t near, std::int64_t& step) const;
 
-  // Fills `units`, GlobalBox::firstUnit and nearDivided from the boxes.
+  // Fills `units`, GlobalBox::firstUnit and nearDepth from the boxes.
   void listUnits();
 
 private:
-  void markNearDivided();
+  void findNearDepths();
 };
 
 // The level of a plane of the fine grid.

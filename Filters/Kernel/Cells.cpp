@@ -54,10 +54,7 @@ struct EdgeUse
     return lower != other.lower ? lower < other.lower
                                 : (upper != other.upper ? upper < other.upper : face < other.face);
   }
-  bool sameEdge(const EdgeUse& other) const
-  {
-    return lower == other.lower && upper == other.upper;
-  }
+  bool sameEdge(const EdgeUse& other) const { return lower == other.lower && upper == other.upper; }
 };
 
 struct Part
@@ -464,8 +461,9 @@ private:
         const double la = std::sqrt(dot(a, a));
         const double lb = std::sqrt(dot(b, b));
         const double lc = std::sqrt(dot(c, c));
-        sum += 2 * std::atan2(dot(a, cross(b, c)),
-                     la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+        sum += 2 *
+          std::atan2(
+            dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
       }
     }
     return sum;
@@ -486,8 +484,8 @@ private:
       cell.boundary = mainBoundary(shell);
       cell.volumeFraction = shell.volume / (size[0] * size[1] * size[2]);
       cell.firstFace = part.faces.size();
-      cell.removed = !(shell.volume > ThinnestCell * shell.area / 2) ||
-        cell.volumeFraction < spec_.smallCellRatio;
+      cell.sliver = !(shell.volume > ThinnestCell * shell.area / 2);
+      cell.removed = cell.sliver || cell.volumeFraction < spec_.smallCellRatio;
       part.cells.push_back(cell);
       for (const std::uint32_t f : shell.faces)
       {

@@ -34,10 +34,11 @@ struct FaceRef
 struct Cell
 {
   std::uint32_t box;
-  std::int32_t boundary;    // that most of its patches (by area) belong to, or NoBoundary
-  double volumeFraction;    // of its box
-  std::size_t firstFace;    // in Cells::faces; up to the next cell's first
-  bool removed;             // smaller than R of its box (4.10)
+  std::int32_t boundary; // that most of its patches (by area) belong to, or NoBoundary
+  double volumeFraction; // of its box
+  std::size_t firstFace; // in Cells::faces; up to the next cell's first
+  bool sliver;           // of no volume but that of rounding
+  bool removed;          // a sliver, or smaller than R of its box (4.10)
 };
 
 // Boundary index of faces that no patch lent theirs: the end of the grid, a leak.
@@ -45,12 +46,12 @@ constexpr std::int32_t NoBoundary = -1;
 
 struct Cells
 {
-  std::vector<Cell> cells;             // of polyhedral boxes, in order; one more at the end
+  std::vector<Cell> cells; // of polyhedral boxes, in order; one more at the end
   std::vector<FaceRef> faces;
-  std::vector<std::size_t> boxStart;   // first cell of the n-th polyhedral box, and the end
-  std::vector<std::uint8_t> flawed;    // 1: the box's faces do not close (a hole), it has no cells
-  std::size_t folds = 0;               // walls without thickness inside one cell, left out
-  std::size_t voids = 0;               // closed pieces of surface inside one cell, now holes of it
+  std::vector<std::size_t> boxStart; // first cell of the n-th polyhedral box, and the end
+  std::vector<std::uint8_t> flawed;  // 1: the box's faces do not close (a hole), it has no cells
+  std::size_t folds = 0;             // walls without thickness inside one cell, left out
+  std::size_t voids = 0;             // closed pieces of surface inside one cell, now holes of it
 
   // The cells below and above each inner face, or None: there is no box, or it is a hexahedron.
   std::vector<std::array<std::uint32_t, 2>> ofInnerFace;
@@ -60,7 +61,8 @@ struct Cells
 
 struct CellSpec
 {
-  double smallCellRatio = 1e-3; // R: cells below this part of their box's volume are removed; [0, 1)
+  double smallCellRatio =
+    1e-3; // R: cells below this part of their box's volume are removed; [0, 1)
 };
 
 // Distinguishes the separated volumes of each polyhedral box and marks small ones as removed.

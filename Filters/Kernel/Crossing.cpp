@@ -8,8 +8,6 @@ namespace cartesian
 namespace
 {
 
-
-
 std::int64_t difference(Level a, Level b)
 {
   return static_cast<std::int64_t>(a) - static_cast<std::int64_t>(b);
@@ -58,8 +56,8 @@ Level crossPlaneAlong(const Point& a, const Point& b, int axis, Level plane, int
   const std::int64_t rise = difference(b[free], a[free]);
   const std::int64_t run = difference(b[axis], a[axis]);
   const std::int64_t part = difference(plane, a[axis]);
-  const double x = a[free] +
-    static_cast<double>(rise) * static_cast<double>(part) / static_cast<double>(run);
+  const double x =
+    a[free] + static_cast<double>(rise) * static_cast<double>(part) / static_cast<double>(run);
   if (const Level sure = oddLevelIfSure(x, RoundingOfLevels))
   {
     return sure;

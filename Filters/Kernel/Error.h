@@ -12,15 +12,15 @@ namespace cartesian
 // Codes are public: the filters pass them on as ErrorCode (vtkCartesianAlgorithm.h).
 enum class Fault
 {
-  EmptySurface = 1,   // no triangles
-  BadCoordinate = 2,  // NaN, infinite, or beyond what the lattice can hold
-  BadCellSize = 3,    // zero, negative, NaN, or below the lattice's resolution
-  BadMeshlines = 4,   // not increasing, fewer than two, or away from the surface
-  TooManyBoxes = 5,   // the estimate exceeds the memory limit
-  MissingArray = 6,   // an array is not there or has the wrong length or type
-  FlawedSurface = 7,  // open or inconsistent: meshed as far as possible
-  BadParameter = 8,   // out of its range
-  Stopped = 9,        // by the user
+  EmptySurface = 1,  // no triangles
+  BadCoordinate = 2, // NaN, infinite, or beyond what the lattice can hold
+  BadCellSize = 3,   // zero, negative, NaN, or below the lattice's resolution
+  BadMeshlines = 4,  // not increasing, fewer than two, or away from the surface
+  TooManyBoxes = 5,  // the estimate exceeds the memory limit
+  MissingArray = 6,  // an array is not there or has the wrong length or type
+  FlawedSurface = 7, // open or inconsistent: meshed as far as possible
+  BadParameter = 8,  // out of its range
+  Stopped = 9,       // by the user
   OutOfMemory = 10,
 };
 

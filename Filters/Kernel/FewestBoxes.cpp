@@ -118,8 +118,7 @@ std::uint32_t FewestBoxes::search(int depth, int forced, const std::vector<BoxSt
             {
               if (level[0] + level[1] + level[2] == 3 * depth)
               {
-                const int unit =
-                  part.position[0] + n * (part.position[1] + n * part.position[2]);
+                const int unit = part.position[0] + n * (part.position[1] + n * part.position[2]);
                 content_[index(part)] = bit(units[static_cast<std::size_t>(unit)]);
               }
               evaluate(part);

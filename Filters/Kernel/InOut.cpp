@@ -3,8 +3,8 @@
 namespace cartesian
 {
 
-InOut::InOut(const Surface& surface, const SurfaceCheck& check, const Meshlines& planes,
-  Execution& execution)
+InOut::InOut(
+  const Surface& surface, const SurfaceCheck& check, const Meshlines& planes, Execution& execution)
   : closed_(check.closed())
 {
   for (int axis = 0; axis < (closed_ ? 1 : 3); ++axis)

@@ -1,7 +1,6 @@
 #include "InnerFaces.h"
 
 #include "Loops.h"
-#include "Numbering.h"
 #include "StarPolygons.h"
 
 #include <cmath>
@@ -134,8 +133,8 @@ private:
     const bool anyOutside = std::count(corner.begin(), corner.end(), Known::Outside) > 0;
     if (anyInside && !anyOutside)
     {
-      part.nodes.insert(part.nodes.end(), rectangle_->border,
-        rectangle_->border + rectangle_->borderSize);
+      part.nodes.insert(
+        part.nodes.end(), rectangle_->border, rectangle_->border + rectangle_->borderSize);
       part.faceSizes.push_back(static_cast<std::uint32_t>(rectangle_->borderSize));
     }
     return anyInside != anyOutside;
@@ -562,146 +561,6 @@ InnerFaces join(const std::vector<Part>& parts, Execution& execution)
   return result;
 }
 
-}
-
-namespace
-{
-
-// Grid nodes that one chunk of boxes needs.
-class NodeUses
-{
-public:
-  NodeUses(const Boxes& boxes, std::vector<PointUse>& uses)
-    : boxes_(boxes)
-    , uses_(uses)
-  {
-  }
-
-  void add(const FinePoint& fine)
-  {
-    Point p;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      p[axis] = planeAt(boxes_.planes[axis], fine[axis]);
-    }
-    const std::int64_t row = (fine[1] >> DeepestLevel) +
-      (fine[2] >> DeepestLevel) * static_cast<std::int64_t>(boxes_.planes[1].size());
-    uses_.push_back(
-      { p, static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(uses_.size()) });
-  }
-
-  // The border of a side, counter-clockwise, with the nodes that hang on it; `global`: one of its
-  // boxes' global box.
-  void addBorder(const Side& side, std::uint32_t global, bool nodesMayHang)
-  {
-    const std::size_t u = (side.axis + 1u) % 3;
-    const std::size_t v = (side.axis + 2u) % 3;
-    near_ = global;
-    FinePoint corner = side.corner;
-    addLine(corner, u, side.size[0], true, nodesMayHang);
-    corner[u] += side.size[0];
-    addLine(corner, v, side.size[1], true, nodesMayHang);
-    corner[v] += side.size[1];
-    addLine(corner, u, side.size[0], false, nodesMayHang);
-    corner[u] -= side.size[0];
-    addLine(corner, v, side.size[1], false, nodesMayHang);
-  }
-
-private:
-  // From a corner up or down one axis, without the end.
-  void addLine(const FinePoint& from, std::size_t axis, std::int64_t length, bool up, bool mayHang)
-  {
-    add(from);
-    if (!mayHang)
-    {
-      return;
-    }
-    FinePoint low = from;
-    low[axis] -= up ? 0 : length;
-    hangingNodes(boxes_, static_cast<int>(axis), low, length, near_, positions_);
-    if (!up)
-    {
-      std::reverse(positions_.begin(), positions_.end());
-    }
-    for (const std::int64_t position : positions_)
-    {
-      low[axis] = position;
-      add(low);
-    }
-  }
-
-  const Boxes& boxes_;
-  std::vector<PointUse>& uses_;
-  std::uint32_t near_ = 0;
-  std::vector<std::int64_t> positions_;
-};
-
-}
-
-Nodes findNodes(const Boxes& boxes, const Patches& patches, const Sides& sides, Execution& execution)
-{
-  const std::size_t count = sides.polyhedral.size();
-  const std::size_t sideChunks = chunks(count, BoxesAChunk);
-  std::vector<std::vector<PointUse>> uses(
-    sideChunks + chunks(sides.divided.size(), BoxesAChunk));
-  Nodes nodes;
-  nodes.borderStart.assign(sides.sides.size() + 1, 0);
-  execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
-    auto& part = uses[begin / BoxesAChunk];
-    NodeUses list(boxes, part);
-    for (std::size_t n = begin; n < end; ++n)
-    {
-      const std::uint32_t global = boxes.boxes[sides.polyhedral[n]].global;
-      const bool mayHang = boxes.globals[global].nearDivided;
-      for (std::size_t s = sides.ownStart[n]; s < sides.ownStart[n + 1]; ++s)
-      {
-        const std::size_t before = part.size();
-        list.addBorder(sides.sides[s], global, mayHang);
-        nodes.borderStart[s] = part.size() - before;
-      }
-    }
-  });
-  execution.forEach(sides.divided.size(), BoxesAChunk, [&](std::size_t begin, std::size_t end) {
-    NodeUses list(boxes, uses[sideChunks + begin / BoxesAChunk]);
-    for (std::size_t n = begin; n < end; ++n)
-    {
-      const Box& box = boxes.boxes[sides.divided[n]];
-      for (unsigned corner = 0; corner < 8; ++corner)
-      {
-        FinePoint fine = boxes.fineLow(box);
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          fine[static_cast<std::size_t>(axis)] +=
-            (corner >> axis & 1) * Boxes::fineSize(box, axis);
-        }
-        list.add(fine);
-      }
-    }
-  });
-  offsetSlots(uses);
-  Numbering numbering = numberPoints(uses, pointRows(boxes.planes), execution);
-  const auto node = [&](std::size_t slot) {
-    return static_cast<std::uint32_t>(patches.points.size() + numbering.ofSlot[slot]);
-  };
-  nodes.border.resize(scan(nodes.borderStart));
-  for (std::size_t slot = 0; slot < nodes.border.size(); ++slot)
-  {
-    nodes.border[slot] = node(slot);
-  }
-  nodes.ofDivided.resize(sides.divided.size());
-  for (std::size_t n = 0; n < sides.divided.size(); ++n)
-  {
-    for (std::size_t corner = 0; corner < 8; ++corner)
-    {
-      nodes.ofDivided[n][corner] = node(nodes.border.size() + 8 * n + corner);
-    }
-  }
-  nodes.patchPoints = patches.points.size();
-  nodes.at.reserve(patches.points.size() + numbering.points.size());
-  nodes.at = patches.points;
-  nodes.at.insert(nodes.at.end(), numbering.points.begin(), numbering.points.end());
-  nodes.rowStart.swap(numbering.rowStart);
-  return nodes;
 }
 
 InnerFaces generateInnerFaces(const Boxes& boxes, const Patches& patches, const Sides& sides,

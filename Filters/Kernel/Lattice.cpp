@@ -49,8 +49,8 @@ Lattice::Lattice(const Bounds& domain)
   {
     farthest = std::max({ farthest, std::abs(domain.low[axis]), std::abs(domain.high[axis]) });
   }
-  const double finest = std::max(domain.longest() / (LevelsOfTheDomain - 4 * Margin),
-    std::ldexp(farthest, -BitsOfADouble));
+  const double finest = std::max(
+    domain.longest() / (LevelsOfTheDomain - 4 * Margin), std::ldexp(farthest, -BitsOfADouble));
   step_ = powerOfTwoAtLeast(std::max(finest, std::numeric_limits<double>::min()));
   for (int axis = 0; axis < 3; ++axis)
   {

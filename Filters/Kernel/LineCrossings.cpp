@@ -30,8 +30,8 @@ LineCrossings::LineCrossings(
     }
   });
   crossings_ = sortIntoBuckets(
-    found, linesOfMiddle_ * planes[axes_.outer].size(),
-    [](const Crossing& c) { return c.line; }, execution);
+    found, linesOfMiddle_ * planes[axes_.outer].size(), [](const Crossing& c) { return c.line; },
+    execution);
 }
 
 }

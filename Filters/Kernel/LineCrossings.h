@@ -47,8 +47,7 @@ void forEachLineCrossing(const Corners& triangle, const RowAxes& axes,
 class LineCrossings
 {
 public:
-  LineCrossings(
-    const Surface& surface, const Meshlines& planes, int along, Execution& execution);
+  LineCrossings(const Surface& surface, const Meshlines& planes, int along, Execution& execution);
 
   const RowAxes& axes() const { return axes_; }
 

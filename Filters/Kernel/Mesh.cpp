@@ -70,8 +70,8 @@ std::vector<std::uint8_t> Mesh::usedNodes() const
     const std::uint32_t other =
       parts_.sides.polyhedralOrdinal(side.low) == None ? side.low : side.high;
     const bool hexahedron = other != None && parts_.sides.polyhedralOrdinal(other) == None;
-    for (std::size_t f = parts_.inner.sideStart[s];
-         hexahedron && f < parts_.inner.sideStart[s + 1]; ++f)
+    for (std::size_t f = parts_.inner.sideStart[s]; hexahedron && f < parts_.inner.sideStart[s + 1];
+         ++f)
     {
       mark(FaceRef(f, FaceRef::Kind::Inner));
     }
@@ -102,8 +102,7 @@ void Mesh::numberNodes()
       if (used_[node])
       {
         std::uint32_t i = 0;
-        const bool vertex =
-          VertexRows::isVertex(parts_.boxes.planes, nodes.at[node], j, k, i);
+        const bool vertex = VertexRows::isVertex(parts_.boxes.planes, nodes.at[node], j, k, i);
         nodePoint_[node] = static_cast<std::uint32_t>(vertex
             ? vertices_.number(i, static_cast<std::uint32_t>(j), static_cast<std::uint32_t>(k))
             : points_++);
@@ -197,8 +196,7 @@ std::array<Id, 8> Mesh::corners(std::size_t box) const
   const auto& at = parts_.boxes.globalOf(parts_.boxes.boxes[box]).index;
   for (unsigned row = 0; row < 4; ++row)
   {
-    p[2 * row] =
-      static_cast<Id>(vertices_.number(at[0], at[1] + (row & 1), at[2] + (row >> 1)));
+    p[2 * row] = static_cast<Id>(vertices_.number(at[0], at[1] + (row & 1), at[2] + (row >> 1)));
     p[2 * row + 1] = p[2 * row] + 1;
   }
   return p;
@@ -220,17 +218,16 @@ void Mesh::writePoints(double* xyz, Execution& execution) const
         });
       }
     });
-  execution.forEach(
-    parts_.nodes.at.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t node = begin; node < end; ++node)
+  execution.forEach(parts_.nodes.at.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t node = begin; node < end; ++node)
+    {
+      for (int axis = 0; used_[node] && axis < 3; ++axis)
       {
-        for (int axis = 0; used_[node] && axis < 3; ++axis)
-        {
-          xyz[3 * std::size_t(nodePoint_[node]) + axis] =
-            lattice.position(axis, parts_.nodes.at[node][axis]);
-        }
+        xyz[3 * std::size_t(nodePoint_[node]) + axis] =
+          lattice.position(axis, parts_.nodes.at[node][axis]);
       }
-    });
+    }
+  });
 }
 
 void Mesh::writeCells(const CellArrays& arrays, Execution& execution) const
@@ -245,8 +242,7 @@ void Mesh::writeCells(const CellArrays& arrays, Execution& execution) const
   arrays.offsets[cellCount()] = connectivitySize();
 }
 
-void Mesh::writeRow(
-  std::size_t row, const CellArrays& arrays, std::vector<Id>& scratch) const
+void Mesh::writeRow(std::size_t row, const CellArrays& arrays, std::vector<Id>& scratch) const
 {
   RowOffsets at = rows_[row];
   for (std::size_t b = firstBoxOfRow(row); b < firstBoxOfRow(row + 1); ++b)
@@ -327,8 +323,7 @@ void Mesh::writeCellData(const CellData& data, Execution& execution) const
     {
       if (!cells.cells[c].removed)
       {
-        write(
-          numbers_.ofCell[c], boxes.boxes[cells.cells[c].box], cells.cells[c].volumeFraction);
+        write(numbers_.ofCell[c], boxes.boxes[cells.cells[c].box], cells.cells[c].volumeFraction);
       }
     }
   });

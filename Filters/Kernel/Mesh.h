@@ -14,11 +14,11 @@ namespace cartesian
 // Arrays of the caller's, of the sizes that Mesh gives.
 struct CellArrays
 {
-  Id* offsets;              // cellCount() + 1
-  Id* connectivity;         // connectivitySize(): points of each cell, hexahedra in VTK's order
-  unsigned char* types;     // cellCount()
-  Id* faceStart;            // cellCount(): where in faceStream, -1 for hexahedra
-  Id* faceStream;           // faceStreamSize(): a number of faces, then for each its size and points
+  Id* offsets;          // cellCount() + 1
+  Id* connectivity;     // connectivitySize(): points of each cell, hexahedra in VTK's order
+  unsigned char* types; // cellCount()
+  Id* faceStart;        // cellCount(): where in faceStream, -1 for hexahedra
+  Id* faceStream;       // faceStreamSize(): a number of faces, then for each its size and points
   unsigned char hexahedron; // what to write into types
   unsigned char polyhedron;
 };
@@ -62,7 +62,6 @@ private:
   // Calls visit(point) for the corners of a boundary face, counter-clockwise from outside.
   template <class Visitor>
   void forEachPoint(const BoundaryFace& face, Visitor&& visit) const;
-
 
   // Where a row of boxes starts in the output arrays.
   struct RowOffsets

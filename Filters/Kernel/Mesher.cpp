@@ -84,11 +84,10 @@ BoxedSurface boxSurface(
   execution.stage("Boxes", AfterSurface, AfterBoxes);
   BoxedSurface result;
   result.shoeboxes = fillShoeboxes(prepared.surface, prepared.planes, execution);
-  const Refinement refinement(
-    spec, prepared.surface, result.shoeboxes, prepared.planes, execution);
+  const Refinement refinement(spec, prepared.surface, result.shoeboxes, prepared.planes, execution);
   result.warnings = refinement.warnings();
-  result.boxes = generateBoxes(prepared.surface, prepared.check, prepared.planes,
-    result.shoeboxes, refinement, prepared.memoryLimit, execution);
+  result.boxes = generateBoxes(prepared.surface, prepared.check, prepared.planes, result.shoeboxes,
+    refinement, prepared.memoryLimit, execution);
   return result;
 }
 
@@ -110,12 +109,14 @@ Assembly::Assembly(
   execution.stage("Cells", AfterInnerFaces, AfterCells);
   cells_ = assembleCells(boxes, patches, sides_, nodes_, inner_, spec, execution);
   execution.stage("Numbering", AfterCells, AfterNumbering);
-  mesh_ = std::make_unique<Mesh>(
-    MeshParts{ boxes, patches, sides_, nodes_, inner_, cells_ }, execution);
+  mesh_ =
+    std::make_unique<Mesh>(MeshParts{ boxes, patches, sides_, nodes_, inner_, cells_ }, execution);
   if (mesh_->cellCount() == 0)
   {
+    const bool onlySlivers = std::all_of(
+      cells_.cells.begin(), cells_.cells.end() - 1, [](const Cell& cell) { return cell.sliver; });
     throw Error(Fault::FlawedSurface,
-      cells_.size() > 0
+      !onlySlivers
         ? "There is nothing left to mesh: all " + std::to_string(cells_.size()) +
           " cells are smaller than the Small Cell Ratio allows (" + number(spec.smallCellRatio) +
           " of their boxes). Choose a smaller ratio or a smaller Cell Size."

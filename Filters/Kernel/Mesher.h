@@ -28,7 +28,7 @@ struct PreparedSurface
   Surface surface;
   SurfaceCheck check;
   Meshlines planes;
-  Bounds bounds; // of the surface, user units
+  Bounds bounds;      // of the surface, user units
   double memoryLimit; // bytes
 };
 
@@ -59,8 +59,7 @@ BoxedSurface boxSurface(
 class Assembly
 {
 public:
-  Assembly(
-    const Boxes& boxes, const Patches& patches, const CellSpec& spec, Execution& execution);
+  Assembly(const Boxes& boxes, const Patches& patches, const CellSpec& spec, Execution& execution);
 
   const Mesh& mesh() const { return *mesh_; }
 

@@ -39,8 +39,8 @@ double cellSize(const GridSpec& spec, const Bounds& surface)
   if (size > LargestCell * surface.longest())
   {
     throw Error(Fault::BadCellSize,
-      "Cell Size is " + number(size) + ", but the surface is only " +
-        number(surface.longest()) + " long: choose a smaller one.");
+      "Cell Size is " + number(size) + ", but the surface is only " + number(surface.longest()) +
+        " long: choose a smaller one.");
   }
   return size;
 }
@@ -62,16 +62,16 @@ void checkMeshlines(const std::vector<double>& lines, int axis, const Bounds& su
     if (!std::isfinite(lines[i]) || (i > 0 && !(lines[i] > lines[i - 1])))
     {
       throw Error(Fault::BadMeshlines,
-        name + " must increase: position " + std::to_string(i) + " is " +
-          number(lines[i]) + (i > 0 ? " after " + number(lines[i - 1]) : "") + ".");
+        name + " must increase: position " + std::to_string(i) + " is " + number(lines[i]) +
+          (i > 0 ? " after " + number(lines[i - 1]) : "") + ".");
     }
   }
   if (lines.back() <= surface.low[axis] || lines.front() >= surface.high[axis])
   {
     throw Error(Fault::BadMeshlines,
       name + " run from " + number(lines.front()) + " to " + number(lines.back()) +
-        " and miss the surface, which lies between " + number(surface.low[axis]) +
-        " and " + number(surface.high[axis]) + ".");
+        " and miss the surface, which lies between " + number(surface.low[axis]) + " and " +
+        number(surface.high[axis]) + ".");
   }
 }
 
@@ -82,8 +82,8 @@ std::vector<Level> uniformLines(
   if (count > MostLines)
   {
     throw Error(Fault::TooManyBoxes,
-      "Cell Size " + number(size) + " makes " + number(count) + " cells along " +
-        AxisName[axis] + ": choose a larger one.");
+      "Cell Size " + number(size) + " makes " + number(count) + " cells along " + AxisName[axis] +
+        ": choose a larger one.");
   }
   std::vector<Level> lines;
   for (double i = 0; i < count; ++i)
@@ -140,8 +140,7 @@ Meshlines onLattice(const GridSpec& spec, const Bounds& surface, const Lattice& 
     const auto& lines = spec.meshlines[axis];
     if (lines.empty())
     {
-      planes[axis] =
-        uniformLines(size, surface.low[axis], surface.high[axis], axis, lattice);
+      planes[axis] = uniformLines(size, surface.low[axis], surface.high[axis], axis, lattice);
     }
     else
     {
@@ -178,7 +177,8 @@ void checkGrid(const GridSpec& spec, const Bounds& surface, double mostBytes)
   {
     throw Error(Fault::TooManyBoxes,
       "The grid would have " + number(cells[0]) + " x " + number(cells[1]) + " x " +
-        number(cells[2]) + " boxes, which do not fit in the Memory Limit: choose a larger Cell "
+        number(cells[2]) +
+        " boxes, which do not fit in the Memory Limit: choose a larger Cell "
         "Size.");
   }
 }

@@ -41,8 +41,8 @@ void offsetSlots(std::vector<std::vector<PointUse>>& uses)
 Numbering numberPoints(
   std::vector<std::vector<PointUse>>& uses, std::size_t rows, Execution& execution)
 {
-  const Buckets<PointUse> byRow =
-    sortIntoBuckets(uses, rows, [](const PointUse& u) { return u.row; }, execution);
+  const Buckets<PointUse> byRow = sortIntoBuckets(
+    uses, rows, [](const PointUse& u) { return u.row; }, execution);
   Numbering result;
   result.rowStart.assign(rows + 1, 0);
   execution.forEach(rows, RowsAChunk, [&](std::size_t begin, std::size_t end) {

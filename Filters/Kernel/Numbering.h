@@ -36,9 +36,9 @@ inline std::size_t pointRows(const Meshlines& planes)
 
 struct Numbering
 {
-  std::vector<Point> points;          // distinct
-  std::vector<std::uint32_t> ofSlot;  // id of each slot's point
-  std::vector<std::size_t> rowStart;  // first id of each row, and the end
+  std::vector<Point> points;         // distinct
+  std::vector<std::uint32_t> ofSlot; // id of each slot's point
+  std::vector<std::size_t> rowStart; // first id of each row, and the end
 };
 
 // Makes slots that count from 0 in each chunk count on from chunk to chunk.

@@ -28,7 +28,7 @@ public:
   void find(const Boxes& boxes, const Box& box)
   {
     any_ = false;
-    if (!boxes.globalOf(box).nearDivided)
+    if (boxes.globalOf(box).nearDepth == 0)
     {
       return;
     }
@@ -50,8 +50,8 @@ public:
       const FinePoint low = boxes.fineLow(box);
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        middle_[axis] = planeAt(
-          boxes.planes[axis], low[axis] + Boxes::fineSize(box, static_cast<int>(axis)) / 2);
+        middle_[axis] =
+          planeAt(boxes.planes[axis], low[axis] + Boxes::fineSize(box, static_cast<int>(axis)) / 2);
       }
     }
   }
@@ -280,8 +280,7 @@ Patches generatePatches(
     {
       const Box& box = boxes.boxes[intersected[n]];
       const auto& global = boxes.globalOf(box).index;
-      const auto [first, last] =
-        shoeboxes.triangles(boxes.row(global[1], global[2]), global[0]);
+      const auto [first, last] = shoeboxes.triangles(boxes.row(global[1], global[2]), global[0]);
       builder.addBox(box, first, last);
     }
   });

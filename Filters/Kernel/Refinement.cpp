@@ -33,8 +33,8 @@ RowSet emptySet(const Meshlines& planes)
 Refinement::Refinement(const RefinementSpec& spec, const Surface& surface,
   const Shoeboxes& shoeboxes, const Meshlines& planes, Execution& execution)
   : depth_(spec.depth)
-  , any_(spec.depth > 0 || !spec.blocks.empty() || !spec.boundaries.empty() ||
-      !spec.regions.empty())
+  , any_(
+      spec.depth > 0 || !spec.blocks.empty() || !spec.boundaries.empty() || !spec.regions.empty())
 {
   checkDepth(spec.depth, "Refinement Depth");
   addBlocks(spec, planes);
@@ -69,8 +69,9 @@ void Refinement::addBlocks(const RefinementSpec& spec, const Meshlines& planes)
       const auto most = static_cast<std::int64_t>(planes[axis].size()) - 2;
       if (block.first[axis] < 0 || block.last[axis] > most)
       {
-        warnings_ += (warnings_.empty() ? "In " : " In ") + name + ", " + range + " reaches beyond the grid (0 to " +
-          std::to_string(most) + "): what lies outside is left out.";
+        warnings_ += (warnings_.empty() ? "In " : " In ") + name + ", " + range +
+          " reaches beyond the grid (0 to " + std::to_string(most) +
+          "): what lies outside is left out.";
         block.first[axis] = std::max<std::int64_t>(block.first[axis], 0);
         block.last[axis] = std::min(block.last[axis], most);
         empty = empty || block.first[axis] > block.last[axis];
@@ -108,8 +109,8 @@ void Refinement::addBoundary(const BoundaryRefinement& row, std::size_t number,
         shoeboxes.triangle.begin() + static_cast<std::ptrdiff_t>(shoeboxes.triangleStart[b]);
       const auto end =
         shoeboxes.triangle.begin() + static_cast<std::ptrdiff_t>(shoeboxes.triangleStart[b + 1]);
-      if (std::any_of(begin, end,
-            [&](std::uint32_t t) { return surface.boundary[t] == row.boundary; }))
+      if (std::any_of(
+            begin, end, [&](std::uint32_t t) { return surface.boundary[t] == row.boundary; }))
       {
         boundary.boxes.insert(shoeboxes.column[b], static_cast<std::int64_t>(r % rowsAlongY),
           static_cast<std::int64_t>(r / rowsAlongY));
@@ -161,8 +162,7 @@ void Refinement::addRegion(const RefinementRegion& region, const Surface& surfac
   {
     for (std::uint32_t j = 0; j + 1 < planes[1].size(); ++j)
     {
-      statuses.forEachBox(
-        j, k, [&](std::uint32_t i, BoxStatus) { result.boxes.insert(i, j, k); });
+      statuses.forEachBox(j, k, [&](std::uint32_t i, BoxStatus) { result.boxes.insert(i, j, k); });
     }
   }
   regions_.push_back(std::move(result));

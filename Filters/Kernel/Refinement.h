@@ -23,10 +23,10 @@ struct RefinementBlock
 struct BoundaryRefinement
 {
   std::int32_t boundary;
-  int depth;        // allowed at the boundary, 0 to DeepestLevel
-  int blendLayers;  // layers at each forced depth, 0: no blending. The first are the boxes at the
-                    // boundary themselves, the depth falls by one from group to group, down to 1
-  bool blendBelow;  // blending starts at depth - 1 instead of depth
+  int depth;       // allowed at the boundary, 0 to DeepestLevel
+  int blendLayers; // layers at each forced depth, 0: no blending. The first are the boxes at the
+                   // boundary themselves, the depth falls by one from group to group, down to 1
+  bool blendBelow; // blending starts at depth - 1 instead of depth
 };
 
 // Global boxes that lie in or touch a closed surface.
@@ -39,9 +39,9 @@ struct RefinementRegion
 struct RefinementSpec
 {
   int depth = 0; // of all boxes with no other specification, 0 to DeepestLevel
-  std::vector<RefinementBlock> blocks;         // later ones win
-  std::vector<BoundaryRefinement> boundaries;  // the deepest wins
-  std::vector<RefinementRegion> regions;       // only ever deepen
+  std::vector<RefinementBlock> blocks;        // later ones win
+  std::vector<BoundaryRefinement> boundaries; // the deepest wins
+  std::vector<RefinementRegion> regions;      // only ever deepen
 };
 
 struct Depths

@@ -41,8 +41,7 @@ RowSet RowSet::grown(std::int64_t layers) const
 
 void RowSet::unite(std::vector<Run>& runs)
 {
-  std::sort(
-    runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.begin < b.begin; });
+  std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.begin < b.begin; });
   std::size_t size = 0;
   for (const Run& run : runs)
   {

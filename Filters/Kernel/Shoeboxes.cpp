@@ -99,8 +99,7 @@ void fillRow(const Buckets<Span>& spans, std::size_t row, RowCounts& counts,
   }
 }
 
-Shoeboxes boxesOfRows(
-  const Buckets<Span>& spans, std::size_t boxesAlongX, Execution& execution)
+Shoeboxes boxesOfRows(const Buckets<Span>& spans, std::size_t boxesAlongX, Execution& execution)
 {
   Shoeboxes boxes;
   const std::size_t rows = spans.start.size() - 1;
@@ -154,8 +153,8 @@ Shoeboxes fillShoeboxes(const Surface& surface, const Meshlines& planes, Executi
     }
   });
   const std::size_t rows = (planes[1].size() - 1) * (planes[2].size() - 1);
-  const Buckets<Span> byRow =
-    sortIntoBuckets(spans, rows, [](const Span& s) { return s.row; }, execution);
+  const Buckets<Span> byRow = sortIntoBuckets(
+    spans, rows, [](const Span& s) { return s.row; }, execution);
   return boxesOfRows(byRow, planes[0].size() - 1, execution);
 }
 

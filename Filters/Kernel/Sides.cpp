@@ -14,7 +14,7 @@ constexpr std::size_t BoxesAChunk = 512;
 
 bool hasHangingNodes(const Boxes& boxes, const Box& box, std::vector<std::int64_t>& scratch)
 {
-  if (!boxes.globalOf(box).nearDivided)
+  if (boxes.globalOf(box).nearDepth == 0)
   {
     return false;
   }
@@ -23,8 +23,8 @@ bool hasHangingNodes(const Boxes& boxes, const Box& box, std::vector<std::int64_
     for (const bool upper : { false, true })
     {
       const std::array<std::uint32_t, 4> across = facing(boxes, box, axis, upper);
-      if (std::any_of(across.begin(), across.end(),
-            [&](std::uint32_t other) { return other != across[0]; }))
+      if (std::any_of(
+            across.begin(), across.end(), [&](std::uint32_t other) { return other != across[0]; }))
       {
         return true;
       }
@@ -102,8 +102,7 @@ void forEachOwnSide(const Boxes& boxes, const Sides& sides, std::uint32_t b, Vis
         visit(side);
       }
     });
-    forEachPart(
-      boxes, b, axis, true, [&](std::uint32_t, const Side& side) { visit(side); });
+    forEachPart(boxes, b, axis, true, [&](std::uint32_t, const Side& side) { visit(side); });
   }
 }
 
@@ -116,8 +115,7 @@ void classify(const Boxes& boxes, Sides& result, Execution& execution)
     for (std::size_t b = begin; b < end; ++b)
     {
       const Box& box = boxes.boxes[b];
-      polyhedral[b] =
-        box.status == BoxStatus::Intersected || hasHangingNodes(boxes, box, scratch);
+      polyhedral[b] = box.status == BoxStatus::Intersected || hasHangingNodes(boxes, box, scratch);
     }
   });
   result.ordinal.assign(count, None);
@@ -133,8 +131,7 @@ void classify(const Boxes& boxes, Sides& result, Execution& execution)
     }
     else if (box.level != std::array<std::uint8_t, 3>{ 0, 0, 0 })
     {
-      result.ordinal[b] =
-        static_cast<std::uint32_t>(result.divided.size()) | Sides::HexahedronBit;
+      result.ordinal[b] = static_cast<std::uint32_t>(result.divided.size()) | Sides::HexahedronBit;
       result.divided.push_back(b);
     }
   }
@@ -161,8 +158,9 @@ void listSidesOfBoxes(Sides& result)
   std::vector<std::size_t> next(result.boxStart.begin(), result.boxStart.end() - 1);
   for (std::uint32_t s = 0; s < result.sides.size(); ++s)
   {
-    forEachBox(result.sides[s],
-      [&](std::uint32_t n, bool upper) { result.ofBox[next[n]++] = { s, upper }; });
+    forEachBox(result.sides[s], [&](std::uint32_t n, bool upper) {
+      result.ofBox[next[n]++] = { s, upper };
+    });
   }
 }
 
@@ -229,8 +227,8 @@ Sides findSides(const Boxes& boxes, Execution& execution)
     for (std::size_t n = begin; n < end; ++n)
     {
       const std::size_t before = part.size();
-      forEachOwnSide(boxes, result, result.polyhedral[n],
-        [&](const Side& side) { part.push_back(side); });
+      forEachOwnSide(
+        boxes, result, result.polyhedral[n], [&](const Side& side) { part.push_back(side); });
       result.ownStart[n] = part.size() - before;
     }
   });

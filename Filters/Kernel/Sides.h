@@ -10,9 +10,9 @@ namespace cartesian
 // The rectangle that two neighbouring boxes share; its normal points from low to high.
 struct Side
 {
-  std::uint32_t low;  // box below the plane, or None
-  std::uint32_t high; // box above, or None
-  FinePoint corner;   // the rectangle's lowest corner
+  std::uint32_t low;                // box below the plane, or None
+  std::uint32_t high;               // box above, or None
+  FinePoint corner;                 // the rectangle's lowest corner
   std::array<std::uint8_t, 2> size; // fine, along the two other axes in cyclic order
   std::uint8_t axis;
 };
@@ -33,11 +33,12 @@ struct Sides
 
   std::vector<std::uint32_t> polyhedral; // boxes, in order
   std::vector<std::uint32_t> divided;    // other boxes that are smaller than their global box
-  std::vector<std::uint32_t> ordinal;    // of each box: in `polyhedral`, in `divided` with HexahedronBit, or None
-  std::vector<std::uint32_t> patchBox;   // of polyhedral boxes: number among the intersected, or None
+  std::vector<std::uint32_t>
+    ordinal; // of each box: in `polyhedral`, in `divided` with HexahedronBit, or None
+  std::vector<std::uint32_t> patchBox; // of polyhedral boxes: number among the intersected, or None
   std::vector<Side> sides;
-  std::vector<std::size_t> ownStart;     // first side that each polyhedral box owns, and the end
-  std::vector<std::size_t> boxStart;     // first of each polyhedral box's sides in ofBox, and the end
+  std::vector<std::size_t> ownStart; // first side that each polyhedral box owns, and the end
+  std::vector<std::size_t> boxStart; // first of each polyhedral box's sides in ofBox, and the end
   std::vector<SideOfBox> ofBox;
 
   // The number among the polyhedral boxes, or None.

@@ -19,8 +19,7 @@ constexpr double LargestCoordinate = 1e150;
 
 std::string place(const double* p)
 {
-  return "(" + number(p[0]) + ", " + number(p[1]) + ", " + number(p[2]) +
-    ")";
+  return "(" + number(p[0]) + ", " + number(p[1]) + ", " + number(p[2]) + ")";
 }
 
 // The user's number of a triangle.
@@ -37,8 +36,9 @@ void checkTriangle(const SurfaceView& view, std::size_t triangle)
     if (id >= view.pointCount)
     {
       throw Error(Fault::BadParameter,
-        "Cell " + std::to_string(cellOf(view, triangle)) + " of the surface names point " + std::to_string(id) +
-          ", but the surface has " + std::to_string(view.pointCount) + " points.");
+        "Cell " + std::to_string(cellOf(view, triangle)) + " of the surface names point " +
+          std::to_string(id) + ", but the surface has " + std::to_string(view.pointCount) +
+          " points.");
     }
     const double* p = view.points + 3 * std::size_t(id);
     for (int axis = 0; axis < 3; ++axis)
@@ -97,8 +97,8 @@ Bounds boundsOf(const SurfaceView& view)
 {
   if (view.triangleCount == 0)
   {
-    throw Error(Fault::EmptySurface,
-      "The surface has no triangles: connect a closed triangulated surface.");
+    throw Error(
+      Fault::EmptySurface, "The surface has no triangles: connect a closed triangulated surface.");
   }
   Bounds bounds = Bounds::none();
   for (std::size_t t = 0; t < view.triangleCount; ++t)

@@ -64,7 +64,8 @@ struct EdgeTable
 void judge(std::uint32_t lower, const Use* begin, const Use* end, SurfaceCheck& result)
 {
   const std::size_t uses = end - begin;
-  const std::size_t down = std::count_if(begin, end, [](const Use& u) { return u.triangleTwice & 1; });
+  const std::size_t down =
+    std::count_if(begin, end, [](const Use& u) { return u.triangleTwice & 1; });
   const bool open = uses % 2 == 1;
   const bool inconsistent = !open && 2 * down != uses;
   const bool nonManifold = uses > 2;
@@ -73,8 +74,9 @@ void judge(std::uint32_t lower, const Use* begin, const Use* end, SurfaceCheck& 
   result.nonManifoldEdges += nonManifold;
   if ((open || inconsistent || nonManifold) && result.places.size() < SurfaceCheck::MostPlaces)
   {
-    result.places.push_back({ open ? "open" : (inconsistent ? "inconsistently oriented" : "non-manifold"),
-      { lower, begin->upper }, begin->triangleTwice / 2 });
+    result.places.push_back(
+      { open ? "open" : (inconsistent ? "inconsistently oriented" : "non-manifold"),
+        { lower, begin->upper }, begin->triangleTwice / 2 });
   }
 }
 

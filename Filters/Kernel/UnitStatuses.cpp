@@ -34,8 +34,8 @@ void UnitStatuses::compute(const Surface& surface, const TriangleRange& triangle
     planes_[axis].clear();
     for (std::int64_t part = 0; part <= 1 << depth; ++part)
     {
-      planes_[axis].push_back(planeAt(
-        planes[axis], index[axis] * FinePerBox + part * (FinePerBox >> depth)));
+      planes_[axis].push_back(
+        planeAt(planes[axis], index[axis] * FinePerBox + part * (FinePerBox >> depth)));
     }
     inner_[axis].assign(planes_[axis].begin() + 1, planes_[axis].end() - 1);
   }
@@ -61,12 +61,18 @@ void UnitStatuses::findVertices(
   };
   forEachTriangle(triangles, [&](std::uint32_t t) {
     const Corners corners = surface.corners(t);
-    forEachLineCrossing(corners, RowsAlong[1], firstX, firstZ,
-      [&](std::size_t, std::size_t, const Point& p) { toggle(1, p, { 0, 0, 0 }); });
-    forEachLineCrossing(corners, RowsAlong[2], firstX, planes_[1],
-      [&](std::size_t, std::size_t y, const Point& p) { toggle(2, p, { 0, y, 0 }); });
+    forEachLineCrossing(
+      corners, RowsAlong[1], firstX, firstZ, [&](std::size_t, std::size_t, const Point& p) {
+        toggle(1, p, { 0, 0, 0 });
+      });
+    forEachLineCrossing(
+      corners, RowsAlong[2], firstX, planes_[1], [&](std::size_t, std::size_t y, const Point& p) {
+        toggle(2, p, { 0, y, 0 });
+      });
     forEachLineCrossing(corners, RowsAlong[0], planes_[1], planes_[2],
-      [&](std::size_t y, std::size_t z, const Point& p) { toggle(0, p, { 0, y, z }); });
+      [&](std::size_t y, std::size_t z, const Point& p) {
+        toggle(0, p, { 0, y, z });
+      });
   });
   vertices_[0] = cornerInside ? 1 : 0;
   for (std::size_t z = 0; z < n; ++z)

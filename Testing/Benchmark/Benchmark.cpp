@@ -214,8 +214,7 @@ double write(const Mesh& mesh, Execution& execution)
   mesh.writeCells({ offsets.data(), connectivity.data(), types.data(), faceStart.data(),
                     faceStream.data(), 12, 42 },
     execution);
-  mesh.writeCellData(
-    { globalBox.data(), level.data(), region.data(), fraction.data() }, execution);
+  mesh.writeCellData({ globalBox.data(), level.data(), region.data(), fraction.data() }, execution);
   const BoundaryMesh boundary = mesh.boundaryMesh(execution);
   const auto bytes = [](const auto&... arrays) {
     return (0.0 + ... + static_cast<double>(arrays.size() * sizeof(arrays[0])));
@@ -249,8 +248,7 @@ struct Figures
   std::vector<std::pair<std::string, double>> stages;
 };
 
-Figures measure(
-  const Triangles& surface, double cellSize, int depth, int threads, Memory& memory)
+Figures measure(const Triangles& surface, double cellSize, int depth, int threads, Memory& memory)
 {
   Execution execution(threads, [&](double, const char* stage) { return memory(stage); });
   GridSpec grid;
@@ -349,8 +347,8 @@ double octreeLeaves(const Boxes& boxes, const GlobalBox& global, const FinePoint
 void printSaving()
 {
   const Triangles ball = sphere(60); // radius 1, in units of 5 mm
-  std::printf("%-32s%10s%12s%12s%10s\n", "ball of 10 mm in boxes of 1 mm", "depth", "boxes", "octree",
-    "saving");
+  std::printf("%-32s%10s%12s%12s%10s\n", "ball of 10 mm in boxes of 1 mm", "depth", "boxes",
+    "octree", "saving");
   for (int depth = 0; depth <= 3; ++depth)
   {
     Execution execution(0);

@@ -160,8 +160,9 @@ TEST(Refinement, RandomSpecificationsHold)
   std::mt19937 random(3);
   for (int n = 0; n < 24; ++n)
   {
-    const Soup soup = n % 3 == 0 ? box({ 0, 0, 0 }, { 1, 0.7, 0.4 }).turned()
-                                 : (n % 3 == 1 ? bumpySphere(static_cast<unsigned>(random()), 6) : torus(12, 1, 0.3));
+    const Soup soup = n % 3 == 0
+      ? box({ 0, 0, 0 }, { 1, 0.7, 0.4 }).turned()
+      : (n % 3 == 1 ? bumpySphere(static_cast<unsigned>(random()), 6) : torus(12, 1, 0.3));
     const std::int32_t boundaries = n % 3 == 0 ? 6 : 1;
     Options options;
     const GridSpec grid = cellsAlongLongest(soup, 4.5);
@@ -209,8 +210,8 @@ TEST(Refinement, BoxesOfABlockFillTheirGlobalBoxes)
     double whole = 1;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      whole *= double(meshed.prepared.planes[axis][at[axis] + 1]) -
-        meshed.prepared.planes[axis][at[axis]];
+      whole *=
+        double(meshed.prepared.planes[axis][at[axis] + 1]) - meshed.prepared.planes[axis][at[axis]];
     }
     EXPECT_EQ(sum, whole);
     refined += count[global] == 64;
