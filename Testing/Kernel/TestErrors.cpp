@@ -179,15 +179,9 @@ TEST(Errors, BadSmallCellRatio)
 
 TEST(Errors, NothingToMesh)
 {
-<<<<<<< HEAD
   const Soup flat = cube().scaled({ 1, 1, 0 });
   expectError(Fault::FlawedSurface, { "nothing" }, [&] { meshOf(flat, cellsOf(0.3)); });
   expectError(Fault::FlawedSurface, { "Small Cell Ratio" }, [&] {
-=======
-  Soup flat = cube().scaled({ 1, 1, 0 });
-  expectError(Fault::FlawedSurface, { "nothing to mesh" }, [&] { meshOf(flat, cellsOf(0.3)); });
-  expectError(Fault::FlawedSurface, { "nothing to mesh" }, [&] {
->>>>>>> main
     meshOf(cube().scaled(0.01), cellsOf(0.3), { 0.5, 1, {} });
   });
 }
