@@ -85,7 +85,7 @@ public:
   void addBox(std::size_t n, Part& part)
   {
     const std::size_t before = part.cells.size();
-    const bool closed = gatherFaces(n) && joinFaces();
+    const bool closed = gatherFaces(n) && joinFaces() && !anyPatchTwice();
     part.flawed.push_back(closed ? 0 : 1);
     if (closed)
     {
@@ -341,15 +341,7 @@ private:
     std::size_t folds = 0;
     for (Shell& shell : shells_)
     {
-      cycles_.clear();
-      for (std::size_t i = 0; i < shell.faces.size(); ++i)
-      {
-        if (faces_[shell.faces[i]].kind() == FaceRef::Kind::Patch)
-        {
-          cycles_.push_back({ cycleOf(shell.faces[i], false), shell.faces[i] });
-        }
-      }
-      std::sort(cycles_.begin(), cycles_.end());
+      listCycles(shell.faces);
       dropped_.clear();
       std::ptrdiff_t twin = 0; // patches with the same corners before this one
       for (std::size_t i = 0; i < cycles_.size(); ++i)
@@ -373,6 +365,42 @@ private:
       folds += dropped_.size() / 2;
     }
     return folds;
+  }
+
+  // The patches among these faces, sorted by their corners.
+  void listCycles(const std::vector<std::uint32_t>& faces)
+  {
+    cycles_.clear();
+    for (const std::uint32_t face : faces)
+    {
+      if (faces_[face].kind() == FaceRef::Kind::Patch)
+      {
+        cycles_.emplace_back(cycleOf(face, false), face);
+      }
+    }
+    std::sort(cycles_.begin(), cycles_.end());
+  }
+
+  // Parts that overlap share walls that face the same way: there are several volumes in one place.
+  // Where as many face the other way, walls only touch.
+  bool anyPatchTwice()
+  {
+    if (shared_.empty())
+    {
+      return false;
+    }
+    std::vector<std::uint32_t> all(faces_.size());
+    std::iota(all.begin(), all.end(), 0);
+    listCycles(all);
+    const auto count = [&](const std::vector<std::uint32_t>& cycle) {
+      const auto begin =
+        std::lower_bound(cycles_.begin(), cycles_.end(), std::make_pair(cycle, std::uint32_t(0)));
+      const auto end = std::upper_bound(begin, cycles_.end(), std::make_pair(cycle, None));
+      return end - begin;
+    };
+    return std::any_of(cycles_.begin(), cycles_.end(), [&](const auto& patch) {
+      return count(patch.first) > count(cycleOf(patch.second, true)) + 1;
+    });
   }
 
   // The corners of a face from the lowest on, as it runs or the other way.

@@ -103,7 +103,7 @@ public:
       return false;
     }
     dropOpposite();
-    if (!balanced())
+    if (!balanced() || anyTwice())
     {
       return false;
     }
@@ -268,6 +268,14 @@ private:
     std::sort(heads_.begin(), heads_.end());
     return std::equal(edges_.begin(), edges_.end(), heads_.begin(),
       [](const Edge& e, std::uint32_t head) { return e.from == head; });
+  }
+
+  // Parts that overlap share walls that face the same way: there are several regions in one place.
+  bool anyTwice() const
+  {
+    return std::adjacent_find(edges_.begin(), edges_.end(), [](const Edge& e, const Edge& next) {
+      return !(e < next);
+    }) != edges_.end();
   }
 
   // The unused edge out of `e`'s head that turns left most sharply: regions that only touch in a

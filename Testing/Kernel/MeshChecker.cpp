@@ -246,7 +246,9 @@ private:
       }
       edges.add(face);
       corners.insert(face.begin(), face.end());
-      uses_[fromLeast(face)].push_back(static_cast<Id>(cell));
+      std::vector<Id>& owners = uses_[fromLeast(face)];
+      expect(owners.empty() || owners.back() != static_cast<Id>(cell), name + " has a face twice");
+      owners.push_back(static_cast<Id>(cell));
     }
     expect(corners == points, name + " lists other points than its faces");
     expect(!edges.unbalanced(), name + " is not closed");

@@ -71,7 +71,7 @@ TEST(Errors, BadCoordinates)
   {
     Soup soup = cube();
     soup.points[5][1] = bad;
-    expectRefusal(Fault::BadCoordinate, { "Point 5", "triangle " }, soup);
+    expectRefusal(Fault::BadCoordinate, { "Point 5", "cell 2" }, soup);
   }
 }
 
@@ -86,7 +86,7 @@ TEST(Errors, TrianglesThatNameNoPoint)
 {
   Soup soup = cube();
   soup.triangles[3][1] = 77;
-  expectRefusal(Fault::BadParameter, { "Triangle 3", "point 77", "8 points" }, soup);
+  expectRefusal(Fault::BadParameter, { "Cell 3", "point 77", "8 points" }, soup);
 }
 
 TEST(Errors, BadCellSize)
@@ -100,8 +100,9 @@ TEST(Errors, BadCellSize)
 
 TEST(Errors, CellsBelowTheLattice)
 {
-  expectRefusal(Fault::TooManyBoxes, { "cells along X" }, cube(), cellsOf(1e-9));
-  expectRefusal(Fault::TooManyBoxes, { "cells along X" }, cube(), cellsOf(1e-300));
+  expectRefusal(
+    Fault::TooManyBoxes, { "1e+09", "Memory Limit", "Cell Size" }, cube(), cellsOf(1e-9));
+  expectRefusal(Fault::TooManyBoxes, { "Cell Size" }, cube(), cellsOf(1e-300));
   // Few cells, but of a surface so far away that coordinates cannot tell them apart.
   expectRefusal(
     Fault::BadCellSize, { "closer than the lattice" }, cube().moved({ 1e15, 0, 0 }), cellsOf(0.25));
@@ -178,9 +179,9 @@ TEST(Errors, BadSmallCellRatio)
 
 TEST(Errors, NothingToMesh)
 {
-  Soup flat = cube().scaled({ 1, 1, 0 });
-  expectError(Fault::FlawedSurface, { "nothing to mesh" }, [&] { meshOf(flat, cellsOf(0.3)); });
-  expectError(Fault::FlawedSurface, { "nothing to mesh" }, [&] {
+  const Soup flat = cube().scaled({ 1, 1, 0 });
+  expectError(Fault::FlawedSurface, { "nothing" }, [&] { meshOf(flat, cellsOf(0.3)); });
+  expectError(Fault::FlawedSurface, { "Small Cell Ratio" }, [&] {
     meshOf(cube().scaled(0.01), cellsOf(0.3), { 0.5, 1, {} });
   });
 }
