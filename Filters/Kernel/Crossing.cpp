@@ -36,7 +36,8 @@ Level oddLevel(Level base, Integer numerator, Integer denominator, bool tieUp)
     numerator = -numerator;
     denominator = -denominator;
   }
-  Integer quotient = numerator / denominator;
+  // No line or plane is parallel to what it crosses (Crossing.h).
+  Integer quotient = numerator / denominator; // NOLINT(clang-analyzer-core.DivideZero)
   Integer remainder = numerator % denominator;
   if (remainder < 0)
   {
@@ -130,7 +131,7 @@ Point crossLine(const Corners& t, int along, const Point& at)
   const std::int64_t dc = difference(at[c], t[0][c]);
   const double pb = static_cast<double>(normal.exact[b]) * static_cast<double>(db);
   const double pc = static_cast<double>(normal.exact[c]) * static_cast<double>(dc);
-  const double na = static_cast<double>(normal.exact[along]);
+  const auto na = static_cast<double>(normal.exact[along]);
   const double x = t[0][along] - (pb + pc) / na;
   const double error =
     RoundingOfLevels + std::ldexp((std::abs(pb) + std::abs(pc)) / std::abs(na), -50);

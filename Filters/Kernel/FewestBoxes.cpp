@@ -93,6 +93,23 @@ void FewestBoxes::evaluate(const Part& part)
   }
 }
 
+// Parts of these levels, x fastest.
+template <class Visitor>
+void FewestBoxes::forEachPart(const std::array<int, 3>& level, Visitor&& visit)
+{
+  Part part{ level, {} };
+  for (part.position[2] = 0; part.position[2] < 1 << level[2]; ++part.position[2])
+  {
+    for (part.position[1] = 0; part.position[1] < 1 << level[1]; ++part.position[1])
+    {
+      for (part.position[0] = 0; part.position[0] < 1 << level[0]; ++part.position[0])
+      {
+        visit(part);
+      }
+    }
+  }
+}
+
 std::uint32_t FewestBoxes::search(int depth, int forced, const std::vector<BoxStatus>& units)
 {
   depth_ = depth;
@@ -100,7 +117,9 @@ std::uint32_t FewestBoxes::search(int depth, int forced, const std::vector<BoxSt
   const std::size_t along = (std::size_t(2) << depth) - 1;
   cost_.resize(along * along * along);
   content_.resize(cost_.size());
-  const int n = 1 << depth;
+  std::size_t unit = 0;
+  forEachPart(
+    { depth, depth, depth }, [&](const Part& part) { content_[index(part)] = bit(units[unit++]); });
   // Halves are deeper than the whole: from the units up.
   std::array<int, 3> level{};
   for (level[2] = depth; level[2] >= 0; --level[2])
@@ -109,22 +128,7 @@ std::uint32_t FewestBoxes::search(int depth, int forced, const std::vector<BoxSt
     {
       for (level[0] = depth; level[0] >= 0; --level[0])
       {
-        Part part{ level, {} };
-        for (part.position[2] = 0; part.position[2] < 1 << level[2]; ++part.position[2])
-        {
-          for (part.position[1] = 0; part.position[1] < 1 << level[1]; ++part.position[1])
-          {
-            for (part.position[0] = 0; part.position[0] < 1 << level[0]; ++part.position[0])
-            {
-              if (level[0] + level[1] + level[2] == 3 * depth)
-              {
-                const int unit = part.position[0] + n * (part.position[1] + n * part.position[2]);
-                content_[index(part)] = bit(units[static_cast<std::size_t>(unit)]);
-              }
-              evaluate(part);
-            }
-          }
-        }
+        forEachPart(level, [&](const Part& part) { evaluate(part); });
       }
     }
   }

@@ -38,6 +38,8 @@ private:
     std::array<int, 3> position;
   };
 
+  template <class Visitor>
+  static void forEachPart(const std::array<int, 3>& level, Visitor&& visit);
   static Part whole() { return { { 0, 0, 0 }, { 0, 0, 0 } }; }
   static Part half(const Part& part, int axis, int which);
   std::size_t index(const Part& part) const;

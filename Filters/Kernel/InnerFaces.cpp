@@ -273,9 +273,8 @@ private:
   // Parts that overlap share walls that face the same way: there are several regions in one place.
   bool anyTwice() const
   {
-    return std::adjacent_find(edges_.begin(), edges_.end(), [](const Edge& e, const Edge& next) {
-      return !(e < next);
-    }) != edges_.end();
+    return std::adjacent_find(edges_.begin(), edges_.end(),
+             [](const Edge& e, const Edge& next) { return !(e < next); }) != edges_.end();
   }
 
   // The unused edge out of `e`'s head that turns left most sharply: regions that only touch in a

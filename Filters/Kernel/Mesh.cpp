@@ -194,10 +194,11 @@ std::array<Id, 8> Mesh::corners(std::size_t box) const
     return p;
   }
   const auto& at = parts_.boxes.globalOf(parts_.boxes.boxes[box]).index;
-  for (unsigned row = 0; row < 4; ++row)
+  for (std::uint32_t corner = 0; corner < 8; corner += 2)
   {
-    p[2 * row] = static_cast<Id>(vertices_.number(at[0], at[1] + (row & 1), at[2] + (row >> 1)));
-    p[2 * row + 1] = p[2 * row] + 1;
+    p[corner] =
+      static_cast<Id>(vertices_.number(at[0], at[1] + (corner >> 1 & 1), at[2] + (corner >> 2)));
+    p[corner + 1] = p[corner] + 1;
   }
   return p;
 }
@@ -370,9 +371,9 @@ BoundaryMesh Mesh::boundaryMesh(Execution& execution) const
   });
   result.corners.resize(static_cast<std::size_t>(scan(result.start)));
   std::vector<std::uint32_t> local(static_cast<std::size_t>(pointCount()));
-  for (std::size_t f = 0; f < boundary_.size(); ++f)
+  for (const BoundaryFace& face : boundary_)
   {
-    forEachPoint(boundary_[f], [&](Id point) { local[static_cast<std::size_t>(point)] = 1; });
+    forEachPoint(face, [&](Id point) { local[static_cast<std::size_t>(point)] = 1; });
   }
   for (std::size_t p = 0; p < local.size(); ++p)
   {

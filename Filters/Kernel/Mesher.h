@@ -11,6 +11,8 @@
 #include "Mesh.h"
 #include "SurfaceCheck.h"
 
+#include <memory>
+
 namespace cartesian
 {
 
@@ -53,7 +55,7 @@ struct BoxedSurface
 // Throws Error: BadParameter (of the refinement), TooManyBoxes.
 
 BoxedSurface boxSurface(
-  const PreparedSurface& prepared, const RefinementSpec& refinement, Execution& execution);
+  const PreparedSurface& prepared, const RefinementSpec& spec, Execution& execution);
 
 // Boxes and patches made into a mesh; borrows both. Throws Error: BadParameter, TooManyBoxes.
 class Assembly

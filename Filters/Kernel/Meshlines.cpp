@@ -24,7 +24,7 @@ constexpr double BytesOfARow = 40;
 // More lines a direction than this would not fit in memory with any surface.
 constexpr double MostLines = 1e8;
 
-const char* const AxisName[] = { "X", "Y", "Z" };
+constexpr std::array<const char*, 3> AxisName = { "X", "Y", "Z" };
 
 double cellSize(const GridSpec& spec, const Bounds& surface)
 {
@@ -86,9 +86,9 @@ std::vector<Level> uniformLines(
         ": choose a larger one.");
   }
   std::vector<Level> lines;
-  for (double i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
   {
-    lines.push_back(lattice.plane(axis, low + i * size));
+    lines.push_back(lattice.plane(axis, low + static_cast<double>(i) * size));
   }
   lines.push_back(lattice.plane(axis, std::max(low + count * size, high)));
   return lines;

@@ -36,7 +36,7 @@ public:
     {
       for (const bool upper : { false, true })
       {
-        Cross& cross = crosses_[static_cast<std::size_t>(2 * axis + upper)];
+        Cross& cross = crosses_[2 * static_cast<std::size_t>(axis) + (upper ? 1 : 0)];
         const std::array<std::uint32_t, 4> across = facing(boxes, box, axis, upper);
         cross.plane = upper ? box.high[static_cast<std::size_t>(axis)]
                             : box.low[static_cast<std::size_t>(axis)];

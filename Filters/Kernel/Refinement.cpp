@@ -9,7 +9,7 @@ namespace cartesian
 namespace
 {
 
-constexpr std::array<char, 3> IndexNames = { 'I', 'J', 'K' };
+const std::array<std::string, 3> IndexNames = { "I from ", "J from ", "K from " };
 
 void checkDepth(int depth, const std::string& what)
 {
@@ -59,8 +59,8 @@ void Refinement::addBlocks(const RefinementSpec& spec, const Meshlines& planes)
     bool empty = false;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const std::string range = std::string(1, IndexNames[axis]) + " from " +
-        std::to_string(block.first[axis]) + " to " + std::to_string(block.last[axis]);
+      const std::string range = IndexNames[axis] + std::to_string(block.first[axis]) + " to " +
+        std::to_string(block.last[axis]);
       if (block.first[axis] > block.last[axis])
       {
         throw Error(Fault::BadParameter,

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <memory>
+#include <vector>
 
 namespace cartesian
 {
@@ -41,7 +41,7 @@ Buckets<Item> sortIntoBuckets(std::vector<std::vector<Item>>& chunkItems, std::s
   BucketOf&& bucketOf, Execution& execution)
 {
   Buckets<Item> result;
-  std::unique_ptr<std::atomic<std::size_t>[]> next(new std::atomic<std::size_t>[buckets + 1]());
+  std::vector<std::atomic<std::size_t>> next(buckets + 1);
   execution.forEach(chunkItems.size(), 1, [&](std::size_t c, std::size_t) {
     for (const Item& item : chunkItems[c])
     {

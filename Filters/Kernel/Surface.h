@@ -23,7 +23,7 @@ struct SurfaceView
 
 // The bounds of all points that triangles use. Throws Error: EmptySurface, BadCoordinate (with
 // the point's id), BadParameter (a triangle that names no point).
-Bounds boundsOf(const SurfaceView& surface);
+Bounds boundsOf(const SurfaceView& view);
 
 struct Surface
 {
