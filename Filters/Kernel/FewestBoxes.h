@@ -5,7 +5,8 @@
 // as forced; one if it is an intersected unit; else the cheapest of its splits into two halves
 // along x, y or z. There are (2^(depth + 1) - 1)^3 such boxes, each looked at once: 27, 343, 3375,
 // 29,791, 250,047 and 2,048,383 for depths 1 to 6, with three additions each. The search is exact
-// for every depth. Of equal splits the one along the lowest axis is taken.
+// for every depth, among boxes that splits can make (five boxes that wind around a corner, which no
+// plane can tell apart, are not looked for). Of equal splits the one along the lowest axis is taken.
 #pragma once
 
 #include "Boxes.h"

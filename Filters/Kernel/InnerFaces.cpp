@@ -108,7 +108,10 @@ public:
       return false;
     }
     traceLoops();
-    joinHolesToLoops();
+    if (!joinHolesToLoops())
+    {
+      return false;
+    }
     emit(part);
     return true;
   }
@@ -335,9 +338,23 @@ private:
     }
   }
 
+  // Whether moving its nodes by a level may turn a loop over.
+  static bool isThin(const std::vector<Flat>& at)
+  {
+    Wide length = 0;
+    for (std::size_t i = 0; i < at.size(); ++i)
+    {
+      const Flat& p = at[i];
+      const Flat& q = at[i + 1 < at.size() ? i + 1 : 0];
+      length += std::abs(q.a - p.a) + std::abs(q.b - p.b);
+    }
+    const Wide twice = area(at);
+    return twice <= 2 * length && -twice <= 2 * length;
+  }
+
   // A hole belongs to the smallest loop around it. A loop that rounding has turned over has none
-  // around it and is a face by itself.
-  void joinHolesToLoops()
+  // around it and is a face by itself; false where the surface turns over a thicker one.
+  bool joinHolesToLoops()
   {
     std::vector<std::vector<FlatPolygon>> holesOf(outer_.size());
     for (FlatPolygon& hole : holes_)
@@ -355,15 +372,20 @@ private:
       {
         holesOf[around].push_back(std::move(hole));
       }
-      else
+      else if (isThin(hole.at))
       {
         outer_.push_back(std::move(hole));
+      }
+      else
+      {
+        return false;
       }
     }
     for (std::size_t i = 0; i < holesOf.size(); ++i)
     {
       joinHoles(outer_[i], std::move(holesOf[i]));
     }
+    return true;
   }
 
   static bool encloses(const FlatPolygon& loop, const FlatPolygon& hole)
