@@ -1,6 +1,7 @@
 #include "Cells.h"
 
 #include "Error.h"
+#include "Vector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,23 +14,6 @@ namespace
 {
 
 constexpr std::size_t BoxesAChunk = 512;
-
-using Vector = std::array<double, 3>;
-
-Vector minus(const Point& p, const Point& q)
-{
-  return { double(p[0]) - q[0], double(p[1]) - q[1], double(p[2]) - q[2] };
-}
-
-Vector cross(const Vector& u, const Vector& v)
-{
-  return { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
-}
-
-double dot(const Vector& u, const Vector& v)
-{
-  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-}
 
 // A cell less thick than this part of a lattice step, on average, is rounding and not a volume.
 constexpr double ThinnestCell = 0.01;

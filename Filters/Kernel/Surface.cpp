@@ -1,6 +1,7 @@
 #include "Surface.h"
 
 #include "Error.h"
+#include "Vector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,23 +53,6 @@ void checkTriangle(const SurfaceView& view, std::size_t triangle)
       }
     }
   }
-}
-
-using Vector = std::array<double, 3>;
-
-Vector minus(const Point& a, const Point& b)
-{
-  return { double(a[0]) - b[0], double(a[1]) - b[1], double(a[2]) - b[2] };
-}
-
-Vector cross(const Vector& a, const Vector& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 // Gives points that share all levels one vertex: fills `surface.vertices`, returns each point's.

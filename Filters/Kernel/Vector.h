@@ -1,0 +1,26 @@
+// Differences of points in double precision, in levels: for measures, never for decisions.
+#pragma once
+
+#include "Lattice.h"
+
+namespace cartesian
+{
+
+using Vector = std::array<double, 3>;
+
+inline Vector minus(const Point& p, const Point& q)
+{
+  return { double(p[0]) - q[0], double(p[1]) - q[1], double(p[2]) - q[2] };
+}
+
+inline Vector cross(const Vector& u, const Vector& v)
+{
+  return { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
+}
+
+inline double dot(const Vector& u, const Vector& v)
+{
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+}
