@@ -3,7 +3,7 @@
 #include "Balance.h"
 #include "Error.h"
 #include "FewestBoxes.h"
-#include "GlobalBoxes.h"
+#include "GlobalStatuses.h"
 #include "UnitStatuses.h"
 
 #include <algorithm>

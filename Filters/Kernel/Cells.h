@@ -61,8 +61,8 @@ struct Cells
 
 struct CellSpec
 {
-  double smallCellRatio =
-    1e-3; // R: cells below this part of their box's volume are removed; [0, 1)
+  // R, from 0 to less than 1: cells below this part of their box's volume are removed.
+  double smallCellRatio = 1e-3;
 };
 
 // Distinguishes the separated volumes of each polyhedral box and marks small ones as removed.

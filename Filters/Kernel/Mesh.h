@@ -48,7 +48,6 @@ public:
   Id cellCount() const { return numbers_.ofBox.back(); }
   Id connectivitySize() const { return rows_.back().connectivity; }
   Id faceStreamSize() const { return rows_.back().faceStream; }
-  const CellNumbers& numbers() const { return numbers_; }
   const std::vector<BoundaryFace>& boundary() const { return boundary_; }
 
   void writePoints(double* xyz, Execution& execution) const;

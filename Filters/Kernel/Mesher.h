@@ -39,7 +39,8 @@ struct PreparedSurface
 PreparedSurface prepareSurface(
   const SurfaceView& view, const GridSpec& grid, double memoryLimit, Execution& execution);
 
-// What the check found, in words with places, or nothing. `cells`: the user's number of each triangle.
+// What the check found, in words with places, or nothing. `cells`: the user's number of each
+// triangle.
 std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>& cells);
 
 // Where the surface reaches beyond the meshlines, in words, or nothing.
@@ -52,12 +53,13 @@ struct BoxedSurface
   std::string warnings; // rows of the specification that reach beyond the grid, or nothing
 };
 
-// Throws Error: BadParameter (of the refinement), TooManyBoxes.
-
+// Throws Error: BadParameter (of the refinement), TooManyBoxes; of a region's surface EmptySurface,
+// BadCoordinate, FlawedSurface.
 BoxedSurface boxSurface(
   const PreparedSurface& prepared, const RefinementSpec& spec, Execution& execution);
 
-// Boxes and patches made into a mesh; borrows both. Throws Error: BadParameter, TooManyBoxes.
+// Boxes and patches made into a mesh; borrows both. Throws Error: BadParameter, TooManyBoxes,
+// FlawedSurface (no cell is left).
 class Assembly
 {
 public:

@@ -1,7 +1,7 @@
 #include "Refinement.h"
 
 #include "Error.h"
-#include "GlobalBoxes.h"
+#include "GlobalStatuses.h"
 
 namespace cartesian
 {
