@@ -4,9 +4,12 @@
 #include "BoxesVTK.h"
 #include "Error.h"
 #include "Mesher.h"
+#include "SurfaceBlocks.h"
 #include "SurfaceFromVTK.h"
 
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
@@ -50,6 +53,31 @@ int WholeNumber(double value, const std::string& where)
       "In " + where + ", " + std::to_string(value) + " is no whole number.");
   }
   return static_cast<int>(value);
+}
+
+// Closed surfaces around regions, with the depth of each: its own, in field data, or `depth`.
+struct RegionSurface
+{
+  std::unique_ptr<cartesian::SurfaceFromVTK> surface;
+  int depth;
+};
+
+std::vector<RegionSurface> RegionSurfaces(vtkInformationVector* input, int depth)
+{
+  std::vector<RegionSurface> regions;
+  for (int i = 0; i < input->GetNumberOfInformationObjects(); ++i)
+  {
+    for (const cartesian::SurfaceBlock& block :
+      cartesian::surfaceBlocks(vtkDataObject::GetData(input, i)))
+    {
+      vtkDataArray* own = block.surface->GetFieldData()->GetArray(cartesian::RegionDepthField);
+      regions.push_back({ std::make_unique<cartesian::SurfaceFromVTK>(block.surface, ""),
+        own && own->GetNumberOfTuples() == 1
+          ? WholeNumber(own->GetComponent(0, 0), "the field data of Refinement Regions")
+          : depth });
+    }
+  }
+  return regions;
 }
 
 }
@@ -157,7 +185,8 @@ double vtkCartesianBoxer::GetMeshline(int axis, int i)
 int vtkCartesianBoxer::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1 ? 1 : 0);
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), port == 1 ? 1 : 0);
+  RequireSurface(info);
   return 1;
 }
 
@@ -203,11 +232,10 @@ cartesian::BoxedSurface vtkCartesianBoxer::Divide(const cartesian::PreparedSurfa
     spec.boundaries.push_back({ WholeNumber(row[0], name), WholeNumber(row[1], name),
       WholeNumber(row[2], name), WholeNumber(row[3], name) != 0 });
   }
-  std::unique_ptr<cartesian::SurfaceFromVTK> region;
-  if (vtkPolyData* input = regions ? vtkPolyData::GetData(regions) : nullptr)
+  const std::vector<RegionSurface> surfaces = RegionSurfaces(regions, this->RegionDepth);
+  for (const RegionSurface& region : surfaces)
   {
-    region = std::make_unique<cartesian::SurfaceFromVTK>(input, "");
-    spec.regions.push_back({ region->view(), this->RegionDepth });
+    spec.regions.push_back({ region.surface->view(), region.depth });
   }
   cartesian::BoxedSurface boxed = cartesian::boxSurface(prepared, spec, execution);
   for (const std::string& warning : { cartesian::describeOverhang(prepared), boxed.warnings })
@@ -228,7 +256,7 @@ int vtkCartesianBoxer::RequestData(
     return 1;
   }
   this->Run(0, cartesian::AfterBoxes, [&](cartesian::Execution& execution) {
-    const cartesian::SurfaceFromVTK surface(vtkPolyData::GetData(input[0]), this->BoundaryArray);
+    const cartesian::SurfaceFromVTK surface(vtkDataObject::GetData(input[0]), this->BoundaryArray);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
     cartesian::toVTK(
       this->Divide(prepared, input[1], execution).boxes, vtkUnstructuredGrid::GetData(output));

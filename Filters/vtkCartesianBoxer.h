@@ -3,7 +3,7 @@
  * @class vtkCartesianBoxer
  * @brief divides the space around a surface into boxes
  *
- * Input: a closed surface (vtkPolyData). Output: the boxes that hold a part of the inside
+ * Input: a closed surface (vtkPolyData, or blocks of it, which are boundaries). Output: the boxes that hold a part of the inside
  * (vtkUnstructuredGrid of voxels; sections 4.1 to 4.6 of the paper).
  *
  * Cell arrays of the output: GlobalBox (int, components I, J, K), Level and Offset (how often
@@ -20,7 +20,8 @@
  * halved again and again, along one, two or three axes: into the fewest boxes that cover what is
  * inside or intersected at the depth allowed there, balanced between neighbours.
  *
- * Input port 1, optional: a closed surface (vtkPolyData) around a region to refine.
+ * Input port 1, optional, many: closed surfaces (vtkPolyData, or blocks of them), each around a
+ * region to refine.
  *
  * @sa vtkPatcher vtkCellAssembler vtkCartesianMesher
  */
@@ -82,8 +83,9 @@ public:
 
   ///@{
   /**
-   * Cell array of the surface that numbers its boundaries. Empty, the default: the one that a
-   * reader made for the solids that an STL file names, if there is one, else one boundary.
+   * Cell array of the surface that numbers its boundaries, or names them. Empty, the default: the
+   * blocks of the surface, or the solids that an STL file names, if there are several, else one
+   * boundary.
    */
   vtkSetMacro(BoundaryArray, std::string);
   vtkGetMacro(BoundaryArray, std::string);
@@ -120,10 +122,15 @@ public:
     int row, double boundary, double depth, double blendLayers, double blendBelow);
   ///@}
 
+  /**
+   * Takes all connections of input port 1 away.
+   */
+  void RemoveAllRefinementRegions() { this->RemoveAllInputConnections(1); }
+
   ///@{
   /**
-   * Depth, allowed and forced, of global boxes in or at the closed surface on input port 1; 0 to 6,
-   * default 1. Applied last; only ever refines.
+   * Depth, allowed and forced, of global boxes in or at closed surfaces on input port 1 that have
+   * none of their own (field data RegionDepth); 0 to 6, default 1. Applied last; only ever refines.
    */
   vtkSetMacro(RegionDepth, int);
   vtkGetMacro(RegionDepth, int);

@@ -30,14 +30,14 @@ int vtkCartesianMesher::RequestData(
     return 1;
   }
   this->Run(0, 1, [&](cartesian::Execution& execution) {
-    const cartesian::SurfaceFromVTK surface(vtkPolyData::GetData(input[0]), this->BoundaryArray);
+    const cartesian::SurfaceFromVTK surface(vtkDataObject::GetData(input[0]), this->BoundaryArray);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
     const cartesian::BoxedSurface boxed = this->Divide(prepared, input[1], execution);
     execution.stage("Patches", cartesian::AfterBoxes, cartesian::AfterPatches);
     const cartesian::Patches patches =
       cartesian::generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes, execution);
     const cartesian::Assembly assembly(boxed.boxes, patches, { this->SmallCellRatio }, execution);
-    cartesian::toVTK(assembly, vtkUnstructuredGrid::GetData(output, 0),
+    cartesian::toVTK(assembly, surface.names(), vtkUnstructuredGrid::GetData(output, 0),
       vtkPolyData::GetData(output, 1), execution);
     this->ReportFlaws(assembly.describeFlaws());
   });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCellAssembler.h"
 
+#include "BoundaryNames.h"
 #include "BoxesVTK.h"
 #include "MeshToVTK.h"
 #include "PatchesVTK.h"
@@ -47,8 +48,8 @@ int vtkCellAssembler::RequestData(
     const cartesian::Patches patches =
       cartesian::patchesFromVTK(vtkPolyData::GetData(input[1]), boxes);
     const cartesian::Assembly assembly(boxes, patches, { this->SmallCellRatio }, execution);
-    cartesian::toVTK(assembly, vtkUnstructuredGrid::GetData(output, 0),
-      vtkPolyData::GetData(output, 1), execution);
+    cartesian::toVTK(assembly, cartesian::boundaryNames(vtkDataObject::GetData(input[1])),
+      vtkUnstructuredGrid::GetData(output, 0), vtkPolyData::GetData(output, 1), execution);
     this->ReportFlaws(assembly.describeFlaws());
   });
   return 1;

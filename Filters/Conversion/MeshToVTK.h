@@ -7,8 +7,13 @@
 //
 // Boundary (vtkPolyData): the faces that only one cell has. Cell arrays: BoundaryId (int; -1 where no
 // patch was), OwnerCell (id type: cell of the mesh). Point array: MeshPointId (id type).
+//
+// Both have field data of one value for each boundary, in order of their numbers: BoundaryIds and
+// BoundaryNames (BoundaryNames.h), BoundaryFaceCounts (id type), BoundaryAreas (double, square user
+// units).
 #pragma once
 
+#include "BoundaryNames.h"
 #include "Mesher.h"
 
 class vtkPolyData;
@@ -17,7 +22,7 @@ class vtkUnstructuredGrid;
 namespace cartesian
 {
 
-void toVTK(
-  const Assembly& assembly, vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution);
+void toVTK(const Assembly& assembly, const BoundaryNames& names, vtkUnstructuredGrid* mesh,
+  vtkPolyData* boundary, Execution& execution);
 
 }
