@@ -182,6 +182,20 @@ double vtkCartesianBoxer::GetMeshline(int axis, int i)
   return this->HasMeshline(axis, i) ? this->Meshlines[axis][i] : 0.0;
 }
 
+void vtkCartesianBoxer::DescribeBoundaries(vtkDataObject* result)
+{
+  if (vtkAlgorithm* source = this->GetInputAlgorithm())
+  {
+    source->Update();
+  }
+  this->Run(0, 1, [&](cartesian::Execution&) {
+    const cartesian::SurfaceFromVTK surface(
+      this->GetNumberOfInputConnections(0) ? this->GetInputDataObject(0, 0) : nullptr,
+      this->BoundaryArray);
+    cartesian::setBoundaryNames(result, surface.names());
+  });
+}
+
 int vtkCartesianBoxer::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1 ? 1 : 0);

@@ -91,6 +91,12 @@ public:
   vtkGetMacro(BoundaryArray, std::string);
   ///@}
 
+  /**
+   * Updates the surface and gives `result` field data: the numbers (BoundaryIds) and the names
+   * (BoundaryNames) of its boundaries. On an error it stays as it is.
+   */
+  void DescribeBoundaries(vtkDataObject* result);
+
   ///@{
   /**
    * How often global boxes that the surface passes through may be halved along each axis, unless

@@ -16,6 +16,8 @@
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
 
+#include <algorithm>
+
 namespace
 {
 
@@ -34,22 +36,29 @@ int vtkRefinementRegion::FillInputPortInformation(int, vtkInformation* info)
 }
 
 int vtkRefinementRegion::RequestData(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
-  const bool isThick = this->Shape == Sphere
-    ? this->Radius > 0
-    : this->Length[0] > 0 && this->Length[1] > 0 && this->Length[2] > 0;
-  if (!isThick)
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  if (this->Shape == Input && input)
+  {
+    output->ShallowCopy(input);
+  }
+  else if (this->Shape == Sphere && this->Radius > 0)
+  {
+    this->MakeSphere(output);
+  }
+  else if (this->Shape == Box && *std::min_element(this->Length, this->Length + 3) > 0)
+  {
+    this->MakeBox(output);
+  }
+  else
   {
     this->SetErrorCode(vtkCartesianAlgorithm::BadParameter);
-    vtkErrorMacro("The region has no volume: its "
-      << (this->Shape == Sphere ? "Radius must be positive."
-                                : "Length must be positive along all three axes."));
-    return 1;
+    vtkErrorMacro("The region has no volume: a box needs a positive Length along all three axes, a "
+                  "sphere a positive Radius, the shape Input a surface as input.");
   }
-  vtkPolyData* output = vtkPolyData::GetData(outputs);
-  this->Shape == Sphere ? this->MakeSphere(output) : this->MakeBox(output);
   vtkNew<vtkIntArray> depth;
   depth->SetName(cartesian::RegionDepthField);
   depth->InsertNextValue(this->Depth);

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRefinementRegion
- * @brief a box or a sphere in which Cartesian Mesher refines
+ * @brief a box, a sphere or a surface in which Cartesian Mesher refines
  *
  * Output: the closed surface of the shape (vtkPolyData), with the depth as field data RegionDepth
  * (int, one number), for input port 1 of vtkCartesianMesher and vtkCartesianBoxer. Section 4.6 of
  * the paper has blocks of global boxes only.
  *
- * Input, optional, is not looked at: ParaView takes the first size of the shape from it.
+ * Input, optional, is the shape or is not looked at: ParaView takes the first size of a box or a
+ * sphere from it.
  *
- * Errors: BadParameter (a length or a radius that is not positive).
+ * Errors: BadParameter (a length or a radius that is not positive, no surface as input).
  *
  * @sa vtkCartesianBoxer vtkCartesianMesher
  */
@@ -29,14 +30,15 @@ public:
   enum Shapes
   {
     Box = 0,
-    Sphere = 1
+    Sphere = 1,
+    Input = 2 ///< the input, a closed surface (vtkPolyData)
   };
 
   ///@{
   /**
-   * Box, the default, or Sphere.
+   * Box, the default, Sphere, or Input.
    */
-  vtkSetClampMacro(Shape, int, Box, Sphere);
+  vtkSetClampMacro(Shape, int, Box, Input);
   vtkGetMacro(Shape, int);
   ///@}
 
