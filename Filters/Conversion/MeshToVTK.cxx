@@ -2,6 +2,7 @@
 #include "MeshToVTK.h"
 
 #include "FieldData.h"
+#include "Polyhedra.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -16,7 +17,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkVersionMacros.h"
 
 namespace cartesian
 {
@@ -44,13 +44,7 @@ void setCells(const Mesh& mesh, vtkUnstructuredGrid* grid, Execution& execution)
     execution);
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);
-  const bool polyhedra = mesh.faceStreamSize() > 0;
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20240112)
-#error "polyhedra are two vtkCellArrays from this version on: split faceStream here"
-#else
-  grid->SetCells(
-    types, cells, polyhedra ? faceStart.Get() : nullptr, polyhedra ? faceStream.Get() : nullptr);
-#endif
+  cartesian::setCells(grid, types, cells, faceStart, faceStream);
 }
 
 void setCellData(const Mesh& mesh, vtkUnstructuredGrid* grid, Execution& execution)

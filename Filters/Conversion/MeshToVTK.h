@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The kernel's mesh as VTK data. The only file that knows how this version of VTK stores polyhedra.
+// The kernel's mesh as VTK data.
 //
 // Mesh (vtkUnstructuredGrid of VTK_HEXAHEDRON and VTK_POLYHEDRON with outward faces). Cell arrays:
 // GlobalBox (int, components I, J, K), Level (unsigned char, components X, Y, Z: of the cell's box), Region (int, from 1), VolumeFraction (double, of the cell's
