@@ -135,7 +135,7 @@ void setBoundary(
   boundary->SetPoints(points);
   boundary->SetPolys(polygons);
   boundary->GetPointData()->AddArray(meshPoint);
-  boundary->GetCellData()->AddArray(id);
+  boundary->GetCellData()->SetScalars(id); // what it is coloured by at first
   boundary->GetCellData()->AddArray(owner);
 }
 

@@ -131,7 +131,7 @@ def _parameter(property, table):
         elements = [bool(element) for element in elements]
     least, most = _range(property)
     return Parameter(name=label.replace(" ", ""), table=table, key=key_of(label), kind=kind,
-        count=count, rows=rows, columns=_columns(property), choices=texts, least=least, most=most,
+        count=count, rows=rows, columns=_columns(property) if count > 1 else [], choices=texts, least=least, most=most,
         default=elements if rows or count > 1 else elements[0],
         documentation=" ".join(property.GetDocumentation().GetDescription().split()))
 
