@@ -31,6 +31,9 @@
 #include "vtkCartesianAlgorithm.h"
 #include "vtkCartesianMesherFiltersModule.h" // for the export macro
 
+#include "vtkDataArraySelection.h" // for vtkDataArraySelection
+#include "vtkNew.h"                // for vtkNew
+
 #include <array>  // for std::array
 #include <string> // for std::string
 #include <vector> // for std::vector
@@ -39,6 +42,7 @@ namespace cartesian
 {
 struct BoxedSurface;
 struct PreparedSurface;
+struct RefinementSpec;
 class SurfaceFromVTK;
 }
 
@@ -135,6 +139,22 @@ public:
 
   ///@{
   /**
+   * Boundaries by name, to be refined where no row above says how: whether one is chosen, and the depth
+   * of global boxes that chosen ones pass through (0 to 6, default 1), without blending. Names may
+   * be chosen before the surface is known; those that it does not have are an error then. The
+   * methods' names are what ParaView asks for.
+   */
+  int GetNumberOfRefinedBoundaryArrays();
+  const char* GetRefinedBoundaryArrayName(int i);
+  int GetRefinedBoundaryArrayStatus(const char* name);
+  void SetRefinedBoundaryArrayStatus(const char* name, int chosen);
+  void ChooseNoRefinedBoundaries();
+  vtkSetMacro(RefinedBoundaryDepth, int);
+  vtkGetMacro(RefinedBoundaryDepth, int);
+  ///@}
+
+  ///@{
+  /**
    * Depth, allowed and forced, of global boxes in or at closed surfaces on input port 1 that have
    * none of their own (field data RegionDepth); 0 to 6, default 1. Applied last; only ever refines.
    */
@@ -157,6 +177,12 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+
+  /**
+   * Finds the names of the boundaries that can be chosen, as soon as the surface is there.
+   */
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
@@ -167,10 +193,12 @@ protected:
     const cartesian::SurfaceFromVTK& surface, cartesian::Execution& execution);
 
   /**
-   * The boxes; rows of tables that reach beyond the grid are reported. `regions`: port 1, or null.
+   * The boxes; rows of tables that reach beyond the grid are reported. `source` is what `prepared`
+   * was made from, `regions` port 1.
    */
-  cartesian::BoxedSurface Divide(const cartesian::PreparedSurface& prepared,
-    vtkInformationVector* regions, cartesian::Execution& execution);
+  cartesian::BoxedSurface Divide(const cartesian::SurfaceFromVTK& source,
+    const cartesian::PreparedSurface& prepared, vtkInformationVector* regions,
+    cartesian::Execution& execution);
 
   double CellSize = 0;
   std::array<std::vector<double>, 3> Meshlines;
@@ -178,6 +206,8 @@ protected:
   int RefinementDepth = 0;
   std::vector<std::array<double, 8>> RefinementBlocks;
   std::vector<std::array<double, 4>> BoundaryRefinements;
+  vtkNew<vtkDataArraySelection> RefinedBoundaries;
+  int RefinedBoundaryDepth = 1;
   int RegionDepth = 1;
   double MemoryLimit = 0;
 
@@ -186,6 +216,12 @@ private:
   void operator=(const vtkCartesianBoxer&) = delete;
 
   bool HasMeshline(int axis, int i);
+  cartesian::RefinementSpec MakeSpec(const cartesian::SurfaceFromVTK& source);
+  void ListBoundaries(const cartesian::SurfaceFromVTK& source);
+  void AddChosenBoundaries(
+    const cartesian::SurfaceFromVTK& source, cartesian::RefinementSpec& spec);
+  vtkMTimeType NamesTime = 0; // of the surface whose boundaries RefinedBoundaries lists
+
   template <class Row>
   void Resize(std::vector<Row>& table, int number);
   template <class Row>

@@ -32,7 +32,7 @@ int vtkCartesianMesher::RequestData(
   this->Run(0, 1, [&](cartesian::Execution& execution) {
     const cartesian::SurfaceFromVTK surface(vtkDataObject::GetData(input[0]), this->BoundaryArray);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
-    const cartesian::BoxedSurface boxed = this->Divide(prepared, input[1], execution);
+    const cartesian::BoxedSurface boxed = this->Divide(surface, prepared, input[1], execution);
     execution.stage("Patches", cartesian::AfterBoxes, cartesian::AfterPatches);
     const cartesian::Patches patches =
       cartesian::generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes, execution);

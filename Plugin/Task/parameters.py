@@ -118,6 +118,8 @@ def _parameter(property, table):
     label = property.GetXMLLabel()
     rows = bool(property.GetRepeatable())
     count = property.GetNumberOfElementsPerCommand() if rows else property.GetNumberOfElements()
+    if _domain(property, "vtkSMArraySelectionDomain"):
+        count = 1  # names of those chosen; to the server they go with a number each
     kind = {"vtkSMIntVectorProperty": int, "vtkSMDoubleVectorProperty": float,
             "vtkSMStringVectorProperty": str}[property.GetClassName()]
     elements = [property.GetElement(i) for i in range(property.GetNumberOfElements())]

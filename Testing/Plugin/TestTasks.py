@@ -52,7 +52,7 @@ def read(name, reader=simple.XMLUnstructuredGridReader):
 # back, it is what a new filter has.
 mesher = simple.CartesianMesher(Input=simple.Sphere())
 assert {parameter.name for parameter in parameters(MESHER)} == \
-    set(mesher.ListProperties()) - {"Input", "RefinementRegions"}
+    set(mesher.ListProperties()) - {"Input", "RefinementRegions", "RefinedBoundaryInfo"}
 region = simple.RefinementRegion(Input=simple.Sphere())
 assert {parameter.name for parameter in parameters(REGION)} == set(region.ListProperties()) - {"Input"}
 for parameter in parameters(MESHER):
