@@ -3,6 +3,8 @@
 
 #include "Lattice.h"
 
+#include <cmath>
+
 namespace cartesian
 {
 
@@ -18,9 +20,26 @@ inline Vector cross(const Vector& u, const Vector& v)
   return { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
 }
 
+inline Vector plus(const Vector& u, const Vector& v)
+{
+  return { u[0] + v[0], u[1] + v[1], u[2] + v[2] };
+}
+
+inline Vector minus(const Vector& u, const Vector& v)
+{
+  return { u[0] - v[0], u[1] - v[1], u[2] - v[2] };
+}
+
 inline double dot(const Vector& u, const Vector& v)
 {
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+// Of length 1; a vector without length stays one.
+inline Vector unit(const Vector& v)
+{
+  const double length = std::sqrt(dot(v, v));
+  return length > 0 ? Vector{ v[0] / length, v[1] / length, v[2] / length } : v;
 }
 
 }
