@@ -24,7 +24,7 @@ PatchReason PatchChooser::choose(const Box& box, const BoxSurface& piece)
   {
     return PatchReason::ClosedPolyline;
   }
-  if (piece.sharp)
+  if (piece.sharp || turnsTooFar(piece))
   {
     return PatchReason::SharpFeature;
   }
@@ -80,6 +80,21 @@ bool PatchChooser::crossingsFitCorners(const Box& box) const
     }
   }
   return true;
+}
+
+// A rounded edge that is small against the box is as sharp as any other.
+bool PatchChooser::turnsTooFar(const BoxSurface& piece) const
+{
+  Vector sum{ 0, 0, 0 };
+  for (const std::uint32_t triangle : piece.triangles)
+  {
+    sum = plus(sum, features_.normal[triangle]);
+  }
+  const Vector mean = unit(sum);
+  return std::any_of(piece.triangles.begin(), piece.triangles.end(), [&](std::uint32_t triangle) {
+    const Vector& normal = features_.normal[triangle];
+    return dot(normal, normal) > 0 && dot(normal, mean) < leastCosine_;
+  });
 }
 
 bool PatchChooser::hasSeveralBoundaries(const BoxSurface& piece) const

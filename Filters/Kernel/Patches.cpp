@@ -326,7 +326,7 @@ void cutPieces(const Surface& surface, const Features& features, const Boxes& bo
   std::size_t begin, std::size_t end, Pieces& pieces, std::vector<PatchReason>& reasons)
 {
   SurfaceCutter cutter(surface, features, boxes, spec.method != PatchMethod::ExactFit);
-  PatchChooser chooser(surface);
+  PatchChooser chooser(surface, features, spec.featureAngle);
   BoxSurface piece;
   for (std::size_t n = begin; n < end; ++n)
   {
