@@ -422,7 +422,7 @@ void SideTying::dropSimilar(const BoxSurface& piece)
 bool SideTying::mayReplace(
   const BoxSurface& piece, std::size_t i, std::size_t before, std::size_t j) const
 {
-  if (isFeature(before))
+  if (isFeature(piece, before))
   {
     return false;
   }
@@ -443,12 +443,28 @@ bool SideTying::mayReplace(
   return length >= shortest_ && !passesOver(piece, i, before, j);
 }
 
-bool SideTying::isFeature(std::size_t node) const
+bool SideTying::isFeature(const BoxSurface& piece, std::size_t node) const
 {
   const std::uint32_t a = line_.triangles[node - 1];
   const std::uint32_t b = line_.triangles[node];
+  const Point& p = piece.points[line_.nodes[node]];
   return surface_.boundary[a] != surface_.boundary[b] ||
-    dot(features_.normal[a], features_.normal[b]) < featureCosine_;
+    dot(features_.normal[a], features_.normal[b]) < featureCosine_ || isNextToFeature(p, a) ||
+    isNextToFeature(p, b);
+}
+
+// A feature may run along a side, just beyond it: the polyline follows it.
+bool SideTying::isNextToFeature(const Point& p, std::uint32_t triangle) const
+{
+  const Corners corners = surface_.corners(triangle);
+  for (unsigned i = 0; i < 3; ++i)
+  {
+    if (features_.endsIn(triangle, i) && distance(p, corners[i]) < 4 * shortest_)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 // Whether another node lies in the triangle between the chords to the node before and to this one.

@@ -64,7 +64,8 @@ private:
   void dropShort(const BoxSurface& piece);
   void dropSimilar(const BoxSurface& piece);
   bool mayReplace(const BoxSurface& piece, std::size_t i, std::size_t before, std::size_t j) const;
-  bool isFeature(std::size_t node) const;
+  bool isFeature(const BoxSurface& piece, std::size_t node) const;
+  bool isNextToFeature(const Point& p, std::uint32_t triangle) const;
   bool passesOver(const BoxSurface& piece, std::size_t i, std::size_t before, std::size_t j) const;
   void moveOntoChord(const BoxSurface& piece);
   void startAtFirstTriangle();
