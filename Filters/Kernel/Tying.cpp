@@ -48,6 +48,7 @@ void SideTying::tie(std::uint32_t b, BoxSurface& piece)
   {
     onto_[i] = i;
   }
+  short_.assign(piece.points.size(), 0);
   partner_.assign(piece.points.size(), None);
   if (spec_.method == PatchMethod::MarchingCubes)
   {
@@ -305,15 +306,27 @@ void SideTying::finishPolyline(BoxSurface& piece, bool upper)
   {
     moveOntoChord(piece);
   }
+  addChords(piece, upper);
+}
+
+void SideTying::addChords(const BoxSurface& piece, bool upper)
+{
   std::size_t last = 0;
-  for (std::size_t i = 1; i < count; ++i)
+  for (std::size_t i = 1; i < line_.nodes.size(); ++i)
   {
     if (line_.keep[i] == 0)
     {
-      onto_[line_.nodes[i]] = line_.nodes[last];
       continue;
     }
-    Chord chord{ line_.nodes[last], line_.nodes[i], line_.triangles[last], line_.triangles[i - 1] };
+    const std::uint32_t from = line_.nodes[last];
+    const std::uint32_t to = line_.nodes[i];
+    for (std::size_t k = last + 1; k < i; ++k)
+    {
+      const Point& p = piece.points[line_.nodes[k]];
+      onto_[line_.nodes[k]] =
+        distance(p, piece.points[from]) <= distance(p, piece.points[to]) ? from : to;
+    }
+    Chord chord{ from, to, line_.triangles[last], line_.triangles[i - 1] };
     if (!upper)
     {
       std::swap(chord.from, chord.to);
@@ -388,6 +401,7 @@ void SideTying::dropShort(const BoxSurface& piece)
     const bool tooShort = distance(piece.points[line_.nodes[last]], p) < shortest_ ||
       distance(p, piece.points[line_.nodes[end]]) < shortest_;
     line_.keep[i] = tooShort ? 0 : 1;
+    short_[line_.nodes[i]] = tooShort ? 1 : 0;
     last = tooShort ? last : i;
   }
 }
