@@ -57,7 +57,7 @@ protected:
 
   int PatchMethod = 0;
   double FeatureAngle = 30;
-  double MergeAngle = 15;
+  double MergeAngle = 10;
   int Tying = 0;
   double SmallCellRatio = 1e-3;
 
