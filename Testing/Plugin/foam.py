@@ -5,7 +5,10 @@ import pathlib
 import re
 import subprocess
 
+import numpy as np
 from paraview import simple
+
+import measure
 
 # Debian's package keeps its configuration here; the programs ask for nothing else.
 ENVIRONMENT = dict(os.environ, WM_PROJECT_DIR="/usr/share/openfoam", FOAM_SIGFPE="true")
@@ -59,3 +62,89 @@ def write(folder, path, text, kind="dictionary"):
     path = pathlib.Path(folder) / path
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(dictionary(path.name, text, kind))
+
+
+class Files:
+    """constant/polyMesh, read without any of the code that wrote it."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder) / "constant" / "polyMesh"
+        self.points = self.lists("points", np.float64)[0].reshape(-1, 3)
+        self.owner = self.lists("owner", np.int32)[0]
+        self.neighbour = self.lists("neighbour", np.int32)[0]
+        self.cells = max(self.owner.max(), self.neighbour.max(initial=0)) + 1
+        start, corners = self.lists("faces", np.int32)
+        self.faces = measure.Faces(corners, np.diff(start), self.owner)
+        text = (self.folder / "boundary").read_text()
+        self.patches = {}
+        for name, entries in re.findall(r"(\S+)\s*\{([^{}]*nFaces[^{}]*)\}", text):
+            numbers = [int(re.search(key + r"\s+(\d+);", entries)[1])
+                       for key in ("startFace", "nFaces")]
+            self.patches[name] = (re.search(r"type\s+(\w+);", entries)[1], *numbers)
+
+    def lists(self, name, kind):
+        data = (self.folder / name).read_bytes()
+        header, _, body = data.partition(b"}\n\n")
+        if b"binary" in header:
+            return list(self.binary_lists(body, kind))
+        count, _, items = body.partition(b"\n")
+        if b"faceList" not in header:
+            words = items.translate(bytes.maketrans(b"()", b"  ")).split()
+            found = [np.array(words).astype(kind)]
+        else:
+            rows = re.findall(rb"(\d+)\(([\d ]*)\)", items)
+            assert all(int(size) == len(row.split()) for size, row in rows)
+            sizes = [int(size) for size, _ in rows]
+            found = [np.concatenate([[0], np.cumsum(sizes)]),
+                     np.array(b" ".join(row for _, row in rows).split()).astype(kind)]
+        items_found = len(found[0]) - 1 if len(found) == 2 else len(found[0])
+        assert int(count) * (3 if name == "points" else 1) == items_found, name
+        return found
+
+    @staticmethod
+    def binary_lists(body, kind):
+        width = np.dtype(kind).itemsize * (3 if kind == np.float64 else 1)
+        while body.strip():
+            count, _, body = body.partition(b"\n")
+            size = int(count) * width
+            if size:
+                assert body[:1] == b"(" and body[size + 1:size + 2] == b")"
+                yield np.frombuffer(body[1:size + 1], kind)
+                body = body[size + 2:]
+            else:
+                yield np.zeros(0, kind)
+            body = body[1:]
+
+    def check(self):
+        """What OpenFOAM asks of the order of faces and cells."""
+        inner = len(self.neighbour)
+        owner = self.owner[:inner]
+        assert (owner < self.neighbour).all(), "an owner is above its neighbour"
+        pairs = owner.astype(np.int64) * self.cells + self.neighbour
+        assert (np.diff(pairs) >= 0).all(), "inner faces are not in upper triangular order"
+        next = inner
+        for name, (_, start, count) in self.patches.items():
+            assert start == next and count > 0, name
+            assert (np.diff(self.owner[start:start + count]) >= 0).all(), name
+            next += count
+        assert next == len(self.owner)
+
+    def volumes(self):
+        """Of the cells, each about one of its points."""
+        cells, inner = self.cells, len(self.neighbour)
+        first = self.points[self.faces.corners[self.faces.start[:-1]]]
+        origin = np.empty((cells, 3))
+        origin[self.owner] = first
+        origin[self.neighbour] = first[:inner]
+        _, _, volume = self.faces.measure(self.points, origin)
+        result = np.bincount(self.owner, volume, cells)
+        turned = measure.Faces(self.faces.corners[:self.faces.start[inner]],
+                               self.faces.size[:inner], self.neighbour)
+        _, _, volume = turned.measure(self.points, origin)
+        return result - np.bincount(self.neighbour, volume, cells)
+
+    def areas(self):
+        """Of the patches, by name."""
+        _, area, _ = self.faces.measure(self.points, np.zeros((self.cells, 3)))
+        return {name: area[start:start + count].sum()
+                for name, (_, start, count) in self.patches.items()}
