@@ -18,9 +18,9 @@ with tempfile.TemporaryDirectory() as temporary:
     alone = foam.Files(foam.save(mesher, pathlib.Path(temporary) / "alone"))
     alone.check()
     shared = simple.RedistributeDataSet(Input=mesher)
-    ranks = simple.ProcessIds(Input=shared)
+    ranks = simple.ProcessIdScalars(Input=shared)
     ranks.UpdatePipeline()
-    assert ranks.CellData["ProcessId"].GetRange() == (0, 1), "only one rank has cells"
+    assert ranks.PointData["ProcessId"].GetRange() == (0, 1), "only one rank has cells"
     both = foam.Files(foam.save(shared, pathlib.Path(temporary) / "both"))
     both.check()
     assert alone.cells == mesher.GetDataInformation().GetNumberOfCells() == both.cells

@@ -10,8 +10,7 @@ from paraview import simple
 
 import measure
 
-# Debian's package keeps its configuration here; the programs ask for nothing else.
-ENVIRONMENT = dict(os.environ, WM_PROJECT_DIR="/usr/share/openfoam", FOAM_SIGFPE="true")
+CONFIGURATION = "/usr/share/openfoam"  # of Debian's package; the programs need nothing else
 
 FIGURES = {
     "cells": r"^ +cells: +(\S+)",
@@ -33,7 +32,8 @@ def save(proxy, folder, **properties):
 
 def run(folder, *command):
     """What the program prints; an error if it fails."""
-    done = subprocess.run(command, cwd=folder, env=ENVIRONMENT, text=True, errors="replace",
+    environment = dict(os.environ, WM_PROJECT_DIR=CONFIGURATION, PWD=str(folder))
+    done = subprocess.run(command, cwd=folder, env=environment, text=True, errors="replace",
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     assert done.returncode == 0, f"{' '.join(command)} failed:\n{done.stdout[-3000:]}"
     return done.stdout
@@ -148,3 +148,78 @@ class Files:
         _, area, _ = self.faces.measure(self.points, np.zeros((self.cells, 3)))
         return {name: area[start:start + count].sum()
                 for name, (_, start, count) in self.patches.items()}
+
+    def centres(self):
+        """Of the cells, as OpenFOAM finds them: of the pyramids on their faces."""
+        inner = len(self.neighbour)
+        face_centres, vectors = self.face_centres()
+        owner = np.concatenate([self.owner, self.neighbour])
+        at = np.concatenate([face_centres, face_centres[:inner]])
+        out = np.concatenate([vectors, -vectors[:inner]])
+
+        def sums(values):
+            return np.stack([np.bincount(owner, v, self.cells) for v in values.T], axis=1)
+
+        guess = sums(at) / np.bincount(owner, minlength=self.cells)[:, None]
+        pyramids = np.einsum("ij,ij->i", out, at - guess[owner])[:, None]
+        return sums(pyramids * (0.75 * at + 0.25 * guess[owner])) / sums(pyramids)
+
+    def face_centres(self):
+        """Centres and area vectors of the faces: of the triangles around the corners' mean."""
+        faces = self.faces
+        p = self.points[faces.corners]
+        q = self.points[faces.corners[faces.next]]
+        middle = (faces.sums(p) / faces.size[:, None])[faces.face]
+        triangles = np.cross(p - middle, q - middle) / 2
+        vectors = faces.sums(triangles)
+        sizes = np.linalg.norm(triangles, axis=1)[:, None]
+        return faces.sums(sizes * (p + q + middle) / 3) / faces.sums(sizes), vectors
+
+    def of_patch(self, name):
+        _, start, count = self.patches[name]
+        return slice(start, start + count)
+
+
+def items(values):
+    """A field's values as OpenFOAM reads them, scalars or vectors."""
+    values = np.asarray(values)
+    kind = "scalar" if values.ndim == 1 else "vector"
+    rows = "\n".join(f"{v!r}" if values.ndim == 1 else "({!r} {!r} {!r})".format(*v)
+                     for v in values.tolist())
+    return f"nonuniform List<{kind}> {len(values)}\n(\n{rows}\n)"
+
+
+def write_field(folder, name, dimensions, start, patches):
+    """0/name: `start` everywhere, and for each patch the type of its condition and its entries."""
+    conditions = "\n".join(f"{patch} {{ type {text} }}" for patch, text in patches.items())
+    kind = "volVectorField" if start.startswith("(") else "volScalarField"
+    write(folder, f"0/{name}", f"dimensions {dimensions};\ninternalField uniform {start};\n"
+          f"boundaryField\n{{\n{conditions}\n}}", kind)
+
+
+def control(folder, end, text=""):
+    """system/controlDict: steps of 1 to `end`, which alone is written."""
+    write(folder, "system/controlDict",
+          f"startFrom startTime; startTime 0; stopAt endTime; endTime {end}; deltaT 1;\n"
+          f"writeControl timeStep; writeInterval {end}; writeFormat ascii; writePrecision 12;\n{text}")
+
+
+def read_field(folder, time, name):
+    """The cells' values."""
+    text = (pathlib.Path(folder) / str(time) / name).read_text()
+    found = re.search(r"internalField\s+nonuniform List<(\w+)>\s*\d+\s*\(\s(.*?)\n\)", text, re.DOTALL)
+    values = np.array(found[2].replace("(", " ").replace(")", " ").split(), float)
+    return values.reshape(-1, 3) if found[1] == "vector" else values
+
+
+def read_flows(folder, time):
+    """Out of the mesh through each patch: the sum of the field phi over its faces."""
+    text = (pathlib.Path(folder) / str(time) / "phi").read_text()
+    found = re.findall(r"\n    (\S+)\n    \{[^{}]*?value\s+(\w+) ([^{};]*);",
+                       text[text.index("boundaryField"):])
+    flows = {}
+    for patch, kind, values in found:
+        numbers = values.partition("(")[2].rstrip(")\n ") if kind == "nonuniform" else values
+        flows[patch] = np.array(numbers.split(), float).sum()
+        assert kind == "nonuniform" or flows[patch] == 0, values
+    return flows
