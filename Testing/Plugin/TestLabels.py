@@ -39,3 +39,8 @@ for proxy, (label, inputs, properties) in expected.items():
 for proxy in assembler, mesher:
     ports = [proxy.GetOutputPortName(i) for i in range(proxy.GetNumberOfOutputPorts())]
     assert ports == ["Mesh", "Boundary"], ports
+
+writer = simple.CreateWriter("case.foam", mesher)
+assert writer.GetXMLLabel() == "OpenFOAM Mesh Writer", writer.GetXMLLabel()
+assert sorted(writer.ListProperties()) == ["FileName", "FileType", "Input"]
+assert writer.FileType == "Binary"
