@@ -1,7 +1,9 @@
-// Differences of points in double precision, in levels: for measures, never for decisions.
+// Vectors in double precision, in levels or user units: for measures, never for decisions.
 #pragma once
 
 #include "Lattice.h"
+
+#include <cmath>
 
 namespace cartesian
 {
@@ -13,6 +15,21 @@ inline Vector minus(const Point& p, const Point& q)
   return { double(p[0]) - q[0], double(p[1]) - q[1], double(p[2]) - q[2] };
 }
 
+inline Vector minus(const Vector& u, const Vector& v)
+{
+  return { u[0] - v[0], u[1] - v[1], u[2] - v[2] };
+}
+
+inline Vector plus(const Vector& u, const Vector& v)
+{
+  return { u[0] + v[0], u[1] + v[1], u[2] + v[2] };
+}
+
+inline Vector times(double factor, const Vector& u)
+{
+  return { factor * u[0], factor * u[1], factor * u[2] };
+}
+
 inline Vector cross(const Vector& u, const Vector& v)
 {
   return { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
@@ -21,6 +38,11 @@ inline Vector cross(const Vector& u, const Vector& v)
 inline double dot(const Vector& u, const Vector& v)
 {
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+inline double length(const Vector& u)
+{
+  return std::sqrt(dot(u, u));
 }
 
 }
