@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFiniteVolumeQuality.h"
 
-#include "CellFacesFromVTK.h"
 #include "FieldData.h"
+#include "GridFaces.h"
 #include "QualityMeasures.h"
 
 #include "vtkCellArray.h"
@@ -20,20 +20,32 @@ vtkStandardNewMacro(vtkFiniteVolumeQuality);
 namespace
 {
 
-template <class Array, class Value>
-vtkNew<Array> MakeArray(const std::vector<Value>& values)
+// x, y, z of each point, as doubles: the grid's own array, or a copy of it in `copy`.
+const double* Coordinates(vtkUnstructuredGrid* grid, std::vector<double>& copy)
 {
-  vtkNew<Array> array;
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  return array;
+  if (!grid->GetPoints())
+  {
+    return nullptr;
+  }
+  if (auto* doubles = vtkDoubleArray::SafeDownCast(grid->GetPoints()->GetData()))
+  {
+    return doubles->GetPointer(0);
+  }
+  copy.resize(3 * static_cast<std::size_t>(grid->GetNumberOfPoints()));
+  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+  {
+    grid->GetPoint(p, copy.data() + 3 * p);
+  }
+  return copy.data();
 }
 
 template <class Array, class Value>
 void AddArray(vtkCellData* data, const char* name, const std::vector<Value>& values)
 {
-  const vtkNew<Array> array = MakeArray<Array>(values);
+  vtkNew<Array> array;
   array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
   data->AddArray(array);
 }
 
@@ -50,15 +62,25 @@ void SetMeasures(const std::array<std::vector<double>, cartesian::MeasureCount>&
   }
 }
 
-void SetFaces(const cartesian::FaceList& faces, vtkUnstructuredGrid* grid, vtkPolyData* output)
+void SetFaces(const cartesian::CellFaces& cells, const cartesian::FaceList& faces,
+  vtkUnstructuredGrid* grid, vtkPolyData* output)
 {
   vtkNew<vtkCellArray> polygons;
-  polygons->SetData(MakeArray<vtkIdTypeArray>(faces.start), MakeArray<vtkIdTypeArray>(faces.nodes));
+  polygons->AllocateEstimate(static_cast<vtkIdType>(faces.face.size()), 4);
+  for (const std::uint32_t face : faces.face)
+  {
+    const std::size_t end = cells.firstCorner[face + 1];
+    polygons->InsertNextCell(static_cast<int>(end - cells.firstCorner[face]));
+    for (std::size_t i = cells.firstCorner[face]; i < end; ++i)
+    {
+      polygons->InsertCellPoint(cells.corners[i]);
+    }
+  }
   output->SetPoints(grid->GetPoints());
   output->GetPointData()->PassData(grid->GetPointData());
   output->SetPolys(polygons);
   AddArray<vtkIdTypeArray>(output->GetCellData(), "Owner", faces.owner);
-  std::vector<cartesian::Id> neighbour = faces.neighbour;
+  std::vector<vtkIdType> neighbour(faces.neighbour.begin(), faces.neighbour.end());
   neighbour.resize(faces.owner.size(), -1);
   AddArray<vtkIdTypeArray>(output->GetCellData(), "Neighbour", neighbour);
 }
@@ -96,15 +118,17 @@ int vtkFiniteVolumeQuality::RequestData(
   vtkPolyData* faces = vtkPolyData::GetData(output, 1);
   this->Run(0, 1, [&](cartesian::Execution& execution) {
     execution.stage("Faces", 0, 0.5);
-    const cartesian::FaceList list = cartesian::shareFaces(
-      cartesian::cellFacesFromVTK(grid), grid->GetNumberOfPoints(), execution);
+    const cartesian::CellFaces cells = cartesian::facesOfCells(grid);
+    const cartesian::FaceList list =
+      cartesian::listFaces(cells, static_cast<std::size_t>(grid->GetNumberOfPoints()),
+        cartesian::Clashes::AreBoundary, execution);
     execution.stage("Quality measures", 0.5, 1);
     std::vector<double> copy;
-    const cartesian::Quality quality = cartesian::measureQuality(
-      cartesian::coordinates(grid, copy), list, grid->GetNumberOfCells(), execution);
+    const cartesian::Quality quality =
+      cartesian::measureQuality(Coordinates(grid, copy), cells, list, execution);
     mesh->ShallowCopy(grid);
     SetMeasures(quality.cells, quality.cellFailures, mesh->GetCellData());
-    SetFaces(list, grid, faces);
+    SetFaces(cells, list, grid, faces);
     SetMeasures(quality.faces, quality.faceFailures, faces->GetCellData());
     for (const auto& [name, value] : cartesian::summarise(quality, list))
     {

@@ -39,7 +39,7 @@
  * Cells of less than three dimensions have NaN and no failures. On several processes each measures
  * its own part of the mesh.
  *
- * Errors: BadParameter (cells with curved edges).
+ * Errors: BadMesh (cells with curved edges, or too many points).
  *
  * @sa vtkCartesianMesher
  */

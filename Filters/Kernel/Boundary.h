@@ -2,10 +2,11 @@
 #pragma once
 
 #include "Cells.h"
-#include "FaceList.h"
 
 namespace cartesian
 {
+
+using Id = long long;
 
 // All that the mesh is made of.
 struct MeshParts

@@ -25,7 +25,7 @@ public:
   void clear() { edges_.clear(); }
 
   // An edge of the face with this number, in the direction that is counter-clockwise from outside.
-  void add(long long from, long long to, std::uint32_t face)
+  void add(std::uint32_t from, std::uint32_t to, std::uint32_t face)
   {
     edges_.push_back(from < to ? Edge{ from, to, true, face } : Edge{ to, from, false, face });
   }
@@ -38,8 +38,8 @@ public:
 private:
   struct Edge
   {
-    long long low;
-    long long high;
+    std::uint32_t low;
+    std::uint32_t high;
     bool ahead; // from low to high
     std::uint32_t face;
 

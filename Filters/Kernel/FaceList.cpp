@@ -1,8 +1,10 @@
 #include "FaceList.h"
 
+#include "Error.h"
 #include "Sorting.h"
 
-#include <algorithm>
+#include <array>
+#include <limits>
 
 namespace cartesian
 {
@@ -10,167 +12,317 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t FacesAChunk = 4096;
-constexpr std::size_t PointsAChunk = 1024;
-constexpr Id NoFace = -1;
+constexpr std::size_t CellsAChunk = 4096;
+constexpr std::size_t BucketsAChunk = 1024;
 
-std::size_t at(Id id)
+// In place of a neighbour.
+constexpr std::uint32_t None = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t Clash = None - 1;
+
+// A face under its three lowest points: faces that are the same have those in common.
+struct NamedFace
 {
-  return static_cast<std::size_t>(id);
-}
+  std::array<std::uint32_t, 3> lowest;
+  std::uint32_t face;
 
-struct Candidate
-{
-  Id leastPoint;
-  Id face;
-
-  bool operator<(const Candidate& other) const { return face < other.face; }
+  bool operator<(const NamedFace& other) const
+  {
+    return lowest != other.lowest ? lowest < other.lowest : face < other.face;
+  }
 };
 
 class Matcher
 {
 public:
-  explicit Matcher(const CellFaces& faces)
-    : faces_(faces)
-  {
-  }
+  explicit Matcher(const CellFaces& cells);
 
-  // The face on the other side of each, or NoFace.
-  std::vector<Id> match(Id points, Execution& execution) const
-  {
-    std::vector<Id> partner(at(faces_.size()), NoFace);
-    const Buckets<Candidate> byPoint = byLeastPoint(points, execution);
-    execution.forEach(at(points), PointsAChunk, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t point = begin; point < end; ++point)
-      {
-        matchAll(byPoint.begin(point), byPoint.end(point), partner);
-      }
-    });
-    return partner;
-  }
+  // The cell on the other side of each face, or None, or Clash.
+  std::vector<std::uint32_t> neighbours(std::size_t pointCount, Execution& execution);
 
 private:
-  const Id* begin(Id face) const { return faces_.nodes.data() + faces_.start[at(face)]; }
-  const Id* end(Id face) const { return faces_.nodes.data() + faces_.start[at(face) + 1]; }
+  NamedFace named(std::size_t face) const;
+  void matchRun(const NamedFace* begin, const NamedFace* end);
+  void match(std::uint32_t face, std::uint32_t other);
+  bool same(std::uint32_t face, std::uint32_t other, bool turned) const;
 
-  Buckets<Candidate> byLeastPoint(Id points, Execution& execution) const
+  const std::uint32_t* corners(std::size_t face) const
   {
-    std::vector<std::vector<Candidate>> candidates(chunks(at(faces_.size()), FacesAChunk));
-    execution.forEach(at(faces_.size()), FacesAChunk, [&](std::size_t first, std::size_t last) {
-      std::vector<Candidate>& mine = candidates[first / FacesAChunk];
-      for (auto face = static_cast<Id>(first); face < static_cast<Id>(last); ++face)
-      {
-        if (begin(face) != end(face))
-        {
-          mine.push_back({ *std::min_element(begin(face), end(face)), face });
-        }
-      }
-    });
-    return sortIntoBuckets(
-      candidates, at(points), [](const Candidate& c) { return at(c.leastPoint); }, execution);
+    return cells_.corners.data() + cells_.firstCorner[face];
+  }
+  std::size_t size(std::size_t face) const
+  {
+    return cells_.firstCorner[face + 1] - cells_.firstCorner[face];
   }
 
-  void matchAll(const Candidate* first, const Candidate* last, std::vector<Id>& partner) const
-  {
-    for (; first != last; ++first)
-    {
-      for (const Candidate* other = first + 1; other != last && partner[at(first->face)] == NoFace;
-           ++other)
-      {
-        if (partner[at(other->face)] == NoFace && opposite(first->face, other->face))
-        {
-          partner[at(first->face)] = other->face;
-          partner[at(other->face)] = first->face;
-        }
-      }
-    }
-  }
-
-  bool opposite(Id face, Id other) const
-  {
-    const auto size = end(face) - begin(face);
-    if (end(other) - begin(other) != size || faces_.cell[at(face)] == faces_.cell[at(other)])
-    {
-      return false;
-    }
-    // A polygon may visit a point twice: every corner can be the one that they start from.
-    for (auto shift = size; shift-- > 0;)
-    {
-      std::ptrdiff_t i = 0;
-      while (i < size && begin(face)[i] == begin(other)[(2 * size - 1 - shift - i) % size])
-      {
-        ++i;
-      }
-      if (i == size)
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  const CellFaces& faces_;
+  const CellFaces& cells_;
+  std::vector<std::uint32_t> cellOf_;
+  std::vector<std::uint32_t> neighbours_;
 };
 
-// Inner faces that cells own, in upper-triangular order, then all others.
-std::vector<Id> orderOf(const CellFaces& faces, const std::vector<Id>& partner, Id& inner)
+Matcher::Matcher(const CellFaces& cells)
+  : cells_(cells)
+  , cellOf_(cells.faceCount())
+  , neighbours_(cells.faceCount(), None)
 {
-  std::vector<Id> order;
-  const auto neighbour = [&](Id face) { return faces.cell[at(partner[at(face)])]; };
-  Id last = 0;
-  for (Id first = 0; first < faces.size(); first = last)
+  for (std::size_t c = 0; c < cells.cellCount(); ++c)
   {
-    const auto owned = static_cast<std::ptrdiff_t>(order.size());
-    for (; last < faces.size() && faces.cell[at(last)] == faces.cell[at(first)]; ++last)
+    for (std::size_t f = cells.firstFace[c]; f < cells.firstFace[c + 1]; ++f)
     {
-      if (partner[at(last)] != NoFace && faces.cell[at(last)] < neighbour(last))
-      {
-        order.push_back(last);
-      }
-    }
-    std::stable_sort(order.begin() + owned, order.end(),
-      [&](Id left, Id right) { return neighbour(left) < neighbour(right); });
-  }
-  inner = static_cast<Id>(order.size());
-  for (Id face = 0; face < faces.size(); ++face)
-  {
-    if (partner[at(face)] == NoFace)
-    {
-      order.push_back(face);
+      cellOf_[f] = static_cast<std::uint32_t>(c);
     }
   }
-  return order;
 }
 
-}
-
-FaceList shareFaces(const CellFaces& faces, Id points, Execution& execution)
+NamedFace Matcher::named(std::size_t face) const
 {
-  const std::vector<Id> partner = Matcher(faces).match(points, execution);
-  Id inner = 0;
-  const std::vector<Id> order = orderOf(faces, partner, inner);
-  FaceList list;
-  list.owner.resize(order.size());
-  list.neighbour.resize(at(inner));
-  list.start.assign(order.size() + 1, 0);
-  for (std::size_t f = 0; f < order.size(); ++f)
+  NamedFace result{ { None, None, None }, static_cast<std::uint32_t>(face) };
+  auto& [first, second, third] = result.lowest;
+  for (std::size_t i = 0; i < size(face); ++i)
   {
-    list.start[f + 1] = list.start[f] + faces.start[at(order[f]) + 1] - faces.start[at(order[f])];
+    const std::uint32_t point = corners(face)[i];
+    if (point < first)
+    {
+      third = second;
+      second = first;
+      first = point;
+    }
+    else if (point < second)
+    {
+      third = second;
+      second = point;
+    }
+    else if (point < third)
+    {
+      third = point;
+    }
   }
-  list.nodes.resize(at(list.start.back()));
-  execution.forEach(order.size(), FacesAChunk, [&](std::size_t begin, std::size_t end) {
+  return result;
+}
+
+bool Matcher::same(std::uint32_t face, std::uint32_t other, bool turned) const
+{
+  const std::size_t count = size(face);
+  if (size(other) != count)
+  {
+    return false;
+  }
+  const std::uint32_t* const a = corners(face);
+  const std::uint32_t* const b = corners(other);
+  for (std::size_t shift = 0; shift < count; ++shift) // a face may visit a point twice
+  {
+    std::size_t i = 0;
+    while (i < count && a[i] == b[(shift + (turned ? count - i : i)) % count])
+    {
+      ++i;
+    }
+    if (i == count)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void Matcher::match(std::uint32_t face, std::uint32_t other)
+{
+  // A cell may have a wall of no thickness: both its sides are boundary.
+  if (cellOf_[face] == cellOf_[other])
+  {
+    return;
+  }
+  const bool fits = same(face, other, true);
+  if (!fits && !same(face, other, false))
+  {
+    return;
+  }
+  const bool clash = !fits || neighbours_[face] != None || neighbours_[other] != None;
+  neighbours_[face] = clash ? Clash : cellOf_[other];
+  neighbours_[other] = clash ? Clash : cellOf_[face];
+}
+
+void Matcher::matchRun(const NamedFace* begin, const NamedFace* end)
+{
+  for (const NamedFace* a = begin; a != end; ++a)
+  {
+    for (const NamedFace* b = a + 1; b != end; ++b)
+    {
+      match(a->face, b->face);
+    }
+  }
+}
+
+std::vector<std::uint32_t> Matcher::neighbours(std::size_t pointCount, Execution& execution)
+{
+  std::vector<std::vector<NamedFace>> chunkItems(chunks(cells_.faceCount(), CellsAChunk));
+  execution.forEach(cells_.faceCount(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    std::vector<NamedFace>& items = chunkItems[begin / CellsAChunk];
+    items.reserve(end - begin);
     for (std::size_t f = begin; f < end; ++f)
     {
-      const Id* nodes = faces.nodes.data() + faces.start[at(order[f])];
-      std::copy_n(nodes, list.start[f + 1] - list.start[f], list.nodes.begin() + list.start[f]);
-      list.owner[f] = faces.cell[at(order[f])];
-      if (f < list.neighbour.size())
+      items.push_back(named(f));
+    }
+  });
+  const Buckets<NamedFace> byPoint = sortIntoBuckets(
+    chunkItems, pointCount, [](const NamedFace& item) { return item.lowest[0]; }, execution);
+  execution.forEach(pointCount, BucketsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t point = begin; point < end; ++point)
+    {
+      const NamedFace* const last = byPoint.end(point);
+      for (const NamedFace* run = byPoint.begin(point); run != last;)
       {
-        list.neighbour[f] = faces.cell[at(partner[at(order[f])])];
+        const NamedFace* const next = std::find_if(
+          run, last, [run](const NamedFace& item) { return item.lowest != run->lowest; });
+        matchRun(run, next);
+        run = next;
+      }
+    }
+  });
+  return std::move(neighbours_);
+}
+
+void refuseClashes(const CellFaces& cells, const std::vector<std::uint32_t>& neighbours)
+{
+  const auto clash = std::find(neighbours.begin(), neighbours.end(), Clash);
+  if (clash == neighbours.end())
+  {
+    return;
+  }
+  const auto face = static_cast<std::size_t>(clash - neighbours.begin());
+  const auto next = std::upper_bound(cells.firstFace.begin(), cells.firstFace.end(), face);
+  const auto cell = next - cells.firstFace.begin() - 1;
+  throw Error(Fault::BadMesh,
+    "Face " + std::to_string(face - *(next - 1)) + " of cell " + std::to_string(cell) +
+      " is also a face of another cell that lies on the same side of it: cells overlap, or the "
+      "faces of one do not all point out of it.");
+}
+
+}
+
+void turnOutward(CellFaces& cells, const std::vector<double>& points, Execution& execution)
+{
+  const auto point = [&](std::size_t corner, std::size_t from) {
+    const double* p = points.data() + 3 * std::size_t(cells.corners[corner]);
+    const double* q = points.data() + 3 * std::size_t(cells.corners[from]);
+    return std::array<double, 3>{ p[0] - q[0], p[1] - q[1], p[2] - q[2] };
+  };
+  const auto volume = [&](std::size_t cell) {
+    double sum = 0;
+    const std::size_t from = cells.firstCorner[cells.firstFace[cell]];
+    for (std::size_t f = cells.firstFace[cell]; f < cells.firstFace[cell + 1]; ++f)
+    {
+      const std::size_t first = cells.firstCorner[f];
+      const auto a = point(first, from);
+      for (std::size_t i = first + 1; i + 1 < cells.firstCorner[f + 1]; ++i)
+      {
+        const auto b = point(i, from);
+        const auto c = point(i + 1, from);
+        sum += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+          a[2] * (b[0] * c[1] - b[1] * c[0]);
+      }
+    }
+    return sum;
+  };
+  execution.forEach(cells.cellCount(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c)
+    {
+      if (cells.firstFace[c] == cells.firstFace[c + 1] || !(volume(c) < 0))
+      {
+        continue;
+      }
+      for (std::size_t f = cells.firstFace[c]; f < cells.firstFace[c + 1]; ++f)
+      {
+        using Difference = std::vector<std::uint32_t>::difference_type;
+        std::reverse(cells.corners.begin() + static_cast<Difference>(cells.firstCorner[f]),
+          cells.corners.begin() + static_cast<Difference>(cells.firstCorner[f + 1]));
+      }
+    }
+  });
+}
+
+FaceList listFaces(
+  const CellFaces& cells, std::size_t pointCount, Clashes clashes, Execution& execution)
+{
+  if (std::max({ cells.cellCount(), cells.faceCount(), pointCount }) >= Clash)
+  {
+    throw Error(Fault::BadMesh, "The mesh has more faces than can be numbered in 32 bits.");
+  }
+  std::vector<std::uint32_t> neighbours = Matcher(cells).neighbours(pointCount, execution);
+  if (clashes == Clashes::Refused)
+  {
+    refuseClashes(cells, neighbours);
+  }
+  std::replace(neighbours.begin(), neighbours.end(), Clash, None);
+
+  const auto isBoundary = [&](std::size_t face) { return neighbours[face] == None; };
+  const auto isOwned = [&](std::size_t face, std::size_t cell) {
+    return !isBoundary(face) && neighbours[face] > cell;
+  };
+  const std::size_t cellCount = cells.cellCount();
+  std::vector<std::size_t> inner(cellCount + 1);
+  std::vector<std::size_t> boundary(cellCount + 1);
+  execution.forEach(cellCount, CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c)
+    {
+      for (std::size_t f = cells.firstFace[c]; f < cells.firstFace[c + 1]; ++f)
+      {
+        inner[c] += isOwned(f, c) ? 1 : 0;
+        boundary[c] += isBoundary(f) ? 1 : 0;
+      }
+    }
+  });
+  const std::size_t innerCount = scan(inner);
+  const std::size_t count = innerCount + scan(boundary);
+
+  FaceList list;
+  list.face.resize(count);
+  list.owner.resize(count);
+  list.neighbour.resize(innerCount);
+  execution.forEach(cellCount, CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c)
+    {
+      std::size_t nextInner = inner[c];
+      std::size_t nextBoundary = innerCount + boundary[c];
+      for (std::size_t f = cells.firstFace[c]; f < cells.firstFace[c + 1]; ++f)
+      {
+        if (isOwned(f, c) || isBoundary(f))
+        {
+          list.face[isBoundary(f) ? nextBoundary++ : nextInner++] = static_cast<std::uint32_t>(f);
+        }
+      }
+      std::sort(list.face.data() + inner[c], list.face.data() + nextInner,
+        [&](std::uint32_t a, std::uint32_t b) {
+          return neighbours[a] != neighbours[b] ? neighbours[a] < neighbours[b] : a < b;
+        });
+      std::fill(list.owner.data() + inner[c], list.owner.data() + nextInner, c);
+      std::fill(list.owner.data() + innerCount + boundary[c], list.owner.data() + nextBoundary, c);
+      for (std::size_t i = inner[c]; i < nextInner; ++i)
+      {
+        list.neighbour[i] = neighbours[list.face[i]];
       }
     }
   });
   return list;
+}
+
+std::vector<std::size_t> sortByPatch(
+  FaceList& list, const std::vector<std::uint32_t>& patch, std::size_t patchCount)
+{
+  const std::size_t inner = list.neighbour.size();
+  std::vector<std::size_t> count(patchCount);
+  for (const std::uint32_t p : patch)
+  {
+    ++count[p];
+  }
+  std::vector<std::size_t> next = count;
+  scan(next);
+  const FaceList before = list;
+  for (std::size_t i = 0; i < patch.size(); ++i)
+  {
+    const std::size_t to = inner + next[patch[i]]++;
+    list.face[to] = before.face[inner + i];
+    list.owner[to] = before.owner[inner + i];
+  }
+  return count;
 }
 
 }

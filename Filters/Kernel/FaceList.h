@@ -1,40 +1,54 @@
-// A mesh by its faces, each once, as OpenFOAM keeps it.
+// The faces of a mesh as solvers number them (section 6, step 13): each once, between two cells.
 #pragma once
 
 #include "Execution.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace cartesian
 {
 
-using Id = long long;
-
-// The faces of all cells as the cells name them: a face between two cells is in it twice.
+// The faces of each cell. Cells, faces and points are fewer than 2^32 each.
 struct CellFaces
 {
-  std::vector<Id> start{ 0 }; // first node of each face, and the end
-  std::vector<Id> nodes;      // points, counter-clockwise from outside the cell
-  std::vector<Id> cell;       // of each face, ascending
+  std::vector<std::size_t> firstFace;   // of each cell, and the end
+  std::vector<std::size_t> firstCorner; // of each face, and the end
+  std::vector<std::uint32_t> corners;   // points in order around the face
 
-  Id size() const { return static_cast<Id>(cell.size()); }
+  std::size_t cellCount() const { return firstFace.size() - 1; }
+  std::size_t faceCount() const { return firstCorner.size() - 1; }
 };
 
-// Inner faces come first, in upper-triangular order: by owner, then by neighbour. The others follow
-// by owner.
+// Turns over all faces of the cells whose volume is negative: afterwards corners run
+// counter-clockwise from outside the cell, if the faces of each cell agreed with each other.
+// `points`: three coordinates each.
+void turnOutward(CellFaces& cells, const std::vector<double>& points, Execution& execution);
+
 struct FaceList
 {
-  std::vector<Id> start;     // first node of each face, and the end
-  std::vector<Id> nodes;     // points, counter-clockwise from outside the owner
-  std::vector<Id> owner;     // cell of each face, of two the lower
-  std::vector<Id> neighbour; // the other cell of each inner face
-
-  Id size() const { return static_cast<Id>(owner.size()); }
-  Id innerSize() const { return static_cast<Id>(neighbour.size()); }
+  std::vector<std::uint32_t> face;      // in CellFaces, as the owner has it
+  std::vector<std::uint32_t> owner;     // of each face
+  std::vector<std::uint32_t> neighbour; // of the first faces; the others are the boundary
 };
 
-// Two cells share a face where they name the same points in opposite cyclic order. Points are from
-// 0 to less than `points`.
-FaceList shareFaces(const CellFaces& faces, Id points, Execution& execution);
+// Faces of the same corners in the same order, or of more than two cells.
+enum class Clashes
+{
+  Refused,     // Error (BadMesh)
+  AreBoundary, // of each of their cells
+};
+
+// Inner faces in upper triangular order: by owner, the lower of the two cells, then by neighbour.
+// Then the boundary faces, by cell and by face of the cell. Two cells share a face if it has the
+// same corners in opposite order. Throws Error (BadMesh): clashes that are refused, or too many
+// cells, faces or points.
+FaceList listFaces(
+  const CellFaces& cells, std::size_t pointCount, Clashes clashes, Execution& execution);
+
+// Puts the boundary faces in order of their patches, below `patchCount`, and leaves those of a patch
+// in their order. `patch`: of each boundary face. Returns the number of faces of each patch.
+std::vector<std::size_t> sortByPatch(
+  FaceList& list, const std::vector<std::uint32_t>& patch, std::size_t patchCount);
 
 }

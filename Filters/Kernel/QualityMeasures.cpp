@@ -25,9 +25,9 @@ struct FacesOfCells
   {
     for (const auto* side : { &list.owner, &list.neighbour })
     {
-      for (const Id cell : *side)
+      for (const std::uint32_t cell : *side)
       {
-        ++start[static_cast<std::size_t>(cell)];
+        ++start[cell];
       }
     }
     scan(start);
@@ -36,7 +36,7 @@ struct FacesOfCells
     {
       for (std::size_t f = 0; f < side->size(); ++f)
       {
-        faces[next[static_cast<std::size_t>((*side)[f])]++] = f;
+        faces[next[(*side)[f]]++] = f;
       }
     }
   }
@@ -45,19 +45,20 @@ struct FacesOfCells
 class Meter
 {
 public:
-  Meter(const double* points, const FaceList& list, std::size_t cells, Execution& execution)
+  Meter(const double* points, const CellFaces& cells, const FaceList& list, Execution& execution)
     : points_(points)
+    , cells_(cells)
     , list_(list)
-    , of_(list, cells)
+    , of_(list, cells.cellCount())
     , execution_(execution)
   {
-    quality_.cellGeometry.resize(cells);
+    quality_.cellGeometry.resize(cells.cellCount());
     quality_.faceGeometry.resize(list.owner.size());
-    quality_.cellFailures.resize(cells);
+    quality_.cellFailures.resize(cells.cellCount());
     quality_.faceFailures.resize(list.owner.size());
     for (std::size_t m = 0; m < MeasureCount; ++m)
     {
-      quality_.cells[m].resize(cells);
+      quality_.cells[m].resize(cells.cellCount());
       quality_.faces[m].resize(MeasureSpecs[m].ofFaces ? list.owner.size() : 0);
     }
   }
@@ -104,17 +105,17 @@ private:
   };
 
   bool isInner(std::size_t face) const { return face < list_.neighbour.size(); }
-  std::size_t owner(std::size_t face) const { return static_cast<std::size_t>(list_.owner[face]); }
-  std::size_t neighbour(std::size_t face) const
+  std::size_t owner(std::size_t face) const { return list_.owner[face]; }
+  std::size_t neighbour(std::size_t face) const { return list_.neighbour[face]; }
+  const std::uint32_t* corners(std::size_t face) const
   {
-    return static_cast<std::size_t>(list_.neighbour[face]);
+    return cells_.corners.data() + cells_.firstCorner[list_.face[face]];
   }
-  const Id* corners(std::size_t face) const { return list_.nodes.data() + list_.start[face]; }
   std::size_t sizeOf(std::size_t face) const
   {
-    return static_cast<std::size_t>(list_.start[face + 1] - list_.start[face]);
+    return cells_.firstCorner[list_.face[face] + 1] - cells_.firstCorner[list_.face[face]];
   }
-  Vector position(Id point) const
+  Vector position(std::size_t point) const
   {
     const double* p = points_ + 3 * point;
     return { p[0], p[1], p[2] };
@@ -333,18 +334,19 @@ private:
       scratch.areas.push_back(outward(cell, face).area);
       for (std::size_t i = 0; i < sizeOf(face); ++i)
       {
-        const Id from = corners(face)[i];
-        const Id to = corners(face)[i + 1 < sizeOf(face) ? i + 1 : 0];
+        const std::uint32_t from = corners(face)[i];
+        const std::uint32_t to = corners(face)[i + 1 < sizeOf(face) ? i + 1 : 0];
         scratch.edges.add(owned ? from : to, owned ? to : from, number);
       }
     });
     const CellEdges::Result result =
-      scratch.edges.measure(scratch.areas, [&](Id point) { return position(point); });
+      scratch.edges.measure(scratch.areas, [&](std::size_t point) { return position(point); });
     setCell(cell, OpenEdges, result.open);
     setCell(cell, Concavity, result.concavity);
   }
 
   const double* points_;
+  const CellFaces& cells_;
   const FaceList& list_;
   FacesOfCells of_;
   Execution& execution_;
@@ -353,9 +355,10 @@ private:
 
 }
 
-Quality measureQuality(const double* points, const FaceList& faces, Id cells, Execution& execution)
+Quality measureQuality(
+  const double* points, const CellFaces& cells, const FaceList& faces, Execution& execution)
 {
-  return Meter(points, faces, static_cast<std::size_t>(cells), execution).run();
+  return Meter(points, cells, faces, execution).run();
 }
 
 std::vector<std::pair<std::string, double>> summarise(const Quality& quality, const FaceList& faces)

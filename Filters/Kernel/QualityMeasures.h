@@ -93,13 +93,14 @@ struct Quality
   std::array<std::vector<double>, MeasureCount> cells;
   std::array<std::vector<double>, MeasureCount> faces;
   std::vector<std::uint32_t> cellFailures; // bits: 1 << measure
-  std::vector<std::uint32_t> faceFailures;
+  std::vector<std::uint32_t> faceFailures; // in the order of the FaceList
   std::vector<CellGeometry> cellGeometry;
   std::vector<FaceGeometry> faceGeometry;
 };
 
-// `points`: x, y, z of each, any unit. Cells are from 0 to less than `cells`.
-Quality measureQuality(const double* points, const FaceList& faces, Id cells, Execution& execution);
+// `points`: x, y, z of each, any unit. `faces`: those of `cells`, as listFaces gives them.
+Quality measureQuality(
+  const double* points, const CellFaces& cells, const FaceList& faces, Execution& execution);
 
 // Names and values: Cells, FailingCells, ConcaveCells, TotalVolume, BoundaryArea, and for each
 // measure <Name>Failures, a number of cells, and Max<Name> or Min<Name>, the worst of all cells.

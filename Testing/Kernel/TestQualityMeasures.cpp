@@ -32,31 +32,33 @@ struct Measured
 // Points at the same place are one.
 Measured measure(const std::vector<Polyhedron>& cells, int threads = 1)
 {
-  std::map<Vector, Id> numbers;
+  std::map<Vector, std::uint32_t> numbers;
   std::vector<double> points;
   CellFaces cellFaces;
-  for (std::size_t c = 0; c < cells.size(); ++c)
+  for (const Polyhedron& cell : cells)
   {
-    for (const Polygon& face : cells[c])
+    cellFaces.firstFace.push_back(cellFaces.firstCorner.size());
+    for (const Polygon& face : cell)
     {
+      cellFaces.firstCorner.push_back(cellFaces.corners.size());
       for (const Vector& corner : face)
       {
-        const auto [place, isNew] = numbers.try_emplace(corner, static_cast<Id>(numbers.size()));
-        cellFaces.nodes.push_back(place->second);
+        const auto [place, isNew] =
+          numbers.try_emplace(corner, static_cast<std::uint32_t>(numbers.size()));
+        cellFaces.corners.push_back(place->second);
         if (isNew)
         {
           points.insert(points.end(), corner.begin(), corner.end());
         }
       }
-      cellFaces.start.push_back(static_cast<Id>(cellFaces.nodes.size()));
-      cellFaces.cell.push_back(static_cast<Id>(c));
     }
   }
+  cellFaces.firstFace.push_back(cellFaces.firstCorner.size());
+  cellFaces.firstCorner.push_back(cellFaces.corners.size());
   Execution execution(threads);
   Measured result;
-  result.faces = shareFaces(cellFaces, static_cast<Id>(numbers.size()), execution);
-  result.quality =
-    measureQuality(points.data(), result.faces, static_cast<Id>(cells.size()), execution);
+  result.faces = listFaces(cellFaces, numbers.size(), Clashes::AreBoundary, execution);
+  result.quality = measureQuality(points.data(), cellFaces, result.faces, execution);
   for (const auto& [name, value] : summarise(result.quality, result.faces))
   {
     result.summary[name] = value;
@@ -348,7 +350,7 @@ TEST(QualityMeasures, ThreadsDoNotMatter)
   const std::vector<Polyhedron> cells = cubes(12); // several chunks
   const Measured one = measure(cells, 1);
   const Measured three = measure(cells, 3);
-  EXPECT_EQ(one.faces.nodes, three.faces.nodes);
+  EXPECT_EQ(one.faces.face, three.faces.face);
   EXPECT_EQ(one.faces.owner, three.faces.owner);
   EXPECT_EQ(one.faces.neighbour, three.faces.neighbour);
   EXPECT_EQ(one.quality.cells, three.quality.cells);
