@@ -22,7 +22,7 @@
  * | OpenEdges         |              | < 1    | 4    | edges where the cell has a gap                |
  * | BoundaryAngle     | yes          | < 90   | 8    | degrees between the way from the cell's centre to a boundary face's and its outward normal |
  * | InnerAngle        | yes          | < 75   | 16   | the same for inner faces                      |
- * | StarTriangulation | yes          | > -1e-9 | 32  | smallest triangle of the face's star by the mean one; negative: turned over |
+ * | StarTriangulation | yes          | > -1e-6 | 32  | smallest triangle of the face's star by the mean one; negative: turned over |
  * | NonOrthogonality  | yes          | < 70   | 64   | degrees between the way from cell centre to cell centre and the face's normal |
  * | Skewness          | yes          | < 4    | 128  | how far that way misses the face's centre, by the face's size |
  * | FaceWeight        | yes          | > 0.05 | 256  | distances of both centres from the face, the smaller by their sum |

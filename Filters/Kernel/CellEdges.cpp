@@ -1,6 +1,6 @@
 #include "CellEdges.h"
 
-#include "Polyhedra.h"
+#include "CellGeometry.h"
 
 #include <algorithm>
 #include <limits>

@@ -126,7 +126,7 @@ private:
     FaceGeometry geometry = quality_.faceGeometry[face];
     if (owner(face) != cell)
     {
-      geometry.area = times(-1, geometry.area);
+      geometry.area = scaled(geometry.area, -1);
     }
     return geometry;
   }
@@ -161,9 +161,9 @@ private:
     {
       return 0;
     }
-    const Vector towards = plus(times(dot(a, a), cross(b, c)),
-      plus(times(dot(b, b), cross(c, a)), times(dot(c, c), cross(a, b))));
-    const double radius = length(towards) / (2 * std::abs(sixfold));
+    const Vector towards = plus(scaled(cross(b, c), dot(a, a)),
+      plus(scaled(cross(c, a), dot(b, b)), scaled(cross(a, b), dot(c, c))));
+    const double radius = norm(towards) / (2 * std::abs(sixfold));
     const double regular = 8 / (9 * std::sqrt(3.0)) * radius * radius * radius;
     return sixfold / 6 / regular;
   }
@@ -175,15 +175,15 @@ private:
     const FaceGeometry& geometry = quality_.faceGeometry[face];
     const Vector way = minus(geometry.centre, quality_.cellGeometry[owner(face)].centre);
     const double along = dot(geometry.area, way) / (dot(geometry.area, d) + Tiny);
-    const Vector miss = minus(way, times(along, d));
-    const Vector direction = times(1 / (length(miss) + Tiny), miss);
-    double reach = partOfWay * length(d) + Tiny;
+    const Vector miss = minus(way, scaled(d, along));
+    const Vector direction = scaled(miss, 1 / (norm(miss) + Tiny));
+    double reach = partOfWay * norm(d) + Tiny;
     for (std::size_t i = 0; i < sizeOf(face); ++i)
     {
       reach = std::max(
         reach, std::abs(dot(direction, minus(position(corners(face)[i]), geometry.centre))));
     }
-    return length(miss) / reach;
+    return norm(miss) / reach;
   }
 
   void setFace(std::size_t face, Measure measure, double value)
@@ -201,9 +201,9 @@ private:
     if (!isInner(face))
     {
       // Shortest way to the face's plane; further measures are at their best.
-      const Vector normal = times(1 / (length(geometry.area) + Tiny), geometry.area);
+      const Vector normal = scaled(geometry.area, 1 / (norm(geometry.area) + Tiny));
       const Vector way = minus(geometry.centre, quality_.cellGeometry[owner(face)].centre);
-      setFace(face, Skewness, skewness(face, times(dot(normal, way), normal), 0.4));
+      setFace(face, Skewness, skewness(face, scaled(normal, dot(normal, way)), 0.4));
       setFace(face, BoundaryAngle, ownerAngle);
       setFace(face, TetQuality, ownerTet);
       for (const Measure m : { InnerAngle, NonOrthogonality, FaceWeight, VolumeRatio })
@@ -296,11 +296,11 @@ private:
       sizes = plus(sizes, { std::abs(area[0]), std::abs(area[1]), std::abs(area[2]) });
       if (isInner(face))
       {
-        innerArea += length(area);
+        innerArea += norm(area);
         innerFaces += 1;
         for (std::size_t row = 0; row < 3; ++row)
         {
-          tensor[row] = plus(tensor[row], times(area[row], area));
+          tensor[row] = plus(tensor[row], scaled(area, area[row]));
         }
       }
     });
@@ -381,7 +381,7 @@ std::vector<std::pair<std::string, double>> summarise(const Quality& quality, co
   double area = 0;
   for (std::size_t f = faces.neighbour.size(); f < faces.owner.size(); ++f)
   {
-    area += length(quality.faceGeometry[f].area);
+    area += norm(quality.faceGeometry[f].area);
   }
   result.emplace_back("Cells", static_cast<double>(cells));
   result.emplace_back(

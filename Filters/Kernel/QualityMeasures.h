@@ -3,7 +3,7 @@
 #pragma once
 
 #include "FaceList.h"
-#include "Polyhedra.h"
+#include "CellGeometry.h"
 
 #include <array>
 #include <cstdint>
@@ -56,7 +56,7 @@ constexpr std::array<MeasureSpec, MeasureCount> MeasureSpecs{ {
   { "BoundaryAngle", true, true, 90, 0 },
   { "InnerAngle", true, true, 75, 0 },
   // section 3: the smallest triangle of the star about the mean of the corners by the mean one
-  { "StarTriangulation", true, false, -1e-9, 1 },
+  { "StarTriangulation", true, false, -1e-6, 1 },
   // from cell centre to cell centre against the normal, degrees
   { "NonOrthogonality", true, true, 70, 0 },
   // how far that line misses the face's centre, by the face's size in this direction

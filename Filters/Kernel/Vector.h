@@ -1,4 +1,4 @@
-// Vectors in double precision, in levels or user units: for measures, never for decisions.
+// Differences of points in double precision, in levels: for measures, never for decisions.
 #pragma once
 
 #include "Lattice.h"
@@ -25,9 +25,9 @@ inline Vector plus(const Vector& u, const Vector& v)
   return { u[0] + v[0], u[1] + v[1], u[2] + v[2] };
 }
 
-inline Vector times(double factor, const Vector& u)
+inline Vector scaled(const Vector& u, double factor)
 {
-  return { factor * u[0], factor * u[1], factor * u[2] };
+  return { u[0] * factor, u[1] * factor, u[2] * factor };
 }
 
 inline Vector cross(const Vector& u, const Vector& v)
@@ -40,9 +40,16 @@ inline double dot(const Vector& u, const Vector& v)
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
-inline double length(const Vector& u)
+inline double norm(const Vector& u)
 {
   return std::sqrt(dot(u, u));
+}
+
+// Of length 1, or 0 where it has no length.
+inline Vector unit(const Vector& u)
+{
+  const double length = norm(u);
+  return length > 0 ? scaled(u, 1 / length) : u;
 }
 
 }

@@ -27,11 +27,11 @@ FaceGeometry measureFace(std::size_t size, Corner&& corner)
   {
     mean = plus(mean, minus(corner(i), origin));
   }
-  mean = times(1.0 / static_cast<double>(size), mean);
+  mean = scaled(mean, 1.0 / static_cast<double>(size));
   const auto triangle = [&](std::size_t i, Vector& p, Vector& q) {
     p = minus(corner(i), origin);
     q = minus(corner(i + 1 < size ? i + 1 : 0), origin);
-    return times(0.5, cross(minus(p, mean), minus(q, mean)));
+    return scaled(cross(minus(p, mean), minus(q, mean)), 0.5);
   };
   Vector p;
   Vector q;
@@ -41,10 +41,10 @@ FaceGeometry measureFace(std::size_t size, Corner&& corner)
   {
     const Vector area = triangle(i, p, q);
     face.area = plus(face.area, area);
-    sum += length(area);
-    face.centre = plus(face.centre, times(length(area) / 3, plus(mean, plus(p, q))));
+    sum += norm(area);
+    face.centre = plus(face.centre, scaled(plus(mean, plus(p, q)), norm(area) / 3));
   }
-  face.centre = plus(origin, sum < Tiny ? mean : times(1 / sum, face.centre));
+  face.centre = plus(origin, sum < Tiny ? mean : scaled(face.centre, 1 / sum));
   for (std::size_t i = 0; size > 3 && i < size; ++i)
   {
     const double part = dot(triangle(i, p, q), face.area) * static_cast<double>(size);
@@ -66,7 +66,7 @@ CellGeometry measureCell(std::size_t size, Face&& face)
   Vector mean{ 0, 0, 0 };
   for (std::size_t i = 0; i < size; ++i)
   {
-    mean = plus(mean, times(1.0 / static_cast<double>(size), face(i).centre));
+    mean = plus(mean, scaled(face(i).centre, 1.0 / static_cast<double>(size)));
   }
   Vector moment{ 0, 0, 0 };
   double volume = 0;
@@ -75,16 +75,16 @@ CellGeometry measureCell(std::size_t size, Face&& face)
     const FaceGeometry& f = face(i);
     const Vector height = minus(f.centre, mean);
     volume += dot(f.area, height) / 3;
-    moment = plus(moment, times(dot(f.area, height) / 4, height));
+    moment = plus(moment, scaled(height, dot(f.area, height) / 4));
   }
-  return { std::abs(volume) < Tiny ? mean : plus(mean, times(1 / volume, moment)), volume };
+  return { std::abs(volume) < Tiny ? mean : plus(mean, scaled(moment, 1 / volume)), volume };
 }
 
 // In degrees, 0 to 180; 90 where one of them is 0.
 inline double angle(const Vector& u, const Vector& v)
 {
   constexpr double Degrees = 57.29577951308232;
-  const double sine = length(cross(u, v));
+  const double sine = norm(cross(u, v));
   const double cosine = dot(u, v);
   return Degrees * (sine == 0 && cosine == 0 ? std::atan2(1, 0) : std::atan2(sine, cosine));
 }
