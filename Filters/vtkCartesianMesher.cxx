@@ -35,7 +35,10 @@ int vtkCartesianMesher::RequestData(
     const cartesian::BoxedSurface boxed = this->Divide(prepared, input[1], execution);
     execution.stage("Patches", cartesian::AfterBoxes, cartesian::AfterPatches);
     const cartesian::Patches patches =
-      cartesian::generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes, execution);
+      cartesian::generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes,
+        { static_cast<cartesian::PatchMethod>(this->PatchMethod), this->FeatureAngle,
+          this->MergeAngle, static_cast<cartesian::Tying>(this->Tying) },
+        execution);
     const cartesian::Assembly assembly(boxed.boxes, patches, { this->SmallCellRatio }, execution);
     cartesian::toVTK(assembly, vtkUnstructuredGrid::GetData(output, 0),
       vtkPolyData::GetData(output, 1), execution);
@@ -48,5 +51,8 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PatchMethod: " << this->PatchMethod << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "MergeAngle: " << this->MergeAngle << "\n";
+  os << indent << "Tying: " << this->Tying << "\n";
   os << indent << "SmallCellRatio: " << this->SmallCellRatio << "\n";
 }
