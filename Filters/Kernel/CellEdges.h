@@ -22,18 +22,25 @@ public:
     double concavity = 0;
   };
 
-  void clear() { edges_.clear(); }
-
-  // An edge of the face with this number, in the direction that is counter-clockwise from outside.
-  void add(std::uint32_t from, std::uint32_t to, std::uint32_t face)
+  void clear()
   {
-    edges_.push_back(from < to ? Edge{ from, to, true, face } : Edge{ to, from, false, face });
+    edges_.clear();
+    normals_.clear();
   }
 
-  // `areas`: of each face, outward; `position(point)`: a Vector. Where an edge joins more than two
-  // faces, those that follow each other around it inside the cell belong together.
+  // An edge of a face, in the direction that is counter-clockwise from outside, and the face's
+  // outward normal there, of any length.
+  void add(std::uint32_t from, std::uint32_t to, const Vector& normal)
+  {
+    const auto number = static_cast<std::uint32_t>(normals_.size());
+    edges_.push_back(from < to ? Edge{ from, to, true, number } : Edge{ to, from, false, number });
+    normals_.push_back(normal);
+  }
+
+  // `position(point)`: a Vector. Where an edge joins more than two faces, those that follow each
+  // other around it inside the cell belong together.
   template <class Position>
-  Result measure(const std::vector<Vector>& areas, Position&& position);
+  Result measure(Position&& position);
 
 private:
   struct Edge
@@ -41,20 +48,20 @@ private:
     std::uint32_t low;
     std::uint32_t high;
     bool ahead; // from low to high
-    std::uint32_t face;
+    std::uint32_t normal;
 
     bool sameAs(const Edge& other) const { return low == other.low && high == other.high; }
   };
 
   void sort();
-  Result measureGroup(std::size_t begin, std::size_t end, const std::vector<Vector>& areas,
-    const Vector& along) const;
+  Result measureGroup(std::size_t begin, std::size_t end, const Vector& along) const;
 
   std::vector<Edge> edges_;
+  std::vector<Vector> normals_;
 };
 
 template <class Position>
-CellEdges::Result CellEdges::measure(const std::vector<Vector>& areas, Position&& position)
+CellEdges::Result CellEdges::measure(Position&& position)
 {
   sort();
   Result result;
@@ -66,7 +73,7 @@ CellEdges::Result CellEdges::measure(const std::vector<Vector>& areas, Position&
       ++end;
     }
     const Vector along = minus(position(edges_[begin].high), position(edges_[begin].low));
-    const Result group = measureGroup(begin, end, areas, along);
+    const Result group = measureGroup(begin, end, along);
     result.open += group.open;
     result.concavity = std::max(result.concavity, group.concavity);
   }

@@ -13,6 +13,9 @@ namespace
 
 constexpr std::size_t ItemsAChunk = 1024;
 
+// A cell that has less area across one axis than this part of that across another has none there.
+constexpr double RoundingOfAreas = 1e-12;
+
 // The faces of each cell, those that it owns first.
 struct FacesOfCells
 {
@@ -88,22 +91,16 @@ public:
       }
     });
     execution_.forEach(cells, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
-      Scratch scratch;
+      CellEdges edges;
       for (std::size_t c = begin; c < end; ++c)
       {
-        measureCellOf(c, scratch);
+        measureCellOf(c, edges);
       }
     });
     return std::move(quality_);
   }
 
 private:
-  struct Scratch
-  {
-    CellEdges edges;
-    std::vector<Vector> areas;
-  };
-
   bool isInner(std::size_t face) const { return face < list_.neighbour.size(); }
   std::size_t owner(std::size_t face) const { return list_.owner[face]; }
   std::size_t neighbour(std::size_t face) const { return list_.neighbour[face]; }
@@ -233,7 +230,7 @@ private:
     quality_.cellFailures[cell] |= fails(measure, value) ? 1u << measure : 0u;
   }
 
-  void measureCellOf(std::size_t cell, Scratch& scratch)
+  void measureCellOf(std::size_t cell, CellEdges& edges)
   {
     if (of_.start[cell] == of_.start[cell + 1])
     {
@@ -245,7 +242,7 @@ private:
     }
     setWorstOfFaces(cell);
     setSums(cell);
-    setEdges(cell, scratch);
+    setEdges(cell, edges);
   }
 
   template <class Visitor>
@@ -304,13 +301,16 @@ private:
         }
       }
     });
+    const double volume = quality_.cellGeometry[cell].volume;
+    const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
     double openness = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      openness = std::max(openness, std::abs(sum[axis]) / (sizes[axis] + Tiny));
+      if (sizes[axis] > RoundingOfAreas * *most)
+      {
+        openness = std::max(openness, std::abs(sum[axis]) / sizes[axis]);
+      }
     }
-    const double volume = quality_.cellGeometry[cell].volume;
-    const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
     const double sphericity =
       (sizes[0] + sizes[1] + sizes[2]) / 6 / std::pow(std::max(volume, Tiny), 2.0 / 3);
     const double mean = innerArea / innerFaces;
@@ -324,25 +324,35 @@ private:
           DeterminantOfCube);
   }
 
-  void setEdges(std::size_t cell, Scratch& scratch)
+  void setEdges(std::size_t cell, CellEdges& edges)
   {
-    scratch.edges.clear();
-    scratch.areas.clear();
+    edges.clear();
     forEachFace(cell, [&](std::size_t face) {
       const bool owned = owner(face) == cell;
-      const auto number = static_cast<std::uint32_t>(scratch.areas.size());
-      scratch.areas.push_back(outward(cell, face).area);
       for (std::size_t i = 0; i < sizeOf(face); ++i)
       {
         const std::uint32_t from = corners(face)[i];
         const std::uint32_t to = corners(face)[i + 1 < sizeOf(face) ? i + 1 : 0];
-        scratch.edges.add(owned ? from : to, owned ? to : from, number);
+        const Vector normal = normalAt(face, from, to);
+        owned ? edges.add(from, to, normal) : edges.add(to, from, scaled(normal, -1));
       }
     });
     const CellEdges::Result result =
-      scratch.edges.measure(scratch.areas, [&](std::size_t point) { return position(point); });
+      edges.measure([&](std::size_t point) { return position(point); });
     setCell(cell, OpenEdges, result.open);
     setCell(cell, Concavity, result.concavity);
+  }
+
+  // A warped face's normal at one of its edges: that of the triangle with the face's centre, unless
+  // it is turned over or but a sliver.
+  Vector normalAt(std::size_t face, std::uint32_t from, std::uint32_t to) const
+  {
+    constexpr double Sliver = 1e-6; // of the face's area
+    const FaceGeometry& geometry = quality_.faceGeometry[face];
+    const Vector triangle =
+      cross(minus(position(from), geometry.centre), minus(position(to), geometry.centre));
+    const double least = Sliver * dot(geometry.area, geometry.area);
+    return dot(triangle, geometry.area) > least ? triangle : geometry.area;
   }
 
   const double* points_;

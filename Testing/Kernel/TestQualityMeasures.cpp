@@ -257,6 +257,24 @@ TEST(QualityMeasures, ASlightBend)
   EXPECT_EQ(mesh.quality.cellFailures[0], 1u << Determinant) << "concavity is no failure";
 }
 
+// A low roof whose two sides are one face: its area vector points straight up, and the cell has no
+// area across y but for what cancels.
+TEST(QualityMeasures, AWarpedFaceThatIsAWholeSide)
+{
+  const Vector a{ 0, 0, 0 };
+  const Vector b{ 3, 0, 0 };
+  const Vector c{ 3, 0.2, 0.1 };
+  const Vector d{ 3, 0.4, 0 };
+  const Vector e{ 0, 0.4, 0 };
+  const Vector f{ 0, 0.2, 0.1 };
+  const Measured mesh =
+    measure({ { { a, e, d, b }, { b, d, c }, { e, a, f }, { a, b, c, d, e, f } } });
+  EXPECT_EQ(mesh(Openness, 0), 0);
+  EXPECT_EQ(mesh(OpenEdges, 0), 0);
+  EXPECT_EQ(mesh(Concavity, 0), 0);
+  EXPECT_GT(mesh(AspectRatio, 0), 1e9) << "as OpenFOAM has it";
+}
+
 TEST(QualityMeasures, CubesThatShareAnEdgeAreOneConvexCell)
 {
   Polyhedron both = cubeAt(0, 0, 0);

@@ -63,7 +63,9 @@ def compare(name, mesh):
         write_case(case, faces)
         said = check_mesh(case, "-allGeometry", "-allTopology", "-writeAllFields")
         for ours, theirs, tolerance in FIELDS:
-            mine, foam = values(cells, ours), read_field(case, theirs, count)
+            # Beyond a billion, an aspect ratio is one of rounding errors.
+            mine, foam = (np.minimum(v, 1e9)
+                          for v in (values(cells, ours), read_field(case, theirs, count)))
             error = np.max(np.abs(mine - foam) / (1 + np.abs(foam)))
             print(f"{name}: {ours} up to {np.max(foam):.6g}, differs by {error:.2g}")
             assert error <= tolerance, f"{name}: {ours} differs from {theirs} by {error}"
