@@ -193,7 +193,8 @@ void refuseClashes(const CellFaces& cells, const std::vector<std::uint32_t>& nei
   throw Error(Fault::BadMesh,
     "Face " + std::to_string(face - *(next - 1)) + " of cell " + std::to_string(cell) +
       " is also a face of another cell that lies on the same side of it: cells overlap, or the "
-      "faces of one do not all point out of it.");
+      "faces of one do not all point out of it. Filters that cut polyhedra, such as Clip, make "
+      "such cells: write the mesh as it was before.");
 }
 
 }
