@@ -210,7 +210,7 @@ void SurfaceCutter::addPolygons(
         fragment.corner[std::size_t(i)][std::size_t(axis)] == box_->high[std::size_t(axis)];
       addSegment(last, to, triangle, static_cast<std::uint8_t>(2 * axis + (upper ? 1 : 0)));
     }
-    else if (last != to && (features_.sharp[triangle] >> fragment.side[std::size_t(i)] & 1) != 0)
+    else if (last != to && features_.isSharp(triangle, fragment.side[std::size_t(i)]))
     {
       result.sharp = true;
     }

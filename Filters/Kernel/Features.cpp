@@ -47,7 +47,7 @@ public:
     neighbours_[first[1].triangle()][edgeOf(first[1], lower)] = first->triangle();
   }
 
-  void markSharp(std::size_t begin, std::size_t end)
+  void markEdges(std::size_t begin, std::size_t end)
   {
     for (std::size_t t = begin; t < end; ++t)
     {
@@ -56,7 +56,11 @@ public:
         const std::uint32_t other = neighbours_[t][i];
         if (other == None || (turns(t, other) && !isFold(t) && !isFold(other)))
         {
-          result_.sharp[t] = static_cast<std::uint8_t>(result_.sharp[t] | 1u << i);
+          result_.edges[t] = static_cast<std::uint8_t>(result_.edges[t] | 1u << i);
+        }
+        if (other != None && surface_.boundary[t] != surface_.boundary[other])
+        {
+          result_.edges[t] = static_cast<std::uint8_t>(result_.edges[t] | 8u << i);
         }
       }
     }
@@ -131,7 +135,7 @@ Features findFeatures(const Surface& surface, double featureAngle, Execution& ex
 {
   const std::size_t count = surface.triangles.size();
   Features result;
-  result.sharp.resize(count);
+  result.edges.resize(count);
   result.normal.resize(count);
   Finder finder(surface, featureAngle, result);
   execution.forEach(count, TrianglesAChunk,
@@ -142,7 +146,7 @@ Features findFeatures(const Surface& surface, double featureAngle, Execution& ex
       finder.addEdge(lower, first, last);
     });
   execution.forEach(count, TrianglesAChunk,
-    [&](std::size_t begin, std::size_t end) { finder.markSharp(begin, end); });
+    [&](std::size_t begin, std::size_t end) { finder.markEdges(begin, end); });
   return result;
 }
 

@@ -144,7 +144,7 @@ private:
       simplification_.add(corner, corner + piece.sizes[i], triangle, features_.normal[triangle]);
       corner += piece.sizes[i];
     }
-    simplification_.removeTied(tying_.onto());
+    simplification_.removeTied(tying_);
     simplification_.removeInner();
   }
 

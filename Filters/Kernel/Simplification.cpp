@@ -41,7 +41,8 @@ double lengthOf(const Vector& v)
 Simplification::Simplification(const Surface& surface, const PatchSpec& spec)
   : surface_(surface)
   , mergeRadius_(spec.mergeAngle * Degree / 2)
-  , featureCosine_(std::cos(spec.featureAngle * Degree))
+  , featureAngle_(spec.featureAngle * Degree)
+  , featureCosine_(std::cos(featureAngle_))
 {
 }
 
@@ -243,8 +244,8 @@ bool Simplification::gatherFan(std::uint32_t node)
   return !fan_.empty() && std::adjacent_find(ring_.begin(), ring_.end()) == ring_.end();
 }
 
-// Puts triangles over the loop around a node. Unless forced, only where they differ from what they
-// replace by no more than Merge Angle.
+// Puts triangles over the loop around a node. Forced: unless a feature passes; else only where they
+// differ from what they replace by no more than Merge Angle.
 bool Simplification::removeNode(std::uint32_t node, bool forced)
 {
   if (!gatherFan(node))
@@ -258,7 +259,7 @@ bool Simplification::removeNode(std::uint32_t node, bool forced)
     cone = around(cone, { polygons_[p].axis, polygons_[p].spread });
     largest = polygons_[p].area > largest->area ? &polygons_[p] : largest;
   }
-  if (!forced && cone.spread > mergeRadius_)
+  if (cone.spread > (forced ? featureAngle_ : mergeRadius_))
   {
     return false;
   }
@@ -317,11 +318,12 @@ void Simplification::collapse(std::uint32_t node, std::uint32_t onto)
   }
 }
 
-void Simplification::removeTied(const std::vector<std::uint32_t>& onto)
+void Simplification::removeTied(const SideTying& tying)
 {
+  const std::vector<std::uint32_t>& onto = tying.onto();
   for (std::uint32_t node = 0; node < onto.size(); ++node)
   {
-    if (onto[node] != node && !removeNode(node, true))
+    if (onto[node] != node && (tying.wentForShortness(node) || !removeNode(node, true)))
     {
       collapse(node, onto[node]);
     }

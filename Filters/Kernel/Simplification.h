@@ -8,6 +8,7 @@
 #include "BoxSurface.h"
 #include "MarchingCubes.h"
 #include "PatchSpec.h"
+#include "Tying.h"
 
 namespace cartesian
 {
@@ -25,8 +26,8 @@ public:
   void add(const std::uint32_t* begin, const std::uint32_t* end, std::uint32_t triangle,
     const Vector& normal);
 
-  // Removes points that are not their own `onto` (Tying.h).
-  void removeTied(const std::vector<std::uint32_t>& onto);
+  // Removes the points that tying has dropped.
+  void removeTied(const SideTying& tying);
 
   // Removes nodes inside the box where the surface turns by no more than Merge Angle.
   void removeInner();
@@ -105,6 +106,7 @@ private:
 
   const Surface& surface_;
   double mergeRadius_; // radians
+  double featureAngle_; // radians
   double featureCosine_;
   double shortest_ = 0; // levels
 

@@ -48,6 +48,7 @@ void SideTying::tie(std::uint32_t b, BoxSurface& piece)
   {
     onto_[i] = i;
   }
+  short_.assign(piece.points.size(), 0);
   partner_.assign(piece.points.size(), None);
   if (spec_.method == PatchMethod::MarchingCubes)
   {
@@ -305,15 +306,27 @@ void SideTying::finishPolyline(BoxSurface& piece, bool upper)
   {
     moveOntoChord(piece);
   }
+  addChords(piece, upper);
+}
+
+void SideTying::addChords(const BoxSurface& piece, bool upper)
+{
   std::size_t last = 0;
-  for (std::size_t i = 1; i < count; ++i)
+  for (std::size_t i = 1; i < line_.nodes.size(); ++i)
   {
     if (line_.keep[i] == 0)
     {
-      onto_[line_.nodes[i]] = line_.nodes[last];
       continue;
     }
-    Chord chord{ line_.nodes[last], line_.nodes[i], line_.triangles[last], line_.triangles[i - 1] };
+    const std::uint32_t from = line_.nodes[last];
+    const std::uint32_t to = line_.nodes[i];
+    for (std::size_t k = last + 1; k < i; ++k)
+    {
+      const Point& p = piece.points[line_.nodes[k]];
+      onto_[line_.nodes[k]] =
+        distance(p, piece.points[from]) <= distance(p, piece.points[to]) ? from : to;
+    }
+    Chord chord{ from, to, line_.triangles[last], line_.triangles[i - 1] };
     if (!upper)
     {
       std::swap(chord.from, chord.to);
@@ -388,6 +401,7 @@ void SideTying::dropShort(const BoxSurface& piece)
     const bool tooShort = distance(piece.points[line_.nodes[last]], p) < shortest_ ||
       distance(p, piece.points[line_.nodes[end]]) < shortest_;
     line_.keep[i] = tooShort ? 0 : 1;
+    short_[line_.nodes[i]] = tooShort ? 1 : 0;
     last = tooShort ? last : i;
   }
 }
@@ -422,7 +436,7 @@ void SideTying::dropSimilar(const BoxSurface& piece)
 bool SideTying::mayReplace(
   const BoxSurface& piece, std::size_t i, std::size_t before, std::size_t j) const
 {
-  if (isFeature(before))
+  if (isFeature(piece, before))
   {
     return false;
   }
@@ -443,12 +457,28 @@ bool SideTying::mayReplace(
   return length >= shortest_ && !passesOver(piece, i, before, j);
 }
 
-bool SideTying::isFeature(std::size_t node) const
+bool SideTying::isFeature(const BoxSurface& piece, std::size_t node) const
 {
   const std::uint32_t a = line_.triangles[node - 1];
   const std::uint32_t b = line_.triangles[node];
+  const Point& p = piece.points[line_.nodes[node]];
   return surface_.boundary[a] != surface_.boundary[b] ||
-    dot(features_.normal[a], features_.normal[b]) < featureCosine_;
+    dot(features_.normal[a], features_.normal[b]) < featureCosine_ || isNextToFeature(p, a) ||
+    isNextToFeature(p, b);
+}
+
+// A feature may run along a side, just beyond it: the polyline follows it.
+bool SideTying::isNextToFeature(const Point& p, std::uint32_t triangle) const
+{
+  const Corners corners = surface_.corners(triangle);
+  for (unsigned i = 0; i < 3; ++i)
+  {
+    if (features_.endsIn(triangle, i) && distance(p, corners[i]) < 4 * shortest_)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 // Whether another node lies in the triangle between the chords to the node before and to this one.
