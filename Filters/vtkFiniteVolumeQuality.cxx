@@ -7,11 +7,16 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCommunicator.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedIntArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -62,6 +67,22 @@ void SetMeasures(const std::array<std::vector<double>, cartesian::MeasureCount>&
   }
 }
 
+double OverAllProcesses(const cartesian::SummaryValue& entry)
+{
+  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
+  if (!processes || processes->GetNumberOfProcesses() == 1)
+  {
+    return entry.value;
+  }
+  using Of = cartesian::SummaryValue::Of;
+  double result = 0;
+  processes->AllReduce(&entry.value, &result, 1,
+    entry.pieces == Of::Sum      ? vtkCommunicator::SUM_OP
+      : entry.pieces == Of::Most ? vtkCommunicator::MAX_OP
+                                 : vtkCommunicator::MIN_OP);
+  return result;
+}
+
 void SetFaces(const cartesian::CellFaces& cells, const cartesian::FaceList& faces,
   vtkUnstructuredGrid* grid, vtkPolyData* output)
 {
@@ -105,9 +126,16 @@ int vtkFiniteVolumeQuality::FillOutputPortInformation(int port, vtkInformation* 
 }
 
 int vtkFiniteVolumeQuality::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
-  return 1; // each process asks for the piece that is asked of it
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* info = input[0]->GetInformationObject(0);
+  if (info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1)
+  {
+    info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
+      info->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) + 1);
+  }
+  return 1;
 }
 
 int vtkFiniteVolumeQuality::RequestData(
@@ -116,6 +144,8 @@ int vtkFiniteVolumeQuality::RequestData(
   vtkUnstructuredGrid* grid = vtkUnstructuredGrid::GetData(input[0]);
   vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(output, 0);
   vtkPolyData* faces = vtkPolyData::GetData(output, 1);
+  // Made of nothing, to begin with: processes that fail must take part in the sums.
+  std::vector<cartesian::SummaryValue> summary = cartesian::summarise({}, {});
   this->Run(0, 1, [&](cartesian::Execution& execution) {
     execution.stage("Faces", 0, 0.5);
     const cartesian::CellFaces cells = cartesian::facesOfCells(grid);
@@ -130,11 +160,14 @@ int vtkFiniteVolumeQuality::RequestData(
     SetMeasures(quality.cells, quality.cellFailures, mesh->GetCellData());
     SetFaces(cells, list, grid, faces);
     SetMeasures(quality.faces, quality.faceFailures, faces->GetCellData());
-    for (const auto& [name, value] : cartesian::summarise(quality, list))
-    {
-      cartesian::setField(mesh, name.c_str(), { value });
-      cartesian::setField(faces, name.c_str(), { value });
-    }
+    vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
+    summary = cartesian::summarise(quality, list, ghosts ? ghosts->GetPointer(0) : nullptr);
   });
+  for (const cartesian::SummaryValue& entry : summary)
+  {
+    const double value = OverAllProcesses(entry);
+    cartesian::setField(mesh, entry.name.c_str(), { value });
+    cartesian::setField(faces, entry.name.c_str(), { value });
+  }
   return 1;
 }

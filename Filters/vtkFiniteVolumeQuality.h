@@ -37,7 +37,8 @@
  * Max<Name> or Min<Name>, the worst of all cells.
  *
  * Cells of less than three dimensions have NaN and no failures. On several processes each measures
- * its own part of the mesh.
+ * its own part of the mesh and asks for a layer of ghost cells, which count as neighbours only;
+ * where there are none, faces between parts are boundary. The field data are of all parts.
  *
  * Errors: BadMesh (cells with curved edges, or too many points).
  *

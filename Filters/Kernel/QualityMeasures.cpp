@@ -371,46 +371,50 @@ Quality measureQuality(
   return Meter(points, cells, faces, execution).run();
 }
 
-std::vector<std::pair<std::string, double>> summarise(const Quality& quality, const FaceList& faces)
+std::vector<SummaryValue> summarise(
+  const Quality& quality, const FaceList& faces, const unsigned char* leftOut)
 {
-  std::vector<std::pair<std::string, double>> result;
-  const std::size_t cells = quality.cellGeometry.size();
+  using Of = SummaryValue::Of;
+  const auto counts = [&](std::size_t cell) { return !leftOut || leftOut[cell] == 0; };
   const auto count = [&](auto&& test) {
-    std::size_t n = 0;
-    for (std::size_t c = 0; c < cells; ++c)
+    double n = 0;
+    for (std::size_t c = 0; c < quality.cellGeometry.size(); ++c)
     {
-      n += test(c);
+      n += counts(c) && test(c) ? 1 : 0;
     }
-    return static_cast<double>(n);
+    return n;
   };
   double volume = 0;
-  for (const CellGeometry& cell : quality.cellGeometry)
+  for (std::size_t c = 0; c < quality.cellGeometry.size(); ++c)
   {
-    volume += cell.volume;
+    volume += counts(c) ? quality.cellGeometry[c].volume : 0;
   }
   double area = 0;
   for (std::size_t f = faces.neighbour.size(); f < faces.owner.size(); ++f)
   {
-    area += norm(quality.faceGeometry[f].area);
+    area += counts(faces.owner[f]) ? norm(quality.faceGeometry[f].area) : 0;
   }
-  result.emplace_back("Cells", static_cast<double>(cells));
-  result.emplace_back(
-    "FailingCells", count([&](std::size_t c) { return quality.cellFailures[c] != 0; }));
-  result.emplace_back("ConcaveCells",
-    count([&](std::size_t c) { return quality.cells[Concavity][c] >= ConcaveFrom; }));
-  result.emplace_back("TotalVolume", volume);
-  result.emplace_back("BoundaryArea", area);
+  std::vector<SummaryValue> result{
+    { "Cells", count([](std::size_t) { return true; }), Of::Sum },
+    { "FailingCells", count([&](std::size_t c) { return quality.cellFailures[c] != 0; }), Of::Sum },
+    { "ConcaveCells",
+      count([&](std::size_t c) { return quality.cells[Concavity][c] >= ConcaveFrom; }), Of::Sum },
+    { "TotalVolume", volume, Of::Sum },
+    { "BoundaryArea", area, Of::Sum },
+  };
   for (std::size_t m = 0; m < MeasureCount; ++m)
   {
     const MeasureSpec& spec = MeasureSpecs[m];
     double worst = spec.best;
-    for (const double value : quality.cells[m])
+    for (std::size_t c = 0; c < quality.cells[m].size(); ++c)
     {
+      const double value = counts(c) ? quality.cells[m][c] : spec.best;
       worst = spec.largeIsWorse ? std::max(worst, value) : std::min(worst, value);
     }
-    result.emplace_back(std::string(spec.name) + "Failures",
-      count([&](std::size_t c) { return (quality.cellFailures[c] >> m & 1u) != 0; }));
-    result.emplace_back(std::string(spec.largeIsWorse ? "Max" : "Min") + spec.name, worst);
+    result.push_back({ std::string(spec.name) + "Failures",
+      count([&](std::size_t c) { return (quality.cellFailures[c] >> m & 1u) != 0; }), Of::Sum });
+    result.push_back({ std::string(spec.largeIsWorse ? "Max" : "Min") + spec.name, worst,
+      spec.largeIsWorse ? Of::Most : Of::Least });
   }
   return result;
 }

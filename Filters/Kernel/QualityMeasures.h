@@ -2,14 +2,13 @@
 // checks (checkMesh), with its definitions and limits.
 #pragma once
 
-#include "FaceList.h"
 #include "CellGeometry.h"
+#include "FaceList.h"
 
 #include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
-#include <utility>
 
 namespace cartesian
 {
@@ -102,9 +101,24 @@ struct Quality
 Quality measureQuality(
   const double* points, const CellFaces& cells, const FaceList& faces, Execution& execution);
 
-// Names and values: Cells, FailingCells, ConcaveCells, TotalVolume, BoundaryArea, and for each
-// measure <Name>Failures, a number of cells, and Max<Name> or Min<Name>, the worst of all cells.
-std::vector<std::pair<std::string, double>> summarise(
-  const Quality& quality, const FaceList& faces);
+// One of the numbers that sum up a mesh; of a mesh in pieces, its pieces' values put together.
+struct SummaryValue
+{
+  enum class Of
+  {
+    Sum,
+    Least,
+    Most,
+  };
+  std::string name;
+  double value;
+  Of pieces;
+};
+
+// Cells, FailingCells, ConcaveCells, TotalVolume, BoundaryArea, and for each measure <Name>Failures,
+// a number of cells, and Max<Name> or Min<Name>, the worst of all cells. Cells that are `leftOut`
+// (an array of as many flags, or null) do not count.
+std::vector<SummaryValue> summarise(
+  const Quality& quality, const FaceList& faces, const unsigned char* leftOut = nullptr);
 
 }

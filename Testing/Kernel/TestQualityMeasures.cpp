@@ -59,9 +59,9 @@ Measured measure(const std::vector<Polyhedron>& cells, int threads = 1)
   Measured result;
   result.faces = listFaces(cellFaces, numbers.size(), Clashes::AreBoundary, execution);
   result.quality = measureQuality(points.data(), cellFaces, result.faces, execution);
-  for (const auto& [name, value] : summarise(result.quality, result.faces))
+  for (const SummaryValue& entry : summarise(result.quality, result.faces))
   {
-    result.summary[name] = value;
+    result.summary[entry.name] = entry.value;
   }
   return result;
 }
@@ -347,6 +347,26 @@ TEST(QualityMeasures, CellsWithoutFacesAreNotMeasured)
   EXPECT_EQ(mesh.quality.cellFailures[1], 0u);
   EXPECT_NEAR(mesh.summary.at("MinVolume"), 1, Close);
   EXPECT_NEAR(mesh.summary.at("TotalVolume"), 2, Close);
+}
+
+TEST(QualityMeasures, CellsThatAreLeftOutDoNotCount)
+{
+  Polyhedron open = cubeAt(1, 0, 0);
+  open.erase(open.begin() + 1); // its top
+  const Measured mesh = measure({ cubeAt(0, 0, 0), open });
+  const std::array<unsigned char, 2> leftOut{ 0, 1 };
+  std::map<std::string, double> summary;
+  for (const SummaryValue& entry : summarise(mesh.quality, mesh.faces, leftOut.data()))
+  {
+    summary[entry.name] = entry.value;
+  }
+  EXPECT_EQ(mesh.summary.at("OpenEdgesFailures"), 1);
+  EXPECT_EQ(summary.at("OpenEdgesFailures"), 0);
+  EXPECT_EQ(summary.at("MaxOpenness"), 0);
+  EXPECT_EQ(summary.at("Cells"), 1);
+  EXPECT_NEAR(summary.at("TotalVolume"), 1, Close);
+  EXPECT_NEAR(mesh.summary.at("BoundaryArea"), 5 + 4, Close);
+  EXPECT_NEAR(summary.at("BoundaryArea"), 5, Close);
 }
 
 TEST(QualityMeasures, LimitsThemselvesFail)
