@@ -47,7 +47,7 @@ public:
     Stopped = 40009,       ///< by the user
     OutOfMemory = 40010,   ///< there was less memory than estimated
     BadMesh = 40011,       ///< cells to write overlap, are turned inside out, or too many
-    CannotWrite = 40012    ///< a file
+    CannotWrite = 40012    ///< a file cannot be written
   };
 
   ///@{

@@ -23,7 +23,7 @@ enum class Fault
   Stopped = 9,       // by the user
   OutOfMemory = 10,
   BadMesh = 11,     // cells to write that overlap, are turned inside out, or too many
-  CannotWrite = 12, // a file
+  CannotWrite = 12, // a file cannot be written
 };
 
 // A number for a message: as long as it needs to be, at most six digits.

@@ -40,3 +40,8 @@ for proxy, (label, inputs, properties) in expected.items():
 for proxy, second in (assembler, "Boundary"), (mesher, "Boundary"), (quality, "Faces"):
     ports = [proxy.GetOutputPortName(i) for i in range(proxy.GetNumberOfOutputPorts())]
     assert ports == ["Mesh", second], ports
+
+writer = simple.CreateWriter("case.foam", mesher)
+assert writer.GetXMLLabel() == "OpenFOAM Mesh Writer", writer.GetXMLLabel()
+assert sorted(writer.ListProperties()) == ["FileName", "FileType", "Input"]
+assert writer.FileType == "Binary"
