@@ -51,6 +51,7 @@ public:
   {
     for (std::size_t t = begin; t < end; ++t)
     {
+      result_.edges[t] = isFold(t) ? 64 : 0;
       for (unsigned i = 0; i < 3; ++i)
       {
         const std::uint32_t other = neighbours_[t][i];
@@ -90,32 +91,52 @@ private:
 
   bool hasArea(std::size_t t) const { return dot(result_.normal[t], result_.normal[t]) > 0; }
 
-  // Thin, and turned over between two neighbours that agree with each other.
+  // Thin, and turned over between two triangles that agree with each other; between it and one of
+  // them there may be another like itself.
   bool isFold(std::size_t t) const
+  {
+    if (!isThin(t))
+    {
+      return false;
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const std::uint32_t a = neighbours_[t][i];
+      if (a == None || !opposite(t, a))
+      {
+        continue;
+      }
+      for (const std::size_t j : { (i + 1) % 3, (i + 2) % 3 })
+      {
+        const std::uint32_t b = neighbours_[t][j];
+        if (b != None && (opposite(t, b) ? !turns(a, b) : isThin(b) && agreesBehind(t, b, a)))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  // Whether a neighbour of `twin` other than t is opposite to t and agrees with a.
+  bool agreesBehind(std::size_t t, std::size_t twin, std::size_t a) const
+  {
+    const Neighbours& behind = neighbours_[twin];
+    return std::any_of(behind.begin(), behind.end(),
+      [&](std::uint32_t n) { return n != None && n != t && opposite(t, n) && !turns(a, n); });
+  }
+
+  bool isThin(std::size_t t) const
   {
     const Corners c = surface_.corners(t);
     const Vector twiceArea = cross(minus(c[1], c[0]), minus(c[2], c[0]));
-    double longest = 0;
+    double longest = 0; // squared
     for (std::size_t i = 0; i < 3; ++i)
     {
       const Vector edge = minus(c[(i + 1) % 3], c[i]);
       longest = std::max(longest, dot(edge, edge));
     }
-    if (dot(twiceArea, twiceArea) > ThickestFold * ThickestFold * longest * longest)
-    {
-      return false;
-    }
-    const Neighbours& around = neighbours_[t];
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const std::uint32_t a = around[i];
-      const std::uint32_t b = around[(i + 1) % 3];
-      if (a != None && b != None && opposite(t, a) && opposite(t, b) && !turns(a, b))
-      {
-        return true;
-      }
-    }
-    return false;
+    return dot(twiceArea, twiceArea) <= ThickestFold * ThickestFold * longest * longest;
   }
 
   bool opposite(std::size_t t, std::size_t other) const

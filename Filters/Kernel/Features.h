@@ -13,14 +13,16 @@ namespace cartesian
 struct Features
 {
   // Of each triangle. Bit i: its edge from corner i to the next is sharp; bit 3 + i: that edge is a
-  // border between boundaries.
+  // border between boundaries. Bit 6: it is folded geometry.
   std::vector<std::uint8_t> edges;
-  std::vector<Vector> normal;      // of each triangle, of length 1; 0 where it has no area
+  std::vector<Vector> normal; // of each triangle, of length 1; 0 where it has no area
 
   bool isSharp(std::size_t triangle, unsigned edge) const
   {
     return (edges[triangle] >> edge & 1) != 0;
   }
+
+  bool isFold(std::size_t triangle) const { return (edges[triangle] >> 6 & 1) != 0; }
 
   // Whether a sharp edge or a border ends in a corner of a triangle, as far as that one knows.
   bool endsIn(std::size_t triangle, unsigned corner) const

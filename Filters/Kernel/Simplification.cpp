@@ -38,15 +38,18 @@ double lengthOf(const Vector& v)
 
 }
 
-Simplification::Simplification(const Surface& surface, const PatchSpec& spec)
+Simplification::Simplification(
+  const Surface& surface, const Boxes& boxes, const Clearance& clearance, const PatchSpec& spec)
   : surface_(surface)
+  , boxes_(boxes)
+  , clearance_(clearance)
   , mergeRadius_(spec.mergeAngle * Degree / 2)
   , featureAngle_(spec.featureAngle * Degree)
   , featureCosine_(std::cos(featureAngle_))
 {
 }
 
-void Simplification::begin(const Boxes& boxes, const Box& box, const std::vector<Point>& points)
+void Simplification::begin(const Box& box, const std::vector<Point>& points)
 {
   at_.clear();
   planes_.clear();
@@ -58,9 +61,7 @@ void Simplification::begin(const Boxes& boxes, const Box& box, const std::vector
   shortest_ = -1;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const std::uint32_t i = boxes.globalOf(box).index[axis];
-    const double clearance =
-      SurfaceCutter::clearanceOf(boxes.planes[axis][i], boxes.planes[axis][i + 1]);
+    const double clearance = clearance_.of(axis, boxes_.globalOf(box).index[axis]);
     shortest_ = shortest_ < 0 ? clearance : std::min(shortest_, clearance);
   }
   polygons_.clear();
@@ -169,6 +170,15 @@ bool Simplification::isFeature(const Polygon& p, const Polygon& q) const
 void Simplification::markFeatures()
 {
   feature_.assign(at_.size(), 0);
+  cones_.assign(at_.size(), Cone{ { 0, 0, 0 }, 0 });
+  for (const Polygon& p : polygons_)
+  {
+    for (std::uint32_t i = 0; p.alive && i < p.size; ++i)
+    {
+      Cone& cone = cones_[corners_[p.first + i]];
+      cone = around(cone, { p.axis, p.spread });
+    }
+  }
   listUses();
   for (std::size_t i = 0; i < uses_.size();)
   {
@@ -245,7 +255,8 @@ bool Simplification::gatherFan(std::uint32_t node)
 }
 
 // Puts triangles over the loop around a node. Forced: unless a feature passes; else only where they
-// differ from what they replace by no more than Merge Angle.
+// differ by no more than half of Merge Angle from what they replace, and from the surface at their
+// corners.
 bool Simplification::removeNode(std::uint32_t node, bool forced)
 {
   if (!gatherFan(node))
@@ -277,8 +288,14 @@ bool Simplification::removeNode(std::uint32_t node, bool forced)
     {
       const Vector normal = unit(
         cross(minus(nodes_[t[1]].at, nodes_[t[0]].at), minus(nodes_[t[2]].at, nodes_[t[0]].at)));
+      const auto fits = [&](std::uint32_t corner) {
+        const std::uint32_t n = loop_[corner];
+        return feature_[n] != 0 ||
+          angleBetween(normal, cones_[n].axis) <= mergeRadius_ + cones_[n].spread;
+      };
       if (dot(normal, normal) == 0 || angleBetween(normal, cone.axis) > mergeRadius_ ||
-        (nodes_[t[0]].planes & nodes_[t[1]].planes & nodes_[t[2]].planes) != 0)
+        (nodes_[t[0]].planes & nodes_[t[1]].planes & nodes_[t[2]].planes) != 0 || !fits(t[0]) ||
+        !fits(t[1]) || !fits(t[2]))
       {
         return false;
       }
@@ -291,7 +308,8 @@ bool Simplification::removeNode(std::uint32_t node, bool forced)
   for (const auto& t : triangles)
   {
     const std::array<std::uint32_t, 3> c = { loop_[t[0]], loop_[t[1]], loop_[t[2]] };
-    append(c.data(), c.data() + 3, like, cone);
+    const Vector normal = unit(cross(minus(at_[c[1]], at_[c[0]]), minus(at_[c[2]], at_[c[0]])));
+    append(c.data(), c.data() + 3, like, { dot(normal, cone.axis) > 0 ? normal : cone.axis, 0 });
   }
   return true;
 }

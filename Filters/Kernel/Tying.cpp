@@ -28,10 +28,11 @@ Level oddLevel(double x)
 }
 
 SideTying::SideTying(const Surface& surface, const Features& features, const Boxes& boxes,
-  const std::vector<PatchReason>& reasons, const PatchSpec& spec)
+  const Clearance& clearance, const std::vector<PatchReason>& reasons, const PatchSpec& spec)
   : surface_(surface)
   , features_(features)
   , boxes_(boxes)
+  , clearance_(clearance)
   , reasons_(reasons)
   , spec_(spec)
   , mergeCosine_(cosineOf(spec.mergeAngle))
@@ -100,9 +101,8 @@ double SideTying::shortestEdge(const Box& box, int axis) const
   Level least = ~Level(0);
   for (const int other : { (axis + 1) % 3, (axis + 2) % 3 })
   {
-    const auto& planes = boxes_.planes[std::size_t(other)];
-    const std::uint32_t i = boxes_.globalOf(box).index[std::size_t(other)];
-    least = std::min(least, SurfaceCutter::clearanceOf(planes[i], planes[i + 1]));
+    const auto o = static_cast<std::size_t>(other);
+    least = std::min(least, clearance_.of(o, boxes_.globalOf(box).index[o]));
   }
   return least;
 }
@@ -448,7 +448,7 @@ bool SideTying::mayReplace(
     const Vector& normal = features_.normal[line_.triangles[k]];
     const Vector part = minus(piece.points[line_.nodes[k + 1]], piece.points[line_.nodes[k]]);
     const double partLength = std::sqrt(dot(part, part));
-    if (partLength >= shortest_ &&
+    if (partLength >= shortest_ && !features_.isFold(line_.triangles[k]) &&
       (dot(normal, first) < mergeCosine_ || dot(part, chord) < mergeCosine_ * length * partLength))
     {
       return false;
@@ -462,9 +462,10 @@ bool SideTying::isFeature(const BoxSurface& piece, std::size_t node) const
   const std::uint32_t a = line_.triangles[node - 1];
   const std::uint32_t b = line_.triangles[node];
   const Point& p = piece.points[line_.nodes[node]];
+  const bool folded = features_.isFold(a) || features_.isFold(b);
   return surface_.boundary[a] != surface_.boundary[b] ||
-    dot(features_.normal[a], features_.normal[b]) < featureCosine_ || isNextToFeature(p, a) ||
-    isNextToFeature(p, b);
+    (!folded && dot(features_.normal[a], features_.normal[b]) < featureCosine_) ||
+    isNextToFeature(p, a) || isNextToFeature(p, b);
 }
 
 // A feature may run along a side, just beyond it: the polyline follows it.

@@ -7,7 +7,8 @@ grid = {"CellSize": 0.0, "MeshlinesX": [], "MeshlinesY": [], "MeshlinesZ": []}
 refinement = {"RefinementDepth": 0, "RefinementBlocks": [], "BoundaryRefinement": [],
               "RegionDepth": 1}
 boundaries = {"BoundaryArray": ""}
-patches = {"PatchMethod": "Exact Fit"}
+patches = {"PatchMethod": "Automatic", "FeatureAngle": 30.0, "MergeAngle": 15.0,
+           "Tying": "Keep Nodes"}
 cells = {"SmallCellRatio": 0.001}
 threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}
