@@ -36,7 +36,10 @@ int vtkCartesianMesher::RequestData(
     execution.stage("Patches", cartesian::AfterBoxes, cartesian::AfterPatches);
     const cartesian::Patches patches =
       cartesian::generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes, execution);
-    const cartesian::Assembly assembly(boxed.boxes, patches, { this->SmallCellRatio }, execution);
+    const cartesian::CellSpec spec{ this->SmallCellRatio,
+      this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove,
+      this->MergeRatio, this->SplitConcaveCells };
+    const cartesian::Assembly assembly(boxed.boxes, patches, spec, execution);
     cartesian::toVTK(assembly, vtkUnstructuredGrid::GetData(output, 0),
       vtkPolyData::GetData(output, 1), execution);
     this->ReportFlaws(assembly.describeFlaws());
@@ -48,5 +51,8 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PatchMethod: " << this->PatchMethod << "\n";
+  os << indent << "SmallCells: " << this->SmallCells << "\n";
+  os << indent << "MergeRatio: " << this->MergeRatio << "\n";
+  os << indent << "SplitConcaveCells: " << this->SplitConcaveCells << "\n";
   os << indent << "SmallCellRatio: " << this->SmallCellRatio << "\n";
 }

@@ -1,0 +1,15 @@
+// Small cells (section 4.10) that become a part of a neighbour.
+#pragma once
+
+#include "CellComplex.h"
+#include "Execution.h"
+
+namespace cartesian
+{
+
+// Merges cells smaller than `ratio` of their box into the neighbour that they share most area with,
+// of those with which they fulfil the angle conditions. In rounds, the smallest first, so that the
+// result depends on the cells only. Returns how many were merged.
+std::size_t mergeSmallCells(CellComplex& cells, double ratio, Execution& execution);
+
+}
