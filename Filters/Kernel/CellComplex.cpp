@@ -239,13 +239,15 @@ std::vector<CellKey> CellComplex::polyhedra() const
       keys.push_back(key);
     }
   }
-  for (auto key = static_cast<CellKey>(cells_.size() + boxes_.boxes.size()); key < nextKey_; ++key)
+  const auto others = static_cast<std::ptrdiff_t>(keys.size());
+  for (const auto& [key, open] : openOfOther_)
   {
-    if (isAlive(key))
+    if (open_[open].alive && open_[open].changed)
     {
       keys.push_back(key);
     }
   }
+  std::sort(keys.begin() + others, keys.end());
   return keys;
 }
 
@@ -717,7 +719,7 @@ std::vector<std::uint32_t> CellComplex::promote()
   std::vector<std::uint32_t> added;
   for (const OpenCell& cell : open_)
   {
-    if (cell.origin >= cells_.size() && cell.changed && cell.alive &&
+    if (cell.origin >= cells_.size() && cell.changed &&
       sides_.polyhedralOrdinal(cell.box) == None)
     {
       added.push_back(cell.box);

@@ -49,7 +49,7 @@ public:
   // the largest first.
   std::vector<std::pair<CellKey, double>> neighbours(CellKey key) const;
 
-  // All cells that are alive, but for hexahedra, in order.
+  // All cells that are alive, but for untouched hexahedra, in order.
   std::vector<CellKey> polyhedra() const;
 
   std::uint32_t boxOf(CellKey key) const;

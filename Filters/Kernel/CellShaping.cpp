@@ -13,25 +13,20 @@ namespace
 
 constexpr std::size_t CellsAChunk = 512;
 
-std::vector<CellKey> failingCells(
-  const CellComplex& complex, const Cells& cells, Execution& execution)
+std::vector<CellKey> failingCells(const CellComplex& complex, Execution& execution)
 {
-  std::vector<std::vector<CellKey>> parts(chunks(cells.size(), CellsAChunk));
-  execution.forEach(cells.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+  const std::vector<CellKey> keys = complex.polyhedra();
+  std::vector<std::vector<CellKey>> parts(chunks(keys.size(), CellsAChunk));
+  execution.forEach(keys.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
     Polyhedron polyhedron;
     CellShape shape;
-    for (std::size_t c = begin; c < end; ++c)
+    for (std::size_t i = begin; i < end; ++i)
     {
-      const auto key = static_cast<CellKey>(c);
-      if (cells.cells[c].removed)
-      {
-        continue;
-      }
-      complex.shape(key, polyhedron);
+      complex.shape(keys[i], polyhedron);
       measure(polyhedron, shape);
       if (failingArea(polyhedron, shape) > 0)
       {
-        parts[begin / CellsAChunk].push_back(key);
+        parts[begin / CellsAChunk].push_back(keys[i]);
       }
     }
   });
@@ -50,17 +45,20 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
 {
   Shaping shaping;
   CellComplex complex(boxes, patches, sides, nodes, inner, cells);
+  const auto merge = [&] {
+    if (spec.smallCells == SmallCells::Merge)
+    {
+      shaping.cellsMerged += mergeSmallCells(complex, spec.mergeRatio, execution);
+    }
+  };
+  merge();
   if (spec.splitConcave)
   {
-    const Splitting splitting =
-      splitCells(complex, failingCells(complex, cells, execution), execution);
+    const Splitting splitting = splitCells(complex, failingCells(complex, execution), execution);
     shaping.cellsSplit = splitting.cellsSplit;
-    shaping.angleFailures = splitting.failed.size();
+    merge();
   }
-  if (spec.smallCells == SmallCells::Merge)
-  {
-    shaping.cellsMerged = mergeSmallCells(complex, spec.mergeRatio, execution);
-  }
+  shaping.angleFailures = failingCells(complex, execution).size();
   if (complex.changed())
   {
     complex.finish(execution);

@@ -21,6 +21,12 @@ constexpr double LeastBend = 1e-3;
 // A part smaller than this part of the cell is no use.
 constexpr double LeastPart = 1e-3;
 
+// An edge bent by more (in radians) is worth a cut that helps nothing by itself.
+constexpr double LeastWorthyBend = 0.1;
+
+// ... and that lets this part of what failed before fail.
+constexpr double NoHarm = 1.0 + 1e-9;
+
 // Concave edges belong to one feature where they run within 45 degrees of each other.
 constexpr double ContinuesCosine = 0.707;
 
@@ -145,36 +151,126 @@ double failingAfter(const Polyhedron& cell, const CellShape& shape, const CellCu
   return failing;
 }
 
+// The cuts of one cell that are tried, and the best of them.
+class Search
+{
+public:
+  Search(const Polyhedron& cell, const CellShape& shape, double failing)
+    : cell_(cell)
+    , shape_(shape)
+    , before_(failing)
+    , best_(failing)
+    , edges_(concaveEdges(cell, shape))
+  {
+  }
+
+  // The cut that leaves least failing. Where none helps, one along the worst concave edge that does
+  // no harm: without concave edges nothing of the boundary fails.
+  bool run(CellCut& cut)
+  {
+    const std::vector<std::size_t> candidates = this->candidates();
+    for (const std::size_t i : candidates)
+    {
+      attempt(planeThrough(edges_[i], edges_, cell_), edges_[i].bend > LeastWorthyBend, cut);
+    }
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      for (const std::size_t i : candidates)
+      {
+        if (best_ == before_)
+        {
+          attempt(planeOf(edges_[i], k), false, cut);
+        }
+      }
+    }
+    if (best_ == before_ && hasFallback_ && failsAtBoundary())
+    {
+      cut = std::move(fallback_);
+      return true;
+    }
+    return best_ < before_;
+  }
+
+private:
+  // The worst edges, and those of faces that fail.
+  std::vector<std::size_t> candidates() const
+  {
+    std::vector<std::size_t> result;
+    std::size_t ofFailing = 0;
+    for (std::size_t i = 0; i < edges_.size(); ++i)
+    {
+      const bool more = edges_[i].failing && ofFailing < MostCandidates;
+      if (i < MostCandidates || more)
+      {
+        result.push_back(i);
+      }
+      ofFailing += i >= MostCandidates && more ? 1 : 0;
+    }
+    return result;
+  }
+
+  // The plane of one of the edge's faces.
+  CutPlane planeOf(const ConcaveEdge& edge, std::size_t face) const
+  {
+    CutPlane plane;
+    plane.at = cell_.nodes[edge.from];
+    plane.normal = unit(shape_.faces[edge.faces[face]].area);
+    plane.through = { edge.from, edge.to };
+    return plane;
+  }
+
+  void attempt(const CutPlane& plane, bool worthy, CellCut& cut)
+  {
+    if (best_ == 0 || !cutCell(cell_, plane, trial_))
+    {
+      return;
+    }
+    const double failing = failingAfter(cell_, shape_, trial_);
+    if (failing >= 0 && failing < best_)
+    {
+      best_ = failing;
+      std::swap(cut, trial_);
+    }
+    else if (failing >= 0 && failing <= before_ * NoHarm && worthy && !hasFallback_)
+    {
+      hasFallback_ = true;
+      std::swap(fallback_, trial_);
+    }
+  }
+
+  bool failsAtBoundary() const
+  {
+    for (std::size_t f = 0; f < cell_.faces(); ++f)
+    {
+      if (cell_.isBoundary[f] && failsAngle(cell_, shape_, f))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const Polyhedron& cell_;
+  const CellShape& shape_;
+  double before_;
+  double best_;
+  std::vector<ConcaveEdge> edges_;
+  CellCut trial_;
+  CellCut fallback_;
+  bool hasFallback_ = false;
+};
+
 void propose(const CellComplex& cells, Proposal& proposal)
 {
   cells.view(proposal.key, proposal.view);
-  const Polyhedron& cell = proposal.view.shape;
   CellShape shape;
-  measure(cell, shape);
-  proposal.failing = failingArea(cell, shape);
-  double best = proposal.failing;
-  const std::vector<ConcaveEdge> edges = concaveEdges(cell, shape);
-  std::size_t worst = 0;
-  std::size_t ofFailing = 0;
-  CellCut cut;
-  for (std::size_t i = 0; i < edges.size() && best > 0; ++i)
-  {
-    if (worst >= MostCandidates && (!edges[i].failing || ofFailing >= MostCandidates))
-    {
-      continue;
-    }
-    (worst < MostCandidates ? worst : ofFailing) += 1;
-    if (!cutCell(cell, planeThrough(edges[i], edges, cell), cut))
-    {
-      continue;
-    }
-    const double failing = failingAfter(cell, shape, cut);
-    if (failing >= 0 && failing < best)
-    {
-      best = failing;
-      proposal.found = true;
-      std::swap(proposal.cut, cut);
-    }
+  measure(proposal.view.shape, shape);
+  proposal.failing = failingArea(proposal.view.shape, shape);
+  proposal.found = Search(proposal.view.shape, shape, proposal.failing).run(proposal.cut);
+  if (!proposal.found && getenv("DBG")) {
+    const Polyhedron& cell = proposal.view.shape; auto edges = concaveEdges(cell, shape);
+    int nb = 0, ni = 0; double wc = 1; for (std::size_t f = 0; f < cell.faces(); ++f) if (failsAngle(cell, shape, f)) { (cell.isBoundary[f] ? nb : ni)++; wc = std::min(wc, cosineOfFace(shape, f)); }
+    std::fprintf(stderr, "FAIL key %u box %u vol %.2e faces %zu edges %zu(maxbend %.1f) failB %d failI %d worstcos %.3f area %.2e\n", proposal.key, cells.boxOf(proposal.key), shape.volume / cells.volumeOfBox(proposal.key), cell.faces(), edges.size(), edges.empty() ? 0 : edges[0].bend * 57.3, nb, ni, wc, proposal.failing / std::pow(cells.volumeOfBox(proposal.key), 2/3.));
   }
 }
 

@@ -17,6 +17,7 @@ struct Merging
 {
   CellKey key;
   double volume; // of its box's
+  bool fails;    // an angle condition
   CellKey into = None;
 };
 
@@ -30,7 +31,7 @@ double failing(const CellComplex& cells, CellKey key)
 }
 
 // The best neighbour, or None.
-CellKey choose(const CellComplex& cells, CellKey key)
+CellKey choose(const CellComplex& cells, CellKey key, bool small)
 {
   const double alone = failing(cells, key);
   Polyhedron polyhedron;
@@ -40,7 +41,8 @@ CellKey choose(const CellComplex& cells, CellKey key)
     cells.shapeOfBoth(other, key, polyhedron);
     measure(polyhedron, shape);
     const double together = failingArea(polyhedron, shape);
-    if (together == 0 || together <= alone + failing(cells, other))
+    const double apart = alone + failing(cells, other);
+    if (together == 0 || (small ? together <= apart : together < apart))
     {
       return other;
     }
@@ -64,11 +66,11 @@ std::size_t mergeSmallCells(CellComplex& cells, double ratio, Execution& executi
       {
         cells.shape(keys[i], polyhedron);
         measure(polyhedron, shape);
-        all[i] = { keys[i], shape.volume / cells.volumeOfBox(keys[i]) };
+        all[i] = { keys[i], shape.volume / cells.volumeOfBox(keys[i]), failingArea(polyhedron, shape) > 0 };
       }
     });
     all.erase(
-      std::remove_if(all.begin(), all.end(), [&](const Merging& m) { return m.volume >= ratio; }),
+      std::remove_if(all.begin(), all.end(), [&](const Merging& m) { return m.volume >= ratio && !m.fails; }),
       all.end());
     for (const Merging& merging : all)
     {
@@ -80,7 +82,7 @@ std::size_t mergeSmallCells(CellComplex& cells, double ratio, Execution& executi
     execution.forEach(all.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
       {
-        all[i].into = choose(cells, all[i].key);
+        all[i].into = choose(cells, all[i].key, all[i].volume < ratio);
       }
     });
     std::sort(all.begin(), all.end(), [](const Merging& x, const Merging& y) {
