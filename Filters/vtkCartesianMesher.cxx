@@ -35,7 +35,10 @@ int vtkCartesianMesher::RequestData(
     const cartesian::BoxedSurface boxed = this->Divide(prepared, input[1], execution);
     execution.stage("Patches", cartesian::AfterBoxes, cartesian::AfterPatches);
     const cartesian::Patches patches =
-      cartesian::generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes, execution);
+      cartesian::generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes,
+        { static_cast<cartesian::PatchMethod>(this->PatchMethod), this->FeatureAngle,
+          this->MergeAngle, static_cast<cartesian::Tying>(this->Tying) },
+        execution);
     const cartesian::CellSpec spec{ this->SmallCellRatio,
       this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove,
       this->MergeRatio, this->SplitConcaveCells };
@@ -51,6 +54,9 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PatchMethod: " << this->PatchMethod << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "MergeAngle: " << this->MergeAngle << "\n";
+  os << indent << "Tying: " << this->Tying << "\n";
   os << indent << "SmallCells: " << this->SmallCells << "\n";
   os << indent << "MergeRatio: " << this->MergeRatio << "\n";
   os << indent << "SplitConcaveCells: " << this->SplitConcaveCells << "\n";

@@ -29,8 +29,14 @@ public:
   /**
    * See vtkPatcher.
    */
-  vtkSetClampMacro(PatchMethod, int, 0, 0);
+  vtkSetClampMacro(PatchMethod, int, 0, 2);
   vtkGetMacro(PatchMethod, int);
+  vtkSetMacro(FeatureAngle, double);
+  vtkGetMacro(FeatureAngle, double);
+  vtkSetMacro(MergeAngle, double);
+  vtkGetMacro(MergeAngle, double);
+  vtkSetClampMacro(Tying, int, 0, 1);
+  vtkGetMacro(Tying, int);
   ///@}
 
   /**
@@ -83,6 +89,9 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
   int PatchMethod = 0;
+  double FeatureAngle = 30;
+  double MergeAngle = 15;
+  int Tying = 0;
   int SmallCells = Merge;
   double MergeRatio = 0.1;
   double SmallCellRatio = 1e-3;

@@ -35,7 +35,19 @@ public:
    */
   enum PatchMethods
   {
-    ExactFit = 0 ///< the surface itself, cut at the sides of the boxes
+    Automatic = 0,    ///< Marching Cubes where it is safe, Exact Fit elsewhere
+    ExactFit = 1,     ///< the surface itself, cut at the sides of the boxes
+    MarchingCubes = 2 ///< everywhere, for comparison: sharp edges are chamfered, details are lost
+  };
+
+  /**
+   * What becomes of the nodes that a box by Exact Fit has on a side where its neighbour is by
+   * Marching Cubes.
+   */
+  enum Tyings
+  {
+    KeepNodes = 0, ///< the neighbour takes them over
+    MoveNodes = 1  ///< they move onto the neighbour's straight line (equation 5)
   };
 
   ///@{
@@ -49,10 +61,35 @@ public:
 
   ///@{
   /**
-   * How patches are made; ExactFit, the default, is the only method so far.
+   * One of PatchMethods. Default: Automatic.
    */
-  vtkSetClampMacro(PatchMethod, int, ExactFit, ExactFit);
+  vtkSetClampMacro(PatchMethod, int, Automatic, MarchingCubes);
   vtkGetMacro(PatchMethod, int);
+  ///@}
+
+  ///@{
+  /**
+   * Edges at which the surface turns by more than this are kept; degrees, 0 to 180. Default: 30.
+   */
+  vtkSetMacro(FeatureAngle, double);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far the normals of what becomes one patch may differ, degrees, 0 to 90. Exact Fit as a patch
+   * method merges nothing. Default: 15.
+   */
+  vtkSetMacro(MergeAngle, double);
+  vtkGetMacro(MergeAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * One of Tyings. Default: KeepNodes.
+   */
+  vtkSetClampMacro(Tying, int, KeepNodes, MoveNodes);
+  vtkGetMacro(Tying, int);
   ///@}
 
 protected:
@@ -65,7 +102,10 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
   std::string BoundaryArray;
-  int PatchMethod = ExactFit;
+  int PatchMethod = Automatic;
+  double FeatureAngle = 30;
+  double MergeAngle = 15;
+  int Tying = KeepNodes;
 
 private:
   vtkPatcher(const vtkPatcher&) = delete;

@@ -26,19 +26,22 @@ struct FaceMeasure
 };
 
 // One use of an edge by a face of the box.
-struct EdgeUse
+struct FaceEdge
 {
   std::uint32_t lower;
   std::uint32_t upper;
   std::uint32_t face;
   int direction;
 
-  bool operator<(const EdgeUse& other) const
+  bool operator<(const FaceEdge& other) const
   {
     return lower != other.lower ? lower < other.lower
                                 : (upper != other.upper ? upper < other.upper : face < other.face);
   }
-  bool sameEdge(const EdgeUse& other) const { return lower == other.lower && upper == other.upper; }
+  bool sameEdge(const FaceEdge& other) const
+  {
+    return lower == other.lower && upper == other.upper;
+  }
 };
 
 struct Part
@@ -511,7 +514,7 @@ private:
   const CellSpec& spec_;
   const ShapedFaces none_;
   std::vector<FaceRef> faces_;
-  std::vector<EdgeUse> edges_;
+  std::vector<FaceEdge> edges_;
   std::vector<std::uint32_t> walk_;
   std::vector<std::uint32_t> parent_;
   std::vector<std::pair<std::size_t, std::size_t>> shared_;

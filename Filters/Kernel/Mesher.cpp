@@ -2,6 +2,7 @@
 
 #include "Error.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cartesian
@@ -184,6 +185,9 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
   const auto intersected = static_cast<double>(patches_.boxStart.size() - 1);
   const double hexahedra = boxes - static_cast<double>(sides_.polyhedral.size());
   const auto cells = static_cast<double>(mesh_->cellCount());
+  const auto boxesBecause = [&](PatchReason reason) {
+    return static_cast<double>(std::count(patches_.reason.begin(), patches_.reason.end(), reason));
+  };
   return {
     { "Cells", cells },
     { "Hexahedra", hexahedra },
@@ -192,7 +196,13 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
     { "BoundaryFaces", static_cast<double>(mesh_->boundary().size()) },
     { "BoxesInside", boxes - intersected },
     { "BoxesIntersected", intersected },
-    { "BoxesByExactFit", intersected },
+    { "BoxesByMarchingCubes", boxesBecause(PatchReason::MarchingCubes) },
+    { "BoxesByExactFit", intersected - boxesBecause(PatchReason::MarchingCubes) },
+    { "BoxesEdgeCrossedTwice", boxesBecause(PatchReason::EdgeCrossedTwice) },
+    { "BoxesClosedPolyline", boxesBecause(PatchReason::ClosedPolyline) },
+    { "BoxesSharpFeature", boxesBecause(PatchReason::SharpFeature) },
+    { "BoxesSeveralBoundaries", boxesBecause(PatchReason::SeveralBoundaries) },
+    { "BoxesNotDiscs", boxesBecause(PatchReason::NotDiscs) },
     { "BoxesFlawed", static_cast<double>(flawedBoxes().size()) },
     { "Patches", static_cast<double>(patches_.size()) },
     { "CellsSplit", static_cast<double>(shaping_.cellsSplit) },
