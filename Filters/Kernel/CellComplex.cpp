@@ -181,14 +181,15 @@ void CellComplex::shape(CellKey key, Polyhedron& shape) const
   forEachFace(key, [&](const FaceUse& use) { addFaceTo(shape, use, origin); });
 }
 
-void CellComplex::shapeOfBoth(CellKey key, CellKey other, Polyhedron& shape) const
+void CellComplex::shapeTogether(const std::vector<CellKey>& keys, Polyhedron& shape) const
 {
   shape.clear();
-  const Point& origin = boxes_.boxes[boxOf(key)].low;
-  for (const auto& [cell, beyond] : { std::make_pair(key, other), std::make_pair(other, key) })
+  const Point& origin = boxes_.boxes[boxOf(keys.front())].low;
+  for (const CellKey key : keys)
   {
-    forEachFace(cell, [&, past = beyond](const FaceUse& use) {
-      if (across(use) != past)
+    forEachFace(key, [&](const FaceUse& use) {
+      const CellKey other = across(use);
+      if (other == None || std::find(keys.begin(), keys.end(), other) == keys.end())
       {
         addFaceTo(shape, use, origin);
       }

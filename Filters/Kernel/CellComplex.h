@@ -42,8 +42,8 @@ public:
   // Without nodes in common: for measures only.
   void shape(CellKey key, Polyhedron& shape) const;
 
-  // Two neighbours as one.
-  void shapeOfBoth(CellKey key, CellKey other, Polyhedron& shape) const;
+  // Neighbours as one cell; the origin is the first one's.
+  void shapeTogether(const std::vector<CellKey>& keys, Polyhedron& shape) const;
 
   // The cells beyond its faces that are alive, each with the area between them (lattice levels),
   // the largest first.
