@@ -41,7 +41,7 @@ int vtkCartesianMesher::RequestData(
         execution);
     const cartesian::CellSpec spec{ this->SmallCellRatio,
       this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove,
-      this->MergeRatio, this->SplitConcaveCells };
+      this->MergeRatio, 15, this->SplitConcaveCells };
     const cartesian::Assembly assembly(boxed.boxes, patches, spec, execution);
     cartesian::toVTK(assembly, vtkUnstructuredGrid::GetData(output, 0),
       vtkPolyData::GetData(output, 1), execution);

@@ -48,7 +48,7 @@ int vtkCellAssembler::RequestData(
       cartesian::patchesFromVTK(vtkPolyData::GetData(input[1]), boxes);
     const cartesian::CellSpec spec{ this->SmallCellRatio,
       this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove,
-      this->MergeRatio, this->SplitConcaveCells };
+      this->MergeRatio, 15, this->SplitConcaveCells };
     const cartesian::Assembly assembly(boxes, patches, spec, execution);
     cartesian::toVTK(assembly, vtkUnstructuredGrid::GetData(output, 0),
       vtkPolyData::GetData(output, 1), execution);

@@ -8,6 +8,80 @@ namespace cartesian
 namespace
 {
 
+// Two polygons that share a chain of edges as one, or nothing where they share several or meet
+// elsewhere too.
+std::vector<std::uint32_t> joinRings(
+  std::vector<std::uint32_t> first, std::vector<std::uint32_t> second)
+{
+  const auto follows = [](const std::vector<std::uint32_t>& ring, std::size_t i, std::uint32_t from,
+                         std::uint32_t to) {
+    return ring[i] == from && ring[(i + 1) % ring.size()] == to;
+  };
+  const auto isShared = [&](std::size_t i) {
+    const std::uint32_t from = first[i];
+    const std::uint32_t to = first[(i + 1) % first.size()];
+    for (std::size_t k = 0; k < second.size(); ++k)
+    {
+      if (follows(second, k, to, from))
+      {
+        return true;
+      }
+    }
+    return false;
+  };
+  // Where the chain begins in the first: what follows it is not shared.
+  std::size_t begin = first.size();
+  std::size_t chain = 0;
+  for (std::size_t i = 0; i < first.size(); ++i)
+  {
+    chain += isShared(i) ? 1 : 0;
+    if (isShared(i) && !isShared((i + first.size() - 1) % first.size()))
+    {
+      if (begin != first.size())
+      {
+        return {};
+      }
+      begin = i;
+    }
+  }
+  if (begin == first.size() || chain + 1 >= first.size() + second.size() - chain)
+  {
+    return {};
+  }
+  std::rotate(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(begin), first.end());
+  const std::uint32_t start = first.front();
+  const auto at = std::find(second.begin(), second.end(), start);
+  std::rotate(second.begin(), at, second.end());
+  // first: start ... end, rest; second, the other way along the chain: start, rest ... end ...
+  std::vector<std::uint32_t> joined(
+    first.begin() + static_cast<std::ptrdiff_t>(chain), first.end());
+  joined.insert(joined.end(), second.begin(), second.end() - static_cast<std::ptrdiff_t>(chain));
+  std::vector<std::uint32_t> sorted = joined;
+  std::sort(sorted.begin(), sorted.end());
+  const bool twice = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+  return twice ? std::vector<std::uint32_t>{} : joined;
+}
+
+// Normals of faces on one plane differ by rounding only (cosine).
+constexpr double FlatCosine = 1 - 1e-12;
+
+// Whether the last face can stand for the two before it: it has a star triangulation, and the normals
+// are close.
+bool fitsTogether(const Polyhedron& faces, double leastCosine)
+{
+  CellShape shape;
+  measure(faces, shape);
+  const Vector first = unit(shape.faces[0].area);
+  const Vector second = unit(shape.faces[1].area);
+  const Vector normal = unit(shape.faces[2].area);
+  if (dot(first, second) < leastCosine || dot(first, normal) < leastCosine ||
+    dot(second, normal) < leastCosine)
+  {
+    return false;
+  }
+  return isStar(faces, 2, normal);
+}
+
 // Nodes of a hexahedron's side i (low x, high x, low y, ...), counter-clockwise from outside.
 std::array<unsigned, 4> cornersFromOutside(unsigned side)
 {
@@ -700,6 +774,100 @@ void CellComplex::merge(CellKey small, CellKey into)
   from.changed = true;
 }
 
+std::vector<std::uint32_t> CellComplex::nodesOf(const FaceUse& use) const
+{
+  std::vector<std::uint32_t> nodes;
+  forEachNodeOf(use, [&](std::uint32_t node) { nodes.push_back(node); });
+  return nodes;
+}
+
+std::int32_t CellComplex::boundaryOf(std::uint32_t face) const
+{
+  return isPatch(face) ? patches_.boundary[face]
+                       : (isShaped(face) ? shaped(face).boundary : NoBoundary);
+}
+
+void CellComplex::removeFace(CellKey key, std::uint32_t face)
+{
+  std::vector<FaceUse>& faces = opened(key)->faces;
+  faces.erase(std::remove_if(
+                faces.begin(), faces.end(), [&](const FaceUse& use) { return use.face == face; }),
+    faces.end());
+  opened(key)->changed = true;
+}
+
+bool CellComplex::joinPair(CellKey key, const FaceUse& f, const FaceUse& g, double leastCosine)
+{
+  const CellKey other = across(f);
+  if (f.face == g.face || other != across(g) ||
+    (other == None && boundaryOf(f.face) != boundaryOf(g.face)))
+  {
+    return false;
+  }
+  const std::vector<std::uint32_t> ring = joinRings(nodesOf(f), nodesOf(g));
+  if (ring.empty())
+  {
+    return false;
+  }
+  const Point& origin = boxes_.boxes[boxOf(key)].low;
+  Polyhedron both;
+  addFaceTo(both, f, origin);
+  addFaceTo(both, g, origin);
+  for (const std::uint32_t node : ring)
+  {
+    both.addCorner(static_cast<std::uint32_t>(both.nodes.size()));
+    both.nodes.push_back(minus(nodes_.at[node], origin));
+  }
+  both.closeFace(false);
+  if (!fitsTogether(both, other == None ? leastCosine : FlatCosine))
+  {
+    return false;
+  }
+  Shaped& face = shaped(own(f.face, key));
+  face.nodes = ring;
+  if (f.turned)
+  {
+    std::reverse(face.nodes.begin(), face.nodes.end());
+  }
+  removeFace(key, g.face);
+  if (other != None)
+  {
+    open(other);
+    removeFace(other, g.face);
+  }
+  return true;
+}
+
+void CellComplex::joinFaces(CellKey key, double leastCosine)
+{
+  for (bool joined = true; joined;)
+  {
+    joined = false;
+    // The faces along each edge; where there are not two, none is joined.
+    std::vector<std::array<std::uint32_t, 3>> edges; // lower node, higher node, face
+    const std::vector<FaceUse> faces = opened(key)->faces;
+    for (std::uint32_t f = 0; f < faces.size(); ++f)
+    {
+      const std::vector<std::uint32_t> nodes = nodesOf(faces[f]);
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+      {
+        const std::uint32_t from = nodes[i];
+        const std::uint32_t to = nodes[(i + 1) % nodes.size()];
+        edges.push_back({ std::min(from, to), std::max(from, to), f });
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    for (std::size_t i = 0; i + 1 < edges.size() && !joined; ++i)
+    {
+      const auto sameEdge = [&](std::size_t k) {
+        return k < edges.size() && edges[k][0] == edges[i][0] && edges[k][1] == edges[i][1];
+      };
+      const bool two = sameEdge(i + 1) && !sameEdge(i + 2) && (i == 0 || !sameEdge(i - 1));
+      joined = two && joinPair(key, faces[edges[i][2]], faces[edges[i + 1][2]], leastCosine);
+    }
+  }
+}
+
 // --- writing back
 
 void CellComplex::finish(Execution& execution)
@@ -720,8 +888,7 @@ std::vector<std::uint32_t> CellComplex::promote()
   std::vector<std::uint32_t> added;
   for (const OpenCell& cell : open_)
   {
-    if (cell.origin >= cells_.size() && cell.changed &&
-      sides_.polyhedralOrdinal(cell.box) == None)
+    if (cell.origin >= cells_.size() && cell.changed && sides_.polyhedralOrdinal(cell.box) == None)
     {
       added.push_back(cell.box);
     }

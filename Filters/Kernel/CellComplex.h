@@ -67,6 +67,10 @@ public:
   // Gives the small cell's faces to the other but for those between them, which vanish.
   void merge(CellKey small, CellKey into);
 
+  // Joins those neighbouring faces of a cell that lie between the same two cells on one plane, or
+  // belong to one boundary and have normals this close (cosine).
+  void joinFaces(CellKey key, double leastCosine);
+
   // In lattice levels.
   double volumeOfBox(CellKey key) const;
 
@@ -135,6 +139,11 @@ private:
   FaceUse addShaped(Shaped face);
   FaceUse addPiece(FaceUse use, CellKey cell, Shaped piece, std::uint32_t& owned);
   void insertNode(CellKey cell, std::uint32_t u, std::uint32_t v, std::uint32_t node);
+
+  bool joinPair(CellKey key, const FaceUse& f, const FaceUse& g, double leastCosine);
+  std::int32_t boundaryOf(std::uint32_t face) const;
+  std::vector<std::uint32_t> nodesOf(const FaceUse& use) const;
+  void removeFace(CellKey key, std::uint32_t face);
 
   void writeNodes();
   std::vector<std::uint32_t> promote();

@@ -4,6 +4,7 @@
 #include "SmallCells.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cartesian
 {
@@ -12,6 +13,7 @@ namespace
 {
 
 constexpr std::size_t CellsAChunk = 512;
+constexpr double RadiansPerDegree = 3.14159265358979 / 180;
 
 std::vector<CellKey> failingCells(const CellComplex& complex, Execution& execution)
 {
@@ -48,7 +50,8 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
   const auto merge = [&] {
     if (spec.smallCells == SmallCells::Merge)
     {
-      shaping.cellsMerged += mergeSmallCells(complex, spec.mergeRatio, execution);
+      shaping.cellsMerged += mergeSmallCells(
+        complex, spec.mergeRatio, std::cos(spec.joinAngle * RadiansPerDegree), execution);
     }
   };
   merge();

@@ -93,6 +93,9 @@ struct CellSpec
   SmallCells smallCells = SmallCells::Remove;
   double mergeRatio = 0.1; // cells below this part of their box's volume are merged
 
+  // Boundary faces of merged cells become one where their normals differ by less, in degrees.
+  double joinAngle = 15;
+
   bool splitConcave = true; // cells that fail an angle condition of section 3
 };
 

@@ -1,5 +1,6 @@
 #include "Polyhedron.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cartesian
@@ -7,6 +8,9 @@ namespace cartesian
 
 namespace
 {
+
+// A star triangle may be turned over by this part of the polygon's area: rounding.
+constexpr double RoundingOfAreas = 1e-9;
 
 Vector meanOf(const Polyhedron& cell, std::size_t begin, std::size_t end)
 {
@@ -96,6 +100,23 @@ bool failsAngle(const Polyhedron& cell, const CellShape& shape, std::size_t face
 {
   const double cosine = cosineOfFace(shape, face);
   return cell.isBoundary[face] ? cosine <= LeastBoundaryCosine : cosine < LeastInnerCosine;
+}
+
+bool isStar(const Polyhedron& cell, std::size_t face, const Vector& normal)
+{
+  const Vector mean = meanOf(cell, cell.start[face], cell.start[face + 1]);
+  double least = 0;
+  double sum = 0;
+  for (std::size_t i = cell.start[face]; i < cell.start[face + 1]; ++i)
+  {
+    const std::size_t next = i + 1 < cell.start[face + 1] ? i + 1 : cell.start[face];
+    const Vector p = minus(cell.nodes[cell.corners[i]], mean);
+    const Vector q = minus(cell.nodes[cell.corners[next]], mean);
+    const double area = dot(cross(p, q), normal);
+    least = std::min(least, area);
+    sum += area;
+  }
+  return least >= -RoundingOfAreas * std::abs(sum);
 }
 
 double failingArea(const Polyhedron& cell, const CellShape& shape)

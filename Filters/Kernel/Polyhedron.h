@@ -48,6 +48,9 @@ constexpr double LeastInnerCosine = 0.258819045102521; // cos 75
 
 bool failsAngle(const Polyhedron& cell, const CellShape& shape, std::size_t face);
 
+// Whether a face seen along its normal has a star triangulation.
+bool isStar(const Polyhedron& cell, std::size_t face, const Vector& normal);
+
 // Area of the faces that fail their condition.
 double failingArea(const Polyhedron& cell, const CellShape& shape);
 

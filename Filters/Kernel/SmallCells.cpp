@@ -33,9 +33,10 @@ struct Candidate
 class Merger
 {
 public:
-  Merger(CellComplex& cells, double ratio, Execution& execution)
+  Merger(CellComplex& cells, double ratio, double leastCosine, Execution& execution)
     : cells_(cells)
     , ratio_(ratio)
+    , leastCosine_(leastCosine)
     , execution_(execution)
   {
   }
@@ -50,9 +51,16 @@ public:
       mergeGroups();
       mergeOneByOne();
       keys.assign(touched_.begin(), touched_.end());
-      keys.erase(std::remove_if(keys.begin(), keys.end(),
-                   [&](CellKey key) { return !cells_.isAlive(key); }),
+      keys.erase(
+        std::remove_if(keys.begin(), keys.end(), [&](CellKey key) { return !cells_.isAlive(key); }),
         keys.end());
+    }
+    for (const CellKey key : grown_)
+    {
+      if (cells_.isAlive(key))
+      {
+        cells_.joinFaces(key, leastCosine_);
+      }
     }
     return merged_;
   }
@@ -107,6 +115,7 @@ private:
   {
     cells_.merge(small, into);
     touched_.insert(into);
+    grown_.insert(into);
     ++merged_;
   }
 
@@ -194,17 +203,20 @@ private:
 
   CellComplex& cells_;
   double ratio_;
+  double leastCosine_;
   Execution& execution_;
   std::vector<Candidate> candidates_; // the smallest first
   std::set<CellKey> touched_;         // to be looked at again
+  std::set<CellKey> grown_;
   std::size_t merged_ = 0;
 };
 
 }
 
-std::size_t mergeSmallCells(CellComplex& cells, double ratio, Execution& execution)
+std::size_t mergeSmallCells(
+  CellComplex& cells, double ratio, double leastCosine, Execution& execution)
 {
-  return Merger(cells, ratio, execution).run();
+  return Merger(cells, ratio, leastCosine, execution).run();
 }
 
 }
