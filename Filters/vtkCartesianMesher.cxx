@@ -39,7 +39,10 @@ int vtkCartesianMesher::RequestData(
         { static_cast<cartesian::PatchMethod>(this->PatchMethod), this->FeatureAngle,
           this->MergeAngle, static_cast<cartesian::Tying>(this->Tying) },
         execution);
-    const cartesian::Assembly assembly(boxed.boxes, patches, { this->SmallCellRatio }, execution);
+    const cartesian::CellSpec spec{ this->SmallCellRatio,
+      this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove,
+      this->MergeRatio, 15, this->SplitConcaveCells };
+    const cartesian::Assembly assembly(boxed.boxes, patches, spec, execution);
     cartesian::toVTK(assembly, vtkUnstructuredGrid::GetData(output, 0),
       vtkPolyData::GetData(output, 1), execution);
     this->ReportFlaws(assembly.describeFlaws());
@@ -54,5 +57,8 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "MergeAngle: " << this->MergeAngle << "\n";
   os << indent << "Tying: " << this->Tying << "\n";
+  os << indent << "SmallCells: " << this->SmallCells << "\n";
+  os << indent << "MergeRatio: " << this->MergeRatio << "\n";
+  os << indent << "SplitConcaveCells: " << this->SplitConcaveCells << "\n";
   os << indent << "SmallCellRatio: " << this->SmallCellRatio << "\n";
 }
