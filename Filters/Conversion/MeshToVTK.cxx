@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshToVTK.h"
 
+#include "BoundaryOfFaces.h"
 #include "FieldData.h"
 #include "Polyhedra.h"
 
@@ -191,6 +192,7 @@ void toVTK(const Assembly& assembly, const BoundaryNames& names, vtkUnstructured
   setMesh(assembly, mesh, execution);
   setBoundary(assembly.mesh(), mesh, boundary, execution);
   describeBoundaries(names, boundary, mesh);
+  setBoundaryOfFaces(mesh, boundary);
 }
 
 }

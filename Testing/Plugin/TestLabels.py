@@ -7,8 +7,9 @@ grid = {"CellSize": 0.0, "MeshlinesX": [], "MeshlinesY": [], "MeshlinesZ": []}
 refinement = {"RefinementDepth": 0, "RefinementBlocks": [], "BoundaryRefinement": [],
               "RefinedBoundaries": [], "RefinedBoundaryDepth": 1, "RegionDepth": 1}
 boundaries = {"BoundaryArray": ""}
-patches = {"PatchMethod": "Exact Fit"}
-cells = {"SmallCellRatio": 0.001}
+patches = {"PatchMethod": "Automatic", "FeatureAngle": 30.0, "MergeAngle": 10.0,
+           "Tying": "Keep Nodes"}
+cells = {"SmallCells": "Merge", "MergeRatio": 0.1, "SmallCellRatio": 0.001, "SplitConcaveCells": 1}
 threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}
 
@@ -20,6 +21,7 @@ patcher = simple.Patcher(Input=surface, Boxes=boxer)
 assembler = simple.CellAssembler(Input=boxer, Patches=patcher)
 mesher = simple.CartesianMesher(Input=surface)
 region = simple.RefinementRegion(Input=cube)
+quality = simple.FiniteVolumeQuality(Input=mesher)
 
 expected = {
     boxer: ("Cartesian Boxer", ["Input", "RefinementRegions"],
@@ -32,6 +34,7 @@ expected = {
     region: ("Refinement Region", ["Input"], {"Shape": "Box", "Position": [-0.5, -0.5, -0.5],
         "Rotation": [0, 0, 0], "Length": [1, 1, 1], "Center": [0, 0, 0], "Radius": 0.25,
         "Depth": 1}),
+    quality: ("Finite Volume Quality", ["Input"], threads),
 }
 for proxy, (label, inputs, properties) in expected.items():
     assert proxy.GetXMLLabel() == label, proxy.GetXMLLabel()
@@ -43,6 +46,11 @@ for proxy, (label, inputs, properties) in expected.items():
         value = list(value) if isinstance(default, list) else value
         assert value == default, f"the default of {name} of {label} is {value!r}"
 
-for proxy in assembler, mesher:
+for proxy, second in (assembler, "Boundary"), (mesher, "Boundary"), (quality, "Faces"):
     ports = [proxy.GetOutputPortName(i) for i in range(proxy.GetNumberOfOutputPorts())]
-    assert ports == ["Mesh", "Boundary"], ports
+    assert ports == ["Mesh", second], ports
+
+writer = simple.CreateWriter("case.foam", mesher)
+assert writer.GetXMLLabel() == "OpenFOAM Mesh Writer", writer.GetXMLLabel()
+assert sorted(writer.ListProperties()) == ["FileName", "FileType", "Input"]
+assert writer.FileType == "Binary"
