@@ -1,6 +1,7 @@
 #include "Surface.h"
 
 #include "Error.h"
+#include "Orientation.h"
 #include "Vector.h"
 
 #include <algorithm>
@@ -138,13 +139,7 @@ Surface onLattice(const SurfaceView& view, const Lattice& lattice, Execution& ex
   {
     std::copy_n(view.boundary, view.triangleCount, surface.boundary.begin());
   }
-  if (volumeOf(surface) < 0)
-  {
-    for (auto& triangle : surface.triangles)
-    {
-      std::swap(triangle[1], triangle[2]);
-    }
-  }
+  orient(surface, execution);
   return surface;
 }
 

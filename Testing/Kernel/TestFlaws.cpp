@@ -89,8 +89,8 @@ TEST(Flaws, AFlippedTriangle)
   Soup soup = unmarked(sphere(8, 1));
   std::swap(soup.triangles[100][0], soup.triangles[100][1]);
   const Meshed meshed = meshAll(soup);
-  EXPECT_FALSE(meshed.flawedBoxes.empty());
-  EXPECT_LT(meshed.flawedBoxes.size(), 40U);
+  EXPECT_TRUE(meshed.flawedBoxes.empty());
+  EXPECT_TRUE(fills(meshed.mesh, unmarked(sphere(8, 1))));
 }
 
 TEST(Flaws, ADoubleTriangle)
