@@ -41,9 +41,6 @@ struct Cell
   bool removed;          // a sliver, or smaller than R of its box (4.10)
 };
 
-// Boundary index of faces that no patch lent theirs: the end of the grid, a leak.
-constexpr std::int32_t NoBoundary = -1;
-
 struct Cells
 {
   std::vector<Cell> cells; // of polyhedral boxes, in order; one more at the end

@@ -60,13 +60,8 @@ public:
 
   const RowAxes& axes() const { return axes_; }
 
-  // How often the line at these planes crosses the surface, in all.
-  std::size_t total(std::size_t middle, std::size_t outer) const
-  {
-    return static_cast<std::size_t>(end(middle, outer) - begin(middle, outer));
-  }
-
-  // ... and below the plane of axes().along with this index.
+  // How often the line at these planes crosses the surface below the plane of axes().along with this
+  // index.
   std::size_t below(std::size_t middle, std::size_t outer, std::uint32_t plane) const
   {
     return static_cast<std::size_t>(

@@ -1,7 +1,6 @@
 #include "Surface.h"
 
 #include "Error.h"
-#include "Orientation.h"
 #include "Vector.h"
 
 #include <algorithm>
@@ -139,7 +138,6 @@ Surface onLattice(const SurfaceView& view, const Lattice& lattice, Execution& ex
   {
     std::copy_n(view.boundary, view.triangleCount, surface.boundary.begin());
   }
-  orient(surface, execution);
   return surface;
 }
 

@@ -24,11 +24,14 @@ struct SurfaceView
 // the point's id), BadParameter (a triangle that names no point).
 Bounds boundsOf(const SurfaceView& view);
 
+// Boundary index where there was no surface: a leak, the end of the grid.
+constexpr std::int32_t NoBoundary = -1;
+
 struct Surface
 {
   Lattice lattice;
   std::vector<Point> vertices;                         // distinct
-  std::vector<std::array<std::uint32_t, 3>> triangles; // normals out of the domain
+  std::vector<std::array<std::uint32_t, 3>> triangles; // either way round, until oriented
   std::vector<std::int32_t> boundary;                  // one a triangle
 
   Corners corners(std::size_t triangle) const
@@ -38,8 +41,7 @@ struct Surface
   }
 };
 
-// Puts a surface on the lattice. Points that share all three levels become one vertex; triangles
-// are oriented (Orientation.h).
+// Puts a surface on the lattice. Points that share all three levels become one vertex.
 Surface onLattice(const SurfaceView& view, const Lattice& lattice, Execution& execution);
 
 // Area in square, volume in cubic user units.

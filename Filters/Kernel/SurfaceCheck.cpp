@@ -1,7 +1,5 @@
 #include "SurfaceCheck.h"
 
-#include "SurfaceEdges.h"
-
 #include <algorithm>
 
 namespace cartesian
@@ -47,9 +45,8 @@ void add(const SurfaceCheck& part, SurfaceCheck& sum)
 
 }
 
-SurfaceCheck check(const Surface& surface, Execution& execution)
+SurfaceCheck check(const SurfaceEdges& edges, Execution& execution)
 {
-  const SurfaceEdges edges(surface, execution);
   const std::size_t count = edges.vertices();
   std::vector<SurfaceCheck> parts(chunks(count, VerticesAChunk));
   execution.forEach(count, VerticesAChunk, [&](std::size_t first, std::size_t last) {

@@ -140,8 +140,8 @@ TEST(Orientation, SheetsBetweenNonManifoldEdges)
   const Soup chequered =
     voxels({ lines, lines, lines }, [](int i, int j, int k) { return (i + j + k) % 2 == 0; });
   const PreparedSurface prepared = prepare(turnedAtRandom(chequered, 3), cellsOf(0.7));
-  EXPECT_GT(prepared.check.nonManifoldEdges, 0U);
-  EXPECT_TRUE(prepared.check.oriented());
+  EXPECT_GT(prepared.repair.check.nonManifoldEdges, 0U);
+  EXPECT_TRUE(prepared.repair.check.oriented());
   EXPECT_NEAR(volumeOf(prepared.surface), 14, 1e-7);
 }
 

@@ -10,7 +10,7 @@ namespace
 
 SurfaceCheck checkOf(const Soup& soup)
 {
-  return prepare(soup, cellsAlongLongest(soup, 2)).check;
+  return prepare(soup, cellsAlongLongest(soup, 2)).repair.check;
 }
 
 }
@@ -52,14 +52,16 @@ TEST(SurfaceCheck, AKleinBottleCannotBeOriented)
   EXPECT_STREQ(check.places[0].what, "inconsistently oriented");
 }
 
-TEST(SurfaceCheck, ADoubleTriangleMakesThreeEdgesOfThree)
+TEST(SurfaceCheck, AFinMakesAnEdgeOfThree)
 {
   Soup soup = sphere(3, 1);
   soup.boundary.clear();
-  soup.triangles.push_back(soup.triangles[5]);
+  soup.points.push_back({ 5, 5, 5 });
+  soup.triangles.push_back({ soup.triangles[5][0], soup.triangles[5][1],
+    static_cast<std::uint32_t>(soup.points.size() - 1) });
   const SurfaceCheck check = checkOf(soup);
   EXPECT_EQ(check.openEdges, 3U);
-  EXPECT_EQ(check.nonManifoldEdges, 3U);
+  EXPECT_EQ(check.nonManifoldEdges, 1U);
 }
 
 TEST(SurfaceCheck, OnlyAFewPlacesAreKept)
