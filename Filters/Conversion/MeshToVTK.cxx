@@ -191,8 +191,8 @@ void toVTK(const Assembly& assembly, const BoundaryNames& names, vtkUnstructured
   execution.stage("Writing the mesh", AfterNumbering, 1);
   setMesh(assembly, mesh, execution);
   setBoundary(assembly.mesh(), mesh, boundary, execution);
-  describeBoundaries(names, boundary, mesh);
   setBoundaryOfFaces(mesh, boundary);
+  describeBoundaries(names, boundary, mesh);
 }
 
 }

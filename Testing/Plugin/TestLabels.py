@@ -20,8 +20,8 @@ boxer = simple.CartesianBoxer(Input=surface)
 patcher = simple.Patcher(Input=surface, Boxes=boxer)
 assembler = simple.CellAssembler(Input=boxer, Patches=patcher)
 mesher = simple.CartesianMesher(Input=surface)
-region = simple.RefinementRegion(Input=cube)
 quality = simple.FiniteVolumeQuality(Input=mesher)
+region = simple.RefinementRegion(Input=cube)
 
 expected = {
     boxer: ("Cartesian Boxer", ["Input", "RefinementRegions"],
@@ -30,11 +30,11 @@ expected = {
     assembler: ("Cell Assembler", ["Input", "Patches"], cells | threads),
     mesher: ("Cartesian Mesher", ["Input", "RefinementRegions"],
              boundaries | grid | refinement | patches | cells | threads | memory),
+    quality: ("Finite Volume Quality", ["Input"], threads),
     # A region is as large as its input at first.
     region: ("Refinement Region", ["Input"], {"Shape": "Box", "Position": [-0.5, -0.5, -0.5],
         "Rotation": [0, 0, 0], "Length": [1, 1, 1], "Center": [0, 0, 0], "Radius": 0.25,
         "Depth": 1}),
-    quality: ("Finite Volume Quality", ["Input"], threads),
 }
 for proxy, (label, inputs, properties) in expected.items():
     assert proxy.GetXMLLabel() == label, proxy.GetXMLLabel()
