@@ -1,0 +1,113 @@
+#include "CellConditions.h"
+
+#include "QualityMeasures.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t CellsAChunk = 1024;
+
+// One cell after the other; keeps its memory.
+class Inspector
+{
+public:
+  Inspector(const MeshParts& parts, const CellNumbers& numbers,
+    const std::vector<BoundaryFace>& boundary, CellConditions& failures)
+    : parts_(parts)
+    , numbers_(numbers)
+    , boundary_(boundary)
+    , failures_(failures)
+  {
+  }
+
+  void inspect(std::size_t cell)
+  {
+    faces_.clear();
+    const auto& cells = parts_.cells.cells;
+    for (std::size_t f = cells[cell].firstFace; f < cells[cell + 1].firstFace; ++f)
+    {
+      faces_.push_back(geometryOf(parts_.cells.faces[f]));
+    }
+    const CellGeometry geometry =
+      measureCell(faces_.size(), [&](std::size_t f) -> const FaceGeometry& { return faces_[f]; });
+    std::array<double, 2> worst{ 0, 0 };
+    Vector sum{ 0, 0, 0 };
+    double sizes = 0;
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+    {
+      double& angle = worst[isBoundary(cell, parts_.cells.faces[cells[cell].firstFace + f])];
+      angle = std::max(angle, faceAngle(geometry, faces_[f]));
+      sum = plus(sum, faces_[f].area);
+      sizes += norm(faces_[f].area);
+    }
+    failures_.boundaryAngle += fails(BoundaryAngle, worst[1]);
+    failures_.innerAngle += fails(InnerAngle, worst[0]);
+    failures_.open += fails(Openness, norm(sum) / sizes);
+    failures_.negativeVolume += fails(Volume, geometry.volume);
+  }
+
+private:
+  FaceGeometry geometryOf(const FaceRef& face)
+  {
+    corners_.clear();
+    forEachNode(face, parts_.patches, parts_.inner, parts_.cells.shaped, [&](std::uint32_t node) {
+      const Point& p = parts_.nodes.at[node];
+      corners_.push_back({ double(p[0]), double(p[1]), double(p[2]) });
+    });
+    return measureFace(
+      corners_.size(), [&](std::size_t i) -> const Vector& { return corners_[i]; });
+  }
+
+  bool isBoundary(std::size_t cell, const FaceRef& face) const
+  {
+    using Kind = FaceRef::Kind;
+    static_assert(int(Kind::Patch) == int(BoundaryFace::Kind::Patch));
+    static_assert(int(Kind::TurnedShaped) == int(BoundaryFace::Kind::TurnedShaped));
+    return face.kind() == Kind::Patch ||
+      std::binary_search(boundary_.begin(), boundary_.end(),
+        BoundaryFace{ numbers_.ofCell[cell], face.index, NoBoundary,
+          static_cast<BoundaryFace::Kind>(face.kind()) });
+  }
+
+  const MeshParts& parts_;
+  const CellNumbers& numbers_;
+  const std::vector<BoundaryFace>& boundary_;
+  CellConditions& failures_;
+  std::vector<FaceGeometry> faces_;
+  std::vector<Vector> corners_;
+};
+
+}
+
+CellConditions countFailures(const MeshParts& parts, const CellNumbers& numbers,
+  const std::vector<BoundaryFace>& boundary, Execution& execution)
+{
+  const std::size_t cells = parts.cells.size();
+  std::vector<CellConditions> ofChunk(chunks(cells, CellsAChunk));
+  execution.forEach(cells, CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    Inspector inspector(parts, numbers, boundary, ofChunk[begin / CellsAChunk]);
+    for (std::size_t c = begin; c < end; ++c)
+    {
+      if (!parts.cells.cells[c].removed)
+      {
+        inspector.inspect(c);
+      }
+    }
+  });
+  CellConditions all;
+  for (const CellConditions& chunk : ofChunk)
+  {
+    all.boundaryAngle += chunk.boundaryAngle;
+    all.innerAngle += chunk.innerAngle;
+    all.open += chunk.open;
+    all.negativeVolume += chunk.negativeVolume;
+  }
+  return all;
+}
+
+}
