@@ -19,6 +19,10 @@ FIGURES = {
     "determinant": r"determinant.* (?:minimum|min)\w*: ([^\s,]+)",
     "weight": r"interpolation weight.* minimum: ([^\s,]+)",
     "volume ratio": r"[Ff]ace volume ratio.* minimum: ([^\s,]+)",
+    "steep faces": r"severely non-orthogonal.*faces: (\d+)",
+    "skew faces": r", (\d+) highly skew faces",
+    "wrong faces": r"face pyramids: (\d+) faces",
+    "concave cells": r"Concave cells.*: (\d+)",
     "smallest volume": r"[Mm]in(?:imum)? volume\S* = ([^\s,]+)",
 }
 
