@@ -169,7 +169,8 @@ void vtkPolyMeshWriter::WriteCase(vtkUnstructuredGrid* grid)
   cartesian::Execution execution(0);
   cartesian::GridFaces faces(grid);
   cartesian::turnOutward(faces.cells, faces.points, execution);
-  cartesian::FaceList list = cartesian::listFaces(faces.cells, faces.points.size() / 3, execution);
+  cartesian::FaceList list = cartesian::listFaces(
+    faces.cells, faces.points.size() / 3, cartesian::Clashes::Refused, execution);
   this->UpdateProgress(0.4);
 
   std::vector<vtkIdType> boundaryOf;

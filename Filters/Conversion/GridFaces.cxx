@@ -73,12 +73,55 @@ const vtkIdType* CellFaceReader::readOther(vtkIdType cell)
   return stream_->GetPointer(0);
 }
 
-GridFaces::GridFaces(vtkUnstructuredGrid* grid)
+namespace
+{
+
+void checkPoints(vtkUnstructuredGrid* grid)
 {
   if (grid->GetNumberOfPoints() >= std::numeric_limits<std::uint32_t>::max())
   {
     throw Error(Fault::BadMesh, "The mesh has more points than can be numbered in 32 bits.");
   }
+}
+
+// A cell as CellFaceReader gives it; null: one without faces.
+void append(const vtkIdType* stream, CellFaces& cells)
+{
+  cells.firstFace.push_back(cells.firstCorner.size());
+  for (vtkIdType faces = stream ? *stream++ : 0; faces > 0; --faces)
+  {
+    cells.firstCorner.push_back(cells.corners.size());
+    for (vtkIdType corners = *stream++; corners > 0; --corners)
+    {
+      cells.corners.push_back(static_cast<std::uint32_t>(*stream++));
+    }
+  }
+}
+
+void finish(CellFaces& cells)
+{
+  cells.firstFace.push_back(cells.firstCorner.size());
+  cells.firstCorner.push_back(cells.corners.size());
+}
+
+}
+
+CellFaces facesOfCells(vtkUnstructuredGrid* grid)
+{
+  checkPoints(grid);
+  CellFaces cells;
+  CellFaceReader reader(grid);
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    append(reader.read(c), cells);
+  }
+  finish(cells);
+  return cells;
+}
+
+GridFaces::GridFaces(vtkUnstructuredGrid* grid)
+{
+  checkPoints(grid);
   readCells(grid);
   if (cellOf.empty())
   {
@@ -97,23 +140,13 @@ void GridFaces::readCells(vtkUnstructuredGrid* grid)
   {
     const vtkIdType* stream =
       ghosts && (ghosts->GetValue(c) & leftOut) != 0 ? nullptr : reader.read(c);
-    if (!stream)
+    if (stream)
     {
-      continue;
-    }
-    cellOf.push_back(c);
-    cells.firstFace.push_back(cells.firstCorner.size());
-    for (vtkIdType faces = *stream++; faces > 0; --faces)
-    {
-      cells.firstCorner.push_back(cells.corners.size());
-      for (vtkIdType corners = *stream++; corners > 0; --corners)
-      {
-        cells.corners.push_back(static_cast<std::uint32_t>(*stream++));
-      }
+      cellOf.push_back(c);
+      append(stream, cells);
     }
   }
-  cells.firstFace.push_back(cells.firstCorner.size());
-  cells.firstCorner.push_back(cells.corners.size());
+  finish(cells);
 }
 
 void GridFaces::readPoints(vtkUnstructuredGrid* grid)

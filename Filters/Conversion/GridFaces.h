@@ -35,6 +35,10 @@ private:
   vtkNew<vtkGenericCell> cell_;
 };
 
+// The faces of all cells, with the grid's numbers of cells and points; cells without a volume have
+// none. Throws Error (BadMesh): a cell with curved edges, too many points.
+CellFaces facesOfCells(vtkUnstructuredGrid* grid);
+
 // Cells with a volume, but for ghosts, and the points that they use, renumbered in their order.
 struct GridFaces
 {

@@ -108,15 +108,19 @@ bool Matcher::same(std::uint32_t face, std::uint32_t other, bool turned) const
   }
   const std::uint32_t* const a = corners(face);
   const std::uint32_t* const b = corners(other);
-  const auto shift = static_cast<std::size_t>(std::find(b, b + count, a[0]) - b);
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t shift = 0; shift < count; ++shift) // a face may visit a point twice
   {
-    if (shift == count || a[i] != b[(shift + (turned ? count - i : i)) % count])
+    std::size_t i = 0;
+    while (i < count && a[i] == b[(shift + (turned ? count - i : i)) % count])
     {
-      return false;
+      ++i;
+    }
+    if (i == count)
+    {
+      return true;
     }
   }
-  return true;
+  return false;
 }
 
 void Matcher::match(std::uint32_t face, std::uint32_t other)
@@ -269,14 +273,19 @@ void turnOutward(CellFaces& cells, const std::vector<double>& points, Execution&
   });
 }
 
-FaceList listFaces(const CellFaces& cells, std::size_t pointCount, Execution& execution)
+FaceList listFaces(
+  const CellFaces& cells, std::size_t pointCount, Clashes clashes, Execution& execution)
 {
   if (std::max({ cells.cellCount(), cells.faceCount(), pointCount }) >= Clash)
   {
     throw Error(Fault::BadMesh, "The mesh has more faces than can be numbered in 32 bits.");
   }
-  const std::vector<std::uint32_t> neighbours = Matcher(cells).neighbours(pointCount, execution);
-  refuseClashes(cells, neighbours);
+  std::vector<std::uint32_t> neighbours = Matcher(cells).neighbours(pointCount, execution);
+  if (clashes == Clashes::Refused)
+  {
+    refuseClashes(cells, neighbours);
+  }
+  std::replace(neighbours.begin(), neighbours.end(), Clash, None);
 
   std::vector<std::size_t> inner(cells.cellCount() + 1);
   std::vector<std::size_t> boundary(cells.cellCount() + 1);

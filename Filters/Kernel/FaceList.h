@@ -32,11 +32,19 @@ struct FaceList
   std::vector<std::uint32_t> neighbour; // of the first faces; the others are the boundary
 };
 
+// Faces of the same corners in the same order, or of more than two cells.
+enum class Clashes
+{
+  Refused,     // Error (BadMesh)
+  AreBoundary, // of each of their cells
+};
+
 // Inner faces in upper triangular order: by owner, the lower of the two cells, then by neighbour.
 // Then the boundary faces, by cell and by face of the cell. Two cells share a face if it has the
-// same corners in opposite order. Throws Error (BadMesh): faces of the same corners in the same
-// order, or of more than two cells.
-FaceList listFaces(const CellFaces& cells, std::size_t pointCount, Execution& execution);
+// same corners in opposite order. Throws Error (BadMesh): clashes that are refused, or too many
+// cells, faces or points.
+FaceList listFaces(
+  const CellFaces& cells, std::size_t pointCount, Clashes clashes, Execution& execution);
 
 // Puts the boundary faces in order of their patches, below `patchCount`, and leaves those of a patch
 // in their order. `patch`: of each boundary face. Returns the number of faces of each patch.

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "BoxGeneration.h"
+#include "CellShaping.h"
 #include "Mesh.h"
 #include "SurfaceCheck.h"
 
@@ -83,6 +84,7 @@ private:
   Nodes nodes_;
   InnerFaces inner_;
   Cells cells_;
+  Shaping shaping_;
   std::unique_ptr<Mesh> mesh_;
 };
 

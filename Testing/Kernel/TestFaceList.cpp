@@ -73,10 +73,10 @@ std::vector<std::uint32_t> shuffledBlock()
 
 constexpr std::size_t Points = (N + 1) * (N + 1) * (N + 1);
 
-FaceList list(const CellFaces& cells, int threads = 1)
+FaceList list(const CellFaces& cells, int threads = 1, Clashes clashes = Clashes::Refused)
 {
   Execution execution(threads);
-  return listFaces(cells, Points, execution);
+  return listFaces(cells, Points, clashes, execution);
 }
 
 std::vector<double> positions()
@@ -185,6 +185,22 @@ TEST(FaceList, OverlappingCellsAreRefused)
 {
   expectRefused(cubes({ 0, 0 }), "Face 0 of cell 0");
   expectRefused(cubes({ 7, 0, 1, 1 }), "Face 1 of cell 1");
+}
+
+TEST(FaceList, OverlappingCellsCanBeBoundary)
+{
+  const FaceList faces = list(cubes({ 0, 1, 1 }), 1, Clashes::AreBoundary);
+  EXPECT_EQ(faces.neighbour.size(), 0u);
+  EXPECT_EQ(faces.face.size(), 18u);
+}
+
+TEST(FaceList, AFaceThatVisitsAPointTwiceIsShared)
+{
+  CellFaces cells;
+  cells.firstFace = { 0, 1 };
+  addFace(cells, { 0, 1, 2, 0, 3, 4 });
+  addFace(cells, { 1, 0, 4, 3, 0, 2 });
+  EXPECT_EQ(list(finished(cells)).neighbour.size(), 1u);
 }
 
 TEST(FaceList, CellsInsideOutAreTurned)

@@ -7,7 +7,8 @@ grid = {"CellSize": 0.0, "MeshlinesX": [], "MeshlinesY": [], "MeshlinesZ": []}
 refinement = {"RefinementDepth": 0, "RefinementBlocks": [], "BoundaryRefinement": [],
               "RegionDepth": 1}
 boundaries = {"BoundaryArray": ""}
-patches = {"PatchMethod": "Exact Fit"}
+patches = {"PatchMethod": "Automatic", "FeatureAngle": 30.0, "MergeAngle": 10.0,
+           "Tying": "Keep Nodes"}
 cells = {"SmallCellRatio": 0.001}
 threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}
@@ -17,6 +18,7 @@ boxer = simple.CartesianBoxer(Input=surface)
 patcher = simple.Patcher(Input=surface, Boxes=boxer)
 assembler = simple.CellAssembler(Input=boxer, Patches=patcher)
 mesher = simple.CartesianMesher(Input=surface)
+quality = simple.FiniteVolumeQuality(Input=mesher)
 
 expected = {
     boxer: ("Cartesian Boxer", ["Input", "RefinementRegions"],
@@ -25,6 +27,7 @@ expected = {
     assembler: ("Cell Assembler", ["Input", "Patches"], cells | threads),
     mesher: ("Cartesian Mesher", ["Input", "RefinementRegions"],
              boundaries | grid | refinement | patches | cells | threads | memory),
+    quality: ("Finite Volume Quality", ["Input"], threads),
 }
 for proxy, (label, inputs, properties) in expected.items():
     assert proxy.GetXMLLabel() == label, proxy.GetXMLLabel()
@@ -35,9 +38,9 @@ for proxy, (label, inputs, properties) in expected.items():
         value = list(value) if isinstance(default, list) else value
         assert value == default, f"the default of {name} of {label} is {value!r}"
 
-for proxy in assembler, mesher:
+for proxy, second in (assembler, "Boundary"), (mesher, "Boundary"), (quality, "Faces"):
     ports = [proxy.GetOutputPortName(i) for i in range(proxy.GetNumberOfOutputPorts())]
-    assert ports == ["Mesh", "Boundary"], ports
+    assert ports == ["Mesh", second], ports
 
 writer = simple.CreateWriter("case.foam", mesher)
 assert writer.GetXMLLabel() == "OpenFOAM Mesh Writer", writer.GetXMLLabel()
