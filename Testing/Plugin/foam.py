@@ -29,9 +29,11 @@ FIGURES = {
 
 def save(proxy, folder, **properties):
     """Writes the case; a mesh of an earlier case there is replaced."""
-    folder = pathlib.Path(folder)
-    simple.SaveData(str(folder / "case.foam"), proxy, **properties)
-    return folder
+    case = pathlib.Path(folder) / "case.foam"
+    case.unlink(missing_ok=True)
+    simple.SaveData(str(case), proxy, **properties)
+    assert case.exists(), f"{case} was not written, for the reason above"
+    return case.parent
 
 
 def run(folder, *command):
