@@ -9,7 +9,7 @@
  * Cell arrays of the output: GlobalBox (int, components I, J, K), Level and Offset (how often
  * halved along x, y, z, and where in the global box, in 1/64 of it), Status (1 inside, 2 intersected by
  * the surface), CornerStatus (bit x + 2 y + 4 z: that corner is inside). Field data: LatticeOrigin,
- * LatticeStep, PlanesX, PlanesY, PlanesZ, SurfaceClosed (see Conversion/BoxesVTK.h).
+ * LatticeStep, PlanesX, PlanesY, PlanesZ (see Conversion/BoxesVTK.h).
  *
  * Errors: EmptySurface, BadCoordinate, BadCellSize, BadMeshlines, TooManyBoxes,
  * MissingArray, BadParameter (a depth, a block, an unknown boundary); FlawedSurface with a

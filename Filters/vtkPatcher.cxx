@@ -69,8 +69,8 @@ int vtkPatcher::RequestData(
     const cartesian::SurfaceFromVTK source(vtkPolyData::GetData(input[0]), this->BoundaryArray);
     const cartesian::Boxes boxes = cartesian::boxesFromVTK(vtkUnstructuredGrid::GetData(input[1]));
     checkPlace(cartesian::boundsOf(source.view()), boxes.lattice);
-    const cartesian::Surface surface =
-      cartesian::onLattice(source.view(), boxes.lattice, execution);
+    cartesian::Surface surface = cartesian::onLattice(source.view(), boxes.lattice, execution);
+    cartesian::repair(surface, boxes.planes, execution);
     const cartesian::Shoeboxes shoeboxes =
       cartesian::fillShoeboxes(surface, boxes.planes, execution);
     execution.stage("Patches", cartesian::AfterBoxes, 1);
@@ -82,7 +82,9 @@ int vtkPatcher::RequestData(
     {
       throwMisplaced();
     }
-    cartesian::toVTK(patches, boxes, source.cells(), vtkPolyData::GetData(output));
+    std::vector<vtkIdType> cells = source.cells();
+    cells.resize(surface.triangles.size(), -1);
+    cartesian::toVTK(patches, boxes, cells, vtkPolyData::GetData(output));
   });
   return 1;
 }
