@@ -70,6 +70,10 @@ class Parameter:
             if not isinstance(value, str):
                 raise BadValue(f"{where}{value!r} is no text")
             return value
+        if self.kind is bool:
+            if value not in (True, False):
+                raise BadValue(f"{where}{value!r} is neither true nor false")
+            return int(value)
         if isinstance(value, bool):
             value = int(value)
         if not isinstance(value, (int, float)) or (self.kind is int and int(value) != value):

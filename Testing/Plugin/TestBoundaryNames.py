@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonDataModel import (vtkCompositeDataSet, vtkImageData, vt
 from pipeline import (Messages, assert_identical, error_code, octahedron, output, polydata, producer,
                       read)
 
+EXACT = {"PatchMethod": "Exact Fit", "SmallCells": "Remove", "SmallCellRatio": 0}
 FACE = math.sqrt(3) / 2  # area of one of an octahedron's eight
 points = [octahedron().GetPoint(i) for i in range(6)]
 triangles = [(0, 1, 2), (1, 3, 2), (3, 4, 2), (4, 0, 2), (1, 0, 5), (3, 1, 5), (4, 3, 5), (0, 4, 5)]
@@ -33,7 +34,7 @@ def names(data):
 
 def check(source, expected, **properties):
     """`expected`: for each number a name and how many of the octahedron's triangles are its."""
-    mesher = simple.CartesianMesher(Input=source, CellSize=0.3, SmallCellRatio=0, **properties)
+    mesher = simple.CartesianMesher(Input=source, CellSize=0.3, **EXACT, **properties)
     mesh, skin = output(mesher, 0), output(mesher, 1)
     assert error_code(mesher) == 0
     found = boundaries(mesh)
@@ -47,8 +48,8 @@ def check(source, expected, **properties):
         assert abs(area - count * FACE) < 1e-8, f"{name}: area {area}, in truth {count * FACE}"
     boxer = simple.CartesianBoxer(Input=source, CellSize=0.3,
         **{name: value for name, value in properties.items() if name == "BoundaryArray"})
-    patcher = simple.Patcher(Input=source, Boxes=boxer, **properties)
-    assembler = simple.CellAssembler(Input=boxer, Patches=patcher, SmallCellRatio=0)
+    patcher = simple.Patcher(Input=source, Boxes=boxer, PatchMethod="Exact Fit", **properties)
+    assembler = simple.CellAssembler(Input=boxer, Patches=patcher, SmallCells="Remove", SmallCellRatio=0)
     for port in 0, 1:
         assert_identical("in three steps", output(assembler, port), output(mesher, port))
     return mesh
