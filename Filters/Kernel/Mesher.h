@@ -9,7 +9,7 @@
 
 #include "BoxGeneration.h"
 #include "Mesh.h"
-#include "SurfaceRepair.h"
+#include "SurfaceDefects.h"
 
 #include <memory>
 
@@ -18,6 +18,7 @@ namespace cartesian
 
 // Where each stage ends, as a part of all work.
 constexpr double AfterSurface = 0.1;
+constexpr double AfterDefects = 0.12; // while Boxes begin where Surface ends
 constexpr double AfterBoxes = 0.25;
 constexpr double AfterPatches = 0.5;
 constexpr double AfterSides = 0.55;

@@ -17,6 +17,7 @@ boxer = simple.CartesianBoxer(Input=surface)
 patcher = simple.Patcher(Input=surface, Boxes=boxer)
 assembler = simple.CellAssembler(Input=boxer, Patches=patcher)
 mesher = simple.CartesianMesher(Input=surface)
+inspector = simple.SurfaceInspector(Input=surface)
 
 expected = {
     boxer: ("Cartesian Boxer", ["Input", "RefinementRegions"],
@@ -25,6 +26,7 @@ expected = {
     assembler: ("Cell Assembler", ["Input", "Patches"], cells | threads),
     mesher: ("Cartesian Mesher", ["Input", "RefinementRegions"],
              boundaries | grid | refinement | patches | cells | threads | memory),
+    inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
 }
 for proxy, (label, inputs, properties) in expected.items():
     assert proxy.GetXMLLabel() == label, proxy.GetXMLLabel()
@@ -35,6 +37,6 @@ for proxy, (label, inputs, properties) in expected.items():
         value = list(value) if isinstance(default, list) else value
         assert value == default, f"the default of {name} of {label} is {value!r}"
 
-for proxy in assembler, mesher:
+for proxy, names in (assembler, ["Mesh", "Boundary"]), (mesher, ["Mesh", "Boundary", "Defects"]):
     ports = [proxy.GetOutputPortName(i) for i in range(proxy.GetNumberOfOutputPorts())]
-    assert ports == ["Mesh", "Boundary"], ports
+    assert ports == names, ports
