@@ -10,7 +10,7 @@
 #include "BoxGeneration.h"
 #include "CellShaping.h"
 #include "Mesh.h"
-#include "SurfaceRepair.h"
+#include "SurfaceDefects.h"
 
 #include <memory>
 
@@ -19,6 +19,7 @@ namespace cartesian
 
 // Where each stage ends, as a part of all work.
 constexpr double AfterSurface = 0.1;
+constexpr double AfterDefects = 0.12; // while Boxes begin where Surface ends
 constexpr double AfterBoxes = 0.25;
 constexpr double AfterPatches = 0.5;
 constexpr double AfterSides = 0.55;
