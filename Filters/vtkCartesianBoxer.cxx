@@ -2,6 +2,7 @@
 #include "vtkCartesianBoxer.h"
 
 #include "BoxesVTK.h"
+#include "DefectsToVTK.h"
 #include "Error.h"
 #include "Mesher.h"
 #include "SurfaceBlocks.h"
@@ -292,6 +293,20 @@ cartesian::PreparedSurface vtkCartesianBoxer::Prepare(
     cartesian::prepareSurface(surface.view(), grid, limit, execution);
   this->ReportFlaws(cartesian::describeFlaws(prepared, surface.cells()));
   return prepared;
+}
+
+void vtkCartesianBoxer::Inspect(const cartesian::PreparedSurface& prepared,
+  const cartesian::SurfaceFromVTK& surface, vtkPolyData* defects, cartesian::Execution& execution)
+{
+  execution.stage("Defects of the surface", cartesian::AfterSurface, cartesian::AfterDefects);
+  const cartesian::SurfaceDefects found = cartesian::findDefects(
+    prepared.surface, prepared.trianglesGiven, prepared.repair, prepared.planes, execution);
+  cartesian::toVTK(found, surface.cells(), defects);
+  const std::string text = cartesian::describe(found);
+  if (!text.empty())
+  {
+    vtkWarningMacro(<< text);
+  }
 }
 
 cartesian::RefinementSpec vtkCartesianBoxer::MakeSpec(const cartesian::SurfaceFromVTK& source)

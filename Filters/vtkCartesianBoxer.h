@@ -38,6 +38,8 @@
 #include <string> // for std::string
 #include <vector> // for std::vector
 
+class vtkPolyData;
+
 namespace cartesian
 {
 struct BoxedSurface;
@@ -191,6 +193,12 @@ protected:
    */
   cartesian::PreparedSurface Prepare(
     const cartesian::SurfaceFromVTK& surface, cartesian::Execution& execution);
+
+  /**
+   * All defects of the surface into `defects`; what the mesh may suffer from is reported.
+   */
+  void Inspect(const cartesian::PreparedSurface& prepared, const cartesian::SurfaceFromVTK& surface,
+    vtkPolyData* defects, cartesian::Execution& execution);
 
   /**
    * The boxes; rows of tables that reach beyond the grid are reported. `source` is what `prepared`

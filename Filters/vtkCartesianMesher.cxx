@@ -13,7 +13,7 @@ vtkStandardNewMacro(vtkCartesianMesher);
 
 vtkCartesianMesher::vtkCartesianMesher()
 {
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
 }
 
 int vtkCartesianMesher::FillOutputPortInformation(int port, vtkInformation* info)
@@ -32,6 +32,7 @@ int vtkCartesianMesher::RequestData(
   this->Run(0, 1, [&](cartesian::Execution& execution) {
     const cartesian::SurfaceFromVTK surface(vtkDataObject::GetData(input[0]), this->BoundaryArray);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
+    this->Inspect(prepared, surface, vtkPolyData::GetData(output, 2), execution);
     const cartesian::BoxedSurface boxed = this->Divide(surface, prepared, input[1], execution);
     execution.stage("Patches", cartesian::AfterBoxes, cartesian::AfterPatches);
     const cartesian::Patches patches =

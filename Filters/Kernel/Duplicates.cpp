@@ -100,11 +100,13 @@ Duplicates findDuplicates(const Surface& surface, const SurfaceEdges& edges)
   return result;
 }
 
-void dropDuplicates(Surface& surface, const SurfaceEdges& edges, const Duplicates& duplicates)
+std::vector<Dropped> dropDuplicates(
+  Surface& surface, const SurfaceEdges& edges, const Duplicates& duplicates)
 {
+  std::vector<Dropped> dropped;
   if (duplicates.groups() == 0)
   {
-    return;
+    return dropped;
   }
   std::vector<std::uint32_t> groupOf(surface.triangles.size(), None);
   for (std::size_t g = 0; g < duplicates.groups(); ++g)
@@ -148,10 +150,12 @@ void dropDuplicates(Surface& surface, const SurfaceEdges& edges, const Duplicate
     {
       if (t != kept || !regions.keeps(static_cast<std::uint32_t>(g)))
       {
+        dropped.push_back({ *t, surface.triangles[*t] });
         surface.triangles[*t].fill(surface.triangles[*t][0]);
       }
     }
   }
+  return dropped;
 }
 
 }

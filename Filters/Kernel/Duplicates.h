@@ -14,7 +14,12 @@ struct Duplicates
   std::vector<std::uint32_t> triangles;
 
   std::size_t groups() const { return start.size() - 1; }
-  std::size_t extra() const { return triangles.size() - groups(); } // all but one of each
+};
+
+struct Dropped
+{
+  std::uint32_t triangle;
+  std::array<std::uint32_t, 3> vertices;
 };
 
 Duplicates findDuplicates(const Surface& surface, const SurfaceEdges& edges);
@@ -24,6 +29,8 @@ Duplicates findDuplicates(const Surface& surface, const SurfaceEdges& edges);
 // need it to be closed (a triangle written twice), or none cares (a body written twice). None stays
 // where most edges are closed without (a wall between two bodies that touch, a plate without
 // thickness). Of several boundaries, the lowest stays.
-void dropDuplicates(Surface& surface, const SurfaceEdges& edges, const Duplicates& duplicates);
+// Returns what was dropped, in order of groups.
+std::vector<Dropped> dropDuplicates(
+  Surface& surface, const SurfaceEdges& edges, const Duplicates& duplicates);
 
 }

@@ -96,9 +96,9 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
       positionOf(prepared.surface, place.edge[1]) + " of cell " +
       std::to_string(cells[place.triangle]);
   }
-  if (repair.duplicates > 0)
+  if (!repair.duplicates.empty())
   {
-    text += lineBreak(text) + std::to_string(repair.duplicates) +
+    text += lineBreak(text) + std::to_string(repair.duplicates.size()) +
       " triangles were there before, and are left out.";
   }
   if (const std::size_t closed = repair.holes.size() - repair.leaks())
@@ -258,6 +258,10 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
     { "IsolatedCells", isolated },
     { "VoidsInsideCells", static_cast<double>(cells_.voids) },
     { "FoldsLeftOut", static_cast<double>(cells_.folds) },
+    { "BoundaryAngleFailures", static_cast<double>(mesh_->failures().boundaryAngle) },
+    { "InnerAngleFailures", static_cast<double>(mesh_->failures().innerAngle) },
+    { "OpennessFailures", static_cast<double>(mesh_->failures().open) },
+    { "VolumeFailures", static_cast<double>(mesh_->failures().negativeVolume) },
   };
 }
 

@@ -10,7 +10,7 @@
 #include "BoxGeneration.h"
 #include "CellShaping.h"
 #include "Mesh.h"
-#include "SurfaceRepair.h"
+#include "SurfaceDefects.h"
 
 #include <memory>
 
@@ -19,6 +19,7 @@ namespace cartesian
 
 // Where each stage ends, as a part of all work: measured on a mesh of 200 000 cells.
 constexpr double AfterSurface = 0.01;
+constexpr double AfterDefects = 0.02; // while Boxes begin where Surface ends
 constexpr double AfterBoxes = 0.06;
 constexpr double AfterPatches = 0.18;
 constexpr double AfterSides = 0.31;

@@ -1,6 +1,5 @@
 #include "SurfaceRepair.h"
 
-#include "Duplicates.h"
 #include "Orientation.h"
 
 #include <algorithm>
@@ -19,9 +18,7 @@ SurfaceRepair repair(Surface& surface, const Meshlines& planes, Execution& execu
   SurfaceRepair result;
   {
     const SurfaceEdges edges(surface, execution);
-    const Duplicates duplicates = findDuplicates(surface, edges);
-    result.duplicates = duplicates.extra();
-    dropDuplicates(surface, edges, duplicates);
+    result.duplicates = dropDuplicates(surface, edges, findDuplicates(surface, edges));
   }
   orient(surface, execution);
   const SurfaceEdges edges(surface, execution);

@@ -2,6 +2,7 @@
 // oriented, holes closed.
 #pragma once
 
+#include "Duplicates.h"
 #include "Holes.h"
 #include "SurfaceCheck.h"
 
@@ -10,9 +11,9 @@ namespace cartesian
 
 struct SurfaceRepair
 {
-  std::size_t duplicates = 0; // triangles that were there before, or a wall between bodies
-  SurfaceCheck check;         // without duplicates, oriented, with its holes
-  std::vector<Hole> holes;    // in order of their lowest vertices
+  std::vector<Dropped> duplicates; // triangles that were there before, or a wall between bodies
+  SurfaceCheck check;              // without duplicates, oriented, with its holes
+  std::vector<Hole> holes;         // in order of their lowest vertices
 
   std::size_t leaks() const;
 };

@@ -118,7 +118,8 @@ TEST(Duplicates, AreDroppedWhicheverWayTheyFace)
   }
   const GridSpec grid = cellsAlongLongest(soup, 8.7);
   const Meshed meshed = meshOf(twice, grid);
-  EXPECT_EQ(meshed.prepared.repair.duplicates, twice.triangles.size() - soup.triangles.size());
+  EXPECT_EQ(
+    meshed.prepared.repair.duplicates.size(), twice.triangles.size() - soup.triangles.size());
   EXPECT_TRUE(closed(meshed.prepared.surface));
   expectSame(volumesByBox(meshed.mesh), volumesByBox(meshOf(soup, grid).mesh));
 }
@@ -130,7 +131,7 @@ TEST(Duplicates, ABodyManyTimesIsOne)
   thrice.add(soup.flipped()).add(soup);
   thrice.boundary.clear();
   const Meshed meshed = meshOf(thrice, cellsOf(0.3));
-  EXPECT_EQ(meshed.prepared.repair.duplicates, 2 * soup.triangles.size());
+  EXPECT_EQ(meshed.prepared.repair.duplicates.size(), 2 * soup.triangles.size());
   EXPECT_TRUE(fills(meshed.mesh, soup));
 }
 
@@ -138,7 +139,7 @@ TEST(Duplicates, AWallBetweenBodiesIsNone)
 {
   const Soup both = unmarked(cube().add(cube().moved({ 1, 0, 0 })));
   const Meshed meshed = meshOf(both, cellsOf(0.3));
-  EXPECT_EQ(meshed.prepared.repair.duplicates, 2U);
+  EXPECT_EQ(meshed.prepared.repair.duplicates.size(), 4U);
   EXPECT_TRUE(meshed.flawedBoxes.empty());
   EXPECT_TRUE(fills(meshed.mesh, unmarked(box({ 0, 0, 0 }, { 2, 1, 1 }))));
 }

@@ -22,6 +22,7 @@ assembler = simple.CellAssembler(Input=boxer, Patches=patcher)
 mesher = simple.CartesianMesher(Input=surface)
 quality = simple.FiniteVolumeQuality(Input=mesher)
 region = simple.RefinementRegion(Input=cube)
+inspector = simple.SurfaceInspector(Input=surface)
 
 expected = {
     boxer: ("Cartesian Boxer", ["Input", "RefinementRegions"],
@@ -35,6 +36,7 @@ expected = {
     region: ("Refinement Region", ["Input"], {"Shape": "Box", "Position": [-0.5, -0.5, -0.5],
         "Rotation": [0, 0, 0], "Length": [1, 1, 1], "Center": [0, 0, 0], "Radius": 0.25,
         "Depth": 1}),
+    inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
 }
 for proxy, (label, inputs, properties) in expected.items():
     assert proxy.GetXMLLabel() == label, proxy.GetXMLLabel()
@@ -46,9 +48,10 @@ for proxy, (label, inputs, properties) in expected.items():
         value = list(value) if isinstance(default, list) else value
         assert value == default, f"the default of {name} of {label} is {value!r}"
 
-for proxy, second in (assembler, "Boundary"), (mesher, "Boundary"), (quality, "Faces"):
+for proxy, names in (assembler, ["Mesh", "Boundary"]), (mesher, ["Mesh", "Boundary", "Defects"]), \
+        (quality, ["Mesh", "Faces"]):
     ports = [proxy.GetOutputPortName(i) for i in range(proxy.GetNumberOfOutputPorts())]
-    assert ports == ["Mesh", second], ports
+    assert ports == names, ports
 
 writer = simple.CreateWriter("case.foam", mesher)
 assert writer.GetXMLLabel() == "OpenFOAM Mesh Writer", writer.GetXMLLabel()

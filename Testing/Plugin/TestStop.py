@@ -7,8 +7,9 @@ from paraview import simple
 
 from pipeline import error_code, read
 
-STAGES = ["Scaling and Dual Levels", "Boxes", "Patches", "Common sides of boxes", "Inner faces", "Cells",
-          "Shaping of cells", "Numbering", "Writing the mesh"]
+STAGES = ["Scaling and Dual Levels", "Defects of the surface", "Boxes", "Patches",
+          "Common sides of boxes", "Inner faces", "Cells", "Shaping of cells", "Numbering",
+          "Writing the mesh"]
 STOPPED = 40009
 LONGEST = 1.0  # seconds of processor time: what else runs on the machine does not count
 
