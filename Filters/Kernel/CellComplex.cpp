@@ -796,6 +796,19 @@ void CellComplex::removeFace(CellKey key, std::uint32_t face)
   opened(key)->changed = true;
 }
 
+// Whether a cell has a face between just these nodes: with another it would enclose nothing.
+bool CellComplex::hasFaceOf(CellKey key, std::vector<std::uint32_t> nodes) const
+{
+  std::sort(nodes.begin(), nodes.end());
+  bool found = false;
+  forEachFace(key, [&](const FaceUse& use) {
+    std::vector<std::uint32_t> others = nodesOf(use);
+    std::sort(others.begin(), others.end());
+    found = found || others == nodes;
+  });
+  return found;
+}
+
 bool CellComplex::joinPair(CellKey key, const FaceUse& f, const FaceUse& g, double leastCosine)
 {
   const CellKey other = across(f);
@@ -819,10 +832,11 @@ bool CellComplex::joinPair(CellKey key, const FaceUse& f, const FaceUse& g, doub
     both.nodes.push_back(minus(nodes_.at[node], origin));
   }
   both.closeFace(false);
-  if (!fitsTogether(both, other == None ? leastCosine : FlatCosine))
+  if (!fitsTogether(both, other == None ? leastCosine : FlatCosine) || hasFaceOf(key, ring))
   {
     return false;
   }
+  changed_ = true;
   Shaped& face = shaped(own(f.face, key));
   face.nodes = ring;
   if (f.turned)

@@ -141,6 +141,7 @@ private:
   void insertNode(CellKey cell, std::uint32_t u, std::uint32_t v, std::uint32_t node);
 
   bool joinPair(CellKey key, const FaceUse& f, const FaceUse& g, double leastCosine);
+  bool hasFaceOf(CellKey key, std::vector<std::uint32_t> nodes) const;
   std::int32_t boundaryOf(std::uint32_t face) const;
   std::vector<std::uint32_t> nodesOf(const FaceUse& use) const;
   void removeFace(CellKey key, std::uint32_t face);

@@ -94,7 +94,7 @@ std::vector<ConcaveEdge> concaveEdges(const Polyhedron& cell, const CellShape& s
     const Vector ways = plus(cross(n1, along), cross(along, n2));
     e.inwards = unit(scaled(plus(plus(n1, n2), ways), -1));
     e.length = norm(whole);
-    e.failing = failsAngle(cell, shape, f) || failsAngle(cell, shape, other->second);
+    e.failing = isUnfit(cell, shape, f) || isUnfit(cell, shape, other->second);
     edges.push_back(e);
   }
   std::sort(edges.begin(), edges.end(), [](const ConcaveEdge& x, const ConcaveEdge& y) {
@@ -146,7 +146,7 @@ double failingAfter(const Polyhedron& cell, const CellShape& shape, const CellCu
     {
       return -1;
     }
-    failing += failingArea(polyhedron, part);
+    failing += unfitArea(polyhedron, part);
   }
   return failing;
 }
@@ -242,7 +242,7 @@ private:
   {
     for (std::size_t f = 0; f < cell_.faces(); ++f)
     {
-      if (cell_.isBoundary[f] && failsAngle(cell_, shape_, f))
+      if (cell_.isBoundary[f] && cosineOfFace(shape_, f) <= LeastBoundaryCosine)
       {
         return true;
       }
@@ -265,11 +265,11 @@ void propose(const CellComplex& cells, Proposal& proposal)
   cells.view(proposal.key, proposal.view);
   CellShape shape;
   measure(proposal.view.shape, shape);
-  proposal.failing = failingArea(proposal.view.shape, shape);
+  proposal.failing = unfitArea(proposal.view.shape, shape);
   proposal.found = Search(proposal.view.shape, shape, proposal.failing).run(proposal.cut);
   if (!proposal.found && getenv("DBG")) {
     const Polyhedron& cell = proposal.view.shape; auto edges = concaveEdges(cell, shape);
-    int nb = 0, ni = 0; double wc = 1; for (std::size_t f = 0; f < cell.faces(); ++f) if (failsAngle(cell, shape, f)) { (cell.isBoundary[f] ? nb : ni)++; wc = std::min(wc, cosineOfFace(shape, f)); }
+    int nb = 0, ni = 0; double wc = 1; for (std::size_t f = 0; f < cell.faces(); ++f) if (isUnfit(cell, shape, f)) { (cell.isBoundary[f] ? nb : ni)++; wc = std::min(wc, cosineOfFace(shape, f)); }
     std::fprintf(stderr, "FAIL key %u box %u vol %.2e faces %zu edges %zu(maxbend %.1f) failB %d failI %d worstcos %.3f area %.2e\n", proposal.key, cells.boxOf(proposal.key), shape.volume / cells.volumeOfBox(proposal.key), cell.faces(), edges.size(), edges.empty() ? 0 : edges[0].bend * 57.3, nb, ni, wc, proposal.failing / std::pow(cells.volumeOfBox(proposal.key), 2/3.));
   }
 }
@@ -284,7 +284,7 @@ bool fails(const CellComplex& cells, CellKey key)
   CellShape shape;
   cells.shape(key, polyhedron);
   measure(polyhedron, shape);
-  return failingArea(polyhedron, shape) > 0;
+  return unfitArea(polyhedron, shape) > 0;
 }
 
 }

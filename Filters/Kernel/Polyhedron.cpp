@@ -12,6 +12,9 @@ namespace
 // A star triangle may be turned over by this part of the polygon's area: rounding.
 constexpr double RoundingOfAreas = 1e-9;
 
+// OpenFOAM measures skewness over at least this part of the height above a boundary face.
+constexpr double ShareOfHeight = 0.4;
+
 Vector meanOf(const Polyhedron& cell, std::size_t begin, std::size_t end)
 {
   Vector mean{ 0, 0, 0 };
@@ -48,6 +51,26 @@ FaceShape shapeOf(const Polyhedron& cell, std::size_t face)
     sum = plus(sum, scaled(plus(p, q), dot(cross(p, q), twice)));
   }
   return { scaled(twice, 0.5), plus(mean, scaled(sum, 1 / (3 * square))) };
+}
+
+bool isSkewed(const Polyhedron& cell, const CellShape& shape, std::size_t face)
+{
+  const FaceShape& f = shape.faces[face];
+  const Vector normal = unit(f.area);
+  const Vector towards = minus(f.centre, shape.centre);
+  const double height = std::abs(dot(towards, normal));
+  const Vector aside = minus(towards, scaled(normal, dot(towards, normal)));
+  const double distance = norm(aside);
+  if (distance <= MostSkewness * ShareOfHeight * height)
+  {
+    return false;
+  }
+  double reach = 0;
+  for (std::size_t i = cell.start[face]; i < cell.start[face + 1]; ++i)
+  {
+    reach = std::max(reach, std::abs(dot(minus(cell.nodes[cell.corners[i]], f.centre), aside)));
+  }
+  return distance * distance > MostSkewness * reach;
 }
 
 }
@@ -96,10 +119,15 @@ double cosineOfFace(const CellShape& shape, std::size_t face)
   return lengths > 0 ? dot(towards, f.area) / lengths : 0;
 }
 
-bool failsAngle(const Polyhedron& cell, const CellShape& shape, std::size_t face)
+bool isUnfit(const Polyhedron& cell, const CellShape& shape, std::size_t face, Demand demand)
 {
   const double cosine = cosineOfFace(shape, face);
-  return cell.isBoundary[face] ? cosine <= LeastBoundaryCosine : cosine < LeastInnerCosine;
+  if (!cell.isBoundary[face])
+  {
+    return cosine < LeastInnerCosine;
+  }
+  return cosine <= LeastBoundaryCosine ||
+    (demand == Demand::Fitness && isSkewed(cell, shape, face));
 }
 
 bool isStar(const Polyhedron& cell, std::size_t face, const Vector& normal)
@@ -119,12 +147,12 @@ bool isStar(const Polyhedron& cell, std::size_t face, const Vector& normal)
   return least >= -RoundingOfAreas * std::abs(sum);
 }
 
-double failingArea(const Polyhedron& cell, const CellShape& shape)
+double unfitArea(const Polyhedron& cell, const CellShape& shape, Demand demand)
 {
   double sum = 0;
   for (std::size_t f = 0; f < cell.faces(); ++f)
   {
-    if (failsAngle(cell, shape, f))
+    if (isUnfit(cell, shape, f, demand))
     {
       sum += norm(shape.faces[f].area);
     }
