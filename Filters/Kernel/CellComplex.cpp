@@ -62,24 +62,29 @@ std::vector<std::uint32_t> joinRings(
   return twice ? std::vector<std::uint32_t>{} : joined;
 }
 
-// Normals of faces on one plane differ by rounding only (cosine).
-constexpr double FlatCosine = 1 - 1e-12;
+// Points on one plane are rounded to whole levels.
+constexpr double RoundingLevels = 2;
 
 // Whether the last face can stand for the two before it: it has a star triangulation, and the normals
-// are close.
-bool fitsTogether(const Polyhedron& faces, double leastCosine)
+// are close; `flat`: all lies on one plane.
+bool fitsTogether(const Polyhedron& faces, double leastCosine, bool flat)
 {
   CellShape shape;
   measure(faces, shape);
-  const Vector first = unit(shape.faces[0].area);
-  const Vector second = unit(shape.faces[1].area);
   const Vector normal = unit(shape.faces[2].area);
-  if (dot(first, second) < leastCosine || dot(first, normal) < leastCosine ||
-    dot(second, normal) < leastCosine)
+  for (std::size_t f = 0; f < 2; ++f)
+  {
+    const double cosine = dot(unit(shape.faces[f].area), normal);
+    if (flat ? cosine <= 0 : cosine < leastCosine)
+    {
+      return false;
+    }
+  }
+  if (!flat && dot(unit(shape.faces[0].area), unit(shape.faces[1].area)) < leastCosine)
   {
     return false;
   }
-  return isStar(faces, 2, normal);
+  return (!flat || isFlat(faces, shape, 2, RoundingLevels)) && isStar(faces, 2, normal);
 }
 
 // Nodes of a hexahedron's side i (low x, high x, low y, ...), counter-clockwise from outside.
@@ -832,7 +837,7 @@ bool CellComplex::joinPair(CellKey key, const FaceUse& f, const FaceUse& g, doub
     both.nodes.push_back(minus(nodes_.at[node], origin));
   }
   both.closeFace(false);
-  if (!fitsTogether(both, other == None ? leastCosine : FlatCosine) || hasFaceOf(key, ring))
+  if (!fitsTogether(both, leastCosine, other != None || leastCosine >= 1) || hasFaceOf(key, ring))
   {
     return false;
   }

@@ -68,7 +68,7 @@ public:
   void merge(CellKey small, CellKey into);
 
   // Joins those neighbouring faces of a cell that lie between the same two cells on one plane, or
-  // belong to one boundary and have normals this close (cosine).
+  // belong to one boundary and have normals this close (cosine; 1: lie on one plane).
   void joinFaces(CellKey key, double leastCosine);
 
   // In lattice levels.

@@ -47,7 +47,10 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
 {
   Shaping shaping;
   CellComplex complex(boxes, patches, sides, nodes, inner, cells);
-  const double leastCosine = std::cos(spec.joinAngle * RadiansPerDegree);
+  // Who chose the exact surface gets it.
+  const bool exact = std::find(patches.reason.begin(), patches.reason.end(),
+                       PatchReason::ExactFitChosen) != patches.reason.end();
+  const double leastCosine = exact ? 1 : std::cos(spec.joinAngle * RadiansPerDegree);
   const auto merge = [&](Demand demand) {
     if (spec.smallCells == SmallCells::Merge)
     {

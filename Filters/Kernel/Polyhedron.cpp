@@ -40,7 +40,7 @@ FaceShape shapeOf(const Polyhedron& cell, std::size_t face)
   const double square = dot(twice, twice);
   if (!(square > 0))
   {
-    return { scaled(twice, 0.5), mean };
+    return { scaled(twice, 0.5), mean, mean };
   }
   // Triangles count by their area along the normal; their centres are a third of the way in.
   Vector sum{ 0, 0, 0 };
@@ -50,7 +50,7 @@ FaceShape shapeOf(const Polyhedron& cell, std::size_t face)
     const Vector q = minus(cell.nodes[cell.corners[i + 1 < end ? i + 1 : begin]], mean);
     sum = plus(sum, scaled(plus(p, q), dot(cross(p, q), twice)));
   }
-  return { scaled(twice, 0.5), plus(mean, scaled(sum, 1 / (3 * square))) };
+  return { scaled(twice, 0.5), plus(mean, scaled(sum, 1 / (3 * square))), mean };
 }
 
 bool isSkewed(const Polyhedron& cell, const CellShape& shape, std::size_t face)
@@ -100,15 +100,17 @@ void measure(const Polyhedron& cell, CellShape& shape)
   }
   middle = scaled(middle, 1.0 / static_cast<double>(cell.faces()));
   shape.volume = 0;
+  double pyramids = 0;
   Vector moment{ 0, 0, 0 };
   for (const FaceShape& face : shape.faces)
   {
     const Vector height = minus(face.centre, middle);
     const double volume = dot(face.area, height) / 3;
-    shape.volume += volume;
+    pyramids += volume;
     moment = plus(moment, scaled(height, 0.75 * volume));
+    shape.volume += dot(face.area, minus(face.mean, middle)) / 3;
   }
-  shape.centre = shape.volume > 0 ? plus(middle, scaled(moment, 1 / shape.volume)) : middle;
+  shape.centre = pyramids > 0 ? plus(middle, scaled(moment, 1 / pyramids)) : middle;
 }
 
 double cosineOfFace(const CellShape& shape, std::size_t face)
@@ -128,6 +130,20 @@ bool isUnfit(const Polyhedron& cell, const CellShape& shape, std::size_t face, D
   }
   return cosine <= LeastBoundaryCosine ||
     (demand == Demand::Fitness && isSkewed(cell, shape, face));
+}
+
+bool isFlat(const Polyhedron& cell, const CellShape& shape, std::size_t face, double distance)
+{
+  const Vector normal = unit(shape.faces[face].area);
+  for (std::size_t i = cell.start[face]; i < cell.start[face + 1]; ++i)
+  {
+    const Vector p = minus(cell.nodes[cell.corners[i]], shape.faces[face].centre);
+    if (std::abs(dot(p, normal)) > distance)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool isStar(const Polyhedron& cell, std::size_t face, const Vector& normal)

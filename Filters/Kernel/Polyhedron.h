@@ -27,6 +27,7 @@ struct FaceShape
 {
   Vector area;   // vector, outwards
   Vector centre; // of area, by star triangulation
+  Vector mean;   // of the corners
 };
 
 struct CellShape
@@ -49,6 +50,9 @@ constexpr double LeastInnerCosine = 0.258819045102521; // cos 75
 // What checkMesh allows: how far the foot of the perpendicular from the cell's centre is from the
 // centre of a boundary face, over the face's reach in this direction or 0.4 of its length.
 constexpr double MostSkewness = 4;
+
+// Whether all corners of a face are this close to its plane.
+bool isFlat(const Polyhedron& cell, const CellShape& shape, std::size_t face, double distance);
 
 enum class Demand
 {
