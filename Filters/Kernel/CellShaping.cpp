@@ -66,7 +66,8 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
       complex.open(key);
       complex.joinFaces(key, leastCosine);
     }
-    const Splitting splitting = splitCells(complex, unfitCells(complex, execution), execution);
+    const Splitting splitting = splitCells(complex, unfitCells(complex, execution),
+      spec.smallCells == SmallCells::Remove ? spec.smallCellRatio : 0, execution);
     shaping.cellsSplit = splitting.cellsSplit;
     merge(Demand::Fitness);
   }

@@ -26,7 +26,9 @@ struct Candidate
 
   bool operator<(const Candidate& other) const
   {
-    return volume != other.volume ? volume < other.volume : key < other.key;
+    const auto a = static_cast<float>(volume); // equal but for rounding is equal
+    const auto b = static_cast<float>(other.volume);
+    return a != b ? a < b : key < other.key;
   }
 };
 
