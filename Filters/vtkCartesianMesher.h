@@ -90,7 +90,7 @@ protected:
 
   int PatchMethod = 0;
   double FeatureAngle = 30;
-  double MergeAngle = 15;
+  double MergeAngle = 10;
   int Tying = 0;
   int SmallCells = Merge;
   double MergeRatio = 0.1;

@@ -53,6 +53,32 @@ std::vector<std::string> PatchNames(
   return names;
 }
 
+// Sorts the boundary faces by the boundaries they are of.
+std::vector<cartesian::FoamPatch> SortPatches(
+  vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& boundaryOf, cartesian::FaceList& list)
+{
+  std::vector<vtkIdType> boundaries = boundaryOf;
+  std::sort(boundaries.begin(), boundaries.end(), Before);
+  boundaries.erase(std::unique(boundaries.begin(), boundaries.end()), boundaries.end());
+  std::vector<std::uint32_t> patchOf;
+  patchOf.reserve(boundaryOf.size());
+  for (const vtkIdType boundary : boundaryOf)
+  {
+    patchOf.push_back(static_cast<std::uint32_t>(
+      std::lower_bound(boundaries.begin(), boundaries.end(), boundary, Before) -
+      boundaries.begin()));
+  }
+  const std::vector<std::size_t> counts = cartesian::sortByPatch(list, patchOf, boundaries.size());
+  const std::vector<std::string> names = PatchNames(grid, boundaries);
+  std::vector<cartesian::FoamPatch> patches;
+  patches.reserve(names.size());
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    patches.push_back({ names[i], counts[i] });
+  }
+  return patches;
+}
+
 }
 
 vtkPolyMeshWriter::~vtkPolyMeshWriter()
@@ -152,23 +178,7 @@ void vtkPolyMeshWriter::WriteCase(vtkUnstructuredGrid* grid)
   std::vector<cartesian::FoamPatch> patches;
   if (known == cartesian::BoundaryKnowledge::All)
   {
-    std::vector<vtkIdType> boundaries = boundaryOf;
-    std::sort(boundaries.begin(), boundaries.end(), Before);
-    boundaries.erase(std::unique(boundaries.begin(), boundaries.end()), boundaries.end());
-    std::vector<std::uint32_t> patchOf;
-    for (const vtkIdType boundary : boundaryOf)
-    {
-      patchOf.push_back(static_cast<std::uint32_t>(
-        std::lower_bound(boundaries.begin(), boundaries.end(), boundary, Before) -
-        boundaries.begin()));
-    }
-    const std::vector<std::size_t> counts =
-      cartesian::sortByPatch(list, patchOf, boundaries.size());
-    const std::vector<std::string> names = PatchNames(grid, boundaries);
-    for (std::size_t i = 0; i < names.size(); ++i)
-    {
-      patches.push_back({ names[i], counts[i] });
-    }
+    patches = SortPatches(grid, boundaryOf, list);
   }
   else if (!boundaryOf.empty())
   {

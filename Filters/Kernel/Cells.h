@@ -45,9 +45,6 @@ struct Cell
   bool removed;          // a sliver, or smaller than R of its box (4.10)
 };
 
-// Boundary index of faces that no patch lent theirs: the end of the grid, a leak.
-constexpr std::int32_t NoBoundary = -1;
-
 // Faces that are not as the patches and sides have them: pieces of those, faces with new nodes on
 // their edges, cutting polygons, sides between hexahedra.
 struct ShapedFaces

@@ -197,6 +197,39 @@ void refuseClashes(const CellFaces& cells, const std::vector<std::uint32_t>& nei
       "such cells: write the mesh as it was before.");
 }
 
+// Where the inner and the boundary faces of a cell begin in a FaceList.
+struct Places
+{
+  std::size_t inner;
+  std::size_t boundary;
+};
+
+void placeFaces(const CellFaces& cells, const std::vector<std::uint32_t>& neighbours,
+  std::size_t cell, const Places& begin, FaceList& list)
+{
+  Places next = begin;
+  for (std::size_t f = cells.firstFace[cell]; f < cells.firstFace[cell + 1]; ++f)
+  {
+    if (neighbours[f] == None)
+    {
+      list.face[next.boundary++] = static_cast<std::uint32_t>(f);
+    }
+    else if (neighbours[f] > cell)
+    {
+      list.face[next.inner++] = static_cast<std::uint32_t>(f);
+    }
+  }
+  std::sort(list.face.data() + begin.inner, list.face.data() + next.inner,
+    [&](std::uint32_t a, std::uint32_t b) {
+      return neighbours[a] != neighbours[b] ? neighbours[a] < neighbours[b] : a < b;
+    });
+  std::transform(list.face.data() + begin.inner, list.face.data() + next.inner,
+    list.neighbour.data() + begin.inner, [&](std::uint32_t f) { return neighbours[f]; });
+  const auto owner = static_cast<std::uint32_t>(cell);
+  std::fill(list.owner.data() + begin.inner, list.owner.data() + next.inner, owner);
+  std::fill(list.owner.data() + begin.boundary, list.owner.data() + next.boundary, owner);
+}
+
 }
 
 void turnOutward(CellFaces& cells, const std::vector<double>& points, Execution& execution)
@@ -254,21 +287,16 @@ FaceList listFaces(
   }
   std::replace(neighbours.begin(), neighbours.end(), Clash, None);
 
-  const auto isBoundary = [&](std::size_t face) { return neighbours[face] == None; };
-  const auto isOwned = [&](std::size_t face, std::size_t cell) {
-    return !isBoundary(face) && neighbours[face] > cell;
-  };
-  const std::size_t cellCount = cells.cellCount();
-  std::vector<std::size_t> inner(cellCount + 1);
-  std::vector<std::size_t> boundary(cellCount + 1);
-  execution.forEach(cellCount, CellsAChunk, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::size_t> inner(cells.cellCount() + 1);
+  std::vector<std::size_t> boundary(cells.cellCount() + 1);
+  execution.forEach(cells.cellCount(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c)
     {
-      for (std::size_t f = cells.firstFace[c]; f < cells.firstFace[c + 1]; ++f)
-      {
-        inner[c] += isOwned(f, c) ? 1 : 0;
-        boundary[c] += isBoundary(f) ? 1 : 0;
-      }
+      const auto first = neighbours.begin() + static_cast<std::ptrdiff_t>(cells.firstFace[c]);
+      const auto last = neighbours.begin() + static_cast<std::ptrdiff_t>(cells.firstFace[c + 1]);
+      boundary[c] = static_cast<std::size_t>(std::count(first, last, None));
+      inner[c] = static_cast<std::size_t>(
+        std::count_if(first, last, [c](std::uint32_t n) { return n != None && n > c; }));
     }
   });
   const std::size_t innerCount = scan(inner);
@@ -278,28 +306,10 @@ FaceList listFaces(
   list.face.resize(count);
   list.owner.resize(count);
   list.neighbour.resize(innerCount);
-  execution.forEach(cellCount, CellsAChunk, [&](std::size_t begin, std::size_t end) {
+  execution.forEach(cells.cellCount(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c)
     {
-      std::size_t nextInner = inner[c];
-      std::size_t nextBoundary = innerCount + boundary[c];
-      for (std::size_t f = cells.firstFace[c]; f < cells.firstFace[c + 1]; ++f)
-      {
-        if (isOwned(f, c) || isBoundary(f))
-        {
-          list.face[isBoundary(f) ? nextBoundary++ : nextInner++] = static_cast<std::uint32_t>(f);
-        }
-      }
-      std::sort(list.face.data() + inner[c], list.face.data() + nextInner,
-        [&](std::uint32_t a, std::uint32_t b) {
-          return neighbours[a] != neighbours[b] ? neighbours[a] < neighbours[b] : a < b;
-        });
-      std::fill(list.owner.data() + inner[c], list.owner.data() + nextInner, c);
-      std::fill(list.owner.data() + innerCount + boundary[c], list.owner.data() + nextBoundary, c);
-      for (std::size_t i = inner[c]; i < nextInner; ++i)
-      {
-        list.neighbour[i] = neighbours[list.face[i]];
-      }
+      placeFaces(cells, neighbours, c, { inner[c], innerCount + boundary[c] }, list);
     }
   });
   return list;

@@ -10,7 +10,7 @@
 #include "BoxGeneration.h"
 #include "CellShaping.h"
 #include "Mesh.h"
-#include "SurfaceCheck.h"
+#include "SurfaceRepair.h"
 
 #include <memory>
 
@@ -29,19 +29,20 @@ constexpr double AfterNumbering = 0.9;
 struct PreparedSurface
 {
   Surface surface;
-  SurfaceCheck check;
+  std::size_t trianglesGiven; // what follows closes holes
+  SurfaceRepair repair;
   Meshlines planes;
   Bounds bounds;      // of the surface, user units
   double memoryLimit; // bytes
 };
 
-// Scaling, Dual Levels and the check of the surface. `memoryLimit` in bytes. Throws Error:
+// Scaling, Dual Levels, check and repair of the surface. `memoryLimit` in bytes. Throws Error:
 // EmptySurface, BadCoordinate, BadCellSize, BadMeshlines, TooManyBoxes.
 PreparedSurface prepareSurface(
   const SurfaceView& view, const GridSpec& grid, double memoryLimit, Execution& execution);
 
-// What the check found, in words with places, or nothing. `cells`: the user's number of each
-// triangle.
+// What was found and repaired, in words with places, or nothing. `cells`: the user's number of each
+// triangle given.
 std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>& cells);
 
 // Where the surface reaches beyond the meshlines, in words, or nothing.

@@ -4,11 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <cstring>
-#include <iterator>
 #include <limits>
-#include <regex>
 
 namespace cartesian
 {
@@ -40,85 +36,18 @@ constexpr std::array<SystemFile, 3> SystemFiles = { {
   { "fvSolution", "solvers { }\n" },
 } };
 
-// The entries of a patch in the file "boundary", as text.
-struct PatchEntries
-{
-  std::string name;
-  std::string entries;
-};
-
-// The patches of a file that an earlier call wrote; nothing if it holds anything else by now.
-std::vector<PatchEntries> readBoundary(const fs::path& path)
-{
-  std::ifstream file(path);
-  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  const std::size_t list = text.find("\n(\n");
-  if (list == std::string::npos)
-  {
-    return {};
-  }
-  text.erase(0, list + 3);
-  const std::regex patch(R"(\s*([^\s{}()]+)\s*\{([^{}]*)\})");
-  std::vector<PatchEntries> result;
-  for (std::smatch match;
-       std::regex_search(text, match, patch, std::regex_constants::match_continuous);
-       text = match.suffix().str())
-  {
-    result.push_back({ match[1], match[2] });
-  }
-  const bool complete = std::regex_match(text, std::regex(R"(\s*\)\s*)"));
-  return complete ? result : std::vector<PatchEntries>();
-}
-
-std::string newEntries(const std::string& name)
-{
-  const bool wall = name.rfind("wall", 0) == 0 || name.rfind("Wall", 0) == 0;
-  return std::string("\n        type            ") + (wall ? "wall" : "patch") +
-    ";\n        nFaces          0;\n        startFace       0;\n    ";
-}
-
-std::vector<PatchEntries> newBoundary(const std::vector<FoamPatch>& patches)
-{
-  std::vector<PatchEntries> result;
-  for (const FoamPatch& patch : patches)
-  {
-    result.push_back({ patch.name, newEntries(patch.name) });
-  }
-  return result;
-}
-
-bool haveNames(const std::vector<PatchEntries>& entries, const std::vector<FoamPatch>& patches)
-{
-  return std::equal(entries.begin(), entries.end(), patches.begin(), patches.end(),
-    [](const PatchEntries& a, const FoamPatch& b) { return a.name == b.name; });
-}
-
 // Whether the folder holds a mesh of ours with these patches.
 bool isReplaceable(const fs::path& polyMesh, const std::vector<FoamPatch>& patches)
 {
   return std::all_of(MeshFiles.begin(), MeshFiles.end(),
            [&](const char* name) { return FoamFile::isOurs(polyMesh / name); }) &&
-    haveNames(readBoundary(polyMesh / "boundary"), patches);
+    FoamBoundary(polyMesh / "boundary").hasNamesOf(patches);
 }
 
-void writeBoundary(
-  const std::vector<PatchEntries>& entries, const PolyMesh& mesh, const fs::path& folder)
+void writeBoundary(const FoamBoundary& boundary, const PolyMesh& mesh, const fs::path& folder)
 {
   FoamFile file(folder / "boundary", FoamFormat::Ascii, { "polyBoundaryMesh", Location, {} });
-  file.text(std::to_string(entries.size()) + "\n(\n");
-  std::size_t start = mesh.faces.neighbour.size();
-  for (std::size_t i = 0; i < entries.size(); ++i)
-  {
-    const auto set = [](const std::string& text, const char* key, std::size_t value) {
-      return std::regex_replace(text, std::regex(std::string("(\\b") + key + "\\s+)\\d+;"),
-        "$01" + std::to_string(value) + ";");
-    };
-    const std::size_t count = mesh.patches[i].count;
-    file.text("    " + entries[i].name + "\n    {" +
-      set(set(entries[i].entries, "nFaces", count), "startFace", start) + "}\n");
-    start += count;
-  }
-  file.text(")\n");
+  file.text(boundary.text(mesh.patches, mesh.faces.neighbour.size()));
   file.close();
 }
 
@@ -154,8 +83,8 @@ void writeLabels(const fs::path& path, const std::vector<std::uint32_t>& labels,
   file.close();
 }
 
-void writeFiles(const PolyMesh& mesh, const std::vector<PatchEntries>& boundary,
-  const fs::path& folder, FoamFormat format)
+void writeFiles(
+  const PolyMesh& mesh, const FoamBoundary& boundary, const fs::path& folder, FoamFormat format)
 {
   FoamFile points(folder / "points", format, { "vectorField", Location, {} });
   points.vectors(mesh.points);
@@ -219,16 +148,6 @@ fs::path setAside(const fs::path& polyMesh, bool replaced)
 
 }
 
-std::string foamWord(const std::string& name)
-{
-  std::string word = name;
-  std::replace_if(
-    word.begin(), word.end(),
-    [](unsigned char c) { return c < 128 && !std::isalnum(c) && !std::strchr("_-.:", c); }, '_');
-  // A word that starts like a number might be read as one.
-  return word.empty() || std::strchr("-.:0123456789", word[0]) ? "_" + word : word;
-}
-
 std::filesystem::path writePolyMesh(
   const PolyMesh& mesh, const std::filesystem::path& folder, FoamFormat format)
 {
@@ -241,9 +160,9 @@ std::filesystem::path writePolyMesh(
     const bool replaced = fs::exists(polyMesh) && isReplaceable(polyMesh, mesh.patches);
     fs::remove_all(unfinished);
     fs::create_directories(unfinished);
-    writeFiles(mesh, replaced ? readBoundary(polyMesh / "boundary") : newBoundary(mesh.patches),
+    writeFiles(mesh, replaced ? FoamBoundary(polyMesh / "boundary") : FoamBoundary(mesh.patches),
       unfinished, format);
-    const fs::path kept = setAside(polyMesh, replaced);
+    fs::path kept = setAside(polyMesh, replaced);
     fs::rename(unfinished, polyMesh);
     return kept;
   }

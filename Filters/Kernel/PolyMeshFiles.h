@@ -2,16 +2,11 @@
 #pragma once
 
 #include "FaceList.h"
+#include "FoamBoundary.h"
 #include "FoamFile.h"
 
 namespace cartesian
 {
-
-struct FoamPatch
-{
-  std::string name;  // distinct words (foamWord)
-  std::size_t count; // faces, one or more
-};
 
 struct PolyMesh
 {
@@ -21,13 +16,8 @@ struct PolyMesh
   const std::vector<FoamPatch>& patches;
 };
 
-// The name with an underscore for each character that OpenFOAM does not allow in words.
-std::string foamWord(const std::string& name);
-
 // Writes points, faces, owner, neighbour and boundary into `folder`/constant/polyMesh; and
 // system/controlDict, fvSchemes and fvSolution where they are missing: checkMesh wants them.
-//
-// Patches are of type wall where the name starts with "wall" or "Wall", else of type patch.
 //
 // A polyMesh that is there already is replaced once the new one is complete, if this function wrote
 // it for patches of the same names: then the entries of its patches, which the user may have

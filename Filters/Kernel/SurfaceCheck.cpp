@@ -1,6 +1,6 @@
 #include "SurfaceCheck.h"
 
-#include "SurfaceEdges.h"
+#include <algorithm>
 
 namespace cartesian
 {
@@ -8,11 +8,13 @@ namespace cartesian
 namespace
 {
 
+constexpr std::size_t VerticesAChunk = 1 << 13;
+
 void judge(std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end, SurfaceCheck& result)
 {
-  const std::size_t uses = end - begin;
-  const std::size_t down =
-    std::count_if(begin, end, [](const EdgeUse& u) { return u.triangleTwice & 1; });
+  const auto uses = static_cast<std::size_t>(end - begin);
+  const auto down = static_cast<std::size_t>(
+    std::count_if(begin, end, [](const EdgeUse& use) { return use.down(); }));
   const bool open = uses % 2 == 1;
   const bool inconsistent = !open && 2 * down != uses;
   const bool nonManifold = uses > 2;
@@ -23,7 +25,7 @@ void judge(std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end, Surfac
   {
     result.places.push_back(
       { open ? "open" : (inconsistent ? "inconsistently oriented" : "non-manifold"),
-        { lower, begin->upper }, begin->triangleTwice / 2 });
+        { lower, begin->upper }, begin->triangle() });
   }
 }
 
@@ -43,14 +45,16 @@ void add(const SurfaceCheck& part, SurfaceCheck& sum)
 
 }
 
-SurfaceCheck check(const Surface& surface, Execution& execution)
+SurfaceCheck check(const SurfaceEdges& edges, Execution& execution)
 {
-  SurfaceEdges edges(surface);
-  std::vector<SurfaceCheck> parts(edges.chunkCount());
-  edges.forEach(execution,
-    [&](std::size_t chunk, std::uint32_t lower, const EdgeUse* first, const EdgeUse* last) {
-      judge(lower, first, last, parts[chunk]);
+  const std::size_t count = edges.vertices();
+  std::vector<SurfaceCheck> parts(chunks(count, VerticesAChunk));
+  execution.forEach(count, VerticesAChunk, [&](std::size_t first, std::size_t last) {
+    SurfaceCheck& part = parts[first / VerticesAChunk];
+    edges.forEach(first, last, [&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+      judge(lower, begin, end, part);
     });
+  });
   SurfaceCheck result;
   for (const SurfaceCheck& part : parts)
   {

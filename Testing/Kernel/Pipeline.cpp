@@ -122,7 +122,8 @@ PreparedSurface prepareOnLevels(const Soup& soup, const Meshlines& planes)
   prepared.bounds = boundsOf(soup.view());
   prepared.planes = planes;
   prepared.surface = onLattice(soup.view(), Lattice({ 0, 0, 0 }, 1), execution);
-  prepared.check = check(prepared.surface, execution);
+  prepared.trianglesGiven = prepared.surface.triangles.size();
+  prepared.repair = repair(prepared.surface, planes, execution);
   prepared.memoryLimit = PlentyOfMemory;
   return prepared;
 }
