@@ -36,8 +36,14 @@ int vtkCartesianMesher::RequestData(
     const cartesian::BoxedSurface boxed = this->Divide(prepared, input[1], execution);
     execution.stage("Patches", cartesian::AfterBoxes, cartesian::AfterPatches);
     const cartesian::Patches patches =
-      cartesian::generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes, execution);
-    const cartesian::Assembly assembly(boxed.boxes, patches, { this->SmallCellRatio }, execution);
+      cartesian::generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes,
+        { static_cast<cartesian::PatchMethod>(this->PatchMethod), this->FeatureAngle,
+          this->MergeAngle, static_cast<cartesian::Tying>(this->Tying) },
+        execution);
+    const cartesian::CellSpec spec{ this->SmallCellRatio,
+      this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove,
+      this->MergeRatio, 15, this->SplitConcaveCells };
+    const cartesian::Assembly assembly(boxed.boxes, patches, spec, execution);
     cartesian::toVTK(assembly, vtkUnstructuredGrid::GetData(output, 0),
       vtkPolyData::GetData(output, 1), execution);
     this->ReportFlaws(assembly.describeFlaws());
@@ -49,5 +55,11 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PatchMethod: " << this->PatchMethod << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "MergeAngle: " << this->MergeAngle << "\n";
+  os << indent << "Tying: " << this->Tying << "\n";
+  os << indent << "SmallCells: " << this->SmallCells << "\n";
+  os << indent << "MergeRatio: " << this->MergeRatio << "\n";
+  os << indent << "SplitConcaveCells: " << this->SplitConcaveCells << "\n";
   os << indent << "SmallCellRatio: " << this->SmallCellRatio << "\n";
 }

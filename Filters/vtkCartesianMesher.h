@@ -30,8 +30,47 @@ public:
   /**
    * See vtkPatcher.
    */
-  vtkSetClampMacro(PatchMethod, int, 0, 0);
+  vtkSetClampMacro(PatchMethod, int, 0, 2);
   vtkGetMacro(PatchMethod, int);
+  vtkSetMacro(FeatureAngle, double);
+  vtkGetMacro(FeatureAngle, double);
+  vtkSetMacro(MergeAngle, double);
+  vtkGetMacro(MergeAngle, double);
+  vtkSetClampMacro(Tying, int, 0, 1);
+  vtkGetMacro(Tying, int);
+  ///@}
+
+  /**
+   * What becomes of small cells (4.10); default Merge.
+   */
+  enum SmallCellsModes
+  {
+    Remove = 0, ///< left out; their inner faces become boundary faces of their neighbours
+    Merge = 1   ///< a part of the neighbour across the largest area; the volume is kept
+  };
+
+  ///@{
+  vtkSetClampMacro(SmallCells, int, Remove, Merge);
+  vtkGetMacro(SmallCells, int);
+  ///@}
+
+  ///@{
+  /**
+   * With Merge: cells smaller than this fraction of their box are merged: 0 (none) to less than 1;
+   * default 0.1.
+   */
+  vtkSetMacro(MergeRatio, double);
+  vtkGetMacro(MergeRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * Cut cells that fail an angle condition of section 3 along their concave edges (4.11); default
+   * on.
+   */
+  vtkSetMacro(SplitConcaveCells, bool);
+  vtkGetMacro(SplitConcaveCells, bool);
+  vtkBooleanMacro(SplitConcaveCells, bool);
   ///@}
 
   ///@{
@@ -51,7 +90,13 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
   int PatchMethod = 0;
+  double FeatureAngle = 30;
+  double MergeAngle = 10;
+  int Tying = 0;
+  int SmallCells = Merge;
+  double MergeRatio = 0.1;
   double SmallCellRatio = 1e-3;
+  bool SplitConcaveCells = true;
 
 private:
   vtkCartesianMesher(const vtkCartesianMesher&) = delete;

@@ -46,7 +46,10 @@ int vtkCellAssembler::RequestData(
     const cartesian::Boxes boxes = cartesian::boxesFromVTK(vtkUnstructuredGrid::GetData(input[0]));
     const cartesian::Patches patches =
       cartesian::patchesFromVTK(vtkPolyData::GetData(input[1]), boxes);
-    const cartesian::Assembly assembly(boxes, patches, { this->SmallCellRatio }, execution);
+    const cartesian::CellSpec spec{ this->SmallCellRatio,
+      this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove,
+      this->MergeRatio, 15, this->SplitConcaveCells };
+    const cartesian::Assembly assembly(boxes, patches, spec, execution);
     cartesian::toVTK(assembly, vtkUnstructuredGrid::GetData(output, 0),
       vtkPolyData::GetData(output, 1), execution);
     this->ReportFlaws(assembly.describeFlaws());
@@ -57,5 +60,8 @@ int vtkCellAssembler::RequestData(
 void vtkCellAssembler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "SmallCells: " << this->SmallCells << "\n";
+  os << indent << "MergeRatio: " << this->MergeRatio << "\n";
+  os << indent << "SplitConcaveCells: " << this->SplitConcaveCells << "\n";
   os << indent << "SmallCellRatio: " << this->SmallCellRatio << "\n";
 }

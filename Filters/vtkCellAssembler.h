@@ -12,7 +12,8 @@
  * Region (int, from 1), VolumeFraction (double: of the cell's box). Field data: the statistics, one
  * array of one number each (Cells, Hexahedra, Polyhedra, Points, BoundaryFaces, BoxesInside,
  * BoxesIntersected, BoxesByExactFit, BoxesFlawed, Patches, SmallCellsRemoved, IsolatedCells,
- * VoidsInsideCells, FoldsLeftOut).
+ * VoidsInsideCells, FoldsLeftOut). For vtkPolyMeshWriter: cell array CellId (number of the cell) and
+ * field data array BoundaryOfFaces (components Cell, Face, BoundaryId: a row for each boundary face).
  *
  * Boundary: cell arrays BoundaryId (int; -1 where no patch was), OwnerCell (cell of the mesh); point
  * array MeshPointId (point of the mesh).
@@ -35,6 +36,39 @@ public:
   vtkTypeMacro(vtkCellAssembler, vtkCartesianAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * What becomes of small cells (4.10); default Merge.
+   */
+  enum SmallCellsModes
+  {
+    Remove = 0, ///< left out; their inner faces become boundary faces of their neighbours
+    Merge = 1   ///< a part of the neighbour across the largest area; the volume is kept
+  };
+
+  ///@{
+  vtkSetClampMacro(SmallCells, int, Remove, Merge);
+  vtkGetMacro(SmallCells, int);
+  ///@}
+
+  ///@{
+  /**
+   * With Merge: cells smaller than this fraction of their box are merged: 0 (none) to less than 1;
+   * default 0.1.
+   */
+  vtkSetMacro(MergeRatio, double);
+  vtkGetMacro(MergeRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * Cut cells that fail an angle condition of section 3 along their concave edges (4.11); default
+   * on.
+   */
+  vtkSetMacro(SplitConcaveCells, bool);
+  vtkGetMacro(SplitConcaveCells, bool);
+  vtkBooleanMacro(SplitConcaveCells, bool);
+  ///@}
+
   ///@{
   /**
    * Cells smaller than this fraction of their box are left out: 0 (none but those without volume)
@@ -53,7 +87,10 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
+  int SmallCells = Merge;
+  double MergeRatio = 0.1;
   double SmallCellRatio = 1e-3;
+  bool SplitConcaveCells = true;
 
 private:
   vtkCellAssembler(const vtkCellAssembler&) = delete;

@@ -74,8 +74,10 @@ int vtkPatcher::RequestData(
     const cartesian::Shoeboxes shoeboxes =
       cartesian::fillShoeboxes(surface, boxes.planes, execution);
     execution.stage("Patches", cartesian::AfterBoxes, 1);
-    const cartesian::Patches patches =
-      cartesian::generatePatches(surface, boxes, shoeboxes, execution);
+    const cartesian::Patches patches = cartesian::generatePatches(surface, boxes, shoeboxes,
+      { static_cast<cartesian::PatchMethod>(this->PatchMethod), this->FeatureAngle,
+        this->MergeAngle, static_cast<cartesian::Tying>(this->Tying) },
+      execution);
     if (patches.size() == 0)
     {
       throwMisplaced();
@@ -92,4 +94,7 @@ void vtkPatcher::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "BoundaryArray: " << this->BoundaryArray << "\n";
   os << indent << "PatchMethod: " << this->PatchMethod << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "MergeAngle: " << this->MergeAngle << "\n";
+  os << indent << "Tying: " << this->Tying << "\n";
 }

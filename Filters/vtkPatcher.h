@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkPatcher
- * @brief cuts a surface into patches, each of which lies in one box
+ * @brief makes patches of a surface (the boundary faces of a mesh), each of which lies in one box
  *
  * Inputs: port 0 a closed surface (vtkPolyData), port 1 the boxes of vtkCartesianBoxer
  * (vtkUnstructuredGrid). Output: the patches (vtkPolyData), a watertight surface.
  *
  * Cell arrays of the output: BoundaryId (int: the boundary that a patch belongs to), BoxId (its
- * box's cell in the grid of boxes), SurfaceCell (the cell of the surface that it is a part of).
- * Section 4.7 of the paper.
+ * box's cell in the grid of boxes), SurfaceCell (the cell of the surface that it is, or comes nearest
+ * to, a part of), PatchReason (unsigned char: why its box has patches like this: 0 Marching Cubes; Exact
+ * Fit because 1 an edge of the box is crossed more than once, 2 the surface meets a side in a closed
+ * polyline, 3 a sharp feature passes through or the surface turns within the box by more than twice
+ * Feature Angle, 4 there are several boundaries, 5 the surface in the box is no set of discs, 6 Patch
+ * Method says so). Sections 4.7, 4.8 and A2 of the paper.
  *
  * Errors: EmptySurface, BadCoordinate, MissingArray (no Boundary Array of that name, or boxes that
- * Cartesian Boxer did not make, or not for this surface).
+ * Cartesian Boxer did not make, or not for this surface), BadParameter (an angle).
  *
  * @sa vtkCartesianBoxer vtkCellAssembler vtkCartesianMesher
  */
@@ -35,7 +39,19 @@ public:
    */
   enum PatchMethods
   {
-    ExactFit = 0 ///< the surface itself, cut at the sides of the boxes
+    Automatic = 0,    ///< Marching Cubes where it is safe, Exact Fit elsewhere
+    ExactFit = 1,     ///< the surface itself, cut at the sides of the boxes
+    MarchingCubes = 2 ///< everywhere, for comparison: sharp edges are chamfered, details are lost
+  };
+
+  /**
+   * What becomes of the nodes that a box by Exact Fit has on a side where its neighbour is by
+   * Marching Cubes.
+   */
+  enum Tyings
+  {
+    KeepNodes = 0, ///< the neighbour takes them over
+    MoveNodes = 1  ///< they move onto the neighbour's straight line (equation 5)
   };
 
   ///@{
@@ -49,10 +65,35 @@ public:
 
   ///@{
   /**
-   * How patches are made; ExactFit, the default, is the only method so far.
+   * One of PatchMethods. Default: Automatic.
    */
-  vtkSetClampMacro(PatchMethod, int, ExactFit, ExactFit);
+  vtkSetClampMacro(PatchMethod, int, Automatic, MarchingCubes);
   vtkGetMacro(PatchMethod, int);
+  ///@}
+
+  ///@{
+  /**
+   * Edges at which the surface turns by more than this are kept; degrees, 0 to 180. Default: 30.
+   */
+  vtkSetMacro(FeatureAngle, double);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far the normals of what becomes one patch may differ, degrees, 0 to 90. Exact Fit as a patch
+   * method merges nothing. Default: 10.
+   */
+  vtkSetMacro(MergeAngle, double);
+  vtkGetMacro(MergeAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * One of Tyings. Default: KeepNodes.
+   */
+  vtkSetClampMacro(Tying, int, KeepNodes, MoveNodes);
+  vtkGetMacro(Tying, int);
   ///@}
 
 protected:
@@ -65,7 +106,10 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
   std::string BoundaryArray;
-  int PatchMethod = ExactFit;
+  int PatchMethod = Automatic;
+  double FeatureAngle = 30;
+  double MergeAngle = 10;
+  int Tying = KeepNodes;
 
 private:
   vtkPatcher(const vtkPatcher&) = delete;

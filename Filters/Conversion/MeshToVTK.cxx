@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshToVTK.h"
 
+#include "BoundaryOfFaces.h"
 #include "FieldData.h"
 
 #include "vtkCellArray.h"
@@ -150,6 +151,7 @@ void toVTK(
   execution.stage("Writing the mesh", AfterNumbering, 1);
   setMesh(assembly, mesh, execution);
   setBoundary(assembly.mesh(), mesh, boundary, execution);
+  setBoundaryOfFaces(mesh, boundary);
 }
 
 }

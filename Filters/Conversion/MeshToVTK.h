@@ -3,7 +3,8 @@
 //
 // Mesh (vtkUnstructuredGrid of VTK_HEXAHEDRON and VTK_POLYHEDRON with outward faces). Cell arrays:
 // GlobalBox (int, components I, J, K), Level (unsigned char, components X, Y, Z: of the cell's box), Region (int, from 1), VolumeFraction (double, of the cell's
-// box). Field data: one array of one number for each of the statistics.
+// box). Field data: one array of one number for each of the statistics. Both also hold what
+// BoundaryOfFaces.h says.
 //
 // Boundary (vtkPolyData): the faces that only one cell has. Cell arrays: BoundaryId (int; -1 where no
 // patch was), OwnerCell (id type: cell of the mesh). Point array: MeshPointId (id type).

@@ -13,6 +13,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 
 namespace cartesian
 {
@@ -78,9 +79,15 @@ void toVTK(const Patches& patches, const Boxes& boxes, const std::vector<vtkIdTy
   vtkNew<vtkIdTypeArray> box;
   box->SetName("BoxId");
   box->SetNumberOfValues(count);
+  vtkNew<vtkUnsignedCharArray> reason;
+  reason->SetName("PatchReason");
+  reason->SetNumberOfValues(count);
   const std::vector<std::uint32_t> intersected = intersectedBoxes(boxes);
   for (std::size_t n = 0; n < intersected.size(); ++n)
   {
+    std::fill(reason->GetPointer(0) + patches.boxStart[n],
+      reason->GetPointer(0) + patches.boxStart[n + 1],
+      static_cast<unsigned char>(patches.reason[n]));
     std::fill(box->GetPointer(0) + patches.boxStart[n],
       box->GetPointer(0) + patches.boxStart[n + 1], static_cast<vtkIdType>(intersected[n]));
   }
@@ -90,6 +97,7 @@ void toVTK(const Patches& patches, const Boxes& boxes, const std::vector<vtkIdTy
   output->GetCellData()->AddArray(boundary);
   output->GetCellData()->AddArray(box);
   output->GetCellData()->AddArray(cell);
+  output->GetCellData()->AddArray(reason);
 }
 
 Patches patchesFromVTK(vtkPolyData* input, const Boxes& boxes)
@@ -105,8 +113,10 @@ Patches patchesFromVTK(vtkPolyData* input, const Boxes& boxes)
 
   vtkDataArray* boundary = cellArray(input, "BoundaryId");
   vtkDataArray* box = cellArray(input, "BoxId");
+  vtkDataArray* reason = cellArray(input, "PatchReason");
   const std::vector<std::uint32_t> intersected = intersectedBoxes(boxes);
   patches.boxStart.assign(intersected.size() + 1, 0);
+  patches.reason.assign(intersected.size(), PatchReason::MarchingCubes);
   std::size_t n = 0;
   auto polygon = vtk::TakeSmartPointer(input->GetPolys()->NewIterator());
   for (polygon->GoToFirstCell(); !polygon->IsDoneWithTraversal(); polygon->GoToNextCell())
@@ -122,6 +132,12 @@ Patches patchesFromVTK(vtkPolyData* input, const Boxes& boxes)
       throwMismatch(id);
     }
     ++patches.boxStart[n];
+    const double code = reason->GetComponent(id, 0);
+    if (!(code >= 0 && code < PatchReasons))
+    {
+      throwMismatch(id);
+    }
+    patches.reason[n] = static_cast<PatchReason>(code);
     vtkIdType size = 0;
     const vtkIdType* corners = nullptr;
     polygon->GetCurrentCell(size, corners);

@@ -2,7 +2,8 @@
 // The kernel's patches as a vtkPolyData, and back.
 //
 // Cell arrays: BoundaryId (int), BoxId (id type: the box's cell in the grid of boxes), SurfaceCell (id
-// type: the cell of the surface that the patch is a part of).
+// type: the cell of the surface that the patch is a part of), PatchReason (unsigned char: why its box has
+// the patches that it has, the codes of PatchReason in PatchChoice.h).
 #pragma once
 
 #include "Patches.h"

@@ -30,6 +30,7 @@ public:
     {
       exposeInnerFaces(s);
     }
+    exposeShapedFaces();
     exposeBoxSides();
     std::sort(exposed_.begin(), exposed_.end());
     std::vector<BoundaryFace> patches = patchesOfCells();
@@ -76,12 +77,20 @@ private:
     {
       return { numbers_.ofBox[box], NoBoundary };
     }
-    const std::uint32_t patches = parts_.sides.patchBox[n];
-    if (patches == None || parts_.patches.boxStart[patches] == parts_.patches.boxStart[patches + 1])
+    return { None, boundaryBeyond(parts_.patches, parts_.sides, box) };
+  }
+
+  void expose(const Beyond& low, const Beyond& high, std::size_t face, BoundaryFace::Kind kind,
+    BoundaryFace::Kind turned)
+  {
+    if (low.cell != None && high.cell == None)
     {
-      return {};
+      exposed_.push_back({ low.cell, face, high.boundary, kind });
     }
-    return { None, parts_.patches.boundary[parts_.patches.boxStart[patches]] };
+    if (low.cell == None && high.cell != None)
+    {
+      exposed_.push_back({ high.cell, face, low.boundary, turned });
+    }
   }
 
   void exposeInnerFaces(std::size_t s)
@@ -91,14 +100,22 @@ private:
     {
       const Beyond low = beyond(side.low, parts_.cells.ofInnerFace[f][0]);
       const Beyond high = beyond(side.high, parts_.cells.ofInnerFace[f][1]);
-      if (low.cell != None && high.cell == None)
-      {
-        exposed_.push_back({ low.cell, f, high.boundary, BoundaryFace::Kind::Inner });
-      }
-      if (low.cell == None && high.cell != None)
-      {
-        exposed_.push_back({ high.cell, f, low.boundary, BoundaryFace::Kind::TurnedInner });
-      }
+      expose(low, high, f, BoundaryFace::Kind::Inner, BoundaryFace::Kind::TurnedInner);
+    }
+  }
+
+  void exposeShapedFaces()
+  {
+    const ShapedFaces& shaped = parts_.cells.shaped;
+    for (std::size_t f = 0; f < shaped.size(); ++f)
+    {
+      const auto side = [&](std::uint32_t cell) {
+        return cell == ShapedFaces::SomeHexahedron ? Beyond{ cell, NoBoundary }
+          : cell != None                           ? beyond(None, cell)
+                                                   : Beyond{ None, shaped.boundary[f] };
+      };
+      expose(side(shaped.cells[f][0]), side(shaped.cells[f][1]), f, BoundaryFace::Kind::Shaped,
+        BoundaryFace::Kind::TurnedShaped);
     }
   }
 
@@ -143,6 +160,10 @@ private:
     {
       return other == None;
     }
+    if (parts_.sides.boxStart[n] == parts_.sides.boxStart[n + 1]) // was a hexahedron
+    {
+      return false;
+    }
     for (std::size_t i = parts_.sides.boxStart[n]; i < parts_.sides.boxStart[n + 1]; ++i)
     {
       const std::uint32_t s = parts_.sides.ofBox[i].side;
@@ -159,6 +180,15 @@ private:
   std::vector<BoundaryFace> exposed_;
 };
 
+}
+
+std::int32_t boundaryBeyond(const Patches& patches, const Sides& sides, std::uint32_t box)
+{
+  const std::uint32_t n = sides.polyhedralOrdinal(box);
+  const std::uint32_t of = n == None ? None : sides.patchBox[n];
+  return of == None || patches.boxStart[of] == patches.boxStart[of + 1]
+    ? NoBoundary
+    : patches.boundary[patches.boxStart[of]];
 }
 
 CellNumbers numberCells(const MeshParts& parts)

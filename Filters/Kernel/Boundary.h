@@ -35,7 +35,9 @@ struct BoundaryFace
     Patch,       // a polygon of the patches
     Inner,       // an inner face as it is
     TurnedInner, // ... turned over
-    BoxSide,     // of a hexahedron: 6 * box + (low x, high x, low y, high y, low z, high z)
+    Shaped,      // a shaped face as it is
+    TurnedShaped,
+    BoxSide, // of a hexahedron: 6 * box + (low x, high x, low y, high y, low z, high z)
   };
   Id cell; // its owner
   std::size_t index;
@@ -48,6 +50,9 @@ struct BoundaryFace
                               : (kind != other.kind ? kind < other.kind : index < other.index);
   }
 };
+
+// The boundary that faces between a cell and this box take over, where the box has no cells.
+std::int32_t boundaryBeyond(const Patches& patches, const Sides& sides, std::uint32_t box);
 
 // In order of their cells.
 std::vector<BoundaryFace> collectBoundary(const MeshParts& parts, const CellNumbers& numbers);

@@ -26,19 +26,22 @@ struct FaceMeasure
 };
 
 // One use of an edge by a face of the box.
-struct EdgeUse
+struct FaceEdge
 {
   std::uint32_t lower;
   std::uint32_t upper;
   std::uint32_t face;
   int direction;
 
-  bool operator<(const EdgeUse& other) const
+  bool operator<(const FaceEdge& other) const
   {
     return lower != other.lower ? lower < other.lower
                                 : (upper != other.upper ? upper < other.upper : face < other.face);
   }
-  bool sameEdge(const EdgeUse& other) const { return lower == other.lower && upper == other.upper; }
+  bool sameEdge(const FaceEdge& other) const
+  {
+    return lower == other.lower && upper == other.upper;
+  }
 };
 
 struct Part
@@ -92,20 +95,10 @@ private:
     bool hasInnerFace = false;
   };
 
-  // Calls visit(node) for the corners of a face of this box, counter-clockwise from outside.
   template <class Visitor>
   void forEachNode(const FaceRef& face, Visitor&& visit) const
   {
-    const bool patch = face.kind() == FaceRef::Kind::Patch;
-    const auto& start = patch ? patches_.start : inner_.start;
-    const auto& nodes = patch ? patches_.corners : inner_.nodes;
-    const std::size_t begin = start[face.index];
-    const std::size_t end = start[face.index + 1];
-    const bool turned = face.kind() == FaceRef::Kind::TurnedInner;
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      visit(nodes[turned ? begin + end - 1 - i : i]);
-    }
+    cartesian::forEachNode(face, patches_, inner_, none_, visit);
   }
 
   // All faces of the box; false where one of its sides is flawed.
@@ -469,7 +462,8 @@ private:
       cell.volumeFraction = shell.volume / (size[0] * size[1] * size[2]);
       cell.firstFace = part.faces.size();
       cell.sliver = !(shell.volume > ThinnestCell * shell.area / 2);
-      cell.removed = cell.sliver || cell.volumeFraction < spec_.smallCellRatio;
+      cell.removed = cell.sliver ||
+        (spec_.smallCells == SmallCells::Remove && cell.volumeFraction < spec_.smallCellRatio);
       part.cells.push_back(cell);
       for (const std::uint32_t f : shell.faces)
       {
@@ -518,8 +512,9 @@ private:
   const Nodes& nodes_;
   const InnerFaces& inner_;
   const CellSpec& spec_;
+  const ShapedFaces none_;
   std::vector<FaceRef> faces_;
-  std::vector<EdgeUse> edges_;
+  std::vector<FaceEdge> edges_;
   std::vector<std::uint32_t> walk_;
   std::vector<std::uint32_t> parent_;
   std::vector<std::pair<std::size_t, std::size_t>> shared_;
@@ -574,6 +569,24 @@ Cells join(const std::vector<Part>& parts, std::size_t boxes, Execution& executi
 
 }
 
+void findCellsOfInnerFaces(const InnerFaces& inner, Cells& cells, Execution& execution)
+{
+  cells.ofInnerFace.assign(inner.size(), { None, None });
+  execution.forEach(cells.size(), BoxesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c)
+    {
+      for (std::size_t f = cells.cells[c].firstFace; f < cells.cells[c + 1].firstFace; ++f)
+      {
+        const FaceRef& face = cells.faces[f];
+        if (face.kind() == FaceRef::Kind::Inner || face.kind() == FaceRef::Kind::TurnedInner)
+        {
+          cells.ofInnerFace[face.index][face.turned() ? 1 : 0] = static_cast<std::uint32_t>(c);
+        }
+      }
+    }
+  });
+}
+
 Cells assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sides,
   const Nodes& nodes, const InnerFaces& inner, const CellSpec& spec, Execution& execution)
 {
@@ -593,21 +606,7 @@ Cells assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sid
     }
   });
   Cells cells = join(parts, count, execution);
-  cells.ofInnerFace.assign(inner.size(), { None, None });
-  execution.forEach(cells.size(), BoxesAChunk, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c)
-    {
-      for (std::size_t f = cells.cells[c].firstFace; f < cells.cells[c + 1].firstFace; ++f)
-      {
-        const FaceRef& face = cells.faces[f];
-        if (face.kind() != FaceRef::Kind::Patch)
-        {
-          const int above = face.kind() == FaceRef::Kind::TurnedInner ? 1 : 0;
-          cells.ofInnerFace[face.index][above] = static_cast<std::uint32_t>(c);
-        }
-      }
-    }
-  });
+  findCellsOfInnerFaces(inner, cells, execution);
   return cells;
 }
 

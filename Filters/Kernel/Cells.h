@@ -6,8 +6,9 @@
 namespace cartesian
 {
 
-// A face of a cell: a patch, or an inner face of a side as it is (its normal points up, so the
-// cell is the one below) or turned over.
+// A face of a cell: a patch, or an inner face of a side, or one that shaping made (CellShaping.h).
+// The latter two as they are (the cell is the one below, that they are counter-clockwise from) or
+// turned over.
 struct FaceRef
 {
   enum class Kind : std::uint32_t
@@ -15,19 +16,22 @@ struct FaceRef
     Patch,
     Inner,
     TurnedInner,
+    Shaped,
+    TurnedShaped,
   };
 
-  std::uint32_t index : 30;
-  std::uint32_t kindBits : 2;
+  std::uint32_t index : 29;
+  std::uint32_t kindBits : 3;
 
   FaceRef(std::size_t i, Kind kind)
     : index(static_cast<std::uint32_t>(i) & MostFaces)
-    , kindBits(static_cast<std::uint32_t>(kind) & 3u)
+    , kindBits(static_cast<std::uint32_t>(kind) & 7u)
   {
   }
   Kind kind() const { return static_cast<Kind>(kindBits); }
+  bool turned() const { return kind() == Kind::TurnedInner || kind() == Kind::TurnedShaped; }
 
-  static constexpr std::uint32_t MostFaces = (1u << 30) - 1;
+  static constexpr std::uint32_t MostFaces = (1u << 29) - 1;
 };
 
 // A separated volume (B2) of a polyhedral box (Sides.h).
@@ -39,6 +43,20 @@ struct Cell
   std::size_t firstFace; // in Cells::faces; up to the next cell's first
   bool sliver;           // of no volume but that of rounding
   bool removed;          // a sliver, or smaller than R of its box (4.10)
+};
+
+// Faces that are not as the patches and sides have them: pieces of those, faces with new nodes on
+// their edges, cutting polygons, sides between hexahedra.
+struct ShapedFaces
+{
+  static constexpr std::uint32_t SomeHexahedron = None - 1;
+
+  std::vector<std::size_t> start{ 0 }; // first node of each face, and the end
+  std::vector<std::uint32_t> nodes;
+  std::vector<std::array<std::uint32_t, 2>> cells; // below and above, or SomeHexahedron, or None
+  std::vector<std::int32_t> boundary;              // where one of the cells is None
+
+  std::size_t size() const { return cells.size(); }
 };
 
 struct Cells
@@ -53,14 +71,62 @@ struct Cells
   // The cells below and above each inner face, or None: there is no box, or it is a hexahedron.
   std::vector<std::array<std::uint32_t, 2>> ofInnerFace;
 
+  ShapedFaces shaped;
+
   std::size_t size() const { return cells.size() - 1; }
+};
+
+enum class SmallCells
+{
+  Remove, // their inner faces become boundary faces of their neighbours
+  Merge,  // they become a part of a neighbour
 };
 
 struct CellSpec
 {
   // R, from 0 to less than 1: cells below this part of their box's volume are removed.
   double smallCellRatio = 1e-3;
+
+  SmallCells smallCells = SmallCells::Remove;
+  double mergeRatio = 0.1; // cells below this part of their box's volume are merged
+
+  // Boundary faces of merged cells become one where their normals differ by less, in degrees.
+  double joinAngle = 15;
+
+  bool splitConcave = true; // cells that fail an angle condition of section 3
 };
+
+// Calls visit(node) for the corners of a face, counter-clockwise from outside its cell.
+template <class Visitor>
+void forEachNode(const FaceRef& face, const Patches& patches, const InnerFaces& inner,
+  const ShapedFaces& shaped, Visitor&& visit)
+{
+  const auto run = [&](const std::vector<std::size_t>& start, const auto& nodes) {
+    const std::size_t begin = start[face.index];
+    const std::size_t end = start[face.index + 1];
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      visit(nodes[face.turned() ? begin + end - 1 - i : i]);
+    }
+  };
+  switch (face.kind())
+  {
+    case FaceRef::Kind::Patch:
+      run(patches.start, patches.corners);
+      break;
+    case FaceRef::Kind::Inner:
+    case FaceRef::Kind::TurnedInner:
+      run(inner.start, inner.nodes);
+      break;
+    case FaceRef::Kind::Shaped:
+    case FaceRef::Kind::TurnedShaped:
+      run(shaped.start, shaped.nodes);
+      break;
+  }
+}
+
+// Fills Cells::ofInnerFace.
+void findCellsOfInnerFaces(const InnerFaces& inner, Cells& cells, Execution& execution);
 
 // Distinguishes the separated volumes of each polyhedral box and marks small ones as removed.
 // Cells less thick than a hundredth of a lattice step (slivers that rounding closed) are removed

@@ -18,16 +18,8 @@ constexpr Id CornersOfAHexahedron = 8;
 template <class Visitor>
 void Mesh::forEachPoint(const FaceRef& face, Visitor&& visit) const
 {
-  const bool patch = face.kind() == FaceRef::Kind::Patch;
-  const auto& start = patch ? parts_.patches.start : parts_.inner.start;
-  const auto& nodes = patch ? parts_.patches.corners : parts_.inner.nodes;
-  const std::size_t begin = start[face.index];
-  const std::size_t end = start[face.index + 1];
-  const bool turned = face.kind() == FaceRef::Kind::TurnedInner;
-  for (std::size_t i = begin; i < end; ++i)
-  {
-    visit(static_cast<Id>(nodePoint_[nodes[turned ? begin + end - 1 - i : i]]));
-  }
+  forEachNode(face, parts_.patches, parts_.inner, parts_.cells.shaped,
+    [&](std::uint32_t node) { visit(static_cast<Id>(nodePoint_[node])); });
 }
 
 Mesh::Mesh(const MeshParts& parts, Execution& execution)
@@ -46,13 +38,8 @@ std::vector<std::uint8_t> Mesh::usedNodes() const
 {
   std::vector<std::uint8_t> used(parts_.nodes.at.size());
   const auto mark = [&](const FaceRef& face) {
-    const bool patch = face.kind() == FaceRef::Kind::Patch;
-    const auto& start = patch ? parts_.patches.start : parts_.inner.start;
-    const auto& nodes = patch ? parts_.patches.corners : parts_.inner.nodes;
-    for (std::size_t i = start[face.index]; i < start[face.index + 1]; ++i)
-    {
-      used[nodes[i]] = 1;
-    }
+    forEachNode(face, parts_.patches, parts_.inner, parts_.cells.shaped,
+      [&](std::uint32_t node) { used[node] = 1; });
   };
   const Cells& cells = parts_.cells;
   for (std::size_t c = 0; c < cells.size(); ++c)
@@ -76,11 +63,12 @@ std::vector<std::uint8_t> Mesh::usedNodes() const
       mark(FaceRef(f, FaceRef::Kind::Inner));
     }
   }
-  for (const auto& corners : parts_.nodes.ofDivided)
+  for (std::size_t i = 0; i < parts_.nodes.ofDivided.size(); ++i)
   {
-    for (const std::uint32_t node : corners)
+    const bool hexahedron = parts_.sides.polyhedralOrdinal(parts_.sides.divided[i]) == None;
+    for (std::size_t corner = 0; hexahedron && corner < 8; ++corner)
     {
-      used[node] = 1;
+      used[parts_.nodes.ofDivided[i][corner]] = 1;
     }
   }
   return used;
@@ -109,13 +97,25 @@ void Mesh::numberNodes()
       }
     }
   }
-  for (std::size_t node = 0; node < nodes.patchPoints; ++node)
+  for (const VertexNode& vertex : nodes.moreVertices)
   {
-    if (used_[node])
+    if (used_[vertex.node])
     {
-      nodePoint_[node] = static_cast<std::uint32_t>(points_++);
+      nodePoint_[vertex.node] =
+        static_cast<std::uint32_t>(vertices_.number(vertex.i, vertex.j, vertex.k));
     }
   }
+  const auto number = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t node = begin; node < end; ++node)
+    {
+      if (used_[node] && nodePoint_[node] == None)
+      {
+        nodePoint_[node] = static_cast<std::uint32_t>(points_++);
+      }
+    }
+  };
+  number(0, nodes.patchPoints);
+  number(nodes.patchPoints + nodes.rowStart.back(), used_.size());
 }
 
 void Mesh::distinctPoints(std::size_t cell, std::vector<Id>& points) const
@@ -343,6 +343,12 @@ void Mesh::forEachPoint(const BoundaryFace& face, Visitor&& visit) const
       break;
     case BoundaryFace::Kind::TurnedInner:
       forEachPoint(FaceRef(face.index, FaceRef::Kind::TurnedInner), visit);
+      break;
+    case BoundaryFace::Kind::Shaped:
+      forEachPoint(FaceRef(face.index, FaceRef::Kind::Shaped), visit);
+      break;
+    case BoundaryFace::Kind::TurnedShaped:
+      forEachPoint(FaceRef(face.index, FaceRef::Kind::TurnedShaped), visit);
       break;
     case BoundaryFace::Kind::BoxSide:
     {

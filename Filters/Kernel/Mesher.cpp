@@ -2,6 +2,7 @@
 
 #include "Error.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cartesian
@@ -154,6 +155,7 @@ Assembly::Assembly(
   inner_ = generateInnerFaces(boxes, patches, sides_, nodes_, execution);
   execution.stage("Cells", AfterInnerFaces, AfterCells);
   cells_ = assembleCells(boxes, patches, sides_, nodes_, inner_, spec, execution);
+  shaping_ = shapeCells(boxes, patches, sides_, nodes_, inner_, cells_, spec, execution);
   execution.stage("Numbering", AfterCells, AfterNumbering);
   mesh_ =
     std::make_unique<Mesh>(MeshParts{ boxes, patches, sides_, nodes_, inner_, cells_ }, execution);
@@ -207,6 +209,12 @@ std::string Assembly::describeFlaws() const
 
 std::vector<std::pair<const char*, double>> Assembly::statistics() const
 {
+  const auto isInner = [](const Cells& cells, const FaceRef& face) {
+    const bool shaped =
+      face.kind() == FaceRef::Kind::Shaped || face.kind() == FaceRef::Kind::TurnedShaped;
+    return face.kind() != FaceRef::Kind::Patch &&
+      !(shaped && cells.shaped.cells[face.index][face.turned() ? 0 : 1] == None);
+  };
   double removed = 0;
   double isolated = 0;
   for (std::size_t c = 0; c < cells_.size(); ++c)
@@ -214,7 +222,7 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
     bool hasInnerFace = false;
     for (std::size_t f = cells_.cells[c].firstFace; f < cells_.cells[c + 1].firstFace; ++f)
     {
-      hasInnerFace = hasInnerFace || cells_.faces[f].kind() != FaceRef::Kind::Patch;
+      hasInnerFace = hasInnerFace || isInner(cells_, cells_.faces[f]);
     }
     removed += cells_.cells[c].removed;
     isolated += !hasInnerFace && !cells_.cells[c].removed;
@@ -223,6 +231,9 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
   const auto intersected = static_cast<double>(patches_.boxStart.size() - 1);
   const double hexahedra = boxes - static_cast<double>(sides_.polyhedral.size());
   const auto cells = static_cast<double>(mesh_->cellCount());
+  const auto boxesBecause = [&](PatchReason reason) {
+    return static_cast<double>(std::count(patches_.reason.begin(), patches_.reason.end(), reason));
+  };
   return {
     { "Cells", cells },
     { "Hexahedra", hexahedra },
@@ -231,9 +242,17 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
     { "BoundaryFaces", static_cast<double>(mesh_->boundary().size()) },
     { "BoxesInside", boxes - intersected },
     { "BoxesIntersected", intersected },
-    { "BoxesByExactFit", intersected },
+    { "BoxesByMarchingCubes", boxesBecause(PatchReason::MarchingCubes) },
+    { "BoxesByExactFit", intersected - boxesBecause(PatchReason::MarchingCubes) },
+    { "BoxesEdgeCrossedTwice", boxesBecause(PatchReason::EdgeCrossedTwice) },
+    { "BoxesClosedPolyline", boxesBecause(PatchReason::ClosedPolyline) },
+    { "BoxesSharpFeature", boxesBecause(PatchReason::SharpFeature) },
+    { "BoxesSeveralBoundaries", boxesBecause(PatchReason::SeveralBoundaries) },
+    { "BoxesNotDiscs", boxesBecause(PatchReason::NotDiscs) },
     { "BoxesFlawed", static_cast<double>(flawedBoxes().size()) },
     { "Patches", static_cast<double>(patches_.size()) },
+    { "CellsSplit", static_cast<double>(shaping_.cellsSplit) },
+    { "SmallCellsMerged", static_cast<double>(shaping_.cellsMerged) },
     { "SmallCellsRemoved", removed },
     { "IsolatedCells", isolated },
     { "VoidsInsideCells", static_cast<double>(cells_.voids) },

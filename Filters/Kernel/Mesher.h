@@ -8,6 +8,7 @@
 #pragma once
 
 #include "BoxGeneration.h"
+#include "CellShaping.h"
 #include "Mesh.h"
 #include "SurfaceDefects.h"
 
@@ -85,6 +86,7 @@ private:
   Nodes nodes_;
   InnerFaces inner_;
   Cells cells_;
+  Shaping shaping_;
   std::unique_ptr<Mesh> mesh_;
 };
 

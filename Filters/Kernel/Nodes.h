@@ -4,11 +4,27 @@
 #include "Patches.h"
 #include "Sides.h"
 
+#include <tuple>
+
 namespace cartesian
 {
 
+// A node that is a vertex (i, j, k) of the global mesh.
+struct VertexNode
+{
+  std::uint32_t k;
+  std::uint32_t j;
+  std::uint32_t i;
+  std::uint32_t node;
+
+  bool operator<(const VertexNode& other) const
+  {
+    return std::make_tuple(k, j, i) < std::make_tuple(other.k, other.j, other.i);
+  }
+};
+
 // Nodes of faces: the points of patches, then grid nodes: corners of sides, nodes that hang on their
-// borders, corners of divided hexahedra.
+// borders, corners of divided hexahedra; then those that shaping adds (CellShaping.h).
 struct Nodes
 {
   std::vector<Point> at;
@@ -17,6 +33,7 @@ struct Nodes
   std::vector<std::size_t> borderStart; // first node of each side's border, and the end
   std::vector<std::uint32_t> border;    // grid nodes counter-clockwise from the lowest corner
   std::vector<std::array<std::uint32_t, 8>> ofDivided; // corners of Sides::divided
+  std::vector<VertexNode> moreVertices;                // those that shaping adds, in order
 };
 
 Nodes findNodes(

@@ -1,7 +1,9 @@
 #include "Patches.h"
 
+#include "Error.h"
 #include "Loops.h"
-#include "Numbering.h"
+#include "Simplification.h"
+#include "Tying.h"
 
 namespace cartesian
 {
@@ -10,6 +12,60 @@ namespace
 {
 
 constexpr std::size_t BoxesAChunk = 512;
+
+// The surface in the boxes of a chunk, one box after the other.
+class Pieces
+{
+public:
+  // Without polygons, where Marching Cubes will make others.
+  void append(const BoxSurface& piece, bool withPolygons)
+  {
+    const std::size_t polygons = withPolygons ? piece.sizes.size() : 0;
+    const std::size_t corners = withPolygons ? piece.corners.size() : 0;
+    counts_.push_back({ piece.points.size(), polygons, corners, piece.segments.size() });
+    insert(all_.points, piece.points, piece.points.size());
+    insert(all_.sizes, piece.sizes, polygons);
+    insert(all_.triangles, piece.triangles, polygons);
+    insert(all_.corners, piece.corners, corners);
+    insert(all_.segments, piece.segments, piece.segments.size());
+  }
+
+  // The boxes in the order in which they were appended.
+  void readNext(BoxSurface& piece)
+  {
+    const Counts& n = counts_[next_++];
+    const auto copy = [](const auto& from, std::size_t begin, std::size_t count, auto& to) {
+      to.assign(from.begin() + std::ptrdiff_t(begin), from.begin() + std::ptrdiff_t(begin + count));
+    };
+    copy(all_.points, at_.points, n.points, piece.points);
+    copy(all_.sizes, at_.polygons, n.polygons, piece.sizes);
+    copy(all_.triangles, at_.polygons, n.polygons, piece.triangles);
+    copy(all_.corners, at_.corners, n.corners, piece.corners);
+    copy(all_.segments, at_.segments, n.segments, piece.segments);
+    at_ = { at_.points + n.points, at_.polygons + n.polygons, at_.corners + n.corners,
+      at_.segments + n.segments };
+  }
+
+private:
+  struct Counts
+  {
+    std::size_t points;
+    std::size_t polygons;
+    std::size_t corners;
+    std::size_t segments;
+  };
+
+  template <class Item>
+  static void insert(std::vector<Item>& to, const std::vector<Item>& from, std::size_t count)
+  {
+    to.insert(to.end(), from.begin(), from.begin() + std::ptrdiff_t(count));
+  }
+
+  BoxSurface all_;
+  std::vector<Counts> counts_;
+  std::size_t next_ = 0;
+  Counts at_{};
+};
 
 // The polygons of a chunk of boxes. Corners are slots: points of this chunk, one a box and place.
 struct Part
@@ -21,166 +77,161 @@ struct Part
   std::vector<std::uint32_t> polygonsOfBox;
 };
 
-// The lines along which finer neighbours divide the sides of a box.
-class SideLines
-{
-public:
-  void find(const Boxes& boxes, const Box& box)
-  {
-    any_ = false;
-    if (boxes.globalOf(box).nearDepth == 0)
-    {
-      return;
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      for (const bool upper : { false, true })
-      {
-        Cross& cross = crosses_[2 * static_cast<std::size_t>(axis) + (upper ? 1 : 0)];
-        const std::array<std::uint32_t, 4> across = facing(boxes, box, axis, upper);
-        cross.plane = upper ? box.high[static_cast<std::size_t>(axis)]
-                            : box.low[static_cast<std::size_t>(axis)];
-        cross.u = { across[0] != across[1], across[2] != across[3] };
-        cross.v = { across[0] != across[2], across[1] != across[3] };
-        any_ = any_ || cross.u[0] || cross.u[1] || cross.v[0] || cross.v[1];
-      }
-    }
-    if (any_)
-    {
-      const FinePoint low = boxes.fineLow(box);
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        middle_[axis] =
-          planeAt(boxes.planes[axis], low[axis] + Boxes::fineSize(box, static_cast<int>(axis)) / 2);
-      }
-    }
-  }
-
-  // Calls visit(point) where the i-th side of a fragment, if it lies on a side of the box, crosses a
-  // line there; in order.
-  template <class Visitor>
-  void forEachCrossing(
-    const Corners& triangle, const Fragment& fragment, int i, Visitor&& visit) const
-  {
-    const auto n = static_cast<std::size_t>(i);
-    if (!any_ || fragment.side[n] < Fragment::FirstPlane)
-    {
-      return;
-    }
-    const int axis = fragment.side[n] - Fragment::FirstPlane;
-    const Point& p = fragment.corner[n];
-    const Point& q = fragment.corner[i + 1 < fragment.size ? n + 1 : 0];
-    for (const std::size_t side : { 2u * axis, 2u * axis + 1u })
-    {
-      const Cross& cross = crosses_[side];
-      if (cross.plane != p[static_cast<std::size_t>(axis)])
-      {
-        continue;
-      }
-      const std::size_t u = (static_cast<std::size_t>(axis) + 1) % 3;
-      const std::size_t v = (static_cast<std::size_t>(axis) + 2) % 3;
-      Point atU;
-      Point atV;
-      const bool crossesU = crossing(triangle, p, q, u, v, cross.u, atU);
-      const bool crossesV = crossing(triangle, p, q, v, u, cross.v, atV);
-      const bool firstU = crossesU && (!crossesV || (atU[u] < atV[u]) == (p[u] < q[u]));
-      if (firstU)
-      {
-        visit(atU);
-      }
-      if (crossesV)
-      {
-        visit(atV);
-      }
-      if (crossesU && !firstU)
-      {
-        visit(atU);
-      }
-    }
-  }
-
-private:
-  // The middle lines of a side, each in two halves: whether neighbours meet there.
-  struct Cross
-  {
-    Level plane = 0;
-    std::array<bool, 2> u{}; // on the line across u: its lower and upper half along v
-    std::array<bool, 2> v{};
-  };
-
-  // Where pq crosses the middle line across axis u, if that half of it is one between neighbours.
-  bool crossing(const Corners& triangle, const Point& p, const Point& q, std::size_t u,
-    std::size_t v, const std::array<bool, 2>& halves, Point& at) const
-  {
-    if ((!halves[0] && !halves[1]) || (p[u] < middle_[u]) == (q[u] < middle_[u]))
-    {
-      return false;
-    }
-    at = p;
-    at[u] = middle_[u];
-    at = crossLine(triangle, static_cast<int>(v), at);
-    return halves[at[v] < middle_[v] ? 0 : 1];
-  }
-
-  std::array<Cross, 6> crosses_; // low x, high x, low y, ...
-  Point middle_{};
-  bool any_ = false;
-};
-
+// Makes the patches of one box after the other.
 class PartBuilder
 {
 public:
-  PartBuilder(const Surface& surface, const Boxes& boxes, Part& part)
-    : surface_(surface)
+  PartBuilder(const Surface& surface, const Features& features, const Boxes& boxes,
+    const Clearance& clearance, const std::vector<PatchReason>& reasons, const PatchSpec& spec,
+    Part& part)
+    : features_(features)
     , boxes_(boxes)
+    , reasons_(reasons)
+    , tying_(surface, features, boxes, clearance, reasons, spec)
+    , simplification_(surface, boxes, clearance, spec)
     , part_(part)
   {
   }
 
-  void addBox(const Box& box, const std::uint32_t* begin, const std::uint32_t* end)
+  void addBox(std::uint32_t b, BoxSurface& piece)
   {
-    points_.clear();
-    lines_.find(boxes_, box);
     const std::size_t before = part_.sizes.size();
     const std::size_t firstCorner = part_.corners.size();
-    for (const std::uint32_t* triangle = begin; triangle != end; ++triangle)
+    if (reasons_[b] == PatchReason::ExactFitChosen)
     {
-      const Corners corners = surface_.corners(*triangle);
-      if (mayMeet(corners, box))
+      copyPolygons(piece);
+    }
+    else
+    {
+      tying_.tie(b, piece);
+      simplification_.begin(boxes_.boxes[b], piece.points);
+      if (reasons_[b] == PatchReason::MarchingCubes)
       {
-        addPolygons(corners, clip(corners, box.low, box.high), *triangle);
+        addTriangles(boxes_.boxes[b], piece);
       }
+      else
+      {
+        simplifyPolygons(piece);
+      }
+      simplification_.merge();
+      simplification_.forEach([&](const std::uint32_t* begin, const std::uint32_t* end,
+                                std::uint32_t triangle) { addPolygon(begin, end, triangle); });
     }
     part_.polygonsOfBox.push_back(static_cast<std::uint32_t>(part_.sizes.size() - before));
-    giveSlots(box, firstCorner);
+    giveSlots(boxes_.boxes[b], piece.points, firstCorner);
   }
 
 private:
-  // A global box's triangles may all lie in other boxes of it.
-  static bool mayMeet(const Corners& c, const Box& box)
+  void addPolygon(const std::uint32_t* begin, const std::uint32_t* end, std::uint32_t triangle)
   {
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    part_.corners.insert(part_.corners.end(), begin, end);
+    part_.sizes.push_back(static_cast<std::uint32_t>(end - begin));
+    part_.triangles.push_back(triangle);
+  }
+
+  void copyPolygons(const BoxSurface& piece)
+  {
+    part_.corners.insert(part_.corners.end(), piece.corners.begin(), piece.corners.end());
+    part_.sizes.insert(part_.sizes.end(), piece.sizes.begin(), piece.sizes.end());
+    part_.triangles.insert(part_.triangles.end(), piece.triangles.begin(), piece.triangles.end());
+  }
+
+  void simplifyPolygons(const BoxSurface& piece)
+  {
+    const std::uint32_t* corner = piece.corners.data();
+    for (std::size_t i = 0; i < piece.sizes.size(); ++i)
     {
-      if (std::max({ c[0][axis], c[1][axis], c[2][axis] }) < box.low[axis] ||
-        std::min({ c[0][axis], c[1][axis], c[2][axis] }) > box.high[axis])
+      const std::uint32_t triangle = piece.triangles[i];
+      simplification_.add(corner, corner + piece.sizes[i], triangle, features_.normal[triangle]);
+      corner += piece.sizes[i];
+    }
+    simplification_.removeTied(tying_);
+    simplification_.removeInner();
+  }
+
+  // Marching Cubes: the chords form loops, and these fall into triangles.
+  void addTriangles(const Box& box, const BoxSurface& piece)
+  {
+    const std::vector<Chord>& chords = tying_.chords();
+    nodes_.assign(piece.points.size(), LoopNode{ 0, { 0, 0, 0 }, { 0, 0, 0 }, 0 });
+    triangleAt_.resize(piece.points.size());
+    leaving_.assign(piece.points.size(), None);
+    sameFrom_.resize(chords.size());
+    for (std::uint32_t c = 0; c < chords.size(); ++c)
+    {
+      const Chord& chord = chords[c];
+      LoopNode& from = nodes_[chord.from];
+      from.normal = plus(from.normal, features_.normal[chord.firstTriangle]);
+      LoopNode& to = nodes_[chord.to];
+      to.normal = plus(to.normal, features_.normal[chord.lastTriangle]);
+      triangleAt_[chord.from] = chord.firstTriangle;
+      sameFrom_[c] = leaving_[chord.from];
+      leaving_[chord.from] = c;
+    }
+    for (const Chord& chord : chords)
+    {
+      LoopNode& node = nodes_[chord.from];
+      node.id = chord.from;
+      node.at = minus(piece.points[chord.from], box.low);
+      node.normal = unit(node.normal);
+      node.planes = planesOf(box, piece.points[chord.from]);
+    }
+    for (const Chord& first : chords)
+    {
+      walk_.clear();
+      for (std::uint32_t at = first.from; leaving_[at] != None;)
       {
-        return false;
+        walk_.push_back(at);
+        const std::uint32_t c = leaving_[at];
+        leaving_[at] = sameFrom_[c];
+        at = chords[c].to;
+      }
+      forEachSimpleLoop(walk_,
+        [&](const std::uint32_t* begin, const std::uint32_t* end) { triangulate(begin, end); });
+    }
+  }
+
+  void triangulate(const std::uint32_t* begin, const std::uint32_t* end)
+  {
+    loop_.clear();
+    for (const std::uint32_t* node = begin; node != end; ++node)
+    {
+      loop_.push_back(nodes_[*node]);
+    }
+    for (const auto& t : triangulation_.triangulate(loop_))
+    {
+      const std::array<std::uint32_t, 3> ids = { loop_[t[0]].id, loop_[t[1]].id, loop_[t[2]].id };
+      const Vector normal =
+        unit(cross(minus(loop_[t[1]].at, loop_[t[0]].at), minus(loop_[t[2]].at, loop_[t[0]].at)));
+      simplification_.add(ids.data(), ids.data() + 3, mostAlike(ids, normal), normal);
+    }
+  }
+
+  // Of the surface's triangles at the corners of a patch.
+  std::uint32_t mostAlike(const std::array<std::uint32_t, 3>& ids, const Vector& normal) const
+  {
+    std::uint32_t best = triangleAt_[ids[0]];
+    for (const std::uint32_t id : ids)
+    {
+      const std::uint32_t triangle = triangleAt_[id];
+      if (dot(features_.normal[triangle], normal) > dot(features_.normal[best], normal))
+      {
+        best = triangle;
       }
     }
-    return true;
+    return best;
   }
 
   // Turns the box's own numbers of corners into slots, leaving out points that no polygon kept.
-  void giveSlots(const Box& box, std::size_t firstCorner)
+  void giveSlots(const Box& box, const std::vector<Point>& points, std::size_t firstCorner)
   {
-    constexpr std::uint32_t None = ~0u;
-    slot_.assign(points_.points().size(), None);
+    slot_.assign(points.size(), None);
     for (std::size_t c = firstCorner; c < part_.corners.size(); ++c)
     {
       const std::uint32_t local = part_.corners[c];
       if (slot_[local] == None)
       {
-        const Point& p = points_.points()[local];
+        const Point& p = points[local];
         slot_[local] = static_cast<std::uint32_t>(part_.uses.size());
         const auto& global = boxes_.globalOf(box).index;
         part_.uses.push_back(
@@ -190,28 +241,18 @@ private:
     }
   }
 
-  // Rounding may let corners of a thin piece coincide: what is left of it are simple loops.
-  void addPolygons(const Corners& corners, const Fragment& fragment, std::uint32_t triangle)
-  {
-    walk_.clear();
-    for (int i = 0; i < fragment.size; ++i)
-    {
-      walk_.push_back(points_.add(fragment.corner[i]));
-      lines_.forEachCrossing(
-        corners, fragment, i, [&](const Point& p) { walk_.push_back(points_.add(p)); });
-    }
-    forEachSimpleLoop(walk_, [&](const std::uint32_t* begin, const std::uint32_t* end) {
-      part_.corners.insert(part_.corners.end(), begin, end);
-      part_.sizes.push_back(static_cast<std::uint32_t>(end - begin));
-      part_.triangles.push_back(triangle);
-    });
-  }
-
-  const Surface& surface_;
+  const Features& features_;
   const Boxes& boxes_;
+  const std::vector<PatchReason>& reasons_;
+  SideTying tying_;
+  Simplification simplification_;
+  LoopTriangulation triangulation_;
   Part& part_;
-  LocalPoints points_;
-  SideLines lines_;
+  std::vector<LoopNode> nodes_; // of each point that a chord leaves
+  std::vector<LoopNode> loop_;
+  std::vector<std::uint32_t> triangleAt_; // of the surface, of each point that a chord leaves
+  std::vector<std::uint32_t> leaving_;    // first chord that leaves each point, and
+  std::vector<std::uint32_t> sameFrom_;   // the next one that leaves the same point
   std::vector<std::uint32_t> walk_;
   std::vector<std::uint32_t> slot_;
 };
@@ -266,22 +307,73 @@ void copyPart(const Part& part, std::size_t index, const Offsets& offsets,
   }
 }
 
+void checkSpec(const PatchSpec& spec)
+{
+  const auto check = [](const char* name, double angle, double most) {
+    if (!(angle >= 0 && angle <= most))
+    {
+      throw Error(Fault::BadParameter,
+        std::string("The ") + name + " is " + number(angle) +
+          " degrees; it must lie between 0 and " + number(most) + ".");
+    }
+  };
+  check("Feature Angle", spec.featureAngle, 180);
+  check("Merge Angle", spec.mergeAngle, 90);
 }
 
-Patches generatePatches(
-  const Surface& surface, const Boxes& boxes, const Shoeboxes& shoeboxes, Execution& execution)
+// The surface in the intersected boxes [begin, end), and the method for each.
+void cutPieces(const Surface& surface, const Features& features, const Boxes& boxes,
+  const Clearance& clearance, const Shoeboxes& shoeboxes, const PatchSpec& spec,
+  const std::vector<std::uint32_t>& intersected, std::size_t begin, std::size_t end, Pieces& pieces,
+  std::vector<PatchReason>& reasons)
 {
+  SurfaceCutter cutter(
+    surface, features, boxes, spec.method == PatchMethod::ExactFit ? nullptr : &clearance);
+  PatchChooser chooser(surface, features, spec.featureAngle);
+  BoxSurface piece;
+  for (std::size_t n = begin; n < end; ++n)
+  {
+    const Box& box = boxes.boxes[intersected[n]];
+    const auto& global = boxes.globalOf(box).index;
+    const auto [first, last] = shoeboxes.triangles(boxes.row(global[1], global[2]), global[0]);
+    cutter.cut(box, first, last, piece);
+    PatchReason& reason = reasons[intersected[n]];
+    if (spec.method != PatchMethod::MarchingCubes)
+    {
+      reason = spec.method == PatchMethod::ExactFit ? PatchReason::ExactFitChosen
+                                                    : chooser.choose(box, piece);
+    }
+    pieces.append(piece, reason != PatchReason::MarchingCubes);
+  }
+}
+
+}
+
+Patches generatePatches(const Surface& surface, const Boxes& boxes, const Shoeboxes& shoeboxes,
+  const PatchSpec& spec, Execution& execution)
+{
+  checkSpec(spec);
+  const Features features = findFeatures(surface, spec.featureAngle, execution);
+  const Clearance clearance(surface, boxes);
   const std::vector<std::uint32_t> intersected = intersectedBoxes(boxes);
   const std::size_t count = intersected.size();
-  std::vector<Part> parts(chunks(count, BoxesAChunk));
+  std::vector<Pieces> pieces(chunks(count, BoxesAChunk));
+  std::vector<PatchReason> reasons(boxes.boxes.size(), PatchReason::MarchingCubes);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
-    PartBuilder builder(surface, boxes, parts[begin / BoxesAChunk]);
+    cutPieces(surface, features, boxes, clearance, shoeboxes, spec, intersected, begin, end,
+      pieces[begin / BoxesAChunk], reasons);
+  });
+  std::vector<Part> parts(pieces.size());
+  execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
+    PartBuilder builder(
+      surface, features, boxes, clearance, reasons, spec, parts[begin / BoxesAChunk]);
+    Pieces chunk;
+    std::swap(chunk, pieces[begin / BoxesAChunk]); // its memory goes with it
+    BoxSurface piece;
     for (std::size_t n = begin; n < end; ++n)
     {
-      const Box& box = boxes.boxes[intersected[n]];
-      const auto& global = boxes.globalOf(box).index;
-      const auto [first, last] = shoeboxes.triangles(boxes.row(global[1], global[2]), global[0]);
-      builder.addBox(box, first, last);
+      chunk.readNext(piece);
+      builder.addBox(intersected[n], piece);
     }
   });
 
@@ -306,6 +398,11 @@ Patches generatePatches(
     copyPart(parts[i], i, offsets, numbering, surface, patches);
   });
   patches.points.swap(numbering.points);
+  patches.reason.reserve(count);
+  for (const std::uint32_t box : intersected)
+  {
+    patches.reason.push_back(reasons[box]);
+  }
   return patches;
 }
 

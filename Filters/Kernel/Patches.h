@@ -1,7 +1,9 @@
-// Generation of Patches (section 4.7): the boundary faces inside each intersected box.
+// Generation of Patches (section 4.7): the boundary faces inside each intersected box, by Marching
+// Cubes or Exact Fit, tied (4.8) and simplified (A2).
 #pragma once
 
-#include "Boxes.h"
+#include "PatchChoice.h"
+#include "PatchSpec.h"
 #include "Shoeboxes.h"
 
 namespace cartesian
@@ -17,13 +19,14 @@ struct Patches
   std::vector<std::uint32_t> triangle; // of the surface, that each polygon comes from
   std::vector<std::int32_t> boundary;  // boundary index of each polygon
   std::vector<std::size_t> boxStart;   // first polygon of the n-th intersected box, and the end
+  std::vector<PatchReason> reason;     // of the n-th intersected box
 
   std::size_t size() const { return triangle.size(); }
 };
 
-// Exact Fit in every intersected box. Where finer neighbours divide a side of a box, its patches have
-// nodes on the lines between them, so that patches meet corner to corner across the side.
-Patches generatePatches(
-  const Surface& surface, const Boxes& boxes, const Shoeboxes& shoeboxes, Execution& execution);
+// Where finer neighbours divide a side of a box, its patches have nodes on the lines between them, so
+// that patches meet corner to corner across the side. Throws Error: BadParameter.
+Patches generatePatches(const Surface& surface, const Boxes& boxes, const Shoeboxes& shoeboxes,
+  const PatchSpec& spec, Execution& execution);
 
 }

@@ -90,6 +90,15 @@ private:
         mark(i);
       }
     }
+    const VertexNode first{ static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(j), 0, 0 };
+    for (auto v = std::lower_bound(nodes_.moreVertices.begin(), nodes_.moreVertices.end(), first);
+         v != nodes_.moreVertices.end() && v->k == k && v->j == j; ++v)
+    {
+      if (used_[v->node])
+      {
+        mark(v->i);
+      }
+    }
   }
 
   const Boxes& boxes_;

@@ -248,7 +248,8 @@ struct Figures
   std::vector<std::pair<std::string, double>> stages;
 };
 
-Figures measure(const Triangles& surface, double cellSize, int depth, int threads, Memory& memory)
+Figures measure(const Triangles& surface, double cellSize, int depth, PatchMethod method,
+  int threads, Memory& memory)
 {
   Execution execution(threads, [&](double, const char* stage) { return memory(stage); });
   GridSpec grid;
@@ -258,8 +259,10 @@ Figures measure(const Triangles& surface, double cellSize, int depth, int thread
   refinement.depth = depth;
   const BoxedSurface boxed = boxSurface(prepared, refinement, execution);
   execution.stage("Patches", AfterBoxes, AfterPatches);
+  PatchSpec spec;
+  spec.method = method;
   const Patches patches =
-    generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes, execution);
+    generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes, spec, execution);
   const Assembly assembly(boxed.boxes, patches, CellSpec(), execution);
   execution.stage("Writing the mesh", AfterNumbering, 1);
   Figures figures;
@@ -279,14 +282,15 @@ Figures measure(const Triangles& surface, double cellSize, int depth, int thread
   return figures;
 }
 
-void printRun(const Triangles& surface, double cellSize, int threads)
+void printRun(const Triangles& surface, double cellSize, PatchMethod method, int threads)
 {
   Memory memory;
-  const Figures f = measure(surface, cellSize, 0, threads, memory);
+  const Figures f = measure(surface, cellSize, 0, method, threads, memory);
   std::printf("%-32s%10s%10s%8s%10s%12s%10s%10s\n", surface.name.c_str(), "cells", "cut", "threads",
     "seconds", "cells/s", "peak MB", "output MB");
-  std::printf("%8zu triangles%42.0f%10.0f%8d%10.2f%12.0f%10.0f%10.0f\n", surface.size(), f.cells,
-    f.cut, threads, f.seconds, f.cells / f.seconds, f.peak / MB, f.output / MB);
+  std::printf("%8zu triangles, %-14s%26.0f%10.0f%8d%10.2f%12.0f%10.0f%10.0f\n", surface.size(),
+    method == PatchMethod::ExactFit ? "Exact Fit" : "Automatic", f.cells, f.cut, threads, f.seconds,
+    f.cells / f.seconds, f.peak / MB, f.output / MB);
   for (const auto& [stage, time] : f.stages)
   {
     std::printf("  %-58s%10.2f%12s%10.0f\n", stage.c_str(), time, "", memory.peak(stage) / MB);
@@ -304,7 +308,7 @@ void printDepths(const Triangles& surface)
   for (int depth = 0; depth <= 4; ++depth)
   {
     Memory memory;
-    const Figures f = measure(surface, size, depth, 1, memory);
+    const Figures f = measure(surface, size, depth, PatchMethod::Automatic, 1, memory);
     std::printf("%42d%10.0f%10.0f%10.2f%12.1f%14.1f%12.0f\n", depth, f.cells, f.cut, f.seconds,
       1e6 * f.seconds / f.cells, 1e6 * f.seconds / f.cut, f.peak / f.cells);
     std::fflush(stdout);
@@ -395,7 +399,8 @@ int main(int count, char** arguments)
         const double size = sizeFor(cells, surface);
         for (const int number : threads)
         {
-          printRun(surface, size, number);
+          printRun(surface, size, PatchMethod::Automatic, number);
+          printRun(surface, size, PatchMethod::ExactFit, number);
         }
       }
     }

@@ -66,6 +66,13 @@ bool MeshArrays::operator==(const MeshArrays& other) const
   return all(*this) == all(other);
 }
 
+PatchSpec exactFit()
+{
+  PatchSpec spec;
+  spec.method = PatchMethod::ExactFit;
+  return spec;
+}
+
 GridSpec cellsOf(double size)
 {
   GridSpec grid;
@@ -127,8 +134,8 @@ Meshed meshPrepared(const PreparedSurface& prepared, const Options& options)
   Meshed result;
   result.prepared = prepared;
   result.boxed = boxSurface(prepared, options.refinement, execution);
-  result.patches =
-    generatePatches(prepared.surface, result.boxed.boxes, result.boxed.shoeboxes, execution);
+  result.patches = generatePatches(
+    prepared.surface, result.boxed.boxes, result.boxed.shoeboxes, options.patches, execution);
   CellSpec spec;
   spec.smallCellRatio = options.smallCellRatio;
   const Assembly assembly(result.boxed.boxes, result.patches, spec, execution);

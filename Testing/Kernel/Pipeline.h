@@ -53,11 +53,14 @@ struct Meshed
 
 constexpr double PlentyOfMemory = 1e11;
 
+PatchSpec exactFit();
+
 struct Options
 {
   double smallCellRatio = 0; // nothing is removed but what has no volume
   int threads = 1;
   RefinementSpec refinement;
+  PatchSpec patches = exactFit(); // for the tests' exact facts
 };
 
 GridSpec cellsOf(double size);

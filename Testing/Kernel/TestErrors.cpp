@@ -200,7 +200,7 @@ TEST(Errors, StoppedAtOnce)
           prepareSurface(soup.view(), cellsOf(0.1), PlentyOfMemory, execution);
         const BoxedSurface boxed = boxSurface(prepared, {}, execution);
         const Patches patches =
-          generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes, execution);
+          generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes, exactFit(), execution);
         const Assembly assembly(boxed.boxes, patches, {}, execution);
       };
       EXPECT_THROW(run(), Stopped);

@@ -210,7 +210,7 @@ TEST(Flaws, BoxesLeftOutAreDescribedWithPlaces)
   Execution execution;
   const BoxedSurface boxed = boxSurface(prepared, {}, execution);
   const Patches patches =
-    generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes, execution);
+    generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes, exactFit(), execution);
   const Assembly assembly(boxed.boxes, patches, {}, execution);
   const std::string text = assembly.describeFlaws();
   EXPECT_NE(text.find(std::to_string(assembly.flawedBoxes().size()) + " boxes"), std::string::npos)

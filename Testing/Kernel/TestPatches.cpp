@@ -15,7 +15,7 @@ Patches patchesOf(const PreparedSurface& prepared, const RefinementSpec& refinem
 {
   Execution execution;
   const BoxedSurface boxed = boxSurface(prepared, refinement, execution);
-  return generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes, execution);
+  return generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes, exactFit(), execution);
 }
 
 // How often each edge is run through, less the other way.

@@ -7,7 +7,8 @@ grid = {"CellSize": 0.0, "MeshlinesX": [], "MeshlinesY": [], "MeshlinesZ": []}
 refinement = {"RefinementDepth": 0, "RefinementBlocks": [], "BoundaryRefinement": [],
               "RegionDepth": 1}
 boundaries = {"BoundaryArray": ""}
-patches = {"PatchMethod": "Exact Fit"}
+patches = {"PatchMethod": "Automatic", "FeatureAngle": 30.0, "MergeAngle": 10.0,
+           "Tying": "Keep Nodes"}
 cells = {"SmallCellRatio": 0.001}
 threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}
@@ -18,6 +19,7 @@ patcher = simple.Patcher(Input=surface, Boxes=boxer)
 assembler = simple.CellAssembler(Input=boxer, Patches=patcher)
 mesher = simple.CartesianMesher(Input=surface)
 inspector = simple.SurfaceInspector(Input=surface)
+quality = simple.FiniteVolumeQuality(Input=mesher)
 
 expected = {
     boxer: ("Cartesian Boxer", ["Input", "RefinementRegions"],
@@ -27,6 +29,7 @@ expected = {
     mesher: ("Cartesian Mesher", ["Input", "RefinementRegions"],
              boundaries | grid | refinement | patches | cells | threads | memory),
     inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
+    quality: ("Finite Volume Quality", ["Input"], threads),
 }
 for proxy, (label, inputs, properties) in expected.items():
     assert proxy.GetXMLLabel() == label, proxy.GetXMLLabel()
@@ -37,6 +40,14 @@ for proxy, (label, inputs, properties) in expected.items():
         value = list(value) if isinstance(default, list) else value
         assert value == default, f"the default of {name} of {label} is {value!r}"
 
-for proxy, names in (assembler, ["Mesh", "Boundary"]), (mesher, ["Mesh", "Boundary", "Defects"]):
+for proxy, names in (
+    (assembler, ["Mesh", "Boundary"]), (mesher, ["Mesh", "Boundary", "Defects"]),
+    (quality, ["Mesh", "Faces"]),
+):
     ports = [proxy.GetOutputPortName(i) for i in range(proxy.GetNumberOfOutputPorts())]
     assert ports == names, ports
+
+writer = simple.CreateWriter("case.foam", mesher)
+assert writer.GetXMLLabel() == "OpenFOAM Mesh Writer", writer.GetXMLLabel()
+assert sorted(writer.ListProperties()) == ["FileName", "FileType", "Input"]
+assert writer.FileType == "Binary"

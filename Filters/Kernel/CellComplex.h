@@ -1,0 +1,169 @@
+// Cells that can be cut and joined (sections 4.10 and 4.11).
+//
+// Cells and faces are copied when they change for the first time ("opened"): what nobody touches
+// costs nothing. A hexahedron that gets a node or another face becomes a polyhedron.
+#pragma once
+
+#include "Boundary.h"
+#include "PolyhedronCut.h"
+
+#include <unordered_map>
+
+namespace cartesian
+{
+
+// A cell of a polyhedral box; or (number of those) + box: a hexahedron; or beyond: made by a cut.
+using CellKey = std::uint32_t;
+
+struct FaceUse
+{
+  std::uint32_t face : 31; // patches, then inner faces, then shaped ones
+  std::uint32_t turned : 1;
+};
+
+// One cell by itself. `node` and `face` lead back to the whole.
+struct CellView
+{
+  Polyhedron shape;
+  std::vector<std::uint32_t> nodes; // of each of the shape's nodes
+  std::vector<FaceUse> faces;       // of each of the shape's faces
+  std::vector<CellKey> across;      // the cell beyond each face, or None
+};
+
+class CellComplex
+{
+public:
+  CellComplex(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
+    const InnerFaces& inner, Cells& cells);
+
+  // Of cells of polyhedral boxes, opened or not, and opened others.
+  void view(CellKey key, CellView& view) const;
+
+  // Without nodes in common: for measures only.
+  void shape(CellKey key, Polyhedron& shape) const;
+
+  // Neighbours as one cell; the origin is the first one's.
+  void shapeTogether(const std::vector<CellKey>& keys, Polyhedron& shape) const;
+
+  // The cells beyond its faces that are alive, each with the area between them (lattice levels),
+  // the largest first.
+  std::vector<std::pair<CellKey, double>> neighbours(CellKey key) const;
+
+  // All cells that are alive, but for untouched hexahedra, in order.
+  std::vector<CellKey> polyhedra() const;
+
+  std::uint32_t boxOf(CellKey key) const;
+  bool isOpen(CellKey key) const { return opened(key) != nullptr; }
+  bool isAlive(CellKey key) const; // neither removed nor merged
+
+  void open(CellKey key);
+
+  // The cells that a cut changes, `key` first: beyond cut faces, and around cut edges. Opens them.
+  std::vector<CellKey> touchedBy(CellKey key, const CellView& view, const CellCut& cut);
+
+  // Cuts an opened cell. The first part keeps its key. Appends the keys of all parts.
+  void cut(CellKey key, const CellView& view, const CellCut& cut, std::vector<CellKey>& parts);
+
+  // Gives the small cell's faces to the other but for those between them, which vanish.
+  void merge(CellKey small, CellKey into);
+
+  // Joins those neighbouring faces of a cell that lie between the same two cells on one plane, or
+  // belong to one boundary and have normals this close (cosine).
+  void joinFaces(CellKey key, double leastCosine);
+
+  // In lattice levels.
+  double volumeOfBox(CellKey key) const;
+
+  bool changed() const { return changed_; }
+
+  // Writes all back: cells, nodes, and the sides' list of polyhedral boxes.
+  void finish(Execution& execution);
+
+private:
+  struct OpenCell
+  {
+    std::vector<FaceUse> faces;
+    std::uint32_t box;
+    std::uint32_t origin;  // the cell that it is or was a part of
+    std::int32_t boundary; // as in Cell
+    bool alive = true;
+    bool removed = false; // as in Cell
+    bool changed = false;
+  };
+  struct Shaped
+  {
+    std::vector<std::uint32_t> nodes;
+    std::array<CellKey, 2> cells;
+    std::int32_t boundary;
+    bool used = true;
+  };
+
+  static constexpr std::uint32_t MostFaces = 0x7fffffffu;
+
+  std::uint32_t firstInner() const { return static_cast<std::uint32_t>(patches_.size()); }
+  std::uint32_t firstShaped() const
+  {
+    return static_cast<std::uint32_t>(patches_.size() + inner_.size());
+  }
+  bool isPatch(std::uint32_t face) const { return face < firstInner(); }
+  bool isShaped(std::uint32_t face) const { return face >= firstShaped(); }
+  Shaped& shaped(std::uint32_t face) { return shaped_[face - firstShaped()]; }
+  const Shaped& shaped(std::uint32_t face) const { return shaped_[face - firstShaped()]; }
+
+  template <class Visitor>
+  void forEachFace(CellKey key, Visitor&& visit) const;
+  void addFaceTo(Polyhedron& shape, const FaceUse& use, const Point& origin) const;
+  template <class Visitor>
+  void forEachNodeOf(const FaceUse& use, Visitor&& visit) const;
+
+  FaceUse useOf(const FaceRef& ref) const;
+  FaceRef refOf(const FaceUse& use) const;
+  OpenCell* opened(CellKey key);
+  const OpenCell* opened(CellKey key) const;
+  CellKey keyOfHexahedron(std::uint32_t box) const
+  {
+    return static_cast<CellKey>(cells_.size() + box);
+  }
+  std::array<CellKey, 2> cellsOf(std::uint32_t face) const;
+  CellKey across(const FaceUse& use) const;
+  void setCell(const FaceUse& use, CellKey key);
+  std::size_t sideOf(std::uint32_t innerFace) const;
+
+  void openHexahedron(std::uint32_t box, OpenCell& cell);
+  void addSideOfHexahedron(std::uint32_t box, unsigned side, OpenCell& cell);
+  std::uint32_t nodeOfCorner(const Box& box, unsigned corner);
+
+  bool hasEdge(const FaceUse& use, std::uint32_t u, std::uint32_t v) const;
+  std::vector<CellKey> cellsAround(CellKey key, std::uint32_t u, std::uint32_t v);
+  std::uint32_t own(std::uint32_t face, CellKey cell);
+  FaceUse addShaped(Shaped face);
+  FaceUse addPiece(FaceUse use, CellKey cell, Shaped piece, std::uint32_t& owned);
+  void insertNode(CellKey cell, std::uint32_t u, std::uint32_t v, std::uint32_t node);
+
+  bool joinPair(CellKey key, const FaceUse& f, const FaceUse& g, double leastCosine);
+  std::int32_t boundaryOf(std::uint32_t face) const;
+  std::vector<std::uint32_t> nodesOf(const FaceUse& use) const;
+  void removeFace(CellKey key, std::uint32_t face);
+
+  void writeNodes();
+  std::vector<std::uint32_t> promote();
+  void writeCells(const std::vector<std::uint32_t>& promoted, Execution& execution);
+
+  const Boxes& boxes_;
+  const Patches& patches_;
+  Sides& sides_;
+  Nodes& nodes_;
+  const InnerFaces& inner_;
+  Cells& cells_;
+  std::vector<OpenCell> open_;
+  std::vector<std::uint32_t> openOf_;                      // of cells of polyhedral boxes
+  std::unordered_map<CellKey, std::uint32_t> openOfOther_; // of others
+  std::vector<Shaped> shaped_;
+  std::unordered_map<std::uint64_t, std::uint32_t> faceOfHexahedron_; // 6 * box + side
+  std::vector<VertexNode> vertices_;
+  std::unordered_map<std::uint64_t, std::uint32_t> nodeOfVertex_;
+  CellKey nextKey_;
+  bool changed_ = false;
+};
+
+}

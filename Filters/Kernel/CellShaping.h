@@ -1,0 +1,19 @@
+// Cells made fit for solvers (sections 3, 4.10, 4.11): concave ones are split, small ones merged.
+#pragma once
+
+#include "Cells.h"
+
+namespace cartesian
+{
+
+struct Shaping
+{
+  std::size_t cellsSplit = 0; // cuts
+  std::size_t cellsMerged = 0;
+  std::size_t angleFailures = 0; // cells that still fail an angle condition
+};
+
+Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
+  const InnerFaces& inner, Cells& cells, const CellSpec& spec, Execution& execution);
+
+}

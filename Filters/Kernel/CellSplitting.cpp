@@ -1,0 +1,348 @@
+#include "CellSplitting.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t CellsAChunk = 16;
+
+// A cell tries as many cuts for a start, the worst concave edges first.
+constexpr std::size_t MostCandidates = 8;
+
+// Edges bent by less than this (as a sine) are flat.
+constexpr double LeastBend = 1e-3;
+
+// A part smaller than this part of the cell is no use.
+constexpr double LeastPart = 1e-3;
+
+// An edge bent by more (in radians) is worth a cut that helps nothing by itself.
+constexpr double LeastWorthyBend = 0.1;
+
+// ... and that lets this part of what failed before fail.
+constexpr double NoHarm = 1.0 + 1e-9;
+
+// Concave edges belong to one feature where they run within 45 degrees of each other.
+constexpr double ContinuesCosine = 0.707;
+
+// Ends a search that never came to rest; a cell is cut some ten times at most.
+constexpr int MostRounds = 100;
+
+struct ConcaveEdge
+{
+  std::uint32_t from;
+  std::uint32_t to;
+  std::array<std::uint32_t, 2> faces;
+  double bend;    // the interior angle beyond 180 degrees, in radians
+  Vector along;   // of length 1
+  Vector inwards; // halves the interior angle; of length 1
+  double length;
+  bool failing; // one of its faces fails its condition
+};
+
+struct Proposal
+{
+  CellKey key;
+  double failing; // area
+  bool found = false;
+  CellView view;
+  CellCut cut;
+};
+
+std::vector<ConcaveEdge> concaveEdges(const Polyhedron& cell, const CellShape& shape)
+{
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> faceOf; // by directed edge
+  for (std::uint32_t f = 0; f < cell.faces(); ++f)
+  {
+    for (std::uint32_t i = cell.start[f]; i < cell.start[f + 1]; ++i)
+    {
+      const std::uint32_t next = i + 1 < cell.start[f + 1] ? i + 1 : cell.start[f];
+      faceOf[{ cell.corners[i], cell.corners[next] }] = f;
+    }
+  }
+  std::vector<ConcaveEdge> edges;
+  for (const auto& [edge, f] : faceOf)
+  {
+    const auto other = faceOf.find({ edge.second, edge.first });
+    if (edge.first > edge.second || other == faceOf.end())
+    {
+      continue;
+    }
+    const Vector n1 = unit(shape.faces[f].area);
+    const Vector n2 = unit(shape.faces[other->second].area);
+    const Vector whole = minus(cell.nodes[edge.second], cell.nodes[edge.first]);
+    const Vector along = unit(whole);
+    const double sine = dot(cross(n1, n2), along);
+    const double cosine = dot(n1, n2);
+    if (sine > -LeastBend && !(cosine < 0 && sine < LeastBend))
+    {
+      continue;
+    }
+    ConcaveEdge e;
+    e.from = edge.first;
+    e.to = edge.second;
+    e.faces = { f, other->second };
+    e.bend = -std::atan2(sine, cosine);
+    e.bend += e.bend < 0 ? 2 * 3.14159265358979 : 0;
+    e.along = along;
+    // Both the sum of the normals and that of the ways into the faces point out of the cell.
+    const Vector ways = plus(cross(n1, along), cross(along, n2));
+    e.inwards = unit(scaled(plus(plus(n1, n2), ways), -1));
+    e.length = norm(whole);
+    e.failing = failsAngle(cell, shape, f) || failsAngle(cell, shape, other->second);
+    edges.push_back(e);
+  }
+  std::sort(edges.begin(), edges.end(), [](const ConcaveEdge& x, const ConcaveEdge& y) {
+    return x.bend != y.bend ? x.bend > y.bend
+                            : std::make_pair(x.from, x.to) < std::make_pair(y.from, y.to);
+  });
+  return edges;
+}
+
+// The plane through the edge that halves the angle, averaged over the concave edges that continue it
+// at both ends (equation 6).
+CutPlane planeThrough(
+  const ConcaveEdge& worst, const std::vector<ConcaveEdge>& edges, const Polyhedron& cell)
+{
+  Vector inwards = scaled(worst.inwards, worst.length);
+  std::set<std::uint32_t> nodes{ worst.from, worst.to };
+  for (bool grown = true; grown;)
+  {
+    grown = false;
+    for (const ConcaveEdge& e : edges)
+    {
+      const bool continues = (nodes.count(e.from) + nodes.count(e.to)) == 1;
+      if (continues && std::abs(dot(e.along, worst.along)) > ContinuesCosine)
+      {
+        inwards = plus(inwards, scaled(e.inwards, e.length));
+        nodes.insert(e.from);
+        nodes.insert(e.to);
+        grown = true;
+      }
+    }
+  }
+  CutPlane plane;
+  plane.at = cell.nodes[worst.from];
+  plane.normal = unit(cross(worst.along, inwards));
+  plane.through = { worst.from, worst.to };
+  return plane;
+}
+
+// What fails after a cut, or a negative number where a part is useless.
+double failingAfter(const Polyhedron& cell, const CellShape& shape, const CellCut& cut)
+{
+  double failing = 0;
+  CellShape part;
+  for (std::uint32_t p = 0; p < cut.parts; ++p)
+  {
+    const Polyhedron polyhedron = partOf(cell, cut, p);
+    measure(polyhedron, part);
+    if (!(part.volume > LeastPart * shape.volume))
+    {
+      return -1;
+    }
+    failing += failingArea(polyhedron, part);
+  }
+  return failing;
+}
+
+// The cuts of one cell that are tried, and the best of them.
+class Search
+{
+public:
+  Search(const Polyhedron& cell, const CellShape& shape, double failing)
+    : cell_(cell)
+    , shape_(shape)
+    , before_(failing)
+    , best_(failing)
+    , edges_(concaveEdges(cell, shape))
+  {
+  }
+
+  // The cut that leaves least failing. Where none helps, one along the worst concave edge that does
+  // no harm: without concave edges nothing of the boundary fails.
+  bool run(CellCut& cut)
+  {
+    const std::vector<std::size_t> candidates = this->candidates();
+    for (const std::size_t i : candidates)
+    {
+      attempt(planeThrough(edges_[i], edges_, cell_), edges_[i].bend > LeastWorthyBend, cut);
+    }
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      for (const std::size_t i : candidates)
+      {
+        if (best_ == before_)
+        {
+          attempt(planeOf(edges_[i], k), false, cut);
+        }
+      }
+    }
+    if (best_ == before_ && hasFallback_ && failsAtBoundary())
+    {
+      cut = std::move(fallback_);
+      return true;
+    }
+    return best_ < before_;
+  }
+
+private:
+  // The worst edges, and those of faces that fail.
+  std::vector<std::size_t> candidates() const
+  {
+    std::vector<std::size_t> result;
+    std::size_t ofFailing = 0;
+    for (std::size_t i = 0; i < edges_.size(); ++i)
+    {
+      const bool more = edges_[i].failing && ofFailing < MostCandidates;
+      if (i < MostCandidates || more)
+      {
+        result.push_back(i);
+      }
+      ofFailing += i >= MostCandidates && more ? 1 : 0;
+    }
+    return result;
+  }
+
+  // The plane of one of the edge's faces.
+  CutPlane planeOf(const ConcaveEdge& edge, std::size_t face) const
+  {
+    CutPlane plane;
+    plane.at = cell_.nodes[edge.from];
+    plane.normal = unit(shape_.faces[edge.faces[face]].area);
+    plane.through = { edge.from, edge.to };
+    return plane;
+  }
+
+  void attempt(const CutPlane& plane, bool worthy, CellCut& cut)
+  {
+    if (best_ == 0 || !cutCell(cell_, plane, trial_))
+    {
+      return;
+    }
+    const double failing = failingAfter(cell_, shape_, trial_);
+    if (failing >= 0 && failing < best_)
+    {
+      best_ = failing;
+      std::swap(cut, trial_);
+    }
+    else if (failing >= 0 && failing <= before_ * NoHarm && worthy && !hasFallback_)
+    {
+      hasFallback_ = true;
+      std::swap(fallback_, trial_);
+    }
+  }
+
+  bool failsAtBoundary() const
+  {
+    for (std::size_t f = 0; f < cell_.faces(); ++f)
+    {
+      if (cell_.isBoundary[f] && failsAngle(cell_, shape_, f))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const Polyhedron& cell_;
+  const CellShape& shape_;
+  double before_;
+  double best_;
+  std::vector<ConcaveEdge> edges_;
+  CellCut trial_;
+  CellCut fallback_;
+  bool hasFallback_ = false;
+};
+
+void propose(const CellComplex& cells, Proposal& proposal)
+{
+  cells.view(proposal.key, proposal.view);
+  CellShape shape;
+  measure(proposal.view.shape, shape);
+  proposal.failing = failingArea(proposal.view.shape, shape);
+  proposal.found = Search(proposal.view.shape, shape, proposal.failing).run(proposal.cut);
+  if (!proposal.found && getenv("DBG")) {
+    const Polyhedron& cell = proposal.view.shape; auto edges = concaveEdges(cell, shape);
+    int nb = 0, ni = 0; double wc = 1; for (std::size_t f = 0; f < cell.faces(); ++f) if (failsAngle(cell, shape, f)) { (cell.isBoundary[f] ? nb : ni)++; wc = std::min(wc, cosineOfFace(shape, f)); }
+    std::fprintf(stderr, "FAIL key %u box %u vol %.2e faces %zu edges %zu(maxbend %.1f) failB %d failI %d worstcos %.3f area %.2e\n", proposal.key, cells.boxOf(proposal.key), shape.volume / cells.volumeOfBox(proposal.key), cell.faces(), edges.size(), edges.empty() ? 0 : edges[0].bend * 57.3, nb, ni, wc, proposal.failing / std::pow(cells.volumeOfBox(proposal.key), 2/3.));
+  }
+}
+
+bool fails(const CellComplex& cells, CellKey key)
+{
+  if (!cells.isAlive(key))
+  {
+    return false;
+  }
+  Polyhedron polyhedron;
+  CellShape shape;
+  cells.shape(key, polyhedron);
+  measure(polyhedron, shape);
+  return failingArea(polyhedron, shape) > 0;
+}
+
+}
+
+Splitting splitCells(CellComplex& cells, std::vector<CellKey> failing, Execution& execution)
+{
+  Splitting result;
+  std::set<CellKey> failed;
+  for (int round = 0; !failing.empty() && round < MostRounds; ++round)
+  {
+    std::vector<Proposal> proposals(failing.size());
+    execution.forEach(failing.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        proposals[i].key = failing[i];
+        propose(cells, proposals[i]);
+      }
+    });
+    std::sort(proposals.begin(), proposals.end(), [](const Proposal& x, const Proposal& y) {
+      return x.failing != y.failing ? x.failing > y.failing : x.key < y.key;
+    });
+    std::set<CellKey> taken;
+    std::set<CellKey> next;
+    for (Proposal& proposal : proposals)
+    {
+      if (!proposal.found)
+      {
+        failed.insert(proposal.key);
+        continue;
+      }
+      cells.open(proposal.key);
+      const std::vector<CellKey> touched =
+        cells.touchedBy(proposal.key, proposal.view, proposal.cut);
+      if (std::any_of(touched.begin(), touched.end(), [&](CellKey k) { return taken.count(k); }))
+      {
+        next.insert(proposal.key);
+        continue;
+      }
+      taken.insert(touched.begin(), touched.end());
+      next.insert(touched.begin(), touched.end());
+      std::vector<CellKey> parts;
+      cells.cut(proposal.key, proposal.view, proposal.cut, parts);
+      next.insert(parts.begin(), parts.end());
+      ++result.cellsSplit;
+    }
+    failing.clear();
+    for (const CellKey key : next)
+    {
+      failed.erase(key);
+      if (fails(cells, key))
+      {
+        failing.push_back(key);
+      }
+    }
+  }
+  failed.insert(failing.begin(), failing.end());
+  result.failed.assign(failed.begin(), failed.end());
+  return result;
+}
+
+}

@@ -1,0 +1,22 @@
+// Cell splitting (section 4.11): cells so concave that an angle condition of section 3 fails are cut
+// along their worst concave edges.
+#pragma once
+
+#include "CellComplex.h"
+#include "Execution.h"
+
+namespace cartesian
+{
+
+struct Splitting
+{
+  std::size_t cellsSplit = 0;  // that there were before
+  std::vector<CellKey> failed; // that still fail a condition and find no cut that helps, in order
+};
+
+// Each cell that fails proposes a cut. In order of how much fails, those are carried out that change
+// no cell that another has changed; again, with all cells that changed, until no cell proposes. So
+// the result depends on the cells only. `failing`: cells that fail a condition, in order.
+Splitting splitCells(CellComplex& cells, std::vector<CellKey> failing, Execution& execution);
+
+}

@@ -1,0 +1,135 @@
+#include "Polyhedron.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// A star triangle may be turned over by this part of the polygon's area: rounding.
+constexpr double RoundingOfAreas = 1e-9;
+
+Vector meanOf(const Polyhedron& cell, std::size_t begin, std::size_t end)
+{
+  Vector mean{ 0, 0, 0 };
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    mean = plus(mean, cell.nodes[cell.corners[i]]);
+  }
+  return scaled(mean, 1.0 / static_cast<double>(end - begin));
+}
+
+FaceShape shapeOf(const Polyhedron& cell, std::size_t face)
+{
+  const std::size_t begin = cell.start[face];
+  const std::size_t end = cell.start[face + 1];
+  const Vector mean = meanOf(cell, begin, end);
+  Vector twice{ 0, 0, 0 };
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const Vector p = minus(cell.nodes[cell.corners[i]], mean);
+    const Vector q = minus(cell.nodes[cell.corners[i + 1 < end ? i + 1 : begin]], mean);
+    twice = plus(twice, cross(p, q));
+  }
+  const double square = dot(twice, twice);
+  if (!(square > 0))
+  {
+    return { scaled(twice, 0.5), mean };
+  }
+  // Triangles count by their area along the normal; their centres are a third of the way in.
+  Vector sum{ 0, 0, 0 };
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const Vector p = minus(cell.nodes[cell.corners[i]], mean);
+    const Vector q = minus(cell.nodes[cell.corners[i + 1 < end ? i + 1 : begin]], mean);
+    sum = plus(sum, scaled(plus(p, q), dot(cross(p, q), twice)));
+  }
+  return { scaled(twice, 0.5), plus(mean, scaled(sum, 1 / (3 * square))) };
+}
+
+}
+
+void Polyhedron::clear()
+{
+  nodes.clear();
+  start.assign(1, 0);
+  corners.clear();
+  isBoundary.clear();
+}
+
+void Polyhedron::closeFace(bool boundary)
+{
+  start.push_back(static_cast<std::uint32_t>(corners.size()));
+  isBoundary.push_back(boundary ? 1 : 0);
+}
+
+void measure(const Polyhedron& cell, CellShape& shape)
+{
+  shape.faces.clear();
+  Vector middle{ 0, 0, 0 };
+  for (std::size_t f = 0; f < cell.faces(); ++f)
+  {
+    shape.faces.push_back(shapeOf(cell, f));
+    middle = plus(middle, shape.faces.back().centre);
+  }
+  middle = scaled(middle, 1.0 / static_cast<double>(cell.faces()));
+  shape.volume = 0;
+  Vector moment{ 0, 0, 0 };
+  for (const FaceShape& face : shape.faces)
+  {
+    const Vector height = minus(face.centre, middle);
+    const double volume = dot(face.area, height) / 3;
+    shape.volume += volume;
+    moment = plus(moment, scaled(height, 0.75 * volume));
+  }
+  shape.centre = shape.volume > 0 ? plus(middle, scaled(moment, 1 / shape.volume)) : middle;
+}
+
+double cosineOfFace(const CellShape& shape, std::size_t face)
+{
+  const FaceShape& f = shape.faces[face];
+  const Vector towards = minus(f.centre, shape.centre);
+  const double lengths = std::sqrt(dot(towards, towards) * dot(f.area, f.area));
+  return lengths > 0 ? dot(towards, f.area) / lengths : 0;
+}
+
+bool failsAngle(const Polyhedron& cell, const CellShape& shape, std::size_t face)
+{
+  const double cosine = cosineOfFace(shape, face);
+  return cell.isBoundary[face] ? cosine <= LeastBoundaryCosine : cosine < LeastInnerCosine;
+}
+
+bool isStar(const Polyhedron& cell, std::size_t face, const Vector& normal)
+{
+  const Vector mean = meanOf(cell, cell.start[face], cell.start[face + 1]);
+  double least = 0;
+  double sum = 0;
+  for (std::size_t i = cell.start[face]; i < cell.start[face + 1]; ++i)
+  {
+    const std::size_t next = i + 1 < cell.start[face + 1] ? i + 1 : cell.start[face];
+    const Vector p = minus(cell.nodes[cell.corners[i]], mean);
+    const Vector q = minus(cell.nodes[cell.corners[next]], mean);
+    const double area = dot(cross(p, q), normal);
+    least = std::min(least, area);
+    sum += area;
+  }
+  return least >= -RoundingOfAreas * std::abs(sum);
+}
+
+double failingArea(const Polyhedron& cell, const CellShape& shape)
+{
+  double sum = 0;
+  for (std::size_t f = 0; f < cell.faces(); ++f)
+  {
+    if (failsAngle(cell, shape, f))
+    {
+      sum += norm(shape.faces[f].area);
+    }
+  }
+  return sum;
+}
+
+}

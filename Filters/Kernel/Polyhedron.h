@@ -1,0 +1,57 @@
+// One cell by itself, and the conditions of section 3 that it has to fulfil.
+#pragma once
+
+#include "Vector.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace cartesian
+{
+
+// Nodes in levels from an origin of its own; faces counter-clockwise from outside.
+struct Polyhedron
+{
+  std::vector<Vector> nodes; // whole numbers
+  std::vector<std::uint32_t> start{ 0 };
+  std::vector<std::uint32_t> corners;   // indices into nodes
+  std::vector<std::uint8_t> isBoundary; // of each face
+
+  std::size_t faces() const { return isBoundary.size(); }
+  void clear();
+  void addCorner(std::uint32_t node) { corners.push_back(node); }
+  void closeFace(bool boundary);
+};
+
+struct FaceShape
+{
+  Vector area;   // vector, outwards
+  Vector centre; // of area, by star triangulation
+};
+
+struct CellShape
+{
+  double volume = 0;
+  Vector centre{}; // of volume
+  std::vector<FaceShape> faces;
+};
+
+// As solvers (OpenFOAM) measure.
+void measure(const Polyhedron& cell, CellShape& shape);
+
+// Cosine of the angle between the face's normal and the line from the cell's centre to the face's.
+double cosineOfFace(const CellShape& shape, std::size_t face);
+
+// The angle conditions: faces of the boundary less than 90 degrees, inner ones less than 75.
+constexpr double LeastBoundaryCosine = 0;
+constexpr double LeastInnerCosine = 0.258819045102521; // cos 75
+
+bool failsAngle(const Polyhedron& cell, const CellShape& shape, std::size_t face);
+
+// Whether a face seen along its normal has a star triangulation.
+bool isStar(const Polyhedron& cell, std::size_t face, const Vector& normal);
+
+// Area of the faces that fail their condition.
+double failingArea(const Polyhedron& cell, const CellShape& shape);
+
+}

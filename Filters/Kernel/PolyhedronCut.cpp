@@ -1,0 +1,521 @@
+#include "PolyhedronCut.h"
+
+#include "StarPolygons.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace cartesian
+{
+
+namespace
+{
+
+using Index = std::uint32_t;
+using EdgeKey = std::pair<Index, Index>; // lower node first
+
+EdgeKey keyOf(Index from, Index to)
+{
+  return { std::min(from, to), std::max(from, to) };
+}
+
+class Cutter
+{
+public:
+  Cutter(const Polyhedron& cell, const CutPlane& plane, CellCut& cut)
+    : cell_(cell)
+    , plane_(plane)
+    , cut_(cut)
+  {
+  }
+
+  bool run()
+  {
+    cut_.points.clear();
+    cut_.faces.clear();
+    findSigns();
+    snapNodes();
+    if (!hasBothSides() || !addPoints())
+    {
+      return false;
+    }
+    for (std::size_t f = 0; f < cell_.faces(); ++f)
+    {
+      if (!divideFace(f))
+      {
+        return false;
+      }
+    }
+    return closeCut() && findParts();
+  }
+
+private:
+  // --- where the plane meets the cell
+
+  void findSigns()
+  {
+    distance_.resize(cell_.nodes.size());
+    for (std::size_t n = 0; n < distance_.size(); ++n)
+    {
+      distance_[n] = dot(minus(cell_.nodes[n], plane_.at), plane_.normal);
+      if (std::abs(distance_[n]) < RoundingLevels)
+      {
+        distance_[n] = 0;
+      }
+    }
+    for (const Index n : plane_.through)
+    {
+      distance_[n] = 0;
+    }
+  }
+
+  int sign(Index node) const { return (distance_[node] > 0) - (distance_[node] < 0); }
+
+  Vector meetingPoint(Index from, Index to) const
+  {
+    const double t = distance_[from] / (distance_[from] - distance_[to]);
+    return plus(cell_.nodes[from], scaled(minus(cell_.nodes[to], cell_.nodes[from]), t));
+  }
+
+  // Calls visit(from, to) for the edges of a face.
+  template <class Visitor>
+  void forEachEdge(std::size_t face, Visitor&& visit) const
+  {
+    Index from = cell_.corners[cell_.start[face + 1] - 1];
+    for (std::size_t i = cell_.start[face]; i < cell_.start[face + 1]; ++i)
+    {
+      visit(from, cell_.corners[i]);
+      from = cell_.corners[i];
+    }
+  }
+
+  // The paper measures the two edges of the cutting polygon that meet in the end vertex; each runs
+  // across a face.
+  void snapNodes()
+  {
+    std::map<EdgeKey, double> shortest;
+    for (std::size_t f = 0; f < cell_.faces(); ++f)
+    {
+      std::vector<Vector> ends;
+      forEachEdge(f, [&](Index from, Index to) {
+        if (sign(from) * sign(to) < 0)
+        {
+          ends.push_back(meetingPoint(from, to));
+        }
+        else if (sign(to) == 0)
+        {
+          ends.push_back(cell_.nodes[to]);
+        }
+      });
+      double length = 0;
+      for (const Vector& end : ends)
+      {
+        length = std::max(length, norm(minus(end, ends.front())));
+      }
+      forEachEdge(f, [&](Index from, Index to) {
+        if (sign(from) * sign(to) < 0)
+        {
+          const auto [at, isNew] = shortest.emplace(keyOf(from, to), length);
+          at->second = std::min(at->second, length);
+        }
+      });
+    }
+    for (const auto& [edge, length] : shortest)
+    {
+      const bool first = std::abs(distance_[edge.first]) <= std::abs(distance_[edge.second]);
+      const Index nearest = first ? edge.first : edge.second;
+      if (std::abs(distance_[nearest]) < SnapSlope * length)
+      {
+        snapped_.push_back(nearest);
+      }
+    }
+    for (const Index node : snapped_)
+    {
+      distance_[node] = 0;
+    }
+  }
+
+  bool hasBothSides() const
+  {
+    const auto above = [](double d) { return d > 0; };
+    const auto below = [](double d) { return d < 0; };
+    return std::any_of(distance_.begin(), distance_.end(), above) &&
+      std::any_of(distance_.begin(), distance_.end(), below);
+  }
+
+  static bool same(const Vector& p, const Vector& q)
+  {
+    return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
+  }
+
+  Vector node(Index n) const
+  {
+    return n < cell_.nodes.size() ? cell_.nodes[n] : cut_.points[n - cell_.nodes.size()].at;
+  }
+
+  // False where rounding takes a point onto a node.
+  bool addPoints()
+  {
+    bool good = true;
+    for (std::size_t f = 0; f < cell_.faces(); ++f)
+    {
+      forEachEdge(f, [&](Index from, Index to) {
+        const EdgeKey edge = keyOf(from, to);
+        if (sign(from) * sign(to) < 0 && points_.count(edge) == 0)
+        {
+          Vector at = meetingPoint(edge.first, edge.second);
+          for (double& x : at)
+          {
+            x = std::round(x);
+          }
+          good = good && !same(at, cell_.nodes[from]) && !same(at, cell_.nodes[to]);
+          points_[edge] = static_cast<Index>(cell_.nodes.size() + cut_.points.size());
+          cut_.points.push_back({ edge.first, edge.second, at });
+        }
+      });
+    }
+    return good;
+  }
+
+  // --- faces into pieces
+
+  // The face's corners and the points on its edges, with the signs of their places.
+  void listRing(std::size_t face)
+  {
+    ring_.clear();
+    signs_.clear();
+    forEachEdge(face, [&](Index from, Index to) {
+      if (sign(from) * sign(to) < 0)
+      {
+        ring_.push_back(points_.at(keyOf(from, to)));
+        signs_.push_back(0);
+      }
+      ring_.push_back(to);
+      signs_.push_back(sign(to));
+    });
+  }
+
+  // Places in the ring where it passes from one side to the other: of several on the plane, the
+  // first.
+  std::vector<std::size_t> passages() const
+  {
+    std::vector<std::size_t> result;
+    const std::size_t n = ring_.size();
+    const auto first = static_cast<std::size_t>(
+      std::find_if(signs_.begin(), signs_.end(), [](int s) { return s != 0; }) - signs_.begin());
+    int side = signs_[first];
+    std::size_t zero = n;
+    for (std::size_t step = 1; step <= n; ++step)
+    {
+      const std::size_t i = (first + step) % n;
+      if (signs_[i] == 0)
+      {
+        zero = zero == n ? i : zero;
+        continue;
+      }
+      if (signs_[i] != side)
+      {
+        result.push_back(zero);
+        side = signs_[i];
+      }
+      zero = n;
+    }
+    return result;
+  }
+
+  Vector areaOf(const std::vector<Index>& ring) const
+  {
+    Vector twice{ 0, 0, 0 };
+    const Vector base = node(ring[0]);
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+    {
+      twice = plus(twice, cross(minus(node(ring[i]), base), minus(node(ring[i + 1]), base)));
+    }
+    return twice;
+  }
+
+  bool divideFace(std::size_t face)
+  {
+    listRing(face);
+    const bool flat = std::all_of(signs_.begin(), signs_.end(), [](int s) { return s == 0; });
+    const int any = flat ? 0 : *std::find_if(signs_.begin(), signs_.end(), [](int s) { return s; });
+    const auto source = static_cast<Index>(face);
+    if (flat)
+    {
+      addPiece(ring_, source, dot(areaOf(ring_), plane_.normal) > 0 ? -1 : 1);
+      return true;
+    }
+    std::vector<std::size_t> cuts = passages();
+    if (cuts.empty())
+    {
+      addPiece(ring_, source, any);
+      return true;
+    }
+    // Along the line in which the plane meets the face, every other stretch lies in the face.
+    const Vector along = cross(plane_.normal, areaOf(ring_));
+    std::sort(cuts.begin(), cuts.end(), [&](std::size_t x, std::size_t y) {
+      const double a = dot(node(ring_[x]), along);
+      const double b = dot(node(ring_[y]), along);
+      return a != b ? a < b : x < y;
+    });
+    std::vector<std::vector<Index>> pieces{ ring_ };
+    for (std::size_t i = 0; i + 1 < cuts.size(); i += 2)
+    {
+      if (!splitBetween(ring_[cuts[i]], ring_[cuts[i + 1]], pieces))
+      {
+        return false;
+      }
+    }
+    return std::all_of(pieces.begin(), pieces.end(), [&](const std::vector<Index>& piece) {
+      const int side = sideOf(piece);
+      return side != 0 && addStars(piece, source, side);
+    });
+  }
+
+  static bool splitBetween(Index p, Index q, std::vector<std::vector<Index>>& pieces)
+  {
+    for (std::vector<Index>& piece : pieces)
+    {
+      const auto atP = std::find(piece.begin(), piece.end(), p);
+      const auto atQ = std::find(piece.begin(), piece.end(), q);
+      if (p != q && atP != piece.end() && atQ != piece.end())
+      {
+        std::rotate(piece.begin(), atP, piece.end());
+        const auto split = std::find(piece.begin(), piece.end(), q);
+        std::vector<Index> rest(split, piece.end());
+        rest.push_back(p);
+        piece.erase(split + 1, piece.end());
+        if (piece.size() < 3 || rest.size() < 3)
+        {
+          return false;
+        }
+        pieces.push_back(std::move(rest));
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // 1 or -1: the side of the plane that a piece lies on; 0: on both.
+  int sideOf(const std::vector<Index>& piece) const
+  {
+    int side = 0;
+    for (const Index n : piece)
+    {
+      const int s = n < cell_.nodes.size() ? sign(n) : 0;
+      if (s * side < 0)
+      {
+        return 0;
+      }
+      side = s != 0 ? s : side;
+    }
+    return side;
+  }
+
+  void addPiece(const std::vector<Index>& corners, Index source, int side)
+  {
+    cut_.faces.push_back({ corners, source, 0, 0 });
+    sides_.push_back(side);
+  }
+
+  // A polygon as it appears along the axis that it is most perpendicular to.
+  FlatPolygon flattened(const std::vector<Index>& corners, const Vector& normal, bool& turned) const
+  {
+    std::size_t axis = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+    {
+      axis = std::abs(normal[i]) > std::abs(normal[axis]) ? i : axis;
+    }
+    turned = normal[axis] < 0;
+    FlatPolygon polygon;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      const Index n = corners[turned ? corners.size() - 1 - i : i];
+      const Vector p = node(n);
+      polygon.nodes.push_back(n);
+      polygon.at.push_back({ static_cast<std::int64_t>(p[(axis + 1) % 3]),
+        static_cast<std::int64_t>(p[(axis + 2) % 3]) });
+    }
+    return polygon;
+  }
+
+  // Adds a piece of a face, or as many as have star triangulations.
+  bool addStars(const std::vector<Index>& corners, Index source, int side)
+  {
+    bool turned = false;
+    const FlatPolygon polygon =
+      flattened(corners, source == CellCut::NoSource ? plane_.normal : areaOf(corners), turned);
+    std::vector<FlatPolygon> stars;
+    splitIntoStars(polygon, stars);
+    for (FlatPolygon& star : stars)
+    {
+      if (!isStar(star.at))
+      {
+        return false;
+      }
+      if (turned)
+      {
+        std::reverse(star.nodes.begin(), star.nodes.end());
+      }
+      addPiece(star.nodes, source, side);
+    }
+    return true;
+  }
+
+  // --- the cutting faces
+
+  // The edges of the pieces below the plane that no other of them has: their loops, the other way
+  // round, are cutting faces.
+  bool closeCut()
+  {
+    std::map<EdgeKey, int> balance;
+    for (std::size_t f = 0; f < cut_.faces.size(); ++f)
+    {
+      const std::vector<Index>& corners = cut_.faces[f].corners;
+      for (std::size_t i = 0; sides_[f] < 0 && i < corners.size(); ++i)
+      {
+        const Index from = corners[i];
+        const Index to = corners[(i + 1) % corners.size()];
+        balance[keyOf(from, to)] += from < to ? 1 : -1;
+      }
+    }
+    std::map<Index, Index> next;
+    for (const auto& [edge, sum] : balance)
+    {
+      if (sum == 0)
+      {
+        continue;
+      }
+      const bool up = sum > 0; // the piece runs from the lower node: the cut from the higher
+      if (std::abs(sum) > 1 ||
+        !next.emplace(up ? edge.second : edge.first, up ? edge.first : edge.second).second)
+      {
+        return false;
+      }
+    }
+    while (!next.empty())
+    {
+      std::vector<Index> loop{ next.begin()->first };
+      for (auto at = next.begin(); at != next.end(); at = next.find(loop.back()))
+      {
+        const Index to = at->second;
+        next.erase(at);
+        if (to == loop.front())
+        {
+          break;
+        }
+        loop.push_back(to);
+      }
+      // A loop the other way round is a hole of another.
+      if (loop.size() < 3 || !(dot(areaOf(loop), plane_.normal) > 0) ||
+        !addStars(loop, CellCut::NoSource, -1))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // --- the parts
+
+  Index root(Index f)
+  {
+    while (parent_[f] != f)
+    {
+      parent_[f] = parent_[parent_[f]];
+      f = parent_[f];
+    }
+    return f;
+  }
+
+  // Faces that share an edge belong together, on either side. Cutting faces are there twice: below
+  // as themselves, above with numbers of their own.
+  bool findParts()
+  {
+    const auto count = static_cast<Index>(cut_.faces.size());
+    parent_.resize(2 * std::size_t(count));
+    std::iota(parent_.begin(), parent_.end(), 0);
+    std::map<std::pair<EdgeKey, int>, Index> seen;
+    const auto see = [&](Index f, Index as, int side) {
+      const std::vector<Index>& corners = cut_.faces[f].corners;
+      for (std::size_t i = 0; i < corners.size(); ++i)
+      {
+        const EdgeKey edge = keyOf(corners[i], corners[(i + 1) % corners.size()]);
+        const auto [at, isNew] = seen.emplace(std::make_pair(edge, side), as);
+        parent_[root(as)] = root(at->second);
+      }
+    };
+    for (Index f = 0; f < count; ++f)
+    {
+      see(f, f, sides_[f]);
+      if (cut_.faces[f].source == CellCut::NoSource)
+      {
+        see(f, count + f, 1);
+      }
+    }
+    std::map<Index, Index> numbers;
+    const auto partOf = [&](Index f) {
+      return numbers.emplace(root(f), static_cast<Index>(numbers.size())).first->second;
+    };
+    for (Index f = 0; f < count; ++f)
+    {
+      CellCut::Face& face = cut_.faces[f];
+      face.below = face.above = partOf(f);
+      if (face.source == CellCut::NoSource)
+      {
+        face.above = partOf(count + f);
+      }
+    }
+    cut_.parts = static_cast<std::uint32_t>(numbers.size());
+    return cut_.parts > 1;
+  }
+
+  // What is closer to the plane than this is on it: points are rounded to whole numbers.
+  static constexpr double RoundingLevels = 2;
+
+  const Polyhedron& cell_;
+  const CutPlane& plane_;
+  CellCut& cut_;
+  std::vector<double> distance_; // of nodes from the plane; 0: on it
+  std::vector<Index> snapped_;
+  std::map<EdgeKey, Index> points_; // on edges
+  std::vector<Index> ring_;
+  std::vector<int> signs_;
+  std::vector<int> sides_; // of each face of the cut
+  std::vector<Index> parent_;
+};
+
+}
+
+bool cutCell(const Polyhedron& cell, const CutPlane& plane, CellCut& cut)
+{
+  return Cutter(cell, plane, cut).run();
+}
+
+Polyhedron partOf(const Polyhedron& cell, const CellCut& cut, std::uint32_t part)
+{
+  Polyhedron result;
+  result.nodes = cell.nodes;
+  for (const CellCut::Point& point : cut.points)
+  {
+    result.nodes.push_back(point.at);
+  }
+  for (const CellCut::Face& face : cut.faces)
+  {
+    const bool inner = face.source == CellCut::NoSource;
+    if (face.below == part)
+    {
+      result.corners.insert(result.corners.end(), face.corners.begin(), face.corners.end());
+      result.closeFace(!inner && cell.isBoundary[face.source]);
+    }
+    else if (inner && face.above == part)
+    {
+      result.corners.insert(result.corners.end(), face.corners.rbegin(), face.corners.rend());
+      result.closeFace(false);
+    }
+  }
+  return result;
+}
+
+}
