@@ -47,6 +47,16 @@ void vtkCartesianAlgorithm::ReportFlaws(const std::string& text)
   }
 }
 
+void vtkCartesianAlgorithm::RequireSurface(vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  for (const char* type :
+    { "vtkPolyData", "vtkMultiBlockDataSet", "vtkPartitionedDataSetCollection" })
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
+  }
+}
+
 int vtkCartesianAlgorithm::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {

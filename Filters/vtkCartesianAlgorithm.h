@@ -76,6 +76,12 @@ protected:
   void ReportFlaws(const std::string& text);
 
   /**
+   * An input port takes a vtkPolyData, or many in a vtkMultiBlockDataSet or a
+   * vtkPartitionedDataSetCollection.
+   */
+  static void RequireSurface(vtkInformation* info);
+
+  /**
    * The first process asks for all of its inputs, whole: it makes the mesh alone.
    */
   int RequestUpdateExtent(

@@ -30,10 +30,10 @@ int vtkCartesianMesher::RequestData(
     return 1;
   }
   this->Run(0, 1, [&](cartesian::Execution& execution) {
-    const cartesian::SurfaceFromVTK surface(vtkPolyData::GetData(input[0]), this->BoundaryArray);
+    const cartesian::SurfaceFromVTK surface(vtkDataObject::GetData(input[0]), this->BoundaryArray);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
     this->Inspect(prepared, surface, vtkPolyData::GetData(output, 2), execution);
-    const cartesian::BoxedSurface boxed = this->Divide(prepared, input[1], execution);
+    const cartesian::BoxedSurface boxed = this->Divide(surface, prepared, input[1], execution);
     execution.stage("Patches", cartesian::AfterBoxes, cartesian::AfterPatches);
     const cartesian::Patches patches =
       cartesian::generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes,
@@ -44,7 +44,7 @@ int vtkCartesianMesher::RequestData(
       this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove,
       this->MergeRatio, 15, this->SplitConcaveCells };
     const cartesian::Assembly assembly(boxed.boxes, patches, spec, execution);
-    cartesian::toVTK(assembly, vtkUnstructuredGrid::GetData(output, 0),
+    cartesian::toVTK(assembly, surface.names(), vtkUnstructuredGrid::GetData(output, 0),
       vtkPolyData::GetData(output, 1), execution);
     this->ReportFlaws(assembly.describeFlaws());
   });

@@ -4,6 +4,8 @@
 
 #include "Vector.h"
 
+#include <algorithm>
+
 namespace cartesian
 {
 
@@ -14,43 +16,60 @@ struct FaceGeometry
 {
   Vector centre; // mean of the star triangles' centres, weighted with their areas
   Vector area;   // sum of the star triangles' (equation 1); counter-clockwise is positive
-  double star;   // the smallest star triangle, as a part of the mean one; negative: turned over
 };
 
-// A face of `size` corners, corner(i); its star triangulation is about the mean of the corners.
-template <class Corner>
-FaceGeometry measureFace(std::size_t size, Corner&& corner)
+// Calls visit(p, q, area) for the triangles of the star around the mean of a face's corners, which
+// are corner(0) to corner(size - 1): two corners from the mean, and the triangle's area. Returns the
+// mean.
+template <class Corner, class Visitor>
+Vector forEachStarTriangle(std::size_t size, Corner&& corner, Visitor&& visit)
 {
-  const Vector origin = corner(0); // all sums are taken from here, for accuracy
+  const Vector origin = corner(0); // sums are taken from here, for accuracy
   Vector mean{ 0, 0, 0 };
-  for (std::size_t i = 0; i < size; ++i)
+  for (std::size_t i = 1; i < size; ++i)
   {
     mean = plus(mean, minus(corner(i), origin));
   }
-  mean = scaled(mean, 1.0 / static_cast<double>(size));
-  const auto triangle = [&](std::size_t i, Vector& p, Vector& q) {
-    p = minus(corner(i), origin);
-    q = minus(corner(i + 1 < size ? i + 1 : 0), origin);
-    return scaled(cross(minus(p, mean), minus(q, mean)), 0.5);
-  };
-  Vector p;
-  Vector q;
-  FaceGeometry face{ { 0, 0, 0 }, { 0, 0, 0 }, 1 };
-  double sum = 0;
+  mean = plus(origin, scaled(mean, 1.0 / static_cast<double>(size)));
+  Vector p = minus(corner(size - 1), mean);
   for (std::size_t i = 0; i < size; ++i)
   {
-    const Vector area = triangle(i, p, q);
-    face.area = plus(face.area, area);
-    sum += norm(area);
-    face.centre = plus(face.centre, scaled(plus(mean, plus(p, q)), norm(area) / 3));
+    const Vector q = minus(corner(i), mean);
+    visit(p, q, scaled(cross(p, q), 0.5));
+    p = q;
   }
-  face.centre = plus(origin, sum < Tiny ? mean : scaled(face.centre, 1 / sum));
-  for (std::size_t i = 0; size > 3 && i < size; ++i)
+  return mean;
+}
+
+template <class Corner>
+FaceGeometry measureFace(std::size_t size, Corner&& corner)
+{
+  Vector area{ 0, 0, 0 };
+  Vector moment{ 0, 0, 0 };
+  double sum = 0;
+  const Vector mean = forEachStarTriangle(
+    size, corner, [&](const Vector& p, const Vector& q, const Vector& triangle) {
+      const double part = norm(triangle);
+      area = plus(area, triangle);
+      moment = plus(moment, scaled(plus(p, q), part / 3));
+      sum += part;
+    });
+  return { sum < Tiny ? mean : plus(mean, scaled(moment, 1 / sum)), area };
+}
+
+// The smallest triangle of the star, as a part of the mean one; negative where it is turned over.
+template <class Corner>
+double smallestOfStar(std::size_t size, Corner&& corner, const Vector& area)
+{
+  double smallest = 1;
+  if (size > 3)
   {
-    const double part = dot(triangle(i, p, q), face.area) * static_cast<double>(size);
-    face.star = std::min(face.star, part / (dot(face.area, face.area) + Tiny));
+    const double mean = dot(area, area) / static_cast<double>(size) + Tiny;
+    forEachStarTriangle(size, corner, [&](const Vector&, const Vector&, const Vector& triangle) {
+      smallest = std::min(smallest, dot(triangle, area) / mean);
+    });
   }
-  return face;
+  return smallest;
 }
 
 struct CellGeometry

@@ -39,7 +39,7 @@ public:
 
   void addEdge(std::uint32_t lower, const EdgeUse* first, const EdgeUse* last)
   {
-    if (last - first != 2 || (first->triangleTwice & 1) == (first[1].triangleTwice & 1))
+    if (last - first != 2 || first->down() == first[1].down())
     {
       return;
     }
@@ -71,7 +71,7 @@ private:
   std::size_t edgeOf(const EdgeUse& use, std::uint32_t lower) const
   {
     const auto& v = surface_.triangles[use.triangle()];
-    const std::uint32_t from = (use.triangleTwice & 1) != 0 ? use.upper : lower;
+    const std::uint32_t from = use.down() ? use.upper : lower;
     return v[0] == from ? 0 : (v[1] == from ? 1 : 2);
   }
 

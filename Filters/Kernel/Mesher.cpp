@@ -257,6 +257,10 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
     { "IsolatedCells", isolated },
     { "VoidsInsideCells", static_cast<double>(cells_.voids) },
     { "FoldsLeftOut", static_cast<double>(cells_.folds) },
+    { "BoundaryAngleFailures", static_cast<double>(mesh_->failures().boundaryAngle) },
+    { "InnerAngleFailures", static_cast<double>(mesh_->failures().innerAngle) },
+    { "OpennessFailures", static_cast<double>(mesh_->failures().open) },
+    { "VolumeFailures", static_cast<double>(mesh_->failures().negativeVolume) },
   };
 }
 

@@ -192,7 +192,9 @@ private:
   void measureFaceBetween(std::size_t face)
   {
     const FaceGeometry& geometry = quality_.faceGeometry[face];
-    setFace(face, StarTriangulation, geometry.star);
+    setFace(face, StarTriangulation,
+      smallestOfStar(
+        sizeOf(face), [&](std::size_t i) { return position(corners(face)[i]); }, geometry.area));
     const double ownerAngle = angleIn(owner(face), face);
     const double ownerTet = tetQualityIn(owner(face), face);
     if (!isInner(face))

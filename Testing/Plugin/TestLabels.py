@@ -5,21 +5,24 @@ from paraview import simple
 
 grid = {"CellSize": 0.0, "MeshlinesX": [], "MeshlinesY": [], "MeshlinesZ": []}
 refinement = {"RefinementDepth": 0, "RefinementBlocks": [], "BoundaryRefinement": [],
-              "RegionDepth": 1}
+              "RefinedBoundaries": [], "RefinedBoundaryDepth": 1, "RegionDepth": 1}
 boundaries = {"BoundaryArray": ""}
 patches = {"PatchMethod": "Automatic", "FeatureAngle": 30.0, "MergeAngle": 10.0,
            "Tying": "Keep Nodes"}
-cells = {"SmallCellRatio": 0.001}
+cells = {"SmallCells": "Merge", "MergeRatio": 0.1, "SmallCellRatio": 0.001, "SplitConcaveCells": 1}
 threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}
 
 surface = simple.Sphere()
+cube = simple.Box()
+cube.UpdatePipeline()
 boxer = simple.CartesianBoxer(Input=surface)
 patcher = simple.Patcher(Input=surface, Boxes=boxer)
 assembler = simple.CellAssembler(Input=boxer, Patches=patcher)
 mesher = simple.CartesianMesher(Input=surface)
 inspector = simple.SurfaceInspector(Input=surface)
 quality = simple.FiniteVolumeQuality(Input=mesher)
+region = simple.RefinementRegion(Input=cube)
 
 expected = {
     boxer: ("Cartesian Boxer", ["Input", "RefinementRegions"],
@@ -30,10 +33,15 @@ expected = {
              boundaries | grid | refinement | patches | cells | threads | memory),
     inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
     quality: ("Finite Volume Quality", ["Input"], threads),
+    # A region is as large as its input at first.
+    region: ("Refinement Region", ["Input"], {"Shape": "Box", "Position": [-0.5, -0.5, -0.5],
+        "Rotation": [0, 0, 0], "Length": [1, 1, 1], "Center": [0, 0, 0], "Radius": 0.25,
+        "Depth": 1}),
 }
 for proxy, (label, inputs, properties) in expected.items():
     assert proxy.GetXMLLabel() == label, proxy.GetXMLLabel()
-    names = sorted(proxy.ListProperties())
+    # What ends in Info is what a panel asks the server, not the user.
+    names = sorted(name for name in proxy.ListProperties() if not name.endswith("Info"))
     assert names == sorted(inputs + list(properties)), f"{label} has the properties {names}"
     for name, default in properties.items():
         value = proxy.GetPropertyValue(name)

@@ -66,12 +66,12 @@ def check(surface, size, depth, folder, chosen):
     if mesher.GetDataInformation().GetNumberOfCells() == 0:
         print("NO MESH", flush=True)
         return False
-    foam.save(mesher, folder)
-    simple.Delete(mesher)
     try:
+        foam.save(mesher, folder)
+        simple.Delete(mesher)
         found = foam.CheckMesh(folder, *["-allGeometry", "-allTopology"] if chosen.all else [])
-    except AssertionError as crash:
-        print("CRASH", str(crash).splitlines()[-1], flush=True)
+    except AssertionError as failure:
+        print("FAILS", str(failure).splitlines()[-1], flush=True)
         return False
     print("OK   " if found.ok else "FAILS", f"{seconds:6.1f} s",
           "  ".join(f"{name} {figure:g}" for name, figure in found.figures.items()), flush=True)

@@ -19,15 +19,21 @@ FIGURES = {
     "determinant": r"determinant.* (?:minimum|min)\w*: ([^\s,]+)",
     "weight": r"interpolation weight.* minimum: ([^\s,]+)",
     "volume ratio": r"[Ff]ace volume ratio.* minimum: ([^\s,]+)",
+    "steep faces": r"severely non-orthogonal.*faces: (\d+)",
+    "skew faces": r", (\d+) highly skew faces",
+    "wrong faces": r"face pyramids: (\d+) faces",
+    "concave cells": r"Concave cells.*: (\d+)",
     "smallest volume": r"[Mm]in(?:imum)? volume\S* = ([^\s,]+)",
 }
 
 
 def save(proxy, folder, **properties):
     """Writes the case; a mesh of an earlier case there is replaced."""
-    folder = pathlib.Path(folder)
-    simple.SaveData(str(folder / "case.foam"), proxy, **properties)
-    return folder
+    case = pathlib.Path(folder) / "case.foam"
+    case.unlink(missing_ok=True)
+    simple.SaveData(str(case), proxy, **properties)
+    assert case.exists(), f"{case} was not written, for the reason above"
+    return case.parent
 
 
 def run(folder, *command):
