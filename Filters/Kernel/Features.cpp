@@ -162,12 +162,10 @@ Features findFeatures(const Surface& surface, double featureAngle, Execution& ex
   execution.forEach(count, TrianglesAChunk,
     [&](std::size_t begin, std::size_t end) { finder.findNormals(begin, end); });
   const SurfaceEdges edges(surface, execution);
-  execution.forEach(edges.vertices(), TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
-    edges.forEach(begin, end,
-      [&](std::uint32_t lower, const EdgeUse* first, const EdgeUse* last) {
-        finder.addEdge(lower, first, last);
-      });
-  });
+  edges.forEach(
+    execution, [&](std::size_t, std::uint32_t lower, const EdgeUse* first, const EdgeUse* last) {
+      finder.addEdge(lower, first, last);
+    });
   execution.forEach(count, TrianglesAChunk,
     [&](std::size_t begin, std::size_t end) { finder.markEdges(begin, end); });
   return result;

@@ -8,8 +8,6 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t VerticesAChunk = 1 << 13;
-
 void judge(std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end, SurfaceCheck& result)
 {
   const auto uses = static_cast<std::size_t>(end - begin);
@@ -47,14 +45,11 @@ void add(const SurfaceCheck& part, SurfaceCheck& sum)
 
 SurfaceCheck check(const SurfaceEdges& edges, Execution& execution)
 {
-  const std::size_t count = edges.vertices();
-  std::vector<SurfaceCheck> parts(chunks(count, VerticesAChunk));
-  execution.forEach(count, VerticesAChunk, [&](std::size_t first, std::size_t last) {
-    SurfaceCheck& part = parts[first / VerticesAChunk];
-    edges.forEach(first, last, [&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
-      judge(lower, begin, end, part);
+  std::vector<SurfaceCheck> parts(edges.chunkCount());
+  edges.forEach(execution,
+    [&](std::size_t chunk, std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+      judge(lower, begin, end, parts[chunk]);
     });
-  });
   SurfaceCheck result;
   for (const SurfaceCheck& part : parts)
   {

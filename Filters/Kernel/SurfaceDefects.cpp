@@ -11,8 +11,6 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t VerticesAChunk = 1 << 13;
-
 using Triangle = std::array<std::uint32_t, 3>;
 
 // Two triangles on one edge, the angle between which is almost nothing.
@@ -46,9 +44,9 @@ bool folded(const Vector& a, const Vector& b)
 
 std::vector<Fold> findFolds(const Surface& surface, const SurfaceEdges& edges, Execution& execution)
 {
-  std::vector<std::vector<Fold>> parts(chunks(edges.vertices(), VerticesAChunk));
-  execution.forEach(edges.vertices(), VerticesAChunk, [&](std::size_t first, std::size_t last) {
-    edges.forEach(first, last, [&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+  std::vector<std::vector<Fold>> parts(edges.chunkCount());
+  edges.forEach(execution,
+    [&](std::size_t chunk, std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
       for (const EdgeUse* a = begin; a != end; ++a)
       {
         // Around an edge of many triangles neighbours are next to each other often enough.
@@ -56,13 +54,12 @@ std::vector<Fold> findFolds(const Surface& surface, const SurfaceEdges& edges, E
         {
           if (folded(across(surface, lower, *a), across(surface, lower, *b)))
           {
-            parts[first / VerticesAChunk].push_back(
+            parts[chunk].push_back(
               { std::min(a->triangle(), b->triangle()), std::max(a->triangle(), b->triangle()) });
           }
         }
       }
     });
-  });
   std::vector<Fold> folds;
   for (const auto& part : parts)
   {

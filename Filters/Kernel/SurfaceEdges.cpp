@@ -8,8 +8,6 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t VerticesAChunk = 1 << 13;
-
 template <class Visitor>
 void forEachUse(const Surface& surface, Visitor&& visit)
 {

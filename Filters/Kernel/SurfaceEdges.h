@@ -28,10 +28,32 @@ class SurfaceEdges
 public:
   SurfaceEdges(const Surface& surface, Execution& execution);
 
-  // Calls visit(lower, begin, end) with the uses of each edge whose lower vertex is in
-  // [first, last); in order of vertices.
+  // Calls visit(lower, begin, end) with the uses of each edge, in order of vertices.
   template <class Visitor>
-  void forEach(std::size_t first, std::size_t last, Visitor&& visit) const
+  void forEach(Visitor&& visit) const
+  {
+    forEachFrom(0, vertices(), visit);
+  }
+
+  // Calls visit(chunk, lower, begin, end) likewise, on all threads, those of a chunk of vertices in
+  // order.
+  template <class Visitor>
+  void forEach(Execution& execution, Visitor&& visit) const
+  {
+    execution.forEach(vertices(), VerticesAChunk, [&](std::size_t first, std::size_t last) {
+      forEachFrom(first, last, [&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+        visit(first / VerticesAChunk, lower, begin, end);
+      });
+    });
+  }
+
+  std::size_t chunkCount() const { return chunks(vertices(), VerticesAChunk); }
+
+private:
+  static constexpr std::size_t VerticesAChunk = 1 << 13;
+
+  template <class Visitor>
+  void forEachFrom(std::size_t first, std::size_t last, Visitor&& visit) const
   {
     for (std::size_t v = first; v < last; ++v)
     {
@@ -49,15 +71,8 @@ public:
     }
   }
 
-  template <class Visitor>
-  void forEach(Visitor&& visit) const
-  {
-    forEach(0, vertices(), visit);
-  }
-
   std::size_t vertices() const { return start_.size() - 1; }
 
-private:
   std::vector<std::size_t> start_; // of each lower vertex, and the end
   std::vector<EdgeUse> uses_;
 };

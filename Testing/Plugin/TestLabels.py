@@ -20,9 +20,9 @@ boxer = simple.CartesianBoxer(Input=surface)
 patcher = simple.Patcher(Input=surface, Boxes=boxer)
 assembler = simple.CellAssembler(Input=boxer, Patches=patcher)
 mesher = simple.CartesianMesher(Input=surface)
+inspector = simple.SurfaceInspector(Input=surface)
 quality = simple.FiniteVolumeQuality(Input=mesher)
 region = simple.RefinementRegion(Input=cube)
-inspector = simple.SurfaceInspector(Input=surface)
 
 expected = {
     boxer: ("Cartesian Boxer", ["Input", "RefinementRegions"],
@@ -31,12 +31,12 @@ expected = {
     assembler: ("Cell Assembler", ["Input", "Patches"], cells | threads),
     mesher: ("Cartesian Mesher", ["Input", "RefinementRegions"],
              boundaries | grid | refinement | patches | cells | threads | memory),
+    inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
     quality: ("Finite Volume Quality", ["Input"], threads),
     # A region is as large as its input at first.
     region: ("Refinement Region", ["Input"], {"Shape": "Box", "Position": [-0.5, -0.5, -0.5],
         "Rotation": [0, 0, 0], "Length": [1, 1, 1], "Center": [0, 0, 0], "Radius": 0.25,
         "Depth": 1}),
-    inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
 }
 for proxy, (label, inputs, properties) in expected.items():
     assert proxy.GetXMLLabel() == label, proxy.GetXMLLabel()
@@ -48,8 +48,10 @@ for proxy, (label, inputs, properties) in expected.items():
         value = list(value) if isinstance(default, list) else value
         assert value == default, f"the default of {name} of {label} is {value!r}"
 
-for proxy, names in (assembler, ["Mesh", "Boundary"]), (mesher, ["Mesh", "Boundary", "Defects"]), \
-        (quality, ["Mesh", "Faces"]):
+for proxy, names in (
+    (assembler, ["Mesh", "Boundary"]), (mesher, ["Mesh", "Boundary", "Defects"]),
+    (quality, ["Mesh", "Faces"]),
+):
     ports = [proxy.GetOutputPortName(i) for i in range(proxy.GetNumberOfOutputPorts())]
     assert ports == names, ports
 
