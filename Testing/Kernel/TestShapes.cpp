@@ -61,7 +61,7 @@ TEST_P(CleanShape, SmallCellsAreRemoved)
     const double size = soup.longest() / 6.1;
     try
     {
-      const Meshed meshed = meshOf(soup, cellsOf(size), { ratio, 1, {} });
+      const Meshed meshed = meshOf(soup, cellsOf(size), { asTheyAre(ratio), 1, {} });
       EXPECT_TRUE(isValid(meshed.mesh));
       for (const double fraction : meshed.mesh.volumeFraction)
       {
