@@ -2,13 +2,16 @@
 an output that is empty or valid, and no crash."""
 
 import math
+import pathlib
+import tempfile
 
 from cartesianmesher.vtkCartesianMesherFilters import vtkCartesianMesher
 from paraview import simple
+from vtkmodules.vtkCommonCore import vtkIntArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 import measure
-from pipeline import (Messages, assert_identical, error_code, merged, octahedron, output, polydata,
+from pipeline import (DATA, Messages, assert_identical, error_code, merged, octahedron, output, polydata,
                       producer, read)
 
 EMPTY_SURFACE, BAD_COORDINATE, BAD_CELL_SIZE, BAD_MESHLINES, TOO_MANY_BOXES, MISSING_ARRAY, \
@@ -91,6 +94,23 @@ cut_off = partial(surface, "Meshlines X", "cut the mesh off", code=0, MeshlinesX
     PatchMethod="Exact Fit")
 assert abs(cut_off.volume - 7 / 6) < 1e-8, cut_off.volume
 assert sorted(cut_off.areas) == [-1, 0]
+
+# An array of the wrong length, a file that ends in the middle.
+short = polydata(points, triangles)
+numbers = vtkIntArray()
+numbers.SetName("Boundaries")
+numbers.SetNumberOfTuples(3)
+short.GetCellData().AddArray(numbers)
+refused(producer(short), MISSING_ARRAY, 'Boundary Array "Boundaries"', BoundaryArray="Boundaries")
+whole = (DATA / "HD_airframe_aileron_gap.stl").read_bytes()
+with tempfile.TemporaryDirectory() as folder:
+    for part in 2, 100:
+        path = pathlib.Path(folder) / f"cut{part}.stl"
+        path.write_bytes(whole[:len(whole) // part])
+        with Messages() as said:
+            cut = simple.CartesianMesher(Input=simple.STLReader(FileNames=[str(path)]))
+            output(cut)
+        assert "premature" in str(said).lower() or error_code(cut) != 0, said
 
 # Other properties.
 refused(surface, MISSING_ARRAY, 'Boundary Array "Nope"', "choose another", BoundaryArray="Nope")
