@@ -15,7 +15,8 @@ namespace
 constexpr std::size_t CellsAChunk = 512;
 constexpr double RadiansPerDegree = 3.14159265358979 / 180;
 
-std::vector<CellKey> unfitCells(const CellComplex& complex, Execution& execution)
+std::vector<CellKey> unfitCells(
+  const CellComplex& complex, Demand demand, Execution& execution)
 {
   const std::vector<CellKey> keys = complex.polyhedra();
   std::vector<std::vector<CellKey>> parts(chunks(keys.size(), CellsAChunk));
@@ -26,7 +27,7 @@ std::vector<CellKey> unfitCells(const CellComplex& complex, Execution& execution
     {
       complex.shape(keys[i], polyhedron);
       measure(polyhedron, shape);
-      if (unfitArea(polyhedron, shape) > 0)
+      if (unfitArea(polyhedron, shape, demand) > 0)
       {
         parts[begin / CellsAChunk].push_back(keys[i]);
       }
@@ -61,17 +62,17 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
   merge(Demand::Angles);
   if (spec.splitConcave)
   {
-    for (const CellKey key : unfitCells(complex, execution))
+    for (const CellKey key : unfitCells(complex, Demand::Fitness, execution))
     {
       complex.open(key);
       complex.joinFaces(key, leastCosine);
     }
-    const Splitting splitting = splitCells(complex, unfitCells(complex, execution),
+    const Splitting splitting = splitCells(complex, unfitCells(complex, Demand::Fitness, execution),
       spec.smallCells == SmallCells::Remove ? spec.smallCellRatio : 0, execution);
     shaping.cellsSplit = splitting.cellsSplit;
     merge(Demand::Fitness);
   }
-  shaping.angleFailures = unfitCells(complex, execution).size();
+  shaping.angleFailures = unfitCells(complex, Demand::Angles, execution).size();
   if (complex.changed())
   {
     complex.finish(execution);

@@ -206,6 +206,7 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
     { "BoxesFlawed", static_cast<double>(flawedBoxes().size()) },
     { "Patches", static_cast<double>(patches_.size()) },
     { "CellsSplit", static_cast<double>(shaping_.cellsSplit) },
+    { "AngleFailures", static_cast<double>(shaping_.angleFailures) },
     { "SmallCellsMerged", static_cast<double>(shaping_.cellsMerged) },
     { "SmallCellsRemoved", removed },
     { "IsolatedCells", isolated },

@@ -137,6 +137,9 @@ Meshed meshPrepared(const PreparedSurface& prepared, const Options& options)
     prepared.surface, result.boxed.boxes, result.boxed.shoeboxes, options.patches, execution);
   CellSpec spec;
   spec.smallCellRatio = options.smallCellRatio;
+  spec.smallCells = options.mergeRatio > 0 ? SmallCells::Merge : SmallCells::Remove;
+  spec.mergeRatio = options.mergeRatio;
+  spec.splitConcave = options.splitConcave;
   const Assembly assembly(result.boxed.boxes, result.patches, spec, execution);
   result.mesh = arraysOf(assembly.mesh(), result.boxed.boxes, execution);
   result.flawedBoxes = assembly.flawedBoxes();

@@ -61,6 +61,8 @@ struct Options
   int threads = 1;
   RefinementSpec refinement;
   PatchSpec patches = exactFit(); // for the tests' exact facts
+  bool splitConcave = true;
+  double mergeRatio = 0; // nothing is merged
 };
 
 GridSpec cellsOf(double size);

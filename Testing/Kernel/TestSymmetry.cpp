@@ -71,16 +71,19 @@ TEST(Symmetry, TranslationMovesThePointsAndNothingElse)
   }
 }
 
+// But for cells that are cut: of neighbours that both propose, the first in the order of boxes wins.
 TEST(Symmetry, AxesMayBePermuted)
 {
+  Options options;
+  options.splitConcave = false;
   for (unsigned seed = 1; seed < 4; ++seed)
   {
-    const MeshArrays mesh = meshOf(generic(seed), genericGrid()).mesh;
+    const MeshArrays mesh = meshOf(generic(seed), genericGrid(), options).mesh;
     for (const std::array<int, 3>& axes : std::vector<std::array<int, 3>>{
            { 1, 2, 0 }, { 2, 0, 1 }, { 1, 0, 2 }, { 0, 2, 1 }, { 2, 1, 0 } })
     {
       const MeshArrays other =
-        meshOf(generic(seed).permuted(axes), permuted(genericGrid(), axes)).mesh;
+        meshOf(generic(seed).permuted(axes), permuted(genericGrid(), axes), options).mesh;
       EXPECT_TRUE(isValid(other));
       ASSERT_EQ(mesh.cells(), other.cells());
       EXPECT_EQ(mesh.points.size(), other.points.size());

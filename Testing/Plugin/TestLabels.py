@@ -8,7 +8,8 @@ refinement = {"RefinementDepth": 0, "RefinementBlocks": [], "BoundaryRefinement"
               "RegionDepth": 1}
 boundaries = {"BoundaryArray": ""}
 patches = {"PatchMethod": "Exact Fit"}
-cells = {"SmallCellRatio": 0.001}
+cells = {"SmallCells": "Merge", "MergeRatio": 0.1, "SmallCellRatio": 0.001,
+         "SplitConcaveCells": 1}
 threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}
 
