@@ -1,36 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCartesianAlgorithm.h"
 
-#include "Error.h"
-#include "Execution.h"
+#include "Guard.h"
 
-#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <new>
 
-namespace
-{
-
-constexpr unsigned long Code(cartesian::Fault fault)
-{
-  return vtkErrorCode::UserError + static_cast<unsigned long>(fault);
-}
-
-static_assert(Code(cartesian::Fault::EmptySurface) == vtkCartesianAlgorithm::EmptySurface);
-static_assert(Code(cartesian::Fault::OutOfMemory) == vtkCartesianAlgorithm::OutOfMemory);
-
-}
+static_assert(
+  cartesian::errorCode(cartesian::Fault::EmptySurface) == vtkCartesianAlgorithm::EmptySurface);
+static_assert(
+  cartesian::errorCode(cartesian::Fault::CannotWrite) == vtkCartesianAlgorithm::CannotWrite);
 
 bool vtkCartesianAlgorithm::Run(
   double begin, double end, const std::function<void(cartesian::Execution&)>& work)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
-  try
-  {
+  const auto runIt = [&] {
     double progress = 0;
     cartesian::Execution execution(this->NumberOfThreads, [&](double fraction, const char* stage) {
       // A stage may be several loops, each of which begins where the stage does.
@@ -40,24 +28,14 @@ bool vtkCartesianAlgorithm::Run(
       return !this->CheckAbort();
     });
     work(execution);
-    return true;
-  }
-  catch (const cartesian::Error& error)
-  {
-    this->SetErrorCode(Code(error.fault));
-    vtkErrorMacro(<< error.what());
-  }
-  catch (const cartesian::Stopped&)
-  {
-    this->SetErrorCode(vtkCartesianAlgorithm::Stopped);
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->SetErrorCode(vtkCartesianAlgorithm::OutOfMemory);
-    vtkErrorMacro("Out of memory. Use a larger cell size, or set a lower memory limit to be told "
-                  "before the work begins.");
-  }
-  return false;
+  };
+  return cartesian::guarded(runIt, [this](unsigned long code, const std::string& message) {
+    this->SetErrorCode(code);
+    if (!message.empty())
+    {
+      vtkErrorMacro(<< message);
+    }
+  });
 }
 
 void vtkCartesianAlgorithm::ReportFlaws(const std::string& text)
@@ -66,6 +44,16 @@ void vtkCartesianAlgorithm::ReportFlaws(const std::string& text)
   {
     this->SetErrorCode(vtkCartesianAlgorithm::FlawedSurface);
     vtkWarningMacro(<< text);
+  }
+}
+
+void vtkCartesianAlgorithm::RequireSurface(vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  for (const char* type :
+    { "vtkPolyData", "vtkMultiBlockDataSet", "vtkPartitionedDataSetCollection" })
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
   }
 }
 

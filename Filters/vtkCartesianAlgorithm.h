@@ -45,7 +45,9 @@ public:
     FlawedSurface = 40007, ///< open or inconsistent: meshed as far as possible
     BadParameter = 40008,  ///< another property is out of its range
     Stopped = 40009,       ///< by the user
-    OutOfMemory = 40010    ///< there was less memory than estimated
+    OutOfMemory = 40010,   ///< there was less memory than estimated
+    BadMesh = 40011,       ///< cells to write overlap, are turned inside out, or too many
+    CannotWrite = 40012    ///< a file cannot be written
   };
 
   ///@{
@@ -72,6 +74,12 @@ protected:
    * text, no flaws.
    */
   void ReportFlaws(const std::string& text);
+
+  /**
+   * An input port takes a vtkPolyData, or many in a vtkMultiBlockDataSet or a
+   * vtkPartitionedDataSetCollection.
+   */
+  static void RequireSurface(vtkInformation* info);
 
   /**
    * The first process asks for all of its inputs, whole: it makes the mesh alone.

@@ -2,17 +2,22 @@
 #include "vtkCartesianBoxer.h"
 
 #include "BoxesVTK.h"
+#include "DefectsToVTK.h"
 #include "Error.h"
 #include "Mesher.h"
+#include "SurfaceBlocks.h"
 #include "SurfaceFromVTK.h"
 
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
 #include "vtksys/SystemInformation.hxx"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -52,6 +57,31 @@ int WholeNumber(double value, const std::string& where)
   return static_cast<int>(value);
 }
 
+// Closed surfaces around regions, with the depth of each: its own, in field data, or `depth`.
+struct RegionSurface
+{
+  std::unique_ptr<cartesian::SurfaceFromVTK> surface;
+  int depth;
+};
+
+std::vector<RegionSurface> RegionSurfaces(vtkInformationVector* input, int depth)
+{
+  std::vector<RegionSurface> regions;
+  for (int i = 0; i < input->GetNumberOfInformationObjects(); ++i)
+  {
+    for (const cartesian::SurfaceBlock& block :
+      cartesian::surfaceBlocks(vtkDataObject::GetData(input, i)))
+    {
+      vtkDataArray* own = block.surface->GetFieldData()->GetArray(cartesian::RegionDepthField);
+      regions.push_back({ std::make_unique<cartesian::SurfaceFromVTK>(block.surface, ""),
+        own && own->GetNumberOfTuples() == 1
+          ? WholeNumber(own->GetComponent(0, 0), "the field data of Refinement Regions")
+          : depth });
+    }
+  }
+  return regions;
+}
+
 }
 
 vtkStandardNewMacro(vtkCartesianBoxer);
@@ -59,6 +89,37 @@ vtkStandardNewMacro(vtkCartesianBoxer);
 vtkCartesianBoxer::vtkCartesianBoxer()
 {
   this->SetNumberOfInputPorts(2);
+}
+
+int vtkCartesianBoxer::GetNumberOfRefinedBoundaryArrays()
+{
+  return this->RefinedBoundaries->GetNumberOfArrays();
+}
+
+const char* vtkCartesianBoxer::GetRefinedBoundaryArrayName(int i)
+{
+  return this->RefinedBoundaries->GetArrayName(i);
+}
+
+int vtkCartesianBoxer::GetRefinedBoundaryArrayStatus(const char* name)
+{
+  return this->RefinedBoundaries->ArrayIsEnabled(name);
+}
+
+void vtkCartesianBoxer::ChooseNoRefinedBoundaries()
+{
+  this->RefinedBoundaries->DisableAllArrays();
+  this->Modified();
+}
+
+void vtkCartesianBoxer::SetRefinedBoundaryArrayStatus(const char* name, int chosen)
+{
+  const bool isNew = !this->RefinedBoundaries->ArrayExists(name);
+  if (isNew || (this->RefinedBoundaries->ArrayIsEnabled(name) != 0) != (chosen != 0))
+  {
+    this->RefinedBoundaries->SetArraySetting(name, chosen != 0);
+    this->Modified();
+  }
 }
 
 void vtkCartesianBoxer::SetNumberOfRefinementBlocks(int number)
@@ -154,16 +215,70 @@ double vtkCartesianBoxer::GetMeshline(int axis, int i)
   return this->HasMeshline(axis, i) ? this->Meshlines[axis][i] : 0.0;
 }
 
+void vtkCartesianBoxer::DescribeBoundaries(vtkDataObject* result)
+{
+  if (vtkAlgorithm* source = this->GetInputAlgorithm())
+  {
+    source->Update();
+  }
+  this->Run(0, 1, [&](cartesian::Execution&) {
+    const cartesian::SurfaceFromVTK surface(
+      this->GetNumberOfInputConnections(0) ? this->GetInputDataObject(0, 0) : nullptr,
+      this->BoundaryArray);
+    cartesian::setBoundaryNames(result, surface.names());
+  });
+}
+
 int vtkCartesianBoxer::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1 ? 1 : 0);
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), port == 1 ? 1 : 0);
+  RequireSurface(info);
   return 1;
 }
 
 int vtkCartesianBoxer::FillOutputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkUnstructuredGrid");
+  return 1;
+}
+
+void vtkCartesianBoxer::ListBoundaries(const cartesian::SurfaceFromVTK& source)
+{
+  vtkNew<vtkDataArraySelection> list;
+  for (const auto& named : source.names())
+  {
+    const char* name = named.second.c_str();
+    list->AddArray(name, this->RefinedBoundaries->ArrayIsEnabled(name));
+  }
+  for (int i = 0; i < this->RefinedBoundaries->GetNumberOfArrays(); ++i)
+  {
+    if (this->RefinedBoundaries->GetArraySetting(i))
+    {
+      list->AddArray(this->RefinedBoundaries->GetArrayName(i), true);
+    }
+  }
+  this->RefinedBoundaries->CopySelections(list);
+}
+
+int vtkCartesianBoxer::RequestInformation(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
+{
+  vtkDataObject* data = vtkDataObject::GetData(input[0]);
+  if (!data || data->GetMTime() == this->NamesTime)
+  {
+    return 1;
+  }
+  this->NamesTime = data->GetMTime();
+  try
+  {
+    const cartesian::SurfaceFromVTK surface(data, this->BoundaryArray);
+    this->ListBoundaries(surface);
+  }
+  catch (const cartesian::Error&)
+  {
+    // Not read yet, or flawed: the work itself will say so.
+  }
   return 1;
 }
 
@@ -180,8 +295,21 @@ cartesian::PreparedSurface vtkCartesianBoxer::Prepare(
   return prepared;
 }
 
-cartesian::BoxedSurface vtkCartesianBoxer::Divide(const cartesian::PreparedSurface& prepared,
-  vtkInformationVector* regions, cartesian::Execution& execution)
+void vtkCartesianBoxer::Inspect(const cartesian::PreparedSurface& prepared,
+  const cartesian::SurfaceFromVTK& surface, vtkPolyData* defects, cartesian::Execution& execution)
+{
+  execution.stage("Defects of the surface", cartesian::AfterSurface, cartesian::AfterDefects);
+  const cartesian::SurfaceDefects found = cartesian::findDefects(
+    prepared.surface, prepared.trianglesGiven, prepared.repair, prepared.planes, execution);
+  cartesian::toVTK(found, surface.cells(), defects);
+  const std::string text = cartesian::describe(found);
+  if (!text.empty())
+  {
+    vtkWarningMacro(<< text);
+  }
+}
+
+cartesian::RefinementSpec vtkCartesianBoxer::MakeSpec(const cartesian::SurfaceFromVTK& source)
 {
   cartesian::RefinementSpec spec;
   spec.depth = this->RefinementDepth;
@@ -203,11 +331,49 @@ cartesian::BoxedSurface vtkCartesianBoxer::Divide(const cartesian::PreparedSurfa
     spec.boundaries.push_back({ WholeNumber(row[0], name), WholeNumber(row[1], name),
       WholeNumber(row[2], name), WholeNumber(row[3], name) != 0 });
   }
-  std::unique_ptr<cartesian::SurfaceFromVTK> region;
-  if (vtkPolyData* input = regions ? vtkPolyData::GetData(regions) : nullptr)
+  this->AddChosenBoundaries(source, spec);
+  return spec;
+}
+
+void vtkCartesianBoxer::AddChosenBoundaries(
+  const cartesian::SurfaceFromVTK& source, cartesian::RefinementSpec& spec)
+{
+  this->ListBoundaries(source);
+  const std::size_t rows = spec.boundaries.size();
+  for (int i = 0; i < this->RefinedBoundaries->GetNumberOfArrays(); ++i)
   {
-    region = std::make_unique<cartesian::SurfaceFromVTK>(input, "");
-    spec.regions.push_back({ region->view(), this->RegionDepth });
+    const std::string name = this->RefinedBoundaries->GetArrayName(i);
+    if (!this->RefinedBoundaries->GetArraySetting(i))
+    {
+      continue;
+    }
+    const auto& names = source.names();
+    const auto found = std::find_if(
+      names.begin(), names.end(), [&](const auto& named) { return named.second == name; });
+    if (found == names.end())
+    {
+      throw cartesian::Error(cartesian::Fault::BadParameter,
+        "Refined Boundaries has \"" + name + "\", which the surface has not; its first is \"" +
+          names.begin()->second + "\".");
+    }
+    const auto rowsEnd = spec.boundaries.begin() + static_cast<std::ptrdiff_t>(rows);
+    if (std::none_of(spec.boundaries.begin(), rowsEnd,
+          [&](const auto& row) { return row.boundary == found->first; }))
+    {
+      spec.boundaries.push_back({ found->first, this->RefinedBoundaryDepth, 0, false });
+    }
+  }
+}
+
+cartesian::BoxedSurface vtkCartesianBoxer::Divide(const cartesian::SurfaceFromVTK& source,
+  const cartesian::PreparedSurface& prepared, vtkInformationVector* regions,
+  cartesian::Execution& execution)
+{
+  cartesian::RefinementSpec spec = this->MakeSpec(source);
+  const std::vector<RegionSurface> surfaces = RegionSurfaces(regions, this->RegionDepth);
+  for (const RegionSurface& region : surfaces)
+  {
+    spec.regions.push_back({ region.surface->view(), region.depth });
   }
   cartesian::BoxedSurface boxed = cartesian::boxSurface(prepared, spec, execution);
   for (const std::string& warning : { cartesian::describeOverhang(prepared), boxed.warnings })
@@ -228,10 +394,10 @@ int vtkCartesianBoxer::RequestData(
     return 1;
   }
   this->Run(0, cartesian::AfterBoxes, [&](cartesian::Execution& execution) {
-    const cartesian::SurfaceFromVTK surface(vtkPolyData::GetData(input[0]), this->BoundaryArray);
+    const cartesian::SurfaceFromVTK surface(vtkDataObject::GetData(input[0]), this->BoundaryArray);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
-    cartesian::toVTK(
-      this->Divide(prepared, input[1], execution).boxes, vtkUnstructuredGrid::GetData(output));
+    cartesian::toVTK(this->Divide(surface, prepared, input[1], execution).boxes,
+      vtkUnstructuredGrid::GetData(output));
   });
   return 1;
 }
@@ -254,6 +420,9 @@ void vtkCartesianBoxer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RefinementDepth: " << this->RefinementDepth << "\n";
   PrintTable(os, indent, "RefinementBlocks", this->RefinementBlocks);
   PrintTable(os, indent, "BoundaryRefinements", this->BoundaryRefinements);
+  os << indent << "RefinedBoundaries:\n";
+  this->RefinedBoundaries->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "RefinedBoundaryDepth: " << this->RefinedBoundaryDepth << "\n";
   os << indent << "RegionDepth: " << this->RegionDepth << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }

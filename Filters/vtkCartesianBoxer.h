@@ -3,13 +3,13 @@
  * @class vtkCartesianBoxer
  * @brief divides the space around a surface into boxes
  *
- * Input: a closed surface (vtkPolyData). Output: the boxes that hold a part of the inside
+ * Input: a closed surface (vtkPolyData, or blocks of it, which are boundaries). Output: the boxes that hold a part of the inside
  * (vtkUnstructuredGrid of voxels; sections 4.1 to 4.6 of the paper).
  *
  * Cell arrays of the output: GlobalBox (int, components I, J, K), Level and Offset (how often
  * halved along x, y, z, and where in the global box, in 1/64 of it), Status (1 inside, 2 intersected by
  * the surface), CornerStatus (bit x + 2 y + 4 z: that corner is inside). Field data: LatticeOrigin,
- * LatticeStep, PlanesX, PlanesY, PlanesZ, SurfaceClosed (see Conversion/BoxesVTK.h).
+ * LatticeStep, PlanesX, PlanesY, PlanesZ (see Conversion/BoxesVTK.h).
  *
  * Errors: EmptySurface, BadCoordinate, BadCellSize, BadMeshlines, TooManyBoxes,
  * MissingArray, BadParameter (a depth, a block, an unknown boundary); FlawedSurface with a
@@ -20,7 +20,8 @@
  * halved again and again, along one, two or three axes: into the fewest boxes that cover what is
  * inside or intersected at the depth allowed there, balanced between neighbours.
  *
- * Input port 1, optional: a closed surface (vtkPolyData) around a region to refine.
+ * Input port 1, optional, many: closed surfaces (vtkPolyData, or blocks of them), each around a
+ * region to refine.
  *
  * @sa vtkPatcher vtkCellAssembler vtkCartesianMesher
  */
@@ -30,14 +31,20 @@
 #include "vtkCartesianAlgorithm.h"
 #include "vtkCartesianMesherFiltersModule.h" // for the export macro
 
+#include "vtkDataArraySelection.h" // for vtkDataArraySelection
+#include "vtkNew.h"                // for vtkNew
+
 #include <array>  // for std::array
 #include <string> // for std::string
 #include <vector> // for std::vector
+
+class vtkPolyData;
 
 namespace cartesian
 {
 struct BoxedSurface;
 struct PreparedSurface;
+struct RefinementSpec;
 class SurfaceFromVTK;
 }
 
@@ -82,12 +89,19 @@ public:
 
   ///@{
   /**
-   * Cell array of the surface that numbers its boundaries. Empty, the default: the one that a
-   * reader made for the solids that an STL file names, if there is one, else one boundary.
+   * Cell array of the surface that numbers its boundaries, or names them. Empty, the default: the
+   * blocks of the surface, or the solids that an STL file names, if there are several, else one
+   * boundary.
    */
   vtkSetMacro(BoundaryArray, std::string);
   vtkGetMacro(BoundaryArray, std::string);
   ///@}
+
+  /**
+   * Updates the surface and gives `result` field data: the numbers (BoundaryIds) and the names
+   * (BoundaryNames) of its boundaries. On an error it stays as it is.
+   */
+  void DescribeBoundaries(vtkDataObject* result);
 
   ///@{
   /**
@@ -120,10 +134,31 @@ public:
     int row, double boundary, double depth, double blendLayers, double blendBelow);
   ///@}
 
+  /**
+   * Takes all connections of input port 1 away.
+   */
+  void RemoveAllRefinementRegions() { this->RemoveAllInputConnections(1); }
+
   ///@{
   /**
-   * Depth, allowed and forced, of global boxes in or at the closed surface on input port 1; 0 to 6,
-   * default 1. Applied last; only ever refines.
+   * Boundaries by name, to be refined where no row above says how: whether one is chosen, and the depth
+   * of global boxes that chosen ones pass through (0 to 6, default 1), without blending. Names may
+   * be chosen before the surface is known; those that it does not have are an error then. The
+   * methods' names are what ParaView asks for.
+   */
+  int GetNumberOfRefinedBoundaryArrays();
+  const char* GetRefinedBoundaryArrayName(int i);
+  int GetRefinedBoundaryArrayStatus(const char* name);
+  void SetRefinedBoundaryArrayStatus(const char* name, int chosen);
+  void ChooseNoRefinedBoundaries();
+  vtkSetMacro(RefinedBoundaryDepth, int);
+  vtkGetMacro(RefinedBoundaryDepth, int);
+  ///@}
+
+  ///@{
+  /**
+   * Depth, allowed and forced, of global boxes in or at closed surfaces on input port 1 that have
+   * none of their own (field data RegionDepth); 0 to 6, default 1. Applied last; only ever refines.
    */
   vtkSetMacro(RegionDepth, int);
   vtkGetMacro(RegionDepth, int);
@@ -144,6 +179,12 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+
+  /**
+   * Finds the names of the boundaries that can be chosen, as soon as the surface is there.
+   */
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
@@ -154,10 +195,18 @@ protected:
     const cartesian::SurfaceFromVTK& surface, cartesian::Execution& execution);
 
   /**
-   * The boxes; rows of tables that reach beyond the grid are reported. `regions`: port 1, or null.
+   * All defects of the surface into `defects`; what the mesh may suffer from is reported.
    */
-  cartesian::BoxedSurface Divide(const cartesian::PreparedSurface& prepared,
-    vtkInformationVector* regions, cartesian::Execution& execution);
+  void Inspect(const cartesian::PreparedSurface& prepared, const cartesian::SurfaceFromVTK& surface,
+    vtkPolyData* defects, cartesian::Execution& execution);
+
+  /**
+   * The boxes; rows of tables that reach beyond the grid are reported. `source` is what `prepared`
+   * was made from, `regions` port 1.
+   */
+  cartesian::BoxedSurface Divide(const cartesian::SurfaceFromVTK& source,
+    const cartesian::PreparedSurface& prepared, vtkInformationVector* regions,
+    cartesian::Execution& execution);
 
   double CellSize = 0;
   std::array<std::vector<double>, 3> Meshlines;
@@ -165,6 +214,8 @@ protected:
   int RefinementDepth = 0;
   std::vector<std::array<double, 8>> RefinementBlocks;
   std::vector<std::array<double, 4>> BoundaryRefinements;
+  vtkNew<vtkDataArraySelection> RefinedBoundaries;
+  int RefinedBoundaryDepth = 1;
   int RegionDepth = 1;
   double MemoryLimit = 0;
 
@@ -173,6 +224,12 @@ private:
   void operator=(const vtkCartesianBoxer&) = delete;
 
   bool HasMeshline(int axis, int i);
+  cartesian::RefinementSpec MakeSpec(const cartesian::SurfaceFromVTK& source);
+  void ListBoundaries(const cartesian::SurfaceFromVTK& source);
+  void AddChosenBoundaries(
+    const cartesian::SurfaceFromVTK& source, cartesian::RefinementSpec& spec);
+  vtkMTimeType NamesTime = 0; // of the surface whose boundaries RefinedBoundaries lists
+
   template <class Row>
   void Resize(std::vector<Row>& table, int number);
   template <class Row>

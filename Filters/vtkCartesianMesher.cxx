@@ -13,7 +13,7 @@ vtkStandardNewMacro(vtkCartesianMesher);
 
 vtkCartesianMesher::vtkCartesianMesher()
 {
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
 }
 
 int vtkCartesianMesher::FillOutputPortInformation(int port, vtkInformation* info)
@@ -30,9 +30,10 @@ int vtkCartesianMesher::RequestData(
     return 1;
   }
   this->Run(0, 1, [&](cartesian::Execution& execution) {
-    const cartesian::SurfaceFromVTK surface(vtkPolyData::GetData(input[0]), this->BoundaryArray);
+    const cartesian::SurfaceFromVTK surface(vtkDataObject::GetData(input[0]), this->BoundaryArray);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
-    const cartesian::BoxedSurface boxed = this->Divide(prepared, input[1], execution);
+    this->Inspect(prepared, surface, vtkPolyData::GetData(output, 2), execution);
+    const cartesian::BoxedSurface boxed = this->Divide(surface, prepared, input[1], execution);
     execution.stage("Patches", cartesian::AfterBoxes, cartesian::AfterPatches);
     const cartesian::Patches patches =
       cartesian::generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes,
@@ -43,7 +44,7 @@ int vtkCartesianMesher::RequestData(
       this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove,
       this->MergeRatio, 15, this->SplitConcaveCells };
     const cartesian::Assembly assembly(boxed.boxes, patches, spec, execution);
-    cartesian::toVTK(assembly, vtkUnstructuredGrid::GetData(output, 0),
+    cartesian::toVTK(assembly, surface.names(), vtkUnstructuredGrid::GetData(output, 0),
       vtkPolyData::GetData(output, 1), execution);
     this->ReportFlaws(assembly.describeFlaws());
   });

@@ -5,12 +5,13 @@
  *
  * Input: a closed surface (vtkPolyData). Outputs: port 0 "Mesh" (vtkUnstructuredGrid), port 1
  * "Boundary" (vtkPolyData), the faces of the mesh that only one cell has; their arrays are those of
- * vtkCellAssembler, the errors those of all three filters.
+ * vtkCellAssembler, the errors those of all three filters. Port 2 "Defects" (vtkPolyData): see
+ * vtkSurfaceInspector.
  *
  * vtkCartesianBoxer, vtkPatcher and vtkCellAssembler in one, with the same result bit for bit: the
  * boxer's properties are inherited, the other two's repeated here.
  *
- * @sa vtkCartesianBoxer vtkPatcher vtkCellAssembler
+ * @sa vtkCartesianBoxer vtkPatcher vtkCellAssembler vtkSurfaceInspector
  */
 #ifndef vtkCartesianMesher_h
 #define vtkCartesianMesher_h
@@ -90,7 +91,7 @@ protected:
 
   int PatchMethod = 0;
   double FeatureAngle = 30;
-  double MergeAngle = 15;
+  double MergeAngle = 10;
   int Tying = 0;
   int SmallCells = Merge;
   double MergeRatio = 0.1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCellAssembler.h"
 
+#include "BoundaryNames.h"
 #include "BoxesVTK.h"
 #include "MeshToVTK.h"
 #include "PatchesVTK.h"
@@ -50,8 +51,8 @@ int vtkCellAssembler::RequestData(
       this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove,
       this->MergeRatio, 15, this->SplitConcaveCells };
     const cartesian::Assembly assembly(boxes, patches, spec, execution);
-    cartesian::toVTK(assembly, vtkUnstructuredGrid::GetData(output, 0),
-      vtkPolyData::GetData(output, 1), execution);
+    cartesian::toVTK(assembly, cartesian::boundaryNames(vtkDataObject::GetData(input[1])),
+      vtkUnstructuredGrid::GetData(output, 0), vtkPolyData::GetData(output, 1), execution);
     this->ReportFlaws(assembly.describeFlaws());
   });
   return 1;

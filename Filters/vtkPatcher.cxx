@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPatcher.h"
 
+#include "BoundaryNames.h"
 #include "BoxesVTK.h"
 #include "Error.h"
 #include "Mesher.h"
@@ -46,8 +47,14 @@ vtkPatcher::vtkPatcher()
 
 int vtkPatcher::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(
-    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkUnstructuredGrid");
+  if (port == 0)
+  {
+    RequireSurface(info);
+  }
+  else
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  }
   return 1;
 }
 
@@ -66,11 +73,11 @@ int vtkPatcher::RequestData(
   }
   this->Run(0, 1, [&](cartesian::Execution& execution) {
     execution.stage("Shoeboxes", 0, cartesian::AfterBoxes);
-    const cartesian::SurfaceFromVTK source(vtkPolyData::GetData(input[0]), this->BoundaryArray);
+    const cartesian::SurfaceFromVTK source(vtkDataObject::GetData(input[0]), this->BoundaryArray);
     const cartesian::Boxes boxes = cartesian::boxesFromVTK(vtkUnstructuredGrid::GetData(input[1]));
     checkPlace(cartesian::boundsOf(source.view()), boxes.lattice);
-    const cartesian::Surface surface =
-      cartesian::onLattice(source.view(), boxes.lattice, execution);
+    cartesian::Surface surface = cartesian::onLattice(source.view(), boxes.lattice, execution);
+    cartesian::repair(surface, boxes.planes, execution);
     const cartesian::Shoeboxes shoeboxes =
       cartesian::fillShoeboxes(surface, boxes.planes, execution);
     execution.stage("Patches", cartesian::AfterBoxes, 1);
@@ -82,7 +89,10 @@ int vtkPatcher::RequestData(
     {
       throwMisplaced();
     }
-    cartesian::toVTK(patches, boxes, source.cells(), vtkPolyData::GetData(output));
+    std::vector<vtkIdType> cells = source.cells();
+    cells.resize(surface.triangles.size(), -1);
+    cartesian::toVTK(patches, boxes, cells, vtkPolyData::GetData(output));
+    cartesian::setBoundaryNames(vtkDataObject::GetData(output), source.names());
   });
   return 1;
 }

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkPatcher
- * @brief cuts a surface into patches, each of which lies in one box
+ * @brief makes patches of a surface (the boundary faces of a mesh), each of which lies in one box
  *
  * Inputs: port 0 a closed surface (vtkPolyData), port 1 the boxes of vtkCartesianBoxer
  * (vtkUnstructuredGrid). Output: the patches (vtkPolyData), a watertight surface.
  *
  * Cell arrays of the output: BoundaryId (int: the boundary that a patch belongs to), BoxId (its
- * box's cell in the grid of boxes), SurfaceCell (the cell of the surface that it is a part of).
- * Section 4.7 of the paper.
+ * box's cell in the grid of boxes), SurfaceCell (the cell of the surface that it is, or comes nearest
+ * to, a part of), PatchReason (unsigned char: why its box has patches like this: 0 Marching Cubes; Exact
+ * Fit because 1 an edge of the box is crossed more than once, 2 the surface meets a side in a closed
+ * polyline, 3 a sharp feature passes through or the surface turns within the box by more than twice
+ * Feature Angle, 4 there are several boundaries, 5 the surface in the box is no set of discs, 6 Patch
+ * Method says so). Sections 4.7, 4.8 and A2 of the paper.
  *
  * Errors: EmptySurface, BadCoordinate, MissingArray (no Boundary Array of that name, or boxes that
- * Cartesian Boxer did not make, or not for this surface).
+ * Cartesian Boxer did not make, or not for this surface), BadParameter (an angle).
  *
  * @sa vtkCartesianBoxer vtkCellAssembler vtkCartesianMesher
  */
@@ -78,7 +82,7 @@ public:
   ///@{
   /**
    * How far the normals of what becomes one patch may differ, degrees, 0 to 90. Exact Fit as a patch
-   * method merges nothing. Default: 15.
+   * method merges nothing. Default: 10.
    */
   vtkSetMacro(MergeAngle, double);
   vtkGetMacro(MergeAngle, double);
@@ -104,7 +108,7 @@ protected:
   std::string BoundaryArray;
   int PatchMethod = Automatic;
   double FeatureAngle = 30;
-  double MergeAngle = 15;
+  double MergeAngle = 10;
   int Tying = KeepNodes;
 
 private:

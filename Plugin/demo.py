@@ -29,8 +29,8 @@ def print_statistics(mesh):
     arrays = mesh.GetFieldData()
     for i in range(arrays.GetNumberOfArrays()):
         array = arrays.GetAbstractArray(i)
-        values = [array.GetVariantValue(j).ToString() for j in range(array.GetNumberOfValues())]
-        print(f"{array.GetName():32} {' '.join(values)}")
+        if array.GetNumberOfValues() == 1:
+            print(f"{array.GetName():32} {array.GetVariantValue(0).ToString()}")
 
 
 def longest_cut(mesh, axis):

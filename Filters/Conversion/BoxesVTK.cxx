@@ -22,7 +22,6 @@ namespace
 
 constexpr const char* LatticeOrigin = "LatticeOrigin";
 constexpr const char* LatticeStep = "LatticeStep";
-constexpr const char* SurfaceClosed = "SurfaceClosed";
 constexpr std::array<const char*, 3> PlaneNames = { "PlanesX", "PlanesY", "PlanesZ" };
 
 // Corners of all boxes, numbered.
@@ -266,7 +265,6 @@ void toVTK(const Boxes& boxes, vtkUnstructuredGrid* grid)
   setField(grid, LatticeOrigin,
     { boxes.lattice.origin()[0], boxes.lattice.origin()[1], boxes.lattice.origin()[2] });
   setField(grid, LatticeStep, { boxes.lattice.step() });
-  setField(grid, SurfaceClosed, { boxes.closed ? 1.0 : 0.0 });
   for (int axis = 0; axis < 3; ++axis)
   {
     setField(grid, PlaneNames[axis], { boxes.planes[axis].begin(), boxes.planes[axis].end() });
@@ -278,7 +276,6 @@ Boxes boxesFromVTK(vtkUnstructuredGrid* grid)
   Boxes boxes;
   const std::vector<double> origin = getField(grid, LatticeOrigin, 3);
   boxes.lattice = Lattice({ origin[0], origin[1], origin[2] }, getField(grid, LatticeStep, 1)[0]);
-  boxes.closed = getField(grid, SurfaceClosed, 1)[0] != 0;
   boxes.planes = readPlanes(grid);
 
   BoxReader reader(grid);
@@ -297,7 +294,7 @@ Boxes boxesFromVTK(vtkUnstructuredGrid* grid)
 void removeBoxFields(vtkDataObject* data)
 {
   for (const char* name :
-    { LatticeOrigin, LatticeStep, SurfaceClosed, PlaneNames[0], PlaneNames[1], PlaneNames[2] })
+    { LatticeOrigin, LatticeStep, PlaneNames[0], PlaneNames[1], PlaneNames[2] })
   {
     data->GetFieldData()->RemoveArray(name);
   }

@@ -6,7 +6,7 @@
 // low corner in its global box, in 1/64 of it), Status (unsigned char: 1 inside, 2 intersected),
 // CornerStatus (unsigned char, bit x + 2 y + 4 z: that corner is inside).
 // Field data: LatticeOrigin (3, user units), LatticeStep (1, user units), PlanesX, PlanesY, PlanesZ
-// (even levels of the lattice), SurfaceClosed (1 or 0).
+// (even levels of the lattice).
 #pragma once
 
 #include "Boxes.h"

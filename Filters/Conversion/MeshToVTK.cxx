@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshToVTK.h"
 
+#include "BoundaryOfFaces.h"
 #include "FieldData.h"
+#include "Polyhedra.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkIdTypeArray.h"
@@ -11,9 +14,10 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolygon.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkVersionMacros.h"
 
 namespace cartesian
 {
@@ -41,13 +45,7 @@ void setCells(const Mesh& mesh, vtkUnstructuredGrid* grid, Execution& execution)
     execution);
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);
-  const bool polyhedra = mesh.faceStreamSize() > 0;
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20240112)
-#error "polyhedra are two vtkCellArrays from this version on: split faceStream here"
-#else
-  grid->SetCells(
-    types, cells, polyhedra ? faceStart.Get() : nullptr, polyhedra ? faceStream.Get() : nullptr);
-#endif
+  cartesian::setCells(grid, types, cells, faceStart, faceStream);
 }
 
 void setCellData(const Mesh& mesh, vtkUnstructuredGrid* grid, Execution& execution)
@@ -138,18 +136,63 @@ void setBoundary(
   boundary->SetPoints(points);
   boundary->SetPolys(polygons);
   boundary->GetPointData()->AddArray(meshPoint);
-  boundary->GetCellData()->AddArray(id);
+  boundary->GetCellData()->SetScalars(id); // what it is coloured by at first
   boundary->GetCellData()->AddArray(owner);
 }
 
+// Name, number of faces and area of each boundary, on both outputs.
+void describeBoundaries(BoundaryNames names, vtkPolyData* boundary, vtkUnstructuredGrid* mesh)
+{
+  struct Measure
+  {
+    vtkIdType faces = 0;
+    double area = 0;
+  };
+  std::map<std::int32_t, Measure> measures;
+  vtkDataArray* id = boundary->GetCellData()->GetArray("BoundaryId");
+  auto face = vtk::TakeSmartPointer(boundary->GetPolys()->NewIterator());
+  for (face->GoToFirstCell(); !face->IsDoneWithTraversal(); face->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    face->GetCurrentCell(size, corners);
+    std::array<double, 3> normal;
+    Measure& measure =
+      measures[static_cast<std::int32_t>(id->GetComponent(face->GetCurrentCellId(), 0))];
+    measure.area += vtkPolygon::ComputeArea(boundary->GetPoints(), size, corners, normal.data());
+    ++measure.faces;
+  }
+  for (const auto& measured : measures)
+  {
+    names.emplace(measured.first, unnamedBoundary(measured.first));
+  }
+  vtkNew<vtkIdTypeArray> faces;
+  faces->SetName("BoundaryFaceCounts");
+  vtkNew<vtkDoubleArray> areas;
+  areas->SetName("BoundaryAreas");
+  for (const auto& named : names)
+  {
+    faces->InsertNextValue(measures[named.first].faces);
+    areas->InsertNextValue(measures[named.first].area);
+  }
+  for (vtkDataObject* output : std::initializer_list<vtkDataObject*>{ mesh, boundary })
+  {
+    setBoundaryNames(output, names);
+    output->GetFieldData()->AddArray(faces);
+    output->GetFieldData()->AddArray(areas);
+  }
 }
 
-void toVTK(
-  const Assembly& assembly, vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution)
+}
+
+void toVTK(const Assembly& assembly, const BoundaryNames& names, vtkUnstructuredGrid* mesh,
+  vtkPolyData* boundary, Execution& execution)
 {
   execution.stage("Writing the mesh", AfterNumbering, 1);
   setMesh(assembly, mesh, execution);
   setBoundary(assembly.mesh(), mesh, boundary, execution);
+  setBoundaryOfFaces(mesh, boundary);
+  describeBoundaries(names, boundary, mesh);
 }
 
 }

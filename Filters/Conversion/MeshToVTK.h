@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The kernel's mesh as VTK data. The only file that knows how this version of VTK stores polyhedra.
+// The kernel's mesh as VTK data.
 //
 // Mesh (vtkUnstructuredGrid of VTK_HEXAHEDRON and VTK_POLYHEDRON with outward faces). Cell arrays:
 // GlobalBox (int, components I, J, K), Level (unsigned char, components X, Y, Z: of the cell's box), Region (int, from 1), VolumeFraction (double, of the cell's
-// box). Field data: one array of one number for each of the statistics.
+// box). Field data: one array of one number for each of the statistics. Both also hold what
+// BoundaryOfFaces.h says.
 //
 // Boundary (vtkPolyData): the faces that only one cell has. Cell arrays: BoundaryId (int; -1 where no
 // patch was), OwnerCell (id type: cell of the mesh). Point array: MeshPointId (id type).
+//
+// Both have field data of one value for each boundary, in order of their numbers: BoundaryIds and
+// BoundaryNames (BoundaryNames.h), BoundaryFaceCounts (id type), BoundaryAreas (double, square user
+// units).
 #pragma once
 
+#include "BoundaryNames.h"
 #include "Mesher.h"
 
 class vtkPolyData;
@@ -17,7 +23,7 @@ class vtkUnstructuredGrid;
 namespace cartesian
 {
 
-void toVTK(
-  const Assembly& assembly, vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution);
+void toVTK(const Assembly& assembly, const BoundaryNames& names, vtkUnstructuredGrid* mesh,
+  vtkPolyData* boundary, Execution& execution);
 
 }

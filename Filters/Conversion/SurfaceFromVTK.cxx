@@ -2,6 +2,7 @@
 #include "SurfaceFromVTK.h"
 
 #include "Error.h"
+#include "SurfaceBlocks.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -11,10 +12,12 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 #include "vtkTriangleFilter.h"
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace cartesian
 {
@@ -49,37 +52,67 @@ vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData* input)
   return filter->GetOutput();
 }
 
+// What a cell array says of `cell`, which the user knows as `userCell`.
+std::int32_t boundaryNumber(vtkDataArray* array, vtkIdType cell, vtkIdType userCell)
+{
+  const double value = array->GetComponent(cell, 0);
+  if (!(std::abs(value) <= std::numeric_limits<std::int32_t>::max()))
+  {
+    throw Error(Fault::MissingArray,
+      std::string("Boundary Array \"") + array->GetName() + "\" holds " + number(value) +
+        " at cell " + std::to_string(userCell) + ", which is no boundary number.");
+  }
+  return static_cast<std::int32_t>(std::lround(value));
 }
 
-SurfaceFromVTK::SurfaceFromVTK(vtkPolyData* input, const std::string& boundaryArray)
+}
+
+SurfaceFromVTK::SurfaceFromVTK(vtkDataObject* input, const std::string& boundaryArray)
 {
-  if (!input || !input->GetPoints() || input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
+  const std::vector<SurfaceBlock> blocks = surfaceBlocks(input);
+  const bool isWhole = blocks.front().surface == input;
+  names_ = isWhole ? boundaryNames(input) : BoundaryNames();
+  for (const SurfaceBlock& block : blocks)
   {
-    throw Error(
-      Fault::EmptySurface, "The surface has no polygons: connect a closed triangulated surface.");
+    readTriangles(block.surface);
+    if (isWhole || !boundaryArray.empty())
+    {
+      readBoundaries(block.surface, boundaryArray);
+    }
+    else
+    {
+      const std::string name =
+        block.name.empty() ? "block_" + std::to_string(&block - blocks.data()) : block.name;
+      boundary_.resize(cells_.size(), numberOf(name));
+    }
+    cellsBefore_ += block.surface->GetNumberOfCells();
   }
-  if (input->GetNumberOfPoints() >= std::numeric_limits<std::uint32_t>::max())
+  for (const std::int32_t boundary : std::set<std::int32_t>(boundary_.begin(), boundary_.end()))
+  {
+    names_.emplace(boundary, unnamedBoundary(boundary));
+  }
+}
+
+void SurfaceFromVTK::readTriangles(vtkPolyData* block)
+{
+  const std::size_t pointsBefore = points_.size() / 3;
+  if (pointsBefore + static_cast<std::size_t>(block->GetNumberOfPoints()) >=
+    std::numeric_limits<std::uint32_t>::max())
   {
     throw Error(
       Fault::BadParameter, "The surface has more points than can be numbered in 32 bits.");
   }
-  readTriangles(input);
-  readBoundaries(input, boundaryArray);
-}
-
-void SurfaceFromVTK::readTriangles(vtkPolyData* input)
-{
-  vtkSmartPointer<vtkPolyData> surface = input;
+  vtkSmartPointer<vtkPolyData> surface = block;
   vtkIdTypeArray* ids = nullptr;
-  if (!allTriangles(input))
+  if (!allTriangles(block))
   {
-    surface = triangulated(input);
+    surface = triangulated(block);
     ids = vtkIdTypeArray::SafeDownCast(surface->GetCellData()->GetArray(CellIds));
   }
   const vtkIdType before = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
   auto cell = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
-  triangles_.reserve(3 * static_cast<std::size_t>(surface->GetNumberOfPolys()));
-  cells_.reserve(static_cast<std::size_t>(surface->GetNumberOfPolys()));
+  triangles_.reserve(triangles_.size() + 3 * static_cast<std::size_t>(surface->GetNumberOfPolys()));
+  cells_.reserve(cells_.size() + static_cast<std::size_t>(surface->GetNumberOfPolys()));
   for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
   {
     vtkIdType size = 0;
@@ -91,45 +124,54 @@ void SurfaceFromVTK::readTriangles(vtkPolyData* input)
     }
     for (int i = 0; i < 3; ++i)
     {
-      triangles_.push_back(static_cast<std::uint32_t>(corners[i]));
+      triangles_.push_back(
+        static_cast<std::uint32_t>(pointsBefore + static_cast<std::size_t>(corners[i])));
     }
     const vtkIdType id = before + cell->GetCurrentCellId();
-    cells_.push_back(ids ? ids->GetValue(id) : id);
+    cells_.push_back(cellsBefore_ + (ids ? ids->GetValue(id) : id));
   }
-  points_.resize(3 * static_cast<std::size_t>(surface->GetNumberOfPoints()));
+  points_.resize(points_.size() + 3 * static_cast<std::size_t>(surface->GetNumberOfPoints()));
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
-    surface->GetPoint(i, points_.data() + 3 * i);
+    surface->GetPoint(i, points_.data() + 3 * (pointsBefore + static_cast<std::size_t>(i)));
   }
 }
 
-void SurfaceFromVTK::readBoundaries(vtkPolyData* input, const std::string& boundaryArray)
+void SurfaceFromVTK::readBoundaries(vtkPolyData* block, const std::string& boundaryArray)
 {
-  boundary_.assign(cells_.size(), 0);
   const std::string name = boundaryArray.empty() ? StlSolids : boundaryArray;
-  vtkDataArray* array = input->GetCellData()->GetArray(name.c_str());
+  vtkAbstractArray* array = block->GetCellData()->GetAbstractArray(name.c_str());
   if (!array && boundaryArray.empty())
   {
+    boundary_.resize(cells_.size(), 0);
     return;
   }
-  if (!array || array->GetNumberOfComponents() != 1 ||
-    array->GetNumberOfTuples() != input->GetNumberOfCells())
+  auto* strings = vtkStringArray::SafeDownCast(array);
+  auto* numbers = vtkDataArray::SafeDownCast(array);
+  if ((!strings && !numbers) || array->GetNumberOfComponents() != 1 ||
+    array->GetNumberOfTuples() != block->GetNumberOfCells())
   {
     throw Error(Fault::MissingArray,
       "Boundary Array \"" + name +
-        "\" is no cell array of the surface with one number a cell: choose another, or none.");
+        "\" is no cell array of the surface with one number or string a cell: choose another, or "
+        "none.");
   }
-  for (std::size_t t = 0; t < cells_.size(); ++t)
+  for (std::size_t t = boundary_.size(); t < cells_.size(); ++t)
   {
-    const double value = array->GetComponent(cells_[t], 0);
-    if (!(std::abs(value) <= std::numeric_limits<std::int32_t>::max()))
-    {
-      throw Error(Fault::MissingArray,
-        "Boundary Array \"" + name + "\" holds " + number(value) + " at cell " +
-          std::to_string(cells_[t]) + ", which is no boundary number.");
-    }
-    boundary_[t] = static_cast<std::int32_t>(std::lround(value));
+    const vtkIdType cell = cells_[t] - cellsBefore_;
+    boundary_.push_back(
+      strings ? numberOf(strings->GetValue(cell)) : boundaryNumber(numbers, cell, cells_[t]));
   }
+}
+
+std::int32_t SurfaceFromVTK::numberOf(const std::string& name)
+{
+  const auto [place, isNew] = numbers_.emplace(name, static_cast<std::int32_t>(numbers_.size()));
+  if (isNew)
+  {
+    names_[place->second] = name;
+  }
+  return place->second;
 }
 
 SurfaceView SurfaceFromVTK::view() const

@@ -124,8 +124,7 @@ private:
   void exposeBoxSides()
   {
     const auto& flawed = parts_.inner.flawed;
-    const bool anywhere =
-      !parts_.boxes.closed || std::find(flawed.begin(), flawed.end(), 1) != flawed.end();
+    const bool anywhere = std::find(flawed.begin(), flawed.end(), 1) != flawed.end();
     for (std::uint32_t b = 0; b < parts_.boxes.boxes.size(); ++b)
     {
       if (parts_.sides.polyhedralOrdinal(b) != None)

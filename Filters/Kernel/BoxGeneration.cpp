@@ -27,14 +27,6 @@ constexpr double BytesOfATriangle = 150;
 // Units that a smooth surface passes through in a box of depth d are about this many times 4^d.
 constexpr double UnitsAcrossABox = 1.6;
 
-double spacing(const std::vector<Level>& planes, double level)
-{
-  const auto last = static_cast<std::int64_t>(planes.size()) - 2;
-  const std::int64_t i =
-    std::clamp<std::int64_t>(intervalOf(planes, static_cast<Level>(level)), 0, last);
-  return double(planes[static_cast<std::size_t>(i + 1)]) - planes[static_cast<std::size_t>(i)];
-}
-
 // Boxes that a triangle passes through, taking the spacing around its middle.
 double boxesOfTriangle(const Corners& c, const Meshlines& planes)
 {
@@ -59,18 +51,17 @@ double boxesOfTriangle(const Corners& c, const Meshlines& planes)
 class Generator
 {
 public:
-  Generator(const Surface& surface, const SurfaceCheck& check, const Meshlines& planes,
-    const Shoeboxes& shoeboxes, const Refinement& refinement, Execution& execution)
+  Generator(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
+    const Refinement& refinement, Execution& execution)
     : surface_(surface)
     , planes_(planes)
     , shoeboxes_(shoeboxes)
     , refinement_(refinement)
-    , statuses_(surface, check, planes, shoeboxes, execution)
+    , statuses_(surface, planes, shoeboxes, execution)
     , execution_(execution)
   {
     boxes_.lattice = surface.lattice;
     boxes_.planes = planes;
-    boxes_.closed = check.closed();
   }
 
   Boxes generate(double mostBytes)
@@ -382,10 +373,10 @@ private:
 
 }
 
-Boxes generateBoxes(const Surface& surface, const SurfaceCheck& check, const Meshlines& planes,
-  const Shoeboxes& shoeboxes, const Refinement& refinement, double mostBytes, Execution& execution)
+Boxes generateBoxes(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
+  const Refinement& refinement, double mostBytes, Execution& execution)
 {
-  return Generator(surface, check, planes, shoeboxes, refinement, execution).generate(mostBytes);
+  return Generator(surface, planes, shoeboxes, refinement, execution).generate(mostBytes);
 }
 
 Estimate estimateMesh(const Surface& surface, const Meshlines& planes)

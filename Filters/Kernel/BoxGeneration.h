@@ -4,19 +4,19 @@
 #include "Boxes.h"
 #include "Refinement.h"
 #include "Shoeboxes.h"
-#include "SurfaceCheck.h"
+#include "Surface.h"
 
 namespace cartesian
 {
 
-// Statuses come from the crossings along x where the surface is closed; where it is not, each
-// vertex takes the vote of its six rays (4.4). Global boxes that are intersected are divided to the
+// Every edge of the surface has an even number of triangles (SurfaceRepair.h): statuses come from the
+// crossings along x. Global boxes that are intersected are divided to the
 // depth allowed there into the fewest boxes that cover what is inside or intersected; forced depth
 // divides them and inside boxes further. Then boxes are balanced (Balance.h).
 //
 // Throws Error (TooManyBoxes) where the mesh would take more bytes than `mostBytes`.
-Boxes generateBoxes(const Surface& surface, const SurfaceCheck& check, const Meshlines& planes,
-  const Shoeboxes& shoeboxes, const Refinement& refinement, double mostBytes, Execution& execution);
+Boxes generateBoxes(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
+  const Refinement& refinement, double mostBytes, Execution& execution);
 
 // How many boxes and bytes the mesh will take, roughly, before anything is built and without
 // refinement.

@@ -121,7 +121,7 @@ bool SideLines::crossing(const Corners& triangle, const Point& p, const Point& q
 }
 
 SurfaceCutter::SurfaceCutter(
-  const Surface& surface, const Features& features, const Boxes& boxes, bool clearance)
+  const Surface& surface, const Features& features, const Boxes& boxes, const Clearance* clearance)
   : surface_(surface)
   , features_(features)
   , boxes_(boxes)
@@ -142,7 +142,7 @@ void SurfaceCutter::cut(
     const std::uint32_t i = boxes_.globalOf(box).index[axis];
     const Level low = boxes_.planes[axis][i];
     const Level high = boxes_.planes[axis][i + 1];
-    intervals_[axis] = { low, high, clearanceOf(low, high) };
+    intervals_[axis] = { low, high, clearance_ ? clearance_->of(axis, i) : 0 };
   }
   for (const std::uint32_t* triangle = begin; triangle != end; ++triangle)
   {
@@ -210,7 +210,7 @@ void SurfaceCutter::addPolygons(
         fragment.corner[std::size_t(i)][std::size_t(axis)] == box_->high[std::size_t(axis)];
       addSegment(last, to, triangle, static_cast<std::uint8_t>(2 * axis + (upper ? 1 : 0)));
     }
-    else if (last != to && (features_.sharp[triangle] >> fragment.side[std::size_t(i)] & 1) != 0)
+    else if (last != to && features_.isSharp(triangle, fragment.side[std::size_t(i)]))
     {
       result.sharp = true;
     }

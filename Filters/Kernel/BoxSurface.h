@@ -5,7 +5,7 @@
 // a side have the same segments there, turned round.
 #pragma once
 
-#include "Boxes.h"
+#include "Clearance.h"
 #include "ExactFit.h"
 #include "Features.h"
 #include "Numbering.h"
@@ -92,18 +92,13 @@ private:
 class SurfaceCutter
 {
 public:
-  // `clearance`: points keep away from planes that they are not on, by ClearanceBits. Without it they
-  // are exact.
-  SurfaceCutter(
-    const Surface& surface, const Features& features, const Boxes& boxes, bool clearance);
+  // `clearance`: how far points keep away from planes that they are not on, or null: they are exact.
+  SurfaceCutter(const Surface& surface, const Features& features, const Boxes& boxes,
+    const Clearance* clearance);
 
   // The part of the triangles [begin, end) in the box.
   void cut(
     const Box& box, const std::uint32_t* begin, const std::uint32_t* end, BoxSurface& result);
-
-  // No edge of a patch is shorter than 2^-19 of its global box, if its ends lie on different planes.
-  static constexpr int ClearanceBits = 19;
-  static Level clearanceOf(Level low, Level high) { return ((high - low) >> ClearanceBits) | 1; }
 
 private:
   void addPolygons(
@@ -124,7 +119,7 @@ private:
   const Surface& surface_;
   const Features& features_;
   const Boxes& boxes_;
-  bool clearance_;
+  const Clearance* clearance_;
   const Box* box_ = nullptr;
   std::array<Interval, 3> intervals_{};
   SideLines lines_;

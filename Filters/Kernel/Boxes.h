@@ -72,8 +72,6 @@ struct Boxes
   std::vector<Box> boxes;            // in order of global boxes
   std::vector<std::uint32_t> units; // the box that holds each unit of divided global boxes, or None
 
-  bool closed = true; // every line enters the domain as often as it leaves it
-
   std::size_t row(std::size_t j, std::size_t k) const { return j + k * (planes[1].size() - 1); }
   const GlobalBox& globalOf(const Box& box) const { return globals[box.global]; }
 

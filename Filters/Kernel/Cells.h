@@ -45,9 +45,6 @@ struct Cell
   bool removed;          // a sliver, or smaller than R of its box (4.10)
 };
 
-// Boundary index of faces that no patch lent theirs: the end of the grid, a leak.
-constexpr std::int32_t NoBoundary = -1;
-
 // Faces that are not as the patches and sides have them: pieces of those, faces with new nodes on
 // their edges, cutting polygons, sides between hexahedra.
 struct ShapedFaces
@@ -90,7 +87,7 @@ struct CellSpec
   // R, from 0 to less than 1: cells below this part of their box's volume are removed.
   double smallCellRatio = 1e-3;
 
-  SmallCells smallCells = SmallCells::Remove;
+  SmallCells smallCells = SmallCells::Merge;
   double mergeRatio = 0.1; // cells below this part of their box's volume are merged
 
   // Boundary faces of merged cells become one where their normals differ by less, in degrees.

@@ -69,46 +69,43 @@ Level crossPlaneAlong(const Point& a, const Point& b, int axis, Level plane, int
   return oddLevel<Wide>(a[free], static_cast<Wide>(rise) * part, run, tieUp);
 }
 
-struct Normal
-{
-  std::array<Wide, 3> exact;
-
-  explicit Normal(const Corners& t)
-  {
-    std::array<Wide, 3> u;
-    std::array<Wide, 3> v;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      u[axis] = difference(t[1][axis], t[0][axis]);
-      v[axis] = difference(t[2][axis], t[0][axis]);
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const int b = (axis + 1) % 3;
-      const int c = (axis + 2) % 3;
-      exact[axis] = u[b] * v[c] - u[c] * v[b];
-    }
-  }
-};
-
 // Whether the crossing, on an even level exactly, lies above that level once the planes shift.
-bool lineTieUp(const Normal& normal, int along)
+bool lineTieUp(const std::array<Wide, 3>& normal, int along)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    const Wide n = normal.exact[axis];
+    const Wide n = normal[axis];
     if (axis == along)
     {
       return false; // the plane of `along` itself moves up first
     }
     if (n != 0)
     {
-      return (n > 0) != (normal.exact[along] > 0);
+      return (n > 0) != (normal[along] > 0);
     }
   }
   return false;
 }
 
+}
+
+std::array<Wide, 3> exactNormal(const Corners& t)
+{
+  std::array<Wide, 3> u;
+  std::array<Wide, 3> v;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    u[axis] = difference(t[1][axis], t[0][axis]);
+    v[axis] = difference(t[2][axis], t[0][axis]);
+  }
+  std::array<Wide, 3> normal;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int b = (axis + 1) % 3;
+    const int c = (axis + 2) % 3;
+    normal[axis] = u[b] * v[c] - u[c] * v[b];
+  }
+  return normal;
 }
 
 Point crossPlane(const Point& a, const Point& b, int axis, Level plane)
@@ -126,12 +123,12 @@ Point crossLine(const Corners& t, int along, const Point& at)
 {
   const int b = (along + 1) % 3;
   const int c = (along + 2) % 3;
-  const Normal normal(t);
+  const std::array<Wide, 3> normal = exactNormal(t);
   const std::int64_t db = difference(at[b], t[0][b]);
   const std::int64_t dc = difference(at[c], t[0][c]);
-  const double pb = static_cast<double>(normal.exact[b]) * static_cast<double>(db);
-  const double pc = static_cast<double>(normal.exact[c]) * static_cast<double>(dc);
-  const auto na = static_cast<double>(normal.exact[along]);
+  const double pb = static_cast<double>(normal[b]) * static_cast<double>(db);
+  const double pc = static_cast<double>(normal[c]) * static_cast<double>(dc);
+  const auto na = static_cast<double>(normal[along]);
   const double x = t[0][along] - (pb + pc) / na;
   const double error =
     RoundingOfLevels + std::ldexp((std::abs(pb) + std::abs(pc)) / std::abs(na), -50);
@@ -139,9 +136,8 @@ Point crossLine(const Corners& t, int along, const Point& at)
   p[along] = oddLevelIfSure(x, error);
   if (p[along] == 0)
   {
-    const Wide numerator = -(normal.exact[b] * db + normal.exact[c] * dc);
-    p[along] =
-      oddLevel<Wide>(t[0][along], numerator, normal.exact[along], lineTieUp(normal, along));
+    const Wide numerator = -(normal[b] * db + normal[c] * dc);
+    p[along] = oddLevel<Wide>(t[0][along], numerator, normal[along], lineTieUp(normal, along));
   }
   return p;
 }

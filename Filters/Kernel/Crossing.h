@@ -19,6 +19,9 @@ namespace cartesian
 
 using Corners = std::array<Point, 3>; // of a triangle
 
+// Twice the area of a triangle, projected along x, y and z; of the sign of its normal.
+std::array<Wide, 3> exactNormal(const Corners& triangle);
+
 // The point of segment ab on the plane `axis` = `plane`; the ends lie on different sides of it.
 Point crossPlane(const Point& a, const Point& b, int axis, Level plane);
 

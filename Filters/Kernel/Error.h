@@ -22,6 +22,8 @@ enum class Fault
   BadParameter = 8,  // out of its range
   Stopped = 9,       // by the user
   OutOfMemory = 10,
+  BadMesh = 11,     // cells to write that overlap, are turned inside out, or too many
+  CannotWrite = 12, // a file cannot be written
 };
 
 // A number for a message: as long as it needs to be, at most six digits.

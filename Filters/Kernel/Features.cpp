@@ -39,7 +39,7 @@ public:
 
   void addEdge(std::uint32_t lower, const EdgeUse* first, const EdgeUse* last)
   {
-    if (last - first != 2 || (first->triangleTwice & 1) == (first[1].triangleTwice & 1))
+    if (last - first != 2 || first->down() == first[1].down())
     {
       return;
     }
@@ -47,16 +47,21 @@ public:
     neighbours_[first[1].triangle()][edgeOf(first[1], lower)] = first->triangle();
   }
 
-  void markSharp(std::size_t begin, std::size_t end)
+  void markEdges(std::size_t begin, std::size_t end)
   {
     for (std::size_t t = begin; t < end; ++t)
     {
+      result_.edges[t] = isFold(t) ? 64 : 0;
       for (unsigned i = 0; i < 3; ++i)
       {
         const std::uint32_t other = neighbours_[t][i];
         if (other == None || (turns(t, other) && !isFold(t) && !isFold(other)))
         {
-          result_.sharp[t] = static_cast<std::uint8_t>(result_.sharp[t] | 1u << i);
+          result_.edges[t] = static_cast<std::uint8_t>(result_.edges[t] | 1u << i);
+        }
+        if (other != None && surface_.boundary[t] != surface_.boundary[other])
+        {
+          result_.edges[t] = static_cast<std::uint8_t>(result_.edges[t] | 8u << i);
         }
       }
     }
@@ -66,7 +71,7 @@ private:
   std::size_t edgeOf(const EdgeUse& use, std::uint32_t lower) const
   {
     const auto& v = surface_.triangles[use.triangle()];
-    const std::uint32_t from = (use.triangleTwice & 1) != 0 ? use.upper : lower;
+    const std::uint32_t from = use.down() ? use.upper : lower;
     return v[0] == from ? 0 : (v[1] == from ? 1 : 2);
   }
 
@@ -86,32 +91,52 @@ private:
 
   bool hasArea(std::size_t t) const { return dot(result_.normal[t], result_.normal[t]) > 0; }
 
-  // Thin, and turned over between two neighbours that agree with each other.
+  // Thin, and turned over between two triangles that agree with each other; between it and one of
+  // them there may be another like itself.
   bool isFold(std::size_t t) const
+  {
+    if (!isThin(t))
+    {
+      return false;
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const std::uint32_t a = neighbours_[t][i];
+      if (a == None || !opposite(t, a))
+      {
+        continue;
+      }
+      for (const std::size_t j : { (i + 1) % 3, (i + 2) % 3 })
+      {
+        const std::uint32_t b = neighbours_[t][j];
+        if (b != None && (opposite(t, b) ? !turns(a, b) : isThin(b) && agreesBehind(t, b, a)))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  // Whether a neighbour of `twin` other than t is opposite to t and agrees with a.
+  bool agreesBehind(std::size_t t, std::size_t twin, std::size_t a) const
+  {
+    const Neighbours& behind = neighbours_[twin];
+    return std::any_of(behind.begin(), behind.end(),
+      [&](std::uint32_t n) { return n != None && n != t && opposite(t, n) && !turns(a, n); });
+  }
+
+  bool isThin(std::size_t t) const
   {
     const Corners c = surface_.corners(t);
     const Vector twiceArea = cross(minus(c[1], c[0]), minus(c[2], c[0]));
-    double longest = 0;
+    double longest = 0; // squared
     for (std::size_t i = 0; i < 3; ++i)
     {
       const Vector edge = minus(c[(i + 1) % 3], c[i]);
       longest = std::max(longest, dot(edge, edge));
     }
-    if (dot(twiceArea, twiceArea) > ThickestFold * ThickestFold * longest * longest)
-    {
-      return false;
-    }
-    const Neighbours& around = neighbours_[t];
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const std::uint32_t a = around[i];
-      const std::uint32_t b = around[(i + 1) % 3];
-      if (a != None && b != None && opposite(t, a) && opposite(t, b) && !turns(a, b))
-      {
-        return true;
-      }
-    }
-    return false;
+    return dot(twiceArea, twiceArea) <= ThickestFold * ThickestFold * longest * longest;
   }
 
   bool opposite(std::size_t t, std::size_t other) const
@@ -131,18 +156,18 @@ Features findFeatures(const Surface& surface, double featureAngle, Execution& ex
 {
   const std::size_t count = surface.triangles.size();
   Features result;
-  result.sharp.resize(count);
+  result.edges.resize(count);
   result.normal.resize(count);
   Finder finder(surface, featureAngle, result);
   execution.forEach(count, TrianglesAChunk,
     [&](std::size_t begin, std::size_t end) { finder.findNormals(begin, end); });
-  SurfaceEdges edges(surface);
+  const SurfaceEdges edges(surface, execution);
   edges.forEach(
     execution, [&](std::size_t, std::uint32_t lower, const EdgeUse* first, const EdgeUse* last) {
       finder.addEdge(lower, first, last);
     });
   execution.forEach(count, TrianglesAChunk,
-    [&](std::size_t begin, std::size_t end) { finder.markSharp(begin, end); });
+    [&](std::size_t begin, std::size_t end) { finder.markEdges(begin, end); });
   return result;
 }
 

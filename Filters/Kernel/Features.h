@@ -12,8 +12,24 @@ namespace cartesian
 
 struct Features
 {
-  std::vector<std::uint8_t> sharp; // of each triangle; bit i: its edge from corner i to the next
-  std::vector<Vector> normal;      // of each triangle, of length 1; 0 where it has no area
+  // Of each triangle. Bit i: its edge from corner i to the next is sharp; bit 3 + i: that edge is a
+  // border between boundaries. Bit 6: it is folded geometry.
+  std::vector<std::uint8_t> edges;
+  std::vector<Vector> normal; // of each triangle, of length 1; 0 where it has no area
+
+  bool isSharp(std::size_t triangle, unsigned edge) const
+  {
+    return (edges[triangle] >> edge & 1) != 0;
+  }
+
+  bool isFold(std::size_t triangle) const { return (edges[triangle] >> 6 & 1) != 0; }
+
+  // Whether a sharp edge or a border ends in a corner of a triangle, as far as that one knows.
+  bool endsIn(std::size_t triangle, unsigned corner) const
+  {
+    const unsigned any = edges[triangle] | edges[triangle] >> 3;
+    return (any >> corner & 1) != 0 || (any >> (corner + 2) % 3 & 1) != 0;
+  }
 };
 
 // `featureAngle` in degrees, from 0 to 180. Open and non-manifold edges are sharp.

@@ -5,8 +5,6 @@
 #include "InOut.h"
 #include "Shoeboxes.h"
 
-#include <bitset>
-
 namespace cartesian
 {
 
@@ -15,12 +13,11 @@ namespace cartesian
 class GlobalStatuses
 {
 public:
-  GlobalStatuses(const Surface& surface, const SurfaceCheck& check, const Meshlines& planes,
-    const Shoeboxes& shoeboxes, Execution& execution)
+  GlobalStatuses(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
+    Execution& execution)
     : planes_(planes)
     , shoeboxes_(shoeboxes)
-    , inOut_(surface, check, planes, execution)
-    , closed_(check.closed())
+    , inOut_(surface, planes, execution)
   {
   }
 
@@ -47,29 +44,25 @@ public:
   }
 
 private:
-  // Boxes [begin, end) of a row, which no triangle passes through: on a closed surface all of
-  // them have the status of any of their corners.
+  // Boxes [begin, end) of a row, which no triangle passes through: all of them have the
+  // status of any of their corners.
   template <class Visitor>
   void visitGap(
     std::uint32_t begin, std::uint32_t end, std::uint32_t j, std::uint32_t k, Visitor& visit) const
   {
-    if (begin >= end || (closed_ && !inOut_.inside(begin, j, k)))
+    if (begin >= end || !inOut_.inside(begin, j, k))
     {
       return;
     }
     for (std::uint32_t i = begin; i < end; ++i)
     {
-      if (closed_ || std::bitset<8>(inOut_.corners(i, j, k)).count() > 4)
-      {
-        visit(i, BoxStatus::Inside);
-      }
+      visit(i, BoxStatus::Inside);
     }
   }
 
   const Meshlines& planes_;
   const Shoeboxes& shoeboxes_;
   InOut inOut_;
-  bool closed_;
 };
 
 }

@@ -2,31 +2,40 @@
 #pragma once
 
 #include "LineCrossings.h"
-#include "SurfaceCheck.h"
 
 namespace cartesian
 {
 
-// On a closed surface the parity of the crossings below a vertex along x is its status: planes
-// are shifted so that no ray touches an edge (Crossing.h), hence all six rays agree. Where the
-// surface is open they may not: then the majority of the six rays decides, a draw is outside.
+// The parity of the crossings below a vertex along x is its status. Every edge has an even number of
+// triangles (SurfaceRepair.h) and planes are shifted so that no ray touches an edge (Crossing.h),
+// hence all six rays of the paper agree.
 class InOut
 {
 public:
-  InOut(const Surface& surface, const SurfaceCheck& check, const Meshlines& planes,
-    Execution& execution);
+  InOut(const Surface& surface, const Meshlines& planes, Execution& execution)
+    : alongX_(surface, planes, 0, execution)
+  {
+  }
 
-  bool inside(std::uint32_t i, std::uint32_t j, std::uint32_t k) const;
+  bool inside(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
+  {
+    return alongX_.below(j, k, i) % 2 == 1;
+  }
 
   // Bits of the eight corners of global box i, j, k as in Box::corners.
-  std::uint8_t corners(std::uint32_t i, std::uint32_t j, std::uint32_t k) const;
+  std::uint8_t corners(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
+  {
+    unsigned bits = 0;
+    for (unsigned corner = 0; corner < 8; ++corner)
+    {
+      const bool in = inside(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2));
+      bits |= unsigned(in) << corner;
+    }
+    return static_cast<std::uint8_t>(bits);
+  }
 
 private:
-  bool vote(const std::array<std::uint32_t, 3>& vertex) const;
-  static int votes(const LineCrossings& lines, const std::array<std::uint32_t, 3>& vertex);
-
-  bool closed_;
-  std::vector<LineCrossings> along_; // x; y and z too where the surface is open
+  LineCrossings alongX_;
 };
 
 }

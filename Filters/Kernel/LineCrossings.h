@@ -8,6 +8,26 @@
 namespace cartesian
 {
 
+// The levels along axes.middle between which a triangle meets the plane axes.outer = `outer`, which
+// passes through it: lines along axes.along in this plane cross it from the first on, up to the
+// second, which is left out.
+inline std::pair<Level, Level> crossedLevels(
+  const Corners& triangle, const RowAxes& axes, Level outer)
+{
+  std::array<Level, 2> ends{};
+  int found = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Point& p = triangle[i];
+    const Point& q = triangle[(i + 1) % 3];
+    if ((p[axes.outer] < outer) != (q[axes.outer] < outer))
+    {
+      ends[found++] = crossPlane(p, q, axes.outer, outer)[axes.middle];
+    }
+  }
+  return std::minmax(ends[0], ends[1]);
+}
+
 // Calls visit(middle, outer, point) for the crossings of a triangle with those lines along
 // axes.along where middles[middle] meets outers[outer]: planes of the other two axes.
 template <class Visitor>
@@ -19,18 +39,7 @@ void forEachLineCrossing(const Corners& triangle, const RowAxes& axes,
   for (auto o = std::lower_bound(outers.begin(), outers.end(), least);
        o != outers.end() && *o < most; ++o)
   {
-    std::array<Level, 2> ends{};
-    int found = 0;
-    for (int i = 0; i < 3; ++i)
-    {
-      const Point& p = triangle[i];
-      const Point& q = triangle[(i + 1) % 3];
-      if ((p[axes.outer] < *o) != (q[axes.outer] < *o))
-      {
-        ends[found++] = crossPlane(p, q, axes.outer, *o)[axes.middle];
-      }
-    }
-    const auto [from, to] = std::minmax(ends[0], ends[1]);
+    const auto [from, to] = crossedLevels(triangle, axes, *o);
     for (auto m = std::lower_bound(middles.begin(), middles.end(), from);
          m != middles.end() && *m < to; ++m)
     {
@@ -51,13 +60,8 @@ public:
 
   const RowAxes& axes() const { return axes_; }
 
-  // How often the line at these planes crosses the surface, in all.
-  std::size_t total(std::size_t middle, std::size_t outer) const
-  {
-    return static_cast<std::size_t>(end(middle, outer) - begin(middle, outer));
-  }
-
-  // ... and below the plane of axes().along with this index.
+  // How often the line at these planes crosses the surface below the plane of axes().along with this
+  // index.
   std::size_t below(std::size_t middle, std::size_t outer, std::uint32_t plane) const
   {
     return static_cast<std::size_t>(

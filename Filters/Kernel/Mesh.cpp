@@ -32,6 +32,7 @@ Mesh::Mesh(const MeshParts& parts, Execution& execution)
   measureCells(execution);
   placeRows();
   boundary_ = collectBoundary(parts_, numbers_);
+  failures_ = countFailures(parts_, numbers_, boundary_, execution);
 }
 
 std::vector<std::uint8_t> Mesh::usedNodes() const

@@ -5,7 +5,7 @@
 // the used points of patches. All are written straight into arrays of the caller's.
 #pragma once
 
-#include "Boundary.h"
+#include "CellConditions.h"
 #include "VertexRows.h"
 
 namespace cartesian
@@ -49,6 +49,7 @@ public:
   Id connectivitySize() const { return rows_.back().connectivity; }
   Id faceStreamSize() const { return rows_.back().faceStream; }
   const std::vector<BoundaryFace>& boundary() const { return boundary_; }
+  const CellConditions& failures() const { return failures_; }
 
   void writePoints(double* xyz, Execution& execution) const;
   void writeCells(const CellArrays& arrays, Execution& execution) const;
@@ -100,6 +101,7 @@ private:
   std::vector<CellSize> cellSizes_;      // of each cell of polyhedral boxes
   std::vector<RowOffsets> rows_;
   std::vector<BoundaryFace> boundary_;
+  CellConditions failures_;
 };
 
 }

@@ -23,6 +23,42 @@ std::string position(const Lattice& lattice, const Point& p)
   return text + ")";
 }
 
+std::string positionOf(const Surface& surface, std::uint32_t vertex)
+{
+  return position(surface.lattice, surface.vertices[vertex]);
+}
+
+const char* lineBreak(const std::string& text)
+{
+  return text.empty() ? "" : "\n";
+}
+
+// The holes that are left, as text to append.
+std::string describeLeaks(const PreparedSurface& prepared)
+{
+  constexpr std::size_t MostPlaces = 5;
+  const std::vector<Hole>& holes = prepared.repair.holes;
+  const std::size_t leaks = prepared.repair.leaks();
+  if (leaks == 0)
+  {
+    return "";
+  }
+  std::string text = "\n" + std::to_string(leaks) +
+    " holes are wider than a box; lids close them, of boundary " + std::to_string(NoBoundary) + ":";
+  std::size_t places = 0;
+  for (const Hole& hole : holes)
+  {
+    if (hole.leak && places++ < MostPlaces)
+    {
+      text += "\n  hole " + number(hole.width * prepared.surface.lattice.step()) + " wide, of " +
+        std::to_string(hole.rim.size()) + " edges, from " +
+        positionOf(prepared.surface, hole.rim[0]) + " to " +
+        positionOf(prepared.surface, hole.rim[hole.rim.size() / 2]);
+    }
+  }
+  return text;
+}
+
 }
 
 PreparedSurface prepareSurface(
@@ -37,29 +73,39 @@ PreparedSurface prepareSurface(
   prepared.surface = onLattice(view, lattice, execution);
   prepared.memoryLimit = memoryLimit;
   checkMemory(estimateMesh(prepared.surface, prepared.planes), memoryLimit);
-  prepared.check = check(prepared.surface, execution);
+  prepared.trianglesGiven = prepared.surface.triangles.size();
+  prepared.repair = repair(prepared.surface, prepared.planes, execution);
   return prepared;
 }
 
 std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>& cells)
 {
-  const SurfaceCheck& check = prepared.check;
-  if (check.places.empty())
+  const SurfaceRepair& repair = prepared.repair;
+  const SurfaceCheck& check = repair.check;
+  std::string text;
+  if (!check.places.empty())
   {
-    return "";
+    text = "The surface has " + std::to_string(check.openEdges) + " open edges, " +
+      std::to_string(check.nonManifoldEdges) + " edges of more than two triangles and " +
+      std::to_string(check.inconsistentEdges) + " inconsistently oriented edges:";
   }
-  std::string text = "The surface has " + std::to_string(check.openEdges) + " open edges, " +
-    std::to_string(check.nonManifoldEdges) + " edges of more than two triangles and " +
-    std::to_string(check.inconsistentEdges) + " inconsistently oriented edges:";
   for (const SurfaceCheck::Place& place : check.places)
   {
-    const Surface& s = prepared.surface;
     text += std::string("\n  ") + place.what + " edge from " +
-      position(s.lattice, s.vertices[place.edge[0]]) + " to " +
-      position(s.lattice, s.vertices[place.edge[1]]) + " of cell " +
+      positionOf(prepared.surface, place.edge[0]) + " to " +
+      positionOf(prepared.surface, place.edge[1]) + " of cell " +
       std::to_string(cells[place.triangle]);
   }
-  return text;
+  if (!repair.duplicates.empty())
+  {
+    text += lineBreak(text) + std::to_string(repair.duplicates.size()) +
+      " triangles were there before, and are left out.";
+  }
+  if (const std::size_t closed = repair.holes.size() - repair.leaks())
+  {
+    text += lineBreak(text) + std::to_string(closed) + " holes narrower than a box were closed.";
+  }
+  return text + describeLeaks(prepared);
 }
 
 std::string describeOverhang(const PreparedSurface& prepared)
@@ -87,8 +133,8 @@ BoxedSurface boxSurface(
   result.shoeboxes = fillShoeboxes(prepared.surface, prepared.planes, execution);
   const Refinement refinement(spec, prepared.surface, result.shoeboxes, prepared.planes, execution);
   result.warnings = refinement.warnings();
-  result.boxes = generateBoxes(prepared.surface, prepared.check, prepared.planes, result.shoeboxes,
-    refinement, prepared.memoryLimit, execution);
+  result.boxes = generateBoxes(prepared.surface, prepared.planes, result.shoeboxes, refinement,
+    prepared.memoryLimit, execution);
   return result;
 }
 
@@ -109,8 +155,9 @@ Assembly::Assembly(
   inner_ = generateInnerFaces(boxes, patches, sides_, nodes_, execution);
   execution.stage("Cells", AfterInnerFaces, AfterCells);
   cells_ = assembleCells(boxes, patches, sides_, nodes_, inner_, spec, execution);
+  execution.stage("Shaping of cells", AfterCells, AfterShaping);
   shaping_ = shapeCells(boxes, patches, sides_, nodes_, inner_, cells_, spec, execution);
-  execution.stage("Numbering", AfterCells, AfterNumbering);
+  execution.stage("Numbering", AfterShaping, AfterNumbering);
   mesh_ =
     std::make_unique<Mesh>(MeshParts{ boxes, patches, sides_, nodes_, inner_, cells_ }, execution);
   if (mesh_->cellCount() == 0)
@@ -206,12 +253,15 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
     { "BoxesFlawed", static_cast<double>(flawedBoxes().size()) },
     { "Patches", static_cast<double>(patches_.size()) },
     { "CellsSplit", static_cast<double>(shaping_.cellsSplit) },
-    { "AngleFailures", static_cast<double>(shaping_.angleFailures) },
     { "SmallCellsMerged", static_cast<double>(shaping_.cellsMerged) },
     { "SmallCellsRemoved", removed },
     { "IsolatedCells", isolated },
     { "VoidsInsideCells", static_cast<double>(cells_.voids) },
     { "FoldsLeftOut", static_cast<double>(cells_.folds) },
+    { "BoundaryAngleFailures", static_cast<double>(mesh_->failures().boundaryAngle) },
+    { "InnerAngleFailures", static_cast<double>(mesh_->failures().innerAngle) },
+    { "OpennessFailures", static_cast<double>(mesh_->failures().open) },
+    { "VolumeFailures", static_cast<double>(mesh_->failures().negativeVolume) },
   };
 }
 

@@ -188,4 +188,12 @@ std::int64_t intervalOf(const std::vector<Level>& lines, Level level)
   return std::upper_bound(lines.begin(), lines.end(), level) - lines.begin() - 1;
 }
 
+double spacing(const std::vector<Level>& lines, double level)
+{
+  const auto last = static_cast<std::int64_t>(lines.size()) - 2;
+  const std::int64_t i =
+    std::clamp<std::int64_t>(intervalOf(lines, static_cast<Level>(level)), 0, last);
+  return double(lines[static_cast<std::size_t>(i + 1)]) - lines[static_cast<std::size_t>(i)];
+}
+
 }

@@ -37,4 +37,7 @@ void checkGrid(const GridSpec& spec, const Bounds& surface, double mostBytes);
 // lines.size() - 1 from the last line on.
 std::int64_t intervalOf(const std::vector<Level>& lines, Level level);
 
+// The distance of the two lines around `level`, in levels; beyond the ends, of the nearest two.
+double spacing(const std::vector<Level>& lines, double level);
+
 }

@@ -88,12 +88,16 @@ bool PatchChooser::turnsTooFar(const BoxSurface& piece) const
   Vector sum{ 0, 0, 0 };
   for (const std::uint32_t triangle : piece.triangles)
   {
-    sum = plus(sum, features_.normal[triangle]);
+    if (!features_.isFold(triangle))
+    {
+      sum = plus(sum, features_.normal[triangle]);
+    }
   }
   const Vector mean = unit(sum);
   return std::any_of(piece.triangles.begin(), piece.triangles.end(), [&](std::uint32_t triangle) {
     const Vector& normal = features_.normal[triangle];
-    return dot(normal, normal) > 0 && dot(normal, mean) < leastCosine_;
+    return dot(normal, normal) > 0 && !features_.isFold(triangle) &&
+      dot(normal, mean) < leastCosine_;
   });
 }
 

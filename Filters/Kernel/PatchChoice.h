@@ -9,10 +9,10 @@ namespace cartesian
 // Why a box has the patches that it has. Where several conditions for Exact Fit hold, the first.
 enum class PatchReason : std::uint8_t
 {
-  MarchingCubes = 0,     // none of those below
-  EdgeCrossedTwice = 1,  // an edge of the box is crossed more than once
-  ClosedPolyline = 2,    // the surface meets a side in a closed polyline
-  SharpFeature = 3,      // a sharp feature passes through, or the surface turns as far in small steps
+  MarchingCubes = 0,    // none of those below
+  EdgeCrossedTwice = 1, // an edge of the box is crossed more than once
+  ClosedPolyline = 2,   // the surface meets a side in a closed polyline
+  SharpFeature = 3, // a sharp feature passes through, or the surface turns as far in small steps
   SeveralBoundaries = 4, // triangles of more than one boundary
   NotDiscs = 5,       // the surface in the box is no set of discs: a tunnel, a closed piece, a flaw
   ExactFitChosen = 6, // by the user

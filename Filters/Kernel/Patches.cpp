@@ -82,12 +82,13 @@ class PartBuilder
 {
 public:
   PartBuilder(const Surface& surface, const Features& features, const Boxes& boxes,
-    const std::vector<PatchReason>& reasons, const PatchSpec& spec, Part& part)
+    const Clearance& clearance, const std::vector<PatchReason>& reasons, const PatchSpec& spec,
+    Part& part)
     : features_(features)
     , boxes_(boxes)
     , reasons_(reasons)
-    , tying_(surface, features, boxes, reasons, spec)
-    , simplification_(surface, spec)
+    , tying_(surface, features, boxes, clearance, reasons, spec)
+    , simplification_(surface, boxes, clearance, spec)
     , part_(part)
   {
   }
@@ -103,7 +104,7 @@ public:
     else
     {
       tying_.tie(b, piece);
-      simplification_.begin(boxes_, boxes_.boxes[b], piece.points);
+      simplification_.begin(boxes_.boxes[b], piece.points);
       if (reasons_[b] == PatchReason::MarchingCubes)
       {
         addTriangles(boxes_.boxes[b], piece);
@@ -144,7 +145,7 @@ private:
       simplification_.add(corner, corner + piece.sizes[i], triangle, features_.normal[triangle]);
       corner += piece.sizes[i];
     }
-    simplification_.removeTied(tying_.onto());
+    simplification_.removeTied(tying_);
     simplification_.removeInner();
   }
 
@@ -322,10 +323,12 @@ void checkSpec(const PatchSpec& spec)
 
 // The surface in the intersected boxes [begin, end), and the method for each.
 void cutPieces(const Surface& surface, const Features& features, const Boxes& boxes,
-  const Shoeboxes& shoeboxes, const PatchSpec& spec, const std::vector<std::uint32_t>& intersected,
-  std::size_t begin, std::size_t end, Pieces& pieces, std::vector<PatchReason>& reasons)
+  const Clearance& clearance, const Shoeboxes& shoeboxes, const PatchSpec& spec,
+  const std::vector<std::uint32_t>& intersected, std::size_t begin, std::size_t end, Pieces& pieces,
+  std::vector<PatchReason>& reasons)
 {
-  SurfaceCutter cutter(surface, features, boxes, spec.method != PatchMethod::ExactFit);
+  SurfaceCutter cutter(
+    surface, features, boxes, spec.method == PatchMethod::ExactFit ? nullptr : &clearance);
   PatchChooser chooser(surface, features, spec.featureAngle);
   BoxSurface piece;
   for (std::size_t n = begin; n < end; ++n)
@@ -351,17 +354,19 @@ Patches generatePatches(const Surface& surface, const Boxes& boxes, const Shoebo
 {
   checkSpec(spec);
   const Features features = findFeatures(surface, spec.featureAngle, execution);
+  const Clearance clearance(surface, boxes);
   const std::vector<std::uint32_t> intersected = intersectedBoxes(boxes);
   const std::size_t count = intersected.size();
   std::vector<Pieces> pieces(chunks(count, BoxesAChunk));
   std::vector<PatchReason> reasons(boxes.boxes.size(), PatchReason::MarchingCubes);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
-    cutPieces(surface, features, boxes, shoeboxes, spec, intersected, begin, end,
+    cutPieces(surface, features, boxes, clearance, shoeboxes, spec, intersected, begin, end,
       pieces[begin / BoxesAChunk], reasons);
   });
   std::vector<Part> parts(pieces.size());
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
-    PartBuilder builder(surface, features, boxes, reasons, spec, parts[begin / BoxesAChunk]);
+    PartBuilder builder(
+      surface, features, boxes, clearance, reasons, spec, parts[begin / BoxesAChunk]);
     Pieces chunk;
     std::swap(chunk, pieces[begin / BoxesAChunk]); // its memory goes with it
     BoxSurface piece;

@@ -2,6 +2,7 @@
 
 #include "Error.h"
 #include "GlobalStatuses.h"
+#include "SurfaceCheck.h"
 
 namespace cartesian
 {
@@ -148,7 +149,7 @@ void Refinement::addRegion(const RefinementRegion& region, const Surface& surfac
     }
   }
   const Surface closed = onLattice(region.surface, lattice, execution);
-  const SurfaceCheck surfaceCheck = check(closed, execution);
+  const SurfaceCheck surfaceCheck = check(SurfaceEdges(closed, execution), execution);
   if (!surfaceCheck.closed())
   {
     throw Error(Fault::FlawedSurface,
@@ -156,7 +157,7 @@ void Refinement::addRegion(const RefinementRegion& region, const Surface& surfac
         " open edges: connect closed surfaces.");
   }
   const Shoeboxes shoeboxes = fillShoeboxes(closed, own, execution);
-  const GlobalStatuses statuses(closed, surfaceCheck, own, shoeboxes, execution);
+  const GlobalStatuses statuses(closed, own, shoeboxes, execution);
   Region result{ region.depth, emptySet(planes) };
   for (std::uint32_t k = 0; k + 1 < planes[2].size(); ++k)
   {

@@ -38,14 +38,18 @@ double lengthOf(const Vector& v)
 
 }
 
-Simplification::Simplification(const Surface& surface, const PatchSpec& spec)
+Simplification::Simplification(
+  const Surface& surface, const Boxes& boxes, const Clearance& clearance, const PatchSpec& spec)
   : surface_(surface)
+  , boxes_(boxes)
+  , clearance_(clearance)
   , mergeRadius_(spec.mergeAngle * Degree / 2)
-  , featureCosine_(std::cos(spec.featureAngle * Degree))
+  , featureAngle_(spec.featureAngle * Degree)
+  , featureCosine_(std::cos(featureAngle_))
 {
 }
 
-void Simplification::begin(const Boxes& boxes, const Box& box, const std::vector<Point>& points)
+void Simplification::begin(const Box& box, const std::vector<Point>& points)
 {
   at_.clear();
   planes_.clear();
@@ -57,9 +61,7 @@ void Simplification::begin(const Boxes& boxes, const Box& box, const std::vector
   shortest_ = -1;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const std::uint32_t i = boxes.globalOf(box).index[axis];
-    const double clearance =
-      SurfaceCutter::clearanceOf(boxes.planes[axis][i], boxes.planes[axis][i + 1]);
+    const double clearance = clearance_.of(axis, boxes_.globalOf(box).index[axis]);
     shortest_ = shortest_ < 0 ? clearance : std::min(shortest_, clearance);
   }
   polygons_.clear();
@@ -168,6 +170,15 @@ bool Simplification::isFeature(const Polygon& p, const Polygon& q) const
 void Simplification::markFeatures()
 {
   feature_.assign(at_.size(), 0);
+  cones_.assign(at_.size(), Cone{ { 0, 0, 0 }, 0 });
+  for (const Polygon& p : polygons_)
+  {
+    for (std::uint32_t i = 0; p.alive && i < p.size; ++i)
+    {
+      Cone& cone = cones_[corners_[p.first + i]];
+      cone = around(cone, { p.axis, p.spread });
+    }
+  }
   listUses();
   for (std::size_t i = 0; i < uses_.size();)
   {
@@ -243,8 +254,9 @@ bool Simplification::gatherFan(std::uint32_t node)
   return !fan_.empty() && std::adjacent_find(ring_.begin(), ring_.end()) == ring_.end();
 }
 
-// Puts triangles over the loop around a node. Unless forced, only where they differ from what they
-// replace by no more than Merge Angle.
+// Puts triangles over the loop around a node. Forced: unless a feature passes; else only where they
+// differ by no more than half of Merge Angle from what they replace, and from the surface at their
+// corners.
 bool Simplification::removeNode(std::uint32_t node, bool forced)
 {
   if (!gatherFan(node))
@@ -258,7 +270,7 @@ bool Simplification::removeNode(std::uint32_t node, bool forced)
     cone = around(cone, { polygons_[p].axis, polygons_[p].spread });
     largest = polygons_[p].area > largest->area ? &polygons_[p] : largest;
   }
-  if (!forced && cone.spread > mergeRadius_)
+  if (cone.spread > (forced ? featureAngle_ : mergeRadius_))
   {
     return false;
   }
@@ -276,8 +288,14 @@ bool Simplification::removeNode(std::uint32_t node, bool forced)
     {
       const Vector normal = unit(
         cross(minus(nodes_[t[1]].at, nodes_[t[0]].at), minus(nodes_[t[2]].at, nodes_[t[0]].at)));
+      const auto fits = [&](std::uint32_t corner) {
+        const std::uint32_t n = loop_[corner];
+        return feature_[n] != 0 ||
+          angleBetween(normal, cones_[n].axis) <= mergeRadius_ + cones_[n].spread;
+      };
       if (dot(normal, normal) == 0 || angleBetween(normal, cone.axis) > mergeRadius_ ||
-        (nodes_[t[0]].planes & nodes_[t[1]].planes & nodes_[t[2]].planes) != 0)
+        (nodes_[t[0]].planes & nodes_[t[1]].planes & nodes_[t[2]].planes) != 0 || !fits(t[0]) ||
+        !fits(t[1]) || !fits(t[2]))
       {
         return false;
       }
@@ -290,7 +308,8 @@ bool Simplification::removeNode(std::uint32_t node, bool forced)
   for (const auto& t : triangles)
   {
     const std::array<std::uint32_t, 3> c = { loop_[t[0]], loop_[t[1]], loop_[t[2]] };
-    append(c.data(), c.data() + 3, like, cone);
+    const Vector normal = unit(cross(minus(at_[c[1]], at_[c[0]]), minus(at_[c[2]], at_[c[0]])));
+    append(c.data(), c.data() + 3, like, { dot(normal, cone.axis) > 0 ? normal : cone.axis, 0 });
   }
   return true;
 }
@@ -317,11 +336,12 @@ void Simplification::collapse(std::uint32_t node, std::uint32_t onto)
   }
 }
 
-void Simplification::removeTied(const std::vector<std::uint32_t>& onto)
+void Simplification::removeTied(const SideTying& tying)
 {
+  const std::vector<std::uint32_t>& onto = tying.onto();
   for (std::uint32_t node = 0; node < onto.size(); ++node)
   {
-    if (onto[node] != node && !removeNode(node, true))
+    if (onto[node] != node && (tying.wentForShortness(node) || !removeNode(node, true)))
     {
       collapse(node, onto[node]);
     }

@@ -8,6 +8,7 @@
 #include "BoxSurface.h"
 #include "MarchingCubes.h"
 #include "PatchSpec.h"
+#include "Tying.h"
 
 namespace cartesian
 {
@@ -16,17 +17,18 @@ namespace cartesian
 class Simplification
 {
 public:
-  Simplification(const Surface& surface, const PatchSpec& spec);
+  Simplification(
+    const Surface& surface, const Boxes& boxes, const Clearance& clearance, const PatchSpec& spec);
 
   // Starts anew.
-  void begin(const Boxes& boxes, const Box& box, const std::vector<Point>& points);
+  void begin(const Box& box, const std::vector<Point>& points);
 
   // A polygon whose corners are indices of points; `normal` of length 1, or 0 where it has no area.
   void add(const std::uint32_t* begin, const std::uint32_t* end, std::uint32_t triangle,
     const Vector& normal);
 
-  // Removes points that are not their own `onto` (Tying.h).
-  void removeTied(const std::vector<std::uint32_t>& onto);
+  // Removes the points that tying has dropped.
+  void removeTied(const SideTying& tying);
 
   // Removes nodes inside the box where the surface turns by no more than Merge Angle.
   void removeInner();
@@ -104,13 +106,17 @@ private:
   std::uint32_t current(std::uint32_t polygon);
 
   const Surface& surface_;
-  double mergeRadius_; // radians
+  const Boxes& boxes_;
+  const Clearance& clearance_;
+  double mergeRadius_;  // radians
+  double featureAngle_; // radians
   double featureCosine_;
   double shortest_ = 0; // levels
 
   std::vector<Vector> at_;
   std::vector<unsigned> planes_;
   std::vector<std::uint8_t> feature_;
+  std::vector<Cone> cones_; // of the surface around each point
   std::vector<Polygon> polygons_;
   std::vector<std::uint32_t> corners_;
   std::vector<std::vector<std::uint32_t>> of_; // polygons of each point, dead ones too

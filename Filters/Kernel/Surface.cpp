@@ -138,13 +138,6 @@ Surface onLattice(const SurfaceView& view, const Lattice& lattice, Execution& ex
   {
     std::copy_n(view.boundary, view.triangleCount, surface.boundary.begin());
   }
-  if (volumeOf(surface) < 0)
-  {
-    for (auto& triangle : surface.triangles)
-    {
-      std::swap(triangle[1], triangle[2]);
-    }
-  }
   return surface;
 }
 

@@ -9,8 +9,7 @@
 namespace cartesian
 {
 
-// Triangles in user units, as the caller has them; borrowed. Corners are counter-clockwise seen
-// from outside the domain that is to be meshed (outward normals).
+// Triangles in user units, as the caller has them; borrowed. Either way round.
 struct SurfaceView
 {
   const double* points = nullptr; // x, y, z of each point
@@ -25,12 +24,15 @@ struct SurfaceView
 // the point's id), BadParameter (a triangle that names no point).
 Bounds boundsOf(const SurfaceView& view);
 
+// Boundary index where there was no surface: a leak, the end of the grid.
+constexpr std::int32_t NoBoundary = -1;
+
 struct Surface
 {
   Lattice lattice;
-  std::vector<Point> vertices; // distinct
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::int32_t> boundary; // one a triangle
+  std::vector<Point> vertices;                         // distinct
+  std::vector<std::array<std::uint32_t, 3>> triangles; // either way round, until oriented
+  std::vector<std::int32_t> boundary;                  // one a triangle
 
   Corners corners(std::size_t triangle) const
   {
@@ -40,7 +42,6 @@ struct Surface
 };
 
 // Puts a surface on the lattice. Points that share all three levels become one vertex.
-// A surface that encloses a negative volume (normals inward as a whole) is turned over.
 Surface onLattice(const SurfaceView& view, const Lattice& lattice, Execution& execution);
 
 // Area in square, volume in cubic user units.

@@ -1,6 +1,6 @@
 #include "SurfaceCheck.h"
 
-#include "SurfaceEdges.h"
+#include <algorithm>
 
 namespace cartesian
 {
@@ -10,9 +10,9 @@ namespace
 
 void judge(std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end, SurfaceCheck& result)
 {
-  const std::size_t uses = end - begin;
-  const std::size_t down =
-    std::count_if(begin, end, [](const EdgeUse& u) { return u.triangleTwice & 1; });
+  const auto uses = static_cast<std::size_t>(end - begin);
+  const auto down = static_cast<std::size_t>(
+    std::count_if(begin, end, [](const EdgeUse& use) { return use.down(); }));
   const bool open = uses % 2 == 1;
   const bool inconsistent = !open && 2 * down != uses;
   const bool nonManifold = uses > 2;
@@ -23,7 +23,7 @@ void judge(std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end, Surfac
   {
     result.places.push_back(
       { open ? "open" : (inconsistent ? "inconsistently oriented" : "non-manifold"),
-        { lower, begin->upper }, begin->triangleTwice / 2 });
+        { lower, begin->upper }, begin->triangle() });
   }
 }
 
@@ -43,13 +43,12 @@ void add(const SurfaceCheck& part, SurfaceCheck& sum)
 
 }
 
-SurfaceCheck check(const Surface& surface, Execution& execution)
+SurfaceCheck check(const SurfaceEdges& edges, Execution& execution)
 {
-  SurfaceEdges edges(surface);
   std::vector<SurfaceCheck> parts(edges.chunkCount());
   edges.forEach(execution,
-    [&](std::size_t chunk, std::uint32_t lower, const EdgeUse* first, const EdgeUse* last) {
-      judge(lower, first, last, parts[chunk]);
+    [&](std::size_t chunk, std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+      judge(lower, begin, end, parts[chunk]);
     });
   SurfaceCheck result;
   for (const SurfaceCheck& part : parts)

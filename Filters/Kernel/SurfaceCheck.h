@@ -1,7 +1,7 @@
 // Is the surface closed and consistently oriented? (section 2: what the preprocessor ensures)
 #pragma once
 
-#include "Surface.h"
+#include "SurfaceEdges.h"
 
 namespace cartesian
 {
@@ -28,6 +28,6 @@ struct SurfaceCheck
   bool oriented() const { return closed() && inconsistentEdges == 0; }
 };
 
-SurfaceCheck check(const Surface& surface, Execution& execution);
+SurfaceCheck check(const SurfaceEdges& edges, Execution& execution);
 
 }

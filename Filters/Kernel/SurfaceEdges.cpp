@@ -1,5 +1,7 @@
 #include "SurfaceEdges.h"
 
+#include "Sorting.h"
+
 namespace cartesian
 {
 
@@ -12,11 +14,7 @@ void forEachUse(const Surface& surface, Visitor&& visit)
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
     const auto& v = surface.triangles[t];
-    if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
-    {
-      continue;
-    }
-    for (int i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3 && !namesAVertexTwice(v); ++i)
     {
       const std::uint32_t a = v[i];
       const std::uint32_t b = v[(i + 1) % 3];
@@ -27,17 +25,19 @@ void forEachUse(const Surface& surface, Visitor&& visit)
 
 }
 
-SurfaceEdges::SurfaceEdges(const Surface& surface)
+SurfaceEdges::SurfaceEdges(const Surface& surface, Execution& execution)
   : start_(surface.vertices.size() + 1)
 {
-  forEachUse(surface, [&](std::uint32_t lower, const EdgeUse&) { ++start_[lower + 1]; });
-  for (std::size_t v = 0; v + 1 < start_.size(); ++v)
-  {
-    start_[v + 1] += start_[v];
-  }
-  uses_.resize(start_.back());
+  forEachUse(surface, [&](std::uint32_t lower, const EdgeUse&) { ++start_[lower]; });
+  uses_.resize(scan(start_));
   std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
   forEachUse(surface, [&](std::uint32_t lower, const EdgeUse& use) { uses_[next[lower]++] = use; });
+  execution.forEach(vertices(), VerticesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v)
+    {
+      std::sort(uses_.data() + start_[v], uses_.data() + start_[v + 1]);
+    }
+  });
 }
 
 }

@@ -28,10 +28,11 @@ Level oddLevel(double x)
 }
 
 SideTying::SideTying(const Surface& surface, const Features& features, const Boxes& boxes,
-  const std::vector<PatchReason>& reasons, const PatchSpec& spec)
+  const Clearance& clearance, const std::vector<PatchReason>& reasons, const PatchSpec& spec)
   : surface_(surface)
   , features_(features)
   , boxes_(boxes)
+  , clearance_(clearance)
   , reasons_(reasons)
   , spec_(spec)
   , mergeCosine_(cosineOf(spec.mergeAngle))
@@ -48,6 +49,7 @@ void SideTying::tie(std::uint32_t b, BoxSurface& piece)
   {
     onto_[i] = i;
   }
+  short_.assign(piece.points.size(), 0);
   partner_.assign(piece.points.size(), None);
   if (spec_.method == PatchMethod::MarchingCubes)
   {
@@ -99,9 +101,8 @@ double SideTying::shortestEdge(const Box& box, int axis) const
   Level least = ~Level(0);
   for (const int other : { (axis + 1) % 3, (axis + 2) % 3 })
   {
-    const auto& planes = boxes_.planes[std::size_t(other)];
-    const std::uint32_t i = boxes_.globalOf(box).index[std::size_t(other)];
-    least = std::min(least, SurfaceCutter::clearanceOf(planes[i], planes[i + 1]));
+    const auto o = static_cast<std::size_t>(other);
+    least = std::min(least, clearance_.of(o, boxes_.globalOf(box).index[o]));
   }
   return least;
 }
@@ -305,15 +306,27 @@ void SideTying::finishPolyline(BoxSurface& piece, bool upper)
   {
     moveOntoChord(piece);
   }
+  addChords(piece, upper);
+}
+
+void SideTying::addChords(const BoxSurface& piece, bool upper)
+{
   std::size_t last = 0;
-  for (std::size_t i = 1; i < count; ++i)
+  for (std::size_t i = 1; i < line_.nodes.size(); ++i)
   {
     if (line_.keep[i] == 0)
     {
-      onto_[line_.nodes[i]] = line_.nodes[last];
       continue;
     }
-    Chord chord{ line_.nodes[last], line_.nodes[i], line_.triangles[last], line_.triangles[i - 1] };
+    const std::uint32_t from = line_.nodes[last];
+    const std::uint32_t to = line_.nodes[i];
+    for (std::size_t k = last + 1; k < i; ++k)
+    {
+      const Point& p = piece.points[line_.nodes[k]];
+      onto_[line_.nodes[k]] =
+        distance(p, piece.points[from]) <= distance(p, piece.points[to]) ? from : to;
+    }
+    Chord chord{ from, to, line_.triangles[last], line_.triangles[i - 1] };
     if (!upper)
     {
       std::swap(chord.from, chord.to);
@@ -388,6 +401,7 @@ void SideTying::dropShort(const BoxSurface& piece)
     const bool tooShort = distance(piece.points[line_.nodes[last]], p) < shortest_ ||
       distance(p, piece.points[line_.nodes[end]]) < shortest_;
     line_.keep[i] = tooShort ? 0 : 1;
+    short_[line_.nodes[i]] = tooShort ? 1 : 0;
     last = tooShort ? last : i;
   }
 }
@@ -422,7 +436,7 @@ void SideTying::dropSimilar(const BoxSurface& piece)
 bool SideTying::mayReplace(
   const BoxSurface& piece, std::size_t i, std::size_t before, std::size_t j) const
 {
-  if (isFeature(before))
+  if (isFeature(piece, before))
   {
     return false;
   }
@@ -434,7 +448,7 @@ bool SideTying::mayReplace(
     const Vector& normal = features_.normal[line_.triangles[k]];
     const Vector part = minus(piece.points[line_.nodes[k + 1]], piece.points[line_.nodes[k]]);
     const double partLength = std::sqrt(dot(part, part));
-    if (partLength >= shortest_ &&
+    if (partLength >= shortest_ && !features_.isFold(line_.triangles[k]) &&
       (dot(normal, first) < mergeCosine_ || dot(part, chord) < mergeCosine_ * length * partLength))
     {
       return false;
@@ -443,12 +457,29 @@ bool SideTying::mayReplace(
   return length >= shortest_ && !passesOver(piece, i, before, j);
 }
 
-bool SideTying::isFeature(std::size_t node) const
+bool SideTying::isFeature(const BoxSurface& piece, std::size_t node) const
 {
   const std::uint32_t a = line_.triangles[node - 1];
   const std::uint32_t b = line_.triangles[node];
+  const Point& p = piece.points[line_.nodes[node]];
+  const bool folded = features_.isFold(a) || features_.isFold(b);
   return surface_.boundary[a] != surface_.boundary[b] ||
-    dot(features_.normal[a], features_.normal[b]) < featureCosine_;
+    (!folded && dot(features_.normal[a], features_.normal[b]) < featureCosine_) ||
+    isNextToFeature(p, a) || isNextToFeature(p, b);
+}
+
+// A feature may run along a side, just beyond it: the polyline follows it.
+bool SideTying::isNextToFeature(const Point& p, std::uint32_t triangle) const
+{
+  const Corners corners = surface_.corners(triangle);
+  for (unsigned i = 0; i < 3; ++i)
+  {
+    if (features_.endsIn(triangle, i) && distance(p, corners[i]) < 4 * shortest_)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 // Whether another node lies in the triangle between the chords to the node before and to this one.

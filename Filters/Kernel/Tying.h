@@ -32,7 +32,7 @@ class SideTying
 public:
   // `reasons`: of all boxes, by their index.
   SideTying(const Surface& surface, const Features& features, const Boxes& boxes,
-    const std::vector<PatchReason>& reasons, const PatchSpec& spec);
+    const Clearance& clearance, const std::vector<PatchReason>& reasons, const PatchSpec& spec);
 
   // Ties all sides of a box. Points that move are moved in `piece`.
   void tie(std::uint32_t box, BoxSurface& piece);
@@ -40,9 +40,12 @@ public:
   // The chords that bound the box's patches, as these run.
   const std::vector<Chord>& chords() const { return chords_; }
 
-  // Of each point that no longer is there: the one before it on its polyline that still is. Of all
-  // others: itself.
+  // Of each point that no longer is there: the nearer one of those next to it on its polyline that
+  // still are. Of all others: itself.
   const std::vector<std::uint32_t>& onto() const { return onto_; }
+
+  // Whether a point went because it is that near.
+  bool wentForShortness(std::uint32_t point) const { return short_[point] != 0; }
 
 private:
   struct Polyline
@@ -61,10 +64,12 @@ private:
   void followPolyline(BoxSurface& piece, const Segment* begin, std::uint32_t first);
   void finishPolyline(BoxSurface& piece, bool upper);
   void keepFarthest(const BoxSurface& piece);
+  void addChords(const BoxSurface& piece, bool upper);
   void dropShort(const BoxSurface& piece);
   void dropSimilar(const BoxSurface& piece);
   bool mayReplace(const BoxSurface& piece, std::size_t i, std::size_t before, std::size_t j) const;
-  bool isFeature(std::size_t node) const;
+  bool isFeature(const BoxSurface& piece, std::size_t node) const;
+  bool isNextToFeature(const Point& p, std::uint32_t triangle) const;
   bool passesOver(const BoxSurface& piece, std::size_t i, std::size_t before, std::size_t j) const;
   void moveOntoChord(const BoxSurface& piece);
   void startAtFirstTriangle();
@@ -78,6 +83,7 @@ private:
   const Surface& surface_;
   const Features& features_;
   const Boxes& boxes_;
+  const Clearance& clearance_;
   const std::vector<PatchReason>& reasons_;
   PatchSpec spec_;
   double mergeCosine_;
@@ -85,6 +91,7 @@ private:
 
   std::vector<Chord> chords_;
   std::vector<std::uint32_t> onto_;
+  std::vector<std::uint8_t> short_;
   std::vector<std::uint32_t> partner_; // the crossing that cancels this one, or None
 
   // Of the part at hand.

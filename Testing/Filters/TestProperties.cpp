@@ -3,6 +3,7 @@
 #include "vtkCartesianMesher.h"
 #include "vtkCellAssembler.h"
 #include "vtkPatcher.h"
+#include "vtkPolyMeshWriter.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
@@ -146,4 +147,10 @@ TEST(Properties, AllArePrinted)
 
   vtkNew<vtkCellAssembler> assembler;
   expectToPrint(assembler, { "NumberOfThreads: 0", "SmallCellRatio: 0.001" });
+
+  vtkNew<vtkPolyMeshWriter> writer;
+  expectToPrint(writer, { "FileName: (none)", "FileType: 2" });
+  writer->SetFileName("case.foam");
+  writer->SetFileType(0); // there is none
+  expectToPrint(writer, { "FileName: case.foam", "FileType: 1" });
 }

@@ -278,7 +278,8 @@ private:
       slack += level == 0 ? 0 : 2 * mesh_.step / std::ldexp(global, -level);
     }
     expect(volume > 0, name + " has the volume " + std::to_string(volume / whole) + " of its box");
-    expect(std::abs(volume / whole - mesh_.volumeFraction[cell]) < slack,
+    expect(std::abs(volume / whole - mesh_.volumeFraction[cell]) <
+        slack * std::max<Real>(1, mesh_.volumeFraction[cell]),
       name + " has another volume fraction: " + std::to_string(volume / whole));
   }
 

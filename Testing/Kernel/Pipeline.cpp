@@ -73,6 +73,15 @@ PatchSpec exactFit()
   return spec;
 }
 
+CellSpec asTheyAre(double smallCellRatio)
+{
+  CellSpec spec;
+  spec.smallCellRatio = smallCellRatio;
+  spec.smallCells = SmallCells::Remove;
+  spec.splitConcave = false;
+  return spec;
+}
+
 GridSpec cellsOf(double size)
 {
   GridSpec grid;
@@ -122,7 +131,8 @@ PreparedSurface prepareOnLevels(const Soup& soup, const Meshlines& planes)
   prepared.bounds = boundsOf(soup.view());
   prepared.planes = planes;
   prepared.surface = onLattice(soup.view(), Lattice({ 0, 0, 0 }, 1), execution);
-  prepared.check = check(prepared.surface, execution);
+  prepared.trianglesGiven = prepared.surface.triangles.size();
+  prepared.repair = repair(prepared.surface, planes, execution);
   prepared.memoryLimit = PlentyOfMemory;
   return prepared;
 }
@@ -135,12 +145,7 @@ Meshed meshPrepared(const PreparedSurface& prepared, const Options& options)
   result.boxed = boxSurface(prepared, options.refinement, execution);
   result.patches = generatePatches(
     prepared.surface, result.boxed.boxes, result.boxed.shoeboxes, options.patches, execution);
-  CellSpec spec;
-  spec.smallCellRatio = options.smallCellRatio;
-  spec.smallCells = options.mergeRatio > 0 ? SmallCells::Merge : SmallCells::Remove;
-  spec.mergeRatio = options.mergeRatio;
-  spec.splitConcave = options.splitConcave;
-  const Assembly assembly(result.boxed.boxes, result.patches, spec, execution);
+  const Assembly assembly(result.boxed.boxes, result.patches, options.cells, execution);
   result.mesh = arraysOf(assembly.mesh(), result.boxed.boxes, execution);
   result.flawedBoxes = assembly.flawedBoxes();
   for (const auto& [name, value] : assembly.statistics())

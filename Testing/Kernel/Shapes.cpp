@@ -324,6 +324,32 @@ Soup torus(int n, double radius, double tube)
   return builder.take();
 }
 
+Soup kleinBottle(int n)
+{
+  const auto place = [&](const Builder::Name& name) {
+    const double half = Pi * name[0] / n;
+    const double v = 2 * Pi * (name[1] + 0.5) / n; // no point where it crosses itself
+    const double a = std::sin(v);
+    const double b = std::sin(2 * v);
+    const double r = 3 + std::cos(half) * a - std::sin(half) * b;
+    return Vec{ r * std::cos(2 * half), r * std::sin(2 * half),
+      std::sin(half) * a + std::cos(half) * b };
+  };
+  Builder builder(place);
+  for (int i = 0; i < n; ++i)
+  {
+    const auto name = [&](int along, int j) {
+      j %= n;
+      return along == n ? Builder::Name{ 0, n - 1 - j, 0 } : Builder::Name{ along, j, 0 };
+    };
+    for (int j = 0; j < n; ++j)
+    {
+      builder.addQuad({ name(i, j), name(i + 1, j), name(i + 1, j + 1), name(i, j + 1) }, 0);
+    }
+  }
+  return builder.take();
+}
+
 Soup needle()
 {
   return box({ 0, 0, 0 }, { 1, 1e-4, 1e-4 }).turned();

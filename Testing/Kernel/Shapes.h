@@ -56,6 +56,7 @@ Soup pyramidOnAPlane(); // its apex touches the inside of a slab's face
 Soup nestedSpheres();   // a ball with a ball cut out
 Soup comb(int teeth);   // thin sheets on a base
 Soup blockWithTubes();  // 3 x 3 tubes
+Soup kleinBottle(int n);  // a figure of eight led round with half a turn: crosses itself
 Soup starPolyhedron(unsigned seed, int n);
 Soup bumpySphere(unsigned seed, int n);
 

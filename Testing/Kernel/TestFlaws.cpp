@@ -47,7 +47,8 @@ Meshed meshAll(const Soup& soup)
     for (const int levels : { 0, 1 })
     {
       SCOPED_TRACE(std::to_string(cells) + " cells, depth " + std::to_string(levels));
-      expectValidOrRefused(soup, cellsAlongLongest(soup, cells), { 0, 1, depth(levels) });
+      expectValidOrRefused(
+        soup, cellsAlongLongest(soup, cells), { asTheyAre(0), 1, depth(levels) });
     }
   }
   Meshed meshed = meshOf(soup, cellsAlongLongest(soup, FineCells));
@@ -58,15 +59,13 @@ Meshed meshAll(const Soup& soup)
 
 }
 
-// What is lost is a few boxes around the hole.
+// Narrower than a box, it is put back.
 TEST(Flaws, AMissingTriangle)
 {
   const Soup soup = unmarked(sphere(8, 1));
   const Meshed meshed = meshAll(without(soup, 100, 101));
-  EXPECT_FALSE(meshed.flawedBoxes.empty());
-  EXPECT_LT(meshed.flawedBoxes.size(), 40U);
-  const double boxes = std::pow(2 / FineCells, 3) * static_cast<double>(meshed.flawedBoxes.size());
-  EXPECT_NEAR(volumeOf(meshed.mesh), soup.volume(), boxes);
+  EXPECT_TRUE(meshed.flawedBoxes.empty());
+  EXPECT_TRUE(fills(meshed.mesh, soup));
 }
 
 TEST(Flaws, TrianglesMissingInManyPlaces)
@@ -89,8 +88,8 @@ TEST(Flaws, AFlippedTriangle)
   Soup soup = unmarked(sphere(8, 1));
   std::swap(soup.triangles[100][0], soup.triangles[100][1]);
   const Meshed meshed = meshAll(soup);
-  EXPECT_FALSE(meshed.flawedBoxes.empty());
-  EXPECT_LT(meshed.flawedBoxes.size(), 40U);
+  EXPECT_TRUE(meshed.flawedBoxes.empty());
+  EXPECT_TRUE(fills(meshed.mesh, unmarked(sphere(8, 1))));
 }
 
 TEST(Flaws, ADoubleTriangle)
@@ -149,7 +148,7 @@ TEST(Flaws, ABoxWithoutALid)
 {
   const Soup open = without(cube(), 10, 12);
   const Meshed meshed = meshAll(open);
-  EXPECT_FALSE(meshed.prepared.check.closed());
+  EXPECT_FALSE(meshed.prepared.repair.check.closed());
   meshAll(without(cube(), 8, 12)); // nor a floor
 }
 
@@ -207,7 +206,8 @@ TEST(Flaws, MeshlinesThatCutAreMentioned)
 
 TEST(Flaws, BoxesLeftOutAreDescribedWithPlaces)
 {
-  const PreparedSurface prepared = prepare(without(sphere(8, 1), 100, 101), cellsOf(0.2));
+  const PreparedSurface prepared =
+    prepare(sphere(5, 1).add(sphere(6, 0.8).moved({ 0.9, 0.1, 0.2 })), cellsOf(0.2));
   Execution execution;
   const BoxedSurface boxed = boxSurface(prepared, {}, execution);
   const Patches patches =

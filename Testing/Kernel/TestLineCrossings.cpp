@@ -80,7 +80,8 @@ TEST(LineCrossings, OfOneTriangleAreExact)
   {
     Soup soup = randomTetrahedra(seed, 1, width);
     soup.triangles.resize(1);
-    const Surface surface = prepareOnLevels(soup, planes).surface;
+    Execution execution;
+    const Surface surface = onLattice(soup.view(), Lattice({ 0, 0, 0 }, 1), execution);
     for (int axis = 0; axis < 3; ++axis)
     {
       const std::vector<bool> odd = parities(surface, planes, axis);

@@ -10,13 +10,13 @@ namespace cartesian
 namespace
 {
 
-constexpr double MergeRatio = 0.1;
-
-Options merging(int threads = 1)
+Options shaped(SmallCells smallCells, int threads = 1)
 {
   Options options;
+  options.cells = asTheyAre();
+  options.cells.splitConcave = true;
+  options.cells.smallCells = smallCells;
   options.threads = threads;
-  options.mergeRatio = MergeRatio;
   return options;
 }
 
@@ -39,16 +39,19 @@ TEST_P(ShapedMesh, KeepsVolumeAndAreasAndLeavesNoGap)
   for (const double cells : { 3.3, 8.0 })
   {
     SCOPED_TRACE(cells);
-    const MeshArrays mesh = meshOf(soup, cellsAlongLongest(soup, cells), merging()).mesh;
-    EXPECT_TRUE(isValid(mesh, true));
-    EXPECT_TRUE(fills(mesh, soup));
+    for (const SmallCells mode : { SmallCells::Remove, SmallCells::Merge })
+    {
+      const MeshArrays mesh = meshOf(soup, cellsAlongLongest(soup, cells), shaped(mode)).mesh;
+      EXPECT_TRUE(isValid(mesh, mode == SmallCells::Merge));
+      EXPECT_TRUE(fills(mesh, soup));
+    }
   }
 }
 
 TEST_P(ShapedMesh, KeepsVolumeAndAreasOfRefinedMeshes)
 {
   const Soup& soup = GetParam().soup;
-  Options options = merging();
+  Options options = shaped(SmallCells::Merge);
   options.refinement = depth(2);
   const MeshArrays mesh = meshOf(soup, cellsAlongLongest(soup, 3.3), options).mesh;
   EXPECT_TRUE(isValid(mesh, true));
@@ -59,18 +62,16 @@ INSTANTIATE_TEST_SUITE_P(Of, ShapedMesh, ::testing::ValuesIn(cleanShapes()), nam
 
 TEST(Shaping, AnEllInOneBoxIsSplitInTwo)
 {
-  Options options;
-  const Meshed split = meshOf(ell(), cellsOf(1), options);
+  const Meshed split = meshOf(ell(), cellsOf(1), shaped(SmallCells::Remove));
   EXPECT_EQ(split.mesh.cells(), 2U);
   EXPECT_EQ(split.statistics.at("CellsSplit"), 1);
-  EXPECT_EQ(split.statistics.at("AngleFailures"), 0);
+  EXPECT_EQ(split.statistics.at("BoundaryAngleFailures"), 0);
   EXPECT_TRUE(isValid(split.mesh));
   EXPECT_TRUE(fills(split.mesh, ell()));
 
-  options.splitConcave = false;
-  const Meshed whole = meshOf(ell(), cellsOf(1), options);
+  const Meshed whole = meshOf(ell(), cellsOf(1));
   EXPECT_EQ(whole.mesh.cells(), 1U);
-  EXPECT_EQ(whole.statistics.at("AngleFailures"), 1);
+  EXPECT_GT(whole.statistics.at("BoundaryAngleFailures"), 0);
 }
 
 TEST(Shaping, ASlabIsMergedIntoTheCellsBelow)
@@ -80,7 +81,7 @@ TEST(Shaping, ASlabIsMergedIntoTheCellsBelow)
   GridSpec grid = cellsOf(1);
   grid.meshlines = { std::vector<double>{ 0, 1, 2, 3 }, { 0, 1, 2, 3 }, { 0, 1, 2 } };
   const Meshed apart = meshOf(soup, grid);
-  const Meshed merged = meshOf(soup, grid, merging());
+  const Meshed merged = meshOf(soup, grid, shaped(SmallCells::Merge));
   EXPECT_EQ(apart.mesh.cells(), 18U);
   EXPECT_EQ(merged.mesh.cells(), 9U);
   EXPECT_EQ(merged.statistics.at("SmallCellsMerged"), 9);
@@ -99,9 +100,9 @@ TEST(Shaping, FuzzedShapesStayValid)
   {
     SCOPED_TRACE(seed);
     const Soup soup = seed % 2 == 0 ? starPolyhedron(seed, 6) : bumpySphere(seed, 4);
-    const MeshArrays mesh =
-      meshOf(soup, cellsAlongLongest(soup, 2.3 + seed), merging(1 + static_cast<int>(seed % 3)))
-        .mesh;
+    const MeshArrays mesh = meshOf(soup, cellsAlongLongest(soup, 2.3 + seed),
+      shaped(SmallCells::Merge, 1 + static_cast<int>(seed % 3)))
+                              .mesh;
     EXPECT_TRUE(isValid(mesh, true));
     EXPECT_TRUE(fills(mesh, soup));
   }

@@ -27,10 +27,8 @@ void expectSameWith(const Soup& soup, const GridSpec& grid, Options options)
 
 void expectSame(const Soup& soup, const GridSpec& grid, const RefinementSpec& refinement)
 {
-  Options options{ 1e-3, 1, refinement };
-  expectSameWith(soup, grid, options);
-  options.mergeRatio = 0.1;
-  expectSameWith(soup, grid, options);
+  expectSameWith(soup, grid, { asTheyAre(1e-3), 1, refinement });
+  expectSameWith(soup, grid, { {}, 1, refinement, {} });
 }
 
 }

@@ -81,6 +81,11 @@ draw("BoxesByLevel", halvings, "Halvings", range(10), [1, 0.3, -0.5], [0, 1, 0])
 patcher = simple.Patcher(Input=exhaust, Boxes=simple.CartesianBoxer(Input=exhaust, CellSize=12))
 draw("PatchesByBoundary", patcher, "BoundaryId", range(12), [1, 0.6, 0.8], [0, 0, 1])
 
+# Why each box has its patches: grey by Marching Cubes, else the condition for Exact Fit.
+part = read("tm_featuretype_occ.stl")
+reasons = simple.Patcher(Input=part, Boxes=simple.CartesianBoxer(Input=part, CellSize=4))
+draw("PatchesByReason", reasons, "PatchReason", range(7), [1, 0.6, 0.8], [0, 0, 1])
+
 mesher = simple.CartesianMesher(Input=spot, CellSize=0.1)
 # Hexahedra have one colour, the small cut cells another, the large ones a third.
 kinds = simple.Calculator(Input=half(mesher, [1, 0, 0]), AttributeType="Cell Data",
@@ -91,7 +96,7 @@ cut = simple.CartesianMesher(Input=exhaust, CellSize=12, MeshlinesZ=[-200, -150,
 draw("BoundaryCutOff", simple.OutputPort(cut, "Boundary"), "BoundaryId", range(-1, 11),
     [1, 0.6, 0.8], [0, 0, 1])
 
-names = ["BoxesByStatus", "BoxesByLevel", "PatchesByBoundary", "MeshByFraction", "BoundaryCutOff"]
+names = ["BoxesByStatus", "BoxesByLevel", "PatchesByBoundary", "PatchesByReason", "MeshByFraction", "BoundaryCutOff"]
 for name in names:
     for baseline in names:
         error = difference(f"{name}.png", BASELINE / f"{baseline}.png")

@@ -22,7 +22,7 @@ def check(name, source, cells, boundary_array="", **properties):
     bounds = surface.GetBounds()
     size = max(high - low for low, high in zip(bounds[0::2], bounds[1::2])) / cells
     mesher = simple.CartesianMesher(Input=source, CellSize=size, SmallCellRatio=1e-9,
-        BoundaryArray=boundary_array, **properties)
+        PatchMethod="Exact Fit", BoundaryArray=boundary_array, **properties)
     try:
         mesh = measure.Mesh(output(mesher), output(mesher, 1))
         measure.Surface(surface, boundary_array or "STLSolidLabeling").check(mesh.volume, mesh.areas)

@@ -5,19 +5,24 @@ from paraview import simple
 
 grid = {"CellSize": 0.0, "MeshlinesX": [], "MeshlinesY": [], "MeshlinesZ": []}
 refinement = {"RefinementDepth": 0, "RefinementBlocks": [], "BoundaryRefinement": [],
-              "RegionDepth": 1}
+              "RefinedBoundaries": [], "RefinedBoundaryDepth": 1, "RegionDepth": 1}
 boundaries = {"BoundaryArray": ""}
-patches = {"PatchMethod": "Exact Fit"}
-cells = {"SmallCells": "Merge", "MergeRatio": 0.1, "SmallCellRatio": 0.001,
-         "SplitConcaveCells": 1}
+patches = {"PatchMethod": "Automatic", "FeatureAngle": 30.0, "MergeAngle": 10.0,
+           "Tying": "Keep Nodes"}
+cells = {"SmallCells": "Merge", "MergeRatio": 0.1, "SmallCellRatio": 0.001, "SplitConcaveCells": 1}
 threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}
 
 surface = simple.Sphere()
+cube = simple.Box()
+cube.UpdatePipeline()
 boxer = simple.CartesianBoxer(Input=surface)
 patcher = simple.Patcher(Input=surface, Boxes=boxer)
 assembler = simple.CellAssembler(Input=boxer, Patches=patcher)
 mesher = simple.CartesianMesher(Input=surface)
+inspector = simple.SurfaceInspector(Input=surface)
+quality = simple.FiniteVolumeQuality(Input=mesher)
+region = simple.RefinementRegion(Input=cube)
 
 expected = {
     boxer: ("Cartesian Boxer", ["Input", "RefinementRegions"],
@@ -26,16 +31,31 @@ expected = {
     assembler: ("Cell Assembler", ["Input", "Patches"], cells | threads),
     mesher: ("Cartesian Mesher", ["Input", "RefinementRegions"],
              boundaries | grid | refinement | patches | cells | threads | memory),
+    inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
+    quality: ("Finite Volume Quality", ["Input"], threads),
+    # A region is as large as its input at first.
+    region: ("Refinement Region", ["Input"], {"Shape": "Box", "Position": [-0.5, -0.5, -0.5],
+        "Rotation": [0, 0, 0], "Length": [1, 1, 1], "Center": [0, 0, 0], "Radius": 0.25,
+        "Depth": 1}),
 }
 for proxy, (label, inputs, properties) in expected.items():
     assert proxy.GetXMLLabel() == label, proxy.GetXMLLabel()
-    names = sorted(proxy.ListProperties())
+    # What ends in Info is what a panel asks the server, not the user.
+    names = sorted(name for name in proxy.ListProperties() if not name.endswith("Info"))
     assert names == sorted(inputs + list(properties)), f"{label} has the properties {names}"
     for name, default in properties.items():
         value = proxy.GetPropertyValue(name)
         value = list(value) if isinstance(default, list) else value
         assert value == default, f"the default of {name} of {label} is {value!r}"
 
-for proxy in assembler, mesher:
+for proxy, names in (
+    (assembler, ["Mesh", "Boundary"]), (mesher, ["Mesh", "Boundary", "Defects"]),
+    (quality, ["Mesh", "Faces"]),
+):
     ports = [proxy.GetOutputPortName(i) for i in range(proxy.GetNumberOfOutputPorts())]
-    assert ports == ["Mesh", "Boundary"], ports
+    assert ports == names, ports
+
+writer = simple.CreateWriter("case.foam", mesher)
+assert writer.GetXMLLabel() == "OpenFOAM Mesh Writer", writer.GetXMLLabel()
+assert sorted(writer.ListProperties()) == ["FileName", "FileType", "Input"]
+assert writer.FileType == "Binary"

@@ -8,7 +8,7 @@ import measure
 from pipeline import octahedron, output, producer
 
 source = producer(octahedron())
-mesher = simple.CartesianMesher(Input=source, CellSize=0.3)
+mesher = simple.CartesianMesher(Input=source, CellSize=0.3, PatchMethod="Exact Fit")
 surface = measure.Surface(output(source))
 
 

@@ -16,7 +16,7 @@ def check(name, source, **properties):
     bounds = surface.GetBounds()
     size = max(high - low for low, high in zip(bounds[0::2], bounds[1::2])) / 8
     mesher = simple.CartesianMesher(
-        Input=source, CellSize=size, SmallCellRatio=1e-9, **properties)
+        Input=source, CellSize=size, SmallCellRatio=1e-9, PatchMethod="Exact Fit", **properties)
     try:
         mesh = measure.Mesh(output(mesher), output(mesher, 1))
         measure.Surface(surface, "STLSolidLabeling").check(mesh.volume, mesh.areas)

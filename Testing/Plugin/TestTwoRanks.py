@@ -50,3 +50,16 @@ for source, alone in (read("kcl_exhaust_header_lumens.stl"), stl), (simple.Spher
     faces.UpdatePipeline()
     found = faces.GetDataInformation().GetNumberOfCells()
     assert found == expected[1], f"Boundary alone: {found} faces instead of {expected[1]}"
+
+# Each rank measures its part of the mesh; the sums are of all of them.
+mesher = simple.CartesianMesher(Input=simple.Sphere())
+summaries = []
+for mesh in mesher, simple.RedistributeDataSet(Input=mesher):
+    quality = simple.FiniteVolumeQuality(Input=mesh)
+    quality.UpdatePipeline()
+    data = quality.SMProxy.GetClientSideObject().GetOutputDataObject(0)
+    summaries.append([data.GetFieldData().GetArray(name).GetValue(0)
+                      for name in ("Cells", "TotalVolume", "MinVolume", "MaxConcavity")])
+whole, parts = summaries
+assert data.GetNumberOfCells() < parts[0] == on_two_ranks(mesher)[0], parts
+assert all(abs(a - b) <= 1e-12 * abs(a) for a, b in zip(whole, parts)), summaries

@@ -101,9 +101,15 @@ def arrays(data):
     for where in "PointData", "CellData", "FieldData":
         attributes = getattr(data, "Get" + where)()
         for i in range(attributes.GetNumberOfArrays()):
-            array = attributes.GetArray(i)
+            array = attributes.GetAbstractArray(i)
             all[f"{where}, {array.GetName()}"] = array
     return all
+
+
+def contents(array):
+    if array.IsA("vtkStringArray"):
+        return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
+    return vtk_to_numpy(array).tobytes()
 
 
 def assert_identical(what, left, right):
@@ -116,6 +122,6 @@ def assert_identical(what, left, right):
             assert array is other, f"{what}: only one has {name}"
             continue
         assert array.GetDataType() == other.GetDataType(), f"{what}: types of {name} differ"
-        same = vtk_to_numpy(array).tobytes() == vtk_to_numpy(other).tobytes()
+        same = contents(array) == contents(other)
         assert same and array.GetNumberOfComponents() == other.GetNumberOfComponents(), \
             f"{what}: {name} differ"

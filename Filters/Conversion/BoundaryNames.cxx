@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BoundaryNames.h"
+
+#include "Error.h"
+
+#include "vtkDataObject.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr const char* Ids = "BoundaryIds";
+constexpr const char* Names = "BoundaryNames";
+
+}
+
+std::string unnamedBoundary(std::int32_t boundary)
+{
+  return boundary < 0 ? "no_surface" : "boundary_" + std::to_string(boundary);
+}
+
+BoundaryNames boundaryNames(vtkDataObject* data)
+{
+  vtkFieldData* fields = data->GetFieldData();
+  vtkDataArray* ids = fields->GetArray(Ids);
+  auto* names = vtkStringArray::SafeDownCast(fields->GetAbstractArray(Names));
+  if (!ids && !names)
+  {
+    return {};
+  }
+  if (!ids || !names || ids->GetNumberOfValues() != names->GetNumberOfValues())
+  {
+    throw Error(Fault::MissingArray,
+      std::string("The field data ") + Ids + " and " + Names +
+        " must both be there, numbers and as many names, or neither.");
+  }
+  BoundaryNames result;
+  for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
+  {
+    result[static_cast<std::int32_t>(ids->GetComponent(i, 0))] = names->GetValue(i);
+  }
+  return result;
+}
+
+void setBoundaryNames(vtkDataObject* data, const BoundaryNames& names)
+{
+  vtkNew<vtkIntArray> idArray;
+  idArray->SetName(Ids);
+  vtkNew<vtkStringArray> nameArray;
+  nameArray->SetName(Names);
+  for (const auto& [id, name] : names)
+  {
+    idArray->InsertNextValue(id);
+    nameArray->InsertNextValue(name);
+  }
+  data->GetFieldData()->AddArray(idArray);
+  data->GetFieldData()->AddArray(nameArray);
+}
+
+}

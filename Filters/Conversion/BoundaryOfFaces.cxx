@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BoundaryOfFaces.h"
+
+#include "Cells.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr const char* CellId = "CellId";
+constexpr const char* BoundaryOfFaces = "BoundaryOfFaces";
+
+constexpr int CellOf = 0;
+constexpr int FaceOf = 1;
+constexpr int BoundaryOf = 2;
+
+// Whether the same corners follow each other, from whichever they start.
+bool sameLoop(const std::vector<vtkIdType>& loop, const vtkIdType* points, vtkIdType count)
+{
+  if (static_cast<vtkIdType>(loop.size()) != count)
+  {
+    return false;
+  }
+  const vtkIdType shift = std::find(points, points + count, loop[0]) - points;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    if (shift == count || loop[static_cast<std::size_t>(i)] != points[(shift + i) % count])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Number of the face in a cell's face stream; the number of faces if it is none of them.
+vtkIdType findFace(const std::vector<vtkIdType>& face, const vtkIdType* stream)
+{
+  const vtkIdType count = *stream++;
+  for (vtkIdType f = 0; f < count; ++f)
+  {
+    if (sameLoop(face, stream + 1, *stream))
+    {
+      return f;
+    }
+    stream += *stream + 1;
+  }
+  return count;
+}
+
+vtkIdTypeArray* rowsOf(vtkUnstructuredGrid* grid)
+{
+  auto* rows =
+    vtkIdTypeArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray(BoundaryOfFaces));
+  return rows && rows->GetNumberOfComponents() == 3 ? rows : nullptr;
+}
+
+// The rows of BoundaryOfFaces, found by cell and face, each once.
+class Rows
+{
+public:
+  explicit Rows(vtkIdTypeArray* rows)
+    : rows_(rows)
+    , found_(static_cast<std::size_t>(rows->GetNumberOfTuples()), false)
+  {
+  }
+
+  // The row, or -1; `again` if it was found before.
+  vtkIdType find(vtkIdType cell, vtkIdType face, bool& again)
+  {
+    vtkIdType low = 0;
+    vtkIdType high = rows_->GetNumberOfTuples();
+    while (low < high)
+    {
+      const vtkIdType middle = low + (high - low) / 2;
+      const bool before =
+        get(middle, CellOf) != cell ? get(middle, CellOf) < cell : get(middle, FaceOf) < face;
+      (before ? low : high) = before ? middle + 1 : middle;
+    }
+    if (low == rows_->GetNumberOfTuples() || get(low, CellOf) != cell || get(low, FaceOf) != face)
+    {
+      return -1;
+    }
+    again = found_[static_cast<std::size_t>(low)];
+    found_[static_cast<std::size_t>(low)] = true;
+    return low;
+  }
+
+  vtkIdType get(vtkIdType row, int component) const
+  {
+    return rows_->GetTypedComponent(row, component);
+  }
+
+private:
+  vtkIdTypeArray* rows_;
+  std::vector<bool> found_;
+};
+
+}
+
+void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary)
+{
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName(CellId);
+  ids->SetNumberOfValues(mesh->GetNumberOfCells());
+  for (vtkIdType c = 0; c < mesh->GetNumberOfCells(); ++c)
+  {
+    ids->SetValue(c, c);
+  }
+  mesh->GetCellData()->AddArray(ids);
+
+  vtkDataArray* owner = boundary->GetCellData()->GetArray("OwnerCell");
+  vtkDataArray* number = boundary->GetCellData()->GetArray("BoundaryId");
+  auto* meshPoint =
+    vtkIdTypeArray::SafeDownCast(boundary->GetPointData()->GetAbstractArray("MeshPointId"));
+  CellFaceReader reader(mesh);
+  std::vector<std::array<vtkIdType, 3>> rows;
+  std::vector<vtkIdType> corners;
+  auto face = vtk::TakeSmartPointer(boundary->GetPolys()->NewIterator());
+  for (face->GoToFirstCell(); !face->IsDoneWithTraversal(); face->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* points = nullptr;
+    face->GetCurrentCell(count, points);
+    corners.resize(static_cast<std::size_t>(count));
+    std::transform(points, points + count, corners.begin(),
+      [&](vtkIdType point) { return meshPoint->GetValue(point); });
+    const vtkIdType f = face->GetCurrentCellId();
+    const auto cell = static_cast<vtkIdType>(owner->GetComponent(f, 0));
+    rows.push_back({ cell, findFace(corners, reader.read(cell)),
+      static_cast<vtkIdType>(number->GetComponent(f, 0)) });
+  }
+  std::sort(rows.begin(), rows.end());
+
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(BoundaryOfFaces);
+  array->SetNumberOfComponents(3);
+  array->SetComponentName(CellOf, "Cell");
+  array->SetComponentName(FaceOf, "Face");
+  array->SetComponentName(BoundaryOf, "BoundaryId");
+  array->SetNumberOfTuples(static_cast<vtkIdType>(rows.size()));
+  for (std::size_t r = 0; r < rows.size(); ++r)
+  {
+    array->SetTypedTuple(static_cast<vtkIdType>(r), rows[r].data());
+  }
+  mesh->GetFieldData()->AddArray(array);
+}
+
+BoundaryKnowledge readBoundaryOfFaces(vtkUnstructuredGrid* grid, const GridFaces& faces,
+  const FaceList& list, std::vector<vtkIdType>& boundary)
+{
+  const std::size_t inner = list.neighbour.size();
+  boundary.assign(list.face.size() - inner, NoBoundary);
+  auto* ids = vtkIdTypeArray::SafeDownCast(grid->GetCellData()->GetAbstractArray(CellId));
+  vtkIdTypeArray* array = rowsOf(grid);
+  if (!ids || !array)
+  {
+    return BoundaryKnowledge::Nothing;
+  }
+  Rows rows(array);
+  for (std::size_t i = 0; i < list.face.size(); ++i)
+  {
+    const std::uint32_t cell = list.owner[i];
+    const auto face = static_cast<vtkIdType>(list.face[i] - faces.cells.firstFace[cell]);
+    bool again = false;
+    const vtkIdType row = rows.find(ids->GetValue(faces.cellOf[cell]), face, again);
+    if (row >= 0 && (i < inner || again))
+    {
+      return BoundaryKnowledge::Unfit;
+    }
+    if (row >= 0)
+    {
+      boundary[i - inner] = rows.get(row, BoundaryOf);
+    }
+  }
+  return BoundaryKnowledge::All;
+}
+
+std::map<vtkIdType, std::string> readBoundaryNames(vtkUnstructuredGrid* grid)
+{
+  std::map<vtkIdType, std::string> result;
+  auto* names =
+    vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray("BoundaryNames"));
+  vtkDataArray* ids = grid->GetFieldData()->GetArray("BoundaryIds");
+  for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
+  {
+    if (!ids)
+    {
+      result[i] = names->GetValue(i);
+    }
+    else if (i < ids->GetNumberOfTuples())
+    {
+      result[static_cast<vtkIdType>(ids->GetComponent(i, 0))] = names->GetValue(i);
+    }
+  }
+  return result;
+}
+
+}

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DefectsToVTK.h"
+
+#include "FieldData.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::pair<DefectKind, const char*> CountNames[] = {
+  { DefectKind::OpenEdge, "OpenEdges" },
+  { DefectKind::NonManifoldEdge, "NonManifoldEdges" },
+  { DefectKind::InconsistentEdge, "InconsistentEdges" },
+  { DefectKind::DegenerateTriangle, "DegenerateTriangles" },
+  { DefectKind::DuplicateTriangle, "DuplicateTriangles" },
+  { DefectKind::FoldedTriangle, "FoldedTriangles" },
+  { DefectKind::OverlappedTriangle, "OverlappedTriangles" },
+  { DefectKind::Intersection, "Intersections" },
+  { DefectKind::SmallComponent, "TrianglesOfSmallComponents" },
+  { DefectKind::Hole, "Holes" },
+  { DefectKind::Leak, "Leaks" },
+};
+
+class DefectWriter
+{
+public:
+  DefectWriter(const SurfaceDefects& defects, const std::vector<vtkIdType>& surfaceCells)
+    : defects_(defects)
+    , surfaceCells_(surfaceCells)
+  {
+    kind_->SetName("DefectKind");
+    cell_->SetName("SurfaceCell");
+    other_->SetName("OtherCell");
+  }
+
+  void write(vtkPolyData* output)
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (const Vector& p : defects_.points)
+    {
+      points->InsertNextPoint(p.data());
+    }
+    // VTK numbers the cells of a vtkPolyData lines first.
+    vtkNew<vtkCellArray> lines;
+    vtkNew<vtkCellArray> polygons;
+    writeCells(false, lines);
+    writeCells(true, polygons);
+    output->SetPoints(points);
+    output->SetLines(lines);
+    output->SetPolys(polygons);
+    output->GetCellData()->SetScalars(kind_);
+    output->GetCellData()->AddArray(cell_);
+    output->GetCellData()->AddArray(other_);
+  }
+
+private:
+  void writeCells(bool polygons, vtkCellArray* cells)
+  {
+    vtkIdType point = 0;
+    for (const Defect& defect : defects_.defects)
+    {
+      if (defect.polygon == polygons)
+      {
+        cells->InsertNextCell(static_cast<int>(defect.size));
+        for (std::uint32_t i = 0; i < defect.size; ++i)
+        {
+          cells->InsertCellPoint(point + i);
+        }
+        kind_->InsertNextValue(static_cast<int>(defect.kind));
+        cell_->InsertNextValue(cellOf(defect.triangle));
+        other_->InsertNextValue(cellOf(defect.other));
+      }
+      point += defect.size;
+    }
+  }
+
+  vtkIdType cellOf(std::uint32_t triangle) const
+  {
+    return triangle == SurfaceDefects::None ? -1 : surfaceCells_[triangle];
+  }
+
+  const SurfaceDefects& defects_;
+  const std::vector<vtkIdType>& surfaceCells_;
+  vtkNew<vtkIntArray> kind_;
+  vtkNew<vtkIdTypeArray> cell_;
+  vtkNew<vtkIdTypeArray> other_;
+};
+
+}
+
+void toVTK(
+  const SurfaceDefects& defects, const std::vector<vtkIdType>& surfaceCells, vtkPolyData* output)
+{
+  DefectWriter(defects, surfaceCells).write(output);
+  for (const auto& [kind, name] : CountNames)
+  {
+    setField(output, name, { static_cast<double>(defects.counts[static_cast<std::size_t>(kind)]) });
+  }
+  setField(output, "Components", { static_cast<double>(defects.components) });
+  setField(output, "TrianglesNotCompared", { static_cast<double>(defects.notCompared) });
+}
+
+}

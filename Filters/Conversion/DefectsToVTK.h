@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The kernel's list of a surface's defects as a vtkPolyData of lines and triangles.
+//
+// Cell arrays: DefectKind (int: SurfaceDefects.h, vtkSurfaceInspector.h), SurfaceCell and OtherCell (id
+// type: cells of the surface, -1 where there is none). Field data: one number for each count.
+#pragma once
+
+#include "SurfaceDefects.h"
+
+#include "vtkType.h"
+
+class vtkPolyData;
+
+namespace cartesian
+{
+
+// `surfaceCells`: the cell of each triangle of the surface (SurfaceFromVTK).
+void toVTK(
+  const SurfaceDefects& defects, const std::vector<vtkIdType>& surfaceCells, vtkPolyData* output);
+
+}

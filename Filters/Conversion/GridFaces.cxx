@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GridFaces.h"
+
+#include "Error.h"
+
+#include "vtkCellType.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkHexahedron.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <limits>
+
+namespace cartesian
+{
+
+const vtkIdType* CellFaceReader::read(vtkIdType cell)
+{
+  switch (grid_->GetCellType(cell))
+  {
+    case VTK_HEXAHEDRON:
+      return readHexahedron(cell);
+    case VTK_POLYHEDRON:
+      grid_->GetFaceStream(cell, stream_);
+      return stream_->GetPointer(0);
+    default:
+      return readOther(cell);
+  }
+}
+
+const vtkIdType* CellFaceReader::readHexahedron(vtkIdType cell)
+{
+  vtkIdType count = 0;
+  const vtkIdType* points = nullptr;
+  grid_->GetCellPoints(cell, count, points);
+  stream_->Reset();
+  stream_->InsertNextId(6);
+  for (int face = 0; face < 6; ++face)
+  {
+    stream_->InsertNextId(4);
+    for (int i = 0; i < 4; ++i)
+    {
+      stream_->InsertNextId(points[vtkHexahedron::GetFaceArray(face)[i]]);
+    }
+  }
+  return stream_->GetPointer(0);
+}
+
+const vtkIdType* CellFaceReader::readOther(vtkIdType cell)
+{
+  grid_->GetCell(cell, cell_);
+  if (cell_->GetCellDimension() < 3)
+  {
+    return nullptr;
+  }
+  if (!cell_->IsLinear())
+  {
+    throw Error(Fault::BadMesh,
+      "Cell " + std::to_string(cell) + " has curved edges: apply Tessellate first.");
+  }
+  stream_->Reset();
+  stream_->InsertNextId(cell_->GetNumberOfFaces());
+  for (int f = 0; f < cell_->GetNumberOfFaces(); ++f)
+  {
+    vtkCell* face = cell_->GetFace(f);
+    const bool crossed = face->GetCellType() == VTK_PIXEL;
+    stream_->InsertNextId(face->GetNumberOfPoints());
+    for (int i = 0; i < face->GetNumberOfPoints(); ++i)
+    {
+      stream_->InsertNextId(face->GetPointId(crossed && i > 1 ? 5 - i : i));
+    }
+  }
+  return stream_->GetPointer(0);
+}
+
+namespace
+{
+
+void checkPoints(vtkUnstructuredGrid* grid)
+{
+  if (grid->GetNumberOfPoints() >= std::numeric_limits<std::uint32_t>::max())
+  {
+    throw Error(Fault::BadMesh, "The mesh has more points than can be numbered in 32 bits.");
+  }
+}
+
+// A cell as CellFaceReader gives it; null: one without faces.
+void append(const vtkIdType* stream, CellFaces& cells)
+{
+  cells.firstFace.push_back(cells.firstCorner.size());
+  for (vtkIdType faces = stream ? *stream++ : 0; faces > 0; --faces)
+  {
+    cells.firstCorner.push_back(cells.corners.size());
+    for (vtkIdType corners = *stream++; corners > 0; --corners)
+    {
+      cells.corners.push_back(static_cast<std::uint32_t>(*stream++));
+    }
+  }
+}
+
+void finish(CellFaces& cells)
+{
+  cells.firstFace.push_back(cells.firstCorner.size());
+  cells.firstCorner.push_back(cells.corners.size());
+}
+
+}
+
+CellFaces facesOfCells(vtkUnstructuredGrid* grid)
+{
+  checkPoints(grid);
+  CellFaces cells;
+  CellFaceReader reader(grid);
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    append(reader.read(c), cells);
+  }
+  finish(cells);
+  return cells;
+}
+
+GridFaces::GridFaces(vtkUnstructuredGrid* grid)
+{
+  checkPoints(grid);
+  readCells(grid);
+  if (cellOf.empty())
+  {
+    throw Error(Fault::BadMesh, "There are no cells with a volume to write.");
+  }
+  readPoints(grid);
+}
+
+void GridFaces::readCells(vtkUnstructuredGrid* grid)
+{
+  constexpr unsigned char leftOut =
+    vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+  vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
+  CellFaceReader reader(grid);
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    const vtkIdType* stream =
+      ghosts && (ghosts->GetValue(c) & leftOut) != 0 ? nullptr : reader.read(c);
+    if (stream)
+    {
+      cellOf.push_back(c);
+      append(stream, cells);
+    }
+  }
+  finish(cells);
+}
+
+void GridFaces::readPoints(vtkUnstructuredGrid* grid)
+{
+  std::vector<std::uint32_t> number(static_cast<std::size_t>(grid->GetNumberOfPoints()));
+  for (const std::uint32_t point : cells.corners)
+  {
+    number[point] = 1;
+  }
+  for (std::size_t p = 0; p < number.size(); ++p)
+  {
+    if (number[p] != 0)
+    {
+      number[p] = static_cast<std::uint32_t>(points.size() / 3);
+      points.resize(points.size() + 3);
+      grid->GetPoint(static_cast<vtkIdType>(p), points.data() + points.size() - 3);
+    }
+  }
+  for (std::uint32_t& point : cells.corners)
+  {
+    point = number[point];
+  }
+}
+
+}

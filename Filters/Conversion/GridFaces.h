@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A vtkUnstructuredGrid as the faces of its cells.
+#pragma once
+
+#include "FaceList.h"
+
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+
+class vtkUnstructuredGrid;
+
+namespace cartesian
+{
+
+// The faces of one cell after the other, in VTK's order.
+class CellFaceReader
+{
+public:
+  explicit CellFaceReader(vtkUnstructuredGrid* grid)
+    : grid_(grid)
+  {
+  }
+
+  // The number of faces, then for each its size and points; valid until the next call. Null if the
+  // cell has no volume. Throws Error (BadMesh) if its edges are curved.
+  const vtkIdType* read(vtkIdType cell);
+
+private:
+  const vtkIdType* readHexahedron(vtkIdType cell);
+  const vtkIdType* readOther(vtkIdType cell);
+
+  vtkUnstructuredGrid* grid_;
+  vtkNew<vtkIdList> stream_;
+  vtkNew<vtkGenericCell> cell_;
+};
+
+// The faces of all cells, with the grid's numbers of cells and points; cells without a volume have
+// none. Throws Error (BadMesh): a cell with curved edges, too many points.
+CellFaces facesOfCells(vtkUnstructuredGrid* grid);
+
+// Cells with a volume, but for ghosts, and the points that they use, renumbered in their order.
+struct GridFaces
+{
+  CellFaces cells;
+  std::vector<double> points;    // three coordinates each
+  std::vector<vtkIdType> cellOf; // the grid's number of each cell
+
+  // Throws Error (BadMesh): a cell with curved edges, nothing left, too many.
+  explicit GridFaces(vtkUnstructuredGrid* grid);
+
+private:
+  void readCells(vtkUnstructuredGrid* grid);
+  void readPoints(vtkUnstructuredGrid* grid);
+};
+
+}

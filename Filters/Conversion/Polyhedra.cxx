@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Polyhedra.h"
+
+#include "vtkCellArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVersionMacros.h"
+
+namespace cartesian
+{
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20240112)
+
+// From VTK 9.4 on: the faces of all cells, and for each cell the list of its own. Not compiled with
+// ParaView 5.11, which has VTK 9.2.
+void setCells(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* types, vtkCellArray* cells,
+  vtkIdTypeArray* faceStart, vtkIdTypeArray* faceStream)
+{
+  if (faceStream->GetNumberOfValues() == 0)
+  {
+    grid->SetCells(types, cells);
+    return;
+  }
+  vtkNew<vtkCellArray> faces;
+  vtkNew<vtkCellArray> facesOfCells;
+  for (vtkIdType cell = 0; cell < faceStart->GetNumberOfValues(); ++cell)
+  {
+    const vtkIdType start = faceStart->GetValue(cell);
+    const vtkIdType* stream = start < 0 ? nullptr : faceStream->GetPointer(start);
+    const vtkIdType count = stream ? *stream++ : 0;
+    facesOfCells->InsertNextCell(static_cast<int>(count));
+    for (vtkIdType face = 0; face < count; ++face)
+    {
+      const vtkIdType size = *stream++;
+      facesOfCells->InsertCellPoint(faces->InsertNextCell(size, stream));
+      stream += size;
+    }
+  }
+  grid->SetPolyhedralCells(types, cells, facesOfCells, faces);
+}
+
+#else
+
+void setCells(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* types, vtkCellArray* cells,
+  vtkIdTypeArray* faceStart, vtkIdTypeArray* faceStream)
+{
+  const bool polyhedra = faceStream->GetNumberOfValues() > 0;
+  grid->SetCells(types, cells, polyhedra ? faceStart : nullptr, polyhedra ? faceStream : nullptr);
+}
+
+#endif
+
+}

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceBlocks.h"
+
+#include "Error.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPolyData.h"
+
+namespace cartesian
+{
+
+namespace
+{
+
+void collect(vtkDataObject* data, const std::string& name, std::vector<SurfaceBlock>& blocks);
+
+std::string nameIn(vtkInformation* information, const std::string& parent)
+{
+  const char* name = information ? information->Get(vtkCompositeDataSet::NAME()) : nullptr;
+  return name && *name ? name : parent;
+}
+
+void collectBlocks(
+  vtkMultiBlockDataSet* data, const std::string& parent, std::vector<SurfaceBlock>& blocks)
+{
+  for (unsigned i = 0; i < data->GetNumberOfBlocks(); ++i)
+  {
+    // Asking for meta data makes some.
+    vtkInformation* information = data->HasMetaData(i) ? data->GetMetaData(i) : nullptr;
+    collect(data->GetBlock(i), nameIn(information, parent), blocks);
+  }
+}
+
+void collectPartitions(vtkPartitionedDataSetCollection* data, std::vector<SurfaceBlock>& blocks)
+{
+  for (unsigned i = 0; i < data->GetNumberOfPartitionedDataSets(); ++i)
+  {
+    const std::string name = nameIn(data->HasMetaData(i) ? data->GetMetaData(i) : nullptr, "");
+    for (unsigned j = 0; j < data->GetNumberOfPartitions(i); ++j)
+    {
+      collect(data->GetPartitionAsDataObject(i, j), name, blocks);
+    }
+  }
+}
+
+void collect(vtkDataObject* data, const std::string& name, std::vector<SurfaceBlock>& blocks)
+{
+  if (auto* surface = vtkPolyData::SafeDownCast(data))
+  {
+    if (surface->GetPoints() && surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0)
+    {
+      blocks.push_back({ surface, name });
+    }
+  }
+  else if (auto* multi = vtkMultiBlockDataSet::SafeDownCast(data))
+  {
+    collectBlocks(multi, name, blocks);
+  }
+  else if (auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(data))
+  {
+    collectPartitions(collection, blocks);
+  }
+  else if (data) // blocks may be empty
+  {
+    throw Error(Fault::EmptySurface,
+      "Block \"" + name + "\" is a " + data->GetClassName() +
+        ", no surface: take it out (Extract Block), or its surface (Extract Surface).");
+  }
+}
+
+}
+
+std::vector<SurfaceBlock> surfaceBlocks(vtkDataObject* input)
+{
+  std::vector<SurfaceBlock> blocks;
+  collect(input, "", blocks);
+  if (blocks.empty())
+  {
+    throw Error(
+      Fault::EmptySurface, "The surface has no polygons: connect a closed triangulated surface.");
+  }
+  return blocks;
+}
+
+}

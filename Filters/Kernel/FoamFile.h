@@ -1,0 +1,64 @@
+// One file as OpenFOAM reads it: a header, then text or a list.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cartesian
+{
+
+enum class FoamFormat
+{
+  Ascii, // shortest decimals that read back equal
+  Binary // labels in 32 bits and numbers in 64, as OpenFOAM is built by default
+};
+
+// All methods throw Error (CannotWrite).
+class FoamFile
+{
+public:
+  struct Header
+  {
+    const char* className;
+    const char* location; // the file's folder in the case
+    std::string note;     // empty: none
+  };
+
+  FoamFile(const std::filesystem::path& path, FoamFormat format, const Header& header);
+
+  void text(const std::string& words);
+
+  void labels(std::size_t count, const std::function<std::uint32_t(std::size_t)>& label);
+
+  // Three numbers each.
+  void vectors(const std::vector<double>& numbers);
+
+  // Lists of labels, from start[i] to start[i + 1].
+  void labelLists(const std::vector<std::size_t>& start, const std::vector<std::uint32_t>& labels);
+
+  // To be called at the end: until then parts may not be on the disk.
+  void close();
+
+  // Whether there is a file that this class wrote.
+  static bool isOurs(const std::filesystem::path& path);
+
+private:
+  template <class Value>
+  void decimal(Value value);
+  template <class Value>
+  void raw(Value value);
+  void begin(std::size_t count);
+  void end(std::size_t count);
+  void flush(std::size_t least);
+
+  std::filesystem::path path_;
+  FoamFormat format_;
+  std::ofstream file_;
+  std::string buffer_;
+};
+
+}

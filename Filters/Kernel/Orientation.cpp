@@ -1,0 +1,484 @@
+#include "Orientation.h"
+
+#include "LineCrossings.h"
+#include "SurfaceEdges.h"
+
+#include <cmath>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t TrianglesAChunk = 2048;
+
+// Lines through a sheet: enough to outvote those that pass where the surface is at fault.
+constexpr std::size_t FewestLines = 3;
+constexpr std::size_t MostLines = 63;
+constexpr std::size_t TrianglesALine = 256;
+
+// Tests of a line against a triangle in all; beyond it lines are given up, those of small
+// triangles first. A soup of a million large triangles would take days.
+constexpr double MostTests = 5e7;
+
+constexpr double MostGridCells = 1024; // a direction
+
+// Triangles by sheet, and how each is turned against the sheet's first: disjoint sets.
+class Sheets
+{
+public:
+  Sheets(const Surface& surface, const SurfaceEdges& edges)
+    : parent_(surface.triangles.size())
+    , turned_(surface.triangles.size())
+  {
+    for (std::size_t t = 0; t < parent_.size(); ++t)
+    {
+      parent_[t] = static_cast<std::uint32_t>(t);
+    }
+    edges.forEach([&](std::uint32_t, const EdgeUse* begin, const EdgeUse* end) {
+      if (end - begin == 2)
+      {
+        join(begin[0].triangle(), begin[1].triangle(), begin[0].down() == begin[1].down());
+      }
+    });
+    for (std::size_t t = 0; t < parent_.size(); ++t)
+    {
+      flatten(static_cast<std::uint32_t>(t));
+    }
+  }
+
+  std::uint32_t of(std::size_t triangle) const { return parent_[triangle]; }
+  bool turned(std::size_t triangle) const { return turned_[triangle] != 0; }
+
+private:
+  // Points a triangle straight at its root; the paths to it stay short.
+  std::uint32_t flatten(std::uint32_t t)
+  {
+    std::uint32_t root = t;
+    std::uint8_t turned = 0;
+    while (parent_[root] != root)
+    {
+      turned ^= turned_[root];
+      root = parent_[root];
+    }
+    while (parent_[t] != root && t != root)
+    {
+      const std::uint32_t next = parent_[t];
+      const std::uint8_t own = turned_[t];
+      parent_[t] = root;
+      turned_[t] = turned;
+      turned ^= own;
+      t = next;
+    }
+    return root;
+  }
+
+  // The lower root wins. A contradiction (a Moebius band) stays where it is found.
+  void join(std::uint32_t a, std::uint32_t b, bool opposite)
+  {
+    const std::uint32_t rootA = flatten(a);
+    const std::uint32_t rootB = flatten(b);
+    const auto between =
+      static_cast<std::uint8_t>(turned_[a] ^ turned_[b] ^ static_cast<std::uint8_t>(opposite));
+    if (rootA != rootB)
+    {
+      const auto [low, high] = std::minmax(rootA, rootB);
+      parent_[high] = low;
+      turned_[high] = between;
+    }
+  }
+
+  std::vector<std::uint32_t> parent_;
+  std::vector<std::uint8_t> turned_; // against the parent; a root is not
+};
+
+// A line along axes.along through a triangle, and how much it counts for.
+struct Line
+{
+  Level middle;
+  Level outer;
+  std::size_t rank; // among the lines of its sheet
+  Wide area;        // of the triangle, projected along the line, twice
+  std::array<std::uint32_t, 3> triangle;
+
+  bool operator<(const Line& other) const
+  {
+    return rank != other.rank
+      ? rank < other.rank
+      : (area != other.area ? area > other.area : triangle < other.triangle);
+  }
+};
+
+Wide magnitude(Wide x)
+{
+  return x < 0 ? -x : x;
+}
+
+Level evenNear(double level)
+{
+  return static_cast<Level>(2 * std::llround(level / 2));
+}
+
+// The line of even levels nearest to the middle of a triangle, if it passes through it.
+bool findLine(const Corners& c, const RowAxes& axes, Line& line)
+{
+  const auto [least, most] = std::minmax({ c[0][axes.outer], c[1][axes.outer], c[2][axes.outer] });
+  line.outer = evenNear((double(c[0][axes.outer]) + c[1][axes.outer] + c[2][axes.outer]) / 3);
+  if (line.outer < least || line.outer > most)
+  {
+    return false;
+  }
+  const auto [from, to] = crossedLevels(c, axes, line.outer);
+  line.middle = evenNear((double(from) + to) / 2);
+  return line.middle > from && line.middle < to;
+}
+
+// Triangles of each sheet, by size; lines through the largest.
+class LineFinder
+{
+public:
+  LineFinder(const Surface& surface, const Sheets& sheets, Execution& execution)
+    : surface_(surface)
+    , best_(surface.triangles.size())
+  {
+    execution.forEach(best_.size(), TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t)
+      {
+        best_[t] = bestOf(t);
+      }
+    });
+    std::vector<std::size_t> start(best_.size() + 1);
+    for (std::size_t t = 0; t < best_.size(); ++t)
+    {
+      ++start[sheets.of(t)];
+    }
+    scan(start);
+    std::vector<std::uint32_t> triangles(best_.size());
+    std::vector<std::size_t> next(start.begin(), start.end() - 1);
+    for (std::size_t t = 0; t < best_.size(); ++t)
+    {
+      triangles[next[sheets.of(t)]++] = static_cast<std::uint32_t>(t);
+    }
+    for (std::size_t s = 0; s < best_.size(); ++s)
+    {
+      addLines(triangles.data() + start[s], triangles.data() + start[s + 1]);
+    }
+  }
+
+  std::array<std::vector<Line>, 3>& lines() { return lines_; }
+
+private:
+  struct Best
+  {
+    Wide area = 0;
+    int axis = 0;
+  };
+
+  Best bestOf(std::size_t triangle) const
+  {
+    Best best;
+    const std::array<Wide, 3> normal = exactNormal(surface_.corners(triangle));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Wide area = magnitude(normal[axis]);
+      best = area > best.area ? Best{ area, axis } : best;
+    }
+    return best;
+  }
+
+  void addLines(std::uint32_t* begin, std::uint32_t* end)
+  {
+    const auto size = static_cast<std::size_t>(end - begin);
+    const std::size_t wanted =
+      std::min(size, std::clamp(size / TrianglesALine, FewestLines, MostLines));
+    std::uint32_t* const last = begin + wanted;
+    std::partial_sort(begin, last, end, [&](std::uint32_t a, std::uint32_t b) {
+      return best_[a].area != best_[b].area ? best_[a].area > best_[b].area : sorted(a) < sorted(b);
+    });
+    for (const std::uint32_t* t = begin; t != last; ++t)
+    {
+      Line line{};
+      const auto axis = static_cast<std::size_t>(best_[*t].axis);
+      if (best_[*t].area > 0 && findLine(surface_.corners(*t), RowsAlong[axis], line))
+      {
+        line.rank = static_cast<std::size_t>(t - begin);
+        line.area = best_[*t].area;
+        line.triangle = sorted(*t);
+        lines_[axis].push_back(line);
+      }
+    }
+  }
+
+  std::array<std::uint32_t, 3> sorted(std::uint32_t triangle) const
+  {
+    std::array<std::uint32_t, 3> v = surface_.triangles[triangle];
+    std::sort(v.begin(), v.end());
+    return v;
+  }
+
+  const Surface& surface_;
+  std::vector<Best> best_; // of each triangle: its largest projection
+  std::array<std::vector<Line>, 3> lines_;
+};
+
+// Lines along one axis, in a grid across it that tells which of them may cross a triangle.
+class LineGrid
+{
+public:
+  LineGrid(const Surface& surface, int along, std::vector<Line>& lines)
+    : axes_(RowsAlong[static_cast<std::size_t>(along)])
+    , lines_(lines)
+  {
+    std::sort(lines_.begin(), lines_.end());
+    Bounds bounds = Bounds::none();
+    for (const Line& line : lines_)
+    {
+      bounds.include(0, line.middle);
+      bounds.include(1, line.outer);
+    }
+    low_ = { bounds.low[0], bounds.low[1] };
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      size_[i] = std::max(bounds.high[i] - bounds.low[i], 1.0);
+    }
+    while (file(), tests(surface) > MostTests)
+    {
+      lines_.resize(lines_.size() / 2);
+    }
+  }
+
+  // Calls visit(line) with the numbers of the lines that cross a triangle.
+  template <class Visitor>
+  void forEachLine(const Corners& c, Visitor&& visit) const
+  {
+    const auto [least, most] =
+      std::minmax({ c[0][axes_.outer], c[1][axes_.outer], c[2][axes_.outer] });
+    const Range range = rangeOf(c);
+    for (std::size_t o = range.first[1]; o < range.end[1]; ++o)
+    {
+      for (std::size_t m = range.first[0]; m < range.end[0]; ++m)
+      {
+        const std::size_t cell = m + o * cells_;
+        for (std::size_t i = start_[cell]; i < start_[cell + 1]; ++i)
+        {
+          const Line& line = lines_[number_[i]];
+          if (line.outer > least && line.outer < most)
+          {
+            const auto [from, to] = crossedLevels(c, axes_, line.outer);
+            if (line.middle > from && line.middle < to)
+            {
+              visit(number_[i]);
+            }
+          }
+        }
+      }
+    }
+  }
+
+  Point at(std::uint32_t line) const
+  {
+    Point p{};
+    p[axes_.middle] = lines_[line].middle;
+    p[axes_.outer] = lines_[line].outer;
+    return p;
+  }
+
+private:
+  struct Range
+  {
+    std::array<std::size_t, 2> first{ 0, 0 };
+    std::array<std::size_t, 2> end{ 0, 0 };
+  };
+
+  std::size_t cellAt(std::size_t direction, double level) const
+  {
+    const double cell = (level - low_[direction]) / size_[direction] * static_cast<double>(cells_);
+    return static_cast<std::size_t>(std::clamp(cell, 0.0, static_cast<double>(cells_ - 1)));
+  }
+
+  Range rangeOf(const Corners& c) const
+  {
+    Range range;
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      const int axis = i == 0 ? axes_.middle : axes_.outer;
+      const auto [least, most] = std::minmax({ c[0][axis], c[1][axis], c[2][axis] });
+      if (most < low_[i] || least > low_[i] + size_[i])
+      {
+        return {};
+      }
+      range.first[i] = cellAt(i, least);
+      range.end[i] = cellAt(i, most) + 1;
+    }
+    return range;
+  }
+
+  void file()
+  {
+    const auto count = static_cast<double>(lines_.size());
+    cells_ = static_cast<std::size_t>(std::clamp(std::sqrt(count), 1.0, MostGridCells));
+    start_.assign(cells_ * cells_ + 1, 0);
+    const auto cellOf = [&](const Line& line) {
+      return cellAt(0, line.middle) + cells_ * cellAt(1, line.outer);
+    };
+    for (const Line& line : lines_)
+    {
+      ++start_[cellOf(line)];
+    }
+    number_.resize(scan(start_));
+    std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
+    for (std::size_t n = 0; n < lines_.size(); ++n)
+    {
+      number_[next[cellOf(lines_[n])]++] = static_cast<std::uint32_t>(n);
+    }
+  }
+
+  // How many lines and empty cells all triangles would be tested against.
+  double tests(const Surface& surface) const
+  {
+    // Lines in the cells left of and below each corner of a cell.
+    const std::size_t corners = cells_ + 1;
+    std::vector<std::size_t> below(corners * corners);
+    for (std::size_t o = 0; o < cells_; ++o)
+    {
+      for (std::size_t m = 0; m < cells_; ++m)
+      {
+        const std::size_t at = m + o * corners;
+        const std::size_t here = start_[m + o * cells_ + 1] - start_[m + o * cells_];
+        below[at + corners + 1] = here + below[at + corners] + below[at + 1] - below[at];
+      }
+    }
+    std::size_t sum = 0;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    {
+      const Range range = rangeOf(surface.corners(t));
+      const std::size_t low = range.first[1] * corners;
+      const std::size_t high = range.end[1] * corners;
+      sum += (range.end[0] - range.first[0]) * (range.end[1] - range.first[1]) +
+        below[range.end[0] + high] - below[range.first[0] + high] - below[range.end[0] + low] +
+        below[range.first[0] + low];
+    }
+    return static_cast<double>(sum);
+  }
+
+  const RowAxes axes_;
+  std::vector<Line>& lines_;
+  std::size_t cells_ = 1; // a direction
+  std::array<double, 2> low_{};
+  std::array<double, 2> size_{};
+  std::vector<std::size_t> start_;
+  std::vector<std::uint32_t> number_; // of the lines in each cell
+};
+
+// A triangle's crossing with a line.
+struct Vote
+{
+  std::uint32_t line;
+  Level level;
+  std::uint32_t triangle;
+  bool up; // the normal's direction along the line
+
+  bool operator<(const Vote& other) const
+  {
+    return level != other.level ? level < other.level : triangle < other.triangle;
+  }
+};
+
+// Adds to balance[sheet] one for each crossing that says that the sheet's first triangle has an
+// outward normal, and takes one off where it has not.
+void countVotes(
+  const Vote* begin, const Vote* end, const Sheets& sheets, std::vector<long long>& balance)
+{
+  if ((end - begin) % 2 == 1)
+  {
+    return; // it passes through a hole
+  }
+  for (const Vote* vote = begin; vote != end; ++vote)
+  {
+    if ((vote != begin && vote[-1].level == vote->level) ||
+      (vote + 1 != end && vote[1].level == vote->level))
+    {
+      continue;
+    }
+    const bool entering = (vote - begin) % 2 == 0;
+    const bool outward = entering != vote->up;
+    balance[sheets.of(vote->triangle)] += outward != sheets.turned(vote->triangle) ? 1 : -1;
+  }
+}
+
+void vote(const Surface& surface, const Sheets& sheets, int along, std::vector<Line>& lines,
+  std::vector<long long>& balance, Execution& execution)
+{
+  if (lines.empty())
+  {
+    return;
+  }
+  const LineGrid grid(surface, along, lines);
+  const std::size_t count = surface.triangles.size();
+  std::vector<std::vector<Vote>> found(chunks(count, TrianglesAChunk));
+  execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
+    {
+      const Corners corners = surface.corners(t);
+      grid.forEachLine(corners, [&](std::uint32_t line) {
+        const Point p = crossLine(corners, along, grid.at(line));
+        found[begin / TrianglesAChunk].push_back(
+          { line, p[static_cast<std::size_t>(along)], static_cast<std::uint32_t>(t),
+            exactNormal(corners)[static_cast<std::size_t>(along)] > 0 });
+      });
+    }
+  });
+  const Buckets<Vote> votes = sortIntoBuckets(
+    found, lines.size(), [](const Vote& v) { return v.line; }, execution);
+  for (std::size_t line = 0; line < lines.size(); ++line)
+  {
+    countVotes(votes.begin(line), votes.end(line), sheets, balance);
+  }
+}
+
+void turn(Surface& surface, std::size_t triangle)
+{
+  std::swap(surface.triangles[triangle][1], surface.triangles[triangle][2]);
+}
+
+}
+
+void orient(Surface& surface, Execution& execution)
+{
+  const std::size_t count = surface.triangles.size();
+  const Sheets sheets(surface, SurfaceEdges(surface, execution));
+  std::vector<long long> balance(count);
+  LineFinder finder(surface, sheets, execution);
+  for (int along = 0; along < 3; ++along)
+  {
+    vote(
+      surface, sheets, along, finder.lines()[static_cast<std::size_t>(along)], balance, execution);
+  }
+  std::vector<long long> unturned(count);
+  for (std::size_t t = 0; t < count; ++t)
+  {
+    unturned[sheets.of(t)] += sheets.turned(t) ? -1 : 1;
+  }
+  for (std::size_t t = 0; t < count; ++t)
+  {
+    const std::uint32_t sheet = sheets.of(t);
+    const bool turnSheet = balance[sheet] != 0 ? balance[sheet] < 0 : unturned[sheet] < 0;
+    if (sheets.turned(t) != turnSheet)
+    {
+      turn(surface, t);
+    }
+  }
+  if (volumeOf(surface) < 0)
+  {
+    for (std::size_t t = 0; t < count; ++t)
+    {
+      if (balance[sheets.of(t)] == 0)
+      {
+        turn(surface, t);
+      }
+    }
+  }
+}
+
+}

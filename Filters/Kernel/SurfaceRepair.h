@@ -1,0 +1,25 @@
+// What is done to any surface before it is meshed (steps 4 and 6): duplicates dropped, triangles
+// oriented, holes closed.
+#pragma once
+
+#include "Duplicates.h"
+#include "Holes.h"
+#include "SurfaceCheck.h"
+
+namespace cartesian
+{
+
+struct SurfaceRepair
+{
+  std::vector<Dropped> duplicates; // triangles that were there before, or a wall between bodies
+  SurfaceCheck check;              // without duplicates, oriented, with its holes
+  std::vector<Hole> holes;         // in order of their lowest vertices
+
+  std::size_t leaks() const;
+};
+
+// Afterwards every line enters the surface as often as it leaves it. Triangles keep their numbers: duplicates collapse into a point, those that close holes follow at
+// the end. A surface without flaws whose normals point out of the domain stays as it is.
+SurfaceRepair repair(Surface& surface, const Meshlines& planes, Execution& execution);
+
+}

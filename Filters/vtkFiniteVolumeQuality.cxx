@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFiniteVolumeQuality.h"
+
+#include "FieldData.h"
+#include "GridFaces.h"
+#include "QualityMeasures.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCommunicator.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnsignedIntArray.h"
+#include "vtkUnstructuredGrid.h"
+
+vtkStandardNewMacro(vtkFiniteVolumeQuality);
+
+namespace
+{
+
+// x, y, z of each point, as doubles: the grid's own array, or a copy of it in `copy`.
+const double* Coordinates(vtkUnstructuredGrid* grid, std::vector<double>& copy)
+{
+  if (!grid->GetPoints())
+  {
+    return nullptr;
+  }
+  if (auto* doubles = vtkDoubleArray::SafeDownCast(grid->GetPoints()->GetData()))
+  {
+    return doubles->GetPointer(0);
+  }
+  copy.resize(3 * static_cast<std::size_t>(grid->GetNumberOfPoints()));
+  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+  {
+    grid->GetPoint(p, copy.data() + 3 * p);
+  }
+  return copy.data();
+}
+
+template <class Array, class Value>
+void AddArray(vtkCellData* data, const char* name, const std::vector<Value>& values)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  data->AddArray(array);
+}
+
+void SetMeasures(const std::array<std::vector<double>, cartesian::MeasureCount>& measures,
+  const std::vector<std::uint32_t>& failures, vtkCellData* data)
+{
+  AddArray<vtkUnsignedIntArray>(data, "Failures", failures);
+  for (std::size_t m = 0; m < measures.size(); ++m)
+  {
+    if (measures[m].size() == failures.size())
+    {
+      AddArray<vtkDoubleArray>(data, cartesian::MeasureSpecs[m].name, measures[m]);
+    }
+  }
+}
+
+double OverAllProcesses(const cartesian::SummaryValue& entry)
+{
+  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
+  if (!processes || processes->GetNumberOfProcesses() == 1)
+  {
+    return entry.value;
+  }
+  using Of = cartesian::SummaryValue::Of;
+  double result = 0;
+  processes->AllReduce(&entry.value, &result, 1,
+    entry.pieces == Of::Sum      ? vtkCommunicator::SUM_OP
+      : entry.pieces == Of::Most ? vtkCommunicator::MAX_OP
+                                 : vtkCommunicator::MIN_OP);
+  return result;
+}
+
+void SetFaces(const cartesian::CellFaces& cells, const cartesian::FaceList& faces,
+  vtkUnstructuredGrid* grid, vtkPolyData* output)
+{
+  vtkNew<vtkCellArray> polygons;
+  polygons->AllocateEstimate(static_cast<vtkIdType>(faces.face.size()), 4);
+  for (const std::uint32_t face : faces.face)
+  {
+    const std::size_t end = cells.firstCorner[face + 1];
+    polygons->InsertNextCell(static_cast<int>(end - cells.firstCorner[face]));
+    for (std::size_t i = cells.firstCorner[face]; i < end; ++i)
+    {
+      polygons->InsertCellPoint(cells.corners[i]);
+    }
+  }
+  output->SetPoints(grid->GetPoints());
+  output->GetPointData()->PassData(grid->GetPointData());
+  output->SetPolys(polygons);
+  AddArray<vtkIdTypeArray>(output->GetCellData(), "Owner", faces.owner);
+  std::vector<vtkIdType> neighbour(faces.neighbour.begin(), faces.neighbour.end());
+  neighbour.resize(faces.owner.size(), -1);
+  AddArray<vtkIdTypeArray>(output->GetCellData(), "Neighbour", neighbour);
+}
+
+}
+
+vtkFiniteVolumeQuality::vtkFiniteVolumeQuality()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+int vtkFiniteVolumeQuality::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  return 1;
+}
+
+int vtkFiniteVolumeQuality::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
+  return 1;
+}
+
+int vtkFiniteVolumeQuality::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* info = input[0]->GetInformationObject(0);
+  if (info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1)
+  {
+    info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
+      info->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) + 1);
+  }
+  return 1;
+}
+
+int vtkFiniteVolumeQuality::RequestData(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+{
+  vtkUnstructuredGrid* grid = vtkUnstructuredGrid::GetData(input[0]);
+  vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(output, 0);
+  vtkPolyData* faces = vtkPolyData::GetData(output, 1);
+  // Made of nothing, to begin with: processes that fail must take part in the sums.
+  std::vector<cartesian::SummaryValue> summary = cartesian::summarise({}, {});
+  this->Run(0, 1, [&](cartesian::Execution& execution) {
+    execution.stage("Faces", 0, 0.5);
+    const cartesian::CellFaces cells = cartesian::facesOfCells(grid);
+    const cartesian::FaceList list =
+      cartesian::listFaces(cells, static_cast<std::size_t>(grid->GetNumberOfPoints()),
+        cartesian::Clashes::AreBoundary, execution);
+    execution.stage("Quality measures", 0.5, 1);
+    std::vector<double> copy;
+    const cartesian::Quality quality =
+      cartesian::measureQuality(Coordinates(grid, copy), cells, list, execution);
+    mesh->ShallowCopy(grid);
+    SetMeasures(quality.cells, quality.cellFailures, mesh->GetCellData());
+    SetFaces(cells, list, grid, faces);
+    SetMeasures(quality.faces, quality.faceFailures, faces->GetCellData());
+    vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
+    summary = cartesian::summarise(quality, list, ghosts ? ghosts->GetPointer(0) : nullptr);
+  });
+  for (const cartesian::SummaryValue& entry : summary)
+  {
+    const double value = OverAllProcesses(entry);
+    cartesian::setField(mesh, entry.name.c_str(), { value });
+    cartesian::setField(faces, entry.name.c_str(), { value });
+  }
+  return 1;
+}

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPolyMeshWriter.h"
+
+#include "BoundaryOfFaces.h"
+#include "Cells.h"
+#include "Guard.h"
+#include "PolyMeshFiles.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <set>
+
+vtkStandardNewMacro(vtkPolyMeshWriter);
+
+namespace
+{
+
+// Numbers in order, NoBoundary last.
+bool Before(vtkIdType a, vtkIdType b)
+{
+  return (a == cartesian::NoBoundary) != (b == cartesian::NoBoundary) ? b == cartesian::NoBoundary
+                                                                      : a < b;
+}
+
+// A distinct word for each boundary.
+std::vector<std::string> PatchNames(
+  vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& boundaries)
+{
+  const std::map<vtkIdType, std::string> given = cartesian::readBoundaryNames(grid);
+  std::vector<std::string> names;
+  std::set<std::string> taken;
+  for (const vtkIdType boundary : boundaries)
+  {
+    const auto name = given.find(boundary);
+    const std::string plain =
+      boundary == cartesian::NoBoundary ? "no_surface" : "boundary_" + std::to_string(boundary);
+    std::string word =
+      name == given.end() || name->second.empty() ? plain : cartesian::foamWord(name->second);
+    while (!taken.insert(word).second)
+    {
+      word += "_" + std::to_string(boundary);
+    }
+    names.push_back(word);
+  }
+  return names;
+}
+
+// Sorts the boundary faces by the boundaries they are of.
+std::vector<cartesian::FoamPatch> SortPatches(
+  vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& boundaryOf, cartesian::FaceList& list)
+{
+  std::vector<vtkIdType> boundaries = boundaryOf;
+  std::sort(boundaries.begin(), boundaries.end(), Before);
+  boundaries.erase(std::unique(boundaries.begin(), boundaries.end()), boundaries.end());
+  std::vector<std::uint32_t> patchOf;
+  patchOf.reserve(boundaryOf.size());
+  for (const vtkIdType boundary : boundaryOf)
+  {
+    patchOf.push_back(static_cast<std::uint32_t>(
+      std::lower_bound(boundaries.begin(), boundaries.end(), boundary, Before) -
+      boundaries.begin()));
+  }
+  const std::vector<std::size_t> counts = cartesian::sortByPatch(list, patchOf, boundaries.size());
+  const std::vector<std::string> names = PatchNames(grid, boundaries);
+  std::vector<cartesian::FoamPatch> patches;
+  patches.reserve(names.size());
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    patches.push_back({ names[i], counts[i] });
+  }
+  return patches;
+}
+
+}
+
+vtkPolyMeshWriter::~vtkPolyMeshWriter()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkPolyMeshWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  return 1;
+}
+
+vtkTypeBool vtkPolyMeshWriter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
+{
+  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
+  if (processes && request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    vtkInformation* info = input[0]->GetInformationObject(0);
+    info->Set(
+      vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), processes->GetLocalProcessId());
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(),
+      processes->GetNumberOfProcesses());
+  }
+  return this->Superclass::ProcessRequest(request, input, output);
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> vtkPolyMeshWriter::Gather()
+{
+  vtkSmartPointer<vtkUnstructuredGrid> mine = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
+  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
+  if (!processes || processes->GetNumberOfProcesses() == 1)
+  {
+    return mine;
+  }
+  const vtkIdType cells = mine->GetNumberOfCells();
+  std::vector<vtkIdType> cellsOf(static_cast<std::size_t>(processes->GetNumberOfProcesses()));
+  processes->AllGather(&cells, cellsOf.data(), 1);
+  const bool first = processes->GetLocalProcessId() == 0;
+  if (std::all_of(cellsOf.begin() + 1, cellsOf.end(), [](vtkIdType n) { return n == 0; }))
+  {
+    return first ? mine : nullptr;
+  }
+  std::vector<vtkSmartPointer<vtkDataObject>> pieces;
+  processes->Gather(mine, pieces, 0);
+  if (!first)
+  {
+    return nullptr;
+  }
+  vtkNew<vtkAppendFilter> append;
+  append->MergePointsOn();
+  append->ToleranceIsAbsoluteOn();
+  append->SetTolerance(0);
+  for (const auto& piece : pieces)
+  {
+    if (piece && piece->GetNumberOfElements(vtkDataObject::CELL) > 0)
+    {
+      append->AddInputDataObject(piece);
+    }
+  }
+  append->Update();
+  return append->GetOutput();
+}
+
+void vtkPolyMeshWriter::WriteData()
+{
+  const vtkSmartPointer<vtkUnstructuredGrid> grid = this->Gather();
+  if (!grid)
+  {
+    return;
+  }
+  if (!this->FileName || !*this->FileName)
+  {
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    vtkErrorMacro("There is no file name: set one, such as case.foam.");
+    return;
+  }
+  cartesian::guarded([&] { this->WriteCase(grid); },
+    [this](unsigned long code, const std::string& message) {
+      this->SetErrorCode(code);
+      vtkErrorMacro(<< message);
+    });
+}
+
+void vtkPolyMeshWriter::WriteCase(vtkUnstructuredGrid* grid)
+{
+  cartesian::Execution execution(0);
+  cartesian::GridFaces faces(grid);
+  cartesian::turnOutward(faces.cells, faces.points, execution);
+  cartesian::FaceList list = cartesian::listFaces(
+    faces.cells, faces.points.size() / 3, cartesian::Clashes::Refused, execution);
+  this->UpdateProgress(0.4);
+
+  std::vector<vtkIdType> boundaryOf;
+  const auto known = cartesian::readBoundaryOfFaces(grid, faces, list, boundaryOf);
+  std::vector<cartesian::FoamPatch> patches;
+  if (known == cartesian::BoundaryKnowledge::All)
+  {
+    patches = SortPatches(grid, boundaryOf, list);
+  }
+  else if (!boundaryOf.empty())
+  {
+    patches.push_back({ "boundary", boundaryOf.size() });
+  }
+  if (known == cartesian::BoundaryKnowledge::Unfit)
+  {
+    vtkWarningMacro("Cells were cut or put together since the mesh was made, so that its "
+                    "boundaries are lost: there is one patch. To have them all, save the mesh of "
+                    "Cartesian Mesher itself.");
+  }
+  this->UpdateProgress(0.5);
+
+  const std::filesystem::path file = this->FileName;
+  const std::filesystem::path kept =
+    cartesian::writePolyMesh({ faces.points, faces.cells, list, patches }, file.parent_path(),
+      this->FileType == VTK_ASCII ? cartesian::FoamFormat::Ascii : cartesian::FoamFormat::Binary);
+  cartesian::createMarker(file);
+  if (!kept.empty())
+  {
+    vtkWarningMacro("What was in constant/polyMesh and does not belong to the new mesh is now in "
+      << kept.string());
+  }
+}
+
+void vtkPolyMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "FileType: " << this->FileType << "\n";
+}

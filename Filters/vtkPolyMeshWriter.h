@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkPolyMeshWriter
+ * @brief writes an unstructured grid as an OpenFOAM case
+ *
+ * Input: a vtkUnstructuredGrid of cells with a volume, polyhedra included; cells of lower dimension
+ * and ghost cells are left out. Cells need not be turned right side out, but the faces of each must
+ * agree with each other.
+ *
+ * `FileName` (case.foam) is created empty if it is not there; its folder is the case. What is
+ * written into it, and what becomes of a mesh that was there, says Kernel/PolyMeshFiles.h: faces in
+ * upper triangular order, no file of anybody else's is lost.
+ *
+ * Patches: the boundaries of a mesh of vtkCartesianMesher or vtkCellAssembler, which carries them in
+ * the cell array CellId and the field data array BoundaryOfFaces through all filters that leave
+ * cells as they are. A patch has the name that the field data arrays BoundaryNames (strings) and
+ * BoundaryIds (numbers) give its boundary, else boundary_<id>; faces without a boundary are in
+ * the patch no_surface. A grid from elsewhere has one patch, boundary.
+ *
+ * On several processes the first gathers the pieces and writes them; points of the same coordinates
+ * are then one.
+ *
+ * Errors (GetErrorCode): vtkErrorCode::NoFileNameError; BadMesh, CannotWrite, OutOfMemory of
+ * vtkCartesianAlgorithm. Then an existing mesh is as it was before.
+ *
+ * @sa vtkCartesianMesher vtkOpenFOAMReader
+ */
+#ifndef vtkPolyMeshWriter_h
+#define vtkPolyMeshWriter_h
+
+#include "vtkCartesianMesherFiltersModule.h" // for the export macro
+#include "vtkSmartPointer.h"                 // for vtkSmartPointer
+#include "vtkWriter.h"
+
+class vtkMultiProcessController;
+class vtkUnstructuredGrid;
+
+class VTKCARTESIANMESHERFILTERS_EXPORT vtkPolyMeshWriter : public vtkWriter
+{
+public:
+  static vtkPolyMeshWriter* New();
+  vtkTypeMacro(vtkPolyMeshWriter, vtkWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Name of the case's file, usually with the extension .foam.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /**
+   * VTK_ASCII (1) or VTK_BINARY (2, the default): how points and faces are written. Both read back
+   * equal.
+   */
+  vtkSetClampMacro(FileType, int, VTK_ASCII, VTK_BINARY);
+  vtkGetMacro(FileType, int);
+  ///@}
+
+protected:
+  vtkPolyMeshWriter() = default;
+  ~vtkPolyMeshWriter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+  void WriteData() override;
+
+  char* FileName = nullptr;
+  int FileType = VTK_BINARY;
+
+private:
+  vtkPolyMeshWriter(const vtkPolyMeshWriter&) = delete;
+  void operator=(const vtkPolyMeshWriter&) = delete;
+
+  /**
+   * The whole mesh on the first process, null on the others.
+   */
+  vtkSmartPointer<vtkUnstructuredGrid> Gather();
+
+  void WriteCase(vtkUnstructuredGrid* grid);
+};
+
+#endif

@@ -1,0 +1,162 @@
+"""What a filter can be told, as its server-manager XML has it: the panel and the task files share
+names, defaults, ranges and documentation, because both read them there."""
+
+import dataclasses
+import itertools
+import math
+import re
+
+from paraview import servermanager
+
+
+def key_of(label):
+    """A label as a key of a task file: "Cell Size" is cell_size."""
+    return re.sub(r"[^a-z0-9]+", "_", label.lower()).strip("_")
+
+
+class BadValue(Exception):
+    """A value that a parameter cannot have; says what it may be."""
+
+
+@dataclasses.dataclass
+class Parameter:
+    name: str  # in Python: the label without its spaces
+    table: str  # of a task file: the panel's group, or "" where there are no groups
+    key: str
+    kind: type  # int, float, bool or str
+    count: int  # how many values; of a row, where there are rows
+    rows: bool  # any number of rows
+    columns: list  # keys of the values in a row, or empty; of "boundary" a name will do
+    choices: list  # texts of which a value must be one, or empty
+    least: float
+    most: float
+    default: object
+    documentation: str
+
+    def check(self, value):
+        """`value` as the property takes it: a number, a text, or a list of them in one row."""
+        if self.rows:
+            if not isinstance(value, list):
+                raise BadValue(f"must be a list{' of rows' if self.count > 1 else ''}")
+            rows = [self._row(row, f"row {i}: " if self.count > 1 else "") for i, row in enumerate(value)]
+            return [part for row in rows for part in row]
+        if self.count == 1:
+            return self._one(value, "")
+        return self._row(value, "")
+
+    def _row(self, row, where):
+        if self.columns and isinstance(row, dict):
+            for key in row:
+                if key not in self.columns:
+                    raise BadValue(f"{where}there is no {key}, only {', '.join(self.columns)}")
+            for key in self.columns:
+                if key not in row:
+                    raise BadValue(f"{where}{key} is missing")
+            row = [row[key] for key in self.columns]
+        if self.count == 1 and not isinstance(row, list):
+            row = [row]
+        if not isinstance(row, list) or len(row) != self.count:
+            raise BadValue(f"{where}must have {self.count} values"
+                + (f": {', '.join(self.columns)}" if self.columns else ""))
+        return [value if column == "boundary" and isinstance(value, str) else self._one(value, where)
+            for column, value in itertools.zip_longest(self.columns, row)]
+
+    def _one(self, value, where):
+        if self.choices:
+            if value not in self.choices:
+                raise BadValue(f"{where}{value!r} is none of {', '.join(map(repr, self.choices))}")
+            return value
+        if self.kind is str:
+            if not isinstance(value, str):
+                raise BadValue(f"{where}{value!r} is no text")
+            return value
+        if self.kind is bool:
+            if value not in (True, False):
+                raise BadValue(f"{where}{value!r} is neither true nor false")
+            return int(value)
+        if isinstance(value, bool):
+            value = int(value)
+        if not isinstance(value, (int, float)) or (self.kind is int and int(value) != value):
+            raise BadValue(f"{where}{value!r} is no {'whole ' if self.kind is int else ''}number")
+        if not self.least <= value <= self.most:
+            raise BadValue(f"{where}{value!r} is out of range: {self.range()}")
+        return int(value) if self.kind is int else float(value)
+
+    def range(self):
+        ends = (f"{self.least:g} or more" if math.isfinite(self.least) else "",
+            f"at most {self.most:g}" if math.isfinite(self.most) else "")
+        return " and ".join(end for end in ends if end)
+
+
+def _domain(property, wanted):
+    """The first domain of a class, or None."""
+    domains = property.NewDomainIterator()
+    domains.UnRegister(None)
+    domains.Begin()
+    while not domains.IsAtEnd():
+        if domains.GetDomain().IsA(wanted):
+            return domains.GetDomain()
+        domains.Next()
+    return None
+
+
+def _columns(property):
+    hints = property.GetHints()
+    labels = hints and hints.FindNestedElementByName("ShowComponentLabels")
+    return [key_of(labels.GetNestedElement(i).GetAttribute("label"))
+        for i in range(labels.GetNumberOfNestedElements())] if labels else []
+
+
+def _range(property):
+    least, most = -math.inf, math.inf
+    for kind in "vtkSMDoubleRangeDomain", "vtkSMIntRangeDomain":
+        domain = _domain(property, kind)
+        # Of data, such as bounds: where a value starts, no limit.
+        if domain and not domain.IsA("vtkSMBoundsDomain"):
+            least = domain.GetMinimum(0) if domain.GetMinimumExists(0) else least
+            most = domain.GetMaximum(0) if domain.GetMaximumExists(0) else most
+    return least, most
+
+
+def _parameter(property, table):
+    label = property.GetXMLLabel()
+    rows = bool(property.GetRepeatable())
+    count = property.GetNumberOfElementsPerCommand() if rows else property.GetNumberOfElements()
+    if _domain(property, "vtkSMArraySelectionDomain"):
+        count = 1  # names of those chosen; to the server they go with a number each
+    kind = {"vtkSMIntVectorProperty": int, "vtkSMDoubleVectorProperty": float,
+            "vtkSMStringVectorProperty": str}[property.GetClassName()]
+    elements = [property.GetElement(i) for i in range(property.GetNumberOfElements())]
+    choices = _domain(property, "vtkSMEnumerationDomain")
+    texts = [choices.GetEntryText(i) for i in range(choices.GetNumberOfEntries())] if choices else []
+    if choices:
+        values = [choices.GetEntryValue(i) for i in range(choices.GetNumberOfEntries())]
+        elements = [texts[values.index(element)] for element in elements]
+    elif _domain(property, "vtkSMBooleanDomain"):
+        kind = bool
+        elements = [bool(element) for element in elements]
+    least, most = _range(property)
+    return Parameter(name=label.replace(" ", ""), table=table, key=key_of(label), kind=kind,
+        count=count, rows=rows, columns=_columns(property) if count > 1 else [], choices=texts, least=least, most=most,
+        default=elements if rows or count > 1 else elements[0],
+        documentation=" ".join(property.GetDocumentation().GetDescription().split()))
+
+
+def parameters(name):
+    """All parameters of the filter with that XML name, in the order of its panel's groups."""
+    prototype = servermanager.ProxyManager().SMProxyManager.GetPrototypeProxy("filters", name)
+    tables = {}
+    for i in range(prototype.GetNumberOfPropertyGroups()):
+        group = prototype.GetPropertyGroup(i)
+        for j in range(group.GetNumberOfProperties()):
+            tables[prototype.GetPropertyName(group.GetProperty(j))] = key_of(group.GetXMLLabel())
+    found = {}
+    properties = prototype.NewPropertyIterator()
+    properties.UnRegister(None)
+    properties.Begin()
+    while not properties.IsAtEnd():
+        property = properties.GetProperty()
+        if not property.IsA("vtkSMInputProperty") and not property.GetInformationOnly():
+            found[properties.GetKey()] = _parameter(property, tables.get(properties.GetKey(), ""))
+        properties.Next()
+    return [found.pop(name) for name in tables if name in found] + list(found.values())

@@ -1,0 +1,169 @@
+"""Task files (section 6, step 1): TOML that says what to mesh, how, and what to write.
+
+    [surface]
+    file = "header.stl"        # any that ParaView opens; or a list: each a boundary, called as its file
+
+    [grid]                     # these tables have the groups of Cartesian Mesher's panel, and its
+    cell_size = 4.0            # properties: see `cartesian-mesher --template`
+
+    [refinement]
+    refinement_depth = 1
+    boundary_refinement = [ { boundary = "inlet", depth = 2, blending_distance = 2, blend_to_depth_1 = 0 } ]
+
+    [[regions]]                # any number; those of Refinement Region, or file and depth
+    shape = "Sphere"
+    center = [0.0, 10.0, 0.0]
+    radius = 5.0
+    depth = 2
+
+    [output]                   # all optional; files are next to the task file
+    mesh = ["header.vtu", "case/header.foam"]
+    boundary = "header.vtp"
+    statistics = "header.json"
+"""
+
+import dataclasses
+import pathlib
+import re
+import tomllib
+
+from parameters import BadValue, parameters
+
+MESHER, REGION = "CartesianMesher", "RefinementRegion"
+
+
+class TaskError(Exception):
+    """What is wrong with a task file, and in what line."""
+
+
+@dataclasses.dataclass
+class Region:
+    file: pathlib.Path | None  # or a shape
+    properties: dict
+
+
+@dataclasses.dataclass
+class Task:
+    path: pathlib.Path
+    surfaces: list
+    properties: dict  # of Cartesian Mesher, by their names in Python
+    regions: list
+    mesh: list  # files to write
+    boundary: list
+    statistics: list
+
+
+def lines_of(text):
+    """{path of keys: line} of a TOML text; a path is a tuple, with numbers for tables in arrays."""
+    lines, table, counts = {}, (), {}
+    for number, line in enumerate(text.splitlines(), 1):
+        head = re.match(r"\s*(\[\[?)\s*([\w.\-\"' ]+?)\s*\]\]?\s*(#.*)?$", line)
+        key = re.match(r"""\s*((?:[\w.\-]|"[^"]*"|'[^']*')+)\s*=""", line)
+        if head:
+            table = split_key(head[2])
+            if head[1] == "[[":
+                counts[table] = counts.get(table, -1) + 1
+                table += (counts[table],)
+            lines[table] = number
+        elif key:
+            lines[table + split_key(key[1])] = number
+    return lines
+
+
+def split_key(text):
+    return tuple(part.strip().strip("\"'") for part in text.split("."))
+
+
+class _Reader:
+    def __init__(self, path):
+        self.path = path
+        try:
+            text = path.read_text(encoding="utf-8")
+            self.content = tomllib.loads(text)
+        except (OSError, UnicodeDecodeError) as error:
+            raise TaskError(f"{path}: cannot be read: {error}") from None
+        except tomllib.TOMLDecodeError as error:
+            raise TaskError(f"{path}: is no TOML: {error}") from None
+        self.lines = lines_of(text)
+
+    def fail(self, where, what):
+        line = next((self.lines[where[:n]] for n in range(len(where), 0, -1)
+            if where[:n] in self.lines), None)
+        key = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in where)
+        raise TaskError(f"{self.path}{f':{line}' if line else ''}: {key.lstrip('.')}: {what}")
+
+    def table(self, content, where, known):
+        """The table itself, when all its keys are known."""
+        if not isinstance(content, dict):
+            self.fail(where, "must be a table")
+        for key in content:
+            if key not in known:
+                self.fail(where + (key,), f"is not known; there are {', '.join(sorted(known))}")
+        return content
+
+    def values(self, content, where, of):
+        """{name in Python: value} of the parameters `of` that the table has."""
+        found = {}
+        for parameter in of:
+            if parameter.key in content:
+                try:
+                    found[parameter.name] = parameter.check(content[parameter.key])
+                except BadValue as error:
+                    self.fail(where + (parameter.key,), error)
+        return found
+
+    def files(self, content, where, *, exist):
+        """One file or a list of them, relative to the task file."""
+        names = [content] if isinstance(content, str) else content
+        if not isinstance(names, list) or not all(isinstance(name, str) and name for name in names):
+            self.fail(where, "must be the name of a file, or a list of names")
+        files = [self.path.parent / name for name in names]
+        for file in files:
+            if exist and not file.is_file():
+                self.fail(where, f"there is no file {file}")
+            if not exist and file.is_dir():
+                self.fail(where, f"{file} is a folder")
+        return files
+
+    def region(self, content, where, of):
+        known = {parameter.key for parameter in of}
+        self.table(content, where, known | {"file"})
+        properties = self.values(content, where, of)
+        if "file" not in content:
+            return Region(None, properties)
+        for key in content:
+            if key not in ("file", "depth"):
+                self.fail(where + (key,), "a file has no shape of its own: choose one or the other")
+        return Region(self.files(content["file"], where + ("file",), exist=True)[0], properties)
+
+
+def outputs(reader, content):
+    kinds = {"mesh", "boundary", "statistics"}
+    reader.table(content, ("output",), kinds)
+    return {kind: reader.files(content.get(kind, []), ("output", kind), exist=False) for kind in kinds}
+
+
+def read_task(path):
+    """The task in a file, checked as far as can be without its surface. Throws TaskError."""
+    reader = _Reader(pathlib.Path(path))
+    mesher, region = parameters(MESHER), parameters(REGION)
+    tables = {}
+    for parameter in mesher:
+        tables.setdefault(parameter.table, []).append(parameter)
+    content = reader.table(reader.content, (), {*tables, "surface", "regions", "output"})
+
+    properties = {}
+    for name, of in tables.items():
+        known = {parameter.key for parameter in of} | ({"file"} if name == "surface" else set())
+        table = reader.table(content.get(name, {}), (name,), known)
+        properties |= reader.values(table, (name,), of)
+    if "file" not in content.get("surface", {}):
+        reader.fail(("surface",), "needs the key file: a surface to mesh")
+    regions = content.get("regions", [])
+    if not isinstance(regions, list):
+        reader.fail(("regions",), "must be written [[regions]], once for each")
+    return Task(path=reader.path,
+        surfaces=reader.files(content["surface"]["file"], ("surface", "file"), exist=True),
+        properties=properties,
+        regions=[reader.region(table, ("regions", i), region) for i, table in enumerate(regions)],
+        **outputs(reader, content.get("output", {})))

@@ -1,0 +1,57 @@
+"""A task file that says all that there is to say: every key with its default and documentation."""
+
+import json
+import textwrap
+
+from parameters import parameters
+from task import MESHER, REGION
+
+HEAD = """\
+# A task for cartesian-mesher. All keys but surface.file may be left out; the values below are the
+# defaults. Files are looked for next to this one. Where a boundary is asked for, its number or its
+# "name" will do."""
+
+SURFACE_FILE = """
+# A closed surface, in any format that ParaView opens; or a list of files: each is a boundary, and
+# is called as its file is.
+file = "surface.stl\""""
+
+REGIONS = """
+# Boxes and spheres to refine in, each a table [[regions]] of its own; or a closed surface's file and
+# a depth."""
+
+OUTPUT = """
+# What to write; each a file or a list of them.
+[output]
+# mesh = ["mesh.vtu", "case/case.foam"]
+# boundary = "boundary.vtp"
+# statistics = "statistics.json\""""
+
+
+def value(parameter):
+    """Its default in TOML; JSON writes numbers, texts, lists and truth alike."""
+    return json.dumps(parameter.default)
+
+
+def entry(parameter, commented=""):
+    text = parameter.documentation.replace("**", "")
+    if parameter.columns:
+        text += f" Rows are [ {{ {', '.join(f'{column} = ...' for column in parameter.columns)} }}, ... ]."
+    if parameter.choices:
+        text += f" One of: {', '.join(json.dumps(choice) for choice in parameter.choices)}."
+    lines = textwrap.wrap(text, 98, initial_indent="# ", subsequent_indent="# ")
+    return "\n".join(["", *lines, f"{commented}{parameter.key} = {value(parameter)}"])
+
+
+def template():
+    parts = [HEAD]
+    tables = {}
+    for parameter in parameters(MESHER):
+        tables.setdefault(parameter.table, []).append(parameter)
+    for name, of in tables.items():
+        parts.append(f"\n[{name}]")
+        if name == "surface":
+            parts.append(SURFACE_FILE)
+        parts += [entry(parameter) for parameter in of]
+    parts += [REGIONS, "# [[regions]]", *[entry(parameter, "# ") for parameter in parameters(REGION)]]
+    return "\n".join([*parts, OUTPUT])

@@ -1,0 +1,180 @@
+"""Boundaries have names: of blocks, of strings in a cell array, of solids in an STL file, of the
+surface's field data. Names, numbers of faces and areas are on the mesh and its boundary."""
+
+import math
+import pathlib
+import tempfile
+
+from paraview import simple
+from vtkmodules.vtkCommonCore import vtkIntArray, vtkStringArray
+from vtkmodules.vtkCommonDataModel import (vtkCompositeDataSet, vtkImageData, vtkMultiBlockDataSet,
+                                           vtkPartitionedDataSetCollection, vtkPolyData)
+
+from pipeline import (Messages, assert_identical, error_code, octahedron, output, polydata, producer,
+                      read)
+
+EXACT = {"PatchMethod": "Exact Fit", "SmallCells": "Remove", "SmallCellRatio": 0}
+FACE = math.sqrt(3) / 2  # area of one of an octahedron's eight
+points = [octahedron().GetPoint(i) for i in range(6)]
+triangles = [(0, 1, 2), (1, 3, 2), (3, 4, 2), (4, 0, 2), (1, 0, 5), (3, 1, 5), (4, 3, 5), (0, 4, 5)]
+
+
+def boundaries(data):
+    """{number: (name, faces, area)}"""
+    fields = data.GetFieldData()
+    arrays = [fields.GetAbstractArray(name) for name in
+        ("BoundaryIds", "BoundaryNames", "BoundaryFaceCounts", "BoundaryAreas")]
+    rows = zip(*([array.GetValue(i) for i in range(array.GetNumberOfValues())] for array in arrays))
+    return {number: rest for number, *rest in rows}
+
+
+def names(data):
+    return {number: name for number, (name, *_) in boundaries(data).items()}
+
+
+def check(source, expected, **properties):
+    """`expected`: for each number a name and how many of the octahedron's triangles are its."""
+    mesher = simple.CartesianMesher(Input=source, CellSize=0.3, **EXACT, **properties)
+    mesh, skin = output(mesher, 0), output(mesher, 1)
+    assert error_code(mesher) == 0
+    found = boundaries(mesh)
+    assert found == boundaries(skin)
+    assert names(mesh) == {number: name for number, (name, _) in expected.items()}, found
+    ids = skin.GetCellData().GetArray("BoundaryId")
+    ids = [ids.GetValue(i) for i in range(ids.GetNumberOfTuples())]
+    for number, (name, count) in expected.items():
+        _, faces, area = found[number]
+        assert faces == ids.count(number), f"{name}: {faces} faces, in truth {ids.count(number)}"
+        assert abs(area - count * FACE) < 1e-8, f"{name}: area {area}, in truth {count * FACE}"
+    boxer = simple.CartesianBoxer(Input=source, CellSize=0.3,
+        **{name: value for name, value in properties.items() if name == "BoundaryArray"})
+    patcher = simple.Patcher(Input=source, Boxes=boxer, PatchMethod="Exact Fit", **properties)
+    assembler = simple.CellAssembler(Input=boxer, Patches=patcher, SmallCells="Remove", SmallCellRatio=0)
+    for port in 0, 1:
+        assert_identical("in three steps", output(assembler, port), output(mesher, port))
+    return mesh
+
+
+def strings(values, name="Zone"):
+    array = vtkStringArray()
+    array.SetName(name)
+    for value in values:
+        array.InsertNextValue(value)
+    return array
+
+
+def numbers(values, name):
+    array = vtkIntArray()
+    array.SetName(name)
+    for value in values:
+        array.InsertNextValue(value)
+    return array
+
+
+# No names.
+whole = check(producer(octahedron()), {0: ("boundary_0", 8)})
+
+# Blocks, nested, one without a name, one empty; what the mesh is does not depend on them.
+low, high = polydata(points, triangles[:3]), polydata(points, triangles[3:7])
+last = polydata(points, triangles[7:])
+inner = vtkMultiBlockDataSet()
+inner.SetBlock(0, high)
+inner.GetMetaData(0).Set(vtkCompositeDataSet.NAME(), "high")
+inner.SetBlock(1, last)
+outer = vtkMultiBlockDataSet()
+outer.SetBlock(0, low)
+outer.SetBlock(1, vtkPolyData())
+outer.SetBlock(2, None)
+outer.SetBlock(3, inner)
+mesh = check(producer(outer), {0: ("block_0", 3), 1: ("high", 4), 2: ("block_2", 1)})
+assert mesh.GetNumberOfCells() == whole.GetNumberOfCells()
+
+outer.GetMetaData(3).Set(vtkCompositeDataSet.NAME(), "outside")
+check(producer(outer), {0: ("block_0", 3), 1: ("high", 4), 2: ("outside", 1)})
+outer.GetMetaData(0).Set(vtkCompositeDataSet.NAME(), "high")
+check(producer(outer), {0: ("high", 7), 1: ("outside", 1)})
+
+collection = vtkPartitionedDataSetCollection()
+collection.SetNumberOfPartitionedDataSets(2)
+collection.SetPartition(0, 0, last)
+collection.SetPartition(0, 1, high)
+collection.SetPartition(1, 0, low)
+for i, name in enumerate(["first", "second"]):
+    collection.GetMetaData(i).Set(vtkCompositeDataSet.NAME(), name)
+check(producer(collection), {0: ("first", 5), 1: ("second", 3)})
+check(simple.GroupDatasets(Input=[producer(low), producer(high), producer(last)],
+    BlockNames=["x", "y", "z"]), {0: ("x", 3), 1: ("y", 4), 2: ("z", 1)})
+
+# An array wins over blocks where it is asked for.
+for part, value in (low, 7), (high, 7), (last, -4):
+    part.GetCellData().AddArray(numbers([value] * part.GetNumberOfCells(), "Part"))
+check(producer(collection), {-4: ("no_surface", 1), 7: ("boundary_7", 7)}, BoundaryArray="Part")
+
+# Strings.
+named = octahedron()
+named.GetCellData().AddArray(strings(["wall", "inlet", "wall", "wall", "outlet", "inlet", "wall", "wall"]))
+check(producer(named), {0: ("wall", 5), 1: ("inlet", 2), 2: ("outlet", 1)}, BoundaryArray="Zone")
+
+# Numbers that field data names; one has no name, one name no boundary.
+named.GetCellData().AddArray(numbers([5, 5, 5, 5, 9, 9, 9, 11], "Part"))
+named.GetFieldData().AddArray(numbers([9, 5, 20], "BoundaryIds"))
+named.GetFieldData().AddArray(strings(["nine", "five", "twenty"], "BoundaryNames"))
+check(producer(named), {5: ("five", 4), 9: ("nine", 3), 11: ("boundary_11", 1), 20: ("twenty", 0)},
+    BoundaryArray="Part")
+
+# Names in an STL file. Its own reader is the one that opens it, but only where there are names.
+facets = ["facet normal 0 0 0\nouter loop\n" + "".join("vertex %g %g %g\n" % points[i] for i in face)
+    + "endloop\nendfacet\n" for face in triangles]
+
+
+def write(path, *solids):
+    path.write_text("".join(f"solid {name}\n{''.join(parts)}endsolid {name}\n" for name, parts in solids))
+    return str(path)
+
+
+with tempfile.TemporaryDirectory() as folder:
+    path = pathlib.Path(folder) / "solids.stl"
+    several = write(path, ("in let", facets[:3]), ("", facets[3:5]), ("empty", []), ("in let", facets[5:]),
+        ("", []))
+    reader = simple.OpenDataFile(several)
+    assert reader.GetXMLName() == "NamedSTLReader"
+    check(reader, {0: ("in let", 6), 1: ("unnamed", 2), 2: ("empty", 0)})
+    for solids in [("one", facets)], [("", facets[:3]), ("", facets[3:])]:
+        assert simple.OpenDataFile(write(path, *solids)).GetXMLName() == "stlreader"
+    # Asked to, it reads such a file all the same.
+    check(simple.NamedSTLReader(FileName=write(path, ("one", facets))), {0: ("one", 8)})
+exhaust = simple.OpenDataFile(read("kcl_exhaust_header_lumens.stl").FileNames[0])
+assert list(names(output(simple.CartesianMesher(Input=exhaust, CellSize=30))).values()) == [
+    f"{kind}_{i}" for i in range(1, 5) for kind in ("wall", "inlet", "outlet")]
+
+# Boundaries chosen by name are refined as a row of the table does; a row wins.
+def refined(**properties):
+    return simple.CartesianMesher(Input=exhaust, CellSize=30, **properties)
+
+
+for chosen, rows in (([], []), (["inlet_1"], [1, 2, 0, 0]), (["outlet_1", "inlet_1"], [1, 2, 0, 0, 2, 2, 0, 0])):
+    chooser = refined(RefinedBoundaries=chosen, RefinedBoundaryDepth=2)
+    expected_cells = output(refined(BoundaryRefinement=rows)).GetNumberOfCells()
+    assert output(chooser).GetNumberOfCells() == expected_cells, chosen
+chooser.RefinedBoundaries = []
+assert_identical("no longer chosen", output(chooser), output(refined()))
+chooser.SMProxy.UpdatePropertyInformation()
+assert chooser.RefinedBoundaries.Available == list(names(output(chooser)).values())
+row_and_name = refined(BoundaryRefinement=[1, 1, 0, 0], RefinedBoundaries=["inlet_1"], RefinedBoundaryDepth=3)
+assert_identical("a row wins", output(row_and_name), output(refined(BoundaryRefinement=[1, 1, 0, 0])))
+with Messages() as said:
+    wrong = refined(RefinedBoundaries=["nobody"])
+    output(wrong)
+assert "nobody" in str(said) and error_code(wrong) == 40008, said
+
+# What is no surface.
+image = vtkImageData()
+image.SetDimensions(2, 2, 2)
+inner.SetBlock(1, image)
+inner.GetMetaData(1).Set(vtkCompositeDataSet.NAME(), "picture")
+for source, part in (outer, 'Block "picture" is a vtkImageData'), (vtkMultiBlockDataSet(), "no polygons"):
+    with Messages() as said:
+        mesher = simple.CartesianMesher(Input=producer(source))
+        mesh = output(mesher)
+    assert part in str(said) and error_code(mesher) == 40001, said
+    assert mesh.GetNumberOfCells() == 0

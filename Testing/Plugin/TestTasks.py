@@ -1,0 +1,196 @@
+"""cartesian-mesher: what it writes, what it refuses, and that it knows every property of the panel."""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import tomllib
+
+from paraview import simple
+from vtkmodules.vtkIOGeometry import vtkSTLWriter
+
+from pipeline import DATA, assert_identical, octahedron, output, polydata
+
+PROGRAM = sys.argv[2]
+sys.path.insert(0, str(pathlib.Path(sys.argv[1]) / "Plugin" / "Task"))
+from parameters import key_of, parameters  # noqa: E402
+from task import MESHER, REGION, TaskError, lines_of, read_task  # noqa: E402
+from template import template  # noqa: E402
+
+SUCCESS, REFUSED, WARNINGS = 0, 2, 3
+EXHAUST = DATA / "kcl_exhaust_header_lumens.stl"
+folder = pathlib.Path(tempfile.mkdtemp())
+
+
+def start(*arguments, ranks=0, code=SUCCESS):
+    """What the program says, on stdout and stderr."""
+    mpi = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(ranks)] if ranks else []
+    # Started by a program that is of MPI itself, mpirun refuses.
+    environment = {name: value for name, value in os.environ.items()
+        if not name.startswith(("OMPI_", "PMIX_", "ORTE_"))}
+    done = subprocess.run([*mpi, PROGRAM, *map(str, arguments)], capture_output=True, text=True,
+        timeout=300, env=environment)
+    said = done.stdout + done.stderr
+    assert done.returncode == code, f"exit code {done.returncode} instead of {code}: {said}"
+    return said
+
+
+def run(text, *arguments, **more):
+    path = folder / "task.toml"
+    path.write_text(text)
+    return start(path, *arguments, **more)
+
+
+def read(name, reader=simple.XMLUnstructuredGridReader):
+    return output(reader(FileName=[str(folder / name)]))
+
+
+# Every property of the panel is a key, and has its default: the template says all keys, and read
+# back, it is what a new filter has.
+mesher = simple.CartesianMesher(Input=simple.Sphere())
+assert {parameter.name for parameter in parameters(MESHER)} == \
+    set(mesher.ListProperties()) - {"Input", "RefinementRegions", "RefinedBoundaryInfo"}
+region = simple.RefinementRegion(Input=simple.Sphere())
+assert {parameter.name for parameter in parameters(REGION)} == set(region.ListProperties()) - {"Input"}
+for parameter in parameters(MESHER):
+    assert parameter.table, f"{parameter.name} is in no group of the panel, so in no table of a task"
+    assert len(parameter.documentation) > 20, f"{parameter.name} has no documentation"
+    assert not parameter.columns or len(parameter.columns) == parameter.count, parameter
+    assert mesher.GetProperty(parameter.name).GetData() == parameter.default, parameter
+
+full = tomllib.loads(start("--template"))
+assert {(table, key) for table in full for key in full[table]} == \
+    {(parameter.table, parameter.key) for parameter in parameters(MESHER)} | {("surface", "file")}
+(folder / "surface.stl").symlink_to(EXHAUST)
+(folder / "full.toml").write_text(template())
+task = read_task(folder / "full.toml")
+assert task.properties == {parameter.name: parameter.default for parameter in parameters(MESHER)}
+assert key_of("Blend to depth - 1") == "blend_to_depth_1"
+
+# A task gives the mesh that the filter gives, bit for bit, on any number of ranks.
+TASK = f"""
+[surface]
+file = "{EXHAUST}"
+[grid]
+cell_size = 24
+meshlines_z = [-400, -150.5, -100, -50, 0, 400]
+[refinement]
+boundary_refinement = [
+  {{ boundary = "inlet_1", depth = 2, blending_distance = 1, blend_to_depth_1 = true }},
+  [2, 1, 0, 0],
+]
+[[regions]]
+shape = "Sphere"
+center = [70, 200, -100]
+radius = 30
+depth = 2
+[[regions]]
+shape = "Box"
+position = [0, 0, -100]
+length = [40, 50, 60]
+[cells]
+small_cell_ratio = 0.01
+[output]
+mesh = "out/mesh.vtu"
+boundary = ["out/boundary.vtp"]
+statistics = "out/statistics.json"
+"""
+source = simple.OpenDataFile(str(EXHAUST))
+regions = [simple.RefinementRegion(Input=source, Shape="Sphere", Center=[70, 200, -100], Radius=30, Depth=2),
+           simple.RefinementRegion(Input=source, Position=[0, 0, -100], Length=[40, 50, 60])]
+mesher = simple.CartesianMesher(Input=source, CellSize=24, MeshlinesZ=[-400, -150.5, -100, -50, 0, 400],
+    BoundaryRefinement=[1, 2, 1, 1, 2, 1, 0, 0], RefinementRegions=regions, SmallCellRatio=0.01)
+expected = output(mesher)
+assert expected.GetNumberOfCells() > 500
+said = run(TASK)
+for stage in "Boxes", "Patches", "Cells", "Writing the mesh":
+    assert f"%  {stage}" in said, said
+assert "inlet_1" in said
+assert_identical("from a task", read("out/mesh.vtu"), expected)
+assert_identical("its boundary", read("out/boundary.vtp", simple.XMLPolyDataReader), output(mesher, 1))
+statistics = json.loads((folder / "out" / "statistics.json").read_text())
+assert statistics["mesh"]["Cells"] == expected.GetNumberOfCells()
+assert [row["name"] for row in statistics["boundaries"]][:3] == ["wall_1", "inlet_1", "outlet_1"]
+assert statistics["parameters"]["BoundaryRefinement"] == [1, 2, 1, 1, 2, 1, 0, 0]
+assert not statistics["errors"] and not statistics["warnings"] and statistics["error_code"] == 0
+alone = (folder / "out" / "mesh.vtu").read_bytes()
+assert run(TASK, "--quiet", ranks=2) == ""
+assert (folder / "out" / "mesh.vtu").read_bytes() == alone
+shutil.rmtree(folder / "out")
+run(TASK, "--check")
+assert not (folder / "out").exists()
+
+# Several files are boundaries of their names.
+points, triangles = [octahedron().GetPoint(i) for i in range(6)], [
+    (0, 1, 2), (1, 3, 2), (3, 4, 2), (4, 0, 2), (1, 0, 5), (3, 1, 5), (4, 3, 5), (0, 4, 5)]
+for name, part in ("floor", triangles[4:]), ("roof", triangles[:4]):
+    writer = vtkSTLWriter()
+    writer.SetFileName(str(folder / f"{name}.stl"))
+    writer.SetInputData(polydata(points, part))
+    writer.Write()
+FILES = '[surface]\nfile = ["roof.stl", "floor.stl"]\n'
+run(FILES + '[[regions]]\nfile = ["roof.stl"]\n', code=REFUSED)
+run(FILES + '[output]\nstatistics = "s.json"\nmesh = "m.vtu"\n')
+assert [row["name"] for row in json.loads((folder / "s.json").read_text())["boundaries"]] == ["roof", "floor"]
+
+# A mesh with warnings.
+said = run('[surface]\nfile = "roof.stl"\n[grid]\ncell_size = 0.1\n[output]\nstatistics = "s.json"\n', code=WARNINGS)
+assert "warning: The surface has 4 open edges" in said, said
+statistics = json.loads((folder / "s.json").read_text())
+assert statistics["error_code"] == 40007 and "open edges" in statistics["warnings"][0]
+said = run(FILES + "[grid]\nmeshlines_x = [-0.5, 0, 0.5]\n", code=WARNINGS)
+assert "warning: The surface reaches beyond the Meshlines X" in said, said
+
+def refusal(text):
+    """Why a task is refused: by its file alone, or once it runs."""
+    (folder / "task.toml").write_text(text)
+    try:
+        read_task(folder / "task.toml")
+    except TaskError as error:
+        return str(error)
+    return run(text, "--quiet", code=REFUSED)
+
+
+# Refusals name the line and the key.
+for text, *parts in (
+    (FILES + "[grid]\ncell_size = -1\n", "task.toml:4: grid.cell_size", "out of range: 0 or more"),
+    (FILES + "[grid]\ncell_size = 'big'\n", "task.toml:4: grid.cell_size", "'big' is no number"),
+    (FILES + "[grid]\n\nsize = 1\n", "task.toml:5: grid.size", "not known", "cell_size"),
+    (FILES + "[grid]\nmeshlines_x = 3\n", "task.toml:4: grid.meshlines_x", "must be a list"),
+    (FILES + "grid.cell_size = true\n[mesh]\n", "task.toml:4: mesh", "not known", "refinement"),
+    (FILES + "[refinement]\nrefinement_depth = 1.5\n", ":4: refinement.refinement_depth", "no whole number"),
+    (FILES + "[refinement]\nrefinement_depth = 7\n", ":4: refinement.refinement_depth", "at most 6"),
+    (FILES + "[refinement]\nrefinement_blocks = [[1, 2, 3]]\n", ":4:", "row 0: must have 8 values", "i_first"),
+    (FILES + "[refinement]\nboundary_refinement = [{ boundary = 1 }]\n", ":4:", "depth is missing"),
+    (FILES + "[refinement]\nboundary_refinement = [{ boundry = 1 }]\n", ":4:", "there is no boundry"),
+    (FILES + '[refinement]\nboundary_refinement = [["walls", 1, 0, 0]]\n', "refinement.boundary_refinement",
+        "no boundary 'walls', only roof, floor"),
+    (FILES + '[patches]\npatch_method = "Best"\n', ":4: patches.patch_method", "'Exact Fit'"),
+    (FILES + '[[regions]]\ndepth = 1\n[[regions]]\nradius = -1\nfile = "roof.stl"\n', ":6: regions[1].radius",
+        "no shape of its own"),
+    (FILES + '[cells]\nsplit_concave_cells = "no"\n', ":4: cells.split_concave_cells", "neither true nor false"),
+    (FILES + '[[regions]]\nshape = "Cone"\n', ":4: regions[0].shape", "'Sphere'"),
+    (FILES + '[[regions]]\nfile = "none.stl"\n', ":4: regions[0].file", "there is no file"),
+    (FILES + "[regions]\ndepth = 1\n", ":3: regions", "[[regions]]"),
+    (FILES + "[output]\nmesh = 1\n", ":4: output.mesh", "name of a file"),
+    (FILES + '[output]\nmesh = "m.nonsense"\n', "no writer for .nonsense"),
+    ("[grid]\ncell_size = 1\n", "surface", "needs the key file"),
+    ('[surface]\nfile = "none.stl"\n', ":2: surface.file", "there is no file"),
+    ("[surface\n", "no TOML", "line 1"),
+    (FILES + '[surface]\nfile = "roof.stl"\n', "no TOML", "line 3"),
+    (FILES + "[grid]\ncell_size = 1e9\n", "error: Cell Size is 1e+09", "smaller"),
+    (FILES + '[surface.more]\n', ":3: surface.more", "not known"),
+):
+    said = refusal(text)
+    for part in parts:
+        assert part in said, f"no '{part}' in: {said}"
+assert "cannot be read" in start(folder / "nothing.toml", code=REFUSED)
+run(FILES + "[grid]\ncell_size = -1\n", ranks=2, code=REFUSED)
+assert "usage" in start(code=REFUSED) and "Exit codes" in start("--help")
+
+assert lines_of("a = 1\n[b.c]\nd.e = 2\n[[f]]\ng = [\n 1,\n]\n[[f]]\n'g h' = 3 # x\n") == {("a",): 1,
+    ("b", "c"): 2, ("b", "c", "d", "e"): 3, ("f", 0): 4, ("f", 0, "g"): 5, ("f", 1): 8, ("f", 1, "g h"): 9}
+shutil.rmtree(folder)

@@ -1,0 +1,83 @@
+"""ParaView's window under Xvfb: a surface is opened, meshed and refined by menus and tables, undone and
+redone. The trace of it, run by pvpython, its saved state and a task file give the same mesh, bit for
+bit."""
+
+import pathlib
+import subprocess
+import sys
+
+from paraview import simple
+
+from events import advanced, apply, macro, meshing_menu, number, open_file, redo, script, table_row, undo
+from window import Screen
+
+sys.path.insert(0, str(pathlib.Path(sys.argv[1]) / "Testing" / "Plugin"))
+from pipeline import DATA, assert_identical, output  # noqa: E402
+
+SURFACE = DATA / "kcl_exhaust_header_lumens.stl"
+PROGRAM = sys.argv[2]
+
+TRACE = "from paraview import smtrace\nsmtrace.start_trace()\n"
+# The trace ends before the rest, or it would tell of that too.
+SAVE = """
+from paraview import simple, smtrace
+trace = smtrace.stop_trace()
+open("{folder}/trace.py", "w").write(trace)
+simple.SaveState("{folder}/state.pvsm")
+mesher = simple.FindSource("CartesianMesher1")
+simple.SaveData("{folder}/mesh.vtu", proxy=simple.OutputPort(mesher, 0), DataMode="Binary")
+simple.SaveData("{folder}/boundary.vtp", proxy=simple.OutputPort(mesher, 1), DataMode="Binary")
+"""
+NOTE = """
+from paraview import simple
+mesher = simple.FindSource("CartesianMesher1")
+open("{folder}/notes.txt", "a").write(
+    repr([mesher.GetProperty(name).GetData() for name in ("CellSize", "BoundaryRefinement")]) + "\\n")
+"""
+TASK = f"""
+[surface]
+file = "{SURFACE}"
+[grid]
+cell_size = 20.5
+[refinement]
+boundary_refinement = [{{ boundary = "inlet_1", depth = 2, blending_distance = 1, blend_to_depth_1 = 0 }}]
+[output]
+mesh = "task.vtu"
+"""
+
+
+def same(what, mesher, folder):
+    for port, file, reader in ((0, "mesh.vtu", simple.XMLUnstructuredGridReader),
+                               (1, "boundary.vtp", simple.XMLPolyDataReader)):
+        expected = output(reader(FileName=[str(folder / file)]))
+        assert expected.GetNumberOfCells() > 500
+        assert_identical(what, output(mesher, port), expected)
+    print(f"{what}: {output(mesher).GetNumberOfCells()} cells")
+
+
+with Screen() as screen:
+    for name, text in ("begin", TRACE), ("save", SAVE), ("note", NOTE):
+        screen.add_macro(name, text.replace("{folder}", str(screen.folder)))
+    said = screen.play(script(macro("begin"), open_file(SURFACE, choose_reader=True), apply(),
+        meshing_menu("CartesianMesher"), advanced(), number("CellSize", 20.5), apply(), macro("note"),
+        table_row("BoundaryRefinement", 0, [1, 2, 1, 0]), apply(), macro("note"),
+        undo(), macro("note"), redo(), apply(), macro("note"), macro("save")))
+    assert "ERR|" not in said, said
+    notes = (screen.folder / "notes.txt").read_text().splitlines()
+    without, with_row = "[20.5, []]", "[20.5, [1.0, 2.0, 1.0, 0.0]]"
+    assert notes == [without, with_row, without, with_row], notes
+
+    trace = (screen.folder / "trace.py").read_text()
+    for part in "NamedSTLReader(", "CartesianMesher(", "CellSize = 20.5", "BoundaryRefinement = [1.0, 2.0":
+        assert part in trace, f"no '{part}' in: {trace}"
+    exec(compile(trace, "trace", "exec"), {})
+    same("trace", simple.FindSource("CartesianMesher1"), screen.folder)
+
+    simple.ResetSession()
+    simple.LoadState(str(screen.folder / "state.pvsm"))
+    same("state", simple.FindSource("CartesianMesher1"), screen.folder)
+
+    (screen.folder / "task.toml").write_text(TASK)
+    subprocess.run([PROGRAM, "--quiet", str(screen.folder / "task.toml")], check=True)
+    assert_identical("task", output(simple.XMLUnstructuredGridReader(FileName=[str(screen.folder / "task.vtu")])),
+        output(simple.XMLUnstructuredGridReader(FileName=[str(screen.folder / "mesh.vtu")])))

@@ -1,0 +1,65 @@
+"""What a user does in ParaView's window, as events that its own test player understands."""
+
+from xml.sax.saxutils import quoteattr
+
+PANEL = "pqClientMainWindow/propertiesDock/propertiesPanel"
+PROPERTIES = (f"{PANEL}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame"
+    "/ProxyPanel")
+RETURN = "16777220"
+
+
+def event(object, command, arguments=""):
+    return f"<pqevent object={quoteattr(object)} command={quoteattr(command)} " \
+        f"arguments={quoteattr(str(arguments))}/>"
+
+
+def script(*events):
+    return "<?xml version='1.0'?>\n<pqevents>\n" + "\n".join(events) + "\n</pqevents>\n"
+
+
+def open_file(path, choose_reader=False):
+    """`choose_reader`: several can read it; the first of the list is taken."""
+    events = [event("pqClientMainWindow/menubar/menu_File", "activate", "actionFileOpen"),
+              event("pqClientMainWindow/FileOpenDialog", "filesSelected", path)]
+    if choose_reader:
+        events.append(event("pqClientMainWindow/pqSelectReaderDialog/okButton", "activate"))
+    return "\n".join(events)
+
+
+def meshing_menu(filter):
+    return event("pqClientMainWindow/menubar/menuFilters/Meshing", "activate", filter)
+
+
+def apply():
+    return event(f"{PANEL}/Accept", "activate")
+
+
+def advanced():
+    return event(f"{PANEL}/SearchBox/AdvancedButton", "set_boolean", "true")
+
+
+def number(property, value):
+    return event(f"{PROPERTIES}/{property}/DoubleLineEdit0", "set_string", value)
+
+
+def table_row(property, row, values):
+    """Adds a row to a table and types its values."""
+    list = f"{PROPERTIES}/{property}/ScalarValueList"
+    events = [event(f"{list}/Add", "activate")]
+    for column, value in enumerate(values):
+        editor = f"{list}/Table/qt_scrollarea_viewport/1QExpandingLineEdit0"
+        events += [event(f"{list}/Table", "edit", f"{row}.{column}"),
+                   event(editor, "set_string", value), event(editor, "key", RETURN)]
+    return "\n".join(events)
+
+
+def undo():
+    return event("pqClientMainWindow/menubar/menu_Edit", "activate", "actionEditUndo")
+
+
+def redo():
+    return event("pqClientMainWindow/menubar/menu_Edit", "activate", "actionEditRedo")
+
+
+def macro(name):
+    return event("pqClientMainWindow/menubar/menu_Macros", "activate", name)
