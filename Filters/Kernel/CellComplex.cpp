@@ -917,6 +917,14 @@ bool CellComplex::joinPair(CellKey key, const FaceUse& f, const FaceUse& g, doub
 
 void CellComplex::joinFaces(CellKey key, double leastCosine)
 {
+  Polyhedron polyhedron;
+  CellShape measures;
+  shape(key, polyhedron);
+  measure(polyhedron, measures);
+  if (isThin(measures))
+  {
+    return;
+  }
   for (bool joined = true; joined;)
   {
     joined = false;

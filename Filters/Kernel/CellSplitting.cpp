@@ -27,9 +27,6 @@ constexpr double LeastWorthyBend = 0.1;
 // ... and that lets this part of what failed before fail.
 constexpr double NoHarm = 1.0 + 1e-9;
 
-// Neighbours less thick (volume over area) than this, in levels, are left alone.
-constexpr double LeastThickness = 4;
-
 // One that leaves less than this part of what another leaves is better by more than rounding.
 constexpr double Better = 1.0 - 1e-6;
 
@@ -281,19 +278,13 @@ void propose(const CellComplex& cells, double leastFraction, Proposal& proposal)
     Search(proposal.view.shape, shape, least, proposal.failing).run(proposal.cut);
 }
 
-// Whether a point on one of its edges, rounded, might turn a cell inside out.
 bool isThin(const CellComplex& cells, CellKey key)
 {
   Polyhedron polyhedron;
   CellShape shape;
   cells.shape(key, polyhedron);
   measure(polyhedron, shape);
-  double area = 0;
-  for (const FaceShape& face : shape.faces)
-  {
-    area += norm(face.area);
-  }
-  return shape.volume <= LeastThickness * area;
+  return isThin(shape);
 }
 
 bool fails(const CellComplex& cells, CellKey key)

@@ -64,7 +64,6 @@ struct Options
   int threads = 1;
   RefinementSpec refinement;
   PatchSpec patches = exactFit(); // for the tests' exact facts
-  bool splitConcave = CellSpec().splitConcave;
 };
 
 GridSpec cellsOf(double size);
