@@ -231,7 +231,8 @@ private:
     {
       return;
     }
-    const double failing = failingAfter(cell_, trial_, std::max(LeastPart * shape_.volume, leastVolume_));
+    const double failing =
+      failingAfter(cell_, trial_, std::max(LeastPart * shape_.volume, leastVolume_));
     if (failing >= 0 && failing < best_ * Better)
     {
       best_ = failing;
@@ -274,8 +275,7 @@ void propose(const CellComplex& cells, double leastFraction, Proposal& proposal)
   measure(proposal.view.shape, shape);
   proposal.failing = unfitArea(proposal.view.shape, shape);
   const double least = leastFraction * cells.volumeOfBox(proposal.key);
-  proposal.found =
-    Search(proposal.view.shape, shape, least, proposal.failing).run(proposal.cut);
+  proposal.found = Search(proposal.view.shape, shape, least, proposal.failing).run(proposal.cut);
 }
 
 bool isThin(const CellComplex& cells, CellKey key)
@@ -302,8 +302,8 @@ bool fails(const CellComplex& cells, CellKey key)
 
 }
 
-Splitting splitCells(CellComplex& cells, std::vector<CellKey> failing, double leastFraction,
-  Execution& execution)
+Splitting splitCells(
+  CellComplex& cells, std::vector<CellKey> failing, double leastFraction, Execution& execution)
 {
   Splitting result;
   std::set<CellKey> failed;
@@ -335,8 +335,8 @@ Splitting splitCells(CellComplex& cells, std::vector<CellKey> failing, double le
       const std::vector<CellKey> touched =
         cells.touchedBy(proposal.key, proposal.view, proposal.cut);
       if (cells.meetsNode(touched, proposal.cut) ||
-        std::any_of(touched.begin() + 1, touched.end(),
-          [&](CellKey k) { return isThin(cells, k); }))
+        std::any_of(
+          touched.begin() + 1, touched.end(), [&](CellKey k) { return isThin(cells, k); }))
       {
         failed.insert(proposal.key);
         continue;

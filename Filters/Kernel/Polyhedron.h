@@ -71,7 +71,6 @@ bool isUnfit(const Polyhedron& cell, const CellShape& shape, std::size_t face,
 bool isStar(const Polyhedron& cell, std::size_t face, const Vector& normal);
 
 // Area of the unfit faces.
-double unfitArea(
-  const Polyhedron& cell, const CellShape& shape, Demand demand = Demand::Fitness);
+double unfitArea(const Polyhedron& cell, const CellShape& shape, Demand demand = Demand::Fitness);
 
 }
