@@ -12,8 +12,10 @@
  * Region (int, from 1), VolumeFraction (double: of the cell's box). Field data: the statistics, one
  * array of one number each (Cells, Hexahedra, Polyhedra, Points, BoundaryFaces, BoxesInside,
  * BoxesIntersected, BoxesByExactFit, BoxesFlawed, Patches, SmallCellsRemoved, IsolatedCells,
- * VoidsInsideCells, FoldsLeftOut). For vtkPolyMeshWriter: cell array CellId (number of the cell) and
- * field data array BoundaryOfFaces (components Cell, Face, BoundaryId: a row for each boundary face).
+ * VoidsInsideCells, FoldsLeftOut), and numbers of cells as in vtkFiniteVolumeQuality:
+ * BoundaryAngleFailures, InnerAngleFailures, OpennessFailures, VolumeFailures.
+ * For vtkPolyMeshWriter: cell array CellId (number of the cell) and field data array
+ * BoundaryOfFaces (components Cell, Face, BoundaryId: a row for each boundary face).
  *
  * Boundary: cell arrays BoundaryId (int; -1 where no patch was), OwnerCell (cell of the mesh); point
  * array MeshPointId (point of the mesh).

@@ -62,24 +62,29 @@ std::vector<std::uint32_t> joinRings(
   return twice ? std::vector<std::uint32_t>{} : joined;
 }
 
-// Normals of faces on one plane differ by rounding only (cosine).
-constexpr double FlatCosine = 1 - 1e-12;
+// Points on one plane are rounded to whole levels.
+constexpr double RoundingLevels = 2;
 
 // Whether the last face can stand for the two before it: it has a star triangulation, and the normals
-// are close.
-bool fitsTogether(const Polyhedron& faces, double leastCosine)
+// are close; `flat`: all lies on one plane.
+bool fitsTogether(const Polyhedron& faces, double leastCosine, bool flat)
 {
   CellShape shape;
   measure(faces, shape);
-  const Vector first = unit(shape.faces[0].area);
-  const Vector second = unit(shape.faces[1].area);
   const Vector normal = unit(shape.faces[2].area);
-  if (dot(first, second) < leastCosine || dot(first, normal) < leastCosine ||
-    dot(second, normal) < leastCosine)
+  for (std::size_t f = 0; f < 2; ++f)
+  {
+    const double cosine = dot(unit(shape.faces[f].area), normal);
+    if (flat ? cosine <= 0 : cosine < leastCosine)
+    {
+      return false;
+    }
+  }
+  if (!flat && dot(unit(shape.faces[0].area), unit(shape.faces[1].area)) < leastCosine)
   {
     return false;
   }
-  return isStar(faces, 2, normal);
+  return (!flat || isFlat(faces, shape, 2, RoundingLevels)) && isStar(faces, 2, normal);
 }
 
 // Nodes of a hexahedron's side i (low x, high x, low y, ...), counter-clockwise from outside.
@@ -299,7 +304,9 @@ std::vector<std::pair<CellKey, double>> CellComplex::neighbours(CellKey key) con
     }
   });
   std::sort(result.begin(), result.end(), [](const auto& x, const auto& y) {
-    return x.second != y.second ? x.second > y.second : x.first < y.first;
+    const auto a = static_cast<float>(x.second); // equal but for rounding is equal
+    const auto b = static_cast<float>(y.second);
+    return a != b ? a > b : x.first < y.first;
   });
   return result;
 }
@@ -326,31 +333,47 @@ std::vector<CellKey> CellComplex::polyhedra() const
   return keys;
 }
 
+// Nodes by place and faces by nodes: sums of the same numbers in the same order, whatever numbers
+// nodes and faces have got.
 void CellComplex::view(CellKey key, CellView& view) const
 {
   view.shape.clear();
   view.nodes.clear();
   view.faces.clear();
   view.across.clear();
+  const Point& origin = boxes_.boxes[boxOf(key)].low;
+  std::vector<std::pair<Vector, std::uint32_t>> places;
   forEachFace(key, [&](const FaceUse& use) {
+    forEachNodeOf(use, [&](std::uint32_t node) {
+      places.emplace_back(minus(nodes_.at[node], origin), node);
+    });
+  });
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  for (const auto& [place, node] : places)
+  {
+    view.shape.nodes.push_back(place);
+    view.nodes.push_back(node);
+  }
+  std::vector<std::pair<std::vector<std::uint32_t>, FaceUse>> faces;
+  forEachFace(key, [&](const FaceUse& use) {
+    std::vector<std::uint32_t> ring;
+    forEachNodeOf(use, [&](std::uint32_t node) {
+      const auto at = std::make_pair(minus(nodes_.at[node], origin), node);
+      ring.push_back(static_cast<std::uint32_t>(
+        std::lower_bound(places.begin(), places.end(), at) - places.begin()));
+    });
+    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+    faces.emplace_back(std::move(ring), use);
+  });
+  std::sort(faces.begin(), faces.end(),
+    [](const auto& x, const auto& y) { return x.first < y.first; });
+  for (const auto& [ring, use] : faces)
+  {
     view.faces.push_back(use);
     view.across.push_back(across(use));
-    forEachNodeOf(use, [&](std::uint32_t node) { view.nodes.push_back(node); });
-  });
-  std::sort(view.nodes.begin(), view.nodes.end());
-  view.nodes.erase(std::unique(view.nodes.begin(), view.nodes.end()), view.nodes.end());
-  const Point& origin = boxes_.boxes[boxOf(key)].low;
-  for (const std::uint32_t node : view.nodes)
-  {
-    view.shape.nodes.push_back(minus(nodes_.at[node], origin));
-  }
-  for (std::size_t f = 0; f < view.faces.size(); ++f)
-  {
-    forEachNodeOf(view.faces[f], [&](std::uint32_t node) {
-      view.shape.addCorner(static_cast<std::uint32_t>(
-        std::lower_bound(view.nodes.begin(), view.nodes.end(), node) - view.nodes.begin()));
-    });
-    view.shape.closeFace(view.across[f] == None || !isAlive(view.across[f]));
+    view.shape.corners.insert(view.shape.corners.end(), ring.begin(), ring.end());
+    view.shape.closeFace(view.across.back() == None || !isAlive(view.across.back()));
   }
 }
 
@@ -577,6 +600,7 @@ std::uint32_t CellComplex::own(std::uint32_t face, CellKey cell)
     }
   }
   shaped_.push_back(std::move(copy));
+  shapedAs_[face] = number;
   return number;
 }
 
@@ -617,22 +641,57 @@ void CellComplex::setCell(const FaceUse& use, CellKey key)
   }
 }
 
+Point CellComplex::placeOf(CellKey key, const CellCut::Point& point) const
+{
+  const Point& origin = boxes_.boxes[boxOf(key)].low;
+  Point place;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    place[axis] = static_cast<Level>(
+      static_cast<std::int64_t>(origin[axis]) + static_cast<std::int64_t>(point.at[axis]));
+  }
+  return place;
+}
+
+bool CellComplex::meetsNode(const std::vector<CellKey>& touched, const CellCut& cut) const
+{
+  std::vector<Point> places;
+  for (const CellCut::Point& point : cut.points)
+  {
+    places.push_back(placeOf(touched.front(), point));
+  }
+  std::sort(places.begin(), places.end());
+  bool found = std::adjacent_find(places.begin(), places.end()) != places.end();
+  for (const CellKey key : touched)
+  {
+    forEachFace(key, [&](const FaceUse& use) {
+      forEachNodeOf(use, [&](std::uint32_t node) {
+        found = found || std::binary_search(places.begin(), places.end(), nodes_.at[node]);
+      });
+    });
+  }
+  return found;
+}
+
+// Cells that touch in an edge only have the same points on it.
+std::uint32_t CellComplex::addNode(const Point& place)
+{
+  const auto [at, isNew] = cutNodes_.emplace(place, static_cast<std::uint32_t>(nodes_.at.size()));
+  if (isNew)
+  {
+    nodes_.at.push_back(place);
+  }
+  return at->second;
+}
+
 void CellComplex::cut(
   CellKey key, const CellView& view, const CellCut& cut, std::vector<CellKey>& parts)
 {
   changed_ = true;
   std::vector<std::uint32_t> nodes = view.nodes;
-  const Point& origin = boxes_.boxes[boxOf(key)].low;
   for (const CellCut::Point& point : cut.points)
   {
-    Point at;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      at[axis] = static_cast<Level>(
-        static_cast<std::int64_t>(origin[axis]) + static_cast<std::int64_t>(point.at[axis]));
-    }
-    nodes.push_back(static_cast<std::uint32_t>(nodes_.at.size()));
-    nodes_.at.push_back(at);
+    nodes.push_back(addNode(placeOf(key, point)));
     const std::uint32_t u = view.nodes[point.low];
     const std::uint32_t v = view.nodes[point.high];
     for (const CellKey around : cellsAround(key, u, v))
@@ -640,8 +699,12 @@ void CellComplex::cut(
       insertNode(around, u, v, nodes.back());
     }
   }
-  // Faces keep their places in the cell, whatever number they have got.
-  const std::vector<FaceUse> faces = opened(key)->faces;
+  std::vector<FaceUse> faces = view.faces;
+  for (FaceUse& use : faces)
+  {
+    const auto renamed = shapedAs_.find(use.face);
+    use.face = (renamed == shapedAs_.end() ? use.face : renamed->second) & MostFaces;
+  }
   std::vector<CellKey> keys{ key };
   for (std::uint32_t part = 1; part < cut.parts; ++part)
   {
@@ -796,6 +859,19 @@ void CellComplex::removeFace(CellKey key, std::uint32_t face)
   opened(key)->changed = true;
 }
 
+// Whether a cell has a face between just these nodes: with another it would enclose nothing.
+bool CellComplex::hasFaceOf(CellKey key, std::vector<std::uint32_t> nodes) const
+{
+  std::sort(nodes.begin(), nodes.end());
+  bool found = false;
+  forEachFace(key, [&](const FaceUse& use) {
+    std::vector<std::uint32_t> others = nodesOf(use);
+    std::sort(others.begin(), others.end());
+    found = found || others == nodes;
+  });
+  return found;
+}
+
 bool CellComplex::joinPair(CellKey key, const FaceUse& f, const FaceUse& g, double leastCosine)
 {
   const CellKey other = across(f);
@@ -819,10 +895,11 @@ bool CellComplex::joinPair(CellKey key, const FaceUse& f, const FaceUse& g, doub
     both.nodes.push_back(minus(nodes_.at[node], origin));
   }
   both.closeFace(false);
-  if (!fitsTogether(both, other == None ? leastCosine : FlatCosine))
+  if (!fitsTogether(both, leastCosine, other != None || leastCosine >= 1) || hasFaceOf(key, ring))
   {
     return false;
   }
+  changed_ = true;
   Shaped& face = shaped(own(f.face, key));
   face.nodes = ring;
   if (f.turned)

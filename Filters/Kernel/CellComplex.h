@@ -7,6 +7,7 @@
 #include "Boundary.h"
 #include "PolyhedronCut.h"
 
+#include <map>
 #include <unordered_map>
 
 namespace cartesian
@@ -61,6 +62,9 @@ public:
   // The cells that a cut changes, `key` first: beyond cut faces, and around cut edges. Opens them.
   std::vector<CellKey> touchedBy(CellKey key, const CellView& view, const CellCut& cut);
 
+  // Whether a new point of a cut of the first cell falls on a node of these cells, or on another.
+  bool meetsNode(const std::vector<CellKey>& touched, const CellCut& cut) const;
+
   // Cuts an opened cell. The first part keeps its key. Appends the keys of all parts.
   void cut(CellKey key, const CellView& view, const CellCut& cut, std::vector<CellKey>& parts);
 
@@ -68,7 +72,7 @@ public:
   void merge(CellKey small, CellKey into);
 
   // Joins those neighbouring faces of a cell that lie between the same two cells on one plane, or
-  // belong to one boundary and have normals this close (cosine).
+  // belong to one boundary and have normals this close (cosine; 1: lie on one plane).
   void joinFaces(CellKey key, double leastCosine);
 
   // In lattice levels.
@@ -136,11 +140,14 @@ private:
   bool hasEdge(const FaceUse& use, std::uint32_t u, std::uint32_t v) const;
   std::vector<CellKey> cellsAround(CellKey key, std::uint32_t u, std::uint32_t v);
   std::uint32_t own(std::uint32_t face, CellKey cell);
+  Point placeOf(CellKey key, const CellCut::Point& point) const;
+  std::uint32_t addNode(const Point& place);
   FaceUse addShaped(Shaped face);
   FaceUse addPiece(FaceUse use, CellKey cell, Shaped piece, std::uint32_t& owned);
   void insertNode(CellKey cell, std::uint32_t u, std::uint32_t v, std::uint32_t node);
 
   bool joinPair(CellKey key, const FaceUse& f, const FaceUse& g, double leastCosine);
+  bool hasFaceOf(CellKey key, std::vector<std::uint32_t> nodes) const;
   std::int32_t boundaryOf(std::uint32_t face) const;
   std::vector<std::uint32_t> nodesOf(const FaceUse& use) const;
   void removeFace(CellKey key, std::uint32_t face);
@@ -159,7 +166,9 @@ private:
   std::vector<std::uint32_t> openOf_;                      // of cells of polyhedral boxes
   std::unordered_map<CellKey, std::uint32_t> openOfOther_; // of others
   std::vector<Shaped> shaped_;
+  std::unordered_map<std::uint32_t, std::uint32_t> shapedAs_; // patches and inner faces
   std::unordered_map<std::uint64_t, std::uint32_t> faceOfHexahedron_; // 6 * box + side
+  std::map<Point, std::uint32_t> cutNodes_;
   std::vector<VertexNode> vertices_;
   std::unordered_map<std::uint64_t, std::uint32_t> nodeOfVertex_;
   CellKey nextKey_;

@@ -15,7 +15,7 @@ namespace
 constexpr std::size_t CellsAChunk = 512;
 constexpr double RadiansPerDegree = 3.14159265358979 / 180;
 
-std::vector<CellKey> failingCells(const CellComplex& complex, Execution& execution)
+std::vector<CellKey> unfitCells(const CellComplex& complex, Execution& execution)
 {
   const std::vector<CellKey> keys = complex.polyhedra();
   std::vector<std::vector<CellKey>> parts(chunks(keys.size(), CellsAChunk));
@@ -26,7 +26,7 @@ std::vector<CellKey> failingCells(const CellComplex& complex, Execution& executi
     {
       complex.shape(keys[i], polyhedron);
       measure(polyhedron, shape);
-      if (failingArea(polyhedron, shape) > 0)
+      if (unfitArea(polyhedron, shape) > 0)
       {
         parts[begin / CellsAChunk].push_back(keys[i]);
       }
@@ -47,21 +47,31 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
 {
   Shaping shaping;
   CellComplex complex(boxes, patches, sides, nodes, inner, cells);
-  const auto merge = [&] {
+  // Who chose the exact surface gets it.
+  const bool exact = std::find(patches.reason.begin(), patches.reason.end(),
+                       PatchReason::ExactFitChosen) != patches.reason.end();
+  const double leastCosine = exact ? 1 : std::cos(spec.joinAngle * RadiansPerDegree);
+  const auto merge = [&](Demand demand) {
     if (spec.smallCells == SmallCells::Merge)
     {
-      shaping.cellsMerged += mergeSmallCells(
-        complex, spec.mergeRatio, std::cos(spec.joinAngle * RadiansPerDegree), execution);
+      shaping.cellsMerged +=
+        mergeSmallCells(complex, spec.mergeRatio, leastCosine, demand, execution);
     }
   };
-  merge();
+  merge(Demand::Angles);
   if (spec.splitConcave)
   {
-    const Splitting splitting = splitCells(complex, failingCells(complex, execution), execution);
+    for (const CellKey key : unfitCells(complex, execution))
+    {
+      complex.open(key);
+      complex.joinFaces(key, leastCosine);
+    }
+    const Splitting splitting = splitCells(complex, unfitCells(complex, execution),
+      spec.smallCells == SmallCells::Remove ? spec.smallCellRatio : 0, execution);
     shaping.cellsSplit = splitting.cellsSplit;
-    merge();
+    merge(Demand::Fitness);
   }
-  shaping.angleFailures = failingCells(complex, execution).size();
+  shaping.angleFailures = unfitCells(complex, execution).size();
   if (complex.changed())
   {
     complex.finish(execution);

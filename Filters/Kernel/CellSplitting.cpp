@@ -27,6 +27,12 @@ constexpr double LeastWorthyBend = 0.1;
 // ... and that lets this part of what failed before fail.
 constexpr double NoHarm = 1.0 + 1e-9;
 
+// Neighbours less thick (volume over area) than this, in levels, are left alone.
+constexpr double LeastThickness = 4;
+
+// One that leaves less than this part of what another leaves is better by more than rounding.
+constexpr double Better = 1.0 - 1e-6;
+
 // Concave edges belong to one feature where they run within 45 degrees of each other.
 constexpr double ContinuesCosine = 0.707;
 
@@ -94,12 +100,13 @@ std::vector<ConcaveEdge> concaveEdges(const Polyhedron& cell, const CellShape& s
     const Vector ways = plus(cross(n1, along), cross(along, n2));
     e.inwards = unit(scaled(plus(plus(n1, n2), ways), -1));
     e.length = norm(whole);
-    e.failing = failsAngle(cell, shape, f) || failsAngle(cell, shape, other->second);
+    e.failing = isUnfit(cell, shape, f) || isUnfit(cell, shape, other->second);
     edges.push_back(e);
   }
   std::sort(edges.begin(), edges.end(), [](const ConcaveEdge& x, const ConcaveEdge& y) {
-    return x.bend != y.bend ? x.bend > y.bend
-                            : std::make_pair(x.from, x.to) < std::make_pair(y.from, y.to);
+    const auto a = static_cast<float>(x.bend); // equal but for rounding is equal
+    const auto b = static_cast<float>(y.bend);
+    return a != b ? a > b : std::make_pair(x.from, x.to) < std::make_pair(y.from, y.to);
   });
   return edges;
 }
@@ -133,8 +140,8 @@ CutPlane planeThrough(
   return plane;
 }
 
-// What fails after a cut, or a negative number where a part is useless.
-double failingAfter(const Polyhedron& cell, const CellShape& shape, const CellCut& cut)
+// What fails after a cut, or a negative number where a part is smaller than `least`.
+double failingAfter(const Polyhedron& cell, const CellCut& cut, double least)
 {
   double failing = 0;
   CellShape part;
@@ -142,11 +149,11 @@ double failingAfter(const Polyhedron& cell, const CellShape& shape, const CellCu
   {
     const Polyhedron polyhedron = partOf(cell, cut, p);
     measure(polyhedron, part);
-    if (!(part.volume > LeastPart * shape.volume))
+    if (!(part.volume > least))
     {
       return -1;
     }
-    failing += failingArea(polyhedron, part);
+    failing += unfitArea(polyhedron, part);
   }
   return failing;
 }
@@ -155,9 +162,11 @@ double failingAfter(const Polyhedron& cell, const CellShape& shape, const CellCu
 class Search
 {
 public:
-  Search(const Polyhedron& cell, const CellShape& shape, double failing)
+  // `leastVolume`: of a part.
+  Search(const Polyhedron& cell, const CellShape& shape, double leastVolume, double failing)
     : cell_(cell)
     , shape_(shape)
+    , leastVolume_(leastVolume)
     , before_(failing)
     , best_(failing)
     , edges_(concaveEdges(cell, shape))
@@ -225,8 +234,8 @@ private:
     {
       return;
     }
-    const double failing = failingAfter(cell_, shape_, trial_);
-    if (failing >= 0 && failing < best_)
+    const double failing = failingAfter(cell_, trial_, std::max(LeastPart * shape_.volume, leastVolume_));
+    if (failing >= 0 && failing < best_ * Better)
     {
       best_ = failing;
       std::swap(cut, trial_);
@@ -242,7 +251,7 @@ private:
   {
     for (std::size_t f = 0; f < cell_.faces(); ++f)
     {
-      if (cell_.isBoundary[f] && failsAngle(cell_, shape_, f))
+      if (cell_.isBoundary[f] && cosineOfFace(shape_, f) <= LeastBoundaryCosine)
       {
         return true;
       }
@@ -252,6 +261,7 @@ private:
 
   const Polyhedron& cell_;
   const CellShape& shape_;
+  double leastVolume_;
   double before_;
   double best_;
   std::vector<ConcaveEdge> edges_;
@@ -260,18 +270,30 @@ private:
   bool hasFallback_ = false;
 };
 
-void propose(const CellComplex& cells, Proposal& proposal)
+void propose(const CellComplex& cells, double leastFraction, Proposal& proposal)
 {
   cells.view(proposal.key, proposal.view);
   CellShape shape;
   measure(proposal.view.shape, shape);
-  proposal.failing = failingArea(proposal.view.shape, shape);
-  proposal.found = Search(proposal.view.shape, shape, proposal.failing).run(proposal.cut);
-  if (!proposal.found && getenv("DBG")) {
-    const Polyhedron& cell = proposal.view.shape; auto edges = concaveEdges(cell, shape);
-    int nb = 0, ni = 0; double wc = 1; for (std::size_t f = 0; f < cell.faces(); ++f) if (failsAngle(cell, shape, f)) { (cell.isBoundary[f] ? nb : ni)++; wc = std::min(wc, cosineOfFace(shape, f)); }
-    std::fprintf(stderr, "FAIL key %u box %u vol %.2e faces %zu edges %zu(maxbend %.1f) failB %d failI %d worstcos %.3f area %.2e\n", proposal.key, cells.boxOf(proposal.key), shape.volume / cells.volumeOfBox(proposal.key), cell.faces(), edges.size(), edges.empty() ? 0 : edges[0].bend * 57.3, nb, ni, wc, proposal.failing / std::pow(cells.volumeOfBox(proposal.key), 2/3.));
+  proposal.failing = unfitArea(proposal.view.shape, shape);
+  const double least = leastFraction * cells.volumeOfBox(proposal.key);
+  proposal.found =
+    Search(proposal.view.shape, shape, least, proposal.failing).run(proposal.cut);
+}
+
+// Whether a point on one of its edges, rounded, might turn a cell inside out.
+bool isThin(const CellComplex& cells, CellKey key)
+{
+  Polyhedron polyhedron;
+  CellShape shape;
+  cells.shape(key, polyhedron);
+  measure(polyhedron, shape);
+  double area = 0;
+  for (const FaceShape& face : shape.faces)
+  {
+    area += norm(face.area);
   }
+  return shape.volume <= LeastThickness * area;
 }
 
 bool fails(const CellComplex& cells, CellKey key)
@@ -284,12 +306,13 @@ bool fails(const CellComplex& cells, CellKey key)
   CellShape shape;
   cells.shape(key, polyhedron);
   measure(polyhedron, shape);
-  return failingArea(polyhedron, shape) > 0;
+  return unfitArea(polyhedron, shape) > 0;
 }
 
 }
 
-Splitting splitCells(CellComplex& cells, std::vector<CellKey> failing, Execution& execution)
+Splitting splitCells(CellComplex& cells, std::vector<CellKey> failing, double leastFraction,
+  Execution& execution)
 {
   Splitting result;
   std::set<CellKey> failed;
@@ -300,11 +323,13 @@ Splitting splitCells(CellComplex& cells, std::vector<CellKey> failing, Execution
       for (std::size_t i = begin; i < end; ++i)
       {
         proposals[i].key = failing[i];
-        propose(cells, proposals[i]);
+        propose(cells, leastFraction, proposals[i]);
       }
     });
     std::sort(proposals.begin(), proposals.end(), [](const Proposal& x, const Proposal& y) {
-      return x.failing != y.failing ? x.failing > y.failing : x.key < y.key;
+      const auto a = static_cast<float>(x.failing);
+      const auto b = static_cast<float>(y.failing);
+      return a != b ? a > b : x.key < y.key;
     });
     std::set<CellKey> taken;
     std::set<CellKey> next;
@@ -318,6 +343,13 @@ Splitting splitCells(CellComplex& cells, std::vector<CellKey> failing, Execution
       cells.open(proposal.key);
       const std::vector<CellKey> touched =
         cells.touchedBy(proposal.key, proposal.view, proposal.cut);
+      if (cells.meetsNode(touched, proposal.cut) ||
+        std::any_of(touched.begin() + 1, touched.end(),
+          [&](CellKey k) { return isThin(cells, k); }))
+      {
+        failed.insert(proposal.key);
+        continue;
+      }
       if (std::any_of(touched.begin(), touched.end(), [&](CellKey k) { return taken.count(k); }))
       {
         next.insert(proposal.key);

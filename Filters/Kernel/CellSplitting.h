@@ -16,7 +16,9 @@ struct Splitting
 
 // Each cell that fails proposes a cut. In order of how much fails, those are carried out that change
 // no cell that another has changed; again, with all cells that changed, until no cell proposes. So
-// the result depends on the cells only. `failing`: cells that fail a condition, in order.
-Splitting splitCells(CellComplex& cells, std::vector<CellKey> failing, Execution& execution);
+// the result depends on the cells only. `failing`: cells that fail a condition, in order. No part
+// becomes smaller than `leastFraction` of its box.
+Splitting splitCells(CellComplex& cells, std::vector<CellKey> failing, double leastFraction,
+  Execution& execution);
 
 }

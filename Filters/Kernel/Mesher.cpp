@@ -155,8 +155,9 @@ Assembly::Assembly(
   inner_ = generateInnerFaces(boxes, patches, sides_, nodes_, execution);
   execution.stage("Cells", AfterInnerFaces, AfterCells);
   cells_ = assembleCells(boxes, patches, sides_, nodes_, inner_, spec, execution);
+  execution.stage("Shaping of cells", AfterCells, AfterShaping);
   shaping_ = shapeCells(boxes, patches, sides_, nodes_, inner_, cells_, spec, execution);
-  execution.stage("Numbering", AfterCells, AfterNumbering);
+  execution.stage("Numbering", AfterShaping, AfterNumbering);
   mesh_ =
     std::make_unique<Mesh>(MeshParts{ boxes, patches, sides_, nodes_, inner_, cells_ }, execution);
   if (mesh_->cellCount() == 0)

@@ -17,15 +17,16 @@
 namespace cartesian
 {
 
-// Where each stage ends, as a part of all work.
-constexpr double AfterSurface = 0.1;
-constexpr double AfterDefects = 0.12; // while Boxes begin where Surface ends
-constexpr double AfterBoxes = 0.25;
-constexpr double AfterPatches = 0.5;
-constexpr double AfterSides = 0.55;
-constexpr double AfterInnerFaces = 0.65;
-constexpr double AfterCells = 0.8;
-constexpr double AfterNumbering = 0.9;
+// Where each stage ends, as a part of all work: measured on a mesh of 200 000 cells.
+constexpr double AfterSurface = 0.01;
+constexpr double AfterDefects = 0.02; // while Boxes begin where Surface ends
+constexpr double AfterBoxes = 0.06;
+constexpr double AfterPatches = 0.18;
+constexpr double AfterSides = 0.31;
+constexpr double AfterInnerFaces = 0.36;
+constexpr double AfterCells = 0.43;
+constexpr double AfterShaping = 0.92;
+constexpr double AfterNumbering = 0.95;
 
 struct PreparedSurface
 {

@@ -12,6 +12,9 @@ namespace
 // A star triangle may be turned over by this part of the polygon's area: rounding.
 constexpr double RoundingOfAreas = 1e-9;
 
+// OpenFOAM measures skewness over at least this part of the height above a boundary face.
+constexpr double ShareOfHeight = 0.4;
+
 Vector meanOf(const Polyhedron& cell, std::size_t begin, std::size_t end)
 {
   Vector mean{ 0, 0, 0 };
@@ -37,7 +40,7 @@ FaceShape shapeOf(const Polyhedron& cell, std::size_t face)
   const double square = dot(twice, twice);
   if (!(square > 0))
   {
-    return { scaled(twice, 0.5), mean };
+    return { scaled(twice, 0.5), mean, mean };
   }
   // Triangles count by their area along the normal; their centres are a third of the way in.
   Vector sum{ 0, 0, 0 };
@@ -47,7 +50,27 @@ FaceShape shapeOf(const Polyhedron& cell, std::size_t face)
     const Vector q = minus(cell.nodes[cell.corners[i + 1 < end ? i + 1 : begin]], mean);
     sum = plus(sum, scaled(plus(p, q), dot(cross(p, q), twice)));
   }
-  return { scaled(twice, 0.5), plus(mean, scaled(sum, 1 / (3 * square))) };
+  return { scaled(twice, 0.5), plus(mean, scaled(sum, 1 / (3 * square))), mean };
+}
+
+bool isSkewed(const Polyhedron& cell, const CellShape& shape, std::size_t face)
+{
+  const FaceShape& f = shape.faces[face];
+  const Vector normal = unit(f.area);
+  const Vector towards = minus(f.centre, shape.centre);
+  const double height = std::abs(dot(towards, normal));
+  const Vector aside = minus(towards, scaled(normal, dot(towards, normal)));
+  const double distance = norm(aside);
+  if (distance <= MostSkewness * ShareOfHeight * height)
+  {
+    return false;
+  }
+  double reach = 0;
+  for (std::size_t i = cell.start[face]; i < cell.start[face + 1]; ++i)
+  {
+    reach = std::max(reach, std::abs(dot(minus(cell.nodes[cell.corners[i]], f.centre), aside)));
+  }
+  return distance * distance > MostSkewness * reach;
 }
 
 }
@@ -77,15 +100,17 @@ void measure(const Polyhedron& cell, CellShape& shape)
   }
   middle = scaled(middle, 1.0 / static_cast<double>(cell.faces()));
   shape.volume = 0;
+  double pyramids = 0;
   Vector moment{ 0, 0, 0 };
   for (const FaceShape& face : shape.faces)
   {
     const Vector height = minus(face.centre, middle);
     const double volume = dot(face.area, height) / 3;
-    shape.volume += volume;
+    pyramids += volume;
     moment = plus(moment, scaled(height, 0.75 * volume));
+    shape.volume += dot(face.area, minus(face.mean, middle)) / 3;
   }
-  shape.centre = shape.volume > 0 ? plus(middle, scaled(moment, 1 / shape.volume)) : middle;
+  shape.centre = pyramids > 0 ? plus(middle, scaled(moment, 1 / pyramids)) : middle;
 }
 
 double cosineOfFace(const CellShape& shape, std::size_t face)
@@ -96,10 +121,29 @@ double cosineOfFace(const CellShape& shape, std::size_t face)
   return lengths > 0 ? dot(towards, f.area) / lengths : 0;
 }
 
-bool failsAngle(const Polyhedron& cell, const CellShape& shape, std::size_t face)
+bool isUnfit(const Polyhedron& cell, const CellShape& shape, std::size_t face, Demand demand)
 {
   const double cosine = cosineOfFace(shape, face);
-  return cell.isBoundary[face] ? cosine <= LeastBoundaryCosine : cosine < LeastInnerCosine;
+  if (!cell.isBoundary[face])
+  {
+    return cosine < LeastInnerCosine;
+  }
+  return cosine <= LeastBoundaryCosine ||
+    (demand == Demand::Fitness && isSkewed(cell, shape, face));
+}
+
+bool isFlat(const Polyhedron& cell, const CellShape& shape, std::size_t face, double distance)
+{
+  const Vector normal = unit(shape.faces[face].area);
+  for (std::size_t i = cell.start[face]; i < cell.start[face + 1]; ++i)
+  {
+    const Vector p = minus(cell.nodes[cell.corners[i]], shape.faces[face].centre);
+    if (std::abs(dot(p, normal)) > distance)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool isStar(const Polyhedron& cell, std::size_t face, const Vector& normal)
@@ -119,12 +163,12 @@ bool isStar(const Polyhedron& cell, std::size_t face, const Vector& normal)
   return least >= -RoundingOfAreas * std::abs(sum);
 }
 
-double failingArea(const Polyhedron& cell, const CellShape& shape)
+double unfitArea(const Polyhedron& cell, const CellShape& shape, Demand demand)
 {
   double sum = 0;
   for (std::size_t f = 0; f < cell.faces(); ++f)
   {
-    if (failsAngle(cell, shape, f))
+    if (isUnfit(cell, shape, f, demand))
     {
       sum += norm(shape.faces[f].area);
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 
 namespace cartesian
 {
@@ -47,7 +48,7 @@ public:
         return false;
       }
     }
-    return closeCut() && findParts();
+    return closeCut() && allDistinct() && findParts();
   }
 
 private:
@@ -415,6 +416,17 @@ private:
       }
     }
     return true;
+  }
+
+  // Two faces between the same nodes are a part of no thickness.
+  bool allDistinct() const
+  {
+    std::set<std::vector<Index>> seen;
+    return std::all_of(cut_.faces.begin(), cut_.faces.end(), [&](const CellCut::Face& face) {
+      std::vector<Index> corners = face.corners;
+      std::sort(corners.begin(), corners.end());
+      return seen.insert(corners).second;
+    });
   }
 
   // --- the parts

@@ -373,52 +373,94 @@ Quality measureQuality(
   return Meter(points, cells, faces, execution).run();
 }
 
+namespace
+{
+
+// Sums up those cells that count.
+class Summary
+{
+public:
+  Summary(const Quality& quality, const FaceList& faces, const unsigned char* leftOut)
+    : quality_(quality)
+    , faces_(faces)
+    , leftOut_(leftOut)
+  {
+  }
+
+  std::vector<SummaryValue> run() &&
+  {
+    add("Cells", sum([](std::size_t) { return 1; }));
+    add("FailingCells", sum([&](std::size_t c) { return quality_.cellFailures[c] != 0; }));
+    add("ConcaveCells",
+      sum([&](std::size_t c) { return quality_.cells[Concavity][c] >= ConcaveFrom; }));
+    add("TotalVolume", sum([&](std::size_t c) { return quality_.cellGeometry[c].volume; }));
+    add("BoundaryArea", boundaryArea());
+    for (std::size_t m = 0; m < MeasureCount; ++m)
+    {
+      add(std::string(MeasureSpecs[m].name) + "Failures",
+        sum([&](std::size_t c) { return quality_.cellFailures[c] >> m & 1u; }));
+      addWorst(m);
+    }
+    return std::move(result_);
+  }
+
+private:
+  bool counts(std::size_t cell) const { return !leftOut_ || leftOut_[cell] == 0; }
+
+  void add(const std::string& name, double value)
+  {
+    result_.push_back({ name, value, SummaryValue::Of::Sum });
+  }
+
+  template <class Value>
+  double sum(Value&& value) const
+  {
+    double result = 0;
+    for (std::size_t c = 0; c < quality_.cellGeometry.size(); ++c)
+    {
+      result += counts(c) ? static_cast<double>(value(c)) : 0;
+    }
+    return result;
+  }
+
+  double boundaryArea() const
+  {
+    double area = 0;
+    for (std::size_t f = faces_.neighbour.size(); f < faces_.owner.size(); ++f)
+    {
+      area += counts(faces_.owner[f]) ? norm(quality_.faceGeometry[f].area) : 0;
+    }
+    return area;
+  }
+
+  void addWorst(std::size_t measure)
+  {
+    const MeasureSpec& spec = MeasureSpecs[measure];
+    const std::vector<double>& values = quality_.cells[measure];
+    double worst = spec.best;
+    for (std::size_t c = 0; c < values.size(); ++c)
+    {
+      if (counts(c))
+      {
+        worst = spec.largeIsWorse ? std::max(worst, values[c]) : std::min(worst, values[c]);
+      }
+    }
+    result_.push_back({ std::string(spec.largeIsWorse ? "Max" : "Min") + spec.name, worst,
+      spec.largeIsWorse ? SummaryValue::Of::Most : SummaryValue::Of::Least });
+  }
+
+  const Quality& quality_;
+  const FaceList& faces_;
+  const unsigned char* leftOut_;
+  std::vector<SummaryValue> result_;
+};
+
+}
+
 std::vector<SummaryValue> summarise(
   const Quality& quality, const FaceList& faces, const unsigned char* leftOut)
 {
-  using Of = SummaryValue::Of;
-  const auto counts = [&](std::size_t cell) { return !leftOut || leftOut[cell] == 0; };
-  const auto count = [&](auto&& test) {
-    double n = 0;
-    for (std::size_t c = 0; c < quality.cellGeometry.size(); ++c)
-    {
-      n += counts(c) && test(c) ? 1 : 0;
-    }
-    return n;
-  };
-  double volume = 0;
-  for (std::size_t c = 0; c < quality.cellGeometry.size(); ++c)
-  {
-    volume += counts(c) ? quality.cellGeometry[c].volume : 0;
-  }
-  double area = 0;
-  for (std::size_t f = faces.neighbour.size(); f < faces.owner.size(); ++f)
-  {
-    area += counts(faces.owner[f]) ? norm(quality.faceGeometry[f].area) : 0;
-  }
-  std::vector<SummaryValue> result{
-    { "Cells", count([](std::size_t) { return true; }), Of::Sum },
-    { "FailingCells", count([&](std::size_t c) { return quality.cellFailures[c] != 0; }), Of::Sum },
-    { "ConcaveCells",
-      count([&](std::size_t c) { return quality.cells[Concavity][c] >= ConcaveFrom; }), Of::Sum },
-    { "TotalVolume", volume, Of::Sum },
-    { "BoundaryArea", area, Of::Sum },
-  };
-  for (std::size_t m = 0; m < MeasureCount; ++m)
-  {
-    const MeasureSpec& spec = MeasureSpecs[m];
-    double worst = spec.best;
-    for (std::size_t c = 0; c < quality.cells[m].size(); ++c)
-    {
-      const double value = counts(c) ? quality.cells[m][c] : spec.best;
-      worst = spec.largeIsWorse ? std::max(worst, value) : std::min(worst, value);
-    }
-    result.push_back({ std::string(spec.name) + "Failures",
-      count([&](std::size_t c) { return (quality.cellFailures[c] >> m & 1u) != 0; }), Of::Sum });
-    result.push_back({ std::string(spec.largeIsWorse ? "Max" : "Min") + spec.name, worst,
-      spec.largeIsWorse ? Of::Most : Of::Least });
-  }
-  return result;
+  return Summary(quality, faces, leftOut).run();
 }
 
 }

@@ -26,17 +26,20 @@ struct Candidate
 
   bool operator<(const Candidate& other) const
   {
-    return volume != other.volume ? volume < other.volume : key < other.key;
+    const auto a = static_cast<float>(volume); // equal but for rounding is equal
+    const auto b = static_cast<float>(other.volume);
+    return a != b ? a < b : key < other.key;
   }
 };
 
 class Merger
 {
 public:
-  Merger(CellComplex& cells, double ratio, double leastCosine, Execution& execution)
+  Merger(CellComplex& cells, double ratio, double leastCosine, Demand demand, Execution& execution)
     : cells_(cells)
     , ratio_(ratio)
     , leastCosine_(leastCosine)
+    , demand_(demand)
     , execution_(execution)
   {
   }
@@ -72,7 +75,7 @@ private:
     CellShape shape;
     cells_.shapeTogether(together, polyhedron);
     measure(polyhedron, shape);
-    return failingArea(polyhedron, shape);
+    return unfitArea(polyhedron, shape, demand_);
   }
 
   void findCandidates(const std::vector<CellKey>& keys)
@@ -87,7 +90,7 @@ private:
         measure(polyhedron, shape);
         const double volume = shape.volume / cells_.volumeOfBox(keys[i]);
         const bool small = volume < ratio_;
-        if (small || failingArea(polyhedron, shape) > 0)
+        if (small || unfitArea(polyhedron, shape, demand_) > 0)
         {
           all[i].key = keys[i];
           all[i].volume = volume;
@@ -204,6 +207,7 @@ private:
   CellComplex& cells_;
   double ratio_;
   double leastCosine_;
+  Demand demand_;
   Execution& execution_;
   std::vector<Candidate> candidates_; // the smallest first
   std::set<CellKey> touched_;         // to be looked at again
@@ -214,9 +218,9 @@ private:
 }
 
 std::size_t mergeSmallCells(
-  CellComplex& cells, double ratio, double leastCosine, Execution& execution)
+  CellComplex& cells, double ratio, double leastCosine, Demand demand, Execution& execution)
 {
-  return Merger(cells, ratio, leastCosine, execution).run();
+  return Merger(cells, ratio, leastCosine, demand, execution).run();
 }
 
 }

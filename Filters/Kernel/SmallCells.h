@@ -12,6 +12,6 @@ namespace cartesian
 // result depends on the cells only. Faces of what they become a part of are joined where they lie on
 // one plane, or in one boundary with normals this close (cosine). Returns how many were merged.
 std::size_t mergeSmallCells(
-  CellComplex& cells, double ratio, double leastCosine, Execution& execution);
+  CellComplex& cells, double ratio, double leastCosine, Demand demand, Execution& execution);
 
 }

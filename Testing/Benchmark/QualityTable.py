@@ -1,16 +1,18 @@
 """Prints how good our meshes are for solvers, one line a mesh:
 
-    pvpython QualityTable.py [--across 12 25 60] [--depth 0 2] [--ratio 1e-3] SURFACE...
+    pvpython QualityTable.py [--across 12 25 60] [--depth 0 2] [--set Name=Value] SURFACE...
 
 A SURFACE is a file, or "sphere". Cells are as long as the surface's longest side by `across`, halved
-`depth` times along the surface. The volume's error is relative to the surface's own; angles are those
-of section 3, with the number of cells that fail; OpenFOAM's are numbers of cells that checkMesh
-complains about (-allGeometry, true concavity apart).
+`depth` times along the surface; --set gives any other property of Cartesian Mesher. Printed are the
+largest non-orthogonality and skewness, the volume's error relative to the surface's own, the largest
+angles of section 3, each with the number of cells that fail, and numbers of cells: concave ones, and
+those that fail checkMesh -allGeometry by skewness, face weight, volume ratio, determinant and
+tetrahedra.
 """
 
 import argparse
+import ast
 import pathlib
-import sys
 import time
 
 from paraview import simple
@@ -27,7 +29,7 @@ def read(name):
 
 
 def output(proxy, port=0):
-    proxy.UpdatePipeline(), proxy.GetDataInformation()
+    proxy.UpdatePipeline()
     return proxy.SMProxy.GetClientSideObject().GetOutputDataObject(port)
 
 
@@ -39,29 +41,30 @@ def volume_of(surface):
     return properties.GetVolume()
 
 
-def measure(name, surface, across, depth, ratio):
+def measure(name, surface, across, depth, properties):
     bounds = surface.GetDataInformation().GetBounds()
     longest = max(bounds[i + 1] - bounds[i] for i in (0, 2, 4))
     start = time.time()
     mesher = simple.CartesianMesher(Input=surface, CellSize=longest / across,
-        RefinementDepth=depth, SmallCellRatio=ratio)
+        RefinementDepth=depth, **properties)
     mesher.UpdatePipeline()
     seconds = time.time() - start
     field = output(simple.FiniteVolumeQuality(Input=mesher)).GetFieldData()
-    value = {field.GetArrayName(i): field.GetArray(i).GetValue(0)
-             for i in range(field.GetNumberOfArrays()) if field.GetArray(i).GetNumberOfTuples() == 1}
-    true_volume = volume_of(surface)
-    error = abs(value["TotalVolume"] / true_volume - 1)
+
+    def value(array):
+        return field.GetArray(array).GetValue(0)
+
+    error = abs(value("TotalVolume") / volume_of(surface) - 1)
 
     def angle(which):
-        return f"{value['Max' + which]:6.1f} {value[which + 'Failures']:7.0f}"
+        return f"{value('Max' + which):6.1f} {value(which + 'Failures'):7.0f}"
 
     def failures(which):
-        return f"{value[which + 'Failures']:.0f}"
+        return f"{value(which + 'Failures'):.0f}"
 
-    print(f"{name:25} {across:6} {depth:5} {value['Cells']:8.0f} {seconds:7.2f}  "
-          f"{value['MaxNonOrthogonality']:9.1f} {value['MaxSkewness']:8.3g} {error:8.1e}  "
-          f"{angle('BoundaryAngle')} {angle('InnerAngle')}  {value['ConcaveCells']:7.0f} "
+    print(f"{name:25} {across:6} {depth:5} {value('Cells'):8.0f} {seconds:7.2f}  "
+          f"{value('MaxNonOrthogonality'):9.1f} {value('MaxSkewness'):8.3g} {error:8.1e}  "
+          f"{angle('BoundaryAngle')} {angle('InnerAngle')}  {value('ConcaveCells'):7.0f} "
           f"{failures('Skewness'):>4} {failures('FaceWeight'):>6} {failures('VolumeRatio'):>6} "
           f"{failures('Determinant'):>5} {failures('TetQuality'):>5}", flush=True)
     simple.Delete(mesher)
@@ -73,15 +76,22 @@ def main():
     parser.add_argument("surfaces", nargs="+", metavar="SURFACE")
     parser.add_argument("--across", type=int, nargs="+", default=[12, 25, 60])
     parser.add_argument("--depth", type=int, nargs="+", default=[0, 2])
-    parser.add_argument("--ratio", type=float, default=1e-3)
+    parser.add_argument("--set", action="append", default=[], metavar="Name=Value")
     options = parser.parse_args()
+    properties = {}
+    for text in options.set:
+        name, _, value = text.partition("=")
+        try:
+            properties[name] = ast.literal_eval(value)
+        except (SyntaxError, ValueError):
+            properties[name] = value  # an enumeration's name
     print(HEAD)
     for name in options.surfaces:
         surface = read(name)
         surface.UpdatePipeline()
         for across in options.across:
             for depth in options.depth:
-                measure(pathlib.Path(name).stem, surface, across, depth, options.ratio)
+                measure(pathlib.Path(name).stem, surface, across, depth, properties)
 
 
 main()

@@ -140,8 +140,7 @@ Meshlines planesFrom(Bytes& bytes, unsigned width)
 Options optionsFrom(Bytes& bytes)
 {
   Options options;
-  options.smallCellRatio = bytes.below(2) ? 1e-3 : 0;
-  options.splitConcave = false; // volume fractions around split cells are not theirs yet
+  options.cells = asTheyAre(bytes.below(2) ? 1e-3 : 0);
   options.patches.method = bytes.below(2) ? PatchMethod::Automatic : PatchMethod::ExactFit;
   return options;
 }

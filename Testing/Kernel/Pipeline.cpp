@@ -73,6 +73,15 @@ PatchSpec exactFit()
   return spec;
 }
 
+CellSpec asTheyAre(double smallCellRatio)
+{
+  CellSpec spec;
+  spec.smallCellRatio = smallCellRatio;
+  spec.smallCells = SmallCells::Remove;
+  spec.splitConcave = false;
+  return spec;
+}
+
 GridSpec cellsOf(double size)
 {
   GridSpec grid;
@@ -136,10 +145,7 @@ Meshed meshPrepared(const PreparedSurface& prepared, const Options& options)
   result.boxed = boxSurface(prepared, options.refinement, execution);
   result.patches = generatePatches(
     prepared.surface, result.boxed.boxes, result.boxed.shoeboxes, options.patches, execution);
-  CellSpec spec;
-  spec.smallCellRatio = options.smallCellRatio;
-  spec.splitConcave = options.splitConcave;
-  const Assembly assembly(result.boxed.boxes, result.patches, spec, execution);
+  const Assembly assembly(result.boxed.boxes, result.patches, options.cells, execution);
   result.mesh = arraysOf(assembly.mesh(), result.boxed.boxes, execution);
   result.flawedBoxes = assembly.flawedBoxes();
   for (const auto& [name, value] : assembly.statistics())

@@ -55,13 +55,15 @@ constexpr double PlentyOfMemory = 1e11;
 
 PatchSpec exactFit();
 
+// Nothing is merged or split, nothing removed but what is smaller, and what has no volume.
+CellSpec asTheyAre(double smallCellRatio = 0);
+
 struct Options
 {
-  double smallCellRatio = 0; // nothing is removed but what has no volume
+  CellSpec cells = asTheyAre();
   int threads = 1;
   RefinementSpec refinement;
   PatchSpec patches = exactFit(); // for the tests' exact facts
-  bool splitConcave = CellSpec().splitConcave;
 };
 
 GridSpec cellsOf(double size);

@@ -162,7 +162,7 @@ TEST(Errors, BadDepth)
   for (const int bad : { -1, DeepestLevel + 1 })
   {
     expectError(Fault::BadParameter, { "Depth", std::to_string(bad) }, [&] {
-      meshOf(cube(), cellsOf(0.3), { 0, 1, depth(bad) });
+      meshOf(cube(), cellsOf(0.3), { asTheyAre(0), 1, depth(bad) });
     });
   }
 }
@@ -172,7 +172,7 @@ TEST(Errors, BadSmallCellRatio)
   for (const double bad : { -1e-3, 1.0, 2.0, Nan, Infinity })
   {
     expectError(Fault::BadParameter, { "Small Cell Ratio" }, [&] {
-      meshOf(cube(), cellsOf(0.3), { bad, 1, {} });
+      meshOf(cube(), cellsOf(0.3), { asTheyAre(bad), 1, {} });
     });
   }
 }
@@ -182,7 +182,7 @@ TEST(Errors, NothingToMesh)
   const Soup flat = cube().scaled({ 1, 1, 0 });
   expectError(Fault::FlawedSurface, { "nothing" }, [&] { meshOf(flat, cellsOf(0.3)); });
   expectError(Fault::FlawedSurface, { "Small Cell Ratio" }, [&] {
-    meshOf(cube().scaled(0.01), cellsOf(0.3), { 0.5, 1, {} });
+    meshOf(cube().scaled(0.01), cellsOf(0.3), { asTheyAre(0.5), 1, {} });
   });
 }
 

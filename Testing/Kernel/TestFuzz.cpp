@@ -71,8 +71,8 @@ TEST(Fuzz, TetrahedraThatOverlapOnATinyLattice)
     SCOPED_TRACE(seed);
     const int width = 1 + static_cast<int>(seed % 12);
     const Soup soup = randomTetrahedra(seed, 2 + static_cast<int>(seed % 7), width);
-    expectValid(
-      soup, randomPlanes(seed, width), { seed % 2 ? 0 : 1e-3, 1 + static_cast<int>(seed % 3), {} });
+    expectValid(soup, randomPlanes(seed, width),
+      { asTheyAre(seed % 2 ? 0 : 1e-3), 1 + static_cast<int>(seed % 3), {} });
   }
 }
 
@@ -112,7 +112,7 @@ TEST(Fuzz, RefinedBoxesOnALatticeNotMuchFiner)
     const int width = 2 + static_cast<int>(seed % 7);
     const Soup soup = nearCoarseLattice(seed, 1 + static_cast<int>(seed % 4), width, 32);
     const Meshlines planes = scaled(randomPlanes(seed, (width + 3) / 4), 64);
-    expectValid(soup, planes, { 0, 1, depth(1 + static_cast<int>(seed % 3)) });
+    expectValid(soup, planes, { asTheyAre(), 1, depth(1 + static_cast<int>(seed % 3)) });
   }
 }
 

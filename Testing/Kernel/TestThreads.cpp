@@ -10,11 +10,11 @@ namespace
 
 void expectSame(const Soup& soup, const GridSpec& grid, const RefinementSpec& refinement)
 {
-  const Meshed one = meshOf(soup, grid, { 1e-3, 1, refinement });
+  const Meshed one = meshOf(soup, grid, { asTheyAre(1e-3), 1, refinement });
   for (const int threads : { 2, 3, 8 })
   {
     SCOPED_TRACE(threads);
-    const Meshed other = meshOf(soup, grid, { 1e-3, threads, refinement });
+    const Meshed other = meshOf(soup, grid, { asTheyAre(1e-3), threads, refinement });
     EXPECT_TRUE(one.mesh == other.mesh);
     EXPECT_EQ(one.patches.points, other.patches.points);
     EXPECT_EQ(one.patches.corners, other.patches.corners);
