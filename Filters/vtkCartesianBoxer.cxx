@@ -215,18 +215,34 @@ double vtkCartesianBoxer::GetMeshline(int axis, int i)
   return this->HasMeshline(axis, i) ? this->Meshlines[axis][i] : 0.0;
 }
 
+vtkDataObject* vtkCartesianBoxer::UpdatedSurface()
+{
+  vtkAlgorithm* source = this->GetInputAlgorithm();
+  if (!source)
+  {
+    return nullptr;
+  }
+  source->Update();
+  return this->GetInputDataObject(0, 0);
+}
+
 void vtkCartesianBoxer::DescribeBoundaries(vtkDataObject* result)
 {
-  if (vtkAlgorithm* source = this->GetInputAlgorithm())
-  {
-    source->Update();
-  }
   this->Run(0, 1, [&](cartesian::Execution&) {
-    const cartesian::SurfaceFromVTK surface(
-      this->GetNumberOfInputConnections(0) ? this->GetInputDataObject(0, 0) : nullptr,
-      this->BoundaryArray);
+    const cartesian::SurfaceFromVTK surface(this->UpdatedSurface(), this->BoundaryArray);
     cartesian::setBoundaryNames(result, surface.names());
   });
+}
+
+double vtkCartesianBoxer::EstimateNumberOfBoxes()
+{
+  double boxes = 0;
+  this->Run(0, 1, [&](cartesian::Execution& execution) {
+    const cartesian::SurfaceFromVTK surface(this->UpdatedSurface(), this->BoundaryArray);
+    const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
+    boxes = cartesian::estimateMesh(prepared.surface, prepared.planes).boxes;
+  });
+  return boxes;
 }
 
 int vtkCartesianBoxer::FillInputPortInformation(int port, vtkInformation* info)

@@ -103,6 +103,12 @@ public:
    */
   void DescribeBoundaries(vtkDataObject* result);
 
+  /**
+   * Updates the surface and estimates, in a fraction of the time that the mesh takes, how many boxes
+   * it will have before refinement. 0 on an error.
+   */
+  double EstimateNumberOfBoxes();
+
   ///@{
   /**
    * How often global boxes that the surface passes through may be halved along each axis, unless
@@ -225,6 +231,7 @@ private:
 
   bool HasMeshline(int axis, int i);
   cartesian::RefinementSpec MakeSpec(const cartesian::SurfaceFromVTK& source);
+  vtkDataObject* UpdatedSurface();
   void ListBoundaries(const cartesian::SurfaceFromVTK& source);
   void AddChosenBoundaries(
     const cartesian::SurfaceFromVTK& source, cartesian::RefinementSpec& spec);

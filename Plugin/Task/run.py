@@ -197,6 +197,15 @@ def run(task, quiet):
     return REFUSED if not has_mesh else WARNINGS if listener.warnings or listener.errors else SUCCESS
 
 
+def check(task):
+    """Says how large a mesh would be; returns the exit code."""
+    mesher = build(task)
+    listener = Listener(mesher, quiet=True)
+    boxes = listener.algorithm.EstimateNumberOfBoxes()
+    print(f"about {boxes:.3g} boxes before refinement")
+    return REFUSED if boxes == 0 else WARNINGS if listener.warnings else SUCCESS
+
+
 def main(arguments):
     parser = argparse.ArgumentParser(prog="cartesian-mesher",
         description="Meshes the inside of a closed surface as a task file says.",
@@ -204,7 +213,7 @@ def main(arguments):
             f"{STOPPED} stopped by Ctrl-C; 1 a fault of the program.")
     parser.add_argument("task", nargs="?", type=pathlib.Path, help="a task file (TOML)")
     parser.add_argument("--quiet", action="store_true", help="print warnings and errors only")
-    parser.add_argument("--check", action="store_true", help="check the task file, do not mesh")
+    parser.add_argument("--check", action="store_true", help="check task and surface and estimate the number of boxes, do not mesh")
     parser.add_argument("--template", action="store_true",
         help="print a task file with all keys, their defaults and what they mean")
     options = parser.parse_args(arguments)
@@ -215,7 +224,7 @@ def main(arguments):
         parser.error("a task file is missing")
     try:
         task = read_task(options.task)
-        return SUCCESS if options.check else run(task, options.quiet)
+        return check(task) if options.check else run(task, options.quiet)
     except TaskError as error:
         print(f"error: {error}", file=sys.stderr)
         return REFUSED

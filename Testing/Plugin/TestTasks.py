@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -120,7 +121,9 @@ alone = (folder / "out" / "mesh.vtu").read_bytes()
 assert run(TASK, "--quiet", ranks=2) == ""
 assert (folder / "out" / "mesh.vtu").read_bytes() == alone
 shutil.rmtree(folder / "out")
-run(TASK, "--check")
+boxes = float(re.fullmatch(r"about (\S+) boxes before refinement\n", run(TASK, "--check"))[1])
+coarse = output(simple.CartesianBoxer(Input=source, CellSize=24, MeshlinesZ=mesher.MeshlinesZ))
+assert 0.5 < boxes / coarse.GetNumberOfCells() < 2, f"{boxes} estimated, {coarse.GetNumberOfCells()} made"
 assert not (folder / "out").exists()
 
 # Several files are boundaries of their names.
@@ -132,6 +135,7 @@ for name, part in ("floor", triangles[4:]), ("roof", triangles[:4]):
     writer.SetInputData(polydata(points, part))
     writer.Write()
 FILES = '[surface]\nfile = ["roof.stl", "floor.stl"]\n'
+assert "Cell Size is 1e+09" in run(FILES + "[grid]\ncell_size = 1e9\n", "--check", code=REFUSED)
 run(FILES + '[[regions]]\nfile = ["roof.stl"]\n', code=REFUSED)
 run(FILES + '[output]\nstatistics = "s.json"\nmesh = "m.vtu"\n')
 assert [row["name"] for row in json.loads((folder / "s.json").read_text())["boundaries"]] == ["roof", "floor"]

@@ -9,13 +9,13 @@ from window import Screen
 DATA = pathlib.Path(sys.argv[1]) / "Data"
 SURFACE = DATA / "kcl_exhaust_header_lumens.stl"
 BEGIN = [open_file(SURFACE, choose_reader=True), apply(), meshing_menu("CartesianMesher")]
-PANEL_WIDTH = 296
+PANEL = {"rows": slice(172, 1730), "columns": slice(296)}
 
 with Screen(1400, 900) as screen:
     screen.photograph(script(*BEGIN, number("CellSize", 12), apply(),
         event("pqClientMainWindow/cameraToolbar/actionPositiveX", "activate")), DATA / "window.png")
 
-with Screen(1400, 1500) as screen:
+with Screen(1400, 2050) as screen:
     screen.photograph(script(*BEGIN, advanced(), table_row("RefinementBlocks", 0, [0, 4, 0, 9, 2, 2, 3, 1]),
         table_row("BoundaryRefinement", 0, [1, 2, 1, 0]), table_row("BoundaryRefinement", 1, [2, 2, 1, 0]),
-        event("pqClientMainWindow/pipelineBrowserDock/qt_dockwidget_closebutton", "activate")), DATA / "panel.png", PANEL_WIDTH)
+        event("pqClientMainWindow/pipelineBrowserDock/qt_dockwidget_closebutton", "activate")), DATA / "panel.png", **PANEL)

@@ -75,8 +75,8 @@ class Screen:
         image = np.frombuffer(data, np.uint8, row * height, start).reshape(height, row)
         return image[:, :4 * width].reshape(height, width, 4)[:, :, 2::-1]
 
-    def photograph(self, events, path, columns=None, timeout=60):
-        """Plays events and writes what is on the screen after them: all of it or some columns."""
+    def photograph(self, events, path, rows=slice(None), columns=slice(None), timeout=60):
+        """Plays events and writes what is on the screen after them: all of it or a part."""
         script = self.folder / "events.xml"
         script.write_text(events)
         window = self.paraview(f"--test-script={script}")
@@ -86,7 +86,7 @@ class Screen:
                 assert time.monotonic() < end and window.poll() is None, self.said()
                 time.sleep(0.2)
             assert "Success =  true" in self.said(), self.said()
-            write_png(self.settled(timeout)[:, slice(columns)], path)
+            write_png(self.settled(timeout)[rows, columns], path)
         finally:
             window.kill()
             window.wait()
