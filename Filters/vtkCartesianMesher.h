@@ -93,10 +93,10 @@ protected:
   double FeatureAngle = 30;
   double MergeAngle = 10;
   int Tying = 0;
-  int SmallCells = Merge;
+  int SmallCells = Remove;
   double MergeRatio = 0.1;
   double SmallCellRatio = 1e-3;
-  bool SplitConcaveCells = true;
+  bool SplitConcaveCells = false;
 
 private:
   vtkCartesianMesher(const vtkCartesianMesher&) = delete;

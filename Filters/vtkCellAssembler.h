@@ -89,10 +89,10 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
-  int SmallCells = Merge;
+  int SmallCells = Remove;
   double MergeRatio = 0.1;
   double SmallCellRatio = 1e-3;
-  bool SplitConcaveCells = true;
+  bool SplitConcaveCells = false;
 
 private:
   vtkCellAssembler(const vtkCellAssembler&) = delete;

@@ -344,9 +344,8 @@ void CellComplex::view(CellKey key, CellView& view) const
   const Point& origin = boxes_.boxes[boxOf(key)].low;
   std::vector<std::pair<Vector, std::uint32_t>> places;
   forEachFace(key, [&](const FaceUse& use) {
-    forEachNodeOf(use, [&](std::uint32_t node) {
-      places.emplace_back(minus(nodes_.at[node], origin), node);
-    });
+    forEachNodeOf(
+      use, [&](std::uint32_t node) { places.emplace_back(minus(nodes_.at[node], origin), node); });
   });
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
@@ -366,8 +365,8 @@ void CellComplex::view(CellKey key, CellView& view) const
     std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
     faces.emplace_back(std::move(ring), use);
   });
-  std::sort(faces.begin(), faces.end(),
-    [](const auto& x, const auto& y) { return x.first < y.first; });
+  std::sort(
+    faces.begin(), faces.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
   for (const auto& [ring, use] : faces)
   {
     view.faces.push_back(use);
@@ -917,6 +916,14 @@ bool CellComplex::joinPair(CellKey key, const FaceUse& f, const FaceUse& g, doub
 
 void CellComplex::joinFaces(CellKey key, double leastCosine)
 {
+  Polyhedron polyhedron;
+  CellShape measures;
+  shape(key, polyhedron);
+  measure(polyhedron, measures);
+  if (isThin(measures))
+  {
+    return;
+  }
   for (bool joined = true; joined;)
   {
     joined = false;

@@ -166,7 +166,7 @@ private:
   std::vector<std::uint32_t> openOf_;                      // of cells of polyhedral boxes
   std::unordered_map<CellKey, std::uint32_t> openOfOther_; // of others
   std::vector<Shaped> shaped_;
-  std::unordered_map<std::uint32_t, std::uint32_t> shapedAs_; // patches and inner faces
+  std::unordered_map<std::uint32_t, std::uint32_t> shapedAs_;         // patches and inner faces
   std::unordered_map<std::uint64_t, std::uint32_t> faceOfHexahedron_; // 6 * box + side
   std::map<Point, std::uint32_t> cutNodes_;
   std::vector<VertexNode> vertices_;

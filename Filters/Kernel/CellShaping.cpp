@@ -15,9 +15,10 @@ namespace
 constexpr std::size_t CellsAChunk = 512;
 constexpr double RadiansPerDegree = 3.14159265358979 / 180;
 
-std::vector<CellKey> unfitCells(const CellComplex& complex, Execution& execution)
+// Those of the cells, in order, that are not fit.
+std::vector<CellKey> unfitCells(
+  const CellComplex& complex, const std::vector<CellKey>& keys, Execution& execution)
 {
-  const std::vector<CellKey> keys = complex.polyhedra();
   std::vector<std::vector<CellKey>> parts(chunks(keys.size(), CellsAChunk));
   execution.forEach(keys.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
     Polyhedron polyhedron;
@@ -61,17 +62,17 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
   merge(Demand::Angles);
   if (spec.splitConcave)
   {
-    for (const CellKey key : unfitCells(complex, execution))
+    const std::vector<CellKey> unfit = unfitCells(complex, complex.polyhedra(), execution);
+    for (const CellKey key : unfit)
     {
       complex.open(key);
       complex.joinFaces(key, leastCosine);
     }
-    const Splitting splitting = splitCells(complex, unfitCells(complex, execution),
+    const Splitting splitting = splitCells(complex, unfitCells(complex, unfit, execution),
       spec.smallCells == SmallCells::Remove ? spec.smallCellRatio : 0, execution);
     shaping.cellsSplit = splitting.cellsSplit;
     merge(Demand::Fitness);
   }
-  shaping.angleFailures = unfitCells(complex, execution).size();
   if (complex.changed())
   {
     complex.finish(execution);

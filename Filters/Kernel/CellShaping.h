@@ -10,7 +10,6 @@ struct Shaping
 {
   std::size_t cellsSplit = 0; // cuts
   std::size_t cellsMerged = 0;
-  std::size_t angleFailures = 0; // cells that still fail an angle condition
 };
 
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,

@@ -27,9 +27,6 @@ constexpr double LeastWorthyBend = 0.1;
 // ... and that lets this part of what failed before fail.
 constexpr double NoHarm = 1.0 + 1e-9;
 
-// Neighbours less thick (volume over area) than this, in levels, are left alone.
-constexpr double LeastThickness = 4;
-
 // One that leaves less than this part of what another leaves is better by more than rounding.
 constexpr double Better = 1.0 - 1e-6;
 
@@ -234,7 +231,8 @@ private:
     {
       return;
     }
-    const double failing = failingAfter(cell_, trial_, std::max(LeastPart * shape_.volume, leastVolume_));
+    const double failing =
+      failingAfter(cell_, trial_, std::max(LeastPart * shape_.volume, leastVolume_));
     if (failing >= 0 && failing < best_ * Better)
     {
       best_ = failing;
@@ -277,23 +275,16 @@ void propose(const CellComplex& cells, double leastFraction, Proposal& proposal)
   measure(proposal.view.shape, shape);
   proposal.failing = unfitArea(proposal.view.shape, shape);
   const double least = leastFraction * cells.volumeOfBox(proposal.key);
-  proposal.found =
-    Search(proposal.view.shape, shape, least, proposal.failing).run(proposal.cut);
+  proposal.found = Search(proposal.view.shape, shape, least, proposal.failing).run(proposal.cut);
 }
 
-// Whether a point on one of its edges, rounded, might turn a cell inside out.
 bool isThin(const CellComplex& cells, CellKey key)
 {
   Polyhedron polyhedron;
   CellShape shape;
   cells.shape(key, polyhedron);
   measure(polyhedron, shape);
-  double area = 0;
-  for (const FaceShape& face : shape.faces)
-  {
-    area += norm(face.area);
-  }
-  return shape.volume <= LeastThickness * area;
+  return isThin(shape);
 }
 
 bool fails(const CellComplex& cells, CellKey key)
@@ -311,8 +302,8 @@ bool fails(const CellComplex& cells, CellKey key)
 
 }
 
-Splitting splitCells(CellComplex& cells, std::vector<CellKey> failing, double leastFraction,
-  Execution& execution)
+Splitting splitCells(
+  CellComplex& cells, std::vector<CellKey> failing, double leastFraction, Execution& execution)
 {
   Splitting result;
   std::set<CellKey> failed;
@@ -344,8 +335,8 @@ Splitting splitCells(CellComplex& cells, std::vector<CellKey> failing, double le
       const std::vector<CellKey> touched =
         cells.touchedBy(proposal.key, proposal.view, proposal.cut);
       if (cells.meetsNode(touched, proposal.cut) ||
-        std::any_of(touched.begin() + 1, touched.end(),
-          [&](CellKey k) { return isThin(cells, k); }))
+        std::any_of(
+          touched.begin() + 1, touched.end(), [&](CellKey k) { return isThin(cells, k); }))
       {
         failed.insert(proposal.key);
         continue;

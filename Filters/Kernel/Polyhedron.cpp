@@ -12,6 +12,8 @@ namespace
 // A star triangle may be turned over by this part of the polygon's area: rounding.
 constexpr double RoundingOfAreas = 1e-9;
 
+constexpr double LeastThickness = 4; // levels
+
 // OpenFOAM measures skewness over at least this part of the height above a boundary face.
 constexpr double ShareOfHeight = 0.4;
 
@@ -111,6 +113,16 @@ void measure(const Polyhedron& cell, CellShape& shape)
     shape.volume += dot(face.area, minus(face.mean, middle)) / 3;
   }
   shape.centre = pyramids > 0 ? plus(middle, scaled(moment, 1 / pyramids)) : middle;
+}
+
+bool isThin(const CellShape& shape)
+{
+  double area = 0;
+  for (const FaceShape& face : shape.faces)
+  {
+    area += norm(face.area);
+  }
+  return shape.volume <= LeastThickness * area;
 }
 
 double cosineOfFace(const CellShape& shape, std::size_t face)

@@ -40,6 +40,10 @@ struct CellShape
 // As solvers (OpenFOAM) measure.
 void measure(const Polyhedron& cell, CellShape& shape);
 
+// Whether moving its nodes by a level or two, as rounding does, might turn a cell inside out: less
+// thick (volume over area) than four levels.
+bool isThin(const CellShape& shape);
+
 // Cosine of the angle between the face's normal and the line from the cell's centre to the face's.
 double cosineOfFace(const CellShape& shape, std::size_t face);
 
@@ -67,7 +71,6 @@ bool isUnfit(const Polyhedron& cell, const CellShape& shape, std::size_t face,
 bool isStar(const Polyhedron& cell, std::size_t face, const Vector& normal);
 
 // Area of the unfit faces.
-double unfitArea(
-  const Polyhedron& cell, const CellShape& shape, Demand demand = Demand::Fitness);
+double unfitArea(const Polyhedron& cell, const CellShape& shape, Demand demand = Demand::Fitness);
 
 }

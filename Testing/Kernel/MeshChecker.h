@@ -14,7 +14,8 @@ namespace cartesian
 // - each face belongs to two cells, once either way round, or is listed once as boundary
 // - boundary edges are run through as often one way as the other
 // - no points coincide, none is unused
-::testing::AssertionResult isValid(const MeshArrays& mesh);
+// `merged`: cells may reach into neighbouring boxes.
+::testing::AssertionResult isValid(const MeshArrays& mesh, bool merged = false);
 
 // The mesh fills the surface: its volume, and its boundary's area, boundary by boundary, are the
 // surface's to 1e-9 or to two steps of the lattice.

@@ -8,13 +8,14 @@ using namespace cartesian;
 namespace
 {
 
-void expectSame(const Soup& soup, const GridSpec& grid, const RefinementSpec& refinement)
+void expectSameWith(const Soup& soup, const GridSpec& grid, Options options)
 {
-  const Meshed one = meshOf(soup, grid, { asTheyAre(1e-3), 1, refinement });
+  const Meshed one = meshOf(soup, grid, options);
   for (const int threads : { 2, 3, 8 })
   {
     SCOPED_TRACE(threads);
-    const Meshed other = meshOf(soup, grid, { asTheyAre(1e-3), threads, refinement });
+    options.threads = threads;
+    const Meshed other = meshOf(soup, grid, options);
     EXPECT_TRUE(one.mesh == other.mesh);
     EXPECT_EQ(one.patches.points, other.patches.points);
     EXPECT_EQ(one.patches.corners, other.patches.corners);
@@ -22,6 +23,12 @@ void expectSame(const Soup& soup, const GridSpec& grid, const RefinementSpec& re
     EXPECT_EQ(one.flawedBoxes, other.flawedBoxes);
     EXPECT_EQ(one.statistics, other.statistics);
   }
+}
+
+void expectSame(const Soup& soup, const GridSpec& grid, const RefinementSpec& refinement)
+{
+  expectSameWith(soup, grid, { asTheyAre(1e-3), 1, refinement });
+  expectSameWith(soup, grid, { {}, 1, refinement, {} });
 }
 
 }

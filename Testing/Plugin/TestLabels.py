@@ -9,7 +9,7 @@ refinement = {"RefinementDepth": 0, "RefinementBlocks": [], "BoundaryRefinement"
 boundaries = {"BoundaryArray": ""}
 patches = {"PatchMethod": "Automatic", "FeatureAngle": 30.0, "MergeAngle": 10.0,
            "Tying": "Keep Nodes"}
-cells = {"SmallCells": "Merge", "MergeRatio": 0.1, "SmallCellRatio": 0.001, "SplitConcaveCells": 1}
+cells = {"SmallCells": "Remove", "MergeRatio": 0.1, "SmallCellRatio": 0.001, "SplitConcaveCells": 0}
 threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}
 

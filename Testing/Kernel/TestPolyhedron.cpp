@@ -1,0 +1,200 @@
+// Cells by themselves: measured, and cut by planes.
+#include "PolyhedronCut.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// A prism over a polygon (counter-clockwise, in x and y) from z = 0 to `height`; all its faces are
+// boundary.
+Polyhedron prism(const std::vector<std::array<double, 2>>& base, double height)
+{
+  Polyhedron cell;
+  const auto n = static_cast<std::uint32_t>(base.size());
+  for (const double z : { 0.0, height })
+  {
+    for (const auto& [x, y] : base)
+    {
+      cell.nodes.push_back({ x, y, z });
+    }
+  }
+  for (std::uint32_t i = 0; i < n; ++i)
+  {
+    cell.addCorner(n - 1 - i);
+  }
+  cell.closeFace(true);
+  for (std::uint32_t i = 0; i < n; ++i)
+  {
+    cell.addCorner(n + i);
+  }
+  cell.closeFace(true);
+  for (std::uint32_t i = 0; i < n; ++i)
+  {
+    const std::uint32_t next = (i + 1) % n;
+    for (const std::uint32_t corner : { i, next, n + next, n + i })
+    {
+      cell.addCorner(corner);
+    }
+    cell.closeFace(true);
+  }
+  return cell;
+}
+
+Polyhedron cube()
+{
+  return prism({ { 0, 0 }, { 1000, 0 }, { 1000, 1000 }, { 0, 1000 } }, 1000);
+}
+
+// The arms of an L are `arm` wide.
+Polyhedron ell(double arm)
+{
+  return prism(
+    { { 0, 0 }, { 1000, 0 }, { 1000, arm }, { arm, arm }, { arm, 1000 }, { 0, 1000 } }, 1000);
+}
+
+double volumeOf(const Polyhedron& cell)
+{
+  CellShape shape;
+  measure(cell, shape);
+  return shape.volume;
+}
+
+// Every edge is run through as often one way as the other.
+bool isClosed(const Polyhedron& cell)
+{
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  std::vector<std::array<std::uint32_t, 2>> turned;
+  for (std::size_t f = 0; f < cell.faces(); ++f)
+  {
+    for (std::uint32_t i = cell.start[f]; i < cell.start[f + 1]; ++i)
+    {
+      const std::uint32_t next = i + 1 < cell.start[f + 1] ? i + 1 : cell.start[f];
+      edges.push_back({ cell.corners[i], cell.corners[next] });
+      turned.push_back({ cell.corners[next], cell.corners[i] });
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  std::sort(turned.begin(), turned.end());
+  return edges == turned;
+}
+
+}
+
+TEST(Polyhedron, ACubeIsMeasured)
+{
+  CellShape shape;
+  measure(cube(), shape);
+  EXPECT_DOUBLE_EQ(shape.volume, 1e9);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_DOUBLE_EQ(shape.centre[axis], 500);
+  }
+  for (std::size_t f = 0; f < 6; ++f)
+  {
+    EXPECT_DOUBLE_EQ(cosineOfFace(shape, f), 1);
+    EXPECT_FALSE(isUnfit(cube(), shape, f));
+  }
+}
+
+TEST(Polyhedron, AThinEllFailsTheAngleConditionAndAThickOneDoesNot)
+{
+  // The centre of an L leaves it, seen from the concave corner, when its arms get thinner than 0.38.
+  CellShape shape;
+  measure(ell(300), shape);
+  EXPECT_GT(unfitArea(ell(300), shape, Demand::Angles), 0);
+  measure(ell(600), shape);
+  EXPECT_EQ(unfitArea(ell(600), shape, Demand::Angles), 0);
+}
+
+TEST(Polyhedron, ANarrowFaceFarFromTheCentreIsSkewed)
+{
+  // The upper side of a slab in a wide face and a narrow one at its end.
+  const Polyhedron slab =
+    prism({ { 0, 0 }, { 1000, 0 }, { 1000, 100 }, { 990, 100 }, { 0, 100 } }, 1000);
+  CellShape shape;
+  measure(slab, shape);
+  EXPECT_EQ(unfitArea(slab, shape, Demand::Angles), 0);
+  EXPECT_TRUE(isUnfit(slab, shape, 4));
+  EXPECT_FALSE(isUnfit(slab, shape, 5));
+  EXPECT_DOUBLE_EQ(unfitArea(slab, shape), 1e4);
+}
+
+TEST(PolyhedronCut, ACubeInHalves)
+{
+  CellCut cut;
+  ASSERT_TRUE(cutCell(cube(), { { 500, 0, 0 }, { 1, 0, 0 }, {} }, cut));
+  EXPECT_EQ(cut.parts, 2u);
+  EXPECT_EQ(cut.points.size(), 4u);
+  EXPECT_EQ(cut.faces.size(), 2u + 4 * 2 + 1); // two whole, four in two, one new
+  for (std::uint32_t part = 0; part < 2; ++part)
+  {
+    const Polyhedron half = partOf(cube(), cut, part);
+    EXPECT_EQ(half.faces(), 6u);
+    EXPECT_TRUE(isClosed(half));
+    EXPECT_DOUBLE_EQ(volumeOf(half), 5e8);
+  }
+}
+
+TEST(PolyhedronCut, APlaneNearCornersTakesThem)
+{
+  // Through a diagonal, but for 3 degrees: no new point.
+  CellCut cut;
+  const double slope = std::tan((45.0 + 3) * 3.14159265358979 / 180);
+  const Vector normal = unit({ -slope, 1, 0 });
+  ASSERT_TRUE(cutCell(cube(), { { 0, 0, 0 }, normal, {} }, cut));
+  EXPECT_TRUE(cut.points.empty());
+  EXPECT_DOUBLE_EQ(volumeOf(partOf(cube(), cut, 0)), 5e8);
+  EXPECT_DOUBLE_EQ(volumeOf(partOf(cube(), cut, 1)), 5e8);
+}
+
+TEST(PolyhedronCut, APlaneBesideTheCellCutsNothing)
+{
+  CellCut cut;
+  EXPECT_FALSE(cutCell(cube(), { { 2000, 0, 0 }, { 1, 0, 0 }, {} }, cut));
+  EXPECT_FALSE(cutCell(cube(), { { 1000, 0, 0 }, { 1, 0, 0 }, {} }, cut));
+}
+
+TEST(PolyhedronCut, AnEllAlongItsConcaveEdge)
+{
+  const Polyhedron cell = ell(300);
+  CellCut cut;
+  ASSERT_TRUE(cutCell(cell, { { 300, 300, 0 }, unit({ -1, 1, 0 }), { 3, 9 } }, cut));
+  EXPECT_EQ(cut.parts, 2u);
+  double volume = 0;
+  CellShape shape;
+  for (std::uint32_t part = 0; part < cut.parts; ++part)
+  {
+    const Polyhedron arm = partOf(cell, cut, part);
+    EXPECT_TRUE(isClosed(arm));
+    measure(arm, shape);
+    EXPECT_EQ(unfitArea(arm, shape, Demand::Angles), 0);
+    volume += shape.volume;
+  }
+  EXPECT_DOUBLE_EQ(volume, volumeOf(cell));
+}
+
+TEST(PolyhedronCut, AForkFallsIntoThree)
+{
+  // A U lying down: a plane across both prongs.
+  const Polyhedron fork = prism({ { 0, 0 }, { 1000, 0 }, { 1000, 300 }, { 300, 300 }, { 300, 700 },
+                                  { 1000, 700 }, { 1000, 1000 }, { 0, 1000 } },
+    1000);
+  CellCut cut;
+  ASSERT_TRUE(cutCell(fork, { { 600, 0, 0 }, { 1, 0, 0 }, {} }, cut));
+  EXPECT_EQ(cut.parts, 3u);
+  double volume = 0;
+  for (std::uint32_t part = 0; part < cut.parts; ++part)
+  {
+    EXPECT_TRUE(isClosed(partOf(fork, cut, part)));
+    volume += volumeOf(partOf(fork, cut, part));
+  }
+  EXPECT_DOUBLE_EQ(volume, volumeOf(fork));
+}
+
+}
