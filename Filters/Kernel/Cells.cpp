@@ -72,14 +72,18 @@ public:
   void addBox(std::size_t n, Part& part)
   {
     const std::size_t before = part.cells.size();
-    const bool closed = gatherFaces(n) && joinFaces() && !anyPatchTwice();
-    part.flawed.push_back(closed ? 0 : 1);
+    bool closed = gatherFaces(n) && joinFaces() && !anyPatchTwice();
     if (closed)
     {
       measureFaces(boxes_.boxes[sides_.polyhedral[n]]);
       findShells();
       part.voids += fillVoids();
       part.folds += dropFolds();
+      closed = !anyFaceTwice();
+    }
+    part.flawed.push_back(closed ? 0 : 1);
+    if (closed)
+    {
       emit(sides_.polyhedral[n], part);
     }
     part.cellsOfBox.push_back(static_cast<std::uint32_t>(part.cells.size() - before));
@@ -378,6 +382,31 @@ private:
     return std::any_of(cycles_.begin(), cycles_.end(), [&](const auto& patch) {
       return count(patch.first) > count(cycleOf(patch.second, true)) + 1;
     });
+  }
+
+  // Where parts overlap, a volume may be left with a face on both sides of it.
+  bool anyFaceTwice()
+  {
+    if (shared_.empty())
+    {
+      return false;
+    }
+    for (const Shell& shell : shells_)
+    {
+      cycles_.clear();
+      for (const std::uint32_t face : shell.faces)
+      {
+        cycles_.emplace_back(std::min(cycleOf(face, false), cycleOf(face, true)), face);
+      }
+      std::sort(cycles_.begin(), cycles_.end());
+      const auto twice = std::adjacent_find(cycles_.begin(), cycles_.end(),
+        [](const auto& a, const auto& b) { return a.first == b.first; });
+      if (twice != cycles_.end())
+      {
+        return true;
+      }
+    }
+    return false;
   }
 
   // The corners of a face from the lowest on, as it runs or the other way.
