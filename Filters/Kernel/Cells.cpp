@@ -289,6 +289,12 @@ private:
     }
   }
 
+  // Of no volume, either way round, but that of rounding.
+  static bool isSliver(const Shell& shell)
+  {
+    return !(std::abs(shell.volume) > ThinnestCell * shell.area / 2);
+  }
+
   // A closed piece of surface in this box that encloses no part of the domain is a hole of the
   // cell around it.
   std::size_t fillVoids()
@@ -296,7 +302,7 @@ private:
     std::size_t voids = 0;
     for (Shell& shell : shells_)
     {
-      if (shell.volume >= 0 || shell.hasInnerFace)
+      if (shell.volume >= 0 || shell.hasInnerFace || isSliver(shell))
       {
         continue;
       }
@@ -490,7 +496,7 @@ private:
       cell.boundary = mainBoundary(shell);
       cell.volumeFraction = shell.volume / (size[0] * size[1] * size[2]);
       cell.firstFace = part.faces.size();
-      cell.sliver = !(shell.volume > ThinnestCell * shell.area / 2);
+      cell.sliver = shell.volume < 0 || isSliver(shell);
       cell.removed = cell.sliver ||
         (spec_.smallCells == SmallCells::Remove && cell.volumeFraction < spec_.smallCellRatio);
       part.cells.push_back(cell);
