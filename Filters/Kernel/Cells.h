@@ -87,7 +87,7 @@ struct CellSpec
   // R, from 0 to less than 1: cells below this part of their box's volume are removed.
   double smallCellRatio = 1e-3;
 
-  SmallCells smallCells = SmallCells::Merge;
+  SmallCells smallCells = SmallCells::Remove;
   double mergeRatio = 0.1; // cells below this part of their box's volume are merged
 
   // Boundary faces of merged cells become one where their normals differ by less, in degrees.
