@@ -18,7 +18,7 @@ struct Splitting
 // no cell that another has changed; again, with all cells that changed, until no cell proposes. So
 // the result depends on the cells only. `failing`: cells that fail a condition, in order. No part
 // becomes smaller than `leastFraction` of its box.
-Splitting splitCells(CellComplex& cells, std::vector<CellKey> failing, double leastFraction,
-  Execution& execution);
+Splitting splitCells(
+  CellComplex& cells, std::vector<CellKey> failing, double leastFraction, Execution& execution);
 
 }
