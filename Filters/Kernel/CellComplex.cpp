@@ -8,6 +8,8 @@ namespace cartesian
 namespace
 {
 
+constexpr std::size_t CellsAChunk = 512;
+
 // Nodes of a hexahedron's side i (low x, high x, low y, ...), counter-clockwise from outside.
 std::array<unsigned, 4> cornersFromOutside(unsigned side)
 {
@@ -22,7 +24,7 @@ std::array<unsigned, 4> cornersFromOutside(unsigned side)
 }
 
 CellComplex::CellComplex(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
-  const InnerFaces& inner, Cells& cells)
+  const InnerFaces& inner, Cells& cells, Execution& execution)
   : boxes_(boxes)
   , patches_(patches)
   , sides_(sides)
@@ -32,6 +34,17 @@ CellComplex::CellComplex(const Boxes& boxes, const Patches& patches, Sides& side
   , openOf_(cells.size(), None)
   , nextKey_(static_cast<CellKey>(cells.size() + boxes.boxes.size()))
 {
+  places_.resize(cells.size());
+  execution.forEach(cells.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    Polyhedron polyhedron;
+    CellShape measures;
+    for (std::size_t c = begin; c < end; ++c)
+    {
+      shape(static_cast<CellKey>(c), polyhedron);
+      measure(polyhedron, measures);
+      places_[c] = { measures.centre, measures.volume };
+    }
+  });
 }
 
 // --- reading
@@ -185,15 +198,26 @@ Beyond CellComplex::placeAndVolume(CellKey key, const Point& origin) const
 {
   const Box& box = boxes_.boxes[boxOf(key)];
   const Vector from = minus(box.low, origin);
-  if (key >= cells_.size() && !isOpen(key))
+  Beyond place;
+  if (const OpenCell* cell = opened(key))
   {
-    return { plus(from, scaled(minus(box.high, box.low), 0.5)), volumeOfBox(key) };
+    place = cell->place;
   }
+  else
+  {
+    place = key < cells_.size() ? places_[key]
+                                : Beyond{ scaled(minus(box.high, box.low), 0.5), volumeOfBox(key) };
+  }
+  return { plus(from, place.centre), place.volume };
+}
+
+Beyond CellComplex::measuredPlace(CellKey key) const
+{
   Polyhedron polyhedron;
   CellShape measures;
   shape(key, polyhedron);
   measure(polyhedron, measures);
-  return { plus(from, measures.centre), measures.volume };
+  return { measures.centre, measures.volume };
 }
 
 void CellComplex::lookBeyond(CellKey key, CellView& view) const
@@ -338,6 +362,7 @@ void CellComplex::open(CellKey key)
     cell.origin = key;
     cell.boundary = cells_.cells[key].boundary;
     cell.removed = cells_.cells[key].removed;
+    cell.place = places_[key];
     openOf_[key] = static_cast<std::uint32_t>(open_.size());
   }
   else
@@ -345,6 +370,7 @@ void CellComplex::open(CellKey key)
     cell.box = static_cast<std::uint32_t>(key - cells_.size());
     cell.origin = key;
     cell.boundary = NoBoundary;
+    cell.place = placeAndVolume(key, boxes_.boxes[cell.box].low);
     openHexahedron(cell.box, cell);
     openOfOther_[key] = static_cast<std::uint32_t>(open_.size());
   }
@@ -748,6 +774,7 @@ void CellComplex::cut(
   for (const CellKey k : keys)
   {
     opened(k)->changed = true;
+    opened(k)->place = measuredPlace(k);
   }
   parts.insert(parts.end(), keys.begin(), keys.end());
 }
@@ -824,6 +851,7 @@ void CellComplex::merge(CellKey small, CellKey into)
   from.faces.clear();
   from.alive = false;
   from.changed = true;
+  to.place = measuredPlace(into);
 }
 
 std::int32_t CellComplex::boundaryOf(std::uint32_t face) const
@@ -873,6 +901,10 @@ void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joi
         removeFace(view.across[first], gone);
       }
     }
+  }
+  if (opened(key))
+  {
+    opened(key)->place = measuredPlace(key);
   }
 }
 

@@ -18,7 +18,7 @@ class CellComplex
 {
 public:
   CellComplex(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
-    const InnerFaces& inner, Cells& cells);
+    const InnerFaces& inner, Cells& cells, Execution& execution);
 
   // Of cells of polyhedral boxes, opened or not, and opened others.
   // Several neighbours as one; the origin is the lower corner of the first one's box.
@@ -78,6 +78,7 @@ private:
     bool alive = true;
     bool removed = false; // as in Cell
     bool changed = false;
+    Beyond place; // from the lower corner of its box
   };
   struct Shaped
   {
@@ -131,6 +132,7 @@ private:
   FaceUse addShaped(Shaped face);
   FaceUse addPiece(FaceUse use, CellKey cell, Shaped piece, std::uint32_t& owned);
   std::uint32_t renamed(std::uint32_t face) const;
+  Beyond measuredPlace(CellKey key) const;
   Beyond placeAndVolume(CellKey key, const Point& origin) const;
   void insertNode(CellKey cell, std::uint32_t u, std::uint32_t v, std::uint32_t node);
 
@@ -148,7 +150,8 @@ private:
   const InnerFaces& inner_;
   Cells& cells_;
   std::vector<OpenCell> open_;
-  std::vector<std::uint32_t> openOf_;                      // of cells of polyhedral boxes
+  std::vector<Beyond> places_;        // of cells of polyhedral boxes, as OpenCell::place
+  std::vector<std::uint32_t> openOf_; // of cells of polyhedral boxes
   std::unordered_map<CellKey, std::uint32_t> openOfOther_; // of others
   std::vector<Shaped> shaped_;
   std::unordered_map<std::uint32_t, std::uint32_t> shapedAs_;         // patches and inner faces

@@ -71,7 +71,11 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
   const InnerFaces& inner, Cells& cells, const CellSpec& spec, Execution& execution)
 {
   Shaping shaping;
-  CellComplex complex(boxes, patches, sides, nodes, inner, cells);
+  if (spec.smallCells == SmallCells::Remove && !spec.splitConcave)
+  {
+    return shaping;
+  }
+  CellComplex complex(boxes, patches, sides, nodes, inner, cells, execution);
   // Who chose the exact surface gets it.
   const bool exact = std::find(patches.reason.begin(), patches.reason.end(),
                        PatchReason::ExactFitChosen) != patches.reason.end();

@@ -102,19 +102,29 @@ public:
     : view_(view)
     , leastCosine_(leastCosine)
   {
+    trial_.nodes = view.shape.nodes;
+    measure(view.shape, shape_);
     for (std::uint32_t f = 0; f < view.faces.size(); ++f)
     {
       const auto begin = view.shape.corners.begin();
       joined_.groups.push_back({ { f },
         { begin + std::ptrdiff_t(view.shape.start[f]),
           begin + std::ptrdiff_t(view.shape.start[f + 1]) } });
+      normals_.push_back(unit(shape_.faces[f].area));
+      groupOf_.push_back(f);
     }
   }
 
   JoinedFaces run()
   {
-    while (leastCosine_ <= 1 && joinOne())
+    listEdges();
+    for (bool joined = leastCosine_ <= 1; joined;)
     {
+      joined = false;
+      for (const auto& [f, g] : pairs_)
+      {
+        joined = join(groupOf_[f], groupOf_[g]) || joined;
+      }
     }
     auto& groups = joined_.groups;
     groups.erase(std::remove_if(groups.begin(), groups.end(),
@@ -124,63 +134,75 @@ public:
   }
 
 private:
-  // The groups along each edge; where there are not two, none is joined.
-  bool joinOne()
+  // The faces on either side of each edge; where there are not two, none is joined.
+  void listEdges()
   {
-    edges_.clear();
-    for (std::uint32_t g = 0; g < joined_.groups.size(); ++g)
+    std::vector<std::array<std::uint32_t, 3>> edges; // lower node, higher node, face
+    for (std::uint32_t f = 0; f < view_.faces.size(); ++f)
     {
-      const std::vector<std::uint32_t>& ring = joined_.groups[g].ring;
+      const std::vector<std::uint32_t>& ring = joined_.groups[f].ring;
       for (std::size_t i = 0; i < ring.size(); ++i)
       {
         const std::uint32_t from = ring[i];
         const std::uint32_t to = ring[i + 1 < ring.size() ? i + 1 : 0];
-        edges_.push_back({ std::min(from, to), std::max(from, to), g });
+        edges.push_back({ std::min(from, to), std::max(from, to), f });
       }
     }
-    std::sort(edges_.begin(), edges_.end());
-    for (std::size_t i = 0; i + 1 < edges_.size(); ++i)
+    std::sort(edges.begin(), edges.end());
+    const auto sameEdge = [&](std::size_t i, std::size_t k) {
+      return k < edges.size() && edges[k][0] == edges[i][0] && edges[k][1] == edges[i][1];
+    };
+    for (std::size_t i = 0; i + 1 < edges.size(); ++i)
     {
-      const auto sameEdge = [&](std::size_t k) {
-        return k < edges_.size() && edges_[k][0] == edges_[i][0] && edges_[k][1] == edges_[i][1];
-      };
-      const bool two = sameEdge(i + 1) && !sameEdge(i + 2) && (i == 0 || !sameEdge(i - 1));
-      if (two && join(edges_[i][2], edges_[i + 1][2]))
+      if (sameEdge(i, i + 1) && !sameEdge(i, i + 2) && (i == 0 || !sameEdge(i, i - 1)) &&
+        mayFit(edges[i][2], edges[i + 1][2]))
       {
-        return true;
+        pairs_.emplace_back(edges[i][2], edges[i + 1][2]);
       }
     }
-    return false;
   }
+
+  // Of two faces, before a closer look.
+  bool mayFit(std::uint32_t f, std::uint32_t g) const
+  {
+    const bool inner = view_.across[f] != view_.across[g] ? false : isInner(f);
+    return f != g && view_.across[f] == view_.across[g] &&
+      (inner || view_.boundary[f] == view_.boundary[g]) &&
+      dot(normals_[f], normals_[g]) >= std::min(inner ? 1 : leastCosine_, NearlyFlat);
+  }
+
+  bool isInner(std::uint32_t f) const { return view_.across[f] != None; }
 
   bool join(std::uint32_t g, std::uint32_t h)
   {
-    JoinedFaces::Group& first = joined_.groups[g];
-    JoinedFaces::Group& second = joined_.groups[h];
-    const std::uint32_t f = first.members.front();
-    const std::uint32_t other = second.members.front();
-    const bool inner = view_.across[f] != None;
-    if (g == h || view_.across[f] != view_.across[other] ||
-      (!inner && view_.boundary[f] != view_.boundary[other]))
+    if (g == h)
     {
       return false;
     }
+    JoinedFaces::Group& first = joined_.groups[g];
+    JoinedFaces::Group& second = joined_.groups[h];
     std::vector<std::uint32_t> ring = joinRings(first.ring, second.ring);
     if (ring.empty() || hasTwin(ring))
     {
       return false;
     }
-    trial_.clear();
-    trial_.nodes = view_.shape.nodes;
+    trial_.start.assign(1, 0);
+    trial_.corners.clear();
+    trial_.isBoundary.clear();
     addRing(first.ring, trial_);
     addRing(second.ring, trial_);
     addRing(ring, trial_);
-    if (!fitsTogether(trial_, leastCosine_, inner || leastCosine_ >= 1))
+    const bool flat = isInner(first.members.front()) || leastCosine_ >= 1;
+    if (!fitsTogether(trial_, leastCosine_, flat))
     {
       return false;
     }
     first.ring = std::move(ring);
     first.members.insert(first.members.end(), second.members.begin(), second.members.end());
+    for (const std::uint32_t member : second.members)
+    {
+      groupOf_[member] = g;
+    }
     second = {};
     return true;
   }
@@ -191,16 +213,26 @@ private:
     std::sort(ring.begin(), ring.end());
     return std::any_of(
       joined_.groups.begin(), joined_.groups.end(), [&](const JoinedFaces::Group& group) {
+        if (group.ring.size() != ring.size())
+        {
+          return false;
+        }
         std::vector<std::uint32_t> nodes = group.ring;
         std::sort(nodes.begin(), nodes.end());
         return nodes == ring;
       });
   }
 
+  // Cosine of normals of faces that might lie on one plane.
+  static constexpr double NearlyFlat = 0.999;
+
   const CellView& view_;
   double leastCosine_;
   JoinedFaces joined_;
-  std::vector<std::array<std::uint32_t, 3>> edges_; // lower node, higher node, group
+  CellShape shape_;
+  std::vector<Vector> normals_;                                // of faces
+  std::vector<std::uint32_t> groupOf_;                         // of faces
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_; // of neighbouring faces
   Polyhedron trial_;
 };
 

@@ -15,6 +15,9 @@ constexpr std::size_t CellsAChunk = 64;
 // No faces are joined: no cosine is as large.
 constexpr double NoAngle = 2;
 
+// As many neighbours are tried, those that share most area.
+constexpr std::size_t MostNeighbours = 4;
+
 // Chains of small cells end sooner.
 constexpr int MostRounds = 50;
 
@@ -215,7 +218,9 @@ private:
 
   void choose(const Candidate& candidate, Merging& merging) const
   {
-    for (const auto& [other, area] : cells_.neighbours(candidate.key))
+    auto neighbours = cells_.neighbours(candidate.key);
+    neighbours.resize(std::min(neighbours.size(), MostNeighbours));
+    for (const auto& [other, area] : neighbours)
     {
       merging.keys = { other, candidate.key };
       const Fitness after = together(merging);
