@@ -100,8 +100,13 @@ private:
                         [](const Candidate& candidate) { return candidate.first == None; }),
       candidates_.end());
     std::sort(candidates_.begin(), candidates_.end());
+    small_.clear();
     for (const Candidate& candidate : candidates_)
     {
+      if (candidate.small)
+      {
+        small_.insert(candidate.key);
+      }
       for (const auto& [other, area] : cells_.neighbours(candidate.key))
       {
         cells_.open(other);
@@ -123,7 +128,8 @@ private:
       for (std::size_t f = 0; f < view.faces.size(); ++f)
       {
         const bool between = std::find(keys.begin(), keys.end(), view.across[f]) != keys.end();
-        counts.push_back(between && view.faces[f].turned ? 0 : 1);
+        const bool counted = between ? !view.faces[f].turned : !goesToo(view.across[f]);
+        counts.push_back(counted ? 1 : 0);
       }
       sum += fitnessOf(view.shape, shape, view.beyond, counts);
     }
@@ -140,8 +146,17 @@ private:
     std::vector<Beyond> beyond;
     const Polyhedron joined = shapeOf(merging.view, merging.joined, beyond);
     measure(joined, shape);
-    return fitnessOf(joined, shape, beyond);
+    std::vector<std::uint8_t> counts;
+    for (const JoinedFaces::Group& group : merging.joined.groups)
+    {
+      counts.push_back(goesToo(merging.view.across[group.members.front()]) ? 0 : 1);
+    }
+    return fitnessOf(joined, shape, beyond, counts);
   }
+
+  // Small cells side by side, each on its own neighbour: the first that goes leaves a step, the last
+  // none. So what lies between a cell and another small one is not counted.
+  bool goesToo(CellKey key) const { return small_.count(key) > 0; }
 
   // Carries it out unless another has changed one of the cells or what is beyond: then later.
   void merge(const Merging& merging)
@@ -176,19 +191,17 @@ private:
   void mergeGroups()
   {
     std::map<CellKey, std::vector<CellKey>> byFirst;
-    std::set<CellKey> small;
     for (const Candidate& candidate : candidates_)
     {
       if (candidate.small)
       {
         byFirst[candidate.first].push_back(candidate.key);
-        small.insert(candidate.key);
       }
     }
     std::vector<Merging> groups;
     for (const auto& [into, group] : byFirst)
     {
-      if (group.size() > 1 && small.count(into) == 0)
+      if (group.size() > 1 && small_.count(into) == 0)
       {
         groups.emplace_back();
         groups.back().keys.push_back(into);
@@ -264,6 +277,7 @@ private:
   double leastCosine_;
   Execution& execution_;
   std::vector<Candidate> candidates_; // the smallest first
+  std::set<CellKey> small_;           // of the candidates
   std::set<CellKey> taken_;           // in this round: changed, or next to it
   std::set<CellKey> again_;           // to be looked at in the next round
   std::size_t merged_ = 0;
