@@ -72,14 +72,18 @@ public:
   void addBox(std::size_t n, Part& part)
   {
     const std::size_t before = part.cells.size();
-    const bool closed = gatherFaces(n) && joinFaces() && !anyPatchTwice();
-    part.flawed.push_back(closed ? 0 : 1);
+    bool closed = gatherFaces(n) && joinFaces() && !anyPatchTwice();
     if (closed)
     {
       measureFaces(boxes_.boxes[sides_.polyhedral[n]]);
       findShells();
       part.voids += fillVoids();
       part.folds += dropFolds();
+      closed = !anyFaceTwice();
+    }
+    part.flawed.push_back(closed ? 0 : 1);
+    if (closed)
+    {
       emit(sides_.polyhedral[n], part);
     }
     part.cellsOfBox.push_back(static_cast<std::uint32_t>(part.cells.size() - before));
@@ -285,6 +289,12 @@ private:
     }
   }
 
+  // Of no volume, either way round, but that of rounding.
+  static bool isSliver(const Shell& shell)
+  {
+    return !(std::abs(shell.volume) > ThinnestCell * shell.area / 2);
+  }
+
   // A closed piece of surface in this box that encloses no part of the domain is a hole of the
   // cell around it.
   std::size_t fillVoids()
@@ -292,7 +302,7 @@ private:
     std::size_t voids = 0;
     for (Shell& shell : shells_)
     {
-      if (shell.volume >= 0 || shell.hasInnerFace)
+      if (shell.volume >= 0 || shell.hasInnerFace || isSliver(shell))
       {
         continue;
       }
@@ -380,6 +390,31 @@ private:
     });
   }
 
+  // Where parts overlap, a volume may be left with a face on both sides of it.
+  bool anyFaceTwice()
+  {
+    if (shared_.empty())
+    {
+      return false;
+    }
+    for (const Shell& shell : shells_)
+    {
+      cycles_.clear();
+      for (const std::uint32_t face : shell.faces)
+      {
+        cycles_.emplace_back(std::min(cycleOf(face, false), cycleOf(face, true)), face);
+      }
+      std::sort(cycles_.begin(), cycles_.end());
+      const auto twice = std::adjacent_find(cycles_.begin(), cycles_.end(),
+        [](const auto& a, const auto& b) { return a.first == b.first; });
+      if (twice != cycles_.end())
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
   // The corners of a face from the lowest on, as it runs or the other way.
   std::vector<std::uint32_t> cycleOf(std::uint32_t face, bool opposite) const
   {
@@ -461,7 +496,7 @@ private:
       cell.boundary = mainBoundary(shell);
       cell.volumeFraction = shell.volume / (size[0] * size[1] * size[2]);
       cell.firstFace = part.faces.size();
-      cell.sliver = !(shell.volume > ThinnestCell * shell.area / 2);
+      cell.sliver = shell.volume < 0 || isSliver(shell);
       cell.removed = cell.sliver ||
         (spec_.smallCells == SmallCells::Remove && cell.volumeFraction < spec_.smallCellRatio);
       part.cells.push_back(cell);

@@ -33,7 +33,7 @@ struct Nodes
   std::vector<std::size_t> borderStart; // first node of each side's border, and the end
   std::vector<std::uint32_t> border;    // grid nodes counter-clockwise from the lowest corner
   std::vector<std::array<std::uint32_t, 8>> ofDivided; // corners of Sides::divided
-  std::vector<VertexNode> moreVertices; // of those that shaping adds, in order
+  std::vector<VertexNode> moreVertices;                // of those that shaping adds, in order
 };
 
 Nodes findNodes(

@@ -140,7 +140,7 @@ Meshlines planesFrom(Bytes& bytes, unsigned width)
 Options optionsFrom(Bytes& bytes)
 {
   Options options;
-  options.cells.smallCellRatio = bytes.below(2) ? 1e-3 : 0;
+  options.cells = asTheyAre(bytes.below(2) ? 1e-3 : 0);
   options.patches.method = bytes.below(2) ? PatchMethod::Automatic : PatchMethod::ExactFit;
   return options;
 }
