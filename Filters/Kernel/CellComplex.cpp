@@ -8,84 +8,7 @@ namespace cartesian
 namespace
 {
 
-// Two polygons that share a chain of edges as one, or nothing where they share several or meet
-// elsewhere too.
-std::vector<std::uint32_t> joinRings(
-  std::vector<std::uint32_t> first, std::vector<std::uint32_t> second)
-{
-  const auto follows = [](const std::vector<std::uint32_t>& ring, std::size_t i, std::uint32_t from,
-                         std::uint32_t to) {
-    return ring[i] == from && ring[(i + 1) % ring.size()] == to;
-  };
-  const auto isShared = [&](std::size_t i) {
-    const std::uint32_t from = first[i];
-    const std::uint32_t to = first[(i + 1) % first.size()];
-    for (std::size_t k = 0; k < second.size(); ++k)
-    {
-      if (follows(second, k, to, from))
-      {
-        return true;
-      }
-    }
-    return false;
-  };
-  // Where the chain begins in the first: what follows it is not shared.
-  std::size_t begin = first.size();
-  std::size_t chain = 0;
-  for (std::size_t i = 0; i < first.size(); ++i)
-  {
-    chain += isShared(i) ? 1 : 0;
-    if (isShared(i) && !isShared((i + first.size() - 1) % first.size()))
-    {
-      if (begin != first.size())
-      {
-        return {};
-      }
-      begin = i;
-    }
-  }
-  if (begin == first.size() || chain + 1 >= first.size() + second.size() - chain)
-  {
-    return {};
-  }
-  std::rotate(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(begin), first.end());
-  const std::uint32_t start = first.front();
-  const auto at = std::find(second.begin(), second.end(), start);
-  std::rotate(second.begin(), at, second.end());
-  // first: start ... end, rest; second, the other way along the chain: start, rest ... end ...
-  std::vector<std::uint32_t> joined(
-    first.begin() + static_cast<std::ptrdiff_t>(chain), first.end());
-  joined.insert(joined.end(), second.begin(), second.end() - static_cast<std::ptrdiff_t>(chain));
-  std::vector<std::uint32_t> sorted = joined;
-  std::sort(sorted.begin(), sorted.end());
-  const bool twice = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
-  return twice ? std::vector<std::uint32_t>{} : joined;
-}
-
-// Points on one plane are rounded to whole levels.
-constexpr double RoundingLevels = 2;
-
-// Whether the last face can stand for the two before it: it has a star triangulation, and the normals
-// are close; `flat`: all lies on one plane.
-bool fitsTogether(const Polyhedron& faces, double leastCosine, bool flat)
-{
-  CellShape shape;
-  measure(faces, shape);
-  const Vector normal = unit(shape.faces[2].area);
-  for (std::size_t f = 0; f < 2; ++f)
-  {
-    const double cosine = dot(unit(shape.faces[f].area), normal);
-    if (flat ? cosine <= 0 : cosine < leastCosine)
-    {
-      return false;
-    }
-  }
-  if (!flat && dot(unit(shape.faces[0].area), unit(shape.faces[1].area)) < leastCosine)
-  {
-    return false;
-  }
-  return (!flat || isFlat(faces, shape, 2, RoundingLevels)) && isStar(faces, 2, normal);
-}
+constexpr std::size_t CellsAChunk = 512;
 
 // Nodes of a hexahedron's side i (low x, high x, low y, ...), counter-clockwise from outside.
 std::array<unsigned, 4> cornersFromOutside(unsigned side)
@@ -101,7 +24,7 @@ std::array<unsigned, 4> cornersFromOutside(unsigned side)
 }
 
 CellComplex::CellComplex(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
-  const InnerFaces& inner, Cells& cells)
+  const InnerFaces& inner, Cells& cells, Execution& execution)
   : boxes_(boxes)
   , patches_(patches)
   , sides_(sides)
@@ -111,6 +34,17 @@ CellComplex::CellComplex(const Boxes& boxes, const Patches& patches, Sides& side
   , openOf_(cells.size(), None)
   , nextKey_(static_cast<CellKey>(cells.size() + boxes.boxes.size()))
 {
+  places_.resize(cells.size());
+  execution.forEach(cells.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    Polyhedron polyhedron;
+    CellShape measures;
+    for (std::size_t c = begin; c < end; ++c)
+    {
+      shape(static_cast<CellKey>(c), polyhedron);
+      measure(polyhedron, measures);
+      places_[c] = { measures.centre, measures.volume };
+    }
+  });
 }
 
 // --- reading
@@ -260,19 +194,45 @@ void CellComplex::shape(CellKey key, Polyhedron& shape) const
   forEachFace(key, [&](const FaceUse& use) { addFaceTo(shape, use, origin); });
 }
 
-void CellComplex::shapeTogether(const std::vector<CellKey>& keys, Polyhedron& shape) const
+Beyond CellComplex::placeAndVolume(CellKey key, const Point& origin) const
 {
-  shape.clear();
-  const Point& origin = boxes_.boxes[boxOf(keys.front())].low;
-  for (const CellKey key : keys)
+  const Box& box = boxes_.boxes[boxOf(key)];
+  const Vector from = minus(box.low, origin);
+  Beyond place;
+  if (const OpenCell* cell = opened(key))
   {
-    forEachFace(key, [&](const FaceUse& use) {
-      const CellKey other = across(use);
-      if (other == None || std::find(keys.begin(), keys.end(), other) == keys.end())
-      {
-        addFaceTo(shape, use, origin);
-      }
-    });
+    place = cell->place;
+  }
+  else
+  {
+    place = key < cells_.size() ? places_[key]
+                                : Beyond{ scaled(minus(box.high, box.low), 0.5), volumeOfBox(key) };
+  }
+  return { plus(from, place.centre), place.volume };
+}
+
+Beyond CellComplex::measuredPlace(CellKey key) const
+{
+  Polyhedron polyhedron;
+  CellShape measures;
+  shape(key, polyhedron);
+  measure(polyhedron, measures);
+  return { measures.centre, measures.volume };
+}
+
+void CellComplex::lookBeyond(CellKey key, CellView& view) const
+{
+  const Point& origin = boxes_.boxes[boxOf(key)].low;
+  view.beyond.assign(view.faces.size(), {});
+  for (std::size_t f = 0; f < view.faces.size(); ++f)
+  {
+    const auto before =
+      std::find(view.across.begin(), view.across.begin() + std::ptrdiff_t(f), view.across[f]);
+    const auto known = static_cast<std::size_t>(before - view.across.begin());
+    if (!view.shape.isBoundary[f])
+    {
+      view.beyond[f] = known < f ? view.beyond[known] : placeAndVolume(view.across[f], origin);
+    }
   }
 }
 
@@ -335,15 +295,24 @@ std::vector<CellKey> CellComplex::polyhedra() const
 
 // Nodes by place and faces by nodes: sums of the same numbers in the same order, whatever numbers
 // nodes and faces have got.
-void CellComplex::view(CellKey key, CellView& view) const
+void CellComplex::view(const std::vector<CellKey>& keys, CellView& view) const
 {
-  view.shape.clear();
-  view.nodes.clear();
-  view.faces.clear();
-  view.across.clear();
-  const Point& origin = boxes_.boxes[boxOf(key)].low;
+  view = {};
+  const Point& origin = boxes_.boxes[boxOf(keys.front())].low;
+  const auto forEachOuter = [&](const auto& visit) {
+    for (const CellKey key : keys)
+    {
+      forEachFace(key, [&](const FaceUse& use) {
+        const CellKey other = across(use);
+        if (other == None || std::find(keys.begin(), keys.end(), other) == keys.end())
+        {
+          visit(use);
+        }
+      });
+    }
+  };
   std::vector<std::pair<Vector, std::uint32_t>> places;
-  forEachFace(key, [&](const FaceUse& use) {
+  forEachOuter([&](const FaceUse& use) {
     forEachNodeOf(
       use, [&](std::uint32_t node) { places.emplace_back(minus(nodes_.at[node], origin), node); });
   });
@@ -355,7 +324,7 @@ void CellComplex::view(CellKey key, CellView& view) const
     view.nodes.push_back(node);
   }
   std::vector<std::pair<std::vector<std::uint32_t>, FaceUse>> faces;
-  forEachFace(key, [&](const FaceUse& use) {
+  forEachOuter([&](const FaceUse& use) {
     std::vector<std::uint32_t> ring;
     forEachNodeOf(use, [&](std::uint32_t node) {
       const auto at = std::make_pair(minus(nodes_.at[node], origin), node);
@@ -371,6 +340,7 @@ void CellComplex::view(CellKey key, CellView& view) const
   {
     view.faces.push_back(use);
     view.across.push_back(across(use));
+    view.boundary.push_back(boundaryOf(use.face));
     view.shape.corners.insert(view.shape.corners.end(), ring.begin(), ring.end());
     view.shape.closeFace(view.across.back() == None || !isAlive(view.across.back()));
   }
@@ -392,6 +362,7 @@ void CellComplex::open(CellKey key)
     cell.origin = key;
     cell.boundary = cells_.cells[key].boundary;
     cell.removed = cells_.cells[key].removed;
+    cell.place = places_[key];
     openOf_[key] = static_cast<std::uint32_t>(open_.size());
   }
   else
@@ -399,6 +370,7 @@ void CellComplex::open(CellKey key)
     cell.box = static_cast<std::uint32_t>(key - cells_.size());
     cell.origin = key;
     cell.boundary = NoBoundary;
+    cell.place = placeAndVolume(key, boxes_.boxes[cell.box].low);
     openHexahedron(cell.box, cell);
     openOfOther_[key] = static_cast<std::uint32_t>(open_.size());
   }
@@ -603,6 +575,13 @@ std::uint32_t CellComplex::own(std::uint32_t face, CellKey cell)
   return number;
 }
 
+// The number that a face has got since a view was taken.
+std::uint32_t CellComplex::renamed(std::uint32_t face) const
+{
+  const auto found = shapedAs_.find(face);
+  return found == shapedAs_.end() ? face : found->second;
+}
+
 void CellComplex::insertNode(CellKey cell, std::uint32_t u, std::uint32_t v, std::uint32_t node)
 {
   opened(cell)->changed = true;
@@ -652,7 +631,8 @@ Point CellComplex::placeOf(CellKey key, const CellCut::Point& point) const
   return place;
 }
 
-bool CellComplex::meetsNode(const std::vector<CellKey>& touched, const CellCut& cut) const
+bool CellComplex::meetsNode(
+  const std::vector<CellKey>& touched, const CellView& view, const CellCut& cut) const
 {
   std::vector<Point> places;
   for (const CellCut::Point& point : cut.points)
@@ -667,9 +647,46 @@ bool CellComplex::meetsNode(const std::vector<CellKey>& touched, const CellCut& 
       forEachNodeOf(use, [&](std::uint32_t node) {
         found = found || std::binary_search(places.begin(), places.end(), nodes_.at[node]);
       });
+      found = found || (key != touched.front() && losesStar(use, touched.front(), view, cut));
     });
   }
   return found;
+}
+
+// Whether the new points on its edges move the mean of a face's corners so that its star folds over.
+bool CellComplex::losesStar(
+  const FaceUse& use, CellKey key, const CellView& view, const CellCut& cut) const
+{
+  std::vector<std::uint32_t> ring;
+  forEachNodeOf(use, [&](std::uint32_t node) { ring.push_back(node); });
+  const Point& origin = boxes_.boxes[boxOf(key)].low;
+  Polyhedron face;
+  bool divided = false;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+  {
+    const std::uint32_t next = ring[i + 1 < ring.size() ? i + 1 : 0];
+    face.addCorner(static_cast<std::uint32_t>(face.nodes.size()));
+    face.nodes.push_back(minus(nodes_.at[ring[i]], origin));
+    for (const CellCut::Point& point : cut.points)
+    {
+      const std::uint32_t low = view.nodes[point.low];
+      const std::uint32_t high = view.nodes[point.high];
+      if ((low == ring[i] && high == next) || (high == ring[i] && low == next))
+      {
+        divided = true;
+        face.addCorner(static_cast<std::uint32_t>(face.nodes.size()));
+        face.nodes.push_back(point.at);
+      }
+    }
+  }
+  if (!divided)
+  {
+    return false;
+  }
+  face.closeFace(false);
+  CellShape shape;
+  measure(face, shape);
+  return !isStar(face, 0, unit(shape.faces[0].area));
 }
 
 // Cells that touch in an edge only have the same points on it.
@@ -701,8 +718,7 @@ void CellComplex::cut(
   std::vector<FaceUse> faces = view.faces;
   for (FaceUse& use : faces)
   {
-    const auto renamed = shapedAs_.find(use.face);
-    use.face = (renamed == shapedAs_.end() ? use.face : renamed->second) & MostFaces;
+    use.face = renamed(use.face) & MostFaces;
   }
   std::vector<CellKey> keys{ key };
   for (std::uint32_t part = 1; part < cut.parts; ++part)
@@ -758,6 +774,7 @@ void CellComplex::cut(
   for (const CellKey k : keys)
   {
     opened(k)->changed = true;
+    opened(k)->place = measuredPlace(k);
   }
   parts.insert(parts.end(), keys.begin(), keys.end());
 }
@@ -834,13 +851,7 @@ void CellComplex::merge(CellKey small, CellKey into)
   from.faces.clear();
   from.alive = false;
   from.changed = true;
-}
-
-std::vector<std::uint32_t> CellComplex::nodesOf(const FaceUse& use) const
-{
-  std::vector<std::uint32_t> nodes;
-  forEachNodeOf(use, [&](std::uint32_t node) { nodes.push_back(node); });
-  return nodes;
+  to.place = measuredPlace(into);
 }
 
 std::int32_t CellComplex::boundaryOf(std::uint32_t face) const
@@ -858,97 +869,42 @@ void CellComplex::removeFace(CellKey key, std::uint32_t face)
   opened(key)->changed = true;
 }
 
-// Whether a cell has a face between just these nodes: with another it would enclose nothing.
-bool CellComplex::hasFaceOf(CellKey key, std::vector<std::uint32_t> nodes) const
+void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joined)
 {
-  std::sort(nodes.begin(), nodes.end());
-  bool found = false;
-  forEachFace(key, [&](const FaceUse& use) {
-    std::vector<std::uint32_t> others = nodesOf(use);
-    std::sort(others.begin(), others.end());
-    found = found || others == nodes;
-  });
-  return found;
-}
-
-bool CellComplex::joinPair(CellKey key, const FaceUse& f, const FaceUse& g, double leastCosine)
-{
-  const CellKey other = across(f);
-  if (f.face == g.face || other != across(g) ||
-    (other == None && boundaryOf(f.face) != boundaryOf(g.face)))
+  for (const JoinedFaces::Group& group : joined.groups)
   {
-    return false;
-  }
-  const std::vector<std::uint32_t> ring = joinRings(nodesOf(f), nodesOf(g));
-  if (ring.empty())
-  {
-    return false;
-  }
-  const Point& origin = boxes_.boxes[boxOf(key)].low;
-  Polyhedron both;
-  addFaceTo(both, f, origin);
-  addFaceTo(both, g, origin);
-  for (const std::uint32_t node : ring)
-  {
-    both.addCorner(static_cast<std::uint32_t>(both.nodes.size()));
-    both.nodes.push_back(minus(nodes_.at[node], origin));
-  }
-  both.closeFace(false);
-  if (!fitsTogether(both, leastCosine, other != None || leastCosine >= 1) || hasFaceOf(key, ring))
-  {
-    return false;
-  }
-  changed_ = true;
-  Shaped& face = shaped(own(f.face, key));
-  face.nodes = ring;
-  if (f.turned)
-  {
-    std::reverse(face.nodes.begin(), face.nodes.end());
-  }
-  removeFace(key, g.face);
-  if (other != None)
-  {
-    open(other);
-    removeFace(other, g.face);
-  }
-  return true;
-}
-
-void CellComplex::joinFaces(CellKey key, double leastCosine)
-{
-  Polyhedron polyhedron;
-  CellShape measures;
-  shape(key, polyhedron);
-  measure(polyhedron, measures);
-  if (isThin(measures))
-  {
-    return;
-  }
-  for (bool joined = true; joined;)
-  {
-    joined = false;
-    // The faces along each edge; where there are not two, none is joined.
-    std::vector<std::array<std::uint32_t, 3>> edges; // lower node, higher node, face
-    const std::vector<FaceUse> faces = opened(key)->faces;
-    for (std::uint32_t f = 0; f < faces.size(); ++f)
+    if (group.members.size() < 2)
     {
-      const std::vector<std::uint32_t> nodes = nodesOf(faces[f]);
-      for (std::size_t i = 0; i < nodes.size(); ++i)
+      continue;
+    }
+    changed_ = true;
+    const std::uint32_t first = group.members.front();
+    const FaceUse use = view.faces[first];
+    std::vector<std::uint32_t> nodes;
+    for (const std::uint32_t node : group.ring)
+    {
+      nodes.push_back(view.nodes[node]);
+    }
+    if (use.turned)
+    {
+      std::reverse(nodes.begin(), nodes.end());
+    }
+    shaped(own(renamed(use.face), key)).nodes = std::move(nodes);
+    opened(key)->changed = true;
+    for (std::size_t i = 1; i < group.members.size(); ++i)
+    {
+      const std::uint32_t gone = renamed(view.faces[group.members[i]].face);
+      removeFace(key, gone);
+      if (view.across[first] != None)
       {
-        const std::uint32_t from = nodes[i];
-        const std::uint32_t to = nodes[(i + 1) % nodes.size()];
-        edges.push_back({ std::min(from, to), std::max(from, to), f });
+        open(view.across[first]);
+        removeFace(view.across[first], gone);
       }
     }
-    std::sort(edges.begin(), edges.end());
-    for (std::size_t i = 0; i + 1 < edges.size() && !joined; ++i)
-    {
-      const auto sameEdge = [&](std::size_t k) {
-        return k < edges.size() && edges[k][0] == edges[i][0] && edges[k][1] == edges[i][1];
-      };
-      const bool two = sameEdge(i + 1) && !sameEdge(i + 2) && (i == 0 || !sameEdge(i - 1));
-      joined = two && joinPair(key, faces[edges[i][2]], faces[edges[i + 1][2]], leastCosine);
-    }
+  }
+  if (opened(key))
+  {
+    opened(key)->place = measuredPlace(key);
   }
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "Boundary.h"
+#include "FaceJoining.h"
 #include "PolyhedronCut.h"
 
 #include <map>
@@ -13,38 +14,21 @@
 namespace cartesian
 {
 
-// A cell of a polyhedral box; or (number of those) + box: a hexahedron; or beyond: made by a cut.
-using CellKey = std::uint32_t;
-
-struct FaceUse
-{
-  std::uint32_t face : 31; // patches, then inner faces, then shaped ones
-  std::uint32_t turned : 1;
-};
-
-// One cell by itself. `node` and `face` lead back to the whole.
-struct CellView
-{
-  Polyhedron shape;
-  std::vector<std::uint32_t> nodes; // of each of the shape's nodes
-  std::vector<FaceUse> faces;       // of each of the shape's faces
-  std::vector<CellKey> across;      // the cell beyond each face, or None
-};
-
 class CellComplex
 {
 public:
   CellComplex(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
-    const InnerFaces& inner, Cells& cells);
+    const InnerFaces& inner, Cells& cells, Execution& execution);
 
   // Of cells of polyhedral boxes, opened or not, and opened others.
-  void view(CellKey key, CellView& view) const;
+  // Several neighbours as one; the origin is the lower corner of the first one's box.
+  void view(const std::vector<CellKey>& keys, CellView& view) const;
+
+  // Fills CellView::beyond; `key`: the view's first cell.
+  void lookBeyond(CellKey key, CellView& view) const;
 
   // Without nodes in common: for measures only.
   void shape(CellKey key, Polyhedron& shape) const;
-
-  // Neighbours as one cell; the origin is the first one's.
-  void shapeTogether(const std::vector<CellKey>& keys, Polyhedron& shape) const;
 
   // The cells beyond its faces that are alive, each with the area between them (lattice levels),
   // the largest first.
@@ -62,8 +46,10 @@ public:
   // The cells that a cut changes, `key` first: beyond cut faces, and around cut edges. Opens them.
   std::vector<CellKey> touchedBy(CellKey key, const CellView& view, const CellCut& cut);
 
-  // Whether a new point of a cut of the first cell falls on a node of these cells, or on another.
-  bool meetsNode(const std::vector<CellKey>& touched, const CellCut& cut) const;
+  // Whether a new point of a cut of the first cell falls on a node of these cells, or on another, or
+  // spoils the star triangulation of a face.
+  bool meetsNode(
+    const std::vector<CellKey>& touched, const CellView& view, const CellCut& cut) const;
 
   // Cuts an opened cell. The first part keeps its key. Appends the keys of all parts.
   void cut(CellKey key, const CellView& view, const CellCut& cut, std::vector<CellKey>& parts);
@@ -71,9 +57,8 @@ public:
   // Gives the small cell's faces to the other but for those between them, which vanish.
   void merge(CellKey small, CellKey into);
 
-  // Joins those neighbouring faces of a cell that lie between the same two cells on one plane, or
-  // belong to one boundary and have normals this close (cosine; 1: lie on one plane).
-  void joinFaces(CellKey key, double leastCosine);
+  // Makes each group of faces of an opened cell, seen so, one.
+  void join(CellKey key, const CellView& view, const JoinedFaces& joined);
 
   // In lattice levels.
   double volumeOfBox(CellKey key) const;
@@ -93,6 +78,7 @@ private:
     bool alive = true;
     bool removed = false; // as in Cell
     bool changed = false;
+    Beyond place; // from the lower corner of its box
   };
   struct Shaped
   {
@@ -141,15 +127,16 @@ private:
   std::vector<CellKey> cellsAround(CellKey key, std::uint32_t u, std::uint32_t v);
   std::uint32_t own(std::uint32_t face, CellKey cell);
   Point placeOf(CellKey key, const CellCut::Point& point) const;
+  bool losesStar(const FaceUse& use, CellKey key, const CellView& view, const CellCut& cut) const;
   std::uint32_t addNode(const Point& place);
   FaceUse addShaped(Shaped face);
   FaceUse addPiece(FaceUse use, CellKey cell, Shaped piece, std::uint32_t& owned);
+  std::uint32_t renamed(std::uint32_t face) const;
+  Beyond measuredPlace(CellKey key) const;
+  Beyond placeAndVolume(CellKey key, const Point& origin) const;
   void insertNode(CellKey cell, std::uint32_t u, std::uint32_t v, std::uint32_t node);
 
-  bool joinPair(CellKey key, const FaceUse& f, const FaceUse& g, double leastCosine);
-  bool hasFaceOf(CellKey key, std::vector<std::uint32_t> nodes) const;
   std::int32_t boundaryOf(std::uint32_t face) const;
-  std::vector<std::uint32_t> nodesOf(const FaceUse& use) const;
   void removeFace(CellKey key, std::uint32_t face);
 
   void writeNodes();
@@ -163,7 +150,8 @@ private:
   const InnerFaces& inner_;
   Cells& cells_;
   std::vector<OpenCell> open_;
-  std::vector<std::uint32_t> openOf_;                      // of cells of polyhedral boxes
+  std::vector<Beyond> places_;        // of cells of polyhedral boxes, as OpenCell::place
+  std::vector<std::uint32_t> openOf_; // of cells of polyhedral boxes
   std::unordered_map<CellKey, std::uint32_t> openOfOther_; // of others
   std::vector<Shaped> shaped_;
   std::unordered_map<std::uint32_t, std::uint32_t> shapedAs_;         // patches and inner faces

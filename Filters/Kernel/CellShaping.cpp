@@ -15,8 +15,8 @@ namespace
 constexpr std::size_t CellsAChunk = 512;
 constexpr double RadiansPerDegree = 3.14159265358979 / 180;
 
-// Those of the cells, in order, that are not fit.
-std::vector<CellKey> unfitCells(
+// Those of the cells, in order, that are at fault.
+std::vector<CellKey> cellsAtFault(
   const CellComplex& complex, const std::vector<CellKey>& keys, Execution& execution)
 {
   std::vector<std::vector<CellKey>> parts(chunks(keys.size(), CellsAChunk));
@@ -27,7 +27,7 @@ std::vector<CellKey> unfitCells(
     {
       complex.shape(keys[i], polyhedron);
       measure(polyhedron, shape);
-      if (unfitArea(polyhedron, shape) > 0)
+      if (isAnyAtFault(polyhedron, shape))
       {
         parts[begin / CellsAChunk].push_back(keys[i]);
       }
@@ -41,37 +41,63 @@ std::vector<CellKey> unfitCells(
   return all;
 }
 
+// Joins the faces of a cell where that helps.
+void joinFacesOf(CellComplex& complex, CellKey key, double leastCosine)
+{
+  CellView view;
+  CellShape shape;
+  complex.view({ key }, view);
+  complex.lookBeyond(key, view);
+  measure(view.shape, shape);
+  if (isThin(shape))
+  {
+    return;
+  }
+  const Fitness before = fitnessOf(view.shape, shape, view.beyond);
+  const JoinedFaces joined = joinFaces(view, leastCosine);
+  std::vector<Beyond> beyond;
+  const Polyhedron after = shapeOf(view, joined, beyond);
+  measure(after, shape);
+  if (fitnessOf(after, shape, beyond).isBetterThan(before))
+  {
+    complex.open(key);
+    complex.join(key, view, joined);
+  }
+}
+
 }
 
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
   const InnerFaces& inner, Cells& cells, const CellSpec& spec, Execution& execution)
 {
   Shaping shaping;
-  CellComplex complex(boxes, patches, sides, nodes, inner, cells);
+  if (spec.smallCells == SmallCells::Remove && !spec.splitConcave)
+  {
+    return shaping;
+  }
+  CellComplex complex(boxes, patches, sides, nodes, inner, cells, execution);
   // Who chose the exact surface gets it.
   const bool exact = std::find(patches.reason.begin(), patches.reason.end(),
                        PatchReason::ExactFitChosen) != patches.reason.end();
   const double leastCosine = exact ? 1 : std::cos(spec.joinAngle * RadiansPerDegree);
-  const auto merge = [&](Demand demand) {
+  const auto merge = [&] {
     if (spec.smallCells == SmallCells::Merge)
     {
-      shaping.cellsMerged +=
-        mergeSmallCells(complex, spec.mergeRatio, leastCosine, demand, execution);
+      shaping.cellsMerged += mergeSmallCells(complex, spec.mergeRatio, leastCosine, execution);
     }
   };
-  merge(Demand::Angles);
+  merge();
   if (spec.splitConcave)
   {
-    const std::vector<CellKey> unfit = unfitCells(complex, complex.polyhedra(), execution);
-    for (const CellKey key : unfit)
+    const std::vector<CellKey> atFault = cellsAtFault(complex, complex.polyhedra(), execution);
+    for (const CellKey key : atFault)
     {
-      complex.open(key);
-      complex.joinFaces(key, leastCosine);
+      joinFacesOf(complex, key, leastCosine);
     }
-    const Splitting splitting = splitCells(complex, unfitCells(complex, unfit, execution),
+    const Splitting splitting = splitCells(complex, cellsAtFault(complex, atFault, execution),
       spec.smallCells == SmallCells::Remove ? spec.smallCellRatio : 0, execution);
     shaping.cellsSplit = splitting.cellsSplit;
-    merge(Demand::Fitness);
+    merge();
   }
   if (complex.changed())
   {

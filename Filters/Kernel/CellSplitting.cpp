@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace cartesian
@@ -27,9 +28,6 @@ constexpr double LeastWorthyBend = 0.1;
 // ... and that lets this part of what failed before fail.
 constexpr double NoHarm = 1.0 + 1e-9;
 
-// One that leaves less than this part of what another leaves is better by more than rounding.
-constexpr double Better = 1.0 - 1e-6;
-
 // Concave edges belong to one feature where they run within 45 degrees of each other.
 constexpr double ContinuesCosine = 0.707;
 
@@ -51,7 +49,7 @@ struct ConcaveEdge
 struct Proposal
 {
   CellKey key;
-  double failing; // area
+  double area; // of the faces at fault
   bool found = false;
   CellView view;
   CellCut cut;
@@ -97,7 +95,7 @@ std::vector<ConcaveEdge> concaveEdges(const Polyhedron& cell, const CellShape& s
     const Vector ways = plus(cross(n1, along), cross(along, n2));
     e.inwards = unit(scaled(plus(plus(n1, n2), ways), -1));
     e.length = norm(whole);
-    e.failing = isUnfit(cell, shape, f) || isUnfit(cell, shape, other->second);
+    e.failing = isAtFault(cell, shape, f) || isAtFault(cell, shape, other->second);
     edges.push_back(e);
   }
   std::sort(edges.begin(), edges.end(), [](const ConcaveEdge& x, const ConcaveEdge& y) {
@@ -137,22 +135,40 @@ CutPlane planeThrough(
   return plane;
 }
 
-// What fails after a cut, or a negative number where a part is smaller than `least`.
-double failingAfter(const Polyhedron& cell, const CellCut& cut, double least)
+// The parts' fitness, or nothing where one is smaller than `least`.
+std::optional<Fitness> fitnessAfter(const CellView& view, const CellCut& cut, double least)
 {
-  double failing = 0;
-  CellShape part;
+  std::vector<Polyhedron> parts;
+  std::vector<CellShape> shapes(cut.parts);
   for (std::uint32_t p = 0; p < cut.parts; ++p)
   {
-    const Polyhedron polyhedron = partOf(cell, cut, p);
-    measure(polyhedron, part);
-    if (!(part.volume > least))
+    parts.push_back(partOf(view.shape, cut, p));
+    measure(parts[p], shapes[p]);
+    if (!(shapes[p].volume > least))
     {
-      return -1;
+      return {};
     }
-    failing += unfitArea(polyhedron, part);
   }
-  return failing;
+  Fitness sum;
+  std::vector<Beyond> beyond;
+  std::vector<std::uint8_t> counts;
+  for (std::uint32_t p = 0; p < cut.parts; ++p)
+  {
+    beyond.clear();
+    counts.clear();
+    for (const CellCut::Face& face : cut.faces) // in the order of partOf
+    {
+      const bool inner = face.source == CellCut::NoSource;
+      if (face.below == p || (inner && face.above == p))
+      {
+        const CellShape& other = shapes[face.below == p ? face.above : face.below];
+        beyond.push_back(inner ? Beyond{ other.centre, other.volume } : view.beyond[face.source]);
+        counts.push_back(face.below == p ? 1 : 0);
+      }
+    }
+    sum += fitnessOf(parts[p], shapes[p], beyond, counts);
+  }
+  return sum;
 }
 
 // The cuts of one cell that are tried, and the best of them.
@@ -160,17 +176,18 @@ class Search
 {
 public:
   // `leastVolume`: of a part.
-  Search(const Polyhedron& cell, const CellShape& shape, double leastVolume, double failing)
-    : cell_(cell)
+  Search(const CellView& view, const CellShape& shape, double leastVolume)
+    : view_(view)
+    , cell_(view.shape)
     , shape_(shape)
     , leastVolume_(leastVolume)
-    , before_(failing)
-    , best_(failing)
-    , edges_(concaveEdges(cell, shape))
+    , before_(fitnessOf(view.shape, shape, view.beyond))
+    , best_(before_)
+    , edges_(concaveEdges(view.shape, shape))
   {
   }
 
-  // The cut that leaves least failing. Where none helps, one along the worst concave edge that does
+  // The fittest cut. Where none helps, one along the worst concave edge that does
   // no harm: without concave edges nothing of the boundary fails.
   bool run(CellCut& cut)
   {
@@ -183,18 +200,18 @@ public:
     {
       for (const std::size_t i : candidates)
       {
-        if (best_ == before_)
+        if (!found_)
         {
           attempt(planeOf(edges_[i], k), false, cut);
         }
       }
     }
-    if (best_ == before_ && hasFallback_ && failsAtBoundary())
+    if (!found_ && hasFallback_ && before_.faults[Fitness::BoundaryAngle] > 0)
     {
       cut = std::move(fallback_);
-      return true;
+      found_ = true;
     }
-    return best_ < before_;
+    return found_;
   }
 
 private:
@@ -227,55 +244,48 @@ private:
 
   void attempt(const CutPlane& plane, bool worthy, CellCut& cut)
   {
-    if (best_ == 0 || !cutCell(cell_, plane, trial_))
+    if (best_.count() == 0 || !cutCell(cell_, plane, trial_))
     {
       return;
     }
-    const double failing =
-      failingAfter(cell_, trial_, std::max(LeastPart * shape_.volume, leastVolume_));
-    if (failing >= 0 && failing < best_ * Better)
+    const std::optional<Fitness> after =
+      fitnessAfter(view_, trial_, std::max(LeastPart * shape_.volume, leastVolume_));
+    if (after && after->isBetterThan(best_))
     {
-      best_ = failing;
+      best_ = *after;
+      found_ = true;
       std::swap(cut, trial_);
     }
-    else if (failing >= 0 && failing <= before_ * NoHarm && worthy && !hasFallback_)
+    else if (after && worthy && !hasFallback_ && after->isNoWorseThan(before_) &&
+      after->area <= before_.area * NoHarm)
     {
       hasFallback_ = true;
       std::swap(fallback_, trial_);
     }
   }
 
-  bool failsAtBoundary() const
-  {
-    for (std::size_t f = 0; f < cell_.faces(); ++f)
-    {
-      if (cell_.isBoundary[f] && cosineOfFace(shape_, f) <= LeastBoundaryCosine)
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
+  const CellView& view_;
   const Polyhedron& cell_;
   const CellShape& shape_;
   double leastVolume_;
-  double before_;
-  double best_;
+  Fitness before_;
+  Fitness best_;
   std::vector<ConcaveEdge> edges_;
   CellCut trial_;
   CellCut fallback_;
   bool hasFallback_ = false;
+  bool found_ = false;
 };
 
 void propose(const CellComplex& cells, double leastFraction, Proposal& proposal)
 {
-  cells.view(proposal.key, proposal.view);
+  cells.view({ proposal.key }, proposal.view);
+  cells.lookBeyond(proposal.key, proposal.view);
   CellShape shape;
   measure(proposal.view.shape, shape);
-  proposal.failing = unfitArea(proposal.view.shape, shape);
+  proposal.area = fitnessOf(proposal.view.shape, shape, proposal.view.beyond).area;
   const double least = leastFraction * cells.volumeOfBox(proposal.key);
-  proposal.found = Search(proposal.view.shape, shape, least, proposal.failing).run(proposal.cut);
+  proposal.found = Search(proposal.view, shape, least).run(proposal.cut);
 }
 
 bool isThin(const CellComplex& cells, CellKey key)
@@ -297,7 +307,7 @@ bool fails(const CellComplex& cells, CellKey key)
   CellShape shape;
   cells.shape(key, polyhedron);
   measure(polyhedron, shape);
-  return unfitArea(polyhedron, shape) > 0;
+  return isAnyAtFault(polyhedron, shape);
 }
 
 }
@@ -318,8 +328,8 @@ Splitting splitCells(
       }
     });
     std::sort(proposals.begin(), proposals.end(), [](const Proposal& x, const Proposal& y) {
-      const auto a = static_cast<float>(x.failing);
-      const auto b = static_cast<float>(y.failing);
+      const auto a = static_cast<float>(x.area);
+      const auto b = static_cast<float>(y.area);
       return a != b ? a > b : x.key < y.key;
     });
     std::set<CellKey> taken;
@@ -334,7 +344,7 @@ Splitting splitCells(
       cells.open(proposal.key);
       const std::vector<CellKey> touched =
         cells.touchedBy(proposal.key, proposal.view, proposal.cut);
-      if (cells.meetsNode(touched, proposal.cut) ||
+      if (cells.meetsNode(touched, proposal.view, proposal.cut) ||
         std::any_of(
           touched.begin() + 1, touched.end(), [&](CellKey k) { return isThin(cells, k); }))
       {

@@ -14,9 +14,6 @@ constexpr double RoundingOfAreas = 1e-9;
 
 constexpr double LeastThickness = 4; // levels
 
-// OpenFOAM measures skewness over at least this part of the height above a boundary face.
-constexpr double ShareOfHeight = 0.4;
-
 Vector meanOf(const Polyhedron& cell, std::size_t begin, std::size_t end)
 {
   Vector mean{ 0, 0, 0 };
@@ -53,26 +50,6 @@ FaceShape shapeOf(const Polyhedron& cell, std::size_t face)
     sum = plus(sum, scaled(plus(p, q), dot(cross(p, q), twice)));
   }
   return { scaled(twice, 0.5), plus(mean, scaled(sum, 1 / (3 * square))), mean };
-}
-
-bool isSkewed(const Polyhedron& cell, const CellShape& shape, std::size_t face)
-{
-  const FaceShape& f = shape.faces[face];
-  const Vector normal = unit(f.area);
-  const Vector towards = minus(f.centre, shape.centre);
-  const double height = std::abs(dot(towards, normal));
-  const Vector aside = minus(towards, scaled(normal, dot(towards, normal)));
-  const double distance = norm(aside);
-  if (distance <= MostSkewness * ShareOfHeight * height)
-  {
-    return false;
-  }
-  double reach = 0;
-  for (std::size_t i = cell.start[face]; i < cell.start[face + 1]; ++i)
-  {
-    reach = std::max(reach, std::abs(dot(minus(cell.nodes[cell.corners[i]], f.centre), aside)));
-  }
-  return distance * distance > MostSkewness * reach;
 }
 
 }
@@ -125,25 +102,6 @@ bool isThin(const CellShape& shape)
   return shape.volume <= LeastThickness * area;
 }
 
-double cosineOfFace(const CellShape& shape, std::size_t face)
-{
-  const FaceShape& f = shape.faces[face];
-  const Vector towards = minus(f.centre, shape.centre);
-  const double lengths = std::sqrt(dot(towards, towards) * dot(f.area, f.area));
-  return lengths > 0 ? dot(towards, f.area) / lengths : 0;
-}
-
-bool isUnfit(const Polyhedron& cell, const CellShape& shape, std::size_t face, Demand demand)
-{
-  const double cosine = cosineOfFace(shape, face);
-  if (!cell.isBoundary[face])
-  {
-    return cosine < LeastInnerCosine;
-  }
-  return cosine <= LeastBoundaryCosine ||
-    (demand == Demand::Fitness && isSkewed(cell, shape, face));
-}
-
 bool isFlat(const Polyhedron& cell, const CellShape& shape, std::size_t face, double distance)
 {
   const Vector normal = unit(shape.faces[face].area);
@@ -173,19 +131,6 @@ bool isStar(const Polyhedron& cell, std::size_t face, const Vector& normal)
     sum += area;
   }
   return least >= -RoundingOfAreas * std::abs(sum);
-}
-
-double unfitArea(const Polyhedron& cell, const CellShape& shape, Demand demand)
-{
-  double sum = 0;
-  for (std::size_t f = 0; f < cell.faces(); ++f)
-  {
-    if (isUnfit(cell, shape, f, demand))
-    {
-      sum += norm(shape.faces[f].area);
-    }
-  }
-  return sum;
 }
 
 }

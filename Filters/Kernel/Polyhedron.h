@@ -44,33 +44,10 @@ void measure(const Polyhedron& cell, CellShape& shape);
 // thick (volume over area) than four levels.
 bool isThin(const CellShape& shape);
 
-// Cosine of the angle between the face's normal and the line from the cell's centre to the face's.
-double cosineOfFace(const CellShape& shape, std::size_t face);
-
-// The angle conditions: faces of the boundary less than 90 degrees, inner ones less than 75.
-constexpr double LeastBoundaryCosine = 0;
-constexpr double LeastInnerCosine = 0.258819045102521; // cos 75
-
-// What checkMesh allows: how far the foot of the perpendicular from the cell's centre is from the
-// centre of a boundary face, over the face's reach in this direction or 0.4 of its length.
-constexpr double MostSkewness = 4;
-
-// Whether all corners of a face are this close to its plane.
-bool isFlat(const Polyhedron& cell, const CellShape& shape, std::size_t face, double distance);
-
-enum class Demand
-{
-  Angles,  // the angle conditions
-  Fitness, // and no boundary face is too skewed
-};
-
-bool isUnfit(const Polyhedron& cell, const CellShape& shape, std::size_t face,
-  Demand demand = Demand::Fitness);
-
 // Whether a face seen along its normal has a star triangulation.
 bool isStar(const Polyhedron& cell, std::size_t face, const Vector& normal);
 
-// Area of the unfit faces.
-double unfitArea(const Polyhedron& cell, const CellShape& shape, Demand demand = Demand::Fitness);
+// Whether all corners of a face are this close to its plane.
+bool isFlat(const Polyhedron& cell, const CellShape& shape, std::size_t face, double distance);
 
 }

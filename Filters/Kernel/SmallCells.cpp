@@ -12,6 +12,12 @@ namespace
 
 constexpr std::size_t CellsAChunk = 64;
 
+// No faces are joined: no cosine is as large.
+constexpr double NoAngle = 2;
+
+// As many neighbours are tried, those that share most area.
+constexpr std::size_t MostNeighbours = 4;
+
 // Chains of small cells end sooner.
 constexpr int MostRounds = 50;
 
@@ -20,9 +26,8 @@ struct Candidate
 {
   CellKey key = None;
   double volume = 0;    // as a part of its box
-  bool small = false;   // else it fails an angle condition
+  bool small = false;   // else it is at fault
   CellKey first = None; // the neighbour that it shares most area with
-  CellKey into = None;  // the best that it fits, or None
 
   bool operator<(const Candidate& other) const
   {
@@ -32,14 +37,21 @@ struct Candidate
   }
 };
 
+// Cells that become one.
+struct Merging
+{
+  std::vector<CellKey> keys; // the first takes the others in; none: nothing does
+  CellView view;
+  JoinedFaces joined;
+};
+
 class Merger
 {
 public:
-  Merger(CellComplex& cells, double ratio, double leastCosine, Demand demand, Execution& execution)
+  Merger(CellComplex& cells, double ratio, double leastCosine, Execution& execution)
     : cells_(cells)
     , ratio_(ratio)
     , leastCosine_(leastCosine)
-    , demand_(demand)
     , execution_(execution)
   {
   }
@@ -49,38 +61,23 @@ public:
     std::vector<CellKey> keys = cells_.polyhedra();
     for (int round = 0; !keys.empty() && round < MostRounds; ++round)
     {
+      taken_.clear();
+      again_.clear();
       findCandidates(keys);
-      touched_.clear();
       mergeGroups();
       mergeOneByOne();
-      keys.assign(touched_.begin(), touched_.end());
+      keys.assign(again_.begin(), again_.end());
       keys.erase(
         std::remove_if(keys.begin(), keys.end(), [&](CellKey key) { return !cells_.isAlive(key); }),
         keys.end());
-    }
-    for (const CellKey key : grown_)
-    {
-      if (cells_.isAlive(key))
-      {
-        cells_.joinFaces(key, leastCosine_);
-      }
     }
     return merged_;
   }
 
 private:
-  double failing(const std::vector<CellKey>& together) const
-  {
-    Polyhedron polyhedron;
-    CellShape shape;
-    cells_.shapeTogether(together, polyhedron);
-    measure(polyhedron, shape);
-    return unfitArea(polyhedron, shape, demand_);
-  }
-
   void findCandidates(const std::vector<CellKey>& keys)
   {
-    std::vector<Candidate> all(keys.size());
+    candidates_.assign(keys.size(), {});
     execution_.forEach(keys.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
       Polyhedron polyhedron;
       CellShape shape;
@@ -89,24 +86,27 @@ private:
         cells_.shape(keys[i], polyhedron);
         measure(polyhedron, shape);
         const double volume = shape.volume / cells_.volumeOfBox(keys[i]);
-        const bool small = volume < ratio_;
-        if (small || unfitArea(polyhedron, shape, demand_) > 0)
+        if (volume < ratio_ || isAnyAtFault(polyhedron, shape))
         {
-          all[i].key = keys[i];
-          all[i].volume = volume;
-          all[i].small = small;
           const auto neighbours = cells_.neighbours(keys[i]);
-          all[i].first = neighbours.empty() ? None : neighbours.front().first;
+          candidates_[i].key = keys[i];
+          candidates_[i].volume = volume;
+          candidates_[i].small = volume < ratio_;
+          candidates_[i].first = neighbours.empty() ? None : neighbours.front().first;
         }
       }
     });
-    all.erase(std::remove_if(all.begin(), all.end(),
-                [](const Candidate& candidate) { return candidate.first == None; }),
-      all.end());
-    std::sort(all.begin(), all.end());
-    candidates_ = std::move(all);
+    candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(),
+                        [](const Candidate& candidate) { return candidate.first == None; }),
+      candidates_.end());
+    std::sort(candidates_.begin(), candidates_.end());
+    small_.clear();
     for (const Candidate& candidate : candidates_)
     {
+      if (candidate.small)
+      {
+        small_.insert(candidate.key);
+      }
       for (const auto& [other, area] : cells_.neighbours(candidate.key))
       {
         cells_.open(other);
@@ -114,48 +114,114 @@ private:
     }
   }
 
-  void merge(CellKey small, CellKey into)
+  Fitness apart(const std::vector<CellKey>& keys) const
   {
-    cells_.merge(small, into);
-    touched_.insert(into);
-    grown_.insert(into);
-    ++merged_;
+    Fitness sum;
+    for (const CellKey key : keys)
+    {
+      CellView view;
+      CellShape shape;
+      cells_.view({ key }, view);
+      cells_.lookBeyond(key, view);
+      measure(view.shape, shape);
+      std::vector<std::uint8_t> counts;
+      for (std::size_t f = 0; f < view.faces.size(); ++f)
+      {
+        const bool between = std::find(keys.begin(), keys.end(), view.across[f]) != keys.end();
+        const bool counted = between ? !view.faces[f].turned : !goesToo(view.across[f]);
+        counts.push_back(counted ? 1 : 0);
+      }
+      sum += fitnessOf(view.shape, shape, view.beyond, counts);
+    }
+    return sum;
+  }
+
+  Fitness together(Merging& merging) const
+  {
+    cells_.view(merging.keys, merging.view);
+    cells_.lookBeyond(merging.keys.front(), merging.view);
+    CellShape shape;
+    measure(merging.view.shape, shape);
+    merging.joined = joinFaces(merging.view, isThin(shape) ? NoAngle : leastCosine_);
+    std::vector<Beyond> beyond;
+    const Polyhedron joined = shapeOf(merging.view, merging.joined, beyond);
+    measure(joined, shape);
+    std::vector<std::uint8_t> counts;
+    for (const JoinedFaces::Group& group : merging.joined.groups)
+    {
+      counts.push_back(goesToo(merging.view.across[group.members.front()]) ? 0 : 1);
+    }
+    return fitnessOf(joined, shape, beyond, counts);
+  }
+
+  // Small cells side by side, each on its own neighbour: the first that goes leaves a step, the last
+  // none. So what lies between a cell and another small one is not counted.
+  bool goesToo(CellKey key) const { return small_.count(key) > 0; }
+
+  // Carries it out unless another has changed one of the cells or what is beyond: then later.
+  void merge(const Merging& merging)
+  {
+    const auto taken = [&](CellKey key) { return taken_.count(key) > 0; };
+    const std::vector<CellKey>& keys = merging.keys;
+    if (std::any_of(keys.begin(), keys.end(), taken) ||
+      std::any_of(merging.view.across.begin(), merging.view.across.end(), taken))
+    {
+      again_.insert(keys.begin() + 1, keys.end());
+      return;
+    }
+    taken_.insert(keys.begin(), keys.end());
+    for (const CellKey other : merging.view.across)
+    {
+      if (other != None)
+      {
+        taken_.insert(other);
+      }
+    }
+    for (std::size_t i = 1; i < keys.size(); ++i)
+    {
+      cells_.merge(keys[i], keys.front());
+      ++merged_;
+    }
+    cells_.join(keys.front(), merging.view, merging.joined);
+    again_.insert(keys.front());
   }
 
   // Small cells side by side on one neighbour: each alone would leave a step there, all together
   // none.
   void mergeGroups()
   {
-    std::map<CellKey, std::vector<CellKey>> groups;
-    std::set<CellKey> small;
+    std::map<CellKey, std::vector<CellKey>> byFirst;
     for (const Candidate& candidate : candidates_)
     {
       if (candidate.small)
       {
-        groups[candidate.first].push_back(candidate.key);
-        small.insert(candidate.key);
+        byFirst[candidate.first].push_back(candidate.key);
       }
     }
-    for (const auto& [into, group] : groups)
+    std::vector<Merging> groups;
+    for (const auto& [into, group] : byFirst)
     {
-      if (group.size() < 2 || small.count(into))
+      if (group.size() > 1 && small_.count(into) == 0)
       {
-        continue;
+        groups.emplace_back();
+        groups.back().keys.push_back(into);
+        groups.back().keys.insert(groups.back().keys.end(), group.begin(), group.end());
       }
-      double apart = failing({ into });
-      for (const CellKey key : group)
+    }
+    execution_.forEach(groups.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
       {
-        apart += failing({ key });
+        if (!together(groups[i]).isNoWorseThan(apart(groups[i].keys)))
+        {
+          groups[i].keys.clear();
+        }
       }
-      std::vector<CellKey> together{ into };
-      together.insert(together.end(), group.begin(), group.end());
-      if (failing(together) > apart)
+    });
+    for (const Merging& group : groups)
+    {
+      if (!group.keys.empty())
       {
-        continue;
-      }
-      for (const CellKey key : group)
-      {
-        merge(key, into);
+        merge(group);
       }
     }
     candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(),
@@ -163,64 +229,66 @@ private:
       candidates_.end());
   }
 
-  // The neighbour that it shares most area with of those that it fits, or None.
-  CellKey choose(const Candidate& candidate) const
+  void choose(const Candidate& candidate, Merging& merging) const
   {
-    const double alone = failing({ candidate.key });
-    for (const auto& [other, area] : cells_.neighbours(candidate.key))
+    auto neighbours = cells_.neighbours(candidate.key);
+    neighbours.resize(std::min(neighbours.size(), MostNeighbours));
+    for (const auto& [other, area] : neighbours)
     {
-      const double together = failing({ other, candidate.key });
-      const double apart = alone + failing({ other });
-      if (together == 0 || (candidate.small ? together <= apart : together < apart))
+      merging.keys = { other, candidate.key };
+      const Fitness after = together(merging);
+      const Fitness before = apart(merging.keys);
+      if (candidate.small ? after.isNoWorseThan(before) : after.isBetterThan(before))
       {
-        return other;
+        return;
       }
     }
-    return None;
+    merging.keys.clear();
   }
 
   void mergeOneByOne()
   {
+    std::vector<Merging> mergings(candidates_.size());
     execution_.forEach(candidates_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
       {
-        candidates_[i].into = choose(candidates_[i]);
+        // What a group has changed comes later.
+        if (taken_.count(candidates_[i].key) == 0)
+        {
+          choose(candidates_[i], mergings[i]);
+        }
       }
     });
-    std::set<CellKey> taken;
-    for (const Candidate& candidate : candidates_)
+    for (std::size_t i = 0; i < mergings.size(); ++i)
     {
-      if (candidate.into == None)
+      if (taken_.count(candidates_[i].key) > 0)
       {
-        continue;
+        again_.insert(candidates_[i].key);
       }
-      if (taken.count(candidate.key) || taken.count(candidate.into))
+      else if (!mergings[i].keys.empty())
       {
-        touched_.insert(candidate.key);
-        continue;
+        merge(mergings[i]);
       }
-      taken.insert({ candidate.key, candidate.into });
-      merge(candidate.key, candidate.into);
     }
   }
 
   CellComplex& cells_;
   double ratio_;
   double leastCosine_;
-  Demand demand_;
   Execution& execution_;
   std::vector<Candidate> candidates_; // the smallest first
-  std::set<CellKey> touched_;         // to be looked at again
-  std::set<CellKey> grown_;
+  std::set<CellKey> small_;           // of the candidates
+  std::set<CellKey> taken_;           // in this round: changed, or next to it
+  std::set<CellKey> again_;           // to be looked at in the next round
   std::size_t merged_ = 0;
 };
 
 }
 
 std::size_t mergeSmallCells(
-  CellComplex& cells, double ratio, double leastCosine, Demand demand, Execution& execution)
+  CellComplex& cells, double ratio, double leastCosine, Execution& execution)
 {
-  return Merger(cells, ratio, leastCosine, demand, execution).run();
+  return Merger(cells, ratio, leastCosine, execution).run();
 }
 
 }

@@ -1,4 +1,5 @@
 // Cells by themselves: measured, and cut by planes.
+#include "CellFitness.h"
 #include "PolyhedronCut.h"
 
 #include <gtest/gtest.h>
@@ -65,6 +66,13 @@ double volumeOf(const Polyhedron& cell)
   return shape.volume;
 }
 
+std::array<int, Fitness::Faults> faultsOf(const Polyhedron& cell)
+{
+  CellShape shape;
+  measure(cell, shape);
+  return fitnessOf(cell, shape, std::vector<Beyond>(cell.faces())).faults;
+}
+
 // Every edge is run through as often one way as the other.
 bool isClosed(const Polyhedron& cell)
 {
@@ -97,19 +105,15 @@ TEST(Polyhedron, ACubeIsMeasured)
   }
   for (std::size_t f = 0; f < 6; ++f)
   {
-    EXPECT_DOUBLE_EQ(cosineOfFace(shape, f), 1);
-    EXPECT_FALSE(isUnfit(cube(), shape, f));
+    EXPECT_FALSE(isAtFault(cube(), shape, f));
   }
 }
 
 TEST(Polyhedron, AThinEllFailsTheAngleConditionAndAThickOneDoesNot)
 {
   // The centre of an L leaves it, seen from the concave corner, when its arms get thinner than 0.38.
-  CellShape shape;
-  measure(ell(300), shape);
-  EXPECT_GT(unfitArea(ell(300), shape, Demand::Angles), 0);
-  measure(ell(600), shape);
-  EXPECT_EQ(unfitArea(ell(600), shape, Demand::Angles), 0);
+  EXPECT_EQ(faultsOf(ell(300))[Fitness::BoundaryAngle], 2);
+  EXPECT_EQ(faultsOf(ell(600))[Fitness::BoundaryAngle], 0);
 }
 
 TEST(Polyhedron, ANarrowFaceFarFromTheCentreIsSkewed)
@@ -119,10 +123,10 @@ TEST(Polyhedron, ANarrowFaceFarFromTheCentreIsSkewed)
     prism({ { 0, 0 }, { 1000, 0 }, { 1000, 100 }, { 990, 100 }, { 0, 100 } }, 1000);
   CellShape shape;
   measure(slab, shape);
-  EXPECT_EQ(unfitArea(slab, shape, Demand::Angles), 0);
-  EXPECT_TRUE(isUnfit(slab, shape, 4));
-  EXPECT_FALSE(isUnfit(slab, shape, 5));
-  EXPECT_DOUBLE_EQ(unfitArea(slab, shape), 1e4);
+  EXPECT_EQ(faultsOf(slab)[Fitness::BoundaryAngle], 0);
+  EXPECT_EQ(faultsOf(slab)[Fitness::Skewed], 1);
+  EXPECT_TRUE(isAtFault(slab, shape, 4));
+  EXPECT_FALSE(isAtFault(slab, shape, 5));
 }
 
 TEST(PolyhedronCut, ACubeInHalves)
@@ -173,7 +177,7 @@ TEST(PolyhedronCut, AnEllAlongItsConcaveEdge)
     const Polyhedron arm = partOf(cell, cut, part);
     EXPECT_TRUE(isClosed(arm));
     measure(arm, shape);
-    EXPECT_EQ(unfitArea(arm, shape, Demand::Angles), 0);
+    EXPECT_EQ(faultsOf(arm)[Fitness::BoundaryAngle], 0);
     volume += shape.volume;
   }
   EXPECT_DOUBLE_EQ(volume, volumeOf(cell));

@@ -1,0 +1,169 @@
+#include "CellFitness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr double LeastBoundaryCosine = 0;
+constexpr double LeastInnerCosine = 0.258819045102521; // cos 75
+constexpr double LeastSlopeCosine = 0.342020143325669; // cos 70
+constexpr double MostSkewness = 4;
+constexpr double LeastVolumeRatio = 0.01;
+
+// OpenFOAM measures skewness over at least these parts of the distance of the centres, and of the
+// height above a boundary face.
+constexpr double ShareOfDistance = 0.2;
+constexpr double ShareOfHeight = 0.4;
+
+// Areas that differ by less are equal but for rounding.
+constexpr double RoundingOfAreas = 1e-6;
+
+double cosine(const Vector& u, const Vector& v)
+{
+  const double lengths = std::sqrt(dot(u, u) * dot(v, v));
+  return lengths > 0 ? dot(u, v) / lengths : 0;
+}
+
+// `aside`: from where the line meets the face's plane to the face's centre; `share`: the least that it
+// is measured over.
+bool isFarAside(const Polyhedron& cell, const FaceShape& shape, std::size_t face,
+  const Vector& aside, double share)
+{
+  const double distance = norm(aside);
+  if (distance <= MostSkewness * share)
+  {
+    return false;
+  }
+  double reach = 0;
+  for (std::size_t i = cell.start[face]; i < cell.start[face + 1]; ++i)
+  {
+    reach = std::max(reach, std::abs(dot(minus(cell.nodes[cell.corners[i]], shape.centre), aside)));
+  }
+  return distance * distance > MostSkewness * reach;
+}
+
+bool isBoundarySkewed(const Polyhedron& cell, const CellShape& shape, std::size_t face)
+{
+  const FaceShape& f = shape.faces[face];
+  const Vector normal = unit(f.area);
+  const Vector towards = minus(f.centre, shape.centre);
+  const double height = dot(towards, normal);
+  const Vector aside = minus(towards, scaled(normal, height));
+  return isFarAside(cell, f, face, aside, ShareOfHeight * std::abs(height));
+}
+
+bool isInnerSkewed(
+  const Polyhedron& cell, const CellShape& shape, std::size_t face, const Vector& between)
+{
+  const FaceShape& f = shape.faces[face];
+  const Vector towards = minus(f.centre, shape.centre);
+  const double across = dot(f.area, between);
+  if (across == 0)
+  {
+    return true;
+  }
+  const Vector aside = minus(towards, scaled(between, dot(f.area, towards) / across));
+  return isFarAside(cell, f, face, aside, ShareOfDistance * norm(between));
+}
+
+double ownCosine(const CellShape& shape, std::size_t face)
+{
+  const FaceShape& f = shape.faces[face];
+  return cosine(minus(f.centre, shape.centre), f.area);
+}
+
+}
+
+int Fitness::count() const
+{
+  return std::accumulate(faults.begin(), faults.end(), 0);
+}
+
+Fitness& Fitness::operator+=(const Fitness& other)
+{
+  for (std::size_t i = 0; i < Faults; ++i)
+  {
+    faults[i] += other.faults[i];
+  }
+  area += other.area;
+  return *this;
+}
+
+bool Fitness::isNoWorseThan(const Fitness& other) const
+{
+  return std::equal(faults.begin(), faults.end(), other.faults.begin(), std::less_equal<>());
+}
+
+bool Fitness::isBetterThan(const Fitness& other) const
+{
+  return isNoWorseThan(other) &&
+    (count() < other.count() || area < other.area * (1 - RoundingOfAreas));
+}
+
+Fitness fitnessOf(const Polyhedron& cell, const CellShape& shape, const std::vector<Beyond>& beyond,
+  const std::vector<std::uint8_t>& counts)
+{
+  Fitness fitness;
+  for (std::size_t f = 0; f < cell.faces(); ++f)
+  {
+    if (!counts.empty() && !counts[f])
+    {
+      continue;
+    }
+    const FaceShape& face = shape.faces[f];
+    const double own = ownCosine(shape, f);
+    const auto note = [&](Fitness::Fault fault, bool holds) {
+      fitness.faults[fault] += holds ? 1 : 0;
+    };
+    bool steep = false;
+    bool skewed = false;
+    if (cell.isBoundary[f])
+    {
+      steep = own <= LeastBoundaryCosine;
+      skewed = isBoundarySkewed(cell, shape, f);
+      note(Fitness::BoundaryAngle, steep);
+    }
+    else if (beyond[f].volume > 0)
+    {
+      const Vector between = minus(beyond[f].centre, shape.centre);
+      const double others = cosine(minus(beyond[f].centre, face.centre), face.area);
+      steep = std::min(own, others) < LeastInnerCosine;
+      skewed = isInnerSkewed(cell, shape, f, between);
+      note(Fitness::InnerAngle, steep);
+      note(Fitness::Steep, cosine(between, face.area) < LeastSlopeCosine);
+      note(Fitness::Uneven,
+        std::min(shape.volume, beyond[f].volume) <
+          LeastVolumeRatio * std::max(shape.volume, beyond[f].volume));
+    }
+    note(Fitness::Skewed, skewed);
+    fitness.area += steep || skewed ? norm(face.area) : 0;
+  }
+  return fitness;
+}
+
+bool isAtFault(const Polyhedron& cell, const CellShape& shape, std::size_t face)
+{
+  return cell.isBoundary[face]
+    ? ownCosine(shape, face) <= LeastBoundaryCosine || isBoundarySkewed(cell, shape, face)
+    : ownCosine(shape, face) < LeastInnerCosine;
+}
+
+bool isAnyAtFault(const Polyhedron& cell, const CellShape& shape)
+{
+  for (std::size_t f = 0; f < cell.faces(); ++f)
+  {
+    if (isAtFault(cell, shape, f))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+}

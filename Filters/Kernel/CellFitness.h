@@ -1,0 +1,52 @@
+// What section 3 of the paper and OpenFOAM's checkMesh demand of cells, counted.
+#pragma once
+
+#include "Polyhedron.h"
+
+#include <array>
+
+namespace cartesian
+{
+
+// The cell on the other side of an inner face.
+struct Beyond
+{
+  Vector centre{};   // from the same origin
+  double volume = 0; // 0: there is none
+};
+
+struct Fitness
+{
+  enum Fault
+  {
+    BoundaryAngle, // 90 degrees or more between a boundary face's normal and the way to it (section 3)
+    InnerAngle,    // 75 or more, seen from either cell
+    Steep,         // an inner face more than 70 degrees off the line between the centres
+    Skewed,        // a skewness over 4
+    Uneven,        // one of the two cells is smaller than a hundredth of the other
+    Faults
+  };
+
+  std::array<int, Faults> faults{};
+  double area = 0; // of the faces with a wrong angle or skewness
+
+  int count() const;
+  Fitness& operator+=(const Fitness& other);
+
+  // In no kind.
+  bool isNoWorseThan(const Fitness& other) const;
+
+  // In no kind worse, and fewer faults, or the same on less area.
+  bool isBetterThan(const Fitness& other) const;
+};
+
+// Faults of a cell's faces; beyond[f] belongs to face f. `counts`: of each face, 0 where another cell
+// counts it; empty: all count.
+Fitness fitnessOf(const Polyhedron& cell, const CellShape& shape, const std::vector<Beyond>& beyond,
+  const std::vector<std::uint8_t>& counts = {});
+
+// Whether a face is at fault that no look at other cells is needed for.
+bool isAtFault(const Polyhedron& cell, const CellShape& shape, std::size_t face);
+bool isAnyAtFault(const Polyhedron& cell, const CellShape& shape);
+
+}

@@ -1,0 +1,27 @@
+// Neighbouring faces of a cell that can be one: between the same two cells on one plane, or of one
+// boundary with normals close to each other.
+#pragma once
+
+#include "CellView.h"
+
+namespace cartesian
+{
+
+struct JoinedFaces
+{
+  struct Group
+  {
+    std::vector<std::uint32_t> members; // faces of the view
+    std::vector<std::uint32_t> ring;    // nodes of the view, counter-clockwise from outside
+  };
+  std::vector<Group> groups; // each face is in one
+};
+
+// `leastCosine`: of the angle between normals of boundary faces; 1: they lie on one plane; more: no
+// faces are joined at all.
+JoinedFaces joinFaces(const CellView& view, double leastCosine);
+
+// The view's shape with the groups for faces, and what is beyond them.
+Polyhedron shapeOf(const CellView& view, const JoinedFaces& joined, std::vector<Beyond>& beyond);
+
+}
