@@ -240,7 +240,7 @@ double vtkCartesianBoxer::EstimateNumberOfBoxes()
   this->Run(0, 1, [&](cartesian::Execution& execution) {
     const cartesian::SurfaceFromVTK surface(this->UpdatedSurface(), this->BoundaryArray);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
-    boxes = cartesian::estimateMesh(prepared.surface, prepared.planes).boxes;
+    boxes = cartesian::estimateMesh(prepared.surface, prepared.planes).boxes();
   });
   return boxes;
 }

@@ -277,6 +277,7 @@ Boxes boxesFromVTK(vtkUnstructuredGrid* grid)
   const std::vector<double> origin = getField(grid, LatticeOrigin, 3);
   boxes.lattice = Lattice({ origin[0], origin[1], origin[2] }, getField(grid, LatticeStep, 1)[0]);
   boxes.planes = readPlanes(grid);
+  boxes.core = boxes.allLayers();
 
   BoxReader reader(grid);
   boxes.rowStart.assign((boxes.planes[1].size() - 1) * (boxes.planes[2].size() - 1) + 1, 0);

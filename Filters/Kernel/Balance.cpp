@@ -1,15 +1,12 @@
 #include "Balance.h"
 
 #include <algorithm>
-#include <atomic>
 
 namespace cartesian
 {
 
 namespace
 {
-
-constexpr std::size_t BoxesAChunk = 1024;
 
 // Calls visit(neighbour) for the boxes across a side, one or more times each.
 template <class Visitor>
@@ -36,9 +33,16 @@ void forEachAcross(const Boxes& boxes, const Box& box, int axis, bool upper, Vis
   }
 }
 
-std::uint8_t axisToHalve(const Boxes& boxes, const Box& box)
+}
+
+std::uint8_t axisToHalve(const Boxes& boxes, const Box& box, int level)
 {
   std::uint8_t result = NoAxis;
+  if (boxes.globalOf(box).nearDepth <= level ||
+    std::min({ box.level[0], box.level[1], box.level[2] }) >= level)
+  {
+    return result; // no box around is finer, or this one is fine enough
+  }
   for (int axis = 0; axis < 3; ++axis)
   {
     for (const bool upper : { false, true })
@@ -46,7 +50,7 @@ std::uint8_t axisToHalve(const Boxes& boxes, const Box& box)
       forEachAcross(boxes, box, axis, upper, [&](const Box& other) {
         for (const int along : { (axis + 1) % 3, (axis + 2) % 3 })
         {
-          if (other.level[along] > box.level[along] + 1)
+          if (box.level[along] < level && other.level[along] > level)
           {
             result = std::min(result, static_cast<std::uint8_t>(along));
           }
@@ -55,38 +59,6 @@ std::uint8_t axisToHalve(const Boxes& boxes, const Box& box)
     }
   }
   return result;
-}
-
-}
-
-std::vector<std::uint8_t> tooCoarse(const Boxes& boxes, Execution& execution)
-{
-  std::vector<std::uint8_t> axes(boxes.boxes.size(), NoAxis);
-  std::atomic<bool> any{ false };
-  execution.forEach(boxes.globals.size() - 1, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t g = begin; g < end; ++g)
-    {
-      const int deepest = boxes.globals[g].nearDepth;
-      for (std::uint32_t b = boxes.globals[g].firstBox; b < boxes.globals[g + 1].firstBox; ++b)
-      {
-        const auto& level = boxes.boxes[b].level;
-        if (std::min({ level[0], level[1], level[2] }) + 1 >= deepest)
-        {
-          continue; // no box around is deep enough
-        }
-        axes[b] = axisToHalve(boxes, boxes.boxes[b]);
-        if (axes[b] != NoAxis)
-        {
-          any = true;
-        }
-      }
-    }
-  });
-  if (!any)
-  {
-    axes.clear();
-  }
-  return axes;
 }
 
 }

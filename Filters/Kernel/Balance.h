@@ -2,19 +2,26 @@
 //
 // No side of a box may be touched by more than one split line of its neighbours in each direction:
 // across a side, levels along it differ by one at most. A box that is too coarse is halved in that
-// direction. This goes round by round: what happens in a round depends on the boxes before it
-// only, and a box is halved once a round, along the lowest axis that asks for it. So the result
-// depends on no order of visits.
+// direction. This goes pass by pass, from the deepest level down: the pass of level n halves boxes
+// until none coarser than n touches one finer than n. What is finer than n it leaves as it is, so
+// what becomes of a box depends on nothing but the boxes that touched it before the pass: on no
+// order of visits, and in all passes together on boxes at most balanceReach() global boxes away.
 #pragma once
 
 #include "Boxes.h"
-#include "Execution.h"
 
 namespace cartesian
 {
 
-// For each box, the axis along which it must be halved, or NoAxis. Empty where none must.
+// How many global boxes away a box of `depth` makes others finer.
+constexpr std::uint32_t balanceReach(int depth)
+{
+  return depth > 1 ? static_cast<std::uint32_t>(depth) - 1 : 0;
+}
+
+// The lowest axis along which a box must be halved in the pass of this level, or NoAxis. `boxes`: as
+// they were before the pass; `box` may be a part of one of them.
 constexpr std::uint8_t NoAxis = 3;
-std::vector<std::uint8_t> tooCoarse(const Boxes& boxes, Execution& execution);
+std::uint8_t axisToHalve(const Boxes& boxes, const Box& box, int level);
 
 }

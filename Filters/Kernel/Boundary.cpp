@@ -45,7 +45,7 @@ private:
     std::vector<BoundaryFace> faces;
     faces.reserve(parts_.patches.size());
     const Cells& cells = parts_.cells;
-    for (std::size_t c = 0; c < cells.size(); ++c)
+    for (std::size_t c = numbers_.coreBegin; c < numbers_.coreEnd; ++c)
     {
       const std::size_t before = faces.size();
       for (std::size_t f = cells.cells[c].firstFace; f < cells.cells[c + 1].firstFace; ++f)
@@ -83,11 +83,11 @@ private:
   void expose(const Beyond& low, const Beyond& high, std::size_t face, BoundaryFace::Kind kind,
     BoundaryFace::Kind turned)
   {
-    if (low.cell != None && high.cell == None)
+    if (CellNumbers::isHere(low.cell) && high.cell == None)
     {
       exposed_.push_back({ low.cell, face, high.boundary, kind });
     }
-    if (low.cell == None && high.cell != None)
+    if (low.cell == None && CellNumbers::isHere(high.cell))
     {
       exposed_.push_back({ high.cell, face, low.boundary, turned });
     }
@@ -125,13 +125,15 @@ private:
   {
     const auto& flawed = parts_.inner.flawed;
     const bool anywhere = std::find(flawed.begin(), flawed.end(), 1) != flawed.end();
-    for (std::uint32_t b = 0; b < parts_.boxes.boxes.size(); ++b)
+    const Boxes& boxes = parts_.boxes;
+    for (std::uint32_t b = boxes.firstBoxOf(boxes.core.begin); b < boxes.firstBoxOf(boxes.core.end);
+         ++b)
     {
       if (parts_.sides.polyhedralOrdinal(b) != None)
       {
         continue;
       }
-      const Box& box = parts_.boxes.boxes[b];
+      const Box& box = boxes.boxes[b];
       for (unsigned i = 0; i < 6; ++i)
       {
         if ((anywhere || isAtEnd(box, i / 2, i % 2 == 1)) &&
@@ -193,27 +195,37 @@ std::int32_t boundaryBeyond(const Patches& patches, const Sides& sides, std::uin
 
 CellNumbers numberCells(const MeshParts& parts)
 {
+  const Boxes& boxes = parts.boxes;
+  const Cells& cells = parts.cells;
   CellNumbers numbers;
-  numbers.ofBox.reserve(parts.boxes.boxes.size() + 1);
-  numbers.ofCell.assign(parts.cells.size(), None);
+  numbers.ofBox.reserve(boxes.boxes.size() + 1);
+  numbers.ofCell.assign(cells.size(), None);
+  numbers.coreBegin = cells.size();
   std::uint32_t next = 0;
-  for (std::uint32_t b = 0; b < parts.boxes.boxes.size(); ++b)
+  for (std::uint32_t b = 0; b < boxes.boxes.size(); ++b)
   {
-    numbers.ofBox.push_back(next);
+    const bool isCore = boxes.isCore(boxes.boxes[b]);
+    numbers.ofBox.push_back(isCore ? next : CellNumbers::Elsewhere);
     const std::uint32_t n = parts.sides.polyhedralOrdinal(b);
     if (n == None)
     {
-      ++next;
+      next += isCore ? 1 : 0;
       continue;
     }
-    for (std::size_t c = parts.cells.boxStart[n]; c < parts.cells.boxStart[n + 1]; ++c)
+    if (isCore)
     {
-      if (!parts.cells.cells[c].removed)
+      numbers.coreBegin = std::min(numbers.coreBegin, cells.boxStart[n]);
+      numbers.coreEnd = cells.boxStart[n + 1];
+    }
+    for (std::size_t c = cells.boxStart[n]; c < cells.boxStart[n + 1]; ++c)
+    {
+      if (!cells.cells[c].removed)
       {
-        numbers.ofCell[c] = next++;
+        numbers.ofCell[c] = isCore ? next++ : CellNumbers::Elsewhere;
       }
     }
   }
+  numbers.coreBegin = std::min(numbers.coreBegin, numbers.coreEnd);
   numbers.ofBox.push_back(next);
   return numbers;
 }

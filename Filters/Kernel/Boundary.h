@@ -19,11 +19,17 @@ struct MeshParts
   const Cells& cells;
 };
 
-// Numbers of the cells that stay, in order of boxes: 0, 1, 2, ...
+// Numbers of the cells of the core that stay, in order of boxes: 0, 1, 2, ...
 struct CellNumbers
 {
+  static constexpr std::uint32_t Elsewhere = None - 1; // the cell is in the halo
+
   std::vector<std::uint32_t> ofBox;  // of the (first) cell of each box; the total at the end
   std::vector<std::uint32_t> ofCell; // of each cell of polyhedral boxes, or None where removed
+  std::size_t coreBegin = 0;         // cells of polyhedral boxes in the core
+  std::size_t coreEnd = 0;
+
+  static bool isHere(std::uint32_t number) { return number < Elsewhere; }
 };
 
 CellNumbers numberCells(const MeshParts& parts);

@@ -3,7 +3,6 @@
 #include "Balance.h"
 #include "Error.h"
 #include "FewestBoxes.h"
-#include "GlobalStatuses.h"
 #include "UnitStatuses.h"
 
 #include <algorithm>
@@ -52,19 +51,23 @@ class Generator
 {
 public:
   Generator(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
-    const Refinement& refinement, Execution& execution)
+    const Refinement& refinement, const GlobalStatuses& statuses, Layers core, Layers layers,
+    Execution& execution)
     : surface_(surface)
     , planes_(planes)
     , shoeboxes_(shoeboxes)
     , refinement_(refinement)
-    , statuses_(surface, planes, shoeboxes, execution)
+    , statuses_(statuses)
+    , layers_(layers)
     , execution_(execution)
   {
     boxes_.lattice = surface.lattice;
     boxes_.planes = planes;
+    boxes_.core = core;
   }
 
-  Boxes generate(double mostBytes)
+  // `kept`: layers that stay when boxes are balanced.
+  Boxes generate(Layers kept, double mostBytes)
   {
     listGlobals();
     if (refinement_.any())
@@ -72,12 +75,14 @@ public:
       findDepths();
       checkDepths(mostBytes);
       divide();
+      for (int level = refinement_.deepest() - 1; level > 0; --level)
+      {
+        flatten();
+        balance(level);
+      }
     }
+    leaveOutAllBut(kept);
     flatten();
-    while (refinement_.any() && halveTooCoarse())
-    {
-      flatten();
-    }
     return std::move(boxes_);
   }
 
@@ -86,14 +91,15 @@ private:
   void forEachRow(Visitor&& visit)
   {
     const std::size_t rowsAlongY = planes_[1].size() - 1;
-    execution_.forEach(
-      boxes_.rowStart.size() - 1, RowsAChunk, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t row = begin; row < end; ++row)
-        {
-          visit(row, static_cast<std::uint32_t>(row % rowsAlongY),
-            static_cast<std::uint32_t>(row / rowsAlongY));
-        }
-      });
+    const std::size_t first = boxes_.row(0, layers_.begin);
+    const std::size_t count = boxes_.row(0, layers_.end) - first;
+    execution_.forEach(count, RowsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t row = first + begin; row < first + end; ++row)
+      {
+        visit(row, static_cast<std::uint32_t>(row % rowsAlongY),
+          static_cast<std::uint32_t>(row / rowsAlongY));
+      }
+    });
   }
 
   template <class Visitor>
@@ -162,16 +168,12 @@ private:
 
   void checkDepths(double mostBytes) const
   {
-    Estimate estimate{ 0, 0 };
+    Estimate estimate;
     for (std::size_t g = 0; g < statusOf_.size(); ++g)
     {
-      const double inside = std::pow(8, depths_[g].forced);
-      const double intersected = statusOf_[g] == BoxStatus::Intersected
-        ? std::min(
-            std::pow(8, depths_[g].allowed), UnitsAcrossABox * std::pow(4, depths_[g].allowed))
-        : 0;
-      estimate.boxes += inside + intersected;
-      estimate.bytes += inside * BytesOfAnInsideBox + intersected * BytesOfAnIntersectedBox;
+      const Estimate box = estimateBox(statusOf_[g], depths_[g]);
+      estimate.inside += box.inside;
+      estimate.intersected += box.intersected;
     }
     checkMemory(estimate, mostBytes);
   }
@@ -218,6 +220,27 @@ private:
             { level, level, level }, BoxStatus::Inside, AllCorners });
         }
       }
+    }
+  }
+
+  void leaveOutAllBut(Layers kept)
+  {
+    const std::size_t first = boxes_.rowStart[boxes_.row(0, kept.begin)];
+    const std::size_t end = boxes_.rowStart[boxes_.row(0, kept.end)];
+    const auto slice = [&](auto& ofGlobals) {
+      if (!ofGlobals.empty())
+      {
+        ofGlobals.erase(ofGlobals.begin() + std::ptrdiff_t(end), ofGlobals.end());
+        ofGlobals.erase(ofGlobals.begin(), ofGlobals.begin() + std::ptrdiff_t(first));
+      }
+    };
+    slice(boxes_.globals);
+    boxes_.globals.push_back({ { 0, 0, 0 }, 0, None, 0, 0 });
+    slice(statusOf_);
+    slice(parts_);
+    for (std::size_t& start : boxes_.rowStart)
+    {
+      start = std::clamp(start, first, end) - first;
     }
   }
 
@@ -275,63 +298,60 @@ private:
     return box;
   }
 
-  // One round of balancing; false where nothing was to be done.
-  bool halveTooCoarse()
+  // One pass of balancing (Balance.h).
+  void balance(int level)
   {
-    const std::vector<std::uint8_t> axes = tooCoarse(boxes_, execution_);
-    if (axes.empty())
-    {
-      return false;
-    }
     forEachGlobal([&](std::size_t g) {
       const std::uint32_t first = boxes_.globals[g].firstBox;
       const std::uint32_t end = boxes_.globals[g + 1].firstBox;
-      if (std::all_of(axes.begin() + first, axes.begin() + end,
-            [](std::uint8_t axis) { return axis == NoAxis; }))
-      {
-        return;
-      }
       std::vector<LocalBox> parts;
+      bool changed = false;
       for (std::uint32_t b = first; b < end; ++b)
       {
         const Box& box = boxes_.boxes[b];
-        const LocalBox part{ box.offset, box.level, box.status, box.corners };
-        if (axes[b] == NoAxis)
-        {
-          parts.push_back(part);
-        }
-        else
-        {
-          halve(g, part, axes[b], parts);
-        }
+        changed |= balance(g, { box.offset, box.level, box.status, box.corners }, level, parts);
       }
-      parts_[g].swap(parts);
+      if (changed)
+      {
+        parts_[g].swap(parts);
+      }
     });
+  }
+
+  // Appends what the pass makes of a box, as far as it is inside or intersected; whether it changed.
+  bool balance(std::size_t g, const LocalBox& box, int level, std::vector<LocalBox>& parts) const
+  {
+    const std::uint8_t axis = axisToHalve(boxes_, placed(g, box), level);
+    if (axis == NoAxis)
+    {
+      parts.push_back(box);
+      return false;
+    }
+    for (const bool upper : { false, true })
+    {
+      const LocalBox half = halfOf(g, box, axis, upper);
+      if (half.status != BoxStatus::Outside)
+      {
+        balance(g, half, level, parts);
+      }
+    }
     return true;
   }
 
-  // Appends the two halves of a box, as far as they are inside or intersected.
-  void halve(
-    std::size_t g, const LocalBox& whole, std::uint8_t axis, std::vector<LocalBox>& parts) const
+  LocalBox halfOf(std::size_t g, const LocalBox& whole, std::uint8_t axis, bool upper) const
   {
-    for (const bool upper : { false, true })
+    LocalBox half = whole;
+    ++half.level[axis];
+    if (upper)
     {
-      LocalBox half = whole;
-      ++half.level[axis];
-      if (upper)
-      {
-        half.offset[axis] =
-          static_cast<std::uint8_t>(half.offset[axis] + (FinePerBox >> half.level[axis]));
-      }
-      if (whole.status == BoxStatus::Intersected)
-      {
-        findStatus(g, half);
-      }
-      if (half.status != BoxStatus::Outside)
-      {
-        parts.push_back(half);
-      }
+      half.offset[axis] =
+        static_cast<std::uint8_t>(half.offset[axis] + (FinePerBox >> half.level[axis]));
     }
+    if (whole.status == BoxStatus::Intersected)
+    {
+      findStatus(g, half);
+    }
+    return half;
   }
 
   void findStatus(std::size_t g, LocalBox& part) const
@@ -363,7 +383,8 @@ private:
   const Meshlines& planes_;
   const Shoeboxes& shoeboxes_;
   const Refinement& refinement_;
-  GlobalStatuses statuses_;
+  const GlobalStatuses& statuses_;
+  Layers layers_;
   Execution& execution_;
   Boxes boxes_;
   std::vector<BoxStatus> statusOf_; // of global boxes
@@ -374,9 +395,28 @@ private:
 }
 
 Boxes generateBoxes(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
-  const Refinement& refinement, double mostBytes, Execution& execution)
+  const Refinement& refinement, const GlobalStatuses& statuses, Layers core, double mostBytes,
+  Execution& execution)
 {
-  return Generator(surface, planes, shoeboxes, refinement, execution).generate(mostBytes);
+  const auto end = static_cast<std::uint32_t>(planes[2].size() - 1);
+  const Layers kept = core.grown(haloOf(refinement), end);
+  const Layers layers = kept.grown(balanceReach(refinement.deepest()), end);
+  return Generator(surface, planes, shoeboxes, refinement, statuses, core, layers, execution)
+    .generate(kept, mostBytes);
+}
+
+double Estimate::bytes() const
+{
+  return inside * BytesOfAnInsideBox + intersected * BytesOfAnIntersectedBox +
+    triangles * BytesOfATriangle;
+}
+
+Estimate estimateBox(BoxStatus status, const Depths& depths)
+{
+  const double intersected = status == BoxStatus::Intersected
+    ? std::min(std::pow(8, depths.allowed), UnitsAcrossABox * std::pow(4, depths.allowed))
+    : 0;
+  return { std::pow(8, depths.forced), intersected, 0 };
 }
 
 Estimate estimateMesh(const Surface& surface, const Meshlines& planes)
@@ -402,21 +442,19 @@ Estimate estimateMesh(const Surface& surface, const Meshlines& planes)
     extent *= std::max(2.0, bounds.high[axis] - bounds.low[axis]) * surface.lattice.step();
   }
   const double inside = all * std::min(1.0, std::abs(volumeOf(surface)) / extent);
-  return { inside + intersected,
-    inside * BytesOfAnInsideBox + intersected * BytesOfAnIntersectedBox +
-      static_cast<double>(surface.triangles.size()) * BytesOfATriangle };
+  return { inside, intersected, static_cast<double>(surface.triangles.size()) };
 }
 
 void checkMemory(const Estimate& estimate, double mostBytes)
 {
   constexpr double GiB = 1024.0 * 1024 * 1024;
-  if (estimate.bytes > mostBytes)
+  if (estimate.bytes() > mostBytes)
   {
     std::array<char, 300> text;
     std::snprintf(text.data(), text.size(),
       "The mesh would have about %.4g boxes and take about %.4g GiB, more than the Memory Limit of "
       "%.4g GiB: choose a larger Cell Size, less refinement, or raise the limit.",
-      estimate.boxes, estimate.bytes / GiB, mostBytes / GiB);
+      estimate.boxes(), estimate.bytes() / GiB, mostBytes / GiB);
     throw Error(Fault::TooManyBoxes, text.data());
   }
 }

@@ -8,6 +8,7 @@
 
 #include "Meshlines.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -62,10 +63,28 @@ struct GlobalBox
   std::uint8_t nearDepth; // the largest depth of it and its 26 neighbours: 0, no nodes hang
 };
 
+// Layers of global boxes along z: from K = begin to end - 1.
+struct Layers
+{
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+
+  bool contains(std::uint32_t k) const { return k >= begin && k < end; }
+
+  // These and `by` more on either side, as far as there are; nothing stays nothing.
+  Layers grown(std::uint32_t by, std::uint32_t all) const
+  {
+    return begin == end ? *this : Layers{ begin - std::min(begin, by), std::min(end + by, all) };
+  }
+};
+
+// All boxes of a grid, or those of a part of it: its core and, around that, the halo that its
+// cells depend on (Parts.h).
 struct Boxes
 {
   Lattice lattice;
   Meshlines planes;
+  Layers core; // that cells are made for; of a whole grid, all
   std::vector<GlobalBox>
     globals; // by rows along x (J + K * boxes along y), then by I; one more at the end
   std::vector<std::size_t> rowStart; // first global box of each row, and the end
@@ -74,6 +93,15 @@ struct Boxes
 
   std::size_t row(std::size_t j, std::size_t k) const { return j + k * (planes[1].size() - 1); }
   const GlobalBox& globalOf(const Box& box) const { return globals[box.global]; }
+  bool isCore(const Box& box) const { return core.contains(globalOf(box).index[2]); }
+
+  Layers allLayers() const { return { 0, static_cast<std::uint32_t>(planes[2].size() - 1) }; }
+
+  // The first box of a layer; of the one past the last, the number of boxes.
+  std::uint32_t firstBoxOf(std::uint32_t layer) const
+  {
+    return globals[rowStart[row(0, layer)]].firstBox;
+  }
 
   FinePoint fineLow(const Box& box) const;
   static std::int64_t fineSize(const Box& box, int axis) { return FinePerBox >> box.level[axis]; }

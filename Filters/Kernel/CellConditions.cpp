@@ -111,11 +111,11 @@ private:
 CellConditions countFailures(const MeshParts& parts, const CellNumbers& numbers,
   const std::vector<BoundaryFace>& boundary, Execution& execution)
 {
-  const std::size_t cells = parts.cells.size();
+  const std::size_t cells = numbers.coreEnd - numbers.coreBegin;
   std::vector<CellConditions> ofChunk(chunks(cells, CellsAChunk));
   execution.forEach(cells, CellsAChunk, [&](std::size_t begin, std::size_t end) {
     Inspector inspector(parts, numbers, boundary, ofChunk[begin / CellsAChunk]);
-    for (std::size_t c = begin; c < end; ++c)
+    for (std::size_t c = numbers.coreBegin + begin; c < numbers.coreBegin + end; ++c)
     {
       if (!parts.cells.cells[c].removed)
       {

@@ -77,8 +77,11 @@ public:
     {
       measureFaces(boxes_.boxes[sides_.polyhedral[n]]);
       findShells();
-      part.voids += fillVoids();
-      part.folds += dropFolds();
+      const bool counts = boxes_.isCore(boxes_.boxes[sides_.polyhedral[n]]);
+      const std::size_t voids = fillVoids();
+      const std::size_t folds = dropFolds();
+      part.voids += counts ? voids : 0;
+      part.folds += counts ? folds : 0;
       closed = !anyFaceTwice();
     }
     part.flawed.push_back(closed ? 0 : 1);

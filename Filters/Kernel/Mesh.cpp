@@ -1,5 +1,7 @@
 #include "Mesh.h"
 
+#include "BoxGeneration.h"
+
 #include <algorithm>
 
 namespace cartesian
@@ -19,104 +21,28 @@ template <class Visitor>
 void Mesh::forEachPoint(const FaceRef& face, Visitor&& visit) const
 {
   forEachNode(face, parts_.patches, parts_.inner, parts_.cells.shaped,
-    [&](std::uint32_t node) { visit(static_cast<Id>(nodePoint_[node])); });
+    [&](std::uint32_t node) { visit(static_cast<Id>(points_.ofNode(node))); });
 }
 
 Mesh::Mesh(const MeshParts& parts, Execution& execution)
   : parts_(parts)
   , numbers_(numberCells(parts))
-  , used_(usedNodes())
-  , vertices_(parts.boxes, parts.sides, parts.nodes, used_, execution)
+  , points_(parts, parts.boxes.core, execution)
+  , ownPoints_(pointCount())
 {
-  numberNodes();
+  const Layers core = parts.boxes.core;
+  const Layers around = core.grown(HaloOfCells, parts.boxes.allLayers().end);
+  if (around.begin != core.begin || around.end != core.end)
+  {
+    pointsAround_ = std::make_unique<PointNumbers>(parts, around, execution);
+    const bool isLast = core.end == parts.boxes.allLayers().end;
+    const std::size_t end = isLast ? pointsAround_->size() : pointsAround_->firstOfLayer(core.end);
+    ownPoints_ = static_cast<Id>(end - pointsAround_->firstOfLayer(core.begin));
+  }
   measureCells(execution);
   placeRows();
   boundary_ = collectBoundary(parts_, numbers_);
   failures_ = countFailures(parts_, numbers_, boundary_, execution);
-}
-
-std::vector<std::uint8_t> Mesh::usedNodes() const
-{
-  std::vector<std::uint8_t> used(parts_.nodes.at.size());
-  const auto mark = [&](const FaceRef& face) {
-    forEachNode(face, parts_.patches, parts_.inner, parts_.cells.shaped,
-      [&](std::uint32_t node) { used[node] = 1; });
-  };
-  const Cells& cells = parts_.cells;
-  for (std::size_t c = 0; c < cells.size(); ++c)
-  {
-    for (std::size_t f = cells.cells[c].firstFace;
-         !cells.cells[c].removed && f < cells.cells[c + 1].firstFace; ++f)
-    {
-      mark(cells.faces[f]);
-    }
-  }
-  // A hexahedron keeps its faces, whatever became of the cells beyond.
-  for (std::size_t s = 0; s < parts_.sides.sides.size(); ++s)
-  {
-    const Side& side = parts_.sides.sides[s];
-    const std::uint32_t other =
-      parts_.sides.polyhedralOrdinal(side.low) == None ? side.low : side.high;
-    const bool hexahedron = other != None && parts_.sides.polyhedralOrdinal(other) == None;
-    for (std::size_t f = parts_.inner.sideStart[s]; hexahedron && f < parts_.inner.sideStart[s + 1];
-         ++f)
-    {
-      mark(FaceRef(f, FaceRef::Kind::Inner));
-    }
-  }
-  for (std::size_t i = 0; i < parts_.nodes.ofDivided.size(); ++i)
-  {
-    const bool hexahedron = parts_.sides.polyhedralOrdinal(parts_.sides.divided[i]) == None;
-    for (std::size_t corner = 0; hexahedron && corner < 8; ++corner)
-    {
-      used[parts_.nodes.ofDivided[i][corner]] = 1;
-    }
-  }
-  return used;
-}
-
-void Mesh::numberNodes()
-{
-  const Nodes& nodes = parts_.nodes;
-  const std::size_t rowLength = parts_.boxes.planes[1].size();
-  nodePoint_.assign(used_.size(), None);
-  points_ = vertices_.size();
-  for (std::size_t row = 0; row + 1 < nodes.rowStart.size(); ++row)
-  {
-    const std::size_t j = row % rowLength;
-    const std::size_t k = row / rowLength;
-    for (std::size_t c = nodes.rowStart[row]; c < nodes.rowStart[row + 1]; ++c)
-    {
-      const std::size_t node = nodes.patchPoints + c;
-      if (used_[node])
-      {
-        std::uint32_t i = 0;
-        const bool vertex = VertexRows::isVertex(parts_.boxes.planes, nodes.at[node], j, k, i);
-        nodePoint_[node] = static_cast<std::uint32_t>(vertex
-            ? vertices_.number(i, static_cast<std::uint32_t>(j), static_cast<std::uint32_t>(k))
-            : points_++);
-      }
-    }
-  }
-  for (const VertexNode& vertex : nodes.moreVertices)
-  {
-    if (used_[vertex.node])
-    {
-      nodePoint_[vertex.node] =
-        static_cast<std::uint32_t>(vertices_.number(vertex.i, vertex.j, vertex.k));
-    }
-  }
-  const auto number = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t node = begin; node < end; ++node)
-    {
-      if (used_[node] && nodePoint_[node] == None)
-      {
-        nodePoint_[node] = static_cast<std::uint32_t>(points_++);
-      }
-    }
-  };
-  number(0, nodes.patchPoints);
-  number(nodes.patchPoints + nodes.rowStart.back(), used_.size());
 }
 
 void Mesh::distinctPoints(std::size_t cell, std::vector<Id>& points) const
@@ -135,9 +61,10 @@ void Mesh::measureCells(Execution& execution)
 {
   const Cells& cells = parts_.cells;
   cellSizes_.resize(cells.size());
-  execution.forEach(cells.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+  const std::size_t first = numbers_.coreBegin;
+  execution.forEach(numbers_.coreEnd - first, CellsAChunk, [&](std::size_t begin, std::size_t end) {
     std::vector<Id> points;
-    for (std::size_t c = begin; c < end; ++c)
+    for (std::size_t c = first + begin; c < first + end; ++c)
     {
       if (cells.cells[c].removed)
       {
@@ -160,10 +87,16 @@ void Mesh::placeRows()
 {
   const Boxes& boxes = parts_.boxes;
   RowOffsets sum;
-  std::size_t c = 0;
+  std::size_t c = numbers_.coreBegin;
+  const std::size_t begin = boxes.row(0, boxes.core.begin);
+  const std::size_t end = boxes.row(0, boxes.core.end);
   for (std::size_t row = 0; row + 1 < boxes.rowStart.size(); ++row)
   {
     rows_.push_back(sum);
+    if (row < begin || row >= end)
+    {
+      continue;
+    }
     for (std::size_t b = firstBoxOfRow(row); b < firstBoxOfRow(row + 1); ++b)
     {
       if (parts_.sides.polyhedralOrdinal(static_cast<std::uint32_t>(b)) == None)
@@ -190,7 +123,7 @@ std::array<Id, 8> Mesh::corners(std::size_t box) const
     const auto& nodes = parts_.nodes.ofDivided[ordinal & ~Sides::HexahedronBit];
     for (std::size_t corner = 0; corner < 8; ++corner)
     {
-      p[corner] = nodePoint_[nodes[corner]];
+      p[corner] = points_.ofNode(nodes[corner]);
     }
     return p;
   }
@@ -198,45 +131,74 @@ std::array<Id, 8> Mesh::corners(std::size_t box) const
   for (std::uint32_t corner = 0; corner < 8; corner += 2)
   {
     p[corner] =
-      static_cast<Id>(vertices_.number(at[0], at[1] + (corner >> 1 & 1), at[2] + (corner >> 2)));
+      static_cast<Id>(points_.ofVertex(at[0], at[1] + (corner >> 1 & 1), at[2] + (corner >> 2)));
     p[corner + 1] = p[corner] + 1;
   }
   return p;
 }
 
-void Mesh::writePoints(double* xyz, Execution& execution) const
+// Calls visitVertex(point, i, j, k) for vertices of the global mesh, visitNode(point, node) for nodes,
+// vertices among them.
+template <class VertexVisitor, class NodeVisitor>
+void Mesh::forEachPoint(
+  VertexVisitor&& visitVertex, NodeVisitor&& visitNode, Execution& execution) const
 {
-  const Lattice& lattice = parts_.boxes.lattice;
-  const Meshlines& planes = parts_.boxes.planes;
-  const std::size_t rowLength = planes[1].size();
+  const std::size_t rowLength = parts_.boxes.planes[1].size();
   execution.forEach(
-    rowLength * planes[2].size(), RowsAChunk, [&](std::size_t begin, std::size_t end) {
+    pointRows(parts_.boxes.planes), RowsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t row = begin; row < end; ++row)
       {
-        vertices_.forEach(row, [&](std::size_t number, std::uint32_t i) {
-          xyz[3 * number] = lattice.position(0, planes[0][i]);
-          xyz[3 * number + 1] = lattice.position(1, planes[1][row % rowLength]);
-          xyz[3 * number + 2] = lattice.position(2, planes[2][row / rowLength]);
+        points_.forEachVertex(row, [&](std::size_t point, std::uint32_t i) {
+          visitVertex(point, i, static_cast<std::uint32_t>(row % rowLength),
+            static_cast<std::uint32_t>(row / rowLength));
         });
       }
     });
   execution.forEach(parts_.nodes.at.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t node = begin; node < end; ++node)
     {
-      for (int axis = 0; used_[node] && axis < 3; ++axis)
+      if (points_.ofNode(node) != None)
       {
-        xyz[3 * std::size_t(nodePoint_[node]) + axis] =
-          lattice.position(axis, parts_.nodes.at[node][axis]);
+        visitNode(points_.ofNode(node), node);
       }
     }
   });
 }
 
+void Mesh::writePoints(double* xyz, Execution& execution) const
+{
+  const auto write = [&](std::size_t point, const Point& at) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      xyz[3 * point + axis] = parts_.boxes.lattice.position(static_cast<int>(axis), at[axis]);
+    }
+  };
+  const Meshlines& planes = parts_.boxes.planes;
+  forEachPoint(
+    [&](std::size_t point, std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+      write(point, { planes[0][i], planes[1][j], planes[2][k] });
+    },
+    [&](std::size_t point, std::size_t node) { write(point, parts_.nodes.at[node]); }, execution);
+}
+
+void Mesh::writeGlobalPoints(Id before, Id* ids, Execution& execution) const
+{
+  const PointNumbers& around = pointsAround_ ? *pointsAround_ : points_;
+  const Id offset = before - static_cast<Id>(around.firstOfLayer(parts_.boxes.core.begin));
+  forEachPoint([&](std::size_t point, std::uint32_t i, std::uint32_t j,
+                 std::uint32_t k) { ids[point] = offset + around.ofVertex(i, j, k); },
+    [&](std::size_t point, std::size_t node) { ids[point] = offset + around.ofNode(node); },
+    execution);
+}
+
 void Mesh::writeCells(const CellArrays& arrays, Execution& execution) const
 {
-  execution.forEach(rows_.size() - 1, RowsAChunk, [&](std::size_t begin, std::size_t end) {
+  const Boxes& boxes = parts_.boxes;
+  const std::size_t first = boxes.row(0, boxes.core.begin);
+  const std::size_t rows = boxes.row(0, boxes.core.end) - first;
+  execution.forEach(rows, RowsAChunk, [&](std::size_t begin, std::size_t end) {
     std::vector<Id> scratch;
-    for (std::size_t row = begin; row < end; ++row)
+    for (std::size_t row = first + begin; row < first + end; ++row)
     {
       writeRow(row, arrays, scratch);
     }
@@ -310,18 +272,21 @@ void Mesh::writeCellData(const CellData& data, Execution& execution) const
     data.volumeFraction[id] = fraction;
   };
   const Boxes& boxes = parts_.boxes;
-  execution.forEach(boxes.boxes.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t b = begin; b < end; ++b)
-    {
-      if (parts_.sides.polyhedralOrdinal(static_cast<std::uint32_t>(b)) == None)
+  const std::size_t firstBox = boxes.firstBoxOf(boxes.core.begin);
+  execution.forEach(boxes.firstBoxOf(boxes.core.end) - firstBox, CellsAChunk,
+    [&](std::size_t begin, std::size_t end) {
+      for (std::size_t b = firstBox + begin; b < firstBox + end; ++b)
       {
-        write(numbers_.ofBox[b], boxes.boxes[b], 1);
+        if (parts_.sides.polyhedralOrdinal(static_cast<std::uint32_t>(b)) == None)
+        {
+          write(numbers_.ofBox[b], boxes.boxes[b], 1);
+        }
       }
-    }
-  });
+    });
   const Cells& cells = parts_.cells;
-  execution.forEach(cells.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c)
+  const std::size_t first = numbers_.coreBegin;
+  execution.forEach(numbers_.coreEnd - first, CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = first + begin; c < first + end; ++c)
     {
       if (!cells.cells[c].removed)
       {

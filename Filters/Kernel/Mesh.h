@@ -1,12 +1,17 @@
 // The finished mesh (section 6, steps 11 and 13): cells and points numbered and written.
 //
-// Cells are hexahedra (inside boxes without hanging nodes) and polyhedra, in order of their boxes.
-// Points are the used vertices of the global mesh, row by row, then used nodes between them, then
-// the used points of patches. All are written straight into arrays of the caller's.
+// Cells are hexahedra (inside boxes without hanging nodes) and polyhedra, in order of their boxes;
+// points are in the order of PointNumbers.h. All are written straight into arrays of the caller's.
+//
+// The mesh of a part of the grid (Division.h) has the cells of its core and the points that those
+// use. Their numbers in the whole mesh are their own and the number of all cells of the parts
+// before, and those of writeGlobalPoints.
 #pragma once
 
 #include "CellConditions.h"
-#include "VertexRows.h"
+#include "PointNumbers.h"
+
+#include <memory>
 
 namespace cartesian
 {
@@ -44,7 +49,11 @@ class Mesh
 public:
   Mesh(const MeshParts& parts, Execution& execution);
 
-  Id pointCount() const { return static_cast<Id>(points_); }
+  Id pointCount() const { return static_cast<Id>(points_.size()); }
+
+  // How many points the parts up to this one have between them, more than those before it: the points
+  // on its upper end belong to the next.
+  Id ownPointCount() const { return ownPoints_; }
   Id cellCount() const { return numbers_.ofBox.back(); }
   Id connectivitySize() const { return rows_.back().connectivity; }
   Id faceStreamSize() const { return rows_.back().faceStream; }
@@ -52,6 +61,10 @@ public:
   const CellConditions& failures() const { return failures_; }
 
   void writePoints(double* xyz, Execution& execution) const;
+
+  // The number of each point in the whole mesh. `before`: the own points of all parts before.
+  void writeGlobalPoints(Id before, Id* ids, Execution& execution) const;
+
   void writeCells(const CellArrays& arrays, Execution& execution) const;
   void writeCellData(const CellData& data, Execution& execution) const;
 
@@ -63,7 +76,7 @@ private:
   template <class Visitor>
   void forEachPoint(const BoundaryFace& face, Visitor&& visit) const;
 
-  // Where a row of boxes starts in the output arrays.
+  // Where a row of boxes starts in the output arrays; only the core has any.
   struct RowOffsets
   {
     Id connectivity = 0;
@@ -75,8 +88,9 @@ private:
     std::uint32_t faceStream = 0;
   };
 
-  std::vector<std::uint8_t> usedNodes() const;
-  void numberNodes();
+  template <class VertexVisitor, class NodeVisitor>
+  void forEachPoint(
+    VertexVisitor&& visitVertex, NodeVisitor&& visitNode, Execution& execution) const;
   void measureCells(Execution& execution);
   void placeRows();
 
@@ -94,11 +108,10 @@ private:
 
   MeshParts parts_;
   CellNumbers numbers_;
-  std::vector<std::uint8_t> used_; // nodes
-  VertexRows vertices_;
-  std::size_t points_ = 0;
-  std::vector<std::uint32_t> nodePoint_; // point of each used node
-  std::vector<CellSize> cellSizes_;      // of each cell of polyhedral boxes
+  PointNumbers points_;
+  std::unique_ptr<PointNumbers> pointsAround_; // of a part: those of the next layer's cells too
+  Id ownPoints_ = 0;
+  std::vector<CellSize> cellSizes_; // of each cell of polyhedral boxes
   std::vector<RowOffsets> rows_;
   std::vector<BoundaryFace> boundary_;
   CellConditions failures_;

@@ -1,5 +1,6 @@
 #include "Mesher.h"
 
+#include "Division.h"
 #include "Error.h"
 
 #include <algorithm>
@@ -129,19 +130,16 @@ BoxedSurface boxSurface(
   const PreparedSurface& prepared, const RefinementSpec& spec, Execution& execution)
 {
   execution.stage("Boxes", AfterSurface, AfterBoxes);
-  BoxedSurface result;
-  result.shoeboxes = fillShoeboxes(prepared.surface, prepared.planes, execution);
-  const Refinement refinement(spec, prepared.surface, result.shoeboxes, prepared.planes, execution);
-  result.warnings = refinement.warnings();
-  result.boxes = generateBoxes(prepared.surface, prepared.planes, result.shoeboxes, refinement,
-    prepared.memoryLimit, execution);
-  return result;
+  Division division(prepared.surface, prepared.planes, spec, prepared.memoryLimit, execution);
+  Boxes boxes = division.boxes(division.allLayers(), execution);
+  return { std::move(boxes), division.takeShoeboxes(), division.warnings() };
 }
 
 Assembly::Assembly(
   const Boxes& boxes, const Patches& patches, const CellSpec& spec, Execution& execution)
   : boxes_(boxes)
   , patches_(patches)
+  , smallCellRatio_(spec.smallCellRatio)
 {
   if (!(spec.smallCellRatio >= 0 && spec.smallCellRatio < 1))
   {
@@ -160,18 +158,23 @@ Assembly::Assembly(
   execution.stage("Numbering", AfterShaping, AfterNumbering);
   mesh_ =
     std::make_unique<Mesh>(MeshParts{ boxes, patches, sides_, nodes_, inner_, cells_ }, execution);
-  if (mesh_->cellCount() == 0)
+  const Layers all = boxes.allLayers();
+  if (mesh_->cellCount() == 0 && boxes.core.begin == all.begin && boxes.core.end == all.end)
   {
-    const bool onlySlivers = std::all_of(
-      cells_.cells.begin(), cells_.cells.end() - 1, [](const Cell& cell) { return cell.sliver; });
-    throw Error(Fault::FlawedSurface,
-      !onlySlivers
-        ? "There is nothing left to mesh: all " + std::to_string(cells_.size()) +
-          " cells are smaller than the Small Cell Ratio allows (" + number(spec.smallCellRatio) +
-          " of their boxes). Choose a smaller ratio or a smaller Cell Size."
-        : "There is nothing to mesh: the surface encloses no volume, or is open everywhere." +
-          describeFlaws());
+    throw Error(Fault::FlawedSurface, describeNothing());
   }
+}
+
+std::string Assembly::describeNothing() const
+{
+  const bool onlySlivers = std::all_of(
+    cells_.cells.begin(), cells_.cells.end() - 1, [](const Cell& cell) { return cell.sliver; });
+  return !onlySlivers
+    ? "There is nothing left to mesh: all " + std::to_string(cells_.size()) +
+      " cells are smaller than the Small Cell Ratio allows (" + number(smallCellRatio_) +
+      " of their boxes). Choose a smaller ratio or a smaller Cell Size."
+    : "There is nothing to mesh: the surface encloses no volume, or is open everywhere." +
+      describeFlaws();
 }
 
 std::vector<std::uint32_t> Assembly::flawedBoxes() const
@@ -179,7 +182,7 @@ std::vector<std::uint32_t> Assembly::flawedBoxes() const
   std::vector<std::uint32_t> flawed;
   for (std::size_t n = 0; n < cells_.flawed.size(); ++n)
   {
-    if (cells_.flawed[n])
+    if (cells_.flawed[n] && boxes_.isCore(boxes_.boxes[sides_.polyhedral[n]]))
     {
       flawed.push_back(sides_.polyhedral[n]);
     }
@@ -220,26 +223,45 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
   double isolated = 0;
   for (std::size_t c = 0; c < cells_.size(); ++c)
   {
+    const Cell& cell = cells_.cells[c];
+    if (!boxes_.isCore(boxes_.boxes[cell.box]))
+    {
+      continue;
+    }
     bool hasInnerFace = false;
-    for (std::size_t f = cells_.cells[c].firstFace; f < cells_.cells[c + 1].firstFace; ++f)
+    for (std::size_t f = cell.firstFace; f < cells_.cells[c + 1].firstFace; ++f)
     {
       hasInnerFace = hasInnerFace || isInner(cells_, cells_.faces[f]);
     }
-    removed += cells_.cells[c].removed;
-    isolated += !hasInnerFace && !cells_.cells[c].removed;
+    removed += cell.removed;
+    isolated += !hasInnerFace && !cell.removed;
   }
-  const auto boxes = static_cast<double>(boxes_.boxes.size());
-  const auto intersected = static_cast<double>(patches_.boxStart.size() - 1);
-  const double hexahedra = boxes - static_cast<double>(sides_.polyhedral.size());
+  double hexahedra = boxes_.firstBoxOf(boxes_.core.end) - boxes_.firstBoxOf(boxes_.core.begin);
+  const double boxes = hexahedra;
+  double intersected = 0;
+  double patches = 0;
+  std::array<double, PatchReasons> because{};
+  for (std::size_t n = 0; n < sides_.polyhedral.size(); ++n)
+  {
+    const bool isCore = boxes_.isCore(boxes_.boxes[sides_.polyhedral[n]]);
+    hexahedra -= isCore;
+    const std::uint32_t box = sides_.patchBox[n];
+    if (isCore && box != None)
+    {
+      ++intersected;
+      ++because[static_cast<std::size_t>(patches_.reason[box])];
+      patches += static_cast<double>(patches_.boxStart[box + 1] - patches_.boxStart[box]);
+    }
+  }
   const auto cells = static_cast<double>(mesh_->cellCount());
   const auto boxesBecause = [&](PatchReason reason) {
-    return static_cast<double>(std::count(patches_.reason.begin(), patches_.reason.end(), reason));
+    return because[static_cast<std::size_t>(reason)];
   };
   return {
     { "Cells", cells },
     { "Hexahedra", hexahedra },
     { "Polyhedra", cells - hexahedra },
-    { "Points", static_cast<double>(mesh_->pointCount()) },
+    { "Points", static_cast<double>(mesh_->ownPointCount()) },
     { "BoundaryFaces", static_cast<double>(mesh_->boundary().size()) },
     { "BoxesInside", boxes - intersected },
     { "BoxesIntersected", intersected },
@@ -251,7 +273,7 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
     { "BoxesSeveralBoundaries", boxesBecause(PatchReason::SeveralBoundaries) },
     { "BoxesNotDiscs", boxesBecause(PatchReason::NotDiscs) },
     { "BoxesFlawed", static_cast<double>(flawedBoxes().size()) },
-    { "Patches", static_cast<double>(patches_.size()) },
+    { "Patches", patches },
     { "CellsSplit", static_cast<double>(shaping_.cellsSplit) },
     { "SmallCellsMerged", static_cast<double>(shaping_.cellsMerged) },
     { "SmallCellsRemoved", removed },

@@ -63,7 +63,7 @@ BoxedSurface boxSurface(
   const PreparedSurface& prepared, const RefinementSpec& spec, Execution& execution);
 
 // Boxes and patches made into a mesh; borrows both. Throws Error: BadParameter, TooManyBoxes,
-// FlawedSurface (no cell is left).
+// FlawedSurface (no cell is left of the whole; a part may have none).
 class Assembly
 {
 public:
@@ -77,12 +77,17 @@ public:
   // ... in words, with places, or nothing.
   std::string describeFlaws() const;
 
-  // The statistics of step 12: names and values.
+  // Why there is no cell.
+  std::string describeNothing() const;
+
+  // The statistics of step 12: names and values. Of a part (Division.h), those of its core: the parts'
+  // add up.
   std::vector<std::pair<const char*, double>> statistics() const;
 
 private:
   const Boxes& boxes_;
   const Patches& patches_;
+  double smallCellRatio_;
   Sides sides_;
   Nodes nodes_;
   InnerFaces inner_;

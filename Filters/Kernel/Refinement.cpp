@@ -38,6 +38,7 @@ Refinement::Refinement(const RefinementSpec& spec, const Surface& surface,
       spec.depth > 0 || !spec.blocks.empty() || !spec.boundaries.empty() || !spec.regions.empty())
 {
   checkDepth(spec.depth, "Refinement Depth");
+  deepest_ = spec.depth;
   addBlocks(spec, planes);
   for (std::size_t n = 0; n < spec.boundaries.size(); ++n)
   {
@@ -80,6 +81,7 @@ void Refinement::addBlocks(const RefinementSpec& spec, const Meshlines& planes)
     }
     if (!empty)
     {
+      deepest_ = std::max({ deepest_, block.allowed, block.forced });
       blocks_.push_back(block);
     }
   }
@@ -123,6 +125,7 @@ void Refinement::addBoundary(const BoundaryRefinement& row, std::size_t number,
     const std::int64_t layers = std::int64_t(row.blendLayers) * (boundary.blendStart - level + 1);
     boundary.blends.push_back(boundary.boxes.grown(layers - 1));
   }
+  deepest_ = std::max(deepest_, row.depth);
   boundaries_.push_back(std::move(boundary));
 }
 
@@ -166,6 +169,7 @@ void Refinement::addRegion(const RefinementRegion& region, const Surface& surfac
       statuses.forEachBox(j, k, [&](std::uint32_t i, BoxStatus) { result.boxes.insert(i, j, k); });
     }
   }
+  deepest_ = std::max(deepest_, region.depth);
   regions_.push_back(std::move(result));
 }
 

@@ -64,6 +64,9 @@ public:
   // False: no box is divided.
   bool any() const { return any_; }
 
+  // No box is divided more often along an axis.
+  int deepest() const { return deepest_; }
+
   // Rows of tables that reach beyond the grid, in words, or nothing.
   const std::string& warnings() const { return warnings_; }
 
@@ -92,6 +95,7 @@ private:
   std::vector<Boundary> boundaries_;
   std::vector<Region> regions_;
   bool any_;
+  int deepest_ = 0;
   std::string warnings_;
 };
 

@@ -12,12 +12,13 @@ constexpr std::size_t RowsAChunk = 64;
 class RowMarks
 {
 public:
-  RowMarks(const Boxes& boxes, const Sides& sides, const Nodes& nodes,
-    const std::vector<std::uint8_t>& used)
+  RowMarks(const Boxes& boxes, const Sides& sides, const Nodes& nodes, const std::vector<Use>& used,
+    Layers layers)
     : boxes_(boxes)
     , sides_(sides)
     , nodes_(nodes)
     , used_(used)
+    , layers_(layers)
     , marks_(boxes.planes[0].size() + 1)
   {
   }
@@ -62,7 +63,7 @@ private:
   // Rows before the first wrap around to huge indices.
   void markBoxes(std::size_t j, std::size_t k)
   {
-    if (j >= boxes_.planes[1].size() - 1 || k >= boxes_.planes[2].size() - 1)
+    if (j >= boxes_.planes[1].size() - 1 || k < layers_.begin || k >= layers_.end)
     {
       return;
     }
@@ -85,7 +86,8 @@ private:
     {
       const std::size_t node = nodes_.patchPoints + c;
       std::uint32_t i = 0;
-      if (used_[node] && VertexRows::isVertex(boxes_.planes, nodes_.at[node], j, k, i))
+      if (used_[node] != Use::Nowhere &&
+        VertexRows::isVertex(boxes_.planes, nodes_.at[node], j, k, i))
       {
         mark(i);
       }
@@ -94,7 +96,7 @@ private:
     for (auto v = std::lower_bound(nodes_.moreVertices.begin(), nodes_.moreVertices.end(), first);
          v != nodes_.moreVertices.end() && v->k == k && v->j == j; ++v)
     {
-      if (used_[v->node])
+      if (used_[v->node] != Use::Nowhere)
       {
         mark(v->i);
       }
@@ -104,7 +106,8 @@ private:
   const Boxes& boxes_;
   const Sides& sides_;
   const Nodes& nodes_;
-  const std::vector<std::uint8_t>& used_;
+  const std::vector<Use>& used_;
+  Layers layers_;
   std::vector<std::uint8_t> marks_;
   std::size_t first_ = 0;
   std::size_t last_ = 0;
@@ -124,19 +127,21 @@ bool VertexRows::isVertex(
 }
 
 VertexRows::VertexRows(const Boxes& boxes, const Sides& sides, const Nodes& nodes,
-  const std::vector<std::uint8_t>& used, Execution& execution)
+  const std::vector<Use>& used, Layers layers, Execution& execution)
   : rowLength_(boxes.planes[1].size())
 {
   const std::size_t rows = rowLength_ * boxes.planes[2].size();
   std::vector<std::vector<Run>> parts(chunks(rows, RowsAChunk));
   rowStart_.assign(rows + 1, 0);
   execution.forEach(rows, RowsAChunk, [&](std::size_t begin, std::size_t end) {
-    RowMarks marks(boxes, sides, nodes, used);
+    RowMarks marks(boxes, sides, nodes, used, layers);
     for (std::size_t row = begin; row < end; ++row)
     {
+      std::uint32_t place = 0;
       marks.forEachRun(
         row % rowLength_, row / rowLength_, [&](std::uint32_t first, std::uint32_t last) {
-          parts[begin / RowsAChunk].push_back({ first, last, 0 });
+          parts[begin / RowsAChunk].push_back({ first, last, place });
+          place += last - first;
           ++rowStart_[row];
         });
     }
@@ -144,16 +149,11 @@ VertexRows::VertexRows(const Boxes& boxes, const Sides& sides, const Nodes& node
   runs_.reserve(scan(rowStart_));
   for (const auto& part : parts)
   {
-    for (Run run : part)
-    {
-      run.number = size_;
-      size_ += run.end - run.begin;
-      runs_.push_back(run);
-    }
+    runs_.insert(runs_.end(), part.begin(), part.end());
   }
 }
 
-std::size_t VertexRows::number(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
+std::size_t VertexRows::place(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
 {
   const std::size_t row = j + k * rowLength_;
   const auto begin = runs_.begin() + static_cast<std::ptrdiff_t>(rowStart_[row]);
@@ -161,7 +161,7 @@ std::size_t VertexRows::number(std::uint32_t i, std::uint32_t j, std::uint32_t k
   const auto after =
     std::upper_bound(begin, end, i, [](std::uint32_t x, const Run& run) { return x < run.begin; });
   const Run& run = *(after - 1);
-  return run.number + (i - run.begin);
+  return run.place + (i - run.begin);
 }
 
 }

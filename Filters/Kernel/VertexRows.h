@@ -1,5 +1,5 @@
-// Numbers of those vertices of the global mesh that cells use: runs along x, so that memory grows
-// with the mesh and not with the grid.
+// Those vertices of the global mesh that cells use: runs along x, so that memory grows with the mesh
+// and not with the grid.
 #pragma once
 
 #include "InnerFaces.h"
@@ -7,19 +7,34 @@
 namespace cartesian
 {
 
+// How cells use a node of faces.
+enum class Use : std::uint8_t
+{
+  Nowhere,
+  Between,  // it is no vertex of the global mesh, or that is not known yet
+  AsVertex, // it is one
+};
+
 class VertexRows
 {
 public:
-  // Vertices of undivided boxes that become hexahedra, and grid nodes with used[node] != 0.
+  // Vertices of undivided boxes of these layers that become hexahedra, and grid nodes
+  // that are used.
   VertexRows(const Boxes& boxes, const Sides& sides, const Nodes& nodes,
-    const std::vector<std::uint8_t>& used, Execution& execution);
+    const std::vector<Use>& used, Layers layers, Execution& execution);
 
-  std::size_t size() const { return size_; }
+  // How many there are in the row j + k * (planes along y).
+  std::size_t count(std::size_t row) const
+  {
+    const Run* const last = runs_.data() + rowStart_[row + 1] - 1;
+    return rowStart_[row] == rowStart_[row + 1] ? 0 : last->place + (last->end - last->begin);
+  }
 
-  // The number of a used vertex. Its neighbour i + 1 in the same box has the next number.
-  std::size_t number(std::uint32_t i, std::uint32_t j, std::uint32_t k) const;
+  // The how many-th of its row a used vertex is, from 0. Its neighbour i + 1 in the same box is the
+  // next.
+  std::size_t place(std::uint32_t i, std::uint32_t j, std::uint32_t k) const;
 
-  // Calls visit(number, i) for the vertices of row j + k * (planes along y), in order.
+  // Calls visit(place, i) for the vertices of a row, in order.
   template <class Visitor>
   void forEach(std::size_t row, Visitor&& visit) const
   {
@@ -27,7 +42,7 @@ public:
     {
       for (std::uint32_t i = runs_[r].begin; i < runs_[r].end; ++i)
       {
-        visit(runs_[r].number + (i - runs_[r].begin), i);
+        visit(runs_[r].place + (i - runs_[r].begin), i);
       }
     }
   }
@@ -41,13 +56,12 @@ private:
   {
     std::uint32_t begin; // i
     std::uint32_t end;
-    std::size_t number; // of vertex begin
+    std::uint32_t place; // of vertex begin, in its row
   };
 
   std::vector<Run> runs_;
   std::vector<std::size_t> rowStart_;
   std::size_t rowLength_;
-  std::size_t size_ = 0;
 };
 
 }

@@ -8,9 +8,6 @@
 namespace cartesian
 {
 
-namespace
-{
-
 MeshArrays arraysOf(const Mesh& mesh, const Boxes& boxes, Execution& execution)
 {
   MeshArrays a;
@@ -52,8 +49,6 @@ MeshArrays arraysOf(const Mesh& mesh, const Boxes& boxes, Execution& execution)
     }
   }
   return a;
-}
-
 }
 
 bool MeshArrays::operator==(const MeshArrays& other) const

@@ -41,6 +41,8 @@ struct MeshArrays
   bool operator==(const MeshArrays& other) const;
 };
 
+MeshArrays arraysOf(const Mesh& mesh, const Boxes& boxes, Execution& execution);
+
 struct Meshed
 {
   PreparedSurface prepared;
