@@ -17,7 +17,7 @@ static_assert(
 bool vtkCartesianAlgorithm::Run(
   double begin, double end, const std::function<void(cartesian::Execution&)>& work)
 {
-  this->SetErrorCode(vtkErrorCode::NoError);
+  this->ErrorCode = vtkErrorCode::NoError; // SetErrorCode would make the filter run again
   const auto runIt = [&] {
     double progress = 0;
     cartesian::Execution execution(this->NumberOfThreads, [&](double fraction, const char* stage) {
@@ -30,7 +30,7 @@ bool vtkCartesianAlgorithm::Run(
     work(execution);
   };
   return cartesian::guarded(runIt, [this](unsigned long code, const std::string& message) {
-    this->SetErrorCode(code);
+    this->ErrorCode = code;
     if (!message.empty())
     {
       vtkErrorMacro(<< message);
@@ -42,7 +42,15 @@ void vtkCartesianAlgorithm::ReportFlaws(const std::string& text)
 {
   if (!text.empty())
   {
-    this->SetErrorCode(vtkCartesianAlgorithm::FlawedSurface);
+    this->ErrorCode = vtkCartesianAlgorithm::FlawedSurface;
+    this->Warn(text);
+  }
+}
+
+void vtkCartesianAlgorithm::Warn(const std::string& text)
+{
+  if (!text.empty() && !this->IsSilent)
+  {
     vtkWarningMacro(<< text);
   }
 }
@@ -60,10 +68,11 @@ void vtkCartesianAlgorithm::RequireSurface(vtkInformation* info)
 int vtkCartesianAlgorithm::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
-  if (IsLeftToFirstProcess(request, output))
-  {
-    return 1;
-  }
+  return IsLeftToFirstProcess(request, output) ? 1 : this->AskForWholeInputs(input);
+}
+
+int vtkCartesianAlgorithm::AskForWholeInputs(vtkInformationVector** input)
+{
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
     for (int i = 0; i < input[port]->GetNumberOfInformationObjects(); ++i)
@@ -77,12 +86,17 @@ int vtkCartesianAlgorithm::RequestUpdateExtent(
   return 1;
 }
 
+vtkInformation* vtkCartesianAlgorithm::AskedOutput(
+  vtkInformation* request, vtkInformationVector* output)
+{
+  const int asked = request->Get(vtkDemandDrivenPipeline::FROM_OUTPUT_PORT());
+  return output->GetInformationObject(asked < 0 ? 0 : asked);
+}
+
 bool vtkCartesianAlgorithm::IsLeftToFirstProcess(
   vtkInformation* request, vtkInformationVector* output)
 {
-  // Only the output that was asked for knows its piece.
-  const int asked = request->Get(vtkDemandDrivenPipeline::FROM_OUTPUT_PORT());
-  vtkInformation* info = output->GetInformationObject(asked < 0 ? 0 : asked);
+  vtkInformation* info = AskedOutput(request, output);
   return info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) &&
     info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0;
 }

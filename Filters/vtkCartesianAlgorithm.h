@@ -76,6 +76,11 @@ protected:
   void ReportFlaws(const std::string& text);
 
   /**
+   * A warning, if there is a text.
+   */
+  void Warn(const std::string& text);
+
+  /**
    * An input port takes a vtkPolyData, or many in a vtkMultiBlockDataSet or a
    * vtkPartitionedDataSetCollection.
    */
@@ -88,11 +93,22 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
   /**
+   * Asks for all inputs, whole.
+   */
+  int AskForWholeInputs(vtkInformationVector** input);
+
+  /**
+   * The output that was asked for: only that one knows its piece.
+   */
+  static vtkInformation* AskedOutput(vtkInformation* request, vtkInformationVector* output);
+
+  /**
    * True on all processes but the first: they give an empty output.
    */
   static bool IsLeftToFirstProcess(vtkInformation* request, vtkInformationVector* output);
 
   int NumberOfThreads = 0;
+  bool IsSilent = false; // the first process says what all would
 
 private:
   vtkCartesianAlgorithm(const vtkCartesianAlgorithm&) = delete;

@@ -3,6 +3,7 @@
 
 #include "BoxesVTK.h"
 #include "DefectsToVTK.h"
+#include "Division.h"
 #include "Error.h"
 #include "Mesher.h"
 #include "SurfaceBlocks.h"
@@ -64,13 +65,13 @@ struct RegionSurface
   int depth;
 };
 
-std::vector<RegionSurface> RegionSurfaces(vtkInformationVector* input, int depth)
+std::vector<RegionSurface> RegionSurfaces(
+  const std::vector<vtkSmartPointer<vtkDataObject>>& given, int depth)
 {
   std::vector<RegionSurface> regions;
-  for (int i = 0; i < input->GetNumberOfInformationObjects(); ++i)
+  for (const auto& data : given)
   {
-    for (const cartesian::SurfaceBlock& block :
-      cartesian::surfaceBlocks(vtkDataObject::GetData(input, i)))
+    for (const cartesian::SurfaceBlock& block : cartesian::surfaceBlocks(data))
     {
       vtkDataArray* own = block.surface->GetFieldData()->GetArray(cartesian::RegionDepthField);
       regions.push_back({ std::make_unique<cartesian::SurfaceFromVTK>(block.surface, ""),
@@ -299,14 +300,14 @@ int vtkCartesianBoxer::RequestInformation(
 }
 
 cartesian::PreparedSurface vtkCartesianBoxer::Prepare(
-  const cartesian::SurfaceFromVTK& surface, cartesian::Execution& execution)
+  const cartesian::SurfaceFromVTK& surface, cartesian::Execution& execution, int parts)
 {
   const double limit = this->MemoryLimit > 0 ? this->MemoryLimit * BytesOfAGiB
                                              : ShareOfMemory * BytesOfAKiB *
       static_cast<double>(vtksys::SystemInformation().GetHostMemoryTotal());
   const cartesian::GridSpec grid{ this->CellSize, this->Meshlines };
   cartesian::PreparedSurface prepared =
-    cartesian::prepareSurface(surface.view(), grid, limit, execution);
+    cartesian::prepareSurface(surface.view(), grid, limit, execution, parts);
   this->ReportFlaws(cartesian::describeFlaws(prepared, surface.cells()));
   return prepared;
 }
@@ -318,11 +319,7 @@ void vtkCartesianBoxer::Inspect(const cartesian::PreparedSurface& prepared,
   const cartesian::SurfaceDefects found = cartesian::findDefects(
     prepared.surface, prepared.trianglesGiven, prepared.repair, prepared.planes, execution);
   cartesian::toVTK(found, surface.cells(), defects);
-  const std::string text = cartesian::describe(found);
-  if (!text.empty())
-  {
-    vtkWarningMacro(<< text);
-  }
+  this->Warn(cartesian::describe(found));
 }
 
 cartesian::RefinementSpec vtkCartesianBoxer::MakeSpec(const cartesian::SurfaceFromVTK& source)
@@ -381,25 +378,34 @@ void vtkCartesianBoxer::AddChosenBoundaries(
   }
 }
 
-cartesian::BoxedSurface vtkCartesianBoxer::Divide(const cartesian::SurfaceFromVTK& source,
-  const cartesian::PreparedSurface& prepared, vtkInformationVector* regions,
-  cartesian::Execution& execution)
+std::vector<vtkSmartPointer<vtkDataObject>> vtkCartesianBoxer::Regions(vtkInformationVector* input)
 {
+  std::vector<vtkSmartPointer<vtkDataObject>> regions;
+  for (int i = 0; i < input->GetNumberOfInformationObjects(); ++i)
+  {
+    regions.emplace_back(vtkDataObject::GetData(input, i));
+  }
+  return regions;
+}
+
+std::unique_ptr<cartesian::Division> vtkCartesianBoxer::Divide(
+  const cartesian::SurfaceFromVTK& source, const cartesian::PreparedSurface& prepared,
+  const std::vector<vtkSmartPointer<vtkDataObject>>& regions, cartesian::Execution& execution)
+{
+  execution.stage("Boxes", cartesian::AfterSurface, cartesian::AfterBoxes);
   cartesian::RefinementSpec spec = this->MakeSpec(source);
   const std::vector<RegionSurface> surfaces = RegionSurfaces(regions, this->RegionDepth);
   for (const RegionSurface& region : surfaces)
   {
     spec.regions.push_back({ region.surface->view(), region.depth });
   }
-  cartesian::BoxedSurface boxed = cartesian::boxSurface(prepared, spec, execution);
-  for (const std::string& warning : { cartesian::describeOverhang(prepared), boxed.warnings })
+  auto division = std::make_unique<cartesian::Division>(
+    prepared.surface, prepared.planes, spec, prepared.memoryLimit, execution);
+  for (const std::string& warning : { cartesian::describeOverhang(prepared), division->warnings() })
   {
-    if (!warning.empty())
-    {
-      vtkWarningMacro(<< warning);
-    }
+    this->Warn(warning);
   }
-  return boxed;
+  return division;
 }
 
 int vtkCartesianBoxer::RequestData(
@@ -412,8 +418,9 @@ int vtkCartesianBoxer::RequestData(
   this->Run(0, cartesian::AfterBoxes, [&](cartesian::Execution& execution) {
     const cartesian::SurfaceFromVTK surface(vtkDataObject::GetData(input[0]), this->BoundaryArray);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
-    cartesian::toVTK(this->Divide(surface, prepared, input[1], execution).boxes,
-      vtkUnstructuredGrid::GetData(output));
+    const auto division = this->Divide(surface, prepared, Regions(input[1]), execution);
+    cartesian::toVTK(
+      division->boxes(division->allLayers(), execution), vtkUnstructuredGrid::GetData(output));
   });
   return 1;
 }

@@ -33,8 +33,10 @@
 
 #include "vtkDataArraySelection.h" // for vtkDataArraySelection
 #include "vtkNew.h"                // for vtkNew
+#include "vtkSmartPointer.h"       // for vtkSmartPointer
 
 #include <array>  // for std::array
+#include <memory> // for std::unique_ptr
 #include <string> // for std::string
 #include <vector> // for std::vector
 
@@ -42,7 +44,7 @@ class vtkPolyData;
 
 namespace cartesian
 {
-struct BoxedSurface;
+class Division;
 struct PreparedSurface;
 struct RefinementSpec;
 class SurfaceFromVTK;
@@ -195,10 +197,11 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
   /**
-   * The surface on the lattice, checked; flaws are reported.
+   * The surface on the lattice, checked; flaws are reported. `parts`: in how many parts the mesh is
+   * made, none of which may take more than the memory allowed.
    */
   cartesian::PreparedSurface Prepare(
-    const cartesian::SurfaceFromVTK& surface, cartesian::Execution& execution);
+    const cartesian::SurfaceFromVTK& surface, cartesian::Execution& execution, int parts = 1);
 
   /**
    * All defects of the surface into `defects`; what the mesh may suffer from is reported.
@@ -207,12 +210,22 @@ protected:
     vtkPolyData* defects, cartesian::Execution& execution);
 
   /**
-   * The boxes; rows of tables that reach beyond the grid are reported. `source` is what `prepared`
-   * was made from, `regions` port 1.
+   * How the grid is divided; rows of tables that reach beyond it are reported. `source` is what
+   * `prepared` was made from and is borrowed, `regions` what Regions() gives.
    */
-  cartesian::BoxedSurface Divide(const cartesian::SurfaceFromVTK& source,
-    const cartesian::PreparedSurface& prepared, vtkInformationVector* regions,
-    cartesian::Execution& execution);
+  std::unique_ptr<cartesian::Division> Divide(const cartesian::SurfaceFromVTK& source,
+    const cartesian::PreparedSurface& prepared,
+    const std::vector<vtkSmartPointer<vtkDataObject>>& regions, cartesian::Execution& execution);
+
+  /**
+   * The inputs of port 1.
+   */
+  static std::vector<vtkSmartPointer<vtkDataObject>> Regions(vtkInformationVector* input);
+
+  /**
+   * The surface, brought up to date, or null.
+   */
+  vtkDataObject* UpdatedSurface();
 
   double CellSize = 0;
   std::array<std::vector<double>, 3> Meshlines;
@@ -231,7 +244,6 @@ private:
 
   bool HasMeshline(int axis, int i);
   cartesian::RefinementSpec MakeSpec(const cartesian::SurfaceFromVTK& source);
-  vtkDataObject* UpdatedSurface();
   void ListBoundaries(const cartesian::SurfaceFromVTK& source);
   void AddChosenBoundaries(
     const cartesian::SurfaceFromVTK& source, cartesian::RefinementSpec& spec);

@@ -1,20 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCartesianMesher.h"
 
+#include "Division.h"
+#include "Error.h"
 #include "MeshToVTK.h"
 #include "SurfaceFromVTK.h"
 
+#include "vtkGhostCellsGenerator.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+#include <numeric>
+
 vtkStandardNewMacro(vtkCartesianMesher);
+
+// What all pieces of a mesh have in common.
+struct vtkCartesianMesher::Task
+{
+  vtkMTimeType time = 0; // of the filter and its inputs
+  std::unique_ptr<cartesian::SurfaceFromVTK> surface;
+  cartesian::PreparedSurface prepared;
+  std::unique_ptr<cartesian::Division> division;
+  std::vector<cartesian::Layers> pieces;
+  std::vector<cartesian::Id> cells; // of each piece made so far
+  std::vector<cartesian::Id> points;
+};
+
+// One piece, before it is written.
+struct vtkCartesianMesher::Piece
+{
+  int number = 0;
+  int count = 1;
+  int ghostLevels = 0;
+  cartesian::Boxes boxes;
+  cartesian::Patches patches;
+  std::unique_ptr<cartesian::Assembly> assembly;
+};
 
 vtkCartesianMesher::vtkCartesianMesher()
 {
   this->SetNumberOfOutputPorts(3);
 }
+
+vtkCartesianMesher::~vtkCartesianMesher() = default;
 
 int vtkCartesianMesher::FillOutputPortInformation(int port, vtkInformation* info)
 {
@@ -22,33 +55,232 @@ int vtkCartesianMesher::FillOutputPortInformation(int port, vtkInformation* info
   return 1;
 }
 
+bool vtkCartesianMesher::IsMadeInPieces()
+{
+  return this->InPieces && this->SmallCells == Remove && !this->SplitConcaveCells;
+}
+
+int vtkCartesianMesher::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
+{
+  return !this->IsMadeInPieces() && IsLeftToFirstProcess(request, output)
+    ? 1
+    : AskForWholeInputs(input);
+}
+
+void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
+  const cartesian::Processes& processes, vtkInformationVector** input, vtkInformationVector* output,
+  cartesian::Execution& execution)
+{
+  const vtkSmartPointer<vtkDataObject> surface = processes.whole(vtkDataObject::GetData(input[0]));
+  std::vector<vtkSmartPointer<vtkDataObject>> regions = Regions(input[1]);
+  for (auto& region : regions)
+  {
+    region = processes.whole(region);
+  }
+  task.surface = std::make_unique<cartesian::SurfaceFromVTK>(surface, this->BoundaryArray);
+  task.prepared = this->Prepare(*task.surface, execution, piece.count);
+  if (piece.number == 0)
+  {
+    this->Inspect(task.prepared, *task.surface, vtkPolyData::GetData(output, 2), execution);
+  }
+  task.division = this->Divide(*task.surface, task.prepared, regions, execution);
+  task.pieces = { task.division->allLayers() };
+  if (piece.count > 1)
+  {
+    task.pieces = cartesian::splitLayers(
+      task.division->estimateLayers(execution), static_cast<std::size_t>(piece.count));
+  }
+}
+
+void vtkCartesianMesher::Make(const Task& task, Piece& piece, cartesian::Execution& execution)
+{
+  piece.boxes =
+    task.division->boxes(task.pieces[static_cast<std::size_t>(piece.number)], execution);
+  execution.stage("Patches", cartesian::AfterBoxes, cartesian::AfterPatches);
+  piece.patches =
+    cartesian::generatePatches(task.prepared.surface, piece.boxes, task.division->shoeboxes(),
+      { static_cast<cartesian::PatchMethod>(this->PatchMethod), this->FeatureAngle,
+        this->MergeAngle, static_cast<cartesian::Tying>(this->Tying) },
+      execution);
+  const cartesian::CellSpec spec{ this->SmallCellRatio,
+    this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove,
+    this->MergeRatio, 15, this->SplitConcaveCells };
+  piece.assembly =
+    std::make_unique<cartesian::Assembly>(piece.boxes, piece.patches, spec, execution);
+}
+
+void vtkCartesianMesher::CountPiecesBefore(
+  Task& task, const Piece& piece, cartesian::Execution& execution)
+{
+  while (task.cells.size() < static_cast<std::size_t>(piece.number))
+  {
+    Piece before;
+    before.number = static_cast<int>(task.cells.size());
+    before.count = piece.count;
+    this->Make(task, before, execution);
+    task.cells.push_back(before.assembly->mesh().cellCount());
+    task.points.push_back(before.assembly->mesh().ownPointCount());
+  }
+}
+
 int vtkCartesianMesher::RequestData(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
-  if (IsLeftToFirstProcess(request, output))
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  Piece piece;
+  vtkInformation* info = AskedOutput(request, output);
+  if (info->Has(Pipeline::UPDATE_PIECE_NUMBER()))
+  {
+    piece.number = info->Get(Pipeline::UPDATE_PIECE_NUMBER());
+    piece.count = std::max(1, info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
+    piece.ghostLevels = info->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
+  }
+  if (!this->IsMadeInPieces())
+  {
+    piece.count = 1;
+  }
+  if (piece.number >= piece.count)
   {
     return 1;
   }
-  this->Run(0, 1, [&](cartesian::Execution& execution) {
-    const cartesian::SurfaceFromVTK surface(vtkDataObject::GetData(input[0]), this->BoundaryArray);
-    const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
-    this->Inspect(prepared, surface, vtkPolyData::GetData(output, 2), execution);
-    const cartesian::BoxedSurface boxed = this->Divide(surface, prepared, input[1], execution);
-    execution.stage("Patches", cartesian::AfterBoxes, cartesian::AfterPatches);
-    const cartesian::Patches patches =
-      cartesian::generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes,
-        { static_cast<cartesian::PatchMethod>(this->PatchMethod), this->FeatureAngle,
-          this->MergeAngle, static_cast<cartesian::Tying>(this->Tying) },
-        execution);
-    const cartesian::CellSpec spec{ this->SmallCellRatio,
-      this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove,
-      this->MergeRatio, 15, this->SplitConcaveCells };
-    const cartesian::Assembly assembly(boxed.boxes, patches, spec, execution);
-    cartesian::toVTK(assembly, surface.names(), vtkUnstructuredGrid::GetData(output, 0),
-      vtkPolyData::GetData(output, 1), execution);
-    this->ReportFlaws(assembly.describeFlaws());
-  });
+  const cartesian::Processes processes(piece.number, piece.count);
+  this->IsSilent = processes.areSeveral() && piece.number > 0;
+  if (processes.areSeveral())
+  {
+    this->RequestPieceOfProcess(piece, processes, input, output);
+  }
+  else
+  {
+    this->RequestPieceAlone(piece, input, output);
+  }
+  this->IsSilent = false;
   return 1;
+}
+
+void vtkCartesianMesher::RequestPieceAlone(
+  Piece& piece, vtkInformationVector** input, vtkInformationVector* output)
+{
+  vtkMTimeType time = this->GetMTime();
+  for (int port = 0; port < 2; ++port)
+  {
+    for (int i = 0; i < input[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkDataObject* data = vtkDataObject::GetData(input[port], i);
+      time = std::max(time, data ? data->GetMTime() : 0);
+    }
+  }
+  const bool isSame = this->Kept && this->Kept->time == time &&
+    this->Kept->pieces.size() == static_cast<std::size_t>(piece.count);
+  std::unique_ptr<Task> task = isSame ? std::move(this->Kept) : std::make_unique<Task>();
+  this->Kept.reset();
+  const bool isDone = this->Run(0, 1, [&](cartesian::Execution& execution) {
+    if (!isSame)
+    {
+      this->Begin(*task, piece, {}, input, output, execution);
+      task->time = time;
+    }
+    this->CountPiecesBefore(*task, piece, execution);
+    this->Make(*task, piece, execution);
+    const auto number = static_cast<std::ptrdiff_t>(piece.number);
+    const cartesian::MeshPiece place{ std::accumulate(task->cells.begin(),
+                                        task->cells.begin() + number, cartesian::Id(0)),
+      std::accumulate(task->points.begin(), task->points.begin() + number, cartesian::Id(0)),
+      piece.count == 1, {} };
+    const cartesian::Mesh& mesh = piece.assembly->mesh();
+    if (piece.number + 1 == piece.count && place.cellsBefore + mesh.cellCount() == 0)
+    {
+      throw cartesian::Error(cartesian::Fault::FlawedSurface, piece.assembly->describeNothing());
+    }
+    if (task->cells.size() == static_cast<std::size_t>(piece.number))
+    {
+      task->cells.push_back(mesh.cellCount());
+      task->points.push_back(mesh.ownPointCount());
+    }
+    this->Write(*task, piece, place, output, execution);
+  });
+  if (isDone && piece.number + 1 < piece.count)
+  {
+    this->Kept = std::move(task);
+  }
+}
+
+// Where one process fails, all do; nobody waits for it.
+void vtkCartesianMesher::RequestPieceOfProcess(Piece& piece, const cartesian::Processes& processes,
+  vtkInformationVector** input, vtkInformationVector* output)
+{
+  Task task;
+  const bool isDone = this->Run(0, cartesian::AfterNumbering, [&](cartesian::Execution& execution) {
+    this->Begin(task, piece, processes, input, output, execution);
+    this->Make(task, piece, execution);
+  });
+  const unsigned long flaws = this->GetErrorCode();
+  const cartesian::Mesh* mesh = isDone ? &piece.assembly->mesh() : nullptr;
+  const std::vector<std::vector<double>> counts =
+    processes.gather({ isDone ? 0.0 : static_cast<double>(flaws),
+      isDone ? static_cast<double>(mesh->cellCount()) : 0,
+      isDone ? static_cast<double>(mesh->ownPointCount()) : 0 });
+  cartesian::MeshPiece place{ 0, 0, false, processes };
+  double cells = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+  {
+    if (counts[i][0] != 0)
+    {
+      this->ErrorCode = static_cast<unsigned long>(counts[i][0]);
+      return;
+    }
+    place.cellsBefore += static_cast<int>(i) < piece.number ? cartesian::Id(counts[i][1]) : 0;
+    place.pointsBefore += static_cast<int>(i) < piece.number ? cartesian::Id(counts[i][2]) : 0;
+    cells += counts[i][1];
+  }
+  this->Run(cartesian::AfterNumbering, 1, [&](cartesian::Execution& execution) {
+    if (cells == 0)
+    {
+      throw cartesian::Error(cartesian::Fault::FlawedSurface, piece.assembly->describeNothing());
+    }
+    this->Write(task, piece, place, output, execution);
+  });
+  this->ErrorCode = this->ErrorCode == 0 ? flaws : this->ErrorCode;
+}
+
+void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
+  const cartesian::MeshPiece& place, vtkInformationVector* output, cartesian::Execution& execution)
+{
+  vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(output, 0);
+  cartesian::toVTK(*piece.assembly, task.surface->names(), place, mesh,
+    vtkPolyData::GetData(output, 1), execution);
+  const bool wasSilent = this->IsSilent; // these flaws are of this piece only
+  this->IsSilent = false;
+  this->ReportFlaws(piece.assembly->describeFlaws());
+  this->IsSilent = wasSilent;
+  if (piece.ghostLevels > 0 && place.processes.areSeveral())
+  {
+    vtkNew<vtkGhostCellsGenerator> generator;
+    generator->SetInputData(mesh);
+    generator->SetNumberOfGhostLayers(piece.ghostLevels);
+    generator->BuildIfRequiredOff();
+    generator->Update();
+    mesh->ShallowCopy(generator->GetOutputDataObject(0));
+  }
+}
+
+int vtkCartesianMesher::EstimateNumberOfPieces()
+{
+  std::size_t pieces = 0;
+  this->Run(0, 1, [&](cartesian::Execution& execution) {
+    const cartesian::SurfaceFromVTK surface(this->UpdatedSurface(), this->BoundaryArray);
+    constexpr int Many = 1 << 20;
+    const cartesian::PreparedSurface prepared = this->Prepare(surface, execution, Many);
+    std::vector<vtkSmartPointer<vtkDataObject>> regions;
+    for (int i = 0; i < this->GetNumberOfInputConnections(1); ++i)
+    {
+      this->GetInputAlgorithm(1, i)->Update();
+      regions.emplace_back(this->GetInputDataObject(1, i));
+    }
+    const auto division = this->Divide(surface, prepared, regions, execution);
+    pieces = division->partsNeeded(division->estimateLayers(execution));
+  });
+  return static_cast<int>(pieces);
 }
 
 void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
@@ -61,5 +293,6 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SmallCells: " << this->SmallCells << "\n";
   os << indent << "MergeRatio: " << this->MergeRatio << "\n";
   os << indent << "SplitConcaveCells: " << this->SplitConcaveCells << "\n";
+  os << indent << "InPieces: " << this->InPieces << "\n";
   os << indent << "SmallCellRatio: " << this->SmallCellRatio << "\n";
 }

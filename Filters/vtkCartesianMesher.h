@@ -11,6 +11,12 @@
  * vtkCartesianBoxer, vtkPatcher and vtkCellAssembler in one, with the same result bit for bit: the
  * boxer's properties are inherited, the other two's repeated here.
  *
+ * Asked for a piece of the mesh, by its rank or by a writer that streams, it makes that piece only: a
+ * slab of the grid. Pieces have global ids (cells: CellId, points: GlobalPointIds); together they are
+ * the whole mesh, bit for bit. Defects come with piece 0. Every rank has the whole surface,
+ * which may come whole or distributed; ghost cells, where asked for, are vtkGhostCellsGenerator's.
+ * With SmallCells Merge, SplitConcaveCells, or InPieces off, piece 0 is the whole mesh.
+ *
  * @sa vtkCartesianBoxer vtkPatcher vtkCellAssembler vtkSurfaceInspector
  */
 #ifndef vtkCartesianMesher_h
@@ -18,6 +24,12 @@
 
 #include "vtkCartesianBoxer.h"
 #include "vtkCartesianMesherFiltersModule.h" // for the export macro
+
+namespace cartesian
+{
+struct MeshPiece;
+class Processes;
+}
 
 class VTKCARTESIANMESHERFILTERS_EXPORT vtkCartesianMesher : public vtkCartesianBoxer
 {
@@ -81,11 +93,28 @@ public:
   vtkGetMacro(SmallCellRatio, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether each rank makes a piece of the mesh; off: the first rank makes all of it. Default: on.
+   */
+  vtkSetMacro(InPieces, bool);
+  vtkGetMacro(InPieces, bool);
+  vtkBooleanMacro(InPieces, bool);
+  ///@}
+
+  /**
+   * In how many pieces the mesh has to be made, one after the other, so that none takes more than
+   * MemoryLimit by an estimate. 0 after an error, such as TooManyBoxes where none is small enough.
+   */
+  int EstimateNumberOfPieces();
+
 protected:
   vtkCartesianMesher();
-  ~vtkCartesianMesher() override = default;
+  ~vtkCartesianMesher() override;
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
@@ -97,10 +126,27 @@ protected:
   double MergeRatio = 0.1;
   double SmallCellRatio = 1e-3;
   bool SplitConcaveCells = false;
+  bool InPieces = true;
 
 private:
   vtkCartesianMesher(const vtkCartesianMesher&) = delete;
   void operator=(const vtkCartesianMesher&) = delete;
+
+  struct Task;
+  struct Piece;
+
+  bool IsMadeInPieces();
+  void Begin(Task& task, const Piece& piece, const cartesian::Processes& processes,
+    vtkInformationVector** input, vtkInformationVector* output, cartesian::Execution& execution);
+  void Make(const Task& task, Piece& piece, cartesian::Execution& execution);
+  void CountPiecesBefore(Task& task, const Piece& piece, cartesian::Execution& execution);
+  void RequestPieceAlone(Piece& piece, vtkInformationVector** input, vtkInformationVector* output);
+  void RequestPieceOfProcess(Piece& piece, const cartesian::Processes& processes,
+    vtkInformationVector** input, vtkInformationVector* output);
+  void Write(const Task& task, const Piece& piece, const cartesian::MeshPiece& place,
+    vtkInformationVector* output, cartesian::Execution& execution);
+
+  std::unique_ptr<Task> Kept; // from piece to piece, where this process makes all
 };
 
 #endif

@@ -51,7 +51,7 @@ int vtkCellAssembler::RequestData(
       this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove,
       this->MergeRatio, 15, this->SplitConcaveCells };
     const cartesian::Assembly assembly(boxes, patches, spec, execution);
-    cartesian::toVTK(assembly, cartesian::boundaryNames(vtkDataObject::GetData(input[1])),
+    cartesian::toVTK(assembly, cartesian::boundaryNames(vtkDataObject::GetData(input[1])), {},
       vtkUnstructuredGrid::GetData(output, 0), vtkPolyData::GetData(output, 1), execution);
     this->ReportFlaws(assembly.describeFlaws());
   });

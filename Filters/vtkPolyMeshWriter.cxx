@@ -4,9 +4,9 @@
 #include "BoundaryOfFaces.h"
 #include "Cells.h"
 #include "Guard.h"
+#include "MeshUnion.h"
 #include "PolyMeshFiles.h"
 
-#include "vtkAppendFilter.h"
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -129,19 +129,7 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkPolyMeshWriter::Gather()
   {
     return nullptr;
   }
-  vtkNew<vtkAppendFilter> append;
-  append->MergePointsOn();
-  append->ToleranceIsAbsoluteOn();
-  append->SetTolerance(0);
-  for (const auto& piece : pieces)
-  {
-    if (piece && piece->GetNumberOfElements(vtkDataObject::CELL) > 0)
-    {
-      append->AddInputDataObject(piece);
-    }
-  }
-  append->Update();
-  return append->GetOutput();
+  return cartesian::unitePieces(pieces);
 }
 
 void vtkPolyMeshWriter::WriteData()

@@ -22,9 +22,6 @@ namespace cartesian
 namespace
 {
 
-constexpr const char* CellId = "CellId";
-constexpr const char* BoundaryOfFaces = "BoundaryOfFaces";
-
 constexpr int CellOf = 0;
 constexpr int FaceOf = 1;
 constexpr int BoundaryOf = 2;

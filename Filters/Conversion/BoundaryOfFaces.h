@@ -17,6 +17,9 @@ class vtkPolyData;
 namespace cartesian
 {
 
+constexpr const char* CellId = "CellId";
+constexpr const char* BoundaryOfFaces = "BoundaryOfFaces";
+
 // Adds both arrays to the mesh. `boundary`: as in MeshToVTK.h.
 void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary);
 

@@ -79,6 +79,21 @@ void setCellData(const Mesh& mesh, vtkUnstructuredGrid* grid, Execution& executi
   grid->GetCellData()->AddArray(fraction);
 }
 
+void setStatistics(const Assembly& assembly, const Processes& processes, vtkUnstructuredGrid* grid)
+{
+  const auto statistics = assembly.statistics();
+  std::vector<double> values;
+  for (const auto& statistic : statistics)
+  {
+    values.push_back(statistic.second);
+  }
+  values = processes.sum(values);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    setField(grid, statistics[i].first, { values[i] });
+  }
+}
+
 void setMesh(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution& execution)
 {
   const Mesh& mesh = assembly.mesh();
@@ -89,10 +104,6 @@ void setMesh(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution& exe
   grid->SetPoints(points);
   setCells(mesh, grid, execution);
   setCellData(mesh, grid, execution);
-  for (const auto& [name, value] : assembly.statistics())
-  {
-    setField(grid, name, { value });
-  }
 }
 
 void setBoundary(
@@ -140,15 +151,15 @@ void setBoundary(
   boundary->GetCellData()->AddArray(owner);
 }
 
-// Name, number of faces and area of each boundary, on both outputs.
-void describeBoundaries(BoundaryNames names, vtkPolyData* boundary, vtkUnstructuredGrid* mesh)
+struct BoundaryMeasure
 {
-  struct Measure
-  {
-    vtkIdType faces = 0;
-    double area = 0;
-  };
-  std::map<std::int32_t, Measure> measures;
+  vtkIdType faces = 0;
+  double area = 0;
+};
+
+std::map<std::int32_t, BoundaryMeasure> measureBoundaries(vtkPolyData* boundary)
+{
+  std::map<std::int32_t, BoundaryMeasure> measures;
   vtkDataArray* id = boundary->GetCellData()->GetArray("BoundaryId");
   auto face = vtk::TakeSmartPointer(boundary->GetPolys()->NewIterator());
   for (face->GoToFirstCell(); !face->IsDoneWithTraversal(); face->GoToNextCell())
@@ -157,11 +168,41 @@ void describeBoundaries(BoundaryNames names, vtkPolyData* boundary, vtkUnstructu
     const vtkIdType* corners = nullptr;
     face->GetCurrentCell(size, corners);
     std::array<double, 3> normal;
-    Measure& measure =
+    BoundaryMeasure& measure =
       measures[static_cast<std::int32_t>(id->GetComponent(face->GetCurrentCellId(), 0))];
     measure.area += vtkPolygon::ComputeArea(boundary->GetPoints(), size, corners, normal.data());
     ++measure.faces;
   }
+  return measures;
+}
+
+// Of all processes together.
+std::map<std::int32_t, BoundaryMeasure> sum(
+  const std::map<std::int32_t, BoundaryMeasure>& mine, const Processes& processes)
+{
+  std::vector<double> rows;
+  for (const auto& [id, measure] : mine)
+  {
+    rows.insert(rows.end(), { double(id), double(measure.faces), measure.area });
+  }
+  std::map<std::int32_t, BoundaryMeasure> sums;
+  for (const std::vector<double>& ofProcess : processes.gather(rows))
+  {
+    for (std::size_t i = 0; i < ofProcess.size(); i += 3)
+    {
+      BoundaryMeasure& measure = sums[static_cast<std::int32_t>(ofProcess[i])];
+      measure.faces += static_cast<vtkIdType>(ofProcess[i + 1]);
+      measure.area += ofProcess[i + 2];
+    }
+  }
+  return sums;
+}
+
+// Name, number of faces and area of each boundary, on both outputs.
+void describeBoundaries(
+  BoundaryNames names, const Processes& processes, vtkPolyData* boundary, vtkUnstructuredGrid* mesh)
+{
+  std::map<std::int32_t, BoundaryMeasure> measures = sum(measureBoundaries(boundary), processes);
   for (const auto& measured : measures)
   {
     names.emplace(measured.first, unnamedBoundary(measured.first));
@@ -185,14 +226,19 @@ void describeBoundaries(BoundaryNames names, vtkPolyData* boundary, vtkUnstructu
 
 }
 
-void toVTK(const Assembly& assembly, const BoundaryNames& names, vtkUnstructuredGrid* mesh,
-  vtkPolyData* boundary, Execution& execution)
+void toVTK(const Assembly& assembly, const BoundaryNames& names, const MeshPiece& piece,
+  vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution)
 {
   execution.stage("Writing the mesh", AfterNumbering, 1);
   setMesh(assembly, mesh, execution);
+  setStatistics(assembly, piece.processes, mesh);
   setBoundary(assembly.mesh(), mesh, boundary, execution);
   setBoundaryOfFaces(mesh, boundary);
-  describeBoundaries(names, boundary, mesh);
+  describeBoundaries(names, piece.processes, boundary, mesh);
+  if (!piece.isWhole)
+  {
+    setGlobalIds(assembly.mesh(), piece, mesh, boundary, execution);
+  }
 }
 
 }

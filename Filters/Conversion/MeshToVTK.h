@@ -12,9 +12,13 @@
 // Both have field data of one value for each boundary, in order of their numbers: BoundaryIds and
 // BoundaryNames (BoundaryNames.h), BoundaryFaceCounts (id type), BoundaryAreas (double, square user
 // units).
+//
+// Of a piece of the mesh, all numbers of cells and points that arrays hold are those of the whole mesh
+// (MeshPiece.h); statistics and field data are of all processes together, of this piece else.
 #pragma once
 
 #include "BoundaryNames.h"
+#include "MeshPiece.h"
 #include "Mesher.h"
 
 class vtkPolyData;
@@ -23,7 +27,7 @@ class vtkUnstructuredGrid;
 namespace cartesian
 {
 
-void toVTK(const Assembly& assembly, const BoundaryNames& names, vtkUnstructuredGrid* mesh,
-  vtkPolyData* boundary, Execution& execution);
+void toVTK(const Assembly& assembly, const BoundaryNames& names, const MeshPiece& piece,
+  vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution);
 
 }

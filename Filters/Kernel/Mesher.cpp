@@ -62,8 +62,8 @@ std::string describeLeaks(const PreparedSurface& prepared)
 
 }
 
-PreparedSurface prepareSurface(
-  const SurfaceView& view, const GridSpec& grid, double memoryLimit, Execution& execution)
+PreparedSurface prepareSurface(const SurfaceView& view, const GridSpec& grid, double memoryLimit,
+  Execution& execution, int parts)
 {
   execution.stage("Scaling and Dual Levels", 0, AfterSurface);
   PreparedSurface prepared;
@@ -73,7 +73,10 @@ PreparedSurface prepareSurface(
   prepared.planes = onLattice(grid, prepared.bounds, lattice);
   prepared.surface = onLattice(view, lattice, execution);
   prepared.memoryLimit = memoryLimit;
-  checkMemory(estimateMesh(prepared.surface, prepared.planes), memoryLimit);
+  Estimate estimate = estimateMesh(prepared.surface, prepared.planes);
+  estimate.inside /= parts;
+  estimate.intersected /= parts;
+  checkMemory(estimate, memoryLimit);
   prepared.trianglesGiven = prepared.surface.triangles.size();
   prepared.repair = repair(prepared.surface, prepared.planes, execution);
   return prepared;

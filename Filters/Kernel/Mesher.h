@@ -38,10 +38,11 @@ struct PreparedSurface
   double memoryLimit; // bytes
 };
 
-// Scaling, Dual Levels, check and repair of the surface. `memoryLimit` in bytes. Throws Error:
-// EmptySurface, BadCoordinate, BadCellSize, BadMeshlines, TooManyBoxes.
-PreparedSurface prepareSurface(
-  const SurfaceView& view, const GridSpec& grid, double memoryLimit, Execution& execution);
+// Scaling, Dual Levels, check and repair of the surface. `memoryLimit` in bytes, for each of the
+// `parts` that the mesh is made in (Division.h). Throws Error: EmptySurface, BadCoordinate,
+// BadCellSize, BadMeshlines, TooManyBoxes.
+PreparedSurface prepareSurface(const SurfaceView& view, const GridSpec& grid, double memoryLimit,
+  Execution& execution, int parts = 1);
 
 // What was found and repaired, in words with places, or nothing. `cells`: the user's number of each
 // triangle given.

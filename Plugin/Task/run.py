@@ -11,6 +11,8 @@ import time
 import cartesianmesher.vtkCartesianMesherFilters  # without it, filters show their base class only
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from vtkmodules.vtkIOParallelXML import vtkXMLPPolyDataWriter, vtkXMLPUnstructuredGridWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
@@ -23,6 +25,7 @@ SUCCESS, REFUSED, WARNINGS = 0, 2, 3
 STOPPED = 128 + signal.SIGINT
 
 VTK_WRITERS = {".vtu": vtkXMLUnstructuredGridWriter, ".vtp": vtkXMLPolyDataWriter}
+PIECE_WRITERS = {".pvtu": vtkXMLPUnstructuredGridWriter, ".pvtp": vtkXMLPPolyDataWriter}
 
 
 class Listener:
@@ -42,12 +45,16 @@ class Listener:
         self.interrupted = True
 
     def warn(self, caller, event, text):
-        self.warnings.append(message(text))
-        print("warning:", self.warnings[-1], file=sys.stderr)
+        self.keep("warning:", message(text), self.warnings)
 
     def fail(self, caller, event, text):
-        self.errors.append(message(text))
-        print("error:", self.errors[-1], file=sys.stderr)
+        self.keep("error:", message(text), self.errors)
+
+    def keep(self, kind, text, texts):
+        """Once, if several steps say the same."""
+        if text not in texts:
+            texts.append(text)
+            print(kind, text, file=sys.stderr)
 
     def progress(self, algorithm, event):
         if self.interrupted:
@@ -112,6 +119,9 @@ def build(task):
         for region in task.regions]
     mesher = simple.CartesianMesher(Input=source, RefinementRegions=regions)
     set_properties(mesher, task)
+    # One file of VTK's holds the whole mesh: then the first rank has to have it.
+    if any(file.suffix in VTK_WRITERS for file in task.mesh + task.boundary):
+        mesher.InPieces = 0
     return mesher
 
 
@@ -145,14 +155,73 @@ def save(mesher, port, file):
         raise TaskError(f"{file}: could not be written")
 
 
-def statistics(mesher, listener, seconds):
-    """What a mesh is like, for people and programs."""
-    fields = mesher.SMProxy.GetClientSideObject().GetOutputDataObject(0).GetFieldData()
-    arrays = {array.GetName(): [array.GetValue(j) for j in range(array.GetNumberOfValues())]
+def write_pieces(mesher, task, pieces):
+    """Makes and writes one piece after the other; the fields of each."""
+    Pipeline = vtkStreamingDemandDrivenPipeline
+    algorithm = mesher.SMProxy.GetClientSideObject()
+    fields = []
+    for piece in range(pieces):
+        for port in range(algorithm.GetNumberOfOutputPorts()):
+            request = algorithm.GetOutputInformation(port)
+            request.Set(Pipeline.UPDATE_PIECE_NUMBER(), piece)
+            request.Set(Pipeline.UPDATE_NUMBER_OF_PIECES(), pieces)
+            request.Set(Pipeline.UPDATE_NUMBER_OF_GHOST_LEVELS(), 0)
+        algorithm.UpdatePiece(piece, pieces, 0)
+        fields.append(field_arrays(algorithm))
+        if algorithm.GetErrorCode() != 0 and fields[-1].get("Cells", [0]) == [0]:
+            break
+        for port, files in enumerate([task.mesh, task.boundary]):
+            for file in files:
+                write_piece(algorithm.GetOutputDataObject(port), file, piece, pieces)
+    return fields
+
+
+def write_piece(data, file, piece, pieces):
+    """Of several files, and the one that names them all."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    writer = PIECE_WRITERS[file.suffix]()
+    writer.SetFileName(str(file))
+    writer.SetDataModeToBinary()
+    writer.SetNumberOfPieces(pieces)
+    writer.SetStartPiece(piece)
+    writer.SetEndPiece(piece)
+    writer.SetWriteSummaryFile(piece == 0)
+    writer.SetInputDataObject(data)
+    if not writer.Write():
+        raise TaskError(f"{file}: could not be written")
+
+
+def pieces_needed(mesher, task):
+    """In how many pieces to make the mesh, one after the other, to keep to the memory limit."""
+    alone = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses() == 1
+    files = task.mesh + task.boundary
+    if not alone or not files or not all(file.suffix in PIECE_WRITERS for file in files):
+        return 1
+    return mesher.SMProxy.GetClientSideObject().EstimateNumberOfPieces()
+
+
+def field_arrays(algorithm):
+    """{name: numbers or names} of a mesh."""
+    fields = algorithm.GetOutputDataObject(0).GetFieldData()
+    return {array.GetName(): [array.GetValue(j) for j in range(array.GetNumberOfValues())]
         for array in (fields.GetAbstractArray(i) for i in range(fields.GetNumberOfArrays()))
         if array.GetNumberOfComponents() == 1}
-    rows = [arrays.pop(name, []) for name in
-        ("BoundaryIds", "BoundaryNames", "BoundaryFaceCounts", "BoundaryAreas")]
+
+
+def statistics(mesher, listener, seconds, fields):
+    """What a mesh is like, for people and programs. `fields`: of each piece of it."""
+    mesh, boundaries = {}, {}
+    for arrays in fields:
+        rows = [arrays.pop(name, []) for name in
+            ("BoundaryIds", "BoundaryNames", "BoundaryFaceCounts", "BoundaryAreas")]
+        for number, name, faces, area in zip(*rows):
+            row = boundaries.setdefault(number,
+                {"number": number, "name": name, "faces": 0, "area": 0})
+            row["faces"] += faces
+            row["area"] += area
+        for name, values in arrays.items():
+            if len(values) == 1:
+                mesh[name] = mesh.get(name, 0) + values[0]
     return {
         "error_code": listener.algorithm.GetErrorCode(),
         "errors": listener.errors,
@@ -160,9 +229,8 @@ def statistics(mesher, listener, seconds):
         "seconds": round(seconds, 3),
         "parameters": {parameter.name: mesher.GetProperty(parameter.name).GetData()
             for parameter in parameters(MESHER)},
-        "mesh": {name: whole(values[0]) for name, values in arrays.items() if len(values) == 1},
-        "boundaries": [{"number": number, "name": name, "faces": faces, "area": area}
-            for number, name, faces, area in zip(*rows)],
+        "mesh": {name: whole(value) for name, value in mesh.items()},
+        "boundaries": [boundaries[number] for number in sorted(boundaries)],
     }
 
 
@@ -182,11 +250,18 @@ def run(task, quiet):
     begin = time.monotonic()
     mesher = build(task)
     listener = Listener(mesher, quiet)
-    mesher.UpdatePipeline()
-    summary = statistics(mesher, listener, time.monotonic() - begin)
+    pieces = pieces_needed(mesher, task)
+    if pieces > 1:
+        fields = write_pieces(mesher, task, pieces)
+    else:
+        if pieces == 1:
+            mesher.UpdatePipeline()
+        fields = [field_arrays(listener.algorithm)]
+    summary = statistics(mesher, listener, time.monotonic() - begin, fields)
     has_mesh = summary["mesh"].get("Cells", 0) > 0
     if has_mesh:
-        write(mesher, task)
+        if pieces == 1:
+            write(mesher, task)
         if not quiet:
             report(summary)
     for file in task.statistics:

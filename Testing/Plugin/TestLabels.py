@@ -12,6 +12,7 @@ patches = {"PatchMethod": "Automatic", "FeatureAngle": 30.0, "MergeAngle": 10.0,
 cells = {"SmallCells": "Remove", "MergeRatio": 0.1, "SmallCellRatio": 0.001, "SplitConcaveCells": 0}
 threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}
+pieces = {"InPieces": 1}
 
 surface = simple.Sphere()
 cube = simple.Box()
@@ -30,7 +31,7 @@ expected = {
     patcher: ("Patcher", ["Input", "Boxes"], boundaries | patches | threads),
     assembler: ("Cell Assembler", ["Input", "Patches"], cells | threads),
     mesher: ("Cartesian Mesher", ["Input", "RefinementRegions"],
-             boundaries | grid | refinement | patches | cells | threads | memory),
+             boundaries | grid | refinement | patches | cells | threads | memory | pieces),
     inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
     quality: ("Finite Volume Quality", ["Input"], threads),
     # A region is as large as its input at first.

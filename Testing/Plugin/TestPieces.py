@@ -1,0 +1,105 @@
+"""A mesh made in pieces, one after the other, is the whole mesh; a task keeps to its memory limit."""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+from cartesianmesher.vtkCartesianMesherFilters import vtkCartesianMesher
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkIOGeometry import vtkSTLReader
+from vtkmodules.vtkIOParallelXML import vtkXMLPUnstructuredGridWriter
+
+import pieces
+from pipeline import DATA
+
+EXHAUST = DATA / "kcl_exhaust_header_lumens.stl"
+CELL_SIZE, DEPTH, PIECES = 10.0, 1, 3
+
+
+def mesher():
+    reader = vtkSTLReader()
+    reader.SetFileName(str(EXHAUST))
+    reader.ScalarTagsOn()
+    mesher = vtkCartesianMesher()
+    mesher.SetInputConnection(reader.GetOutputPort())
+    mesher.SetCellSize(CELL_SIZE)
+    mesher.SetRefinementDepth(DEPTH)
+    return mesher
+
+
+def piece(filter, number):
+    """Copies of mesh and boundary."""
+    filter.UpdatePiece(number, PIECES, 0)
+    mesh, boundary = vtkUnstructuredGrid(), vtkPolyData()
+    mesh.DeepCopy(filter.GetOutputDataObject(0))
+    boundary.DeepCopy(filter.GetOutputDataObject(1))
+    return mesh, boundary
+
+
+def ids(boundary):
+    """The faces of the mesh's boundary: corners and owners by their numbers in the whole mesh."""
+    points = vtk_to_numpy(boundary.GetPointData().GetArray("MeshPointId"))
+    corners = vtk_to_numpy(boundary.GetPolys().GetConnectivityArray())
+    return (points[corners], *(vtk_to_numpy(boundary.GetCellData().GetArray(name))
+        for name in ("OwnerCell", "BoundaryId")))
+
+
+alone = mesher()
+alone.Update()
+whole, faces = alone.GetOutputDataObject(0), alone.GetOutputDataObject(1)
+
+for order in (0, 1, 2), (2, 0, 1):
+    filter = mesher()
+    made = dict((number, piece(filter, number)) for number in order)
+    parts = [made[number] for number in range(PIECES)]
+    pieces.assert_union(whole, [mesh for mesh, _ in parts])
+    for mine, expected in zip(zip(*(ids(boundary) for _, boundary in parts)), ids(faces)):
+        assert np.array_equal(np.concatenate(mine), expected)
+
+with tempfile.TemporaryDirectory() as folder:
+    folder = pathlib.Path(folder)
+    writer = vtkXMLPUnstructuredGridWriter()
+    filter = mesher()
+    writer.SetInputConnection(filter.GetOutputPort(0))
+    writer.SetFileName(str(folder / "streamed.pvtu"))
+    writer.SetDataModeToBinary()
+    writer.SetNumberOfPieces(PIECES)
+    writer.SetEndPiece(PIECES - 1)
+    assert writer.Write()
+    pieces.assert_union(whole, [pieces.load(folder / f"streamed_{i}.vtu") for i in range(PIECES)])
+
+    def run(limit):
+        (folder / "task.toml").write_text(f"""
+            surface.file = "{EXHAUST}"
+            grid.cell_size = {CELL_SIZE}
+            refinement.refinement_depth = {DEPTH}
+            performance.memory_limit = {limit}
+            output.mesh = "{limit}/mesh.pvtu"
+            output.boundary = "{limit}/boundary.pvtp"
+            output.statistics = "{limit}/statistics.json"
+            """)
+        done = subprocess.run([sys.argv[2], "--quiet", str(folder / "task.toml")],
+            capture_output=True, text=True)
+        files = sorted((folder / str(limit)).glob("mesh*.vtu")) or \
+            sorted((folder / str(limit)).glob("mesh/*.vtu"))
+        return done, files
+
+    few, many = (run(limit) for limit in (1.0, 0.03))
+    summaries = []
+    for limit, (done, files) in (1.0, few), (0.03, many):
+        assert done.returncode == 0, done.stderr
+        summaries.append(json.loads((folder / str(limit) / "statistics.json").read_text()))
+        assert len(summaries[-1]["boundaries"]) == 12
+    assert len(few[1]) == 1 and len(many[1]) > 2, many[1]
+    pieces.assert_union(whole, [pieces.load(file) for file in many[1]])
+    assert summaries[0]["mesh"] == summaries[1]["mesh"]
+    for one, other in zip(summaries[0]["boundaries"], summaries[1]["boundaries"]):
+        assert one["faces"] == other["faces"] and np.isclose(one["area"], other["area"], rtol=1e-12)
+
+    done, files = run(0.001)
+    assert done.returncode == 2 and not files and "Memory Limit of 0.001 GiB" in done.stderr, done.stderr
+print(len(many[1]), "pieces of", whole.GetNumberOfCells(), "cells")

@@ -1,0 +1,123 @@
+"""On several ranks each makes its part of the mesh; together they are that of one rank."""
+
+import pathlib
+import tempfile
+
+import numpy as np
+from cartesianmesher.vtkCartesianMesherFilters import vtkCartesianMesher
+from paraview import servermanager, simple
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+
+import pieces
+from pipeline import DATA, read
+
+RANKS = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
+assert RANKS > 1
+
+
+def on_one_rank(source, size, depth):
+    mesher = vtkCartesianMesher()
+    mesher.SetInputConnection(source.GetOutputPort())
+    mesher.SetCellSize(size)
+    mesher.SetRefinementDepth(depth)
+    mesher.Update()
+    return mesher
+
+
+def field(proxy, name):
+    """A number of the mesh's field data: the same on all ranks."""
+    proxy.UpdatePipeline()
+    data = proxy.SMProxy.GetClientSideObject().GetOutputDataObject(0)
+    return data.GetFieldData().GetArray(name).GetValue(0)
+
+
+def boundary_faces(mesher):
+    mesher.UpdatePipeline()
+    return servermanager.OutputPort(mesher, 1).GetDataInformation().GetNumberOfCells()
+
+
+def assert_same(mesher, alone):
+    whole = alone.GetOutputDataObject(0)
+    fields = whole.GetFieldData()
+    for name in "Cells", "Points", "BoundaryFaces", "Polyhedra", "Patches":
+        assert field(mesher, name) == fields.GetArray(name).GetValue(0), name
+    assert boundary_faces(mesher) == alone.GetOutputDataObject(1).GetNumberOfCells()
+    with tempfile.TemporaryDirectory() as folder:
+        simple.SaveData(f"{folder}/mesh.pvtu", proxy=mesher, DataMode="Binary")
+        files = sorted(pathlib.Path(folder).glob("**/*.vtu"))
+        parts = [pieces.load(file) for file in files]
+        cells = [pieces.own_cells(part).sum() for part in parts]
+        assert len(parts) == RANKS and min(cells) > 0.4 * max(cells), f"uneven: {cells}"
+        pieces.assert_union(whole, parts)
+
+
+path = str(DATA / "kcl_exhaust_header_lumens.stl")
+stl = vtkSTLReader()
+stl.SetFileName(path)
+stl.ScalarTagsOn()
+# A file that the first rank reads, and a sphere that every rank makes a piece of.
+for source, alone, size in ((read("kcl_exhaust_header_lumens.stl"), stl, 10.0),
+                            (simple.Sphere(), vtkSphereSource(), 0.08)):
+    for depth in 0, 1:
+        mesher = simple.CartesianMesher(Input=source, CellSize=size, RefinementDepth=depth)
+        expected = on_one_rank(alone, size, depth)
+        assert_same(mesher, expected)
+
+    # The three filters are left to the first rank.
+    boxer = simple.CartesianBoxer(Input=source, CellSize=size, RefinementDepth=depth)
+    patcher = simple.Patcher(Input=source, Boxes=boxer)
+    assembler = simple.CellAssembler(Input=boxer, Patches=patcher)
+    assert field(assembler, "Cells") == field(mesher, "Cells")
+
+    # Asked for its second output only.
+    faces = simple.Threshold(Input=simple.OutputPort(
+            simple.CartesianMesher(Input=source, CellSize=size, RefinementDepth=depth), "Boundary"),
+        Scalars=["CELLS", "OwnerCell"], LowerThreshold=0, UpperThreshold=1e9)
+    faces.UpdatePipeline()
+    found = faces.GetDataInformation().GetNumberOfCells()
+    assert found == boundary_faces(mesher), f"Boundary alone: {found} faces"
+
+# A surface that each rank has a part of; its triangles come in another order.
+spread = simple.ProgrammableFilter(Input=read("cino_spot.obj"), OutputDataSetType="vtkPolyData", Script="""
+from vtkmodules.vtkCommonCore import vtkIdList
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+ranks = vtkMultiProcessController.GetGlobalController()
+mine = vtkCellArray()
+polygons = inputs[0].VTKObject.GetPolys()
+for i in range(ranks.GetLocalProcessId(), polygons.GetNumberOfCells(), ranks.GetNumberOfProcesses()):
+    ids = vtkIdList()
+    polygons.GetCellAtId(i, ids)
+    mine.InsertNextCell(ids)
+output.VTKObject.SetPoints(inputs[0].VTKObject.GetPoints())
+output.VTKObject.SetPolys(mine)
+""")
+parts = simple.CartesianMesher(Input=spread)
+whole = simple.CartesianMesher(Input=read("cino_spot.obj"))
+for name in "Cells", "BoxesInside", "BoxesIntersected":
+    assert field(parts, name) == field(whole, name), name
+
+# What one rank would say is wrong all say, and none waits for another.
+refused = simple.CartesianMesher(Input=simple.Sphere(), CellSize=-1)
+refused.UpdatePipeline()
+assert refused.GetDataInformation().GetNumberOfCells() == 0
+
+# Ghost cells close the gaps between parts: the quality is that of the mesh on one rank.
+MEASURES = "Cells", "TotalVolume", "MinVolume", "MaxConcavity", "MaxNonOrthogonality", "MinFaceWeight"
+obj = vtkOBJReader()
+obj.SetFileName(str(DATA / "cino_spot.obj"))
+mesher = simple.CartesianMesher(Input=read("cino_spot.obj"), CellSize=0.05)
+with tempfile.TemporaryDirectory() as folder:
+    writer = vtkXMLUnstructuredGridWriter()
+    writer.SetFileName(f"{folder}/mesh.vtu")
+    writer.SetDataModeToBinary()
+    writer.SetInputDataObject(on_one_rank(obj, 0.05, 0).GetOutputDataObject(0))
+    writer.Write()
+    summaries = [[field(simple.FiniteVolumeQuality(Input=mesh), name) for name in MEASURES]
+        for mesh in (simple.OpenDataFile(writer.GetFileName()), mesher,
+                     simple.RedistributeDataSet(Input=mesher))]
+assert np.allclose(summaries, summaries[0], rtol=1e-9, atol=0), summaries
+print(RANKS, "ranks:", summaries[0])
