@@ -1,0 +1,256 @@
+#include "Run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <malloc.h>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// A line of /proc/self/status, in bytes.
+double status(const char* key)
+{
+  std::ifstream file("/proc/self/status");
+  for (std::string line; std::getline(file, line);)
+  {
+    if (line.compare(0, std::strlen(key), key) == 0)
+    {
+      return 1024 * std::atof(line.c_str() + std::strlen(key));
+    }
+  }
+  return 0;
+}
+
+// The peak of the process's memory within each stage.
+class Memory
+{
+public:
+  Memory()
+  {
+    malloc_trim(0); // gives back what earlier runs left
+    before_ = status("VmRSS:");
+    forget();
+  }
+
+  // What the execution calls; never stops.
+  bool operator()(const char* stage)
+  {
+    if (stage_ != stage)
+    {
+      close();
+      stage_ = stage;
+    }
+    return true;
+  }
+
+  void close()
+  {
+    if (!stage_.empty())
+    {
+      peaks_[stage_] = status("VmHWM:") - before_;
+    }
+    forget();
+  }
+
+  double peak(const std::string& stage) const
+  {
+    const auto found = peaks_.find(stage);
+    return found == peaks_.end() ? 0 : found->second;
+  }
+
+  double peak() const
+  {
+    double most = 0;
+    for (const auto& [stage, bytes] : peaks_)
+    {
+      most = std::max(most, bytes);
+    }
+    return most;
+  }
+
+private:
+  static void forget() { std::ofstream("/proc/self/clear_refs") << 5; }
+
+  double before_ = 0;
+  std::string stage_;
+  std::map<std::string, double> peaks_;
+};
+
+// The mesh in arrays such as VTK's; how many bytes they take.
+double write(const Mesh& mesh, Execution& execution)
+{
+  const auto cells = static_cast<std::size_t>(mesh.cellCount());
+  std::vector<double> points(3 * static_cast<std::size_t>(mesh.pointCount()));
+  std::vector<Id> offsets(cells + 1);
+  std::vector<Id> connectivity(static_cast<std::size_t>(mesh.connectivitySize()));
+  std::vector<unsigned char> types(cells);
+  std::vector<Id> faceStart(cells);
+  std::vector<Id> faceStream(static_cast<std::size_t>(mesh.faceStreamSize()));
+  std::vector<int> globalBox(3 * cells);
+  std::vector<unsigned char> level(3 * cells);
+  std::vector<int> region(cells);
+  std::vector<double> fraction(cells);
+  mesh.writePoints(points.data(), execution);
+  mesh.writeCells({ offsets.data(), connectivity.data(), types.data(), faceStart.data(),
+                    faceStream.data(), 12, 42 },
+    execution);
+  mesh.writeCellData({ globalBox.data(), level.data(), region.data(), fraction.data() }, execution);
+  const BoundaryMesh boundary = mesh.boundaryMesh(execution);
+  const auto bytes = [](const auto&... arrays) {
+    return (0.0 + ... + static_cast<double>(arrays.size() * sizeof(arrays[0])));
+  };
+  return bytes(points, offsets, connectivity, types, faceStart, faceStream, globalBox, level,
+    region, fraction, boundary.start, boundary.corners, boundary.meshPoint);
+}
+
+}
+
+void Triangles::add(const std::array<std::array<double, 3>, 3>& triangle)
+{
+  for (const auto& p : triangle)
+  {
+    corners.push_back(static_cast<std::uint32_t>(points.size() / 3));
+    points.insert(points.end(), p.begin(), p.end());
+  }
+  boundary.push_back(0);
+}
+
+SurfaceView Triangles::view() const
+{
+  return { points.data(), points.size() / 3, corners.data(), size(), boundary.data() };
+}
+
+double Triangles::volume() const
+{
+  double sum = 0;
+  for (std::size_t t = 0; t < size(); ++t)
+  {
+    const double* const a = &points[9 * t];
+    const double* const b = a + 3;
+    const double* const c = a + 6;
+    sum += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+      a[2] * (b[0] * c[1] - b[1] * c[0]);
+  }
+  return std::abs(sum / 6);
+}
+
+Triangles sphere(int rings)
+{
+  const int meridians = 2 * rings;
+  const double pi = std::acos(-1.0);
+  const auto at = [&](int ring, int meridian) -> std::array<double, 3> {
+    const double polar = pi * ring / rings;
+    const double angle = 2 * pi * (meridian % meridians) / meridians;
+    const double radius = ring == 0 || ring == rings ? 0 : std::sin(polar);
+    return { radius * std::cos(angle), radius * std::sin(angle), std::cos(polar) };
+  };
+  Triangles surface;
+  surface.name = "sphere";
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    for (int m = 0; m < meridians; ++m)
+    {
+      if (ring > 0)
+      {
+        surface.add({ at(ring, m), at(ring + 1, m), at(ring, m + 1) });
+      }
+      if (ring + 1 < rings)
+      {
+        surface.add({ at(ring, m + 1), at(ring + 1, m), at(ring + 1, m + 1) });
+      }
+    }
+  }
+  return surface;
+}
+
+// An STL file in ASCII.
+Triangles readStl(const std::string& name)
+{
+  std::ifstream file(DATA_FOLDER "/" + name);
+  Triangles surface;
+  surface.name = name;
+  std::array<std::array<double, 3>, 3> triangle;
+  std::size_t corner = 0;
+  for (std::string word; file >> word;)
+  {
+    if (word == "vertex")
+    {
+      for (double& x : triangle[corner])
+      {
+        // As vtkSTLReader reads them: in single precision.
+        float single = 0;
+        file >> single;
+        x = single;
+      }
+      if (++corner == 3)
+      {
+        surface.add(triangle);
+        corner = 0;
+      }
+    }
+  }
+  if (surface.size() == 0)
+  {
+    std::fprintf(stderr, "There are no triangles in " DATA_FOLDER "/%s.\n", name.c_str());
+    std::exit(1);
+  }
+  return surface;
+}
+
+double sizeFor(double boxes, const Triangles& surface)
+{
+  Execution execution(0);
+  GridSpec grid;
+  grid.cellSize = std::cbrt(surface.volume() / boxes);
+  for (int i = 0; i < 2; ++i)
+  {
+    const PreparedSurface prepared = prepareSurface(surface.view(), grid, 1e12, execution);
+    const BoxedSurface boxed = boxSurface(prepared, RefinementSpec(), execution);
+    grid.cellSize *= std::cbrt(static_cast<double>(boxed.boxes.boxes.size()) / boxes);
+  }
+  return grid.cellSize;
+}
+
+Figures measure(
+  const Triangles& surface, double cellSize, int depth, PatchMethod method, int threads)
+{
+  Memory memory;
+  Execution execution(threads, [&](double, const char* stage) { return memory(stage); });
+  GridSpec grid;
+  grid.cellSize = cellSize;
+  const PreparedSurface prepared = prepareSurface(surface.view(), grid, 1e12, execution);
+  RefinementSpec refinement;
+  refinement.depth = depth;
+  const BoxedSurface boxed = boxSurface(prepared, refinement, execution);
+  execution.stage("Patches", AfterBoxes, AfterPatches);
+  PatchSpec spec;
+  spec.method = method;
+  const Patches patches =
+    generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes, spec, execution);
+  const Assembly assembly(boxed.boxes, patches, CellSpec(), execution);
+  execution.stage("Writing the mesh", AfterNumbering, 1);
+  Figures figures;
+  figures.output = write(assembly.mesh(), execution);
+  memory.close();
+  for (const auto& [stage, time] : execution.seconds())
+  {
+    figures.stages.push_back({ stage, time, memory.peak(stage) });
+    figures.seconds += time;
+  }
+  for (const auto& [name, value] : assembly.statistics())
+  {
+    figures.cut = std::strcmp(name, "Polyhedra") == 0 ? value : figures.cut;
+  }
+  figures.cells = static_cast<double>(assembly.mesh().cellCount());
+  figures.peak = memory.peak();
+  return figures;
+}
+
+}

@@ -1,0 +1,52 @@
+// One run of the kernel from surface to arrays, timed stage by stage.
+//
+// Memory is what the process takes above what it had before the run: the peak within each stage.
+// Linux forgets a peak when told so; where it does not, peaks are those since the beginning.
+#pragma once
+
+#include "Mesher.h"
+
+#include <map>
+
+namespace cartesian
+{
+
+struct Triangles
+{
+  std::string name;
+  std::vector<double> points;
+  std::vector<std::uint32_t> corners;
+  std::vector<std::int32_t> boundary;
+
+  std::size_t size() const { return corners.size() / 3; }
+  void add(const std::array<std::array<double, 3>, 3>& triangle);
+  SurfaceView view() const; // borrows
+  double volume() const;
+};
+
+Triangles sphere(int rings);                // 4 rings (rings - 1) triangles, of radius 1
+Triangles readStl(const std::string& name); // ASCII, in the folder Data
+
+// The cell size that gives about as many boxes.
+double sizeFor(double boxes, const Triangles& surface);
+
+struct Figures
+{
+  double cells = 0;
+  double cut = 0; // cells that are no hexahedra
+  double seconds = 0;
+  double peak = 0;   // bytes
+  double output = 0; // bytes of the arrays
+  struct Stage
+  {
+    std::string name;
+    double seconds;
+    double peak;
+  };
+  std::vector<Stage> stages;
+};
+
+Figures measure(
+  const Triangles& surface, double cellSize, int depth, PatchMethod method, int threads);
+
+}
