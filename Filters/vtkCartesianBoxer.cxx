@@ -145,31 +145,6 @@ void vtkCartesianBoxer::SetBoundaryRefinement(
   this->SetRow(this->BoundaryRefinements, row, { boundary, depth, blendLayers, blendBelow });
 }
 
-template <class Row>
-void vtkCartesianBoxer::Resize(std::vector<Row>& table, int number)
-{
-  if (number >= 0 && table.size() != static_cast<std::size_t>(number))
-  {
-    table.resize(static_cast<std::size_t>(number), Row{});
-    this->Modified();
-  }
-}
-
-template <class Row>
-void vtkCartesianBoxer::SetRow(std::vector<Row>& table, int row, const Row& values)
-{
-  if (row < 0 || static_cast<std::size_t>(row) >= table.size())
-  {
-    vtkErrorMacro("There is no row " << row << ": set the number of rows first.");
-    return;
-  }
-  if (table[static_cast<std::size_t>(row)] != values)
-  {
-    table[static_cast<std::size_t>(row)] = values;
-    this->Modified();
-  }
-}
-
 void vtkCartesianBoxer::SetNumberOfMeshlines(int axis, int number)
 {
   if (axis < 0 || axis > 2 || number < 0)
@@ -363,20 +338,13 @@ void vtkCartesianBoxer::AddChosenBoundaries(
     {
       continue;
     }
-    const auto& names = source.names();
-    const auto found = std::find_if(
-      names.begin(), names.end(), [&](const auto& named) { return named.second == name; });
-    if (found == names.end())
-    {
-      throw cartesian::Error(cartesian::Fault::BadParameter,
-        "Refined Boundaries has \"" + name + "\", which the surface has not; its first is \"" +
-          names.begin()->second + "\".");
-    }
+    const std::int32_t boundary =
+      cartesian::boundaryCalled(source.names(), name, "Refined Boundaries");
     const auto rowsEnd = spec.boundaries.begin() + static_cast<std::ptrdiff_t>(rows);
     if (std::none_of(spec.boundaries.begin(), rowsEnd,
-          [&](const auto& row) { return row.boundary == found->first; }))
+          [&](const auto& row) { return row.boundary == boundary; }))
     {
-      spec.boundaries.push_back({ found->first, this->RefinedBoundaryDepth, 0, false });
+      spec.boundaries.push_back({ boundary, this->RefinedBoundaryDepth, 0, false });
     }
   }
 }
@@ -424,13 +392,7 @@ void vtkCartesianBoxer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CellSize: " << this->CellSize << "\n";
   for (int axis = 0; axis < 3; ++axis)
   {
-    os << indent << "Meshlines"
-       << "XYZ"[axis] << ":";
-    for (const double position : this->Meshlines[axis])
-    {
-      os << " " << position;
-    }
-    os << "\n";
+    PrintColumn(os, indent, std::string("Meshlines") + "XYZ"[axis], this->Meshlines[axis]);
   }
   os << indent << "BoundaryArray: " << this->BoundaryArray << "\n";
   os << indent << "RefinementDepth: " << this->RefinementDepth << "\n";

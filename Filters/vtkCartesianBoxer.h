@@ -236,11 +236,6 @@ private:
   void AddChosenBoundaries(
     const cartesian::SurfaceFromVTK& source, cartesian::RefinementSpec& spec);
   vtkMTimeType NamesTime = 0; // of the surface whose boundaries RefinedBoundaries lists
-
-  template <class Row>
-  void Resize(std::vector<Row>& table, int number);
-  template <class Row>
-  void SetRow(std::vector<Row>& table, int row, const Row& values);
 };
 
 #endif

@@ -59,6 +59,15 @@ std::string describeLeaks(const PreparedSurface& prepared)
   return text;
 }
 
+void checkRatio(double ratio)
+{
+  if (!(ratio >= 0 && ratio < 1))
+  {
+    throw Error(Fault::BadParameter,
+      "Small Cell Ratio is " + number(ratio) + ": it must be from 0 to less than 1.");
+  }
+}
+
 }
 
 PreparedSurface prepareSurface(
@@ -143,10 +152,13 @@ Assembly::Assembly(
   : boxes_(boxes)
   , patches_(patches)
 {
-  if (!(spec.smallCellRatio >= 0 && spec.smallCellRatio < 1))
+  checkRatio(spec.smallCellRatio);
+  if (spec.boundaryRatios)
   {
-    throw Error(Fault::BadParameter,
-      "Small Cell Ratio is " + number(spec.smallCellRatio) + ": it must be from 0 to less than 1.");
+    for (const BoundaryRatio& own : *spec.boundaryRatios)
+    {
+      checkRatio(own.ratio);
+    }
   }
   execution.stage("Common sides of boxes", AfterPatches, AfterSides);
   sides_ = findSides(boxes, execution);

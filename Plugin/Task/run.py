@@ -1,6 +1,7 @@
 """Runs task files: what cartesian-mesher starts under pvpython or, within mpirun, under pvbatch."""
 
 import argparse
+import itertools
 import json
 import os
 import pathlib
@@ -14,7 +15,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
-from parameters import parameters
+from parameters import names, parameters
 from task import MESHER, TaskError, read_task
 from template import template
 
@@ -76,9 +77,9 @@ def surface(files):
 
 def boundary_numbers(mesher):
     """{name: number} of the boundaries of the surface."""
-    names = vtkDataObject()
-    mesher.SMProxy.GetClientSideObject().DescribeBoundaries(names)
-    numbers, texts = (names.GetFieldData().GetAbstractArray(name)
+    described = vtkDataObject()
+    mesher.SMProxy.GetClientSideObject().DescribeBoundaries(described)
+    numbers, texts = (described.GetFieldData().GetAbstractArray(name)
         for name in ("BoundaryIds", "BoundaryNames"))
     return {texts.GetValue(i): numbers.GetValue(i) for i in range(texts.GetNumberOfValues())} \
         if texts else {}
@@ -153,16 +154,16 @@ def statistics(mesher, listener, seconds):
         if array.GetNumberOfComponents() == 1}
     rows = [arrays.pop(name, []) for name in
         ("BoundaryIds", "BoundaryNames", "BoundaryFaceCounts", "BoundaryAreas")]
+    types = arrays.pop("BoundaryTypes", [])
     return {
         "error_code": listener.algorithm.GetErrorCode(),
         "errors": listener.errors,
         "warnings": listener.warnings,
         "seconds": round(seconds, 3),
-        "parameters": {parameter.name: mesher.GetProperty(parameter.name).GetData()
-            for parameter in parameters(MESHER)},
+        "parameters": {name: mesher.GetProperty(name).GetData() for name in names(MESHER)},
         "mesh": {name: whole(values[0]) for name, values in arrays.items() if len(values) == 1},
-        "boundaries": [{"number": number, "name": name, "faces": faces, "area": area}
-            for number, name, faces, area in zip(*rows)],
+        "boundaries": [{"number": number, "name": name, "type": type, "faces": faces, "area": area}
+            for number, name, faces, area, type in itertools.zip_longest(*rows, types, fillvalue="")],
     }
 
 

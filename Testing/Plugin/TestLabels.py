@@ -10,6 +10,7 @@ boundaries = {"BoundaryArray": ""}
 patches = {"PatchMethod": "Automatic", "FeatureAngle": 30.0, "MergeAngle": 10.0,
            "Tying": "Keep Nodes"}
 cells = {"SmallCells": "Remove", "MergeRatio": 0.1, "SmallCellRatio": 0.001, "SplitConcaveCells": 0}
+settings = {"BoundaryNames": [], "BoundaryTypes": [], "BoundarySmallCellRatios": []}
 threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}
 
@@ -28,9 +29,9 @@ expected = {
     boxer: ("Cartesian Boxer", ["Input", "RefinementRegions"],
             boundaries | grid | refinement | threads | memory),
     patcher: ("Patcher", ["Input", "Boxes"], boundaries | patches | threads),
-    assembler: ("Cell Assembler", ["Input", "Patches"], cells | threads),
+    assembler: ("Cell Assembler", ["Input", "Patches"], cells | settings | threads),
     mesher: ("Cartesian Mesher", ["Input", "RefinementRegions"],
-             boundaries | grid | refinement | patches | cells | threads | memory),
+             boundaries | grid | refinement | patches | cells | settings | threads | memory),
     inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
     quality: ("Finite Volume Quality", ["Input"], threads),
     # A region is as large as its input at first.
