@@ -8,7 +8,7 @@ import sys
 
 from paraview import simple
 
-from events import advanced, apply, macro, meshing_menu, number, open_file, redo, script, table_row, undo
+from events import advanced, apply, boundary_row, macro, meshing_menu, number, open_file, redo, script, table_row, undo
 from window import Screen
 
 sys.path.insert(0, str(pathlib.Path(sys.argv[1]) / "Testing" / "Plugin"))
@@ -41,6 +41,14 @@ file = "{SURFACE}"
 cell_size = 20.5
 [refinement]
 boundary_refinement = [{{ boundary = "inlet_1", depth = 2, blending_distance = 1, blend_to_depth_1 = 0 }}]
+[[boundaries]]
+name = "outlet_1"
+type = "symmetry"
+small_cell_ratio = 0.3
+[[boundaries]]
+name = "wall_2"
+type = "patch"
+small_cell_ratio = 1e-100
 [output]
 mesh = "task.vtu"
 """
@@ -61,14 +69,16 @@ with Screen() as screen:
     said = screen.play(script(macro("begin"), open_file(SURFACE, choose_reader=True), apply(),
         meshing_menu("CartesianMesher"), advanced(), number("CellSize", 20.5), apply(), macro("note"),
         table_row("BoundaryRefinement", 0, [1, 2, 1, 0]), apply(), macro("note"),
-        undo(), macro("note"), redo(), apply(), macro("note"), macro("save")))
+        undo(), macro("note"), redo(), apply(), macro("note"),
+        boundary_row(0, "outlet_1", "symmetry", 0.3), boundary_row(1, "wall_2", "patch", 1e-100), apply(),
+        macro("save")))
     assert "ERR|" not in said, said
     notes = (screen.folder / "notes.txt").read_text().splitlines()
     without, with_row = "[20.5, []]", "[20.5, [1.0, 2.0, 1.0, 0.0]]"
     assert notes == [without, with_row, without, with_row], notes
 
     trace = (screen.folder / "trace.py").read_text()
-    for part in "NamedSTLReader(", "CartesianMesher(", "CellSize = 20.5", "BoundaryRefinement = [1.0, 2.0":
+    for part in "BoundaryNames = ['outlet_1', 'wall_2']", "NamedSTLReader(", "CartesianMesher(", "CellSize = 20.5", "BoundaryRefinement = [1.0, 2.0":
         assert part in trace, f"no '{part}' in: {trace}"
     exec(compile(trace, "trace", "exec"), {})
     same("trace", simple.FindSource("CartesianMesher1"), screen.folder)
