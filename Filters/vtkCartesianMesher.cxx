@@ -54,6 +54,7 @@ int vtkCartesianMesher::RequestData(
     const cartesian::CellSpec spec{ this->SmallCellRatio,
       this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove,
       this->MergeRatio, 15, this->SplitConcaveCells, &ratios };
+    cartesian::planStages(spec, execution);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
     this->Inspect(prepared, surface, vtkPolyData::GetData(output, 2), execution);
     const cartesian::BoxedSurface boxed = this->Divide(surface, prepared, input[1], execution);

@@ -72,6 +72,7 @@ int vtkCellAssembler::RequestData(
     const cartesian::CellSpec spec{ this->SmallCellRatio,
       this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove,
       this->MergeRatio, 15, this->SplitConcaveCells, &ratios };
+    cartesian::planStages(spec, execution);
     const cartesian::Assembly assembly(boxes, patches, spec, execution);
     cartesian::toVTK(assembly, { names, types }, vtkUnstructuredGrid::GetData(output, 0),
       vtkPolyData::GetData(output, 1), execution);

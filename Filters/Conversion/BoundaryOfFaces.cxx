@@ -112,7 +112,7 @@ private:
 
 }
 
-void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary)
+void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution)
 {
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName(CellId);
@@ -133,6 +133,7 @@ void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary)
   auto face = vtk::TakeSmartPointer(boundary->GetPolys()->NewIterator());
   for (face->GoToFirstCell(); !face->IsDoneWithTraversal(); face->GoToNextCell())
   {
+    execution.poll();
     vtkIdType count = 0;
     const vtkIdType* points = nullptr;
     face->GetCurrentCell(count, points);

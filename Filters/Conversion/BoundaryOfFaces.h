@@ -18,7 +18,7 @@ namespace cartesian
 {
 
 // Adds both arrays to the mesh. `boundary`: as in MeshToVTK.h.
-void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary);
+void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution);
 
 enum class BoundaryKnowledge
 {

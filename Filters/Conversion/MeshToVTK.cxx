@@ -141,8 +141,8 @@ void setBoundary(
 }
 
 // Name, number of faces and area of each boundary, on both outputs.
-void describeBoundaries(
-  const BoundaryTexts& texts, vtkPolyData* boundary, vtkUnstructuredGrid* mesh)
+void describeBoundaries(const BoundaryTexts& texts, vtkPolyData* boundary,
+  vtkUnstructuredGrid* mesh, Execution& execution)
 {
   BoundaryNames names = texts.names;
   struct Measure
@@ -155,6 +155,7 @@ void describeBoundaries(
   auto face = vtk::TakeSmartPointer(boundary->GetPolys()->NewIterator());
   for (face->GoToFirstCell(); !face->IsDoneWithTraversal(); face->GoToNextCell())
   {
+    execution.poll();
     vtkIdType size = 0;
     const vtkIdType* corners = nullptr;
     face->GetCurrentCell(size, corners);
@@ -194,8 +195,8 @@ void toVTK(const Assembly& assembly, const BoundaryTexts& texts, vtkUnstructured
   execution.stage("Writing the mesh", AfterNumbering, 1);
   setMesh(assembly, mesh, execution);
   setBoundary(assembly.mesh(), mesh, boundary, execution);
-  setBoundaryOfFaces(mesh, boundary);
-  describeBoundaries(texts, boundary, mesh);
+  setBoundaryOfFaces(mesh, boundary, execution);
+  describeBoundaries(texts, boundary, mesh, execution);
 }
 
 }

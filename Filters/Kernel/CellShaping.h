@@ -12,6 +12,9 @@ struct Shaping
   std::size_t cellsMerged = 0;
 };
 
+// Whether there is anything to do.
+bool shapesCells(const CellSpec& spec);
+
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
   const InnerFaces& inner, Cells& cells, const CellSpec& spec, Execution& execution);
 

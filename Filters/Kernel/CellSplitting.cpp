@@ -336,6 +336,7 @@ Splitting splitCells(
     std::set<CellKey> next;
     for (Proposal& proposal : proposals)
     {
+      execution.poll();
       if (!proposal.found)
       {
         failed.insert(proposal.key);

@@ -649,6 +649,7 @@ Cells assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sid
   }
   const std::size_t count = sides.polyhedral.size();
   std::vector<Part> parts(chunks(count, BoxesAChunk));
+  execution.nextLoop(0.95);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     BoxAssembler assembler(boxes, patches, sides, nodes, inner, spec);
     for (std::size_t n = begin; n < end; ++n)

@@ -70,6 +70,14 @@ void checkRatio(double ratio)
 
 }
 
+void planStages(const CellSpec& spec, Execution& execution)
+{
+  if (!shapesCells(spec))
+  {
+    execution.leaveOut(AfterCells, AfterShaping);
+  }
+}
+
 PreparedSurface prepareSurface(
   const SurfaceView& view, const GridSpec& grid, double memoryLimit, Execution& execution)
 {
@@ -167,8 +175,11 @@ Assembly::Assembly(
   inner_ = generateInnerFaces(boxes, patches, sides_, nodes_, execution);
   execution.stage("Cells", AfterInnerFaces, AfterCells);
   cells_ = assembleCells(boxes, patches, sides_, nodes_, inner_, spec, execution);
-  execution.stage("Shaping of cells", AfterCells, AfterShaping);
-  shaping_ = shapeCells(boxes, patches, sides_, nodes_, inner_, cells_, spec, execution);
+  if (shapesCells(spec))
+  {
+    execution.stage("Shaping of cells", AfterCells, AfterShaping);
+    shaping_ = shapeCells(boxes, patches, sides_, nodes_, inner_, cells_, spec, execution);
+  }
   execution.stage("Numbering", AfterShaping, AfterNumbering);
   mesh_ =
     std::make_unique<Mesh>(MeshParts{ boxes, patches, sides_, nodes_, inner_, cells_ }, execution);

@@ -110,6 +110,7 @@ void classify(const Boxes& boxes, Sides& result, Execution& execution)
 {
   const std::size_t count = boxes.boxes.size();
   std::vector<std::uint8_t> polyhedral(count);
+  execution.nextLoop(0.1);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     std::vector<std::int64_t> scratch;
     for (std::size_t b = begin; b < end; ++b)
@@ -222,6 +223,7 @@ Sides findSides(const Boxes& boxes, Execution& execution)
   const std::size_t count = result.polyhedral.size();
   std::vector<std::vector<Side>> parts(chunks(count, BoxesAChunk));
   result.ownStart.assign(count + 1, 0);
+  execution.nextLoop(0.1);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     std::vector<Side>& part = parts[begin / BoxesAChunk];
     for (std::size_t n = begin; n < end; ++n)
