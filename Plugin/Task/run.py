@@ -8,19 +8,19 @@ import pathlib
 import signal
 import sys
 import time
+import traceback
 
 import cartesianmesher.vtkCartesianMesherFilters  # without it, filters show their base class only
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 from parameters import names, parameters
 from task import MESHER, TaskError, read_task
 from template import template
 
-# Exit codes; 1 is Python's own, after a fault of the program.
-SUCCESS, REFUSED, WARNINGS = 0, 2, 3
+# Exit codes; FAULT is one of the program.
+SUCCESS, FAULT, REFUSED, WARNINGS = 0, 1, 2, 3
 STOPPED = 128 + signal.SIGINT
 
 VTK_WRITERS = {".vtu": vtkXMLUnstructuredGridWriter, ".vtp": vtkXMLPolyDataWriter}
@@ -232,15 +232,19 @@ def main(arguments):
 
 
 def leave(code):
-    """Exits; within mpirun, pvbatch ends all ranks well if this one returns, mpirun if it fails."""
-    controller = vtkMultiProcessController.GetGlobalController()
-    if controller.GetNumberOfProcesses() == 1:
+    """Exits; within mpirun, where all ranks must end well, cartesian-mesher does so with the code."""
+    if "CARTESIAN_MESHER_CODE" not in os.environ:
         sys.exit(code)
     if code != SUCCESS:
-        sys.stdout.flush()
-        sys.stderr.flush()
-        os._exit(code)
+        pathlib.Path(os.environ["CARTESIAN_MESHER_CODE"]).write_text(str(code))
 
 
 if __name__ == "__main__":
-    leave(main(sys.argv[1:]))
+    try:
+        code = main(sys.argv[1:])
+    except SystemExit as ended:  # by argparse
+        code = ended.code
+    except Exception:
+        traceback.print_exc()
+        code = FAULT
+    leave(code)

@@ -214,7 +214,9 @@ for text, *parts in (
     for part in parts:
         assert part in said, f"no '{part}' in: {said}"
 assert "cannot be read" in start(folder / "nothing.toml", code=REFUSED)
-run(FILES + "[grid]\ncell_size = -1\n", ranks=2, code=REFUSED)
+for text, *arguments in (FILES + "[grid]\ncell_size = 1e9\n",), (FILES + "[grid]\nsize = 1\n",), (FILES, "--nonsense"):
+    said = run(text, *arguments, ranks=2, code=REFUSED)
+    assert "error: " in said and "Stack trace" not in said and "SIGTERM" not in said, said
 assert "usage" in start(code=REFUSED) and "Exit codes" in start("--help")
 
 assert lines_of("a = 1\n[b.c]\nd.e = 2\n[[f]]\ng = [\n 1,\n]\n[[f]]\n'g h' = 3 # x\n") == {("a",): 1,
