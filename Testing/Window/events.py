@@ -62,6 +62,10 @@ def boundary_row(row, name, type, ratio):
         event(f"{fields}/SmallCellRatio/DoubleLineEdit0", "set_string", ratio)])
 
 
+def look_along_x():
+    return event("pqClientMainWindow/cameraToolbar/actionPositiveX", "activate")
+
+
 def undo():
     return event("pqClientMainWindow/menubar/menu_Edit", "activate", "actionEditUndo")
 

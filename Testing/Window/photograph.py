@@ -3,7 +3,7 @@
 import pathlib
 import sys
 
-from events import advanced, apply, event, meshing_menu, number, open_file, script, table_row
+from events import advanced, apply, event, look_along_x, meshing_menu, number, open_file, script, table_row
 from window import Screen
 
 DATA = pathlib.Path(sys.argv[1]) / "Data"
@@ -13,7 +13,7 @@ PANEL = {"rows": slice(172, 1730), "columns": slice(296)}
 
 with Screen(1400, 900) as screen:
     screen.photograph(script(*BEGIN, number("CellSize", 12), apply(),
-        event("pqClientMainWindow/cameraToolbar/actionPositiveX", "activate")), DATA / "window.png")
+        look_along_x()), DATA / "window.png")
 
 with Screen(1400, 2050) as screen:
     screen.photograph(script(*BEGIN, advanced(), table_row("RefinementBlocks", 0, [0, 4, 0, 9, 2, 2, 3, 1]),
