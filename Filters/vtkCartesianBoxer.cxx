@@ -5,6 +5,7 @@
 #include "DefectsToVTK.h"
 #include "Error.h"
 #include "Mesher.h"
+#include "SizeEstimate.h"
 #include "SurfaceBlocks.h"
 #include "SurfaceFromVTK.h"
 
@@ -44,6 +45,21 @@ void PrintTable(ostream& os, vtkIndent indent, const char* name, const Table& ta
     }
     os << "\n";
   }
+}
+
+// Significant digits of ExpectedBoxes.
+constexpr int DigitsOfSizes = 3;
+constexpr int DigitsOfNumbers = 2;
+
+double Rounded(double value, int digits)
+{
+  if (!(value > 0))
+  {
+    return 0;
+  }
+  const int last = static_cast<int>(std::floor(std::log10(value))) + 1 - digits;
+  const double unit = std::pow(10, std::abs(last));
+  return last > 0 ? std::round(value / unit) * unit : std::round(value * unit) / unit;
 }
 
 // Tables hold doubles; all their numbers are whole.
@@ -90,6 +106,8 @@ vtkCartesianBoxer::vtkCartesianBoxer()
 {
   this->SetNumberOfInputPorts(2);
 }
+
+vtkCartesianBoxer::~vtkCartesianBoxer() = default;
 
 int vtkCartesianBoxer::GetNumberOfRefinedBoundaryArrays()
 {
@@ -215,7 +233,14 @@ double vtkCartesianBoxer::EstimateNumberOfBoxes()
   this->Run(0, 1, [&](cartesian::Execution& execution) {
     const cartesian::SurfaceFromVTK surface(this->UpdatedSurface(), this->BoundaryArray);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
-    boxes = cartesian::estimateMesh(prepared.surface, prepared.planes).boxes;
+    std::array<double, 3> box;
+    for (std::size_t axis = 0; axis < box.size(); ++axis)
+    {
+      const auto& planes = prepared.planes[axis];
+      box[axis] = (static_cast<double>(planes.back()) - planes.front()) /
+        static_cast<double>(planes.size() - 1) * prepared.surface.lattice.step();
+    }
+    boxes = cartesian::expectedBoxes(cartesian::sizeOf(surface.view()), box, this->RefinementDepth);
   });
   return boxes;
 }
@@ -256,21 +281,52 @@ int vtkCartesianBoxer::RequestInformation(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
   vtkDataObject* data = vtkDataObject::GetData(input[0]);
-  if (!data || data->GetMTime() == this->NamesTime)
+  if (data && data->GetMTime() != this->SurfaceTime)
   {
-    return 1;
+    this->SurfaceTime = data->GetMTime();
+    this->Size.reset();
+    try
+    {
+      const cartesian::SurfaceFromVTK surface(data, this->BoundaryArray);
+      this->ListBoundaries(surface);
+      this->Size = std::make_unique<cartesian::SurfaceSize>(cartesian::sizeOf(surface.view()));
+    }
+    catch (const cartesian::Error&)
+    {
+      // Not read yet, or flawed: the work itself will say so.
+    }
   }
-  this->NamesTime = data->GetMTime();
-  try
-  {
-    const cartesian::SurfaceFromVTK surface(data, this->BoundaryArray);
-    this->ListBoundaries(surface);
-  }
-  catch (const cartesian::Error&)
-  {
-    // Not read yet, or flawed: the work itself will say so.
-  }
+  this->EstimateBoxes();
   return 1;
+}
+
+void vtkCartesianBoxer::EstimateBoxes()
+{
+  constexpr int Depths = 3;
+  std::fill(std::begin(this->ExpectedBoxes), std::end(this->ExpectedBoxes), 0.0);
+  if (!this->Size)
+  {
+    return;
+  }
+  const double longest = this->Size->longest;
+  const double applied = this->CellSize > 0
+    ? this->CellSize
+    : Rounded(longest / cartesian::DefaultCellsAlongLongest, DigitsOfSizes);
+  std::vector<double> sizes = { applied };
+  for (const double cells : { 25, 50, 100, 200 })
+  {
+    sizes.push_back(Rounded(longest / cells, DigitsOfSizes));
+  }
+  double* next = this->ExpectedBoxes;
+  for (const double size : sizes)
+  {
+    *next++ = size;
+    for (int depth = 0; depth < Depths; ++depth)
+    {
+      *next++ = Rounded(
+        cartesian::expectedBoxes(*this->Size, { size, size, size }, depth), DigitsOfNumbers);
+    }
+  }
 }
 
 cartesian::PreparedSurface vtkCartesianBoxer::Prepare(

@@ -203,7 +203,7 @@ def check(task):
     mesher = build(task)
     listener = Listener(mesher, quiet=True)
     boxes = listener.algorithm.EstimateNumberOfBoxes()
-    print(f"about {boxes:.3g} boxes before refinement")
+    print(f"about {boxes:.3g} boxes, at refinement depth {mesher.RefinementDepth}")
     return REFUSED if boxes == 0 else WARNINGS if listener.warnings else SUCCESS
 
 

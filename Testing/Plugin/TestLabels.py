@@ -41,8 +41,8 @@ expected = {
 }
 for proxy, (label, inputs, properties) in expected.items():
     assert proxy.GetXMLLabel() == label, proxy.GetXMLLabel()
-    # What ends in Info is what a panel asks the server, not the user.
-    names = sorted(name for name in proxy.ListProperties() if not name.endswith("Info"))
+    names = sorted(name for name in proxy.ListProperties()
+        if not proxy.GetProperty(name).SMProperty.GetInformationOnly())
     assert names == sorted(inputs + list(properties)), f"{label} has the properties {names}"
     for name, default in properties.items():
         value = proxy.GetPropertyValue(name)
