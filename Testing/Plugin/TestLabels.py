@@ -49,6 +49,13 @@ for proxy, (label, inputs, properties) in expected.items():
         value = list(value) if isinstance(default, list) else value
         assert value == default, f"the default of {name} of {label} is {value!r}"
 
+# All that a panel shows is explained.
+for proxy in expected:
+    for name in proxy.ListProperties():
+        property = proxy.GetProperty(name).SMProperty
+        text = property.GetDocumentation().GetDescription() if property.GetDocumentation() else ""
+        assert property.GetPanelVisibility() == "never" or len(text) > 20, f"{name} of {proxy} is not explained"
+
 for proxy, names in (
     (assembler, ["Mesh", "Boundary"]), (mesher, ["Mesh", "Boundary", "Defects"]),
     (quality, ["Mesh", "Faces"]),
