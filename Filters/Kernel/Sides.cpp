@@ -138,31 +138,33 @@ void classify(const Boxes& boxes, Sides& result, Execution& execution)
   }
 }
 
-void listSidesOfBoxes(Sides& result)
+void listSidesOfBoxes(Sides& result, Execution& execution)
 {
   result.boxStart.assign(result.polyhedral.size() + 1, 0);
-  const auto forEachBox = [&](const Side& side, auto&& visit) {
-    for (const bool upper : { true, false })
+  const auto forEachSide = [&](auto&& visit) {
+    for (std::uint32_t s = 0; s < result.sides.size(); ++s)
     {
-      const std::uint32_t n = result.polyhedralOrdinal(upper ? side.low : side.high);
-      if (n != None)
+      if (s % BoxesAChunk == 0)
       {
-        visit(n, upper);
+        execution.poll();
+      }
+      for (const bool upper : { true, false })
+      {
+        const Side& side = result.sides[s];
+        const std::uint32_t n = result.polyhedralOrdinal(upper ? side.low : side.high);
+        if (n != None)
+        {
+          visit(n, s, upper);
+        }
       }
     }
   };
-  for (const Side& side : result.sides)
-  {
-    forEachBox(side, [&](std::uint32_t n, bool) { ++result.boxStart[n]; });
-  }
+  forEachSide([&](std::uint32_t n, std::uint32_t, bool) { ++result.boxStart[n]; });
   result.ofBox.resize(scan(result.boxStart));
   std::vector<std::size_t> next(result.boxStart.begin(), result.boxStart.end() - 1);
-  for (std::uint32_t s = 0; s < result.sides.size(); ++s)
-  {
-    forEachBox(result.sides[s], [&](std::uint32_t n, bool upper) {
-      result.ofBox[next[n]++] = { s, upper };
-    });
-  }
+  forEachSide([&](std::uint32_t n, std::uint32_t s, bool upper) {
+    result.ofBox[next[n]++] = { s, upper };
+  });
 }
 
 }
@@ -237,9 +239,10 @@ Sides findSides(const Boxes& boxes, Execution& execution)
   result.sides.reserve(scan(result.ownStart));
   for (const std::vector<Side>& part : parts)
   {
+    execution.poll();
     result.sides.insert(result.sides.end(), part.begin(), part.end());
   }
-  listSidesOfBoxes(result);
+  listSidesOfBoxes(result, execution);
   return result;
 }
 
