@@ -60,6 +60,23 @@ std::string describeLeaks(const PreparedSurface& prepared)
   return text;
 }
 
+void checkRatio(double ratio)
+{
+  if (!(ratio >= 0 && ratio < 1))
+  {
+    throw Error(Fault::BadParameter,
+      "Small Cell Ratio is " + number(ratio) + ": it must be from 0 to less than 1.");
+  }
+}
+
+}
+
+void planStages(const CellSpec& spec, Execution& execution)
+{
+  if (!shapesCells(spec))
+  {
+    execution.leaveOut(AfterCells, AfterShaping);
+  }
 }
 
 PreparedSurface prepareSurface(
@@ -144,10 +161,13 @@ Assembly::Assembly(
   : boxes_(boxes)
   , patches_(&patches)
 {
-  if (!(spec.smallCellRatio >= 0 && spec.smallCellRatio < 1))
+  checkRatio(spec.smallCellRatio);
+  if (spec.boundaryRatios)
   {
-    throw Error(Fault::BadParameter,
-      "Small Cell Ratio is " + number(spec.smallCellRatio) + ": it must be from 0 to less than 1.");
+    for (const BoundaryRatio& own : *spec.boundaryRatios)
+    {
+      checkRatio(own.ratio);
+    }
   }
   if (!(spec.collapseRatio >= 0 && spec.collapseRatio <= MostCollapseRatio))
   {
@@ -163,8 +183,11 @@ Assembly::Assembly(
   collapse(spec, execution);
   execution.stage("Cells", AfterInnerFaces, AfterCells);
   cells_ = assembleCells(boxes, *patches_, sides_, nodes_, inner_, spec, execution);
-  execution.stage("Shaping of cells", AfterCells, AfterShaping);
-  shaping_ = shapeCells(boxes, *patches_, sides_, nodes_, inner_, cells_, spec, execution);
+  if (shapesCells(spec))
+  {
+    execution.stage("Shaping of cells", AfterCells, AfterShaping);
+    shaping_ = shapeCells(boxes, *patches_, sides_, nodes_, inner_, cells_, spec, execution);
+  }
   execution.stage("Numbering", AfterShaping, AfterNumbering);
   mesh_ =
     std::make_unique<Mesh>(MeshParts{ boxes, *patches_, sides_, nodes_, inner_, cells_ }, execution);
