@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCartesianMesher.h"
 
+#include "BoundarySettings.h"
 #include "Division.h"
 #include "Error.h"
 #include "MeshToVTK.h"
@@ -24,6 +25,8 @@ struct vtkCartesianMesher::Task
 {
   vtkMTimeType time = 0; // of the filter and its inputs
   std::unique_ptr<cartesian::SurfaceFromVTK> surface;
+  cartesian::BoundaryNames types; // of boundaries
+  std::vector<cartesian::BoundaryRatio> ratios;
   cartesian::PreparedSurface prepared;
   std::unique_ptr<cartesian::Division> division;
   std::vector<cartesian::Layers> pieces;
@@ -49,6 +52,21 @@ vtkCartesianMesher::vtkCartesianMesher()
 
 vtkCartesianMesher::~vtkCartesianMesher() = default;
 
+void vtkCartesianMesher::SetBoundaryName(int row, const char* name)
+{
+  this->SetRow(this->BoundaryNames, row, std::string(name ? name : ""));
+}
+
+void vtkCartesianMesher::SetBoundaryType(int row, const char* type)
+{
+  this->SetRow(this->BoundaryTypes, row, std::string(type ? type : ""));
+}
+
+void vtkCartesianMesher::SetBoundarySmallCellRatio(int row, double ratio)
+{
+  this->SetRow(this->BoundaryRatios, row, ratio);
+}
+
 int vtkCartesianMesher::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
@@ -57,7 +75,8 @@ int vtkCartesianMesher::FillOutputPortInformation(int port, vtkInformation* info
 
 bool vtkCartesianMesher::IsMadeInPieces()
 {
-  return this->InPieces && this->SmallCells == Remove && !this->SplitConcaveCells;
+  return this->InPieces && this->CollapseRatio == 0 &&
+    !cartesian::shapesCells(this->MakeCellSpec());
 }
 
 int vtkCartesianMesher::RequestUpdateExtent(
@@ -66,6 +85,18 @@ int vtkCartesianMesher::RequestUpdateExtent(
   return !this->IsMadeInPieces() && IsLeftToFirstProcess(request, output)
     ? 1
     : AskForWholeInputs(input);
+}
+
+cartesian::CellSpec vtkCartesianMesher::MakeCellSpec()
+{
+  cartesian::CellSpec spec;
+  spec.collapseRatio = this->CollapseRatio;
+  spec.smallCellRatio = this->SmallCellRatio;
+  spec.smallCells =
+    this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove;
+  spec.mergeRatio = this->MergeRatio;
+  spec.splitConcave = this->SplitConcaveCells;
+  return spec;
 }
 
 void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
@@ -79,6 +110,11 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
     region = processes.whole(region);
   }
   task.surface = std::make_unique<cartesian::SurfaceFromVTK>(surface, this->BoundaryArray);
+  const cartesian::BoundarySettings boundaries{ this->BoundaryNames, this->BoundaryTypes,
+    this->BoundaryRatios };
+  task.types = cartesian::boundaryTypes(boundaries, task.surface->names());
+  task.ratios = cartesian::boundaryRatios(boundaries, task.surface->names());
+  cartesian::planStages(this->MakeCellSpec(), execution);
   task.prepared = this->Prepare(*task.surface, execution, piece.count);
   if (piece.number == 0)
   {
@@ -103,9 +139,8 @@ void vtkCartesianMesher::Make(const Task& task, Piece& piece, cartesian::Executi
       { static_cast<cartesian::PatchMethod>(this->PatchMethod), this->FeatureAngle,
         this->MergeAngle, static_cast<cartesian::Tying>(this->Tying) },
       execution);
-  const cartesian::CellSpec spec{ this->SmallCellRatio,
-    this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove,
-    this->MergeRatio, 15, this->SplitConcaveCells };
+  cartesian::CellSpec spec = this->MakeCellSpec();
+  spec.boundaryRatios = &task.ratios;
   piece.assembly =
     std::make_unique<cartesian::Assembly>(piece.boxes, piece.patches, spec, execution);
 }
@@ -233,6 +268,7 @@ void vtkCartesianMesher::RequestPieceOfProcess(Piece& piece, const cartesian::Pr
     place.pointsBefore += static_cast<int>(i) < piece.number ? cartesian::Id(counts[i][2]) : 0;
     cells += counts[i][1];
   }
+  this->IsWaitedFor = true;
   this->Run(cartesian::AfterNumbering, 1, [&](cartesian::Execution& execution) {
     if (cells == 0)
     {
@@ -240,6 +276,7 @@ void vtkCartesianMesher::RequestPieceOfProcess(Piece& piece, const cartesian::Pr
     }
     this->Write(task, piece, place, output, execution);
   });
+  this->IsWaitedFor = false;
   this->ErrorCode = this->ErrorCode == 0 ? flaws : this->ErrorCode;
 }
 
@@ -247,7 +284,7 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   const cartesian::MeshPiece& place, vtkInformationVector* output, cartesian::Execution& execution)
 {
   vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(output, 0);
-  cartesian::toVTK(*piece.assembly, task.surface->names(), place, mesh,
+  cartesian::toVTK(*piece.assembly, { task.surface->names(), task.types }, place, mesh,
     vtkPolyData::GetData(output, 1), execution);
   const bool wasSilent = this->IsSilent; // these flaws are of this piece only
   this->IsSilent = false;
@@ -266,6 +303,10 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
 
 int vtkCartesianMesher::EstimateNumberOfPieces()
 {
+  if (!this->IsMadeInPieces())
+  {
+    return 1;
+  }
   std::size_t pieces = 0;
   this->Run(0, 1, [&](cartesian::Execution& execution) {
     const cartesian::SurfaceFromVTK surface(this->UpdatedSurface(), this->BoundaryArray);
@@ -290,9 +331,13 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "MergeAngle: " << this->MergeAngle << "\n";
   os << indent << "Tying: " << this->Tying << "\n";
+  os << indent << "CollapseRatio: " << this->CollapseRatio << "\n";
   os << indent << "SmallCells: " << this->SmallCells << "\n";
   os << indent << "MergeRatio: " << this->MergeRatio << "\n";
   os << indent << "SplitConcaveCells: " << this->SplitConcaveCells << "\n";
   os << indent << "InPieces: " << this->InPieces << "\n";
   os << indent << "SmallCellRatio: " << this->SmallCellRatio << "\n";
+  PrintColumn(os, indent, "BoundaryNames", this->BoundaryNames);
+  PrintColumn(os, indent, "BoundaryTypes", this->BoundaryTypes);
+  PrintColumn(os, indent, "BoundarySmallCellRatios", this->BoundaryRatios);
 }

@@ -15,7 +15,7 @@
  * slab of the grid. Pieces have global ids (cells: CellId, points: GlobalPointIds); together they are
  * the whole mesh, bit for bit. Defects come with piece 0. Every rank has the whole surface,
  * which may come whole or distributed; ghost cells, where asked for, are vtkGhostCellsGenerator's.
- * With SmallCells Merge, SplitConcaveCells, or InPieces off, piece 0 is the whole mesh.
+ * With SmallCells Merge, SplitConcaveCells, a CollapseRatio, or InPieces off, piece 0 is the whole mesh.
  *
  * @sa vtkCartesianBoxer vtkPatcher vtkCellAssembler vtkSurfaceInspector
  */
@@ -27,6 +27,7 @@
 
 namespace cartesian
 {
+struct CellSpec;
 struct MeshPiece;
 class Processes;
 }
@@ -52,6 +53,16 @@ public:
   vtkGetMacro(Tying, int);
   ///@}
 
+  ///@{
+  /**
+   * Edges shorter than this fraction of their box collapse, so that hardly any small cell is left
+   * (4.10): 0 (none) to 0.3; default 0.1. Corners of boxes move onto the surface; nodes of the surface
+   * move along it only.
+   */
+  vtkSetMacro(CollapseRatio, double);
+  vtkGetMacro(CollapseRatio, double);
+  ///@}
+
   /**
    * What becomes of small cells (4.10); default Merge.
    */
@@ -69,7 +80,7 @@ public:
   ///@{
   /**
    * With Merge: cells smaller than this fraction of their box are merged: 0 (none) to less than 1;
-   * default 0.1.
+   * default 0.015.
    */
   vtkSetMacro(MergeRatio, double);
   vtkGetMacro(MergeRatio, double);
@@ -104,9 +115,24 @@ public:
 
   /**
    * In how many pieces the mesh has to be made, one after the other, so that none takes more than
-   * MemoryLimit by an estimate. 0 after an error, such as TooManyBoxes where none is small enough.
+   * MemoryLimit by an estimate; 1 where it cannot be made in pieces. 0 after an error, such as TooManyBoxes where none is small enough.
    */
   int EstimateNumberOfPieces();
+
+  ///@{
+  /**
+   * See vtkCellAssembler.
+   */
+  void SetNumberOfBoundaryNames(int number) { this->Resize(this->BoundaryNames, number); }
+  void SetBoundaryName(int row, const char* name);
+  void SetNumberOfBoundaryTypes(int number) { this->Resize(this->BoundaryTypes, number); }
+  void SetBoundaryType(int row, const char* type);
+  void SetNumberOfBoundarySmallCellRatios(int number)
+  {
+    this->Resize(this->BoundaryRatios, number);
+  }
+  void SetBoundarySmallCellRatio(int row, double ratio);
+  ///@}
 
 protected:
   vtkCartesianMesher();
@@ -122,11 +148,15 @@ protected:
   double FeatureAngle = 30;
   double MergeAngle = 10;
   int Tying = 0;
-  int SmallCells = Remove;
-  double MergeRatio = 0.1;
+  double CollapseRatio = 0.1;
+  int SmallCells = Merge;
+  double MergeRatio = 0.015;
   double SmallCellRatio = 1e-3;
-  bool SplitConcaveCells = false;
+  bool SplitConcaveCells = true;
   bool InPieces = true;
+  std::vector<std::string> BoundaryNames;
+  std::vector<std::string> BoundaryTypes;
+  std::vector<double> BoundaryRatios;
 
 private:
   vtkCartesianMesher(const vtkCartesianMesher&) = delete;
@@ -135,6 +165,7 @@ private:
   struct Task;
   struct Piece;
 
+  cartesian::CellSpec MakeCellSpec();
   bool IsMadeInPieces();
   void Begin(Task& task, const Piece& piece, const cartesian::Processes& processes,
     vtkInformationVector** input, vtkInformationVector* output, cartesian::Execution& execution);

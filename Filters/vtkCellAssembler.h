@@ -38,6 +38,16 @@ public:
   vtkTypeMacro(vtkCellAssembler, vtkCartesianAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
+  /**
+   * Edges shorter than this fraction of their box collapse, so that hardly any small cell is left
+   * (4.10): 0 (none) to 0.3; default 0.1. Corners of boxes move onto the surface; nodes of the surface
+   * move along it only.
+   */
+  vtkSetMacro(CollapseRatio, double);
+  vtkGetMacro(CollapseRatio, double);
+  ///@}
+
   /**
    * What becomes of small cells (4.10); default Merge.
    */
@@ -55,7 +65,7 @@ public:
   ///@{
   /**
    * With Merge: cells smaller than this fraction of their box are merged: 0 (none) to less than 1;
-   * default 0.1.
+   * default 0.015.
    */
   vtkSetMacro(MergeRatio, double);
   vtkGetMacro(MergeRatio, double);
@@ -80,6 +90,24 @@ public:
   vtkGetMacro(SmallCellRatio, double);
   ///@}
 
+  ///@{
+  /**
+   * What is special about boundaries, by name, a row each: the type that vtkPolyMeshWriter gives the
+   * patch (automatic, patch, wall, symmetry, symmetryPlane, empty), and what stands for
+   * SmallCellRatio in cells whose patches are mostly of it (section 4.10). As many types and ratios
+   * as names, or none. "no_surface" is where there is no patch.
+   */
+  void SetNumberOfBoundaryNames(int number) { this->Resize(this->BoundaryNames, number); }
+  void SetBoundaryName(int row, const char* name);
+  void SetNumberOfBoundaryTypes(int number) { this->Resize(this->BoundaryTypes, number); }
+  void SetBoundaryType(int row, const char* type);
+  void SetNumberOfBoundarySmallCellRatios(int number)
+  {
+    this->Resize(this->BoundaryRatios, number);
+  }
+  void SetBoundarySmallCellRatio(int row, double ratio);
+  ///@}
+
 protected:
   vtkCellAssembler();
   ~vtkCellAssembler() override = default;
@@ -89,10 +117,14 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
-  int SmallCells = Remove;
-  double MergeRatio = 0.1;
+  double CollapseRatio = 0.1;
+  int SmallCells = Merge;
+  double MergeRatio = 0.015;
   double SmallCellRatio = 1e-3;
-  bool SplitConcaveCells = false;
+  bool SplitConcaveCells = true;
+  std::vector<std::string> BoundaryNames;
+  std::vector<std::string> BoundaryTypes;
+  std::vector<double> BoundaryRatios;
 
 private:
   vtkCellAssembler(const vtkCellAssembler&) = delete;

@@ -157,13 +157,15 @@ struct BoundaryMeasure
   double area = 0;
 };
 
-std::map<std::int32_t, BoundaryMeasure> measureBoundaries(vtkPolyData* boundary)
+std::map<std::int32_t, BoundaryMeasure> measureBoundaries(
+  vtkPolyData* boundary, Execution& execution)
 {
   std::map<std::int32_t, BoundaryMeasure> measures;
   vtkDataArray* id = boundary->GetCellData()->GetArray("BoundaryId");
   auto face = vtk::TakeSmartPointer(boundary->GetPolys()->NewIterator());
   for (face->GoToFirstCell(); !face->IsDoneWithTraversal(); face->GoToNextCell())
   {
+    execution.poll();
     vtkIdType size = 0;
     const vtkIdType* corners = nullptr;
     face->GetCurrentCell(size, corners);
@@ -199,10 +201,12 @@ std::map<std::int32_t, BoundaryMeasure> sum(
 }
 
 // Name, number of faces and area of each boundary, on both outputs.
-void describeBoundaries(
-  BoundaryNames names, const Processes& processes, vtkPolyData* boundary, vtkUnstructuredGrid* mesh)
+void describeBoundaries(const BoundaryTexts& texts, const Processes& processes,
+  vtkPolyData* boundary, vtkUnstructuredGrid* mesh, Execution& execution)
 {
-  std::map<std::int32_t, BoundaryMeasure> measures = sum(measureBoundaries(boundary), processes);
+  BoundaryNames names = texts.names;
+  std::map<std::int32_t, BoundaryMeasure> measures =
+    sum(measureBoundaries(boundary, execution), processes);
   for (const auto& measured : measures)
   {
     names.emplace(measured.first, unnamedBoundary(measured.first));
@@ -219,6 +223,7 @@ void describeBoundaries(
   for (vtkDataObject* output : std::initializer_list<vtkDataObject*>{ mesh, boundary })
   {
     setBoundaryNames(output, names);
+    setBoundaryTypes(output, names, texts.types);
     output->GetFieldData()->AddArray(faces);
     output->GetFieldData()->AddArray(areas);
   }
@@ -226,15 +231,15 @@ void describeBoundaries(
 
 }
 
-void toVTK(const Assembly& assembly, const BoundaryNames& names, const MeshPiece& piece,
+void toVTK(const Assembly& assembly, const BoundaryTexts& texts, const MeshPiece& piece,
   vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution)
 {
   execution.stage("Writing the mesh", AfterNumbering, 1);
   setMesh(assembly, mesh, execution);
   setStatistics(assembly, piece.processes, mesh);
   setBoundary(assembly.mesh(), mesh, boundary, execution);
-  setBoundaryOfFaces(mesh, boundary);
-  describeBoundaries(names, piece.processes, boundary, mesh);
+  setBoundaryOfFaces(mesh, boundary, execution);
+  describeBoundaries(texts, piece.processes, boundary, mesh, execution);
   if (!piece.isWhole)
   {
     setGlobalIds(assembly.mesh(), piece, mesh, boundary, execution);

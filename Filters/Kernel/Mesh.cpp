@@ -62,6 +62,7 @@ void Mesh::measureCells(Execution& execution)
   const Cells& cells = parts_.cells;
   cellSizes_.resize(cells.size());
   const std::size_t first = numbers_.coreBegin;
+  execution.nextLoop(0.4);
   execution.forEach(numbers_.coreEnd - first, CellsAChunk, [&](std::size_t begin, std::size_t end) {
     std::vector<Id> points;
     for (std::size_t c = first + begin; c < first + end; ++c)
@@ -196,6 +197,7 @@ void Mesh::writeCells(const CellArrays& arrays, Execution& execution) const
   const Boxes& boxes = parts_.boxes;
   const std::size_t first = boxes.row(0, boxes.core.begin);
   const std::size_t rows = boxes.row(0, boxes.core.end) - first;
+  execution.nextLoop(0.6);
   execution.forEach(rows, RowsAChunk, [&](std::size_t begin, std::size_t end) {
     std::vector<Id> scratch;
     for (std::size_t row = first + begin; row < first + end; ++row)

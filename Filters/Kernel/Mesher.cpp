@@ -2,6 +2,7 @@
 
 #include "Division.h"
 #include "Error.h"
+#include "ShortEdges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,6 +61,23 @@ std::string describeLeaks(const PreparedSurface& prepared)
   return text;
 }
 
+void checkRatio(double ratio)
+{
+  if (!(ratio >= 0 && ratio < 1))
+  {
+    throw Error(Fault::BadParameter,
+      "Small Cell Ratio is " + number(ratio) + ": it must be from 0 to less than 1.");
+  }
+}
+
+}
+
+void planStages(const CellSpec& spec, Execution& execution)
+{
+  if (!shapesCells(spec))
+  {
+    execution.leaveOut(AfterCells, AfterShaping);
+  }
 }
 
 PreparedSurface prepareSurface(const SurfaceView& view, const GridSpec& grid, double memoryLimit,
@@ -141,26 +159,39 @@ BoxedSurface boxSurface(
 Assembly::Assembly(
   const Boxes& boxes, const Patches& patches, const CellSpec& spec, Execution& execution)
   : boxes_(boxes)
-  , patches_(patches)
+  , patches_(&patches)
   , smallCellRatio_(spec.smallCellRatio)
 {
-  if (!(spec.smallCellRatio >= 0 && spec.smallCellRatio < 1))
+  checkRatio(spec.smallCellRatio);
+  if (spec.boundaryRatios)
+  {
+    for (const BoundaryRatio& own : *spec.boundaryRatios)
+    {
+      checkRatio(own.ratio);
+    }
+  }
+  if (!(spec.collapseRatio >= 0 && spec.collapseRatio <= MostCollapseRatio))
   {
     throw Error(Fault::BadParameter,
-      "Small Cell Ratio is " + number(spec.smallCellRatio) + ": it must be from 0 to less than 1.");
+      "Collapse Ratio is " + number(spec.collapseRatio) + ": it must be from 0 to " +
+        number(MostCollapseRatio) + ".");
   }
   execution.stage("Common sides of boxes", AfterPatches, AfterSides);
   sides_ = findSides(boxes, execution);
   nodes_ = findNodes(boxes, patches, sides_, execution);
   execution.stage("Inner faces", AfterSides, AfterInnerFaces);
   inner_ = generateInnerFaces(boxes, patches, sides_, nodes_, execution);
+  collapse(spec, execution);
   execution.stage("Cells", AfterInnerFaces, AfterCells);
-  cells_ = assembleCells(boxes, patches, sides_, nodes_, inner_, spec, execution);
-  execution.stage("Shaping of cells", AfterCells, AfterShaping);
-  shaping_ = shapeCells(boxes, patches, sides_, nodes_, inner_, cells_, spec, execution);
+  cells_ = assembleCells(boxes, *patches_, sides_, nodes_, inner_, spec, execution);
+  if (shapesCells(spec))
+  {
+    execution.stage("Shaping of cells", AfterCells, AfterShaping);
+    shaping_ = shapeCells(boxes, *patches_, sides_, nodes_, inner_, cells_, spec, execution);
+  }
   execution.stage("Numbering", AfterShaping, AfterNumbering);
-  mesh_ =
-    std::make_unique<Mesh>(MeshParts{ boxes, patches, sides_, nodes_, inner_, cells_ }, execution);
+  mesh_ = std::make_unique<Mesh>(
+    MeshParts{ boxes, *patches_, sides_, nodes_, inner_, cells_ }, execution);
   const Layers all = boxes.allLayers();
   if (mesh_->cellCount() == 0 && boxes.core.begin == all.begin && boxes.core.end == all.end)
   {
@@ -178,6 +209,18 @@ std::string Assembly::describeNothing() const
       " of their boxes). Choose a smaller ratio or a smaller Cell Size."
     : "There is nothing to mesh: the surface encloses no volume, or is open everywhere." +
       describeFlaws();
+}
+
+void Assembly::collapse(const CellSpec& spec, Execution& execution)
+{
+  if (spec.collapseRatio > 0)
+  {
+    collapsed_ = std::make_unique<Patches>(*patches_);
+    nodesCollapsed_ = collapseShortEdges(boxes_, sides_,
+      { spec.collapseRatio, spec.featureAngle, isExact(*patches_) }, *collapsed_, nodes_, inner_,
+      execution);
+    patches_ = collapsed_.get();
+  }
 }
 
 std::vector<std::uint32_t> Assembly::flawedBoxes() const
@@ -252,8 +295,8 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
     if (isCore && box != None)
     {
       ++intersected;
-      ++because[static_cast<std::size_t>(patches_.reason[box])];
-      patches += static_cast<double>(patches_.boxStart[box + 1] - patches_.boxStart[box]);
+      ++because[static_cast<std::size_t>(patches_->reason[box])];
+      patches += static_cast<double>(patches_->boxStart[box + 1] - patches_->boxStart[box]);
     }
   }
   const auto cells = static_cast<double>(mesh_->cellCount());

@@ -141,6 +141,7 @@ Nodes findNodes(
   std::vector<Part> parts(sideParts + chunks(sides.divided.size(), BoxesAChunk));
   Nodes nodes;
   nodes.borderStart.assign(sides.sides.size() + 1, 0);
+  execution.nextLoop(0.9);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     parts[begin / BoxesAChunk] = sidesOf(boxes, sides, begin, end, nodes.borderStart);
   });
@@ -185,6 +186,7 @@ Nodes findNodes(
   nodes.at.reserve(patches.points.size() + numbering.points.size());
   nodes.at = patches.points;
   nodes.at.insert(nodes.at.end(), numbering.points.begin(), numbering.points.end());
+  nodes.grid.swap(numbering.points);
   nodes.rowStart.swap(numbering.rowStart);
   return nodes;
 }

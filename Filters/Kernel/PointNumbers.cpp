@@ -106,7 +106,8 @@ PointNumbers::PointNumbers(
       rowStart_[row] = vertices_.count(row);
       forEachGridNode(row, [&](std::size_t node) {
         std::uint32_t i = 0;
-        if (used[node] != Use::Nowhere && VertexRows::isVertex(planes, nodes.at[node], j, k, i))
+        if (used[node] != Use::Nowhere &&
+          VertexRows::isVertex(planes, nodes.grid[node - nodes.patchPoints], j, k, i))
         {
           used[node] = Use::AsVertex;
           ofNode_[node] = i;

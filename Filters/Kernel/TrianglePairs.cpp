@@ -252,6 +252,7 @@ TrianglePairs findPairs(const Surface& surface, Execution& execution)
   const TriangleTree tree(surface, execution);
   const std::size_t count = tree.size();
   std::vector<TrianglePairs> parts(chunks(count, TrianglesAChunk));
+  execution.nextLoop(0.9);
   execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
     TrianglePairs& part = parts[begin / TrianglesAChunk];
     for (std::size_t place = begin; place < end; ++place)

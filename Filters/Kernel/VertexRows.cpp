@@ -87,7 +87,7 @@ private:
       const std::size_t node = nodes_.patchPoints + c;
       std::uint32_t i = 0;
       if (used_[node] != Use::Nowhere &&
-        VertexRows::isVertex(boxes_.planes, nodes_.at[node], j, k, i))
+        VertexRows::isVertex(boxes_.planes, nodes_.grid[c], j, k, i))
       {
         mark(i);
       }

@@ -71,6 +71,7 @@ PatchSpec exactFit()
 CellSpec asTheyAre(double smallCellRatio)
 {
   CellSpec spec;
+  spec.collapseRatio = 0;
   spec.smallCellRatio = smallCellRatio;
   spec.smallCells = SmallCells::Remove;
   spec.splitConcave = false;
