@@ -33,6 +33,22 @@ const char* lineBreak(const std::string& text)
   return text.empty() ? "" : "\n";
 }
 
+// The first few of these boxes, as text to append.
+std::string places(const Boxes& boxes, const std::vector<std::uint32_t>& which)
+{
+  constexpr std::size_t MostPlaces = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(which.size(), MostPlaces); ++i)
+  {
+    const Box& box = boxes.boxes[which[i]];
+    const auto& global = boxes.globalOf(box).index;
+    text += "\n  in global box " + std::to_string(global[0]) + ", " + std::to_string(global[1]) +
+      ", " + std::to_string(global[2]) + ", from " + position(boxes.lattice, box.low) + " to " +
+      position(boxes.lattice, box.high);
+  }
+  return text;
+}
+
 // The holes that are left, as text to append.
 std::string describeLeaks(const PreparedSurface& prepared)
 {
@@ -141,7 +157,7 @@ BoxedSurface boxSurface(
 Assembly::Assembly(
   const Boxes& boxes, const Patches& patches, const CellSpec& spec, Execution& execution)
   : boxes_(boxes)
-  , patches_(patches)
+  , patches_(&patches)
 {
   if (!(spec.smallCellRatio >= 0 && spec.smallCellRatio < 1))
   {
@@ -150,16 +166,13 @@ Assembly::Assembly(
   }
   execution.stage("Common sides of boxes", AfterPatches, AfterSides);
   sides_ = findSides(boxes, execution);
-  nodes_ = findNodes(boxes, patches, sides_, execution);
-  execution.stage("Inner faces", AfterSides, AfterInnerFaces);
-  inner_ = generateInnerFaces(boxes, patches, sides_, nodes_, execution);
-  execution.stage("Cells", AfterInnerFaces, AfterCells);
-  cells_ = assembleCells(boxes, patches, sides_, nodes_, inner_, spec, execution);
+  assemble(spec, execution);
+  rebuildFlawed(spec, execution);
   execution.stage("Shaping of cells", AfterCells, AfterShaping);
-  shaping_ = shapeCells(boxes, patches, sides_, nodes_, inner_, cells_, spec, execution);
+  shaping_ = shapeCells(boxes, *patches_, sides_, nodes_, inner_, cells_, spec, execution);
   execution.stage("Numbering", AfterShaping, AfterNumbering);
-  mesh_ =
-    std::make_unique<Mesh>(MeshParts{ boxes, patches, sides_, nodes_, inner_, cells_ }, execution);
+  mesh_ = std::make_unique<Mesh>(
+    MeshParts{ boxes, *patches_, sides_, nodes_, inner_, cells_ }, execution);
   if (mesh_->cellCount() == 0)
   {
     const bool onlySlivers = std::all_of(
@@ -172,6 +185,44 @@ Assembly::Assembly(
         : "There is nothing to mesh: the surface encloses no volume, or is open everywhere." +
           describeFlaws());
   }
+}
+
+void Assembly::assemble(const CellSpec& spec, Execution& execution)
+{
+  nodes_ = findNodes(boxes_, *patches_, sides_, execution);
+  execution.stage("Inner faces", AfterSides, AfterInnerFaces);
+  inner_ = generateInnerFaces(boxes_, *patches_, sides_, nodes_, execution);
+  execution.stage("Cells", AfterInnerFaces, AfterCells);
+  cells_ = assembleCells(boxes_, *patches_, sides_, nodes_, inner_, spec, execution);
+}
+
+// Each time the boxes that still are flawed keep less.
+void Assembly::rebuildFlawed(const CellSpec& spec, Execution& execution)
+{
+  std::vector<std::uint8_t> rebuilt(sides_.polyhedral.size());
+  for (const GivenUp givenUp : { GivenUp::Nothing, GivenUp::Chords, GivenUp::Crossings })
+  {
+    if (flawedBoxes().empty())
+    {
+      break;
+    }
+    execution.stage("Flawed boxes", AfterCells, AfterCells);
+    RebuiltPatches next =
+      rebuildFlawedBoxes(boxes_, *patches_, sides_, nodes_, inner_, cells_.flawed, givenUp);
+    for (std::size_t n = 0; n < rebuilt.size(); ++n)
+    {
+      rebuilt[n] = rebuilt[n] | next.boxes[n];
+    }
+    rebuilt_ = std::move(next);
+    patches_ = &rebuilt_.patches;
+    assemble(spec, execution);
+  }
+  rebuilt_.boxes.swap(rebuilt);
+}
+
+std::size_t Assembly::rebuiltBoxes() const
+{
+  return static_cast<std::size_t>(std::count(rebuilt_.boxes.begin(), rebuilt_.boxes.end(), 1));
 }
 
 std::vector<std::uint32_t> Assembly::flawedBoxes() const
@@ -189,21 +240,25 @@ std::vector<std::uint32_t> Assembly::flawedBoxes() const
 
 std::string Assembly::describeFlaws() const
 {
-  constexpr std::size_t MostPlaces = 5;
-  const std::vector<std::uint32_t> flawed = flawedBoxes();
-  if (flawed.empty())
+  std::vector<std::uint32_t> rebuilt;
+  for (std::size_t n = 0; n < rebuilt_.boxes.size(); ++n)
   {
-    return "";
+    if (rebuilt_.boxes[n] != 0)
+    {
+      rebuilt.push_back(sides_.polyhedral[n]);
+    }
   }
-  std::string text = "The surface does not close in " + std::to_string(flawed.size()) +
-    " boxes (a hole, or parts that overlap); they are left out of the mesh:";
-  for (std::size_t i = 0; i < std::min(flawed.size(), MostPlaces); ++i)
+  std::string text;
+  if (!rebuilt.empty())
   {
-    const Box& box = boxes_.boxes[flawed[i]];
-    const auto& global = boxes_.globalOf(box).index;
-    text += "\n  in global box " + std::to_string(global[0]) + ", " + std::to_string(global[1]) +
-      ", " + std::to_string(global[2]) + ", from " + position(boxes_.lattice, box.low) + " to " +
-      position(boxes_.lattice, box.high);
+    text = "The surface does not close in or next to " + std::to_string(rebuilt.size()) +
+      " boxes (parts cross or overlap); Marching Cubes made patches from the statuses there:" +
+      places(boxes_, rebuilt);
+  }
+  if (const std::vector<std::uint32_t> flawed = flawedBoxes(); !flawed.empty())
+  {
+    text += lineBreak(text) + std::to_string(flawed.size()) +
+      " boxes do not close even so; they are left out of the mesh:" + places(boxes_, flawed);
   }
   return text;
 }
@@ -229,11 +284,12 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
     isolated += !hasInnerFace && !cells_.cells[c].removed;
   }
   const auto boxes = static_cast<double>(boxes_.boxes.size());
-  const auto intersected = static_cast<double>(patches_.boxStart.size() - 1);
+  const auto intersected = static_cast<double>(patches_->boxStart.size() - 1);
   const double hexahedra = boxes - static_cast<double>(sides_.polyhedral.size());
   const auto cells = static_cast<double>(mesh_->cellCount());
   const auto boxesBecause = [&](PatchReason reason) {
-    return static_cast<double>(std::count(patches_.reason.begin(), patches_.reason.end(), reason));
+    return static_cast<double>(
+      std::count(patches_->reason.begin(), patches_->reason.end(), reason));
   };
   return {
     { "Cells", cells },
@@ -250,8 +306,9 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
     { "BoxesSharpFeature", boxesBecause(PatchReason::SharpFeature) },
     { "BoxesSeveralBoundaries", boxesBecause(PatchReason::SeveralBoundaries) },
     { "BoxesNotDiscs", boxesBecause(PatchReason::NotDiscs) },
+    { "BoxesRebuilt", static_cast<double>(rebuiltBoxes()) },
     { "BoxesFlawed", static_cast<double>(flawedBoxes().size()) },
-    { "Patches", static_cast<double>(patches_.size()) },
+    { "Patches", static_cast<double>(patches_->size()) },
     { "CellsSplit", static_cast<double>(shaping_.cellsSplit) },
     { "SmallCellsMerged", static_cast<double>(shaping_.cellsMerged) },
     { "SmallCellsRemoved", removed },
