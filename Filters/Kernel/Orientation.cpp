@@ -1,5 +1,6 @@
 #include "Orientation.h"
 
+#include "Components.h"
 #include "LineCrossings.h"
 #include "SurfaceEdges.h"
 #include "Vector.h"
@@ -49,14 +50,16 @@ public:
         join(begin[0].triangle(), begin[1].triangle(), begin[0].down() == begin[1].down());
       }
     });
+    joinAsGiven(surface, edges);
     for (std::size_t t = 0; t < parent_.size(); ++t)
     {
       flatten(static_cast<std::uint32_t>(t));
     }
     edges.forEach([&](std::uint32_t, const EdgeUse* begin, const EdgeUse* end) {
-      for (const EdgeUse* use = begin; end - begin != 2 && use != end; ++use)
+      for (const EdgeUse* use = begin; use != end; ++use)
       {
-        open_[of(use->triangle())] = 1;
+        const std::uint32_t sheet = of(use->triangle());
+        open_[sheet] = open_[sheet] | (netUse(sheet, begin, end) != 0 ? 1 : 0);
       }
     });
   }
@@ -66,6 +69,61 @@ public:
   bool turned(std::size_t triangle) const { return turned_[triangle] != 0; }
 
 private:
+  // Joins sheets that need each other to close, where all triangles of a component were given a
+  // consistent direction.
+  void joinAsGiven(const Surface& surface, const SurfaceEdges& edges)
+  {
+    bool any = false;
+    edges.forEach([&](std::uint32_t, const EdgeUse* begin, const EdgeUse* end) {
+      any = any || end - begin > 2;
+    });
+    if (!any)
+    {
+      return;
+    }
+    Components components(surface);
+    std::vector<std::uint8_t> inconsistent(surface.vertices.size());
+    edges.forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+      const auto down = std::count_if(begin, end, [](const EdgeUse& use) { return use.down(); });
+      if (std::abs((end - begin) - 2 * down) > (end - begin) % 2)
+      {
+        inconsistent[components.of(lower)] = 1;
+      }
+    });
+    edges.forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+      if ((end - begin) % 2 == 1 || end - begin == 2 || inconsistent[components.of(lower)] != 0)
+      {
+        return;
+      }
+      const EdgeUse* before = nullptr;
+      for (const EdgeUse* use = begin; use != end; ++use)
+      {
+        if (netUse(flatten(use->triangle()), begin, end) != 0)
+        {
+          if (before)
+          {
+            join(before->triangle(), use->triangle(), false);
+          }
+          before = use;
+        }
+      }
+    });
+  }
+
+  // How much more often the triangles of a sheet run down an edge than up, as its first one turns them.
+  int netUse(std::uint32_t sheet, const EdgeUse* begin, const EdgeUse* end)
+  {
+    int net = 0;
+    for (const EdgeUse* use = begin; use != end; ++use)
+    {
+      if (flatten(use->triangle()) == sheet)
+      {
+        net += use->down() != turned(use->triangle()) ? 1 : -1;
+      }
+    }
+    return net;
+  }
+
   // Points a triangle straight at its root; the paths to it stay short.
   std::uint32_t flatten(std::uint32_t t)
   {

@@ -4,7 +4,8 @@
 // cavity, a shell in that a body again. Bodies that overlap are one (Winding.h).
 //
 // A sheet is what hangs together across edges of exactly two triangles; its triangles get one
-// direction, whatever edges of more triangles bound it. Which one, lines along x, y and z decide
+// direction, whatever edges of more triangles bound it; sheets that need each other to close at such edges
+// keep theirs where all triangles around were given consistently. Which one, lines along x, y and z decide
 // that pass through some of its largest triangles: before an odd crossing a line is outside, before
 // an even one inside. Lines that cross the surface an odd number of times (through a hole) have no
 // vote, nor have crossings that share a level of the lattice. A closed sheet with a quarter of its votes
