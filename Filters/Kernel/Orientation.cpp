@@ -24,7 +24,8 @@ constexpr std::size_t PartOfTriangles = 256;
 
 // Tests of a line against a triangle in all; beyond it lines are given up, those of small
 // triangles first. A soup of a million large triangles would take days.
-constexpr double MostTests = 5e7;
+constexpr double MostTests = 5e6;
+constexpr double LeastReduction = 1.25; // at once
 
 constexpr double MostGridCells = 1024; // a direction
 
@@ -335,9 +336,11 @@ public:
     {
       size_[i] = std::max(bounds.high[i] - bounds.low[i], 1.0);
     }
-    while (file(), tests(surface) > MostTests)
+    double excess = 1;
+    while (file(), excess = tests(surface) / MostTests, excess > 1)
     {
-      lines_.resize(lines_.size() / 2);
+      lines_.resize(static_cast<std::size_t>(
+        static_cast<double>(lines_.size()) / std::max(excess, LeastReduction)));
     }
   }
 
