@@ -13,12 +13,14 @@ namespace cartesian
 // divides them and inside boxes further. Then boxes are balanced (Balance.h).
 
 // Layers of global boxes around a part of the grid that its cells depend on, directly or not. The
-// cells of one layer beyond tell which points are used and which faces lost their neighbour; faces
-// between those and the next layer take the surface in two, and how each box there is patched; and
-// where boxes are divided, that takes the split lines of three.
+// cells of one layer beyond tell which points are used and which faces lost their neighbour; three
+// times, flawed boxes change those around them, and are flawed by theirs (FlawedBoxes.h); faces
+// between those and the next layer take the surface in one more, and how each box there is
+// patched; and where boxes are divided, that takes the split lines of the next.
 constexpr std::uint32_t HaloOfCells = 1;
-constexpr std::uint32_t HaloOfUndivided = HaloOfCells + 1;
-constexpr std::uint32_t HaloOfDivided = HaloOfCells + 2;
+constexpr std::uint32_t HaloOfRebuilding = 3 * 2;
+constexpr std::uint32_t HaloOfUndivided = HaloOfCells + HaloOfRebuilding + 1;
+constexpr std::uint32_t HaloOfDivided = HaloOfUndivided + 1;
 
 // ... after balancing, which takes balanceReach() more.
 inline std::uint32_t haloOf(const Refinement& refinement)
