@@ -321,6 +321,13 @@ void Mesh::writeCellData(const CellData& data, Execution& execution) const
       }
     }
   });
+  for (const WarpedHexahedron& hexahedron : parts_.nodes.warped)
+  {
+    if (parts_.sides.polyhedralOrdinal(hexahedron.box) == None)
+    {
+      write(numbers_.ofBox[hexahedron.box], boxes.boxes[hexahedron.box], hexahedron.volumeFraction);
+    }
+  }
   const Cells& cells = parts_.cells;
   execution.forEach(cells.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c)

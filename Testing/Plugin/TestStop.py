@@ -8,7 +8,7 @@ from paraview import simple
 from pipeline import error_code, read
 
 BEFORE = ["Scaling and Dual Levels", "Defects of the surface", "Boxes", "Patches",
-          "Common sides of boxes", "Inner faces", "Cells"]
+          "Common sides of boxes", "Inner faces", "Cells", "Short edges"]
 SHAPING, AFTER = ["Shaping of cells"], ["Numbering", "Writing the mesh"]
 STOPPED = 40009
 LONGEST = 1.0  # seconds of processor time: what else runs on the machine does not count
