@@ -51,9 +51,14 @@ int vtkCartesianMesher::RequestData(
       this->BoundaryRatios };
     const auto types = cartesian::boundaryTypes(boundaries, surface.names());
     const auto ratios = cartesian::boundaryRatios(boundaries, surface.names());
-    const cartesian::CellSpec spec{ this->SmallCellRatio,
-      this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove,
-      this->MergeRatio, 15, this->SplitConcaveCells, &ratios };
+    cartesian::CellSpec spec;
+    spec.collapseRatio = this->CollapseRatio;
+    spec.smallCellRatio = this->SmallCellRatio;
+    spec.smallCells =
+      this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove;
+    spec.mergeRatio = this->MergeRatio;
+    spec.splitConcave = this->SplitConcaveCells;
+    spec.boundaryRatios = &ratios;
     cartesian::planStages(spec, execution);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
     this->Inspect(prepared, surface, vtkPolyData::GetData(output, 2), execution);
@@ -79,6 +84,7 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "MergeAngle: " << this->MergeAngle << "\n";
   os << indent << "Tying: " << this->Tying << "\n";
+  os << indent << "CollapseRatio: " << this->CollapseRatio << "\n";
   os << indent << "SmallCells: " << this->SmallCells << "\n";
   os << indent << "MergeRatio: " << this->MergeRatio << "\n";
   os << indent << "SplitConcaveCells: " << this->SplitConcaveCells << "\n";

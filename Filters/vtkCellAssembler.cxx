@@ -69,9 +69,14 @@ int vtkCellAssembler::RequestData(
       this->BoundaryRatios };
     const auto types = cartesian::boundaryTypes(boundaries, names);
     const auto ratios = cartesian::boundaryRatios(boundaries, names);
-    const cartesian::CellSpec spec{ this->SmallCellRatio,
-      this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove,
-      this->MergeRatio, 15, this->SplitConcaveCells, &ratios };
+    cartesian::CellSpec spec;
+    spec.collapseRatio = this->CollapseRatio;
+    spec.smallCellRatio = this->SmallCellRatio;
+    spec.smallCells =
+      this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove;
+    spec.mergeRatio = this->MergeRatio;
+    spec.splitConcave = this->SplitConcaveCells;
+    spec.boundaryRatios = &ratios;
     cartesian::planStages(spec, execution);
     const cartesian::Assembly assembly(boxes, patches, spec, execution);
     cartesian::toVTK(assembly, { names, types }, vtkUnstructuredGrid::GetData(output, 0),
@@ -84,6 +89,7 @@ int vtkCellAssembler::RequestData(
 void vtkCellAssembler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "CollapseRatio: " << this->CollapseRatio << "\n";
   os << indent << "SmallCells: " << this->SmallCells << "\n";
   os << indent << "MergeRatio: " << this->MergeRatio << "\n";
   os << indent << "SplitConcaveCells: " << this->SplitConcaveCells << "\n";

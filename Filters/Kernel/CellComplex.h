@@ -57,11 +57,18 @@ public:
   // Gives the small cell's faces to the other but for those between them, which vanish.
   void merge(CellKey small, CellKey into);
 
+  // Its inner faces become boundary faces of its neighbours (4.10).
+  void remove(CellKey key);
+
   // Makes each group of faces of an opened cell, seen so, one.
   void join(CellKey key, const CellView& view, const JoinedFaces& joined);
 
+  // That most of its patches belong to, or NoBoundary.
+  std::int32_t boundaryOfCell(CellKey key) const;
+
   // In lattice levels.
   double volumeOfBox(CellKey key) const;
+  double volume(CellKey key) const { return placeAndVolume(key, boxes_.boxes[boxOf(key)].low).volume; }
 
   bool changed() const { return changed_; }
 

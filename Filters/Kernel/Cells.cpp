@@ -176,8 +176,37 @@ private:
       }
       i = end;
     }
+    joinFlatCells();
     joinAtSharedEdges();
     return true;
+  }
+
+  // A patch that lies on an inner face (ShortEdges.h) is a cell without volume with it, whatever else
+  // has its edges.
+  void joinFlatCells()
+  {
+    if (shared_.empty())
+    {
+      return;
+    }
+    cycles_.clear();
+    for (std::uint32_t face = 0; face < faces_.size(); ++face)
+    {
+      const bool patch = faces_[face].kind() == FaceRef::Kind::Patch;
+      cycles_.emplace_back(cycleOf(face, patch), face);
+    }
+    std::sort(cycles_.begin(), cycles_.end());
+    for (std::size_t i = 0; i + 1 < cycles_.size(); ++i)
+    {
+      const std::uint32_t f = cycles_[i].second;
+      const std::uint32_t g = cycles_[i + 1].second;
+      const bool patch = faces_[f].kind() == FaceRef::Kind::Patch;
+      const bool other = faces_[g].kind() == FaceRef::Kind::Patch;
+      if (cycles_[i].first == cycles_[i + 1].first && patch != other)
+      {
+        join(f, g);
+      }
+    }
   }
 
   void listEdges()
@@ -399,6 +428,10 @@ private:
     }
     for (const Shell& shell : shells_)
     {
+      if (shell.faces.size() == 2) // of no volume
+      {
+        continue;
+      }
       cycles_.clear();
       for (const std::uint32_t face : shell.faces)
       {
@@ -498,29 +531,13 @@ private:
       cell.firstFace = part.faces.size();
       cell.sliver = shell.volume < 0 || isSliver(shell);
       cell.removed = cell.sliver ||
-        (spec_.smallCells == SmallCells::Remove && cell.volumeFraction < ratioOf(cell.boundary));
+        (spec_.smallCells == SmallCells::Remove && cell.volumeFraction < ratioOf(spec_, cell.boundary));
       part.cells.push_back(cell);
       for (const std::uint32_t f : shell.faces)
       {
         part.faces.push_back(faces_[f]);
       }
     }
-  }
-
-  // R of a boundary.
-  double ratioOf(std::int32_t boundary) const
-  {
-    if (spec_.boundaryRatios)
-    {
-      for (const BoundaryRatio& own : *spec_.boundaryRatios)
-      {
-        if (own.boundary == boundary)
-        {
-          return own.ratio;
-        }
-      }
-    }
-    return spec_.smallCellRatio;
   }
 
   // The boundary index that has the largest area of patches in the shell.
@@ -618,6 +635,21 @@ Cells join(const std::vector<Part>& parts, std::size_t boxes, Execution& executi
   return result;
 }
 
+}
+
+double ratioOf(const CellSpec& spec, std::int32_t boundary)
+{
+  if (spec.boundaryRatios)
+  {
+    for (const BoundaryRatio& own : *spec.boundaryRatios)
+    {
+      if (own.boundary == boundary)
+      {
+        return own.ratio;
+      }
+    }
+  }
+  return spec.smallCellRatio;
 }
 
 void findCellsOfInnerFaces(const InnerFaces& inner, Cells& cells, Execution& execution)

@@ -1,6 +1,7 @@
 #include "Mesher.h"
 
 #include "Error.h"
+#include "ShortEdges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -158,7 +159,7 @@ BoxedSurface boxSurface(
 Assembly::Assembly(
   const Boxes& boxes, const Patches& patches, const CellSpec& spec, Execution& execution)
   : boxes_(boxes)
-  , patches_(patches)
+  , patches_(&patches)
 {
   checkRatio(spec.smallCellRatio);
   if (spec.boundaryRatios)
@@ -168,21 +169,28 @@ Assembly::Assembly(
       checkRatio(own.ratio);
     }
   }
+  if (!(spec.collapseRatio >= 0 && spec.collapseRatio <= MostCollapseRatio))
+  {
+    throw Error(Fault::BadParameter,
+      "Collapse Ratio is " + number(spec.collapseRatio) + ": it must be from 0 to " +
+        number(MostCollapseRatio) + ".");
+  }
   execution.stage("Common sides of boxes", AfterPatches, AfterSides);
   sides_ = findSides(boxes, execution);
   nodes_ = findNodes(boxes, patches, sides_, execution);
   execution.stage("Inner faces", AfterSides, AfterInnerFaces);
   inner_ = generateInnerFaces(boxes, patches, sides_, nodes_, execution);
+  collapse(spec, execution);
   execution.stage("Cells", AfterInnerFaces, AfterCells);
-  cells_ = assembleCells(boxes, patches, sides_, nodes_, inner_, spec, execution);
+  cells_ = assembleCells(boxes, *patches_, sides_, nodes_, inner_, spec, execution);
   if (shapesCells(spec))
   {
     execution.stage("Shaping of cells", AfterCells, AfterShaping);
-    shaping_ = shapeCells(boxes, patches, sides_, nodes_, inner_, cells_, spec, execution);
+    shaping_ = shapeCells(boxes, *patches_, sides_, nodes_, inner_, cells_, spec, execution);
   }
   execution.stage("Numbering", AfterShaping, AfterNumbering);
   mesh_ =
-    std::make_unique<Mesh>(MeshParts{ boxes, patches, sides_, nodes_, inner_, cells_ }, execution);
+    std::make_unique<Mesh>(MeshParts{ boxes, *patches_, sides_, nodes_, inner_, cells_ }, execution);
   if (mesh_->cellCount() == 0)
   {
     const bool onlySlivers = std::all_of(
@@ -194,6 +202,18 @@ Assembly::Assembly(
           " of their boxes). Choose a smaller ratio or a smaller Cell Size."
         : "There is nothing to mesh: the surface encloses no volume, or is open everywhere." +
           describeFlaws());
+  }
+}
+
+void Assembly::collapse(const CellSpec& spec, Execution& execution)
+{
+  if (spec.collapseRatio > 0)
+  {
+    collapsed_ = std::make_unique<Patches>(*patches_);
+    nodesCollapsed_ = collapseShortEdges(boxes_, sides_,
+      { spec.collapseRatio, spec.featureAngle, isExact(*patches_) }, *collapsed_, nodes_, inner_,
+      execution);
+    patches_ = collapsed_.get();
   }
 }
 
@@ -252,11 +272,11 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
     isolated += !hasInnerFace && !cells_.cells[c].removed;
   }
   const auto boxes = static_cast<double>(boxes_.boxes.size());
-  const auto intersected = static_cast<double>(patches_.boxStart.size() - 1);
+  const auto intersected = static_cast<double>(patches_->boxStart.size() - 1);
   const double hexahedra = boxes - static_cast<double>(sides_.polyhedral.size());
   const auto cells = static_cast<double>(mesh_->cellCount());
   const auto boxesBecause = [&](PatchReason reason) {
-    return static_cast<double>(std::count(patches_.reason.begin(), patches_.reason.end(), reason));
+    return static_cast<double>(std::count(patches_->reason.begin(), patches_->reason.end(), reason));
   };
   return {
     { "Cells", cells },
@@ -274,7 +294,7 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
     { "BoxesSeveralBoundaries", boxesBecause(PatchReason::SeveralBoundaries) },
     { "BoxesNotDiscs", boxesBecause(PatchReason::NotDiscs) },
     { "BoxesFlawed", static_cast<double>(flawedBoxes().size()) },
-    { "Patches", static_cast<double>(patches_.size()) },
+    { "Patches", static_cast<double>(patches_->size()) },
     { "CellsSplit", static_cast<double>(shaping_.cellsSplit) },
     { "SmallCellsMerged", static_cast<double>(shaping_.cellsMerged) },
     { "SmallCellsRemoved", removed },

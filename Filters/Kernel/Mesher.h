@@ -85,11 +85,15 @@ public:
   std::vector<std::pair<const char*, double>> statistics() const;
 
 private:
+  void collapse(const CellSpec& spec, Execution& execution);
+
   const Boxes& boxes_;
-  const Patches& patches_;
+  const Patches* patches_;
   Sides sides_;
   Nodes nodes_;
   InnerFaces inner_;
+  std::unique_ptr<Patches> collapsed_; // patches_, where edges collapsed
+  std::size_t nodesCollapsed_ = 0;
   Cells cells_;
   Shaping shaping_;
   std::unique_ptr<Mesh> mesh_;

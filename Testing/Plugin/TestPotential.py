@@ -10,8 +10,7 @@ import foam
 from ducts import DUCTS, SPEED, solve
 from pipeline import DATA
 
-mesher = simple.CartesianMesher(Input=simple.OpenDataFile(str(DATA / "kcl_exhaust_header_lumens.stl")), CellSize=6,
-    PatchMethod="Exact Fit")
+mesher = simple.CartesianMesher(Input=simple.OpenDataFile(str(DATA / "kcl_exhaust_header_lumens.stl")), CellSize=6)
 with tempfile.TemporaryDirectory() as temporary:
     folder = foam.save(mesher, temporary)
     areas = foam.Files(folder).areas()
