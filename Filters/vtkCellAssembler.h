@@ -11,8 +11,8 @@
  * Mesh: hexahedra and polyhedra with outward faces. Cell arrays GlobalBox (int, components I, J, K),
  * Region (int, from 1), VolumeFraction (double: of the cell's box). Field data: the statistics, one
  * array of one number each (Cells, Hexahedra, Polyhedra, Points, BoundaryFaces, BoxesInside,
- * BoxesIntersected, BoxesByExactFit, BoxesFlawed, Patches, SmallCellsRemoved, IsolatedCells,
- * VoidsInsideCells, FoldsLeftOut), and numbers of cells as in vtkFiniteVolumeQuality:
+ * BoxesIntersected, BoxesByExactFit, BoxesRebuilt, BoxesFlawed, Patches, SmallCellsRemoved,
+ * IsolatedCells, VoidsInsideCells, FoldsLeftOut), and numbers of cells as in vtkFiniteVolumeQuality:
  * BoundaryAngleFailures, InnerAngleFailures, OpennessFailures, VolumeFailures.
  * For vtkPolyMeshWriter: cell array CellId (number of the cell) and field data array
  * BoundaryOfFaces (components Cell, Face, BoundaryId: a row for each boundary face).
@@ -20,8 +20,12 @@
  * Boundary: cell arrays BoundaryId (int; -1 where no patch was), OwnerCell (cell of the mesh); point
  * array MeshPointId (point of the mesh).
  *
+ * Where the patches of a box do not close, the box and those next to it get others, by Marching Cubes
+ * from the statuses of corners (BoxesRebuilt). Boxes that do not close even so are left out
+ * (BoxesFlawed): their neighbours' faces become boundary.
+ *
  * Errors: MissingArray (inputs that do not belong together), BadParameter; FlawedSurface with a valid
- * output that leaves out the boxes where the surface does not close.
+ * output where any box was made anew or left out.
  *
  * @sa vtkCartesianBoxer vtkPatcher vtkCartesianMesher
  */

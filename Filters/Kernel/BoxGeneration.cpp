@@ -188,7 +188,7 @@ private:
         {
           const GlobalBox& global = boxes_.globals[g];
           statuses.compute(surface_, trianglesOf(global), planes_, global.index, depths_[g].allowed,
-            (cornersOf(g) & 1) != 0);
+            statuses_.lowCorner(global.index));
           search.search(depths_[g].allowed, depths_[g].forced, statuses.units());
           search.collect(parts_[g]);
           for (LocalBox& box : parts_[g])
@@ -341,11 +341,11 @@ private:
     const TriangleRange triangles = trianglesOf(boxes_.globals[g]);
     const auto& at = boxes_.globals[g].index;
     const Point corner = { planes_[0][at[0]], planes_[1][at[1]], planes_[2][at[2]] };
-    const bool cornerInside = (cornersOf(g) & 1) != 0;
+    const Winding low = statuses_.lowCorner(at);
     unsigned bits = 0;
     for (unsigned c = 0; c < 8; ++c)
     {
-      const bool in = insideAt(surface_, triangles, corner, cornerInside, cornerOf(box, c));
+      const bool in = windingAt(surface_, triangles, corner, low, cornerOf(box, c)).inside();
       bits |= static_cast<unsigned>(in) << c;
     }
     part.corners = static_cast<std::uint8_t>(bits);

@@ -531,7 +531,8 @@ private:
       cell.firstFace = part.faces.size();
       cell.sliver = shell.volume < 0 || isSliver(shell);
       cell.removed = cell.sliver ||
-        (spec_.smallCells == SmallCells::Remove && cell.volumeFraction < ratioOf(spec_, cell.boundary));
+        (spec_.smallCells == SmallCells::Remove &&
+          cell.volumeFraction < ratioOf(spec_, cell.boundary));
       part.cells.push_back(cell);
       for (const std::uint32_t f : shell.faces)
       {

@@ -27,6 +27,11 @@ public:
     return status == BoxStatus::Inside ? AllCorners : inOut_.corners(i, j, k);
   }
 
+  Winding lowCorner(const std::array<std::uint32_t, 3>& index) const
+  {
+    return inOut_.at(index[0], index[1], index[2]);
+  }
+
   // Calls visit(i, status) for the boxes of a row that are inside or intersected.
   template <class Visitor>
   void forEachBox(std::uint32_t j, std::uint32_t k, Visitor&& visit) const
@@ -50,7 +55,7 @@ private:
   void visitGap(
     std::uint32_t begin, std::uint32_t end, std::uint32_t j, std::uint32_t k, Visitor& visit) const
   {
-    if (begin >= end || !inOut_.inside(begin, j, k))
+    if (begin >= end || !inOut_.at(begin, j, k).inside())
     {
       return;
     }

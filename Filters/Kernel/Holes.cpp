@@ -22,6 +22,7 @@ struct RimEdge
   std::uint32_t from;
   std::uint32_t to;
   std::uint32_t triangle;
+  int along; // how many more triangles run this way than the other
 
   bool operator<(const RimEdge& other) const
   {
@@ -36,8 +37,10 @@ std::vector<RimEdge> findRims(const SurfaceEdges& edges)
   edges.forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
     if ((end - begin) % 2 == 1)
     {
-      rims.push_back({ lower, begin->upper, begin->triangle() });
-      rims.push_back({ begin->upper, lower, begin->triangle() });
+      const auto down = std::count_if(begin, end, [](const EdgeUse& use) { return use.down(); });
+      const auto up = static_cast<int>((end - begin) - 2 * down);
+      rims.push_back({ lower, begin->upper, begin->triangle(), up });
+      rims.push_back({ begin->upper, lower, begin->triangle(), -up });
     }
   });
   std::sort(rims.begin(), rims.end());
@@ -102,7 +105,8 @@ private:
     }
     const RimEdge& edge = rims_[next];
     used_[next] = true;
-    const auto back = std::lower_bound(rims_.begin(), rims_.end(), RimEdge{ edge.to, vertex, 0 });
+    const auto back =
+      std::lower_bound(rims_.begin(), rims_.end(), RimEdge{ edge.to, vertex, 0, 0 });
     used_[static_cast<std::size_t>(back - rims_.begin())] = true;
     return &edge;
   }
@@ -301,6 +305,17 @@ Loop loopOf(const RimEdge* begin, const RimEdge* end, const Surface& surface)
   return loop;
 }
 
+// Whether most triangles around a hole run along its rim: then those that fill it run the other way.
+bool runsAlong(const Loop& loop)
+{
+  int along = 0;
+  for (const RimEdge& edge : loop.edges)
+  {
+    along += edge.along;
+  }
+  return along > 0;
+}
+
 double smallestSpacing(const Meshlines& planes, const Vector& at)
 {
   return std::min(
@@ -344,6 +359,10 @@ std::vector<Hole> closeHoles(
       hole.rim.push_back(edge.from);
     }
     std::vector<std::uint32_t> rim = hole.rim;
+    if (runsAlong(loops[h]))
+    {
+      std::reverse(rim.begin(), rim.end());
+    }
     hole.width = 4 * Filler(surface).fill(rim, fillings[h]) / loops[h].length;
     hole.leak = hole.width >= smallestSpacing(planes, loops[h].centre);
   });

@@ -24,7 +24,7 @@ struct Hole
   std::size_t triangles;
 };
 
-// Finds the holes and appends the triangles that close them, either way round. Their boundary is
+// Finds the holes and appends the triangles that close them, turned as most around them. Their boundary is
 // that of most triangles along the rim; of a leak, NoBoundary.
 std::vector<Hole> closeHoles(
   Surface& surface, const SurfaceEdges& edges, const Meshlines& planes, Execution& execution);

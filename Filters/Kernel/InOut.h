@@ -6,9 +6,9 @@
 namespace cartesian
 {
 
-// The parity of the crossings below a vertex along x is its status. Every edge has an even number of
-// triangles (SurfaceRepair.h) and planes are shifted so that no ray touches an edge (Crossing.h),
-// hence all six rays of the paper agree.
+// How the surface winds around a vertex, from the crossings below it along x. In each component edges have
+// as many triangles one way as the other, or at least an even number (SurfaceRepair.h), and planes are
+// shifted so that no ray touches an edge (Crossing.h): hence all six rays of the paper agree.
 class InOut
 {
 public:
@@ -17,9 +17,9 @@ public:
   {
   }
 
-  bool inside(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
+  Winding at(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
   {
-    return alongX_.below(j, k, i) % 2 == 1;
+    return alongX_.at(j, k, i);
   }
 
   // Bits of the eight corners of global box i, j, k as in Box::corners.
@@ -28,7 +28,7 @@ public:
     unsigned bits = 0;
     for (unsigned corner = 0; corner < 8; ++corner)
     {
-      const bool in = inside(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2));
+      const bool in = at(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2)).inside();
       bits |= unsigned(in) << corner;
     }
     return static_cast<std::uint8_t>(bits);

@@ -1,6 +1,7 @@
 #include "InnerFaces.h"
 
 #include "Loops.h"
+#include "SideChords.h"
 #include "StarPolygons.h"
 
 #include <cmath>
@@ -12,37 +13,6 @@ namespace
 {
 
 constexpr std::size_t BoxesAChunk = 512;
-
-// A directed piece of the boundary of a side's inside region, which lies to its left.
-struct Edge
-{
-  std::uint32_t from;
-  std::uint32_t to;
-
-  bool operator<(const Edge& other) const
-  {
-    return from != other.from ? from < other.from : to < other.to;
-  }
-};
-
-// Statuses of a side's corners, as far as a corner of one of its boxes tells.
-enum class Known : std::int8_t
-{
-  Nothing = -1,
-  Outside = 0,
-  Inside = 1,
-};
-
-// A side as its faces see it.
-struct Rectangle
-{
-  int axis;
-  Flat low;
-  Flat high;
-  const std::uint32_t* border; // grid nodes, counter-clockwise from the lowest corner
-  std::size_t borderSize;
-  std::array<Known, 4> corner; // counter-clockwise from the lowest corner
-};
 
 struct Part
 {
@@ -87,7 +57,7 @@ public:
   {
   }
 
-  std::vector<Edge>& chords() { return chords_; }
+  std::vector<SideEdge>& chords() { return chords_; }
 
   // Appends the faces of the region that the chords bound; false where they do not close.
   bool trace(const Rectangle& r, Part& part)
@@ -102,7 +72,7 @@ public:
     {
       return false;
     }
-    dropOpposite();
+    dropOpposite(edges_, used_);
     if (!balanced() || anyTwice())
     {
       return false;
@@ -117,15 +87,6 @@ public:
   }
 
 private:
-  struct BorderNode
-  {
-    int border; // 0 to 3, counter-clockwise from the lowest corner
-    std::int64_t along;
-    std::uint32_t node;
-    int change; // of the status past this node
-    Known known;
-  };
-
   Flat at(std::uint32_t node) const { return flatten(nodes_[node], rectangle_->axis); }
 
   // A side that no surface crosses is inside or outside as a whole.
@@ -143,56 +104,11 @@ private:
     return anyInside != anyOutside;
   }
 
-  // Adds a node if it lies on the border. Corners belong to the border that begins there.
-  void addBorderNode(std::uint32_t node, int change)
-  {
-    const Flat p = at(node);
-    const Flat low = rectangle_->low;
-    const Flat high = rectangle_->high;
-    if (p.b == low.b && p.a < high.a)
-    {
-      const Known known = p.a == low.a ? rectangle_->corner[0] : Known::Nothing;
-      border_.push_back({ 0, p.a, node, change, known });
-    }
-    else if (p.a == high.a && p.b < high.b)
-    {
-      const Known known = p.b == low.b ? rectangle_->corner[1] : Known::Nothing;
-      border_.push_back({ 1, p.b, node, change, known });
-    }
-    else if (p.b == high.b && p.a > low.a)
-    {
-      const Known known = p.a == high.a ? rectangle_->corner[2] : Known::Nothing;
-      border_.push_back({ 2, -p.a, node, change, known });
-    }
-    else if (p.a == low.a)
-    {
-      const Known known = p.b == high.b ? rectangle_->corner[3] : Known::Nothing;
-      border_.push_back({ 3, -p.b, node, change, known });
-    }
-  }
-
-  void listBorderNodes()
-  {
-    border_.clear();
-    for (std::size_t i = 0; i < rectangle_->borderSize; ++i)
-    {
-      addBorderNode(rectangle_->border[i], 0);
-    }
-    for (const Edge& chord : chords_)
-    {
-      addBorderNode(chord.from, -1);
-      addBorderNode(chord.to, +1);
-    }
-    std::sort(border_.begin(), border_.end(), [](const BorderNode& x, const BorderNode& y) {
-      return x.border != y.border ? x.border < y.border : x.along < y.along;
-    });
-  }
-
   // The pieces of the border that are inside. The status changes where chords end: past the end
   // of one that arrives it is inside, past the start of one that leaves outside.
   bool addBorder()
   {
-    listBorderNodes();
+    listBorder(nodes_, *rectangle_, chords_, border_);
     const auto known = std::find_if(border_.cbegin(), border_.cend(),
       [](const BorderNode& node) { return node.known != Known::Nothing; });
     if (known == border_.cend())
@@ -226,67 +142,33 @@ private:
     return true;
   }
 
-  // Edges that run to and fro between the same nodes bound nothing. Leaves edges sorted.
-  void dropOpposite()
-  {
-    std::sort(edges_.begin(), edges_.end());
-    used_.assign(edges_.size(), 0);
-    for (std::size_t i = 0; i < edges_.size(); ++i)
-    {
-      const Edge opposite{ edges_[i].to, edges_[i].from };
-      if (used_[i] || opposite < edges_[i])
-      {
-        continue;
-      }
-      auto j = static_cast<std::size_t>(
-        std::lower_bound(edges_.begin(), edges_.end(), opposite) - edges_.begin());
-      for (; j < edges_.size() && !(opposite < edges_[j]); ++j)
-      {
-        if (!used_[j])
-        {
-          used_[i] = used_[j] = 1;
-          break;
-        }
-      }
-    }
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < edges_.size(); ++i)
-    {
-      if (!used_[i])
-      {
-        edges_[kept++] = edges_[i];
-      }
-    }
-    edges_.resize(kept);
-  }
-
   // As many edges arrive at every node as leave it: then they fall into closed walks.
   bool balanced()
   {
     heads_.clear();
-    for (const Edge& e : edges_)
+    for (const SideEdge& e : edges_)
     {
       heads_.push_back(e.to);
     }
     std::sort(heads_.begin(), heads_.end());
     return std::equal(edges_.begin(), edges_.end(), heads_.begin(),
-      [](const Edge& e, std::uint32_t head) { return e.from == head; });
+      [](const SideEdge& e, std::uint32_t head) { return e.from == head; });
   }
 
   // Parts that overlap share walls that face the same way: there are several regions in one place.
   bool anyTwice() const
   {
     return std::adjacent_find(edges_.begin(), edges_.end(),
-             [](const Edge& e, const Edge& next) { return !(e < next); }) != edges_.end();
+             [](const SideEdge& e, const SideEdge& next) { return !(e < next); }) != edges_.end();
   }
 
   // The unused edge out of `e`'s head that turns left most sharply: regions that only touch in a
   // node stay apart.
-  std::size_t follow(const Edge& e) const
+  std::size_t follow(const SideEdge& e) const
   {
     std::size_t best = edges_.size();
     auto i = static_cast<std::size_t>(
-      std::lower_bound(edges_.begin(), edges_.end(), Edge{ e.to, 0 }) - edges_.begin());
+      std::lower_bound(edges_.begin(), edges_.end(), SideEdge{ e.to, 0 }) - edges_.begin());
     for (; i < edges_.size() && edges_[i].from == e.to; ++i)
     {
       if (!used_[i] && (best == edges_.size() || turnsLeftOf(e, edges_[i], edges_[best])))
@@ -298,7 +180,7 @@ private:
   }
 
   // Whether x leaves e's head further to the left than y.
-  bool turnsLeftOf(const Edge& e, const Edge& x, const Edge& y) const
+  bool turnsLeftOf(const SideEdge& e, const SideEdge& x, const SideEdge& y) const
   {
     const Flat from = at(e.from);
     const Flat here = at(e.to);
@@ -420,8 +302,8 @@ private:
 
   const std::vector<Point>& nodes_;
   const Rectangle* rectangle_ = nullptr;
-  std::vector<Edge> chords_;
-  std::vector<Edge> edges_;
+  std::vector<SideEdge> chords_;
+  std::vector<SideEdge> edges_;
   std::vector<BorderNode> border_;
   std::vector<std::uint32_t> heads_;
   std::vector<std::uint8_t> used_;
@@ -435,10 +317,8 @@ class SideBuilder
 {
 public:
   SideBuilder(const Boxes& boxes, const Patches& patches, const Sides& sides, const Nodes& nodes)
-    : boxes_(boxes)
-    , patches_(patches)
-    , sides_(sides)
-    , nodes_(nodes)
+    : sides_(sides)
+    , sideChords_(boxes, patches, sides, nodes)
     , tracer_(nodes.at)
   {
   }
@@ -449,8 +329,8 @@ public:
     {
       const std::size_t facesBefore = part.faceSizes.size();
       const std::size_t nodesBefore = part.nodes.size();
-      const Rectangle r = rectangle(s);
-      findChords(sides_.sides[s], r);
+      const Rectangle r = sideChords_.rectangle(s);
+      sideChords_.find(s, r, tracer_.chords());
       const bool closed = tracer_.trace(r, part);
       if (!closed)
       {
@@ -463,82 +343,8 @@ public:
   }
 
 private:
-  Rectangle rectangle(std::size_t s) const
-  {
-    const Side& side = sides_.sides[s];
-    Rectangle r;
-    r.axis = side.axis;
-    r.border = nodes_.border.data() + nodes_.borderStart[s];
-    r.borderSize = nodes_.borderStart[s + 1] - nodes_.borderStart[s];
-    r.low = flatten(nodes_.at[r.border[0]], side.axis);
-    r.high = r.low;
-    for (std::size_t i = 0; i < r.borderSize; ++i)
-    {
-      const Flat p = flatten(nodes_.at[r.border[i]], side.axis);
-      r.high = { std::max(r.high.a, p.a), std::max(r.high.b, p.b) };
-    }
-    r.corner.fill(Known::Nothing);
-    const std::array<Flat, 4> at = { r.low, Flat{ r.high.a, r.low.b }, r.high,
-      Flat{ r.low.a, r.high.b } };
-    for (const bool upper : { true, false })
-    {
-      const std::uint32_t b = upper ? side.low : side.high;
-      const std::array<unsigned, 4> corners = sideCorners(side.axis, upper ? 1 : 0);
-      for (std::size_t i = 0; b != None && i < 4; ++i)
-      {
-        const Box& box = boxes_.boxes[b];
-        const Flat p = flatten(cornerOf(box, corners[i]), side.axis);
-        if (p.a == at[i].a && p.b == at[i].b)
-        {
-          r.corner[i] = (box.corners >> corners[i] & 1) != 0 ? Known::Inside : Known::Outside;
-        }
-      }
-    }
-    return r;
-  }
-
-  // Edges of patches on the side, taken from the lower box if it has patches, else from the upper.
-  // A face of the side runs along them the other way than the patch; seen from the upper box, the
-  // face is turned over.
-  void findChords(const Side& side, const Rectangle& r)
-  {
-    std::vector<Edge>& chords = tracer_.chords();
-    chords.clear();
-    const std::uint32_t low = sides_.polyhedralOrdinal(side.low);
-    const bool fromLow = low != None && sides_.patchBox[low] != None;
-    const std::uint32_t n = fromLow ? low : sides_.polyhedralOrdinal(side.high);
-    if (n == None || sides_.patchBox[n] == None)
-    {
-      return;
-    }
-    const Level plane = planeAt(boxes_.planes[side.axis], side.corner[side.axis]);
-    const std::uint32_t box = sides_.patchBox[n];
-    for (std::size_t p = patches_.boxStart[box]; p < patches_.boxStart[box + 1]; ++p)
-    {
-      std::uint32_t from = patches_.corners[patches_.start[p + 1] - 1];
-      for (std::size_t c = patches_.start[p]; c < patches_.start[p + 1]; ++c)
-      {
-        const std::uint32_t to = patches_.corners[c];
-        if (lies(patches_.points[from], plane, r) && lies(patches_.points[to], plane, r))
-        {
-          chords.push_back(fromLow ? Edge{ to, from } : Edge{ from, to });
-        }
-        from = to;
-      }
-    }
-  }
-
-  static bool lies(const Point& p, Level plane, const Rectangle& r)
-  {
-    const Flat at = flatten(p, r.axis);
-    return p[static_cast<std::size_t>(r.axis)] == plane && at.a >= r.low.a && at.a <= r.high.a &&
-      at.b >= r.low.b && at.b <= r.high.b;
-  }
-
-  const Boxes& boxes_;
-  const Patches& patches_;
   const Sides& sides_;
-  const Nodes& nodes_;
+  SideChords sideChords_;
   SideTracer tracer_;
 };
 

@@ -8,28 +8,38 @@
 namespace cartesian
 {
 
-// The levels along axes.middle between which a triangle meets the plane axes.outer = `outer`, which
-// passes through it: lines along axes.along in this plane cross it from the first on, up to the
-// second, which is left out.
-inline std::pair<Level, Level> crossedLevels(
-  const Corners& triangle, const RowAxes& axes, Level outer)
+// Where a triangle meets a plane across axes.outer: lines along axes.along in this plane cross it from
+// the level `from` along axes.middle on, up to `to`, which is left out.
+struct CrossedLevels
 {
-  std::array<Level, 2> ends{};
-  int found = 0;
+  Level from;
+  Level to;
+  bool up; // the triangle's normal points up axes.along
+};
+
+// The plane passes through the triangle.
+inline CrossedLevels crossedLevels(const Corners& triangle, const RowAxes& axes, Level outer)
+{
+  Level rising = 0; // where the triangle's border passes up through the plane
+  Level falling = 0;
   for (int i = 0; i < 3; ++i)
   {
     const Point& p = triangle[i];
     const Point& q = triangle[(i + 1) % 3];
     if ((p[axes.outer] < outer) != (q[axes.outer] < outer))
     {
-      ends[found++] = crossPlane(p, q, axes.outer, outer)[axes.middle];
+      const Level at = crossPlane(p, q, axes.outer, outer)[axes.middle];
+      (p[axes.outer] < outer ? rising : falling) = at;
     }
   }
-  return std::minmax(ends[0], ends[1]);
+  const bool rightHanded = (axes.along + 1) % 3 == axes.middle;
+  return { std::min(rising, falling), std::max(rising, falling),
+    (rising > falling) == rightHanded };
 }
 
-// Calls visit(middle, outer, point) for the crossings of a triangle with those lines along
-// axes.along where middles[middle] meets outers[outer]: planes of the other two axes.
+// Calls visit(middle, outer, point, up) for the crossings of a triangle with those lines along
+// axes.along where middles[middle] meets outers[outer]: planes of the other two axes. `up`: its normal
+// points up axes.along.
 template <class Visitor>
 void forEachLineCrossing(const Corners& triangle, const RowAxes& axes,
   const std::vector<Level>& middles, const std::vector<Level>& outers, Visitor&& visit)
@@ -39,7 +49,7 @@ void forEachLineCrossing(const Corners& triangle, const RowAxes& axes,
   for (auto o = std::lower_bound(outers.begin(), outers.end(), least);
        o != outers.end() && *o < most; ++o)
   {
-    const auto [from, to] = crossedLevels(triangle, axes, *o);
+    const auto [from, to, up] = crossedLevels(triangle, axes, *o);
     for (auto m = std::lower_bound(middles.begin(), middles.end(), from);
          m != middles.end() && *m < to; ++m)
     {
@@ -47,7 +57,7 @@ void forEachLineCrossing(const Corners& triangle, const RowAxes& axes,
       at[axes.outer] = *o;
       at[axes.middle] = *m;
       visit(static_cast<std::size_t>(m - middles.begin()),
-        static_cast<std::size_t>(o - outers.begin()), crossLine(triangle, axes.along, at));
+        static_cast<std::size_t>(o - outers.begin()), crossLine(triangle, axes.along, at), up);
     }
   }
 }
@@ -60,13 +70,14 @@ public:
 
   const RowAxes& axes() const { return axes_; }
 
-  // How often the line at these planes crosses the surface below the plane of axes().along with this
-  // index.
-  std::size_t below(std::size_t middle, std::size_t outer, std::uint32_t plane) const
+  // How the surface winds around the point where the line at these planes meets the plane of
+  // axes().along with this index.
+  Winding at(std::size_t middle, std::size_t outer, std::uint32_t plane) const
   {
-    return static_cast<std::size_t>(
-      std::upper_bound(begin(middle, outer), end(middle, outer), Crossing{ 0, plane }) -
-      begin(middle, outer));
+    const Crossing* const first = begin(middle, outer);
+    const Crossing* const above =
+      std::upper_bound(first, end(middle, outer), Crossing{ 0, plane, {} });
+    return above == first ? Winding{} : above[-1].winding;
   }
 
 private:
@@ -74,6 +85,7 @@ private:
   {
     std::uint32_t line;        // middle + outer * planes of middle
     std::uint32_t planesBelow; // planes of axes.along below the crossing
+    Winding winding;           // past it
 
     bool operator<(const Crossing& other) const { return planesBelow < other.planesBelow; }
   };

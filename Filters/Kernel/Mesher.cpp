@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace cartesian
 {
@@ -32,6 +33,22 @@ std::string positionOf(const Surface& surface, std::uint32_t vertex)
 const char* lineBreak(const std::string& text)
 {
   return text.empty() ? "" : "\n";
+}
+
+// The first few of these boxes, as text to append.
+std::string places(const Boxes& boxes, const std::vector<std::uint32_t>& which)
+{
+  constexpr std::size_t MostPlaces = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(which.size(), MostPlaces); ++i)
+  {
+    const Box& box = boxes.boxes[which[i]];
+    const auto& global = boxes.globalOf(box).index;
+    text += "\n  in global box " + std::to_string(global[0]) + ", " + std::to_string(global[1]) +
+      ", " + std::to_string(global[2]) + ", from " + position(boxes.lattice, box.low) + " to " +
+      position(boxes.lattice, box.high);
+  }
+  return text;
 }
 
 // The holes that are left, as text to append.
@@ -177,12 +194,9 @@ Assembly::Assembly(
   }
   execution.stage("Common sides of boxes", AfterPatches, AfterSides);
   sides_ = findSides(boxes, execution);
-  nodes_ = findNodes(boxes, patches, sides_, execution);
-  execution.stage("Inner faces", AfterSides, AfterInnerFaces);
-  inner_ = generateInnerFaces(boxes, patches, sides_, nodes_, execution);
+  assemble(spec, execution);
+  rebuildFlawed(spec, execution);
   collapse(spec, execution);
-  execution.stage("Cells", AfterInnerFaces, AfterCells);
-  cells_ = assembleCells(boxes, *patches_, sides_, nodes_, inner_, spec, execution);
   if (shapesCells(spec))
   {
     execution.stage("Shaping of cells", AfterCells, AfterShaping);
@@ -205,16 +219,76 @@ Assembly::Assembly(
   }
 }
 
+void Assembly::findInnerFaces(Execution& execution)
+{
+  nodes_ = findNodes(boxes_, *patches_, sides_, execution);
+  execution.stage("Inner faces", AfterSides, AfterInnerFaces);
+  inner_ = generateInnerFaces(boxes_, *patches_, sides_, nodes_, execution);
+}
+
+void Assembly::assemble(const CellSpec& spec, Execution& execution)
+{
+  findInnerFaces(execution);
+  execution.stage("Cells", AfterInnerFaces, AfterCells);
+  cells_ = assembleCells(boxes_, *patches_, sides_, nodes_, inner_, spec, execution);
+}
+
+// Each time the boxes that still are flawed keep less.
+void Assembly::rebuildFlawed(const CellSpec& spec, Execution& execution)
+{
+  std::vector<std::uint8_t> rebuilt(sides_.polyhedral.size());
+  for (const GivenUp givenUp : { GivenUp::Nothing, GivenUp::Chords, GivenUp::Crossings })
+  {
+    if (flawedBoxes().empty())
+    {
+      break;
+    }
+    execution.stage("Flawed boxes", AfterCells, AfterCells);
+    RebuiltPatches next =
+      rebuildFlawedBoxes(boxes_, *patches_, sides_, nodes_, inner_, cells_.flawed, givenUp);
+    for (std::size_t n = 0; n < rebuilt.size(); ++n)
+    {
+      rebuilt[n] = rebuilt[n] | next.boxes[n];
+    }
+    rebuilt_ = std::move(next);
+    patches_ = &rebuilt_.patches;
+    assemble(spec, execution);
+  }
+  rebuilt_.boxes.swap(rebuilt);
+}
+
+// Boxes whose faces would not close any more keep their edges.
 void Assembly::collapse(const CellSpec& spec, Execution& execution)
 {
-  if (spec.collapseRatio > 0)
+  if (!(spec.collapseRatio > 0))
   {
-    collapsed_ = std::make_unique<Patches>(*patches_);
-    nodesCollapsed_ = collapseShortEdges(boxes_, sides_,
-      { spec.collapseRatio, spec.featureAngle, isExact(*patches_) }, *collapsed_, nodes_, inner_,
-      execution);
-    patches_ = collapsed_.get();
+    return;
   }
+  const std::vector<std::uint8_t> flawed = cells_.flawed;
+  const Patches& before = *patches_;
+  ShortEdgeSpec edges{ spec.collapseRatio, spec.featureAngle, isExact(before), flawed };
+  execution.stage("Short edges", AfterCells, AfterCells);
+  for (bool closed = false; !closed;)
+  {
+    collapsed_ = before;
+    nodesCollapsed_ =
+      collapseShortEdges(boxes_, sides_, edges, collapsed_, nodes_, inner_, execution);
+    patches_ = &collapsed_;
+    cells_ = assembleCells(boxes_, collapsed_, sides_, nodes_, inner_, spec, execution);
+    closed = cells_.flawed == flawed;
+    if (!closed)
+    {
+      std::transform(edges.keeps.begin(), edges.keeps.end(), cells_.flawed.begin(),
+        edges.keeps.begin(), std::bit_or<>());
+      patches_ = &before;
+      findInnerFaces(execution);
+    }
+  }
+}
+
+std::size_t Assembly::rebuiltBoxes() const
+{
+  return static_cast<std::size_t>(std::count(rebuilt_.boxes.begin(), rebuilt_.boxes.end(), 1));
 }
 
 std::vector<std::uint32_t> Assembly::flawedBoxes() const
@@ -232,21 +306,25 @@ std::vector<std::uint32_t> Assembly::flawedBoxes() const
 
 std::string Assembly::describeFlaws() const
 {
-  constexpr std::size_t MostPlaces = 5;
-  const std::vector<std::uint32_t> flawed = flawedBoxes();
-  if (flawed.empty())
+  std::vector<std::uint32_t> rebuilt;
+  for (std::size_t n = 0; n < rebuilt_.boxes.size(); ++n)
   {
-    return "";
+    if (rebuilt_.boxes[n] != 0)
+    {
+      rebuilt.push_back(sides_.polyhedral[n]);
+    }
   }
-  std::string text = "The surface does not close in " + std::to_string(flawed.size()) +
-    " boxes (a hole, or parts that overlap); they are left out of the mesh:";
-  for (std::size_t i = 0; i < std::min(flawed.size(), MostPlaces); ++i)
+  std::string text;
+  if (!rebuilt.empty())
   {
-    const Box& box = boxes_.boxes[flawed[i]];
-    const auto& global = boxes_.globalOf(box).index;
-    text += "\n  in global box " + std::to_string(global[0]) + ", " + std::to_string(global[1]) +
-      ", " + std::to_string(global[2]) + ", from " + position(boxes_.lattice, box.low) + " to " +
-      position(boxes_.lattice, box.high);
+    text = "The surface does not close in or next to " + std::to_string(rebuilt.size()) +
+      " boxes (parts cross or overlap); Marching Cubes made patches from the statuses there:" +
+      places(boxes_, rebuilt);
+  }
+  if (const std::vector<std::uint32_t> flawed = flawedBoxes(); !flawed.empty())
+  {
+    text += lineBreak(text) + std::to_string(flawed.size()) +
+      " boxes do not close even so; they are left out of the mesh:" + places(boxes_, flawed);
   }
   return text;
 }
@@ -276,7 +354,8 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
   const double hexahedra = boxes - static_cast<double>(sides_.polyhedral.size());
   const auto cells = static_cast<double>(mesh_->cellCount());
   const auto boxesBecause = [&](PatchReason reason) {
-    return static_cast<double>(std::count(patches_->reason.begin(), patches_->reason.end(), reason));
+    return static_cast<double>(
+      std::count(patches_->reason.begin(), patches_->reason.end(), reason));
   };
   return {
     { "Cells", cells },
@@ -293,6 +372,7 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
     { "BoxesSharpFeature", boxesBecause(PatchReason::SharpFeature) },
     { "BoxesSeveralBoundaries", boxesBecause(PatchReason::SeveralBoundaries) },
     { "BoxesNotDiscs", boxesBecause(PatchReason::NotDiscs) },
+    { "BoxesRebuilt", static_cast<double>(rebuiltBoxes()) },
     { "BoxesFlawed", static_cast<double>(flawedBoxes().size()) },
     { "Patches", static_cast<double>(patches_->size()) },
     { "CellsSplit", static_cast<double>(shaping_.cellsSplit) },

@@ -9,6 +9,7 @@
 
 #include "BoxGeneration.h"
 #include "CellShaping.h"
+#include "FlawedBoxes.h"
 #include "Mesh.h"
 #include "SurfaceDefects.h"
 
@@ -75,24 +76,32 @@ public:
 
   const Mesh& mesh() const { return *mesh_; }
 
-  // Intersected boxes that have no cells because the surface does not close in them.
+  // Intersected boxes that have no cells because the surface does not close in them, and neither do
+  // patches made anew (FlawedBoxes.h).
   std::vector<std::uint32_t> flawedBoxes() const;
 
-  // ... in words, with places, or nothing.
+  // How many boxes have patches made anew.
+  std::size_t rebuiltBoxes() const;
+
+  // Both in words, with places, or nothing.
   std::string describeFlaws() const;
 
   // The statistics of step 12: names and values.
   std::vector<std::pair<const char*, double>> statistics() const;
 
 private:
+  void findInnerFaces(Execution& execution);
+  void assemble(const CellSpec& spec, Execution& execution);
+  void rebuildFlawed(const CellSpec& spec, Execution& execution);
   void collapse(const CellSpec& spec, Execution& execution);
 
   const Boxes& boxes_;
-  const Patches* patches_;
+  const Patches* patches_; // the caller's, or those in rebuilt_ or collapsed_
+  RebuiltPatches rebuilt_;
   Sides sides_;
   Nodes nodes_;
   InnerFaces inner_;
-  std::unique_ptr<Patches> collapsed_; // patches_, where edges collapsed
+  Patches collapsed_;
   std::size_t nodesCollapsed_ = 0;
   Cells cells_;
   Shaping shaping_;

@@ -1,9 +1,12 @@
 #include "Orientation.h"
 
+#include "Components.h"
 #include "LineCrossings.h"
 #include "SurfaceEdges.h"
+#include "Vector.h"
 
 #include <cmath>
+#include <tuple>
 
 namespace cartesian
 {
@@ -13,16 +16,21 @@ namespace
 
 constexpr std::size_t TrianglesAChunk = 2048;
 
-// Lines through a sheet: enough to outvote those that pass where the surface is at fault.
-constexpr std::size_t FewestLines = 3;
-constexpr std::size_t MostLines = 63;
-constexpr std::size_t TrianglesALine = 256;
+// Of a sheet that lines are laid through: enough to outvote those that pass where the surface is at
+// fault.
+constexpr std::size_t FewestTriangles = 12;
+constexpr std::size_t MostTriangles = 63;
+constexpr std::size_t PartOfTriangles = 256;
 
 // Tests of a line against a triangle in all; beyond it lines are given up, those of small
 // triangles first. A soup of a million large triangles would take days.
-constexpr double MostTests = 5e7;
+constexpr double MostTests = 5e6;
+constexpr double LeastReduction = 1.25; // at once
 
 constexpr double MostGridCells = 1024; // a direction
+
+// A closed sheet with as large a part of its votes on either side passes through others.
+constexpr long long PartThatCrosses = 4;
 
 // Triangles by sheet, and how each is turned against the sheet's first: disjoint sets.
 class Sheets
@@ -31,6 +39,7 @@ public:
   Sheets(const Surface& surface, const SurfaceEdges& edges)
     : parent_(surface.triangles.size())
     , turned_(surface.triangles.size())
+    , open_(surface.triangles.size())
   {
     for (std::size_t t = 0; t < parent_.size(); ++t)
     {
@@ -42,16 +51,80 @@ public:
         join(begin[0].triangle(), begin[1].triangle(), begin[0].down() == begin[1].down());
       }
     });
+    joinAsGiven(surface, edges);
     for (std::size_t t = 0; t < parent_.size(); ++t)
     {
       flatten(static_cast<std::uint32_t>(t));
     }
+    edges.forEach([&](std::uint32_t, const EdgeUse* begin, const EdgeUse* end) {
+      for (const EdgeUse* use = begin; use != end; ++use)
+      {
+        const std::uint32_t sheet = of(use->triangle());
+        open_[sheet] = open_[sheet] | (netUse(sheet, begin, end) != 0 ? 1 : 0);
+      }
+    });
   }
 
   std::uint32_t of(std::size_t triangle) const { return parent_[triangle]; }
+  bool closed(std::uint32_t sheet) const { return open_[sheet] == 0; }
   bool turned(std::size_t triangle) const { return turned_[triangle] != 0; }
 
 private:
+  // Joins sheets that need each other to close, where all triangles of a component were given a
+  // consistent direction.
+  void joinAsGiven(const Surface& surface, const SurfaceEdges& edges)
+  {
+    bool any = false;
+    edges.forEach([&](std::uint32_t, const EdgeUse* begin, const EdgeUse* end) {
+      any = any || end - begin > 2;
+    });
+    if (!any)
+    {
+      return;
+    }
+    Components components(surface);
+    std::vector<std::uint8_t> inconsistent(surface.vertices.size());
+    edges.forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+      const auto down = std::count_if(begin, end, [](const EdgeUse& use) { return use.down(); });
+      if (std::abs((end - begin) - 2 * down) > (end - begin) % 2)
+      {
+        inconsistent[components.of(lower)] = 1;
+      }
+    });
+    edges.forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+      if ((end - begin) % 2 == 1 || end - begin == 2 || inconsistent[components.of(lower)] != 0)
+      {
+        return;
+      }
+      const EdgeUse* before = nullptr;
+      for (const EdgeUse* use = begin; use != end; ++use)
+      {
+        if (netUse(flatten(use->triangle()), begin, end) != 0)
+        {
+          if (before)
+          {
+            join(before->triangle(), use->triangle(), false);
+          }
+          before = use;
+        }
+      }
+    });
+  }
+
+  // How much more often the triangles of a sheet run down an edge than up, as its first one turns them.
+  int netUse(std::uint32_t sheet, const EdgeUse* begin, const EdgeUse* end)
+  {
+    int net = 0;
+    for (const EdgeUse* use = begin; use != end; ++use)
+    {
+      if (flatten(use->triangle()) == sheet)
+      {
+        net += use->down() != turned(use->triangle()) ? 1 : -1;
+      }
+    }
+    return net;
+  }
+
   // Points a triangle straight at its root; the paths to it stay short.
   std::uint32_t flatten(std::uint32_t t)
   {
@@ -91,6 +164,20 @@ private:
 
   std::vector<std::uint32_t> parent_;
   std::vector<std::uint8_t> turned_; // against the parent; a root is not
+  std::vector<std::uint8_t> open_;   // of roots: an edge of other than two triangles bounds it
+};
+
+// What the votes say of each sheet.
+struct Poll
+{
+  std::vector<long long> outward; // that its first triangle has an outward normal
+  std::vector<long long> inward;
+
+  explicit Poll(std::size_t sheets)
+    : outward(sheets)
+    , inward(sheets)
+  {
+  }
 };
 
 // A line along axes.along through a triangle, and how much it counts for.
@@ -104,9 +191,9 @@ struct Line
 
   bool operator<(const Line& other) const
   {
-    return rank != other.rank
-      ? rank < other.rank
-      : (area != other.area ? area > other.area : triangle < other.triangle);
+    return rank != other.rank ? rank < other.rank
+                              : std::make_tuple(other.area, triangle, middle, outer) <
+        std::make_tuple(area, other.triangle, other.middle, other.outer);
   }
 };
 
@@ -120,17 +207,21 @@ Level evenNear(double level)
   return static_cast<Level>(2 * std::llround(level / 2));
 }
 
-// The line of even levels nearest to the middle of a triangle, if it passes through it.
-bool findLine(const Corners& c, const RowAxes& axes, Line& line)
+// The line of even levels nearest to the point of a triangle that is nearest to one of its corners of
+// those three that share out its area, if it passes through the triangle.
+bool findLine(const Corners& c, const RowAxes& axes, std::size_t corner, Line& line)
 {
+  const auto weighted = [&](int axis) {
+    return (double(c[0][axis]) + c[1][axis] + c[2][axis] + 3.0 * c[corner][axis]) / 6;
+  };
   const auto [least, most] = std::minmax({ c[0][axes.outer], c[1][axes.outer], c[2][axes.outer] });
-  line.outer = evenNear((double(c[0][axes.outer]) + c[1][axes.outer] + c[2][axes.outer]) / 3);
+  line.outer = evenNear(weighted(axes.outer));
   if (line.outer < least || line.outer > most)
   {
     return false;
   }
-  const auto [from, to] = crossedLevels(c, axes, line.outer);
-  line.middle = evenNear((double(from) + to) / 2);
+  const auto [from, to, up] = crossedLevels(c, axes, line.outer);
+  line.middle = evenNear(weighted(axes.middle));
   return line.middle > from && line.middle < to;
 }
 
@@ -191,21 +282,24 @@ private:
   {
     const auto size = static_cast<std::size_t>(end - begin);
     const std::size_t wanted =
-      std::min(size, std::clamp(size / TrianglesALine, FewestLines, MostLines));
+      std::min(size, std::clamp(size / PartOfTriangles, FewestTriangles, MostTriangles));
     std::uint32_t* const last = begin + wanted;
     std::partial_sort(begin, last, end, [&](std::uint32_t a, std::uint32_t b) {
       return best_[a].area != best_[b].area ? best_[a].area > best_[b].area : sorted(a) < sorted(b);
     });
     for (const std::uint32_t* t = begin; t != last; ++t)
     {
-      Line line{};
-      const auto axis = static_cast<std::size_t>(best_[*t].axis);
-      if (best_[*t].area > 0 && findLine(surface_.corners(*t), RowsAlong[axis], line))
+      for (std::size_t corner = 0; best_[*t].area > 0 && corner < 3; ++corner)
       {
-        line.rank = static_cast<std::size_t>(t - begin);
-        line.area = best_[*t].area;
-        line.triangle = sorted(*t);
-        lines_[axis].push_back(line);
+        Line line{};
+        const auto axis = static_cast<std::size_t>(best_[*t].axis);
+        if (findLine(surface_.corners(*t), RowsAlong[axis], corner, line))
+        {
+          line.rank = static_cast<std::size_t>(t - begin);
+          line.area = best_[*t].area;
+          line.triangle = sorted(*t);
+          lines_[axis].push_back(line);
+        }
       }
     }
   }
@@ -242,9 +336,11 @@ public:
     {
       size_[i] = std::max(bounds.high[i] - bounds.low[i], 1.0);
     }
-    while (file(), tests(surface) > MostTests)
+    double excess = 1;
+    while (file(), excess = tests(surface) / MostTests, excess > 1)
     {
-      lines_.resize(lines_.size() / 2);
+      lines_.resize(static_cast<std::size_t>(
+        static_cast<double>(lines_.size()) / std::max(excess, LeastReduction)));
     }
   }
 
@@ -265,7 +361,7 @@ public:
           const Line& line = lines_[number_[i]];
           if (line.outer > least && line.outer < most)
           {
-            const auto [from, to] = crossedLevels(c, axes_, line.outer);
+            const auto [from, to, up] = crossedLevels(c, axes_, line.outer);
             if (line.middle > from && line.middle < to)
             {
               visit(number_[i]);
@@ -385,10 +481,8 @@ struct Vote
   }
 };
 
-// Adds to balance[sheet] one for each crossing that says that the sheet's first triangle has an
-// outward normal, and takes one off where it has not.
-void countVotes(
-  const Vote* begin, const Vote* end, const Sheets& sheets, std::vector<long long>& balance)
+// Of the crossings of one line.
+void countVotes(const Vote* begin, const Vote* end, const Sheets& sheets, Poll& poll)
 {
   if ((end - begin) % 2 == 1)
   {
@@ -403,12 +497,13 @@ void countVotes(
     }
     const bool entering = (vote - begin) % 2 == 0;
     const bool outward = entering != vote->up;
-    balance[sheets.of(vote->triangle)] += outward != sheets.turned(vote->triangle) ? 1 : -1;
+    auto& votes = outward != sheets.turned(vote->triangle) ? poll.outward : poll.inward;
+    ++votes[sheets.of(vote->triangle)];
   }
 }
 
 void vote(const Surface& surface, const Sheets& sheets, int along, std::vector<Line>& lines,
-  std::vector<long long>& balance, Execution& execution)
+  Poll& poll, Execution& execution)
 {
   if (lines.empty())
   {
@@ -433,7 +528,7 @@ void vote(const Surface& surface, const Sheets& sheets, int along, std::vector<L
     found, lines.size(), [](const Vote& v) { return v.line; }, execution);
   for (std::size_t line = 0; line < lines.size(); ++line)
   {
-    countVotes(votes.begin(line), votes.end(line), sheets, balance);
+    countVotes(votes.begin(line), votes.end(line), sheets, poll);
   }
 }
 
@@ -448,22 +543,36 @@ void orient(Surface& surface, Execution& execution)
 {
   const std::size_t count = surface.triangles.size();
   const Sheets sheets(surface, SurfaceEdges(surface, execution));
-  std::vector<long long> balance(count);
+  Poll poll(count);
   LineFinder finder(surface, sheets, execution);
   for (int along = 0; along < 3; ++along)
   {
-    vote(
-      surface, sheets, along, finder.lines()[static_cast<std::size_t>(along)], balance, execution);
+    vote(surface, sheets, along, finder.lines()[static_cast<std::size_t>(along)], poll, execution);
   }
   std::vector<long long> unturned(count);
+  const Point base = surface.corners(0)[0];
+  std::vector<double> volume(count); // six times, as the first triangle is turned
   for (std::size_t t = 0; t < count; ++t)
   {
     unturned[sheets.of(t)] += sheets.turned(t) ? -1 : 1;
+    const Corners c = surface.corners(t);
+    volume[sheets.of(t)] += (sheets.turned(t) ? -1 : 1) *
+      dot(minus(c[0], base), cross(minus(c[1], c[0]), minus(c[2], c[0])));
   }
+  const auto crosses = [&](std::uint32_t sheet) {
+    const long long fewer = std::min(poll.outward[sheet], poll.inward[sheet]);
+    return sheets.closed(sheet) && fewer > 0 &&
+      PartThatCrosses * fewer >= poll.outward[sheet] + poll.inward[sheet];
+  };
+  const auto undecided = [&](std::uint32_t sheet) {
+    return poll.outward[sheet] == poll.inward[sheet] && !crosses(sheet);
+  };
   for (std::size_t t = 0; t < count; ++t)
   {
     const std::uint32_t sheet = sheets.of(t);
-    const bool turnSheet = balance[sheet] != 0 ? balance[sheet] < 0 : unturned[sheet] < 0;
+    const bool turnSheet = crosses(sheet) ? volume[sheet] < 0
+      : undecided(sheet)                  ? unturned[sheet] < 0
+                                          : poll.outward[sheet] < poll.inward[sheet];
     if (sheets.turned(t) != turnSheet)
     {
       turn(surface, t);
@@ -473,7 +582,7 @@ void orient(Surface& surface, Execution& execution)
   {
     for (std::size_t t = 0; t < count; ++t)
     {
-      if (balance[sheets.of(t)] == 0)
+      if (undecided(sheets.of(t)))
       {
         turn(surface, t);
       }

@@ -3,6 +3,7 @@
 
 #include "Crossing.h"
 #include "Execution.h"
+#include "Winding.h"
 
 #include <vector>
 
@@ -33,11 +34,20 @@ struct Surface
   std::vector<Point> vertices;                         // distinct
   std::vector<std::array<std::uint32_t, 3>> triangles; // either way round, until oriented
   std::vector<std::int32_t> boundary;                  // one a triangle
+  std::vector<std::uint8_t>
+    byParity; // 1: no consistent orientation (Winding.h); empty: all have one
 
   Corners corners(std::size_t triangle) const
   {
     const auto& t = triangles[triangle];
     return { vertices[t[0]], vertices[t[1]], vertices[t[2]] };
+  }
+
+  // What crossing a triangle changes; `up`: its normal points along the way.
+  Winding crossing(std::size_t triangle, bool up) const
+  {
+    return !byParity.empty() && byParity[triangle] != 0 ? Winding{ 0, true }
+                                                        : Winding{ up ? -1 : 1, false };
   }
 };
 

@@ -1,11 +1,40 @@
 #include "SurfaceRepair.h"
 
+#include "Components.h"
 #include "Orientation.h"
 
 #include <algorithm>
 
 namespace cartesian
 {
+
+namespace
+{
+
+// Marks the components with an edge that more triangles run through one way than the other.
+void findUnoriented(Surface& surface, const SurfaceEdges& edges)
+{
+  Components components(surface);
+  std::vector<std::uint8_t> unoriented(surface.vertices.size());
+  edges.forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+    const auto down = std::count_if(begin, end, [](const EdgeUse& use) { return use.down(); });
+    if (2 * down != end - begin)
+    {
+      unoriented[components.of(lower)] = 1;
+    }
+  });
+  if (std::count(unoriented.begin(), unoriented.end(), 1) == 0)
+  {
+    return;
+  }
+  surface.byParity.resize(surface.triangles.size());
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    surface.byParity[t] = unoriented[components.of(surface.triangles[t][0])];
+  }
+}
+
+}
 
 std::size_t SurfaceRepair::leaks() const
 {
@@ -27,6 +56,11 @@ SurfaceRepair repair(Surface& surface, const Meshlines& planes, Execution& execu
   {
     result.holes = closeHoles(surface, edges, planes, execution);
     orient(surface, execution);
+    findUnoriented(surface, SurfaceEdges(surface, execution));
+  }
+  else if (!result.check.oriented())
+  {
+    findUnoriented(surface, edges);
   }
   return result;
 }

@@ -18,8 +18,9 @@ struct SurfaceRepair
   std::size_t leaks() const;
 };
 
-// Afterwards every line enters the surface as often as it leaves it. Triangles keep their numbers: duplicates collapse into a point, those that close holes follow at
-// the end. A surface without flaws whose normals point out of the domain stays as it is.
+// Afterwards every line enters each component as often as it leaves it, or crosses it an even number of
+// times (Surface::byParity). Triangles keep their numbers: duplicates collapse into a point, those that
+// close holes follow at the end. A surface without flaws whose normals point out of the domain stays as it is.
 SurfaceRepair repair(Surface& surface, const Meshlines& planes, Execution& execution);
 
 }

@@ -13,7 +13,11 @@ namespace
 {
 
 constexpr std::size_t TrianglesAChunk = 1024;
-constexpr int MostNeighbours = 512;
+constexpr std::size_t MostNeighbours = 512;
+constexpr std::size_t FewestNeighbours = 64;
+
+// Pairs looked at in all, before fewer neighbours are.
+constexpr std::size_t MostTests = 30000000;
 
 int signOf(Wide x)
 {
@@ -251,6 +255,8 @@ TrianglePairs findPairs(const Surface& surface, Execution& execution)
 {
   const TriangleTree tree(surface, execution);
   const std::size_t count = tree.size();
+  const std::size_t most =
+    std::clamp(MostTests / std::max<std::size_t>(count, 1), FewestNeighbours, MostNeighbours);
   std::vector<TrianglePairs> parts(chunks(count, TrianglesAChunk));
   execution.nextLoop(0.9);
   execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
@@ -258,16 +264,16 @@ TrianglePairs findPairs(const Surface& surface, Execution& execution)
     for (std::size_t place = begin; place < end; ++place)
     {
       const std::uint32_t t = tree.triangle(place);
-      int seen = 0;
+      std::size_t seen = 0;
       tree.forEachLarger(place, [&](std::uint32_t other) {
         const Contact contact = contactOf(surface, t, other);
         if (contact != Contact::Apart)
         {
           part.pairs.push_back({ std::min(t, other), std::max(t, other), contact });
         }
-        return ++seen < MostNeighbours;
+        return ++seen < most;
       });
-      if (seen == MostNeighbours)
+      if (seen == most)
       {
         part.givenUp.push_back(t);
       }

@@ -41,7 +41,7 @@ struct TrianglePairs
 };
 
 // All pairs that cross or overlap, of triangles that have an area. Looks at no more than 512 larger
-// triangles around each: beyond it is given up.
+// triangles around each, at fewer (down to 64) where there are more than 60 000: beyond it is given up.
 TrianglePairs findPairs(const Surface& surface, Execution& execution);
 
 }

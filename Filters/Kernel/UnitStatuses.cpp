@@ -26,7 +26,7 @@ std::size_t UnitStatuses::vertex(std::size_t x, std::size_t y, std::size_t z) co
 }
 
 void UnitStatuses::compute(const Surface& surface, const TriangleRange& triangles,
-  const Meshlines& planes, const std::array<std::uint32_t, 3>& index, int depth, bool cornerInside)
+  const Meshlines& planes, const std::array<std::uint32_t, 3>& index, int depth, const Winding& low)
 {
   depth_ = depth;
   for (int axis = 0; axis < 3; ++axis)
@@ -39,42 +39,43 @@ void UnitStatuses::compute(const Surface& surface, const TriangleRange& triangle
     }
     inner_[axis].assign(planes_[axis].begin() + 1, planes_[axis].end() - 1);
   }
-  findVertices(surface, triangles, cornerInside);
+  findVertices(surface, triangles, low);
   findUnits(surface, triangles);
 }
 
-// From the low corner along y, from there along z, from there along x: each crossing on the way
-// changes the status. vertices_ first holds whether it changes on the way to each vertex.
+// From the low corner along y, from there along z, from there along x. vertices_ first holds the
+// crossings on the way to each vertex from the one before.
 void UnitStatuses::findVertices(
-  const Surface& surface, const TriangleRange& triangles, bool cornerInside)
+  const Surface& surface, const TriangleRange& triangles, const Winding& low)
 {
   const std::size_t n = planes_[0].size();
-  vertices_.assign(n * n * n, 0);
+  vertices_.assign(n * n * n, {});
   const std::vector<Level> firstX{ planes_[0].front() };
   const std::vector<Level> firstZ{ planes_[2].front() };
-  const auto toggle = [&](int axis, const Point& p, std::array<std::size_t, 3> at) {
+  const auto add = [&](int axis, const Point& p, const Winding& crossing,
+                     std::array<std::size_t, 3> at) {
     if (p[axis] > planes_[axis].front() && p[axis] < planes_[axis].back())
     {
       at[axis] = static_cast<std::size_t>(intervalOf(planes_[axis], p[axis]) + 1);
-      vertices_[vertex(at[0], at[1], at[2])] ^= 1;
+      vertices_[vertex(at[0], at[1], at[2])].add(crossing);
     }
   };
   forEachTriangle(triangles, [&](std::uint32_t t) {
     const Corners corners = surface.corners(t);
-    forEachLineCrossing(
-      corners, RowsAlong[1], firstX, firstZ, [&](std::size_t, std::size_t, const Point& p) {
-        toggle(1, p, { 0, 0, 0 });
+    forEachLineCrossing(corners, RowsAlong[1], firstX, firstZ,
+      [&](std::size_t, std::size_t, const Point& p, bool up) {
+        add(1, p, surface.crossing(t, up), { 0, 0, 0 });
       });
-    forEachLineCrossing(
-      corners, RowsAlong[2], firstX, planes_[1], [&](std::size_t, std::size_t y, const Point& p) {
-        toggle(2, p, { 0, y, 0 });
+    forEachLineCrossing(corners, RowsAlong[2], firstX, planes_[1],
+      [&](std::size_t, std::size_t y, const Point& p, bool up) {
+        add(2, p, surface.crossing(t, up), { 0, y, 0 });
       });
     forEachLineCrossing(corners, RowsAlong[0], planes_[1], planes_[2],
-      [&](std::size_t y, std::size_t z, const Point& p) {
-        toggle(0, p, { 0, y, z });
+      [&](std::size_t y, std::size_t z, const Point& p, bool up) {
+        add(0, p, surface.crossing(t, up), { 0, y, z });
       });
   });
-  vertices_[0] = cornerInside ? 1 : 0;
+  vertices_[0] = low;
   for (std::size_t z = 0; z < n; ++z)
   {
     for (std::size_t y = 0; y < n; ++y)
@@ -85,7 +86,7 @@ void UnitStatuses::findVertices(
         {
           const std::size_t before =
             x > 0 ? vertex(x - 1, y, z) : (z > 0 ? vertex(0, y, z - 1) : vertex(0, y - 1, 0));
-          vertices_[vertex(x, y, z)] ^= vertices_[before];
+          vertices_[vertex(x, y, z)].add(vertices_[before]);
         }
       }
     }
@@ -103,7 +104,7 @@ void UnitStatuses::findUnits(const Surface& surface, const TriangleRange& triang
       for (std::size_t x = 0; x < n; ++x)
       {
         units_[x + n * (y + n * z)] =
-          vertices_[vertex(x, y, z)] ? BoxStatus::Inside : BoxStatus::Outside;
+          vertices_[vertex(x, y, z)].inside() ? BoxStatus::Inside : BoxStatus::Outside;
       }
     }
   }
@@ -140,27 +141,30 @@ std::uint8_t UnitStatuses::corners(
       const std::int64_t fine = fineOffset[axis] + (corner >> axis & 1) * size;
       at[axis] = static_cast<std::size_t>(fine >> (DeepestLevel - depth_));
     }
-    bits |= static_cast<unsigned>(vertices_[vertex(at[0], at[1], at[2])]) << corner;
+    bits |= static_cast<unsigned>(vertices_[vertex(at[0], at[1], at[2])].inside()) << corner;
   }
   return static_cast<std::uint8_t>(bits);
 }
 
-bool insideAt(const Surface& surface, const TriangleRange& triangles, const Point& corner,
-  bool cornerInside, const Point& at)
+Winding windingAt(const Surface& surface, const TriangleRange& triangles, const Point& corner,
+  const Winding& low, const Point& at)
 {
-  bool inside = cornerInside;
+  Winding winding = low;
   forEachTriangle(triangles, [&](std::uint32_t t) {
     const Corners corners = surface.corners(t);
-    const auto countUpTo = [&](int axis) {
-      return [&, axis](std::size_t, std::size_t, const Point& p) {
-        inside ^= p[axis] > corner[axis] && p[axis] < at[axis];
+    const auto addUpTo = [&](int axis) {
+      return [&, axis](std::size_t, std::size_t, const Point& p, bool up) {
+        if (p[axis] > corner[axis] && p[axis] < at[axis])
+        {
+          winding.add(surface.crossing(t, up));
+        }
       };
     };
-    forEachLineCrossing(corners, RowsAlong[1], { corner[0] }, { corner[2] }, countUpTo(1));
-    forEachLineCrossing(corners, RowsAlong[2], { corner[0] }, { at[1] }, countUpTo(2));
-    forEachLineCrossing(corners, RowsAlong[0], { at[1] }, { at[2] }, countUpTo(0));
+    forEachLineCrossing(corners, RowsAlong[1], { corner[0] }, { corner[2] }, addUpTo(1));
+    forEachLineCrossing(corners, RowsAlong[2], { corner[0] }, { at[1] }, addUpTo(2));
+    forEachLineCrossing(corners, RowsAlong[0], { at[1] }, { at[2] }, addUpTo(0));
   });
-  return inside;
+  return winding;
 }
 
 }

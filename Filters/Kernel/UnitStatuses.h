@@ -14,9 +14,9 @@ using TriangleRange = std::pair<const std::uint32_t*, const std::uint32_t*>;
 class UnitStatuses
 {
 public:
-  // `index`: the global box; `cornerInside`: the status of its low corner. Keeps its storage.
+  // `index`: the global box; `low`: of its low corner. Keeps its storage.
   void compute(const Surface& surface, const TriangleRange& triangles, const Meshlines& planes,
-    const std::array<std::uint32_t, 3>& index, int depth, bool cornerInside);
+    const std::array<std::uint32_t, 3>& index, int depth, const Winding& low);
 
   // Statuses of the units, x fastest.
   const std::vector<BoxStatus>& units() const { return units_; }
@@ -27,19 +27,18 @@ public:
 
 private:
   std::size_t vertex(std::size_t x, std::size_t y, std::size_t z) const;
-  void findVertices(const Surface& surface, const TriangleRange& triangles, bool cornerInside);
+  void findVertices(const Surface& surface, const TriangleRange& triangles, const Winding& low);
   void findUnits(const Surface& surface, const TriangleRange& triangles);
 
   int depth_ = 0;
-  Meshlines planes_;                   // of the units, both ends included
-  Meshlines inner_;                    // without the ends
-  std::vector<std::uint8_t> vertices_; // 1: inside
+  Meshlines planes_; // of the units, both ends included
+  Meshlines inner_;  // without the ends
+  std::vector<Winding> vertices_;
   std::vector<BoxStatus> units_;
 };
 
-// The status of one point of a global box; `cornerInside`: the status of its low corner. All levels
-// of both points are even.
-bool insideAt(const Surface& surface, const TriangleRange& triangles, const Point& corner,
-  bool cornerInside, const Point& at);
+// Around one point of a global box; `low`: around its low corner. All levels of both points are even.
+Winding windingAt(const Surface& surface, const TriangleRange& triangles, const Point& corner,
+  const Winding& low, const Point& at);
 
 }

@@ -141,13 +141,17 @@ Options optionsFrom(Bytes& bytes)
 {
   Options options;
   options.cells = asTheyAre(bytes.below(2) ? 1e-3 : 0);
-  options.patches.method = bytes.below(2) ? PatchMethod::Automatic : PatchMethod::ExactFit;
+  const unsigned choices = bytes.byte();
+  options.patches.method = (choices & 2) != 0 ? PatchMethod::MarchingCubes
+    : (choices & 1) != 0                      ? PatchMethod::Automatic
+                                              : PatchMethod::ExactFit;
+  options.cells.smallCells = (choices & 4) != 0 ? SmallCells::Merge : SmallCells::Remove;
+  options.cells.splitConcave = (choices & 8) != 0;
   return options;
 }
 
-Meshed meshFrom(Bytes& bytes)
+Meshed meshFrom(Bytes& bytes, Options options)
 {
-  Options options = optionsFrom(bytes);
   const unsigned kind = bytes.below(4);
   if (kind == 0)
   {
@@ -181,7 +185,8 @@ bool isRefusal(Fault fault)
   Bytes bytes(data, size);
   try
   {
-    return isValid(meshFrom(bytes).mesh);
+    const Options options = optionsFrom(bytes);
+    return isValid(meshFrom(bytes, options).mesh, options.cells.smallCells == SmallCells::Merge);
   }
   catch (const Error& error)
   {

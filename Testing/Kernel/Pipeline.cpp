@@ -161,12 +161,12 @@ Meshed meshOf(const Soup& soup, const GridSpec& grid, const Options& options)
   return meshPrepared(prepare(soup, grid), options);
 }
 
-std::vector<bool> parities(const Surface& surface, const Meshlines& planes, int axis)
+std::vector<Winding> windings(const Surface& surface, const Meshlines& planes, int axis)
 {
   Execution execution;
   const LineCrossings lines(surface, planes, axis, execution);
   const RowAxes& axes = lines.axes();
-  std::vector<bool> odd;
+  std::vector<Winding> result;
   std::array<std::uint32_t, 3> v{};
   for (v[2] = 0; v[2] < planes[2].size(); ++v[2])
   {
@@ -174,11 +174,11 @@ std::vector<bool> parities(const Surface& surface, const Meshlines& planes, int 
     {
       for (v[0] = 0; v[0] < planes[0].size(); ++v[0])
       {
-        odd.push_back(lines.below(v[axes.middle], v[axes.outer], v[axis]) % 2 == 1);
+        result.push_back(lines.at(v[axes.middle], v[axes.outer], v[axis]));
       }
     }
   }
-  return odd;
+  return result;
 }
 
 Shoeboxes shoeboxesOf(const Surface& surface, const Meshlines& planes)

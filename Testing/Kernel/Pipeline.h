@@ -87,9 +87,9 @@ inline std::string nameOf(const ::testing::TestParamInfo<NamedShape>& info)
   return info.param.name;
 }
 
-// Whether each vertex of the global mesh has an odd number of crossings below it along `axis`, x
+// How the surface winds around each vertex of the global mesh by its crossings below it along `axis`, x
 // fastest.
-std::vector<bool> parities(const Surface& surface, const Meshlines& planes, int axis);
+std::vector<Winding> windings(const Surface& surface, const Meshlines& planes, int axis);
 
 Shoeboxes shoeboxesOf(const Surface& surface, const Meshlines& planes);
 

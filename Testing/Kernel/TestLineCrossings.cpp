@@ -1,5 +1,5 @@
-// Crossings of mesh lines with the surface: on a closed surface, however degenerate, their parity
-// along x, y and z agrees at every vertex of the global mesh.
+// Crossings of mesh lines with the surface: a closed surface, however degenerate, winds as often around
+// every vertex of the global mesh by those along x as by those along y and z.
 #include "Germ.h"
 #include "LineCrossings.h"
 #include "Pipeline.h"
@@ -29,9 +29,9 @@ Meshlines everyEvenLevel(int width)
 
 void expectAgreement(const Surface& surface, const Meshlines& planes)
 {
-  const std::vector<bool> alongX = parities(surface, planes, 0);
-  ASSERT_EQ(alongX, parities(surface, planes, 1));
-  ASSERT_EQ(alongX, parities(surface, planes, 2));
+  const std::vector<Winding> alongX = windings(surface, planes, 0);
+  ASSERT_TRUE(alongX == windings(surface, planes, 1));
+  ASSERT_TRUE(alongX == windings(surface, planes, 2));
 }
 
 using Number = Germ<std::int64_t>;
@@ -84,7 +84,8 @@ TEST(LineCrossings, OfOneTriangleAreExact)
     const Surface surface = onLattice(soup.view(), Lattice({ 0, 0, 0 }, 1), execution);
     for (int axis = 0; axis < 3; ++axis)
     {
-      const std::vector<bool> odd = parities(surface, planes, axis);
+      const std::vector<Winding> found = windings(surface, planes, axis);
+      const int up = exactNormal(surface.corners(0))[axis] > 0 ? 1 : -1;
       std::size_t i = 0;
       for (const Level z : planes[2])
       {
@@ -92,7 +93,8 @@ TEST(LineCrossings, OfOneTriangleAreExact)
         {
           for (const Level x : planes[0])
           {
-            ASSERT_EQ(odd[i++], crossesBelow(surface.corners(0), { x, y, z }, axis));
+            const bool crosses = crossesBelow(surface.corners(0), { x, y, z }, axis);
+            ASSERT_EQ(found[i++].turns, crosses ? -up : 0);
           }
         }
       }
@@ -142,10 +144,12 @@ TEST(LineCrossings, TellInsideFromOutside)
   GridSpec grid;
   grid.meshlines.fill({ -1, -0.5, 0.25, 0.5, 0.75, 2 });
   const PreparedSurface prepared = prepare(cube(), grid);
-  const std::vector<bool> odd = parities(prepared.surface, prepared.planes, 2);
+  const std::vector<Winding> found = windings(prepared.surface, prepared.planes, 2);
   for (int i = 0; i < 216; ++i)
   {
     const auto within = [](int x) { return x >= 2 && x <= 4; };
-    EXPECT_EQ(odd[i], within(i % 6) && within(i / 6 % 6) && within(i / 36)) << i;
+    EXPECT_EQ(found[static_cast<std::size_t>(i)].inside(),
+      within(i % 6) && within(i / 6 % 6) && within(i / 36))
+      << i;
   }
 }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -19,6 +20,29 @@ Soup unmarked(Soup soup)
   return soup;
 }
 
+// Surfaces made of random bytes: no crash, no invalid cell.
+void expectValidMeshes(unsigned firstSeed, unsigned count)
+{
+  for (unsigned seed = firstSeed; seed < firstSeed + count; ++seed)
+  {
+    std::mt19937 random(seed);
+    std::vector<std::uint8_t> bytes(24 + random() % 200);
+    std::generate(bytes.begin(), bytes.end(), [&] { return static_cast<std::uint8_t>(random()); });
+    EXPECT_TRUE(meshesFromBytes(bytes.data(), bytes.size())) << "seed " << seed;
+  }
+}
+
+}
+
+TEST(Fuzz, RandomBytes)
+{
+  expectValidMeshes(0, 300);
+}
+
+// Run by hand: TestKernel --gtest_also_run_disabled_tests --gtest_filter=*HundredThousand*
+TEST(Fuzz, DISABLED_AHundredThousandRandomBytes)
+{
+  expectValidMeshes(1000, 100000);
 }
 
 TEST(Resources, OneBoxHoldsAllTriangles)

@@ -9,7 +9,8 @@ refinement = {"RefinementDepth": 0, "RefinementBlocks": [], "BoundaryRefinement"
 boundaries = {"BoundaryArray": ""}
 patches = {"PatchMethod": "Automatic", "FeatureAngle": 30.0, "MergeAngle": 10.0,
            "Tying": "Keep Nodes"}
-cells = {"SmallCells": "Remove", "MergeRatio": 0.1, "SmallCellRatio": 0.001, "SplitConcaveCells": 0}
+cells = {"CollapseRatio": 0.1, "SmallCells": "Merge", "MergeRatio": 0.015, "SmallCellRatio": 0.001,
+         "SplitConcaveCells": 1}
 settings = {"BoundaryNames": [], "BoundaryTypes": [], "BoundarySmallCellRatios": []}
 threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}

@@ -10,7 +10,8 @@ import foam
 from ducts import DUCTS, SPEED, solve
 from pipeline import DATA
 
-mesher = simple.CartesianMesher(Input=simple.OpenDataFile(str(DATA / "kcl_exhaust_header_lumens.stl")), CellSize=6)
+mesher = simple.CartesianMesher(Input=simple.OpenDataFile(str(DATA / "kcl_exhaust_header_lumens.stl")),
+    CellSize=6)
 with tempfile.TemporaryDirectory() as temporary:
     folder = foam.save(mesher, temporary)
     areas = foam.Files(folder).areas()
