@@ -25,8 +25,9 @@ constexpr double AfterDefects = 0.01; // while Boxes begin where Surface ends
 constexpr double AfterBoxes = 0.035;
 constexpr double AfterPatches = 0.12;
 constexpr double AfterSides = 0.23;
-constexpr double AfterInnerFaces = 0.335;
-constexpr double AfterCells = 0.39;
+constexpr double AfterInnerFaces = 0.26;
+constexpr double AfterCells = 0.305;
+constexpr double AfterShortEdges = 0.4;
 constexpr double AfterShaping = 0.92;
 constexpr double AfterNumbering = 0.955;
 
