@@ -352,6 +352,7 @@ public:
       next_.clear();
       for (const Proposal& proposal : proposals)
       {
+        execution_.poll();
         carryOut(proposal);
       }
       failing.clear();

@@ -531,29 +531,14 @@ private:
       cell.firstFace = part.faces.size();
       cell.sliver = shell.volume < 0 || isSliver(shell);
       cell.removed = cell.sliver ||
-        (spec_.smallCells == SmallCells::Remove && cell.volumeFraction < ratioOf(cell.boundary));
+        (spec_.smallCells == SmallCells::Remove &&
+          cell.volumeFraction < ratioOf(spec_, cell.boundary));
       part.cells.push_back(cell);
       for (const std::uint32_t f : shell.faces)
       {
         part.faces.push_back(faces_[f]);
       }
     }
-  }
-
-  // R of a boundary.
-  double ratioOf(std::int32_t boundary) const
-  {
-    if (spec_.boundaryRatios)
-    {
-      for (const BoundaryRatio& own : *spec_.boundaryRatios)
-      {
-        if (own.boundary == boundary)
-        {
-          return own.ratio;
-        }
-      }
-    }
-    return spec_.smallCellRatio;
   }
 
   // The boundary index that has the largest area of patches in the shell.
@@ -651,6 +636,21 @@ Cells join(const std::vector<Part>& parts, std::size_t boxes, Execution& executi
   return result;
 }
 
+}
+
+double ratioOf(const CellSpec& spec, std::int32_t boundary)
+{
+  if (spec.boundaryRatios)
+  {
+    for (const BoundaryRatio& own : *spec.boundaryRatios)
+    {
+      if (own.boundary == boundary)
+      {
+        return own.ratio;
+      }
+    }
+  }
+  return spec.smallCellRatio;
 }
 
 void findCellsOfInnerFaces(const InnerFaces& inner, Cells& cells, Execution& execution)

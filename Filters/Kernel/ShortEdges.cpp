@@ -143,6 +143,7 @@ private:
   {
     const std::size_t count = sides_.polyhedral.size();
     std::vector<std::vector<ShortEdge>> parts(chunks(count, BoxesAChunk));
+    execution_.nextLoop(0.3);
     execution_.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
       std::vector<ShortEdge>& edges = parts[begin / BoxesAChunk];
       for (std::size_t n = begin; n < end; ++n)
@@ -537,6 +538,7 @@ private:
   std::size_t collapseOnce()
   {
     choices_.assign(edges_.size(), {});
+    execution_.nextLoop(0.3);
     execution_.forEach(edges_.size(), EdgesAChunk, [&](std::size_t begin, std::size_t end) {
       Scratch scratch;
       for (std::size_t i = begin; i < end; ++i)
@@ -624,6 +626,7 @@ private:
     {
       bad.assign(merges_.size(), 0);
       std::vector<std::vector<std::uint32_t>> parts(chunks(merges_.size(), EdgesAChunk));
+      execution_.nextLoop(0.1);
       execution_.forEach(merges_.size(), EdgesAChunk, [&](std::size_t begin, std::size_t end) {
         Scratch scratch;
         for (std::size_t m = begin; m < end; ++m)
