@@ -40,9 +40,13 @@ int vtkCartesianMesher::RequestData(
         { static_cast<cartesian::PatchMethod>(this->PatchMethod), this->FeatureAngle,
           this->MergeAngle, static_cast<cartesian::Tying>(this->Tying) },
         execution);
-    const cartesian::CellSpec spec{ this->SmallCellRatio,
-      this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove,
-      this->MergeRatio, 15, this->SplitConcaveCells };
+    cartesian::CellSpec spec;
+    spec.collapseRatio = this->CollapseRatio;
+    spec.smallCellRatio = this->SmallCellRatio;
+    spec.smallCells =
+      this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove;
+    spec.mergeRatio = this->MergeRatio;
+    spec.splitConcave = this->SplitConcaveCells;
     const cartesian::Assembly assembly(boxed.boxes, patches, spec, execution);
     cartesian::toVTK(assembly, surface.names(), vtkUnstructuredGrid::GetData(output, 0),
       vtkPolyData::GetData(output, 1), execution);
@@ -58,6 +62,7 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "MergeAngle: " << this->MergeAngle << "\n";
   os << indent << "Tying: " << this->Tying << "\n";
+  os << indent << "CollapseRatio: " << this->CollapseRatio << "\n";
   os << indent << "SmallCells: " << this->SmallCells << "\n";
   os << indent << "MergeRatio: " << this->MergeRatio << "\n";
   os << indent << "SplitConcaveCells: " << this->SplitConcaveCells << "\n";

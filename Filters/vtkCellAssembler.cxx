@@ -47,9 +47,13 @@ int vtkCellAssembler::RequestData(
     const cartesian::Boxes boxes = cartesian::boxesFromVTK(vtkUnstructuredGrid::GetData(input[0]));
     const cartesian::Patches patches =
       cartesian::patchesFromVTK(vtkPolyData::GetData(input[1]), boxes);
-    const cartesian::CellSpec spec{ this->SmallCellRatio,
-      this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove,
-      this->MergeRatio, 15, this->SplitConcaveCells };
+    cartesian::CellSpec spec;
+    spec.collapseRatio = this->CollapseRatio;
+    spec.smallCellRatio = this->SmallCellRatio;
+    spec.smallCells =
+      this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove;
+    spec.mergeRatio = this->MergeRatio;
+    spec.splitConcave = this->SplitConcaveCells;
     const cartesian::Assembly assembly(boxes, patches, spec, execution);
     cartesian::toVTK(assembly, cartesian::boundaryNames(vtkDataObject::GetData(input[1])),
       vtkUnstructuredGrid::GetData(output, 0), vtkPolyData::GetData(output, 1), execution);
@@ -61,6 +65,7 @@ int vtkCellAssembler::RequestData(
 void vtkCellAssembler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "CollapseRatio: " << this->CollapseRatio << "\n";
   os << indent << "SmallCells: " << this->SmallCells << "\n";
   os << indent << "MergeRatio: " << this->MergeRatio << "\n";
   os << indent << "SplitConcaveCells: " << this->SplitConcaveCells << "\n";

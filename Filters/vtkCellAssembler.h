@@ -42,6 +42,16 @@ public:
   vtkTypeMacro(vtkCellAssembler, vtkCartesianAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
+  /**
+   * Edges shorter than this fraction of their box collapse, so that hardly any small cell is left
+   * (4.10): 0 (none) to 0.3; default 0.1. Corners of boxes move onto the surface; nodes of the surface
+   * move along it only.
+   */
+  vtkSetMacro(CollapseRatio, double);
+  vtkGetMacro(CollapseRatio, double);
+  ///@}
+
   /**
    * What becomes of small cells (4.10); default Merge.
    */
@@ -59,7 +69,7 @@ public:
   ///@{
   /**
    * With Merge: cells smaller than this fraction of their box are merged: 0 (none) to less than 1;
-   * default 0.1.
+   * default 0.015.
    */
   vtkSetMacro(MergeRatio, double);
   vtkGetMacro(MergeRatio, double);
@@ -93,10 +103,11 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
-  int SmallCells = Remove;
-  double MergeRatio = 0.1;
+  double CollapseRatio = 0.1;
+  int SmallCells = Merge;
+  double MergeRatio = 0.015;
   double SmallCellRatio = 1e-3;
-  bool SplitConcaveCells = false;
+  bool SplitConcaveCells = true;
 
 private:
   vtkCellAssembler(const vtkCellAssembler&) = delete;

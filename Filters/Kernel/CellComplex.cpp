@@ -338,11 +338,14 @@ void CellComplex::view(const std::vector<CellKey>& keys, CellView& view) const
     faces.begin(), faces.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
   for (const auto& [ring, use] : faces)
   {
+    // A removed cell's faces are boundary (4.10).
+    const CellKey other = across(use);
+    const bool exposed = other != None && !isAlive(other);
     view.faces.push_back(use);
-    view.across.push_back(across(use));
-    view.boundary.push_back(boundaryOf(use.face));
+    view.across.push_back(exposed ? CellKey(None) : other);
+    view.boundary.push_back(exposed ? boundaryOfCell(other) : boundaryOf(use.face));
     view.shape.corners.insert(view.shape.corners.end(), ring.begin(), ring.end());
-    view.shape.closeFace(view.across.back() == None || !isAlive(view.across.back()));
+    view.shape.closeFace(view.across.back() == None);
   }
 }
 
@@ -448,13 +451,14 @@ std::uint32_t CellComplex::nodeOfCorner(const Box& box, unsigned corner)
     low[0] + (corner & 1), static_cast<std::uint32_t>(nodes_.at.size()) };
   const std::size_t row = at.j + at.k * boxes_.planes[1].size();
   const Point p = cornerOf(box, corner);
-  const auto begin = nodes_.at.begin() + static_cast<std::ptrdiff_t>(nodes_.patchPoints);
+  const auto begin = nodes_.grid.begin();
   const auto end = begin + static_cast<std::ptrdiff_t>(nodes_.rowStart[row + 1]);
   const auto found =
     std::lower_bound(begin + static_cast<std::ptrdiff_t>(nodes_.rowStart[row]), end, p);
   if (found != end && *found == p)
   {
-    return static_cast<std::uint32_t>(found - nodes_.at.begin());
+    return static_cast<std::uint32_t>(nodes_.patchPoints) +
+      static_cast<std::uint32_t>(found - begin);
   }
   const auto [known, isNew] =
     nodeOfVertex_.emplace(at.i + row * std::uint64_t(boxes_.planes[0].size()), at.node);
@@ -854,10 +858,24 @@ void CellComplex::merge(CellKey small, CellKey into)
   to.place = measuredPlace(into);
 }
 
+void CellComplex::remove(CellKey key)
+{
+  changed_ = true;
+  open(key);
+  opened(key)->removed = true;
+  opened(key)->changed = true;
+}
+
 std::int32_t CellComplex::boundaryOf(std::uint32_t face) const
 {
   return isPatch(face) ? patches_.boundary[face]
                        : (isShaped(face) ? shaped(face).boundary : NoBoundary);
+}
+
+std::int32_t CellComplex::boundaryOfCell(CellKey key) const
+{
+  const OpenCell* cell = opened(key);
+  return cell ? cell->boundary : cells_.cells[key].boundary;
 }
 
 void CellComplex::removeFace(CellKey key, std::uint32_t face)
@@ -999,7 +1017,7 @@ void CellComplex::writeCells(const std::vector<std::uint32_t>& place, Execution&
     cell.box = open.box;
     cell.boundary = open.boundary;
     cell.removed = open.removed;
-    cell.sliver = open.removed && cells_.cells[open.origin].sliver;
+    cell.sliver = open.removed && open.origin < cells_.size() && cells_.cells[open.origin].sliver;
     cell.firstFace = result.faces.size();
     polyhedron.clear();
     const Box& box = boxes_.boxes[open.box];

@@ -57,11 +57,15 @@ public:
   // Gives the small cell's faces to the other but for those between them, which vanish.
   void merge(CellKey small, CellKey into);
 
+  // Its inner faces become boundary faces of its neighbours (4.10).
+  void remove(CellKey key);
+
   // Makes each group of faces of an opened cell, seen so, one.
   void join(CellKey key, const CellView& view, const JoinedFaces& joined);
 
   // In lattice levels.
   double volumeOfBox(CellKey key) const;
+  double volume(CellKey key) const { return placeAndVolume(key, boxes_.boxes[boxOf(key)].low).volume; }
 
   bool changed() const { return changed_; }
 
@@ -137,6 +141,7 @@ private:
   void insertNode(CellKey cell, std::uint32_t u, std::uint32_t v, std::uint32_t node);
 
   std::int32_t boundaryOf(std::uint32_t face) const;
+  std::int32_t boundaryOfCell(CellKey key) const;
   void removeFace(CellKey key, std::uint32_t face);
 
   void writeNodes();

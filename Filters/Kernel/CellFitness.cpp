@@ -15,6 +15,7 @@ constexpr double LeastInnerCosine = 0.258819045102521; // cos 75
 constexpr double LeastSlopeCosine = 0.342020143325669; // cos 70
 constexpr double MostSkewness = 4;
 constexpr double LeastVolumeRatio = 0.01;
+constexpr double LeastFaceWeight = 0.05;
 
 // OpenFOAM measures skewness over at least these parts of the distance of the centres, and of the
 // height above a boundary face.
@@ -85,6 +86,12 @@ int Fitness::count() const
   return std::accumulate(faults.begin(), faults.end(), 0);
 }
 
+int Fitness::weight() const
+{
+  static constexpr std::array<int, Faults> weights{ 4, 2, 16, 2, 1, 8, 1, 1 };
+  return std::inner_product(faults.begin(), faults.end(), weights.begin(), 0);
+}
+
 Fitness& Fitness::operator+=(const Fitness& other)
 {
   for (std::size_t i = 0; i < Faults; ++i)
@@ -136,12 +143,16 @@ Fitness fitnessOf(const Polyhedron& cell, const CellShape& shape, const std::vec
       steep = std::min(own, others) < LeastInnerCosine;
       skewed = isInnerSkewed(cell, shape, f, between);
       note(Fitness::InnerAngle, steep);
+      note(Fitness::Wrong, std::min({ own, others, dot(between, face.area) }) <= 0);
       note(Fitness::Steep, cosine(between, face.area) < LeastSlopeCosine);
       note(Fitness::Uneven,
         std::min(shape.volume, beyond[f].volume) <
           LeastVolumeRatio * std::max(shape.volume, beyond[f].volume));
+      const double near = std::abs(dot(minus(face.centre, shape.centre), face.area));
+      const double far = std::abs(dot(minus(beyond[f].centre, face.centre), face.area));
+      note(Fitness::Lopsided, std::min(near, far) < LeastFaceWeight * (near + far));
     }
-    note(Fitness::Skewed, skewed);
+    note(cell.isBoundary[f] ? Fitness::BoundarySkewed : Fitness::InnerSkewed, skewed);
     fitness.area += steep || skewed ? norm(face.area) : 0;
   }
   return fitness;

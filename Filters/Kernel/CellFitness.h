@@ -21,9 +21,12 @@ struct Fitness
   {
     BoundaryAngle, // 90 degrees or more between a boundary face's normal and the way to it (section 3)
     InnerAngle,    // 75 or more, seen from either cell
+    Wrong,         // ... 90 or more, or its normal points away from the way between the centres
     Steep,         // an inner face more than 70 degrees off the line between the centres
-    Skewed,        // a skewness over 4
+    BoundarySkewed, // a boundary face's skewness over 4
+    InnerSkewed,    // an inner face's
     Uneven,        // one of the two cells is smaller than a hundredth of the other
+    Lopsided,      // ... or its centre 20 times nearer to the face
     Faults
   };
 
@@ -31,6 +34,9 @@ struct Fitness
   double area = 0; // of the faces with a wrong angle or skewness
 
   int count() const;
+
+  // Faults weighed by how hard they are to mend later.
+  int weight() const;
   Fitness& operator+=(const Fitness& other);
 
   // In no kind.

@@ -13,6 +13,9 @@ namespace
 {
 
 constexpr std::size_t CellsAChunk = 512;
+// Faces that become one may cut off less than the rest of a cell.
+constexpr double LeastVolumeLeft = 0.8;
+
 constexpr double RadiansPerDegree = 3.14159265358979 / 180;
 
 // Those of the cells, in order, that are at fault.
@@ -65,6 +68,62 @@ void joinFacesOf(CellComplex& complex, CellKey key, double leastCosine)
   }
 }
 
+// Where no cut helps: makes a boundary face at fault and one of its neighbours one (the paper's IP
+// patches, 4.11). Returns whether it could.
+bool mendFace(CellComplex& complex, CellKey key)
+{
+  CellView view;
+  CellShape shape;
+  complex.view({ key }, view);
+  complex.lookBeyond(key, view);
+  measure(view.shape, shape);
+  const Fitness before = fitnessOf(view.shape, shape, view.beyond);
+  Fitness best = before;
+  JoinedFaces bestJoined;
+  for (std::uint32_t face = 0; face < view.faces.size(); ++face)
+  {
+    if (!view.shape.isBoundary[face] || view.across[face] != None || !isAtFault(view.shape, shape, face))
+    {
+      continue;
+    }
+    for (JoinedFaces& joined : joinFace(view, face))
+    {
+      std::vector<Beyond> beyond;
+      CellShape after;
+      const Polyhedron trial = shapeOf(view, joined, beyond);
+      measure(trial, after);
+      const Fitness fitness = fitnessOf(trial, after, beyond);
+      if (after.volume > LeastVolumeLeft * shape.volume && fitness.isBetterThan(best))
+      {
+        best = fitness;
+        bestJoined = std::move(joined);
+      }
+    }
+  }
+  if (bestJoined.groups.empty())
+  {
+    return false;
+  }
+  complex.open(key);
+  complex.join(key, view, bestJoined);
+  return true;
+}
+
+// What could not be merged and is small beyond use.
+std::size_t removeSmallCells(CellComplex& complex, double ratio)
+{
+  std::size_t removed = 0;
+  for (const CellKey key : complex.polyhedra())
+  {
+    if (complex.volume(key) < ratio * complex.volumeOfBox(key))
+    {
+      complex.remove(key);
+      ++removed;
+    }
+  }
+  return removed;
+}
+
 }
 
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
@@ -76,17 +135,15 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
     return shaping;
   }
   CellComplex complex(boxes, patches, sides, nodes, inner, cells, execution);
-  // Who chose the exact surface gets it.
-  const bool exact = std::find(patches.reason.begin(), patches.reason.end(),
-                       PatchReason::ExactFitChosen) != patches.reason.end();
+  const bool exact = isExact(patches);
   const double leastCosine = exact ? 1 : std::cos(spec.joinAngle * RadiansPerDegree);
-  const auto merge = [&] {
+  const auto merge = [&](bool mend) {
     if (spec.smallCells == SmallCells::Merge)
     {
-      shaping.cellsMerged += mergeSmallCells(complex, spec.mergeRatio, leastCosine, execution);
+      shaping.cellsMerged += mergeSmallCells(complex, spec.mergeRatio, mend, 1, execution);
     }
   };
-  merge();
+  merge(false);
   if (spec.splitConcave)
   {
     const std::vector<CellKey> atFault = cellsAtFault(complex, complex.polyhedra(), execution);
@@ -97,7 +154,20 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
     const Splitting splitting = splitCells(complex, cellsAtFault(complex, atFault, execution),
       spec.smallCells == SmallCells::Remove ? spec.smallCellRatio : 0, execution);
     shaping.cellsSplit = splitting.cellsSplit;
-    merge();
+    merge(true);
+    if (!exact)
+    {
+      for (const CellKey key : cellsAtFault(complex, complex.polyhedra(), execution))
+      {
+        while (mendFace(complex, key))
+        {
+        }
+      }
+    }
+  }
+  if (spec.smallCells == SmallCells::Merge && !exact)
+  {
+    shaping.cellsRemoved = removeSmallCells(complex, spec.smallCellRatio);
   }
   if (complex.changed())
   {

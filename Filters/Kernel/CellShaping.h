@@ -10,6 +10,7 @@ struct Shaping
 {
   std::size_t cellsSplit = 0; // cuts
   std::size_t cellsMerged = 0;
+  std::size_t cellsRemoved = 0; // too small, and no neighbour to merge them with
 };
 
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,

@@ -25,8 +25,6 @@ constexpr double LeastPart = 1e-3;
 // An edge bent by more (in radians) is worth a cut that helps nothing by itself.
 constexpr double LeastWorthyBend = 0.1;
 
-// ... and that lets this part of what failed before fail.
-constexpr double NoHarm = 1.0 + 1e-9;
 
 // Concave edges belong to one feature where they run within 45 degrees of each other.
 constexpr double ContinuesCosine = 0.707;
@@ -50,9 +48,8 @@ struct Proposal
 {
   CellKey key;
   double area; // of the faces at fault
-  bool found = false;
   CellView view;
-  CellCut cut;
+  std::vector<CellCut> cuts; // the fittest last
 };
 
 std::vector<ConcaveEdge> concaveEdges(const Polyhedron& cell, const CellShape& shape)
@@ -187,34 +184,61 @@ public:
   {
   }
 
-  // The fittest cut. Where none helps, one along the worst concave edge that does
-  // no harm: without concave edges nothing of the boundary fails.
-  bool run(CellCut& cut)
+  // Cuts that help, the fittest last. Where none does, one along the worst concave edge that does no
+  // harm: without concave edges nothing of the boundary fails.
+  std::vector<CellCut> run()
   {
     const std::vector<std::size_t> candidates = this->candidates();
     for (const std::size_t i : candidates)
     {
-      attempt(planeThrough(edges_[i], edges_, cell_), edges_[i].bend > LeastWorthyBend, cut);
+      attempt(planeThrough(edges_[i], edges_, cell_), edges_[i].bend > LeastWorthyBend);
     }
     for (std::size_t k = 0; k < 2; ++k)
     {
       for (const std::size_t i : candidates)
       {
-        if (!found_)
+        if (cuts_.empty())
         {
-          attempt(planeOf(edges_[i], k), false, cut);
+          attempt(planeOf(edges_[i], k), false);
         }
       }
     }
-    if (!found_ && hasFallback_ && before_.faults[Fitness::BoundaryAngle] > 0)
+    if (cuts_.empty())
     {
-      cut = std::move(fallback_);
-      found_ = true;
+      halve();
     }
-    return found_;
+    if (cuts_.empty() && hasFallback_ && before_.faults[Fitness::BoundaryAngle] > 0)
+    {
+      cuts_.push_back(std::move(fallback_));
+    }
+    return std::move(cuts_);
   }
 
 private:
+  // Across the centre, or half-way to a face at fault, which is nearer to the centre of its part then.
+  void halve()
+  {
+    for (std::size_t face = 0; face < cell_.faces(); ++face)
+    {
+      if (!isAtFault(cell_, shape_, face))
+      {
+        continue;
+      }
+      for (const double share : { 0.0, 0.5 })
+      {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          CutPlane plane;
+          plane.at = plus(shape_.centre,
+            scaled(minus(shape_.faces[face].centre, shape_.centre), share));
+          plane.normal = { 0, 0, 0 };
+          plane.normal[axis] = 1;
+          attempt(plane, false);
+        }
+      }
+    }
+  }
+
   // The worst edges, and those of faces that fail.
   std::vector<std::size_t> candidates() const
   {
@@ -242,7 +266,7 @@ private:
     return plane;
   }
 
-  void attempt(const CutPlane& plane, bool worthy, CellCut& cut)
+  void attempt(const CutPlane& plane, bool worthy)
   {
     if (best_.count() == 0 || !cutCell(cell_, plane, trial_))
     {
@@ -250,14 +274,13 @@ private:
     }
     const std::optional<Fitness> after =
       fitnessAfter(view_, trial_, std::max(LeastPart * shape_.volume, leastVolume_));
-    if (after && after->isBetterThan(best_))
+    if (after && after->weight() < best_.weight())
     {
       best_ = *after;
-      found_ = true;
-      std::swap(cut, trial_);
+      cuts_.push_back(std::move(trial_));
+      trial_ = {};
     }
-    else if (after && worthy && !hasFallback_ && after->isNoWorseThan(before_) &&
-      after->area <= before_.area * NoHarm)
+    else if (after && worthy && !hasFallback_ && after->weight() <= before_.weight())
     {
       hasFallback_ = true;
       std::swap(fallback_, trial_);
@@ -271,10 +294,10 @@ private:
   Fitness before_;
   Fitness best_;
   std::vector<ConcaveEdge> edges_;
+  std::vector<CellCut> cuts_;
   CellCut trial_;
   CellCut fallback_;
   bool hasFallback_ = false;
-  bool found_ = false;
 };
 
 void propose(const CellComplex& cells, double leastFraction, Proposal& proposal)
@@ -285,7 +308,7 @@ void propose(const CellComplex& cells, double leastFraction, Proposal& proposal)
   measure(proposal.view.shape, shape);
   proposal.area = fitnessOf(proposal.view.shape, shape, proposal.view.beyond).area;
   const double least = leastFraction * cells.volumeOfBox(proposal.key);
-  proposal.found = Search(proposal.view, shape, least).run(proposal.cut);
+  proposal.cuts = Search(proposal.view, shape, least).run();
 }
 
 bool isThin(const CellComplex& cells, CellKey key)
@@ -310,21 +333,52 @@ bool fails(const CellComplex& cells, CellKey key)
   return isAnyAtFault(polyhedron, shape);
 }
 
-}
-
-Splitting splitCells(
-  CellComplex& cells, std::vector<CellKey> failing, double leastFraction, Execution& execution)
+class Splitter
 {
-  Splitting result;
-  std::set<CellKey> failed;
-  for (int round = 0; !failing.empty() && round < MostRounds; ++round)
+public:
+  Splitter(CellComplex& cells, double leastFraction, Execution& execution)
+    : cells_(cells)
+    , leastFraction_(leastFraction)
+    , execution_(execution)
+  {
+  }
+
+  Splitting run(std::vector<CellKey> failing)
+  {
+    for (int round = 0; !failing.empty() && round < MostRounds; ++round)
+    {
+      std::vector<Proposal> proposals = propose(failing);
+      taken_.clear();
+      next_.clear();
+      for (const Proposal& proposal : proposals)
+      {
+        carryOut(proposal);
+      }
+      failing.clear();
+      for (const CellKey key : next_)
+      {
+        failed_.erase(key);
+        if (fails(cells_, key))
+        {
+          failing.push_back(key);
+        }
+      }
+    }
+    failed_.insert(failing.begin(), failing.end());
+    result_.failed.assign(failed_.begin(), failed_.end());
+    return result_;
+  }
+
+private:
+  // Those with most at fault first.
+  std::vector<Proposal> propose(const std::vector<CellKey>& failing) const
   {
     std::vector<Proposal> proposals(failing.size());
-    execution.forEach(failing.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    execution_.forEach(failing.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
       {
         proposals[i].key = failing[i];
-        propose(cells, leastFraction, proposals[i]);
+        cartesian::propose(cells_, leastFraction_, proposals[i]);
       }
     });
     std::sort(proposals.begin(), proposals.end(), [](const Proposal& x, const Proposal& y) {
@@ -332,50 +386,54 @@ Splitting splitCells(
       const auto b = static_cast<float>(y.area);
       return a != b ? a > b : x.key < y.key;
     });
-    std::set<CellKey> taken;
-    std::set<CellKey> next;
-    for (Proposal& proposal : proposals)
-    {
-      if (!proposal.found)
-      {
-        failed.insert(proposal.key);
-        continue;
-      }
-      cells.open(proposal.key);
-      const std::vector<CellKey> touched =
-        cells.touchedBy(proposal.key, proposal.view, proposal.cut);
-      if (cells.meetsNode(touched, proposal.view, proposal.cut) ||
-        std::any_of(
-          touched.begin() + 1, touched.end(), [&](CellKey k) { return isThin(cells, k); }))
-      {
-        failed.insert(proposal.key);
-        continue;
-      }
-      if (std::any_of(touched.begin(), touched.end(), [&](CellKey k) { return taken.count(k); }))
-      {
-        next.insert(proposal.key);
-        continue;
-      }
-      taken.insert(touched.begin(), touched.end());
-      next.insert(touched.begin(), touched.end());
-      std::vector<CellKey> parts;
-      cells.cut(proposal.key, proposal.view, proposal.cut, parts);
-      next.insert(parts.begin(), parts.end());
-      ++result.cellsSplit;
-    }
-    failing.clear();
-    for (const CellKey key : next)
-    {
-      failed.erase(key);
-      if (fails(cells, key))
-      {
-        failing.push_back(key);
-      }
-    }
+    return proposals;
   }
-  failed.insert(failing.begin(), failing.end());
-  result.failed.assign(failed.begin(), failed.end());
-  return result;
+
+  bool isTaken(CellKey key) const { return taken_.count(key) > 0; }
+
+  // The fittest cut that spoils no cell beyond; in the next round, if another cut has changed one.
+  void carryOut(const Proposal& proposal)
+  {
+    cells_.open(proposal.key);
+    for (auto cut = proposal.cuts.rbegin(); cut != proposal.cuts.rend(); ++cut)
+    {
+      const std::vector<CellKey> touched = cells_.touchedBy(proposal.key, proposal.view, *cut);
+      if (std::any_of(touched.begin(), touched.end(), [&](CellKey k) { return isTaken(k); }))
+      {
+        next_.insert(proposal.key);
+        return;
+      }
+      if (!cells_.meetsNode(touched, proposal.view, *cut) &&
+        std::none_of(
+          touched.begin() + 1, touched.end(), [&](CellKey k) { return isThin(cells_, k); }))
+      {
+        taken_.insert(touched.begin(), touched.end());
+        next_.insert(touched.begin(), touched.end());
+        std::vector<CellKey> parts;
+        cells_.cut(proposal.key, proposal.view, *cut, parts);
+        next_.insert(parts.begin(), parts.end());
+        ++result_.cellsSplit;
+        return;
+      }
+    }
+    failed_.insert(proposal.key);
+  }
+
+  CellComplex& cells_;
+  double leastFraction_;
+  Execution& execution_;
+  Splitting result_;
+  std::set<CellKey> failed_;
+  std::set<CellKey> taken_; // changed in this round
+  std::set<CellKey> next_;  // to be looked at in the next
+};
+
+}
+
+Splitting splitCells(
+  CellComplex& cells, std::vector<CellKey> failing, double leastFraction, Execution& execution)
+{
+  return Splitter(cells, leastFraction, execution).run(std::move(failing));
 }
 
 }

@@ -176,8 +176,37 @@ private:
       }
       i = end;
     }
+    joinFlatCells();
     joinAtSharedEdges();
     return true;
+  }
+
+  // A patch that lies on an inner face (ShortEdges.h) is a cell without volume with it, whatever else
+  // has its edges.
+  void joinFlatCells()
+  {
+    if (shared_.empty())
+    {
+      return;
+    }
+    cycles_.clear();
+    for (std::uint32_t face = 0; face < faces_.size(); ++face)
+    {
+      const bool patch = faces_[face].kind() == FaceRef::Kind::Patch;
+      cycles_.emplace_back(cycleOf(face, patch), face);
+    }
+    std::sort(cycles_.begin(), cycles_.end());
+    for (std::size_t i = 0; i + 1 < cycles_.size(); ++i)
+    {
+      const std::uint32_t f = cycles_[i].second;
+      const std::uint32_t g = cycles_[i + 1].second;
+      const bool patch = faces_[f].kind() == FaceRef::Kind::Patch;
+      const bool other = faces_[g].kind() == FaceRef::Kind::Patch;
+      if (cycles_[i].first == cycles_[i + 1].first && patch != other)
+      {
+        join(f, g);
+      }
+    }
   }
 
   void listEdges()
@@ -399,6 +428,10 @@ private:
     }
     for (const Shell& shell : shells_)
     {
+      if (shell.faces.size() == 2) // of no volume
+      {
+        continue;
+      }
       cycles_.clear();
       for (const std::uint32_t face : shell.faces)
       {

@@ -84,16 +84,20 @@ enum class SmallCells
 
 struct CellSpec
 {
+  // Edges shorter than this part of their box collapse (ShortEdges.h); 0: none.
+  double collapseRatio = 0.1;
+  double featureAngle = 30; // in degrees, of the edges that stay in place
+
   // R, from 0 to less than 1: cells below this part of their box's volume are removed.
   double smallCellRatio = 1e-3;
 
-  SmallCells smallCells = SmallCells::Remove;
-  double mergeRatio = 0.1; // cells below this part of their box's volume are merged
+  SmallCells smallCells = SmallCells::Merge;
+  double mergeRatio = 0.015; // cells below this part of their box's volume are merged
 
   // Boundary faces of merged cells become one where their normals differ by less, in degrees.
   double joinAngle = 15;
 
-  bool splitConcave = false; // cells that fail an angle condition of section 3
+  bool splitConcave = true; // cells that fail an angle condition of section 3
 };
 
 // Calls visit(node) for the corners of a face, counter-clockwise from outside its cell.

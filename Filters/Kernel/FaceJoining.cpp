@@ -115,6 +115,23 @@ public:
     }
   }
 
+  // A boundary face with each of its neighbours in turn, whatever the angle.
+  std::vector<JoinedFaces> runWith(std::uint32_t face)
+  {
+    listEdges();
+    std::vector<JoinedFaces> results;
+    const JoinedFaces apart = joined_;
+    for (const auto& [f, g] : pairs_)
+    {
+      if ((f == face || g == face) && join(f, g))
+      {
+        results.push_back(withoutEmpty(std::move(joined_)));
+        joined_ = apart;
+      }
+    }
+    return results;
+  }
+
   JoinedFaces run()
   {
     listEdges();
@@ -126,14 +143,19 @@ public:
         joined = join(groupOf_[f], groupOf_[g]) || joined;
       }
     }
-    auto& groups = joined_.groups;
-    groups.erase(std::remove_if(groups.begin(), groups.end(),
-                   [](const JoinedFaces::Group& group) { return group.members.empty(); }),
-      groups.end());
-    return std::move(joined_);
+    return withoutEmpty(std::move(joined_));
   }
 
 private:
+  static JoinedFaces withoutEmpty(JoinedFaces joined)
+  {
+    auto& groups = joined.groups;
+    groups.erase(std::remove_if(groups.begin(), groups.end(),
+                   [](const JoinedFaces::Group& group) { return group.members.empty(); }),
+      groups.end());
+    return joined;
+  }
+
   // The faces on either side of each edge; where there are not two, none is joined.
   void listEdges()
   {
@@ -241,6 +263,12 @@ private:
 JoinedFaces joinFaces(const CellView& view, double leastCosine)
 {
   return Joiner(view, leastCosine).run();
+}
+
+std::vector<JoinedFaces> joinFace(const CellView& view, std::uint32_t face)
+{
+  constexpr double AnyAngle = -1;
+  return Joiner(view, AnyAngle).runWith(face);
 }
 
 Polyhedron shapeOf(const CellView& view, const JoinedFaces& joined, std::vector<Beyond>& beyond)

@@ -21,6 +21,9 @@ struct JoinedFaces
 // faces are joined at all.
 JoinedFaces joinFaces(const CellView& view, double leastCosine);
 
+// All ways to make a boundary face and one neighbour of the same boundary one, whatever their angle.
+std::vector<JoinedFaces> joinFace(const CellView& view, std::uint32_t face);
+
 // The view's shape with the groups for faces, and what is beyond them.
 Polyhedron shapeOf(const CellView& view, const JoinedFaces& joined, std::vector<Beyond>& beyond);
 

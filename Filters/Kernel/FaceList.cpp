@@ -2,6 +2,7 @@
 
 #include "Error.h"
 #include "Sorting.h"
+#include "Vector.h"
 
 #include <array>
 #include <limits>
@@ -237,22 +238,25 @@ void turnOutward(CellFaces& cells, const std::vector<double>& points, Execution&
   const auto point = [&](std::size_t corner, std::size_t from) {
     const double* p = points.data() + 3 * std::size_t(cells.corners[corner]);
     const double* q = points.data() + 3 * std::size_t(cells.corners[from]);
-    return std::array<double, 3>{ p[0] - q[0], p[1] - q[1], p[2] - q[2] };
+    return Vector{ p[0] - q[0], p[1] - q[1], p[2] - q[2] };
   };
   const auto volume = [&](std::size_t cell) {
-    double sum = 0;
+    double sum = 0; // six times, by star triangulation (equation 1)
     const std::size_t from = cells.firstCorner[cells.firstFace[cell]];
     for (std::size_t f = cells.firstFace[cell]; f < cells.firstFace[cell + 1]; ++f)
     {
-      const std::size_t first = cells.firstCorner[f];
-      const auto a = point(first, from);
-      for (std::size_t i = first + 1; i + 1 < cells.firstCorner[f + 1]; ++i)
+      Vector mean{ 0, 0, 0 };
+      Vector twice{ 0, 0, 0 };
+      const std::size_t end = cells.firstCorner[f + 1];
+      Vector before = point(end - 1, from);
+      for (std::size_t i = cells.firstCorner[f]; i < end; ++i)
       {
-        const auto b = point(i, from);
-        const auto c = point(i + 1, from);
-        sum += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-          a[2] * (b[0] * c[1] - b[1] * c[0]);
+        const Vector now = point(i, from);
+        mean = plus(mean, now);
+        twice = plus(twice, cross(before, now));
+        before = now;
       }
+      sum += dot(mean, twice) / static_cast<double>(end - cells.firstCorner[f]);
     }
     return sum;
   };

@@ -91,7 +91,7 @@ void Mesh::numberNodes()
       if (used_[node])
       {
         std::uint32_t i = 0;
-        const bool vertex = VertexRows::isVertex(parts_.boxes.planes, nodes.at[node], j, k, i);
+        const bool vertex = VertexRows::isVertex(parts_.boxes.planes, nodes.grid[c], j, k, i);
         nodePoint_[node] = static_cast<std::uint32_t>(vertex
             ? vertices_.number(i, static_cast<std::uint32_t>(j), static_cast<std::uint32_t>(k))
             : points_++);

@@ -1,6 +1,7 @@
 #include "Mesher.h"
 
 #include "Error.h"
+#include "ShortEdges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -157,17 +158,22 @@ BoxedSurface boxSurface(
 Assembly::Assembly(
   const Boxes& boxes, const Patches& patches, const CellSpec& spec, Execution& execution)
   : boxes_(boxes)
-  , patches_(&patches)
 {
   if (!(spec.smallCellRatio >= 0 && spec.smallCellRatio < 1))
   {
     throw Error(Fault::BadParameter,
       "Small Cell Ratio is " + number(spec.smallCellRatio) + ": it must be from 0 to less than 1.");
   }
+  if (!(spec.collapseRatio >= 0 && spec.collapseRatio <= MostCollapseRatio))
+  {
+    throw Error(Fault::BadParameter,
+      "Collapse Ratio is " + number(spec.collapseRatio) + ": it must be from 0 to " +
+        number(MostCollapseRatio) + ".");
+  }
   execution.stage("Common sides of boxes", AfterPatches, AfterSides);
   sides_ = findSides(boxes, execution);
-  assemble(spec, execution);
-  rebuildFlawed(spec, execution);
+  assemble(patches, spec, execution);
+  rebuildFlawed(patches, spec, execution);
   execution.stage("Shaping of cells", AfterCells, AfterShaping);
   shaping_ = shapeCells(boxes, *patches_, sides_, nodes_, inner_, cells_, spec, execution);
   execution.stage("Numbering", AfterShaping, AfterNumbering);
@@ -187,18 +193,33 @@ Assembly::Assembly(
   }
 }
 
-void Assembly::assemble(const CellSpec& spec, Execution& execution)
+void Assembly::collapse(const CellSpec& spec, Execution& execution)
 {
+  if (spec.collapseRatio > 0)
+  {
+    collapsed_ = std::make_unique<Patches>(*patches_);
+    nodesCollapsed_ = collapseShortEdges(boxes_, sides_,
+      { spec.collapseRatio, spec.featureAngle, isExact(*patches_) }, *collapsed_, nodes_, inner_,
+      execution);
+    patches_ = collapsed_.get();
+  }
+}
+
+void Assembly::assemble(const Patches& patches, const CellSpec& spec, Execution& execution)
+{
+  patches_ = &patches;
   nodes_ = findNodes(boxes_, *patches_, sides_, execution);
   execution.stage("Inner faces", AfterSides, AfterInnerFaces);
   inner_ = generateInnerFaces(boxes_, *patches_, sides_, nodes_, execution);
+  collapse(spec, execution);
   execution.stage("Cells", AfterInnerFaces, AfterCells);
   cells_ = assembleCells(boxes_, *patches_, sides_, nodes_, inner_, spec, execution);
 }
 
 // Each time the boxes that still are flawed keep less.
-void Assembly::rebuildFlawed(const CellSpec& spec, Execution& execution)
+void Assembly::rebuildFlawed(const Patches& given, const CellSpec& spec, Execution& execution)
 {
+  const Patches* patches = &given;
   std::vector<std::uint8_t> rebuilt(sides_.polyhedral.size());
   for (const GivenUp givenUp : { GivenUp::Nothing, GivenUp::Chords, GivenUp::Crossings })
   {
@@ -207,15 +228,18 @@ void Assembly::rebuildFlawed(const CellSpec& spec, Execution& execution)
       break;
     }
     execution.stage("Flawed boxes", AfterCells, AfterCells);
+    // As they were before edges collapsed.
+    const Nodes nodes = findNodes(boxes_, *patches, sides_, execution);
+    const InnerFaces inner = generateInnerFaces(boxes_, *patches, sides_, nodes, execution);
     RebuiltPatches next =
-      rebuildFlawedBoxes(boxes_, *patches_, sides_, nodes_, inner_, cells_.flawed, givenUp);
+      rebuildFlawedBoxes(boxes_, *patches, sides_, nodes, inner, cells_.flawed, givenUp);
     for (std::size_t n = 0; n < rebuilt.size(); ++n)
     {
       rebuilt[n] = rebuilt[n] | next.boxes[n];
     }
     rebuilt_ = std::move(next);
-    patches_ = &rebuilt_.patches;
-    assemble(spec, execution);
+    patches = &rebuilt_.patches;
+    assemble(*patches, spec, execution);
   }
   rebuilt_.boxes.swap(rebuilt);
 }

@@ -86,15 +86,18 @@ public:
   std::vector<std::pair<const char*, double>> statistics() const;
 
 private:
-  void assemble(const CellSpec& spec, Execution& execution);
-  void rebuildFlawed(const CellSpec& spec, Execution& execution);
+  void assemble(const Patches& patches, const CellSpec& spec, Execution& execution);
+  void collapse(const CellSpec& spec, Execution& execution);
+  void rebuildFlawed(const Patches& given, const CellSpec& spec, Execution& execution);
 
   const Boxes& boxes_;
-  const Patches* patches_; // the caller's, or those in rebuilt_
+  const Patches* patches_ = nullptr; // the caller's, or those in rebuilt_, or in collapsed_
   RebuiltPatches rebuilt_;
   Sides sides_;
   Nodes nodes_;
   InnerFaces inner_;
+  std::unique_ptr<Patches> collapsed_; // patches_, where edges collapsed
+  std::size_t nodesCollapsed_ = 0;
   Cells cells_;
   Shaping shaping_;
   std::unique_ptr<Mesh> mesh_;

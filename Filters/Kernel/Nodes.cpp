@@ -185,6 +185,7 @@ Nodes findNodes(
   nodes.at.reserve(patches.points.size() + numbering.points.size());
   nodes.at = patches.points;
   nodes.at.insert(nodes.at.end(), numbering.points.begin(), numbering.points.end());
+  nodes.grid.swap(numbering.points);
   nodes.rowStart.swap(numbering.rowStart);
   return nodes;
 }

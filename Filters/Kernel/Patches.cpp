@@ -349,6 +349,12 @@ void cutPieces(const Surface& surface, const Features& features, const Boxes& bo
 
 }
 
+bool isExact(const Patches& patches)
+{
+  return std::find(patches.reason.begin(), patches.reason.end(), PatchReason::ExactFitChosen) !=
+    patches.reason.end();
+}
+
 Patches generatePatches(const Surface& surface, const Boxes& boxes, const Shoeboxes& shoeboxes,
   const PatchSpec& spec, Execution& execution)
 {

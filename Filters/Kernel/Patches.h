@@ -24,6 +24,9 @@ struct Patches
   std::size_t size() const { return triangle.size(); }
 };
 
+// Whether the user chose the exact surface: then nothing may approximate it.
+bool isExact(const Patches& patches);
+
 // Where finer neighbours divide a side of a box, its patches have nodes on the lines between them, so
 // that patches meet corner to corner across the side. Throws Error: BadParameter.
 Patches generatePatches(const Surface& surface, const Boxes& boxes, const Shoeboxes& shoeboxes,

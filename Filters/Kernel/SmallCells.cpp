@@ -16,7 +16,7 @@ constexpr std::size_t CellsAChunk = 64;
 constexpr double NoAngle = 2;
 
 // As many neighbours are tried, those that share most area.
-constexpr std::size_t MostNeighbours = 4;
+constexpr std::size_t MostNeighbours = 6;
 
 // Chains of small cells end sooner.
 constexpr int MostRounds = 50;
@@ -48,9 +48,10 @@ struct Merging
 class Merger
 {
 public:
-  Merger(CellComplex& cells, double ratio, double leastCosine, Execution& execution)
+  Merger(CellComplex& cells, double ratio, bool mend, double leastCosine, Execution& execution)
     : cells_(cells)
     , ratio_(ratio)
+    , mend_(mend)
     , leastCosine_(leastCosine)
     , execution_(execution)
   {
@@ -86,7 +87,7 @@ private:
         cells_.shape(keys[i], polyhedron);
         measure(polyhedron, shape);
         const double volume = shape.volume / cells_.volumeOfBox(keys[i]);
-        if (volume < ratio_ || isAnyAtFault(polyhedron, shape))
+        if (volume < ratio_ || (mend_ && volume < 2.5 && isAnyAtFault(polyhedron, shape)))
         {
           const auto neighbours = cells_.neighbours(keys[i]);
           candidates_[i].key = keys[i];
@@ -128,8 +129,7 @@ private:
       for (std::size_t f = 0; f < view.faces.size(); ++f)
       {
         const bool between = std::find(keys.begin(), keys.end(), view.across[f]) != keys.end();
-        const bool counted = between ? !view.faces[f].turned : !goesToo(view.across[f]);
-        counts.push_back(counted ? 1 : 0);
+        counts.push_back(between && view.faces[f].turned ? 0 : 1);
       }
       sum += fitnessOf(view.shape, shape, view.beyond, counts);
     }
@@ -146,17 +146,8 @@ private:
     std::vector<Beyond> beyond;
     const Polyhedron joined = shapeOf(merging.view, merging.joined, beyond);
     measure(joined, shape);
-    std::vector<std::uint8_t> counts;
-    for (const JoinedFaces::Group& group : merging.joined.groups)
-    {
-      counts.push_back(goesToo(merging.view.across[group.members.front()]) ? 0 : 1);
-    }
-    return fitnessOf(joined, shape, beyond, counts);
+    return fitnessOf(joined, shape, beyond);
   }
-
-  // Small cells side by side, each on its own neighbour: the first that goes leaves a step, the last
-  // none. So what lies between a cell and another small one is not counted.
-  bool goesToo(CellKey key) const { return small_.count(key) > 0; }
 
   // Carries it out unless another has changed one of the cells or what is beyond: then later.
   void merge(const Merging& merging)
@@ -211,7 +202,7 @@ private:
     execution_.forEach(groups.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
       {
-        if (!together(groups[i]).isNoWorseThan(apart(groups[i].keys)))
+        if (together(groups[i]).weight() > apart(groups[i].keys).weight())
         {
           groups[i].keys.clear();
         }
@@ -229,21 +220,23 @@ private:
       candidates_.end());
   }
 
+  // The neighbour with which least is at fault.
   void choose(const Candidate& candidate, Merging& merging) const
   {
     auto neighbours = cells_.neighbours(candidate.key);
     neighbours.resize(std::min(neighbours.size(), MostNeighbours));
+    int best = 0; // change of weight
     for (const auto& [other, area] : neighbours)
     {
-      merging.keys = { other, candidate.key };
-      const Fitness after = together(merging);
-      const Fitness before = apart(merging.keys);
-      if (candidate.small ? after.isNoWorseThan(before) : after.isBetterThan(before))
+      Merging trial;
+      trial.keys = { other, candidate.key };
+      const int change = together(trial).weight() - apart(trial.keys).weight();
+      if (change < best || (candidate.small && merging.keys.empty() && change == 0))
       {
-        return;
+        best = change;
+        merging = std::move(trial);
       }
     }
-    merging.keys.clear();
   }
 
   void mergeOneByOne()
@@ -274,6 +267,7 @@ private:
 
   CellComplex& cells_;
   double ratio_;
+  bool mend_;
   double leastCosine_;
   Execution& execution_;
   std::vector<Candidate> candidates_; // the smallest first
@@ -286,9 +280,9 @@ private:
 }
 
 std::size_t mergeSmallCells(
-  CellComplex& cells, double ratio, double leastCosine, Execution& execution)
+  CellComplex& cells, double ratio, bool mend, double leastCosine, Execution& execution)
 {
-  return Merger(cells, ratio, leastCosine, execution).run();
+  return Merger(cells, ratio, mend, leastCosine, execution).run();
 }
 
 }

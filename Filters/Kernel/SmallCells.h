@@ -12,6 +12,6 @@ namespace cartesian
 // better). Faces of the result are joined (FaceJoining.h). In rounds, the smallest first, so that the
 // result depends on the cells only. Returns how many were merged.
 std::size_t mergeSmallCells(
-  CellComplex& cells, double ratio, double leastCosine, Execution& execution);
+  CellComplex& cells, double ratio, bool mend, double leastCosine, Execution& execution);
 
 }

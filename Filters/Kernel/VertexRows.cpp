@@ -85,7 +85,7 @@ private:
     {
       const std::size_t node = nodes_.patchPoints + c;
       std::uint32_t i = 0;
-      if (used_[node] && VertexRows::isVertex(boxes_.planes, nodes_.at[node], j, k, i))
+      if (used_[node] && VertexRows::isVertex(boxes_.planes, nodes_.grid[c], j, k, i))
       {
         mark(i);
       }

@@ -76,6 +76,7 @@ PatchSpec exactFit()
 CellSpec asTheyAre(double smallCellRatio)
 {
   CellSpec spec;
+  spec.collapseRatio = 0;
   spec.smallCellRatio = smallCellRatio;
   spec.smallCells = SmallCells::Remove;
   spec.splitConcave = false;

@@ -124,7 +124,7 @@ TEST(Polyhedron, ANarrowFaceFarFromTheCentreIsSkewed)
   CellShape shape;
   measure(slab, shape);
   EXPECT_EQ(faultsOf(slab)[Fitness::BoundaryAngle], 0);
-  EXPECT_EQ(faultsOf(slab)[Fitness::Skewed], 1);
+  EXPECT_EQ(faultsOf(slab)[Fitness::BoundarySkewed], 1);
   EXPECT_TRUE(isAtFault(slab, shape, 4));
   EXPECT_FALSE(isAtFault(slab, shape, 5));
 }

@@ -33,8 +33,7 @@ def solve(folder):
     return foam.read_flows(folder, 0), foam.read_field(folder, 0, "U")
 
 
-mesher = simple.CartesianMesher(Input=read("kcl_exhaust_header_lumens.stl"), CellSize=6,
-    PatchMethod="Exact Fit")
+mesher = simple.CartesianMesher(Input=read("kcl_exhaust_header_lumens.stl"), CellSize=6)
 with tempfile.TemporaryDirectory() as temporary:
     folder = foam.save(mesher, temporary)
     areas = foam.Files(folder).areas()
