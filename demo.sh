@@ -13,7 +13,7 @@ cell_size=${2:-0}
 (
   cd "$here"
   cmake --preset release --log-level=WARNING
-  cmake --build --preset release --target CartesianMesher
+  cmake --build --preset release --target CartesianMesher vtkCartesianMesherFiltersPython
 )
 PV_PLUGIN_PATH=$here/build/release/lib/paraview-5.11/plugins \
   exec xvfb-run -a pvpython "$here/Plugin/demo.py" "$surface" "$cell_size"

@@ -7,8 +7,6 @@
 #include "vtkInformationVector.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <algorithm>
-
 static_assert(
   cartesian::errorCode(cartesian::Fault::EmptySurface) == vtkCartesianAlgorithm::EmptySurface);
 static_assert(
@@ -19,14 +17,12 @@ bool vtkCartesianAlgorithm::Run(
 {
   this->SetErrorCode(vtkErrorCode::NoError);
   const auto runIt = [&] {
-    double progress = 0;
-    cartesian::Execution execution(this->NumberOfThreads, [&](double fraction, const char* stage) {
-      // A stage may be several loops, each of which begins where the stage does.
-      progress = std::max(progress, (fraction - begin) / (end - begin));
+    const auto monitor = [&](double fraction, const char* stage) {
       this->SetProgressText(stage);
-      this->UpdateProgress(progress);
+      this->UpdateProgress(fraction);
       return !this->CheckAbort();
-    });
+    };
+    cartesian::Execution execution(this->NumberOfThreads, monitor, begin, end);
     work(execution);
   };
   return cartesian::guarded(runIt, [this](unsigned long code, const std::string& message) {

@@ -18,7 +18,9 @@
 #include "vtkDataObjectAlgorithm.h"
 
 #include <functional> // for std::function
+#include <ostream>    // for what PrintColumn prints
 #include <string>     // for std::string
+#include <vector>     // for std::vector
 
 namespace cartesian
 {
@@ -91,6 +93,46 @@ protected:
    * True on all processes but the first: they give an empty output.
    */
   static bool IsLeftToFirstProcess(vtkInformation* request, vtkInformationVector* output);
+
+  ///@{
+  /**
+   * For properties that are tables: new rows are empty; a row that is not there is an error.
+   */
+  template <class Row>
+  void Resize(std::vector<Row>& table, int number)
+  {
+    if (number >= 0 && table.size() != static_cast<std::size_t>(number))
+    {
+      table.resize(static_cast<std::size_t>(number), Row{});
+      this->Modified();
+    }
+  }
+  template <class Row>
+  void SetRow(std::vector<Row>& table, int row, const Row& values)
+  {
+    if (row < 0 || static_cast<std::size_t>(row) >= table.size())
+    {
+      vtkErrorMacro("There is no row " << row << ": set the number of rows first.");
+      return;
+    }
+    if (table[static_cast<std::size_t>(row)] != values)
+    {
+      table[static_cast<std::size_t>(row)] = values;
+      this->Modified();
+    }
+  }
+  template <class Row>
+  static void PrintColumn(
+    ostream& os, vtkIndent indent, const std::string& name, const std::vector<Row>& table)
+  {
+    os << indent << name << ":";
+    for (const Row& row : table)
+    {
+      os << " " << row;
+    }
+    os << "\n";
+  }
+  ///@}
 
   int NumberOfThreads = 0;
 

@@ -5,6 +5,7 @@
 #include "DefectsToVTK.h"
 #include "Error.h"
 #include "Mesher.h"
+#include "SizeEstimate.h"
 #include "SurfaceBlocks.h"
 #include "SurfaceFromVTK.h"
 
@@ -44,6 +45,21 @@ void PrintTable(ostream& os, vtkIndent indent, const char* name, const Table& ta
     }
     os << "\n";
   }
+}
+
+// Significant digits of ExpectedBoxes.
+constexpr int DigitsOfSizes = 3;
+constexpr int DigitsOfNumbers = 2;
+
+double Rounded(double value, int digits)
+{
+  if (!(value > 0))
+  {
+    return 0;
+  }
+  const int last = static_cast<int>(std::floor(std::log10(value))) + 1 - digits;
+  const double unit = std::pow(10, std::abs(last));
+  return last > 0 ? std::round(value / unit) * unit : std::round(value * unit) / unit;
 }
 
 // Tables hold doubles; all their numbers are whole.
@@ -90,6 +106,8 @@ vtkCartesianBoxer::vtkCartesianBoxer()
 {
   this->SetNumberOfInputPorts(2);
 }
+
+vtkCartesianBoxer::~vtkCartesianBoxer() = default;
 
 int vtkCartesianBoxer::GetNumberOfRefinedBoundaryArrays()
 {
@@ -143,31 +161,6 @@ void vtkCartesianBoxer::SetBoundaryRefinement(
   int row, double boundary, double depth, double blendLayers, double blendBelow)
 {
   this->SetRow(this->BoundaryRefinements, row, { boundary, depth, blendLayers, blendBelow });
-}
-
-template <class Row>
-void vtkCartesianBoxer::Resize(std::vector<Row>& table, int number)
-{
-  if (number >= 0 && table.size() != static_cast<std::size_t>(number))
-  {
-    table.resize(static_cast<std::size_t>(number), Row{});
-    this->Modified();
-  }
-}
-
-template <class Row>
-void vtkCartesianBoxer::SetRow(std::vector<Row>& table, int row, const Row& values)
-{
-  if (row < 0 || static_cast<std::size_t>(row) >= table.size())
-  {
-    vtkErrorMacro("There is no row " << row << ": set the number of rows first.");
-    return;
-  }
-  if (table[static_cast<std::size_t>(row)] != values)
-  {
-    table[static_cast<std::size_t>(row)] = values;
-    this->Modified();
-  }
 }
 
 void vtkCartesianBoxer::SetNumberOfMeshlines(int axis, int number)
@@ -240,7 +233,14 @@ double vtkCartesianBoxer::EstimateNumberOfBoxes()
   this->Run(0, 1, [&](cartesian::Execution& execution) {
     const cartesian::SurfaceFromVTK surface(this->UpdatedSurface(), this->BoundaryArray);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
-    boxes = cartesian::estimateMesh(prepared.surface, prepared.planes).boxes;
+    std::array<double, 3> box;
+    for (std::size_t axis = 0; axis < box.size(); ++axis)
+    {
+      const auto& planes = prepared.planes[axis];
+      box[axis] = (static_cast<double>(planes.back()) - planes.front()) /
+        static_cast<double>(planes.size() - 1) * prepared.surface.lattice.step();
+    }
+    boxes = cartesian::expectedBoxes(cartesian::sizeOf(surface.view()), box, this->RefinementDepth);
   });
   return boxes;
 }
@@ -281,21 +281,52 @@ int vtkCartesianBoxer::RequestInformation(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
   vtkDataObject* data = vtkDataObject::GetData(input[0]);
-  if (!data || data->GetMTime() == this->NamesTime)
+  if (data && data->GetMTime() != this->SurfaceTime)
   {
-    return 1;
+    this->SurfaceTime = data->GetMTime();
+    this->Size.reset();
+    try
+    {
+      const cartesian::SurfaceFromVTK surface(data, this->BoundaryArray);
+      this->ListBoundaries(surface);
+      this->Size = std::make_unique<cartesian::SurfaceSize>(cartesian::sizeOf(surface.view()));
+    }
+    catch (const cartesian::Error&)
+    {
+      // Not read yet, or flawed: the work itself will say so.
+    }
   }
-  this->NamesTime = data->GetMTime();
-  try
-  {
-    const cartesian::SurfaceFromVTK surface(data, this->BoundaryArray);
-    this->ListBoundaries(surface);
-  }
-  catch (const cartesian::Error&)
-  {
-    // Not read yet, or flawed: the work itself will say so.
-  }
+  this->EstimateBoxes();
   return 1;
+}
+
+void vtkCartesianBoxer::EstimateBoxes()
+{
+  constexpr int Depths = 3;
+  std::fill(std::begin(this->ExpectedBoxes), std::end(this->ExpectedBoxes), 0.0);
+  if (!this->Size)
+  {
+    return;
+  }
+  const double longest = this->Size->longest;
+  const double applied = this->CellSize > 0
+    ? this->CellSize
+    : Rounded(longest / cartesian::DefaultCellsAlongLongest, DigitsOfSizes);
+  std::vector<double> sizes = { applied };
+  for (const double cells : { 25, 50, 100, 200 })
+  {
+    sizes.push_back(Rounded(longest / cells, DigitsOfSizes));
+  }
+  double* next = this->ExpectedBoxes;
+  for (const double size : sizes)
+  {
+    *next++ = size;
+    for (int depth = 0; depth < Depths; ++depth)
+    {
+      *next++ = Rounded(
+        cartesian::expectedBoxes(*this->Size, { size, size, size }, depth), DigitsOfNumbers);
+    }
+  }
 }
 
 cartesian::PreparedSurface vtkCartesianBoxer::Prepare(
@@ -363,20 +394,13 @@ void vtkCartesianBoxer::AddChosenBoundaries(
     {
       continue;
     }
-    const auto& names = source.names();
-    const auto found = std::find_if(
-      names.begin(), names.end(), [&](const auto& named) { return named.second == name; });
-    if (found == names.end())
-    {
-      throw cartesian::Error(cartesian::Fault::BadParameter,
-        "Refined Boundaries has \"" + name + "\", which the surface has not; its first is \"" +
-          names.begin()->second + "\".");
-    }
+    const std::int32_t boundary =
+      cartesian::boundaryCalled(source.names(), name, "Refined Boundaries");
     const auto rowsEnd = spec.boundaries.begin() + static_cast<std::ptrdiff_t>(rows);
     if (std::none_of(spec.boundaries.begin(), rowsEnd,
-          [&](const auto& row) { return row.boundary == found->first; }))
+          [&](const auto& row) { return row.boundary == boundary; }))
     {
-      spec.boundaries.push_back({ found->first, this->RefinedBoundaryDepth, 0, false });
+      spec.boundaries.push_back({ boundary, this->RefinedBoundaryDepth, 0, false });
     }
   }
 }
@@ -424,13 +448,7 @@ void vtkCartesianBoxer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CellSize: " << this->CellSize << "\n";
   for (int axis = 0; axis < 3; ++axis)
   {
-    os << indent << "Meshlines"
-       << "XYZ"[axis] << ":";
-    for (const double position : this->Meshlines[axis])
-    {
-      os << " " << position;
-    }
-    os << "\n";
+    PrintColumn(os, indent, std::string("Meshlines") + "XYZ"[axis], this->Meshlines[axis]);
   }
   os << indent << "BoundaryArray: " << this->BoundaryArray << "\n";
   os << indent << "RefinementDepth: " << this->RefinementDepth << "\n";

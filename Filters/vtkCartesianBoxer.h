@@ -35,6 +35,7 @@
 #include "vtkNew.h"                // for vtkNew
 
 #include <array>  // for std::array
+#include <memory> // for std::unique_ptr
 #include <string> // for std::string
 #include <vector> // for std::vector
 
@@ -46,6 +47,7 @@ struct BoxedSurface;
 struct PreparedSurface;
 struct RefinementSpec;
 class SurfaceFromVTK;
+struct SurfaceSize;
 }
 
 class VTKCARTESIANMESHERFILTERS_EXPORT vtkCartesianBoxer : public vtkCartesianAlgorithm
@@ -105,9 +107,18 @@ public:
 
   /**
    * Updates the surface and estimates, in a fraction of the time that the mesh takes, how many boxes
-   * it will have before refinement. 0 on an error.
+   * it will have at RefinementDepth, other refinement left out. 0 on an error.
    */
   double EstimateNumberOfBoxes();
+
+  ///@{
+  /**
+   * For the surface as it was when information on this filter was last updated: rows of a size of
+   * boxes, and about how many there will be of it at refinement depth 0, 1 and 2. The first size is
+   * CellSize, the others are the longest side by 25, 50, 100 and 200. All 0 without a surface.
+   */
+  vtkGetVectorMacro(ExpectedBoxes, double, 20);
+  ///@}
 
   ///@{
   /**
@@ -181,7 +192,7 @@ public:
 
 protected:
   vtkCartesianBoxer();
-  ~vtkCartesianBoxer() override = default;
+  ~vtkCartesianBoxer() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
@@ -235,12 +246,11 @@ private:
   void ListBoundaries(const cartesian::SurfaceFromVTK& source);
   void AddChosenBoundaries(
     const cartesian::SurfaceFromVTK& source, cartesian::RefinementSpec& spec);
-  vtkMTimeType NamesTime = 0; // of the surface whose boundaries RefinedBoundaries lists
+  void EstimateBoxes();
 
-  template <class Row>
-  void Resize(std::vector<Row>& table, int number);
-  template <class Row>
-  void SetRow(std::vector<Row>& table, int row, const Row& values);
+  vtkMTimeType SurfaceTime = 0; // of the surface that RefinedBoundaries and Size are about
+  std::unique_ptr<cartesian::SurfaceSize> Size;
+  double ExpectedBoxes[20] = {};
 };
 
 #endif

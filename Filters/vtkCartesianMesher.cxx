@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCartesianMesher.h"
 
+#include "BoundarySettings.h"
 #include "MeshToVTK.h"
 #include "SurfaceFromVTK.h"
 
@@ -14,6 +15,21 @@ vtkStandardNewMacro(vtkCartesianMesher);
 vtkCartesianMesher::vtkCartesianMesher()
 {
   this->SetNumberOfOutputPorts(3);
+}
+
+void vtkCartesianMesher::SetBoundaryName(int row, const char* name)
+{
+  this->SetRow(this->BoundaryNames, row, std::string(name ? name : ""));
+}
+
+void vtkCartesianMesher::SetBoundaryType(int row, const char* type)
+{
+  this->SetRow(this->BoundaryTypes, row, std::string(type ? type : ""));
+}
+
+void vtkCartesianMesher::SetBoundarySmallCellRatio(int row, double ratio)
+{
+  this->SetRow(this->BoundaryRatios, row, ratio);
 }
 
 int vtkCartesianMesher::FillOutputPortInformation(int port, vtkInformation* info)
@@ -31,6 +47,19 @@ int vtkCartesianMesher::RequestData(
   }
   this->Run(0, 1, [&](cartesian::Execution& execution) {
     const cartesian::SurfaceFromVTK surface(vtkDataObject::GetData(input[0]), this->BoundaryArray);
+    const cartesian::BoundarySettings boundaries{ this->BoundaryNames, this->BoundaryTypes,
+      this->BoundaryRatios };
+    const auto types = cartesian::boundaryTypes(boundaries, surface.names());
+    const auto ratios = cartesian::boundaryRatios(boundaries, surface.names());
+    cartesian::CellSpec spec;
+    spec.collapseRatio = this->CollapseRatio;
+    spec.smallCellRatio = this->SmallCellRatio;
+    spec.smallCells =
+      this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove;
+    spec.mergeRatio = this->MergeRatio;
+    spec.splitConcave = this->SplitConcaveCells;
+    spec.boundaryRatios = &ratios;
+    cartesian::planStages(spec, execution);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
     this->Inspect(prepared, surface, vtkPolyData::GetData(output, 2), execution);
     const cartesian::BoxedSurface boxed = this->Divide(surface, prepared, input[1], execution);
@@ -40,15 +69,8 @@ int vtkCartesianMesher::RequestData(
         { static_cast<cartesian::PatchMethod>(this->PatchMethod), this->FeatureAngle,
           this->MergeAngle, static_cast<cartesian::Tying>(this->Tying) },
         execution);
-    cartesian::CellSpec spec;
-    spec.collapseRatio = this->CollapseRatio;
-    spec.smallCellRatio = this->SmallCellRatio;
-    spec.smallCells =
-      this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove;
-    spec.mergeRatio = this->MergeRatio;
-    spec.splitConcave = this->SplitConcaveCells;
     const cartesian::Assembly assembly(boxed.boxes, patches, spec, execution);
-    cartesian::toVTK(assembly, surface.names(), vtkUnstructuredGrid::GetData(output, 0),
+    cartesian::toVTK(assembly, { surface.names(), types }, vtkUnstructuredGrid::GetData(output, 0),
       vtkPolyData::GetData(output, 1), execution);
     this->ReportFlaws(assembly.describeFlaws());
   });
@@ -67,4 +89,7 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MergeRatio: " << this->MergeRatio << "\n";
   os << indent << "SplitConcaveCells: " << this->SplitConcaveCells << "\n";
   os << indent << "SmallCellRatio: " << this->SmallCellRatio << "\n";
+  PrintColumn(os, indent, "BoundaryNames", this->BoundaryNames);
+  PrintColumn(os, indent, "BoundaryTypes", this->BoundaryTypes);
+  PrintColumn(os, indent, "BoundarySmallCellRatios", this->BoundaryRatios);
 }

@@ -91,6 +91,21 @@ public:
   vtkGetMacro(SmallCellRatio, double);
   ///@}
 
+  ///@{
+  /**
+   * See vtkCellAssembler.
+   */
+  void SetNumberOfBoundaryNames(int number) { this->Resize(this->BoundaryNames, number); }
+  void SetBoundaryName(int row, const char* name);
+  void SetNumberOfBoundaryTypes(int number) { this->Resize(this->BoundaryTypes, number); }
+  void SetBoundaryType(int row, const char* type);
+  void SetNumberOfBoundarySmallCellRatios(int number)
+  {
+    this->Resize(this->BoundaryRatios, number);
+  }
+  void SetBoundarySmallCellRatio(int row, double ratio);
+  ///@}
+
 protected:
   vtkCartesianMesher();
   ~vtkCartesianMesher() override = default;
@@ -108,6 +123,9 @@ protected:
   double MergeRatio = 0.015;
   double SmallCellRatio = 1e-3;
   bool SplitConcaveCells = true;
+  std::vector<std::string> BoundaryNames;
+  std::vector<std::string> BoundaryTypes;
+  std::vector<double> BoundaryRatios;
 
 private:
   vtkCartesianMesher(const vtkCartesianMesher&) = delete;

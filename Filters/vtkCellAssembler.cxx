@@ -2,6 +2,7 @@
 #include "vtkCellAssembler.h"
 
 #include "BoundaryNames.h"
+#include "BoundarySettings.h"
 #include "BoxesVTK.h"
 #include "MeshToVTK.h"
 #include "PatchesVTK.h"
@@ -17,6 +18,21 @@ vtkCellAssembler::vtkCellAssembler()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
+}
+
+void vtkCellAssembler::SetBoundaryName(int row, const char* name)
+{
+  this->SetRow(this->BoundaryNames, row, std::string(name ? name : ""));
+}
+
+void vtkCellAssembler::SetBoundaryType(int row, const char* type)
+{
+  this->SetRow(this->BoundaryTypes, row, std::string(type ? type : ""));
+}
+
+void vtkCellAssembler::SetBoundarySmallCellRatio(int row, double ratio)
+{
+  this->SetRow(this->BoundaryRatios, row, ratio);
 }
 
 int vtkCellAssembler::FillInputPortInformation(int port, vtkInformation* info)
@@ -47,6 +63,12 @@ int vtkCellAssembler::RequestData(
     const cartesian::Boxes boxes = cartesian::boxesFromVTK(vtkUnstructuredGrid::GetData(input[0]));
     const cartesian::Patches patches =
       cartesian::patchesFromVTK(vtkPolyData::GetData(input[1]), boxes);
+    const cartesian::BoundaryNames names =
+      cartesian::boundaryNames(vtkDataObject::GetData(input[1]));
+    const cartesian::BoundarySettings boundaries{ this->BoundaryNames, this->BoundaryTypes,
+      this->BoundaryRatios };
+    const auto types = cartesian::boundaryTypes(boundaries, names);
+    const auto ratios = cartesian::boundaryRatios(boundaries, names);
     cartesian::CellSpec spec;
     spec.collapseRatio = this->CollapseRatio;
     spec.smallCellRatio = this->SmallCellRatio;
@@ -54,9 +76,11 @@ int vtkCellAssembler::RequestData(
       this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove;
     spec.mergeRatio = this->MergeRatio;
     spec.splitConcave = this->SplitConcaveCells;
+    spec.boundaryRatios = &ratios;
+    cartesian::planStages(spec, execution);
     const cartesian::Assembly assembly(boxes, patches, spec, execution);
-    cartesian::toVTK(assembly, cartesian::boundaryNames(vtkDataObject::GetData(input[1])),
-      vtkUnstructuredGrid::GetData(output, 0), vtkPolyData::GetData(output, 1), execution);
+    cartesian::toVTK(assembly, { names, types }, vtkUnstructuredGrid::GetData(output, 0),
+      vtkPolyData::GetData(output, 1), execution);
     this->ReportFlaws(assembly.describeFlaws());
   });
   return 1;
@@ -70,4 +94,7 @@ void vtkCellAssembler::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MergeRatio: " << this->MergeRatio << "\n";
   os << indent << "SplitConcaveCells: " << this->SplitConcaveCells << "\n";
   os << indent << "SmallCellRatio: " << this->SmallCellRatio << "\n";
+  PrintColumn(os, indent, "BoundaryNames", this->BoundaryNames);
+  PrintColumn(os, indent, "BoundaryTypes", this->BoundaryTypes);
+  PrintColumn(os, indent, "BoundarySmallCellRatios", this->BoundaryRatios);
 }

@@ -94,6 +94,24 @@ public:
   vtkGetMacro(SmallCellRatio, double);
   ///@}
 
+  ///@{
+  /**
+   * What is special about boundaries, by name, a row each: the type that vtkPolyMeshWriter gives the
+   * patch (automatic, patch, wall, symmetry, symmetryPlane, empty), and what stands for
+   * SmallCellRatio in cells whose patches are mostly of it (section 4.10). As many types and ratios
+   * as names, or none. "no_surface" is where there is no patch.
+   */
+  void SetNumberOfBoundaryNames(int number) { this->Resize(this->BoundaryNames, number); }
+  void SetBoundaryName(int row, const char* name);
+  void SetNumberOfBoundaryTypes(int number) { this->Resize(this->BoundaryTypes, number); }
+  void SetBoundaryType(int row, const char* type);
+  void SetNumberOfBoundarySmallCellRatios(int number)
+  {
+    this->Resize(this->BoundaryRatios, number);
+  }
+  void SetBoundarySmallCellRatio(int row, double ratio);
+  ///@}
+
 protected:
   vtkCellAssembler();
   ~vtkCellAssembler() override = default;
@@ -108,6 +126,9 @@ protected:
   double MergeRatio = 0.015;
   double SmallCellRatio = 1e-3;
   bool SplitConcaveCells = true;
+  std::vector<std::string> BoundaryNames;
+  std::vector<std::string> BoundaryTypes;
+  std::vector<double> BoundaryRatios;
 
 private:
   vtkCellAssembler(const vtkCellAssembler&) = delete;

@@ -34,7 +34,7 @@ bool Before(vtkIdType a, vtkIdType b)
 std::vector<std::string> PatchNames(
   vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& boundaries)
 {
-  const std::map<vtkIdType, std::string> given = cartesian::readBoundaryNames(grid);
+  const std::map<vtkIdType, std::string> given = cartesian::readBoundaryTexts(grid, "BoundaryNames");
   std::vector<std::string> names;
   std::set<std::string> taken;
   for (const vtkIdType boundary : boundaries)
@@ -70,11 +70,12 @@ std::vector<cartesian::FoamPatch> SortPatches(
   }
   const std::vector<std::size_t> counts = cartesian::sortByPatch(list, patchOf, boundaries.size());
   const std::vector<std::string> names = PatchNames(grid, boundaries);
+  std::map<vtkIdType, std::string> types = cartesian::readBoundaryTexts(grid, "BoundaryTypes");
   std::vector<cartesian::FoamPatch> patches;
   patches.reserve(names.size());
   for (std::size_t i = 0; i < names.size(); ++i)
   {
-    patches.push_back({ names[i], counts[i] });
+    patches.push_back({ names[i], counts[i], types[boundaries[i]] });
   }
   return patches;
 }

@@ -15,7 +15,10 @@
  * the cell array CellId and the field data array BoundaryOfFaces through all filters that leave
  * cells as they are. A patch has the name that the field data arrays BoundaryNames (strings) and
  * BoundaryIds (numbers) give its boundary, else boundary_<id>; faces without a boundary are in
- * the patch no_surface. A grid from elsewhere has one patch, boundary.
+ * the patch no_surface. A grid from elsewhere has one patch, boundary. A patch has the type that the
+ * field data array BoundaryTypes (strings, beside BoundaryIds) gives its boundary; where that is
+ * empty or missing, the type that a mesh being replaced has there, else wall where the name
+ * starts with "wall" or "Wall", else patch.
  *
  * On several processes the first gathers the pieces and writes them; points of the same coordinates
  * are then one.

@@ -2,6 +2,7 @@
 #include "BoundaryNames.h"
 
 #include "Error.h"
+#include "Surface.h"
 
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
@@ -23,6 +24,27 @@ constexpr const char* Names = "BoundaryNames";
 std::string unnamedBoundary(std::int32_t boundary)
 {
   return boundary < 0 ? "no_surface" : "boundary_" + std::to_string(boundary);
+}
+
+std::int32_t boundaryCalled(
+  const BoundaryNames& names, const std::string& name, const std::string& property)
+{
+  std::string known;
+  for (const auto& named : names)
+  {
+    if (named.second == name)
+    {
+      return named.first;
+    }
+    known += (known.empty() ? "" : ", ") + named.second;
+  }
+  if (name == unnamedBoundary(NoBoundary))
+  {
+    return NoBoundary;
+  }
+  throw Error(Fault::BadParameter,
+    property + " has \"" + name + "\", which is no boundary of the surface. There are " + known +
+      ".");
 }
 
 BoundaryNames boundaryNames(vtkDataObject* data)
@@ -61,6 +83,22 @@ void setBoundaryNames(vtkDataObject* data, const BoundaryNames& names)
   }
   data->GetFieldData()->AddArray(idArray);
   data->GetFieldData()->AddArray(nameArray);
+}
+
+void setBoundaryTypes(vtkDataObject* data, const BoundaryNames& names, const BoundaryNames& types)
+{
+  if (types.empty())
+  {
+    return;
+  }
+  vtkNew<vtkStringArray> array;
+  array->SetName("BoundaryTypes");
+  for (const auto& named : names)
+  {
+    const auto type = types.find(named.first);
+    array->InsertNextValue(type == types.end() ? "" : type->second);
+  }
+  data->GetFieldData()->AddArray(array);
 }
 
 }

@@ -15,6 +15,11 @@ namespace cartesian
 
 using BoundaryNames = std::map<std::int32_t, std::string>;
 
+// The number of a boundary, or of NoBoundary, by name. Throws Error (BadParameter): there is none of
+// the name that `property` has.
+std::int32_t boundaryCalled(
+  const BoundaryNames& names, const std::string& name, const std::string& property);
+
 // What a boundary is called that nobody named; -1, where no patch was, is "no_surface".
 std::string unnamedBoundary(std::int32_t boundary);
 
@@ -22,5 +27,9 @@ std::string unnamedBoundary(std::int32_t boundary);
 BoundaryNames boundaryNames(vtkDataObject* data);
 
 void setBoundaryNames(vtkDataObject* data, const BoundaryNames& names);
+
+// Field data BoundaryTypes (string): OpenFOAM's types of the boundaries in `names`, empty where none is
+// known; nothing where there are none at all.
+void setBoundaryTypes(vtkDataObject* data, const BoundaryNames& names, const BoundaryNames& types);
 
 }

@@ -112,7 +112,7 @@ private:
 
 }
 
-void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary)
+void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution)
 {
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName(CellId);
@@ -133,6 +133,7 @@ void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary)
   auto face = vtk::TakeSmartPointer(boundary->GetPolys()->NewIterator());
   for (face->GoToFirstCell(); !face->IsDoneWithTraversal(); face->GoToNextCell())
   {
+    execution.poll();
     vtkIdType count = 0;
     const vtkIdType* points = nullptr;
     face->GetCurrentCell(count, points);
@@ -190,21 +191,20 @@ BoundaryKnowledge readBoundaryOfFaces(vtkUnstructuredGrid* grid, const GridFaces
   return BoundaryKnowledge::All;
 }
 
-std::map<vtkIdType, std::string> readBoundaryNames(vtkUnstructuredGrid* grid)
+std::map<vtkIdType, std::string> readBoundaryTexts(vtkUnstructuredGrid* grid, const char* name)
 {
   std::map<vtkIdType, std::string> result;
-  auto* names =
-    vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray("BoundaryNames"));
+  auto* texts = vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray(name));
   vtkDataArray* ids = grid->GetFieldData()->GetArray("BoundaryIds");
-  for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
+  for (vtkIdType i = 0; texts && i < texts->GetNumberOfValues(); ++i)
   {
     if (!ids)
     {
-      result[i] = names->GetValue(i);
+      result[i] = texts->GetValue(i);
     }
     else if (i < ids->GetNumberOfTuples())
     {
-      result[static_cast<vtkIdType>(ids->GetComponent(i, 0))] = names->GetValue(i);
+      result[static_cast<vtkIdType>(ids->GetComponent(i, 0))] = texts->GetValue(i);
     }
   }
   return result;

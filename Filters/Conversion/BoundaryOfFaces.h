@@ -18,7 +18,7 @@ namespace cartesian
 {
 
 // Adds both arrays to the mesh. `boundary`: as in MeshToVTK.h.
-void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary);
+void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution);
 
 enum class BoundaryKnowledge
 {
@@ -31,8 +31,8 @@ enum class BoundaryKnowledge
 BoundaryKnowledge readBoundaryOfFaces(vtkUnstructuredGrid* grid, const GridFaces& faces,
   const FaceList& list, std::vector<vtkIdType>& boundary);
 
-// The names of boundaries by number, from the field data: arrays BoundaryNames (strings) and
-// BoundaryIds (numbers; if missing: 0, 1, 2, ...).
-std::map<vtkIdType, std::string> readBoundaryNames(vtkUnstructuredGrid* grid);
+// What the field data say of boundaries, by number: the strings of the array `name` (BoundaryNames,
+// BoundaryTypes), for the numbers in BoundaryIds (if missing: 0, 1, 2, ...).
+std::map<vtkIdType, std::string> readBoundaryTexts(vtkUnstructuredGrid* grid, const char* name);
 
 }

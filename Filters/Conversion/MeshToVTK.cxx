@@ -141,8 +141,10 @@ void setBoundary(
 }
 
 // Name, number of faces and area of each boundary, on both outputs.
-void describeBoundaries(BoundaryNames names, vtkPolyData* boundary, vtkUnstructuredGrid* mesh)
+void describeBoundaries(const BoundaryTexts& texts, vtkPolyData* boundary,
+  vtkUnstructuredGrid* mesh, Execution& execution)
 {
+  BoundaryNames names = texts.names;
   struct Measure
   {
     vtkIdType faces = 0;
@@ -153,6 +155,7 @@ void describeBoundaries(BoundaryNames names, vtkPolyData* boundary, vtkUnstructu
   auto face = vtk::TakeSmartPointer(boundary->GetPolys()->NewIterator());
   for (face->GoToFirstCell(); !face->IsDoneWithTraversal(); face->GoToNextCell())
   {
+    execution.poll();
     vtkIdType size = 0;
     const vtkIdType* corners = nullptr;
     face->GetCurrentCell(size, corners);
@@ -178,6 +181,7 @@ void describeBoundaries(BoundaryNames names, vtkPolyData* boundary, vtkUnstructu
   for (vtkDataObject* output : std::initializer_list<vtkDataObject*>{ mesh, boundary })
   {
     setBoundaryNames(output, names);
+    setBoundaryTypes(output, names, texts.types);
     output->GetFieldData()->AddArray(faces);
     output->GetFieldData()->AddArray(areas);
   }
@@ -185,14 +189,14 @@ void describeBoundaries(BoundaryNames names, vtkPolyData* boundary, vtkUnstructu
 
 }
 
-void toVTK(const Assembly& assembly, const BoundaryNames& names, vtkUnstructuredGrid* mesh,
+void toVTK(const Assembly& assembly, const BoundaryTexts& texts, vtkUnstructuredGrid* mesh,
   vtkPolyData* boundary, Execution& execution)
 {
   execution.stage("Writing the mesh", AfterNumbering, 1);
   setMesh(assembly, mesh, execution);
   setBoundary(assembly.mesh(), mesh, boundary, execution);
-  setBoundaryOfFaces(mesh, boundary);
-  describeBoundaries(names, boundary, mesh);
+  setBoundaryOfFaces(mesh, boundary, execution);
+  describeBoundaries(texts, boundary, mesh, execution);
 }
 
 }

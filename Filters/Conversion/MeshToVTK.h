@@ -10,7 +10,7 @@
 // patch was), OwnerCell (id type: cell of the mesh). Point array: MeshPointId (id type).
 //
 // Both have field data of one value for each boundary, in order of their numbers: BoundaryIds and
-// BoundaryNames (BoundaryNames.h), BoundaryFaceCounts (id type), BoundaryAreas (double, square user
+// BoundaryNames, BoundaryTypes if any has one (BoundaryNames.h), BoundaryFaceCounts (id type), BoundaryAreas (double, square user
 // units).
 #pragma once
 
@@ -23,7 +23,13 @@ class vtkUnstructuredGrid;
 namespace cartesian
 {
 
-void toVTK(const Assembly& assembly, const BoundaryNames& names, vtkUnstructuredGrid* mesh,
+struct BoundaryTexts
+{
+  BoundaryNames names;
+  BoundaryNames types; // of those that have one
+};
+
+void toVTK(const Assembly& assembly, const BoundaryTexts& texts, vtkUnstructuredGrid* mesh,
   vtkPolyData* boundary, Execution& execution);
 
 }

@@ -178,6 +178,7 @@ private:
 
   void divide()
   {
+    execution_.nextLoop(0.8);
     execution_.forEach(statusOf_.size(), GlobalsAChunk, [&](std::size_t begin, std::size_t end) {
       FewestBoxes search;
       UnitStatuses statuses;

@@ -1046,6 +1046,7 @@ void CellComplex::writeCells(const std::vector<std::uint32_t>& place, Execution&
   };
   for (std::size_t n = 0; n < sides_.polyhedral.size(); ++n)
   {
+    execution.poll();
     result.boxStart.push_back(result.cells.size());
     if (oldOf[n] == None)
     {
@@ -1083,6 +1084,7 @@ void CellComplex::writeCells(const std::vector<std::uint32_t>& place, Execution&
   result.shaped.start.push_back(result.shaped.nodes.size());
   for (std::size_t c = 0; c < result.size(); ++c)
   {
+    execution.poll();
     for (std::size_t f = result.cells[c].firstFace; f < result.cells[c + 1].firstFace; ++f)
     {
       const FaceRef& face = result.faces[f];

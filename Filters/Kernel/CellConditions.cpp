@@ -113,6 +113,7 @@ CellConditions countFailures(const MeshParts& parts, const CellNumbers& numbers,
 {
   const std::size_t cells = parts.cells.size();
   std::vector<CellConditions> ofChunk(chunks(cells, CellsAChunk));
+  execution.nextLoop(0.8);
   execution.forEach(cells, CellsAChunk, [&](std::size_t begin, std::size_t end) {
     Inspector inspector(parts, numbers, boundary, ofChunk[begin / CellsAChunk]);
     for (std::size_t c = begin; c < end; ++c)

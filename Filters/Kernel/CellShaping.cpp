@@ -126,14 +126,16 @@ std::size_t removeSmallCells(CellComplex& complex, double ratio)
 
 }
 
+bool shapesCells(const CellSpec& spec)
+{
+  return spec.smallCells == SmallCells::Merge || spec.splitConcave;
+}
+
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
   const InnerFaces& inner, Cells& cells, const CellSpec& spec, Execution& execution)
 {
   Shaping shaping;
-  if (spec.smallCells == SmallCells::Remove && !spec.splitConcave)
-  {
-    return shaping;
-  }
+  execution.nextLoop(0.02);
   CellComplex complex(boxes, patches, sides, nodes, inner, cells, execution);
   const bool exact = isExact(patches);
   const double leastCosine = exact ? 1 : std::cos(spec.joinAngle * RadiansPerDegree);
@@ -149,6 +151,7 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
     const std::vector<CellKey> atFault = cellsAtFault(complex, complex.polyhedra(), execution);
     for (const CellKey key : atFault)
     {
+      execution.poll();
       joinFacesOf(complex, key, leastCosine);
     }
     const Splitting splitting = splitCells(complex, cellsAtFault(complex, atFault, execution),

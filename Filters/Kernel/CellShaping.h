@@ -13,6 +13,9 @@ struct Shaping
   std::size_t cellsRemoved = 0; // too small, and no neighbour to merge them with
 };
 
+// Whether there is anything to do.
+bool shapesCells(const CellSpec& spec);
+
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
   const InnerFaces& inner, Cells& cells, const CellSpec& spec, Execution& execution);
 

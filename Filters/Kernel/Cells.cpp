@@ -534,13 +534,29 @@ private:
       cell.firstFace = part.faces.size();
       cell.sliver = shell.volume < 0 || isSliver(shell);
       cell.removed = cell.sliver ||
-        (spec_.smallCells == SmallCells::Remove && cell.volumeFraction < spec_.smallCellRatio);
+        (spec_.smallCells == SmallCells::Remove && cell.volumeFraction < ratioOf(cell.boundary));
       part.cells.push_back(cell);
       for (const std::uint32_t f : shell.faces)
       {
         part.faces.push_back(faces_[f]);
       }
     }
+  }
+
+  // R of a boundary.
+  double ratioOf(std::int32_t boundary) const
+  {
+    if (spec_.boundaryRatios)
+    {
+      for (const BoundaryRatio& own : *spec_.boundaryRatios)
+      {
+        if (own.boundary == boundary)
+        {
+          return own.ratio;
+        }
+      }
+    }
+    return spec_.smallCellRatio;
   }
 
   // The boundary index that has the largest area of patches in the shell.
@@ -669,6 +685,7 @@ Cells assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sid
   }
   const std::size_t count = sides.polyhedral.size();
   std::vector<Part> parts(chunks(count, BoxesAChunk));
+  execution.nextLoop(0.95);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     BoxAssembler assembler(boxes, patches, sides, nodes, inner, spec);
     for (std::size_t n = begin; n < end; ++n)

@@ -82,6 +82,13 @@ enum class SmallCells
   Merge,  // they become a part of a neighbour
 };
 
+// R of a boundary of its own: for cells most of whose patches are of it.
+struct BoundaryRatio
+{
+  std::int32_t boundary;
+  double ratio; // from 0 to less than 1
+};
+
 struct CellSpec
 {
   // Edges shorter than this part of their box collapse (ShortEdges.h); 0: none.
@@ -98,6 +105,9 @@ struct CellSpec
   double joinAngle = 15;
 
   bool splitConcave = true; // cells that fail an angle condition of section 3
+
+  const std::vector<BoundaryRatio>* boundaryRatios =
+    nullptr; // the caller's, if any; each boundary once
 };
 
 // Calls visit(node) for the corners of a face, counter-clockwise from outside its cell.

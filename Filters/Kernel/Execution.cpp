@@ -13,8 +13,10 @@ namespace cartesian
 namespace
 {
 
-// Monitors redraw windows: no more calls than eyes can follow.
+// The monitor is called as soon as there is this much progress, or after so many seconds: often
+// enough to stop at once, no more often than eyes can follow.
 constexpr double LeastProgress = 0.005;
+constexpr double LongestSilence = 0.05;
 
 double now()
 {
@@ -23,10 +25,23 @@ double now()
 
 }
 
-Execution::Execution(int threads, Monitor monitor)
+Execution::Execution(int threads, Monitor monitor, double begin, double end)
   : threads_(threads > 0 ? threads : std::max(1, int(std::thread::hardware_concurrency())))
   , monitor_(std::move(monitor))
+  , work_{ begin, end }
 {
+}
+
+void Execution::leaveOut(double begin, double end)
+{
+  leftOut_ = { begin, end };
+}
+
+// How much work there is before that part of the whole.
+double Execution::workUpTo(double whole) const
+{
+  const double left = std::min(whole, leftOut_.end) - std::min(whole, leftOut_.begin);
+  return whole - left;
 }
 
 void Execution::stage(const char* name, double begin, double end)
@@ -39,9 +54,11 @@ void Execution::stage(const char* name, double begin, double end)
   seconds_.emplace_back(name, 0.0);
   started_ = time;
   stage_ = name;
-  begin_ = begin;
-  end_ = end;
-  report(0);
+  loop_ = { begin, begin };
+  stageEnd_ = end;
+  share_ = 0;
+  advance(0);
+  ask();
 }
 
 std::vector<std::pair<std::string, double>> Execution::seconds() const
@@ -54,18 +71,32 @@ std::vector<std::pair<std::string, double>> Execution::seconds() const
   return all;
 }
 
-void Execution::report(double fractionOfStage)
+void Execution::advance(double fractionOfLoop)
 {
-  const double fraction = begin_ + fractionOfStage * (end_ - begin_);
-  if (!monitor_ || (fraction < reported_ + LeastProgress && fractionOfStage > 0))
+  const double whole = loop_.begin + fractionOfLoop * (loop_.end - loop_.begin);
+  const double before = workUpTo(work_.begin);
+  const double fraction = (workUpTo(whole) - before) / (workUpTo(work_.end) - before);
+  reported_ = std::max(reported_, std::min(fraction, 1.0));
+}
+
+void Execution::poll()
+{
+  const bool isTime =
+    monitor_ && (reported_ >= reportedThen_ + LeastProgress || now() > asked_ + LongestSilence);
+  if (isTime)
   {
-    return;
+    ask();
   }
-  reported_ = fraction;
-  if (!monitor_(fraction, stage_))
+}
+
+void Execution::ask()
+{
+  if (monitor_ && !monitor_(reported_, stage_))
   {
     throw Stopped();
   }
+  asked_ = now();
+  reportedThen_ = reported_;
 }
 
 void Execution::forEach(std::size_t count, std::size_t grain,
@@ -89,7 +120,8 @@ void Execution::forEach(std::size_t count, std::size_t grain,
         work(begin, std::min(begin + grain, count));
         if (monitored)
         {
-          report(static_cast<double>(begin) / static_cast<double>(count));
+          advance(static_cast<double>(begin) / static_cast<double>(count));
+          poll();
         }
       }
     }
@@ -103,6 +135,8 @@ void Execution::forEach(std::size_t count, std::size_t grain,
     }
   };
 
+  loop_ = { loop_.end, loop_.end + share_ * (stageEnd_ - loop_.end) };
+  share_ = 0;
   const std::size_t most = chunks(count, grain);
   std::vector<std::thread> helpers;
   for (std::size_t i = 1; i < std::min<std::size_t>(threads_, most); ++i)
@@ -118,6 +152,8 @@ void Execution::forEach(std::size_t count, std::size_t grain,
   {
     std::rethrow_exception(failure);
   }
+  advance(1);
+  poll();
 }
 
 }

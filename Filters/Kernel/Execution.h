@@ -26,16 +26,28 @@ struct Stopped : std::runtime_error
 class Execution
 {
 public:
-  // Called with a fraction (0 to 1) of all work and the stage's name; returns false to stop.
+  // Called many times a second with a fraction (0 to 1) of the work, which never falls, and the
+  // stage's name; returns false to stop.
   using Monitor = std::function<bool(double fraction, const char* stage)>;
 
-  // `threads` 0: one a core.
-  explicit Execution(int threads = 1, Monitor monitor = nullptr);
+  // `threads` 0: one a core. The work is the part from `begin` to `end` of a whole that stages are
+  // parts of.
+  explicit Execution(int threads = 1, Monitor monitor = nullptr, double begin = 0, double end = 1);
 
   int threads() const { return threads_; }
 
-  // What follows is the stage `name`, from `begin` to `end` of all work (0 to 1).
+  // From `begin` to `end` of the whole there will be nothing to do.
+  void leaveOut(double begin, double end);
+
+  // What follows is the stage `name`, from `begin` to `end` of the whole (0 to 1).
   void stage(const char* name, double begin, double end);
+
+  // The next forEach is this share (0 to 1) of what is left of the stage; without a word, nothing of it.
+  void nextLoop(double share) { share_ = share; }
+
+  // In long loops that are no forEach: reports if it is time, throws Stopped if the user wants it.
+  // Only on the calling thread; costs a look at the clock.
+  void poll();
 
   // Seconds by stage so far, in the order in which stages began.
   std::vector<std::pair<std::string, double>> seconds() const;
@@ -46,14 +58,27 @@ public:
     const std::function<void(std::size_t begin, std::size_t end)>& work);
 
 private:
-  void report(double fractionOfStage);
+  struct Part
+  {
+    double begin;
+    double end;
+  };
+
+  double workUpTo(double whole) const;
+  void advance(double fractionOfLoop);
+  void ask();
 
   int threads_;
   Monitor monitor_;
+  Part work_;            // of the whole
+  Part leftOut_{ 0, 0 }; // of the whole
   const char* stage_ = "";
-  double begin_ = 0;
-  double end_ = 1;
-  double reported_ = -1;
+  Part loop_{ 0, 1 };   // of the whole
+  double stageEnd_ = 1; // of the whole
+  double share_ = 0;    // of the next loop
+  double reported_ = 0; // of the work
+  double asked_ = 0;    // when the monitor was called, and what was reported then
+  double reportedThen_ = 0;
   double started_ = 0;
   std::vector<std::pair<std::string, double>> seconds_;
 };

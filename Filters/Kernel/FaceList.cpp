@@ -165,6 +165,7 @@ std::vector<std::uint32_t> Matcher::neighbours(std::size_t pointCount, Execution
   });
   const Buckets<NamedFace> byPoint = sortIntoBuckets(
     chunkItems, pointCount, [](const NamedFace& item) { return item.lowest[0]; }, execution);
+  execution.nextLoop(0.9);
   execution.forEach(pointCount, BucketsAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t point = begin; point < end; ++point)
     {

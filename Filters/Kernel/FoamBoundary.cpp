@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr const char* Blank = " \t\r\n";
-constexpr const char* Digits = "0123456789";
+constexpr const char* EndOfWord = " \t\r\n;";
 
 std::string newEntries(const std::string& name)
 {
@@ -22,23 +22,32 @@ std::string newEntries(const std::string& name)
     ";\n        nFaces          0;\n        startFace       0;\n    ";
 }
 
-// Puts a number in place of the one that the entry `key` has.
-void setEntry(std::string& entries, const std::string& key, std::size_t value)
+// Puts a value in place of the word that the entry `key` has.
+void setEntry(std::string& entries, const std::string& key, const std::string& value)
 {
   for (std::size_t at = entries.find(key); at != std::string::npos; at = entries.find(key, at + 1))
   {
     const std::size_t after = at + key.size();
-    const std::size_t digits = std::min(entries.find_first_not_of(Blank, after), entries.size());
-    const std::size_t end = std::min(entries.find_first_not_of(Digits, digits), entries.size());
-    const bool wholeWord = at == 0 || std::strchr(Blank, entries[at - 1]) || entries[at - 1] == ';';
-    if (wholeWord && digits > after && end > digits)
+    const std::size_t begin = std::min(entries.find_first_not_of(Blank, after), entries.size());
+    const std::size_t end = std::min(entries.find_first_of(EndOfWord, begin), entries.size());
+    const std::size_t next = entries.find_first_not_of(Blank, end);
+    const bool wholeWord = at == 0 || std::strchr(EndOfWord, entries[at - 1]);
+    const bool oneWord = begin > after && end > begin && next < entries.size();
+    if (wholeWord && oneWord && entries[next] == ';')
     {
-      entries.replace(digits, end - digits, std::to_string(value));
+      entries.replace(begin, end - begin, value);
       return;
     }
   }
 }
 
+}
+
+const std::vector<std::string>& foamTypes()
+{
+  static const std::vector<std::string> types = { "patch", "wall", "symmetry", "symmetryPlane",
+    "empty" };
+  return types;
 }
 
 std::string foamWord(const std::string& name)
@@ -97,8 +106,12 @@ std::string FoamBoundary::text(const std::vector<FoamPatch>& patches, std::size_
   for (std::size_t i = 0; i < patches_.size(); ++i)
   {
     std::string entries = patches_[i].entries;
-    setEntry(entries, "nFaces", patches[i].count);
-    setEntry(entries, "startFace", start);
+    setEntry(entries, "nFaces", std::to_string(patches[i].count));
+    setEntry(entries, "startFace", std::to_string(start));
+    if (!patches[i].type.empty())
+    {
+      setEntry(entries, "type", patches[i].type);
+    }
     result += "    " + patches_[i].name + "\n    {" + entries + "}\n";
     start += patches[i].count;
   }

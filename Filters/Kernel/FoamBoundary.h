@@ -12,7 +12,12 @@ struct FoamPatch
 {
   std::string name;  // distinct words (foamWord)
   std::size_t count; // faces, one or more
+  std::string
+    type = {}; // one of foamTypes(), or empty: as a file that is there says, else by the name
 };
+
+// Types of patches that need no entries of their own.
+const std::vector<std::string>& foamTypes();
 
 // The name with an underscore for each character that OpenFOAM does not allow in words.
 std::string foamWord(const std::string& name);
@@ -21,7 +26,7 @@ std::string foamWord(const std::string& name);
 class FoamBoundary
 {
 public:
-  // Type wall where the name starts with "wall" or "Wall", else patch.
+  // Patches without a type: wall where the name starts with "wall" or "Wall", else patch.
   explicit FoamBoundary(const std::vector<FoamPatch>& patches);
 
   // What a file says; no patches if it holds anything but patches of plain entries.
@@ -30,7 +35,7 @@ public:
   bool hasNamesOf(const std::vector<FoamPatch>& patches) const;
 
   // The file's list of patches; their faces follow each other from `start`. Other entries than the
-  // numbers of faces stay as they are.
+  // numbers of faces, and the type where `patches` have one, stay as they are.
   std::string text(const std::vector<FoamPatch>& patches, std::size_t start) const;
 
 private:

@@ -395,6 +395,7 @@ InnerFaces generateInnerFaces(const Boxes& boxes, const Patches& patches, const 
 {
   const std::size_t count = sides.polyhedral.size();
   std::vector<Part> parts(chunks(count, BoxesAChunk));
+  execution.nextLoop(0.95);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     SideBuilder builder(boxes, patches, sides, nodes);
     for (std::size_t n = begin; n < end; ++n)

@@ -135,6 +135,7 @@ void Mesh::measureCells(Execution& execution)
 {
   const Cells& cells = parts_.cells;
   cellSizes_.resize(cells.size());
+  execution.nextLoop(0.4);
   execution.forEach(cells.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
     std::vector<Id> points;
     for (std::size_t c = begin; c < end; ++c)
@@ -234,6 +235,7 @@ void Mesh::writePoints(double* xyz, Execution& execution) const
 
 void Mesh::writeCells(const CellArrays& arrays, Execution& execution) const
 {
+  execution.nextLoop(0.6);
   execution.forEach(rows_.size() - 1, RowsAChunk, [&](std::size_t begin, std::size_t end) {
     std::vector<Id> scratch;
     for (std::size_t row = begin; row < end; ++row)

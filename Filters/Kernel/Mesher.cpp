@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace cartesian
 {
@@ -76,6 +77,23 @@ std::string describeLeaks(const PreparedSurface& prepared)
   return text;
 }
 
+void checkRatio(double ratio)
+{
+  if (!(ratio >= 0 && ratio < 1))
+  {
+    throw Error(Fault::BadParameter,
+      "Small Cell Ratio is " + number(ratio) + ": it must be from 0 to less than 1.");
+  }
+}
+
+}
+
+void planStages(const CellSpec& spec, Execution& execution)
+{
+  if (!shapesCells(spec))
+  {
+    execution.leaveOut(AfterCells, AfterShaping);
+  }
 }
 
 PreparedSurface prepareSurface(
@@ -158,11 +176,15 @@ BoxedSurface boxSurface(
 Assembly::Assembly(
   const Boxes& boxes, const Patches& patches, const CellSpec& spec, Execution& execution)
   : boxes_(boxes)
+  , patches_(&patches)
 {
-  if (!(spec.smallCellRatio >= 0 && spec.smallCellRatio < 1))
+  checkRatio(spec.smallCellRatio);
+  if (spec.boundaryRatios)
   {
-    throw Error(Fault::BadParameter,
-      "Small Cell Ratio is " + number(spec.smallCellRatio) + ": it must be from 0 to less than 1.");
+    for (const BoundaryRatio& own : *spec.boundaryRatios)
+    {
+      checkRatio(own.ratio);
+    }
   }
   if (!(spec.collapseRatio >= 0 && spec.collapseRatio <= MostCollapseRatio))
   {
@@ -172,13 +194,17 @@ Assembly::Assembly(
   }
   execution.stage("Common sides of boxes", AfterPatches, AfterSides);
   sides_ = findSides(boxes, execution);
-  assemble(patches, spec, execution);
-  rebuildFlawed(patches, spec, execution);
-  execution.stage("Shaping of cells", AfterCells, AfterShaping);
-  shaping_ = shapeCells(boxes, *patches_, sides_, nodes_, inner_, cells_, spec, execution);
+  assemble(spec, execution);
+  rebuildFlawed(spec, execution);
+  collapse(spec, execution);
+  if (shapesCells(spec))
+  {
+    execution.stage("Shaping of cells", AfterCells, AfterShaping);
+    shaping_ = shapeCells(boxes, *patches_, sides_, nodes_, inner_, cells_, spec, execution);
+  }
   execution.stage("Numbering", AfterShaping, AfterNumbering);
-  mesh_ = std::make_unique<Mesh>(
-    MeshParts{ boxes, *patches_, sides_, nodes_, inner_, cells_ }, execution);
+  mesh_ =
+    std::make_unique<Mesh>(MeshParts{ boxes, *patches_, sides_, nodes_, inner_, cells_ }, execution);
   if (mesh_->cellCount() == 0)
   {
     const bool onlySlivers = std::all_of(
@@ -193,33 +219,23 @@ Assembly::Assembly(
   }
 }
 
-void Assembly::collapse(const CellSpec& spec, Execution& execution)
+void Assembly::findInnerFaces(Execution& execution)
 {
-  if (spec.collapseRatio > 0)
-  {
-    collapsed_ = std::make_unique<Patches>(*patches_);
-    nodesCollapsed_ = collapseShortEdges(boxes_, sides_,
-      { spec.collapseRatio, spec.featureAngle, isExact(*patches_) }, *collapsed_, nodes_, inner_,
-      execution);
-    patches_ = collapsed_.get();
-  }
-}
-
-void Assembly::assemble(const Patches& patches, const CellSpec& spec, Execution& execution)
-{
-  patches_ = &patches;
   nodes_ = findNodes(boxes_, *patches_, sides_, execution);
   execution.stage("Inner faces", AfterSides, AfterInnerFaces);
   inner_ = generateInnerFaces(boxes_, *patches_, sides_, nodes_, execution);
-  collapse(spec, execution);
+}
+
+void Assembly::assemble(const CellSpec& spec, Execution& execution)
+{
+  findInnerFaces(execution);
   execution.stage("Cells", AfterInnerFaces, AfterCells);
   cells_ = assembleCells(boxes_, *patches_, sides_, nodes_, inner_, spec, execution);
 }
 
 // Each time the boxes that still are flawed keep less.
-void Assembly::rebuildFlawed(const Patches& given, const CellSpec& spec, Execution& execution)
+void Assembly::rebuildFlawed(const CellSpec& spec, Execution& execution)
 {
-  const Patches* patches = &given;
   std::vector<std::uint8_t> rebuilt(sides_.polyhedral.size());
   for (const GivenUp givenUp : { GivenUp::Nothing, GivenUp::Chords, GivenUp::Crossings })
   {
@@ -228,20 +244,46 @@ void Assembly::rebuildFlawed(const Patches& given, const CellSpec& spec, Executi
       break;
     }
     execution.stage("Flawed boxes", AfterCells, AfterCells);
-    // As they were before edges collapsed.
-    const Nodes nodes = findNodes(boxes_, *patches, sides_, execution);
-    const InnerFaces inner = generateInnerFaces(boxes_, *patches, sides_, nodes, execution);
     RebuiltPatches next =
-      rebuildFlawedBoxes(boxes_, *patches, sides_, nodes, inner, cells_.flawed, givenUp);
+      rebuildFlawedBoxes(boxes_, *patches_, sides_, nodes_, inner_, cells_.flawed, givenUp);
     for (std::size_t n = 0; n < rebuilt.size(); ++n)
     {
       rebuilt[n] = rebuilt[n] | next.boxes[n];
     }
     rebuilt_ = std::move(next);
-    patches = &rebuilt_.patches;
-    assemble(*patches, spec, execution);
+    patches_ = &rebuilt_.patches;
+    assemble(spec, execution);
   }
   rebuilt_.boxes.swap(rebuilt);
+}
+
+// Boxes whose faces would not close any more keep their edges.
+void Assembly::collapse(const CellSpec& spec, Execution& execution)
+{
+  if (!(spec.collapseRatio > 0))
+  {
+    return;
+  }
+  const std::vector<std::uint8_t> flawed = cells_.flawed;
+  const Patches& before = *patches_;
+  ShortEdgeSpec edges{ spec.collapseRatio, spec.featureAngle, isExact(before), flawed };
+  execution.stage("Short edges", AfterCells, AfterCells);
+  for (bool closed = false; !closed;)
+  {
+    collapsed_ = before;
+    nodesCollapsed_ =
+      collapseShortEdges(boxes_, sides_, edges, collapsed_, nodes_, inner_, execution);
+    patches_ = &collapsed_;
+    cells_ = assembleCells(boxes_, collapsed_, sides_, nodes_, inner_, spec, execution);
+    closed = cells_.flawed == flawed;
+    if (!closed)
+    {
+      std::transform(edges.keeps.begin(), edges.keeps.end(), cells_.flawed.begin(),
+        edges.keeps.begin(), std::bit_or<>());
+      patches_ = &before;
+      findInnerFaces(execution);
+    }
+  }
 }
 
 std::size_t Assembly::rebuiltBoxes() const

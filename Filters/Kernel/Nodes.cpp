@@ -141,6 +141,7 @@ Nodes findNodes(
   std::vector<Part> parts(sideParts + chunks(sides.divided.size(), BoxesAChunk));
   Nodes nodes;
   nodes.borderStart.assign(sides.sides.size() + 1, 0);
+  execution.nextLoop(0.9);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     parts[begin / BoxesAChunk] = sidesOf(boxes, sides, begin, end, nodes.borderStart);
   });

@@ -365,11 +365,13 @@ Patches generatePatches(const Surface& surface, const Boxes& boxes, const Shoebo
   const std::size_t count = intersected.size();
   std::vector<Pieces> pieces(chunks(count, BoxesAChunk));
   std::vector<PatchReason> reasons(boxes.boxes.size(), PatchReason::MarchingCubes);
+  execution.nextLoop(0.42);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     cutPieces(surface, features, boxes, clearance, shoeboxes, spec, intersected, begin, end,
       pieces[begin / BoxesAChunk], reasons);
   });
   std::vector<Part> parts(pieces.size());
+  execution.nextLoop(0.95);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     PartBuilder builder(
       surface, features, boxes, clearance, reasons, spec, parts[begin / BoxesAChunk]);

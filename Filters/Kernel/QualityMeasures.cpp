@@ -70,6 +70,7 @@ public:
   {
     const std::size_t faces = list_.owner.size();
     const std::size_t cells = quality_.cellGeometry.size();
+    execution_.nextLoop(0.2);
     execution_.forEach(faces, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f)
       {
@@ -77,6 +78,7 @@ public:
           measureFace(sizeOf(f), [&](std::size_t corner) { return position(corners(f)[corner]); });
       }
     });
+    execution_.nextLoop(0.25);
     execution_.forEach(cells, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c)
       {
@@ -84,12 +86,14 @@ public:
           [&](std::size_t i) { return outward(c, of_.faces[of_.start[c] + i]); });
       }
     });
+    execution_.nextLoop(0.4);
     execution_.forEach(faces, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f)
       {
         measureFaceBetween(f);
       }
     });
+    execution_.nextLoop(1);
     execution_.forEach(cells, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
       CellEdges edges;
       for (std::size_t c = begin; c < end; ++c)

@@ -143,6 +143,7 @@ Shoeboxes fillShoeboxes(const Surface& surface, const Meshlines& planes, Executi
   const RowAxes axes = RowsAlong[0];
   const std::size_t count = surface.triangles.size();
   std::vector<std::vector<Span>> spans(chunks(count, TrianglesAChunk));
+  execution.nextLoop(0.2);
   execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t)
     {

@@ -69,6 +69,7 @@ public:
     }
     listFacesOfNodes();
     slotOfNode();
+    banKept();
     std::size_t gone = 0;
     for (int round = 0; round < MostRounds; ++round)
     {
@@ -244,6 +245,46 @@ private:
     {
       edge.a = slotOf_[edge.a];
       edge.b = slotOf_[edge.b];
+    }
+  }
+
+  // Edges with an end in a box that keeps its edges.
+  void banKept()
+  {
+    std::vector<std::uint8_t> kept(slots_.size());
+    const auto keep = [&](const auto& start, const auto& corners, std::size_t face) {
+      for (std::size_t i = start[face]; i < start[face + 1]; ++i)
+      {
+        if (slotOf_[corners[i]] != None)
+        {
+          kept[slotOf_[corners[i]]] = 1;
+        }
+      }
+    };
+    for (std::size_t n = 0; n < spec_.keeps.size(); ++n)
+    {
+      if (!spec_.keeps[n])
+      {
+        continue;
+      }
+      const std::uint32_t cut = sides_.patchBox[n];
+      for (std::size_t p = cut == None ? 0 : patches_.boxStart[cut];
+           cut != None && p < patches_.boxStart[cut + 1]; ++p)
+      {
+        keep(patches_.start, patches_.corners, p);
+      }
+      for (std::size_t i = sides_.boxStart[n]; i < sides_.boxStart[n + 1]; ++i)
+      {
+        const std::size_t s = sides_.ofBox[i].side;
+        for (std::size_t f = inner_.sideStart[s]; f < inner_.sideStart[s + 1]; ++f)
+        {
+          keep(inner_.start, inner_.nodes, f);
+        }
+      }
+    }
+    for (ShortEdge& edge : edges_)
+    {
+      edge.banned = kept[edge.a] || kept[edge.b];
     }
   }
 

@@ -24,6 +24,9 @@ struct ShortEdgeSpec
 
   // Nodes of the surface move on its planes only.
   bool exact = false;
+
+  // 1 for polyhedral boxes (Sides.h) whose edges stay.
+  std::vector<std::uint8_t> keeps;
 };
 
 constexpr double MostCollapseRatio = 0.3;

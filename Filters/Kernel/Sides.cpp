@@ -110,6 +110,7 @@ void classify(const Boxes& boxes, Sides& result, Execution& execution)
 {
   const std::size_t count = boxes.boxes.size();
   std::vector<std::uint8_t> polyhedral(count);
+  execution.nextLoop(0.1);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     std::vector<std::int64_t> scratch;
     for (std::size_t b = begin; b < end; ++b)
@@ -137,31 +138,33 @@ void classify(const Boxes& boxes, Sides& result, Execution& execution)
   }
 }
 
-void listSidesOfBoxes(Sides& result)
+void listSidesOfBoxes(Sides& result, Execution& execution)
 {
   result.boxStart.assign(result.polyhedral.size() + 1, 0);
-  const auto forEachBox = [&](const Side& side, auto&& visit) {
-    for (const bool upper : { true, false })
+  const auto forEachSide = [&](auto&& visit) {
+    for (std::uint32_t s = 0; s < result.sides.size(); ++s)
     {
-      const std::uint32_t n = result.polyhedralOrdinal(upper ? side.low : side.high);
-      if (n != None)
+      if (s % BoxesAChunk == 0)
       {
-        visit(n, upper);
+        execution.poll();
+      }
+      for (const bool upper : { true, false })
+      {
+        const Side& side = result.sides[s];
+        const std::uint32_t n = result.polyhedralOrdinal(upper ? side.low : side.high);
+        if (n != None)
+        {
+          visit(n, s, upper);
+        }
       }
     }
   };
-  for (const Side& side : result.sides)
-  {
-    forEachBox(side, [&](std::uint32_t n, bool) { ++result.boxStart[n]; });
-  }
+  forEachSide([&](std::uint32_t n, std::uint32_t, bool) { ++result.boxStart[n]; });
   result.ofBox.resize(scan(result.boxStart));
   std::vector<std::size_t> next(result.boxStart.begin(), result.boxStart.end() - 1);
-  for (std::uint32_t s = 0; s < result.sides.size(); ++s)
-  {
-    forEachBox(result.sides[s], [&](std::uint32_t n, bool upper) {
-      result.ofBox[next[n]++] = { s, upper };
-    });
-  }
+  forEachSide([&](std::uint32_t n, std::uint32_t s, bool upper) {
+    result.ofBox[next[n]++] = { s, upper };
+  });
 }
 
 }
@@ -222,6 +225,7 @@ Sides findSides(const Boxes& boxes, Execution& execution)
   const std::size_t count = result.polyhedral.size();
   std::vector<std::vector<Side>> parts(chunks(count, BoxesAChunk));
   result.ownStart.assign(count + 1, 0);
+  execution.nextLoop(0.1);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     std::vector<Side>& part = parts[begin / BoxesAChunk];
     for (std::size_t n = begin; n < end; ++n)
@@ -235,9 +239,10 @@ Sides findSides(const Boxes& boxes, Execution& execution)
   result.sides.reserve(scan(result.ownStart));
   for (const std::vector<Side>& part : parts)
   {
+    execution.poll();
     result.sides.insert(result.sides.end(), part.begin(), part.end());
   }
-  listSidesOfBoxes(result);
+  listSidesOfBoxes(result, execution);
   return result;
 }
 

@@ -79,6 +79,7 @@ private:
   void findCandidates(const std::vector<CellKey>& keys)
   {
     candidates_.assign(keys.size(), {});
+    execution_.nextLoop(0.04);
     execution_.forEach(keys.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
       Polyhedron polyhedron;
       CellShape shape;
@@ -104,6 +105,7 @@ private:
     small_.clear();
     for (const Candidate& candidate : candidates_)
     {
+      execution_.poll();
       if (candidate.small)
       {
         small_.insert(candidate.key);
@@ -210,6 +212,7 @@ private:
     });
     for (const Merging& group : groups)
     {
+      execution_.poll();
       if (!group.keys.empty())
       {
         merge(group);
@@ -242,6 +245,7 @@ private:
   void mergeOneByOne()
   {
     std::vector<Merging> mergings(candidates_.size());
+    execution_.nextLoop(0.22);
     execution_.forEach(candidates_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
       {
@@ -254,6 +258,7 @@ private:
     });
     for (std::size_t i = 0; i < mergings.size(); ++i)
     {
+      execution_.poll();
       if (taken_.count(candidates_[i].key) > 0)
       {
         again_.insert(candidates_[i].key);

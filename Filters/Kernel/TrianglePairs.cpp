@@ -258,6 +258,7 @@ TrianglePairs findPairs(const Surface& surface, Execution& execution)
   const std::size_t most =
     std::clamp(MostTests / std::max<std::size_t>(count, 1), FewestNeighbours, MostNeighbours);
   std::vector<TrianglePairs> parts(chunks(count, TrianglesAChunk));
+  execution.nextLoop(0.9);
   execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
     TrianglePairs& part = parts[begin / TrianglesAChunk];
     for (std::size_t place = begin; place < end; ++place)

@@ -88,6 +88,13 @@ class Parameter:
         return " and ".join(end for end in ends if end)
 
 
+@dataclasses.dataclass
+class Collection:
+    """Lists that the panel shows as one table: value by value what a task file has in tables [[key]]."""
+    key: str
+    columns: list  # parameters; the first, a name, is never left out
+
+
 def _domain(property, wanted):
     """The first domain of a class, or None."""
     domains = property.NewDomainIterator()
@@ -128,10 +135,15 @@ def _parameter(property, table):
             "vtkSMStringVectorProperty": str}[property.GetClassName()]
     elements = [property.GetElement(i) for i in range(property.GetNumberOfElements())]
     choices = _domain(property, "vtkSMEnumerationDomain")
+    strings = _domain(property, "vtkSMStringListDomain")
+    if strings and strings.GetClassName() != "vtkSMStringListDomain":
+        strings = None  # of data: any text will do
     texts = [choices.GetEntryText(i) for i in range(choices.GetNumberOfEntries())] if choices else []
     if choices:
         values = [choices.GetEntryValue(i) for i in range(choices.GetNumberOfEntries())]
         elements = [texts[values.index(element)] for element in elements]
+    elif strings:
+        texts = [strings.GetString(i) for i in range(strings.GetNumberOfStrings())]
     elif _domain(property, "vtkSMBooleanDomain"):
         kind = bool
         elements = [bool(element) for element in elements]
@@ -142,21 +154,52 @@ def _parameter(property, table):
         documentation=" ".join(property.GetDocumentation().GetDescription().split()))
 
 
-def parameters(name):
-    """All parameters of the filter with that XML name, in the order of its panel's groups."""
-    prototype = servermanager.ProxyManager().SMProxyManager.GetPrototypeProxy("filters", name)
-    tables = {}
+def _prototype(group, name):
+    return servermanager.ProxyManager().SMProxyManager.GetPrototypeProxy(group, name)
+
+
+def _groups(prototype):
+    """The panel's groups: (key, {name of a property: what it is in the prototype of a table's row},
+    that prototype or None)."""
     for i in range(prototype.GetNumberOfPropertyGroups()):
         group = prototype.GetPropertyGroup(i)
-        for j in range(group.GetNumberOfProperties()):
-            tables[prototype.GetPropertyName(group.GetProperty(j))] = key_of(group.GetXMLLabel())
+        members = [group.GetProperty(j) for j in range(group.GetNumberOfProperties())]
+        hint = group.GetPanelWidget() == "PropertyCollection" and \
+            group.GetHints().FindNestedElementByName("PropertyCollectionWidgetPrototype")
+        row = _prototype(hint.GetAttribute("group"), hint.GetAttribute("name")) if hint else None
+        yield (key_of(group.GetXMLLabel()),
+            {prototype.GetPropertyName(member): group.GetFunction(member) for member in members}, row)
+
+
+def collections(name):
+    """All tables of the filter with that XML name that are several lists to Python."""
+    prototype = _prototype("filters", name)
+    return [Collection(key, [
+                dataclasses.replace(_parameter(row.GetProperty(function), key),
+                    name=prototype.GetProperty(name).GetXMLLabel().replace(" ", ""))
+                for name, function in functions.items()])
+        for key, functions, row in _groups(prototype) if row]
+
+
+def parameters(name):
+    """All other parameters of that filter, in the order of its panel's groups."""
+    prototype = _prototype("filters", name)
+    tables = {name: key for key, functions, row in _groups(prototype) for name in functions if not row}
+    columns = {name for _, functions, row in _groups(prototype) for name in functions if row}
     found = {}
     properties = prototype.NewPropertyIterator()
     properties.UnRegister(None)
     properties.Begin()
     while not properties.IsAtEnd():
         property = properties.GetProperty()
-        if not property.IsA("vtkSMInputProperty") and not property.GetInformationOnly():
+        if not property.IsA("vtkSMInputProperty") and not property.GetInformationOnly() and \
+                properties.GetKey() not in columns:
             found[properties.GetKey()] = _parameter(property, tables.get(properties.GetKey(), ""))
         properties.Next()
     return [found.pop(name) for name in tables if name in found] + list(found.values())
+
+
+def names(name):
+    """What all of them are called in Python."""
+    return [parameter.name for parameter in parameters(name)] + \
+        [column.name for collection in collections(name) for column in collection.columns]

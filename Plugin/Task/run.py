@@ -1,25 +1,26 @@
 """Runs task files: what cartesian-mesher starts under pvpython or, within mpirun, under pvbatch."""
 
 import argparse
+import itertools
 import json
 import os
 import pathlib
 import signal
 import sys
 import time
+import traceback
 
 import cartesianmesher.vtkCartesianMesherFilters  # without it, filters show their base class only
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
-from parameters import parameters
+from parameters import names, parameters
 from task import MESHER, TaskError, read_task
 from template import template
 
-# Exit codes; 1 is Python's own, after a fault of the program.
-SUCCESS, REFUSED, WARNINGS = 0, 2, 3
+# Exit codes; FAULT is one of the program.
+SUCCESS, FAULT, REFUSED, WARNINGS = 0, 1, 2, 3
 STOPPED = 128 + signal.SIGINT
 
 VTK_WRITERS = {".vtu": vtkXMLUnstructuredGridWriter, ".vtp": vtkXMLPolyDataWriter}
@@ -76,9 +77,9 @@ def surface(files):
 
 def boundary_numbers(mesher):
     """{name: number} of the boundaries of the surface."""
-    names = vtkDataObject()
-    mesher.SMProxy.GetClientSideObject().DescribeBoundaries(names)
-    numbers, texts = (names.GetFieldData().GetAbstractArray(name)
+    described = vtkDataObject()
+    mesher.SMProxy.GetClientSideObject().DescribeBoundaries(described)
+    numbers, texts = (described.GetFieldData().GetAbstractArray(name)
         for name in ("BoundaryIds", "BoundaryNames"))
     return {texts.GetValue(i): numbers.GetValue(i) for i in range(texts.GetNumberOfValues())} \
         if texts else {}
@@ -153,16 +154,16 @@ def statistics(mesher, listener, seconds):
         if array.GetNumberOfComponents() == 1}
     rows = [arrays.pop(name, []) for name in
         ("BoundaryIds", "BoundaryNames", "BoundaryFaceCounts", "BoundaryAreas")]
+    types = arrays.pop("BoundaryTypes", [])
     return {
         "error_code": listener.algorithm.GetErrorCode(),
         "errors": listener.errors,
         "warnings": listener.warnings,
         "seconds": round(seconds, 3),
-        "parameters": {parameter.name: mesher.GetProperty(parameter.name).GetData()
-            for parameter in parameters(MESHER)},
+        "parameters": {name: mesher.GetProperty(name).GetData() for name in names(MESHER)},
         "mesh": {name: whole(values[0]) for name, values in arrays.items() if len(values) == 1},
-        "boundaries": [{"number": number, "name": name, "faces": faces, "area": area}
-            for number, name, faces, area in zip(*rows)],
+        "boundaries": [{"number": number, "name": name, "type": type, "faces": faces, "area": area}
+            for number, name, faces, area, type in itertools.zip_longest(*rows, types, fillvalue="")],
     }
 
 
@@ -202,7 +203,7 @@ def check(task):
     mesher = build(task)
     listener = Listener(mesher, quiet=True)
     boxes = listener.algorithm.EstimateNumberOfBoxes()
-    print(f"about {boxes:.3g} boxes before refinement")
+    print(f"about {boxes:.3g} boxes, at refinement depth {mesher.RefinementDepth}")
     return REFUSED if boxes == 0 else WARNINGS if listener.warnings else SUCCESS
 
 
@@ -231,15 +232,19 @@ def main(arguments):
 
 
 def leave(code):
-    """Exits; within mpirun, pvbatch ends all ranks well if this one returns, mpirun if it fails."""
-    controller = vtkMultiProcessController.GetGlobalController()
-    if controller.GetNumberOfProcesses() == 1:
+    """Exits; within mpirun, where all ranks must end well, cartesian-mesher does so with the code."""
+    if "CARTESIAN_MESHER_CODE" not in os.environ:
         sys.exit(code)
     if code != SUCCESS:
-        sys.stdout.flush()
-        sys.stderr.flush()
-        os._exit(code)
+        pathlib.Path(os.environ["CARTESIAN_MESHER_CODE"]).write_text(str(code))
 
 
 if __name__ == "__main__":
-    leave(main(sys.argv[1:]))
+    try:
+        code = main(sys.argv[1:])
+    except SystemExit as ended:  # by argparse
+        code = ended.code
+    except Exception:
+        traceback.print_exc()
+        code = FAULT
+    leave(code)

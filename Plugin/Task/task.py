@@ -10,6 +10,11 @@
     refinement_depth = 1
     boundary_refinement = [ { boundary = "inlet", depth = 2, blending_distance = 2, blend_to_depth_1 = 0 } ]
 
+    [[boundaries]]             # any number: those that differ from the others
+    name = "inlet"
+    type = "patch"
+    small_cell_ratio = 1e-100
+
     [[regions]]                # any number; those of Refinement Region, or file and depth
     shape = "Sphere"
     center = [0.0, 10.0, 0.0]
@@ -27,7 +32,7 @@ import pathlib
 import re
 import tomllib
 
-from parameters import BadValue, parameters
+from parameters import BadValue, collections, parameters
 
 MESHER, REGION = "CartesianMesher", "RefinementRegion"
 
@@ -112,6 +117,25 @@ class _Reader:
                     self.fail(where + (parameter.key,), error)
         return found
 
+    def collection(self, content, of, defaults):
+        """{name in Python: list} of tables [[key]]; what one leaves out is in `defaults`, by key."""
+        first, *others = of.columns
+        rows = []
+        for i, table in enumerate(self.tables(content, of.key)):
+            where = (of.key, i)
+            self.table(table, where, {column.key for column in of.columns})
+            if first.key not in table:
+                self.fail(where, f"needs the key {first.key}")
+            rows.append({column.name: defaults.get(column.key, column.default) for column in others}
+                | self.values(table, where, of.columns))
+        return {column.name: [row[column.name] for row in rows] for column in of.columns} if rows else {}
+
+    def tables(self, content, key):
+        """The content itself, if it is written [[key]]."""
+        if not isinstance(content, list):
+            self.fail((key,), f"must be written [[{key}]], once for each")
+        return content
+
     def files(self, content, where, *, exist):
         """One file or a list of them, relative to the task file."""
         names = [content] if isinstance(content, str) else content
@@ -146,22 +170,24 @@ def outputs(reader, content):
 def read_task(path):
     """The task in a file, checked as far as can be without its surface. Throws TaskError."""
     reader = _Reader(pathlib.Path(path))
-    mesher, region = parameters(MESHER), parameters(REGION)
+    mesher, region, rows = parameters(MESHER), parameters(REGION), collections(MESHER)
     tables = {}
     for parameter in mesher:
         tables.setdefault(parameter.table, []).append(parameter)
-    content = reader.table(reader.content, (), {*tables, "surface", "regions", "output"})
+    content = reader.table(reader.content, (), {*tables, "surface", "regions", "output",
+        *(of.key for of in rows)})
 
     properties = {}
     for name, of in tables.items():
         known = {parameter.key for parameter in of} | ({"file"} if name == "surface" else set())
         table = reader.table(content.get(name, {}), (name,), known)
         properties |= reader.values(table, (name,), of)
+    defaults = {parameter.key: properties.get(parameter.name, parameter.default) for parameter in mesher}
+    for of in rows:
+        properties |= reader.collection(content.get(of.key, []), of, defaults)
     if "file" not in content.get("surface", {}):
         reader.fail(("surface",), "needs the key file: a surface to mesh")
-    regions = content.get("regions", [])
-    if not isinstance(regions, list):
-        reader.fail(("regions",), "must be written [[regions]], once for each")
+    regions = reader.tables(content.get("regions", []), "regions")
     return Task(path=reader.path,
         surfaces=reader.files(content["surface"]["file"], ("surface", "file"), exist=True),
         properties=properties,

@@ -3,7 +3,7 @@
 import json
 import textwrap
 
-from parameters import parameters
+from parameters import collections, parameters
 from task import MESHER, REGION
 
 HEAD = """\
@@ -19,6 +19,9 @@ file = "surface.stl\""""
 REGIONS = """
 # Boxes and spheres to refine in, each a table [[regions]] of its own; or a closed surface's file and
 # a depth."""
+
+ROWS = """
+# Any number of tables of this kind, each with a name; what is left out is as elsewhere."""
 
 OUTPUT = """
 # What to write; each a file or a list of them.
@@ -53,5 +56,7 @@ def template():
         if name == "surface":
             parts.append(SURFACE_FILE)
         parts += [entry(parameter) for parameter in of]
+    for collection in collections(MESHER):
+        parts += [ROWS, f"# [[{collection.key}]]", *[entry(column, "# ") for column in collection.columns]]
     parts += [REGIONS, "# [[regions]]", *[entry(parameter, "# ") for parameter in parameters(REGION)]]
     return "\n".join([*parts, OUTPUT])

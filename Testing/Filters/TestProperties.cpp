@@ -95,6 +95,10 @@ TEST(Properties, OnlyAChangeModifies)
     mesher->SetNumberOfThreads(static_cast<int>(length));
     mesher->SetPatchMethod(vtkPatcher::ExactFit);
     mesher->SetBoundaryArray(name);
+    mesher->SetNumberOfBoundaryNames(1);
+    mesher->SetBoundaryName(0, name);
+    mesher->SetNumberOfBoundarySmallCellRatios(1);
+    mesher->SetBoundarySmallCellRatio(0, length);
   };
   setAll(2.5, "Side");
   const vtkMTimeType before = mesher->GetMTime();
@@ -108,6 +112,9 @@ TEST(Properties, OnlyAChangeModifies)
     [&] { mesher->SetSmallCellRatio(0.5); },
     [&] { mesher->SetNumberOfThreads(3); },
     [&] { mesher->SetBoundaryArray(""); },
+    [&] { mesher->SetBoundaryName(0, "Other"); },
+    [&] { mesher->SetBoundarySmallCellRatio(0, 3.5); },
+    [&] { mesher->SetNumberOfBoundaryTypes(1); },
   };
   for (std::size_t i = 0; i < changes.size(); ++i)
   {
@@ -146,7 +153,14 @@ TEST(Properties, AllArePrinted)
   expectToPrint(patcher, { "NumberOfThreads: 0", "BoundaryArray: Side", "PatchMethod: 0" });
 
   vtkNew<vtkCellAssembler> assembler;
-  expectToPrint(assembler, { "NumberOfThreads: 0", "SmallCellRatio: 0.001" });
+  assembler->SetNumberOfBoundaryNames(2);
+  assembler->SetBoundaryName(1, "inlet");
+  assembler->SetNumberOfBoundaryTypes(1);
+  assembler->SetBoundaryType(0, "wall");
+  EXPECT_EQ(errorsOf(assembler, [&] { assembler->SetBoundaryType(1, "patch"); }), 1);
+  expectToPrint(assembler,
+    { "NumberOfThreads: 0", "SmallCellRatio: 0.001", "BoundaryNames:  inlet", "BoundaryTypes: wall",
+      "BoundarySmallCellRatios:" });
 
   vtkNew<vtkPolyMeshWriter> writer;
   expectToPrint(writer, { "FileName: (none)", "FileType: 2" });

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -95,6 +96,49 @@ TEST(Execution, ProgressNeverFallsAndIsReportedByTheCaller)
   ASSERT_EQ(execution.seconds().size(), 2U);
   EXPECT_EQ(execution.seconds()[1].first, "b");
   EXPECT_GE(execution.seconds()[1].second, 0);
+}
+
+TEST(Execution, LoopsAreSharesOfWhatIsLeft)
+{
+  double last = 0;
+  Execution execution(
+    1,
+    [&](double fraction, const char*) {
+      last = fraction;
+      return true;
+    },
+    0.5, 1);
+  execution.leaveOut(0.75, 1);
+  const auto loop = [&] { execution.forEach(10, 1, [](std::size_t, std::size_t) {}); };
+  execution.stage("a", 0.5, 0.625);
+  loop();
+  EXPECT_EQ(last, 0);
+  execution.nextLoop(0.5);
+  loop();
+  EXPECT_EQ(last, 0.25);
+  execution.nextLoop(0.5);
+  loop();
+  EXPECT_EQ(last, 0.375);
+  loop();
+  EXPECT_EQ(last, 0.375);
+  execution.stage("b", 0.625, 0.75);
+  EXPECT_EQ(last, 0.5);
+  execution.nextLoop(1);
+  loop();
+  EXPECT_EQ(last, 1);
+  execution.stage("left out", 0.75, 1);
+  EXPECT_EQ(last, 1);
+}
+
+TEST(Execution, LoopsOfOthersStopToo)
+{
+  bool goOn = true;
+  Execution execution(1, [&](double, const char*) { return goOn; });
+  execution.stage("work", 0, 1);
+  goOn = false;
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  EXPECT_THROW(
+    while (std::chrono::steady_clock::now() < end) { execution.poll(); }, Stopped);
 }
 
 TEST(Execution, StopsAtOnce)

@@ -167,6 +167,56 @@ with Messages() as said:
     output(wrong)
 assert "nobody" in str(said) and error_code(wrong) == 40008, said
 
+# A ratio of a boundary's own is that of its cells, and of no others: those removed or not are the ones
+# that meshes with one ratio for all remove or not.
+SETTINGS = {"BoundaryNames": ["outlet_1", "wall_2"], "BoundarySmallCellRatios": [0.9, 1e-100]}
+
+
+def cut(**properties):
+    return simple.CartesianMesher(Input=exhaust, CellSize=12, SmallCells="Remove", **properties)
+
+
+def cells(mesher):
+    """{(global box, volume fraction): its main boundary, by area, or None}"""
+    mesh, skin = output(mesher), output(simple.CellSize(Input=simple.OutputPort(mesher, 1)))
+    owners, boundaries, sizes = (skin.GetCellData().GetArray(name) for name in ("OwnerCell", "BoundaryId", "Area"))
+    areas = {}
+    for face in range(skin.GetNumberOfCells()):
+        of_cell = areas.setdefault(owners.GetValue(face), {})
+        boundary = boundaries.GetValue(face)
+        of_cell[boundary] = of_cell.get(boundary, 0) + sizes.GetValue(face)
+    boxes, fractions = (mesh.GetCellData().GetArray(name) for name in ("GlobalBox", "VolumeFraction"))
+    return {(boxes.GetTuple(cell), fractions.GetValue(cell)): areas.get(cell)
+        and max(sorted(areas[cell]), key=areas[cell].get) for cell in range(mesh.GetNumberOfCells())}
+
+
+numbers_of = {name: number for number, name in names(output(cut())).items()}
+outlet, wall = numbers_of["outlet_1"], numbers_of["wall_2"]
+every, usual, own = cells(cut(SmallCellRatio=0)), cells(cut(SmallCellRatio=0.2)), cells(cut(SmallCellRatio=0.2, **SETTINGS))
+expected_own = {cell for cell, boundary in every.items()
+    if cell[1] >= {outlet: 0.9, wall: 1e-100}.get(boundary, 0.2)}
+assert set(own) == expected_own, set(own) ^ expected_own
+for more, less in (own, usual), (usual, own):
+    assert set(more) - set(less), f"no cell between {len(own)}, {len(usual)}, {len(every)}"
+boxer = simple.CartesianBoxer(Input=exhaust, CellSize=12)
+in_steps = simple.CellAssembler(Input=boxer, Patches=simple.Patcher(Input=exhaust, Boxes=boxer),
+    SmallCells="Remove", SmallCellRatio=0.2, **SETTINGS)
+for port in 0, 1:
+    assert_identical("with ratios, in three steps", output(in_steps, port), output(cut(SmallCellRatio=0.2, **SETTINGS), port))
+
+for wrong, part in (
+    ({"BoundaryNames": ["nobody"]}, "There are wall_1, inlet_1"),
+    ({"BoundaryNames": ["wall_1", "inlet_1", "wall_1"]}, '"wall_1" twice'),
+    ({"BoundaryNames": ["wall_1"], "BoundarySmallCellRatios": [1]}, "from 0 to less than 1"),
+    ({"BoundaryNames": ["wall_1"], "BoundarySmallCellRatios": [0.1, 0.2]}, "one for each name"),
+    ({"BoundaryNames": ["wall_1"], "BoundaryTypes": ["cyclic"]}, "none of automatic, patch, wall"),
+    ({"BoundaryTypes": ["wall"]}, "one for each name"),
+):
+    with Messages() as said:
+        refused = cut(**wrong)
+        output(refused)
+    assert part in str(said) and error_code(refused) == 40008, f"no '{part}' in {said}"
+
 # What is no surface.
 image = vtkImageData()
 image.SetDimensions(2, 2, 2)

@@ -208,6 +208,18 @@ files = foam.Files(folder)
 check_equal(output(finer), output(finer, 1), files)
 assert list(types(files).values()) == ["symmetry"] + 11 * ["patch"]
 assert not list(folder.glob("**/polyMesh?*"))
+# ... but what the user says of types wins, and other entries stay.
+boundary.write_text(boundary.read_text().replace("symmetry;", "symmetry; // type of mine ;\n  inGroups 1(type);", 1))
+typed = simple.CartesianMesher(Input=exhaust.Input, CellSize=10,
+    BoundaryNames=["boundary_0", "boundary_3", "boundary_5"], BoundaryTypes=["empty", "symmetryPlane", "automatic"])
+assert write(output(typed), folder) == ("", 0)
+assert list(types(foam.Files(folder)).values()) == ["empty", "patch", "patch", "symmetryPlane"] + 8 * ["patch"]
+assert "empty; // type of mine ;\n  inGroups 1(type);" in boundary.read_text()
+assert write(output(exhaust), folder) == ("", 0)
+assert list(types(foam.Files(folder)).values()) == ["empty", "patch", "patch", "symmetryPlane"] + 8 * ["patch"]
+# ... a new case has them too, whatever keeps the cells comes between.
+assert list(types(saved(simple.Threshold(Input=typed, Scalars=["CELLS", "Region"]))[1]).values()) == \
+    ["empty", "patch", "patch", "symmetryPlane"] + 8 * ["patch"]
 # ... the zones of the mesh that was replaced are put aside.
 (poly_mesh / "cellZones").write_text("zones")
 said, code = write(output(exhaust), folder)

@@ -5,34 +5,16 @@ in the current folder; look at it, and copy it to Testing/Baseline if it is righ
 """
 
 import pathlib
-import sys
 
 from paraview import simple
-from vtkmodules.vtkImagingCore import vtkImageDifference
-from vtkmodules.vtkIOImage import vtkPNGReader
 
+from pictures import BASELINE, difference
 from pipeline import read
 
-BASELINE = pathlib.Path(sys.argv[1]) / "Testing" / "Baseline"
 MOST = 10  # thresholded error: about as many pixels of another colour
 COLOURS = [(0.12, 0.47, 0.71), (1.0, 0.5, 0.05), (0.17, 0.63, 0.17), (0.84, 0.15, 0.16),
            (0.58, 0.4, 0.74), (0.55, 0.34, 0.29), (0.89, 0.47, 0.76), (0.5, 0.5, 0.5),
            (0.74, 0.74, 0.13), (0.09, 0.75, 0.81), (0.68, 0.78, 0.91), (1.0, 0.73, 0.47)]
-
-
-def pixels(path):
-    reader = vtkPNGReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    return reader.GetOutput()
-
-
-def difference(left, right):
-    compare = vtkImageDifference()
-    compare.SetInputData(pixels(left))
-    compare.SetImageData(pixels(right))
-    compare.Update()
-    return compare.GetThresholdedError()
 
 
 def draw(name, source, array, values, towards, up):

@@ -10,6 +10,7 @@ boundaries = {"BoundaryArray": ""}
 patches = {"PatchMethod": "Automatic", "FeatureAngle": 30.0, "MergeAngle": 10.0,
            "Tying": "Keep Nodes"}
 cells = {"SmallCells": "Remove", "MergeRatio": 0.1, "SmallCellRatio": 0.001, "SplitConcaveCells": 0}
+settings = {"BoundaryNames": [], "BoundaryTypes": [], "BoundarySmallCellRatios": []}
 threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}
 
@@ -28,9 +29,9 @@ expected = {
     boxer: ("Cartesian Boxer", ["Input", "RefinementRegions"],
             boundaries | grid | refinement | threads | memory),
     patcher: ("Patcher", ["Input", "Boxes"], boundaries | patches | threads),
-    assembler: ("Cell Assembler", ["Input", "Patches"], cells | threads),
+    assembler: ("Cell Assembler", ["Input", "Patches"], cells | settings | threads),
     mesher: ("Cartesian Mesher", ["Input", "RefinementRegions"],
-             boundaries | grid | refinement | patches | cells | threads | memory),
+             boundaries | grid | refinement | patches | cells | settings | threads | memory),
     inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
     quality: ("Finite Volume Quality", ["Input"], threads),
     # A region is as large as its input at first.
@@ -40,13 +41,20 @@ expected = {
 }
 for proxy, (label, inputs, properties) in expected.items():
     assert proxy.GetXMLLabel() == label, proxy.GetXMLLabel()
-    # What ends in Info is what a panel asks the server, not the user.
-    names = sorted(name for name in proxy.ListProperties() if not name.endswith("Info"))
+    names = sorted(name for name in proxy.ListProperties()
+        if not proxy.GetProperty(name).SMProperty.GetInformationOnly())
     assert names == sorted(inputs + list(properties)), f"{label} has the properties {names}"
     for name, default in properties.items():
         value = proxy.GetPropertyValue(name)
         value = list(value) if isinstance(default, list) else value
         assert value == default, f"the default of {name} of {label} is {value!r}"
+
+# All that a panel shows is explained.
+for proxy in expected:
+    for name in proxy.ListProperties():
+        property = proxy.GetProperty(name).SMProperty
+        text = property.GetDocumentation().GetDescription() if property.GetDocumentation() else ""
+        assert property.GetPanelVisibility() == "never" or len(text) > 20, f"{name} of {proxy} is not explained"
 
 for proxy, names in (
     (assembler, ["Mesh", "Boundary"]), (mesher, ["Mesh", "Boundary", "Defects"]),

@@ -10,16 +10,9 @@ import tempfile
 
 from paraview import simple
 
+from readme import README, block
+
 REPOSITORY, PROGRAM = pathlib.Path(sys.argv[1]), sys.argv[2]
-README = (REPOSITORY / "README.md").read_text()
-
-
-def block(language, part):
-    """The block of code in that language that has `part` in it."""
-    found = [text for text in re.findall(rf"```{language}\n(.*?)```", README, re.S) if part in text]
-    assert len(found) == 1, f"{len(found)} blocks of {language} with {part}"
-    return found[0]
-
 
 for page, folder in (README, REPOSITORY), ((REPOSITORY / "Filters/Kernel/README.md").read_text(), ""):
     for file in re.findall(r"\]\(([^)#:]+)\)|<img src=\"([^\"]+)\"", page):
@@ -45,6 +38,10 @@ said = subprocess.run([PROGRAM, "task.toml"], check=True, capture_output=True, t
 assert "inlet_1" in said
 for file in "header.vtu", "case/header.foam", "case/constant/polyMesh/faces", "header.vtp", "header.json":
     assert (folder / file).is_file(), f"{file} was not written"
+
+exec(block("python", "BoundarySmallCellRatios"), vars(simple).copy())
+patches = (folder / "header" / "constant" / "polyMesh" / "boundary").read_text()
+assert re.search(r"outlet_1\s*{\s*type\s+symmetry;", patches), patches
 
 names = vars(simple).copy()
 exec(block("python", "RefinementBlocks"), names)

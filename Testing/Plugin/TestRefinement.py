@@ -78,3 +78,16 @@ with Messages() as text:
     cells = output(mesher).GetNumberOfCells()
 assert cells > 0 and error_code(mesher) == 0
 assert "row 0 of Refinement Blocks" in str(text) and "K from 45 to 99" in str(text), str(text)
+
+# How many boxes there will be is known before anything is meshed, and follows the surface and the size.
+mesher = simple.CartesianMesher(Input=spot)
+for size in 0, 0.1:
+    mesher.CellSize = size
+    mesher.UpdatePipelineInformation()
+    rows = [list(mesher.ExpectedBoxes)[i:i + 4] for i in range(0, 20, 4)]
+    applied, *expected = rows[0]
+    assert applied == size or 0.0343 < applied < 0.0345, applied
+    made = [output(simple.CartesianBoxer(Input=spot, CellSize=applied, RefinementDepth=depth)).GetNumberOfCells()
+        for depth in range(3)]
+    assert all(0.85 < boxes / true < 1.15 for boxes, true in zip(expected, made)), f"{expected}, in truth {made}"
+assert [row[0] for row in rows[1:]] == [0.0687, 0.0344, 0.0172, 0.00859], rows

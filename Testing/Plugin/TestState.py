@@ -10,10 +10,13 @@ from pipeline import assert_identical, output, read
 GRID = {"CellSize": 9.5, "MeshlinesX": [-30, 0, 40.25, 200], "MeshlinesY": [],
         "MeshlinesZ": [-300, -100.5, 20]}
 OTHERS = {"NumberOfThreads": 1, "MemoryLimit": 2.5, "BoundaryArray": "STLSolidLabeling",
-          "PatchMethod": "Exact Fit", "SmallCellRatio": 0.01}
+          "PatchMethod": "Exact Fit", "SmallCellRatio": 0.01,
+          "BoundaryNames": ["boundary_1", "boundary_3"], "BoundaryTypes": ["patch", "symmetry"],
+          "BoundarySmallCellRatios": [1e-100, 0.25]}
+SETTINGS = ["BoundaryNames", "BoundaryTypes", "BoundarySmallCellRatios"]
 FILTERS = {"CartesianBoxer": ["NumberOfThreads", "MemoryLimit", *GRID],
            "Patcher": ["NumberOfThreads", "BoundaryArray", "PatchMethod"],
-           "CellAssembler": ["NumberOfThreads", "SmallCellRatio"],
+           "CellAssembler": ["NumberOfThreads", *SETTINGS, "SmallCellRatio"],
            "CartesianMesher": [*GRID, *OTHERS]}
 
 

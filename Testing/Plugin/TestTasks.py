@@ -17,7 +17,7 @@ from pipeline import DATA, assert_identical, octahedron, output, polydata
 
 PROGRAM = sys.argv[2]
 sys.path.insert(0, str(pathlib.Path(sys.argv[1]) / "Plugin" / "Task"))
-from parameters import key_of, parameters  # noqa: E402
+from parameters import collections, key_of, names, parameters  # noqa: E402
 from task import MESHER, REGION, TaskError, lines_of, read_task  # noqa: E402
 from template import template  # noqa: E402
 
@@ -52,8 +52,8 @@ def read(name, reader=simple.XMLUnstructuredGridReader):
 # Every property of the panel is a key, and has its default: the template says all keys, and read
 # back, it is what a new filter has.
 mesher = simple.CartesianMesher(Input=simple.Sphere())
-assert {parameter.name for parameter in parameters(MESHER)} == \
-    set(mesher.ListProperties()) - {"Input", "RefinementRegions", "RefinedBoundaryInfo"}
+assert set(names(MESHER)) == \
+    set(mesher.ListProperties()) - {"Input", "RefinementRegions", "RefinedBoundaryInfo", "ExpectedBoxes"}
 region = simple.RefinementRegion(Input=simple.Sphere())
 assert {parameter.name for parameter in parameters(REGION)} == set(region.ListProperties()) - {"Input"}
 for parameter in parameters(MESHER):
@@ -61,6 +61,10 @@ for parameter in parameters(MESHER):
     assert len(parameter.documentation) > 20, f"{parameter.name} has no documentation"
     assert not parameter.columns or len(parameter.columns) == parameter.count, parameter
     assert mesher.GetProperty(parameter.name).GetData() == parameter.default, parameter
+
+for collection in collections(MESHER):
+    for column in collection.columns:
+        assert len(column.documentation) > 20, f"{column.name} has no documentation"
 
 full = tomllib.loads(start("--template"))
 assert {(table, key) for table in full for key in full[table]} == \
@@ -83,6 +87,12 @@ boundary_refinement = [
   {{ boundary = "inlet_1", depth = 2, blending_distance = 1, blend_to_depth_1 = true }},
   [2, 1, 0, 0],
 ]
+[[boundaries]]
+name = "inlet_2"
+small_cell_ratio = 0.2
+[[boundaries]]
+name = "outlet_1"
+type = "wall"
 [[regions]]
 shape = "Sphere"
 center = [70, 200, -100]
@@ -93,6 +103,7 @@ shape = "Box"
 position = [0, 0, -100]
 length = [40, 50, 60]
 [cells]
+small_cells = "Remove"
 small_cell_ratio = 0.01
 [output]
 mesh = "out/mesh.vtu"
@@ -103,7 +114,8 @@ source = simple.OpenDataFile(str(EXHAUST))
 regions = [simple.RefinementRegion(Input=source, Shape="Sphere", Center=[70, 200, -100], Radius=30, Depth=2),
            simple.RefinementRegion(Input=source, Position=[0, 0, -100], Length=[40, 50, 60])]
 mesher = simple.CartesianMesher(Input=source, CellSize=24, MeshlinesZ=[-400, -150.5, -100, -50, 0, 400],
-    BoundaryRefinement=[1, 2, 1, 1, 2, 1, 0, 0], RefinementRegions=regions, SmallCellRatio=0.01)
+    BoundaryRefinement=[1, 2, 1, 1, 2, 1, 0, 0], RefinementRegions=regions, SmallCells="Remove", SmallCellRatio=0.01,
+    BoundaryNames=["inlet_2", "outlet_1"], BoundaryTypes=["automatic", "wall"], BoundarySmallCellRatios=[0.2, 0.01])
 expected = output(mesher)
 assert expected.GetNumberOfCells() > 500
 said = run(TASK)
@@ -115,15 +127,17 @@ assert_identical("its boundary", read("out/boundary.vtp", simple.XMLPolyDataRead
 statistics = json.loads((folder / "out" / "statistics.json").read_text())
 assert statistics["mesh"]["Cells"] == expected.GetNumberOfCells()
 assert [row["name"] for row in statistics["boundaries"]][:3] == ["wall_1", "inlet_1", "outlet_1"]
+assert [row["type"] for row in statistics["boundaries"]][:3] == ["", "", "wall"]
+assert statistics["parameters"]["BoundarySmallCellRatios"] == [0.2, 0.01]
 assert statistics["parameters"]["BoundaryRefinement"] == [1, 2, 1, 1, 2, 1, 0, 0]
 assert not statistics["errors"] and not statistics["warnings"] and statistics["error_code"] == 0
 alone = (folder / "out" / "mesh.vtu").read_bytes()
 assert run(TASK, "--quiet", ranks=2) == ""
 assert (folder / "out" / "mesh.vtu").read_bytes() == alone
 shutil.rmtree(folder / "out")
-boxes = float(re.fullmatch(r"about (\S+) boxes before refinement\n", run(TASK, "--check"))[1])
+boxes = float(re.fullmatch(r"about (\S+) boxes, at refinement depth 0\n", run(TASK, "--check"))[1])
 coarse = output(simple.CartesianBoxer(Input=source, CellSize=24, MeshlinesZ=mesher.MeshlinesZ))
-assert 0.5 < boxes / coarse.GetNumberOfCells() < 2, f"{boxes} estimated, {coarse.GetNumberOfCells()} made"
+assert 0.8 < boxes / coarse.GetNumberOfCells() < 1.25, f"{boxes} estimated, {coarse.GetNumberOfCells()} made"
 assert not (folder / "out").exists()
 
 # Several files are boundaries of their names.
@@ -179,7 +193,15 @@ for text, *parts in (
     (FILES + '[[regions]]\nshape = "Cone"\n', ":4: regions[0].shape", "'Sphere'"),
     (FILES + '[[regions]]\nfile = "none.stl"\n', ":4: regions[0].file", "there is no file"),
     (FILES + "[regions]\ndepth = 1\n", ":3: regions", "[[regions]]"),
+    (FILES + '[[boundaries]]\nname = "roof"\n\ntype = "fence"\n', ":6: boundaries[0].type", "'symmetryPlane'"),
+    (FILES + '[[boundaries]]\ntype = "wall"\n', ":3: boundaries[0]: needs the key name"),
+    (FILES + '[boundaries]\nname = "roof"\n', ":3: boundaries: must be written [[boundaries]]"),
+    (FILES + '[[boundaries]]\nname = "walls"\n', 'Boundary Names has "walls"', "There are roof, floor."),
     (FILES + "[output]\nmesh = 1\n", ":4: output.mesh", "name of a file"),
+    (FILES + '[[boundaries]]\nname = "roof"\n\ntype = "fence"\n', ":6: boundaries[0].type", "'symmetryPlane'"),
+    (FILES + '[[boundaries]]\ntype = "wall"\n', ":3: boundaries[0]: needs the key name"),
+    (FILES + '[boundaries]\nname = "roof"\n', ":3: boundaries: must be written [[boundaries]]"),
+    (FILES + '[[boundaries]]\nname = "walls"\n', 'Boundary Names has "walls"', "There are roof, floor."),
     (FILES + '[output]\nmesh = "m.nonsense"\n', "no writer for .nonsense"),
     ("[grid]\ncell_size = 1\n", "surface", "needs the key file"),
     ('[surface]\nfile = "none.stl"\n', ":2: surface.file", "there is no file"),
@@ -192,7 +214,9 @@ for text, *parts in (
     for part in parts:
         assert part in said, f"no '{part}' in: {said}"
 assert "cannot be read" in start(folder / "nothing.toml", code=REFUSED)
-run(FILES + "[grid]\ncell_size = -1\n", ranks=2, code=REFUSED)
+for text, *arguments in (FILES + "[grid]\ncell_size = 1e9\n",), (FILES + "[grid]\nsize = 1\n",), (FILES, "--nonsense"):
+    said = run(text, *arguments, ranks=2, code=REFUSED)
+    assert "error: " in said and "Stack trace" not in said and "SIGTERM" not in said, said
 assert "usage" in start(code=REFUSED) and "Exit codes" in start("--help")
 
 assert lines_of("a = 1\n[b.c]\nd.e = 2\n[[f]]\ng = [\n 1,\n]\n[[f]]\n'g h' = 3 # x\n") == {("a",): 1,

@@ -53,6 +53,19 @@ def table_row(property, row, values):
     return "\n".join(events)
 
 
+def boundary_row(row, name, type, ratio):
+    """Adds a row to the table Boundaries and fills it in."""
+    fields = f"{PROPERTIES}/PropertyCollection/container/1pqProxyWidget{row}"
+    return "\n".join([event(f"{PROPERTIES}/PropertyCollection/addItemButton", "activate"),
+        event(f"{fields}/Name/Name", "set_string", name),
+        event(f"{fields}/Type/ComboBox", "set_string", type),
+        event(f"{fields}/SmallCellRatio/DoubleLineEdit0", "set_string", ratio)])
+
+
+def look_along_x():
+    return event("pqClientMainWindow/cameraToolbar/actionPositiveX", "activate")
+
+
 def undo():
     return event("pqClientMainWindow/menubar/menu_Edit", "activate", "actionEditUndo")
 

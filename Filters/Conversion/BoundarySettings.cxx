@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BoundarySettings.h"
+
+#include "Error.h"
+#include "FoamBoundary.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// The number of the boundary in each row that has a value in a column of `values`.
+std::vector<std::int32_t> numbersOf(const std::vector<std::string>& rows, std::size_t values,
+  const std::string& property, const BoundaryNames& names)
+{
+  if (values != 0 && values != rows.size())
+  {
+    throw Error(Fault::BadParameter,
+      property + " has " + std::to_string(values) + " values, but Boundary Names has " +
+        std::to_string(rows.size()) + " names: there must be one for each name, or none.");
+  }
+  std::vector<std::int32_t> numbers;
+  for (const std::string& name : rows)
+  {
+    if (std::count(rows.begin(), rows.end(), name) > 1)
+    {
+      throw Error(Fault::BadParameter, "Boundary Names has \"" + name + "\" twice.");
+    }
+    numbers.push_back(boundaryCalled(names, name, "Boundary Names"));
+  }
+  numbers.resize(values);
+  return numbers;
+}
+
+void checkType(const std::string& type)
+{
+  const std::vector<std::string>& types = foamTypes();
+  if (std::find(types.begin(), types.end(), type) == types.end())
+  {
+    std::string known = AutomaticType;
+    for (const std::string& one : types)
+    {
+      known += ", " + one;
+    }
+    throw Error(
+      Fault::BadParameter, "Boundary Types has \"" + type + "\", which is none of " + known + ".");
+  }
+}
+
+}
+
+std::map<std::int32_t, std::string> boundaryTypes(
+  const BoundarySettings& settings, const BoundaryNames& names)
+{
+  const auto numbers = numbersOf(settings.names, settings.types.size(), "Boundary Types", names);
+  std::map<std::int32_t, std::string> types;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    if (settings.types[i] != AutomaticType)
+    {
+      checkType(settings.types[i]);
+      types[numbers[i]] = settings.types[i];
+    }
+  }
+  return types;
+}
+
+std::vector<BoundaryRatio> boundaryRatios(
+  const BoundarySettings& settings, const BoundaryNames& names)
+{
+  const auto numbers =
+    numbersOf(settings.names, settings.ratios.size(), "Boundary Small Cell Ratios", names);
+  std::vector<BoundaryRatio> ratios;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    ratios.push_back({ numbers[i], settings.ratios[i] });
+  }
+  return ratios;
+}
+
+}
