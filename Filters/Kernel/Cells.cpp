@@ -18,6 +18,9 @@ constexpr std::size_t BoxesAChunk = 512;
 // A cell less thick than this part of a lattice step, on average, is rounding and not a volume.
 constexpr double ThinnestCell = 0.01;
 
+// Triangles between lattice points have at least half a square step, or none.
+constexpr double LeastArea = 0.5;
+
 // Area vector and volume of the cone to the origin, by star triangulation (equation 1).
 struct FaceMeasure
 {
@@ -321,7 +324,7 @@ private:
   // Of no volume, either way round, but that of rounding.
   static bool isSliver(const Shell& shell)
   {
-    return !(std::abs(shell.volume) > ThinnestCell * shell.area / 2);
+    return !(std::abs(shell.volume) > ThinnestCell * std::max(shell.area / 2, LeastArea));
   }
 
   // A closed piece of surface in this box that encloses no part of the domain is a hole of the
