@@ -16,4 +16,4 @@ cell_size=${2:-0}
   cmake --build --preset release --target CartesianMesher vtkCartesianMesherFiltersPython
 )
 PV_PLUGIN_PATH=$here/build/release/lib/paraview-5.11/plugins \
-  exec xvfb-run -a pvpython "$here/Plugin/demo.py" "$surface" "$cell_size"
+  exec xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvpython "$here/Plugin/demo.py" "$surface" "$cell_size"

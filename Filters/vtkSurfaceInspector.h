@@ -26,7 +26,7 @@
  * Field data: their numbers OpenEdges, NonManifoldEdges, InconsistentEdges, DegenerateTriangles,
  * DuplicateTriangles, FoldedTriangles, OverlappedTriangles, Intersections, TrianglesOfSmallComponents,
  * Holes, Leaks; Components (pieces without a common vertex); TrianglesNotCompared (with more than
- * 512 larger ones nearby). Of each kind the first million is listed.
+ * 512 larger ones nearby; 64 in surfaces of half a million). Of each kind the first million is listed.
  *
  * Errors: EmptySurface, BadCoordinate, BadCellSize, BadMeshlines, TooManyBoxes; FlawedSurface where
  * edges are at fault or triangles there twice.

@@ -63,6 +63,9 @@ public:
   // Makes each group of faces of an opened cell, seen so, one.
   void join(CellKey key, const CellView& view, const JoinedFaces& joined);
 
+  // That most of its patches belong to, or NoBoundary.
+  std::int32_t boundaryOfCell(CellKey key) const;
+
   // In lattice levels.
   double volumeOfBox(CellKey key) const;
   double volume(CellKey key) const { return placeAndVolume(key, boxes_.boxes[boxOf(key)].low).volume; }
@@ -141,7 +144,6 @@ private:
   void insertNode(CellKey cell, std::uint32_t u, std::uint32_t v, std::uint32_t node);
 
   std::int32_t boundaryOf(std::uint32_t face) const;
-  std::int32_t boundaryOfCell(CellKey key) const;
   void removeFace(CellKey key, std::uint32_t face);
 
   void writeNodes();

@@ -110,11 +110,12 @@ bool mendFace(CellComplex& complex, CellKey key)
 }
 
 // What could not be merged and is small beyond use.
-std::size_t removeSmallCells(CellComplex& complex, double ratio)
+std::size_t removeSmallCells(CellComplex& complex, const CellSpec& spec)
 {
   std::size_t removed = 0;
   for (const CellKey key : complex.polyhedra())
   {
+    const double ratio = ratioOf(spec, complex.boundaryOfCell(key));
     if (complex.volume(key) < ratio * complex.volumeOfBox(key))
     {
       complex.remove(key);
@@ -162,6 +163,7 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
     {
       for (const CellKey key : cellsAtFault(complex, complex.polyhedra(), execution))
       {
+        execution.poll();
         while (mendFace(complex, key))
         {
         }
@@ -170,7 +172,7 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
   }
   if (spec.smallCells == SmallCells::Merge && !exact)
   {
-    shaping.cellsRemoved = removeSmallCells(complex, spec.smallCellRatio);
+    shaping.cellsRemoved = removeSmallCells(complex, spec);
   }
   if (complex.changed())
   {

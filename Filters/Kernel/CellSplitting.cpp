@@ -311,25 +311,6 @@ void propose(const CellComplex& cells, double leastFraction, Proposal& proposal)
   proposal.cuts = Search(proposal.view, shape, least).run();
 }
 
-// Of a cell that is as it was: its neighbours may not be. Leaves the cuts that still help; false where
-// none does.
-bool refresh(const CellComplex& cells, Proposal& proposal)
-{
-  cells.lookBeyond(proposal.key, proposal.view);
-  CellShape shape;
-  measure(proposal.view.shape, shape);
-  const Fitness before = fitnessOf(proposal.view.shape, shape, proposal.view.beyond);
-  proposal.area = before.area;
-  const auto helps = [&](const CellCut& cut) {
-    const std::optional<Fitness> after = fitnessAfter(proposal.view, cut, 0);
-    return after && after->weight() < before.weight();
-  };
-  proposal.cuts.erase(std::remove_if(proposal.cuts.begin(), proposal.cuts.end(),
-                        [&](const CellCut& cut) { return !helps(cut); }),
-    proposal.cuts.end());
-  return !proposal.cuts.empty();
-}
-
 bool isThin(const CellComplex& cells, CellKey key)
 {
   Polyhedron polyhedron;
@@ -369,9 +350,9 @@ public:
       std::vector<Proposal> proposals = propose(failing);
       taken_.clear();
       next_.clear();
-      kept_.clear();
-      for (Proposal& proposal : proposals)
+      for (const Proposal& proposal : proposals)
       {
+        execution_.poll();
         carryOut(proposal);
       }
       failing.clear();
@@ -391,21 +372,12 @@ public:
 
 private:
   // Those with most at fault first.
-  std::vector<Proposal> propose(const std::vector<CellKey>& failing)
+  std::vector<Proposal> propose(const std::vector<CellKey>& failing) const
   {
     std::vector<Proposal> proposals(failing.size());
     execution_.forEach(failing.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
       {
-        const auto kept = kept_.find(failing[i]);
-        if (kept != kept_.end() && !isTaken(failing[i]))
-        {
-          proposals[i] = std::move(kept->second);
-          if (refresh(cells_, proposals[i]))
-          {
-            continue;
-          }
-        }
         proposals[i].key = failing[i];
         cartesian::propose(cells_, leastFraction_, proposals[i]);
       }
@@ -421,7 +393,7 @@ private:
   bool isTaken(CellKey key) const { return taken_.count(key) > 0; }
 
   // The fittest cut that spoils no cell beyond; in the next round, if another cut has changed one.
-  void carryOut(Proposal& proposal)
+  void carryOut(const Proposal& proposal)
   {
     cells_.open(proposal.key);
     for (auto cut = proposal.cuts.rbegin(); cut != proposal.cuts.rend(); ++cut)
@@ -430,7 +402,6 @@ private:
       if (std::any_of(touched.begin(), touched.end(), [&](CellKey k) { return isTaken(k); }))
       {
         next_.insert(proposal.key);
-        kept_.emplace(proposal.key, std::move(proposal));
         return;
       }
       if (!cells_.meetsNode(touched, proposal.view, *cut) &&
@@ -456,7 +427,6 @@ private:
   std::set<CellKey> failed_;
   std::set<CellKey> taken_; // changed in this round
   std::set<CellKey> next_;  // to be looked at in the next
-  std::map<CellKey, Proposal> kept_; // what had to wait
 };
 
 }

@@ -18,6 +18,9 @@ constexpr std::size_t BoxesAChunk = 512;
 // A cell less thick than this part of a lattice step, on average, is rounding and not a volume.
 constexpr double ThinnestCell = 0.01;
 
+// Triangles between lattice points have at least half a square step, or none.
+constexpr double LeastArea = 0.5;
+
 // Area vector and volume of the cone to the origin, by star triangulation (equation 1).
 struct FaceMeasure
 {
@@ -324,7 +327,7 @@ private:
   // Of no volume, either way round, but that of rounding.
   static bool isSliver(const Shell& shell)
   {
-    return !(std::abs(shell.volume) > ThinnestCell * shell.area / 2);
+    return !(std::abs(shell.volume) > ThinnestCell * std::max(shell.area / 2, LeastArea));
   }
 
   // A closed piece of surface in this box that encloses no part of the domain is a hole of the
@@ -534,29 +537,14 @@ private:
       cell.firstFace = part.faces.size();
       cell.sliver = shell.volume < 0 || isSliver(shell);
       cell.removed = cell.sliver ||
-        (spec_.smallCells == SmallCells::Remove && cell.volumeFraction < ratioOf(cell.boundary));
+        (spec_.smallCells == SmallCells::Remove &&
+          cell.volumeFraction < ratioOf(spec_, cell.boundary));
       part.cells.push_back(cell);
       for (const std::uint32_t f : shell.faces)
       {
         part.faces.push_back(faces_[f]);
       }
     }
-  }
-
-  // R of a boundary.
-  double ratioOf(std::int32_t boundary) const
-  {
-    if (spec_.boundaryRatios)
-    {
-      for (const BoundaryRatio& own : *spec_.boundaryRatios)
-      {
-        if (own.boundary == boundary)
-        {
-          return own.ratio;
-        }
-      }
-    }
-    return spec_.smallCellRatio;
   }
 
   // The boundary index that has the largest area of patches in the shell.
@@ -654,6 +642,21 @@ Cells join(const std::vector<Part>& parts, std::size_t boxes, Execution& executi
   return result;
 }
 
+}
+
+double ratioOf(const CellSpec& spec, std::int32_t boundary)
+{
+  if (spec.boundaryRatios)
+  {
+    for (const BoundaryRatio& own : *spec.boundaryRatios)
+    {
+      if (own.boundary == boundary)
+      {
+        return own.ratio;
+      }
+    }
+  }
+  return spec.smallCellRatio;
 }
 
 void findCellsOfInnerFaces(const InnerFaces& inner, Cells& cells, Execution& execution)

@@ -110,6 +110,9 @@ struct CellSpec
     nullptr; // the caller's, if any; each boundary once
 };
 
+// R of cells most of whose patches are of that boundary.
+double ratioOf(const CellSpec& spec, std::int32_t boundary);
+
 // Calls visit(node) for the corners of a face, counter-clockwise from outside its cell.
 template <class Visitor>
 void forEachNode(const FaceRef& face, const Patches& patches, const InnerFaces& inner,

@@ -285,6 +285,14 @@ void Mesh::writeCellData(const CellData& data, Execution& execution) const
         }
       }
     });
+  for (const WarpedHexahedron& hexahedron : parts_.nodes.warped)
+  {
+    const std::uint32_t number = numbers_.ofBox[hexahedron.box];
+    if (parts_.sides.polyhedralOrdinal(hexahedron.box) == None && CellNumbers::isHere(number))
+    {
+      write(number, boxes.boxes[hexahedron.box], hexahedron.volumeFraction);
+    }
+  }
   const Cells& cells = parts_.cells;
   const std::size_t first = numbers_.coreBegin;
   execution.forEach(numbers_.coreEnd - first, CellsAChunk, [&](std::size_t begin, std::size_t end) {

@@ -91,10 +91,8 @@ void checkRatio(double ratio)
 
 void planStages(const CellSpec& spec, Execution& execution)
 {
-  if (!shapesCells(spec))
-  {
-    execution.leaveOut(AfterCells, AfterShaping);
-  }
+  execution.leaveOut(spec.collapseRatio > 0 ? AfterShortEdges : AfterCells,
+    shapesCells(spec) ? AfterShortEdges : AfterShaping);
 }
 
 PreparedSurface prepareSurface(const SurfaceView& view, const GridSpec& grid, double memoryLimit,
@@ -200,7 +198,7 @@ Assembly::Assembly(
   collapse(spec, execution);
   if (shapesCells(spec))
   {
-    execution.stage("Shaping of cells", AfterCells, AfterShaping);
+    execution.stage("Shaping of cells", AfterShortEdges, AfterShaping);
     shaping_ = shapeCells(boxes, *patches_, sides_, nodes_, inner_, cells_, spec, execution);
   }
   execution.stage("Numbering", AfterShaping, AfterNumbering);
@@ -273,7 +271,7 @@ void Assembly::collapse(const CellSpec& spec, Execution& execution)
   const std::vector<std::uint8_t> flawed = cells_.flawed;
   const Patches& before = *patches_;
   ShortEdgeSpec edges{ spec.collapseRatio, spec.featureAngle, isExact(before), flawed };
-  execution.stage("Short edges", AfterCells, AfterCells);
+  execution.stage("Short edges", AfterCells, AfterShortEdges);
   for (bool closed = false; !closed;)
   {
     collapsed_ = before;

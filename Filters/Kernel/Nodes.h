@@ -23,6 +23,13 @@ struct VertexNode
   }
 };
 
+// A hexahedron with a corner that moved (ShortEdges.h).
+struct WarpedHexahedron
+{
+  std::uint32_t box;
+  double volumeFraction; // of the box
+};
+
 // Nodes of faces: the points of patches, then grid nodes: corners of sides, nodes that hang on their
 // borders, corners of divided hexahedra; then those that shaping adds (CellShaping.h).
 struct Nodes
@@ -35,6 +42,7 @@ struct Nodes
   std::vector<std::uint32_t> border;    // grid nodes counter-clockwise from the lowest corner
   std::vector<std::array<std::uint32_t, 8>> ofDivided; // corners of Sides::divided
   std::vector<VertexNode> moreVertices;                // of those that shaping adds, in order
+  std::vector<WarpedHexahedron> warped;
 };
 
 Nodes findNodes(

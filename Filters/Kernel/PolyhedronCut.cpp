@@ -268,9 +268,11 @@ private:
         return false;
       }
     }
+    // A stretch that lies outside, as snapped nodes may have it, would turn a piece over.
+    const Vector area = areaOf(ring_);
     return std::all_of(pieces.begin(), pieces.end(), [&](const std::vector<Index>& piece) {
       const int side = sideOf(piece);
-      return side != 0 && addStars(piece, source, side);
+      return side != 0 && dot(areaOf(piece), area) > 0 && addStars(piece, source, side);
     });
   }
 

@@ -1,10 +1,13 @@
 #include "ShortEdges.h"
 
+#include "Polyhedron.h"
 #include "Sorting.h"
 #include "Vector.h"
+#include "VertexRows.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace cartesian
 {
@@ -24,7 +27,7 @@ constexpr double SmoothError = 2e-2;
 constexpr double FeatureError = 2e-5;
 
 // ... in levels: rounding.
-constexpr double RoundingLevels = 2;
+constexpr double RoundingLevels = 0.9;
 
 // A face may tilt by less than 60 degrees, and fold back by this part of its area.
 constexpr double LeastTilt = 0.5;
@@ -40,8 +43,8 @@ struct ShortEdge
 
 struct Choice
 {
-  float length = -1; // or not to collapse now
-  bool toB = false;  // a goes to where b is, or b to a
+  float length = -1;  // or not to collapse now
+  bool toB = false;   // a goes to where b is, or b to a
 };
 
 class Collapser
@@ -92,9 +95,9 @@ private:
   struct Slot
   {
     std::uint32_t node;
-    std::uint32_t into; // slot that it is part of, itself else
-    std::uint32_t next; // ring of the slots that are one
-    Point at;           // of the slot that stays
+    std::uint32_t into;  // slot that it is part of, itself else
+    std::uint32_t next;  // ring of the slots that are one
+    Point at;            // of the slot that stays
   };
 
   struct Merge
@@ -140,6 +143,7 @@ private:
   {
     const std::size_t count = sides_.polyhedral.size();
     std::vector<std::vector<ShortEdge>> parts(chunks(count, BoxesAChunk));
+    execution_.nextLoop(0.3);
     execution_.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
       std::vector<ShortEdge>& edges = parts[begin / BoxesAChunk];
       for (std::size_t n = begin; n < end; ++n)
@@ -356,7 +360,8 @@ private:
     const Point& base = placeOf(ring[0]);
     for (std::size_t i = 1; i + 1 < ring.size(); ++i)
     {
-      twice = plus(twice, cross(minus(placeOf(ring[i]), base), minus(placeOf(ring[i + 1]), base)));
+      twice = plus(
+        twice, cross(minus(placeOf(ring[i]), base), minus(placeOf(ring[i + 1]), base)));
     }
     return twice;
   }
@@ -365,6 +370,7 @@ private:
   {
     std::vector<std::uint32_t> ring;
     std::vector<Vector> normals;
+    std::vector<std::pair<std::uint32_t, std::int32_t>> borders; // next node, boundary
     std::vector<std::uint32_t> near;
     std::vector<std::uint32_t> thirds;
     std::vector<std::pair<std::uint64_t, std::uint32_t>> twins;
@@ -379,6 +385,7 @@ private:
       return false;
     }
     scratch.normals.clear();
+    scratch.borders.clear();
     double error = 0;
     bool feature = false;
     std::int32_t boundary = NoBoundary;
@@ -405,11 +412,48 @@ private:
         feature = feature || dot(other, normal) < featureCosine_;
       }
       scratch.normals.push_back(normal);
+      listBorders(slot, face, scratch);
     });
-    const double most = spec_.exact
-      ? RoundingLevels
-      : std::max(RoundingLevels, (feature ? FeatureError : SmoothError) * unit);
-    return error <= most;
+    error = std::max(error, distanceFromBorders(slot, to, scratch));
+    if (spec_.exact)
+    {
+      return scratch.normals.empty();
+    }
+    return error <= std::max(RoundingLevels, (feature ? FeatureError : SmoothError) * unit);
+  }
+
+  // Notes the boundaries on the edges of a patch, seen along scratch.ring, at a node.
+  void listBorders(std::uint32_t slot, std::uint32_t face, Scratch& scratch) const
+  {
+    const std::vector<std::uint32_t>& ring = scratch.ring;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      if (ring[i] == slots_[slot].node)
+      {
+        for (const std::size_t k : { i + 1 < ring.size() ? i + 1 : 0, i > 0 ? i - 1 : ring.size() - 1 })
+        {
+          scratch.borders.emplace_back(ring[k], patches_.boundary[face]);
+        }
+      }
+    }
+  }
+
+  // How far a place is from the lines along which two boundaries meet at a node.
+  double distanceFromBorders(std::uint32_t slot, const Point& to, Scratch& scratch) const
+  {
+    auto& borders = scratch.borders;
+    std::sort(borders.begin(), borders.end());
+    const Vector way = minus(to, slots_[slot].at);
+    double distance = 0;
+    for (std::size_t i = 0; i + 1 < borders.size(); ++i)
+    {
+      if (borders[i].first == borders[i + 1].first && borders[i].second != borders[i + 1].second)
+      {
+        const Vector along = cartesian::unit(minus(placeOf(borders[i].first), slots_[slot].at));
+        distance = std::max(distance, norm(cross(way, along)));
+      }
+    }
+    return distance;
   }
 
   // Nodes next to both must be the third corner of a triangle: else faces would touch.
@@ -435,8 +479,7 @@ private:
     };
     forEachFaceAt(a, [&](std::uint32_t face) {
       ringOf(face, scratch.ring);
-      const bool has =
-        std::find(scratch.ring.begin(), scratch.ring.end(), nodeB) != scratch.ring.end();
+      const bool has = std::find(scratch.ring.begin(), scratch.ring.end(), nodeB) != scratch.ring.end();
       for (std::size_t i = 0; has && scratch.ring.size() == 3 && i < 3; ++i)
       {
         scratch.thirds.push_back(scratch.ring[i]);
@@ -446,10 +489,10 @@ private:
     bool good = true;
     forEachNeighbour(b, nodeB, [&](std::uint32_t node) {
       const auto& thirds = scratch.thirds;
-      good = good &&
-        (node == nodeA ||
-          std::find(scratch.near.begin(), scratch.near.end(), node) == scratch.near.end() ||
-          std::find(thirds.begin(), thirds.end(), node) != thirds.end());
+      good = good && (node == nodeA ||
+                       std::find(scratch.near.begin(), scratch.near.end(), node) ==
+                         scratch.near.end() ||
+                       std::find(thirds.begin(), thirds.end(), node) != thirds.end());
     });
     return good;
   }
@@ -495,6 +538,7 @@ private:
   std::size_t collapseOnce()
   {
     choices_.assign(edges_.size(), {});
+    execution_.nextLoop(0.3);
     execution_.forEach(edges_.size(), EdgesAChunk, [&](std::size_t begin, std::size_t end) {
       Scratch scratch;
       for (std::size_t i = begin; i < end; ++i)
@@ -582,6 +626,7 @@ private:
     {
       bad.assign(merges_.size(), 0);
       std::vector<std::vector<std::uint32_t>> parts(chunks(merges_.size(), EdgesAChunk));
+      execution_.nextLoop(0.1);
       execution_.forEach(merges_.size(), EdgesAChunk, [&](std::size_t begin, std::size_t end) {
         Scratch scratch;
         for (std::size_t m = begin; m < end; ++m)
@@ -712,7 +757,8 @@ private:
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       const Vector p = minus(minus(placeOf(ring[i]), origin), mean);
-      const Vector q = minus(minus(placeOf(ring[i + 1 < ring.size() ? i + 1 : 0]), origin), mean);
+      const Vector q =
+        minus(minus(placeOf(ring[i + 1 < ring.size() ? i + 1 : 0]), origin), mean);
       least = std::min(least, dot(cross(p, q), now));
     }
     return least >= -RoundingOfAreas * size * size;
@@ -731,8 +777,7 @@ private:
       else if (before != None)
       {
         twice = plus(twice,
-          cross(
-            minus(nodes_.at[before], nodes_.at[first]), minus(nodes_.at[node], nodes_.at[first])));
+          cross(minus(nodes_.at[before], nodes_.at[first]), minus(nodes_.at[node], nodes_.at[first])));
       }
       before = node;
     });
@@ -758,6 +803,95 @@ private:
     {
       nodes_.at[slot.node] = slots_[slot.into].at;
     }
+    listWarped();
+  }
+
+  // The hexahedra around corners that moved.
+  void listWarped()
+  {
+    std::vector<std::uint32_t> boxes;
+    std::map<std::array<std::uint32_t, 3>, std::uint32_t> nodeOfVertex;
+    const std::size_t rowLength = boxes_.planes[1].size();
+    for (const Slot& slot : slots_)
+    {
+      const std::size_t c = slot.node - nodes_.patchPoints;
+      if (slot.node < nodes_.patchPoints || nodes_.at[slot.node] == nodes_.grid[c])
+      {
+        continue;
+      }
+      const std::size_t row = static_cast<std::size_t>(
+        std::upper_bound(nodes_.rowStart.begin(), nodes_.rowStart.end(), c) -
+        nodes_.rowStart.begin() - 1);
+      const std::array<std::size_t, 2> jk{ row % rowLength, row / rowLength };
+      std::uint32_t i = 0;
+      if (!VertexRows::isVertex(boxes_.planes, nodes_.grid[c], jk[0], jk[1], i))
+      {
+        continue;
+      }
+      nodeOfVertex[{ i, static_cast<std::uint32_t>(jk[0]), static_cast<std::uint32_t>(jk[1]) }] =
+        slot.node;
+      for (unsigned corner = 0; corner < 8; ++corner)
+      {
+        const std::uint32_t global = boxes_.globalAt(std::int64_t(i) - (corner & 1),
+          std::int64_t(jk[0]) - (corner >> 1 & 1), std::int64_t(jk[1]) - (corner >> 2));
+        if (global != None && boxes_.globals[global].depth == 0 &&
+          sides_.ordinal[boxes_.globals[global].firstBox] == None)
+        {
+          boxes.push_back(boxes_.globals[global].firstBox);
+        }
+      }
+    }
+    std::sort(boxes.begin(), boxes.end());
+    boxes.erase(std::unique(boxes.begin(), boxes.end()), boxes.end());
+    for (const std::uint32_t box : boxes)
+    {
+      const auto& low = boxes_.globalOf(boxes_.boxes[box]).index;
+      addWarped(box, [&](unsigned corner) {
+        const auto found = nodeOfVertex.find({ low[0] + (corner & 1), low[1] + (corner >> 1 & 1),
+          low[2] + (corner >> 2) });
+        return found == nodeOfVertex.end() ? cornerOf(boxes_.boxes[box], corner)
+                                           : nodes_.at[found->second];
+      });
+    }
+    for (std::size_t d = 0; d < sides_.divided.size(); ++d)
+    {
+      const auto& nodes = nodes_.ofDivided[d];
+      const bool warped = std::any_of(nodes.begin(), nodes.end(), [&](std::uint32_t node) {
+        return nodes_.at[node] != nodes_.grid[node - nodes_.patchPoints];
+      });
+      if (warped)
+      {
+        addWarped(sides_.divided[d], [&](unsigned corner) { return nodes_.at[nodes[corner]]; });
+      }
+    }
+  }
+
+  template <class Corner>
+  void addWarped(std::uint32_t box, Corner&& corner)
+  {
+    const Box& whole = boxes_.boxes[box];
+    Polyhedron polyhedron;
+    for (unsigned c = 0; c < 8; ++c)
+    {
+      polyhedron.nodes.push_back(minus(corner(c), whole.low));
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (const unsigned upper : { 0u, 1u })
+      {
+        std::array<unsigned, 4> ring = sideCorners(axis, upper);
+        if (!upper)
+        {
+          std::reverse(ring.begin(), ring.end());
+        }
+        std::for_each(ring.begin(), ring.end(), [&](unsigned c) { polyhedron.addCorner(c); });
+        polyhedron.closeFace(false);
+      }
+    }
+    CellShape shape;
+    measure(polyhedron, shape);
+    const Vector size = minus(whole.high, whole.low);
+    nodes_.warped.push_back({ box, shape.volume / (size[0] * size[1] * size[2]) });
   }
 
   // Adds what is left of a face, if anything is.
@@ -818,9 +952,9 @@ private:
   InnerFaces& inner_;
   Execution& execution_;
   double featureCosine_;
-  std::vector<ShortEdge> edges_;      // ends: nodes, then slots
-  std::vector<Choice> choices_;       // of each edge
-  std::vector<Merge> merges_;         // of this round
+  std::vector<ShortEdge> edges_; // ends: nodes, then slots
+  std::vector<Choice> choices_;  // of each edge
+  std::vector<Merge> merges_;    // of this round
   std::vector<std::uint32_t> slotOf_; // of nodes, or None
   std::vector<Slot> slots_;
   std::vector<std::size_t> faceStart_; // of slots, in facesOf_

@@ -22,7 +22,7 @@ struct ShortEdgeSpec
   // edge of the surface, which stays where it is.
   double featureAngle = 30;
 
-  // Nodes of the surface move on its planes only.
+  // Nodes of the surface stay where they are.
   bool exact = false;
 
   // 1 for polyhedral boxes (Sides.h) whose edges stay.

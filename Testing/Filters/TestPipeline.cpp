@@ -170,7 +170,7 @@ TEST(Pipeline, ProgressGrowsAndNamesTheStages)
   }
   EXPECT_EQ(last, 1);
   const std::vector<std::string> expected = { "Scaling and Dual Levels", "Defects of the surface",
-    "Boxes", "Patches", "Common sides of boxes", "Inner faces", "Cells", "Shaping of cells",
+    "Boxes", "Patches", "Common sides of boxes", "Inner faces", "Cells", "Short edges", "Shaping of cells",
     "Numbering", "Writing the mesh" };
   EXPECT_EQ(stages, expected);
 }

@@ -173,7 +173,8 @@ SETTINGS = {"BoundaryNames": ["outlet_1", "wall_2"], "BoundarySmallCellRatios": 
 
 
 def cut(**properties):
-    return simple.CartesianMesher(Input=exhaust, CellSize=12, SmallCells="Remove", **properties)
+    return simple.CartesianMesher(Input=exhaust, CellSize=12, SmallCells="Remove",
+        CollapseRatio=0, SplitConcaveCells=0, **properties)
 
 
 def cells(mesher):
@@ -200,7 +201,7 @@ for more, less in (own, usual), (usual, own):
     assert set(more) - set(less), f"no cell between {len(own)}, {len(usual)}, {len(every)}"
 boxer = simple.CartesianBoxer(Input=exhaust, CellSize=12)
 in_steps = simple.CellAssembler(Input=boxer, Patches=simple.Patcher(Input=exhaust, Boxes=boxer),
-    SmallCells="Remove", SmallCellRatio=0.2, **SETTINGS)
+    SmallCells="Remove", CollapseRatio=0, SplitConcaveCells=0, SmallCellRatio=0.2, **SETTINGS)
 for port in 0, 1:
     assert_identical("with ratios, in three steps", output(in_steps, port), output(cut(SmallCellRatio=0.2, **SETTINGS), port))
 
