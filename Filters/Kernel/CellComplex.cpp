@@ -644,7 +644,8 @@ bool CellComplex::meetsNode(
     places.push_back(placeOf(touched.front(), point));
   }
   std::sort(places.begin(), places.end());
-  bool found = std::adjacent_find(places.begin(), places.end()) != places.end();
+  bool found =
+    std::adjacent_find(places.begin(), places.end()) != places.end() || meetsFace(view, cut);
   for (const CellKey key : touched)
   {
     forEachFace(key, [&](const FaceUse& use) {
@@ -655,6 +656,45 @@ bool CellComplex::meetsNode(
     });
   }
   return found;
+}
+
+bool CellComplex::meetsFace(const CellView& view, const CellCut& cut) const
+{
+  std::vector<int> pieces(view.faces.size());
+  for (const CellCut::Face& face : cut.faces)
+  {
+    if (face.source != CellCut::NoSource)
+    {
+      ++pieces[face.source];
+    }
+  }
+  std::vector<std::uint32_t> piece;
+  std::vector<std::uint32_t> nodes;
+  const auto isThere = [&](const CellCut::Face& face) {
+    const bool whole = face.source == CellCut::NoSource || pieces[face.source] < 2 ||
+      view.across[face.source] == None;
+    if (whole ||
+      std::any_of(face.corners.begin(), face.corners.end(),
+        [&](std::uint32_t corner) { return corner >= view.nodes.size(); }))
+    {
+      return false;
+    }
+    piece.clear();
+    for (const std::uint32_t corner : face.corners)
+    {
+      piece.push_back(view.nodes[corner]);
+    }
+    std::sort(piece.begin(), piece.end());
+    bool found = false;
+    forEachFace(view.across[face.source], [&](const FaceUse& use) {
+      nodes.clear();
+      forEachNodeOf(use, [&](std::uint32_t node) { nodes.push_back(node); });
+      std::sort(nodes.begin(), nodes.end());
+      found = found || nodes == piece;
+    });
+    return found;
+  };
+  return std::any_of(cut.faces.begin(), cut.faces.end(), isThere);
 }
 
 // Whether the new points on its edges move the mean of a face's corners so that its star folds over.
@@ -856,6 +896,40 @@ void CellComplex::merge(CellKey small, CellKey into)
   from.alive = false;
   from.changed = true;
   to.place = measuredPlace(into);
+}
+
+bool CellComplex::hasFaceNear(CellKey key, std::vector<std::uint32_t> nodes) const
+{
+  std::sort(nodes.begin(), nodes.end());
+  std::vector<CellKey> near{ key };
+  const auto isListed = [&](CellKey k) { return k < cells_.size() || opened(k); };
+  for (std::size_t ring = 0, begin = 0; ring < 2; ++ring)
+  {
+    const std::size_t end = near.size();
+    for (; begin < end; ++begin)
+    {
+      forEachFace(near[begin], [&](const FaceUse& use) {
+        const CellKey other = across(use);
+        if (other != None && isListed(other) &&
+          std::find(near.begin(), near.end(), other) == near.end())
+        {
+          near.push_back(other);
+        }
+      });
+    }
+  }
+  std::vector<std::uint32_t> face;
+  bool found = false;
+  for (std::size_t i = 1; i < near.size() && !found; ++i)
+  {
+    forEachFace(near[i], [&](const FaceUse& use) {
+      face.clear();
+      forEachNodeOf(use, [&](std::uint32_t node) { face.push_back(node); });
+      std::sort(face.begin(), face.end());
+      found = found || face == nodes;
+    });
+  }
+  return found;
 }
 
 void CellComplex::remove(CellKey key)

@@ -47,7 +47,8 @@ public:
   std::vector<CellKey> touchedBy(CellKey key, const CellView& view, const CellCut& cut);
 
   // Whether a new point of a cut of the first cell falls on a node of these cells, or on another, or
-  // spoils the star triangulation of a face.
+  // spoils the star triangulation of a face, or a piece of a face is one that the cell beyond has
+  // already.
   bool meetsNode(
     const std::vector<CellKey>& touched, const CellView& view, const CellCut& cut) const;
 
@@ -59,6 +60,10 @@ public:
 
   // Its inner faces become boundary faces of its neighbours (4.10).
   void remove(CellKey key);
+
+  // Whether a cell near this one has a face with these nodes already: with another, it would enclose
+  // nothing.
+  bool hasFaceNear(CellKey key, std::vector<std::uint32_t> nodes) const;
 
   // Makes each group of faces of an opened cell, seen so, one.
   void join(CellKey key, const CellView& view, const JoinedFaces& joined);
@@ -134,6 +139,7 @@ private:
   std::vector<CellKey> cellsAround(CellKey key, std::uint32_t u, std::uint32_t v);
   std::uint32_t own(std::uint32_t face, CellKey cell);
   Point placeOf(CellKey key, const CellCut::Point& point) const;
+  bool meetsFace(const CellView& view, const CellCut& cut) const;
   bool losesStar(const FaceUse& use, CellKey key, const CellView& view, const CellCut& cut) const;
   std::uint32_t addNode(const Point& place);
   FaceUse addShaped(Shaped face);

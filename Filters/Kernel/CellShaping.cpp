@@ -44,6 +44,20 @@ std::vector<CellKey> cellsAtFault(
   return all;
 }
 
+// Whether a face that several would make is there already.
+bool meetsFace(const CellComplex& complex, CellKey key, const CellView& view, const JoinedFaces& joined)
+{
+  return std::any_of(
+    joined.groups.begin(), joined.groups.end(), [&](const JoinedFaces::Group& group) {
+      std::vector<std::uint32_t> nodes;
+      for (const std::uint32_t node : group.ring)
+      {
+        nodes.push_back(view.nodes[node]);
+      }
+      return group.members.size() > 1 && complex.hasFaceNear(key, std::move(nodes));
+    });
+}
+
 // Joins the faces of a cell where that helps.
 void joinFacesOf(CellComplex& complex, CellKey key, double leastCosine)
 {
@@ -61,7 +75,8 @@ void joinFacesOf(CellComplex& complex, CellKey key, double leastCosine)
   std::vector<Beyond> beyond;
   const Polyhedron after = shapeOf(view, joined, beyond);
   measure(after, shape);
-  if (fitnessOf(after, shape, beyond).isBetterThan(before))
+  if (fitnessOf(after, shape, beyond).isBetterThan(before) &&
+    !meetsFace(complex, key, view, joined))
   {
     complex.open(key);
     complex.join(key, view, joined);
@@ -93,7 +108,8 @@ bool mendFace(CellComplex& complex, CellKey key)
       const Polyhedron trial = shapeOf(view, joined, beyond);
       measure(trial, after);
       const Fitness fitness = fitnessOf(trial, after, beyond);
-      if (after.volume > LeastVolumeLeft * shape.volume && fitness.isBetterThan(best))
+      if (after.volume > LeastVolumeLeft * shape.volume && fitness.isBetterThan(best) &&
+        !meetsFace(complex, key, view, joined))
       {
         best = fitness;
         bestJoined = std::move(joined);
