@@ -94,6 +94,8 @@ def is_good(damage):
     try:
         mesh = measure.Mesh(*copies)
         surface.check(mesh.volume, mesh.areas)
+        smallest, largest = mesh.box_volumes
+        assert largest / smallest < 1 + 1e-5, "boxes differ"
     except AssertionError as error:
         print(f"{damage.__name__}: {error}")
         return False
