@@ -73,7 +73,10 @@ public:
 
   // In lattice levels.
   double volumeOfBox(CellKey key) const;
-  double volume(CellKey key) const { return placeAndVolume(key, boxes_.boxes[boxOf(key)].low).volume; }
+  double volume(CellKey key) const;
+
+  // As isAnyAtFault (CellFitness.h): known beforehand for cells as they were.
+  bool isAtFault(CellKey key) const;
 
   bool changed() const { return changed_; }
 
@@ -163,6 +166,7 @@ private:
   const InnerFaces& inner_;
   Cells& cells_;
   std::vector<OpenCell> open_;
+  std::vector<std::uint8_t> atFault_; // cells of polyhedral boxes, as they were
   std::vector<Beyond> places_;        // of cells of polyhedral boxes, as OpenCell::place
   std::vector<std::uint32_t> openOf_; // of cells of polyhedral boxes
   std::unordered_map<CellKey, std::uint32_t> openOfOther_; // of others
@@ -175,5 +179,35 @@ private:
   CellKey nextKey_;
   bool changed_ = false;
 };
+
+template <class Visitor>
+void CellComplex::forEachFace(CellKey key, Visitor&& visit) const
+{
+  if (const OpenCell* cell = opened(key))
+  {
+    std::for_each(cell->faces.begin(), cell->faces.end(), visit);
+    return;
+  }
+  for (std::size_t f = cells_.cells[key].firstFace; f < cells_.cells[key + 1].firstFace; ++f)
+  {
+    visit(useOf(cells_.faces[f]));
+  }
+}
+
+// Counter-clockwise from outside the cell that uses the face.
+template <class Visitor>
+void CellComplex::forEachNodeOf(const FaceUse& use, Visitor&& visit) const
+{
+  if (!isShaped(use.face))
+  {
+    forEachNode(refOf(use), patches_, inner_, cells_.shaped, visit);
+    return;
+  }
+  const std::vector<std::uint32_t>& nodes = shaped(use.face).nodes;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    visit(nodes[use.turned ? nodes.size() - 1 - i : i]);
+  }
+}
 
 }

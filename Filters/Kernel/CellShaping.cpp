@@ -24,13 +24,9 @@ std::vector<CellKey> cellsAtFault(
 {
   std::vector<std::vector<CellKey>> parts(chunks(keys.size(), CellsAChunk));
   execution.forEach(keys.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-    Polyhedron polyhedron;
-    CellShape shape;
     for (std::size_t i = begin; i < end; ++i)
     {
-      complex.shape(keys[i], polyhedron);
-      measure(polyhedron, shape);
-      if (isAnyAtFault(polyhedron, shape))
+      if (complex.isAtFault(keys[i]))
       {
         parts[begin / CellsAChunk].push_back(keys[i]);
       }

@@ -322,15 +322,7 @@ bool isThin(const CellComplex& cells, CellKey key)
 
 bool fails(const CellComplex& cells, CellKey key)
 {
-  if (!cells.isAlive(key))
-  {
-    return false;
-  }
-  Polyhedron polyhedron;
-  CellShape shape;
-  cells.shape(key, polyhedron);
-  measure(polyhedron, shape);
-  return isAnyAtFault(polyhedron, shape);
+  return cells.isAlive(key) && cells.isAtFault(key);
 }
 
 class Splitter

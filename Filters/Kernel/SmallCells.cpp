@@ -18,6 +18,9 @@ constexpr double NoAngle = 2;
 // As many neighbours are tried, those that share most area.
 constexpr std::size_t MostNeighbours = 6;
 
+// Cells at fault do not grow beyond this part of their box.
+constexpr double MostVolume = 2.5;
+
 // Chains of small cells end sooner.
 constexpr int MostRounds = 50;
 
@@ -81,14 +84,10 @@ private:
     candidates_.assign(keys.size(), {});
     execution_.nextLoop(0.04);
     execution_.forEach(keys.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-      Polyhedron polyhedron;
-      CellShape shape;
       for (std::size_t i = begin; i < end; ++i)
       {
-        cells_.shape(keys[i], polyhedron);
-        measure(polyhedron, shape);
-        const double volume = shape.volume / cells_.volumeOfBox(keys[i]);
-        if (volume < ratio_ || (mend_ && volume < 2.5 && isAnyAtFault(polyhedron, shape)))
+        const double volume = cells_.volume(keys[i]) / cells_.volumeOfBox(keys[i]);
+        if (volume < ratio_ || (mend_ && volume < MostVolume && cells_.isAtFault(keys[i])))
         {
           const auto neighbours = cells_.neighbours(keys[i]);
           candidates_[i].key = keys[i];

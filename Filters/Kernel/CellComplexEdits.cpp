@@ -1,0 +1,538 @@
+#include "CellComplex.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+// --- cutting
+
+bool CellComplex::hasEdge(const FaceUse& use, std::uint32_t u, std::uint32_t v) const
+{
+  std::uint32_t first = None;
+  std::uint32_t before = None;
+  bool found = false;
+  const auto isEdge = [&](std::uint32_t p, std::uint32_t q) {
+    return (p == u && q == v) || (p == v && q == u);
+  };
+  forEachNodeOf(use, [&](std::uint32_t node) {
+    first = first == None ? node : first;
+    found = found || isEdge(before, node);
+    before = node;
+  });
+  return found || isEdge(before, first);
+}
+
+std::vector<CellKey> CellComplex::cellsAround(CellKey key, std::uint32_t u, std::uint32_t v)
+{
+  std::vector<CellKey> found{ key };
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    open(found[i]);
+    forEachFace(found[i], [&](const FaceUse& use) {
+      const CellKey other = across(use);
+      if (other != None && std::find(found.begin(), found.end(), other) == found.end() &&
+        hasEdge(use, u, v))
+      {
+        found.push_back(other);
+      }
+    });
+  }
+  return found;
+}
+
+std::vector<CellKey> CellComplex::touchedBy(CellKey key, const CellView& view, const CellCut& cut)
+{
+  std::vector<CellKey> touched{ key };
+  for (const CellCut::Point& point : cut.points)
+  {
+    const std::vector<CellKey> around =
+      cellsAround(key, view.nodes[point.low], view.nodes[point.high]);
+    touched.insert(touched.end(), around.begin(), around.end());
+  }
+  std::vector<int> pieces(view.faces.size());
+  for (const CellCut::Face& face : cut.faces)
+  {
+    if (face.source != CellCut::NoSource && ++pieces[face.source] > 1 &&
+      view.across[face.source] != None)
+    {
+      open(view.across[face.source]);
+      touched.push_back(view.across[face.source]);
+    }
+  }
+  std::sort(touched.begin() + 1, touched.end());
+  touched.erase(std::unique(touched.begin() + 1, touched.end()), touched.end());
+  touched.erase(std::remove(touched.begin() + 1, touched.end(), key), touched.end());
+  return touched;
+}
+
+// The number of the face, which becomes a shaped one where it is not yet.
+std::uint32_t CellComplex::own(std::uint32_t face, CellKey cell)
+{
+  if (isShaped(face))
+  {
+    return face;
+  }
+  FaceUse use;
+  use.face = face & MostFaces;
+  use.turned = 0;
+  Shaped copy;
+  forEachNodeOf(use, [&](std::uint32_t node) { copy.nodes.push_back(node); });
+  copy.cells = { cell, None };
+  copy.boundary = NoBoundary;
+  if (isPatch(face))
+  {
+    copy.boundary = patches_.boundary[face];
+  }
+  else
+  {
+    copy.cells = cellsOf(face);
+    const Side& side = sides_.sides[sideOf(face - firstInner())];
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      if (copy.cells[k] == None)
+      {
+        copy.boundary = boundaryBeyond(patches_, sides_, k == 0 ? side.low : side.high);
+      }
+    }
+  }
+  const std::uint32_t number = firstShaped() + static_cast<std::uint32_t>(shaped_.size());
+  for (const CellKey key : copy.cells)
+  {
+    if (key == None)
+    {
+      continue;
+    }
+    open(key);
+    for (FaceUse& other : opened(key)->faces)
+    {
+      other.face = (other.face == face ? number : other.face) & MostFaces;
+    }
+  }
+  shaped_.push_back(std::move(copy));
+  shapedAs_[face] = number;
+  return number;
+}
+
+// The number that a face has got since a view was taken.
+std::uint32_t CellComplex::renamed(std::uint32_t face) const
+{
+  const auto found = shapedAs_.find(face);
+  return found == shapedAs_.end() ? face : found->second;
+}
+
+void CellComplex::insertNode(CellKey cell, std::uint32_t u, std::uint32_t v, std::uint32_t node)
+{
+  opened(cell)->changed = true;
+  const std::size_t count = opened(cell)->faces.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const FaceUse use = opened(cell)->faces[i];
+    if (!hasEdge(use, u, v))
+    {
+      continue;
+    }
+    std::vector<std::uint32_t>& nodes = shaped(own(use.face, cell)).nodes;
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+    {
+      const std::uint32_t p = nodes[k];
+      const std::uint32_t q = nodes[(k + 1) % nodes.size()];
+      if ((p == u && q == v) || (p == v && q == u))
+      {
+        nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(k) + 1, node);
+        ++k;
+      }
+    }
+  }
+}
+
+void CellComplex::setCell(const FaceUse& use, CellKey key)
+{
+  if (isShaped(use.face))
+  {
+    shaped(use.face).cells[use.turned] = key;
+  }
+  else if (!isPatch(use.face))
+  {
+    cells_.ofInnerFace[use.face - firstInner()][use.turned] = key;
+  }
+}
+
+Point CellComplex::placeOf(CellKey key, const CellCut::Point& point) const
+{
+  const Point& origin = boxes_.boxes[boxOf(key)].low;
+  Point place;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    place[axis] = static_cast<Level>(
+      static_cast<std::int64_t>(origin[axis]) + static_cast<std::int64_t>(point.at[axis]));
+  }
+  return place;
+}
+
+bool CellComplex::meetsNode(
+  const std::vector<CellKey>& touched, const CellView& view, const CellCut& cut) const
+{
+  std::vector<Point> places;
+  for (const CellCut::Point& point : cut.points)
+  {
+    places.push_back(placeOf(touched.front(), point));
+  }
+  std::sort(places.begin(), places.end());
+  bool found =
+    std::adjacent_find(places.begin(), places.end()) != places.end() || meetsFace(view, cut);
+  for (const CellKey key : touched)
+  {
+    forEachFace(key, [&](const FaceUse& use) {
+      forEachNodeOf(use, [&](std::uint32_t node) {
+        found = found || std::binary_search(places.begin(), places.end(), nodes_.at[node]);
+      });
+      found = found || (key != touched.front() && losesStar(use, touched.front(), view, cut));
+    });
+  }
+  return found;
+}
+
+bool CellComplex::meetsFace(const CellView& view, const CellCut& cut) const
+{
+  std::vector<int> pieces(view.faces.size());
+  for (const CellCut::Face& face : cut.faces)
+  {
+    if (face.source != CellCut::NoSource)
+    {
+      ++pieces[face.source];
+    }
+  }
+  std::vector<std::uint32_t> piece;
+  std::vector<std::uint32_t> nodes;
+  const auto isThere = [&](const CellCut::Face& face) {
+    const bool whole = face.source == CellCut::NoSource || pieces[face.source] < 2 ||
+      view.across[face.source] == None;
+    if (whole ||
+      std::any_of(face.corners.begin(), face.corners.end(),
+        [&](std::uint32_t corner) { return corner >= view.nodes.size(); }))
+    {
+      return false;
+    }
+    piece.clear();
+    for (const std::uint32_t corner : face.corners)
+    {
+      piece.push_back(view.nodes[corner]);
+    }
+    std::sort(piece.begin(), piece.end());
+    bool found = false;
+    forEachFace(view.across[face.source], [&](const FaceUse& use) {
+      nodes.clear();
+      forEachNodeOf(use, [&](std::uint32_t node) { nodes.push_back(node); });
+      std::sort(nodes.begin(), nodes.end());
+      found = found || nodes == piece;
+    });
+    return found;
+  };
+  return std::any_of(cut.faces.begin(), cut.faces.end(), isThere);
+}
+
+// Whether the new points on its edges move the mean of a face's corners so that its star folds over.
+bool CellComplex::losesStar(
+  const FaceUse& use, CellKey key, const CellView& view, const CellCut& cut) const
+{
+  std::vector<std::uint32_t> ring;
+  forEachNodeOf(use, [&](std::uint32_t node) { ring.push_back(node); });
+  const Point& origin = boxes_.boxes[boxOf(key)].low;
+  Polyhedron face;
+  bool divided = false;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+  {
+    const std::uint32_t next = ring[i + 1 < ring.size() ? i + 1 : 0];
+    face.addCorner(static_cast<std::uint32_t>(face.nodes.size()));
+    face.nodes.push_back(minus(nodes_.at[ring[i]], origin));
+    for (const CellCut::Point& point : cut.points)
+    {
+      const std::uint32_t low = view.nodes[point.low];
+      const std::uint32_t high = view.nodes[point.high];
+      if ((low == ring[i] && high == next) || (high == ring[i] && low == next))
+      {
+        divided = true;
+        face.addCorner(static_cast<std::uint32_t>(face.nodes.size()));
+        face.nodes.push_back(point.at);
+      }
+    }
+  }
+  if (!divided)
+  {
+    return false;
+  }
+  face.closeFace(false);
+  CellShape shape;
+  measure(face, shape);
+  return !isStar(face, 0, unit(shape.faces[0].area));
+}
+
+// Cells that touch in an edge only have the same points on it.
+std::uint32_t CellComplex::addNode(const Point& place)
+{
+  const auto [at, isNew] = cutNodes_.emplace(place, static_cast<std::uint32_t>(nodes_.at.size()));
+  if (isNew)
+  {
+    nodes_.at.push_back(place);
+  }
+  return at->second;
+}
+
+void CellComplex::cut(
+  CellKey key, const CellView& view, const CellCut& cut, std::vector<CellKey>& parts)
+{
+  changed_ = true;
+  std::vector<std::uint32_t> nodes = view.nodes;
+  for (const CellCut::Point& point : cut.points)
+  {
+    nodes.push_back(addNode(placeOf(key, point)));
+    const std::uint32_t u = view.nodes[point.low];
+    const std::uint32_t v = view.nodes[point.high];
+    for (const CellKey around : cellsAround(key, u, v))
+    {
+      insertNode(around, u, v, nodes.back());
+    }
+  }
+  std::vector<FaceUse> faces = view.faces;
+  for (FaceUse& use : faces)
+  {
+    use.face = renamed(use.face) & MostFaces;
+  }
+  std::vector<CellKey> keys{ key };
+  for (std::uint32_t part = 1; part < cut.parts; ++part)
+  {
+    OpenCell cell;
+    cell.box = opened(key)->box;
+    cell.origin = opened(key)->origin;
+    cell.boundary = opened(key)->boundary;
+    openOfOther_[nextKey_] = static_cast<std::uint32_t>(open_.size());
+    keys.push_back(nextKey_++);
+    open_.push_back(std::move(cell));
+  }
+  std::vector<std::uint32_t> pieces(faces.size());
+  for (const CellCut::Face& face : cut.faces)
+  {
+    if (face.source != CellCut::NoSource)
+    {
+      ++pieces[face.source];
+    }
+  }
+  std::vector<std::uint32_t> owned(
+    faces.size(), None); // of divided faces that have a piece already
+  opened(key)->faces.clear();
+  for (const CellCut::Face& face : cut.faces)
+  {
+    Shaped piece;
+    for (const std::uint32_t corner : face.corners)
+    {
+      piece.nodes.push_back(nodes[corner]);
+    }
+    if (face.source == CellCut::NoSource)
+    {
+      piece.cells = { keys[face.below], keys[face.above] };
+      piece.boundary = NoBoundary;
+      FaceUse use = addShaped(std::move(piece));
+      opened(keys[face.below])->faces.push_back(use);
+      use.turned = 1;
+      opened(keys[face.above])->faces.push_back(use);
+      continue;
+    }
+    FaceUse use = faces[face.source];
+    if (pieces[face.source] > 1)
+    {
+      if (use.turned)
+      {
+        std::reverse(piece.nodes.begin(), piece.nodes.end());
+      }
+      use = addPiece(use, key, std::move(piece), owned[face.source]);
+    }
+    setCell(use, keys[face.below]);
+    opened(keys[face.below])->faces.push_back(use);
+  }
+  for (const CellKey k : keys)
+  {
+    opened(k)->changed = true;
+    opened(k)->place = measuredPlace(k);
+  }
+  parts.insert(parts.end(), keys.begin(), keys.end());
+}
+
+FaceUse CellComplex::addShaped(Shaped face)
+{
+  FaceUse use;
+  use.face = (firstShaped() + static_cast<std::uint32_t>(shaped_.size())) & MostFaces;
+  use.turned = 0;
+  shaped_.push_back(std::move(face));
+  return use;
+}
+
+// A piece of a divided face: the first takes its place, the others are added to the cell beyond.
+FaceUse CellComplex::addPiece(FaceUse use, CellKey cell, Shaped piece, std::uint32_t& owned)
+{
+  if (owned == None)
+  {
+    owned = own(use.face, cell);
+    shaped(owned).nodes = std::move(piece.nodes);
+    use.face = owned & MostFaces;
+    return use;
+  }
+  piece.cells = shaped(owned).cells;
+  piece.boundary = shaped(owned).boundary;
+  const CellKey other = piece.cells[use.turned ? 0 : 1];
+  const bool turned = use.turned;
+  use = addShaped(std::move(piece));
+  if (other != None)
+  {
+    use.turned = turned ? 0 : 1;
+    opened(other)->faces.push_back(use);
+    opened(other)->changed = true;
+  }
+  use.turned = turned ? 1 : 0;
+  return use;
+}
+
+// --- joining
+
+void CellComplex::merge(CellKey small, CellKey into)
+{
+  changed_ = true;
+  open(small);
+  open(into);
+  OpenCell& from = *opened(small);
+  OpenCell& to = *opened(into);
+  const auto between = [&](const FaceUse& use, CellKey other) { return across(use) == other; };
+  std::vector<FaceUse> faces;
+  for (const FaceUse& use : to.faces)
+  {
+    if (!between(use, small))
+    {
+      faces.push_back(use);
+    }
+  }
+  for (const FaceUse& use : from.faces)
+  {
+    if (!between(use, into))
+    {
+      faces.push_back(use);
+    }
+    else if (isShaped(use.face))
+    {
+      shaped(use.face).used = false;
+    }
+  }
+  for (const FaceUse& use : from.faces)
+  {
+    setCell(use, into);
+  }
+  to.faces = std::move(faces);
+  to.changed = true;
+  from.faces.clear();
+  from.alive = false;
+  from.changed = true;
+  to.place = measuredPlace(into);
+}
+
+bool CellComplex::hasFaceNear(CellKey key, std::vector<std::uint32_t> nodes) const
+{
+  std::sort(nodes.begin(), nodes.end());
+  std::vector<CellKey> near{ key };
+  const auto isListed = [&](CellKey k) { return k < cells_.size() || opened(k); };
+  for (std::size_t ring = 0, begin = 0; ring < 2; ++ring)
+  {
+    const std::size_t end = near.size();
+    for (; begin < end; ++begin)
+    {
+      forEachFace(near[begin], [&](const FaceUse& use) {
+        const CellKey other = across(use);
+        if (other != None && isListed(other) &&
+          std::find(near.begin(), near.end(), other) == near.end())
+        {
+          near.push_back(other);
+        }
+      });
+    }
+  }
+  std::vector<std::uint32_t> face;
+  bool found = false;
+  for (std::size_t i = 1; i < near.size() && !found; ++i)
+  {
+    forEachFace(near[i], [&](const FaceUse& use) {
+      face.clear();
+      forEachNodeOf(use, [&](std::uint32_t node) { face.push_back(node); });
+      std::sort(face.begin(), face.end());
+      found = found || face == nodes;
+    });
+  }
+  return found;
+}
+
+void CellComplex::remove(CellKey key)
+{
+  changed_ = true;
+  open(key);
+  opened(key)->removed = true;
+  opened(key)->changed = true;
+}
+
+std::int32_t CellComplex::boundaryOf(std::uint32_t face) const
+{
+  return isPatch(face) ? patches_.boundary[face]
+                       : (isShaped(face) ? shaped(face).boundary : NoBoundary);
+}
+
+std::int32_t CellComplex::boundaryOfCell(CellKey key) const
+{
+  const OpenCell* cell = opened(key);
+  return cell ? cell->boundary : cells_.cells[key].boundary;
+}
+
+void CellComplex::removeFace(CellKey key, std::uint32_t face)
+{
+  std::vector<FaceUse>& faces = opened(key)->faces;
+  faces.erase(std::remove_if(
+                faces.begin(), faces.end(), [&](const FaceUse& use) { return use.face == face; }),
+    faces.end());
+  opened(key)->changed = true;
+}
+
+void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joined)
+{
+  for (const JoinedFaces::Group& group : joined.groups)
+  {
+    if (group.members.size() < 2)
+    {
+      continue;
+    }
+    changed_ = true;
+    const std::uint32_t first = group.members.front();
+    const FaceUse use = view.faces[first];
+    std::vector<std::uint32_t> nodes;
+    for (const std::uint32_t node : group.ring)
+    {
+      nodes.push_back(view.nodes[node]);
+    }
+    if (use.turned)
+    {
+      std::reverse(nodes.begin(), nodes.end());
+    }
+    shaped(own(renamed(use.face), key)).nodes = std::move(nodes);
+    opened(key)->changed = true;
+    for (std::size_t i = 1; i < group.members.size(); ++i)
+    {
+      const std::uint32_t gone = renamed(view.faces[group.members[i]].face);
+      removeFace(key, gone);
+      if (view.across[first] != None)
+      {
+        open(view.across[first]);
+        removeFace(view.across[first], gone);
+      }
+    }
+  }
+  if (opened(key))
+  {
+    opened(key)->place = measuredPlace(key);
+  }
+}
+
+}
