@@ -208,9 +208,9 @@ bool CellComplex::meetsFace(const CellView& view, const CellCut& cut) const
   const auto isThere = [&](const CellCut::Face& face) {
     const bool whole = face.source == CellCut::NoSource || pieces[face.source] < 2 ||
       view.across[face.source] == None;
-    if (whole ||
-      std::any_of(face.corners.begin(), face.corners.end(),
-        [&](std::uint32_t corner) { return corner >= view.nodes.size(); }))
+    if (whole || std::any_of(face.corners.begin(), face.corners.end(), [&](std::uint32_t corner) {
+          return corner >= view.nodes.size();
+        }))
     {
       return false;
     }

@@ -102,6 +102,13 @@ Fitness& Fitness::operator+=(const Fitness& other)
   return *this;
 }
 
+bool Fitness::isNoLessValidThan(const Fitness& other) const
+{
+  constexpr std::array<Fault, 4> refused{ BoundaryAngle, Wrong, BoundarySkewed, InnerSkewed };
+  return std::all_of(refused.begin(), refused.end(),
+    [&](Fault fault) { return faults[fault] <= other.faults[fault]; });
+}
+
 bool Fitness::isNoWorseThan(const Fitness& other) const
 {
   return std::equal(faults.begin(), faults.end(), other.faults.begin(), std::less_equal<>());

@@ -25,8 +25,8 @@ struct Fitness
     Steep,         // an inner face more than 70 degrees off the line between the centres
     BoundarySkewed, // a boundary face's skewness over 4
     InnerSkewed,    // an inner face's
-    Uneven,        // one of the two cells is smaller than a hundredth of the other
-    Lopsided,      // ... or its centre 20 times nearer to the face
+    Uneven,         // one of the two cells is smaller than a hundredth of the other
+    Lopsided,       // ... or its centre 20 times nearer to the face
     Faults
   };
 
@@ -38,6 +38,9 @@ struct Fitness
   // Faults weighed by how hard they are to mend later.
   int weight() const;
   Fitness& operator+=(const Fitness& other);
+
+  // In none of the kinds that checkMesh refuses: wrong angles and skewness.
+  bool isNoLessValidThan(const Fitness& other) const;
 
   // In no kind.
   bool isNoWorseThan(const Fitness& other) const;

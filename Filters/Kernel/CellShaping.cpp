@@ -16,6 +16,9 @@ constexpr std::size_t CellsAChunk = 512;
 // Faces that become one may cut off less than the rest of a cell.
 constexpr double LeastVolumeLeft = 0.8;
 
+// Where no pair of faces helps, those that meet at less become one, in degrees.
+constexpr std::array<double, 5> WiderAngles{ 30, 45, 60, 90, 180 };
+
 constexpr double RadiansPerDegree = 3.14159265358979 / 180;
 
 // Those of the cells, in order, that are at fault.
@@ -41,7 +44,8 @@ std::vector<CellKey> cellsAtFault(
 }
 
 // Whether a face that several would make is there already.
-bool meetsFace(const CellComplex& complex, CellKey key, const CellView& view, const JoinedFaces& joined)
+bool meetsFace(
+  const CellComplex& complex, CellKey key, const CellView& view, const JoinedFaces& joined)
 {
   return std::any_of(
     joined.groups.begin(), joined.groups.end(), [&](const JoinedFaces::Group& group) {
@@ -70,9 +74,10 @@ void joinFacesOf(CellComplex& complex, CellKey key, double leastCosine)
   const JoinedFaces joined = joinFaces(view, leastCosine);
   std::vector<Beyond> beyond;
   const Polyhedron after = shapeOf(view, joined, beyond);
+  const double volume = shape.volume;
   measure(after, shape);
-  if (fitnessOf(after, shape, beyond).isBetterThan(before) &&
-    !meetsFace(complex, key, view, joined))
+  if (shape.volume > LeastVolumeLeft * volume &&
+    fitnessOf(after, shape, beyond).isBetterThan(before) && !meetsFace(complex, key, view, joined))
   {
     complex.open(key);
     complex.join(key, view, joined);
@@ -93,7 +98,8 @@ bool mendFace(CellComplex& complex, CellKey key)
   JoinedFaces bestJoined;
   for (std::uint32_t face = 0; face < view.faces.size(); ++face)
   {
-    if (!view.shape.isBoundary[face] || view.across[face] != None || !isAtFault(view.shape, shape, face))
+    if (!view.shape.isBoundary[face] || view.across[face] != None ||
+      !isAtFault(view.shape, shape, face))
     {
       continue;
     }
@@ -137,6 +143,100 @@ std::size_t removeSmallCells(CellComplex& complex, const CellSpec& spec)
   return removed;
 }
 
+// Joins faces of a cell at fault where that helps, whatever angle they meet at.
+void mendFaces(CellComplex& complex, CellKey key)
+{
+  while (mendFace(complex, key))
+  {
+  }
+  for (const double angle : WiderAngles)
+  {
+    if (complex.isAtFault(key))
+    {
+      joinFacesOf(complex, key, std::cos(angle * RadiansPerDegree));
+    }
+  }
+}
+
+class Shaper
+{
+public:
+  Shaper(CellComplex& complex, const CellSpec& spec, bool exact, Execution& execution)
+    : complex_(complex)
+    , spec_(spec)
+    , exact_(exact)
+    , execution_(execution)
+  {
+  }
+
+  Shaping run()
+  {
+    merge(false);
+    for (int pass = 0; spec_.splitConcave && pass < Passes; ++pass)
+    {
+      joinFlatFaces();
+      split();
+      merge(true);
+      mend();
+    }
+    if (spec_.smallCells == SmallCells::Merge && !exact_)
+    {
+      shaping_.cellsRemoved = removeSmallCells(complex_, spec_);
+    }
+    return shaping_;
+  }
+
+private:
+  std::vector<CellKey> atFault() const
+  {
+    return cellsAtFault(complex_, complex_.polyhedra(), execution_);
+  }
+
+  void merge(bool mend)
+  {
+    if (spec_.smallCells == SmallCells::Merge)
+    {
+      shaping_.cellsMerged +=
+        mergeSmallCells(complex_, spec_.mergeRatio, mend, OnOnePlane, execution_);
+    }
+  }
+
+  void joinFlatFaces()
+  {
+    const double leastCosine = exact_ ? OnOnePlane : std::cos(spec_.joinAngle * RadiansPerDegree);
+    for (const CellKey key : atFault())
+    {
+      execution_.poll();
+      joinFacesOf(complex_, key, leastCosine);
+    }
+  }
+
+  void split()
+  {
+    const double least = spec_.smallCells == SmallCells::Remove ? spec_.smallCellRatio : 0;
+    shaping_.cellsSplit += splitCells(complex_, atFault(), least, execution_).cellsSplit;
+  }
+
+  void mend()
+  {
+    for (const CellKey key : exact_ ? std::vector<CellKey>{} : atFault())
+    {
+      execution_.poll();
+      mendFaces(complex_, key);
+    }
+  }
+
+  // What one pass has left the second mends in part; a third finds hardly anything.
+  static constexpr int Passes = 2;
+  static constexpr double OnOnePlane = 1;
+
+  CellComplex& complex_;
+  const CellSpec& spec_;
+  bool exact_;
+  Execution& execution_;
+  Shaping shaping_;
+};
+
 }
 
 bool shapesCells(const CellSpec& spec)
@@ -147,45 +247,9 @@ bool shapesCells(const CellSpec& spec)
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
   const InnerFaces& inner, Cells& cells, const CellSpec& spec, Execution& execution)
 {
-  Shaping shaping;
   execution.nextLoop(0.02);
   CellComplex complex(boxes, patches, sides, nodes, inner, cells, execution);
-  const bool exact = isExact(patches);
-  const double leastCosine = exact ? 1 : std::cos(spec.joinAngle * RadiansPerDegree);
-  const auto merge = [&](bool mend) {
-    if (spec.smallCells == SmallCells::Merge)
-    {
-      shaping.cellsMerged += mergeSmallCells(complex, spec.mergeRatio, mend, 1, execution);
-    }
-  };
-  merge(false);
-  if (spec.splitConcave)
-  {
-    const std::vector<CellKey> atFault = cellsAtFault(complex, complex.polyhedra(), execution);
-    for (const CellKey key : atFault)
-    {
-      execution.poll();
-      joinFacesOf(complex, key, leastCosine);
-    }
-    const Splitting splitting = splitCells(complex, cellsAtFault(complex, atFault, execution),
-      spec.smallCells == SmallCells::Remove ? spec.smallCellRatio : 0, execution);
-    shaping.cellsSplit = splitting.cellsSplit;
-    merge(true);
-    if (!exact)
-    {
-      for (const CellKey key : cellsAtFault(complex, complex.polyhedra(), execution))
-      {
-        execution.poll();
-        while (mendFace(complex, key))
-        {
-        }
-      }
-    }
-  }
-  if (spec.smallCells == SmallCells::Merge && !exact)
-  {
-    shaping.cellsRemoved = removeSmallCells(complex, spec);
-  }
+  const Shaping shaping = Shaper(complex, spec, isExact(patches), execution).run();
   if (complex.changed())
   {
     complex.finish(execution);

@@ -25,7 +25,6 @@ constexpr double LeastPart = 1e-3;
 // An edge bent by more (in radians) is worth a cut that helps nothing by itself.
 constexpr double LeastWorthyBend = 0.1;
 
-
 // Concave edges belong to one feature where they run within 45 degrees of each other.
 constexpr double ContinuesCosine = 0.707;
 
@@ -229,8 +228,8 @@ private:
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
           CutPlane plane;
-          plane.at = plus(shape_.centre,
-            scaled(minus(shape_.faces[face].centre, shape_.centre), share));
+          plane.at =
+            plus(shape_.centre, scaled(minus(shape_.faces[face].centre, shape_.centre), share));
           plane.normal = { 0, 0, 0 };
           plane.normal[axis] = 1;
           attempt(plane, false);

@@ -30,10 +30,11 @@ struct CellArrays
 
 struct CellData
 {
-  int* globalBox;         // 3 * cellCount(): I, J, K
-  unsigned char* level;   // 3 * cellCount(): halvings of the global box along x, y, z
-  int* region;            // cellCount()
-  double* volumeFraction; // cellCount(): volume by that of its box; beyond 1 where cells were merged
+  int* globalBox;       // 3 * cellCount(): I, J, K
+  unsigned char* level; // 3 * cellCount(): halvings of the global box along x, y, z
+  int* region;          // cellCount()
+  double*
+    volumeFraction; // cellCount(): volume by that of its box; beyond 1 where cells were merged
 };
 
 // The boundary faces by themselves, with points numbered in the order of the mesh's.

@@ -43,8 +43,8 @@ struct ShortEdge
 
 struct Choice
 {
-  float length = -1;  // or not to collapse now
-  bool toB = false;   // a goes to where b is, or b to a
+  float length = -1; // or not to collapse now
+  bool toB = false;  // a goes to where b is, or b to a
 };
 
 class Collapser
@@ -95,9 +95,9 @@ private:
   struct Slot
   {
     std::uint32_t node;
-    std::uint32_t into;  // slot that it is part of, itself else
-    std::uint32_t next;  // ring of the slots that are one
-    Point at;            // of the slot that stays
+    std::uint32_t into; // slot that it is part of, itself else
+    std::uint32_t next; // ring of the slots that are one
+    Point at;           // of the slot that stays
   };
 
   struct Merge
@@ -360,8 +360,7 @@ private:
     const Point& base = placeOf(ring[0]);
     for (std::size_t i = 1; i + 1 < ring.size(); ++i)
     {
-      twice = plus(
-        twice, cross(minus(placeOf(ring[i]), base), minus(placeOf(ring[i + 1]), base)));
+      twice = plus(twice, cross(minus(placeOf(ring[i]), base), minus(placeOf(ring[i + 1]), base)));
     }
     return twice;
   }
@@ -430,7 +429,8 @@ private:
     {
       if (ring[i] == slots_[slot].node)
       {
-        for (const std::size_t k : { i + 1 < ring.size() ? i + 1 : 0, i > 0 ? i - 1 : ring.size() - 1 })
+        for (const std::size_t k :
+          { i + 1 < ring.size() ? i + 1 : 0, i > 0 ? i - 1 : ring.size() - 1 })
         {
           scratch.borders.emplace_back(ring[k], patches_.boundary[face]);
         }
@@ -479,7 +479,8 @@ private:
     };
     forEachFaceAt(a, [&](std::uint32_t face) {
       ringOf(face, scratch.ring);
-      const bool has = std::find(scratch.ring.begin(), scratch.ring.end(), nodeB) != scratch.ring.end();
+      const bool has =
+        std::find(scratch.ring.begin(), scratch.ring.end(), nodeB) != scratch.ring.end();
       for (std::size_t i = 0; has && scratch.ring.size() == 3 && i < 3; ++i)
       {
         scratch.thirds.push_back(scratch.ring[i]);
@@ -489,10 +490,10 @@ private:
     bool good = true;
     forEachNeighbour(b, nodeB, [&](std::uint32_t node) {
       const auto& thirds = scratch.thirds;
-      good = good && (node == nodeA ||
-                       std::find(scratch.near.begin(), scratch.near.end(), node) ==
-                         scratch.near.end() ||
-                       std::find(thirds.begin(), thirds.end(), node) != thirds.end());
+      good = good &&
+        (node == nodeA ||
+          std::find(scratch.near.begin(), scratch.near.end(), node) == scratch.near.end() ||
+          std::find(thirds.begin(), thirds.end(), node) != thirds.end());
     });
     return good;
   }
@@ -757,8 +758,7 @@ private:
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       const Vector p = minus(minus(placeOf(ring[i]), origin), mean);
-      const Vector q =
-        minus(minus(placeOf(ring[i + 1 < ring.size() ? i + 1 : 0]), origin), mean);
+      const Vector q = minus(minus(placeOf(ring[i + 1 < ring.size() ? i + 1 : 0]), origin), mean);
       least = std::min(least, dot(cross(p, q), now));
     }
     return least >= -RoundingOfAreas * size * size;
@@ -777,7 +777,8 @@ private:
       else if (before != None)
       {
         twice = plus(twice,
-          cross(minus(nodes_.at[before], nodes_.at[first]), minus(nodes_.at[node], nodes_.at[first])));
+          cross(
+            minus(nodes_.at[before], nodes_.at[first]), minus(nodes_.at[node], nodes_.at[first])));
       }
       before = node;
     });
@@ -847,8 +848,8 @@ private:
     {
       const auto& low = boxes_.globalOf(boxes_.boxes[box]).index;
       addWarped(box, [&](unsigned corner) {
-        const auto found = nodeOfVertex.find({ low[0] + (corner & 1), low[1] + (corner >> 1 & 1),
-          low[2] + (corner >> 2) });
+        const auto found = nodeOfVertex.find(
+          { low[0] + (corner & 1), low[1] + (corner >> 1 & 1), low[2] + (corner >> 2) });
         return found == nodeOfVertex.end() ? cornerOf(boxes_.boxes[box], corner)
                                            : nodes_.at[found->second];
       });
@@ -952,9 +953,9 @@ private:
   InnerFaces& inner_;
   Execution& execution_;
   double featureCosine_;
-  std::vector<ShortEdge> edges_; // ends: nodes, then slots
-  std::vector<Choice> choices_;  // of each edge
-  std::vector<Merge> merges_;    // of this round
+  std::vector<ShortEdge> edges_;      // ends: nodes, then slots
+  std::vector<Choice> choices_;       // of each edge
+  std::vector<Merge> merges_;         // of this round
   std::vector<std::uint32_t> slotOf_; // of nodes, or None
   std::vector<Slot> slots_;
   std::vector<std::size_t> faceStart_; // of slots, in facesOf_

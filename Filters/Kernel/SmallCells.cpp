@@ -203,7 +203,9 @@ private:
     execution_.forEach(groups.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
       {
-        if (together(groups[i]).weight() > apart(groups[i].keys).weight())
+        const Fitness after = together(groups[i]);
+        const Fitness before = apart(groups[i].keys);
+        if (after.weight() > before.weight() || !after.isNoLessValidThan(before))
         {
           groups[i].keys.clear();
         }
@@ -232,7 +234,13 @@ private:
     {
       Merging trial;
       trial.keys = { other, candidate.key };
-      const int change = together(trial).weight() - apart(trial.keys).weight();
+      const Fitness after = together(trial);
+      const Fitness before = apart(trial.keys);
+      const int change = after.weight() - before.weight();
+      if (!after.isNoLessValidThan(before))
+      {
+        continue;
+      }
       if (change < best || (candidate.small && merging.keys.empty() && change == 0))
       {
         best = change;

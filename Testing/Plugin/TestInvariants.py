@@ -28,7 +28,7 @@ def check(name, source, cells, boundary_array="", **properties):
         measure.Surface(surface, boundary_array or "STLSolidLabeling").check(mesh.volume, mesh.areas)
         assert error_code(mesher) == 0, f"error code {error_code(mesher)}"
         if not properties:
-            spread = np.abs(np.array(mesh.box_volumes) / size**3 - 1).max()
+            spread = np.abs(mesh.volumes / size**3 - mesh.fractions).max()
             assert spread < 1e-5, f"VolumeFraction is {spread} off"
     except AssertionError as error:
         raise AssertionError(f"{name}, {cells} cells along the longest side: {error}") from error
@@ -91,6 +91,6 @@ for name, source in (round_shapes | {"spot": read("cino_spot.obj")}).items():
         mesher = simple.CartesianMesher(Input=source, SmallCellRatio=ratio)
         mesh = measure.Mesh(output(mesher), output(mesher, 1))
         volumes.append(mesh.volume)
-        smallest = np.min(mesh.volumes) / mesh.box_volumes[0]
+        smallest = mesh.fractions.min()
         assert smallest >= ratio * (1 - 1e-6), f"{name}: a cell of {smallest} of its box"
     assert volumes[1] < volumes[0], f"{name}: volumes {volumes}"

@@ -94,8 +94,8 @@ def is_good(damage):
     try:
         mesh = measure.Mesh(*copies)
         surface.check(mesh.volume, mesh.areas)
-        smallest, largest = mesh.box_volumes
-        assert largest / smallest < 1 + 1e-5, "boxes differ"
+        box = mesh.volumes.sum() / mesh.fractions.sum()  # all are of one size
+        assert np.abs(mesh.volumes / box - mesh.fractions).max() < 1e-5, "boxes differ"
     except AssertionError as error:
         print(f"{damage.__name__}: {error}")
         return False

@@ -227,8 +227,7 @@ class Mesh:
     def check_arrays(self, grid):
         fraction = vtk_to_numpy(grid.GetCellData().GetArray("VolumeFraction"))
         assert 0 < fraction.min()
-        box = self.volumes / fraction
-        self.box_volumes = box.min(), box.max()
+        self.fractions = fraction
         types = vtk_to_numpy(grid.GetCellTypesArray())
         assert (vtk_to_numpy(grid.GetCellData().GetArray("Region")) == 1).all()
         global_box = vtk_to_numpy(grid.GetCellData().GetArray("GlobalBox"))
