@@ -58,8 +58,8 @@ bool meetsFace(
     });
 }
 
-// Joins the faces of a cell where that helps.
-void joinFacesOf(CellComplex& complex, CellKey key, double leastCosine)
+// Joins the faces of a cell where that helps; returns whether it did.
+bool joinFacesOf(CellComplex& complex, CellKey key, double leastCosine)
 {
   CellView view;
   CellShape shape;
@@ -68,7 +68,7 @@ void joinFacesOf(CellComplex& complex, CellKey key, double leastCosine)
   measure(view.shape, shape);
   if (isThin(shape))
   {
-    return;
+    return false;
   }
   const Fitness before = fitnessOf(view.shape, shape, view.beyond);
   const JoinedFaces joined = joinFaces(view, leastCosine);
@@ -81,7 +81,9 @@ void joinFacesOf(CellComplex& complex, CellKey key, double leastCosine)
   {
     complex.open(key);
     complex.join(key, view, joined);
+    return true;
   }
+  return false;
 }
 
 // Where no cut helps: makes a boundary face at fault and one of its neighbours one (the paper's IP
@@ -143,19 +145,22 @@ std::size_t removeSmallCells(CellComplex& complex, const CellSpec& spec)
   return removed;
 }
 
-// Joins faces of a cell at fault where that helps, whatever angle they meet at.
-void mendFaces(CellComplex& complex, CellKey key)
+// Joins faces of a cell at fault where that helps, whatever angle they meet at; returns whether it did.
+bool mendFaces(CellComplex& complex, CellKey key)
 {
+  bool any = false;
   while (mendFace(complex, key))
   {
+    any = true;
   }
   for (const double angle : WiderAngles)
   {
     if (complex.isAtFault(key))
     {
-      joinFacesOf(complex, key, std::cos(angle * RadiansPerDegree));
+      any = joinFacesOf(complex, key, std::cos(angle * RadiansPerDegree)) || any;
     }
   }
+  return any;
 }
 
 class Shaper
@@ -222,7 +227,7 @@ private:
     for (const CellKey key : exact_ ? std::vector<CellKey>{} : atFault())
     {
       execution_.poll();
-      mendFaces(complex_, key);
+      shaping_.cellsMended += mendFaces(complex_, key) ? 1 : 0;
     }
   }
 

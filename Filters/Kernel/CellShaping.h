@@ -10,6 +10,7 @@ struct Shaping
 {
   std::size_t cellsSplit = 0; // cuts
   std::size_t cellsMerged = 0;
+  std::size_t cellsMended = 0;  // got a boundary face of several, of any angle: the paper's IP patches
   std::size_t cellsRemoved = 0; // too small, and no neighbour to merge them with
 };
 

@@ -403,6 +403,7 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
     { "BoxesFlawed", static_cast<double>(flawedBoxes().size()) },
     { "Patches", patches },
     { "CellsSplit", static_cast<double>(shaping_.cellsSplit) },
+    { "CellsWithJoinedFaces", static_cast<double>(shaping_.cellsMended) },
     { "SmallCellsMerged", static_cast<double>(shaping_.cellsMerged) },
     { "SmallCellsRemoved", removed },
     { "IsolatedCells", isolated },
