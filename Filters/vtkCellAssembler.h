@@ -9,9 +9,10 @@
  * section 6 of the paper.
  *
  * Mesh: hexahedra and polyhedra with outward faces. Cell arrays GlobalBox (int, components I, J, K),
- * Region (int, from 1), VolumeFraction (double: of the cell's box). Field data: the statistics, one
+ * Region (int, from 1), VolumeFraction (double: volume by that of the cell's box; beyond 1 after merging). Field data: the statistics, one
  * array of one number each (Cells, Hexahedra, Polyhedra, Points, BoundaryFaces, BoxesInside,
  * BoxesIntersected, BoxesByExactFit, BoxesRebuilt, BoxesFlawed, Patches, SmallCellsRemoved,
+ * SmallCellsMerged, CellsSplit, CellsWithJoinedFaces (boundary faces of any angle made one),
  * IsolatedCells, VoidsInsideCells, FoldsLeftOut), and numbers of cells as in vtkFiniteVolumeQuality:
  * BoundaryAngleFailures, InnerAngleFailures, OpennessFailures, VolumeFailures.
  * For vtkPolyMeshWriter: cell array CellId (number of the cell) and field data array
