@@ -14,7 +14,7 @@ STOPPED = 40009
 LONGEST = 1.0  # seconds of processor time: what else runs on the machine does not count
 SILENCE = 0.05  # most of all the time that passes without a report
 STEP = 0.1  # most of the whole that is done from one report to the next
-LEAD = 0.2  # most that progress is ahead of the time or behind it
+LEAD = 0.3  # how far progress and time are apart: shaping depends on how many cells are at fault
 
 
 class Observer:
