@@ -1,13 +1,11 @@
 #include "ShortEdges.h"
 
-#include "Polyhedron.h"
 #include "Sorting.h"
 #include "Vector.h"
-#include "VertexRows.h"
+#include "WarpedHexahedra.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace cartesian
 {
@@ -804,95 +802,16 @@ private:
     {
       nodes_.at[slot.node] = slots_[slot.into].at;
     }
-    listWarped();
-  }
-
-  // The hexahedra around corners that moved.
-  void listWarped()
-  {
-    std::vector<std::uint32_t> boxes;
-    std::map<std::array<std::uint32_t, 3>, std::uint32_t> nodeOfVertex;
-    const std::size_t rowLength = boxes_.planes[1].size();
+    std::vector<std::uint32_t> moved;
     for (const Slot& slot : slots_)
     {
-      const std::size_t c = slot.node - nodes_.patchPoints;
-      if (slot.node < nodes_.patchPoints || nodes_.at[slot.node] == nodes_.grid[c])
+      if (slot.node >= nodes_.patchPoints &&
+        nodes_.at[slot.node] != nodes_.grid[slot.node - nodes_.patchPoints])
       {
-        continue;
-      }
-      const std::size_t row = static_cast<std::size_t>(
-        std::upper_bound(nodes_.rowStart.begin(), nodes_.rowStart.end(), c) -
-        nodes_.rowStart.begin() - 1);
-      const std::array<std::size_t, 2> jk{ row % rowLength, row / rowLength };
-      std::uint32_t i = 0;
-      if (!VertexRows::isVertex(boxes_.planes, nodes_.grid[c], jk[0], jk[1], i))
-      {
-        continue;
-      }
-      nodeOfVertex[{ i, static_cast<std::uint32_t>(jk[0]), static_cast<std::uint32_t>(jk[1]) }] =
-        slot.node;
-      for (unsigned corner = 0; corner < 8; ++corner)
-      {
-        const std::uint32_t global = boxes_.globalAt(std::int64_t(i) - (corner & 1),
-          std::int64_t(jk[0]) - (corner >> 1 & 1), std::int64_t(jk[1]) - (corner >> 2));
-        if (global != None && boxes_.globals[global].depth == 0 &&
-          sides_.ordinal[boxes_.globals[global].firstBox] == None)
-        {
-          boxes.push_back(boxes_.globals[global].firstBox);
-        }
+        moved.push_back(slot.node);
       }
     }
-    std::sort(boxes.begin(), boxes.end());
-    boxes.erase(std::unique(boxes.begin(), boxes.end()), boxes.end());
-    for (const std::uint32_t box : boxes)
-    {
-      const auto& low = boxes_.globalOf(boxes_.boxes[box]).index;
-      addWarped(box, [&](unsigned corner) {
-        const auto found = nodeOfVertex.find(
-          { low[0] + (corner & 1), low[1] + (corner >> 1 & 1), low[2] + (corner >> 2) });
-        return found == nodeOfVertex.end() ? cornerOf(boxes_.boxes[box], corner)
-                                           : nodes_.at[found->second];
-      });
-    }
-    for (std::size_t d = 0; d < sides_.divided.size(); ++d)
-    {
-      const auto& nodes = nodes_.ofDivided[d];
-      const bool warped = std::any_of(nodes.begin(), nodes.end(), [&](std::uint32_t node) {
-        return nodes_.at[node] != nodes_.grid[node - nodes_.patchPoints];
-      });
-      if (warped)
-      {
-        addWarped(sides_.divided[d], [&](unsigned corner) { return nodes_.at[nodes[corner]]; });
-      }
-    }
-  }
-
-  template <class Corner>
-  void addWarped(std::uint32_t box, Corner&& corner)
-  {
-    const Box& whole = boxes_.boxes[box];
-    Polyhedron polyhedron;
-    for (unsigned c = 0; c < 8; ++c)
-    {
-      polyhedron.nodes.push_back(minus(corner(c), whole.low));
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      for (const unsigned upper : { 0u, 1u })
-      {
-        std::array<unsigned, 4> ring = sideCorners(axis, upper);
-        if (!upper)
-        {
-          std::reverse(ring.begin(), ring.end());
-        }
-        std::for_each(ring.begin(), ring.end(), [&](unsigned c) { polyhedron.addCorner(c); });
-        polyhedron.closeFace(false);
-      }
-    }
-    CellShape shape;
-    measure(polyhedron, shape);
-    const Vector size = minus(whole.high, whole.low);
-    nodes_.warped.push_back({ box, shape.volume / (size[0] * size[1] * size[2]) });
+    nodes_.warped = warpedHexahedra(boxes_, sides_, nodes_, moved);
   }
 
   // Adds what is left of a face, if anything is.
