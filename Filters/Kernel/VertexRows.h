@@ -26,8 +26,12 @@ public:
   // How many there are in the row j + k * (planes along y).
   std::size_t count(std::size_t row) const
   {
-    const Run* const last = runs_.data() + rowStart_[row + 1] - 1;
-    return rowStart_[row] == rowStart_[row + 1] ? 0 : last->place + (last->end - last->begin);
+    if (rowStart_[row] == rowStart_[row + 1])
+    {
+      return 0;
+    }
+    const Run& last = runs_[rowStart_[row + 1] - 1];
+    return last.place + (last.end - last.begin);
   }
 
   // The how many-th of its row a used vertex is, from 0. Its neighbour i + 1 in the same box is the
