@@ -155,7 +155,7 @@ protected:
   double MergeRatio = 0.015;
   double SmallCellRatio = 1e-3;
   bool SplitConcaveCells = true;
-  double RefusedCellRatio = 2.5;
+  double RefusedCellRatio = 4;
   bool InPieces = true;
   std::vector<std::string> BoundaryNames;
   std::vector<std::string> BoundaryTypes;

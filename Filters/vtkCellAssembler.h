@@ -99,7 +99,7 @@ public:
   ///@{
   /**
    * Where concave cells are split and the patches are not exact: what solvers would refuse (section 3,
-   * checkMesh) and nothing mends is left out, up to as many volumes of its box; default 2.5. 0: none
+   * checkMesh) and nothing mends is left out, up to as many volumes of its box; default 4. 0: none
    * is. Boundaries with a small cell ratio of their own keep larger ones.
    */
   vtkSetMacro(RefusedCellRatio, double);
@@ -138,7 +138,7 @@ protected:
   double MergeRatio = 0.015;
   double SmallCellRatio = 1e-3;
   bool SplitConcaveCells = true;
-  double RefusedCellRatio = 2.5;
+  double RefusedCellRatio = 4;
   std::vector<std::string> BoundaryNames;
   std::vector<std::string> BoundaryTypes;
   std::vector<double> BoundaryRatios;

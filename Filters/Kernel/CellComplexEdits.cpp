@@ -479,11 +479,22 @@ bool CellComplex::hasFaceNear(CellKey key, std::vector<std::uint32_t> nodes) con
   return found;
 }
 
+// A hexahedron next to it gets a boundary face, which only polyhedra have.
 void CellComplex::remove(CellKey key)
 {
   changed_ = true;
   const std::int32_t boundary = mainBoundary(key);
   open(key);
+  const std::vector<FaceUse> faces = opened(key)->faces;
+  for (const FaceUse& use : faces)
+  {
+    const CellKey other = across(use);
+    if (other != None && other >= cells_.size() && isShaped(use.face))
+    {
+      open(other);
+      opened(other)->changed = true;
+    }
+  }
   opened(key)->boundary = boundary;
   opened(key)->removed = true;
   opened(key)->changed = true;

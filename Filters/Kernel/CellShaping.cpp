@@ -212,7 +212,7 @@ private:
   // what is too large to go can lose a part.
   void removeRefused()
   {
-    for (const double share : { 0.04, 0.2, 0.4, 1.0, 1.0 })
+    for (const double share : { 0.025, 0.125, 0.25, 1.0, 1.0 })
     {
       mend();
       shaping_.partsCarved += carveCells(complex_, atFault(), MostCarved, execution_);

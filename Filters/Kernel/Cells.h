@@ -108,7 +108,7 @@ struct CellSpec
 
   // Where cells are split: what solvers refuse and nothing mends is removed, up to as many volumes of
   // its box; 0: none.
-  double refusedCellRatio = 2.5;
+  double refusedCellRatio = 4;
 
   const std::vector<BoundaryRatio>* boundaryRatios =
     nullptr; // the caller's, if any; each boundary once

@@ -54,7 +54,14 @@ private:
     return { cells_.volume(key) / cells_.volumeOfBox(key), key };
   }
 
-  // Those to blame for the faces of a cell.
+  bool mayGo(const Candidate& candidate) const
+  {
+    const std::int32_t boundary =
+      cells_.hasFaces(candidate.key) ? cells_.mainBoundary(candidate.key) : NoBoundary;
+    return boundary != NoBoundary && candidate.volume < ratioOf(spec_, boundary, largest_);
+  }
+
+  // For each refused face of a cell, the smaller of its two cells that may go.
   void findCandidates(CellKey key, MeasuredCell& cell, std::vector<Candidate>& found) const
   {
     cells_.lookAround(key, cell);
@@ -63,16 +70,22 @@ private:
       if (isRefused(cell.shape, cell.measures, f, cell.beyond[f]))
       {
         const CellKey other = cell.across[f];
-        const Candidate own = candidate(key);
-        found.push_back(other == None ? own : std::min(own, candidate(other)));
+        Candidate smaller = candidate(key);
+        Candidate larger = other == None ? smaller : candidate(other);
+        if (larger < smaller)
+        {
+          std::swap(smaller, larger);
+        }
+        if (mayGo(smaller))
+        {
+          found.push_back(smaller);
+        }
+        else if (mayGo(larger))
+        {
+          found.push_back(larger);
+        }
       }
     }
-  }
-
-  bool mayGo(const Candidate& candidate) const
-  {
-    const std::int32_t boundary = cells_.mainBoundary(candidate.key);
-    return boundary != NoBoundary && candidate.volume < ratioOf(spec_, boundary, largest_);
   }
 
   // Returns the cells to look at again.
@@ -95,7 +108,7 @@ private:
     for (const Candidate& candidate : candidates)
     {
       // The removal of a neighbour may be enough.
-      if (again.count(candidate.key) == 0 && mayGo(candidate))
+      if (again.count(candidate.key) == 0)
       {
         for (const auto& [other, area] : cells_.neighbours(candidate.key))
         {

@@ -7,12 +7,40 @@
 namespace cartesian
 {
 
+std::vector<Face> facesOf(const MeshArrays& mesh, std::size_t cell)
+{
+  std::vector<Face> faces;
+  if (mesh.types[cell] == MeshArrays::Hexahedron)
+  {
+    const Id* p = mesh.connectivity.data() + mesh.offsets[cell];
+    constexpr int sides[6][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 }, { 3, 7, 6, 2 },
+      { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
+    for (const auto& s : sides)
+    {
+      faces.push_back({ p[s[0]], p[s[1]], p[s[2]], p[s[3]] });
+    }
+    return faces;
+  }
+  auto next = static_cast<std::size_t>(mesh.faceStart[cell]);
+  const Id count = mesh.faceStream.at(next++);
+  for (Id f = 0; f < count; ++f)
+  {
+    const Id size = mesh.faceStream.at(next++);
+    Face face;
+    for (Id i = 0; i < size; ++i)
+    {
+      face.push_back(mesh.faceStream.at(next++));
+    }
+    faces.push_back(face);
+  }
+  return faces;
+}
+
 namespace
 {
 
 using Real = long double;
 using Triple = std::array<Real, 3>;
-using Face = std::vector<Id>;
 using Edge = std::pair<Id, Id>;
 
 // `volumeFraction` agrees with the volume to this part of the box.
@@ -82,35 +110,6 @@ private:
   std::vector<Triple> corners_;
   Triple mean_{};
 };
-
-std::vector<Face> facesOf(const MeshArrays& mesh, std::size_t cell)
-{
-  std::vector<Face> faces;
-  if (mesh.types[cell] == MeshArrays::Hexahedron)
-  {
-    const Id* p = mesh.connectivity.data() + mesh.offsets[cell];
-    constexpr int sides[6][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 }, { 3, 7, 6, 2 },
-      { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
-    for (const auto& s : sides)
-    {
-      faces.push_back({ p[s[0]], p[s[1]], p[s[2]], p[s[3]] });
-    }
-    return faces;
-  }
-  auto next = static_cast<std::size_t>(mesh.faceStart[cell]);
-  const Id count = mesh.faceStream.at(next++);
-  for (Id f = 0; f < count; ++f)
-  {
-    const Id size = mesh.faceStream.at(next++);
-    Face face;
-    for (Id i = 0; i < size; ++i)
-    {
-      face.push_back(mesh.faceStream.at(next++));
-    }
-    faces.push_back(face);
-  }
-  return faces;
-}
 
 Face boundaryFace(const MeshArrays& mesh, std::size_t f)
 {

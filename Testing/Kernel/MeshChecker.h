@@ -26,6 +26,10 @@ double volumeSlack(const MeshArrays& mesh, const Soup& soup);
 
 double volumeOf(const MeshArrays& mesh);
 
+// The points of each face of a cell, counter-clockwise from outside.
+using Face = std::vector<Id>;
+std::vector<Face> facesOf(const MeshArrays& mesh, std::size_t cell);
+
 // Volumes of the cells of each box (I, J, K), ascending.
 std::map<std::array<int, 3>, std::vector<double>> volumesByBox(const MeshArrays& mesh);
 
