@@ -18,6 +18,9 @@ constexpr std::size_t CellsAChunk = 512;
 // Faces that become one may cut off less than the rest of a cell.
 constexpr double LeastVolumeLeft = 0.8;
 
+// With fewer faces solvers take no cell.
+constexpr std::size_t LeastFaces = 4;
+
 // Where no pair of faces helps, those that meet at less become one, in degrees.
 constexpr std::array<double, 5> WiderAngles{ 30, 45, 60, 90, 180 };
 
@@ -78,7 +81,7 @@ bool joinFacesOf(CellComplex& complex, CellKey key, double leastCosine)
   const Polyhedron after = shapeOf(view, joined, beyond);
   const double volume = shape.volume;
   measure(after, shape);
-  if (shape.volume > LeastVolumeLeft * volume &&
+  if (after.faces() >= LeastFaces && shape.volume > LeastVolumeLeft * volume &&
     fitnessOf(after, shape, beyond).isBetterThan(before) && !meetsFace(complex, key, view, joined))
   {
     complex.open(key);
@@ -114,8 +117,8 @@ bool mendFace(CellComplex& complex, CellKey key)
       const Polyhedron trial = shapeOf(view, joined, beyond);
       measure(trial, after);
       const Fitness fitness = fitnessOf(trial, after, beyond);
-      if (after.volume > LeastVolumeLeft * shape.volume && fitness.isBetterThan(best) &&
-        !meetsFace(complex, key, view, joined))
+      if (trial.faces() >= LeastFaces && after.volume > LeastVolumeLeft * shape.volume &&
+        fitness.isBetterThan(best) && !meetsFace(complex, key, view, joined))
       {
         best = fitness;
         bestJoined = std::move(joined);
