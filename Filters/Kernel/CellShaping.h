@@ -1,4 +1,5 @@
 // Cells made fit for solvers (sections 3, 4.10, 4.11): concave ones are split, small ones merged.
+// Slab by slab (Slabs.h): those of the core, and around it what a point of theirs may belong to.
 #pragma once
 
 #include "Cells.h"
@@ -6,12 +7,15 @@
 namespace cartesian
 {
 
+// Of a part of a mesh, what happened to cells of its core.
 struct Shaping
 {
   std::size_t cellsSplit = 0; // cuts
   std::size_t cellsMerged = 0;
   std::size_t cellsMended = 0;  // got a boundary face of several, of any angle: the paper's IP patches
   std::size_t cellsRemoved = 0; // too small, and no neighbour to merge them with
+
+  Shaping& operator+=(const Shaping& other);
 };
 
 // Whether there is anything to do.

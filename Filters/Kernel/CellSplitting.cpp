@@ -395,16 +395,17 @@ private:
         next_.insert(proposal.key);
         return;
       }
-      if (!cells_.meetsNode(touched, proposal.view, *cut) &&
+      if (std::all_of(touched.begin(), touched.end(), [&](CellKey k) { return cells_.isFree(k); }) &&
+        !cells_.meetsNode(touched, proposal.view, *cut) &&
         std::none_of(
           touched.begin() + 1, touched.end(), [&](CellKey k) { return isThin(cells_, k); }))
       {
         taken_.insert(touched.begin(), touched.end());
         next_.insert(touched.begin(), touched.end());
+        result_.cellsSplit += cells_.counts(proposal.key);
         std::vector<CellKey> parts;
         cells_.cut(proposal.key, proposal.view, *cut, parts);
         next_.insert(parts.begin(), parts.end());
-        ++result_.cellsSplit;
         return;
       }
     }

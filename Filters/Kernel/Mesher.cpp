@@ -261,7 +261,8 @@ void Assembly::rebuildFlawed(const CellSpec& spec, Execution& execution)
   rebuilt_.boxes.swap(rebuilt);
 }
 
-// Boxes whose faces would not close any more keep their edges.
+// First between the seams, then across them (ShortEdges.h). Boxes whose faces would not close any more
+// keep their edges; what changes for that changes nothing beyond the seams.
 void Assembly::collapse(const CellSpec& spec, Execution& execution)
 {
   if (!(spec.collapseRatio > 0))
@@ -270,23 +271,31 @@ void Assembly::collapse(const CellSpec& spec, Execution& execution)
   }
   const std::vector<std::uint8_t> flawed = cells_.flawed;
   const Patches& before = *patches_;
-  ShortEdgeSpec edges{ spec.collapseRatio, spec.featureAngle, isExact(before), flawed };
+  ShortEdgeSpec between{ spec.collapseRatio, spec.featureAngle, isExact(before), flawed, false };
+  ShortEdgeSpec across = between;
+  across.acrossSeams = true;
   execution.stage("Short edges", AfterCells, AfterShortEdges);
-  for (bool closed = false; !closed;)
-  {
-    collapsed_ = before;
-    nodesCollapsed_ =
+  collapsed_ = before;
+  patches_ = &collapsed_;
+  const auto closes = [&](ShortEdgeSpec& edges) {
+    const std::size_t gone =
       collapseShortEdges(boxes_, sides_, edges, collapsed_, nodes_, inner_, execution);
-    patches_ = &collapsed_;
-    cells_ = assembleCells(boxes_, collapsed_, sides_, nodes_, inner_, spec, execution);
-    closed = cells_.flawed == flawed;
-    if (!closed)
+    nodesCollapsed_ += gone;
+    if (gone == 0)
     {
-      std::transform(edges.keeps.begin(), edges.keeps.end(), cells_.flawed.begin(),
-        edges.keeps.begin(), std::bit_or<>());
-      patches_ = &before;
-      findInnerFaces(execution);
+      return true;
     }
+    cells_ = assembleCells(boxes_, collapsed_, sides_, nodes_, inner_, spec, execution);
+    std::transform(edges.keeps.begin(), edges.keeps.end(), cells_.flawed.begin(),
+      edges.keeps.begin(), std::bit_or<>());
+    return cells_.flawed == flawed;
+  };
+  while (!closes(between) || !closes(across))
+  {
+    nodesCollapsed_ = 0;
+    collapsed_ = before;
+    findInnerFaces(execution);
+    cells_ = assembleCells(boxes_, collapsed_, sides_, nodes_, inner_, spec, execution);
   }
 }
 

@@ -159,6 +159,10 @@ private:
 
   void listEdgesOf(std::size_t n, std::vector<ShortEdge>& edges) const
   {
+    if (stays(n))
+    {
+      return;
+    }
     const std::uint32_t box = sides_.polyhedral[n];
     if (const std::uint32_t cut = sides_.patchBox[n]; cut != None)
     {
@@ -263,9 +267,9 @@ private:
         }
       }
     };
-    for (std::size_t n = 0; n < spec_.keeps.size(); ++n)
+    for (std::size_t n = 0; n < sides_.polyhedral.size(); ++n)
     {
-      if (!spec_.keeps[n])
+      if (!stays(n))
       {
         continue;
       }
@@ -286,8 +290,30 @@ private:
     }
     for (ShortEdge& edge : edges_)
     {
-      edge.banned = kept[edge.a] || kept[edge.b];
+      edge.banned =
+        kept[edge.a] || kept[edge.b] || (!spec_.acrossSeams && (isOnSeam(edge.a) || isOnSeam(edge.b)));
     }
+  }
+
+  // Whether a box keeps its edges.
+  bool stays(std::size_t n) const
+  {
+    const std::uint32_t layer = boxes_.globalOf(boxes_.boxes[sides_.polyhedral[n]]).index[2];
+    return spec_.keeps[n] || (spec_.acrossSeams && !isAtSeam(layer));
+  }
+
+  static bool isSeam(std::uint32_t plane)
+  {
+    return plane >= FirstSeam && (plane - FirstSeam) % SeamDistance == 0;
+  }
+  static bool isAtSeam(std::uint32_t layer) { return isSeam(layer) || isSeam(layer + 1); }
+
+  bool isOnSeam(std::uint32_t slot) const
+  {
+    const std::vector<Level>& planes = boxes_.planes[2];
+    const auto plane = std::lower_bound(planes.begin(), planes.end(), slots_[slot].at[2]);
+    return plane != planes.end() && *plane == slots_[slot].at[2] &&
+      isSeam(static_cast<std::uint32_t>(plane - planes.begin()));
   }
 
   // Calls visit(face) for the faces at all nodes that became this one; faces may come twice.
@@ -803,12 +829,11 @@ private:
       nodes_.at[slot.node] = slots_[slot.into].at;
     }
     std::vector<std::uint32_t> moved;
-    for (const Slot& slot : slots_)
+    for (std::size_t i = 0; i < nodes_.grid.size(); ++i)
     {
-      if (slot.node >= nodes_.patchPoints &&
-        nodes_.at[slot.node] != nodes_.grid[slot.node - nodes_.patchPoints])
+      if (nodes_.at[nodes_.patchPoints + i] != nodes_.grid[i])
       {
-        moved.push_back(slot.node);
+        moved.push_back(static_cast<std::uint32_t>(nodes_.patchPoints + i));
       }
     }
     nodes_.warped = warpedHexahedra(boxes_, sides_, nodes_, moved);
@@ -882,6 +907,23 @@ private:
   std::vector<std::uint32_t> ring_;
 };
 
+}
+
+Layers collapsedFrom(Layers wanted, std::uint32_t all)
+{
+  if (wanted.begin == wanted.end)
+  {
+    return wanted;
+  }
+  // Of the layers on both sides of a seam, both slabs.
+  const std::uint32_t below = wanted.begin - std::min(wanted.begin, 1u);
+  const std::uint32_t above = std::min(wanted.end, all - 1);
+  const auto slabOf = [](std::uint32_t layer) {
+    return (layer + SeamDistance - FirstSeam) / SeamDistance;
+  };
+  const std::uint32_t begin = slabOf(below) * SeamDistance;
+  return { begin - std::min(begin, SeamDistance - FirstSeam),
+    std::min((slabOf(above) + 1) * SeamDistance - (SeamDistance - FirstSeam), all) };
 }
 
 std::size_t collapseShortEdges(const Boxes& boxes, const Sides& sides, const ShortEdgeSpec& spec,

@@ -79,6 +79,15 @@ public:
   }
 
 private:
+  std::vector<std::pair<CellKey, double>> freeNeighbours(CellKey key) const
+  {
+    auto neighbours = cells_.neighbours(key);
+    neighbours.erase(std::remove_if(neighbours.begin(), neighbours.end(),
+                       [&](const auto& neighbour) { return !cells_.isFree(neighbour.first); }),
+      neighbours.end());
+    return neighbours;
+  }
+
   void findCandidates(const std::vector<CellKey>& keys)
   {
     candidates_.assign(keys.size(), {});
@@ -89,7 +98,7 @@ private:
         const double volume = cells_.volume(keys[i]) / cells_.volumeOfBox(keys[i]);
         if (volume < ratio_ || (mend_ && volume < MostVolume && cells_.isAtFault(keys[i])))
         {
-          const auto neighbours = cells_.neighbours(keys[i]);
+          const auto neighbours = freeNeighbours(keys[i]);
           candidates_[i].key = keys[i];
           candidates_[i].volume = volume;
           candidates_[i].small = volume < ratio_;
@@ -171,8 +180,8 @@ private:
     }
     for (std::size_t i = 1; i < keys.size(); ++i)
     {
+      merged_ += cells_.counts(keys[i]);
       cells_.merge(keys[i], keys.front());
-      ++merged_;
     }
     cells_.join(keys.front(), merging.view, merging.joined);
     again_.insert(keys.front());
@@ -227,7 +236,7 @@ private:
   // The neighbour with which least is at fault.
   void choose(const Candidate& candidate, Merging& merging) const
   {
-    auto neighbours = cells_.neighbours(candidate.key);
+    auto neighbours = freeNeighbours(candidate.key);
     neighbours.resize(std::min(neighbours.size(), MostNeighbours));
     int best = 0; // change of weight
     for (const auto& [other, area] : neighbours)

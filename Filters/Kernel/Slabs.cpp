@@ -1,0 +1,96 @@
+#include "Slabs.h"
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::uint32_t Half = SlabThickness / 2;
+constexpr std::uint32_t Fixed = 1;          // layers of a slab next to another
+constexpr std::uint32_t Quarter = Half / 2; // from a border of the first stage: the second acts there
+
+Layers hullOf(Layers a, Layers b)
+{
+  if (a.begin == a.end || b.begin == b.end)
+  {
+    return a.begin == a.end ? b : a;
+  }
+  return { std::min(a.begin, b.begin), std::max(a.end, b.end) };
+}
+
+bool meet(Layers a, Layers b)
+{
+  return a.begin < b.end && b.begin < a.end;
+}
+
+// Without `by` layers at both ends, but for those where the grid ends.
+Layers shrunk(Layers layers, std::uint32_t by, std::uint32_t all)
+{
+  const std::uint32_t begin = layers.begin == 0 ? 0 : std::min(layers.begin + by, layers.end);
+  const std::uint32_t end = layers.end == all ? all : layers.end - std::min(by, layers.end);
+  return { begin, std::max(begin, end) };
+}
+
+// The i-th of the first stage.
+Slab firstSlab(std::uint32_t i, std::uint32_t all)
+{
+  const Layers layers{ i * SlabThickness, std::min((i + 1) * SlabThickness, all) };
+  return { layers, shrunk(layers, Fixed, all), shrunk(layers, Quarter, all) };
+}
+
+// The one across the lower border of the i-th.
+Slab secondSlab(std::uint32_t i, std::uint32_t all)
+{
+  const std::uint32_t border = i * SlabThickness;
+  const auto around = [&](std::uint32_t by) {
+    return Layers{ border - by, std::min(border + by, all) };
+  };
+  return { around(Half), shrunk(around(Half), Fixed, all), around(Quarter) };
+}
+
+}
+
+std::array<std::vector<Slab>, ShapingStages> slabsFor(Layers wanted, std::uint32_t all)
+{
+  std::array<std::vector<Slab>, ShapingStages> slabs;
+  const std::uint32_t count = (all + SlabThickness - 1) / SlabThickness;
+  Layers first = wanted;
+  for (std::uint32_t i = 1; i < count; ++i)
+  {
+    if (const Slab slab = secondSlab(i, all); meet(slab.free, wanted))
+    {
+      slabs[1].push_back(slab);
+      first = hullOf(first, slab.layers);
+    }
+  }
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    if (const Slab slab = firstSlab(i, all); meet(slab.layers, first))
+    {
+      slabs[0].push_back(slab);
+    }
+  }
+  return slabs;
+}
+
+Layers shapedFrom(Layers wanted, std::uint32_t all)
+{
+  Layers from = wanted;
+  for (const std::vector<Slab>& slabs : slabsFor(wanted, all))
+  {
+    for (const Slab& slab : slabs)
+    {
+      from = hullOf(from, slab.layers);
+    }
+  }
+  return from;
+}
+
+std::uint32_t nearestSeam(std::uint32_t layer, std::uint32_t all)
+{
+  const std::uint32_t seam = layer / SlabThickness * SlabThickness + Half;
+  return std::min(seam, all);
+}
+
+}
