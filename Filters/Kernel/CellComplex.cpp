@@ -43,10 +43,8 @@ std::array<CellKey, 2> CellsToShape::cellsIn(Layers layers) const
 {
   const auto firstOf = [&](std::uint32_t layer) {
     const auto& polyhedral = sides.polyhedral;
-    const auto at =
-      std::lower_bound(polyhedral.begin(), polyhedral.end(), boxes.firstBoxOf(layer));
-    return static_cast<CellKey>(
-      cells.boxStart[static_cast<std::size_t>(at - polyhedral.begin())]);
+    const auto at = std::lower_bound(polyhedral.begin(), polyhedral.end(), boxes.firstBoxOf(layer));
+    return static_cast<CellKey>(cells.boxStart[static_cast<std::size_t>(at - polyhedral.begin())]);
   };
   return { firstOf(layers.begin), firstOf(layers.end) };
 }
@@ -57,9 +55,8 @@ void CellsToShape::measure(Layers layers, Execution& execution)
   {
     for (std::uint32_t& cell : cells.shaped.cells[side.face])
     {
-      cell = cell == ShapedFaces::SomeHexahedron
-        ? static_cast<CellKey>(cells.size() + side.box)
-        : cell;
+      cell =
+        cell == ShapedFaces::SomeHexahedron ? static_cast<CellKey>(cells.size() + side.box) : cell;
     }
   }
   places.assign(cells.size(), {});
@@ -319,6 +316,18 @@ bool CellComplex::isFree(CellKey key) const
 {
   const Layers layers = layersOf(key);
   return layers.begin >= slab_.free.begin && layers.end <= slab_.free.end;
+}
+
+bool CellComplex::mayMerge(const std::vector<CellKey>& keys) const
+{
+  Layers all = layersOf(keys.front());
+  for (const CellKey key : keys)
+  {
+    const Layers layers = layersOf(key);
+    all = { std::min(all.begin, layers.begin), std::max(all.end, layers.end) };
+  }
+  return all.begin >= slab_.free.begin && all.end <= slab_.free.end &&
+    all.end - all.begin <= MostLayersOfACell;
 }
 
 std::vector<CellKey> CellComplex::polyhedra() const

@@ -66,6 +66,9 @@ public:
   // Whether it may change: all of it lies in the slab's free layers.
   bool isFree(CellKey key) const;
 
+  // Whether all are free and do not lie in too many layers for one cell.
+  bool mayMerge(const std::vector<CellKey>& keys) const;
+
   // 1 if it belongs to the part that is meshed (Boxes::core), else 0.
   std::size_t counts(CellKey key) const { return boxes_.isCore(boxes_.boxes[boxOf(key)]) ? 1 : 0; }
 
@@ -114,7 +117,6 @@ public:
 
 private:
   friend class ShapedCells; // writes all back
-
 
   struct OpenCell
   {
@@ -218,7 +220,7 @@ private:
   std::vector<Shaped> shaped_;
   std::unordered_map<std::uint32_t, std::uint32_t> shapedAs_;         // of faces as they were
   std::unordered_map<std::uint64_t, std::uint32_t> faceOfHexahedron_; // 6 * box + side
-  std::vector<Point> added_; // nodes
+  std::vector<Point> added_;                                          // nodes
   std::map<Point, std::uint32_t> cutNodes_;
   std::vector<VertexNode> vertices_;
   std::unordered_map<std::uint64_t, std::uint32_t> nodeOfVertex_;

@@ -292,8 +292,8 @@ private:
     result_.cells.reserve(old.cells.size() + changed_.size());
     result_.faces.reserve(old.faces.size());
     auto next = changed_.begin();
-    auto nextOfHexahedron = std::lower_bound(changed_.begin(), changed_.end(),
-      Changed{ keyOfHexahedron(0), 0, 0, 0 });
+    auto nextOfHexahedron =
+      std::lower_bound(changed_.begin(), changed_.end(), Changed{ keyOfHexahedron(0), 0, 0, 0 });
     const auto writeChanged = [&](auto& at, CellKey key) {
       const auto before = at;
       for (; at != changed_.end() && at->origin == key; ++at)
@@ -426,8 +426,8 @@ private:
   Cells result_;
 };
 
-void writeBack(CellsToShape& whole, const std::vector<std::unique_ptr<CellComplex>>& slabs,
-  Execution& execution)
+void writeBack(
+  CellsToShape& whole, const std::vector<std::unique_ptr<CellComplex>>& slabs, Execution& execution)
 {
   ShapedCells(whole, slabs, execution).write();
 }

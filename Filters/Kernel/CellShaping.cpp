@@ -1,6 +1,5 @@
 #include "CellShaping.h"
 
-#include "BoxGeneration.h"
 #include "CellSplitting.h"
 #include "SmallCells.h"
 
@@ -260,12 +259,17 @@ bool shapesCells(const CellSpec& spec)
   return spec.smallCells == SmallCells::Merge || spec.splitConcave;
 }
 
+Reach reachOf(const CellSpec& spec)
+{
+  return { spec.collapseRatio > 0, shapesCells(spec) };
+}
+
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
   const InnerFaces& inner, Cells& cells, const CellSpec& spec, Execution& execution)
 {
   const bool exact = isExact(patches);
   const std::uint32_t all = boxes.allLayers().end;
-  const auto stages = slabsFor(boxes.core.grown(HaloOfCells, all), all);
+  const auto stages = slabsFor(boxes.core.grown(HaloOfShapedCells, all), all);
   CellsToShape whole{ boxes, patches, sides, nodes, inner, cells, {}, {} };
   Shaping sum;
   for (std::size_t stage = 0; stage < stages.size(); ++stage)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Cells.h"
+#include "Slabs.h"
 
 namespace cartesian
 {
@@ -12,7 +13,8 @@ struct Shaping
 {
   std::size_t cellsSplit = 0; // cuts
   std::size_t cellsMerged = 0;
-  std::size_t cellsMended = 0;  // got a boundary face of several, of any angle: the paper's IP patches
+  std::size_t cellsMended =
+    0; // got a boundary face of several, of any angle: the paper's IP patches
   std::size_t cellsRemoved = 0; // too small, and no neighbour to merge them with
 
   Shaping& operator+=(const Shaping& other);
@@ -20,6 +22,9 @@ struct Shaping
 
 // Whether there is anything to do.
 bool shapesCells(const CellSpec& spec);
+
+// How far cells depend on others, for these and for short edges.
+Reach reachOf(const CellSpec& spec);
 
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
   const InnerFaces& inner, Cells& cells, const CellSpec& spec, Execution& execution);

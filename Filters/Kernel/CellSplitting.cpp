@@ -395,7 +395,8 @@ private:
         next_.insert(proposal.key);
         return;
       }
-      if (std::all_of(touched.begin(), touched.end(), [&](CellKey k) { return cells_.isFree(k); }) &&
+      if (std::all_of(
+            touched.begin(), touched.end(), [&](CellKey k) { return cells_.isFree(k); }) &&
         !cells_.meetsNode(touched, proposal.view, *cut) &&
         std::none_of(
           touched.begin() + 1, touched.end(), [&](CellKey k) { return isThin(cells_, k); }))

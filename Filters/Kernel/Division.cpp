@@ -20,6 +20,13 @@ Estimate sumOf(const std::vector<Estimate>& ofLayers, Layers layers)
   return sum;
 }
 
+// Where shaped cells are divided at least cost, or an end of the grid.
+std::uint32_t nearestDivide(std::uint32_t layer, std::uint32_t all)
+{
+  const std::uint32_t divide = layer / DivideDistance * DivideDistance + FirstDivide;
+  return layer == 0 || layer == all ? layer : std::min(divide, all);
+}
+
 double workOf(const Estimate& estimate)
 {
   return estimate.inside + WorkOfAnIntersectedBox * estimate.intersected;
@@ -28,10 +35,11 @@ double workOf(const Estimate& estimate)
 }
 
 Division::Division(const Surface& surface, const Meshlines& planes, const RefinementSpec& spec,
-  double mostBytes, Execution& execution)
+  double mostBytes, const Reach& reach, Execution& execution)
   : surface_(surface)
   , planes_(planes)
   , mostBytes_(mostBytes)
+  , reach_(reach)
   , shoeboxes_(fillShoeboxes(surface, planes, execution))
   , refinement_(spec, surface, shoeboxes_, planes, execution)
   , statuses_(surface, planes, shoeboxes_, execution)
@@ -41,7 +49,7 @@ Division::Division(const Surface& surface, const Meshlines& planes, const Refine
 Boxes Division::boxes(Layers core, Execution& execution) const
 {
   return generateBoxes(
-    surface_, planes_, shoeboxes_, refinement_, statuses_, core, mostBytes_, execution);
+    surface_, planes_, shoeboxes_, refinement_, statuses_, core, reach_, mostBytes_, execution);
 }
 
 std::vector<Estimate> Division::estimateLayers(Execution& execution) const
@@ -63,7 +71,7 @@ std::vector<Estimate> Division::estimateLayers(Execution& execution) const
   return layers;
 }
 
-std::vector<Layers> splitLayers(const std::vector<Estimate>& layers, std::size_t count)
+std::vector<Layers> Division::split(const std::vector<Estimate>& layers, std::size_t count) const
 {
   const auto end = static_cast<std::uint32_t>(layers.size());
   const double all = workOf(sumOf(layers, { 0, end }));
@@ -72,13 +80,13 @@ std::vector<Layers> splitLayers(const std::vector<Estimate>& layers, std::size_t
   double before = 0;
   for (std::size_t part = 0; part < count; ++part)
   {
-    parts[part].begin = k;
+    parts[part].begin = part > 0 ? parts[part - 1].end : 0;
     const double wanted = all * static_cast<double>(part + 1) / static_cast<double>(count);
     while (k < end && (part + 1 == count || before + workOf(layers[k]) / 2 < wanted))
     {
       before += workOf(layers[k++]);
     }
-    parts[part].end = k;
+    parts[part].end = part + 1 < count && reach_.shapes ? nearestDivide(k, end) : k;
   }
   return parts;
 }
@@ -89,9 +97,9 @@ std::size_t Division::partsNeeded(const std::vector<Estimate>& layers) const
   for (std::size_t count = 1;; ++count)
   {
     Estimate largest;
-    for (const Layers& core : splitLayers(layers, count))
+    for (const Layers& core : split(layers, count))
     {
-      const Estimate part = sumOf(layers, core.grown(haloOf(refinement_), all));
+      const Estimate part = sumOf(layers, layersFor(core, reach_, refinement_, all));
       largest = part.bytes() > largest.bytes() ? part : largest;
     }
     largest.triangles = static_cast<double>(surface_.triangles.size());

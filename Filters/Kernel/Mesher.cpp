@@ -166,7 +166,7 @@ BoxedSurface boxSurface(
   const PreparedSurface& prepared, const RefinementSpec& spec, Execution& execution)
 {
   execution.stage("Boxes", AfterSurface, AfterBoxes);
-  Division division(prepared.surface, prepared.planes, spec, prepared.memoryLimit, execution);
+  Division division(prepared.surface, prepared.planes, spec, prepared.memoryLimit, {}, execution);
   Boxes boxes = division.boxes(division.allLayers(), execution);
   return { std::move(boxes), division.takeShoeboxes(), division.warnings() };
 }
@@ -278,10 +278,7 @@ void Assembly::collapse(const CellSpec& spec, Execution& execution)
   collapsed_ = before;
   patches_ = &collapsed_;
   const auto closes = [&](ShortEdgeSpec& edges) {
-    const std::size_t gone =
-      collapseShortEdges(boxes_, sides_, edges, collapsed_, nodes_, inner_, execution);
-    nodesCollapsed_ += gone;
-    if (gone == 0)
+    if (collapseShortEdges(boxes_, sides_, edges, collapsed_, nodes_, inner_, execution) == 0)
     {
       return true;
     }
@@ -292,7 +289,6 @@ void Assembly::collapse(const CellSpec& spec, Execution& execution)
   };
   while (!closes(between) || !closes(across))
   {
-    nodesCollapsed_ = 0;
     collapsed_ = before;
     findInnerFaces(execution);
     cells_ = assembleCells(boxes_, collapsed_, sides_, nodes_, inner_, spec, execution);

@@ -1,5 +1,6 @@
 #include "ShortEdges.h"
 
+#include "Slabs.h"
 #include "Sorting.h"
 #include "Vector.h"
 #include "WarpedHexahedra.h"
@@ -74,9 +75,10 @@ public:
     std::size_t gone = 0;
     for (int round = 0; round < MostRounds; ++round)
     {
-      const std::size_t now = collapseOnce();
-      gone += now;
-      if (now == 0)
+      // Where all that was tried was taken back, others are tried next, as elsewhere.
+      const std::size_t tried = collapseOnce();
+      gone += merges_.size();
+      if (tried == 0)
       {
         break;
       }
@@ -288,10 +290,13 @@ private:
         }
       }
     }
+    for (std::uint32_t slot = 0; slot < slots_.size(); ++slot)
+    {
+      kept[slot] = kept[slot] || isEndOfSlab(slot);
+    }
     for (ShortEdge& edge : edges_)
     {
-      edge.banned =
-        kept[edge.a] || kept[edge.b] || (!spec_.acrossSeams && (isOnSeam(edge.a) || isOnSeam(edge.b)));
+      edge.banned = kept[edge.a] || kept[edge.b];
     }
   }
 
@@ -299,21 +304,24 @@ private:
   bool stays(std::size_t n) const
   {
     const std::uint32_t layer = boxes_.globalOf(boxes_.boxes[sides_.polyhedral[n]]).index[2];
-    return spec_.keeps[n] || (spec_.acrossSeams && !isAtSeam(layer));
+    const bool isAtSeam = isSeam(layer) || isSeam(layer + 1);
+    return spec_.keeps[n] || (spec_.acrossSeams && !isAtSeam);
   }
 
-  static bool isSeam(std::uint32_t plane)
+  // Whether a node lies, or its hexahedra begin, where the layers end that nodes move in.
+  bool isEndOfSlab(std::uint32_t slot) const
   {
-    return plane >= FirstSeam && (plane - FirstSeam) % SeamDistance == 0;
-  }
-  static bool isAtSeam(std::uint32_t layer) { return isSeam(layer) || isSeam(layer + 1); }
-
-  bool isOnSeam(std::uint32_t slot) const
-  {
+    const std::uint32_t node = slots_[slot].node;
+    const bool isOfGrid = node >= nodes_.patchPoints;
+    const Level z = (isOfGrid ? nodes_.grid[node - nodes_.patchPoints] : nodes_.at[node])[2];
     const std::vector<Level>& planes = boxes_.planes[2];
-    const auto plane = std::lower_bound(planes.begin(), planes.end(), slots_[slot].at[2]);
-    return plane != planes.end() && *plane == slots_[slot].at[2] &&
-      isSeam(static_cast<std::uint32_t>(plane - planes.begin()));
+    const auto plane = std::lower_bound(planes.begin(), planes.end(), z);
+    if (plane == planes.end() || *plane != z)
+    {
+      return false;
+    }
+    const bool onSeam = isSeam(static_cast<std::uint32_t>(plane - planes.begin()));
+    return spec_.acrossSeams ? isOfGrid && !onSeam : onSeam;
   }
 
   // Calls visit(face) for the faces at all nodes that became this one; faces may come twice.
@@ -558,7 +566,7 @@ private:
     return slots_[a].at < slots_[b].at;
   }
 
-  // --- a round: each node takes part in its shortest edge only
+  // --- a round: each node takes part in its shortest edge only; how many are tried
 
   std::size_t collapseOnce()
   {
@@ -572,6 +580,7 @@ private:
       }
     });
     pickMerges();
+    const std::size_t tried = merges_.size();
     for (const Merge& merge : merges_)
     {
       swapRings(merge);
@@ -581,7 +590,7 @@ private:
     {
       slots_[slot].into = standing(slot);
     }
-    return merges_.size();
+    return tried;
   }
 
   bool isBefore(std::uint32_t i, std::uint32_t k) const
@@ -907,23 +916,6 @@ private:
   std::vector<std::uint32_t> ring_;
 };
 
-}
-
-Layers collapsedFrom(Layers wanted, std::uint32_t all)
-{
-  if (wanted.begin == wanted.end)
-  {
-    return wanted;
-  }
-  // Of the layers on both sides of a seam, both slabs.
-  const std::uint32_t below = wanted.begin - std::min(wanted.begin, 1u);
-  const std::uint32_t above = std::min(wanted.end, all - 1);
-  const auto slabOf = [](std::uint32_t layer) {
-    return (layer + SeamDistance - FirstSeam) / SeamDistance;
-  };
-  const std::uint32_t begin = slabOf(below) * SeamDistance;
-  return { begin - std::min(begin, SeamDistance - FirstSeam),
-    std::min((slabOf(above) + 1) * SeamDistance - (SeamDistance - FirstSeam), all) };
 }
 
 std::size_t collapseShortEdges(const Boxes& boxes, const Sides& sides, const ShortEdgeSpec& spec,

@@ -28,21 +28,12 @@ struct ShortEdgeSpec
   // 1 for polyhedral boxes (Sides.h) whose edges stay.
   std::vector<std::uint8_t> keeps;
 
-  // Nodes on the seams stay: so slabs between them do not depend on each other. Else only nodes of
-  // boxes next to a seam move, and of no other.
+  // Nodes on seams (Slabs.h) stay: so what happens between two seams depends on nothing beyond. Else
+  // only nodes of boxes next to a seam move, and of no others.
   bool acrossSeams = false;
 };
 
 constexpr double MostCollapseRatio = 0.3;
-
-// Edges collapse in slabs of as many layers of global boxes, from one seam to the next, and then
-// across the seams (ShortEdgeSpec::acrossSeams). The seams are the grid's: planes at this number
-// from 0, and each so many further on.
-constexpr std::uint32_t SeamDistance = 4;
-constexpr std::uint32_t FirstSeam = 2;
-
-// The layers that those of `wanted` depend on: as they were before edges collapsed.
-Layers collapsedFrom(Layers wanted, std::uint32_t allLayers);
 
 // Returns the number of nodes that are gone. Patches and inner faces without area are gone too.
 // Results do not depend on the order of nodes but on their places.

@@ -6,9 +6,12 @@ namespace cartesian
 namespace
 {
 
-constexpr std::uint32_t Half = SlabThickness / 2;
-constexpr std::uint32_t Fixed = 1;          // layers of a slab next to another
-constexpr std::uint32_t Quarter = Half / 2; // from a border of the first stage: the second acts there
+// How far from a border of the first stage the second acts, may change cells, and looks. So far the
+// first does not act, or does not change any.
+constexpr std::uint32_t Acting = 2;
+constexpr std::uint32_t Free = 3;
+constexpr std::uint32_t Seen = 4;
+constexpr std::uint32_t Fixed = 1;
 
 Layers hullOf(Layers a, Layers b)
 {
@@ -36,7 +39,7 @@ Layers shrunk(Layers layers, std::uint32_t by, std::uint32_t all)
 Slab firstSlab(std::uint32_t i, std::uint32_t all)
 {
   const Layers layers{ i * SlabThickness, std::min((i + 1) * SlabThickness, all) };
-  return { layers, shrunk(layers, Fixed, all), shrunk(layers, Quarter, all) };
+  return { layers, shrunk(layers, Fixed, all), shrunk(layers, Acting, all) };
 }
 
 // The one across the lower border of the i-th.
@@ -46,7 +49,7 @@ Slab secondSlab(std::uint32_t i, std::uint32_t all)
   const auto around = [&](std::uint32_t by) {
     return Layers{ border - by, std::min(border + by, all) };
   };
-  return { around(Half), shrunk(around(Half), Fixed, all), around(Quarter) };
+  return { around(Seen), around(Free), around(Acting) };
 }
 
 }
@@ -87,10 +90,31 @@ Layers shapedFrom(Layers wanted, std::uint32_t all)
   return from;
 }
 
-std::uint32_t nearestSeam(std::uint32_t layer, std::uint32_t all)
+Layers collapsedFrom(Layers wanted, std::uint32_t all)
 {
-  const std::uint32_t seam = layer / SlabThickness * SlabThickness + Half;
-  return std::min(seam, all);
+  if (wanted.begin == wanted.end)
+  {
+    return wanted;
+  }
+  // Of layers on either side of a seam, both slabs; their numbers count from the first seam, 1.
+  const auto slabOf = [](std::uint32_t layer) {
+    return (layer + SeamDistance - FirstSeam) / SeamDistance;
+  };
+  const auto seamBelow = [](std::uint32_t slab) {
+    return slab == 0 ? 0 : slab * SeamDistance - (SeamDistance - FirstSeam);
+  };
+  const std::uint32_t below = wanted.begin - std::min(wanted.begin, 1u);
+  return { seamBelow(slabOf(below)), std::min(seamBelow(slabOf(wanted.end) + 1), all) };
+}
+
+Layers cutFrom(Layers core, const Reach& reach, std::uint32_t all)
+{
+  Layers layers = core.grown(reach.shapes ? HaloOfShapedCells : HaloOfCells, all);
+  if (reach.shapes)
+  {
+    layers = shapedFrom(layers, all).grown(HaloOfCells, all);
+  }
+  return reach.collapses ? collapsedFrom(layers, all) : layers;
 }
 
 }

@@ -1,4 +1,4 @@
-// Slabs: layers of global boxes whose cells are shaped by themselves.
+// Slabs: layers of global boxes whose cells change by themselves.
 //
 // Shaping (CellShaping.h) goes from cell to neighbour, as far as it likes. In slabs it ends somewhere:
 // the layer next to another slab is looked at, but nothing in it changes. Cells there have their turn
@@ -6,9 +6,11 @@
 // that they are the same for any number of threads and for all parts of a mesh (Division.h); slabs of
 // one stage depend on no other.
 //
-//   layer            0 1 2 3 4 5 6 7 8 9 ...
-//   first stage      A A A A A A f - | - f A A A A f - | ...
-//   second stage             - f A A | A A f -                A acts, f free, - fixed
+//   layer              0 1 2 3 4 5 6 7 8 9 10 ...
+//   first stage        A A A A A A A A f - |  - f A A A A A A f - | ...
+//   second stage                   - f A A |  A A f -                     A acts, f free, - fixed
+//
+// Between 3 and 6 nothing changes in the second stage: there a mesh is divided at least cost.
 #pragma once
 
 #include "Boxes.h"
@@ -16,10 +18,18 @@
 namespace cartesian
 {
 
-// In layers; even a multiple of 4. Thinner slabs need less around a part, and give more threads work.
-constexpr std::uint32_t SlabThickness = 8;
+// In layers, of the first stage. Thinner slabs need less around a part, and give more threads work.
+constexpr std::uint32_t SlabThickness = 10;
 
 constexpr std::size_t ShapingStages = 2;
+
+// No cell grows beyond so many layers by merging: a part sees one layer of what may reach into it.
+constexpr std::uint32_t MostLayersOfACell = 2;
+
+// The cells of one layer beyond tell which points of a part's are used, and which of its faces lost
+// their neighbour; where cells may reach into the next layer, those of two do.
+constexpr std::uint32_t HaloOfCells = 1;
+constexpr std::uint32_t HaloOfShapedCells = HaloOfCells + MostLayersOfACell - 1;
 
 struct Slab
 {
@@ -34,8 +44,31 @@ std::array<std::vector<Slab>, ShapingStages> slabsFor(Layers wanted, std::uint32
 // The layers whose cells must be right before they are shaped for those of `wanted` to be right after.
 Layers shapedFrom(Layers wanted, std::uint32_t allLayers);
 
-// Where a grid is divided at least cost: the layer at or next to `layer` that fewest others are shaped
-// with.
-std::uint32_t nearestSeam(std::uint32_t layer, std::uint32_t allLayers);
+// Where a grid is divided at least cost.
+constexpr std::uint32_t FirstDivide = SlabThickness / 2;
+constexpr std::uint32_t DivideDistance = SlabThickness;
+
+// Short edges (ShortEdges.h) collapse from one seam, a plane between layers, to the next, and then
+// across seams. Here their slabs fit those of parts that are divided so.
+constexpr std::uint32_t FirstSeam = 2;
+constexpr std::uint32_t SeamDistance = SlabThickness / 2;
+
+inline bool isSeam(std::uint32_t plane)
+{
+  return plane % SeamDistance == FirstSeam;
+}
+
+// The layers that those of `wanted` depend on: as they were before edges collapsed.
+Layers collapsedFrom(Layers wanted, std::uint32_t allLayers);
+
+// What is done to cells, as far as cells depend on others.
+struct Reach
+{
+  bool collapses = false; // short edges
+  bool shapes = false;
+};
+
+// The layers whose cells must be right, as the grid cuts them, for those of `core` to be so in the end.
+Layers cutFrom(Layers core, const Reach& reach, std::uint32_t allLayers);
 
 }
