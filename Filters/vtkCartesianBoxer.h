@@ -49,6 +49,7 @@ struct PreparedSurface;
 struct RefinementSpec;
 class SurfaceFromVTK;
 struct SurfaceSize;
+struct Reach;
 }
 
 class VTKCARTESIANMESHERFILTERS_EXPORT vtkCartesianBoxer : public vtkCartesianAlgorithm

@@ -20,11 +20,10 @@ Estimate sumOf(const std::vector<Estimate>& ofLayers, Layers layers)
   return sum;
 }
 
-// Where shaped cells are divided at least cost, or an end of the grid.
-std::uint32_t nearestDivide(std::uint32_t layer, std::uint32_t all)
+// Where shaped cells are divided at least cost.
+std::uint32_t nearestDivide(std::uint32_t layer)
 {
-  const std::uint32_t divide = layer / DivideDistance * DivideDistance + FirstDivide;
-  return layer == 0 || layer == all ? layer : std::min(divide, all);
+  return layer / DivideDistance * DivideDistance + FirstDivide;
 }
 
 double workOf(const Estimate& estimate)
@@ -76,6 +75,8 @@ std::vector<Layers> Division::split(const std::vector<Estimate>& layers, std::si
   const auto end = static_cast<std::uint32_t>(layers.size());
   const double all = workOf(sumOf(layers, { 0, end }));
   std::vector<Layers> parts(count);
+  // Thin parts would become uneven.
+  const bool moves = reach_.shapes && end >= 2 * DivideDistance * count;
   std::uint32_t k = 0;
   double before = 0;
   for (std::size_t part = 0; part < count; ++part)
@@ -86,7 +87,7 @@ std::vector<Layers> Division::split(const std::vector<Estimate>& layers, std::si
     {
       before += workOf(layers[k++]);
     }
-    parts[part].end = part + 1 < count && reach_.shapes ? nearestDivide(k, end) : k;
+    parts[part].end = moves && part + 1 < count ? std::min(nearestDivide(k), end) : k;
   }
   return parts;
 }

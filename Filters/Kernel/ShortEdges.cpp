@@ -304,9 +304,10 @@ private:
   bool stays(std::size_t n) const
   {
     const std::uint32_t layer = boxes_.globalOf(boxes_.boxes[sides_.polyhedral[n]]).index[2];
-    const bool isAtSeam = isSeam(layer) || isSeam(layer + 1);
-    return spec_.keeps[n] || (spec_.acrossSeams && !isAtSeam);
+    return spec_.keeps[n] || (spec_.acrossSeams && !isSeamPlane(layer) && !isSeamPlane(layer + 1));
   }
+
+  bool isSeamPlane(std::uint32_t plane) const { return isSeam(plane, boxes_.allLayers().end); }
 
   // Whether a node lies, or its hexahedra begin, where the layers end that nodes move in.
   bool isEndOfSlab(std::uint32_t slot) const
@@ -320,7 +321,7 @@ private:
     {
       return false;
     }
-    const bool onSeam = isSeam(static_cast<std::uint32_t>(plane - planes.begin()));
+    const bool onSeam = isSeamPlane(static_cast<std::uint32_t>(plane - planes.begin()));
     return spec_.acrossSeams ? isOfGrid && !onSeam : onSeam;
   }
 

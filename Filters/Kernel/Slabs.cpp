@@ -92,9 +92,9 @@ Layers shapedFrom(Layers wanted, std::uint32_t all)
 
 Layers collapsedFrom(Layers wanted, std::uint32_t all)
 {
-  if (wanted.begin == wanted.end)
+  if (wanted.begin == wanted.end || all <= SlabThickness)
   {
-    return wanted;
+    return wanted.begin == wanted.end ? wanted : Layers{ 0, all };
   }
   // Of layers on either side of a seam, both slabs; their numbers count from the first seam, 1.
   const auto slabOf = [](std::uint32_t layer) {

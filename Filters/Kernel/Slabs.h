@@ -49,13 +49,14 @@ constexpr std::uint32_t FirstDivide = SlabThickness / 2;
 constexpr std::uint32_t DivideDistance = SlabThickness;
 
 // Short edges (ShortEdges.h) collapse from one seam, a plane between layers, to the next, and then
-// across seams. Here their slabs fit those of parts that are divided so.
+// across seams. Here their slabs fit those of parts that are divided so; a grid of a single slab has no
+// seam.
 constexpr std::uint32_t FirstSeam = 2;
 constexpr std::uint32_t SeamDistance = SlabThickness / 2;
 
-inline bool isSeam(std::uint32_t plane)
+inline bool isSeam(std::uint32_t plane, std::uint32_t allLayers)
 {
-  return plane % SeamDistance == FirstSeam;
+  return allLayers > SlabThickness && plane % SeamDistance == FirstSeam;
 }
 
 // The layers that those of `wanted` depend on: as they were before edges collapsed.

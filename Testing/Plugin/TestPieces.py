@@ -24,7 +24,7 @@ def mesher():
     reader = vtkSTLReader()
     reader.SetFileName(str(EXHAUST))
     reader.ScalarTagsOn()
-    mesher = pieces.leave_cells(vtkCartesianMesher())
+    mesher = vtkCartesianMesher()
     mesher.SetInputConnection(reader.GetOutputPort())
     mesher.SetCellSize(CELL_SIZE)
     mesher.SetRefinementDepth(DEPTH)
@@ -78,7 +78,6 @@ with tempfile.TemporaryDirectory() as folder:
             grid.cell_size = {CELL_SIZE}
             refinement.refinement_depth = {DEPTH}
             performance.memory_limit = {limit}
-            cells = {{ collapse_ratio = 0.0, small_cells = "Remove", split_concave_cells = false }}
             output.mesh = "{limit}/mesh.pvtu"
             output.boundary = "{limit}/boundary.pvtp"
             output.statistics = "{limit}/statistics.json"
