@@ -201,6 +201,20 @@ void CellComplex::shape(CellKey key, Polyhedron& shape) const
   forEachFace(key, [&](const FaceUse& use) { addFaceTo(shape, use, origin); });
 }
 
+void CellComplex::lookAround(CellKey key, MeasuredCell& cell) const
+{
+  shape(key, cell.shape);
+  measure(cell.shape, cell.measures);
+  const Point& origin = boxes_.boxes[boxOf(key)].low;
+  cell.across.clear();
+  cell.beyond.clear();
+  forEachFace(key, [&](const FaceUse& use) {
+    const bool boundary = cell.shape.isBoundary[cell.across.size()] != 0;
+    cell.across.push_back(boundary ? CellKey(None) : across(use));
+    cell.beyond.push_back(boundary ? Beyond{} : placeAndVolume(cell.across.back(), origin));
+  });
+}
+
 Beyond CellComplex::placeAndVolume(CellKey key, const Point& origin) const
 {
   const Box& box = boxes_.boxes[boxOf(key)];
@@ -345,7 +359,7 @@ std::vector<CellKey> CellComplex::polyhedra() const
   for (const auto& [key, open] : openOfOther_)
   {
     const Box& box = boxes_.boxes[open_[open].box];
-    if (open_[open].alive && open_[open].changed && key >= cells_.size() && isFree(key) &&
+    if (isAlive(key) && open_[open].changed && key >= cells_.size() && isFree(key) &&
       slab_.acting.contains(boxes_.globalOf(box).index[2]))
     {
       keys.push_back(key);

@@ -466,11 +466,11 @@ Soup randomTetrahedra(unsigned seed, int count, int width)
   return soup;
 }
 
-std::vector<NamedShape> cleanShapes()
+const std::vector<NamedShape>& cleanShapes()
 {
   const std::vector<double> thirds = { 0, 1 / 3.0, 2 / 3.0, 1 };
   const Soup plate = box({ 0, 0, 0.4 }, { 1, 0.8, 0.403 });
-  return {
+  static const std::vector<NamedShape> shapes = {
     { "Cube", cube() },
     { "CubeTurnedBy45Degrees", cube().turned(2, 45) },
     { "CubeTurned", cube().turned() },
@@ -505,6 +505,7 @@ std::vector<NamedShape> cleanShapes()
     { "Huge", cube().turned().scaled(1e9) },
     { "Flat", sphere(5, 1).scaled({ 1, 1, 1e-7 }) },
   };
+  return shapes;
 }
 
 std::vector<NamedShape> thinShapes()

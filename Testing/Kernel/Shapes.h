@@ -76,7 +76,7 @@ struct NamedShape
 std::ostream& operator<<(std::ostream& stream, const NamedShape& shape); // its name, for GoogleTest
 
 // Closed, consistently oriented surfaces that do not cross themselves.
-std::vector<NamedShape> cleanShapes();
+const std::vector<NamedShape>& cleanShapes();
 
 // Likewise, but with walls or gaps of a few steps of the lattice: a coarser one loses them.
 std::vector<NamedShape> thinShapes();

@@ -1,6 +1,7 @@
 // Crossings of edges and triangles with planes and lines: against exact rational numbers, with
 // ties settled by the model in Germ.h.
 #include "Crossing.h"
+#include "Effort.h"
 #include "Germ.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -177,7 +178,7 @@ TEST(CrossPlane, IsExact)
   for (const Range& range : Ranges)
   {
     Random random(range);
-    for (int i = 0; i < 2000; ++i)
+    for (unsigned i = 0; i < repeats(2000); ++i)
     {
       const Point a = random.vertex();
       const Point b = random.vertex();
@@ -256,7 +257,7 @@ TEST(CrossPlane, AnswersAgreeBetweenTwoPlanes)
   for (const Range& range : Ranges)
   {
     Random random(range);
-    for (int i = 0; i < 3000; ++i)
+    for (unsigned i = 0; i < repeats(3000); ++i)
     {
       const Point a = random.vertex();
       const Point b = random.vertex();
@@ -280,7 +281,7 @@ TEST(CrossPlane, IsMonotonous)
   for (const Range& range : Ranges)
   {
     Random random(range);
-    for (int i = 0; i < 500; ++i)
+    for (unsigned i = 0; i < repeats(500); ++i)
     {
       Point a = random.vertex();
       Point b = random.vertex();
@@ -317,7 +318,7 @@ TEST(CrossLine, IsExact)
   for (const Range& range : Ranges)
   {
     Random random(range);
-    for (int i = 0; i < 3000; ++i)
+    for (unsigned i = 0; i < repeats(3000); ++i)
     {
       const Corners t = { random.vertex(), random.vertex(), random.vertex() };
       const int along = random.axis();
@@ -329,7 +330,7 @@ TEST(CrossLine, IsExact)
       }
     }
   }
-  EXPECT_GT(found, 1000);
+  EXPECT_GT(found, int(repeats(1000)));
 }
 
 // Triangles that are slivers seen along the line, and steep: the crossing is a small difference of
@@ -338,7 +339,7 @@ TEST(CrossLine, IsExactOnSlivers)
 {
   Random random({ 0, HighestLevel });
   int found = 0;
-  for (int i = 0; i < 20000; ++i)
+  for (unsigned i = 0; i < repeats(20000); ++i)
   {
     const int along = random.axis();
     const Point at = { HighestLevel / 2 & ~1U, HighestLevel / 2 & ~1U, HighestLevel / 2 & ~1U };
@@ -361,7 +362,7 @@ TEST(CrossLine, IsExactOnSlivers)
       ++found;
     }
   }
-  EXPECT_GT(found, 1000);
+  EXPECT_GT(found, int(repeats(1000)));
 }
 
 // Far vertices, and the crossing exactly on an even level: planes of symmetry.
@@ -369,7 +370,7 @@ TEST(CrossLine, IsExactWhereLargeTrianglesTie)
 {
   const Level middle = HighestLevel / 2 & ~1U;
   Random random({ 0, middle - 2 });
-  for (int i = 0; i < 2000; ++i)
+  for (unsigned i = 0; i < repeats(2000); ++i)
   {
     const Point at = { middle, middle, middle };
     const Point p = random.vertex();
@@ -392,7 +393,7 @@ TEST(CrossLine, IsMonotonous)
   for (const Range& range : Ranges)
   {
     Random random(range);
-    for (int i = 0; i < 1000; ++i)
+    for (unsigned i = 0; i < repeats(1000); ++i)
     {
       const Corners t = { random.vertex(), random.vertex(), random.vertex() };
       const int along = random.axis();

@@ -1,4 +1,5 @@
 // Surfaces with flaws: what can be meshed is meshed, validly; the rest is said.
+#include "Effort.h"
 #include "Error.h"
 #include "MeshChecker.h"
 
@@ -96,7 +97,7 @@ TEST(Flaws, AMissingTriangle)
 
 TEST(Flaws, TrianglesMissingInManyPlaces)
 {
-  for (unsigned seed = 0; seed < 3; ++seed)
+  for (unsigned seed = 0; seed < repeats(3); ++seed)
   {
     Soup soup = unmarked(bumpySphere(seed, 6));
     std::mt19937 random(seed);
@@ -123,7 +124,7 @@ TEST(Flaws, OneTriangleInAHundred)
     Options options;
     options.patches.method = PatchMethod::Automatic;
     const double volume = volumeOf(meshOf(soup, grid, options).mesh);
-    for (unsigned flaws = 1; flaws < 8; ++flaws)
+    for (const unsigned flaws : cases({ 1U, 2U, 3U, 4U, 5U, 6U, 7U }))
     {
       SCOPED_TRACE(name + std::string(", flaws ") + std::to_string(flaws));
       const Meshed meshed = meshOf(damaged(soup, flaws, flaws), grid, options);
@@ -186,7 +187,7 @@ TEST(Flaws, BodiesThatCross)
   // The lens between two balls of radius 1 whose middles are 1 apart.
   const double lens = 5 * pi / 12;
   for (const PatchMethod method :
-    { PatchMethod::Automatic, PatchMethod::ExactFit, PatchMethod::MarchingCubes })
+    cases({ PatchMethod::MarchingCubes, PatchMethod::ExactFit, PatchMethod::Automatic }))
   {
     SCOPED_TRACE(static_cast<int>(method));
     Options options;

@@ -1,4 +1,5 @@
 // Random closed surfaces where almost everything is degenerate: always a valid mesh or a refusal.
+#include "Effort.h"
 #include "Error.h"
 #include "MeshChecker.h"
 
@@ -56,7 +57,7 @@ Soup nearCoarseLattice(unsigned seed, int count, int width, double spacing)
 
 TEST(Fuzz, OneTetrahedronOnATinyLattice)
 {
-  for (unsigned seed = 0; seed < 400; ++seed)
+  for (unsigned seed = 0; seed < repeats(400); ++seed)
   {
     SCOPED_TRACE(seed);
     const int width = 1 + static_cast<int>(seed % 12);
@@ -66,7 +67,7 @@ TEST(Fuzz, OneTetrahedronOnATinyLattice)
 
 TEST(Fuzz, TetrahedraThatOverlapOnATinyLattice)
 {
-  for (unsigned seed = 0; seed < 250; ++seed)
+  for (unsigned seed = 0; seed < repeats(250); ++seed)
   {
     SCOPED_TRACE(seed);
     const int width = 1 + static_cast<int>(seed % 12);
@@ -79,7 +80,7 @@ TEST(Fuzz, TetrahedraThatOverlapOnATinyLattice)
 // Unions of cubes of the lattice, with walls one level beside the planes.
 TEST(Fuzz, VoxelsOnATinyLattice)
 {
-  for (unsigned seed = 0; seed < 150; ++seed)
+  for (unsigned seed = 0; seed < repeats(150); ++seed)
   {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
@@ -106,7 +107,7 @@ TEST(Fuzz, VoxelsOnATinyLattice)
 // Planes of refined boxes pass within a level of vertices.
 TEST(Fuzz, RefinedBoxesOnALatticeNotMuchFiner)
 {
-  for (unsigned seed = 0; seed < 100; ++seed)
+  for (unsigned seed = 0; seed < repeats(100); ++seed)
   {
     SCOPED_TRACE(seed);
     const int width = 2 + static_cast<int>(seed % 7);
@@ -119,7 +120,7 @@ TEST(Fuzz, RefinedBoxesOnALatticeNotMuchFiner)
 // Without any triangle being wrong by itself: some are missing, some are turned.
 TEST(Fuzz, OpenSoupsOnATinyLattice)
 {
-  for (unsigned seed = 0; seed < 200; ++seed)
+  for (unsigned seed = 0; seed < repeats(200); ++seed)
   {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
@@ -134,7 +135,7 @@ TEST(Fuzz, OpenSoupsOnATinyLattice)
 // Clean surfaces through the front door, on a lattice as coarse as double precision makes it there.
 TEST(Fuzz, StarPolyhedraFarAway)
 {
-  for (unsigned seed = 0; seed < 20; ++seed)
+  for (unsigned seed = 0; seed < repeats(20); ++seed)
   {
     SCOPED_TRACE(seed);
     const Soup soup = starPolyhedron(seed, 2).scaled(1 << (seed % 10)).moved({ 4e15, -3e15, 1e10 });

@@ -1,5 +1,6 @@
 // Crossings of mesh lines with the surface: a closed surface, however degenerate, winds as often around
 // every vertex of the global mesh by those along x as by those along y and z.
+#include "Effort.h"
 #include "Germ.h"
 #include "LineCrossings.h"
 #include "Pipeline.h"
@@ -76,7 +77,7 @@ TEST(LineCrossings, OfOneTriangleAreExact)
 {
   const int width = 5;
   const Meshlines planes = everyEvenLevel(width);
-  for (unsigned seed = 0; seed < 30; ++seed)
+  for (unsigned seed = 0; seed < repeats(30); ++seed)
   {
     Soup soup = randomTetrahedra(seed, 1, width);
     soup.triangles.resize(1);
@@ -104,7 +105,7 @@ TEST(LineCrossings, OfOneTriangleAreExact)
 
 TEST(LineCrossings, AgreeOnTinyLattices)
 {
-  for (unsigned seed = 0; seed < 60; ++seed)
+  for (unsigned seed = 0; seed < repeats(60); ++seed)
   {
     const int width = 1 + static_cast<int>(seed % 9);
     const Meshlines planes = everyEvenLevel(width);
@@ -118,7 +119,7 @@ TEST(LineCrossings, AgreeOnLargeLattices)
   const int width = 2099999999;
   const std::vector<Level> levels = evenLevels(4200000000, 300000000);
   const Meshlines planes = { levels, levels, levels };
-  for (unsigned seed = 0; seed < 10; ++seed)
+  for (unsigned seed = 0; seed < repeats(10); ++seed)
   {
     const Soup soup = randomTetrahedra(seed, 20, width);
     expectAgreement(prepareOnLevels(soup, planes).surface, planes);

@@ -1,6 +1,7 @@
 // Parts of a grid, each meshed by itself, are together the mesh of the whole: the same points, bit for
 // bit, the same cells, the same numbers.
 #include "Division.h"
+#include "Effort.h"
 #include "Error.h"
 #include "Pipeline.h"
 
@@ -202,7 +203,7 @@ void expectUnion(const Soup& soup, const GridSpec& grid, const Options& options)
 {
   Parts parts(soup, grid, options);
   std::vector<std::vector<Layers>> splits = { parts.eachLayer() };
-  for (const std::size_t count : { 1, 2, 3, 5 })
+  for (const std::size_t count : cases<std::size_t>({ 1, 2, 3, 5 }))
   {
     splits.push_back(parts.split(count));
     ASSERT_EQ(count, splits.back().size());

@@ -1,4 +1,5 @@
 // Automatic patches: Marching Cubes and Exact Fit side by side, tied and simplified (4.7, 4.8, A2).
+#include "Effort.h"
 #include "Error.h"
 #include "MeshChecker.h"
 
@@ -319,7 +320,7 @@ TEST(PatchMethods, ThreadsDoNotMatter)
   const Soup soup = blockWithTubes().turned();
   Options options = by(PatchMethod::Automatic, 2);
   const Meshed one = meshOf(soup, cellsAlongLongest(soup, 15), options);
-  for (const int threads : { 2, 3, 8 })
+  for (const int threads : cases({ 2, 3, 8 }))
   {
     options.threads = threads;
     EXPECT_TRUE(meshOf(soup, cellsAlongLongest(soup, 15), options).mesh == one.mesh);

@@ -1,4 +1,5 @@
 // Patches are a watertight surface that covers the triangles exactly.
+#include "Effort.h"
 #include "Pipeline.h"
 
 #include <gtest/gtest.h>
@@ -116,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(Thin, PatchesOf, ::testing::ValuesIn(thinShapes()), nam
 // Overlapping, touching and without volume: but closed.
 TEST(Patches, OfClosedSoupsAreWatertight)
 {
-  for (unsigned seed = 0; seed < 100; ++seed)
+  for (unsigned seed = 0; seed < repeats(100); ++seed)
   {
     SCOPED_TRACE(seed);
     const int width = 1 + static_cast<int>(seed % 12);

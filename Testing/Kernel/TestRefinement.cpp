@@ -1,4 +1,5 @@
 // Refinement: what a specification asks for is what boxes are, whatever kinds of it meet.
+#include "Effort.h"
 #include "Error.h"
 #include "MeshChecker.h"
 
@@ -158,7 +159,7 @@ int forcedDepth(const RefinementSpec& spec, const PreparedSurface& prepared,
 TEST(Refinement, RandomSpecificationsHold)
 {
   std::mt19937 random(3);
-  for (int n = 0; n < 24; ++n)
+  for (unsigned n = 0; n < repeats(24); ++n)
   {
     const Soup soup = n % 3 == 0
       ? box({ 0, 0, 0 }, { 1, 0.7, 0.4 }).turned()
@@ -287,7 +288,7 @@ TEST(Refinement, SameMeshForAnyNumberOfThreads)
   options.refinement = depth(3);
   options.refinement.boundaries.push_back({ 0, 3, 1, false });
   const Meshed one = meshOf(soup, cellsAlongLongest(soup, 6), options);
-  for (const int threads : { 2, 3, 8 })
+  for (const int threads : cases({ 2, 3, 8 }))
   {
     options.threads = threads;
     EXPECT_TRUE(meshOf(soup, cellsAlongLongest(soup, 6), options).mesh == one.mesh);

@@ -1,4 +1,5 @@
 // Extremes of size and place: bounded time and memory, a mesh or a clear message.
+#include "Effort.h"
 #include "Error.h"
 #include "FuzzedSurface.h"
 
@@ -36,7 +37,7 @@ void expectValidMeshes(unsigned firstSeed, unsigned count)
 
 TEST(Fuzz, RandomBytes)
 {
-  expectValidMeshes(0, 300);
+  expectValidMeshes(0, repeats(300));
 }
 
 // Run by hand: TestKernel --gtest_also_run_disabled_tests --gtest_filter=*HundredThousand*

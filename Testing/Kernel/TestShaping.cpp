@@ -1,4 +1,5 @@
 // Cells split and merged: what may not change, and what has to.
+#include "Effort.h"
 #include "MeshChecker.h"
 #include "Pipeline.h"
 
@@ -96,7 +97,7 @@ TEST(Shaping, ASlabIsMergedIntoTheCellsBelow)
 
 TEST(Shaping, FuzzedShapesStayValid)
 {
-  for (unsigned seed = 0; seed < 12; ++seed)
+  for (unsigned seed = 0; seed < repeats(12); ++seed)
   {
     SCOPED_TRACE(seed);
     const Soup soup = seed % 2 == 0 ? starPolyhedron(seed, 6) : bumpySphere(seed, 4);

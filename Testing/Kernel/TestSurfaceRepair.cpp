@@ -144,6 +144,22 @@ TEST(Duplicates, AWallBetweenBodiesIsNone)
   EXPECT_TRUE(fills(meshed.mesh, unmarked(box({ 0, 0, 0 }, { 2, 1, 1 }))));
 }
 
+// A tetrahedron twice as high as another on the same triangle: both as given are one body.
+TEST(Duplicates, AWallOfTwoBodiesThatOverlapStays)
+{
+  const auto onTheFloor = [](const Vec& apex) {
+    return unmarked(tetrahedron({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, apex } })).turned();
+  };
+  const Soup high = onTheFloor({ 0.3, 0.3, 1 });
+  Soup both = high;
+  both.add(onTheFloor({ 0.3, 0.4, 0.5 }));
+  const Meshed meshed = meshOf(both, cellsOf(0.05));
+  EXPECT_TRUE(meshed.prepared.repair.duplicates.empty());
+  EXPECT_TRUE(meshed.prepared.surface.byParity.empty());
+  EXPECT_TRUE(isValid(meshed.mesh));
+  EXPECT_NEAR(volumeOf(meshed.mesh) / high.volume(), 1, 0.05);
+}
+
 TEST(Duplicates, TheLowestBoundaryStays)
 {
   Soup soup = cube();

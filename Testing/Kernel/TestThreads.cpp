@@ -1,4 +1,5 @@
 // One mesh, byte for byte, for any number of threads.
+#include "Effort.h"
 #include "Pipeline.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@ namespace
 void expectSameWith(const Soup& soup, const GridSpec& grid, Options options)
 {
   const Meshed one = meshOf(soup, grid, options);
-  for (const int threads : { 2, 3, 8 })
+  for (const int threads : cases({ 2, 3, 8 }))
   {
     SCOPED_TRACE(threads);
     options.threads = threads;

@@ -1,0 +1,30 @@
+// How often tests repeat what they do. Under the sanitizers, which make the kernel ten times slower
+// and look for faults that any input of a kind may show, less often.
+#pragma once
+
+#include <initializer_list>
+#include <vector>
+
+namespace cartesian
+{
+
+#ifdef __SANITIZE_ADDRESS__
+constexpr int RepeatedLess = 6;
+#else
+constexpr int RepeatedLess = 1;
+#endif
+
+// How many of `count` seeds or random inputs.
+constexpr unsigned repeats(unsigned count)
+{
+  return (count + RepeatedLess - 1) / RepeatedLess;
+}
+
+// Which of the cases: under the sanitizers the last one.
+template <class Case>
+std::vector<Case> cases(std::initializer_list<Case> all)
+{
+  return RepeatedLess == 1 ? std::vector<Case>(all) : std::vector<Case>{ *(all.end() - 1) };
+}
+
+}
