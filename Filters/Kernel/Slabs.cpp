@@ -6,8 +6,8 @@ namespace cartesian
 namespace
 {
 
-// How far from a border of the first stage the second acts, may change cells, and looks. So far the
-// first does not act, or does not change any.
+// How far from a border of the first stage that does not act, and the second acts and looks: as far as
+// to leave no fault of its own.
 constexpr std::uint32_t Acting = 2;
 constexpr std::uint32_t Free = 3;
 constexpr std::uint32_t Seen = 4;
@@ -49,7 +49,7 @@ Slab secondSlab(std::uint32_t i, std::uint32_t all)
   const auto around = [&](std::uint32_t by) {
     return Layers{ border - by, std::min(border + by, all) };
   };
-  return { around(Seen), around(Free), around(Acting) };
+  return { around(Seen), around(Free), around(Free) };
 }
 
 }

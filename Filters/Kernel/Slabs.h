@@ -8,7 +8,7 @@
 //
 //   layer              0 1 2 3 4 5 6 7 8 9 10 ...
 //   first stage        A A A A A A A A f - |  - f A A A A A A f - | ...
-//   second stage                   - f A A |  A A f -                     A acts, f free, - fixed
+//   second stage                   - A A A |  A A A -                     A acts, f free, - fixed
 //
 // Between 3 and 6 nothing changes in the second stage: there a mesh is divided at least cost.
 #pragma once
@@ -35,7 +35,7 @@ struct Slab
 {
   Layers layers; // all that it looks at
   Layers free;   // cells that lie in these may change
-  Layers acting; // cells of these are looked for faults: all their neighbours are free
+  Layers acting; // cells of these are looked for faults
 };
 
 // The slabs of each stage that the shaped cells of these layers depend on.
