@@ -414,7 +414,8 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkCartesianBoxer::Regions(vtkInform
 
 std::unique_ptr<cartesian::Division> vtkCartesianBoxer::Divide(
   const cartesian::SurfaceFromVTK& source, const cartesian::PreparedSurface& prepared,
-  const std::vector<vtkSmartPointer<vtkDataObject>>& regions, cartesian::Execution& execution)
+  const std::vector<vtkSmartPointer<vtkDataObject>>& regions, const cartesian::Reach& reach,
+  cartesian::Execution& execution)
 {
   execution.stage("Boxes", cartesian::AfterSurface, cartesian::AfterBoxes);
   cartesian::RefinementSpec spec = this->MakeSpec(source);
@@ -424,7 +425,7 @@ std::unique_ptr<cartesian::Division> vtkCartesianBoxer::Divide(
     spec.regions.push_back({ region.surface->view(), region.depth });
   }
   auto division = std::make_unique<cartesian::Division>(
-    prepared.surface, prepared.planes, spec, prepared.memoryLimit, execution);
+    prepared.surface, prepared.planes, spec, prepared.memoryLimit, reach, execution);
   for (const std::string& warning : { cartesian::describeOverhang(prepared), division->warnings() })
   {
     this->Warn(warning);
@@ -442,7 +443,7 @@ int vtkCartesianBoxer::RequestData(
   this->Run(0, cartesian::AfterBoxes, [&](cartesian::Execution& execution) {
     const cartesian::SurfaceFromVTK surface(vtkDataObject::GetData(input[0]), this->BoundaryArray);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
-    const auto division = this->Divide(surface, prepared, Regions(input[1]), execution);
+    const auto division = this->Divide(surface, prepared, Regions(input[1]), {}, execution);
     cartesian::toVTK(
       division->boxes(division->allLayers(), execution), vtkUnstructuredGrid::GetData(output));
   });

@@ -73,18 +73,10 @@ int vtkCartesianMesher::FillOutputPortInformation(int port, vtkInformation* info
   return 1;
 }
 
-bool vtkCartesianMesher::IsMadeInPieces()
-{
-  return this->InPieces && this->CollapseRatio == 0 &&
-    !cartesian::shapesCells(this->MakeCellSpec());
-}
-
 int vtkCartesianMesher::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
-  return !this->IsMadeInPieces() && IsLeftToFirstProcess(request, output)
-    ? 1
-    : AskForWholeInputs(input);
+  return !this->InPieces && IsLeftToFirstProcess(request, output) ? 1 : AskForWholeInputs(input);
 }
 
 cartesian::CellSpec vtkCartesianMesher::MakeCellSpec()
@@ -121,11 +113,12 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
   {
     this->Inspect(task.prepared, *task.surface, vtkPolyData::GetData(output, 2), execution);
   }
-  task.division = this->Divide(*task.surface, task.prepared, regions, execution);
+  task.division = this->Divide(
+    *task.surface, task.prepared, regions, cartesian::reachOf(this->MakeCellSpec()), execution);
   task.pieces = { task.division->allLayers() };
   if (piece.count > 1)
   {
-    task.pieces = cartesian::splitLayers(
+    task.pieces = task.division->split(
       task.division->estimateLayers(execution), static_cast<std::size_t>(piece.count));
   }
 }
@@ -172,7 +165,7 @@ int vtkCartesianMesher::RequestData(
     piece.count = std::max(1, info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
     piece.ghostLevels = info->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
   }
-  if (!this->IsMadeInPieces())
+  if (!this->InPieces)
   {
     piece.count = 1;
   }
@@ -304,7 +297,7 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
 
 int vtkCartesianMesher::EstimateNumberOfPieces()
 {
-  if (!this->IsMadeInPieces())
+  if (!this->InPieces)
   {
     return 1;
   }
@@ -319,7 +312,8 @@ int vtkCartesianMesher::EstimateNumberOfPieces()
       this->GetInputAlgorithm(1, i)->Update();
       regions.emplace_back(this->GetInputDataObject(1, i));
     }
-    const auto division = this->Divide(surface, prepared, regions, execution);
+    const auto division =
+      this->Divide(surface, prepared, regions, cartesian::reachOf(this->MakeCellSpec()), execution);
     pieces = division->partsNeeded(division->estimateLayers(execution));
   });
   return static_cast<int>(pieces);

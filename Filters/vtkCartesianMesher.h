@@ -15,7 +15,7 @@
  * slab of the grid. Pieces have global ids (cells: CellId, points: GlobalPointIds); together they are
  * the whole mesh, bit for bit. Defects come with piece 0. Every rank has the whole surface,
  * which may come whole or distributed; ghost cells, where asked for, are vtkGhostCellsGenerator's.
- * With SmallCells Merge, SplitConcaveCells, a CollapseRatio, or InPieces off, piece 0 is the whole mesh.
+ * With InPieces off, piece 0 is the whole mesh.
  *
  * @sa vtkCartesianBoxer vtkPatcher vtkCellAssembler vtkSurfaceInspector
  */
@@ -169,7 +169,6 @@ private:
   struct Piece;
 
   cartesian::CellSpec MakeCellSpec();
-  bool IsMadeInPieces();
   void Begin(Task& task, const Piece& piece, const cartesian::Processes& processes,
     vtkInformationVector** input, vtkInformationVector* output, cartesian::Execution& execution);
   void Make(const Task& task, Piece& piece, cartesian::Execution& execution);

@@ -396,11 +396,11 @@ private:
 }
 
 Boxes generateBoxes(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
-  const Refinement& refinement, const GlobalStatuses& statuses, Layers core, double mostBytes,
-  Execution& execution)
+  const Refinement& refinement, const GlobalStatuses& statuses, Layers core, const Reach& reach,
+  double mostBytes, Execution& execution)
 {
   const auto end = static_cast<std::uint32_t>(planes[2].size() - 1);
-  const Layers kept = core.grown(haloOf(refinement), end);
+  const Layers kept = layersFor(core, reach, refinement, end);
   const Layers layers = kept.grown(balanceReach(refinement.deepest()), end);
   return Generator(surface, planes, shoeboxes, refinement, statuses, core, layers, execution)
     .generate(kept, mostBytes);

@@ -3,6 +3,7 @@
 
 #include "GlobalStatuses.h"
 #include "Refinement.h"
+#include "Slabs.h"
 
 namespace cartesian
 {
@@ -12,29 +13,29 @@ namespace cartesian
 // depth allowed there into the fewest boxes that cover what is inside or intersected; forced depth
 // divides them and inside boxes further. Then boxes are balanced (Balance.h).
 
-// Layers of global boxes around a part of the grid that its cells depend on, directly or not. The
-// cells of one layer beyond tell which points are used and which faces lost their neighbour; three
-// times, flawed boxes change those around them, and are flawed by theirs (FlawedBoxes.h); faces
-// between those and the next layer take the surface in one more, and how each box there is
-// patched; and where boxes are divided, that takes the split lines of the next.
-constexpr std::uint32_t HaloOfCells = 1;
+// Layers of global boxes around a part of the grid that its cells depend on, directly or not. What
+// happens to cells once they are cut reaches as far as cutFrom() says (Slabs.h). Before, three times,
+// flawed boxes change those around them, and are flawed by theirs (FlawedBoxes.h); faces between those
+// and the next layer take the surface in one more, and how each box there is patched; and where boxes
+// are divided, that takes the split lines of the next.
 constexpr std::uint32_t HaloOfRebuilding = 3 * 2;
-constexpr std::uint32_t HaloOfUndivided = HaloOfCells + HaloOfRebuilding + 1;
+constexpr std::uint32_t HaloOfUndivided = HaloOfRebuilding + 1;
 constexpr std::uint32_t HaloOfDivided = HaloOfUndivided + 1;
 
 // ... after balancing, which takes balanceReach() more.
-inline std::uint32_t haloOf(const Refinement& refinement)
+inline Layers layersFor(
+  Layers core, const Reach& reach, const Refinement& refinement, std::uint32_t allLayers)
 {
-  return refinement.any() ? HaloOfDivided : HaloOfUndivided;
+  return cutFrom(core, reach, allLayers)
+    .grown(refinement.any() ? HaloOfDivided : HaloOfUndivided, allLayers);
 }
 
-// The boxes of the layers `core` and of the halo around them, as far as the grid goes: those in the
-// core and HaloOfCells layers around it have the same cells as in the whole grid.
+// The boxes of the layers `core` and of those around it that it depends on.
 //
 // Throws Error (TooManyBoxes) where the mesh would take more bytes than `mostBytes`.
 Boxes generateBoxes(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
-  const Refinement& refinement, const GlobalStatuses& statuses, Layers core, double mostBytes,
-  Execution& execution);
+  const Refinement& refinement, const GlobalStatuses& statuses, Layers core, const Reach& reach,
+  double mostBytes, Execution& execution);
 
 // How large a mesh will be, roughly, before anything is built.
 struct Estimate

@@ -103,7 +103,7 @@ std::size_t carveCells(
     for (int i = 0; i < MostCuts && parts > 0 && cells.isAlive(key) && cells.isAtFault(key); ++i)
     {
       parts = carve(cells, key, largest);
-      carved += parts;
+      carved += parts * cells.counts(key);
     }
   }
   return carved;

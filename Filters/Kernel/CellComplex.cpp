@@ -23,28 +23,55 @@ std::array<unsigned, 4> cornersFromOutside(unsigned side)
 
 }
 
-CellComplex::CellComplex(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
-  const InnerFaces& inner, Cells& cells, Execution& execution)
-  : boxes_(boxes)
-  , patches_(patches)
-  , sides_(sides)
-  , nodes_(nodes)
-  , inner_(inner)
-  , cells_(cells)
-  , openOf_(cells.size(), None)
-  , nextKey_(static_cast<CellKey>(cells.size() + boxes.boxes.size()))
+CellComplex::CellComplex(CellsToShape& whole, const Slab& slab)
+  : whole_(whole)
+  , boxes_(whole.boxes)
+  , patches_(whole.patches)
+  , sides_(whole.sides)
+  , nodes_(whole.nodes)
+  , inner_(whole.inner)
+  , cells_(whole.cells)
+  , slab_(slab)
+  , nextKey_(static_cast<CellKey>(whole.cells.size() + whole.boxes.boxes.size()))
 {
-  places_.resize(cells.size());
-  atFault_.resize(cells.size());
-  execution.forEach(cells.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+  const auto [begin, end] = whole.cellsIn(slab.layers);
+  firstOfSlab_ = begin;
+  openOf_.assign(end - begin, None);
+}
+
+std::array<CellKey, 2> CellsToShape::cellsIn(Layers layers) const
+{
+  const auto firstOf = [&](std::uint32_t layer) {
+    const auto& polyhedral = sides.polyhedral;
+    const auto at = std::lower_bound(polyhedral.begin(), polyhedral.end(), boxes.firstBoxOf(layer));
+    return static_cast<CellKey>(cells.boxStart[static_cast<std::size_t>(at - polyhedral.begin())]);
+  };
+  return { firstOf(layers.begin), firstOf(layers.end) };
+}
+
+void CellsToShape::measure(Layers layers, Execution& execution)
+{
+  for (const ShapedFaces::HexahedronSide& side : cells.shaped.ofHexahedra)
+  {
+    for (std::uint32_t& cell : cells.shaped.cells[side.face])
+    {
+      cell =
+        cell == ShapedFaces::SomeHexahedron ? static_cast<CellKey>(cells.size() + side.box) : cell;
+    }
+  }
+  places.assign(cells.size(), {});
+  atFault.assign(cells.size(), 0);
+  const CellComplex complex(*this, {});
+  const auto [first, last] = cellsIn(layers);
+  execution.forEach(last - first, CellsAChunk, [&](std::size_t begin, std::size_t end) {
     Polyhedron polyhedron;
     CellShape measures;
-    for (std::size_t c = begin; c < end; ++c)
+    for (std::size_t c = first + begin; c < first + end; ++c)
     {
-      shape(static_cast<CellKey>(c), polyhedron);
-      measure(polyhedron, measures);
-      places_[c] = { measures.centre, measures.volume };
-      atFault_[c] = isAnyAtFault(polyhedron, measures) ? 1 : 0;
+      complex.shape(static_cast<CellKey>(c), polyhedron);
+      cartesian::measure(polyhedron, measures);
+      places[c] = { measures.centre, measures.volume };
+      atFault[c] = isAnyAtFault(polyhedron, measures) ? 1 : 0;
     }
   });
 }
@@ -54,7 +81,11 @@ CellComplex::CellComplex(const Boxes& boxes, const Patches& patches, Sides& side
 FaceUse CellComplex::useOf(const FaceRef& ref) const
 {
   FaceUse use;
-  use.face = (ref.index + (ref.kind() == FaceRef::Kind::Patch ? 0 : firstInner())) & MostFaces;
+  const FaceRef::Kind kind = ref.kind();
+  const bool inner = kind == FaceRef::Kind::Inner || kind == FaceRef::Kind::TurnedInner;
+  const std::uint32_t first =
+    kind == FaceRef::Kind::Patch ? 0 : (inner ? firstInner() : firstGiven());
+  use.face = (ref.index + first) & MostFaces;
   use.turned = ref.turned() ? 1 : 0;
   return use;
 }
@@ -65,10 +96,10 @@ FaceRef CellComplex::refOf(const FaceUse& use) const
   {
     return FaceRef(use.face, FaceRef::Kind::Patch);
   }
-  if (isShaped(use.face))
+  if (!isInner(use.face))
   {
     return FaceRef(
-      use.face - firstShaped(), use.turned ? FaceRef::Kind::TurnedShaped : FaceRef::Kind::Shaped);
+      use.face - firstGiven(), use.turned ? FaceRef::Kind::TurnedShaped : FaceRef::Kind::Shaped);
   }
   return FaceRef(
     use.face - firstInner(), use.turned ? FaceRef::Kind::TurnedInner : FaceRef::Kind::Inner);
@@ -76,9 +107,9 @@ FaceRef CellComplex::refOf(const FaceUse& use) const
 
 const CellComplex::OpenCell* CellComplex::opened(CellKey key) const
 {
-  if (key < openOf_.size())
+  if (const std::size_t i = std::size_t(key) - firstOfSlab_; i < openOf_.size())
   {
-    return openOf_[key] == None ? nullptr : &open_[openOf_[key]];
+    return openOf_[i] == None ? nullptr : &open_[openOf_[i]];
   }
   const auto found = openOfOther_.find(key);
   return found == openOfOther_.end() ? nullptr : &open_[found->second];
@@ -101,6 +132,10 @@ std::array<CellKey, 2> CellComplex::cellsOf(std::uint32_t face) const
   if (isShaped(face))
   {
     return shaped(face).cells;
+  }
+  if (!isInner(face))
+  {
+    return cells_.shaped.cells[face - firstGiven()];
   }
   std::array<CellKey, 2> keys = cells_.ofInnerFace[face - firstInner()];
   if (keys[0] == None || keys[1] == None)
@@ -153,7 +188,7 @@ void CellComplex::addFaceTo(Polyhedron& shape, const FaceUse& use, const Point& 
 {
   forEachNodeOf(use, [&](std::uint32_t node) {
     shape.addCorner(static_cast<std::uint32_t>(shape.nodes.size()));
-    shape.nodes.push_back(minus(nodes_.at[node], origin));
+    shape.nodes.push_back(minus(placeOf(node), origin));
   });
   const CellKey other = across(use);
   shape.closeFace(other == None || !isAlive(other));
@@ -191,7 +226,7 @@ Beyond CellComplex::placeAndVolume(CellKey key, const Point& origin) const
   }
   else
   {
-    place = key < cells_.size() ? places_[key]
+    place = key < cells_.size() ? whole_.places[key]
                                 : Beyond{ scaled(minus(box.high, box.low), 0.5), volumeOfBox(key) };
   }
   return { plus(from, place.centre), place.volume };
@@ -216,7 +251,7 @@ bool CellComplex::isAtFault(CellKey key) const
   const OpenCell* cell = opened(key);
   if (key < cells_.size() && !(cell && cell->changed))
   {
-    return atFault_[key] != 0;
+    return whole_.atFault[key] != 0;
   }
   Polyhedron polyhedron;
   CellShape measures;
@@ -276,12 +311,46 @@ std::vector<std::pair<CellKey, double>> CellComplex::neighbours(CellKey key) con
   return result;
 }
 
+Layers CellComplex::layersOf(CellKey key) const
+{
+  const std::uint32_t layer = boxes_.globalOf(boxes_.boxes[boxOf(key)]).index[2];
+  std::array<std::uint8_t, 2> reach{ 0, 0 };
+  if (const OpenCell* cell = opened(key))
+  {
+    reach = cell->reach;
+  }
+  else if (key < cells_.size())
+  {
+    reach = cells_.cells[key].reach;
+  }
+  return { layer - reach[0], layer + reach[1] + 1 };
+}
+
+bool CellComplex::isFree(CellKey key) const
+{
+  const Layers layers = layersOf(key);
+  return layers.begin >= slab_.free.begin && layers.end <= slab_.free.end;
+}
+
+bool CellComplex::mayMerge(const std::vector<CellKey>& keys) const
+{
+  Layers all = layersOf(keys.front());
+  for (const CellKey key : keys)
+  {
+    const Layers layers = layersOf(key);
+    all = { std::min(all.begin, layers.begin), std::max(all.end, layers.end) };
+  }
+  return all.begin >= slab_.free.begin && all.end <= slab_.free.end &&
+    all.end - all.begin <= MostLayersOfACell;
+}
+
 std::vector<CellKey> CellComplex::polyhedra() const
 {
   std::vector<CellKey> keys;
-  for (CellKey key = 0; key < openOf_.size(); ++key)
+  const auto [begin, end] = whole_.cellsIn(slab_.acting);
+  for (CellKey key = begin; key < end; ++key)
   {
-    if (isAlive(key))
+    if (isAlive(key) && isFree(key))
     {
       keys.push_back(key);
     }
@@ -289,7 +358,9 @@ std::vector<CellKey> CellComplex::polyhedra() const
   const auto others = static_cast<std::ptrdiff_t>(keys.size());
   for (const auto& [key, open] : openOfOther_)
   {
-    if (isAlive(key) && open_[open].changed)
+    const Box& box = boxes_.boxes[open_[open].box];
+    if (isAlive(key) && open_[open].changed && key >= cells_.size() && isFree(key) &&
+      slab_.acting.contains(boxes_.globalOf(box).index[2]))
     {
       keys.push_back(key);
     }
@@ -319,7 +390,7 @@ void CellComplex::view(const std::vector<CellKey>& keys, CellView& view) const
   std::vector<std::pair<Vector, std::uint32_t>> places;
   forEachOuter([&](const FaceUse& use) {
     forEachNodeOf(
-      use, [&](std::uint32_t node) { places.emplace_back(minus(nodes_.at[node], origin), node); });
+      use, [&](std::uint32_t node) { places.emplace_back(minus(placeOf(node), origin), node); });
   });
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
@@ -332,7 +403,7 @@ void CellComplex::view(const std::vector<CellKey>& keys, CellView& view) const
   forEachOuter([&](const FaceUse& use) {
     std::vector<std::uint32_t> ring;
     forEachNodeOf(use, [&](std::uint32_t node) {
-      const auto at = std::make_pair(minus(nodes_.at[node], origin), node);
+      const auto at = std::make_pair(minus(placeOf(node), origin), node);
       ring.push_back(static_cast<std::uint32_t>(
         std::lower_bound(places.begin(), places.end(), at) - places.begin()));
     });
@@ -349,6 +420,7 @@ void CellComplex::view(const std::vector<CellKey>& keys, CellView& view) const
     view.faces.push_back(use);
     view.across.push_back(exposed ? CellKey(None) : other);
     view.boundary.push_back(exposed ? boundaryOfCell(other) : boundaryOf(use.face));
+    view.fixed.push_back(other == None || isFree(other) ? 0 : 1);
     view.shape.corners.insert(view.shape.corners.end(), ring.begin(), ring.end());
     view.shape.closeFace(view.across.back() == None);
   }
@@ -370,8 +442,8 @@ void CellComplex::open(CellKey key)
     cell.origin = key;
     cell.boundary = cells_.cells[key].boundary;
     cell.removed = cells_.cells[key].removed;
-    cell.place = places_[key];
-    openOf_[key] = static_cast<std::uint32_t>(open_.size());
+    cell.reach = cells_.cells[key].reach;
+    cell.place = whole_.places[key];
   }
   else
   {
@@ -380,8 +452,10 @@ void CellComplex::open(CellKey key)
     cell.boundary = NoBoundary;
     cell.place = placeAndVolume(key, boxes_.boxes[cell.box].low);
     openHexahedron(cell.box, cell);
-    openOfOther_[key] = static_cast<std::uint32_t>(open_.size());
   }
+  const std::size_t ofSlab = std::size_t(key) - firstOfSlab_;
+  (ofSlab < openOf_.size() ? openOf_[ofSlab] : openOfOther_[key]) =
+    static_cast<std::uint32_t>(open_.size());
   open_.push_back(std::move(cell));
 }
 
@@ -418,13 +492,11 @@ void CellComplex::addSideOfHexahedron(std::uint32_t box, unsigned side, OpenCell
     }
   }
   const std::uint64_t mine = 6 * std::uint64_t(box) + side;
-  const auto known = faceOfHexahedron_.find(mine);
   FaceUse use;
-  use.turned = 0;
-  if (known != faceOfHexahedron_.end())
+  if (const std::uint32_t known = knownFace(box, side); known != None)
   {
-    use.face = known->second & MostFaces;
-    use.turned = 1;
+    use.face = known & MostFaces;
+    use.turned = cellsOf(known)[0] == keyOfHexahedron(box) ? 0 : 1;
     cell.faces.push_back(use);
     return;
   }
@@ -438,10 +510,27 @@ void CellComplex::addSideOfHexahedron(std::uint32_t box, unsigned side, OpenCell
   face.boundary = NoBoundary;
   use = addShaped(std::move(face));
   cell.faces.push_back(use);
+  faceOfHexahedron_[mine] = use.face;
   if (other != None && n == None)
   {
     faceOfHexahedron_[6 * std::uint64_t(other) + (side ^ 1u)] = use.face;
   }
+}
+
+// The shaped face on a side of a hexahedron, or None.
+std::uint32_t CellComplex::knownFace(std::uint32_t box, std::uint32_t side) const
+{
+  const auto known = faceOfHexahedron_.find(6 * std::uint64_t(box) + side);
+  if (known != faceOfHexahedron_.end())
+  {
+    return known->second;
+  }
+  const auto& given = cells_.shaped.ofHexahedra;
+  const auto at = std::lower_bound(given.begin(), given.end(), std::make_pair(box, side),
+    [](const ShapedFaces::HexahedronSide& x, const std::pair<std::uint32_t, std::uint32_t>& y) {
+      return std::make_pair(x.box, x.side) < y;
+    });
+  return at != given.end() && at->box == box && at->side == side ? firstGiven() + at->face : None;
 }
 
 std::uint32_t CellComplex::nodeOfCorner(const Box& box, unsigned corner)
@@ -453,7 +542,7 @@ std::uint32_t CellComplex::nodeOfCorner(const Box& box, unsigned corner)
   }
   const auto& low = boxes_.globalOf(box).index;
   const VertexNode at{ low[2] + (corner >> 2 & 1), low[1] + (corner >> 1 & 1),
-    low[0] + (corner & 1), static_cast<std::uint32_t>(nodes_.at.size()) };
+    low[0] + (corner & 1), nextNode() };
   const std::size_t row = at.j + at.k * boxes_.planes[1].size();
   const Point p = cornerOf(box, corner);
   const auto begin = nodes_.grid.begin();
@@ -465,11 +554,16 @@ std::uint32_t CellComplex::nodeOfCorner(const Box& box, unsigned corner)
     return static_cast<std::uint32_t>(nodes_.patchPoints) +
       static_cast<std::uint32_t>(found - begin);
   }
+  const auto given = std::lower_bound(nodes_.moreVertices.begin(), nodes_.moreVertices.end(), at);
+  if (given != nodes_.moreVertices.end() && !(at < *given))
+  {
+    return given->node;
+  }
   const auto [known, isNew] =
     nodeOfVertex_.emplace(at.i + row * std::uint64_t(boxes_.planes[0].size()), at.node);
   if (isNew)
   {
-    nodes_.at.push_back(p);
+    added_.push_back(p);
     vertices_.push_back(at);
   }
   return known->second;

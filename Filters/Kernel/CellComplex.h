@@ -1,18 +1,45 @@
-// Cells that can be cut and joined (sections 4.10 and 4.11).
+// Cells that can be cut and joined (sections 4.10 and 4.11), in one slab (Slabs.h).
 //
 // Cells and faces are copied when they change for the first time ("opened"): what nobody touches
 // costs nothing. A hexahedron that gets a node or another face becomes a polyhedron.
+//
+// Slabs of one stage may change at the same time. All that they write in common is which cells are
+// below and above a face as it was (Cells::ofInnerFace, ShapedFaces::cells): a slab writes those of
+// its free cells, and reads those of cells that touch one.
 #pragma once
 
 #include "Boundary.h"
 #include "FaceJoining.h"
 #include "PolyhedronCut.h"
+#include "Slabs.h"
 
 #include <map>
+#include <memory>
 #include <unordered_map>
 
 namespace cartesian
 {
+
+// What the slabs of one stage have in common.
+struct CellsToShape
+{
+  const Boxes& boxes;
+  const Patches& patches;
+  Sides& sides;
+  Nodes& nodes;
+  const InnerFaces& inner;
+  Cells& cells;
+
+  // Of cells of polyhedral boxes, as they were:
+  std::vector<Beyond> places; // as OpenCell::place
+  std::vector<std::uint8_t> atFault;
+
+  // Fills those of these layers, before any slab changes.
+  void measure(Layers layers, Execution& execution);
+
+  // The cells of polyhedral boxes in these layers: begin and end.
+  std::array<CellKey, 2> cellsIn(Layers layers) const;
+};
 
 // A cell and what is beyond each of its faces.
 struct MeasuredCell
@@ -26,8 +53,7 @@ struct MeasuredCell
 class CellComplex
 {
 public:
-  CellComplex(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
-    const InnerFaces& inner, Cells& cells, Execution& execution);
+  CellComplex(CellsToShape& whole, const Slab& slab);
 
   // Of cells of polyhedral boxes, opened or not, and opened others.
   // Several neighbours as one; the origin is the lower corner of the first one's box.
@@ -44,8 +70,17 @@ public:
   // the largest first.
   std::vector<std::pair<CellKey, double>> neighbours(CellKey key) const;
 
-  // All cells that are alive, but for untouched hexahedra, in order.
+  // The acting cells that are alive and free, but for untouched hexahedra, in order.
   std::vector<CellKey> polyhedra() const;
+
+  // Whether it may change: all of it lies in the slab's free layers.
+  bool isFree(CellKey key) const;
+
+  // Whether all are free and do not lie in too many layers for one cell.
+  bool mayMerge(const std::vector<CellKey>& keys) const;
+
+  // 1 if it belongs to the part that is meshed (Boxes::core), else 0.
+  std::size_t counts(CellKey key) const { return boxes_.isCore(boxes_.boxes[boxOf(key)]) ? 1 : 0; }
 
   std::uint32_t boxOf(CellKey key) const;
   bool isOpen(CellKey key) const { return opened(key) != nullptr; }
@@ -61,7 +96,7 @@ public:
 
   // Whether a cut of the first of these cells spoils none of them: no new point falls on a node of
   // theirs, or on another, or spoils the star triangulation of a face, no piece of a face is one that
-  // the cell beyond has already, and none of the others is thin.
+  // the cell beyond has already, none of the others is thin, and all are free.
   bool allows(const std::vector<CellKey>& touched, const CellView& view, const CellCut& cut) const;
 
   // Cuts an opened cell. The first part keeps its key. Appends the keys of all parts.
@@ -74,7 +109,7 @@ public:
   void remove(CellKey key);
 
   // Whether a cell near this one has a face with these nodes already: with another, it would enclose
-  // nothing.
+  // nothing. Of a cell that is not free only those around these nodes are looked at.
   bool hasFaceNear(CellKey key, std::vector<std::uint32_t> nodes) const;
 
   // Makes each group of faces of an opened cell, seen so, one.
@@ -95,10 +130,9 @@ public:
 
   bool changed() const { return changed_; }
 
-  // Writes all back: cells, nodes, and the sides' list of polyhedral boxes.
-  void finish(Execution& execution);
-
 private:
+  friend class ShapedCells; // writes all back
+
   struct OpenCell
   {
     std::vector<FaceUse> faces;
@@ -108,25 +142,30 @@ private:
     bool alive = true;
     bool removed = false; // as in Cell
     bool changed = false;
-    Beyond place; // from the lower corner of its box
+    std::array<std::uint8_t, 2> reach{ 0, 0 }; // as in Cell
+    Beyond place;                              // from the lower corner of its box
   };
   struct Shaped
   {
     std::vector<std::uint32_t> nodes;
     std::array<CellKey, 2> cells;
     std::int32_t boundary;
-    bool used = true;
   };
 
   static constexpr std::uint32_t MostFaces = 0x7fffffffu;
 
   std::uint32_t firstInner() const { return static_cast<std::uint32_t>(patches_.size()); }
-  std::uint32_t firstShaped() const
+  std::uint32_t firstGiven() const
   {
     return static_cast<std::uint32_t>(patches_.size() + inner_.size());
   }
+  std::uint32_t firstShaped() const
+  {
+    return static_cast<std::uint32_t>(firstGiven() + cells_.shaped.size());
+  }
   bool isPatch(std::uint32_t face) const { return face < firstInner(); }
-  bool isShaped(std::uint32_t face) const { return face >= firstShaped(); }
+  bool isInner(std::uint32_t face) const { return !isPatch(face) && face < firstGiven(); }
+  bool isShaped(std::uint32_t face) const { return face >= firstShaped(); } // here, not before
   Shaped& shaped(std::uint32_t face) { return shaped_[face - firstShaped()]; }
   const Shaped& shaped(std::uint32_t face) const { return shaped_[face - firstShaped()]; }
 
@@ -136,6 +175,15 @@ private:
   template <class Visitor>
   void forEachNodeOf(const FaceUse& use, Visitor&& visit) const;
 
+  const Point& placeOf(std::uint32_t node) const
+  {
+    return node < nodes_.at.size() ? nodes_.at[node] : added_[node - nodes_.at.size()];
+  }
+  std::uint32_t nextNode() const
+  {
+    return static_cast<std::uint32_t>(nodes_.at.size() + added_.size());
+  }
+  Layers layersOf(CellKey key) const;
   FaceUse useOf(const FaceRef& ref) const;
   FaceRef refOf(const FaceUse& use) const;
   OpenCell* opened(CellKey key);
@@ -151,12 +199,13 @@ private:
 
   void openHexahedron(std::uint32_t box, OpenCell& cell);
   void addSideOfHexahedron(std::uint32_t box, unsigned side, OpenCell& cell);
+  std::uint32_t knownFace(std::uint32_t box, std::uint32_t side) const;
   std::uint32_t nodeOfCorner(const Box& box, unsigned corner);
 
   bool hasEdge(const FaceUse& use, std::uint32_t u, std::uint32_t v) const;
   std::vector<CellKey> cellsAround(CellKey key, std::uint32_t u, std::uint32_t v);
   std::uint32_t own(std::uint32_t face, CellKey cell);
-  Point placeOf(CellKey key, const CellCut::Point& point) const;
+  Point placeOfPoint(CellKey key, const CellCut::Point& point) const;
   bool meetsNode(
     const std::vector<CellKey>& touched, const CellView& view, const CellCut& cut) const;
   bool meetsFace(const CellView& view, const CellCut& cut) const;
@@ -170,32 +219,36 @@ private:
   void insertNode(CellKey cell, std::uint32_t u, std::uint32_t v, std::uint32_t node);
 
   std::int32_t boundaryOf(std::uint32_t face) const;
+  void reachAsFarAs(CellKey small, CellKey into);
   void removeFace(CellKey key, std::uint32_t face);
 
-  void writeNodes();
-  std::vector<std::uint32_t> promote();
-  void writeCells(const std::vector<std::uint32_t>& promoted, Execution& execution);
-
+  const CellsToShape& whole_;
   const Boxes& boxes_;
   const Patches& patches_;
-  Sides& sides_;
-  Nodes& nodes_;
+  const Sides& sides_;
+  const Nodes& nodes_;
   const InnerFaces& inner_;
-  Cells& cells_;
+  Cells& cells_; // only the cells of faces change
+  Slab slab_;
   std::vector<OpenCell> open_;
-  std::vector<std::uint8_t> atFault_; // cells of polyhedral boxes, as they were
-  std::vector<Beyond> places_;        // of cells of polyhedral boxes, as OpenCell::place
-  std::vector<std::uint32_t> openOf_; // of cells of polyhedral boxes
+  CellKey firstOfSlab_;
+  std::vector<std::uint32_t> openOf_; // of cells of the slab's polyhedral boxes
   std::unordered_map<CellKey, std::uint32_t> openOfOther_; // of others
   std::vector<Shaped> shaped_;
-  std::unordered_map<std::uint32_t, std::uint32_t> shapedAs_;         // patches and inner faces
+  std::unordered_map<std::uint32_t, std::uint32_t> shapedAs_;         // of faces as they were
   std::unordered_map<std::uint64_t, std::uint32_t> faceOfHexahedron_; // 6 * box + side
+  std::vector<Point> added_;                                          // nodes
   std::map<Point, std::uint32_t> cutNodes_;
   std::vector<VertexNode> vertices_;
   std::unordered_map<std::uint64_t, std::uint32_t> nodeOfVertex_;
   CellKey nextKey_;
   bool changed_ = false;
 };
+
+// Writes back what the slabs of one stage changed: cells, nodes, and the sides' list of polyhedral
+// boxes. Numbers follow from the order of slabs, and in each from what happened there.
+void writeBack(CellsToShape& whole, const std::vector<std::unique_ptr<CellComplex>>& slabs,
+  Execution& execution);
 
 template <class Visitor>
 void CellComplex::forEachFace(CellKey key, Visitor&& visit) const

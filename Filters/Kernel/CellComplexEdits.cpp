@@ -30,9 +30,8 @@ std::vector<CellKey> CellComplex::cellsAround(CellKey key, std::uint32_t u, std:
   {
     open(found[i]);
     forEachFace(found[i], [&](const FaceUse& use) {
-      const CellKey other = across(use);
-      if (other != None && std::find(found.begin(), found.end(), other) == found.end() &&
-        hasEdge(use, u, v))
+      const CellKey other = hasEdge(use, u, v) ? across(use) : None;
+      if (other != None && std::find(found.begin(), found.end(), other) == found.end())
       {
         found.push_back(other);
       }
@@ -84,6 +83,11 @@ std::uint32_t CellComplex::own(std::uint32_t face, CellKey cell)
   {
     copy.boundary = patches_.boundary[face];
   }
+  else if (!isInner(face))
+  {
+    copy.cells = cellsOf(face);
+    copy.boundary = cells_.shaped.boundary[face - firstGiven()];
+  }
   else
   {
     copy.cells = cellsOf(face);
@@ -104,7 +108,9 @@ std::uint32_t CellComplex::own(std::uint32_t face, CellKey cell)
       continue;
     }
     open(key);
-    for (FaceUse& other : opened(key)->faces)
+    OpenCell& owner = *opened(key);
+    owner.changed = owner.changed || key < cells_.size();
+    for (FaceUse& other : owner.faces)
     {
       other.face = (other.face == face ? number : other.face) & MostFaces;
     }
@@ -152,13 +158,17 @@ void CellComplex::setCell(const FaceUse& use, CellKey key)
   {
     shaped(use.face).cells[use.turned] = key;
   }
-  else if (!isPatch(use.face))
+  else if (isInner(use.face))
   {
     cells_.ofInnerFace[use.face - firstInner()][use.turned] = key;
   }
+  else if (!isPatch(use.face))
+  {
+    cells_.shaped.cells[use.face - firstGiven()][use.turned] = key;
+  }
 }
 
-Point CellComplex::placeOf(CellKey key, const CellCut::Point& point) const
+Point CellComplex::placeOfPoint(CellKey key, const CellCut::Point& point) const
 {
   const Point& origin = boxes_.boxes[boxOf(key)].low;
   Point place;
@@ -180,7 +190,9 @@ bool CellComplex::allows(
     measure(polyhedron, measures);
     return isThin(measures);
   };
-  return !meetsNode(touched, view, cut) && std::none_of(touched.begin() + 1, touched.end(), thin);
+  const auto free = [&](CellKey key) { return isFree(key); };
+  return std::all_of(touched.begin(), touched.end(), free) && !meetsNode(touched, view, cut) &&
+    std::none_of(touched.begin() + 1, touched.end(), thin);
 }
 
 bool CellComplex::meetsNode(
@@ -189,7 +201,7 @@ bool CellComplex::meetsNode(
   std::vector<Point> places;
   for (const CellCut::Point& point : cut.points)
   {
-    places.push_back(placeOf(touched.front(), point));
+    places.push_back(placeOfPoint(touched.front(), point));
   }
   std::sort(places.begin(), places.end());
   bool found =
@@ -198,7 +210,7 @@ bool CellComplex::meetsNode(
   {
     forEachFace(key, [&](const FaceUse& use) {
       forEachNodeOf(use, [&](std::uint32_t node) {
-        found = found || std::binary_search(places.begin(), places.end(), nodes_.at[node]);
+        found = found || std::binary_search(places.begin(), places.end(), placeOf(node));
       });
       found = found || (key != touched.front() && losesStar(use, touched.front(), view, cut));
     });
@@ -258,7 +270,7 @@ bool CellComplex::losesStar(
   {
     const std::uint32_t next = ring[i + 1 < ring.size() ? i + 1 : 0];
     face.addCorner(static_cast<std::uint32_t>(face.nodes.size()));
-    face.nodes.push_back(minus(nodes_.at[ring[i]], origin));
+    face.nodes.push_back(minus(placeOf(ring[i]), origin));
     for (const CellCut::Point& point : cut.points)
     {
       const std::uint32_t low = view.nodes[point.low];
@@ -284,10 +296,16 @@ bool CellComplex::losesStar(
 // Cells that touch in an edge only have the same points on it.
 std::uint32_t CellComplex::addNode(const Point& place)
 {
-  const auto [at, isNew] = cutNodes_.emplace(place, static_cast<std::uint32_t>(nodes_.at.size()));
+  const auto given = std::lower_bound(nodes_.ofCuts.begin(), nodes_.ofCuts.end(), place,
+    [&](std::uint32_t node, const Point& p) { return nodes_.at[node] < p; });
+  if (given != nodes_.ofCuts.end() && nodes_.at[*given] == place)
+  {
+    return *given;
+  }
+  const auto [at, isNew] = cutNodes_.emplace(place, nextNode());
   if (isNew)
   {
-    nodes_.at.push_back(place);
+    added_.push_back(place);
   }
   return at->second;
 }
@@ -299,7 +317,7 @@ void CellComplex::cut(
   std::vector<std::uint32_t> nodes = view.nodes;
   for (const CellCut::Point& point : cut.points)
   {
-    nodes.push_back(addNode(placeOf(key, point)));
+    nodes.push_back(addNode(placeOfPoint(key, point)));
     const std::uint32_t u = view.nodes[point.low];
     const std::uint32_t v = view.nodes[point.high];
     for (const CellKey around : cellsAround(key, u, v))
@@ -319,6 +337,7 @@ void CellComplex::cut(
     cell.box = opened(key)->box;
     cell.origin = opened(key)->origin;
     cell.boundary = opened(key)->boundary;
+    cell.reach = opened(key)->reach;
     openOfOther_[nextKey_] = static_cast<std::uint32_t>(open_.size());
     keys.push_back(nextKey_++);
     open_.push_back(std::move(cell));
@@ -412,6 +431,7 @@ void CellComplex::merge(CellKey small, CellKey into)
   changed_ = true;
   open(small);
   open(into);
+  reachAsFarAs(small, into);
   OpenCell& from = *opened(small);
   OpenCell& to = *opened(into);
   const auto between = [&](const FaceUse& use, CellKey other) { return across(use) == other; };
@@ -429,10 +449,6 @@ void CellComplex::merge(CellKey small, CellKey into)
     {
       faces.push_back(use);
     }
-    else if (isShaped(use.face))
-    {
-      shaped(use.face).used = false;
-    }
   }
   for (const FaceUse& use : from.faces)
   {
@@ -446,17 +462,35 @@ void CellComplex::merge(CellKey small, CellKey into)
   to.place = measuredPlace(into);
 }
 
+void CellComplex::reachAsFarAs(CellKey small, CellKey into)
+{
+  const Layers mine = layersOf(into);
+  const Layers other = layersOf(small);
+  std::array<std::uint8_t, 2>& reach = opened(into)->reach;
+  const std::uint32_t layer = mine.begin + reach[0];
+  reach[0] = static_cast<std::uint8_t>(layer - std::min(mine.begin, other.begin));
+  reach[1] = static_cast<std::uint8_t>(std::max(mine.end, other.end) - layer - 1);
+}
+
 bool CellComplex::hasFaceNear(CellKey key, std::vector<std::uint32_t> nodes) const
 {
   std::sort(nodes.begin(), nodes.end());
   std::vector<CellKey> near{ key };
+  const auto touches = [&](const FaceUse& use) {
+    bool any = false;
+    forEachNodeOf(use, [&](std::uint32_t node) {
+      any = any || std::binary_search(nodes.begin(), nodes.end(), node);
+    });
+    return any;
+  };
   for (std::size_t ring = 0, begin = 0; ring < 2; ++ring)
   {
     const std::size_t end = near.size();
     for (; begin < end; ++begin)
     {
+      const bool free = isFree(near[begin]);
       forEachFace(near[begin], [&](const FaceUse& use) {
-        const CellKey other = across(use);
+        const CellKey other = free || touches(use) ? across(use) : None;
         if (other != None && hasFaces(other) &&
           std::find(near.begin(), near.end(), other) == near.end())
         {
@@ -502,8 +536,15 @@ void CellComplex::remove(CellKey key)
 
 std::int32_t CellComplex::boundaryOf(std::uint32_t face) const
 {
-  return isPatch(face) ? patches_.boundary[face]
-                       : (isShaped(face) ? shaped(face).boundary : NoBoundary);
+  if (isPatch(face))
+  {
+    return patches_.boundary[face];
+  }
+  if (isInner(face))
+  {
+    return NoBoundary;
+  }
+  return isShaped(face) ? shaped(face).boundary : cells_.shaped.boundary[face - firstGiven()];
 }
 
 std::int32_t CellComplex::boundaryOfCell(CellKey key) const

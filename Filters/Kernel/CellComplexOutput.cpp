@@ -1,194 +1,435 @@
 #include "CellComplex.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace cartesian
 {
 
-// --- writing back
-
-void CellComplex::finish(Execution& execution)
+namespace
 {
-  writeNodes();
-  writeCells(promote(), execution);
+
+constexpr std::size_t CellsAChunk = 1024;
+
 }
 
-void CellComplex::writeNodes()
+class ShapedCells
 {
-  std::sort(vertices_.begin(), vertices_.end());
-  nodes_.moreVertices = vertices_;
-}
-
-// Lists changed hexahedra among the polyhedral boxes; returns where each of the old list went.
-std::vector<std::uint32_t> CellComplex::promote()
-{
-  std::vector<std::uint32_t> added;
-  for (const OpenCell& cell : open_)
+public:
+  ShapedCells(CellsToShape& whole, const std::vector<std::unique_ptr<CellComplex>>& slabs,
+    Execution& execution)
+    : whole_(whole)
+    , slabs_(slabs)
+    , execution_(execution)
+    , firstInner_(static_cast<std::uint32_t>(whole.patches.size()))
+    , firstGiven_(firstInner_ + static_cast<std::uint32_t>(whole.inner.size()))
+    , firstShaped_(firstGiven_ + static_cast<std::uint32_t>(whole.cells.shaped.size()))
+    , firstAdded_(static_cast<std::uint32_t>(whole.nodes.at.size()))
+    , newNodes_(slabs.size())
+    , newFaces_(slabs.size())
   {
-    if (cell.origin >= cells_.size() && cell.changed && sides_.polyhedralOrdinal(cell.box) == None)
-    {
-      added.push_back(cell.box);
-    }
   }
-  std::sort(added.begin(), added.end());
-  added.erase(std::unique(added.begin(), added.end()), added.end());
-  const Sides old = sides_;
-  std::vector<std::uint32_t> place(old.polyhedral.size());
-  sides_.polyhedral.clear();
-  sides_.patchBox.clear();
-  sides_.ownStart.clear();
-  sides_.boxStart.clear();
-  std::size_t next = 0;
-  const auto add = [&](std::size_t n, std::uint32_t box, std::uint32_t patchBox) {
-    sides_.ordinal[box] = static_cast<std::uint32_t>(sides_.polyhedral.size());
-    sides_.polyhedral.push_back(box);
-    sides_.patchBox.push_back(patchBox);
-    sides_.ownStart.push_back(old.ownStart[n]);
-    sides_.boxStart.push_back(old.boxStart[n]);
+
+  void write()
+  {
+    listChanged();
+    measure();
+    const std::vector<std::uint32_t> place = promote();
+    appendNodes();
+    appendFaces();
+    writeCells(place);
+    findCellsOfShapedFaces();
+    listSidesOfHexahedra();
+    findCellsOfInnerFaces(whole_.inner, result_, execution_);
+    whole_.cells = std::move(result_);
+  }
+
+private:
+  using OpenCell = CellComplex::OpenCell;
+  using Shaped = CellComplex::Shaped;
+  using HexahedronSide = ShapedFaces::HexahedronSide;
+
+  // What a cell became: itself, then what it was cut into, in the order of cuts.
+  struct Changed
+  {
+    CellKey origin;
+    std::uint32_t slab;
+    std::uint32_t open;
+    double volume;
+
+    bool operator<(const Changed& other) const
+    {
+      return origin != other.origin ? origin < other.origin : open < other.open;
+    }
   };
-  for (std::size_t n = 0; n <= old.polyhedral.size(); ++n)
-  {
-    for (; next < added.size() && (n == old.polyhedral.size() || added[next] < old.polyhedral[n]);
-         ++next)
-    {
-      add(n, added[next], None);
-    }
-    if (n < old.polyhedral.size())
-    {
-      place[n] = static_cast<std::uint32_t>(sides_.polyhedral.size());
-      add(n, old.polyhedral[n], old.patchBox[n]);
-    }
-  }
-  sides_.ownStart.push_back(old.ownStart.back());
-  sides_.boxStart.push_back(old.boxStart.back());
-  return place;
-}
 
-void CellComplex::writeCells(const std::vector<std::uint32_t>& place, Execution& execution)
-{
-  // What becomes of each cell: itself, then what it was cut into, in the order of cuts.
-  std::unordered_map<CellKey, std::vector<std::uint32_t>> opensOf;
-  for (std::uint32_t i = 0; i < open_.size(); ++i)
+  const OpenCell& cellOf(const Changed& changed) const
   {
-    opensOf[open_[i].origin].push_back(i);
+    return slabs_[changed.slab]->open_[changed.open];
   }
-  Cells result;
-  result.folds = cells_.folds;
-  result.voids = cells_.voids;
-  result.flawed.assign(sides_.polyhedral.size(), 0);
-  std::vector<std::uint32_t> oldOf(sides_.polyhedral.size(), None);
-  for (std::size_t n = 0; n < place.size(); ++n)
+
+  CellKey keyOfHexahedron(std::uint32_t box) const
   {
-    oldOf[place[n]] = static_cast<std::uint32_t>(n);
-    result.flawed[place[n]] = cells_.flawed[n];
+    return static_cast<CellKey>(whole_.cells.size() + box);
   }
-  Polyhedron polyhedron;
-  CellShape measures;
-  std::vector<std::uint32_t> newOf(open_.size(), None);
-  const auto emitOpen = [&](std::uint32_t i) {
-    const OpenCell& open = open_[i];
+
+  // --- what changed, seen by the slabs
+
+  void listChanged()
+  {
+    for (std::uint32_t s = 0; s < slabs_.size(); ++s)
+    {
+      execution_.poll();
+      const CellComplex& slab = *slabs_[s];
+      newFaces_[s].assign(slab.shaped_.size(), None);
+      newNodes_[s].assign(slab.added_.size(), None);
+      for (std::uint32_t i = 0; i < slab.open_.size(); ++i)
+      {
+        const OpenCell& cell = slab.open_[i];
+        if (cell.changed)
+        {
+          changed_.push_back({ cell.origin, s, i, 0 });
+          markUsed(slab, s, cell);
+        }
+      }
+    }
+    std::sort(changed_.begin(), changed_.end());
+  }
+
+  void markUsed(const CellComplex& slab, std::size_t s, const OpenCell& cell)
+  {
+    for (const FaceUse& use : cell.faces)
+    {
+      if (use.face >= firstShaped_)
+      {
+        newFaces_[s][use.face - firstShaped_] = 0;
+      }
+      slab.forEachNodeOf(use, [&](std::uint32_t node) {
+        if (node >= firstAdded_)
+        {
+          newNodes_[s][node - firstAdded_] = 0;
+        }
+      });
+    }
+  }
+
+  void measure()
+  {
+    execution_.forEach(changed_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+      Polyhedron polyhedron;
+      CellShape measures;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const CellComplex& slab = *slabs_[changed_[i].slab];
+        const OpenCell& cell = cellOf(changed_[i]);
+        if (!cell.alive)
+        {
+          continue;
+        }
+        polyhedron.clear();
+        for (const FaceUse& use : cell.faces)
+        {
+          slab.addFaceTo(polyhedron, use, whole_.boxes.boxes[cell.box].low);
+        }
+        cartesian::measure(polyhedron, measures);
+        changed_[i].volume = measures.volume;
+      }
+    });
+  }
+
+  // --- nodes and faces
+
+  void appendNodes()
+  {
+    Nodes& nodes = whole_.nodes;
+    for (std::size_t s = 0; s < slabs_.size(); ++s)
+    {
+      const CellComplex& slab = *slabs_[s];
+      for (std::size_t i = 0; i < slab.added_.size(); ++i)
+      {
+        if (newNodes_[s][i] != None)
+        {
+          newNodes_[s][i] = static_cast<std::uint32_t>(nodes.at.size());
+          nodes.at.push_back(slab.added_[i]);
+        }
+      }
+      for (VertexNode vertex : slab.vertices_)
+      {
+        vertex.node = newNode(s, vertex.node);
+        if (vertex.node != None)
+        {
+          nodes.moreVertices.push_back(vertex);
+        }
+      }
+      for (const auto& [place, node] : slab.cutNodes_)
+      {
+        if (newNode(s, node) != None)
+        {
+          nodes.ofCuts.push_back(newNode(s, node));
+        }
+      }
+    }
+    std::sort(nodes.moreVertices.begin(), nodes.moreVertices.end());
+    std::sort(nodes.ofCuts.begin(), nodes.ofCuts.end(),
+      [&](std::uint32_t a, std::uint32_t b) { return nodes.at[a] < nodes.at[b]; });
+  }
+
+  std::uint32_t newNode(std::size_t s, std::uint32_t node) const
+  {
+    return node < firstAdded_ ? node : newNodes_[s][node - firstAdded_];
+  }
+
+  void appendFaces()
+  {
+    ShapedFaces& faces = result_.shaped;
+    faces = std::move(whole_.cells.shaped);
+    for (std::size_t s = 0; s < slabs_.size(); ++s)
+    {
+      for (std::size_t f = 0; f < newFaces_[s].size(); ++f)
+      {
+        if (newFaces_[s][f] == None)
+        {
+          continue;
+        }
+        newFaces_[s][f] = static_cast<std::uint32_t>(faces.size());
+        const Shaped& face = slabs_[s]->shaped_[f];
+        for (const std::uint32_t node : face.nodes)
+        {
+          faces.nodes.push_back(newNode(s, node));
+        }
+        faces.start.push_back(faces.nodes.size());
+        faces.cells.push_back({ None, None });
+        faces.boundary.push_back(face.boundary);
+      }
+    }
+  }
+
+  // The number of a shaped face, of now or before; or None: no cell has it.
+  std::uint32_t newFace(std::size_t s, std::uint32_t face) const
+  {
+    return face < firstShaped_ ? face - firstGiven_ : newFaces_[s][face - firstShaped_];
+  }
+
+  FaceRef refOf(std::size_t s, const FaceUse& use) const
+  {
+    using Kind = FaceRef::Kind;
+    if (use.face < firstInner_)
+    {
+      return FaceRef(use.face, Kind::Patch);
+    }
+    if (use.face < firstGiven_)
+    {
+      return FaceRef(use.face - firstInner_, use.turned ? Kind::TurnedInner : Kind::Inner);
+    }
+    return FaceRef(newFace(s, use.face), use.turned ? Kind::TurnedShaped : Kind::Shaped);
+  }
+
+  // --- cells
+
+  // Lists changed hexahedra among the polyhedral boxes; returns where each of the old list went.
+  std::vector<std::uint32_t> promote()
+  {
+    Sides& sides = whole_.sides;
+    std::vector<std::uint32_t> added;
+    for (const Changed& changed : changed_)
+    {
+      if (changed.origin >= whole_.cells.size() &&
+        sides.polyhedralOrdinal(cellOf(changed).box) == None)
+      {
+        added.push_back(cellOf(changed).box);
+      }
+    }
+    std::sort(added.begin(), added.end());
+    added.erase(std::unique(added.begin(), added.end()), added.end());
+    const std::vector<std::uint32_t> polyhedral = std::move(sides.polyhedral);
+    const std::vector<std::uint32_t> patchBox = std::move(sides.patchBox);
+    const std::vector<std::size_t> ownStart = std::move(sides.ownStart);
+    const std::vector<std::size_t> boxStart = std::move(sides.boxStart);
+    sides.polyhedral.clear();
+    sides.patchBox.clear();
+    sides.ownStart.clear();
+    sides.boxStart.clear();
+    std::vector<std::uint32_t> place(polyhedral.size());
+    std::size_t next = 0;
+    const auto add = [&](std::size_t n, std::uint32_t box, std::uint32_t patches) {
+      sides.ordinal[box] = static_cast<std::uint32_t>(sides.polyhedral.size());
+      sides.polyhedral.push_back(box);
+      sides.patchBox.push_back(patches);
+      sides.ownStart.push_back(ownStart[n]);
+      sides.boxStart.push_back(boxStart[n]);
+    };
+    for (std::size_t n = 0; n <= polyhedral.size(); ++n)
+    {
+      const bool isLast = n == polyhedral.size();
+      for (; next < added.size() && (isLast || added[next] < polyhedral[n]); ++next)
+      {
+        add(n, added[next], None);
+      }
+      if (!isLast)
+      {
+        place[n] = static_cast<std::uint32_t>(sides.polyhedral.size());
+        add(n, polyhedral[n], patchBox[n]);
+      }
+    }
+    sides.ownStart.push_back(ownStart.back());
+    sides.boxStart.push_back(boxStart.back());
+    return place;
+  }
+
+  void writeCells(const std::vector<std::uint32_t>& place)
+  {
+    const Cells& old = whole_.cells;
+    const std::vector<std::uint32_t>& polyhedral = whole_.sides.polyhedral;
+    result_.folds = old.folds;
+    result_.voids = old.voids;
+    result_.flawed.assign(polyhedral.size(), 0);
+    std::vector<std::uint32_t> oldOf(polyhedral.size(), None);
+    for (std::size_t n = 0; n < place.size(); ++n)
+    {
+      oldOf[place[n]] = static_cast<std::uint32_t>(n);
+      result_.flawed[place[n]] = old.flawed[n];
+    }
+    result_.cells.reserve(old.cells.size() + changed_.size());
+    result_.faces.reserve(old.faces.size());
+    auto next = changed_.begin();
+    auto nextOfHexahedron =
+      std::lower_bound(changed_.begin(), changed_.end(), Changed{ keyOfHexahedron(0), 0, 0, 0 });
+    const auto writeChanged = [&](auto& at, CellKey key) {
+      const auto before = at;
+      for (; at != changed_.end() && at->origin == key; ++at)
+      {
+        writeCell(*at);
+      }
+      return at != before;
+    };
+    for (std::size_t n = 0; n < polyhedral.size(); ++n)
+    {
+      execution_.poll();
+      result_.boxStart.push_back(result_.cells.size());
+      if (oldOf[n] == None)
+      {
+        writeChanged(nextOfHexahedron, keyOfHexahedron(polyhedral[n]));
+        continue;
+      }
+      for (std::size_t c = old.boxStart[oldOf[n]]; c < old.boxStart[oldOf[n] + 1]; ++c)
+      {
+        if (!writeChanged(next, static_cast<CellKey>(c)))
+        {
+          copyCell(c);
+        }
+      }
+    }
+    result_.boxStart.push_back(result_.cells.size());
+    Cell end{};
+    end.firstFace = result_.faces.size();
+    result_.cells.push_back(end);
+  }
+
+  void copyCell(std::size_t c)
+  {
+    const Cells& old = whole_.cells;
+    result_.cells.push_back(old.cells[c]);
+    result_.cells.back().firstFace = result_.faces.size();
+    result_.faces.insert(result_.faces.end(),
+      old.faces.begin() + static_cast<std::ptrdiff_t>(old.cells[c].firstFace),
+      old.faces.begin() + static_cast<std::ptrdiff_t>(old.cells[c + 1].firstFace));
+  }
+
+  void writeCell(const Changed& changed)
+  {
+    const OpenCell& open = cellOf(changed);
     if (!open.alive)
     {
       return;
     }
-    newOf[i] = static_cast<std::uint32_t>(result.cells.size());
+    const Cells& old = whole_.cells;
+    const Box& box = whole_.boxes.boxes[open.box];
+    const Vector size = minus(box.high, box.low);
     Cell cell;
     cell.box = open.box;
     cell.boundary = open.boundary;
+    cell.volumeFraction = changed.volume / (size[0] * size[1] * size[2]);
+    cell.firstFace = result_.faces.size();
     cell.removed = open.removed;
-    cell.sliver = open.removed && open.origin < cells_.size() && cells_.cells[open.origin].sliver;
-    cell.firstFace = result.faces.size();
-    polyhedron.clear();
-    const Box& box = boxes_.boxes[open.box];
+    cell.sliver = open.removed && open.origin < old.size() && old.cells[open.origin].sliver;
+    cell.reach = open.reach;
+    result_.cells.push_back(cell);
     for (const FaceUse& use : open.faces)
     {
-      result.faces.push_back(refOf(use));
-      forEachNodeOf(use, [&](std::uint32_t node) {
-        polyhedron.addCorner(static_cast<std::uint32_t>(polyhedron.nodes.size()));
-        polyhedron.nodes.push_back(minus(nodes_.at[node], box.low));
-      });
-      polyhedron.closeFace(false);
+      result_.faces.push_back(refOf(changed.slab, use));
     }
-    measure(polyhedron, measures);
-    const Vector size = minus(box.high, box.low);
-    cell.volumeFraction = measures.volume / (size[0] * size[1] * size[2]);
-    result.cells.push_back(cell);
-  };
-  const auto emitOpens = [&](CellKey key) {
-    const auto found = opensOf.find(key);
-    if (found == opensOf.end())
-    {
-      return false;
-    }
-    std::for_each(found->second.begin(), found->second.end(), emitOpen);
-    return true;
-  };
-  for (std::size_t n = 0; n < sides_.polyhedral.size(); ++n)
+  }
+
+  // --- what lies on both sides of shaped faces
+
+  void findCellsOfShapedFaces()
   {
-    execution.poll();
-    result.boxStart.push_back(result.cells.size());
-    if (oldOf[n] == None)
+    ShapedFaces& faces = result_.shaped;
+    faces.cells.assign(faces.size(), { None, None });
+    execution_.forEach(result_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c)
+      {
+        for (std::size_t f = result_.cells[c].firstFace; f < result_.cells[c + 1].firstFace; ++f)
+        {
+          const FaceRef& face = result_.faces[f];
+          if (face.kind() == FaceRef::Kind::Shaped || face.kind() == FaceRef::Kind::TurnedShaped)
+          {
+            faces.cells[face.index][face.turned() ? 1 : 0] = static_cast<std::uint32_t>(c);
+          }
+        }
+      }
+    });
+  }
+
+  // Of those that stay hexahedra.
+  void listSidesOfHexahedra()
+  {
+    ShapedFaces& faces = result_.shaped;
+    std::vector<HexahedronSide> sides = std::move(faces.ofHexahedra);
+    for (std::size_t s = 0; s < slabs_.size(); ++s)
     {
-      emitOpens(keyOfHexahedron(sides_.polyhedral[n]));
-      continue;
+      for (const auto& [side, face] : slabs_[s]->faceOfHexahedron_)
+      {
+        sides.push_back({ static_cast<std::uint32_t>(side / 6),
+          static_cast<std::uint32_t>(side % 6), newFace(s, face) });
+      }
     }
-    for (std::size_t c = cells_.boxStart[oldOf[n]]; c < cells_.boxStart[oldOf[n] + 1]; ++c)
+    std::sort(sides.begin(), sides.end(), [](const HexahedronSide& x, const HexahedronSide& y) {
+      return std::make_tuple(x.box, x.side, x.face) < std::make_tuple(y.box, y.side, y.face);
+    });
+    faces.ofHexahedra.clear();
+    for (const HexahedronSide& side : sides)
     {
-      const auto key = static_cast<CellKey>(c);
-      if (openOf_[key] != None && emitOpens(key))
+      if (side.face == None || whole_.sides.polyhedralOrdinal(side.box) != None)
       {
         continue;
       }
-      Cell cell = cells_.cells[c];
-      cell.firstFace = result.faces.size();
-      result.faces.insert(result.faces.end(),
-        cells_.faces.begin() + static_cast<std::ptrdiff_t>(cells_.cells[c].firstFace),
-        cells_.faces.begin() + static_cast<std::ptrdiff_t>(cells_.cells[c + 1].firstFace));
-      result.cells.push_back(cell);
+      std::array<std::uint32_t, 2>& cells = faces.cells[side.face];
+      if ((cells[0] == None) != (cells[1] == None))
+      {
+        (cells[0] == None ? cells[0] : cells[1]) = ShapedFaces::SomeHexahedron;
+        faces.ofHexahedra.push_back(side);
+      }
     }
   }
-  result.boxStart.push_back(result.cells.size());
-  Cell end{};
-  end.firstFace = result.faces.size();
-  result.cells.push_back(end);
 
-  result.shaped.start.clear();
-  for (const Shaped& face : shaped_)
-  {
-    result.shaped.start.push_back(result.shaped.nodes.size());
-    result.shaped.nodes.insert(result.shaped.nodes.end(), face.nodes.begin(), face.nodes.end());
-    result.shaped.cells.push_back({ None, None });
-    result.shaped.boundary.push_back(face.boundary);
-  }
-  result.shaped.start.push_back(result.shaped.nodes.size());
-  for (std::size_t c = 0; c < result.size(); ++c)
-  {
-    execution.poll();
-    for (std::size_t f = result.cells[c].firstFace; f < result.cells[c + 1].firstFace; ++f)
-    {
-      const FaceRef& face = result.faces[f];
-      if (face.kind() == FaceRef::Kind::Shaped || face.kind() == FaceRef::Kind::TurnedShaped)
-      {
-        result.shaped.cells[face.index][face.turned() ? 1 : 0] = static_cast<std::uint32_t>(c);
-      }
-    }
-  }
-  for (std::size_t f = 0; f < shaped_.size(); ++f)
-  {
-    for (std::size_t k = 0; k < 2; ++k)
-    {
-      const CellKey key = shaped_[f].cells[k];
-      const bool hexahedron = key != None && key >= cells_.size() &&
-        key < cells_.size() + boxes_.boxes.size() &&
-        sides_.polyhedralOrdinal(static_cast<std::uint32_t>(key - cells_.size())) == None;
-      if (hexahedron && result.shaped.cells[f][1 - k] != None)
-      {
-        result.shaped.cells[f][k] = ShapedFaces::SomeHexahedron;
-      }
-    }
-  }
-  findCellsOfInnerFaces(inner_, result, execution);
-  cells_ = std::move(result);
+  CellsToShape& whole_;
+  const std::vector<std::unique_ptr<CellComplex>>& slabs_;
+  Execution& execution_;
+  std::uint32_t firstInner_; // faces and nodes of the slabs, as in CellComplex
+  std::uint32_t firstGiven_;
+  std::uint32_t firstShaped_;
+  std::uint32_t firstAdded_;
+  std::vector<Changed> changed_;
+  std::vector<std::vector<std::uint32_t>> newNodes_; // of each slab's, or None: not used
+  std::vector<std::vector<std::uint32_t>> newFaces_;
+  Cells result_;
+};
+
+void writeBack(
+  CellsToShape& whole, const std::vector<std::unique_ptr<CellComplex>>& slabs, Execution& execution)
+{
+  ShapedCells(whole, slabs, execution).write();
 }
 
 }

@@ -166,6 +166,7 @@ bool mendFaces(CellComplex& complex, CellKey key)
   return any;
 }
 
+// What is done to the cells of one slab.
 class Shaper
 {
 public:
@@ -255,7 +256,7 @@ private:
     for (const CellKey key : exact_ ? std::vector<CellKey>{} : atFault())
     {
       execution_.poll();
-      shaping_.cellsMended += mendFaces(complex_, key) ? 1 : 0;
+      shaping_.cellsMended += mendFaces(complex_, key) ? complex_.counts(key) : 0;
     }
   }
 
@@ -279,22 +280,59 @@ private:
 
 }
 
+Shaping& Shaping::operator+=(const Shaping& other)
+{
+  cellsSplit += other.cellsSplit;
+  cellsMerged += other.cellsMerged;
+  cellsMended += other.cellsMended;
+  partsCarved += other.partsCarved;
+  refusedCellsRemoved += other.refusedCellsRemoved;
+  return *this;
+}
+
 bool shapesCells(const CellSpec& spec)
 {
   return spec.smallCells == SmallCells::Merge || spec.splitConcave;
 }
 
+Reach reachOf(const CellSpec& spec)
+{
+  return { spec.collapseRatio > 0, shapesCells(spec) };
+}
+
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
   const InnerFaces& inner, Cells& cells, const CellSpec& spec, Execution& execution)
 {
-  execution.nextLoop(0.02);
-  CellComplex complex(boxes, patches, sides, nodes, inner, cells, execution);
-  const Shaping shaping = Shaper(complex, spec, isExact(patches), execution).run();
-  if (complex.changed())
+  const bool exact = isExact(patches);
+  const std::uint32_t all = boxes.allLayers().end;
+  const auto stages = slabsFor(boxes.core.grown(HaloOfShapedCells, all), all);
+  CellsToShape whole{ boxes, patches, sides, nodes, inner, cells, {}, {} };
+  Shaping sum;
+  for (std::size_t stage = 0; stage < stages.size(); ++stage)
   {
-    complex.finish(execution);
+    const std::vector<Slab>& slabs = stages[stage];
+    if (slabs.empty())
+    {
+      continue;
+    }
+    const double left = static_cast<double>(stages.size() - stage);
+    execution.nextLoop(0.02);
+    whole.measure({ slabs.front().layers.begin, slabs.back().layers.end }, execution);
+    std::vector<std::unique_ptr<CellComplex>> complexes(slabs.size());
+    std::vector<Shaping> shapings(slabs.size());
+    execution.nextLoop(0.9 / left);
+    execution.forEach(slabs.size(), 1, [&](std::size_t s, std::size_t) {
+      Execution alone = execution.alone();
+      complexes[s] = std::make_unique<CellComplex>(whole, slabs[s]);
+      shapings[s] = Shaper(*complexes[s], spec, exact, alone).run();
+    });
+    for (const Shaping& shaping : shapings)
+    {
+      sum += shaping;
+    }
+    writeBack(whole, complexes, execution);
   }
-  return shaping;
+  return sum;
 }
 
 }

@@ -165,10 +165,10 @@ private:
       {
         taken_.insert(touched.begin(), touched.end());
         next_.insert(touched.begin(), touched.end());
+        result_.cellsSplit += cells_.counts(proposal.key);
         std::vector<CellKey> parts;
         cells_.cut(proposal.key, proposal.view, *cut, parts);
         next_.insert(parts.begin(), parts.end());
-        ++result_.cellsSplit;
         return;
       }
     }

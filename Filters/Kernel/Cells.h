@@ -43,6 +43,9 @@ struct Cell
   std::size_t firstFace; // in Cells::faces; up to the next cell's first
   bool sliver;           // of no volume but that of rounding
   bool removed;          // a sliver, or smaller than R of its box (4.10)
+
+  // How many layers of global boxes it reaches beyond its box's, below and above, by merging.
+  std::array<std::uint8_t, 2> reach{ 0, 0 };
 };
 
 // Faces that are not as the patches and sides have them: pieces of those, faces with new nodes on
@@ -55,6 +58,15 @@ struct ShapedFaces
   std::vector<std::uint32_t> nodes;
   std::vector<std::array<std::uint32_t, 2>> cells; // below and above, or SomeHexahedron, or None
   std::vector<std::int32_t> boundary;              // where one of the cells is None
+
+  // Of the hexahedra: the box, its side (as in BoundaryFace) and the face there.
+  struct HexahedronSide
+  {
+    std::uint32_t box;
+    std::uint32_t side;
+    std::uint32_t face;
+  };
+  std::vector<HexahedronSide> ofHexahedra; // in order of boxes and sides
 
   std::size_t size() const { return cells.size(); }
 };

@@ -20,6 +20,12 @@ Estimate sumOf(const std::vector<Estimate>& ofLayers, Layers layers)
   return sum;
 }
 
+// Where shaped cells are divided at least cost.
+std::uint32_t nearestDivide(std::uint32_t layer)
+{
+  return layer / DivideDistance * DivideDistance + FirstDivide;
+}
+
 double workOf(const Estimate& estimate)
 {
   return estimate.inside + WorkOfAnIntersectedBox * estimate.intersected;
@@ -28,10 +34,11 @@ double workOf(const Estimate& estimate)
 }
 
 Division::Division(const Surface& surface, const Meshlines& planes, const RefinementSpec& spec,
-  double mostBytes, Execution& execution)
+  double mostBytes, const Reach& reach, Execution& execution)
   : surface_(surface)
   , planes_(planes)
   , mostBytes_(mostBytes)
+  , reach_(reach)
   , shoeboxes_(fillShoeboxes(surface, planes, execution))
   , refinement_(spec, surface, shoeboxes_, planes, execution)
   , statuses_(surface, planes, shoeboxes_, execution)
@@ -41,7 +48,7 @@ Division::Division(const Surface& surface, const Meshlines& planes, const Refine
 Boxes Division::boxes(Layers core, Execution& execution) const
 {
   return generateBoxes(
-    surface_, planes_, shoeboxes_, refinement_, statuses_, core, mostBytes_, execution);
+    surface_, planes_, shoeboxes_, refinement_, statuses_, core, reach_, mostBytes_, execution);
 }
 
 std::vector<Estimate> Division::estimateLayers(Execution& execution) const
@@ -63,22 +70,24 @@ std::vector<Estimate> Division::estimateLayers(Execution& execution) const
   return layers;
 }
 
-std::vector<Layers> splitLayers(const std::vector<Estimate>& layers, std::size_t count)
+std::vector<Layers> Division::split(const std::vector<Estimate>& layers, std::size_t count) const
 {
   const auto end = static_cast<std::uint32_t>(layers.size());
   const double all = workOf(sumOf(layers, { 0, end }));
   std::vector<Layers> parts(count);
+  // Thin parts would become uneven.
+  const bool moves = reach_.shapes && end >= 2 * DivideDistance * count;
   std::uint32_t k = 0;
   double before = 0;
   for (std::size_t part = 0; part < count; ++part)
   {
-    parts[part].begin = k;
+    parts[part].begin = part > 0 ? parts[part - 1].end : 0;
     const double wanted = all * static_cast<double>(part + 1) / static_cast<double>(count);
     while (k < end && (part + 1 == count || before + workOf(layers[k]) / 2 < wanted))
     {
       before += workOf(layers[k++]);
     }
-    parts[part].end = k;
+    parts[part].end = moves && part + 1 < count ? std::min(nearestDivide(k), end) : k;
   }
   return parts;
 }
@@ -89,9 +98,9 @@ std::size_t Division::partsNeeded(const std::vector<Estimate>& layers) const
   for (std::size_t count = 1;; ++count)
   {
     Estimate largest;
-    for (const Layers& core : splitLayers(layers, count))
+    for (const Layers& core : split(layers, count))
     {
-      const Estimate part = sumOf(layers, core.grown(haloOf(refinement_), all));
+      const Estimate part = sumOf(layers, layersFor(core, reach_, refinement_, all));
       largest = part.bytes() > largest.bytes() ? part : largest;
     }
     largest.triangles = static_cast<double>(surface_.triangles.size());

@@ -1,11 +1,9 @@
 #include "Execution.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <exception>
 #include <mutex>
-#include <thread>
 
 namespace cartesian
 {
@@ -79,8 +77,24 @@ void Execution::advance(double fractionOfLoop)
   reported_ = std::max(reported_, std::min(fraction, 1.0));
 }
 
+Execution Execution::alone()
+{
+  return Execution(1, [this](double, const char*) {
+    poll();
+    return true;
+  });
+}
+
 void Execution::poll()
 {
+  if (std::this_thread::get_id() != owner_)
+  {
+    if (stopped_)
+    {
+      throw Stopped();
+    }
+    return;
+  }
   const bool isTime =
     monitor_ && (reported_ >= reportedThen_ + LeastProgress || now() > asked_ + LongestSilence);
   if (isTime)
@@ -93,6 +107,7 @@ void Execution::ask()
 {
   if (monitor_ && !monitor_(reported_, stage_))
   {
+    stopped_ = true;
     throw Stopped();
   }
   asked_ = now();

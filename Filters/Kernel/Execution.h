@@ -4,10 +4,12 @@
 // the number of threads. Only the calling thread reports progress and asks whether to go on.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -45,9 +47,12 @@ public:
   // The next forEach is this share (0 to 1) of what is left of the stage; without a word, nothing of it.
   void nextLoop(double share) { share_ = share; }
 
-  // In long loops that are no forEach: reports if it is time, throws Stopped if the user wants it.
-  // Only on the calling thread; costs a look at the clock.
+  // In long loops that are no forEach: reports if it is time, throws Stopped if the user wants it; on
+  // a thread of forEach's, only if the user has said so elsewhere. Costs a look at the clock.
   void poll();
+
+  // For a piece of work inside forEach: it has one thread, and its polls are this one's.
+  Execution alone();
 
   // Seconds by stage so far, in the order in which stages began.
   std::vector<std::pair<std::string, double>> seconds() const;
@@ -69,6 +74,8 @@ private:
   void ask();
 
   int threads_;
+  std::thread::id owner_ = std::this_thread::get_id();
+  std::atomic<bool> stopped_{ false };
   Monitor monitor_;
   Part work_;            // of the whole
   Part leftOut_{ 0, 0 }; // of the whole

@@ -188,7 +188,7 @@ private:
   bool mayFit(std::uint32_t f, std::uint32_t g) const
   {
     const bool inner = view_.across[f] != view_.across[g] ? false : isInner(f);
-    return f != g && view_.across[f] == view_.across[g] &&
+    return f != g && view_.across[f] == view_.across[g] && !view_.fixed[f] && !view_.fixed[g] &&
       (inner || view_.boundary[f] == view_.boundary[g]) &&
       dot(normals_[f], normals_[g]) >= std::min(inner ? 1 : leastCosine_, NearlyFlat);
   }

@@ -1,5 +1,5 @@
 // Neighbouring faces of a cell that can be one: between the same two cells on one plane, or of one
-// boundary with normals close to each other.
+// boundary with normals close to each other; neither with a fixed cell beyond.
 #pragma once
 
 #include "CellView.h"

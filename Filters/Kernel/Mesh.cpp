@@ -1,6 +1,6 @@
 #include "Mesh.h"
 
-#include "BoxGeneration.h"
+#include "Slabs.h"
 
 #include <algorithm>
 
@@ -31,7 +31,9 @@ Mesh::Mesh(const MeshParts& parts, Execution& execution)
   , ownPoints_(pointCount())
 {
   const Layers core = parts.boxes.core;
-  const Layers around = core.grown(HaloOfCells, parts.boxes.allLayers().end);
+  // Which points of the next layers are used tell cells that may reach into them.
+  const Layers around =
+    core.grown(HaloOfShapedCells + MostLayersOfACell - 1, parts.boxes.allLayers().end);
   if (around.begin != core.begin || around.end != core.end)
   {
     pointsAround_ = std::make_unique<PointNumbers>(parts, around, execution);

@@ -110,7 +110,7 @@ private:
   MeshParts parts_;
   CellNumbers numbers_;
   PointNumbers points_;
-  std::unique_ptr<PointNumbers> pointsAround_; // of a part: those of the next layer's cells too
+  std::unique_ptr<PointNumbers> pointsAround_; // of a part: those of cells around it too
   Id ownPoints_ = 0;
   std::vector<CellSize> cellSizes_; // of each cell of polyhedral boxes
   std::vector<RowOffsets> rows_;

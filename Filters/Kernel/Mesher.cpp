@@ -166,7 +166,7 @@ BoxedSurface boxSurface(
   const PreparedSurface& prepared, const RefinementSpec& spec, Execution& execution)
 {
   execution.stage("Boxes", AfterSurface, AfterBoxes);
-  Division division(prepared.surface, prepared.planes, spec, prepared.memoryLimit, execution);
+  Division division(prepared.surface, prepared.planes, spec, prepared.memoryLimit, {}, execution);
   Boxes boxes = division.boxes(division.allLayers(), execution);
   return { std::move(boxes), division.takeShoeboxes(), division.warnings() };
 }
@@ -266,7 +266,8 @@ void Assembly::rebuildFlawed(const CellSpec& spec, Execution& execution)
   rebuilt_.boxes.swap(rebuilt);
 }
 
-// Boxes whose faces would not close any more keep their edges.
+// First between the seams, then across them (ShortEdges.h). Boxes whose faces would not close any more
+// keep their edges; what changes for that changes nothing beyond the seams.
 void Assembly::collapse(const CellSpec& spec, Execution& execution)
 {
   if (!(spec.collapseRatio > 0))
@@ -275,23 +276,27 @@ void Assembly::collapse(const CellSpec& spec, Execution& execution)
   }
   const std::vector<std::uint8_t> flawed = cells_.flawed;
   const Patches& before = *patches_;
-  ShortEdgeSpec edges{ spec.collapseRatio, spec.featureAngle, isExact(before), flawed };
+  ShortEdgeSpec between{ spec.collapseRatio, spec.featureAngle, isExact(before), flawed, false };
+  ShortEdgeSpec across = between;
+  across.acrossSeams = true;
   execution.stage("Short edges", AfterCells, AfterShortEdges);
-  for (bool closed = false; !closed;)
+  collapsed_ = before;
+  patches_ = &collapsed_;
+  const auto closes = [&](ShortEdgeSpec& edges) {
+    if (collapseShortEdges(boxes_, sides_, edges, collapsed_, nodes_, inner_, execution) == 0)
+    {
+      return true;
+    }
+    cells_ = assembleCells(boxes_, collapsed_, sides_, nodes_, inner_, spec, execution);
+    std::transform(edges.keeps.begin(), edges.keeps.end(), cells_.flawed.begin(),
+      edges.keeps.begin(), std::bit_or<>());
+    return cells_.flawed == flawed;
+  };
+  while (!closes(between) || !closes(across))
   {
     collapsed_ = before;
-    nodesCollapsed_ =
-      collapseShortEdges(boxes_, sides_, edges, collapsed_, nodes_, inner_, execution);
-    patches_ = &collapsed_;
+    findInnerFaces(execution);
     cells_ = assembleCells(boxes_, collapsed_, sides_, nodes_, inner_, spec, execution);
-    closed = cells_.flawed == flawed;
-    if (!closed)
-    {
-      std::transform(edges.keeps.begin(), edges.keeps.end(), cells_.flawed.begin(),
-        edges.keeps.begin(), std::bit_or<>());
-      patches_ = &before;
-      findInnerFaces(execution);
-    }
   }
 }
 

@@ -109,7 +109,6 @@ private:
   Nodes nodes_;
   InnerFaces inner_;
   Patches collapsed_;
-  std::size_t nodesCollapsed_ = 0;
   Cells cells_;
   Shaping shaping_;
   std::unique_ptr<Mesh> mesh_;

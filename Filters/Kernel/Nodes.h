@@ -42,6 +42,7 @@ struct Nodes
   std::vector<std::uint32_t> border;    // grid nodes counter-clockwise from the lowest corner
   std::vector<std::array<std::uint32_t, 8>> ofDivided; // corners of Sides::divided
   std::vector<VertexNode> moreVertices;                // of those that shaping adds, in order
+  std::vector<std::uint32_t> ofCuts;                   // the others of those, in order of places
   std::vector<WarpedHexahedron> warped;
 };
 

@@ -58,7 +58,8 @@ private:
   {
     const std::int32_t boundary =
       cells_.hasFaces(candidate.key) ? cells_.mainBoundary(candidate.key) : NoBoundary;
-    return boundary != NoBoundary && candidate.volume < ratioOf(spec_, boundary, largest_);
+    return boundary != NoBoundary && cells_.isFree(candidate.key) &&
+      candidate.volume < ratioOf(spec_, boundary, largest_);
   }
 
   // For each refused face of a cell, the smaller of its two cells that may go.
@@ -112,13 +113,13 @@ private:
       {
         for (const auto& [other, area] : cells_.neighbours(candidate.key))
         {
-          if (cells_.hasFaces(other))
+          if (cells_.hasFaces(other) && cells_.isFree(other))
           {
             again.insert(other);
           }
         }
         cells_.remove(candidate.key);
-        ++removed_;
+        removed_ += cells_.counts(candidate.key);
       }
     }
     return { again.begin(), again.end() };

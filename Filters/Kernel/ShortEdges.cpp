@@ -1,5 +1,6 @@
 #include "ShortEdges.h"
 
+#include "Slabs.h"
 #include "Sorting.h"
 #include "Vector.h"
 #include "WarpedHexahedra.h"
@@ -74,9 +75,10 @@ public:
     std::size_t gone = 0;
     for (int round = 0; round < MostRounds; ++round)
     {
-      const std::size_t now = collapseOnce();
-      gone += now;
-      if (now == 0)
+      // Where all that was tried was taken back, others are tried next, as elsewhere.
+      const std::size_t tried = collapseOnce();
+      gone += merges_.size();
+      if (tried == 0)
       {
         break;
       }
@@ -159,6 +161,10 @@ private:
 
   void listEdgesOf(std::size_t n, std::vector<ShortEdge>& edges) const
   {
+    if (stays(n))
+    {
+      return;
+    }
     const std::uint32_t box = sides_.polyhedral[n];
     if (const std::uint32_t cut = sides_.patchBox[n]; cut != None)
     {
@@ -263,9 +269,9 @@ private:
         }
       }
     };
-    for (std::size_t n = 0; n < spec_.keeps.size(); ++n)
+    for (std::size_t n = 0; n < sides_.polyhedral.size(); ++n)
     {
-      if (!spec_.keeps[n])
+      if (!stays(n))
       {
         continue;
       }
@@ -284,10 +290,39 @@ private:
         }
       }
     }
+    for (std::uint32_t slot = 0; slot < slots_.size(); ++slot)
+    {
+      kept[slot] = kept[slot] || isEndOfSlab(slot);
+    }
     for (ShortEdge& edge : edges_)
     {
       edge.banned = kept[edge.a] || kept[edge.b];
     }
+  }
+
+  // Whether a box keeps its edges.
+  bool stays(std::size_t n) const
+  {
+    const std::uint32_t layer = boxes_.globalOf(boxes_.boxes[sides_.polyhedral[n]]).index[2];
+    return spec_.keeps[n] || (spec_.acrossSeams && !isSeamPlane(layer) && !isSeamPlane(layer + 1));
+  }
+
+  bool isSeamPlane(std::uint32_t plane) const { return isSeam(plane, boxes_.allLayers().end); }
+
+  // Whether a node lies, or its hexahedra begin, where the layers end that nodes move in.
+  bool isEndOfSlab(std::uint32_t slot) const
+  {
+    const std::uint32_t node = slots_[slot].node;
+    const bool isOfGrid = node >= nodes_.patchPoints;
+    const Level z = (isOfGrid ? nodes_.grid[node - nodes_.patchPoints] : nodes_.at[node])[2];
+    const std::vector<Level>& planes = boxes_.planes[2];
+    const auto plane = std::lower_bound(planes.begin(), planes.end(), z);
+    if (plane == planes.end() || *plane != z)
+    {
+      return false;
+    }
+    const bool onSeam = isSeamPlane(static_cast<std::uint32_t>(plane - planes.begin()));
+    return spec_.acrossSeams ? isOfGrid && !onSeam : onSeam;
   }
 
   // Calls visit(face) for the faces at all nodes that became this one; faces may come twice.
@@ -532,7 +567,7 @@ private:
     return slots_[a].at < slots_[b].at;
   }
 
-  // --- a round: each node takes part in its shortest edge only
+  // --- a round: each node takes part in its shortest edge only; how many are tried
 
   std::size_t collapseOnce()
   {
@@ -546,6 +581,7 @@ private:
       }
     });
     pickMerges();
+    const std::size_t tried = merges_.size();
     for (const Merge& merge : merges_)
     {
       swapRings(merge);
@@ -555,7 +591,7 @@ private:
     {
       slots_[slot].into = standing(slot);
     }
-    return merges_.size();
+    return tried;
   }
 
   bool isBefore(std::uint32_t i, std::uint32_t k) const
@@ -803,12 +839,11 @@ private:
       nodes_.at[slot.node] = slots_[slot.into].at;
     }
     std::vector<std::uint32_t> moved;
-    for (const Slot& slot : slots_)
+    for (std::size_t i = 0; i < nodes_.grid.size(); ++i)
     {
-      if (slot.node >= nodes_.patchPoints &&
-        nodes_.at[slot.node] != nodes_.grid[slot.node - nodes_.patchPoints])
+      if (nodes_.at[nodes_.patchPoints + i] != nodes_.grid[i])
       {
-        moved.push_back(slot.node);
+        moved.push_back(static_cast<std::uint32_t>(nodes_.patchPoints + i));
       }
     }
     nodes_.warped = warpedHexahedra(boxes_, sides_, nodes_, moved);

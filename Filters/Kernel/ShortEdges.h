@@ -27,6 +27,10 @@ struct ShortEdgeSpec
 
   // 1 for polyhedral boxes (Sides.h) whose edges stay.
   std::vector<std::uint8_t> keeps;
+
+  // Nodes on seams (Slabs.h) stay: so what happens between two seams depends on nothing beyond. Else
+  // only nodes of boxes next to a seam move, and of no others.
+  bool acrossSeams = false;
 };
 
 constexpr double MostCollapseRatio = 0.3;

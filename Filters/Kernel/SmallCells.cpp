@@ -79,6 +79,17 @@ public:
   }
 
 private:
+  std::vector<std::pair<CellKey, double>> possibleNeighbours(CellKey key) const
+  {
+    auto neighbours = cells_.neighbours(key);
+    neighbours.erase(std::remove_if(neighbours.begin(), neighbours.end(),
+                       [&](const auto& neighbour) {
+                         return !cells_.mayMerge({ key, neighbour.first });
+                       }),
+      neighbours.end());
+    return neighbours;
+  }
+
   void findCandidates(const std::vector<CellKey>& keys)
   {
     candidates_.assign(keys.size(), {});
@@ -89,7 +100,7 @@ private:
         const double volume = cells_.volume(keys[i]) / cells_.volumeOfBox(keys[i]);
         if (volume < ratio_ || (mend_ && volume < MostVolume && cells_.isAtFault(keys[i])))
         {
-          const auto neighbours = cells_.neighbours(keys[i]);
+          const auto neighbours = possibleNeighbours(keys[i]);
           candidates_[i].key = keys[i];
           candidates_[i].volume = volume;
           candidates_[i].small = volume < ratio_;
@@ -171,8 +182,8 @@ private:
     }
     for (std::size_t i = 1; i < keys.size(); ++i)
     {
+      merged_ += cells_.counts(keys[i]);
       cells_.merge(keys[i], keys.front());
-      ++merged_;
     }
     cells_.join(keys.front(), merging.view, merging.joined);
     again_.insert(keys.front());
@@ -203,6 +214,11 @@ private:
     execution_.forEach(groups.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
       {
+        if (!cells_.mayMerge(groups[i].keys))
+        {
+          groups[i].keys.clear();
+          continue;
+        }
         const Fitness after = together(groups[i]);
         const Fitness before = apart(groups[i].keys);
         if (after.weight() > before.weight() || !after.isNoLessValidThan(before))
@@ -227,7 +243,7 @@ private:
   // The neighbour with which least is at fault.
   void choose(const Candidate& candidate, Merging& merging) const
   {
-    auto neighbours = cells_.neighbours(candidate.key);
+    auto neighbours = possibleNeighbours(candidate.key);
     neighbours.resize(std::min(neighbours.size(), MostNeighbours));
     int best = 0; // change of weight
     for (const auto& [other, area] : neighbours)

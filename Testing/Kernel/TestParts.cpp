@@ -29,13 +29,14 @@ public:
     : execution_(options.threads)
     , options_(options)
     , prepared_(prepare(soup, grid))
-    , division_(prepared_.surface, prepared_.planes, options.refinement, PlentyOfMemory, execution_)
+    , division_(prepared_.surface, prepared_.planes, options.refinement, PlentyOfMemory,
+        reachOf(options.cells), execution_)
   {
   }
 
   std::vector<Layers> split(std::size_t count)
   {
-    return splitLayers(division_.estimateLayers(execution_), count);
+    return division_.split(division_.estimateLayers(execution_), count);
   }
 
   std::vector<Layers> eachLayer() const
@@ -182,16 +183,8 @@ private:
   std::map<std::string, double> statistics_;
 };
 
-void expectUnion(const Soup& soup, const GridSpec& grid, const Options& options)
+void expectUnion(Parts& parts, const Meshed& whole, const std::vector<std::vector<Layers>>& splits)
 {
-  const Meshed whole = meshOf(soup, grid, options);
-  Parts parts(soup, grid, options);
-  std::vector<std::vector<Layers>> splits = { parts.eachLayer() };
-  for (const std::size_t count : cases<std::size_t>({ 1, 2, 3, 5 }))
-  {
-    splits.push_back(parts.split(count));
-    ASSERT_EQ(count, splits.back().size());
-  }
   for (const std::vector<Layers>& split : splits)
   {
     SCOPED_TRACE(std::to_string(split.size()) + " parts");
@@ -206,9 +199,38 @@ void expectUnion(const Soup& soup, const GridSpec& grid, const Options& options)
   }
 }
 
+void expectUnion(const Soup& soup, const GridSpec& grid, const Options& options)
+{
+  Parts parts(soup, grid, options);
+  std::vector<std::vector<Layers>> splits = { parts.eachLayer() };
+  for (const std::size_t count : cases<std::size_t>({ 1, 2, 3, 5 }))
+  {
+    splits.push_back(parts.split(count));
+    ASSERT_EQ(count, splits.back().size());
+  }
+  expectUnion(parts, meshOf(soup, grid, options), splits);
+}
+
+// Divided where the mesher would, and where it would not.
+void expectShapedUnion(const Soup& soup, const GridSpec& grid, int depthEverywhere)
+{
+  const Options options{ {}, 1, depth(depthEverywhere), {} };
+  Parts parts(soup, grid, options);
+  const auto end = static_cast<std::uint32_t>(parts.eachLayer().size());
+  ASSERT_GT(end, 45u); // else parts see all layers
+  expectUnion(parts, meshOf(soup, grid, options),
+    { parts.split(2), parts.split(4), { { 0, 18 }, { 18, 19 }, { 19, 30 }, { 30, end } } });
+}
+
 Options automatic(int depthEverywhere)
 {
   return { asTheyAre(1e-3), 1, depth(depthEverywhere), {} };
+}
+
+// So tall that parts do not see all layers; turned a little, lest faces lie in the grid's planes.
+Soup tall(const Soup& soup)
+{
+  return soup.scaled({ 1, 1, 9 }).turned(0, 2);
 }
 
 }
@@ -227,6 +249,18 @@ TEST_P(ShapedParts, AreTheWholeRefinedMesh)
 {
   const Soup& soup = GetParam().soup;
   expectUnion(soup, cellsAlongLongest(soup, 6.7), automatic(2));
+}
+
+TEST_P(ShapedParts, AreTheWholeMeshOfShapedCells)
+{
+  const Soup soup = tall(GetParam().soup);
+  expectShapedUnion(soup, cellsAlongLongest(soup, 61.3), 0);
+}
+
+TEST_P(ShapedParts, AreTheWholeRefinedMeshOfShapedCells)
+{
+  const Soup soup = tall(GetParam().soup);
+  expectShapedUnion(soup, cellsAlongLongest(soup, 46.3), 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, ShapedParts,
@@ -297,7 +331,7 @@ TEST(Parts, AreAsManyAsMemoryAsksFor)
   const PreparedSurface prepared = prepare(soup, cellsAlongLongest(soup, 150));
   Execution execution;
   const auto needed = [&](double bytes) {
-    const Division division(prepared.surface, prepared.planes, {}, bytes, execution);
+    const Division division(prepared.surface, prepared.planes, {}, bytes, {}, execution);
     return division.partsNeeded(division.estimateLayers(execution));
   };
   const double whole = estimateMesh(prepared.surface, prepared.planes).bytes();

@@ -8,14 +8,13 @@ from paraview import simple
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 import foam
-from pieces import AS_THEY_ARE
 from pipeline import read
 
 processes = vtkMultiProcessController.GetGlobalController()
 assert processes.GetNumberOfProcesses() == 2
 
 with tempfile.TemporaryDirectory() as temporary:
-    mesher = simple.CartesianMesher(Input=read("kcl_exhaust_header_lumens.stl"), CellSize=8, **AS_THEY_ARE)
+    mesher = simple.CartesianMesher(Input=read("kcl_exhaust_header_lumens.stl"), CellSize=8)
     alone = foam.Files(foam.save(mesher, pathlib.Path(temporary) / "alone"))
     alone.check()
     mesher.InPieces = 0

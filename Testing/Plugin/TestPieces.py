@@ -20,14 +20,14 @@ EXHAUST = DATA / "kcl_exhaust_header_lumens.stl"
 CELL_SIZE, DEPTH, PIECES = 10.0, 1, 3
 
 
-def mesher():
+def mesher(size=CELL_SIZE, depth=DEPTH):
     reader = vtkSTLReader()
     reader.SetFileName(str(EXHAUST))
     reader.ScalarTagsOn()
-    mesher = pieces.leave_cells(vtkCartesianMesher())
+    mesher = vtkCartesianMesher()
     mesher.SetInputConnection(reader.GetOutputPort())
-    mesher.SetCellSize(CELL_SIZE)
-    mesher.SetRefinementDepth(DEPTH)
+    mesher.SetCellSize(size)
+    mesher.SetRefinementDepth(depth)
     return mesher
 
 
@@ -72,13 +72,17 @@ with tempfile.TemporaryDirectory() as folder:
     assert writer.Write()
     pieces.assert_union(whole, [pieces.load(folder / f"streamed_{i}.vtu") for i in range(PIECES)])
 
+    # Layers enough that a piece does not depend on all of them.
+    size = 4.0
+    alone = mesher(size, 0)
+    alone.Update()
+    whole = alone.GetOutputDataObject(0)
+
     def run(limit):
         (folder / "task.toml").write_text(f"""
             surface.file = "{EXHAUST}"
-            grid.cell_size = {CELL_SIZE}
-            refinement.refinement_depth = {DEPTH}
+            grid.cell_size = {size}
             performance.memory_limit = {limit}
-            cells = {{ collapse_ratio = 0.0, small_cells = "Remove", split_concave_cells = false }}
             output.mesh = "{limit}/mesh.pvtu"
             output.boundary = "{limit}/boundary.pvtp"
             output.statistics = "{limit}/statistics.json"

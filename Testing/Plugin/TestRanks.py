@@ -12,15 +12,14 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 import pieces
-from pieces import AS_THEY_ARE
-from pipeline import DATA, assert_identical, read
+from pipeline import DATA, read
 
 RANKS = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
 assert RANKS > 1
 
 
 def on_one_rank(source, size, depth):
-    mesher = pieces.leave_cells(vtkCartesianMesher())
+    mesher = vtkCartesianMesher()
     mesher.SetInputConnection(source.GetOutputPort())
     mesher.SetCellSize(size)
     mesher.SetRefinementDepth(depth)
@@ -63,20 +62,19 @@ stl.ScalarTagsOn()
 for source, alone, size in ((read("kcl_exhaust_header_lumens.stl"), stl, 10.0),
                             (simple.Sphere(), vtkSphereSource(), 0.08)):
     for depth in 0, 1:
-        mesher = simple.CartesianMesher(Input=source, CellSize=size, RefinementDepth=depth,
-            **AS_THEY_ARE)
+        mesher = simple.CartesianMesher(Input=source, CellSize=size, RefinementDepth=depth)
         expected = on_one_rank(alone, size, depth)
         assert_same(mesher, expected)
 
     # The three filters are left to the first rank.
     boxer = simple.CartesianBoxer(Input=source, CellSize=size, RefinementDepth=depth)
     patcher = simple.Patcher(Input=source, Boxes=boxer)
-    assembler = simple.CellAssembler(Input=boxer, Patches=patcher, **AS_THEY_ARE)
+    assembler = simple.CellAssembler(Input=boxer, Patches=patcher)
     assert field(assembler, "Cells") == field(mesher, "Cells")
 
     # Asked for its second output only.
     faces = simple.Threshold(Input=simple.OutputPort(
-            simple.CartesianMesher(Input=source, CellSize=size, RefinementDepth=depth, **AS_THEY_ARE),
+            simple.CartesianMesher(Input=source, CellSize=size, RefinementDepth=depth),
             "Boundary"),
         Scalars=["CELLS", "OwnerCell"], LowerThreshold=0, UpperThreshold=1e9)
     faces.UpdatePipeline()
@@ -98,31 +96,21 @@ for i in range(ranks.GetLocalProcessId(), polygons.GetNumberOfCells(), ranks.Get
 output.VTKObject.SetPoints(inputs[0].VTKObject.GetPoints())
 output.VTKObject.SetPolys(mine)
 """)
-parts = simple.CartesianMesher(Input=spread, **AS_THEY_ARE)
-whole = simple.CartesianMesher(Input=read("cino_spot.obj"), **AS_THEY_ARE)
+parts = simple.CartesianMesher(Input=spread)
+whole = simple.CartesianMesher(Input=read("cino_spot.obj"))
 for name in "Cells", "BoxesInside", "BoxesIntersected":
     assert field(parts, name) == field(whole, name), name
-
-# The first rank makes all of a mesh whose cells are shaped.
-shaped = simple.CartesianMesher(Input=read("cino_spot.obj"), CellSize=0.1)
-alone = vtkCartesianMesher()
-obj = vtkOBJReader()
-obj.SetFileName(str(DATA / "cino_spot.obj"))
-alone.SetInputConnection(obj.GetOutputPort())
-alone.SetCellSize(0.1)
-alone.Update()
-assert field(shaped, "Cells") == alone.GetOutputDataObject(0).GetNumberOfCells()
-assert_identical("the mesh of the first rank",
-    shaped.SMProxy.GetClientSideObject().GetOutputDataObject(0), alone.GetOutputDataObject(0))
 
 # What one rank would say is wrong all say, and none waits for another.
 refused = simple.CartesianMesher(Input=simple.Sphere(), CellSize=-1)
 refused.UpdatePipeline()
 assert refused.GetDataInformation().GetNumberOfCells() == 0
 
+obj = vtkOBJReader()
+obj.SetFileName(str(DATA / "cino_spot.obj"))
 # Ghost cells close the gaps between parts: the quality is that of the mesh on one rank.
 MEASURES = "Cells", "TotalVolume", "MinVolume", "MaxConcavity", "MaxNonOrthogonality", "MinFaceWeight"
-mesher = simple.CartesianMesher(Input=read("cino_spot.obj"), CellSize=0.05, **AS_THEY_ARE)
+mesher = simple.CartesianMesher(Input=read("cino_spot.obj"), CellSize=0.05)
 with tempfile.TemporaryDirectory() as folder:
     writer = vtkXMLUnstructuredGridWriter()
     writer.SetFileName(f"{folder}/mesh.vtu")

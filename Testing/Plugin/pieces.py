@@ -5,18 +5,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
-# What is made in pieces so far: cells as boxes and patches leave them.
-AS_THEY_ARE = {"CollapseRatio": 0, "SmallCells": "Remove", "SplitConcaveCells": 0}
-
 CELL_ARRAYS = "GlobalBox", "Level", "Region", "VolumeFraction", "CellId"
-
-
-def leave_cells(mesher):
-    """AS_THEY_ARE, of a filter of VTK's."""
-    mesher.SetCollapseRatio(0)
-    mesher.SetSmallCells(mesher.Remove)
-    mesher.SetSplitConcaveCells(False)
-    return mesher
 
 
 def load(path):
