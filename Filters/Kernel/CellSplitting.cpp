@@ -16,6 +16,9 @@ constexpr std::size_t CellsAChunk = 16;
 // A cell tries as many cuts for a start, the worst concave edges first.
 constexpr std::size_t MostCandidates = 8;
 
+// Cells of more faces stay whole: the time to look for a cut grows with the square of their number.
+constexpr std::size_t MostFaces = 1000;
+
 // Edges bent by less than this (as a sine) are flat.
 constexpr double LeastBend = 1e-3;
 
@@ -46,7 +49,7 @@ struct ConcaveEdge
 struct Proposal
 {
   CellKey key;
-  double area; // of the faces at fault
+  double area = 0; // of the faces at fault
   CellView view;
   std::vector<CellCut> cuts; // the fittest last
 };
@@ -302,6 +305,10 @@ private:
 void propose(const CellComplex& cells, double leastFraction, Proposal& proposal)
 {
   cells.view({ proposal.key }, proposal.view);
+  if (proposal.view.shape.faces() > MostFaces)
+  {
+    return;
+  }
   cells.lookBeyond(proposal.key, proposal.view);
   CellShape shape;
   measure(proposal.view.shape, shape);
