@@ -154,6 +154,7 @@ private:
 
   std::int32_t boundaryOf(std::uint32_t face) const;
   void removeFace(CellKey key, std::uint32_t face);
+  void dropTwins(std::vector<FaceUse>& faces, std::size_t ofSmall);
 
   void writeNodes();
   std::vector<std::uint32_t> promote();
