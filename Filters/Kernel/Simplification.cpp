@@ -16,7 +16,7 @@ const double Degree = std::acos(-1.0) / 180;
 constexpr double MostConcave = 1e-3;
 
 // Of a polygon that others are merged into: the time grows with the square of their number.
-constexpr std::uint32_t MostCorners = 512;
+constexpr std::uint32_t MostCorners = 128;
 
 double angleBetween(const Vector& a, const Vector& b)
 {
