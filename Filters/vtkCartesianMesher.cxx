@@ -96,6 +96,7 @@ cartesian::CellSpec vtkCartesianMesher::MakeCellSpec()
     this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove;
   spec.mergeRatio = this->MergeRatio;
   spec.splitConcave = this->SplitConcaveCells;
+  spec.refusedCellRatio = this->RefusedCellRatio;
   return spec;
 }
 
@@ -336,6 +337,7 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MergeRatio: " << this->MergeRatio << "\n";
   os << indent << "SplitConcaveCells: " << this->SplitConcaveCells << "\n";
   os << indent << "InPieces: " << this->InPieces << "\n";
+  os << indent << "RefusedCellRatio: " << this->RefusedCellRatio << "\n";
   os << indent << "SmallCellRatio: " << this->SmallCellRatio << "\n";
   PrintColumn(os, indent, "BoundaryNames", this->BoundaryNames);
   PrintColumn(os, indent, "BoundaryTypes", this->BoundaryTypes);

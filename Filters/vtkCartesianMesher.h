@@ -102,6 +102,8 @@ public:
    */
   vtkSetMacro(SmallCellRatio, double);
   vtkGetMacro(SmallCellRatio, double);
+  vtkSetMacro(RefusedCellRatio, double);
+  vtkGetMacro(RefusedCellRatio, double);
   ///@}
 
   ///@{
@@ -153,6 +155,7 @@ protected:
   double MergeRatio = 0.015;
   double SmallCellRatio = 1e-3;
   bool SplitConcaveCells = true;
+  double RefusedCellRatio = 2.5;
   bool InPieces = true;
   std::vector<std::string> BoundaryNames;
   std::vector<std::string> BoundaryTypes;

@@ -76,6 +76,7 @@ int vtkCellAssembler::RequestData(
       this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove;
     spec.mergeRatio = this->MergeRatio;
     spec.splitConcave = this->SplitConcaveCells;
+    spec.refusedCellRatio = this->RefusedCellRatio;
     spec.boundaryRatios = &ratios;
     cartesian::planStages(spec, execution);
     const cartesian::Assembly assembly(boxes, patches, spec, execution);
@@ -93,6 +94,7 @@ void vtkCellAssembler::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SmallCells: " << this->SmallCells << "\n";
   os << indent << "MergeRatio: " << this->MergeRatio << "\n";
   os << indent << "SplitConcaveCells: " << this->SplitConcaveCells << "\n";
+  os << indent << "RefusedCellRatio: " << this->RefusedCellRatio << "\n";
   os << indent << "SmallCellRatio: " << this->SmallCellRatio << "\n";
   PrintColumn(os, indent, "BoundaryNames", this->BoundaryNames);
   PrintColumn(os, indent, "BoundaryTypes", this->BoundaryTypes);

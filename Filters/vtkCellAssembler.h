@@ -13,6 +13,7 @@
  * array of one number each (Cells, Hexahedra, Polyhedra, Points, BoundaryFaces, BoxesInside,
  * BoxesIntersected, BoxesByExactFit, BoxesRebuilt, BoxesFlawed, Patches, SmallCellsRemoved,
  * SmallCellsMerged, CellsSplit, CellsWithJoinedFaces (boundary faces of any angle made one),
+ * RefusedPartsCarved and RefusedCellsRemoved (what solvers would refuse),
  * IsolatedCells, VoidsInsideCells, FoldsLeftOut), and numbers of cells as in vtkFiniteVolumeQuality:
  * BoundaryAngleFailures, InnerAngleFailures, OpennessFailures, VolumeFailures.
  * For vtkPolyMeshWriter: cell array CellId (number of the cell) and field data array
@@ -97,6 +98,16 @@ public:
 
   ///@{
   /**
+   * Where concave cells are split and the patches are not exact: what solvers would refuse (section 3,
+   * checkMesh) and nothing mends is left out, up to as many volumes of its box; default 2.5. 0: none
+   * is. Boundaries with a small cell ratio of their own keep larger ones.
+   */
+  vtkSetMacro(RefusedCellRatio, double);
+  vtkGetMacro(RefusedCellRatio, double);
+  ///@}
+
+  ///@{
+  /**
    * What is special about boundaries, by name, a row each: the type that vtkPolyMeshWriter gives the
    * patch (automatic, patch, wall, symmetry, symmetryPlane, empty), and what stands for
    * SmallCellRatio in cells whose patches are mostly of it (section 4.10). As many types and ratios
@@ -127,6 +138,7 @@ protected:
   double MergeRatio = 0.015;
   double SmallCellRatio = 1e-3;
   bool SplitConcaveCells = true;
+  double RefusedCellRatio = 2.5;
   std::vector<std::string> BoundaryNames;
   std::vector<std::string> BoundaryTypes;
   std::vector<double> BoundaryRatios;

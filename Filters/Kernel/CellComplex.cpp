@@ -166,6 +166,20 @@ void CellComplex::shape(CellKey key, Polyhedron& shape) const
   forEachFace(key, [&](const FaceUse& use) { addFaceTo(shape, use, origin); });
 }
 
+void CellComplex::lookAround(CellKey key, MeasuredCell& cell) const
+{
+  shape(key, cell.shape);
+  measure(cell.shape, cell.measures);
+  const Point& origin = boxes_.boxes[boxOf(key)].low;
+  cell.across.clear();
+  cell.beyond.clear();
+  forEachFace(key, [&](const FaceUse& use) {
+    const bool boundary = cell.shape.isBoundary[cell.across.size()] != 0;
+    cell.across.push_back(boundary ? CellKey(None) : across(use));
+    cell.beyond.push_back(boundary ? Beyond{} : placeAndVolume(cell.across.back(), origin));
+  });
+}
+
 Beyond CellComplex::placeAndVolume(CellKey key, const Point& origin) const
 {
   const Box& box = boxes_.boxes[boxOf(key)];
@@ -275,7 +289,7 @@ std::vector<CellKey> CellComplex::polyhedra() const
   const auto others = static_cast<std::ptrdiff_t>(keys.size());
   for (const auto& [key, open] : openOfOther_)
   {
-    if (open_[open].alive && open_[open].changed)
+    if (isAlive(key) && open_[open].changed)
     {
       keys.push_back(key);
     }

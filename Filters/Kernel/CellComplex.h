@@ -14,6 +14,15 @@
 namespace cartesian
 {
 
+// A cell and what is beyond each of its faces.
+struct MeasuredCell
+{
+  Polyhedron shape; // without nodes in common; the origin is the lower corner of its box
+  CellShape measures;
+  std::vector<CellKey> across; // or None
+  std::vector<Beyond> beyond;
+};
+
 class CellComplex
 {
 public:
@@ -29,6 +38,7 @@ public:
 
   // Without nodes in common: for measures only.
   void shape(CellKey key, Polyhedron& shape) const;
+  void lookAround(CellKey key, MeasuredCell& cell) const;
 
   // The cells beyond its faces that are alive, each with the area between them (lattice levels),
   // the largest first.
@@ -41,16 +51,18 @@ public:
   bool isOpen(CellKey key) const { return opened(key) != nullptr; }
   bool isAlive(CellKey key) const; // neither removed nor merged
 
+  // Hexahedra that nobody has opened do not.
+  bool hasFaces(CellKey key) const { return key < cells_.size() || isOpen(key); }
+
   void open(CellKey key);
 
   // The cells that a cut changes, `key` first: beyond cut faces, and around cut edges. Opens them.
   std::vector<CellKey> touchedBy(CellKey key, const CellView& view, const CellCut& cut);
 
-  // Whether a new point of a cut of the first cell falls on a node of these cells, or on another, or
-  // spoils the star triangulation of a face, or a piece of a face is one that the cell beyond has
-  // already.
-  bool meetsNode(
-    const std::vector<CellKey>& touched, const CellView& view, const CellCut& cut) const;
+  // Whether a cut of the first of these cells spoils none of them: no new point falls on a node of
+  // theirs, or on another, or spoils the star triangulation of a face, no piece of a face is one that
+  // the cell beyond has already, and none of the others is thin.
+  bool allows(const std::vector<CellKey>& touched, const CellView& view, const CellCut& cut) const;
 
   // Cuts an opened cell. The first part keeps its key. Appends the keys of all parts.
   void cut(CellKey key, const CellView& view, const CellCut& cut, std::vector<CellKey>& parts);
@@ -68,8 +80,11 @@ public:
   // Makes each group of faces of an opened cell, seen so, one.
   void join(CellKey key, const CellView& view, const JoinedFaces& joined);
 
-  // That most of its patches belong to, or NoBoundary.
+  // That most of its patches belonged to, or NoBoundary.
   std::int32_t boundaryOfCell(CellKey key) const;
+
+  // Of its boundary faces as they are now, that with the largest area, or NoBoundary.
+  std::int32_t mainBoundary(CellKey key) const;
 
   // In lattice levels.
   double volumeOfBox(CellKey key) const;
@@ -142,6 +157,8 @@ private:
   std::vector<CellKey> cellsAround(CellKey key, std::uint32_t u, std::uint32_t v);
   std::uint32_t own(std::uint32_t face, CellKey cell);
   Point placeOf(CellKey key, const CellCut::Point& point) const;
+  bool meetsNode(
+    const std::vector<CellKey>& touched, const CellView& view, const CellCut& cut) const;
   bool meetsFace(const CellView& view, const CellCut& cut) const;
   bool losesStar(const FaceUse& use, CellKey key, const CellView& view, const CellCut& cut) const;
   std::uint32_t addNode(const Point& place);

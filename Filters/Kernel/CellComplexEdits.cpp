@@ -170,6 +170,19 @@ Point CellComplex::placeOf(CellKey key, const CellCut::Point& point) const
   return place;
 }
 
+bool CellComplex::allows(
+  const std::vector<CellKey>& touched, const CellView& view, const CellCut& cut) const
+{
+  const auto thin = [&](CellKey key) {
+    Polyhedron polyhedron;
+    CellShape measures;
+    shape(key, polyhedron);
+    measure(polyhedron, measures);
+    return isThin(measures);
+  };
+  return !meetsNode(touched, view, cut) && std::none_of(touched.begin() + 1, touched.end(), thin);
+}
+
 bool CellComplex::meetsNode(
   const std::vector<CellKey>& touched, const CellView& view, const CellCut& cut) const
 {
@@ -482,7 +495,6 @@ bool CellComplex::hasFaceNear(CellKey key, std::vector<std::uint32_t> nodes) con
 {
   std::sort(nodes.begin(), nodes.end());
   std::vector<CellKey> near{ key };
-  const auto isListed = [&](CellKey k) { return k < cells_.size() || opened(k); };
   for (std::size_t ring = 0, begin = 0; ring < 2; ++ring)
   {
     const std::size_t end = near.size();
@@ -490,7 +502,7 @@ bool CellComplex::hasFaceNear(CellKey key, std::vector<std::uint32_t> nodes) con
     {
       forEachFace(near[begin], [&](const FaceUse& use) {
         const CellKey other = across(use);
-        if (other != None && isListed(other) &&
+        if (other != None && hasFaces(other) &&
           std::find(near.begin(), near.end(), other) == near.end())
         {
           near.push_back(other);
@@ -515,7 +527,9 @@ bool CellComplex::hasFaceNear(CellKey key, std::vector<std::uint32_t> nodes) con
 void CellComplex::remove(CellKey key)
 {
   changed_ = true;
+  const std::int32_t boundary = mainBoundary(key);
   open(key);
+  opened(key)->boundary = boundary;
   opened(key)->removed = true;
   opened(key)->changed = true;
 }
@@ -530,6 +544,26 @@ std::int32_t CellComplex::boundaryOfCell(CellKey key) const
 {
   const OpenCell* cell = opened(key);
   return cell ? cell->boundary : cells_.cells[key].boundary;
+}
+
+std::int32_t CellComplex::mainBoundary(CellKey key) const
+{
+  MeasuredCell cell;
+  lookAround(key, cell);
+  std::map<std::int32_t, double> areas;
+  std::size_t face = 0;
+  forEachFace(key, [&](const FaceUse& use) {
+    if (cell.across[face] == None)
+    {
+      const CellKey other = across(use);
+      areas[other == None ? boundaryOf(use.face) : boundaryOfCell(other)] +=
+        norm(cell.measures.faces[face].area);
+    }
+    ++face;
+  });
+  const auto most = std::max_element(
+    areas.begin(), areas.end(), [](const auto& x, const auto& y) { return x.second < y.second; });
+  return most == areas.end() ? NoBoundary : most->first;
 }
 
 void CellComplex::removeFace(CellKey key, std::uint32_t face)

@@ -79,6 +79,41 @@ double ownCosine(const CellShape& shape, std::size_t face)
   return cosine(minus(f.centre, shape.centre), f.area);
 }
 
+void addFaults(const Polyhedron& cell, const CellShape& shape, std::size_t f, const Beyond& beyond,
+  Fitness& fitness)
+{
+  const FaceShape& face = shape.faces[f];
+  const double own = ownCosine(shape, f);
+  const auto note = [&](
+                      Fitness::Fault fault, bool holds) { fitness.faults[fault] += holds ? 1 : 0; };
+  bool steep = false;
+  bool skewed = false;
+  if (cell.isBoundary[f])
+  {
+    steep = own <= LeastBoundaryCosine;
+    skewed = isBoundarySkewed(cell, shape, f);
+    note(Fitness::BoundaryAngle, steep);
+  }
+  else if (beyond.volume > 0)
+  {
+    const Vector between = minus(beyond.centre, shape.centre);
+    const double others = cosine(minus(beyond.centre, face.centre), face.area);
+    steep = std::min(own, others) < LeastInnerCosine;
+    skewed = isInnerSkewed(cell, shape, f, between);
+    note(Fitness::InnerAngle, steep);
+    note(Fitness::Wrong, std::min({ own, others, dot(between, face.area) }) <= 0);
+    note(Fitness::Steep, cosine(between, face.area) < LeastSlopeCosine);
+    note(Fitness::Uneven,
+      std::min(shape.volume, beyond.volume) <
+        LeastVolumeRatio * std::max(shape.volume, beyond.volume));
+    const double near = std::abs(dot(minus(face.centre, shape.centre), face.area));
+    const double far = std::abs(dot(minus(beyond.centre, face.centre), face.area));
+    note(Fitness::Lopsided, std::min(near, far) < LeastFaceWeight * (near + far));
+  }
+  note(cell.isBoundary[f] ? Fitness::BoundarySkewed : Fitness::InnerSkewed, skewed);
+  fitness.area += steep || skewed ? norm(face.area) : 0;
+}
+
 }
 
 int Fitness::count() const
@@ -126,43 +161,20 @@ Fitness fitnessOf(const Polyhedron& cell, const CellShape& shape, const std::vec
   Fitness fitness;
   for (std::size_t f = 0; f < cell.faces(); ++f)
   {
-    if (!counts.empty() && !counts[f])
+    if (counts.empty() || counts[f])
     {
-      continue;
+      addFaults(cell, shape, f, beyond[f], fitness);
     }
-    const FaceShape& face = shape.faces[f];
-    const double own = ownCosine(shape, f);
-    const auto note = [&](Fitness::Fault fault, bool holds) {
-      fitness.faults[fault] += holds ? 1 : 0;
-    };
-    bool steep = false;
-    bool skewed = false;
-    if (cell.isBoundary[f])
-    {
-      steep = own <= LeastBoundaryCosine;
-      skewed = isBoundarySkewed(cell, shape, f);
-      note(Fitness::BoundaryAngle, steep);
-    }
-    else if (beyond[f].volume > 0)
-    {
-      const Vector between = minus(beyond[f].centre, shape.centre);
-      const double others = cosine(minus(beyond[f].centre, face.centre), face.area);
-      steep = std::min(own, others) < LeastInnerCosine;
-      skewed = isInnerSkewed(cell, shape, f, between);
-      note(Fitness::InnerAngle, steep);
-      note(Fitness::Wrong, std::min({ own, others, dot(between, face.area) }) <= 0);
-      note(Fitness::Steep, cosine(between, face.area) < LeastSlopeCosine);
-      note(Fitness::Uneven,
-        std::min(shape.volume, beyond[f].volume) <
-          LeastVolumeRatio * std::max(shape.volume, beyond[f].volume));
-      const double near = std::abs(dot(minus(face.centre, shape.centre), face.area));
-      const double far = std::abs(dot(minus(beyond[f].centre, face.centre), face.area));
-      note(Fitness::Lopsided, std::min(near, far) < LeastFaceWeight * (near + far));
-    }
-    note(cell.isBoundary[f] ? Fitness::BoundarySkewed : Fitness::InnerSkewed, skewed);
-    fitness.area += steep || skewed ? norm(face.area) : 0;
   }
   return fitness;
+}
+
+bool isRefused(
+  const Polyhedron& cell, const CellShape& shape, std::size_t face, const Beyond& beyond)
+{
+  Fitness fitness;
+  addFaults(cell, shape, face, beyond, fitness);
+  return fitness.faults[Fitness::InnerAngle] > 0 || !fitness.isNoLessValidThan({});
 }
 
 bool isAtFault(const Polyhedron& cell, const CellShape& shape, std::size_t face)

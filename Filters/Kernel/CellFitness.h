@@ -54,6 +54,10 @@ struct Fitness
 Fitness fitnessOf(const Polyhedron& cell, const CellShape& shape, const std::vector<Beyond>& beyond,
   const std::vector<std::uint8_t>& counts = {});
 
+// Whether a face breaks a rule of section 3, or checkMesh refuses it.
+bool isRefused(
+  const Polyhedron& cell, const CellShape& shape, std::size_t face, const Beyond& beyond);
+
 // Whether a face is at fault that no look at other cells is needed for.
 bool isAtFault(const Polyhedron& cell, const CellShape& shape, std::size_t face);
 bool isAnyAtFault(const Polyhedron& cell, const CellShape& shape);

@@ -1,6 +1,8 @@
 #include "CellShaping.h"
 
+#include "CellCarving.h"
 #include "CellSplitting.h"
+#include "RefusedCells.h"
 #include "SmallCells.h"
 
 #include <algorithm>
@@ -133,20 +135,18 @@ bool mendFace(CellComplex& complex, CellKey key)
   return true;
 }
 
-// What could not be merged and is small beyond use.
-std::size_t removeSmallCells(CellComplex& complex, const CellSpec& spec)
+// Those below a part of their box: R of their boundary, but not more than `most`.
+void removeSmallCells(CellComplex& complex, const CellSpec& spec, double most)
 {
-  std::size_t removed = 0;
   for (const CellKey key : complex.polyhedra())
   {
-    const double ratio = ratioOf(spec, complex.boundaryOfCell(key));
+    const double ratio =
+      std::min(ratioOf(spec, complex.boundaryOfCell(key), spec.smallCellRatio), most);
     if (complex.volume(key) < ratio * complex.volumeOfBox(key))
     {
       complex.remove(key);
-      ++removed;
     }
   }
-  return removed;
 }
 
 // Joins faces of a cell at fault where that helps, whatever angle they meet at; returns whether it did.
@@ -180,6 +180,7 @@ public:
 
   Shaping run()
   {
+    removeSmall(Sliver);
     merge(false);
     for (int pass = 0; spec_.splitConcave && pass < Passes; ++pass)
     {
@@ -188,9 +189,10 @@ public:
       merge(true);
       mend();
     }
-    if (spec_.smallCells == SmallCells::Merge && !exact_)
+    removeSmall(1);
+    if (spec_.splitConcave && spec_.refusedCellRatio > 0 && !exact_)
     {
-      shaping_.cellsRemoved = removeSmallCells(complex_, spec_);
+      removeRefused();
     }
     return shaping_;
   }
@@ -199,6 +201,29 @@ private:
   std::vector<CellKey> atFault() const
   {
     return cellsAtFault(complex_, complex_.polyhedra(), execution_);
+  }
+
+  // What cannot be merged is small beyond use.
+  void removeSmall(double most)
+  {
+    if (spec_.smallCells == SmallCells::Merge && !exact_)
+    {
+      removeSmallCells(complex_, spec_, most);
+    }
+  }
+
+  // The smallest first, as a removal may be enough for the neighbours. What it exposes can be mended;
+  // what is too large to go can lose a part.
+  void removeRefused()
+  {
+    for (const double share : { 0.04, 0.2, 0.4, 1.0, 1.0 })
+    {
+      mend();
+      shaping_.partsCarved += carveCells(complex_, atFault(), MostCarved, execution_);
+      mend();
+      const double largest = share * spec_.refusedCellRatio;
+      shaping_.refusedCellsRemoved += removeRefusedCells(complex_, spec_, largest, execution_);
+    }
   }
 
   void merge(bool mend)
@@ -238,6 +263,13 @@ private:
   // What one pass has left the second mends in part; a third finds hardly anything.
   static constexpr int Passes = 2;
   static constexpr double OnOnePlane = 1;
+
+  // Cells below this part of their box are a wall next to a meshline: merged, they would stick out of
+  // their neighbour.
+  static constexpr double Sliver = 1e-4;
+
+  // A carved cell loses no more than this part of its box.
+  static constexpr double MostCarved = 0.5;
 
   CellComplex& complex_;
   const CellSpec& spec_;

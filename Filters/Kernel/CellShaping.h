@@ -10,8 +10,10 @@ struct Shaping
 {
   std::size_t cellsSplit = 0; // cuts
   std::size_t cellsMerged = 0;
-  std::size_t cellsMended = 0;  // got a boundary face of several, of any angle: the paper's IP patches
-  std::size_t cellsRemoved = 0; // too small, and no neighbour to merge them with
+  std::size_t cellsMended =
+    0; // got a boundary face of several, of any angle: the paper's IP patches
+  std::size_t partsCarved = 0; // that solvers refuse; removed
+  std::size_t refusedCellsRemoved = 0;
 };
 
 // Whether there is anything to do.

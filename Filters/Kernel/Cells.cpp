@@ -538,7 +538,7 @@ private:
       cell.sliver = shell.volume < 0 || isSliver(shell);
       cell.removed = cell.sliver ||
         (spec_.smallCells == SmallCells::Remove &&
-          cell.volumeFraction < ratioOf(spec_, cell.boundary));
+          cell.volumeFraction < ratioOf(spec_, cell.boundary, spec_.smallCellRatio));
       part.cells.push_back(cell);
       for (const std::uint32_t f : shell.faces)
       {
@@ -644,7 +644,7 @@ Cells join(const std::vector<Part>& parts, std::size_t boxes, Execution& executi
 
 }
 
-double ratioOf(const CellSpec& spec, std::int32_t boundary)
+double ratioOf(const CellSpec& spec, std::int32_t boundary, double otherwise)
 {
   if (spec.boundaryRatios)
   {
@@ -656,7 +656,7 @@ double ratioOf(const CellSpec& spec, std::int32_t boundary)
       }
     }
   }
-  return spec.smallCellRatio;
+  return otherwise;
 }
 
 void findCellsOfInnerFaces(const InnerFaces& inner, Cells& cells, Execution& execution)

@@ -106,12 +106,16 @@ struct CellSpec
 
   bool splitConcave = true; // cells that fail an angle condition of section 3
 
+  // Where cells are split: what solvers refuse and nothing mends is removed, up to as many volumes of
+  // its box; 0: none.
+  double refusedCellRatio = 2.5;
+
   const std::vector<BoundaryRatio>* boundaryRatios =
     nullptr; // the caller's, if any; each boundary once
 };
 
-// R of cells most of whose patches are of that boundary.
-double ratioOf(const CellSpec& spec, std::int32_t boundary);
+// R of cells most of whose patches are of that boundary: its own, or else this.
+double ratioOf(const CellSpec& spec, std::int32_t boundary, double otherwise);
 
 // Calls visit(node) for the corners of a face, counter-clockwise from outside its cell.
 template <class Visitor>

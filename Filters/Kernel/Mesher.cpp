@@ -190,6 +190,11 @@ Assembly::Assembly(
       checkRatio(own.ratio);
     }
   }
+  if (!(spec.refusedCellRatio >= 0))
+  {
+    throw Error(Fault::BadParameter,
+      "Refused Cell Ratio is " + number(spec.refusedCellRatio) + ": it must not be negative.");
+  }
   if (!(spec.collapseRatio >= 0 && spec.collapseRatio <= MostCollapseRatio))
   {
     throw Error(Fault::BadParameter,
@@ -386,6 +391,8 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
     }
   }
   const auto cells = static_cast<double>(mesh_->cellCount());
+  const auto carved = static_cast<double>(shaping_.partsCarved);
+  const auto refused = static_cast<double>(shaping_.refusedCellsRemoved);
   const auto boxesBecause = [&](PatchReason reason) {
     return because[static_cast<std::size_t>(reason)];
   };
@@ -410,7 +417,9 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
     { "CellsSplit", static_cast<double>(shaping_.cellsSplit) },
     { "CellsWithJoinedFaces", static_cast<double>(shaping_.cellsMended) },
     { "SmallCellsMerged", static_cast<double>(shaping_.cellsMerged) },
-    { "SmallCellsRemoved", removed },
+    { "SmallCellsRemoved", removed - carved - refused },
+    { "RefusedPartsCarved", carved },
+    { "RefusedCellsRemoved", refused },
     { "IsolatedCells", isolated },
     { "VoidsInsideCells", static_cast<double>(cells_.voids) },
     { "FoldsLeftOut", static_cast<double>(cells_.folds) },

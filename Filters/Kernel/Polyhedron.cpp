@@ -1,5 +1,7 @@
 #include "Polyhedron.h"
 
+#include "CellGeometry.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,28 +30,9 @@ FaceShape shapeOf(const Polyhedron& cell, std::size_t face)
 {
   const std::size_t begin = cell.start[face];
   const std::size_t end = cell.start[face + 1];
-  const Vector mean = meanOf(cell, begin, end);
-  Vector twice{ 0, 0, 0 };
-  for (std::size_t i = begin; i < end; ++i)
-  {
-    const Vector p = minus(cell.nodes[cell.corners[i]], mean);
-    const Vector q = minus(cell.nodes[cell.corners[i + 1 < end ? i + 1 : begin]], mean);
-    twice = plus(twice, cross(p, q));
-  }
-  const double square = dot(twice, twice);
-  if (!(square > 0))
-  {
-    return { scaled(twice, 0.5), mean, mean };
-  }
-  // Triangles count by their area along the normal; their centres are a third of the way in.
-  Vector sum{ 0, 0, 0 };
-  for (std::size_t i = begin; i < end; ++i)
-  {
-    const Vector p = minus(cell.nodes[cell.corners[i]], mean);
-    const Vector q = minus(cell.nodes[cell.corners[i + 1 < end ? i + 1 : begin]], mean);
-    sum = plus(sum, scaled(plus(p, q), dot(cross(p, q), twice)));
-  }
-  return { scaled(twice, 0.5), plus(mean, scaled(sum, 1 / (3 * square))), mean };
+  const FaceGeometry geometry =
+    measureFace(end - begin, [&](std::size_t i) { return cell.nodes[cell.corners[begin + i]]; });
+  return { geometry.area, geometry.centre, meanOf(cell, begin, end) };
 }
 
 }
