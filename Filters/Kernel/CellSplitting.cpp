@@ -15,9 +15,6 @@ namespace
 
 constexpr std::size_t CellsAChunk = 16;
 
-// Cells of more faces stay whole: the time to look for a cut grows with the square of their number.
-constexpr std::size_t MostFaces = 1000;
-
 // A part smaller than this part of the cell is no use.
 constexpr double LeastPart = 1e-3;
 
@@ -71,10 +68,6 @@ std::optional<Fitness> fitnessAfter(const CellView& view, const CellCut& cut, do
 void propose(const CellComplex& cells, double leastFraction, Proposal& proposal)
 {
   cells.view({ proposal.key }, proposal.view);
-  if (proposal.view.shape.faces() > MostFaces)
-  {
-    return;
-  }
   cells.lookBeyond(proposal.key, proposal.view);
   CellShape shape;
   measure(proposal.view.shape, shape);
