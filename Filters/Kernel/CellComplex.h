@@ -221,6 +221,7 @@ private:
   std::int32_t boundaryOf(std::uint32_t face) const;
   void reachAsFarAs(CellKey small, CellKey into);
   void removeFace(CellKey key, std::uint32_t face);
+  void dropTwins(std::vector<FaceUse>& faces, std::size_t ofSmall);
 
   const CellsToShape& whole_;
   const Boxes& boxes_;

@@ -426,6 +426,49 @@ FaceUse CellComplex::addPiece(FaceUse use, CellKey cell, Shaped piece, std::uint
 
 // --- joining
 
+// Boundary faces of two cells that lie back to back enclose nothing once the cells are one. `ofSmall`: from
+// there on, faces are the second cell's.
+void CellComplex::dropTwins(std::vector<FaceUse>& faces, std::size_t ofSmall)
+{
+  const auto nodesOf = [&](const FaceUse& use) {
+    std::vector<std::uint32_t> nodes;
+    forEachNodeOf(use, [&](std::uint32_t node) { nodes.push_back(node); });
+    std::sort(nodes.begin(), nodes.end());
+    return nodes;
+  };
+  std::map<std::vector<std::uint32_t>, std::size_t> mine;
+  std::vector<std::uint8_t> isTwin(faces.size());
+  for (std::size_t f = ofSmall; f < faces.size(); ++f)
+  {
+    if (across(faces[f]) == None)
+    {
+      mine.emplace(nodesOf(faces[f]), f);
+    }
+  }
+  for (std::size_t f = 0; f < ofSmall && !mine.empty(); ++f)
+  {
+    if (across(faces[f]) == None)
+    {
+      const auto twin = mine.find(nodesOf(faces[f]));
+      isTwin[f] = twin != mine.end() ? 1 : 0;
+      isTwin[twin != mine.end() ? twin->second : f] = isTwin[f];
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    if (isTwin[f] == 0)
+    {
+      faces[kept++] = faces[f];
+    }
+    else if (isShaped(faces[f].face))
+    {
+      shaped(faces[f].face).used = false;
+    }
+  }
+  faces.resize(kept);
+}
+
 void CellComplex::merge(CellKey small, CellKey into)
 {
   changed_ = true;
@@ -443,6 +486,7 @@ void CellComplex::merge(CellKey small, CellKey into)
       faces.push_back(use);
     }
   }
+  const std::size_t ofSmall = faces.size();
   for (const FaceUse& use : from.faces)
   {
     if (!between(use, into))
@@ -454,6 +498,7 @@ void CellComplex::merge(CellKey small, CellKey into)
   {
     setCell(use, into);
   }
+  dropTwins(faces, ofSmall);
   to.faces = std::move(faces);
   to.changed = true;
   from.faces.clear();

@@ -98,6 +98,10 @@ bool mendFace(CellComplex& complex, CellKey key)
   CellView view;
   CellShape shape;
   complex.view({ key }, view);
+  if (view.faces.size() > MostFacesJoined)
+  {
+    return false;
+  }
   complex.lookBeyond(key, view);
   measure(view.shape, shape);
   const Fitness before = fitnessOf(view.shape, shape, view.beyond);

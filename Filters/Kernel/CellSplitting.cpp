@@ -24,7 +24,7 @@ constexpr int MostRounds = 100;
 struct Proposal
 {
   CellKey key;
-  double area; // of the faces at fault
+  double area = 0; // of the faces at fault
   CellView view;
   std::vector<CellCut> cuts; // the fittest last
 };

@@ -14,6 +14,9 @@ namespace
 // A cell tries as many cuts for a start, the worst concave edges first.
 constexpr std::size_t MostCandidates = 8;
 
+// Cells of more faces stay whole: the time to look for a cut grows with the square of their number.
+constexpr std::size_t MostFaces = 1000;
+
 // Edges bent by less than this (as a sine) are flat.
 constexpr double LeastBend = 1e-3;
 
@@ -240,6 +243,10 @@ private:
 FoundCuts searchCuts(
   const CellView& view, const CellShape& shape, const Fitness& before, const Judge& judge)
 {
+  if (view.shape.faces() > MostFaces)
+  {
+    return {};
+  }
   return Search(view, shape, before, judge).run();
 }
 

@@ -28,7 +28,8 @@ Duplicates findDuplicates(const Surface& surface, const SurfaceEdges& edges);
 // Groups that hang together are treated alike. One triangle of each stays where most of their edges
 // need it to be closed (a triangle written twice), or none cares (a body written twice). None stays
 // where most edges are closed without (a wall between two bodies that touch, a plate without
-// thickness). Of several boundaries, the lowest stays.
+// thickness); but where all edges were given consistently, as many stay as no other one cancels (a
+// wall of two bodies that overlap). Of several boundaries, the lowest stays.
 // Returns what was dropped, in order of groups.
 std::vector<Dropped> dropDuplicates(
   Surface& surface, const SurfaceEdges& edges, const Duplicates& duplicates);

@@ -262,7 +262,8 @@ private:
 
 JoinedFaces joinFaces(const CellView& view, double leastCosine)
 {
-  return Joiner(view, leastCosine).run();
+  constexpr double NoAngle = 2;
+  return Joiner(view, view.faces.size() > MostFacesJoined ? NoAngle : leastCosine).run();
 }
 
 std::vector<JoinedFaces> joinFace(const CellView& view, std::uint32_t face)

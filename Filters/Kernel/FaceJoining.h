@@ -17,6 +17,9 @@ struct JoinedFaces
   std::vector<Group> groups; // each face is in one
 };
 
+// Cells of more faces keep them all: the time to join grows with the square of their number.
+constexpr std::size_t MostFacesJoined = 1000;
+
 // `leastCosine`: of the angle between normals of boundary faces; 1: they lie on one plane; more: no
 // faces are joined at all.
 JoinedFaces joinFaces(const CellView& view, double leastCosine);

@@ -1,8 +1,6 @@
 #include "FlawedBoxes.h"
 
-#include "Loops.h"
-#include "MarchingCubes.h"
-#include "SideChords.h"
+#include "LoopPatches.h"
 
 #include <map>
 #include <tuple>
@@ -15,6 +13,9 @@ namespace
 
 // How far a chord between crossings of one line bends into the side, as a part of the side's width.
 constexpr int BendPart = 8;
+
+constexpr std::size_t SidesAChunk = 256;
+constexpr std::size_t BoxesAChunk = 64;
 
 // What one side sees on a line between neighbouring grid nodes: crossings[first, end), upward.
 struct Sight
@@ -64,11 +65,29 @@ struct RingCrossing
   int border;
 };
 
+// What is seen of one side after the other.
+struct SideView
+{
+  std::vector<SideEdge> chords;
+  std::vector<BorderNode> border;
+  std::vector<RingCrossing> ring;
+  std::vector<std::uint8_t> scratch;
+};
+
+// The lines around a chunk of sides.
+struct SeenLines
+{
+  std::vector<Sight> sights;
+  std::vector<LineCrossing> crossings;
+  std::vector<std::pair<std::uint32_t, Known>> statuses; // of grid nodes
+};
+
 class Rebuilder
 {
 public:
   Rebuilder(const Boxes& boxes, const Patches& patches, const Sides& sides, const Nodes& nodes,
-    const InnerFaces& inner, const std::vector<std::uint8_t>& flawed, GivenUp givenUp)
+    const InnerFaces& inner, const std::vector<std::uint8_t>& flawed, GivenUp givenUp,
+    Execution& execution)
     : boxes_(boxes)
     , patches_(patches)
     , sides_(sides)
@@ -76,6 +95,7 @@ public:
     , inner_(inner)
     , flawed_(flawed)
     , givenUp_(givenUp)
+    , execution_(execution)
     , sideChords_(boxes, patches, sides, nodes)
   {
   }
@@ -156,70 +176,103 @@ private:
     }
   }
 
-  // The net chords of a side as its patches have them.
-  void findChords(std::uint32_t s, const Rectangle& r)
+  // The net chords of a side as its patches have them, and its border.
+  void look(std::uint32_t s, const Rectangle& r, SideView& view) const
   {
-    sideChords_.find(s, r, chords_);
-    dropOpposite(chords_, scratch_);
+    sideChords_.find(s, r, view.chords);
+    dropOpposite(view.chords, view.scratch);
+    listBorder(nodes_.at, r, view.chords, view.border);
+  }
+
+  // The grid node after border[i], or the end.
+  std::size_t nextGridNode(const std::vector<BorderNode>& border, std::size_t i) const
+  {
+    std::size_t next = i + 1;
+    while (next < border.size() && !isGrid(border[next].node))
+    {
+      ++next;
+    }
+    return next;
   }
 
   void lookAtLines()
   {
-    status_.assign(nodes_.at.size(), static_cast<std::int8_t>(Known::Nothing));
-    for (const std::uint32_t s : nearSides_)
-    {
-      const Rectangle r = sideChords_.rectangle(s);
-      findChords(s, r);
-      listBorder(nodes_.at, r, chords_, border_);
-      for (std::size_t i = 0; i < border_.size();)
+    std::vector<SeenLines> seen(chunks(nearSides_.size(), SidesAChunk));
+    execution_.forEach(nearSides_.size(), SidesAChunk, [&](std::size_t begin, std::size_t end) {
+      SideView view;
+      for (std::size_t i = begin; i < end; ++i)
       {
-        if (border_[i].known != Known::Nothing && isGrid(border_[i].node))
-        {
-          status_[border_[i].node] = static_cast<std::int8_t>(border_[i].known);
-        }
-        std::size_t next = i + 1;
-        while (next < border_.size() && !isGrid(border_[next].node))
-        {
-          ++next;
-        }
-        addSight(s, i, next);
-        i = next;
+        lookAround(nearSides_[i], view, seen[begin / SidesAChunk]);
+      }
+    });
+    status_.assign(nodes_.at.size(), static_cast<std::int8_t>(Known::Nothing));
+    for (const SeenLines& part : seen)
+    {
+      for (const auto& [node, known] : part.statuses)
+      {
+        status_[node] = static_cast<std::int8_t>(known);
+      }
+      const auto before = static_cast<std::uint32_t>(crossings_.size());
+      crossings_.insert(crossings_.end(), part.crossings.begin(), part.crossings.end());
+      for (Sight sight : part.sights)
+      {
+        sight.first += before;
+        sight.end += before;
+        sights_.push_back(sight);
       }
     }
     std::sort(sights_.begin(), sights_.end());
   }
 
-  // The line between the grid nodes border_[i] and border_[next].
-  void addSight(std::uint32_t s, std::size_t i, std::size_t next)
+  void lookAround(std::uint32_t s, SideView& view, SeenLines& seen) const
   {
+    look(s, sideChords_.rectangle(s), view);
+    const std::vector<BorderNode>& border = view.border;
+    for (std::size_t i = 0; i < border.size();)
+    {
+      if (border[i].known != Known::Nothing && isGrid(border[i].node))
+      {
+        seen.statuses.emplace_back(border[i].node, border[i].known);
+      }
+      const std::size_t next = nextGridNode(border, i);
+      addSight(s, border, i, next, seen);
+      i = next;
+    }
+  }
+
+  // The line between the grid nodes border[i] and border[next].
+  static void addSight(std::uint32_t s, const std::vector<BorderNode>& border, std::size_t i,
+    std::size_t next, SeenLines& seen)
+  {
+    std::vector<LineCrossing>& crossings = seen.crossings;
     Sight sight;
-    sight.low = border_[i].node;
-    sight.high = border_[next < border_.size() ? next : 0].node;
+    sight.low = border[i].node;
+    sight.high = border[next < border.size() ? next : 0].node;
     sight.side = s;
-    sight.first = static_cast<std::uint32_t>(crossings_.size());
+    sight.first = static_cast<std::uint32_t>(crossings.size());
     for (std::size_t k = i + 1; k < next; ++k)
     {
-      if (crossings_.size() > sight.first && crossings_.back().node == border_[k].node)
+      if (crossings.size() > sight.first && crossings.back().node == border[k].node)
       {
-        crossings_.back().change += border_[k].change;
+        crossings.back().change += border[k].change;
       }
       else
       {
-        crossings_.push_back({ border_[k].node, border_[k].change });
+        crossings.push_back({ border[k].node, border[k].change });
       }
     }
-    const auto begin = crossings_.begin() + sight.first;
-    crossings_.erase(std::remove_if(begin, crossings_.end(),
-                       [](const LineCrossing& crossing) { return crossing.change == 0; }),
-      crossings_.end());
-    if (border_[i].border >= 2)
+    const auto begin = crossings.begin() + sight.first;
+    crossings.erase(std::remove_if(begin, crossings.end(),
+                      [](const LineCrossing& crossing) { return crossing.change == 0; }),
+      crossings.end());
+    if (border[i].border >= 2)
     {
       std::swap(sight.low, sight.high);
-      std::reverse(begin, crossings_.end());
-      std::for_each(begin, crossings_.end(), [](LineCrossing& c) { c.change = -c.change; });
+      std::reverse(begin, crossings.end());
+      std::for_each(begin, crossings.end(), [](LineCrossing& c) { c.change = -c.change; });
     }
-    sight.end = static_cast<std::uint32_t>(crossings_.size());
-    sights_.push_back(sight);
+    sight.end = static_cast<std::uint32_t>(crossings.size());
+    seen.sights.push_back(sight);
   }
 
   int changeAlong(const Sight& sight) const
@@ -369,45 +422,52 @@ private:
       const bool forced = givenUp_ != GivenUp::Nothing && isOfFlawed(s);
       if (sideChanges_[s] != 0 || inner_.flawed[s] != 0 || forced)
       {
-        newChordsOf_[s] = static_cast<std::uint32_t>(newChords_.size());
+        newChordsOf_[s] = static_cast<std::uint32_t>(changed_.size());
         changed_.push_back(s);
-        newChords_.push_back(chordsBetweenCrossings(s));
       }
+    }
+    newChords_.resize(changed_.size());
+    execution_.forEach(changed_.size(), SidesAChunk, [&](std::size_t begin, std::size_t end) {
+      SideView view;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        newChords_[i] = chordsBetweenCrossings(changed_[i], view);
+      }
+    });
+    for (std::size_t i = 0; i < changed_.size(); ++i)
+    {
+      bendAlongBorder(sideChords_.rectangle(changed_[i]), newChords_[i]);
     }
   }
 
   // The crossings around a side, as far as they change the status in turns.
-  void walkRound(std::uint32_t s, const Rectangle& r)
+  void walkRound(std::uint32_t s, SideView& view) const
   {
-    findChords(s, r);
-    listBorder(nodes_.at, r, chords_, border_);
-    ring_.clear();
-    int status = status_[border_.front().node];
+    look(s, sideChords_.rectangle(s), view);
+    view.ring.clear();
+    int status = status_[view.border.front().node];
     const auto pass = [&](std::uint32_t node, int change, int border) {
       if (status + change == 0 || status + change == 1)
       {
         status += change;
-        ring_.push_back({ node, change, border });
+        view.ring.push_back({ node, change, border });
       }
     };
-    for (std::size_t i = 0; i < border_.size();)
+    for (std::size_t i = 0; i < view.border.size();)
     {
-      std::size_t next = i + 1;
-      while (next < border_.size() && !isGrid(border_[next].node))
-      {
-        ++next;
-      }
-      passLine(i, next, pass);
+      const std::size_t next = nextGridNode(view.border, i);
+      passLine(view.border, i, next, pass);
       i = next;
     }
   }
 
   template <class Visitor>
-  void passLine(std::size_t i, std::size_t next, Visitor&& pass)
+  void passLine(
+    const std::vector<BorderNode>& border, std::size_t i, std::size_t next, Visitor&& pass) const
   {
-    const bool down = border_[i].border >= 2;
-    const std::uint32_t here = border_[i].node;
-    const std::uint32_t there = border_[next < border_.size() ? next : 0].node;
+    const bool down = border[i].border >= 2;
+    const std::uint32_t here = border[i].node;
+    const std::uint32_t there = border[next < border.size() ? next : 0].node;
     const NewLine key{ down ? there : here, down ? here : there, { None, 0 } };
     const auto line = std::lower_bound(newLines_.begin(), newLines_.end(), key);
     if (line != newLines_.end() && !(key < *line))
@@ -415,7 +475,7 @@ private:
       if (line->crossing.node != None)
       {
         pass(line->crossing.node, down ? -line->crossing.change : line->crossing.change,
-          border_[i].border);
+          border[i].border);
       }
       return;
     }
@@ -423,34 +483,34 @@ private:
     {
       int change = 0;
       const std::size_t first = k;
-      for (; k < next && border_[k].node == border_[first].node; ++k)
+      for (; k < next && border[k].node == border[first].node; ++k)
       {
-        change += border_[k].change;
+        change += border[k].change;
       }
       if (change != 0)
       {
-        pass(border_[first].node, change, border_[i].border);
+        pass(border[first].node, change, border[i].border);
       }
     }
   }
 
   // Each crossing out of the inside is joined to the next one into it, or to the one before: as fewer
   // chords run along the border, then as they are shorter.
-  std::vector<SideEdge> chordsBetweenCrossings(std::uint32_t s)
+  std::vector<SideEdge> chordsBetweenCrossings(std::uint32_t s, SideView& view) const
   {
-    const Rectangle r = sideChords_.rectangle(s);
-    walkRound(s, r);
+    walkRound(s, view);
+    const std::vector<RingCrossing>& ring = view.ring;
     std::vector<SideEdge> best;
     std::pair<std::size_t, double> bestCost{ 0, 0 };
-    const std::size_t n = ring_.size() - ring_.size() % 2;
+    const std::size_t n = ring.size() - ring.size() % 2;
     for (const std::size_t step : { std::size_t(1), n - 1 })
     {
       std::vector<SideEdge> chords;
       std::pair<std::size_t, double> cost{ 0, 0 };
       for (std::size_t i = 0; i < n; ++i)
       {
-        const RingCrossing& out = ring_[i];
-        const RingCrossing& in = ring_[(i + step) % n];
+        const RingCrossing& out = ring[i];
+        const RingCrossing& in = ring[(i + step) % n];
         if (out.change < 0)
         {
           chords.push_back({ out.node, in.node });
@@ -464,7 +524,6 @@ private:
         bestCost = cost;
       }
     }
-    bendAlongBorder(r, best);
     return best;
   }
 
@@ -500,176 +559,51 @@ private:
     }
   }
 
-  // The chords on a box's sides, as its patches run along them.
-  void gatherChords(std::size_t n)
+  // The new patches of all boxes that get some, by chunks of these boxes.
+  std::vector<Patches> makePatches(const std::vector<std::uint32_t>& rebuilt)
   {
-    boxChords_.clear();
-    normals_.clear();
-    for (std::size_t i = sides_.boxStart[n]; i < sides_.boxStart[n + 1]; ++i)
-    {
-      const auto [s, upper] = sides_.ofBox[i];
-      if (newChordsOf_[s] != None)
+    std::vector<Patches> parts(chunks(rebuilt.size(), BoxesAChunk));
+    execution_.forEach(rebuilt.size(), BoxesAChunk, [&](std::size_t begin, std::size_t end) {
+      LoopPatches maker(boxes_, patches_, sides_, nodes_, added_, newChordsOf_, newChords_);
+      Patches& part = parts[begin / BoxesAChunk];
+      part.start.push_back(0);
+      for (std::size_t i = begin; i < end; ++i)
       {
-        chords_ = newChords_[newChordsOf_[s]];
+        part.boxStart.push_back(part.triangle.size());
+        maker.add(rebuilt[i], part);
       }
-      else
-      {
-        findChords(s, sideChords_.rectangle(s));
-      }
-      const std::size_t axis = sides_.sides[s].axis;
-      Vector up{ 0, 0, 0 };
-      up[axis] = 1;
-      for (const SideEdge& chord : chords_)
-      {
-        boxChords_.push_back(upper ? SideEdge{ chord.to, chord.from } : chord);
-        normals_.push_back(unit(cross(minus(at(chord.to), at(chord.from)), up)));
-      }
-    }
+      part.boxStart.push_back(part.triangle.size());
+    });
+    return parts;
   }
 
-  std::uint32_t local(std::uint32_t node) const
+  // Those of the i-th box of `from`.
+  static void copyPatches(const Patches& from, std::size_t i, Patches& to)
   {
-    return static_cast<std::uint32_t>(
-      std::lower_bound(boxNodes_.begin(), boxNodes_.end(), node) - boxNodes_.begin());
-  }
-
-  void addBox(std::uint32_t n, Patches& result)
-  {
-    gatherChords(n);
-    const Box& box = boxes_.boxes[sides_.polyhedral[n]];
-    boxNodes_.clear();
-    for (const SideEdge& chord : boxChords_)
+    for (std::size_t p = from.boxStart[i]; p < from.boxStart[i + 1]; ++p)
     {
-      boxNodes_.push_back(chord.from);
-      boxNodes_.push_back(chord.to);
+      to.corners.insert(to.corners.end(), from.corners.begin() + std::ptrdiff_t(from.start[p]),
+        from.corners.begin() + std::ptrdiff_t(from.start[p + 1]));
+      to.start.push_back(to.corners.size());
+      to.triangle.push_back(from.triangle[p]);
+      to.boundary.push_back(from.boundary[p]);
     }
-    std::sort(boxNodes_.begin(), boxNodes_.end());
-    boxNodes_.erase(std::unique(boxNodes_.begin(), boxNodes_.end()), boxNodes_.end());
-    listLoopNodes(box);
-    listSources(n);
-    leaving_.assign(boxNodes_.size(), None);
-    sameFrom_.assign(boxChords_.size(), None);
-    for (std::uint32_t c = 0; c < boxChords_.size(); ++c)
-    {
-      const std::uint32_t from = local(boxChords_[c].from);
-      sameFrom_[c] = leaving_[from];
-      leaving_[from] = c;
-    }
-    for (const SideEdge& first : boxChords_)
-    {
-      walk_.clear();
-      for (std::uint32_t here = local(first.from); leaving_[here] != None;)
-      {
-        walk_.push_back(here);
-        const std::uint32_t c = leaving_[here];
-        leaving_[here] = sameFrom_[c];
-        here = local(boxChords_[c].to);
-      }
-      forEachSimpleLoop(walk_, [&](const std::uint32_t* begin, const std::uint32_t* end) {
-        triangulate(begin, end, result);
-      });
-    }
-  }
-
-  void listLoopNodes(const Box& box)
-  {
-    loopNodes_.assign(boxNodes_.size(), LoopNode{ 0, { 0, 0, 0 }, { 0, 0, 0 }, 0 });
-    for (std::size_t c = 0; c < boxChords_.size(); ++c)
-    {
-      for (const std::uint32_t node : { boxChords_[c].from, boxChords_[c].to })
-      {
-        LoopNode& loopNode = loopNodes_[local(node)];
-        loopNode.normal = plus(loopNode.normal, normals_[c]);
-      }
-    }
-    for (std::uint32_t i = 0; i < boxNodes_.size(); ++i)
-    {
-      const Point& p = at(boxNodes_[i]);
-      loopNodes_[i].id = boxNodes_[i];
-      loopNodes_[i].at = minus(p, box.low);
-      loopNodes_[i].normal = unit(loopNodes_[i].normal);
-      loopNodes_[i].planes = planesOf(box, p);
-    }
-  }
-
-  void triangulate(const std::uint32_t* begin, const std::uint32_t* end, Patches& result)
-  {
-    loop_.clear();
-    for (const std::uint32_t* node = begin; node != end; ++node)
-    {
-      loop_.push_back(loopNodes_[*node]);
-    }
-    for (const auto& t : triangulation_.triangulate(loop_))
-    {
-      const Vector normal =
-        unit(cross(minus(loop_[t[1]].at, loop_[t[0]].at), minus(loop_[t[2]].at, loop_[t[0]].at)));
-      const std::size_t source = mostAlike(normal);
-      for (const std::uint32_t i : t)
-      {
-        result.corners.push_back(numberOf(loop_[i].id));
-      }
-      result.start.push_back(result.corners.size());
-      result.triangle.push_back(patches_.triangle[source]);
-      result.boundary.push_back(patches_.boundary[source]);
-    }
-  }
-
-  std::uint32_t numberOf(std::uint32_t node) const
-  {
-    return node < nodes_.patchPoints
-      ? node
-      : static_cast<std::uint32_t>(node - nodes_.at.size() + nodes_.patchPoints);
-  }
-
-  // The patches that the box had, or its neighbours, or the first one of all.
-  void listSources(std::uint32_t n)
-  {
-    sources_.clear();
-    const auto addOf = [&](std::uint32_t polyhedral) {
-      const std::uint32_t box = polyhedral == None ? None : sides_.patchBox[polyhedral];
-      for (std::size_t p = box == None ? 0 : patches_.boxStart[box];
-           box != None && p < patches_.boxStart[box + 1]; ++p)
-      {
-        sources_.push_back({ p, unit(areaOf(p)) });
-      }
-    };
-    addOf(n);
-    for (std::size_t i = sides_.boxStart[n]; sources_.empty() && i < sides_.boxStart[n + 1]; ++i)
-    {
-      const Side& side = sides_.sides[sides_.ofBox[i].side];
-      addOf(sides_.polyhedralOrdinal(sides_.ofBox[i].upper ? side.high : side.low));
-    }
-    if (sources_.empty())
-    {
-      sources_.push_back({ 0, { 0, 0, 0 } });
-    }
-  }
-
-  Vector areaOf(std::size_t patch) const
-  {
-    Vector area{ 0, 0, 0 };
-    const Point& first = patches_.points[patches_.corners[patches_.start[patch]]];
-    for (std::size_t c = patches_.start[patch] + 1; c + 1 < patches_.start[patch + 1]; ++c)
-    {
-      area = plus(area,
-        cross(minus(patches_.points[patches_.corners[c]], first),
-          minus(patches_.points[patches_.corners[c + 1]], first)));
-    }
-    return area;
-  }
-
-  std::size_t mostAlike(const Vector& normal) const
-  {
-    return std::max_element(sources_.begin(), sources_.end(),
-      [&](
-        const Source& a, const Source& b) { return dot(a.normal, normal) < dot(b.normal, normal); })
-      ->patch;
   }
 
   void writePatches(RebuiltPatches& result)
   {
+    std::vector<std::uint32_t> rebuilt;
+    for (std::uint32_t n = 0; n < sides_.polyhedral.size(); ++n)
+    {
+      if (sides_.patchBox[n] != None && result.boxes[n] != 0)
+      {
+        rebuilt.push_back(n);
+      }
+    }
+    const std::vector<Patches> parts = makePatches(rebuilt);
     Patches& to = result.patches;
     to.start.push_back(0);
+    std::size_t next = 0;
     for (std::uint32_t n = 0; n < sides_.polyhedral.size(); ++n)
     {
       const std::uint32_t box = sides_.patchBox[n];
@@ -680,17 +614,12 @@ private:
       to.boxStart.push_back(to.triangle.size());
       if (result.boxes[n] != 0)
       {
-        addBox(n, to);
-        continue;
+        copyPatches(parts[next / BoxesAChunk], next % BoxesAChunk, to);
+        ++next;
       }
-      for (std::size_t p = patches_.boxStart[box]; p < patches_.boxStart[box + 1]; ++p)
+      else
       {
-        to.corners.insert(to.corners.end(),
-          patches_.corners.begin() + std::ptrdiff_t(patches_.start[p]),
-          patches_.corners.begin() + std::ptrdiff_t(patches_.start[p + 1]));
-        to.start.push_back(to.corners.size());
-        to.triangle.push_back(patches_.triangle[p]);
-        to.boundary.push_back(patches_.boundary[p]);
+        copyPatches(patches_, box, to);
       }
     }
     to.boxStart.push_back(to.triangle.size());
@@ -700,12 +629,6 @@ private:
     to.points.insert(to.points.end(), added_.begin(), added_.end());
   }
 
-  struct Source
-  {
-    std::size_t patch;
-    Vector normal;
-  };
-
   const Boxes& boxes_;
   const Patches& patches_;
   const Sides& sides_;
@@ -713,6 +636,7 @@ private:
   const InnerFaces& inner_;
   const std::vector<std::uint8_t>& flawed_;
   GivenUp givenUp_;
+  Execution& execution_;
   SideChords sideChords_;
 
   std::vector<std::uint32_t> nearSides_;
@@ -726,30 +650,15 @@ private:
   std::vector<std::uint32_t> changed_;     // sides with new chords
   std::vector<std::uint32_t> newChordsOf_;
   std::vector<std::vector<SideEdge>> newChords_;
-
-  std::vector<SideEdge> chords_;
-  std::vector<std::uint8_t> scratch_;
-  std::vector<BorderNode> border_;
-  std::vector<RingCrossing> ring_;
-  std::vector<SideEdge> boxChords_;
-  std::vector<Vector> normals_;
-  std::vector<std::uint32_t> boxNodes_;
-  std::vector<LoopNode> loopNodes_;
-  std::vector<LoopNode> loop_;
-  std::vector<Source> sources_;
-  std::vector<std::uint32_t> leaving_;
-  std::vector<std::uint32_t> sameFrom_;
-  std::vector<std::uint32_t> walk_;
-  LoopTriangulation triangulation_;
 };
 
 }
 
 RebuiltPatches rebuildFlawedBoxes(const Boxes& boxes, const Patches& patches, const Sides& sides,
   const Nodes& nodes, const InnerFaces& inner, const std::vector<std::uint8_t>& flawed,
-  GivenUp givenUp)
+  GivenUp givenUp, Execution& execution)
 {
-  return Rebuilder(boxes, patches, sides, nodes, inner, flawed, givenUp).rebuild();
+  return Rebuilder(boxes, patches, sides, nodes, inner, flawed, givenUp, execution).rebuild();
 }
 
 }

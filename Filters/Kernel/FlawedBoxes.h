@@ -34,6 +34,6 @@ struct RebuiltPatches
 // `flawed`: 1 for those of the polyhedral boxes that are.
 RebuiltPatches rebuildFlawedBoxes(const Boxes& boxes, const Patches& patches, const Sides& sides,
   const Nodes& nodes, const InnerFaces& inner, const std::vector<std::uint8_t>& flawed,
-  GivenUp givenUp);
+  GivenUp givenUp, Execution& execution);
 
 }

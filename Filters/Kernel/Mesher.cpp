@@ -138,6 +138,11 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
     text += lineBreak(text) + std::to_string(repair.duplicates.size()) +
       " triangles were there before, and are left out.";
   }
+  if (!repair.loose.empty())
+  {
+    text += lineBreak(text) + std::to_string(repair.loose.size()) +
+      " triangles share no edge with others, and are left out.";
+  }
   if (const std::size_t closed = repair.holes.size() - repair.leaks())
   {
     text += lineBreak(text) + std::to_string(closed) + " holes narrower than a box were closed.";
@@ -253,8 +258,8 @@ void Assembly::rebuildFlawed(const CellSpec& spec, Execution& execution)
       break;
     }
     execution.stage("Flawed boxes", AfterCells, AfterCells);
-    RebuiltPatches next =
-      rebuildFlawedBoxes(boxes_, *patches_, sides_, nodes_, inner_, cells_.flawed, givenUp);
+    RebuiltPatches next = rebuildFlawedBoxes(
+      boxes_, *patches_, sides_, nodes_, inner_, cells_.flawed, givenUp, execution);
     for (std::size_t n = 0; n < rebuilt.size(); ++n)
     {
       rebuilt[n] = rebuilt[n] | next.boxes[n];

@@ -15,6 +15,9 @@ const double Degree = std::acos(-1.0) / 180;
 // A corner whose angle is this much (sine) over 180 degrees still counts as straight.
 constexpr double MostConcave = 1e-3;
 
+// Of a polygon that others are merged into: the time grows with the square of their number.
+constexpr std::uint32_t MostCorners = 128;
+
 double angleBetween(const Vector& a, const Vector& b)
 {
   return std::acos(std::max(-1.0, std::min(1.0, dot(a, b))));
@@ -450,6 +453,10 @@ bool Simplification::joinAcross(const Candidate& candidate)
   }
   const Polygon p = polygons_[left];
   const Polygon q = polygons_[right];
+  if (p.size + q.size > MostCorners)
+  {
+    return false;
+  }
   const bool pSliver = isSliver(p);
   const bool sliver = pSliver || isSliver(q);
   Cone cone = around({ p.axis, p.spread }, { q.axis, q.spread });

@@ -93,6 +93,10 @@ public:
     , execution_(execution)
   {
     given_.triangles.resize(given);
+    for (const Dropped& d : repair.loose)
+    {
+      given_.triangles[d.triangle] = d.vertices;
+    }
   }
 
   SurfaceDefects list()
@@ -149,7 +153,7 @@ private:
 
   void addTriangle(DefectKind kind, std::uint32_t triangle, std::uint32_t other)
   {
-    add(kind, triangle, other, true, positionsOf(surface_.triangles[triangle]));
+    add(kind, triangle, other, true, positionsOf(given_.triangles[triangle]));
   }
 
   void listEdges(const SurfaceEdges& edges)

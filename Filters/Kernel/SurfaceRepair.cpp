@@ -11,6 +11,27 @@ namespace cartesian
 namespace
 {
 
+std::vector<Dropped> dropLoose(Surface& surface, const SurfaceEdges& edges)
+{
+  std::vector<std::uint8_t> openEdges(surface.triangles.size());
+  edges.forEach([&](std::uint32_t, const EdgeUse* begin, const EdgeUse* end) {
+    if (end - begin == 1)
+    {
+      ++openEdges[begin->triangle()];
+    }
+  });
+  std::vector<Dropped> dropped;
+  for (std::uint32_t t = 0; t < openEdges.size(); ++t)
+  {
+    if (openEdges[t] == 3)
+    {
+      dropped.push_back({ t, surface.triangles[t] });
+      surface.triangles[t].fill(surface.triangles[t][0]);
+    }
+  }
+  return dropped;
+}
+
 // Marks the components with an edge that more triangles run through one way than the other.
 void findUnoriented(Surface& surface, const SurfaceEdges& edges)
 {
@@ -54,7 +75,8 @@ SurfaceRepair repair(Surface& surface, const Meshlines& planes, Execution& execu
   result.check = check(edges, execution);
   if (!result.check.closed())
   {
-    result.holes = closeHoles(surface, edges, planes, execution);
+    result.loose = dropLoose(surface, edges);
+    result.holes = closeHoles(surface, SurfaceEdges(surface, execution), planes, execution);
     orient(surface, execution);
     findUnoriented(surface, SurfaceEdges(surface, execution));
   }

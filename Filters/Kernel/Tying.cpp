@@ -8,6 +8,9 @@ namespace cartesian
 namespace
 {
 
+// Segments that one chord stands for: the time to find them grows with their number.
+constexpr std::size_t MostReplaced = 256;
+
 double cosineOf(double degrees)
 {
   return std::cos(degrees * std::acos(-1.0) / 180);
@@ -210,6 +213,7 @@ void SideTying::tiePart(
   const bool upper = begin->side % 2 == 1;
   moved_.clear();
   partNodes_.clear();
+  flatNodes_.clear();
   for (const Segment* s = begin; s != end; ++s)
   {
     leaving_[s->from] = static_cast<std::uint32_t>(s - begin);
@@ -420,7 +424,7 @@ void SideTying::dropSimilar(const BoxSurface& piece)
     }
     if (before != from)
     {
-      if (mayReplace(piece, from, before, i))
+      if (i - from <= MostReplaced && mayReplace(piece, from, before, i))
       {
         line_.keep[before] = 0;
       }
@@ -434,7 +438,7 @@ void SideTying::dropSimilar(const BoxSurface& piece)
 }
 
 bool SideTying::mayReplace(
-  const BoxSurface& piece, std::size_t i, std::size_t before, std::size_t j) const
+  const BoxSurface& piece, std::size_t i, std::size_t before, std::size_t j)
 {
   if (isFeature(piece, before))
   {
@@ -482,10 +486,24 @@ bool SideTying::isNextToFeature(const Point& p, std::uint32_t triangle) const
   return false;
 }
 
+void SideTying::listFlatNodes(const BoxSurface& piece)
+{
+  for (const std::uint32_t node : partNodes_)
+  {
+    flatNodes_.push_back({ flat(piece, node), node });
+  }
+  std::sort(flatNodes_.begin(), flatNodes_.end(),
+    [](const FlatNode& p, const FlatNode& q) { return p.at.a < q.at.a; });
+}
+
 // Whether another node lies in the triangle between the chords to the node before and to this one.
 bool SideTying::passesOver(
-  const BoxSurface& piece, std::size_t i, std::size_t before, std::size_t j) const
+  const BoxSurface& piece, std::size_t i, std::size_t before, std::size_t j)
 {
+  if (flatNodes_.empty())
+  {
+    listFlatNodes(piece);
+  }
   const Flat a = flat(piece, line_.nodes[i]);
   const Flat b = flat(piece, line_.nodes[before]);
   const Flat c = flat(piece, line_.nodes[j]);
@@ -496,11 +514,15 @@ bool SideTying::passesOver(
   }
   const auto begin = line_.nodes.begin() + static_cast<std::ptrdiff_t>(i);
   const auto end = line_.nodes.begin() + static_cast<std::ptrdiff_t>(j) + 1;
-  return std::any_of(partNodes_.begin(), partNodes_.end(), [&](std::uint32_t node) {
-    const Flat x = flat(piece, node);
-    return way * sign(turn(a, b, x)) >= 0 && way * sign(turn(b, c, x)) >= 0 &&
-      way * sign(turn(c, a, x)) >= 0 && std::find(begin, end, node) == end;
-  });
+  const auto [least, most] = std::minmax({ a.a, b.a, c.a });
+  return std::any_of(std::lower_bound(flatNodes_.begin(), flatNodes_.end(), least,
+                       [](const FlatNode& node, std::int64_t level) { return node.at.a < level; }),
+    std::upper_bound(flatNodes_.begin(), flatNodes_.end(), most,
+      [](std::int64_t level, const FlatNode& node) { return level < node.at.a; }),
+    [&](const FlatNode& node) {
+      return way * sign(turn(a, b, node.at)) >= 0 && way * sign(turn(b, c, node.at)) >= 0 &&
+        way * sign(turn(c, a, node.at)) >= 0 && std::find(begin, end, node.node) == end;
+    });
 }
 
 // Equation 5: the parts of the straight line are in the proportions of the polyline's.

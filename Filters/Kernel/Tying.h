@@ -55,6 +55,12 @@ private:
     std::vector<std::uint8_t> keep;       // one a node
   };
 
+  struct FlatNode
+  {
+    Flat at;
+    std::uint32_t node;
+  };
+
   void pairCrossings(const Box& box, const BoxSurface& piece);
   void pairOnLine(const Box& box, const BoxSurface& piece, std::size_t axis, std::uint32_t* begin,
     std::uint32_t* end);
@@ -67,10 +73,11 @@ private:
   void addChords(const BoxSurface& piece, bool upper);
   void dropShort(const BoxSurface& piece);
   void dropSimilar(const BoxSurface& piece);
-  bool mayReplace(const BoxSurface& piece, std::size_t i, std::size_t before, std::size_t j) const;
+  bool mayReplace(const BoxSurface& piece, std::size_t i, std::size_t before, std::size_t j);
   bool isFeature(const BoxSurface& piece, std::size_t node) const;
   bool isNextToFeature(const Point& p, std::uint32_t triangle) const;
-  bool passesOver(const BoxSurface& piece, std::size_t i, std::size_t before, std::size_t j) const;
+  bool passesOver(const BoxSurface& piece, std::size_t i, std::size_t before, std::size_t j);
+  void listFlatNodes(const BoxSurface& piece);
   void moveOntoChord(const BoxSurface& piece);
   void startAtFirstTriangle();
   double shortestEdge(const Box& box, int axis) const;
@@ -105,6 +112,7 @@ private:
   std::vector<std::uint8_t> departures_;
   std::vector<std::uint8_t> done_; // segments
   std::vector<std::uint32_t> partNodes_;
+  std::vector<FlatNode> flatNodes_; // these by their first level, once they are needed
   Polyline line_;
   std::vector<std::pair<std::uint32_t, Point>> moved_; // nodes, and where to
   std::vector<std::pair<std::array<Level, 3>, std::uint32_t>> crossings_;

@@ -249,6 +249,9 @@ private:
       std::vector<Id>& owners = uses_[fromLeast(face)];
       expect(owners.empty() || owners.back() != static_cast<Id>(cell), name + " has a face twice");
       owners.push_back(static_cast<Id>(cell));
+      const auto back = uses_.find(reversed(face));
+      expect(back == uses_.end() || back->second.back() != static_cast<Id>(cell),
+        name + " has a face from both sides");
     }
     expect(corners == points, name + " lists other points than its faces");
     expect(!edges.unbalanced(), name + " is not closed");

@@ -76,6 +76,22 @@ TEST(MeshChecker, SeesAMissingFace)
   expectComplaint(mesh, "is not closed");
 }
 
+TEST(MeshChecker, SeesAFaceFromBothSides)
+{
+  MeshArrays mesh = goodMesh();
+  const std::size_t cell = firstPolyhedron(mesh);
+  const Id* face = firstFace(mesh, cell);
+  const std::vector<Id> twins = { 3, face[1], face[2], face[3], 3, face[3], face[2], face[1] };
+  mesh.faceStream[static_cast<std::size_t>(mesh.faceStart[cell])] += 2;
+  mesh.faceStream.insert(
+    mesh.faceStream.begin() + mesh.faceStart[cell] + 1, twins.begin(), twins.end());
+  for (Id& start : mesh.faceStart)
+  {
+    start += start > mesh.faceStart[cell] ? static_cast<Id>(twins.size()) : 0;
+  }
+  expectComplaint(mesh, "from both sides");
+}
+
 TEST(MeshChecker, SeesACellInsideOut)
 {
   MeshArrays mesh = goodMesh();

@@ -37,10 +37,10 @@ Soup ell()
 TEST_P(ShapedMesh, KeepsVolumeAndAreasAndLeavesNoGap)
 {
   const Soup& soup = GetParam().soup;
-  for (const double cells : { 3.3, 8.0 })
+  for (const double cells : cases({ 8.0, 3.3 }))
   {
     SCOPED_TRACE(cells);
-    for (const SmallCells mode : { SmallCells::Remove, SmallCells::Merge })
+    for (const SmallCells mode : cases({ SmallCells::Remove, SmallCells::Merge }))
     {
       const MeshArrays mesh = meshOf(soup, cellsAlongLongest(soup, cells), shaped(mode)).mesh;
       EXPECT_TRUE(isValid(mesh, mode == SmallCells::Merge));

@@ -1,4 +1,5 @@
 // Duplicates and holes: what is dropped, what is closed, and the mesh that comes of it.
+#include "Effort.h"
 #include "MeshChecker.h"
 
 #include <gtest/gtest.h>
@@ -296,7 +297,7 @@ TEST(Flawed, AtRandomKeepsTheVolume)
   {
     for (const unsigned seed : { 11U })
     {
-      for (const char* kind : { "missing", "flipped", "twice" })
+      for (const char* kind : cases({ "missing", "flipped", "twice" }))
       {
         SCOPED_TRACE(kind + std::string(" of ") + std::to_string(soup.triangles.size()) +
           " triangles, seed " + std::to_string(seed));

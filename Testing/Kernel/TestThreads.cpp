@@ -54,3 +54,12 @@ TEST(Threads, DoNotChangeTheMeshOfAFlawedSurface)
   soup.boundary.clear();
   expectSame(soup, cellsAlongLongest(soup, 20), {});
 }
+
+// Sides come in chunks of 256 there, and boxes in chunks of 64.
+TEST(Threads, DoNotChangeBoxesMadeAnew)
+{
+  const Soup soup = kleinBottle(12);
+  const GridSpec grid = cellsAlongLongest(soup, 25);
+  EXPECT_GT(meshOf(soup, grid).statistics.at("BoxesRebuilt"), 3 * 64);
+  expectSameWith(soup, grid, {});
+}
