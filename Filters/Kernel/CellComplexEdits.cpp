@@ -461,10 +461,6 @@ void CellComplex::dropTwins(std::vector<FaceUse>& faces, std::size_t ofSmall)
     {
       faces[kept++] = faces[f];
     }
-    else if (isShaped(faces[f].face))
-    {
-      shaped(faces[f].face).used = false;
-    }
   }
   faces.resize(kept);
 }
