@@ -220,13 +220,17 @@ private:
   // what is too large to go can lose a part.
   void removeRefused()
   {
-    for (const double share : { 0.025, 0.125, 0.25, 1.0, 1.0 })
+    RefusedCells refused(complex_, spec_, execution_);
+    for (std::size_t pass = 0; pass < LargestShares.size(); ++pass)
     {
       mend();
       shaping_.partsCarved += carveCells(complex_, atFault(), MostCarved, execution_);
       mend();
-      const double largest = share * spec_.refusedCellRatio;
-      shaping_.refusedCellsRemoved += removeRefusedCells(complex_, spec_, largest, execution_);
+      removeSmall(1);
+      // Only a look at all cells finds skewed inner faces.
+      const bool all = pass == 0 || pass + 1 == LargestShares.size();
+      shaping_.refusedCellsRemoved += refused.remove(
+        all ? complex_.polyhedra() : atFault(), LargestShares[pass] * spec_.refusedCellRatio);
     }
   }
 
@@ -271,6 +275,8 @@ private:
   // Cells below this part of their box are a wall next to a meshline: merged, they would stick out of
   // their neighbour.
   static constexpr double Sliver = 1e-4;
+
+  static constexpr std::array<double, 4> LargestShares{ 0.025, 0.25, 1, 1 };
 
   // A carved cell loses no more than this part of its box.
   static constexpr double MostCarved = 0.5;

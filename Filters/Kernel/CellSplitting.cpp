@@ -13,21 +13,11 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t CellsAChunk = 16;
-
 // A part smaller than this part of the cell is no use.
 constexpr double LeastPart = 1e-3;
 
 // Ends a search that never came to rest; a cell is cut some ten times at most.
 constexpr int MostRounds = 100;
-
-struct Proposal
-{
-  CellKey key;
-  double area = 0; // of the faces at fault
-  CellView view;
-  std::vector<CellCut> cuts; // the fittest last
-};
 
 // The parts' fitness, or nothing where one is smaller than `least`.
 std::optional<Fitness> fitnessAfter(const CellView& view, const CellCut& cut, double least)
@@ -65,24 +55,24 @@ std::optional<Fitness> fitnessAfter(const CellView& view, const CellCut& cut, do
   return sum;
 }
 
-void propose(const CellComplex& cells, double leastFraction, Proposal& proposal)
+// The fittest last.
+std::vector<CellCut> findCuts(
+  const CellComplex& cells, double leastFraction, CellKey key, CellView& view)
 {
-  cells.view({ proposal.key }, proposal.view);
-  cells.lookBeyond(proposal.key, proposal.view);
+  cells.view({ key }, view);
+  cells.lookBeyond(key, view);
   CellShape shape;
-  measure(proposal.view.shape, shape);
-  const Fitness before = fitnessOf(proposal.view.shape, shape, proposal.view.beyond);
-  const double least =
-    std::max(LeastPart * shape.volume, leastFraction * cells.volumeOfBox(proposal.key));
-  FoundCuts found = searchCuts(proposal.view, shape, before,
-    [&](const CellCut& cut) { return fitnessAfter(proposal.view, cut, least); });
-  proposal.area = before.area;
-  proposal.cuts = std::move(found.helpful);
+  measure(view.shape, shape);
+  const Fitness before = fitnessOf(view.shape, shape, view.beyond);
+  const double least = std::max(LeastPart * shape.volume, leastFraction * cells.volumeOfBox(key));
+  FoundCuts found = searchCuts(
+    view, shape, before, [&](const CellCut& cut) { return fitnessAfter(view, cut, least); });
   // Without concave edges nothing of the boundary fails.
-  if (proposal.cuts.empty() && found.harmless && before.faults[Fitness::BoundaryAngle] > 0)
+  if (found.helpful.empty() && found.harmless && before.faults[Fitness::BoundaryAngle] > 0)
   {
-    proposal.cuts.push_back(std::move(*found.harmless));
+    found.helpful.push_back(std::move(*found.harmless));
   }
+  return std::move(found.helpful);
 }
 
 bool fails(const CellComplex& cells, CellKey key)
@@ -104,13 +94,14 @@ public:
   {
     for (int round = 0; !failing.empty() && round < MostRounds; ++round)
     {
-      std::vector<Proposal> proposals = propose(failing);
-      taken_.clear();
       next_.clear();
-      for (const Proposal& proposal : proposals)
+      for (const CellKey key : worstFirst(failing))
       {
         execution_.poll();
-        carryOut(proposal);
+        if (fails(cells_, key))
+        {
+          split(key);
+        }
       }
       failing.clear();
       for (const CellKey key : next_)
@@ -128,51 +119,45 @@ public:
   }
 
 private:
-  // Those with most at fault first.
-  std::vector<Proposal> propose(const std::vector<CellKey>& failing) const
+  std::vector<CellKey> worstFirst(const std::vector<CellKey>& failing) const
   {
-    std::vector<Proposal> proposals(failing.size());
-    execution_.forEach(failing.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        proposals[i].key = failing[i];
-        cartesian::propose(cells_, leastFraction_, proposals[i]);
-      }
-    });
-    std::sort(proposals.begin(), proposals.end(), [](const Proposal& x, const Proposal& y) {
-      const auto a = static_cast<float>(x.area);
-      const auto b = static_cast<float>(y.area);
-      return a != b ? a > b : x.key < y.key;
-    });
-    return proposals;
+    std::vector<std::pair<float, CellKey>> order; // equal but for rounding is equal
+    MeasuredCell cell;
+    for (const CellKey key : failing)
+    {
+      cells_.lookAround(key, cell);
+      const double area = fitnessOf(cell.shape, cell.measures, cell.beyond).area;
+      order.emplace_back(-static_cast<float>(area), key);
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<CellKey> keys;
+    for (const auto& [area, key] : order)
+    {
+      keys.push_back(key);
+    }
+    return keys;
   }
 
-  bool isTaken(CellKey key) const { return taken_.count(key) > 0; }
-
-  // The fittest cut that spoils no cell beyond; in the next round, if another cut has changed one.
-  void carryOut(const Proposal& proposal)
+  // By the fittest cut that spoils no cell beyond.
+  void split(CellKey key)
   {
-    cells_.open(proposal.key);
-    for (auto cut = proposal.cuts.rbegin(); cut != proposal.cuts.rend(); ++cut)
+    CellView view;
+    const std::vector<CellCut> cuts = findCuts(cells_, leastFraction_, key, view);
+    cells_.open(key);
+    for (auto cut = cuts.rbegin(); cut != cuts.rend(); ++cut)
     {
-      const std::vector<CellKey> touched = cells_.touchedBy(proposal.key, proposal.view, *cut);
-      if (std::any_of(touched.begin(), touched.end(), [&](CellKey k) { return isTaken(k); }))
+      const std::vector<CellKey> touched = cells_.touchedBy(key, view, *cut);
+      if (cells_.allows(touched, view, *cut))
       {
-        next_.insert(proposal.key);
-        return;
-      }
-      if (cells_.allows(touched, proposal.view, *cut))
-      {
-        taken_.insert(touched.begin(), touched.end());
         next_.insert(touched.begin(), touched.end());
-        result_.cellsSplit += cells_.counts(proposal.key);
         std::vector<CellKey> parts;
-        cells_.cut(proposal.key, proposal.view, *cut, parts);
+        cells_.cut(key, view, *cut, parts);
         next_.insert(parts.begin(), parts.end());
+        result_.cellsSplit += cells_.counts(key);
         return;
       }
     }
-    failed_.insert(proposal.key);
+    failed_.insert(key);
   }
 
   CellComplex& cells_;
@@ -180,8 +165,7 @@ private:
   Execution& execution_;
   Splitting result_;
   std::set<CellKey> failed_;
-  std::set<CellKey> taken_; // changed in this round
-  std::set<CellKey> next_;  // to be looked at in the next
+  std::set<CellKey> next_; // to be looked at in the next round
 };
 
 }

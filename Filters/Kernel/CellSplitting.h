@@ -14,10 +14,9 @@ struct Splitting
   std::vector<CellKey> failed; // that still fail a condition and find no cut that helps, in order
 };
 
-// Each cell that fails proposes a cut. In order of how much fails, those are carried out that change
-// no cell that another has changed; again, with all cells that changed, until no cell proposes. So
-// the result depends on the cells only. `failing`: cells that fail a condition, in order. No part
-// becomes smaller than `leastFraction` of its box.
+// Cells are cut one after the other, those with most at fault first; again all that changed, until
+// none finds a cut. So the result depends on the cells only. `failing`: cells that fail a condition,
+// in order. No part becomes smaller than `leastFraction` of its box.
 Splitting splitCells(
   CellComplex& cells, std::vector<CellKey> failing, double leastFraction, Execution& execution);
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
-#include <set>
 
 namespace cartesian
 {
@@ -36,6 +35,10 @@ public:
     cut_.points.clear();
     cut_.faces.clear();
     findSigns();
+    if (!hasBothSides())
+    {
+      return false;
+    }
     snapNodes();
     if (!hasBothSides() || !addPoints())
     {
@@ -95,10 +98,11 @@ private:
   // across a face.
   void snapNodes()
   {
-    std::map<EdgeKey, double> shortest;
+    std::vector<std::pair<EdgeKey, double>> lengths;
+    std::vector<Vector> ends;
     for (std::size_t f = 0; f < cell_.faces(); ++f)
     {
-      std::vector<Vector> ends;
+      ends.clear();
       forEachEdge(f, [&](Index from, Index to) {
         if (sign(from) * sign(to) < 0)
         {
@@ -117,13 +121,18 @@ private:
       forEachEdge(f, [&](Index from, Index to) {
         if (sign(from) * sign(to) < 0)
         {
-          const auto [at, isNew] = shortest.emplace(keyOf(from, to), length);
-          at->second = std::min(at->second, length);
+          lengths.emplace_back(keyOf(from, to), length);
         }
       });
     }
-    for (const auto& [edge, length] : shortest)
+    std::sort(lengths.begin(), lengths.end());
+    for (std::size_t i = 0; i < lengths.size(); ++i)
     {
+      const auto& [edge, length] = lengths[i];
+      if (i > 0 && lengths[i - 1].first == edge)
+      {
+        continue; // the shorter one counts
+      }
       const bool first = std::abs(distance_[edge.first]) <= std::abs(distance_[edge.second]);
       const Index nearest = first ? edge.first : edge.second;
       if (std::abs(distance_[nearest]) < SnapSlope * length)
@@ -372,27 +381,31 @@ private:
   // round, are cutting faces.
   bool closeCut()
   {
-    std::map<EdgeKey, int> balance;
+    std::vector<std::pair<EdgeKey, int>> runs; // 1: from the lower node; -1: from the higher
     for (std::size_t f = 0; f < cut_.faces.size(); ++f)
     {
       const std::vector<Index>& corners = cut_.faces[f].corners;
       for (std::size_t i = 0; sides_[f] < 0 && i < corners.size(); ++i)
       {
         const Index from = corners[i];
-        const Index to = corners[(i + 1) % corners.size()];
-        balance[keyOf(from, to)] += from < to ? 1 : -1;
+        const Index to = corners[i + 1 < corners.size() ? i + 1 : 0];
+        runs.emplace_back(keyOf(from, to), from < to ? 1 : -1);
       }
     }
+    std::sort(runs.begin(), runs.end());
     std::map<Index, Index> next;
-    for (const auto& [edge, sum] : balance)
+    for (auto run = runs.begin(); run != runs.end();)
     {
-      if (sum == 0)
+      const EdgeKey edge = run->first;
+      int sum = 0;
+      for (; run != runs.end() && run->first == edge; ++run)
       {
-        continue;
+        sum += run->second;
       }
       const bool up = sum > 0; // the piece runs from the lower node: the cut from the higher
       if (std::abs(sum) > 1 ||
-        !next.emplace(up ? edge.second : edge.first, up ? edge.first : edge.second).second)
+        (sum != 0 &&
+          !next.emplace(up ? edge.second : edge.first, up ? edge.first : edge.second).second))
       {
         return false;
       }
@@ -423,12 +436,24 @@ private:
   // Two faces between the same nodes are a part of no thickness.
   bool allDistinct() const
   {
-    std::set<std::vector<Index>> seen;
-    return std::all_of(cut_.faces.begin(), cut_.faces.end(), [&](const CellCut::Face& face) {
-      std::vector<Index> corners = face.corners;
-      std::sort(corners.begin(), corners.end());
-      return seen.insert(corners).second;
-    });
+    using Sums = std::array<std::uint64_t, 3>; // equal for the same nodes, seldom for others
+    std::vector<std::pair<Sums, std::size_t>> order;
+    for (std::size_t f = 0; f < cut_.faces.size(); ++f)
+    {
+      Sums sums{ cut_.faces[f].corners.size(), 0, 0 };
+      for (const std::uint64_t corner : cut_.faces[f].corners)
+      {
+        sums[1] += corner;
+        sums[2] += corner * corner;
+      }
+      order.emplace_back(sums, f);
+    }
+    std::sort(order.begin(), order.end());
+    return std::adjacent_find(order.begin(), order.end(), [&](const auto& x, const auto& y) {
+      return x.first == y.first &&
+        std::is_permutation(cut_.faces[x.second].corners.begin(),
+          cut_.faces[x.second].corners.end(), cut_.faces[y.second].corners.begin());
+    }) == order.end();
   }
 
   // --- the parts
@@ -450,22 +475,29 @@ private:
     const auto count = static_cast<Index>(cut_.faces.size());
     parent_.resize(2 * std::size_t(count));
     std::iota(parent_.begin(), parent_.end(), 0);
-    std::map<std::pair<EdgeKey, int>, Index> seen;
-    const auto see = [&](Index f, Index as, int side) {
+    std::vector<std::pair<std::pair<EdgeKey, int>, Index>> edges; // by side
+    const auto list = [&](Index f, Index as, int side) {
       const std::vector<Index>& corners = cut_.faces[f].corners;
       for (std::size_t i = 0; i < corners.size(); ++i)
       {
-        const EdgeKey edge = keyOf(corners[i], corners[(i + 1) % corners.size()]);
-        const auto [at, isNew] = seen.emplace(std::make_pair(edge, side), as);
-        parent_[root(as)] = root(at->second);
+        const Index to = corners[i + 1 < corners.size() ? i + 1 : 0];
+        edges.push_back({ { keyOf(corners[i], to), side }, as });
       }
     };
     for (Index f = 0; f < count; ++f)
     {
-      see(f, f, sides_[f]);
+      list(f, f, sides_[f]);
       if (cut_.faces[f].source == CellCut::NoSource)
       {
-        see(f, count + f, 1);
+        list(f, count + f, 1);
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    for (std::size_t i = 1; i < edges.size(); ++i)
+    {
+      if (edges[i].first == edges[i - 1].first)
+      {
+        parent_[root(edges[i].second)] = root(edges[i - 1].second);
       }
     }
     std::map<Index, Index> numbers;

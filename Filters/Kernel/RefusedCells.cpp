@@ -1,7 +1,6 @@
 #include "RefusedCells.h"
 
 #include <algorithm>
-#include <set>
 
 namespace cartesian
 {
@@ -14,130 +13,114 @@ constexpr std::size_t CellsAChunk = 256;
 // Each round exposes faces of the cells next to those removed, which are seldom at fault.
 constexpr int MostRounds = 10;
 
-class Remover
-{
-public:
-  Remover(CellComplex& cells, const CellSpec& spec, double largest, Execution& execution)
-    : cells_(cells)
-    , spec_(spec)
-    , largest_(largest)
-    , execution_(execution)
-  {
-  }
-
-  std::size_t run()
-  {
-    std::vector<CellKey> keys = cells_.polyhedra();
-    for (int round = 0; !keys.empty() && round < MostRounds; ++round)
-    {
-      keys = removeSome(keys);
-    }
-    return removed_;
-  }
-
-private:
-  struct Candidate
-  {
-    double volume; // as a part of its box
-    CellKey key;
-
-    bool operator<(const Candidate& other) const
-    {
-      const auto a = static_cast<float>(volume); // equal but for rounding is equal
-      const auto b = static_cast<float>(other.volume);
-      return a != b ? a < b : key < other.key;
-    }
-  };
-
-  Candidate candidate(CellKey key) const
-  {
-    return { cells_.volume(key) / cells_.volumeOfBox(key), key };
-  }
-
-  bool mayGo(const Candidate& candidate) const
-  {
-    const std::int32_t boundary =
-      cells_.hasFaces(candidate.key) ? cells_.mainBoundary(candidate.key) : NoBoundary;
-    return boundary != NoBoundary && cells_.isFree(candidate.key) &&
-      candidate.volume < ratioOf(spec_, boundary, largest_);
-  }
-
-  // For each refused face of a cell, the smaller of its two cells that may go.
-  void findCandidates(CellKey key, MeasuredCell& cell, std::vector<Candidate>& found) const
-  {
-    cells_.lookAround(key, cell);
-    for (std::size_t f = 0; f < cell.across.size(); ++f)
-    {
-      if (isRefused(cell.shape, cell.measures, f, cell.beyond[f]))
-      {
-        const CellKey other = cell.across[f];
-        Candidate smaller = candidate(key);
-        Candidate larger = other == None ? smaller : candidate(other);
-        if (larger < smaller)
-        {
-          std::swap(smaller, larger);
-        }
-        if (mayGo(smaller))
-        {
-          found.push_back(smaller);
-        }
-        else if (mayGo(larger))
-        {
-          found.push_back(larger);
-        }
-      }
-    }
-  }
-
-  // Returns the cells to look at again.
-  std::vector<CellKey> removeSome(const std::vector<CellKey>& keys)
-  {
-    std::vector<std::vector<Candidate>> parts(chunks(keys.size(), CellsAChunk));
-    execution_.forEach(keys.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-      MeasuredCell cell;
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        findCandidates(keys[i], cell, parts[begin / CellsAChunk]);
-      }
-    });
-    std::set<Candidate> candidates;
-    for (const std::vector<Candidate>& part : parts)
-    {
-      candidates.insert(part.begin(), part.end());
-    }
-    std::set<CellKey> again;
-    for (const Candidate& candidate : candidates)
-    {
-      // The removal of a neighbour may be enough.
-      if (again.count(candidate.key) == 0)
-      {
-        for (const auto& [other, area] : cells_.neighbours(candidate.key))
-        {
-          if (cells_.hasFaces(other) && cells_.isFree(other))
-          {
-            again.insert(other);
-          }
-        }
-        cells_.remove(candidate.key);
-        removed_ += cells_.counts(candidate.key);
-      }
-    }
-    return { again.begin(), again.end() };
-  }
-
-  CellComplex& cells_;
-  const CellSpec& spec_;
-  double largest_;
-  Execution& execution_;
-  std::size_t removed_ = 0;
-};
-
 }
 
-std::size_t removeRefusedCells(
-  CellComplex& cells, const CellSpec& spec, double largest, Execution& execution)
+bool RefusedCells::Candidate::operator<(const Candidate& other) const
 {
-  return Remover(cells, spec, largest, execution).run();
+  const auto a = static_cast<float>(volume); // equal but for rounding is equal
+  const auto b = static_cast<float>(other.volume);
+  return a != b ? a < b : key < other.key;
+}
+
+std::size_t RefusedCells::remove(const std::vector<CellKey>& keys, double largest)
+{
+  largest_ = largest;
+  removed_ = 0;
+  std::set<CellKey> all(stay_);
+  all.insert(keys.begin(), keys.end());
+  stay_.clear();
+  std::vector<CellKey> left(all.begin(), all.end());
+  for (int round = 0; !left.empty() && round < MostRounds; ++round)
+  {
+    left = removeSome(left);
+  }
+  return removed_;
+}
+
+RefusedCells::Candidate RefusedCells::candidate(CellKey key) const
+{
+  return { cells_.volume(key) / cells_.volumeOfBox(key), key };
+}
+
+bool RefusedCells::mayGo(const Candidate& candidate) const
+{
+  const std::int32_t boundary =
+    cells_.hasFaces(candidate.key) ? cells_.mainBoundary(candidate.key) : NoBoundary;
+  return boundary != NoBoundary && cells_.isFree(candidate.key) &&
+    candidate.volume < ratioOf(spec_, boundary, largest_);
+}
+
+// For each refused face of a cell, finds the smaller of its two cells that may go.
+void RefusedCells::lookAt(CellKey key, MeasuredCell& cell, Found& found) const
+{
+  if (!cells_.isAlive(key))
+  {
+    return;
+  }
+  cells_.lookAround(key, cell);
+  for (std::size_t f = 0; f < cell.across.size(); ++f)
+  {
+    if (!isRefused(cell.shape, cell.measures, f, cell.beyond[f]))
+    {
+      continue;
+    }
+    const CellKey other = cell.across[f];
+    Candidate smaller = candidate(key);
+    Candidate larger = other == None ? smaller : candidate(other);
+    if (larger < smaller)
+    {
+      std::swap(smaller, larger);
+    }
+    if (mayGo(smaller))
+    {
+      found.candidates.push_back(smaller);
+    }
+    else if (mayGo(larger))
+    {
+      found.candidates.push_back(larger);
+    }
+    else
+    {
+      found.stay.push_back(key);
+    }
+  }
+}
+
+// Returns the cells to look at again.
+std::vector<CellKey> RefusedCells::removeSome(const std::vector<CellKey>& keys)
+{
+  std::vector<Found> parts(chunks(keys.size(), CellsAChunk));
+  execution_.forEach(keys.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    MeasuredCell cell;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      lookAt(keys[i], cell, parts[begin / CellsAChunk]);
+    }
+  });
+  std::set<Candidate> candidates;
+  for (const Found& part : parts)
+  {
+    candidates.insert(part.candidates.begin(), part.candidates.end());
+    stay_.insert(part.stay.begin(), part.stay.end());
+  }
+  std::set<CellKey> again;
+  for (const Candidate& candidate : candidates)
+  {
+    // The removal of a neighbour may be enough.
+    if (again.count(candidate.key) == 0)
+    {
+      for (const auto& [other, area] : cells_.neighbours(candidate.key))
+      {
+        if (cells_.hasFaces(other) && cells_.isFree(other))
+        {
+          again.insert(other);
+        }
+      }
+      cells_.remove(candidate.key);
+      removed_ += cells_.counts(candidate.key);
+    }
+  }
+  return { again.begin(), again.end() };
 }
 
 }

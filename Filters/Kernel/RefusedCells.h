@@ -5,14 +5,53 @@
 #include "CellComplex.h"
 #include "Execution.h"
 
+#include <set>
+
 namespace cartesian
 {
 
-// Removes cells with refused faces (CellFitness.h); of the two cells of an inner face the smaller. Only
-// cells with a boundary face that are smaller than `largest` volumes of their box, or than R where
-// their boundary has its own. In rounds, the smallest first, so that the result depends on the cells
-// only. Returns how many were removed.
-std::size_t removeRefusedCells(
-  CellComplex& cells, const CellSpec& spec, double largest, Execution& execution);
+// Cells with refused faces (CellFitness.h); of the two cells of an inner face the smaller goes. Only
+// cells with a boundary face go, smaller than `largest` volumes of their box, or than R where their
+// boundary has its own.
+class RefusedCells
+{
+public:
+  RefusedCells(CellComplex& cells, const CellSpec& spec, Execution& execution)
+    : cells_(cells)
+    , spec_(spec)
+    , execution_(execution)
+  {
+  }
+
+  // Of these cells, and of those that could not go before. In rounds, the smallest first, so that
+  // the result depends on the cells only. Returns how many were removed.
+  std::size_t remove(const std::vector<CellKey>& keys, double largest);
+
+private:
+  struct Candidate
+  {
+    double volume; // as a part of its box
+    CellKey key;
+
+    bool operator<(const Candidate& other) const;
+  };
+  struct Found
+  {
+    std::vector<Candidate> candidates;
+    std::vector<CellKey> stay; // refused, but too large to go
+  };
+
+  Candidate candidate(CellKey key) const;
+  bool mayGo(const Candidate& candidate) const;
+  void lookAt(CellKey key, MeasuredCell& cell, Found& found) const;
+  std::vector<CellKey> removeSome(const std::vector<CellKey>& keys);
+
+  CellComplex& cells_;
+  const CellSpec& spec_;
+  Execution& execution_;
+  double largest_ = 0;
+  std::size_t removed_ = 0;
+  std::set<CellKey> stay_;
+};
 
 }
