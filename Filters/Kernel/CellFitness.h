@@ -8,6 +8,9 @@
 namespace cartesian
 {
 
+// Solvers take no cell with fewer.
+constexpr std::size_t LeastFaces = 4;
+
 // The cell on the other side of an inner face.
 struct Beyond
 {

@@ -18,9 +18,6 @@ constexpr std::size_t CellsAChunk = 512;
 // Faces that become one may cut off less than the rest of a cell.
 constexpr double LeastVolumeLeft = 0.8;
 
-// With fewer faces solvers take no cell.
-constexpr std::size_t LeastFaces = 4;
-
 // Where no pair of faces helps, those that meet at less become one, in degrees.
 constexpr std::array<double, 5> WiderAngles{ 30, 45, 60, 90, 180 };
 

@@ -58,6 +58,11 @@ void RefusedCells::lookAt(CellKey key, MeasuredCell& cell, Found& found) const
     return;
   }
   cells_.lookAround(key, cell);
+  if (cell.across.size() < LeastFaces && mayGo(candidate(key)))
+  {
+    found.candidates.push_back(candidate(key));
+    return;
+  }
   for (std::size_t f = 0; f < cell.across.size(); ++f)
   {
     if (!isRefused(cell.shape, cell.measures, f, cell.beyond[f]))
