@@ -2,6 +2,7 @@
 #include "MeshToVTK.h"
 
 #include "BoundaryOfFaces.h"
+#include "CellGeometry.h"
 #include "FieldData.h"
 #include "Polyhedra.h"
 
@@ -9,6 +10,7 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
@@ -106,6 +108,47 @@ void setMesh(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution& exe
   setCellData(mesh, grid, execution);
 }
 
+// What solvers that keep to the paper take from the mesher: the vector area (equation 1) and centre of
+// each face, and which are IP patches (4.11).
+void setFaceGeometry(
+  const Mesh& mesh, const BoundaryMesh& faces, vtkPolyData* boundary, Execution& execution)
+{
+  const vtkIdType count = boundary->GetNumberOfPolys();
+  vtkNew<vtkDoubleArray> area;
+  area->SetName("FaceArea");
+  area->SetNumberOfComponents(3);
+  area->SetNumberOfTuples(count);
+  vtkNew<vtkDoubleArray> centre;
+  centre->SetName("FaceCentre");
+  centre->SetNumberOfComponents(3);
+  centre->SetNumberOfTuples(count);
+  vtkNew<vtkUnsignedCharArray> isIP;
+  isIP->SetName("IPPatch");
+  isIP->SetNumberOfValues(count);
+  const double* const points =
+    vtkDoubleArray::SafeDownCast(boundary->GetPoints()->GetData())->GetPointer(0);
+  execution.forEach(static_cast<std::size_t>(count), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f)
+    {
+      const auto size = static_cast<std::size_t>(faces.start[f + 1] - faces.start[f]);
+      const auto corner = [&](std::size_t i) {
+        const auto place = static_cast<std::size_t>(faces.start[f]) + i;
+        const double* const p = points + 3 * faces.corners[place];
+        return Vector{ p[0], p[1], p[2] };
+      };
+      const FaceGeometry geometry = measureFace(size, corner);
+      const auto at = static_cast<vtkIdType>(f);
+      area->SetTuple(at, geometry.area.data());
+      centre->SetTuple(at, geometry.centre.data());
+      isIP->SetValue(
+        at, mesh.boundary()[f].isShaped() && isBent(size, corner, geometry.area) ? 1 : 0);
+    }
+  });
+  boundary->GetCellData()->AddArray(area);
+  boundary->GetCellData()->AddArray(centre);
+  boundary->GetCellData()->AddArray(isIP);
+}
+
 void setBoundary(
   const Mesh& mesh, vtkUnstructuredGrid* grid, vtkPolyData* boundary, Execution& execution)
 {
@@ -149,6 +192,7 @@ void setBoundary(
   boundary->GetPointData()->AddArray(meshPoint);
   boundary->GetCellData()->SetScalars(id); // what it is coloured by at first
   boundary->GetCellData()->AddArray(owner);
+  setFaceGeometry(mesh, faces, boundary, execution);
 }
 
 struct BoundaryMeasure

@@ -50,6 +50,8 @@ struct BoundaryFace
   std::int32_t boundary;
   Kind kind;
 
+  bool isShaped() const { return kind == Kind::Shaped || kind == Kind::TurnedShaped; }
+
   bool operator<(const BoundaryFace& other) const
   {
     return cell != other.cell ? cell < other.cell

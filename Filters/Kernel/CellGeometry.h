@@ -72,6 +72,21 @@ double smallestOfStar(std::size_t size, Corner&& corner, const Vector& area)
   return smallest;
 }
 
+// Polygons are flat up to this angle, in degrees, between a triangle of the star and the whole.
+constexpr double FlatUpTo = 15;
+
+// Whether it is less flat than that: what the paper's IP patches (4.11) are.
+template <class Corner>
+bool isBent(std::size_t size, Corner&& corner, const Vector& area)
+{
+  const double least = std::cos(FlatUpTo * 3.14159265358979 / 180);
+  bool bent = false;
+  forEachStarTriangle(size, corner, [&](const Vector&, const Vector&, const Vector& triangle) {
+    bent = bent || dot(triangle, area) < least * norm(triangle) * norm(area);
+  });
+  return bent;
+}
+
 struct CellGeometry
 {
   Vector centre; // of gravity, of the pyramids from the mean of the face centres

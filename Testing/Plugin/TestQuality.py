@@ -71,3 +71,16 @@ with tempfile.TemporaryDirectory() as folder:
 for measure, tolerance in ("Volume", 1e-6), ("OpenEdges", 0), ("NonOrthogonality", 0.01):
     difference = np.abs(values(again, measure) - values(mesh, measure)).max()
     assert difference <= tolerance, f"{measure} differs by {difference}"
+
+# IP patches: faces that met at an angle are one in cells that nothing else mended. With them the boundary
+# still is closed (equation 2), and its vectors and centres are those of its polygons.
+mesher = simple.CartesianMesher(Input=read("tm_featuretype_occ.stl"), CellSize=4)
+boundary = output(mesher, 1)
+centres, areas, joined = (values(boundary, name) for name in ("FaceCentre", "FaceArea", "IPPatch"))
+assert field(output(mesher), "CellsWithJoinedFaces") > 0 and joined.any(), "there are no IP patches"
+assert np.abs(areas.sum(axis=0)).max() < 1e-9 * np.linalg.norm(areas, axis=1).sum()
+sizes = output(simple.CellSize(Input=simple.OutputPort(mesher, 1), ComputeLength=0, ComputeVolume=0))
+assert (np.linalg.norm(areas, axis=1) <= values(sizes, "Area") * (1 + 1e-9)).all()
+assert field(output(mesher), "BoundaryAngleFailures") == 0
+assert np.isfinite(centres).all()
+print(int(joined.sum()), "IP patches of", len(joined), "boundary faces")
