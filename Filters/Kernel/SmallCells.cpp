@@ -127,23 +127,29 @@ private:
     }
   }
 
+  // But for its faces towards the cells from `begin` to `end`.
+  template <class Iterator>
+  Fitness alone(CellKey key, Iterator begin, Iterator end) const
+  {
+    CellView view;
+    CellShape shape;
+    cells_.view({ key }, view);
+    cells_.lookBeyond(key, view);
+    measure(view.shape, shape);
+    std::vector<std::uint8_t> counts;
+    for (const CellKey other : view.across)
+    {
+      counts.push_back(std::find(begin, end, other) == end ? 1 : 0);
+    }
+    return fitnessOf(view.shape, shape, view.beyond, counts);
+  }
+
   Fitness apart(const std::vector<CellKey>& keys) const
   {
     Fitness sum;
-    for (const CellKey key : keys)
+    for (auto key = keys.begin(); key != keys.end(); ++key)
     {
-      CellView view;
-      CellShape shape;
-      cells_.view({ key }, view);
-      cells_.lookBeyond(key, view);
-      measure(view.shape, shape);
-      std::vector<std::uint8_t> counts;
-      for (std::size_t f = 0; f < view.faces.size(); ++f)
-      {
-        const bool between = std::find(keys.begin(), keys.end(), view.across[f]) != keys.end();
-        counts.push_back(between && view.faces[f].turned ? 0 : 1);
-      }
-      sum += fitnessOf(view.shape, shape, view.beyond, counts);
+      sum += alone(*key, keys.begin(), key);
     }
     return sum;
   }
@@ -245,13 +251,16 @@ private:
   {
     auto neighbours = possibleNeighbours(candidate.key);
     neighbours.resize(std::min(neighbours.size(), MostNeighbours));
+    const CellKey* const none = nullptr;
+    const Fitness own = alone(candidate.key, none, none);
     int best = 0; // change of weight
     for (const auto& [other, area] : neighbours)
     {
       Merging trial;
       trial.keys = { other, candidate.key };
       const Fitness after = together(trial);
-      const Fitness before = apart(trial.keys);
+      Fitness before = alone(other, trial.keys.begin() + 1, trial.keys.end());
+      before += own;
       const int change = after.weight() - before.weight();
       if (!after.isNoLessValidThan(before))
       {
