@@ -1,5 +1,6 @@
 #include "ShortEdges.h"
 
+#include "ShortEdgeList.h"
 #include "Slabs.h"
 #include "Sorting.h"
 #include "Vector.h"
@@ -14,7 +15,6 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t BoxesAChunk = 256;
 constexpr std::size_t EdgesAChunk = 1024;
 
 // A chain of short edges takes a round each.
@@ -31,14 +31,6 @@ constexpr double RoundingLevels = 0.9;
 // A face may tilt by less than 60 degrees, and fold back by this part of its area.
 constexpr double LeastTilt = 0.5;
 constexpr double RoundingOfAreas = 1e-9;
-
-struct ShortEdge
-{
-  std::uint32_t a;
-  std::uint32_t b;
-  float unit;          // shortest edge of the smallest box that has it
-  bool banned = false; // a face turned over
-};
 
 struct Choice
 {
@@ -64,7 +56,10 @@ public:
 
   std::size_t run()
   {
-    listEdges();
+    execution_.nextLoop(0.3);
+    edges_ = listShortEdges(
+      { boxes_, sides_, patches_, nodes_, inner_ }, spec_.ratio,
+      [&](std::size_t n) { return stays(n); }, execution_);
     if (edges_.empty())
     {
       return 0;
@@ -107,92 +102,6 @@ private:
     std::uint32_t goes;
     Point before; // where the one that stays was
   };
-
-  // --- short edges
-
-  double shortestEdge(std::uint32_t box) const
-  {
-    if (box == None)
-    {
-      return 1e300;
-    }
-    const Vector size = minus(boxes_.boxes[box].high, boxes_.boxes[box].low);
-    return std::min({ size[0], size[1], size[2] });
-  }
-
-  template <class Range>
-  void addShortEdges(const Range& start, const std::vector<std::uint32_t>& corners,
-    std::size_t face, double unit, std::vector<ShortEdge>& edges) const
-  {
-    const double most = 2 * spec_.ratio * unit; // moves may shorten an edge
-    std::uint32_t from = corners[start[face + 1] - 1];
-    for (std::size_t i = start[face]; i < start[face + 1]; ++i)
-    {
-      const std::uint32_t to = corners[i];
-      const Vector way = minus(nodes_.at[to], nodes_.at[from]);
-      if (std::abs(way[0]) < most && std::abs(way[1]) < most && std::abs(way[2]) < most &&
-        dot(way, way) < most * most)
-      {
-        edges.push_back({ std::min(from, to), std::max(from, to), static_cast<float>(unit) });
-      }
-      from = to;
-    }
-  }
-
-  void listEdges()
-  {
-    const std::size_t count = sides_.polyhedral.size();
-    std::vector<std::vector<ShortEdge>> parts(chunks(count, BoxesAChunk));
-    execution_.nextLoop(0.3);
-    execution_.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
-      std::vector<ShortEdge>& edges = parts[begin / BoxesAChunk];
-      for (std::size_t n = begin; n < end; ++n)
-      {
-        listEdgesOf(n, edges);
-      }
-      unite(edges);
-    });
-    for (const auto& part : parts)
-    {
-      edges_.insert(edges_.end(), part.begin(), part.end());
-    }
-    unite(edges_);
-  }
-
-  void listEdgesOf(std::size_t n, std::vector<ShortEdge>& edges) const
-  {
-    if (stays(n))
-    {
-      return;
-    }
-    const std::uint32_t box = sides_.polyhedral[n];
-    if (const std::uint32_t cut = sides_.patchBox[n]; cut != None)
-    {
-      for (std::size_t p = patches_.boxStart[cut]; p < patches_.boxStart[cut + 1]; ++p)
-      {
-        addShortEdges(patches_.start, patches_.corners, p, shortestEdge(box), edges);
-      }
-    }
-    for (std::size_t s = sides_.ownStart[n]; s < sides_.ownStart[n + 1]; ++s)
-    {
-      const Side& side = sides_.sides[s];
-      const double unit = std::min(shortestEdge(side.low), shortestEdge(side.high));
-      for (std::size_t f = inner_.sideStart[s]; f < inner_.sideStart[s + 1]; ++f)
-      {
-        addShortEdges(inner_.start, inner_.nodes, f, unit, edges);
-      }
-    }
-  }
-
-  static void unite(std::vector<ShortEdge>& edges)
-  {
-    std::sort(edges.begin(), edges.end(), [](const ShortEdge& x, const ShortEdge& y) {
-      return x.a != y.a ? x.a < y.a : (x.b != y.b ? x.b < y.b : x.unit < y.unit);
-    });
-    edges.erase(std::unique(edges.begin(), edges.end(),
-                  [](const ShortEdge& x, const ShortEdge& y) { return x.a == y.a && x.b == y.b; }),
-      edges.end());
-  }
 
   // --- faces around nodes
 

@@ -1,6 +1,6 @@
 """Prints how good our meshes are for solvers, one line a mesh:
 
-    pvpython QualityTable.py [--across 12 25 60] [--depth 0 2] [--set Name=Value] SURFACE...
+    pvpython QualityTable.py SURFACE... [--across 12 25 60] [--depth 0 2] [--set Name=Value]
 
 A SURFACE is a file, or "sphere". Cells are as long as the surface's longest side by `across`, halved
 `depth` times along the surface; --set gives any other property of Cartesian Mesher. Printed are the
