@@ -62,8 +62,9 @@ void CellsToShape::measure(Layers layers, Execution& execution)
   places.assign(cells.size(), {});
   atFault.assign(cells.size(), 0);
   const CellComplex complex(*this, {});
-  const auto [first, last] = cellsIn(layers);
-  execution.forEach(last - first, CellsAChunk, [&](std::size_t begin, std::size_t end) {
+  const std::array<CellKey, 2> range = cellsIn(layers);
+  const CellKey first = range[0]; // clang takes no structured bindings into lambdas
+  execution.forEach(range[1] - first, CellsAChunk, [&](std::size_t begin, std::size_t end) {
     Polyhedron polyhedron;
     CellShape measures;
     for (std::size_t c = first + begin; c < first + end; ++c)
