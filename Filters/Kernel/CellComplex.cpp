@@ -1,6 +1,7 @@
 #include "CellComplex.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace cartesian
 {
@@ -254,11 +255,20 @@ bool CellComplex::isAtFault(CellKey key) const
   {
     return whole_.atFault[key] != 0;
   }
+  if (cell && cell->fault != OpenCell::Fault::Unknown)
+  {
+    return cell->fault == OpenCell::Fault::Yes;
+  }
   Polyhedron polyhedron;
   CellShape measures;
   shape(key, polyhedron);
   measure(polyhedron, measures);
-  return isAnyAtFault(polyhedron, measures);
+  const bool any = isAnyAtFault(polyhedron, measures);
+  if (cell)
+  {
+    cell->fault = any ? OpenCell::Fault::Yes : OpenCell::Fault::No;
+  }
+  return any;
 }
 
 void CellComplex::lookBeyond(CellKey key, CellView& view) const
@@ -370,60 +380,122 @@ std::vector<CellKey> CellComplex::polyhedra() const
   return keys;
 }
 
+std::vector<CellKey> CellComplex::polyhedraChangedSince(std::uint32_t mark) const
+{
+  std::vector<CellKey> changed;
+  const auto look = [&](CellKey key, const OpenCell& cell) {
+    if (cell.changed && cell.changedAt >= mark)
+    {
+      changed.push_back(key);
+      for (const FaceUse& use : cell.faces)
+      {
+        changed.push_back(across(use));
+      }
+    }
+  };
+  for (std::size_t i = 0; i < openOf_.size(); ++i)
+  {
+    if (openOf_[i] != None)
+    {
+      look(static_cast<CellKey>(firstOfSlab_ + i), open_[openOf_[i]]);
+    }
+  }
+  for (const auto& [key, open] : openOfOther_)
+  {
+    look(key, open_[open]);
+  }
+  std::sort(changed.begin(), changed.end());
+  std::vector<CellKey> keys = polyhedra();
+  keys.erase(
+    std::remove_if(keys.begin(), keys.end(),
+      [&](CellKey key) { return !std::binary_search(changed.begin(), changed.end(), key); }),
+    keys.end());
+  return keys;
+}
+
 // Nodes by place and faces by nodes: sums of the same numbers in the same order, whatever numbers
 // nodes and faces have got.
 void CellComplex::view(const std::vector<CellKey>& keys, CellView& view) const
 {
-  view = {};
-  const Point& origin = boxes_.boxes[boxOf(keys.front())].low;
-  const auto forEachOuter = [&](const auto& visit) {
-    for (const CellKey key : keys)
-    {
-      forEachFace(key, [&](const FaceUse& use) {
-        const CellKey other = across(use);
-        if (other == None || std::find(keys.begin(), keys.end(), other) == keys.end())
-        {
-          visit(use);
-        }
-      });
-    }
-  };
-  std::vector<std::pair<Vector, std::uint32_t>> places;
-  forEachOuter([&](const FaceUse& use) {
-    forEachNodeOf(
-      use, [&](std::uint32_t node) { places.emplace_back(minus(placeOf(node), origin), node); });
-  });
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-  for (const auto& [place, node] : places)
+  struct Outer
   {
-    view.shape.nodes.push_back(place);
-    view.nodes.push_back(node);
-  }
-  std::vector<std::pair<std::vector<std::uint32_t>, FaceUse>> faces;
-  forEachOuter([&](const FaceUse& use) {
-    std::vector<std::uint32_t> ring;
-    forEachNodeOf(use, [&](std::uint32_t node) {
-      const auto at = std::make_pair(minus(placeOf(node), origin), node);
-      ring.push_back(static_cast<std::uint32_t>(
-        std::lower_bound(places.begin(), places.end(), at) - places.begin()));
+    FaceUse use;
+    CellKey other;
+    std::size_t begin; // of its corners
+    std::size_t end;
+  };
+  std::vector<Outer> faces;
+  std::vector<std::uint32_t> corners;
+  for (const CellKey key : keys)
+  {
+    forEachFace(key, [&](const FaceUse& use) {
+      const CellKey other = across(use);
+      if (other == None || std::find(keys.begin(), keys.end(), other) == keys.end())
+      {
+        const std::size_t begin = corners.size();
+        forEachNodeOf(use, [&](std::uint32_t node) { corners.push_back(node); });
+        faces.push_back({ use, other, begin, corners.size() });
+      }
     });
-    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
-    faces.emplace_back(std::move(ring), use);
+  }
+  view.clear();
+  numberNodes(boxes_.boxes[boxOf(keys.front())].low, corners, view);
+  const auto corner = [&](
+                        std::size_t i) { return corners.begin() + static_cast<std::ptrdiff_t>(i); };
+  for (const Outer& face : faces)
+  {
+    const auto first = std::min_element(corner(face.begin), corner(face.end));
+    std::rotate(corner(face.begin), first, corner(face.end));
+  }
+  std::sort(faces.begin(), faces.end(), [&](const Outer& x, const Outer& y) {
+    return std::lexicographical_compare(
+      corner(x.begin), corner(x.end), corner(y.begin), corner(y.end));
   });
-  std::sort(
-    faces.begin(), faces.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
-  for (const auto& [ring, use] : faces)
+  for (const Outer& face : faces)
   {
     // A removed cell's faces are boundary (4.10).
-    const CellKey other = across(use);
-    const bool exposed = other != None && !isAlive(other);
-    view.faces.push_back(use);
-    view.across.push_back(exposed ? CellKey(None) : other);
-    view.boundary.push_back(exposed ? boundaryOfCell(other) : boundaryOf(use.face));
-    view.fixed.push_back(other == None || isFree(other) ? 0 : 1);
-    view.shape.corners.insert(view.shape.corners.end(), ring.begin(), ring.end());
+    const bool exposed = face.other != None && !isAlive(face.other);
+    view.faces.push_back(face.use);
+    view.across.push_back(exposed ? CellKey(None) : face.other);
+    view.boundary.push_back(exposed ? boundaryOfCell(face.other) : boundaryOf(face.use.face));
+    view.fixed.push_back(face.other == None || isFree(face.other) ? 0 : 1);
+    view.shape.corners.insert(view.shape.corners.end(), corner(face.begin), corner(face.end));
     view.shape.closeFace(view.across.back() == None);
+  }
+}
+
+// Fills in the nodes, by place, and gives the corners their numbers there.
+void CellComplex::numberNodes(
+  const Point& origin, std::vector<std::uint32_t>& corners, CellView& view) const
+{
+  std::vector<std::uint32_t> nodes = corners;
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  struct Placed
+  {
+    Point at;
+    std::uint32_t which; // of the nodes
+  };
+  std::vector<Placed> places;
+  places.reserve(nodes.size());
+  for (std::uint32_t i = 0; i < nodes.size(); ++i)
+  {
+    places.push_back({ placeOf(nodes[i]), i });
+  }
+  std::sort(places.begin(), places.end(), [](const Placed& x, const Placed& y) {
+    return std::tie(x.at, x.which) < std::tie(y.at, y.which);
+  });
+  std::vector<std::uint32_t> numbers(nodes.size());
+  for (std::uint32_t i = 0; i < places.size(); ++i)
+  {
+    numbers[places[i].which] = i;
+    view.nodes.push_back(nodes[places[i].which]);
+    view.shape.nodes.push_back(minus(places[i].at, origin));
+  }
+  for (std::uint32_t& corner : corners)
+  {
+    const auto at = std::lower_bound(nodes.begin(), nodes.end(), corner);
+    corner = numbers[static_cast<std::size_t>(at - nodes.begin())];
   }
 }
 

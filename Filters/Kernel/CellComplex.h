@@ -73,6 +73,10 @@ public:
   // The acting cells that are alive and free, but for untouched hexahedra, in order.
   std::vector<CellKey> polyhedra() const;
 
+  // Of these, those that have changed, or have a neighbour that has, since `mark` was called.
+  std::uint32_t mark() { return ++now_; }
+  std::vector<CellKey> polyhedraChangedSince(std::uint32_t mark) const;
+
   // Whether it may change: all of it lies in the slab's free layers.
   bool isFree(CellKey key) const;
 
@@ -135,6 +139,20 @@ private:
 
   struct OpenCell
   {
+    enum class Fault : std::uint8_t
+    {
+      Unknown, // since it changed
+      No,
+      Yes
+    };
+
+    void change(std::uint32_t now)
+    {
+      changed = true;
+      changedAt = now;
+      fault = Fault::Unknown;
+    }
+
     std::vector<FaceUse> faces;
     std::uint32_t box;
     std::uint32_t origin;  // the cell that it is or was a part of
@@ -142,8 +160,10 @@ private:
     bool alive = true;
     bool removed = false; // as in Cell
     bool changed = false;
+    std::uint32_t changedAt = 0;
     std::array<std::uint8_t, 2> reach{ 0, 0 }; // as in Cell
     Beyond place;                              // from the lower corner of its box
+    mutable Fault fault = Fault::Unknown;      // what isAtFault has found; one thread has a slab
   };
   struct Shaped
   {
@@ -200,6 +220,7 @@ private:
   void openHexahedron(std::uint32_t box, OpenCell& cell);
   void addSideOfHexahedron(std::uint32_t box, unsigned side, OpenCell& cell);
   std::uint32_t knownFace(std::uint32_t box, std::uint32_t side) const;
+  void numberNodes(const Point& origin, std::vector<std::uint32_t>& corners, CellView& view) const;
   std::uint32_t nodeOfCorner(const Box& box, unsigned corner);
 
   bool hasEdge(const FaceUse& use, std::uint32_t u, std::uint32_t v) const;
@@ -243,6 +264,7 @@ private:
   std::vector<VertexNode> vertices_;
   std::unordered_map<std::uint64_t, std::uint32_t> nodeOfVertex_;
   CellKey nextKey_;
+  std::uint32_t now_ = 0;
   bool changed_ = false;
 };
 

@@ -109,7 +109,10 @@ std::uint32_t CellComplex::own(std::uint32_t face, CellKey cell)
     }
     open(key);
     OpenCell& owner = *opened(key);
-    owner.changed = owner.changed || key < cells_.size();
+    if (key < cells_.size())
+    {
+      owner.change(now_);
+    }
     for (FaceUse& other : owner.faces)
     {
       other.face = (other.face == face ? number : other.face) & MostFaces;
@@ -129,7 +132,7 @@ std::uint32_t CellComplex::renamed(std::uint32_t face) const
 
 void CellComplex::insertNode(CellKey cell, std::uint32_t u, std::uint32_t v, std::uint32_t node)
 {
-  opened(cell)->changed = true;
+  opened(cell)->change(now_);
   const std::size_t count = opened(cell)->faces.size();
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -384,7 +387,7 @@ void CellComplex::cut(
   }
   for (const CellKey k : keys)
   {
-    opened(k)->changed = true;
+    opened(k)->change(now_);
     opened(k)->place = measuredPlace(k);
   }
   parts.insert(parts.end(), keys.begin(), keys.end());
@@ -418,7 +421,7 @@ FaceUse CellComplex::addPiece(FaceUse use, CellKey cell, Shaped piece, std::uint
   {
     use.turned = turned ? 0 : 1;
     opened(other)->faces.push_back(use);
-    opened(other)->changed = true;
+    opened(other)->change(now_);
   }
   use.turned = turned ? 1 : 0;
   return use;
@@ -496,10 +499,10 @@ void CellComplex::merge(CellKey small, CellKey into)
   }
   dropTwins(faces, ofSmall);
   to.faces = std::move(faces);
-  to.changed = true;
+  to.change(now_);
   from.faces.clear();
   from.alive = false;
-  from.changed = true;
+  from.change(now_);
   to.place = measuredPlace(into);
 }
 
@@ -567,12 +570,16 @@ void CellComplex::remove(CellKey key)
     if (other != None && other >= cells_.size() && isShaped(use.face))
     {
       open(other);
-      opened(other)->changed = true;
+      opened(other)->change(now_);
+    }
+    else if (OpenCell* neighbour = other == None ? nullptr : opened(other))
+    {
+      neighbour->fault = OpenCell::Fault::Unknown;
     }
   }
   opened(key)->boundary = boundary;
   opened(key)->removed = true;
-  opened(key)->changed = true;
+  opened(key)->change(now_);
 }
 
 std::int32_t CellComplex::boundaryOf(std::uint32_t face) const
@@ -620,7 +627,7 @@ void CellComplex::removeFace(CellKey key, std::uint32_t face)
   faces.erase(std::remove_if(
                 faces.begin(), faces.end(), [&](const FaceUse& use) { return use.face == face; }),
     faces.end());
-  opened(key)->changed = true;
+  opened(key)->change(now_);
 }
 
 void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joined)
@@ -644,7 +651,7 @@ void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joi
       std::reverse(nodes.begin(), nodes.end());
     }
     shaped(own(renamed(use.face), key)).nodes = std::move(nodes);
-    opened(key)->changed = true;
+    opened(key)->change(now_);
     for (std::size_t i = 1; i < group.members.size(); ++i)
     {
       const std::uint32_t gone = renamed(view.faces[group.members[i]].face);

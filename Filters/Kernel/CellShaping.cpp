@@ -73,7 +73,11 @@ bool joinFacesOf(CellComplex& complex, CellKey key, double leastCosine)
     return false;
   }
   const Fitness before = fitnessOf(view.shape, shape, view.beyond);
-  const JoinedFaces joined = joinFaces(view, leastCosine);
+  const JoinedFaces joined = joinFaces(view, shape, leastCosine);
+  if (joined.groups.empty())
+  {
+    return false;
+  }
   std::vector<Beyond> beyond;
   const Polyhedron after = shapeOf(view, joined, beyond);
   const double volume = shape.volume;
@@ -111,7 +115,7 @@ bool mendFace(CellComplex& complex, CellKey key)
     {
       continue;
     }
-    for (JoinedFaces& joined : joinFace(view, face))
+    for (JoinedFaces& joined : joinFace(view, shape, face))
     {
       std::vector<Beyond> beyond;
       CellShape after;
@@ -218,16 +222,27 @@ private:
   void removeRefused()
   {
     RefusedCells refused(complex_, spec_, execution_);
+    std::uint32_t looked = 0;
     for (std::size_t pass = 0; pass < LargestShares.size(); ++pass)
     {
       mend();
       shaping_.partsCarved += carveCells(complex_, atFault(), MostCarved, execution_);
       mend();
       removeSmall(1);
-      // Only a look at all cells finds skewed inner faces.
-      const bool all = pass == 0 || pass + 1 == LargestShares.size();
-      shaping_.refusedCellsRemoved += refused.remove(
-        all ? complex_.polyhedra() : atFault(), LargestShares[pass] * spec_.refusedCellRatio);
+      // Only a look at all cells finds skewed inner faces: once, and in the end at what has changed.
+      std::vector<CellKey> keys;
+      if (pass == 0)
+      {
+        keys = complex_.polyhedra();
+        looked = complex_.mark();
+      }
+      else
+      {
+        const bool last = pass + 1 == LargestShares.size();
+        keys = last ? complex_.polyhedraChangedSince(looked) : atFault();
+      }
+      shaping_.refusedCellsRemoved +=
+        refused.remove(keys, LargestShares[pass] * spec_.refusedCellRatio);
     }
   }
 

@@ -27,6 +27,17 @@ struct CellView
   std::vector<std::int32_t> boundary; // that it belongs to, where nothing is beyond
   std::vector<std::uint8_t> fixed;    // 1: a cell is beyond that must not change
   std::vector<Beyond> beyond;         // filled by CellComplex::lookBeyond
+
+  void clear()
+  {
+    shape.clear();
+    nodes.clear();
+    faces.clear();
+    across.clear();
+    boundary.clear();
+    fixed.clear();
+    beyond.clear();
+  }
 };
 
 }

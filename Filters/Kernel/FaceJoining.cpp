@@ -98,27 +98,17 @@ void addRing(const std::vector<std::uint32_t>& ring, Polyhedron& shape)
 class Joiner
 {
 public:
-  Joiner(const CellView& view, double leastCosine)
+  Joiner(const CellView& view, const CellShape& shape, double leastCosine)
     : view_(view)
+    , shape_(shape)
     , leastCosine_(leastCosine)
   {
-    trial_.nodes = view.shape.nodes;
-    measure(view.shape, shape_);
-    for (std::uint32_t f = 0; f < view.faces.size(); ++f)
-    {
-      const auto begin = view.shape.corners.begin();
-      joined_.groups.push_back({ { f },
-        { begin + std::ptrdiff_t(view.shape.start[f]),
-          begin + std::ptrdiff_t(view.shape.start[f + 1]) } });
-      normals_.push_back(unit(shape_.faces[f].area));
-      groupOf_.push_back(f);
-    }
   }
 
   // A boundary face with each of its neighbours in turn, whatever the angle.
   std::vector<JoinedFaces> runWith(std::uint32_t face)
   {
-    listEdges();
+    begin();
     std::vector<JoinedFaces> results;
     const JoinedFaces apart = joined_;
     for (const auto& [f, g] : pairs_)
@@ -134,8 +124,12 @@ public:
 
   JoinedFaces run()
   {
-    listEdges();
-    for (bool joined = leastCosine_ <= 1; joined;)
+    if (leastCosine_ > 1 || !mayAnyFit())
+    {
+      return {};
+    }
+    begin();
+    for (bool joined = true; joined;)
     {
       joined = false;
       for (const auto& [f, g] : pairs_)
@@ -143,10 +137,40 @@ public:
         joined = join(groupOf_[f], groupOf_[g]) || joined;
       }
     }
-    return withoutEmpty(std::move(joined_));
+    JoinedFaces joined = withoutEmpty(std::move(joined_));
+    return joined.groups.size() < view_.faces.size() ? joined : JoinedFaces{};
   }
 
 private:
+  void begin()
+  {
+    trial_.nodes = view_.shape.nodes;
+    for (std::uint32_t f = 0; f < view_.faces.size(); ++f)
+    {
+      const auto corners = view_.shape.corners.begin();
+      joined_.groups.push_back({ { f },
+        { corners + std::ptrdiff_t(view_.shape.start[f]),
+          corners + std::ptrdiff_t(view_.shape.start[f + 1]) } });
+      groupOf_.push_back(f);
+    }
+    listEdges();
+  }
+
+  bool mayAnyFit() const
+  {
+    for (std::uint32_t f = 0; f < view_.faces.size(); ++f)
+    {
+      for (std::uint32_t g = 0; g < f; ++g)
+      {
+        if (mayFit(f, g))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
   static JoinedFaces withoutEmpty(JoinedFaces joined)
   {
     auto& groups = joined.groups;
@@ -187,10 +211,13 @@ private:
   // Of two faces, before a closer look.
   bool mayFit(std::uint32_t f, std::uint32_t g) const
   {
-    const bool inner = view_.across[f] != view_.across[g] ? false : isInner(f);
-    return f != g && view_.across[f] == view_.across[g] && !view_.fixed[f] && !view_.fixed[g] &&
-      (inner || view_.boundary[f] == view_.boundary[g]) &&
-      dot(normals_[f], normals_[g]) >= std::min(inner ? 1 : leastCosine_, NearlyFlat);
+    if (f == g || view_.across[f] != view_.across[g] || view_.fixed[f] || view_.fixed[g] ||
+      (!isInner(f) && view_.boundary[f] != view_.boundary[g]))
+    {
+      return false;
+    }
+    const double cosine = dot(unit(shape_.faces[f].area), unit(shape_.faces[g].area));
+    return cosine >= std::min(isInner(f) ? 1 : leastCosine_, NearlyFlat);
   }
 
   bool isInner(std::uint32_t f) const { return view_.across[f] != None; }
@@ -249,10 +276,9 @@ private:
   static constexpr double NearlyFlat = 0.999;
 
   const CellView& view_;
+  const CellShape& shape_;
   double leastCosine_;
   JoinedFaces joined_;
-  CellShape shape_;
-  std::vector<Vector> normals_;                                // of faces
   std::vector<std::uint32_t> groupOf_;                         // of faces
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_; // of neighbouring faces
   Polyhedron trial_;
@@ -260,20 +286,25 @@ private:
 
 }
 
-JoinedFaces joinFaces(const CellView& view, double leastCosine)
+JoinedFaces joinFaces(const CellView& view, const CellShape& shape, double leastCosine)
 {
   constexpr double NoAngle = 2;
-  return Joiner(view, view.faces.size() > MostFacesJoined ? NoAngle : leastCosine).run();
+  return Joiner(view, shape, view.faces.size() > MostFacesJoined ? NoAngle : leastCosine).run();
 }
 
-std::vector<JoinedFaces> joinFace(const CellView& view, std::uint32_t face)
+std::vector<JoinedFaces> joinFace(const CellView& view, const CellShape& shape, std::uint32_t face)
 {
   constexpr double AnyAngle = -1;
-  return Joiner(view, AnyAngle).runWith(face);
+  return Joiner(view, shape, AnyAngle).runWith(face);
 }
 
 Polyhedron shapeOf(const CellView& view, const JoinedFaces& joined, std::vector<Beyond>& beyond)
 {
+  if (joined.groups.empty())
+  {
+    beyond = view.beyond;
+    return view.shape;
+  }
   Polyhedron shape;
   shape.nodes = view.shape.nodes;
   beyond.clear();

@@ -14,20 +14,20 @@ struct JoinedFaces
     std::vector<std::uint32_t> members; // faces of the view
     std::vector<std::uint32_t> ring;    // nodes of the view, counter-clockwise from outside
   };
-  std::vector<Group> groups; // each face is in one
+  std::vector<Group> groups; // each face is in one; none: no faces are joined
 };
 
 // Cells of more faces keep them all: the time to join grows with the square of their number.
 constexpr std::size_t MostFacesJoined = 1000;
 
-// `leastCosine`: of the angle between normals of boundary faces; 1: they lie on one plane; more: no
+// `shape`: the view's; `leastCosine`: of the angle between normals of boundary faces; 1: they lie on one plane; more: no
 // faces are joined at all.
-JoinedFaces joinFaces(const CellView& view, double leastCosine);
+JoinedFaces joinFaces(const CellView& view, const CellShape& shape, double leastCosine);
 
 // All ways to make a boundary face and one neighbour of the same boundary one, whatever their angle.
-std::vector<JoinedFaces> joinFace(const CellView& view, std::uint32_t face);
+std::vector<JoinedFaces> joinFace(const CellView& view, const CellShape& shape, std::uint32_t face);
 
-// The view's shape with the groups for faces, and what is beyond them.
+// The view's shape with the groups, if any, for faces, and what is beyond them.
 Polyhedron shapeOf(const CellView& view, const JoinedFaces& joined, std::vector<Beyond>& beyond);
 
 }

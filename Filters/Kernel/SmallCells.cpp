@@ -160,7 +160,11 @@ private:
     cells_.lookBeyond(merging.keys.front(), merging.view);
     CellShape shape;
     measure(merging.view.shape, shape);
-    merging.joined = joinFaces(merging.view, isThin(shape) ? NoAngle : leastCosine_);
+    merging.joined = joinFaces(merging.view, shape, isThin(shape) ? NoAngle : leastCosine_);
+    if (merging.joined.groups.empty())
+    {
+      return fitnessOf(merging.view.shape, shape, merging.view.beyond);
+    }
     std::vector<Beyond> beyond;
     const Polyhedron joined = shapeOf(merging.view, merging.joined, beyond);
     measure(joined, shape);
@@ -254,22 +258,23 @@ private:
     const CellKey* const none = nullptr;
     const Fitness own = alone(candidate.key, none, none);
     int best = 0; // change of weight
+    Merging trial;
     for (const auto& [other, area] : neighbours)
     {
-      Merging trial;
+      const bool first = candidate.small && merging.keys.empty();
       trial.keys = { other, candidate.key };
-      const Fitness after = together(trial);
       Fitness before = alone(other, trial.keys.begin() + 1, trial.keys.end());
       before += own;
-      const int change = after.weight() - before.weight();
-      if (!after.isNoLessValidThan(before))
+      if (before.weight() < (first ? 0 : 1) - best) // at best nothing is left of it
       {
         continue;
       }
-      if (change < best || (candidate.small && merging.keys.empty() && change == 0))
+      const Fitness after = together(trial);
+      const int change = after.weight() - before.weight();
+      if (after.isNoLessValidThan(before) && (change < best || (first && change == 0)))
       {
         best = change;
-        merging = std::move(trial);
+        std::swap(merging, trial);
       }
     }
   }
