@@ -4,10 +4,10 @@
 #include "BoundarySettings.h"
 #include "Division.h"
 #include "Error.h"
+#include "GhostCells.h"
 #include "MeshToVTK.h"
 #include "SurfaceFromVTK.h"
 
-#include "vtkGhostCellsGenerator.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -286,12 +286,7 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   this->IsSilent = wasSilent;
   if (piece.ghostLevels > 0 && place.processes.areSeveral())
   {
-    vtkNew<vtkGhostCellsGenerator> generator;
-    generator->SetInputData(mesh);
-    generator->SetNumberOfGhostLayers(piece.ghostLevels);
-    generator->BuildIfRequiredOff();
-    generator->Update();
-    mesh->ShallowCopy(generator->GetOutputDataObject(0));
+    cartesian::addGhostCells(mesh, piece.ghostLevels, place.processes);
   }
 }
 
