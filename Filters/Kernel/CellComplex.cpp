@@ -424,8 +424,11 @@ void CellComplex::view(const std::vector<CellKey>& keys, CellView& view) const
     std::size_t begin; // of its corners
     std::size_t end;
   };
+  constexpr std::size_t UsualFaces = 24; // saves time only
   std::vector<Outer> faces;
   std::vector<std::uint32_t> corners;
+  faces.reserve(UsualFaces);
+  corners.reserve(4 * UsualFaces);
   for (const CellKey key : keys)
   {
     forEachFace(key, [&](const FaceUse& use) {

@@ -14,7 +14,6 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t CellsAChunk = 512;
 // Faces that become one may cut off less than the rest of a cell.
 constexpr double LeastVolumeLeft = 0.8;
 
@@ -22,28 +21,6 @@ constexpr double LeastVolumeLeft = 0.8;
 constexpr std::array<double, 5> WiderAngles{ 30, 45, 60, 90, 180 };
 
 constexpr double RadiansPerDegree = 3.14159265358979 / 180;
-
-// Those of the cells, in order, that are at fault.
-std::vector<CellKey> cellsAtFault(
-  const CellComplex& complex, const std::vector<CellKey>& keys, Execution& execution)
-{
-  std::vector<std::vector<CellKey>> parts(chunks(keys.size(), CellsAChunk));
-  execution.forEach(keys.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      if (complex.isAtFault(keys[i]))
-      {
-        parts[begin / CellsAChunk].push_back(keys[i]);
-      }
-    }
-  });
-  std::vector<CellKey> all;
-  for (const auto& part : parts)
-  {
-    all.insert(all.end(), part.begin(), part.end());
-  }
-  return all;
-}
 
 // Whether a face that several would make is there already.
 bool meetsFace(
@@ -205,7 +182,11 @@ public:
 private:
   std::vector<CellKey> atFault() const
   {
-    return cellsAtFault(complex_, complex_.polyhedra(), execution_);
+    std::vector<CellKey> keys = complex_.polyhedra();
+    keys.erase(std::remove_if(
+                 keys.begin(), keys.end(), [&](CellKey key) { return !complex_.isAtFault(key); }),
+      keys.end());
+    return keys;
   }
 
   // What cannot be merged is small beyond use.

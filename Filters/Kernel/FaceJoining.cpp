@@ -1,6 +1,7 @@
 #include "FaceJoining.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cartesian
 {
@@ -216,8 +217,29 @@ private:
     {
       return false;
     }
-    const double cosine = dot(unit(shape_.faces[f].area), unit(shape_.faces[g].area));
-    return cosine >= std::min(isInner(f) ? 1 : leastCosine_, NearlyFlat);
+    const Vector& area = shape_.faces[f].area;
+    const Vector& others = shape_.faces[g].area;
+    const bool flat = isInner(f) || leastCosine_ >= 1;
+    if (dot(unit(area), unit(others)) < (flat ? NearlyFlat : std::min(leastCosine_, NearlyFlat)))
+    {
+      return false;
+    }
+    const Vector normal = unit(plus(area, others));
+    return !flat || (isNearPlane(f, normal) && isNearPlane(g, normal));
+  }
+
+  // Of a face that is on one plane with another: each corner and the centre are near to it.
+  bool isNearPlane(std::uint32_t f, const Vector& normal) const
+  {
+    for (std::size_t i = view_.shape.start[f]; i < view_.shape.start[f + 1]; ++i)
+    {
+      const Vector& corner = view_.shape.nodes[view_.shape.corners[i]];
+      if (std::abs(dot(minus(corner, shape_.faces[f].centre), normal)) > 3 * RoundingLevels)
+      {
+        return false;
+      }
+    }
+    return true;
   }
 
   bool isInner(std::uint32_t f) const { return view_.across[f] != None; }

@@ -8,8 +8,6 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t CellsAChunk = 256;
-
 // Each round exposes faces of the cells next to those removed, which are seldom at fault.
 constexpr int MostRounds = 10;
 
@@ -51,7 +49,7 @@ bool RefusedCells::mayGo(const Candidate& candidate) const
 }
 
 // For each refused face of a cell, finds the smaller of its two cells that may go.
-void RefusedCells::lookAt(CellKey key, MeasuredCell& cell, Found& found) const
+void RefusedCells::lookAt(CellKey key, MeasuredCell& cell, std::set<Candidate>& candidates)
 {
   if (!cells_.isAlive(key))
   {
@@ -60,7 +58,7 @@ void RefusedCells::lookAt(CellKey key, MeasuredCell& cell, Found& found) const
   cells_.lookAround(key, cell);
   if (cell.across.size() < LeastFaces && mayGo(candidate(key)))
   {
-    found.candidates.push_back(candidate(key));
+    candidates.insert(candidate(key));
     return;
   }
   for (std::size_t f = 0; f < cell.across.size(); ++f)
@@ -78,15 +76,15 @@ void RefusedCells::lookAt(CellKey key, MeasuredCell& cell, Found& found) const
     }
     if (mayGo(smaller))
     {
-      found.candidates.push_back(smaller);
+      candidates.insert(smaller);
     }
     else if (mayGo(larger))
     {
-      found.candidates.push_back(larger);
+      candidates.insert(larger);
     }
     else
     {
-      found.stay.push_back(key);
+      stay_.insert(key);
     }
   }
 }
@@ -94,19 +92,12 @@ void RefusedCells::lookAt(CellKey key, MeasuredCell& cell, Found& found) const
 // Returns the cells to look at again.
 std::vector<CellKey> RefusedCells::removeSome(const std::vector<CellKey>& keys)
 {
-  std::vector<Found> parts(chunks(keys.size(), CellsAChunk));
-  execution_.forEach(keys.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-    MeasuredCell cell;
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      lookAt(keys[i], cell, parts[begin / CellsAChunk]);
-    }
-  });
   std::set<Candidate> candidates;
-  for (const Found& part : parts)
+  MeasuredCell cell;
+  for (const CellKey key : keys)
   {
-    candidates.insert(part.candidates.begin(), part.candidates.end());
-    stay_.insert(part.stay.begin(), part.stay.end());
+    execution_.poll();
+    lookAt(key, cell, candidates);
   }
   std::set<CellKey> again;
   for (const Candidate& candidate : candidates)

@@ -35,15 +35,10 @@ private:
 
     bool operator<(const Candidate& other) const;
   };
-  struct Found
-  {
-    std::vector<Candidate> candidates;
-    std::vector<CellKey> stay; // refused, but too large to go
-  };
 
   Candidate candidate(CellKey key) const;
   bool mayGo(const Candidate& candidate) const;
-  void lookAt(CellKey key, MeasuredCell& cell, Found& found) const;
+  void lookAt(CellKey key, MeasuredCell& cell, std::set<Candidate>& candidates);
   std::vector<CellKey> removeSome(const std::vector<CellKey>& keys);
 
   CellComplex& cells_;
@@ -51,7 +46,7 @@ private:
   Execution& execution_;
   double largest_ = 0;
   std::size_t removed_ = 0;
-  std::set<CellKey> stay_;
+  std::set<CellKey> stay_; // refused, but too large to go
 };
 
 }

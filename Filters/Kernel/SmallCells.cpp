@@ -10,8 +10,6 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t CellsAChunk = 64;
-
 // No faces are joined: no cosine is as large.
 constexpr double NoAngle = 2;
 
@@ -27,10 +25,10 @@ constexpr int MostRounds = 50;
 // A cell that should become a part of another.
 struct Candidate
 {
-  CellKey key = None;
-  double volume = 0;    // as a part of its box
-  bool small = false;   // else it is at fault
-  CellKey first = None; // the neighbour that it shares most area with
+  CellKey key;
+  double volume; // as a part of its box
+  bool small;    // else it is at fault
+  CellKey first; // the neighbour that it shares most area with
 
   bool operator<(const Candidate& other) const
   {
@@ -92,25 +90,20 @@ private:
 
   void findCandidates(const std::vector<CellKey>& keys)
   {
-    candidates_.assign(keys.size(), {});
-    execution_.nextLoop(0.04);
-    execution_.forEach(keys.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
+    candidates_.clear();
+    for (const CellKey key : keys)
+    {
+      execution_.poll();
+      const double volume = cells_.volume(key) / cells_.volumeOfBox(key);
+      if (volume < ratio_ || (mend_ && volume < MostVolume && cells_.isAtFault(key)))
       {
-        const double volume = cells_.volume(keys[i]) / cells_.volumeOfBox(keys[i]);
-        if (volume < ratio_ || (mend_ && volume < MostVolume && cells_.isAtFault(keys[i])))
+        const auto neighbours = possibleNeighbours(key);
+        if (!neighbours.empty())
         {
-          const auto neighbours = possibleNeighbours(keys[i]);
-          candidates_[i].key = keys[i];
-          candidates_[i].volume = volume;
-          candidates_[i].small = volume < ratio_;
-          candidates_[i].first = neighbours.empty() ? None : neighbours.front().first;
+          candidates_.push_back({ key, volume, volume < ratio_, neighbours.front().first });
         }
       }
-    });
-    candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(),
-                        [](const Candidate& candidate) { return candidate.first == None; }),
-      candidates_.end());
+    }
     std::sort(candidates_.begin(), candidates_.end());
     small_.clear();
     for (const Candidate& candidate : candidates_)
@@ -129,22 +122,20 @@ private:
 
   // But for its faces towards the cells from `begin` to `end`.
   template <class Iterator>
-  Fitness alone(CellKey key, Iterator begin, Iterator end) const
+  Fitness alone(CellKey key, Iterator begin, Iterator end)
   {
-    CellView view;
-    CellShape shape;
-    cells_.view({ key }, view);
-    cells_.lookBeyond(key, view);
-    measure(view.shape, shape);
-    std::vector<std::uint8_t> counts;
-    for (const CellKey other : view.across)
+    cells_.view({ key }, view_);
+    cells_.lookBeyond(key, view_);
+    measure(view_.shape, shape_);
+    counts_.clear();
+    for (const CellKey other : view_.across)
     {
-      counts.push_back(std::find(begin, end, other) == end ? 1 : 0);
+      counts_.push_back(std::find(begin, end, other) == end ? 1 : 0);
     }
-    return fitnessOf(view.shape, shape, view.beyond, counts);
+    return fitnessOf(view_.shape, shape_, view_.beyond, counts_);
   }
 
-  Fitness apart(const std::vector<CellKey>& keys) const
+  Fitness apart(const std::vector<CellKey>& keys)
   {
     Fitness sum;
     for (auto key = keys.begin(); key != keys.end(); ++key)
@@ -154,21 +145,20 @@ private:
     return sum;
   }
 
-  Fitness together(Merging& merging) const
+  Fitness together(Merging& merging)
   {
     cells_.view(merging.keys, merging.view);
     cells_.lookBeyond(merging.keys.front(), merging.view);
-    CellShape shape;
-    measure(merging.view.shape, shape);
-    merging.joined = joinFaces(merging.view, shape, isThin(shape) ? NoAngle : leastCosine_);
+    measure(merging.view.shape, shape_);
+    merging.joined = joinFaces(merging.view, shape_, isThin(shape_) ? NoAngle : leastCosine_);
     if (merging.joined.groups.empty())
     {
-      return fitnessOf(merging.view.shape, shape, merging.view.beyond);
+      return fitnessOf(merging.view.shape, shape_, merging.view.beyond);
     }
     std::vector<Beyond> beyond;
     const Polyhedron joined = shapeOf(merging.view, merging.joined, beyond);
-    measure(joined, shape);
-    return fitnessOf(joined, shape, beyond);
+    measure(joined, shape_);
+    return fitnessOf(joined, shape_, beyond);
   }
 
   // Carries it out unless another has changed one of the cells or what is beyond: then later.
@@ -221,22 +211,21 @@ private:
         groups.back().keys.insert(groups.back().keys.end(), group.begin(), group.end());
       }
     }
-    execution_.forEach(groups.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
+    for (Merging& group : groups)
+    {
+      execution_.poll();
+      if (!cells_.mayMerge(group.keys))
       {
-        if (!cells_.mayMerge(groups[i].keys))
-        {
-          groups[i].keys.clear();
-          continue;
-        }
-        const Fitness after = together(groups[i]);
-        const Fitness before = apart(groups[i].keys);
-        if (after.weight() > before.weight() || !after.isNoLessValidThan(before))
-        {
-          groups[i].keys.clear();
-        }
+        group.keys.clear();
+        continue;
       }
-    });
+      const Fitness after = together(group);
+      const Fitness before = apart(group.keys);
+      if (after.weight() > before.weight() || !after.isNoLessValidThan(before))
+      {
+        group.keys.clear();
+      }
+    }
     for (const Merging& group : groups)
     {
       execution_.poll();
@@ -251,7 +240,7 @@ private:
   }
 
   // The neighbour with which least is at fault.
-  void choose(const Candidate& candidate, Merging& merging) const
+  void choose(const Candidate& candidate, Merging& merging)
   {
     auto neighbours = possibleNeighbours(candidate.key);
     neighbours.resize(std::min(neighbours.size(), MostNeighbours));
@@ -282,17 +271,15 @@ private:
   void mergeOneByOne()
   {
     std::vector<Merging> mergings(candidates_.size());
-    execution_.nextLoop(0.22);
-    execution_.forEach(candidates_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t i = 0; i < candidates_.size(); ++i)
+    {
+      execution_.poll();
+      // What a group has changed comes later.
+      if (taken_.count(candidates_[i].key) == 0)
       {
-        // What a group has changed comes later.
-        if (taken_.count(candidates_[i].key) == 0)
-        {
-          choose(candidates_[i], mergings[i]);
-        }
+        choose(candidates_[i], mergings[i]);
       }
-    });
+    }
     for (std::size_t i = 0; i < mergings.size(); ++i)
     {
       execution_.poll();
@@ -317,6 +304,11 @@ private:
   std::set<CellKey> taken_;           // in this round: changed, or next to it
   std::set<CellKey> again_;           // to be looked at in the next round
   std::size_t merged_ = 0;
+
+  // Of the trial at hand, kept for their memory:
+  CellView view_;
+  CellShape shape_;
+  std::vector<std::uint8_t> counts_;
 };
 
 }
