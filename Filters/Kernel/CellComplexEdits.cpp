@@ -236,14 +236,15 @@ bool CellComplex::meetsFace(const CellView& view, const CellCut& cut) const
   const auto isThere = [&](const CellCut::Face& face) {
     const bool whole = face.source == CellCut::NoSource || pieces[face.source] < 2 ||
       view.across[face.source] == None;
-    if (whole || std::any_of(face.corners.begin(), face.corners.end(), [&](std::uint32_t corner) {
+    const CellCut::Corners corners = cut.cornersOf(face);
+    if (whole || std::any_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
           return corner >= view.nodes.size();
         }))
     {
       return false;
     }
     piece.clear();
-    for (const std::uint32_t corner : face.corners)
+    for (const std::uint32_t corner : corners)
     {
       piece.push_back(view.nodes[corner]);
     }
@@ -359,7 +360,7 @@ void CellComplex::cut(
   for (const CellCut::Face& face : cut.faces)
   {
     Shaped piece;
-    for (const std::uint32_t corner : face.corners)
+    for (const std::uint32_t corner : cut.cornersOf(face))
     {
       piece.nodes.push_back(nodes[corner]);
     }

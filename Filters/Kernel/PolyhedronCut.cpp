@@ -3,7 +3,7 @@
 #include "StarPolygons.h"
 
 #include <algorithm>
-#include <map>
+#include <iterator>
 #include <numeric>
 
 namespace cartesian
@@ -15,10 +15,58 @@ namespace
 using Index = std::uint32_t;
 using EdgeKey = std::pair<Index, Index>; // lower node first
 
+constexpr Index NoPoint = ~Index(0);
+
 EdgeKey keyOf(Index from, Index to)
 {
   return { std::min(from, to), std::max(from, to) };
 }
+
+// The first face on an edge on one side of the plane: a table with open addressing.
+class FaceOfEdge
+{
+public:
+  // For as many edges at most.
+  void reset(std::size_t edges)
+  {
+    std::size_t size = 16;
+    while (size < 2 * edges)
+    {
+      size *= 2;
+    }
+    entries_.assign(size, { { 0, 0 }, 0, 0 });
+  }
+
+  // Returns the face that was there first: this one, if none was.
+  Index add(const EdgeKey& edge, int side, Index face)
+  {
+    const std::uint64_t bits =
+      (std::uint64_t(edge.first) << 32 | edge.second) + (side > 0 ? 1u << 31 : 0);
+    std::size_t at = (bits * 0x9e3779b97f4a7c15u) >> 32;
+    for (;; ++at)
+    {
+      Entry& entry = entries_[at & (entries_.size() - 1)];
+      if (entry.side == 0)
+      {
+        entry = { edge, side, face };
+        return face;
+      }
+      if (entry.edge == edge && entry.side == side)
+      {
+        return entry.face;
+      }
+    }
+  }
+
+private:
+  struct Entry
+  {
+    EdgeKey edge;
+    int side; // 0: free
+    Index face;
+  };
+  std::vector<Entry> entries_;
+};
 
 class Cutter
 {
@@ -34,6 +82,7 @@ public:
   {
     cut_.points.clear();
     cut_.faces.clear();
+    cut_.corners.clear();
     findSigns();
     if (!hasBothSides())
     {
@@ -146,6 +195,8 @@ private:
     }
   }
 
+  bool isOnPlane(Index n) const { return n >= cell_.nodes.size() || distance_[n] == 0; }
+
   bool hasBothSides() const
   {
     const auto above = [](double d) { return d > 0; };
@@ -172,7 +223,7 @@ private:
     {
       forEachEdge(f, [&](Index from, Index to) {
         const EdgeKey edge = keyOf(from, to);
-        if (sign(from) * sign(to) < 0 && points_.count(edge) == 0)
+        if (sign(from) * sign(to) < 0 && pointOn(edge) == NoPoint)
         {
           Vector at = meetingPoint(edge.first, edge.second);
           for (double& x : at)
@@ -180,12 +231,24 @@ private:
             x = std::round(x);
           }
           good = good && !same(at, cell_.nodes[from]) && !same(at, cell_.nodes[to]);
-          points_[edge] = static_cast<Index>(cell_.nodes.size() + cut_.points.size());
           cut_.points.push_back({ edge.first, edge.second, at });
         }
       });
     }
     return good;
+  }
+
+  // There are not many.
+  Index pointOn(const EdgeKey& edge) const
+  {
+    for (std::size_t i = 0; i < cut_.points.size(); ++i)
+    {
+      if (cut_.points[i].low == edge.first && cut_.points[i].high == edge.second)
+      {
+        return static_cast<Index>(cell_.nodes.size() + i);
+      }
+    }
+    return NoPoint;
   }
 
   // --- faces into pieces
@@ -198,7 +261,7 @@ private:
     forEachEdge(face, [&](Index from, Index to) {
       if (sign(from) * sign(to) < 0)
       {
-        ring_.push_back(points_.at(keyOf(from, to)));
+        ring_.push_back(pointOn(keyOf(from, to)));
         signs_.push_back(0);
       }
       ring_.push_back(to);
@@ -327,7 +390,9 @@ private:
 
   void addPiece(const std::vector<Index>& corners, Index source, int side)
   {
-    cut_.faces.push_back({ corners, source, 0, 0 });
+    const std::size_t begin = cut_.corners.size();
+    cut_.corners.insert(cut_.corners.end(), corners.begin(), corners.end());
+    cut_.faces.push_back({ begin, cut_.corners.size(), source, 0, 0 });
     sides_.push_back(side);
   }
 
@@ -381,19 +446,27 @@ private:
   // round, are cutting faces.
   bool closeCut()
   {
+    // Elsewhere the cell is closed: only edges on the plane count.
     std::vector<std::pair<EdgeKey, int>> runs; // 1: from the lower node; -1: from the higher
     for (std::size_t f = 0; f < cut_.faces.size(); ++f)
     {
-      const std::vector<Index>& corners = cut_.faces[f].corners;
-      for (std::size_t i = 0; sides_[f] < 0 && i < corners.size(); ++i)
+      if (sides_[f] > 0)
       {
-        const Index from = corners[i];
-        const Index to = corners[i + 1 < corners.size() ? i + 1 : 0];
-        runs.emplace_back(keyOf(from, to), from < to ? 1 : -1);
+        continue;
+      }
+      const CellCut::Corners corners = cut_.cornersOf(cut_.faces[f]);
+      Index from = corners[corners.size() - 1];
+      for (const Index to : corners)
+      {
+        if (isOnPlane(from) && isOnPlane(to))
+        {
+          runs.emplace_back(keyOf(from, to), from < to ? 1 : -1);
+        }
+        from = to;
       }
     }
     std::sort(runs.begin(), runs.end());
-    std::map<Index, Index> next;
+    std::vector<std::pair<Index, Index>> next; // of a node on a cutting face
     for (auto run = runs.begin(); run != runs.end();)
     {
       const EdgeKey edge = run->first;
@@ -403,25 +476,37 @@ private:
         sum += run->second;
       }
       const bool up = sum > 0; // the piece runs from the lower node: the cut from the higher
-      if (std::abs(sum) > 1 ||
-        (sum != 0 &&
-          !next.emplace(up ? edge.second : edge.first, up ? edge.first : edge.second).second))
+      if (std::abs(sum) > 1)
       {
         return false;
       }
-    }
-    while (!next.empty())
-    {
-      std::vector<Index> loop{ next.begin()->first };
-      for (auto at = next.begin(); at != next.end(); at = next.find(loop.back()))
+      if (sum != 0)
       {
-        const Index to = at->second;
-        next.erase(at);
-        if (to == loop.front())
-        {
-          break;
-        }
-        loop.push_back(to);
+        next.emplace_back(up ? edge.second : edge.first, up ? edge.first : edge.second);
+      }
+    }
+    std::sort(next.begin(), next.end());
+    const auto sameNode = [](const auto& x, const auto& y) { return x.first == y.first; };
+    if (std::adjacent_find(next.begin(), next.end(), sameNode) != next.end())
+    {
+      return false;
+    }
+    std::vector<std::uint8_t> done(next.size());
+    for (std::size_t first = 0; first < next.size(); ++first)
+    {
+      std::vector<Index> loop;
+      for (std::size_t i = first; i < next.size() && !done[i];)
+      {
+        done[i] = 1;
+        loop.push_back(next[i].first);
+        const auto at =
+          std::lower_bound(next.begin(), next.end(), std::make_pair(next[i].second, Index(0)));
+        const bool found = at != next.end() && at->first == next[i].second;
+        i = found ? static_cast<std::size_t>(at - next.begin()) : next.size();
+      }
+      if (loop.empty())
+      {
+        continue;
       }
       // A loop the other way round is a hole of another.
       if (loop.size() < 3 || !(dot(areaOf(loop), plane_.normal) > 0) ||
@@ -440,8 +525,9 @@ private:
     std::vector<std::pair<Sums, std::size_t>> order;
     for (std::size_t f = 0; f < cut_.faces.size(); ++f)
     {
-      Sums sums{ cut_.faces[f].corners.size(), 0, 0 };
-      for (const std::uint64_t corner : cut_.faces[f].corners)
+      const CellCut::Corners corners = cut_.cornersOf(cut_.faces[f]);
+      Sums sums{ corners.size(), 0, 0 };
+      for (const std::uint64_t corner : corners)
       {
         sums[1] += corner;
         sums[2] += corner * corner;
@@ -450,9 +536,10 @@ private:
     }
     std::sort(order.begin(), order.end());
     return std::adjacent_find(order.begin(), order.end(), [&](const auto& x, const auto& y) {
+      const CellCut::Corners corners = cut_.cornersOf(cut_.faces[x.second]);
       return x.first == y.first &&
-        std::is_permutation(cut_.faces[x.second].corners.begin(),
-          cut_.faces[x.second].corners.end(), cut_.faces[y.second].corners.begin());
+        std::is_permutation(
+          corners.begin(), corners.end(), cut_.cornersOf(cut_.faces[y.second]).begin());
     }) == order.end();
   }
 
@@ -475,13 +562,15 @@ private:
     const auto count = static_cast<Index>(cut_.faces.size());
     parent_.resize(2 * std::size_t(count));
     std::iota(parent_.begin(), parent_.end(), 0);
-    std::vector<std::pair<std::pair<EdgeKey, int>, Index>> edges; // by side
+    edges_.reset(2 * cut_.corners.size());
     const auto list = [&](Index f, Index as, int side) {
-      const std::vector<Index>& corners = cut_.faces[f].corners;
-      for (std::size_t i = 0; i < corners.size(); ++i)
+      const CellCut::Corners corners = cut_.cornersOf(cut_.faces[f]);
+      Index from = corners[corners.size() - 1];
+      for (const Index to : corners)
       {
-        const Index to = corners[i + 1 < corners.size() ? i + 1 : 0];
-        edges.push_back({ { keyOf(corners[i], to), side }, as });
+        const Index other = edges_.add(keyOf(from, to), side, as);
+        parent_[root(as)] = root(other);
+        from = to;
       }
     };
     for (Index f = 0; f < count; ++f)
@@ -492,17 +581,12 @@ private:
         list(f, count + f, 1);
       }
     }
-    std::sort(edges.begin(), edges.end());
-    for (std::size_t i = 1; i < edges.size(); ++i)
-    {
-      if (edges[i].first == edges[i - 1].first)
-      {
-        parent_[root(edges[i].second)] = root(edges[i - 1].second);
-      }
-    }
-    std::map<Index, Index> numbers;
+    number_.assign(2 * std::size_t(count), NoPoint);
+    cut_.parts = 0;
     const auto partOf = [&](Index f) {
-      return numbers.emplace(root(f), static_cast<Index>(numbers.size())).first->second;
+      Index& number = number_[root(f)];
+      number = number == NoPoint ? cut_.parts++ : number;
+      return number;
     };
     for (Index f = 0; f < count; ++f)
     {
@@ -513,7 +597,6 @@ private:
         face.above = partOf(count + f);
       }
     }
-    cut_.parts = static_cast<std::uint32_t>(numbers.size());
     return cut_.parts > 1;
   }
 
@@ -525,11 +608,12 @@ private:
   CellCut& cut_;
   std::vector<double> distance_; // of nodes from the plane; 0: on it
   std::vector<Index> snapped_;
-  std::map<EdgeKey, Index> points_; // on edges
   std::vector<Index> ring_;
   std::vector<int> signs_;
   std::vector<int> sides_; // of each face of the cut
   std::vector<Index> parent_;
+  std::vector<Index> number_;
+  FaceOfEdge edges_;
 };
 
 }
@@ -550,14 +634,16 @@ Polyhedron partOf(const Polyhedron& cell, const CellCut& cut, std::uint32_t part
   for (const CellCut::Face& face : cut.faces)
   {
     const bool inner = face.source == CellCut::NoSource;
+    const CellCut::Corners corners = cut.cornersOf(face);
     if (face.below == part)
     {
-      result.corners.insert(result.corners.end(), face.corners.begin(), face.corners.end());
+      result.corners.insert(result.corners.end(), corners.begin(), corners.end());
       result.closeFace(!inner && cell.isBoundary[face.source]);
     }
     else if (inner && face.above == part)
     {
-      result.corners.insert(result.corners.end(), face.corners.rbegin(), face.corners.rend());
+      result.corners.insert(result.corners.end(), std::make_reverse_iterator(corners.end()),
+        std::make_reverse_iterator(corners.begin()));
       result.closeFace(false);
     }
   }

@@ -3,7 +3,7 @@
 
 #include "Polyhedron.h"
 
-#include <array>
+#include <cstddef>
 
 namespace cartesian
 {
@@ -28,15 +28,33 @@ struct CellCut
   };
   struct Face
   {
-    std::vector<std::uint32_t> corners;
+    std::size_t begin; // of its corners, in those of all
+    std::size_t end;
     std::uint32_t source; // the cell's face that it is (a piece of), or NoSource: cutting face
     std::uint32_t below;  // its part; of a cutting face, the one that it is counter-clockwise from
     std::uint32_t above;  // of a cutting face, the other part
   };
   static constexpr std::uint32_t NoSource = ~std::uint32_t(0);
 
+  // The corners of a face, one after the other.
+  struct Corners
+  {
+    const std::uint32_t* first;
+    const std::uint32_t* last;
+
+    const std::uint32_t* begin() const { return first; }
+    const std::uint32_t* end() const { return last; }
+    std::size_t size() const { return static_cast<std::size_t>(last - first); }
+    std::uint32_t operator[](std::size_t i) const { return first[i]; }
+  };
+  Corners cornersOf(const Face& face) const
+  {
+    return { corners.data() + face.begin, corners.data() + face.end };
+  }
+
   std::vector<Point> points;
   std::vector<Face> faces;
+  std::vector<std::uint32_t> corners; // of all faces
   std::uint32_t parts = 0;
 };
 
