@@ -225,12 +225,19 @@ std::string Assembly::describeNothing() const
 {
   const bool onlySlivers = std::all_of(
     cells_.cells.begin(), cells_.cells.end() - 1, [](const Cell& cell) { return cell.sliver; });
-  return !onlySlivers
-    ? "There is nothing left to mesh: all " + std::to_string(cells_.size()) +
-      " cells are smaller than the Small Cell Ratio allows (" + number(smallCellRatio_) +
-      " of their boxes). Choose a smaller ratio or a smaller Cell Size."
-    : "There is nothing to mesh: the surface encloses no volume, or is open everywhere." +
+  if (onlySlivers)
+  {
+    return "There is nothing to mesh: the surface encloses no volume, or is open everywhere." +
       describeFlaws();
+  }
+  const std::string all = "There is nothing left to mesh: all " + std::to_string(cells_.size()) +
+    " cells are smaller than the Small Cell Ratio allows (" + number(smallCellRatio_) +
+    " of their boxes)";
+  return shaping_.refusedCellsRemoved == 0
+    ? all + ". Choose a smaller ratio or a smaller Cell Size."
+    : all +
+      ", or of a shape that solvers refuse. Choose a smaller Cell Size, or a Refused Cell Ratio of "
+      "0 to keep them.";
 }
 
 void Assembly::findInnerFaces(Execution& execution)

@@ -18,6 +18,9 @@ constexpr double MostConcave = 1e-3;
 // Of a polygon that others are merged into: the time grows with the square of their number.
 constexpr std::uint32_t MostCorners = 128;
 
+// Around a node that is removed: likewise.
+constexpr std::size_t LargestFan = 256;
+
 double angleBetween(const Vector& a, const Vector& b)
 {
   return std::acos(std::max(-1.0, std::min(1.0, dot(a, b))));
@@ -198,7 +201,8 @@ void Simplification::markFeatures()
   }
 }
 
-// The polygons around a node in order, and the loop around them; false where they are no single fan.
+// The polygons around a node in order, and the loop around them; false where they are no single fan,
+// or too many.
 bool Simplification::gatherFan(std::uint32_t node)
 {
   fan_.clear();
@@ -208,6 +212,10 @@ bool Simplification::gatherFan(std::uint32_t node)
     {
       fan_.push_back(p);
     }
+  }
+  if (fan_.size() > LargestFan)
+  {
+    return false;
   }
   const auto neighbour = [&](std::uint32_t p, bool next) {
     const std::uint32_t* const c = corners_.data() + polygons_[p].first;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -52,6 +53,65 @@ TEST(Resources, OneBoxHoldsAllTriangles)
   const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 0.5));
   EXPECT_TRUE(fills(meshed.mesh, soup));
   EXPECT_EQ(meshed.mesh.cells(), 1U);
+}
+
+// Two cones on one rim: at their tips meet more triangles than can be looked at in pairs.
+TEST(Resources, ANodeOfManyTriangles)
+{
+  const std::uint32_t count = 20000;
+  const double angle = 2 * 3.14159265358979 / count;
+  Soup soup;
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    soup.points.push_back({ std::cos(angle * i), std::sin(angle * i), 0 });
+    const std::uint32_t next = (i + 1) % count;
+    soup.triangles.push_back({ i, next, count });
+    soup.triangles.push_back({ next, i, count + 1 });
+  }
+  soup.points.push_back({ 0, 0, 0.5 });
+  soup.points.push_back({ 0, 0, -0.5 });
+  const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 0.5), { CellSpec{}, 1, {}, {} });
+  EXPECT_TRUE(isValid(meshed.mesh, true));
+  EXPECT_NEAR(volumeOf(meshed.mesh) / soup.volume(), 1, 1e-3);
+}
+
+// A ring of triangular section, of too many faces to be cut: its centre lies outside of it.
+TEST(Resources, ARingInOneBox)
+{
+  const std::uint32_t count = 1000;
+  const double angle = 2 * 3.14159265358979 / count;
+  Soup soup;
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    for (const double corner : { 0.1, 2.2, 4.3 })
+    {
+      const double radius = 1 + 0.2 * std::cos(corner);
+      soup.points.push_back(
+        { radius * std::cos(angle * i), radius * std::sin(angle * i), 0.2 * std::sin(corner) });
+    }
+    for (std::uint32_t k = 0; k < 3; ++k)
+    {
+      const std::uint32_t next = (i + 1) % count;
+      const std::uint32_t a = 3 * i + k;
+      const std::uint32_t b = 3 * i + (k + 1) % 3;
+      soup.triangles.push_back({ a, 3 * next + k, b });
+      soup.triangles.push_back({ b, 3 * next + k, 3 * next + (k + 1) % 3 });
+    }
+  }
+  Options options{ CellSpec{}, 1, {}, {} };
+  try
+  {
+    meshOf(soup, cellsAlongLongest(soup, 0.5), options);
+    FAIL() << "solvers take no ring as a cell";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("Refused Cell Ratio of 0"), std::string::npos)
+      << error.what();
+  }
+  options.cells.refusedCellRatio = 0;
+  const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 0.5), options);
+  EXPECT_NEAR(volumeOf(meshed.mesh) / soup.volume(), 1, 0.05);
 }
 
 TEST(Resources, AComponentOfOneTriangle)
