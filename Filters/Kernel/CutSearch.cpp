@@ -160,24 +160,31 @@ private:
   // Across the centre, or half-way to a face at fault, which is nearer to the centre of its part then.
   void halve()
   {
+    bool any = false;
     for (std::size_t face = 0; face < cell_.faces(); ++face)
     {
       if (!isAtFault(cell_, shape_, face))
       {
         continue;
       }
-      for (const double share : { 0.0, 0.5 })
+      if (!any)
       {
-        for (std::size_t axis = 0; axis < 3; ++axis)
-        {
-          CutPlane plane;
-          plane.at =
-            plus(shape_.centre, scaled(minus(shape_.faces[face].centre, shape_.centre), share));
-          plane.normal = { 0, 0, 0 };
-          plane.normal[axis] = 1;
-          attempt(plane, false);
-        }
+        halveAt(shape_.centre);
       }
+      any = true;
+      halveAt(plus(shape_.centre, scaled(minus(shape_.faces[face].centre, shape_.centre), 0.5)));
+    }
+  }
+
+  void halveAt(const Vector& at)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      CutPlane plane;
+      plane.at = at;
+      plane.normal = { 0, 0, 0 };
+      plane.normal[axis] = 1;
+      attempt(plane, false);
     }
   }
 
