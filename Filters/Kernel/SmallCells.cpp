@@ -124,15 +124,13 @@ private:
   template <class Iterator>
   Fitness alone(CellKey key, Iterator begin, Iterator end)
   {
-    cells_.view({ key }, view_);
-    cells_.lookBeyond(key, view_);
-    measure(view_.shape, shape_);
+    cells_.lookAround(key, cell_);
     counts_.clear();
-    for (const CellKey other : view_.across)
+    for (const CellKey other : cell_.across)
     {
       counts_.push_back(std::find(begin, end, other) == end ? 1 : 0);
     }
-    return fitnessOf(view_.shape, shape_, view_.beyond, counts_);
+    return fitnessOf(cell_.shape, cell_.measures, cell_.beyond, counts_);
   }
 
   Fitness apart(const std::vector<CellKey>& keys)
@@ -306,7 +304,7 @@ private:
   std::size_t merged_ = 0;
 
   // Of the trial at hand, kept for their memory:
-  CellView view_;
+  MeasuredCell cell_;
   CellShape shape_;
   std::vector<std::uint8_t> counts_;
 };
