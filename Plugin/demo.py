@@ -33,24 +33,23 @@ def print_statistics(mesh):
             print(f"{array.GetName():32} {array.GetVariantValue(0).ToString()}")
 
 
-def longest_cut(mesh, axis):
-    """Where a plane across `axis` shows most cells: on top of a layer of boxes, a hair below so
-    that it meets the cells of that layer only."""
+def largest_layer(mesh, axis):
+    """The layer of boxes across `axis` with most cells, and the coordinate of its upper side."""
     layers = vtk_to_numpy(mesh.GetCellData().GetArray("GlobalBox"))[:, axis]
-    cells = numpy.flatnonzero(layers == numpy.bincount(layers).argmax())
-    tops = [mesh.GetCell(cell).GetBounds()[2 * axis + 1] for cell in cells]
-    return max(tops) - 1e-6 * mesh.GetLength()
+    layer = int(numpy.bincount(layers).argmax())
+    tops = [mesh.GetCell(cell).GetBounds()[2 * axis + 1]
+        for cell in numpy.flatnonzero(layers == layer)]
+    return layer, float(numpy.median(tops))
 
 
 def draw(mesher, mesh, picture):
-    """The layers of boxes behind a plane across the shortest side, seen at an angle."""
+    """The layers of boxes up to the largest one across the shortest side, seen at an angle."""
     bounds = mesh.GetBounds()
     low, high = bounds[0::2], bounds[1::2]
     middle = [(a + b) / 2 for a, b in zip(low, high)]
     sizes = [b - a for a, b in zip(low, high)]
     across, up, _ = sorted(range(3), key=lambda axis: sizes[axis])
-    middle[across] = longest_cut(mesh, across)
-    normal = [float(axis == across) for axis in range(3)]
+    layer, middle[across] = largest_layer(mesh, across)
     away = [1.0 if axis == across else 0.3 for axis in range(3)]
 
     view = CreateView("RenderView")
@@ -59,20 +58,23 @@ def draw(mesher, mesh, picture):
     view.UseColorPaletteForBackground = 0
     view.Background = [1, 1, 1]
 
-    def show(port):
-        half = Clip(Input=OutputPort(mesher, port), ClipType="Plane", Crinkleclip=1, Invert=1)
-        half.ClipType.Origin = middle
-        half.ClipType.Normal = normal
+    def show(ports, cell):
+        of_cell = PythonCalculator(Input=[OutputPort(mesher, port) for port in ports],
+            Expression=f"inputs[-1].CellData['GlobalBox'][{cell}, {across}]",
+            ArrayName="Layer", ArrayAssociation="Cell Data")
+        half = Threshold(Input=of_cell, Scalars=["CELLS", "Layer"], ThresholdMethod="Between",
+                         LowerThreshold=0, UpperThreshold=layer)
         display = Show(half, view)
         display.Representation = "Surface With Edges"
         display.EdgeColor = [0.3, 0.3, 0.3]
         display.Ambient = 0.25
         return display
 
-    cells = show("Mesh")
+    cells = show(["Mesh"], ":")
     cells.ColorArrayName = ["CELLS", ""]
     cells.AmbientColor = cells.DiffuseColor = [1.0, 0.97, 0.88]
-    boundary = show("Boundary")
+    # Each face of the boundary is shown with its cell.
+    boundary = show(["Boundary", "Mesh"], "inputs[0].CellData['OwnerCell']")
     ColorBy(boundary, ("CELLS", "BoundaryId"))
     first, last = (int(n) for n in boundary.Input.CellData["BoundaryId"].GetRange())
     colours = GetColorTransferFunction("BoundaryId")
