@@ -26,7 +26,7 @@ namespace cartesian
 namespace
 {
 
-// What the bounds of this piece and of each other one have in common.
+// What the bounds of this piece have in common with each other one's.
 std::vector<vtkBoundingBox> overlaps(vtkUnstructuredGrid* mesh, const Processes& processes)
 {
   vtkBoundingBox mine; // nothing, where there are no points
@@ -36,13 +36,12 @@ std::vector<vtkBoundingBox> overlaps(vtkUnstructuredGrid* mesh, const Processes&
   }
   std::vector<double> bounds(6);
   mine.GetBounds(bounds.data());
+  const std::vector<std::vector<double>> all = processes.gather(bounds);
   std::vector<vtkBoundingBox> found;
-  std::size_t same = 0;
-  for (const std::vector<double>& other : processes.gather(bounds))
+  for (std::size_t i = 0; i < all.size(); ++i)
   {
-    vtkBoundingBox box(other.data());
-    same += other == bounds ? 1 : 0;
-    if (box.IsValid() && mine.IsValid() && box.IntersectBox(mine) && (other != bounds || same > 1))
+    vtkBoundingBox box(all[i].data());
+    if (i != processes.ownNumber() && box.IsValid() && mine.IsValid() && box.IntersectBox(mine))
     {
       found.push_back(box);
     }
@@ -64,18 +63,47 @@ bool isIn(const vtkBoundingBox& box, const double point[3])
   return true;
 }
 
-// The cells that can be ghosts elsewhere, or have a point of one.
-std::vector<vtkIdType> cellsNear(
-  vtkUnstructuredGrid* mesh, const std::vector<vtkBoundingBox>& boxes, int levels)
+// Of each point, whether another piece has it too.
+std::vector<std::uint8_t> sharedPoints(vtkUnstructuredGrid* mesh, const Processes& processes)
 {
-  std::vector<std::uint8_t> isNear(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  auto* ids = vtkIdTypeArray::SafeDownCast(mesh->GetPointData()->GetGlobalIds());
+  const std::vector<vtkBoundingBox> boxes = overlaps(mesh, processes);
+  std::vector<vtkIdType> candidates;
+  std::vector<double> names; // global ids: whole numbers below 2^53
   for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
   {
     double point[3];
     mesh->GetPoint(p, point);
-    isNear[static_cast<std::size_t>(p)] = std::any_of(
-      boxes.begin(), boxes.end(), [&](const vtkBoundingBox& box) { return isIn(box, point); });
+    if (std::any_of(
+          boxes.begin(), boxes.end(), [&](const vtkBoundingBox& box) { return isIn(box, point); }))
+    {
+      candidates.push_back(p);
+      names.push_back(static_cast<double>(ids->GetValue(p)));
+    }
   }
+  std::vector<double> others;
+  const std::vector<std::vector<double>> all = processes.gather(names);
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    if (i != processes.ownNumber())
+    {
+      others.insert(others.end(), all[i].begin(), all[i].end());
+    }
+  }
+  std::sort(others.begin(), others.end());
+  std::vector<std::uint8_t> isShared(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    isShared[static_cast<std::size_t>(candidates[i])] =
+      std::binary_search(others.begin(), others.end(), names[i]) ? 1 : 0;
+  }
+  return isShared;
+}
+
+// The cells that can be ghosts elsewhere, or have a point of one.
+std::vector<vtkIdType> cellsNear(vtkUnstructuredGrid* mesh, const Processes& processes, int levels)
+{
+  std::vector<std::uint8_t> isNear = sharedPoints(mesh, processes);
   std::vector<vtkIdType> cells;
   for (int level = 0; level < levels; ++level)
   {
@@ -242,7 +270,7 @@ private:
 
 void addGhostCells(vtkUnstructuredGrid* mesh, int levels, const Processes& processes)
 {
-  const std::vector<vtkIdType> cells = cellsNear(mesh, overlaps(mesh, processes), levels);
+  const std::vector<vtkIdType> cells = cellsNear(mesh, processes, levels);
   Appender(mesh, withGhosts(mesh, cells, levels), cells).run();
 }
 

@@ -153,6 +153,11 @@ Processes::Processes(int piece, int pieces)
   }
 }
 
+std::size_t Processes::ownNumber() const
+{
+  return controller_ ? static_cast<std::size_t>(controller_->GetLocalProcessId()) : 0;
+}
+
 std::vector<std::vector<double>> Processes::gather(const std::vector<double>& mine) const
 {
   if (!controller_)

@@ -4,6 +4,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <cstddef>
 #include <vector>
 
 class vtkDataObject;
@@ -23,6 +24,7 @@ public:
   Processes(int piece, int pieces);
 
   bool areSeveral() const { return controller_ != nullptr; }
+  std::size_t ownNumber() const;
 
   // Of each process, in order, its numbers.
   std::vector<std::vector<double>> gather(const std::vector<double>& mine) const;
