@@ -38,6 +38,14 @@ CellComplex::CellComplex(CellsToShape& whole, const Slab& slab)
   const auto [begin, end] = whole.cellsIn(slab.layers);
   firstOfSlab_ = begin;
   openOf_.assign(end - begin, None);
+  const auto [first, last] = whole.cellsIn(slab.acting);
+  for (CellKey key = first; key < last; ++key)
+  {
+    if (isAlive(key) && isFree(key))
+    {
+      acting_.push_back(key);
+    }
+  }
 }
 
 std::array<CellKey, 2> CellsToShape::cellsIn(Layers layers) const
@@ -358,10 +366,9 @@ bool CellComplex::mayMerge(const std::vector<CellKey>& keys) const
 std::vector<CellKey> CellComplex::polyhedra() const
 {
   std::vector<CellKey> keys;
-  const auto [begin, end] = whole_.cellsIn(slab_.acting);
-  for (CellKey key = begin; key < end; ++key)
+  for (const CellKey key : acting_)
   {
-    if (isAlive(key) && isFree(key))
+    if (!isOpen(key) || (isAlive(key) && isFree(key)))
     {
       keys.push_back(key);
     }

@@ -254,6 +254,7 @@ private:
   Slab slab_;
   std::vector<OpenCell> open_;
   CellKey firstOfSlab_;
+  std::vector<CellKey> acting_;       // alive and free, as they were
   std::vector<std::uint32_t> openOf_; // of cells of the slab's polyhedral boxes
   std::unordered_map<CellKey, std::uint32_t> openOfOther_; // of others
   std::vector<Shaped> shaped_;

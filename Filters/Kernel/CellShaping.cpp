@@ -121,9 +121,8 @@ void removeSmallCells(CellComplex& complex, const CellSpec& spec, double most)
 {
   for (const CellKey key : complex.polyhedra())
   {
-    const double ratio =
-      std::min(ratioOf(spec, complex.boundaryOfCell(key), spec.smallCellRatio), most);
-    if (complex.volume(key) < ratio * complex.volumeOfBox(key))
+    const double share = complex.volume(key) / complex.volumeOfBox(key);
+    if (share < most && share < ratioOf(spec, complex.boundaryOfCell(key), spec.smallCellRatio))
     {
       complex.remove(key);
     }

@@ -1,5 +1,6 @@
 #include "Cells.h"
 
+#include "EdgeTable.h"
 #include "Error.h"
 #include "Vector.h"
 
@@ -156,10 +157,13 @@ private:
   // the other. Volumes that only touch in an edge stay apart where each closes by itself.
   bool joinFaces()
   {
-    listEdges();
-    parent_.resize(faces_.size());
-    std::iota(parent_.begin(), parent_.end(), 0);
     shared_.clear();
+    if (joinInPairs())
+    {
+      return true;
+    }
+    listEdges();
+    separateFaces();
     for (std::size_t i = 0; i < edges_.size();)
     {
       std::size_t end = i;
@@ -185,6 +189,53 @@ private:
     joinFlatCells();
     joinAtSharedEdges();
     return true;
+  }
+
+  void separateFaces()
+  {
+    parent_.resize(faces_.size());
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+
+  // Where each edge has two faces, one each way, as nearly everywhere: false elsewhere.
+  bool joinInPairs()
+  {
+    separateFaces();
+    std::size_t corners = 0;
+    for (const FaceRef& face : faces_)
+    {
+      forEachNode(face, [&](std::uint32_t) { ++corners; });
+    }
+    firstAtEdge_.reset(corners);
+    std::size_t single = 0;
+    for (std::uint32_t f = 0; f < faces_.size(); ++f)
+    {
+      walk_.clear();
+      forEachNode(faces_[f], [&](std::uint32_t node) { walk_.push_back(node); });
+      std::uint32_t from = walk_.back();
+      for (const std::uint32_t to : walk_)
+      {
+        const std::uint32_t up = from < to ? 1 : 0;
+        std::uint32_t& first = firstAtEdge_.at(std::min(from, to), std::max(from, to));
+        if (first == EdgeTable::Fresh)
+        {
+          first = 2 * f + up;
+          ++single;
+        }
+        else if (first == Paired || first % 2 == up)
+        {
+          return false;
+        }
+        else
+        {
+          join(f, first / 2);
+          first = Paired;
+          --single;
+        }
+        from = to;
+      }
+    }
+    return single == 0;
   }
 
   // A patch that lies on an inner face (ShortEdges.h) is a cell without volume with it, whatever else
@@ -578,6 +629,9 @@ private:
     return best;
   }
 
+  // Instead of twice a face and a direction.
+  static constexpr std::uint32_t Paired = EdgeTable::Fresh - 1;
+
   // A solid angle beyond this is that of a point inside.
   static constexpr double HalfAround = 2 * 3.14159265358979;
 
@@ -590,6 +644,7 @@ private:
   const ShapedFaces none_;
   std::vector<FaceRef> faces_;
   std::vector<FaceEdge> edges_;
+  EdgeTable firstAtEdge_; // the first face at each edge and how it runs, then Paired
   std::vector<std::uint32_t> walk_;
   std::vector<std::uint32_t> parent_;
   std::vector<std::pair<std::size_t, std::size_t>> shared_;

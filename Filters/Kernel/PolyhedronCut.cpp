@@ -1,5 +1,6 @@
 #include "PolyhedronCut.h"
 
+#include "EdgeTable.h"
 #include "StarPolygons.h"
 
 #include <algorithm>
@@ -21,52 +22,6 @@ EdgeKey keyOf(Index from, Index to)
 {
   return { std::min(from, to), std::max(from, to) };
 }
-
-// The first face on an edge on one side of the plane: a table with open addressing.
-class FaceOfEdge
-{
-public:
-  // For as many edges at most.
-  void reset(std::size_t edges)
-  {
-    std::size_t size = 16;
-    while (size < 2 * edges)
-    {
-      size *= 2;
-    }
-    entries_.assign(size, { { 0, 0 }, 0, 0 });
-  }
-
-  // Returns the face that was there first: this one, if none was.
-  Index add(const EdgeKey& edge, int side, Index face)
-  {
-    const std::uint64_t bits =
-      (std::uint64_t(edge.first) << 32 | edge.second) + (side > 0 ? 1u << 31 : 0);
-    std::size_t at = (bits * 0x9e3779b97f4a7c15u) >> 32;
-    for (;; ++at)
-    {
-      Entry& entry = entries_[at & (entries_.size() - 1)];
-      if (entry.side == 0)
-      {
-        entry = { edge, side, face };
-        return face;
-      }
-      if (entry.edge == edge && entry.side == side)
-      {
-        return entry.face;
-      }
-    }
-  }
-
-private:
-  struct Entry
-  {
-    EdgeKey edge;
-    int side; // 0: free
-    Index face;
-  };
-  std::vector<Entry> entries_;
-};
 
 class Cutter
 {
@@ -568,8 +523,13 @@ private:
       Index from = corners[corners.size() - 1];
       for (const Index to : corners)
       {
-        const Index other = edges_.add(keyOf(from, to), side, as);
-        parent_[root(as)] = root(other);
+        const EdgeKey edge = keyOf(from, to);
+        Index& first = edges_.at(edge.first, edge.second, side > 0 ? 1 : 0);
+        if (first == EdgeTable::Fresh)
+        {
+          first = as;
+        }
+        parent_[root(as)] = root(first);
         from = to;
       }
     };
@@ -613,7 +573,7 @@ private:
   std::vector<int> sides_; // of each face of the cut
   std::vector<Index> parent_;
   std::vector<Index> number_;
-  FaceOfEdge edges_;
+  EdgeTable edges_; // the first face at each, on each side of the plane
 };
 
 }
