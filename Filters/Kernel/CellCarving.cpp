@@ -13,18 +13,26 @@ namespace
 // A cell loses a part as often as that.
 constexpr int MostCuts = 3;
 
-// The fitness of the largest part, the others being gone, or nothing where these are too large.
+bool isAtBoundary(const Polyhedron& part)
+{
+  return std::find(part.isBoundary.begin(), part.isBoundary.end(), 1) != part.isBoundary.end();
+}
+
+// The fitness of the largest part, the others being gone, or nothing where these are too large, or
+// would leave a hole inside the mesh.
 std::optional<Fitness> fitnessOfRest(
   const CellView& view, const CellCut& cut, double volume, double mostLost)
 {
   Polyhedron rest;
   CellShape shape;
   std::uint32_t largest = 0;
+  std::uint32_t inside = 0; // parts
   for (std::uint32_t p = 0; p < cut.parts; ++p)
   {
     Polyhedron part = partOf(view.shape, cut, p);
     CellShape measures;
     measure(part, measures);
+    inside += isAtBoundary(part) ? 0 : 1;
     if (p == 0 || measures.volume > shape.volume)
     {
       largest = p;
@@ -32,7 +40,7 @@ std::optional<Fitness> fitnessOfRest(
       shape = std::move(measures);
     }
   }
-  if (volume - shape.volume > mostLost)
+  if (volume - shape.volume > mostLost || inside > (isAtBoundary(rest) ? 0 : 1))
   {
     return {};
   }

@@ -116,13 +116,19 @@ public:
   // nothing. Of a cell that is not free only those around these nodes are looked at.
   bool hasFaceNear(CellKey key, std::vector<std::uint32_t> nodes) const;
 
+  // Whether one that several faces of a cell, seen so, would make is there already.
+  bool hasFacesNear(CellKey key, const CellView& view, const JoinedFaces& joined) const;
+
   // Makes each group of faces of an opened cell, seen so, one.
   void join(CellKey key, const CellView& view, const JoinedFaces& joined);
 
   // That most of its patches belonged to, or NoBoundary.
   std::int32_t boundaryOfCell(CellKey key) const;
 
-  // Of its boundary faces as they are now, that with the largest area, or NoBoundary.
+  // Whether one of its faces is a boundary face now.
+  bool isAtBoundary(CellKey key) const;
+
+  // Of its boundary faces as they are now, that with the largest area; without any, its own.
   std::int32_t mainBoundary(CellKey key) const;
 
   // In lattice levels.

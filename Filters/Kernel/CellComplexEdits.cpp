@@ -558,6 +558,19 @@ bool CellComplex::hasFaceNear(CellKey key, std::vector<std::uint32_t> nodes) con
   return found;
 }
 
+bool CellComplex::hasFacesNear(CellKey key, const CellView& view, const JoinedFaces& joined) const
+{
+  return std::any_of(
+    joined.groups.begin(), joined.groups.end(), [&](const JoinedFaces::Group& group) {
+      std::vector<std::uint32_t> nodes;
+      for (const std::uint32_t node : group.ring)
+      {
+        nodes.push_back(view.nodes[node]);
+      }
+      return group.members.size() > 1 && hasFaceNear(key, std::move(nodes));
+    });
+}
+
 // A hexahedron next to it gets a boundary face, which only polyhedra have.
 void CellComplex::remove(CellKey key)
 {
@@ -602,6 +615,16 @@ std::int32_t CellComplex::boundaryOfCell(CellKey key) const
   return cell ? cell->boundary : cells_.cells[key].boundary;
 }
 
+bool CellComplex::isAtBoundary(CellKey key) const
+{
+  bool any = false;
+  forEachFace(key, [&](const FaceUse& use) {
+    const CellKey other = across(use);
+    any = any || other == None || !isAlive(other);
+  });
+  return any;
+}
+
 std::int32_t CellComplex::mainBoundary(CellKey key) const
 {
   MeasuredCell cell;
@@ -617,9 +640,10 @@ std::int32_t CellComplex::mainBoundary(CellKey key) const
     }
     ++face;
   });
+  areas.erase(NoBoundary);
   const auto most = std::max_element(
     areas.begin(), areas.end(), [](const auto& x, const auto& y) { return x.second < y.second; });
-  return most == areas.end() ? NoBoundary : most->first;
+  return most == areas.end() ? boundaryOfCell(key) : most->first;
 }
 
 void CellComplex::removeFace(CellKey key, std::uint32_t face)

@@ -10,9 +10,10 @@ namespace cartesian
 namespace
 {
 
-constexpr double LeastBoundaryCosine = 0;
-constexpr double LeastInnerCosine = 0.258819045102521; // cos 75
-constexpr double LeastSlopeCosine = 0.342020143325669; // cos 70
+// A sixth of a degree less than section 3 allows: solvers do not agree on the centre of a bent face.
+constexpr double LeastBoundaryCosine = 0.00290887798436196; // cos 89 5/6
+constexpr double LeastInnerCosine = 0.261627710462944;      // cos 74 5/6
+constexpr double LeastSlopeCosine = 0.342020143325669;      // cos 70
 constexpr double MostSkewness = 4;
 constexpr double LeastVolumeRatio = 0.01;
 constexpr double LeastFaceWeight = 0.05;

@@ -22,10 +22,10 @@ struct Fitness
 {
   enum Fault
   {
-    BoundaryAngle, // 90 degrees or more between a boundary face's normal and the way to it (section 3)
-    InnerAngle,    // 75 or more, seen from either cell
-    Wrong,         // ... 90 or more, or its normal points away from the way between the centres
-    Steep,         // an inner face more than 70 degrees off the line between the centres
+    BoundaryAngle, // 90 degrees (section 3), or nearly, between a boundary face's normal and the way to it
+    InnerAngle,     // 75, or nearly, seen from either cell
+    Wrong,          // ... 90 or more, or its normal points away from the way between the centres
+    Steep,          // an inner face more than 70 degrees off the line between the centres
     BoundarySkewed, // a boundary face's skewness over 4
     InnerSkewed,    // an inner face's
     Uneven,         // one of the two cells is smaller than a hundredth of the other

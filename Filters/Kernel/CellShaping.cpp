@@ -22,21 +22,6 @@ constexpr std::array<double, 5> WiderAngles{ 30, 45, 60, 90, 180 };
 
 constexpr double RadiansPerDegree = 3.14159265358979 / 180;
 
-// Whether a face that several would make is there already.
-bool meetsFace(
-  const CellComplex& complex, CellKey key, const CellView& view, const JoinedFaces& joined)
-{
-  return std::any_of(
-    joined.groups.begin(), joined.groups.end(), [&](const JoinedFaces::Group& group) {
-      std::vector<std::uint32_t> nodes;
-      for (const std::uint32_t node : group.ring)
-      {
-        nodes.push_back(view.nodes[node]);
-      }
-      return group.members.size() > 1 && complex.hasFaceNear(key, std::move(nodes));
-    });
-}
-
 // Joins the faces of a cell where that helps; returns whether it did.
 bool joinFacesOf(CellComplex& complex, CellKey key, double leastCosine)
 {
@@ -60,7 +45,8 @@ bool joinFacesOf(CellComplex& complex, CellKey key, double leastCosine)
   const double volume = shape.volume;
   measure(after, shape);
   if (after.faces() >= LeastFaces && shape.volume > LeastVolumeLeft * volume &&
-    fitnessOf(after, shape, beyond).isBetterThan(before) && !meetsFace(complex, key, view, joined))
+    fitnessOf(after, shape, beyond).isBetterThan(before) &&
+    !complex.hasFacesNear(key, view, joined))
   {
     complex.open(key);
     complex.join(key, view, joined);
@@ -100,7 +86,7 @@ bool mendFace(CellComplex& complex, CellKey key)
       measure(trial, after);
       const Fitness fitness = fitnessOf(trial, after, beyond);
       if (trial.faces() >= LeastFaces && after.volume > LeastVolumeLeft * shape.volume &&
-        fitness.isBetterThan(best) && !meetsFace(complex, key, view, joined))
+        fitness.isBetterThan(best) && !complex.hasFacesNear(key, view, joined))
       {
         best = fitness;
         bestJoined = std::move(joined);
@@ -116,13 +102,15 @@ bool mendFace(CellComplex& complex, CellKey key)
   return true;
 }
 
-// Those below a part of their box: R of their boundary, but not more than `most`.
+// Those at the boundary below a part of their box: R of their boundary, but not more than `most`.
+// Elsewhere they would leave a hole.
 void removeSmallCells(CellComplex& complex, const CellSpec& spec, double most)
 {
   for (const CellKey key : complex.polyhedra())
   {
     const double share = complex.volume(key) / complex.volumeOfBox(key);
-    if (share < most && share < ratioOf(spec, complex.boundaryOfCell(key), spec.smallCellRatio))
+    if (share < most && share < ratioOf(spec, complex.boundaryOfCell(key), spec.smallCellRatio) &&
+      complex.isAtBoundary(key))
     {
       complex.remove(key);
     }

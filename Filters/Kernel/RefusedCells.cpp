@@ -42,10 +42,9 @@ RefusedCells::Candidate RefusedCells::candidate(CellKey key) const
 
 bool RefusedCells::mayGo(const Candidate& candidate) const
 {
-  const std::int32_t boundary =
-    cells_.hasFaces(candidate.key) ? cells_.mainBoundary(candidate.key) : NoBoundary;
-  return boundary != NoBoundary && cells_.isFree(candidate.key) &&
-    candidate.volume < ratioOf(spec_, boundary, largest_);
+  return cells_.hasFaces(candidate.key) && cells_.isFree(candidate.key) &&
+    cells_.isAtBoundary(candidate.key) &&
+    candidate.volume < ratioOf(spec_, cells_.mainBoundary(candidate.key), largest_);
 }
 
 // For each refused face of a cell, finds the smaller of its two cells that may go.

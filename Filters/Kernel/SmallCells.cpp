@@ -46,6 +46,25 @@ struct Merging
   JoinedFaces joined;
 };
 
+// Whether two faces have the same nodes, and a cell is beyond one of them: nothing would be between.
+// (Between two boundary faces CellComplex::merge leaves nothing.)
+bool isFolded(const CellView& view)
+{
+  std::vector<std::pair<std::vector<std::uint32_t>, std::size_t>> faces;
+  for (std::size_t f = 0; f < view.faces.size(); ++f)
+  {
+    const auto corners = view.shape.corners.begin();
+    faces.push_back({ { corners + std::ptrdiff_t(view.shape.start[f]),
+                        corners + std::ptrdiff_t(view.shape.start[f + 1]) },
+      f });
+    std::sort(faces.back().first.begin(), faces.back().first.end());
+  }
+  std::sort(faces.begin(), faces.end());
+  return std::adjacent_find(faces.begin(), faces.end(), [&](const auto& x, const auto& y) {
+    return x.first == y.first && (view.across[x.second] != None || view.across[y.second] != None);
+  }) != faces.end();
+}
+
 class Merger
 {
 public:
@@ -168,6 +187,10 @@ private:
       std::any_of(merging.view.across.begin(), merging.view.across.end(), taken))
     {
       again_.insert(keys.begin() + 1, keys.end());
+      return;
+    }
+    if (isFolded(merging.view) || cells_.hasFacesNear(keys.front(), merging.view, merging.joined))
+    {
       return;
     }
     taken_.insert(keys.begin(), keys.end());

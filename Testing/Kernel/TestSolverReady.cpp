@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace cartesian
 {
 
@@ -56,6 +58,7 @@ void expectReady(const Soup& soup, double cells, const Options& options)
     return;
   }
   EXPECT_TRUE(isValid(mesh, true));
+  EXPECT_EQ(std::count(mesh.boundaryIndex.begin(), mesh.boundaryIndex.end(), NoBoundary), 0);
   const Quality quality = qualityOf(mesh);
   for (const Measure measure : { BoundaryAngle, InnerAngle, Skewness })
   {
