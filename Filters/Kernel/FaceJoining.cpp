@@ -68,6 +68,9 @@ std::vector<std::uint32_t> joinRings(
 // Points on one plane are rounded to whole levels.
 constexpr double RoundingLevels = 2;
 
+// ... so that each is this near to the plane through its own centre: others need no closer look.
+constexpr double NearLevels = 3 * RoundingLevels;
+
 // Whether the last face can stand for the two before it: it has a star triangulation, and the normals
 // are close; `flat`: all lies on one plane.
 bool fitsTogether(const Polyhedron& faces, double leastCosine, bool flat)
@@ -234,7 +237,7 @@ private:
     for (std::size_t i = view_.shape.start[f]; i < view_.shape.start[f + 1]; ++i)
     {
       const Vector& corner = view_.shape.nodes[view_.shape.corners[i]];
-      if (std::abs(dot(minus(corner, shape_.faces[f].centre), normal)) > 3 * RoundingLevels)
+      if (std::abs(dot(minus(corner, shape_.faces[f].centre), normal)) > NearLevels)
       {
         return false;
       }

@@ -440,6 +440,12 @@ private:
         next.emplace_back(up ? edge.second : edge.first, up ? edge.first : edge.second);
       }
     }
+    return addLoops(next);
+  }
+
+  // `next`: pairs of nodes that follow each other; false where one has two that do.
+  bool addLoops(std::vector<std::pair<Index, Index>>& next)
+  {
     std::sort(next.begin(), next.end());
     const auto sameNode = [](const auto& x, const auto& y) { return x.first == y.first; };
     if (std::adjacent_find(next.begin(), next.end(), sameNode) != next.end())

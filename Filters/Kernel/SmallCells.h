@@ -10,7 +10,8 @@ namespace cartesian
 // Merges cells smaller than `ratio` of their box, and with `mend` cells at fault, into the neighbour
 // with which least is at fault (CellFitness.h): never more than before, of a cell at fault less. Faces
 // of the result are joined (FaceJoining.h) where their normals' cosine is at least `leastCosine`. In
-// rounds, the smallest first, so that the result depends on the cells only. Returns how many were merged.
+// rounds, the smallest first, so that the result depends on the cells only. No two faces get the same
+// nodes. Returns how many were merged.
 std::size_t mergeSmallCells(
   CellComplex& cells, double ratio, bool mend, double leastCosine, Execution& execution);
 
