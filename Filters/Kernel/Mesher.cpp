@@ -3,6 +3,7 @@
 #include "Division.h"
 #include "Error.h"
 #include "ShortEdges.h"
+#include "Vector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -278,6 +279,27 @@ void Assembly::rebuildFlawed(const CellSpec& spec, Execution& execution)
   rebuilt_.boxes.swap(rebuilt);
 }
 
+// Where the surface has a crease, a cell that was to become flat may end on its other side: without
+// it the mesh would be too large. Such boxes keep their edges; returns whether there are new ones.
+bool Assembly::keepTurned(std::vector<std::uint8_t>& keeps) const
+{
+  constexpr double RoundingLevels = 2;
+  bool any = false;
+  for (std::size_t n = 0; n < keeps.size(); ++n)
+  {
+    const Box& box = boxes_.boxes[sides_.polyhedral[n]];
+    const Vector size = minus(box.high, box.low);
+    const double height = *std::min_element(size.begin(), size.end());
+    const auto first = cells_.cells.begin();
+    const bool turned = std::any_of(first + std::ptrdiff_t(cells_.boxStart[n]),
+      first + std::ptrdiff_t(cells_.boxStart[n + 1]),
+      [&](const Cell& cell) { return cell.volumeFraction * height < -RoundingLevels; });
+    any = any || (turned && keeps[n] == 0);
+    keeps[n] = keeps[n] | (turned ? 1 : 0);
+  }
+  return any;
+}
+
 // First between the seams, then across them (ShortEdges.h). Boxes whose faces would not close any more
 // keep their edges; what changes for that changes nothing beyond the seams.
 void Assembly::collapse(const CellSpec& spec, Execution& execution)
@@ -302,7 +324,8 @@ void Assembly::collapse(const CellSpec& spec, Execution& execution)
     cells_ = assembleCells(boxes_, collapsed_, sides_, nodes_, inner_, spec, execution);
     std::transform(edges.keeps.begin(), edges.keeps.end(), cells_.flawed.begin(),
       edges.keeps.begin(), std::bit_or<>());
-    return cells_.flawed == flawed;
+    const bool turned = edges.exact && keepTurned(edges.keeps);
+    return cells_.flawed == flawed && !turned;
   };
   while (!closes(between) || !closes(across))
   {

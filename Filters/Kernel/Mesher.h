@@ -100,6 +100,7 @@ private:
   void assemble(const CellSpec& spec, Execution& execution);
   void rebuildFlawed(const CellSpec& spec, Execution& execution);
   void collapse(const CellSpec& spec, Execution& execution);
+  bool keepTurned(std::vector<std::uint8_t>& keeps) const;
 
   const Boxes& boxes_;
   const Patches* patches_; // the caller's, or those in rebuilt_ or collapsed_

@@ -2,6 +2,7 @@
 #include "Effort.h"
 #include "MeshChecker.h"
 #include "Pipeline.h"
+#include "ShortEdges.h"
 
 #include <gtest/gtest.h>
 
@@ -92,6 +93,22 @@ TEST(Shaping, ASlabIsMergedIntoTheCellsBelow)
   for (std::size_t cell = 0; cell < merged.mesh.cells(); ++cell)
   {
     EXPECT_EQ(merged.mesh.faceStream.at(static_cast<std::size_t>(merged.mesh.faceStart[cell])), 6);
+  }
+}
+
+// Where corners of boxes move onto a crease, a cell must not end on its other side.
+TEST(Shaping, CollapsedEdgesKeepTheVolumeOfExactFit)
+{
+  Options options;
+  options.cells = asTheyAre();
+  for (unsigned seed = 0; seed < repeats(40); ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const Soup soup = starPolyhedron(seed, 3);
+    options.cells.collapseRatio = seed % 2 == 0 ? 0.1 : MostCollapseRatio;
+    const MeshArrays mesh = meshOf(soup, cellsAlongLongest(soup, 12.3 + seed), options).mesh;
+    EXPECT_TRUE(isValid(mesh, true));
+    EXPECT_TRUE(fills(mesh, soup));
   }
 }
 
