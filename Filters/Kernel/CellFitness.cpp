@@ -13,6 +13,11 @@ namespace
 // A sixth of a degree less than section 3 allows: solvers do not agree on the centre of a bent face.
 constexpr double LeastBoundaryCosine = 0.00290887798436196; // cos 89 5/6
 constexpr double LeastInnerCosine = 0.261627710462944;      // cos 74 5/6
+
+// Other centres turn no face further than from here to these.
+constexpr double DoubtfulBoundaryCosine = 0.173648177666930; // cos 80
+constexpr double DoubtfulInnerCosine = 0.422618261740699;    // cos 65
+
 constexpr double LeastSlopeCosine = 0.342020143325669;      // cos 70
 constexpr double MostSkewness = 4;
 constexpr double LeastVolumeRatio = 0.01;
@@ -176,6 +181,19 @@ bool isRefused(
   Fitness fitness;
   addFaults(cell, shape, face, beyond, fitness);
   return fitness.faults[Fitness::InnerAngle] > 0 || !fitness.isNoLessValidThan({});
+}
+
+bool isDoubtful(const Polyhedron& cell, const CellShape& shape, std::size_t face)
+{
+  const bool boundary = cell.isBoundary[face] != 0;
+  if (ownCosine(shape, face) > (boundary ? DoubtfulBoundaryCosine : DoubtfulInnerCosine))
+  {
+    return false;
+  }
+  CellShape projected;
+  measureProjected(cell, projected);
+  const double own = ownCosine(projected, face);
+  return boundary ? own <= LeastBoundaryCosine : own < LeastInnerCosine;
 }
 
 bool isAtFault(const Polyhedron& cell, const CellShape& shape, std::size_t face)

@@ -61,6 +61,9 @@ Fitness fitnessOf(const Polyhedron& cell, const CellShape& shape, const std::vec
 bool isRefused(
   const Polyhedron& cell, const CellShape& shape, std::size_t face, const Beyond& beyond);
 
+// Whether a face that is steep, though not refused, would be by the centres of measureProjected.
+bool isDoubtful(const Polyhedron& cell, const CellShape& shape, std::size_t face);
+
 // Whether a face is at fault that no look at other cells is needed for.
 bool isAtFault(const Polyhedron& cell, const CellShape& shape, std::size_t face);
 bool isAnyAtFault(const Polyhedron& cell, const CellShape& shape);

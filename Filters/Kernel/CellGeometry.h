@@ -57,6 +57,22 @@ FaceGeometry measureFace(std::size_t size, Corner&& corner)
   return { sum < Tiny ? mean : plus(mean, scaled(moment, 1 / sum)), area };
 }
 
+// The same centre with the triangles seen along the face's normal, as later versions of OpenFOAM
+// have it: for a bent face another one.
+template <class Corner>
+Vector projectedCentre(std::size_t size, Corner&& corner, const Vector& area)
+{
+  Vector moment{ 0, 0, 0 };
+  double sum = 0;
+  const Vector mean = forEachStarTriangle(
+    size, corner, [&](const Vector& p, const Vector& q, const Vector& triangle) {
+      const double part = dot(triangle, area);
+      moment = plus(moment, scaled(plus(p, q), part / 3));
+      sum += part;
+    });
+  return sum < Tiny ? mean : plus(mean, scaled(moment, 1 / sum));
+}
+
 // The smallest triangle of the star, as a part of the mean one; negative where it is turned over.
 template <class Corner>
 double smallestOfStar(std::size_t size, Corner&& corner, const Vector& area)

@@ -35,6 +35,29 @@ FaceShape shapeOf(const Polyhedron& cell, std::size_t face)
   return { geometry.area, geometry.centre, meanOf(cell, begin, end) };
 }
 
+// And the centre of volume.
+void measureVolume(CellShape& shape)
+{
+  Vector middle{ 0, 0, 0 };
+  for (const FaceShape& face : shape.faces)
+  {
+    middle = plus(middle, face.centre);
+  }
+  middle = scaled(middle, 1.0 / static_cast<double>(shape.faces.size()));
+  shape.volume = 0;
+  double pyramids = 0;
+  Vector moment{ 0, 0, 0 };
+  for (const FaceShape& face : shape.faces)
+  {
+    const Vector height = minus(face.centre, middle);
+    const double volume = dot(face.area, height) / 3;
+    pyramids += volume;
+    moment = plus(moment, scaled(height, 0.75 * volume));
+    shape.volume += dot(face.area, minus(face.mean, middle)) / 3;
+  }
+  shape.centre = pyramids > 0 ? plus(middle, scaled(moment, 1 / pyramids)) : middle;
+}
+
 }
 
 void Polyhedron::clear()
@@ -54,25 +77,24 @@ void Polyhedron::closeFace(bool boundary)
 void measure(const Polyhedron& cell, CellShape& shape)
 {
   shape.faces.clear();
-  Vector middle{ 0, 0, 0 };
   for (std::size_t f = 0; f < cell.faces(); ++f)
   {
     shape.faces.push_back(shapeOf(cell, f));
-    middle = plus(middle, shape.faces.back().centre);
   }
-  middle = scaled(middle, 1.0 / static_cast<double>(cell.faces()));
-  shape.volume = 0;
-  double pyramids = 0;
-  Vector moment{ 0, 0, 0 };
-  for (const FaceShape& face : shape.faces)
+  measureVolume(shape);
+}
+
+void measureProjected(const Polyhedron& cell, CellShape& shape)
+{
+  measure(cell, shape);
+  for (std::size_t f = 0; f < cell.faces(); ++f)
   {
-    const Vector height = minus(face.centre, middle);
-    const double volume = dot(face.area, height) / 3;
-    pyramids += volume;
-    moment = plus(moment, scaled(height, 0.75 * volume));
-    shape.volume += dot(face.area, minus(face.mean, middle)) / 3;
+    const std::size_t begin = cell.start[f];
+    shape.faces[f].centre = projectedCentre(
+      cell.start[f + 1] - begin,
+      [&](std::size_t i) { return cell.nodes[cell.corners[begin + i]]; }, shape.faces[f].area);
   }
-  shape.centre = pyramids > 0 ? plus(middle, scaled(moment, 1 / pyramids)) : middle;
+  measureVolume(shape);
 }
 
 bool isThin(const CellShape& shape)

@@ -37,8 +37,11 @@ struct CellShape
   std::vector<FaceShape> faces;
 };
 
-// As solvers (OpenFOAM) measure.
+// As solvers (OpenFOAM 1912) measure.
 void measure(const Polyhedron& cell, CellShape& shape);
+
+// The same measures with the centres of faces that later versions have (CellGeometry.h).
+void measureProjected(const Polyhedron& cell, CellShape& shape);
 
 // Whether moving its nodes by a level or two, as rounding does, might turn a cell inside out: less
 // thick (volume over area) than four levels.

@@ -1,5 +1,6 @@
 #include "PolyhedronCut.h"
 
+#include "CellGeometry.h"
 #include "EdgeTable.h"
 #include "StarPolygons.h"
 
@@ -382,17 +383,24 @@ private:
     splitIntoStars(polygon, stars);
     for (FlatPolygon& star : stars)
     {
-      if (!isStar(star.at))
-      {
-        return false;
-      }
       if (turned)
       {
         std::reverse(star.nodes.begin(), star.nodes.end());
       }
+      if (!isStar(star.at) || isFolded(star.nodes))
+      {
+        return false;
+      }
       addPiece(star.nodes, source, side);
     }
     return true;
+  }
+
+  // Pieces of bent faces may have a star along the axis and none along their own normal.
+  bool isFolded(const std::vector<Index>& corners) const
+  {
+    const auto at = [&](std::size_t i) { return node(corners[i]); };
+    return smallestOfStar(corners.size(), at, scaled(areaOf(corners), 0.5)) < -RoundingOfAreas;
   }
 
   // --- the cutting faces
@@ -568,6 +576,9 @@ private:
 
   // What is closer to the plane than this is on it: points are rounded to whole numbers.
   static constexpr double RoundingLevels = 2;
+
+  // Star triangles that are turned over by less, as a part of the mean one, are not.
+  static constexpr double RoundingOfAreas = 1e-9;
 
   const Polyhedron& cell_;
   const CutPlane& plane_;

@@ -62,7 +62,8 @@ void RefusedCells::lookAt(CellKey key, MeasuredCell& cell, std::set<Candidate>& 
   }
   for (std::size_t f = 0; f < cell.across.size(); ++f)
   {
-    if (!isRefused(cell.shape, cell.measures, f, cell.beyond[f]))
+    if (!isRefused(cell.shape, cell.measures, f, cell.beyond[f]) &&
+      !isDoubtful(cell.shape, cell.measures, f))
     {
       continue;
     }
