@@ -60,7 +60,7 @@ void expectReady(const Soup& soup, double cells, const Options& options)
   EXPECT_TRUE(isValid(mesh, true));
   EXPECT_EQ(std::count(mesh.boundaryIndex.begin(), mesh.boundaryIndex.end(), NoBoundary), 0);
   const Quality quality = qualityOf(mesh);
-  for (const Measure measure : { BoundaryAngle, InnerAngle, Skewness })
+  for (const Measure measure : { BoundaryAngle, InnerAngle, StarTriangulation, Skewness })
   {
     std::size_t failing = 0;
     for (const double value : quality.cells[measure])
