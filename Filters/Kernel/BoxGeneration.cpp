@@ -125,6 +125,7 @@ private:
       throw Error(Fault::TooManyBoxes, "The mesh has more boxes than can be numbered in 32 bits.");
     }
     boxes_.globals.resize(count + 1);
+    boxes_.globals.back() = { { 0, 0, 0 }, 0, None, 0, 0 };
     statusOf_.resize(count);
     forEachRow([&](std::size_t row, std::uint32_t j, std::uint32_t k) {
       std::size_t next = boxes_.rowStart[row];
@@ -249,15 +250,18 @@ private:
   void flatten()
   {
     std::uint32_t next = 0;
-    for (std::size_t g = 0; g < statusOf_.size(); ++g)
+    for (std::size_t g = 0; g < parts_.size(); ++g)
     {
       boxes_.globals[g].firstBox = next;
       next += static_cast<std::uint32_t>(isDivided(g) ? parts_[g].size() : 1);
     }
-    boxes_.globals.back().firstBox = next;
-    boxes_.boxes.resize(next);
+    boxes_.globals.back().firstBox = parts_.empty() ? std::uint32_t(statusOf_.size()) : next;
+    boxes_.boxes.resize(boxes_.globals.back().firstBox);
     forEachGlobal([&](std::size_t g) { flatten(g); });
-    boxes_.listUnits();
+    if (!parts_.empty())
+    {
+      boxes_.listUnits();
+    }
   }
 
   bool isDivided(std::size_t g) const { return !parts_.empty() && !parts_[g].empty(); }
@@ -265,6 +269,7 @@ private:
   void flatten(std::size_t g)
   {
     GlobalBox& global = boxes_.globals[g];
+    global.firstBox = parts_.empty() ? std::uint32_t(g) : global.firstBox;
     std::uint32_t next = global.firstBox;
     if (!isDivided(g))
     {
@@ -388,7 +393,7 @@ private:
   Layers layers_;
   Execution& execution_;
   Boxes boxes_;
-  std::vector<BoxStatus> statusOf_; // of global boxes
+  RawVector<BoxStatus> statusOf_; // of global boxes
   std::vector<Depths> depths_;
   std::vector<std::vector<LocalBox>> parts_; // of divided global boxes
 };

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "Meshlines.h"
+#include "RawVector.h"
 
 #include <algorithm>
 #include <array>
@@ -85,10 +86,10 @@ struct Boxes
   Lattice lattice;
   Meshlines planes;
   Layers core; // that cells are made for; of a whole grid, all
-  std::vector<GlobalBox>
+  RawVector<GlobalBox>
     globals; // by rows along x (J + K * boxes along y), then by I; one more at the end
   std::vector<std::size_t> rowStart; // first global box of each row, and the end
-  std::vector<Box> boxes;            // in order of global boxes
+  RawVector<Box> boxes;              // in order of global boxes
   std::vector<std::uint32_t> units; // the box that holds each unit of divided global boxes, or None
 
   std::size_t row(std::size_t j, std::size_t k) const { return j + k * (planes[1].size() - 1); }
@@ -114,7 +115,7 @@ struct Boxes
   // global box that is likely the right one.
   std::uint32_t boxAt(const FinePoint& fine, std::uint32_t near, std::int64_t& step) const;
 
-  // Fills `units`, GlobalBox::firstUnit and nearDepth from the boxes.
+  // Fills `units`, GlobalBox::firstUnit and nearDepth from the boxes and GlobalBox::depth.
   void listUnits();
 
 private:

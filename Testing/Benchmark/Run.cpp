@@ -87,16 +87,16 @@ private:
 double write(const Mesh& mesh, Execution& execution)
 {
   const auto cells = static_cast<std::size_t>(mesh.cellCount());
-  std::vector<double> points(3 * static_cast<std::size_t>(mesh.pointCount()));
-  std::vector<Id> offsets(cells + 1);
-  std::vector<Id> connectivity(static_cast<std::size_t>(mesh.connectivitySize()));
-  std::vector<unsigned char> types(cells);
-  std::vector<Id> faceStart(cells);
-  std::vector<Id> faceStream(static_cast<std::size_t>(mesh.faceStreamSize()));
-  std::vector<int> globalBox(3 * cells);
-  std::vector<unsigned char> level(3 * cells);
-  std::vector<int> region(cells);
-  std::vector<double> fraction(cells);
+  RawVector<double> points(3 * static_cast<std::size_t>(mesh.pointCount()));
+  RawVector<Id> offsets(cells + 1);
+  RawVector<Id> connectivity(static_cast<std::size_t>(mesh.connectivitySize()));
+  RawVector<unsigned char> types(cells);
+  RawVector<Id> faceStart(cells);
+  RawVector<Id> faceStream(static_cast<std::size_t>(mesh.faceStreamSize()));
+  RawVector<int> globalBox(3 * cells);
+  RawVector<unsigned char> level(3 * cells);
+  RawVector<int> region(cells);
+  RawVector<double> fraction(cells);
   mesh.writePoints(points.data(), execution);
   mesh.writeCells({ offsets.data(), connectivity.data(), types.data(), faceStart.data(),
                     faceStream.data(), 12, 42 },

@@ -33,7 +33,7 @@ void addSplitLines(const Box& a, const Box& b, int axis, std::vector<Level>& lin
 }
 
 // Whether a side of `box` is touched by at most one split line of its neighbours a direction.
-bool isBalanced(const std::vector<Box>& boxes, const Box& box, int axis, bool upper)
+bool isBalanced(const RawVector<Box>& boxes, const Box& box, int axis, bool upper)
 {
   const Level plane = upper ? box.high[axis] : box.low[axis];
   std::array<std::vector<Level>, 2> lines;
@@ -53,7 +53,7 @@ bool isBalanced(const std::vector<Box>& boxes, const Box& box, int axis, bool up
   });
 }
 
-void expectBalanced(const std::vector<Box>& boxes)
+void expectBalanced(const RawVector<Box>& boxes)
 {
   for (const Box& box : boxes)
   {
@@ -172,7 +172,7 @@ TEST(Refinement, RandomSpecificationsHold)
     const Meshed meshed = meshPrepared(prepared, options);
     SCOPED_TRACE("case " + std::to_string(n));
 
-    const std::vector<Box>& boxes = meshed.boxed.boxes.boxes;
+    const RawVector<Box>& boxes = meshed.boxed.boxes.boxes;
     expectBalanced(boxes);
     double twice = 0;
     for (std::size_t a = 0; a < boxes.size(); ++a)

@@ -1,0 +1,41 @@
+// A vector whose new elements hold anything: for large arrays that all threads fill at once. Filling
+// them with zeros first would cost one thread as much.
+#pragma once
+
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace cartesian
+{
+
+template <class T>
+struct RawAllocator : std::allocator<T>
+{
+  static_assert(std::is_trivially_copyable_v<T>);
+
+  template <class U>
+  struct rebind // NOLINT(readability-identifier-naming): the standard's name
+  {
+    using other = RawAllocator<U>;
+  };
+
+  template <class U, class... Arguments>
+  void construct(U* at, Arguments&&... arguments)
+  {
+    if constexpr (sizeof...(Arguments) == 0)
+    {
+      ::new (static_cast<void*>(at)) U;
+    }
+    else
+    {
+      ::new (static_cast<void*>(at)) U{ std::forward<Arguments>(arguments)... };
+    }
+  }
+};
+
+template <class T>
+using RawVector = std::vector<T, RawAllocator<T>>;
+
+}
