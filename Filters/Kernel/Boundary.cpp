@@ -1,5 +1,7 @@
 #include "Boundary.h"
 
+#include "Sorting.h"
+
 #include <algorithm>
 
 namespace cartesian
@@ -15,6 +17,28 @@ struct Beyond
   std::int32_t boundary = NoBoundary; // or the boundary that the face takes over
 };
 
+constexpr std::size_t ItemsAChunk = 4096;
+
+// Calls list(i, faces) for the items from `first` to `end`; returns the faces in the order of items.
+template <class List>
+std::vector<BoundaryFace> listFaces(
+  std::size_t first, std::size_t end, Execution& execution, List&& list)
+{
+  std::vector<std::vector<BoundaryFace>> parts(chunks(end - first, ItemsAChunk));
+  execution.forEach(end - first, ItemsAChunk, [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = first + from; i < first + to; ++i)
+    {
+      list(i, parts[from / ItemsAChunk]);
+    }
+  });
+  std::vector<BoundaryFace> all;
+  for (const std::vector<BoundaryFace>& part : parts)
+  {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
 class Collector
 {
 public:
@@ -24,42 +48,46 @@ public:
   {
   }
 
-  std::vector<BoundaryFace> collect()
+  std::vector<BoundaryFace> collect(Execution& execution) const
   {
-    for (std::size_t s = 0; s < parts_.sides.sides.size(); ++s)
-    {
-      exposeInnerFaces(s);
-    }
-    exposeShapedFaces();
-    exposeBoxSides();
-    std::sort(exposed_.begin(), exposed_.end());
-    std::vector<BoundaryFace> patches = patchesOfCells();
-    std::vector<BoundaryFace> all(patches.size() + exposed_.size());
-    std::merge(patches.begin(), patches.end(), exposed_.begin(), exposed_.end(), all.begin());
+    using Faces = std::vector<BoundaryFace>;
+    const Boxes& boxes = parts_.boxes;
+    const auto& flawed = parts_.inner.flawed;
+    const bool anywhere = std::find(flawed.begin(), flawed.end(), 1) != flawed.end();
+    Faces exposed = listFaces(0, parts_.sides.sides.size(), execution,
+      [&](std::size_t s, Faces& faces) { exposeInnerFaces(s, faces); });
+    const Faces shaped = listFaces(0, parts_.cells.shaped.size(), execution,
+      [&](std::size_t f, Faces& faces) { exposeShapedFace(f, faces); });
+    const Faces ofBoxes = listFaces(boxes.firstBoxOf(boxes.core.begin),
+      boxes.firstBoxOf(boxes.core.end), execution, [&](std::size_t b, Faces& faces) {
+        exposeBoxSides(static_cast<std::uint32_t>(b), anywhere, faces);
+      });
+    exposed.insert(exposed.end(), shaped.begin(), shaped.end());
+    exposed.insert(exposed.end(), ofBoxes.begin(), ofBoxes.end());
+    std::sort(exposed.begin(), exposed.end());
+    const Faces patches = listFaces(numbers_.coreBegin, numbers_.coreEnd, execution,
+      [&](std::size_t c, Faces& faces) { addPatches(c, faces); });
+    Faces all(patches.size() + exposed.size());
+    std::merge(patches.begin(), patches.end(), exposed.begin(), exposed.end(), all.begin());
     return all;
   }
 
 private:
-  std::vector<BoundaryFace> patchesOfCells() const
+  void addPatches(std::size_t c, std::vector<BoundaryFace>& faces) const
   {
-    std::vector<BoundaryFace> faces;
-    faces.reserve(parts_.patches.size());
+    const std::uint32_t number = numbers_.ofCell[c];
     const Cells& cells = parts_.cells;
-    for (std::size_t c = numbers_.coreBegin; c < numbers_.coreEnd; ++c)
+    const std::size_t before = faces.size();
+    for (std::size_t f = cells.cells[c].firstFace; f < cells.cells[c + 1].firstFace; ++f)
     {
-      const std::size_t before = faces.size();
-      for (std::size_t f = cells.cells[c].firstFace; f < cells.cells[c + 1].firstFace; ++f)
+      const FaceRef& face = cells.faces[f];
+      if (number != None && face.kind() == FaceRef::Kind::Patch)
       {
-        const FaceRef& face = cells.faces[f];
-        if (numbers_.ofCell[c] != None && face.kind() == FaceRef::Kind::Patch)
-        {
-          faces.push_back({ numbers_.ofCell[c], face.index, parts_.patches.boundary[face.index],
-            BoundaryFace::Kind::Patch });
-        }
+        faces.push_back(
+          { number, face.index, parts_.patches.boundary[face.index], BoundaryFace::Kind::Patch });
       }
-      std::sort(faces.begin() + std::ptrdiff_t(before), faces.end());
     }
-    return faces;
+    std::sort(faces.begin() + std::ptrdiff_t(before), faces.end());
   }
 
   Beyond beyond(std::uint32_t box, std::uint32_t cell) const
@@ -80,68 +108,58 @@ private:
     return { None, boundaryBeyond(parts_.patches, parts_.sides, box) };
   }
 
-  void expose(const Beyond& low, const Beyond& high, std::size_t face, BoundaryFace::Kind kind,
-    BoundaryFace::Kind turned)
+  static void expose(const Beyond& low, const Beyond& high, std::size_t face,
+    BoundaryFace::Kind kind, BoundaryFace::Kind turned, std::vector<BoundaryFace>& faces)
   {
     if (CellNumbers::isHere(low.cell) && high.cell == None)
     {
-      exposed_.push_back({ low.cell, face, high.boundary, kind });
+      faces.push_back({ low.cell, face, high.boundary, kind });
     }
     if (low.cell == None && CellNumbers::isHere(high.cell))
     {
-      exposed_.push_back({ high.cell, face, low.boundary, turned });
+      faces.push_back({ high.cell, face, low.boundary, turned });
     }
   }
 
-  void exposeInnerFaces(std::size_t s)
+  void exposeInnerFaces(std::size_t s, std::vector<BoundaryFace>& faces) const
   {
     const Side& side = parts_.sides.sides[s];
     for (std::size_t f = parts_.inner.sideStart[s]; f < parts_.inner.sideStart[s + 1]; ++f)
     {
       const Beyond low = beyond(side.low, parts_.cells.ofInnerFace[f][0]);
       const Beyond high = beyond(side.high, parts_.cells.ofInnerFace[f][1]);
-      expose(low, high, f, BoundaryFace::Kind::Inner, BoundaryFace::Kind::TurnedInner);
+      expose(low, high, f, BoundaryFace::Kind::Inner, BoundaryFace::Kind::TurnedInner, faces);
     }
   }
 
-  void exposeShapedFaces()
+  void exposeShapedFace(std::size_t f, std::vector<BoundaryFace>& faces) const
   {
     const ShapedFaces& shaped = parts_.cells.shaped;
-    for (std::size_t f = 0; f < shaped.size(); ++f)
-    {
-      const auto side = [&](std::uint32_t cell) {
-        return cell == ShapedFaces::SomeHexahedron ? Beyond{ cell, NoBoundary }
-          : cell != None                           ? beyond(None, cell)
-                                                   : Beyond{ None, shaped.boundary[f] };
-      };
-      expose(side(shaped.cells[f][0]), side(shaped.cells[f][1]), f, BoundaryFace::Kind::Shaped,
-        BoundaryFace::Kind::TurnedShaped);
-    }
+    const auto side = [&](std::uint32_t cell) {
+      return cell == ShapedFaces::SomeHexahedron ? Beyond{ cell, NoBoundary }
+        : cell != None                           ? beyond(None, cell)
+                                                 : Beyond{ None, shaped.boundary[f] };
+    };
+    expose(side(shaped.cells[f][0]), side(shaped.cells[f][1]), f, BoundaryFace::Kind::Shaped,
+      BoundaryFace::Kind::TurnedShaped, faces);
   }
 
   // Hexahedra at the end of the grid, where the meshlines cut the domain, or without a neighbour,
-  // where the surface leaks. On a flawed side only the hexahedron has a face.
-  void exposeBoxSides()
+  // where the surface leaks. On a flawed side (`anywhere`) only the hexahedron has a face.
+  void exposeBoxSides(std::uint32_t b, bool anywhere, std::vector<BoundaryFace>& faces) const
   {
-    const auto& flawed = parts_.inner.flawed;
-    const bool anywhere = std::find(flawed.begin(), flawed.end(), 1) != flawed.end();
-    const Boxes& boxes = parts_.boxes;
-    for (std::uint32_t b = boxes.firstBoxOf(boxes.core.begin); b < boxes.firstBoxOf(boxes.core.end);
-         ++b)
+    if (parts_.sides.polyhedralOrdinal(b) != None)
     {
-      if (parts_.sides.polyhedralOrdinal(b) != None)
+      return;
+    }
+    const Box& box = parts_.boxes.boxes[b];
+    for (unsigned i = 0; i < 6; ++i)
+    {
+      if ((anywhere || isAtEnd(box, i / 2, i % 2 == 1)) &&
+        exposed(b, static_cast<int>(i / 2), i % 2 == 1))
       {
-        continue;
-      }
-      const Box& box = boxes.boxes[b];
-      for (unsigned i = 0; i < 6; ++i)
-      {
-        if ((anywhere || isAtEnd(box, i / 2, i % 2 == 1)) &&
-          exposed(b, static_cast<int>(i / 2), i % 2 == 1))
-        {
-          exposed_.push_back(
-            { numbers_.ofBox[b], std::size_t(6) * b + i, NoBoundary, BoundaryFace::Kind::BoxSide });
-        }
+        faces.push_back(
+          { numbers_.ofBox[b], std::size_t(6) * b + i, NoBoundary, BoundaryFace::Kind::BoxSide });
       }
     }
   }
@@ -179,8 +197,31 @@ private:
 
   const MeshParts& parts_;
   const CellNumbers& numbers_;
-  std::vector<BoundaryFace> exposed_;
 };
+
+}
+
+namespace
+{
+
+// Of polyhedral boxes from this box on, the first one's first cell.
+std::size_t firstCellOf(const MeshParts& parts, std::uint32_t box)
+{
+  const std::vector<std::uint32_t>& polyhedral = parts.sides.polyhedral;
+  const auto at = std::lower_bound(polyhedral.begin(), polyhedral.end(), box);
+  return parts.cells.boxStart[static_cast<std::size_t>(at - polyhedral.begin())];
+}
+
+// Of the n-th polyhedral box, if that is not None.
+template <class Visitor>
+void forEachCellOf(const Cells& cells, std::uint32_t n, Visitor&& visit)
+{
+  for (std::size_t c = n == None ? 0 : cells.boxStart[n]; n != None && c < cells.boxStart[n + 1];
+       ++c)
+  {
+    visit(c);
+  }
+}
 
 }
 
@@ -193,46 +234,48 @@ std::int32_t boundaryBeyond(const Patches& patches, const Sides& sides, std::uin
     : patches.boundary[patches.boxStart[of]];
 }
 
-CellNumbers numberCells(const MeshParts& parts)
+CellNumbers numberCells(const MeshParts& parts, Execution& execution)
 {
   const Boxes& boxes = parts.boxes;
   const Cells& cells = parts.cells;
+  const std::uint32_t first = boxes.firstBoxOf(boxes.core.begin);
+  const std::uint32_t end = boxes.firstBoxOf(boxes.core.end);
+  const auto isCore = [&](std::size_t box) { return box >= first && box < end; };
   CellNumbers numbers;
-  numbers.ofBox.reserve(boxes.boxes.size() + 1);
-  numbers.ofCell.assign(cells.size(), None);
-  numbers.coreBegin = cells.size();
-  std::uint32_t next = 0;
-  for (std::uint32_t b = 0; b < boxes.boxes.size(); ++b)
-  {
-    const bool isCore = boxes.isCore(boxes.boxes[b]);
-    numbers.ofBox.push_back(isCore ? next : CellNumbers::Elsewhere);
-    const std::uint32_t n = parts.sides.polyhedralOrdinal(b);
-    if (n == None)
-    {
-      next += isCore ? 1 : 0;
-      continue;
-    }
-    if (isCore)
-    {
-      numbers.coreBegin = std::min(numbers.coreBegin, cells.boxStart[n]);
-      numbers.coreEnd = cells.boxStart[n + 1];
-    }
-    for (std::size_t c = cells.boxStart[n]; c < cells.boxStart[n + 1]; ++c)
-    {
-      if (!cells.cells[c].removed)
+  numbers.ofBox.resize(boxes.boxes.size() + 1);
+  numbers.ofCell.resize(cells.size());
+  std::vector<std::uint32_t> next(chunks(boxes.boxes.size(), ItemsAChunk));
+  const auto forEachBox = [&](auto&& visit) {
+    execution.forEach(boxes.boxes.size(), ItemsAChunk, [&](std::size_t begin, std::size_t after) {
+      for (std::size_t box = begin; box < after; ++box)
       {
-        numbers.ofCell[c] = isCore ? next++ : CellNumbers::Elsewhere;
+        visit(box, parts.sides.polyhedralOrdinal(static_cast<std::uint32_t>(box)),
+          next[begin / ItemsAChunk]);
       }
-    }
-  }
-  numbers.coreBegin = std::min(numbers.coreBegin, numbers.coreEnd);
-  numbers.ofBox.push_back(next);
+    });
+  };
+  forEachBox([&](std::size_t box, std::uint32_t n, std::uint32_t& count) {
+    count += isCore(box) && n == None ? 1 : 0;
+    forEachCellOf(
+      cells, n, [&](std::size_t c) { count += isCore(box) && !cells.cells[c].removed ? 1 : 0; });
+  });
+  numbers.ofBox.back() = scan(next);
+  forEachBox([&](std::size_t box, std::uint32_t n, std::uint32_t& number) {
+    const auto take = [&] { return isCore(box) ? number++ : CellNumbers::Elsewhere; };
+    numbers.ofBox[box] = isCore(box) ? number : CellNumbers::Elsewhere;
+    number += isCore(box) && n == None ? 1 : 0;
+    forEachCellOf(
+      cells, n, [&](std::size_t c) { numbers.ofCell[c] = cells.cells[c].removed ? None : take(); });
+  });
+  numbers.coreBegin = firstCellOf(parts, first);
+  numbers.coreEnd = firstCellOf(parts, end);
   return numbers;
 }
 
-std::vector<BoundaryFace> collectBoundary(const MeshParts& parts, const CellNumbers& numbers)
+std::vector<BoundaryFace> collectBoundary(
+  const MeshParts& parts, const CellNumbers& numbers, Execution& execution)
 {
-  return Collector(parts, numbers).collect();
+  return Collector(parts, numbers).collect(execution);
 }
 
 }

@@ -24,7 +24,7 @@ struct CellNumbers
 {
   static constexpr std::uint32_t Elsewhere = None - 1; // the cell is in the halo
 
-  std::vector<std::uint32_t> ofBox;  // of the (first) cell of each box; the total at the end
+  RawVector<std::uint32_t> ofBox;    // of the (first) cell of each box; the total at the end
   std::vector<std::uint32_t> ofCell; // of each cell of polyhedral boxes, or None where removed
   std::size_t coreBegin = 0;         // cells of polyhedral boxes in the core
   std::size_t coreEnd = 0;
@@ -32,7 +32,7 @@ struct CellNumbers
   static bool isHere(std::uint32_t number) { return number < Elsewhere; }
 };
 
-CellNumbers numberCells(const MeshParts& parts);
+CellNumbers numberCells(const MeshParts& parts, Execution& execution);
 
 struct BoundaryFace
 {
@@ -63,6 +63,7 @@ struct BoundaryFace
 std::int32_t boundaryBeyond(const Patches& patches, const Sides& sides, std::uint32_t box);
 
 // In order of their cells.
-std::vector<BoundaryFace> collectBoundary(const MeshParts& parts, const CellNumbers& numbers);
+std::vector<BoundaryFace> collectBoundary(
+  const MeshParts& parts, const CellNumbers& numbers, Execution& execution);
 
 }

@@ -17,6 +17,12 @@ using Level = std::uint32_t;
 // Levels along x, y and z; compares by x, then y, then z (7.1).
 using Point = std::array<Level, 3>;
 
+// As ==, which is a call of memcmp: for loops over all points.
+inline bool areSame(const Point& p, const Point& q)
+{
+  return ((p[0] ^ q[0]) | (p[1] ^ q[1]) | (p[2] ^ q[2])) == 0;
+}
+
 // Determinants of points: 67 bits for three on a plane, 102 for four in space.
 __extension__ using Wide = __int128;
 

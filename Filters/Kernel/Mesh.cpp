@@ -26,7 +26,7 @@ void Mesh::forEachPoint(const FaceRef& face, Visitor&& visit) const
 
 Mesh::Mesh(const MeshParts& parts, Execution& execution)
   : parts_(parts)
-  , numbers_(numberCells(parts))
+  , numbers_(numberCells(parts, execution))
   , points_(parts, parts.boxes.core, execution)
   , ownPoints_(pointCount())
 {
@@ -43,7 +43,7 @@ Mesh::Mesh(const MeshParts& parts, Execution& execution)
   }
   measureCells(execution);
   placeRows();
-  boundary_ = collectBoundary(parts_, numbers_);
+  boundary_ = collectBoundary(parts_, numbers_, execution);
   failures_ = countFailures(parts_, numbers_, boundary_, execution);
 }
 

@@ -14,7 +14,7 @@ void forEachDistinct(const PointUse* begin, const PointUse* end, Visitor&& visit
   while (begin != end)
   {
     const PointUse* next = begin + 1;
-    while (next != end && next->point == begin->point)
+    while (next != end && areSame(next->point, begin->point))
     {
       ++next;
     }
@@ -106,7 +106,7 @@ std::size_t LocalPoints::slotOf(const Point& point) const
   hash = (hash ^ (hash >> 32) ^ point[2]) * 0x94D049BB133111EBu;
   const std::size_t mask = table_.size() - 1;
   std::size_t slot = (hash >> 32) & mask;
-  while (epochs_[slot] == epoch_ && points_[table_[slot]] != point)
+  while (epochs_[slot] == epoch_ && !areSame(points_[table_[slot]], point))
   {
     slot = (slot + 1) & mask;
   }

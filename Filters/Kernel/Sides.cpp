@@ -106,36 +106,68 @@ void forEachOwnSide(const Boxes& boxes, const Sides& sides, std::uint32_t b, Vis
   }
 }
 
+// How many boxes there are of each kind, and before a chunk of them.
+struct Kinds
+{
+  std::uint32_t polyhedral = 0;
+  std::uint32_t intersected = 0;
+  std::uint32_t divided = 0; // of the others
+};
+
+bool isDivided(const Box& box)
+{
+  return (box.level[0] | box.level[1] | box.level[2]) != 0;
+}
+
 void classify(const Boxes& boxes, Sides& result, Execution& execution)
 {
   const std::size_t count = boxes.boxes.size();
-  std::vector<std::uint8_t> polyhedral(count);
+  RawVector<std::uint8_t> polyhedral(count);
+  std::vector<Kinds> before(chunks(count, BoxesAChunk) + 1);
   execution.nextLoop(0.1);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     std::vector<std::int64_t> scratch;
+    Kinds& kinds = before[begin / BoxesAChunk + 1];
     for (std::size_t b = begin; b < end; ++b)
     {
       const Box& box = boxes.boxes[b];
-      polyhedral[b] = box.status == BoxStatus::Intersected || hasHangingNodes(boxes, box, scratch);
+      const bool intersected = box.status == BoxStatus::Intersected;
+      polyhedral[b] = intersected || hasHangingNodes(boxes, box, scratch) ? 1 : 0;
+      kinds.polyhedral += polyhedral[b];
+      kinds.intersected += intersected ? 1 : 0;
+      kinds.divided += polyhedral[b] == 0 && isDivided(box) ? 1 : 0;
     }
   });
-  result.ordinal.assign(count, None);
-  std::uint32_t intersected = 0;
-  for (std::uint32_t b = 0; b < count; ++b)
+  for (std::size_t i = 0; i + 1 < before.size(); ++i)
   {
-    const Box& box = boxes.boxes[b];
-    if (polyhedral[b])
-    {
-      result.ordinal[b] = static_cast<std::uint32_t>(result.polyhedral.size());
-      result.polyhedral.push_back(b);
-      result.patchBox.push_back(box.status == BoxStatus::Intersected ? intersected++ : None);
-    }
-    else if (box.level != std::array<std::uint8_t, 3>{ 0, 0, 0 })
-    {
-      result.ordinal[b] = static_cast<std::uint32_t>(result.divided.size()) | Sides::HexahedronBit;
-      result.divided.push_back(b);
-    }
+    before[i + 1].polyhedral += before[i].polyhedral;
+    before[i + 1].intersected += before[i].intersected;
+    before[i + 1].divided += before[i].divided;
   }
+  result.ordinal.resize(count);
+  result.polyhedral.resize(before.back().polyhedral);
+  result.patchBox.resize(before.back().polyhedral);
+  result.divided.resize(before.back().divided);
+  execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
+    Kinds next = before[begin / BoxesAChunk];
+    for (std::size_t b = begin; b < end; ++b)
+    {
+      const Box& box = boxes.boxes[b];
+      result.ordinal[b] = None;
+      if (polyhedral[b])
+      {
+        result.ordinal[b] = next.polyhedral;
+        result.polyhedral[next.polyhedral] = static_cast<std::uint32_t>(b);
+        result.patchBox[next.polyhedral++] =
+          box.status == BoxStatus::Intersected ? next.intersected++ : None;
+      }
+      else if (isDivided(box))
+      {
+        result.ordinal[b] = next.divided | Sides::HexahedronBit;
+        result.divided[next.divided++] = static_cast<std::uint32_t>(b);
+      }
+    }
+  });
 }
 
 void listSidesOfBoxes(Sides& result, Execution& execution)
@@ -236,12 +268,11 @@ Sides findSides(const Boxes& boxes, Execution& execution)
       result.ownStart[n] = part.size() - before;
     }
   });
-  result.sides.reserve(scan(result.ownStart));
-  for (const std::vector<Side>& part : parts)
-  {
-    execution.poll();
-    result.sides.insert(result.sides.end(), part.begin(), part.end());
-  }
+  result.sides.resize(scan(result.ownStart));
+  execution.forEach(parts.size(), 1, [&](std::size_t i, std::size_t) {
+    const std::size_t first = result.ownStart[i * BoxesAChunk];
+    std::copy(parts[i].begin(), parts[i].end(), result.sides.begin() + std::ptrdiff_t(first));
+  });
   listSidesOfBoxes(result, execution);
   return result;
 }

@@ -33,10 +33,10 @@ struct Sides
 
   std::vector<std::uint32_t> polyhedral; // boxes, in order
   std::vector<std::uint32_t> divided;    // other boxes that are smaller than their global box
-  std::vector<std::uint32_t>
+  RawVector<std::uint32_t>
     ordinal; // of each box: in `polyhedral`, in `divided` with HexahedronBit, or None
   std::vector<std::uint32_t> patchBox; // of polyhedral boxes: number among the intersected, or None
-  std::vector<Side> sides;
+  RawVector<Side> sides;
   std::vector<std::size_t> ownStart; // first side that each polyhedral box owns, and the end
   std::vector<std::size_t> boxStart; // first of each polyhedral box's sides in ofBox, and the end
   std::vector<SideOfBox> ofBox;
