@@ -1,5 +1,6 @@
 #include "PointNumbers.h"
 
+#include <atomic>
 #include <tuple>
 
 namespace cartesian
@@ -9,6 +10,7 @@ namespace
 {
 
 constexpr std::size_t RowsAChunk = 64;
+constexpr std::size_t ItemsAChunk = 4096;
 
 // Rows of points that come row by row, or nearly so.
 class RowFinder
@@ -74,7 +76,7 @@ std::vector<AddedNode> addedNodes(
 }
 
 PointNumbers::PointNumbers(const MeshParts& parts, Layers layers, Execution& execution)
-  : PointNumbers(parts, layers, usedNodes(parts, layers), execution)
+  : PointNumbers(parts, layers, usedNodes(parts, layers, execution), execution)
 {
 }
 
@@ -164,48 +166,56 @@ PointNumbers::PointNumbers(
   }
 }
 
-std::vector<Use> PointNumbers::usedNodes(const MeshParts& parts, Layers layers)
+std::vector<Use> PointNumbers::usedNodes(
+  const MeshParts& parts, Layers layers, Execution& execution)
 {
   const Boxes& boxes = parts.boxes;
   const Cells& cells = parts.cells;
-  std::vector<Use> used(parts.nodes.at.size(), Use::Nowhere);
-  const auto mark = [&](const FaceRef& face) {
-    forEachNode(face, parts.patches, parts.inner, cells.shaped,
-      [&](std::uint32_t node) { used[node] = Use::Between; });
+  std::vector<std::atomic<Use>> marked(parts.nodes.at.size());
+  const auto mark = [&](std::uint32_t node) {
+    marked[node].store(Use::Between, std::memory_order_relaxed);
+  };
+  const auto markFace = [&](const FaceRef& face) {
+    forEachNode(face, parts.patches, parts.inner, cells.shaped, mark);
   };
   const auto isHere = [&](std::uint32_t box) {
     return layers.contains(boxes.globalOf(boxes.boxes[box]).index[2]);
   };
-  for (std::size_t c = 0; c < cells.size(); ++c)
-  {
+  const auto forEach = [&](std::size_t count, auto&& visit) {
+    execution.forEach(count, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        visit(i);
+      }
+    });
+  };
+  forEach(cells.size(), [&](std::size_t c) {
     const bool counts = !cells.cells[c].removed && isHere(cells.cells[c].box);
     for (std::size_t f = cells.cells[c].firstFace; counts && f < cells.cells[c + 1].firstFace; ++f)
     {
-      mark(cells.faces[f]);
+      markFace(cells.faces[f]);
     }
-  }
+  });
   // A hexahedron keeps its faces, whatever became of the cells beyond.
   const auto isHexahedronHere = [&](std::uint32_t box) {
     return box != None && parts.sides.polyhedralOrdinal(box) == None && isHere(box);
   };
-  for (std::size_t s = 0; s < parts.sides.sides.size(); ++s)
-  {
+  forEach(parts.sides.sides.size(), [&](std::size_t s) {
     const Side& side = parts.sides.sides[s];
     const bool keeps = isHexahedronHere(side.low) || isHexahedronHere(side.high);
     for (std::size_t f = parts.inner.sideStart[s]; keeps && f < parts.inner.sideStart[s + 1]; ++f)
     {
-      mark(FaceRef(f, FaceRef::Kind::Inner));
+      markFace(FaceRef(f, FaceRef::Kind::Inner));
     }
-  }
-  for (std::size_t i = 0; i < parts.nodes.ofDivided.size(); ++i)
-  {
+  });
+  forEach(parts.nodes.ofDivided.size(), [&](std::size_t i) {
     const bool keeps = isHexahedronHere(parts.sides.divided[i]);
     for (std::size_t corner = 0; keeps && corner < 8; ++corner)
     {
-      used[parts.nodes.ofDivided[i][corner]] = Use::Between;
+      mark(parts.nodes.ofDivided[i][corner]);
     }
-  }
-  return used;
+  });
+  return { marked.begin(), marked.end() };
 }
 
 std::size_t PointNumbers::firstOfLayer(std::size_t k) const

@@ -43,7 +43,7 @@ private:
   PointNumbers(
     const MeshParts& parts, Layers layers, std::vector<Use>&& used, Execution& execution);
 
-  static std::vector<Use> usedNodes(const MeshParts& parts, Layers layers);
+  static std::vector<Use> usedNodes(const MeshParts& parts, Layers layers, Execution& execution);
 
   std::size_t rowLength_;
   VertexRows vertices_;

@@ -16,6 +16,8 @@ namespace
 {
 
 constexpr std::size_t EdgesAChunk = 1024;
+constexpr std::size_t FacesAChunk = 4096;
+constexpr std::size_t BoxesAChunk = 1024;
 
 // A chain of short edges takes a round each.
 constexpr int MostRounds = 8;
@@ -95,6 +97,14 @@ private:
     Point at;           // of the slot that stays
   };
 
+  struct FaceOfSlot
+  {
+    std::uint32_t slot;
+    std::uint32_t face;
+
+    bool operator<(const FaceOfSlot& other) const { return face < other.face; }
+  };
+
   struct Merge
   {
     std::uint32_t edge;
@@ -138,22 +148,20 @@ private:
         slots_.push_back({ node, slot, slot, nodes_.at[node] });
       }
     }
-    faceStart_.assign(slots_.size() + 1, 0);
-    const auto forEachUse = [&](const auto& visit) {
-      for (std::uint32_t face = 0; face < faceCount(); ++face)
+    std::vector<std::vector<FaceOfSlot>> uses(chunks(faceCount(), FacesAChunk));
+    execution_.forEach(faceCount(), FacesAChunk, [&](std::size_t begin, std::size_t end) {
+      for (auto face = static_cast<std::uint32_t>(begin); face < end; ++face)
       {
         forEachCorner(face, [&](std::uint32_t node) {
           if (slotOf_[node] != None)
           {
-            visit(slotOf_[node], face);
+            uses[begin / FacesAChunk].push_back({ slotOf_[node], face });
           }
         });
       }
-    };
-    forEachUse([&](std::uint32_t slot, std::uint32_t) { ++faceStart_[slot]; });
-    facesOf_.resize(scan(faceStart_));
-    std::vector<std::size_t> at = faceStart_;
-    forEachUse([&](std::uint32_t slot, std::uint32_t face) { facesOf_[at[slot]++] = face; });
+    });
+    facesOf_ = sortIntoBuckets(
+      uses, slots_.size(), [](const FaceOfSlot& use) { return use.slot; }, execution_);
   }
 
   void slotOfNode()
@@ -169,34 +177,22 @@ private:
   void banKept()
   {
     std::vector<std::uint8_t> kept(slots_.size());
-    const auto keep = [&](const auto& start, const auto& corners, std::size_t face) {
-      for (std::size_t i = start[face]; i < start[face + 1]; ++i)
-      {
-        if (slotOf_[corners[i]] != None)
+    std::vector<std::vector<std::uint32_t>> parts(chunks(sides_.polyhedral.size(), BoxesAChunk));
+    execution_.forEach(
+      sides_.polyhedral.size(), BoxesAChunk, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t n = begin; n < end; ++n)
         {
-          kept[slotOf_[corners[i]]] = 1;
+          if (stays(n))
+          {
+            listSlotsOfBox(n, parts[begin / BoxesAChunk]);
+          }
         }
-      }
-    };
-    for (std::size_t n = 0; n < sides_.polyhedral.size(); ++n)
+      });
+    for (const std::vector<std::uint32_t>& part : parts)
     {
-      if (!stays(n))
+      for (const std::uint32_t slot : part)
       {
-        continue;
-      }
-      const std::uint32_t cut = sides_.patchBox[n];
-      for (std::size_t p = cut == None ? 0 : patches_.boxStart[cut];
-           cut != None && p < patches_.boxStart[cut + 1]; ++p)
-      {
-        keep(patches_.start, patches_.corners, p);
-      }
-      for (std::size_t i = sides_.boxStart[n]; i < sides_.boxStart[n + 1]; ++i)
-      {
-        const std::size_t s = sides_.ofBox[i].side;
-        for (std::size_t f = inner_.sideStart[s]; f < inner_.sideStart[s + 1]; ++f)
-        {
-          keep(inner_.start, inner_.nodes, f);
-        }
+        kept[slot] = 1;
       }
     }
     for (std::uint32_t slot = 0; slot < slots_.size(); ++slot)
@@ -206,6 +202,34 @@ private:
     for (ShortEdge& edge : edges_)
     {
       edge.banned = kept[edge.a] || kept[edge.b];
+    }
+  }
+
+  // Appends those at the faces of a box; slots may come twice.
+  void listSlotsOfBox(std::size_t n, std::vector<std::uint32_t>& slots) const
+  {
+    const auto list = [&](const auto& start, const auto& corners, std::size_t face) {
+      for (std::size_t i = start[face]; i < start[face + 1]; ++i)
+      {
+        if (slotOf_[corners[i]] != None)
+        {
+          slots.push_back(slotOf_[corners[i]]);
+        }
+      }
+    };
+    const std::uint32_t cut = sides_.patchBox[n];
+    for (std::size_t p = cut == None ? 0 : patches_.boxStart[cut];
+         cut != None && p < patches_.boxStart[cut + 1]; ++p)
+    {
+      list(patches_.start, patches_.corners, p);
+    }
+    for (std::size_t i = sides_.boxStart[n]; i < sides_.boxStart[n + 1]; ++i)
+    {
+      const std::size_t s = sides_.ofBox[i].side;
+      for (std::size_t f = inner_.sideStart[s]; f < inner_.sideStart[s + 1]; ++f)
+      {
+        list(inner_.start, inner_.nodes, f);
+      }
     }
   }
 
@@ -241,9 +265,9 @@ private:
     std::uint32_t s = slot;
     do
     {
-      for (std::size_t i = faceStart_[s]; i < faceStart_[s + 1]; ++i)
+      for (const FaceOfSlot* use = facesOf_.begin(s); use != facesOf_.end(s); ++use)
       {
-        visit(facesOf_[i]);
+        visit(use->face);
       }
       s = slots_[s].next;
     } while (s != slot);
@@ -263,14 +287,25 @@ private:
   // The corners that are left of a face.
   void ringOf(std::uint32_t face, std::vector<std::uint32_t>& ring) const
   {
+    const bool patch = isPatch(face);
+    const std::vector<std::size_t>& start = patch ? patches_.start : inner_.start;
+    const std::uint32_t* const corners = patch ? patches_.corners.data() : inner_.nodes.data();
+    const std::size_t f = patch ? face : face - patchCount();
+    ringOf(corners + start[f], corners + start[f + 1], ring);
+  }
+
+  void ringOf(
+    const std::uint32_t* begin, const std::uint32_t* end, std::vector<std::uint32_t>& ring) const
+  {
     ring.clear();
-    forEachCorner(face, [&](std::uint32_t node) {
-      const std::uint32_t now = nodeNow(node);
+    for (const std::uint32_t* corner = begin; corner != end; ++corner)
+    {
+      const std::uint32_t now = nodeNow(*corner);
       if (ring.empty() || ring.back() != now)
       {
         ring.push_back(now);
       }
-    });
+    }
     while (ring.size() > 1 && ring.front() == ring.back())
     {
       ring.pop_back();
@@ -732,17 +767,14 @@ private:
 
   void rewrite()
   {
-    // Both are read until both are done.
-    InnerFaces inner = innerFacesNow();
-    Patches patches = patchesNow();
-    inner_.start.swap(inner.start);
-    inner_.nodes.swap(inner.nodes);
-    inner_.sideStart.swap(inner.sideStart);
-    patches_.start.swap(patches.start);
-    patches_.corners.swap(patches.corners);
-    patches_.triangle.swap(patches.triangle);
-    patches_.boundary.swap(patches.boundary);
-    patches_.boxStart.swap(patches.boxStart);
+    std::size_t left = 0;
+    rewriteFaces(patches_.boxStart, patches_.start, patches_.corners, [&](std::size_t face) {
+      patches_.triangle[left] = patches_.triangle[face];
+      patches_.boundary[left++] = patches_.boundary[face];
+    });
+    patches_.triangle.resize(left);
+    patches_.boundary.resize(left);
+    rewriteFaces(inner_.sideStart, inner_.start, inner_.nodes, [](std::size_t) {});
     for (const Slot& slot : slots_)
     {
       nodes_.at[slot.node] = slots_[slot.into].at;
@@ -750,62 +782,46 @@ private:
     std::vector<std::uint32_t> moved;
     for (std::size_t i = 0; i < nodes_.grid.size(); ++i)
     {
-      if (nodes_.at[nodes_.patchPoints + i] != nodes_.grid[i])
+      if (!areSame(nodes_.at[nodes_.patchPoints + i], nodes_.grid[i]))
       {
         moved.push_back(static_cast<std::uint32_t>(nodes_.patchPoints + i));
       }
     }
-    nodes_.warped = warpedHexahedra(boxes_, sides_, nodes_, moved);
+    nodes_.warped = warpedHexahedra(boxes_, sides_, nodes_, moved, execution_);
   }
 
-  // Adds what is left of a face, if anything is.
-  bool addRing(
-    std::size_t face, std::vector<std::size_t>& start, std::vector<std::uint32_t>& corners)
+  // What is left of the faces of each group (box or side) moves up to where others are gone; calls
+  // keep(face) for each that stays.
+  template <class Keep>
+  void rewriteFaces(std::vector<std::size_t>& groupStart, std::vector<std::size_t>& start,
+    std::vector<std::uint32_t>& corners, Keep&& keep)
   {
-    ringOf(static_cast<std::uint32_t>(face), ring_);
-    if (ring_.size() < 3)
+    std::vector<std::uint32_t> ring;
+    std::size_t corner = 0; // what is written so far, never beyond what is read
+    std::size_t face = 0;
+    std::size_t read = 0;
+    std::size_t begin = 0;
+    for (std::size_t group = 0; group + 1 < groupStart.size(); ++group)
     {
-      return false;
-    }
-    corners.insert(corners.end(), ring_.begin(), ring_.end());
-    start.push_back(corners.size());
-    return true;
-  }
-
-  Patches patchesNow()
-  {
-    Patches result;
-    result.start.push_back(0);
-    for (std::size_t box = 0; box + 1 < patches_.boxStart.size(); ++box)
-    {
-      result.boxStart.push_back(result.size());
-      for (std::size_t p = patches_.boxStart[box]; p < patches_.boxStart[box + 1]; ++p)
+      const std::size_t groupEnd = groupStart[group + 1];
+      groupStart[group] = face;
+      for (; read < groupEnd; ++read)
       {
-        if (addRing(p, result.start, result.corners))
+        const std::size_t end = start[read + 1];
+        ringOf(corners.data() + begin, corners.data() + end, ring);
+        begin = end;
+        if (ring.size() > 2)
         {
-          result.triangle.push_back(patches_.triangle[p]);
-          result.boundary.push_back(patches_.boundary[p]);
+          keep(read);
+          std::copy(ring.begin(), ring.end(), corners.begin() + std::ptrdiff_t(corner));
+          corner += ring.size();
+          start[++face] = corner;
         }
       }
     }
-    result.boxStart.push_back(result.size());
-    return result;
-  }
-
-  InnerFaces innerFacesNow()
-  {
-    InnerFaces result;
-    result.start.push_back(0);
-    for (std::size_t side = 0; side + 1 < inner_.sideStart.size(); ++side)
-    {
-      result.sideStart.push_back(result.size());
-      for (std::size_t f = inner_.sideStart[side]; f < inner_.sideStart[side + 1]; ++f)
-      {
-        addRing(patchCount() + f, result.start, result.nodes);
-      }
-    }
-    result.sideStart.push_back(result.size());
-    return result;
+    groupStart.back() = face;
+    start.resize(face + 1);
+    corners.resize(corner);
   }
 
   const Boxes& boxes_;
@@ -821,9 +837,7 @@ private:
   std::vector<Merge> merges_;         // of this round
   std::vector<std::uint32_t> slotOf_; // of nodes, or None
   std::vector<Slot> slots_;
-  std::vector<std::size_t> faceStart_; // of slots, in facesOf_
-  std::vector<std::uint32_t> facesOf_;
-  std::vector<std::uint32_t> ring_;
+  Buckets<FaceOfSlot> facesOf_; // of slots
 };
 
 }

@@ -4,7 +4,6 @@
 #include "VertexRows.h"
 
 #include <algorithm>
-#include <map>
 
 namespace cartesian
 {
@@ -12,88 +11,134 @@ namespace cartesian
 namespace
 {
 
+constexpr std::size_t ItemsAChunk = 512;
+
 class WarpedList
 {
 public:
-  WarpedList(const Boxes& boxes, const Sides& sides, const Nodes& nodes)
+  WarpedList(const Boxes& boxes, const Sides& sides, const Nodes& nodes, Execution& execution)
     : boxes_(boxes)
     , sides_(sides)
     , nodes_(nodes)
+    , execution_(execution)
   {
   }
 
   std::vector<WarpedHexahedron> run(const std::vector<std::uint32_t>& moved)
   {
-    listBoxesAround(moved);
-    addUndivided();
-    addDivided();
-    return std::move(warped_);
+    listVertices(moved);
+    const std::vector<std::uint32_t> undivided = boxesAround();
+    std::vector<std::uint32_t> divided;
+    for (std::uint32_t d = 0; d < sides_.divided.size(); ++d)
+    {
+      if (isWarped(d))
+      {
+        divided.push_back(d);
+      }
+    }
+    std::vector<WarpedHexahedron> warped(undivided.size() + divided.size());
+    execution_.forEach(warped.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        warped[i] = i < undivided.size() ? measureUndivided(undivided[i])
+                                         : measureDivided(divided[i - undivided.size()]);
+      }
+    });
+    return warped;
   }
 
 private:
-  void listBoxesAround(const std::vector<std::uint32_t>& moved)
+  // Of the global mesh.
+  struct Vertex
+  {
+    std::array<std::uint32_t, 3> at; // K, J, I
+    std::uint32_t node;
+
+    bool operator<(const Vertex& other) const { return at < other.at; }
+  };
+
+  // Nodes come row by row, hence in order.
+  void listVertices(const std::vector<std::uint32_t>& moved)
   {
     const std::size_t rowLength = boxes_.planes[1].size();
+    std::size_t row = 0;
     for (const std::uint32_t node : moved)
     {
       const std::size_t c = node - nodes_.patchPoints;
-      const std::size_t row = static_cast<std::size_t>(
-        std::upper_bound(nodes_.rowStart.begin(), nodes_.rowStart.end(), c) -
-        nodes_.rowStart.begin() - 1);
-      const std::array<std::size_t, 2> jk{ row % rowLength, row / rowLength };
-      std::uint32_t i = 0;
-      if (!VertexRows::isVertex(boxes_.planes, nodes_.grid[c], jk[0], jk[1], i))
+      for (; nodes_.rowStart[row + 1] <= c; ++row)
       {
-        continue;
       }
-      nodeOfVertex_[{ i, static_cast<std::uint32_t>(jk[0]), static_cast<std::uint32_t>(jk[1]) }] =
-        node;
-      for (unsigned corner = 0; corner < 8; ++corner)
+      const std::size_t j = row % rowLength;
+      const std::size_t k = row / rowLength;
+      std::uint32_t i = 0;
+      if (VertexRows::isVertex(boxes_.planes, nodes_.grid[c], j, k, i))
       {
-        const std::uint32_t global = boxes_.globalAt(std::int64_t(i) - (corner & 1),
-          std::int64_t(jk[0]) - (corner >> 1 & 1), std::int64_t(jk[1]) - (corner >> 2));
-        if (global != None && boxes_.globals[global].depth == 0 &&
-          sides_.ordinal[boxes_.globals[global].firstBox] == None)
+        vertices_.push_back(
+          { { static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(j), i }, node });
+      }
+    }
+  }
+
+  // Undivided hexahedra at those vertices, in order.
+  std::vector<std::uint32_t> boxesAround() const
+  {
+    std::vector<std::vector<std::uint32_t>> parts(chunks(vertices_.size(), ItemsAChunk));
+    execution_.forEach(vertices_.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v)
+      {
+        const auto& at = vertices_[v].at;
+        for (unsigned corner = 0; corner < 8; ++corner)
         {
-          around_.push_back(boxes_.globals[global].firstBox);
+          const std::uint32_t global = boxes_.globalAt(std::int64_t(at[2]) - (corner & 1),
+            std::int64_t(at[1]) - (corner >> 1 & 1), std::int64_t(at[0]) - (corner >> 2));
+          if (global != None && boxes_.globals[global].depth == 0 &&
+            sides_.ordinal[boxes_.globals[global].firstBox] == None)
+          {
+            parts[begin / ItemsAChunk].push_back(boxes_.globals[global].firstBox);
+          }
         }
       }
+    });
+    std::vector<std::uint32_t> around;
+    for (const std::vector<std::uint32_t>& part : parts)
+    {
+      around.insert(around.end(), part.begin(), part.end());
     }
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    return around;
   }
 
-  void addUndivided()
+  bool isWarped(std::uint32_t d) const
   {
-    std::sort(around_.begin(), around_.end());
-    around_.erase(std::unique(around_.begin(), around_.end()), around_.end());
-    for (const std::uint32_t box : around_)
-    {
-      const auto& low = boxes_.globalOf(boxes_.boxes[box]).index;
-      addWarped(box, [&](unsigned corner) {
-        const auto found = nodeOfVertex_.find(
-          { low[0] + (corner & 1), low[1] + (corner >> 1 & 1), low[2] + (corner >> 2) });
-        return found == nodeOfVertex_.end() ? cornerOf(boxes_.boxes[box], corner)
-                                            : nodes_.at[found->second];
-      });
-    }
+    const auto& nodes = nodes_.ofDivided[d];
+    return std::any_of(nodes.begin(), nodes.end(), [&](std::uint32_t node) {
+      return !areSame(nodes_.at[node], nodes_.grid[node - nodes_.patchPoints]);
+    });
   }
 
-  void addDivided()
+  WarpedHexahedron measureUndivided(std::uint32_t box) const
   {
-    for (std::size_t d = 0; d < sides_.divided.size(); ++d)
-    {
-      const auto& nodes = nodes_.ofDivided[d];
-      const bool warped = std::any_of(nodes.begin(), nodes.end(), [&](std::uint32_t node) {
-        return nodes_.at[node] != nodes_.grid[node - nodes_.patchPoints];
-      });
-      if (warped)
-      {
-        addWarped(sides_.divided[d], [&](unsigned corner) { return nodes_.at[nodes[corner]]; });
-      }
-    }
+    const auto& low = boxes_.globalOf(boxes_.boxes[box]).index;
+    return measured(box, [&](unsigned corner) {
+      const Vertex vertex{
+        { low[2] + (corner >> 2), low[1] + (corner >> 1 & 1), low[0] + (corner & 1) }, None
+      };
+      const auto found = std::lower_bound(vertices_.begin(), vertices_.end(), vertex);
+      return found == vertices_.end() || found->at != vertex.at
+        ? cornerOf(boxes_.boxes[box], corner)
+        : nodes_.at[found->node];
+    });
+  }
+
+  WarpedHexahedron measureDivided(std::uint32_t d) const
+  {
+    return measured(
+      sides_.divided[d], [&](unsigned corner) { return nodes_.at[nodes_.ofDivided[d][corner]]; });
   }
 
   template <class Corner>
-  void addWarped(std::uint32_t box, Corner&& corner)
+  WarpedHexahedron measured(std::uint32_t box, Corner&& corner) const
   {
     const Box& whole = boxes_.boxes[box];
     Polyhedron polyhedron;
@@ -117,23 +162,22 @@ private:
     CellShape shape;
     measure(polyhedron, shape);
     const Vector size = minus(whole.high, whole.low);
-    warped_.push_back({ box, shape.volume / (size[0] * size[1] * size[2]) });
+    return { box, shape.volume / (size[0] * size[1] * size[2]) };
   }
 
   const Boxes& boxes_;
   const Sides& sides_;
   const Nodes& nodes_;
-  std::vector<std::uint32_t> around_;                                  // undivided hexahedra
-  std::map<std::array<std::uint32_t, 3>, std::uint32_t> nodeOfVertex_; // that moved
-  std::vector<WarpedHexahedron> warped_;
+  Execution& execution_;
+  std::vector<Vertex> vertices_; // that moved, in order
 };
 
 }
 
 std::vector<WarpedHexahedron> warpedHexahedra(const Boxes& boxes, const Sides& sides,
-  const Nodes& nodes, const std::vector<std::uint32_t>& moved)
+  const Nodes& nodes, const std::vector<std::uint32_t>& moved, Execution& execution)
 {
-  return WarpedList(boxes, sides, nodes).run(moved);
+  return WarpedList(boxes, sides, nodes, execution).run(moved);
 }
 
 }
