@@ -2,6 +2,7 @@
 #include "GridFaces.h"
 
 #include "Error.h"
+#include "Polyhedra.h"
 
 #include "vtkCellType.h"
 #include "vtkDataSetAttributes.h"
@@ -21,8 +22,7 @@ const vtkIdType* CellFaceReader::read(vtkIdType cell)
     case VTK_HEXAHEDRON:
       return readHexahedron(cell);
     case VTK_POLYHEDRON:
-      grid_->GetFaceStream(cell, stream_);
-      return stream_->GetPointer(0);
+      return faceStreamOf(grid_, cell, stream_);
     default:
       return readOther(cell);
   }

@@ -16,7 +16,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolygon.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -201,22 +200,17 @@ struct BoundaryMeasure
   double area = 0;
 };
 
-std::map<std::int32_t, BoundaryMeasure> measureBoundaries(
-  vtkPolyData* boundary, Execution& execution)
+std::map<std::int32_t, BoundaryMeasure> measureBoundaries(vtkPolyData* boundary)
 {
   std::map<std::int32_t, BoundaryMeasure> measures;
-  vtkDataArray* id = boundary->GetCellData()->GetArray("BoundaryId");
-  auto face = vtk::TakeSmartPointer(boundary->GetPolys()->NewIterator());
-  for (face->GoToFirstCell(); !face->IsDoneWithTraversal(); face->GoToNextCell())
+  auto* ids = vtkIntArray::SafeDownCast(boundary->GetCellData()->GetArray("BoundaryId"));
+  auto* areas = vtkDoubleArray::SafeDownCast(boundary->GetCellData()->GetArray("FaceArea"));
+  for (vtkIdType face = 0; face < boundary->GetNumberOfPolys(); ++face)
   {
-    execution.poll();
-    vtkIdType size = 0;
-    const vtkIdType* corners = nullptr;
-    face->GetCurrentCell(size, corners);
-    std::array<double, 3> normal;
-    BoundaryMeasure& measure =
-      measures[static_cast<std::int32_t>(id->GetComponent(face->GetCurrentCellId(), 0))];
-    measure.area += vtkPolygon::ComputeArea(boundary->GetPoints(), size, corners, normal.data());
+    BoundaryMeasure& measure = measures[ids->GetValue(face)];
+    Vector area;
+    areas->GetTypedTuple(face, area.data());
+    measure.area += norm(area);
     ++measure.faces;
   }
   return measures;
@@ -246,11 +240,10 @@ std::map<std::int32_t, BoundaryMeasure> sum(
 
 // Name, number of faces and area of each boundary, on both outputs.
 void describeBoundaries(const BoundaryTexts& texts, const Processes& processes,
-  vtkPolyData* boundary, vtkUnstructuredGrid* mesh, Execution& execution)
+  vtkPolyData* boundary, vtkUnstructuredGrid* mesh)
 {
   BoundaryNames names = texts.names;
-  std::map<std::int32_t, BoundaryMeasure> measures =
-    sum(measureBoundaries(boundary, execution), processes);
+  std::map<std::int32_t, BoundaryMeasure> measures = sum(measureBoundaries(boundary), processes);
   for (const auto& measured : measures)
   {
     names.emplace(measured.first, unnamedBoundary(measured.first));
@@ -283,7 +276,7 @@ void toVTK(const Assembly& assembly, const BoundaryTexts& texts, const MeshPiece
   setStatistics(assembly, piece.processes, mesh);
   setBoundary(assembly.mesh(), mesh, boundary, execution);
   setBoundaryOfFaces(mesh, boundary, execution);
-  describeBoundaries(texts, piece.processes, boundary, mesh, execution);
+  describeBoundaries(texts, piece.processes, boundary, mesh);
   if (!piece.isWhole)
   {
     setGlobalIds(assembly.mesh(), piece, mesh, boundary, execution);

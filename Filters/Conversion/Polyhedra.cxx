@@ -2,6 +2,7 @@
 #include "Polyhedra.h"
 
 #include "vtkCellArray.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkUnsignedCharArray.h"
@@ -41,6 +42,12 @@ void setCells(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* types, vtkCellArr
   grid->SetPolyhedralCells(types, cells, facesOfCells, faces);
 }
 
+const vtkIdType* faceStreamOf(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* scratch)
+{
+  grid->GetFaceStream(cell, scratch);
+  return scratch->GetPointer(0);
+}
+
 #else
 
 void setCells(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* types, vtkCellArray* cells,
@@ -48,6 +55,11 @@ void setCells(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* types, vtkCellArr
 {
   const bool polyhedra = faceStream->GetNumberOfValues() > 0;
   grid->SetCells(types, cells, polyhedra ? faceStart : nullptr, polyhedra ? faceStream : nullptr);
+}
+
+const vtkIdType* faceStreamOf(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList*)
+{
+  return grid->GetFaces(cell); // as it is stored
 }
 
 #endif
