@@ -18,7 +18,7 @@ constexpr double LeastInnerCosine = 0.261627710462944;      // cos 74 5/6
 constexpr double DoubtfulBoundaryCosine = 0.173648177666930; // cos 80
 constexpr double DoubtfulInnerCosine = 0.422618261740699;    // cos 65
 
-constexpr double LeastSlopeCosine = 0.342020143325669;      // cos 70
+constexpr double LeastSlopeCosine = 0.342020143325669; // cos 70
 constexpr double MostSkewness = 4;
 constexpr double LeastVolumeRatio = 0.01;
 constexpr double LeastFaceWeight = 0.05;

@@ -91,8 +91,8 @@ void measureProjected(const Polyhedron& cell, CellShape& shape)
   {
     const std::size_t begin = cell.start[f];
     shape.faces[f].centre = projectedCentre(
-      cell.start[f + 1] - begin,
-      [&](std::size_t i) { return cell.nodes[cell.corners[begin + i]]; }, shape.faces[f].area);
+      cell.start[f + 1] - begin, [&](std::size_t i) { return cell.nodes[cell.corners[begin + i]]; },
+      shape.faces[f].area);
   }
   measureVolume(shape);
 }
