@@ -94,6 +94,32 @@ bool isClosed(const Polyhedron& cell)
 
 }
 
+// Projected centres are those of the faces flattened along their normals, and equal where faces are flat.
+TEST(Polyhedron, ProjectedCentresAreThoseOfFlattenedFaces)
+{
+  Polyhedron bent = prism({ { 0, 0 }, { 1000, 0 }, { 900, 700 }, { 0, 1000 } }, 1000);
+  bent.nodes[6][2] += 800; // of the upper face
+  CellShape usual;
+  CellShape projected;
+  measure(bent, usual);
+  measureProjected(bent, projected);
+  const std::size_t upper = 1;
+  const Vector normal = unit(usual.faces[upper].area);
+  Polyhedron flat = bent;
+  for (std::size_t i = bent.start[upper]; i < bent.start[upper + 1]; ++i)
+  {
+    Vector& node = flat.nodes[bent.corners[i]];
+    node = minus(node, scaled(normal, dot(minus(node, usual.faces[upper].mean), normal)));
+  }
+  CellShape flattened;
+  measure(flat, flattened);
+  const Vector off = minus(projected.faces[upper].centre, flattened.faces[upper].centre);
+  EXPECT_LT(norm(cross(off, normal)), 1e-9);
+  EXPECT_GT(norm(minus(projected.faces[upper].centre, usual.faces[upper].centre)), 1);
+  EXPECT_GT(norm(minus(projected.centre, usual.centre)), 0.1);
+  EXPECT_LT(norm(minus(projected.faces[0].centre, usual.faces[0].centre)), 1e-9);
+}
+
 TEST(Polyhedron, ACubeIsMeasured)
 {
   CellShape shape;
