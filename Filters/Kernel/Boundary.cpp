@@ -21,7 +21,7 @@ constexpr std::size_t ItemsAChunk = 4096;
 
 // Calls list(i, faces) for the items from `first` to `end`; returns the faces in the order of items.
 template <class List>
-std::vector<BoundaryFace> listFaces(
+std::vector<BoundaryFace> facesOfEach(
   std::size_t first, std::size_t end, Execution& execution, List&& list)
 {
   std::vector<std::vector<BoundaryFace>> parts(chunks(end - first, ItemsAChunk));
@@ -54,18 +54,18 @@ public:
     const Boxes& boxes = parts_.boxes;
     const auto& flawed = parts_.inner.flawed;
     const bool anywhere = std::find(flawed.begin(), flawed.end(), 1) != flawed.end();
-    Faces exposed = listFaces(0, parts_.sides.sides.size(), execution,
+    Faces exposed = facesOfEach(0, parts_.sides.sides.size(), execution,
       [&](std::size_t s, Faces& faces) { exposeInnerFaces(s, faces); });
-    const Faces shaped = listFaces(0, parts_.cells.shaped.size(), execution,
+    const Faces shaped = facesOfEach(0, parts_.cells.shaped.size(), execution,
       [&](std::size_t f, Faces& faces) { exposeShapedFace(f, faces); });
-    const Faces ofBoxes = listFaces(boxes.firstBoxOf(boxes.core.begin),
+    const Faces ofBoxes = facesOfEach(boxes.firstBoxOf(boxes.core.begin),
       boxes.firstBoxOf(boxes.core.end), execution, [&](std::size_t b, Faces& faces) {
         exposeBoxSides(static_cast<std::uint32_t>(b), anywhere, faces);
       });
     exposed.insert(exposed.end(), shaped.begin(), shaped.end());
     exposed.insert(exposed.end(), ofBoxes.begin(), ofBoxes.end());
     std::sort(exposed.begin(), exposed.end());
-    const Faces patches = listFaces(numbers_.coreBegin, numbers_.coreEnd, execution,
+    const Faces patches = facesOfEach(numbers_.coreBegin, numbers_.coreEnd, execution,
       [&](std::size_t c, Faces& faces) { addPatches(c, faces); });
     Faces all(patches.size() + exposed.size());
     std::merge(patches.begin(), patches.end(), exposed.begin(), exposed.end(), all.begin());

@@ -73,6 +73,9 @@ Vector projectedCentre(std::size_t size, Corner&& corner, const Vector& area)
   return sum < Tiny ? mean : plus(mean, scaled(moment, 1 / sum));
 }
 
+// Star triangles that are turned over by less, as a part of the polygon or of the mean triangle, are not.
+constexpr double RoundingOfAreas = 1e-9;
+
 // The smallest triangle of the star, as a part of the mean one; negative where it is turned over.
 template <class Corner>
 double smallestOfStar(std::size_t size, Corner&& corner, const Vector& area)

@@ -11,9 +11,6 @@ namespace cartesian
 namespace
 {
 
-// A star triangle may be turned over by this part of the polygon's area: rounding.
-constexpr double RoundingOfAreas = 1e-9;
-
 constexpr double LeastThickness = 4; // levels
 
 Vector meanOf(const Polyhedron& cell, std::size_t begin, std::size_t end)

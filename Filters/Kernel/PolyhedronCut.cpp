@@ -577,9 +577,6 @@ private:
   // What is closer to the plane than this is on it: points are rounded to whole numbers.
   static constexpr double RoundingLevels = 2;
 
-  // Star triangles that are turned over by less, as a part of the mean one, are not.
-  static constexpr double RoundingOfAreas = 1e-9;
-
   const Polyhedron& cell_;
   const CutPlane& plane_;
   CellCut& cut_;

@@ -10,9 +10,9 @@
 namespace cartesian
 {
 
-// Cells with refused faces (CellFitness.h), or too few; of an inner face's two the smaller goes. Only
-// cells with a boundary face go, smaller than `largest` volumes of their box, or than R where their
-// boundary has its own.
+// Cells with refused faces (CellFitness.h; by either centre of bent faces), or too few; of an inner
+// face's two the smaller goes. Only cells with a boundary face go, smaller than `largest` volumes of their
+// box, or than R where their boundary has its own.
 class RefusedCells
 {
 public:

@@ -119,17 +119,21 @@ private:
   std::size_t faceCount() const { return patches_.size() + inner_.size(); }
   bool isPatch(std::uint32_t face) const { return face < patchCount(); }
 
+  // Begin and end.
+  std::array<const std::uint32_t*, 2> cornersOf(std::uint32_t face) const
+  {
+    const bool patch = isPatch(face);
+    const std::size_t f = patch ? face : face - patchCount();
+    const std::size_t* const start = (patch ? patches_.start : inner_.start).data() + f;
+    const std::uint32_t* const corners = (patch ? patches_.corners : inner_.nodes).data();
+    return { corners + start[0], corners + start[1] };
+  }
+
   template <class Visitor>
   void forEachCorner(std::uint32_t face, Visitor&& visit) const
   {
-    const bool patch = isPatch(face);
-    const std::vector<std::size_t>& start = patch ? patches_.start : inner_.start;
-    const std::vector<std::uint32_t>& corners = patch ? patches_.corners : inner_.nodes;
-    const std::size_t f = patch ? face : face - patchCount();
-    for (std::size_t i = start[f]; i < start[f + 1]; ++i)
-    {
-      visit(corners[i]);
-    }
+    const auto [begin, end] = cornersOf(face);
+    std::for_each(begin, end, visit);
   }
 
   void listFacesOfNodes()
@@ -287,11 +291,8 @@ private:
   // The corners that are left of a face.
   void ringOf(std::uint32_t face, std::vector<std::uint32_t>& ring) const
   {
-    const bool patch = isPatch(face);
-    const std::vector<std::size_t>& start = patch ? patches_.start : inner_.start;
-    const std::uint32_t* const corners = patch ? patches_.corners.data() : inner_.nodes.data();
-    const std::size_t f = patch ? face : face - patchCount();
-    ringOf(corners + start[f], corners + start[f + 1], ring);
+    const auto [begin, end] = cornersOf(face);
+    ringOf(begin, end, ring);
   }
 
   void ringOf(
