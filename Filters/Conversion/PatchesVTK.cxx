@@ -82,7 +82,8 @@ void toVTK(const Patches& patches, const Boxes& boxes, const std::vector<vtkIdTy
   vtkNew<vtkUnsignedCharArray> reason;
   reason->SetName("PatchReason");
   reason->SetNumberOfValues(count);
-  const std::vector<std::uint32_t> intersected = intersectedBoxes(boxes);
+  Execution one;
+  const std::vector<std::uint32_t> intersected = intersectedBoxes(boxes, one);
   for (std::size_t n = 0; n < intersected.size(); ++n)
   {
     std::fill(reason->GetPointer(0) + patches.boxStart[n],
@@ -114,7 +115,8 @@ Patches patchesFromVTK(vtkPolyData* input, const Boxes& boxes)
   vtkDataArray* boundary = cellArray(input, "BoundaryId");
   vtkDataArray* box = cellArray(input, "BoxId");
   vtkDataArray* reason = cellArray(input, "PatchReason");
-  const std::vector<std::uint32_t> intersected = intersectedBoxes(boxes);
+  Execution one;
+  const std::vector<std::uint32_t> intersected = intersectedBoxes(boxes, one);
   patches.boxStart.assign(intersected.size() + 1, 0);
   patches.reason.assign(intersected.size(), PatchReason::MarchingCubes);
   std::size_t n = 0;

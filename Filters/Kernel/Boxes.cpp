@@ -39,7 +39,20 @@ std::uint32_t Boxes::globalAt(std::int64_t i, std::int64_t j, std::int64_t k) co
   }
   const std::size_t r = row(static_cast<std::size_t>(j), static_cast<std::size_t>(k));
   const auto begin = globals.begin() + static_cast<std::ptrdiff_t>(rowStart[r]);
-  const auto end = globals.begin() + static_cast<std::ptrdiff_t>(rowStart[r + 1]);
+  auto end = globals.begin() + static_cast<std::ptrdiff_t>(rowStart[r + 1]);
+  if (begin == end || i < begin->index[0])
+  {
+    return None;
+  }
+  // Where nothing is missing in the row before it, it is here, else before.
+  if (const std::int64_t guess = i - begin->index[0]; guess < end - begin)
+  {
+    end = begin + guess;
+    if (end->index[0] == i)
+    {
+      return static_cast<std::uint32_t>(end - globals.begin());
+    }
+  }
   const auto found = std::lower_bound(
     begin, end, i, [](const GlobalBox& g, std::int64_t x) { return g.index[0] < x; });
   return found != end && found->index[0] == i ? static_cast<std::uint32_t>(found - globals.begin())
@@ -127,18 +140,6 @@ void Boxes::findNearDepths()
   }
 }
 
-Level planeAt(const std::vector<Level>& planes, std::int64_t fine)
-{
-  const auto i = static_cast<std::size_t>(fine >> DeepestLevel);
-  const std::int64_t part = fine & (FinePerBox - 1);
-  if (part == 0)
-  {
-    return planes[i];
-  }
-  const std::int64_t half = (std::int64_t(planes[i + 1]) - planes[i]) / 2;
-  return static_cast<Level>(planes[i] + 2 * (half * part / FinePerBox));
-}
-
 std::array<std::uint32_t, 4> facing(const Boxes& boxes, const Box& box, int axis, bool upper)
 {
   const int a = (axis + 1) % 3;
@@ -162,15 +163,24 @@ std::array<std::uint32_t, 4> facing(const Boxes& boxes, const Box& box, int axis
   return across;
 }
 
-std::vector<std::uint32_t> intersectedBoxes(const Boxes& boxes)
+std::vector<std::uint32_t> intersectedBoxes(const Boxes& boxes, Execution& execution)
 {
-  std::vector<std::uint32_t> result;
-  for (std::size_t b = 0; b < boxes.boxes.size(); ++b)
-  {
-    if (boxes.boxes[b].status == BoxStatus::Intersected)
+  constexpr std::size_t BoxesAChunk = 1 << 16;
+  const std::size_t count = boxes.boxes.size();
+  std::vector<std::vector<std::uint32_t>> parts(chunks(count, BoxesAChunk));
+  execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b)
     {
-      result.push_back(static_cast<std::uint32_t>(b));
+      if (boxes.boxes[b].status == BoxStatus::Intersected)
+      {
+        parts[begin / BoxesAChunk].push_back(static_cast<std::uint32_t>(b));
+      }
     }
+  });
+  std::vector<std::uint32_t> result;
+  for (const std::vector<std::uint32_t>& part : parts)
+  {
+    result.insert(result.end(), part.begin(), part.end());
   }
   return result;
 }

@@ -6,6 +6,7 @@
 // the grid.
 #pragma once
 
+#include "Execution.h"
 #include "Meshlines.h"
 #include "RawVector.h"
 
@@ -123,13 +124,23 @@ private:
 };
 
 // The level of a plane of the fine grid.
-Level planeAt(const std::vector<Level>& planes, std::int64_t fine);
+inline Level planeAt(const std::vector<Level>& planes, std::int64_t fine)
+{
+  const auto i = static_cast<std::size_t>(fine >> DeepestLevel);
+  const std::int64_t part = fine & (FinePerBox - 1);
+  if (part == 0)
+  {
+    return planes[i];
+  }
+  const std::int64_t half = (std::int64_t(planes[i + 1]) - planes[i]) / 2;
+  return static_cast<Level>(planes[i] + 2 * (half * part / FinePerBox));
+}
 
 // The boxes across a side of `box` at its four quarters: (low, low), (high, low), (low, high),
 // (high, high) along the two other axes in cyclic order. In balanced boxes each quarter has one.
 std::array<std::uint32_t, 4> facing(const Boxes& boxes, const Box& box, int axis, bool upper);
 
 // Indices of the intersected boxes, in order.
-std::vector<std::uint32_t> intersectedBoxes(const Boxes& boxes);
+std::vector<std::uint32_t> intersectedBoxes(const Boxes& boxes, Execution& execution);
 
 }

@@ -9,8 +9,6 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t CellsAChunk = 512;
-
 // Nodes of a hexahedron's side i (low x, high x, low y, ...), counter-clockwise from outside.
 std::array<unsigned, 4> cornersFromOutside(unsigned side)
 {
@@ -33,6 +31,9 @@ CellComplex::CellComplex(CellsToShape& whole, const Slab& slab)
   , inner_(whole.inner)
   , cells_(whole.cells)
   , slab_(slab)
+  , boxesOfSlab_{ boxes_.firstBoxOf(slab.layers.begin), boxes_.firstBoxOf(slab.layers.end) }
+  , freeBoxes_{ boxes_.firstBoxOf(slab.free.begin), boxes_.firstBoxOf(slab.free.end) }
+  , isOpenHexahedron_(boxesOfSlab_[1] - boxesOfSlab_[0])
   , nextKey_(static_cast<CellKey>(whole.cells.size() + whole.boxes.boxes.size()))
 {
   const auto [begin, end] = whole.cellsIn(slab.layers);
@@ -46,44 +47,6 @@ CellComplex::CellComplex(CellsToShape& whole, const Slab& slab)
       acting_.push_back(key);
     }
   }
-}
-
-std::array<CellKey, 2> CellsToShape::cellsIn(Layers layers) const
-{
-  const auto firstOf = [&](std::uint32_t layer) {
-    const auto& polyhedral = sides.polyhedral;
-    const auto at = std::lower_bound(polyhedral.begin(), polyhedral.end(), boxes.firstBoxOf(layer));
-    return static_cast<CellKey>(cells.boxStart[static_cast<std::size_t>(at - polyhedral.begin())]);
-  };
-  return { firstOf(layers.begin), firstOf(layers.end) };
-}
-
-void CellsToShape::measure(Layers layers, Execution& execution)
-{
-  for (const ShapedFaces::HexahedronSide& side : cells.shaped.ofHexahedra)
-  {
-    for (std::uint32_t& cell : cells.shaped.cells[side.face])
-    {
-      cell =
-        cell == ShapedFaces::SomeHexahedron ? static_cast<CellKey>(cells.size() + side.box) : cell;
-    }
-  }
-  places.assign(cells.size(), {});
-  atFault.assign(cells.size(), 0);
-  const CellComplex complex(*this, {});
-  const std::array<CellKey, 2> range = cellsIn(layers);
-  const CellKey first = range[0]; // clang takes no structured bindings into lambdas
-  execution.forEach(range[1] - first, CellsAChunk, [&](std::size_t begin, std::size_t end) {
-    Polyhedron polyhedron;
-    CellShape measures;
-    for (std::size_t c = first + begin; c < first + end; ++c)
-    {
-      complex.shape(static_cast<CellKey>(c), polyhedron);
-      cartesian::measure(polyhedron, measures);
-      places[c] = { measures.centre, measures.volume };
-      atFault[c] = isAnyAtFault(polyhedron, measures) ? 1 : 0;
-    }
-  });
 }
 
 // --- reading
@@ -100,26 +63,16 @@ FaceUse CellComplex::useOf(const FaceRef& ref) const
   return use;
 }
 
-FaceRef CellComplex::refOf(const FaceUse& use) const
-{
-  if (isPatch(use.face))
-  {
-    return FaceRef(use.face, FaceRef::Kind::Patch);
-  }
-  if (!isInner(use.face))
-  {
-    return FaceRef(
-      use.face - firstGiven(), use.turned ? FaceRef::Kind::TurnedShaped : FaceRef::Kind::Shaped);
-  }
-  return FaceRef(
-    use.face - firstInner(), use.turned ? FaceRef::Kind::TurnedInner : FaceRef::Kind::Inner);
-}
-
 const CellComplex::OpenCell* CellComplex::opened(CellKey key) const
 {
   if (const std::size_t i = std::size_t(key) - firstOfSlab_; i < openOf_.size())
   {
     return openOf_[i] == None ? nullptr : &open_[openOf_[i]];
+  }
+  const std::size_t hexahedron = std::size_t(key) - cells_.size() - boxesOfSlab_[0];
+  if (hexahedron < isOpenHexahedron_.size() && !isOpenHexahedron_[hexahedron])
+  {
+    return nullptr;
   }
   const auto found = openOfOther_.find(key);
   return found == openOfOther_.end() ? nullptr : &open_[found->second];
@@ -128,13 +81,6 @@ const CellComplex::OpenCell* CellComplex::opened(CellKey key) const
 CellComplex::OpenCell* CellComplex::opened(CellKey key)
 {
   return const_cast<OpenCell*>(static_cast<const CellComplex*>(this)->opened(key));
-}
-
-std::size_t CellComplex::sideOf(std::uint32_t innerFace) const
-{
-  const auto& start = inner_.sideStart;
-  return static_cast<std::size_t>(
-    std::upper_bound(start.begin(), start.end(), innerFace) - start.begin() - 1);
 }
 
 std::array<CellKey, 2> CellComplex::cellsOf(std::uint32_t face) const
@@ -150,7 +96,7 @@ std::array<CellKey, 2> CellComplex::cellsOf(std::uint32_t face) const
   std::array<CellKey, 2> keys = cells_.ofInnerFace[face - firstInner()];
   if (keys[0] == None || keys[1] == None)
   {
-    const Side& side = sides_.sides[sideOf(face - firstInner())];
+    const Side& side = sides_.sides[whole_.sideOf[face - firstInner()]];
     const std::array<std::uint32_t, 2> boxes{ side.low, side.high };
     for (std::size_t k = 0; k < 2; ++k)
     {
@@ -196,10 +142,16 @@ std::uint32_t CellComplex::boxOf(CellKey key) const
 
 void CellComplex::addFaceTo(Polyhedron& shape, const FaceUse& use, const Point& origin) const
 {
-  forEachNodeOf(use, [&](std::uint32_t node) {
-    shape.addCorner(static_cast<std::uint32_t>(shape.nodes.size()));
-    shape.nodes.push_back(minus(placeOf(node), origin));
-  });
+  const FaceNodes nodes = nodesOf(use.face);
+  const std::size_t first = shape.nodes.size();
+  shape.nodes.resize(first + nodes.size);
+  shape.corners.resize(first + nodes.size);
+  for (std::size_t i = 0; i < nodes.size; ++i)
+  {
+    const std::uint32_t node = nodes.first[use.turned ? nodes.size - 1 - i : i];
+    shape.nodes[first + i] = minus(placeOf(node), origin);
+    shape.corners[first + i] = static_cast<std::uint32_t>(first + i);
+  }
   const CellKey other = across(use);
   shape.closeFace(other == None || !isAlive(other));
 }
@@ -227,33 +179,43 @@ void CellComplex::lookAround(CellKey key, MeasuredCell& cell) const
 
 Beyond CellComplex::placeAndVolume(CellKey key, const Point& origin) const
 {
-  const Box& box = boxes_.boxes[boxOf(key)];
-  const Vector from = minus(box.low, origin);
-  Beyond place;
-  if (const OpenCell* cell = opened(key))
+  const OpenCell* open = opened(key);
+  if (open || key < cells_.size())
   {
-    place = cell->place;
+    const Box& box = boxes_.boxes[open ? open->box : cells_.cells[key].box];
+    const Beyond& place = open ? open->place : whole_.known.places[key];
+    return { plus(minus(box.low, origin), place.centre), place.volume };
   }
-  else
-  {
-    place = key < cells_.size() ? whole_.places[key]
-                                : Beyond{ scaled(minus(box.high, box.low), 0.5), volumeOfBox(key) };
-  }
-  return { plus(from, place.centre), place.volume };
+  const Box& box = boxes_.boxes[key - cells_.size()];
+  return { plus(minus(box.low, origin), scaled(minus(box.high, box.low), 0.5)), volumeOfBox(key) };
+}
+
+const CellShape& CellComplex::measured(CellKey key) const
+{
+  shape(key, scratch_.polyhedron);
+  measure(scratch_.polyhedron, scratch_.measures);
+  return scratch_.measures;
 }
 
 Beyond CellComplex::measuredPlace(CellKey key) const
 {
-  Polyhedron polyhedron;
-  CellShape measures;
-  shape(key, polyhedron);
-  measure(polyhedron, measures);
+  const CellShape& measures = measured(key);
   return { measures.centre, measures.volume };
 }
 
 double CellComplex::volume(CellKey key) const
 {
-  return placeAndVolume(key, boxes_.boxes[boxOf(key)].low).volume;
+  if (const OpenCell* open = opened(key))
+  {
+    return open->place.volume;
+  }
+  return key < cells_.size() ? whole_.known.places[key].volume : volumeOfBox(key);
+}
+
+double CellComplex::share(CellKey key) const
+{
+  return key < cells_.size() && !hasChanged(key) ? whole_.known.shares[key]
+                                                 : volume(key) / volumeOfBox(key);
 }
 
 bool CellComplex::isAtFault(CellKey key) const
@@ -261,22 +223,25 @@ bool CellComplex::isAtFault(CellKey key) const
   const OpenCell* cell = opened(key);
   if (key < cells_.size() && !(cell && cell->changed))
   {
-    return whole_.atFault[key] != 0;
+    return whole_.known.atFault[key] == IsAtFault::Yes;
   }
-  if (cell && cell->fault != OpenCell::Fault::Unknown)
+  if (cell && cell->fault != IsAtFault::Unknown)
   {
-    return cell->fault == OpenCell::Fault::Yes;
+    return cell->fault == IsAtFault::Yes;
   }
-  Polyhedron polyhedron;
-  CellShape measures;
-  shape(key, polyhedron);
-  measure(polyhedron, measures);
-  const bool any = isAnyAtFault(polyhedron, measures);
+  const CellShape& measures = measured(key);
+  const bool any = isAnyAtFault(scratch_.polyhedron, measures);
   if (cell)
   {
-    cell->fault = any ? OpenCell::Fault::Yes : OpenCell::Fault::No;
+    cell->fault = any ? IsAtFault::Yes : IsAtFault::No;
   }
   return any;
+}
+
+bool CellComplex::hasChanged(CellKey key) const
+{
+  const OpenCell* cell = opened(key);
+  return cell && cell->changed;
 }
 
 void CellComplex::lookBeyond(CellKey key, CellView& view) const
@@ -297,10 +262,8 @@ void CellComplex::lookBeyond(CellKey key, CellView& view) const
 
 std::vector<std::pair<CellKey, double>> CellComplex::neighbours(CellKey key) const
 {
-  Polyhedron polyhedron;
-  CellShape measures;
-  shape(key, polyhedron);
-  measure(polyhedron, measures);
+  const CellShape& measures = measured(key);
+  const Polyhedron& polyhedron = scratch_.polyhedron;
   std::vector<std::pair<CellKey, double>> result;
   std::size_t face = 0;
   forEachFace(key, [&](const FaceUse& use) {
@@ -347,8 +310,40 @@ Layers CellComplex::layersOf(CellKey key) const
 
 bool CellComplex::isFree(CellKey key) const
 {
-  const Layers layers = layersOf(key);
-  return layers.begin >= slab_.free.begin && layers.end <= slab_.free.end;
+  const OpenCell* open = opened(key);
+  const bool known = open || key < cells_.size();
+  if (known && (open ? open->reach : cells_.cells[key].reach) != NoReach)
+  {
+    const Layers layers = layersOf(key);
+    return layers.begin >= slab_.free.begin && layers.end <= slab_.free.end;
+  }
+  const std::uint32_t box = open ? open->box : boxOf(key);
+  return box >= freeBoxes_[0] && box < freeBoxes_[1];
+}
+
+bool CellComplex::hasChangedNear(CellKey key, std::uint32_t mark) const
+{
+  const auto hasChangedSince = [&](CellKey other) {
+    const OpenCell* cell = opened(other);
+    return cell && cell->changed && cell->changedAt >= mark;
+  };
+  bool found = hasChangedSince(key);
+  forEachFace(key, [&](const FaceUse& use) {
+    const CellKey other = found ? None : across(use);
+    if (other == None)
+    {
+      return;
+    }
+    found = !hasFaces(other) || hasChangedSince(other);
+    if (!found)
+    {
+      forEachFace(other, [&](const FaceUse& far) {
+        const CellKey beyond = found ? None : across(far);
+        found = found || (beyond != None && hasChangedSince(beyond));
+      });
+    }
+  });
+  return found;
 }
 
 bool CellComplex::mayMerge(const std::vector<CellKey>& keys) const
@@ -363,12 +358,15 @@ bool CellComplex::mayMerge(const std::vector<CellKey>& keys) const
     all.end - all.begin <= MostLayersOfACell;
 }
 
-std::vector<CellKey> CellComplex::polyhedra() const
+// isKept(key, whether it is open): of acting cells as they were, then of those made since.
+template <class Kept>
+std::vector<CellKey> CellComplex::select(Kept&& isKept) const
 {
   std::vector<CellKey> keys;
   for (const CellKey key : acting_)
   {
-    if (!isOpen(key) || (isAlive(key) && isFree(key)))
+    const bool open = openOf_[key - firstOfSlab_] != None;
+    if ((!open || (isAlive(key) && isFree(key))) && isKept(key, open))
     {
       keys.push_back(key);
     }
@@ -378,13 +376,25 @@ std::vector<CellKey> CellComplex::polyhedra() const
   {
     const Box& box = boxes_.boxes[open_[open].box];
     if (isAlive(key) && open_[open].changed && key >= cells_.size() && isFree(key) &&
-      slab_.acting.contains(boxes_.globalOf(box).index[2]))
+      slab_.acting.contains(boxes_.globalOf(box).index[2]) && isKept(key, true))
     {
       keys.push_back(key);
     }
   }
   std::sort(keys.begin() + others, keys.end());
   return keys;
+}
+
+std::vector<CellKey> CellComplex::polyhedra() const
+{
+  return select([](CellKey, bool) { return true; });
+}
+
+std::vector<CellKey> CellComplex::polyhedraAtFault() const
+{
+  return select([&](CellKey key, bool open) {
+    return open ? isAtFault(key) : whole_.known.atFault[key] == IsAtFault::Yes;
+  });
 }
 
 std::vector<CellKey> CellComplex::polyhedraChangedSince(std::uint32_t mark) const
@@ -424,18 +434,11 @@ std::vector<CellKey> CellComplex::polyhedraChangedSince(std::uint32_t mark) cons
 // nodes and faces have got.
 void CellComplex::view(const std::vector<CellKey>& keys, CellView& view) const
 {
-  struct Outer
-  {
-    FaceUse use;
-    CellKey other;
-    std::size_t begin; // of its corners
-    std::size_t end;
-  };
-  constexpr std::size_t UsualFaces = 24; // saves time only
-  std::vector<Outer> faces;
-  std::vector<std::uint32_t> corners;
-  faces.reserve(UsualFaces);
-  corners.reserve(4 * UsualFaces);
+  using Outer = Scratch::Outer;
+  std::vector<Outer>& faces = scratch_.faces;
+  std::vector<std::uint32_t>& corners = scratch_.corners;
+  faces.clear();
+  corners.clear();
   for (const CellKey key : keys)
   {
     forEachFace(key, [&](const FaceUse& use) {
@@ -449,7 +452,8 @@ void CellComplex::view(const std::vector<CellKey>& keys, CellView& view) const
     });
   }
   view.clear();
-  numberNodes(boxes_.boxes[boxOf(keys.front())].low, corners, view);
+  view.reserve(faces.size(), corners.size());
+  numberNodes(boxes_.boxes[boxOf(keys.front())].low, view);
   const auto corner = [&](
                         std::size_t i) { return corners.begin() + static_cast<std::ptrdiff_t>(i); };
   for (const Outer& face : faces)
@@ -475,34 +479,31 @@ void CellComplex::view(const std::vector<CellKey>& keys, CellView& view) const
 }
 
 // Fills in the nodes, by place, and gives the corners their numbers there.
-void CellComplex::numberNodes(
-  const Point& origin, std::vector<std::uint32_t>& corners, CellView& view) const
+void CellComplex::numberNodes(const Point& origin, CellView& view) const
 {
-  std::vector<std::uint32_t> nodes = corners;
+  std::vector<std::uint32_t>& nodes = scratch_.nodes;
+  std::vector<NumberedPoint>& places = scratch_.places;
+  std::vector<std::uint32_t>& numbers = scratch_.numbers;
+  nodes = scratch_.corners;
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  struct Placed
-  {
-    Point at;
-    std::uint32_t which; // of the nodes
-  };
-  std::vector<Placed> places;
-  places.reserve(nodes.size());
+  places.clear();
   for (std::uint32_t i = 0; i < nodes.size(); ++i)
   {
-    places.push_back({ placeOf(nodes[i]), i });
+    places.emplace_back(placeOf(nodes[i]), i);
   }
-  std::sort(places.begin(), places.end(), [](const Placed& x, const Placed& y) {
-    return std::tie(x.at, x.which) < std::tie(y.at, y.which);
-  });
-  std::vector<std::uint32_t> numbers(nodes.size());
+  std::sort(places.begin(), places.end());
+  numbers.resize(nodes.size());
+  view.nodes.reserve(nodes.size());
+  view.shape.nodes.reserve(nodes.size());
   for (std::uint32_t i = 0; i < places.size(); ++i)
   {
-    numbers[places[i].which] = i;
-    view.nodes.push_back(nodes[places[i].which]);
-    view.shape.nodes.push_back(minus(places[i].at, origin));
+    const std::uint32_t which = places[i].number();
+    numbers[which] = i;
+    view.nodes.push_back(nodes[which]);
+    view.shape.nodes.push_back(minus(places[i].point(), origin));
   }
-  for (std::uint32_t& corner : corners)
+  for (std::uint32_t& corner : scratch_.corners)
   {
     const auto at = std::lower_bound(nodes.begin(), nodes.end(), corner);
     corner = numbers[static_cast<std::size_t>(at - nodes.begin())];
@@ -520,13 +521,14 @@ void CellComplex::open(CellKey key)
   OpenCell cell;
   if (key < cells_.size())
   {
+    cell.faces.reserve(cells_.cells[key + 1].firstFace - cells_.cells[key].firstFace);
     forEachFace(key, [&](const FaceUse& use) { cell.faces.push_back(use); });
     cell.box = cells_.cells[key].box;
     cell.origin = key;
     cell.boundary = cells_.cells[key].boundary;
     cell.removed = cells_.cells[key].removed;
     cell.reach = cells_.cells[key].reach;
-    cell.place = whole_.places[key];
+    cell.place = whole_.known.places[key];
   }
   else
   {
@@ -539,6 +541,11 @@ void CellComplex::open(CellKey key)
   const std::size_t ofSlab = std::size_t(key) - firstOfSlab_;
   (ofSlab < openOf_.size() ? openOf_[ofSlab] : openOfOther_[key]) =
     static_cast<std::uint32_t>(open_.size());
+  if (const std::size_t n = std::size_t(cell.box) - boxesOfSlab_[0];
+      key >= cells_.size() && n < isOpenHexahedron_.size())
+  {
+    isOpenHexahedron_[n] = true;
+  }
   open_.push_back(std::move(cell));
 }
 

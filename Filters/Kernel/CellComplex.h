@@ -5,11 +5,12 @@
 //
 // Slabs of one stage may change at the same time. All that they write in common is which cells are
 // below and above a face as it was (Cells::ofInnerFace, ShapedFaces::cells): a slab writes those of
-// its free cells, and reads those of cells that touch one.
+// its free cells, and reads those of cells that touch one; so it is with sights.
 #pragma once
 
-#include "Boundary.h"
+#include "CellsToShape.h"
 #include "FaceJoining.h"
+#include "NumberedPoint.h"
 #include "PolyhedronCut.h"
 #include "Slabs.h"
 
@@ -19,27 +20,6 @@
 
 namespace cartesian
 {
-
-// What the slabs of one stage have in common.
-struct CellsToShape
-{
-  const Boxes& boxes;
-  const Patches& patches;
-  Sides& sides;
-  Nodes& nodes;
-  const InnerFaces& inner;
-  Cells& cells;
-
-  // Of cells of polyhedral boxes, as they were:
-  std::vector<Beyond> places; // as OpenCell::place
-  std::vector<std::uint8_t> atFault;
-
-  // Fills those of these layers, before any slab changes.
-  void measure(Layers layers, Execution& execution);
-
-  // The cells of polyhedral boxes in these layers: begin and end.
-  std::array<CellKey, 2> cellsIn(Layers layers) const;
-};
 
 // A cell and what is beyond each of its faces.
 struct MeasuredCell
@@ -73,9 +53,15 @@ public:
   // The acting cells that are alive and free, but for untouched hexahedra, in order.
   std::vector<CellKey> polyhedra() const;
 
+  // Of these, those at fault.
+  std::vector<CellKey> polyhedraAtFault() const;
+
   // Of these, those that have changed, or have a neighbour that has, since `mark` was called.
   std::uint32_t mark() { return ++now_; }
   std::vector<CellKey> polyhedraChangedSince(std::uint32_t mark) const;
+
+  // Whether it, or a cell beyond one of its faces, or one beyond theirs, has changed since then.
+  bool hasChangedNear(CellKey key, std::uint32_t mark) const;
 
   // Whether it may change: all of it lies in the slab's free layers.
   bool isFree(CellKey key) const;
@@ -87,11 +73,10 @@ public:
   std::size_t counts(CellKey key) const { return boxes_.isCore(boxes_.boxes[boxOf(key)]) ? 1 : 0; }
 
   std::uint32_t boxOf(CellKey key) const;
-  bool isOpen(CellKey key) const { return opened(key) != nullptr; }
   bool isAlive(CellKey key) const; // neither removed nor merged
 
   // Hexahedra that nobody has opened do not.
-  bool hasFaces(CellKey key) const { return key < cells_.size() || isOpen(key); }
+  bool hasFaces(CellKey key) const { return key < cells_.size() || opened(key) != nullptr; }
 
   void open(CellKey key);
 
@@ -135,28 +120,33 @@ public:
   double volumeOfBox(CellKey key) const;
   double volume(CellKey key) const;
 
+  // Its volume as a part of its box's.
+  double share(CellKey key) const;
+
   // As isAnyAtFault (CellFitness.h): known beforehand for cells as they were.
   bool isAtFault(CellKey key) const;
+
+  // Whether solvers accept all its faces by what is known beforehand; else only a look around tells.
+  bool isSurelyAccepted(CellKey key) const;
+
+  // Makes that known of cells that have changed.
+  void lookAtChanged();
 
   bool changed() const { return changed_; }
 
 private:
-  friend class ShapedCells; // writes all back
+  friend class ShapedCells;   // writes all back
+  friend struct CellsToShape; // measures
 
   struct OpenCell
   {
-    enum class Fault : std::uint8_t
-    {
-      Unknown, // since it changed
-      No,
-      Yes
-    };
-
     void change(std::uint32_t now)
     {
       changed = true;
       changedAt = now;
-      fault = Fault::Unknown;
+      fault = IsAtFault::Unknown;
+      isPlain = false;
+      isSeen = false;
     }
 
     std::vector<FaceUse> faces;
@@ -166,10 +156,17 @@ private:
     bool alive = true;
     bool removed = false; // as in Cell
     bool changed = false;
+    bool isPlain = false; // known since it changed, as KnownCells::isPlain
+    bool isSeen = false;  // its faces' sights are known since it changed
     std::uint32_t changedAt = 0;
-    std::array<std::uint8_t, 2> reach{ 0, 0 }; // as in Cell
-    Beyond place;                              // from the lower corner of its box
-    mutable Fault fault = Fault::Unknown;      // what isAtFault has found; one thread has a slab
+    std::array<std::uint8_t, 2> reach{ 0, 0 };    // as in Cell
+    Beyond place;                                 // from the lower corner of its box
+    mutable IsAtFault fault = IsAtFault::Unknown; // since it changed; one thread has a slab
+  };
+  struct FaceNodes
+  {
+    const std::uint32_t* first;
+    std::size_t size;
   };
   struct Shaped
   {
@@ -178,7 +175,27 @@ private:
     std::int32_t boundary;
   };
 
+  // What reading works with, kept for its memory.
+  struct Scratch
+  {
+    struct Outer
+    {
+      FaceUse use;
+      CellKey other;
+      std::size_t begin; // of its corners
+      std::size_t end;
+    };
+    std::vector<Outer> faces;
+    std::vector<std::uint32_t> corners;
+    std::vector<std::uint32_t> nodes; // each once
+    std::vector<NumberedPoint> places;
+    std::vector<std::uint32_t> numbers;
+    Polyhedron polyhedron;
+    CellShape measures;
+  };
+
   static constexpr std::uint32_t MostFaces = 0x7fffffffu;
+  static constexpr std::array<std::uint8_t, 2> NoReach{ 0, 0 };
 
   std::uint32_t firstInner() const { return static_cast<std::uint32_t>(patches_.size()); }
   std::uint32_t firstGiven() const
@@ -200,6 +217,7 @@ private:
   void addFaceTo(Polyhedron& shape, const FaceUse& use, const Point& origin) const;
   template <class Visitor>
   void forEachNodeOf(const FaceUse& use, Visitor&& visit) const;
+  FaceNodes nodesOf(std::uint32_t face) const;
 
   const Point& placeOf(std::uint32_t node) const
   {
@@ -209,9 +227,10 @@ private:
   {
     return static_cast<std::uint32_t>(nodes_.at.size() + added_.size());
   }
+  template <class Kept>
+  std::vector<CellKey> select(Kept&& isKept) const;
   Layers layersOf(CellKey key) const;
   FaceUse useOf(const FaceRef& ref) const;
-  FaceRef refOf(const FaceUse& use) const;
   OpenCell* opened(CellKey key);
   const OpenCell* opened(CellKey key) const;
   CellKey keyOfHexahedron(std::uint32_t box) const
@@ -221,12 +240,14 @@ private:
   std::array<CellKey, 2> cellsOf(std::uint32_t face) const;
   CellKey across(const FaceUse& use) const;
   void setCell(const FaceUse& use, CellKey key);
-  std::size_t sideOf(std::uint32_t innerFace) const;
+  bool hasChanged(CellKey key) const;
+  bool isSeen(CellKey key) const;
+  void noteSights(CellKey key, const CellShape& measures, Sights& given, Sights& ofShaped) const;
 
   void openHexahedron(std::uint32_t box, OpenCell& cell);
   void addSideOfHexahedron(std::uint32_t box, unsigned side, OpenCell& cell);
   std::uint32_t knownFace(std::uint32_t box, std::uint32_t side) const;
-  void numberNodes(const Point& origin, std::vector<std::uint32_t>& corners, CellView& view) const;
+  void numberNodes(const Point& origin, CellView& view) const;
   std::uint32_t nodeOfCorner(const Box& box, unsigned corner);
 
   bool hasEdge(const FaceUse& use, std::uint32_t u, std::uint32_t v) const;
@@ -241,6 +262,7 @@ private:
   FaceUse addShaped(Shaped face);
   FaceUse addPiece(FaceUse use, CellKey cell, Shaped piece, std::uint32_t& owned);
   std::uint32_t renamed(std::uint32_t face) const;
+  const CellShape& measured(CellKey key) const; // until the next
   Beyond measuredPlace(CellKey key) const;
   Beyond placeAndVolume(CellKey key, const Point& origin) const;
   void insertNode(CellKey cell, std::uint32_t u, std::uint32_t v, std::uint32_t node);
@@ -250,7 +272,7 @@ private:
   void removeFace(CellKey key, std::uint32_t face);
   void dropTwins(std::vector<FaceUse>& faces, std::size_t ofSmall);
 
-  const CellsToShape& whole_;
+  CellsToShape& whole_; // only sights of faces change
   const Boxes& boxes_;
   const Patches& patches_;
   const Sides& sides_;
@@ -263,7 +285,11 @@ private:
   std::vector<CellKey> acting_;       // alive and free, as they were
   std::vector<std::uint32_t> openOf_; // of cells of the slab's polyhedral boxes
   std::unordered_map<CellKey, std::uint32_t> openOfOther_; // of others
+  std::array<std::uint32_t, 2> boxesOfSlab_;               // begin and end
+  std::array<std::uint32_t, 2> freeBoxes_;
+  std::vector<bool> isOpenHexahedron_; // of boxesOfSlab_
   std::vector<Shaped> shaped_;
+  Sights sightsOfShaped_;
   std::unordered_map<std::uint32_t, std::uint32_t> shapedAs_;         // of faces as they were
   std::unordered_map<std::uint64_t, std::uint32_t> faceOfHexahedron_; // 6 * box + side
   std::vector<Point> added_;                                          // nodes
@@ -273,6 +299,7 @@ private:
   CellKey nextKey_;
   std::uint32_t now_ = 0;
   bool changed_ = false;
+  mutable Scratch scratch_; // one thread has a slab
 };
 
 // Writes back what the slabs of one stage changed: cells, nodes, and the sides' list of polyhedral
@@ -294,19 +321,35 @@ void CellComplex::forEachFace(CellKey key, Visitor&& visit) const
   }
 }
 
+inline CellComplex::FaceNodes CellComplex::nodesOf(std::uint32_t face) const
+{
+  const auto nodes = [](const std::vector<std::size_t>& start,
+                       const std::vector<std::uint32_t>& corners, std::uint32_t f) {
+    return FaceNodes{ corners.data() + start[f], start[f + 1] - start[f] };
+  };
+  if (isPatch(face))
+  {
+    return nodes(patches_.start, patches_.corners, face);
+  }
+  if (isInner(face))
+  {
+    return nodes(inner_.start, inner_.nodes, face - firstInner());
+  }
+  if (!isShaped(face))
+  {
+    return nodes(cells_.shaped.start, cells_.shaped.nodes, face - firstGiven());
+  }
+  return { shaped(face).nodes.data(), shaped(face).nodes.size() };
+}
+
 // Counter-clockwise from outside the cell that uses the face.
 template <class Visitor>
 void CellComplex::forEachNodeOf(const FaceUse& use, Visitor&& visit) const
 {
-  if (!isShaped(use.face))
+  const FaceNodes nodes = nodesOf(use.face);
+  for (std::size_t i = 0; i < nodes.size; ++i)
   {
-    forEachNode(refOf(use), patches_, inner_, cells_.shaped, visit);
-    return;
-  }
-  const std::vector<std::uint32_t>& nodes = shaped(use.face).nodes;
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-  {
-    visit(nodes[use.turned ? nodes.size() - 1 - i : i]);
+    visit(nodes.first[use.turned ? nodes.size - 1 - i : i]);
   }
 }
 

@@ -91,7 +91,7 @@ std::uint32_t CellComplex::own(std::uint32_t face, CellKey cell)
   else
   {
     copy.cells = cellsOf(face);
-    const Side& side = sides_.sides[sideOf(face - firstInner())];
+    const Side& side = sides_.sides[whole_.sideOf[face - firstInner()]];
     for (std::size_t k = 0; k < 2; ++k)
     {
       if (copy.cells[k] == None)
@@ -186,13 +186,7 @@ Point CellComplex::placeOfPoint(CellKey key, const CellCut::Point& point) const
 bool CellComplex::allows(
   const std::vector<CellKey>& touched, const CellView& view, const CellCut& cut) const
 {
-  const auto thin = [&](CellKey key) {
-    Polyhedron polyhedron;
-    CellShape measures;
-    shape(key, polyhedron);
-    measure(polyhedron, measures);
-    return isThin(measures);
-  };
+  const auto thin = [&](CellKey key) { return isThin(measured(key)); };
   const auto free = [&](CellKey key) { return isFree(key); };
   return std::all_of(touched.begin(), touched.end(), free) && !meetsNode(touched, view, cut) &&
     std::none_of(touched.begin() + 1, touched.end(), thin);
@@ -588,7 +582,7 @@ void CellComplex::remove(CellKey key)
     }
     else if (OpenCell* neighbour = other == None ? nullptr : opened(other))
     {
-      neighbour->fault = OpenCell::Fault::Unknown;
+      neighbour->fault = IsAtFault::Unknown;
     }
   }
   opened(key)->boundary = boundary;

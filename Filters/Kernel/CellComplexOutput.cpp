@@ -33,6 +33,7 @@ public:
   void write()
   {
     listChanged();
+    forgetNextToRemoved();
     measure();
     const std::vector<std::uint32_t> place = promote();
     appendNodes();
@@ -42,6 +43,7 @@ public:
     listSidesOfHexahedra();
     findCellsOfInnerFaces(whole_.inner, result_, execution_);
     whole_.cells = std::move(result_);
+    whole_.known = std::move(known_);
   }
 
 private:
@@ -110,6 +112,26 @@ private:
           newNodes_[s][node - firstAdded_] = 0;
         }
       });
+    }
+  }
+
+  // The cells next to those that were removed have boundary faces now.
+  void forgetNextToRemoved()
+  {
+    for (const Changed& changed : changed_)
+    {
+      if (!cellOf(changed).removed)
+      {
+        continue;
+      }
+      for (const FaceUse& use : cellOf(changed).faces)
+      {
+        const CellKey other = slabs_[changed.slab]->across(use);
+        if (other < whole_.cells.size())
+        {
+          whole_.known.atFault[other] = IsAtFault::Unknown;
+        }
+      }
     }
   }
 
@@ -245,31 +267,35 @@ private:
     const std::vector<std::uint32_t> patchBox = std::move(sides.patchBox);
     const std::vector<std::size_t> ownStart = std::move(sides.ownStart);
     const std::vector<std::size_t> boxStart = std::move(sides.boxStart);
-    sides.polyhedral.clear();
-    sides.patchBox.clear();
-    sides.ownStart.clear();
-    sides.boxStart.clear();
-    std::vector<std::uint32_t> place(polyhedral.size());
-    std::size_t next = 0;
-    const auto add = [&](std::size_t n, std::uint32_t box, std::uint32_t patches) {
-      sides.ordinal[box] = static_cast<std::uint32_t>(sides.polyhedral.size());
-      sides.polyhedral.push_back(box);
-      sides.patchBox.push_back(patches);
-      sides.ownStart.push_back(ownStart[n]);
-      sides.boxStart.push_back(boxStart[n]);
+    const std::size_t count = polyhedral.size() + added.size();
+    sides.polyhedral.resize(count);
+    sides.patchBox.resize(count);
+    sides.ownStart.resize(count);
+    sides.boxStart.resize(count);
+    // Those with sides from the n-th of the old ones on.
+    const auto put = [&](std::size_t at, std::size_t n, std::uint32_t box, std::uint32_t patches) {
+      sides.ordinal[box] = static_cast<std::uint32_t>(at);
+      sides.polyhedral[at] = box;
+      sides.patchBox[at] = patches;
+      sides.ownStart[at] = ownStart[n];
+      sides.boxStart[at] = boxStart[n];
     };
-    for (std::size_t n = 0; n <= polyhedral.size(); ++n)
+    const auto countBefore = [](const std::vector<std::uint32_t>& list, std::uint32_t box) {
+      return static_cast<std::size_t>(
+        std::lower_bound(list.begin(), list.end(), box) - list.begin());
+    };
+    std::vector<std::uint32_t> place(polyhedral.size());
+    execution_.forEach(polyhedral.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        place[n] = static_cast<std::uint32_t>(n + countBefore(added, polyhedral[n]));
+        put(place[n], n, polyhedral[n], patchBox[n]);
+      }
+    });
+    for (std::size_t i = 0; i < added.size(); ++i)
     {
-      const bool isLast = n == polyhedral.size();
-      for (; next < added.size() && (isLast || added[next] < polyhedral[n]); ++next)
-      {
-        add(n, added[next], None);
-      }
-      if (!isLast)
-      {
-        place[n] = static_cast<std::uint32_t>(sides.polyhedral.size());
-        add(n, polyhedral[n], patchBox[n]);
-      }
+      const std::size_t n = countBefore(polyhedral, added[i]);
+      put(i + n, n, added[i], None);
     }
     sides.ownStart.push_back(ownStart.back());
     sides.boxStart.push_back(boxStart.back());
@@ -289,50 +315,63 @@ private:
       oldOf[place[n]] = static_cast<std::uint32_t>(n);
       result_.flawed[place[n]] = old.flawed[n];
     }
-    result_.cells.reserve(old.cells.size() + changed_.size());
+    const std::size_t most = old.cells.size() + changed_.size();
+    result_.cells.reserve(most);
+    known_.reserve(most);
     result_.faces.reserve(old.faces.size());
     auto next = changed_.begin();
     auto nextOfHexahedron =
       std::lower_bound(changed_.begin(), changed_.end(), Changed{ keyOfHexahedron(0), 0, 0, 0 });
     const auto writeChanged = [&](auto& at, CellKey key) {
-      const auto before = at;
       for (; at != changed_.end() && at->origin == key; ++at)
       {
         writeCell(*at);
       }
-      return at != before;
     };
+    std::size_t c = 0; // old cells, of which these are copied
+    std::size_t copied = 0;
     for (std::size_t n = 0; n < polyhedral.size(); ++n)
     {
       execution_.poll();
-      result_.boxStart.push_back(result_.cells.size());
       if (oldOf[n] == None)
       {
+        copyCells(copied, c);
+        copied = c;
+        result_.boxStart.push_back(result_.cells.size());
         writeChanged(nextOfHexahedron, keyOfHexahedron(polyhedral[n]));
         continue;
       }
-      for (std::size_t c = old.boxStart[oldOf[n]]; c < old.boxStart[oldOf[n] + 1]; ++c)
+      result_.boxStart.push_back(result_.cells.size() + (c - copied));
+      for (; c < old.boxStart[oldOf[n] + 1]; ++c)
       {
-        if (!writeChanged(next, static_cast<CellKey>(c)))
+        if (next != changed_.end() && next->origin == c)
         {
-          copyCell(c);
+          copyCells(copied, c);
+          copied = c + 1;
+          writeChanged(next, static_cast<CellKey>(c));
         }
       }
     }
+    copyCells(copied, c);
     result_.boxStart.push_back(result_.cells.size());
     Cell end{};
     end.firstFace = result_.faces.size();
     result_.cells.push_back(end);
   }
 
-  void copyCell(std::size_t c)
+  void copyCells(std::size_t begin, std::size_t end)
   {
     const Cells& old = whole_.cells;
-    result_.cells.push_back(old.cells[c]);
-    result_.cells.back().firstFace = result_.faces.size();
+    const std::size_t firstFace = old.cells[begin].firstFace;
+    known_.append(whole_.known, begin, end);
+    for (std::size_t c = begin; c < end; ++c)
+    {
+      result_.cells.push_back(old.cells[c]);
+      result_.cells.back().firstFace += result_.faces.size() - firstFace;
+    }
     result_.faces.insert(result_.faces.end(),
-      old.faces.begin() + static_cast<std::ptrdiff_t>(old.cells[c].firstFace),
-      old.faces.begin() + static_cast<std::ptrdiff_t>(old.cells[c + 1].firstFace));
+      old.faces.begin() + static_cast<std::ptrdiff_t>(firstFace),
+      old.faces.begin() + static_cast<std::ptrdiff_t>(old.cells[end].firstFace));
   }
 
   void writeCell(const Changed& changed)
@@ -354,6 +393,7 @@ private:
     cell.sliver = open.removed && open.origin < old.size() && old.cells[open.origin].sliver;
     cell.reach = open.reach;
     result_.cells.push_back(cell);
+    known_.resize(result_.cells.size());
     for (const FaceUse& use : open.faces)
     {
       result_.faces.push_back(refOf(changed.slab, use));
@@ -424,6 +464,7 @@ private:
   std::vector<std::vector<std::uint32_t>> newNodes_; // of each slab's, or None: not used
   std::vector<std::vector<std::uint32_t>> newFaces_;
   Cells result_;
+  KnownCells known_; // of its cells
 };
 
 void writeBack(

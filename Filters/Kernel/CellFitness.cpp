@@ -196,6 +196,37 @@ bool isDoubtful(const Polyhedron& cell, const CellShape& shape, std::size_t face
   return boundary ? own <= LeastBoundaryCosine : own < LeastInnerCosine;
 }
 
+FaceSight sightOf(const Vector& centre, const Vector& faceCentre, const Vector& area)
+{
+  const Vector normal = unit(area);
+  const Vector towards = minus(faceCentre, centre);
+  const double height = dot(towards, normal);
+  return { static_cast<float>(height),
+    static_cast<float>(norm(minus(towards, scaled(normal, height)))) };
+}
+
+bool isSurelyAccepted(const FaceSight& one, const FaceSight& other)
+{
+  constexpr float MostSlope = 2; // the tangent of an angle below that of DoubtfulInnerCosine
+  constexpr float MostOfDistance = 0.79F; // less than MostSkewness * ShareOfDistance
+  static_assert(MostOfDistance < MostSkewness * ShareOfDistance);
+  static_assert(1 > (1 + MostSlope * MostSlope) * DoubtfulInnerCosine * DoubtfulInnerCosine * 1.1);
+  return one.aside <= MostSlope * one.height && other.aside <= MostSlope * other.height &&
+    std::max(one.aside, other.aside) <= MostOfDistance * (one.height + other.height);
+}
+
+bool isPlain(const Polyhedron& cell, const CellShape& shape)
+{
+  for (std::size_t f = 0; f < cell.faces(); ++f)
+  {
+    if (cell.isBoundary[f] && ownCosine(shape, f) <= DoubtfulBoundaryCosine)
+    {
+      return false;
+    }
+  }
+  return cell.faces() >= LeastFaces;
+}
+
 bool isAtFault(const Polyhedron& cell, const CellShape& shape, std::size_t face)
 {
   return cell.isBoundary[face]

@@ -64,6 +64,23 @@ bool isRefused(
 // Whether a face that is steep, though not refused, would be by the centres of measureProjected.
 bool isDoubtful(const Polyhedron& cell, const CellShape& shape, std::size_t face);
 
+// How a cell's centre lies to a face, in levels.
+struct FaceSight
+{
+  float height; // of the face's plane, outwards
+  float aside;  // from the centre's foot in that plane to the face's centre
+};
+
+// `area`: outwards of the cell.
+FaceSight sightOf(const Vector& centre, const Vector& faceCentre, const Vector& area);
+
+// Whether an inner face seen so from its two cells is neither refused nor doubtful, surely: the line
+// between the centres meets the face's plane between the two feet.
+bool isSurelyAccepted(const FaceSight& one, const FaceSight& other);
+
+// Whether a cell of which no face is at fault has enough, and no boundary face that is doubtful.
+bool isPlain(const Polyhedron& cell, const CellShape& shape);
+
 // Whether a face is at fault that no look at other cells is needed for.
 bool isAtFault(const Polyhedron& cell, const CellShape& shape, std::size_t face);
 bool isAnyAtFault(const Polyhedron& cell, const CellShape& shape);

@@ -108,7 +108,7 @@ void removeSmallCells(CellComplex& complex, const CellSpec& spec, double most)
 {
   for (const CellKey key : complex.polyhedra())
   {
-    const double share = complex.volume(key) / complex.volumeOfBox(key);
+    const double share = complex.share(key);
     if (share < most && share < ratioOf(spec, complex.boundaryOfCell(key), spec.smallCellRatio) &&
       complex.isAtBoundary(key))
     {
@@ -167,15 +167,6 @@ public:
   }
 
 private:
-  std::vector<CellKey> atFault() const
-  {
-    std::vector<CellKey> keys = complex_.polyhedra();
-    keys.erase(std::remove_if(
-                 keys.begin(), keys.end(), [&](CellKey key) { return !complex_.isAtFault(key); }),
-      keys.end());
-    return keys;
-  }
-
   // What cannot be merged is small beyond use.
   void removeSmall(double most)
   {
@@ -194,20 +185,22 @@ private:
     for (std::size_t pass = 0; pass < LargestShares.size(); ++pass)
     {
       mend();
-      shaping_.partsCarved += carveCells(complex_, atFault(), MostCarved, execution_);
+      shaping_.partsCarved +=
+        carveCells(complex_, complex_.polyhedraAtFault(), MostCarved, execution_);
       mend();
       removeSmall(1);
       // Only a look at all cells finds skewed inner faces: once, and in the end at what has changed.
       std::vector<CellKey> keys;
       if (pass == 0)
       {
+        complex_.lookAtChanged();
         keys = complex_.polyhedra();
         looked = complex_.mark();
       }
       else
       {
         const bool last = pass + 1 == LargestShares.size();
-        keys = last ? complex_.polyhedraChangedSince(looked) : atFault();
+        keys = last ? complex_.polyhedraChangedSince(looked) : complex_.polyhedraAtFault();
       }
       shaping_.refusedCellsRemoved +=
         refused.remove(keys, LargestShares[pass] * spec_.refusedCellRatio);
@@ -219,14 +212,14 @@ private:
     if (spec_.smallCells == SmallCells::Merge)
     {
       shaping_.cellsMerged +=
-        mergeSmallCells(complex_, spec_.mergeRatio, mend, OnOnePlane, execution_);
+        mergeSmallCells(complex_, spec_.mergeRatio, mend, OnOnePlane, merges_, execution_);
     }
   }
 
   void joinFlatFaces()
   {
     const double leastCosine = exact_ ? OnOnePlane : std::cos(spec_.joinAngle * RadiansPerDegree);
-    for (const CellKey key : atFault())
+    for (const CellKey key : complex_.polyhedraAtFault())
     {
       execution_.poll();
       joinFacesOf(complex_, key, leastCosine);
@@ -236,12 +229,13 @@ private:
   void split()
   {
     const double least = spec_.smallCells == SmallCells::Remove ? spec_.smallCellRatio : 0;
-    shaping_.cellsSplit += splitCells(complex_, atFault(), least, execution_).cellsSplit;
+    shaping_.cellsSplit +=
+      splitCells(complex_, complex_.polyhedraAtFault(), least, execution_).cellsSplit;
   }
 
   void mend()
   {
-    for (const CellKey key : exact_ ? std::vector<CellKey>{} : atFault())
+    for (const CellKey key : exact_ ? std::vector<CellKey>{} : complex_.polyhedraAtFault())
     {
       execution_.poll();
       shaping_.cellsMended += mendFaces(complex_, key) ? complex_.counts(key) : 0;
@@ -265,6 +259,7 @@ private:
   const CellSpec& spec_;
   bool exact_;
   Execution& execution_;
+  MergesTried merges_;
   Shaping shaping_;
 };
 
@@ -296,7 +291,7 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
   const bool exact = isExact(patches);
   const std::uint32_t all = boxes.allLayers().end;
   const auto stages = slabsFor(boxes.core.grown(HaloOfShapedCells, all), all);
-  CellsToShape whole{ boxes, patches, sides, nodes, inner, cells, {}, {} };
+  CellsToShape whole(boxes, patches, sides, nodes, inner, cells);
   Shaping sum;
   for (std::size_t stage = 0; stage < stages.size(); ++stage)
   {

@@ -28,6 +28,17 @@ struct CellView
   std::vector<std::uint8_t> fixed;    // 1: a cell is beyond that must not change
   std::vector<Beyond> beyond;         // filled by CellComplex::lookBeyond
 
+  void reserve(std::size_t ofFaces, std::size_t ofCorners)
+  {
+    shape.start.reserve(ofFaces + 1);
+    shape.isBoundary.reserve(ofFaces);
+    shape.corners.reserve(ofCorners);
+    faces.reserve(ofFaces);
+    across.reserve(ofFaces);
+    boundary.reserve(ofFaces);
+    fixed.reserve(ofFaces);
+  }
+
   void clear()
   {
     shape.clear();

@@ -2,6 +2,7 @@
 
 #include "EdgeTable.h"
 #include "Error.h"
+#include "Spares.h"
 #include "Vector.h"
 
 #include <algorithm>
@@ -63,35 +64,45 @@ class BoxAssembler
 {
 public:
   BoxAssembler(const Boxes& boxes, const Patches& patches, const Sides& sides, const Nodes& nodes,
-    const InnerFaces& inner, const CellSpec& spec)
+    const InnerFaces& inner)
     : boxes_(boxes)
     , patches_(patches)
     , sides_(sides)
     , nodes_(nodes)
     , inner_(inner)
-    , spec_(spec)
   {
   }
 
-  void addBox(std::size_t n, Part& part)
+  // Whether the faces of a box close.
+  bool closes(std::size_t n)
+  {
+    if (!gatherFaces(n) || !joinFaces() || anyPatchTwice())
+    {
+      return false;
+    }
+    if (shared_.empty())
+    {
+      return true;
+    }
+    separate(n);
+    return !anyFaceTwice();
+  }
+
+  void addBox(std::size_t n, const CellSpec& spec, Part& part)
   {
     const std::size_t before = part.cells.size();
-    bool closed = gatherFaces(n) && joinFaces() && !anyPatchTwice();
-    if (closed)
-    {
-      measureFaces(boxes_.boxes[sides_.polyhedral[n]]);
-      findShells();
-      const bool counts = boxes_.isCore(boxes_.boxes[sides_.polyhedral[n]]);
-      const std::size_t voids = fillVoids();
-      const std::size_t folds = dropFolds();
-      part.voids += counts ? voids : 0;
-      part.folds += counts ? folds : 0;
-      closed = !anyFaceTwice();
-    }
+    const bool closed = closes(n);
     part.flawed.push_back(closed ? 0 : 1);
     if (closed)
     {
-      emit(sides_.polyhedral[n], part);
+      if (shared_.empty())
+      {
+        separate(n);
+      }
+      const bool counts = boxes_.isCore(boxes_.boxes[sides_.polyhedral[n]]);
+      part.voids += counts ? voids_ : 0;
+      part.folds += counts ? folds_ : 0;
+      emit(sides_.polyhedral[n], spec, part);
     }
     part.cellsOfBox.push_back(static_cast<std::uint32_t>(part.cells.size() - before));
   }
@@ -104,23 +115,43 @@ private:
     double volume = 0;
     double area = 0; // of all its faces
     bool hasInnerFace = false;
+
+    void clear()
+    {
+      faces.clear();
+      volume = 0;
+      area = 0;
+      hasInnerFace = false;
+    }
   };
 
-  template <class Visitor>
-  void forEachNode(const FaceRef& face, Visitor&& visit) const
+  struct Corners
   {
-    cartesian::forEachNode(face, patches_, inner_, none_, visit);
+    const std::uint32_t* first;
+    const std::uint32_t* last;
+
+    const std::uint32_t* begin() const { return first; }
+    const std::uint32_t* end() const { return last; }
+    std::uint32_t back() const { return last[-1]; }
+  };
+
+  // Counter-clockwise from outside.
+  Corners cornersOf(std::size_t face) const
+  {
+    return { corners_.data() + start_[face], corners_.data() + start_[face + 1] };
   }
 
   // All faces of the box; false where one of its sides is flawed.
   bool gatherFaces(std::size_t n)
   {
     faces_.clear();
+    start_.assign(1, 0);
+    corners_.clear();
     if (const std::uint32_t box = sides_.patchBox[n]; box != None)
     {
       for (std::size_t p = patches_.boxStart[box]; p < patches_.boxStart[box + 1]; ++p)
       {
-        faces_.emplace_back(p, FaceRef::Kind::Patch);
+        addFace(FaceRef(p, FaceRef::Kind::Patch));
       }
     }
     bool whole = true;
@@ -130,10 +161,27 @@ private:
       whole = whole && !inner_.flawed[side];
       for (std::size_t f = inner_.sideStart[side]; f < inner_.sideStart[side + 1]; ++f)
       {
-        faces_.emplace_back(f, upper ? FaceRef::Kind::Inner : FaceRef::Kind::TurnedInner);
+        addFace(FaceRef(f, upper ? FaceRef::Kind::Inner : FaceRef::Kind::TurnedInner));
       }
     }
     return whole;
+  }
+
+  void addFace(const FaceRef& face)
+  {
+    faces_.push_back(face);
+    forEachNode(
+      face, patches_, inner_, none_, [&](std::uint32_t node) { corners_.push_back(node); });
+    start_.push_back(corners_.size());
+  }
+
+  // Finds the volumes once faces are joined.
+  void separate(std::size_t n)
+  {
+    measureFaces(boxes_.boxes[sides_.polyhedral[n]]);
+    findShells();
+    voids_ = fillVoids();
+    folds_ = dropFolds();
   }
 
   std::uint32_t root(std::uint32_t face)
@@ -201,19 +249,13 @@ private:
   bool joinInPairs()
   {
     separateFaces();
-    std::size_t corners = 0;
-    for (const FaceRef& face : faces_)
-    {
-      forEachNode(face, [&](std::uint32_t) { ++corners; });
-    }
-    firstAtEdge_.reset(corners);
+    firstAtEdge_.reset(corners_.size());
     std::size_t single = 0;
     for (std::uint32_t f = 0; f < faces_.size(); ++f)
     {
-      walk_.clear();
-      forEachNode(faces_[f], [&](std::uint32_t node) { walk_.push_back(node); });
-      std::uint32_t from = walk_.back();
-      for (const std::uint32_t to : walk_)
+      const Corners corners = cornersOf(f);
+      std::uint32_t from = corners.back();
+      for (const std::uint32_t to : corners)
       {
         const std::uint32_t up = from < to ? 1 : 0;
         std::uint32_t& first = firstAtEdge_.at(std::min(from, to), std::max(from, to));
@@ -228,7 +270,10 @@ private:
         }
         else
         {
-          join(f, first / 2);
+          if (parent_[f] != parent_[first / 2])
+          {
+            join(f, first / 2);
+          }
           first = Paired;
           --single;
         }
@@ -271,10 +316,9 @@ private:
     edges_.clear();
     for (std::uint32_t f = 0; f < faces_.size(); ++f)
     {
-      walk_.clear();
-      forEachNode(faces_[f], [&](std::uint32_t node) { walk_.push_back(node); });
-      std::uint32_t from = walk_.back();
-      for (const std::uint32_t to : walk_)
+      const Corners corners = cornersOf(f);
+      std::uint32_t from = corners.back();
+      for (const std::uint32_t to : corners)
       {
         edges_.push_back({ std::min(from, to), std::max(from, to), f, from < to ? 1 : -1 });
         from = to;
@@ -316,17 +360,15 @@ private:
   void measureFaces(const Box& box)
   {
     measures_.clear();
-    for (const FaceRef& face : faces_)
+    for (std::size_t f = 0; f < faces_.size(); ++f)
     {
       ring_.clear();
       Vector mean{ 0, 0, 0 };
-      forEachNode(face, [&](std::uint32_t node) {
+      for (const std::uint32_t node : cornersOf(f))
+      {
         ring_.push_back(minus(nodes_.at[node], box.low));
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          mean[axis] += ring_.back()[axis];
-        }
-      });
+        mean = plus(mean, ring_.back());
+      }
       for (double& x : mean)
       {
         x /= static_cast<double>(ring_.size());
@@ -357,7 +399,7 @@ private:
 
   void findShells()
   {
-    shells_.clear();
+    spares_.putBack(shells_);
     shellOf_.assign(faces_.size(), None);
     for (std::uint32_t f = 0; f < faces_.size(); ++f)
     {
@@ -365,7 +407,8 @@ private:
       if (shellOf_[r] == None)
       {
         shellOf_[r] = static_cast<std::uint32_t>(shells_.size());
-        shells_.emplace_back();
+        shells_.push_back(spares_.take());
+        shells_.back().clear();
       }
       Shell& shell = shells_[shellOf_[r]];
       shell.faces.push_back(f);
@@ -479,10 +522,6 @@ private:
   // Where parts overlap, a volume may be left with a face on both sides of it.
   bool anyFaceTwice()
   {
-    if (shared_.empty())
-    {
-      return false;
-    }
     for (const Shell& shell : shells_)
     {
       if (shell.faces.size() == 2) // of no volume
@@ -508,8 +547,8 @@ private:
   // The corners of a face from the lowest on, as it runs or the other way.
   std::vector<std::uint32_t> cycleOf(std::uint32_t face, bool opposite) const
   {
-    std::vector<std::uint32_t> cycle;
-    forEachNode(faces_[face], [&](std::uint32_t node) { cycle.push_back(node); });
+    const Corners corners = cornersOf(face);
+    std::vector<std::uint32_t> cycle(corners.begin(), corners.end());
     if (opposite)
     {
       std::reverse(cycle.begin(), cycle.end());
@@ -522,7 +561,7 @@ private:
   Shell* shellAround(const Shell& inner)
   {
     Shell* best = nullptr;
-    const Point& from = firstNode(inner.faces.front());
+    const Point& from = nodes_.at[*cornersOf(inner.faces.front()).begin()];
     for (Shell& shell : shells_)
     {
       if (shell.volume > 0 && (!best || shell.volume < best->volume) &&
@@ -534,18 +573,6 @@ private:
     return best;
   }
 
-  const Point& firstNode(std::uint32_t face) const
-  {
-    const Point* first = nullptr;
-    forEachNode(faces_[face], [&](std::uint32_t node) {
-      if (!first)
-      {
-        first = &nodes_.at[node];
-      }
-    });
-    return *first;
-  }
-
   // Of a shell seen from a point: 4 pi from inside, 0 from outside.
   double solidAngle(const Shell& shell, const Point& from)
   {
@@ -553,8 +580,10 @@ private:
     for (const std::uint32_t f : shell.faces)
     {
       ring_.clear();
-      forEachNode(
-        faces_[f], [&](std::uint32_t node) { ring_.push_back(minus(nodes_.at[node], from)); });
+      for (const std::uint32_t node : cornersOf(f))
+      {
+        ring_.push_back(minus(nodes_.at[node], from));
+      }
       for (std::size_t i = 1; i + 1 < ring_.size(); ++i)
       {
         const Vector& a = ring_[0];
@@ -571,7 +600,7 @@ private:
     return sum;
   }
 
-  void emit(std::uint32_t boxIndex, Part& part)
+  void emit(std::uint32_t boxIndex, const CellSpec& spec, Part& part)
   {
     const Box& box = boxes_.boxes[boxIndex];
     const Vector size = minus(box.high, box.low);
@@ -588,8 +617,8 @@ private:
       cell.firstFace = part.faces.size();
       cell.sliver = shell.volume < 0 || isSliver(shell);
       cell.removed = cell.sliver ||
-        (spec_.smallCells == SmallCells::Remove &&
-          cell.volumeFraction < ratioOf(spec_, cell.boundary, spec_.smallCellRatio));
+        (spec.smallCells == SmallCells::Remove &&
+          cell.volumeFraction < ratioOf(spec, cell.boundary, spec.smallCellRatio));
       part.cells.push_back(cell);
       for (const std::uint32_t f : shell.faces)
       {
@@ -609,7 +638,10 @@ private:
         areas_.emplace_back(patches_.boundary[faces_[f].index], measures_[f].area);
       }
     }
-    std::sort(areas_.begin(), areas_.end());
+    if (areas_.size() > 1)
+    {
+      std::sort(areas_.begin(), areas_.end());
+    }
     std::int32_t best = NoBoundary;
     double most = -1;
     for (std::size_t i = 0; i < areas_.size();)
@@ -640,17 +672,20 @@ private:
   const Sides& sides_;
   const Nodes& nodes_;
   const InnerFaces& inner_;
-  const CellSpec& spec_;
   const ShapedFaces none_;
   std::vector<FaceRef> faces_;
+  std::vector<std::size_t> start_; // first corner of each face, and the end
+  std::vector<std::uint32_t> corners_;
   std::vector<FaceEdge> edges_;
   EdgeTable firstAtEdge_; // the first face at each edge and how it runs, then Paired
-  std::vector<std::uint32_t> walk_;
   std::vector<std::uint32_t> parent_;
   std::vector<std::pair<std::size_t, std::size_t>> shared_;
   std::vector<FaceMeasure> measures_;
   std::vector<Vector> ring_;
   std::vector<Shell> shells_;
+  Spares<Shell> spares_;
+  std::size_t voids_ = 0; // of the volumes that separate has found
+  std::size_t folds_ = 0;
   std::vector<std::uint32_t> shellOf_;
   std::vector<std::pair<std::int32_t, double>> areas_;
   std::vector<std::pair<std::vector<std::uint32_t>, std::uint32_t>> cycles_;
@@ -732,6 +767,21 @@ void findCellsOfInnerFaces(const InnerFaces& inner, Cells& cells, Execution& exe
   });
 }
 
+std::vector<std::uint8_t> findFlawed(const Boxes& boxes, const Patches& patches, const Sides& sides,
+  const Nodes& nodes, const InnerFaces& inner, Execution& execution)
+{
+  std::vector<std::uint8_t> flawed(sides.polyhedral.size());
+  execution.nextLoop(0.95);
+  execution.forEach(flawed.size(), BoxesAChunk, [&](std::size_t begin, std::size_t end) {
+    BoxAssembler assembler(boxes, patches, sides, nodes, inner);
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      flawed[n] = assembler.closes(n) ? 0 : 1;
+    }
+  });
+  return flawed;
+}
+
 Cells assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sides,
   const Nodes& nodes, const InnerFaces& inner, const CellSpec& spec, Execution& execution)
 {
@@ -745,10 +795,10 @@ Cells assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sid
   std::vector<Part> parts(chunks(count, BoxesAChunk));
   execution.nextLoop(0.95);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
-    BoxAssembler assembler(boxes, patches, sides, nodes, inner, spec);
+    BoxAssembler assembler(boxes, patches, sides, nodes, inner);
     for (std::size_t n = begin; n < end; ++n)
     {
-      assembler.addBox(n, parts[begin / BoxesAChunk]);
+      assembler.addBox(n, spec, parts[begin / BoxesAChunk]);
     }
   });
   Cells cells = join(parts, count, execution);

@@ -161,6 +161,10 @@ void forEachNode(const FaceRef& face, const Patches& patches, const InnerFaces& 
 // Fills Cells::ofInnerFace.
 void findCellsOfInnerFaces(const InnerFaces& inner, Cells& cells, Execution& execution);
 
+// Of each polyhedral box, Cells::flawed.
+std::vector<std::uint8_t> findFlawed(const Boxes& boxes, const Patches& patches, const Sides& sides,
+  const Nodes& nodes, const InnerFaces& inner, Execution& execution);
+
 // Distinguishes the separated volumes of each polyhedral box and marks small ones as removed.
 // Cells less thick than a hundredth of a lattice step (slivers that rounding closed) are removed
 // whatever R is.

@@ -2,6 +2,7 @@
 // that keeps its storage from use to use.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -17,12 +18,16 @@ public:
   // Empty, for at most as many edges.
   void reset(std::size_t edges)
   {
-    std::size_t size = 16;
-    while (size < 2 * edges)
+    std::size_t size = entries_.size();
+    while (size < std::max<std::size_t>(16, 2 * edges))
     {
-      size *= 2;
+      size = std::max<std::size_t>(16, 2 * size);
     }
-    entries_.assign(size, { 0, 0, Free, Fresh });
+    if (size > entries_.size() || ++use_ == LastUse)
+    {
+      entries_.assign(size, { 0, 0, 0, 0 });
+      use_ = 1;
+    }
   }
 
   // Fresh where nobody has set it yet.
@@ -30,16 +35,17 @@ public:
   {
     constexpr std::uint64_t Golden = 0x9e3779b97f4a7c15u;
     const std::uint64_t bits = (std::uint64_t(lower) << 32 | upper) + side;
+    const std::uint32_t useAndSide = use_ << 1 | side;
     const std::size_t mask = entries_.size() - 1;
     for (std::size_t i = bits * Golden >> 32;; ++i)
     {
       Entry& entry = entries_[i & mask];
-      if (entry.side == Free)
+      if (entry.useAndSide >> 1 != use_)
       {
-        entry = { lower, upper, side, Fresh };
+        entry = { lower, upper, useAndSide, Fresh };
         return entry.number;
       }
-      if (entry.lower == lower && entry.upper == upper && entry.side == side)
+      if (entry.lower == lower && entry.upper == upper && entry.useAndSide == useAndSide)
       {
         return entry.number;
       }
@@ -47,16 +53,17 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t Free = 2; // else 0 or 1
+  static constexpr std::uint32_t LastUse = ~std::uint32_t(0) >> 1;
 
   struct Entry
   {
     std::uint32_t lower;
     std::uint32_t upper;
-    std::uint32_t side;
+    std::uint32_t useAndSide; // of another use, it is free
     std::uint32_t number;
   };
   std::vector<Entry> entries_;
+  std::uint32_t use_ = 0; // since the entries were cleared
 };
 
 }

@@ -75,29 +75,30 @@ void split(const Corners& triangle, const Fragment& fragment, int axis, Level pl
 
 Fragment clip(const Corners& triangle, const Point& low, const Point& high)
 {
-  Fragment fragment = Fragment::whole(triangle);
-  Fragment part;
+  std::array<Fragment, 2> fragments{ Fragment::whole(triangle), {} };
+  Fragment* now = fragments.data();
+  Fragment* next = now + 1;
   for (int axis = 0; axis < 3; ++axis)
   {
     Level least = ~Level(0);
     Level most = 0;
-    for (int i = 0; i < fragment.size; ++i)
+    for (int i = 0; i < now->size; ++i)
     {
-      least = std::min(least, fragment.corner[i][axis]);
-      most = std::max(most, fragment.corner[i][axis]);
+      least = std::min(least, now->corner[i][axis]);
+      most = std::max(most, now->corner[i][axis]);
     }
     if (least < low[axis])
     {
-      split(triangle, fragment, axis, low[axis], nullptr, &part);
-      fragment = part;
+      split(triangle, *now, axis, low[axis], nullptr, next);
+      std::swap(now, next);
     }
     if (most > high[axis])
     {
-      split(triangle, fragment, axis, high[axis], &part, nullptr);
-      fragment = part;
+      split(triangle, *now, axis, high[axis], next, nullptr);
+      std::swap(now, next);
     }
   }
-  return fragment;
+  return *now;
 }
 
 }

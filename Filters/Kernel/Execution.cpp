@@ -16,6 +16,9 @@ namespace
 constexpr double LeastProgress = 0.005;
 constexpr double LongestSilence = 0.05;
 
+// The clock is looked at once in so many polls.
+constexpr unsigned PollsALook = 8;
+
 double now()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -95,8 +98,9 @@ void Execution::poll()
     }
     return;
   }
-  const bool isTime =
-    monitor_ && (reported_ >= reportedThen_ + LeastProgress || now() > asked_ + LongestSilence);
+  const bool isTime = monitor_ &&
+    (reported_ >= reportedThen_ + LeastProgress ||
+      (++polls_ % PollsALook == 0 && now() > asked_ + LongestSilence));
   if (isTime)
   {
     ask();

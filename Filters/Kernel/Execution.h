@@ -48,7 +48,7 @@ public:
   void nextLoop(double share) { share_ = share; }
 
   // In long loops that are no forEach: reports if it is time, throws Stopped if the user wants it; on
-  // a thread of forEach's, only if the user has said so elsewhere. Costs a look at the clock.
+  // a thread of forEach's, only if the user has said so elsewhere.
   void poll();
 
   // For a piece of work inside forEach: it has one thread, and its polls are this one's.
@@ -86,6 +86,7 @@ private:
   double reported_ = 0; // of the work
   double asked_ = 0;    // when the monitor was called, and what was reported then
   double reportedThen_ = 0;
+  unsigned polls_ = 0;
   double started_ = 0;
   std::vector<std::pair<std::string, double>> seconds_;
 };

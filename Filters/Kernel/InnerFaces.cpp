@@ -2,6 +2,7 @@
 
 #include "Loops.h"
 #include "SideChords.h"
+#include "Spares.h"
 #include "StarPolygons.h"
 
 #include <cmath>
@@ -191,8 +192,8 @@ private:
 
   void traceLoops()
   {
-    outer_.clear();
-    holes_.clear();
+    spares_.putBack(outer_);
+    spares_.putBack(holes_);
     used_.assign(edges_.size(), 0);
     for (std::size_t first = 0; first < edges_.size(); ++first)
     {
@@ -209,8 +210,9 @@ private:
         i = edges_[i].to == edges_[first].from ? first : follow(edges_[i]);
       } while (i != first);
       forEachSimpleLoop(walk_, [&](const std::uint32_t* begin, const std::uint32_t* end) {
-        FlatPolygon loop;
+        FlatPolygon loop = spares_.take();
         loop.nodes.assign(begin, end);
+        loop.at.clear();
         for (const std::uint32_t* node = begin; node != end; ++node)
         {
           loop.at.push_back(at(*node));
@@ -238,6 +240,10 @@ private:
   // around it and is a face by itself; false where the surface turns over a thicker one.
   bool joinHolesToLoops()
   {
+    if (holes_.empty())
+    {
+      return true;
+    }
     std::vector<std::vector<FlatPolygon>> holesOf(outer_.size());
     for (FlatPolygon& hole : holes_)
     {
@@ -284,20 +290,30 @@ private:
 
   void emit(Part& part)
   {
-    stars_.clear();
     for (const FlatPolygon& loop : outer_)
     {
+      if (isWhole(loop))
+      {
+        emit(loop, part);
+        continue;
+      }
+      stars_.clear();
       splitIntoStars(loop, stars_);
+      for (const FlatPolygon& star : stars_)
+      {
+        emit(star, part);
+      }
     }
-    for (const FlatPolygon& star : stars_)
-    {
-      // A last resort of the splitting may leave a node in a face twice.
-      walk_ = star.nodes;
-      forEachSimpleLoop(walk_, [&](const std::uint32_t* begin, const std::uint32_t* end) {
-        part.nodes.insert(part.nodes.end(), begin, end);
-        part.faceSizes.push_back(static_cast<std::uint32_t>(end - begin));
-      });
-    }
+  }
+
+  // A last resort of the splitting may leave a node in a face twice.
+  void emit(const FlatPolygon& face, Part& part)
+  {
+    walk_ = face.nodes;
+    forEachSimpleLoop(walk_, [&](const std::uint32_t* begin, const std::uint32_t* end) {
+      part.nodes.insert(part.nodes.end(), begin, end);
+      part.faceSizes.push_back(static_cast<std::uint32_t>(end - begin));
+    });
   }
 
   const std::vector<Point>& nodes_;
@@ -311,6 +327,7 @@ private:
   std::vector<FlatPolygon> outer_;
   std::vector<FlatPolygon> holes_;
   std::vector<FlatPolygon> stars_;
+  Spares<FlatPolygon> spares_;
 };
 
 class SideBuilder

@@ -89,10 +89,14 @@ void Mesh::measureCells(Execution& execution)
 void Mesh::placeRows()
 {
   const Boxes& boxes = parts_.boxes;
+  const std::vector<std::uint32_t>& polyhedral = parts_.sides.polyhedral;
+  const std::vector<std::size_t>& firstCell = parts_.cells.boxStart;
   RowOffsets sum;
-  std::size_t c = numbers_.coreBegin;
   const std::size_t begin = boxes.row(0, boxes.core.begin);
   const std::size_t end = boxes.row(0, boxes.core.end);
+  auto n = static_cast<std::size_t>(
+    std::lower_bound(polyhedral.begin(), polyhedral.end(), firstBoxOfRow(begin)) -
+    polyhedral.begin());
   for (std::size_t row = 0; row + 1 < boxes.rowStart.size(); ++row)
   {
     rows_.push_back(sum);
@@ -100,19 +104,17 @@ void Mesh::placeRows()
     {
       continue;
     }
-    for (std::size_t b = firstBoxOfRow(row); b < firstBoxOfRow(row + 1); ++b)
+    std::size_t hexahedra = firstBoxOfRow(row + 1) - firstBoxOfRow(row);
+    for (; n < polyhedral.size() && polyhedral[n] < firstBoxOfRow(row + 1); ++n)
     {
-      if (parts_.sides.polyhedralOrdinal(static_cast<std::uint32_t>(b)) == None)
-      {
-        sum.connectivity += CornersOfAHexahedron;
-        continue;
-      }
-      for (; c < parts_.cells.size() && parts_.cells.cells[c].box == b; ++c)
+      --hexahedra;
+      for (std::size_t c = firstCell[n]; c < firstCell[n + 1]; ++c)
       {
         sum.connectivity += cellSizes_[c].points;
         sum.faceStream += cellSizes_[c].faceStream;
       }
     }
+    sum.connectivity += CornersOfAHexahedron * static_cast<Id>(hexahedra);
   }
   rows_.push_back(sum);
 }

@@ -204,9 +204,16 @@ Assembly::Assembly(
   }
   execution.stage("Common sides of boxes", AfterPatches, AfterSides);
   sides_ = findSides(boxes, execution);
-  assemble(spec, execution);
-  rebuildFlawed(spec, execution);
-  collapse(spec, execution);
+  std::vector<std::uint8_t> flawed = findFlawed(execution);
+  rebuildFlawed(flawed, execution);
+  if (spec.collapseRatio > 0)
+  {
+    collapse(flawed, spec, execution);
+  }
+  else
+  {
+    cells_ = assemble(spec, execution);
+  }
   if (shapesCells(spec))
   {
     execution.stage("Shaping of cells", AfterShortEdges, AfterShaping);
@@ -248,40 +255,45 @@ void Assembly::findInnerFaces(Execution& execution)
   inner_ = generateInnerFaces(boxes_, *patches_, sides_, nodes_, execution);
 }
 
-void Assembly::assemble(const CellSpec& spec, Execution& execution)
+std::vector<std::uint8_t> Assembly::findFlawed(Execution& execution)
 {
   findInnerFaces(execution);
   execution.stage("Cells", AfterInnerFaces, AfterCells);
-  cells_ = assembleCells(boxes_, *patches_, sides_, nodes_, inner_, spec, execution);
+  return cartesian::findFlawed(boxes_, *patches_, sides_, nodes_, inner_, execution);
+}
+
+Cells Assembly::assemble(const CellSpec& spec, Execution& execution) const
+{
+  return assembleCells(boxes_, *patches_, sides_, nodes_, inner_, spec, execution);
 }
 
 // Each time the boxes that still are flawed keep less.
-void Assembly::rebuildFlawed(const CellSpec& spec, Execution& execution)
+void Assembly::rebuildFlawed(std::vector<std::uint8_t>& flawed, Execution& execution)
 {
   std::vector<std::uint8_t> rebuilt(sides_.polyhedral.size());
   for (const GivenUp givenUp : { GivenUp::Nothing, GivenUp::Chords, GivenUp::Crossings })
   {
-    if (std::find(cells_.flawed.begin(), cells_.flawed.end(), 1) == cells_.flawed.end())
+    if (std::find(flawed.begin(), flawed.end(), 1) == flawed.end())
     {
       break;
     }
     execution.stage("Flawed boxes", AfterCells, AfterCells);
-    RebuiltPatches next = rebuildFlawedBoxes(
-      boxes_, *patches_, sides_, nodes_, inner_, cells_.flawed, givenUp, execution);
+    RebuiltPatches next =
+      rebuildFlawedBoxes(boxes_, *patches_, sides_, nodes_, inner_, flawed, givenUp, execution);
     for (std::size_t n = 0; n < rebuilt.size(); ++n)
     {
       rebuilt[n] = rebuilt[n] | next.boxes[n];
     }
     rebuilt_ = std::move(next);
     patches_ = &rebuilt_.patches;
-    assemble(spec, execution);
+    flawed = findFlawed(execution);
   }
   rebuilt_.boxes.swap(rebuilt);
 }
 
 // Where the surface has a crease, a cell that was to become flat may end on its other side: without
 // it the mesh would be too large. Such boxes keep their edges; returns whether there are new ones.
-bool Assembly::keepTurned(std::vector<std::uint8_t>& keeps) const
+bool Assembly::keepTurned(std::vector<std::uint8_t>& keeps, const Cells& cells) const
 {
   constexpr double RoundingLevels = 2;
   bool any = false;
@@ -290,9 +302,9 @@ bool Assembly::keepTurned(std::vector<std::uint8_t>& keeps) const
     const Box& box = boxes_.boxes[sides_.polyhedral[n]];
     const Vector size = minus(box.high, box.low);
     const double height = *std::min_element(size.begin(), size.end());
-    const auto first = cells_.cells.begin();
-    const bool turned = std::any_of(first + std::ptrdiff_t(cells_.boxStart[n]),
-      first + std::ptrdiff_t(cells_.boxStart[n + 1]),
+    const auto first = cells.cells.begin();
+    const bool turned = std::any_of(first + std::ptrdiff_t(cells.boxStart[n]),
+      first + std::ptrdiff_t(cells.boxStart[n + 1]),
       [&](const Cell& cell) { return cell.volumeFraction * height < -RoundingLevels; });
     any = any || (turned && keeps[n] == 0);
     keeps[n] = keeps[n] | (turned ? 1 : 0);
@@ -302,36 +314,43 @@ bool Assembly::keepTurned(std::vector<std::uint8_t>& keeps) const
 
 // First between the seams, then across them (ShortEdges.h). Boxes whose faces would not close any more
 // keep their edges; what changes for that changes nothing beyond the seams.
-void Assembly::collapse(const CellSpec& spec, Execution& execution)
+void Assembly::collapse(
+  const std::vector<std::uint8_t>& flawed, const CellSpec& spec, Execution& execution)
 {
-  if (!(spec.collapseRatio > 0))
-  {
-    return;
-  }
-  const std::vector<std::uint8_t> flawed = cells_.flawed;
   const Patches& before = *patches_;
   ShortEdgeSpec between{ spec.collapseRatio, spec.featureAngle, isExact(before), flawed, false };
   ShortEdgeSpec across = between;
   across.acrossSeams = true;
   execution.stage("Short edges", AfterCells, AfterShortEdges);
-  collapsed_ = before;
   patches_ = &collapsed_;
-  const auto closes = [&](ShortEdgeSpec& edges) {
-    if (collapseShortEdges(boxes_, sides_, edges, collapsed_, nodes_, inner_, execution) == 0)
-    {
-      return true;
-    }
-    cells_ = assembleCells(boxes_, collapsed_, sides_, nodes_, inner_, spec, execution);
-    std::transform(edges.keeps.begin(), edges.keeps.end(), cells_.flawed.begin(),
-      edges.keeps.begin(), std::bit_or<>());
-    const bool turned = edges.exact && keepTurned(edges.keeps);
-    return cells_.flawed == flawed && !turned;
+  const auto closes = [&](ShortEdgeSpec& edges, const std::vector<std::uint8_t>& now) {
+    std::transform(
+      edges.keeps.begin(), edges.keeps.end(), now.begin(), edges.keeps.begin(), std::bit_or<>());
+    return now == flawed;
   };
-  while (!closes(between) || !closes(across))
+  collapsed_ = before;
+  for (bool done = false; !done;)
   {
-    collapsed_ = before;
-    findInnerFaces(execution);
-    cells_ = assembleCells(boxes_, collapsed_, sides_, nodes_, inner_, spec, execution);
+    done = true;
+    if (collapseShortEdges(boxes_, sides_, between, collapsed_, nodes_, inner_, execution) > 0)
+    {
+      done = closes(
+        between, cartesian::findFlawed(boxes_, collapsed_, sides_, nodes_, inner_, execution));
+      done = !(between.exact && keepTurned(between.keeps, assemble(spec, execution))) && done;
+    }
+    if (done)
+    {
+      const std::size_t collapsed =
+        collapseShortEdges(boxes_, sides_, across, collapsed_, nodes_, inner_, execution);
+      cells_ = assemble(spec, execution);
+      done = collapsed == 0 || closes(across, cells_.flawed);
+      done = !(collapsed > 0 && across.exact && keepTurned(across.keeps, cells_)) && done;
+    }
+    if (!done)
+    {
+      collapsed_ = before;
+      findInnerFaces(execution);
+    }
   }
 }
 
@@ -391,31 +410,33 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
     return face.kind() != FaceRef::Kind::Patch &&
       !(shaped && cells.shaped.cells[face.index][face.turned() ? 0 : 1] == None);
   };
+  const std::uint32_t first = boxes_.firstBoxOf(boxes_.core.begin);
+  const std::uint32_t last = boxes_.firstBoxOf(boxes_.core.end);
   double removed = 0;
   double isolated = 0;
   for (std::size_t c = 0; c < cells_.size(); ++c)
   {
     const Cell& cell = cells_.cells[c];
-    if (!boxes_.isCore(boxes_.boxes[cell.box]))
+    if (cell.box < first || cell.box >= last)
     {
       continue;
     }
     bool hasInnerFace = false;
-    for (std::size_t f = cell.firstFace; f < cells_.cells[c + 1].firstFace; ++f)
+    for (std::size_t f = cell.firstFace; f < cells_.cells[c + 1].firstFace && !hasInnerFace; ++f)
     {
-      hasInnerFace = hasInnerFace || isInner(cells_, cells_.faces[f]);
+      hasInnerFace = isInner(cells_, cells_.faces[f]);
     }
     removed += cell.removed;
     isolated += !hasInnerFace && !cell.removed;
   }
-  double hexahedra = boxes_.firstBoxOf(boxes_.core.end) - boxes_.firstBoxOf(boxes_.core.begin);
+  double hexahedra = last - first;
   const double boxes = hexahedra;
   double intersected = 0;
   double patches = 0;
   std::array<double, PatchReasons> because{};
   for (std::size_t n = 0; n < sides_.polyhedral.size(); ++n)
   {
-    const bool isCore = boxes_.isCore(boxes_.boxes[sides_.polyhedral[n]]);
+    const bool isCore = sides_.polyhedral[n] >= first && sides_.polyhedral[n] < last;
     hexahedra -= isCore;
     const std::uint32_t box = sides_.patchBox[n];
     if (isCore && box != None)

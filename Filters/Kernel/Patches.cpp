@@ -361,7 +361,7 @@ Patches generatePatches(const Surface& surface, const Boxes& boxes, const Shoebo
   checkSpec(spec);
   const Features features = findFeatures(surface, spec.featureAngle, execution);
   const Clearance clearance(surface, boxes);
-  const std::vector<std::uint32_t> intersected = intersectedBoxes(boxes);
+  const std::vector<std::uint32_t> intersected = intersectedBoxes(boxes, execution);
   const std::size_t count = intersected.size();
   std::vector<Pieces> pieces(chunks(count, BoxesAChunk));
   std::vector<PatchReason> reasons(boxes.boxes.size(), PatchReason::MarchingCubes);

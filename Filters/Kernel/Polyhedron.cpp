@@ -13,23 +13,24 @@ namespace
 
 constexpr double LeastThickness = 4; // levels
 
-Vector meanOf(const Polyhedron& cell, std::size_t begin, std::size_t end)
+template <class Corner>
+Vector meanOf(std::size_t size, Corner&& corner)
 {
   Vector mean{ 0, 0, 0 };
-  for (std::size_t i = begin; i < end; ++i)
+  for (std::size_t i = 0; i < size; ++i)
   {
-    mean = plus(mean, cell.nodes[cell.corners[i]]);
+    mean = plus(mean, corner(i));
   }
-  return scaled(mean, 1.0 / static_cast<double>(end - begin));
+  return scaled(mean, 1.0 / static_cast<double>(size));
 }
 
 FaceShape shapeOf(const Polyhedron& cell, std::size_t face)
 {
-  const std::size_t begin = cell.start[face];
-  const std::size_t end = cell.start[face + 1];
-  const FaceGeometry geometry =
-    measureFace(end - begin, [&](std::size_t i) { return cell.nodes[cell.corners[begin + i]]; });
-  return { geometry.area, geometry.centre, meanOf(cell, begin, end) };
+  const std::uint32_t* const corners = cell.corners.data() + cell.start[face];
+  const std::size_t size = cell.start[face + 1] - cell.start[face];
+  const auto corner = [&](std::size_t i) -> const Vector& { return cell.nodes[corners[i]]; };
+  const FaceGeometry geometry = measureFace(size, corner);
+  return { geometry.area, geometry.centre, meanOf(size, corner) };
 }
 
 // And the centre of volume.
@@ -65,18 +66,12 @@ void Polyhedron::clear()
   isBoundary.clear();
 }
 
-void Polyhedron::closeFace(bool boundary)
-{
-  start.push_back(static_cast<std::uint32_t>(corners.size()));
-  isBoundary.push_back(boundary ? 1 : 0);
-}
-
 void measure(const Polyhedron& cell, CellShape& shape)
 {
-  shape.faces.clear();
+  shape.faces.resize(cell.faces());
   for (std::size_t f = 0; f < cell.faces(); ++f)
   {
-    shape.faces.push_back(shapeOf(cell, f));
+    shape.faces[f] = shapeOf(cell, f);
   }
   measureVolume(shape);
 }
@@ -120,7 +115,8 @@ bool isFlat(const Polyhedron& cell, const CellShape& shape, std::size_t face, do
 
 bool isStar(const Polyhedron& cell, std::size_t face, const Vector& normal)
 {
-  const Vector mean = meanOf(cell, cell.start[face], cell.start[face + 1]);
+  const Vector mean = meanOf(cell.start[face + 1] - cell.start[face],
+    [&](std::size_t i) { return cell.nodes[cell.corners[cell.start[face] + i]]; });
   double least = 0;
   double sum = 0;
   for (std::size_t i = cell.start[face]; i < cell.start[face + 1]; ++i)

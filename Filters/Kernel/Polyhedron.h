@@ -1,6 +1,7 @@
 // One cell by itself, and the conditions of section 3 that it has to fulfil.
 #pragma once
 
+#include "RawVector.h"
 #include "Vector.h"
 
 #include <cstdint>
@@ -12,15 +13,19 @@ namespace cartesian
 // Nodes in levels from an origin of its own; faces counter-clockwise from outside.
 struct Polyhedron
 {
-  std::vector<Vector> nodes; // whole numbers
+  RawVector<Vector> nodes; // whole numbers
   std::vector<std::uint32_t> start{ 0 };
-  std::vector<std::uint32_t> corners;   // indices into nodes
+  RawVector<std::uint32_t> corners;     // indices into nodes
   std::vector<std::uint8_t> isBoundary; // of each face
 
   std::size_t faces() const { return isBoundary.size(); }
   void clear();
   void addCorner(std::uint32_t node) { corners.push_back(node); }
-  void closeFace(bool boundary);
+  void closeFace(bool boundary)
+  {
+    start.push_back(static_cast<std::uint32_t>(corners.size()));
+    isBoundary.push_back(boundary ? 1 : 0);
+  }
 };
 
 struct FaceShape

@@ -1,6 +1,7 @@
 #include "RefusedCells.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace cartesian
 {
@@ -24,10 +25,9 @@ std::size_t RefusedCells::remove(const std::vector<CellKey>& keys, double larges
 {
   largest_ = largest;
   removed_ = 0;
-  std::set<CellKey> all(stay_);
-  all.insert(keys.begin(), keys.end());
+  std::vector<CellKey> left;
+  std::set_union(keys.begin(), keys.end(), stay_.begin(), stay_.end(), std::back_inserter(left));
   stay_.clear();
-  std::vector<CellKey> left(all.begin(), all.end());
   for (int round = 0; !left.empty() && round < MostRounds; ++round)
   {
     left = removeSome(left);
@@ -37,7 +37,7 @@ std::size_t RefusedCells::remove(const std::vector<CellKey>& keys, double larges
 
 RefusedCells::Candidate RefusedCells::candidate(CellKey key) const
 {
-  return { cells_.volume(key) / cells_.volumeOfBox(key), key };
+  return { cells_.share(key), key };
 }
 
 bool RefusedCells::mayGo(const Candidate& candidate) const
@@ -50,7 +50,7 @@ bool RefusedCells::mayGo(const Candidate& candidate) const
 // For each refused face of a cell, finds the smaller of its two cells that may go.
 void RefusedCells::lookAt(CellKey key, MeasuredCell& cell, std::set<Candidate>& candidates)
 {
-  if (!cells_.isAlive(key))
+  if (!cells_.isAlive(key) || cells_.isSurelyAccepted(key))
   {
     return;
   }

@@ -23,7 +23,7 @@ public:
   {
   }
 
-  // Of these cells, and of those that could not go before. In rounds, the smallest first, so that
+  // Of these cells, in order, and of those that could not go before. In rounds, the smallest first, so that
   // the result depends on the cells only. Returns how many were removed.
   std::size_t remove(const std::vector<CellKey>& keys, double largest);
 

@@ -26,9 +26,10 @@ constexpr int MostRounds = 50;
 struct Candidate
 {
   CellKey key;
-  double volume; // as a part of its box
-  bool small;    // else it is at fault
-  CellKey first; // the neighbour that it shares most area with
+  double volume;                   // as a part of its box
+  bool small;                      // else it is at fault
+  std::vector<CellKey> around;     // its neighbours, those that it shares most area with first
+  std::vector<CellKey> neighbours; // of those, with which it may become one
 
   bool operator<(const Candidate& other) const
   {
@@ -68,11 +69,13 @@ bool isFolded(const CellView& view)
 class Merger
 {
 public:
-  Merger(CellComplex& cells, double ratio, bool mend, double leastCosine, Execution& execution)
+  Merger(CellComplex& cells, double ratio, bool mend, double leastCosine, MergesTried& tried,
+    Execution& execution)
     : cells_(cells)
     , ratio_(ratio)
     , mend_(mend)
     , leastCosine_(leastCosine)
+    , tried_(tried)
     , execution_(execution)
   {
   }
@@ -96,15 +99,22 @@ public:
   }
 
 private:
-  std::vector<std::pair<CellKey, double>> possibleNeighbours(CellKey key) const
+  // Unless it may not merge with any neighbour.
+  void addCandidate(CellKey key, double volume)
   {
-    auto neighbours = cells_.neighbours(key);
-    neighbours.erase(std::remove_if(neighbours.begin(), neighbours.end(),
-                       [&](const auto& neighbour) {
-                         return !cells_.mayMerge({ key, neighbour.first });
-                       }),
-      neighbours.end());
-    return neighbours;
+    Candidate candidate{ key, volume, volume < ratio_, {}, {} };
+    for (const auto& [other, area] : cells_.neighbours(key))
+    {
+      candidate.around.push_back(other);
+      if (cells_.mayMerge({ key, other }))
+      {
+        candidate.neighbours.push_back(other);
+      }
+    }
+    if (!candidate.neighbours.empty())
+    {
+      candidates_.push_back(std::move(candidate));
+    }
   }
 
   void findCandidates(const std::vector<CellKey>& keys)
@@ -113,14 +123,10 @@ private:
     for (const CellKey key : keys)
     {
       execution_.poll();
-      const double volume = cells_.volume(key) / cells_.volumeOfBox(key);
+      const double volume = cells_.share(key);
       if (volume < ratio_ || (mend_ && volume < MostVolume && cells_.isAtFault(key)))
       {
-        const auto neighbours = possibleNeighbours(key);
-        if (!neighbours.empty())
-        {
-          candidates_.push_back({ key, volume, volume < ratio_, neighbours.front().first });
-        }
+        addCandidate(key, volume);
       }
     }
     std::sort(candidates_.begin(), candidates_.end());
@@ -132,7 +138,7 @@ private:
       {
         small_.insert(candidate.key);
       }
-      for (const auto& [other, area] : cells_.neighbours(candidate.key))
+      for (const CellKey other : candidate.around)
       {
         cells_.open(other);
       }
@@ -219,7 +225,7 @@ private:
     {
       if (candidate.small)
       {
-        byFirst[candidate.first].push_back(candidate.key);
+        byFirst[candidate.neighbours.front()].push_back(candidate.key);
       }
     }
     std::vector<Merging> groups;
@@ -263,14 +269,14 @@ private:
   // The neighbour with which least is at fault.
   void choose(const Candidate& candidate, Merging& merging)
   {
-    auto neighbours = possibleNeighbours(candidate.key);
-    neighbours.resize(std::min(neighbours.size(), MostNeighbours));
     const CellKey* const none = nullptr;
     const Fitness own = alone(candidate.key, none, none);
     int best = 0; // change of weight
-    Merging trial;
-    for (const auto& [other, area] : neighbours)
+    Merging& trial = trial_;
+    const auto most = std::min(candidate.neighbours.size(), MostNeighbours);
+    for (std::size_t i = 0; i < most; ++i)
     {
+      const CellKey other = candidate.neighbours[i];
       const bool first = candidate.small && merging.keys.empty();
       trial.keys = { other, candidate.key };
       Fitness before = alone(other, trial.keys.begin() + 1, trial.keys.end());
@@ -289,16 +295,27 @@ private:
     }
   }
 
+  bool wasInVain(CellKey key) const
+  {
+    const auto found = tried_.inVain.find(key);
+    return found != tried_.inVain.end() && !cells_.hasChangedNear(key, found->second);
+  }
+
   void mergeOneByOne()
   {
     std::vector<Merging> mergings(candidates_.size());
+    const std::uint32_t now = cells_.mark();
     for (std::size_t i = 0; i < candidates_.size(); ++i)
     {
       execution_.poll();
       // What a group has changed comes later.
-      if (taken_.count(candidates_[i].key) == 0)
+      if (taken_.count(candidates_[i].key) == 0 && !wasInVain(candidates_[i].key))
       {
         choose(candidates_[i], mergings[i]);
+        if (mergings[i].keys.empty())
+        {
+          tried_.inVain[candidates_[i].key] = now;
+        }
       }
     }
     for (std::size_t i = 0; i < mergings.size(); ++i)
@@ -319,6 +336,7 @@ private:
   double ratio_;
   bool mend_;
   double leastCosine_;
+  MergesTried& tried_;
   Execution& execution_;
   std::vector<Candidate> candidates_; // the smallest first
   std::set<CellKey> small_;           // of the candidates
@@ -327,6 +345,7 @@ private:
   std::size_t merged_ = 0;
 
   // Of the trial at hand, kept for their memory:
+  Merging trial_;
   MeasuredCell cell_;
   CellShape shape_;
   std::vector<std::uint8_t> counts_;
@@ -334,10 +353,10 @@ private:
 
 }
 
-std::size_t mergeSmallCells(
-  CellComplex& cells, double ratio, bool mend, double leastCosine, Execution& execution)
+std::size_t mergeSmallCells(CellComplex& cells, double ratio, bool mend, double leastCosine,
+  MergesTried& tried, Execution& execution)
 {
-  return Merger(cells, ratio, mend, leastCosine, execution).run();
+  return Merger(cells, ratio, mend, leastCosine, tried, execution).run();
 }
 
 }

@@ -153,10 +153,16 @@ Diagonal optimalDiagonal(const std::vector<Flat>& at, std::size_t i)
 }
 
 // A bridge that rounding hides from isStar still shows in nodes that come twice.
-bool areDistinct(std::vector<std::uint32_t> nodes)
+bool areDistinct(const std::vector<std::uint32_t>& nodes)
 {
-  std::sort(nodes.begin(), nodes.end());
-  return std::adjacent_find(nodes.begin(), nodes.end()) == nodes.end();
+  for (auto node = nodes.begin(); node != nodes.end(); ++node)
+  {
+    if (std::find(nodes.begin(), node, *node) != node)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 // A polygon that crosses itself (by rounding) may have no diagonal: any will do.
@@ -334,19 +340,29 @@ void joinHoles(FlatPolygon& polygon, std::vector<FlatPolygon> holes)
   }
 }
 
+bool isWhole(const FlatPolygon& polygon)
+{
+  return polygon.nodes.size() <= 3 || (isStar(polygon.at) && areDistinct(polygon.nodes));
+}
+
 void splitIntoStars(const FlatPolygon& polygon, std::vector<FlatPolygon>& parts)
 {
+  if (isWhole(polygon))
+  {
+    parts.push_back(polygon);
+    return;
+  }
   std::vector<FlatPolygon> todo{ polygon };
   while (!todo.empty())
   {
-    const FlatPolygon next = std::move(todo.back());
+    FlatPolygon next = std::move(todo.back());
     todo.pop_back();
-    const std::size_t n = next.nodes.size();
-    if (n <= 3 || (isStar(next.at) && areDistinct(next.nodes)))
+    if (isWhole(next))
     {
-      parts.push_back(next);
+      parts.push_back(std::move(next));
       continue;
     }
+    const std::size_t n = next.nodes.size();
     const std::size_t i = mostConcave(next.at);
     const Diagonal diagonal = optimalDiagonal(next.at, i);
     const std::size_t to = diagonal.found ? diagonal.to : anyDiagonal(i, n);

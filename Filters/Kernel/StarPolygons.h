@@ -27,6 +27,9 @@ bool isStar(const std::vector<Flat>& at);
 // joined already can see of each other past the other holes.
 void joinHoles(FlatPolygon& polygon, std::vector<FlatPolygon> holes);
 
+// Whether splitting leaves it as it is.
+bool isWhole(const FlatPolygon& polygon);
+
 // Replaces the polygon by parts with a star triangulation; any polygon ends in a finite number
 // of steps, also one that crosses itself.
 void splitIntoStars(const FlatPolygon& polygon, std::vector<FlatPolygon>& parts);

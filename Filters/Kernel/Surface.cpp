@@ -1,11 +1,11 @@
 #include "Surface.h"
 
 #include "Error.h"
+#include "NumberedPoint.h"
 #include "Vector.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace cartesian
 {
@@ -58,19 +58,21 @@ void checkTriangle(const SurfaceView& view, std::size_t triangle)
 // Gives points that share all levels one vertex: fills `surface.vertices`, returns each point's.
 std::vector<std::uint32_t> mergePoints(const std::vector<Point>& points, Surface& surface)
 {
-  std::vector<std::uint32_t> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return points[a] != points[b] ? points[a] < points[b] : a < b;
-  });
-  std::vector<std::uint32_t> vertex(points.size());
-  for (const std::uint32_t id : order)
+  std::vector<NumberedPoint> order;
+  order.reserve(points.size());
+  for (std::uint32_t id = 0; id < points.size(); ++id)
   {
-    if (surface.vertices.empty() || surface.vertices.back() != points[id])
+    order.emplace_back(points[id], id);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<std::uint32_t> vertex(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    if (i == 0 || !order[i].isAt(order[i - 1]))
     {
-      surface.vertices.push_back(points[id]);
+      surface.vertices.push_back(order[i].point());
     }
-    vertex[id] = static_cast<std::uint32_t>(surface.vertices.size() - 1);
+    vertex[order[i].number()] = static_cast<std::uint32_t>(surface.vertices.size() - 1);
   }
   return vertex;
 }

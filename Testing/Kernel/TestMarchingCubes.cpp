@@ -79,7 +79,8 @@ Soup blocks(unsigned pattern, bool joined)
 // Sets of patches that share edges, in the box between the vertices 1 and 2.
 std::size_t sheetsInTheMiddle(const Meshed& meshed)
 {
-  const std::vector<std::uint32_t> intersected = intersectedBoxes(meshed.boxed.boxes);
+  Execution execution;
+  const std::vector<std::uint32_t> intersected = intersectedBoxes(meshed.boxed.boxes, execution);
   const Patches& patches = meshed.patches;
   for (std::size_t n = 0; n < intersected.size(); ++n)
   {

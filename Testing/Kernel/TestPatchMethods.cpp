@@ -65,7 +65,8 @@ void expectWatertight(const Patches& patches)
 void expectSoundFaces(const Meshed& meshed)
 {
   const Patches& patches = meshed.patches;
-  const std::vector<std::uint32_t> intersected = intersectedBoxes(meshed.boxed.boxes);
+  Execution execution;
+  const std::vector<std::uint32_t> intersected = intersectedBoxes(meshed.boxed.boxes, execution);
   for (std::size_t n = 0; n < intersected.size(); ++n)
   {
     const Box& box = meshed.boxed.boxes.boxes[intersected[n]];
@@ -287,7 +288,8 @@ TEST(FoldedGeometry, DisappearsInMarchingCubesBoxes)
   const Meshed meshed = meshOf(soup, grid, by(PatchMethod::Automatic));
   EXPECT_TRUE(isValid(meshed.mesh));
   // In boxes that the block's edges miss, the fold is gone: one patch, upward.
-  const std::vector<std::uint32_t> intersected = intersectedBoxes(meshed.boxed.boxes);
+  Execution execution;
+  const std::vector<std::uint32_t> intersected = intersectedBoxes(meshed.boxed.boxes, execution);
   std::size_t boxes = 0;
   for (std::size_t n = 0; n < intersected.size(); ++n)
   {

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 
 namespace cartesian
 {
@@ -207,6 +209,46 @@ TEST(PolyhedronCut, AnEllAlongItsConcaveEdge)
     volume += shape.volume;
   }
   EXPECT_DOUBLE_EQ(volume, volumeOf(cell));
+}
+
+// What is said to be surely accepted is never refused, by the centres of either OpenFOAM.
+TEST(Polyhedron, FacesThatAreSurelyAcceptedAreNotRefused)
+{
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto vector = [&](double size) {
+    return Vector{ size * uniform(random), size * uniform(random), size * uniform(random) };
+  };
+  int sure = 0;
+  int refused = 0;
+  for (int trial = 0; trial < 200000; ++trial)
+  {
+    Polyhedron cell;
+    const Vector u = vector(1000);
+    const Vector v = vector(1000);
+    for (const auto& [a, b] : { std::pair(-1, -1), std::pair(1, -1), std::pair(0, 1) })
+    {
+      cell.addCorner(static_cast<std::uint32_t>(cell.nodes.size()));
+      cell.nodes.push_back(plus(scaled(u, a), scaled(v, b)));
+    }
+    cell.closeFace(false);
+    CellShape shape;
+    measure(cell, shape);
+    const FaceShape& face = shape.faces[0];
+    const Vector normal = unit(face.area);
+    const double reach = std::pow(10, 2 + 1.5 * uniform(random));
+    shape.centre = minus(plus(face.centre, vector(reach)), scaled(normal, reach));
+    shape.volume = 1;
+    const Beyond beyond{ plus(plus(face.centre, vector(reach)), scaled(normal, reach)), 1 };
+    const bool isSure = isSurelyAccepted(sightOf(shape.centre, face.centre, face.area),
+      sightOf(beyond.centre, face.centre, scaled(face.area, -1)));
+    const bool isBad = isRefused(cell, shape, 0, beyond);
+    EXPECT_FALSE(isSure && isBad);
+    sure += isSure ? 1 : 0;
+    refused += isBad ? 1 : 0;
+  }
+  EXPECT_GT(sure, 10000);
+  EXPECT_GT(refused, 10000);
 }
 
 TEST(PolyhedronCut, AForkFallsIntoThree)

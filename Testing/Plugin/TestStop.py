@@ -41,7 +41,7 @@ spot = read("cino_spot.obj")
 spot.UpdatePipeline()
 for properties, stages, stops in (
     ({"CollapseRatio": 0, "SmallCells": "Remove", "SplitConcaveCells": 0}, BEFORE + AFTER,
-        (0.005, 0.05, 0.25, 0.4, 0.6, 0.7, 0.8, 0.94)),
+        (0.005, 0.05, 0.25, 0.4, 0.6, 0.7, 0.8, 0.9)),
     ({"SmallCells": "Merge", "SplitConcaveCells": 1}, BEFORE + SHAPING + AFTER, (0.5, 0.92)),
 ):
     observer = Observer()
