@@ -1,5 +1,6 @@
 #include "ShortEdges.h"
 
+#include "FaceCompaction.h"
 #include "ShortEdgeList.h"
 #include "Slabs.h"
 #include "Sorting.h"
@@ -768,14 +769,20 @@ private:
 
   void rewrite()
   {
-    rewriteFaces(
-      patches_.boxStart, patches_.start, patches_.corners, [&](std::size_t from, std::size_t to) {
+    const auto whatIsLeft = [&](const std::uint32_t* begin, const std::uint32_t* end,
+                              std::vector<std::uint32_t>& ring) { ringOf(begin, end, ring); };
+    compactFaces(
+      patches_.boxStart, patches_.start, patches_.corners, whatIsLeft,
+      [&](std::size_t from, std::size_t to) {
         patches_.triangle[to] = patches_.triangle[from];
         patches_.boundary[to] = patches_.boundary[from];
-      });
+      },
+      execution_);
     patches_.triangle.resize(patches_.start.size() - 1);
     patches_.boundary.resize(patches_.start.size() - 1);
-    rewriteFaces(inner_.sideStart, inner_.start, inner_.nodes, [](std::size_t, std::size_t) {});
+    compactFaces(
+      inner_.sideStart, inner_.start, inner_.nodes, whatIsLeft, [](std::size_t, std::size_t) {},
+      execution_);
     for (const Slot& slot : slots_)
     {
       nodes_.at[slot.node] = slots_[slot.into].at;
@@ -789,107 +796,6 @@ private:
       }
     }
     nodes_.warped = warpedHexahedra(boxes_, sides_, nodes_, moved, execution_);
-  }
-
-  // Faces and corners of a chunk of groups: what is there, then what is left.
-  struct Span
-  {
-    std::size_t face;
-    std::size_t corner;
-    std::size_t faces;
-    std::size_t corners;
-  };
-
-  // What is left of the faces of each group (box or side) moves up to where others are gone: in each
-  // chunk by itself, then all chunks. Calls move(from, to) for what else belongs to a face.
-  template <class Move>
-  void rewriteFaces(std::vector<std::size_t>& groupStart, std::vector<std::size_t>& start,
-    std::vector<std::uint32_t>& corners, Move&& move)
-  {
-    const std::size_t groups = groupStart.size() - 1;
-    std::vector<Span> spans;
-    for (std::size_t begin = 0; begin < groups; begin += FacesAChunk)
-    {
-      const std::size_t first = groupStart[begin];
-      const std::size_t last = groupStart[std::min(begin + FacesAChunk, groups)];
-      spans.push_back({ first, start[first], last - first, start[last] - start[first] });
-    }
-    execution_.forEach(groups, FacesAChunk, [&](std::size_t begin, std::size_t end) {
-      Span& span = spans[begin / FacesAChunk];
-      span = rewriteGroups(begin, end, span, groupStart, start, corners, move);
-    });
-    Span left{ 0, 0, 0, 0 }; // where the next goes
-    for (std::size_t i = 0; i < spans.size(); ++i)
-    {
-      const Span& span = spans[i];
-      if (left.face != span.face || left.corner != span.corner)
-      {
-        moveUp(i, span, left, groupStart, start, corners, move);
-      }
-      left.face += span.faces;
-      left.corner += span.corners;
-    }
-    groupStart.back() = left.face;
-    start.resize(left.face + 1);
-    start.back() = left.corner;
-    corners.resize(left.corner);
-  }
-
-  // A chunk to where those before it end.
-  template <class Move>
-  static void moveUp(std::size_t chunk, const Span& span, const Span& to,
-    std::vector<std::size_t>& groupStart, std::vector<std::size_t>& start,
-    std::vector<std::uint32_t>& corners, Move&& move)
-  {
-    if (span.corner != to.corner)
-    {
-      const auto from = corners.begin() + std::ptrdiff_t(span.corner);
-      std::copy(
-        from, from + std::ptrdiff_t(span.corners), corners.begin() + std::ptrdiff_t(to.corner));
-    }
-    for (std::size_t f = 0; f < span.faces; ++f)
-    {
-      start[to.face + f] = start[span.face + f] - span.corner + to.corner;
-      move(span.face + f, to.face + f);
-    }
-    const std::size_t end = std::min((chunk + 1) * FacesAChunk, groupStart.size() - 1);
-    for (std::size_t g = chunk * FacesAChunk; g < end; ++g)
-    {
-      groupStart[g] = groupStart[g] - span.face + to.face;
-    }
-  }
-
-  // Those of one chunk, which spans `all`; returns what is left. What lies beyond is not even read.
-  template <class Move>
-  Span rewriteGroups(std::size_t begin, std::size_t end, const Span& all,
-    std::vector<std::size_t>& groupStart, std::vector<std::size_t>& start,
-    std::vector<std::uint32_t>& corners, Move&& move) const
-  {
-    std::vector<std::uint32_t> ring;
-    std::size_t face = all.face; // what is written so far, never beyond what is read
-    std::size_t corner = all.corner;
-    const std::size_t lastFace = all.face + all.faces;
-    std::size_t read = all.face;
-    std::size_t first = all.corner;
-    for (std::size_t group = begin; group < end; ++group)
-    {
-      const std::size_t groupEnd = group + 1 < end ? groupStart[group + 1] : lastFace;
-      groupStart[group] = face;
-      for (; read < groupEnd; ++read)
-      {
-        const std::size_t last = read + 1 < lastFace ? start[read + 1] : all.corner + all.corners;
-        ringOf(corners.data() + first, corners.data() + last, ring);
-        first = last;
-        if (ring.size() > 2)
-        {
-          move(read, face);
-          std::copy(ring.begin(), ring.end(), corners.begin() + std::ptrdiff_t(corner));
-          start[face++] = corner;
-          corner += ring.size();
-        }
-      }
-    }
-    return { all.face, all.corner, face - all.face, corner - all.corner };
   }
 
   const Boxes& boxes_;
