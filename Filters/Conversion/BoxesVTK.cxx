@@ -29,8 +29,9 @@ Numbering numberCorners(const Boxes& boxes)
 {
   std::vector<std::vector<PointUse>> uses(1);
   uses[0].reserve(8 * boxes.boxes.size());
-  for (const Box& box : boxes.boxes)
+  for (const PackedBox& packed : boxes.boxes)
   {
+    const Box box = boxes.placed(packed);
     for (unsigned corner = 0; corner < 8; ++corner)
     {
       const Point p = cornerOf(box, corner);
@@ -91,7 +92,7 @@ std::array<std::uint32_t, 3> readTriple(
 }
 
 // Boxes come in order of their global boxes' rows, of those, and of their places in them.
-std::array<std::uint32_t, 6> orderOf(const GlobalBox& global, const Box& box)
+std::array<std::uint32_t, 6> orderOf(const GlobalBox& global, const PackedBox& box)
 {
   return { global.index[2], global.index[1], global.index[0], box.offset[2], box.offset[1],
     box.offset[0] };
@@ -123,7 +124,7 @@ public:
     const double widest = FinePerBox - 1;
     const auto level = readTriple(level_, cell, { deepest, deepest, deepest });
     const auto offset = readTriple(offset_, cell, { widest, widest, widest });
-    Box box;
+    PackedBox box;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       box.level[axis] = static_cast<std::uint8_t>(level[axis]);
@@ -150,7 +151,7 @@ public:
   }
 
 private:
-  static void place(Box& box, Boxes& boxes)
+  static void place(PackedBox& box, Boxes& boxes)
   {
     GlobalBox& global = boxes.globals.back();
     box.global = static_cast<std::uint32_t>(boxes.globals.size() - 1);
@@ -164,8 +165,6 @@ private:
           "Level and Offset of box " + std::to_string(boxes.boxes.size()) +
             " do not fit together: connect the output of Cartesian Boxer.");
       }
-      box.low[axis] = planeAt(boxes.planes[axis], low);
-      box.high[axis] = planeAt(boxes.planes[axis], low + size);
       global.depth = std::max(global.depth, box.level[axis]);
     }
   }
@@ -239,7 +238,7 @@ void toVTK(const Boxes& boxes, vtkUnstructuredGrid* grid)
   cornerStatus->SetNumberOfTuples(count);
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const Box& box = boxes.boxes[static_cast<std::size_t>(i)];
+    const PackedBox& box = boxes.boxes[static_cast<std::size_t>(i)];
     offsets->SetValue(i, 8 * i);
     for (int axis = 0; axis < 3; ++axis)
     {

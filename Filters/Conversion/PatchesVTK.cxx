@@ -147,7 +147,7 @@ Patches patchesFromVTK(vtkPolyData* input, const Boxes& boxes)
     for (vtkIdType i = 0; i < size; ++i)
     {
       const Point& p = patches.points[static_cast<std::size_t>(corners[i])];
-      const Box& around = boxes.boxes[intersected[n]];
+      const Box around = boxes.box(intersected[n]);
       for (int axis = 0; axis < 3; ++axis)
       {
         if (p[axis] < around.low[axis] || p[axis] > around.high[axis])

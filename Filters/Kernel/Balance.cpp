@@ -10,7 +10,7 @@ namespace
 
 // Calls visit(neighbour) for the boxes across a side, one or more times each.
 template <class Visitor>
-void forEachAcross(const Boxes& boxes, const Box& box, int axis, bool upper, Visitor&& visit)
+void forEachAcross(const Boxes& boxes, const PackedBox& box, int axis, bool upper, Visitor&& visit)
 {
   const int a = (axis + 1) % 3;
   const int b = (axis + 2) % 3;
@@ -35,7 +35,7 @@ void forEachAcross(const Boxes& boxes, const Box& box, int axis, bool upper, Vis
 
 }
 
-std::uint8_t axisToHalve(const Boxes& boxes, const Box& box, int level)
+std::uint8_t axisToHalve(const Boxes& boxes, const PackedBox& box, int level)
 {
   std::uint8_t result = NoAxis;
   if (boxes.globalOf(box).nearDepth <= level ||
@@ -47,7 +47,7 @@ std::uint8_t axisToHalve(const Boxes& boxes, const Box& box, int level)
   {
     for (const bool upper : { false, true })
     {
-      forEachAcross(boxes, box, axis, upper, [&](const Box& other) {
+      forEachAcross(boxes, box, axis, upper, [&](const PackedBox& other) {
         for (const int along : { (axis + 1) % 3, (axis + 2) % 3 })
         {
           if (box.level[along] < level && other.level[along] > level)

@@ -22,6 +22,6 @@ constexpr std::uint32_t balanceReach(int depth)
 // The lowest axis along which a box must be halved in the pass of this level, or NoAxis. `boxes`: as
 // they were before the pass; `box` may be a part of one of them.
 constexpr std::uint8_t NoAxis = 3;
-std::uint8_t axisToHalve(const Boxes& boxes, const Box& box, int level);
+std::uint8_t axisToHalve(const Boxes& boxes, const PackedBox& box, int level);
 
 }

@@ -58,10 +58,8 @@ public:
       [&](std::size_t s, Faces& faces) { exposeInnerFaces(s, faces); });
     const Faces shaped = facesOfEach(0, parts_.cells.shaped.size(), execution,
       [&](std::size_t f, Faces& faces) { exposeShapedFace(f, faces); });
-    const Faces ofBoxes = facesOfEach(boxes.firstBoxOf(boxes.core.begin),
-      boxes.firstBoxOf(boxes.core.end), execution, [&](std::size_t b, Faces& faces) {
-        exposeBoxSides(static_cast<std::uint32_t>(b), anywhere, faces);
-      });
+    const Faces ofBoxes = facesOfEach(boxes.row(0, boxes.core.begin), boxes.row(0, boxes.core.end),
+      execution, [&](std::size_t row, Faces& faces) { exposeBoxesOfRow(row, anywhere, faces); });
     exposed.insert(exposed.end(), shaped.begin(), shaped.end());
     exposed.insert(exposed.end(), ofBoxes.begin(), ofBoxes.end());
     std::sort(exposed.begin(), exposed.end());
@@ -144,6 +142,32 @@ private:
       BoundaryFace::Kind::TurnedShaped, faces);
   }
 
+  // But for the first and the last global box of a row, most are nowhere at the end of the grid.
+  void exposeBoxesOfRow(std::size_t row, bool anywhere, std::vector<BoundaryFace>& faces) const
+  {
+    const Boxes& boxes = parts_.boxes;
+    const std::size_t first = boxes.rowStart[row];
+    const std::size_t end = boxes.rowStart[row + 1];
+    const auto expose = [&](std::size_t from, std::size_t to) {
+      for (std::uint32_t b = boxes.globals[from].firstBox; b < boxes.globals[to].firstBox; ++b)
+      {
+        exposeBoxSides(b, anywhere, faces);
+      }
+    };
+    const std::size_t rowsOfLayer = boxes.planes[1].size() - 1;
+    const std::size_t j = row % rowsOfLayer;
+    const std::size_t k = row / rowsOfLayer;
+    if (anywhere || j == 0 || j + 1 == rowsOfLayer || k == 0 || k + 2 == boxes.planes[2].size())
+    {
+      expose(first, end);
+    }
+    else if (first < end)
+    {
+      expose(first, first + 1);
+      expose(std::max(first + 1, end - 1), end);
+    }
+  }
+
   // Hexahedra at the end of the grid, where the meshlines cut the domain, or without a neighbour,
   // where the surface leaks. On a flawed side (`anywhere`) only the hexahedron has a face.
   void exposeBoxSides(std::uint32_t b, bool anywhere, std::vector<BoundaryFace>& faces) const
@@ -152,7 +176,7 @@ private:
     {
       return;
     }
-    const Box& box = parts_.boxes.boxes[b];
+    const Box box = parts_.boxes.box(b);
     for (unsigned i = 0; i < 6; ++i)
     {
       if ((anywhere || isAtEnd(box, i / 2, i % 2 == 1)) &&

@@ -273,7 +273,7 @@ private:
     std::uint32_t next = global.firstBox;
     if (!isDivided(g))
     {
-      boxes_.boxes[next] = placed(g, { { 0, 0, 0 }, { 0, 0, 0 }, statusOf_[g], cornersOf(g) });
+      boxes_.boxes[next] = packed(g, { { 0, 0, 0 }, { 0, 0, 0 }, statusOf_[g], cornersOf(g) });
       return;
     }
     std::sort(parts_[g].begin(), parts_[g].end(), [](const LocalBox& a, const LocalBox& b) {
@@ -283,25 +283,13 @@ private:
     for (const LocalBox& part : parts_[g])
     {
       global.depth = std::max({ global.depth, part.level[0], part.level[1], part.level[2] });
-      boxes_.boxes[next++] = placed(g, part);
+      boxes_.boxes[next++] = packed(g, part);
     }
   }
 
-  Box placed(std::size_t g, const LocalBox& part) const
+  static PackedBox packed(std::size_t g, const LocalBox& part)
   {
-    Box box;
-    box.global = static_cast<std::uint32_t>(g);
-    box.offset = part.offset;
-    box.level = part.level;
-    box.corners = part.corners;
-    box.status = part.status;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const std::int64_t low = boxes_.globals[g].index[axis] * FinePerBox + part.offset[axis];
-      box.low[axis] = planeAt(planes_[axis], low);
-      box.high[axis] = planeAt(planes_[axis], low + (FinePerBox >> part.level[axis]));
-    }
-    return box;
+    return { static_cast<std::uint32_t>(g), part.offset, part.level, part.corners, part.status };
   }
 
   // One pass of balancing (Balance.h).
@@ -314,7 +302,7 @@ private:
       bool changed = false;
       for (std::uint32_t b = first; b < end; ++b)
       {
-        const Box& box = boxes_.boxes[b];
+        const PackedBox& box = boxes_.boxes[b];
         changed |= balance(g, { box.offset, box.level, box.status, box.corners }, level, parts);
       }
       if (changed)
@@ -327,7 +315,7 @@ private:
   // Appends what the pass makes of a box, as far as it is inside or intersected; whether it changed.
   bool balance(std::size_t g, const LocalBox& box, int level, std::vector<LocalBox>& parts) const
   {
-    const std::uint8_t axis = axisToHalve(boxes_, placed(g, box), level);
+    const std::uint8_t axis = axisToHalve(boxes_, packed(g, box), level);
     if (axis == NoAxis)
     {
       parts.push_back(box);
@@ -362,7 +350,7 @@ private:
 
   void findStatus(std::size_t g, LocalBox& part) const
   {
-    const Box box = placed(g, part);
+    const Box box = boxes_.placed(packed(g, part));
     const TriangleRange triangles = trianglesOf(boxes_.globals[g]);
     const auto& at = boxes_.globals[g].index;
     const Point corner = { planes_[0][at[0]], planes_[1][at[1]], planes_[2][at[2]] };

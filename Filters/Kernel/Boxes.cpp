@@ -19,16 +19,6 @@ std::uint32_t unitIndex(const GlobalBox& global, const std::array<std::int64_t, 
 
 }
 
-FinePoint Boxes::fineLow(const Box& box) const
-{
-  FinePoint fine;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    fine[axis] = globalOf(box).index[axis] * FinePerBox + box.offset[axis];
-  }
-  return fine;
-}
-
 std::uint32_t Boxes::globalAt(std::int64_t i, std::int64_t j, std::int64_t k) const
 {
   const auto nj = static_cast<std::int64_t>(planes[1].size()) - 1;
@@ -89,7 +79,7 @@ void Boxes::listUnits()
   findNearDepths();
   for (std::uint32_t b = 0; b < boxes.size(); ++b)
   {
-    const Box& box = boxes[b];
+    const PackedBox& box = boxes[b];
     const GlobalBox& global = globalOf(box);
     if (global.depth == 0)
     {
@@ -140,14 +130,22 @@ void Boxes::findNearDepths()
   }
 }
 
-std::array<std::uint32_t, 4> facing(const Boxes& boxes, const Box& box, int axis, bool upper)
+std::array<std::uint32_t, 4> facing(const Boxes& boxes, const PackedBox& box, int axis, bool upper)
 {
+  std::array<std::uint32_t, 4> across;
+  if (const GlobalBox& global = boxes.globalOf(box); global.nearDepth == 0) // nor is its neighbour
+  {
+    std::array<std::int64_t, 3> at{ global.index[0], global.index[1], global.index[2] };
+    at[axis] += upper ? 1 : -1;
+    const std::uint32_t other = boxes.globalAt(at[0], at[1], at[2]);
+    across.fill(other == None ? None : boxes.globals[other].firstBox);
+    return across;
+  }
   const int a = (axis + 1) % 3;
   const int b = (axis + 2) % 3;
   FinePoint fine = boxes.fineLow(box);
   fine[axis] += upper ? Boxes::fineSize(box, axis) : -1;
   const FinePoint low = fine;
-  std::array<std::uint32_t, 4> across;
   for (unsigned quarter = 0; quarter < 4; ++quarter)
   {
     fine[a] = low[a] + (quarter & 1) * Boxes::fineSize(box, a) / 2;

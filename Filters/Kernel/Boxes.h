@@ -37,15 +37,21 @@ constexpr int DeepestLevel = 6;
 constexpr std::int64_t FinePerBox = 1 << DeepestLevel;
 using FinePoint = std::array<std::int64_t, 3>;
 
-struct Box
+// A box as it is kept: there are as many as the mesh has cells.
+struct PackedBox
 {
-  Point low;
-  Point high;
   std::uint32_t global;               // index in Boxes::globals
   std::array<std::uint8_t, 3> offset; // of the low corner in its global box, fine
   std::array<std::uint8_t, 3> level;  // halvings along x, y, z; its size is FinePerBox >> level
   std::uint8_t corners;               // bit x + 2 y + 4 z: that corner is inside
   BoxStatus status;
+};
+
+// ... and where it lies.
+struct Box : PackedBox
+{
+  Point low;
+  Point high;
 };
 
 constexpr std::uint8_t AllCorners = 0xff;
@@ -90,12 +96,12 @@ struct Boxes
   RawVector<GlobalBox>
     globals; // by rows along x (J + K * boxes along y), then by I; one more at the end
   std::vector<std::size_t> rowStart; // first global box of each row, and the end
-  RawVector<Box> boxes;              // in order of global boxes
+  RawVector<PackedBox> boxes;        // in order of global boxes
   std::vector<std::uint32_t> units; // the box that holds each unit of divided global boxes, or None
 
   std::size_t row(std::size_t j, std::size_t k) const { return j + k * (planes[1].size() - 1); }
-  const GlobalBox& globalOf(const Box& box) const { return globals[box.global]; }
-  bool isCore(const Box& box) const { return core.contains(globalOf(box).index[2]); }
+  const GlobalBox& globalOf(const PackedBox& box) const { return globals[box.global]; }
+  bool isCore(const PackedBox& box) const { return core.contains(globalOf(box).index[2]); }
 
   Layers allLayers() const { return { 0, static_cast<std::uint32_t>(planes[2].size() - 1) }; }
 
@@ -105,8 +111,15 @@ struct Boxes
     return globals[rowStart[row(0, layer)]].firstBox;
   }
 
-  FinePoint fineLow(const Box& box) const;
-  static std::int64_t fineSize(const Box& box, int axis) { return FinePerBox >> box.level[axis]; }
+  FinePoint fineLow(const PackedBox& box) const;
+  static std::int64_t fineSize(const PackedBox& box, int axis)
+  {
+    return FinePerBox >> box.level[axis];
+  }
+
+  Box box(std::size_t b) const { return placed(boxes[b]); }
+  Box placed(const PackedBox& box) const;
+  Point lowOf(std::size_t b) const;
 
   // The global box (i, j, k), or None where nothing of it is kept.
   std::uint32_t globalAt(std::int64_t i, std::int64_t j, std::int64_t k) const;
@@ -123,22 +136,56 @@ private:
   void findNearDepths();
 };
 
-// The level of a plane of the fine grid.
-inline Level planeAt(const std::vector<Level>& planes, std::int64_t fine)
+// The level of a plane of the fine grid: `part` (0 to FinePerBox) of the way from plane i to the next.
+inline Level planeAt(const std::vector<Level>& planes, std::size_t i, std::int64_t part)
 {
-  const auto i = static_cast<std::size_t>(fine >> DeepestLevel);
-  const std::int64_t part = fine & (FinePerBox - 1);
-  if (part == 0)
+  if (part == 0 || part == FinePerBox)
   {
-    return planes[i];
+    return planes[i + (part == 0 ? 0 : 1)];
   }
   const std::int64_t half = (std::int64_t(planes[i + 1]) - planes[i]) / 2;
   return static_cast<Level>(planes[i] + 2 * (half * part / FinePerBox));
 }
 
+inline Level planeAt(const std::vector<Level>& planes, std::int64_t fine)
+{
+  return planeAt(planes, static_cast<std::size_t>(fine >> DeepestLevel), fine & (FinePerBox - 1));
+}
+
+inline FinePoint Boxes::fineLow(const PackedBox& box) const
+{
+  FinePoint fine;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    fine[axis] = globalOf(box).index[axis] * FinePerBox + box.offset[axis];
+  }
+  return fine;
+}
+
+inline Box Boxes::placed(const PackedBox& box) const
+{
+  Box result{ box, {}, {} };
+  const auto& at = globalOf(box).index;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const std::int64_t low = box.offset[axis];
+    result.low[axis] = planeAt(planes[axis], at[axis], low);
+    result.high[axis] = planeAt(planes[axis], at[axis], low + (FinePerBox >> box.level[axis]));
+  }
+  return result;
+}
+
+inline Point Boxes::lowOf(std::size_t b) const
+{
+  const PackedBox& box = boxes[b];
+  const auto& at = globalOf(box).index;
+  return { planeAt(planes[0], at[0], box.offset[0]), planeAt(planes[1], at[1], box.offset[1]),
+    planeAt(planes[2], at[2], box.offset[2]) };
+}
+
 // The boxes across a side of `box` at its four quarters: (low, low), (high, low), (low, high),
 // (high, high) along the two other axes in cyclic order. In balanced boxes each quarter has one.
-std::array<std::uint32_t, 4> facing(const Boxes& boxes, const Box& box, int axis, bool upper);
+std::array<std::uint32_t, 4> facing(const Boxes& boxes, const PackedBox& box, int axis, bool upper);
 
 // Indices of the intersected boxes, in order.
 std::vector<std::uint32_t> intersectedBoxes(const Boxes& boxes, Execution& execution);

@@ -116,7 +116,7 @@ CellKey CellComplex::across(const FaceUse& use) const
 
 double CellComplex::volumeOfBox(CellKey key) const
 {
-  const Box& box = boxes_.boxes[boxOf(key)];
+  const Box box = boxes_.box(boxOf(key));
   const Vector size = minus(box.high, box.low);
   return size[0] * size[1] * size[2];
 }
@@ -159,7 +159,7 @@ void CellComplex::addFaceTo(Polyhedron& shape, const FaceUse& use, const Point& 
 void CellComplex::shape(CellKey key, Polyhedron& shape) const
 {
   shape.clear();
-  const Point& origin = boxes_.boxes[boxOf(key)].low;
+  const Point origin = boxes_.lowOf(boxOf(key));
   forEachFace(key, [&](const FaceUse& use) { addFaceTo(shape, use, origin); });
 }
 
@@ -167,7 +167,7 @@ void CellComplex::lookAround(CellKey key, MeasuredCell& cell) const
 {
   shape(key, cell.shape);
   measure(cell.shape, cell.measures);
-  const Point& origin = boxes_.boxes[boxOf(key)].low;
+  const Point origin = boxes_.lowOf(boxOf(key));
   cell.across.clear();
   cell.beyond.clear();
   forEachFace(key, [&](const FaceUse& use) {
@@ -182,11 +182,11 @@ Beyond CellComplex::placeAndVolume(CellKey key, const Point& origin) const
   const OpenCell* open = opened(key);
   if (open || key < cells_.size())
   {
-    const Box& box = boxes_.boxes[open ? open->box : cells_.cells[key].box];
+    const Point low = boxes_.lowOf(open ? open->box : cells_.cells[key].box);
     const Beyond& place = open ? open->place : whole_.known.places[key];
-    return { plus(minus(box.low, origin), place.centre), place.volume };
+    return { plus(minus(low, origin), place.centre), place.volume };
   }
-  const Box& box = boxes_.boxes[key - cells_.size()];
+  const Box box = boxes_.box(key - cells_.size());
   return { plus(minus(box.low, origin), scaled(minus(box.high, box.low), 0.5)), volumeOfBox(key) };
 }
 
@@ -246,7 +246,7 @@ bool CellComplex::hasChanged(CellKey key) const
 
 void CellComplex::lookBeyond(CellKey key, CellView& view) const
 {
-  const Point& origin = boxes_.boxes[boxOf(key)].low;
+  const Point origin = boxes_.lowOf(boxOf(key));
   view.beyond.assign(view.faces.size(), {});
   for (std::size_t f = 0; f < view.faces.size(); ++f)
   {
@@ -374,7 +374,7 @@ std::vector<CellKey> CellComplex::select(Kept&& isKept) const
   const auto others = static_cast<std::ptrdiff_t>(keys.size());
   for (const auto& [key, open] : openOfOther_)
   {
-    const Box& box = boxes_.boxes[open_[open].box];
+    const PackedBox& box = boxes_.boxes[open_[open].box];
     if (isAlive(key) && open_[open].changed && key >= cells_.size() && isFree(key) &&
       slab_.acting.contains(boxes_.globalOf(box).index[2]) && isKept(key, true))
     {
@@ -453,7 +453,7 @@ void CellComplex::view(const std::vector<CellKey>& keys, CellView& view) const
   }
   view.clear();
   view.reserve(faces.size(), corners.size());
-  numberNodes(boxes_.boxes[boxOf(keys.front())].low, view);
+  numberNodes(boxes_.lowOf(boxOf(keys.front())), view);
   const auto corner = [&](
                         std::size_t i) { return corners.begin() + static_cast<std::ptrdiff_t>(i); };
   for (const Outer& face : faces)
@@ -481,32 +481,32 @@ void CellComplex::view(const std::vector<CellKey>& keys, CellView& view) const
 // Fills in the nodes, by place, and gives the corners their numbers there.
 void CellComplex::numberNodes(const Point& origin, CellView& view) const
 {
-  std::vector<std::uint32_t>& nodes = scratch_.nodes;
   std::vector<NumberedPoint>& places = scratch_.places;
-  std::vector<std::uint32_t>& numbers = scratch_.numbers;
-  nodes = scratch_.corners;
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  EdgeTable& numberOf = scratch_.numberOf;
   places.clear();
-  for (std::uint32_t i = 0; i < nodes.size(); ++i)
+  numberOf.reset(scratch_.corners.size());
+  for (const std::uint32_t node : scratch_.corners)
   {
-    places.emplace_back(placeOf(nodes[i]), i);
+    std::uint32_t& number = numberOf.at(node, node);
+    if (number == EdgeTable::Fresh)
+    {
+      number = 0;
+      places.emplace_back(placeOf(node), node);
+    }
   }
   std::sort(places.begin(), places.end());
-  numbers.resize(nodes.size());
-  view.nodes.reserve(nodes.size());
-  view.shape.nodes.reserve(nodes.size());
+  view.nodes.reserve(places.size());
+  view.shape.nodes.reserve(places.size());
   for (std::uint32_t i = 0; i < places.size(); ++i)
   {
-    const std::uint32_t which = places[i].number();
-    numbers[which] = i;
-    view.nodes.push_back(nodes[which]);
+    const std::uint32_t node = places[i].number();
+    numberOf.at(node, node) = i;
+    view.nodes.push_back(node);
     view.shape.nodes.push_back(minus(places[i].point(), origin));
   }
   for (std::uint32_t& corner : scratch_.corners)
   {
-    const auto at = std::lower_bound(nodes.begin(), nodes.end(), corner);
-    corner = numbers[static_cast<std::size_t>(at - nodes.begin())];
+    corner = numberOf.at(corner, corner);
   }
 }
 
@@ -535,7 +535,7 @@ void CellComplex::open(CellKey key)
     cell.box = static_cast<std::uint32_t>(key - cells_.size());
     cell.origin = key;
     cell.boundary = NoBoundary;
-    cell.place = placeAndVolume(key, boxes_.boxes[cell.box].low);
+    cell.place = placeAndVolume(key, boxes_.lowOf(cell.box));
     openHexahedron(cell.box, cell);
   }
   const std::size_t ofSlab = std::size_t(key) - firstOfSlab_;
@@ -593,7 +593,7 @@ void CellComplex::addSideOfHexahedron(std::uint32_t box, unsigned side, OpenCell
   Shaped face;
   for (const unsigned corner : cornersFromOutside(side))
   {
-    face.nodes.push_back(nodeOfCorner(boxes_.boxes[box], corner));
+    face.nodes.push_back(nodeOfCorner(box, corner));
   }
   face.cells = { keyOfHexahedron(box),
     other != None && n == None ? keyOfHexahedron(other) : CellKey(None) };
@@ -623,18 +623,17 @@ std::uint32_t CellComplex::knownFace(std::uint32_t box, std::uint32_t side) cons
   return at != given.end() && at->box == box && at->side == side ? firstGiven() + at->face : None;
 }
 
-std::uint32_t CellComplex::nodeOfCorner(const Box& box, unsigned corner)
+std::uint32_t CellComplex::nodeOfCorner(std::uint32_t box, unsigned corner)
 {
-  const auto b = static_cast<std::size_t>(&box - boxes_.boxes.data());
-  if (const std::uint32_t ordinal = sides_.ordinal[b]; ordinal != None)
+  if (const std::uint32_t ordinal = sides_.ordinal[box]; ordinal != None)
   {
     return nodes_.ofDivided[ordinal & ~Sides::HexahedronBit][corner];
   }
-  const auto& low = boxes_.globalOf(box).index;
+  const auto& low = boxes_.globalOf(boxes_.boxes[box]).index;
   const VertexNode at{ low[2] + (corner >> 2 & 1), low[1] + (corner >> 1 & 1),
     low[0] + (corner & 1), nextNode() };
   const std::size_t row = at.j + at.k * boxes_.planes[1].size();
-  const Point p = cornerOf(box, corner);
+  const Point p = cornerOf(boxes_.box(box), corner);
   const auto begin = nodes_.grid.begin();
   const auto end = begin + static_cast<std::ptrdiff_t>(nodes_.rowStart[row + 1]);
   const auto found =

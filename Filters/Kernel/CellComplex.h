@@ -9,6 +9,7 @@
 #pragma once
 
 #include "CellsToShape.h"
+#include "EdgeTable.h"
 #include "FaceJoining.h"
 #include "NumberedPoint.h"
 #include "PolyhedronCut.h"
@@ -187,9 +188,8 @@ private:
     };
     std::vector<Outer> faces;
     std::vector<std::uint32_t> corners;
-    std::vector<std::uint32_t> nodes; // each once
-    std::vector<NumberedPoint> places;
-    std::vector<std::uint32_t> numbers;
+    std::vector<NumberedPoint> places; // of nodes, each once
+    EdgeTable numberOf;                // of nodes: edges from them to themselves
     Polyhedron polyhedron;
     CellShape measures;
   };
@@ -248,7 +248,7 @@ private:
   void addSideOfHexahedron(std::uint32_t box, unsigned side, OpenCell& cell);
   std::uint32_t knownFace(std::uint32_t box, std::uint32_t side) const;
   void numberNodes(const Point& origin, CellView& view) const;
-  std::uint32_t nodeOfCorner(const Box& box, unsigned corner);
+  std::uint32_t nodeOfCorner(std::uint32_t box, unsigned corner);
 
   bool hasEdge(const FaceUse& use, std::uint32_t u, std::uint32_t v) const;
   std::vector<CellKey> cellsAround(CellKey key, std::uint32_t u, std::uint32_t v);
@@ -323,8 +323,7 @@ void CellComplex::forEachFace(CellKey key, Visitor&& visit) const
 
 inline CellComplex::FaceNodes CellComplex::nodesOf(std::uint32_t face) const
 {
-  const auto nodes = [](const std::vector<std::size_t>& start,
-                       const std::vector<std::uint32_t>& corners, std::uint32_t f) {
+  const auto nodes = [](const auto& start, const auto& corners, std::uint32_t f) {
     return FaceNodes{ corners.data() + start[f], start[f + 1] - start[f] };
   };
   if (isPatch(face))

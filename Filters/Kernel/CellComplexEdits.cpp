@@ -173,7 +173,7 @@ void CellComplex::setCell(const FaceUse& use, CellKey key)
 
 Point CellComplex::placeOfPoint(CellKey key, const CellCut::Point& point) const
 {
-  const Point& origin = boxes_.boxes[boxOf(key)].low;
+  const Point origin = boxes_.lowOf(boxOf(key));
   Point place;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -261,7 +261,7 @@ bool CellComplex::losesStar(
 {
   std::vector<std::uint32_t> ring;
   forEachNodeOf(use, [&](std::uint32_t node) { ring.push_back(node); });
-  const Point& origin = boxes_.boxes[boxOf(key)].low;
+  const Point origin = boxes_.lowOf(boxOf(key));
   Polyhedron face;
   bool divided = false;
   for (std::size_t i = 0; i < ring.size(); ++i)

@@ -151,7 +151,7 @@ private:
         polyhedron.clear();
         for (const FaceUse& use : cell.faces)
         {
-          slab.addFaceTo(polyhedron, use, whole_.boxes.boxes[cell.box].low);
+          slab.addFaceTo(polyhedron, use, whole_.boxes.lowOf(cell.box));
         }
         cartesian::measure(polyhedron, measures);
         changed_[i].volume = measures.volume;
@@ -382,7 +382,7 @@ private:
       return;
     }
     const Cells& old = whole_.cells;
-    const Box& box = whole_.boxes.boxes[open.box];
+    const Box box = whole_.boxes.box(open.box);
     const Vector size = minus(box.high, box.low);
     Cell cell;
     cell.box = open.box;

@@ -69,7 +69,7 @@ void CellComplex::lookAtChanged()
 void CellComplex::noteSights(
   CellKey key, const CellShape& measures, Sights& given, Sights& ofShaped) const
 {
-  const Point& origin = boxes_.boxes[boxOf(key)].low;
+  const Point origin = boxes_.lowOf(boxOf(key));
   std::size_t i = 0;
   forEachFace(key, [&](const FaceUse& use) {
     const FaceShape& face = measures.faces[i++];

@@ -169,16 +169,28 @@ private:
 
   void addFace(const FaceRef& face)
   {
+    const bool patch = face.kind() == FaceRef::Kind::Patch;
+    const std::size_t* const at = (patch ? patches_.start : inner_.start).data() + face.index;
+    const std::uint32_t* const nodes = (patch ? patches_.corners : inner_.nodes).data();
+    const std::size_t before = corners_.size();
+    corners_.resize(before + (at[1] - at[0]));
+    const auto to = corners_.begin() + static_cast<std::ptrdiff_t>(before);
+    if (face.turned())
+    {
+      std::reverse_copy(nodes + at[0], nodes + at[1], to);
+    }
+    else
+    {
+      std::copy(nodes + at[0], nodes + at[1], to);
+    }
     faces_.push_back(face);
-    forEachNode(
-      face, patches_, inner_, none_, [&](std::uint32_t node) { corners_.push_back(node); });
     start_.push_back(corners_.size());
   }
 
   // Finds the volumes once faces are joined.
   void separate(std::size_t n)
   {
-    measureFaces(boxes_.boxes[sides_.polyhedral[n]]);
+    measureFaces(boxes_.lowOf(sides_.polyhedral[n]));
     findShells();
     voids_ = fillVoids();
     folds_ = dropFolds();
@@ -357,7 +369,7 @@ private:
     }
   }
 
-  void measureFaces(const Box& box)
+  void measureFaces(const Point& origin)
   {
     measures_.clear();
     for (std::size_t f = 0; f < faces_.size(); ++f)
@@ -366,7 +378,7 @@ private:
       Vector mean{ 0, 0, 0 };
       for (const std::uint32_t node : cornersOf(f))
       {
-        ring_.push_back(minus(nodes_.at[node], box.low));
+        ring_.push_back(minus(nodes_.at[node], origin));
         mean = plus(mean, ring_.back());
       }
       for (double& x : mean)
@@ -602,7 +614,7 @@ private:
 
   void emit(std::uint32_t boxIndex, const CellSpec& spec, Part& part)
   {
-    const Box& box = boxes_.boxes[boxIndex];
+    const Box box = boxes_.box(boxIndex);
     const Vector size = minus(box.high, box.low);
     for (const Shell& shell : shells_)
     {
@@ -672,7 +684,6 @@ private:
   const Sides& sides_;
   const Nodes& nodes_;
   const InnerFaces& inner_;
-  const ShapedFaces none_;
   std::vector<FaceRef> faces_;
   std::vector<std::size_t> start_; // first corner of each face, and the end
   std::vector<std::uint32_t> corners_;

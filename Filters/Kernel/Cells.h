@@ -134,7 +134,7 @@ template <class Visitor>
 void forEachNode(const FaceRef& face, const Patches& patches, const InnerFaces& inner,
   const ShapedFaces& shaped, Visitor&& visit)
 {
-  const auto run = [&](const std::vector<std::size_t>& start, const auto& nodes) {
+  const auto run = [&](const auto& start, const auto& nodes) {
     const std::size_t begin = start[face.index];
     const std::size_t end = start[face.index + 1];
     for (std::size_t i = begin; i < end; ++i)

@@ -20,9 +20,14 @@ constexpr double RoundingOfLevels = 1e-5;
 // The odd level around x if x is surely not within `error` of an even level, else 0.
 Level oddLevelIfSure(double x, double error)
 {
+  constexpr double BeyondLevels = 4294967296.0;
+  if (!(x >= 0 && x < BeyondLevels))
+  {
+    return 0;
+  }
   const double half = x * 0.5;
-  const double below = std::floor(half);
-  const double fraction = (half - below) * 2;
+  const auto below = static_cast<std::int64_t>(half);
+  const double fraction = (half - static_cast<double>(below)) * 2;
   return fraction > error && fraction < 2 - error ? static_cast<Level>(2 * below) + 1 : 0;
 }
 

@@ -1,5 +1,5 @@
-// A number for each edge between two nodes, and for each of its two sides: a table with open addressing
-// that keeps its storage from use to use.
+// A number for each edge between two nodes (or for a node: from it to itself), and for each of its two
+// sides: a table with open addressing that keeps its storage from use to use.
 #pragma once
 
 #include <algorithm>

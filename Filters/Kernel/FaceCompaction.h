@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Execution.h"
+#include "RawVector.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -16,8 +17,8 @@ template <class WhatIsLeft, class Move>
 class FaceCompaction
 {
 public:
-  FaceCompaction(std::vector<std::size_t>& groupStart, std::vector<std::size_t>& start,
-    std::vector<std::uint32_t>& corners, const WhatIsLeft& whatIsLeft, const Move& move)
+  FaceCompaction(std::vector<std::size_t>& groupStart, RawVector<std::size_t>& start,
+    RawVector<std::uint32_t>& corners, const WhatIsLeft& whatIsLeft, const Move& move)
     : groupStart_(groupStart)
     , start_(start)
     , corners_(corners)
@@ -122,8 +123,8 @@ private:
   }
 
   std::vector<std::size_t>& groupStart_;
-  std::vector<std::size_t>& start_;
-  std::vector<std::uint32_t>& corners_;
+  RawVector<std::size_t>& start_;
+  RawVector<std::uint32_t>& corners_;
   const WhatIsLeft& whatIsLeft_;
   const Move& move_;
   std::size_t groups_;
@@ -132,8 +133,8 @@ private:
 // whatIsLeft(begin, end, ring) puts the corners that a face keeps into `ring`: fewer than three, and it
 // goes. Calls move(from, to) for what else belongs to a face that stays; from several threads.
 template <class WhatIsLeft, class Move>
-void compactFaces(std::vector<std::size_t>& groupStart, std::vector<std::size_t>& start,
-  std::vector<std::uint32_t>& corners, const WhatIsLeft& whatIsLeft, const Move& move,
+void compactFaces(std::vector<std::size_t>& groupStart, RawVector<std::size_t>& start,
+  RawVector<std::uint32_t>& corners, const WhatIsLeft& whatIsLeft, const Move& move,
   Execution& execution)
 {
   FaceCompaction<WhatIsLeft, Move>(groupStart, start, corners, whatIsLeft, move).run(execution);

@@ -15,8 +15,8 @@ namespace cartesian
 
 struct InnerFaces
 {
-  std::vector<std::size_t> start;     // first node of each face, and the end
-  std::vector<std::uint32_t> nodes;   // counter-clockwise seen from above the side
+  RawVector<std::size_t> start;       // first node of each face, and the end
+  RawVector<std::uint32_t> nodes;     // counter-clockwise seen from above the side
   std::vector<std::size_t> sideStart; // first face of each side, and the end
   std::vector<std::uint8_t> flawed;   // 1: the surface has a hole at this side, it has no faces
 

@@ -83,7 +83,7 @@ void LoopPatches::linkChords()
 void LoopPatches::add(std::uint32_t n, Patches& result)
 {
   gatherChords(n);
-  const Box& box = boxes_.boxes[sides_.polyhedral[n]];
+  const Box box = boxes_.box(sides_.polyhedral[n]);
   listBoxNodes();
   listLoopNodes(box);
   listSources(n);

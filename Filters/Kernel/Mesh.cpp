@@ -47,16 +47,23 @@ Mesh::Mesh(const MeshParts& parts, Execution& execution)
   failures_ = countFailures(parts_, numbers_, boundary_, execution);
 }
 
-void Mesh::distinctPoints(std::size_t cell, std::vector<Id>& points) const
+// In no order. Once its part of the face stream is known: there are fewer.
+void Mesh::listPoints(std::size_t cell, CellPoints& points) const
 {
-  points.clear();
+  points.points.clear();
+  points.seen.reset(cellSizes_[cell].faceStream);
   const Cells& cells = parts_.cells;
   for (std::size_t f = cells.cells[cell].firstFace; f < cells.cells[cell + 1].firstFace; ++f)
   {
-    forEachPoint(cells.faces[f], [&](Id point) { points.push_back(point); });
+    forEachPoint(cells.faces[f], [&](Id id) {
+      const auto point = static_cast<std::uint32_t>(id);
+      if (std::uint32_t& seen = points.seen.at(point, point); seen == EdgeTable::Fresh)
+      {
+        seen = 0;
+        points.points.push_back(id);
+      }
+    });
   }
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
 }
 
 void Mesh::measureCells(Execution& execution)
@@ -66,15 +73,13 @@ void Mesh::measureCells(Execution& execution)
   const std::size_t first = numbers_.coreBegin;
   execution.nextLoop(0.4);
   execution.forEach(numbers_.coreEnd - first, CellsAChunk, [&](std::size_t begin, std::size_t end) {
-    std::vector<Id> points;
+    CellPoints points;
     for (std::size_t c = first + begin; c < first + end; ++c)
     {
       if (cells.cells[c].removed)
       {
         continue;
       }
-      distinctPoints(c, points);
-      cellSizes_[c].points = static_cast<std::uint32_t>(points.size());
       std::uint32_t stream = 1;
       for (std::size_t f = cells.cells[c].firstFace; f < cells.cells[c + 1].firstFace; ++f)
       {
@@ -82,6 +87,8 @@ void Mesh::measureCells(Execution& execution)
         forEachPoint(cells.faces[f], [&](Id) { ++stream; });
       }
       cellSizes_[c].faceStream = stream;
+      listPoints(c, points);
+      cellSizes_[c].points = static_cast<std::uint32_t>(points.points.size());
     }
   });
 }
@@ -119,7 +126,10 @@ void Mesh::placeRows()
   rows_.push_back(sum);
 }
 
-std::array<Id, 8> Mesh::corners(std::size_t box) const
+// numberOf(line, i): of the vertex i of the global mesh on one of the box's four lines along x (their
+// y + 2 z); of a box that is not divided.
+template <class NumberOf>
+std::array<Id, 8> Mesh::corners(std::size_t box, NumberOf&& numberOf) const
 {
   std::array<Id, 8> p;
   const std::uint32_t ordinal = parts_.sides.ordinal[box];
@@ -132,12 +142,11 @@ std::array<Id, 8> Mesh::corners(std::size_t box) const
     }
     return p;
   }
-  const auto& at = parts_.boxes.globalOf(parts_.boxes.boxes[box]).index;
-  for (std::uint32_t corner = 0; corner < 8; corner += 2)
+  const std::uint32_t i = parts_.boxes.globalOf(parts_.boxes.boxes[box]).index[0];
+  for (std::uint32_t line = 0; line < 4; ++line)
   {
-    p[corner] =
-      static_cast<Id>(points_.ofVertex(at[0], at[1] + (corner >> 1 & 1), at[2] + (corner >> 2)));
-    p[corner + 1] = p[corner] + 1;
+    p[2 * line] = static_cast<Id>(numberOf(line, i));
+    p[2 * line + 1] = p[2 * line] + 1;
   }
   return p;
 }
@@ -203,25 +212,31 @@ void Mesh::writeCells(const CellArrays& arrays, Execution& execution) const
   const std::size_t rows = boxes.row(0, boxes.core.end) - first;
   execution.nextLoop(0.6);
   execution.forEach(rows, RowsAChunk, [&](std::size_t begin, std::size_t end) {
-    std::vector<Id> scratch;
+    CellPoints points;
     for (std::size_t row = first + begin; row < first + end; ++row)
     {
-      writeRow(row, arrays, scratch);
+      writeRow(row, arrays, points);
     }
   });
   arrays.offsets[cellCount()] = connectivitySize();
 }
 
-void Mesh::writeRow(std::size_t row, const CellArrays& arrays, std::vector<Id>& scratch) const
+void Mesh::writeRow(std::size_t row, const CellArrays& arrays, CellPoints& points) const
 {
   RowOffsets at = rows_[row];
+  const std::size_t rowLength = parts_.boxes.planes[1].size();
+  const std::size_t line = row + row / (rowLength - 1); // the row of points of its lower vertices
+  std::array<PointNumbers::Walk, 4> lines{ PointNumbers::Walk(points_, line),
+    PointNumbers::Walk(points_, line + 1), PointNumbers::Walk(points_, line + rowLength),
+    PointNumbers::Walk(points_, line + rowLength + 1) };
   for (std::size_t b = firstBoxOfRow(row); b < firstBoxOfRow(row + 1); ++b)
   {
     std::size_t id = numbers_.ofBox[b];
     const std::uint32_t n = parts_.sides.polyhedralOrdinal(static_cast<std::uint32_t>(b));
     if (n == None)
     {
-      const std::array<Id, 8> p = corners(b);
+      const std::array<Id, 8> p =
+        corners(b, [&](std::uint32_t l, std::uint32_t i) { return lines[l].ofVertex(i); });
       constexpr std::array<int, 8> order = { 0, 1, 3, 2, 4, 5, 7, 6 };
       for (int i = 0; i < 8; ++i)
       {
@@ -239,8 +254,9 @@ void Mesh::writeRow(std::size_t row, const CellArrays& arrays, std::vector<Id>& 
       {
         continue;
       }
-      distinctPoints(c, scratch);
-      std::copy(scratch.begin(), scratch.end(), arrays.connectivity + at.connectivity);
+      listPoints(c, points);
+      std::sort(points.points.begin(), points.points.end());
+      std::copy(points.points.begin(), points.points.end(), arrays.connectivity + at.connectivity);
       writeFaces(c, arrays.faceStream + at.faceStream);
       arrays.offsets[id] = at.connectivity;
       arrays.types[id] = arrays.polyhedron;
@@ -268,7 +284,7 @@ void Mesh::writeFaces(std::size_t cell, Id* stream) const
 
 void Mesh::writeCellData(const CellData& data, Execution& execution) const
 {
-  const auto write = [&](std::size_t id, const Box& box, double fraction) {
+  const auto write = [&](std::size_t id, const PackedBox& box, double fraction) {
     for (int axis = 0; axis < 3; ++axis)
     {
       data.globalBox[3 * id + axis] = static_cast<int>(parts_.boxes.globalOf(box).index[axis]);
@@ -332,7 +348,11 @@ void Mesh::forEachPoint(const BoundaryFace& face, Visitor&& visit) const
       break;
     case BoundaryFace::Kind::BoxSide:
     {
-      const std::array<Id, 8> p = corners(face.index / 6);
+      const std::size_t box = face.index / 6;
+      const auto& at = parts_.boxes.globalOf(parts_.boxes.boxes[box]).index;
+      const std::array<Id, 8> p = corners(box, [&](std::uint32_t line, std::uint32_t i) {
+        return points_.ofVertex(i, at[1] + (line & 1), at[2] + (line >> 1));
+      });
       const bool upper = face.index % 2 == 1;
       const std::array<unsigned, 4> side =
         sideCorners(static_cast<int>(face.index % 6 / 2), upper ? 1 : 0);

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "CellConditions.h"
+#include "EdgeTable.h"
 #include "PointNumbers.h"
 
 #include <memory>
@@ -89,20 +90,28 @@ private:
     std::uint32_t faceStream = 0;
   };
 
+  // The points of one cell, each once. Kept from cell to cell for its memory.
+  struct CellPoints
+  {
+    EdgeTable seen; // from a point to itself
+    std::vector<Id> points;
+  };
+
   template <class VertexVisitor, class NodeVisitor>
   void forEachPoint(
     VertexVisitor&& visitVertex, NodeVisitor&& visitNode, Execution& execution) const;
   void measureCells(Execution& execution);
   void placeRows();
 
-  std::array<Id, 8> corners(std::size_t box) const;
+  template <class NumberOf>
+  std::array<Id, 8> corners(std::size_t box, NumberOf&& numberOf) const;
   std::size_t firstBoxOfRow(std::size_t row) const
   {
     return parts_.boxes.globals[parts_.boxes.rowStart[row]].firstBox;
   }
-  void writeRow(std::size_t row, const CellArrays& arrays, std::vector<Id>& scratch) const;
+  void writeRow(std::size_t row, const CellArrays& arrays, CellPoints& points) const;
   void writeFaces(std::size_t cell, Id* stream) const;
-  void distinctPoints(std::size_t cell, std::vector<Id>& points) const;
+  void listPoints(std::size_t cell, CellPoints& points) const;
 
   template <class Visitor>
   void forEachPoint(const FaceRef& face, Visitor&& visit) const;

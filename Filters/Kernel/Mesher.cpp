@@ -4,6 +4,7 @@
 #include "Error.h"
 #include "ShortEdges.h"
 #include "Vector.h"
+#include "WarpedHexahedra.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,7 @@ std::string places(const Boxes& boxes, const std::vector<std::uint32_t>& which)
   std::string text;
   for (std::size_t i = 0; i < std::min(which.size(), MostPlaces); ++i)
   {
-    const Box& box = boxes.boxes[which[i]];
+    const Box box = boxes.box(which[i]);
     const auto& global = boxes.globalOf(box).index;
     text += "\n  in global box " + std::to_string(global[0]) + ", " + std::to_string(global[1]) +
       ", " + std::to_string(global[2]) + ", from " + position(boxes.lattice, box.low) + " to " +
@@ -299,7 +300,7 @@ bool Assembly::keepTurned(std::vector<std::uint8_t>& keeps, const Cells& cells) 
   bool any = false;
   for (std::size_t n = 0; n < keeps.size(); ++n)
   {
-    const Box& box = boxes_.boxes[sides_.polyhedral[n]];
+    const Box box = boxes_.box(sides_.polyhedral[n]);
     const Vector size = minus(box.high, box.low);
     const double height = *std::min_element(size.begin(), size.end());
     const auto first = cells.cells.begin();
@@ -352,6 +353,7 @@ void Assembly::collapse(
       findInnerFaces(execution);
     }
   }
+  nodes_.warped = warpedHexahedra(boxes_, sides_, nodes_, execution);
 }
 
 std::size_t Assembly::rebuiltBoxes() const

@@ -185,6 +185,18 @@ void checkGrid(const GridSpec& spec, const Bounds& surface, double mostBytes)
 
 std::int64_t intervalOf(const std::vector<Level>& lines, Level level)
 {
+  // Most meshlines are evenly spaced: it is there or next to it.
+  if (!lines.empty() && level >= lines.front() && level < lines.back())
+  {
+    const std::uint64_t part = std::uint64_t(level - lines.front()) * (lines.size() - 1);
+    auto guess = static_cast<std::size_t>(part / (lines.back() - lines.front()));
+    guess -= level < lines[guess] ? 1 : 0;
+    guess += level >= lines[guess + 1] ? 1 : 0;
+    if (level >= lines[guess] && level < lines[guess + 1])
+    {
+      return static_cast<std::int64_t>(guess);
+    }
+  }
   return std::upper_bound(lines.begin(), lines.end(), level) - lines.begin() - 1;
 }
 

@@ -46,7 +46,7 @@ public:
   {
     const std::size_t u = (side.axis + 1u) % 3;
     const std::size_t v = (side.axis + 2u) % 3;
-    FinePoint corner = side.corner;
+    FinePoint corner{ side.corner[0], side.corner[1], side.corner[2] };
     addLine(corner, u, side.size[0], true, global, border);
     corner[u] += side.size[0];
     addLine(corner, v, side.size[1], true, global, border);
@@ -117,7 +117,7 @@ Part hexahedraOf(const Boxes& boxes, const Sides& sides, std::size_t begin, std:
   ChunkNodes list(boxes, part.uses);
   for (std::size_t n = begin; n < end; ++n)
   {
-    const Box& box = boxes.boxes[sides.divided[n]];
+    const PackedBox& box = boxes.boxes[sides.divided[n]];
     for (unsigned corner = 0; corner < 8; ++corner)
     {
       FinePoint fine = boxes.fineLow(box);

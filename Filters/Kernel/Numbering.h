@@ -37,7 +37,7 @@ inline std::size_t pointRows(const Meshlines& planes)
 struct Numbering
 {
   std::vector<Point> points;         // distinct
-  std::vector<std::uint32_t> ofSlot; // id of each slot's point
+  RawVector<std::uint32_t> ofSlot;   // id of each slot's point
   std::vector<std::size_t> rowStart; // first id of each row, and the end
 };
 

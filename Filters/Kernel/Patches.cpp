@@ -104,10 +104,11 @@ public:
     else
     {
       tying_.tie(b, piece);
-      simplification_.begin(boxes_.boxes[b], piece.points);
+      const Box box = boxes_.box(b);
+      simplification_.begin(box, piece.points);
       if (reasons_[b] == PatchReason::MarchingCubes)
       {
-        addTriangles(boxes_.boxes[b], piece);
+        addTriangles(box, piece);
       }
       else
       {
@@ -223,7 +224,7 @@ private:
   }
 
   // Turns the box's own numbers of corners into slots, leaving out points that no polygon kept.
-  void giveSlots(const Box& box, const std::vector<Point>& points, std::size_t firstCorner)
+  void giveSlots(const PackedBox& box, const std::vector<Point>& points, std::size_t firstCorner)
   {
     slot_.assign(points.size(), None);
     for (std::size_t c = firstCorner; c < part_.corners.size(); ++c)
@@ -333,7 +334,7 @@ void cutPieces(const Surface& surface, const Features& features, const Boxes& bo
   BoxSurface piece;
   for (std::size_t n = begin; n < end; ++n)
   {
-    const Box& box = boxes.boxes[intersected[n]];
+    const Box box = boxes.box(intersected[n]);
     const auto& global = boxes.globalOf(box).index;
     const auto [first, last] = shoeboxes.triangles(boxes.row(global[1], global[2]), global[0]);
     cutter.cut(box, first, last, piece);

@@ -13,13 +13,13 @@ namespace cartesian
 // shared by two polygons (by an even number at non-manifold places).
 struct Patches
 {
-  std::vector<Point> points;           // distinct
-  std::vector<std::size_t> start;      // first corner of each polygon, and the end
-  std::vector<std::uint32_t> corners;  // ids of points
-  std::vector<std::uint32_t> triangle; // of the surface, that each polygon comes from
-  std::vector<std::int32_t> boundary;  // boundary index of each polygon
-  std::vector<std::size_t> boxStart;   // first polygon of the n-th intersected box, and the end
-  std::vector<PatchReason> reason;     // of the n-th intersected box
+  std::vector<Point> points;         // distinct
+  RawVector<std::size_t> start;      // first corner of each polygon, and the end
+  RawVector<std::uint32_t> corners;  // ids of points
+  RawVector<std::uint32_t> triangle; // of the surface, that each polygon comes from
+  RawVector<std::int32_t> boundary;  // boundary index of each polygon
+  std::vector<std::size_t> boxStart; // first polygon of the n-th intersected box, and the end
+  std::vector<PatchReason> reason;   // of the n-th intersected box
 
   std::size_t size() const { return triangle.size(); }
 };

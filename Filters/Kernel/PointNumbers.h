@@ -31,6 +31,26 @@ public:
     return static_cast<std::uint32_t>(rowStart_[j + k * rowLength_] + vertices_.place(i, j, k));
   }
 
+  // The same in the row j + k * (planes along y), for vertices that come in order.
+  class Walk
+  {
+  public:
+    Walk(const PointNumbers& numbers, std::size_t row)
+      : first_(numbers.rowStart_[row])
+      , places_(numbers.vertices_, row)
+    {
+    }
+
+    std::uint32_t ofVertex(std::uint32_t i)
+    {
+      return static_cast<std::uint32_t>(first_ + places_.place(i));
+    }
+
+  private:
+    std::size_t first_;
+    VertexRows::Walk places_;
+  };
+
   // Calls visit(number, i) for the used vertices of the row j + k * (planes along y), in order.
   template <class Visitor>
   void forEachVertex(std::size_t row, Visitor&& visit) const

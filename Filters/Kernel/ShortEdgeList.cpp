@@ -51,12 +51,12 @@ private:
     {
       return 1e300;
     }
-    const Vector size = minus(faces_.boxes.boxes[box].high, faces_.boxes.boxes[box].low);
+    const Box whole = faces_.boxes.box(box);
+    const Vector size = minus(whole.high, whole.low);
     return std::min({ size[0], size[1], size[2] });
   }
 
-  template <class Range>
-  void addShortEdges(const Range& start, const std::vector<std::uint32_t>& corners,
+  void addShortEdges(const RawVector<std::size_t>& start, const RawVector<std::uint32_t>& corners,
     std::size_t face, double unit, std::vector<ShortEdge>& edges) const
   {
     const double most = 2 * ratio_ * unit; // moves may shorten an edge
@@ -81,17 +81,18 @@ private:
       return;
     }
     const std::uint32_t box = faces_.sides.polyhedral[n];
+    const double shortest = shortestEdge(box);
     if (const std::uint32_t cut = faces_.sides.patchBox[n]; cut != None)
     {
       for (std::size_t p = faces_.patches.boxStart[cut]; p < faces_.patches.boxStart[cut + 1]; ++p)
       {
-        addShortEdges(faces_.patches.start, faces_.patches.corners, p, shortestEdge(box), edges);
+        addShortEdges(faces_.patches.start, faces_.patches.corners, p, shortest, edges);
       }
     }
     for (std::size_t s = faces_.sides.ownStart[n]; s < faces_.sides.ownStart[n + 1]; ++s)
     {
       const Side& side = faces_.sides.sides[s];
-      const double unit = std::min(shortestEdge(side.low), shortestEdge(side.high));
+      const double unit = std::min(shortest, shortestEdge(side.low == box ? side.high : side.low));
       for (std::size_t f = faces_.inner.sideStart[s]; f < faces_.inner.sideStart[s + 1]; ++f)
       {
         addShortEdges(faces_.inner.start, faces_.inner.nodes, f, unit, edges);

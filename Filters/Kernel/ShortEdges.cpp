@@ -5,7 +5,6 @@
 #include "Slabs.h"
 #include "Sorting.h"
 #include "Vector.h"
-#include "WarpedHexahedra.h"
 
 #include <algorithm>
 #include <cmath>
@@ -787,15 +786,6 @@ private:
     {
       nodes_.at[slot.node] = slots_[slot.into].at;
     }
-    std::vector<std::uint32_t> moved;
-    for (std::size_t i = 0; i < nodes_.grid.size(); ++i)
-    {
-      if (!areSame(nodes_.at[nodes_.patchPoints + i], nodes_.grid[i]))
-      {
-        moved.push_back(static_cast<std::uint32_t>(nodes_.patchPoints + i));
-      }
-    }
-    nodes_.warped = warpedHexahedra(boxes_, sides_, nodes_, moved, execution_);
   }
 
   const Boxes& boxes_;

@@ -111,12 +111,19 @@ Rectangle SideChords::rectangle(std::size_t s) const
   for (const bool upper : { true, false })
   {
     const std::uint32_t b = upper ? side.low : side.high;
-    const std::array<unsigned, 4> corners = sideCorners(side.axis, upper ? 1 : 0);
-    for (std::size_t i = 0; b != None && i < 4; ++i)
+    if (b == None)
     {
-      const Box& box = boxes_.boxes[b];
-      const Flat p = flatten(cornerOf(box, corners[i]), side.axis);
-      if (p.a == at[i].a && p.b == at[i].b)
+      continue;
+    }
+    const PackedBox& box = boxes_.boxes[b];
+    const std::array<unsigned, 4> corners = sideCorners(side.axis, upper ? 1 : 0);
+    const auto isAt = [&](unsigned corner, const Flat& place) {
+      const Flat p = flatten(cornerOf(boxes_.placed(box), corner), side.axis);
+      return p.a == place.a && p.b == place.b;
+    };
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      if (boxes_.globalOf(box).nearDepth == 0 || isAt(corners[i], at[i]))
       {
         r.corner[i] = (box.corners >> corners[i] & 1) != 0 ? Known::Inside : Known::Outside;
       }

@@ -12,7 +12,7 @@ namespace
 
 constexpr std::size_t BoxesAChunk = 512;
 
-bool hasHangingNodes(const Boxes& boxes, const Box& box, std::vector<std::int64_t>& scratch)
+bool hasHangingNodes(const Boxes& boxes, const PackedBox& box, std::vector<std::int64_t>& scratch)
 {
   if (boxes.globalOf(box).nearDepth == 0)
   {
@@ -50,7 +50,7 @@ bool hasHangingNodes(const Boxes& boxes, const Box& box, std::vector<std::int64_
 template <class Visitor>
 void forEachPart(const Boxes& boxes, std::uint32_t b, int axis, bool upper, Visitor&& visit)
 {
-  const Box& box = boxes.boxes[b];
+  const PackedBox& box = boxes.boxes[b];
   const int u = (axis + 1) % 3;
   const int v = (axis + 2) % 3;
   const std::array<std::uint32_t, 4> across = facing(boxes, box, axis, upper);
@@ -80,9 +80,11 @@ void forEachPart(const Boxes& boxes, std::uint32_t b, int axis, bool upper, Visi
     side.low = upper ? b : across[quarter];
     side.high = upper ? across[quarter] : b;
     side.axis = static_cast<std::uint8_t>(axis);
-    side.corner = corner;
-    side.corner[u] += left ? 0 : halfU;
-    side.corner[v] += lower ? 0 : halfV;
+    FinePoint low = corner;
+    low[u] += left ? 0 : halfU;
+    low[v] += lower ? 0 : halfV;
+    side.corner = { static_cast<std::uint32_t>(low[0]), static_cast<std::uint32_t>(low[1]),
+      static_cast<std::uint32_t>(low[2]) };
     side.size[0] = static_cast<std::uint8_t>(wide ? Boxes::fineSize(box, u) : halfU);
     side.size[1] = static_cast<std::uint8_t>(tall ? Boxes::fineSize(box, v) : halfV);
     visit(across[quarter], side);
@@ -106,36 +108,59 @@ void forEachOwnSide(const Boxes& boxes, const Sides& sides, std::uint32_t b, Vis
   }
 }
 
-// How many boxes there are of each kind, and before a chunk of them.
-struct Kinds
+enum class Kind : std::uint8_t
+{
+  Hexahedron,
+  DividedHexahedron,
+  Polyhedral,
+  Intersected, // polyhedral too
+};
+
+Kind kindOf(const Boxes& boxes, const PackedBox& box, std::vector<std::int64_t>& scratch)
+{
+  if (box.status == BoxStatus::Intersected)
+  {
+    return Kind::Intersected;
+  }
+  if (boxes.units.empty()) // no box is divided
+  {
+    return Kind::Hexahedron;
+  }
+  if (hasHangingNodes(boxes, box, scratch))
+  {
+    return Kind::Polyhedral;
+  }
+  const bool divided = (box.level[0] | box.level[1] | box.level[2]) != 0;
+  return divided ? Kind::DividedHexahedron : Kind::Hexahedron;
+}
+
+// How many boxes there are before a chunk of them.
+struct Before
 {
   std::uint32_t polyhedral = 0;
   std::uint32_t intersected = 0;
-  std::uint32_t divided = 0; // of the others
-};
+  std::uint32_t divided = 0; // hexahedra
 
-bool isDivided(const Box& box)
-{
-  return (box.level[0] | box.level[1] | box.level[2]) != 0;
-}
+  void count(Kind kind)
+  {
+    polyhedral += kind >= Kind::Polyhedral ? 1 : 0;
+    intersected += kind == Kind::Intersected ? 1 : 0;
+    divided += kind == Kind::DividedHexahedron ? 1 : 0;
+  }
+};
 
 void classify(const Boxes& boxes, Sides& result, Execution& execution)
 {
   const std::size_t count = boxes.boxes.size();
-  RawVector<std::uint8_t> polyhedral(count);
-  std::vector<Kinds> before(chunks(count, BoxesAChunk) + 1);
+  RawVector<Kind> kinds(count);
+  std::vector<Before> before(chunks(count, BoxesAChunk) + 1);
   execution.nextLoop(0.1);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     std::vector<std::int64_t> scratch;
-    Kinds& kinds = before[begin / BoxesAChunk + 1];
     for (std::size_t b = begin; b < end; ++b)
     {
-      const Box& box = boxes.boxes[b];
-      const bool intersected = box.status == BoxStatus::Intersected;
-      polyhedral[b] = intersected || hasHangingNodes(boxes, box, scratch) ? 1 : 0;
-      kinds.polyhedral += polyhedral[b];
-      kinds.intersected += intersected ? 1 : 0;
-      kinds.divided += polyhedral[b] == 0 && isDivided(box) ? 1 : 0;
+      kinds[b] = kindOf(boxes, boxes.boxes[b], scratch);
+      before[begin / BoxesAChunk + 1].count(kinds[b]);
     }
   });
   for (std::size_t i = 0; i + 1 < before.size(); ++i)
@@ -149,23 +174,23 @@ void classify(const Boxes& boxes, Sides& result, Execution& execution)
   result.patchBox.resize(before.back().polyhedral);
   result.divided.resize(before.back().divided);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
-    Kinds next = before[begin / BoxesAChunk];
+    Before next = before[begin / BoxesAChunk];
     for (std::size_t b = begin; b < end; ++b)
     {
-      const Box& box = boxes.boxes[b];
+      const Kind kind = kinds[b];
       result.ordinal[b] = None;
-      if (polyhedral[b])
+      if (kind >= Kind::Polyhedral)
       {
         result.ordinal[b] = next.polyhedral;
         result.polyhedral[next.polyhedral] = static_cast<std::uint32_t>(b);
-        result.patchBox[next.polyhedral++] =
-          box.status == BoxStatus::Intersected ? next.intersected++ : None;
+        result.patchBox[next.polyhedral] = kind == Kind::Intersected ? next.intersected : None;
       }
-      else if (isDivided(box))
+      else if (kind == Kind::DividedHexahedron)
       {
         result.ordinal[b] = next.divided | Sides::HexahedronBit;
-        result.divided[next.divided++] = static_cast<std::uint32_t>(b);
+        result.divided[next.divided] = static_cast<std::uint32_t>(b);
       }
+      next.count(kind);
     }
   });
 }

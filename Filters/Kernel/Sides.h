@@ -10,18 +10,25 @@ namespace cartesian
 // The rectangle that two neighbouring boxes share; its normal points from low to high.
 struct Side
 {
-  std::uint32_t low;                // box below the plane, or None
-  std::uint32_t high;               // box above, or None
-  FinePoint corner;                 // the rectangle's lowest corner
-  std::array<std::uint8_t, 2> size; // fine, along the two other axes in cyclic order
+  std::uint32_t low;                   // box below the plane, or None
+  std::uint32_t high;                  // box above, or None
+  std::array<std::uint32_t, 3> corner; // the rectangle's lowest corner, fine
+  std::array<std::uint8_t, 2> size;    // fine, along the two other axes in cyclic order
   std::uint8_t axis;
 };
 
 // A side of a box, and which of its two boxes it is.
 struct SideOfBox
 {
-  std::uint32_t side;
-  bool upper; // the box is the side's lower one: the side is on top of it
+  std::uint32_t side : 31;
+  std::uint32_t upper : 1; // the box is the side's lower one: the side is on top of it
+
+  SideOfBox() = default;
+  SideOfBox(std::uint32_t s, bool up)
+    : side(s & 0x7fffffffu)
+    , upper(up ? 1 : 0)
+  {
+  }
 };
 
 // Boxes with a part of the surface in them or with hanging nodes on them become polyhedra. Their
@@ -39,7 +46,7 @@ struct Sides
   RawVector<Side> sides;
   std::vector<std::size_t> ownStart; // first side that each polyhedral box owns, and the end
   std::vector<std::size_t> boxStart; // first of each polyhedral box's sides in ofBox, and the end
-  std::vector<SideOfBox> ofBox;
+  RawVector<SideOfBox> ofBox;
 
   // The number among the polyhedral boxes, or None.
   std::uint32_t polyhedralOrdinal(std::uint32_t box) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Execution.h"
+#include "RawVector.h"
 
 #include <algorithm>
 #include <atomic>
@@ -28,7 +29,7 @@ template <class Item>
 struct Buckets
 {
   std::vector<std::size_t> start; // of each bucket, and the end of the last
-  std::vector<Item> items;        // sorted within each bucket
+  RawVector<Item> items;          // sorted within each bucket
 
   const Item* begin(std::size_t bucket) const { return items.data() + start[bucket]; }
   const Item* end(std::size_t bucket) const { return items.data() + start[bucket + 1]; }

@@ -45,7 +45,7 @@ SideTying::SideTying(const Surface& surface, const Features& features, const Box
 
 void SideTying::tie(std::uint32_t b, BoxSurface& piece)
 {
-  const Box& box = boxes_.boxes[b];
+  const Box box = boxes_.box(b);
   chords_.clear();
   onto_.resize(piece.points.size());
   for (std::uint32_t i = 0; i < onto_.size(); ++i)

@@ -17,6 +17,13 @@ enum class Use : std::uint8_t
 
 class VertexRows
 {
+  struct Run
+  {
+    std::uint32_t begin; // i
+    std::uint32_t end;
+    std::uint32_t place; // of vertex begin, in its row
+  };
+
 public:
   // Vertices of undivided boxes of these layers that become hexahedra, and grid nodes
   // that are used.
@@ -55,14 +62,28 @@ public:
   static bool isVertex(
     const Meshlines& planes, const Point& node, std::size_t j, std::size_t k, std::uint32_t& i);
 
-private:
-  struct Run
+  // Places in one row of vertices that come in order.
+  class Walk
   {
-    std::uint32_t begin; // i
-    std::uint32_t end;
-    std::uint32_t place; // of vertex begin, in its row
+  public:
+    Walk(const VertexRows& rows, std::size_t row)
+      : run_(rows.runs_.data() + rows.rowStart_[row])
+    {
+    }
+
+    std::size_t place(std::uint32_t i)
+    {
+      for (; run_->end <= i; ++run_)
+      {
+      }
+      return run_->place + (i - run_->begin);
+    }
+
+  private:
+    const Run* run_;
   };
 
+private:
   std::vector<Run> runs_;
   std::vector<std::size_t> rowStart_;
   std::size_t rowLength_;

@@ -24,9 +24,9 @@ public:
   {
   }
 
-  std::vector<WarpedHexahedron> run(const std::vector<std::uint32_t>& moved)
+  std::vector<WarpedHexahedron> run()
   {
-    listVertices(moved);
+    listVertices();
     const std::vector<std::uint32_t> undivided = boxesAround();
     std::vector<std::uint32_t> divided;
     for (std::uint32_t d = 0; d < sides_.divided.size(); ++d)
@@ -57,14 +57,23 @@ private:
     bool operator<(const Vertex& other) const { return at < other.at; }
   };
 
+  bool hasMoved(std::size_t node) const
+  {
+    return !areSame(nodes_.at[node], nodes_.grid[node - nodes_.patchPoints]);
+  }
+
   // Nodes come row by row, hence in order.
-  void listVertices(const std::vector<std::uint32_t>& moved)
+  void listVertices()
   {
     const std::size_t rowLength = boxes_.planes[1].size();
     std::size_t row = 0;
-    for (const std::uint32_t node : moved)
+    for (std::size_t c = 0; c < nodes_.grid.size(); ++c)
     {
-      const std::size_t c = node - nodes_.patchPoints;
+      const std::size_t node = nodes_.patchPoints + c;
+      if (!hasMoved(node))
+      {
+        continue;
+      }
       for (; nodes_.rowStart[row + 1] <= c; ++row)
       {
       }
@@ -73,8 +82,8 @@ private:
       std::uint32_t i = 0;
       if (VertexRows::isVertex(boxes_.planes, nodes_.grid[c], j, k, i))
       {
-        vertices_.push_back(
-          { { static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(j), i }, node });
+        vertices_.push_back({ { static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(j), i },
+          static_cast<std::uint32_t>(node) });
       }
     }
   }
@@ -112,9 +121,8 @@ private:
   bool isWarped(std::uint32_t d) const
   {
     const auto& nodes = nodes_.ofDivided[d];
-    return std::any_of(nodes.begin(), nodes.end(), [&](std::uint32_t node) {
-      return !areSame(nodes_.at[node], nodes_.grid[node - nodes_.patchPoints]);
-    });
+    return std::any_of(
+      nodes.begin(), nodes.end(), [&](std::uint32_t node) { return hasMoved(node); });
   }
 
   WarpedHexahedron measureUndivided(std::uint32_t box) const
@@ -125,9 +133,8 @@ private:
         { low[2] + (corner >> 2), low[1] + (corner >> 1 & 1), low[0] + (corner & 1) }, None
       };
       const auto found = std::lower_bound(vertices_.begin(), vertices_.end(), vertex);
-      return found == vertices_.end() || found->at != vertex.at
-        ? cornerOf(boxes_.boxes[box], corner)
-        : nodes_.at[found->node];
+      return found == vertices_.end() || found->at != vertex.at ? cornerOf(boxes_.box(box), corner)
+                                                                : nodes_.at[found->node];
     });
   }
 
@@ -140,7 +147,7 @@ private:
   template <class Corner>
   WarpedHexahedron measured(std::uint32_t box, Corner&& corner) const
   {
-    const Box& whole = boxes_.boxes[box];
+    const Box whole = boxes_.box(box);
     Polyhedron polyhedron;
     for (unsigned c = 0; c < 8; ++c)
     {
@@ -174,10 +181,10 @@ private:
 
 }
 
-std::vector<WarpedHexahedron> warpedHexahedra(const Boxes& boxes, const Sides& sides,
-  const Nodes& nodes, const std::vector<std::uint32_t>& moved, Execution& execution)
+std::vector<WarpedHexahedron> warpedHexahedra(
+  const Boxes& boxes, const Sides& sides, const Nodes& nodes, Execution& execution)
 {
-  return WarpedList(boxes, sides, nodes, execution).run(moved);
+  return WarpedList(boxes, sides, nodes, execution).run();
 }
 
 }

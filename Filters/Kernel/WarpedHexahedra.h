@@ -6,9 +6,8 @@
 namespace cartesian
 {
 
-// `moved`: grid nodes that are not where the grid has them. In order of kinds (undivided, divided),
-// then of boxes; volume fractions are of the box.
-std::vector<WarpedHexahedron> warpedHexahedra(const Boxes& boxes, const Sides& sides,
-  const Nodes& nodes, const std::vector<std::uint32_t>& moved, Execution& execution);
+// In order of kinds (undivided, divided), then of boxes; volume fractions are of the box.
+std::vector<WarpedHexahedron> warpedHexahedra(
+  const Boxes& boxes, const Sides& sides, const Nodes& nodes, Execution& execution);
 
 }

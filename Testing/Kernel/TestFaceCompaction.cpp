@@ -14,8 +14,8 @@ TEST(FaceCompaction, LeavesTheFacesInTheirGroups)
   for (const int threads : { 1, 3 })
   {
     std::vector<std::size_t> groupStart{ 0 };
-    std::vector<std::size_t> start{ 0 };
-    std::vector<std::uint32_t> corners;
+    RawVector<std::size_t> start{ 0 };
+    RawVector<std::uint32_t> corners;
     std::vector<std::size_t> number;
     std::vector<std::vector<std::vector<std::uint32_t>>> plain(10000);
     std::vector<std::size_t> plainNumber;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace cartesian;
 
@@ -144,4 +145,27 @@ TEST(Meshlines, IntervalOfALevel)
   EXPECT_EQ(intervalOf(lines, 9), 1);
   EXPECT_EQ(intervalOf(lines, 10), 2);
   EXPECT_EQ(intervalOf(lines, 4000000001U), 2);
+}
+
+TEST(Meshlines, IntervalsOfEvenAndUnevenLines)
+{
+  std::mt19937 random(7);
+  for (std::size_t n = 0; n < 40; ++n)
+  {
+    const bool even = n % 2 == 0;
+    std::vector<Level> lines;
+    for (Level level = 4; lines.size() < n;
+         level += even ? 1000 : 2 + 2 * Level(random() % (n * n)))
+    {
+      lines.push_back(level);
+    }
+    const Level end = lines.empty() ? 100 : lines.back() + 20;
+    for (int i = 0; i < 300; ++i)
+    {
+      const Level level = i < 20 && !lines.empty() ? lines[random() % n] : Level(random() % end);
+      const auto below =
+        std::count_if(lines.begin(), lines.end(), [&](Level line) { return line <= level; });
+      ASSERT_EQ(intervalOf(lines, level), below - 1);
+    }
+  }
 }

@@ -69,7 +69,7 @@ void expectSoundFaces(const Meshed& meshed)
   const std::vector<std::uint32_t> intersected = intersectedBoxes(meshed.boxed.boxes, execution);
   for (std::size_t n = 0; n < intersected.size(); ++n)
   {
-    const Box& box = meshed.boxed.boxes.boxes[intersected[n]];
+    const Box box = meshed.boxed.boxes.box(intersected[n]);
     const Level size =
       std::max({ box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2] });
     for (std::size_t p = patches.boxStart[n]; p < patches.boxStart[n + 1]; ++p)
@@ -293,7 +293,7 @@ TEST(FoldedGeometry, DisappearsInMarchingCubesBoxes)
   std::size_t boxes = 0;
   for (std::size_t n = 0; n < intersected.size(); ++n)
   {
-    const Box& b = meshed.boxed.boxes.boxes[intersected[n]];
+    const Box b = meshed.boxed.boxes.box(intersected[n]);
     const auto& index = meshed.boxed.boxes.globalOf(b).index;
     if (index[2] == 5 && index[0] == 3 && index[1] > 0 && index[1] < 5)
     {
