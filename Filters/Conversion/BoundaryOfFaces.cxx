@@ -4,23 +4,27 @@
 #include "Cells.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace cartesian
 {
 
 namespace
 {
+
+constexpr std::size_t ItemsAChunk = 1 << 16;
+constexpr std::size_t FacesAChunk = 2048;
 
 constexpr int CellOf = 0;
 constexpr int FaceOf = 1;
@@ -57,6 +61,63 @@ vtkIdType findFace(const std::vector<vtkIdType>& face, const vtkIdType* stream)
     stream += *stream + 1;
   }
   return count;
+}
+
+void numberCells(vtkUnstructuredGrid* mesh, Execution& execution)
+{
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName(CellId);
+  ids->SetNumberOfValues(mesh->GetNumberOfCells());
+  vtkIdType* const id = ids->GetPointer(0);
+  const auto count = static_cast<std::size_t>(mesh->GetNumberOfCells());
+  execution.forEach(count, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+    std::iota(id + begin, id + end, static_cast<vtkIdType>(begin));
+  });
+  mesh->GetCellData()->AddArray(ids);
+}
+
+using Row = std::array<vtkIdType, 3>;
+
+// In the boundary's order.
+std::vector<Row> listRows(vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution)
+{
+  auto* owner =
+    vtkIdTypeArray::SafeDownCast(boundary->GetCellData()->GetAbstractArray("OwnerCell"));
+  auto* number = vtkIntArray::SafeDownCast(boundary->GetCellData()->GetAbstractArray("BoundaryId"));
+  auto* meshPoint =
+    vtkIdTypeArray::SafeDownCast(boundary->GetPointData()->GetAbstractArray("MeshPointId"));
+  vtkCellArray* const polygons = boundary->GetPolys();
+  std::vector<Row> rows(static_cast<std::size_t>(polygons->GetNumberOfCells()));
+  execution.forEach(rows.size(), FacesAChunk, [&](std::size_t begin, std::size_t end) {
+    CellFaceReader reader(mesh);
+    std::vector<vtkIdType> corners;
+    vtkNew<vtkIdList> scratch;
+    for (std::size_t r = begin; r < end; ++r)
+    {
+      const auto face = static_cast<vtkIdType>(r);
+      vtkIdType count = 0;
+      const vtkIdType* points = nullptr;
+      polygons->GetCellAtId(face, count, points, scratch);
+      corners.resize(static_cast<std::size_t>(count));
+      std::transform(points, points + count, corners.begin(),
+        [&](vtkIdType point) { return meshPoint->GetValue(point); });
+      const vtkIdType cell = owner->GetValue(face);
+      rows[r] = { cell, findFace(corners, reader.read(cell)), number->GetValue(face) };
+    }
+  });
+  return rows;
+}
+
+// Rows that come in the order of their cells.
+void sortFacesOfCells(std::vector<Row>& rows)
+{
+  for (auto begin = rows.begin(); begin != rows.end();)
+  {
+    const auto end = std::find_if(
+      begin, rows.end(), [&](const Row& row) { return row[CellOf] != (*begin)[CellOf]; });
+    std::sort(begin, end);
+    begin = end;
+  }
 }
 
 vtkIdTypeArray* rowsOf(vtkUnstructuredGrid* grid)
@@ -111,39 +172,9 @@ private:
 
 void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution)
 {
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName(CellId);
-  ids->SetNumberOfValues(mesh->GetNumberOfCells());
-  for (vtkIdType c = 0; c < mesh->GetNumberOfCells(); ++c)
-  {
-    ids->SetValue(c, c);
-  }
-  mesh->GetCellData()->AddArray(ids);
-
-  vtkDataArray* owner = boundary->GetCellData()->GetArray("OwnerCell");
-  vtkDataArray* number = boundary->GetCellData()->GetArray("BoundaryId");
-  auto* meshPoint =
-    vtkIdTypeArray::SafeDownCast(boundary->GetPointData()->GetAbstractArray("MeshPointId"));
-  CellFaceReader reader(mesh);
-  std::vector<std::array<vtkIdType, 3>> rows;
-  std::vector<vtkIdType> corners;
-  auto face = vtk::TakeSmartPointer(boundary->GetPolys()->NewIterator());
-  for (face->GoToFirstCell(); !face->IsDoneWithTraversal(); face->GoToNextCell())
-  {
-    execution.poll();
-    vtkIdType count = 0;
-    const vtkIdType* points = nullptr;
-    face->GetCurrentCell(count, points);
-    corners.resize(static_cast<std::size_t>(count));
-    std::transform(points, points + count, corners.begin(),
-      [&](vtkIdType point) { return meshPoint->GetValue(point); });
-    const vtkIdType f = face->GetCurrentCellId();
-    const auto cell = static_cast<vtkIdType>(owner->GetComponent(f, 0));
-    rows.push_back({ cell, findFace(corners, reader.read(cell)),
-      static_cast<vtkIdType>(number->GetComponent(f, 0)) });
-  }
-  std::sort(rows.begin(), rows.end());
-
+  numberCells(mesh, execution);
+  std::vector<Row> rows = listRows(mesh, boundary, execution);
+  sortFacesOfCells(rows);
   vtkNew<vtkIdTypeArray> array;
   array->SetName(BoundaryOfFaces);
   array->SetNumberOfComponents(3);

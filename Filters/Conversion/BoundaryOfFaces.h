@@ -20,7 +20,7 @@ namespace cartesian
 constexpr const char* CellId = "CellId";
 constexpr const char* BoundaryOfFaces = "BoundaryOfFaces";
 
-// Adds both arrays to the mesh. `boundary`: as in MeshToVTK.h.
+// Adds both arrays to the mesh. `boundary`: as in MeshToVTK.h, in order of OwnerCell.
 void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution);
 
 enum class BoundaryKnowledge

@@ -32,7 +32,7 @@ const vtkIdType* CellFaceReader::readHexahedron(vtkIdType cell)
 {
   vtkIdType count = 0;
   const vtkIdType* points = nullptr;
-  grid_->GetCellPoints(cell, count, points);
+  grid_->GetCellPoints(cell, count, points, points_);
   stream_->Reset();
   stream_->InsertNextId(6);
   for (int face = 0; face < 6; ++face)

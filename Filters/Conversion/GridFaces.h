@@ -32,6 +32,7 @@ private:
 
   vtkUnstructuredGrid* grid_;
   vtkNew<vtkIdList> stream_;
+  vtkNew<vtkIdList> points_;
   vtkNew<vtkGenericCell> cell_;
 };
 

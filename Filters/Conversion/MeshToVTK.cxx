@@ -28,6 +28,8 @@ static_assert(std::is_same<Id, vtkIdType>::value, "the kernel writes vtkIdType a
 namespace
 {
 
+constexpr std::size_t ItemsAChunk = 4096;
+
 void setCells(const Mesh& mesh, vtkUnstructuredGrid* grid, Execution& execution)
 {
   vtkNew<vtkIdTypeArray> offsets;
@@ -126,23 +128,24 @@ void setFaceGeometry(
   isIP->SetNumberOfValues(count);
   const double* const points =
     vtkDoubleArray::SafeDownCast(boundary->GetPoints()->GetData())->GetPointer(0);
-  execution.forEach(static_cast<std::size_t>(count), 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f)
-    {
-      const auto size = static_cast<std::size_t>(faces.start[f + 1] - faces.start[f]);
-      const auto corner = [&](std::size_t i) {
-        const auto place = static_cast<std::size_t>(faces.start[f]) + i;
-        const double* const p = points + 3 * faces.corners[place];
-        return Vector{ p[0], p[1], p[2] };
-      };
-      const FaceGeometry geometry = measureFace(size, corner);
-      const auto at = static_cast<vtkIdType>(f);
-      area->SetTuple(at, geometry.area.data());
-      centre->SetTuple(at, geometry.centre.data());
-      isIP->SetValue(
-        at, mesh.boundary()[f].isShaped() && isBent(size, corner, geometry.area) ? 1 : 0);
-    }
-  });
+  execution.forEach(
+    static_cast<std::size_t>(count), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f)
+      {
+        const auto size = static_cast<std::size_t>(faces.start[f + 1] - faces.start[f]);
+        const auto corner = [&](std::size_t i) {
+          const auto place = static_cast<std::size_t>(faces.start[f]) + i;
+          const double* const p = points + 3 * faces.corners[place];
+          return Vector{ p[0], p[1], p[2] };
+        };
+        const FaceGeometry geometry = measureFace(size, corner);
+        const auto at = static_cast<vtkIdType>(f);
+        area->SetTuple(at, geometry.area.data());
+        centre->SetTuple(at, geometry.centre.data());
+        isIP->SetValue(
+          at, mesh.boundary()[f].isShaped() && isBent(size, corner, geometry.area) ? 1 : 0);
+      }
+    });
   boundary->GetCellData()->AddArray(area);
   boundary->GetCellData()->AddArray(centre);
   boundary->GetCellData()->AddArray(isIP);
@@ -161,12 +164,15 @@ void setBoundary(
   vtkNew<vtkIdTypeArray> meshPoint;
   meshPoint->SetName("MeshPointId");
   meshPoint->SetNumberOfValues(pointCount);
-  for (vtkIdType i = 0; i < pointCount; ++i)
-  {
-    const Id id = faces.meshPoint[static_cast<std::size_t>(i)];
-    points->SetPoint(i, grid->GetPoint(id));
-    meshPoint->SetValue(i, id);
-  }
+  std::copy(faces.meshPoint.begin(), faces.meshPoint.end(), meshPoint->GetPointer(0));
+  const auto* const all = static_cast<const double*>(grid->GetPoints()->GetVoidPointer(0));
+  auto* const own = static_cast<double*>(points->GetVoidPointer(0));
+  execution.forEach(faces.meshPoint.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      std::copy_n(all + 3 * faces.meshPoint[i], 3, own + 3 * i);
+    }
+  });
   vtkNew<vtkIdTypeArray> offsets;
   offsets->SetNumberOfValues(faceCount + 1);
   std::copy(faces.start.begin(), faces.start.end(), offsets->GetPointer(0));

@@ -6,7 +6,7 @@
 // box). Field data: one array of one number for each of the statistics. Both also hold what
 // BoundaryOfFaces.h says.
 //
-// Boundary (vtkPolyData): the faces that only one cell has. Cell arrays: BoundaryId (int; -1 where no
+// Boundary (vtkPolyData): the faces that only one cell has, in order of cells. Cell arrays: BoundaryId (int; -1 where no
 // patch was), OwnerCell (id type: cell of the mesh). Point array: MeshPointId (id type).
 //
 // Both have field data of one value for each boundary, in order of their numbers: BoundaryIds and

@@ -125,27 +125,56 @@ private:
     }
   };
 
+  // Of a face of the box, as its array has them.
   struct Corners
   {
     const std::uint32_t* first;
     const std::uint32_t* last;
+    bool turned;
 
-    const std::uint32_t* begin() const { return first; }
-    const std::uint32_t* end() const { return last; }
-    std::uint32_t back() const { return last[-1]; }
+    std::size_t size() const { return static_cast<std::size_t>(last - first); }
   };
 
   // Counter-clockwise from outside.
-  Corners cornersOf(std::size_t face) const
+  template <class Visitor>
+  void forEachCorner(std::size_t face, Visitor&& visit) const
   {
-    return { corners_.data() + start_[face], corners_.data() + start_[face + 1] };
+    const Corners& corners = corners_[face];
+    if (corners.turned)
+    {
+      for (const std::uint32_t* corner = corners.last; corner != corners.first; --corner)
+      {
+        visit(corner[-1]);
+      }
+    }
+    else
+    {
+      std::for_each(corners.first, corners.last, visit);
+    }
+  }
+
+  // Calls visit(lower node, upper node, whether it runs up, seen from outside).
+  template <class Visitor>
+  void forEachEdge(std::size_t face, Visitor&& visit) const
+  {
+    const Corners& corners = corners_[face];
+    std::uint32_t from = corners.last[-1];
+    for (const std::uint32_t* to = corners.first; to != corners.last; ++to)
+    {
+      visit(std::min(from, *to), std::max(from, *to), (from < *to) != corners.turned);
+      from = *to;
+    }
+  }
+
+  std::uint32_t firstCorner(std::size_t face) const
+  {
+    return corners_[face].turned ? corners_[face].last[-1] : *corners_[face].first;
   }
 
   // All faces of the box; false where one of its sides is flawed.
   bool gatherFaces(std::size_t n)
   {
     faces_.clear();
-    start_.assign(1, 0);
     corners_.clear();
     if (const std::uint32_t box = sides_.patchBox[n]; box != None)
     {
@@ -172,19 +201,8 @@ private:
     const bool patch = face.kind() == FaceRef::Kind::Patch;
     const std::size_t* const at = (patch ? patches_.start : inner_.start).data() + face.index;
     const std::uint32_t* const nodes = (patch ? patches_.corners : inner_.nodes).data();
-    const std::size_t before = corners_.size();
-    corners_.resize(before + (at[1] - at[0]));
-    const auto to = corners_.begin() + static_cast<std::ptrdiff_t>(before);
-    if (face.turned())
-    {
-      std::reverse_copy(nodes + at[0], nodes + at[1], to);
-    }
-    else
-    {
-      std::copy(nodes + at[0], nodes + at[1], to);
-    }
+    corners_.push_back({ nodes + at[0], nodes + at[1], face.turned() });
     faces_.push_back(face);
-    start_.push_back(corners_.size());
   }
 
   // Finds the volumes once faces are joined.
@@ -261,24 +279,22 @@ private:
   bool joinInPairs()
   {
     separateFaces();
-    firstAtEdge_.reset(corners_.size());
+    firstAtEdge_.reset(std::accumulate(corners_.begin(), corners_.end(), std::size_t(0),
+      [](std::size_t sum, const Corners& corners) { return sum + corners.size(); }));
     std::size_t single = 0;
-    for (std::uint32_t f = 0; f < faces_.size(); ++f)
+    bool paired = true;
+    for (std::uint32_t f = 0; f < faces_.size() && paired; ++f)
     {
-      const Corners corners = cornersOf(f);
-      std::uint32_t from = corners.back();
-      for (const std::uint32_t to : corners)
-      {
-        const std::uint32_t up = from < to ? 1 : 0;
-        std::uint32_t& first = firstAtEdge_.at(std::min(from, to), std::max(from, to));
+      forEachEdge(f, [&](std::uint32_t lower, std::uint32_t upper, bool up) {
+        std::uint32_t& first = firstAtEdge_.at(lower, upper);
         if (first == EdgeTable::Fresh)
         {
-          first = 2 * f + up;
+          first = 2 * f + (up ? 1 : 0);
           ++single;
         }
-        else if (first == Paired || first % 2 == up)
+        else if (first == Paired || (first % 2 == 1) == up)
         {
-          return false;
+          paired = false;
         }
         else
         {
@@ -289,10 +305,9 @@ private:
           first = Paired;
           --single;
         }
-        from = to;
-      }
+      });
     }
-    return single == 0;
+    return paired && single == 0;
   }
 
   // A patch that lies on an inner face (ShortEdges.h) is a cell without volume with it, whatever else
@@ -328,13 +343,9 @@ private:
     edges_.clear();
     for (std::uint32_t f = 0; f < faces_.size(); ++f)
     {
-      const Corners corners = cornersOf(f);
-      std::uint32_t from = corners.back();
-      for (const std::uint32_t to : corners)
-      {
-        edges_.push_back({ std::min(from, to), std::max(from, to), f, from < to ? 1 : -1 });
-        from = to;
-      }
+      forEachEdge(f, [&](std::uint32_t lower, std::uint32_t upper, bool up) {
+        edges_.push_back({ lower, upper, f, up ? 1 : -1 });
+      });
     }
     std::sort(edges_.begin(), edges_.end());
   }
@@ -376,11 +387,10 @@ private:
     {
       ring_.clear();
       Vector mean{ 0, 0, 0 };
-      for (const std::uint32_t node : cornersOf(f))
-      {
+      forEachCorner(f, [&](std::uint32_t node) {
         ring_.push_back(minus(nodes_.at[node], origin));
         mean = plus(mean, ring_.back());
-      }
+      });
       for (double& x : mean)
       {
         x /= static_cast<double>(ring_.size());
@@ -559,9 +569,8 @@ private:
   // The corners of a face from the lowest on, as it runs or the other way.
   std::vector<std::uint32_t> cycleOf(std::uint32_t face, bool opposite) const
   {
-    const Corners corners = cornersOf(face);
-    std::vector<std::uint32_t> cycle(corners.begin(), corners.end());
-    if (opposite)
+    std::vector<std::uint32_t> cycle(corners_[face].first, corners_[face].last);
+    if (opposite != corners_[face].turned)
     {
       std::reverse(cycle.begin(), cycle.end());
     }
@@ -573,7 +582,7 @@ private:
   Shell* shellAround(const Shell& inner)
   {
     Shell* best = nullptr;
-    const Point& from = nodes_.at[*cornersOf(inner.faces.front()).begin()];
+    const Point& from = nodes_.at[firstCorner(inner.faces.front())];
     for (Shell& shell : shells_)
     {
       if (shell.volume > 0 && (!best || shell.volume < best->volume) &&
@@ -592,10 +601,7 @@ private:
     for (const std::uint32_t f : shell.faces)
     {
       ring_.clear();
-      for (const std::uint32_t node : cornersOf(f))
-      {
-        ring_.push_back(minus(nodes_.at[node], from));
-      }
+      forEachCorner(f, [&](std::uint32_t node) { ring_.push_back(minus(nodes_.at[node], from)); });
       for (std::size_t i = 1; i + 1 < ring_.size(); ++i)
       {
         const Vector& a = ring_[0];
@@ -685,8 +691,7 @@ private:
   const Nodes& nodes_;
   const InnerFaces& inner_;
   std::vector<FaceRef> faces_;
-  std::vector<std::size_t> start_; // first corner of each face, and the end
-  std::vector<std::uint32_t> corners_;
+  std::vector<Corners> corners_; // of each face
   std::vector<FaceEdge> edges_;
   EdgeTable firstAtEdge_; // the first face at each edge and how it runs, then Paired
   std::vector<std::uint32_t> parent_;

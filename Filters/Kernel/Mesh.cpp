@@ -3,6 +3,7 @@
 #include "Slabs.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace cartesian
 {
@@ -12,6 +13,7 @@ namespace
 
 constexpr std::size_t RowsAChunk = 16;
 constexpr std::size_t CellsAChunk = 1024;
+constexpr std::size_t PointsAChunk = 1 << 15;
 constexpr Id CornersOfAHexahedron = 8;
 
 }
@@ -365,6 +367,46 @@ void Mesh::forEachPoint(const BoundaryFace& face, Visitor&& visit) const
   }
 }
 
+// Lists the points of the boundary, in order; returns the place of each.
+RawVector<std::uint32_t> Mesh::numberBoundaryPoints(
+  std::vector<Id>& points, Execution& execution) const
+{
+  const auto count = static_cast<std::size_t>(pointCount());
+  std::vector<std::atomic<bool>> used(count);
+  execution.forEach(boundary_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f)
+    {
+      forEachPoint(boundary_[f], [&](Id point) {
+        used[static_cast<std::size_t>(point)].store(true, std::memory_order_relaxed);
+      });
+    }
+  });
+  const auto isUsed = [&](std::size_t p) { return used[p].load(std::memory_order_relaxed); };
+  std::vector<std::uint32_t> first(chunks(count, PointsAChunk));
+  execution.forEach(count, PointsAChunk, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t sum = 0;
+    for (std::size_t p = begin; p < end; ++p)
+    {
+      sum += isUsed(p) ? 1 : 0;
+    }
+    first[begin / PointsAChunk] = sum;
+  });
+  points.resize(scan(first));
+  RawVector<std::uint32_t> places(count); // anything where it is not used
+  execution.forEach(count, PointsAChunk, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t next = first[begin / PointsAChunk];
+    for (std::size_t p = begin; p < end; ++p)
+    {
+      if (isUsed(p))
+      {
+        points[next] = static_cast<Id>(p);
+        places[p] = next++;
+      }
+    }
+  });
+  return places;
+}
+
 BoundaryMesh Mesh::boundaryMesh(Execution& execution) const
 {
   BoundaryMesh result;
@@ -376,19 +418,7 @@ BoundaryMesh Mesh::boundaryMesh(Execution& execution) const
     }
   });
   result.corners.resize(static_cast<std::size_t>(scan(result.start)));
-  std::vector<std::uint32_t> local(static_cast<std::size_t>(pointCount()));
-  for (const BoundaryFace& face : boundary_)
-  {
-    forEachPoint(face, [&](Id point) { local[static_cast<std::size_t>(point)] = 1; });
-  }
-  for (std::size_t p = 0; p < local.size(); ++p)
-  {
-    if (local[p])
-    {
-      local[p] = static_cast<std::uint32_t>(result.meshPoint.size());
-      result.meshPoint.push_back(static_cast<Id>(p));
-    }
-  }
+  const RawVector<std::uint32_t> local = numberBoundaryPoints(result.meshPoint, execution);
   execution.forEach(boundary_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f)
     {

@@ -111,6 +111,8 @@ private:
   }
   void writeRow(std::size_t row, const CellArrays& arrays, CellPoints& points) const;
   void writeFaces(std::size_t cell, Id* stream) const;
+  RawVector<std::uint32_t> numberBoundaryPoints(
+    std::vector<Id>& points, Execution& execution) const;
   void listPoints(std::size_t cell, CellPoints& points) const;
 
   template <class Visitor>

@@ -126,33 +126,42 @@ bool overlap(const Corners& a, const Corners& b)
   return !separates(a, b, axis) && !separates(b, a, axis);
 }
 
-// Turns a triangle so that its first corner lies alone above the other's plane, and the other so that
-// above is where its normal points. False where it has at most a point in that plane.
-bool putAloneAbove(Corners& t, const Sides& sides, Corners& other, Sides& sidesOfOther)
+// Whether a corner lies on a side of the plane where the others do not.
+bool isAlone(const Sides& sides, std::size_t i)
 {
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t k = (i + 2) % 3;
-    if (sides[i] != 0 && sides[j] != sides[i] && sides[k] != sides[i])
-    {
-      t = { t[i], t[j], t[k] };
-      if (sides[i] < 0)
-      {
-        std::swap(other[1], other[2]);
-        std::swap(sidesOfOther[1], sidesOfOther[2]);
-      }
-      return true;
-    }
-  }
-  return false;
+  return sides[i] != 0 && sides[(i + 1) % 3] != sides[i] && sides[(i + 2) % 3] != sides[i];
 }
 
+// Whether a triangle has more than a point in the plane, but not all of it.
+bool meetsPlane(const Sides& sides)
+{
+  return isAlone(sides, 0) || isAlone(sides, 1) || isAlone(sides, 2);
+}
+
+// Turns a triangle so that its first corner lies alone above the other's plane, and the other so that
+// above is where its normal points.
+void putAloneAbove(Corners& t, const Sides& sides, Corners& other, Sides& sidesOfOther)
+{
+  std::size_t i = 0;
+  while (!isAlone(sides, i))
+  {
+    ++i;
+  }
+  t = { t[i], t[(i + 1) % 3], t[(i + 2) % 3] };
+  if (sides[i] < 0)
+  {
+    std::swap(other[1], other[2]);
+    std::swap(sidesOfOther[1], sidesOfOther[2]);
+  }
+}
+
+// Both meet the other's plane.
 bool cross(Corners a, Corners b, Sides ofA, Sides ofB)
 {
   // Both planes' common line meets each triangle in a stretch from the edge 0-1 to the edge 0-2.
-  return putAloneAbove(a, ofA, b, ofB) && putAloneAbove(b, ofB, a, ofA) &&
-    orientation(a[0], a[1], b[0], b[1]) < 0 && orientation(a[0], a[2], b[2], b[0]) < 0;
+  putAloneAbove(a, ofA, b, ofB);
+  putAloneAbove(b, ofB, a, ofA);
+  return orientation(a[0], a[1], b[0], b[1]) < 0 && orientation(a[0], a[2], b[2], b[0]) < 0;
 }
 
 using Vertices = std::array<std::uint32_t, 3>;
@@ -171,11 +180,6 @@ Sides sidesOf(const Corners& a, const Vertices& vertices, const Plane& plane, co
     sides[i] = has(own, vertices[i]) ? 0 : plane.sideOf(a[i]);
   }
   return sides;
-}
-
-bool allEqual(const Sides& sides)
-{
-  return sides[0] == sides[1] && sides[1] == sides[2];
 }
 
 Vector vectorOf(const Point& p)
@@ -223,17 +227,17 @@ Contact contactOf(const Surface& surface, std::uint32_t a, std::uint32_t b)
   const Corners ca = surface.corners(a);
   const Corners cb = surface.corners(b);
   const Sides ofA = sidesOf(ca, va, Plane(cb), vb);
-  if (allEqual(ofA))
+  if (ofA == Sides{ 0, 0, 0 })
   {
-    return ofA[0] == 0 && overlap(ca, cb) ? Contact::Overlap : Contact::Apart;
+    return overlap(ca, cb) ? Contact::Overlap : Contact::Apart;
   }
   const int common = has(vb, va[0]) + has(vb, va[1]) + has(vb, va[2]);
-  if (common > 1)
+  if (common > 1 || !meetsPlane(ofA))
   {
     return Contact::Apart;
   }
   const Sides ofB = sidesOf(cb, vb, Plane(ca), va);
-  return !allEqual(ofB) && cross(ca, cb, ofA, ofB) ? Contact::Crossing : Contact::Apart;
+  return meetsPlane(ofB) && cross(ca, cb, ofA, ofB) ? Contact::Crossing : Contact::Apart;
 }
 
 std::array<Vector, 2> stretchOf(const Corners& a, const Corners& b)
