@@ -49,25 +49,6 @@ Mesh::Mesh(const MeshParts& parts, Execution& execution)
   failures_ = countFailures(parts_, numbers_, boundary_, execution);
 }
 
-// In no order. Once its part of the face stream is known: there are fewer.
-void Mesh::listPoints(std::size_t cell, CellPoints& points) const
-{
-  points.points.clear();
-  points.seen.reset(cellSizes_[cell].faceStream);
-  const Cells& cells = parts_.cells;
-  for (std::size_t f = cells.cells[cell].firstFace; f < cells.cells[cell + 1].firstFace; ++f)
-  {
-    forEachPoint(cells.faces[f], [&](Id id) {
-      const auto point = static_cast<std::uint32_t>(id);
-      if (std::uint32_t& seen = points.seen.at(point, point); seen == EdgeTable::Fresh)
-      {
-        seen = 0;
-        points.points.push_back(id);
-      }
-    });
-  }
-}
-
 void Mesh::measureCells(Execution& execution)
 {
   const Cells& cells = parts_.cells;
@@ -88,9 +69,12 @@ void Mesh::measureCells(Execution& execution)
         ++stream;
         forEachPoint(cells.faces[f], [&](Id) { ++stream; });
       }
-      cellSizes_[c].faceStream = stream;
-      listPoints(c, points);
-      cellSizes_[c].points = static_cast<std::uint32_t>(points.points.size());
+      points.reset(stream);
+      for (std::size_t f = cells.cells[c].firstFace; f < cells.cells[c + 1].firstFace; ++f)
+      {
+        forEachPoint(cells.faces[f], [&](Id point) { points.add(point); });
+      }
+      cellSizes_[c] = { static_cast<std::uint32_t>(points.points.size()), stream };
     }
   });
 }
@@ -256,10 +240,9 @@ void Mesh::writeRow(std::size_t row, const CellArrays& arrays, CellPoints& point
       {
         continue;
       }
-      listPoints(c, points);
+      writeFaces(c, arrays.faceStream + at.faceStream, points);
       std::sort(points.points.begin(), points.points.end());
       std::copy(points.points.begin(), points.points.end(), arrays.connectivity + at.connectivity);
-      writeFaces(c, arrays.faceStream + at.faceStream);
       arrays.offsets[id] = at.connectivity;
       arrays.types[id] = arrays.polyhedron;
       arrays.faceStart[id] = at.faceStream;
@@ -270,8 +253,10 @@ void Mesh::writeRow(std::size_t row, const CellArrays& arrays, CellPoints& point
   }
 }
 
-void Mesh::writeFaces(std::size_t cell, Id* stream) const
+// Lists the points too.
+void Mesh::writeFaces(std::size_t cell, Id* stream, CellPoints& points) const
 {
+  points.reset(cellSizes_[cell].faceStream);
   const Cells& cells = parts_.cells;
   const std::size_t begin = cells.cells[cell].firstFace;
   const std::size_t end = cells.cells[cell + 1].firstFace;
@@ -279,7 +264,10 @@ void Mesh::writeFaces(std::size_t cell, Id* stream) const
   for (std::size_t f = begin; f < end; ++f)
   {
     Id* const size = stream++;
-    forEachPoint(cells.faces[f], [&](Id point) { *stream++ = point; });
+    forEachPoint(cells.faces[f], [&](Id point) {
+      *stream++ = point;
+      points.add(point);
+    });
     *size = static_cast<Id>(stream - size - 1);
   }
 }

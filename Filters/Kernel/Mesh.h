@@ -90,11 +90,28 @@ private:
     std::uint32_t faceStream = 0;
   };
 
-  // The points of one cell, each once. Kept from cell to cell for its memory.
+  // The points of one cell, each once, in no order. Kept from cell to cell for its memory.
   struct CellPoints
   {
     EdgeTable seen; // from a point to itself
     std::vector<Id> points;
+
+    // None, of a cell with so many corners at most.
+    void reset(std::size_t corners)
+    {
+      seen.reset(corners);
+      points.clear();
+    }
+
+    void add(Id id)
+    {
+      const auto point = static_cast<std::uint32_t>(id);
+      if (std::uint32_t& number = seen.at(point, point); number == EdgeTable::Fresh)
+      {
+        number = 0;
+        points.push_back(id);
+      }
+    }
   };
 
   template <class VertexVisitor, class NodeVisitor>
@@ -110,10 +127,9 @@ private:
     return parts_.boxes.globals[parts_.boxes.rowStart[row]].firstBox;
   }
   void writeRow(std::size_t row, const CellArrays& arrays, CellPoints& points) const;
-  void writeFaces(std::size_t cell, Id* stream) const;
+  void writeFaces(std::size_t cell, Id* stream, CellPoints& points) const;
   RawVector<std::uint32_t> numberBoundaryPoints(
     std::vector<Id>& points, Execution& execution) const;
-  void listPoints(std::size_t cell, CellPoints& points) const;
 
   template <class Visitor>
   void forEachPoint(const FaceRef& face, Visitor&& visit) const;

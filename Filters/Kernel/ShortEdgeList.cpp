@@ -3,7 +3,6 @@
 #include "Vector.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace cartesian
 {
@@ -64,14 +63,29 @@ private:
     for (std::size_t i = start[face]; i < start[face + 1]; ++i)
     {
       const std::uint32_t to = corners[i];
-      const Vector way = minus(faces_.nodes.at[to], faces_.nodes.at[from]);
-      if (std::abs(way[0]) < most && std::abs(way[1]) < most && std::abs(way[2]) < most &&
-        dot(way, way) < most * most)
+      if (std::min(from, to) < faces_.nodes.patchPoints && isShort(from, to, most))
       {
         edges.push_back({ std::min(from, to), std::max(from, to), static_cast<float>(unit) });
       }
       from = to;
     }
+  }
+
+  // First without numbers in double precision, as most edges are long.
+  bool isShort(std::uint32_t from, std::uint32_t to, double most) const
+  {
+    const Point& p = faces_.nodes.at[from];
+    const Point& q = faces_.nodes.at[to];
+    const auto reach = static_cast<std::uint32_t>(most) + 1;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      if (std::max(p[axis], q[axis]) - std::min(p[axis], q[axis]) > reach)
+      {
+        return false;
+      }
+    }
+    const Vector way = minus(q, p);
+    return dot(way, way) < most * most;
   }
 
   void listEdgesOf(std::size_t n, std::vector<ShortEdge>& edges) const

@@ -26,8 +26,8 @@ struct PolyhedralFaces
   const InnerFaces& inner;
 };
 
-// Those shorter than twice `ratio` of the unit, as moves may shorten an edge, by nodes; each once. Boxes
-// that stay, by their place among the polyhedral ones, give none.
+// Those shorter than twice `ratio` of the unit, as moves may shorten an edge, by nodes; each once. Not
+// between two nodes of the grid, nor those of boxes that stay, by their place among the polyhedral ones.
 std::vector<ShortEdge> listShortEdges(const PolyhedralFaces& faces, double ratio,
   const std::function<bool(std::size_t)>& stays, Execution& execution);
 

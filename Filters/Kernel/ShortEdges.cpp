@@ -186,7 +186,7 @@ private:
       sides_.polyhedral.size(), BoxesAChunk, [&](std::size_t begin, std::size_t end) {
         for (std::size_t n = begin; n < end; ++n)
         {
-          if (stays(n))
+          if (stays(n) && isNearMoving(n))
           {
             listSlotsOfBox(n, parts[begin / BoxesAChunk]);
           }
@@ -238,10 +238,24 @@ private:
   }
 
   // Whether a box keeps its edges.
-  bool stays(std::size_t n) const
+  bool stays(std::size_t n) const { return spec_.keeps[n] || !isMovingLayer(layerOf(n)); }
+
+  // Whether there may be boxes that do not stay around it.
+  bool isNearMoving(std::size_t n) const
   {
-    const std::uint32_t layer = boxes_.globalOf(boxes_.boxes[sides_.polyhedral[n]]).index[2];
-    return spec_.keeps[n] || (spec_.acrossSeams && !isSeamPlane(layer) && !isSeamPlane(layer + 1));
+    const std::uint32_t layer = layerOf(n);
+    return isMovingLayer(layer) || isMovingLayer(layer + 1) ||
+      (layer > 0 && isMovingLayer(layer - 1));
+  }
+
+  std::uint32_t layerOf(std::size_t n) const
+  {
+    return boxes_.globalOf(boxes_.boxes[sides_.polyhedral[n]]).index[2];
+  }
+
+  bool isMovingLayer(std::uint32_t layer) const
+  {
+    return !spec_.acrossSeams || isSeamPlane(layer) || isSeamPlane(layer + 1);
   }
 
   bool isSeamPlane(std::uint32_t plane) const { return isSeam(plane, boxes_.allLayers().end); }
