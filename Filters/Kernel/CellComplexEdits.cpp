@@ -259,31 +259,42 @@ bool CellComplex::meetsFace(const CellView& view, const CellCut& cut) const
 bool CellComplex::losesStar(
   const FaceUse& use, CellKey key, const CellView& view, const CellCut& cut) const
 {
-  std::vector<std::uint32_t> ring;
-  forEachNodeOf(use, [&](std::uint32_t node) { ring.push_back(node); });
-  const Point origin = boxes_.lowOf(boxOf(key));
-  Polyhedron face;
+  const auto isBetween = [&](const CellCut::Point& point, std::uint32_t from, std::uint32_t to) {
+    const std::uint32_t low = view.nodes[point.low];
+    const std::uint32_t high = view.nodes[point.high];
+    return (low == from && high == to) || (high == from && low == to);
+  };
+  const FaceNodes ring = nodesOf(use.face);
   bool divided = false;
-  for (std::size_t i = 0; i < ring.size(); ++i)
+  for (std::size_t i = 0; i < ring.size && !divided; ++i)
   {
-    const std::uint32_t next = ring[i + 1 < ring.size() ? i + 1 : 0];
-    face.addCorner(static_cast<std::uint32_t>(face.nodes.size()));
-    face.nodes.push_back(minus(placeOf(ring[i]), origin));
-    for (const CellCut::Point& point : cut.points)
-    {
-      const std::uint32_t low = view.nodes[point.low];
-      const std::uint32_t high = view.nodes[point.high];
-      if ((low == ring[i] && high == next) || (high == ring[i] && low == next))
-      {
-        divided = true;
-        face.addCorner(static_cast<std::uint32_t>(face.nodes.size()));
-        face.nodes.push_back(point.at);
-      }
-    }
+    const std::uint32_t from = ring.first[i > 0 ? i - 1 : ring.size - 1];
+    divided = std::any_of(cut.points.begin(), cut.points.end(),
+      [&](const CellCut::Point& point) { return isBetween(point, from, ring.first[i]); });
   }
   if (!divided)
   {
     return false;
+  }
+  const Point origin = boxes_.lowOf(boxOf(key));
+  Polyhedron face;
+  const auto addCorner = [&](const Vector& at) {
+    face.addCorner(static_cast<std::uint32_t>(face.nodes.size()));
+    face.nodes.push_back(at);
+  };
+  for (std::size_t i = 0; i < ring.size; ++i)
+  {
+    const auto corner = [&](std::size_t k) {
+      return ring.first[use.turned ? ring.size - 1 - k : k];
+    };
+    addCorner(minus(placeOf(corner(i)), origin));
+    for (const CellCut::Point& point : cut.points)
+    {
+      if (isBetween(point, corner(i), corner(i + 1 < ring.size ? i + 1 : 0)))
+      {
+        addCorner(point.at);
+      }
+    }
   }
   face.closeFace(false);
   CellShape shape;
@@ -556,12 +567,16 @@ bool CellComplex::hasFacesNear(CellKey key, const CellView& view, const JoinedFa
 {
   return std::any_of(
     joined.groups.begin(), joined.groups.end(), [&](const JoinedFaces::Group& group) {
+      if (group.members.size() < 2)
+      {
+        return false;
+      }
       std::vector<std::uint32_t> nodes;
       for (const std::uint32_t node : group.ring)
       {
         nodes.push_back(view.nodes[node]);
       }
-      return group.members.size() > 1 && hasFaceNear(key, std::move(nodes));
+      return hasFaceNear(key, std::move(nodes));
     });
 }
 

@@ -23,6 +23,7 @@ constexpr int MostRounds = 100;
 std::optional<Fitness> fitnessAfter(const CellView& view, const CellCut& cut, double least)
 {
   std::vector<Polyhedron> parts;
+  parts.reserve(cut.parts);
   std::vector<CellShape> shapes(cut.parts);
   for (std::uint32_t p = 0; p < cut.parts; ++p)
   {
@@ -36,6 +37,8 @@ std::optional<Fitness> fitnessAfter(const CellView& view, const CellCut& cut, do
   Fitness sum;
   std::vector<Beyond> beyond;
   std::vector<std::uint8_t> counts;
+  beyond.reserve(cut.faces.size());
+  counts.reserve(cut.faces.size());
   for (std::uint32_t p = 0; p < cut.parts; ++p)
   {
     beyond.clear();

@@ -142,7 +142,11 @@ public:
       }
     }
     JoinedFaces joined = withoutEmpty(std::move(joined_));
-    return joined.groups.size() < view_.faces.size() ? joined : JoinedFaces{};
+    if (joined.groups.size() == view_.faces.size())
+    {
+      joined.groups.clear();
+    }
+    return joined;
   }
 
 private:

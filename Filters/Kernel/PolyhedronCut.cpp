@@ -362,6 +362,8 @@ private:
     }
     turned = normal[axis] < 0;
     FlatPolygon polygon;
+    polygon.nodes.reserve(corners.size());
+    polygon.at.reserve(corners.size());
     for (std::size_t i = 0; i < corners.size(); ++i)
     {
       const Index n = corners[turned ? corners.size() - 1 - i : i];
@@ -377,11 +379,10 @@ private:
   bool addStars(const std::vector<Index>& corners, Index source, int side)
   {
     bool turned = false;
-    const FlatPolygon polygon =
-      flattened(corners, source == CellCut::NoSource ? plane_.normal : areaOf(corners), turned);
-    std::vector<FlatPolygon> stars;
-    splitIntoStars(polygon, stars);
-    for (FlatPolygon& star : stars)
+    const Vector normal = source == CellCut::NoSource ? plane_.normal : areaOf(corners);
+    stars_.clear();
+    splitIntoStars(flattened(corners, normal, turned), stars_);
+    for (FlatPolygon& star : stars_)
     {
       if (turned)
       {
@@ -585,6 +586,7 @@ private:
   std::vector<Index> ring_;
   std::vector<int> signs_;
   std::vector<int> sides_; // of each face of the cut
+  std::vector<FlatPolygon> stars_;
   std::vector<Index> parent_;
   std::vector<Index> number_;
   EdgeTable edges_; // the first face at each, on each side of the plane
@@ -600,7 +602,11 @@ bool cutCell(const Polyhedron& cell, const CutPlane& plane, CellCut& cut)
 Polyhedron partOf(const Polyhedron& cell, const CellCut& cut, std::uint32_t part)
 {
   Polyhedron result;
-  result.nodes = cell.nodes;
+  result.nodes.reserve(cell.nodes.size() + cut.points.size());
+  result.start.reserve(cut.faces.size() + 1);
+  result.corners.reserve(cut.corners.size());
+  result.isBoundary.reserve(cut.faces.size());
+  result.nodes.assign(cell.nodes.begin(), cell.nodes.end());
   for (const CellCut::Point& point : cut.points)
   {
     result.nodes.push_back(point.at);

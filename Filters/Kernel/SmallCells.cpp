@@ -51,18 +51,20 @@ struct Merging
 // (Between two boundary faces CellComplex::merge leaves nothing.)
 bool isFolded(const CellView& view)
 {
-  std::vector<std::pair<std::vector<std::uint32_t>, std::size_t>> faces;
-  for (std::size_t f = 0; f < view.faces.size(); ++f)
+  std::vector<std::uint32_t> nodes(view.shape.corners.begin(), view.shape.corners.end());
+  const auto begin = [&](std::size_t f) { return nodes.begin() + view.shape.start[f]; };
+  std::vector<std::size_t> faces(view.faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f)
   {
-    const auto corners = view.shape.corners.begin();
-    faces.push_back({ { corners + std::ptrdiff_t(view.shape.start[f]),
-                        corners + std::ptrdiff_t(view.shape.start[f + 1]) },
-      f });
-    std::sort(faces.back().first.begin(), faces.back().first.end());
+    faces[f] = f;
+    std::sort(begin(f), begin(f + 1));
   }
-  std::sort(faces.begin(), faces.end());
-  return std::adjacent_find(faces.begin(), faces.end(), [&](const auto& x, const auto& y) {
-    return x.first == y.first && (view.across[x.second] != None || view.across[y.second] != None);
+  std::sort(faces.begin(), faces.end(), [&](std::size_t f, std::size_t g) {
+    return std::lexicographical_compare(begin(f), begin(f + 1), begin(g), begin(g + 1));
+  });
+  return std::adjacent_find(faces.begin(), faces.end(), [&](std::size_t f, std::size_t g) {
+    return std::equal(begin(f), begin(f + 1), begin(g), begin(g + 1)) &&
+      (view.across[f] != None || view.across[g] != None);
   }) != faces.end();
 }
 

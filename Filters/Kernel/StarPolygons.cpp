@@ -345,14 +345,15 @@ bool isWhole(const FlatPolygon& polygon)
   return polygon.nodes.size() <= 3 || (isStar(polygon.at) && areDistinct(polygon.nodes));
 }
 
-void splitIntoStars(const FlatPolygon& polygon, std::vector<FlatPolygon>& parts)
+void splitIntoStars(FlatPolygon polygon, std::vector<FlatPolygon>& parts)
 {
   if (isWhole(polygon))
   {
-    parts.push_back(polygon);
+    parts.push_back(std::move(polygon));
     return;
   }
-  std::vector<FlatPolygon> todo{ polygon };
+  std::vector<FlatPolygon> todo;
+  todo.push_back(std::move(polygon));
   while (!todo.empty())
   {
     FlatPolygon next = std::move(todo.back());

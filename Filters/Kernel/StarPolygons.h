@@ -30,8 +30,8 @@ void joinHoles(FlatPolygon& polygon, std::vector<FlatPolygon> holes);
 // Whether splitting leaves it as it is.
 bool isWhole(const FlatPolygon& polygon);
 
-// Replaces the polygon by parts with a star triangulation; any polygon ends in a finite number
+// Appends the polygon in parts with a star triangulation; any polygon ends in a finite number
 // of steps, also one that crosses itself.
-void splitIntoStars(const FlatPolygon& polygon, std::vector<FlatPolygon>& parts);
+void splitIntoStars(FlatPolygon polygon, std::vector<FlatPolygon>& parts);
 
 }
