@@ -22,85 +22,118 @@ constexpr std::array<double, 5> WiderAngles{ 30, 45, 60, 90, 180 };
 
 constexpr double RadiansPerDegree = 3.14159265358979 / 180;
 
-// Joins the faces of a cell where that helps; returns whether it did.
-bool joinFacesOf(CellComplex& complex, CellKey key, double leastCosine)
+// Makes faces of one cell after the other one; keeps its memory.
+class FaceMender
 {
-  CellView view;
-  CellShape shape;
-  complex.view({ key }, view);
-  complex.lookBeyond(key, view);
-  measure(view.shape, shape);
-  if (isThin(shape))
+public:
+  explicit FaceMender(CellComplex& complex)
+    : complex_(complex)
   {
-    return false;
   }
-  const Fitness before = fitnessOf(view.shape, shape, view.beyond);
-  const JoinedFaces joined = joinFaces(view, shape, leastCosine);
-  if (joined.groups.empty())
+
+  // Joins the faces of a cell where that helps; returns whether it did.
+  bool joinFaces(CellKey key, double leastCosine)
   {
-    return false;
-  }
-  std::vector<Beyond> beyond;
-  const Polyhedron after = shapeOf(view, joined, beyond);
-  const double volume = shape.volume;
-  measure(after, shape);
-  if (after.faces() >= LeastFaces && shape.volume > LeastVolumeLeft * volume &&
-    fitnessOf(after, shape, beyond).isBetterThan(before) &&
-    !complex.hasFacesNear(key, view, joined))
-  {
-    complex.open(key);
-    complex.join(key, view, joined);
+    look(key);
+    if (isThin(shape_))
+    {
+      return false;
+    }
+    const Fitness before = fitnessOf(view_.shape, shape_, view_.beyond);
+    const JoinedFaces joined = cartesian::joinFaces(view_, shape_, leastCosine);
+    if (joined.groups.empty() || !tryOut(joined).isBetterThan(before) || !keepsCell() ||
+      complex_.hasFacesNear(key, view_, joined))
+    {
+      return false;
+    }
+    complex_.open(key);
+    complex_.join(key, view_, joined);
     return true;
   }
-  return false;
-}
 
-// Where no cut helps: makes a boundary face at fault and one of its neighbours one (the paper's IP
-// patches, 4.11). Returns whether it could.
-bool mendFace(CellComplex& complex, CellKey key)
-{
-  CellView view;
-  CellShape shape;
-  complex.view({ key }, view);
-  if (view.faces.size() > MostFacesJoined)
+  // Joins faces of a cell at fault where that helps, whatever angle they meet at; returns whether it did.
+  bool mend(CellKey key)
   {
-    return false;
-  }
-  complex.lookBeyond(key, view);
-  measure(view.shape, shape);
-  const Fitness before = fitnessOf(view.shape, shape, view.beyond);
-  Fitness best = before;
-  JoinedFaces bestJoined;
-  for (std::uint32_t face = 0; face < view.faces.size(); ++face)
-  {
-    if (!view.shape.isBoundary[face] || view.across[face] != None ||
-      !isAtFault(view.shape, shape, face))
+    bool any = false;
+    while (mendFace(key))
     {
-      continue;
+      any = true;
     }
-    for (JoinedFaces& joined : joinFace(view, shape, face))
+    for (const double angle : WiderAngles)
     {
-      std::vector<Beyond> beyond;
-      CellShape after;
-      const Polyhedron trial = shapeOf(view, joined, beyond);
-      measure(trial, after);
-      const Fitness fitness = fitnessOf(trial, after, beyond);
-      if (trial.faces() >= LeastFaces && after.volume > LeastVolumeLeft * shape.volume &&
-        fitness.isBetterThan(best) && !complex.hasFacesNear(key, view, joined))
+      if (complex_.isAtFault(key))
       {
-        best = fitness;
-        bestJoined = std::move(joined);
+        any = joinFaces(key, std::cos(angle * RadiansPerDegree)) || any;
       }
     }
+    return any;
   }
-  if (bestJoined.groups.empty())
+
+private:
+  void look(CellKey key)
   {
-    return false;
+    complex_.view({ key }, view_);
+    complex_.lookBeyond(key, view_);
+    measure(view_.shape, shape_);
   }
-  complex.open(key);
-  complex.join(key, view, bestJoined);
-  return true;
-}
+
+  Fitness tryOut(const JoinedFaces& joined)
+  {
+    trial_ = shapeOf(view_, joined, beyond_);
+    measure(trial_, after_);
+    return fitnessOf(trial_, after_, beyond_);
+  }
+
+  // What was tried out.
+  bool keepsCell() const
+  {
+    return trial_.faces() >= LeastFaces && after_.volume > LeastVolumeLeft * shape_.volume;
+  }
+
+  // Where no cut helps: makes a boundary face at fault and one of its neighbours one (the paper's IP
+  // patches, 4.11). Returns whether it could.
+  bool mendFace(CellKey key)
+  {
+    look(key);
+    if (view_.faces.size() > MostFacesJoined)
+    {
+      return false;
+    }
+    Fitness best = fitnessOf(view_.shape, shape_, view_.beyond);
+    JoinedFaces bestJoined;
+    for (std::uint32_t face = 0; face < view_.faces.size(); ++face)
+    {
+      if (!view_.shape.isBoundary[face] || view_.across[face] != None ||
+        !isAtFault(view_.shape, shape_, face))
+      {
+        continue;
+      }
+      for (JoinedFaces& joined : joinFace(view_, shape_, face))
+      {
+        const Fitness fitness = tryOut(joined);
+        if (fitness.isBetterThan(best) && keepsCell() && !complex_.hasFacesNear(key, view_, joined))
+        {
+          best = fitness;
+          bestJoined = std::move(joined);
+        }
+      }
+    }
+    if (bestJoined.groups.empty())
+    {
+      return false;
+    }
+    complex_.open(key);
+    complex_.join(key, view_, bestJoined);
+    return true;
+  }
+
+  CellComplex& complex_;
+  CellView view_; // of the cell at hand
+  CellShape shape_;
+  Polyhedron trial_;
+  CellShape after_;
+  std::vector<Beyond> beyond_;
+};
 
 // Those at the boundary below a part of their box: R of their boundary, but not more than `most`.
 // Elsewhere they would leave a hole.
@@ -117,24 +150,6 @@ void removeSmallCells(CellComplex& complex, const CellSpec& spec, double most)
   }
 }
 
-// Joins faces of a cell at fault where that helps, whatever angle they meet at; returns whether it did.
-bool mendFaces(CellComplex& complex, CellKey key)
-{
-  bool any = false;
-  while (mendFace(complex, key))
-  {
-    any = true;
-  }
-  for (const double angle : WiderAngles)
-  {
-    if (complex.isAtFault(key))
-    {
-      any = joinFacesOf(complex, key, std::cos(angle * RadiansPerDegree)) || any;
-    }
-  }
-  return any;
-}
-
 // What is done to the cells of one slab.
 class Shaper
 {
@@ -144,6 +159,7 @@ public:
     , spec_(spec)
     , exact_(exact)
     , execution_(execution)
+    , mender_(complex)
   {
   }
 
@@ -222,7 +238,7 @@ private:
     for (const CellKey key : complex_.polyhedraAtFault())
     {
       execution_.poll();
-      joinFacesOf(complex_, key, leastCosine);
+      mender_.joinFaces(key, leastCosine);
     }
   }
 
@@ -238,7 +254,7 @@ private:
     for (const CellKey key : exact_ ? std::vector<CellKey>{} : complex_.polyhedraAtFault())
     {
       execution_.poll();
-      shaping_.cellsMended += mendFaces(complex_, key) ? complex_.counts(key) : 0;
+      shaping_.cellsMended += mender_.mend(key) ? complex_.counts(key) : 0;
     }
   }
 
@@ -259,6 +275,7 @@ private:
   const CellSpec& spec_;
   bool exact_;
   Execution& execution_;
+  FaceMender mender_;
   MergesTried merges_;
   Shaping shaping_;
 };

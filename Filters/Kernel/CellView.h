@@ -30,9 +30,7 @@ struct CellView
 
   void reserve(std::size_t ofFaces, std::size_t ofCorners)
   {
-    shape.start.reserve(ofFaces + 1);
-    shape.isBoundary.reserve(ofFaces);
-    shape.corners.reserve(ofCorners);
+    shape.reserve(0, ofFaces, ofCorners);
     faces.reserve(ofFaces);
     across.reserve(ofFaces);
     boundary.reserve(ofFaces);

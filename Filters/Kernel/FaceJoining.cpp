@@ -112,8 +112,11 @@ public:
   // A boundary face with each of its neighbours in turn, whatever the angle.
   std::vector<JoinedFaces> runWith(std::uint32_t face)
   {
-    begin();
     std::vector<JoinedFaces> results;
+    if (!begin())
+    {
+      return results;
+    }
     const JoinedFaces apart = joined_;
     for (const auto& [f, g] : pairs_)
     {
@@ -128,11 +131,10 @@ public:
 
   JoinedFaces run()
   {
-    if (leastCosine_ > 1 || !mayAnyFit())
+    if (leastCosine_ > 1 || !mayAnyFit() || !begin())
     {
       return {};
     }
-    begin();
     for (bool joined = true; joined;)
     {
       joined = false;
@@ -150,9 +152,16 @@ public:
   }
 
 private:
-  void begin()
+  // False where there is nothing to join.
+  bool begin()
   {
+    listPairs();
+    if (pairs_.empty())
+    {
+      return false;
+    }
     trial_.nodes = view_.shape.nodes;
+    joined_.groups.reserve(view_.faces.size());
     for (std::uint32_t f = 0; f < view_.faces.size(); ++f)
     {
       const auto corners = view_.shape.corners.begin();
@@ -161,7 +170,7 @@ private:
           corners + std::ptrdiff_t(view_.shape.start[f + 1]) } });
       groupOf_.push_back(f);
     }
-    listEdges();
+    return true;
   }
 
   bool mayAnyFit() const
@@ -189,17 +198,18 @@ private:
   }
 
   // The faces on either side of each edge; where there are not two, none is joined.
-  void listEdges()
+  void listPairs()
   {
     std::vector<std::array<std::uint32_t, 3>> edges; // lower node, higher node, face
+    edges.reserve(view_.shape.corners.size());
     for (std::uint32_t f = 0; f < view_.faces.size(); ++f)
     {
-      const std::vector<std::uint32_t>& ring = joined_.groups[f].ring;
-      for (std::size_t i = 0; i < ring.size(); ++i)
+      std::uint32_t from = view_.shape.corners[view_.shape.start[f + 1] - 1];
+      for (std::size_t i = view_.shape.start[f]; i < view_.shape.start[f + 1]; ++i)
       {
-        const std::uint32_t from = ring[i];
-        const std::uint32_t to = ring[i + 1 < ring.size() ? i + 1 : 0];
+        const std::uint32_t to = view_.shape.corners[i];
         edges.push_back({ std::min(from, to), std::max(from, to), f });
+        from = to;
       }
     }
     std::sort(edges.begin(), edges.end());
@@ -335,8 +345,10 @@ Polyhedron shapeOf(const CellView& view, const JoinedFaces& joined, std::vector<
     return view.shape;
   }
   Polyhedron shape;
+  shape.reserve(view.shape.nodes.size(), joined.groups.size(), view.shape.corners.size());
   shape.nodes = view.shape.nodes;
   beyond.clear();
+  beyond.reserve(joined.groups.size());
   for (const JoinedFaces::Group& group : joined.groups)
   {
     const std::uint32_t face = group.members.front();

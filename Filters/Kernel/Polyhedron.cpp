@@ -66,6 +66,14 @@ void Polyhedron::clear()
   isBoundary.clear();
 }
 
+void Polyhedron::reserve(std::size_t ofNodes, std::size_t ofFaces, std::size_t ofCorners)
+{
+  nodes.reserve(ofNodes);
+  start.reserve(ofFaces + 1);
+  corners.reserve(ofCorners);
+  isBoundary.reserve(ofFaces);
+}
+
 void measure(const Polyhedron& cell, CellShape& shape)
 {
   shape.faces.resize(cell.faces());

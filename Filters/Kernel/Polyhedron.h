@@ -20,6 +20,7 @@ struct Polyhedron
 
   std::size_t faces() const { return isBoundary.size(); }
   void clear();
+  void reserve(std::size_t ofNodes, std::size_t ofFaces, std::size_t ofCorners);
   void addCorner(std::uint32_t node) { corners.push_back(node); }
   void closeFace(bool boundary)
   {

@@ -39,6 +39,9 @@ public:
     cut_.points.clear();
     cut_.faces.clear();
     cut_.corners.clear();
+    cut_.faces.reserve(2 * cell_.faces());
+    cut_.corners.reserve(2 * cell_.corners.size());
+    sides_.reserve(2 * cell_.faces());
     findSigns();
     if (!hasBothSides())
     {
@@ -288,7 +291,9 @@ private:
       const double b = dot(node(ring_[y]), along);
       return a != b ? a < b : x < y;
     });
-    std::vector<std::vector<Index>> pieces{ ring_ };
+    std::vector<std::vector<Index>> pieces;
+    pieces.reserve(1 + cuts.size() / 2);
+    pieces.push_back(ring_);
     for (std::size_t i = 0; i + 1 < cuts.size(); i += 2)
     {
       if (!splitBetween(ring_[cuts[i]], ring_[cuts[i + 1]], pieces))
@@ -602,10 +607,7 @@ bool cutCell(const Polyhedron& cell, const CutPlane& plane, CellCut& cut)
 Polyhedron partOf(const Polyhedron& cell, const CellCut& cut, std::uint32_t part)
 {
   Polyhedron result;
-  result.nodes.reserve(cell.nodes.size() + cut.points.size());
-  result.start.reserve(cut.faces.size() + 1);
-  result.corners.reserve(cut.corners.size());
-  result.isBoundary.reserve(cut.faces.size());
+  result.reserve(cell.nodes.size() + cut.points.size(), cut.faces.size(), cut.corners.size());
   result.nodes.assign(cell.nodes.begin(), cell.nodes.end());
   for (const CellCut::Point& point : cut.points)
   {

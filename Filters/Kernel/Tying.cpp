@@ -2,6 +2,8 @@
 
 #include "Sides.h"
 
+#include <numeric>
+
 namespace cartesian
 {
 
@@ -78,9 +80,7 @@ void SideTying::tie(std::uint32_t b, BoxSurface& piece)
     s.quarter = static_cast<std::uint8_t>(
       std::find(there.begin(), there.end(), there[s.quarter]) - there.begin());
   }
-  std::stable_sort(segments_.begin(), segments_.end(), [](const Segment& s, const Segment& t) {
-    return 4 * s.side + s.quarter < 4 * t.side + t.quarter;
-  });
+  sortByPart();
   const bool exactHere = reasons_[b] != PatchReason::MarchingCubes;
   for (const Segment* first = segments_.data(); first != segments_.data() + segments_.size();)
   {
@@ -96,6 +96,24 @@ void SideTying::tie(std::uint32_t b, BoxSurface& piece)
       other == None ? exactHere : reasons_[other] != PatchReason::MarchingCubes);
     first = last;
   }
+}
+
+// Those of a part stay in their order.
+void SideTying::sortByPart()
+{
+  const auto partOf = [](const Segment& s) { return std::size_t(4) * s.side + s.quarter; };
+  std::array<std::size_t, 4 * 6 + 1> next{};
+  for (const Segment& s : segments_)
+  {
+    ++next[partOf(s) + 1];
+  }
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  sorted_.resize(segments_.size());
+  for (const Segment& s : segments_)
+  {
+    sorted_[next[partOf(s)]++] = s;
+  }
+  segments_.swap(sorted_);
 }
 
 // The same for both boxes of a side perpendicular to `axis`.

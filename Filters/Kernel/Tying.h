@@ -80,6 +80,7 @@ private:
   void listFlatNodes(const BoxSurface& piece);
   void moveOntoChord(const BoxSurface& piece);
   void startAtFirstTriangle();
+  void sortByPart();
   double shortestEdge(const Box& box, int axis) const;
   bool endsShareLine(const BoxSurface& piece) const;
   Flat flat(const BoxSurface& piece, std::uint32_t node) const
@@ -107,6 +108,7 @@ private:
   bool exactHere_ = false;
   bool exactThere_ = false;
   std::vector<Segment> segments_;
+  std::vector<Segment> sorted_;
   std::vector<std::uint32_t> leaving_; // of each point, the segment that leaves it (of the part)
   std::vector<std::uint8_t> arrivals_;
   std::vector<std::uint8_t> departures_;

@@ -149,6 +149,7 @@ private:
   {
     const Box whole = boxes_.box(box);
     Polyhedron polyhedron;
+    polyhedron.reserve(8, 6, 24);
     for (unsigned c = 0; c < 8; ++c)
     {
       polyhedron.nodes.push_back(minus(corner(c), whole.low));
