@@ -15,6 +15,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace cartesian
@@ -63,7 +64,7 @@ vtkIdType findFace(const std::vector<vtkIdType>& face, const vtkIdType* stream)
   return count;
 }
 
-void numberCells(vtkUnstructuredGrid* mesh, Execution& execution)
+void addCellIds(vtkUnstructuredGrid* mesh, Execution& execution)
 {
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName(CellId);
@@ -172,7 +173,7 @@ private:
 
 void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution)
 {
-  numberCells(mesh, execution);
+  addCellIds(mesh, execution);
   std::vector<Row> rows = listRows(mesh, boundary, execution);
   sortFacesOfCells(rows);
   vtkNew<vtkIdTypeArray> array;

@@ -6,8 +6,9 @@
 // box). Field data: one array of one number for each of the statistics. Both also hold what
 // BoundaryOfFaces.h says.
 //
-// Boundary (vtkPolyData): the faces that only one cell has, in order of cells. Cell arrays: BoundaryId (int; -1 where no
-// patch was), OwnerCell (id type: cell of the mesh). Point array: MeshPointId (id type).
+// Boundary (vtkPolyData): the faces that only one cell has, in order of their cells. Cell arrays:
+// BoundaryId (int; -1 where no patch was), OwnerCell (id type: cell of the mesh). Point array:
+// MeshPointId (id type).
 //
 // Both have field data of one value for each boundary, in order of their numbers: BoundaryIds and
 // BoundaryNames, BoundaryTypes if any has one (BoundaryNames.h), BoundaryFaceCounts (id type), BoundaryAreas (double, square user

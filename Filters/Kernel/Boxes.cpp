@@ -49,18 +49,6 @@ std::uint32_t Boxes::globalAt(std::int64_t i, std::int64_t j, std::int64_t k) co
                                               : None;
 }
 
-std::uint32_t Boxes::nextInRow(std::uint32_t global, bool upper) const
-{
-  const std::uint32_t next = upper ? global + 1 : global - 1;
-  if (next >= globals.size() - 1)
-  {
-    return None;
-  }
-  std::array<std::uint32_t, 3> at = globals[global].index;
-  at[0] += upper ? 1 : -1;
-  return globals[next].index == at ? next : None;
-}
-
 std::uint32_t Boxes::boxAt(const FinePoint& fine, std::uint32_t near, std::int64_t& step) const
 {
   const FinePoint at = { fine[0] >> DeepestLevel, fine[1] >> DeepestLevel,
@@ -149,8 +137,7 @@ std::array<std::uint32_t, 4> facing(const Boxes& boxes, const PackedBox& box, in
   {
     std::array<std::int64_t, 3> at{ global.index[0], global.index[1], global.index[2] };
     at[axis] += upper ? 1 : -1;
-    const std::uint32_t other =
-      axis == 0 ? boxes.nextInRow(box.global, upper) : boxes.globalAt(at[0], at[1], at[2]);
+    const std::uint32_t other = boxes.globalAt(at[0], at[1], at[2]);
     across.fill(other == None ? None : boxes.globals[other].firstBox);
     return across;
   }

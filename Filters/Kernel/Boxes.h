@@ -124,9 +124,6 @@ struct Boxes
   // The global box (i, j, k), or None where nothing of it is kept.
   std::uint32_t globalAt(std::int64_t i, std::int64_t j, std::int64_t k) const;
 
-  // The one before or behind a global box along x, likewise.
-  std::uint32_t nextInRow(std::uint32_t global, bool upper) const;
-
   // The box that holds the fine cell with this low corner, or None. `step` receives how far along
   // each axis the answer is the same at least: the size of the unit, or of the global box. `near`: a
   // global box that is likely the right one.

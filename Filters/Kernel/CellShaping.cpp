@@ -2,6 +2,7 @@
 
 #include "CellCarving.h"
 #include "CellSplitting.h"
+#include "FaceMending.h"
 #include "RefusedCells.h"
 #include "SmallCells.h"
 
@@ -13,127 +14,6 @@ namespace cartesian
 
 namespace
 {
-
-// Faces that become one may cut off less than the rest of a cell.
-constexpr double LeastVolumeLeft = 0.8;
-
-// Where no pair of faces helps, those that meet at less become one, in degrees.
-constexpr std::array<double, 5> WiderAngles{ 30, 45, 60, 90, 180 };
-
-constexpr double RadiansPerDegree = 3.14159265358979 / 180;
-
-// Makes faces of one cell after the other one; keeps its memory.
-class FaceMender
-{
-public:
-  explicit FaceMender(CellComplex& complex)
-    : complex_(complex)
-  {
-  }
-
-  // Joins the faces of a cell where that helps; returns whether it did.
-  bool joinFaces(CellKey key, double leastCosine)
-  {
-    look(key);
-    if (isThin(shape_))
-    {
-      return false;
-    }
-    const Fitness before = fitnessOf(view_.shape, shape_, view_.beyond);
-    const JoinedFaces joined = cartesian::joinFaces(view_, shape_, leastCosine);
-    if (joined.groups.empty() || !tryOut(joined).isBetterThan(before) || !keepsCell() ||
-      complex_.hasFacesNear(key, view_, joined))
-    {
-      return false;
-    }
-    complex_.open(key);
-    complex_.join(key, view_, joined);
-    return true;
-  }
-
-  // Joins faces of a cell at fault where that helps, whatever angle they meet at; returns whether it did.
-  bool mend(CellKey key)
-  {
-    bool any = false;
-    while (mendFace(key))
-    {
-      any = true;
-    }
-    for (const double angle : WiderAngles)
-    {
-      if (complex_.isAtFault(key))
-      {
-        any = joinFaces(key, std::cos(angle * RadiansPerDegree)) || any;
-      }
-    }
-    return any;
-  }
-
-private:
-  void look(CellKey key)
-  {
-    complex_.view({ key }, view_);
-    complex_.lookBeyond(key, view_);
-    measure(view_.shape, shape_);
-  }
-
-  Fitness tryOut(const JoinedFaces& joined)
-  {
-    trial_ = shapeOf(view_, joined, beyond_);
-    measure(trial_, after_);
-    return fitnessOf(trial_, after_, beyond_);
-  }
-
-  // What was tried out.
-  bool keepsCell() const
-  {
-    return trial_.faces() >= LeastFaces && after_.volume > LeastVolumeLeft * shape_.volume;
-  }
-
-  // Where no cut helps: makes a boundary face at fault and one of its neighbours one (the paper's IP
-  // patches, 4.11). Returns whether it could.
-  bool mendFace(CellKey key)
-  {
-    look(key);
-    if (view_.faces.size() > MostFacesJoined)
-    {
-      return false;
-    }
-    Fitness best = fitnessOf(view_.shape, shape_, view_.beyond);
-    JoinedFaces bestJoined;
-    for (std::uint32_t face = 0; face < view_.faces.size(); ++face)
-    {
-      if (!view_.shape.isBoundary[face] || view_.across[face] != None ||
-        !isAtFault(view_.shape, shape_, face))
-      {
-        continue;
-      }
-      for (JoinedFaces& joined : joinFace(view_, shape_, face))
-      {
-        const Fitness fitness = tryOut(joined);
-        if (fitness.isBetterThan(best) && keepsCell() && !complex_.hasFacesNear(key, view_, joined))
-        {
-          best = fitness;
-          bestJoined = std::move(joined);
-        }
-      }
-    }
-    if (bestJoined.groups.empty())
-    {
-      return false;
-    }
-    complex_.open(key);
-    complex_.join(key, view_, bestJoined);
-    return true;
-  }
-
-  CellComplex& complex_;
-  CellView view_; // of the cell at hand
-  CellShape shape_;
-  Polyhedron trial_;
-  CellShape after_;
-  std::vector<Beyond> beyond_;
-};
 
 // Those at the boundary below a part of their box: R of their boundary, but not more than `most`.
 // Elsewhere they would leave a hole.
@@ -234,7 +114,8 @@ private:
 
   void joinFlatFaces()
   {
-    const double leastCosine = exact_ ? OnOnePlane : std::cos(spec_.joinAngle * RadiansPerDegree);
+    const double leastCosine =
+      exact_ ? OnOnePlane : std::cos(spec_.joinAngle * (3.14159265358979 / 180));
     for (const CellKey key : complex_.polyhedraAtFault())
     {
       execution_.poll();

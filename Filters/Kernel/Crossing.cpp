@@ -57,12 +57,13 @@ Level oddLevel(Level base, Integer numerator, Integer denominator, bool tieUp)
   return static_cast<Level>(remainder > 0 || tieUp ? whole + 1 : whole - 1);
 }
 
-// `share`: part by run, nearly.
-Level crossPlaneAlong(const Point& a, const Point& b, int axis, std::int64_t part, std::int64_t run,
-  double share, int free)
+Level crossPlaneAlong(const Point& a, const Point& b, int axis, Level plane, int free)
 {
   const std::int64_t rise = difference(b[free], a[free]);
-  const double x = a[free] + static_cast<double>(rise) * share;
+  const std::int64_t run = difference(b[axis], a[axis]);
+  const std::int64_t part = difference(plane, a[axis]);
+  const double x =
+    a[free] + static_cast<double>(rise) * static_cast<double>(part) / static_cast<double>(run);
   if (const Level sure = oddLevelIfSure(x, RoundingOfLevels))
   {
     return sure;
@@ -116,13 +117,10 @@ Point crossPlane(const Point& a, const Point& b, int axis, Level plane)
 {
   const int u = (axis + 1) % 3;
   const int v = (axis + 2) % 3;
-  const std::int64_t part = difference(plane, a[axis]);
-  const std::int64_t run = difference(b[axis], a[axis]);
-  const double share = static_cast<double>(part) / static_cast<double>(run);
   Point p;
   p[axis] = plane;
-  p[u] = crossPlaneAlong(a, b, axis, part, run, share, u);
-  p[v] = crossPlaneAlong(a, b, axis, part, run, share, v);
+  p[u] = crossPlaneAlong(a, b, axis, plane, u);
+  p[v] = crossPlaneAlong(a, b, axis, plane, v);
   return p;
 }
 

@@ -5,7 +5,10 @@
 #include "vtkPatcher.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCell.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -245,4 +248,61 @@ TEST(Pipeline, OutputsHaveTheirTypesAndArrays)
   EXPECT_TRUE(vtkIdTypeArray::SafeDownCast(boundary(mesher)->GetCellData()->GetArray("OwnerCell")));
   EXPECT_TRUE(
     vtkIdTypeArray::SafeDownCast(boundary(mesher)->GetPointData()->GetArray("MeshPointId")));
+}
+
+// So large that each loop over cells, faces and points of the boundary has several chunks.
+TEST(Pipeline, BoundaryDependsOnNoThreads)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetThetaResolution(60);
+  source->SetPhiResolution(60);
+  vtkNew<vtkCartesianMesher> mesher;
+  mesher->SetInputConnection(source->GetOutputPort());
+  mesher->SetCellSize(1.0 / 54);
+  std::vector<std::vector<double>> outputs;
+  for (const int threads : { 1, 3 })
+  {
+    mesher->SetNumberOfThreads(threads);
+    mesher->Update();
+    EXPECT_GT(mesh(mesher)->GetNumberOfCells(), 1 << 16);
+    EXPECT_GT(boundary(mesher)->GetNumberOfPoints(), 4096);
+    std::vector<double>& values = outputs.emplace_back();
+    for (vtkDataArray* array : { boundary(mesher)->GetPoints()->GetData(),
+           boundary(mesher)->GetPointData()->GetArray("MeshPointId"),
+           boundary(mesher)->GetCellData()->GetArray("OwnerCell"),
+           boundary(mesher)->GetPolys()->GetConnectivityArray(),
+           mesh(mesher)->GetCellData()->GetArray("CellId"),
+           mesh(mesher)->GetFieldData()->GetArray("BoundaryOfFaces") })
+    {
+      for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
+      {
+        values.push_back(array->GetComponent(i / array->GetNumberOfComponents(),
+          static_cast<int>(i % array->GetNumberOfComponents())));
+      }
+    }
+  }
+  EXPECT_EQ(outputs[0], outputs[1]);
+}
+
+// Rows of CellId, face and boundary, each once, in order; the faces are those of the boundary.
+TEST(Pipeline, BoundaryOfFacesNamesEachFaceOnce)
+{
+  const auto source = sphere();
+  vtkNew<vtkCartesianMesher> mesher;
+  mesher->SetInputConnection(source->GetOutputPort());
+  mesher->SetCellSize(0.2);
+  mesher->Update();
+  auto* rows =
+    vtkIdTypeArray::SafeDownCast(mesh(mesher)->GetFieldData()->GetAbstractArray("BoundaryOfFaces"));
+  ASSERT_TRUE(rows);
+  ASSERT_EQ(rows->GetNumberOfTuples(), boundary(mesher)->GetNumberOfPolys());
+  for (vtkIdType r = 0; r < rows->GetNumberOfTuples(); ++r)
+  {
+    const vtkIdType cell = rows->GetTypedComponent(r, 0);
+    const vtkIdType face = rows->GetTypedComponent(r, 1);
+    EXPECT_EQ(cell, boundary(mesher)->GetCellData()->GetArray("OwnerCell")->GetComponent(r, 0));
+    EXPECT_LT(face, mesh(mesher)->GetCell(cell)->GetNumberOfFaces());
+    EXPECT_TRUE(r == 0 || cell > rows->GetTypedComponent(r - 1, 0) ||
+      (cell == rows->GetTypedComponent(r - 1, 0) && face > rows->GetTypedComponent(r - 1, 1)));
+  }
 }
