@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCartesianBoxer.h"
 
+#include "Base/Error.h"
 #include "BoxesVTK.h"
 #include "DefectsToVTK.h"
-#include "Division.h"
-#include "Error.h"
-#include "Mesher.h"
-#include "SizeEstimate.h"
+#include "Mesher/Mesher.h"
+#include "Parts/Division.h"
+#include "Surface/SizeEstimate.h"
 #include "SurfaceBlocks.h"
 #include "SurfaceFromVTK.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCartesianMesher.h"
 
+#include "Base/Error.h"
 #include "BoundarySettings.h"
-#include "Division.h"
-#include "Error.h"
 #include "GhostCells.h"
 #include "MeshToVTK.h"
+#include "Parts/Division.h"
 #include "SurfaceFromVTK.h"
 
 #include "vtkInformation.h"

@@ -3,7 +3,7 @@
 
 #include "FieldData.h"
 #include "GridFaces.h"
-#include "QualityMeasures.h"
+#include "Quality/QualityMeasures.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPatcher.h"
 
+#include "Base/Error.h"
 #include "BoundaryNames.h"
 #include "BoxesVTK.h"
-#include "Error.h"
-#include "Mesher.h"
+#include "Mesher/Mesher.h"
 #include "PatchesVTK.h"
 #include "SurfaceFromVTK.h"
 

@@ -2,10 +2,10 @@
 #include "vtkPolyMeshWriter.h"
 
 #include "BoundaryOfFaces.h"
-#include "Cells.h"
+#include "Cells/Cells.h"
 #include "Guard.h"
 #include "MeshUnion.h"
-#include "PolyMeshFiles.h"
+#include "OpenFoam/PolyMeshFiles.h"
 
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceInspector.h"
 
-#include "Mesher.h"
+#include "Mesher/Mesher.h"
 #include "SurfaceFromVTK.h"
 
 #include "vtkInformation.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoundaryNames.h"
 
-#include "Error.h"
-#include "Surface.h"
+#include "Base/Error.h"
+#include "Surface/Surface.h"
 
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoundaryOfFaces.h"
 
-#include "Cells.h"
+#include "Cells/Cells.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoundarySettings.h"
 
-#include "Error.h"
-#include "FoamBoundary.h"
+#include "Base/Error.h"
+#include "OpenFoam/FoamBoundary.h"
 
 #include <algorithm>
 

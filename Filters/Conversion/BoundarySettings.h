@@ -3,7 +3,7 @@
 #pragma once
 
 #include "BoundaryNames.h"
-#include "Cells.h"
+#include "Cells/Cells.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 #include "BoxesVTK.h"
 
 #include "FieldData.h"
-#include "Numbering.h"
+#include "Lattice/Numbering.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

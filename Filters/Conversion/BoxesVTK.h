@@ -9,7 +9,7 @@
 // (even levels of the lattice).
 #pragma once
 
-#include "Boxes.h"
+#include "Boxes/Boxes.h"
 
 class vtkDataObject;
 class vtkUnstructuredGrid;

@@ -5,7 +5,7 @@
 // type: cells of the surface, -1 where there is none). Field data: one number for each count.
 #pragma once
 
-#include "SurfaceDefects.h"
+#include "Repair/SurfaceDefects.h"
 
 #include "vtkType.h"
 

@@ -2,7 +2,7 @@
 // Named arrays of few numbers that describe a whole data object.
 #pragma once
 
-#include "Error.h"
+#include "Base/Error.h"
 
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GridFaces.h"
 
-#include "Error.h"
+#include "Base/Error.h"
 #include "Polyhedra.h"
 
 #include "vtkCellType.h"

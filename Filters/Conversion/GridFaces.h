@@ -2,7 +2,7 @@
 // A vtkUnstructuredGrid as the faces of its cells.
 #pragma once
 
-#include "FaceList.h"
+#include "Quality/FaceList.h"
 
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"

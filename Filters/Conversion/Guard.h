@@ -2,8 +2,8 @@
 // The kernel's exceptions as a VTK algorithm's error codes and messages.
 #pragma once
 
-#include "Error.h"
-#include "Execution.h"
+#include "Base/Error.h"
+#include "Base/Execution.h"
 
 #include "vtkErrorCode.h"
 

@@ -2,7 +2,7 @@
 #include "MeshPiece.h"
 
 #include "BoundaryOfFaces.h"
-#include "Mesh.h"
+#include "Mesh/Mesh.h"
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"

@@ -2,7 +2,7 @@
 // A piece of a mesh (Kernel/Division.h) among the others.
 #pragma once
 
-#include "Boundary.h"
+#include "Cells/Boundary.h"
 #include "Processes.h"
 
 class vtkPolyData;

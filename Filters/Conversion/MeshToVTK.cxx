@@ -2,9 +2,9 @@
 #include "MeshToVTK.h"
 
 #include "BoundaryOfFaces.h"
-#include "CellGeometry.h"
 #include "FieldData.h"
 #include "Polyhedra.h"
+#include "Polyhedra/CellGeometry.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"

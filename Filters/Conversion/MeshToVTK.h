@@ -20,7 +20,7 @@
 
 #include "BoundaryNames.h"
 #include "MeshPiece.h"
-#include "Mesher.h"
+#include "Mesher/Mesher.h"
 
 class vtkPolyData;
 class vtkUnstructuredGrid;

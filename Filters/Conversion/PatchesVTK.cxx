@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatchesVTK.h"
 
-#include "Error.h"
-#include "Sorting.h"
+#include "Base/Error.h"
+#include "Base/Sorting.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"

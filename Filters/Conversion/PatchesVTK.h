@@ -6,7 +6,7 @@
 // the patches that it has, the codes of PatchReason in PatchChoice.h).
 #pragma once
 
-#include "Patches.h"
+#include "Patches/Patches.h"
 
 #include "vtkType.h"
 

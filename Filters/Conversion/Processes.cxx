@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Processes.h"
 
-#include "Error.h"
+#include "Base/Error.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"

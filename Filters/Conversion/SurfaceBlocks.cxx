@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceBlocks.h"
 
-#include "Error.h"
+#include "Base/Error.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"

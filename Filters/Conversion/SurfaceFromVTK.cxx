@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceFromVTK.h"
 
-#include "Error.h"
+#include "Base/Error.h"
 #include "SurfaceBlocks.h"
 
 #include "vtkCellArray.h"

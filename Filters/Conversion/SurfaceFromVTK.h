@@ -3,7 +3,7 @@
 #pragma once
 
 #include "BoundaryNames.h"
-#include "Surface.h"
+#include "Surface/Surface.h"
 
 #include "vtkType.h"
 

@@ -4,7 +4,7 @@
 // stages: stage by stage, for three surfaces at three sizes; growth: against the number of cells, of
 // triangles, and the depth, with exponents, on the first number of threads; refinement: how many
 // boxes it takes against an isotropic octree. By default all.
-#include "Error.h"
+#include "Base/Error.h"
 #include "Run.h"
 
 #include <cmath>

@@ -4,7 +4,7 @@
 // Linux forgets a peak when told so; where it does not, peaks are those since the beginning.
 #pragma once
 
-#include "Mesher.h"
+#include "Mesher/Mesher.h"
 
 #include <map>
 

@@ -1,5 +1,5 @@
 // libFuzzer's target: any bytes give a valid mesh or a refusal (Kernel/FuzzedSurface.h).
-#include "FuzzedSurface.h"
+#include "Support/FuzzedSurface.h"
 
 #include <cstdio>
 #include <cstdlib>

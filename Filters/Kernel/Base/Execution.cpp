@@ -1,0 +1,178 @@
+#include "Base/Execution.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <mutex>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// The monitor is called as soon as there is this much progress, or after so many seconds: often
+// enough to stop at once, no more often than eyes can follow.
+constexpr double LeastProgress = 0.005;
+constexpr double LongestSilence = 0.05;
+
+// The clock is looked at once in so many polls.
+constexpr unsigned PollsALook = 8;
+
+double now()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}
+
+Execution::Execution(int threads, Monitor monitor, double begin, double end)
+  : threads_(threads > 0 ? threads : std::max(1, int(std::thread::hardware_concurrency())))
+  , monitor_(std::move(monitor))
+  , work_{ begin, end }
+{
+}
+
+void Execution::leaveOut(double begin, double end)
+{
+  leftOut_ = { begin, end };
+}
+
+// How much work there is before that part of the whole.
+double Execution::workUpTo(double whole) const
+{
+  const double left = std::min(whole, leftOut_.end) - std::min(whole, leftOut_.begin);
+  return whole - left;
+}
+
+void Execution::stage(const char* name, double begin, double end)
+{
+  const double time = now();
+  if (!seconds_.empty())
+  {
+    seconds_.back().second = time - started_;
+  }
+  seconds_.emplace_back(name, 0.0);
+  started_ = time;
+  stage_ = name;
+  loop_ = { begin, begin };
+  stageEnd_ = end;
+  share_ = 0;
+  advance(0);
+  ask();
+}
+
+std::vector<std::pair<std::string, double>> Execution::seconds() const
+{
+  auto all = seconds_;
+  if (!all.empty())
+  {
+    all.back().second = now() - started_;
+  }
+  return all;
+}
+
+void Execution::advance(double fractionOfLoop)
+{
+  const double whole = loop_.begin + fractionOfLoop * (loop_.end - loop_.begin);
+  const double before = workUpTo(work_.begin);
+  const double fraction = (workUpTo(whole) - before) / (workUpTo(work_.end) - before);
+  reported_ = std::max(reported_, std::min(fraction, 1.0));
+}
+
+Execution Execution::alone()
+{
+  return Execution(1, [this](double, const char*) {
+    poll();
+    return true;
+  });
+}
+
+void Execution::poll()
+{
+  if (std::this_thread::get_id() != owner_)
+  {
+    if (stopped_)
+    {
+      throw Stopped();
+    }
+    return;
+  }
+  const bool isTime = monitor_ &&
+    (reported_ >= reportedThen_ + LeastProgress ||
+      (++polls_ % PollsALook == 0 && now() > asked_ + LongestSilence));
+  if (isTime)
+  {
+    ask();
+  }
+}
+
+void Execution::ask()
+{
+  if (monitor_ && !monitor_(reported_, stage_))
+  {
+    stopped_ = true;
+    throw Stopped();
+  }
+  asked_ = now();
+  reportedThen_ = reported_;
+}
+
+void Execution::forEach(std::size_t count, std::size_t grain,
+  const std::function<void(std::size_t begin, std::size_t end)>& work)
+{
+  std::atomic<std::size_t> next{ 0 };
+  std::atomic<bool> failed{ false };
+  std::exception_ptr failure;
+  std::mutex mutex;
+
+  const auto loop = [&](bool monitored) {
+    try
+    {
+      while (!failed)
+      {
+        const std::size_t begin = next.fetch_add(grain);
+        if (begin >= count)
+        {
+          return;
+        }
+        work(begin, std::min(begin + grain, count));
+        if (monitored)
+        {
+          advance(static_cast<double>(begin) / static_cast<double>(count));
+          poll();
+        }
+      }
+    }
+    catch (...)
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      if (!failed.exchange(true))
+      {
+        failure = std::current_exception();
+      }
+    }
+  };
+
+  loop_ = { loop_.end, loop_.end + share_ * (stageEnd_ - loop_.end) };
+  share_ = 0;
+  const std::size_t most = chunks(count, grain);
+  std::vector<std::thread> helpers;
+  for (std::size_t i = 1; i < std::min<std::size_t>(threads_, most); ++i)
+  {
+    helpers.emplace_back(loop, false);
+  }
+  loop(true);
+  for (std::thread& helper : helpers)
+  {
+    helper.join();
+  }
+  if (failure)
+  {
+    std::rethrow_exception(failure);
+  }
+  advance(1);
+  poll();
+}
+
+}

@@ -1,0 +1,455 @@
+#include "Boxes/BoxGeneration.h"
+
+#include "Base/Error.h"
+#include "Boxes/Balance.h"
+#include "Boxes/FewestBoxes.h"
+#include "Boxes/UnitStatuses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t RowsAChunk = 16;
+constexpr std::size_t GlobalsAChunk = 64;
+
+// Peak memory, measured on a sphere and on the surfaces in Data/ (see Testing/Benchmark).
+constexpr double BytesOfAnInsideBox = 260;
+constexpr double BytesOfAnIntersectedBox = 2600;
+constexpr double BytesOfATriangle = 150;
+
+// Units that a smooth surface passes through in a box of depth d are about this many times 4^d.
+constexpr double UnitsAcrossABox = 1.6;
+
+// Boxes that a triangle passes through, taking the spacing around its middle.
+double boxesOfTriangle(const Corners& c, const Meshlines& planes)
+{
+  std::array<double, 3> u;
+  std::array<double, 3> v;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double h = spacing(planes[axis], (double(c[0][axis]) + c[1][axis] + c[2][axis]) / 3);
+    u[axis] = (double(c[1][axis]) - c[0][axis]) / h;
+    v[axis] = (double(c[2][axis]) - c[0][axis]) / h;
+  }
+  double sum = 0;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const std::size_t b = (a + 1) % 3;
+    sum += std::abs(u[a] * v[b] - u[b] * v[a]) / 2;
+  }
+  return sum;
+}
+
+// Divides global boxes. Undivided ones have no list of their own.
+class Generator
+{
+public:
+  Generator(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
+    const Refinement& refinement, const GlobalStatuses& statuses, Layers core, Layers layers,
+    Execution& execution)
+    : surface_(surface)
+    , planes_(planes)
+    , shoeboxes_(shoeboxes)
+    , refinement_(refinement)
+    , statuses_(statuses)
+    , layers_(layers)
+    , execution_(execution)
+  {
+    boxes_.lattice = surface.lattice;
+    boxes_.planes = planes;
+    boxes_.core = core;
+  }
+
+  // `kept`: layers that stay when boxes are balanced.
+  Boxes generate(Layers kept, double mostBytes)
+  {
+    listGlobals();
+    if (refinement_.any())
+    {
+      findDepths();
+      checkDepths(mostBytes);
+      divide();
+      for (int level = refinement_.deepest() - 1; level > 0; --level)
+      {
+        flatten();
+        balance(level);
+      }
+    }
+    leaveOutAllBut(kept);
+    flatten();
+    return std::move(boxes_);
+  }
+
+private:
+  template <class Visitor>
+  void forEachRow(Visitor&& visit)
+  {
+    const std::size_t rowsAlongY = planes_[1].size() - 1;
+    const std::size_t first = boxes_.row(0, layers_.begin);
+    const std::size_t count = boxes_.row(0, layers_.end) - first;
+    execution_.forEach(count, RowsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t row = first + begin; row < first + end; ++row)
+      {
+        visit(row, static_cast<std::uint32_t>(row % rowsAlongY),
+          static_cast<std::uint32_t>(row / rowsAlongY));
+      }
+    });
+  }
+
+  template <class Visitor>
+  void forEachGlobal(Visitor&& visit)
+  {
+    execution_.forEach(statusOf_.size(), GlobalsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t g = begin; g < end; ++g)
+      {
+        visit(g);
+      }
+    });
+  }
+
+  void listGlobals()
+  {
+    boxes_.rowStart.assign((planes_[1].size() - 1) * (planes_[2].size() - 1) + 1, 0);
+    forEachRow([&](std::size_t row, std::uint32_t j, std::uint32_t k) {
+      statuses_.forEachBox(j, k, [&](std::uint32_t, BoxStatus) { ++boxes_.rowStart[row]; });
+    });
+    const std::size_t count = scan(boxes_.rowStart);
+    if (count >= None)
+    {
+      throw Error(Fault::TooManyBoxes, "The mesh has more boxes than can be numbered in 32 bits.");
+    }
+    boxes_.globals.resize(count + 1);
+    boxes_.globals.back() = { { 0, 0, 0 }, 0, None, 0, 0 };
+    statusOf_.resize(count);
+    forEachRow([&](std::size_t row, std::uint32_t j, std::uint32_t k) {
+      std::size_t next = boxes_.rowStart[row];
+      statuses_.forEachBox(j, k, [&](std::uint32_t i, BoxStatus status) {
+        boxes_.globals[next] = { { i, j, k }, 0, None, 0, 0 };
+        statusOf_[next++] = status;
+      });
+    });
+  }
+
+  TriangleRange trianglesOf(const GlobalBox& global) const
+  {
+    return shoeboxes_.triangles(boxes_.row(global.index[1], global.index[2]), global.index[0]);
+  }
+
+  std::uint8_t cornersOf(std::size_t g) const
+  {
+    const auto& at = boxes_.globals[g].index;
+    return statuses_.corners(at[0], at[1], at[2], statusOf_[g]);
+  }
+
+  void findDepths()
+  {
+    depths_.resize(statusOf_.size());
+    parts_.resize(statusOf_.size());
+    forEachGlobal([&](std::size_t g) {
+      const auto& at = boxes_.globals[g].index;
+      depths_[g] = refinement_.at(at[0], at[1], at[2]);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const Level size = planes_[axis][at[axis] + 1] - planes_[axis][at[axis]];
+        if (depths_[g].allowed > 0 && size < 2 * FinePerBox)
+        {
+          throw Error(Fault::BadParameter,
+            "Global box " + std::to_string(at[0]) + ", " + std::to_string(at[1]) + ", " +
+              std::to_string(at[2]) + " is too thin to be divided on this lattice.");
+        }
+      }
+    });
+  }
+
+  void checkDepths(double mostBytes) const
+  {
+    Estimate estimate;
+    for (std::size_t g = 0; g < statusOf_.size(); ++g)
+    {
+      const Estimate box = estimateBox(statusOf_[g], depths_[g]);
+      estimate.inside += box.inside;
+      estimate.intersected += box.intersected;
+    }
+    checkMemory(estimate, mostBytes);
+  }
+
+  void divide()
+  {
+    execution_.nextLoop(0.8);
+    execution_.forEach(statusOf_.size(), GlobalsAChunk, [&](std::size_t begin, std::size_t end) {
+      FewestBoxes search;
+      UnitStatuses statuses;
+      for (std::size_t g = begin; g < end; ++g)
+      {
+        if (statusOf_[g] == BoxStatus::Intersected && depths_[g].allowed > 0)
+        {
+          const GlobalBox& global = boxes_.globals[g];
+          statuses.compute(surface_, trianglesOf(global), planes_, global.index, depths_[g].allowed,
+            statuses_.lowCorner(global.index));
+          search.search(depths_[g].allowed, depths_[g].forced, statuses.units());
+          search.collect(parts_[g]);
+          for (LocalBox& box : parts_[g])
+          {
+            box.corners = statuses.corners(box.offset, box.level);
+          }
+        }
+        else if (depths_[g].forced > 0)
+        {
+          divideEvenly(depths_[g].forced, parts_[g]);
+        }
+      }
+    });
+  }
+
+  static void divideEvenly(int depth, std::vector<LocalBox>& parts)
+  {
+    const auto level = static_cast<std::uint8_t>(depth);
+    const std::int64_t step = FinePerBox >> depth;
+    for (std::int64_t z = 0; z < FinePerBox; z += step)
+    {
+      for (std::int64_t y = 0; y < FinePerBox; y += step)
+      {
+        for (std::int64_t x = 0; x < FinePerBox; x += step)
+        {
+          parts.push_back({ { static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y),
+                              static_cast<std::uint8_t>(z) },
+            { level, level, level }, BoxStatus::Inside, AllCorners });
+        }
+      }
+    }
+  }
+
+  void leaveOutAllBut(Layers kept)
+  {
+    const std::size_t first = boxes_.rowStart[boxes_.row(0, kept.begin)];
+    const std::size_t end = boxes_.rowStart[boxes_.row(0, kept.end)];
+    const auto slice = [&](auto& ofGlobals) {
+      if (!ofGlobals.empty())
+      {
+        ofGlobals.erase(ofGlobals.begin() + std::ptrdiff_t(end), ofGlobals.end());
+        ofGlobals.erase(ofGlobals.begin(), ofGlobals.begin() + std::ptrdiff_t(first));
+      }
+    };
+    slice(boxes_.globals);
+    boxes_.globals.push_back({ { 0, 0, 0 }, 0, None, 0, 0 });
+    slice(statusOf_);
+    slice(parts_);
+    for (std::size_t& start : boxes_.rowStart)
+    {
+      start = std::clamp(start, first, end) - first;
+    }
+  }
+
+  // Makes Boxes of what each global box is divided into.
+  void flatten()
+  {
+    std::uint32_t next = 0;
+    for (std::size_t g = 0; g < parts_.size(); ++g)
+    {
+      boxes_.globals[g].firstBox = next;
+      next += static_cast<std::uint32_t>(isDivided(g) ? parts_[g].size() : 1);
+    }
+    boxes_.globals.back().firstBox = parts_.empty() ? std::uint32_t(statusOf_.size()) : next;
+    boxes_.boxes.resize(boxes_.globals.back().firstBox);
+    forEachGlobal([&](std::size_t g) { flatten(g); });
+    if (!parts_.empty())
+    {
+      boxes_.listUnits();
+    }
+  }
+
+  bool isDivided(std::size_t g) const { return !parts_.empty() && !parts_[g].empty(); }
+
+  void flatten(std::size_t g)
+  {
+    GlobalBox& global = boxes_.globals[g];
+    global.firstBox = parts_.empty() ? std::uint32_t(g) : global.firstBox;
+    std::uint32_t next = global.firstBox;
+    if (!isDivided(g))
+    {
+      boxes_.boxes[next] = packed(g, { { 0, 0, 0 }, { 0, 0, 0 }, statusOf_[g], cornersOf(g) });
+      return;
+    }
+    std::sort(parts_[g].begin(), parts_[g].end(), [](const LocalBox& a, const LocalBox& b) {
+      return std::lexicographical_compare(
+        a.offset.rbegin(), a.offset.rend(), b.offset.rbegin(), b.offset.rend());
+    });
+    for (const LocalBox& part : parts_[g])
+    {
+      global.depth = std::max({ global.depth, part.level[0], part.level[1], part.level[2] });
+      boxes_.boxes[next++] = packed(g, part);
+    }
+  }
+
+  static PackedBox packed(std::size_t g, const LocalBox& part)
+  {
+    return { static_cast<std::uint32_t>(g), part.offset, part.level, part.corners, part.status };
+  }
+
+  // One pass of balancing (Balance.h).
+  void balance(int level)
+  {
+    forEachGlobal([&](std::size_t g) {
+      const std::uint32_t first = boxes_.globals[g].firstBox;
+      const std::uint32_t end = boxes_.globals[g + 1].firstBox;
+      std::vector<LocalBox> parts;
+      bool changed = false;
+      for (std::uint32_t b = first; b < end; ++b)
+      {
+        const PackedBox& box = boxes_.boxes[b];
+        changed |= balance(g, { box.offset, box.level, box.status, box.corners }, level, parts);
+      }
+      if (changed)
+      {
+        parts_[g].swap(parts);
+      }
+    });
+  }
+
+  // Appends what the pass makes of a box, as far as it is inside or intersected; whether it changed.
+  bool balance(std::size_t g, const LocalBox& box, int level, std::vector<LocalBox>& parts) const
+  {
+    const std::uint8_t axis = axisToHalve(boxes_, packed(g, box), level);
+    if (axis == NoAxis)
+    {
+      parts.push_back(box);
+      return false;
+    }
+    for (const bool upper : { false, true })
+    {
+      const LocalBox half = halfOf(g, box, axis, upper);
+      if (half.status != BoxStatus::Outside)
+      {
+        balance(g, half, level, parts);
+      }
+    }
+    return true;
+  }
+
+  LocalBox halfOf(std::size_t g, const LocalBox& whole, std::uint8_t axis, bool upper) const
+  {
+    LocalBox half = whole;
+    ++half.level[axis];
+    if (upper)
+    {
+      half.offset[axis] =
+        static_cast<std::uint8_t>(half.offset[axis] + (FinePerBox >> half.level[axis]));
+    }
+    if (whole.status == BoxStatus::Intersected)
+    {
+      findStatus(g, half);
+    }
+    return half;
+  }
+
+  void findStatus(std::size_t g, LocalBox& part) const
+  {
+    const Box box = boxes_.placed(packed(g, part));
+    const TriangleRange triangles = trianglesOf(boxes_.globals[g]);
+    const auto& at = boxes_.globals[g].index;
+    const Point corner = { planes_[0][at[0]], planes_[1][at[1]], planes_[2][at[2]] };
+    const Winding low = statuses_.lowCorner(at);
+    unsigned bits = 0;
+    for (unsigned c = 0; c < 8; ++c)
+    {
+      const bool in = windingAt(surface_, triangles, corner, low, cornerOf(box, c)).inside();
+      bits |= static_cast<unsigned>(in) << c;
+    }
+    part.corners = static_cast<std::uint8_t>(bits);
+    part.status = (bits & 1) != 0 ? BoxStatus::Inside : BoxStatus::Outside;
+    for (const std::uint32_t* t = triangles.first; t != triangles.second; ++t)
+    {
+      if (clip(surface_.corners(*t), box.low, box.high).size > 0)
+      {
+        part.status = BoxStatus::Intersected;
+        return;
+      }
+    }
+  }
+
+  const Surface& surface_;
+  const Meshlines& planes_;
+  const Shoeboxes& shoeboxes_;
+  const Refinement& refinement_;
+  const GlobalStatuses& statuses_;
+  Layers layers_;
+  Execution& execution_;
+  Boxes boxes_;
+  RawVector<BoxStatus> statusOf_; // of global boxes
+  std::vector<Depths> depths_;
+  std::vector<std::vector<LocalBox>> parts_; // of divided global boxes
+};
+
+}
+
+Boxes generateBoxes(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
+  const Refinement& refinement, const GlobalStatuses& statuses, Layers core, Layers kept,
+  double mostBytes, Execution& execution)
+{
+  const auto end = static_cast<std::uint32_t>(planes[2].size() - 1);
+  const Layers layers = kept.grown(balanceReach(refinement.deepest()), end);
+  return Generator(surface, planes, shoeboxes, refinement, statuses, core, layers, execution)
+    .generate(kept, mostBytes);
+}
+
+double Estimate::bytes() const
+{
+  return inside * BytesOfAnInsideBox + intersected * BytesOfAnIntersectedBox +
+    triangles * BytesOfATriangle;
+}
+
+Estimate estimateBox(BoxStatus status, const Depths& depths)
+{
+  const double intersected = status == BoxStatus::Intersected
+    ? std::min(std::pow(8, depths.allowed), UnitsAcrossABox * std::pow(4, depths.allowed))
+    : 0;
+  return { std::pow(8, depths.forced), intersected, 0 };
+}
+
+Estimate estimateMesh(const Surface& surface, const Meshlines& planes)
+{
+  double intersected = 0;
+  Bounds bounds = Bounds::none();
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const Corners c = surface.corners(t);
+    intersected += boxesOfTriangle(c, planes);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      bounds.include(axis, c[0][axis]);
+      bounds.include(axis, c[1][axis]);
+      bounds.include(axis, c[2][axis]);
+    }
+  }
+  double all = 1;
+  double extent = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    all *= static_cast<double>(planes[axis].size() - 1);
+    extent *= std::max(2.0, bounds.high[axis] - bounds.low[axis]) * surface.lattice.step();
+  }
+  const double inside = all * std::min(1.0, std::abs(volumeOf(surface)) / extent);
+  return { inside, intersected, static_cast<double>(surface.triangles.size()) };
+}
+
+void checkMemory(const Estimate& estimate, double mostBytes)
+{
+  constexpr double GiB = 1024.0 * 1024 * 1024;
+  if (estimate.bytes() > mostBytes)
+  {
+    std::array<char, 300> text;
+    std::snprintf(text.data(), text.size(),
+      "The mesh would have about %.4g boxes and take about %.4g GiB, more than the Memory Limit of "
+      "%.4g GiB: choose a larger Cell Size, less refinement, or raise the limit.",
+      estimate.boxes(), estimate.bytes() / GiB, mostBytes / GiB);
+    throw Error(Fault::TooManyBoxes, text.data());
+  }
+}
+
+}

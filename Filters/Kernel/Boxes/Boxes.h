@@ -1,0 +1,193 @@
+// The boxes that cover the domain (sections 4 and 4.5).
+//
+// Meshlines cut space into global boxes. A global box may be divided into boxes: halved along x,
+// y or z again and again, so that a box has a level of its own in each direction (0: as wide as
+// the global box). Only boxes inside or intersected are kept: memory grows with the mesh, not with
+// the grid.
+#pragma once
+
+#include "Base/Execution.h"
+#include "Base/RawVector.h"
+#include "Lattice/Meshlines.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace cartesian
+{
+
+constexpr std::uint32_t None = ~std::uint32_t(0);
+
+enum class BoxStatus : std::uint8_t
+{
+  Outside = 0, // never kept
+  Inside = 1,
+  Intersected = 2, // a triangle passes through it
+};
+
+// Region of a vertex or a cell: 0 outside; domains count from 1.
+constexpr std::int32_t OutsideRegion = 0;
+constexpr std::int32_t FirstRegion = 1;
+
+// Halvings in one direction. Positions count in the smallest parts of a global box that these
+// allow, from the first meshline on: the fine grid.
+constexpr int DeepestLevel = 6;
+constexpr std::int64_t FinePerBox = 1 << DeepestLevel;
+using FinePoint = std::array<std::int64_t, 3>;
+
+// A box as it is kept: there are as many as the mesh has cells.
+struct PackedBox
+{
+  std::uint32_t global;               // index in Boxes::globals
+  std::array<std::uint8_t, 3> offset; // of the low corner in its global box, fine
+  std::array<std::uint8_t, 3> level;  // halvings along x, y, z; its size is FinePerBox >> level
+  std::uint8_t corners;               // bit x + 2 y + 4 z: that corner is inside
+  BoxStatus status;
+};
+
+// ... and where it lies.
+struct Box : PackedBox
+{
+  Point low;
+  Point high;
+};
+
+constexpr std::uint8_t AllCorners = 0xff;
+
+inline Point cornerOf(const Box& box, unsigned corner)
+{
+  return { corner & 1 ? box.high[0] : box.low[0], corner & 2 ? box.high[1] : box.low[1],
+    corner & 4 ? box.high[2] : box.low[2] };
+}
+
+struct GlobalBox
+{
+  std::array<std::uint32_t, 3> index; // I, J, K
+  std::uint32_t firstBox;             // its boxes end where the next one's begin
+  std::uint32_t firstUnit;            // in Boxes::units, or None: undivided
+  std::uint8_t depth;                 // its units are 2^depth along x, y and z
+  std::uint8_t nearDepth; // the largest depth of it and its 26 neighbours: 0, no nodes hang
+};
+
+// Layers of global boxes along z: from K = begin to end - 1.
+struct Layers
+{
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+
+  bool contains(std::uint32_t k) const { return k >= begin && k < end; }
+
+  // These and `by` more on either side, as far as there are; nothing stays nothing.
+  Layers grown(std::uint32_t by, std::uint32_t all) const
+  {
+    return begin == end ? *this : Layers{ begin - std::min(begin, by), std::min(end + by, all) };
+  }
+};
+
+// All boxes of a grid, or those of a part of it: its core and, around that, the halo that its
+// cells depend on (Parts.h).
+struct Boxes
+{
+  Lattice lattice;
+  Meshlines planes;
+  Layers core; // that cells are made for; of a whole grid, all
+  RawVector<GlobalBox>
+    globals; // by rows along x (J + K * boxes along y), then by I; one more at the end
+  std::vector<std::size_t> rowStart; // first global box of each row, and the end
+  RawVector<PackedBox> boxes;        // in order of global boxes
+  std::vector<std::uint32_t> units; // the box that holds each unit of divided global boxes, or None
+
+  std::size_t row(std::size_t j, std::size_t k) const { return j + k * (planes[1].size() - 1); }
+  const GlobalBox& globalOf(const PackedBox& box) const { return globals[box.global]; }
+  bool isCore(const PackedBox& box) const { return core.contains(globalOf(box).index[2]); }
+
+  Layers allLayers() const { return { 0, static_cast<std::uint32_t>(planes[2].size() - 1) }; }
+
+  // The first box of a layer; of the one past the last, the number of boxes.
+  std::uint32_t firstBoxOf(std::uint32_t layer) const
+  {
+    return globals[rowStart[row(0, layer)]].firstBox;
+  }
+
+  FinePoint fineLow(const PackedBox& box) const;
+  static std::int64_t fineSize(const PackedBox& box, int axis)
+  {
+    return FinePerBox >> box.level[axis];
+  }
+
+  Box box(std::size_t b) const { return placed(boxes[b]); }
+  Box placed(const PackedBox& box) const;
+  Point lowOf(std::size_t b) const;
+
+  // The global box (i, j, k), or None where nothing of it is kept.
+  std::uint32_t globalAt(std::int64_t i, std::int64_t j, std::int64_t k) const;
+
+  // The box that holds the fine cell with this low corner, or None. `step` receives how far along
+  // each axis the answer is the same at least: the size of the unit, or of the global box. `near`: a
+  // global box that is likely the right one.
+  std::uint32_t boxAt(const FinePoint& fine, std::uint32_t near, std::int64_t& step) const;
+
+  // Fills `units`, GlobalBox::firstUnit and nearDepth from the boxes and GlobalBox::depth.
+  void listUnits();
+
+private:
+  void findNearDepths();
+};
+
+// The level of a plane of the fine grid: `part` (0 to FinePerBox) of the way from plane i to the next.
+inline Level planeAt(const std::vector<Level>& planes, std::size_t i, std::int64_t part)
+{
+  if (part == 0 || part == FinePerBox)
+  {
+    return planes[i + (part == 0 ? 0 : 1)];
+  }
+  const std::int64_t half = (std::int64_t(planes[i + 1]) - planes[i]) / 2;
+  return static_cast<Level>(planes[i] + 2 * (half * part / FinePerBox));
+}
+
+inline Level planeAt(const std::vector<Level>& planes, std::int64_t fine)
+{
+  return planeAt(planes, static_cast<std::size_t>(fine >> DeepestLevel), fine & (FinePerBox - 1));
+}
+
+inline FinePoint Boxes::fineLow(const PackedBox& box) const
+{
+  FinePoint fine;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    fine[axis] = globalOf(box).index[axis] * FinePerBox + box.offset[axis];
+  }
+  return fine;
+}
+
+inline Box Boxes::placed(const PackedBox& box) const
+{
+  Box result{ box, {}, {} };
+  const auto& at = globalOf(box).index;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const std::int64_t low = box.offset[axis];
+    result.low[axis] = planeAt(planes[axis], at[axis], low);
+    result.high[axis] = planeAt(planes[axis], at[axis], low + (FinePerBox >> box.level[axis]));
+  }
+  return result;
+}
+
+inline Point Boxes::lowOf(std::size_t b) const
+{
+  const PackedBox& box = boxes[b];
+  const auto& at = globalOf(box).index;
+  return { planeAt(planes[0], at[0], box.offset[0]), planeAt(planes[1], at[1], box.offset[1]),
+    planeAt(planes[2], at[2], box.offset[2]) };
+}
+
+// The boxes across a side of `box` at its four quarters: (low, low), (high, low), (low, high),
+// (high, high) along the two other axes in cyclic order. In balanced boxes each quarter has one.
+std::array<std::uint32_t, 4> facing(const Boxes& boxes, const PackedBox& box, int axis, bool upper);
+
+// Indices of the intersected boxes, in order.
+std::vector<std::uint32_t> intersectedBoxes(const Boxes& boxes, Execution& execution);
+
+}

@@ -1,0 +1,42 @@
+// Shoeboxes (section 4.3): which triangles pass through which global boxes, exactly.
+//
+// The shoeboxes are the global boxes. A triangle passes through a box when something of it lies
+// between the box's planes: decided on the exact pieces, so that a large slanted triangle is
+// filed under the boxes it meets and no others.
+#pragma once
+
+#include "Base/Sorting.h"
+#include "Lattice/Rows.h"
+#include "Surface/Surface.h"
+
+namespace cartesian
+{
+
+// Rows run along x and are numbered j + k * (boxes along y).
+struct Shoeboxes
+{
+  // Boxes that a triangle passes through, in order of rows, then of i.
+  std::vector<std::size_t> rowStart;      // first box of each row, and the end
+  std::vector<std::uint32_t> column;      // i of each box
+  std::vector<std::size_t> triangleStart; // of each box, and the end
+  std::vector<std::uint32_t> triangle;    // ascending within a box
+
+  // The triangles of box i of a row, ascending; none where no triangle passes.
+  std::pair<const std::uint32_t*, const std::uint32_t*> triangles(
+    std::size_t row, std::uint32_t i) const
+  {
+    const auto begin = column.begin() + static_cast<std::ptrdiff_t>(rowStart[row]);
+    const auto end = column.begin() + static_cast<std::ptrdiff_t>(rowStart[row + 1]);
+    const auto found = std::lower_bound(begin, end, i);
+    if (found == end || *found != i)
+    {
+      return { nullptr, nullptr };
+    }
+    const auto box = static_cast<std::size_t>(found - column.begin());
+    return { triangle.data() + triangleStart[box], triangle.data() + triangleStart[box + 1] };
+  }
+};
+
+Shoeboxes fillShoeboxes(const Surface& surface, const Meshlines& planes, Execution& execution);
+
+}

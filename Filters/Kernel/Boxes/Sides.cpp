@@ -1,0 +1,305 @@
+#include "Boxes/Sides.h"
+
+#include "Base/Sorting.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t BoxesAChunk = 512;
+
+bool hasHangingNodes(const Boxes& boxes, const PackedBox& box, std::vector<std::int64_t>& scratch)
+{
+  if (boxes.globalOf(box).nearDepth == 0)
+  {
+    return false;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const bool upper : { false, true })
+    {
+      const std::array<std::uint32_t, 4> across = facing(boxes, box, axis, upper);
+      if (std::any_of(
+            across.begin(), across.end(), [&](std::uint32_t other) { return other != across[0]; }))
+      {
+        return true;
+      }
+    }
+    for (unsigned edge = 0; edge < 4; ++edge)
+    {
+      const int a = (axis + 1) % 3;
+      const int b = (axis + 2) % 3;
+      FinePoint from = boxes.fineLow(box);
+      from[a] += (edge & 1) * Boxes::fineSize(box, a);
+      from[b] += (edge >> 1) * Boxes::fineSize(box, b);
+      hangingNodes(boxes, axis, from, Boxes::fineSize(box, axis), box.global, scratch);
+      if (!scratch.empty())
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+// Calls visit(neighbour, side) for the rectangles into which its neighbours divide a side of a box.
+template <class Visitor>
+void forEachPart(const Boxes& boxes, std::uint32_t b, int axis, bool upper, Visitor&& visit)
+{
+  const PackedBox& box = boxes.boxes[b];
+  const int u = (axis + 1) % 3;
+  const int v = (axis + 2) % 3;
+  const std::array<std::uint32_t, 4> across = facing(boxes, box, axis, upper);
+  FinePoint corner = boxes.fineLow(box);
+  corner[axis] += upper ? Boxes::fineSize(box, axis) : 0;
+  const std::int64_t halfU = Boxes::fineSize(box, u) / 2;
+  const std::int64_t halfV = Boxes::fineSize(box, v) / 2;
+  std::array<bool, 4> done{};
+  for (unsigned quarter = 0; quarter < 4; ++quarter)
+  {
+    if (done[quarter])
+    {
+      continue;
+    }
+    const bool left = (quarter & 1) == 0;
+    const bool lower = (quarter & 2) == 0;
+    const bool wide = left && across[quarter + 1] == across[quarter];
+    const bool tall = lower && across[quarter + 2] == across[quarter] &&
+      (!wide || across[quarter + 3] == across[quarter]);
+    for (unsigned other = quarter; other < 4; ++other)
+    {
+      const bool right = (other & 1) != (quarter & 1);
+      const bool above = (other & 2) != (quarter & 2);
+      done[other] = done[other] || ((!right || wide) && (!above || tall));
+    }
+    Side side;
+    side.low = upper ? b : across[quarter];
+    side.high = upper ? across[quarter] : b;
+    side.axis = static_cast<std::uint8_t>(axis);
+    FinePoint low = corner;
+    low[u] += left ? 0 : halfU;
+    low[v] += lower ? 0 : halfV;
+    side.corner = { static_cast<std::uint32_t>(low[0]), static_cast<std::uint32_t>(low[1]),
+      static_cast<std::uint32_t>(low[2]) };
+    side.size[0] = static_cast<std::uint8_t>(wide ? Boxes::fineSize(box, u) : halfU);
+    side.size[1] = static_cast<std::uint8_t>(tall ? Boxes::fineSize(box, v) : halfV);
+    visit(across[quarter], side);
+  }
+}
+
+// The sides that a polyhedral box owns: all its upper ones, and those lower ones that face no
+// other polyhedral box.
+template <class Visitor>
+void forEachOwnSide(const Boxes& boxes, const Sides& sides, std::uint32_t b, Visitor&& visit)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    forEachPart(boxes, b, axis, false, [&](std::uint32_t other, const Side& side) {
+      if (sides.polyhedralOrdinal(other) == None)
+      {
+        visit(side);
+      }
+    });
+    forEachPart(boxes, b, axis, true, [&](std::uint32_t, const Side& side) { visit(side); });
+  }
+}
+
+enum class Kind : std::uint8_t
+{
+  Hexahedron,
+  DividedHexahedron,
+  Polyhedral,
+  Intersected, // polyhedral too
+};
+
+Kind kindOf(const Boxes& boxes, const PackedBox& box, std::vector<std::int64_t>& scratch)
+{
+  if (box.status == BoxStatus::Intersected)
+  {
+    return Kind::Intersected;
+  }
+  if (boxes.units.empty()) // no box is divided
+  {
+    return Kind::Hexahedron;
+  }
+  if (hasHangingNodes(boxes, box, scratch))
+  {
+    return Kind::Polyhedral;
+  }
+  const bool divided = (box.level[0] | box.level[1] | box.level[2]) != 0;
+  return divided ? Kind::DividedHexahedron : Kind::Hexahedron;
+}
+
+// How many boxes there are before a chunk of them.
+struct Before
+{
+  std::uint32_t polyhedral = 0;
+  std::uint32_t intersected = 0;
+  std::uint32_t divided = 0; // hexahedra
+
+  void count(Kind kind)
+  {
+    polyhedral += kind >= Kind::Polyhedral ? 1 : 0;
+    intersected += kind == Kind::Intersected ? 1 : 0;
+    divided += kind == Kind::DividedHexahedron ? 1 : 0;
+  }
+};
+
+void classify(const Boxes& boxes, Sides& result, Execution& execution)
+{
+  const std::size_t count = boxes.boxes.size();
+  RawVector<Kind> kinds(count);
+  std::vector<Before> before(chunks(count, BoxesAChunk) + 1);
+  execution.nextLoop(0.1);
+  execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::int64_t> scratch;
+    for (std::size_t b = begin; b < end; ++b)
+    {
+      kinds[b] = kindOf(boxes, boxes.boxes[b], scratch);
+      before[begin / BoxesAChunk + 1].count(kinds[b]);
+    }
+  });
+  for (std::size_t i = 0; i + 1 < before.size(); ++i)
+  {
+    before[i + 1].polyhedral += before[i].polyhedral;
+    before[i + 1].intersected += before[i].intersected;
+    before[i + 1].divided += before[i].divided;
+  }
+  result.ordinal.resize(count);
+  result.polyhedral.resize(before.back().polyhedral);
+  result.patchBox.resize(before.back().polyhedral);
+  result.divided.resize(before.back().divided);
+  execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
+    Before next = before[begin / BoxesAChunk];
+    for (std::size_t b = begin; b < end; ++b)
+    {
+      const Kind kind = kinds[b];
+      result.ordinal[b] = None;
+      if (kind >= Kind::Polyhedral)
+      {
+        result.ordinal[b] = next.polyhedral;
+        result.polyhedral[next.polyhedral] = static_cast<std::uint32_t>(b);
+        result.patchBox[next.polyhedral] = kind == Kind::Intersected ? next.intersected : None;
+      }
+      else if (kind == Kind::DividedHexahedron)
+      {
+        result.ordinal[b] = next.divided | Sides::HexahedronBit;
+        result.divided[next.divided] = static_cast<std::uint32_t>(b);
+      }
+      next.count(kind);
+    }
+  });
+}
+
+void listSidesOfBoxes(Sides& result, Execution& execution)
+{
+  result.boxStart.assign(result.polyhedral.size() + 1, 0);
+  const auto forEachSide = [&](auto&& visit) {
+    for (std::uint32_t s = 0; s < result.sides.size(); ++s)
+    {
+      if (s % BoxesAChunk == 0)
+      {
+        execution.poll();
+      }
+      for (const bool upper : { true, false })
+      {
+        const Side& side = result.sides[s];
+        const std::uint32_t n = result.polyhedralOrdinal(upper ? side.low : side.high);
+        if (n != None)
+        {
+          visit(n, s, upper);
+        }
+      }
+    }
+  };
+  forEachSide([&](std::uint32_t n, std::uint32_t, bool) { ++result.boxStart[n]; });
+  result.ofBox.resize(scan(result.boxStart));
+  std::vector<std::size_t> next(result.boxStart.begin(), result.boxStart.end() - 1);
+  forEachSide([&](std::uint32_t n, std::uint32_t s, bool upper) {
+    result.ofBox[next[n]++] = { s, upper };
+  });
+}
+
+}
+
+std::array<unsigned, 4> sideCorners(int axis, unsigned upper)
+{
+  const unsigned a = 1u << ((axis + 1) % 3);
+  const unsigned b = 1u << ((axis + 2) % 3);
+  const unsigned base = upper << axis;
+  return { base, base | a, base | a | b, base | b };
+}
+
+void hangingNodes(const Boxes& boxes, int axis, const FinePoint& from, std::int64_t length,
+  std::uint32_t near, std::vector<std::int64_t>& positions)
+{
+  positions.clear();
+  const int a = (axis + 1) % 3;
+  const int b = (axis + 2) % 3;
+  const std::int64_t end = from[axis] + length;
+  const auto add = [&](std::int64_t position) {
+    if (position > from[axis] && position < end)
+    {
+      positions.push_back(position);
+    }
+  };
+  for (std::int64_t quadrant = 0; quadrant < 4; ++quadrant)
+  {
+    FinePoint at = from;
+    at[a] -= quadrant & 1;
+    at[b] -= quadrant >> 1;
+    while (at[axis] < end)
+    {
+      std::int64_t step = 0;
+      const std::uint32_t box = boxes.boxAt(at, near, step);
+      if (step >= length)
+      {
+        break; // no box here is shorter than the line
+      }
+      if (box == None)
+      {
+        at[axis] = (at[axis] / step + 1) * step;
+        continue;
+      }
+      const std::int64_t low = boxes.fineLow(boxes.boxes[box])[axis];
+      at[axis] = low + Boxes::fineSize(boxes.boxes[box], axis);
+      add(low);
+      add(at[axis]);
+    }
+  }
+  std::sort(positions.begin(), positions.end());
+  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+}
+
+Sides findSides(const Boxes& boxes, Execution& execution)
+{
+  Sides result;
+  classify(boxes, result, execution);
+  const std::size_t count = result.polyhedral.size();
+  std::vector<std::vector<Side>> parts(chunks(count, BoxesAChunk));
+  result.ownStart.assign(count + 1, 0);
+  execution.nextLoop(0.1);
+  execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
+    std::vector<Side>& part = parts[begin / BoxesAChunk];
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      const std::size_t before = part.size();
+      forEachOwnSide(
+        boxes, result, result.polyhedral[n], [&](const Side& side) { part.push_back(side); });
+      result.ownStart[n] = part.size() - before;
+    }
+  });
+  result.sides.resize(scan(result.ownStart));
+  execution.forEach(parts.size(), 1, [&](std::size_t i, std::size_t) {
+    const std::size_t first = result.ownStart[i * BoxesAChunk];
+    std::copy(parts[i].begin(), parts[i].end(), result.sides.begin() + std::ptrdiff_t(first));
+  });
+  listSidesOfBoxes(result, execution);
+  return result;
+}
+
+}

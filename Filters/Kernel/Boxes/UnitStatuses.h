@@ -1,0 +1,44 @@
+// In/out statuses inside one global box (section 4.5): of the vertices of its units, and of the
+// units themselves.
+#pragma once
+
+#include "Boxes/Boxes.h"
+#include "Surface/Surface.h"
+
+namespace cartesian
+{
+
+// Triangles of a shoebox.
+using TriangleRange = std::pair<const std::uint32_t*, const std::uint32_t*>;
+
+class UnitStatuses
+{
+public:
+  // `index`: the global box; `low`: of its low corner. Keeps its storage.
+  void compute(const Surface& surface, const TriangleRange& triangles, const Meshlines& planes,
+    const std::array<std::uint32_t, 3>& index, int depth, const Winding& low);
+
+  // Statuses of the units, x fastest.
+  const std::vector<BoxStatus>& units() const { return units_; }
+
+  // Bits of the corners of a box made of units, as in Box::corners.
+  std::uint8_t corners(
+    const std::array<std::uint8_t, 3>& fineOffset, const std::array<std::uint8_t, 3>& level) const;
+
+private:
+  std::size_t vertex(std::size_t x, std::size_t y, std::size_t z) const;
+  void findVertices(const Surface& surface, const TriangleRange& triangles, const Winding& low);
+  void findUnits(const Surface& surface, const TriangleRange& triangles);
+
+  int depth_ = 0;
+  Meshlines planes_; // of the units, both ends included
+  Meshlines inner_;  // without the ends
+  std::vector<Winding> vertices_;
+  std::vector<BoxStatus> units_;
+};
+
+// Around one point of a global box; `low`: around its low corner. All levels of both points are even.
+Winding windingAt(const Surface& surface, const TriangleRange& triangles, const Point& corner,
+  const Winding& low, const Point& at);
+
+}

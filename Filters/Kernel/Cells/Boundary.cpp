@@ -1,0 +1,305 @@
+#include "Cells/Boundary.h"
+
+#include "Base/Sorting.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// What lies on one side of an inner face.
+struct Beyond
+{
+  std::uint32_t cell = None;          // number of the cell that stays there
+  std::int32_t boundary = NoBoundary; // or the boundary that the face takes over
+};
+
+constexpr std::size_t ItemsAChunk = 4096;
+
+// Calls list(i, faces) for the items from `first` to `end`; returns the faces in the order of items.
+template <class List>
+std::vector<BoundaryFace> facesOfEach(
+  std::size_t first, std::size_t end, Execution& execution, List&& list)
+{
+  std::vector<std::vector<BoundaryFace>> parts(chunks(end - first, ItemsAChunk));
+  execution.forEach(end - first, ItemsAChunk, [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = first + from; i < first + to; ++i)
+    {
+      list(i, parts[from / ItemsAChunk]);
+    }
+  });
+  std::vector<BoundaryFace> all;
+  for (const std::vector<BoundaryFace>& part : parts)
+  {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+class Collector
+{
+public:
+  Collector(const MeshParts& parts, const CellNumbers& numbers)
+    : parts_(parts)
+    , numbers_(numbers)
+  {
+  }
+
+  std::vector<BoundaryFace> collect(Execution& execution) const
+  {
+    using Faces = std::vector<BoundaryFace>;
+    const Boxes& boxes = parts_.boxes;
+    const auto& flawed = parts_.inner.flawed;
+    const bool anywhere = std::find(flawed.begin(), flawed.end(), 1) != flawed.end();
+    Faces exposed = facesOfEach(0, parts_.sides.sides.size(), execution,
+      [&](std::size_t s, Faces& faces) { exposeInnerFaces(s, faces); });
+    const Faces shaped = facesOfEach(0, parts_.cells.shaped.size(), execution,
+      [&](std::size_t f, Faces& faces) { exposeShapedFace(f, faces); });
+    const Faces ofBoxes = facesOfEach(boxes.row(0, boxes.core.begin), boxes.row(0, boxes.core.end),
+      execution, [&](std::size_t row, Faces& faces) { exposeBoxesOfRow(row, anywhere, faces); });
+    exposed.insert(exposed.end(), shaped.begin(), shaped.end());
+    exposed.insert(exposed.end(), ofBoxes.begin(), ofBoxes.end());
+    std::sort(exposed.begin(), exposed.end());
+    const Faces patches = facesOfEach(numbers_.coreBegin, numbers_.coreEnd, execution,
+      [&](std::size_t c, Faces& faces) { addPatches(c, faces); });
+    Faces all(patches.size() + exposed.size());
+    std::merge(patches.begin(), patches.end(), exposed.begin(), exposed.end(), all.begin());
+    return all;
+  }
+
+private:
+  void addPatches(std::size_t c, std::vector<BoundaryFace>& faces) const
+  {
+    const std::uint32_t number = numbers_.ofCell[c];
+    const Cells& cells = parts_.cells;
+    const std::size_t before = faces.size();
+    for (std::size_t f = cells.cells[c].firstFace; f < cells.cells[c + 1].firstFace; ++f)
+    {
+      const FaceRef& face = cells.faces[f];
+      if (number != None && face.kind() == FaceRef::Kind::Patch)
+      {
+        faces.push_back(
+          { number, face.index, parts_.patches.boundary[face.index], BoundaryFace::Kind::Patch });
+      }
+    }
+    std::sort(faces.begin() + std::ptrdiff_t(before), faces.end());
+  }
+
+  Beyond beyond(std::uint32_t box, std::uint32_t cell) const
+  {
+    if (cell != None)
+    {
+      return { numbers_.ofCell[cell], parts_.cells.cells[cell].boundary };
+    }
+    if (box == None)
+    {
+      return {};
+    }
+    const std::uint32_t n = parts_.sides.polyhedralOrdinal(box);
+    if (n == None)
+    {
+      return { numbers_.ofBox[box], NoBoundary };
+    }
+    return { None, boundaryBeyond(parts_.patches, parts_.sides, box) };
+  }
+
+  static void expose(const Beyond& low, const Beyond& high, std::size_t face,
+    BoundaryFace::Kind kind, BoundaryFace::Kind turned, std::vector<BoundaryFace>& faces)
+  {
+    if (CellNumbers::isHere(low.cell) && high.cell == None)
+    {
+      faces.push_back({ low.cell, face, high.boundary, kind });
+    }
+    if (low.cell == None && CellNumbers::isHere(high.cell))
+    {
+      faces.push_back({ high.cell, face, low.boundary, turned });
+    }
+  }
+
+  void exposeInnerFaces(std::size_t s, std::vector<BoundaryFace>& faces) const
+  {
+    const Side& side = parts_.sides.sides[s];
+    for (std::size_t f = parts_.inner.sideStart[s]; f < parts_.inner.sideStart[s + 1]; ++f)
+    {
+      const Beyond low = beyond(side.low, parts_.cells.ofInnerFace[f][0]);
+      const Beyond high = beyond(side.high, parts_.cells.ofInnerFace[f][1]);
+      expose(low, high, f, BoundaryFace::Kind::Inner, BoundaryFace::Kind::TurnedInner, faces);
+    }
+  }
+
+  void exposeShapedFace(std::size_t f, std::vector<BoundaryFace>& faces) const
+  {
+    const ShapedFaces& shaped = parts_.cells.shaped;
+    const auto side = [&](std::uint32_t cell) {
+      return cell == ShapedFaces::SomeHexahedron ? Beyond{ cell, NoBoundary }
+        : cell != None                           ? beyond(None, cell)
+                                                 : Beyond{ None, shaped.boundary[f] };
+    };
+    expose(side(shaped.cells[f][0]), side(shaped.cells[f][1]), f, BoundaryFace::Kind::Shaped,
+      BoundaryFace::Kind::TurnedShaped, faces);
+  }
+
+  // But for the first and the last global box of a row, most are nowhere at the end of the grid.
+  void exposeBoxesOfRow(std::size_t row, bool anywhere, std::vector<BoundaryFace>& faces) const
+  {
+    const Boxes& boxes = parts_.boxes;
+    const std::size_t first = boxes.rowStart[row];
+    const std::size_t end = boxes.rowStart[row + 1];
+    const auto expose = [&](std::size_t from, std::size_t to) {
+      for (std::uint32_t b = boxes.globals[from].firstBox; b < boxes.globals[to].firstBox; ++b)
+      {
+        exposeBoxSides(b, anywhere, faces);
+      }
+    };
+    const std::size_t rowsOfLayer = boxes.planes[1].size() - 1;
+    const std::size_t j = row % rowsOfLayer;
+    const std::size_t k = row / rowsOfLayer;
+    if (anywhere || j == 0 || j + 1 == rowsOfLayer || k == 0 || k + 2 == boxes.planes[2].size())
+    {
+      expose(first, end);
+    }
+    else if (first < end)
+    {
+      expose(first, first + 1);
+      expose(std::max(first + 1, end - 1), end);
+    }
+  }
+
+  // Hexahedra at the end of the grid, where the meshlines cut the domain, or without a neighbour,
+  // where the surface leaks. On a flawed side (`anywhere`) only the hexahedron has a face.
+  void exposeBoxSides(std::uint32_t b, bool anywhere, std::vector<BoundaryFace>& faces) const
+  {
+    if (parts_.sides.polyhedralOrdinal(b) != None)
+    {
+      return;
+    }
+    const Box box = parts_.boxes.box(b);
+    for (unsigned i = 0; i < 6; ++i)
+    {
+      if ((anywhere || isAtEnd(box, i / 2, i % 2 == 1)) &&
+        exposed(b, static_cast<int>(i / 2), i % 2 == 1))
+      {
+        faces.push_back(
+          { numbers_.ofBox[b], std::size_t(6) * b + i, NoBoundary, BoundaryFace::Kind::BoxSide });
+      }
+    }
+  }
+
+  bool isAtEnd(const Box& box, std::size_t axis, bool upper) const
+  {
+    const auto& planes = parts_.boxes.planes[axis];
+    return upper ? box.high[axis] == planes.back() : box.low[axis] == planes.front();
+  }
+
+  // A hexahedron has one neighbour on each side, or none. Where the side between them carries
+  // faces, they are the boundary; a side without any is missing.
+  bool exposed(std::uint32_t b, int axis, bool upper) const
+  {
+    const std::uint32_t other = facing(parts_.boxes, parts_.boxes.boxes[b], axis, upper)[0];
+    const std::uint32_t n = parts_.sides.polyhedralOrdinal(other);
+    if (n == None)
+    {
+      return other == None;
+    }
+    if (parts_.sides.boxStart[n] == parts_.sides.boxStart[n + 1]) // was a hexahedron
+    {
+      return false;
+    }
+    for (std::size_t i = parts_.sides.boxStart[n]; i < parts_.sides.boxStart[n + 1]; ++i)
+    {
+      const std::uint32_t s = parts_.sides.ofBox[i].side;
+      if ((upper ? parts_.sides.sides[s].low : parts_.sides.sides[s].high) == b)
+      {
+        return parts_.inner.sideStart[s] == parts_.inner.sideStart[s + 1];
+      }
+    }
+    return true;
+  }
+
+  const MeshParts& parts_;
+  const CellNumbers& numbers_;
+};
+
+}
+
+namespace
+{
+
+// Of polyhedral boxes from this box on, the first one's first cell.
+std::size_t firstCellOf(const MeshParts& parts, std::uint32_t box)
+{
+  const std::vector<std::uint32_t>& polyhedral = parts.sides.polyhedral;
+  const auto at = std::lower_bound(polyhedral.begin(), polyhedral.end(), box);
+  return parts.cells.boxStart[static_cast<std::size_t>(at - polyhedral.begin())];
+}
+
+// Of the n-th polyhedral box, if that is not None.
+template <class Visitor>
+void forEachCellOf(const Cells& cells, std::uint32_t n, Visitor&& visit)
+{
+  for (std::size_t c = n == None ? 0 : cells.boxStart[n]; n != None && c < cells.boxStart[n + 1];
+       ++c)
+  {
+    visit(c);
+  }
+}
+
+}
+
+std::int32_t boundaryBeyond(const Patches& patches, const Sides& sides, std::uint32_t box)
+{
+  const std::uint32_t n = sides.polyhedralOrdinal(box);
+  const std::uint32_t of = n == None ? None : sides.patchBox[n];
+  return of == None || patches.boxStart[of] == patches.boxStart[of + 1]
+    ? NoBoundary
+    : patches.boundary[patches.boxStart[of]];
+}
+
+CellNumbers numberCells(const MeshParts& parts, Execution& execution)
+{
+  const Boxes& boxes = parts.boxes;
+  const Cells& cells = parts.cells;
+  const std::uint32_t first = boxes.firstBoxOf(boxes.core.begin);
+  const std::uint32_t end = boxes.firstBoxOf(boxes.core.end);
+  const auto isCore = [&](std::size_t box) { return box >= first && box < end; };
+  CellNumbers numbers;
+  numbers.ofBox.resize(boxes.boxes.size() + 1);
+  numbers.ofCell.resize(cells.size());
+  std::vector<std::uint32_t> next(chunks(boxes.boxes.size(), ItemsAChunk));
+  const auto forEachBox = [&](auto&& visit) {
+    execution.forEach(boxes.boxes.size(), ItemsAChunk, [&](std::size_t begin, std::size_t after) {
+      for (std::size_t box = begin; box < after; ++box)
+      {
+        visit(box, parts.sides.polyhedralOrdinal(static_cast<std::uint32_t>(box)),
+          next[begin / ItemsAChunk]);
+      }
+    });
+  };
+  forEachBox([&](std::size_t box, std::uint32_t n, std::uint32_t& count) {
+    count += isCore(box) && n == None ? 1 : 0;
+    forEachCellOf(
+      cells, n, [&](std::size_t c) { count += isCore(box) && !cells.cells[c].removed ? 1 : 0; });
+  });
+  numbers.ofBox.back() = scan(next);
+  forEachBox([&](std::size_t box, std::uint32_t n, std::uint32_t& number) {
+    const auto take = [&] { return isCore(box) ? number++ : CellNumbers::Elsewhere; };
+    numbers.ofBox[box] = isCore(box) ? number : CellNumbers::Elsewhere;
+    number += isCore(box) && n == None ? 1 : 0;
+    forEachCellOf(
+      cells, n, [&](std::size_t c) { numbers.ofCell[c] = cells.cells[c].removed ? None : take(); });
+  });
+  numbers.coreBegin = firstCellOf(parts, first);
+  numbers.coreEnd = firstCellOf(parts, end);
+  return numbers;
+}
+
+std::vector<BoundaryFace> collectBoundary(
+  const MeshParts& parts, const CellNumbers& numbers, Execution& execution)
+{
+  return Collector(parts, numbers).collect(execution);
+}
+
+}

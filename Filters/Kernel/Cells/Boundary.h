@@ -1,0 +1,69 @@
+// The boundary of the mesh: patches, and inner faces that lost the cell on their other side (4.10).
+#pragma once
+
+#include "Cells/Cells.h"
+
+namespace cartesian
+{
+
+using Id = long long;
+
+// All that the mesh is made of.
+struct MeshParts
+{
+  const Boxes& boxes;
+  const Patches& patches;
+  const Sides& sides;
+  const Nodes& nodes;
+  const InnerFaces& inner;
+  const Cells& cells;
+};
+
+// Numbers of the cells of the core that stay, in order of boxes: 0, 1, 2, ...
+struct CellNumbers
+{
+  static constexpr std::uint32_t Elsewhere = None - 1; // the cell is in the halo
+
+  RawVector<std::uint32_t> ofBox;    // of the (first) cell of each box; the total at the end
+  std::vector<std::uint32_t> ofCell; // of each cell of polyhedral boxes, or None where removed
+  std::size_t coreBegin = 0;         // cells of polyhedral boxes in the core
+  std::size_t coreEnd = 0;
+
+  static bool isHere(std::uint32_t number) { return number < Elsewhere; }
+};
+
+CellNumbers numberCells(const MeshParts& parts, Execution& execution);
+
+struct BoundaryFace
+{
+  enum class Kind : std::uint8_t
+  {
+    Patch,       // a polygon of the patches
+    Inner,       // an inner face as it is
+    TurnedInner, // ... turned over
+    Shaped,      // a shaped face as it is
+    TurnedShaped,
+    BoxSide, // of a hexahedron: 6 * box + (low x, high x, low y, high y, low z, high z)
+  };
+  Id cell; // its owner
+  std::size_t index;
+  std::int32_t boundary;
+  Kind kind;
+
+  bool isShaped() const { return kind == Kind::Shaped || kind == Kind::TurnedShaped; }
+
+  bool operator<(const BoundaryFace& other) const
+  {
+    return cell != other.cell ? cell < other.cell
+                              : (kind != other.kind ? kind < other.kind : index < other.index);
+  }
+};
+
+// The boundary that faces between a cell and this box take over, where the box has no cells.
+std::int32_t boundaryBeyond(const Patches& patches, const Sides& sides, std::uint32_t box);
+
+// In order of their cells.
+std::vector<BoundaryFace> collectBoundary(
+  const MeshParts& parts, const CellNumbers& numbers, Execution& execution);
+
+}

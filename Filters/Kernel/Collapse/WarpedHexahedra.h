@@ -1,0 +1,13 @@
+// Hexahedra with corners that moved onto the surface (ShortEdges.h), and what they hold.
+#pragma once
+
+#include "Faces/Nodes.h"
+
+namespace cartesian
+{
+
+// In order of kinds (undivided, divided), then of boxes; volume fractions are of the box.
+std::vector<WarpedHexahedron> warpedHexahedra(
+  const Boxes& boxes, const Sides& sides, const Nodes& nodes, Execution& execution);
+
+}

@@ -1,0 +1,426 @@
+#include "Faces/InnerFaces.h"
+
+#include "Base/Loops.h"
+#include "Base/Spares.h"
+#include "Faces/SideChords.h"
+#include "Lattice/StarPolygons.h"
+
+#include <cmath>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t BoxesAChunk = 512;
+
+struct Part
+{
+  std::vector<std::uint32_t> nodes;
+  std::vector<std::uint32_t> faceSizes;
+  std::vector<std::uint32_t> facesOfSide;
+  std::vector<std::uint8_t> flawed;
+};
+
+Wide area(const std::vector<Flat>& at)
+{
+  Wide twice = 0;
+  for (std::size_t i = 1; i + 1 < at.size(); ++i)
+  {
+    twice += turn(at[0], at[i], at[i + 1]);
+  }
+  return twice;
+}
+
+// Whether x lies inside the polygon (crossings of a ray to the right; on its border, either).
+bool contains(const std::vector<Flat>& at, const Flat& x)
+{
+  bool in = false;
+  for (std::size_t i = 0; i < at.size(); ++i)
+  {
+    const Flat& p = at[i];
+    const Flat& q = at[i + 1 < at.size() ? i + 1 : 0];
+    if ((p.b > x.b) != (q.b > x.b) && (turn(p, q, x) > 0) == (q.b > p.b))
+    {
+      in = !in;
+    }
+  }
+  return in;
+}
+
+// The faces of one side. Keeps its storage from side to side.
+class SideTracer
+{
+public:
+  explicit SideTracer(const std::vector<Point>& nodes)
+    : nodes_(nodes)
+  {
+  }
+
+  std::vector<SideEdge>& chords() { return chords_; }
+
+  // Appends the faces of the region that the chords bound; false where they do not close.
+  bool trace(const Rectangle& r, Part& part)
+  {
+    rectangle_ = &r;
+    if (chords_.empty())
+    {
+      return tracePlain(part);
+    }
+    edges_ = chords_;
+    if (!addBorder())
+    {
+      return false;
+    }
+    dropOpposite(edges_, used_);
+    if (!balanced() || anyTwice())
+    {
+      return false;
+    }
+    traceLoops();
+    if (!joinHolesToLoops())
+    {
+      return false;
+    }
+    emit(part);
+    return true;
+  }
+
+private:
+  Flat at(std::uint32_t node) const { return flatten(nodes_[node], rectangle_->axis); }
+
+  // A side that no surface crosses is inside or outside as a whole.
+  bool tracePlain(Part& part) const
+  {
+    const auto& corner = rectangle_->corner;
+    const bool anyInside = std::count(corner.begin(), corner.end(), Known::Inside) > 0;
+    const bool anyOutside = std::count(corner.begin(), corner.end(), Known::Outside) > 0;
+    if (anyInside && !anyOutside)
+    {
+      part.nodes.insert(
+        part.nodes.end(), rectangle_->border, rectangle_->border + rectangle_->borderSize);
+      part.faceSizes.push_back(static_cast<std::uint32_t>(rectangle_->borderSize));
+    }
+    return anyInside != anyOutside;
+  }
+
+  // The pieces of the border that are inside. The status changes where chords end: past the end
+  // of one that arrives it is inside, past the start of one that leaves outside.
+  bool addBorder()
+  {
+    listBorder(nodes_, *rectangle_, chords_, border_);
+    const auto known = std::find_if(border_.cbegin(), border_.cend(),
+      [](const BorderNode& node) { return node.known != Known::Nothing; });
+    if (known == border_.cend())
+    {
+      return false;
+    }
+    const auto first = static_cast<std::size_t>(known - border_.cbegin());
+    int status = static_cast<int>(known->known);
+    std::uint32_t from = known->node;
+    for (std::size_t i = 1; i <= border_.size(); ++i)
+    {
+      const BorderNode& node = border_[(first + i) % border_.size()];
+      if (node.node != from)
+      {
+        if (status < 0 || status > 1)
+        {
+          return false;
+        }
+        if (status == 1)
+        {
+          edges_.push_back({ from, node.node });
+        }
+        from = node.node;
+      }
+      status += node.change;
+      if (node.known != Known::Nothing && status != static_cast<int>(node.known))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // As many edges arrive at every node as leave it: then they fall into closed walks.
+  bool balanced()
+  {
+    heads_.clear();
+    for (const SideEdge& e : edges_)
+    {
+      heads_.push_back(e.to);
+    }
+    std::sort(heads_.begin(), heads_.end());
+    return std::equal(edges_.begin(), edges_.end(), heads_.begin(),
+      [](const SideEdge& e, std::uint32_t head) { return e.from == head; });
+  }
+
+  // Parts that overlap share walls that face the same way: there are several regions in one place.
+  bool anyTwice() const
+  {
+    return std::adjacent_find(edges_.begin(), edges_.end(),
+             [](const SideEdge& e, const SideEdge& next) { return !(e < next); }) != edges_.end();
+  }
+
+  // The unused edge out of `e`'s head that turns left most sharply: regions that only touch in a
+  // node stay apart.
+  std::size_t follow(const SideEdge& e) const
+  {
+    std::size_t best = edges_.size();
+    auto i = static_cast<std::size_t>(
+      std::lower_bound(edges_.begin(), edges_.end(), SideEdge{ e.to, 0 }) - edges_.begin());
+    for (; i < edges_.size() && edges_[i].from == e.to; ++i)
+    {
+      if (!used_[i] && (best == edges_.size() || turnsLeftOf(e, edges_[i], edges_[best])))
+      {
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  // Whether x leaves e's head further to the left than y.
+  bool turnsLeftOf(const SideEdge& e, const SideEdge& x, const SideEdge& y) const
+  {
+    const Flat from = at(e.from);
+    const Flat here = at(e.to);
+    const bool xLeft = turn(from, here, at(x.to)) > 0;
+    const bool yLeft = turn(from, here, at(y.to)) > 0;
+    return xLeft != yLeft ? xLeft : turn(here, at(y.to), at(x.to)) > 0;
+  }
+
+  void traceLoops()
+  {
+    spares_.putBack(outer_);
+    spares_.putBack(holes_);
+    used_.assign(edges_.size(), 0);
+    for (std::size_t first = 0; first < edges_.size(); ++first)
+    {
+      if (used_[first])
+      {
+        continue;
+      }
+      walk_.clear();
+      std::size_t i = first;
+      do
+      {
+        used_[i] = 1;
+        walk_.push_back(edges_[i].from);
+        i = edges_[i].to == edges_[first].from ? first : follow(edges_[i]);
+      } while (i != first);
+      forEachSimpleLoop(walk_, [&](const std::uint32_t* begin, const std::uint32_t* end) {
+        FlatPolygon loop = spares_.take();
+        loop.nodes.assign(begin, end);
+        loop.at.clear();
+        for (const std::uint32_t* node = begin; node != end; ++node)
+        {
+          loop.at.push_back(at(*node));
+        }
+        (area(loop.at) < 0 ? holes_ : outer_).push_back(std::move(loop));
+      });
+    }
+  }
+
+  // Whether moving its nodes by a level may turn a loop over.
+  static bool isThin(const std::vector<Flat>& at)
+  {
+    Wide length = 0;
+    for (std::size_t i = 0; i < at.size(); ++i)
+    {
+      const Flat& p = at[i];
+      const Flat& q = at[i + 1 < at.size() ? i + 1 : 0];
+      length += std::abs(q.a - p.a) + std::abs(q.b - p.b);
+    }
+    const Wide twice = area(at);
+    return twice <= 2 * length && -twice <= 2 * length;
+  }
+
+  // A hole belongs to the smallest loop around it. A loop that rounding has turned over has none
+  // around it and is a face by itself; false where the surface turns over a thicker one.
+  bool joinHolesToLoops()
+  {
+    if (holes_.empty())
+    {
+      return true;
+    }
+    std::vector<std::vector<FlatPolygon>> holesOf(outer_.size());
+    for (FlatPolygon& hole : holes_)
+    {
+      std::size_t around = holesOf.size();
+      for (std::size_t i = 0; i < holesOf.size(); ++i)
+      {
+        if (encloses(outer_[i], hole) &&
+          (around == holesOf.size() || area(outer_[i].at) < area(outer_[around].at)))
+        {
+          around = i;
+        }
+      }
+      if (around < holesOf.size())
+      {
+        holesOf[around].push_back(std::move(hole));
+      }
+      else if (isThin(hole.at))
+      {
+        outer_.push_back(std::move(hole));
+      }
+      else
+      {
+        return false;
+      }
+    }
+    for (std::size_t i = 0; i < holesOf.size(); ++i)
+    {
+      joinHoles(outer_[i], std::move(holesOf[i]));
+    }
+    return true;
+  }
+
+  static bool encloses(const FlatPolygon& loop, const FlatPolygon& hole)
+  {
+    for (std::size_t i = 0; i < hole.nodes.size(); ++i)
+    {
+      if (std::find(loop.nodes.begin(), loop.nodes.end(), hole.nodes[i]) == loop.nodes.end())
+      {
+        return contains(loop.at, hole.at[i]);
+      }
+    }
+    return true;
+  }
+
+  void emit(Part& part)
+  {
+    for (const FlatPolygon& loop : outer_)
+    {
+      if (isWhole(loop))
+      {
+        emit(loop, part);
+        continue;
+      }
+      stars_.clear();
+      splitIntoStars(loop, stars_);
+      for (const FlatPolygon& star : stars_)
+      {
+        emit(star, part);
+      }
+    }
+  }
+
+  // A last resort of the splitting may leave a node in a face twice.
+  void emit(const FlatPolygon& face, Part& part)
+  {
+    walk_ = face.nodes;
+    forEachSimpleLoop(walk_, [&](const std::uint32_t* begin, const std::uint32_t* end) {
+      part.nodes.insert(part.nodes.end(), begin, end);
+      part.faceSizes.push_back(static_cast<std::uint32_t>(end - begin));
+    });
+  }
+
+  const std::vector<Point>& nodes_;
+  const Rectangle* rectangle_ = nullptr;
+  std::vector<SideEdge> chords_;
+  std::vector<SideEdge> edges_;
+  std::vector<BorderNode> border_;
+  std::vector<std::uint32_t> heads_;
+  std::vector<std::uint8_t> used_;
+  std::vector<std::uint32_t> walk_;
+  std::vector<FlatPolygon> outer_;
+  std::vector<FlatPolygon> holes_;
+  std::vector<FlatPolygon> stars_;
+  Spares<FlatPolygon> spares_;
+};
+
+class SideBuilder
+{
+public:
+  SideBuilder(const Boxes& boxes, const Patches& patches, const Sides& sides, const Nodes& nodes)
+    : sides_(sides)
+    , sideChords_(boxes, patches, sides, nodes)
+    , tracer_(nodes.at)
+  {
+  }
+
+  void addSidesOf(std::size_t n, Part& part)
+  {
+    for (std::size_t s = sides_.ownStart[n]; s < sides_.ownStart[n + 1]; ++s)
+    {
+      const std::size_t facesBefore = part.faceSizes.size();
+      const std::size_t nodesBefore = part.nodes.size();
+      const Rectangle r = sideChords_.rectangle(s);
+      sideChords_.find(s, r, tracer_.chords());
+      const bool closed = tracer_.trace(r, part);
+      if (!closed)
+      {
+        part.faceSizes.resize(facesBefore);
+        part.nodes.resize(nodesBefore);
+      }
+      part.flawed.push_back(closed ? 0 : 1);
+      part.facesOfSide.push_back(static_cast<std::uint32_t>(part.faceSizes.size() - facesBefore));
+    }
+  }
+
+private:
+  const Sides& sides_;
+  SideChords sideChords_;
+  SideTracer tracer_;
+};
+
+InnerFaces join(const std::vector<Part>& parts, Execution& execution)
+{
+  std::vector<std::size_t> side;
+  std::vector<std::size_t> face;
+  std::vector<std::size_t> node;
+  for (const Part& part : parts)
+  {
+    side.push_back(part.facesOfSide.size());
+    face.push_back(part.faceSizes.size());
+    node.push_back(part.nodes.size());
+  }
+  InnerFaces result;
+  const std::size_t sides = scan(side);
+  const std::size_t faces = scan(face);
+  result.nodes.resize(scan(node));
+  result.start.resize(faces + 1);
+  result.start.back() = result.nodes.size();
+  result.sideStart.resize(sides + 1);
+  result.sideStart.back() = faces;
+  result.flawed.resize(sides);
+  execution.forEach(parts.size(), 1, [&](std::size_t i, std::size_t) {
+    const Part& part = parts[i];
+    std::copy(part.nodes.begin(), part.nodes.end(), result.nodes.begin() + std::ptrdiff_t(node[i]));
+    std::size_t next = node[i];
+    for (std::size_t f = 0; f < part.faceSizes.size(); ++f)
+    {
+      result.start[face[i] + f] = next;
+      next += part.faceSizes[f];
+    }
+    next = face[i];
+    for (std::size_t s = 0; s < part.facesOfSide.size(); ++s)
+    {
+      result.sideStart[side[i] + s] = next;
+      result.flawed[side[i] + s] = part.flawed[s];
+      next += part.facesOfSide[s];
+    }
+  });
+  return result;
+}
+
+}
+
+InnerFaces generateInnerFaces(const Boxes& boxes, const Patches& patches, const Sides& sides,
+  const Nodes& nodes, Execution& execution)
+{
+  const std::size_t count = sides.polyhedral.size();
+  std::vector<Part> parts(chunks(count, BoxesAChunk));
+  execution.nextLoop(0.95);
+  execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
+    SideBuilder builder(boxes, patches, sides, nodes);
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      builder.addSidesOf(n, parts[begin / BoxesAChunk]);
+    }
+  });
+  return join(parts, execution);
+}
+
+}

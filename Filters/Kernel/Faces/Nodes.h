@@ -1,0 +1,52 @@
+// Nodes of faces, numbered (section 7.1); nodes that hang on the sides of coarser boxes among them.
+#pragma once
+
+#include "Boxes/Sides.h"
+#include "Patches/Patches.h"
+
+#include <tuple>
+
+namespace cartesian
+{
+
+// A node that is a vertex (i, j, k) of the global mesh.
+struct VertexNode
+{
+  std::uint32_t k;
+  std::uint32_t j;
+  std::uint32_t i;
+  std::uint32_t node;
+
+  bool operator<(const VertexNode& other) const
+  {
+    return std::make_tuple(k, j, i) < std::make_tuple(other.k, other.j, other.i);
+  }
+};
+
+// A hexahedron with a corner that moved (ShortEdges.h).
+struct WarpedHexahedron
+{
+  std::uint32_t box;
+  double volumeFraction; // of the box
+};
+
+// Nodes of faces: the points of patches, then grid nodes: corners of sides, nodes that hang on their
+// borders, corners of divided hexahedra; then those that shaping adds (CellShaping.h).
+struct Nodes
+{
+  std::vector<Point> at;
+  std::size_t patchPoints = 0;
+  std::vector<Point> grid;           // where grid nodes were before edges collapsed (ShortEdges.h)
+  std::vector<std::size_t> rowStart; // first grid node of each row of points (Numbering.h), from 0
+  std::vector<std::size_t> borderStart; // first node of each side's border, and the end
+  std::vector<std::uint32_t> border;    // grid nodes counter-clockwise from the lowest corner
+  std::vector<std::array<std::uint32_t, 8>> ofDivided; // corners of Sides::divided
+  std::vector<VertexNode> moreVertices;                // of those that shaping adds, in order
+  std::vector<std::uint32_t> ofCuts;                   // the others of those, in order of places
+  std::vector<WarpedHexahedron> warped;
+};
+
+Nodes findNodes(
+  const Boxes& boxes, const Patches& patches, const Sides& sides, Execution& execution);
+
+}

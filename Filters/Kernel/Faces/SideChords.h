@@ -1,0 +1,85 @@
+// What bounds the inside region of a common side (section 4.9): chords, which are edges of patches, and
+// the border with the statuses of its corners.
+#pragma once
+
+#include "Boxes/Sides.h"
+#include "Faces/Nodes.h"
+#include "Lattice/Plane.h"
+#include "Patches/Patches.h"
+
+namespace cartesian
+{
+
+// A directed piece of the boundary of a side's inside region, which lies to its left.
+struct SideEdge
+{
+  std::uint32_t from;
+  std::uint32_t to;
+
+  bool operator<(const SideEdge& other) const
+  {
+    return from != other.from ? from < other.from : to < other.to;
+  }
+};
+
+// Statuses of a side's corners, as far as a corner of one of its boxes tells.
+enum class Known : std::int8_t
+{
+  Nothing = -1,
+  Outside = 0,
+  Inside = 1,
+};
+
+// A side as its faces see it.
+struct Rectangle
+{
+  int axis;
+  Flat low;
+  Flat high;
+  const std::uint32_t* border; // grid nodes, counter-clockwise from the lowest corner
+  std::size_t borderSize;
+  std::array<Known, 4> corner; // counter-clockwise from the lowest corner
+};
+
+// A grid node on the border, or an end of a chord.
+struct BorderNode
+{
+  int border; // 0 to 3, counter-clockwise from the lowest corner
+  std::int64_t along;
+  std::uint32_t node;
+  int change; // of the status past this node
+  Known known;
+};
+
+// Lists the nodes counter-clockwise from the lowest corner.
+void listBorder(const std::vector<Point>& nodes, const Rectangle& r,
+  const std::vector<SideEdge>& chords, std::vector<BorderNode>& border);
+
+// Drops edges that run to and fro between the same nodes: they bound nothing. Leaves the rest sorted.
+void dropOpposite(std::vector<SideEdge>& edges, std::vector<std::uint8_t>& scratch);
+
+// Looks at one side after the other.
+class SideChords
+{
+public:
+  SideChords(const Boxes& boxes, const Patches& patches, const Sides& sides, const Nodes& nodes)
+    : boxes_(boxes)
+    , patches_(patches)
+    , sides_(sides)
+    , nodes_(nodes)
+  {
+  }
+
+  Rectangle rectangle(std::size_t side) const;
+
+  // Edges of patches on the side, taken from the lower box if it has patches, else from the upper.
+  void find(std::size_t side, const Rectangle& r, std::vector<SideEdge>& chords) const;
+
+private:
+  const Boxes& boxes_;
+  const Patches& patches_;
+  const Sides& sides_;
+  const Nodes& nodes_;
+};
+
+}

@@ -1,0 +1,39 @@
+// A point with a number, packed: sorts by place, then by number, several times as fast as the two apart.
+#pragma once
+
+#include "Lattice/Lattice.h"
+
+namespace cartesian
+{
+
+class NumberedPoint
+{
+public:
+  NumberedPoint(const Point& p, std::uint32_t number)
+    : xy_(std::uint64_t(p[0]) << 32 | p[1])
+    , zAndNumber_(std::uint64_t(p[2]) << 32 | number)
+  {
+  }
+
+  Point point() const
+  {
+    return { static_cast<Level>(xy_ >> 32), static_cast<Level>(xy_),
+      static_cast<Level>(zAndNumber_ >> 32) };
+  }
+  std::uint32_t number() const { return static_cast<std::uint32_t>(zAndNumber_); }
+
+  bool operator<(const NumberedPoint& other) const
+  {
+    return xy_ != other.xy_ ? xy_ < other.xy_ : zAndNumber_ < other.zAndNumber_;
+  }
+  bool isAt(const NumberedPoint& other) const
+  {
+    return xy_ == other.xy_ && zAndNumber_ >> 32 == other.zAndNumber_ >> 32;
+  }
+
+private:
+  std::uint64_t xy_;
+  std::uint64_t zAndNumber_;
+};
+
+}

@@ -1,0 +1,55 @@
+// Differences of points in double precision, in levels: for measures, never for decisions.
+#pragma once
+
+#include "Lattice/Lattice.h"
+
+#include <cmath>
+
+namespace cartesian
+{
+
+using Vector = std::array<double, 3>;
+
+inline Vector minus(const Point& p, const Point& q)
+{
+  return { double(p[0]) - q[0], double(p[1]) - q[1], double(p[2]) - q[2] };
+}
+
+inline Vector minus(const Vector& u, const Vector& v)
+{
+  return { u[0] - v[0], u[1] - v[1], u[2] - v[2] };
+}
+
+inline Vector plus(const Vector& u, const Vector& v)
+{
+  return { u[0] + v[0], u[1] + v[1], u[2] + v[2] };
+}
+
+inline Vector scaled(const Vector& u, double factor)
+{
+  return { u[0] * factor, u[1] * factor, u[2] * factor };
+}
+
+inline Vector cross(const Vector& u, const Vector& v)
+{
+  return { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
+}
+
+inline double dot(const Vector& u, const Vector& v)
+{
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+inline double norm(const Vector& u)
+{
+  return std::sqrt(dot(u, u));
+}
+
+// Of length 1, or 0 where it has no length.
+inline Vector unit(const Vector& u)
+{
+  const double length = norm(u);
+  return length > 0 ? scaled(u, 1 / length) : u;
+}
+
+}

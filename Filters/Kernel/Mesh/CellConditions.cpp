@@ -1,0 +1,138 @@
+#include "Mesh/CellConditions.h"
+
+#include "Quality/QualityMeasures.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t CellsAChunk = 1024;
+
+// One cell after the other; keeps its memory.
+class Inspector
+{
+public:
+  Inspector(const MeshParts& parts, const CellNumbers& numbers,
+    const std::vector<BoundaryFace>& boundary, CellConditions& failures)
+    : parts_(parts)
+    , numbers_(numbers)
+    , boundary_(boundary)
+    , failures_(failures)
+    , exposed_(boundary.begin())
+    , boundaryEnd_(boundary.begin())
+  {
+  }
+
+  void inspect(std::size_t cell)
+  {
+    faces_.clear();
+    const auto& cells = parts_.cells.cells;
+    for (std::size_t f = cells[cell].firstFace; f < cells[cell + 1].firstFace; ++f)
+    {
+      faces_.push_back(geometryOf(parts_.cells.faces[f]));
+    }
+    const CellGeometry geometry =
+      measureCell(faces_.size(), [&](std::size_t f) -> const FaceGeometry& { return faces_[f]; });
+    findBoundary(numbers_.ofCell[cell]);
+    std::array<bool, 2> failing{ false, false }; // inner faces, boundary
+    Vector sum{ 0, 0, 0 };
+    double sizes = 0;
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+    {
+      const double size = norm(faces_[f].area);
+      sum = plus(sum, faces_[f].area);
+      sizes += size;
+      // Cosines, for speed.
+      const Vector way = minus(faces_[f].centre, geometry.centre);
+      const bool boundary = isBoundary(parts_.cells.faces[cells[cell].firstFace + f]);
+      const double least = boundary ? 0 : leastInnerCosine_ * norm(way) * size;
+      failing[boundary] = failing[boundary] || !(dot(way, faces_[f].area) > least);
+    }
+    failures_.boundaryAngle += failing[1];
+    failures_.innerAngle += failing[0];
+    failures_.open += fails(Openness, norm(sum) / sizes);
+    failures_.negativeVolume += fails(Volume, geometry.volume);
+  }
+
+private:
+  FaceGeometry geometryOf(const FaceRef& face)
+  {
+    corners_.clear();
+    forEachNode(face, parts_.patches, parts_.inner, parts_.cells.shaped, [&](std::uint32_t node) {
+      const Point& p = parts_.nodes.at[node];
+      corners_.push_back({ double(p[0]), double(p[1]), double(p[2]) });
+    });
+    return measureFace(
+      corners_.size(), [&](std::size_t i) -> const Vector& { return corners_[i]; });
+  }
+
+  // The cell's faces that lost their neighbour come after its patches. Cells come in order: but for
+  // the first one, the search goes on where it ended.
+  void findBoundary(Id cell)
+  {
+    const auto isBefore = [cell](const BoundaryFace& face) {
+      return face.cell < cell || (face.cell == cell && face.kind == BoundaryFace::Kind::Patch);
+    };
+    exposed_ = boundaryEnd_ == boundary_.begin()
+      ? std::partition_point(boundaryEnd_, boundary_.end(), isBefore)
+      : std::find_if_not(boundaryEnd_, boundary_.end(), isBefore);
+    boundaryEnd_ = std::find_if(
+      exposed_, boundary_.end(), [cell](const BoundaryFace& face) { return face.cell != cell; });
+  }
+
+  bool isBoundary(const FaceRef& face) const
+  {
+    using Kind = FaceRef::Kind;
+    static_assert(int(Kind::Patch) == int(BoundaryFace::Kind::Patch));
+    static_assert(int(Kind::TurnedShaped) == int(BoundaryFace::Kind::TurnedShaped));
+    return face.kind() == Kind::Patch ||
+      std::any_of(exposed_, boundaryEnd_, [&](const BoundaryFace& exposed) {
+        return int(exposed.kind) == int(face.kind()) && exposed.index == face.index;
+      });
+  }
+
+  const MeshParts& parts_;
+  const CellNumbers& numbers_;
+  const std::vector<BoundaryFace>& boundary_;
+  CellConditions& failures_;
+  std::vector<BoundaryFace>::const_iterator exposed_;
+  std::vector<BoundaryFace>::const_iterator boundaryEnd_;
+  const double leastInnerCosine_ = std::cos(MeasureSpecs[InnerAngle].limit / 90 * std::acos(0.0));
+  std::vector<FaceGeometry> faces_;
+  std::vector<Vector> corners_;
+};
+
+}
+
+CellConditions countFailures(const MeshParts& parts, const CellNumbers& numbers,
+  const std::vector<BoundaryFace>& boundary, Execution& execution)
+{
+  const std::size_t cells = numbers.coreEnd - numbers.coreBegin;
+  std::vector<CellConditions> ofChunk(chunks(cells, CellsAChunk));
+  execution.nextLoop(0.8);
+  execution.forEach(cells, CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    Inspector inspector(parts, numbers, boundary, ofChunk[begin / CellsAChunk]);
+    for (std::size_t c = numbers.coreBegin + begin; c < numbers.coreBegin + end; ++c)
+    {
+      if (!parts.cells.cells[c].removed)
+      {
+        inspector.inspect(c);
+      }
+    }
+  });
+  CellConditions all;
+  for (const CellConditions& chunk : ofChunk)
+  {
+    all.boundaryAngle += chunk.boundaryAngle;
+    all.innerAngle += chunk.innerAngle;
+    all.open += chunk.open;
+    all.negativeVolume += chunk.negativeVolume;
+  }
+  return all;
+}
+
+}

@@ -1,0 +1,421 @@
+#include "Mesh/Mesh.h"
+
+#include "Parts/Slabs.h"
+
+#include <algorithm>
+#include <atomic>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t RowsAChunk = 16;
+constexpr std::size_t CellsAChunk = 1024;
+constexpr std::size_t PointsAChunk = 1 << 15;
+constexpr Id CornersOfAHexahedron = 8;
+
+}
+
+// Corners of a face, counter-clockwise from outside its cell, as nodes passed on as points.
+template <class Visitor>
+void Mesh::forEachPoint(const FaceRef& face, Visitor&& visit) const
+{
+  forEachNode(face, parts_.patches, parts_.inner, parts_.cells.shaped,
+    [&](std::uint32_t node) { visit(static_cast<Id>(points_.ofNode(node))); });
+}
+
+Mesh::Mesh(const MeshParts& parts, Execution& execution)
+  : parts_(parts)
+  , numbers_(numberCells(parts, execution))
+  , points_(parts, parts.boxes.core, execution)
+  , ownPoints_(pointCount())
+{
+  const Layers core = parts.boxes.core;
+  // Which points of the next layers are used tell cells that may reach into them.
+  const Layers around =
+    core.grown(HaloOfShapedCells + MostLayersOfACell - 1, parts.boxes.allLayers().end);
+  if (around.begin != core.begin || around.end != core.end)
+  {
+    pointsAround_ = std::make_unique<PointNumbers>(parts, around, execution);
+    const bool isLast = core.end == parts.boxes.allLayers().end;
+    const std::size_t end = isLast ? pointsAround_->size() : pointsAround_->firstOfLayer(core.end);
+    ownPoints_ = static_cast<Id>(end - pointsAround_->firstOfLayer(core.begin));
+  }
+  measureCells(execution);
+  placeRows();
+  boundary_ = collectBoundary(parts_, numbers_, execution);
+  failures_ = countFailures(parts_, numbers_, boundary_, execution);
+}
+
+void Mesh::measureCells(Execution& execution)
+{
+  const Cells& cells = parts_.cells;
+  cellSizes_.resize(cells.size());
+  const std::size_t first = numbers_.coreBegin;
+  execution.nextLoop(0.4);
+  execution.forEach(numbers_.coreEnd - first, CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    CellPoints points;
+    for (std::size_t c = first + begin; c < first + end; ++c)
+    {
+      if (cells.cells[c].removed)
+      {
+        continue;
+      }
+      std::uint32_t stream = 1;
+      for (std::size_t f = cells.cells[c].firstFace; f < cells.cells[c + 1].firstFace; ++f)
+      {
+        ++stream;
+        forEachPoint(cells.faces[f], [&](Id) { ++stream; });
+      }
+      points.reset(stream);
+      for (std::size_t f = cells.cells[c].firstFace; f < cells.cells[c + 1].firstFace; ++f)
+      {
+        forEachPoint(cells.faces[f], [&](Id point) { points.add(point); });
+      }
+      cellSizes_[c] = { static_cast<std::uint32_t>(points.points.size()), stream };
+    }
+  });
+}
+
+void Mesh::placeRows()
+{
+  const Boxes& boxes = parts_.boxes;
+  const std::vector<std::uint32_t>& polyhedral = parts_.sides.polyhedral;
+  const std::vector<std::size_t>& firstCell = parts_.cells.boxStart;
+  RowOffsets sum;
+  const std::size_t begin = boxes.row(0, boxes.core.begin);
+  const std::size_t end = boxes.row(0, boxes.core.end);
+  auto n = static_cast<std::size_t>(
+    std::lower_bound(polyhedral.begin(), polyhedral.end(), firstBoxOfRow(begin)) -
+    polyhedral.begin());
+  for (std::size_t row = 0; row + 1 < boxes.rowStart.size(); ++row)
+  {
+    rows_.push_back(sum);
+    if (row < begin || row >= end)
+    {
+      continue;
+    }
+    std::size_t hexahedra = firstBoxOfRow(row + 1) - firstBoxOfRow(row);
+    for (; n < polyhedral.size() && polyhedral[n] < firstBoxOfRow(row + 1); ++n)
+    {
+      --hexahedra;
+      for (std::size_t c = firstCell[n]; c < firstCell[n + 1]; ++c)
+      {
+        sum.connectivity += cellSizes_[c].points;
+        sum.faceStream += cellSizes_[c].faceStream;
+      }
+    }
+    sum.connectivity += CornersOfAHexahedron * static_cast<Id>(hexahedra);
+  }
+  rows_.push_back(sum);
+}
+
+// numberOf(line, i): of the vertex i of the global mesh on one of the box's four lines along x (their
+// y + 2 z); of a box that is not divided.
+template <class NumberOf>
+std::array<Id, 8> Mesh::corners(std::size_t box, NumberOf&& numberOf) const
+{
+  std::array<Id, 8> p;
+  const std::uint32_t ordinal = parts_.sides.ordinal[box];
+  if (ordinal != None)
+  {
+    const auto& nodes = parts_.nodes.ofDivided[ordinal & ~Sides::HexahedronBit];
+    for (std::size_t corner = 0; corner < 8; ++corner)
+    {
+      p[corner] = points_.ofNode(nodes[corner]);
+    }
+    return p;
+  }
+  const std::uint32_t i = parts_.boxes.globalOf(parts_.boxes.boxes[box]).index[0];
+  for (std::uint32_t line = 0; line < 4; ++line)
+  {
+    p[2 * line] = static_cast<Id>(numberOf(line, i));
+    p[2 * line + 1] = p[2 * line] + 1;
+  }
+  return p;
+}
+
+// Calls visitVertex(point, i, j, k) for vertices of the global mesh, visitNode(point, node) for nodes,
+// vertices among them.
+template <class VertexVisitor, class NodeVisitor>
+void Mesh::forEachPoint(
+  VertexVisitor&& visitVertex, NodeVisitor&& visitNode, Execution& execution) const
+{
+  const std::size_t rowLength = parts_.boxes.planes[1].size();
+  execution.forEach(
+    pointRows(parts_.boxes.planes), RowsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t row = begin; row < end; ++row)
+      {
+        points_.forEachVertex(row, [&](std::size_t point, std::uint32_t i) {
+          visitVertex(point, i, static_cast<std::uint32_t>(row % rowLength),
+            static_cast<std::uint32_t>(row / rowLength));
+        });
+      }
+    });
+  execution.forEach(parts_.nodes.at.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t node = begin; node < end; ++node)
+    {
+      if (points_.ofNode(node) != None)
+      {
+        visitNode(points_.ofNode(node), node);
+      }
+    }
+  });
+}
+
+void Mesh::writePoints(double* xyz, Execution& execution) const
+{
+  const auto write = [&](std::size_t point, const Point& at) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      xyz[3 * point + axis] = parts_.boxes.lattice.position(static_cast<int>(axis), at[axis]);
+    }
+  };
+  const Meshlines& planes = parts_.boxes.planes;
+  forEachPoint(
+    [&](std::size_t point, std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+      write(point, { planes[0][i], planes[1][j], planes[2][k] });
+    },
+    [&](std::size_t point, std::size_t node) { write(point, parts_.nodes.at[node]); }, execution);
+}
+
+void Mesh::writeGlobalPoints(Id before, Id* ids, Execution& execution) const
+{
+  const PointNumbers& around = pointsAround_ ? *pointsAround_ : points_;
+  const Id offset = before - static_cast<Id>(around.firstOfLayer(parts_.boxes.core.begin));
+  forEachPoint([&](std::size_t point, std::uint32_t i, std::uint32_t j,
+                 std::uint32_t k) { ids[point] = offset + around.ofVertex(i, j, k); },
+    [&](std::size_t point, std::size_t node) { ids[point] = offset + around.ofNode(node); },
+    execution);
+}
+
+void Mesh::writeCells(const CellArrays& arrays, Execution& execution) const
+{
+  const Boxes& boxes = parts_.boxes;
+  const std::size_t first = boxes.row(0, boxes.core.begin);
+  const std::size_t rows = boxes.row(0, boxes.core.end) - first;
+  execution.nextLoop(0.6);
+  execution.forEach(rows, RowsAChunk, [&](std::size_t begin, std::size_t end) {
+    CellPoints points;
+    for (std::size_t row = first + begin; row < first + end; ++row)
+    {
+      writeRow(row, arrays, points);
+    }
+  });
+  arrays.offsets[cellCount()] = connectivitySize();
+}
+
+void Mesh::writeRow(std::size_t row, const CellArrays& arrays, CellPoints& points) const
+{
+  RowOffsets at = rows_[row];
+  const std::size_t rowLength = parts_.boxes.planes[1].size();
+  const std::size_t line = row + row / (rowLength - 1); // the row of points of its lower vertices
+  std::array<PointNumbers::Walk, 4> lines{ PointNumbers::Walk(points_, line),
+    PointNumbers::Walk(points_, line + 1), PointNumbers::Walk(points_, line + rowLength),
+    PointNumbers::Walk(points_, line + rowLength + 1) };
+  for (std::size_t b = firstBoxOfRow(row); b < firstBoxOfRow(row + 1); ++b)
+  {
+    std::size_t id = numbers_.ofBox[b];
+    const std::uint32_t n = parts_.sides.polyhedralOrdinal(static_cast<std::uint32_t>(b));
+    if (n == None)
+    {
+      const std::array<Id, 8> p =
+        corners(b, [&](std::uint32_t l, std::uint32_t i) { return lines[l].ofVertex(i); });
+      constexpr std::array<int, 8> order = { 0, 1, 3, 2, 4, 5, 7, 6 };
+      for (int i = 0; i < 8; ++i)
+      {
+        arrays.connectivity[at.connectivity + i] = p[order[i]];
+      }
+      arrays.offsets[id] = at.connectivity;
+      arrays.types[id] = arrays.hexahedron;
+      arrays.faceStart[id] = -1;
+      at.connectivity += CornersOfAHexahedron;
+      continue;
+    }
+    for (std::size_t c = parts_.cells.boxStart[n]; c < parts_.cells.boxStart[n + 1]; ++c)
+    {
+      if (parts_.cells.cells[c].removed)
+      {
+        continue;
+      }
+      writeFaces(c, arrays.faceStream + at.faceStream, points);
+      std::sort(points.points.begin(), points.points.end());
+      std::copy(points.points.begin(), points.points.end(), arrays.connectivity + at.connectivity);
+      arrays.offsets[id] = at.connectivity;
+      arrays.types[id] = arrays.polyhedron;
+      arrays.faceStart[id] = at.faceStream;
+      at.connectivity += cellSizes_[c].points;
+      at.faceStream += cellSizes_[c].faceStream;
+      ++id;
+    }
+  }
+}
+
+// Lists the points too.
+void Mesh::writeFaces(std::size_t cell, Id* stream, CellPoints& points) const
+{
+  points.reset(cellSizes_[cell].faceStream);
+  const Cells& cells = parts_.cells;
+  const std::size_t begin = cells.cells[cell].firstFace;
+  const std::size_t end = cells.cells[cell + 1].firstFace;
+  *stream++ = static_cast<Id>(end - begin);
+  for (std::size_t f = begin; f < end; ++f)
+  {
+    Id* const size = stream++;
+    forEachPoint(cells.faces[f], [&](Id point) {
+      *stream++ = point;
+      points.add(point);
+    });
+    *size = static_cast<Id>(stream - size - 1);
+  }
+}
+
+void Mesh::writeCellData(const CellData& data, Execution& execution) const
+{
+  const auto write = [&](std::size_t id, const PackedBox& box, double fraction) {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      data.globalBox[3 * id + axis] = static_cast<int>(parts_.boxes.globalOf(box).index[axis]);
+      data.level[3 * id + axis] = box.level[axis];
+    }
+    data.region[id] = FirstRegion;
+    data.volumeFraction[id] = fraction;
+  };
+  const Boxes& boxes = parts_.boxes;
+  const std::size_t firstBox = boxes.firstBoxOf(boxes.core.begin);
+  execution.forEach(boxes.firstBoxOf(boxes.core.end) - firstBox, CellsAChunk,
+    [&](std::size_t begin, std::size_t end) {
+      for (std::size_t b = firstBox + begin; b < firstBox + end; ++b)
+      {
+        if (parts_.sides.polyhedralOrdinal(static_cast<std::uint32_t>(b)) == None)
+        {
+          write(numbers_.ofBox[b], boxes.boxes[b], 1);
+        }
+      }
+    });
+  for (const WarpedHexahedron& hexahedron : parts_.nodes.warped)
+  {
+    const std::uint32_t number = numbers_.ofBox[hexahedron.box];
+    if (parts_.sides.polyhedralOrdinal(hexahedron.box) == None && CellNumbers::isHere(number))
+    {
+      write(number, boxes.boxes[hexahedron.box], hexahedron.volumeFraction);
+    }
+  }
+  const Cells& cells = parts_.cells;
+  const std::size_t first = numbers_.coreBegin;
+  execution.forEach(numbers_.coreEnd - first, CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = first + begin; c < first + end; ++c)
+    {
+      if (!cells.cells[c].removed)
+      {
+        write(numbers_.ofCell[c], boxes.boxes[cells.cells[c].box], cells.cells[c].volumeFraction);
+      }
+    }
+  });
+}
+
+template <class Visitor>
+void Mesh::forEachPoint(const BoundaryFace& face, Visitor&& visit) const
+{
+  switch (face.kind)
+  {
+    case BoundaryFace::Kind::Patch:
+      forEachPoint(FaceRef(face.index, FaceRef::Kind::Patch), visit);
+      break;
+    case BoundaryFace::Kind::Inner:
+      forEachPoint(FaceRef(face.index, FaceRef::Kind::Inner), visit);
+      break;
+    case BoundaryFace::Kind::TurnedInner:
+      forEachPoint(FaceRef(face.index, FaceRef::Kind::TurnedInner), visit);
+      break;
+    case BoundaryFace::Kind::Shaped:
+      forEachPoint(FaceRef(face.index, FaceRef::Kind::Shaped), visit);
+      break;
+    case BoundaryFace::Kind::TurnedShaped:
+      forEachPoint(FaceRef(face.index, FaceRef::Kind::TurnedShaped), visit);
+      break;
+    case BoundaryFace::Kind::BoxSide:
+    {
+      const std::size_t box = face.index / 6;
+      const auto& at = parts_.boxes.globalOf(parts_.boxes.boxes[box]).index;
+      const std::array<Id, 8> p = corners(box, [&](std::uint32_t line, std::uint32_t i) {
+        return points_.ofVertex(i, at[1] + (line & 1), at[2] + (line >> 1));
+      });
+      const bool upper = face.index % 2 == 1;
+      const std::array<unsigned, 4> side =
+        sideCorners(static_cast<int>(face.index % 6 / 2), upper ? 1 : 0);
+      for (int i = 0; i < 4; ++i)
+      {
+        visit(p[side[upper ? i : 3 - i]]);
+      }
+      break;
+    }
+  }
+}
+
+// Lists the points of the boundary, in order; returns the place of each.
+RawVector<std::uint32_t> Mesh::numberBoundaryPoints(
+  std::vector<Id>& points, Execution& execution) const
+{
+  const auto count = static_cast<std::size_t>(pointCount());
+  std::vector<std::atomic<bool>> used(count);
+  execution.forEach(boundary_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f)
+    {
+      forEachPoint(boundary_[f], [&](Id point) {
+        used[static_cast<std::size_t>(point)].store(true, std::memory_order_relaxed);
+      });
+    }
+  });
+  const auto isUsed = [&](std::size_t p) { return used[p].load(std::memory_order_relaxed); };
+  std::vector<std::uint32_t> first(chunks(count, PointsAChunk));
+  execution.forEach(count, PointsAChunk, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t sum = 0;
+    for (std::size_t p = begin; p < end; ++p)
+    {
+      sum += isUsed(p) ? 1 : 0;
+    }
+    first[begin / PointsAChunk] = sum;
+  });
+  points.resize(scan(first));
+  RawVector<std::uint32_t> places(count); // anything where it is not used
+  execution.forEach(count, PointsAChunk, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t next = first[begin / PointsAChunk];
+    for (std::size_t p = begin; p < end; ++p)
+    {
+      if (isUsed(p))
+      {
+        points[next] = static_cast<Id>(p);
+        places[p] = next++;
+      }
+    }
+  });
+  return places;
+}
+
+BoundaryMesh Mesh::boundaryMesh(Execution& execution) const
+{
+  BoundaryMesh result;
+  result.start.assign(boundary_.size() + 1, 0);
+  execution.forEach(boundary_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f)
+    {
+      forEachPoint(boundary_[f], [&](Id) { ++result.start[f]; });
+    }
+  });
+  result.corners.resize(static_cast<std::size_t>(scan(result.start)));
+  const RawVector<std::uint32_t> local = numberBoundaryPoints(result.meshPoint, execution);
+  execution.forEach(boundary_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f)
+    {
+      auto next = static_cast<std::size_t>(result.start[f]);
+      forEachPoint(boundary_[f],
+        [&](Id point) { result.corners[next++] = local[static_cast<std::size_t>(point)]; });
+    }
+  });
+  return result;
+}
+
+}

@@ -1,0 +1,148 @@
+// The finished mesh (section 6, steps 11 and 13): cells and points numbered and written.
+//
+// Cells are hexahedra (inside boxes without hanging nodes) and polyhedra, in order of their boxes;
+// points are in the order of PointNumbers.h. All are written straight into arrays of the caller's.
+//
+// The mesh of a part of the grid (Division.h) has the cells of its core and the points that those
+// use. Their numbers in the whole mesh are their own and the number of all cells of the parts
+// before, and those of writeGlobalPoints.
+#pragma once
+
+#include "Base/EdgeTable.h"
+#include "Mesh/CellConditions.h"
+#include "Mesh/PointNumbers.h"
+
+#include <memory>
+
+namespace cartesian
+{
+
+// Arrays of the caller's, of the sizes that Mesh gives.
+struct CellArrays
+{
+  Id* offsets;          // cellCount() + 1
+  Id* connectivity;     // connectivitySize(): points of each cell, hexahedra in VTK's order
+  unsigned char* types; // cellCount()
+  Id* faceStart;        // cellCount(): where in faceStream, -1 for hexahedra
+  Id* faceStream;       // faceStreamSize(): a number of faces, then for each its size and points
+  unsigned char hexahedron; // what to write into types
+  unsigned char polyhedron;
+};
+
+struct CellData
+{
+  int* globalBox;       // 3 * cellCount(): I, J, K
+  unsigned char* level; // 3 * cellCount(): halvings of the global box along x, y, z
+  int* region;          // cellCount()
+  double*
+    volumeFraction; // cellCount(): volume by that of its box; beyond 1 where cells were merged
+};
+
+// The boundary faces by themselves, with points numbered in the order of the mesh's.
+struct BoundaryMesh
+{
+  std::vector<Id> start;     // first corner of each face, and the end
+  std::vector<Id> corners;   // indices into meshPoint, counter-clockwise from outside
+  std::vector<Id> meshPoint; // the mesh's point
+};
+
+class Mesh
+{
+public:
+  Mesh(const MeshParts& parts, Execution& execution);
+
+  Id pointCount() const { return static_cast<Id>(points_.size()); }
+
+  // How many points the parts up to this one have between them, more than those before it: the points
+  // on its upper end belong to the next.
+  Id ownPointCount() const { return ownPoints_; }
+  Id cellCount() const { return numbers_.ofBox.back(); }
+  Id connectivitySize() const { return rows_.back().connectivity; }
+  Id faceStreamSize() const { return rows_.back().faceStream; }
+  const std::vector<BoundaryFace>& boundary() const { return boundary_; }
+  const CellConditions& failures() const { return failures_; }
+
+  void writePoints(double* xyz, Execution& execution) const;
+
+  // The number of each point in the whole mesh. `before`: the own points of all parts before.
+  void writeGlobalPoints(Id before, Id* ids, Execution& execution) const;
+
+  void writeCells(const CellArrays& arrays, Execution& execution) const;
+  void writeCellData(const CellData& data, Execution& execution) const;
+
+  // Faces as in boundary().
+  BoundaryMesh boundaryMesh(Execution& execution) const;
+
+private:
+  // Calls visit(point) for the corners of a boundary face, counter-clockwise from outside.
+  template <class Visitor>
+  void forEachPoint(const BoundaryFace& face, Visitor&& visit) const;
+
+  // Where a row of boxes starts in the output arrays; only the core has any.
+  struct RowOffsets
+  {
+    Id connectivity = 0;
+    Id faceStream = 0;
+  };
+  struct CellSize
+  {
+    std::uint32_t points = 0;
+    std::uint32_t faceStream = 0;
+  };
+
+  // The points of one cell, each once, in no order. Kept from cell to cell for its memory.
+  struct CellPoints
+  {
+    EdgeTable seen; // from a point to itself
+    std::vector<Id> points;
+
+    // None, of a cell with so many corners at most.
+    void reset(std::size_t corners)
+    {
+      seen.reset(corners);
+      points.clear();
+    }
+
+    void add(Id id)
+    {
+      const auto point = static_cast<std::uint32_t>(id);
+      if (std::uint32_t& number = seen.at(point, point); number == EdgeTable::Fresh)
+      {
+        number = 0;
+        points.push_back(id);
+      }
+    }
+  };
+
+  template <class VertexVisitor, class NodeVisitor>
+  void forEachPoint(
+    VertexVisitor&& visitVertex, NodeVisitor&& visitNode, Execution& execution) const;
+  void measureCells(Execution& execution);
+  void placeRows();
+
+  template <class NumberOf>
+  std::array<Id, 8> corners(std::size_t box, NumberOf&& numberOf) const;
+  std::size_t firstBoxOfRow(std::size_t row) const
+  {
+    return parts_.boxes.globals[parts_.boxes.rowStart[row]].firstBox;
+  }
+  void writeRow(std::size_t row, const CellArrays& arrays, CellPoints& points) const;
+  void writeFaces(std::size_t cell, Id* stream, CellPoints& points) const;
+  RawVector<std::uint32_t> numberBoundaryPoints(
+    std::vector<Id>& points, Execution& execution) const;
+
+  template <class Visitor>
+  void forEachPoint(const FaceRef& face, Visitor&& visit) const;
+
+  MeshParts parts_;
+  CellNumbers numbers_;
+  PointNumbers points_;
+  std::unique_ptr<PointNumbers> pointsAround_; // of a part: those of cells around it too
+  Id ownPoints_ = 0;
+  std::vector<CellSize> cellSizes_; // of each cell of polyhedral boxes
+  std::vector<RowOffsets> rows_;
+  std::vector<BoundaryFace> boundary_;
+  CellConditions failures_;
+};
+
+}

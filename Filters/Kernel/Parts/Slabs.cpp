@@ -1,0 +1,120 @@
+#include "Parts/Slabs.h"
+
+namespace cartesian
+{
+
+namespace
+{
+
+// How far from a border of the first stage that does not act, and the second acts and looks: as far as
+// to leave no fault of its own.
+constexpr std::uint32_t Acting = 2;
+constexpr std::uint32_t Free = 3;
+constexpr std::uint32_t Seen = 4;
+constexpr std::uint32_t Fixed = 1;
+
+Layers hullOf(Layers a, Layers b)
+{
+  if (a.begin == a.end || b.begin == b.end)
+  {
+    return a.begin == a.end ? b : a;
+  }
+  return { std::min(a.begin, b.begin), std::max(a.end, b.end) };
+}
+
+bool meet(Layers a, Layers b)
+{
+  return a.begin < b.end && b.begin < a.end;
+}
+
+// Without `by` layers at both ends, but for those where the grid ends.
+Layers shrunk(Layers layers, std::uint32_t by, std::uint32_t all)
+{
+  const std::uint32_t begin = layers.begin == 0 ? 0 : std::min(layers.begin + by, layers.end);
+  const std::uint32_t end = layers.end == all ? all : layers.end - std::min(by, layers.end);
+  return { begin, std::max(begin, end) };
+}
+
+// The i-th of the first stage.
+Slab firstSlab(std::uint32_t i, std::uint32_t all)
+{
+  const Layers layers{ i * SlabThickness, std::min((i + 1) * SlabThickness, all) };
+  return { layers, shrunk(layers, Fixed, all), shrunk(layers, Acting, all) };
+}
+
+// The one across the lower border of the i-th.
+Slab secondSlab(std::uint32_t i, std::uint32_t all)
+{
+  const std::uint32_t border = i * SlabThickness;
+  const auto around = [&](std::uint32_t by) {
+    return Layers{ border - by, std::min(border + by, all) };
+  };
+  return { around(Seen), around(Free), around(Free) };
+}
+
+}
+
+std::array<std::vector<Slab>, ShapingStages> slabsFor(Layers wanted, std::uint32_t all)
+{
+  std::array<std::vector<Slab>, ShapingStages> slabs;
+  const std::uint32_t count = (all + SlabThickness - 1) / SlabThickness;
+  Layers first = wanted;
+  for (std::uint32_t i = 1; i < count; ++i)
+  {
+    if (const Slab slab = secondSlab(i, all); meet(slab.free, wanted))
+    {
+      slabs[1].push_back(slab);
+      first = hullOf(first, slab.layers);
+    }
+  }
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    if (const Slab slab = firstSlab(i, all); meet(slab.layers, first))
+    {
+      slabs[0].push_back(slab);
+    }
+  }
+  return slabs;
+}
+
+Layers shapedFrom(Layers wanted, std::uint32_t all)
+{
+  Layers from = wanted;
+  for (const std::vector<Slab>& slabs : slabsFor(wanted, all))
+  {
+    for (const Slab& slab : slabs)
+    {
+      from = hullOf(from, slab.layers);
+    }
+  }
+  return from;
+}
+
+Layers collapsedFrom(Layers wanted, std::uint32_t all)
+{
+  if (wanted.begin == wanted.end || all <= SlabThickness)
+  {
+    return wanted.begin == wanted.end ? wanted : Layers{ 0, all };
+  }
+  // Of layers on either side of a seam, both slabs; their numbers count from the first seam, 1.
+  const auto slabOf = [](std::uint32_t layer) {
+    return (layer + SeamDistance - FirstSeam) / SeamDistance;
+  };
+  const auto seamBelow = [](std::uint32_t slab) {
+    return slab == 0 ? 0 : slab * SeamDistance - (SeamDistance - FirstSeam);
+  };
+  const std::uint32_t below = wanted.begin - std::min(wanted.begin, 1u);
+  return { seamBelow(slabOf(below)), std::min(seamBelow(slabOf(wanted.end) + 1), all) };
+}
+
+Layers cutFrom(Layers core, const Reach& reach, std::uint32_t all)
+{
+  Layers layers = core.grown(reach.shapes ? HaloOfShapedCells : HaloOfCells, all);
+  if (reach.shapes)
+  {
+    layers = shapedFrom(layers, all).grown(HaloOfCells, all);
+  }
+  return reach.collapses ? collapsedFrom(layers, all) : layers;
+}
+
+}

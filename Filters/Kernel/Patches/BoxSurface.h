@@ -1,0 +1,132 @@
+// The surface in one box: what all methods of patch generation (section 4.7) start from.
+//
+// The polygons are those of Exact Fit. The segments are their edges on the sides of the box, as far
+// as the polygons of one triangle's neighbours do not run along them the other way: the two boxes of
+// a side have the same segments there, turned round.
+#pragma once
+
+#include "Lattice/ExactFit.h"
+#include "Lattice/Numbering.h"
+#include "Patches/Clearance.h"
+#include "Surface/Features.h"
+
+namespace cartesian
+{
+
+struct Segment
+{
+  std::uint32_t from; // local points
+  std::uint32_t to;
+  std::uint32_t triangle;
+  std::uint8_t side; // 2 * axis, plus 1 for the upper
+  std::uint8_t
+    quarter; // of the side: bit 0 and 1, upper half along the next axis and the one after
+};
+
+struct BoxSurface
+{
+  std::vector<Point> points;
+  std::vector<std::uint32_t> sizes; // of polygons
+  std::vector<std::uint32_t> corners;
+  std::vector<std::uint32_t> triangles; // one a polygon
+  std::vector<Segment> segments;
+  bool sharp = false; // a sharp feature passes through
+
+  void clear();
+};
+
+// Bits of the box's planes that a point lies on: 2 * axis, plus 1 for the upper.
+inline unsigned planesOf(const Box& box, const Point& p)
+{
+  unsigned bits = 0;
+  for (unsigned axis = 0; axis < 3; ++axis)
+  {
+    bits |= (p[axis] == box.low[axis] ? 1u : 0u) << (2 * axis);
+    bits |= (p[axis] == box.high[axis] ? 2u : 0u) << (2 * axis);
+  }
+  return bits;
+}
+
+// On how many cutting planes a point lies: two or three, it is where the surface meets an edge of a
+// box, and belongs to all boxes around it.
+inline int planeCount(const Point& p)
+{
+  return int(onPlane(p[0])) + int(onPlane(p[1])) + int(onPlane(p[2]));
+}
+
+// The lines along which finer neighbours divide the sides of a box.
+class SideLines
+{
+public:
+  void find(const Boxes& boxes, const Box& box);
+
+  // Whether any side is divided.
+  bool any() const { return any_; }
+
+  const Point& middle() const { return middle_; }
+
+  // Calls visit(point) where the i-th side of a fragment, if it lies on a side of the box, crosses a
+  // line there; in order.
+  template <class Visitor>
+  void forEachCrossing(
+    const Corners& triangle, const Fragment& fragment, int i, Visitor&& visit) const;
+
+private:
+  // The middle lines of a side, each in two halves: whether neighbours meet there.
+  struct Cross
+  {
+    Level plane = 0;
+    std::array<bool, 2> u{}; // on the line across u: its lower and upper half along v
+    std::array<bool, 2> v{};
+  };
+
+  bool crossing(const Corners& triangle, const Point& p, const Point& q, std::size_t u,
+    std::size_t v, const std::array<bool, 2>& halves, Point& at) const;
+
+  std::array<Cross, 6> crosses_; // low x, high x, low y, ...
+  Point middle_{};
+  bool any_ = false;
+};
+
+// Cuts the surface at the sides of boxes, one after the other.
+class SurfaceCutter
+{
+public:
+  // `clearance`: how far points keep away from planes that they are not on, or null: they are exact.
+  SurfaceCutter(const Surface& surface, const Features& features, const Boxes& boxes,
+    const Clearance* clearance);
+
+  // The part of the triangles [begin, end) in the box.
+  void cut(
+    const Box& box, const std::uint32_t* begin, const std::uint32_t* end, BoxSurface& result);
+
+private:
+  void addPolygons(
+    const Corners& corners, const Fragment& fragment, std::uint32_t triangle, BoxSurface& result);
+  void addSegment(std::uint32_t from, std::uint32_t to, std::uint32_t triangle, std::uint8_t side);
+  void keepNetSegments(BoxSurface& result);
+  void keepUsedPoints(BoxSurface& result);
+  std::uint32_t addPoint(const Point& p);
+
+  // Planes of the fine grid around the box, along one axis.
+  struct Interval
+  {
+    Level low;
+    Level high;
+    Level clearance;
+  };
+
+  const Surface& surface_;
+  const Features& features_;
+  const Boxes& boxes_;
+  const Clearance* clearance_;
+  const Box* box_ = nullptr;
+  std::array<Interval, 3> intervals_{};
+  SideLines lines_;
+  LocalPoints points_;
+  std::vector<Segment> segments_;
+  std::vector<std::uint32_t> walk_;
+  std::vector<std::uint32_t> next_;
+};
+
+}

@@ -1,0 +1,50 @@
+// How far points of patches keep away from cutting planes that they are not on.
+//
+// Dual Levels keep them a level away, which leaves edges of a level's length where the surface passes
+// a corner or an edge of a box. A solver wants none shorter than a millionth of the box.
+#pragma once
+
+#include "Boxes/Boxes.h"
+#include "Surface/Surface.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+class Clearance
+{
+public:
+  // 2^-19 of a global box, and no more than 2^-10 of the surface's extent, so that no body is lost.
+  Clearance(const Surface& surface, const Boxes& boxes)
+    : planes_(boxes.planes)
+  {
+    Point low = surface.vertices.front();
+    Point high = low;
+    for (const Point& p : surface.vertices)
+    {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        low[axis] = std::min(low[axis], p[axis]);
+        high[axis] = std::max(high[axis], p[axis]);
+      }
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      most_[axis] = (high[axis] - low[axis]) >> 10;
+    }
+  }
+
+  // Odd, in levels: along an axis in the global box of this index there.
+  Level of(std::size_t axis, std::uint32_t index) const
+  {
+    const Level width = planes_[axis][index + 1] - planes_[axis][index];
+    return std::min(width >> 19, most_[axis]) | 1;
+  }
+
+private:
+  const Meshlines& planes_;
+  std::array<Level, 3> most_{};
+};
+
+}

@@ -1,0 +1,55 @@
+// Choice of the patching method (section 4.7).
+#pragma once
+
+#include "Patches/BoxSurface.h"
+
+namespace cartesian
+{
+
+// Why a box has the patches that it has. Where several conditions for Exact Fit hold, the first.
+enum class PatchReason : std::uint8_t
+{
+  MarchingCubes = 0,    // none of those below
+  EdgeCrossedTwice = 1, // an edge of the box is crossed more than once
+  ClosedPolyline = 2,   // the surface meets a side in a closed polyline
+  SharpFeature = 3, // a sharp feature passes through, or the surface turns as far in small steps
+  SeveralBoundaries = 4, // triangles of more than one boundary
+  NotDiscs = 5,       // the surface in the box is no set of discs: a tunnel, a closed piece, a flaw
+  ExactFitChosen = 6, // by the user
+};
+
+constexpr std::size_t PatchReasons = 7;
+
+class PatchChooser
+{
+public:
+  // `featureAngle` in degrees. Within a box the surface may turn by twice as much: by as much on either
+  // side of its mean normal.
+  PatchChooser(const Surface& surface, const Features& features, double featureAngle)
+    : surface_(surface)
+    , features_(features)
+    , leastCosine_(std::cos(featureAngle * std::acos(-1.0) / 180))
+  {
+  }
+
+  PatchReason choose(const Box& box, const BoxSurface& piece);
+
+private:
+  bool crossesAnEdgeTwice(const Box& box, const BoxSurface& piece);
+  bool crossingsFitCorners(const Box& box) const;
+  bool turnsTooFar(const BoxSurface& piece) const;
+  bool hasSeveralBoundaries(const BoxSurface& piece) const;
+  bool followLoops(const BoxSurface& piece);
+
+  const Surface& surface_;
+  const Features& features_;
+  double leastCosine_;
+  std::vector<std::uint32_t> next_;          // of each point, along the segments
+  std::vector<unsigned> planes_;             // of each point
+  std::array<std::uint8_t, 64> crossings_{}; // of each edge, by the bits of its planes
+  std::size_t loops_ = 0;
+  bool simple_ = true; // at most one segment leaves each point
+  bool closedPolyline_ = false;
+};
+
+}

@@ -1,0 +1,35 @@
+// Generation of Patches (section 4.7): the boundary faces inside each intersected box, by Marching
+// Cubes or Exact Fit, tied (4.8) and simplified (A2).
+#pragma once
+
+#include "Boxes/Shoeboxes.h"
+#include "Patches/PatchChoice.h"
+#include "Patches/PatchSpec.h"
+
+namespace cartesian
+{
+
+// Polygons with outward normals, by intersected box. Together they are watertight: every edge is
+// shared by two polygons (by an even number at non-manifold places).
+struct Patches
+{
+  std::vector<Point> points;         // distinct
+  RawVector<std::size_t> start;      // first corner of each polygon, and the end
+  RawVector<std::uint32_t> corners;  // ids of points
+  RawVector<std::uint32_t> triangle; // of the surface, that each polygon comes from
+  RawVector<std::int32_t> boundary;  // boundary index of each polygon
+  std::vector<std::size_t> boxStart; // first polygon of the n-th intersected box, and the end
+  std::vector<PatchReason> reason;   // of the n-th intersected box
+
+  std::size_t size() const { return triangle.size(); }
+};
+
+// Whether the user chose the exact surface: then nothing may approximate it.
+bool isExact(const Patches& patches);
+
+// Where finer neighbours divide a side of a box, its patches have nodes on the lines between them, so
+// that patches meet corner to corner across the side. Throws Error: BadParameter.
+Patches generatePatches(const Surface& surface, const Boxes& boxes, const Shoeboxes& shoeboxes,
+  const PatchSpec& spec, Execution& execution);
+
+}

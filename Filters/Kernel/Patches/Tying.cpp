@@ -1,0 +1,580 @@
+#include "Patches/Tying.h"
+
+#include "Boxes/Sides.h"
+
+#include <numeric>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// Segments that one chord stands for: the time to find them grows with their number.
+constexpr std::size_t MostReplaced = 256;
+
+double cosineOf(double degrees)
+{
+  return std::cos(degrees * std::acos(-1.0) / 180);
+}
+
+double distance(const Point& p, const Point& q)
+{
+  const Vector d = minus(p, q);
+  return std::sqrt(dot(d, d));
+}
+
+// The odd level next to x, between two even ones.
+Level oddLevel(double x)
+{
+  return 2 * static_cast<Level>(x / 2) + 1;
+}
+
+}
+
+SideTying::SideTying(const Surface& surface, const Features& features, const Boxes& boxes,
+  const Clearance& clearance, const std::vector<PatchReason>& reasons, const PatchSpec& spec)
+  : surface_(surface)
+  , features_(features)
+  , boxes_(boxes)
+  , clearance_(clearance)
+  , reasons_(reasons)
+  , spec_(spec)
+  , mergeCosine_(cosineOf(spec.mergeAngle))
+  , featureCosine_(cosineOf(spec.featureAngle))
+{
+}
+
+void SideTying::tie(std::uint32_t b, BoxSurface& piece)
+{
+  const Box box = boxes_.box(b);
+  chords_.clear();
+  onto_.resize(piece.points.size());
+  for (std::uint32_t i = 0; i < onto_.size(); ++i)
+  {
+    onto_[i] = i;
+  }
+  short_.assign(piece.points.size(), 0);
+  partner_.assign(piece.points.size(), None);
+  if (spec_.method == PatchMethod::MarchingCubes)
+  {
+    pairCrossings(box, piece);
+  }
+  leaving_.assign(piece.points.size(), None);
+  arrivals_.assign(piece.points.size(), 0);
+  departures_.assign(piece.points.size(), 0);
+
+  // Segments of one part are those that face the same box.
+  segments_ = piece.segments;
+  const std::array<std::uint32_t, 4> none{ None, None, None, None };
+  std::array<std::array<std::uint32_t, 4>, 6> across{ none, none, none, none, none, none };
+  std::array<bool, 6> known{};
+  for (Segment& s : segments_)
+  {
+    auto& there = across[s.side];
+    if (!known[s.side])
+    {
+      known[s.side] = true;
+      there = facing(boxes_, box, s.side / 2, s.side % 2 == 1);
+    }
+    s.quarter = static_cast<std::uint8_t>(
+      std::find(there.begin(), there.end(), there[s.quarter]) - there.begin());
+  }
+  sortByPart();
+  const bool exactHere = reasons_[b] != PatchReason::MarchingCubes;
+  for (const Segment* first = segments_.data(); first != segments_.data() + segments_.size();)
+  {
+    const Segment* last = first;
+    while (last != segments_.data() + segments_.size() && last->side == first->side &&
+      last->quarter == first->quarter)
+    {
+      ++last;
+    }
+    shortest_ = shortestEdge(box, first->side / 2);
+    const std::uint32_t other = across[first->side][first->quarter];
+    tiePart(piece, first, last, exactHere,
+      other == None ? exactHere : reasons_[other] != PatchReason::MarchingCubes);
+    first = last;
+  }
+}
+
+// Those of a part stay in their order.
+void SideTying::sortByPart()
+{
+  const auto partOf = [](const Segment& s) { return std::size_t(4) * s.side + s.quarter; };
+  std::array<std::size_t, 4 * 6 + 1> next{};
+  for (const Segment& s : segments_)
+  {
+    ++next[partOf(s) + 1];
+  }
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  sorted_.resize(segments_.size());
+  for (const Segment& s : segments_)
+  {
+    sorted_[next[partOf(s)]++] = s;
+  }
+  segments_.swap(sorted_);
+}
+
+// The same for both boxes of a side perpendicular to `axis`.
+double SideTying::shortestEdge(const Box& box, int axis) const
+{
+  Level least = ~Level(0);
+  for (const int other : { (axis + 1) % 3, (axis + 2) % 3 })
+  {
+    const auto o = static_cast<std::size_t>(other);
+    least = std::min(least, clearance_.of(o, boxes_.globalOf(box).index[o]));
+  }
+  return least;
+}
+
+// Marching Cubes knows no edge that is crossed more than once. On each line between two corners of
+// boxes, neighbouring crossings in opposite directions cancel each other; polylines then go on from
+// one to the other, in all boxes around the line.
+void SideTying::pairCrossings(const Box& box, const BoxSurface& piece)
+{
+  crossings_.clear();
+  for (const Segment& s : piece.segments)
+  {
+    if (planeCount(piece.points[s.from]) >= 2)
+    {
+      crossings_.push_back({ piece.points[s.from], s.from });
+    }
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const std::size_t u = (axis + 1) % 3;
+    const std::size_t v = (axis + 2) % 3;
+    partNodes_.clear();
+    for (const auto& [point, node] : crossings_)
+    {
+      if (!onPlane(point[axis]))
+      {
+        partNodes_.push_back(node);
+      }
+    }
+    const auto key = [&](std::uint32_t node) {
+      const Point& p = piece.points[node];
+      return std::array<Level, 3>{ p[u], p[v], p[axis] };
+    };
+    std::sort(partNodes_.begin(), partNodes_.end(),
+      [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+    partNodes_.erase(std::unique(partNodes_.begin(), partNodes_.end()), partNodes_.end());
+    for (std::size_t i = 0; i < partNodes_.size();)
+    {
+      std::size_t j = i + 1;
+      while (j < partNodes_.size() && key(partNodes_[j])[0] == key(partNodes_[i])[0] &&
+        key(partNodes_[j])[1] == key(partNodes_[i])[1])
+      {
+        ++j;
+      }
+      if (j - i > 1)
+      {
+        pairOnLine(box, piece, axis, partNodes_.data() + i, partNodes_.data() + j);
+      }
+      i = j;
+    }
+  }
+}
+
+void SideTying::pairOnLine(const Box& box, const BoxSurface& piece, std::size_t axis,
+  std::uint32_t* begin, std::uint32_t* end)
+{
+  const Point& on = piece.points[*begin];
+  FinePoint from = boxes_.fineLow(box);
+  for (const std::size_t other : { (axis + 1) % 3, (axis + 2) % 3 })
+  {
+    const std::int64_t size = Boxes::fineSize(box, static_cast<int>(other));
+    from[other] +=
+      on[other] == box.low[other] ? 0 : (on[other] == box.high[other] ? size : size / 2);
+  }
+  std::vector<std::int64_t> hanging;
+  hangingNodes(boxes_, static_cast<int>(axis), from, Boxes::fineSize(box, static_cast<int>(axis)),
+    box.global, hanging);
+  std::vector<std::uint32_t> open; // not cancelled so far
+  std::size_t piecesBefore = 0;
+  for (const std::uint32_t* node = begin; node != end; ++node)
+  {
+    const auto before = static_cast<std::size_t>(
+      std::count_if(hanging.begin(), hanging.end(), [&](std::int64_t position) {
+        return planeAt(boxes_.planes[axis], position) < piece.points[*node][axis];
+      }));
+    if (before != piecesBefore)
+    {
+      open.clear();
+      piecesBefore = before;
+    }
+    const auto upward = [&](std::uint32_t crossing) {
+      const auto at = std::find_if(piece.segments.begin(), piece.segments.end(),
+        [&](const Segment& s) { return s.from == crossing; });
+      return features_.normal[at->triangle][axis] > 0;
+    };
+    if (!open.empty() && upward(open.back()) != upward(*node))
+    {
+      partner_[open.back()] = *node;
+      partner_[*node] = open.back();
+      open.pop_back();
+    }
+    else
+    {
+      open.push_back(*node);
+    }
+  }
+}
+
+void SideTying::tiePart(
+  BoxSurface& piece, const Segment* begin, const Segment* end, bool exactHere, bool exactThere)
+{
+  axis_ = begin->side / 2;
+  exactHere_ = exactHere;
+  exactThere_ = exactThere;
+  const bool upper = begin->side % 2 == 1;
+  moved_.clear();
+  partNodes_.clear();
+  flatNodes_.clear();
+  for (const Segment* s = begin; s != end; ++s)
+  {
+    leaving_[s->from] = static_cast<std::uint32_t>(s - begin);
+    ++departures_[s->from];
+    ++arrivals_[s->to];
+    partNodes_.push_back(s->from);
+    partNodes_.push_back(s->to);
+  }
+  done_.assign(static_cast<std::size_t>(end - begin), 0);
+  for (const Segment* s = begin; s != end; ++s)
+  {
+    if (isFixed(piece, s->from) && partner_[s->from] == None)
+    {
+      followPolyline(piece, begin, static_cast<std::uint32_t>(s - begin));
+      finishPolyline(piece, upper);
+    }
+  }
+  for (const Segment* s = begin; s != end; ++s)
+  {
+    if (done_[static_cast<std::size_t>(s - begin)] == 0 && (exactHere_ || exactThere_))
+    {
+      followPolyline(piece, begin, static_cast<std::uint32_t>(s - begin));
+      finishPolyline(piece, upper);
+    }
+  }
+  for (const auto& [node, at] : moved_)
+  {
+    piece.points[node] = at;
+  }
+  for (const std::uint32_t node : partNodes_)
+  {
+    leaving_[node] = None;
+    arrivals_[node] = 0;
+    departures_[node] = 0;
+  }
+}
+
+// Crossings on edges of boxes, and places where the surface touches itself.
+bool SideTying::isFixed(const BoxSurface& piece, std::uint32_t node) const
+{
+  return planeCount(piece.points[node]) >= 2 || arrivals_[node] != 1 || departures_[node] != 1;
+}
+
+void SideTying::followPolyline(BoxSurface& piece, const Segment* begin, std::uint32_t first)
+{
+  line_.nodes.assign(1, begin[first].from);
+  line_.triangles.clear();
+  std::uint32_t s = first;
+  while (s != None && done_[s] == 0)
+  {
+    done_[s] = 1;
+    line_.nodes.push_back(begin[s].to);
+    line_.triangles.push_back(begin[s].triangle);
+    std::uint32_t node = begin[s].to;
+    if (isFixed(piece, node))
+    {
+      if (partner_[node] == None)
+      {
+        return;
+      }
+      node = partner_[node]; // goes on from there
+    }
+    s = leaving_[node];
+  }
+}
+
+void SideTying::finishPolyline(BoxSurface& piece, bool upper)
+{
+  // As the box below the side sees it.
+  if (!upper)
+  {
+    std::reverse(line_.nodes.begin(), line_.nodes.end());
+    std::reverse(line_.triangles.begin(), line_.triangles.end());
+  }
+  if (line_.nodes.front() == line_.nodes.back())
+  {
+    startAtFirstTriangle();
+  }
+  const std::size_t count = line_.nodes.size();
+  line_.keep.assign(count, 0);
+  line_.keep.front() = line_.keep.back() = 1;
+  const bool exact = exactHere_ || exactThere_;
+  if (exact)
+  {
+    std::fill(line_.keep.begin(), line_.keep.end(), 1);
+    dropShort(piece);
+    dropSimilar(piece);
+  }
+  if (endsShareLine(piece))
+  {
+    keepFarthest(piece);
+  }
+  else if (exactHere_ != exactThere_ && spec_.tying == Tying::MoveNodes)
+  {
+    moveOntoChord(piece);
+  }
+  addChords(piece, upper);
+}
+
+void SideTying::addChords(const BoxSurface& piece, bool upper)
+{
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < line_.nodes.size(); ++i)
+  {
+    if (line_.keep[i] == 0)
+    {
+      continue;
+    }
+    const std::uint32_t from = line_.nodes[last];
+    const std::uint32_t to = line_.nodes[i];
+    for (std::size_t k = last + 1; k < i; ++k)
+    {
+      const Point& p = piece.points[line_.nodes[k]];
+      onto_[line_.nodes[k]] =
+        distance(p, piece.points[from]) <= distance(p, piece.points[to]) ? from : to;
+    }
+    Chord chord{ from, to, line_.triangles[last], line_.triangles[i - 1] };
+    if (!upper)
+    {
+      std::swap(chord.from, chord.to);
+      std::swap(chord.firstTriangle, chord.lastTriangle);
+    }
+    chords_.push_back(chord);
+    last = i;
+  }
+}
+
+// A closed polyline begins where both boxes agree on.
+void SideTying::startAtFirstTriangle()
+{
+  const auto first = std::min_element(line_.triangles.begin(), line_.triangles.end());
+  const std::ptrdiff_t by = first - line_.triangles.begin();
+  std::rotate(line_.triangles.begin(), first, line_.triangles.end());
+  line_.nodes.pop_back();
+  std::rotate(line_.nodes.begin(), line_.nodes.begin() + by, line_.nodes.end());
+  line_.nodes.push_back(line_.nodes.front());
+}
+
+// Whether a straight line between the ends would run along the border of the side.
+bool SideTying::endsShareLine(const BoxSurface& piece) const
+{
+  const Point& p = piece.points[line_.nodes.front()];
+  const Point& q = piece.points[line_.nodes.back()];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto a = static_cast<std::size_t>(axis);
+    if (axis != axis_ && p[a] == q[a] && onPlane(p[a]))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Else the polyline would enclose nothing.
+void SideTying::keepFarthest(const BoxSurface& piece)
+{
+  if (std::count(line_.keep.begin(), line_.keep.end(), 1) > 2)
+  {
+    return;
+  }
+  const Flat p = flat(piece, line_.nodes.front());
+  const Flat q = flat(piece, line_.nodes.back());
+  Wide farthest = 0;
+  std::size_t best = 0;
+  for (std::size_t i = 1; i + 1 < line_.nodes.size(); ++i)
+  {
+    const Wide area = turn(p, q, flat(piece, line_.nodes[i]));
+    if ((area < 0 ? -area : area) > farthest)
+    {
+      farthest = area < 0 ? -area : area;
+      best = i;
+    }
+  }
+  if (best > 0)
+  {
+    line_.keep[best] = 1;
+  }
+}
+
+// Of two nodes closer than the clearance of points from planes, one goes.
+void SideTying::dropShort(const BoxSurface& piece)
+{
+  const std::size_t end = line_.nodes.size() - 1;
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < end; ++i)
+  {
+    const Point& p = piece.points[line_.nodes[i]];
+    const bool tooShort = distance(piece.points[line_.nodes[last]], p) < shortest_ ||
+      distance(p, piece.points[line_.nodes[end]]) < shortest_;
+    line_.keep[i] = tooShort ? 0 : 1;
+    short_[line_.nodes[i]] = tooShort ? 1 : 0;
+    last = tooShort ? last : i;
+  }
+}
+
+// From each node that stays, on to the farthest one that a straight line may reach.
+void SideTying::dropSimilar(const BoxSurface& piece)
+{
+  const std::size_t end = line_.nodes.size() - 1;
+  std::size_t from = 0;
+  std::size_t before = 0; // the last node reached
+  for (std::size_t i = 1; i <= end; ++i)
+  {
+    if (line_.keep[i] == 0)
+    {
+      continue;
+    }
+    if (before != from)
+    {
+      if (i - from <= MostReplaced && mayReplace(piece, from, before, i))
+      {
+        line_.keep[before] = 0;
+      }
+      else
+      {
+        from = before;
+      }
+    }
+    before = i;
+  }
+}
+
+bool SideTying::mayReplace(
+  const BoxSurface& piece, std::size_t i, std::size_t before, std::size_t j)
+{
+  if (isFeature(piece, before))
+  {
+    return false;
+  }
+  const Vector chord = minus(piece.points[line_.nodes[j]], piece.points[line_.nodes[i]]);
+  const double length = std::sqrt(dot(chord, chord));
+  const Vector& first = features_.normal[line_.triangles[i]];
+  for (std::size_t k = i; k < j; ++k)
+  {
+    const Vector& normal = features_.normal[line_.triangles[k]];
+    const Vector part = minus(piece.points[line_.nodes[k + 1]], piece.points[line_.nodes[k]]);
+    const double partLength = std::sqrt(dot(part, part));
+    if (partLength >= shortest_ && !features_.isFold(line_.triangles[k]) &&
+      (dot(normal, first) < mergeCosine_ || dot(part, chord) < mergeCosine_ * length * partLength))
+    {
+      return false;
+    }
+  }
+  return length >= shortest_ && !passesOver(piece, i, before, j);
+}
+
+bool SideTying::isFeature(const BoxSurface& piece, std::size_t node) const
+{
+  const std::uint32_t a = line_.triangles[node - 1];
+  const std::uint32_t b = line_.triangles[node];
+  const Point& p = piece.points[line_.nodes[node]];
+  const bool folded = features_.isFold(a) || features_.isFold(b);
+  return surface_.boundary[a] != surface_.boundary[b] ||
+    (!folded && dot(features_.normal[a], features_.normal[b]) < featureCosine_) ||
+    isNextToFeature(p, a) || isNextToFeature(p, b);
+}
+
+// A feature may run along a side, just beyond it: the polyline follows it.
+bool SideTying::isNextToFeature(const Point& p, std::uint32_t triangle) const
+{
+  const Corners corners = surface_.corners(triangle);
+  for (unsigned i = 0; i < 3; ++i)
+  {
+    if (features_.endsIn(triangle, i) && distance(p, corners[i]) < 4 * shortest_)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void SideTying::listFlatNodes(const BoxSurface& piece)
+{
+  for (const std::uint32_t node : partNodes_)
+  {
+    flatNodes_.push_back({ flat(piece, node), node });
+  }
+  std::sort(flatNodes_.begin(), flatNodes_.end(),
+    [](const FlatNode& p, const FlatNode& q) { return p.at.a < q.at.a; });
+}
+
+// Whether another node lies in the triangle between the chords to the node before and to this one.
+bool SideTying::passesOver(
+  const BoxSurface& piece, std::size_t i, std::size_t before, std::size_t j)
+{
+  if (flatNodes_.empty())
+  {
+    listFlatNodes(piece);
+  }
+  const Flat a = flat(piece, line_.nodes[i]);
+  const Flat b = flat(piece, line_.nodes[before]);
+  const Flat c = flat(piece, line_.nodes[j]);
+  const int way = sign(turn(a, b, c));
+  if (way == 0)
+  {
+    return false;
+  }
+  const auto begin = line_.nodes.begin() + static_cast<std::ptrdiff_t>(i);
+  const auto end = line_.nodes.begin() + static_cast<std::ptrdiff_t>(j) + 1;
+  const auto [least, most] = std::minmax({ a.a, b.a, c.a });
+  return std::any_of(std::lower_bound(flatNodes_.begin(), flatNodes_.end(), least,
+                       [](const FlatNode& node, std::int64_t level) { return node.at.a < level; }),
+    std::upper_bound(flatNodes_.begin(), flatNodes_.end(), most,
+      [](std::int64_t level, const FlatNode& node) { return level < node.at.a; }),
+    [&](const FlatNode& node) {
+      return way * sign(turn(a, b, node.at)) >= 0 && way * sign(turn(b, c, node.at)) >= 0 &&
+        way * sign(turn(c, a, node.at)) >= 0 && std::find(begin, end, node.node) == end;
+    });
+}
+
+// Equation 5: the parts of the straight line are in the proportions of the polyline's.
+void SideTying::moveOntoChord(const BoxSurface& piece)
+{
+  const Point from = piece.points[line_.nodes.front()];
+  const Vector chord = minus(piece.points[line_.nodes.back()], from);
+  double whole = 0;
+  const auto forEachPart = [&](auto&& visit) {
+    Point before = from;
+    for (std::size_t i = 1; i < line_.nodes.size(); ++i)
+    {
+      if (line_.keep[i] != 0)
+      {
+        const Point here = piece.points[line_.nodes[i]];
+        visit(i, distance(before, here));
+        before = here;
+      }
+    }
+  };
+  forEachPart([&](std::size_t, double length) { whole += length; });
+  double along = 0;
+  forEachPart([&](std::size_t i, double length) {
+    along += length;
+    if (i + 1 < line_.nodes.size())
+    {
+      Point p = piece.points[line_.nodes[i]];
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        p[a] = static_cast<int>(a) == axis_ ? p[a] : oddLevel(from[a] + chord[a] * along / whole);
+      }
+      moved_.emplace_back(line_.nodes[i], p);
+    }
+  });
+}
+
+}

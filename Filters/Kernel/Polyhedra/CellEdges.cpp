@@ -1,0 +1,56 @@
+#include "Polyhedra/CellEdges.h"
+
+#include "Polyhedra/CellGeometry.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// Where two faces lie back to back, rounding decides on which side: degrees. They are the edge of a
+// thin cell, rather than of a cell with a thin fin in it.
+constexpr double KnifeFrom = 180 - 1e-3;
+
+}
+
+void CellEdges::sort()
+{
+  std::sort(edges_.begin(), edges_.end(), [](const Edge& left, const Edge& right) {
+    return std::tie(left.low, left.high, left.ahead, left.normal) <
+      std::tie(right.low, right.high, right.ahead, right.normal);
+  });
+}
+
+CellEdges::Result CellEdges::measureGroup(
+  std::size_t begin, std::size_t end, const Vector& along) const
+{
+  // Back comes before ahead.
+  const auto middle = static_cast<std::size_t>(
+    std::find_if(edges_.begin() + static_cast<std::ptrdiff_t>(begin),
+      edges_.begin() + static_cast<std::ptrdiff_t>(end), [](const Edge& e) { return e.ahead; }) -
+    edges_.begin());
+  Result result;
+  result.open = 2 * middle == begin + end ? 0 : 1;
+  for (std::size_t ahead = middle; middle > begin && ahead < end; ++ahead)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t back = begin; back < middle; ++back)
+    {
+      const Vector& u = normals_[edges_[ahead].normal];
+      const Vector& v = normals_[edges_[back].normal];
+      // From one normal to the other, about the edge: negative where the cell is convex.
+      const double bend = angle(u, v);
+      const bool concave = dot(cross(u, v), along) < 0 && bend < KnifeFrom;
+      least = std::min(least, concave ? bend : -bend);
+    }
+    result.concavity = std::max(result.concavity, least);
+  }
+  return result;
+}
+
+}

@@ -1,0 +1,152 @@
+// Centres, areas and volumes of polygons and polyhedra as OpenFOAM computes them, and the angles of
+// section 3. Any unit of length.
+#pragma once
+
+#include "Lattice/Vector.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+// Below this, areas and volumes count as nothing: only a divisor is kept from 0.
+constexpr double Tiny = 1e-150;
+
+struct FaceGeometry
+{
+  Vector centre; // mean of the star triangles' centres, weighted with their areas
+  Vector area;   // sum of the star triangles' (equation 1); counter-clockwise is positive
+};
+
+// Calls visit(p, q, area) for the triangles of the star around the mean of a face's corners, which
+// are corner(0) to corner(size - 1): two corners from the mean, and the triangle's area. Returns the
+// mean.
+template <class Corner, class Visitor>
+Vector forEachStarTriangle(std::size_t size, Corner&& corner, Visitor&& visit)
+{
+  const Vector origin = corner(0); // sums are taken from here, for accuracy
+  Vector mean{ 0, 0, 0 };
+  for (std::size_t i = 1; i < size; ++i)
+  {
+    mean = plus(mean, minus(corner(i), origin));
+  }
+  mean = plus(origin, scaled(mean, 1.0 / static_cast<double>(size)));
+  Vector p = minus(corner(size - 1), mean);
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const Vector q = minus(corner(i), mean);
+    visit(p, q, scaled(cross(p, q), 0.5));
+    p = q;
+  }
+  return mean;
+}
+
+template <class Corner>
+FaceGeometry measureFace(std::size_t size, Corner&& corner)
+{
+  Vector area{ 0, 0, 0 };
+  Vector moment{ 0, 0, 0 };
+  double sum = 0;
+  const Vector mean = forEachStarTriangle(
+    size, corner, [&](const Vector& p, const Vector& q, const Vector& triangle) {
+      const double part = norm(triangle);
+      area = plus(area, triangle);
+      moment = plus(moment, scaled(plus(p, q), part / 3));
+      sum += part;
+    });
+  return { sum < Tiny ? mean : plus(mean, scaled(moment, 1 / sum)), area };
+}
+
+// The same centre with the triangles seen along the face's normal, as later versions of OpenFOAM
+// have it: for a bent face another one.
+template <class Corner>
+Vector projectedCentre(std::size_t size, Corner&& corner, const Vector& area)
+{
+  Vector moment{ 0, 0, 0 };
+  double sum = 0;
+  const Vector mean = forEachStarTriangle(
+    size, corner, [&](const Vector& p, const Vector& q, const Vector& triangle) {
+      const double part = dot(triangle, area);
+      moment = plus(moment, scaled(plus(p, q), part / 3));
+      sum += part;
+    });
+  return sum < Tiny ? mean : plus(mean, scaled(moment, 1 / sum));
+}
+
+// Star triangles that are turned over by less, as a part of the polygon or of the mean triangle, are not.
+constexpr double RoundingOfAreas = 1e-9;
+
+// The smallest triangle of the star, as a part of the mean one; negative where it is turned over.
+template <class Corner>
+double smallestOfStar(std::size_t size, Corner&& corner, const Vector& area)
+{
+  double smallest = 1;
+  if (size > 3)
+  {
+    const double mean = dot(area, area) / static_cast<double>(size) + Tiny;
+    forEachStarTriangle(size, corner, [&](const Vector&, const Vector&, const Vector& triangle) {
+      smallest = std::min(smallest, dot(triangle, area) / mean);
+    });
+  }
+  return smallest;
+}
+
+// Polygons are flat up to this angle, in degrees, between a triangle of the star and the whole.
+constexpr double FlatUpTo = 15;
+
+// Whether it is less flat than that: what the paper's IP patches (4.11) are.
+template <class Corner>
+bool isBent(std::size_t size, Corner&& corner, const Vector& area)
+{
+  const double least = std::cos(FlatUpTo * 3.14159265358979 / 180);
+  bool bent = false;
+  forEachStarTriangle(size, corner, [&](const Vector&, const Vector&, const Vector& triangle) {
+    bent = bent || dot(triangle, area) < least * norm(triangle) * norm(area);
+  });
+  return bent;
+}
+
+struct CellGeometry
+{
+  Vector centre; // of gravity, of the pyramids from the mean of the face centres
+  double volume;
+};
+
+// A cell of `size` faces, face(i), with outward areas.
+template <class Face>
+CellGeometry measureCell(std::size_t size, Face&& face)
+{
+  Vector mean{ 0, 0, 0 };
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    mean = plus(mean, scaled(face(i).centre, 1.0 / static_cast<double>(size)));
+  }
+  Vector moment{ 0, 0, 0 };
+  double volume = 0;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const FaceGeometry& f = face(i);
+    const Vector height = minus(f.centre, mean);
+    volume += dot(f.area, height) / 3;
+    moment = plus(moment, scaled(height, dot(f.area, height) / 4));
+  }
+  return { std::abs(volume) < Tiny ? mean : plus(mean, scaled(moment, 1 / volume)), volume };
+}
+
+// In degrees, 0 to 180; 90 where one of them is 0.
+inline double angle(const Vector& u, const Vector& v)
+{
+  constexpr double Degrees = 57.29577951308232;
+  const double sine = norm(cross(u, v));
+  const double cosine = dot(u, v);
+  return Degrees * (sine == 0 && cosine == 0 ? std::atan2(1, 0) : std::atan2(sine, cosine));
+}
+
+// The angle of section 3 between the face's outward normal and the way to it from the cell's
+// centre: less than 90 degrees for boundary faces, less than 75 for inner ones.
+inline double faceAngle(const CellGeometry& cell, const FaceGeometry& face)
+{
+  return angle(minus(face.centre, cell.centre), face.area);
+}
+
+}

@@ -1,0 +1,142 @@
+#include "Polyhedra/Polyhedron.h"
+
+#include "Polyhedra/CellGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr double LeastThickness = 4; // levels
+
+template <class Corner>
+Vector meanOf(std::size_t size, Corner&& corner)
+{
+  Vector mean{ 0, 0, 0 };
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    mean = plus(mean, corner(i));
+  }
+  return scaled(mean, 1.0 / static_cast<double>(size));
+}
+
+FaceShape shapeOf(const Polyhedron& cell, std::size_t face)
+{
+  const std::uint32_t* const corners = cell.corners.data() + cell.start[face];
+  const std::size_t size = cell.start[face + 1] - cell.start[face];
+  const auto corner = [&](std::size_t i) -> const Vector& { return cell.nodes[corners[i]]; };
+  const FaceGeometry geometry = measureFace(size, corner);
+  return { geometry.area, geometry.centre, meanOf(size, corner) };
+}
+
+// And the centre of volume.
+void measureVolume(CellShape& shape)
+{
+  Vector middle{ 0, 0, 0 };
+  for (const FaceShape& face : shape.faces)
+  {
+    middle = plus(middle, face.centre);
+  }
+  middle = scaled(middle, 1.0 / static_cast<double>(shape.faces.size()));
+  shape.volume = 0;
+  double pyramids = 0;
+  Vector moment{ 0, 0, 0 };
+  for (const FaceShape& face : shape.faces)
+  {
+    const Vector height = minus(face.centre, middle);
+    const double volume = dot(face.area, height) / 3;
+    pyramids += volume;
+    moment = plus(moment, scaled(height, 0.75 * volume));
+    shape.volume += dot(face.area, minus(face.mean, middle)) / 3;
+  }
+  shape.centre = pyramids > 0 ? plus(middle, scaled(moment, 1 / pyramids)) : middle;
+}
+
+}
+
+void Polyhedron::clear()
+{
+  nodes.clear();
+  start.assign(1, 0);
+  corners.clear();
+  isBoundary.clear();
+}
+
+void Polyhedron::reserve(std::size_t ofNodes, std::size_t ofFaces, std::size_t ofCorners)
+{
+  nodes.reserve(ofNodes);
+  start.reserve(ofFaces + 1);
+  corners.reserve(ofCorners);
+  isBoundary.reserve(ofFaces);
+}
+
+void measure(const Polyhedron& cell, CellShape& shape)
+{
+  shape.faces.resize(cell.faces());
+  for (std::size_t f = 0; f < cell.faces(); ++f)
+  {
+    shape.faces[f] = shapeOf(cell, f);
+  }
+  measureVolume(shape);
+}
+
+void measureProjected(const Polyhedron& cell, CellShape& shape)
+{
+  measure(cell, shape);
+  for (std::size_t f = 0; f < cell.faces(); ++f)
+  {
+    const std::size_t begin = cell.start[f];
+    shape.faces[f].centre = projectedCentre(
+      cell.start[f + 1] - begin, [&](std::size_t i) { return cell.nodes[cell.corners[begin + i]]; },
+      shape.faces[f].area);
+  }
+  measureVolume(shape);
+}
+
+bool isThin(const CellShape& shape)
+{
+  double area = 0;
+  for (const FaceShape& face : shape.faces)
+  {
+    area += norm(face.area);
+  }
+  return shape.volume <= LeastThickness * area;
+}
+
+bool isFlat(const Polyhedron& cell, const CellShape& shape, std::size_t face, double distance)
+{
+  const Vector normal = unit(shape.faces[face].area);
+  for (std::size_t i = cell.start[face]; i < cell.start[face + 1]; ++i)
+  {
+    const Vector p = minus(cell.nodes[cell.corners[i]], shape.faces[face].centre);
+    if (std::abs(dot(p, normal)) > distance)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool isStar(const Polyhedron& cell, std::size_t face, const Vector& normal)
+{
+  const Vector mean = meanOf(cell.start[face + 1] - cell.start[face],
+    [&](std::size_t i) { return cell.nodes[cell.corners[cell.start[face] + i]]; });
+  double least = 0;
+  double sum = 0;
+  for (std::size_t i = cell.start[face]; i < cell.start[face + 1]; ++i)
+  {
+    const std::size_t next = i + 1 < cell.start[face + 1] ? i + 1 : cell.start[face];
+    const Vector p = minus(cell.nodes[cell.corners[i]], mean);
+    const Vector q = minus(cell.nodes[cell.corners[next]], mean);
+    const double area = dot(cross(p, q), normal);
+    least = std::min(least, area);
+    sum += area;
+  }
+  return least >= -RoundingOfAreas * std::abs(sum);
+}
+
+}

@@ -1,0 +1,470 @@
+#include "Quality/QualityMeasures.h"
+
+#include "Base/Sorting.h"
+#include "Polyhedra/CellEdges.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t ItemsAChunk = 1024;
+
+// A cell that has less area across one axis than this part of that across another has none there.
+constexpr double RoundingOfAreas = 1e-12;
+
+// The faces of each cell, those that it owns first.
+struct FacesOfCells
+{
+  std::vector<std::size_t> start;
+  std::vector<std::size_t> faces;
+
+  FacesOfCells(const FaceList& list, std::size_t cells)
+    : start(cells + 1)
+    , faces(list.owner.size() + list.neighbour.size())
+  {
+    for (const auto* side : { &list.owner, &list.neighbour })
+    {
+      for (const std::uint32_t cell : *side)
+      {
+        ++start[cell];
+      }
+    }
+    scan(start);
+    std::vector<std::size_t> next = start;
+    for (const auto* side : { &list.owner, &list.neighbour })
+    {
+      for (std::size_t f = 0; f < side->size(); ++f)
+      {
+        faces[next[(*side)[f]]++] = f;
+      }
+    }
+  }
+};
+
+class Meter
+{
+public:
+  Meter(const double* points, const CellFaces& cells, const FaceList& list, Execution& execution)
+    : points_(points)
+    , cells_(cells)
+    , list_(list)
+    , of_(list, cells.cellCount())
+    , execution_(execution)
+  {
+    quality_.cellGeometry.resize(cells.cellCount());
+    quality_.faceGeometry.resize(list.owner.size());
+    quality_.cellFailures.resize(cells.cellCount());
+    quality_.faceFailures.resize(list.owner.size());
+    for (std::size_t m = 0; m < MeasureCount; ++m)
+    {
+      quality_.cells[m].resize(cells.cellCount());
+      quality_.faces[m].resize(MeasureSpecs[m].ofFaces ? list.owner.size() : 0);
+    }
+  }
+
+  Quality run() &&
+  {
+    const std::size_t faces = list_.owner.size();
+    const std::size_t cells = quality_.cellGeometry.size();
+    execution_.nextLoop(0.2);
+    execution_.forEach(faces, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f)
+      {
+        quality_.faceGeometry[f] =
+          measureFace(sizeOf(f), [&](std::size_t corner) { return position(corners(f)[corner]); });
+      }
+    });
+    execution_.nextLoop(0.25);
+    execution_.forEach(cells, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c)
+      {
+        quality_.cellGeometry[c] = measureCell(of_.start[c + 1] - of_.start[c],
+          [&](std::size_t i) { return outward(c, of_.faces[of_.start[c] + i]); });
+      }
+    });
+    execution_.nextLoop(0.4);
+    execution_.forEach(faces, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f)
+      {
+        measureFaceBetween(f);
+      }
+    });
+    execution_.nextLoop(1);
+    execution_.forEach(cells, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+      CellEdges edges;
+      for (std::size_t c = begin; c < end; ++c)
+      {
+        measureCellOf(c, edges);
+      }
+    });
+    return std::move(quality_);
+  }
+
+private:
+  bool isInner(std::size_t face) const { return face < list_.neighbour.size(); }
+  std::size_t owner(std::size_t face) const { return list_.owner[face]; }
+  std::size_t neighbour(std::size_t face) const { return list_.neighbour[face]; }
+  const std::uint32_t* corners(std::size_t face) const
+  {
+    return cells_.corners.data() + cells_.firstCorner[list_.face[face]];
+  }
+  std::size_t sizeOf(std::size_t face) const
+  {
+    return cells_.firstCorner[list_.face[face] + 1] - cells_.firstCorner[list_.face[face]];
+  }
+  Vector position(std::size_t point) const
+  {
+    const double* p = points_ + 3 * point;
+    return { p[0], p[1], p[2] };
+  }
+
+  FaceGeometry outward(std::size_t cell, std::size_t face) const
+  {
+    FaceGeometry geometry = quality_.faceGeometry[face];
+    if (owner(face) != cell)
+    {
+      geometry.area = scaled(geometry.area, -1);
+    }
+    return geometry;
+  }
+
+  double angleIn(std::size_t cell, std::size_t face) const
+  {
+    return faceAngle(quality_.cellGeometry[cell], outward(cell, face));
+  }
+
+  // The worst of the tetrahedra of the face's edges, its centre and the cell's.
+  double tetQualityIn(std::size_t cell, std::size_t face) const
+  {
+    const FaceGeometry& geometry = quality_.faceGeometry[face];
+    const double sign = owner(face) == cell ? 1 : -1;
+    double worst = MeasureSpecs[TetQuality].best;
+    for (std::size_t i = 0; i < sizeOf(face); ++i)
+    {
+      const Vector a = minus(position(corners(face)[i]), geometry.centre);
+      const Vector b =
+        minus(position(corners(face)[i + 1 < sizeOf(face) ? i + 1 : 0]), geometry.centre);
+      const Vector c = minus(quality_.cellGeometry[cell].centre, geometry.centre);
+      worst = std::min(worst, sign * tetQuality(a, b, c));
+    }
+    return worst;
+  }
+
+  // Of a tetrahedron with a corner at the origin; negative where abc turn clockwise seen from it.
+  static double tetQuality(const Vector& a, const Vector& b, const Vector& c)
+  {
+    const double sixfold = -dot(cross(a, b), c);
+    if (std::abs(sixfold) < Tiny)
+    {
+      return 0;
+    }
+    const Vector towards = plus(scaled(cross(b, c), dot(a, a)),
+      plus(scaled(cross(c, a), dot(b, b)), scaled(cross(a, b), dot(c, c))));
+    const double radius = norm(towards) / (2 * std::abs(sixfold));
+    const double regular = 8 / (9 * std::sqrt(3.0)) * radius * radius * radius;
+    return sixfold / 6 / regular;
+  }
+
+  // How far the way `d` from the owner's centre misses the centre of the face, by how far the face
+  // (or a part of d) reaches there.
+  double skewness(std::size_t face, const Vector& d, double partOfWay) const
+  {
+    const FaceGeometry& geometry = quality_.faceGeometry[face];
+    const Vector way = minus(geometry.centre, quality_.cellGeometry[owner(face)].centre);
+    const double along = dot(geometry.area, way) / (dot(geometry.area, d) + Tiny);
+    const Vector miss = minus(way, scaled(d, along));
+    const Vector direction = scaled(miss, 1 / (norm(miss) + Tiny));
+    double reach = partOfWay * norm(d) + Tiny;
+    for (std::size_t i = 0; i < sizeOf(face); ++i)
+    {
+      reach = std::max(
+        reach, std::abs(dot(direction, minus(position(corners(face)[i]), geometry.centre))));
+    }
+    return norm(miss) / reach;
+  }
+
+  void setFace(std::size_t face, Measure measure, double value)
+  {
+    quality_.faces[measure][face] = value;
+    quality_.faceFailures[face] |= fails(measure, value) ? 1u << measure : 0u;
+  }
+
+  void measureFaceBetween(std::size_t face)
+  {
+    const FaceGeometry& geometry = quality_.faceGeometry[face];
+    setFace(face, StarTriangulation,
+      smallestOfStar(
+        sizeOf(face), [&](std::size_t i) { return position(corners(face)[i]); }, geometry.area));
+    const double ownerAngle = angleIn(owner(face), face);
+    const double ownerTet = tetQualityIn(owner(face), face);
+    if (!isInner(face))
+    {
+      // Shortest way to the face's plane; further measures are at their best.
+      const Vector normal = scaled(geometry.area, 1 / (norm(geometry.area) + Tiny));
+      const Vector way = minus(geometry.centre, quality_.cellGeometry[owner(face)].centre);
+      setFace(face, Skewness, skewness(face, scaled(normal, dot(normal, way)), 0.4));
+      setFace(face, BoundaryAngle, ownerAngle);
+      setFace(face, TetQuality, ownerTet);
+      for (const Measure m : { InnerAngle, NonOrthogonality, FaceWeight, VolumeRatio })
+      {
+        setFace(face, m, MeasureSpecs[m].best);
+      }
+      return;
+    }
+    const CellGeometry& low = quality_.cellGeometry[owner(face)];
+    const CellGeometry& high = quality_.cellGeometry[neighbour(face)];
+    const Vector d = minus(high.centre, low.centre);
+    setFace(face, BoundaryAngle, MeasureSpecs[BoundaryAngle].best);
+    setFace(face, InnerAngle, std::max(ownerAngle, angleIn(neighbour(face), face)));
+    setFace(face, NonOrthogonality, angle(d, geometry.area));
+    setFace(face, Skewness, skewness(face, d, 0.2));
+    const double toLow = std::abs(dot(geometry.area, minus(geometry.centre, low.centre)));
+    const double toHigh = std::abs(dot(geometry.area, minus(geometry.centre, high.centre)));
+    setFace(face, FaceWeight, std::min(toLow, toHigh) / (toLow + toHigh + Tiny));
+    setFace(face, VolumeRatio,
+      std::min(low.volume, high.volume) / (std::max(low.volume, high.volume) + Tiny));
+    setFace(face, TetQuality, std::min(ownerTet, tetQualityIn(neighbour(face), face)));
+  }
+
+  void setCell(std::size_t cell, Measure measure, double value)
+  {
+    quality_.cells[measure][cell] = value;
+    quality_.cellFailures[cell] |= fails(measure, value) ? 1u << measure : 0u;
+  }
+
+  void measureCellOf(std::size_t cell, CellEdges& edges)
+  {
+    if (of_.start[cell] == of_.start[cell + 1])
+    {
+      for (auto& values : quality_.cells)
+      {
+        values[cell] = std::numeric_limits<double>::quiet_NaN();
+      }
+      return;
+    }
+    setWorstOfFaces(cell);
+    setSums(cell);
+    setEdges(cell, edges);
+  }
+
+  template <class Visitor>
+  void forEachFace(std::size_t cell, Visitor&& visit) const
+  {
+    for (std::size_t i = of_.start[cell]; i < of_.start[cell + 1]; ++i)
+    {
+      visit(of_.faces[i]);
+    }
+  }
+
+  void setWorstOfFaces(std::size_t cell)
+  {
+    for (const Measure m :
+      { StarTriangulation, NonOrthogonality, Skewness, FaceWeight, VolumeRatio })
+    {
+      double worst = MeasureSpecs[m].best;
+      forEachFace(cell, [&](std::size_t face) {
+        const double value = quality_.faces[m][face];
+        worst = MeasureSpecs[m].largeIsWorse ? std::max(worst, value) : std::min(worst, value);
+      });
+      setCell(cell, m, worst);
+    }
+    // Of these, the cell's own side only.
+    std::array<double, 2> angles{ MeasureSpecs[BoundaryAngle].best, MeasureSpecs[InnerAngle].best };
+    double tet = MeasureSpecs[TetQuality].best;
+    forEachFace(cell, [&](std::size_t face) {
+      double& worst = angles[isInner(face)];
+      worst = std::max(worst, angleIn(cell, face));
+      tet = std::min(tet, tetQualityIn(cell, face));
+    });
+    setCell(cell, BoundaryAngle, angles[0]);
+    setCell(cell, InnerAngle, angles[1]);
+    setCell(cell, TetQuality, tet);
+  }
+
+  // What sums over face vectors tell.
+  void setSums(std::size_t cell)
+  {
+    Vector sum{ 0, 0, 0 };
+    Vector sizes{ 0, 0, 0 };
+    double innerArea = 0;
+    double innerFaces = 0;
+    std::array<Vector, 3> tensor{};
+    forEachFace(cell, [&](std::size_t face) {
+      const Vector area = outward(cell, face).area;
+      sum = plus(sum, area);
+      sizes = plus(sizes, { std::abs(area[0]), std::abs(area[1]), std::abs(area[2]) });
+      if (isInner(face))
+      {
+        innerArea += norm(area);
+        innerFaces += 1;
+        for (std::size_t row = 0; row < 3; ++row)
+        {
+          tensor[row] = plus(tensor[row], scaled(area, area[row]));
+        }
+      }
+    });
+    const double volume = quality_.cellGeometry[cell].volume;
+    const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
+    double openness = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      if (sizes[axis] > RoundingOfAreas * *most)
+      {
+        openness = std::max(openness, std::abs(sum[axis]) / sizes[axis]);
+      }
+    }
+    const double sphericity =
+      (sizes[0] + sizes[1] + sizes[2]) / 6 / std::pow(std::max(volume, Tiny), 2.0 / 3);
+    const double mean = innerArea / innerFaces;
+    constexpr double DeterminantOfCube = 8;
+    setCell(cell, Volume, volume);
+    setCell(cell, Openness, openness);
+    setCell(cell, AspectRatio, std::max(*most / (*least + Tiny), sphericity));
+    setCell(cell, Determinant,
+      innerArea < Tiny ? 0
+                       : std::abs(dot(cross(tensor[0], tensor[1]), tensor[2])) / std::pow(mean, 6) /
+          DeterminantOfCube);
+  }
+
+  void setEdges(std::size_t cell, CellEdges& edges)
+  {
+    edges.clear();
+    forEachFace(cell, [&](std::size_t face) {
+      const bool owned = owner(face) == cell;
+      for (std::size_t i = 0; i < sizeOf(face); ++i)
+      {
+        const std::uint32_t from = corners(face)[i];
+        const std::uint32_t to = corners(face)[i + 1 < sizeOf(face) ? i + 1 : 0];
+        const Vector normal = normalAt(face, from, to);
+        owned ? edges.add(from, to, normal) : edges.add(to, from, scaled(normal, -1));
+      }
+    });
+    const CellEdges::Result result =
+      edges.measure([&](std::size_t point) { return position(point); });
+    setCell(cell, OpenEdges, result.open);
+    setCell(cell, Concavity, result.concavity);
+  }
+
+  // A warped face's normal at one of its edges: that of the triangle with the face's centre, unless
+  // it is turned over or but a sliver.
+  Vector normalAt(std::size_t face, std::uint32_t from, std::uint32_t to) const
+  {
+    constexpr double Sliver = 1e-6; // of the face's area
+    const FaceGeometry& geometry = quality_.faceGeometry[face];
+    const Vector triangle =
+      cross(minus(position(from), geometry.centre), minus(position(to), geometry.centre));
+    const double least = Sliver * dot(geometry.area, geometry.area);
+    return dot(triangle, geometry.area) > least ? triangle : geometry.area;
+  }
+
+  const double* points_;
+  const CellFaces& cells_;
+  const FaceList& list_;
+  FacesOfCells of_;
+  Execution& execution_;
+  Quality quality_;
+};
+
+}
+
+Quality measureQuality(
+  const double* points, const CellFaces& cells, const FaceList& faces, Execution& execution)
+{
+  return Meter(points, cells, faces, execution).run();
+}
+
+namespace
+{
+
+// Sums up those cells that count.
+class Summary
+{
+public:
+  Summary(const Quality& quality, const FaceList& faces, const unsigned char* leftOut)
+    : quality_(quality)
+    , faces_(faces)
+    , leftOut_(leftOut)
+  {
+  }
+
+  std::vector<SummaryValue> run() &&
+  {
+    add("Cells", sum([](std::size_t) { return 1; }));
+    add("FailingCells", sum([&](std::size_t c) { return quality_.cellFailures[c] != 0; }));
+    add("ConcaveCells",
+      sum([&](std::size_t c) { return quality_.cells[Concavity][c] >= ConcaveFrom; }));
+    add("TotalVolume", sum([&](std::size_t c) { return quality_.cellGeometry[c].volume; }));
+    add("BoundaryArea", boundaryArea());
+    for (std::size_t m = 0; m < MeasureCount; ++m)
+    {
+      add(std::string(MeasureSpecs[m].name) + "Failures",
+        sum([&](std::size_t c) { return quality_.cellFailures[c] >> m & 1u; }));
+      addWorst(m);
+    }
+    return std::move(result_);
+  }
+
+private:
+  bool counts(std::size_t cell) const { return !leftOut_ || leftOut_[cell] == 0; }
+
+  void add(const std::string& name, double value)
+  {
+    result_.push_back({ name, value, SummaryValue::Of::Sum });
+  }
+
+  template <class Value>
+  double sum(Value&& value) const
+  {
+    double result = 0;
+    for (std::size_t c = 0; c < quality_.cellGeometry.size(); ++c)
+    {
+      result += counts(c) ? static_cast<double>(value(c)) : 0;
+    }
+    return result;
+  }
+
+  double boundaryArea() const
+  {
+    double area = 0;
+    for (std::size_t f = faces_.neighbour.size(); f < faces_.owner.size(); ++f)
+    {
+      area += counts(faces_.owner[f]) ? norm(quality_.faceGeometry[f].area) : 0;
+    }
+    return area;
+  }
+
+  void addWorst(std::size_t measure)
+  {
+    const MeasureSpec& spec = MeasureSpecs[measure];
+    const std::vector<double>& values = quality_.cells[measure];
+    double worst = spec.best;
+    for (std::size_t c = 0; c < values.size(); ++c)
+    {
+      if (counts(c))
+      {
+        worst = spec.largeIsWorse ? std::max(worst, values[c]) : std::min(worst, values[c]);
+      }
+    }
+    result_.push_back({ std::string(spec.largeIsWorse ? "Max" : "Min") + spec.name, worst,
+      spec.largeIsWorse ? SummaryValue::Of::Most : SummaryValue::Of::Least });
+  }
+
+  const Quality& quality_;
+  const FaceList& faces_;
+  const unsigned char* leftOut_;
+  std::vector<SummaryValue> result_;
+};
+
+}
+
+std::vector<SummaryValue> summarise(
+  const Quality& quality, const FaceList& faces, const unsigned char* leftOut)
+{
+  return Summary(quality, faces, leftOut).run();
+}
+
+}

@@ -1,0 +1,348 @@
+#include "Repair/SurfaceDefects.h"
+
+#include "Repair/TrianglePairs.h"
+#include "Surface/Components.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace cartesian
+{
+
+namespace
+{
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+// Two triangles on one edge, the angle between which is almost nothing.
+struct Fold
+{
+  std::uint32_t first;
+  std::uint32_t second;
+
+  bool operator<(const Fold& other) const
+  {
+    return first != other.first ? first < other.first : second < other.second;
+  }
+};
+
+// From an edge to the triangle's third corner, at right angles to the edge.
+Vector across(const Surface& surface, std::uint32_t lower, const EdgeUse& use)
+{
+  const Triangle& t = surface.triangles[use.triangle()];
+  const Point& p = surface.vertices[lower];
+  const Vector edge = minus(surface.vertices[use.upper], p);
+  const Vector side = minus(surface.vertices[t[0] ^ t[1] ^ t[2] ^ lower ^ use.upper], p);
+  return cross(cross(edge, side), edge);
+}
+
+bool folded(const Vector& a, const Vector& b)
+{
+  static const double least = std::cos(FoldAngle * std::acos(-1.0) / 180);
+  const double product = dot(a, a) * dot(b, b);
+  return product > 0 && dot(a, b) > least * std::sqrt(product);
+}
+
+std::vector<Fold> findFolds(const Surface& surface, const SurfaceEdges& edges, Execution& execution)
+{
+  std::vector<std::vector<Fold>> parts(edges.chunkCount());
+  edges.forEach(execution,
+    [&](std::size_t chunk, std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+      for (const EdgeUse* a = begin; a != end; ++a)
+      {
+        // Around an edge of many triangles neighbours are next to each other often enough.
+        for (const EdgeUse* b = a + 1; b != end && b != a + 3; ++b)
+        {
+          if (folded(across(surface, lower, *a), across(surface, lower, *b)))
+          {
+            parts[chunk].push_back(
+              { std::min(a->triangle(), b->triangle()), std::max(a->triangle(), b->triangle()) });
+          }
+        }
+      }
+    });
+  std::vector<Fold> folds;
+  for (const auto& part : parts)
+  {
+    folds.insert(folds.end(), part.begin(), part.end());
+  }
+  std::sort(folds.begin(), folds.end());
+  return folds;
+}
+
+struct Partner
+{
+  std::uint32_t triangle;
+  std::uint32_t other;
+
+  bool operator<(const Partner& p) const
+  {
+    return triangle != p.triangle ? triangle < p.triangle : other < p.other;
+  }
+};
+
+class Lister
+{
+public:
+  Lister(const Surface& surface, std::size_t given, const SurfaceRepair& repair,
+    const Meshlines& planes, Execution& execution)
+    : surface_(surface)
+    , given_(surface)
+    , repair_(repair)
+    , planes_(planes)
+    , execution_(execution)
+  {
+    given_.triangles.resize(given);
+    for (const Dropped& d : repair.loose)
+    {
+      given_.triangles[d.triangle] = d.vertices;
+    }
+  }
+
+  SurfaceDefects list()
+  {
+    const SurfaceEdges edges(given_, execution_);
+    listEdges(edges);
+    listTriangles();
+    listPairs(findFolds(given_, edges, execution_));
+    listComponents();
+    listHoles();
+    for (auto& kind : defects_)
+    {
+      result_.defects.insert(result_.defects.end(), kind.begin(), kind.end());
+    }
+    for (auto& kind : points_)
+    {
+      result_.points.insert(result_.points.end(), kind.begin(), kind.end());
+    }
+    return std::move(result_);
+  }
+
+private:
+  static constexpr std::uint32_t None = SurfaceDefects::None;
+
+  template <class Points>
+  void add(DefectKind kind, std::uint32_t triangle, std::uint32_t other, bool polygon,
+    const Points& points)
+  {
+    const auto k = static_cast<std::size_t>(kind);
+    if (++result_.counts[k] <= SurfaceDefects::MostListed)
+    {
+      defects_[k].push_back(
+        { kind, triangle, other, static_cast<std::uint32_t>(points.size()), polygon });
+      points_[k].insert(points_[k].end(), points.begin(), points.end());
+    }
+  }
+
+  Vector positionOf(std::uint32_t vertex) const
+  {
+    const Point& p = surface_.vertices[vertex];
+    const Lattice& lattice = surface_.lattice;
+    return { lattice.position(0, p[0]), lattice.position(1, p[1]), lattice.position(2, p[2]) };
+  }
+
+  std::array<Vector, 3> positionsOf(const Triangle& t) const
+  {
+    return { positionOf(t[0]), positionOf(t[1]), positionOf(t[2]) };
+  }
+
+  std::array<Vector, 4> around(const Triangle& t) const
+  {
+    return { positionOf(t[0]), positionOf(t[1]), positionOf(t[2]), positionOf(t[0]) };
+  }
+
+  void addTriangle(DefectKind kind, std::uint32_t triangle, std::uint32_t other)
+  {
+    add(kind, triangle, other, true, positionsOf(given_.triangles[triangle]));
+  }
+
+  void listEdges(const SurfaceEdges& edges)
+  {
+    edges.forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+      const std::array<Vector, 2> ends = { positionOf(lower), positionOf(begin->upper) };
+      const auto uses = end - begin;
+      const std::ptrdiff_t down =
+        std::count_if(begin, end, [](const EdgeUse& use) { return use.down(); });
+      const std::uint32_t other = uses > 1 ? begin[1].triangle() : None;
+      if (uses % 2 == 1)
+      {
+        add(DefectKind::OpenEdge, begin->triangle(), other, false, ends);
+      }
+      else if (2 * down != uses)
+      {
+        add(DefectKind::InconsistentEdge, begin->triangle(), other, false, ends);
+      }
+      else if (uses > 2)
+      {
+        add(DefectKind::NonManifoldEdge, begin->triangle(), other, false, ends);
+      }
+    });
+  }
+
+  void listTriangles()
+  {
+    std::vector<bool> dropped(given_.triangles.size());
+    for (const Dropped& d : repair_.duplicates)
+    {
+      dropped[d.triangle] = true;
+      add(DefectKind::DuplicateTriangle, d.triangle, None, true, positionsOf(d.vertices));
+    }
+    for (std::size_t t = 0; t < dropped.size(); ++t)
+    {
+      const std::array<Wide, 3> normal = exactNormal(given_.corners(t));
+      if (!dropped[t] && normal[0] == 0 && normal[1] == 0 && normal[2] == 0)
+      {
+        add(DefectKind::DegenerateTriangle, static_cast<std::uint32_t>(t), None, false,
+          around(given_.triangles[t]));
+      }
+    }
+  }
+
+  void listPairs(const std::vector<Fold>& folds)
+  {
+    std::vector<Partner> folded;
+    for (const Fold& fold : folds)
+    {
+      folded.push_back({ fold.first, fold.second });
+      folded.push_back({ fold.second, fold.first });
+    }
+    addPartners(DefectKind::FoldedTriangle, folded);
+
+    const TrianglePairs found = findPairs(given_, execution_);
+    result_.notCompared = found.givenUp.size();
+    std::vector<Partner> overlapped;
+    for (const TrianglePair& pair : found.pairs)
+    {
+      if (pair.contact == Contact::Crossing)
+      {
+        std::array<Vector, 2> ends =
+          stretchOf(given_.corners(pair.first), given_.corners(pair.second));
+        for (Vector& p : ends)
+        {
+          for (std::size_t axis = 0; axis < 3; ++axis)
+          {
+            p[axis] = surface_.lattice.origin()[axis] + surface_.lattice.step() * p[axis];
+          }
+        }
+        add(DefectKind::Intersection, pair.first, pair.second, false, ends);
+      }
+      else if (!std::binary_search(folds.begin(), folds.end(), Fold{ pair.first, pair.second }))
+      {
+        overlapped.push_back({ pair.first, pair.second });
+        overlapped.push_back({ pair.second, pair.first });
+      }
+    }
+    addPartners(DefectKind::OverlappedTriangle, overlapped);
+  }
+
+  // Each triangle once, with the lowest of its partners.
+  void addPartners(DefectKind kind, std::vector<Partner>& partners)
+  {
+    std::sort(partners.begin(), partners.end());
+    for (std::size_t i = 0; i < partners.size(); ++i)
+    {
+      if (i == 0 || partners[i - 1].triangle != partners[i].triangle)
+      {
+        addTriangle(kind, partners[i].triangle, partners[i].other);
+      }
+    }
+  }
+
+  void listComponents()
+  {
+    Components components(given_);
+    std::vector<Point> low(given_.vertices.size(), Point{ ~0u, ~0u, ~0u });
+    std::vector<Point> high(given_.vertices.size(), Point{});
+    for (const Triangle& t : given_.triangles)
+    {
+      const std::uint32_t root = components.of(t[0]);
+      for (const std::uint32_t v : t)
+      {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          low[root][axis] = std::min(low[root][axis], given_.vertices[v][axis]);
+          high[root][axis] = std::max(high[root][axis], given_.vertices[v][axis]);
+        }
+      }
+    }
+    std::vector<bool> small(given_.vertices.size());
+    for (std::size_t v = 0; v < small.size(); ++v)
+    {
+      if (low[v][0] <= high[v][0])
+      {
+        ++result_.components;
+        small[v] = true;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          small[v] = small[v] &&
+            high[v][axis] - low[v][axis] <
+              spacing(planes_[axis], (double(low[v][axis]) + high[v][axis]) / 2);
+        }
+      }
+    }
+    for (std::size_t t = 0; t < given_.triangles.size(); ++t)
+    {
+      if (small[components.of(given_.triangles[t][0])] && !namesAVertexTwice(given_.triangles[t]))
+      {
+        addTriangle(DefectKind::SmallComponent, static_cast<std::uint32_t>(t), None);
+      }
+    }
+  }
+
+  void listHoles()
+  {
+    std::vector<Vector> points;
+    for (const Hole& hole : repair_.holes)
+    {
+      points.clear();
+      for (const std::uint32_t v : hole.rim)
+      {
+        points.push_back(positionOf(v));
+      }
+      points.push_back(points.front());
+      add(hole.leak ? DefectKind::Leak : DefectKind::Hole, None, None, false, points);
+    }
+  }
+
+  const Surface& surface_;
+  Surface given_; // without what closes holes
+  const SurfaceRepair& repair_;
+  const Meshlines& planes_;
+  Execution& execution_;
+  SurfaceDefects result_;
+  std::array<std::vector<Defect>, DefectKinds> defects_;
+  std::array<std::vector<Vector>, DefectKinds> points_;
+};
+
+}
+
+SurfaceDefects findDefects(const Surface& surface, std::size_t given, const SurfaceRepair& repair,
+  const Meshlines& planes, Execution& execution)
+{
+  return Lister(surface, given, repair, planes, execution).list();
+}
+
+std::string describe(const SurfaceDefects& defects)
+{
+  const std::pair<DefectKind, const char*> kinds[] = {
+    { DefectKind::FoldedTriangle, " triangles are folded onto a neighbour." },
+    { DefectKind::OverlappedTriangle, " triangles overlap others in the same plane." },
+    { DefectKind::Intersection, " pairs of triangles cross each other." },
+  };
+  std::string text;
+  for (const auto& [kind, words] : kinds)
+  {
+    if (const std::size_t count = defects.counts[static_cast<std::size_t>(kind)])
+    {
+      text += (text.empty() ? "" : "\n") + std::to_string(count) + words;
+    }
+  }
+  if (defects.notCompared > 0)
+  {
+    text += (text.empty() ? "" : "\n") + std::to_string(defects.notCompared) +
+      " triangles are near too many others to look for intersections.";
+  }
+  return text;
+}
+
+}

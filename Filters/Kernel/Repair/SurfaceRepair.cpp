@@ -1,0 +1,90 @@
+#include "Repair/SurfaceRepair.h"
+
+#include "Repair/Orientation.h"
+#include "Surface/Components.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+namespace
+{
+
+std::vector<Dropped> dropLoose(Surface& surface, const SurfaceEdges& edges)
+{
+  std::vector<std::uint8_t> openEdges(surface.triangles.size());
+  edges.forEach([&](std::uint32_t, const EdgeUse* begin, const EdgeUse* end) {
+    if (end - begin == 1)
+    {
+      ++openEdges[begin->triangle()];
+    }
+  });
+  std::vector<Dropped> dropped;
+  for (std::uint32_t t = 0; t < openEdges.size(); ++t)
+  {
+    if (openEdges[t] == 3)
+    {
+      dropped.push_back({ t, surface.triangles[t] });
+      surface.triangles[t].fill(surface.triangles[t][0]);
+    }
+  }
+  return dropped;
+}
+
+// Marks the components with an edge that more triangles run through one way than the other.
+void findUnoriented(Surface& surface, const SurfaceEdges& edges)
+{
+  Components components(surface);
+  std::vector<std::uint8_t> unoriented(surface.vertices.size());
+  edges.forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+    const auto down = std::count_if(begin, end, [](const EdgeUse& use) { return use.down(); });
+    if (2 * down != end - begin)
+    {
+      unoriented[components.of(lower)] = 1;
+    }
+  });
+  if (std::count(unoriented.begin(), unoriented.end(), 1) == 0)
+  {
+    return;
+  }
+  surface.byParity.resize(surface.triangles.size());
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    surface.byParity[t] = unoriented[components.of(surface.triangles[t][0])];
+  }
+}
+
+}
+
+std::size_t SurfaceRepair::leaks() const
+{
+  return static_cast<std::size_t>(
+    std::count_if(holes.begin(), holes.end(), [](const Hole& hole) { return hole.leak; }));
+}
+
+SurfaceRepair repair(Surface& surface, const Meshlines& planes, Execution& execution)
+{
+  SurfaceRepair result;
+  {
+    const SurfaceEdges edges(surface, execution);
+    result.duplicates = dropDuplicates(surface, edges, findDuplicates(surface, edges));
+  }
+  orient(surface, execution);
+  const SurfaceEdges edges(surface, execution);
+  result.check = check(edges, execution);
+  if (!result.check.closed())
+  {
+    result.loose = dropLoose(surface, edges);
+    result.holes = closeHoles(surface, SurfaceEdges(surface, execution), planes, execution);
+    orient(surface, execution);
+    findUnoriented(surface, SurfaceEdges(surface, execution));
+  }
+  else if (!result.check.oriented())
+  {
+    findUnoriented(surface, edges);
+  }
+  return result;
+}
+
+}

@@ -1,0 +1,297 @@
+#include "Repair/TrianglePairs.h"
+
+#include "Repair/TriangleTree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t TrianglesAChunk = 1024;
+constexpr std::size_t MostNeighbours = 512;
+constexpr std::size_t FewestNeighbours = 64;
+
+// Pairs looked at in all, before fewer neighbours are.
+constexpr std::size_t MostTests = 30000000;
+
+int signOf(Wide x)
+{
+  return (x > 0) - (x < 0);
+}
+
+Wide difference(Level a, Level b)
+{
+  return static_cast<Wide>(static_cast<std::int64_t>(a) - static_cast<std::int64_t>(b));
+}
+
+// The plane of a triangle, in double precision and, where that is not enough, exactly.
+class Plane
+{
+public:
+  explicit Plane(const Corners& t)
+    : corners_(t)
+  {
+    const Vector u = minus(t[1], t[0]);
+    const Vector v = minus(t[2], t[0]);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const std::size_t b = (axis + 1) % 3;
+      const std::size_t c = (axis + 2) % 3;
+      normal_[axis] = u[b] * v[c] - u[c] * v[b];
+      size_[axis] = std::abs(u[b] * v[c]) + std::abs(u[c] * v[b]);
+    }
+  }
+
+  // The side of it that a point lies on: 1 where the normal points to, 0 on it.
+  int sideOf(const Point& p) const
+  {
+    // Differences are exact; six more operations round.
+    constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+    const Vector d = minus(p, corners_[0]);
+    const double height = dot(normal_, d);
+    const double size =
+      size_[0] * std::abs(d[0]) + size_[1] * std::abs(d[1]) + size_[2] * std::abs(d[2]);
+    if (std::abs(height) > rounding * size)
+    {
+      return height > 0 ? 1 : -1;
+    }
+    return signOf(exactHeight(p));
+  }
+
+  // Of a point over the plane, times twice the triangle's area.
+  Wide exactHeight(const Point& p) const
+  {
+    const std::array<Wide, 3> normal = exactNormal(corners_);
+    Wide height = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      height += normal[axis] * difference(p[axis], corners_[0][axis]);
+    }
+    return height;
+  }
+
+private:
+  const Corners& corners_;
+  Vector normal_;
+  Vector size_; // of the terms that the normal is a sum of
+};
+
+int orientation(const Point& a, const Point& b, const Point& c, const Point& d)
+{
+  const Corners t = { a, b, c };
+  return Plane(t).sideOf(d);
+}
+
+using Sides = std::array<int, 3>;
+
+// The turn a-b-c as seen along `axis`.
+int turn(const Point& a, const Point& b, const Point& c, int axis)
+{
+  const int u = (axis + 1) % 3;
+  const int v = (axis + 2) % 3;
+  return signOf(difference(b[u], a[u]) * difference(c[v], a[v]) -
+    difference(b[v], a[v]) * difference(c[u], a[u]));
+}
+
+// Whether an edge of `a` has all of `b` on its other side; both lie in one plane.
+bool separates(const Corners& a, const Corners& b, int axis)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const Point& p = a[i];
+    const Point& q = a[(i + 1) % 3];
+    const int inner = turn(p, q, a[(i + 2) % 3], axis);
+    if (turn(p, q, b[0], axis) * inner <= 0 && turn(p, q, b[1], axis) * inner <= 0 &&
+      turn(p, q, b[2], axis) * inner <= 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool overlap(const Corners& a, const Corners& b)
+{
+  const std::array<Wide, 3> normal = exactNormal(a);
+  int axis = 0;
+  while (normal[axis] == 0)
+  {
+    ++axis;
+  }
+  return !separates(a, b, axis) && !separates(b, a, axis);
+}
+
+// Whether a corner lies on a side of the plane where the others do not.
+bool isAlone(const Sides& sides, std::size_t i)
+{
+  return sides[i] != 0 && sides[(i + 1) % 3] != sides[i] && sides[(i + 2) % 3] != sides[i];
+}
+
+// Whether a triangle has more than a point in the plane, but not all of it.
+bool meetsPlane(const Sides& sides)
+{
+  return isAlone(sides, 0) || isAlone(sides, 1) || isAlone(sides, 2);
+}
+
+// Turns a triangle so that its first corner lies alone above the other's plane, and the other so that
+// above is where its normal points.
+void putAloneAbove(Corners& t, const Sides& sides, Corners& other, Sides& sidesOfOther)
+{
+  std::size_t i = 0;
+  while (!isAlone(sides, i))
+  {
+    ++i;
+  }
+  t = { t[i], t[(i + 1) % 3], t[(i + 2) % 3] };
+  if (sides[i] < 0)
+  {
+    std::swap(other[1], other[2]);
+    std::swap(sidesOfOther[1], sidesOfOther[2]);
+  }
+}
+
+// Both meet the other's plane.
+bool cross(Corners a, Corners b, Sides ofA, Sides ofB)
+{
+  // Both planes' common line meets each triangle in a stretch from the edge 0-1 to the edge 0-2.
+  putAloneAbove(a, ofA, b, ofB);
+  putAloneAbove(b, ofB, a, ofA);
+  return orientation(a[0], a[1], b[0], b[1]) < 0 && orientation(a[0], a[2], b[2], b[0]) < 0;
+}
+
+using Vertices = std::array<std::uint32_t, 3>;
+
+bool has(const Vertices& triangle, std::uint32_t v)
+{
+  return v == triangle[0] || v == triangle[1] || v == triangle[2];
+}
+
+// The sides of a plane that the corners of `a` lie on; those of the plane's own triangle lie in it.
+Sides sidesOf(const Corners& a, const Vertices& vertices, const Plane& plane, const Vertices& own)
+{
+  Sides sides{};
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    sides[i] = has(own, vertices[i]) ? 0 : plane.sideOf(a[i]);
+  }
+  return sides;
+}
+
+Vector vectorOf(const Point& p)
+{
+  return { double(p[0]), double(p[1]), double(p[2]) };
+}
+
+// Where the triangle's edges pass through the other's plane: two places.
+std::vector<Vector> meetPlane(const Corners& t, const Corners& other)
+{
+  const Plane plane(other);
+  std::array<double, 3> height;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    height[i] = static_cast<double>(plane.exactHeight(t[i]));
+  }
+  std::vector<Vector> places;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const std::size_t j = (i + 1) % 3;
+    if (height[i] == 0)
+    {
+      places.push_back(vectorOf(t[i]));
+    }
+    if (height[i] * height[j] < 0)
+    {
+      const double part = height[i] / (height[i] - height[j]);
+      Vector p = vectorOf(t[i]);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        p[axis] += part * (double(t[j][axis]) - p[axis]);
+      }
+      places.push_back(p);
+    }
+  }
+  return places;
+}
+
+}
+
+Contact contactOf(const Surface& surface, std::uint32_t a, std::uint32_t b)
+{
+  const Vertices& va = surface.triangles[a];
+  const Vertices& vb = surface.triangles[b];
+  const Corners ca = surface.corners(a);
+  const Corners cb = surface.corners(b);
+  const Sides ofA = sidesOf(ca, va, Plane(cb), vb);
+  if (ofA == Sides{ 0, 0, 0 })
+  {
+    return overlap(ca, cb) ? Contact::Overlap : Contact::Apart;
+  }
+  const int common = has(vb, va[0]) + has(vb, va[1]) + has(vb, va[2]);
+  if (common > 1 || !meetsPlane(ofA))
+  {
+    return Contact::Apart;
+  }
+  const Sides ofB = sidesOf(cb, vb, Plane(ca), va);
+  return meetsPlane(ofB) && cross(ca, cb, ofA, ofB) ? Contact::Crossing : Contact::Apart;
+}
+
+std::array<Vector, 2> stretchOf(const Corners& a, const Corners& b)
+{
+  std::vector<Vector> places = meetPlane(a, b);
+  for (const Vector& p : meetPlane(b, a))
+  {
+    places.push_back(p);
+  }
+  // All on one line: the inner two of four.
+  const Vector along =
+    cross(cross(minus(a[1], a[0]), minus(a[2], a[0])), cross(minus(b[1], b[0]), minus(b[2], b[0])));
+  std::sort(places.begin(), places.end(),
+    [&](const Vector& p, const Vector& q) { return dot(p, along) < dot(q, along); });
+  return { places[places.size() / 2 - 1], places[places.size() / 2] };
+}
+
+TrianglePairs findPairs(const Surface& surface, Execution& execution)
+{
+  const TriangleTree tree(surface, execution);
+  const std::size_t count = tree.size();
+  const std::size_t most =
+    std::clamp(MostTests / std::max<std::size_t>(count, 1), FewestNeighbours, MostNeighbours);
+  std::vector<TrianglePairs> parts(chunks(count, TrianglesAChunk));
+  execution.nextLoop(0.9);
+  execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
+    TrianglePairs& part = parts[begin / TrianglesAChunk];
+    for (std::size_t place = begin; place < end; ++place)
+    {
+      const std::uint32_t t = tree.triangle(place);
+      std::size_t seen = 0;
+      tree.forEachLarger(place, [&](std::uint32_t other) {
+        const Contact contact = contactOf(surface, t, other);
+        if (contact != Contact::Apart)
+        {
+          part.pairs.push_back({ std::min(t, other), std::max(t, other), contact });
+        }
+        return ++seen < most;
+      });
+      if (seen == most)
+      {
+        part.givenUp.push_back(t);
+      }
+    }
+  });
+  TrianglePairs all;
+  for (const TrianglePairs& part : parts)
+  {
+    all.pairs.insert(all.pairs.end(), part.pairs.begin(), part.pairs.end());
+    all.givenUp.insert(all.givenUp.end(), part.givenUp.begin(), part.givenUp.end());
+  }
+  std::sort(all.pairs.begin(), all.pairs.end());
+  std::sort(all.givenUp.begin(), all.givenUp.end());
+  return all;
+}
+
+}

@@ -1,0 +1,99 @@
+#include "Repair/TriangleTree.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t NodesAChunk = 1 << 14;
+
+// The upper 21 bits of a level, two zeros between each.
+std::uint64_t spread(std::uint64_t level)
+{
+  std::uint64_t x = level >> 11;
+  x = (x | x << 32) & 0x1f00000000ffff;
+  x = (x | x << 16) & 0x1f0000ff0000ff;
+  x = (x | x << 8) & 0x100f00f00f00f00f;
+  x = (x | x << 4) & 0x10c30c30c30c30c3;
+  x = (x | x << 2) & 0x1249249249249249;
+  return x;
+}
+
+bool hasArea(const Corners& corners)
+{
+  const std::array<Wide, 3> normal = exactNormal(corners);
+  return normal[0] != 0 || normal[1] != 0 || normal[2] != 0;
+}
+
+}
+
+TriangleTree::TriangleTree(const Surface& surface, Execution& execution)
+{
+  struct Place
+  {
+    std::uint64_t code;
+    std::uint32_t triangle;
+  };
+  std::vector<Place> places;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const Corners c = surface.corners(t);
+    if (hasArea(c))
+    {
+      std::uint64_t code = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const auto [least, most] = std::minmax({ c[0][axis], c[1][axis], c[2][axis] });
+        code |= spread((std::uint64_t(least) + most) / 2) << axis;
+      }
+      places.push_back({ code, static_cast<std::uint32_t>(t) });
+    }
+  }
+  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+    return a.code != b.code ? a.code < b.code : a.triangle < b.triangle;
+  });
+
+  levels_.emplace_back(places.size());
+  order_.resize(places.size());
+  execution.forEach(places.size(), NodesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      order_[i] = places[i].triangle;
+      const Corners c = surface.corners(order_[i]);
+      Node& node = levels_[0][i];
+      node.size = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const auto [least, most] = std::minmax({ c[0][axis], c[1][axis], c[2][axis] });
+        node.low[axis] = least;
+        node.high[axis] = most;
+        node.size = std::max(node.size, most - least);
+      }
+    }
+  });
+  while (levels_.back().size() > 1)
+  {
+    const std::vector<Node>& below = levels_.back();
+    std::vector<Node> above((below.size() + 1) / 2);
+    for (std::size_t i = 0; i < above.size(); ++i)
+    {
+      above[i] = below[2 * i];
+      if (2 * i + 1 < below.size())
+      {
+        const Node& other = below[2 * i + 1];
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          above[i].low[axis] = std::min(above[i].low[axis], other.low[axis]);
+          above[i].high[axis] = std::max(above[i].high[axis], other.high[axis]);
+        }
+        above[i].size = std::max(above[i].size, other.size);
+      }
+    }
+    levels_.push_back(std::move(above));
+  }
+}
+
+}

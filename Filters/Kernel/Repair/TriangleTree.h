@@ -1,0 +1,74 @@
+// A tree of bounds over the triangles of a surface that have an area: which of them are near each other?
+//
+// Triangles are sorted along a space-filling curve; a node of height h holds 2^h neighbours on it.
+// The tree depends on the geometry only, ties on the triangles' numbers.
+#pragma once
+
+#include "Surface/Surface.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+class TriangleTree
+{
+public:
+  TriangleTree(const Surface& surface, Execution& execution);
+
+  std::size_t size() const { return order_.size(); }
+  std::uint32_t triangle(std::size_t place) const { return order_[place]; }
+
+  // Calls visit(triangle) for those whose bounds meet those of the triangle at `place` and that are
+  // larger, or of the same size and behind it on the curve, until it returns false. So each
+  // pair is seen once, and by few: a triangle has few larger neighbours.
+  template <class Visitor>
+  void forEachLarger(std::size_t place, Visitor&& visit) const
+  {
+    const Node& own = levels_[0][place];
+    std::array<std::pair<std::size_t, std::size_t>, 2 * MostLevels> stack; // level, node
+    std::size_t size = 0;
+    stack[size++] = { levels_.size() - 1, 0 };
+    while (size > 0)
+    {
+      const auto [level, n] = stack[--size];
+      if (level == 0)
+      {
+        if ((levels_[0][n].size > own.size || n > place) && !visit(order_[n]))
+        {
+          return;
+        }
+        continue;
+      }
+      const std::vector<Node>& below = levels_[level - 1];
+      for (std::size_t child = std::min(2 * n + 2, below.size()); child-- > 2 * n;)
+      {
+        if (below[child].size >= own.size && below[child].meets(own))
+        {
+          stack[size++] = { level - 1, child };
+        }
+      }
+    }
+  }
+
+private:
+  static constexpr std::size_t MostLevels = 34;
+
+  struct Node
+  {
+    Point low;
+    Point high;
+    Level size; // the longest side of the largest triangle's bounds
+
+    bool meets(const Node& other) const
+    {
+      return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
+        other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
+    }
+  };
+
+  std::vector<std::uint32_t> order_;      // triangles along the curve
+  std::vector<std::vector<Node>> levels_; // from the triangles up to the root
+};
+
+}

@@ -1,0 +1,355 @@
+// Cells that can be cut and joined (sections 4.10 and 4.11), in one slab (Slabs.h).
+//
+// Cells and faces are copied when they change for the first time ("opened"): what nobody touches
+// costs nothing. A hexahedron that gets a node or another face becomes a polyhedron.
+//
+// Slabs of one stage may change at the same time. All that they write in common is which cells are
+// below and above a face as it was (Cells::ofInnerFace, ShapedFaces::cells): a slab writes those of
+// its free cells, and reads those of cells that touch one; so it is with sights.
+#pragma once
+
+#include "Base/EdgeTable.h"
+#include "Lattice/NumberedPoint.h"
+#include "Parts/Slabs.h"
+#include "Polyhedra/PolyhedronCut.h"
+#include "Shaping/CellsToShape.h"
+#include "Shaping/FaceJoining.h"
+
+#include <map>
+#include <memory>
+#include <unordered_map>
+
+namespace cartesian
+{
+
+// A cell and what is beyond each of its faces.
+struct MeasuredCell
+{
+  Polyhedron shape; // without nodes in common; the origin is the lower corner of its box
+  CellShape measures;
+  std::vector<CellKey> across; // or None
+  std::vector<Beyond> beyond;
+};
+
+class CellComplex
+{
+public:
+  CellComplex(CellsToShape& whole, const Slab& slab);
+
+  // Of cells of polyhedral boxes, opened or not, and opened others.
+  // Several neighbours as one; the origin is the lower corner of the first one's box.
+  void view(const std::vector<CellKey>& keys, CellView& view) const;
+
+  // Fills CellView::beyond; `key`: the view's first cell.
+  void lookBeyond(CellKey key, CellView& view) const;
+
+  // Without nodes in common: for measures only.
+  void shape(CellKey key, Polyhedron& shape) const;
+  void lookAround(CellKey key, MeasuredCell& cell) const;
+
+  // The cells beyond its faces that are alive, each with the area between them (lattice levels),
+  // the largest first.
+  std::vector<std::pair<CellKey, double>> neighbours(CellKey key) const;
+
+  // The acting cells that are alive and free, but for untouched hexahedra, in order.
+  std::vector<CellKey> polyhedra() const;
+
+  // Of these, those at fault.
+  std::vector<CellKey> polyhedraAtFault() const;
+
+  // Of these, those that have changed, or have a neighbour that has, since `mark` was called.
+  std::uint32_t mark() { return ++now_; }
+  std::vector<CellKey> polyhedraChangedSince(std::uint32_t mark) const;
+
+  // Whether it, or a cell beyond one of its faces, or one beyond theirs, has changed since then.
+  bool hasChangedNear(CellKey key, std::uint32_t mark) const;
+
+  // Whether it may change: all of it lies in the slab's free layers.
+  bool isFree(CellKey key) const;
+
+  // Whether all are free and do not lie in too many layers for one cell.
+  bool mayMerge(const std::vector<CellKey>& keys) const;
+
+  // 1 if it belongs to the part that is meshed (Boxes::core), else 0.
+  std::size_t counts(CellKey key) const { return boxes_.isCore(boxes_.boxes[boxOf(key)]) ? 1 : 0; }
+
+  std::uint32_t boxOf(CellKey key) const;
+  bool isAlive(CellKey key) const; // neither removed nor merged
+
+  // Hexahedra that nobody has opened do not.
+  bool hasFaces(CellKey key) const { return key < cells_.size() || opened(key) != nullptr; }
+
+  void open(CellKey key);
+
+  // The cells that a cut changes, `key` first: beyond cut faces, and around cut edges. Opens them.
+  std::vector<CellKey> touchedBy(CellKey key, const CellView& view, const CellCut& cut);
+
+  // Whether a cut of the first of these cells spoils none of them: no new point falls on a node of
+  // theirs, or on another, or spoils the star triangulation of a face, no piece of a face is one that
+  // the cell beyond has already, none of the others is thin, and all are free.
+  bool allows(const std::vector<CellKey>& touched, const CellView& view, const CellCut& cut) const;
+
+  // Cuts an opened cell. The first part keeps its key. Appends the keys of all parts.
+  void cut(CellKey key, const CellView& view, const CellCut& cut, std::vector<CellKey>& parts);
+
+  // Gives the small cell's faces to the other but for those between them, which vanish.
+  void merge(CellKey small, CellKey into);
+
+  // Its inner faces become boundary faces of its neighbours (4.10).
+  void remove(CellKey key);
+
+  // Whether a cell near this one has a face with these nodes already: with another, it would enclose
+  // nothing. Of a cell that is not free only those around these nodes are looked at.
+  bool hasFaceNear(CellKey key, std::vector<std::uint32_t> nodes) const;
+
+  // Whether one that several faces of a cell, seen so, would make is there already.
+  bool hasFacesNear(CellKey key, const CellView& view, const JoinedFaces& joined) const;
+
+  // Makes each group of faces of an opened cell, seen so, one.
+  void join(CellKey key, const CellView& view, const JoinedFaces& joined);
+
+  // That most of its patches belonged to, or NoBoundary.
+  std::int32_t boundaryOfCell(CellKey key) const;
+
+  // Whether one of its faces is a boundary face now.
+  bool isAtBoundary(CellKey key) const;
+
+  // Of its boundary faces as they are now, that with the largest area; without any, its own.
+  std::int32_t mainBoundary(CellKey key) const;
+
+  // In lattice levels.
+  double volumeOfBox(CellKey key) const;
+  double volume(CellKey key) const;
+
+  // Its volume as a part of its box's.
+  double share(CellKey key) const;
+
+  // As isAnyAtFault (CellFitness.h): known beforehand for cells as they were.
+  bool isAtFault(CellKey key) const;
+
+  // Whether solvers accept all its faces by what is known beforehand; else only a look around tells.
+  bool isSurelyAccepted(CellKey key) const;
+
+  // Makes that known of cells that have changed.
+  void lookAtChanged();
+
+  bool changed() const { return changed_; }
+
+private:
+  friend class ShapedCells;   // writes all back
+  friend struct CellsToShape; // measures
+
+  struct OpenCell
+  {
+    void change(std::uint32_t now)
+    {
+      changed = true;
+      changedAt = now;
+      fault = IsAtFault::Unknown;
+      isPlain = false;
+      isSeen = false;
+    }
+
+    std::vector<FaceUse> faces;
+    std::uint32_t box;
+    std::uint32_t origin;  // the cell that it is or was a part of
+    std::int32_t boundary; // as in Cell
+    bool alive = true;
+    bool removed = false; // as in Cell
+    bool changed = false;
+    bool isPlain = false; // known since it changed, as KnownCells::isPlain
+    bool isSeen = false;  // its faces' sights are known since it changed
+    std::uint32_t changedAt = 0;
+    std::array<std::uint8_t, 2> reach{ 0, 0 };    // as in Cell
+    Beyond place;                                 // from the lower corner of its box
+    mutable IsAtFault fault = IsAtFault::Unknown; // since it changed; one thread has a slab
+  };
+  struct FaceNodes
+  {
+    const std::uint32_t* first;
+    std::size_t size;
+  };
+  struct Shaped
+  {
+    std::vector<std::uint32_t> nodes;
+    std::array<CellKey, 2> cells;
+    std::int32_t boundary;
+  };
+
+  // What reading works with, kept for its memory.
+  struct Scratch
+  {
+    struct Outer
+    {
+      FaceUse use;
+      CellKey other;
+      std::size_t begin; // of its corners
+      std::size_t end;
+    };
+    std::vector<Outer> faces;
+    std::vector<std::uint32_t> corners;
+    std::vector<NumberedPoint> places; // of nodes, each once
+    EdgeTable numberOf;                // of nodes: edges from them to themselves
+    Polyhedron polyhedron;
+    CellShape measures;
+  };
+
+  static constexpr std::uint32_t MostFaces = 0x7fffffffu;
+  static constexpr std::array<std::uint8_t, 2> NoReach{ 0, 0 };
+
+  std::uint32_t firstInner() const { return static_cast<std::uint32_t>(patches_.size()); }
+  std::uint32_t firstGiven() const
+  {
+    return static_cast<std::uint32_t>(patches_.size() + inner_.size());
+  }
+  std::uint32_t firstShaped() const
+  {
+    return static_cast<std::uint32_t>(firstGiven() + cells_.shaped.size());
+  }
+  bool isPatch(std::uint32_t face) const { return face < firstInner(); }
+  bool isInner(std::uint32_t face) const { return !isPatch(face) && face < firstGiven(); }
+  bool isShaped(std::uint32_t face) const { return face >= firstShaped(); } // here, not before
+  Shaped& shaped(std::uint32_t face) { return shaped_[face - firstShaped()]; }
+  const Shaped& shaped(std::uint32_t face) const { return shaped_[face - firstShaped()]; }
+
+  template <class Visitor>
+  void forEachFace(CellKey key, Visitor&& visit) const;
+  void addFaceTo(Polyhedron& shape, const FaceUse& use, const Point& origin) const;
+  template <class Visitor>
+  void forEachNodeOf(const FaceUse& use, Visitor&& visit) const;
+  FaceNodes nodesOf(std::uint32_t face) const;
+
+  const Point& placeOf(std::uint32_t node) const
+  {
+    return node < nodes_.at.size() ? nodes_.at[node] : added_[node - nodes_.at.size()];
+  }
+  std::uint32_t nextNode() const
+  {
+    return static_cast<std::uint32_t>(nodes_.at.size() + added_.size());
+  }
+  template <class Kept>
+  std::vector<CellKey> select(Kept&& isKept) const;
+  Layers layersOf(CellKey key) const;
+  FaceUse useOf(const FaceRef& ref) const;
+  OpenCell* opened(CellKey key);
+  const OpenCell* opened(CellKey key) const;
+  CellKey keyOfHexahedron(std::uint32_t box) const
+  {
+    return static_cast<CellKey>(cells_.size() + box);
+  }
+  std::array<CellKey, 2> cellsOf(std::uint32_t face) const;
+  CellKey across(const FaceUse& use) const;
+  void setCell(const FaceUse& use, CellKey key);
+  bool hasChanged(CellKey key) const;
+  bool isSeen(CellKey key) const;
+  void noteSights(CellKey key, const CellShape& measures, Sights& given, Sights& ofShaped) const;
+
+  void openHexahedron(std::uint32_t box, OpenCell& cell);
+  void addSideOfHexahedron(std::uint32_t box, unsigned side, OpenCell& cell);
+  std::uint32_t knownFace(std::uint32_t box, std::uint32_t side) const;
+  void numberNodes(const Point& origin, CellView& view) const;
+  std::uint32_t nodeOfCorner(std::uint32_t box, unsigned corner);
+
+  bool hasEdge(const FaceUse& use, std::uint32_t u, std::uint32_t v) const;
+  std::vector<CellKey> cellsAround(CellKey key, std::uint32_t u, std::uint32_t v);
+  std::uint32_t own(std::uint32_t face, CellKey cell);
+  Point placeOfPoint(CellKey key, const CellCut::Point& point) const;
+  bool meetsNode(
+    const std::vector<CellKey>& touched, const CellView& view, const CellCut& cut) const;
+  bool meetsFace(const CellView& view, const CellCut& cut) const;
+  bool losesStar(const FaceUse& use, CellKey key, const CellView& view, const CellCut& cut) const;
+  std::uint32_t addNode(const Point& place);
+  FaceUse addShaped(Shaped face);
+  FaceUse addPiece(FaceUse use, CellKey cell, Shaped piece, std::uint32_t& owned);
+  std::uint32_t renamed(std::uint32_t face) const;
+  const CellShape& measured(CellKey key) const; // until the next
+  Beyond measuredPlace(CellKey key) const;
+  Beyond placeAndVolume(CellKey key, const Point& origin) const;
+  void insertNode(CellKey cell, std::uint32_t u, std::uint32_t v, std::uint32_t node);
+
+  std::int32_t boundaryOf(std::uint32_t face) const;
+  void reachAsFarAs(CellKey small, CellKey into);
+  void removeFace(CellKey key, std::uint32_t face);
+  void dropTwins(std::vector<FaceUse>& faces, std::size_t ofSmall);
+
+  CellsToShape& whole_; // only sights of faces change
+  const Boxes& boxes_;
+  const Patches& patches_;
+  const Sides& sides_;
+  const Nodes& nodes_;
+  const InnerFaces& inner_;
+  Cells& cells_; // only the cells of faces change
+  Slab slab_;
+  std::vector<OpenCell> open_;
+  CellKey firstOfSlab_;
+  std::vector<CellKey> acting_;       // alive and free, as they were
+  std::vector<std::uint32_t> openOf_; // of cells of the slab's polyhedral boxes
+  std::unordered_map<CellKey, std::uint32_t> openOfOther_; // of others
+  std::array<std::uint32_t, 2> boxesOfSlab_;               // begin and end
+  std::array<std::uint32_t, 2> freeBoxes_;
+  std::vector<bool> isOpenHexahedron_; // of boxesOfSlab_
+  std::vector<Shaped> shaped_;
+  Sights sightsOfShaped_;
+  std::unordered_map<std::uint32_t, std::uint32_t> shapedAs_;         // of faces as they were
+  std::unordered_map<std::uint64_t, std::uint32_t> faceOfHexahedron_; // 6 * box + side
+  std::vector<Point> added_;                                          // nodes
+  std::map<Point, std::uint32_t> cutNodes_;
+  std::vector<VertexNode> vertices_;
+  std::unordered_map<std::uint64_t, std::uint32_t> nodeOfVertex_;
+  CellKey nextKey_;
+  std::uint32_t now_ = 0;
+  bool changed_ = false;
+  mutable Scratch scratch_; // one thread has a slab
+};
+
+// Writes back what the slabs of one stage changed: cells, nodes, and the sides' list of polyhedral
+// boxes. Numbers follow from the order of slabs, and in each from what happened there.
+void writeBack(CellsToShape& whole, const std::vector<std::unique_ptr<CellComplex>>& slabs,
+  Execution& execution);
+
+template <class Visitor>
+void CellComplex::forEachFace(CellKey key, Visitor&& visit) const
+{
+  if (const OpenCell* cell = opened(key))
+  {
+    std::for_each(cell->faces.begin(), cell->faces.end(), visit);
+    return;
+  }
+  for (std::size_t f = cells_.cells[key].firstFace; f < cells_.cells[key + 1].firstFace; ++f)
+  {
+    visit(useOf(cells_.faces[f]));
+  }
+}
+
+inline CellComplex::FaceNodes CellComplex::nodesOf(std::uint32_t face) const
+{
+  const auto nodes = [](const auto& start, const auto& corners, std::uint32_t f) {
+    return FaceNodes{ corners.data() + start[f], start[f + 1] - start[f] };
+  };
+  if (isPatch(face))
+  {
+    return nodes(patches_.start, patches_.corners, face);
+  }
+  if (isInner(face))
+  {
+    return nodes(inner_.start, inner_.nodes, face - firstInner());
+  }
+  if (!isShaped(face))
+  {
+    return nodes(cells_.shaped.start, cells_.shaped.nodes, face - firstGiven());
+  }
+  return { shaped(face).nodes.data(), shaped(face).nodes.size() };
+}
+
+// Counter-clockwise from outside the cell that uses the face.
+template <class Visitor>
+void CellComplex::forEachNodeOf(const FaceUse& use, Visitor&& visit) const
+{
+  const FaceNodes nodes = nodesOf(use.face);
+  for (std::size_t i = 0; i < nodes.size; ++i)
+  {
+    visit(nodes.first[use.turned ? nodes.size - 1 - i : i]);
+  }
+}
+
+}

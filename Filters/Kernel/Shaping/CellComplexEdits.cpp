@@ -1,0 +1,705 @@
+#include "Shaping/CellComplex.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+// --- cutting
+
+bool CellComplex::hasEdge(const FaceUse& use, std::uint32_t u, std::uint32_t v) const
+{
+  std::uint32_t first = None;
+  std::uint32_t before = None;
+  bool found = false;
+  const auto isEdge = [&](std::uint32_t p, std::uint32_t q) {
+    return (p == u && q == v) || (p == v && q == u);
+  };
+  forEachNodeOf(use, [&](std::uint32_t node) {
+    first = first == None ? node : first;
+    found = found || isEdge(before, node);
+    before = node;
+  });
+  return found || isEdge(before, first);
+}
+
+std::vector<CellKey> CellComplex::cellsAround(CellKey key, std::uint32_t u, std::uint32_t v)
+{
+  std::vector<CellKey> found{ key };
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    open(found[i]);
+    forEachFace(found[i], [&](const FaceUse& use) {
+      const CellKey other = hasEdge(use, u, v) ? across(use) : None;
+      if (other != None && std::find(found.begin(), found.end(), other) == found.end())
+      {
+        found.push_back(other);
+      }
+    });
+  }
+  return found;
+}
+
+std::vector<CellKey> CellComplex::touchedBy(CellKey key, const CellView& view, const CellCut& cut)
+{
+  std::vector<CellKey> touched{ key };
+  for (const CellCut::Point& point : cut.points)
+  {
+    const std::vector<CellKey> around =
+      cellsAround(key, view.nodes[point.low], view.nodes[point.high]);
+    touched.insert(touched.end(), around.begin(), around.end());
+  }
+  std::vector<int> pieces(view.faces.size());
+  for (const CellCut::Face& face : cut.faces)
+  {
+    if (face.source != CellCut::NoSource && ++pieces[face.source] > 1 &&
+      view.across[face.source] != None)
+    {
+      open(view.across[face.source]);
+      touched.push_back(view.across[face.source]);
+    }
+  }
+  std::sort(touched.begin() + 1, touched.end());
+  touched.erase(std::unique(touched.begin() + 1, touched.end()), touched.end());
+  touched.erase(std::remove(touched.begin() + 1, touched.end(), key), touched.end());
+  return touched;
+}
+
+// The number of the face, which becomes a shaped one where it is not yet.
+std::uint32_t CellComplex::own(std::uint32_t face, CellKey cell)
+{
+  if (isShaped(face))
+  {
+    return face;
+  }
+  FaceUse use;
+  use.face = face & MostFaces;
+  use.turned = 0;
+  Shaped copy;
+  forEachNodeOf(use, [&](std::uint32_t node) { copy.nodes.push_back(node); });
+  copy.cells = { cell, None };
+  copy.boundary = NoBoundary;
+  if (isPatch(face))
+  {
+    copy.boundary = patches_.boundary[face];
+  }
+  else if (!isInner(face))
+  {
+    copy.cells = cellsOf(face);
+    copy.boundary = cells_.shaped.boundary[face - firstGiven()];
+  }
+  else
+  {
+    copy.cells = cellsOf(face);
+    const Side& side = sides_.sides[whole_.sideOf[face - firstInner()]];
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      if (copy.cells[k] == None)
+      {
+        copy.boundary = boundaryBeyond(patches_, sides_, k == 0 ? side.low : side.high);
+      }
+    }
+  }
+  const std::uint32_t number = firstShaped() + static_cast<std::uint32_t>(shaped_.size());
+  for (const CellKey key : copy.cells)
+  {
+    if (key == None)
+    {
+      continue;
+    }
+    open(key);
+    OpenCell& owner = *opened(key);
+    if (key < cells_.size())
+    {
+      owner.change(now_);
+    }
+    for (FaceUse& other : owner.faces)
+    {
+      other.face = (other.face == face ? number : other.face) & MostFaces;
+    }
+  }
+  shaped_.push_back(std::move(copy));
+  shapedAs_[face] = number;
+  return number;
+}
+
+// The number that a face has got since a view was taken.
+std::uint32_t CellComplex::renamed(std::uint32_t face) const
+{
+  const auto found = shapedAs_.find(face);
+  return found == shapedAs_.end() ? face : found->second;
+}
+
+void CellComplex::insertNode(CellKey cell, std::uint32_t u, std::uint32_t v, std::uint32_t node)
+{
+  opened(cell)->change(now_);
+  const std::size_t count = opened(cell)->faces.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const FaceUse use = opened(cell)->faces[i];
+    if (!hasEdge(use, u, v))
+    {
+      continue;
+    }
+    std::vector<std::uint32_t>& nodes = shaped(own(use.face, cell)).nodes;
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+    {
+      const std::uint32_t p = nodes[k];
+      const std::uint32_t q = nodes[(k + 1) % nodes.size()];
+      if ((p == u && q == v) || (p == v && q == u))
+      {
+        nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(k) + 1, node);
+        ++k;
+      }
+    }
+  }
+}
+
+void CellComplex::setCell(const FaceUse& use, CellKey key)
+{
+  if (isShaped(use.face))
+  {
+    shaped(use.face).cells[use.turned] = key;
+  }
+  else if (isInner(use.face))
+  {
+    cells_.ofInnerFace[use.face - firstInner()][use.turned] = key;
+  }
+  else if (!isPatch(use.face))
+  {
+    cells_.shaped.cells[use.face - firstGiven()][use.turned] = key;
+  }
+}
+
+Point CellComplex::placeOfPoint(CellKey key, const CellCut::Point& point) const
+{
+  const Point origin = boxes_.lowOf(boxOf(key));
+  Point place;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    place[axis] = static_cast<Level>(
+      static_cast<std::int64_t>(origin[axis]) + static_cast<std::int64_t>(point.at[axis]));
+  }
+  return place;
+}
+
+bool CellComplex::allows(
+  const std::vector<CellKey>& touched, const CellView& view, const CellCut& cut) const
+{
+  const auto thin = [&](CellKey key) { return isThin(measured(key)); };
+  const auto free = [&](CellKey key) { return isFree(key); };
+  return std::all_of(touched.begin(), touched.end(), free) && !meetsNode(touched, view, cut) &&
+    std::none_of(touched.begin() + 1, touched.end(), thin);
+}
+
+bool CellComplex::meetsNode(
+  const std::vector<CellKey>& touched, const CellView& view, const CellCut& cut) const
+{
+  std::vector<Point> places;
+  for (const CellCut::Point& point : cut.points)
+  {
+    places.push_back(placeOfPoint(touched.front(), point));
+  }
+  std::sort(places.begin(), places.end());
+  bool found =
+    std::adjacent_find(places.begin(), places.end()) != places.end() || meetsFace(view, cut);
+  for (const CellKey key : touched)
+  {
+    forEachFace(key, [&](const FaceUse& use) {
+      forEachNodeOf(use, [&](std::uint32_t node) {
+        found = found || std::binary_search(places.begin(), places.end(), placeOf(node));
+      });
+      found = found || (key != touched.front() && losesStar(use, touched.front(), view, cut));
+    });
+  }
+  return found;
+}
+
+bool CellComplex::meetsFace(const CellView& view, const CellCut& cut) const
+{
+  std::vector<int> pieces(view.faces.size());
+  for (const CellCut::Face& face : cut.faces)
+  {
+    if (face.source != CellCut::NoSource)
+    {
+      ++pieces[face.source];
+    }
+  }
+  std::vector<std::uint32_t> piece;
+  std::vector<std::uint32_t> nodes;
+  const auto isThere = [&](const CellCut::Face& face) {
+    const bool whole = face.source == CellCut::NoSource || pieces[face.source] < 2 ||
+      view.across[face.source] == None;
+    const CellCut::Corners corners = cut.cornersOf(face);
+    if (whole || std::any_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
+          return corner >= view.nodes.size();
+        }))
+    {
+      return false;
+    }
+    piece.clear();
+    for (const std::uint32_t corner : corners)
+    {
+      piece.push_back(view.nodes[corner]);
+    }
+    std::sort(piece.begin(), piece.end());
+    bool found = false;
+    forEachFace(view.across[face.source], [&](const FaceUse& use) {
+      nodes.clear();
+      forEachNodeOf(use, [&](std::uint32_t node) { nodes.push_back(node); });
+      std::sort(nodes.begin(), nodes.end());
+      found = found || nodes == piece;
+    });
+    return found;
+  };
+  return std::any_of(cut.faces.begin(), cut.faces.end(), isThere);
+}
+
+// Whether the new points on its edges move the mean of a face's corners so that its star folds over.
+bool CellComplex::losesStar(
+  const FaceUse& use, CellKey key, const CellView& view, const CellCut& cut) const
+{
+  const auto isBetween = [&](const CellCut::Point& point, std::uint32_t from, std::uint32_t to) {
+    const std::uint32_t low = view.nodes[point.low];
+    const std::uint32_t high = view.nodes[point.high];
+    return (low == from && high == to) || (high == from && low == to);
+  };
+  const FaceNodes ring = nodesOf(use.face);
+  bool divided = false;
+  for (std::size_t i = 0; i < ring.size && !divided; ++i)
+  {
+    const std::uint32_t from = ring.first[i > 0 ? i - 1 : ring.size - 1];
+    divided = std::any_of(cut.points.begin(), cut.points.end(),
+      [&](const CellCut::Point& point) { return isBetween(point, from, ring.first[i]); });
+  }
+  if (!divided)
+  {
+    return false;
+  }
+  const Point origin = boxes_.lowOf(boxOf(key));
+  Polyhedron face;
+  const auto addCorner = [&](const Vector& at) {
+    face.addCorner(static_cast<std::uint32_t>(face.nodes.size()));
+    face.nodes.push_back(at);
+  };
+  for (std::size_t i = 0; i < ring.size; ++i)
+  {
+    const auto corner = [&](
+                          std::size_t k) { return ring.first[use.turned ? ring.size - 1 - k : k]; };
+    addCorner(minus(placeOf(corner(i)), origin));
+    for (const CellCut::Point& point : cut.points)
+    {
+      if (isBetween(point, corner(i), corner(i + 1 < ring.size ? i + 1 : 0)))
+      {
+        addCorner(point.at);
+      }
+    }
+  }
+  face.closeFace(false);
+  CellShape shape;
+  measure(face, shape);
+  return !isStar(face, 0, unit(shape.faces[0].area));
+}
+
+// Cells that touch in an edge only have the same points on it.
+std::uint32_t CellComplex::addNode(const Point& place)
+{
+  const auto given = std::lower_bound(nodes_.ofCuts.begin(), nodes_.ofCuts.end(), place,
+    [&](std::uint32_t node, const Point& p) { return nodes_.at[node] < p; });
+  if (given != nodes_.ofCuts.end() && nodes_.at[*given] == place)
+  {
+    return *given;
+  }
+  const auto [at, isNew] = cutNodes_.emplace(place, nextNode());
+  if (isNew)
+  {
+    added_.push_back(place);
+  }
+  return at->second;
+}
+
+void CellComplex::cut(
+  CellKey key, const CellView& view, const CellCut& cut, std::vector<CellKey>& parts)
+{
+  changed_ = true;
+  std::vector<std::uint32_t> nodes = view.nodes;
+  for (const CellCut::Point& point : cut.points)
+  {
+    nodes.push_back(addNode(placeOfPoint(key, point)));
+    const std::uint32_t u = view.nodes[point.low];
+    const std::uint32_t v = view.nodes[point.high];
+    for (const CellKey around : cellsAround(key, u, v))
+    {
+      insertNode(around, u, v, nodes.back());
+    }
+  }
+  std::vector<FaceUse> faces = view.faces;
+  for (FaceUse& use : faces)
+  {
+    use.face = renamed(use.face) & MostFaces;
+  }
+  std::vector<CellKey> keys{ key };
+  for (std::uint32_t part = 1; part < cut.parts; ++part)
+  {
+    OpenCell cell;
+    cell.box = opened(key)->box;
+    cell.origin = opened(key)->origin;
+    cell.boundary = opened(key)->boundary;
+    cell.reach = opened(key)->reach;
+    openOfOther_[nextKey_] = static_cast<std::uint32_t>(open_.size());
+    keys.push_back(nextKey_++);
+    open_.push_back(std::move(cell));
+  }
+  std::vector<std::uint32_t> pieces(faces.size());
+  for (const CellCut::Face& face : cut.faces)
+  {
+    if (face.source != CellCut::NoSource)
+    {
+      ++pieces[face.source];
+    }
+  }
+  std::vector<std::uint32_t> owned(
+    faces.size(), None); // of divided faces that have a piece already
+  opened(key)->faces.clear();
+  for (const CellCut::Face& face : cut.faces)
+  {
+    Shaped piece;
+    for (const std::uint32_t corner : cut.cornersOf(face))
+    {
+      piece.nodes.push_back(nodes[corner]);
+    }
+    if (face.source == CellCut::NoSource)
+    {
+      piece.cells = { keys[face.below], keys[face.above] };
+      piece.boundary = NoBoundary;
+      FaceUse use = addShaped(std::move(piece));
+      opened(keys[face.below])->faces.push_back(use);
+      use.turned = 1;
+      opened(keys[face.above])->faces.push_back(use);
+      continue;
+    }
+    FaceUse use = faces[face.source];
+    if (pieces[face.source] > 1)
+    {
+      if (use.turned)
+      {
+        std::reverse(piece.nodes.begin(), piece.nodes.end());
+      }
+      use = addPiece(use, key, std::move(piece), owned[face.source]);
+    }
+    setCell(use, keys[face.below]);
+    opened(keys[face.below])->faces.push_back(use);
+  }
+  for (const CellKey k : keys)
+  {
+    opened(k)->change(now_);
+    opened(k)->place = measuredPlace(k);
+  }
+  parts.insert(parts.end(), keys.begin(), keys.end());
+}
+
+FaceUse CellComplex::addShaped(Shaped face)
+{
+  FaceUse use;
+  use.face = (firstShaped() + static_cast<std::uint32_t>(shaped_.size())) & MostFaces;
+  use.turned = 0;
+  shaped_.push_back(std::move(face));
+  return use;
+}
+
+// A piece of a divided face: the first takes its place, the others are added to the cell beyond.
+FaceUse CellComplex::addPiece(FaceUse use, CellKey cell, Shaped piece, std::uint32_t& owned)
+{
+  if (owned == None)
+  {
+    owned = own(use.face, cell);
+    shaped(owned).nodes = std::move(piece.nodes);
+    use.face = owned & MostFaces;
+    return use;
+  }
+  piece.cells = shaped(owned).cells;
+  piece.boundary = shaped(owned).boundary;
+  const CellKey other = piece.cells[use.turned ? 0 : 1];
+  const bool turned = use.turned;
+  use = addShaped(std::move(piece));
+  if (other != None)
+  {
+    use.turned = turned ? 0 : 1;
+    opened(other)->faces.push_back(use);
+    opened(other)->change(now_);
+  }
+  use.turned = turned ? 1 : 0;
+  return use;
+}
+
+// --- joining
+
+// Boundary faces of two cells that lie back to back enclose nothing once the cells are one. `ofSmall`: from
+// there on, faces are the second cell's.
+void CellComplex::dropTwins(std::vector<FaceUse>& faces, std::size_t ofSmall)
+{
+  const auto nodesOf = [&](const FaceUse& use) {
+    std::vector<std::uint32_t> nodes;
+    forEachNodeOf(use, [&](std::uint32_t node) { nodes.push_back(node); });
+    std::sort(nodes.begin(), nodes.end());
+    return nodes;
+  };
+  std::map<std::vector<std::uint32_t>, std::size_t> mine;
+  std::vector<std::uint8_t> isTwin(faces.size());
+  for (std::size_t f = ofSmall; f < faces.size(); ++f)
+  {
+    if (across(faces[f]) == None)
+    {
+      mine.emplace(nodesOf(faces[f]), f);
+    }
+  }
+  for (std::size_t f = 0; f < ofSmall && !mine.empty(); ++f)
+  {
+    if (across(faces[f]) == None)
+    {
+      const auto twin = mine.find(nodesOf(faces[f]));
+      isTwin[f] = twin != mine.end() ? 1 : 0;
+      isTwin[twin != mine.end() ? twin->second : f] = isTwin[f];
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    if (isTwin[f] == 0)
+    {
+      faces[kept++] = faces[f];
+    }
+  }
+  faces.resize(kept);
+}
+
+void CellComplex::merge(CellKey small, CellKey into)
+{
+  changed_ = true;
+  open(small);
+  open(into);
+  reachAsFarAs(small, into);
+  OpenCell& from = *opened(small);
+  OpenCell& to = *opened(into);
+  const auto between = [&](const FaceUse& use, CellKey other) { return across(use) == other; };
+  std::vector<FaceUse> faces;
+  for (const FaceUse& use : to.faces)
+  {
+    if (!between(use, small))
+    {
+      faces.push_back(use);
+    }
+  }
+  const std::size_t ofSmall = faces.size();
+  for (const FaceUse& use : from.faces)
+  {
+    if (!between(use, into))
+    {
+      faces.push_back(use);
+    }
+  }
+  for (const FaceUse& use : from.faces)
+  {
+    setCell(use, into);
+  }
+  dropTwins(faces, ofSmall);
+  to.faces = std::move(faces);
+  to.change(now_);
+  from.faces.clear();
+  from.alive = false;
+  from.change(now_);
+  to.place = measuredPlace(into);
+}
+
+void CellComplex::reachAsFarAs(CellKey small, CellKey into)
+{
+  const Layers mine = layersOf(into);
+  const Layers other = layersOf(small);
+  std::array<std::uint8_t, 2>& reach = opened(into)->reach;
+  const std::uint32_t layer = mine.begin + reach[0];
+  reach[0] = static_cast<std::uint8_t>(layer - std::min(mine.begin, other.begin));
+  reach[1] = static_cast<std::uint8_t>(std::max(mine.end, other.end) - layer - 1);
+}
+
+bool CellComplex::hasFaceNear(CellKey key, std::vector<std::uint32_t> nodes) const
+{
+  std::sort(nodes.begin(), nodes.end());
+  std::vector<CellKey> near{ key };
+  const auto touches = [&](const FaceUse& use) {
+    bool any = false;
+    forEachNodeOf(use, [&](std::uint32_t node) {
+      any = any || std::binary_search(nodes.begin(), nodes.end(), node);
+    });
+    return any;
+  };
+  for (std::size_t ring = 0, begin = 0; ring < 2; ++ring)
+  {
+    const std::size_t end = near.size();
+    for (; begin < end; ++begin)
+    {
+      const bool free = isFree(near[begin]);
+      forEachFace(near[begin], [&](const FaceUse& use) {
+        const CellKey other = free || touches(use) ? across(use) : None;
+        if (other != None && hasFaces(other) &&
+          std::find(near.begin(), near.end(), other) == near.end())
+        {
+          near.push_back(other);
+        }
+      });
+    }
+  }
+  std::vector<std::uint32_t> face;
+  bool found = false;
+  for (std::size_t i = 1; i < near.size() && !found; ++i)
+  {
+    forEachFace(near[i], [&](const FaceUse& use) {
+      face.clear();
+      forEachNodeOf(use, [&](std::uint32_t node) { face.push_back(node); });
+      std::sort(face.begin(), face.end());
+      found = found || face == nodes;
+    });
+  }
+  return found;
+}
+
+bool CellComplex::hasFacesNear(CellKey key, const CellView& view, const JoinedFaces& joined) const
+{
+  return std::any_of(
+    joined.groups.begin(), joined.groups.end(), [&](const JoinedFaces::Group& group) {
+      if (group.members.size() < 2)
+      {
+        return false;
+      }
+      std::vector<std::uint32_t> nodes;
+      for (const std::uint32_t node : group.ring)
+      {
+        nodes.push_back(view.nodes[node]);
+      }
+      return hasFaceNear(key, std::move(nodes));
+    });
+}
+
+// A hexahedron next to it gets a boundary face, which only polyhedra have.
+void CellComplex::remove(CellKey key)
+{
+  changed_ = true;
+  const std::int32_t boundary = mainBoundary(key);
+  open(key);
+  const std::vector<FaceUse> faces = opened(key)->faces;
+  for (const FaceUse& use : faces)
+  {
+    const CellKey other = across(use);
+    if (other != None && other >= cells_.size() && isShaped(use.face))
+    {
+      open(other);
+      opened(other)->change(now_);
+    }
+    else if (OpenCell* neighbour = other == None ? nullptr : opened(other))
+    {
+      neighbour->fault = IsAtFault::Unknown;
+    }
+  }
+  opened(key)->boundary = boundary;
+  opened(key)->removed = true;
+  opened(key)->change(now_);
+}
+
+std::int32_t CellComplex::boundaryOf(std::uint32_t face) const
+{
+  if (isPatch(face))
+  {
+    return patches_.boundary[face];
+  }
+  if (isInner(face))
+  {
+    return NoBoundary;
+  }
+  return isShaped(face) ? shaped(face).boundary : cells_.shaped.boundary[face - firstGiven()];
+}
+
+std::int32_t CellComplex::boundaryOfCell(CellKey key) const
+{
+  const OpenCell* cell = opened(key);
+  return cell ? cell->boundary : cells_.cells[key].boundary;
+}
+
+bool CellComplex::isAtBoundary(CellKey key) const
+{
+  bool any = false;
+  forEachFace(key, [&](const FaceUse& use) {
+    const CellKey other = across(use);
+    any = any || other == None || !isAlive(other);
+  });
+  return any;
+}
+
+std::int32_t CellComplex::mainBoundary(CellKey key) const
+{
+  MeasuredCell cell;
+  lookAround(key, cell);
+  std::map<std::int32_t, double> areas;
+  std::size_t face = 0;
+  forEachFace(key, [&](const FaceUse& use) {
+    if (cell.across[face] == None)
+    {
+      const CellKey other = across(use);
+      areas[other == None ? boundaryOf(use.face) : boundaryOfCell(other)] +=
+        norm(cell.measures.faces[face].area);
+    }
+    ++face;
+  });
+  areas.erase(NoBoundary);
+  const auto most = std::max_element(
+    areas.begin(), areas.end(), [](const auto& x, const auto& y) { return x.second < y.second; });
+  return most == areas.end() ? boundaryOfCell(key) : most->first;
+}
+
+void CellComplex::removeFace(CellKey key, std::uint32_t face)
+{
+  std::vector<FaceUse>& faces = opened(key)->faces;
+  faces.erase(std::remove_if(
+                faces.begin(), faces.end(), [&](const FaceUse& use) { return use.face == face; }),
+    faces.end());
+  opened(key)->change(now_);
+}
+
+void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joined)
+{
+  for (const JoinedFaces::Group& group : joined.groups)
+  {
+    if (group.members.size() < 2)
+    {
+      continue;
+    }
+    changed_ = true;
+    const std::uint32_t first = group.members.front();
+    const FaceUse use = view.faces[first];
+    std::vector<std::uint32_t> nodes;
+    for (const std::uint32_t node : group.ring)
+    {
+      nodes.push_back(view.nodes[node]);
+    }
+    if (use.turned)
+    {
+      std::reverse(nodes.begin(), nodes.end());
+    }
+    shaped(own(renamed(use.face), key)).nodes = std::move(nodes);
+    opened(key)->change(now_);
+    for (std::size_t i = 1; i < group.members.size(); ++i)
+    {
+      const std::uint32_t gone = renamed(view.faces[group.members[i]].face);
+      removeFace(key, gone);
+      if (view.across[first] != None)
+      {
+        open(view.across[first]);
+        removeFace(view.across[first], gone);
+      }
+    }
+  }
+  if (opened(key))
+  {
+    opened(key)->place = measuredPlace(key);
+  }
+}
+
+}

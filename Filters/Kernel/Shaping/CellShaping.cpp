@@ -1,0 +1,221 @@
+#include "Shaping/CellShaping.h"
+
+#include "Shaping/CellCarving.h"
+#include "Shaping/CellSplitting.h"
+#include "Shaping/FaceMending.h"
+#include "Shaping/RefusedCells.h"
+#include "Shaping/SmallCells.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// Those at the boundary below a part of their box: R of their boundary, but not more than `most`.
+// Elsewhere they would leave a hole.
+void removeSmallCells(CellComplex& complex, const CellSpec& spec, double most)
+{
+  for (const CellKey key : complex.polyhedra())
+  {
+    const double share = complex.share(key);
+    if (share < most && share < ratioOf(spec, complex.boundaryOfCell(key), spec.smallCellRatio) &&
+      complex.isAtBoundary(key))
+    {
+      complex.remove(key);
+    }
+  }
+}
+
+// What is done to the cells of one slab.
+class Shaper
+{
+public:
+  Shaper(CellComplex& complex, const CellSpec& spec, bool exact, Execution& execution)
+    : complex_(complex)
+    , spec_(spec)
+    , exact_(exact)
+    , execution_(execution)
+    , mender_(complex)
+  {
+  }
+
+  Shaping run()
+  {
+    removeSmall(Sliver);
+    merge(false);
+    for (int pass = 0; spec_.splitConcave && pass < Passes; ++pass)
+    {
+      joinFlatFaces();
+      split();
+      merge(true);
+      mend();
+    }
+    removeSmall(1);
+    if (spec_.splitConcave && spec_.refusedCellRatio > 0 && !exact_)
+    {
+      removeRefused();
+    }
+    return shaping_;
+  }
+
+private:
+  // What cannot be merged is small beyond use.
+  void removeSmall(double most)
+  {
+    if (spec_.smallCells == SmallCells::Merge && !exact_)
+    {
+      removeSmallCells(complex_, spec_, most);
+    }
+  }
+
+  // The smallest first, as a removal may be enough for the neighbours. What it exposes can be mended;
+  // what is too large to go can lose a part.
+  void removeRefused()
+  {
+    RefusedCells refused(complex_, spec_, execution_);
+    std::uint32_t looked = 0;
+    for (std::size_t pass = 0; pass < LargestShares.size(); ++pass)
+    {
+      mend();
+      shaping_.partsCarved +=
+        carveCells(complex_, complex_.polyhedraAtFault(), MostCarved, execution_);
+      mend();
+      removeSmall(1);
+      // Only a look at all cells finds skewed inner faces: once, and in the end at what has changed.
+      std::vector<CellKey> keys;
+      if (pass == 0)
+      {
+        complex_.lookAtChanged();
+        keys = complex_.polyhedra();
+        looked = complex_.mark();
+      }
+      else
+      {
+        const bool last = pass + 1 == LargestShares.size();
+        keys = last ? complex_.polyhedraChangedSince(looked) : complex_.polyhedraAtFault();
+      }
+      shaping_.refusedCellsRemoved +=
+        refused.remove(keys, LargestShares[pass] * spec_.refusedCellRatio);
+    }
+  }
+
+  void merge(bool mend)
+  {
+    if (spec_.smallCells == SmallCells::Merge)
+    {
+      shaping_.cellsMerged +=
+        mergeSmallCells(complex_, spec_.mergeRatio, mend, OnOnePlane, merges_, execution_);
+    }
+  }
+
+  void joinFlatFaces()
+  {
+    const double leastCosine =
+      exact_ ? OnOnePlane : std::cos(spec_.joinAngle * (3.14159265358979 / 180));
+    for (const CellKey key : complex_.polyhedraAtFault())
+    {
+      execution_.poll();
+      mender_.joinFaces(key, leastCosine);
+    }
+  }
+
+  void split()
+  {
+    const double least = spec_.smallCells == SmallCells::Remove ? spec_.smallCellRatio : 0;
+    shaping_.cellsSplit +=
+      splitCells(complex_, complex_.polyhedraAtFault(), least, execution_).cellsSplit;
+  }
+
+  void mend()
+  {
+    for (const CellKey key : exact_ ? std::vector<CellKey>{} : complex_.polyhedraAtFault())
+    {
+      execution_.poll();
+      shaping_.cellsMended += mender_.mend(key) ? complex_.counts(key) : 0;
+    }
+  }
+
+  // What one pass has left the second mends in part; a third finds hardly anything.
+  static constexpr int Passes = 2;
+  static constexpr double OnOnePlane = 1;
+
+  // Cells below this part of their box are a wall next to a meshline: merged, they would stick out of
+  // their neighbour.
+  static constexpr double Sliver = 1e-4;
+
+  static constexpr std::array<double, 4> LargestShares{ 0.025, 0.25, 1, 1 };
+
+  // A carved cell loses no more than this part of its box.
+  static constexpr double MostCarved = 0.5;
+
+  CellComplex& complex_;
+  const CellSpec& spec_;
+  bool exact_;
+  Execution& execution_;
+  FaceMender mender_;
+  MergesTried merges_;
+  Shaping shaping_;
+};
+
+}
+
+Shaping& Shaping::operator+=(const Shaping& other)
+{
+  cellsSplit += other.cellsSplit;
+  cellsMerged += other.cellsMerged;
+  cellsMended += other.cellsMended;
+  partsCarved += other.partsCarved;
+  refusedCellsRemoved += other.refusedCellsRemoved;
+  return *this;
+}
+
+bool shapesCells(const CellSpec& spec)
+{
+  return spec.smallCells == SmallCells::Merge || spec.splitConcave;
+}
+
+Reach reachOf(const CellSpec& spec)
+{
+  return { spec.collapseRatio > 0, shapesCells(spec) };
+}
+
+Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
+  const InnerFaces& inner, Cells& cells, const CellSpec& spec, Execution& execution)
+{
+  const bool exact = isExact(patches);
+  const std::uint32_t all = boxes.allLayers().end;
+  const auto stages = slabsFor(boxes.core.grown(HaloOfShapedCells, all), all);
+  CellsToShape whole(boxes, patches, sides, nodes, inner, cells);
+  Shaping sum;
+  for (std::size_t stage = 0; stage < stages.size(); ++stage)
+  {
+    const std::vector<Slab>& slabs = stages[stage];
+    if (slabs.empty())
+    {
+      continue;
+    }
+    const double left = static_cast<double>(stages.size() - stage);
+    execution.nextLoop(0.02);
+    whole.measure({ slabs.front().layers.begin, slabs.back().layers.end }, execution);
+    std::vector<std::unique_ptr<CellComplex>> complexes(slabs.size());
+    std::vector<Shaping> shapings(slabs.size());
+    execution.nextLoop(0.9 / left);
+    execution.forEach(slabs.size(), 1, [&](std::size_t s, std::size_t) {
+      Execution alone = execution.alone();
+      complexes[s] = std::make_unique<CellComplex>(whole, slabs[s]);
+      shapings[s] = Shaper(*complexes[s], spec, exact, alone).run();
+    });
+    for (const Shaping& shaping : shapings)
+    {
+      sum += shaping;
+    }
+    writeBack(whole, complexes, execution);
+  }
+  return sum;
+}
+
+}

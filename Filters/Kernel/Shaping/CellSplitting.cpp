@@ -1,0 +1,182 @@
+#include "Shaping/CellSplitting.h"
+
+#include "Shaping/CutSearch.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// A part smaller than this part of the cell is no use.
+constexpr double LeastPart = 1e-3;
+
+// Ends a search that never came to rest; a cell is cut some ten times at most.
+constexpr int MostRounds = 100;
+
+// The parts' fitness, or nothing where one is smaller than `least`.
+std::optional<Fitness> fitnessAfter(const CellView& view, const CellCut& cut, double least)
+{
+  std::vector<Polyhedron> parts;
+  parts.reserve(cut.parts);
+  std::vector<CellShape> shapes(cut.parts);
+  for (std::uint32_t p = 0; p < cut.parts; ++p)
+  {
+    parts.push_back(partOf(view.shape, cut, p));
+    measure(parts[p], shapes[p]);
+    if (!(shapes[p].volume > least))
+    {
+      return {};
+    }
+  }
+  Fitness sum;
+  std::vector<Beyond> beyond;
+  std::vector<std::uint8_t> counts;
+  beyond.reserve(cut.faces.size());
+  counts.reserve(cut.faces.size());
+  for (std::uint32_t p = 0; p < cut.parts; ++p)
+  {
+    beyond.clear();
+    counts.clear();
+    for (const CellCut::Face& face : cut.faces) // in the order of partOf
+    {
+      const bool inner = face.source == CellCut::NoSource;
+      if (face.below == p || (inner && face.above == p))
+      {
+        const CellShape& other = shapes[face.below == p ? face.above : face.below];
+        beyond.push_back(inner ? Beyond{ other.centre, other.volume } : view.beyond[face.source]);
+        counts.push_back(face.below == p ? 1 : 0);
+      }
+    }
+    sum += fitnessOf(parts[p], shapes[p], beyond, counts);
+  }
+  return sum;
+}
+
+// The fittest last.
+std::vector<CellCut> findCuts(
+  const CellComplex& cells, double leastFraction, CellKey key, CellView& view)
+{
+  cells.view({ key }, view);
+  cells.lookBeyond(key, view);
+  CellShape shape;
+  measure(view.shape, shape);
+  const Fitness before = fitnessOf(view.shape, shape, view.beyond);
+  const double least = std::max(LeastPart * shape.volume, leastFraction * cells.volumeOfBox(key));
+  FoundCuts found = searchCuts(
+    view, shape, before, [&](const CellCut& cut) { return fitnessAfter(view, cut, least); });
+  // Without concave edges nothing of the boundary fails.
+  if (found.helpful.empty() && found.harmless && before.faults[Fitness::BoundaryAngle] > 0)
+  {
+    found.helpful.push_back(std::move(*found.harmless));
+  }
+  return std::move(found.helpful);
+}
+
+bool fails(const CellComplex& cells, CellKey key)
+{
+  return cells.isAlive(key) && cells.isAtFault(key);
+}
+
+class Splitter
+{
+public:
+  Splitter(CellComplex& cells, double leastFraction, Execution& execution)
+    : cells_(cells)
+    , leastFraction_(leastFraction)
+    , execution_(execution)
+  {
+  }
+
+  Splitting run(std::vector<CellKey> failing)
+  {
+    for (int round = 0; !failing.empty() && round < MostRounds; ++round)
+    {
+      next_.clear();
+      for (const CellKey key : worstFirst(failing))
+      {
+        execution_.poll();
+        if (fails(cells_, key))
+        {
+          split(key);
+        }
+      }
+      failing.clear();
+      for (const CellKey key : next_)
+      {
+        failed_.erase(key);
+        if (fails(cells_, key))
+        {
+          failing.push_back(key);
+        }
+      }
+    }
+    failed_.insert(failing.begin(), failing.end());
+    result_.failed.assign(failed_.begin(), failed_.end());
+    return result_;
+  }
+
+private:
+  std::vector<CellKey> worstFirst(const std::vector<CellKey>& failing) const
+  {
+    std::vector<std::pair<float, CellKey>> order; // equal but for rounding is equal
+    MeasuredCell cell;
+    for (const CellKey key : failing)
+    {
+      cells_.lookAround(key, cell);
+      const double area = fitnessOf(cell.shape, cell.measures, cell.beyond).area;
+      order.emplace_back(-static_cast<float>(area), key);
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<CellKey> keys;
+    for (const auto& [area, key] : order)
+    {
+      keys.push_back(key);
+    }
+    return keys;
+  }
+
+  // By the fittest cut that spoils no cell beyond.
+  void split(CellKey key)
+  {
+    CellView view;
+    const std::vector<CellCut> cuts = findCuts(cells_, leastFraction_, key, view);
+    cells_.open(key);
+    for (auto cut = cuts.rbegin(); cut != cuts.rend(); ++cut)
+    {
+      const std::vector<CellKey> touched = cells_.touchedBy(key, view, *cut);
+      if (cells_.allows(touched, view, *cut))
+      {
+        next_.insert(touched.begin(), touched.end());
+        std::vector<CellKey> parts;
+        cells_.cut(key, view, *cut, parts);
+        next_.insert(parts.begin(), parts.end());
+        result_.cellsSplit += cells_.counts(key);
+        return;
+      }
+    }
+    failed_.insert(key);
+  }
+
+  CellComplex& cells_;
+  double leastFraction_;
+  Execution& execution_;
+  Splitting result_;
+  std::set<CellKey> failed_;
+  std::set<CellKey> next_; // to be looked at in the next round
+};
+
+}
+
+Splitting splitCells(
+  CellComplex& cells, std::vector<CellKey> failing, double leastFraction, Execution& execution)
+{
+  return Splitter(cells, leastFraction, execution).run(std::move(failing));
+}
+
+}

@@ -1,0 +1,52 @@
+// One cell, or several as one, taken out of the whole to be looked at and tried on.
+#pragma once
+
+#include "Polyhedra/CellFitness.h"
+
+namespace cartesian
+{
+
+// A cell of a polyhedral box; or (number of those) + box: a hexahedron; or beyond: made by a cut.
+using CellKey = std::uint32_t;
+
+struct FaceUse
+{
+  std::uint32_t face : 31; // patches, then inner faces, then shaped ones
+  std::uint32_t turned : 1;
+};
+
+// `nodes`, `faces` and `across` lead back to the whole.
+struct CellView
+{
+  Polyhedron shape;
+  std::vector<std::uint32_t> nodes; // of each of the shape's nodes
+
+  // Of each of the shape's faces:
+  std::vector<FaceUse> faces;
+  std::vector<CellKey> across;        // the cell beyond, or None
+  std::vector<std::int32_t> boundary; // that it belongs to, where nothing is beyond
+  std::vector<std::uint8_t> fixed;    // 1: a cell is beyond that must not change
+  std::vector<Beyond> beyond;         // filled by CellComplex::lookBeyond
+
+  void reserve(std::size_t ofFaces, std::size_t ofCorners)
+  {
+    shape.reserve(0, ofFaces, ofCorners);
+    faces.reserve(ofFaces);
+    across.reserve(ofFaces);
+    boundary.reserve(ofFaces);
+    fixed.reserve(ofFaces);
+  }
+
+  void clear()
+  {
+    shape.clear();
+    nodes.clear();
+    faces.clear();
+    across.clear();
+    boundary.clear();
+    fixed.clear();
+    beyond.clear();
+  }
+};
+
+}

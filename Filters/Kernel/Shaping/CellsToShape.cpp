@@ -1,0 +1,111 @@
+#include "Shaping/CellsToShape.h"
+
+#include "Shaping/CellComplex.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t CellsAChunk = 512;
+
+}
+
+void KnownCells::reserve(std::size_t cells)
+{
+  atFault.reserve(cells);
+  isPlain.reserve(cells);
+  places.reserve(cells);
+  shares.reserve(cells);
+}
+
+void KnownCells::resize(std::size_t cells)
+{
+  atFault.resize(cells, IsAtFault::Unknown);
+  isPlain.resize(cells);
+  places.resize(cells);
+  shares.resize(cells);
+}
+
+void KnownCells::append(const KnownCells& others, std::size_t begin, std::size_t end)
+{
+  const auto add = [&](auto& mine, const auto& theirs) {
+    mine.insert(mine.end(), theirs.begin() + static_cast<std::ptrdiff_t>(begin),
+      theirs.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  add(atFault, others.atFault);
+  add(isPlain, others.isPlain);
+  add(places, others.places);
+  add(shares, others.shares);
+}
+
+CellsToShape::CellsToShape(
+  const Boxes& b, const Patches& p, Sides& s, Nodes& n, const InnerFaces& i, Cells& c)
+  : boxes(b)
+  , patches(p)
+  , sides(s)
+  , nodes(n)
+  , inner(i)
+  , cells(c)
+  , sideOf(i.size())
+{
+  for (std::size_t side = 0; side + 1 < inner.sideStart.size(); ++side)
+  {
+    std::fill(sideOf.begin() + static_cast<std::ptrdiff_t>(inner.sideStart[side]),
+      sideOf.begin() + static_cast<std::ptrdiff_t>(inner.sideStart[side + 1]),
+      static_cast<std::uint32_t>(side));
+  }
+}
+
+std::array<CellKey, 2> CellsToShape::cellsIn(Layers layers) const
+{
+  const auto firstOf = [&](std::uint32_t layer) {
+    const auto& polyhedral = sides.polyhedral;
+    const auto at = std::lower_bound(polyhedral.begin(), polyhedral.end(), boxes.firstBoxOf(layer));
+    return static_cast<CellKey>(cells.boxStart[static_cast<std::size_t>(at - polyhedral.begin())]);
+  };
+  return { firstOf(layers.begin), firstOf(layers.end) };
+}
+
+void CellsToShape::measure(Layers layers, Execution& execution)
+{
+  for (const ShapedFaces::HexahedronSide& side : cells.shaped.ofHexahedra)
+  {
+    for (std::uint32_t& cell : cells.shaped.cells[side.face])
+    {
+      cell =
+        cell == ShapedFaces::SomeHexahedron ? static_cast<CellKey>(cells.size() + side.box) : cell;
+    }
+  }
+  known.resize(cells.size());
+  sights.resize(inner.size() + cells.shaped.size());
+  const CellComplex complex(*this, {});
+  Sights none; // slabs make faces later
+  const std::array<CellKey, 2> range = cellsIn(layers);
+  const CellKey first = range[0]; // clang takes no structured bindings into lambdas
+  execution.forEach(range[1] - first, CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    Polyhedron polyhedron;
+    CellShape measures;
+    for (std::size_t c = first + begin; c < first + end; ++c)
+    {
+      if (known.atFault[c] != IsAtFault::Unknown)
+      {
+        continue;
+      }
+      const auto key = static_cast<CellKey>(c);
+      complex.shape(key, polyhedron);
+      cartesian::measure(polyhedron, measures);
+      known.places[c] = { measures.centre, measures.volume };
+      known.shares[c] = measures.volume / complex.volumeOfBox(key);
+      const bool atFault = isAnyAtFault(polyhedron, measures);
+      known.atFault[c] = atFault ? IsAtFault::Yes : IsAtFault::No;
+      known.isPlain[c] = !atFault && isPlain(polyhedron, measures) ? 1 : 0;
+      complex.noteSights(key, measures, sights, none);
+    }
+  });
+}
+
+}

@@ -1,0 +1,59 @@
+// What the slabs of one stage of shaping have in common (CellShaping.h), and what is known of all cells
+// before any changes: most never do, and are measured once.
+#pragma once
+
+#include "Cells/Boundary.h"
+#include "Parts/Slabs.h"
+#include "Shaping/CellView.h"
+
+namespace cartesian
+{
+
+enum class IsAtFault : std::uint8_t
+{
+  Unknown,
+  No,
+  Yes
+};
+
+// What is known of each cell, as it was.
+struct KnownCells
+{
+  std::vector<IsAtFault> atFault;    // Unknown: so is the rest
+  std::vector<std::uint8_t> isPlain; // as isPlain (CellFitness.h)
+  std::vector<Beyond> places;        // from the lower corner of its box
+  std::vector<double> shares;        // of its box's volume
+
+  void reserve(std::size_t cells);
+  void resize(std::size_t cells);
+  void append(const KnownCells& others, std::size_t begin, std::size_t end);
+};
+
+// Of inner, then shaped faces, from the cells below and above.
+using Sights = std::vector<std::array<FaceSight, 2>>;
+
+// What the slabs of one stage have in common.
+struct CellsToShape
+{
+  CellsToShape(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
+    const InnerFaces& inner, Cells& cells);
+
+  const Boxes& boxes;
+  const Patches& patches;
+  Sides& sides;
+  Nodes& nodes;
+  const InnerFaces& inner;
+  Cells& cells;
+
+  std::vector<std::uint32_t> sideOf; // of each inner face
+  KnownCells known;                  // of polyhedral boxes, as they were
+  Sights sights;                     // likewise; those of hexahedra too
+
+  // Fills what is not known of the cells in these layers, before any slab changes.
+  void measure(Layers layers, Execution& execution);
+
+  // The cells of polyhedral boxes in these layers: begin and end.
+  std::array<CellKey, 2> cellsIn(Layers layers) const;
+};
+
+}

@@ -1,0 +1,260 @@
+#include "Shaping/CutSearch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// A cell tries as many cuts for a start, the worst concave edges first.
+constexpr std::size_t MostCandidates = 8;
+
+// Cells of more faces stay whole: the time to look for a cut grows with the square of their number.
+constexpr std::size_t MostFaces = 1000;
+
+// Edges bent by less than this (as a sine) are flat.
+constexpr double LeastBend = 1e-3;
+
+// An edge bent by more (in radians) is worth a cut that helps nothing by itself.
+constexpr double LeastWorthyBend = 0.1;
+
+// Concave edges belong to one feature where they run within 45 degrees of each other.
+constexpr double ContinuesCosine = 0.707;
+
+struct ConcaveEdge
+{
+  std::uint32_t from;
+  std::uint32_t to;
+  std::array<std::uint32_t, 2> faces;
+  double bend;    // the interior angle beyond 180 degrees, in radians
+  Vector along;   // of length 1
+  Vector inwards; // halves the interior angle; of length 1
+  double length;
+  bool failing; // one of its faces fails its condition
+};
+
+std::vector<ConcaveEdge> concaveEdges(const Polyhedron& cell, const CellShape& shape)
+{
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> faceOf; // by directed edge
+  for (std::uint32_t f = 0; f < cell.faces(); ++f)
+  {
+    for (std::uint32_t i = cell.start[f]; i < cell.start[f + 1]; ++i)
+    {
+      const std::uint32_t next = i + 1 < cell.start[f + 1] ? i + 1 : cell.start[f];
+      faceOf[{ cell.corners[i], cell.corners[next] }] = f;
+    }
+  }
+  std::vector<ConcaveEdge> edges;
+  for (const auto& [edge, f] : faceOf)
+  {
+    const auto other = faceOf.find({ edge.second, edge.first });
+    if (edge.first > edge.second || other == faceOf.end())
+    {
+      continue;
+    }
+    const Vector n1 = unit(shape.faces[f].area);
+    const Vector n2 = unit(shape.faces[other->second].area);
+    const Vector whole = minus(cell.nodes[edge.second], cell.nodes[edge.first]);
+    const Vector along = unit(whole);
+    const double sine = dot(cross(n1, n2), along);
+    const double cosine = dot(n1, n2);
+    if (sine > -LeastBend && !(cosine < 0 && sine < LeastBend))
+    {
+      continue;
+    }
+    ConcaveEdge e;
+    e.from = edge.first;
+    e.to = edge.second;
+    e.faces = { f, other->second };
+    e.bend = -std::atan2(sine, cosine);
+    e.bend += e.bend < 0 ? 2 * 3.14159265358979 : 0;
+    e.along = along;
+    // Both the sum of the normals and that of the ways into the faces point out of the cell.
+    const Vector ways = plus(cross(n1, along), cross(along, n2));
+    e.inwards = unit(scaled(plus(plus(n1, n2), ways), -1));
+    e.length = norm(whole);
+    e.failing = isAtFault(cell, shape, f) || isAtFault(cell, shape, other->second);
+    edges.push_back(e);
+  }
+  std::sort(edges.begin(), edges.end(), [](const ConcaveEdge& x, const ConcaveEdge& y) {
+    const auto a = static_cast<float>(x.bend); // equal but for rounding is equal
+    const auto b = static_cast<float>(y.bend);
+    return a != b ? a > b : std::make_pair(x.from, x.to) < std::make_pair(y.from, y.to);
+  });
+  return edges;
+}
+
+// The plane through the edge that halves the angle, averaged over the concave edges that continue it
+// at both ends (equation 6).
+CutPlane planeThrough(
+  const ConcaveEdge& worst, const std::vector<ConcaveEdge>& edges, const Polyhedron& cell)
+{
+  Vector inwards = scaled(worst.inwards, worst.length);
+  std::set<std::uint32_t> nodes{ worst.from, worst.to };
+  for (bool grown = true; grown;)
+  {
+    grown = false;
+    for (const ConcaveEdge& e : edges)
+    {
+      const bool continues = (nodes.count(e.from) + nodes.count(e.to)) == 1;
+      if (continues && std::abs(dot(e.along, worst.along)) > ContinuesCosine)
+      {
+        inwards = plus(inwards, scaled(e.inwards, e.length));
+        nodes.insert(e.from);
+        nodes.insert(e.to);
+        grown = true;
+      }
+    }
+  }
+  CutPlane plane;
+  plane.at = cell.nodes[worst.from];
+  plane.normal = unit(cross(worst.along, inwards));
+  plane.through = { worst.from, worst.to };
+  return plane;
+}
+
+// The cuts of one cell that are tried, and the best of them.
+class Search
+{
+public:
+  Search(const CellView& view, const CellShape& shape, const Fitness& before, const Judge& judge)
+    : cell_(view.shape)
+    , shape_(shape)
+    , judge_(judge)
+    , before_(before)
+    , best_(before)
+    , edges_(concaveEdges(view.shape, shape))
+  {
+  }
+
+  FoundCuts run()
+  {
+    const std::vector<std::size_t> candidates = this->candidates();
+    for (const std::size_t i : candidates)
+    {
+      attempt(planeThrough(edges_[i], edges_, cell_), edges_[i].bend > LeastWorthyBend);
+    }
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      for (const std::size_t i : candidates)
+      {
+        if (found_.helpful.empty())
+        {
+          attempt(planeOf(edges_[i], k), false);
+        }
+      }
+    }
+    if (found_.helpful.empty())
+    {
+      halve();
+    }
+    return std::move(found_);
+  }
+
+private:
+  // Across the centre, or half-way to a face at fault, which is nearer to the centre of its part then.
+  void halve()
+  {
+    bool any = false;
+    for (std::size_t face = 0; face < cell_.faces(); ++face)
+    {
+      if (!isAtFault(cell_, shape_, face))
+      {
+        continue;
+      }
+      if (!any)
+      {
+        halveAt(shape_.centre);
+      }
+      any = true;
+      halveAt(plus(shape_.centre, scaled(minus(shape_.faces[face].centre, shape_.centre), 0.5)));
+    }
+  }
+
+  void halveAt(const Vector& at)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      CutPlane plane;
+      plane.at = at;
+      plane.normal = { 0, 0, 0 };
+      plane.normal[axis] = 1;
+      attempt(plane, false);
+    }
+  }
+
+  // The worst edges, and those of faces that fail.
+  std::vector<std::size_t> candidates() const
+  {
+    std::vector<std::size_t> result;
+    std::size_t ofFailing = 0;
+    for (std::size_t i = 0; i < edges_.size(); ++i)
+    {
+      const bool more = edges_[i].failing && ofFailing < MostCandidates;
+      if (i < MostCandidates || more)
+      {
+        result.push_back(i);
+      }
+      ofFailing += i >= MostCandidates && more ? 1 : 0;
+    }
+    return result;
+  }
+
+  // The plane of one of the edge's faces.
+  CutPlane planeOf(const ConcaveEdge& edge, std::size_t face) const
+  {
+    CutPlane plane;
+    plane.at = cell_.nodes[edge.from];
+    plane.normal = unit(shape_.faces[edge.faces[face]].area);
+    plane.through = { edge.from, edge.to };
+    return plane;
+  }
+
+  void attempt(const CutPlane& plane, bool worthy)
+  {
+    if (best_.count() == 0 || !cutCell(cell_, plane, trial_))
+    {
+      return;
+    }
+    const std::optional<Fitness> after = judge_(trial_);
+    if (after && after->weight() < best_.weight())
+    {
+      best_ = *after;
+      found_.helpful.push_back(std::move(trial_));
+      trial_ = {};
+    }
+    else if (after && worthy && !found_.harmless && after->weight() <= before_.weight())
+    {
+      found_.harmless = std::move(trial_);
+      trial_ = {};
+    }
+  }
+
+  const Polyhedron& cell_;
+  const CellShape& shape_;
+  const Judge& judge_;
+  Fitness before_;
+  Fitness best_;
+  std::vector<ConcaveEdge> edges_;
+  FoundCuts found_;
+  CellCut trial_;
+};
+
+}
+
+FoundCuts searchCuts(
+  const CellView& view, const CellShape& shape, const Fitness& before, const Judge& judge)
+{
+  if (view.shape.faces() > MostFaces)
+  {
+    return {};
+  }
+  return Search(view, shape, before, judge).run();
+}
+
+}

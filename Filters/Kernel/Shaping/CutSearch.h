@@ -1,0 +1,27 @@
+// Where a cell is cut (section 4.11): along concave edges, the worst first.
+#pragma once
+
+#include "Polyhedra/PolyhedronCut.h"
+#include "Shaping/CellView.h"
+
+#include <functional>
+#include <optional>
+
+namespace cartesian
+{
+
+// What would be at fault after a cut, or nothing where it must not be made.
+using Judge = std::function<std::optional<Fitness>(const CellCut&)>;
+
+struct FoundCuts
+{
+  std::vector<CellCut> helpful; // the fittest last
+  // Where there is none, one along the worst concave edge that does no harm.
+  std::optional<CellCut> harmless;
+};
+
+// `before`: of the cell as it is.
+FoundCuts searchCuts(
+  const CellView& view, const CellShape& shape, const Fitness& before, const Judge& judge);
+
+}

@@ -1,0 +1,362 @@
+#include "Shaping/FaceJoining.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::uint32_t None = ~std::uint32_t(0);
+
+// Two polygons that share a chain of edges as one, or nothing where they share several or meet
+// elsewhere too.
+std::vector<std::uint32_t> joinRings(
+  std::vector<std::uint32_t> first, std::vector<std::uint32_t> second)
+{
+  const auto follows = [](const std::vector<std::uint32_t>& ring, std::size_t i, std::uint32_t from,
+                         std::uint32_t to) {
+    return ring[i] == from && ring[(i + 1) % ring.size()] == to;
+  };
+  const auto isShared = [&](std::size_t i) {
+    const std::uint32_t from = first[i];
+    const std::uint32_t to = first[(i + 1) % first.size()];
+    for (std::size_t k = 0; k < second.size(); ++k)
+    {
+      if (follows(second, k, to, from))
+      {
+        return true;
+      }
+    }
+    return false;
+  };
+  // Where the chain begins in the first: what follows it is not shared.
+  std::size_t begin = first.size();
+  std::size_t chain = 0;
+  for (std::size_t i = 0; i < first.size(); ++i)
+  {
+    chain += isShared(i) ? 1 : 0;
+    if (isShared(i) && !isShared((i + first.size() - 1) % first.size()))
+    {
+      if (begin != first.size())
+      {
+        return {};
+      }
+      begin = i;
+    }
+  }
+  if (begin == first.size() || chain + 1 >= first.size() + second.size() - chain)
+  {
+    return {};
+  }
+  std::rotate(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(begin), first.end());
+  const std::uint32_t start = first.front();
+  const auto at = std::find(second.begin(), second.end(), start);
+  std::rotate(second.begin(), at, second.end());
+  // first: start ... end, rest; second, the other way along the chain: start, rest ... end ...
+  std::vector<std::uint32_t> joined(
+    first.begin() + static_cast<std::ptrdiff_t>(chain), first.end());
+  joined.insert(joined.end(), second.begin(), second.end() - static_cast<std::ptrdiff_t>(chain));
+  std::vector<std::uint32_t> sorted = joined;
+  std::sort(sorted.begin(), sorted.end());
+  const bool twice = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+  return twice ? std::vector<std::uint32_t>{} : joined;
+}
+
+// Points on one plane are rounded to whole levels.
+constexpr double RoundingLevels = 2;
+
+// ... so that each is this near to the plane through its own centre: others need no closer look.
+constexpr double NearLevels = 3 * RoundingLevels;
+
+// Whether the last face can stand for the two before it: it has a star triangulation, and the normals
+// are close; `flat`: all lies on one plane.
+bool fitsTogether(const Polyhedron& faces, double leastCosine, bool flat)
+{
+  CellShape shape;
+  measure(faces, shape);
+  const Vector normal = unit(shape.faces[2].area);
+  for (std::size_t f = 0; f < 2; ++f)
+  {
+    const double cosine = dot(unit(shape.faces[f].area), normal);
+    if (flat ? cosine <= 0 : cosine < leastCosine)
+    {
+      return false;
+    }
+  }
+  if (!flat && dot(unit(shape.faces[0].area), unit(shape.faces[1].area)) < leastCosine)
+  {
+    return false;
+  }
+  return (!flat || isFlat(faces, shape, 2, RoundingLevels)) && isStar(faces, 2, normal);
+}
+
+void addRing(const std::vector<std::uint32_t>& ring, Polyhedron& shape)
+{
+  shape.corners.insert(shape.corners.end(), ring.begin(), ring.end());
+  shape.closeFace(false);
+}
+
+class Joiner
+{
+public:
+  Joiner(const CellView& view, const CellShape& shape, double leastCosine)
+    : view_(view)
+    , shape_(shape)
+    , leastCosine_(leastCosine)
+  {
+  }
+
+  // A boundary face with each of its neighbours in turn, whatever the angle.
+  std::vector<JoinedFaces> runWith(std::uint32_t face)
+  {
+    std::vector<JoinedFaces> results;
+    if (!begin())
+    {
+      return results;
+    }
+    const JoinedFaces apart = joined_;
+    for (const auto& [f, g] : pairs_)
+    {
+      if ((f == face || g == face) && join(f, g))
+      {
+        results.push_back(withoutEmpty(std::move(joined_)));
+        joined_ = apart;
+      }
+    }
+    return results;
+  }
+
+  JoinedFaces run()
+  {
+    if (leastCosine_ > 1 || !mayAnyFit() || !begin())
+    {
+      return {};
+    }
+    for (bool joined = true; joined;)
+    {
+      joined = false;
+      for (const auto& [f, g] : pairs_)
+      {
+        joined = join(groupOf_[f], groupOf_[g]) || joined;
+      }
+    }
+    JoinedFaces joined = withoutEmpty(std::move(joined_));
+    if (joined.groups.size() == view_.faces.size())
+    {
+      joined.groups.clear();
+    }
+    return joined;
+  }
+
+private:
+  // False where there is nothing to join.
+  bool begin()
+  {
+    listPairs();
+    if (pairs_.empty())
+    {
+      return false;
+    }
+    trial_.nodes = view_.shape.nodes;
+    joined_.groups.reserve(view_.faces.size());
+    for (std::uint32_t f = 0; f < view_.faces.size(); ++f)
+    {
+      const auto corners = view_.shape.corners.begin();
+      joined_.groups.push_back({ { f },
+        { corners + std::ptrdiff_t(view_.shape.start[f]),
+          corners + std::ptrdiff_t(view_.shape.start[f + 1]) } });
+      groupOf_.push_back(f);
+    }
+    return true;
+  }
+
+  bool mayAnyFit() const
+  {
+    for (std::uint32_t f = 0; f < view_.faces.size(); ++f)
+    {
+      for (std::uint32_t g = 0; g < f; ++g)
+      {
+        if (mayFit(f, g))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  static JoinedFaces withoutEmpty(JoinedFaces joined)
+  {
+    auto& groups = joined.groups;
+    groups.erase(std::remove_if(groups.begin(), groups.end(),
+                   [](const JoinedFaces::Group& group) { return group.members.empty(); }),
+      groups.end());
+    return joined;
+  }
+
+  // The faces on either side of each edge; where there are not two, none is joined.
+  void listPairs()
+  {
+    std::vector<std::array<std::uint32_t, 3>> edges; // lower node, higher node, face
+    edges.reserve(view_.shape.corners.size());
+    for (std::uint32_t f = 0; f < view_.faces.size(); ++f)
+    {
+      std::uint32_t from = view_.shape.corners[view_.shape.start[f + 1] - 1];
+      for (std::size_t i = view_.shape.start[f]; i < view_.shape.start[f + 1]; ++i)
+      {
+        const std::uint32_t to = view_.shape.corners[i];
+        edges.push_back({ std::min(from, to), std::max(from, to), f });
+        from = to;
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    const auto sameEdge = [&](std::size_t i, std::size_t k) {
+      return k < edges.size() && edges[k][0] == edges[i][0] && edges[k][1] == edges[i][1];
+    };
+    for (std::size_t i = 0; i + 1 < edges.size(); ++i)
+    {
+      if (sameEdge(i, i + 1) && !sameEdge(i, i + 2) && (i == 0 || !sameEdge(i, i - 1)) &&
+        mayFit(edges[i][2], edges[i + 1][2]))
+      {
+        pairs_.emplace_back(edges[i][2], edges[i + 1][2]);
+      }
+    }
+  }
+
+  // Of two faces, before a closer look.
+  bool mayFit(std::uint32_t f, std::uint32_t g) const
+  {
+    if (f == g || view_.across[f] != view_.across[g] || view_.fixed[f] || view_.fixed[g] ||
+      (!isInner(f) && view_.boundary[f] != view_.boundary[g]))
+    {
+      return false;
+    }
+    const Vector& area = shape_.faces[f].area;
+    const Vector& others = shape_.faces[g].area;
+    const bool flat = isInner(f) || leastCosine_ >= 1;
+    if (dot(unit(area), unit(others)) < (flat ? NearlyFlat : std::min(leastCosine_, NearlyFlat)))
+    {
+      return false;
+    }
+    const Vector normal = unit(plus(area, others));
+    return !flat || (isNearPlane(f, normal) && isNearPlane(g, normal));
+  }
+
+  // Of a face that is on one plane with another: each corner and the centre are near to it.
+  bool isNearPlane(std::uint32_t f, const Vector& normal) const
+  {
+    for (std::size_t i = view_.shape.start[f]; i < view_.shape.start[f + 1]; ++i)
+    {
+      const Vector& corner = view_.shape.nodes[view_.shape.corners[i]];
+      if (std::abs(dot(minus(corner, shape_.faces[f].centre), normal)) > NearLevels)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool isInner(std::uint32_t f) const { return view_.across[f] != None; }
+
+  bool join(std::uint32_t g, std::uint32_t h)
+  {
+    if (g == h)
+    {
+      return false;
+    }
+    JoinedFaces::Group& first = joined_.groups[g];
+    JoinedFaces::Group& second = joined_.groups[h];
+    std::vector<std::uint32_t> ring = joinRings(first.ring, second.ring);
+    if (ring.empty() || hasTwin(ring))
+    {
+      return false;
+    }
+    trial_.start.assign(1, 0);
+    trial_.corners.clear();
+    trial_.isBoundary.clear();
+    addRing(first.ring, trial_);
+    addRing(second.ring, trial_);
+    addRing(ring, trial_);
+    const bool flat = isInner(first.members.front()) || leastCosine_ >= 1;
+    if (!fitsTogether(trial_, leastCosine_, flat))
+    {
+      return false;
+    }
+    first.ring = std::move(ring);
+    first.members.insert(first.members.end(), second.members.begin(), second.members.end());
+    for (const std::uint32_t member : second.members)
+    {
+      groupOf_[member] = g;
+    }
+    second = {};
+    return true;
+  }
+
+  // Two faces between the same nodes would enclose nothing.
+  bool hasTwin(std::vector<std::uint32_t> ring) const
+  {
+    std::sort(ring.begin(), ring.end());
+    return std::any_of(
+      joined_.groups.begin(), joined_.groups.end(), [&](const JoinedFaces::Group& group) {
+        if (group.ring.size() != ring.size())
+        {
+          return false;
+        }
+        std::vector<std::uint32_t> nodes = group.ring;
+        std::sort(nodes.begin(), nodes.end());
+        return nodes == ring;
+      });
+  }
+
+  // Cosine of normals of faces that might lie on one plane.
+  static constexpr double NearlyFlat = 0.999;
+
+  const CellView& view_;
+  const CellShape& shape_;
+  double leastCosine_;
+  JoinedFaces joined_;
+  std::vector<std::uint32_t> groupOf_;                         // of faces
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_; // of neighbouring faces
+  Polyhedron trial_;
+};
+
+}
+
+JoinedFaces joinFaces(const CellView& view, const CellShape& shape, double leastCosine)
+{
+  constexpr double NoAngle = 2;
+  return Joiner(view, shape, view.faces.size() > MostFacesJoined ? NoAngle : leastCosine).run();
+}
+
+std::vector<JoinedFaces> joinFace(const CellView& view, const CellShape& shape, std::uint32_t face)
+{
+  constexpr double AnyAngle = -1;
+  return Joiner(view, shape, AnyAngle).runWith(face);
+}
+
+Polyhedron shapeOf(const CellView& view, const JoinedFaces& joined, std::vector<Beyond>& beyond)
+{
+  if (joined.groups.empty())
+  {
+    beyond = view.beyond;
+    return view.shape;
+  }
+  Polyhedron shape;
+  shape.reserve(view.shape.nodes.size(), joined.groups.size(), view.shape.corners.size());
+  shape.nodes = view.shape.nodes;
+  beyond.clear();
+  beyond.reserve(joined.groups.size());
+  for (const JoinedFaces::Group& group : joined.groups)
+  {
+    const std::uint32_t face = group.members.front();
+    shape.corners.insert(shape.corners.end(), group.ring.begin(), group.ring.end());
+    shape.closeFace(view.shape.isBoundary[face]);
+    beyond.push_back(view.beyond[face]);
+  }
+  return shape;
+}
+
+}

@@ -1,0 +1,174 @@
+#include "Surface/Features.h"
+
+#include "Surface/SurfaceEdges.h"
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t TrianglesAChunk = 1 << 13;
+
+// A folded triangle is no thicker than this part of its longest edge.
+constexpr double ThickestFold = 0.02;
+
+constexpr std::uint32_t None = ~std::uint32_t(0);
+
+using Neighbours = std::array<std::uint32_t, 3>; // across each edge, or None
+
+class Finder
+{
+public:
+  Finder(const Surface& surface, double featureAngle, Features& result)
+    : surface_(surface)
+    , result_(result)
+    , leastCosine_(std::cos(featureAngle * std::acos(-1.0) / 180))
+    , neighbours_(surface.triangles.size(), Neighbours{ None, None, None })
+  {
+  }
+
+  void findNormals(std::size_t begin, std::size_t end)
+  {
+    for (std::size_t t = begin; t < end; ++t)
+    {
+      const Corners c = surface_.corners(t);
+      result_.normal[t] = unit(cross(minus(c[1], c[0]), minus(c[2], c[0])));
+    }
+  }
+
+  void addEdge(std::uint32_t lower, const EdgeUse* first, const EdgeUse* last)
+  {
+    if (last - first != 2 || first->down() == first[1].down())
+    {
+      return;
+    }
+    neighbours_[first->triangle()][edgeOf(*first, lower)] = first[1].triangle();
+    neighbours_[first[1].triangle()][edgeOf(first[1], lower)] = first->triangle();
+  }
+
+  void markEdges(std::size_t begin, std::size_t end)
+  {
+    for (std::size_t t = begin; t < end; ++t)
+    {
+      result_.edges[t] = isFold(t) ? 64 : 0;
+      for (unsigned i = 0; i < 3; ++i)
+      {
+        const std::uint32_t other = neighbours_[t][i];
+        if (other == None || (turns(t, other) && !isFold(t) && !isFold(other)))
+        {
+          result_.edges[t] = static_cast<std::uint8_t>(result_.edges[t] | 1u << i);
+        }
+        if (other != None && surface_.boundary[t] != surface_.boundary[other])
+        {
+          result_.edges[t] = static_cast<std::uint8_t>(result_.edges[t] | 8u << i);
+        }
+      }
+    }
+  }
+
+private:
+  std::size_t edgeOf(const EdgeUse& use, std::uint32_t lower) const
+  {
+    const auto& v = surface_.triangles[use.triangle()];
+    const std::uint32_t from = use.down() ? use.upper : lower;
+    return v[0] == from ? 0 : (v[1] == from ? 1 : 2);
+  }
+
+  // A triangle without area has no direction: what matters is what lies behind it.
+  bool turns(std::size_t t, std::size_t other) const
+  {
+    if (hasArea(t) && hasArea(other))
+    {
+      return dot(result_.normal[t], result_.normal[other]) < leastCosine_;
+    }
+    const std::size_t whole = hasArea(t) ? t : other;
+    const Neighbours& behind = neighbours_[hasArea(t) ? other : t];
+    return std::any_of(behind.begin(), behind.end(), [&](std::uint32_t n) {
+      return n == None || dot(result_.normal[whole], result_.normal[n]) < leastCosine_;
+    });
+  }
+
+  bool hasArea(std::size_t t) const { return dot(result_.normal[t], result_.normal[t]) > 0; }
+
+  // Thin, and turned over between two triangles that agree with each other; between it and one of
+  // them there may be another like itself.
+  bool isFold(std::size_t t) const
+  {
+    if (!isThin(t))
+    {
+      return false;
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const std::uint32_t a = neighbours_[t][i];
+      if (a == None || !opposite(t, a))
+      {
+        continue;
+      }
+      for (const std::size_t j : { (i + 1) % 3, (i + 2) % 3 })
+      {
+        const std::uint32_t b = neighbours_[t][j];
+        if (b != None && (opposite(t, b) ? !turns(a, b) : isThin(b) && agreesBehind(t, b, a)))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  // Whether a neighbour of `twin` other than t is opposite to t and agrees with a.
+  bool agreesBehind(std::size_t t, std::size_t twin, std::size_t a) const
+  {
+    const Neighbours& behind = neighbours_[twin];
+    return std::any_of(behind.begin(), behind.end(),
+      [&](std::uint32_t n) { return n != None && n != t && opposite(t, n) && !turns(a, n); });
+  }
+
+  bool isThin(std::size_t t) const
+  {
+    const Corners c = surface_.corners(t);
+    const Vector twiceArea = cross(minus(c[1], c[0]), minus(c[2], c[0]));
+    double longest = 0; // squared
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const Vector edge = minus(c[(i + 1) % 3], c[i]);
+      longest = std::max(longest, dot(edge, edge));
+    }
+    return dot(twiceArea, twiceArea) <= ThickestFold * ThickestFold * longest * longest;
+  }
+
+  bool opposite(std::size_t t, std::size_t other) const
+  {
+    return dot(result_.normal[t], result_.normal[other]) < 0;
+  }
+
+  const Surface& surface_;
+  Features& result_;
+  double leastCosine_;
+  std::vector<Neighbours> neighbours_;
+};
+
+}
+
+Features findFeatures(const Surface& surface, double featureAngle, Execution& execution)
+{
+  const std::size_t count = surface.triangles.size();
+  Features result;
+  result.edges.resize(count);
+  result.normal.resize(count);
+  Finder finder(surface, featureAngle, result);
+  execution.forEach(count, TrianglesAChunk,
+    [&](std::size_t begin, std::size_t end) { finder.findNormals(begin, end); });
+  const SurfaceEdges edges(surface, execution);
+  edges.forEach(
+    execution, [&](std::size_t, std::uint32_t lower, const EdgeUse* first, const EdgeUse* last) {
+      finder.addEdge(lower, first, last);
+    });
+  execution.forEach(count, TrianglesAChunk,
+    [&](std::size_t begin, std::size_t end) { finder.markEdges(begin, end); });
+  return result;
+}
+
+}

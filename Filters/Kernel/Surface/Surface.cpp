@@ -1,0 +1,171 @@
+#include "Surface/Surface.h"
+
+#include "Base/Error.h"
+#include "Lattice/NumberedPoint.h"
+#include "Lattice/Vector.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t VerticesAChunk = 1 << 14;
+
+// Squares of coordinates must stay finite in double precision.
+constexpr double LargestCoordinate = 1e150;
+
+std::string place(const double* p)
+{
+  return "(" + number(p[0]) + ", " + number(p[1]) + ", " + number(p[2]) + ")";
+}
+
+// The user's number of a triangle.
+long long cellOf(const SurfaceView& view, std::size_t triangle)
+{
+  return view.cells ? view.cells[triangle] : static_cast<long long>(triangle);
+}
+
+void checkTriangle(const SurfaceView& view, std::size_t triangle)
+{
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const std::uint32_t id = view.triangles[3 * triangle + corner];
+    if (id >= view.pointCount)
+    {
+      throw Error(Fault::BadParameter,
+        "Cell " + std::to_string(cellOf(view, triangle)) + " of the surface names point " +
+          std::to_string(id) + ", but the surface has " + std::to_string(view.pointCount) +
+          " points.");
+    }
+    const double* p = view.points + 3 * std::size_t(id);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (!(std::abs(p[axis]) <= LargestCoordinate))
+      {
+        throw Error(Fault::BadCoordinate,
+          "Point " + std::to_string(id) + " of the surface, used by cell " +
+            std::to_string(cellOf(view, triangle)) + ", is at " + place(p) +
+            ": not a finite number, or too large. Remove or correct it.");
+      }
+    }
+  }
+}
+
+// Gives points that share all levels one vertex: fills `surface.vertices`, returns each point's.
+std::vector<std::uint32_t> mergePoints(const std::vector<Point>& points, Surface& surface)
+{
+  std::vector<NumberedPoint> order;
+  order.reserve(points.size());
+  for (std::uint32_t id = 0; id < points.size(); ++id)
+  {
+    order.emplace_back(points[id], id);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<std::uint32_t> vertex(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    if (i == 0 || !order[i].isAt(order[i - 1]))
+    {
+      surface.vertices.push_back(order[i].point());
+    }
+    vertex[order[i].number()] = static_cast<std::uint32_t>(surface.vertices.size() - 1);
+  }
+  return vertex;
+}
+
+}
+
+Bounds boundsOf(const SurfaceView& view)
+{
+  if (view.triangleCount == 0)
+  {
+    throw Error(
+      Fault::EmptySurface, "The surface has no triangles: connect a closed triangulated surface.");
+  }
+  Bounds bounds = Bounds::none();
+  for (std::size_t t = 0; t < view.triangleCount; ++t)
+  {
+    checkTriangle(view, t);
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        bounds.include(axis, view.points[3 * std::size_t(view.triangles[3 * t + corner]) + axis]);
+      }
+    }
+  }
+  if (bounds.longest() == 0)
+  {
+    throw Error(Fault::EmptySurface, "All points of the surface coincide: nothing to mesh.");
+  }
+  return bounds;
+}
+
+Surface onLattice(const SurfaceView& view, const Lattice& lattice, Execution& execution)
+{
+  // Points that no triangle uses may be anything, NaN too: they stay at the lattice's corner.
+  std::vector<bool> used(view.pointCount);
+  for (std::size_t i = 0; i < 3 * view.triangleCount; ++i)
+  {
+    used[view.triangles[i]] = true;
+  }
+  std::vector<Point> points(view.pointCount);
+  execution.forEach(view.pointCount, VerticesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      for (int axis = 0; used[i] && axis < 3; ++axis)
+      {
+        points[i][axis] = lattice.vertex(axis, view.points[3 * i + axis]);
+      }
+    }
+  });
+
+  Surface surface;
+  surface.lattice = lattice;
+  const std::vector<std::uint32_t> vertex = mergePoints(points, surface);
+  surface.triangles.resize(view.triangleCount);
+  surface.boundary.assign(view.triangleCount, 0);
+  for (std::size_t t = 0; t < view.triangleCount; ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      surface.triangles[t][corner] = vertex[view.triangles[3 * t + corner]];
+    }
+  }
+  if (view.boundary)
+  {
+    std::copy_n(view.boundary, view.triangleCount, surface.boundary.begin());
+  }
+  return surface;
+}
+
+double areaOf(const Surface& surface)
+{
+  double twice = 0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const Corners c = surface.corners(t);
+    const Vector normal = cross(minus(c[1], c[0]), minus(c[2], c[0]));
+    twice += std::sqrt(dot(normal, normal));
+  }
+  return twice / 2 * surface.lattice.step() * surface.lattice.step();
+}
+
+double volumeOf(const Surface& surface)
+{
+  double six = 0;
+  const Point base = surface.corners(0)[0];
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const Corners c = surface.corners(t);
+    six += dot(minus(c[0], base), cross(minus(c[1], c[0]), minus(c[2], c[0])));
+  }
+  const double step = surface.lattice.step();
+  return six / 6 * step * step * step;
+}
+
+}

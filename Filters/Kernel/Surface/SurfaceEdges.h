@@ -1,0 +1,85 @@
+// The edges of a surface and the triangles that use each.
+#pragma once
+
+#include "Surface/Surface.h"
+
+namespace cartesian
+{
+
+// A triangle's use of an edge, filed under the edge's lower vertex.
+struct EdgeUse
+{
+  std::uint32_t upper;         // the edge's other vertex
+  std::uint32_t triangleTwice; // twice the triangle, plus one where it runs from upper to lower
+
+  std::uint32_t triangle() const { return triangleTwice / 2; }
+  bool down() const { return triangleTwice % 2 == 1; }
+
+  bool operator<(const EdgeUse& other) const
+  {
+    return upper != other.upper ? upper < other.upper : triangleTwice < other.triangleTwice;
+  }
+};
+
+// Triangles that name a vertex twice run to and fro along one edge and have none here: their
+// neighbours meet there.
+class SurfaceEdges
+{
+public:
+  SurfaceEdges(const Surface& surface, Execution& execution);
+
+  // Calls visit(lower, begin, end) with the uses of each edge, in order of vertices.
+  template <class Visitor>
+  void forEach(Visitor&& visit) const
+  {
+    forEachFrom(0, vertices(), visit);
+  }
+
+  // Calls visit(chunk, lower, begin, end) likewise, on all threads, those of a chunk of vertices in
+  // order.
+  template <class Visitor>
+  void forEach(Execution& execution, Visitor&& visit) const
+  {
+    execution.forEach(vertices(), VerticesAChunk, [&](std::size_t first, std::size_t last) {
+      forEachFrom(first, last, [&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+        visit(first / VerticesAChunk, lower, begin, end);
+      });
+    });
+  }
+
+  std::size_t chunkCount() const { return chunks(vertices(), VerticesAChunk); }
+
+private:
+  static constexpr std::size_t VerticesAChunk = 1 << 13;
+
+  template <class Visitor>
+  void forEachFrom(std::size_t first, std::size_t last, Visitor&& visit) const
+  {
+    for (std::size_t v = first; v < last; ++v)
+    {
+      const EdgeUse* use = uses_.data() + start_[v];
+      const EdgeUse* const end = uses_.data() + start_[v + 1];
+      while (use != end)
+      {
+        const EdgeUse* const begin = use;
+        while (use != end && use->upper == begin->upper)
+        {
+          ++use;
+        }
+        visit(static_cast<std::uint32_t>(v), begin, use);
+      }
+    }
+  }
+
+  std::size_t vertices() const { return start_.size() - 1; }
+
+  std::vector<std::size_t> start_; // of each lower vertex, and the end
+  std::vector<EdgeUse> uses_;
+};
+
+inline bool namesAVertexTwice(const std::array<std::uint32_t, 3>& triangle)
+{
+  return triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
+}
+
+}

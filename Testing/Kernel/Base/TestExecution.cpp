@@ -1,0 +1,166 @@
+// Chunks, threads, progress and how to stop.
+#include "Base/Error.h"
+#include "Base/Execution.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <set>
+#include <thread>
+
+using namespace cartesian;
+
+namespace
+{
+
+// Chunks that forEach made, in no order.
+std::set<std::pair<std::size_t, std::size_t>> chunksOf(
+  int threads, std::size_t count, std::size_t grain)
+{
+  Execution execution(threads);
+  std::mutex mutex;
+  std::set<std::pair<std::size_t, std::size_t>> made;
+  execution.forEach(count, grain, [&](std::size_t begin, std::size_t end) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    EXPECT_TRUE(made.emplace(begin, end).second);
+  });
+  return made;
+}
+
+}
+
+TEST(Execution, ChunksDependOnNoThreads)
+{
+  for (const std::size_t count : { 0U, 1U, 9U, 10U, 11U, 1000U })
+  {
+    const auto expected = chunksOf(1, count, 10);
+    EXPECT_EQ(expected.size(), chunks(count, 10));
+    std::size_t next = 0;
+    for (const auto& [begin, end] : expected)
+    {
+      EXPECT_EQ(begin, next);
+      EXPECT_LE(end - begin, 10U);
+      next = end;
+    }
+    EXPECT_EQ(next, count);
+    for (const int threads : { 2, 3, 8 })
+    {
+      EXPECT_EQ(chunksOf(threads, count, 10), expected);
+    }
+  }
+}
+
+TEST(Execution, ExceptionsComeOutOfAnyThread)
+{
+  for (const int threads : { 1, 2, 8 })
+  {
+    Execution execution(threads);
+    for (std::size_t bad = 0; bad < 20; ++bad)
+    {
+      EXPECT_THROW(execution.forEach(20, 1,
+                     [&](std::size_t begin, std::size_t) {
+                       if (begin == bad)
+                       {
+                         throw Error(Fault::BadParameter, "bad");
+                       }
+                     }),
+        Error);
+    }
+  }
+}
+
+TEST(Execution, ProgressNeverFallsAndIsReportedByTheCaller)
+{
+  const std::thread::id caller = std::this_thread::get_id();
+  double last = 0;
+  std::string stages;
+  Execution execution(3, [&](double fraction, const char* stage) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    EXPECT_GE(fraction, last);
+    EXPECT_LE(fraction, 1);
+    last = fraction;
+    if (stages.empty() || stages.back() != *stage)
+    {
+      stages += stage;
+    }
+    return true;
+  });
+  execution.stage("a", 0, 0.25);
+  execution.forEach(1000, 1, [](std::size_t, std::size_t) {});
+  execution.stage("b", 0.25, 1);
+  execution.forEach(1000, 1, [](std::size_t, std::size_t) {});
+  EXPECT_EQ(stages, "ab");
+  EXPECT_GE(last, 0.25);
+  ASSERT_EQ(execution.seconds().size(), 2U);
+  EXPECT_EQ(execution.seconds()[1].first, "b");
+  EXPECT_GE(execution.seconds()[1].second, 0);
+}
+
+TEST(Execution, LoopsAreSharesOfWhatIsLeft)
+{
+  double last = 0;
+  Execution execution(
+    1,
+    [&](double fraction, const char*) {
+      last = fraction;
+      return true;
+    },
+    0.5, 1);
+  execution.leaveOut(0.75, 1);
+  const auto loop = [&] { execution.forEach(10, 1, [](std::size_t, std::size_t) {}); };
+  execution.stage("a", 0.5, 0.625);
+  loop();
+  EXPECT_EQ(last, 0);
+  execution.nextLoop(0.5);
+  loop();
+  EXPECT_EQ(last, 0.25);
+  execution.nextLoop(0.5);
+  loop();
+  EXPECT_EQ(last, 0.375);
+  loop();
+  EXPECT_EQ(last, 0.375);
+  execution.stage("b", 0.625, 0.75);
+  EXPECT_EQ(last, 0.5);
+  execution.nextLoop(1);
+  loop();
+  EXPECT_EQ(last, 1);
+  execution.stage("left out", 0.75, 1);
+  EXPECT_EQ(last, 1);
+}
+
+TEST(Execution, LoopsOfOthersStopToo)
+{
+  bool goOn = true;
+  Execution execution(1, [&](double, const char*) { return goOn; });
+  execution.stage("work", 0, 1);
+  goOn = false;
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  EXPECT_THROW(
+    while (std::chrono::steady_clock::now() < end) { execution.poll(); }, Stopped);
+}
+
+TEST(Execution, StopsAtOnce)
+{
+  for (const int threads : { 1, 4 })
+  {
+    std::atomic<int> done{ 0 };
+    Execution execution(threads, [&](double, const char*) { return done == 0; });
+    execution.stage("work", 0, 1);
+    EXPECT_THROW(execution.forEach(1000000, 1,
+                   [&](std::size_t, std::size_t) {
+                     ++done;
+                     std::this_thread::sleep_for(std::chrono::microseconds(10));
+                   }),
+      Stopped);
+    EXPECT_LT(done, 500000);
+  }
+}
+
+TEST(Execution, NoThreadsMeansOneACore)
+{
+  EXPECT_GE(Execution(0).threads(), 1);
+  EXPECT_GE(Execution(-3).threads(), 1);
+  EXPECT_EQ(Execution(5).threads(), 5);
+}

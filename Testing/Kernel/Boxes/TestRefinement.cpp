@@ -1,0 +1,376 @@
+// Refinement: what a specification asks for is what boxes are, whatever kinds of it meet.
+#include "Base/Error.h"
+#include "Support/Effort.h"
+#include "Support/MeshChecker.h"
+
+#include <cmath>
+
+namespace cartesian
+{
+namespace
+{
+
+constexpr std::array<int, 2> acrossOf(int axis)
+{
+  return { (axis + 1) % 3, (axis + 2) % 3 };
+}
+
+std::vector<Box> placed(const Boxes& boxes)
+{
+  std::vector<Box> all;
+  for (const PackedBox& box : boxes.boxes)
+  {
+    all.push_back(boxes.placed(box));
+  }
+  return all;
+}
+
+bool overlap(const Box& a, const Box& b, int axis)
+{
+  return a.low[axis] < b.high[axis] && b.low[axis] < a.high[axis];
+}
+
+// The planes of b's ends that cut a's extent along an axis.
+void addSplitLines(const Box& a, const Box& b, int axis, std::vector<Level>& lines)
+{
+  for (const Level level : { b.low[axis], b.high[axis] })
+  {
+    if (level > a.low[axis] && level < a.high[axis])
+    {
+      lines.push_back(level);
+    }
+  }
+}
+
+// Whether a side of `box` is touched by at most one split line of its neighbours a direction.
+bool isBalanced(const std::vector<Box>& boxes, const Box& box, int axis, bool upper)
+{
+  const Level plane = upper ? box.high[axis] : box.low[axis];
+  std::array<std::vector<Level>, 2> lines;
+  for (const Box& other : boxes)
+  {
+    const auto [u, v] = acrossOf(axis);
+    if ((upper ? other.low[axis] : other.high[axis]) == plane && overlap(box, other, u) &&
+      overlap(box, other, v))
+    {
+      addSplitLines(box, other, u, lines[0]);
+      addSplitLines(box, other, v, lines[1]);
+    }
+  }
+  return std::all_of(lines.begin(), lines.end(), [](std::vector<Level>& along) {
+    std::sort(along.begin(), along.end());
+    return std::unique(along.begin(), along.end()) - along.begin() <= 1;
+  });
+}
+
+void expectBalanced(const std::vector<Box>& boxes)
+{
+  for (const Box& box : boxes)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ASSERT_TRUE(isBalanced(boxes, box, axis, false));
+      ASSERT_TRUE(isBalanced(boxes, box, axis, true));
+    }
+  }
+}
+
+double volumeOfBox(const Box& box)
+{
+  return (double(box.high[0]) - box.low[0]) * (double(box.high[1]) - box.low[1]) *
+    (double(box.high[2]) - box.low[2]);
+}
+
+// The volume that two boxes share.
+double common(const Box& a, const Box& b)
+{
+  double volume = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double low = std::max(a.low[axis], b.low[axis]);
+    const double high = std::min(a.high[axis], b.high[axis]);
+    volume *= std::max(0.0, high - low);
+  }
+  return volume;
+}
+
+RefinementSpec randomSpec(std::mt19937& random, const Meshlines& planes, std::int32_t boundaries)
+{
+  const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  RefinementSpec spec;
+  spec.depth = below(3);
+  for (int n = below(3); n > 0; --n)
+  {
+    RefinementBlock block;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const int most = static_cast<int>(planes[axis].size()) - 1;
+      block.first[axis] = below(most);
+      block.last[axis] = block.first[axis] + below(most - static_cast<int>(block.first[axis]));
+    }
+    block.allowed = below(4);
+    block.forced = below(3);
+    spec.blocks.push_back(block);
+  }
+  for (int n = below(3); n > 0; --n)
+  {
+    spec.boundaries.push_back({ below(boundaries), below(4), below(3), below(2) == 1 });
+  }
+  return spec;
+}
+
+// The forced depth of a global box as the blocks and boundaries say it, found box by box.
+int forcedDepth(const RefinementSpec& spec, const PreparedSurface& prepared,
+  const Shoeboxes& shoeboxes, const std::array<std::uint32_t, 3>& at)
+{
+  int forced = 0;
+  for (const RefinementBlock& block : spec.blocks)
+  {
+    bool in = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      in = in && block.first[axis] <= at[axis] && at[axis] <= block.last[axis];
+    }
+    forced = in ? block.forced : forced;
+  }
+  const std::size_t nj = prepared.planes[1].size() - 1;
+  for (const BoundaryRefinement& row : spec.boundaries)
+  {
+    std::uint32_t nearest = ~0u;
+    for (std::size_t r = 0; r + 1 < shoeboxes.rowStart.size(); ++r)
+    {
+      for (std::size_t b = shoeboxes.rowStart[r]; b < shoeboxes.rowStart[r + 1]; ++b)
+      {
+        for (std::size_t t = shoeboxes.triangleStart[b]; t < shoeboxes.triangleStart[b + 1]; ++t)
+        {
+          if (prepared.surface.boundary[shoeboxes.triangle[t]] == row.boundary)
+          {
+            const std::array<std::size_t, 3> there = { shoeboxes.column[b], r % nj, r / nj };
+            std::uint32_t away = 0;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+            {
+              const auto d = std::abs(static_cast<std::int64_t>(there[axis]) - at[axis]);
+              away = std::max(away, static_cast<std::uint32_t>(d));
+            }
+            nearest = std::min(nearest, away);
+          }
+        }
+      }
+    }
+    if (row.blendLayers > 0 && nearest != ~0u)
+    {
+      const int start = row.depth - (row.blendBelow ? 1 : 0);
+      forced = std::max(forced, start - static_cast<int>(nearest) / row.blendLayers);
+    }
+  }
+  return std::max(forced, 0);
+}
+
+TEST(Refinement, RandomSpecificationsHold)
+{
+  std::mt19937 random(3);
+  for (unsigned n = 0; n < repeats(24); ++n)
+  {
+    const Soup soup = n % 3 == 0
+      ? box({ 0, 0, 0 }, { 1, 0.7, 0.4 }).turned()
+      : (n % 3 == 1 ? bumpySphere(static_cast<unsigned>(random()), 6) : torus(12, 1, 0.3));
+    const std::int32_t boundaries = n % 3 == 0 ? 6 : 1;
+    Options options;
+    const GridSpec grid = cellsAlongLongest(soup, 4.5);
+    const PreparedSurface prepared = prepare(soup, grid);
+    options.refinement = randomSpec(random, prepared.planes, boundaries);
+    const Meshed meshed = meshPrepared(prepared, options);
+    SCOPED_TRACE("case " + std::to_string(n));
+
+    const std::vector<Box> boxes = placed(meshed.boxed.boxes);
+    expectBalanced(boxes);
+    double twice = 0;
+    for (std::size_t a = 0; a < boxes.size(); ++a)
+    {
+      for (std::size_t b = 0; b < a; ++b)
+      {
+        twice += common(boxes[a], boxes[b]);
+      }
+      const auto& global = meshed.boxed.boxes.globalOf(boxes[a]).index;
+      const int forced = forcedDepth(options.refinement, prepared, meshed.boxed.shoeboxes, global);
+      const auto& level = boxes[a].level;
+      ASSERT_GE(std::min({ level[0], level[1], level[2] }), forced);
+    }
+    EXPECT_EQ(twice, 0) << "boxes overlap";
+    EXPECT_TRUE(isValid(meshed.mesh));
+    EXPECT_TRUE(fills(meshed.mesh, soup));
+  }
+}
+
+TEST(Refinement, BoxesOfABlockFillTheirGlobalBoxes)
+{
+  Options options;
+  options.refinement.blocks.push_back({ { 1, 1, 1 }, { 2, 2, 2 }, 2, 2 });
+  const Meshed meshed = meshOf(cube(), cellsOf(0.2), options);
+  std::map<std::uint32_t, double> volume;
+  std::map<std::uint32_t, int> count;
+  for (const Box& b : placed(meshed.boxed.boxes))
+  {
+    volume[b.global] += volumeOfBox(b);
+    ++count[b.global];
+  }
+  int refined = 0;
+  for (const auto& [global, sum] : volume)
+  {
+    const auto& at = meshed.boxed.boxes.globals[global].index;
+    double whole = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      whole *=
+        double(meshed.prepared.planes[axis][at[axis] + 1]) - meshed.prepared.planes[axis][at[axis]];
+    }
+    EXPECT_EQ(sum, whole);
+    refined += count[global] == 64;
+  }
+  EXPECT_EQ(refined, 8);
+}
+
+TEST(Refinement, LaterBlocksWinAndBoundariesOnlyDeepenWhatIsForced)
+{
+  const Soup soup = cube();
+  const PreparedSurface prepared = prepare(soup, cellsOf(0.2));
+  const Shoeboxes shoeboxes = shoeboxesOf(prepared.surface, prepared.planes);
+  RefinementSpec spec;
+  spec.depth = 1;
+  spec.blocks.push_back({ { 0, 0, 0 }, { 4, 4, 4 }, 3, 2 });
+  spec.blocks.push_back({ { 0, 2, 2 }, { 2, 2, 2 }, 2, 1 });
+  spec.boundaries.push_back({ 0, 1, 1, false }); // the low x face: allowed 1, forced 1
+  Execution execution;
+  const Refinement refinement(spec, prepared.surface, shoeboxes, prepared.planes, execution);
+  EXPECT_EQ(refinement.at(4, 4, 4).allowed, 3);
+  EXPECT_EQ(refinement.at(4, 4, 4).forced, 2);
+  EXPECT_EQ(refinement.at(2, 2, 2).allowed, 2);
+  EXPECT_EQ(refinement.at(2, 2, 2).forced, 1);
+  EXPECT_EQ(refinement.at(0, 2, 2).allowed, 1); // the boundary changes it
+  EXPECT_EQ(refinement.at(0, 2, 2).forced, 1);
+  EXPECT_EQ(refinement.at(0, 0, 0).forced, 2); // never decreased
+}
+
+TEST(Refinement, BlendsInLayers)
+{
+  const PreparedSurface prepared = prepare(cube(), cellsOf(0.1));
+  const Shoeboxes shoeboxes = shoeboxesOf(prepared.surface, prepared.planes);
+  Execution execution;
+  for (const bool below : { false, true })
+  {
+    RefinementSpec spec;
+    spec.boundaries.push_back({ 0, 3, 2, below });
+    const Refinement refinement(spec, prepared.surface, shoeboxes, prepared.planes, execution);
+    const std::vector<int> expected =
+      below ? std::vector<int>{ 2, 2, 1, 1, 0, 0 } : std::vector<int>{ 3, 3, 2, 2, 1, 1, 0, 0 };
+    for (std::size_t i = 0; i < expected.size(); ++i)
+    {
+      EXPECT_EQ(refinement.at(static_cast<std::int64_t>(i), 5, 5).forced, expected[i]) << i;
+    }
+    EXPECT_EQ(refinement.at(0, 5, 5).allowed, 3);
+  }
+}
+
+TEST(Refinement, RegionsRefineWhatLiesInThem)
+{
+  Options options;
+  const Soup ball = sphere(6, 0.2).moved({ 0.5, 0.5, 0.5 });
+  const Soup far = box({ -3, 0.9, 0.9 }, { 5, 3, 3 }); // reaches beyond the domain
+  options.refinement.regions.push_back({ ball.view(), 2 });
+  options.refinement.regions.push_back({ far.view(), 1 });
+  const Meshed meshed = meshOf(cube(), cellsOf(0.1), options);
+  for (const PackedBox& b : meshed.boxed.boxes.boxes)
+  {
+    const auto& at = meshed.boxed.boxes.globalOf(b).index;
+    const bool middle = at[0] == 5 && at[1] == 5 && at[2] == 5;
+    const bool corner = at[1] == 9 && at[2] == 9;
+    const std::uint8_t least = std::min({ b.level[0], b.level[1], b.level[2] });
+    EXPECT_GE(least, middle ? 2 : (corner ? 1 : 0));
+  }
+  EXPECT_TRUE(isValid(meshed.mesh));
+  EXPECT_TRUE(fills(meshed.mesh, cube()));
+}
+
+TEST(Refinement, SameMeshForAnyNumberOfThreads)
+{
+  const Soup soup = bumpySphere(5, 8);
+  Options options;
+  options.refinement = depth(3);
+  options.refinement.boundaries.push_back({ 0, 3, 1, false });
+  const Meshed one = meshOf(soup, cellsAlongLongest(soup, 6), options);
+  for (const int threads : cases({ 2, 3, 8 }))
+  {
+    options.threads = threads;
+    EXPECT_TRUE(meshOf(soup, cellsAlongLongest(soup, 6), options).mesh == one.mesh);
+  }
+}
+
+void expectFault(const RefinementSpec& spec, Fault fault, const std::string& words)
+{
+  Options options;
+  options.refinement = spec;
+  try
+  {
+    meshOf(cube(), cellsOf(0.2), options);
+    ADD_FAILURE() << "no error with \"" << words << "\"";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.fault, fault);
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
+}
+
+TEST(Refinement, ErrorsNameWhatIsWrong)
+{
+  RefinementSpec spec;
+  spec.depth = DeepestLevel + 1;
+  expectFault(spec, Fault::BadParameter, "Refinement Depth is 7");
+  spec = {};
+  spec.blocks.push_back({ { 0, 3, 0 }, { 1, 2, 1 }, 1, 0 });
+  expectFault(spec, Fault::BadParameter, "J from 3 to 2");
+  spec = {};
+  spec.boundaries.push_back({ 17, 1, 0, false });
+  expectFault(spec, Fault::BadParameter, "no boundary 17");
+  spec = {};
+  spec.boundaries.push_back({ 0, 1, -1, false });
+  expectFault(spec, Fault::BadParameter, "negative");
+  Soup open = cube();
+  open.triangles.pop_back();
+  spec = {};
+  spec.regions.push_back({ open.view(), 1 });
+  expectFault(spec, Fault::FlawedSurface, "open edges");
+}
+
+TEST(Refinement, RangesBeyondTheGridAreClippedWithAWarning)
+{
+  Options options;
+  options.refinement.blocks.push_back({ { 3, -2, 0 }, { 40, 1, 0 }, 1, 1 });
+  const Meshed meshed = meshOf(cube(), cellsOf(0.2), options);
+  EXPECT_NE(meshed.boxed.warnings.find("row 0"), std::string::npos) << meshed.boxed.warnings;
+  EXPECT_NE(meshed.boxed.warnings.find("I from 3 to 40"), std::string::npos);
+  EXPECT_TRUE(isValid(meshed.mesh));
+  EXPECT_GT(meshed.boxed.boxes.boxes.size(), 125u);
+}
+
+TEST(Refinement, TooManyBoxesAreRefusedBeforeTheyAreBuilt)
+{
+  const Soup soup = cube();
+  PreparedSurface prepared = prepare(soup, cellsOf(0.05));
+  prepared.memoryLimit = 1e8;
+  Options options;
+  options.refinement.blocks.push_back({ { 0, 0, 0 }, { 19, 19, 19 }, 6, 6 });
+  try
+  {
+    meshPrepared(prepared, options);
+    FAIL() << "no error";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.fault, Fault::TooManyBoxes);
+    EXPECT_NE(std::string(error.what()).find("boxes"), std::string::npos);
+  }
+}
+
+}
+}

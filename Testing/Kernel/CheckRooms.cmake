@@ -1,0 +1,60 @@
+# cmake -DROOMS=Base;Lattice;... -DFOLDERS=... -P CheckRooms.cmake
+#
+# Fails where a file in a room includes a header of a room that comes later in ROOMS, one without its
+# room, or one that is not there. FOLDERS: of the kernel, then of its tests, whose rooms have the same
+# names; tests may include any room's headers.
+cmake_policy(SET CMP0057 NEW) # if (IN_LIST)
+
+list(GET FOLDERS 0 kernel)
+set(faults 0)
+
+function (report text)
+  message(SEND_ERROR "${text}")
+  math(EXPR faults "${faults} + 1")
+  set(faults ${faults} PARENT_SCOPE)
+endfunction ()
+
+function (check_include file room include)
+  if (NOT include MATCHES "^([A-Za-z]+)/[A-Za-z]+\\.h$")
+    report("${file} includes \"${include}\" without its room")
+  elseif (NOT CMAKE_MATCH_1 IN_LIST ROOMS)
+    report("${file} includes \"${include}\": there is no such room")
+  elseif (NOT EXISTS "${kernel}/${include}")
+    report("${file} includes \"${include}\", which does not exist")
+  else ()
+    list(FIND ROOMS "${CMAKE_MATCH_1}" theirs)
+    list(FIND ROOMS "${room}" mine)
+    if (theirs GREATER mine)
+      report("${file} includes \"${include}\": ${room} comes before ${CMAKE_MATCH_1}")
+    endif ()
+  endif ()
+  set(faults ${faults} PARENT_SCOPE)
+endfunction ()
+
+foreach (room IN LISTS ROOMS)
+  file(GLOB files "${kernel}/${room}/*.h" "${kernel}/${room}/*.cpp")
+  if (NOT files)
+    report("there is no room ${kernel}/${room}")
+  endif ()
+  foreach (file IN LISTS files)
+    file(STRINGS "${file}" lines REGEX "^#include \"")
+    foreach (line IN LISTS lines)
+      string(REGEX REPLACE "^#include \"([^\"]*)\".*" "\\1" include "${line}")
+      check_include("${file}" "${room}" "${include}")
+    endforeach ()
+  endforeach ()
+endforeach ()
+
+foreach (folder IN LISTS FOLDERS)
+  file(GLOB entries RELATIVE "${folder}" "${folder}/*")
+  foreach (entry IN LISTS entries)
+    if (IS_DIRECTORY "${folder}/${entry}" AND NOT entry IN_LIST ROOMS AND NOT entry STREQUAL "Support")
+      report("${folder}/${entry} is no room: see Filters/Kernel/CMakeLists.txt")
+    endif ()
+  endforeach ()
+endforeach ()
+
+file(GLOB loose "${kernel}/*.h" "${kernel}/*.cpp")
+if (loose)
+  report("files without a room: ${loose}")
+endif ()

@@ -1,0 +1,193 @@
+// Extremes of size and place: bounded time and memory, a mesh or a clear message.
+#include "Base/Error.h"
+#include "Support/Effort.h"
+#include "Support/FuzzedSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+using namespace cartesian;
+
+namespace
+{
+
+Soup unmarked(Soup soup)
+{
+  soup.boundary.clear();
+  return soup;
+}
+
+// Surfaces made of random bytes: no crash, no invalid cell.
+void expectValidMeshes(unsigned firstSeed, unsigned count)
+{
+  for (unsigned seed = firstSeed; seed < firstSeed + count; ++seed)
+  {
+    std::mt19937 random(seed);
+    std::vector<std::uint8_t> bytes(24 + random() % 200);
+    std::generate(bytes.begin(), bytes.end(), [&] { return static_cast<std::uint8_t>(random()); });
+    EXPECT_TRUE(meshesFromBytes(bytes.data(), bytes.size())) << "seed " << seed;
+  }
+}
+
+}
+
+TEST(Fuzz, RandomBytes)
+{
+  expectValidMeshes(0, repeats(300));
+}
+
+// Run by hand: TestKernel --gtest_also_run_disabled_tests --gtest_filter=*HundredThousand*
+TEST(Fuzz, DISABLED_AHundredThousandRandomBytes)
+{
+  expectValidMeshes(1000, 100000);
+}
+
+TEST(Resources, OneBoxHoldsAllTriangles)
+{
+  const Soup soup = unmarked(sphere(40, 1));
+  const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 0.5));
+  EXPECT_TRUE(fills(meshed.mesh, soup));
+  EXPECT_EQ(meshed.mesh.cells(), 1U);
+}
+
+// Two cones on one rim: at their tips meet more triangles than can be looked at in pairs.
+TEST(Resources, ANodeOfManyTriangles)
+{
+  const std::uint32_t count = 20000;
+  const double angle = 2 * 3.14159265358979 / count;
+  Soup soup;
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    soup.points.push_back({ std::cos(angle * i), std::sin(angle * i), 0 });
+    const std::uint32_t next = (i + 1) % count;
+    soup.triangles.push_back({ i, next, count });
+    soup.triangles.push_back({ next, i, count + 1 });
+  }
+  soup.points.push_back({ 0, 0, 0.5 });
+  soup.points.push_back({ 0, 0, -0.5 });
+  const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 0.5), { CellSpec{}, 1, {}, {} });
+  EXPECT_TRUE(isValid(meshed.mesh, true));
+  EXPECT_NEAR(volumeOf(meshed.mesh) / soup.volume(), 1, 1e-3);
+}
+
+// A ring of triangular section, of too many faces to be cut: its centre lies outside of it.
+TEST(Resources, ARingInOneBox)
+{
+  const std::uint32_t count = 1000;
+  const double angle = 2 * 3.14159265358979 / count;
+  Soup soup;
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    for (const double corner : { 0.1, 2.2, 4.3 })
+    {
+      const double radius = 1 + 0.2 * std::cos(corner);
+      soup.points.push_back(
+        { radius * std::cos(angle * i), radius * std::sin(angle * i), 0.2 * std::sin(corner) });
+    }
+    for (std::uint32_t k = 0; k < 3; ++k)
+    {
+      const std::uint32_t next = (i + 1) % count;
+      const std::uint32_t a = 3 * i + k;
+      const std::uint32_t b = 3 * i + (k + 1) % 3;
+      soup.triangles.push_back({ a, 3 * next + k, b });
+      soup.triangles.push_back({ b, 3 * next + k, 3 * next + (k + 1) % 3 });
+    }
+  }
+  Options options{ CellSpec{}, 1, {}, {} };
+  try
+  {
+    meshOf(soup, cellsAlongLongest(soup, 0.5), options);
+    FAIL() << "solvers take no ring as a cell";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("Refused Cell Ratio of 0"), std::string::npos)
+      << error.what();
+  }
+  options.cells.refusedCellRatio = 0;
+  const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 0.5), options);
+  EXPECT_NEAR(volumeOf(meshed.mesh) / soup.volume(), 1, 0.05);
+}
+
+TEST(Resources, AComponentOfOneTriangle)
+{
+  Soup loose;
+  loose.points = { { 0.2, 0.2, 0.2 }, { 0.8, 0.3, 0.4 }, { 0.5, 0.9, 0.6 } };
+  loose.triangles = { { 0, 1, 2 } };
+  const Soup soup = unmarked(unmarked(cube()).add(loose));
+  for (const double size : { 0.1, 0.3, 2.0 })
+  {
+    const Meshed meshed = meshOf(soup, cellsOf(size));
+    EXPECT_EQ(meshed.prepared.repair.loose.size(), 1U);
+    EXPECT_TRUE(meshed.prepared.repair.holes.empty());
+    EXPECT_EQ(meshed.statistics.at("BoxesRebuilt"), 0) << size;
+    EXPECT_NEAR(volumeOf(meshed.mesh), 1, 1e-6) << size;
+  }
+}
+
+TEST(Resources, ThousandsOfLooseTriangles)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> at(0, 1);
+  Soup soup;
+  for (std::uint32_t t = 0; t < 20000; ++t)
+  {
+    const Vec p{ at(random), at(random), at(random) };
+    soup.points.insert(
+      soup.points.end(), { p, { p[0] + 0.01, p[1], p[2] + 0.003 }, { p[0], p[1] + 0.01, p[2] } });
+    soup.triangles.push_back({ 3 * t, 3 * t + 1, 3 * t + 2 });
+  }
+  const PreparedSurface prepared = prepare(soup, cellsOf(0.05));
+  EXPECT_EQ(prepared.repair.loose.size(), 20000U);
+  EXPECT_TRUE(prepared.repair.holes.empty());
+  try
+  {
+    meshPrepared(prepared);
+    FAIL() << "nothing is enclosed";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.fault, Fault::FlawedSurface) << error.what();
+  }
+}
+
+TEST(Resources, CoordinatesOfAnySize)
+{
+  for (const double size : { 1e-30, 1e-6, 1e30, 1e100 })
+  {
+    const Soup soup = unmarked(cube().scaled(size));
+    const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 3.3));
+    EXPECT_NEAR(volumeOf(meshed.mesh) / soup.volume(), 1, 1e-9) << size;
+  }
+  Soup soup = cube();
+  soup.points[3] = { 1e200, 0, 0 };
+  try
+  {
+    meshOf(soup, cellsOf(0.1));
+    FAIL() << "1e200 squared is no number";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.fault, Fault::BadCoordinate) << error.what();
+  }
+}
+
+// What the fuzzer covers most with, on other compilers than clang too.
+TEST(Fuzz, CorpusGivesValidMeshes)
+{
+  std::size_t files = 0;
+  for (const auto& file : std::filesystem::directory_iterator(CORPUS_FOLDER))
+  {
+    std::ifstream stream(file.path(), std::ios::binary);
+    const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+    EXPECT_TRUE(meshesFromBytes(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()))
+      << file.path();
+    ++files;
+  }
+  EXPECT_GE(files, 40U);
+}

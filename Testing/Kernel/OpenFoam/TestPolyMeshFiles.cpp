@@ -1,0 +1,107 @@
+// A mesh written as an OpenFOAM case; TestFoam.py reads more of it.
+
+#include "Base/Error.h"
+#include "OpenFoam/PolyMeshFiles.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+using namespace cartesian;
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+// An empty folder of each test's own.
+class PolyMeshFiles : public testing::Test
+{
+protected:
+  PolyMeshFiles()
+    : folder(fs::path(testing::TempDir()) /
+        testing::UnitTest::GetInstance()->current_test_info()->name())
+  {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+  ~PolyMeshFiles() override { fs::remove_all(folder); }
+
+  // A tetrahedron of two patches.
+  fs::path write(FoamFormat format, const std::string& first = "a") const
+  {
+    const std::vector<double> points = { 0, 0, 0, 0.1, 0, 0, 0, 1e-9, 0, 0, 0, 1 };
+    CellFaces cells;
+    cells.firstFace = { 0, 4 };
+    cells.firstCorner = { 0, 3, 6, 9, 12 };
+    cells.corners = { 0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2 };
+    FaceList faces;
+    faces.face = { 0, 1, 2, 3 };
+    faces.owner = { 0, 0, 0, 0 };
+    const std::vector<FoamPatch> patches = { { first, 1 }, { "wall", 3 } };
+    return writePolyMesh({ points, cells, faces, patches }, folder, format);
+  }
+
+  std::string read(const char* name) const
+  {
+    std::ifstream file(folder / "constant" / "polyMesh" / name);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str().substr(text.str().find("}\n\n") + 3);
+  }
+
+  fs::path folder;
+};
+
+}
+
+TEST_F(PolyMeshFiles, AsciiIsWhatOpenFOAMReads)
+{
+  EXPECT_EQ(write(FoamFormat::Ascii), "");
+  EXPECT_EQ(read("points"), "4\n(\n(0 0 0)\n(0.1 0 0)\n(0 1e-09 0)\n(0 0 1)\n)\n");
+  EXPECT_EQ(read("faces"), "4\n(\n3(0 2 1)\n3(0 1 3)\n3(1 2 3)\n3(0 3 2)\n)\n");
+  EXPECT_EQ(read("owner"), "4\n(\n0\n0\n0\n0\n)\n");
+  EXPECT_EQ(read("neighbour"), "0\n(\n)\n");
+  EXPECT_NE(read("boundary").find("wall;\n        nFaces          3;\n        startFace       1;"),
+    std::string::npos);
+}
+
+TEST_F(PolyMeshFiles, BinaryHasNoBracketsAroundNothing)
+{
+  write(FoamFormat::Binary);
+  EXPECT_EQ(read("neighbour"), "0\n\n");
+  EXPECT_EQ(read("owner"), std::string("4\n(") + std::string(16, '\0') + ")\n");
+  EXPECT_EQ(read("points").size(), std::string("4\n()\n").size() + 12 * sizeof(double));
+}
+
+TEST_F(PolyMeshFiles, AMeshOfOtherPatchesIsKept)
+{
+  write(FoamFormat::Ascii);
+  EXPECT_EQ(write(FoamFormat::Binary), "");
+  EXPECT_EQ(write(FoamFormat::Ascii, "b"), folder / "constant" / "polyMesh.old");
+  EXPECT_EQ(write(FoamFormat::Ascii, "c"), folder / "constant" / "polyMesh.old2");
+  EXPECT_FALSE(fs::exists(folder / "constant" / "polyMesh.unfinished"));
+}
+
+TEST_F(PolyMeshFiles, AFileInTheWayIsAnError)
+{
+  std::ofstream(folder / "constant") << "mine";
+  try
+  {
+    write(FoamFormat::Ascii);
+    ADD_FAILURE() << "no error";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.fault, Fault::CannotWrite);
+  }
+}
+
+TEST_F(PolyMeshFiles, WordsHaveNoBracketsAndDoNotStartAsNumbers)
+{
+  EXPECT_EQ(foamWord("inlet_1"), "inlet_1");
+  EXPECT_EQ(foamWord("a b/c;{\"$#}"), "a_b_c______");
+  EXPECT_EQ(foamWord("1"), "_1");
+  EXPECT_EQ(foamWord("-x"), "_-x");
+  EXPECT_EQ(foamWord(""), "_");
+}

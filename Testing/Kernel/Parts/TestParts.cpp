@@ -1,0 +1,343 @@
+// Parts of a grid, each meshed by itself, are together the mesh of the whole: the same points, bit for
+// bit, the same cells, the same numbers.
+#include "Base/Error.h"
+#include "Parts/Division.h"
+#include "Support/Effort.h"
+#include "Support/Pipeline.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace cartesian;
+
+namespace
+{
+
+struct Part
+{
+  MeshArrays mesh;
+  std::vector<Id> globalPoint; // of each point
+  Id ownPoints;
+  std::map<std::string, double> statistics;
+};
+
+class Parts
+{
+public:
+  Parts(const Soup& soup, const GridSpec& grid, const Options& options)
+    : execution_(options.threads)
+    , options_(options)
+    , prepared_(prepare(soup, grid))
+    , division_(prepared_.surface, prepared_.planes, options.refinement, PlentyOfMemory,
+        reachOf(options.cells), execution_)
+  {
+  }
+
+  std::vector<Layers> split(std::size_t count)
+  {
+    return division_.split(division_.estimateLayers(execution_), count);
+  }
+
+  std::vector<Layers> eachLayer() const
+  {
+    std::vector<Layers> layers;
+    for (std::uint32_t k = 0; k < division_.allLayers().end; ++k)
+    {
+      layers.push_back({ k, k + 1 });
+    }
+    return layers;
+  }
+
+  Part part(Layers core, Id pointsBefore)
+  {
+    const Boxes boxes = division_.boxes(core, execution_);
+    const Patches patches = generatePatches(
+      prepared_.surface, boxes, division_.shoeboxes(), options_.patches, execution_);
+    const Assembly assembly(boxes, patches, options_.cells, execution_);
+    Part part;
+    part.mesh = arraysOf(assembly.mesh(), boxes, execution_);
+    part.globalPoint.resize(part.mesh.points.size() / 3);
+    assembly.mesh().writeGlobalPoints(pointsBefore, part.globalPoint.data(), execution_);
+    part.ownPoints = assembly.mesh().ownPointCount();
+    for (const auto& [name, value] : assembly.statistics())
+    {
+      part.statistics[name] = value;
+    }
+    return part;
+  }
+
+private:
+  Execution execution_;
+  Options options_;
+  PreparedSurface prepared_;
+  Division division_;
+};
+
+// The whole mesh out of its parts. Points that several parts have must be the same.
+class Union
+{
+public:
+  void add(const Part& part)
+  {
+    const MeshArrays& m = part.mesh;
+    addPoints(part);
+    const auto cellsBefore = static_cast<Id>(all_.cells());
+    const auto point = [&](Id local) { return part.globalPoint.at(std::size_t(local)); };
+    all_.offsets.resize(all_.cells()); // its end follows
+    for (const Id offset : m.offsets)
+    {
+      all_.offsets.push_back(static_cast<Id>(all_.connectivity.size()) + offset);
+    }
+    for (const Id start : m.faceStart)
+    {
+      all_.faceStart.push_back(start < 0 ? start : start + Id(all_.faceStream.size()));
+    }
+    for (const Id local : m.connectivity)
+    {
+      all_.connectivity.push_back(point(local));
+    }
+    addFaceStream(m.faceStream, point);
+    append(m.types, all_.types);
+    append(m.globalBox, all_.globalBox);
+    append(m.level, all_.level);
+    append(m.region, all_.region);
+    append(m.volumeFraction, all_.volumeFraction);
+    all_.boundaryStart.resize(all_.boundaryCell.size());
+    for (const Id start : m.boundaryStart)
+    {
+      all_.boundaryStart.push_back(static_cast<Id>(all_.boundaryPoints.size()) + start);
+    }
+    for (const Id local : m.boundaryPoints)
+    {
+      all_.boundaryPoints.push_back(point(local));
+    }
+    for (const Id cell : m.boundaryCell)
+    {
+      all_.boundaryCell.push_back(cellsBefore + cell);
+    }
+    append(m.boundaryIndex, all_.boundaryIndex);
+    all_.meshlines = m.meshlines;
+    all_.step = m.step;
+    for (const auto& [name, value] : part.statistics)
+    {
+      statistics_[name] += value;
+    }
+    ownPoints_ += part.ownPoints;
+  }
+
+  const MeshArrays& mesh() const { return all_; }
+  Id ownPoints() const { return ownPoints_; }
+  const std::map<std::string, double>& statistics() const { return statistics_; }
+
+private:
+  template <class Array>
+  static void append(const Array& from, Array& to)
+  {
+    to.insert(to.end(), from.begin(), from.end());
+  }
+
+  void addPoints(const Part& part)
+  {
+    for (std::size_t p = 0; p < part.globalPoint.size(); ++p)
+    {
+      const auto id = static_cast<std::size_t>(part.globalPoint[p]);
+      if (p > 0)
+      {
+        ASSERT_LT(part.globalPoint[p - 1], part.globalPoint[p]);
+      }
+      if (3 * id >= all_.points.size())
+      {
+        all_.points.resize(3 * id + 3, std::nan(""));
+      }
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        double& x = all_.points[3 * id + axis];
+        ASSERT_TRUE(std::isnan(x) || x == part.mesh.points[3 * p + axis]);
+        x = part.mesh.points[3 * p + axis];
+      }
+    }
+  }
+
+  template <class PointOf>
+  void addFaceStream(const std::vector<Id>& stream, PointOf&& point)
+  {
+    for (std::size_t i = 0; i < stream.size();)
+    {
+      const Id faces = stream[i++];
+      all_.faceStream.push_back(faces);
+      for (Id f = 0; f < faces; ++f)
+      {
+        const Id size = stream[i++];
+        all_.faceStream.push_back(size);
+        for (Id corner = 0; corner < size; ++corner)
+        {
+          all_.faceStream.push_back(point(stream[i++]));
+        }
+      }
+    }
+  }
+
+  MeshArrays all_;
+  Id ownPoints_ = 0;
+  std::map<std::string, double> statistics_;
+};
+
+void expectUnion(Parts& parts, const Meshed& whole, const std::vector<std::vector<Layers>>& splits)
+{
+  for (const std::vector<Layers>& split : splits)
+  {
+    SCOPED_TRACE(std::to_string(split.size()) + " parts");
+    Union all;
+    for (const Layers& core : split)
+    {
+      all.add(parts.part(core, all.ownPoints()));
+    }
+    EXPECT_EQ(whole.mesh.points.size(), 3 * static_cast<std::size_t>(all.ownPoints()));
+    EXPECT_TRUE(whole.mesh == all.mesh());
+    EXPECT_EQ(whole.statistics, all.statistics());
+  }
+}
+
+void expectUnion(const Soup& soup, const GridSpec& grid, const Options& options)
+{
+  Parts parts(soup, grid, options);
+  std::vector<std::vector<Layers>> splits = { parts.eachLayer() };
+  for (const std::size_t count : cases<std::size_t>({ 1, 2, 3, 5 }))
+  {
+    splits.push_back(parts.split(count));
+    ASSERT_EQ(count, splits.back().size());
+  }
+  expectUnion(parts, meshOf(soup, grid, options), splits);
+}
+
+// Divided where the mesher would, and where it would not.
+void expectShapedUnion(const Soup& soup, const GridSpec& grid, int depthEverywhere)
+{
+  const Options options{ {}, 1, depth(depthEverywhere), {} };
+  Parts parts(soup, grid, options);
+  const auto end = static_cast<std::uint32_t>(parts.eachLayer().size());
+  ASSERT_GT(end, 45u); // else parts see all layers
+  expectUnion(parts, meshOf(soup, grid, options),
+    { parts.split(2), parts.split(4), { { 0, 18 }, { 18, 19 }, { 19, 30 }, { 30, end } } });
+}
+
+Options automatic(int depthEverywhere)
+{
+  return { asTheyAre(1e-3), 1, depth(depthEverywhere), {} };
+}
+
+// So tall that parts do not see all layers; turned a little, lest faces lie in the grid's planes.
+Soup tall(const Soup& soup)
+{
+  return soup.scaled({ 1, 1, 9 }).turned(0, 2);
+}
+
+}
+
+class ShapedParts : public ::testing::TestWithParam<NamedShape>
+{
+};
+
+TEST_P(ShapedParts, AreTheWholeMesh)
+{
+  const Soup& soup = GetParam().soup;
+  expectUnion(soup, cellsAlongLongest(soup, 12.3), automatic(0));
+}
+
+TEST_P(ShapedParts, AreTheWholeRefinedMesh)
+{
+  const Soup& soup = GetParam().soup;
+  expectUnion(soup, cellsAlongLongest(soup, 6.7), automatic(2));
+}
+
+TEST_P(ShapedParts, AreTheWholeMeshOfShapedCells)
+{
+  const Soup soup = tall(GetParam().soup);
+  expectShapedUnion(soup, cellsAlongLongest(soup, 61.3), 0);
+}
+
+TEST_P(ShapedParts, AreTheWholeRefinedMeshOfShapedCells)
+{
+  const Soup soup = tall(GetParam().soup);
+  expectShapedUnion(soup, cellsAlongLongest(soup, 46.3), 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, ShapedParts,
+  ::testing::Values(NamedShape{ "BumpySphere", bumpySphere(1, 10) },
+    NamedShape{ "TurnedBox", box({ 0, 0, 0 }, { 1, 2, 3 }).turned() },
+    NamedShape{ "Torus", torus(12, 1, 0.3) }, NamedShape{ "Comb", comb(5) },
+    NamedShape{ "NestedSpheres", nestedSpheres() },
+    NamedShape{ "BlockWithTubes", blockWithTubes() }),
+  nameOf);
+
+TEST(Parts, AreTheWholeMeshAroundADeepPlace)
+{
+  const Soup soup = bumpySphere(4, 10);
+  Options options = automatic(1);
+  options.refinement.blocks.push_back({ { 3, 3, 4 }, { 4, 4, 4 }, 3, 3 });
+  options.refinement.blocks.push_back({ { 0, 4, 2 }, { 8, 4, 2 }, 4, 0 });
+  expectUnion(soup, cellsAlongLongest(soup, 8), options);
+}
+
+// A wall that boxes are halved along again and again, and across never: those above and below are,
+// each once less, to keep balance.
+TEST(Parts, AreTheWholeMeshFarFromADeepLayer)
+{
+  const Soup soup = box({ 0, 0, 0 }, { 1, 1, 12 });
+  GridSpec grid = cellsOf(1);
+  grid.meshlines[0] = grid.meshlines[1] = { -0.9, 0.1, 1.1 };
+  Options options = automatic(0);
+  options.refinement.blocks.push_back({ { 0, 0, 6 }, { 1, 1, 6 }, 5, 0 });
+  const std::vector<unsigned char> level = meshOf(soup, grid, options).mesh.level;
+  ASSERT_EQ(5, *std::max_element(level.begin(), level.end()));
+  expectUnion(soup, grid, options);
+}
+
+TEST(Parts, AreTheWholeMeshByExactFit)
+{
+  const Soup soup = bumpySphere(5, 8);
+  expectUnion(soup, cellsAlongLongest(soup, 9), { asTheyAre(), 3, depth(1), exactFit() });
+}
+
+TEST(Parts, AreTheWholeMeshWhereSmallCellsAreRemoved)
+{
+  const Soup soup = bumpySphere(6, 8);
+  expectUnion(soup, cellsAlongLongest(soup, 14), { asTheyAre(0.3), 1, depth(0), {} });
+}
+
+TEST(Parts, AreTheWholeMeshOfAFlawedSurface)
+{
+  Soup soup = bumpySphere(7, 12);
+  soup.triangles.erase(soup.triangles.begin() + 100, soup.triangles.begin() + 140);
+  soup.boundary.clear();
+  soup.add(sphere(6, 0.4).moved({ 0.8, 0.1, 0.2 }));
+  expectUnion(soup, cellsAlongLongest(soup, 25), automatic(0));
+  expectUnion(kleinBottle(12), cellsAlongLongest(kleinBottle(12), 25), automatic(0));
+}
+
+TEST(Parts, AreTheWholeMeshCutOffByMeshlines)
+{
+  const Soup soup = bumpySphere(8, 10);
+  GridSpec grid = cellsAlongLongest(soup, 12);
+  grid.meshlines[2] = { -0.5, -0.3, -0.25, -0.1, 0, 0.05, 0.2, 0.4 };
+  expectUnion(soup, grid, automatic(1));
+}
+
+// ... by as many as it takes, and no more than there are layers.
+TEST(Parts, AreAsManyAsMemoryAsksFor)
+{
+  const Soup soup = bumpySphere(9, 10);
+  const PreparedSurface prepared = prepare(soup, cellsAlongLongest(soup, 150));
+  Execution execution;
+  const auto needed = [&](double bytes) {
+    const Division division(prepared.surface, prepared.planes, {}, bytes, {}, execution);
+    return division.partsNeeded(division.estimateLayers(execution));
+  };
+  const double whole = estimateMesh(prepared.surface, prepared.planes).bytes();
+  EXPECT_EQ(1u, needed(2 * whole));
+  EXPECT_GE(needed(whole / 2), 2u);
+  EXPECT_LE(needed(whole / 2), 5u);
+  EXPECT_GT(needed(whole / 3), needed(whole / 2));
+  EXPECT_THROW(needed(whole / 100), Error);
+}

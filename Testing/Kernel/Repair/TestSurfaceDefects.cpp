@@ -1,0 +1,190 @@
+// Each kind of defect is found, where it is, and nothing else.
+#include "Repair/SurfaceDefects.h"
+
+#include "Support/Pipeline.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace cartesian;
+
+namespace
+{
+
+SurfaceDefects defectsOf(const Soup& soup, const GridSpec& grid, int threads = 1)
+{
+  const PreparedSurface prepared = prepare(soup, grid);
+  Execution execution(threads);
+  return findDefects(
+    prepared.surface, prepared.trianglesGiven, prepared.repair, prepared.planes, execution);
+}
+
+SurfaceDefects defectsOf(const Soup& soup)
+{
+  return defectsOf(soup, cellsAlongLongest(soup, 10));
+}
+
+using Counts = std::map<DefectKind, std::size_t>;
+
+Counts countsOf(const SurfaceDefects& defects)
+{
+  Counts counts;
+  for (std::size_t k = 0; k < DefectKinds; ++k)
+  {
+    if (defects.counts[k] > 0)
+    {
+      counts[static_cast<DefectKind>(k)] = defects.counts[k];
+    }
+  }
+  return counts;
+}
+
+Soup unmarked(Soup soup)
+{
+  soup.boundary.clear();
+  return soup;
+}
+
+}
+
+class NoDefects : public ::testing::TestWithParam<NamedShape>
+{
+};
+
+TEST_P(NoDefects, InACleanSurface)
+{
+  const SurfaceDefects defects = defectsOf(GetParam().soup);
+  Counts counts = countsOf(defects);
+  counts.erase(DefectKind::NonManifoldEdge); // of bodies that touch
+  counts.erase(DefectKind::SmallComponent);
+  EXPECT_TRUE(counts.empty()) << static_cast<int>(counts.begin()->first);
+  EXPECT_EQ(describe(defects), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Clean, NoDefects, ::testing::ValuesIn(cleanShapes()), nameOf);
+
+TEST(SurfaceDefects, OpenEdgesAndTheHole)
+{
+  Soup soup = unmarked(sphere(5, 1));
+  const auto lost = soup.triangles[30];
+  soup.triangles.erase(soup.triangles.begin() + 30);
+  const SurfaceDefects defects = defectsOf(soup, cellsOf(0.5));
+  EXPECT_EQ(countsOf(defects), (Counts{ { DefectKind::OpenEdge, 3 }, { DefectKind::Hole, 1 } }));
+  ASSERT_EQ(defects.defects.size(), 4U);
+  const Defect& hole = defects.defects[3];
+  EXPECT_EQ(hole.triangle, SurfaceDefects::None);
+  ASSERT_EQ(hole.size, 4U);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const Vector& p = defects.points[6 + i];
+    EXPECT_TRUE(std::any_of(lost.begin(), lost.end(), [&](std::uint32_t corner) {
+      const Vec& q = soup.points[corner];
+      return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) < 1e-8;
+    }));
+  }
+  EXPECT_EQ(countsOf(defectsOf(soup, cellsOf(0.05))),
+    (Counts{ { DefectKind::OpenEdge, 3 }, { DefectKind::Leak, 1 } }));
+}
+
+TEST(SurfaceDefects, NonManifoldEdges)
+{
+  const Soup soup = unmarked(cube().add(cube().moved({ 1, 1, 0 })));
+  const SurfaceDefects defects = defectsOf(soup);
+  EXPECT_EQ(countsOf(defects), (Counts{ { DefectKind::NonManifoldEdge, 1 } }));
+  EXPECT_EQ(defects.components, 1U);
+}
+
+TEST(SurfaceDefects, InconsistentEdges)
+{
+  const SurfaceDefects defects = defectsOf(kleinBottle(24));
+  EXPECT_GT(countsOf(defects)[DefectKind::InconsistentEdge], 0U);
+  EXPECT_EQ(countsOf(defects)[DefectKind::OpenEdge], 0U);
+}
+
+TEST(SurfaceDefects, DegenerateAndDuplicateTriangles)
+{
+  Soup soup = unmarked(sphere(5, 1));
+  const auto count = static_cast<std::uint32_t>(soup.triangles.size());
+  soup.triangles.push_back({ 3, 3, 4 });
+  soup.triangles.push_back({ 7, 7, 7 });
+  soup.triangles.push_back({ soup.triangles[9][1], soup.triangles[9][0], soup.triangles[9][2] });
+  const SurfaceDefects defects = defectsOf(soup);
+  EXPECT_EQ(countsOf(defects),
+    (Counts{ { DefectKind::DegenerateTriangle, 2 }, { DefectKind::DuplicateTriangle, 1 } }));
+  EXPECT_EQ(defects.defects[0].triangle, count);
+  EXPECT_EQ(defects.defects[1].triangle, count + 1);
+  EXPECT_EQ(defects.defects[2].triangle, count + 2);
+}
+
+// A flap on an edge: three triangles there, two of which lie on each other.
+TEST(SurfaceDefects, AFoldAndAnOverlap)
+{
+  Soup soup = unmarked(cube());
+  soup.points.push_back({ 0.5, 0.25, 0 });
+  const auto flap = static_cast<std::uint32_t>(soup.points.size() - 1);
+  const auto at = [&](const Vec& p) {
+    return static_cast<std::uint32_t>(
+      std::find(soup.points.begin(), soup.points.end(), p) - soup.points.begin());
+  };
+  soup.triangles.push_back({ at({ 0, 0, 0 }), at({ 1, 0, 0 }), flap });
+  const SurfaceDefects defects = defectsOf(soup);
+  Counts counts = countsOf(defects);
+  EXPECT_EQ(counts[DefectKind::FoldedTriangle], 2U);
+  // One of the two triangles of that wall has the flap's edge; the flap may reach the other.
+  EXPECT_LE(counts[DefectKind::OverlappedTriangle], 2U);
+  EXPECT_EQ(counts[DefectKind::Intersection], 0U);
+  EXPECT_NE(describe(defects).find("2 triangles are folded"), std::string::npos);
+
+  const Soup walls = unmarked(cube().add(cube().moved({ 1, 0.5, 0.25 })));
+  const SurfaceDefects overlapping = defectsOf(walls);
+  EXPECT_GE(countsOf(overlapping)[DefectKind::OverlappedTriangle], 3U);
+  EXPECT_NE(describe(overlapping).find("overlap"), std::string::npos);
+}
+
+TEST(SurfaceDefects, Intersections)
+{
+  const Soup bar = box({ 0.25, 0.25, -1 }, { 0.75, 0.75, 2 });
+  const Soup soup = unmarked(cube().add(bar));
+  const SurfaceDefects defects = defectsOf(soup, cellsOf(0.2));
+  const Counts counts = countsOf(defects);
+  ASSERT_EQ(counts.size(), 1U);
+  double length = 0;
+  std::size_t point = 0;
+  for (const Defect& defect : defects.defects)
+  {
+    EXPECT_EQ(defect.kind, DefectKind::Intersection);
+    EXPECT_LT(defect.triangle, 12U);
+    EXPECT_GE(defect.other, 12U);
+    const Vector& p = defects.points[point];
+    const Vector& q = defects.points[point + 1];
+    length += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    point += defect.size;
+  }
+  EXPECT_NEAR(length, 2 * 4 * 0.5, 1e-6); // around the bar, twice
+  EXPECT_EQ(defects.components, 2U);
+}
+
+TEST(SurfaceDefects, SmallComponents)
+{
+  const Soup soup = unmarked(
+    cube().add(octahedron(0.04).moved({ 0.5, 0.5, 0.5 })).add(octahedron(0.2).moved({ 3, 0, 0 })));
+  const SurfaceDefects defects = defectsOf(soup, cellsOf(0.1));
+  EXPECT_EQ(countsOf(defects), (Counts{ { DefectKind::SmallComponent, 8 } }));
+  EXPECT_EQ(defects.components, 3U);
+  EXPECT_EQ(defects.defects[0].triangle, 12U);
+}
+
+TEST(SurfaceDefects, DoNotDependOnThreads)
+{
+  Soup soup = unmarked(bumpySphere(1, 20));
+  soup.add(unmarked(bumpySphere(2, 17)).moved({ 0.3, 0.2, 0.1 }));
+  soup.boundary.clear();
+  soup.triangles.resize(soup.triangles.size() - 30);
+  const SurfaceDefects one = defectsOf(soup, cellsOf(0.2), 1);
+  const SurfaceDefects many = defectsOf(soup, cellsOf(0.2), 4);
+  EXPECT_GT(countsOf(one)[DefectKind::Intersection], 100U);
+  EXPECT_EQ(one.points, many.points);
+  EXPECT_EQ(countsOf(one), countsOf(many));
+}

@@ -1,0 +1,129 @@
+// Cells split and merged: what may not change, and what has to.
+#include "Collapse/ShortEdges.h"
+#include "Support/Effort.h"
+#include "Support/MeshChecker.h"
+#include "Support/Pipeline.h"
+
+#include <gtest/gtest.h>
+
+namespace cartesian
+{
+
+namespace
+{
+
+Options shaped(SmallCells smallCells, int threads = 1)
+{
+  Options options;
+  options.cells = asTheyAre();
+  options.cells.splitConcave = true;
+  options.cells.smallCells = smallCells;
+  options.threads = threads;
+  return options;
+}
+
+class ShapedMesh : public ::testing::TestWithParam<NamedShape>
+{
+};
+
+// An L that lies in one box: arms of 0.3.
+Soup ell()
+{
+  const std::vector<double> lines{ 0, 0.3, 1 };
+  return voxels({ lines, lines, { 0, 1 } }, [](int i, int j, int) { return i == 0 || j == 0; });
+}
+
+}
+
+TEST_P(ShapedMesh, KeepsVolumeAndAreasAndLeavesNoGap)
+{
+  const Soup& soup = GetParam().soup;
+  for (const double cells : cases({ 8.0, 3.3 }))
+  {
+    SCOPED_TRACE(cells);
+    for (const SmallCells mode : cases({ SmallCells::Remove, SmallCells::Merge }))
+    {
+      const MeshArrays mesh = meshOf(soup, cellsAlongLongest(soup, cells), shaped(mode)).mesh;
+      EXPECT_TRUE(isValid(mesh, mode == SmallCells::Merge));
+      EXPECT_TRUE(fills(mesh, soup));
+    }
+  }
+}
+
+TEST_P(ShapedMesh, KeepsVolumeAndAreasOfRefinedMeshes)
+{
+  const Soup& soup = GetParam().soup;
+  Options options = shaped(SmallCells::Merge);
+  options.refinement = depth(2);
+  const MeshArrays mesh = meshOf(soup, cellsAlongLongest(soup, 3.3), options).mesh;
+  EXPECT_TRUE(isValid(mesh, true));
+  EXPECT_TRUE(fills(mesh, soup));
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, ShapedMesh, ::testing::ValuesIn(cleanShapes()), nameOf);
+
+TEST(Shaping, AnEllInOneBoxIsSplitInTwo)
+{
+  const Meshed split = meshOf(ell(), cellsOf(1), shaped(SmallCells::Remove));
+  EXPECT_EQ(split.mesh.cells(), 2U);
+  EXPECT_EQ(split.statistics.at("CellsSplit"), 1);
+  EXPECT_EQ(split.statistics.at("BoundaryAngleFailures"), 0);
+  EXPECT_TRUE(isValid(split.mesh));
+  EXPECT_TRUE(fills(split.mesh, ell()));
+
+  const Meshed whole = meshOf(ell(), cellsOf(1));
+  EXPECT_EQ(whole.mesh.cells(), 1U);
+  EXPECT_GT(whole.statistics.at("BoundaryAngleFailures"), 0);
+}
+
+TEST(Shaping, ASlabIsMergedIntoTheCellsBelow)
+{
+  // 3 x 3 x 1 boxes filled, and a slab of a hundredth of a box above them.
+  const Soup soup = box({ 0, 0, 0 }, { 3, 3, 1.01 });
+  GridSpec grid = cellsOf(1);
+  grid.meshlines = { std::vector<double>{ 0, 1, 2, 3 }, { 0, 1, 2, 3 }, { 0, 1, 2 } };
+  const Meshed apart = meshOf(soup, grid);
+  const Meshed merged = meshOf(soup, grid, shaped(SmallCells::Merge));
+  EXPECT_EQ(apart.mesh.cells(), 18U);
+  EXPECT_EQ(merged.mesh.cells(), 9U);
+  EXPECT_EQ(merged.statistics.at("SmallCellsMerged"), 9);
+  EXPECT_TRUE(isValid(merged.mesh, true));
+  EXPECT_TRUE(fills(merged.mesh, soup));
+  // Sides between two cells, and those at the border, became one face: six faces a cell.
+  for (std::size_t cell = 0; cell < merged.mesh.cells(); ++cell)
+  {
+    EXPECT_EQ(merged.mesh.faceStream.at(static_cast<std::size_t>(merged.mesh.faceStart[cell])), 6);
+  }
+}
+
+// Where corners of boxes move onto a crease, a cell must not end on its other side.
+TEST(Shaping, CollapsedEdgesKeepTheVolumeOfExactFit)
+{
+  Options options;
+  options.cells = asTheyAre();
+  for (unsigned seed = 0; seed < repeats(40); ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const Soup soup = starPolyhedron(seed, 3);
+    options.cells.collapseRatio = seed % 2 == 0 ? 0.1 : MostCollapseRatio;
+    const MeshArrays mesh = meshOf(soup, cellsAlongLongest(soup, 12.3 + seed), options).mesh;
+    EXPECT_TRUE(isValid(mesh, true));
+    EXPECT_TRUE(fills(mesh, soup));
+  }
+}
+
+TEST(Shaping, FuzzedShapesStayValid)
+{
+  for (unsigned seed = 0; seed < repeats(12); ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const Soup soup = seed % 2 == 0 ? starPolyhedron(seed, 6) : bumpySphere(seed, 4);
+    const MeshArrays mesh = meshOf(soup, cellsAlongLongest(soup, 2.3 + seed),
+      shaped(SmallCells::Merge, 1 + static_cast<int>(seed % 3)))
+                              .mesh;
+    EXPECT_TRUE(isValid(mesh, true));
+    EXPECT_TRUE(fills(mesh, soup));
+  }
+}
+
+}

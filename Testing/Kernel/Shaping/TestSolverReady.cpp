@@ -1,0 +1,140 @@
+// With the default properties no cell is left that section 3 or OpenFOAM's checkMesh refuses.
+#include "Base/Error.h"
+#include "Polyhedra/CellGeometry.h"
+#include "Polyhedra/Polyhedron.h"
+#include "Quality/QualityMeasures.h"
+#include "Support/MeshChecker.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+namespace cartesian
+{
+
+namespace
+{
+
+class SolverReady : public ::testing::TestWithParam<NamedShape>
+{
+};
+
+Options defaults()
+{
+  Options options;
+  options.cells = CellSpec();
+  options.patches = PatchSpec();
+  return options;
+}
+
+Quality qualityOf(const MeshArrays& mesh)
+{
+  CellFaces faces;
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
+  {
+    faces.firstFace.push_back(faces.firstCorner.size());
+    for (const Face& face : facesOf(mesh, cell))
+    {
+      faces.firstCorner.push_back(faces.corners.size());
+      faces.corners.insert(faces.corners.end(), face.begin(), face.end());
+    }
+  }
+  faces.firstFace.push_back(faces.firstCorner.size());
+  faces.firstCorner.push_back(faces.corners.size());
+  Execution execution(1);
+  const FaceList list = listFaces(faces, mesh.points.size() / 3, Clashes::AreBoundary, execution);
+  return measureQuality(mesh.points.data(), faces, list, execution);
+}
+
+// Faces that break a rule of section 3 by the centres that later versions of OpenFOAM give bent faces.
+std::size_t failuresByProjectedCentres(const MeshArrays& mesh)
+{
+  const auto nodesOf = [](Face face) {
+    std::sort(face.begin(), face.end());
+    return face;
+  };
+  std::map<Face, int> uses;
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
+  {
+    for (const Face& face : facesOf(mesh, cell))
+    {
+      ++uses[nodesOf(face)];
+    }
+  }
+  std::size_t failures = 0;
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
+  {
+    Polyhedron polyhedron;
+    for (const Face& face : facesOf(mesh, cell))
+    {
+      for (const Id point : face)
+      {
+        const double* const p = &mesh.points[3 * static_cast<std::size_t>(point)];
+        polyhedron.addCorner(static_cast<std::uint32_t>(polyhedron.nodes.size()));
+        polyhedron.nodes.push_back({ p[0], p[1], p[2] });
+      }
+      polyhedron.closeFace(uses[nodesOf(face)] == 1);
+    }
+    CellShape shape;
+    measureProjected(polyhedron, shape);
+    for (std::size_t f = 0; f < polyhedron.faces(); ++f)
+    {
+      const double degrees = angle(minus(shape.faces[f].centre, shape.centre), shape.faces[f].area);
+      failures += degrees >= (polyhedron.isBoundary[f] != 0 ? 90 : 75) ? 1 : 0;
+    }
+  }
+  return failures;
+}
+
+// Unless all cells are small (4.10), as those of a needle.
+void expectReady(const Soup& soup, double cells, const Options& options)
+{
+  MeshArrays mesh;
+  try
+  {
+    mesh = meshOf(soup, cellsAlongLongest(soup, cells), options).mesh;
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(std::string(error.what()).find("There is nothing left to mesh: all "), 0U);
+    return;
+  }
+  EXPECT_TRUE(isValid(mesh, true));
+  EXPECT_EQ(std::count(mesh.boundaryIndex.begin(), mesh.boundaryIndex.end(), NoBoundary), 0);
+  const Quality quality = qualityOf(mesh);
+  for (const Measure measure : { BoundaryAngle, InnerAngle, StarTriangulation, Skewness })
+  {
+    std::size_t failing = 0;
+    for (const double value : quality.cells[measure])
+    {
+      failing += fails(measure, value) ? 1 : 0;
+    }
+    EXPECT_EQ(failing, 0U) << MeasureSpecs[measure].name;
+  }
+  EXPECT_EQ(failuresByProjectedCentres(mesh), 0U);
+}
+
+}
+
+TEST_P(SolverReady, NothingIsRefused)
+{
+  const Soup& soup = GetParam().soup;
+  for (const double cells : { 3.3, 8.0 })
+  {
+    SCOPED_TRACE(cells);
+    expectReady(soup, cells, defaults());
+  }
+}
+
+TEST_P(SolverReady, NothingIsRefusedInRefinedMeshes)
+{
+  const Soup& soup = GetParam().soup;
+  Options options = defaults();
+  options.refinement = depth(2);
+  expectReady(soup, 3.3, options);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, SolverReady, ::testing::ValuesIn(cleanShapes()), nameOf);
+
+}

@@ -1,0 +1,185 @@
+#include "Support/Pipeline.h"
+
+#include "Surface/LineCrossings.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace cartesian
+{
+
+MeshArrays arraysOf(const Mesh& mesh, const Boxes& boxes, Execution& execution)
+{
+  MeshArrays a;
+  const auto cells = static_cast<std::size_t>(mesh.cellCount());
+  a.points.resize(3 * static_cast<std::size_t>(mesh.pointCount()));
+  a.offsets.resize(cells + 1);
+  a.connectivity.resize(static_cast<std::size_t>(mesh.connectivitySize()));
+  a.types.resize(cells);
+  a.faceStart.resize(cells);
+  a.faceStream.resize(static_cast<std::size_t>(mesh.faceStreamSize()));
+  a.globalBox.resize(3 * cells);
+  a.level.resize(3 * cells);
+  a.region.resize(cells);
+  a.volumeFraction.resize(cells);
+  mesh.writePoints(a.points.data(), execution);
+  mesh.writeCells({ a.offsets.data(), a.connectivity.data(), a.types.data(), a.faceStart.data(),
+                    a.faceStream.data(), MeshArrays::Hexahedron, MeshArrays::Polyhedron },
+    execution);
+  mesh.writeCellData(
+    { a.globalBox.data(), a.level.data(), a.region.data(), a.volumeFraction.data() }, execution);
+
+  const BoundaryMesh boundary = mesh.boundaryMesh(execution);
+  a.boundaryStart = boundary.start;
+  for (const Id corner : boundary.corners)
+  {
+    a.boundaryPoints.push_back(boundary.meshPoint.at(static_cast<std::size_t>(corner)));
+  }
+  for (const BoundaryFace& face : mesh.boundary())
+  {
+    a.boundaryCell.push_back(face.cell);
+    a.boundaryIndex.push_back(face.boundary);
+  }
+  a.step = boxes.lattice.step();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const Level level : boxes.planes[axis])
+    {
+      a.meshlines[axis].push_back(boxes.lattice.position(axis, level));
+    }
+  }
+  return a;
+}
+
+bool MeshArrays::operator==(const MeshArrays& other) const
+{
+  const auto all = [](const MeshArrays& a) {
+    return std::tie(a.points, a.offsets, a.connectivity, a.types, a.faceStart, a.faceStream,
+      a.globalBox, a.level, a.region, a.volumeFraction, a.boundaryStart, a.boundaryPoints,
+      a.boundaryCell, a.boundaryIndex, a.meshlines, a.step);
+  };
+  return all(*this) == all(other);
+}
+
+PatchSpec exactFit()
+{
+  PatchSpec spec;
+  spec.method = PatchMethod::ExactFit;
+  return spec;
+}
+
+CellSpec asTheyAre(double smallCellRatio)
+{
+  CellSpec spec;
+  spec.collapseRatio = 0;
+  spec.smallCellRatio = smallCellRatio;
+  spec.smallCells = SmallCells::Remove;
+  spec.splitConcave = false;
+  return spec;
+}
+
+GridSpec cellsOf(double size)
+{
+  GridSpec grid;
+  grid.cellSize = size;
+  return grid;
+}
+
+GridSpec cellsAlongLongest(const Soup& soup, double cells)
+{
+  return cellsOf(soup.longest() / cells);
+}
+
+RefinementSpec depth(int levels)
+{
+  RefinementSpec spec;
+  spec.depth = levels;
+  return spec;
+}
+
+PreparedSurface prepare(const Soup& soup, const GridSpec& grid)
+{
+  Execution execution;
+  return prepareSurface(soup.view(), grid, PlentyOfMemory, execution);
+}
+
+Meshlines randomPlanes(unsigned seed, int width)
+{
+  std::mt19937 random(seed);
+  Meshlines planes;
+  for (auto& levels : planes)
+  {
+    for (int i = 0; i <= width + 1; ++i)
+    {
+      levels.push_back(static_cast<Level>(2 * i));
+    }
+    std::shuffle(levels.begin(), levels.end(), random);
+    levels.resize(2 + random() % static_cast<unsigned>(width + 1));
+    std::sort(levels.begin(), levels.end());
+  }
+  return planes;
+}
+
+PreparedSurface prepareOnLevels(const Soup& soup, const Meshlines& planes)
+{
+  Execution execution;
+  PreparedSurface prepared;
+  prepared.bounds = boundsOf(soup.view());
+  prepared.planes = planes;
+  prepared.surface = onLattice(soup.view(), Lattice({ 0, 0, 0 }, 1), execution);
+  prepared.trianglesGiven = prepared.surface.triangles.size();
+  prepared.repair = repair(prepared.surface, planes, execution);
+  prepared.memoryLimit = PlentyOfMemory;
+  return prepared;
+}
+
+Meshed meshPrepared(const PreparedSurface& prepared, const Options& options)
+{
+  Execution execution(options.threads);
+  Meshed result;
+  result.prepared = prepared;
+  result.boxed = boxSurface(prepared, options.refinement, execution);
+  result.patches = generatePatches(
+    prepared.surface, result.boxed.boxes, result.boxed.shoeboxes, options.patches, execution);
+  const Assembly assembly(result.boxed.boxes, result.patches, options.cells, execution);
+  result.mesh = arraysOf(assembly.mesh(), result.boxed.boxes, execution);
+  result.flawedBoxes = assembly.flawedBoxes();
+  for (const auto& [name, value] : assembly.statistics())
+  {
+    result.statistics[name] = value;
+  }
+  return result;
+}
+
+Meshed meshOf(const Soup& soup, const GridSpec& grid, const Options& options)
+{
+  return meshPrepared(prepare(soup, grid), options);
+}
+
+std::vector<Winding> windings(const Surface& surface, const Meshlines& planes, int axis)
+{
+  Execution execution;
+  const LineCrossings lines(surface, planes, axis, execution);
+  const RowAxes& axes = lines.axes();
+  std::vector<Winding> result;
+  std::array<std::uint32_t, 3> v{};
+  for (v[2] = 0; v[2] < planes[2].size(); ++v[2])
+  {
+    for (v[1] = 0; v[1] < planes[1].size(); ++v[1])
+    {
+      for (v[0] = 0; v[0] < planes[0].size(); ++v[0])
+      {
+        result.push_back(lines.at(v[axes.middle], v[axes.outer], v[axis]));
+      }
+    }
+  }
+  return result;
+}
+
+Shoeboxes shoeboxesOf(const Surface& surface, const Meshlines& planes)
+{
+  Execution execution;
+  return fillShoeboxes(surface, planes, execution);
+}
+
+}

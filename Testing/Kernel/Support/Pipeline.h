@@ -1,0 +1,98 @@
+// From a soup to the arrays of a mesh: what the filters do, in one call.
+#pragma once
+
+#include "Mesher/Mesher.h"
+#include "Support/Shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace cartesian
+{
+
+// All arrays that Mesh writes, and where the meshlines are.
+struct MeshArrays
+{
+  static constexpr unsigned char Hexahedron = 12;
+  static constexpr unsigned char Polyhedron = 42;
+
+  std::vector<double> points;
+  std::vector<Id> offsets;
+  std::vector<Id> connectivity;
+  std::vector<unsigned char> types;
+  std::vector<Id> faceStart;
+  std::vector<Id> faceStream;
+  std::vector<int> globalBox;
+  std::vector<unsigned char> level;
+  std::vector<int> region;
+  std::vector<double> volumeFraction;
+
+  std::vector<Id> boundaryStart;
+  std::vector<Id> boundaryPoints; // the mesh's
+  std::vector<Id> boundaryCell;
+  std::vector<std::int32_t> boundaryIndex;
+
+  std::array<std::vector<double>, 3> meshlines;
+  double step; // of the lattice
+
+  std::size_t cells() const { return types.size(); }
+
+  bool operator==(const MeshArrays& other) const;
+};
+
+MeshArrays arraysOf(const Mesh& mesh, const Boxes& boxes, Execution& execution);
+
+struct Meshed
+{
+  PreparedSurface prepared;
+  BoxedSurface boxed;
+  Patches patches;
+  MeshArrays mesh;
+  std::vector<std::uint32_t> flawedBoxes;
+  std::map<std::string, double> statistics;
+};
+
+constexpr double PlentyOfMemory = 1e11;
+
+PatchSpec exactFit();
+
+// Nothing is merged or split, nothing removed but what is smaller, and what has no volume.
+CellSpec asTheyAre(double smallCellRatio = 0);
+
+struct Options
+{
+  CellSpec cells = asTheyAre();
+  int threads = 1;
+  RefinementSpec refinement;
+  PatchSpec patches = exactFit(); // for the tests' exact facts
+};
+
+GridSpec cellsOf(double size);
+GridSpec cellsAlongLongest(const Soup& soup, double cells);
+RefinementSpec depth(int levels); // everywhere
+
+PreparedSurface prepare(const Soup& soup, const GridSpec& grid);
+
+// From two to all planes a direction between the levels 0 and 2 * width + 2.
+Meshlines randomPlanes(unsigned seed, int width);
+
+// A surface whose coordinates are levels, all odd, cut by these planes.
+PreparedSurface prepareOnLevels(const Soup& soup, const Meshlines& planes);
+
+Meshed meshPrepared(const PreparedSurface& prepared, const Options& options = {});
+Meshed meshOf(const Soup& soup, const GridSpec& grid, const Options& options = {});
+
+// For parametrised tests.
+inline std::string nameOf(const ::testing::TestParamInfo<NamedShape>& info)
+{
+  return info.param.name;
+}
+
+// How the surface winds around each vertex of the global mesh by its crossings below it along `axis`, x
+// fastest.
+std::vector<Winding> windings(const Surface& surface, const Meshlines& planes, int axis);
+
+Shoeboxes shoeboxesOf(const Surface& surface, const Meshlines& planes);
+
+}
