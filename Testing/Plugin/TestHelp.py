@@ -21,7 +21,7 @@ def read_help(path):
         (namespace,), = database.execute("SELECT Name FROM NamespaceTable")
         (folder,), = database.execute("SELECT Name FROM FolderTable")
         rows = database.execute("SELECT Name, Data FROM FileNameTable, FileDataTable "
-            "WHERE FileNameTable.FileId = FileDataTable.Id")
+            "WHERE FileNameTable.FileId = FileDataTable.Id AND Name != ''")
         # As qCompress writes it: the size, then zlib's stream.
         return {name: zlib.decompress(data[4:]) for name, data in rows}, namespace, folder
 
