@@ -4,8 +4,8 @@
     convert.py pages CMARK XML FOLDER    writes all pages, and the pictures they show, into FOLDER
 
 CMARK is cmark-gfm, GitHub's own converter. A page that is called as a proxy in XML, group.name.md, ends with
-the documentation of its properties. README.md becomes index.html. ParaView shows HTML without a style
-sheet in a QTextBrowser, which knows little CSS.
+the documentation of its properties. README.md becomes index.html. ParaView shows the
+HTML in a QTextBrowser, which knows little CSS.
 """
 
 import pathlib
@@ -22,7 +22,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 WIDEST = 700  # of a picture, in pixels
 
 PAGE = """<!DOCTYPE html>
-<html><head><meta charset="utf-8"/><title>{title}</title></head>
+<html><head><meta charset="utf-8"/><title>{title}</title>
+<style>pre, code {{ font-family: "DejaVu Sans Mono", "Consolas", "Menlo", monospace }}</style></head>
 <body>
 {body}</body></html>
 """
