@@ -23,7 +23,7 @@ WIDEST = 700  # of a picture, in pixels
 
 PAGE = """<!DOCTYPE html>
 <html><head><meta charset="utf-8"/><title>{title}</title>
-<style>pre, code {{ font-family: "DejaVu Sans Mono", "Consolas", "Menlo", monospace }}</style></head>
+<style>pre, code {{ font-family: "DejaVu Sans Mono", "Consolas", "Menlo", monospace; white-space: pre }}</style></head>
 <body>
 {body}</body></html>
 """
