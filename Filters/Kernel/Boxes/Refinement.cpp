@@ -22,7 +22,7 @@ void checkDepth(int depth, const std::string& what)
   }
 }
 
-RowSet emptySet(const Meshlines& planes)
+GlobalBoxSet emptySet(const Meshlines& planes)
 {
   return { static_cast<std::int64_t>(planes[0].size()) - 1,
     static_cast<std::int64_t>(planes[1].size()) - 1,

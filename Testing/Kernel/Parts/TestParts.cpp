@@ -1,7 +1,7 @@
 // Parts of a grid, each meshed by itself, are together the mesh of the whole: the same points, bit for
 // bit, the same cells, the same numbers.
 #include "Base/Error.h"
-#include "Parts/Division.h"
+#include "Parts/Decomposition.h"
 #include "Support/Effort.h"
 #include "Support/Pipeline.h"
 
@@ -29,20 +29,20 @@ public:
     : execution_(options.threads)
     , options_(options)
     , prepared_(prepare(soup, grid))
-    , division_(prepared_.surface, prepared_.planes, options.refinement, PlentyOfMemory,
-        reachOf(options.cells), execution_)
+    , decomposition_(prepared_.surface, prepared_.planes, options.refinement, PlentyOfMemory,
+        laterStepsOf(options.cells), execution_)
   {
   }
 
   std::vector<Layers> split(std::size_t count)
   {
-    return division_.split(division_.estimateLayers(execution_), count);
+    return decomposition_.split(decomposition_.estimateLayers(execution_), count);
   }
 
   std::vector<Layers> eachLayer() const
   {
     std::vector<Layers> layers;
-    for (std::uint32_t k = 0; k < division_.allLayers().end; ++k)
+    for (std::uint32_t k = 0; k < decomposition_.allLayers().end; ++k)
     {
       layers.push_back({ k, k + 1 });
     }
@@ -51,9 +51,9 @@ public:
 
   Part part(Layers core, Id pointsBefore)
   {
-    const Boxes boxes = division_.boxes(core, execution_);
+    const Boxes boxes = decomposition_.boxes(core, execution_);
     const Patches patches = generatePatches(
-      prepared_.surface, boxes, division_.shoeboxes(), options_.patches, execution_);
+      prepared_.surface, boxes, decomposition_.shoeboxes(), options_.patches, execution_);
     const Assembly assembly(boxes, patches, options_.cells, execution_);
     Part part;
     part.mesh = arraysOf(assembly.mesh(), boxes, execution_);
@@ -71,7 +71,7 @@ private:
   Execution execution_;
   Options options_;
   PreparedSurface prepared_;
-  Division division_;
+  Decomposition decomposition_;
 };
 
 // The whole mesh out of its parts. Points that several parts have must be the same.
@@ -331,8 +331,8 @@ TEST(Parts, AreAsManyAsMemoryAsksFor)
   const PreparedSurface prepared = prepare(soup, cellsAlongLongest(soup, 150));
   Execution execution;
   const auto needed = [&](double bytes) {
-    const Division division(prepared.surface, prepared.planes, {}, bytes, {}, execution);
-    return division.partsNeeded(division.estimateLayers(execution));
+    const Decomposition decomposition(prepared.surface, prepared.planes, {}, bytes, {}, execution);
+    return decomposition.partsNeeded(decomposition.estimateLayers(execution));
   };
   const double whole = estimateMesh(prepared.surface, prepared.planes).bytes();
   EXPECT_EQ(1u, needed(2 * whole));
