@@ -1,5 +1,5 @@
-// Disjoint sets (union-find) of the numbers 0 to n - 1. The lowest number of a set represents it, so that the
-// result does not depend on the order of unions.
+// Disjoint sets (union-find) of the numbers 0 to n - 1. The lowest number of a set represents it,
+// so that the result does not depend on the order of unions.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Unused objects kept for reuse, so that nested containers, which are filled anew for each box or side, keep
-// their memory.
+// Unused objects kept for reuse, so that nested containers, which are filled anew for each box or
+// side, keep their memory.
 #pragma once
 
 #include <algorithm>

@@ -34,7 +34,7 @@ std::uint32_t Boxes::globalAt(std::int64_t i, std::int64_t j, std::int64_t k) co
   {
     return None;
   }
-  // Where nothing is missing in the row before it, it is here, else before.
+  // If no box of the row is missing before it, it is at this guess, else before it.
   if (const std::int64_t guess = i - begin->index[0]; guess < end - begin)
   {
     end = begin + guess;
@@ -133,7 +133,8 @@ void Boxes::findNearDepths()
 std::array<std::uint32_t, 4> facing(const Boxes& boxes, const PackedBox& box, int axis, bool upper)
 {
   std::array<std::uint32_t, 4> across;
-  if (const GlobalBox& global = boxes.globalOf(box); global.nearDepth == 0) // nor is its neighbour
+  if (const GlobalBox& global = boxes.globalOf(box);
+      global.nearDepth == 0) // neither it nor its neighbour is divided
   {
     std::array<std::int64_t, 3> at{ global.index[0], global.index[1], global.index[2] };
     at[axis] += upper ? 1 : -1;

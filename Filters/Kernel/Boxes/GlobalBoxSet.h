@@ -1,4 +1,4 @@
-// A set of global boxes as runs along x: small where boxes lie together.
+// A set of global boxes, run-length encoded along x: small if they are contiguous.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@ namespace cartesian
 class GlobalBoxSet
 {
 public:
-  // For `rowsAlongY` times `rowsAlongZ` rows of `boxesAlongX` boxes.
+  // Empty, in a grid of `rowsAlongY` times `rowsAlongZ` rows of `boxesAlongX` boxes.
   GlobalBoxSet(std::int64_t boxesAlongX, std::int64_t rowsAlongY, std::int64_t rowsAlongZ);
 
-  // Boxes of a row are inserted in order of i.
+  // The boxes of a row must be inserted in order of i.
   void insert(std::int64_t i, std::int64_t j, std::int64_t k);
 
   bool contains(std::int64_t i, std::int64_t j, std::int64_t k) const;
 
-  // All boxes at most `layers` boxes away along x, y and z.
+  // All boxes at most `layers` boxes away from one of the set along x, y and z.
   GlobalBoxSet grown(std::int64_t layers) const;
 
 private:

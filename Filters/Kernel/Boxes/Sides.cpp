@@ -46,7 +46,7 @@ bool hasHangingNodes(const Boxes& boxes, const PackedBox& box, std::vector<std::
   return false;
 }
 
-// Calls visit(neighbour, side) for the rectangles into which its neighbours divide a side of a box.
+// Calls visit(neighbour, side) for the rectangles into which the neighbours divide a side of a box.
 template <class Visitor>
 void forEachPart(const Boxes& boxes, std::uint32_t b, int axis, bool upper, Visitor&& visit)
 {
@@ -91,8 +91,8 @@ void forEachPart(const Boxes& boxes, std::uint32_t b, int axis, bool upper, Visi
   }
 }
 
-// The sides that a polyhedral box owns: all its upper ones, and those lower ones that face no
-// other polyhedral box.
+// Visits the sides that a polyhedral box owns: all upper ones, and the lower ones across which
+// there is no polyhedral box.
 template <class Visitor>
 void forEachOwnSide(const Boxes& boxes, const Sides& sides, std::uint32_t b, Visitor&& visit)
 {
@@ -108,7 +108,7 @@ void forEachOwnSide(const Boxes& boxes, const Sides& sides, std::uint32_t b, Vis
   }
 }
 
-enum class Kind : std::uint8_t
+enum class BoxKind : std::uint8_t
 {
   Hexahedron,
   DividedHexahedron,
@@ -116,44 +116,44 @@ enum class Kind : std::uint8_t
   Intersected, // polyhedral too
 };
 
-Kind kindOf(const Boxes& boxes, const PackedBox& box, std::vector<std::int64_t>& scratch)
+BoxKind kindOf(const Boxes& boxes, const PackedBox& box, std::vector<std::int64_t>& scratch)
 {
   if (box.status == BoxStatus::Intersected)
   {
-    return Kind::Intersected;
+    return BoxKind::Intersected;
   }
   if (boxes.units.empty()) // no box is divided
   {
-    return Kind::Hexahedron;
+    return BoxKind::Hexahedron;
   }
   if (hasHangingNodes(boxes, box, scratch))
   {
-    return Kind::Polyhedral;
+    return BoxKind::Polyhedral;
   }
   const bool divided = (box.level[0] | box.level[1] | box.level[2]) != 0;
-  return divided ? Kind::DividedHexahedron : Kind::Hexahedron;
+  return divided ? BoxKind::DividedHexahedron : BoxKind::Hexahedron;
 }
 
-// How many boxes there are before a chunk of them.
-struct Before
+// How many boxes of each kind there are before a chunk of boxes.
+struct KindCounts
 {
   std::uint32_t polyhedral = 0;
   std::uint32_t intersected = 0;
   std::uint32_t divided = 0; // hexahedra
 
-  void count(Kind kind)
+  void count(BoxKind kind)
   {
-    polyhedral += kind >= Kind::Polyhedral ? 1 : 0;
-    intersected += kind == Kind::Intersected ? 1 : 0;
-    divided += kind == Kind::DividedHexahedron ? 1 : 0;
+    polyhedral += kind >= BoxKind::Polyhedral ? 1 : 0;
+    intersected += kind == BoxKind::Intersected ? 1 : 0;
+    divided += kind == BoxKind::DividedHexahedron ? 1 : 0;
   }
 };
 
 void classify(const Boxes& boxes, Sides& result, Execution& execution)
 {
   const std::size_t count = boxes.packed.size();
-  RawVector<Kind> kinds(count);
-  std::vector<Before> before(chunks(count, BoxesAChunk) + 1);
+  RawVector<BoxKind> kinds(count);
+  std::vector<KindCounts> before(chunks(count, BoxesAChunk) + 1);
   execution.nextLoop(0.1);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     std::vector<std::int64_t> scratch;
@@ -174,18 +174,18 @@ void classify(const Boxes& boxes, Sides& result, Execution& execution)
   result.patchBox.resize(before.back().polyhedral);
   result.divided.resize(before.back().divided);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
-    Before next = before[begin / BoxesAChunk];
+    KindCounts next = before[begin / BoxesAChunk];
     for (std::size_t b = begin; b < end; ++b)
     {
-      const Kind kind = kinds[b];
+      const BoxKind kind = kinds[b];
       result.ordinal[b] = None;
-      if (kind >= Kind::Polyhedral)
+      if (kind >= BoxKind::Polyhedral)
       {
         result.ordinal[b] = next.polyhedral;
         result.polyhedral[next.polyhedral] = static_cast<std::uint32_t>(b);
-        result.patchBox[next.polyhedral] = kind == Kind::Intersected ? next.intersected : None;
+        result.patchBox[next.polyhedral] = kind == BoxKind::Intersected ? next.intersected : None;
       }
-      else if (kind == Kind::DividedHexahedron)
+      else if (kind == BoxKind::DividedHexahedron)
       {
         result.ordinal[b] = next.divided | Sides::HexahedronBit;
         result.divided[next.divided] = static_cast<std::uint32_t>(b);

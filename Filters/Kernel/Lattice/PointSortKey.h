@@ -1,4 +1,5 @@
-// A point with a number, packed: sorts by place, then by number, several times as fast as the two apart.
+// A point and its number packed into two words: sorts by position, then by number, several times as
+// fast as a pair.
 #pragma once
 
 #include "Lattice/Lattice.h"

@@ -10,28 +10,25 @@ namespace cartesian
 namespace
 {
 
-// A star triangle may be turned over by this part of the polygon's area: rounding.
-constexpr double RoundingOfAreas = 1e-9;
-
-struct Vector
+struct PlaneVector
 {
   double a;
   double b;
 };
 
-Vector minus(const PlanePoint& p, const PlanePoint& q)
+PlaneVector minus(const PlanePoint& p, const PlanePoint& q)
 {
   return { static_cast<double>(p.a - q.a), static_cast<double>(p.b - q.b) };
 }
 
-double cross(const Vector& u, const Vector& v)
+double cross(const PlaneVector& u, const PlaneVector& v)
 {
   return u.a * v.b - u.b * v.a;
 }
 
 double distance2(const PlanePoint& p, const PlanePoint& q)
 {
-  const Vector d = minus(p, q);
+  const PlaneVector d = minus(p, q);
   return d.a * d.a + d.b * d.b;
 }
 
@@ -80,7 +77,7 @@ bool obstructed(const std::vector<PlanePoint>& at, const PlanePoint& p, const Pl
   return false;
 }
 
-// Whether x lies in the interior angle at corner p, whose neighbours are before and after.
+// Whether x lies in the interior angle at corner p, between the neighbours `before` and `after`.
 bool inCone(
   const PlanePoint& before, const PlanePoint& p, const PlanePoint& after, const PlanePoint& x)
 {
@@ -89,13 +86,14 @@ bool inCone(
   return turn(before, p, after) > 0 ? leftOfOut && leftOfIn : leftOfOut || leftOfIn;
 }
 
-// The interior angle at corner i beyond 180 degrees, or less than 0.
+// By how much the interior angle at corner i exceeds 180 degrees, in radians; negative if it is
+// convex.
 double concavity(const std::vector<PlanePoint>& at, std::size_t i)
 {
   const std::size_t n = at.size();
   const PlanePoint& p = at[i];
-  const Vector in = minus(p, at[(i + n - 1) % n]);
-  const Vector out = minus(at[(i + 1) % n], p);
+  const PlaneVector in = minus(p, at[(i + n - 1) % n]);
+  const PlaneVector out = minus(at[(i + 1) % n], p);
   return -std::atan2(cross(in, out), in.a * out.a + in.b * out.b);
 }
 
@@ -153,7 +151,7 @@ Diagonal optimalDiagonal(const std::vector<PlanePoint>& at, std::size_t i)
   return best;
 }
 
-// A bridge that rounding hides from isStar still shows in nodes that come twice.
+// Reveals a bridge that isStar misses because of rounding: its nodes occur twice.
 bool areDistinct(const std::vector<std::uint32_t>& nodes)
 {
   for (auto node = nodes.begin(); node != nodes.end(); ++node)
@@ -166,7 +164,7 @@ bool areDistinct(const std::vector<std::uint32_t>& nodes)
   return true;
 }
 
-// A polygon that crosses itself (by rounding) may have no diagonal: any will do.
+// A polygon that intersects itself (by rounding) may have no diagonal: any choice will do.
 std::size_t anyDiagonal(std::size_t i, std::size_t corners)
 {
   return (i + corners / 2) % corners;
@@ -200,7 +198,7 @@ bool inCone(const std::vector<PlanePoint>& at, std::size_t i, const PlanePoint& 
   return inCone(at[(i + n - 1) % n], at[i], at[(i + 1) % n], x);
 }
 
-// From a corner of the polygon to one of the hole.
+// An edge from a corner of the polygon to a corner of the hole.
 struct Bridge
 {
   double length2;
@@ -215,8 +213,8 @@ struct Bridge
   }
 };
 
-// Whether the bridge runs inside the polygon and outside the hole and the others. A corner may be
-// there several times, where other holes were joined: only one is the right one.
+// Whether the bridge runs inside the polygon and outside of all holes. Where other holes were
+// joined, a corner occurs several times, and only one of them is right.
 bool runsInside(const Bridge& bridge, const FlatPolygon& polygon, const FlatPolygon& hole,
   const std::vector<FlatPolygon>& others)
 {
@@ -252,7 +250,7 @@ Bridge bestBridge(
   return best == bridges.end() ? bridges.front() : *best;
 }
 
-// outer ... o, h ... h, o ... : a shared corner needs no edge.
+// The result is outer ... o, h ... h, o ...; a shared corner needs no edge.
 void joinAlong(const Bridge& bridge, FlatPolygon& polygon, const FlatPolygon& hole)
 {
   FlatPolygon joined = part(polygon, (bridge.outer + 1) % polygon.nodes.size(), bridge.outer);
@@ -277,7 +275,8 @@ bool touch(const FlatPolygon& x, const FlatPolygon& y)
     x.nodes.end();
 }
 
-// Joins those holes that share a corner with `loop`, a part of the polygon, and so on with them.
+// Joins the holes that share a corner with `loop`, a part of the polygon, then those that share one
+// with these, and so on.
 void joinTouching(FlatPolygon loop, FlatPolygon& polygon, std::vector<FlatPolygon>& holes)
 {
   std::vector<FlatPolygon> todo{ std::move(loop) };
@@ -303,7 +302,7 @@ bool isStar(const std::vector<PlanePoint>& at)
 {
   const std::size_t n = at.size();
   const PlanePoint base = at[0];
-  Vector mean{ 0, 0 };
+  PlaneVector mean{ 0, 0 };
   for (const PlanePoint& p : at)
   {
     mean.a += static_cast<double>(p.a - base.a) / static_cast<double>(n);
@@ -313,19 +312,19 @@ bool isStar(const std::vector<PlanePoint>& at)
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < n; ++i)
   {
-    const Vector p = minus(at[i], base);
-    const Vector q = minus(at[i + 1 < n ? i + 1 : 0], base);
+    const PlaneVector p = minus(at[i], base);
+    const PlaneVector q = minus(at[i + 1 < n ? i + 1 : 0], base);
     const double twice = cross({ p.a - mean.a, p.b - mean.b }, { q.a - mean.a, q.b - mean.b });
     area += twice;
     least = std::min(least, twice);
   }
-  return least >= -RoundingOfAreas * std::abs(area);
+  return least >= -StarRounding * std::abs(area);
 }
 
 void joinHoles(FlatPolygon& polygon, std::vector<FlatPolygon> holes)
 {
-  // What lies right of a hole is joined before it, so nothing hides the polygon from the hole's
-  // rightmost corner but the polygon itself: there is an edge.
+  // Holes are joined from right to left, so that only the polygon itself can obstruct the view to
+  // the right from a hole's rightmost corner: there is always an edge.
   std::sort(holes.begin(), holes.end(), [](const FlatPolygon& x, const FlatPolygon& y) {
     const PlanePoint p = rightmost(x);
     const PlanePoint q = rightmost(y);

@@ -52,7 +52,7 @@ inline double norm(const Vector& u)
   return std::sqrt(dot(u, u));
 }
 
-// Of length 1, or 0 where it has no length.
+// Scaled to length 1; zero stays zero.
 inline Vector unit(const Vector& u)
 {
   const double length = norm(u);

@@ -6,16 +6,16 @@ namespace cartesian
 namespace
 {
 
-// Layers of global boxes around a part of the grid that its cells depend on, directly or not. What
-// happens to cells once they are cut reaches as far as layersForCells() says (Slabs.h). Before, three times,
-// flawed boxes change those around them, and are flawed by theirs (FlawedBoxes.h); faces between those
-// and the next layer take the surface in one more, and how each box there is patched; and where boxes
-// are divided, that takes the split lines of the next.
+// Layers of global boxes around a part on which its cells depend, directly or not. Up to where
+// cells are cut, that is layersForCells() (Slabs.h). Before that, in three rounds, flawed boxes
+// change their neighbours and are flawed by them (FlawedBoxes.h); faces towards the next layer
+// depend on its surface, and on how each box there is patched; and where boxes are divided, on the
+// split lines of the layer after that.
 constexpr std::uint32_t HaloOfRebuilding = 3 * 2;
 constexpr std::uint32_t HaloOfUndivided = HaloOfRebuilding + 1;
 constexpr std::uint32_t HaloOfDivided = HaloOfUndivided + 1;
 
-// ... after balancing, which takes balanceReach() more.
+// The layers that a part needs of the balanced boxes; balancing takes balanceReach() more.
 Layers layersFor(
   Layers core, const LaterSteps& laterSteps, const Refinement& refinement, std::uint32_t allLayers)
 {
@@ -23,7 +23,7 @@ Layers layersFor(
     .grown(refinement.any() ? HaloOfDivided : HaloOfUndivided, allLayers);
 }
 
-// The time that an intersected box takes, by that of a box inside (see Testing/Benchmark).
+// The time for an intersected box relative to one inside (see Testing/Benchmark).
 constexpr double WorkOfAnIntersectedBox = 30;
 
 MeshEstimate sumOf(const std::vector<MeshEstimate>& ofLayers, Layers layers)
@@ -37,7 +37,7 @@ MeshEstimate sumOf(const std::vector<MeshEstimate>& ofLayers, Layers layers)
   return sum;
 }
 
-// Where shaped cells are divided at least cost.
+// Where it costs least to divide shaped cells.
 std::uint32_t nearestDivide(std::uint32_t layer)
 {
   return layer / DivideDistance * DivideDistance + FirstDivide;
@@ -93,7 +93,7 @@ std::vector<Layers> Decomposition::split(
   const auto end = static_cast<std::uint32_t>(layers.size());
   const double all = workOf(sumOf(layers, { 0, end }));
   std::vector<Layers> parts(count);
-  // Thin parts would become uneven.
+  // Thin parts would become too uneven.
   const bool moves = laterSteps_.shapes && end >= 2 * DivideDistance * count;
   std::uint32_t k = 0;
   double before = 0;

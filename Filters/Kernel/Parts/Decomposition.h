@@ -1,13 +1,15 @@
-// How a grid is divided: what all parts of it have in common.
+// Decomposition of a grid into parts, and what all parts have in common.
 //
-// A part is a range of layers of global boxes along z, its core, meshed by itself: one part after the
-// other where the mesh is larger than memory (7.2), or each on a rank of its own. All decisions of
-// the mesher are local and exact, so with some layers around it (Slabs.h) a part has the
-// cells and points of the whole mesh, and together the parts are that mesh, bit for bit. Layers, as
-// cells and points are numbered along z last: each part's numbers follow the one's before it.
+// A part is a range of layers of global boxes along z, its core, that is meshed by itself: one part
+// after the other if the mesh is larger than memory (7.2), or each on its own rank. All decisions
+// of the mesher are local and exact, so with some layers around its core (Slabs.h) a part has
+// exactly the cells and points of the whole mesh, and the parts together are that mesh, bit for
+// bit. Parts are layers because cells and points are numbered along z last: each part's numbers
+// follow those of the part before it.
 #pragma once
 
 #include "Boxes/BoxGeneration.h"
+#include "Boxes/MeshEstimate.h"
 #include "Parts/Slabs.h"
 
 namespace cartesian
@@ -16,9 +18,9 @@ namespace cartesian
 class Decomposition
 {
 public:
-  // Borrows `surface` and `planes`. `mostBytes`: for the boxes and cells of one part; `laterSteps`: what
-  // will be done to the cells. Throws Error: BadParameter (of the refinement); of a region's surface EmptySurface, BadCoordinate,
-  // FlawedSurface.
+  // Borrows `surface` and `planes`. `mostBytes`: for the boxes and cells of one part; `laterSteps`:
+  // what will be done to the cells. Throws Error: BadParameter (of the refinement); of a region's
+  // surface EmptySurface, BadCoordinate, FlawedSurface.
   Decomposition(const Surface& surface, const Meshlines& planes, const RefinementSpec& spec,
     double mostBytes, const LaterSteps& laterSteps, Execution& execution);
 
@@ -29,23 +31,23 @@ public:
   const Shoeboxes& shoeboxes() const { return shoeboxes_; }
   Shoeboxes takeShoeboxes() { return std::move(shoeboxes_); }
 
-  // Rows of the specification that reach beyond the grid, in words, or nothing.
+  // A message about rows of the specification that extend beyond the grid, or empty.
   const std::string& warnings() const { return refinement_.warnings(); }
 
   Layers allLayers() const { return { 0, static_cast<std::uint32_t>(planes_[2].size() - 1) }; }
 
-  // The boxes of a part, and those that it depends on. Throws Error: TooManyBoxes.
+  // The boxes of a part and those it depends on. Throws Error: TooManyBoxes.
   Boxes boxes(Layers core, Execution& execution) const;
 
   // Of each layer of global boxes.
   std::vector<MeshEstimate> estimateLayers(Execution& execution) const;
 
-  // The fewest parts that take no more than the bytes allowed each. Throws Error: TooManyBoxes,
-  // where a single layer takes more.
+  // The least number of parts of which none exceeds the memory limit. Throws Error: TooManyBoxes,
+  // if a single layer does.
   std::size_t partsNeeded(const std::vector<MeshEstimate>& layers) const;
 
-  // The layers of each of `count` parts that take about equally long; some may be empty. Cells that are
-  // shaped divide them where that takes least around them.
+  // Divides the layers into `count` parts that take about equally long; some may be empty. If cells
+  // are shaped, the parts are divided where they need the smallest halo.
   std::vector<Layers> split(const std::vector<MeshEstimate>& layers, std::size_t count) const;
 
 private:

@@ -10,11 +10,11 @@ namespace cartesian
 namespace
 {
 
-// A sixth of a degree less than section 3 allows: solvers do not agree on the centre of a bent face.
+// A sixth of a degree stricter than section 3: solvers do not agree on the centre of a warped face.
 constexpr double LeastBoundaryCosine = 0.00290887798436196; // cos 89 5/6
 constexpr double LeastInnerCosine = 0.261627710462944;      // cos 74 5/6
 
-// Other centres turn no face further than from here to these.
+// Faces beyond these angles may exceed the limits above with another definition of a face's centre.
 constexpr double DoubtfulBoundaryCosine = 0.173648177666930; // cos 80
 constexpr double DoubtfulInnerCosine = 0.422618261740699;    // cos 65
 
@@ -23,13 +23,13 @@ constexpr double MostSkewness = 4;
 constexpr double LeastVolumeRatio = 0.01;
 constexpr double LeastFaceWeight = 0.05;
 
-// OpenFOAM measures skewness over at least these parts of the distance of the centres, and of the
-// height above a boundary face.
+// OpenFOAM measures skewness relative to at least these parts of the distance between the centres,
+// and of the height above a boundary face.
 constexpr double ShareOfDistance = 0.2;
 constexpr double ShareOfHeight = 0.4;
 
-// Areas that differ by less are equal but for rounding.
-constexpr double RoundingOfAreas = 1e-6;
+// Areas that differ by less than this part count as equal.
+constexpr double EqualAreas = 1e-6;
 
 double cosine(const Vector& u, const Vector& v)
 {
@@ -37,10 +37,10 @@ double cosine(const Vector& u, const Vector& v)
   return lengths > 0 ? dot(u, v) / lengths : 0;
 }
 
-// `aside`: from where the line meets the face's plane to the face's centre; `share`: the least that it
-// is measured over.
-bool isFarAside(const Polyhedron& cell, const FaceShape& shape, std::size_t face,
-  const Vector& aside, double share)
+// Whether a face's skewness is too large. `aside`: from where the line meets the face's plane to
+// the face's centre; `share`: the least length that it is measured relative to.
+bool isSkewed(const Polyhedron& cell, const FaceShape& shape, std::size_t face, const Vector& aside,
+  double share)
 {
   const double distance = norm(aside);
   if (distance <= MostSkewness * share)
@@ -62,7 +62,7 @@ bool isBoundarySkewed(const Polyhedron& cell, const CellShape& shape, std::size_
   const Vector towards = minus(f.centre, shape.centre);
   const double height = dot(towards, normal);
   const Vector aside = minus(towards, scaled(normal, height));
-  return isFarAside(cell, f, face, aside, ShareOfHeight * std::abs(height));
+  return isSkewed(cell, f, face, aside, ShareOfHeight * std::abs(height));
 }
 
 bool isInnerSkewed(
@@ -76,7 +76,7 @@ bool isInnerSkewed(
     return true;
   }
   const Vector aside = minus(towards, scaled(between, dot(f.area, towards) / across));
-  return isFarAside(cell, f, face, aside, ShareOfDistance * norm(between));
+  return isSkewed(cell, f, face, aside, ShareOfDistance * norm(between));
 }
 
 double ownCosine(const CellShape& shape, std::size_t face)
@@ -92,21 +92,21 @@ void addFaults(const Polyhedron& cell, const CellShape& shape, std::size_t f,
   const double own = ownCosine(shape, f);
   const auto note = [&](
                       CellFaults::Kind kind, bool holds) { faults.counts[kind] += holds ? 1 : 0; };
-  bool steep = false;
+  bool wideAngle = false;
   bool skewed = false;
   if (cell.isBoundary[f])
   {
-    steep = own <= LeastBoundaryCosine;
+    wideAngle = own <= LeastBoundaryCosine;
     skewed = isBoundarySkewed(cell, shape, f);
-    note(CellFaults::BoundaryAngle, steep);
+    note(CellFaults::BoundaryAngle, wideAngle);
   }
   else if (neighbour.volume > 0)
   {
     const Vector between = minus(neighbour.centre, shape.centre);
     const double others = cosine(minus(neighbour.centre, face.centre), face.area);
-    steep = std::min(own, others) < LeastInnerCosine;
+    wideAngle = std::min(own, others) < LeastInnerCosine;
     skewed = isInnerSkewed(cell, shape, f, between);
-    note(CellFaults::InnerAngle, steep);
+    note(CellFaults::InnerAngle, wideAngle);
     note(CellFaults::WronglyOriented, std::min({ own, others, dot(between, face.area) }) <= 0);
     note(CellFaults::NonOrthogonal, cosine(between, face.area) < LeastSlopeCosine);
     note(CellFaults::VolumeRatio,
@@ -117,7 +117,7 @@ void addFaults(const Polyhedron& cell, const CellShape& shape, std::size_t f,
     note(CellFaults::FaceWeight, std::min(near, far) < LeastFaceWeight * (near + far));
   }
   note(cell.isBoundary[f] ? CellFaults::BoundarySkewness : CellFaults::InnerSkewness, skewed);
-  faults.area += steep || skewed ? norm(face.area) : 0;
+  faults.area += wideAngle || skewed ? norm(face.area) : 0;
 }
 
 }
@@ -158,8 +158,7 @@ bool CellFaults::isNoWorseThan(const CellFaults& other) const
 
 bool CellFaults::isBetterThan(const CellFaults& other) const
 {
-  return isNoWorseThan(other) &&
-    (count() < other.count() || area < other.area * (1 - RoundingOfAreas));
+  return isNoWorseThan(other) && (count() < other.count() || area < other.area * (1 - EqualAreas));
 }
 
 CellFaults faultsOf(const Polyhedron& cell, const CellShape& shape,

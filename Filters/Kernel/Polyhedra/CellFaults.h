@@ -1,4 +1,4 @@
-// What section 3 of the paper and OpenFOAM's checkMesh demand of cells, counted.
+// Counts the faults of cells: violations of section 3 of the paper and of OpenFOAM's checkMesh.
 #pragma once
 
 #include "Polyhedra/Polyhedron.h"
@@ -8,14 +8,14 @@
 namespace cartesian
 {
 
-// Solvers take no cell with fewer.
+// Solvers refuse cells with fewer faces.
 constexpr std::size_t LeastFaces = 4;
 
 // The cell on the other side of an inner face.
 struct NeighbourCell
 {
-  Vector centre{};   // from the same origin
-  double volume = 0; // 0: there is none
+  Vector centre{};   // relative to the same origin
+  double volume = 0; // 0: there is no such cell
 };
 
 // The faults of one cell or more, by kind: the fewer the better.
@@ -23,14 +23,14 @@ struct CellFaults
 {
   enum Kind
   {
-    BoundaryAngle, // section 3: 90 degrees, or nearly, between a boundary face's normal and the way to it
-    InnerAngle,      // section 3: 75, or nearly, at an inner face, seen from either cell
-    WronglyOriented, // ... 90 or more, or its normal points against the line between the centres
-    NonOrthogonal, // an inner face's normal is more than 70 degrees off the line between the centres
+    BoundaryAngle,    // section 3: a boundary face's angle is 90 degrees or nearly
+    InnerAngle,       // section 3: an inner face's is 75 or nearly, from either cell
+    WronglyOriented,  // ... 90 or more, or its normal points against the line of centres
+    NonOrthogonal,    // an inner face's normal is over 70 degrees off the line of centres
     BoundarySkewness, // of a boundary face: over 4
     InnerSkewness,    // of an inner face: over 4
-    VolumeRatio, // the smaller of the two cells has less than a hundredth of the other's volume
-    FaceWeight,  // ... or its centre is 20 times nearer to the face
+    VolumeRatio,      // one of the two cells has less than a hundredth of the other's volume
+    FaceWeight,       // ... or its centre is 20 times nearer to the face
     Kinds
   };
 
@@ -53,36 +53,37 @@ struct CellFaults
   bool isBetterThan(const CellFaults& other) const;
 };
 
-// Counts the faults of a cell's faces; neighbours[f] lies across face f. Faces whose `counted` is 0 are left out
-// (another cell counts them); if it is empty, all count.
+// Counts the faults of a cell's faces; neighbours[f] lies across face f. Faces whose `counted` is 0
+// are left out (another cell counts them); if it is empty, all count.
 CellFaults faultsOf(const Polyhedron& cell, const CellShape& shape,
   const std::vector<NeighbourCell>& neighbours, const std::vector<std::uint8_t>& counted = {});
 
-// Whether a face breaks a rule of section 3, or checkMesh refuses it.
+// Whether a face violates section 3, or checkMesh refuses it.
 bool isRefused(
   const Polyhedron& cell, const CellShape& shape, std::size_t face, const NeighbourCell& neighbour);
 
-// Whether a face that is steep, though not refused, would be by the centres of measureProjected.
+// Whether a face with a large angle, though not refused, would be refused with the centres of
+// measureProjected.
 bool isDoubtful(const Polyhedron& cell, const CellShape& shape, std::size_t face);
 
-// How a cell's centre lies to a face, in levels.
+// Where a cell's centre lies relative to a face, in levels.
 struct CentreOffset
 {
-  float height; // of the face's plane, outwards
-  float aside;  // from the centre's foot in that plane to the face's centre
+  float height; // distance to the face's plane, positive inside
+  float aside;  // distance within that plane from the centre's projection to the face's centre
 };
 
-// `area`: outwards of the cell.
+// `area`: the face's, out of the cell.
 CentreOffset centreOffsetOf(const Vector& centre, const Vector& faceCentre, const Vector& area);
 
-// Whether an inner face seen so from its two cells is neither refused nor doubtful, surely: the line
-// between the centres meets the face's plane between the two feet.
+// Sufficient for an inner face to be neither refused nor doubtful, given where the centres of its
+// two cells lie: the line between the centres meets the face's plane between their projections.
 bool isSurelyAccepted(const CentreOffset& one, const CentreOffset& other);
 
-// Whether a cell of which no face is at fault has enough, and no boundary face that is doubtful.
+// Whether a cell without faces at fault has enough faces, and no doubtful boundary face.
 bool isPlain(const Polyhedron& cell, const CellShape& shape);
 
-// Whether a face is at fault that no look at other cells is needed for.
+// Whether a face is at fault, as far as that is known without the cell on its other side.
 bool isAtFault(const Polyhedron& cell, const CellShape& shape, std::size_t face);
 bool isAnyAtFault(const Polyhedron& cell, const CellShape& shape);
 

@@ -32,7 +32,7 @@ std::vector<DroppedTriangle> dropLoose(Surface& surface, const SurfaceEdges& edg
   return dropped;
 }
 
-// Marks the components with an edge that more triangles run through one way than the other.
+// Marks the components with an edge that more triangles use in one direction than in the other.
 void findUnoriented(Surface& surface, const SurfaceEdges& edges)
 {
   DisjointSets components = connectedComponents(surface);

@@ -1,4 +1,4 @@
-// What is looked up often, against the plain way.
+// Fast lookups, against the plain way to do the same.
 #include "Base/EdgeTable.h"
 #include "Boxes/Boxes.h"
 #include "Lattice/PointSortKey.h"
@@ -34,7 +34,7 @@ TEST(Lookups, EdgeTableIsEmptyAfterEachReset)
   }
 }
 
-TEST(Lookups, NumberedPointsAreInOrderOfPlacesThenNumbers)
+TEST(Lookups, SortKeysOrderByPositionThenNumber)
 {
   std::mt19937 random(11);
   const auto level = [&] {

@@ -1,4 +1,4 @@
-// Refinement: what a specification asks for is what boxes are, whatever kinds of it meet.
+// Refinement: boxes are as the specification demands, however its kinds are combined.
 #include "Base/Error.h"
 #include "Support/Effort.h"
 #include "Support/MeshChecker.h"
@@ -42,7 +42,7 @@ void addSplitLines(const Box& a, const Box& b, int axis, std::vector<Level>& lin
   }
 }
 
-// Whether a side of `box` is touched by at most one split line of its neighbours a direction.
+// Whether at most one split line of its neighbours touches a side of `box` in each direction.
 bool isBalanced(const std::vector<Box>& boxes, const Box& box, int axis, bool upper)
 {
   const Level plane = upper ? box.high[axis] : box.low[axis];
@@ -119,7 +119,7 @@ RefinementSpec randomSpec(std::mt19937& random, const Meshlines& planes, std::in
   return spec;
 }
 
-// The forced depth of a global box as the blocks and boundaries say it, found box by box.
+// The forced depth of a global box by its blocks and boundaries, found box by box.
 int forcedDepth(const RefinementSpec& spec, const PreparedSurface& prepared,
   const Shoeboxes& shoeboxes, const std::array<std::uint32_t, 3>& at)
 {

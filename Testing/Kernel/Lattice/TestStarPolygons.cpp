@@ -1,4 +1,4 @@
-// Faces that are too concave are split into parts that fall into triangles around their centres.
+// Faces that are too concave are split into parts that have star triangulations.
 #include "Lattice/StarPolygons.h"
 #include "Lattice/Vector.h"
 
@@ -50,7 +50,7 @@ Wide twiceArea(const std::vector<PlanePoint>& at)
   return sum;
 }
 
-// How often each edge is run through, less the other way.
+// How often each edge is used in one direction, minus the other.
 using Edges = std::map<std::pair<std::uint32_t, std::uint32_t>, int>;
 
 void addEdges(const FlatPolygon& p, Edges& edges)
@@ -226,7 +226,7 @@ TEST(StarPolygons, AHole)
   expectStars(p);
 }
 
-// Bridges end in corners where others end already, and must not cut through holes to come.
+// Bridges may end in corners where others end already, and must not cross holes to be joined later.
 TEST(StarPolygons, SeveralHoles)
 {
   FlatPolygon p = polygon(square(0, 1000));
@@ -285,7 +285,7 @@ TEST(StarPolygons, ManyTriangularHoles)
   }
 }
 
-// Two holes that share a corner, and so do they with the polygon.
+// Two holes that share a corner with each other and one with the polygon.
 TEST(StarPolygons, HolesThatTouchEachOther)
 {
   FlatPolygon p = polygon(square(0, 100));
@@ -311,7 +311,7 @@ TEST(StarPolygons, AHoleThatTouchesACorner)
   expectStars(p);
 }
 
-// Rounding may make a face cross itself: its parts are what they are, but nothing gets lost.
+// Rounding may make a face intersect itself: its parts may be bad, but nothing gets lost.
 TEST(StarPolygons, PolygonsThatCrossThemselves)
 {
   std::mt19937 random(1);

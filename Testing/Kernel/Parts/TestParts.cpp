@@ -1,5 +1,5 @@
-// Parts of a grid, each meshed by itself, are together the mesh of the whole: the same points, bit for
-// bit, the same cells, the same numbers.
+// Parts of a grid, each meshed by itself, are together the mesh of the whole: the same points, bit
+// for bit, the same cells, the same numbers.
 #include "Base/Error.h"
 #include "Parts/Decomposition.h"
 #include "Support/Effort.h"
@@ -74,7 +74,7 @@ private:
   Decomposition decomposition_;
 };
 
-// The whole mesh out of its parts. Points that several parts have must be the same.
+// Assembles the whole mesh from its parts. Points that several parts have must agree.
 class Union
 {
 public:
@@ -211,7 +211,7 @@ void expectUnion(const Soup& soup, const GridSpec& grid, const Options& options)
   expectUnion(parts, meshOf(soup, grid, options), splits);
 }
 
-// Divided where the mesher would, and where it would not.
+// Divided where the mesher would divide, and elsewhere.
 void expectShapedUnion(const Soup& soup, const GridSpec& grid, int depthEverywhere)
 {
   const Options options{ {}, 1, depth(depthEverywhere), {} };
@@ -227,7 +227,8 @@ Options automatic(int depthEverywhere)
   return { asTheyAre(1e-3), 1, depth(depthEverywhere), {} };
 }
 
-// So tall that parts do not see all layers; turned a little, lest faces lie in the grid's planes.
+// So tall that parts do not see all layers; turned a little, so that no faces lie in the grid's
+// planes.
 Soup tall(const Soup& soup)
 {
   return soup.scaled({ 1, 1, 9 }).turned(0, 2);
@@ -280,8 +281,8 @@ TEST(Parts, AreTheWholeMeshAroundADeepPlace)
   expectUnion(soup, cellsAlongLongest(soup, 8), options);
 }
 
-// A wall that boxes are halved along again and again, and across never: those above and below are,
-// each once less, to keep balance.
+// A wall along which boxes are halved repeatedly, but never across it. For balance, so are those
+// above and below, each once less.
 TEST(Parts, AreTheWholeMeshFarFromADeepLayer)
 {
   const Soup soup = box({ 0, 0, 0 }, { 1, 1, 12 });
@@ -324,7 +325,7 @@ TEST(Parts, AreTheWholeMeshCutOffByMeshlines)
   expectUnion(soup, grid, automatic(1));
 }
 
-// ... by as many as it takes, and no more than there are layers.
+// ... by as many as needed, but no more than there are layers.
 TEST(Parts, AreAsManyAsMemoryAsksFor)
 {
   const Soup soup = bumpySphere(9, 10);

@@ -1,4 +1,4 @@
-// Cells by themselves: measured, and cut by planes.
+// Single cells: measured, and cut by planes.
 #include "Polyhedra/CellFaults.h"
 #include "Polyhedra/PolyhedronCut.h"
 
@@ -75,7 +75,7 @@ std::array<int, CellFaults::Kinds> faultsOf(const Polyhedron& cell)
   return faultsOf(cell, shape, std::vector<NeighbourCell>(cell.faces())).counts;
 }
 
-// Every edge is run through as often one way as the other.
+// Every edge is used as often in one direction as in the other.
 bool isClosed(const Polyhedron& cell)
 {
   std::vector<std::array<std::uint32_t, 2>> edges;
@@ -96,7 +96,7 @@ bool isClosed(const Polyhedron& cell)
 
 }
 
-// Projected centres are those of the faces flattened along their normals, and equal where faces are flat.
+// Projected centres are those of the faces flattened along their normals; flat faces have the same.
 TEST(Polyhedron, ProjectedCentresAreThoseOfFlattenedFaces)
 {
   Polyhedron bent = prism({ { 0, 0 }, { 1000, 0 }, { 900, 700 }, { 0, 1000 } }, 1000);
@@ -139,7 +139,7 @@ TEST(Polyhedron, ACubeIsMeasured)
 
 TEST(Polyhedron, AThinEllFailsTheAngleConditionAndAThickOneDoesNot)
 {
-  // The centre of an L leaves it, seen from the concave corner, when its arms get thinner than 0.38.
+  // Seen from the concave corner, the centre of an L leaves it when its arms get thinner than 0.38.
   EXPECT_EQ(faultsOf(ell(300))[CellFaults::BoundaryAngle], 2);
   EXPECT_EQ(faultsOf(ell(600))[CellFaults::BoundaryAngle], 0);
 }
@@ -175,7 +175,7 @@ TEST(PolyhedronCut, ACubeInHalves)
 
 TEST(PolyhedronCut, APlaneNearCornersTakesThem)
 {
-  // Through a diagonal, but for 3 degrees: no new point.
+  // Within 3 degrees of a diagonal: no new node.
   CellCut cut;
   const double slope = std::tan(radians(45.0 + 3));
   const Vector normal = unit({ -slope, 1, 0 });
@@ -211,7 +211,7 @@ TEST(PolyhedronCut, AnEllAlongItsConcaveEdge)
   EXPECT_DOUBLE_EQ(volume, volumeOf(cell));
 }
 
-// What is said to be surely accepted is never refused, by the centres of either OpenFOAM.
+// A surely accepted face is never refused, with the centres of either version of OpenFOAM.
 TEST(Polyhedron, FacesThatAreSurelyAcceptedAreNotRefused)
 {
   std::mt19937 random(17);
@@ -253,7 +253,7 @@ TEST(Polyhedron, FacesThatAreSurelyAcceptedAreNotRefused)
 
 TEST(PolyhedronCut, AForkFallsIntoThree)
 {
-  // A U lying down: a plane across both prongs.
+  // A U lying on its side: a plane across both prongs.
   const Polyhedron fork = prism({ { 0, 0 }, { 1000, 0 }, { 1000, 300 }, { 300, 300 }, { 300, 700 },
                                   { 1000, 700 }, { 1000, 1000 }, { 0, 1000 } },
     1000);

@@ -1,4 +1,4 @@
-// Each kind of defect is found, where it is, and nothing else.
+// Each kind of defect is found where it is, and no other.
 #include "Repair/SurfaceDefects.h"
 
 #include "Support/Pipeline.h"
@@ -118,7 +118,7 @@ TEST(SurfaceDefects, DegenerateAndDuplicateTriangles)
   EXPECT_EQ(defects.defects[2].triangle, count + 2);
 }
 
-// A flap on an edge: three triangles there, two of which lie on each other.
+// A flap at an edge: three triangles meet there, two of which lie on each other.
 TEST(SurfaceDefects, AFoldAndAnOverlap)
 {
   Soup soup = unmarked(cube());

@@ -10,7 +10,7 @@ namespace cartesian
 namespace
 {
 
-// Small enough for thousands a minute under sanitizers.
+// Small enough for thousands of runs a minute under sanitizers.
 constexpr std::size_t MostTriangles = 400;
 
 class Bytes

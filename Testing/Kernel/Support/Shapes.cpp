@@ -10,7 +10,7 @@ namespace cartesian
 namespace
 {
 
-// Adds quadrilaterals whose points are named by integers: the same name is the same point.
+// Adds quadrilaterals whose points are named by integers: the same name means the same point.
 class Builder
 {
 public:

@@ -39,9 +39,9 @@ struct Soup
   Soup scaled(double by) const;
   Soup scaled(const Vector& by) const;
   Soup turned(int axis, double degrees) const;
-  Soup turned() const;                                 // by odd angles about all axes
+  Soup turned() const;                                 // by arbitrary angles about all axes
   Soup permuted(const std::array<int, 3>& axes) const; // new axis a is the old axes[a]
-  Soup flipped() const;                                // normals the other way
+  Soup flipped() const;                                // with opposite normals
 };
 
 Soup box(const Vector& low, const Vector& high); // boundaries 0 to 5: low x, high x, low y, ...
@@ -54,12 +54,12 @@ Soup needle();           // 1 long, 1e-4 thick
 Soup pyramidOnAPlane();  // its apex touches the inside of a slab's face
 Soup nestedSpheres();    // a ball with a ball cut out
 Soup comb(int teeth);    // thin sheets on a base
-Soup blockWithTubes();   // 3 x 3 tubes
-Soup kleinBottle(int n); // a figure of eight led round with half a turn: crosses itself
+Soup blockWithTubes();   // 3 x 3
+Soup kleinBottle(int n); // a figure of eight swept around with half a twist: intersects itself
 Soup starPolyhedron(unsigned seed, int n);
 Soup bumpySphere(unsigned seed, int n);
 
-// Those boxes of the grid that `inside` names, as one closed surface.
+// The boxes of the grid for which `inside` is true, as one closed surface.
 Soup voxels(const std::array<std::vector<double>, 3>& lines,
   const std::function<bool(int i, int j, int k)>& inside);
 
@@ -74,10 +74,10 @@ struct NamedShape
 };
 std::ostream& operator<<(std::ostream& stream, const NamedShape& shape); // its name, for GoogleTest
 
-// Closed, consistently oriented surfaces that do not cross themselves.
+// Closed, consistently oriented surfaces that do not intersect themselves.
 const std::vector<NamedShape>& cleanShapes();
 
-// Likewise, but with walls or gaps of a few steps of the lattice: a coarser one loses them.
+// Likewise, but with walls or gaps of a few lattice steps, which a coarser lattice would lose.
 std::vector<NamedShape> thinShapes();
 
 }

@@ -1,4 +1,4 @@
-// How large a mesh is expected to be, against what is made.
+// The expected size of a mesh, against the actual one.
 #include "Lattice/Vector.h"
 #include "Support/Pipeline.h"
 #include "Surface/SizeEstimate.h"
