@@ -5,7 +5,7 @@
 #include "BoxesVTK.h"
 #include "DefectsToVTK.h"
 #include "Mesher/Mesher.h"
-#include "Parts/Division.h"
+#include "Parts/Decomposition.h"
 #include "Surface/SizeEstimate.h"
 #include "SurfaceBlocks.h"
 #include "SurfaceFromVTK.h"
@@ -412,10 +412,10 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkCartesianBoxer::Regions(vtkInform
   return regions;
 }
 
-std::unique_ptr<cartesian::Division> vtkCartesianBoxer::Divide(
+std::unique_ptr<cartesian::Decomposition> vtkCartesianBoxer::Divide(
   const cartesian::SurfaceFromVTK& source, const cartesian::PreparedSurface& prepared,
-  const std::vector<vtkSmartPointer<vtkDataObject>>& regions, const cartesian::Reach& reach,
-  cartesian::Execution& execution)
+  const std::vector<vtkSmartPointer<vtkDataObject>>& regions,
+  const cartesian::LaterSteps& laterSteps, cartesian::Execution& execution)
 {
   execution.stage("Boxes", cartesian::AfterSurface, cartesian::AfterBoxes);
   cartesian::RefinementSpec spec = this->MakeSpec(source);
@@ -424,13 +424,14 @@ std::unique_ptr<cartesian::Division> vtkCartesianBoxer::Divide(
   {
     spec.regions.push_back({ region.surface->view(), region.depth });
   }
-  auto division = std::make_unique<cartesian::Division>(
-    prepared.surface, prepared.planes, spec, prepared.memoryLimit, reach, execution);
-  for (const std::string& warning : { cartesian::describeOverhang(prepared), division->warnings() })
+  auto decomposition = std::make_unique<cartesian::Decomposition>(
+    prepared.surface, prepared.planes, spec, prepared.memoryLimit, laterSteps, execution);
+  for (const std::string& warning :
+    { cartesian::describeOverhang(prepared), decomposition->warnings() })
   {
     this->Warn(warning);
   }
-  return division;
+  return decomposition;
 }
 
 int vtkCartesianBoxer::RequestData(
@@ -443,9 +444,9 @@ int vtkCartesianBoxer::RequestData(
   this->Run(0, cartesian::AfterBoxes, [&](cartesian::Execution& execution) {
     const cartesian::SurfaceFromVTK surface(vtkDataObject::GetData(input[0]), this->BoundaryArray);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
-    const auto division = this->Divide(surface, prepared, Regions(input[1]), {}, execution);
-    cartesian::toVTK(
-      division->boxes(division->allLayers(), execution), vtkUnstructuredGrid::GetData(output));
+    const auto decomposition = this->Divide(surface, prepared, Regions(input[1]), {}, execution);
+    cartesian::toVTK(decomposition->boxes(decomposition->allLayers(), execution),
+      vtkUnstructuredGrid::GetData(output));
   });
   return 1;
 }

@@ -44,12 +44,12 @@ class vtkPolyData;
 
 namespace cartesian
 {
-class Division;
+class Decomposition;
 struct PreparedSurface;
 struct RefinementSpec;
 class SurfaceFromVTK;
 struct SurfaceSize;
-struct Reach;
+struct LaterSteps;
 }
 
 class VTKCARTESIANMESHERFILTERS_EXPORT vtkCartesianBoxer : public vtkCartesianAlgorithm
@@ -222,13 +222,13 @@ protected:
 
   /**
    * How the grid is divided; rows of tables that reach beyond it are reported. `source` is what
-   * `prepared` was made from and is borrowed, `regions` what Regions() gives, `reach` what will be
+   * `prepared` was made from and is borrowed, `regions` what Regions() gives, `laterSteps` what will be
    * done to the cells of parts.
    */
-  std::unique_ptr<cartesian::Division> Divide(const cartesian::SurfaceFromVTK& source,
+  std::unique_ptr<cartesian::Decomposition> Divide(const cartesian::SurfaceFromVTK& source,
     const cartesian::PreparedSurface& prepared,
-    const std::vector<vtkSmartPointer<vtkDataObject>>& regions, const cartesian::Reach& reach,
-    cartesian::Execution& execution);
+    const std::vector<vtkSmartPointer<vtkDataObject>>& regions,
+    const cartesian::LaterSteps& laterSteps, cartesian::Execution& execution);
 
   /**
    * The inputs of port 1.

@@ -5,7 +5,7 @@
 #include "BoundarySettings.h"
 #include "GhostCells.h"
 #include "MeshToVTK.h"
-#include "Parts/Division.h"
+#include "Parts/Decomposition.h"
 #include "SurfaceFromVTK.h"
 
 #include "vtkInformation.h"
@@ -28,7 +28,7 @@ struct vtkCartesianMesher::Task
   cartesian::BoundaryNames types; // of boundaries
   std::vector<cartesian::BoundaryRatio> ratios;
   cartesian::PreparedSurface prepared;
-  std::unique_ptr<cartesian::Division> division;
+  std::unique_ptr<cartesian::Decomposition> decomposition;
   std::vector<cartesian::Layers> pieces;
   std::vector<cartesian::Id> cells; // of each piece made so far
   std::vector<cartesian::Id> points;
@@ -113,23 +113,23 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
   {
     this->Inspect(task.prepared, *task.surface, vtkPolyData::GetData(output, 2), execution);
   }
-  task.division = this->Divide(
-    *task.surface, task.prepared, regions, cartesian::reachOf(this->MakeCellSpec()), execution);
-  task.pieces = { task.division->allLayers() };
+  task.decomposition = this->Divide(*task.surface, task.prepared, regions,
+    cartesian::laterStepsOf(this->MakeCellSpec()), execution);
+  task.pieces = { task.decomposition->allLayers() };
   if (piece.count > 1)
   {
-    task.pieces = task.division->split(
-      task.division->estimateLayers(execution), static_cast<std::size_t>(piece.count));
+    task.pieces = task.decomposition->split(
+      task.decomposition->estimateLayers(execution), static_cast<std::size_t>(piece.count));
   }
 }
 
 void vtkCartesianMesher::Make(const Task& task, Piece& piece, cartesian::Execution& execution)
 {
   piece.boxes =
-    task.division->boxes(task.pieces[static_cast<std::size_t>(piece.number)], execution);
+    task.decomposition->boxes(task.pieces[static_cast<std::size_t>(piece.number)], execution);
   execution.stage("Patches", cartesian::AfterBoxes, cartesian::AfterPatches);
   piece.patches =
-    cartesian::generatePatches(task.prepared.surface, piece.boxes, task.division->shoeboxes(),
+    cartesian::generatePatches(task.prepared.surface, piece.boxes, task.decomposition->shoeboxes(),
       { static_cast<cartesian::PatchMethod>(this->PatchMethod), this->FeatureAngle,
         this->MergeAngle, static_cast<cartesian::Tying>(this->Tying) },
       execution);
@@ -307,9 +307,9 @@ int vtkCartesianMesher::EstimateNumberOfPieces()
       this->GetInputAlgorithm(1, i)->Update();
       regions.emplace_back(this->GetInputDataObject(1, i));
     }
-    const auto division =
-      this->Divide(surface, prepared, regions, cartesian::reachOf(this->MakeCellSpec()), execution);
-    pieces = division->partsNeeded(division->estimateLayers(execution));
+    const auto decomposition = this->Divide(
+      surface, prepared, regions, cartesian::laterStepsOf(this->MakeCellSpec()), execution);
+    pieces = decomposition->partsNeeded(decomposition->estimateLayers(execution));
   });
   return static_cast<int>(pieces);
 }

@@ -213,7 +213,7 @@ double sizeFor(double boxes, const Triangles& surface)
   {
     const PreparedSurface prepared = prepareSurface(surface.view(), grid, 1e12, execution);
     const BoxedSurface boxed = boxSurface(prepared, RefinementSpec(), execution);
-    grid.cellSize *= std::cbrt(static_cast<double>(boxed.boxes.boxes.size()) / boxes);
+    grid.cellSize *= std::cbrt(static_cast<double>(boxed.boxes.packed.size()) / boxes);
   }
   return grid.cellSize;
 }

@@ -1,5 +1,5 @@
-// A number for each edge between two nodes (or for a node: from it to itself), and for each of its two
-// sides: a table with open addressing that keeps its storage from use to use.
+// A hash table (open addressing) from an edge between two nodes, and one of its two sides, to a
+// number. A single node counts as an edge to itself. The table keeps its storage from use to use.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ class EdgeTable
 public:
   static constexpr std::uint32_t Fresh = ~std::uint32_t(0);
 
-  // Empty, for at most as many edges.
+  // Empties the table and makes room for this many edges.
   void reset(std::size_t edges)
   {
     std::size_t size = entries_.size();
@@ -30,7 +30,7 @@ public:
     }
   }
 
-  // Fresh where nobody has set it yet.
+  // The edge's number; Fresh if it has not been set yet.
   std::uint32_t& at(std::uint32_t lower, std::uint32_t upper, std::uint32_t side = 0)
   {
     constexpr std::uint64_t Golden = 0x9e3779b97f4a7c15u;
@@ -59,11 +59,11 @@ private:
   {
     std::uint32_t lower;
     std::uint32_t upper;
-    std::uint32_t useAndSide; // of another use, it is free
+    std::uint32_t useAndSide; // the entry is free if this is from another use
     std::uint32_t number;
   };
   std::vector<Entry> entries_;
-  std::uint32_t use_ = 0; // since the entries were cleared
+  std::uint32_t use_ = 0; // uses since the entries were cleared
 };
 
 }

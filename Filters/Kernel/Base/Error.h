@@ -1,4 +1,4 @@
-// What is wrong with the user's input: what, where, what to do.
+// Errors for the user: what is wrong, where, and what to do about it.
 #pragma once
 
 #include <array>
@@ -9,24 +9,24 @@
 namespace cartesian
 {
 
-// Codes are public: the filters pass them on as ErrorCode (vtkCartesianAlgorithm.h).
+// The codes are public: the filters pass them on as ErrorCode (vtkCartesianAlgorithm.h).
 enum class Fault
 {
   EmptySurface = 1,  // no triangles
-  BadCoordinate = 2, // NaN, infinite, or beyond what the lattice can hold
+  BadCoordinate = 2, // NaN, infinite, or too large for the lattice
   BadCellSize = 3,   // zero, negative, NaN, or below the lattice's resolution
-  BadMeshlines = 4,  // not increasing, fewer than two, or away from the surface
+  BadMeshlines = 4,  // not increasing, fewer than two, or missing the surface
   TooManyBoxes = 5,  // the estimate exceeds the memory limit
-  MissingArray = 6,  // an array is not there or has the wrong length or type
+  MissingArray = 6,  // an array is missing, or has the wrong length or type
   FlawedSurface = 7, // open or inconsistent: meshed as far as possible
-  BadParameter = 8,  // out of its range
+  BadParameter = 8,  // out of range
   Stopped = 9,       // by the user
   OutOfMemory = 10,
-  BadMesh = 11,     // cells to write that overlap, are turned inside out, or too many
+  BadMesh = 11,     // its cells overlap, are inside out, or are too many to write
   CannotWrite = 12, // a file cannot be written
 };
 
-// A number for a message: as long as it needs to be, at most six digits.
+// Formats a number for a message, with at most six significant digits.
 inline std::string number(double x)
 {
   std::array<char, 32> text;

@@ -11,13 +11,12 @@ namespace cartesian
 namespace
 {
 
-// The monitor is called as soon as there is this much progress, or after so many seconds: often
-// enough to stop at once, no more often than eyes can follow.
+// The monitor is called after this much progress or this many seconds: often enough to stop at
+// once, but no more often than the eye can follow.
 constexpr double LeastProgress = 0.005;
 constexpr double LongestSilence = 0.05;
 
-// The clock is looked at once in so many polls.
-constexpr unsigned PollsALook = 8;
+constexpr unsigned PollsPerClockReading = 8;
 
 double now()
 {
@@ -38,7 +37,7 @@ void Execution::leaveOut(double begin, double end)
   leftOut_ = { begin, end };
 }
 
-// How much work there is before that part of the whole.
+// How much of the whole, up to this point, is not left out.
 double Execution::workUpTo(double whole) const
 {
   const double left = std::min(whole, leftOut_.end) - std::min(whole, leftOut_.begin);
@@ -100,7 +99,7 @@ void Execution::poll()
   }
   const bool isTime = monitor_ &&
     (reported_ >= reportedThen_ + LeastProgress ||
-      (++polls_ % PollsALook == 0 && now() > asked_ + LongestSilence));
+      (++polls_ % PollsPerClockReading == 0 && now() > asked_ + LongestSilence));
   if (isTime)
   {
     ask();

@@ -1,7 +1,7 @@
-// How long work runs: on how many threads, with what progress, until when.
+// Runs loops on several threads, reports progress, and lets the user stop the work.
 //
-// Work is cut into chunks of a fixed number of items, so that what a chunk does never depends on
-// the number of threads. Only the calling thread reports progress and asks whether to go on.
+// Work is divided into chunks of a fixed number of items, so that the results never depend on the
+// number of threads. Only the calling thread reports progress and asks whether to continue.
 #pragma once
 
 #include <atomic>
@@ -16,7 +16,7 @@
 namespace cartesian
 {
 
-// Thrown out of a stage that the user stopped.
+// Thrown from a stage that the user stopped.
 struct Stopped : std::runtime_error
 {
   Stopped()
@@ -28,42 +28,44 @@ struct Stopped : std::runtime_error
 class Execution
 {
 public:
-  // Called many times a second with a fraction (0 to 1) of the work, which never falls, and the
+  // Called many times a second with the fraction of the work done (0 to 1, never falling) and the
   // stage's name; returns false to stop.
   using Monitor = std::function<bool(double fraction, const char* stage)>;
 
-  // `threads` 0: one a core. The work is the part from `begin` to `end` of a whole that stages are
-  // parts of.
+  // `threads` 0: one per core. Stages are given as parts of a whole (0 to 1); the work is the part
+  // of this whole from `begin` to `end`.
   explicit Execution(int threads = 1, Monitor monitor = nullptr, double begin = 0, double end = 1);
 
   int threads() const { return threads_; }
 
-  // From `begin` to `end` of the whole there will be nothing to do.
+  // Declares that the part of the whole from `begin` to `end` takes no time.
   void leaveOut(double begin, double end);
 
-  // What follows is the stage `name`, from `begin` to `end` of the whole (0 to 1).
+  // Begins the stage `name`, from `begin` to `end` of the whole.
   void stage(const char* name, double begin, double end);
 
-  // The next forEach is this share (0 to 1) of what is left of the stage; without a word, nothing of it.
+  // The next forEach takes this share (0 to 1) of the rest of the stage. If not called, the loop
+  // reports no progress.
   void nextLoop(double share) { share_ = share; }
 
-  // In long loops that are no forEach: reports if it is time, throws Stopped if the user wants it; on
-  // a thread of forEach's, only if the user has said so elsewhere.
+  // To be called in long loops other than forEach: reports progress when it is time to, and throws
+  // Stopped if the user wants to stop. On a helper thread of forEach it only throws, once the
+  // calling thread has noticed.
   void poll();
 
-  // For a piece of work inside forEach: it has one thread, and its polls are this one's.
+  // For work inside a forEach: runs on one thread and polls this object.
   Execution alone();
 
-  // Seconds by stage so far, in the order in which stages began.
+  // Seconds spent in each stage so far, in the order in which stages began.
   std::vector<std::pair<std::string, double>> seconds() const;
 
-  // Calls work(begin, end) for chunks of `grain` items of [0, count), on all threads.
-  // An exception ends the loop and is thrown again here.
+  // Calls work(begin, end) for chunks of `grain` items of [0, count), on all threads. An exception
+  // ends the loop and is rethrown here.
   void forEach(std::size_t count, std::size_t grain,
     const std::function<void(std::size_t begin, std::size_t end)>& work);
 
 private:
-  struct Part
+  struct WorkRange
   {
     double begin;
     double end;
@@ -77,21 +79,21 @@ private:
   std::thread::id owner_ = std::this_thread::get_id();
   std::atomic<bool> stopped_{ false };
   Monitor monitor_;
-  Part work_;            // of the whole
-  Part leftOut_{ 0, 0 }; // of the whole
+  WorkRange work_;            // of the whole
+  WorkRange leftOut_{ 0, 0 }; // of the whole
   const char* stage_ = "";
-  Part loop_{ 0, 1 };   // of the whole
-  double stageEnd_ = 1; // of the whole
-  double share_ = 0;    // of the next loop
-  double reported_ = 0; // of the work
-  double asked_ = 0;    // when the monitor was called, and what was reported then
+  WorkRange loop_{ 0, 1 }; // of the whole
+  double stageEnd_ = 1;    // of the whole
+  double share_ = 0;       // of the next loop
+  double reported_ = 0;    // of the work
+  double asked_ = 0;       // when the monitor was last called, and what was reported then
   double reportedThen_ = 0;
   unsigned polls_ = 0;
   double started_ = 0;
   std::vector<std::pair<std::string, double>> seconds_;
 };
 
-// How many chunks forEach makes: where each chunk has a result of its own.
+// The number of chunks that forEach makes, for loops in which each chunk has its own result.
 inline std::size_t chunks(std::size_t count, std::size_t grain)
 {
   return (count + grain - 1) / grain;

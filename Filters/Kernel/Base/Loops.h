@@ -1,4 +1,4 @@
-// Closed walks over numbered nodes.
+// Separates closed walks over numbered nodes into simple loops.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,9 @@
 namespace cartesian
 {
 
-// Takes a closed walk apart into loops that visit no node twice, and calls visit(begin, end) for
-// those of three nodes or more. Loops of two run to and fro: they bound nothing. `walk` is used up.
+// Separates a closed walk into loops that visit no node twice, and calls visit(begin, end) for
+// those with at least three nodes: a loop of two runs back and forth and bounds nothing. Overwrites
+// `walk`.
 template <class Visitor>
 void forEachSimpleLoop(std::vector<std::uint32_t>& walk, Visitor&& visit)
 {

@@ -1,5 +1,5 @@
-// A vector whose new elements hold anything: for large arrays that all threads fill at once. Filling
-// them with zeros first would cost one thread as much.
+// A vector whose new elements are left uninitialised: for large arrays that all threads fill in
+// parallel, where zeroing them first on one thread would take as long.
 #pragma once
 
 #include <memory>

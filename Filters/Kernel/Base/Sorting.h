@@ -1,4 +1,4 @@
-// Items gathered chunk by chunk, put into numbered buckets: count, scan, fill, sort.
+// Parallel bucket sort of items gathered chunk by chunk: count, scan, fill, sort.
 #pragma once
 
 #include "Base/Execution.h"
@@ -11,7 +11,7 @@
 namespace cartesian
 {
 
-// Turns counts into where each bucket starts; returns the total.
+// Exclusive prefix sum, in place: turns counts into the start of each bucket. Returns the total.
 template <class Integer>
 Integer scan(std::vector<Integer>& counts)
 {
@@ -35,8 +35,8 @@ struct Buckets
   const Item* end(std::size_t bucket) const { return items.data() + start[bucket + 1]; }
 };
 
-// Sorts the items of all chunks into buckets and each bucket by <. Equal items must be
-// interchangeable: then the result depends on the items only. Empties the chunks.
+// Sorts the items of all chunks into buckets, and each bucket by <. Equal items must be
+// interchangeable: the result then depends on the items only, not on threads. Empties the chunks.
 template <class Item, class BucketOf>
 Buckets<Item> sortIntoBuckets(std::vector<std::vector<Item>>& chunkItems, std::size_t buckets,
   BucketOf&& bucketOf, Execution& execution)

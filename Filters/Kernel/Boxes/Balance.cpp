@@ -8,7 +8,7 @@ namespace cartesian
 namespace
 {
 
-// Calls visit(neighbour) for the boxes across a side, one or more times each.
+// Calls visit(neighbour) for the boxes across a side, at least once for each.
 template <class Visitor>
 void forEachAcross(const Boxes& boxes, const PackedBox& box, int axis, bool upper, Visitor&& visit)
 {
@@ -27,7 +27,7 @@ void forEachAcross(const Boxes& boxes, const PackedBox& box, int axis, bool uppe
       const std::uint32_t neighbour = boxes.boxAt(fine, box.global, step);
       if (neighbour != None)
       {
-        visit(boxes.boxes[neighbour]);
+        visit(boxes.packed[neighbour]);
       }
     }
   }
@@ -41,7 +41,7 @@ std::uint8_t axisToHalve(const Boxes& boxes, const PackedBox& box, int level)
   if (boxes.globalOf(box).nearDepth <= level ||
     std::min({ box.level[0], box.level[1], box.level[2] }) >= level)
   {
-    return result; // no box around is finer, or this one is fine enough
+    return result; // no neighbour is finer, or this box is fine enough
   }
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -1,11 +1,12 @@
-// Neighbouring boxes of not too different levels (section 4.5, figure 2).
+// Balances the levels of neighbouring boxes (section 4.5, figure 2): 2:1 in each direction.
 //
-// No side of a box may be touched by more than one split line of its neighbours in each direction:
-// across a side, levels along it differ by one at most. A box that is too coarse is halved in that
-// direction. This goes pass by pass, from the deepest level down: the pass of level n halves boxes
-// until none coarser than n touches one finer than n. What is finer than n it leaves as it is, so
-// what becomes of a box depends on nothing but the boxes that touched it before the pass: on no
-// order of visits, and in all passes together on boxes at most balanceReach() global boxes away.
+// At most one split line of its neighbours may touch a side of a box in each direction: across a
+// side, the levels along it differ by at most one. A box that is too coarse is halved in that
+// direction. This is done in passes, from the deepest level down: pass n halves boxes until none
+// coarser than level n touches one finer than n. It does not change boxes finer than n, so its
+// effect on a box depends only on the boxes that touched it before the pass, not on the order of
+// visits; and the effect of all passes depends only on boxes at most balanceReach() global boxes
+// away.
 #pragma once
 
 #include "Boxes/Boxes.h"
@@ -13,14 +14,14 @@
 namespace cartesian
 {
 
-// How many global boxes away a box of `depth` makes others finer.
+// How many global boxes away a box of this depth may cause others to be halved.
 constexpr std::uint32_t balanceReach(int depth)
 {
   return depth > 1 ? static_cast<std::uint32_t>(depth) - 1 : 0;
 }
 
-// The lowest axis along which a box must be halved in the pass of this level, or NoAxis. `boxes`: as
-// they were before the pass; `box` may be a part of one of them.
+// The lowest axis along which a box must be halved in the pass of this level, or NoAxis. `boxes`:
+// before the pass; `box` may be a part of one of them.
 constexpr std::uint8_t NoAxis = 3;
 std::uint8_t axisToHalve(const Boxes& boxes, const PackedBox& box, int level);
 

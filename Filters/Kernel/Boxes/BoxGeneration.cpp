@@ -3,11 +3,10 @@
 #include "Base/Error.h"
 #include "Boxes/Balance.h"
 #include "Boxes/FewestBoxes.h"
+#include "Boxes/MeshEstimate.h"
 #include "Boxes/UnitStatuses.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 
 namespace cartesian
 {
@@ -18,39 +17,11 @@ namespace
 constexpr std::size_t RowsAChunk = 16;
 constexpr std::size_t GlobalsAChunk = 64;
 
-// Peak memory, measured on a sphere and on the surfaces in Data/ (see Testing/Benchmark).
-constexpr double BytesOfAnInsideBox = 260;
-constexpr double BytesOfAnIntersectedBox = 2600;
-constexpr double BytesOfATriangle = 150;
-
-// Units that a smooth surface passes through in a box of depth d are about this many times 4^d.
-constexpr double UnitsAcrossABox = 1.6;
-
-// Boxes that a triangle passes through, taking the spacing around its middle.
-double boxesOfTriangle(const Corners& c, const Meshlines& planes)
-{
-  std::array<double, 3> u;
-  std::array<double, 3> v;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const double h = spacing(planes[axis], (double(c[0][axis]) + c[1][axis] + c[2][axis]) / 3);
-    u[axis] = (double(c[1][axis]) - c[0][axis]) / h;
-    v[axis] = (double(c[2][axis]) - c[0][axis]) / h;
-  }
-  double sum = 0;
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    const std::size_t b = (a + 1) % 3;
-    sum += std::abs(u[a] * v[b] - u[b] * v[a]) / 2;
-  }
-  return sum;
-}
-
-// Divides global boxes. Undivided ones have no list of their own.
-class Generator
+// Divides global boxes; undivided ones keep an empty list of parts.
+class BoxGenerator
 {
 public:
-  Generator(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
+  BoxGenerator(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
     const Refinement& refinement, const GlobalStatuses& statuses, Layers core, Layers layers,
     Execution& execution)
     : surface_(surface)
@@ -66,7 +37,7 @@ public:
     boxes_.core = core;
   }
 
-  // `kept`: layers that stay when boxes are balanced.
+  // `kept`: the layers that stay once the boxes are balanced.
   Boxes generate(Layers kept, double mostBytes)
   {
     listGlobals();
@@ -169,10 +140,10 @@ private:
 
   void checkDepths(double mostBytes) const
   {
-    Estimate estimate;
+    MeshEstimate estimate;
     for (std::size_t g = 0; g < statusOf_.size(); ++g)
     {
-      const Estimate box = estimateBox(statusOf_[g], depths_[g]);
+      const MeshEstimate box = estimateBox(statusOf_[g], depths_[g]);
       estimate.inside += box.inside;
       estimate.intersected += box.intersected;
     }
@@ -246,7 +217,7 @@ private:
     }
   }
 
-  // Makes Boxes of what each global box is divided into.
+  // Lists the parts of all global boxes in boxes_.
   void flatten()
   {
     std::uint32_t next = 0;
@@ -256,7 +227,7 @@ private:
       next += static_cast<std::uint32_t>(isDivided(g) ? parts_[g].size() : 1);
     }
     boxes_.globals.back().firstBox = parts_.empty() ? std::uint32_t(statusOf_.size()) : next;
-    boxes_.boxes.resize(boxes_.globals.back().firstBox);
+    boxes_.packed.resize(boxes_.globals.back().firstBox);
     forEachGlobal([&](std::size_t g) { flatten(g); });
     if (!parts_.empty())
     {
@@ -273,7 +244,7 @@ private:
     std::uint32_t next = global.firstBox;
     if (!isDivided(g))
     {
-      boxes_.boxes[next] = packed(g, { { 0, 0, 0 }, { 0, 0, 0 }, statusOf_[g], cornersOf(g) });
+      boxes_.packed[next] = packed(g, { { 0, 0, 0 }, { 0, 0, 0 }, statusOf_[g], cornersOf(g) });
       return;
     }
     std::sort(parts_[g].begin(), parts_[g].end(), [](const LocalBox& a, const LocalBox& b) {
@@ -283,7 +254,7 @@ private:
     for (const LocalBox& part : parts_[g])
     {
       global.depth = std::max({ global.depth, part.level[0], part.level[1], part.level[2] });
-      boxes_.boxes[next++] = packed(g, part);
+      boxes_.packed[next++] = packed(g, part);
     }
   }
 
@@ -302,7 +273,7 @@ private:
       bool changed = false;
       for (std::uint32_t b = first; b < end; ++b)
       {
-        const PackedBox& box = boxes_.boxes[b];
+        const PackedBox& box = boxes_.packed[b];
         changed |= balance(g, { box.offset, box.level, box.status, box.corners }, level, parts);
       }
       if (changed)
@@ -312,7 +283,7 @@ private:
     });
   }
 
-  // Appends what the pass makes of a box, as far as it is inside or intersected; whether it changed.
+  // Appends what a pass makes of a box, without parts that are outside; true if it was halved.
   bool balance(std::size_t g, const LocalBox& box, int level, std::vector<LocalBox>& parts) const
   {
     const std::uint8_t axis = axisToHalve(boxes_, packed(g, box), level);
@@ -394,62 +365,8 @@ Boxes generateBoxes(const Surface& surface, const Meshlines& planes, const Shoeb
 {
   const auto end = static_cast<std::uint32_t>(planes[2].size() - 1);
   const Layers layers = kept.grown(balanceReach(refinement.deepest()), end);
-  return Generator(surface, planes, shoeboxes, refinement, statuses, core, layers, execution)
+  return BoxGenerator(surface, planes, shoeboxes, refinement, statuses, core, layers, execution)
     .generate(kept, mostBytes);
-}
-
-double Estimate::bytes() const
-{
-  return inside * BytesOfAnInsideBox + intersected * BytesOfAnIntersectedBox +
-    triangles * BytesOfATriangle;
-}
-
-Estimate estimateBox(BoxStatus status, const Depths& depths)
-{
-  const double intersected = status == BoxStatus::Intersected
-    ? std::min(std::pow(8, depths.allowed), UnitsAcrossABox * std::pow(4, depths.allowed))
-    : 0;
-  return { std::pow(8, depths.forced), intersected, 0 };
-}
-
-Estimate estimateMesh(const Surface& surface, const Meshlines& planes)
-{
-  double intersected = 0;
-  Bounds bounds = Bounds::none();
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-  {
-    const Corners c = surface.corners(t);
-    intersected += boxesOfTriangle(c, planes);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      bounds.include(axis, c[0][axis]);
-      bounds.include(axis, c[1][axis]);
-      bounds.include(axis, c[2][axis]);
-    }
-  }
-  double all = 1;
-  double extent = 1;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    all *= static_cast<double>(planes[axis].size() - 1);
-    extent *= std::max(2.0, bounds.high[axis] - bounds.low[axis]) * surface.lattice.step();
-  }
-  const double inside = all * std::min(1.0, std::abs(volumeOf(surface)) / extent);
-  return { inside, intersected, static_cast<double>(surface.triangles.size()) };
-}
-
-void checkMemory(const Estimate& estimate, double mostBytes)
-{
-  constexpr double GiB = 1024.0 * 1024 * 1024;
-  if (estimate.bytes() > mostBytes)
-  {
-    std::array<char, 300> text;
-    std::snprintf(text.data(), text.size(),
-      "The mesh would have about %.4g boxes and take about %.4g GiB, more than the Memory Limit of "
-      "%.4g GiB: choose a larger Cell Size, less refinement, or raise the limit.",
-      estimate.boxes(), estimate.bytes() / GiB, mostBytes / GiB);
-    throw Error(Fault::TooManyBoxes, text.data());
-  }
 }
 
 }

@@ -7,37 +7,16 @@
 namespace cartesian
 {
 
-// Every edge of the surface has an even number of triangles (SurfaceRepair.h): statuses come from the
-// crossings along x. Global boxes that are intersected are divided to the
-// depth allowed there into the fewest boxes that cover what is inside or intersected; forced depth
-// divides them and inside boxes further. Then boxes are balanced (Balance.h).
-
-// The boxes of the layers `kept`, balanced. Cells will be made for those of `core`; the others are what
-// they depend on (Parts/Division.h).
+// Statuses come from the surface's crossings along x: every edge of the surface has an even number
+// of triangles (SurfaceRepair.h). Global boxes that are intersected are divided, to the depth
+// allowed there, into the fewest boxes that cover what is inside or intersected. The forced depth
+// divides these and inside boxes further. Then boxes are balanced (Balance.h).
 //
-// Throws Error (TooManyBoxes) where the mesh would take more bytes than `mostBytes`.
+// Returns the balanced boxes of the layers `kept`. Cells will be made for those of `core`, which
+// depend on the others (Parts/Decomposition.h). Throws Error (TooManyBoxes) if the mesh would take
+// more than `mostBytes`.
 Boxes generateBoxes(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
   const Refinement& refinement, const GlobalStatuses& statuses, Layers core, Layers kept,
   double mostBytes, Execution& execution);
-
-// How large a mesh will be, roughly, before anything is built.
-struct Estimate
-{
-  double inside = 0; // boxes
-  double intersected = 0;
-  double triangles = 0;
-
-  double boxes() const { return inside + intersected; }
-  double bytes() const;
-};
-
-// Without refinement.
-Estimate estimateMesh(const Surface& surface, const Meshlines& planes);
-
-// Of one global box.
-Estimate estimateBox(BoxStatus status, const Depths& depths);
-
-// Throws TooManyBoxes where the estimate exceeds `mostBytes`.
-void checkMemory(const Estimate& estimate, double mostBytes);
 
 }

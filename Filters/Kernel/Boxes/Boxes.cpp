@@ -34,7 +34,7 @@ std::uint32_t Boxes::globalAt(std::int64_t i, std::int64_t j, std::int64_t k) co
   {
     return None;
   }
-  // Where nothing is missing in the row before it, it is here, else before.
+  // If no box of the row is missing before it, it is at this guess, else before it.
   if (const std::int64_t guess = i - begin->index[0]; guess < end - begin)
   {
     end = begin + guess;
@@ -77,9 +77,9 @@ void Boxes::listUnits()
   }
   units.assign(size, None);
   findNearDepths();
-  for (std::uint32_t b = 0; b < boxes.size(); ++b)
+  for (std::uint32_t b = 0; b < packed.size(); ++b)
   {
-    const PackedBox& box = boxes[b];
+    const PackedBox& box = packed[b];
     const GlobalBox& global = globalOf(box);
     if (global.depth == 0)
     {
@@ -133,7 +133,8 @@ void Boxes::findNearDepths()
 std::array<std::uint32_t, 4> facing(const Boxes& boxes, const PackedBox& box, int axis, bool upper)
 {
   std::array<std::uint32_t, 4> across;
-  if (const GlobalBox& global = boxes.globalOf(box); global.nearDepth == 0) // nor is its neighbour
+  if (const GlobalBox& global = boxes.globalOf(box);
+      global.nearDepth == 0) // neither it nor its neighbour is divided
   {
     std::array<std::int64_t, 3> at{ global.index[0], global.index[1], global.index[2] };
     at[axis] += upper ? 1 : -1;
@@ -164,12 +165,12 @@ std::array<std::uint32_t, 4> facing(const Boxes& boxes, const PackedBox& box, in
 std::vector<std::uint32_t> intersectedBoxes(const Boxes& boxes, Execution& execution)
 {
   constexpr std::size_t BoxesAChunk = 1 << 16;
-  const std::size_t count = boxes.boxes.size();
+  const std::size_t count = boxes.packed.size();
   std::vector<std::vector<std::uint32_t>> parts(chunks(count, BoxesAChunk));
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b)
     {
-      if (boxes.boxes[b].status == BoxStatus::Intersected)
+      if (boxes.packed[b].status == BoxStatus::Intersected)
       {
         parts[begin / BoxesAChunk].push_back(static_cast<std::uint32_t>(b));
       }

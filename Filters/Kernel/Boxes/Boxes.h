@@ -1,8 +1,8 @@
 // The boxes that cover the domain (sections 4 and 4.5).
 //
-// Meshlines cut space into global boxes. A global box may be divided into boxes: halved along x,
-// y or z again and again, so that a box has a level of its own in each direction (0: as wide as
-// the global box). Only boxes inside or intersected are kept: memory grows with the mesh, not with
+// Meshlines cut space into global boxes. A global box may be divided into boxes: halved along x, y
+// or z repeatedly, so that a box has its own level in each direction (0: as wide as the global
+// box). Only boxes that are inside or intersected are kept: memory grows with the mesh, not with
 // the grid.
 #pragma once
 
@@ -27,17 +27,17 @@ enum class BoxStatus : std::uint8_t
   Intersected = 2, // a triangle passes through it
 };
 
-// Region of a vertex or a cell: 0 outside; domains count from 1.
+// The region of a vertex or a cell: 0 is outside, domains are numbered from 1.
 constexpr std::int32_t OutsideRegion = 0;
 constexpr std::int32_t FirstRegion = 1;
 
-// Halvings in one direction. Positions count in the smallest parts of a global box that these
-// allow, from the first meshline on: the fine grid.
+// The most halvings in one direction. They define the fine grid: positions count the smallest
+// possible parts of global boxes, from the first meshline on.
 constexpr int DeepestLevel = 6;
 constexpr std::int64_t FinePerBox = 1 << DeepestLevel;
 using FinePoint = std::array<std::int64_t, 3>;
 
-// A box as it is kept: there are as many as the mesh has cells.
+// A box in compact form, as there are about as many as the mesh has cells.
 struct PackedBox
 {
   std::uint32_t global;               // index in Boxes::globals
@@ -47,7 +47,7 @@ struct PackedBox
   BoxStatus status;
 };
 
-// ... and where it lies.
+// A box with its position.
 struct Box : PackedBox
 {
   Point low;
@@ -65,13 +65,13 @@ inline Point cornerOf(const Box& box, unsigned corner)
 struct GlobalBox
 {
   std::array<std::uint32_t, 3> index; // I, J, K
-  std::uint32_t firstBox;             // its boxes end where the next one's begin
+  std::uint32_t firstBox;             // in Boxes::packed; its boxes end where the next one's begin
   std::uint32_t firstUnit;            // in Boxes::units, or None: undivided
-  std::uint8_t depth;                 // its units are 2^depth along x, y and z
-  std::uint8_t nearDepth; // the largest depth of it and its 26 neighbours: 0, no nodes hang
+  std::uint8_t depth;                 // it has 2^depth units along each of x, y and z
+  std::uint8_t nearDepth; // the largest depth of it and its 26 neighbours; 0: no hanging nodes
 };
 
-// Layers of global boxes along z: from K = begin to end - 1.
+// A range of layers of global boxes along z: K = begin to end - 1.
 struct Layers
 {
   std::uint32_t begin = 0;
@@ -79,25 +79,27 @@ struct Layers
 
   bool contains(std::uint32_t k) const { return k >= begin && k < end; }
 
-  // These and `by` more on either side, as far as there are; nothing stays nothing.
+  // Extended by up to `by` layers on either side within the grid of `all` layers; an empty range
+  // stays empty.
   Layers grown(std::uint32_t by, std::uint32_t all) const
   {
     return begin == end ? *this : Layers{ begin - std::min(begin, by), std::min(end + by, all) };
   }
 };
 
-// All boxes of a grid, or those of a part of it: its core and, around that, the halo that its
-// cells depend on (Parts.h).
+// All boxes of a grid, or those of a part of it: its core, and the halo around it on which the
+// core's cells depend (Parts/Decomposition.h).
 struct Boxes
 {
   Lattice lattice;
   Meshlines planes;
-  Layers core; // that cells are made for; of a whole grid, all
+  Layers core; // the layers for which cells are made; all layers of a whole grid
   RawVector<GlobalBox>
-    globals; // by rows along x (J + K * boxes along y), then by I; one more at the end
+    globals; // by rows along x (J + K * boxes along y), then by I; with a sentinel at the end
   std::vector<std::size_t> rowStart; // first global box of each row, and the end
-  RawVector<PackedBox> boxes;        // in order of global boxes
-  std::vector<std::uint32_t> units; // the box that holds each unit of divided global boxes, or None
+  RawVector<PackedBox> packed;       // by global box
+  std::vector<std::uint32_t>
+    units; // the box that contains each unit of divided global boxes, or None
 
   std::size_t row(std::size_t j, std::size_t k) const { return j + k * (planes[1].size() - 1); }
   const GlobalBox& globalOf(const PackedBox& box) const { return globals[box.global]; }
@@ -117,16 +119,16 @@ struct Boxes
     return FinePerBox >> box.level[axis];
   }
 
-  Box box(std::size_t b) const { return placed(boxes[b]); }
+  Box box(std::size_t b) const { return placed(packed[b]); }
   Box placed(const PackedBox& box) const;
   Point lowOf(std::size_t b) const;
 
-  // The global box (i, j, k), or None where nothing of it is kept.
+  // The global box (i, j, k), or None if it is not kept.
   std::uint32_t globalAt(std::int64_t i, std::int64_t j, std::int64_t k) const;
 
-  // The box that holds the fine cell with this low corner, or None. `step` receives how far along
-  // each axis the answer is the same at least: the size of the unit, or of the global box. `near`: a
-  // global box that is likely the right one.
+  // The box that contains the fine cell with this low corner, or None. `step` receives the size of
+  // the unit or global box there, within which the answer is the same. `near`: a guess of the
+  // global box.
   std::uint32_t boxAt(const FinePoint& fine, std::uint32_t near, std::int64_t& step) const;
 
   // Fills `units`, GlobalBox::firstUnit and nearDepth from the boxes and GlobalBox::depth.
@@ -136,7 +138,8 @@ private:
   void findNearDepths();
 };
 
-// The level of a plane of the fine grid: `part` (0 to FinePerBox) of the way from plane i to the next.
+// The level of a plane of the fine grid, `part` fine steps (0 to FinePerBox) from plane i towards
+// the next.
 inline Level planeAt(const std::vector<Level>& planes, std::size_t i, std::int64_t part)
 {
   if (part == 0 || part == FinePerBox)
@@ -177,14 +180,15 @@ inline Box Boxes::placed(const PackedBox& box) const
 
 inline Point Boxes::lowOf(std::size_t b) const
 {
-  const PackedBox& box = boxes[b];
+  const PackedBox& box = packed[b];
   const auto& at = globalOf(box).index;
   return { planeAt(planes[0], at[0], box.offset[0]), planeAt(planes[1], at[1], box.offset[1]),
     planeAt(planes[2], at[2], box.offset[2]) };
 }
 
 // The boxes across a side of `box` at its four quarters: (low, low), (high, low), (low, high),
-// (high, high) along the two other axes in cyclic order. In balanced boxes each quarter has one.
+// (high, high) along the two other axes in cyclic order. If boxes are balanced, each quarter
+// touches only one.
 std::array<std::uint32_t, 4> facing(const Boxes& boxes, const PackedBox& box, int axis, bool upper);
 
 // Indices of the intersected boxes, in order.

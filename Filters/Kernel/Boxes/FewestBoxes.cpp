@@ -16,47 +16,46 @@ constexpr std::uint8_t bit(BoxStatus status)
 
 }
 
-FewestBoxes::Part FewestBoxes::half(const Part& part, int axis, int which)
+FewestBoxes::DyadicBox FewestBoxes::half(const DyadicBox& box, int axis, int which)
 {
-  Part result = part;
+  DyadicBox result = box;
   ++result.level[axis];
-  result.position[axis] = 2 * part.position[axis] + which;
+  result.position[axis] = 2 * box.position[axis] + which;
   return result;
 }
 
-std::size_t FewestBoxes::index(const Part& part) const
+std::size_t FewestBoxes::index(const DyadicBox& box) const
 {
   const std::size_t along = (std::size_t(2) << depth_) - 1;
   std::size_t result = 0;
   for (int axis = 2; axis >= 0; --axis)
   {
-    const int level = part.level[axis];
-    result = result * along + static_cast<std::size_t>((1 << level) - 1 + part.position[axis]);
+    const int level = box.level[axis];
+    result = result * along + static_cast<std::size_t>((1 << level) - 1 + box.position[axis]);
   }
   return result;
 }
 
-bool FewestBoxes::isLeaf(const Part& part) const
+bool FewestBoxes::isLeaf(const DyadicBox& box) const
 {
-  const auto& level = part.level;
+  const auto& level = box.level;
   if (level[0] == depth_ && level[1] == depth_ && level[2] == depth_)
   {
     return true;
   }
-  return content_[index(part)] == bit(BoxStatus::Inside) &&
+  return content_[index(box)] == bit(BoxStatus::Inside) &&
     std::min({ level[0], level[1], level[2] }) >= forced_;
 }
 
-int FewestBoxes::cheapestSplit(const Part& part, std::uint32_t& cost) const
+int FewestBoxes::cheapestSplit(const DyadicBox& box, std::uint32_t& cost) const
 {
   int best = -1;
   cost = std::numeric_limits<std::uint32_t>::max();
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (part.level[axis] < depth_)
+    if (box.level[axis] < depth_)
     {
-      const std::uint32_t sum =
-        cost_[index(half(part, axis, 0))] + cost_[index(half(part, axis, 1))];
+      const std::uint32_t sum = cost_[index(half(box, axis, 0))] + cost_[index(half(box, axis, 1))];
       if (sum < cost)
       {
         cost = sum;
@@ -67,15 +66,15 @@ int FewestBoxes::cheapestSplit(const Part& part, std::uint32_t& cost) const
   return best;
 }
 
-void FewestBoxes::evaluate(const Part& part)
+void FewestBoxes::evaluate(const DyadicBox& box)
 {
-  const std::size_t here = index(part);
+  const std::size_t here = index(box);
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (part.level[axis] < depth_)
+    if (box.level[axis] < depth_)
     {
       content_[here] = static_cast<std::uint8_t>(
-        content_[index(half(part, axis, 0))] | content_[index(half(part, axis, 1))]);
+        content_[index(half(box, axis, 0))] | content_[index(half(box, axis, 1))]);
       break;
     }
   }
@@ -83,28 +82,28 @@ void FewestBoxes::evaluate(const Part& part)
   {
     cost_[here] = 0;
   }
-  else if (isLeaf(part))
+  else if (isLeaf(box))
   {
     cost_[here] = 1;
   }
   else
   {
-    cheapestSplit(part, cost_[here]);
+    cheapestSplit(box, cost_[here]);
   }
 }
 
-// Parts of these levels, x fastest.
+// Calls visit(box) for the dyadic boxes of these levels, x fastest.
 template <class Visitor>
-void FewestBoxes::forEachPart(const std::array<int, 3>& level, Visitor&& visit)
+void FewestBoxes::forEachDyadicBox(const std::array<int, 3>& level, Visitor&& visit)
 {
-  Part part{ level, {} };
-  for (part.position[2] = 0; part.position[2] < 1 << level[2]; ++part.position[2])
+  DyadicBox box{ level, {} };
+  for (box.position[2] = 0; box.position[2] < 1 << level[2]; ++box.position[2])
   {
-    for (part.position[1] = 0; part.position[1] < 1 << level[1]; ++part.position[1])
+    for (box.position[1] = 0; box.position[1] < 1 << level[1]; ++box.position[1])
     {
-      for (part.position[0] = 0; part.position[0] < 1 << level[0]; ++part.position[0])
+      for (box.position[0] = 0; box.position[0] < 1 << level[0]; ++box.position[0])
       {
-        visit(part);
+        visit(box);
       }
     }
   }
@@ -118,9 +117,9 @@ std::uint32_t FewestBoxes::search(int depth, int forced, const std::vector<BoxSt
   cost_.resize(along * along * along);
   content_.resize(cost_.size());
   std::size_t unit = 0;
-  forEachPart(
-    { depth, depth, depth }, [&](const Part& part) { content_[index(part)] = bit(units[unit++]); });
-  // Halves are deeper than the whole: from the units up.
+  forEachDyadicBox({ depth, depth, depth },
+    [&](const DyadicBox& box) { content_[index(box)] = bit(units[unit++]); });
+  // Halves are deeper than the whole, so from the units up.
   std::array<int, 3> level{};
   for (level[2] = depth; level[2] >= 0; --level[2])
   {
@@ -128,7 +127,7 @@ std::uint32_t FewestBoxes::search(int depth, int forced, const std::vector<BoxSt
     {
       for (level[0] = depth; level[0] >= 0; --level[0])
       {
-        forEachPart(level, [&](const Part& part) { evaluate(part); });
+        forEachDyadicBox(level, [&](const DyadicBox& box) { evaluate(box); });
       }
     }
   }
@@ -140,31 +139,31 @@ void FewestBoxes::collect(std::vector<LocalBox>& boxes) const
   collect(whole(), boxes);
 }
 
-void FewestBoxes::collect(const Part& part, std::vector<LocalBox>& boxes) const
+void FewestBoxes::collect(const DyadicBox& box, std::vector<LocalBox>& boxes) const
 {
-  const std::uint8_t content = content_[index(part)];
+  const std::uint8_t content = content_[index(box)];
   if (content == bit(BoxStatus::Outside))
   {
     return;
   }
-  if (isLeaf(part))
+  if (isLeaf(box))
   {
-    LocalBox box;
+    LocalBox leaf;
     for (int axis = 0; axis < 3; ++axis)
     {
-      box.level[axis] = static_cast<std::uint8_t>(part.level[axis]);
-      box.offset[axis] =
-        static_cast<std::uint8_t>(part.position[axis] * (FinePerBox >> part.level[axis]));
+      leaf.level[axis] = static_cast<std::uint8_t>(box.level[axis]);
+      leaf.offset[axis] =
+        static_cast<std::uint8_t>(box.position[axis] * (FinePerBox >> box.level[axis]));
     }
-    box.status = content == bit(BoxStatus::Inside) ? BoxStatus::Inside : BoxStatus::Intersected;
-    box.corners = AllCorners;
-    boxes.push_back(box);
+    leaf.status = content == bit(BoxStatus::Inside) ? BoxStatus::Inside : BoxStatus::Intersected;
+    leaf.corners = AllCorners;
+    boxes.push_back(leaf);
     return;
   }
   std::uint32_t cost = 0;
-  const int axis = cheapestSplit(part, cost);
-  collect(half(part, axis, 0), boxes);
-  collect(half(part, axis, 1), boxes);
+  const int axis = cheapestSplit(box, cost);
+  collect(half(box, axis, 0), boxes);
+  collect(half(box, axis, 1), boxes);
 }
 
 }

@@ -1,12 +1,13 @@
-// The fewest boxes that cover a global box (section 4.5), by an exact search over all splits.
+// Finds the fewest boxes that cover a global box (section 4.5), by dynamic programming over all
+// splits.
 //
-// A box of the search is a dyadic part of the global box: a level and a position along each axis.
-// It costs nothing if all its units are outside; one if all are inside, and its levels are as deep
-// as forced; one if it is an intersected unit; else the cheapest of its splits into two halves
-// along x, y or z. There are (2^(depth + 1) - 1)^3 such boxes, each looked at once: 27, 343, 3375,
-// 29,791, 250,047 and 2,048,383 for depths 1 to 6, with three additions each. The search is exact
-// for every depth, among boxes that splits can make (five boxes that wind around a corner, which no
-// plane can tell apart, are not looked for). Of equal splits the one along the lowest axis is taken.
+// The search considers all dyadic boxes: each has a level and a position along each axis. Its cost
+// is 0 if all its units are outside; 1 if all are inside and its levels are at least the forced
+// depth; 1 if it is an intersected unit; else that of its cheapest split into two halves along x, y
+// or z. There are (2^(depth + 1) - 1)^3 such boxes, each evaluated once with three additions: 27,
+// 343, 3375, 29,791, 250,047 and 2,048,383 for depths 1 to 6. The search is exact among the covers
+// that repeated splitting can make; it does not find those that no plane splits (five boxes that
+// wind around a corner). Of equally cheap splits, the one along the lowest axis is taken.
 #pragma once
 
 #include "Boxes/Boxes.h"
@@ -29,30 +30,30 @@ public:
   // `units`: status of each unit, x fastest. Returns the number of boxes.
   std::uint32_t search(int depth, int forced, const std::vector<BoxStatus>& units);
 
-  // Appends the boxes that the last search found; their corners are left to the caller.
+  // Appends the boxes that the last search found. The caller has to set their corners.
   void collect(std::vector<LocalBox>& boxes) const;
 
 private:
-  struct Part
+  struct DyadicBox
   {
     std::array<int, 3> level;
     std::array<int, 3> position;
   };
 
   template <class Visitor>
-  static void forEachPart(const std::array<int, 3>& level, Visitor&& visit);
-  static Part whole() { return { { 0, 0, 0 }, { 0, 0, 0 } }; }
-  static Part half(const Part& part, int axis, int which);
-  std::size_t index(const Part& part) const;
-  void evaluate(const Part& part);
-  bool isLeaf(const Part& part) const;
-  int cheapestSplit(const Part& part, std::uint32_t& cost) const;
-  void collect(const Part& part, std::vector<LocalBox>& boxes) const;
+  static void forEachDyadicBox(const std::array<int, 3>& level, Visitor&& visit);
+  static DyadicBox whole() { return { { 0, 0, 0 }, { 0, 0, 0 } }; }
+  static DyadicBox half(const DyadicBox& box, int axis, int which);
+  std::size_t index(const DyadicBox& box) const;
+  void evaluate(const DyadicBox& box);
+  bool isLeaf(const DyadicBox& box) const;
+  int cheapestSplit(const DyadicBox& box, std::uint32_t& cost) const;
+  void collect(const DyadicBox& box, std::vector<LocalBox>& boxes) const;
 
   int depth_ = 0;
   int forced_ = 0;
-  std::vector<std::uint32_t> cost_;   // of each part
-  std::vector<std::uint8_t> content_; // of each part: bits 1 << status of its units
+  std::vector<std::uint32_t> cost_;   // of each dyadic box
+  std::vector<std::uint8_t> content_; // of each dyadic box: bits 1 << status of its units
 };
 
 }

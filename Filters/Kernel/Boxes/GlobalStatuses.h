@@ -8,8 +8,8 @@
 namespace cartesian
 {
 
-// A global box that a triangle passes through is intersected, also where the surface only pierces
-// an edge or a side of it. All others have the status of their corners.
+// A global box that a triangle passes through is intersected, even if the surface only pierces one
+// of its edges or sides. All others have the status of their corners.
 class GlobalStatuses
 {
 public:
@@ -49,8 +49,8 @@ public:
   }
 
 private:
-  // Boxes [begin, end) of a row, which no triangle passes through: all of them have the
-  // status of any of their corners.
+  // Visits boxes [begin, end) of a row if they are inside. No triangle passes through them, so all
+  // have the status of any of their corners.
   template <class Visitor>
   void visitGap(
     std::uint32_t begin, std::uint32_t end, std::uint32_t j, std::uint32_t k, Visitor& visit) const

@@ -1,4 +1,4 @@
-// In/Out Status (section 4.4) of the vertices of the global mesh, for whole rows at once.
+// In/Out Status (section 4.4) of the vertices of the global mesh.
 #pragma once
 
 #include "Surface/LineCrossings.h"
@@ -6,9 +6,10 @@
 namespace cartesian
 {
 
-// How the surface winds around a vertex, from the crossings below it along x. In each component edges have
-// as many triangles one way as the other, or at least an even number (SurfaceRepair.h), and planes are
-// shifted so that no ray touches an edge (Crossing.h): hence all six rays of the paper agree.
+// How the surface winds around a vertex, from the crossings below it along x. All six rays of the
+// paper would give the same answer: in each component, edges have as many triangles in one
+// direction as in the other, or at least an even number (SurfaceRepair.h), and planes are shifted
+// so that no ray touches an edge (Crossing.h).
 class InOut
 {
 public:
@@ -22,7 +23,7 @@ public:
     return alongX_.at(j, k, i);
   }
 
-  // Bits of the eight corners of global box i, j, k as in Box::corners.
+  // The bits of the eight corners of global box i, j, k, as in Box::corners.
   std::uint8_t corners(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
   {
     unsigned bits = 0;

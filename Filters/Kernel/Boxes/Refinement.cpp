@@ -22,7 +22,7 @@ void checkDepth(int depth, const std::string& what)
   }
 }
 
-RowSet emptySet(const Meshlines& planes)
+GlobalBoxSet emptySet(const Meshlines& planes)
 {
   return { static_cast<std::int64_t>(planes[0].size()) - 1,
     static_cast<std::int64_t>(planes[1].size()) - 1,
@@ -72,8 +72,8 @@ void Refinement::addBlocks(const RefinementSpec& spec, const Meshlines& planes)
       if (block.first[axis] < 0 || block.last[axis] > most)
       {
         warnings_ += (warnings_.empty() ? "In " : " In ") + name + ", " + range +
-          " reaches beyond the grid (0 to " + std::to_string(most) +
-          "): what lies outside is left out.";
+          " extends beyond the grid (0 to " + std::to_string(most) +
+          "): what lies outside is ignored.";
         block.first[axis] = std::max<std::int64_t>(block.first[axis], 0);
         block.last[axis] = std::min(block.last[axis], most);
         empty = empty || block.first[axis] > block.last[axis];
@@ -102,7 +102,7 @@ void Refinement::addBoundary(const BoundaryRefinement& row, std::size_t number,
     throw Error(Fault::BadParameter,
       "The surface has no boundary " + std::to_string(row.boundary) + ", named in " + name + ".");
   }
-  Boundary boundary{ row.depth, emptySet(planes), {}, row.depth - (row.blendBelow ? 1 : 0) };
+  RefinedBoundary boundary{ row.depth, emptySet(planes), {}, row.depth - (row.blendBelow ? 1 : 0) };
   const std::size_t rowsAlongY = planes[1].size() - 1;
   for (std::size_t r = 0; r + 1 < shoeboxes.rowStart.size(); ++r)
   {
@@ -129,8 +129,8 @@ void Refinement::addBoundary(const BoundaryRefinement& row, std::size_t number,
   boundaries_.push_back(std::move(boundary));
 }
 
-// The region has a lattice of its own, as it may be larger than the domain; its boxes are those
-// of the grid.
+// The region's surface has its own lattice, as it may be larger than the domain; its boxes are
+// those of the grid.
 void Refinement::addRegion(const RefinementRegion& region, const Surface& surface,
   const Meshlines& planes, Execution& execution)
 {
@@ -161,7 +161,7 @@ void Refinement::addRegion(const RefinementRegion& region, const Surface& surfac
   }
   const Shoeboxes shoeboxes = fillShoeboxes(closed, own, execution);
   const GlobalStatuses statuses(closed, own, shoeboxes, execution);
-  Region result{ region.depth, emptySet(planes) };
+  RefinedRegion result{ region.depth, emptySet(planes) };
   for (std::uint32_t k = 0; k + 1 < planes[2].size(); ++k)
   {
     for (std::uint32_t j = 0; j + 1 < planes[1].size(); ++j)
@@ -190,7 +190,7 @@ Depths Refinement::at(std::int64_t i, std::int64_t j, std::int64_t k) const
     }
   }
   int atBoundary = -1;
-  for (const Boundary& boundary : boundaries_)
+  for (const RefinedBoundary& boundary : boundaries_)
   {
     if (boundary.boxes.contains(i, j, k))
     {
@@ -206,7 +206,7 @@ Depths Refinement::at(std::int64_t i, std::int64_t j, std::int64_t k) const
     }
   }
   depths.allowed = atBoundary >= 0 ? atBoundary : depths.allowed;
-  for (const Region& region : regions_)
+  for (const RefinedRegion& region : regions_)
   {
     if (region.boxes.contains(i, j, k))
     {

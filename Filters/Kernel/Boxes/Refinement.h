@@ -1,35 +1,37 @@
-// Types of Refinement (section 4.6): how deep global boxes may, and must, be divided.
+// Types of Refinement (section 4.6): how deeply global boxes may, and must, be divided.
 #pragma once
 
 #include "Boxes/Boxes.h"
+#include "Boxes/GlobalBoxSet.h"
 #include "Boxes/Shoeboxes.h"
-#include "Lattice/RowSet.h"
 
 #include <string>
 
 namespace cartesian
 {
 
-// A block of global boxes, both ends included, 0-based. What lies outside the grid is left out.
+// A block of global boxes, given by 0-based inclusive indices. What lies outside the grid is ignored.
 struct RefinementBlock
 {
   std::array<std::int64_t, 3> first; // IS, JS, KS
   std::array<std::int64_t, 3> last;  // IE, JE, KE
   int allowed;                       // depth where the surface passes, 0 to DeepestLevel
-  int forced;                        // depth everywhere in the block, 0 to DeepestLevel
+  int forced;                        // least depth everywhere in the block, 0 to DeepestLevel
 };
 
 // Global boxes that a boundary passes through, and layers of boxes around them.
 struct BoundaryRefinement
 {
   std::int32_t boundary;
-  int depth;       // allowed at the boundary, 0 to DeepestLevel
-  int blendLayers; // layers at each forced depth, 0: no blending. The first are the boxes at the
-                   // boundary themselves, the depth falls by one from group to group, down to 1
+  int depth; // allowed at the boundary, 0 to DeepestLevel
+
+  // Layers at each forced depth; 0: no blending. The first layer is the boxes at the boundary
+  // themselves; the depth falls by one from group to group, down to 1.
+  int blendLayers;
   bool blendBelow; // blending starts at depth - 1 instead of depth
 };
 
-// Global boxes that lie in or touch a closed surface.
+// Global boxes that are inside or touch a closed surface.
 struct RefinementRegion
 {
   SurfaceView surface; // closed; user units
@@ -38,10 +40,10 @@ struct RefinementRegion
 
 struct RefinementSpec
 {
-  int depth = 0; // of all boxes with no other specification, 0 to DeepestLevel
-  std::vector<RefinementBlock> blocks;        // later ones win
-  std::vector<BoundaryRefinement> boundaries; // the deepest wins
-  std::vector<RefinementRegion> regions;      // only ever deepen
+  int depth = 0; // of all boxes without another specification, 0 to DeepestLevel
+  std::vector<RefinementBlock> blocks;        // the last one wins
+  std::vector<BoundaryRefinement> boundaries; // the deepest one wins
+  std::vector<RefinementRegion> regions;      // never make boxes coarser
 };
 
 struct Depths
@@ -54,34 +56,34 @@ struct Depths
 class Refinement
 {
 public:
-  // Throws Error (BadParameter): a depth out of range, IS > IE, an unknown boundary; a region that
-  // is no closed surface (EmptySurface, BadCoordinate, FlawedSurface).
+  // Throws Error: BadParameter (a depth out of range, IS > IE, an unknown boundary); EmptySurface,
+  // BadCoordinate, FlawedSurface (a region is not a closed surface).
   Refinement(const RefinementSpec& spec, const Surface& surface, const Shoeboxes& shoeboxes,
     const Meshlines& planes, Execution& execution);
 
   Depths at(std::int64_t i, std::int64_t j, std::int64_t k) const;
 
-  // False: no box is divided.
+  // Whether any box is divided.
   bool any() const { return any_; }
 
-  // No box is divided more often along an axis.
+  // The most times that a box is halved along an axis.
   int deepest() const { return deepest_; }
 
-  // Rows of tables that reach beyond the grid, in words, or nothing.
+  // A message about rows of tables that extend beyond the grid, or empty.
   const std::string& warnings() const { return warnings_; }
 
 private:
-  struct Boundary
+  struct RefinedBoundary
   {
     int depth;
-    RowSet boxes;
-    std::vector<RowSet> blends; // boxes whose forced depth is at least blendStart - n
+    GlobalBoxSet boxes;
+    std::vector<GlobalBoxSet> blends; // boxes whose forced depth is at least blendStart - n
     int blendStart;
   };
-  struct Region
+  struct RefinedRegion
   {
     int depth;
-    RowSet boxes;
+    GlobalBoxSet boxes;
   };
 
   void addBlocks(const RefinementSpec& spec, const Meshlines& planes);
@@ -92,8 +94,8 @@ private:
 
   int depth_;
   std::vector<RefinementBlock> blocks_;
-  std::vector<Boundary> boundaries_;
-  std::vector<Region> regions_;
+  std::vector<RefinedBoundary> boundaries_;
+  std::vector<RefinedRegion> regions_;
   bool any_;
   int deepest_ = 0;
   std::string warnings_;

@@ -10,20 +10,20 @@ constexpr std::size_t TrianglesAChunk = 2048;
 constexpr std::size_t RowsAChunk = 64;
 
 // The boxes [first, last] of a row that a triangle passes through.
-struct Span
+struct RowSpan
 {
   std::uint32_t row;
   std::uint32_t triangle;
   std::uint32_t first;
   std::uint32_t last;
 
-  // A triangle has one span a row.
-  bool operator<(const Span& other) const { return triangle < other.triangle; }
+  // A triangle has only one span in each row.
+  bool operator<(const RowSpan& other) const { return triangle < other.triangle; }
 };
 
-// The boxes of a row that the piece of a triangle in it passes through.
+// The boxes of a row through which a triangle's piece passes.
 void findSpan(const Fragment& piece, const Meshlines& planes, std::int64_t j, std::int64_t k,
-  std::size_t triangle, std::vector<Span>& found)
+  std::size_t triangle, std::vector<RowSpan>& found)
 {
   const auto nj = static_cast<std::int64_t>(planes[1].size()) - 1;
   const auto nk = static_cast<std::int64_t>(planes[2].size()) - 1;
@@ -53,11 +53,11 @@ public:
 
   // Calls visit(i, count) for boxes of count > 0, in order.
   template <class Visitor>
-  void forEachBox(const Span* begin, const Span* end, Visitor&& visit)
+  void forEachBox(const RowSpan* begin, const RowSpan* end, Visitor&& visit)
   {
     std::uint32_t first = ~0u;
     std::uint32_t last = 0;
-    for (const Span* s = begin; s != end; ++s)
+    for (const RowSpan* s = begin; s != end; ++s)
     {
       first = std::min(first, s->first);
       last = std::max(last, s->last);
@@ -81,7 +81,7 @@ private:
 };
 
 // The boxes of a row in `boxes`, from box `next` on; `cursor` holds a slot for each i.
-void fillRow(const Buckets<Span>& spans, std::size_t row, RowCounts& counts,
+void fillRow(const Buckets<RowSpan>& spans, std::size_t row, RowCounts& counts,
   std::vector<std::size_t>& cursor, Shoeboxes& boxes)
 {
   std::size_t next = boxes.rowStart[row];
@@ -90,7 +90,7 @@ void fillRow(const Buckets<Span>& spans, std::size_t row, RowCounts& counts,
     cursor[i] = boxes.triangleStart[next];
     ++next;
   });
-  for (const Span* s = spans.begin(row); s != spans.end(row); ++s)
+  for (const RowSpan* s = spans.begin(row); s != spans.end(row); ++s)
   {
     for (std::uint32_t i = s->first; i <= s->last; ++i)
     {
@@ -99,7 +99,7 @@ void fillRow(const Buckets<Span>& spans, std::size_t row, RowCounts& counts,
   }
 }
 
-Shoeboxes boxesOfRows(const Buckets<Span>& spans, std::size_t boxesAlongX, Execution& execution)
+Shoeboxes boxesOfRows(const Buckets<RowSpan>& spans, std::size_t boxesAlongX, Execution& execution)
 {
   Shoeboxes boxes;
   const std::size_t rows = spans.start.size() - 1;
@@ -142,20 +142,20 @@ Shoeboxes fillShoeboxes(const Surface& surface, const Meshlines& planes, Executi
 {
   const RowAxes axes = RowsAlong[0];
   const std::size_t count = surface.triangles.size();
-  std::vector<std::vector<Span>> spans(chunks(count, TrianglesAChunk));
+  std::vector<std::vector<RowSpan>> spans(chunks(count, TrianglesAChunk));
   execution.nextLoop(0.2);
   execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t)
     {
-      forEachRow(surface.corners(t), axes, planes,
+      forEachRowPiece(surface.corners(t), axes, planes,
         [&](std::int64_t j, std::int64_t k, const Fragment& piece) {
           findSpan(piece, planes, j, k, t, spans[begin / TrianglesAChunk]);
         });
     }
   });
   const std::size_t rows = (planes[1].size() - 1) * (planes[2].size() - 1);
-  const Buckets<Span> byRow = sortIntoBuckets(
-    spans, rows, [](const Span& s) { return s.row; }, execution);
+  const Buckets<RowSpan> byRow = sortIntoBuckets(
+    spans, rows, [](const RowSpan& s) { return s.row; }, execution);
   return boxesOfRows(byRow, planes[0].size() - 1, execution);
 }
 

@@ -1,12 +1,12 @@
 // Shoeboxes (section 4.3): which triangles pass through which global boxes, exactly.
 //
-// The shoeboxes are the global boxes. A triangle passes through a box when something of it lies
-// between the box's planes: decided on the exact pieces, so that a large slanted triangle is
-// filed under the boxes it meets and no others.
+// The shoeboxes are the global boxes. A triangle passes through a box if a piece of it lies between
+// the box's planes. This is decided on the exact pieces, so that even a large slanted triangle is
+// listed only for the boxes it meets.
 #pragma once
 
 #include "Base/Sorting.h"
-#include "Lattice/Rows.h"
+#include "Lattice/TriangleSlicing.h"
 #include "Surface/Surface.h"
 
 namespace cartesian
@@ -21,7 +21,7 @@ struct Shoeboxes
   std::vector<std::size_t> triangleStart; // of each box, and the end
   std::vector<std::uint32_t> triangle;    // ascending within a box
 
-  // The triangles of box i of a row, ascending; none where no triangle passes.
+  // The triangles of box i of a row, ascending.
   std::pair<const std::uint32_t*, const std::uint32_t*> triangles(
     std::size_t row, std::uint32_t i) const
   {

@@ -46,11 +46,11 @@ bool hasHangingNodes(const Boxes& boxes, const PackedBox& box, std::vector<std::
   return false;
 }
 
-// Calls visit(neighbour, side) for the rectangles into which its neighbours divide a side of a box.
+// Calls visit(neighbour, side) for the rectangles into which the neighbours divide a side of a box.
 template <class Visitor>
 void forEachPart(const Boxes& boxes, std::uint32_t b, int axis, bool upper, Visitor&& visit)
 {
-  const PackedBox& box = boxes.boxes[b];
+  const PackedBox& box = boxes.packed[b];
   const int u = (axis + 1) % 3;
   const int v = (axis + 2) % 3;
   const std::array<std::uint32_t, 4> across = facing(boxes, box, axis, upper);
@@ -91,8 +91,8 @@ void forEachPart(const Boxes& boxes, std::uint32_t b, int axis, bool upper, Visi
   }
 }
 
-// The sides that a polyhedral box owns: all its upper ones, and those lower ones that face no
-// other polyhedral box.
+// Visits the sides that a polyhedral box owns: all upper ones, and the lower ones across which
+// there is no polyhedral box.
 template <class Visitor>
 void forEachOwnSide(const Boxes& boxes, const Sides& sides, std::uint32_t b, Visitor&& visit)
 {
@@ -108,7 +108,7 @@ void forEachOwnSide(const Boxes& boxes, const Sides& sides, std::uint32_t b, Vis
   }
 }
 
-enum class Kind : std::uint8_t
+enum class BoxKind : std::uint8_t
 {
   Hexahedron,
   DividedHexahedron,
@@ -116,50 +116,50 @@ enum class Kind : std::uint8_t
   Intersected, // polyhedral too
 };
 
-Kind kindOf(const Boxes& boxes, const PackedBox& box, std::vector<std::int64_t>& scratch)
+BoxKind kindOf(const Boxes& boxes, const PackedBox& box, std::vector<std::int64_t>& scratch)
 {
   if (box.status == BoxStatus::Intersected)
   {
-    return Kind::Intersected;
+    return BoxKind::Intersected;
   }
   if (boxes.units.empty()) // no box is divided
   {
-    return Kind::Hexahedron;
+    return BoxKind::Hexahedron;
   }
   if (hasHangingNodes(boxes, box, scratch))
   {
-    return Kind::Polyhedral;
+    return BoxKind::Polyhedral;
   }
   const bool divided = (box.level[0] | box.level[1] | box.level[2]) != 0;
-  return divided ? Kind::DividedHexahedron : Kind::Hexahedron;
+  return divided ? BoxKind::DividedHexahedron : BoxKind::Hexahedron;
 }
 
-// How many boxes there are before a chunk of them.
-struct Before
+// How many boxes of each kind there are before a chunk of boxes.
+struct KindCounts
 {
   std::uint32_t polyhedral = 0;
   std::uint32_t intersected = 0;
   std::uint32_t divided = 0; // hexahedra
 
-  void count(Kind kind)
+  void count(BoxKind kind)
   {
-    polyhedral += kind >= Kind::Polyhedral ? 1 : 0;
-    intersected += kind == Kind::Intersected ? 1 : 0;
-    divided += kind == Kind::DividedHexahedron ? 1 : 0;
+    polyhedral += kind >= BoxKind::Polyhedral ? 1 : 0;
+    intersected += kind == BoxKind::Intersected ? 1 : 0;
+    divided += kind == BoxKind::DividedHexahedron ? 1 : 0;
   }
 };
 
 void classify(const Boxes& boxes, Sides& result, Execution& execution)
 {
-  const std::size_t count = boxes.boxes.size();
-  RawVector<Kind> kinds(count);
-  std::vector<Before> before(chunks(count, BoxesAChunk) + 1);
+  const std::size_t count = boxes.packed.size();
+  RawVector<BoxKind> kinds(count);
+  std::vector<KindCounts> before(chunks(count, BoxesAChunk) + 1);
   execution.nextLoop(0.1);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     std::vector<std::int64_t> scratch;
     for (std::size_t b = begin; b < end; ++b)
     {
-      kinds[b] = kindOf(boxes, boxes.boxes[b], scratch);
+      kinds[b] = kindOf(boxes, boxes.packed[b], scratch);
       before[begin / BoxesAChunk + 1].count(kinds[b]);
     }
   });
@@ -174,18 +174,18 @@ void classify(const Boxes& boxes, Sides& result, Execution& execution)
   result.patchBox.resize(before.back().polyhedral);
   result.divided.resize(before.back().divided);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
-    Before next = before[begin / BoxesAChunk];
+    KindCounts next = before[begin / BoxesAChunk];
     for (std::size_t b = begin; b < end; ++b)
     {
-      const Kind kind = kinds[b];
+      const BoxKind kind = kinds[b];
       result.ordinal[b] = None;
-      if (kind >= Kind::Polyhedral)
+      if (kind >= BoxKind::Polyhedral)
       {
         result.ordinal[b] = next.polyhedral;
         result.polyhedral[next.polyhedral] = static_cast<std::uint32_t>(b);
-        result.patchBox[next.polyhedral] = kind == Kind::Intersected ? next.intersected : None;
+        result.patchBox[next.polyhedral] = kind == BoxKind::Intersected ? next.intersected : None;
       }
-      else if (kind == Kind::DividedHexahedron)
+      else if (kind == BoxKind::DividedHexahedron)
       {
         result.ordinal[b] = next.divided | Sides::HexahedronBit;
         result.divided[next.divided] = static_cast<std::uint32_t>(b);
@@ -199,7 +199,7 @@ void listSidesOfBoxes(Sides& result, Execution& execution)
 {
   result.boxStart.assign(result.polyhedral.size() + 1, 0);
   const auto forEachSide = [&](auto&& visit) {
-    for (std::uint32_t s = 0; s < result.sides.size(); ++s)
+    for (std::uint32_t s = 0; s < result.common.size(); ++s)
     {
       if (s % BoxesAChunk == 0)
       {
@@ -207,7 +207,7 @@ void listSidesOfBoxes(Sides& result, Execution& execution)
       }
       for (const bool upper : { true, false })
       {
-        const Side& side = result.sides[s];
+        const Side& side = result.common[s];
         const std::uint32_t n = result.polyhedralOrdinal(upper ? side.low : side.high);
         if (n != None)
         {
@@ -265,8 +265,8 @@ void hangingNodes(const Boxes& boxes, int axis, const FinePoint& from, std::int6
         at[axis] = (at[axis] / step + 1) * step;
         continue;
       }
-      const std::int64_t low = boxes.fineLow(boxes.boxes[box])[axis];
-      at[axis] = low + Boxes::fineSize(boxes.boxes[box], axis);
+      const std::int64_t low = boxes.fineLow(boxes.packed[box])[axis];
+      at[axis] = low + Boxes::fineSize(boxes.packed[box], axis);
       add(low);
       add(at[axis]);
     }
@@ -293,10 +293,10 @@ Sides findSides(const Boxes& boxes, Execution& execution)
       result.ownStart[n] = part.size() - before;
     }
   });
-  result.sides.resize(scan(result.ownStart));
+  result.common.resize(scan(result.ownStart));
   execution.forEach(parts.size(), 1, [&](std::size_t i, std::size_t) {
     const std::size_t first = result.ownStart[i * BoxesAChunk];
-    std::copy(parts[i].begin(), parts[i].end(), result.sides.begin() + std::ptrdiff_t(first));
+    std::copy(parts[i].begin(), parts[i].end(), result.common.begin() + std::ptrdiff_t(first));
   });
   listSidesOfBoxes(result, execution);
   return result;

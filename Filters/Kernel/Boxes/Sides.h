@@ -7,7 +7,7 @@
 namespace cartesian
 {
 
-// The rectangle that two neighbouring boxes share; its normal points from low to high.
+// The rectangle that two neighbouring boxes share. Its normal points from the low to the high one.
 struct Side
 {
   std::uint32_t low;                   // box below the plane, or None
@@ -17,11 +17,11 @@ struct Side
   std::uint8_t axis;
 };
 
-// A side of a box, and which of its two boxes it is.
+// A side of a box, and which of the side's two boxes that is.
 struct SideOfBox
 {
   std::uint32_t side : 31;
-  std::uint32_t upper : 1; // the box is the side's lower one: the side is on top of it
+  std::uint32_t upper : 1; // it is an upper side of the box: the box is the side's low one
 
   SideOfBox() = default;
   SideOfBox(std::uint32_t s, bool up)
@@ -31,24 +31,25 @@ struct SideOfBox
   }
 };
 
-// Boxes with a part of the surface in them or with hanging nodes on them become polyhedra. Their
-// sides are listed, in order of the box that owns them: the lower box if it becomes a polyhedron,
-// else the upper. All other boxes become hexahedra, and sides between those are plain.
+// Boxes that the surface intersects or that have hanging nodes become polyhedra. Their sides are
+// listed in order of the box that owns them: the low box if it becomes a polyhedron, else the high
+// one. All other boxes become hexahedra, and sides between these are not listed.
 struct Sides
 {
   static constexpr std::uint32_t HexahedronBit = 1u << 31;
 
   std::vector<std::uint32_t> polyhedral; // boxes, in order
-  std::vector<std::uint32_t> divided;    // other boxes that are smaller than their global box
+  std::vector<std::uint32_t> divided;    // hexahedra that are smaller than their global box
   RawVector<std::uint32_t>
-    ordinal; // of each box: in `polyhedral`, in `divided` with HexahedronBit, or None
-  std::vector<std::uint32_t> patchBox; // of polyhedral boxes: number among the intersected, or None
-  RawVector<Side> sides;
+    ordinal; // of each box: its index in `polyhedral`, in `divided` with HexahedronBit set, or None
+  std::vector<std::uint32_t>
+    patchBox;             // of each polyhedral box: its number among the intersected, or None
+  RawVector<Side> common; // of two neighbouring boxes each
   std::vector<std::size_t> ownStart; // first side that each polyhedral box owns, and the end
   std::vector<std::size_t> boxStart; // first of each polyhedral box's sides in ofBox, and the end
   RawVector<SideOfBox> ofBox;
 
-  // The number among the polyhedral boxes, or None.
+  // A box's number among the polyhedral ones, or None.
   std::uint32_t polyhedralOrdinal(std::uint32_t box) const
   {
     return box == None || (ordinal[box] & HexahedronBit) != 0 ? None : ordinal[box];
@@ -57,13 +58,14 @@ struct Sides
 
 Sides findSides(const Boxes& boxes, Execution& execution);
 
-// Nodes of the fine grid that hang on the line along `axis` from `from`, `length` fine steps long:
-// ends of boxes around it, in order, without the line's own ends. `near`: a global box at the line.
+// Finds the hanging nodes of the fine grid on the line along `axis` from `from`, `length` fine
+// steps long: ends of boxes around it, in order, without the line's own ends. `near`: a global box
+// at the line.
 void hangingNodes(const Boxes& boxes, int axis, const FinePoint& from, std::int64_t length,
   std::uint32_t near, std::vector<std::int64_t>& positions);
 
 // The corners (bits as in Box::corners) of a box's lower (0) or upper (1) side, counter-clockwise
-// seen from above.
+// as seen from above.
 std::array<unsigned, 4> sideCorners(int axis, unsigned upper);
 
 }

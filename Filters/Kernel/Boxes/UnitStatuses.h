@@ -1,5 +1,4 @@
-// In/out statuses inside one global box (section 4.5): of the vertices of its units, and of the
-// units themselves.
+// In/out statuses within one global box (section 4.5): of its units and of their vertices.
 #pragma once
 
 #include "Boxes/Boxes.h"
@@ -14,14 +13,14 @@ using TriangleRange = std::pair<const std::uint32_t*, const std::uint32_t*>;
 class UnitStatuses
 {
 public:
-  // `index`: the global box; `low`: of its low corner. Keeps its storage.
+  // `index`: of the global box; `low`: the winding around its low corner. Keeps its storage.
   void compute(const Surface& surface, const TriangleRange& triangles, const Meshlines& planes,
     const std::array<std::uint32_t, 3>& index, int depth, const Winding& low);
 
   // Statuses of the units, x fastest.
   const std::vector<BoxStatus>& units() const { return units_; }
 
-  // Bits of the corners of a box made of units, as in Box::corners.
+  // The bits of the corners of a box that consists of units, as in Box::corners.
   std::uint8_t corners(
     const std::array<std::uint8_t, 3>& fineOffset, const std::array<std::uint8_t, 3>& level) const;
 
@@ -37,7 +36,8 @@ private:
   std::vector<BoxStatus> units_;
 };
 
-// Around one point of a global box; `low`: around its low corner. All levels of both points are even.
+// The winding around one point `at` of a global box, given the winding `low` around its low corner.
+// All levels of both points are even.
 Winding windingAt(const Surface& surface, const TriangleRange& triangles, const Point& corner,
   const Winding& low, const Point& at);
 

@@ -13,11 +13,11 @@ std::int64_t difference(Level a, Level b)
   return static_cast<std::int64_t>(a) - static_cast<std::int64_t>(b);
 }
 
-// Rounding errors of a crossing computed in double precision, in levels: four operations on
-// numbers below 2^33.
+// Rounding error of a crossing computed in double precision, in levels: four operations on numbers
+// below 2^33.
 constexpr double RoundingOfLevels = 1e-5;
 
-// The odd level around x if x is surely not within `error` of an even level, else 0.
+// The odd level around x, or 0 if x may be within `error` of an even level.
 Level oddLevelIfSure(double x, double error)
 {
   constexpr double BeyondLevels = 4294967296.0;
@@ -31,8 +31,7 @@ Level oddLevelIfSure(double x, double error)
   return fraction > error && fraction < 2 - error ? static_cast<Level>(2 * below) + 1 : 0;
 }
 
-// The odd level around base + numerator / denominator; on an even level exactly, the shift of
-// the planes decides.
+// The odd level around base + numerator / denominator; exactly on an even level, `tieUp` decides.
 template <class Integer>
 Level oddLevel(Level base, Integer numerator, Integer denominator, bool tieUp)
 {
@@ -68,13 +67,13 @@ Level crossPlaneAlong(const Point& a, const Point& b, int axis, Level plane, int
   {
     return sure;
   }
-  // The point moves by slope * shift(axis), the planes of `free` by shift(free); the shift of the
-  // lower axis is infinitely larger.
+  // The crossing moves by slope * shift(axis), the planes of `free` by shift(free). The shift of
+  // the lower axis is infinitely larger.
   const bool tieUp = axis < free && (rise > 0) == (run > 0);
   return oddLevel<Wide>(a[free], static_cast<Wide>(rise) * part, run, tieUp);
 }
 
-// Whether the crossing, on an even level exactly, lies above that level once the planes shift.
+// Whether a crossing exactly on an even level lies above that level once the planes are shifted.
 bool lineTieUp(const std::array<Wide, 3>& normal, int along)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -82,7 +81,7 @@ bool lineTieUp(const std::array<Wide, 3>& normal, int along)
     const Wide n = normal[axis];
     if (axis == along)
     {
-      return false; // the plane of `along` itself moves up first
+      return false; // the plane across `along` moves up furthest
     }
     if (n != 0)
     {

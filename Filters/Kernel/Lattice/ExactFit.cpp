@@ -18,7 +18,7 @@ void append(Fragment* part, const Point& corner, std::uint8_t side)
   }
 }
 
-// Where the fragment's side from corner p to q meets the plane.
+// Where the fragment's side that starts at corner p meets the plane.
 Point crossSide(const Corners& triangle, std::uint8_t side, const Point& p, int axis, Level plane)
 {
   if (side < Fragment::FirstPlane)

@@ -1,8 +1,8 @@
-// Exact Fit (section 4.7): the pieces of surface triangles between cutting planes.
+// Exact Fit (section 4.7): clips surface triangles between cutting planes.
 //
-// A fragment is what planes leave of one triangle: a convex polygon whose every side lies on an
-// edge of the triangle or on a plane. New corners are computed from the triangle itself, never
-// from other corners, so that the same corner comes out the same from every box that needs it.
+// A fragment is the part of one triangle between planes: a convex polygon whose sides lie on the
+// triangle's edges or on planes. New corners are computed from the triangle itself, never from
+// other corners, so that every box that needs a corner gets the same one.
 #pragma once
 
 #include "Lattice/Crossing.h"
@@ -12,11 +12,12 @@ namespace cartesian
 
 struct Fragment
 {
-  // Three corners and one more for each of six planes.
+  // Three, and one for each of six planes.
   static constexpr int MostCorners = 9;
 
-  // What the side from corner i to corner i + 1 lies on: triangle edge 0, 1, 2 or a plane
-  // perpendicular to axis side - FirstPlane, whose level both its corners carry.
+  // side[i] tells what the side from corner i to corner i + 1 lies on: edge 0, 1 or 2 of the
+  // triangle, or a plane perpendicular to the axis side[i] - FirstPlane, on whose level both
+  // corners are.
   static constexpr std::uint8_t FirstPlane = 3;
 
   int size = 0;
@@ -26,8 +27,8 @@ struct Fragment
   static Fragment whole(const Corners& triangle);
 };
 
-// Splits a fragment of `triangle` at a plane. Either part may be empty (size 0); pass null for
-// the part that is not needed.
+// Splits a fragment of `triangle` at a plane. Either part may be empty (size 0), or null if it is
+// not needed.
 void split(const Corners& triangle, const Fragment& fragment, int axis, Level plane,
   Fragment* below, Fragment* above);
 

@@ -10,10 +10,10 @@ namespace cartesian
 namespace
 {
 
-// Levels kept free below the domain, so that planes fit around it. Odd.
+// Levels kept free below the domain, so that there is room for planes around it. Odd.
 constexpr double Margin = 9;
 
-// A sum of origin and step times level stays exact in double precision.
+// origin + step * level stays exact in double precision.
 constexpr int BitsOfADouble = 52;
 
 double powerOfTwoAtLeast(double x)

@@ -1,9 +1,9 @@
 // The integer lattice: Scaling (section 4.1) and Dual Levels (4.2, 7.1).
 //
-// The domain's cube is divided into at most 4.2e9 levels a direction. Vertices of the surface
-// sit on odd levels, cutting planes on even ones, so that no vertex ever lies on a plane.
-// Every point that the mesher makes is a lattice point: even exactly on its cutting planes,
-// odd in its free directions. A point *is* its three levels; nothing is merged by distance.
+// A cube around the domain is divided into at most 4.2e9 levels in each direction. Vertices of the
+// surface are on odd levels, cutting planes on even ones, so that no vertex ever lies on a plane.
+// Every point that the mesher makes is a lattice point: even on its cutting planes, odd in its free
+// directions. A point *is* its three levels; points are never merged by distance.
 #pragma once
 
 #include <array>
@@ -17,13 +17,13 @@ using Level = std::uint32_t;
 // Levels along x, y and z; compares by x, then y, then z (7.1).
 using Point = std::array<Level, 3>;
 
-// As ==, which is a call of memcmp: for loops over all points.
+// The same as ==, which calls memcmp: this is faster in loops over all points.
 inline bool areSame(const Point& p, const Point& q)
 {
   return ((p[0] ^ q[0]) | (p[1] ^ q[1]) | (p[2] ^ q[2])) == 0;
 }
 
-// Determinants of points: 67 bits for three on a plane, 102 for four in space.
+// For determinants of points: three points in a plane need 67 bits, four points in space 102.
 __extension__ using Wide = __int128;
 
 constexpr double LevelsOfTheDomain = 4.2e9;
@@ -38,24 +38,24 @@ struct Bounds
   std::array<double, 3> low;
   std::array<double, 3> high;
 
-  // An empty box that `include` can only make larger.
+  // Empty: include() makes it grow.
   static Bounds none();
   void include(int axis, double x);
   double longest() const;
 };
 
 // Maps user coordinates to levels and back. The step is a power of two and the origin an odd
-// multiple of it: coordinates in single precision (STL) then sit on odd levels exactly, and the
-// way back gives the very doubles that the user gave.
+// multiple of it: single-precision coordinates (STL) are then exactly on odd levels, and are mapped
+// back to the very same doubles.
 class Lattice
 {
 public:
   Lattice() = default;
 
-  // The finest lattice that holds `domain`, all finite, low <= high.
+  // The finest lattice that holds `domain`, which is finite and has low <= high.
   explicit Lattice(const Bounds& domain);
 
-  // A lattice read back from its description.
+  // Restores a lattice from its origin and step.
   Lattice(const std::array<double, 3>& origin, double step);
 
   // The odd level of a surface vertex, at most one step away.
@@ -64,12 +64,12 @@ public:
   // The even level of a cutting plane, at most one step away.
   Level plane(int axis, double x) const;
 
-  // The level, odd or even, of a coordinate that `position` gave.
+  // The level, odd or even, of a coordinate that position() returned.
   Level level(int axis, double x) const;
 
   double position(int axis, Level level) const { return origin_[axis] + step_ * level; }
 
-  // User units.
+  // In user units.
   const std::array<double, 3>& origin() const { return origin_; }
   double step() const { return step_; }
 

@@ -11,7 +11,7 @@ namespace
 constexpr double Base = 7;
 constexpr double MostCriterion = 4;
 
-// Of a triangle in a side of the box, where only inner faces should be.
+// Penalty for a triangle in a side of the box, where only inner faces should be.
 constexpr double CostInSide = 1e3;
 
 double costOf(const LoopNode& a, const LoopNode& b, const LoopNode& c)
@@ -55,7 +55,7 @@ const std::vector<LoopTriangulation::Triangle>& LoopTriangulation::triangulate(
   return triangles_;
 }
 
-// At the shortest diagonal that leaves at least a third of the nodes on either side.
+// Cuts at the shortest diagonal that leaves at least a third of the nodes on either side.
 void LoopTriangulation::cutApart(
   const std::vector<LoopNode>& loop, std::vector<std::uint32_t> nodes)
 {
@@ -90,8 +90,8 @@ void LoopTriangulation::cutApart(
   cutApart(loop, std::move(nodes));
 }
 
-// Dynamic programming over the chords: the part between nodes i and j is a triangle on its chord
-// and the two parts beyond that triangle's other sides.
+// Dynamic programming over the chords: the part from node i to node j consists of a triangle on its
+// chord and the two parts behind that triangle's other sides.
 void LoopTriangulation::optimise(
   const std::vector<LoopNode>& loop, const std::vector<std::uint32_t>& nodes)
 {

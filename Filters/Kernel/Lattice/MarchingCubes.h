@@ -1,7 +1,9 @@
-// Marching Cubes (section 4.7): triangles between the crossings on the edges of a box.
+// Marching Cubes (section 4.7): triangulates the loops through the surface's crossings with the
+// edges of a box.
 //
-// There is no table of patterns: the crossings, joined on each side of the box as the surface joins
-// them, form loops, and of all triangulations of a loop the one with the least criterion is taken.
+// There is no table of cases: the crossings are connected on each side of the box as the surface
+// connects them, and of all triangulations of the resulting loop, the one with the least criterion
+// (equation 4) is taken.
 #pragma once
 
 #include "Lattice/Lattice.h"
@@ -13,8 +15,8 @@
 namespace cartesian
 {
 
-// Equation 4, of the scalar product of the unit normals of a patch and of the surface: 1 where they
-// agree, 4 where they are opposite.
+// Equation 4: a function of the scalar product of the unit normals of a patch and of the surface.
+// It is 1 where they agree and 4 where they are opposite.
 double criterion(double scalarProduct);
 
 struct LoopNode
@@ -22,18 +24,18 @@ struct LoopNode
   std::uint32_t id;
   Vector at;
   Vector normal;   // of the surface there, of length 1
-  unsigned planes; // bits of the box's planes that it lies on
+  unsigned planes; // bit set of the box's planes that the node lies on
 };
 
-// Triangulates loops. Keeps its storage from loop to loop.
+// Keeps its storage from loop to loop.
 class LoopTriangulation
 {
 public:
-  using Triangle = std::array<std::uint32_t, 3>; // indices in the loop, running as it does
+  using Triangle = std::array<std::uint32_t, 3>; // indices in the loop, oriented like it
 
-  // Of all triangulations of the loop (three nodes or more) the one with the least average of the
-  // criterion over all nodes of all triangles. No triangle lies in a side of the box where that can
-  // be avoided. Loops of more than MostNodes are cut apart at short diagonals first.
+  // The triangulation of a loop (of three nodes or more) with the least average criterion over all
+  // nodes of all triangles. Triangles in a side of the box are avoided where possible. Loops of
+  // more than MostNodes are first cut at short diagonals.
   const std::vector<Triangle>& triangulate(const std::vector<LoopNode>& loop);
 
   static constexpr std::size_t MostNodes = 32;
@@ -44,8 +46,8 @@ private:
   void collect(const std::vector<std::uint32_t>& nodes, std::size_t first, std::size_t last);
 
   std::vector<Triangle> triangles_;
-  std::vector<double> cost_;       // of the part between nodes i and j
-  std::vector<std::uint8_t> apex_; // of the triangle on its chord
+  std::vector<double> cost_;       // of the part of the loop from node i to node j
+  std::vector<std::uint8_t> apex_; // of the triangle on the chord of that part
   std::vector<std::uint32_t> whole_;
 };
 

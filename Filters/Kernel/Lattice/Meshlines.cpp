@@ -12,16 +12,17 @@ namespace cartesian
 namespace
 {
 
-// A last cell thinner than this part of the cell size is rounding, not a cell.
+// A last cell thinner than this part of the cell size is due to rounding and left out.
 constexpr double RoundingOfCounts = 1e-6;
 
-// A surface this many times smaller than a cell would lose its shape on the cell's lattice.
+// A surface this many times smaller than a cell would lose its shape on a lattice that holds the
+// cell.
 constexpr double LargestCell = 1000;
 
-// What each row of boxes along x takes, even where it is empty: where it starts in several lists.
+// Memory for each row of boxes along x, even an empty one: its start in several lists.
 constexpr double BytesOfARow = 40;
 
-// More lines a direction than this would not fit in memory with any surface.
+// More lines in a direction would not fit in memory with any surface.
 constexpr double MostLines = 1e8;
 
 constexpr std::array<const char*, 3> AxisName = { "X", "Y", "Z" };
@@ -94,7 +95,7 @@ std::vector<Level> uniformLines(
   return lines;
 }
 
-// Planes that would touch the surface's bounds step out of its way.
+// Moves planes that would touch the bounds of the surface away from it.
 void clearOf(std::vector<Level>& lines, Level least, Level most)
 {
   if (lines.front() == least + 1)
@@ -185,7 +186,7 @@ void checkGrid(const GridSpec& spec, const Bounds& surface, double mostBytes)
 
 std::int64_t intervalOf(const std::vector<Level>& lines, Level level)
 {
-  // Most meshlines are evenly spaced: it is there or next to it.
+  // Most meshlines are evenly spaced: the first guess is right, or off by one.
   if (!lines.empty() && level >= lines.front() && level < lines.back())
   {
     const std::uint64_t part = std::uint64_t(level - lines.front()) * (lines.size() - 1);

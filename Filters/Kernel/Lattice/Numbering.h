@@ -1,7 +1,8 @@
-// Numbering is sorting (section 7.1): equal points get equal ids, whoever needs them.
+// Numbers points by sorting (section 7.1): equal points get equal ids, no matter which boxes use
+// them.
 //
-// Points are sorted row by row of the global mesh, each row by x, y, z. A point belongs to the
-// row of global boxes whose lower planes it is on or above.
+// Points are sorted by rows of the global mesh, and by x, y, z within each row. A point belongs to
+// the row of global boxes whose lower planes it is on or above.
 #pragma once
 
 #include "Base/Sorting.h"
@@ -15,12 +16,12 @@ struct PointUse
 {
   Point point;
   std::uint32_t row;
-  std::uint32_t slot; // who asks: any number, each once
+  std::uint32_t slot; // identifies the use; unique
 
   bool operator<(const PointUse& other) const { return point < other.point; }
 };
 
-// Row of a point that lies in or on global box (j, k) of its row.
+// The row of a point that lies in or on a global box with the indices j and k.
 inline std::uint32_t rowOfPoint(
   const Point& p, const Meshlines& planes, std::uint32_t j, std::uint32_t k)
 {
@@ -37,18 +38,19 @@ inline std::size_t pointRows(const Meshlines& planes)
 struct Numbering
 {
   std::vector<Point> points;         // distinct
-  RawVector<std::uint32_t> ofSlot;   // id of each slot's point
+  RawVector<std::uint32_t> ofSlot;   // the id of each slot's point
   std::vector<std::size_t> rowStart; // first id of each row, and the end
 };
 
-// Makes slots that count from 0 in each chunk count on from chunk to chunk.
+// Slots count from 0 in each chunk: makes them count on from chunk to chunk.
 void offsetSlots(std::vector<std::vector<PointUse>>& uses);
 
-// Slots of all chunks together are 0 to n - 1. Empties the chunks.
+// The slots of all chunks together must be 0 to n - 1. Empties the chunks.
 Numbering numberPoints(
   std::vector<std::vector<PointUse>>& uses, std::size_t rows, Execution& execution);
 
-// Few points to and fro between their levels and the order in which they first came.
+// Numbers a few points in the order in which they are first added: a hash table that keeps its
+// storage.
 class LocalPoints
 {
 public:
@@ -61,7 +63,8 @@ private:
   void grow();
 
   std::vector<Point> points_;
-  std::vector<std::uint32_t> table_; // index in points_, where the epoch is this one
+  std::vector<std::uint32_t>
+    table_; // index in points_; valid if the slot's epoch is the current one
   std::vector<std::uint32_t> epochs_;
   std::uint32_t epoch_ = 0;
 };

@@ -10,44 +10,41 @@ namespace cartesian
 namespace
 {
 
-// A star triangle may be turned over by this part of the polygon's area: rounding.
-constexpr double RoundingOfAreas = 1e-9;
-
-struct Vector
+struct PlaneVector
 {
   double a;
   double b;
 };
 
-Vector minus(const Flat& p, const Flat& q)
+PlaneVector minus(const PlanePoint& p, const PlanePoint& q)
 {
   return { static_cast<double>(p.a - q.a), static_cast<double>(p.b - q.b) };
 }
 
-double cross(const Vector& u, const Vector& v)
+double cross(const PlaneVector& u, const PlaneVector& v)
 {
   return u.a * v.b - u.b * v.a;
 }
 
-double distance2(const Flat& p, const Flat& q)
+double distance2(const PlanePoint& p, const PlanePoint& q)
 {
-  const Vector d = minus(p, q);
+  const PlaneVector d = minus(p, q);
   return d.a * d.a + d.b * d.b;
 }
 
-bool same(const Flat& p, const Flat& q)
+bool same(const PlanePoint& p, const PlanePoint& q)
 {
   return p.a == q.a && p.b == q.b;
 }
 
-bool between(const Flat& p, const Flat& q, const Flat& x)
+bool between(const PlanePoint& p, const PlanePoint& q, const PlanePoint& x)
 {
   return std::min(p.a, q.a) <= x.a && x.a <= std::max(p.a, q.a) && std::min(p.b, q.b) <= x.b &&
     x.b <= std::max(p.b, q.b);
 }
 
 // Whether segments pq and rs share a point other than one common end.
-bool obstructs(const Flat& p, const Flat& q, const Flat& r, const Flat& s)
+bool obstructs(const PlanePoint& p, const PlanePoint& q, const PlanePoint& r, const PlanePoint& s)
 {
   if ((same(p, r) && same(q, s)) || (same(p, s) && same(q, r)))
   {
@@ -61,14 +58,14 @@ bool obstructs(const Flat& p, const Flat& q, const Flat& r, const Flat& s)
   {
     return true;
   }
-  const auto touches = [](int t, const Flat& u, const Flat& v, const Flat& x) {
+  const auto touches = [](int t, const PlanePoint& u, const PlanePoint& v, const PlanePoint& x) {
     return t == 0 && between(u, v, x) && !same(u, x) && !same(v, x);
   };
   return touches(pqr, p, q, r) || touches(pqs, p, q, s) || touches(rsp, r, s, p) ||
     touches(rsq, r, s, q);
 }
 
-bool obstructed(const std::vector<Flat>& at, const Flat& p, const Flat& q)
+bool obstructed(const std::vector<PlanePoint>& at, const PlanePoint& p, const PlanePoint& q)
 {
   for (std::size_t i = 0; i < at.size(); ++i)
   {
@@ -80,25 +77,27 @@ bool obstructed(const std::vector<Flat>& at, const Flat& p, const Flat& q)
   return false;
 }
 
-// Whether x lies in the interior angle at corner p, whose neighbours are before and after.
-bool inCone(const Flat& before, const Flat& p, const Flat& after, const Flat& x)
+// Whether x lies in the interior angle at corner p, between the neighbours `before` and `after`.
+bool inCone(
+  const PlanePoint& before, const PlanePoint& p, const PlanePoint& after, const PlanePoint& x)
 {
   const bool leftOfOut = turn(p, after, x) > 0;
   const bool leftOfIn = turn(before, p, x) > 0;
   return turn(before, p, after) > 0 ? leftOfOut && leftOfIn : leftOfOut || leftOfIn;
 }
 
-// The interior angle at corner i beyond 180 degrees, or less than 0.
-double concavity(const std::vector<Flat>& at, std::size_t i)
+// By how much the interior angle at corner i exceeds 180 degrees, in radians; negative if it is
+// convex.
+double concavity(const std::vector<PlanePoint>& at, std::size_t i)
 {
   const std::size_t n = at.size();
-  const Flat& p = at[i];
-  const Vector in = minus(p, at[(i + n - 1) % n]);
-  const Vector out = minus(at[(i + 1) % n], p);
+  const PlanePoint& p = at[i];
+  const PlaneVector in = minus(p, at[(i + n - 1) % n]);
+  const PlaneVector out = minus(at[(i + 1) % n], p);
   return -std::atan2(cross(in, out), in.a * out.a + in.b * out.b);
 }
 
-std::size_t mostConcave(const std::vector<Flat>& at)
+std::size_t mostConcave(const std::vector<PlanePoint>& at)
 {
   std::size_t worst = 0;
   double most = -std::numeric_limits<double>::infinity();
@@ -128,18 +127,18 @@ struct Diagonal
 };
 
 // The optimal diagonal from corner i, unless no diagonal is possible.
-Diagonal optimalDiagonal(const std::vector<Flat>& at, std::size_t i)
+Diagonal optimalDiagonal(const std::vector<PlanePoint>& at, std::size_t i)
 {
   const std::size_t n = at.size();
-  const Flat& p = at[i];
-  const Flat& before = at[(i + n - 1) % n];
-  const Flat& after = at[(i + 1) % n];
+  const PlanePoint& p = at[i];
+  const PlanePoint& before = at[(i + n - 1) % n];
+  const PlanePoint& after = at[(i + 1) % n];
   Diagonal best;
   for (std::size_t step = 2; step + 1 < n; ++step)
   {
     Diagonal d;
     d.to = (i + step) % n;
-    const Flat& q = at[d.to];
+    const PlanePoint& q = at[d.to];
     d.heals = turn(before, p, q) >= 0 && turn(q, p, after) >= 0;
     d.length2 = distance2(p, q);
     d.found = true;
@@ -152,7 +151,7 @@ Diagonal optimalDiagonal(const std::vector<Flat>& at, std::size_t i)
   return best;
 }
 
-// A bridge that rounding hides from isStar still shows in nodes that come twice.
+// Reveals a bridge that isStar misses because of rounding: its nodes occur twice.
 bool areDistinct(const std::vector<std::uint32_t>& nodes)
 {
   for (auto node = nodes.begin(); node != nodes.end(); ++node)
@@ -165,7 +164,7 @@ bool areDistinct(const std::vector<std::uint32_t>& nodes)
   return true;
 }
 
-// A polygon that crosses itself (by rounding) may have no diagonal: any will do.
+// A polygon that intersects itself (by rounding) may have no diagonal: any choice will do.
 std::size_t anyDiagonal(std::size_t i, std::size_t corners)
 {
   return (i + corners / 2) % corners;
@@ -186,20 +185,20 @@ FlatPolygon part(const FlatPolygon& polygon, std::size_t from, std::size_t to)
   }
 }
 
-Flat rightmost(const FlatPolygon& polygon)
+PlanePoint rightmost(const FlatPolygon& polygon)
 {
   return *std::max_element(polygon.at.begin(), polygon.at.end(),
-    [](const Flat& p, const Flat& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
+    [](const PlanePoint& p, const PlanePoint& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
 }
 
 // Whether x lies in the interior angle at corner i.
-bool inCone(const std::vector<Flat>& at, std::size_t i, const Flat& x)
+bool inCone(const std::vector<PlanePoint>& at, std::size_t i, const PlanePoint& x)
 {
   const std::size_t n = at.size();
   return inCone(at[(i + n - 1) % n], at[i], at[(i + 1) % n], x);
 }
 
-// From a corner of the polygon to one of the hole.
+// An edge from a corner of the polygon to a corner of the hole.
 struct Bridge
 {
   double length2;
@@ -214,13 +213,13 @@ struct Bridge
   }
 };
 
-// Whether the bridge runs inside the polygon and outside the hole and the others. A corner may be
-// there several times, where other holes were joined: only one is the right one.
+// Whether the bridge runs inside the polygon and outside of all holes. Where other holes were
+// joined, a corner occurs several times, and only one of them is right.
 bool runsInside(const Bridge& bridge, const FlatPolygon& polygon, const FlatPolygon& hole,
   const std::vector<FlatPolygon>& others)
 {
-  const Flat& p = polygon.at[bridge.outer];
-  const Flat& q = hole.at[bridge.inner];
+  const PlanePoint& p = polygon.at[bridge.outer];
+  const PlanePoint& q = hole.at[bridge.inner];
   const std::size_t n = hole.at.size();
   if (same(p, q))
   {
@@ -251,7 +250,7 @@ Bridge bestBridge(
   return best == bridges.end() ? bridges.front() : *best;
 }
 
-// outer ... o, h ... h, o ... : a shared corner needs no edge.
+// The result is outer ... o, h ... h, o ...; a shared corner needs no edge.
 void joinAlong(const Bridge& bridge, FlatPolygon& polygon, const FlatPolygon& hole)
 {
   FlatPolygon joined = part(polygon, (bridge.outer + 1) % polygon.nodes.size(), bridge.outer);
@@ -276,7 +275,8 @@ bool touch(const FlatPolygon& x, const FlatPolygon& y)
     x.nodes.end();
 }
 
-// Joins those holes that share a corner with `loop`, a part of the polygon, and so on with them.
+// Joins the holes that share a corner with `loop`, a part of the polygon, then those that share one
+// with these, and so on.
 void joinTouching(FlatPolygon loop, FlatPolygon& polygon, std::vector<FlatPolygon>& holes)
 {
   std::vector<FlatPolygon> todo{ std::move(loop) };
@@ -298,12 +298,12 @@ void joinTouching(FlatPolygon loop, FlatPolygon& polygon, std::vector<FlatPolygo
 
 }
 
-bool isStar(const std::vector<Flat>& at)
+bool isStar(const std::vector<PlanePoint>& at)
 {
   const std::size_t n = at.size();
-  const Flat base = at[0];
-  Vector mean{ 0, 0 };
-  for (const Flat& p : at)
+  const PlanePoint base = at[0];
+  PlaneVector mean{ 0, 0 };
+  for (const PlanePoint& p : at)
   {
     mean.a += static_cast<double>(p.a - base.a) / static_cast<double>(n);
     mean.b += static_cast<double>(p.b - base.b) / static_cast<double>(n);
@@ -312,22 +312,22 @@ bool isStar(const std::vector<Flat>& at)
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < n; ++i)
   {
-    const Vector p = minus(at[i], base);
-    const Vector q = minus(at[i + 1 < n ? i + 1 : 0], base);
+    const PlaneVector p = minus(at[i], base);
+    const PlaneVector q = minus(at[i + 1 < n ? i + 1 : 0], base);
     const double twice = cross({ p.a - mean.a, p.b - mean.b }, { q.a - mean.a, q.b - mean.b });
     area += twice;
     least = std::min(least, twice);
   }
-  return least >= -RoundingOfAreas * std::abs(area);
+  return least >= -StarRounding * std::abs(area);
 }
 
 void joinHoles(FlatPolygon& polygon, std::vector<FlatPolygon> holes)
 {
-  // What lies right of a hole is joined before it, so nothing hides the polygon from the hole's
-  // rightmost corner but the polygon itself: there is an edge.
+  // Holes are joined from right to left, so that only the polygon itself can obstruct the view to
+  // the right from a hole's rightmost corner: there is always an edge.
   std::sort(holes.begin(), holes.end(), [](const FlatPolygon& x, const FlatPolygon& y) {
-    const Flat p = rightmost(x);
-    const Flat q = rightmost(y);
+    const PlanePoint p = rightmost(x);
+    const PlanePoint q = rightmost(y);
     return p.a != q.a ? p.a < q.a : (p.b != q.b ? p.b < q.b : x.nodes < y.nodes);
   });
   joinTouching(polygon, polygon, holes);

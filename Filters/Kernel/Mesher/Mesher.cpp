@@ -4,7 +4,7 @@
 #include "Collapse/ShortEdges.h"
 #include "Collapse/WarpedHexahedra.h"
 #include "Lattice/Vector.h"
-#include "Parts/Division.h"
+#include "Parts/Decomposition.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,7 +108,7 @@ PreparedSurface prepareSurface(const SurfaceView& view, const GridSpec& grid, do
   prepared.planes = onLattice(grid, prepared.bounds, lattice);
   prepared.surface = onLattice(view, lattice, execution);
   prepared.memoryLimit = memoryLimit;
-  Estimate estimate = estimateMesh(prepared.surface, prepared.planes);
+  MeshEstimate estimate = estimateMesh(prepared.surface, prepared.planes);
   estimate.inside /= parts;
   estimate.intersected /= parts;
   checkMemory(estimate, memoryLimit);
@@ -128,7 +128,7 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
       std::to_string(check.nonManifoldEdges) + " edges of more than two triangles and " +
       std::to_string(check.inconsistentEdges) + " inconsistently oriented edges:";
   }
-  for (const SurfaceCheck::Place& place : check.places)
+  for (const SurfaceCheck::FlawedEdge& place : check.places)
   {
     text += std::string("\n  ") + place.what + " edge from " +
       positionOf(prepared.surface, place.edge[0]) + " to " +
@@ -173,9 +173,10 @@ BoxedSurface boxSurface(
   const PreparedSurface& prepared, const RefinementSpec& spec, Execution& execution)
 {
   execution.stage("Boxes", AfterSurface, AfterBoxes);
-  Division division(prepared.surface, prepared.planes, spec, prepared.memoryLimit, {}, execution);
-  Boxes boxes = division.boxes(division.allLayers(), execution);
-  return { std::move(boxes), division.takeShoeboxes(), division.warnings() };
+  Decomposition decomposition(
+    prepared.surface, prepared.planes, spec, prepared.memoryLimit, {}, execution);
+  Boxes boxes = decomposition.boxes(decomposition.allLayers(), execution);
+  return { std::move(boxes), decomposition.takeShoeboxes(), decomposition.warnings() };
 }
 
 Assembly::Assembly(
@@ -361,7 +362,7 @@ std::size_t Assembly::rebuiltBoxes() const
   std::size_t count = 0;
   for (std::size_t n = 0; n < rebuilt_.boxes.size(); ++n)
   {
-    count += rebuilt_.boxes[n] && boxes_.isCore(boxes_.boxes[sides_.polyhedral[n]]);
+    count += rebuilt_.boxes[n] && boxes_.isCore(boxes_.packed[sides_.polyhedral[n]]);
   }
   return count;
 }
@@ -371,7 +372,7 @@ std::vector<std::uint32_t> Assembly::flawedBoxes() const
   std::vector<std::uint32_t> flawed;
   for (std::size_t n = 0; n < cells_.flawed.size(); ++n)
   {
-    if (cells_.flawed[n] && boxes_.isCore(boxes_.boxes[sides_.polyhedral[n]]))
+    if (cells_.flawed[n] && boxes_.isCore(boxes_.packed[sides_.polyhedral[n]]))
     {
       flawed.push_back(sides_.polyhedral[n]);
     }

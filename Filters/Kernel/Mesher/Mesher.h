@@ -45,7 +45,7 @@ struct PreparedSurface
 };
 
 // Scaling, Dual Levels, check and repair of the surface. `memoryLimit` in bytes, for each of the
-// `parts` that the mesh is made in (Division.h). Throws Error: EmptySurface, BadCoordinate,
+// `parts` that the mesh is made in (Decomposition.h). Throws Error: EmptySurface, BadCoordinate,
 // BadCellSize, BadMeshlines, TooManyBoxes.
 PreparedSurface prepareSurface(const SurfaceView& view, const GridSpec& grid, double memoryLimit,
   Execution& execution, int parts = 1);
@@ -91,7 +91,7 @@ public:
   // Why there is no cell.
   std::string describeNothing() const;
 
-  // The statistics of step 12: names and values. Of a part (Division.h), those of its core: the parts'
+  // The statistics of step 12: names and values. Of a part (Decomposition.h), those of its core: the parts'
   // add up.
   std::vector<std::pair<const char*, double>> statistics() const;
 

@@ -6,8 +6,9 @@ namespace cartesian
 namespace
 {
 
-// How far from a border of the first stage that does not act, and the second acts and looks: as far as
-// to leave no fault of its own.
+// Distances in layers from a border of the first stage: how far the first stage does not act, the
+// second may change cells and sees them, and what the first stage keeps fixed. Enough that slabs
+// cause no faults themselves.
 constexpr std::uint32_t Acting = 2;
 constexpr std::uint32_t Free = 3;
 constexpr std::uint32_t Seen = 4;
@@ -27,7 +28,7 @@ bool meet(Layers a, Layers b)
   return a.begin < b.end && b.begin < a.end;
 }
 
-// Without `by` layers at both ends, but for those where the grid ends.
+// Without `by` layers at each end, except where the grid ends.
 Layers shrunk(Layers layers, std::uint32_t by, std::uint32_t all)
 {
   const std::uint32_t begin = layers.begin == 0 ? 0 : std::min(layers.begin + by, layers.end);
@@ -35,14 +36,14 @@ Layers shrunk(Layers layers, std::uint32_t by, std::uint32_t all)
   return { begin, std::max(begin, end) };
 }
 
-// The i-th of the first stage.
+// The i-th slab of the first stage.
 Slab firstSlab(std::uint32_t i, std::uint32_t all)
 {
   const Layers layers{ i * SlabThickness, std::min((i + 1) * SlabThickness, all) };
   return { layers, shrunk(layers, Fixed, all), shrunk(layers, Acting, all) };
 }
 
-// The one across the lower border of the i-th.
+// The slab of the second stage across the lower border of the i-th one.
 Slab secondSlab(std::uint32_t i, std::uint32_t all)
 {
   const std::uint32_t border = i * SlabThickness;
@@ -77,7 +78,7 @@ std::array<std::vector<Slab>, ShapingStages> slabsFor(Layers wanted, std::uint32
   return slabs;
 }
 
-Layers shapedFrom(Layers wanted, std::uint32_t all)
+Layers layersForShaping(Layers wanted, std::uint32_t all)
 {
   Layers from = wanted;
   for (const std::vector<Slab>& slabs : slabsFor(wanted, all))
@@ -90,13 +91,13 @@ Layers shapedFrom(Layers wanted, std::uint32_t all)
   return from;
 }
 
-Layers collapsedFrom(Layers wanted, std::uint32_t all)
+Layers layersForCollapse(Layers wanted, std::uint32_t all)
 {
   if (wanted.begin == wanted.end || all <= SlabThickness)
   {
     return wanted.begin == wanted.end ? wanted : Layers{ 0, all };
   }
-  // Of layers on either side of a seam, both slabs; their numbers count from the first seam, 1.
+  // For layers on either side of a seam, the slabs on both sides. Slab 1 begins at the first seam.
   const auto slabOf = [](std::uint32_t layer) {
     return (layer + SeamDistance - FirstSeam) / SeamDistance;
   };
@@ -107,14 +108,14 @@ Layers collapsedFrom(Layers wanted, std::uint32_t all)
   return { seamBelow(slabOf(below)), std::min(seamBelow(slabOf(wanted.end) + 1), all) };
 }
 
-Layers cutFrom(Layers core, const Reach& reach, std::uint32_t all)
+Layers layersForCells(Layers core, const LaterSteps& steps, std::uint32_t all)
 {
-  Layers layers = core.grown(reach.shapes ? HaloOfShapedCells : HaloOfCells, all);
-  if (reach.shapes)
+  Layers layers = core.grown(steps.shapes ? HaloOfShapedCells : HaloOfCells, all);
+  if (steps.shapes)
   {
-    layers = shapedFrom(layers, all).grown(HaloOfCells, all);
+    layers = layersForShaping(layers, all).grown(HaloOfCells, all);
   }
-  return reach.collapses ? collapsedFrom(layers, all) : layers;
+  return steps.collapses ? layersForCollapse(layers, all) : layers;
 }
 
 }

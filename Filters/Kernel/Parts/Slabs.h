@@ -1,16 +1,16 @@
-// Slabs: layers of global boxes whose cells change by themselves.
+// Slabs: ranges of layers of global boxes whose cells can be changed independently.
 //
-// Shaping (CellShaping.h) goes from cell to neighbour, as far as it likes. In slabs it ends somewhere:
-// the layer next to another slab is looked at, but nothing in it changes. Cells there have their turn
-// in a second stage, in slabs that lie across the borders of the first. Borders are the grid's, so
-// that they are the same for any number of threads and for all parts of a mesh (Division.h); slabs of
-// one stage depend on no other.
+// Shaping (CellShaping.h) can propagate from cell to cell without bound. Slabs bound it: a slab
+// sees the layer next to another slab, but changes nothing in it. Cells there have their turn in a
+// second stage, in slabs across the borders of the first. The borders are fixed in the grid, so
+// that they are the same for any number of threads and for all parts of a mesh (Decomposition.h);
+// the slabs of one stage are independent of each other.
 //
 //   layer              0 1 2 3 4 5 6 7 8 9 10 ...
 //   first stage        A A A A A A A A f - |  - f A A A A A A f - | ...
 //   second stage                   - A A A |  A A A -                     A acts, f free, - fixed
 //
-// Between 3 and 6 nothing changes in the second stage: there a mesh is divided at least cost.
+// Nothing changes in layers 3 to 6 in the second stage: it costs least to divide a mesh there.
 #pragma once
 
 #include "Boxes/Boxes.h"
@@ -18,39 +18,41 @@
 namespace cartesian
 {
 
-// In layers, of the first stage. Thinner slabs need less around a part, and give more threads work.
+// Of the first stage, in layers. Thinner slabs need a smaller halo and keep more threads busy.
 constexpr std::uint32_t SlabThickness = 10;
 
 constexpr std::size_t ShapingStages = 2;
 
-// No cell grows beyond so many layers by merging: a part sees one layer of what may reach into it.
+// No cell extends over more layers after merging, so that a part has to see only one layer of cells
+// that may extend into it.
 constexpr std::uint32_t MostLayersOfACell = 2;
 
-// The cells of one layer beyond tell which points of a part's are used, and which of its faces lost
-// their neighbour; where cells may reach into the next layer, those of two do.
+// The cells of one more layer tell which of a part's points are used, and which of its faces have
+// lost their neighbour. If cells may extend into the next layer, this takes two.
 constexpr std::uint32_t HaloOfCells = 1;
 constexpr std::uint32_t HaloOfShapedCells = HaloOfCells + MostLayersOfACell - 1;
 
 struct Slab
 {
-  Layers layers; // all that it looks at
-  Layers free;   // cells that lie in these may change
-  Layers acting; // cells of these are looked for faults
+  Layers layers; // that it sees
+  Layers free;   // whose cells may change
+  Layers acting; // whose cells are checked for faults
 };
 
-// The slabs of each stage that the shaped cells of these layers depend on.
+// The slabs of each stage on which the shaped cells of these layers depend.
 std::array<std::vector<Slab>, ShapingStages> slabsFor(Layers wanted, std::uint32_t allLayers);
 
-// The layers whose cells must be right before they are shaped for those of `wanted` to be right after.
-Layers shapedFrom(Layers wanted, std::uint32_t allLayers);
+// The layers whose cells must be correct before shaping, for those of `wanted` to be correct
+// afterwards.
+Layers layersForShaping(Layers wanted, std::uint32_t allLayers);
 
-// Where a grid is divided at least cost.
+// Where it costs least to divide a grid.
 constexpr std::uint32_t FirstDivide = SlabThickness / 2;
 constexpr std::uint32_t DivideDistance = SlabThickness;
 
-// Short edges (ShortEdges.h) collapse from one seam, a plane between layers, to the next, and then
-// across seams. Here their slabs fit those of parts that are divided so; a grid of a single slab has no
-// seam.
+// Short edges (ShortEdges.h) are collapsed between seams (planes between layers) first, then across
+// seams. Seams are placed so that they fit parts which are divided at least cost; a grid of a
+// single slab has none.
 constexpr std::uint32_t FirstSeam = 2;
 constexpr std::uint32_t SeamDistance = SlabThickness / 2;
 
@@ -59,17 +61,18 @@ inline bool isSeam(std::uint32_t plane, std::uint32_t allLayers)
   return allLayers > SlabThickness && plane % SeamDistance == FirstSeam;
 }
 
-// The layers that those of `wanted` depend on: as they were before edges collapsed.
-Layers collapsedFrom(Layers wanted, std::uint32_t allLayers);
+// The layers whose cells must be correct before short edges collapse, for those of `wanted` to be
+// correct afterwards.
+Layers layersForCollapse(Layers wanted, std::uint32_t allLayers);
 
-// What is done to cells, as far as cells depend on others.
-struct Reach
+// The steps to come after cells are cut in which cells depend on their neighbours.
+struct LaterSteps
 {
-  bool collapses = false; // short edges
-  bool shapes = false;
+  bool collapses = false; // short edges are collapsed
+  bool shapes = false;    // cells are shaped
 };
 
-// The layers whose cells must be right, as the grid cuts them, for those of `core` to be so in the end.
-Layers cutFrom(Layers core, const Reach& reach, std::uint32_t allLayers);
+// The layers whose cells must be cut correctly, for those of `core` to be correct in the end.
+Layers layersForCells(Layers core, const LaterSteps& steps, std::uint32_t allLayers);
 
 }

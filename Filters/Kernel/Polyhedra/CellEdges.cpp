@@ -12,8 +12,8 @@ namespace cartesian
 namespace
 {
 
-// Where two faces lie back to back, rounding decides on which side: degrees. They are the edge of a
-// thin cell, rather than of a cell with a thin fin in it.
+// Two faces back to back, within this angle in degrees, are the edge of a thin cell, not of a thin
+// gap in a cell: only rounding tells the two apart.
 constexpr double KnifeFrom = 180 - 1e-3;
 
 }
@@ -29,7 +29,7 @@ void CellEdges::sort()
 CellEdges::Result CellEdges::measureGroup(
   std::size_t begin, std::size_t end, const Vector& along) const
 {
-  // Back comes before ahead.
+  // Edges that run back are sorted before those that run ahead.
   const auto middle = static_cast<std::size_t>(
     std::find_if(edges_.begin() + static_cast<std::ptrdiff_t>(begin),
       edges_.begin() + static_cast<std::ptrdiff_t>(end), [](const Edge& e) { return e.ahead; }) -
@@ -43,7 +43,7 @@ CellEdges::Result CellEdges::measureGroup(
     {
       const Vector& u = normals_[edges_[ahead].normal];
       const Vector& v = normals_[edges_[back].normal];
-      // From one normal to the other, about the edge: negative where the cell is convex.
+      // Rotation about the edge from one normal to the other; convex if not concave.
       const double bend = angle(u, v);
       const bool concave = dot(cross(u, v), along) < 0 && bend < KnifeFrom;
       least = std::min(least, concave ? bend : -bend);

@@ -1,4 +1,4 @@
-// What can be said of a cell edge by edge: whether it closes, and how concave it is.
+// Checks a cell edge by edge: is it closed, and how concave is it?
 #pragma once
 
 #include "Lattice/Vector.h"
@@ -9,16 +9,16 @@
 namespace cartesian
 {
 
-// The edges of one cell after the other; keeps its memory.
+// Takes one cell after the other; keeps its storage.
 class CellEdges
 {
 public:
   struct Result
   {
-    // Edges that are not run through as often one way as the other: the cell has a gap there.
+    // Edges that not as many faces use in one direction as in the other: the cell has a gap there.
     std::uint32_t open = 0;
-    // By how much the angle inside the cell at its most concave edge exceeds 180 degrees, or 0.
-    // Faces that lie in one plane, such as those of a finer neighbour, are not concave.
+    // By how many degrees the dihedral angle at the most concave edge exceeds 180, or 0. Coplanar
+    // faces, such as those of a finer neighbour, are not concave.
     double concavity = 0;
   };
 
@@ -28,7 +28,7 @@ public:
     normals_.clear();
   }
 
-  // An edge of a face, in the direction that is counter-clockwise from outside, and the face's
+  // Adds an edge of a face, in the direction that is counter-clockwise from outside, with the face's
   // outward normal there, of any length.
   void add(std::uint32_t from, std::uint32_t to, const Vector& normal)
   {
@@ -37,8 +37,8 @@ public:
     normals_.push_back(normal);
   }
 
-  // `position(point)`: a Vector. Where an edge joins more than two faces, those that follow each
-  // other around it inside the cell belong together.
+  // `position(point)`: a Vector. Where more than two faces meet at an edge, those that are
+  // consecutive around it inside the cell are paired.
   template <class Position>
   Result measure(Position&& position);
 

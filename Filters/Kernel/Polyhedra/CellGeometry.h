@@ -1,7 +1,8 @@
 // Centres, areas and volumes of polygons and polyhedra as OpenFOAM computes them, and the angles of
-// section 3. Any unit of length.
+// section 3. Works in any unit of length.
 #pragma once
 
+#include "Lattice/StarPolygons.h"
 #include "Lattice/Vector.h"
 
 #include <algorithm>
@@ -9,22 +10,22 @@
 namespace cartesian
 {
 
-// Below this, areas and volumes count as nothing: only a divisor is kept from 0.
+// Smaller areas and volumes count as zero; this only keeps divisors from vanishing.
 constexpr double Tiny = 1e-150;
 
 struct FaceGeometry
 {
-  Vector centre; // mean of the star triangles' centres, weighted with their areas
-  Vector area;   // sum of the star triangles' (equation 1); counter-clockwise is positive
+  Vector centre; // area-weighted mean of the star triangles' centres
+  Vector area;   // sum of the star triangles' area vectors (equation 1), positive counter-clockwise
 };
 
-// Calls visit(p, q, area) for the triangles of the star around the mean of a face's corners, which
-// are corner(0) to corner(size - 1): two corners from the mean, and the triangle's area. Returns the
+// Calls visit(p, q, area) for the star triangles around the mean of a face's corners, corner(0) to
+// corner(size - 1): two corners relative to the mean, and the triangle's area vector. Returns the
 // mean.
 template <class Corner, class Visitor>
 Vector forEachStarTriangle(std::size_t size, Corner&& corner, Visitor&& visit)
 {
-  const Vector origin = corner(0); // sums are taken from here, for accuracy
+  const Vector origin = corner(0); // sums are relative to this, for accuracy
   Vector mean{ 0, 0, 0 };
   for (std::size_t i = 1; i < size; ++i)
   {
@@ -57,8 +58,8 @@ FaceGeometry measureFace(std::size_t size, Corner&& corner)
   return { sum < Tiny ? mean : plus(mean, scaled(moment, 1 / sum)), area };
 }
 
-// The same centre with the triangles seen along the face's normal, as later versions of OpenFOAM
-// have it: for a bent face another one.
+// The centre as later versions of OpenFOAM define it: with the areas of the triangles projected
+// along the face's normal. It differs for warped faces.
 template <class Corner>
 Vector projectedCentre(std::size_t size, Corner&& corner, const Vector& area)
 {
@@ -73,10 +74,7 @@ Vector projectedCentre(std::size_t size, Corner&& corner, const Vector& area)
   return sum < Tiny ? mean : plus(mean, scaled(moment, 1 / sum));
 }
 
-// Star triangles that are turned over by less, as a part of the polygon or of the mean triangle, are not.
-constexpr double RoundingOfAreas = 1e-9;
-
-// The smallest triangle of the star, as a part of the mean one; negative where it is turned over.
+// The area of the smallest star triangle relative to the mean one; negative if it is inverted.
 template <class Corner>
 double smallestOfStar(std::size_t size, Corner&& corner, const Vector& area)
 {
@@ -91,14 +89,14 @@ double smallestOfStar(std::size_t size, Corner&& corner, const Vector& area)
   return smallest;
 }
 
-// Polygons are flat up to this angle, in degrees, between a triangle of the star and the whole.
+// Polygons count as flat up to this angle, in degrees, between a star triangle and the whole.
 constexpr double FlatUpTo = 15;
 
-// Whether it is less flat than that: what the paper's IP patches (4.11) are.
+// Whether a polygon is not flat: the paper's IP patches (4.11).
 template <class Corner>
 bool isBent(std::size_t size, Corner&& corner, const Vector& area)
 {
-  const double least = std::cos(FlatUpTo * 3.14159265358979 / 180);
+  const double least = std::cos(radians(FlatUpTo));
   bool bent = false;
   forEachStarTriangle(size, corner, [&](const Vector&, const Vector&, const Vector& triangle) {
     bent = bent || dot(triangle, area) < least * norm(triangle) * norm(area);
@@ -108,7 +106,7 @@ bool isBent(std::size_t size, Corner&& corner, const Vector& area)
 
 struct CellGeometry
 {
-  Vector centre; // of gravity, of the pyramids from the mean of the face centres
+  Vector centre; // of mass, from the pyramids between the faces and the mean of their centres
   double volume;
 };
 
@@ -133,17 +131,17 @@ CellGeometry measureCell(std::size_t size, Face&& face)
   return { std::abs(volume) < Tiny ? mean : plus(mean, scaled(moment, 1 / volume)), volume };
 }
 
-// In degrees, 0 to 180; 90 where one of them is 0.
+// In degrees, 0 to 180; 90 if one of the vectors is zero.
 inline double angle(const Vector& u, const Vector& v)
 {
-  constexpr double Degrees = 57.29577951308232;
+  constexpr double Degrees = 180 / Pi;
   const double sine = norm(cross(u, v));
   const double cosine = dot(u, v);
   return Degrees * (sine == 0 && cosine == 0 ? std::atan2(1, 0) : std::atan2(sine, cosine));
 }
 
-// The angle of section 3 between the face's outward normal and the way to it from the cell's
-// centre: less than 90 degrees for boundary faces, less than 75 for inner ones.
+// The angle of section 3 between a face's outward normal and the line to it from the cell's centre.
+// It should be less than 90 degrees for boundary faces and less than 75 for inner ones.
 inline double faceAngle(const CellGeometry& cell, const FaceGeometry& face)
 {
   return angle(minus(face.centre, cell.centre), face.area);

@@ -33,7 +33,7 @@ FaceShape shapeOf(const Polyhedron& cell, std::size_t face)
   return { geometry.area, geometry.centre, meanOf(size, corner) };
 }
 
-// And the centre of volume.
+// Measures the volume and its centre.
 void measureVolume(CellShape& shape)
 {
   Vector middle{ 0, 0, 0 };
@@ -136,7 +136,7 @@ bool isStar(const Polyhedron& cell, std::size_t face, const Vector& normal)
     least = std::min(least, area);
     sum += area;
   }
-  return least >= -RoundingOfAreas * std::abs(sum);
+  return least >= -StarRounding * std::abs(sum);
 }
 
 }

@@ -1,4 +1,4 @@
-// One cell by itself, and the conditions of section 3 that it has to fulfil.
+// One cell by itself, and its geometric measures.
 #pragma once
 
 #include "Base/RawVector.h"
@@ -10,7 +10,7 @@
 namespace cartesian
 {
 
-// Nodes in levels from an origin of its own; faces counter-clockwise from outside.
+// Nodes are in levels from an origin of its own; faces are counter-clockwise from outside.
 struct Polyhedron
 {
   RawVector<Vector> nodes; // whole numbers
@@ -31,8 +31,8 @@ struct Polyhedron
 
 struct FaceShape
 {
-  Vector area;   // vector, outwards
-  Vector centre; // of area, by star triangulation
+  Vector area;   // outward area vector
+  Vector centre; // of area, from the star triangulation
   Vector mean;   // of the corners
 };
 
@@ -43,20 +43,20 @@ struct CellShape
   std::vector<FaceShape> faces;
 };
 
-// As solvers (OpenFOAM 1912) measure.
+// Measures a cell as OpenFOAM 1912 does.
 void measure(const Polyhedron& cell, CellShape& shape);
 
-// The same measures with the centres of faces that later versions have (CellGeometry.h).
+// The same, with centres of faces as in later versions (projectedCentre in CellGeometry.h).
 void measureProjected(const Polyhedron& cell, CellShape& shape);
 
-// Whether moving its nodes by a level or two, as rounding does, might turn a cell inside out: less
-// thick (volume over area) than four levels.
+// Whether rounding, which moves nodes by a level or two, might turn a cell inside out: it is thinner
+// (volume divided by area) than four levels.
 bool isThin(const CellShape& shape);
 
-// Whether a face seen along its normal has a star triangulation.
+// Whether a face, projected along `normal`, has a star triangulation.
 bool isStar(const Polyhedron& cell, std::size_t face, const Vector& normal);
 
-// Whether all corners of a face are this close to its plane.
+// Whether all corners of a face are within `distance` of its plane.
 bool isFlat(const Polyhedron& cell, const CellShape& shape, std::size_t face, double distance);
 
 }

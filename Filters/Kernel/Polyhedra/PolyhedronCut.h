@@ -12,15 +12,15 @@ struct CutPlane
 {
   Vector at;
   Vector normal;                      // of length 1
-  std::vector<std::uint32_t> through; // nodes that count as lying on it
+  std::vector<std::uint32_t> through; // nodes that count as lying on the plane
 };
 
-// A cell in parts. Faces that the plane leaves alone are there as they were.
+// The parts of a cell. Faces that the plane does not cut are kept as they were.
 struct CellCut
 {
-  // A new node on the edge between two nodes, rounded to whole numbers: the i-th has the index
-  // (nodes of the cell) + i.
-  struct Point
+  // A new node on the edge between two nodes, rounded to whole numbers. The i-th has the index
+  // (number of the cell's nodes) + i.
+  struct NewNode
   {
     std::uint32_t low;
     std::uint32_t high;
@@ -28,16 +28,18 @@ struct CellCut
   };
   struct Face
   {
-    std::size_t begin; // of its corners, in those of all
+    std::size_t begin; // range in CellCut::corners
     std::size_t end;
-    std::uint32_t source; // the cell's face that it is (a piece of), or NoSource: cutting face
-    std::uint32_t below;  // its part; of a cutting face, the one that it is counter-clockwise from
-    std::uint32_t above;  // of a cutting face, the other part
+    std::uint32_t
+      source; // the cell's face that it is, or is a piece of; NoSource for a cutting face
+    std::uint32_t below; // the part it belongs to; of a cutting face, the one from which it is seen
+                         // counter-clockwise
+    std::uint32_t above; // the other part of a cutting face
   };
   static constexpr std::uint32_t NoSource = ~std::uint32_t(0);
 
   // The corners of a face, one after the other.
-  struct Corners
+  struct FaceCorners
   {
     const std::uint32_t* first;
     const std::uint32_t* last;
@@ -47,26 +49,22 @@ struct CellCut
     std::size_t size() const { return static_cast<std::size_t>(last - first); }
     std::uint32_t operator[](std::size_t i) const { return first[i]; }
   };
-  Corners cornersOf(const Face& face) const
+  FaceCorners cornersOf(const Face& face) const
   {
     return { corners.data() + face.begin, corners.data() + face.end };
   }
 
-  std::vector<Point> points;
+  std::vector<NewNode> points;
   std::vector<Face> faces;
   std::vector<std::uint32_t> corners; // of all faces
   std::uint32_t parts = 0;
 };
 
-// An end of an edge is taken where the cut meets the edge so close to it that the cutting polygon
-// deviates from the plane by less than this (4.11): tan 5 degrees.
-constexpr double SnapSlope = 0.0874886635259240;
-
-// False where the plane does not cut the cell into two parts or more that are closed and whose faces
-// have star triangulations.
+// False unless the plane cuts the cell into two or more closed parts whose faces all have star
+// triangulations.
 bool cutCell(const Polyhedron& cell, const CutPlane& plane, CellCut& cut);
 
-// A part by itself; nodes are numbered as in the cell and the cut.
+// One part as a cell; its nodes are numbered as in the cell and the cut.
 Polyhedron partOf(const Polyhedron& cell, const CellCut& cut, std::uint32_t part);
 
 }

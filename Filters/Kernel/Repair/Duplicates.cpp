@@ -1,7 +1,8 @@
 #include "Repair/Duplicates.h"
 
+#include "Base/DisjointSets.h"
+
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 namespace cartesian
@@ -18,61 +19,51 @@ std::uint32_t thirdVertex(const Surface& surface, std::uint32_t lower, const Edg
   return v[0] ^ v[1] ^ v[2] ^ lower ^ use.upper;
 }
 
-// Sets of groups that share edges.
-class Regions
+// Connected groups, and what their edges say about them.
+class ConnectedGroups
 {
 public:
-  explicit Regions(std::size_t groups)
-    : parent_(groups)
+  explicit ConnectedGroups(std::size_t groups)
+    : sets_(groups)
     , balance_(groups)
     , inconsistent_(groups)
   {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-
-  std::uint32_t of(std::uint32_t group)
-  {
-    while (parent_[group] != group)
-    {
-      parent_[group] = parent_[parent_[group]];
-      group = parent_[group];
-    }
-    return group;
   }
 
   void join(std::uint32_t a, std::uint32_t b)
   {
-    const std::uint32_t rootA = of(a);
-    const std::uint32_t rootB = of(b);
+    const std::uint32_t rootA = sets_.find(a);
+    const std::uint32_t rootB = sets_.find(b);
     if (rootA != rootB)
     {
-      parent_[std::max(rootA, rootB)] = std::min(rootA, rootB);
-      balance_[std::min(rootA, rootB)] += balance_[std::max(rootA, rootB)];
-      inconsistent_[std::min(rootA, rootB)] |= inconsistent_[std::max(rootA, rootB)];
+      const std::uint32_t root = sets_.unite(rootA, rootB);
+      const std::uint32_t absorbed = root == rootA ? rootB : rootA;
+      balance_[root] += balance_[absorbed];
+      inconsistent_[root] |= inconsistent_[absorbed];
     }
   }
 
-  void vote(std::uint32_t group, bool keep) { balance_[of(group)] += keep ? 1 : -1; }
-  bool keeps(std::uint32_t group) { return balance_[of(group)] >= 0; }
+  void vote(std::uint32_t group, bool keep) { balance_[sets_.find(group)] += keep ? 1 : -1; }
+  bool keeps(std::uint32_t group) { return balance_[sets_.find(group)] >= 0; }
 
-  void setInconsistent(std::uint32_t group) { inconsistent_[of(group)] = 1; }
-  bool consistent(std::uint32_t group) { return inconsistent_[of(group)] == 0; }
+  void setInconsistent(std::uint32_t group) { inconsistent_[sets_.find(group)] = 1; }
+  bool consistent(std::uint32_t group) { return inconsistent_[sets_.find(group)] == 0; }
 
 private:
-  std::vector<std::uint32_t> parent_;
-  std::vector<long long> balance_;
+  DisjointSets sets_;
+  std::vector<long long> balance_; // votes to keep one triangle minus votes to keep none
   std::vector<std::uint8_t>
-    inconsistent_; // an edge is run through more often one way than the other
+    inconsistent_; // whether more triangles run one way along some edge than the other
 };
 
-// Whether the corners ascend, but for their rotation.
+// Whether the corners ascend, up to rotation.
 bool ascends(const std::array<std::uint32_t, 3>& v)
 {
   return (v[0] < v[1]) + (v[1] < v[2]) + (v[2] < v[0]) == 2;
 }
 
-// Sorts those to keep to the front; returns how many they are.
-std::ptrdiff_t sortByUse(
+// Sorts the triangles of a group so that those to keep come first; returns their number.
+std::ptrdiff_t sortKeptFirst(
   const Surface& surface, std::uint32_t* begin, std::uint32_t* end, bool keepsOne, bool consistent)
 {
   const auto up =
@@ -85,6 +76,60 @@ std::ptrdiff_t sortByUse(
       std::make_tuple(oppositeB, surface.boundary[b]);
   });
   return keepsOne ? 1 : (consistent ? std::abs(net) : 0);
+}
+
+// The group of each triangle, or None.
+std::vector<std::uint32_t> listGroups(const Duplicates& duplicates, std::size_t triangles)
+{
+  std::vector<std::uint32_t> groupOf(triangles, None);
+  for (std::size_t g = 0; g < duplicates.groups(); ++g)
+  {
+    for (std::size_t i = duplicates.start[g]; i < duplicates.start[g + 1]; ++i)
+    {
+      groupOf[duplicates.triangles[i]] = static_cast<std::uint32_t>(g);
+    }
+  }
+  return groupOf;
+}
+
+// Connects the groups that share edges; each edge votes on whether its groups keep a triangle.
+ConnectedGroups connectGroups(
+  const Surface& surface, const SurfaceEdges& edges, const Duplicates& duplicates)
+{
+  const std::vector<std::uint32_t> groupOf = listGroups(duplicates, surface.triangles.size());
+  ConnectedGroups connected(duplicates.groups());
+  std::vector<std::uint32_t> groups;
+  edges.forEach([&](std::uint32_t, const EdgeUse* begin, const EdgeUse* end) {
+    std::size_t others = 0;
+    std::ptrdiff_t down = 0;
+    groups.clear();
+    for (const EdgeUse* use = begin; use != end; ++use)
+    {
+      const std::uint32_t group = groupOf[use->triangle()];
+      others += group == None;
+      down += use->down();
+      if (group != None)
+      {
+        groups.push_back(group);
+        connected.join(groups.front(), group);
+      }
+    }
+    if (groups.empty())
+    {
+      return;
+    }
+    if (2 * down != end - begin)
+    {
+      connected.setInconsistent(groups.front());
+    }
+    std::sort(groups.begin(), groups.end());
+    const std::ptrdiff_t here = std::unique(groups.begin(), groups.end()) - groups.begin();
+    if (here % 2 == 1) // with an even number of groups, either choice closes the edge
+    {
+      connected.vote(groups.front(), others % 2 == 1);
+    }
+  });
+  return connected;
 }
 
 }
@@ -108,9 +153,8 @@ Duplicates findDuplicates(const Surface& surface, const SurfaceEdges& edges)
       }
     }
     std::sort(found.begin(), found.end());
-    for (std::size_t i = 0; i < found.size();)
+    for (std::size_t i = 0, next = 0; i < found.size(); i = next)
     {
-      std::size_t next = i + 1;
       while (next < found.size() && found[next].first == found[i].first)
       {
         ++next;
@@ -118,74 +162,34 @@ Duplicates findDuplicates(const Surface& surface, const SurfaceEdges& edges)
       if (next > i + 1)
       {
         result.start.push_back(result.triangles.size());
-        for (; i < next; ++i)
+        for (std::size_t t = i; t < next; ++t)
         {
-          result.triangles.push_back(found[i].second);
+          result.triangles.push_back(found[t].second);
         }
       }
-      i = next;
     }
   });
   result.start.push_back(result.triangles.size());
   return result;
 }
 
-std::vector<Dropped> dropDuplicates(
+std::vector<DroppedTriangle> dropDuplicates(
   Surface& surface, const SurfaceEdges& edges, const Duplicates& duplicates)
 {
-  std::vector<Dropped> dropped;
+  std::vector<DroppedTriangle> dropped;
   if (duplicates.groups() == 0)
   {
     return dropped;
   }
-  std::vector<std::uint32_t> groupOf(surface.triangles.size(), None);
-  for (std::size_t g = 0; g < duplicates.groups(); ++g)
-  {
-    for (std::size_t i = duplicates.start[g]; i < duplicates.start[g + 1]; ++i)
-    {
-      groupOf[duplicates.triangles[i]] = static_cast<std::uint32_t>(g);
-    }
-  }
-  Regions regions(duplicates.groups());
-  std::vector<std::uint32_t> groups;
-  edges.forEach([&](std::uint32_t, const EdgeUse* begin, const EdgeUse* end) {
-    std::size_t others = 0;
-    std::ptrdiff_t down = 0;
-    groups.clear();
-    for (const EdgeUse* use = begin; use != end; ++use)
-    {
-      const std::uint32_t group = groupOf[use->triangle()];
-      others += group == None;
-      down += use->down();
-      if (group != None)
-      {
-        groups.push_back(group);
-        regions.join(groups.front(), group);
-      }
-    }
-    if (groups.empty())
-    {
-      return;
-    }
-    if (2 * down != end - begin)
-    {
-      regions.setInconsistent(groups.front());
-    }
-    std::sort(groups.begin(), groups.end());
-    const std::ptrdiff_t here = std::unique(groups.begin(), groups.end()) - groups.begin();
-    if (here % 2 == 1) // else it is all the same to this edge
-    {
-      regions.vote(groups.front(), others % 2 == 1);
-    }
-  });
+  ConnectedGroups connected = connectGroups(surface, edges, duplicates);
   std::vector<std::uint32_t> group;
   for (std::uint32_t g = 0; g < duplicates.groups(); ++g)
   {
     const auto first = duplicates.triangles.begin();
     group.assign(first + static_cast<std::ptrdiff_t>(duplicates.start[g]),
       first + static_cast<std::ptrdiff_t>(duplicates.start[g + 1]));
-    const std::ptrdiff_t kept = sortByUse(
-      surface, group.data(), group.data() + group.size(), regions.keeps(g), regions.consistent(g));
+    const std::ptrdiff_t kept = sortKeptFirst(surface, group.data(), group.data() + group.size(),
+      connected.keeps(g), connected.consistent(g));
     for (auto t = group.begin() + kept; t != group.end(); ++t)
     {
       dropped.push_back({ *t, surface.triangles[*t] });

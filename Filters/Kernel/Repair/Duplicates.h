@@ -1,5 +1,5 @@
-// Triangles that are in the surface more than once (step 4): the same three vertices, either way
-// round.
+// Triangles that occur in the surface more than once (step 4): the same three vertices, in either
+// direction.
 #pragma once
 
 #include "Surface/SurfaceEdges.h"
@@ -7,7 +7,7 @@
 namespace cartesian
 {
 
-// Triangles of the same vertices, ascending, one group after the other.
+// Groups of triangles with the same vertices, ascending within each group.
 struct Duplicates
 {
   std::vector<std::size_t> start; // of each group, and the end
@@ -16,7 +16,7 @@ struct Duplicates
   std::size_t groups() const { return start.size() - 1; }
 };
 
-struct Dropped
+struct DroppedTriangle
 {
   std::uint32_t triangle;
   std::array<std::uint32_t, 3> vertices;
@@ -24,14 +24,14 @@ struct Dropped
 
 Duplicates findDuplicates(const Surface& surface, const SurfaceEdges& edges);
 
-// Makes triangles of each group collapse into their first vertex, so that at most one is left.
-// Groups that hang together are treated alike. One triangle of each stays where most of their edges
-// need it to be closed (a triangle written twice), or none cares (a body written twice). None stays
-// where most edges are closed without (a wall between two bodies that touch, a plate without
-// thickness); but where all edges were given consistently, as many stay as no other one cancels (a
-// wall of two bodies that overlap). Of several boundaries, the lowest stays.
-// Returns what was dropped, in order of groups.
-std::vector<Dropped> dropDuplicates(
+// Drops duplicates by collapsing them into their first vertex. Connected groups are treated alike:
+// - One triangle of each group stays if most of their edges need it to be closed (a triangle
+//   written twice), or if no edge needs it (a body written twice).
+// - None stays if most edges are closed without it (a wall between two bodies that touch, a plate
+//   without thickness). But if all edges were oriented consistently, those stay that no opposite
+//   triangle cancels (a wall where two bodies overlap).
+// The triangle of the lowest boundary stays. Returns the dropped triangles, group by group.
+std::vector<DroppedTriangle> dropDuplicates(
   Surface& surface, const SurfaceEdges& edges, const Duplicates& duplicates);
 
 }

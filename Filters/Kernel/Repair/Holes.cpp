@@ -13,7 +13,7 @@ namespace cartesian
 namespace
 {
 
-// The time to fill a rim grows with the cube.
+// The time to fill a rim grows with the cube of its length.
 constexpr std::size_t MostRimEdges = 128;
 
 // An open edge, as seen from one of its ends.
@@ -22,7 +22,7 @@ struct RimEdge
   std::uint32_t from;
   std::uint32_t to;
   std::uint32_t triangle;
-  int along; // how many more triangles run this way than the other
+  int along; // triangles that run this way minus those that run the other way
 
   bool operator<(const RimEdge& other) const
   {
@@ -30,7 +30,7 @@ struct RimEdge
   }
 };
 
-// Edges of an odd number of triangles, from both ends.
+// Edges that an odd number of triangles use, listed from both ends.
 std::vector<RimEdge> findRims(const SurfaceEdges& edges)
 {
   std::vector<RimEdge> rims;
@@ -47,7 +47,7 @@ std::vector<RimEdge> findRims(const SurfaceEdges& edges)
   return rims;
 }
 
-// Takes rims apart into loops that visit no vertex twice.
+// Separates rims into loops that visit no vertex twice.
 class RimTracer
 {
 public:
@@ -65,7 +65,7 @@ public:
     end_.assign(next_.begin() + 1, next_.end());
   }
 
-  // Calls visit(begin, end) with the edges of each loop, one after the other along it.
+  // Calls visit(begin, end) with the edges of each loop, in order.
   template <class Visitor>
   void forEachLoop(Visitor&& visit)
   {
@@ -91,7 +91,7 @@ public:
 private:
   static constexpr std::size_t NotOnWalk = ~std::size_t(0);
 
-  // An edge from a vertex that is not used up, or null.
+  // An unused edge from a vertex, or null.
   const RimEdge* take(std::uint32_t vertex)
   {
     std::size_t& next = next_[vertex];
@@ -127,18 +127,13 @@ private:
   std::vector<RimEdge> walk_;
 };
 
-double lengthOf(const Vector& v)
-{
-  return std::sqrt(dot(v, v));
-}
-
 using Triangle = std::array<std::uint32_t, 3>;
 
-// The triangles between a loop's vertices.
-class Filler
+// Triangulates a rim.
+class HoleFiller
 {
 public:
-  explicit Filler(const Surface& surface)
+  explicit HoleFiller(const Surface& surface)
     : surface_(surface)
   {
   }
@@ -151,15 +146,15 @@ public:
   }
 
 private:
-  // A chord that would cut the vertex in its middle off the rim.
-  struct Chord
+  // A possible triangle that cuts one vertex off the rim.
+  struct CutOff
   {
-    double length;
+    double length;    // of the new edge
     std::size_t from; // places on the rim
     std::size_t middle;
     std::size_t to;
 
-    bool operator<(const Chord& other) const // the shortest comes first
+    bool operator<(const CutOff& other) const // the shortest comes first
     {
       return length != other.length ? length > other.length : middle > other.middle;
     }
@@ -174,10 +169,10 @@ private:
     }
     std::vector<std::size_t> next(left);
     std::vector<std::size_t> before(left);
-    std::priority_queue<Chord> chords;
+    std::priority_queue<CutOff> cutOffs;
     const auto add = [&](std::size_t i) {
-      chords.push(
-        { lengthOf(minus(surface_.vertices[rim[next[i]]], surface_.vertices[rim[before[i]]])),
+      cutOffs.push(
+        { norm(minus(surface_.vertices[rim[next[i]]], surface_.vertices[rim[before[i]]])),
           before[i], i, next[i] });
     };
     for (std::size_t i = 0; i < left; ++i)
@@ -193,21 +188,21 @@ private:
     std::size_t kept = 0;
     while (left > MostRimEdges)
     {
-      const Chord chord = chords.top();
-      chords.pop();
-      if (next[chord.from] != chord.middle || next[chord.middle] != chord.to)
+      const CutOff cut = cutOffs.top();
+      cutOffs.pop();
+      if (next[cut.from] != cut.middle || next[cut.middle] != cut.to)
       {
-        continue; // one of them is no longer there
+        continue; // one of the vertices is no longer on the rim
       }
-      triangles.push_back({ rim[chord.from], rim[chord.middle], rim[chord.to] });
+      triangles.push_back({ rim[cut.from], rim[cut.middle], rim[cut.to] });
       area += areaOf(triangles.back());
-      next[chord.from] = chord.to;
-      before[chord.to] = chord.from;
-      next[chord.middle] = chord.middle;
-      kept = chord.from;
+      next[cut.from] = cut.to;
+      before[cut.to] = cut.from;
+      next[cut.middle] = cut.middle;
+      kept = cut.from;
       --left;
-      add(chord.from);
-      add(chord.to);
+      add(cut.from);
+      add(cut.to);
     }
     std::vector<std::uint32_t> rest;
     for (std::size_t i = kept; rest.size() < left; i = next[i])
@@ -218,7 +213,8 @@ private:
     return area;
   }
 
-  // From shorter to longer pieces of the rim: the best triangle on each piece's chord.
+  // Dynamic programming, from shorter to longer pieces of the rim: the best triangle on each
+  // piece's chord.
   double fillWithLeast(const std::vector<std::uint32_t>& rim, std::vector<Triangle>& triangles)
   {
     const std::size_t n = rim.size();
@@ -262,8 +258,7 @@ private:
   double areaOf(const Triangle& t) const
   {
     const Point& p = surface_.vertices[t[0]];
-    return lengthOf(cross(minus(surface_.vertices[t[1]], p), minus(surface_.vertices[t[2]], p))) /
-      2;
+    return norm(cross(minus(surface_.vertices[t[1]], p), minus(surface_.vertices[t[2]], p))) / 2;
   }
 
   const Surface& surface_;
@@ -272,22 +267,22 @@ private:
   std::vector<std::pair<std::size_t, std::size_t>> pieces_;
 };
 
-struct Loop
+struct RimLoop
 {
   std::vector<RimEdge> edges; // from the lowest vertex on
   double length = 0;          // levels
   Vector centre{};
 
-  bool operator<(const Loop& other) const
+  bool operator<(const RimLoop& other) const
   {
     return edges[0].from != other.edges[0].from ? edges[0].from < other.edges[0].from
                                                 : edges[0].to < other.edges[0].to;
   }
 };
 
-Loop loopOf(const RimEdge* begin, const RimEdge* end, const Surface& surface)
+RimLoop loopOf(const RimEdge* begin, const RimEdge* end, const Surface& surface)
 {
-  Loop loop;
+  RimLoop loop;
   loop.edges.assign(begin, end);
   std::rotate(loop.edges.begin(),
     std::min_element(loop.edges.begin(), loop.edges.end(),
@@ -296,7 +291,7 @@ Loop loopOf(const RimEdge* begin, const RimEdge* end, const Surface& surface)
   for (const RimEdge& edge : loop.edges)
   {
     const Point& p = surface.vertices[edge.from];
-    loop.length += lengthOf(minus(surface.vertices[edge.to], p));
+    loop.length += norm(minus(surface.vertices[edge.to], p));
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       loop.centre[axis] += p[axis] / static_cast<double>(loop.edges.size());
@@ -305,8 +300,8 @@ Loop loopOf(const RimEdge* begin, const RimEdge* end, const Surface& surface)
   return loop;
 }
 
-// Whether most triangles around a hole run along its rim: then those that fill it run the other way.
-bool runsAlong(const Loop& loop)
+// Whether most triangles around a hole run along its rim; those that fill it then run the other way.
+bool runsAlong(const RimLoop& loop)
 {
   int along = 0;
   for (const RimEdge& edge : loop.edges)
@@ -322,7 +317,7 @@ double smallestSpacing(const Meshlines& planes, const Vector& at)
     { spacing(planes[0], at[0]), spacing(planes[1], at[1]), spacing(planes[2], at[2]) });
 }
 
-std::int32_t boundaryOf(const Loop& loop, const Surface& surface)
+std::int32_t boundaryOf(const RimLoop& loop, const Surface& surface)
 {
   std::map<std::int32_t, std::size_t> edges;
   for (const RimEdge& edge : loop.edges)
@@ -340,7 +335,7 @@ std::vector<Hole> closeHoles(
   Surface& surface, const SurfaceEdges& edges, const Meshlines& planes, Execution& execution)
 {
   const std::vector<RimEdge> rims = findRims(edges);
-  std::vector<Loop> loops;
+  std::vector<RimLoop> loops;
   if (!rims.empty())
   {
     RimTracer(rims, surface.vertices.size())
@@ -363,7 +358,7 @@ std::vector<Hole> closeHoles(
     {
       std::reverse(rim.begin(), rim.end());
     }
-    hole.width = 4 * Filler(surface).fill(rim, fillings[h]) / loops[h].length;
+    hole.width = 4 * HoleFiller(surface).fill(rim, fillings[h]) / loops[h].length;
     hole.leak = hole.width >= smallestSpacing(planes, loops[h].centre);
   });
   for (std::size_t h = 0; h < holes.size(); ++h)

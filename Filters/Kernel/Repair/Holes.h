@@ -1,12 +1,14 @@
-// Holes of the surface, closed: those wider than a box are leaks.
+// Closes the holes of a surface. Holes at least as wide as a box are reported as leaks.
 //
-// A hole's rim is a loop of edges with an odd number of triangles; such edges always form loops. It is
-// filled by the triangles between its vertices that have the least area in all: a missing triangle
-// comes back as it was, a slit is zipped up, a hole in a plane is filled in the plane. A rim of more
-// than 128 edges is first shortened, by the triangle with the shortest new edge, again and again.
+// The rim of a hole is a loop of edges that an odd number of triangles use; such edges always form
+// loops. A hole is filled with the triangulation of its rim that has the least area: this restores
+// a missing triangle, zips up a slit, and fills a hole in a plane within that plane. A rim of more
+// than 128 edges is shortened first: the vertex whose neighbours are closest to each other is cut
+// off by a triangle, again and again.
 //
-// The width of a hole is four times the area of its filling by the length of its rim: a circle's
-// diameter, a square's side, twice the width of a long slit.
+// The width of a hole is its hydraulic diameter, four times the area of the filling divided by the
+// length of the rim: the diameter of a circle, the side of a square, twice the width of a long
+// slit.
 #pragma once
 
 #include "Lattice/Meshlines.h"
@@ -19,13 +21,13 @@ struct Hole
 {
   std::vector<std::uint32_t> rim; // vertices, from the lowest on
   double width;                   // in levels
-  bool leak;                      // as wide as the narrowest side of a global box there
-  std::size_t firstTriangle;      // of those that close it
-  std::size_t triangles;
+  bool leak;                      // at least as wide as the narrowest side of the global box there
+  std::size_t firstTriangle;      // of the triangles that close it
+  std::size_t triangles;          // their number
 };
 
-// Finds the holes and appends the triangles that close them, turned as most around them. Their boundary is
-// that of most triangles along the rim; of a leak, NoBoundary.
+// Finds the holes and appends the triangles that close them, oriented like most triangles along the
+// rim. They get the boundary of most of those; triangles that close a leak get NoBoundary.
 std::vector<Hole> closeHoles(
   Surface& surface, const SurfaceEdges& edges, const Meshlines& planes, Execution& execution);
 

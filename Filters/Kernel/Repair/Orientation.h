@@ -1,22 +1,25 @@
 // Consistent orientation of the triangles (step 6): afterwards normals point out of the domain.
 //
-// The rule: shells that do not cross alternate, whichever way they were turned: a shell in a shell is a
-// cavity, a shell in that a body again. Bodies that overlap are one (Winding.h).
+// The rule: shells that do not intersect alternate, however they were oriented: a shell inside a
+// shell is a cavity, a shell inside that one is a body again. Bodies that overlap are one body
+// (Winding.h).
 //
-// A sheet is what hangs together across edges of exactly two triangles; its triangles get one
-// direction, whatever edges of more triangles bound it; sheets that need each other to close at such edges
-// keep theirs where all triangles around were given consistently. Which one, lines along x, y and z decide
-// that pass through some of its largest triangles: before an odd crossing a line is outside, before
-// an even one inside. Lines that cross the surface an odd number of times (through a hole) have no
-// vote, nor have crossings that share a level of the lattice. A closed sheet with a quarter of its votes
-// or more on either side passes through others and is a body by itself; what passes through them with
-// less is what most of it is: a cavity may reach through a wall. A sheet whose votes are equal is left
-// as most of its triangles were given; if all that is left so encloses a negative volume with the
-// rest, it is turned over.
+// Triangles connected across edges of exactly two triangles form a sheet and get one direction,
+// whatever edges with more triangles bound it. Sheets that close only together, at such edges, keep
+// their relative direction if all triangles around were given consistently. The direction of a
+// sheet is put to the vote of axis-parallel lines through some of its largest triangles: before its
+// odd crossings with the surface a line is outside, before its even ones inside. A line that
+// crosses the surface an odd number of times (through a hole) has no vote, nor have crossings at
+// the same level of the lattice.
 //
-// Only triangles that have to are turned, by exchange of their last two corners: what is
-// consistent already stays as it is. The result does not depend on the triangles' order, except
-// for sheets without a majority.
+// A closed sheet with at least a quarter of its votes on either side passes through other sheets
+// and is a body by itself. With fewer, the majority decides: a cavity may reach through a wall. A
+// sheet with a tie keeps the direction in which most of its triangles were given; but if the
+// surface then encloses a negative volume, all such sheets are turned over.
+//
+// Triangles that already point the right way stay as they are; the others exchange their last two
+// corners. The result does not depend on the order of the triangles, except for sheets without a
+// majority.
 #pragma once
 
 #include "Surface/Surface.h"

@@ -8,7 +8,7 @@ namespace cartesian
 namespace
 {
 
-void judge(std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end, SurfaceCheck& result)
+void checkEdge(std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end, SurfaceCheck& result)
 {
   const auto uses = static_cast<std::size_t>(end - begin);
   const auto down = static_cast<std::size_t>(
@@ -48,7 +48,7 @@ SurfaceCheck check(const SurfaceEdges& edges, Execution& execution)
   std::vector<SurfaceCheck> parts(edges.chunkCount());
   edges.forEach(execution,
     [&](std::size_t chunk, std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
-      judge(lower, begin, end, parts[chunk]);
+      checkEdge(lower, begin, end, parts[chunk]);
     });
   SurfaceCheck result;
   for (const SurfaceCheck& part : parts)

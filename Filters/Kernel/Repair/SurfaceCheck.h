@@ -1,4 +1,4 @@
-// Is the surface closed and consistently oriented? (section 2: what the preprocessor ensures)
+// Whether the surface is closed and consistently oriented, which section 2 leaves to a preprocessor.
 #pragma once
 
 #include "Surface/SurfaceEdges.h"
@@ -12,18 +12,17 @@ struct SurfaceCheck
   std::size_t nonManifoldEdges = 0;  // used by more than two triangles
   std::size_t inconsistentEdges = 0; // used an even number of times, not half in each direction
 
-  // The first few flawed edges, in order of their vertices: what is wrong, the edge's two ends
-  // and a triangle that uses it.
-  struct Place
+  // The first few flawed edges, in order of their vertices.
+  struct FlawedEdge
   {
-    const char* what;
-    std::array<std::uint32_t, 2> edge;
-    std::uint32_t triangle;
+    const char* what;                  // is wrong
+    std::array<std::uint32_t, 2> edge; // its two ends
+    std::uint32_t triangle;            // one that uses it
   };
   static constexpr std::size_t MostPlaces = 5;
-  std::vector<Place> places;
+  std::vector<FlawedEdge> places;
 
-  // Then every line through the domain enters it as often as it leaves it.
+  // If so, every line enters the domain as often as it leaves it.
   bool closed() const { return openEdges == 0; }
   bool oriented() const { return closed() && inconsistentEdges == 0; }
 };

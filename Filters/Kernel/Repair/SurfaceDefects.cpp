@@ -14,7 +14,7 @@ namespace
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-// Two triangles on one edge, the angle between which is almost nothing.
+// Two triangles at an edge with almost no angle between them.
 struct Fold
 {
   std::uint32_t first;
@@ -26,7 +26,7 @@ struct Fold
   }
 };
 
-// From an edge to the triangle's third corner, at right angles to the edge.
+// Points from an edge to the triangle's third corner, at right angles to the edge.
 Vector across(const Surface& surface, std::uint32_t lower, const EdgeUse& use)
 {
   const Triangle& t = surface.triangles[use.triangle()];
@@ -38,7 +38,7 @@ Vector across(const Surface& surface, std::uint32_t lower, const EdgeUse& use)
 
 bool folded(const Vector& a, const Vector& b)
 {
-  static const double least = std::cos(FoldAngle * std::acos(-1.0) / 180);
+  static const double least = std::cos(radians(FoldAngle));
   const double product = dot(a, a) * dot(b, b);
   return product > 0 && dot(a, b) > least * std::sqrt(product);
 }
@@ -50,7 +50,7 @@ std::vector<Fold> findFolds(const Surface& surface, const SurfaceEdges& edges, E
     [&](std::size_t chunk, std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
       for (const EdgeUse* a = begin; a != end; ++a)
       {
-        // Around an edge of many triangles neighbours are next to each other often enough.
+        // Comparing the next few is enough, even at an edge of many triangles.
         for (const EdgeUse* b = a + 1; b != end && b != a + 3; ++b)
         {
           if (folded(across(surface, lower, *a), across(surface, lower, *b)))
@@ -81,10 +81,10 @@ struct Partner
   }
 };
 
-class Lister
+class DefectLister
 {
 public:
-  Lister(const Surface& surface, std::size_t given, const SurfaceRepair& repair,
+  DefectLister(const Surface& surface, std::size_t given, const SurfaceRepair& repair,
     const Meshlines& planes, Execution& execution)
     : surface_(surface)
     , given_(surface)
@@ -93,7 +93,7 @@ public:
     , execution_(execution)
   {
     given_.triangles.resize(given);
-    for (const Dropped& d : repair.loose)
+    for (const DroppedTriangle& d : repair.loose)
     {
       given_.triangles[d.triangle] = d.vertices;
     }
@@ -182,7 +182,7 @@ private:
   void listTriangles()
   {
     std::vector<bool> dropped(given_.triangles.size());
-    for (const Dropped& d : repair_.duplicates)
+    for (const DroppedTriangle& d : repair_.duplicates)
     {
       dropped[d.triangle] = true;
       add(DefectKind::DuplicateTriangle, d.triangle, None, true, positionsOf(d.vertices));
@@ -216,7 +216,7 @@ private:
       if (pair.contact == Contact::Crossing)
       {
         std::array<Vector, 2> ends =
-          stretchOf(given_.corners(pair.first), given_.corners(pair.second));
+          sharedSegment(given_.corners(pair.first), given_.corners(pair.second));
         for (Vector& p : ends)
         {
           for (std::size_t axis = 0; axis < 3; ++axis)
@@ -235,7 +235,7 @@ private:
     addPartners(DefectKind::OverlappedTriangle, overlapped);
   }
 
-  // Each triangle once, with the lowest of its partners.
+  // Lists each triangle once, with its lowest partner.
   void addPartners(DefectKind kind, std::vector<Partner>& partners)
   {
     std::sort(partners.begin(), partners.end());
@@ -250,12 +250,12 @@ private:
 
   void listComponents()
   {
-    Components components(given_);
+    DisjointSets components = connectedComponents(given_);
     std::vector<Point> low(given_.vertices.size(), Point{ ~0u, ~0u, ~0u });
     std::vector<Point> high(given_.vertices.size(), Point{});
     for (const Triangle& t : given_.triangles)
     {
-      const std::uint32_t root = components.of(t[0]);
+      const std::uint32_t root = components.find(t[0]);
       for (const std::uint32_t v : t)
       {
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -282,7 +282,7 @@ private:
     }
     for (std::size_t t = 0; t < given_.triangles.size(); ++t)
     {
-      if (small[components.of(given_.triangles[t][0])] && !namesAVertexTwice(given_.triangles[t]))
+      if (small[components.find(given_.triangles[t][0])] && !namesAVertexTwice(given_.triangles[t]))
       {
         addTriangle(DefectKind::SmallComponent, static_cast<std::uint32_t>(t), None);
       }
@@ -305,7 +305,7 @@ private:
   }
 
   const Surface& surface_;
-  Surface given_; // without what closes holes
+  Surface given_; // without the triangles that close holes
   const SurfaceRepair& repair_;
   const Meshlines& planes_;
   Execution& execution_;
@@ -319,15 +319,15 @@ private:
 SurfaceDefects findDefects(const Surface& surface, std::size_t given, const SurfaceRepair& repair,
   const Meshlines& planes, Execution& execution)
 {
-  return Lister(surface, given, repair, planes, execution).list();
+  return DefectLister(surface, given, repair, planes, execution).list();
 }
 
 std::string describe(const SurfaceDefects& defects)
 {
   const std::pair<DefectKind, const char*> kinds[] = {
-    { DefectKind::FoldedTriangle, " triangles are folded onto a neighbour." },
+    { DefectKind::FoldedTriangle, " triangles are folded back onto a neighbour." },
     { DefectKind::OverlappedTriangle, " triangles overlap others in the same plane." },
-    { DefectKind::Intersection, " pairs of triangles cross each other." },
+    { DefectKind::Intersection, " pairs of triangles intersect." },
   };
   std::string text;
   for (const auto& [kind, words] : kinds)
@@ -340,7 +340,7 @@ std::string describe(const SurfaceDefects& defects)
   if (defects.notCompared > 0)
   {
     text += (text.empty() ? "" : "\n") + std::to_string(defects.notCompared) +
-      " triangles are near too many others to look for intersections.";
+      " triangles have too many others nearby to be checked for intersections.";
   }
   return text;
 }

@@ -1,5 +1,5 @@
-// What is done to any surface before it is meshed (steps 4 and 6): duplicates and loose triangles dropped,
-// triangles oriented, holes closed.
+// Repairs a surface before it is meshed (steps 4 and 6): drops duplicate and loose triangles,
+// orients the others and closes holes.
 #pragma once
 
 #include "Repair/Duplicates.h"
@@ -11,17 +11,20 @@ namespace cartesian
 
 struct SurfaceRepair
 {
-  std::vector<Dropped> duplicates; // triangles that were there before, or a wall between bodies
-  SurfaceCheck check;              // without duplicates, oriented, with its holes
-  std::vector<Dropped> loose; // triangles that share no edge with another: they enclose nothing
-  std::vector<Hole> holes;    // in order of their lowest vertices
+  std::vector<DroppedTriangle>
+    duplicates;       // triangles that were there before, or a wall between bodies
+  SurfaceCheck check; // oriented, without duplicates, before holes are closed
+  std::vector<DroppedTriangle>
+    loose;                 // triangles that share no edge with another: they enclose nothing
+  std::vector<Hole> holes; // in order of their lowest vertices
 
   std::size_t leaks() const;
 };
 
-// Afterwards every line enters each component as often as it leaves it, or crosses it an even number of
-// times (Surface::byParity). Triangles keep their numbers: what is dropped collapses into a point, those that
-// close holes follow at the end. A surface without flaws whose normals point out of the domain stays as it is.
+// Afterwards every line enters each component as often as it leaves it, or at least crosses it an
+// even number of times (Surface::byParity). Triangles keep their numbers: dropped ones collapse
+// into a point, those that close holes are appended. A flawless surface whose normals point outward
+// stays as it is.
 SurfaceRepair repair(Surface& surface, const Meshlines& planes, Execution& execution);
 
 }

@@ -16,7 +16,7 @@ constexpr std::size_t TrianglesAChunk = 1024;
 constexpr std::size_t MostNeighbours = 512;
 constexpr std::size_t FewestNeighbours = 64;
 
-// Pairs looked at in all, before fewer neighbours are.
+// Pairs compared in all, before triangles get fewer neighbours.
 constexpr std::size_t MostTests = 30000000;
 
 int signOf(Wide x)
@@ -29,11 +29,11 @@ Wide difference(Level a, Level b)
   return static_cast<Wide>(static_cast<std::int64_t>(a) - static_cast<std::int64_t>(b));
 }
 
-// The plane of a triangle, in double precision and, where that is not enough, exactly.
-class Plane
+// The plane of a triangle, in double precision and, where that does not suffice, exactly.
+class TrianglePlane
 {
 public:
-  explicit Plane(const Corners& t)
+  explicit TrianglePlane(const Corners& t)
     : corners_(t)
   {
     const Vector u = minus(t[1], t[0]);
@@ -47,10 +47,10 @@ public:
     }
   }
 
-  // The side of it that a point lies on: 1 where the normal points to, 0 on it.
+  // 1 if a point lies on the side that the normal points to, -1 on the other, 0 on the plane.
   int sideOf(const Point& p) const
   {
-    // Differences are exact; six more operations round.
+    // The differences are exact; six more operations round.
     constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
     const Vector d = minus(p, corners_[0]);
     const double height = dot(normal_, d);
@@ -63,7 +63,7 @@ public:
     return signOf(exactHeight(p));
   }
 
-  // Of a point over the plane, times twice the triangle's area.
+  // A point's height above the plane, times twice the triangle's area.
   Wide exactHeight(const Point& p) const
   {
     const std::array<Wide, 3> normal = exactNormal(corners_);
@@ -78,18 +78,18 @@ public:
 private:
   const Corners& corners_;
   Vector normal_;
-  Vector size_; // of the terms that the normal is a sum of
+  Vector size_; // sum of the magnitudes of the normal's terms
 };
 
 int orientation(const Point& a, const Point& b, const Point& c, const Point& d)
 {
   const Corners t = { a, b, c };
-  return Plane(t).sideOf(d);
+  return TrianglePlane(t).sideOf(d);
 }
 
-using Sides = std::array<int, 3>;
+using CornerSides = std::array<int, 3>; // of a triangle's corners relative to a plane
 
-// The turn a-b-c as seen along `axis`.
+// The orientation of the triangle abc projected along `axis`.
 int turn(const Point& a, const Point& b, const Point& c, int axis)
 {
   const int u = (axis + 1) % 3;
@@ -98,7 +98,7 @@ int turn(const Point& a, const Point& b, const Point& c, int axis)
     difference(b[v], a[v]) * difference(c[u], a[u]));
 }
 
-// Whether an edge of `a` has all of `b` on its other side; both lie in one plane.
+// Whether an edge of `a` separates it from `b`; both lie in one plane.
 bool separates(const Corners& a, const Corners& b, int axis)
 {
   for (int i = 0; i < 3; ++i)
@@ -126,21 +126,21 @@ bool overlap(const Corners& a, const Corners& b)
   return !separates(a, b, axis) && !separates(b, a, axis);
 }
 
-// Whether a corner lies on a side of the plane where the others do not.
-bool isAlone(const Sides& sides, std::size_t i)
+// Whether a corner lies on one side of the plane and the others do not.
+bool isAlone(const CornerSides& sides, std::size_t i)
 {
   return sides[i] != 0 && sides[(i + 1) % 3] != sides[i] && sides[(i + 2) % 3] != sides[i];
 }
 
-// Whether a triangle has more than a point in the plane, but not all of it.
-bool meetsPlane(const Sides& sides)
+// Whether a triangle shares more than a point with the plane, but is not contained in it.
+bool meetsPlane(const CornerSides& sides)
 {
   return isAlone(sides, 0) || isAlone(sides, 1) || isAlone(sides, 2);
 }
 
-// Turns a triangle so that its first corner lies alone above the other's plane, and the other so that
-// above is where its normal points.
-void putAloneAbove(Corners& t, const Sides& sides, Corners& other, Sides& sidesOfOther)
+// Rotates a triangle so that its first corner lies alone on one side of the other's plane, and
+// orients the other so that its normal points to that side.
+void putAloneAbove(Corners& t, const CornerSides& sides, Corners& other, CornerSides& sidesOfOther)
 {
   std::size_t i = 0;
   while (!isAlone(sides, i))
@@ -155,10 +155,11 @@ void putAloneAbove(Corners& t, const Sides& sides, Corners& other, Sides& sidesO
   }
 }
 
-// Both meet the other's plane.
-bool cross(Corners a, Corners b, Sides ofA, Sides ofB)
+// Whether two triangles cross, each of which meets the other's plane.
+bool cross(Corners a, Corners b, CornerSides ofA, CornerSides ofB)
 {
-  // Both planes' common line meets each triangle in a stretch from the edge 0-1 to the edge 0-2.
+  // The line common to both planes meets each triangle in a segment from its edge 0-1 to its edge
+  // 0-2.
   putAloneAbove(a, ofA, b, ofB);
   putAloneAbove(b, ofB, a, ofA);
   return orientation(a[0], a[1], b[0], b[1]) < 0 && orientation(a[0], a[2], b[2], b[0]) < 0;
@@ -171,10 +172,12 @@ bool has(const Vertices& triangle, std::uint32_t v)
   return v == triangle[0] || v == triangle[1] || v == triangle[2];
 }
 
-// The sides of a plane that the corners of `a` lie on; those of the plane's own triangle lie in it.
-Sides sidesOf(const Corners& a, const Vertices& vertices, const Plane& plane, const Vertices& own)
+// On which sides of a plane the corners of `a` lie; corners shared with the plane's own triangle
+// lie on it.
+CornerSides sidesOf(
+  const Corners& a, const Vertices& vertices, const TrianglePlane& plane, const Vertices& own)
 {
-  Sides sides{};
+  CornerSides sides{};
   for (std::size_t i = 0; i < 3; ++i)
   {
     sides[i] = has(own, vertices[i]) ? 0 : plane.sideOf(a[i]);
@@ -187,10 +190,10 @@ Vector vectorOf(const Point& p)
   return { double(p[0]), double(p[1]), double(p[2]) };
 }
 
-// Where the triangle's edges pass through the other's plane: two places.
+// The two points where a triangle's edges pass through another's plane.
 std::vector<Vector> meetPlane(const Corners& t, const Corners& other)
 {
-  const Plane plane(other);
+  const TrianglePlane plane(other);
   std::array<double, 3> height;
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -226,8 +229,8 @@ Contact contactOf(const Surface& surface, std::uint32_t a, std::uint32_t b)
   const Vertices& vb = surface.triangles[b];
   const Corners ca = surface.corners(a);
   const Corners cb = surface.corners(b);
-  const Sides ofA = sidesOf(ca, va, Plane(cb), vb);
-  if (ofA == Sides{ 0, 0, 0 })
+  const CornerSides ofA = sidesOf(ca, va, TrianglePlane(cb), vb);
+  if (ofA == CornerSides{ 0, 0, 0 })
   {
     return overlap(ca, cb) ? Contact::Overlap : Contact::Apart;
   }
@@ -236,18 +239,18 @@ Contact contactOf(const Surface& surface, std::uint32_t a, std::uint32_t b)
   {
     return Contact::Apart;
   }
-  const Sides ofB = sidesOf(cb, vb, Plane(ca), va);
+  const CornerSides ofB = sidesOf(cb, vb, TrianglePlane(ca), va);
   return meetsPlane(ofB) && cross(ca, cb, ofA, ofB) ? Contact::Crossing : Contact::Apart;
 }
 
-std::array<Vector, 2> stretchOf(const Corners& a, const Corners& b)
+std::array<Vector, 2> sharedSegment(const Corners& a, const Corners& b)
 {
   std::vector<Vector> places = meetPlane(a, b);
   for (const Vector& p : meetPlane(b, a))
   {
     places.push_back(p);
   }
-  // All on one line: the inner two of four.
+  // All four lie on one line; the inner two are shared.
   const Vector along =
     cross(cross(minus(a[1], a[0]), minus(a[2], a[0])), cross(minus(b[1], b[0]), minus(b[2], b[0])));
   std::sort(places.begin(), places.end(),

@@ -1,4 +1,4 @@
-// What two triangles have in common besides corners and edges (step 4), exactly.
+// Exact test of how two triangles intersect, apart from shared corners and edges (step 4).
 #pragma once
 
 #include "Lattice/Vector.h"
@@ -9,19 +9,19 @@ namespace cartesian
 
 enum class Contact
 {
-  Apart,    // at most single points, and a common edge
-  Crossing, // they share a stretch of a line
-  Overlap,  // they lie in one plane and share an area
+  Apart,    // share at most single points and a common edge
+  Crossing, // share a line segment
+  Overlap,  // lie in one plane and share an area
 };
 
-// Both have an area. Decided by signs of determinants of lattice points; where all four points of one
-// are zero the triangles lie in one plane. Triangles with a common edge only ever overlap.
+// Of two triangles that have an area. Decided by the signs of determinants of lattice points; if
+// they are all zero, both triangles lie in one plane. Triangles with a common edge can overlap, but
+// not cross.
 Contact contactOf(const Surface& surface, std::uint32_t a, std::uint32_t b);
 
-// The ends of the stretch that two crossing triangles share, in levels.
-std::array<Vector, 2> stretchOf(const Corners& a, const Corners& b);
+// The ends of the segment that two crossing triangles share, in levels.
+std::array<Vector, 2> sharedSegment(const Corners& a, const Corners& b);
 
-// Triangles whose bounds meet.
 struct TrianglePair
 {
   std::uint32_t first; // the lower number
@@ -37,11 +37,12 @@ struct TrianglePair
 struct TrianglePairs
 {
   std::vector<TrianglePair> pairs;    // in order
-  std::vector<std::uint32_t> givenUp; // triangles that meet the bounds of too many, in order
+  std::vector<std::uint32_t> givenUp; // triangles with too many neighbours, in order
 };
 
-// All pairs that cross or overlap, of triangles that have an area. Looks at no more than 512 larger
-// triangles around each, at fewer (down to 64) where there are more than 60 000: beyond it is given up.
+// All pairs of triangles (that have an area) which cross or overlap. Each triangle is compared with
+// at most 512 larger ones nearby; with fewer, down to 64, if there are more than 60 000 triangles.
+// The rest is given up.
 TrianglePairs findPairs(const Surface& surface, Execution& execution);
 
 }

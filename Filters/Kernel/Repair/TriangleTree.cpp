@@ -10,7 +10,7 @@ namespace
 
 constexpr std::size_t NodesAChunk = 1 << 14;
 
-// The upper 21 bits of a level, two zeros between each.
+// The upper 21 bits of a level, with two zeros between consecutive bits.
 std::uint64_t spread(std::uint64_t level)
 {
   std::uint64_t x = level >> 11;
@@ -28,16 +28,22 @@ bool hasArea(const Corners& corners)
   return normal[0] != 0 || normal[1] != 0 || normal[2] != 0;
 }
 
-}
-
-TriangleTree::TriangleTree(const Surface& surface, Execution& execution)
+// A triangle's place on the space-filling curve: the Morton code of the centre of its bounds.
+struct CurvePlace
 {
-  struct Place
+  std::uint64_t code;
+  std::uint32_t triangle;
+
+  bool operator<(const CurvePlace& other) const
   {
-    std::uint64_t code;
-    std::uint32_t triangle;
-  };
-  std::vector<Place> places;
+    return code != other.code ? code < other.code : triangle < other.triangle;
+  }
+};
+
+// The triangles that have an area, along the curve.
+std::vector<CurvePlace> sortAlongCurve(const Surface& surface)
+{
+  std::vector<CurvePlace> places;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
     const Corners c = surface.corners(t);
@@ -52,48 +58,62 @@ TriangleTree::TriangleTree(const Surface& surface, Execution& execution)
       places.push_back({ code, static_cast<std::uint32_t>(t) });
     }
   }
-  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
-    return a.code != b.code ? a.code < b.code : a.triangle < b.triangle;
-  });
+  std::sort(places.begin(), places.end());
+  return places;
+}
 
+}
+
+TriangleTree::TriangleTree(const Surface& surface, Execution& execution)
+{
+  const std::vector<CurvePlace> places = sortAlongCurve(surface);
   levels_.emplace_back(places.size());
   order_.resize(places.size());
   execution.forEach(places.size(), NodesAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
     {
       order_[i] = places[i].triangle;
-      const Corners c = surface.corners(order_[i]);
-      Node& node = levels_[0][i];
-      node.size = 0;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        const auto [least, most] = std::minmax({ c[0][axis], c[1][axis], c[2][axis] });
-        node.low[axis] = least;
-        node.high[axis] = most;
-        node.size = std::max(node.size, most - least);
-      }
+      levels_[0][i] = leafOf(surface.corners(order_[i]));
     }
   });
   while (levels_.back().size() > 1)
   {
-    const std::vector<Node>& below = levels_.back();
-    std::vector<Node> above((below.size() + 1) / 2);
-    for (std::size_t i = 0; i < above.size(); ++i)
-    {
-      above[i] = below[2 * i];
-      if (2 * i + 1 < below.size())
-      {
-        const Node& other = below[2 * i + 1];
-        for (std::size_t axis = 0; axis < 3; ++axis)
-        {
-          above[i].low[axis] = std::min(above[i].low[axis], other.low[axis]);
-          above[i].high[axis] = std::max(above[i].high[axis], other.high[axis]);
-        }
-        above[i].size = std::max(above[i].size, other.size);
-      }
-    }
-    levels_.push_back(std::move(above));
+    addLevel();
   }
+}
+
+TriangleTree::TreeNode TriangleTree::leafOf(const Corners& c)
+{
+  TreeNode leaf{ {}, {}, 0 };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto [least, most] = std::minmax({ c[0][axis], c[1][axis], c[2][axis] });
+    leaf.low[axis] = least;
+    leaf.high[axis] = most;
+    leaf.size = std::max(leaf.size, most - least);
+  }
+  return leaf;
+}
+
+void TriangleTree::addLevel()
+{
+  const std::vector<TreeNode>& below = levels_.back();
+  std::vector<TreeNode> above((below.size() + 1) / 2);
+  for (std::size_t i = 0; i < above.size(); ++i)
+  {
+    above[i] = below[2 * i];
+    if (2 * i + 1 < below.size())
+    {
+      const TreeNode& other = below[2 * i + 1];
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        above[i].low[axis] = std::min(above[i].low[axis], other.low[axis]);
+        above[i].high[axis] = std::max(above[i].high[axis], other.high[axis]);
+      }
+      above[i].size = std::max(above[i].size, other.size);
+    }
+  }
+  levels_.push_back(std::move(above));
 }
 
 }

@@ -1,7 +1,8 @@
-// A tree of bounds over the triangles of a surface that have an area: which of them are near each other?
+// A bounding volume hierarchy of the triangles that have an area: which of them are near each other?
 //
-// Triangles are sorted along a space-filling curve; a node of height h holds 2^h neighbours on it.
-// The tree depends on the geometry only, ties on the triangles' numbers.
+// Triangles are sorted along a space-filling curve (Morton order); a node of height h holds 2^h
+// consecutive ones. The tree depends on the geometry only, except that ties are broken by the
+// triangles' numbers.
 #pragma once
 
 #include "Surface/Surface.h"
@@ -19,13 +20,13 @@ public:
   std::size_t size() const { return order_.size(); }
   std::uint32_t triangle(std::size_t place) const { return order_[place]; }
 
-  // Calls visit(triangle) for those whose bounds meet those of the triangle at `place` and that are
-  // larger, or of the same size and behind it on the curve, until it returns false. So each
-  // pair is seen once, and by few: a triangle has few larger neighbours.
+  // Calls visit(triangle) for triangles whose bounds meet those of the triangle at `place` and that
+  // are larger, or of the same size and later on the curve, until visit returns false. So each pair
+  // is visited once, and in few visits per triangle: a triangle has few larger neighbours.
   template <class Visitor>
   void forEachLarger(std::size_t place, Visitor&& visit) const
   {
-    const Node& own = levels_[0][place];
+    const TreeNode& own = levels_[0][place];
     std::array<std::pair<std::size_t, std::size_t>, 2 * MostLevels> stack; // level, node
     std::size_t size = 0;
     stack[size++] = { levels_.size() - 1, 0 };
@@ -40,7 +41,7 @@ public:
         }
         continue;
       }
-      const std::vector<Node>& below = levels_[level - 1];
+      const std::vector<TreeNode>& below = levels_[level - 1];
       for (std::size_t child = std::min(2 * n + 2, below.size()); child-- > 2 * n;)
       {
         if (below[child].size >= own.size && below[child].meets(own))
@@ -54,21 +55,24 @@ public:
 private:
   static constexpr std::size_t MostLevels = 34;
 
-  struct Node
+  struct TreeNode
   {
     Point low;
     Point high;
     Level size; // the longest side of the largest triangle's bounds
 
-    bool meets(const Node& other) const
+    bool meets(const TreeNode& other) const
     {
       return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
         other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
     }
   };
 
-  std::vector<std::uint32_t> order_;      // triangles along the curve
-  std::vector<std::vector<Node>> levels_; // from the triangles up to the root
+  static TreeNode leafOf(const Corners& c);
+  void addLevel();
+
+  std::vector<std::uint32_t> order_;          // triangles along the curve
+  std::vector<std::vector<TreeNode>> levels_; // from the triangles up to the root
 };
 
 }

@@ -114,8 +114,7 @@ private:
 
   void joinFlatFaces()
   {
-    const double leastCosine =
-      exact_ ? OnOnePlane : std::cos(spec_.joinAngle * (3.14159265358979 / 180));
+    const double leastCosine = exact_ ? OnOnePlane : std::cos(radians(spec_.joinAngle));
     for (const CellKey key : complex_.polyhedraAtFault())
     {
       execution_.poll();
@@ -178,7 +177,7 @@ bool shapesCells(const CellSpec& spec)
   return spec.smallCells == SmallCells::Merge || spec.splitConcave;
 }
 
-Reach reachOf(const CellSpec& spec)
+LaterSteps laterStepsOf(const CellSpec& spec)
 {
   return { spec.collapseRatio > 0, shapesCells(spec) };
 }

@@ -25,7 +25,7 @@ struct Shaping
 bool shapesCells(const CellSpec& spec);
 
 // How far cells depend on others, for these and for short edges.
-Reach reachOf(const CellSpec& spec);
+LaterSteps laterStepsOf(const CellSpec& spec);
 
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
   const InnerFaces& inner, Cells& cells, const CellSpec& spec, Execution& execution);

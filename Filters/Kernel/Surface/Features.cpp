@@ -10,20 +10,20 @@ namespace
 
 constexpr std::size_t TrianglesAChunk = 1 << 13;
 
-// A folded triangle is no thicker than this part of its longest edge.
+// A folded triangle is at most as thick as this part of its longest edge.
 constexpr double ThickestFold = 0.02;
 
 constexpr std::uint32_t None = ~std::uint32_t(0);
 
 using Neighbours = std::array<std::uint32_t, 3>; // across each edge, or None
 
-class Finder
+class FeatureFinder
 {
 public:
-  Finder(const Surface& surface, double featureAngle, Features& result)
+  FeatureFinder(const Surface& surface, double featureAngle, Features& result)
     : surface_(surface)
     , result_(result)
-    , leastCosine_(std::cos(featureAngle * std::acos(-1.0) / 180))
+    , leastCosine_(std::cos(radians(featureAngle)))
     , neighbours_(surface.triangles.size(), Neighbours{ None, None, None })
   {
   }
@@ -75,7 +75,7 @@ private:
     return v[0] == from ? 0 : (v[1] == from ? 1 : 2);
   }
 
-  // A triangle without area has no direction: what matters is what lies behind it.
+  // A triangle without area has no normal: the neighbours behind it are compared instead.
   bool turns(std::size_t t, std::size_t other) const
   {
     if (hasArea(t) && hasArea(other))
@@ -91,8 +91,8 @@ private:
 
   bool hasArea(std::size_t t) const { return dot(result_.normal[t], result_.normal[t]) > 0; }
 
-  // Thin, and turned over between two triangles that agree with each other; between it and one of
-  // them there may be another like itself.
+  // Whether a triangle is thin and flipped between two neighbours that agree with each other.
+  // Between it and one of these there may be a second thin triangle.
   bool isFold(std::size_t t) const
   {
     if (!isThin(t))
@@ -158,7 +158,7 @@ Features findFeatures(const Surface& surface, double featureAngle, Execution& ex
   Features result;
   result.edges.resize(count);
   result.normal.resize(count);
-  Finder finder(surface, featureAngle, result);
+  FeatureFinder finder(surface, featureAngle, result);
   execution.forEach(count, TrianglesAChunk,
     [&](std::size_t begin, std::size_t end) { finder.findNormals(begin, end); });
   const SurfaceEdges edges(surface, execution);

@@ -1,7 +1,8 @@
-// Sharp features of the surface (section 4.7): edges at which it turns by more than an angle.
+// Finds the sharp features of the surface (section 4.7): edges at which it turns by more than the
+// feature angle.
 //
-// A thin triangle turned over between two healthy ones is folded geometry (section 1): its edges are
-// no features.
+// A thin triangle that is flipped between two sound ones is folded geometry (section 1): its edges
+// are not features.
 #pragma once
 
 #include "Lattice/Vector.h"
@@ -12,10 +13,10 @@ namespace cartesian
 
 struct Features
 {
-  // Of each triangle. Bit i: its edge from corner i to the next is sharp; bit 3 + i: that edge is a
-  // border between boundaries. Bit 6: it is folded geometry.
+  // Bits of each triangle. Bit i: its edge from corner i to the next is sharp. Bit 3 + i: that edge
+  // is a border between boundaries. Bit 6: the triangle is folded geometry.
   std::vector<std::uint8_t> edges;
-  std::vector<Vector> normal; // of each triangle, of length 1; 0 where it has no area
+  std::vector<Vector> normal; // unit normal of each triangle; zero if it has no area
 
   bool isSharp(std::size_t triangle, unsigned edge) const
   {
@@ -24,7 +25,7 @@ struct Features
 
   bool isFold(std::size_t triangle) const { return (edges[triangle] >> 6 & 1) != 0; }
 
-  // Whether a sharp edge or a border ends in a corner of a triangle, as far as that one knows.
+  // Whether a sharp edge or a border of this triangle ends in one of its corners.
   bool endsIn(std::size_t triangle, unsigned corner) const
   {
     const unsigned any = edges[triangle] | edges[triangle] >> 3;
@@ -32,7 +33,7 @@ struct Features
   }
 };
 
-// `featureAngle` in degrees, from 0 to 180. Open and non-manifold edges are sharp.
+// `featureAngle`: in degrees, 0 to 180. Open and non-manifold edges are sharp.
 Features findFeatures(const Surface& surface, double featureAngle, Execution& execution);
 
 }

@@ -17,7 +17,7 @@ LineCrossings::LineCrossings(
   , linesOfMiddle_(planes[axes_.middle].size())
 {
   const std::size_t count = surface.triangles.size();
-  std::vector<std::vector<Crossing>> found(chunks(count, TrianglesAChunk));
+  std::vector<std::vector<LineCrossing>> found(chunks(count, TrianglesAChunk));
   execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
     auto& crossings = found[begin / TrianglesAChunk];
     for (std::size_t t = begin; t < end; ++t)
@@ -31,8 +31,8 @@ LineCrossings::LineCrossings(
     }
   });
   crossings_ = sortIntoBuckets(
-    found, linesOfMiddle_ * planes[axes_.outer].size(), [](const Crossing& c) { return c.line; },
-    execution);
+    found, linesOfMiddle_ * planes[axes_.outer].size(),
+    [](const LineCrossing& c) { return c.line; }, execution);
   execution.forEach(
     crossings_.start.size() - 1, LinesAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t line = begin; line < end; ++line)

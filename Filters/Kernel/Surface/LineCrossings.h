@@ -1,15 +1,15 @@
-// Where axis-parallel lines cross the surface (section 4.4: rays).
+// Where axis-parallel lines cross the surface: the rays of section 4.4.
 #pragma once
 
 #include "Base/Sorting.h"
-#include "Lattice/Rows.h"
+#include "Lattice/TriangleSlicing.h"
 #include "Surface/Surface.h"
 
 namespace cartesian
 {
 
-// Where a triangle meets a plane across axes.outer: lines along axes.along in this plane cross it from
-// the level `from` along axes.middle on, up to `to`, which is left out.
+// Where a triangle meets a plane across axes.outer: lines along axes.along in this plane cross it
+// if their level along axes.middle is in [from, to).
 struct CrossedLevels
 {
   Level from;
@@ -17,10 +17,10 @@ struct CrossedLevels
   bool up; // the triangle's normal points up axes.along
 };
 
-// The plane passes through the triangle.
+// For a plane that passes through the triangle.
 inline CrossedLevels crossedLevels(const Corners& triangle, const RowAxes& axes, Level outer)
 {
-  Level rising = 0; // where the triangle's border passes up through the plane
+  Level rising = 0; // where the triangle's outline passes up through the plane
   Level falling = 0;
   for (int i = 0; i < 3; ++i)
   {
@@ -37,9 +37,9 @@ inline CrossedLevels crossedLevels(const Corners& triangle, const RowAxes& axes,
     (rising > falling) == rightHanded };
 }
 
-// Calls visit(middle, outer, point, up) for the crossings of a triangle with those lines along
-// axes.along where middles[middle] meets outers[outer]: planes of the other two axes. `up`: its normal
-// points up axes.along.
+// Calls visit(middle, outer, point, up) for the crossings of a triangle with the lines along
+// axes.along in which the planes middles[middle] and outers[outer] meet. `up`: the triangle's
+// normal points up axes.along.
 template <class Visitor>
 void forEachLineCrossing(const Corners& triangle, const RowAxes& axes,
   const std::vector<Level>& middles, const std::vector<Level>& outers, Visitor&& visit)
@@ -70,38 +70,38 @@ public:
 
   const RowAxes& axes() const { return axes_; }
 
-  // How the surface winds around the point where the line at these planes meets the plane of
-  // axes().along with this index.
+  // How the surface winds around the point where the line through planes `middle` and `outer` meets
+  // the plane of axes().along with the index `plane`.
   Winding at(std::size_t middle, std::size_t outer, std::uint32_t plane) const
   {
-    const Crossing* const first = begin(middle, outer);
-    const Crossing* const above =
-      std::upper_bound(first, end(middle, outer), Crossing{ 0, plane, {} });
+    const LineCrossing* const first = begin(middle, outer);
+    const LineCrossing* const above =
+      std::upper_bound(first, end(middle, outer), LineCrossing{ 0, plane, {} });
     return above == first ? Winding{} : above[-1].winding;
   }
 
 private:
-  struct Crossing
+  struct LineCrossing
   {
     std::uint32_t line;        // middle + outer * planes of middle
     std::uint32_t planesBelow; // planes of axes.along below the crossing
-    Winding winding;           // past it
+    Winding winding;           // beyond it
 
-    bool operator<(const Crossing& other) const { return planesBelow < other.planesBelow; }
+    bool operator<(const LineCrossing& other) const { return planesBelow < other.planesBelow; }
   };
 
-  const Crossing* begin(std::size_t middle, std::size_t outer) const
+  const LineCrossing* begin(std::size_t middle, std::size_t outer) const
   {
     return crossings_.begin(middle + outer * linesOfMiddle_);
   }
-  const Crossing* end(std::size_t middle, std::size_t outer) const
+  const LineCrossing* end(std::size_t middle, std::size_t outer) const
   {
     return crossings_.end(middle + outer * linesOfMiddle_);
   }
 
   RowAxes axes_;
   std::size_t linesOfMiddle_;
-  Buckets<Crossing> crossings_; // by line
+  Buckets<LineCrossing> crossings_; // by line
 };
 
 }

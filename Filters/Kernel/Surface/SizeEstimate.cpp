@@ -9,8 +9,8 @@ namespace cartesian
 namespace
 {
 
-// Boxes that a refined global box at the surface has beside those of the finest size that the
-// surface meets, for each of these: measured on five surfaces at depth 1 to 3 (4 for more).
+// How many larger boxes there are per finest box at the surface, by depth: measured on five
+// surfaces for depths 1 to 3; the last value is for all greater depths.
 constexpr std::array<double, 5> LargerBoxes = { 0, 0.15, 0.25, 0.35, 0.4 };
 
 }
@@ -25,7 +25,8 @@ SurfaceSize sizeOf(const SurfaceView& view)
   }
   for (std::size_t t = 0; t < view.triangleCount; ++t)
   {
-    // From the low corner of the bounds, or far from the origin little of the volume is left.
+    // Relative to the low corner of the bounds: far from the origin, cancellation would ruin the
+    // volume.
     std::array<std::array<double, 3>, 3> p;
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
@@ -55,7 +56,7 @@ double expectedBoxes(const SurfaceSize& surface, const std::array<double, 3>& bo
   {
     intersected += surface.shadows[x] / (box[(x + 1) % 3] * box[(x + 2) % 3]);
   }
-  // The surface leaves half of the boxes that it meets inside.
+  // On average, half of each intersected box is inside.
   const double inside = surface.volume / (box[0] * box[1] * box[2]) - intersected / 2;
   const double larger = LargerBoxes[std::min<std::size_t>(depth, LargerBoxes.size() - 1)];
   return std::max(0.0, inside) + intersected * std::pow(4, depth) * (1 + larger);

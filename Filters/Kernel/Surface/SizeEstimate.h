@@ -1,4 +1,4 @@
-// How large a mesh will be, from its surface alone and in no time: before anything is meshed.
+// A quick estimate of a mesh's size, from its surface alone.
 #pragma once
 
 #include "Surface/Surface.h"
@@ -9,17 +9,17 @@ namespace cartesian
 // In user units.
 struct SurfaceSize
 {
-  double volume;                 // inside, if the triangles face one way
-  std::array<double, 3> shadows; // areas of all triangles, projected along x, y and z
+  double volume;                 // enclosed, if the triangles are oriented consistently
+  std::array<double, 3> shadows; // areas of all triangles projected along x, y and z
   double longest;                // side of the bounding box
 };
 
 // Throws Error: EmptySurface, BadCoordinate, BadParameter (see boundsOf).
 SurfaceSize sizeOf(const SurfaceView& view);
 
-// About how many boxes of this size (along x, y, z; user units) there will be, those at the surface
-// halved `depth` times: the mean over all positions of the grid, for a surface whose curvature radii
-// and thickness are larger than a box. Where flat walls lie on meshlines there are fewer.
+// The expected number of boxes of this size (along x, y, z; user units) if those at the surface are
+// halved `depth` times: the mean over all positions of the grid, for a surface whose radii of
+// curvature and thickness are larger than a box. There are fewer if flat walls lie on meshlines.
 double expectedBoxes(const SurfaceSize& surface, const std::array<double, 3>& box, int depth);
 
 }

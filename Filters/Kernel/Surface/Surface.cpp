@@ -1,7 +1,7 @@
 #include "Surface/Surface.h"
 
 #include "Base/Error.h"
-#include "Lattice/NumberedPoint.h"
+#include "Lattice/PointSortKey.h"
 #include "Lattice/Vector.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ void checkTriangle(const SurfaceView& view, std::size_t triangle)
     if (id >= view.pointCount)
     {
       throw Error(Fault::BadParameter,
-        "Cell " + std::to_string(cellOf(view, triangle)) + " of the surface names point " +
+        "Cell " + std::to_string(cellOf(view, triangle)) + " of the surface refers to point " +
           std::to_string(id) + ", but the surface has " + std::to_string(view.pointCount) +
           " points.");
     }
@@ -55,10 +55,11 @@ void checkTriangle(const SurfaceView& view, std::size_t triangle)
   }
 }
 
-// Gives points that share all levels one vertex: fills `surface.vertices`, returns each point's.
+// Merges points that share all three levels: fills `surface.vertices` and returns the vertex of
+// each point.
 std::vector<std::uint32_t> mergePoints(const std::vector<Point>& points, Surface& surface)
 {
-  std::vector<NumberedPoint> order;
+  std::vector<PointSortKey> order;
   order.reserve(points.size());
   for (std::uint32_t id = 0; id < points.size(); ++id)
   {
@@ -107,7 +108,7 @@ Bounds boundsOf(const SurfaceView& view)
 
 Surface onLattice(const SurfaceView& view, const Lattice& lattice, Execution& execution)
 {
-  // Points that no triangle uses may be anything, NaN too: they stay at the lattice's corner.
+  // Unused points may have any coordinates, even NaN: they stay at the corner of the lattice.
   std::vector<bool> used(view.pointCount);
   for (std::size_t i = 0; i < 3 * view.triangleCount; ++i)
   {

@@ -10,32 +10,34 @@
 namespace cartesian
 {
 
-// Triangles in user units, as the caller has them; borrowed. Either way round.
+// The caller's triangles in user units, borrowed. They may be oriented either way.
 struct SurfaceView
 {
   const double* points = nullptr; // x, y, z of each point
   std::size_t pointCount = 0;
   const std::uint32_t* triangles = nullptr; // three points each
   std::size_t triangleCount = 0;
-  const std::int32_t* boundary = nullptr; // boundary index of each triangle, or null: all 0
-  const long long* cells = nullptr;       // the user's number of each, for messages, or null
+  const std::int32_t* boundary = nullptr; // boundary index of each triangle; null: all 0
+  const long long* cells = nullptr; // the user's number of each triangle, for messages, or null
 };
 
-// The bounds of all points that triangles use. Throws Error: EmptySurface, BadCoordinate (with
-// the point's id), BadParameter (a triangle that names no point).
+// The bounds of all points that triangles use. Throws Error: EmptySurface, BadCoordinate (with the
+// point's id), BadParameter (a triangle refers to a point that does not exist).
 Bounds boundsOf(const SurfaceView& view);
 
-// Boundary index where there was no surface: a leak, the end of the grid.
+// Boundary index of faces that do not come from the user's surface: at a leak, or at the end of the
+// grid.
 constexpr std::int32_t NoBoundary = -1;
 
 struct Surface
 {
   Lattice lattice;
-  std::vector<Point> vertices;                         // distinct
-  std::vector<std::array<std::uint32_t, 3>> triangles; // either way round, until oriented
-  std::vector<std::int32_t> boundary;                  // one a triangle
+  std::vector<Point> vertices; // distinct
+  std::vector<std::array<std::uint32_t, 3>>
+    triangles;                        // oriented either way until orient() (Orientation.h)
+  std::vector<std::int32_t> boundary; // of each triangle
   std::vector<std::uint8_t>
-    byParity; // 1: no consistent orientation (Winding.h); empty: all have one
+    byParity; // of each triangle; 1: no consistent orientation (Winding.h); empty: all 0
 
   Corners corners(std::size_t triangle) const
   {
@@ -43,7 +45,8 @@ struct Surface
     return { vertices[t[0]], vertices[t[1]], vertices[t[2]] };
   }
 
-  // What crossing a triangle changes; `up`: its normal points along the way.
+  // How the winding changes on a path that crosses a triangle; `up`: its normal points along the
+  // path.
   Winding crossing(std::size_t triangle, bool up) const
   {
     return !byParity.empty() && byParity[triangle] != 0 ? Winding{ 0, true }
@@ -51,10 +54,10 @@ struct Surface
   }
 };
 
-// Puts a surface on the lattice. Points that share all three levels become one vertex.
+// Places a surface on the lattice. Points that share all three levels become one vertex.
 Surface onLattice(const SurfaceView& view, const Lattice& lattice, Execution& execution);
 
-// Area in square, volume in cubic user units.
+// In square and cubic user units.
 double areaOf(const Surface& surface);
 double volumeOf(const Surface& surface);
 

@@ -1,4 +1,4 @@
-// The edges of a surface and the triangles that use each.
+// The edges of a surface, each with the triangles that use it.
 #pragma once
 
 #include "Surface/Surface.h"
@@ -6,7 +6,7 @@
 namespace cartesian
 {
 
-// A triangle's use of an edge, filed under the edge's lower vertex.
+// A triangle's use of an edge, listed at the edge's lower vertex.
 struct EdgeUse
 {
   std::uint32_t upper;         // the edge's other vertex
@@ -21,8 +21,8 @@ struct EdgeUse
   }
 };
 
-// Triangles that name a vertex twice run to and fro along one edge and have none here: their
-// neighbours meet there.
+// Triangles that contain a vertex twice run back and forth along one edge and are left out: their
+// neighbours on both sides meet at that edge.
 class SurfaceEdges
 {
 public:
@@ -35,8 +35,8 @@ public:
     forEachFrom(0, vertices(), visit);
   }
 
-  // Calls visit(chunk, lower, begin, end) likewise, on all threads, those of a chunk of vertices in
-  // order.
+  // Calls visit(chunk, lower, begin, end) likewise, on all threads; in order within each chunk of
+  // vertices.
   template <class Visitor>
   void forEach(Execution& execution, Visitor&& visit) const
   {

@@ -6,11 +6,12 @@
 namespace cartesian
 {
 
-// Crossings on the way from outside to a point: of the surface into it as +1 and out of it as -1; of
-// triangles whose component has no consistent orientation (Surface::byParity) only how many, modulo 2.
+// The winding number of a point: crossings of the surface on a path to it from outside, inward as
+// +1, outward as -1. Components without a consistent orientation (Surface::byParity) are counted
+// separately, modulo 2.
 //
-// A point is inside where the surface winds around it once or more, so bodies that overlap are one body.
-// On a surface that does not cross itself this is the parity of the crossings.
+// A point is inside if the surface winds around it at least once, so bodies that overlap are one
+// body. For a surface that does not intersect itself, this is the parity of the crossings.
 struct Winding
 {
   std::int32_t turns = 0;
@@ -18,7 +19,7 @@ struct Winding
 
   bool inside() const { return (turns > 0) != odd; }
 
-  // On the same way there, or back.
+  // Continues the path along `other`, forwards or back.
   Winding& add(const Winding& other, bool back = false)
   {
     turns += back ? -other.turns : other.turns;

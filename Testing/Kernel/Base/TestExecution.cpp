@@ -1,4 +1,4 @@
-// Chunks, threads, progress and how to stop.
+// Chunks, threads, progress and stopping.
 #include "Base/Error.h"
 #include "Base/Execution.h"
 
@@ -15,7 +15,7 @@ using namespace cartesian;
 namespace
 {
 
-// Chunks that forEach made, in no order.
+// The chunks that forEach made, in any order.
 std::set<std::pair<std::size_t, std::size_t>> chunksOf(
   int threads, std::size_t count, std::size_t grain)
 {

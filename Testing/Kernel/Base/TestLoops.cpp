@@ -1,4 +1,4 @@
-// Closed walks fall into loops that visit no node twice.
+// Closed walks are separated into loops that visit no node twice.
 #include "Base/Loops.h"
 
 #include <gtest/gtest.h>

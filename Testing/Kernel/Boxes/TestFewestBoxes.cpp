@@ -1,4 +1,4 @@
-// The search for the fewest boxes against one that tries every sequence of splits.
+// The search for the fewest boxes, against one that tries every sequence of splits.
 #include "Boxes/FewestBoxes.h"
 
 #include <gtest/gtest.h>
@@ -82,7 +82,7 @@ private:
 
 std::vector<BoxStatus> randomUnits(int depth, std::mt19937& random)
 {
-  // Shares of each status differ from case to case, so that large boxes occur.
+  // The share of each status varies from case to case, so that large boxes occur.
   const double outside = std::uniform_real_distribution<>(0, 1)(random);
   const double intersected = std::uniform_real_distribution<>(0, 0.3)(random);
   std::vector<BoxStatus> units(std::size_t(1) << 3 * depth);
@@ -102,7 +102,7 @@ std::vector<BoxStatus> randomUnits(int depth, std::mt19937& random)
   return units;
 }
 
-// Each unit that is not outside lies in exactly one box, whose status is that of all its units.
+// Each unit that is not outside lies in exactly one box, which has the status of all its units.
 void expectCover(
   const std::vector<LocalBox>& boxes, int depth, int forced, const std::vector<BoxStatus>& units)
 {

@@ -1,7 +1,7 @@
-// What is looked up often, against the plain way.
+// Fast lookups, against the plain way to do the same.
 #include "Base/EdgeTable.h"
 #include "Boxes/Boxes.h"
-#include "Lattice/NumberedPoint.h"
+#include "Lattice/PointSortKey.h"
 
 #include <gtest/gtest.h>
 
@@ -34,14 +34,14 @@ TEST(Lookups, EdgeTableIsEmptyAfterEachReset)
   }
 }
 
-TEST(Lookups, NumberedPointsAreInOrderOfPlacesThenNumbers)
+TEST(Lookups, SortKeysOrderByPositionThenNumber)
 {
   std::mt19937 random(11);
   const auto level = [&] {
     return static_cast<Level>(random() % 3 == 0 ? random() : random() % 3);
   };
   std::vector<std::pair<Point, std::uint32_t>> plain;
-  std::vector<NumberedPoint> packed;
+  std::vector<PointSortKey> packed;
   for (int i = 0; i < 3000; ++i)
   {
     plain.push_back({ { level(), level(), level() }, level() });

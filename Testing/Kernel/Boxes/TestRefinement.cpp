@@ -1,4 +1,4 @@
-// Refinement: what a specification asks for is what boxes are, whatever kinds of it meet.
+// Refinement: boxes are as the specification demands, however its kinds are combined.
 #include "Base/Error.h"
 #include "Support/Effort.h"
 #include "Support/MeshChecker.h"
@@ -18,7 +18,7 @@ constexpr std::array<int, 2> acrossOf(int axis)
 std::vector<Box> placed(const Boxes& boxes)
 {
   std::vector<Box> all;
-  for (const PackedBox& box : boxes.boxes)
+  for (const PackedBox& box : boxes.packed)
   {
     all.push_back(boxes.placed(box));
   }
@@ -42,7 +42,7 @@ void addSplitLines(const Box& a, const Box& b, int axis, std::vector<Level>& lin
   }
 }
 
-// Whether a side of `box` is touched by at most one split line of its neighbours a direction.
+// Whether at most one split line of its neighbours touches a side of `box` in each direction.
 bool isBalanced(const std::vector<Box>& boxes, const Box& box, int axis, bool upper)
 {
   const Level plane = upper ? box.high[axis] : box.low[axis];
@@ -119,7 +119,7 @@ RefinementSpec randomSpec(std::mt19937& random, const Meshlines& planes, std::in
   return spec;
 }
 
-// The forced depth of a global box as the blocks and boundaries say it, found box by box.
+// The forced depth of a global box by its blocks and boundaries, found box by box.
 int forcedDepth(const RefinementSpec& spec, const PreparedSurface& prepared,
   const Shoeboxes& shoeboxes, const std::array<std::uint32_t, 3>& at)
 {
@@ -279,7 +279,7 @@ TEST(Refinement, RegionsRefineWhatLiesInThem)
   options.refinement.regions.push_back({ ball.view(), 2 });
   options.refinement.regions.push_back({ far.view(), 1 });
   const Meshed meshed = meshOf(cube(), cellsOf(0.1), options);
-  for (const PackedBox& b : meshed.boxed.boxes.boxes)
+  for (const PackedBox& b : meshed.boxed.boxes.packed)
   {
     const auto& at = meshed.boxed.boxes.globalOf(b).index;
     const bool middle = at[0] == 5 && at[1] == 5 && at[2] == 5;
@@ -350,7 +350,7 @@ TEST(Refinement, RangesBeyondTheGridAreClippedWithAWarning)
   EXPECT_NE(meshed.boxed.warnings.find("row 0"), std::string::npos) << meshed.boxed.warnings;
   EXPECT_NE(meshed.boxed.warnings.find("I from 3 to 40"), std::string::npos);
   EXPECT_TRUE(isValid(meshed.mesh));
-  EXPECT_GT(meshed.boxed.boxes.boxes.size(), 125u);
+  EXPECT_GT(meshed.boxed.boxes.packed.size(), 125u);
 }
 
 TEST(Refinement, TooManyBoxesAreRefusedBeforeTheyAreBuilt)

@@ -1,6 +1,6 @@
-// Which triangles pass through which boxes: against a search for a separating axis, in exact
-// numbers, with the planes shifted so that nothing only touches.
-#include "Support/Germ.h"
+// Which triangles pass through which boxes, against the separating axis theorem in exact numbers,
+// with the planes shifted so that nothing merely touches.
+#include "Support/Perturbed.h"
 #include "Support/Pipeline.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ using namespace cartesian;
 namespace
 {
 
-using Number = Germ<std::int64_t>;
+using Number = Perturbed<std::int64_t>;
 using Axis = std::array<std::int64_t, 3>;
 
 Axis cross(const Axis& a, const Axis& b)
@@ -98,7 +98,7 @@ void expectExactOverlap(const Surface& surface, const Meshlines& planes)
 
 }
 
-// Also of triangles without area, and of those that the planes cut off.
+// Also for triangles without area, and for those that extend beyond the planes.
 TEST(Shoeboxes, HoldThoseTrianglesThatPassThrough)
 {
   for (unsigned seed = 0; seed < 40; ++seed)

@@ -1,8 +1,8 @@
-// Crossings of edges and triangles with planes and lines: against exact rational numbers, with
-// ties settled by the model in Germ.h.
+// Crossings of edges and triangles with planes and lines, against exact rational numbers, with ties
+// broken as in Perturbed.h.
 #include "Lattice/Crossing.h"
 #include "Support/Effort.h"
-#include "Support/Germ.h"
+#include "Support/Perturbed.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace
 
 using Integer = boost::multiprecision::cpp_int;
 using Rational = boost::multiprecision::cpp_rational;
-using Exact = Germ<Rational>;
+using Exact = Perturbed<Rational>;
 
 // Levels are random within [first, first + width].
 struct Range
@@ -30,7 +30,7 @@ struct Range
 
 constexpr Level HighestLevel = 4200000000U;
 
-// Tiny ones are full of ties; the large ones reach both ends of the lattice.
+// Narrow ranges are full of ties; the widest ones span the whole lattice.
 const std::vector<Range> Ranges = { { 0, 10 }, { 0, 40 }, { HighestLevel - 10, 10 }, { 0, 1000 },
   { 0, HighestLevel }, { HighestLevel - 100000, 100000 }, { 0, 1U << 20 } };
 
@@ -192,7 +192,7 @@ TEST(CrossPlane, IsExact)
   }
 }
 
-// A crossing of long edges misses an even level by the least that is possible: 2 / run.
+// A crossing of a long edge misses an even level by as little as possible: 2 / run.
 TEST(CrossPlane, IsExactWhereItAlmostTies)
 {
   Random random({ 0, HighestLevel });
@@ -250,8 +250,8 @@ TEST(CrossPlane, IsExactOnAllOfATinyLattice)
   }
 }
 
-// "Right of the plane in x where it crosses y" and "above the plane in y where it crosses x" are
-// one question: boxes on either side must agree.
+// "Right of the plane in x where it crosses y" and "above the plane in y where it crosses x" are the
+// same question: boxes on either side must agree.
 TEST(CrossPlane, AnswersAgreeBetweenTwoPlanes)
 {
   for (const Range& range : Ranges)
@@ -333,8 +333,8 @@ TEST(CrossLine, IsExact)
   EXPECT_GT(found, int(repeats(1000)));
 }
 
-// Triangles that are slivers seen along the line, and steep: the crossing is a small difference of
-// large products over a small number.
+// Triangles that are slivers when seen along the line, and steep: the crossing is a small difference
+// of large products divided by a small number.
 TEST(CrossLine, IsExactOnSlivers)
 {
   Random random({ 0, HighestLevel });

@@ -1,4 +1,4 @@
-// What planes leave of a triangle.
+// The parts of triangles between planes.
 #include "Lattice/ExactFit.h"
 #include "Lattice/Plane.h"
 
@@ -55,7 +55,7 @@ std::set<Point> pointsOf(const Fragment& f)
   return { f.corner.begin(), f.corner.begin() + f.size };
 }
 
-// Every side lies on what it says.
+// Every side lies on the edge or plane that it names.
 void expectSides(const Corners& triangle, const Fragment& f)
 {
   for (int i = 0; i < f.size; ++i)
@@ -167,7 +167,7 @@ TEST(ExactFit, NeighboursShareTheirEdge)
   }
 }
 
-// Along z, pieces of a triangle that is seen from there add up but for rounding.
+// The projected areas of a triangle's pieces add up, except for rounding.
 TEST(ExactFit, PiecesAddUp)
 {
   Random random(4200000000U);

@@ -26,7 +26,7 @@ std::size_t diagonalFrom(const std::vector<LoopTriangulation::Triangle>& triangl
 }
 
 // A block of the domain around lattice vertices 1 or 2 along each axis: a bit of `pattern` for each.
-// Joined: what lies less than 0.6 from an inside vertex. Else: what lies farther from all outside ones.
+// Joined: the points less than 0.6 from an inside vertex; else those farther from all outside ones.
 Soup blocks(unsigned pattern, bool joined)
 {
   std::array<std::vector<double>, 3> lines;
@@ -84,7 +84,7 @@ std::size_t sheetsInTheMiddle(const Meshed& meshed)
   const Patches& patches = meshed.patches;
   for (std::size_t n = 0; n < intersected.size(); ++n)
   {
-    if (meshed.boxed.boxes.globalOf(meshed.boxed.boxes.boxes[intersected[n]]).index !=
+    if (meshed.boxed.boxes.globalOf(meshed.boxed.boxes.packed[intersected[n]]).index !=
       std::array<std::uint32_t, 3>{ 1, 1, 1 })
     {
       continue;
@@ -172,7 +172,7 @@ TEST(MarchingCubes, LongLoopsAreClosedToo)
     std::vector<LoopNode> loop;
     for (std::size_t i = 0; i < n; ++i)
     {
-      const double angle = 2 * std::acos(-1.0) * double(i) / double(n);
+      const double angle = 2 * Pi * double(i) / double(n);
       loop.push_back(node({ std::cos(angle), std::sin(angle), 0 }, { 0, 0, 1 }));
     }
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
@@ -198,8 +198,8 @@ TEST(MarchingCubes, LongLoopsAreClosedToo)
   }
 }
 
-// The basic patterns by their inside corners, bit x + 2 y + 4 z, and into how many sheets the surface
-// falls when corners that are diagonal on a side are joined, and when they are not.
+// The basic patterns by their inside corners, bit x + 2 y + 4 z, and how many separate sheets the
+// surface has if inside corners that are diagonal on a side are joined, and if they are not.
 TEST(MarchingCubes, AllBasicPatterns)
 {
   struct Pattern

@@ -95,7 +95,7 @@ TEST(Meshlines, UniformCellsHoldTheSurface)
   }
 }
 
-// Where the first and the last meshline are walls of the surface, they step outward.
+// The first and the last meshline are moved outward if they coincide with walls of the surface.
 TEST(Meshlines, StepAsideFromWalls)
 {
   GridSpec grid;

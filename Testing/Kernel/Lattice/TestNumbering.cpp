@@ -1,4 +1,4 @@
-// Equal points get equal numbers, whoever asks.
+// Equal points get equal numbers, no matter who uses them.
 #include "Lattice/Numbering.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ Point randomPoint(std::mt19937& random)
 
 constexpr std::uint32_t Rows = 7;
 
-// 1000 questions about few points, in chunks; each point belongs to one row.
+// 1000 uses of few points, in chunks; each point belongs to one row.
 std::vector<std::vector<PointUse>> questions(std::vector<Point>& asked)
 {
   std::mt19937 random(1);

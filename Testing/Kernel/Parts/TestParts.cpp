@@ -1,7 +1,7 @@
-// Parts of a grid, each meshed by itself, are together the mesh of the whole: the same points, bit for
-// bit, the same cells, the same numbers.
+// Parts of a grid, each meshed by itself, are together the mesh of the whole: the same points, bit
+// for bit, the same cells, the same numbers.
 #include "Base/Error.h"
-#include "Parts/Division.h"
+#include "Parts/Decomposition.h"
 #include "Support/Effort.h"
 #include "Support/Pipeline.h"
 
@@ -29,20 +29,20 @@ public:
     : execution_(options.threads)
     , options_(options)
     , prepared_(prepare(soup, grid))
-    , division_(prepared_.surface, prepared_.planes, options.refinement, PlentyOfMemory,
-        reachOf(options.cells), execution_)
+    , decomposition_(prepared_.surface, prepared_.planes, options.refinement, PlentyOfMemory,
+        laterStepsOf(options.cells), execution_)
   {
   }
 
   std::vector<Layers> split(std::size_t count)
   {
-    return division_.split(division_.estimateLayers(execution_), count);
+    return decomposition_.split(decomposition_.estimateLayers(execution_), count);
   }
 
   std::vector<Layers> eachLayer() const
   {
     std::vector<Layers> layers;
-    for (std::uint32_t k = 0; k < division_.allLayers().end; ++k)
+    for (std::uint32_t k = 0; k < decomposition_.allLayers().end; ++k)
     {
       layers.push_back({ k, k + 1 });
     }
@@ -51,9 +51,9 @@ public:
 
   Part part(Layers core, Id pointsBefore)
   {
-    const Boxes boxes = division_.boxes(core, execution_);
+    const Boxes boxes = decomposition_.boxes(core, execution_);
     const Patches patches = generatePatches(
-      prepared_.surface, boxes, division_.shoeboxes(), options_.patches, execution_);
+      prepared_.surface, boxes, decomposition_.shoeboxes(), options_.patches, execution_);
     const Assembly assembly(boxes, patches, options_.cells, execution_);
     Part part;
     part.mesh = arraysOf(assembly.mesh(), boxes, execution_);
@@ -71,10 +71,10 @@ private:
   Execution execution_;
   Options options_;
   PreparedSurface prepared_;
-  Division division_;
+  Decomposition decomposition_;
 };
 
-// The whole mesh out of its parts. Points that several parts have must be the same.
+// Assembles the whole mesh from its parts. Points that several parts have must agree.
 class Union
 {
 public:
@@ -211,7 +211,7 @@ void expectUnion(const Soup& soup, const GridSpec& grid, const Options& options)
   expectUnion(parts, meshOf(soup, grid, options), splits);
 }
 
-// Divided where the mesher would, and where it would not.
+// Divided where the mesher would divide, and elsewhere.
 void expectShapedUnion(const Soup& soup, const GridSpec& grid, int depthEverywhere)
 {
   const Options options{ {}, 1, depth(depthEverywhere), {} };
@@ -227,7 +227,8 @@ Options automatic(int depthEverywhere)
   return { asTheyAre(1e-3), 1, depth(depthEverywhere), {} };
 }
 
-// So tall that parts do not see all layers; turned a little, lest faces lie in the grid's planes.
+// So tall that parts do not see all layers; turned a little, so that no faces lie in the grid's
+// planes.
 Soup tall(const Soup& soup)
 {
   return soup.scaled({ 1, 1, 9 }).turned(0, 2);
@@ -280,8 +281,8 @@ TEST(Parts, AreTheWholeMeshAroundADeepPlace)
   expectUnion(soup, cellsAlongLongest(soup, 8), options);
 }
 
-// A wall that boxes are halved along again and again, and across never: those above and below are,
-// each once less, to keep balance.
+// A wall along which boxes are halved repeatedly, but never across it. For balance, so are those
+// above and below, each once less.
 TEST(Parts, AreTheWholeMeshFarFromADeepLayer)
 {
   const Soup soup = box({ 0, 0, 0 }, { 1, 1, 12 });
@@ -324,15 +325,15 @@ TEST(Parts, AreTheWholeMeshCutOffByMeshlines)
   expectUnion(soup, grid, automatic(1));
 }
 
-// ... by as many as it takes, and no more than there are layers.
+// ... by as many as needed, but no more than there are layers.
 TEST(Parts, AreAsManyAsMemoryAsksFor)
 {
   const Soup soup = bumpySphere(9, 10);
   const PreparedSurface prepared = prepare(soup, cellsAlongLongest(soup, 150));
   Execution execution;
   const auto needed = [&](double bytes) {
-    const Division division(prepared.surface, prepared.planes, {}, bytes, {}, execution);
-    return division.partsNeeded(division.estimateLayers(execution));
+    const Decomposition decomposition(prepared.surface, prepared.planes, {}, bytes, {}, execution);
+    return decomposition.partsNeeded(decomposition.estimateLayers(execution));
   };
   const double whole = estimateMesh(prepared.surface, prepared.planes).bytes();
   EXPECT_EQ(1u, needed(2 * whole));

@@ -1,4 +1,4 @@
-// However triangles were turned in the input: normals point out of the domain afterwards.
+// However the input's triangles were oriented, their normals point out of the domain afterwards.
 #include "Support/MeshChecker.h"
 
 #include <gtest/gtest.h>
@@ -96,7 +96,7 @@ TEST(Orientation, RandomTrianglesGiveTheSameMesh)
   EXPECT_EQ(volumesByBox(meshed.mesh), volumesByBox(meshOf(soup, grid).mesh));
 }
 
-// Shells in shells in shells, all turned outward: bodies and cavities by turns.
+// Shells inside shells inside shells, all oriented outward: alternately bodies and cavities.
 TEST(Orientation, ShellsAlternate)
 {
   const Soup outer = sphere(4, 4);
@@ -125,7 +125,7 @@ TEST(Orientation, ManySmallCavities)
   std::mt19937 random(7);
   for (int i = 0; i < 500; ++i)
   {
-    const Vec at{ 0.05 + i % 10 * 0.1, 0.05 + i / 10 % 10 * 0.1, 0.1 + i / 100 * 0.2 };
+    const Vector at{ 0.05 + i % 10 * 0.1, 0.05 + i / 10 % 10 * 0.1, 0.1 + i / 100 * 0.2 };
     const Soup cavity = octahedron(0.01).turned().moved(at);
     soup.add(random() % 2 ? cavity : cavity.flipped());
     volume -= cavity.volume();
@@ -133,7 +133,7 @@ TEST(Orientation, ManySmallCavities)
   EXPECT_NEAR(volumeOf(surfaceOf(soup)), volume, 1e-9);
 }
 
-// Edges of four triangles: the direction passes no such edge, each sheet finds its own.
+// Edges of four triangles: directions do not propagate across them, each sheet finds its own.
 TEST(Orientation, SheetsBetweenNonManifoldEdges)
 {
   const std::vector<double> lines{ 0, 1, 2, 3 };
@@ -145,7 +145,7 @@ TEST(Orientation, SheetsBetweenNonManifoldEdges)
   EXPECT_NEAR(volumeOf(prepared.surface), 14, 1e-7);
 }
 
-// Holes say nothing of the direction elsewhere.
+// Holes do not affect the direction elsewhere.
 TEST(Orientation, AnOpenSurfaceFacesOneWay)
 {
   Soup soup = sphere(8, 1);

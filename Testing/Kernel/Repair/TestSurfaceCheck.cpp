@@ -1,4 +1,4 @@
-// Open, inconsistent and non-manifold edges are counted and placed.
+// Open, inconsistent and non-manifold edges are counted and located.
 #include "Support/Pipeline.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(SurfaceCheck, AMissingTriangleOpensThreeEdges)
   EXPECT_STREQ(check.places[0].what, "open");
 }
 
-// Orientation (Orientation.h) leaves nothing inconsistent but what has one side only.
+// Orientation (Orientation.h) leaves only one-sided surfaces inconsistent.
 TEST(SurfaceCheck, AKleinBottleCannotBeOriented)
 {
   const SurfaceCheck check = checkOf(kleinBottle(24));
@@ -74,7 +74,7 @@ TEST(SurfaceCheck, OnlyAFewPlacesAreKept)
   EXPECT_EQ(check.places.size(), SurfaceCheck::MostPlaces);
 }
 
-// Each triangle with points of its own, as in an STL file.
+// Each triangle has its own points, as in an STL file.
 TEST(SurfaceCheck, PointsThatCoincideAreOne)
 {
   const Soup soup = sphere(4, 1);
@@ -92,7 +92,7 @@ TEST(SurfaceCheck, PointsThatCoincideAreOne)
   EXPECT_EQ(prepare(apart, {}).surface.vertices.size(), soup.points.size());
 }
 
-// Triangles without extent close nothing and open nothing.
+// Degenerate triangles neither close nor open anything.
 TEST(SurfaceCheck, DegenerateTrianglesDoNotCount)
 {
   Soup soup = cube();

@@ -1,4 +1,4 @@
-// Duplicates and holes: what is dropped, what is closed, and the mesh that comes of it.
+// Duplicates and holes: what is dropped, what is closed, and the resulting mesh.
 #include "Support/Effort.h"
 #include "Support/MeshChecker.h"
 
@@ -18,14 +18,14 @@ Soup unmarked(Soup soup)
   return soup;
 }
 
-// Without the triangles for which `lost` is true of their middles.
-Soup without(const Soup& soup, const std::function<bool(const Vec&)>& lost)
+// Without the triangles for whose centroids `lost` is true.
+Soup without(const Soup& soup, const std::function<bool(const Vector&)>& lost)
 {
   Soup rest;
   rest.points = soup.points;
   for (std::size_t t = 0; t < soup.triangles.size(); ++t)
   {
-    Vec middle{};
+    Vector middle{};
     for (const std::uint32_t p : soup.triangles[t])
     {
       for (int axis = 0; axis < 3; ++axis)
@@ -60,7 +60,7 @@ bool closed(const Surface& surface)
 
 using Volumes = std::map<std::array<int, 3>, std::vector<double>>;
 
-// Cell by cell the same; faces may begin at another corner, which rounds volumes otherwise.
+// The same cell by cell; faces may begin at another corner, which changes the rounding of volumes.
 void expectSame(const Volumes& found, const Volumes& wanted)
 {
   ASSERT_EQ(found.size(), wanted.size());
@@ -81,7 +81,7 @@ class OneMissing : public ::testing::TestWithParam<NamedShape>
 {
 };
 
-// Any triangle, in any of the shapes: it is put back, on its boundary where it is smaller than a box.
+// A missing triangle, any of any shape, is restored, with its boundary if it is smaller than a box.
 TEST_P(OneMissing, ChangesNothing)
 {
   const Soup& soup = GetParam().soup;
@@ -148,7 +148,7 @@ TEST(Duplicates, AWallBetweenBodiesIsNone)
 // A tetrahedron twice as high as another on the same triangle: both as given are one body.
 TEST(Duplicates, AWallOfTwoBodiesThatOverlapStays)
 {
-  const auto onTheFloor = [](const Vec& apex) {
+  const auto onTheFloor = [](const Vector& apex) {
     return unmarked(tetrahedron({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, apex } })).turned();
   };
   const Soup high = onTheFloor({ 0.3, 0.3, 1 });
@@ -171,14 +171,14 @@ TEST(Duplicates, TheLowestBoundaryStays)
   EXPECT_FALSE(namesAVertexTwice(prepared.surface.triangles[12]));
 }
 
-// Two halves of a sphere that do not quite meet: each gets a lid.
+// Two halves of a sphere that do not quite meet: each is closed by a lid.
 TEST(Holes, WiderThanABoxAreLeaks)
 {
   const Soup soup = unmarked(sphere(8, 1));
   Soup halves;
   for (const bool upper : { false, true })
   {
-    const Soup half = without(soup, [&](const Vec& middle) { return (middle[2] > 0) != upper; });
+    const Soup half = without(soup, [&](const Vector& middle) { return (middle[2] > 0) != upper; });
     halves.add(half.moved({ 0, 0, upper ? 0.5 : 0 }));
   }
   const Meshed meshed = meshOf(halves, cellsOf(0.15));
@@ -193,11 +193,11 @@ TEST(Holes, WiderThanABoxAreLeaks)
   EXPECT_NE(text.find("2 holes are wider than a box"), std::string::npos) << text;
 }
 
-// More edges than are filled at once.
+// A rim with more edges than are filled without shortening it.
 TEST(Holes, OfManyEdges)
 {
   const Soup soup = unmarked(sphere(60, 1));
-  const Soup half = without(soup, [](const Vec& middle) { return middle[2] > 0; });
+  const Soup half = without(soup, [](const Vector& middle) { return middle[2] > 0; });
   const PreparedSurface prepared = prepare(half, cellsOf(0.5));
   ASSERT_EQ(prepared.repair.holes.size(), 1U);
   EXPECT_GT(prepared.repair.holes[0].rim.size(), 128U);
@@ -267,7 +267,7 @@ TEST(Holes, TakeTheBoundaryAroundThem)
   EXPECT_TRUE(std::count(soup.boundary.begin(), soup.boundary.end(), boundary));
 }
 
-// Triangles that meet in a corner only: two holes, not one.
+// Missing triangles that share only a corner leave two holes, not one.
 TEST(Holes, ThatTouchAreTwo)
 {
   const Soup soup = unmarked(octahedron(1));
@@ -288,7 +288,7 @@ TEST(Holes, ThatTouchAreTwo)
   EXPECT_NEAR(volumeOf(prepared.surface), soup.volume(), 1e-8);
 }
 
-// One in a hundred triangles missing, flipped or there twice: the volume is within 1 % at 1/25.
+// One in a hundred triangles is missing, flipped or duplicated: the volume is within 1 % at 1/25.
 TEST(Flawed, AtRandomKeepsTheVolume)
 {
   const Soup soups[] = { unmarked(sphere(20, 1)), unmarked(bumpySphere(3, 16)),

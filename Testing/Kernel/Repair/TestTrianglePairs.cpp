@@ -23,7 +23,7 @@ Surface randomTriangles(unsigned seed, int count, int width)
   Soup soup;
   for (int i = 0; i < 3 * count; ++i)
   {
-    Vec p{};
+    Vector p{};
     for (double& x : p)
     {
       x = 2 * static_cast<double>(random() % static_cast<unsigned>(width)) + 1;
@@ -43,7 +43,7 @@ Vector normalOfTriangle(const Corners& t)
   return cross(minus(t[1], t[0]), minus(t[2], t[0]));
 }
 
-// What is left of the polygon on the side of a plane through p that its normal points to.
+// Clips a polygon to the side of a plane through p that its normal points to.
 std::vector<Vector> clipped(const std::vector<Vector>& polygon, const Vector& p, const Vector& n)
 {
   std::vector<Vector> rest;
@@ -219,7 +219,7 @@ TEST(TrianglePairs, TheStretchIsWhereTheyCross)
   soup.triangles = { { 0, 1, 2 }, { 3, 4, 5 } };
   Execution execution;
   const Surface surface = onLattice(soup.view(), Lattice({ 0, 0, 0 }, 1), execution);
-  auto ends = stretchOf(surface.corners(0), surface.corners(1));
+  auto ends = sharedSegment(surface.corners(0), surface.corners(1));
   std::sort(ends.begin(), ends.end());
   const std::array<Vector, 2> wantedEnds = { { { 51, 51, 101 }, { 51, 151, 101 } } };
   for (std::size_t i = 0; i < 2; ++i)

@@ -1,5 +1,5 @@
-// How often tests repeat what they do. Under the sanitizers, which make the kernel ten times slower
-// and look for faults that any input of a kind may show, less often.
+// How often tests repeat: less often under the sanitizers, which make the kernel ten times slower and
+// look for faults that any input of a kind shows.
 #pragma once
 
 #include <initializer_list>
@@ -14,13 +14,13 @@ constexpr int RepeatedLess = 6;
 constexpr int RepeatedLess = 1;
 #endif
 
-// How many of `count` seeds or random inputs.
+// How many of `count` seeds or random inputs to use.
 constexpr unsigned repeats(unsigned count)
 {
   return (count + RepeatedLess - 1) / RepeatedLess;
 }
 
-// Which of the cases: under the sanitizers the last one.
+// Which of the cases to use: under the sanitizers, only the last one.
 template <class Case>
 std::vector<Case> cases(std::initializer_list<Case> all)
 {

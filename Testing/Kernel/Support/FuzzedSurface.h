@@ -1,4 +1,4 @@
-// A surface and a grid made of arbitrary bytes, for the fuzzer and for the tests of what it found.
+// A surface and a grid from arbitrary bytes, for the fuzzer and for the tests of its findings.
 #pragma once
 
 #include "Support/MeshChecker.h"
@@ -6,10 +6,10 @@
 namespace cartesian
 {
 
-// Random triangles on a small or a large lattice, or closed shapes edited: triangles dropped, turned,
-// doubled, collapsed, vertices moved, shapes moved through each other; each patch method, small cells
-// removed or merged, concave ones split or not. What the bytes do not say is zero. Success: a valid mesh,
-// or a refusal that names the surface.
+// The bytes choose random triangles on a small or a large lattice, or closed shapes that are edited
+// (triangles dropped, flipped, duplicated or collapsed, vertices moved, shapes moved through each
+// other), the patch method, whether small cells are removed or merged, and whether concave ones are
+// split. Missing bytes are zero. Success: a valid mesh, or an error about the surface.
 ::testing::AssertionResult meshesFromBytes(const std::uint8_t* bytes, std::size_t size);
 
 }

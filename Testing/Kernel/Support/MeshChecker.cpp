@@ -117,7 +117,7 @@ Face boundaryFace(const MeshArrays& mesh, std::size_t f)
     mesh.boundaryPoints.begin() + mesh.boundaryStart[f + 1] };
 }
 
-// The same for all faces that run through the same points in the same order.
+// The same for all faces with the same points in the same order.
 Face fromLeast(const Face& face)
 {
   Face best = face;
@@ -149,7 +149,7 @@ public:
     }
   }
 
-  // An edge that is not run through as often one way as the other.
+  // An edge that is not used as often in one direction as in the other.
   const Edge* unbalanced() const
   {
     for (const auto& [edge, sum] : sums_)
@@ -321,7 +321,7 @@ private:
     expect(!edges.unbalanced(), "the boundary is open");
   }
 
-  // What is not boundary.
+  // Faces that are not boundary.
   void checkShared()
   {
     for (const auto& [face, owners] : uses_)

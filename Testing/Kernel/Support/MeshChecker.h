@@ -1,4 +1,4 @@
-// An independent judge of meshes: it knows the arrays that were written, and nothing of how.
+// An independent check of meshes: it knows only the arrays that were written, not how they were made.
 #pragma once
 
 #include "Support/Pipeline.h"
@@ -8,20 +8,20 @@
 namespace cartesian
 {
 
-// A valid finite-volume mesh, whatever it is a mesh of:
+// Whether a mesh is a valid finite-volume mesh, whatever its surface:
 // - cells lie in their boxes, are closed edge by edge and have a positive volume, which is
 //   `volumeFraction` of the box's
-// - each face belongs to two cells, once either way round, or is listed once as boundary
-// - boundary edges are run through as often one way as the other
+// - each face belongs to two cells, with opposite orientations, or is listed once as boundary
+// - boundary edges are used as often in one direction as in the other
 // - no points coincide, none is unused
-// `merged`: cells may reach into neighbouring boxes.
+// `merged`: cells may extend into neighbouring boxes.
 ::testing::AssertionResult isValid(const MeshArrays& mesh, bool merged = false);
 
 // The mesh fills the surface: its volume, and its boundary's area, boundary by boundary, are the
 // surface's to 1e-9 or to two steps of the lattice.
 ::testing::AssertionResult fills(const MeshArrays& mesh, const Soup& soup);
 
-// How far off the volume may be: 1e-9 or two steps of the lattice.
+// The tolerance of the volume: 1e-9 or two steps of the lattice.
 double volumeSlack(const MeshArrays& mesh, const Soup& soup);
 
 double volumeOf(const MeshArrays& mesh);

@@ -1,4 +1,4 @@
-// From a soup to the arrays of a mesh: what the filters do, in one call.
+// From a triangle soup to the arrays of a mesh in one call, as the filters do it.
 #pragma once
 
 #include "Mesher/Mesher.h"
@@ -11,7 +11,7 @@
 namespace cartesian
 {
 
-// All arrays that Mesh writes, and where the meshlines are.
+// All arrays that Mesh writes, and the meshlines.
 struct MeshArrays
 {
   static constexpr unsigned char Hexahedron = 12;
@@ -57,7 +57,8 @@ constexpr double PlentyOfMemory = 1e11;
 
 PatchSpec exactFit();
 
-// Nothing is merged or split, nothing removed but what is smaller, and what has no volume.
+// Cells are neither merged nor split; only those smaller than the ratio, or without volume, are
+// removed.
 CellSpec asTheyAre(double smallCellRatio = 0);
 
 struct Options
@@ -65,7 +66,7 @@ struct Options
   CellSpec cells = asTheyAre();
   int threads = 1;
   RefinementSpec refinement;
-  PatchSpec patches = exactFit(); // for the tests' exact facts
+  PatchSpec patches = exactFit(); // tests rely on exact volumes and areas
 };
 
 GridSpec cellsOf(double size);
@@ -74,10 +75,10 @@ RefinementSpec depth(int levels); // everywhere
 
 PreparedSurface prepare(const Soup& soup, const GridSpec& grid);
 
-// From two to all planes a direction between the levels 0 and 2 * width + 2.
+// In each direction, two to all of the planes between the levels 0 and 2 * width + 2.
 Meshlines randomPlanes(unsigned seed, int width);
 
-// A surface whose coordinates are levels, all odd, cut by these planes.
+// A surface whose coordinates are odd levels, cut by these planes.
 PreparedSurface prepareOnLevels(const Soup& soup, const Meshlines& planes);
 
 Meshed meshPrepared(const PreparedSurface& prepared, const Options& options = {});
@@ -89,8 +90,8 @@ inline std::string nameOf(const ::testing::TestParamInfo<NamedShape>& info)
   return info.param.name;
 }
 
-// How the surface winds around each vertex of the global mesh by its crossings below it along `axis`, x
-// fastest.
+// The winding around each vertex of the global mesh, from the crossings below it along `axis`; x
+// varies fastest.
 std::vector<Winding> windings(const Surface& surface, const Meshlines& planes, int axis);
 
 Shoeboxes shoeboxesOf(const Surface& surface, const Meshlines& planes);

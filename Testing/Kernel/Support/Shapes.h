@@ -1,6 +1,7 @@
 // Named shapes as triangle soups, for the tests.
 #pragma once
 
+#include "Lattice/Vector.h"
 #include "Surface/Surface.h"
 
 #include <functional>
@@ -11,12 +12,10 @@
 namespace cartesian
 {
 
-using Vec = std::array<double, 3>;
-
 // Triangles with outward normals.
 struct Soup
 {
-  std::vector<Vec> points;
+  std::vector<Vector> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::int32_t> boundary; // of each triangle, or empty: all 0
 
@@ -30,37 +29,37 @@ struct Soup
   double area(std::size_t triangle) const;
   double area() const;
   double edgeLength() const; // each edge of two triangles counted once
-  Vec low() const;
-  Vec high() const;
+  Vector low() const;
+  Vector high() const;
   double longest() const;
 
   Soup& add(const Soup& other);
-  Soup each(const std::function<Vec(const Vec&)>& move) const;
-  Soup moved(const Vec& by) const;
+  Soup each(const std::function<Vector(const Vector&)>& move) const;
+  Soup moved(const Vector& by) const;
   Soup scaled(double by) const;
-  Soup scaled(const Vec& by) const;
+  Soup scaled(const Vector& by) const;
   Soup turned(int axis, double degrees) const;
-  Soup turned() const;                                 // by odd angles about all axes
+  Soup turned() const;                                 // by arbitrary angles about all axes
   Soup permuted(const std::array<int, 3>& axes) const; // new axis a is the old axes[a]
-  Soup flipped() const;                                // normals the other way
+  Soup flipped() const;                                // with opposite normals
 };
 
-Soup box(const Vec& low, const Vec& high); // boundaries 0 to 5: low x, high x, low y, ...
-Soup cube();                               // 0 to 1
-Soup octahedron(double radius);            // vertices on the axes
-Soup tetrahedron(const std::array<Vec, 4>& corners);
+Soup box(const Vector& low, const Vector& high); // boundaries 0 to 5: low x, high x, low y, ...
+Soup cube();                                     // 0 to 1
+Soup octahedron(double radius);                  // vertices on the axes
+Soup tetrahedron(const std::array<Vector, 4>& corners);
 Soup sphere(int n, double radius); // 12 n^2 triangles
 Soup torus(int n, double radius, double tube);
 Soup needle();           // 1 long, 1e-4 thick
 Soup pyramidOnAPlane();  // its apex touches the inside of a slab's face
 Soup nestedSpheres();    // a ball with a ball cut out
 Soup comb(int teeth);    // thin sheets on a base
-Soup blockWithTubes();   // 3 x 3 tubes
-Soup kleinBottle(int n); // a figure of eight led round with half a turn: crosses itself
+Soup blockWithTubes();   // 3 x 3
+Soup kleinBottle(int n); // a figure of eight swept around with half a twist: intersects itself
 Soup starPolyhedron(unsigned seed, int n);
 Soup bumpySphere(unsigned seed, int n);
 
-// Those boxes of the grid that `inside` names, as one closed surface.
+// The boxes of the grid for which `inside` is true, as one closed surface.
 Soup voxels(const std::array<std::vector<double>, 3>& lines,
   const std::function<bool(int i, int j, int k)>& inside);
 
@@ -75,10 +74,10 @@ struct NamedShape
 };
 std::ostream& operator<<(std::ostream& stream, const NamedShape& shape); // its name, for GoogleTest
 
-// Closed, consistently oriented surfaces that do not cross themselves.
+// Closed, consistently oriented surfaces that do not intersect themselves.
 const std::vector<NamedShape>& cleanShapes();
 
-// Likewise, but with walls or gaps of a few steps of the lattice: a coarser one loses them.
+// Likewise, but with walls or gaps of a few lattice steps, which a coarser lattice would lose.
 std::vector<NamedShape> thinShapes();
 
 }

@@ -1,4 +1,4 @@
-// The judge itself: it accepts a good mesh and sees whatever is done to it.
+// The checker itself: it accepts a good mesh and notices every change to it.
 #include "Support/MeshChecker.h"
 
 #include <gtest/gtest.h>
@@ -147,7 +147,7 @@ TEST(MeshChecker, SeesAWrongOwner)
   expectComplaint(mesh, "is no face of its cell");
 }
 
-// A cell that has a copy of its own of a point that its neighbours use.
+// A cell with its own copy of a point that its neighbours use.
 TEST(MeshChecker, SeesNeighboursThatDoNotMeet)
 {
   MeshArrays mesh = goodMesh();

@@ -1,7 +1,7 @@
-// Crossings of mesh lines with the surface: a closed surface, however degenerate, winds as often around
-// every vertex of the global mesh by those along x as by those along y and z.
+// Crossings of mesh lines with the surface: for a closed surface, however degenerate, those along
+// x, y and z give every vertex of the global mesh the same winding.
 #include "Support/Effort.h"
-#include "Support/Germ.h"
+#include "Support/Perturbed.h"
 #include "Support/Pipeline.h"
 #include "Surface/LineCrossings.h"
 
@@ -35,7 +35,7 @@ void expectAgreement(const Surface& surface, const Meshlines& planes)
   ASSERT_TRUE(alongX == windings(surface, planes, 2));
 }
 
-using Number = Germ<std::int64_t>;
+using Number = Perturbed<std::int64_t>;
 
 // Whether the shifted line through the vertex along `along` passes through the triangle below it.
 bool crossesBelow(const Corners& t, const Point& vertex, int along)
@@ -63,7 +63,7 @@ bool crossesBelow(const Corners& t, const Point& vertex, int along)
   {
     return false;
   }
-  Number height; // of the vertex over the triangle's plane, along the normal
+  Number height; // of the vertex above the triangle's plane, along the normal
   for (int axis = 0; axis < 3; ++axis)
   {
     height = height + (Number::plane(axis, vertex[axis]) - Number(t[0][axis])) * n[axis];
@@ -139,7 +139,7 @@ TEST(LineCrossings, AgreeOnShapes)
   }
 }
 
-// Vertices of all but the innermost shell of the grid of a cube are inside it.
+// Vertices of the grid are inside where they lie within the cube, and outside elsewhere.
 TEST(LineCrossings, TellInsideFromOutside)
 {
   GridSpec grid;

@@ -1,9 +1,9 @@
-// Cuts a triangle into the rows of the global mesh: what both Shoeboxes (4.3) and In/Out Status
-// (4.4) are read from.
+// Cuts a triangle into pieces by rows of the global mesh: the basis of Shoeboxes (4.3) and In/Out
+// Status (4.4).
 //
-// A row is the space between two neighbouring planes of the `outer` and two of the `middle` axis;
-// it runs along the third. Rows below the first plane have the index -1, beyond the last N - 1,
-// N being the number of planes.
+// A row is the space between two neighbouring planes of the `outer` axis and two of the `middle`
+// axis; it runs along the third. Rows below the first plane have the index -1, beyond the last of N
+// planes, N - 1.
 #pragma once
 
 #include "Lattice/ExactFit.h"
@@ -21,7 +21,7 @@ struct RowAxes
   int along;
 };
 
-// Rows by the axis that they run along.
+// By the axis that rows run along.
 constexpr std::array<RowAxes, 3> RowsAlong = { RowAxes{ 2, 1, 0 }, RowAxes{ 2, 0, 1 },
   RowAxes{ 1, 0, 2 } };
 
@@ -37,10 +37,10 @@ inline std::pair<Level, Level> rangeOf(const Fragment& f, int axis)
   return { least, most };
 }
 
-// Calls visit(interval, piece) for the pieces of `fragment` between the planes of `axis`, which
-// has not cut it so far: all its levels along that axis are odd.
+// Calls visit(interval, piece) for the pieces of `fragment` between the planes of `axis`. No plane
+// of that axis has cut it yet: all its levels along the axis are odd.
 template <class Visitor>
-void forEachSlab(const Corners& triangle, const Fragment& fragment, int axis,
+void forEachSlice(const Corners& triangle, const Fragment& fragment, int axis,
   const std::vector<Level>& planes, Visitor&& visit)
 {
   const auto [least, most] = rangeOf(fragment, axis);
@@ -58,14 +58,14 @@ void forEachSlab(const Corners& triangle, const Fragment& fragment, int axis,
   visit(last, rest);
 }
 
-// Calls visit(middle, outer, piece) for the pieces of a triangle in the rows along axes.along.
+// Calls visit(middle, outer, piece) for the pieces of a triangle in each row along axes.along.
 template <class Visitor>
-void forEachRow(
+void forEachRowPiece(
   const Corners& triangle, const RowAxes& axes, const Meshlines& planes, Visitor&& visit)
 {
-  forEachSlab(triangle, Fragment::whole(triangle), axes.outer, planes[axes.outer],
-    [&](std::int64_t outer, const Fragment& slab) {
-      forEachSlab(triangle, slab, axes.middle, planes[axes.middle],
+  forEachSlice(triangle, Fragment::whole(triangle), axes.outer, planes[axes.outer],
+    [&](std::int64_t outer, const Fragment& slice) {
+      forEachSlice(triangle, slice, axes.middle, planes[axes.middle],
         [&](std::int64_t middle, const Fragment& piece) { visit(middle, outer, piece); });
     });
 }

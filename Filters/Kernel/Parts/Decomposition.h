@@ -1,0 +1,63 @@
+// Decomposition of a grid into parts, and what all parts have in common.
+//
+// A part is a range of layers of global boxes along z, its core, that is meshed by itself: one part
+// after the other if the mesh is larger than memory (7.2), or each on its own rank. All decisions
+// of the mesher are local and exact, so with some layers around its core (Slabs.h) a part has
+// exactly the cells and points of the whole mesh, and the parts together are that mesh, bit for
+// bit. Parts are layers because cells and points are numbered along z last: each part's numbers
+// follow those of the part before it.
+#pragma once
+
+#include "Boxes/BoxGeneration.h"
+#include "Boxes/MeshEstimate.h"
+#include "Parts/Slabs.h"
+
+namespace cartesian
+{
+
+class Decomposition
+{
+public:
+  // Borrows `surface` and `planes`. `mostBytes`: for the boxes and cells of one part; `laterSteps`:
+  // what will be done to the cells. Throws Error: BadParameter (of the refinement); of a region's
+  // surface EmptySurface, BadCoordinate, FlawedSurface.
+  Decomposition(const Surface& surface, const Meshlines& planes, const RefinementSpec& spec,
+    double mostBytes, const LaterSteps& laterSteps, Execution& execution);
+
+  Decomposition(const Decomposition&) = delete;
+  Decomposition& operator=(const Decomposition&) = delete;
+
+  const Surface& surface() const { return surface_; }
+  const Shoeboxes& shoeboxes() const { return shoeboxes_; }
+  Shoeboxes takeShoeboxes() { return std::move(shoeboxes_); }
+
+  // A message about rows of the specification that extend beyond the grid, or empty.
+  const std::string& warnings() const { return refinement_.warnings(); }
+
+  Layers allLayers() const { return { 0, static_cast<std::uint32_t>(planes_[2].size() - 1) }; }
+
+  // The boxes of a part and those it depends on. Throws Error: TooManyBoxes.
+  Boxes boxes(Layers core, Execution& execution) const;
+
+  // Of each layer of global boxes.
+  std::vector<MeshEstimate> estimateLayers(Execution& execution) const;
+
+  // The least number of parts of which none exceeds the memory limit. Throws Error: TooManyBoxes,
+  // if a single layer does.
+  std::size_t partsNeeded(const std::vector<MeshEstimate>& layers) const;
+
+  // Divides the layers into `count` parts that take about equally long; some may be empty. If cells
+  // are shaped, the parts are divided where they need the smallest halo.
+  std::vector<Layers> split(const std::vector<MeshEstimate>& layers, std::size_t count) const;
+
+private:
+  const Surface& surface_;
+  const Meshlines& planes_;
+  double mostBytes_;
+  LaterSteps laterSteps_;
+  Shoeboxes shoeboxes_;
+  Refinement refinement_;
+  GlobalStatuses statuses_;
+};
+
+}

@@ -1,0 +1,90 @@
+// Counts the faults of cells: violations of section 3 of the paper and of OpenFOAM's checkMesh.
+#pragma once
+
+#include "Polyhedra/Polyhedron.h"
+
+#include <array>
+
+namespace cartesian
+{
+
+// Solvers refuse cells with fewer faces.
+constexpr std::size_t LeastFaces = 4;
+
+// The cell on the other side of an inner face.
+struct NeighbourCell
+{
+  Vector centre{};   // relative to the same origin
+  double volume = 0; // 0: there is no such cell
+};
+
+// The faults of one cell or more, by kind: the fewer the better.
+struct CellFaults
+{
+  enum Kind
+  {
+    BoundaryAngle,    // section 3: a boundary face's angle is 90 degrees or nearly
+    InnerAngle,       // section 3: an inner face's is 75 or nearly, from either cell
+    WronglyOriented,  // ... 90 or more, or its normal points against the line of centres
+    NonOrthogonal,    // an inner face's normal is over 70 degrees off the line of centres
+    BoundarySkewness, // of a boundary face: over 4
+    InnerSkewness,    // of an inner face: over 4
+    VolumeRatio,      // one of the two cells has less than a hundredth of the other's volume
+    FaceWeight,       // ... or its centre is 20 times nearer to the face
+    Kinds
+  };
+
+  std::array<int, Kinds> counts{};
+  double area = 0; // of the faces with a wrong angle or skewness
+
+  int count() const;
+
+  // The count, with each kind weighted by how hard it is to repair later.
+  int weight() const;
+  CellFaults& operator+=(const CellFaults& other);
+
+  // No more faults of any kind that checkMesh refuses: wrong angles and skewness.
+  bool isNoLessValidThan(const CellFaults& other) const;
+
+  // No more faults of any kind.
+  bool isNoWorseThan(const CellFaults& other) const;
+
+  // ... and fewer in all, or as many on less area.
+  bool isBetterThan(const CellFaults& other) const;
+};
+
+// Counts the faults of a cell's faces; neighbours[f] lies across face f. Faces whose `counted` is 0
+// are left out (another cell counts them); if it is empty, all count.
+CellFaults faultsOf(const Polyhedron& cell, const CellShape& shape,
+  const std::vector<NeighbourCell>& neighbours, const std::vector<std::uint8_t>& counted = {});
+
+// Whether a face violates section 3, or checkMesh refuses it.
+bool isRefused(
+  const Polyhedron& cell, const CellShape& shape, std::size_t face, const NeighbourCell& neighbour);
+
+// Whether a face with a large angle, though not refused, would be refused with the centres of
+// measureProjected.
+bool isDoubtful(const Polyhedron& cell, const CellShape& shape, std::size_t face);
+
+// Where a cell's centre lies relative to a face, in levels.
+struct CentreOffset
+{
+  float height; // distance to the face's plane, positive inside
+  float aside;  // distance within that plane from the centre's projection to the face's centre
+};
+
+// `area`: the face's, out of the cell.
+CentreOffset centreOffsetOf(const Vector& centre, const Vector& faceCentre, const Vector& area);
+
+// Sufficient for an inner face to be neither refused nor doubtful, given where the centres of its
+// two cells lie: the line between the centres meets the face's plane between their projections.
+bool isSurelyAccepted(const CentreOffset& one, const CentreOffset& other);
+
+// Whether a cell without faces at fault has enough faces, and no doubtful boundary face.
+bool isPlain(const Polyhedron& cell, const CellShape& shape);
+
+// Whether a face is at fault, as far as that is known without the cell on its other side.
+bool isAtFault(const Polyhedron& cell, const CellShape& shape, std::size_t face);
+bool isAnyAtFault(const Polyhedron& cell, const CellShape& shape);
+
+}

@@ -1,0 +1,150 @@
+#include "Repair/VotingLines.h"
+
+#include "Base/Sorting.h"
+#include "Surface/LineCrossings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t TrianglesAChunk = 2048;
+
+// How many triangles of a sheet lines are laid through, as a part of all and at least and at most:
+// enough to outvote lines that pass through flaws of the surface.
+constexpr std::size_t PartOfTriangles = 256;
+constexpr std::size_t FewestTriangles = 12;
+constexpr std::size_t MostTriangles = 63;
+
+Wide magnitude(Wide x)
+{
+  return x < 0 ? -x : x;
+}
+
+Level evenNear(double level)
+{
+  return static_cast<Level>(2 * std::llround(level / 2));
+}
+
+// Takes the point midway between the triangle's centroid and one of its corners; `line` becomes the
+// line of even levels nearest to it. False if that line misses the triangle.
+bool findLine(const Corners& c, const RowAxes& axes, std::size_t corner, VotingLine& line)
+{
+  const auto weighted = [&](int axis) {
+    return (double(c[0][axis]) + c[1][axis] + c[2][axis] + 3.0 * c[corner][axis]) / 6;
+  };
+  const auto [least, most] = std::minmax({ c[0][axes.outer], c[1][axes.outer], c[2][axes.outer] });
+  line.outer = evenNear(weighted(axes.outer));
+  if (line.outer < least || line.outer > most)
+  {
+    return false;
+  }
+  const auto [from, to, up] = crossedLevels(c, axes, line.outer);
+  line.middle = evenNear(weighted(axes.middle));
+  return line.middle > from && line.middle < to;
+}
+
+// Sorts the triangles of each sheet by size and lays lines through the largest.
+class LineFinder
+{
+public:
+  LineFinder(const Surface& surface, const Sheets& sheets, Execution& execution)
+    : surface_(surface)
+    , best_(surface.triangles.size())
+  {
+    execution.forEach(best_.size(), TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t)
+      {
+        best_[t] = largestProjection(t);
+      }
+    });
+    std::vector<std::size_t> start(best_.size() + 1);
+    for (std::size_t t = 0; t < best_.size(); ++t)
+    {
+      ++start[sheets.of(t)];
+    }
+    scan(start);
+    std::vector<std::uint32_t> triangles(best_.size());
+    std::vector<std::size_t> next(start.begin(), start.end() - 1);
+    for (std::size_t t = 0; t < best_.size(); ++t)
+    {
+      triangles[next[sheets.of(t)]++] = static_cast<std::uint32_t>(t);
+    }
+    for (std::size_t s = 0; s < best_.size(); ++s)
+    {
+      addLines(triangles.data() + start[s], triangles.data() + start[s + 1]);
+    }
+  }
+
+  std::array<std::vector<VotingLine>, 3> takeLines() { return std::move(lines_); }
+
+private:
+  struct Projection
+  {
+    Wide area = 0;
+    int axis = 0;
+  };
+
+  Projection largestProjection(std::size_t triangle) const
+  {
+    Projection best;
+    const std::array<Wide, 3> normal = exactNormal(surface_.corners(triangle));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Wide area = magnitude(normal[axis]);
+      best = area > best.area ? Projection{ area, axis } : best;
+    }
+    return best;
+  }
+
+  void addLines(std::uint32_t* begin, std::uint32_t* end)
+  {
+    const auto size = static_cast<std::size_t>(end - begin);
+    const std::size_t wanted =
+      std::min(size, std::clamp(size / PartOfTriangles, FewestTriangles, MostTriangles));
+    std::uint32_t* const last = begin + wanted;
+    std::partial_sort(begin, last, end, [&](std::uint32_t a, std::uint32_t b) {
+      return best_[a].area != best_[b].area ? best_[a].area > best_[b].area : sorted(a) < sorted(b);
+    });
+    for (const std::uint32_t* t = begin; t != last; ++t)
+    {
+      for (std::size_t corner = 0; best_[*t].area > 0 && corner < 3; ++corner)
+      {
+        VotingLine line{};
+        const auto axis = static_cast<std::size_t>(best_[*t].axis);
+        if (findLine(surface_.corners(*t), RowsAlong[axis], corner, line))
+        {
+          line.rank = static_cast<std::size_t>(t - begin);
+          line.area = best_[*t].area;
+          line.triangle = sorted(*t);
+          lines_[axis].push_back(line);
+        }
+      }
+    }
+  }
+
+  std::array<std::uint32_t, 3> sorted(std::uint32_t triangle) const
+  {
+    std::array<std::uint32_t, 3> v = surface_.triangles[triangle];
+    std::sort(v.begin(), v.end());
+    return v;
+  }
+
+  const Surface& surface_;
+  std::vector<Projection> best_; // of each triangle: its largest projection
+  std::array<std::vector<VotingLine>, 3> lines_;
+};
+
+}
+
+std::array<std::vector<VotingLine>, 3> findVotingLines(
+  const Surface& surface, const Sheets& sheets, Execution& execution)
+{
+  return LineFinder(surface, sheets, execution).takeLines();
+}
+
+}

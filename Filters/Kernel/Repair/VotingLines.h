@@ -1,0 +1,31 @@
+// The lines that decide how sheets are oriented: through the largest triangles of each sheet.
+#pragma once
+
+#include "Repair/Sheets.h"
+
+namespace cartesian
+{
+
+// A line along one axis through a triangle. Lines are ordered by importance: when there are too
+// many, the last ones are dropped.
+struct VotingLine
+{
+  Level middle;
+  Level outer;
+  std::size_t rank;                      // of the triangle in its sheet: 0 for the largest
+  Wide area;                             // twice the triangle's area, projected along the line
+  std::array<std::uint32_t, 3> triangle; // its vertices, sorted
+
+  bool operator<(const VotingLine& other) const
+  {
+    return rank != other.rank ? rank < other.rank
+                              : std::make_tuple(other.area, triangle, middle, outer) <
+        std::make_tuple(area, other.triangle, other.middle, other.outer);
+  }
+};
+
+// The lines along x, y and z.
+std::array<std::vector<VotingLine>, 3> findVotingLines(
+  const Surface& surface, const Sheets& sheets, Execution& execution);
+
+}
