@@ -77,10 +77,11 @@ void addCellIds(vtkUnstructuredGrid* mesh, Execution& execution)
   mesh->GetCellData()->AddArray(ids);
 }
 
-using Row = std::array<vtkIdType, 3>;
+using BoundaryFaceRow = std::array<vtkIdType, 3>;
 
 // In the boundary's order.
-std::vector<Row> listRows(vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution)
+std::vector<BoundaryFaceRow> listRows(
+  vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution)
 {
   auto* owner =
     vtkIdTypeArray::SafeDownCast(boundary->GetCellData()->GetAbstractArray("OwnerCell"));
@@ -88,7 +89,7 @@ std::vector<Row> listRows(vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Exec
   auto* meshPoint =
     vtkIdTypeArray::SafeDownCast(boundary->GetPointData()->GetAbstractArray("MeshPointId"));
   vtkCellArray* const polygons = boundary->GetPolys();
-  std::vector<Row> rows(static_cast<std::size_t>(polygons->GetNumberOfCells()));
+  std::vector<BoundaryFaceRow> rows(static_cast<std::size_t>(polygons->GetNumberOfCells()));
   execution.forEach(rows.size(), FacesAChunk, [&](std::size_t begin, std::size_t end) {
     CellFaceReader reader(mesh);
     std::vector<vtkIdType> corners;
@@ -110,12 +111,12 @@ std::vector<Row> listRows(vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Exec
 }
 
 // Rows that come in the order of their cells.
-void sortFacesOfCells(std::vector<Row>& rows)
+void sortFacesOfCells(std::vector<BoundaryFaceRow>& rows)
 {
   for (auto begin = rows.begin(); begin != rows.end();)
   {
-    const auto end = std::find_if(
-      begin, rows.end(), [&](const Row& row) { return row[CellOf] != (*begin)[CellOf]; });
+    const auto end = std::find_if(begin, rows.end(),
+      [&](const BoundaryFaceRow& row) { return row[CellOf] != (*begin)[CellOf]; });
     std::sort(begin, end);
     begin = end;
   }
@@ -174,7 +175,7 @@ private:
 void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution)
 {
   addCellIds(mesh, execution);
-  std::vector<Row> rows = listRows(mesh, boundary, execution);
+  std::vector<BoundaryFaceRow> rows = listRows(mesh, boundary, execution);
   sortFacesOfCells(rows);
   vtkNew<vtkIdTypeArray> array;
   array->SetName(BoundaryOfFaces);

@@ -2,7 +2,7 @@
 #include "GridFaces.h"
 
 #include "Base/Error.h"
-#include "Polyhedra.h"
+#include "PolyhedronStorage.h"
 
 #include "vtkCellType.h"
 #include "vtkDataSetAttributes.h"

@@ -11,20 +11,20 @@ class vtkUnstructuredGrid;
 namespace cartesian
 {
 
-class Mesh;
+class OutputMesh;
 
 // Where a piece's numbers begin in the whole mesh, and with whom its statistics are added up.
 struct MeshPiece
 {
   Id cellsBefore = 0;
-  Id pointsBefore = 0; // own points (Mesh.h)
+  Id pointsBefore = 0; // own points (OutputMesh.h)
   bool isWhole = true;
   Processes processes;
 };
 
 // Turns the numbers of cells and points that arrays of both outputs hold (MeshToVTK.h) into those of
 // the whole mesh, and gives the mesh global ids: of cells CellId, of points GlobalPointIds.
-void setGlobalIds(const Mesh& kernel, const MeshPiece& piece, vtkUnstructuredGrid* mesh,
+void setGlobalIds(const OutputMesh& kernel, const MeshPiece& piece, vtkUnstructuredGrid* mesh,
   vtkPolyData* boundary, Execution& execution);
 
 }

@@ -11,7 +11,7 @@ namespace
 {
 
 // What lies on one side of an inner face.
-struct Beyond
+struct OtherSide
 {
   std::uint32_t cell = None;          // number of the cell that stays there
   std::int32_t boundary = NoBoundary; // or the boundary that the face takes over
@@ -76,10 +76,10 @@ private:
     const std::uint32_t number = numbers_.ofCell[c];
     const Cells& cells = parts_.cells;
     const std::size_t before = faces.size();
-    for (std::size_t f = cells.cells[c].firstFace; f < cells.cells[c + 1].firstFace; ++f)
+    for (std::size_t f = cells.all[c].firstFace; f < cells.all[c + 1].firstFace; ++f)
     {
-      const FaceRef& face = cells.faces[f];
-      if (number != None && face.kind() == FaceRef::Kind::Patch)
+      const FaceOfCell& face = cells.faces[f];
+      if (number != None && face.kind() == FaceOfCell::Kind::Patch)
       {
         faces.push_back(
           { number, face.index, parts_.patches.boundary[face.index], BoundaryFace::Kind::Patch });
@@ -88,11 +88,11 @@ private:
     std::sort(faces.begin() + std::ptrdiff_t(before), faces.end());
   }
 
-  Beyond beyond(std::uint32_t box, std::uint32_t cell) const
+  OtherSide beyond(std::uint32_t box, std::uint32_t cell) const
   {
     if (cell != None)
     {
-      return { numbers_.ofCell[cell], parts_.cells.cells[cell].boundary };
+      return { numbers_.ofCell[cell], parts_.cells.all[cell].boundary };
     }
     if (box == None)
     {
@@ -106,7 +106,7 @@ private:
     return { None, boundaryBeyond(parts_.patches, parts_.sides, box) };
   }
 
-  static void expose(const Beyond& low, const Beyond& high, std::size_t face,
+  static void expose(const OtherSide& low, const OtherSide& high, std::size_t face,
     BoundaryFace::Kind kind, BoundaryFace::Kind turned, std::vector<BoundaryFace>& faces)
   {
     if (CellNumbers::isHere(low.cell) && high.cell == None)
@@ -124,8 +124,8 @@ private:
     const Side& side = parts_.sides.sides[s];
     for (std::size_t f = parts_.inner.sideStart[s]; f < parts_.inner.sideStart[s + 1]; ++f)
     {
-      const Beyond low = beyond(side.low, parts_.cells.ofInnerFace[f][0]);
-      const Beyond high = beyond(side.high, parts_.cells.ofInnerFace[f][1]);
+      const OtherSide low = beyond(side.low, parts_.cells.ofInnerFace[f][0]);
+      const OtherSide high = beyond(side.high, parts_.cells.ofInnerFace[f][1]);
       expose(low, high, f, BoundaryFace::Kind::Inner, BoundaryFace::Kind::TurnedInner, faces);
     }
   }
@@ -134,9 +134,9 @@ private:
   {
     const ShapedFaces& shaped = parts_.cells.shaped;
     const auto side = [&](std::uint32_t cell) {
-      return cell == ShapedFaces::SomeHexahedron ? Beyond{ cell, NoBoundary }
+      return cell == ShapedFaces::SomeHexahedron ? OtherSide{ cell, NoBoundary }
         : cell != None                           ? beyond(None, cell)
-                                                 : Beyond{ None, shaped.boundary[f] };
+                                                 : OtherSide{ None, shaped.boundary[f] };
     };
     expose(side(shaped.cells[f][0]), side(shaped.cells[f][1]), f, BoundaryFace::Kind::Shaped,
       BoundaryFace::Kind::TurnedShaped, faces);
@@ -281,7 +281,7 @@ CellNumbers numberCells(const MeshParts& parts, Execution& execution)
   forEachBox([&](std::size_t box, std::uint32_t n, std::uint32_t& count) {
     count += isCore(box) && n == None ? 1 : 0;
     forEachCellOf(
-      cells, n, [&](std::size_t c) { count += isCore(box) && !cells.cells[c].removed ? 1 : 0; });
+      cells, n, [&](std::size_t c) { count += isCore(box) && !cells.all[c].removed ? 1 : 0; });
   });
   numbers.ofBox.back() = scan(next);
   forEachBox([&](std::size_t box, std::uint32_t n, std::uint32_t& number) {
@@ -289,7 +289,7 @@ CellNumbers numberCells(const MeshParts& parts, Execution& execution)
     numbers.ofBox[box] = isCore(box) ? number : CellNumbers::Elsewhere;
     number += isCore(box) && n == None ? 1 : 0;
     forEachCellOf(
-      cells, n, [&](std::size_t c) { numbers.ofCell[c] = cells.cells[c].removed ? None : take(); });
+      cells, n, [&](std::size_t c) { numbers.ofCell[c] = cells.all[c].removed ? None : take(); });
   });
   numbers.coreBegin = firstCellOf(parts, first);
   numbers.coreEnd = firstCellOf(parts, end);

@@ -49,10 +49,10 @@ struct FaceEdge
   }
 };
 
-struct Part
+struct CellChunk
 {
   std::vector<Cell> cells;
-  std::vector<FaceRef> faces;
+  std::vector<FaceOfCell> faces;
   std::vector<std::uint32_t> cellsOfBox;
   std::vector<std::uint8_t> flawed;
   std::size_t voids = 0;
@@ -88,7 +88,7 @@ public:
     return !anyFaceTwice();
   }
 
-  void addBox(std::size_t n, const CellSpec& spec, Part& part)
+  void addBox(std::size_t n, const CellSpec& spec, CellChunk& part)
   {
     const std::size_t before = part.cells.size();
     const bool closed = closes(n);
@@ -126,7 +126,7 @@ private:
   };
 
   // Of a face of the box, as its array has them.
-  struct Corners
+  struct FaceCorners
   {
     const std::uint32_t* first;
     const std::uint32_t* last;
@@ -139,7 +139,7 @@ private:
   template <class Visitor>
   void forEachCorner(std::size_t face, Visitor&& visit) const
   {
-    const Corners& corners = corners_[face];
+    const FaceCorners& corners = corners_[face];
     if (corners.turned)
     {
       for (const std::uint32_t* corner = corners.last; corner != corners.first; --corner)
@@ -157,7 +157,7 @@ private:
   template <class Visitor>
   void forEachEdge(std::size_t face, Visitor&& visit) const
   {
-    const Corners& corners = corners_[face];
+    const FaceCorners& corners = corners_[face];
     std::uint32_t from = corners.last[-1];
     for (const std::uint32_t* to = corners.first; to != corners.last; ++to)
     {
@@ -180,7 +180,7 @@ private:
     {
       for (std::size_t p = patches_.boxStart[box]; p < patches_.boxStart[box + 1]; ++p)
       {
-        addFace(FaceRef(p, FaceRef::Kind::Patch));
+        addFace(FaceOfCell(p, FaceOfCell::Kind::Patch));
       }
     }
     bool whole = true;
@@ -190,15 +190,15 @@ private:
       whole = whole && !inner_.flawed[side];
       for (std::size_t f = inner_.sideStart[side]; f < inner_.sideStart[side + 1]; ++f)
       {
-        addFace(FaceRef(f, upper ? FaceRef::Kind::Inner : FaceRef::Kind::TurnedInner));
+        addFace(FaceOfCell(f, upper ? FaceOfCell::Kind::Inner : FaceOfCell::Kind::TurnedInner));
       }
     }
     return whole;
   }
 
-  void addFace(const FaceRef& face)
+  void addFace(const FaceOfCell& face)
   {
-    const bool patch = face.kind() == FaceRef::Kind::Patch;
+    const bool patch = face.kind() == FaceOfCell::Kind::Patch;
     const std::size_t* const at = (patch ? patches_.start : inner_.start).data() + face.index;
     const std::uint32_t* const nodes = (patch ? patches_.corners : inner_.nodes).data();
     corners_.push_back({ nodes + at[0], nodes + at[1], face.turned() });
@@ -280,7 +280,7 @@ private:
   {
     separateFaces();
     firstAtEdge_.reset(std::accumulate(corners_.begin(), corners_.end(), std::size_t(0),
-      [](std::size_t sum, const Corners& corners) { return sum + corners.size(); }));
+      [](std::size_t sum, const FaceCorners& corners) { return sum + corners.size(); }));
     std::size_t single = 0;
     bool paired = true;
     for (std::uint32_t f = 0; f < faces_.size() && paired; ++f)
@@ -310,7 +310,7 @@ private:
     return paired && single == 0;
   }
 
-  // A patch that lies on an inner face (ShortEdges.h) is a cell without volume with it, whatever else
+  // A patch that lies on an inner face (EdgeCollapse.h) is a cell without volume with it, whatever else
   // has its edges.
   void joinFlatCells()
   {
@@ -321,7 +321,7 @@ private:
     cycles_.clear();
     for (std::uint32_t face = 0; face < faces_.size(); ++face)
     {
-      const bool patch = faces_[face].kind() == FaceRef::Kind::Patch;
+      const bool patch = faces_[face].kind() == FaceOfCell::Kind::Patch;
       cycles_.emplace_back(cycleOf(face, patch), face);
     }
     std::sort(cycles_.begin(), cycles_.end());
@@ -329,8 +329,8 @@ private:
     {
       const std::uint32_t f = cycles_[i].second;
       const std::uint32_t g = cycles_[i + 1].second;
-      const bool patch = faces_[f].kind() == FaceRef::Kind::Patch;
-      const bool other = faces_[g].kind() == FaceRef::Kind::Patch;
+      const bool patch = faces_[f].kind() == FaceOfCell::Kind::Patch;
+      const bool other = faces_[g].kind() == FaceOfCell::Kind::Patch;
       if (cycles_[i].first == cycles_[i + 1].first && patch != other)
       {
         join(f, g);
@@ -436,7 +436,7 @@ private:
       shell.faces.push_back(f);
       shell.volume += measures_[f].volume;
       shell.area += measures_[f].area;
-      shell.hasInnerFace = shell.hasInnerFace || faces_[f].kind() != FaceRef::Kind::Patch;
+      shell.hasInnerFace = shell.hasInnerFace || faces_[f].kind() != FaceOfCell::Kind::Patch;
     }
   }
 
@@ -511,7 +511,7 @@ private:
     cycles_.clear();
     for (const std::uint32_t face : faces)
     {
-      if (faces_[face].kind() == FaceRef::Kind::Patch)
+      if (faces_[face].kind() == FaceOfCell::Kind::Patch)
       {
         cycles_.emplace_back(cycleOf(face, false), face);
       }
@@ -618,7 +618,7 @@ private:
     return sum;
   }
 
-  void emit(std::uint32_t boxIndex, const CellSpec& spec, Part& part)
+  void emit(std::uint32_t boxIndex, const CellSpec& spec, CellChunk& part)
   {
     const Box box = boxes_.box(boxIndex);
     const Vector size = minus(box.high, box.low);
@@ -651,7 +651,7 @@ private:
     areas_.clear();
     for (const std::uint32_t f : shell.faces)
     {
-      if (faces_[f].kind() == FaceRef::Kind::Patch)
+      if (faces_[f].kind() == FaceOfCell::Kind::Patch)
       {
         areas_.emplace_back(patches_.boundary[faces_[f].index], measures_[f].area);
       }
@@ -690,8 +690,8 @@ private:
   const Sides& sides_;
   const Nodes& nodes_;
   const InnerFaces& inner_;
-  std::vector<FaceRef> faces_;
-  std::vector<Corners> corners_; // of each face
+  std::vector<FaceOfCell> faces_;
+  std::vector<FaceCorners> corners_; // of each face
   std::vector<FaceEdge> edges_;
   EdgeTable firstAtEdge_; // the first face at each edge and how it runs, then Paired
   std::vector<std::uint32_t> parent_;
@@ -708,12 +708,12 @@ private:
   std::vector<std::uint32_t> dropped_;
 };
 
-Cells join(const std::vector<Part>& parts, std::size_t boxes, Execution& execution)
+Cells join(const std::vector<CellChunk>& parts, std::size_t boxes, Execution& execution)
 {
   std::vector<std::size_t> cell;
   std::vector<std::size_t> face;
   Cells result;
-  for (const Part& part : parts)
+  for (const CellChunk& part : parts)
   {
     cell.push_back(part.cells.size());
     face.push_back(part.faces.size());
@@ -722,21 +722,21 @@ Cells join(const std::vector<Part>& parts, std::size_t boxes, Execution& executi
   }
   const std::size_t cells = scan(cell);
   const std::size_t faces = scan(face);
-  result.cells.resize(cells + 1);
-  result.cells.back().firstFace = faces;
-  result.faces.resize(faces, FaceRef(0, FaceRef::Kind::Patch));
+  result.all.resize(cells + 1);
+  result.all.back().firstFace = faces;
+  result.faces.resize(faces, FaceOfCell(0, FaceOfCell::Kind::Patch));
   result.boxStart.resize(boxes + 1);
   result.boxStart.back() = cells;
   result.flawed.resize(boxes);
   execution.forEach(parts.size(), 1, [&](std::size_t i, std::size_t) {
-    const Part& part = parts[i];
+    const CellChunk& part = parts[i];
     std::copy(part.faces.begin(), part.faces.end(), result.faces.begin() + std::ptrdiff_t(face[i]));
     std::copy(part.flawed.begin(), part.flawed.end(),
       result.flawed.begin() + std::ptrdiff_t(i * BoxesAChunk));
     for (std::size_t c = 0; c < part.cells.size(); ++c)
     {
-      result.cells[cell[i] + c] = part.cells[c];
-      result.cells[cell[i] + c].firstFace += face[i];
+      result.all[cell[i] + c] = part.cells[c];
+      result.all[cell[i] + c].firstFace += face[i];
     }
     std::size_t next = cell[i];
     for (std::size_t n = 0; n < part.cellsOfBox.size(); ++n)
@@ -771,10 +771,10 @@ void findCellsOfInnerFaces(const InnerFaces& inner, Cells& cells, Execution& exe
   execution.forEach(cells.size(), BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c)
     {
-      for (std::size_t f = cells.cells[c].firstFace; f < cells.cells[c + 1].firstFace; ++f)
+      for (std::size_t f = cells.all[c].firstFace; f < cells.all[c + 1].firstFace; ++f)
       {
-        const FaceRef& face = cells.faces[f];
-        if (face.kind() == FaceRef::Kind::Inner || face.kind() == FaceRef::Kind::TurnedInner)
+        const FaceOfCell& face = cells.faces[f];
+        if (face.kind() == FaceOfCell::Kind::Inner || face.kind() == FaceOfCell::Kind::TurnedInner)
         {
           cells.ofInnerFace[face.index][face.turned() ? 1 : 0] = static_cast<std::uint32_t>(c);
         }
@@ -801,14 +801,14 @@ std::vector<std::uint8_t> findFlawed(const Boxes& boxes, const Patches& patches,
 Cells assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sides,
   const Nodes& nodes, const InnerFaces& inner, const CellSpec& spec, Execution& execution)
 {
-  if (std::max(patches.size(), inner.size()) > FaceRef::MostFaces)
+  if (std::max(patches.size(), inner.size()) > FaceOfCell::MostFaces)
   {
     throw Error(Fault::TooManyBoxes,
-      "The boundary has more than " + std::to_string(FaceRef::MostFaces) +
+      "The boundary has more than " + std::to_string(FaceOfCell::MostFaces) +
         " faces: choose larger cells.");
   }
   const std::size_t count = sides.polyhedral.size();
-  std::vector<Part> parts(chunks(count, BoxesAChunk));
+  std::vector<CellChunk> parts(chunks(count, BoxesAChunk));
   execution.nextLoop(0.95);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     BoxAssembler assembler(boxes, patches, sides, nodes, inner);

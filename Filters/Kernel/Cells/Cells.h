@@ -9,7 +9,7 @@ namespace cartesian
 // A face of a cell: a patch, or an inner face of a side, or one that shaping made (CellShaping.h).
 // The latter two as they are (the cell is the one below, that they are counter-clockwise from) or
 // turned over.
-struct FaceRef
+struct FaceOfCell
 {
   enum class Kind : std::uint32_t
   {
@@ -23,7 +23,7 @@ struct FaceRef
   std::uint32_t index : 29;
   std::uint32_t kindBits : 3;
 
-  FaceRef(std::size_t i, Kind kind)
+  FaceOfCell(std::size_t i, Kind kind)
     : index(static_cast<std::uint32_t>(i) & MostFaces)
     , kindBits(static_cast<std::uint32_t>(kind) & 7u)
   {
@@ -73,8 +73,8 @@ struct ShapedFaces
 
 struct Cells
 {
-  std::vector<Cell> cells; // of polyhedral boxes, in order; one more at the end
-  std::vector<FaceRef> faces;
+  std::vector<Cell> all; // of polyhedral boxes, in order; one more at the end
+  std::vector<FaceOfCell> faces;
   std::vector<std::size_t> boxStart; // first cell of the n-th polyhedral box, and the end
   std::vector<std::uint8_t> flawed;  // 1: the box's faces do not close (a hole), it has no cells
   std::size_t folds = 0;             // walls without thickness inside one cell, left out
@@ -85,7 +85,7 @@ struct Cells
 
   ShapedFaces shaped;
 
-  std::size_t size() const { return cells.size() - 1; }
+  std::size_t size() const { return all.size() - 1; }
 };
 
 enum class SmallCells
@@ -103,7 +103,7 @@ struct BoundaryRatio
 
 struct CellSpec
 {
-  // Edges shorter than this part of their box collapse (ShortEdges.h); 0: none.
+  // Edges shorter than this part of their box collapse (EdgeCollapse.h); 0: none.
   double collapseRatio = 0.1;
   double featureAngle = 30; // in degrees, of the edges that stay in place
 
@@ -131,7 +131,7 @@ double ratioOf(const CellSpec& spec, std::int32_t boundary, double otherwise);
 
 // Calls visit(node) for the corners of a face, counter-clockwise from outside its cell.
 template <class Visitor>
-void forEachNode(const FaceRef& face, const Patches& patches, const InnerFaces& inner,
+void forEachNode(const FaceOfCell& face, const Patches& patches, const InnerFaces& inner,
   const ShapedFaces& shaped, Visitor&& visit)
 {
   const auto run = [&](const auto& start, const auto& nodes) {
@@ -144,15 +144,15 @@ void forEachNode(const FaceRef& face, const Patches& patches, const InnerFaces& 
   };
   switch (face.kind())
   {
-    case FaceRef::Kind::Patch:
+    case FaceOfCell::Kind::Patch:
       run(patches.start, patches.corners);
       break;
-    case FaceRef::Kind::Inner:
-    case FaceRef::Kind::TurnedInner:
+    case FaceOfCell::Kind::Inner:
+    case FaceOfCell::Kind::TurnedInner:
       run(inner.start, inner.nodes);
       break;
-    case FaceRef::Kind::Shaped:
-    case FaceRef::Kind::TurnedShaped:
+    case FaceOfCell::Kind::Shaped:
+    case FaceOfCell::Kind::TurnedShaped:
       run(shaped.start, shaped.nodes);
       break;
   }

@@ -31,7 +31,7 @@ public:
   // Each chunk by itself, then all chunks.
   void run(Execution& execution)
   {
-    std::vector<Span> spans;
+    std::vector<FaceSpan> spans;
     for (std::size_t begin = 0; begin < groups_; begin += GroupsAChunk)
     {
       const std::size_t first = groupStart_[begin];
@@ -39,10 +39,10 @@ public:
       spans.push_back({ first, start_[first], last - first, start_[last] - start_[first] });
     }
     execution.forEach(groups_, GroupsAChunk, [&](std::size_t begin, std::size_t end) {
-      Span& span = spans[begin / GroupsAChunk];
+      FaceSpan& span = spans[begin / GroupsAChunk];
       span = compact(begin, end, span);
     });
-    Span next{ 0, 0, 0, 0 };
+    FaceSpan next{ 0, 0, 0, 0 };
     for (std::size_t i = 0; i < spans.size(); ++i)
     {
       if (next.face != spans[i].face || next.corner != spans[i].corner)
@@ -62,7 +62,7 @@ private:
   static constexpr std::size_t GroupsAChunk = 4096;
 
   // The faces and corners of a chunk: the first, and how many.
-  struct Span
+  struct FaceSpan
   {
     std::size_t face;
     std::size_t corner;
@@ -72,7 +72,7 @@ private:
 
   // The chunk of groups [begin, end), which spans `all`; returns what is left. What lies beyond, which
   // another thread may write, is not even read.
-  Span compact(std::size_t begin, std::size_t end, const Span& all)
+  FaceSpan compact(std::size_t begin, std::size_t end, const FaceSpan& all)
   {
     std::vector<std::uint32_t> ring;
     std::size_t face = all.face; // what is written so far, never beyond what is read
@@ -102,7 +102,7 @@ private:
   }
 
   // A chunk to where those before it end.
-  void moveUp(std::size_t chunk, const Span& span, const Span& to)
+  void moveUp(std::size_t chunk, const FaceSpan& span, const FaceSpan& to)
   {
     if (span.corner != to.corner)
     {

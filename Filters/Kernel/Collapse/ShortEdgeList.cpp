@@ -12,10 +12,11 @@ namespace
 
 constexpr std::size_t BoxesAChunk = 256;
 
-class Lister
+class ShortEdgeLister
 {
 public:
-  Lister(const PolyhedralFaces& faces, double ratio, const std::function<bool(std::size_t)>& stays)
+  ShortEdgeLister(
+    const PolyhedralFaces& faces, double ratio, const std::function<bool(std::size_t)>& stays)
     : faces_(faces)
     , ratio_(ratio)
     , stays_(stays)
@@ -134,7 +135,7 @@ private:
 std::vector<ShortEdge> listShortEdges(const PolyhedralFaces& faces, double ratio,
   const std::function<bool(std::size_t)>& stays, Execution& execution)
 {
-  return Lister(faces, ratio, stays).run(execution);
+  return ShortEdgeLister(faces, ratio, stays).run(execution);
 }
 
 }

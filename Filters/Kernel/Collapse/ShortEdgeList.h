@@ -1,4 +1,4 @@
-// Edges that are short against their boxes: what may collapse (ShortEdges.h).
+// Edges that are short against their boxes: what may collapse (EdgeCollapse.h).
 #pragma once
 
 #include "Faces/InnerFaces.h"

@@ -1,6 +1,6 @@
 #include "Collapse/WarpedHexahedra.h"
 
-#include "Faces/VertexRows.h"
+#include "Faces/UsedVertices.h"
 #include "Polyhedra/Polyhedron.h"
 
 #include <algorithm>
@@ -80,7 +80,7 @@ private:
       const std::size_t j = row % rowLength;
       const std::size_t k = row / rowLength;
       std::uint32_t i = 0;
-      if (VertexRows::isVertex(boxes_.planes, nodes_.grid[c], j, k, i))
+      if (UsedVertices::isVertex(boxes_.planes, nodes_.grid[c], j, k, i))
       {
         vertices_.push_back({ { static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(j), i },
           static_cast<std::uint32_t>(node) });

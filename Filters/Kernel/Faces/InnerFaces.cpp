@@ -15,7 +15,7 @@ namespace
 
 constexpr std::size_t BoxesAChunk = 512;
 
-struct Part
+struct FaceChunk
 {
   std::vector<std::uint32_t> nodes;
   std::vector<std::uint32_t> faceSizes;
@@ -61,7 +61,7 @@ public:
   std::vector<SideEdge>& chords() { return chords_; }
 
   // Appends the faces of the region that the chords bound; false where they do not close.
-  bool trace(const Rectangle& r, Part& part)
+  bool trace(const Rectangle& r, FaceChunk& part)
   {
     rectangle_ = &r;
     if (chords_.empty())
@@ -91,7 +91,7 @@ private:
   Flat at(std::uint32_t node) const { return flatten(nodes_[node], rectangle_->axis); }
 
   // A side that no surface crosses is inside or outside as a whole.
-  bool tracePlain(Part& part) const
+  bool tracePlain(FaceChunk& part) const
   {
     const auto& corner = rectangle_->corner;
     const bool anyInside = std::count(corner.begin(), corner.end(), Known::Inside) > 0;
@@ -288,7 +288,7 @@ private:
     return true;
   }
 
-  void emit(Part& part)
+  void emit(FaceChunk& part)
   {
     for (const FlatPolygon& loop : outer_)
     {
@@ -307,7 +307,7 @@ private:
   }
 
   // A last resort of the splitting may leave a node in a face twice.
-  void emit(const FlatPolygon& face, Part& part)
+  void emit(const FlatPolygon& face, FaceChunk& part)
   {
     walk_ = face.nodes;
     forEachSimpleLoop(walk_, [&](const std::uint32_t* begin, const std::uint32_t* end) {
@@ -340,7 +340,7 @@ public:
   {
   }
 
-  void addSidesOf(std::size_t n, Part& part)
+  void addSidesOf(std::size_t n, FaceChunk& part)
   {
     for (std::size_t s = sides_.ownStart[n]; s < sides_.ownStart[n + 1]; ++s)
     {
@@ -365,12 +365,12 @@ private:
   SideTracer tracer_;
 };
 
-InnerFaces join(const std::vector<Part>& parts, Execution& execution)
+InnerFaces join(const std::vector<FaceChunk>& parts, Execution& execution)
 {
   std::vector<std::size_t> side;
   std::vector<std::size_t> face;
   std::vector<std::size_t> node;
-  for (const Part& part : parts)
+  for (const FaceChunk& part : parts)
   {
     side.push_back(part.facesOfSide.size());
     face.push_back(part.faceSizes.size());
@@ -386,7 +386,7 @@ InnerFaces join(const std::vector<Part>& parts, Execution& execution)
   result.sideStart.back() = faces;
   result.flawed.resize(sides);
   execution.forEach(parts.size(), 1, [&](std::size_t i, std::size_t) {
-    const Part& part = parts[i];
+    const FaceChunk& part = parts[i];
     std::copy(part.nodes.begin(), part.nodes.end(), result.nodes.begin() + std::ptrdiff_t(node[i]));
     std::size_t next = node[i];
     for (std::size_t f = 0; f < part.faceSizes.size(); ++f)
@@ -411,7 +411,7 @@ InnerFaces generateInnerFaces(const Boxes& boxes, const Patches& patches, const 
   const Nodes& nodes, Execution& execution)
 {
   const std::size_t count = sides.polyhedral.size();
-  std::vector<Part> parts(chunks(count, BoxesAChunk));
+  std::vector<FaceChunk> parts(chunks(count, BoxesAChunk));
   execution.nextLoop(0.95);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     SideBuilder builder(boxes, patches, sides, nodes);

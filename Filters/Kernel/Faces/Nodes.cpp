@@ -87,16 +87,16 @@ private:
 };
 
 // The nodes of one chunk of sides, or of one chunk of divided hexahedra, by their numbers there.
-struct Part
+struct UseChunk
 {
   std::vector<PointUse> uses;
   std::vector<std::uint32_t> nodes;
 };
 
-Part sidesOf(const Boxes& boxes, const Sides& sides, std::size_t begin, std::size_t end,
+UseChunk sidesOf(const Boxes& boxes, const Sides& sides, std::size_t begin, std::size_t end,
   std::vector<std::size_t>& borderSizes)
 {
-  Part part;
+  UseChunk part;
   ChunkNodes list(boxes, part.uses);
   for (std::size_t n = begin; n < end; ++n)
   {
@@ -111,9 +111,9 @@ Part sidesOf(const Boxes& boxes, const Sides& sides, std::size_t begin, std::siz
   return part;
 }
 
-Part hexahedraOf(const Boxes& boxes, const Sides& sides, std::size_t begin, std::size_t end)
+UseChunk hexahedraOf(const Boxes& boxes, const Sides& sides, std::size_t begin, std::size_t end)
 {
-  Part part;
+  UseChunk part;
   ChunkNodes list(boxes, part.uses);
   for (std::size_t n = begin; n < end; ++n)
   {
@@ -138,7 +138,7 @@ Nodes findNodes(
 {
   const std::size_t count = sides.polyhedral.size();
   const std::size_t sideParts = chunks(count, BoxesAChunk);
-  std::vector<Part> parts(sideParts + chunks(sides.divided.size(), BoxesAChunk));
+  std::vector<UseChunk> parts(sideParts + chunks(sides.divided.size(), BoxesAChunk));
   Nodes nodes;
   nodes.borderStart.assign(sides.sides.size() + 1, 0);
   execution.nextLoop(0.9);

@@ -23,7 +23,7 @@ struct VertexNode
   }
 };
 
-// A hexahedron with a corner that moved (ShortEdges.h).
+// A hexahedron with a corner that moved (EdgeCollapse.h).
 struct WarpedHexahedron
 {
   std::uint32_t box;
@@ -36,7 +36,7 @@ struct Nodes
 {
   std::vector<Point> at;
   std::size_t patchPoints = 0;
-  std::vector<Point> grid;           // where grid nodes were before edges collapsed (ShortEdges.h)
+  std::vector<Point> grid; // where grid nodes were before edges collapsed (EdgeCollapse.h)
   std::vector<std::size_t> rowStart; // first grid node of each row of points (Numbering.h), from 0
   std::vector<std::size_t> borderStart; // first node of each side's border, and the end
   std::vector<std::uint32_t> border;    // grid nodes counter-clockwise from the lowest corner

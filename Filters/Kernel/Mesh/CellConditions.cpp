@@ -30,7 +30,7 @@ public:
   void inspect(std::size_t cell)
   {
     faces_.clear();
-    const auto& cells = parts_.cells.cells;
+    const auto& cells = parts_.cells.all;
     for (std::size_t f = cells[cell].firstFace; f < cells[cell + 1].firstFace; ++f)
     {
       faces_.push_back(geometryOf(parts_.cells.faces[f]));
@@ -59,7 +59,7 @@ public:
   }
 
 private:
-  FaceGeometry geometryOf(const FaceRef& face)
+  FaceGeometry geometryOf(const FaceOfCell& face)
   {
     corners_.clear();
     forEachNode(face, parts_.patches, parts_.inner, parts_.cells.shaped, [&](std::uint32_t node) {
@@ -84,9 +84,9 @@ private:
       exposed_, boundary_.end(), [cell](const BoundaryFace& face) { return face.cell != cell; });
   }
 
-  bool isBoundary(const FaceRef& face) const
+  bool isBoundary(const FaceOfCell& face) const
   {
-    using Kind = FaceRef::Kind;
+    using Kind = FaceOfCell::Kind;
     static_assert(int(Kind::Patch) == int(BoundaryFace::Kind::Patch));
     static_assert(int(Kind::TurnedShaped) == int(BoundaryFace::Kind::TurnedShaped));
     return face.kind() == Kind::Patch ||
@@ -118,7 +118,7 @@ CellConditions countFailures(const MeshParts& parts, const CellNumbers& numbers,
     Inspector inspector(parts, numbers, boundary, ofChunk[begin / CellsAChunk]);
     for (std::size_t c = numbers.coreBegin + begin; c < numbers.coreBegin + end; ++c)
     {
-      if (!parts.cells.cells[c].removed)
+      if (!parts.cells.all[c].removed)
       {
         inspector.inspect(c);
       }

@@ -58,13 +58,13 @@ struct AddedNode
 
 // In order.
 std::vector<AddedNode> addedNodes(
-  const Nodes& nodes, const Meshlines& planes, const std::vector<Use>& used)
+  const Nodes& nodes, const Meshlines& planes, const std::vector<NodeRole>& used)
 {
   RowFinder finder(planes);
   std::vector<AddedNode> added;
   for (std::size_t node = nodes.patchPoints + nodes.rowStart.back(); node < used.size(); ++node)
   {
-    if (used[node] == Use::Between)
+    if (used[node] == NodeRole::Plain)
     {
       added.push_back({ finder.rowOf(nodes.at[node]), nodes.at[node], node });
     }
@@ -81,7 +81,7 @@ PointNumbers::PointNumbers(const MeshParts& parts, Layers layers, Execution& exe
 }
 
 PointNumbers::PointNumbers(
-  const MeshParts& parts, Layers layers, std::vector<Use>&& used, Execution& execution)
+  const MeshParts& parts, Layers layers, std::vector<NodeRole>&& used, Execution& execution)
   : rowLength_(parts.boxes.planes[1].size())
   , vertices_(parts.boxes, parts.sides, parts.nodes, used, layers, execution)
 {
@@ -92,7 +92,7 @@ PointNumbers::PointNumbers(
   ofNode_.assign(used.size(), None);
   for (const VertexNode& vertex : nodes.moreVertices)
   {
-    used[vertex.node] = used[vertex.node] == Use::Nowhere ? Use::Nowhere : Use::AsVertex;
+    used[vertex.node] = used[vertex.node] == NodeRole::Unused ? NodeRole::Unused : NodeRole::Vertex;
   }
   const auto forEachGridNode = [&](std::size_t row, auto&& visit) {
     for (std::size_t c = nodes.rowStart[row]; c < nodes.rowStart[row + 1]; ++c)
@@ -108,13 +108,13 @@ PointNumbers::PointNumbers(
       rowStart_[row] = vertices_.count(row);
       forEachGridNode(row, [&](std::size_t node) {
         std::uint32_t i = 0;
-        if (used[node] != Use::Nowhere &&
-          VertexRows::isVertex(planes, nodes.grid[node - nodes.patchPoints], j, k, i))
+        if (used[node] != NodeRole::Unused &&
+          UsedVertices::isVertex(planes, nodes.grid[node - nodes.patchPoints], j, k, i))
         {
-          used[node] = Use::AsVertex;
+          used[node] = NodeRole::Vertex;
           ofNode_[node] = i;
         }
-        rowStart_[row] += used[node] == Use::Between ? 1 : 0;
+        rowStart_[row] += used[node] == NodeRole::Plain ? 1 : 0;
       });
     }
   });
@@ -122,7 +122,7 @@ PointNumbers::PointNumbers(
   RowFinder finder(planes);
   for (std::size_t node = 0; node < nodes.patchPoints; ++node)
   {
-    rowStart_[finder.rowOf(nodes.at[node])] += used[node] == Use::Nowhere ? 0 : 1;
+    rowStart_[finder.rowOf(nodes.at[node])] += used[node] == NodeRole::Unused ? 0 : 1;
   }
   for (const AddedNode& node : added)
   {
@@ -138,17 +138,17 @@ PointNumbers::PointNumbers(
       const auto k = static_cast<std::uint32_t>(row / rowLength_);
       next[row] = rowStart_[row] + vertices_.count(row);
       forEachGridNode(row, [&](std::size_t node) {
-        if (used[node] != Use::Nowhere)
+        if (used[node] != NodeRole::Unused)
         {
-          ofNode_[node] = used[node] == Use::AsVertex ? ofVertex(ofNode_[node], j, k)
-                                                      : static_cast<std::uint32_t>(next[row]++);
+          ofNode_[node] = used[node] == NodeRole::Vertex ? ofVertex(ofNode_[node], j, k)
+                                                         : static_cast<std::uint32_t>(next[row]++);
         }
       });
     }
   });
   for (std::size_t node = 0; node < nodes.patchPoints; ++node)
   {
-    if (used[node] != Use::Nowhere)
+    if (used[node] != NodeRole::Unused)
     {
       ofNode_[node] = static_cast<std::uint32_t>(next[finder.rowOf(nodes.at[node])]++);
     }
@@ -159,23 +159,23 @@ PointNumbers::PointNumbers(
   }
   for (const VertexNode& vertex : nodes.moreVertices)
   {
-    if (used[vertex.node] != Use::Nowhere)
+    if (used[vertex.node] != NodeRole::Unused)
     {
       ofNode_[vertex.node] = ofVertex(vertex.i, vertex.j, vertex.k);
     }
   }
 }
 
-std::vector<Use> PointNumbers::usedNodes(
+std::vector<NodeRole> PointNumbers::usedNodes(
   const MeshParts& parts, Layers layers, Execution& execution)
 {
   const Boxes& boxes = parts.boxes;
   const Cells& cells = parts.cells;
-  std::vector<std::atomic<Use>> marked(parts.nodes.at.size());
+  std::vector<std::atomic<NodeRole>> marked(parts.nodes.at.size());
   const auto mark = [&](std::uint32_t node) {
-    marked[node].store(Use::Between, std::memory_order_relaxed);
+    marked[node].store(NodeRole::Plain, std::memory_order_relaxed);
   };
-  const auto markFace = [&](const FaceRef& face) {
+  const auto markFace = [&](const FaceOfCell& face) {
     forEachNode(face, parts.patches, parts.inner, cells.shaped, mark);
   };
   const auto isHere = [&](std::uint32_t box) {
@@ -190,8 +190,8 @@ std::vector<Use> PointNumbers::usedNodes(
     });
   };
   forEach(cells.size(), [&](std::size_t c) {
-    const bool counts = !cells.cells[c].removed && isHere(cells.cells[c].box);
-    for (std::size_t f = cells.cells[c].firstFace; counts && f < cells.cells[c + 1].firstFace; ++f)
+    const bool counts = !cells.all[c].removed && isHere(cells.all[c].box);
+    for (std::size_t f = cells.all[c].firstFace; counts && f < cells.all[c + 1].firstFace; ++f)
     {
       markFace(cells.faces[f]);
     }
@@ -205,7 +205,7 @@ std::vector<Use> PointNumbers::usedNodes(
     const bool keeps = isHexahedronHere(side.low) || isHexahedronHere(side.high);
     for (std::size_t f = parts.inner.sideStart[s]; keeps && f < parts.inner.sideStart[s + 1]; ++f)
     {
-      markFace(FaceRef(f, FaceRef::Kind::Inner));
+      markFace(FaceOfCell(f, FaceOfCell::Kind::Inner));
     }
   });
   forEach(parts.nodes.ofDivided.size(), [&](std::size_t i) {

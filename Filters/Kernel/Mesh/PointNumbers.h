@@ -6,7 +6,7 @@
 #pragma once
 
 #include "Cells/Boundary.h"
-#include "Faces/VertexRows.h"
+#include "Faces/UsedVertices.h"
 
 namespace cartesian
 {
@@ -48,7 +48,7 @@ public:
 
   private:
     std::size_t first_;
-    VertexRows::Walk places_;
+    UsedVertices::Walk places_;
   };
 
   // Calls visit(number, i) for the used vertices of the row j + k * (planes along y), in order.
@@ -61,12 +61,13 @@ public:
 
 private:
   PointNumbers(
-    const MeshParts& parts, Layers layers, std::vector<Use>&& used, Execution& execution);
+    const MeshParts& parts, Layers layers, std::vector<NodeRole>&& used, Execution& execution);
 
-  static std::vector<Use> usedNodes(const MeshParts& parts, Layers layers, Execution& execution);
+  static std::vector<NodeRole> usedNodes(
+    const MeshParts& parts, Layers layers, Execution& execution);
 
   std::size_t rowLength_;
-  VertexRows vertices_;
+  UsedVertices vertices_;
   std::vector<std::size_t> rowStart_; // first number of each row, and the end
   std::vector<std::uint32_t> ofNode_;
 };

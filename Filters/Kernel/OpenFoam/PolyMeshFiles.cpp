@@ -44,14 +44,14 @@ bool isReplaceable(const fs::path& polyMesh, const std::vector<FoamPatch>& patch
     FoamBoundary(polyMesh / "boundary").hasNamesOf(patches);
 }
 
-void writeBoundary(const FoamBoundary& boundary, const PolyMesh& mesh, const fs::path& folder)
+void writeBoundary(const FoamBoundary& boundary, const FoamMesh& mesh, const fs::path& folder)
 {
   FoamFile file(folder / "boundary", FoamFormat::Ascii, { "polyBoundaryMesh", Location, {} });
   file.text(boundary.text(mesh.patches, mesh.faces.neighbour.size()));
   file.close();
 }
 
-void writeFaces(const PolyMesh& mesh, const fs::path& folder, FoamFormat format)
+void writeFaces(const FoamMesh& mesh, const fs::path& folder, FoamFormat format)
 {
   const CellFaces& cells = mesh.cells;
   std::vector<std::size_t> start = { 0 };
@@ -84,7 +84,7 @@ void writeLabels(const fs::path& path, const std::vector<std::uint32_t>& labels,
 }
 
 void writeFiles(
-  const PolyMesh& mesh, const FoamBoundary& boundary, const fs::path& folder, FoamFormat format)
+  const FoamMesh& mesh, const FoamBoundary& boundary, const fs::path& folder, FoamFormat format)
 {
   FoamFile points(folder / "points", format, { "vectorField", Location, {} });
   points.vectors(mesh.points);
@@ -149,7 +149,7 @@ fs::path setAside(const fs::path& polyMesh, bool replaced)
 }
 
 std::filesystem::path writePolyMesh(
-  const PolyMesh& mesh, const std::filesystem::path& folder, FoamFormat format)
+  const FoamMesh& mesh, const std::filesystem::path& folder, FoamFormat format)
 {
   const fs::path polyMesh = folder / Location;
   fs::path unfinished = polyMesh;

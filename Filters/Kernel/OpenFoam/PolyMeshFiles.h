@@ -8,7 +8,7 @@
 namespace cartesian
 {
 
-struct PolyMesh
+struct FoamMesh
 {
   const std::vector<double>& points; // three coordinates each; each is a point of a face
   const CellFaces& cells;
@@ -27,7 +27,7 @@ struct PolyMesh
 //
 // Throws Error: BadMesh (more than 2^31 - 1 points, faces or corners), CannotWrite.
 std::filesystem::path writePolyMesh(
-  const PolyMesh& mesh, const std::filesystem::path& folder, FoamFormat format);
+  const FoamMesh& mesh, const std::filesystem::path& folder, FoamFormat format);
 
 // Creates the empty file by which ParaView opens a case, if it is not there. Throws Error
 // (CannotWrite).

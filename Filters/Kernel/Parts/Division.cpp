@@ -8,7 +8,7 @@ namespace
 
 // Layers of global boxes around a part of the grid that its cells depend on, directly or not. What
 // happens to cells once they are cut reaches as far as cutFrom() says (Slabs.h). Before, three times,
-// flawed boxes change those around them, and are flawed by theirs (FlawedBoxes.h); faces between those
+// flawed boxes change those around them, and are flawed by theirs (BoxRebuilding.h); faces between those
 // and the next layer take the surface in one more, and how each box there is patched; and where boxes
 // are divided, that takes the split lines of the next.
 constexpr std::uint32_t HaloOfRebuilding = 3 * 2;

@@ -48,7 +48,7 @@ Layers shapedFrom(Layers wanted, std::uint32_t allLayers);
 constexpr std::uint32_t FirstDivide = SlabThickness / 2;
 constexpr std::uint32_t DivideDistance = SlabThickness;
 
-// Short edges (ShortEdges.h) collapse from one seam, a plane between layers, to the next, and then
+// Short edges (EdgeCollapse.h) collapse from one seam, a plane between layers, to the next, and then
 // across seams. Here their slabs fit those of parts that are divided so; a grid of a single slab has no
 // seam.
 constexpr std::uint32_t FirstSeam = 2;

@@ -120,8 +120,8 @@ bool SideLines::crossing(const Corners& triangle, const Point& p, const Point& q
   return halves[at[v] < middle_[v] ? 0 : 1];
 }
 
-SurfaceCutter::SurfaceCutter(
-  const Surface& surface, const Features& features, const Boxes& boxes, const Clearance* clearance)
+SurfaceCutter::SurfaceCutter(const Surface& surface, const Features& features, const Boxes& boxes,
+  const PlaneClearance* clearance)
   : surface_(surface)
   , features_(features)
   , boxes_(boxes)

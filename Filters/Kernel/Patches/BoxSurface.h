@@ -7,7 +7,7 @@
 
 #include "Lattice/ExactFit.h"
 #include "Lattice/Numbering.h"
-#include "Patches/Clearance.h"
+#include "Patches/PlaneClearance.h"
 #include "Surface/Features.h"
 
 namespace cartesian
@@ -94,7 +94,7 @@ class SurfaceCutter
 public:
   // `clearance`: how far points keep away from planes that they are not on, or null: they are exact.
   SurfaceCutter(const Surface& surface, const Features& features, const Boxes& boxes,
-    const Clearance* clearance);
+    const PlaneClearance* clearance);
 
   // The part of the triangles [begin, end) in the box.
   void cut(
@@ -119,7 +119,7 @@ private:
   const Surface& surface_;
   const Features& features_;
   const Boxes& boxes_;
-  const Clearance* clearance_;
+  const PlaneClearance* clearance_;
   const Box* box_ = nullptr;
   std::array<Interval, 3> intervals_{};
   SideLines lines_;

@@ -2,8 +2,8 @@
 
 #include "Base/Error.h"
 #include "Base/Loops.h"
+#include "Patches/SideTying.h"
 #include "Patches/Simplification.h"
-#include "Patches/Tying.h"
 
 namespace cartesian
 {
@@ -68,7 +68,7 @@ private:
 };
 
 // The polygons of a chunk of boxes. Corners are slots: points of this chunk, one a box and place.
-struct Part
+struct PatchChunk
 {
   std::vector<PointUse> uses;
   std::vector<std::uint32_t> sizes;
@@ -82,8 +82,8 @@ class PartBuilder
 {
 public:
   PartBuilder(const Surface& surface, const Features& features, const Boxes& boxes,
-    const Clearance& clearance, const std::vector<PatchReason>& reasons, const PatchSpec& spec,
-    Part& part)
+    const PlaneClearance& clearance, const std::vector<PatchReason>& reasons, const PatchSpec& spec,
+    PatchChunk& part)
     : features_(features)
     , boxes_(boxes)
     , reasons_(reasons)
@@ -248,7 +248,7 @@ private:
   SideTying tying_;
   Simplification simplification_;
   LoopTriangulation triangulation_;
-  Part& part_;
+  PatchChunk& part_;
   std::vector<LoopNode> nodes_; // of each point that a chord leaves
   std::vector<LoopNode> loop_;
   std::vector<std::uint32_t> triangleAt_; // of the surface, of each point that a chord leaves
@@ -265,9 +265,9 @@ struct Offsets
   std::vector<std::size_t> corner;
   std::vector<std::size_t> slot;
 
-  explicit Offsets(const std::vector<Part>& parts)
+  explicit Offsets(const std::vector<PatchChunk>& parts)
   {
-    for (const Part& part : parts)
+    for (const PatchChunk& part : parts)
     {
       polygon.push_back(part.sizes.size());
       corner.push_back(part.corners.size());
@@ -282,7 +282,7 @@ struct Offsets
   }
 };
 
-void copyPart(const Part& part, std::size_t index, const Offsets& offsets,
+void copyChunk(const PatchChunk& part, std::size_t index, const Offsets& offsets,
   const Numbering& numbering, const Surface& surface, Patches& patches)
 {
   std::size_t polygon = offsets.polygon[index];
@@ -324,7 +324,7 @@ void checkSpec(const PatchSpec& spec)
 
 // The surface in the intersected boxes [begin, end), and the method for each.
 void cutPieces(const Surface& surface, const Features& features, const Boxes& boxes,
-  const Clearance& clearance, const Shoeboxes& shoeboxes, const PatchSpec& spec,
+  const PlaneClearance& clearance, const Shoeboxes& shoeboxes, const PatchSpec& spec,
   const std::vector<std::uint32_t>& intersected, std::size_t begin, std::size_t end, Pieces& pieces,
   std::vector<PatchReason>& reasons)
 {
@@ -361,7 +361,7 @@ Patches generatePatches(const Surface& surface, const Boxes& boxes, const Shoebo
 {
   checkSpec(spec);
   const Features features = findFeatures(surface, spec.featureAngle, execution);
-  const Clearance clearance(surface, boxes);
+  const PlaneClearance clearance(surface, boxes);
   const std::vector<std::uint32_t> intersected = intersectedBoxes(boxes, execution);
   const std::size_t count = intersected.size();
   std::vector<Pieces> pieces(chunks(count, BoxesAChunk));
@@ -371,7 +371,7 @@ Patches generatePatches(const Surface& surface, const Boxes& boxes, const Shoebo
     cutPieces(surface, features, boxes, clearance, shoeboxes, spec, intersected, begin, end,
       pieces[begin / BoxesAChunk], reasons);
   });
-  std::vector<Part> parts(pieces.size());
+  std::vector<PatchChunk> parts(pieces.size());
   execution.nextLoop(0.95);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     PartBuilder builder(
@@ -404,7 +404,7 @@ Patches generatePatches(const Surface& surface, const Boxes& boxes, const Shoebo
   patches.boxStart.resize(count + 1);
   patches.boxStart.back() = offsets.polygon.back();
   execution.forEach(parts.size(), 1, [&](std::size_t i, std::size_t) {
-    copyPart(parts[i], i, offsets, numbering, surface, patches);
+    copyChunk(parts[i], i, offsets, numbering, surface, patches);
   });
   patches.points.swap(numbering.points);
   patches.reason.reserve(count);

@@ -44,8 +44,8 @@ double lengthOf(const Vector& v)
 
 }
 
-Simplification::Simplification(
-  const Surface& surface, const Boxes& boxes, const Clearance& clearance, const PatchSpec& spec)
+Simplification::Simplification(const Surface& surface, const Boxes& boxes,
+  const PlaneClearance& clearance, const PatchSpec& spec)
   : surface_(surface)
   , boxes_(boxes)
   , clearance_(clearance)
@@ -143,9 +143,9 @@ Simplification::Cone Simplification::around(const Cone& a, const Cone& b)
     spread };
 }
 
-void Simplification::listUses()
+void Simplification::listEdges()
 {
-  uses_.clear();
+  edges_.clear();
   for (std::uint32_t p = 0; p < polygons_.size(); ++p)
   {
     if (!polygons_[p].alive)
@@ -157,10 +157,10 @@ void Simplification::listUses()
     {
       const std::uint32_t a = c[i];
       const std::uint32_t b = c[i + 1 < polygons_[p].size ? i + 1 : 0];
-      uses_.push_back({ std::min(a, b), std::max(a, b), p, a > b });
+      edges_.push_back({ std::min(a, b), std::max(a, b), p, a > b });
     }
   }
-  std::sort(uses_.begin(), uses_.end(), [](const Use& a, const Use& b) {
+  std::sort(edges_.begin(), edges_.end(), [](const PolygonEdge& a, const PolygonEdge& b) {
     return a.lower != b.lower ? a.lower < b.lower
                               : (a.upper != b.upper ? a.upper < b.upper : a.polygon < b.polygon);
   });
@@ -185,17 +185,17 @@ void Simplification::markFeatures()
       cone = around(cone, { p.axis, p.spread });
     }
   }
-  listUses();
-  for (std::size_t i = 0; i < uses_.size();)
+  listEdges();
+  for (std::size_t i = 0; i < edges_.size();)
   {
     std::size_t end = i + 1;
-    while (end < uses_.size() && uses_[i].sameEdge(uses_[end]))
+    while (end < edges_.size() && edges_[i].sameEdge(edges_[end]))
     {
       ++end;
     }
-    if (end - i != 2 || isFeature(polygons_[uses_[i].polygon], polygons_[uses_[i + 1].polygon]))
+    if (end - i != 2 || isFeature(polygons_[edges_[i].polygon], polygons_[edges_[i + 1].polygon]))
     {
-      feature_[uses_[i].lower] = feature_[uses_[i].upper] = 1;
+      feature_[edges_[i].lower] = feature_[edges_[i].upper] = 1;
     }
     i = end;
   }
@@ -376,8 +376,8 @@ void Simplification::removeInner()
     }
   }
   // What is left of edges shorter than the clearance of nodes from planes.
-  listUses();
-  for (const Use& use : uses_)
+  listEdges();
+  for (const PolygonEdge& use : edges_)
   {
     if (planes_[use.lower] == 0 && planes_[use.upper] == 0 &&
       lengthOf(minus(at_[use.lower], at_[use.upper])) < shortest_)
@@ -401,30 +401,31 @@ bool Simplification::isSliver(const Polygon& p) const
 void Simplification::listCandidates()
 {
   candidates_.clear();
-  listUses();
-  for (std::size_t i = 0; i < uses_.size();)
+  listEdges();
+  for (std::size_t i = 0; i < edges_.size();)
   {
     std::size_t end = i + 1;
-    while (end < uses_.size() && uses_[i].sameEdge(uses_[end]))
+    while (end < edges_.size() && edges_[i].sameEdge(edges_[end]))
     {
       ++end;
     }
-    const Use& a = uses_[i];
-    if (end - i == 2 && a.down != uses_[i + 1].down && a.polygon != uses_[i + 1].polygon)
+    const PolygonEdge& a = edges_[i];
+    if (end - i == 2 && a.down != edges_[i + 1].down && a.polygon != edges_[i + 1].polygon)
     {
-      const std::uint32_t left = a.down ? uses_[i + 1].polygon : a.polygon;
-      const std::uint32_t right = a.down ? a.polygon : uses_[i + 1].polygon;
+      const std::uint32_t left = a.down ? edges_[i + 1].polygon : a.polygon;
+      const std::uint32_t right = a.down ? a.polygon : edges_[i + 1].polygon;
       candidates_.push_back({ lengthOf(minus(at_[a.lower], at_[a.upper])),
         isSliver(polygons_[left]) || isSliver(polygons_[right]), left, right, a.lower, a.upper });
     }
     i = end;
   }
-  std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
-    return a.sliver != b.sliver
-      ? a.sliver
-      : (a.length != b.length ? a.length > b.length
-                              : (a.from != b.from ? a.from < b.from : a.to < b.to));
-  });
+  std::sort(
+    candidates_.begin(), candidates_.end(), [](const MergeCandidate& a, const MergeCandidate& b) {
+      return a.sliver != b.sliver
+        ? a.sliver
+        : (a.length != b.length ? a.length > b.length
+                                : (a.from != b.from ? a.from < b.from : a.to < b.to));
+    });
 }
 
 std::uint32_t Simplification::current(std::uint32_t polygon)
@@ -444,14 +445,14 @@ void Simplification::merge()
   {
     joined_[i] = i;
   }
-  for (const Candidate& candidate : candidates_)
+  for (const MergeCandidate& candidate : candidates_)
   {
     joinAcross(candidate);
   }
   splitTurned();
 }
 
-bool Simplification::joinAcross(const Candidate& candidate)
+bool Simplification::joinAcross(const MergeCandidate& candidate)
 {
   const std::uint32_t left = current(candidate.left);
   const std::uint32_t right = current(candidate.right);

@@ -2,13 +2,13 @@
 //
 // Nodes inside smooth parts go, triangles of similar normal become convex polygons, slivers join a
 // neighbour. Sharp edges, corners and borders between boundaries stay, and so do the nodes on the
-// sides of the box, on which both boxes of a side have agreed (Tying.h).
+// sides of the box, on which both boxes of a side have agreed (SideTying.h).
 #pragma once
 
 #include "Lattice/MarchingCubes.h"
 #include "Patches/BoxSurface.h"
 #include "Patches/PatchSpec.h"
-#include "Patches/Tying.h"
+#include "Patches/SideTying.h"
 
 namespace cartesian
 {
@@ -17,8 +17,8 @@ namespace cartesian
 class Simplification
 {
 public:
-  Simplification(
-    const Surface& surface, const Boxes& boxes, const Clearance& clearance, const PatchSpec& spec);
+  Simplification(const Surface& surface, const Boxes& boxes, const PlaneClearance& clearance,
+    const PatchSpec& spec);
 
   // Starts anew.
   void begin(const Box& box, const std::vector<Point>& points);
@@ -68,17 +68,20 @@ private:
   };
 
   // A polygon's use of an edge.
-  struct Use
+  struct PolygonEdge
   {
     std::uint32_t lower;
     std::uint32_t upper;
     std::uint32_t polygon;
     bool down;
 
-    bool sameEdge(const Use& other) const { return lower == other.lower && upper == other.upper; }
+    bool sameEdge(const PolygonEdge& other) const
+    {
+      return lower == other.lower && upper == other.upper;
+    }
   };
 
-  struct Candidate
+  struct MergeCandidate
   {
     double length;
     bool sliver;
@@ -88,7 +91,7 @@ private:
     std::uint32_t to;
   };
 
-  void listUses();
+  void listEdges();
   void markFeatures();
   bool isFeature(const Polygon& p, const Polygon& q) const;
   bool gatherFan(std::uint32_t node);
@@ -98,7 +101,7 @@ private:
     const std::uint32_t* begin, const std::uint32_t* end, const Polygon& like, const Cone& cone);
   static Cone around(const Cone& a, const Cone& b);
   void listCandidates();
-  bool joinAcross(const Candidate& candidate);
+  bool joinAcross(const MergeCandidate& candidate);
   bool isSliver(const Polygon& p) const;
   bool unite(const Polygon& left, const Polygon& right, std::uint32_t from, std::uint32_t to);
   bool isConvex(const std::vector<std::uint32_t>& ring, double mostConcave) const;
@@ -107,7 +110,7 @@ private:
 
   const Surface& surface_;
   const Boxes& boxes_;
-  const Clearance& clearance_;
+  const PlaneClearance& clearance_;
   double mergeRadius_;  // radians
   double featureAngle_; // radians
   double featureCosine_;
@@ -120,11 +123,11 @@ private:
   std::vector<Polygon> polygons_;
   std::vector<std::uint32_t> corners_;
   std::vector<std::vector<std::uint32_t>> of_; // polygons of each point, dead ones too
-  std::vector<Use> uses_;
+  std::vector<PolygonEdge> edges_;
   std::vector<std::uint32_t> fan_;
   std::vector<std::uint32_t> loop_;
   std::vector<LoopNode> nodes_;
-  std::vector<Candidate> candidates_;
+  std::vector<MergeCandidate> candidates_;
   std::vector<std::uint32_t> joined_; // what each polygon has become part of
   std::vector<std::uint32_t> ring_;
   LoopTriangulation triangulation_;

@@ -413,7 +413,7 @@ private:
 
   void add(const std::string& name, double value)
   {
-    result_.push_back({ name, value, SummaryValue::Of::Sum });
+    result_.push_back({ name, value, SummaryValue::Reduction::Sum });
   }
 
   template <class Value>
@@ -450,7 +450,7 @@ private:
       }
     }
     result_.push_back({ std::string(spec.largeIsWorse ? "Max" : "Min") + spec.name, worst,
-      spec.largeIsWorse ? SummaryValue::Of::Most : SummaryValue::Of::Least });
+      spec.largeIsWorse ? SummaryValue::Reduction::Maximum : SummaryValue::Reduction::Minimum });
   }
 
   const Quality& quality_;

@@ -104,15 +104,15 @@ Quality measureQuality(
 // One of the numbers that sum up a mesh; of a mesh in pieces, its pieces' values put together.
 struct SummaryValue
 {
-  enum class Of
+  enum class Reduction
   {
     Sum,
-    Least,
-    Most,
+    Minimum,
+    Maximum,
   };
   std::string name;
   double value;
-  Of pieces;
+  Reduction reduction;
 };
 
 // Cells, FailingCells, ConcaveCells, TotalVolume, BoundaryArea, and for each measure <Name>Failures,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Polyhedra.h"
+#include "PolyhedronStorage.h"
 
 #include "vtkCellArray.h"
 #include "vtkIdList.h"

@@ -1,4 +1,4 @@
-#include "Patches/Tying.h"
+#include "Patches/SideTying.h"
 
 #include "Boxes/Sides.h"
 
@@ -33,7 +33,7 @@ Level oddLevel(double x)
 }
 
 SideTying::SideTying(const Surface& surface, const Features& features, const Boxes& boxes,
-  const Clearance& clearance, const std::vector<PatchReason>& reasons, const PatchSpec& spec)
+  const PlaneClearance& clearance, const std::vector<PatchReason>& reasons, const PatchSpec& spec)
   : surface_(surface)
   , features_(features)
   , boxes_(boxes)

@@ -8,16 +8,16 @@ namespace cartesian
 {
 
 // How cells use a node of faces.
-enum class Use : std::uint8_t
+enum class NodeRole : std::uint8_t
 {
-  Nowhere,
-  Between,  // it is no vertex of the global mesh, or that is not known yet
-  AsVertex, // it is one
+  Unused,
+  Plain,  // it is no vertex of the global mesh, or that is not known yet
+  Vertex, // it is one
 };
 
-class VertexRows
+class UsedVertices
 {
-  struct Run
+  struct VertexRun
   {
     std::uint32_t begin; // i
     std::uint32_t end;
@@ -27,8 +27,8 @@ class VertexRows
 public:
   // Vertices of undivided boxes of these layers that become hexahedra, and grid nodes
   // that are used.
-  VertexRows(const Boxes& boxes, const Sides& sides, const Nodes& nodes,
-    const std::vector<Use>& used, Layers layers, Execution& execution);
+  UsedVertices(const Boxes& boxes, const Sides& sides, const Nodes& nodes,
+    const std::vector<NodeRole>& used, Layers layers, Execution& execution);
 
   // How many there are in the row j + k * (planes along y).
   std::size_t count(std::size_t row) const
@@ -37,7 +37,7 @@ public:
     {
       return 0;
     }
-    const Run& last = runs_[rowStart_[row + 1] - 1];
+    const VertexRun& last = runs_[rowStart_[row + 1] - 1];
     return last.place + (last.end - last.begin);
   }
 
@@ -66,7 +66,7 @@ public:
   class Walk
   {
   public:
-    Walk(const VertexRows& rows, std::size_t row)
+    Walk(const UsedVertices& rows, std::size_t row)
       : run_(rows.runs_.data() + rows.rowStart_[row])
     {
     }
@@ -80,11 +80,11 @@ public:
     }
 
   private:
-    const Run* run_;
+    const VertexRun* run_;
   };
 
 private:
-  std::vector<Run> runs_;
+  std::vector<VertexRun> runs_;
   std::vector<std::size_t> rowStart_;
   std::size_t rowLength_;
 };

@@ -32,7 +32,8 @@ class SideTying
 public:
   // `reasons`: of all boxes, by their index.
   SideTying(const Surface& surface, const Features& features, const Boxes& boxes,
-    const Clearance& clearance, const std::vector<PatchReason>& reasons, const PatchSpec& spec);
+    const PlaneClearance& clearance, const std::vector<PatchReason>& reasons,
+    const PatchSpec& spec);
 
   // Ties all sides of a box. Points that move are moved in `piece`.
   void tie(std::uint32_t box, BoxSurface& piece);
@@ -91,7 +92,7 @@ private:
   const Surface& surface_;
   const Features& features_;
   const Boxes& boxes_;
-  const Clearance& clearance_;
+  const PlaneClearance& clearance_;
   const std::vector<PatchReason>& reasons_;
   PatchSpec spec_;
   double mergeCosine_;

@@ -46,10 +46,10 @@ struct BoundaryMesh
   std::vector<Id> meshPoint; // the mesh's point
 };
 
-class Mesh
+class OutputMesh
 {
 public:
-  Mesh(const MeshParts& parts, Execution& execution);
+  OutputMesh(const MeshParts& parts, Execution& execution);
 
   Id pointCount() const { return static_cast<Id>(points_.size()); }
 
@@ -132,7 +132,7 @@ private:
     std::vector<Id>& points, Execution& execution) const;
 
   template <class Visitor>
-  void forEachPoint(const FaceRef& face, Visitor&& visit) const;
+  void forEachPoint(const FaceOfCell& face, Visitor&& visit) const;
 
   MeshParts parts_;
   CellNumbers numbers_;

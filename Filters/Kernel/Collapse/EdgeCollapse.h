@@ -12,7 +12,7 @@
 namespace cartesian
 {
 
-struct ShortEdgeSpec
+struct EdgeCollapseSpec
 {
   // From 0 (none) to MostRatio: edges shorter than this part of their box's shortest edge collapse
   // where no face turns over.
@@ -37,7 +37,7 @@ constexpr double MostCollapseRatio = 0.3;
 
 // Returns the number of nodes that are gone. Patches and inner faces without area are gone too.
 // Results do not depend on the order of nodes but on their places.
-std::size_t collapseShortEdges(const Boxes& boxes, const Sides& sides, const ShortEdgeSpec& spec,
+std::size_t collapseShortEdges(const Boxes& boxes, const Sides& sides, const EdgeCollapseSpec& spec,
   Patches& patches, Nodes& nodes, InnerFaces& inner, Execution& execution);
 
 }

@@ -1,4 +1,4 @@
-#include "Collapse/ShortEdges.h"
+#include "Collapse/EdgeCollapse.h"
 
 #include "Base/Sorting.h"
 #include "Collapse/FaceCompaction.h"
@@ -43,7 +43,7 @@ struct Choice
 class Collapser
 {
 public:
-  Collapser(const Boxes& boxes, const Sides& sides, const ShortEdgeSpec& spec, Patches& patches,
+  Collapser(const Boxes& boxes, const Sides& sides, const EdgeCollapseSpec& spec, Patches& patches,
     Nodes& nodes, InnerFaces& inner, Execution& execution)
     : boxes_(boxes)
     , sides_(sides)
@@ -804,7 +804,7 @@ private:
 
   const Boxes& boxes_;
   const Sides& sides_;
-  const ShortEdgeSpec& spec_;
+  const EdgeCollapseSpec& spec_;
   Patches& patches_;
   Nodes& nodes_;
   InnerFaces& inner_;
@@ -820,7 +820,7 @@ private:
 
 }
 
-std::size_t collapseShortEdges(const Boxes& boxes, const Sides& sides, const ShortEdgeSpec& spec,
+std::size_t collapseShortEdges(const Boxes& boxes, const Sides& sides, const EdgeCollapseSpec& spec,
   Patches& patches, Nodes& nodes, InnerFaces& inner, Execution& execution)
 {
   return Collapser(boxes, sides, spec, patches, nodes, inner, execution).run();

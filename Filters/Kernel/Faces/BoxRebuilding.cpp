@@ -1,4 +1,4 @@
-#include "Faces/FlawedBoxes.h"
+#include "Faces/BoxRebuilding.h"
 
 #include "Faces/LoopPatches.h"
 

@@ -12,11 +12,11 @@
 namespace cartesian
 {
 
-class Clearance
+class PlaneClearance
 {
 public:
   // 2^-19 of a global box, and no more than 2^-10 of the surface's extent, so that no body is lost.
-  Clearance(const Surface& surface, const Boxes& boxes)
+  PlaneClearance(const Surface& surface, const Boxes& boxes)
     : planes_(boxes.planes)
   {
     Point low = surface.vertices.front();
