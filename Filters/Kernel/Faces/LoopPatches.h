@@ -4,7 +4,7 @@
 
 #include "Faces/InnerFaces.h"
 #include "Faces/SideChords.h"
-#include "Lattice/MarchingCubes.h"
+#include "Patches/ChordLoops.h"
 
 namespace cartesian
 {
@@ -36,10 +36,8 @@ private:
 
   void gatherChords(std::size_t n);
   void listBoxNodes();
-  void linkChords();
   std::uint32_t local(std::uint32_t node) const;
   void listLoopNodes(const Box& box);
-  void triangulate(const std::uint32_t* begin, const std::uint32_t* end, Patches& result);
   std::uint32_t numberOf(std::uint32_t node) const;
   void listSources(std::uint32_t n);
   Vector areaOf(std::size_t patch) const;
@@ -56,16 +54,11 @@ private:
 
   std::vector<SideEdge> chords_;
   std::vector<std::uint8_t> scratch_;
-  std::vector<SideEdge> boxChords_;
-  std::vector<Vector> normals_;
-  std::vector<std::uint32_t> boxNodes_;
-  std::vector<LoopNode> loopNodes_;
-  std::vector<LoopNode> loop_;
+  std::vector<SideEdge> boxChords_;     // between nodes of loops_
+  std::vector<Vector> normals_;         // of the patches along the chords
+  std::vector<std::uint32_t> boxNodes_; // in order
   std::vector<Source> sources_;         // patches that new ones may come from
-  std::vector<std::uint32_t> leaving_;  // first chord that leaves each node, and
-  std::vector<std::uint32_t> sameFrom_; // the next one that leaves the same node
-  std::vector<std::uint32_t> walk_;
-  LoopTriangulation triangulation_;
+  ChordLoops loops_;
 };
 
 }
