@@ -94,8 +94,8 @@ private:
   bool tracePlain(FaceChunk& part) const
   {
     const auto& corner = rectangle_->corner;
-    const bool anyInside = std::count(corner.begin(), corner.end(), Known::Inside) > 0;
-    const bool anyOutside = std::count(corner.begin(), corner.end(), Known::Outside) > 0;
+    const bool anyInside = std::count(corner.begin(), corner.end(), KnownStatus::Inside) > 0;
+    const bool anyOutside = std::count(corner.begin(), corner.end(), KnownStatus::Outside) > 0;
     if (anyInside && !anyOutside)
     {
       part.nodes.insert(
@@ -111,7 +111,7 @@ private:
   {
     listBorder(nodes_, *rectangle_, chords_, border_);
     const auto known = std::find_if(border_.cbegin(), border_.cend(),
-      [](const BorderNode& node) { return node.known != Known::Nothing; });
+      [](const BorderNode& node) { return node.known != KnownStatus::Unknown; });
     if (known == border_.cend())
     {
       return false;
@@ -135,7 +135,7 @@ private:
         from = node.node;
       }
       status += node.change;
-      if (node.known != Known::Nothing && status != static_cast<int>(node.known))
+      if (node.known != KnownStatus::Unknown && status != static_cast<int>(node.known))
       {
         return false;
       }

@@ -12,19 +12,21 @@ void addToBorder(const Flat& p, const Rectangle& r, std::uint32_t node, int chan
 {
   if (p.b == r.low.b && p.a < r.high.a)
   {
-    border.push_back({ 0, p.a, node, change, p.a == r.low.a ? r.corner[0] : Known::Nothing });
+    border.push_back({ 0, p.a, node, change, p.a == r.low.a ? r.corner[0] : KnownStatus::Unknown });
   }
   else if (p.a == r.high.a && p.b < r.high.b)
   {
-    border.push_back({ 1, p.b, node, change, p.b == r.low.b ? r.corner[1] : Known::Nothing });
+    border.push_back({ 1, p.b, node, change, p.b == r.low.b ? r.corner[1] : KnownStatus::Unknown });
   }
   else if (p.b == r.high.b && p.a > r.low.a)
   {
-    border.push_back({ 2, -p.a, node, change, p.a == r.high.a ? r.corner[2] : Known::Nothing });
+    border.push_back(
+      { 2, -p.a, node, change, p.a == r.high.a ? r.corner[2] : KnownStatus::Unknown });
   }
   else if (p.a == r.low.a)
   {
-    border.push_back({ 3, -p.b, node, change, p.b == r.high.b ? r.corner[3] : Known::Nothing });
+    border.push_back(
+      { 3, -p.b, node, change, p.b == r.high.b ? r.corner[3] : KnownStatus::Unknown });
   }
 }
 
@@ -105,7 +107,7 @@ Rectangle SideChords::rectangle(std::size_t s) const
     const Flat p = flatten(nodes_.at[r.border[i]], side.axis);
     r.high = { std::max(r.high.a, p.a), std::max(r.high.b, p.b) };
   }
-  r.corner.fill(Known::Nothing);
+  r.corner.fill(KnownStatus::Unknown);
   const std::array<Flat, 4> at = { r.low, Flat{ r.high.a, r.low.b }, r.high,
     Flat{ r.low.a, r.high.b } };
   for (const bool upper : { true, false })
@@ -125,7 +127,8 @@ Rectangle SideChords::rectangle(std::size_t s) const
     {
       if (boxes_.globalOf(box).nearDepth == 0 || isAt(corners[i], at[i]))
       {
-        r.corner[i] = (box.corners >> corners[i] & 1) != 0 ? Known::Inside : Known::Outside;
+        r.corner[i] =
+          (box.corners >> corners[i] & 1) != 0 ? KnownStatus::Inside : KnownStatus::Outside;
       }
     }
   }

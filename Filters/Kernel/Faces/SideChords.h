@@ -22,10 +22,10 @@ struct SideEdge
   }
 };
 
-// Statuses of a side's corners, as far as a corner of one of its boxes tells.
-enum class Known : std::int8_t
+// Status of a node, as far as the corners of boxes tell.
+enum class KnownStatus : std::int8_t
 {
-  Nothing = -1,
+  Unknown = -1,
   Outside = 0,
   Inside = 1,
 };
@@ -38,7 +38,7 @@ struct Rectangle
   Flat high;
   const std::uint32_t* border; // grid nodes, counter-clockwise from the lowest corner
   std::size_t borderSize;
-  std::array<Known, 4> corner; // counter-clockwise from the lowest corner
+  std::array<KnownStatus, 4> corner; // counter-clockwise from the lowest corner
 };
 
 // A grid node on the border, or an end of a chord.
@@ -48,7 +48,7 @@ struct BorderNode
   std::int64_t along;
   std::uint32_t node;
   int change; // of the status past this node
-  Known known;
+  KnownStatus known;
 };
 
 // Lists the nodes counter-clockwise from the lowest corner.
