@@ -60,11 +60,25 @@ public:
   }
 
 private:
-  PointNumbers(
-    const MeshParts& parts, Layers layers, std::vector<NodeRole>&& used, Execution& execution);
+  struct AddedNode;
 
+  PointNumbers(
+    const MeshParts& parts, Layers layers, std::vector<NodeRole>&& roles, Execution& execution);
+
+  // All used nodes are Plain.
   static std::vector<NodeRole> usedNodes(
     const MeshParts& parts, Layers layers, Execution& execution);
+  static std::vector<AddedNode> addedNodes(
+    const Nodes& nodes, const Meshlines& planes, const std::vector<NodeRole>& roles);
+  template <class Visitor>
+  void forEachGridNode(const Nodes& nodes, Execution& execution, Visitor&& visit) const;
+  bool isVertex(const MeshParts& parts, std::size_t row, std::size_t node, std::uint32_t& i) const;
+  void markVertices(
+    const MeshParts& parts, std::vector<NodeRole>& roles, Execution& execution) const;
+  void countPoints(const MeshParts& parts, const std::vector<NodeRole>& roles,
+    const std::vector<AddedNode>& added, Execution& execution);
+  void numberNodes(const MeshParts& parts, const std::vector<NodeRole>& roles,
+    const std::vector<AddedNode>& added, Execution& execution);
 
   std::size_t rowLength_;
   UsedVertices vertices_;
