@@ -31,7 +31,7 @@ constexpr int CellOf = 0;
 constexpr int FaceOf = 1;
 constexpr int BoundaryOf = 2;
 
-// Whether the same corners follow each other, from whichever they start.
+// Whether two faces have the same corners in the same cyclic order.
 bool sameLoop(const std::vector<vtkIdType>& loop, const vtkIdType* points, vtkIdType count)
 {
   if (static_cast<vtkIdType>(loop.size()) != count)
@@ -49,7 +49,7 @@ bool sameLoop(const std::vector<vtkIdType>& loop, const vtkIdType* points, vtkId
   return true;
 }
 
-// Number of the face in a cell's face stream; the number of faces if it is none of them.
+// The index of the face in the face stream of a cell, or the number of its faces if it is none of them.
 vtkIdType findFace(const std::vector<vtkIdType>& face, const vtkIdType* stream)
 {
   const vtkIdType count = *stream++;
@@ -110,7 +110,7 @@ std::vector<BoundaryFaceRow> listRows(
   return rows;
 }
 
-// Rows that come in the order of their cells.
+// Sorts by face the rows of each cell, which come in order of cells.
 void sortFacesOfCells(std::vector<BoundaryFaceRow>& rows)
 {
   for (auto begin = rows.begin(); begin != rows.end();)
@@ -129,7 +129,7 @@ vtkIdTypeArray* rowsOf(vtkUnstructuredGrid* grid)
   return rows && rows->GetNumberOfComponents() == 3 ? rows : nullptr;
 }
 
-// The rows of BoundaryOfFaces, found by cell and face, each once.
+// Finds the rows of BoundaryOfFaces by cell and face, each once.
 class Rows
 {
 public:
@@ -139,7 +139,7 @@ public:
   {
   }
 
-  // The row, or -1; `again` if it was found before.
+  // The row, or -1. Sets `again` if it was found before.
   vtkIdType find(vtkIdType cell, vtkIdType face, bool& again)
   {
     vtkIdType low = 0;

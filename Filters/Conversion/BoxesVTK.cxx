@@ -24,7 +24,7 @@ constexpr const char* LatticeOrigin = "LatticeOrigin";
 constexpr const char* LatticeStep = "LatticeStep";
 constexpr std::array<const char*, 3> PlaneNames = { "PlanesX", "PlanesY", "PlanesZ" };
 
-// Corners of all boxes, numbered.
+// Numbers the corners of all boxes.
 Numbering numberCorners(const Boxes& boxes)
 {
   std::vector<std::vector<PointUse>> uses(1);
@@ -56,7 +56,7 @@ vtkDataArray* cellArray(vtkUnstructuredGrid* grid, const char* name, int compone
   return array;
 }
 
-// Three numbers a cell, named.
+// An array of three named components for each cell.
 template <class Array>
 vtkSmartPointer<Array> newTriples(
   const char* name, const std::array<const char*, 3>& components, vtkIdType count)
@@ -72,7 +72,7 @@ vtkSmartPointer<Array> newTriples(
   return array;
 }
 
-// Whole numbers of one cell, each from 0 to `most`.
+// The whole numbers of one cell, which must lie between 0 and `most`.
 std::array<std::uint32_t, 3> readTriple(
   vtkDataArray* array, vtkIdType cell, const std::array<double, 3>& most)
 {
@@ -91,7 +91,7 @@ std::array<std::uint32_t, 3> readTriple(
   return result;
 }
 
-// Boxes come in order of their global boxes' rows, of those, and of their places in them.
+// Boxes come in order of the rows of their global boxes, of the global boxes, and of the offsets in them.
 std::array<std::uint32_t, 6> orderOf(const GlobalBox& global, const PackedBox& box)
 {
   return { global.index[2], global.index[1], global.index[0], box.offset[2], box.offset[1],

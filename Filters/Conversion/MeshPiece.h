@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A piece of a mesh (Kernel/Division.h) among the others.
+// A piece of a mesh (Parts/Division.h) among the others.
 #pragma once
 
 #include "Cells/Boundary.h"
@@ -13,7 +13,7 @@ namespace cartesian
 
 class OutputMesh;
 
-// Where a piece's numbers begin in the whole mesh, and with whom its statistics are added up.
+// Where the numbers of a piece begin in the whole mesh, and with which processes its statistics add up.
 struct MeshPiece
 {
   Id cellsBefore = 0;
@@ -22,8 +22,8 @@ struct MeshPiece
   Processes processes;
 };
 
-// Turns the numbers of cells and points that arrays of both outputs hold (MeshToVTK.h) into those of
-// the whole mesh, and gives the mesh global ids: of cells CellId, of points GlobalPointIds.
+// Replaces the numbers of cells and points in the arrays of both outputs (MeshToVTK.h) by those of the whole
+// mesh, and gives the mesh global ids: CellId for cells, GlobalPointIds for points.
 void setGlobalIds(const OutputMesh& kernel, const MeshPiece& piece, vtkUnstructuredGrid* mesh,
   vtkPolyData* boundary, Execution& execution);
 

@@ -195,7 +195,7 @@ void setBoundary(
   boundary->SetPoints(points);
   boundary->SetPolys(polygons);
   boundary->GetPointData()->AddArray(meshPoint);
-  boundary->GetCellData()->SetScalars(id); // what it is coloured by at first
+  boundary->GetCellData()->SetScalars(id); // the initial colouring
   boundary->GetCellData()->AddArray(owner);
   setFaceGeometry(mesh, faces, boundary, execution);
 }
@@ -222,7 +222,7 @@ std::map<std::int32_t, BoundaryMeasure> measureBoundaries(vtkPolyData* boundary)
   return measures;
 }
 
-// Of all processes together.
+// Sums over all processes.
 std::map<std::int32_t, BoundaryMeasure> sum(
   const std::map<std::int32_t, BoundaryMeasure>& mine, const Processes& processes)
 {

@@ -24,7 +24,7 @@ namespace
 
 using Grids = std::vector<vtkSmartPointer<vtkUnstructuredGrid>>;
 
-// Those that have cells, without ghosts.
+// The pieces that have cells, without ghosts.
 Grids gridsOf(const std::vector<vtkSmartPointer<vtkDataObject>>& pieces)
 {
   Grids grids;
@@ -178,7 +178,7 @@ private:
   vtkNew<vtkIdList> scratch_;
 };
 
-// Of all pieces; cells may have gone from one to another since.
+// Reads BoundaryOfFaces of all pieces, as cells may since have moved from one to another.
 void uniteBoundaryOfFaces(
   const std::vector<vtkSmartPointer<vtkDataObject>>& pieces, vtkUnstructuredGrid* grid)
 {

@@ -40,7 +40,7 @@ vtkDataArray* cellArray(vtkPolyData* input, const char* name)
       " does not belong to the boxes: connect the same Cartesian Boxer here and to Patcher.");
 }
 
-// Reads the polygons box by box, in which order Patcher writes them.
+// Reads the polygons box by box, in the order in which Patcher writes them.
 class PatchReader
 {
 public:

@@ -13,8 +13,8 @@ namespace
 // What lies on one side of an inner face.
 struct OtherSide
 {
-  std::uint32_t cell = None;          // number of the cell that stays there
-  std::int32_t boundary = NoBoundary; // or the boundary that the face takes over
+  std::uint32_t cell = None;          // number of the cell there, if it was not removed
+  std::int32_t boundary = NoBoundary; // else the boundary that the face belongs to
 };
 
 constexpr std::size_t ItemsAChunk = 4096;
@@ -142,7 +142,7 @@ private:
       BoundaryFace::Kind::TurnedShaped, faces);
   }
 
-  // But for the first and the last global box of a row, most are nowhere at the end of the grid.
+  // Apart from the first and the last global box of a row, most are not at the end of the grid.
   void exposeBoxesOfRow(std::size_t row, bool anywhere, std::vector<BoundaryFace>& faces) const
   {
     const Boxes& boxes = parts_.boxes;
@@ -168,8 +168,9 @@ private:
     }
   }
 
-  // Hexahedra at the end of the grid, where the meshlines cut the domain, or without a neighbour,
-  // where the surface leaks. On a flawed side (`anywhere`) only the hexahedron has a face.
+  // Adds sides of hexahedra at the end of the grid, where the meshlines cut the domain, and of hexahedra
+  // without a neighbour, where the surface leaks. On a flawed side (`anywhere`) only the hexahedron has a
+  // face.
   void exposeBoxSides(std::uint32_t b, bool anywhere, std::vector<BoundaryFace>& faces) const
   {
     if (parts_.sides.polyhedralOrdinal(b) != None)
@@ -194,8 +195,8 @@ private:
     return upper ? box.high[axis] == planes.back() : box.low[axis] == planes.front();
   }
 
-  // A hexahedron has one neighbour on each side, or none. Where the side between them carries
-  // faces, they are the boundary; a side without any is missing.
+  // A hexahedron has one neighbour on each side, or none. If the side between them has faces, these are the
+  // boundary; a side without faces is added here.
   bool exposed(std::uint32_t b, int axis, bool upper) const
   {
     const std::uint32_t other = facing(parts_.boxes, parts_.boxes.boxes[b], axis, upper)[0];
@@ -228,7 +229,7 @@ private:
 namespace
 {
 
-// Of polyhedral boxes from this box on, the first one's first cell.
+// The first cell of the first polyhedral box from this box on.
 std::size_t firstCellOf(const MeshParts& parts, std::uint32_t box)
 {
   const std::vector<std::uint32_t>& polyhedral = parts.sides.polyhedral;
@@ -236,7 +237,7 @@ std::size_t firstCellOf(const MeshParts& parts, std::uint32_t box)
   return parts.cells.boxStart[static_cast<std::size_t>(at - polyhedral.begin())];
 }
 
-// Of the n-th polyhedral box, if that is not None.
+// Calls visit(c) for the cells of the n-th polyhedral box, unless n is None.
 template <class Visitor>
 void forEachCellOf(const Cells& cells, std::uint32_t n, Visitor&& visit)
 {

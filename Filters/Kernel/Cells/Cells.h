@@ -1,4 +1,4 @@
-// Assembling of cells (section 6, part B; 4.10).
+// Assembly of cells (section 6, part B; 4.10).
 #pragma once
 
 #include "Faces/InnerFaces.h"
@@ -6,9 +6,9 @@
 namespace cartesian
 {
 
-// A face of a cell: a patch, or an inner face of a side, or one that shaping made (CellShaping.h).
-// The latter two as they are (the cell is the one below, that they are counter-clockwise from) or
-// turned over.
+// A face of a cell: a patch, an inner face of a side, or a face that shaping made (CellShaping.h). The
+// cell below a face of the latter two kinds, outside of which it is counter-clockwise, has it as it is;
+// the cell above has it turned over.
 struct FaceOfCell
 {
   enum class Kind : std::uint32_t
@@ -38,18 +38,18 @@ struct FaceOfCell
 struct Cell
 {
   std::uint32_t box;
-  std::int32_t boundary; // that most of its patches (by area) belong to, or NoBoundary
+  std::int32_t boundary; // of most of its patches by area, or NoBoundary
   double volumeFraction; // of its box
   std::size_t firstFace; // in Cells::faces; up to the next cell's first
-  bool sliver;           // of no volume but that of rounding
+  bool sliver;           // its volume is mere rounding
   bool removed;          // a sliver, or smaller than R of its box (4.10)
 
-  // How many layers of global boxes it reaches beyond its box's, below and above, by merging.
+  // The number of layers of global boxes that it extends below and above its box's, by merging.
   std::array<std::uint8_t, 2> reach{ 0, 0 };
 };
 
-// Faces that are not as the patches and sides have them: pieces of those, faces with new nodes on
-// their edges, cutting polygons, sides between hexahedra.
+// Faces that differ from the patches and the faces of sides: pieces of those, faces with new nodes on their
+// edges, cutting polygons, sides between hexahedra.
 struct ShapedFaces
 {
   static constexpr std::uint32_t SomeHexahedron = None - 1;
@@ -73,14 +73,14 @@ struct ShapedFaces
 
 struct Cells
 {
-  std::vector<Cell> all; // of polyhedral boxes, in order; one more at the end
+  std::vector<Cell> all; // of polyhedral boxes, in order; then a sentinel
   std::vector<FaceOfCell> faces;
   std::vector<std::size_t> boxStart; // first cell of the n-th polyhedral box, and the end
-  std::vector<std::uint8_t> flawed;  // 1: the box's faces do not close (a hole), it has no cells
-  std::size_t folds = 0;             // walls without thickness inside one cell, left out
-  std::size_t voids = 0;             // closed pieces of surface inside one cell, now holes of it
+  std::vector<std::uint8_t> flawed;  // 1: the faces of the box do not close; it has no cells
+  std::size_t folds = 0;             // walls without thickness inside a cell, which were dropped
+  std::size_t voids = 0;             // closed pieces of surface inside a cell, which are its holes
 
-  // The cells below and above each inner face, or None: there is no box, or it is a hexahedron.
+  // The cells below and above each inner face, or None where there is no box, or a hexahedron.
   std::vector<std::array<std::uint32_t, 2>> ofInnerFace;
 
   ShapedFaces shaped;
@@ -91,10 +91,10 @@ struct Cells
 enum class SmallCells
 {
   Remove, // their inner faces become boundary faces of their neighbours
-  Merge,  // they become a part of a neighbour
+  Merge,  // they become part of a neighbour
 };
 
-// R of a boundary of its own: for cells most of whose patches are of it.
+// An R of its own for a boundary: it applies to cells most of whose patches belong to it.
 struct BoundaryRatio
 {
   std::int32_t boundary;
@@ -116,17 +116,17 @@ struct CellSpec
   // Boundary faces of merged cells become one where their normals differ by less, in degrees.
   double joinAngle = 15;
 
-  bool splitConcave = true; // cells that fail an angle condition of section 3
+  bool splitConcave = true; // splits cells that fail an angle condition of section 3
 
-  // Where cells are split: what solvers refuse and nothing mends is removed, up to as many volumes of
-  // its box; 0: none.
+  // If cells are split: cells that solvers refuse and that cannot be mended are removed, up to this many
+  // times the volume of their box; 0: none.
   double refusedCellRatio = 4;
 
   const std::vector<BoundaryRatio>* boundaryRatios =
-    nullptr; // the caller's, if any; each boundary once
+    nullptr; // borrowed, may be null; each boundary once
 };
 
-// R of cells most of whose patches are of that boundary: its own, or else this.
+// The R of cells of that boundary: its own, if it has one, else this.
 double ratioOf(const CellSpec& spec, std::int32_t boundary, double otherwise);
 
 // Calls visit(node) for the corners of a face, counter-clockwise from outside its cell.
@@ -161,13 +161,12 @@ void forEachNode(const FaceOfCell& face, const Patches& patches, const InnerFace
 // Fills Cells::ofInnerFace.
 void findCellsOfInnerFaces(const InnerFaces& inner, Cells& cells, Execution& execution);
 
-// Of each polyhedral box, Cells::flawed.
+// Gives Cells::flawed.
 std::vector<std::uint8_t> findFlawed(const Boxes& boxes, const Patches& patches, const Sides& sides,
   const Nodes& nodes, const InnerFaces& inner, Execution& execution);
 
-// Distinguishes the separated volumes of each polyhedral box and marks small ones as removed.
-// Cells less thick than a hundredth of a lattice step (slivers that rounding closed) are removed
-// whatever R is.
+// Finds the separated volumes of each polyhedral box, and marks small ones as removed. Cells thinner than a
+// hundredth of a lattice step (slivers due to rounding) are removed whatever R is.
 Cells assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sides,
   const Nodes& nodes, const InnerFaces& inner, const CellSpec& spec, Execution& execution);
 

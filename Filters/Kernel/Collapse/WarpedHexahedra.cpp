@@ -48,7 +48,7 @@ public:
   }
 
 private:
-  // Of the global mesh.
+  // A vertex of the global mesh.
   struct Vertex
   {
     std::array<std::uint32_t, 3> at; // K, J, I
@@ -88,7 +88,7 @@ private:
     }
   }
 
-  // Undivided hexahedra at those vertices, in order.
+  // Lists the undivided hexahedra at the vertices that moved, in order.
   std::vector<std::uint32_t> boxesAround() const
   {
     std::vector<std::vector<std::uint32_t>> parts(chunks(vertices_.size(), ItemsAChunk));

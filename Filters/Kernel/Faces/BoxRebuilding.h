@@ -1,12 +1,13 @@
-// Flawed boxes: Marching Cubes from the statuses, where the surface's own patches do not close.
+// Rebuilds flawed boxes, in which the patches of the surface do not close, by Marching Cubes from the
+// statuses of their corners.
 //
-// - A line between neighbouring nodes of the grid keeps its crossings where all sides around it have the
-//   same ones and these lead from the status of one end to that of the other. Else it gets one crossing
-//   if its ends differ: one of those it had, or its middle; and none if they do not.
-// - A side keeps its chords where they close and the lines around it are as they were. Else straight
-//   chords join its crossings.
-// - A box that is flawed, or has a side with new chords, gets patches anew: triangles between the loops
-//   of the chords on its sides, which close by construction.
+// - A line between neighbouring grid nodes keeps its crossings if all sides around it have the same ones
+//   and these lead from the status of one end to that of the other. Otherwise it gets one crossing if the
+//   statuses of its ends differ (one of those it had, or its middle), and none if they do not.
+// - A side keeps its chords if they close and no line around it has changed. Otherwise straight chords
+//   join its crossings.
+// - A box that is flawed, or has a side with new chords, gets new patches: triangles over the loops of the
+//   chords on its sides, which close by construction.
 //
 // Lines and sides are decided once for all boxes around them, so neighbours agree, and nothing changes
 // beyond the boxes around a flawed one.
@@ -17,7 +18,7 @@
 namespace cartesian
 {
 
-// What flawed boxes do not keep, whether it closes or not.
+// What flawed boxes give up, even where it closes.
 enum class GivenUp : std::uint8_t
 {
   Nothing,
@@ -31,7 +32,7 @@ struct RebuiltPatches
   std::vector<std::uint8_t> boxes; // of the polyhedral boxes: 1 if its patches are new
 };
 
-// `flawed`: 1 for those of the polyhedral boxes that are.
+// `flawed`: of the polyhedral boxes.
 RebuiltPatches rebuildFlawedBoxes(const Boxes& boxes, const Patches& patches, const Sides& sides,
   const Nodes& nodes, const InnerFaces& inner, const std::vector<std::uint8_t>& flawed,
   GivenUp givenUp, Execution& execution);

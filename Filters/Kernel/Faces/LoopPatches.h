@@ -1,4 +1,4 @@
-// Patches of flawed boxes: triangles between the loops of the chords on a box's sides, which close by
+// New patches for a flawed box: triangles over the loops that the chords on its sides form, which close by
 // construction.
 #pragma once
 
@@ -9,17 +9,17 @@
 namespace cartesian
 {
 
-// Makes the patches of one box after the other. Borrows all it is given.
+// Makes the patches of one box after the other. Borrows its arguments.
 class LoopPatches
 {
 public:
-  // `added`: points numbered after the nodes. `newChordsOf`: of each side, which of `newChords` are on it,
-  // or None: those of its patches.
+  // `added`: points numbered after the nodes. `newChordsOf`: for each side the index in `newChords`, or
+  // None if it keeps the chords of its patches.
   LoopPatches(const Boxes& boxes, const Patches& patches, const Sides& sides, const Nodes& nodes,
     const std::vector<Point>& added, const std::vector<std::uint32_t>& newChordsOf,
     const std::vector<std::vector<SideEdge>>& newChords);
 
-  // Appends those of the n-th polyhedral box; added points are numbered after those of the patches.
+  // Appends the patches of the n-th polyhedral box. In `result`, added points come after those of patches.
   void add(std::uint32_t n, Patches& result);
 
 private:

@@ -6,7 +6,7 @@ namespace cartesian
 namespace
 {
 
-// Appends a node if it lies on the border. Corners belong to the border that begins there.
+// Appends a node if it lies on the border. A corner belongs to the piece of the border that begins there.
 void addToBorder(const Flat& p, const Rectangle& r, std::uint32_t node, int change,
   std::vector<BorderNode>& border)
 {
@@ -135,8 +135,8 @@ Rectangle SideChords::rectangle(std::size_t s) const
   return r;
 }
 
-// A face of the side runs along them the other way than the patch; seen from the upper box, the face is
-// turned over.
+// Faces of the side run along these edges in the opposite direction to the patch. For the upper box, the
+// face is turned over.
 void SideChords::find(std::size_t s, const Rectangle& r, std::vector<SideEdge>& chords) const
 {
   const Side& side = sides_.sides[s];

@@ -1,5 +1,5 @@
 // What bounds the inside region of a common side (section 4.9): chords, which are edges of patches, and
-// the border with the statuses of its corners.
+// the border of the side, with the status of its corners.
 #pragma once
 
 #include "Boxes/Sides.h"
@@ -10,7 +10,7 @@
 namespace cartesian
 {
 
-// A directed piece of the boundary of a side's inside region, which lies to its left.
+// A directed edge of a side's inside region, which lies to its left.
 struct SideEdge
 {
   std::uint32_t from;
@@ -30,7 +30,7 @@ enum class KnownStatus : std::int8_t
   Inside = 1,
 };
 
-// A side as its faces see it.
+// A side in its own plane.
 struct Rectangle
 {
   int axis;
@@ -47,7 +47,7 @@ struct BorderNode
   int border; // 0 to 3, counter-clockwise from the lowest corner
   std::int64_t along;
   std::uint32_t node;
-  int change; // of the status past this node
+  int change; // of the status at this node, counter-clockwise
   KnownStatus known;
 };
 
@@ -55,10 +55,10 @@ struct BorderNode
 void listBorder(const std::vector<Point>& nodes, const Rectangle& r,
   const std::vector<SideEdge>& chords, std::vector<BorderNode>& border);
 
-// Drops edges that run to and fro between the same nodes: they bound nothing. Leaves the rest sorted.
+// Drops edges that run both ways between the same nodes: they bound nothing. Sorts the rest.
 void dropOpposite(std::vector<SideEdge>& edges, std::vector<std::uint8_t>& scratch);
 
-// Looks at one side after the other.
+// Gives the chords and the rectangle of any side.
 class SideChords
 {
 public:
@@ -72,7 +72,7 @@ public:
 
   Rectangle rectangle(std::size_t side) const;
 
-  // Edges of patches on the side, taken from the lower box if it has patches, else from the upper.
+  // Lists the edges of patches on a side: those of the lower box if it has patches, else of the upper.
   void find(std::size_t side, const Rectangle& r, std::vector<SideEdge>& chords) const;
 
 private:

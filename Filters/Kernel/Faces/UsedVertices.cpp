@@ -8,7 +8,7 @@ namespace
 
 constexpr std::size_t RowsAChunk = 64;
 
-// Marks which vertices of one row are used, i from 0.
+// Marks the used vertices of one row.
 class RowMarks
 {
 public:
@@ -137,11 +137,11 @@ UsedVertices::UsedVertices(const Boxes& boxes, const Sides& sides, const Nodes& 
     RowMarks marks(boxes, sides, nodes, used, layers);
     for (std::size_t row = begin; row < end; ++row)
     {
-      std::uint32_t place = 0;
+      std::uint32_t rank = 0;
       marks.forEachRun(
         row % rowLength_, row / rowLength_, [&](std::uint32_t first, std::uint32_t last) {
-          parts[begin / RowsAChunk].push_back({ first, last, place });
-          place += last - first;
+          parts[begin / RowsAChunk].push_back({ first, last, rank });
+          rank += last - first;
           ++rowStart_[row];
         });
     }
@@ -153,7 +153,7 @@ UsedVertices::UsedVertices(const Boxes& boxes, const Sides& sides, const Nodes& 
   }
 }
 
-std::size_t UsedVertices::place(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
+std::size_t UsedVertices::rank(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
 {
   const std::size_t row = j + k * rowLength_;
   const auto begin = runs_.begin() + static_cast<std::ptrdiff_t>(rowStart_[row]);
@@ -161,7 +161,7 @@ std::size_t UsedVertices::place(std::uint32_t i, std::uint32_t j, std::uint32_t 
   const auto after = std::upper_bound(
     begin, end, i, [](std::uint32_t x, const VertexRun& run) { return x < run.begin; });
   const VertexRun& run = *(after - 1);
-  return run.place + (i - run.begin);
+  return run.rank + (i - run.begin);
 }
 
 }

@@ -1,5 +1,5 @@
-// Those vertices of the global mesh that cells use: runs along x, so that memory grows with the mesh
-// and not with the grid.
+// The vertices of the global mesh that cells use, stored as runs along x: memory grows with the mesh, not
+// with the grid.
 #pragma once
 
 #include "Faces/InnerFaces.h"
@@ -7,12 +7,12 @@
 namespace cartesian
 {
 
-// How cells use a node of faces.
+// How cells use a node.
 enum class NodeRole : std::uint8_t
 {
   Unused,
   Plain,  // it is no vertex of the global mesh, or that is not known yet
-  Vertex, // it is one
+  Vertex, // it is a vertex of the global mesh
 };
 
 class UsedVertices
@@ -21,16 +21,15 @@ class UsedVertices
   {
     std::uint32_t begin; // i
     std::uint32_t end;
-    std::uint32_t place; // of vertex begin, in its row
+    std::uint32_t rank; // of vertex begin
   };
 
 public:
-  // Vertices of undivided boxes of these layers that become hexahedra, and grid nodes
-  // that are used.
+  // Takes the vertices of undivided boxes of these layers that become hexahedra, and of used grid nodes.
   UsedVertices(const Boxes& boxes, const Sides& sides, const Nodes& nodes,
     const std::vector<NodeRole>& used, Layers layers, Execution& execution);
 
-  // How many there are in the row j + k * (planes along y).
+  // The number of used vertices in the row j + k * (planes along y).
   std::size_t count(std::size_t row) const
   {
     if (rowStart_[row] == rowStart_[row + 1])
@@ -38,14 +37,13 @@ public:
       return 0;
     }
     const VertexRun& last = runs_[rowStart_[row + 1] - 1];
-    return last.place + (last.end - last.begin);
+    return last.rank + (last.end - last.begin);
   }
 
-  // The how many-th of its row a used vertex is, from 0. Its neighbour i + 1 in the same box is the
-  // next.
-  std::size_t place(std::uint32_t i, std::uint32_t j, std::uint32_t k) const;
+  // The zero-based rank of a used vertex within its row. Its neighbour i + 1 in the same box is the next.
+  std::size_t rank(std::uint32_t i, std::uint32_t j, std::uint32_t k) const;
 
-  // Calls visit(place, i) for the vertices of a row, in order.
+  // Calls visit(rank, i) for the used vertices of a row, in order.
   template <class Visitor>
   void forEach(std::size_t row, Visitor&& visit) const
   {
@@ -53,7 +51,7 @@ public:
     {
       for (std::uint32_t i = runs_[r].begin; i < runs_[r].end; ++i)
       {
-        visit(runs_[r].place + (i - runs_[r].begin), i);
+        visit(runs_[r].rank + (i - runs_[r].begin), i);
       }
     }
   }
@@ -62,7 +60,7 @@ public:
   static bool isVertex(
     const Meshlines& planes, const Point& node, std::size_t j, std::size_t k, std::uint32_t& i);
 
-  // Places in one row of vertices that come in order.
+  // Ranks within one row, for vertices that come in order.
   class Walk
   {
   public:
@@ -71,12 +69,12 @@ public:
     {
     }
 
-    std::size_t place(std::uint32_t i)
+    std::size_t rank(std::uint32_t i)
     {
       for (; run_->end <= i; ++run_)
       {
       }
-      return run_->place + (i - run_->begin);
+      return run_->rank + (i - run_->begin);
     }
 
   private:

@@ -18,7 +18,7 @@ constexpr Id CornersOfAHexahedron = 8;
 
 }
 
-// Corners of a face, counter-clockwise from outside its cell, as nodes passed on as points.
+// Calls visit(point) for the corners of a face, counter-clockwise from outside its cell.
 template <class Visitor>
 void OutputMesh::forEachPoint(const FaceOfCell& face, Visitor&& visit) const
 {
@@ -33,7 +33,7 @@ OutputMesh::OutputMesh(const MeshParts& parts, Execution& execution)
   , ownPoints_(pointCount())
 {
   const Layers core = parts.boxes.core;
-  // Which points of the next layers are used tell cells that may reach into them.
+  // Cells that extend into the next layers decide which points of those are used.
   const Layers around =
     core.grown(HaloOfShapedCells + MostLayersOfACell - 1, parts.boxes.allLayers().end);
   if (around.begin != core.begin || around.end != core.end)
@@ -112,8 +112,8 @@ void OutputMesh::placeRows()
   rows_.push_back(sum);
 }
 
-// numberOf(line, i): of the vertex i of the global mesh on one of the box's four lines along x (their
-// y + 2 z); of a box that is not divided.
+// The corners of a hexahedron in VTK's order. If its box is not divided, numberOf(line, i) gives the number
+// of vertex i of the global mesh on one of the box's four lines along x (line: y + 2 z).
 template <class NumberOf>
 std::array<Id, 8> OutputMesh::corners(std::size_t box, NumberOf&& numberOf) const
 {
@@ -137,8 +137,8 @@ std::array<Id, 8> OutputMesh::corners(std::size_t box, NumberOf&& numberOf) cons
   return p;
 }
 
-// Calls visitVertex(point, i, j, k) for vertices of the global mesh, visitNode(point, node) for nodes,
-// vertices among them.
+// Calls visitVertex(point, i, j, k) for vertices of the global mesh, and visitNode(point, node) for nodes,
+// some of which are vertices.
 template <class VertexVisitor, class NodeVisitor>
 void OutputMesh::forEachPoint(
   VertexVisitor&& visitVertex, NodeVisitor&& visitNode, Execution& execution) const
@@ -253,7 +253,7 @@ void OutputMesh::writeRow(std::size_t row, const CellArrays& arrays, CellPoints&
   }
 }
 
-// Lists the points too.
+// Also lists the points of the cell.
 void OutputMesh::writeFaces(std::size_t cell, Id* stream, CellPoints& points) const
 {
   points.reset(cellSizes_[cell].faceStream);
@@ -355,7 +355,7 @@ void OutputMesh::forEachPoint(const BoundaryFace& face, Visitor&& visit) const
   }
 }
 
-// Lists the points of the boundary, in order; returns the place of each.
+// Lists the points of the boundary, in order. Returns the index of each of the mesh's points there.
 RawVector<std::uint32_t> OutputMesh::numberBoundaryPoints(
   std::vector<Id>& points, Execution& execution) const
 {
@@ -380,7 +380,7 @@ RawVector<std::uint32_t> OutputMesh::numberBoundaryPoints(
     first[begin / PointsAChunk] = sum;
   });
   points.resize(scan(first));
-  RawVector<std::uint32_t> places(count); // anything where it is not used
+  RawVector<std::uint32_t> places(count); // undefined for points that are not on the boundary
   execution.forEach(count, PointsAChunk, [&](std::size_t begin, std::size_t end) {
     std::uint32_t next = first[begin / PointsAChunk];
     for (std::size_t p = begin; p < end; ++p)

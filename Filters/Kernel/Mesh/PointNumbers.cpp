@@ -231,7 +231,7 @@ std::vector<NodeRole> PointNumbers::usedNodes(
       markFace(cells.faces[f]);
     }
   });
-  // A hexahedron keeps its faces, whatever became of the cells beyond.
+  // A hexahedron keeps its faces, whatever happened to the cells beyond.
   const auto isHexahedronHere = [&](std::uint32_t box) {
     return box != None && parts.sides.polyhedralOrdinal(box) == None && isHere(box);
   };

@@ -36,7 +36,7 @@ constexpr std::array<SystemFile, 3> SystemFiles = { {
   { "fvSolution", "solvers { }\n" },
 } };
 
-// Whether the folder holds a mesh of ours with these patches.
+// Whether the folder holds a mesh that we wrote, with these patches.
 bool isReplaceable(const fs::path& polyMesh, const std::vector<FoamPatch>& patches)
 {
   return std::all_of(MeshFiles.begin(), MeshFiles.end(),
@@ -126,8 +126,8 @@ fs::path freeName(const fs::path& polyMesh)
   return name;
 }
 
-// Renames what is there, without the mesh if that is to be replaced. Returns the new name, empty if
-// nothing is left.
+// Renames the old folder, without the mesh if that is to be replaced. Returns the new name, or an empty one
+// if nothing was left.
 fs::path setAside(const fs::path& polyMesh, bool replaced)
 {
   if (!fs::exists(polyMesh))

@@ -1,8 +1,8 @@
 // Polygon Simplification (section 6, A2) of the patches of one box.
 //
-// Nodes inside smooth parts go, triangles of similar normal become convex polygons, slivers join a
-// neighbour. Sharp edges, corners and borders between boundaries stay, and so do the nodes on the
-// sides of the box, on which both boxes of a side have agreed (SideTying.h).
+// Nodes inside smooth parts are removed, triangles with similar normals become convex polygons, and
+// slivers are merged with a neighbour. Sharp edges, corners and borders between boundaries stay, and so
+// do the nodes on the sides of the box, on which both boxes of a side have agreed (SideTying.h).
 #pragma once
 
 #include "Patches/NodeRemoval.h"
