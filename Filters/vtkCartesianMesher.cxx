@@ -216,7 +216,7 @@ void vtkCartesianMesher::RequestPieceAlone(
                                         task->cells.begin() + number, cartesian::Id(0)),
       std::accumulate(task->points.begin(), task->points.begin() + number, cartesian::Id(0)),
       piece.count == 1, {} };
-    const cartesian::Mesh& mesh = piece.assembly->mesh();
+    const cartesian::OutputMesh& mesh = piece.assembly->mesh();
     if (piece.number + 1 == piece.count && place.cellsBefore + mesh.cellCount() == 0)
     {
       throw cartesian::Error(cartesian::Fault::FlawedSurface, piece.assembly->describeNothing());
@@ -244,7 +244,7 @@ void vtkCartesianMesher::RequestPieceOfProcess(Piece& piece, const cartesian::Pr
     this->Make(task, piece, execution);
   });
   const unsigned long flaws = this->GetErrorCode();
-  const cartesian::Mesh* mesh = isDone ? &piece.assembly->mesh() : nullptr;
+  const cartesian::OutputMesh* mesh = isDone ? &piece.assembly->mesh() : nullptr;
   const std::vector<std::vector<double>> counts =
     processes.gather({ isDone ? 0.0 : static_cast<double>(flaws),
       isDone ? static_cast<double>(mesh->cellCount()) : 0,

@@ -74,12 +74,12 @@ double OverAllProcesses(const cartesian::SummaryValue& entry)
   {
     return entry.value;
   }
-  using Of = cartesian::SummaryValue::Of;
+  using Reduction = cartesian::SummaryValue::Reduction;
   double result = 0;
   processes->AllReduce(&entry.value, &result, 1,
-    entry.pieces == Of::Sum      ? vtkCommunicator::SUM_OP
-      : entry.pieces == Of::Most ? vtkCommunicator::MAX_OP
-                                 : vtkCommunicator::MIN_OP);
+    entry.reduction == Reduction::Sum         ? vtkCommunicator::SUM_OP
+      : entry.reduction == Reduction::Maximum ? vtkCommunicator::MAX_OP
+                                              : vtkCommunicator::MIN_OP);
   return result;
 }
 

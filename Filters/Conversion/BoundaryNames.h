@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Names of boundaries, as field data: BoundaryIds (int) and BoundaryNames (string), of the same
-// length, in order of the numbers. Surfaces may bring them; boxes, patches, meshes and their
-// boundaries do.
+// Names of boundaries as field data: the arrays BoundaryIds (int) and BoundaryNames (string), of the same
+// length, in order of the numbers. Surfaces may have them; boxes, patches, meshes and their boundaries
+// always do.
 #pragma once
 
 #include <cstdint>
@@ -15,21 +15,21 @@ namespace cartesian
 
 using BoundaryNames = std::map<std::int32_t, std::string>;
 
-// The number of a boundary, or of NoBoundary, by name. Throws Error (BadParameter): there is none of
-// the name that `property` has.
+// The number of the boundary (or NoBoundary) with this name. Throws Error (BadParameter) if there is none;
+// `property` is where the user entered the name.
 std::int32_t boundaryCalled(
   const BoundaryNames& names, const std::string& name, const std::string& property);
 
-// What a boundary is called that nobody named; -1, where no patch was, is "no_surface".
+// The name of a boundary without one. That of faces without a patch, -1, is "no_surface".
 std::string unnamedBoundary(std::int32_t boundary);
 
-// Empty where `data` has none. Throws Error (MissingArray): one array only, or of other lengths.
+// Empty if `data` has no names. Throws Error (MissingArray): only one array, or different lengths.
 BoundaryNames boundaryNames(vtkDataObject* data);
 
 void setBoundaryNames(vtkDataObject* data, const BoundaryNames& names);
 
-// Field data BoundaryTypes (string): OpenFOAM's types of the boundaries in `names`, empty where none is
-// known; nothing where there are none at all.
+// Sets the field data BoundaryTypes (string), OpenFOAM's type of each boundary in `names`, or empty where the
+// type is unknown. No array if all are unknown.
 void setBoundaryTypes(vtkDataObject* data, const BoundaryNames& names, const BoundaryNames& types);
 
 }

@@ -31,7 +31,7 @@ constexpr int CellOf = 0;
 constexpr int FaceOf = 1;
 constexpr int BoundaryOf = 2;
 
-// Whether the same corners follow each other, from whichever they start.
+// Whether two faces have the same corners in the same cyclic order.
 bool sameLoop(const std::vector<vtkIdType>& loop, const vtkIdType* points, vtkIdType count)
 {
   if (static_cast<vtkIdType>(loop.size()) != count)
@@ -49,7 +49,7 @@ bool sameLoop(const std::vector<vtkIdType>& loop, const vtkIdType* points, vtkId
   return true;
 }
 
-// Number of the face in a cell's face stream; the number of faces if it is none of them.
+// The index of the face in the face stream of a cell, or the number of its faces if it is none of them.
 vtkIdType findFace(const std::vector<vtkIdType>& face, const vtkIdType* stream)
 {
   const vtkIdType count = *stream++;
@@ -77,10 +77,11 @@ void addCellIds(vtkUnstructuredGrid* mesh, Execution& execution)
   mesh->GetCellData()->AddArray(ids);
 }
 
-using Row = std::array<vtkIdType, 3>;
+using BoundaryFaceRow = std::array<vtkIdType, 3>;
 
 // In the boundary's order.
-std::vector<Row> listRows(vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution)
+std::vector<BoundaryFaceRow> listRows(
+  vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution)
 {
   auto* owner =
     vtkIdTypeArray::SafeDownCast(boundary->GetCellData()->GetAbstractArray("OwnerCell"));
@@ -88,7 +89,7 @@ std::vector<Row> listRows(vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Exec
   auto* meshPoint =
     vtkIdTypeArray::SafeDownCast(boundary->GetPointData()->GetAbstractArray("MeshPointId"));
   vtkCellArray* const polygons = boundary->GetPolys();
-  std::vector<Row> rows(static_cast<std::size_t>(polygons->GetNumberOfCells()));
+  std::vector<BoundaryFaceRow> rows(static_cast<std::size_t>(polygons->GetNumberOfCells()));
   execution.forEach(rows.size(), FacesAChunk, [&](std::size_t begin, std::size_t end) {
     CellFaceReader reader(mesh);
     std::vector<vtkIdType> corners;
@@ -109,13 +110,13 @@ std::vector<Row> listRows(vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Exec
   return rows;
 }
 
-// Rows that come in the order of their cells.
-void sortFacesOfCells(std::vector<Row>& rows)
+// Sorts by face the rows of each cell, which come in order of cells.
+void sortFacesOfCells(std::vector<BoundaryFaceRow>& rows)
 {
   for (auto begin = rows.begin(); begin != rows.end();)
   {
-    const auto end = std::find_if(
-      begin, rows.end(), [&](const Row& row) { return row[CellOf] != (*begin)[CellOf]; });
+    const auto end = std::find_if(begin, rows.end(),
+      [&](const BoundaryFaceRow& row) { return row[CellOf] != (*begin)[CellOf]; });
     std::sort(begin, end);
     begin = end;
   }
@@ -128,7 +129,7 @@ vtkIdTypeArray* rowsOf(vtkUnstructuredGrid* grid)
   return rows && rows->GetNumberOfComponents() == 3 ? rows : nullptr;
 }
 
-// The rows of BoundaryOfFaces, found by cell and face, each once.
+// Finds the rows of BoundaryOfFaces by cell and face, each once.
 class Rows
 {
 public:
@@ -138,7 +139,7 @@ public:
   {
   }
 
-  // The row, or -1; `again` if it was found before.
+  // The row, or -1. Sets `again` if it was found before.
   vtkIdType find(vtkIdType cell, vtkIdType face, bool& again)
   {
     vtkIdType low = 0;
@@ -174,7 +175,7 @@ private:
 void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution)
 {
   addCellIds(mesh, execution);
-  std::vector<Row> rows = listRows(mesh, boundary, execution);
+  std::vector<BoundaryFaceRow> rows = listRows(mesh, boundary, execution);
   sortFacesOfCells(rows);
   vtkNew<vtkIdTypeArray> array;
   array->SetName(BoundaryOfFaces);

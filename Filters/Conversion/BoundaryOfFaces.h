@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What boundary each face of a mesh belongs to, kept in the mesh itself: so that it can be written
-// with its patches whatever filters came between, as long as they leave its cells as they are.
+// The boundary of each face of a mesh, kept in the mesh itself. Thus a mesh can be written with its patches
+// after any filters that leave its cells unchanged.
 //
 // Cell array CellId (id type): number of the cell when the mesh was made. Field data array
 // BoundaryOfFaces (id type, components Cell, Face, BoundaryId): for each boundary face the CellId
@@ -25,17 +25,17 @@ void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execut
 
 enum class BoundaryKnowledge
 {
-  Nothing, // the grid does not say
-  Unfit,   // cells were changed since, or several meshes are in one
-  All      // each boundary face is known, or was an inner face once
+  Nothing, // the grid has no such array
+  Unfit,   // cells were changed since, or the grid unites several meshes
+  All      // each boundary face is known, or was an inner face before
 };
 
-// Boundary of each boundary face of `list`; NoBoundary where none is known.
+// Gives the boundary of each boundary face of `list`, or NoBoundary where it is unknown.
 BoundaryKnowledge readBoundaryOfFaces(vtkUnstructuredGrid* grid, const GridFaces& faces,
   const FaceList& list, std::vector<vtkIdType>& boundary);
 
-// What the field data say of boundaries, by number: the strings of the array `name` (BoundaryNames,
-// BoundaryTypes), for the numbers in BoundaryIds (if missing: 0, 1, 2, ...).
+// The strings of the field data array `name` (BoundaryNames, BoundaryTypes), by the numbers in BoundaryIds
+// (if that is missing: 0, 1, 2, ...).
 std::map<vtkIdType, std::string> readBoundaryTexts(vtkUnstructuredGrid* grid, const char* name);
 
 }

@@ -12,7 +12,7 @@ namespace cartesian
 namespace
 {
 
-// The number of the boundary in each row that has a value in a column of `values`.
+// The number of the boundary in each row, if the column `property` has values; else nothing.
 std::vector<std::int32_t> numbersOf(const std::vector<std::string>& rows, std::size_t values,
   const std::string& property, const BoundaryNames& names)
 {

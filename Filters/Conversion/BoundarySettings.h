@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the user says of boundaries by name: the rows of the table Boundaries.
+// What the user says about boundaries by name: the rows of the table Boundaries.
 #pragma once
 
 #include "BoundaryNames.h"
@@ -10,18 +10,18 @@
 namespace cartesian
 {
 
-// The type of a boundary of which the user says nothing.
+// The type of a boundary for which the user has not chosen one.
 constexpr const char* AutomaticType = "automatic";
 
 struct BoundarySettings
 {
-  std::vector<std::string> names; // of different boundaries
-  std::vector<std::string> types; // one of foamTypes() or AutomaticType for each name, or none
-  std::vector<double> ratios;     // the R of section 4.10 for each name, or none
+  std::vector<std::string> names; // each once
+  std::vector<std::string> types; // foamTypes() or AutomaticType, for each name; or empty
+  std::vector<double> ratios;     // the R of section 4.10 for each name; or empty
 };
 
-// By the boundaries' numbers; types without those of AutomaticType. Both throw Error (BadParameter): a
-// name that is unknown or there twice, an unknown type, not as many types or ratios as names.
+// Types (without AutomaticType) and ratios by the numbers of the boundaries. Both throw Error (BadParameter):
+// a name that is unknown or there twice, an unknown type, fewer or more types or ratios than names.
 std::map<std::int32_t, std::string> boundaryTypes(
   const BoundarySettings& settings, const BoundaryNames& names);
 std::vector<BoundaryRatio> boundaryRatios(

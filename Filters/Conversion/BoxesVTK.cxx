@@ -24,7 +24,7 @@ constexpr const char* LatticeOrigin = "LatticeOrigin";
 constexpr const char* LatticeStep = "LatticeStep";
 constexpr std::array<const char*, 3> PlaneNames = { "PlanesX", "PlanesY", "PlanesZ" };
 
-// Corners of all boxes, numbered.
+// Numbers the corners of all boxes.
 Numbering numberCorners(const Boxes& boxes)
 {
   std::vector<std::vector<PointUse>> uses(1);
@@ -56,7 +56,7 @@ vtkDataArray* cellArray(vtkUnstructuredGrid* grid, const char* name, int compone
   return array;
 }
 
-// Three numbers a cell, named.
+// An array of three named components for each cell.
 template <class Array>
 vtkSmartPointer<Array> newTriples(
   const char* name, const std::array<const char*, 3>& components, vtkIdType count)
@@ -72,7 +72,7 @@ vtkSmartPointer<Array> newTriples(
   return array;
 }
 
-// Whole numbers of one cell, each from 0 to `most`.
+// The whole numbers of one cell, which must lie between 0 and `most`.
 std::array<std::uint32_t, 3> readTriple(
   vtkDataArray* array, vtkIdType cell, const std::array<double, 3>& most)
 {
@@ -91,7 +91,7 @@ std::array<std::uint32_t, 3> readTriple(
   return result;
 }
 
-// Boxes come in order of their global boxes' rows, of those, and of their places in them.
+// Boxes come in order of the rows of their global boxes, of the global boxes, and of the offsets in them.
 std::array<std::uint32_t, 6> orderOf(const GlobalBox& global, const PackedBox& box)
 {
   return { global.index[2], global.index[1], global.index[0], box.offset[2], box.offset[1],
@@ -203,9 +203,7 @@ Meshlines readPlanes(vtkUnstructuredGrid* grid)
   return planes;
 }
 
-}
-
-void toVTK(const Boxes& boxes, vtkUnstructuredGrid* grid)
+void setVoxels(const Boxes& boxes, vtkUnstructuredGrid* grid)
 {
   const Numbering corners = numberCorners(boxes);
   vtkNew<vtkPoints> points;
@@ -227,6 +225,19 @@ void toVTK(const Boxes& boxes, vtkUnstructuredGrid* grid)
   }
   vtkNew<vtkIdTypeArray> offsets;
   offsets->SetNumberOfValues(count + 1);
+  for (vtkIdType i = 0; i <= count; ++i)
+  {
+    offsets->SetValue(i, 8 * i);
+  }
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, connectivity);
+  grid->SetPoints(points);
+  grid->SetCells(VTK_VOXEL, cells);
+}
+
+void setCellData(const Boxes& boxes, vtkCellData* data)
+{
+  const auto count = static_cast<vtkIdType>(boxes.packed.size());
   const auto global = newTriples<vtkIntArray>("GlobalBox", { "I", "J", "K" }, count);
   const auto level = newTriples<vtkUnsignedCharArray>("Level", { "X", "Y", "Z" }, count);
   const auto offset = newTriples<vtkUnsignedCharArray>("Offset", { "X", "Y", "Z" }, count);
@@ -239,7 +250,6 @@ void toVTK(const Boxes& boxes, vtkUnstructuredGrid* grid)
   for (vtkIdType i = 0; i < count; ++i)
   {
     const PackedBox& box = boxes.packed[static_cast<std::size_t>(i)];
-    offsets->SetValue(i, 8 * i);
     for (int axis = 0; axis < 3; ++axis)
     {
       const auto a = static_cast<std::size_t>(axis);
@@ -250,17 +260,19 @@ void toVTK(const Boxes& boxes, vtkUnstructuredGrid* grid)
     status->SetValue(i, static_cast<unsigned char>(box.status));
     cornerStatus->SetValue(i, box.corners);
   }
-  offsets->SetValue(count, 8 * count);
+  data->AddArray(global);
+  data->AddArray(level);
+  data->AddArray(offset);
+  data->AddArray(status);
+  data->AddArray(cornerStatus);
+}
 
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(offsets, connectivity);
-  grid->SetPoints(points);
-  grid->SetCells(VTK_VOXEL, cells);
-  grid->GetCellData()->AddArray(global);
-  grid->GetCellData()->AddArray(level);
-  grid->GetCellData()->AddArray(offset);
-  grid->GetCellData()->AddArray(status);
-  grid->GetCellData()->AddArray(cornerStatus);
+}
+
+void toVTK(const Boxes& boxes, vtkUnstructuredGrid* grid)
+{
+  setVoxels(boxes, grid);
+  setCellData(boxes, grid->GetCellData());
   setField(grid, LatticeOrigin,
     { boxes.lattice.origin()[0], boxes.lattice.origin()[1], boxes.lattice.origin()[2] });
   setField(grid, LatticeStep, { boxes.lattice.step() });

@@ -19,10 +19,10 @@ namespace cartesian
 
 void toVTK(const Boxes& boxes, vtkUnstructuredGrid* grid);
 
-// Throws Error (MissingArray) where an array is not there or not what toVTK wrote.
+// Throws Error (MissingArray) if an array is missing or is not what toVTK wrote.
 Boxes boxesFromVTK(vtkUnstructuredGrid* grid);
 
-// Takes away the field data that toVTK wrote: VTK hands a filter's first input's on to its outputs.
+// Removes the field data that toVTK wrote: VTK passes that of a filter's first input on to its outputs.
 void removeBoxFields(vtkDataObject* data);
 
 }

@@ -51,7 +51,7 @@ public:
     {
       points->InsertNextPoint(p.data());
     }
-    // VTK numbers the cells of a vtkPolyData lines first.
+    // VTK numbers the lines of a vtkPolyData before its polygons.
     vtkNew<vtkCellArray> lines;
     vtkNew<vtkCellArray> polygons;
     writeCells(false, lines);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The kernel's list of a surface's defects as a vtkPolyData of lines and triangles.
+// The defects of a surface as a vtkPolyData of lines and triangles.
 //
 // Cell arrays: DefectKind (int: SurfaceDefects.h, vtkSurfaceInspector.h), SurfaceCell and OtherCell (id
-// type: cells of the surface, -1 where there is none). Field data: one number for each count.
+// type: cells of the surface, or -1). Field data: one number for each count.
 #pragma once
 
 #include "Repair/SurfaceDefects.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Named arrays of few numbers that describe a whole data object.
+// Field data: small named arrays of numbers that describe a whole data object.
 #pragma once
 
 #include "Base/Error.h"
@@ -25,7 +25,7 @@ inline void setField(vtkDataObject* data, const char* name, const std::vector<do
   data->GetFieldData()->AddArray(array);
 }
 
-// Throws Error (MissingArray) unless there is such an array of `size` numbers (0: of any size).
+// Throws Error (MissingArray) unless there is such an array of `size` numbers (0: any size).
 inline std::vector<double> getField(vtkDataObject* data, const char* name, vtkIdType size)
 {
   vtkDataArray* array = data->GetFieldData()->GetArray(name);

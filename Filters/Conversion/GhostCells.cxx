@@ -26,10 +26,10 @@ namespace cartesian
 namespace
 {
 
-// What the bounds of this piece have in common with each other one's.
+// The intersections of this piece's bounds with those of the other pieces.
 std::vector<vtkBoundingBox> overlaps(vtkUnstructuredGrid* mesh, const Processes& processes)
 {
-  vtkBoundingBox mine; // nothing, where there are no points
+  vtkBoundingBox mine; // invalid if there are no points
   for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
   {
     mine.AddPoint(mesh->GetPoint(p));
@@ -63,7 +63,7 @@ bool isIn(const vtkBoundingBox& box, const double point[3])
   return true;
 }
 
-// Of each point, whether another piece has it too.
+// Finds out which points another piece has too.
 std::vector<std::uint8_t> sharedPoints(vtkUnstructuredGrid* mesh, const Processes& processes)
 {
   auto* ids = vtkIdTypeArray::SafeDownCast(mesh->GetPointData()->GetGlobalIds());
@@ -100,7 +100,7 @@ std::vector<std::uint8_t> sharedPoints(vtkUnstructuredGrid* mesh, const Processe
   return isShared;
 }
 
-// The cells that can be ghosts elsewhere, or have a point of one.
+// The cells that may be ghosts elsewhere, or share a point with one.
 std::vector<vtkIdType> cellsNear(vtkUnstructuredGrid* mesh, const Processes& processes, int levels)
 {
   std::vector<std::uint8_t> isNear = sharedPoints(mesh, processes);
@@ -152,7 +152,7 @@ vtkUnsignedCharArray* addGhostArray(vtkDataSetAttributes* attributes, vtkIdType 
   return ghosts;
 }
 
-// Appends to the mesh what only `from` has.
+// Appends the points and cells that only `from` has to the mesh.
 class Appender
 {
 public:

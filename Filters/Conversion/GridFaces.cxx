@@ -2,7 +2,7 @@
 #include "GridFaces.h"
 
 #include "Base/Error.h"
-#include "Polyhedra.h"
+#include "PolyhedronStorage.h"
 
 #include "vtkCellType.h"
 #include "vtkDataSetAttributes.h"
@@ -84,7 +84,7 @@ void checkPoints(vtkUnstructuredGrid* grid)
   }
 }
 
-// A cell as CellFaceReader gives it; null: one without faces.
+// Appends a cell as CellFaceReader gives it; null: a cell without faces.
 void append(const vtkIdType* stream, CellFaces& cells)
 {
   cells.firstFace.push_back(cells.firstCorner.size());

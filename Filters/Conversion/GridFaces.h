@@ -36,16 +36,16 @@ private:
   vtkNew<vtkGenericCell> cell_;
 };
 
-// The faces of all cells, with the grid's numbers of cells and points; cells without a volume have
-// none. Throws Error (BadMesh): a cell with curved edges, too many points.
+// The faces of all cells, with the numbers that cells and points have in the grid. Cells without a volume
+// have no faces. Throws Error (BadMesh): a cell with curved edges, too many points.
 CellFaces facesOfCells(vtkUnstructuredGrid* grid);
 
-// Cells with a volume, but for ghosts, and the points that they use, renumbered in their order.
+// The cells that have a volume and are no ghosts, and the points that they use, renumbered in order.
 struct GridFaces
 {
   CellFaces cells;
   std::vector<double> points;    // three coordinates each
-  std::vector<vtkIdType> cellOf; // the grid's number of each cell
+  std::vector<vtkIdType> cellOf; // number of each cell in the grid
 
   // Throws Error (BadMesh): a cell with curved edges, nothing left, too many.
   explicit GridFaces(vtkUnstructuredGrid* grid);

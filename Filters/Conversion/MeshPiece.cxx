@@ -2,7 +2,7 @@
 #include "MeshPiece.h"
 
 #include "BoundaryOfFaces.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/OutputMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
@@ -30,7 +30,7 @@ void shift(vtkAbstractArray* array, Id by)
 
 }
 
-void setGlobalIds(const Mesh& kernel, const MeshPiece& piece, vtkUnstructuredGrid* mesh,
+void setGlobalIds(const OutputMesh& kernel, const MeshPiece& piece, vtkUnstructuredGrid* mesh,
   vtkPolyData* boundary, Execution& execution)
 {
   vtkNew<vtkIdTypeArray> points;

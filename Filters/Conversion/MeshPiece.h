@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A piece of a mesh (Kernel/Decomposition.h) among the others.
+// A piece of a mesh (Parts/Decomposition.h) among the others.
 #pragma once
 
 #include "Cells/Boundary.h"
@@ -11,20 +11,20 @@ class vtkUnstructuredGrid;
 namespace cartesian
 {
 
-class Mesh;
+class OutputMesh;
 
-// Where a piece's numbers begin in the whole mesh, and with whom its statistics are added up.
+// Where the numbers of a piece begin in the whole mesh, and with which processes its statistics add up.
 struct MeshPiece
 {
   Id cellsBefore = 0;
-  Id pointsBefore = 0; // own points (Mesh.h)
+  Id pointsBefore = 0; // own points (OutputMesh.h)
   bool isWhole = true;
   Processes processes;
 };
 
-// Turns the numbers of cells and points that arrays of both outputs hold (MeshToVTK.h) into those of
-// the whole mesh, and gives the mesh global ids: of cells CellId, of points GlobalPointIds.
-void setGlobalIds(const Mesh& kernel, const MeshPiece& piece, vtkUnstructuredGrid* mesh,
+// Replaces the numbers of cells and points in the arrays of both outputs (MeshToVTK.h) by those of the whole
+// mesh, and gives the mesh global ids: CellId for cells, GlobalPointIds for points.
+void setGlobalIds(const OutputMesh& kernel, const MeshPiece& piece, vtkUnstructuredGrid* mesh,
   vtkPolyData* boundary, Execution& execution);
 
 }

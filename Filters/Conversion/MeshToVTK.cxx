@@ -3,8 +3,8 @@
 
 #include "BoundaryOfFaces.h"
 #include "FieldData.h"
-#include "Polyhedra.h"
 #include "Polyhedra/CellGeometry.h"
+#include "PolyhedronStorage.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -30,7 +30,7 @@ namespace
 
 constexpr std::size_t ItemsAChunk = 4096;
 
-void setCells(const Mesh& mesh, vtkUnstructuredGrid* grid, Execution& execution)
+void setCells(const OutputMesh& mesh, vtkUnstructuredGrid* grid, Execution& execution)
 {
   vtkNew<vtkIdTypeArray> offsets;
   vtkNew<vtkIdTypeArray> connectivity;
@@ -51,7 +51,7 @@ void setCells(const Mesh& mesh, vtkUnstructuredGrid* grid, Execution& execution)
   cartesian::setCells(grid, types, cells, faceStart, faceStream);
 }
 
-void setCellData(const Mesh& mesh, vtkUnstructuredGrid* grid, Execution& execution)
+void setCellData(const OutputMesh& mesh, vtkUnstructuredGrid* grid, Execution& execution)
 {
   vtkNew<vtkIntArray> global;
   global->SetName("GlobalBox");
@@ -99,7 +99,7 @@ void setStatistics(const Assembly& assembly, const Processes& processes, vtkUnst
 
 void setMesh(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution& execution)
 {
-  const Mesh& mesh = assembly.mesh();
+  const OutputMesh& mesh = assembly.mesh();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(mesh.pointCount());
@@ -112,7 +112,7 @@ void setMesh(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution& exe
 // What solvers that keep to the paper take from the mesher: the vector area (equation 1) and centre of
 // each face, and which are IP patches (4.11).
 void setFaceGeometry(
-  const Mesh& mesh, const BoundaryMesh& faces, vtkPolyData* boundary, Execution& execution)
+  const OutputMesh& mesh, const BoundaryMesh& faces, vtkPolyData* boundary, Execution& execution)
 {
   const vtkIdType count = boundary->GetNumberOfPolys();
   vtkNew<vtkDoubleArray> area;
@@ -152,7 +152,7 @@ void setFaceGeometry(
 }
 
 void setBoundary(
-  const Mesh& mesh, vtkUnstructuredGrid* grid, vtkPolyData* boundary, Execution& execution)
+  const OutputMesh& mesh, vtkUnstructuredGrid* grid, vtkPolyData* boundary, Execution& execution)
 {
   const BoundaryMesh faces = mesh.boundaryMesh(execution);
   const auto faceCount = static_cast<vtkIdType>(mesh.boundary().size());
@@ -195,7 +195,7 @@ void setBoundary(
   boundary->SetPoints(points);
   boundary->SetPolys(polygons);
   boundary->GetPointData()->AddArray(meshPoint);
-  boundary->GetCellData()->SetScalars(id); // what it is coloured by at first
+  boundary->GetCellData()->SetScalars(id); // the initial colouring
   boundary->GetCellData()->AddArray(owner);
   setFaceGeometry(mesh, faces, boundary, execution);
 }
@@ -222,7 +222,7 @@ std::map<std::int32_t, BoundaryMeasure> measureBoundaries(vtkPolyData* boundary)
   return measures;
 }
 
-// Of all processes together.
+// Sums over all processes.
 std::map<std::int32_t, BoundaryMeasure> sum(
   const std::map<std::int32_t, BoundaryMeasure>& mine, const Processes& processes)
 {

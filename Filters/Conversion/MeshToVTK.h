@@ -2,20 +2,21 @@
 // The kernel's mesh as VTK data.
 //
 // Mesh (vtkUnstructuredGrid of VTK_HEXAHEDRON and VTK_POLYHEDRON with outward faces). Cell arrays:
-// GlobalBox (int, components I, J, K), Level (unsigned char, components X, Y, Z: of the cell's box), Region (int, from 1), VolumeFraction (double, of the cell's
-// box). Field data: one array of one number for each of the statistics. Both also hold what
-// BoundaryOfFaces.h says.
+// GlobalBox (int, components I, J, K), Level (unsigned char, components X, Y, Z: of the cell's box), Region
+// (int, from 1), VolumeFraction (double, of the cell's box); and those of BoundaryOfFaces.h. Field data: one
+// array of one number for each of the statistics.
 //
 // Boundary (vtkPolyData): the faces that only one cell has, in order of their cells. Cell arrays:
 // BoundaryId (int; -1 where no patch was), OwnerCell (id type: cell of the mesh). Point array:
 // MeshPointId (id type).
 //
-// Both have field data of one value for each boundary, in order of their numbers: BoundaryIds and
-// BoundaryNames, BoundaryTypes if any has one (BoundaryNames.h), BoundaryFaceCounts (id type), BoundaryAreas (double, square user
-// units).
+// Both have field data with one value for each boundary, in order of their numbers: BoundaryIds and
+// BoundaryNames, BoundaryTypes if any boundary has a type (BoundaryNames.h), BoundaryFaceCounts (id type),
+// BoundaryAreas (double, square user units).
 //
-// Of a piece of the mesh, all numbers of cells and points that arrays hold are those of the whole mesh
-// (MeshPiece.h); statistics and field data are of all processes together, of this piece else.
+// For a piece of the mesh, all numbers of cells and points in arrays are those of the whole mesh
+// (MeshPiece.h). Statistics and field data are those of all processes together, if there are several, else
+// of this piece.
 #pragma once
 
 #include "BoundaryNames.h"

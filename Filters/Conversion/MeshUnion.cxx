@@ -24,7 +24,7 @@ namespace
 
 using Grids = std::vector<vtkSmartPointer<vtkUnstructuredGrid>>;
 
-// Those that have cells, without ghosts.
+// The pieces that have cells, without ghosts.
 Grids gridsOf(const std::vector<vtkSmartPointer<vtkDataObject>>& pieces)
 {
   Grids grids;
@@ -94,13 +94,13 @@ public:
   vtkSmartPointer<vtkUnstructuredGrid> make()
   {
     addPoints();
-    struct Place
+    struct PointPlace
     {
       vtkIdType id;
       std::size_t grid;
       vtkIdType cell;
     };
-    std::vector<Place> places;
+    std::vector<PointPlace> places;
     vtkDataSetAttributes::FieldList fields(static_cast<int>(grids_.size()));
     for (std::size_t g = 0; g < grids_.size(); ++g)
     {
@@ -110,13 +110,13 @@ public:
         places.push_back({ cellIds(grids_[g])->GetValue(c), g, c });
       }
     }
-    std::stable_sort(
-      places.begin(), places.end(), [](const Place& a, const Place& b) { return a.id < b.id; });
+    std::stable_sort(places.begin(), places.end(),
+      [](const PointPlace& a, const PointPlace& b) { return a.id < b.id; });
     result_->Allocate(static_cast<vtkIdType>(places.size()));
     result_->GetCellData()->CopyGlobalIdsOn();
     fields.CopyAllocate(result_->GetCellData(), vtkDataSetAttributes::COPYTUPLE,
       static_cast<vtkIdType>(places.size()), 0);
-    for (const Place& place : places)
+    for (const PointPlace& place : places)
     {
       const vtkIdType cell = addCell(place.grid, place.cell);
       fields.CopyData(static_cast<int>(place.grid), grids_[place.grid]->GetCellData(), place.cell,
@@ -178,7 +178,7 @@ private:
   vtkNew<vtkIdList> scratch_;
 };
 
-// Of all pieces; cells may have gone from one to another since.
+// Reads BoundaryOfFaces of all pieces, as cells may since have moved from one to another.
 void uniteBoundaryOfFaces(
   const std::vector<vtkSmartPointer<vtkDataObject>>& pieces, vtkUnstructuredGrid* grid)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One mesh out of the pieces that several processes have.
+// Unites the pieces of a mesh that several processes have.
 #pragma once
 
 #include "vtkSmartPointer.h"
@@ -12,10 +12,10 @@ class vtkUnstructuredGrid;
 namespace cartesian
 {
 
-// Cells that are no ghosts, in the order of their CellId where all pieces have it; points that have
-// the same coordinates, or the same global ids, are one, in order of the ids. So pieces of
-// Cartesian Mesher's become the mesh of one process, with what boundary each face is of
-// (BoundaryOfFaces.h). Pieces may be null, or no grids, or empty.
+// Takes the cells that are no ghosts, in order of their CellId if all pieces have that array. Points with the
+// same coordinates, or the same global ids, become one, in order of the ids. Thus the pieces that Cartesian
+// Mesher makes become the mesh that one process would make, including the boundary of each face
+// (BoundaryOfFaces.h). Pieces may be null, empty or no grids.
 vtkSmartPointer<vtkUnstructuredGrid> unitePieces(
   const std::vector<vtkSmartPointer<vtkDataObject>>& pieces);
 

@@ -40,6 +40,109 @@ vtkDataArray* cellArray(vtkPolyData* input, const char* name)
       " does not belong to the boxes: connect the same Cartesian Boxer here and to Patcher.");
 }
 
+// Reads the polygons box by box, in the order in which Patcher writes them.
+class PatchReader
+{
+public:
+  PatchReader(vtkPolyData* input, const Boxes& boxes)
+    : input_(input)
+    , boxes_(boxes)
+    , boundary_(cellArray(input, "BoundaryId"))
+    , box_(cellArray(input, "BoxId"))
+    , reason_(cellArray(input, "PatchReason"))
+  {
+  }
+
+  Patches read()
+  {
+    Execution one;
+    intersected_ = intersectedBoxes(boxes_, one);
+    patches_.boxStart.assign(intersected_.size() + 1, 0);
+    patches_.reason.assign(intersected_.size(), PatchReason::MarchingCubes);
+    readPoints();
+    auto polygon = vtk::TakeSmartPointer(input_->GetPolys()->NewIterator());
+    for (polygon->GoToFirstCell(); !polygon->IsDoneWithTraversal(); polygon->GoToNextCell())
+    {
+      const vtkIdType id = polygon->GetCurrentCellId();
+      goToBoxOf(id);
+      readReason(id);
+      vtkIdType size = 0;
+      const vtkIdType* corners = nullptr;
+      polygon->GetCurrentCell(size, corners);
+      readCorners(id, size, corners);
+      patches_.boundary.push_back(static_cast<std::int32_t>(boundary_->GetComponent(id, 0)));
+      patches_.triangle.push_back(0); // unknown here; cells do not need it
+    }
+    patches_.start.push_back(patches_.corners.size());
+    scan(patches_.boxStart);
+    return std::move(patches_);
+  }
+
+private:
+  void readPoints()
+  {
+    const Lattice& lattice = boxes_.lattice;
+    for (vtkIdType i = 0; i < input_->GetNumberOfPoints(); ++i)
+    {
+      std::array<double, 3> x;
+      input_->GetPoint(i, x.data());
+      patches_.points.push_back(
+        { lattice.level(0, x[0]), lattice.level(1, x[1]), lattice.level(2, x[2]) });
+    }
+  }
+
+  void goToBoxOf(vtkIdType id)
+  {
+    const double wanted = box_->GetComponent(id, 0);
+    while (n_ < intersected_.size() && intersected_[n_] < wanted)
+    {
+      ++n_;
+    }
+    if (n_ == intersected_.size() || intersected_[n_] != wanted)
+    {
+      throwMismatch(id);
+    }
+    ++patches_.boxStart[n_];
+  }
+
+  void readReason(vtkIdType id)
+  {
+    const double code = reason_->GetComponent(id, 0);
+    if (!(code >= 0 && code < PatchReasons))
+    {
+      throwMismatch(id);
+    }
+    patches_.reason[n_] = static_cast<PatchReason>(code);
+  }
+
+  void readCorners(vtkIdType id, vtkIdType size, const vtkIdType* corners)
+  {
+    const Box box = boxes_.box(intersected_[n_]);
+    patches_.start.push_back(patches_.corners.size());
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      const Point& p = patches_.points[static_cast<std::size_t>(corners[i])];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        if (p[axis] < box.low[axis] || p[axis] > box.high[axis])
+        {
+          throwMismatch(id);
+        }
+      }
+      patches_.corners.push_back(static_cast<std::uint32_t>(corners[i]));
+    }
+  }
+
+  vtkPolyData* input_;
+  const Boxes& boxes_;
+  vtkDataArray* boundary_;
+  vtkDataArray* box_;
+  vtkDataArray* reason_;
+  std::vector<std::uint32_t> intersected_;
+  std::size_t n_ = 0; // the intersected box at hand
+  Patches patches_;
+};
+
 }
 
 void toVTK(const Patches& patches, const Boxes& boxes, const std::vector<vtkIdType>& surfaceCells,
@@ -103,66 +206,7 @@ void toVTK(const Patches& patches, const Boxes& boxes, const std::vector<vtkIdTy
 
 Patches patchesFromVTK(vtkPolyData* input, const Boxes& boxes)
 {
-  Patches patches;
-  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
-  {
-    std::array<double, 3> x;
-    input->GetPoint(i, x.data());
-    patches.points.push_back(
-      { boxes.lattice.level(0, x[0]), boxes.lattice.level(1, x[1]), boxes.lattice.level(2, x[2]) });
-  }
-
-  vtkDataArray* boundary = cellArray(input, "BoundaryId");
-  vtkDataArray* box = cellArray(input, "BoxId");
-  vtkDataArray* reason = cellArray(input, "PatchReason");
-  Execution one;
-  const std::vector<std::uint32_t> intersected = intersectedBoxes(boxes, one);
-  patches.boxStart.assign(intersected.size() + 1, 0);
-  patches.reason.assign(intersected.size(), PatchReason::MarchingCubes);
-  std::size_t n = 0;
-  auto polygon = vtk::TakeSmartPointer(input->GetPolys()->NewIterator());
-  for (polygon->GoToFirstCell(); !polygon->IsDoneWithTraversal(); polygon->GoToNextCell())
-  {
-    const vtkIdType id = polygon->GetCurrentCellId();
-    const double wanted = box->GetComponent(id, 0);
-    while (n < intersected.size() && intersected[n] < wanted)
-    {
-      ++n;
-    }
-    if (n == intersected.size() || intersected[n] != wanted)
-    {
-      throwMismatch(id);
-    }
-    ++patches.boxStart[n];
-    const double code = reason->GetComponent(id, 0);
-    if (!(code >= 0 && code < PatchReasons))
-    {
-      throwMismatch(id);
-    }
-    patches.reason[n] = static_cast<PatchReason>(code);
-    vtkIdType size = 0;
-    const vtkIdType* corners = nullptr;
-    polygon->GetCurrentCell(size, corners);
-    patches.start.push_back(patches.corners.size());
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      const Point& p = patches.points[static_cast<std::size_t>(corners[i])];
-      const Box around = boxes.box(intersected[n]);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        if (p[axis] < around.low[axis] || p[axis] > around.high[axis])
-        {
-          throwMismatch(id);
-        }
-      }
-      patches.corners.push_back(static_cast<std::uint32_t>(corners[i]));
-    }
-    patches.boundary.push_back(static_cast<std::int32_t>(boundary->GetComponent(id, 0)));
-    patches.triangle.push_back(0); // the surface is not here; cells do not need it
-  }
-  patches.start.push_back(patches.corners.size());
-  scan(patches.boxStart);
-  return patches;
+  return PatchReader(input, boxes).read();
 }
 
 }

@@ -2,8 +2,8 @@
 // The kernel's patches as a vtkPolyData, and back.
 //
 // Cell arrays: BoundaryId (int), BoxId (id type: the box's cell in the grid of boxes), SurfaceCell (id
-// type: the cell of the surface that the patch is a part of), PatchReason (unsigned char: why its box has
-// the patches that it has, the codes of PatchReason in PatchChoice.h).
+// type: the cell of the surface that the patch is part of), PatchReason (unsigned char: why its box has these
+// patches; the codes of PatchReason in PatchChoice.h).
 #pragma once
 
 #include "Patches/Patches.h"
@@ -19,8 +19,7 @@ namespace cartesian
 void toVTK(const Patches& patches, const Boxes& boxes, const std::vector<vtkIdType>& surfaceCells,
   vtkPolyData* output);
 
-// Throws Error (MissingArray) where an array is not there, or patches and boxes do not belong
-// together.
+// Throws Error (MissingArray) if an array is missing, or the patches do not belong to the boxes.
 Patches patchesFromVTK(vtkPolyData* input, const Boxes& boxes);
 
 }

@@ -21,7 +21,7 @@ namespace cartesian
 namespace
 {
 
-// Calls visit(surface, iterator) for the leaves, null ones too; without blocks the iterator is null.
+// Calls visit(surface, iterator) for the leaves, including null ones. Without blocks the iterator is null.
 template <class Visitor>
 void forEachLeaf(vtkDataObject* data, Visitor&& visit)
 {
@@ -92,7 +92,7 @@ vtkSmartPointer<vtkPolyData> append(const std::vector<vtkPolyData*>& parts)
   return append->GetOutput();
 }
 
-// The parts put together, leaf by leaf.
+// Puts the parts together, leaf by leaf.
 vtkSmartPointer<vtkDataObject> unite(const std::vector<vtkSmartPointer<vtkDataObject>>& parts)
 {
   std::vector<std::vector<vtkPolyData*>> leaves; // of each part

@@ -29,7 +29,7 @@ void collectBlocks(
 {
   for (unsigned i = 0; i < data->GetNumberOfBlocks(); ++i)
   {
-    // Asking for meta data makes some.
+    // GetMetaData() would create some.
     vtkInformation* information = data->HasMetaData(i) ? data->GetMetaData(i) : nullptr;
     collect(data->GetBlock(i), nameIn(information, parent), blocks);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The surfaces in a data object, with the names of the blocks that they are.
+// The surfaces in a data object, with the names of their blocks.
 #pragma once
 
 #include <string>
@@ -11,18 +11,18 @@ class vtkPolyData;
 namespace cartesian
 {
 
-// Field data of a surface around a region to refine: its depth (one whole number).
+// Field data of a surface that bounds a region to refine: its depth (one whole number).
 constexpr const char* RegionDepthField = "RegionDepth";
 
 struct SurfaceBlock
 {
   vtkPolyData* surface;
-  std::string name; // empty: there are no blocks, or this one has no name
+  std::string name; // empty if there are no blocks, or this one has no name
 };
 
-// All that have polygons: a vtkPolyData itself, those in a vtkMultiBlockDataSet or a
-// vtkPartitionedDataSetCollection in their order. A nested block without a name has its parent's.
-// Throws Error (EmptySurface): none, or a block of another kind.
+// All surfaces with polygons: a vtkPolyData itself, or those in a vtkMultiBlockDataSet or
+// vtkPartitionedDataSetCollection, in order. A nested block without a name has the name of its parent.
+// Throws Error (EmptySurface): there is none, or a block is of another kind.
 std::vector<SurfaceBlock> surfaceBlocks(vtkDataObject* input);
 
 }

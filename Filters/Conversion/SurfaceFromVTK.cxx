@@ -32,7 +32,7 @@ bool allTriangles(vtkPolyData* input)
   return input->GetNumberOfStrips() == 0 && input->GetPolys()->GetMaxCellSize() <= 3;
 }
 
-// The same surface in triangles; CellIds tells what cell of the input each is from.
+// The same surface in triangles; its array CellIds has the cell of the input that each comes from.
 vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData* input)
 {
   vtkNew<vtkPolyData> numbered;
@@ -52,7 +52,7 @@ vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData* input)
   return filter->GetOutput();
 }
 
-// What a cell array says of `cell`, which the user knows as `userCell`.
+// The boundary that a cell array gives for `cell`, which the user knows as `userCell`.
 std::int32_t boundaryNumber(vtkDataArray* array, vtkIdType cell, vtkIdType userCell)
 {
   const double value = array->GetComponent(cell, 0);

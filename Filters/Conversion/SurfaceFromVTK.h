@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A surface of VTK's, in one piece or in blocks, as the kernel wants it.
+// A surface from VTK, in one piece or in blocks, as the kernel takes it.
 #pragma once
 
 #include "BoundaryNames.h"
@@ -16,27 +16,27 @@ class vtkPolyData;
 namespace cartesian
 {
 
-// Name that vtkSTLReader gives the array of the solids a file names.
+// The array in which vtkSTLReader numbers the named solids of a file.
 constexpr const char* StlSolids = "STLSolidLabeling";
 
-// Triangles copied out of a vtkPolyData, or out of all those in a vtkMultiBlockDataSet or
-// vtkPartitionedDataSetCollection: polygons with more corners are triangulated, verts and lines left
-// out. Cells are counted on from block to block.
+// Copies the triangles of a vtkPolyData, or of all those in a vtkMultiBlockDataSet or
+// vtkPartitionedDataSetCollection. Polygons with more corners are triangulated; verts and lines are left out.
+// Cells are numbered continuously over all blocks.
 class SurfaceFromVTK
 {
 public:
-  // `boundaryArray`: cell array that numbers the boundaries, or names them: equal strings are one
-  // boundary, numbered from 0 as they first appear. Empty: each block is a boundary, called as the
-  // block is; without blocks StlSolids if there, else all 0.
+  // `boundaryArray`: cell array that numbers or names the boundaries. Equal strings are one boundary,
+  // numbered from 0 in the order in which they first appear. Empty: each block is a boundary with the name
+  // of the block; without blocks StlSolids if present, else all 0.
   // Throws Error: EmptySurface, MissingArray, BadParameter.
   SurfaceFromVTK(vtkDataObject* input, const std::string& boundaryArray);
 
   SurfaceView view() const;
 
-  // The input's cell that each triangle is, or is a part of.
+  // The cell of the input that each triangle is, or is part of.
   const std::vector<vtkIdType>& cells() const { return cells_; }
 
-  // Of all boundaries that triangles have: strings, blocks, or what the input's field data says.
+  // The names of all boundaries that triangles have: from strings, blocks, or the input's field data.
   const BoundaryNames& names() const { return names_; }
 
 private:
@@ -50,7 +50,7 @@ private:
   std::vector<vtkIdType> cells_;
   std::vector<std::int32_t> boundary_;
   BoundaryNames names_;
-  std::map<std::string, std::int32_t> numbers_; // of boundaries that have names only
+  std::map<std::string, std::int32_t> numbers_; // of boundaries that are only given by name
 };
 
 }

@@ -84,7 +84,7 @@ private:
 };
 
 // The mesh in arrays such as VTK's; how many bytes they take.
-double write(const Mesh& mesh, Execution& execution)
+double write(const OutputMesh& mesh, Execution& execution)
 {
   const auto cells = static_cast<std::size_t>(mesh.cellCount());
   RawVector<double> points(3 * static_cast<std::size_t>(mesh.pointCount()));

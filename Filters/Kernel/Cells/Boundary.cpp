@@ -11,10 +11,10 @@ namespace
 {
 
 // What lies on one side of an inner face.
-struct Beyond
+struct OtherSide
 {
-  std::uint32_t cell = None;          // number of the cell that stays there
-  std::int32_t boundary = NoBoundary; // or the boundary that the face takes over
+  std::uint32_t cell = None;          // number of the cell there, if it was not removed
+  std::int32_t boundary = NoBoundary; // else the boundary that the face belongs to
 };
 
 constexpr std::size_t ItemsAChunk = 4096;
@@ -76,10 +76,10 @@ private:
     const std::uint32_t number = numbers_.ofCell[c];
     const Cells& cells = parts_.cells;
     const std::size_t before = faces.size();
-    for (std::size_t f = cells.cells[c].firstFace; f < cells.cells[c + 1].firstFace; ++f)
+    for (std::size_t f = cells.all[c].firstFace; f < cells.all[c + 1].firstFace; ++f)
     {
-      const FaceRef& face = cells.faces[f];
-      if (number != None && face.kind() == FaceRef::Kind::Patch)
+      const FaceOfCell& face = cells.faces[f];
+      if (number != None && face.kind() == FaceOfCell::Kind::Patch)
       {
         faces.push_back(
           { number, face.index, parts_.patches.boundary[face.index], BoundaryFace::Kind::Patch });
@@ -88,11 +88,11 @@ private:
     std::sort(faces.begin() + std::ptrdiff_t(before), faces.end());
   }
 
-  Beyond beyond(std::uint32_t box, std::uint32_t cell) const
+  OtherSide beyond(std::uint32_t box, std::uint32_t cell) const
   {
     if (cell != None)
     {
-      return { numbers_.ofCell[cell], parts_.cells.cells[cell].boundary };
+      return { numbers_.ofCell[cell], parts_.cells.all[cell].boundary };
     }
     if (box == None)
     {
@@ -106,7 +106,7 @@ private:
     return { None, boundaryBeyond(parts_.patches, parts_.sides, box) };
   }
 
-  static void expose(const Beyond& low, const Beyond& high, std::size_t face,
+  static void expose(const OtherSide& low, const OtherSide& high, std::size_t face,
     BoundaryFace::Kind kind, BoundaryFace::Kind turned, std::vector<BoundaryFace>& faces)
   {
     if (CellNumbers::isHere(low.cell) && high.cell == None)
@@ -124,8 +124,8 @@ private:
     const Side& side = parts_.sides.common[s];
     for (std::size_t f = parts_.inner.sideStart[s]; f < parts_.inner.sideStart[s + 1]; ++f)
     {
-      const Beyond low = beyond(side.low, parts_.cells.ofInnerFace[f][0]);
-      const Beyond high = beyond(side.high, parts_.cells.ofInnerFace[f][1]);
+      const OtherSide low = beyond(side.low, parts_.cells.ofInnerFace[f][0]);
+      const OtherSide high = beyond(side.high, parts_.cells.ofInnerFace[f][1]);
       expose(low, high, f, BoundaryFace::Kind::Inner, BoundaryFace::Kind::TurnedInner, faces);
     }
   }
@@ -134,15 +134,15 @@ private:
   {
     const ShapedFaces& shaped = parts_.cells.shaped;
     const auto side = [&](std::uint32_t cell) {
-      return cell == ShapedFaces::SomeHexahedron ? Beyond{ cell, NoBoundary }
+      return cell == ShapedFaces::SomeHexahedron ? OtherSide{ cell, NoBoundary }
         : cell != None                           ? beyond(None, cell)
-                                                 : Beyond{ None, shaped.boundary[f] };
+                                                 : OtherSide{ None, shaped.boundary[f] };
     };
     expose(side(shaped.cells[f][0]), side(shaped.cells[f][1]), f, BoundaryFace::Kind::Shaped,
       BoundaryFace::Kind::TurnedShaped, faces);
   }
 
-  // But for the first and the last global box of a row, most are nowhere at the end of the grid.
+  // Apart from the first and the last global box of a row, most are not at the end of the grid.
   void exposeBoxesOfRow(std::size_t row, bool anywhere, std::vector<BoundaryFace>& faces) const
   {
     const Boxes& boxes = parts_.boxes;
@@ -168,8 +168,9 @@ private:
     }
   }
 
-  // Hexahedra at the end of the grid, where the meshlines cut the domain, or without a neighbour,
-  // where the surface leaks. On a flawed side (`anywhere`) only the hexahedron has a face.
+  // Adds sides of hexahedra at the end of the grid, where the meshlines cut the domain, and of hexahedra
+  // without a neighbour, where the surface leaks. On a flawed side (`anywhere`) only the hexahedron has a
+  // face.
   void exposeBoxSides(std::uint32_t b, bool anywhere, std::vector<BoundaryFace>& faces) const
   {
     if (parts_.sides.polyhedralOrdinal(b) != None)
@@ -194,8 +195,8 @@ private:
     return upper ? box.high[axis] == planes.back() : box.low[axis] == planes.front();
   }
 
-  // A hexahedron has one neighbour on each side, or none. Where the side between them carries
-  // faces, they are the boundary; a side without any is missing.
+  // A hexahedron has one neighbour on each side, or none. If the side between them has faces, these are the
+  // boundary; a side without faces is added here.
   bool exposed(std::uint32_t b, int axis, bool upper) const
   {
     const std::uint32_t other = facing(parts_.boxes, parts_.boxes.packed[b], axis, upper)[0];
@@ -228,7 +229,7 @@ private:
 namespace
 {
 
-// Of polyhedral boxes from this box on, the first one's first cell.
+// The first cell of the first polyhedral box from this box on.
 std::size_t firstCellOf(const MeshParts& parts, std::uint32_t box)
 {
   const std::vector<std::uint32_t>& polyhedral = parts.sides.polyhedral;
@@ -236,7 +237,7 @@ std::size_t firstCellOf(const MeshParts& parts, std::uint32_t box)
   return parts.cells.boxStart[static_cast<std::size_t>(at - polyhedral.begin())];
 }
 
-// Of the n-th polyhedral box, if that is not None.
+// Calls visit(c) for the cells of the n-th polyhedral box, unless n is None.
 template <class Visitor>
 void forEachCellOf(const Cells& cells, std::uint32_t n, Visitor&& visit)
 {
@@ -281,7 +282,7 @@ CellNumbers numberCells(const MeshParts& parts, Execution& execution)
   forEachBox([&](std::size_t box, std::uint32_t n, std::uint32_t& count) {
     count += isCore(box) && n == None ? 1 : 0;
     forEachCellOf(
-      cells, n, [&](std::size_t c) { count += isCore(box) && !cells.cells[c].removed ? 1 : 0; });
+      cells, n, [&](std::size_t c) { count += isCore(box) && !cells.all[c].removed ? 1 : 0; });
   });
   numbers.ofBox.back() = scan(next);
   forEachBox([&](std::size_t box, std::uint32_t n, std::uint32_t& number) {
@@ -289,7 +290,7 @@ CellNumbers numberCells(const MeshParts& parts, Execution& execution)
     numbers.ofBox[box] = isCore(box) ? number : CellNumbers::Elsewhere;
     number += isCore(box) && n == None ? 1 : 0;
     forEachCellOf(
-      cells, n, [&](std::size_t c) { numbers.ofCell[c] = cells.cells[c].removed ? None : take(); });
+      cells, n, [&](std::size_t c) { numbers.ofCell[c] = cells.all[c].removed ? None : take(); });
   });
   numbers.coreBegin = firstCellOf(parts, first);
   numbers.coreEnd = firstCellOf(parts, end);

@@ -1,4 +1,4 @@
-// The boundary of the mesh: patches, and inner faces that lost the cell on their other side (4.10).
+// The boundary of the mesh: patches, and inner faces whose cell on the other side was removed (4.10).
 #pragma once
 
 #include "Cells/Cells.h"
@@ -8,7 +8,7 @@ namespace cartesian
 
 using Id = long long;
 
-// All that the mesh is made of.
+// Everything that the mesh is made of.
 struct MeshParts
 {
   const Boxes& boxes;
@@ -19,7 +19,7 @@ struct MeshParts
   const Cells& cells;
 };
 
-// Numbers of the cells of the core that stay, in order of boxes: 0, 1, 2, ...
+// Numbers the cells of the core that were not removed, in order of boxes: 0, 1, 2, ...
 struct CellNumbers
 {
   static constexpr std::uint32_t Elsewhere = None - 1; // the cell is in the halo
@@ -59,10 +59,10 @@ struct BoundaryFace
   }
 };
 
-// The boundary that faces between a cell and this box take over, where the box has no cells.
+// The boundary of faces between a cell and this box, which has no cells.
 std::int32_t boundaryBeyond(const Patches& patches, const Sides& sides, std::uint32_t box);
 
-// In order of their cells.
+// Lists the boundary faces, in order of their cells.
 std::vector<BoundaryFace> collectBoundary(
   const MeshParts& parts, const CellNumbers& numbers, Execution& execution);
 

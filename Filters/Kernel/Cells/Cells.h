@@ -1,4 +1,4 @@
-// Assembling of cells (section 6, part B; 4.10).
+// Assembly of cells (section 6, part B; 4.10).
 #pragma once
 
 #include "Faces/InnerFaces.h"
@@ -6,10 +6,10 @@
 namespace cartesian
 {
 
-// A face of a cell: a patch, or an inner face of a side, or one that shaping made (CellShaping.h).
-// The latter two as they are (the cell is the one below, that they are counter-clockwise from) or
-// turned over.
-struct FaceRef
+// A face of a cell: a patch, an inner face of a side, or a face that shaping made (CellShaping.h). The
+// cell below a face of the latter two kinds, outside of which it is counter-clockwise, has it as it is;
+// the cell above has it turned over.
+struct FaceOfCell
 {
   enum class Kind : std::uint32_t
   {
@@ -23,7 +23,7 @@ struct FaceRef
   std::uint32_t index : 29;
   std::uint32_t kindBits : 3;
 
-  FaceRef(std::size_t i, Kind kind)
+  FaceOfCell(std::size_t i, Kind kind)
     : index(static_cast<std::uint32_t>(i) & MostFaces)
     , kindBits(static_cast<std::uint32_t>(kind) & 7u)
   {
@@ -38,18 +38,18 @@ struct FaceRef
 struct Cell
 {
   std::uint32_t box;
-  std::int32_t boundary; // that most of its patches (by area) belong to, or NoBoundary
+  std::int32_t boundary; // of most of its patches by area, or NoBoundary
   double volumeFraction; // of its box
   std::size_t firstFace; // in Cells::faces; up to the next cell's first
-  bool sliver;           // of no volume but that of rounding
+  bool sliver;           // its volume is mere rounding
   bool removed;          // a sliver, or smaller than R of its box (4.10)
 
-  // How many layers of global boxes it reaches beyond its box's, below and above, by merging.
+  // The number of layers of global boxes that it extends below and above its box's, by merging.
   std::array<std::uint8_t, 2> reach{ 0, 0 };
 };
 
-// Faces that are not as the patches and sides have them: pieces of those, faces with new nodes on
-// their edges, cutting polygons, sides between hexahedra.
+// Faces that differ from the patches and the faces of sides: pieces of those, faces with new nodes on their
+// edges, cutting polygons, sides between hexahedra.
 struct ShapedFaces
 {
   static constexpr std::uint32_t SomeHexahedron = None - 1;
@@ -73,28 +73,28 @@ struct ShapedFaces
 
 struct Cells
 {
-  std::vector<Cell> cells; // of polyhedral boxes, in order; one more at the end
-  std::vector<FaceRef> faces;
+  std::vector<Cell> all; // of polyhedral boxes, in order; then a sentinel
+  std::vector<FaceOfCell> faces;
   std::vector<std::size_t> boxStart; // first cell of the n-th polyhedral box, and the end
-  std::vector<std::uint8_t> flawed;  // 1: the box's faces do not close (a hole), it has no cells
-  std::size_t folds = 0;             // walls without thickness inside one cell, left out
-  std::size_t voids = 0;             // closed pieces of surface inside one cell, now holes of it
+  std::vector<std::uint8_t> flawed;  // 1: the faces of the box do not close; it has no cells
+  std::size_t folds = 0;             // walls without thickness inside a cell, which were dropped
+  std::size_t voids = 0;             // closed pieces of surface inside a cell, which are its holes
 
-  // The cells below and above each inner face, or None: there is no box, or it is a hexahedron.
+  // The cells below and above each inner face, or None where there is no box, or a hexahedron.
   std::vector<std::array<std::uint32_t, 2>> ofInnerFace;
 
   ShapedFaces shaped;
 
-  std::size_t size() const { return cells.size() - 1; }
+  std::size_t size() const { return all.size() - 1; }
 };
 
 enum class SmallCells
 {
   Remove, // their inner faces become boundary faces of their neighbours
-  Merge,  // they become a part of a neighbour
+  Merge,  // they become part of a neighbour
 };
 
-// R of a boundary of its own: for cells most of whose patches are of it.
+// An R of its own for a boundary: it applies to cells most of whose patches belong to it.
 struct BoundaryRatio
 {
   std::int32_t boundary;
@@ -103,7 +103,7 @@ struct BoundaryRatio
 
 struct CellSpec
 {
-  // Edges shorter than this part of their box collapse (ShortEdges.h); 0: none.
+  // Edges shorter than this part of their box collapse (EdgeCollapse.h); 0: none.
   double collapseRatio = 0.1;
   double featureAngle = 30; // in degrees, of the edges that stay in place
 
@@ -116,22 +116,22 @@ struct CellSpec
   // Boundary faces of merged cells become one where their normals differ by less, in degrees.
   double joinAngle = 15;
 
-  bool splitConcave = true; // cells that fail an angle condition of section 3
+  bool splitConcave = true; // splits cells that fail an angle condition of section 3
 
-  // Where cells are split: what solvers refuse and nothing mends is removed, up to as many volumes of
-  // its box; 0: none.
+  // If cells are split: cells that solvers refuse and that cannot be mended are removed, up to this many
+  // times the volume of their box; 0: none.
   double refusedCellRatio = 4;
 
   const std::vector<BoundaryRatio>* boundaryRatios =
-    nullptr; // the caller's, if any; each boundary once
+    nullptr; // borrowed, may be null; each boundary once
 };
 
-// R of cells most of whose patches are of that boundary: its own, or else this.
+// The R of cells of that boundary: its own, if it has one, else this.
 double ratioOf(const CellSpec& spec, std::int32_t boundary, double otherwise);
 
 // Calls visit(node) for the corners of a face, counter-clockwise from outside its cell.
 template <class Visitor>
-void forEachNode(const FaceRef& face, const Patches& patches, const InnerFaces& inner,
+void forEachNode(const FaceOfCell& face, const Patches& patches, const InnerFaces& inner,
   const ShapedFaces& shaped, Visitor&& visit)
 {
   const auto run = [&](const auto& start, const auto& nodes) {
@@ -144,15 +144,15 @@ void forEachNode(const FaceRef& face, const Patches& patches, const InnerFaces& 
   };
   switch (face.kind())
   {
-    case FaceRef::Kind::Patch:
+    case FaceOfCell::Kind::Patch:
       run(patches.start, patches.corners);
       break;
-    case FaceRef::Kind::Inner:
-    case FaceRef::Kind::TurnedInner:
+    case FaceOfCell::Kind::Inner:
+    case FaceOfCell::Kind::TurnedInner:
       run(inner.start, inner.nodes);
       break;
-    case FaceRef::Kind::Shaped:
-    case FaceRef::Kind::TurnedShaped:
+    case FaceOfCell::Kind::Shaped:
+    case FaceOfCell::Kind::TurnedShaped:
       run(shaped.start, shaped.nodes);
       break;
   }
@@ -161,13 +161,12 @@ void forEachNode(const FaceRef& face, const Patches& patches, const InnerFaces& 
 // Fills Cells::ofInnerFace.
 void findCellsOfInnerFaces(const InnerFaces& inner, Cells& cells, Execution& execution);
 
-// Of each polyhedral box, Cells::flawed.
+// Gives Cells::flawed.
 std::vector<std::uint8_t> findFlawed(const Boxes& boxes, const Patches& patches, const Sides& sides,
   const Nodes& nodes, const InnerFaces& inner, Execution& execution);
 
-// Distinguishes the separated volumes of each polyhedral box and marks small ones as removed.
-// Cells less thick than a hundredth of a lattice step (slivers that rounding closed) are removed
-// whatever R is.
+// Finds the separated volumes of each polyhedral box, and marks small ones as removed. Cells thinner than a
+// hundredth of a lattice step (slivers due to rounding) are removed whatever R is.
 Cells assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sides,
   const Nodes& nodes, const InnerFaces& inner, const CellSpec& spec, Execution& execution);
 

@@ -1,4 +1,4 @@
-// Faces of which some lose corners or go altogether: what is left moves up in its arrays.
+// Removes corners and faces from arrays of faces, and closes the gaps.
 #pragma once
 
 #include "Base/Execution.h"
@@ -11,7 +11,7 @@
 namespace cartesian
 {
 
-// Groups (boxes or sides) of faces in a row. `groupStart`: the first face of each group, and the end;
+// Faces come in groups (boxes or sides). `groupStart`: the first face of each group, and the end;
 // `start`: the first corner of each face, and the end.
 template <class WhatIsLeft, class Move>
 class FaceCompaction
@@ -28,10 +28,10 @@ public:
   {
   }
 
-  // Each chunk by itself, then all chunks.
+  // Compacts each chunk by itself, then moves the chunks together.
   void run(Execution& execution)
   {
-    std::vector<Span> spans;
+    std::vector<FaceSpan> spans;
     for (std::size_t begin = 0; begin < groups_; begin += GroupsAChunk)
     {
       const std::size_t first = groupStart_[begin];
@@ -39,10 +39,10 @@ public:
       spans.push_back({ first, start_[first], last - first, start_[last] - start_[first] });
     }
     execution.forEach(groups_, GroupsAChunk, [&](std::size_t begin, std::size_t end) {
-      Span& span = spans[begin / GroupsAChunk];
+      FaceSpan& span = spans[begin / GroupsAChunk];
       span = compact(begin, end, span);
     });
-    Span next{ 0, 0, 0, 0 };
+    FaceSpan next{ 0, 0, 0, 0 };
     for (std::size_t i = 0; i < spans.size(); ++i)
     {
       if (next.face != spans[i].face || next.corner != spans[i].corner)
@@ -62,7 +62,7 @@ private:
   static constexpr std::size_t GroupsAChunk = 4096;
 
   // The faces and corners of a chunk: the first, and how many.
-  struct Span
+  struct FaceSpan
   {
     std::size_t face;
     std::size_t corner;
@@ -70,12 +70,12 @@ private:
     std::size_t corners;
   };
 
-  // The chunk of groups [begin, end), which spans `all`; returns what is left. What lies beyond, which
-  // another thread may write, is not even read.
-  Span compact(std::size_t begin, std::size_t end, const Span& all)
+  // Compacts the chunk of groups [begin, end), which spans `all`, and returns what is left. It reads nothing
+  // beyond, where another thread may write.
+  FaceSpan compact(std::size_t begin, std::size_t end, const FaceSpan& all)
   {
     std::vector<std::uint32_t> ring;
-    std::size_t face = all.face; // what is written so far, never beyond what is read
+    std::size_t face = all.face; // next to be written, never beyond what was read
     std::size_t corner = all.corner;
     const std::size_t lastFace = all.face + all.faces;
     std::size_t read = all.face;
@@ -101,8 +101,8 @@ private:
     return { all.face, all.corner, face - all.face, corner - all.corner };
   }
 
-  // A chunk to where those before it end.
-  void moveUp(std::size_t chunk, const Span& span, const Span& to)
+  // Moves a chunk to the end of those before it.
+  void moveUp(std::size_t chunk, const FaceSpan& span, const FaceSpan& to)
   {
     if (span.corner != to.corner)
     {
@@ -130,8 +130,9 @@ private:
   std::size_t groups_;
 };
 
-// whatIsLeft(begin, end, ring) puts the corners that a face keeps into `ring`: fewer than three, and it
-// goes. Calls move(from, to) for what else belongs to a face that stays; from several threads.
+// whatIsLeft(begin, end, ring) puts the corners that a face keeps into `ring`; with fewer than three the face
+// is removed. Calls move(from, to) for faces that stay, to move what else belongs to them. Both are called
+// from several threads.
 template <class WhatIsLeft, class Move>
 void compactFaces(std::vector<std::size_t>& groupStart, RawVector<std::size_t>& start,
   RawVector<std::uint32_t>& corners, const WhatIsLeft& whatIsLeft, const Move& move,

@@ -12,10 +12,11 @@ namespace
 
 constexpr std::size_t BoxesAChunk = 256;
 
-class Lister
+class ShortEdgeLister
 {
 public:
-  Lister(const PolyhedralFaces& faces, double ratio, const std::function<bool(std::size_t)>& stays)
+  ShortEdgeLister(
+    const PolyhedralFaces& faces, double ratio, const std::function<bool(std::size_t)>& stays)
     : faces_(faces)
     , ratio_(ratio)
     , stays_(stays)
@@ -58,7 +59,7 @@ private:
   void addShortEdges(const RawVector<std::size_t>& start, const RawVector<std::uint32_t>& corners,
     std::size_t face, double unit, std::vector<ShortEdge>& edges) const
   {
-    const double most = 2 * ratio_ * unit; // moves may shorten an edge
+    const double most = 2 * ratio_ * unit; // moving nodes may shorten an edge
     std::uint32_t from = corners[start[face + 1] - 1];
     for (std::size_t i = start[face]; i < start[face + 1]; ++i)
     {
@@ -71,7 +72,7 @@ private:
     }
   }
 
-  // First without numbers in double precision, as most edges are long.
+  // Tests integers first, as most edges are long.
   bool isShort(std::uint32_t from, std::uint32_t to, double most) const
   {
     const Point& p = faces_.nodes.at[from];
@@ -134,7 +135,7 @@ private:
 std::vector<ShortEdge> listShortEdges(const PolyhedralFaces& faces, double ratio,
   const std::function<bool(std::size_t)>& stays, Execution& execution)
 {
-  return Lister(faces, ratio, stays).run(execution);
+  return ShortEdgeLister(faces, ratio, stays).run(execution);
 }
 
 }

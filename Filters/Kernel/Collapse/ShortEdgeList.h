@@ -1,4 +1,4 @@
-// Edges that are short against their boxes: what may collapse (ShortEdges.h).
+// The edges that are short compared with their boxes, and so may collapse (EdgeCollapse.h).
 #pragma once
 
 #include "Faces/InnerFaces.h"
@@ -13,8 +13,8 @@ struct ShortEdge
 {
   std::uint32_t a; // nodes
   std::uint32_t b;
-  float unit;          // shortest edge of the smallest box that has it
-  bool banned = false; // a face turned over
+  float unit;          // shortest edge of the smallest box around it
+  bool banned = false; // it must not collapse
 };
 
 struct PolyhedralFaces
@@ -26,8 +26,9 @@ struct PolyhedralFaces
   const InnerFaces& inner;
 };
 
-// Those shorter than twice `ratio` of the unit, as moves may shorten an edge, by nodes; each once. Not
-// between two nodes of the grid, nor those of boxes that stay, by their place among the polyhedral ones.
+// Lists the edges shorter than twice `ratio` times their unit (moving nodes may shorten an edge), each once
+// and in order of nodes. Omits edges between two grid nodes, and those of boxes for which stays(n) holds,
+// n being the index among the polyhedral boxes.
 std::vector<ShortEdge> listShortEdges(const PolyhedralFaces& faces, double ratio,
   const std::function<bool(std::size_t)>& stays, Execution& execution);
 

@@ -1,6 +1,6 @@
 #include "Collapse/WarpedHexahedra.h"
 
-#include "Faces/VertexRows.h"
+#include "Faces/UsedVertices.h"
 #include "Polyhedra/Polyhedron.h"
 
 #include <algorithm>
@@ -48,7 +48,7 @@ public:
   }
 
 private:
-  // Of the global mesh.
+  // A vertex of the global mesh.
   struct Vertex
   {
     std::array<std::uint32_t, 3> at; // K, J, I
@@ -80,7 +80,7 @@ private:
       const std::size_t j = row % rowLength;
       const std::size_t k = row / rowLength;
       std::uint32_t i = 0;
-      if (VertexRows::isVertex(boxes_.planes, nodes_.grid[c], j, k, i))
+      if (UsedVertices::isVertex(boxes_.planes, nodes_.grid[c], j, k, i))
       {
         vertices_.push_back({ { static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(j), i },
           static_cast<std::uint32_t>(node) });
@@ -88,7 +88,7 @@ private:
     }
   }
 
-  // Undivided hexahedra at those vertices, in order.
+  // Lists the undivided hexahedra at the vertices that moved, in order.
   std::vector<std::uint32_t> boxesAround() const
   {
     std::vector<std::vector<std::uint32_t>> parts(chunks(vertices_.size(), ItemsAChunk));

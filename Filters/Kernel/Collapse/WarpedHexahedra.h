@@ -1,4 +1,4 @@
-// Hexahedra with corners that moved onto the surface (ShortEdges.h), and what they hold.
+// Hexahedra with corners that moved onto the surface (EdgeCollapse.h), and their volumes.
 #pragma once
 
 #include "Faces/Nodes.h"

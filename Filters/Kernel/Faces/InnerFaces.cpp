@@ -15,7 +15,7 @@ namespace
 
 constexpr std::size_t BoxesAChunk = 512;
 
-struct Part
+struct FaceChunk
 {
   std::vector<std::uint32_t> nodes;
   std::vector<std::uint32_t> faceSizes;
@@ -33,7 +33,7 @@ Wide area(const std::vector<PlanePoint>& at)
   return twice;
 }
 
-// Whether x lies inside the polygon (crossings of a ray to the right; on its border, either).
+// Whether x lies inside a polygon, by the crossings of a ray to the right. On the border, either.
 bool contains(const std::vector<PlanePoint>& at, const PlanePoint& x)
 {
   bool in = false;
@@ -60,13 +60,13 @@ public:
 
   std::vector<SideEdge>& chords() { return chords_; }
 
-  // Appends the faces of the region that the chords bound; false where they do not close.
-  bool trace(const Rectangle& r, Part& part)
+  // Appends the faces of the region that the chords bound. Returns false where they do not close.
+  bool trace(const Rectangle& r, FaceChunk& chunk)
   {
     rectangle_ = &r;
     if (chords_.empty())
     {
-      return tracePlain(part);
+      return tracePlain(chunk);
     }
     edges_ = chords_;
     if (!addBorder())
@@ -83,7 +83,7 @@ public:
     {
       return false;
     }
-    emit(part);
+    emit(chunk);
     return true;
   }
 
@@ -91,27 +91,27 @@ private:
   PlanePoint at(std::uint32_t node) const { return flatten(nodes_[node], rectangle_->axis); }
 
   // A side that no surface crosses is inside or outside as a whole.
-  bool tracePlain(Part& part) const
+  bool tracePlain(FaceChunk& chunk) const
   {
     const auto& corner = rectangle_->corner;
-    const bool anyInside = std::count(corner.begin(), corner.end(), Known::Inside) > 0;
-    const bool anyOutside = std::count(corner.begin(), corner.end(), Known::Outside) > 0;
+    const bool anyInside = std::count(corner.begin(), corner.end(), KnownStatus::Inside) > 0;
+    const bool anyOutside = std::count(corner.begin(), corner.end(), KnownStatus::Outside) > 0;
     if (anyInside && !anyOutside)
     {
-      part.nodes.insert(
-        part.nodes.end(), rectangle_->border, rectangle_->border + rectangle_->borderSize);
-      part.faceSizes.push_back(static_cast<std::uint32_t>(rectangle_->borderSize));
+      chunk.nodes.insert(
+        chunk.nodes.end(), rectangle_->border, rectangle_->border + rectangle_->borderSize);
+      chunk.faceSizes.push_back(static_cast<std::uint32_t>(rectangle_->borderSize));
     }
     return anyInside != anyOutside;
   }
 
-  // The pieces of the border that are inside. The status changes where chords end: past the end
-  // of one that arrives it is inside, past the start of one that leaves outside.
+  // Lists the pieces of the border that are inside. The status changes where chords end: past the end of
+  // a chord that arrives it is inside, past the start of one that leaves it is outside.
   bool addBorder()
   {
     listBorder(nodes_, *rectangle_, chords_, border_);
     const auto known = std::find_if(border_.cbegin(), border_.cend(),
-      [](const BorderNode& node) { return node.known != Known::Nothing; });
+      [](const BorderNode& node) { return node.known != KnownStatus::Unknown; });
     if (known == border_.cend())
     {
       return false;
@@ -135,7 +135,7 @@ private:
         from = node.node;
       }
       status += node.change;
-      if (node.known != Known::Nothing && status != static_cast<int>(node.known))
+      if (node.known != KnownStatus::Unknown && status != static_cast<int>(node.known))
       {
         return false;
       }
@@ -143,7 +143,7 @@ private:
     return true;
   }
 
-  // As many edges arrive at every node as leave it: then they fall into closed walks.
+  // Whether as many edges arrive at each node as leave it, so that they form closed walks.
   bool balanced()
   {
     heads_.clear();
@@ -156,15 +156,15 @@ private:
       [](const SideEdge& e, std::uint32_t head) { return e.from == head; });
   }
 
-  // Parts that overlap share walls that face the same way: there are several regions in one place.
+  // Whether ofChunk of the surface overlap: they share an edge in the same direction.
   bool anyTwice() const
   {
     return std::adjacent_find(edges_.begin(), edges_.end(),
              [](const SideEdge& e, const SideEdge& next) { return !(e < next); }) != edges_.end();
   }
 
-  // The unused edge out of `e`'s head that turns left most sharply: regions that only touch in a
-  // node stay apart.
+  // The unused edge from the head of `e` that turns left most sharply, so that regions that only touch at
+  // a node stay separate.
   std::size_t follow(const SideEdge& e) const
   {
     std::size_t best = edges_.size();
@@ -180,7 +180,7 @@ private:
     return best;
   }
 
-  // Whether x leaves e's head further to the left than y.
+  // Whether x leaves the head of e further to the left than y.
   bool turnsLeftOf(const SideEdge& e, const SideEdge& x, const SideEdge& y) const
   {
     const PlanePoint from = at(e.from);
@@ -222,7 +222,7 @@ private:
     }
   }
 
-  // Whether moving its nodes by a level may turn a loop over.
+  // Whether a loop is so thin that moving its nodes by one level may turn it over.
   static bool isThin(const std::vector<PlanePoint>& at)
   {
     Wide length = 0;
@@ -236,8 +236,8 @@ private:
     return twice <= 2 * length && -twice <= 2 * length;
   }
 
-  // A hole belongs to the smallest loop around it. A loop that rounding has turned over has none
-  // around it and is a face by itself; false where the surface turns over a thicker one.
+  // Joins each hole to the smallest loop around it. A thin loop that rounding turned over has none around
+  // it, and is a face by itself. Returns false for thicker ones, which the surface turns over.
   bool joinHolesToLoops()
   {
     if (holes_.empty())
@@ -288,31 +288,31 @@ private:
     return true;
   }
 
-  void emit(Part& part)
+  void emit(FaceChunk& chunk)
   {
     for (const FlatPolygon& loop : outer_)
     {
       if (isWhole(loop))
       {
-        emit(loop, part);
+        emit(loop, chunk);
         continue;
       }
       stars_.clear();
       splitIntoStars(loop, stars_);
       for (const FlatPolygon& star : stars_)
       {
-        emit(star, part);
+        emit(star, chunk);
       }
     }
   }
 
-  // A last resort of the splitting may leave a node in a face twice.
-  void emit(const FlatPolygon& face, Part& part)
+  // As a last resort, splitting may leave a node in a face twice.
+  void emit(const FlatPolygon& face, FaceChunk& chunk)
   {
     walk_ = face.nodes;
     forEachSimpleLoop(walk_, [&](const std::uint32_t* begin, const std::uint32_t* end) {
-      part.nodes.insert(part.nodes.end(), begin, end);
-      part.faceSizes.push_back(static_cast<std::uint32_t>(end - begin));
+      chunk.nodes.insert(chunk.nodes.end(), begin, end);
+      chunk.faceSizes.push_back(static_cast<std::uint32_t>(end - begin));
     });
   }
 
@@ -340,22 +340,22 @@ public:
   {
   }
 
-  void addSidesOf(std::size_t n, Part& part)
+  void addSidesOf(std::size_t n, FaceChunk& chunk)
   {
     for (std::size_t s = sides_.ownStart[n]; s < sides_.ownStart[n + 1]; ++s)
     {
-      const std::size_t facesBefore = part.faceSizes.size();
-      const std::size_t nodesBefore = part.nodes.size();
+      const std::size_t facesBefore = chunk.faceSizes.size();
+      const std::size_t nodesBefore = chunk.nodes.size();
       const Rectangle r = sideChords_.rectangle(s);
       sideChords_.find(s, r, tracer_.chords());
-      const bool closed = tracer_.trace(r, part);
+      const bool closed = tracer_.trace(r, chunk);
       if (!closed)
       {
-        part.faceSizes.resize(facesBefore);
-        part.nodes.resize(nodesBefore);
+        chunk.faceSizes.resize(facesBefore);
+        chunk.nodes.resize(nodesBefore);
       }
-      part.flawed.push_back(closed ? 0 : 1);
-      part.facesOfSide.push_back(static_cast<std::uint32_t>(part.faceSizes.size() - facesBefore));
+      chunk.flawed.push_back(closed ? 0 : 1);
+      chunk.facesOfSide.push_back(static_cast<std::uint32_t>(chunk.faceSizes.size() - facesBefore));
     }
   }
 
@@ -365,16 +365,16 @@ private:
   SideTracer tracer_;
 };
 
-InnerFaces join(const std::vector<Part>& parts, Execution& execution)
+InnerFaces join(const std::vector<FaceChunk>& ofChunk, Execution& execution)
 {
   std::vector<std::size_t> side;
   std::vector<std::size_t> face;
   std::vector<std::size_t> node;
-  for (const Part& part : parts)
+  for (const FaceChunk& chunk : ofChunk)
   {
-    side.push_back(part.facesOfSide.size());
-    face.push_back(part.faceSizes.size());
-    node.push_back(part.nodes.size());
+    side.push_back(chunk.facesOfSide.size());
+    face.push_back(chunk.faceSizes.size());
+    node.push_back(chunk.nodes.size());
   }
   InnerFaces result;
   const std::size_t sides = scan(side);
@@ -385,21 +385,22 @@ InnerFaces join(const std::vector<Part>& parts, Execution& execution)
   result.sideStart.resize(sides + 1);
   result.sideStart.back() = faces;
   result.flawed.resize(sides);
-  execution.forEach(parts.size(), 1, [&](std::size_t i, std::size_t) {
-    const Part& part = parts[i];
-    std::copy(part.nodes.begin(), part.nodes.end(), result.nodes.begin() + std::ptrdiff_t(node[i]));
+  execution.forEach(ofChunk.size(), 1, [&](std::size_t i, std::size_t) {
+    const FaceChunk& chunk = ofChunk[i];
+    std::copy(
+      chunk.nodes.begin(), chunk.nodes.end(), result.nodes.begin() + std::ptrdiff_t(node[i]));
     std::size_t next = node[i];
-    for (std::size_t f = 0; f < part.faceSizes.size(); ++f)
+    for (std::size_t f = 0; f < chunk.faceSizes.size(); ++f)
     {
       result.start[face[i] + f] = next;
-      next += part.faceSizes[f];
+      next += chunk.faceSizes[f];
     }
     next = face[i];
-    for (std::size_t s = 0; s < part.facesOfSide.size(); ++s)
+    for (std::size_t s = 0; s < chunk.facesOfSide.size(); ++s)
     {
       result.sideStart[side[i] + s] = next;
-      result.flawed[side[i] + s] = part.flawed[s];
-      next += part.facesOfSide[s];
+      result.flawed[side[i] + s] = chunk.flawed[s];
+      next += chunk.facesOfSide[s];
     }
   });
   return result;
@@ -411,16 +412,16 @@ InnerFaces generateInnerFaces(const Boxes& boxes, const Patches& patches, const 
   const Nodes& nodes, Execution& execution)
 {
   const std::size_t count = sides.polyhedral.size();
-  std::vector<Part> parts(chunks(count, BoxesAChunk));
+  std::vector<FaceChunk> ofChunk(chunks(count, BoxesAChunk));
   execution.nextLoop(0.95);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     SideBuilder builder(boxes, patches, sides, nodes);
     for (std::size_t n = begin; n < end; ++n)
     {
-      builder.addSidesOf(n, parts[begin / BoxesAChunk]);
+      builder.addSidesOf(n, ofChunk[begin / BoxesAChunk]);
     }
   });
-  return join(parts, execution);
+  return join(ofChunk, execution);
 }
 
 }

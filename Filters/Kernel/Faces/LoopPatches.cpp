@@ -1,7 +1,5 @@
 #include "Faces/LoopPatches.h"
 
-#include "Base/Loops.h"
-
 #include <algorithm>
 
 namespace cartesian
@@ -22,7 +20,7 @@ LoopPatches::LoopPatches(const Boxes& boxes, const Patches& patches, const Sides
 {
 }
 
-// The chords on a box's sides, as its patches run along them.
+// Lists the chords on a box's sides, in the direction of its patches.
 void LoopPatches::gatherChords(std::size_t n)
 {
   boxChords_.clear();
@@ -56,6 +54,7 @@ std::uint32_t LoopPatches::local(std::uint32_t node) const
     std::lower_bound(boxNodes_.begin(), boxNodes_.end(), node) - boxNodes_.begin());
 }
 
+// Lists the ends of the chords, and numbers them from 0 in the chords.
 void LoopPatches::listBoxNodes()
 {
   boxNodes_.clear();
@@ -66,84 +65,49 @@ void LoopPatches::listBoxNodes()
   }
   std::sort(boxNodes_.begin(), boxNodes_.end());
   boxNodes_.erase(std::unique(boxNodes_.begin(), boxNodes_.end()), boxNodes_.end());
-}
-
-void LoopPatches::linkChords()
-{
-  leaving_.assign(boxNodes_.size(), None);
-  sameFrom_.assign(boxChords_.size(), None);
-  for (std::uint32_t c = 0; c < boxChords_.size(); ++c)
+  for (SideEdge& chord : boxChords_)
   {
-    const std::uint32_t from = local(boxChords_[c].from);
-    sameFrom_[c] = leaving_[from];
-    leaving_[from] = c;
+    chord = { local(chord.from), local(chord.to) };
   }
 }
 
 void LoopPatches::add(std::uint32_t n, Patches& result)
 {
   gatherChords(n);
-  const Box box = boxes_.box(sides_.polyhedral[n]);
   listBoxNodes();
-  listLoopNodes(box);
+  listLoopNodes(boxes_.box(sides_.polyhedral[n]));
   listSources(n);
-  linkChords();
-  for (const SideEdge& first : boxChords_)
-  {
-    walk_.clear();
-    for (std::uint32_t here = local(first.from); leaving_[here] != None;)
-    {
-      walk_.push_back(here);
-      const std::uint32_t c = leaving_[here];
-      leaving_[here] = sameFrom_[c];
-      here = local(boxChords_[c].to);
-    }
-    forEachSimpleLoop(walk_, [&](const std::uint32_t* begin, const std::uint32_t* end) {
-      triangulate(begin, end, result);
+  loops_.forEachTriangle(
+    boxChords_, [&](const std::array<std::uint32_t, 3>& corners, const Vector& normal) {
+      const std::size_t source = mostAlike(normal);
+      for (const std::uint32_t corner : corners)
+      {
+        result.corners.push_back(numberOf(loops_.nodes[corner].id));
+      }
+      result.start.push_back(result.corners.size());
+      result.triangle.push_back(patches_.triangle[source]);
+      result.boundary.push_back(patches_.boundary[source]);
     });
-  }
 }
 
 void LoopPatches::listLoopNodes(const Box& box)
 {
-  loopNodes_.assign(boxNodes_.size(), LoopNode{ 0, { 0, 0, 0 }, { 0, 0, 0 }, 0 });
+  std::vector<LoopNode>& nodes = loops_.nodes;
+  nodes.assign(boxNodes_.size(), LoopNode{ 0, { 0, 0, 0 }, { 0, 0, 0 }, 0 });
   for (std::size_t c = 0; c < boxChords_.size(); ++c)
   {
     for (const std::uint32_t node : { boxChords_[c].from, boxChords_[c].to })
     {
-      LoopNode& loopNode = loopNodes_[local(node)];
-      loopNode.normal = plus(loopNode.normal, normals_[c]);
+      nodes[node].normal = plus(nodes[node].normal, normals_[c]);
     }
   }
   for (std::uint32_t i = 0; i < boxNodes_.size(); ++i)
   {
     const Point& p = at(boxNodes_[i]);
-    loopNodes_[i].id = boxNodes_[i];
-    loopNodes_[i].at = minus(p, box.low);
-    loopNodes_[i].normal = unit(loopNodes_[i].normal);
-    loopNodes_[i].planes = planesOf(box, p);
-  }
-}
-
-void LoopPatches::triangulate(const std::uint32_t* begin, const std::uint32_t* end, Patches& result)
-{
-  loop_.clear();
-  for (const std::uint32_t* node = begin; node != end; ++node)
-  {
-    loop_.push_back(loopNodes_[*node]);
-  }
-  for (const auto& t : triangulation_.triangulate(loop_))
-  {
-    const Vector normal =
-      unit(cross(minus(loop_[t[1]].at, loop_[t[0]].at), minus(loop_[t[2]].at, loop_[t[0]].at)));
-    const std::size_t source = mostAlike(normal);
-    for (const std::uint32_t i : t)
-    {
-      result.corners.push_back(numberOf(loop_[i].id));
-    }
-    result.start.push_back(result.corners.size());
-    result.triangle.push_back(patches_.triangle[source]);
-    result.boundary.push_back(patches_.boundary[source]);
+    nodes[i].id = boxNodes_[i];
+    nodes[i].at = minus(p, box.low);
+    nodes[i].normal = unit(nodes[i].normal);
+    nodes[i].planes = planesOf(box, p);
   }
 }
 
@@ -154,7 +118,7 @@ std::uint32_t LoopPatches::numberOf(std::uint32_t node) const
     : static_cast<std::uint32_t>(node - nodes_.at.size() + nodes_.patchPoints);
 }
 
-// The patches that the box had, or its neighbours, or the first one of all.
+// Lists the patches that the box had, or else those of its neighbours, or else the first of all.
 void LoopPatches::listSources(std::uint32_t n)
 {
   sources_.clear();

@@ -1,25 +1,25 @@
-// Patches of flawed boxes: triangles between the loops of the chords on a box's sides, which close by
+// New patches for a flawed box: triangles over the loops that the chords on its sides form, which close by
 // construction.
 #pragma once
 
 #include "Faces/InnerFaces.h"
 #include "Faces/SideChords.h"
-#include "Lattice/MarchingCubes.h"
+#include "Patches/ChordLoops.h"
 
 namespace cartesian
 {
 
-// Makes the patches of one box after the other. Borrows all it is given.
+// Makes the patches of one box after the other. Borrows its arguments.
 class LoopPatches
 {
 public:
-  // `added`: points numbered after the nodes. `newChordsOf`: of each side, which of `newChords` are on it,
-  // or None: those of its patches.
+  // `added`: points numbered after the nodes. `newChordsOf`: for each side the index in `newChords`, or
+  // None if it keeps the chords of its patches.
   LoopPatches(const Boxes& boxes, const Patches& patches, const Sides& sides, const Nodes& nodes,
     const std::vector<Point>& added, const std::vector<std::uint32_t>& newChordsOf,
     const std::vector<std::vector<SideEdge>>& newChords);
 
-  // Appends those of the n-th polyhedral box; added points are numbered after those of the patches.
+  // Appends the patches of the n-th polyhedral box. In `result`, added points come after those of patches.
   void add(std::uint32_t n, Patches& result);
 
 private:
@@ -36,10 +36,8 @@ private:
 
   void gatherChords(std::size_t n);
   void listBoxNodes();
-  void linkChords();
   std::uint32_t local(std::uint32_t node) const;
   void listLoopNodes(const Box& box);
-  void triangulate(const std::uint32_t* begin, const std::uint32_t* end, Patches& result);
   std::uint32_t numberOf(std::uint32_t node) const;
   void listSources(std::uint32_t n);
   Vector areaOf(std::size_t patch) const;
@@ -56,16 +54,11 @@ private:
 
   std::vector<SideEdge> chords_;
   std::vector<std::uint8_t> scratch_;
-  std::vector<SideEdge> boxChords_;
-  std::vector<Vector> normals_;
-  std::vector<std::uint32_t> boxNodes_;
-  std::vector<LoopNode> loopNodes_;
-  std::vector<LoopNode> loop_;
+  std::vector<SideEdge> boxChords_;     // between nodes of loops_
+  std::vector<Vector> normals_;         // of the patches along the chords
+  std::vector<std::uint32_t> boxNodes_; // in order
   std::vector<Source> sources_;         // patches that new ones may come from
-  std::vector<std::uint32_t> leaving_;  // first chord that leaves each node, and
-  std::vector<std::uint32_t> sameFrom_; // the next one that leaves the same node
-  std::vector<std::uint32_t> walk_;
-  LoopTriangulation triangulation_;
+  ChordLoops loops_;
 };
 
 }

@@ -12,7 +12,7 @@ namespace
 
 constexpr std::size_t BoxesAChunk = 512;
 
-// Grid nodes of one chunk of boxes: each point has one use, and a number in the chunk.
+// Grid nodes of a chunk of boxes, numbered in the chunk: one use for each point.
 class ChunkNodes
 {
 public:
@@ -40,8 +40,8 @@ public:
     return local;
   }
 
-  // Appends the border of a side, counter-clockwise, with the nodes that hang on it; `global`: one
-  // of its boxes' global box.
+  // Appends the border of a side, counter-clockwise, with its hanging nodes. `global`: the global box of
+  // one of its boxes.
   void addBorder(const Side& side, std::uint32_t global, std::vector<std::uint32_t>& border)
   {
     const std::size_t u = (side.axis + 1u) % 3;
@@ -57,7 +57,7 @@ public:
   }
 
 private:
-  // From a corner up or down one axis, without the end.
+  // Appends the nodes from a corner up or down one axis, without the end.
   void addLine(const FinePoint& from, std::size_t axis, std::int64_t length, bool up,
     std::uint32_t global, std::vector<std::uint32_t>& border)
   {
@@ -86,35 +86,35 @@ private:
   std::vector<std::int64_t> positions_;
 };
 
-// The nodes of one chunk of sides, or of one chunk of divided hexahedra, by their numbers there.
-struct Part
+// The nodes of a chunk of sides, or of a chunk of divided hexahedra, numbered in the chunk.
+struct UseChunk
 {
   std::vector<PointUse> uses;
   std::vector<std::uint32_t> nodes;
 };
 
-Part sidesOf(const Boxes& boxes, const Sides& sides, std::size_t begin, std::size_t end,
+UseChunk sidesOf(const Boxes& boxes, const Sides& sides, std::size_t begin, std::size_t end,
   std::vector<std::size_t>& borderSizes)
 {
-  Part part;
-  ChunkNodes list(boxes, part.uses);
+  UseChunk chunk;
+  ChunkNodes list(boxes, chunk.uses);
   for (std::size_t n = begin; n < end; ++n)
   {
     const std::uint32_t global = boxes.packed[sides.polyhedral[n]].global;
     for (std::size_t s = sides.ownStart[n]; s < sides.ownStart[n + 1]; ++s)
     {
-      const std::size_t before = part.nodes.size();
-      list.addBorder(sides.common[s], global, part.nodes);
-      borderSizes[s] = part.nodes.size() - before;
+      const std::size_t before = chunk.nodes.size();
+      list.addBorder(sides.common[s], global, chunk.nodes);
+      borderSizes[s] = chunk.nodes.size() - before;
     }
   }
-  return part;
+  return chunk;
 }
 
-Part hexahedraOf(const Boxes& boxes, const Sides& sides, std::size_t begin, std::size_t end)
+UseChunk hexahedraOf(const Boxes& boxes, const Sides& sides, std::size_t begin, std::size_t end)
 {
-  Part part;
-  ChunkNodes list(boxes, part.uses);
+  UseChunk chunk;
+  ChunkNodes list(boxes, chunk.uses);
   for (std::size_t n = begin; n < end; ++n)
   {
     const PackedBox& box = boxes.packed[sides.divided[n]];
@@ -125,10 +125,10 @@ Part hexahedraOf(const Boxes& boxes, const Sides& sides, std::size_t begin, std:
       {
         fine[static_cast<std::size_t>(axis)] += (corner >> axis & 1) * Boxes::fineSize(box, axis);
       }
-      part.nodes.push_back(list.add(fine));
+      chunk.nodes.push_back(list.add(fine));
     }
   }
-  return part;
+  return chunk;
 }
 
 }
@@ -138,25 +138,25 @@ Nodes findNodes(
 {
   const std::size_t count = sides.polyhedral.size();
   const std::size_t sideParts = chunks(count, BoxesAChunk);
-  std::vector<Part> parts(sideParts + chunks(sides.divided.size(), BoxesAChunk));
+  std::vector<UseChunk> ofChunk(sideParts + chunks(sides.divided.size(), BoxesAChunk));
   Nodes nodes;
   nodes.borderStart.assign(sides.common.size() + 1, 0);
   execution.nextLoop(0.9);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
-    parts[begin / BoxesAChunk] = sidesOf(boxes, sides, begin, end, nodes.borderStart);
+    ofChunk[begin / BoxesAChunk] = sidesOf(boxes, sides, begin, end, nodes.borderStart);
   });
   execution.forEach(sides.divided.size(), BoxesAChunk, [&](std::size_t begin, std::size_t end) {
-    parts[sideParts + begin / BoxesAChunk] = hexahedraOf(boxes, sides, begin, end);
+    ofChunk[sideParts + begin / BoxesAChunk] = hexahedraOf(boxes, sides, begin, end);
   });
 
-  std::vector<std::vector<PointUse>> uses(parts.size());
-  std::vector<std::size_t> firstSlot(parts.size());
-  std::vector<std::size_t> firstNode(parts.size());
-  for (std::size_t i = 0; i < parts.size(); ++i)
+  std::vector<std::vector<PointUse>> uses(ofChunk.size());
+  std::vector<std::size_t> firstSlot(ofChunk.size());
+  std::vector<std::size_t> firstNode(ofChunk.size());
+  for (std::size_t i = 0; i < ofChunk.size(); ++i)
   {
-    firstSlot[i] = parts[i].uses.size();
-    firstNode[i] = parts[i].nodes.size();
-    uses[i].swap(parts[i].uses);
+    firstSlot[i] = ofChunk[i].uses.size();
+    firstNode[i] = ofChunk[i].nodes.size();
+    uses[i].swap(ofChunk[i].uses);
   }
   scan(firstSlot);
   scan(firstNode);
@@ -165,11 +165,11 @@ Nodes findNodes(
 
   nodes.border.resize(scan(nodes.borderStart));
   nodes.ofDivided.resize(sides.divided.size());
-  execution.forEach(parts.size(), 1, [&](std::size_t i, std::size_t) {
-    for (std::size_t n = 0; n < parts[i].nodes.size(); ++n)
+  execution.forEach(ofChunk.size(), 1, [&](std::size_t i, std::size_t) {
+    for (std::size_t n = 0; n < ofChunk[i].nodes.size(); ++n)
     {
       const auto node = static_cast<std::uint32_t>(
-        patches.points.size() + numbering.ofSlot[firstSlot[i] + parts[i].nodes[n]]);
+        patches.points.size() + numbering.ofSlot[firstSlot[i] + ofChunk[i].nodes[n]]);
       const std::size_t at = firstNode[i] + n;
       if (i < sideParts)
       {

@@ -1,4 +1,4 @@
-// Nodes of faces, numbered (section 7.1); nodes that hang on the sides of coarser boxes among them.
+// The nodes of all faces, numbered (section 7.1), hanging nodes included.
 #pragma once
 
 #include "Boxes/Sides.h"
@@ -23,26 +23,26 @@ struct VertexNode
   }
 };
 
-// A hexahedron with a corner that moved (ShortEdges.h).
+// A hexahedron with a corner that moved (EdgeCollapse.h).
 struct WarpedHexahedron
 {
   std::uint32_t box;
   double volumeFraction; // of the box
 };
 
-// Nodes of faces: the points of patches, then grid nodes: corners of sides, nodes that hang on their
-// borders, corners of divided hexahedra; then those that shaping adds (CellShaping.h).
+// First the points of patches; then grid nodes: corners of sides, nodes that hang on their borders and
+// corners of divided hexahedra; then the nodes that shaping adds (CellShaping.h).
 struct Nodes
 {
   std::vector<Point> at;
   std::size_t patchPoints = 0;
-  std::vector<Point> grid;           // where grid nodes were before edges collapsed (ShortEdges.h)
+  std::vector<Point> grid; // where grid nodes were before edges collapsed (EdgeCollapse.h)
   std::vector<std::size_t> rowStart; // first grid node of each row of points (Numbering.h), from 0
   std::vector<std::size_t> borderStart; // first node of each side's border, and the end
   std::vector<std::uint32_t> border;    // grid nodes counter-clockwise from the lowest corner
   std::vector<std::array<std::uint32_t, 8>> ofDivided; // corners of Sides::divided
-  std::vector<VertexNode> moreVertices;                // of those that shaping adds, in order
-  std::vector<std::uint32_t> ofCuts;                   // the others of those, in order of places
+  std::vector<VertexNode> moreVertices; // nodes that shaping adds at vertices of the global mesh
+  std::vector<std::uint32_t> ofCuts;    // the other nodes that shaping adds, in order of places
   std::vector<WarpedHexahedron> warped;
 };
 

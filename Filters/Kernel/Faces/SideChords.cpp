@@ -6,25 +6,27 @@ namespace cartesian
 namespace
 {
 
-// Appends a node if it lies on the border. Corners belong to the border that begins there.
+// Appends a node if it lies on the border. A corner belongs to the piece of the border that begins there.
 void addToBorder(const PlanePoint& p, const Rectangle& r, std::uint32_t node, int change,
   std::vector<BorderNode>& border)
 {
   if (p.b == r.low.b && p.a < r.high.a)
   {
-    border.push_back({ 0, p.a, node, change, p.a == r.low.a ? r.corner[0] : Known::Nothing });
+    border.push_back({ 0, p.a, node, change, p.a == r.low.a ? r.corner[0] : KnownStatus::Unknown });
   }
   else if (p.a == r.high.a && p.b < r.high.b)
   {
-    border.push_back({ 1, p.b, node, change, p.b == r.low.b ? r.corner[1] : Known::Nothing });
+    border.push_back({ 1, p.b, node, change, p.b == r.low.b ? r.corner[1] : KnownStatus::Unknown });
   }
   else if (p.b == r.high.b && p.a > r.low.a)
   {
-    border.push_back({ 2, -p.a, node, change, p.a == r.high.a ? r.corner[2] : Known::Nothing });
+    border.push_back(
+      { 2, -p.a, node, change, p.a == r.high.a ? r.corner[2] : KnownStatus::Unknown });
   }
   else if (p.a == r.low.a)
   {
-    border.push_back({ 3, -p.b, node, change, p.b == r.high.b ? r.corner[3] : Known::Nothing });
+    border.push_back(
+      { 3, -p.b, node, change, p.b == r.high.b ? r.corner[3] : KnownStatus::Unknown });
   }
 }
 
@@ -105,7 +107,7 @@ Rectangle SideChords::rectangle(std::size_t s) const
     const PlanePoint p = flatten(nodes_.at[r.border[i]], side.axis);
     r.high = { std::max(r.high.a, p.a), std::max(r.high.b, p.b) };
   }
-  r.corner.fill(Known::Nothing);
+  r.corner.fill(KnownStatus::Unknown);
   const std::array<PlanePoint, 4> at = { r.low, PlanePoint{ r.high.a, r.low.b }, r.high,
     PlanePoint{ r.low.a, r.high.b } };
   for (const bool upper : { true, false })
@@ -125,15 +127,16 @@ Rectangle SideChords::rectangle(std::size_t s) const
     {
       if (boxes_.globalOf(box).nearDepth == 0 || isAt(corners[i], at[i]))
       {
-        r.corner[i] = (box.corners >> corners[i] & 1) != 0 ? Known::Inside : Known::Outside;
+        r.corner[i] =
+          (box.corners >> corners[i] & 1) != 0 ? KnownStatus::Inside : KnownStatus::Outside;
       }
     }
   }
   return r;
 }
 
-// A face of the side runs along them the other way than the patch; seen from the upper box, the face is
-// turned over.
+// Faces of the side run along these edges in the opposite direction to the patch. For the upper box, the
+// face is turned over.
 void SideChords::find(std::size_t s, const Rectangle& r, std::vector<SideEdge>& chords) const
 {
   const Side& side = sides_.common[s];

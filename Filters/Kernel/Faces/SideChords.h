@@ -1,5 +1,5 @@
 // What bounds the inside region of a common side (section 4.9): chords, which are edges of patches, and
-// the border with the statuses of its corners.
+// the border of the side, with the status of its corners.
 #pragma once
 
 #include "Boxes/Sides.h"
@@ -10,7 +10,7 @@
 namespace cartesian
 {
 
-// A directed piece of the boundary of a side's inside region, which lies to its left.
+// A directed edge of a side's inside region, which lies to its left.
 struct SideEdge
 {
   std::uint32_t from;
@@ -22,15 +22,15 @@ struct SideEdge
   }
 };
 
-// Statuses of a side's corners, as far as a corner of one of its boxes tells.
-enum class Known : std::int8_t
+// Status of a node, as far as the corners of boxes tell.
+enum class KnownStatus : std::int8_t
 {
-  Nothing = -1,
+  Unknown = -1,
   Outside = 0,
   Inside = 1,
 };
 
-// A side as its faces see it.
+// A side in its own plane.
 struct Rectangle
 {
   int axis;
@@ -38,7 +38,7 @@ struct Rectangle
   PlanePoint high;
   const std::uint32_t* border; // grid nodes, counter-clockwise from the lowest corner
   std::size_t borderSize;
-  std::array<Known, 4> corner; // counter-clockwise from the lowest corner
+  std::array<KnownStatus, 4> corner; // counter-clockwise from the lowest corner
 };
 
 // A grid node on the border, or an end of a chord.
@@ -47,18 +47,18 @@ struct BorderNode
   int border; // 0 to 3, counter-clockwise from the lowest corner
   std::int64_t along;
   std::uint32_t node;
-  int change; // of the status past this node
-  Known known;
+  int change; // of the status at this node, counter-clockwise
+  KnownStatus known;
 };
 
 // Lists the nodes counter-clockwise from the lowest corner.
 void listBorder(const std::vector<Point>& nodes, const Rectangle& r,
   const std::vector<SideEdge>& chords, std::vector<BorderNode>& border);
 
-// Drops edges that run to and fro between the same nodes: they bound nothing. Leaves the rest sorted.
+// Drops edges that run both ways between the same nodes: they bound nothing. Sorts the rest.
 void dropOpposite(std::vector<SideEdge>& edges, std::vector<std::uint8_t>& scratch);
 
-// Looks at one side after the other.
+// Gives the chords and the rectangle of any side.
 class SideChords
 {
 public:
@@ -72,7 +72,7 @@ public:
 
   Rectangle rectangle(std::size_t side) const;
 
-  // Edges of patches on the side, taken from the lower box if it has patches, else from the upper.
+  // Lists the edges of patches on a side: those of the lower box if it has patches, else of the upper.
   void find(std::size_t side, const Rectangle& r, std::vector<SideEdge>& chords) const;
 
 private:

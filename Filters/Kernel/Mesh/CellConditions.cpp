@@ -12,7 +12,7 @@ namespace
 
 constexpr std::size_t CellsAChunk = 1024;
 
-// One cell after the other; keeps its memory.
+// Checks one cell after the other. Keeps its storage.
 class Inspector
 {
 public:
@@ -30,7 +30,7 @@ public:
   void inspect(std::size_t cell)
   {
     faces_.clear();
-    const auto& cells = parts_.cells.cells;
+    const auto& cells = parts_.cells.all;
     for (std::size_t f = cells[cell].firstFace; f < cells[cell + 1].firstFace; ++f)
     {
       faces_.push_back(geometryOf(parts_.cells.faces[f]));
@@ -38,7 +38,7 @@ public:
     const CellGeometry geometry =
       measureCell(faces_.size(), [&](std::size_t f) -> const FaceGeometry& { return faces_[f]; });
     findBoundary(numbers_.ofCell[cell]);
-    std::array<bool, 2> failing{ false, false }; // inner faces, boundary
+    std::array<bool, 2> failing{ false, false }; // at inner faces, at the boundary
     Vector sum{ 0, 0, 0 };
     double sizes = 0;
     for (std::size_t f = 0; f < faces_.size(); ++f)
@@ -46,7 +46,7 @@ public:
       const double size = norm(faces_[f].area);
       sum = plus(sum, faces_[f].area);
       sizes += size;
-      // Cosines, for speed.
+      // Compares cosines, for speed.
       const Vector way = minus(faces_[f].centre, geometry.centre);
       const bool boundary = isBoundary(parts_.cells.faces[cells[cell].firstFace + f]);
       const double least = boundary ? 0 : leastInnerCosine_ * norm(way) * size;
@@ -59,7 +59,7 @@ public:
   }
 
 private:
-  FaceGeometry geometryOf(const FaceRef& face)
+  FaceGeometry geometryOf(const FaceOfCell& face)
   {
     corners_.clear();
     forEachNode(face, parts_.patches, parts_.inner, parts_.cells.shaped, [&](std::uint32_t node) {
@@ -70,8 +70,8 @@ private:
       corners_.size(), [&](std::size_t i) -> const Vector& { return corners_[i]; });
   }
 
-  // The cell's faces that lost their neighbour come after its patches. Cells come in order: but for
-  // the first one, the search goes on where it ended.
+  // Boundary faces that lost their neighbour come after the patches of their cell. Cells come in order, so
+  // the search continues where it ended, except for the first cell.
   void findBoundary(Id cell)
   {
     const auto isBefore = [cell](const BoundaryFace& face) {
@@ -84,9 +84,9 @@ private:
       exposed_, boundary_.end(), [cell](const BoundaryFace& face) { return face.cell != cell; });
   }
 
-  bool isBoundary(const FaceRef& face) const
+  bool isBoundary(const FaceOfCell& face) const
   {
-    using Kind = FaceRef::Kind;
+    using Kind = FaceOfCell::Kind;
     static_assert(int(Kind::Patch) == int(BoundaryFace::Kind::Patch));
     static_assert(int(Kind::TurnedShaped) == int(BoundaryFace::Kind::TurnedShaped));
     return face.kind() == Kind::Patch ||
@@ -118,7 +118,7 @@ CellConditions countFailures(const MeshParts& parts, const CellNumbers& numbers,
     Inspector inspector(parts, numbers, boundary, ofChunk[begin / CellsAChunk]);
     for (std::size_t c = numbers.coreBegin + begin; c < numbers.coreBegin + end; ++c)
     {
-      if (!parts.cells.cells[c].removed)
+      if (!parts.cells.all[c].removed)
       {
         inspector.inspect(c);
       }

@@ -12,7 +12,7 @@ namespace
 constexpr std::size_t RowsAChunk = 64;
 constexpr std::size_t ItemsAChunk = 4096;
 
-// Rows of points that come row by row, or nearly so.
+// Finds the rows of points that come row by row, or nearly so.
 class RowFinder
 {
 public:
@@ -43,8 +43,10 @@ private:
   std::int64_t k_ = 0;
 };
 
+}
+
 // A node that shaping added between the grid's vertices.
-struct AddedNode
+struct PointNumbers::AddedNode
 {
   std::size_t row;
   Point at;
@@ -56,15 +58,15 @@ struct AddedNode
   }
 };
 
-// In order.
-std::vector<AddedNode> addedNodes(
-  const Nodes& nodes, const Meshlines& planes, const std::vector<Use>& used)
+// Those that are used, in order.
+std::vector<PointNumbers::AddedNode> PointNumbers::addedNodes(
+  const Nodes& nodes, const Meshlines& planes, const std::vector<NodeRole>& roles)
 {
   RowFinder finder(planes);
   std::vector<AddedNode> added;
-  for (std::size_t node = nodes.patchPoints + nodes.rowStart.back(); node < used.size(); ++node)
+  for (std::size_t node = nodes.patchPoints + nodes.rowStart.back(); node < roles.size(); ++node)
   {
-    if (used[node] == Use::Between)
+    if (roles[node] == NodeRole::Plain)
     {
       added.push_back({ finder.rowOf(nodes.at[node]), nodes.at[node], node });
     }
@@ -73,109 +75,142 @@ std::vector<AddedNode> addedNodes(
   return added;
 }
 
-}
-
 PointNumbers::PointNumbers(const MeshParts& parts, Layers layers, Execution& execution)
   : PointNumbers(parts, layers, usedNodes(parts, layers, execution), execution)
 {
 }
 
 PointNumbers::PointNumbers(
-  const MeshParts& parts, Layers layers, std::vector<Use>&& used, Execution& execution)
+  const MeshParts& parts, Layers layers, std::vector<NodeRole>&& roles, Execution& execution)
   : rowLength_(parts.boxes.planes[1].size())
-  , vertices_(parts.boxes, parts.sides, parts.nodes, used, layers, execution)
+  , vertices_(parts.boxes, parts.sides, parts.nodes, roles, layers, execution)
 {
-  const Nodes& nodes = parts.nodes;
-  const Meshlines& planes = parts.boxes.planes;
-  const std::size_t rows = pointRows(planes);
-  rowStart_.assign(rows + 1, 0);
-  ofNode_.assign(used.size(), None);
-  for (const VertexNode& vertex : nodes.moreVertices)
-  {
-    used[vertex.node] = used[vertex.node] == Use::Nowhere ? Use::Nowhere : Use::AsVertex;
-  }
-  const auto forEachGridNode = [&](std::size_t row, auto&& visit) {
-    for (std::size_t c = nodes.rowStart[row]; c < nodes.rowStart[row + 1]; ++c)
-    {
-      visit(nodes.patchPoints + c);
-    }
-  };
-  execution.forEach(rows, RowsAChunk, [&](std::size_t begin, std::size_t end) {
+  markVertices(parts, roles, execution);
+  const std::vector<AddedNode> added = addedNodes(parts.nodes, parts.boxes.planes, roles);
+  countPoints(parts, roles, added, execution);
+  numberNodes(parts, roles, added, execution);
+}
+
+template <class Visitor>
+void PointNumbers::forEachGridNode(const Nodes& nodes, Execution& execution, Visitor&& visit) const
+{
+  execution.forEach(nodes.rowStart.size() - 1, RowsAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row)
     {
-      const std::size_t j = row % rowLength_;
-      const std::size_t k = row / rowLength_;
-      rowStart_[row] = vertices_.count(row);
-      forEachGridNode(row, [&](std::size_t node) {
-        std::uint32_t i = 0;
-        if (used[node] != Use::Nowhere &&
-          VertexRows::isVertex(planes, nodes.grid[node - nodes.patchPoints], j, k, i))
-        {
-          used[node] = Use::AsVertex;
-          ofNode_[node] = i;
-        }
-        rowStart_[row] += used[node] == Use::Between ? 1 : 0;
-      });
+      for (std::size_t c = nodes.rowStart[row]; c < nodes.rowStart[row + 1]; ++c)
+      {
+        visit(row, nodes.patchPoints + c);
+      }
     }
   });
-  const std::vector<AddedNode> added = addedNodes(nodes, planes, used);
-  RowFinder finder(planes);
-  for (std::size_t node = 0; node < nodes.patchPoints; ++node)
+}
+
+// Whether a grid node of a row is a vertex of the global mesh; then `i`.
+bool PointNumbers::isVertex(
+  const MeshParts& parts, std::size_t row, std::size_t node, std::uint32_t& i) const
+{
+  return UsedVertices::isVertex(parts.boxes.planes,
+    parts.nodes.grid[node - parts.nodes.patchPoints], row % rowLength_, row / rowLength_, i);
+}
+
+// Finds out which used nodes are vertices of the global mesh.
+void PointNumbers::markVertices(
+  const MeshParts& parts, std::vector<NodeRole>& roles, Execution& execution) const
+{
+  for (const VertexNode& vertex : parts.nodes.moreVertices)
   {
-    rowStart_[finder.rowOf(nodes.at[node])] += used[node] == Use::Nowhere ? 0 : 1;
+    NodeRole& role = roles[vertex.node];
+    role = role == NodeRole::Unused ? NodeRole::Unused : NodeRole::Vertex;
+  }
+  forEachGridNode(parts.nodes, execution, [&](std::size_t row, std::size_t node) {
+    std::uint32_t i = 0;
+    if (roles[node] != NodeRole::Unused && isVertex(parts, row, node, i))
+    {
+      roles[node] = NodeRole::Vertex;
+    }
+  });
+}
+
+// Fills rowStart_.
+void PointNumbers::countPoints(const MeshParts& parts, const std::vector<NodeRole>& roles,
+  const std::vector<AddedNode>& added, Execution& execution)
+{
+  const Meshlines& planes = parts.boxes.planes;
+  const std::size_t rows = pointRows(planes);
+  rowStart_.resize(rows + 1);
+  for (std::size_t row = 0; row < rows; ++row)
+  {
+    rowStart_[row] = vertices_.count(row);
+  }
+  forEachGridNode(parts.nodes, execution, [&](std::size_t row, std::size_t node) {
+    rowStart_[row] += roles[node] == NodeRole::Plain ? 1 : 0;
+  });
+  RowFinder finder(planes);
+  for (std::size_t node = 0; node < parts.nodes.patchPoints; ++node)
+  {
+    rowStart_[finder.rowOf(parts.nodes.at[node])] += roles[node] == NodeRole::Unused ? 0 : 1;
   }
   for (const AddedNode& node : added)
   {
     ++rowStart_[node.row];
   }
   scan(rowStart_);
+}
 
-  std::vector<std::size_t> next(rows);
-  execution.forEach(rows, RowsAChunk, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row)
+// Fills ofNode_.
+void PointNumbers::numberNodes(const MeshParts& parts, const std::vector<NodeRole>& roles,
+  const std::vector<AddedNode>& added, Execution& execution)
+{
+  ofNode_.assign(roles.size(), None);
+  std::vector<std::size_t> next(rowStart_.size() - 1); // of each row
+  for (std::size_t row = 0; row < next.size(); ++row)
+  {
+    next[row] = rowStart_[row] + vertices_.count(row);
+  }
+  const auto take = [&](std::size_t row) { return static_cast<std::uint32_t>(next[row]++); };
+  forEachGridNode(parts.nodes, execution, [&](std::size_t row, std::size_t node) {
+    std::uint32_t i = 0;
+    if (roles[node] == NodeRole::Vertex && isVertex(parts, row, node, i))
     {
-      const auto j = static_cast<std::uint32_t>(row % rowLength_);
-      const auto k = static_cast<std::uint32_t>(row / rowLength_);
-      next[row] = rowStart_[row] + vertices_.count(row);
-      forEachGridNode(row, [&](std::size_t node) {
-        if (used[node] != Use::Nowhere)
-        {
-          ofNode_[node] = used[node] == Use::AsVertex ? ofVertex(ofNode_[node], j, k)
-                                                      : static_cast<std::uint32_t>(next[row]++);
-        }
-      });
+      ofNode_[node] = ofVertex(i, static_cast<std::uint32_t>(row % rowLength_),
+        static_cast<std::uint32_t>(row / rowLength_));
+    }
+    else if (roles[node] == NodeRole::Plain)
+    {
+      ofNode_[node] = take(row);
     }
   });
-  for (std::size_t node = 0; node < nodes.patchPoints; ++node)
+  RowFinder finder(parts.boxes.planes);
+  for (std::size_t node = 0; node < parts.nodes.patchPoints; ++node)
   {
-    if (used[node] != Use::Nowhere)
+    if (roles[node] != NodeRole::Unused)
     {
-      ofNode_[node] = static_cast<std::uint32_t>(next[finder.rowOf(nodes.at[node])]++);
+      ofNode_[node] = take(finder.rowOf(parts.nodes.at[node]));
     }
   }
   for (const AddedNode& node : added)
   {
-    ofNode_[node.node] = static_cast<std::uint32_t>(next[node.row]++);
+    ofNode_[node.node] = take(node.row);
   }
-  for (const VertexNode& vertex : nodes.moreVertices)
+  for (const VertexNode& vertex : parts.nodes.moreVertices)
   {
-    if (used[vertex.node] != Use::Nowhere)
+    if (roles[vertex.node] != NodeRole::Unused)
     {
       ofNode_[vertex.node] = ofVertex(vertex.i, vertex.j, vertex.k);
     }
   }
 }
 
-std::vector<Use> PointNumbers::usedNodes(
+std::vector<NodeRole> PointNumbers::usedNodes(
   const MeshParts& parts, Layers layers, Execution& execution)
 {
   const Boxes& boxes = parts.boxes;
   const Cells& cells = parts.cells;
-  std::vector<std::atomic<Use>> marked(parts.nodes.at.size());
+  std::vector<std::atomic<NodeRole>> marked(parts.nodes.at.size());
   const auto mark = [&](std::uint32_t node) {
-    marked[node].store(Use::Between, std::memory_order_relaxed);
+    marked[node].store(NodeRole::Plain, std::memory_order_relaxed);
   };
-  const auto markFace = [&](const FaceRef& face) {
+  const auto markFace = [&](const FaceOfCell& face) {
     forEachNode(face, parts.patches, parts.inner, cells.shaped, mark);
   };
   const auto isHere = [&](std::uint32_t box) {
@@ -190,13 +225,13 @@ std::vector<Use> PointNumbers::usedNodes(
     });
   };
   forEach(cells.size(), [&](std::size_t c) {
-    const bool counts = !cells.cells[c].removed && isHere(cells.cells[c].box);
-    for (std::size_t f = cells.cells[c].firstFace; counts && f < cells.cells[c + 1].firstFace; ++f)
+    const bool counts = !cells.all[c].removed && isHere(cells.all[c].box);
+    for (std::size_t f = cells.all[c].firstFace; counts && f < cells.all[c + 1].firstFace; ++f)
     {
       markFace(cells.faces[f]);
     }
   });
-  // A hexahedron keeps its faces, whatever became of the cells beyond.
+  // A hexahedron keeps its faces, whatever happened to the cells beyond.
   const auto isHexahedronHere = [&](std::uint32_t box) {
     return box != None && parts.sides.polyhedralOrdinal(box) == None && isHere(box);
   };
@@ -205,7 +240,7 @@ std::vector<Use> PointNumbers::usedNodes(
     const bool keeps = isHexahedronHere(side.low) || isHexahedronHere(side.high);
     for (std::size_t f = parts.inner.sideStart[s]; keeps && f < parts.inner.sideStart[s + 1]; ++f)
     {
-      markFace(FaceRef(f, FaceRef::Kind::Inner));
+      markFace(FaceOfCell(f, FaceOfCell::Kind::Inner));
     }
   });
   forEach(parts.nodes.ofDivided.size(), [&](std::size_t i) {

@@ -1,7 +1,7 @@
 #include "Mesher/Mesher.h"
 
 #include "Base/Error.h"
-#include "Collapse/ShortEdges.h"
+#include "Collapse/EdgeCollapse.h"
 #include "Collapse/WarpedHexahedra.h"
 #include "Lattice/Vector.h"
 #include "Parts/Decomposition.h"
@@ -222,7 +222,7 @@ Assembly::Assembly(
     shaping_ = shapeCells(boxes, *patches_, sides_, nodes_, inner_, cells_, spec, execution);
   }
   execution.stage("Numbering", AfterShaping, AfterNumbering);
-  mesh_ = std::make_unique<Mesh>(
+  mesh_ = std::make_unique<OutputMesh>(
     MeshParts{ boxes, *patches_, sides_, nodes_, inner_, cells_ }, execution);
   const Layers all = boxes.allLayers();
   if (mesh_->cellCount() == 0 && boxes.core.begin == all.begin && boxes.core.end == all.end)
@@ -234,7 +234,7 @@ Assembly::Assembly(
 std::string Assembly::describeNothing() const
 {
   const bool onlySlivers = std::all_of(
-    cells_.cells.begin(), cells_.cells.end() - 1, [](const Cell& cell) { return cell.sliver; });
+    cells_.all.begin(), cells_.all.end() - 1, [](const Cell& cell) { return cell.sliver; });
   if (onlySlivers)
   {
     return "There is nothing to mesh: the surface encloses no volume, or is open everywhere." +
@@ -304,7 +304,7 @@ bool Assembly::keepTurned(std::vector<std::uint8_t>& keeps, const Cells& cells) 
     const Box box = boxes_.box(sides_.polyhedral[n]);
     const Vector size = minus(box.high, box.low);
     const double height = *std::min_element(size.begin(), size.end());
-    const auto first = cells.cells.begin();
+    const auto first = cells.all.begin();
     const bool turned = std::any_of(first + std::ptrdiff_t(cells.boxStart[n]),
       first + std::ptrdiff_t(cells.boxStart[n + 1]),
       [&](const Cell& cell) { return cell.volumeFraction * height < -RoundingLevels; });
@@ -314,18 +314,18 @@ bool Assembly::keepTurned(std::vector<std::uint8_t>& keeps, const Cells& cells) 
   return any;
 }
 
-// First between the seams, then across them (ShortEdges.h). Boxes whose faces would not close any more
+// First between the seams, then across them (EdgeCollapse.h). Boxes whose faces would not close any more
 // keep their edges; what changes for that changes nothing beyond the seams.
 void Assembly::collapse(
   const std::vector<std::uint8_t>& flawed, const CellSpec& spec, Execution& execution)
 {
   const Patches& before = *patches_;
-  ShortEdgeSpec between{ spec.collapseRatio, spec.featureAngle, isExact(before), flawed, false };
-  ShortEdgeSpec across = between;
+  EdgeCollapseSpec between{ spec.collapseRatio, spec.featureAngle, isExact(before), flawed, false };
+  EdgeCollapseSpec across = between;
   across.acrossSeams = true;
   execution.stage("Short edges", AfterCells, AfterShortEdges);
   patches_ = &collapsed_;
-  const auto closes = [&](ShortEdgeSpec& edges, const std::vector<std::uint8_t>& now) {
+  const auto closes = [&](EdgeCollapseSpec& edges, const std::vector<std::uint8_t>& now) {
     std::transform(
       edges.keeps.begin(), edges.keeps.end(), now.begin(), edges.keeps.begin(), std::bit_or<>());
     return now == flawed;
@@ -407,10 +407,10 @@ std::string Assembly::describeFlaws() const
 
 std::vector<std::pair<const char*, double>> Assembly::statistics() const
 {
-  const auto isInner = [](const Cells& cells, const FaceRef& face) {
+  const auto isInner = [](const Cells& cells, const FaceOfCell& face) {
     const bool shaped =
-      face.kind() == FaceRef::Kind::Shaped || face.kind() == FaceRef::Kind::TurnedShaped;
-    return face.kind() != FaceRef::Kind::Patch &&
+      face.kind() == FaceOfCell::Kind::Shaped || face.kind() == FaceOfCell::Kind::TurnedShaped;
+    return face.kind() != FaceOfCell::Kind::Patch &&
       !(shaped && cells.shaped.cells[face.index][face.turned() ? 0 : 1] == None);
   };
   const std::uint32_t first = boxes_.firstBoxOf(boxes_.core.begin);
@@ -419,13 +419,13 @@ std::vector<std::pair<const char*, double>> Assembly::statistics() const
   double isolated = 0;
   for (std::size_t c = 0; c < cells_.size(); ++c)
   {
-    const Cell& cell = cells_.cells[c];
+    const Cell& cell = cells_.all[c];
     if (cell.box < first || cell.box >= last)
     {
       continue;
     }
     bool hasInnerFace = false;
-    for (std::size_t f = cell.firstFace; f < cells_.cells[c + 1].firstFace && !hasInnerFace; ++f)
+    for (std::size_t f = cell.firstFace; f < cells_.all[c + 1].firstFace && !hasInnerFace; ++f)
     {
       hasInnerFace = isInner(cells_, cells_.faces[f]);
     }

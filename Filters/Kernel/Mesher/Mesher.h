@@ -8,8 +8,8 @@
 #pragma once
 
 #include "Boxes/BoxGeneration.h"
-#include "Faces/FlawedBoxes.h"
-#include "Mesh/Mesh.h"
+#include "Faces/BoxRebuilding.h"
+#include "Mesh/OutputMesh.h"
 #include "Repair/SurfaceDefects.h"
 #include "Shaping/CellShaping.h"
 
@@ -76,10 +76,10 @@ class Assembly
 public:
   Assembly(const Boxes& boxes, const Patches& patches, const CellSpec& spec, Execution& execution);
 
-  const Mesh& mesh() const { return *mesh_; }
+  const OutputMesh& mesh() const { return *mesh_; }
 
   // Intersected boxes that have no cells because the surface does not close in them, and neither do
-  // patches made anew (FlawedBoxes.h).
+  // patches made anew (BoxRebuilding.h).
   std::vector<std::uint32_t> flawedBoxes() const;
 
   // How many boxes have patches made anew.
@@ -114,7 +114,7 @@ private:
   Patches collapsed_;
   Cells cells_;
   Shaping shaping_;
-  std::unique_ptr<Mesh> mesh_;
+  std::unique_ptr<OutputMesh> mesh_;
 };
 
 }

@@ -22,7 +22,7 @@ std::string newEntries(const std::string& name)
     ";\n        nFaces          0;\n        startFace       0;\n    ";
 }
 
-// Puts a value in place of the word that the entry `key` has.
+// Replaces the value of the entry `key`.
 void setEntry(std::string& entries, const std::string& key, const std::string& value)
 {
   for (std::size_t at = entries.find(key); at != std::string::npos; at = entries.find(key, at + 1))

@@ -1,4 +1,4 @@
-// OpenFOAM's file constant/polyMesh/boundary: the patches, and what the user wrote about them.
+// OpenFOAM's file constant/polyMesh/boundary: the patches and their entries, which users may edit.
 #pragma once
 
 #include <filesystem>
@@ -10,32 +10,31 @@ namespace cartesian
 
 struct FoamPatch
 {
-  std::string name;  // distinct words (foamWord)
-  std::size_t count; // faces, one or more
-  std::string
-    type = {}; // one of foamTypes(), or empty: as a file that is there says, else by the name
+  std::string name;      // an OpenFOAM word (foamWord), different from all others
+  std::size_t count;     // number of faces, at least one
+  std::string type = {}; // one of foamTypes(); empty: as the existing file says, else by name
 };
 
-// Types of patches that need no entries of their own.
+// The types of patches that need no further entries.
 const std::vector<std::string>& foamTypes();
 
-// The name with an underscore for each character that OpenFOAM does not allow in words.
+// The name with each character that OpenFOAM does not allow in words replaced by an underscore.
 std::string foamWord(const std::string& name);
 
 // The entries of each patch, the text between its brackets.
 class FoamBoundary
 {
 public:
-  // Patches without a type: wall where the name starts with "wall" or "Wall", else patch.
+  // Patches without a type become walls if their name starts with "wall" or "Wall", else patches.
   explicit FoamBoundary(const std::vector<FoamPatch>& patches);
 
-  // What a file says; no patches if it holds anything but patches of plain entries.
+  // Reads a file. There are no patches if it holds anything but patches with plain entries.
   explicit FoamBoundary(const std::filesystem::path& path);
 
   bool hasNamesOf(const std::vector<FoamPatch>& patches) const;
 
-  // The file's list of patches; their faces follow each other from `start`. Other entries than the
-  // numbers of faces, and the type where `patches` have one, stay as they are.
+  // The file's list of patches, with faces numbered from `start`. Entries stay as they are, except for the
+  // numbers of faces, and for the type where `patches` have one.
   std::string text(const std::vector<FoamPatch>& patches, std::size_t start) const;
 
 private:

@@ -13,7 +13,7 @@ namespace cartesian
 namespace
 {
 
-// In every header: tells our files from others'.
+// In every header, to recognise our own files.
 constexpr const char* Mark = "// Written by Cartesian Mesher";
 
 constexpr std::size_t BufferBytes = 1 << 20;
@@ -152,7 +152,7 @@ void FoamFile::begin(std::size_t count)
 {
   decimal(count);
   buffer_ += '\n';
-  // OpenFOAM expects no brackets around binary items that are not there.
+  // OpenFOAM expects no brackets around an empty binary list.
   if (count > 0 || format_ == FoamFormat::Ascii)
   {
     buffer_ += format_ == FoamFormat::Binary ? "(" : "(\n";

@@ -1,4 +1,4 @@
-// One file as OpenFOAM reads it: a header, then text or a list.
+// One file of OpenFOAM: a header, then text or a list.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace cartesian
 
 enum class FoamFormat
 {
-  Ascii, // shortest decimals that read back equal
+  Ascii, // the shortest decimals that read back as the same numbers
   Binary // labels in 32 bits and numbers in 64, as OpenFOAM is built by default
 };
 
@@ -24,7 +24,7 @@ public:
   struct Header
   {
     const char* className;
-    const char* location; // the file's folder in the case
+    const char* location; // folder of the file within the case
     std::string note;     // empty: none
   };
 
@@ -34,16 +34,16 @@ public:
 
   void labels(std::size_t count, const std::function<std::uint32_t(std::size_t)>& label);
 
-  // Three numbers each.
+  // Vectors of three numbers.
   void vectors(const std::vector<double>& numbers);
 
-  // Lists of labels, from start[i] to start[i + 1].
+  // Lists of labels; the i-th from start[i] to start[i + 1].
   void labelLists(const std::vector<std::size_t>& start, const std::vector<std::uint32_t>& labels);
 
-  // To be called at the end: until then parts may not be on the disk.
+  // Must be called at the end: until then, part of the file may not have been written.
   void close();
 
-  // Whether there is a file that this class wrote.
+  // Whether this class wrote the file.
   static bool isOurs(const std::filesystem::path& path);
 
 private:

@@ -36,7 +36,7 @@ constexpr std::array<SystemFile, 3> SystemFiles = { {
   { "fvSolution", "solvers { }\n" },
 } };
 
-// Whether the folder holds a mesh of ours with these patches.
+// Whether the folder holds a mesh that we wrote, with these patches.
 bool isReplaceable(const fs::path& polyMesh, const std::vector<FoamPatch>& patches)
 {
   return std::all_of(MeshFiles.begin(), MeshFiles.end(),
@@ -44,14 +44,14 @@ bool isReplaceable(const fs::path& polyMesh, const std::vector<FoamPatch>& patch
     FoamBoundary(polyMesh / "boundary").hasNamesOf(patches);
 }
 
-void writeBoundary(const FoamBoundary& boundary, const PolyMesh& mesh, const fs::path& folder)
+void writeBoundary(const FoamBoundary& boundary, const FoamMesh& mesh, const fs::path& folder)
 {
   FoamFile file(folder / "boundary", FoamFormat::Ascii, { "polyBoundaryMesh", Location, {} });
   file.text(boundary.text(mesh.patches, mesh.faces.neighbour.size()));
   file.close();
 }
 
-void writeFaces(const PolyMesh& mesh, const fs::path& folder, FoamFormat format)
+void writeFaces(const FoamMesh& mesh, const fs::path& folder, FoamFormat format)
 {
   const CellFaces& cells = mesh.cells;
   std::vector<std::size_t> start = { 0 };
@@ -84,7 +84,7 @@ void writeLabels(const fs::path& path, const std::vector<std::uint32_t>& labels,
 }
 
 void writeFiles(
-  const PolyMesh& mesh, const FoamBoundary& boundary, const fs::path& folder, FoamFormat format)
+  const FoamMesh& mesh, const FoamBoundary& boundary, const fs::path& folder, FoamFormat format)
 {
   FoamFile points(folder / "points", format, { "vectorField", Location, {} });
   points.vectors(mesh.points);
@@ -126,8 +126,8 @@ fs::path freeName(const fs::path& polyMesh)
   return name;
 }
 
-// Renames what is there, without the mesh if that is to be replaced. Returns the new name, empty if
-// nothing is left.
+// Renames the old folder, without the mesh if that is to be replaced. Returns the new name, or an empty one
+// if nothing was left.
 fs::path setAside(const fs::path& polyMesh, bool replaced)
 {
   if (!fs::exists(polyMesh))
@@ -149,7 +149,7 @@ fs::path setAside(const fs::path& polyMesh, bool replaced)
 }
 
 std::filesystem::path writePolyMesh(
-  const PolyMesh& mesh, const std::filesystem::path& folder, FoamFormat format)
+  const FoamMesh& mesh, const std::filesystem::path& folder, FoamFormat format)
 {
   const fs::path polyMesh = folder / Location;
   fs::path unfinished = polyMesh;

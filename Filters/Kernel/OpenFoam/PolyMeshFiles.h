@@ -8,28 +8,28 @@
 namespace cartesian
 {
 
-struct PolyMesh
+struct FoamMesh
 {
-  const std::vector<double>& points; // three coordinates each; each is a point of a face
+  const std::vector<double>& points; // three coordinates each; each point belongs to a face
   const CellFaces& cells;
   const FaceList& faces; // boundary faces in order of the patches
   const std::vector<FoamPatch>& patches;
 };
 
-// Writes points, faces, owner, neighbour and boundary into `folder`/constant/polyMesh; and
-// system/controlDict, fvSchemes and fvSolution where they are missing: checkMesh wants them.
+// Writes points, faces, owner, neighbour and boundary into `folder`/constant/polyMesh, and the files
+// system/controlDict, fvSchemes and fvSolution that checkMesh needs, if they are missing.
 //
-// A polyMesh that is there already is replaced once the new one is complete, if this function wrote
-// it for patches of the same names: then the entries of its patches, which the user may have
-// edited, are kept but for the numbers of faces. What else is in the folder (zones and sets, which
-// do not fit the new mesh), and all of any other polyMesh, is renamed to polyMesh.old
-// (polyMesh.old2, ...): the result is the new name, empty if there was no need.
+// If this function wrote an existing polyMesh for patches of the same names, that is replaced once the new
+// one is complete. The entries of its patches, which the user may have edited, are kept except for the
+// numbers of faces. Anything else in the folder (zones and sets, which do not fit the new mesh), and all of
+// any other polyMesh, is renamed to polyMesh.old (polyMesh.old2, ...). Returns the new name, or an empty one
+// if nothing was renamed.
 //
 // Throws Error: BadMesh (more than 2^31 - 1 points, faces or corners), CannotWrite.
 std::filesystem::path writePolyMesh(
-  const PolyMesh& mesh, const std::filesystem::path& folder, FoamFormat format);
+  const FoamMesh& mesh, const std::filesystem::path& folder, FoamFormat format);
 
-// Creates the empty file by which ParaView opens a case, if it is not there. Throws Error
+// Creates the empty file with which ParaView opens a case, if it does not exist. Throws Error
 // (CannotWrite).
 void createMarker(const std::filesystem::path& path);
 

@@ -8,7 +8,7 @@ namespace
 
 // Layers of global boxes around a part on which its cells depend, directly or not. Up to where
 // cells are cut, that is layersForCells() (Slabs.h). Before that, in three rounds, flawed boxes
-// change their neighbours and are flawed by them (FlawedBoxes.h); faces towards the next layer
+// change their neighbours and are flawed by them (BoxRebuilding.h); faces towards the next layer
 // depend on its surface, and on how each box there is patched; and where boxes are divided, on the
 // split lines of the layer after that.
 constexpr std::uint32_t HaloOfRebuilding = 3 * 2;

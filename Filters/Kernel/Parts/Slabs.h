@@ -50,7 +50,7 @@ Layers layersForShaping(Layers wanted, std::uint32_t allLayers);
 constexpr std::uint32_t FirstDivide = SlabThickness / 2;
 constexpr std::uint32_t DivideDistance = SlabThickness;
 
-// Short edges (ShortEdges.h) are collapsed between seams (planes between layers) first, then across
+// Short edges (EdgeCollapse.h) are collapsed between seams (planes between layers) first, then across
 // seams. Seams are placed so that they fit parts which are divided at least cost; a grid of a
 // single slab has none.
 constexpr std::uint32_t FirstSeam = 2;

@@ -8,7 +8,7 @@ namespace cartesian
 namespace
 {
 
-// A global box's triangles may all lie in other boxes of it.
+// Whether a triangle of the global box may meet this box in it.
 bool mayMeet(const Corners& c, const Box& box)
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -106,7 +106,7 @@ void SideLines::forEachCrossing(
   }
 }
 
-// Where pq crosses the middle line across axis u, if that half of it is one between neighbours.
+// Finds where pq crosses the middle line across axis u; false if no neighbours meet along that half of it.
 bool SideLines::crossing(const Corners& triangle, const Point& p, const Point& q, std::size_t u,
   std::size_t v, const std::array<bool, 2>& halves, Point& at) const
 {
@@ -120,8 +120,8 @@ bool SideLines::crossing(const Corners& triangle, const Point& p, const Point& q
   return halves[at[v] < middle_[v] ? 0 : 1];
 }
 
-SurfaceCutter::SurfaceCutter(
-  const Surface& surface, const Features& features, const Boxes& boxes, const Clearance* clearance)
+SurfaceCutter::SurfaceCutter(const Surface& surface, const Features& features, const Boxes& boxes,
+  const PlaneClearance* clearance)
   : surface_(surface)
   , features_(features)
   , boxes_(boxes)
@@ -156,8 +156,8 @@ void SurfaceCutter::cut(
   keepUsedPoints(result);
 }
 
-// Keeps a free coordinate away from the planes of the fine grid: the same for all boxes that have
-// the point, whatever their sizes.
+// Moves a coordinate that is on no plane away from the planes of the fine grid. All boxes that have the
+// point move it in the same way, whatever their sizes.
 std::uint32_t SurfaceCutter::addPoint(const Point& exact)
 {
   if (!clearance_)
@@ -179,7 +179,7 @@ std::uint32_t SurfaceCutter::addPoint(const Point& exact)
     const std::uint64_t enough = (std::uint64_t(interval.clearance) + 4) * FinePerBox;
     if (rest > enough && width - rest > enough)
     {
-      continue; // far from both, whichever way they are rounded
+      continue; // far from both, however they are rounded
     }
     const std::int64_t first = std::int64_t(boxes_.globalOf(*box_).index[axis]) * FinePerBox;
     for (const std::uint64_t k : { fine, fine + 1 })
@@ -196,12 +196,12 @@ std::uint32_t SurfaceCutter::addPoint(const Point& exact)
   return points_.add(p);
 }
 
-// Rounding may let corners of a thin piece coincide: what is left of it are simple loops.
+// Rounding may make corners of a thin fragment coincide; it then falls into simple loops, or vanishes.
 void SurfaceCutter::addPolygons(
   const Corners& corners, const Fragment& fragment, std::uint32_t triangle, BoxSurface& result)
 {
   walk_.clear();
-  std::uint32_t last = None; // the fragment's corner before
+  std::uint32_t last = None; // the corner before
   const auto addSegmentTo = [&](std::uint32_t to, int i) {
     if (fragment.side[std::size_t(i)] >= Fragment::FirstPlane)
     {
@@ -263,7 +263,7 @@ void SurfaceCutter::addSegment(
   segments_.push_back({ from, to, triangle, side, quarter });
 }
 
-// Segments that run to and fro between the same points bound nothing.
+// Drops segments that run both ways between the same points: they bound nothing.
 void SurfaceCutter::keepNetSegments(BoxSurface& result)
 {
   next_.assign(points_.points().size(), None);
@@ -285,7 +285,7 @@ void SurfaceCutter::keepNetSegments(BoxSurface& result)
     std::size_t kept = 0;
     for (const Segment& s : segments_)
     {
-      // Of a group of equals, those that run one way are kept.
+      // Of segments between the same points, the surplus in one direction is kept.
       if (kept > 0 && segments_[kept - 1].from == s.to && segments_[kept - 1].to == s.from)
       {
         --kept;

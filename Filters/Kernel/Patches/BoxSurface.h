@@ -1,13 +1,13 @@
 // The surface in one box: what all methods of patch generation (section 4.7) start from.
 //
-// The polygons are those of Exact Fit. The segments are their edges on the sides of the box, as far
-// as the polygons of one triangle's neighbours do not run along them the other way: the two boxes of
-// a side have the same segments there, turned round.
+// The polygons are those of Exact Fit. The segments are their edges on the sides of the box, without
+// those that cancel each other. The two boxes of a side have the same segments there, in opposite
+// directions.
 #pragma once
 
 #include "Lattice/ExactFit.h"
 #include "Lattice/Numbering.h"
-#include "Patches/Clearance.h"
+#include "Patches/PlaneClearance.h"
 #include "Surface/Features.h"
 
 namespace cartesian
@@ -18,9 +18,8 @@ struct Segment
   std::uint32_t from; // local points
   std::uint32_t to;
   std::uint32_t triangle;
-  std::uint8_t side; // 2 * axis, plus 1 for the upper
-  std::uint8_t
-    quarter; // of the side: bit 0 and 1, upper half along the next axis and the one after
+  std::uint8_t side;    // 2 * axis, plus 1 for the upper
+  std::uint8_t quarter; // of the side: bits 0 and 1 for the upper half along the next two axes
 };
 
 struct BoxSurface
@@ -28,7 +27,7 @@ struct BoxSurface
   std::vector<Point> points;
   std::vector<std::uint32_t> sizes; // of polygons
   std::vector<std::uint32_t> corners;
-  std::vector<std::uint32_t> triangles; // one a polygon
+  std::vector<std::uint32_t> triangles; // of each polygon
   std::vector<Segment> segments;
   bool sharp = false; // a sharp feature passes through
 
@@ -47,8 +46,8 @@ inline unsigned planesOf(const Box& box, const Point& p)
   return bits;
 }
 
-// On how many cutting planes a point lies: two or three, it is where the surface meets an edge of a
-// box, and belongs to all boxes around it.
+// The number of cutting planes that a point lies on. With two or three it is a crossing of the surface
+// and an edge of a box, and belongs to all boxes around it.
 inline int planeCount(const Point& p)
 {
   return int(onPlane(p[0])) + int(onPlane(p[1])) + int(onPlane(p[2]));
@@ -65,18 +64,18 @@ public:
 
   const Point& middle() const { return middle_; }
 
-  // Calls visit(point) where the i-th side of a fragment, if it lies on a side of the box, crosses a
-  // line there; in order.
+  // If the i-th side of a fragment lies on a side of the box, calls visit(point) where it crosses the
+  // lines there, in order.
   template <class Visitor>
   void forEachCrossing(
     const Corners& triangle, const Fragment& fragment, int i, Visitor&& visit) const;
 
 private:
-  // The middle lines of a side, each in two halves: whether neighbours meet there.
+  // The two middle lines of a side, and whether neighbours meet along each half of them.
   struct Cross
   {
     Level plane = 0;
-    std::array<bool, 2> u{}; // on the line across u: its lower and upper half along v
+    std::array<bool, 2> u{}; // the line across u: its lower and upper half along v
     std::array<bool, 2> v{};
   };
 
@@ -88,15 +87,15 @@ private:
   bool any_ = false;
 };
 
-// Cuts the surface at the sides of boxes, one after the other.
+// Cuts the surface at the sides of one box after the other.
 class SurfaceCutter
 {
 public:
-  // `clearance`: how far points keep away from planes that they are not on, or null: they are exact.
+  // `clearance`: how far points keep away from planes that they are not on; null: points stay exact.
   SurfaceCutter(const Surface& surface, const Features& features, const Boxes& boxes,
-    const Clearance* clearance);
+    const PlaneClearance* clearance);
 
-  // The part of the triangles [begin, end) in the box.
+  // Gives the part of the triangles [begin, end) that lies in the box.
   void cut(
     const Box& box, const std::uint32_t* begin, const std::uint32_t* end, BoxSurface& result);
 
@@ -108,7 +107,7 @@ private:
   void keepUsedPoints(BoxSurface& result);
   std::uint32_t addPoint(const Point& p);
 
-  // Planes of the fine grid around the box, along one axis.
+  // The global box along one axis.
   struct Interval
   {
     Level low;
@@ -119,7 +118,7 @@ private:
   const Surface& surface_;
   const Features& features_;
   const Boxes& boxes_;
-  const Clearance* clearance_;
+  const PlaneClearance* clearance_;
   const Box* box_ = nullptr;
   std::array<Interval, 3> intervals_{};
   SideLines lines_;

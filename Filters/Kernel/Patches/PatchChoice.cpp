@@ -32,7 +32,7 @@ PatchReason PatchChooser::choose(const Box& box, const BoxSurface& piece)
   {
     return PatchReason::SeveralBoundaries;
   }
-  // Euler's characteristic: 1 for each disc.
+  // The Euler characteristic is 1 for each disc.
   const std::size_t edges = (piece.corners.size() + piece.segments.size()) / 2;
   const bool discs = piece.points.size() + piece.sizes.size() == edges + loops_;
   return followed && discs && crossingsFitCorners(box) ? PatchReason::MarchingCubes
@@ -60,7 +60,7 @@ bool PatchChooser::crossesAnEdgeTwice(const Box& box, const BoxSurface& piece)
   return twice;
 }
 
-// An edge with one end inside is crossed once, any other not at all.
+// Whether edges with one end inside are crossed once, and all others not at all.
 bool PatchChooser::crossingsFitCorners(const Box& box) const
 {
   for (unsigned axis = 0; axis < 3; ++axis)
@@ -82,7 +82,7 @@ bool PatchChooser::crossingsFitCorners(const Box& box) const
   return true;
 }
 
-// A rounded edge that is small against the box is as sharp as any other.
+// A rounded edge with a radius much smaller than the box counts as sharp.
 bool PatchChooser::turnsTooFar(const BoxSurface& piece) const
 {
   Vector sum{ 0, 0, 0 };
@@ -113,8 +113,8 @@ bool PatchChooser::hasSeveralBoundaries(const BoxSurface& piece) const
   return false;
 }
 
-// Follows the segments round: false where they form no simple loops, each over three edges of the
-// box or more.
+// Follows the segments around. Returns false unless they form simple loops, each over three or more edges
+// of the box.
 bool PatchChooser::followLoops(const BoxSurface& piece)
 {
   loops_ = 0;

@@ -7,15 +7,15 @@
 namespace cartesian
 {
 
-// Why a box has the patches that it has. Where several conditions for Exact Fit hold, the first.
+// Why a box has the patches that it has. Where several conditions for Exact Fit hold, the first counts.
 enum class PatchReason : std::uint8_t
 {
-  MarchingCubes = 0,    // none of those below
-  EdgeCrossedTwice = 1, // an edge of the box is crossed more than once
-  ClosedPolyline = 2,   // the surface meets a side in a closed polyline
-  SharpFeature = 3, // a sharp feature passes through, or the surface turns as far in small steps
+  MarchingCubes = 0,     // no condition for Exact Fit holds
+  EdgeCrossedTwice = 1,  // an edge of the box is crossed more than once
+  ClosedPolyline = 2,    // the surface meets a side in a closed polyline
+  SharpFeature = 3,      // a sharp feature passes through, or the surface turns as far gradually
   SeveralBoundaries = 4, // triangles of more than one boundary
-  NotDiscs = 5,       // the surface in the box is no set of discs: a tunnel, a closed piece, a flaw
+  NotDiscs = 5, // the surface in the box is not a set of discs: a tunnel, a closed piece, a flaw
   ExactFitChosen = 6, // by the user
 };
 
@@ -24,8 +24,8 @@ constexpr std::size_t PatchReasons = 7;
 class PatchChooser
 {
 public:
-  // `featureAngle` in degrees. Within a box the surface may turn by twice as much: by as much on either
-  // side of its mean normal.
+  // `featureAngle` in degrees. In a Marching Cubes box the surface may differ by as much from its mean
+  // normal.
   PatchChooser(const Surface& surface, const Features& features, double featureAngle)
     : surface_(surface)
     , features_(features)
@@ -49,7 +49,7 @@ private:
   std::vector<unsigned> planes_;             // of each point
   std::array<std::uint8_t, 64> crossings_{}; // of each edge, by the bits of its planes
   std::size_t loops_ = 0;
-  bool simple_ = true; // at most one segment leaves each point
+  bool simple_ = true; // whether at most one segment leaves each point
   bool closedPolyline_ = false;
 };
 

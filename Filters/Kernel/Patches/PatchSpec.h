@@ -8,13 +8,13 @@ namespace cartesian
 
 enum class PatchMethod : std::uint8_t
 {
-  Automatic = 0,     // Marching Cubes where it is safe, Exact Fit elsewhere
-  ExactFit = 1,      // the surface itself, cut at the sides of the boxes, and nothing simplified
+  Automatic = 0,     // Marching Cubes where that is safe, Exact Fit elsewhere
+  ExactFit = 1,      // the surface itself, cut at the sides of the boxes and not simplified
   MarchingCubes = 2, // everywhere, for comparison
 };
 
-// What becomes of the nodes between the ends of a polyline that an Exact Fit box shares with a
-// Marching Cubes box.
+// What happens to the nodes between the ends of a polyline that an Exact Fit box shares with a Marching
+// Cubes box.
 enum class Tying : std::uint8_t
 {
   KeepNodes = 0, // the Marching Cubes box takes them over

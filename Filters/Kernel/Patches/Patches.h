@@ -13,10 +13,10 @@ namespace cartesian
 // shared by two polygons (by an even number at non-manifold places).
 struct Patches
 {
-  std::vector<Point> points;         // distinct
+  std::vector<Point> points;         // each once
   RawVector<std::size_t> start;      // first corner of each polygon, and the end
   RawVector<std::uint32_t> corners;  // ids of points
-  RawVector<std::uint32_t> triangle; // of the surface, that each polygon comes from
+  RawVector<std::uint32_t> triangle; // of the surface, from which each polygon comes
   RawVector<std::int32_t> boundary;  // boundary index of each polygon
   std::vector<std::size_t> boxStart; // first polygon of the n-th intersected box, and the end
   std::vector<PatchReason> reason;   // of the n-th intersected box
@@ -24,7 +24,7 @@ struct Patches
   std::size_t size() const { return triangle.size(); }
 };
 
-// Whether the user chose the exact surface: then nothing may approximate it.
+// Whether the user chose the exact surface, which no later step may then approximate.
 bool isExact(const Patches& patches);
 
 // Where finer neighbours divide a side of a box, its patches have nodes on the lines between them, so

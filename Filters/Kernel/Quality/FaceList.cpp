@@ -20,7 +20,7 @@ constexpr std::size_t BucketsAChunk = 1024;
 constexpr std::uint32_t None = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t Clash = None - 1;
 
-// A face under its three lowest points: faces that are the same have those in common.
+// A face with its three lowest points as key: equal faces have these in common.
 struct NamedFace
 {
   std::array<std::uint32_t, 3> lowest;
@@ -109,7 +109,7 @@ bool Matcher::same(std::uint32_t face, std::uint32_t other, bool turned) const
   }
   const std::uint32_t* const a = corners(face);
   const std::uint32_t* const b = corners(other);
-  for (std::size_t shift = 0; shift < count; ++shift) // a face may visit a point twice
+  for (std::size_t shift = 0; shift < count; ++shift) // a face may have a point twice
   {
     std::size_t i = 0;
     while (i < count && a[i] == b[(shift + (turned ? count - i : i)) % count])
@@ -126,7 +126,7 @@ bool Matcher::same(std::uint32_t face, std::uint32_t other, bool turned) const
 
 void Matcher::match(std::uint32_t face, std::uint32_t other)
 {
-  // A cell may have a wall of no thickness: both its sides are boundary.
+  // A cell may contain a wall without thickness: both its sides are boundary.
   if (cellOf_[face] == cellOf_[other])
   {
     return;
@@ -242,7 +242,7 @@ void turnOutward(CellFaces& cells, const std::vector<double>& points, Execution&
     return Vector{ p[0] - q[0], p[1] - q[1], p[2] - q[2] };
   };
   const auto volume = [&](std::size_t cell) {
-    double sum = 0; // six times, by star triangulation (equation 1)
+    double sum = 0; // six times the volume, by star triangulation (equation 1)
     const std::size_t from = cells.firstCorner[cells.firstFace[cell]];
     for (std::size_t f = cells.firstFace[cell]; f < cells.firstFace[cell + 1]; ++f)
     {

@@ -1,4 +1,4 @@
-// The faces of a mesh as solvers number them (section 6, step 13): each once, between two cells.
+// The faces of a mesh as solvers number them (section 6, step 13): each once, with its two cells.
 #pragma once
 
 #include "Base/Execution.h"
@@ -20,34 +20,34 @@ struct CellFaces
   std::size_t faceCount() const { return firstCorner.size() - 1; }
 };
 
-// Turns over all faces of the cells whose volume is negative: afterwards corners run
-// counter-clockwise from outside the cell, if the faces of each cell agreed with each other.
+// Turns over all faces of cells with negative volume. Afterwards corners run counter-clockwise from outside
+// the cell, provided that the faces of each cell were consistently oriented.
 // `points`: three coordinates each.
 void turnOutward(CellFaces& cells, const std::vector<double>& points, Execution& execution);
 
 struct FaceList
 {
-  std::vector<std::uint32_t> face;      // in CellFaces, as the owner has it
+  std::vector<std::uint32_t> face;      // index in CellFaces, of the owner's face
   std::vector<std::uint32_t> owner;     // of each face
-  std::vector<std::uint32_t> neighbour; // of the first faces; the others are the boundary
+  std::vector<std::uint32_t> neighbour; // of the inner faces, which come first
 };
 
-// Faces of the same corners in the same order, or of more than two cells.
+// What to do with faces that have the same corners in the same order, or belong to more than two cells.
 enum class Clashes
 {
   Refused,     // Error (BadMesh)
   AreBoundary, // of each of their cells
 };
 
-// Inner faces in upper triangular order: by owner, the lower of the two cells, then by neighbour.
-// Then the boundary faces, by cell and by face of the cell. Two cells share a face if it has the
-// same corners in opposite order. Throws Error (BadMesh): clashes that are refused, or too many
-// cells, faces or points.
+// Lists the inner faces in upper triangular order (by owner, the lower of the two cells, then by neighbour),
+// then the boundary faces by cell and by face of the cell. Two cells share a face if each has it with the
+// same corners in opposite order. Throws Error (BadMesh): clashes that are refused, or too many cells, faces
+// or points.
 FaceList listFaces(
   const CellFaces& cells, std::size_t pointCount, Clashes clashes, Execution& execution);
 
-// Puts the boundary faces in order of their patches, below `patchCount`, and leaves those of a patch
-// in their order. `patch`: of each boundary face. Returns the number of faces of each patch.
+// Sorts the boundary faces by patch, and keeps the order of those of one patch. `patch`: of each boundary
+// face, below `patchCount`. Returns the number of faces of each patch.
 std::vector<std::size_t> sortByPatch(
   FaceList& list, const std::vector<std::uint32_t>& patch, std::size_t patchCount);
 

@@ -13,10 +13,10 @@ namespace
 
 constexpr std::size_t ItemsAChunk = 1024;
 
-// A cell that has less area across one axis than this part of that across another has none there.
+// A cell whose area across one axis is below this part of that across another has no area there.
 constexpr double RoundingOfAreas = 1e-12;
 
-// The faces of each cell, those that it owns first.
+// The faces of each cell, beginning with those that it owns.
 struct FacesOfCells
 {
   std::vector<std::size_t> start;
@@ -137,7 +137,7 @@ private:
     return faceAngle(quality_.cellGeometry[cell], outward(cell, face));
   }
 
-  // The worst of the tetrahedra of the face's edges, its centre and the cell's.
+  // The worst of the tetrahedra between an edge of the face, the face centre and the cell centre.
   double tetQualityIn(std::size_t cell, std::size_t face) const
   {
     const FaceGeometry& geometry = quality_.faceGeometry[face];
@@ -154,7 +154,7 @@ private:
     return worst;
   }
 
-  // Of a tetrahedron with a corner at the origin; negative where abc turn clockwise seen from it.
+  // Quality of a tetrahedron with a corner at the origin; negative if abc run clockwise seen from there.
   static double tetQuality(const Vector& a, const Vector& b, const Vector& c)
   {
     const double sixfold = -dot(cross(a, b), c);
@@ -169,8 +169,8 @@ private:
     return sixfold / 6 / regular;
   }
 
-  // How far the way `d` from the owner's centre misses the centre of the face, by how far the face
-  // (or a part of d) reaches there.
+  // Distance of the line along `d` from the owner's centre to the centre of the face, divided by the extent
+  // of the face in that direction (or by a part of d).
   double skewness(std::size_t face, const Vector& d, double partOfWay) const
   {
     const FaceGeometry& geometry = quality_.faceGeometry[face];
@@ -203,7 +203,7 @@ private:
     const double ownerTet = tetQualityIn(owner(face), face);
     if (!isInner(face))
     {
-      // Shortest way to the face's plane; further measures are at their best.
+      // The shortest line to the plane of the face; the other measures have their best values.
       const Vector normal = scaled(geometry.area, 1 / (norm(geometry.area) + Tiny));
       const Vector way = minus(geometry.centre, quality_.cellGeometry[owner(face)].centre);
       setFace(face, Skewness, skewness(face, scaled(normal, dot(normal, way)), 0.4));
@@ -272,7 +272,7 @@ private:
       });
       setCell(cell, m, worst);
     }
-    // Of these, the cell's own side only.
+    // Of these measures, only the cell's own side counts.
     std::array<double, 2> angles{ MeasureSpecs[BoundaryAngle].best, MeasureSpecs[InnerAngle].best };
     double tet = MeasureSpecs[TetQuality].best;
     forEachFace(cell, [&](std::size_t face) {
@@ -285,7 +285,7 @@ private:
     setCell(cell, TetQuality, tet);
   }
 
-  // What sums over face vectors tell.
+  // Measures that are sums over face vectors.
   void setSums(std::size_t cell)
   {
     Vector sum{ 0, 0, 0 };
@@ -349,8 +349,8 @@ private:
     setCell(cell, Concavity, result.concavity);
   }
 
-  // A warped face's normal at one of its edges: that of the triangle with the face's centre, unless
-  // it is turned over or but a sliver.
+  // The normal of a warped face at one of its edges: that of the triangle with the face centre, unless the
+  // triangle is turned over or a mere sliver.
   Vector normalAt(std::size_t face, std::uint32_t from, std::uint32_t to) const
   {
     constexpr double Sliver = 1e-6; // of the face's area
@@ -380,7 +380,7 @@ Quality measureQuality(
 namespace
 {
 
-// Sums up those cells that count.
+// Sums up the cells that count.
 class Summary
 {
 public:
@@ -413,7 +413,7 @@ private:
 
   void add(const std::string& name, double value)
   {
-    result_.push_back({ name, value, SummaryValue::Of::Sum });
+    result_.push_back({ name, value, SummaryValue::Reduction::Sum });
   }
 
   template <class Value>
@@ -450,7 +450,7 @@ private:
       }
     }
     result_.push_back({ std::string(spec.largeIsWorse ? "Max" : "Min") + spec.name, worst,
-      spec.largeIsWorse ? SummaryValue::Of::Most : SummaryValue::Of::Least });
+      spec.largeIsWorse ? SummaryValue::Reduction::Maximum : SummaryValue::Reduction::Minimum });
   }
 
   const Quality& quality_;

@@ -35,50 +35,50 @@ enum Measure : std::uint32_t
 struct MeasureSpec
 {
   const char* name;
-  bool ofFaces;      // measured on faces: a cell's value is the worst of its faces'
-  bool largeIsWorse; // else small
-  double limit;      // fails from here on
-  double best;       // of what has nothing to measure, such as the non-orthogonality of boundaries
+  bool ofFaces;      // measured on faces: the value of a cell is the worst of its faces'
+  bool largeIsWorse; // else small values are worse
+  double limit;      // values at or beyond it fail
+  double best;       // used where nothing can be measured: boundary faces have no non-orthogonality
 };
 
 constexpr double NoLimit = std::numeric_limits<double>::infinity();
 
-// The n-th measure's failure is bit n of Failures.
+// Bit n of Failures tells whether the n-th measure fails.
 constexpr std::array<MeasureSpec, MeasureCount> MeasureSpecs{ {
   // user units cubed
   { "Volume", false, false, 0, NoLimit },
-  // the sum of the face vectors (equation 2), the worst of x, y, z, by the sum of their sizes
+  // sum of the face vectors (equation 2) divided by the sum of their sizes, the worst of x, y, z
   { "Openness", false, true, 1e-6, 0 },
-  // edges that the cell's faces do not run through as often one way as the other
+  // number of edges that the faces of the cell do not run through equally often in both directions
   { "OpenEdges", false, true, 1, 0 },
-  // section 3: cell centre to face centre against the outward normal, degrees
+  // section 3: angle from the outward normal to the line from cell centre to face centre, degrees
   { "BoundaryAngle", true, true, 90, 0 },
   { "InnerAngle", true, true, 75, 0 },
-  // section 3: the smallest triangle of the star about the mean of the corners by the mean one
+  // section 3: smallest triangle of the star about the mean of the corners, divided by the mean one
   { "StarTriangulation", true, false, -1e-6, 1 },
-  // from cell centre to cell centre against the normal, degrees
+  // angle from the normal to the line between the cell centres, degrees
   { "NonOrthogonality", true, true, 70, 0 },
-  // how far that line misses the face's centre, by the face's size in this direction
+  // distance of that line from the face centre, divided by the size of the face in this direction
   { "Skewness", true, true, 4, 0 },
-  // the smaller of both centres' distances from the face's plane by their sum
+  // the smaller distance of the two cell centres from the plane of the face, divided by their sum
   { "FaceWeight", true, false, 0.05, 1 },
-  // the smaller volume of both cells by the larger
+  // the smaller volume of the two cells divided by the larger
   { "VolumeRatio", true, false, 0.01, 1 },
-  // of the sum of n n^T over inner faces of mean area 1, by that of a cube
+  // of the sum of n n^T over inner faces scaled to mean area 1, divided by that of a cube
   { "Determinant", false, false, 1e-3, NoLimit },
-  // areas across the axes, the largest by the smallest, or a sixth of all by volume^(2/3)
+  // largest area across an axis divided by the smallest, or a sixth of all area by volume^(2/3)
   { "AspectRatio", false, true, 1000, 0 },
-  // of an edge, the face's centre and the cell's: volume by that of the regular one in its sphere
+  // tetrahedra of an edge, face centre and cell centre: volume by that of the regular one in its sphere
   { "TetQuality", true, false, 1e-30, 1 },
-  // the most concave edge: by how much more than 180 degrees lie inside
+  // of the most concave edge: its inner angle beyond 180 degrees
   { "Concavity", false, true, NoLimit, 0 },
 } };
 
-// Cells whose Concavity is below count as convex, degrees: neighbouring facets of a smooth surface,
-// and sub-faces of one plane.
+// Degrees. Cells with less Concavity count as convex, such as those with neighbouring facets of a smooth
+// surface, or with several faces in one plane.
 constexpr double ConcaveFrom = 1;
 
-// Whether a value is at or beyond its measure's limit, or no number.
+// Whether a value is at or beyond its measure's limit, or is NaN.
 constexpr bool fails(Measure measure, double value)
 {
   const MeasureSpec& spec = MeasureSpecs[measure];
@@ -87,8 +87,8 @@ constexpr bool fails(Measure measure, double value)
 
 struct Quality
 {
-  // By measure. Faces have those that are `ofFaces`, of two cells the worse one. Cells without
-  // faces have NaN and no failures.
+  // By measure. Faces have the measures that are `ofFaces`, with the worse value of their two cells. Cells
+  // without faces have NaN and no failures.
   std::array<std::vector<double>, MeasureCount> cells;
   std::array<std::vector<double>, MeasureCount> faces;
   std::vector<std::uint32_t> cellFailures; // bits: 1 << measure
@@ -101,23 +101,23 @@ struct Quality
 Quality measureQuality(
   const double* points, const CellFaces& cells, const FaceList& faces, Execution& execution);
 
-// One of the numbers that sum up a mesh; of a mesh in pieces, its pieces' values put together.
+// One of the numbers that sum up a mesh, and how those of its pieces combine.
 struct SummaryValue
 {
-  enum class Of
+  enum class Reduction
   {
     Sum,
-    Least,
-    Most,
+    Minimum,
+    Maximum,
   };
   std::string name;
   double value;
-  Of pieces;
+  Reduction reduction;
 };
 
-// Cells, FailingCells, ConcaveCells, TotalVolume, BoundaryArea, and for each measure <Name>Failures,
-// a number of cells, and Max<Name> or Min<Name>, the worst of all cells. Cells that are `leftOut`
-// (an array of as many flags, or null) do not count.
+// Cells, FailingCells, ConcaveCells, TotalVolume, BoundaryArea, and for each measure <Name>Failures (a number
+// of cells) and Max<Name> or Min<Name> (the worst value of all cells). Cells with a flag in `leftOut` (which
+// may be null) do not count.
 std::vector<SummaryValue> summarise(
   const Quality& quality, const FaceList& faces, const unsigned char* leftOut = nullptr);
 

@@ -51,13 +51,13 @@ CellComplex::CellComplex(CellsToShape& whole, const Slab& slab)
 
 // --- reading
 
-FaceUse CellComplex::useOf(const FaceRef& ref) const
+FaceUse CellComplex::useOf(const FaceOfCell& ref) const
 {
   FaceUse use;
-  const FaceRef::Kind kind = ref.kind();
-  const bool inner = kind == FaceRef::Kind::Inner || kind == FaceRef::Kind::TurnedInner;
+  const FaceOfCell::Kind kind = ref.kind();
+  const bool inner = kind == FaceOfCell::Kind::Inner || kind == FaceOfCell::Kind::TurnedInner;
   const std::uint32_t first =
-    kind == FaceRef::Kind::Patch ? 0 : (inner ? firstInner() : firstGiven());
+    kind == FaceOfCell::Kind::Patch ? 0 : (inner ? firstInner() : firstGiven());
   use.face = (ref.index + first) & MostFaces;
   use.turned = ref.turned() ? 1 : 0;
   return use;
@@ -127,7 +127,7 @@ bool CellComplex::isAlive(CellKey key) const
   {
     return cell->alive && !cell->removed;
   }
-  return key >= cells_.size() || !cells_.cells[key].removed;
+  return key >= cells_.size() || !cells_.all[key].removed;
 }
 
 std::uint32_t CellComplex::boxOf(CellKey key) const
@@ -136,7 +136,7 @@ std::uint32_t CellComplex::boxOf(CellKey key) const
   {
     return cell->box;
   }
-  return key < cells_.size() ? cells_.cells[key].box
+  return key < cells_.size() ? cells_.all[key].box
                              : static_cast<std::uint32_t>(key - cells_.size());
 }
 
@@ -182,7 +182,7 @@ NeighbourCell CellComplex::placeAndVolume(CellKey key, const Point& origin) cons
   const OpenCell* open = opened(key);
   if (open || key < cells_.size())
   {
-    const Point low = boxes_.lowOf(open ? open->box : cells_.cells[key].box);
+    const Point low = boxes_.lowOf(open ? open->box : cells_.all[key].box);
     const NeighbourCell& place = open ? open->place : whole_.known.places[key];
     return { plus(minus(low, origin), place.centre), place.volume };
   }
@@ -303,7 +303,7 @@ Layers CellComplex::layersOf(CellKey key) const
   }
   else if (key < cells_.size())
   {
-    reach = cells_.cells[key].reach;
+    reach = cells_.all[key].reach;
   }
   return { layer - reach[0], layer + reach[1] + 1 };
 }
@@ -312,7 +312,7 @@ bool CellComplex::isFree(CellKey key) const
 {
   const OpenCell* open = opened(key);
   const bool known = open || key < cells_.size();
-  if (known && (open ? open->reach : cells_.cells[key].reach) != NoReach)
+  if (known && (open ? open->reach : cells_.all[key].reach) != NoReach)
   {
     const Layers layers = layersOf(key);
     return layers.begin >= slab_.free.begin && layers.end <= slab_.free.end;
@@ -521,13 +521,13 @@ void CellComplex::open(CellKey key)
   OpenCell cell;
   if (key < cells_.size())
   {
-    cell.faces.reserve(cells_.cells[key + 1].firstFace - cells_.cells[key].firstFace);
+    cell.faces.reserve(cells_.all[key + 1].firstFace - cells_.all[key].firstFace);
     forEachFace(key, [&](const FaceUse& use) { cell.faces.push_back(use); });
-    cell.box = cells_.cells[key].box;
+    cell.box = cells_.all[key].box;
     cell.origin = key;
-    cell.boundary = cells_.cells[key].boundary;
-    cell.removed = cells_.cells[key].removed;
-    cell.reach = cells_.cells[key].reach;
+    cell.boundary = cells_.all[key].boundary;
+    cell.removed = cells_.all[key].removed;
+    cell.reach = cells_.all[key].reach;
     cell.place = whole_.known.places[key];
   }
   else
@@ -574,7 +574,7 @@ void CellComplex::addSideOfHexahedron(std::uint32_t box, unsigned side, OpenCell
     {
       for (std::size_t f = inner_.sideStart[s]; f < inner_.sideStart[s + 1]; ++f)
       {
-        FaceUse use = useOf(FaceRef(f, FaceRef::Kind::Inner));
+        FaceUse use = useOf(FaceOfCell(f, FaceOfCell::Kind::Inner));
         use.turned = upper ? 0 : 1;
         cell.faces.push_back(use);
       }

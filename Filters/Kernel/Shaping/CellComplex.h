@@ -230,7 +230,7 @@ private:
   template <class Kept>
   std::vector<CellKey> select(Kept&& isKept) const;
   Layers layersOf(CellKey key) const;
-  FaceUse useOf(const FaceRef& ref) const;
+  FaceUse useOf(const FaceOfCell& ref) const;
   OpenCell* opened(CellKey key);
   const OpenCell* opened(CellKey key) const;
   CellKey keyOfHexahedron(std::uint32_t box) const
@@ -315,7 +315,7 @@ void CellComplex::forEachFace(CellKey key, Visitor&& visit) const
     std::for_each(cell->faces.begin(), cell->faces.end(), visit);
     return;
   }
-  for (std::size_t f = cells_.cells[key].firstFace; f < cells_.cells[key + 1].firstFace; ++f)
+  for (std::size_t f = cells_.all[key].firstFace; f < cells_.all[key + 1].firstFace; ++f)
   {
     visit(useOf(cells_.faces[f]));
   }

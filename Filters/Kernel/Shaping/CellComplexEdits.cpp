@@ -620,7 +620,7 @@ std::int32_t CellComplex::boundaryOf(std::uint32_t face) const
 std::int32_t CellComplex::boundaryOfCell(CellKey key) const
 {
   const OpenCell* cell = opened(key);
-  return cell ? cell->boundary : cells_.cells[key].boundary;
+  return cell ? cell->boundary : cells_.all[key].boundary;
 }
 
 bool CellComplex::isAtBoundary(CellKey key) const

@@ -232,18 +232,18 @@ private:
     return face < firstShaped_ ? face - firstGiven_ : newFaces_[s][face - firstShaped_];
   }
 
-  FaceRef refOf(std::size_t s, const FaceUse& use) const
+  FaceOfCell refOf(std::size_t s, const FaceUse& use) const
   {
-    using Kind = FaceRef::Kind;
+    using Kind = FaceOfCell::Kind;
     if (use.face < firstInner_)
     {
-      return FaceRef(use.face, Kind::Patch);
+      return FaceOfCell(use.face, Kind::Patch);
     }
     if (use.face < firstGiven_)
     {
-      return FaceRef(use.face - firstInner_, use.turned ? Kind::TurnedInner : Kind::Inner);
+      return FaceOfCell(use.face - firstInner_, use.turned ? Kind::TurnedInner : Kind::Inner);
     }
-    return FaceRef(newFace(s, use.face), use.turned ? Kind::TurnedShaped : Kind::Shaped);
+    return FaceOfCell(newFace(s, use.face), use.turned ? Kind::TurnedShaped : Kind::Shaped);
   }
 
   // --- cells
@@ -315,8 +315,8 @@ private:
       oldOf[place[n]] = static_cast<std::uint32_t>(n);
       result_.flawed[place[n]] = old.flawed[n];
     }
-    const std::size_t most = old.cells.size() + changed_.size();
-    result_.cells.reserve(most);
+    const std::size_t most = old.all.size() + changed_.size();
+    result_.all.reserve(most);
     known_.reserve(most);
     result_.faces.reserve(old.faces.size());
     auto next = changed_.begin();
@@ -337,11 +337,11 @@ private:
       {
         copyCells(copied, c);
         copied = c;
-        result_.boxStart.push_back(result_.cells.size());
+        result_.boxStart.push_back(result_.all.size());
         writeChanged(nextOfHexahedron, keyOfHexahedron(polyhedral[n]));
         continue;
       }
-      result_.boxStart.push_back(result_.cells.size() + (c - copied));
+      result_.boxStart.push_back(result_.all.size() + (c - copied));
       for (; c < old.boxStart[oldOf[n] + 1]; ++c)
       {
         if (next != changed_.end() && next->origin == c)
@@ -353,25 +353,25 @@ private:
       }
     }
     copyCells(copied, c);
-    result_.boxStart.push_back(result_.cells.size());
+    result_.boxStart.push_back(result_.all.size());
     Cell end{};
     end.firstFace = result_.faces.size();
-    result_.cells.push_back(end);
+    result_.all.push_back(end);
   }
 
   void copyCells(std::size_t begin, std::size_t end)
   {
     const Cells& old = whole_.cells;
-    const std::size_t firstFace = old.cells[begin].firstFace;
+    const std::size_t firstFace = old.all[begin].firstFace;
     known_.append(whole_.known, begin, end);
     for (std::size_t c = begin; c < end; ++c)
     {
-      result_.cells.push_back(old.cells[c]);
-      result_.cells.back().firstFace += result_.faces.size() - firstFace;
+      result_.all.push_back(old.all[c]);
+      result_.all.back().firstFace += result_.faces.size() - firstFace;
     }
     result_.faces.insert(result_.faces.end(),
       old.faces.begin() + static_cast<std::ptrdiff_t>(firstFace),
-      old.faces.begin() + static_cast<std::ptrdiff_t>(old.cells[end].firstFace));
+      old.faces.begin() + static_cast<std::ptrdiff_t>(old.all[end].firstFace));
   }
 
   void writeCell(const Changed& changed)
@@ -390,10 +390,10 @@ private:
     cell.volumeFraction = changed.volume / (size[0] * size[1] * size[2]);
     cell.firstFace = result_.faces.size();
     cell.removed = open.removed;
-    cell.sliver = open.removed && open.origin < old.size() && old.cells[open.origin].sliver;
+    cell.sliver = open.removed && open.origin < old.size() && old.all[open.origin].sliver;
     cell.reach = open.reach;
-    result_.cells.push_back(cell);
-    known_.resize(result_.cells.size());
+    result_.all.push_back(cell);
+    known_.resize(result_.all.size());
     for (const FaceUse& use : open.faces)
     {
       result_.faces.push_back(refOf(changed.slab, use));
@@ -409,10 +409,11 @@ private:
     execution_.forEach(result_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c)
       {
-        for (std::size_t f = result_.cells[c].firstFace; f < result_.cells[c + 1].firstFace; ++f)
+        for (std::size_t f = result_.all[c].firstFace; f < result_.all[c + 1].firstFace; ++f)
         {
-          const FaceRef& face = result_.faces[f];
-          if (face.kind() == FaceRef::Kind::Shaped || face.kind() == FaceRef::Kind::TurnedShaped)
+          const FaceOfCell& face = result_.faces[f];
+          if (face.kind() == FaceOfCell::Kind::Shaped ||
+            face.kind() == FaceOfCell::Kind::TurnedShaped)
           {
             faces.cells[face.index][face.turned() ? 1 : 0] = static_cast<std::uint32_t>(c);
           }

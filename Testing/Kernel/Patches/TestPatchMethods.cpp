@@ -123,6 +123,52 @@ class SmoothShape : public ::testing::TestWithParam<NamedShape>
 {
 };
 
+// A block with a thin fold in the middle of its upper face, which overlaps itself by 0.001.
+Soup foldedBlock()
+{
+  const double fold = 0.001;
+  Soup soup = box({ -2.5, -2.5, -2.5 }, { 2.5, 2.5, 2.5 });
+  soup.boundary.clear();
+  // The upper face anew: up to x = 0.5 + fold, back to 0.5, and on.
+  std::vector<std::array<std::uint32_t, 3>> others;
+  for (const auto& t : soup.triangles)
+  {
+    const bool upper =
+      soup.points[t[0]][2] > 2 && soup.points[t[1]][2] > 2 && soup.points[t[2]][2] > 2;
+    if (!upper)
+    {
+      others.push_back(t);
+    }
+  }
+  soup.triangles = others;
+  const auto add = [&](double x0, double x1, double z0, double z1) {
+    const auto first = static_cast<std::uint32_t>(soup.points.size());
+    soup.points.insert(
+      soup.points.end(), { { x0, -2.5, z0 }, { x1, -2.5, z1 }, { x1, 2.5, z1 }, { x0, 2.5, z0 } });
+    soup.triangles.push_back({ first, first + 1, first + 2 });
+    soup.triangles.push_back({ first, first + 2, first + 3 });
+  };
+  add(-2.5, 0.5 + fold, 2.5, 2.5);
+  add(0.5 + fold, 0.5 - fold, 2.5, 2.5 + fold / 10);
+  add(0.5 - fold, 2.5, 2.5 + fold / 10, 2.5);
+  // The two ends of the fold, where the sides of the block meet it.
+  const auto close = [&](double y, bool front) {
+    const auto first = static_cast<std::uint32_t>(soup.points.size());
+    soup.points.insert(soup.points.end(),
+      { { -2.5, y, 2.5 }, { 0.5 + fold, y, 2.5 }, { 0.5 - fold, y, 2.5 + fold / 10 },
+        { 2.5, y, 2.5 } });
+    const std::array<std::uint32_t, 3> a = { first, first + 3, first + 1 };
+    const std::array<std::uint32_t, 3> b = { first + 1, first + 3, first + 2 };
+    for (const auto& t : { a, b })
+    {
+      soup.triangles.push_back(front ? t : std::array<std::uint32_t, 3>{ t[0], t[2], t[1] });
+    }
+  };
+  close(-2.5, true);
+  close(2.5, false);
+  return soup;
+}
+
 }
 
 TEST_P(PatchesBy, AnyMethodAreWatertightAndGiveValidCells)
@@ -237,49 +283,9 @@ TEST(PatchChoice, NamesTheCondition)
   EXPECT_EQ(count(block, "BoxesSeveralBoundaries") + count(block, "BoxesByMarchingCubes"), 6 * 16);
 }
 
-// A face of a block whose middle is a thin triangle pair turned over: A overlaps B by 0.001.
 TEST(FoldedGeometry, DisappearsInMarchingCubesBoxes)
 {
-  const double fold = 0.001;
-  Soup soup = box({ -2.5, -2.5, -2.5 }, { 2.5, 2.5, 2.5 });
-  soup.boundary.clear();
-  // The upper face anew: up to x = 0.5 + fold, back to 0.5, and on.
-  std::vector<std::array<std::uint32_t, 3>> others;
-  for (const auto& t : soup.triangles)
-  {
-    const bool upper =
-      soup.points[t[0]][2] > 2 && soup.points[t[1]][2] > 2 && soup.points[t[2]][2] > 2;
-    if (!upper)
-    {
-      others.push_back(t);
-    }
-  }
-  soup.triangles = others;
-  const auto add = [&](double x0, double x1, double z0, double z1) {
-    const auto first = static_cast<std::uint32_t>(soup.points.size());
-    soup.points.insert(
-      soup.points.end(), { { x0, -2.5, z0 }, { x1, -2.5, z1 }, { x1, 2.5, z1 }, { x0, 2.5, z0 } });
-    soup.triangles.push_back({ first, first + 1, first + 2 });
-    soup.triangles.push_back({ first, first + 2, first + 3 });
-  };
-  add(-2.5, 0.5 + fold, 2.5, 2.5);
-  add(0.5 + fold, 0.5 - fold, 2.5, 2.5 + fold / 10);
-  add(0.5 - fold, 2.5, 2.5 + fold / 10, 2.5);
-  // The two ends of the fold, where the sides of the block meet it.
-  const auto close = [&](double y, bool front) {
-    const auto first = static_cast<std::uint32_t>(soup.points.size());
-    soup.points.insert(soup.points.end(),
-      { { -2.5, y, 2.5 }, { 0.5 + fold, y, 2.5 }, { 0.5 - fold, y, 2.5 + fold / 10 },
-        { 2.5, y, 2.5 } });
-    const std::array<std::uint32_t, 3> a = { first, first + 3, first + 1 };
-    const std::array<std::uint32_t, 3> b = { first + 1, first + 3, first + 2 };
-    for (const auto& t : { a, b })
-    {
-      soup.triangles.push_back(front ? t : std::array<std::uint32_t, 3>{ t[0], t[2], t[1] });
-    }
-  };
-  close(-2.5, true);
-  close(2.5, false);
+  const Soup soup = foldedBlock();
   GridSpec grid;
   for (auto& lines : grid.meshlines)
   {

@@ -1,5 +1,5 @@
 // Cells split and merged: what may not change, and what has to.
-#include "Collapse/ShortEdges.h"
+#include "Collapse/EdgeCollapse.h"
 #include "Support/Effort.h"
 #include "Support/MeshChecker.h"
 #include "Support/Pipeline.h"

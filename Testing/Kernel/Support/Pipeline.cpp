@@ -8,7 +8,7 @@
 namespace cartesian
 {
 
-MeshArrays arraysOf(const Mesh& mesh, const Boxes& boxes, Execution& execution)
+MeshArrays arraysOf(const OutputMesh& mesh, const Boxes& boxes, Execution& execution)
 {
   MeshArrays a;
   const auto cells = static_cast<std::size_t>(mesh.cellCount());

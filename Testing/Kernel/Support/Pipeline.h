@@ -41,7 +41,7 @@ struct MeshArrays
   bool operator==(const MeshArrays& other) const;
 };
 
-MeshArrays arraysOf(const Mesh& mesh, const Boxes& boxes, Execution& execution);
+MeshArrays arraysOf(const OutputMesh& mesh, const Boxes& boxes, Execution& execution);
 
 struct Meshed
 {

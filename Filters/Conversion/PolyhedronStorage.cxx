@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Polyhedra.h"
+#include "PolyhedronStorage.h"
 
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
@@ -14,8 +14,8 @@ namespace cartesian
 
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20240112)
 
-// From VTK 9.4 on: the faces of all cells, and for each cell the list of its own. Not compiled with
-// ParaView 5.11, which has VTK 9.2.
+// From VTK 9.4 on there is one array of the faces of all cells, and a list of them for each cell. Never
+// compiled so far: ParaView 5.11 has VTK 9.2.
 void setCells(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* types, vtkCellArray* cells,
   vtkIdTypeArray* faceStart, vtkIdTypeArray* faceStream)
 {

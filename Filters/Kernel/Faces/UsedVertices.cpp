@@ -1,4 +1,4 @@
-#include "Faces/VertexRows.h"
+#include "Faces/UsedVertices.h"
 
 namespace cartesian
 {
@@ -8,12 +8,12 @@ namespace
 
 constexpr std::size_t RowsAChunk = 64;
 
-// Marks which vertices of one row are used, i from 0.
+// Marks the used vertices of one row.
 class RowMarks
 {
 public:
-  RowMarks(const Boxes& boxes, const Sides& sides, const Nodes& nodes, const std::vector<Use>& used,
-    Layers layers)
+  RowMarks(const Boxes& boxes, const Sides& sides, const Nodes& nodes,
+    const std::vector<NodeRole>& used, Layers layers)
     : boxes_(boxes)
     , sides_(sides)
     , nodes_(nodes)
@@ -86,8 +86,8 @@ private:
     {
       const std::size_t node = nodes_.patchPoints + c;
       std::uint32_t i = 0;
-      if (used_[node] != Use::Nowhere &&
-        VertexRows::isVertex(boxes_.planes, nodes_.grid[c], j, k, i))
+      if (used_[node] != NodeRole::Unused &&
+        UsedVertices::isVertex(boxes_.planes, nodes_.grid[c], j, k, i))
       {
         mark(i);
       }
@@ -96,7 +96,7 @@ private:
     for (auto v = std::lower_bound(nodes_.moreVertices.begin(), nodes_.moreVertices.end(), first);
          v != nodes_.moreVertices.end() && v->k == k && v->j == j; ++v)
     {
-      if (used_[v->node] != Use::Nowhere)
+      if (used_[v->node] != NodeRole::Unused)
       {
         mark(v->i);
       }
@@ -106,7 +106,7 @@ private:
   const Boxes& boxes_;
   const Sides& sides_;
   const Nodes& nodes_;
-  const std::vector<Use>& used_;
+  const std::vector<NodeRole>& used_;
   Layers layers_;
   std::vector<std::uint8_t> marks_;
   std::size_t first_ = 0;
@@ -115,7 +115,7 @@ private:
 
 }
 
-bool VertexRows::isVertex(
+bool UsedVertices::isVertex(
   const Meshlines& planes, const Point& node, std::size_t j, std::size_t k, std::uint32_t& i)
 {
   if (node[1] != planes[1][j] || node[2] != planes[2][k])
@@ -126,22 +126,22 @@ bool VertexRows::isVertex(
   return planes[0][i] == node[0];
 }
 
-VertexRows::VertexRows(const Boxes& boxes, const Sides& sides, const Nodes& nodes,
-  const std::vector<Use>& used, Layers layers, Execution& execution)
+UsedVertices::UsedVertices(const Boxes& boxes, const Sides& sides, const Nodes& nodes,
+  const std::vector<NodeRole>& used, Layers layers, Execution& execution)
   : rowLength_(boxes.planes[1].size())
 {
   const std::size_t rows = rowLength_ * boxes.planes[2].size();
-  std::vector<std::vector<Run>> parts(chunks(rows, RowsAChunk));
+  std::vector<std::vector<VertexRun>> parts(chunks(rows, RowsAChunk));
   rowStart_.assign(rows + 1, 0);
   execution.forEach(rows, RowsAChunk, [&](std::size_t begin, std::size_t end) {
     RowMarks marks(boxes, sides, nodes, used, layers);
     for (std::size_t row = begin; row < end; ++row)
     {
-      std::uint32_t place = 0;
+      std::uint32_t rank = 0;
       marks.forEachRun(
         row % rowLength_, row / rowLength_, [&](std::uint32_t first, std::uint32_t last) {
-          parts[begin / RowsAChunk].push_back({ first, last, place });
-          place += last - first;
+          parts[begin / RowsAChunk].push_back({ first, last, rank });
+          rank += last - first;
           ++rowStart_[row];
         });
     }
@@ -153,15 +153,15 @@ VertexRows::VertexRows(const Boxes& boxes, const Sides& sides, const Nodes& node
   }
 }
 
-std::size_t VertexRows::place(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
+std::size_t UsedVertices::rank(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
 {
   const std::size_t row = j + k * rowLength_;
   const auto begin = runs_.begin() + static_cast<std::ptrdiff_t>(rowStart_[row]);
   const auto end = runs_.begin() + static_cast<std::ptrdiff_t>(rowStart_[row + 1]);
-  const auto after =
-    std::upper_bound(begin, end, i, [](std::uint32_t x, const Run& run) { return x < run.begin; });
-  const Run& run = *(after - 1);
-  return run.place + (i - run.begin);
+  const auto after = std::upper_bound(
+    begin, end, i, [](std::uint32_t x, const VertexRun& run) { return x < run.begin; });
+  const VertexRun& run = *(after - 1);
+  return run.rank + (i - run.begin);
 }
 
 }

@@ -1,11 +1,11 @@
 // The finished mesh (section 6, steps 11 and 13): cells and points numbered and written.
 //
-// Cells are hexahedra (inside boxes without hanging nodes) and polyhedra, in order of their boxes;
-// points are in the order of PointNumbers.h. All are written straight into arrays of the caller's.
+// Cells are hexahedra (inside boxes without hanging nodes) and polyhedra, in order of their boxes; points
+// are in the order of PointNumbers.h. They are written directly into the caller's arrays.
 //
-// The mesh of a part of the grid (Decomposition.h) has the cells of its core and the points that those
-// use. Their numbers in the whole mesh are their own and the number of all cells of the parts
-// before, and those of writeGlobalPoints.
+// The mesh of a part of the grid (Decomposition.h) has the cells of its core and the points that these use. The
+// number of a cell in the whole mesh is its own plus the number of cells of all parts before;
+// writeGlobalPoints gives those of points.
 #pragma once
 
 #include "Base/EdgeTable.h"
@@ -17,14 +17,14 @@
 namespace cartesian
 {
 
-// Arrays of the caller's, of the sizes that Mesh gives.
+// The caller's arrays, of the sizes that OutputMesh gives.
 struct CellArrays
 {
-  Id* offsets;          // cellCount() + 1
-  Id* connectivity;     // connectivitySize(): points of each cell, hexahedra in VTK's order
-  unsigned char* types; // cellCount()
-  Id* faceStart;        // cellCount(): where in faceStream, -1 for hexahedra
-  Id* faceStream;       // faceStreamSize(): a number of faces, then for each its size and points
+  Id* offsets;              // cellCount() + 1
+  Id* connectivity;         // connectivitySize(): points of each cell, hexahedra in VTK's order
+  unsigned char* types;     // cellCount()
+  Id* faceStart;            // cellCount(): where in faceStream, -1 for hexahedra
+  Id* faceStream;           // faceStreamSize(): number of faces, then for each its size and points
   unsigned char hexahedron; // what to write into types
   unsigned char polyhedron;
 };
@@ -35,7 +35,7 @@ struct CellData
   unsigned char* level; // 3 * cellCount(): halvings of the global box along x, y, z
   int* region;          // cellCount()
   double*
-    volumeFraction; // cellCount(): volume by that of its box; beyond 1 where cells were merged
+    volumeFraction; // cellCount(): volume divided by that of its box; above 1 for merged cells
 };
 
 // The boundary faces by themselves, with points numbered in the order of the mesh's.
@@ -46,15 +46,15 @@ struct BoundaryMesh
   std::vector<Id> meshPoint; // the mesh's point
 };
 
-class Mesh
+class OutputMesh
 {
 public:
-  Mesh(const MeshParts& parts, Execution& execution);
+  OutputMesh(const MeshParts& parts, Execution& execution);
 
   Id pointCount() const { return static_cast<Id>(points_.size()); }
 
-  // How many points the parts up to this one have between them, more than those before it: the points
-  // on its upper end belong to the next.
+  // The number of points that this part adds to those of the parts before: the points on its upper end
+  // belong to the next part.
   Id ownPointCount() const { return ownPoints_; }
   Id cellCount() const { return numbers_.ofBox.back(); }
   Id connectivitySize() const { return rows_.back().connectivity; }
@@ -64,7 +64,8 @@ public:
 
   void writePoints(double* xyz, Execution& execution) const;
 
-  // The number of each point in the whole mesh. `before`: the own points of all parts before.
+  // Writes the number of each point in the whole mesh. `before`: the sum of ownPointCount() of the parts
+  // before.
   void writeGlobalPoints(Id before, Id* ids, Execution& execution) const;
 
   void writeCells(const CellArrays& arrays, Execution& execution) const;
@@ -90,13 +91,13 @@ private:
     std::uint32_t faceStream = 0;
   };
 
-  // The points of one cell, each once, in no order. Kept from cell to cell for its memory.
+  // The points of one cell, each once, in any order. Keeps its storage from cell to cell.
   struct CellPoints
   {
     EdgeTable seen; // from a point to itself
     std::vector<Id> points;
 
-    // None, of a cell with so many corners at most.
+    // Starts with a cell that has this many corners at most.
     void reset(std::size_t corners)
     {
       seen.reset(corners);
@@ -132,12 +133,12 @@ private:
     std::vector<Id>& points, Execution& execution) const;
 
   template <class Visitor>
-  void forEachPoint(const FaceRef& face, Visitor&& visit) const;
+  void forEachPoint(const FaceOfCell& face, Visitor&& visit) const;
 
   MeshParts parts_;
   CellNumbers numbers_;
   PointNumbers points_;
-  std::unique_ptr<PointNumbers> pointsAround_; // of a part: those of cells around it too
+  std::unique_ptr<PointNumbers> pointsAround_; // for a part: includes the points of cells around it
   Id ownPoints_ = 0;
   std::vector<CellSize> cellSizes_; // of each cell of polyhedral boxes
   std::vector<RowOffsets> rows_;

@@ -1,4 +1,4 @@
-#include "Mesh/Mesh.h"
+#include "Mesh/OutputMesh.h"
 
 #include "Parts/Slabs.h"
 
@@ -18,22 +18,22 @@ constexpr Id CornersOfAHexahedron = 8;
 
 }
 
-// Corners of a face, counter-clockwise from outside its cell, as nodes passed on as points.
+// Calls visit(point) for the corners of a face, counter-clockwise from outside its cell.
 template <class Visitor>
-void Mesh::forEachPoint(const FaceRef& face, Visitor&& visit) const
+void OutputMesh::forEachPoint(const FaceOfCell& face, Visitor&& visit) const
 {
   forEachNode(face, parts_.patches, parts_.inner, parts_.cells.shaped,
     [&](std::uint32_t node) { visit(static_cast<Id>(points_.ofNode(node))); });
 }
 
-Mesh::Mesh(const MeshParts& parts, Execution& execution)
+OutputMesh::OutputMesh(const MeshParts& parts, Execution& execution)
   : parts_(parts)
   , numbers_(numberCells(parts, execution))
   , points_(parts, parts.boxes.core, execution)
   , ownPoints_(pointCount())
 {
   const Layers core = parts.boxes.core;
-  // Which points of the next layers are used tell cells that may reach into them.
+  // Cells that extend into the next layers decide which points of those are used.
   const Layers around =
     core.grown(HaloOfShapedCells + MostLayersOfACell - 1, parts.boxes.allLayers().end);
   if (around.begin != core.begin || around.end != core.end)
@@ -49,7 +49,7 @@ Mesh::Mesh(const MeshParts& parts, Execution& execution)
   failures_ = countFailures(parts_, numbers_, boundary_, execution);
 }
 
-void Mesh::measureCells(Execution& execution)
+void OutputMesh::measureCells(Execution& execution)
 {
   const Cells& cells = parts_.cells;
   cellSizes_.resize(cells.size());
@@ -59,18 +59,18 @@ void Mesh::measureCells(Execution& execution)
     CellPoints points;
     for (std::size_t c = first + begin; c < first + end; ++c)
     {
-      if (cells.cells[c].removed)
+      if (cells.all[c].removed)
       {
         continue;
       }
       std::uint32_t stream = 1;
-      for (std::size_t f = cells.cells[c].firstFace; f < cells.cells[c + 1].firstFace; ++f)
+      for (std::size_t f = cells.all[c].firstFace; f < cells.all[c + 1].firstFace; ++f)
       {
         ++stream;
         forEachPoint(cells.faces[f], [&](Id) { ++stream; });
       }
       points.reset(stream);
-      for (std::size_t f = cells.cells[c].firstFace; f < cells.cells[c + 1].firstFace; ++f)
+      for (std::size_t f = cells.all[c].firstFace; f < cells.all[c + 1].firstFace; ++f)
       {
         forEachPoint(cells.faces[f], [&](Id point) { points.add(point); });
       }
@@ -79,7 +79,7 @@ void Mesh::measureCells(Execution& execution)
   });
 }
 
-void Mesh::placeRows()
+void OutputMesh::placeRows()
 {
   const Boxes& boxes = parts_.boxes;
   const std::vector<std::uint32_t>& polyhedral = parts_.sides.polyhedral;
@@ -112,10 +112,10 @@ void Mesh::placeRows()
   rows_.push_back(sum);
 }
 
-// numberOf(line, i): of the vertex i of the global mesh on one of the box's four lines along x (their
-// y + 2 z); of a box that is not divided.
+// The corners of a hexahedron in VTK's order. If its box is not divided, numberOf(line, i) gives the number
+// of vertex i of the global mesh on one of the box's four lines along x (line: y + 2 z).
 template <class NumberOf>
-std::array<Id, 8> Mesh::corners(std::size_t box, NumberOf&& numberOf) const
+std::array<Id, 8> OutputMesh::corners(std::size_t box, NumberOf&& numberOf) const
 {
   std::array<Id, 8> p;
   const std::uint32_t ordinal = parts_.sides.ordinal[box];
@@ -137,10 +137,10 @@ std::array<Id, 8> Mesh::corners(std::size_t box, NumberOf&& numberOf) const
   return p;
 }
 
-// Calls visitVertex(point, i, j, k) for vertices of the global mesh, visitNode(point, node) for nodes,
-// vertices among them.
+// Calls visitVertex(point, i, j, k) for vertices of the global mesh, and visitNode(point, node) for nodes,
+// some of which are vertices.
 template <class VertexVisitor, class NodeVisitor>
-void Mesh::forEachPoint(
+void OutputMesh::forEachPoint(
   VertexVisitor&& visitVertex, NodeVisitor&& visitNode, Execution& execution) const
 {
   const std::size_t rowLength = parts_.boxes.planes[1].size();
@@ -165,7 +165,7 @@ void Mesh::forEachPoint(
   });
 }
 
-void Mesh::writePoints(double* xyz, Execution& execution) const
+void OutputMesh::writePoints(double* xyz, Execution& execution) const
 {
   const auto write = [&](std::size_t point, const Point& at) {
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -181,7 +181,7 @@ void Mesh::writePoints(double* xyz, Execution& execution) const
     [&](std::size_t point, std::size_t node) { write(point, parts_.nodes.at[node]); }, execution);
 }
 
-void Mesh::writeGlobalPoints(Id before, Id* ids, Execution& execution) const
+void OutputMesh::writeGlobalPoints(Id before, Id* ids, Execution& execution) const
 {
   const PointNumbers& around = pointsAround_ ? *pointsAround_ : points_;
   const Id offset = before - static_cast<Id>(around.firstOfLayer(parts_.boxes.core.begin));
@@ -191,7 +191,7 @@ void Mesh::writeGlobalPoints(Id before, Id* ids, Execution& execution) const
     execution);
 }
 
-void Mesh::writeCells(const CellArrays& arrays, Execution& execution) const
+void OutputMesh::writeCells(const CellArrays& arrays, Execution& execution) const
 {
   const Boxes& boxes = parts_.boxes;
   const std::size_t first = boxes.row(0, boxes.core.begin);
@@ -207,7 +207,7 @@ void Mesh::writeCells(const CellArrays& arrays, Execution& execution) const
   arrays.offsets[cellCount()] = connectivitySize();
 }
 
-void Mesh::writeRow(std::size_t row, const CellArrays& arrays, CellPoints& points) const
+void OutputMesh::writeRow(std::size_t row, const CellArrays& arrays, CellPoints& points) const
 {
   RowOffsets at = rows_[row];
   const std::size_t rowLength = parts_.boxes.planes[1].size();
@@ -236,7 +236,7 @@ void Mesh::writeRow(std::size_t row, const CellArrays& arrays, CellPoints& point
     }
     for (std::size_t c = parts_.cells.boxStart[n]; c < parts_.cells.boxStart[n + 1]; ++c)
     {
-      if (parts_.cells.cells[c].removed)
+      if (parts_.cells.all[c].removed)
       {
         continue;
       }
@@ -253,13 +253,13 @@ void Mesh::writeRow(std::size_t row, const CellArrays& arrays, CellPoints& point
   }
 }
 
-// Lists the points too.
-void Mesh::writeFaces(std::size_t cell, Id* stream, CellPoints& points) const
+// Also lists the points of the cell.
+void OutputMesh::writeFaces(std::size_t cell, Id* stream, CellPoints& points) const
 {
   points.reset(cellSizes_[cell].faceStream);
   const Cells& cells = parts_.cells;
-  const std::size_t begin = cells.cells[cell].firstFace;
-  const std::size_t end = cells.cells[cell + 1].firstFace;
+  const std::size_t begin = cells.all[cell].firstFace;
+  const std::size_t end = cells.all[cell + 1].firstFace;
   *stream++ = static_cast<Id>(end - begin);
   for (std::size_t f = begin; f < end; ++f)
   {
@@ -272,7 +272,7 @@ void Mesh::writeFaces(std::size_t cell, Id* stream, CellPoints& points) const
   }
 }
 
-void Mesh::writeCellData(const CellData& data, Execution& execution) const
+void OutputMesh::writeCellData(const CellData& data, Execution& execution) const
 {
   const auto write = [&](std::size_t id, const PackedBox& box, double fraction) {
     for (int axis = 0; axis < 3; ++axis)
@@ -308,33 +308,33 @@ void Mesh::writeCellData(const CellData& data, Execution& execution) const
   execution.forEach(numbers_.coreEnd - first, CellsAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = first + begin; c < first + end; ++c)
     {
-      if (!cells.cells[c].removed)
+      if (!cells.all[c].removed)
       {
-        write(numbers_.ofCell[c], boxes.packed[cells.cells[c].box], cells.cells[c].volumeFraction);
+        write(numbers_.ofCell[c], boxes.packed[cells.all[c].box], cells.all[c].volumeFraction);
       }
     }
   });
 }
 
 template <class Visitor>
-void Mesh::forEachPoint(const BoundaryFace& face, Visitor&& visit) const
+void OutputMesh::forEachPoint(const BoundaryFace& face, Visitor&& visit) const
 {
   switch (face.kind)
   {
     case BoundaryFace::Kind::Patch:
-      forEachPoint(FaceRef(face.index, FaceRef::Kind::Patch), visit);
+      forEachPoint(FaceOfCell(face.index, FaceOfCell::Kind::Patch), visit);
       break;
     case BoundaryFace::Kind::Inner:
-      forEachPoint(FaceRef(face.index, FaceRef::Kind::Inner), visit);
+      forEachPoint(FaceOfCell(face.index, FaceOfCell::Kind::Inner), visit);
       break;
     case BoundaryFace::Kind::TurnedInner:
-      forEachPoint(FaceRef(face.index, FaceRef::Kind::TurnedInner), visit);
+      forEachPoint(FaceOfCell(face.index, FaceOfCell::Kind::TurnedInner), visit);
       break;
     case BoundaryFace::Kind::Shaped:
-      forEachPoint(FaceRef(face.index, FaceRef::Kind::Shaped), visit);
+      forEachPoint(FaceOfCell(face.index, FaceOfCell::Kind::Shaped), visit);
       break;
     case BoundaryFace::Kind::TurnedShaped:
-      forEachPoint(FaceRef(face.index, FaceRef::Kind::TurnedShaped), visit);
+      forEachPoint(FaceOfCell(face.index, FaceOfCell::Kind::TurnedShaped), visit);
       break;
     case BoundaryFace::Kind::BoxSide:
     {
@@ -355,8 +355,8 @@ void Mesh::forEachPoint(const BoundaryFace& face, Visitor&& visit) const
   }
 }
 
-// Lists the points of the boundary, in order; returns the place of each.
-RawVector<std::uint32_t> Mesh::numberBoundaryPoints(
+// Lists the points of the boundary, in order. Returns the index of each of the mesh's points there.
+RawVector<std::uint32_t> OutputMesh::numberBoundaryPoints(
   std::vector<Id>& points, Execution& execution) const
 {
   const auto count = static_cast<std::size_t>(pointCount());
@@ -380,7 +380,7 @@ RawVector<std::uint32_t> Mesh::numberBoundaryPoints(
     first[begin / PointsAChunk] = sum;
   });
   points.resize(scan(first));
-  RawVector<std::uint32_t> places(count); // anything where it is not used
+  RawVector<std::uint32_t> places(count); // undefined for points that are not on the boundary
   execution.forEach(count, PointsAChunk, [&](std::size_t begin, std::size_t end) {
     std::uint32_t next = first[begin / PointsAChunk];
     for (std::size_t p = begin; p < end; ++p)
@@ -395,7 +395,7 @@ RawVector<std::uint32_t> Mesh::numberBoundaryPoints(
   return places;
 }
 
-BoundaryMesh Mesh::boundaryMesh(Execution& execution) const
+BoundaryMesh OutputMesh::boundaryMesh(Execution& execution) const
 {
   BoundaryMesh result;
   result.start.assign(boundary_.size() + 1, 0);

@@ -1,6 +1,5 @@
-#include "Patches/Tying.h"
+#include "Patches/SideTying.h"
 
-#include "Boxes/Sides.h"
 #include "Lattice/Vector.h"
 
 #include <numeric>
@@ -11,7 +10,7 @@ namespace cartesian
 namespace
 {
 
-// Segments that one chord stands for: the time to find them grows with their number.
+// Segments that one chord may replace: the time to check them grows with their number.
 constexpr std::size_t MostReplaced = 256;
 
 double cosineOf(double degrees)
@@ -34,7 +33,7 @@ Level oddLevel(double x)
 }
 
 SideTying::SideTying(const Surface& surface, const Features& features, const Boxes& boxes,
-  const Clearance& clearance, const std::vector<PatchReason>& reasons, const PatchSpec& spec)
+  const PlaneClearance& clearance, const std::vector<PatchReason>& reasons, const PatchSpec& spec)
   : surface_(surface)
   , features_(features)
   , boxes_(boxes)
@@ -43,6 +42,7 @@ SideTying::SideTying(const Surface& surface, const Features& features, const Box
   , spec_(spec)
   , mergeCosine_(cosineOf(spec.mergeAngle))
   , featureCosine_(cosineOf(spec.featureAngle))
+  , pairs_(features, boxes)
 {
 }
 
@@ -56,16 +56,12 @@ void SideTying::tie(std::uint32_t b, BoxSurface& piece)
     onto_[i] = i;
   }
   short_.assign(piece.points.size(), 0);
-  partner_.assign(piece.points.size(), None);
-  if (spec_.method == PatchMethod::MarchingCubes)
-  {
-    pairCrossings(box, piece);
-  }
+  pairs_.find(box, piece, spec_.method == PatchMethod::MarchingCubes);
   leaving_.assign(piece.points.size(), None);
   arrivals_.assign(piece.points.size(), 0);
   departures_.assign(piece.points.size(), 0);
 
-  // Segments of one part are those that face the same box.
+  // The segments of one part of a side are those that face the same box.
   segments_ = piece.segments;
   const std::array<std::uint32_t, 4> none{ None, None, None, None };
   std::array<std::array<std::uint32_t, 4>, 6> across{ none, none, none, none, none, none };
@@ -99,7 +95,7 @@ void SideTying::tie(std::uint32_t b, BoxSurface& piece)
   }
 }
 
-// Those of a part stay in their order.
+// Keeps the order of the segments in each part.
 void SideTying::sortByPart()
 {
   const auto partOf = [](const Segment& s) { return std::size_t(4) * s.side + s.quarter; };
@@ -117,7 +113,7 @@ void SideTying::sortByPart()
   segments_.swap(sorted_);
 }
 
-// The same for both boxes of a side perpendicular to `axis`.
+// Shortest edge on the sides perpendicular to `axis`: the same for both boxes of a side.
 double SideTying::shortestEdge(const Box& box, int axis) const
 {
   Level least = ~Level(0);
@@ -127,100 +123,6 @@ double SideTying::shortestEdge(const Box& box, int axis) const
     least = std::min(least, clearance_.of(o, boxes_.globalOf(box).index[o]));
   }
   return least;
-}
-
-// Marching Cubes knows no edge that is crossed more than once. On each line between two corners of
-// boxes, neighbouring crossings in opposite directions cancel each other; polylines then go on from
-// one to the other, in all boxes around the line.
-void SideTying::pairCrossings(const Box& box, const BoxSurface& piece)
-{
-  crossings_.clear();
-  for (const Segment& s : piece.segments)
-  {
-    if (planeCount(piece.points[s.from]) >= 2)
-    {
-      crossings_.push_back({ piece.points[s.from], s.from });
-    }
-  }
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const std::size_t u = (axis + 1) % 3;
-    const std::size_t v = (axis + 2) % 3;
-    partNodes_.clear();
-    for (const auto& [point, node] : crossings_)
-    {
-      if (!onPlane(point[axis]))
-      {
-        partNodes_.push_back(node);
-      }
-    }
-    const auto key = [&](std::uint32_t node) {
-      const Point& p = piece.points[node];
-      return std::array<Level, 3>{ p[u], p[v], p[axis] };
-    };
-    std::sort(partNodes_.begin(), partNodes_.end(),
-      [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-    partNodes_.erase(std::unique(partNodes_.begin(), partNodes_.end()), partNodes_.end());
-    for (std::size_t i = 0; i < partNodes_.size();)
-    {
-      std::size_t j = i + 1;
-      while (j < partNodes_.size() && key(partNodes_[j])[0] == key(partNodes_[i])[0] &&
-        key(partNodes_[j])[1] == key(partNodes_[i])[1])
-      {
-        ++j;
-      }
-      if (j - i > 1)
-      {
-        pairOnLine(box, piece, axis, partNodes_.data() + i, partNodes_.data() + j);
-      }
-      i = j;
-    }
-  }
-}
-
-void SideTying::pairOnLine(const Box& box, const BoxSurface& piece, std::size_t axis,
-  std::uint32_t* begin, std::uint32_t* end)
-{
-  const Point& on = piece.points[*begin];
-  FinePoint from = boxes_.fineLow(box);
-  for (const std::size_t other : { (axis + 1) % 3, (axis + 2) % 3 })
-  {
-    const std::int64_t size = Boxes::fineSize(box, static_cast<int>(other));
-    from[other] +=
-      on[other] == box.low[other] ? 0 : (on[other] == box.high[other] ? size : size / 2);
-  }
-  std::vector<std::int64_t> hanging;
-  hangingNodes(boxes_, static_cast<int>(axis), from, Boxes::fineSize(box, static_cast<int>(axis)),
-    box.global, hanging);
-  std::vector<std::uint32_t> open; // not cancelled so far
-  std::size_t piecesBefore = 0;
-  for (const std::uint32_t* node = begin; node != end; ++node)
-  {
-    const auto before = static_cast<std::size_t>(
-      std::count_if(hanging.begin(), hanging.end(), [&](std::int64_t position) {
-        return planeAt(boxes_.planes[axis], position) < piece.points[*node][axis];
-      }));
-    if (before != piecesBefore)
-    {
-      open.clear();
-      piecesBefore = before;
-    }
-    const auto upward = [&](std::uint32_t crossing) {
-      const auto at = std::find_if(piece.segments.begin(), piece.segments.end(),
-        [&](const Segment& s) { return s.from == crossing; });
-      return features_.normal[at->triangle][axis] > 0;
-    };
-    if (!open.empty() && upward(open.back()) != upward(*node))
-    {
-      partner_[open.back()] = *node;
-      partner_[*node] = open.back();
-      open.pop_back();
-    }
-    else
-    {
-      open.push_back(*node);
-    }
-  }
 }
 
 void SideTying::tiePart(
@@ -244,7 +146,7 @@ void SideTying::tiePart(
   done_.assign(static_cast<std::size_t>(end - begin), 0);
   for (const Segment* s = begin; s != end; ++s)
   {
-    if (isFixed(piece, s->from) && partner_[s->from] == None)
+    if (isFixed(piece, s->from) && pairs_.partnerOf(s->from) == None)
     {
       followPolyline(piece, begin, static_cast<std::uint32_t>(s - begin));
       finishPolyline(piece, upper);
@@ -270,7 +172,7 @@ void SideTying::tiePart(
   }
 }
 
-// Crossings on edges of boxes, and places where the surface touches itself.
+// Whether a polyline ends at a node: at edges of boxes, and where the surface touches itself.
 bool SideTying::isFixed(const BoxSurface& piece, std::uint32_t node) const
 {
   return planeCount(piece.points[node]) >= 2 || arrivals_[node] != 1 || departures_[node] != 1;
@@ -289,11 +191,11 @@ void SideTying::followPolyline(BoxSurface& piece, const Segment* begin, std::uin
     std::uint32_t node = begin[s].to;
     if (isFixed(piece, node))
     {
-      if (partner_[node] == None)
+      node = pairs_.partnerOf(node); // goes on from there
+      if (node == None)
       {
         return;
       }
-      node = partner_[node]; // goes on from there
     }
     s = leaving_[node];
   }
@@ -301,7 +203,7 @@ void SideTying::followPolyline(BoxSurface& piece, const Segment* begin, std::uin
 
 void SideTying::finishPolyline(BoxSurface& piece, bool upper)
 {
-  // As the box below the side sees it.
+  // Both boxes work on the polyline as the box below the side sees it.
   if (!upper)
   {
     std::reverse(line_.nodes.begin(), line_.nodes.end());
@@ -360,7 +262,7 @@ void SideTying::addChords(const BoxSurface& piece, bool upper)
   }
 }
 
-// A closed polyline begins where both boxes agree on.
+// Lets a closed polyline begin at a place that both boxes agree on.
 void SideTying::startAtFirstTriangle()
 {
   const auto first = std::min_element(line_.triangles.begin(), line_.triangles.end());
@@ -371,7 +273,7 @@ void SideTying::startAtFirstTriangle()
   line_.nodes.push_back(line_.nodes.front());
 }
 
-// Whether a straight line between the ends would run along the border of the side.
+// Whether a straight line between the ends of the polyline would run along the border of the side.
 bool SideTying::endsShareLine(const BoxSurface& piece) const
 {
   const Point& p = piece.points[line_.nodes.front()];
@@ -387,7 +289,7 @@ bool SideTying::endsShareLine(const BoxSurface& piece) const
   return false;
 }
 
-// Else the polyline would enclose nothing.
+// Keeps a third node, without which the polyline would enclose nothing.
 void SideTying::keepFarthest(const BoxSurface& piece)
 {
   if (std::count(line_.keep.begin(), line_.keep.end(), 1) > 2)
@@ -413,7 +315,7 @@ void SideTying::keepFarthest(const BoxSurface& piece)
   }
 }
 
-// Of two nodes closer than the clearance of points from planes, one goes.
+// Drops nodes that are closer to the one before than the shortest edge, or to the end.
 void SideTying::dropShort(const BoxSurface& piece)
 {
   const std::size_t end = line_.nodes.size() - 1;
@@ -429,7 +331,7 @@ void SideTying::dropShort(const BoxSurface& piece)
   }
 }
 
-// From each node that stays, on to the farthest one that a straight line may reach.
+// Drops all nodes between each node that stays and the farthest one that a chord may reach.
 void SideTying::dropSimilar(const BoxSurface& piece)
 {
   const std::size_t end = line_.nodes.size() - 1;
@@ -456,6 +358,8 @@ void SideTying::dropSimilar(const BoxSurface& piece)
   }
 }
 
+// Whether the chord from node i to node j may replace the segments between; `before`: the last node
+// between them that was kept so far.
 bool SideTying::mayReplace(
   const BoxSurface& piece, std::size_t i, std::size_t before, std::size_t j)
 {
@@ -491,7 +395,7 @@ bool SideTying::isFeature(const BoxSurface& piece, std::size_t node) const
     isNextToFeature(p, a) || isNextToFeature(p, b);
 }
 
-// A feature may run along a side, just beyond it: the polyline follows it.
+// A feature may run along a side, just beyond it; then the polyline follows it.
 bool SideTying::isNextToFeature(const Point& p, std::uint32_t triangle) const
 {
   const Corners corners = surface_.corners(triangle);
@@ -544,7 +448,7 @@ bool SideTying::passesOver(
     });
 }
 
-// Equation 5: the parts of the straight line are in the proportions of the polyline's.
+// Equation 5: divides the straight line in the same proportions as the polyline.
 void SideTying::moveOntoChord(const BoxSurface& piece)
 {
   const Point from = piece.points[line_.nodes.front()];

@@ -1,17 +1,19 @@
 // Tying of Patches (section 4.8): what the patches of two boxes share on the side between them.
 //
 // On each part of a side that two boxes share, the surface leaves polylines. Both boxes see the same
-// ones, and what becomes of them depends on nothing but them and on the two boxes' methods: so each
-// box finds it for itself, in any order, and they agree.
-// - Between two Marching Cubes boxes only the ends of a polyline stay: crossings on edges of boxes. A
-//   coarse box's loop so runs through the crossings on the lines between its finer neighbours.
-// - Where one or both are Exact Fit boxes, nodes go that it does not need (A2): those between segments
-//   whose triangles' normals and directions differ by no more than Merge Angle, where no other polyline
-//   is passed over. Of those that stay between different methods, see enum Tying.
+// ones, and what becomes of them depends only on them and on the methods of the two boxes. So each box
+// ties them by itself, in any order, and both agree.
+// - Between two Marching Cubes boxes only the ends of a polyline stay: crossings on edges of boxes. The
+//   loop of a coarse box thus runs through the crossings on the lines between its finer neighbours.
+// - Where one or both are Exact Fit boxes, nodes that the polyline does not need are dropped (A2): those
+//   between segments whose directions and whose triangles' normals differ by no more than Merge Angle,
+//   unless the new chord would pass over another polyline. For the nodes that stay between boxes of
+//   different methods, see enum Tying.
 #pragma once
 
 #include "Lattice/Plane.h"
 #include "Patches/BoxSurface.h"
+#include "Patches/CrossingPairs.h"
 #include "Patches/PatchChoice.h"
 #include "Patches/PatchSpec.h"
 
@@ -32,7 +34,8 @@ class SideTying
 public:
   // `reasons`: of all boxes, by their index.
   SideTying(const Surface& surface, const Features& features, const Boxes& boxes,
-    const Clearance& clearance, const std::vector<PatchReason>& reasons, const PatchSpec& spec);
+    const PlaneClearance& clearance, const std::vector<PatchReason>& reasons,
+    const PatchSpec& spec);
 
   // Ties all sides of a box. Points that move are moved in `piece`.
   void tie(std::uint32_t box, BoxSurface& piece);
@@ -40,11 +43,11 @@ public:
   // The chords that bound the box's patches, as these run.
   const std::vector<Chord>& chords() const { return chords_; }
 
-  // Of each point that no longer is there: the nearer one of those next to it on its polyline that
-  // still are. Of all others: itself.
+  // For each point: itself, or if it was dropped, the nearer one of its neighbours on the polyline that
+  // were not.
   const std::vector<std::uint32_t>& onto() const { return onto_; }
 
-  // Whether a point went because it is that near.
+  // Whether a point was dropped because its edge would have been too short.
   bool wentForShortness(std::uint32_t point) const { return short_[point] != 0; }
 
 private:
@@ -61,9 +64,6 @@ private:
     std::uint32_t node;
   };
 
-  void pairCrossings(const Box& box, const BoxSurface& piece);
-  void pairOnLine(const Box& box, const BoxSurface& piece, std::size_t axis, std::uint32_t* begin,
-    std::uint32_t* end);
   void tiePart(
     BoxSurface& piece, const Segment* begin, const Segment* end, bool exactHere, bool exactThere);
   bool isFixed(const BoxSurface& piece, std::uint32_t node) const;
@@ -91,7 +91,7 @@ private:
   const Surface& surface_;
   const Features& features_;
   const Boxes& boxes_;
-  const Clearance& clearance_;
+  const PlaneClearance& clearance_;
   const std::vector<PatchReason>& reasons_;
   PatchSpec spec_;
   double mergeCosine_;
@@ -100,9 +100,9 @@ private:
   std::vector<Chord> chords_;
   std::vector<std::uint32_t> onto_;
   std::vector<std::uint8_t> short_;
-  std::vector<std::uint32_t> partner_; // the crossing that cancels this one, or None
+  CrossingPairs pairs_;
 
-  // Of the part at hand.
+  // Of the part of a side that is being tied:
   int axis_ = 0;
   double shortest_ = 0; // levels
   bool exactHere_ = false;
@@ -114,10 +114,9 @@ private:
   std::vector<std::uint8_t> departures_;
   std::vector<std::uint8_t> done_; // segments
   std::vector<std::uint32_t> partNodes_;
-  std::vector<FlatNode> flatNodes_; // these by their first level, once they are needed
+  std::vector<FlatNode> flatNodes_; // partNodes_ by their first level; empty until needed
   Polyline line_;
   std::vector<std::pair<std::uint32_t, Point>> moved_; // nodes, and where to
-  std::vector<std::pair<std::array<Level, 3>, std::uint32_t>> crossings_;
 };
 
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How this version of VTK stores polyhedra: the only file that knows.
+// How this version of VTK stores polyhedra; only this file and its source depend on that.
 #pragma once
 
 #include "vtkType.h"
@@ -13,13 +13,13 @@ class vtkUnstructuredGrid;
 namespace cartesian
 {
 
-// Gives `grid` its cells. `faceStart`: for each cell where its faces are in `faceStream`, -1 if it is
-// no polyhedron; there are a number of faces, then for each its size and points.
+// Sets the cells of `grid`. `faceStart`: where the faces of each cell begin in `faceStream`, or -1 if it is no
+// polyhedron. There, the number of faces is followed by the size and points of each.
 void setCells(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* types, vtkCellArray* cells,
   vtkIdTypeArray* faceStart, vtkIdTypeArray* faceStream);
 
-// The faces of a polyhedron: their number, then for each its size and points. Valid until `scratch` or
-// the grid change.
+// The faces of a polyhedron: their number, then the size and points of each. Valid until `scratch` or the grid
+// changes.
 const vtkIdType* faceStreamOf(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* scratch);
 
 }

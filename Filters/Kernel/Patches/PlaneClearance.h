@@ -1,7 +1,7 @@
 // How far points of patches keep away from cutting planes that they are not on.
 //
-// Dual Levels keep them a level away, which leaves edges of a level's length where the surface passes
-// a corner or an edge of a box. A solver wants none shorter than a millionth of the box.
+// Dual Levels only keep them one level away. Where the surface passes a corner or an edge of a box, that
+// leaves edges as short as one level; solvers want none shorter than a millionth of the box.
 #pragma once
 
 #include "Boxes/Boxes.h"
@@ -12,11 +12,11 @@
 namespace cartesian
 {
 
-class Clearance
+class PlaneClearance
 {
 public:
-  // 2^-19 of a global box, and no more than 2^-10 of the surface's extent, so that no body is lost.
-  Clearance(const Surface& surface, const Boxes& boxes)
+  // 2^-19 of a global box, but at most 2^-10 of the surface's extent, so that no body is lost.
+  PlaneClearance(const Surface& surface, const Boxes& boxes)
     : planes_(boxes.planes)
   {
     Point low = surface.vertices.front();
@@ -35,7 +35,7 @@ public:
     }
   }
 
-  // Odd, in levels: along an axis in the global box of this index there.
+  // An odd number of levels, along an axis in the global boxes of this index.
   Level of(std::size_t axis, std::uint32_t index) const
   {
     const Level width = planes_[axis][index + 1] - planes_[axis][index];

@@ -1,0 +1,79 @@
+// Which nodes may move where, and which may merge, so that no face turns over or leaves the surface.
+#pragma once
+
+#include "Collapse/EdgeCollapse.h"
+#include "Collapse/MergingNodes.h"
+
+namespace cartesian
+{
+
+// Keeps its storage from node to node; each thread needs one of its own.
+class CollapseChecks
+{
+public:
+  CollapseChecks(const Boxes& boxes, const EdgeCollapseSpec& spec, const Patches& patches,
+    const MergingNodes& merging);
+
+  // Whether a node may move there without leaving the surface, its features and the ends of the grid.
+  // `unit`: the shortest edge of the smallest box around.
+  bool mayMove(std::uint32_t slot, const Point& to, double unit);
+
+  // Whether two nodes may become one: a node next to both must be the third corner of a triangle, else
+  // faces would touch.
+  bool closesUp(std::uint32_t a, std::uint32_t b);
+
+  // Calls visit(ring) for the faces at a node that are wrong since it moved; a ring may come twice.
+  template <class Visitor>
+  void forEachBadFace(std::uint32_t slot, Visitor&& visit)
+  {
+    twins_.clear();
+    merging_.forEachFaceAt(slot, [&](std::uint32_t face) {
+      merging_.ringOf(face, ring_);
+      if (!isGood(face))
+      {
+        visit(ring_);
+      }
+      else if (ring_.size() > 2)
+      {
+        twins_.emplace_back(keyOfRing(), face);
+      }
+    });
+    // A cell that became flat vanishes where one of its two faces is a patch; two inner faces would
+    // remain as a wall.
+    std::sort(twins_.begin(), twins_.end());
+    twins_.erase(std::unique(twins_.begin(), twins_.end()), twins_.end());
+    for (std::size_t i = 0; i + 1 < twins_.size(); ++i)
+    {
+      if (twins_[i].first == twins_[i + 1].first &&
+        merging_.isPatch(twins_[i].second) == merging_.isPatch(twins_[i + 1].second))
+      {
+        merging_.ringOf(twins_[i].second, ring_);
+        visit(ring_);
+      }
+    }
+  }
+
+private:
+  bool staysOnGrid(const Point& from, const Point& to) const;
+  void listBorders(std::uint32_t slot, std::uint32_t face);
+  double distanceFromBorders(std::uint32_t slot, const Point& to);
+  bool isGood(std::uint32_t face) const;
+  std::uint64_t keyOfRing() const;
+
+  template <class Visitor>
+  void forEachNeighbour(std::uint32_t slot, Visitor&& visit);
+
+  const Boxes& boxes_;
+  const EdgeCollapseSpec& spec_;
+  const Patches& patches_;
+  const MergingNodes& merging_;
+  double featureCosine_;
+  std::vector<std::uint32_t> ring_;
+  std::vector<Vector> normals_;
+  std::vector<std::pair<std::uint32_t, std::int32_t>> borders_; // next node, boundary
+  std::vector<std::uint32_t> near_;
+  std::vector<std::uint32_t> thirds_;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> twins_; // key of the corners, face
+};
+
+}

@@ -1,0 +1,73 @@
+// Nodes and edges that a flat surface does not need vanish; those of a roof stay.
+#include "Patches/Simplification.h"
+#include "Support/Pipeline.h"
+
+#include <gtest/gtest.h>
+
+using namespace cartesian;
+
+namespace
+{
+
+// A grid of 4 x 4 squares over the lower face of a box, halved into triangles; `height` of a node in half
+// squares. Returns the number of corners of each polygon that is left.
+std::vector<std::size_t> simplified(const std::function<Level(int, int)>& height)
+{
+  Execution execution;
+  const Soup soup = cube();
+  const PreparedSurface prepared = prepare(soup, cellsOf(0.4));
+  const BoxedSurface boxed = boxSurface(prepared, {}, execution);
+  const PlaneClearance clearance(prepared.surface, boxed.boxes);
+  PatchSpec spec;
+  Simplification simplification(prepared.surface, boxed.boxes, clearance, spec);
+  const Box box = boxed.boxes.box(0);
+  const Level step = (box.high[0] - box.low[0]) / 4;
+  std::vector<Point> points;
+  for (int j = 0; j <= 4; ++j)
+  {
+    for (int i = 0; i <= 4; ++i)
+    {
+      points.push_back({ box.low[0] + Level(i) * step, box.low[1] + Level(j) * step,
+        box.low[2] + step + height(i, j) * (step / 2) });
+    }
+  }
+  simplification.begin(box, points);
+  const auto add = [&](const std::array<std::uint32_t, 3>& t) {
+    const Vector normal =
+      unit(cross(minus(points[t[1]], points[t[0]]), minus(points[t[2]], points[t[0]])));
+    simplification.add(t.data(), t.data() + 3, 0, normal);
+  };
+  for (std::uint32_t j = 0; j < 4; ++j)
+  {
+    for (std::uint32_t i = 0; i < 4; ++i)
+    {
+      const std::uint32_t p = i + 5 * j;
+      add({ p, p + 1, p + 6 });
+      add({ p, p + 6, p + 5 });
+    }
+  }
+  simplification.removeInner();
+  simplification.merge();
+  std::vector<std::size_t> sizes;
+  simplification.forEach([&](const std::uint32_t* begin, const std::uint32_t* end, std::uint32_t) {
+    sizes.push_back(static_cast<std::size_t>(end - begin));
+  });
+  return sizes;
+}
+
+}
+
+// One polygon, with all nodes on the sides of the box.
+TEST(Simplification, MakesAPlaneOnePolygon)
+{
+  EXPECT_EQ(simplified([](int, int) { return Level(0); }), std::vector<std::size_t>{ 16 });
+}
+
+// A ridge along y at i = 2 with its three inner nodes: two polygons that share five nodes.
+TEST(Simplification, KeepsARidge)
+{
+  const auto height = [](int i, int) { return Level(i <= 2 ? i : 4 - i); };
+  const std::vector<std::size_t> sizes = simplified(height);
+  ASSERT_EQ(sizes.size(), 2u);
+  EXPECT_EQ(sizes[0] + sizes[1], 16u + 2u + 2u * 3u);
+}
