@@ -20,7 +20,7 @@
 
 #include "BoundaryNames.h"
 #include "MeshPiece.h"
-#include "Mesher/Mesher.h"
+#include "Mesher/Assembly.h"
 
 class vtkPolyData;
 class vtkUnstructuredGrid;

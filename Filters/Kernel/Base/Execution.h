@@ -32,7 +32,9 @@ public:
   // stage's name; returns false to stop.
   using Monitor = std::function<bool(double fraction, const char* stage)>;
 
-  // `threads` 0: one a core. The work is the part from `begin` to `end` of a whole that stages are
+  static constexpr int AllCores = 0;
+
+  // `threads` AllCores: one a core. The work is the part from `begin` to `end` of a whole that stages are
   // parts of.
   explicit Execution(int threads = 1, Monitor monitor = nullptr, double begin = 0, double end = 1);
 

@@ -14,12 +14,7 @@ const std::array<std::string, 3> IndexNames = { "I from ", "J from ", "K from " 
 
 void checkDepth(int depth, const std::string& what)
 {
-  if (depth < 0 || depth > DeepestLevel)
-  {
-    throw Error(Fault::BadParameter,
-      what + " is " + std::to_string(depth) + ": it must be from 0 to " +
-        std::to_string(DeepestLevel) + ".");
-  }
+  requireInRange(RefinementSpec::AllDepths, depth, what);
 }
 
 RowSet emptySet(const Meshlines& planes)

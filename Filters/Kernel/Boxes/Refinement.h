@@ -1,6 +1,7 @@
 // Types of Refinement (section 4.6): how deep global boxes may, and must, be divided.
 #pragma once
 
+#include "Base/Range.h"
 #include "Boxes/Boxes.h"
 #include "Boxes/Shoeboxes.h"
 #include "Lattice/RowSet.h"
@@ -23,21 +24,24 @@ struct RefinementBlock
 struct BoundaryRefinement
 {
   std::int32_t boundary;
-  int depth;       // allowed at the boundary, 0 to DeepestLevel
-  int blendLayers; // layers at each forced depth, 0: no blending. The first are the boxes at the
-                   // boundary themselves, the depth falls by one from group to group, down to 1
-  bool blendBelow; // blending starts at depth - 1 instead of depth
+  int depth = 1; // allowed at the boundary, 0 to DeepestLevel
+  int blendLayers =
+    0; // layers at each forced depth, 0: no blending. The first are the boxes at the
+       // boundary themselves, the depth falls by one from group to group, down to 1
+  bool blendBelow = false; // blending starts at depth - 1 instead of depth
 };
 
 // Global boxes that lie in or touch a closed surface.
 struct RefinementRegion
 {
   SurfaceView surface; // closed; user units
-  int depth;           // allowed and forced, 0 to DeepestLevel
+  int depth = 1;       // allowed and forced, 0 to DeepestLevel
 };
 
 struct RefinementSpec
 {
+  static constexpr Range AllDepths{ 0, DeepestLevel };
+
   int depth = 0; // of all boxes with no other specification, 0 to DeepestLevel
   std::vector<RefinementBlock> blocks;        // later ones win
   std::vector<BoundaryRefinement> boundaries; // the deepest wins

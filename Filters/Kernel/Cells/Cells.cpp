@@ -88,7 +88,7 @@ public:
     return !anyFaceTwice();
   }
 
-  void addBox(std::size_t n, const CellSpec& spec, Part& part)
+  void addBox(std::size_t n, const SmallCellSpec& spec, Part& part)
   {
     const std::size_t before = part.cells.size();
     const bool closed = closes(n);
@@ -618,7 +618,7 @@ private:
     return sum;
   }
 
-  void emit(std::uint32_t boxIndex, const CellSpec& spec, Part& part)
+  void emit(std::uint32_t boxIndex, const SmallCellSpec& spec, Part& part)
   {
     const Box box = boxes_.box(boxIndex);
     const Vector size = minus(box.high, box.low);
@@ -635,8 +635,8 @@ private:
       cell.firstFace = part.faces.size();
       cell.sliver = shell.volume < 0 || isSliver(shell);
       cell.removed = cell.sliver ||
-        (spec.smallCells == SmallCells::Remove &&
-          cell.volumeFraction < ratioOf(spec, cell.boundary, spec.smallCellRatio));
+        (spec.handling == SmallCells::Remove &&
+          cell.volumeFraction < ratioOf(spec, cell.boundary, spec.ratio));
       part.cells.push_back(cell);
       for (const std::uint32_t f : shell.faces)
       {
@@ -750,16 +750,13 @@ Cells join(const std::vector<Part>& parts, std::size_t boxes, Execution& executi
 
 }
 
-double ratioOf(const CellSpec& spec, std::int32_t boundary, double otherwise)
+double ratioOf(const SmallCellSpec& spec, std::int32_t boundary, double otherwise)
 {
-  if (spec.boundaryRatios)
+  for (const BoundaryRatio& own : spec.boundaryRatios)
   {
-    for (const BoundaryRatio& own : *spec.boundaryRatios)
+    if (own.boundary == boundary)
     {
-      if (own.boundary == boundary)
-      {
-        return own.ratio;
-      }
+      return own.ratio;
     }
   }
   return otherwise;
@@ -799,7 +796,7 @@ std::vector<std::uint8_t> findFlawed(const Boxes& boxes, const Patches& patches,
 }
 
 Cells assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sides,
-  const Nodes& nodes, const InnerFaces& inner, const CellSpec& spec, Execution& execution)
+  const Nodes& nodes, const InnerFaces& inner, const SmallCellSpec& spec, Execution& execution)
 {
   if (std::max(patches.size(), inner.size()) > FaceRef::MostFaces)
   {

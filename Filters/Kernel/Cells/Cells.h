@@ -1,6 +1,7 @@
 // Assembling of cells (section 6, part B; 4.10).
 #pragma once
 
+#include "Cells/SmallCellSpec.h"
 #include "Faces/InnerFaces.h"
 
 namespace cartesian
@@ -88,47 +89,6 @@ struct Cells
   std::size_t size() const { return cells.size() - 1; }
 };
 
-enum class SmallCells
-{
-  Remove, // their inner faces become boundary faces of their neighbours
-  Merge,  // they become a part of a neighbour
-};
-
-// R of a boundary of its own: for cells most of whose patches are of it.
-struct BoundaryRatio
-{
-  std::int32_t boundary;
-  double ratio; // from 0 to less than 1
-};
-
-struct CellSpec
-{
-  // Edges shorter than this part of their box collapse (ShortEdges.h); 0: none.
-  double collapseRatio = 0.1;
-  double featureAngle = 30; // in degrees, of the edges that stay in place
-
-  // R, from 0 to less than 1: cells below this part of their box's volume are removed.
-  double smallCellRatio = 1e-3;
-
-  SmallCells smallCells = SmallCells::Merge;
-  double mergeRatio = 0.015; // cells below this part of their box's volume are merged
-
-  // Boundary faces of merged cells become one where their normals differ by less, in degrees.
-  double joinAngle = 15;
-
-  bool splitConcave = true; // cells that fail an angle condition of section 3
-
-  // Where cells are split: what solvers refuse and nothing mends is removed, up to as many volumes of
-  // its box; 0: none.
-  double refusedCellRatio = 4;
-
-  const std::vector<BoundaryRatio>* boundaryRatios =
-    nullptr; // the caller's, if any; each boundary once
-};
-
-// R of cells most of whose patches are of that boundary: its own, or else this.
-double ratioOf(const CellSpec& spec, std::int32_t boundary, double otherwise);
-
 // Calls visit(node) for the corners of a face, counter-clockwise from outside its cell.
 template <class Visitor>
 void forEachNode(const FaceRef& face, const Patches& patches, const InnerFaces& inner,
@@ -169,6 +129,6 @@ std::vector<std::uint8_t> findFlawed(const Boxes& boxes, const Patches& patches,
 // Cells less thick than a hundredth of a lattice step (slivers that rounding closed) are removed
 // whatever R is.
 Cells assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sides,
-  const Nodes& nodes, const InnerFaces& inner, const CellSpec& spec, Execution& execution);
+  const Nodes& nodes, const InnerFaces& inner, const SmallCellSpec& spec, Execution& execution);
 
 }

@@ -14,13 +14,12 @@ namespace cartesian
 
 struct ShortEdgeSpec
 {
-  // From 0 (none) to MostRatio: edges shorter than this part of their box's shortest edge collapse
-  // where no face turns over.
-  double ratio = 0;
+  // As in CollapseSpec.h, where no face turns over.
+  double ratio;
 
   // Nodes where faces meet at more than this angle, in degrees, or several boundaries do, lie on an
   // edge of the surface, which stays where it is.
-  double featureAngle = 30;
+  double featureAngle;
 
   // Nodes of the surface stay where they are.
   bool exact = false;
@@ -32,8 +31,6 @@ struct ShortEdgeSpec
   // only nodes of boxes next to a seam move, and of no others.
   bool acrossSeams = false;
 };
-
-constexpr double MostCollapseRatio = 0.3;
 
 // Returns the number of nodes that are gone. Patches and inner faces without area are gone too.
 // Results do not depend on the order of nodes but on their places.

@@ -1,6 +1,7 @@
 // The user's meshlines: the cutting planes of the global mesh (section 4, steps 1 and 3).
 #pragma once
 
+#include "Base/Range.h"
 #include "Lattice/Lattice.h"
 
 #include <vector>
@@ -11,6 +12,8 @@ namespace cartesian
 // What the user asks for, in user units.
 struct GridSpec
 {
+  static constexpr Range CellSizes{ 0 }; // user units
+
   double cellSize = 0; // of boxes in directions without meshlines; 0: longest dimension / 50
   std::array<std::vector<double>, 3> meshlines; // strictly increasing, at least two, or none
 };

@@ -310,16 +310,8 @@ void copyPart(const Part& part, std::size_t index, const Offsets& offsets,
 
 void checkSpec(const PatchSpec& spec)
 {
-  const auto check = [](const char* name, double angle, double most) {
-    if (!(angle >= 0 && angle <= most))
-    {
-      throw Error(Fault::BadParameter,
-        std::string("The ") + name + " is " + number(angle) +
-          " degrees; it must lie between 0 and " + number(most) + ".");
-    }
-  };
-  check("Feature Angle", spec.featureAngle, 180);
-  check("Merge Angle", spec.mergeAngle, 90);
+  requireInRange(PatchSpec::FeatureAngles, spec.featureAngle, "Feature Angle");
+  requireInRange(PatchSpec::MergeAngles, spec.mergeAngle, "Merge Angle");
 }
 
 // The surface in the intersected boxes [begin, end), and the method for each.

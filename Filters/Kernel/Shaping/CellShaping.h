@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Cells/Cells.h"
-#include "Parts/Slabs.h"
+#include "Shaping/ShapingSpec.h"
 
 namespace cartesian
 {
@@ -22,12 +22,10 @@ struct Shaping
 };
 
 // Whether there is anything to do.
-bool shapesCells(const CellSpec& spec);
-
-// How far cells depend on others, for these and for short edges.
-Reach reachOf(const CellSpec& spec);
+bool shapesCells(const SmallCellSpec& small, const ShapingSpec& spec);
 
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
-  const InnerFaces& inner, Cells& cells, const CellSpec& spec, Execution& execution);
+  const InnerFaces& inner, Cells& cells, const SmallCellSpec& small, const ShapingSpec& spec,
+  Execution& execution);
 
 }

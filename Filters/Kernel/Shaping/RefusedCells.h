@@ -16,9 +16,9 @@ namespace cartesian
 class RefusedCells
 {
 public:
-  RefusedCells(CellComplex& cells, const CellSpec& spec, Execution& execution)
+  RefusedCells(CellComplex& cells, const SmallCellSpec& small, Execution& execution)
     : cells_(cells)
-    , spec_(spec)
+    , small_(small)
     , execution_(execution)
   {
   }
@@ -42,7 +42,7 @@ private:
   std::vector<CellKey> removeSome(const std::vector<CellKey>& keys);
 
   CellComplex& cells_;
-  const CellSpec& spec_;
+  const SmallCellSpec& small_;
   Execution& execution_;
   double largest_ = 0;
   std::size_t removed_ = 0;

@@ -13,9 +13,9 @@ using namespace cartesian;
 namespace
 {
 
-Options by(PatchMethod method, int levels = 0, Tying tying = Tying::KeepNodes)
+TestOptions by(PatchMethod method, int levels = 0, Tying tying = Tying::KeepNodes)
 {
-  Options options;
+  TestOptions options = asTheyAre();
   options.patches.method = method;
   options.patches.tying = tying;
   options.refinement = depth(levels);
@@ -132,7 +132,7 @@ TEST_P(PatchesBy, AnyMethodAreWatertightAndGiveValidCells)
   {
     for (const int levels : { 0, 2 })
     {
-      for (const Options& options :
+      for (const TestOptions& options :
         { by(PatchMethod::Automatic, levels), by(PatchMethod::Automatic, levels, Tying::MoveNodes),
           by(PatchMethod::MarchingCubes, levels) })
       {
@@ -320,7 +320,7 @@ TEST(Simplification, LeavesFewPatches)
 TEST(PatchMethods, ThreadsDoNotMatter)
 {
   const Soup soup = blockWithTubes().turned();
-  Options options = by(PatchMethod::Automatic, 2);
+  TestOptions options = by(PatchMethod::Automatic, 2);
   const Meshed one = meshOf(soup, cellsAlongLongest(soup, 15), options);
   for (const int threads : cases({ 2, 3, 8 }))
   {

@@ -1,0 +1,39 @@
+// What the user chooses about small cells (section 4.10).
+#pragma once
+
+#include "Base/Range.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace cartesian
+{
+
+enum class SmallCells : std::uint8_t
+{
+  Remove = 0, // their inner faces become boundary faces of their neighbours
+  Merge = 1,  // they become a part of a neighbour
+};
+
+// R of a boundary of its own: for cells most of whose patches are of it.
+struct BoundaryRatio
+{
+  std::int32_t boundary;
+  double ratio; // in SmallCellSpec::Ratios
+};
+
+struct SmallCellSpec
+{
+  static constexpr Range Ratios{ 0, 1, false };
+
+  // R: cells below this part of their box's volume are removed.
+  double ratio = 1e-3;
+
+  SmallCells handling = SmallCells::Merge;
+  std::vector<BoundaryRatio> boundaryRatios; // each boundary once
+};
+
+// R of cells most of whose patches are of that boundary: its own, or else this.
+double ratioOf(const SmallCellSpec& spec, std::int32_t boundary, double otherwise);
+
+}
