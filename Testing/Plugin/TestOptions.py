@@ -9,6 +9,7 @@ import sys
 import tomllib
 
 import cartesianmesher.vtkCartesianMesherFilters as filters
+from paraview import simple  # noqa: F401: connects
 
 sys.path.insert(0, str(pathlib.Path(sys.argv[1]) / "Plugin" / "Task"))
 from parameters import collections, key_of, parameters  # noqa: E402

@@ -174,6 +174,31 @@ TEST(Errors, BadSmallCellRatio)
   }
 }
 
+TEST(Errors, OptionsOutOfTheirRange)
+{
+  const auto expectRefused = [](const char* name, double value, const auto& set) {
+    TestOptions options;
+    set(options, value);
+    expectError(Fault::BadParameter, { name }, [&] { meshOf(cube(), cellsOf(0.3), options); });
+  };
+  for (const double bad : { -1e-3, Nan, Infinity })
+  {
+    expectRefused(
+      "Feature Angle", bad, [](Options& o, double value) { o.patches.featureAngle = value; });
+    expectRefused(
+      "Merge Angle", bad, [](Options& o, double value) { o.patches.mergeAngle = value; });
+    expectRefused(
+      "Collapse Ratio", bad, [](Options& o, double value) { o.collapse.ratio = value; });
+    expectRefused(
+      "Merge Ratio", bad, [](Options& o, double value) { o.shaping.mergeRatio = value; });
+    expectRefused("boundary 3", bad, [](Options& o, double value) {
+      o.smallCells.boundaryRatios.push_back({ 3, value });
+    });
+  }
+  expectRefused(
+    "Refused Cell Ratio", -1, [](Options& o, double value) { o.shaping.refusedCellRatio = value; });
+}
+
 TEST(Errors, NothingToMesh)
 {
   const Soup flat = cube().scaled({ 1, 1, 0 });
