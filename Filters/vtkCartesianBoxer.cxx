@@ -327,7 +327,6 @@ cartesian::Options vtkCartesianBoxer::MakeOptions()
   cartesian::Options options;
   options.grid.cellSize = this->CellSize;
   options.grid.meshlines = this->Meshlines;
-  options.refinement.depth = this->RefinementDepth;
   options.memoryLimit = this->MemoryLimit;
   return options;
 }

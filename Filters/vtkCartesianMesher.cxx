@@ -29,7 +29,7 @@ struct vtkCartesianMesher::Task
   vtkMTimeType time = 0; // of the filter and its inputs
   std::unique_ptr<cartesian::SurfaceFromVTK> surface;
   cartesian::BoundaryNames types; // of boundaries
-  cartesian::Options options;     // of the cells
+  cartesian::Options options;     // all but refinement
   cartesian::PreparedSurface prepared;
   std::unique_ptr<cartesian::Division> division;
   std::vector<cartesian::Layers> pieces;
