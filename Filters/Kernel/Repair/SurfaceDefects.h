@@ -54,7 +54,7 @@ struct SurfaceDefects
 SurfaceDefects findDefects(const Surface& surface, std::size_t given, const SurfaceRepair& repair,
   const Meshlines& planes, Execution& execution);
 
-// Folds, overlaps and intersections in words, or nothing: what describeFlaws (Mesher.h) does not tell
+// Folds, overlaps and intersections in words, or nothing: what describeFlaws (Messages.h) does not tell
 // and a mesh may suffer from.
 std::string describe(const SurfaceDefects& defects);
 
