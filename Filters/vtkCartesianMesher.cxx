@@ -119,7 +119,7 @@ void vtkCartesianMesher::CountPiecesBefore(
     Piece before;
     before.number = static_cast<int>(task.cells.size());
     before.count = piece.count;
-    this->Make(task, before, execution);
+    Make(task, before, execution);
     task.cells.push_back(before.assembly->mesh->cellCount());
     task.points.push_back(before.assembly->mesh->ownPointCount());
   }
@@ -182,7 +182,7 @@ void vtkCartesianMesher::RequestPieceAlone(
       task->time = time;
     }
     this->CountPiecesBefore(*task, piece, execution);
-    this->Make(*task, piece, execution);
+    Make(*task, piece, execution);
     const auto number = static_cast<std::ptrdiff_t>(piece.number);
     const cartesian::MeshPiece place{ std::accumulate(task->cells.begin(),
                                         task->cells.begin() + number, cartesian::Id(0)),
@@ -214,7 +214,7 @@ void vtkCartesianMesher::RequestPieceOfProcess(Piece& piece, const cartesian::Pr
   Task task;
   const bool isDone = this->Run(0, cartesian::AfterNumbering, [&](cartesian::Execution& execution) {
     this->Begin(task, piece, processes, input, output, execution);
-    this->Make(task, piece, execution);
+    Make(task, piece, execution);
   });
   const unsigned long flaws = this->GetErrorCode();
   const cartesian::Mesh* mesh = isDone ? piece.assembly->mesh.get() : nullptr;

@@ -86,7 +86,7 @@ private:
 
   void Begin(Task& task, const Piece& piece, const cartesian::Processes& processes,
     vtkInformationVector** input, vtkInformationVector* output, cartesian::Execution& execution);
-  void Make(const Task& task, Piece& piece, cartesian::Execution& execution);
+  static void Make(const Task& task, Piece& piece, cartesian::Execution& execution);
   void CountPiecesBefore(Task& task, const Piece& piece, cartesian::Execution& execution);
   void RequestPieceAlone(Piece& piece, vtkInformationVector** input, vtkInformationVector* output);
   void RequestPieceOfProcess(Piece& piece, const cartesian::Processes& processes,

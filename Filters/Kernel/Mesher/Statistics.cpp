@@ -1,5 +1,7 @@
 #include "Mesher/Statistics.h"
 
+#include <array>
+
 namespace cartesian
 {
 
@@ -47,7 +49,7 @@ struct Row
   double Counts::*count;
 };
 
-constexpr Row Table[] = {
+constexpr std::array<Row, 30> Table{ {
   { "Cells", "cells of the mesh", &Counts::cells },
   { "Hexahedra", "cells that are whole boxes without hanging nodes", &Counts::hexahedra },
   { "Polyhedra", "all other cells", &Counts::polyhedra },
@@ -88,7 +90,7 @@ constexpr Row Table[] = {
     &Counts::innerAngle },
   { "OpennessFailures", "cells that do not close", &Counts::openness },
   { "VolumeFailures", "cells without a positive volume", &Counts::volume },
-};
+} };
 
 bool isInner(const Cells& cells, const FaceRef& face)
 {
