@@ -6,7 +6,7 @@
 #include "DefectsToVTK.h"
 #include "Mesher/Mesher.h"
 #include "Mesher/Messages.h"
-#include "Parts/Division.h"
+#include "Parts/Decomposition.h"
 #include "Repair/SurfaceDefects.h"
 #include "ReportErrors.h"
 #include "Surface/SizeEstimate.h"
@@ -409,7 +409,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkCartesianBoxer::Regions(vtkInform
   return regions;
 }
 
-std::unique_ptr<cartesian::Division> vtkCartesianBoxer::Divide(
+std::unique_ptr<cartesian::Decomposition> vtkCartesianBoxer::Divide(
   const cartesian::SurfaceFromVTK& source, const cartesian::PreparedSurface& prepared,
   const std::vector<vtkSmartPointer<vtkDataObject>>& regions, cartesian::Execution& execution)
 {
@@ -420,12 +420,13 @@ std::unique_ptr<cartesian::Division> vtkCartesianBoxer::Divide(
   {
     options.refinement.regions.push_back({ region.surface->view(), region.depth });
   }
-  auto division = cartesian::divide(prepared, options, execution);
-  for (const std::string& warning : { cartesian::describeOverhang(prepared), division->warnings() })
+  auto decomposition = cartesian::decompose(prepared, options, execution);
+  for (const std::string& warning :
+    { cartesian::describeOverhang(prepared), decomposition->warnings() })
   {
     this->Warn(warning);
   }
-  return division;
+  return decomposition;
 }
 
 int vtkCartesianBoxer::RequestData(
@@ -438,9 +439,9 @@ int vtkCartesianBoxer::RequestData(
   this->Run(0, cartesian::AfterBoxes, [&](cartesian::Execution& execution) {
     const cartesian::SurfaceFromVTK surface(vtkDataObject::GetData(input[0]), this->BoundaryArray);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
-    const auto division = this->Divide(surface, prepared, Regions(input[1]), execution);
-    cartesian::toVTK(
-      division->boxes(division->allLayers(), execution), vtkUnstructuredGrid::GetData(output));
+    const auto decomposition = this->Divide(surface, prepared, Regions(input[1]), execution);
+    cartesian::toVTK(decomposition->boxes(decomposition->allLayers(), execution),
+      vtkUnstructuredGrid::GetData(output));
   });
   return 1;
 }

@@ -44,7 +44,7 @@ class vtkPolyData;
 
 namespace cartesian
 {
-class Division;
+class Decomposition;
 struct Options;
 struct PreparedSurface;
 struct RefinementSpec;
@@ -230,7 +230,7 @@ protected:
    * How the grid is divided; rows of tables that reach beyond it are reported. `source` is what
    * `prepared` was made from and is borrowed, `regions` what Regions() gives.
    */
-  std::unique_ptr<cartesian::Division> Divide(const cartesian::SurfaceFromVTK& source,
+  std::unique_ptr<cartesian::Decomposition> Divide(const cartesian::SurfaceFromVTK& source,
     const cartesian::PreparedSurface& prepared,
     const std::vector<vtkSmartPointer<vtkDataObject>>& regions, cartesian::Execution& execution);
 

@@ -8,7 +8,7 @@
 #include "MeshToVTK.h"
 #include "Mesher/Mesher.h"
 #include "Mesher/Messages.h"
-#include "Parts/Division.h"
+#include "Parts/Decomposition.h"
 #include "SurfaceFromVTK.h"
 
 #include "vtkInformation.h"
@@ -31,7 +31,7 @@ struct vtkCartesianMesher::Task
   cartesian::BoundaryNames types; // of boundaries
   cartesian::Options options;     // all but refinement
   cartesian::PreparedSurface prepared;
-  std::unique_ptr<cartesian::Division> division;
+  std::unique_ptr<cartesian::Decomposition> decomposition;
   std::vector<cartesian::Layers> pieces;
   std::vector<cartesian::Id> cells; // of each piece made so far
   std::vector<cartesian::Id> points;
@@ -96,18 +96,18 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
   {
     this->Inspect(task.prepared, *task.surface, vtkPolyData::GetData(output, 2), execution);
   }
-  task.division = this->Divide(*task.surface, task.prepared, regions, execution);
-  task.pieces = { task.division->allLayers() };
+  task.decomposition = this->Divide(*task.surface, task.prepared, regions, execution);
+  task.pieces = { task.decomposition->allLayers() };
   if (piece.count > 1)
   {
-    task.pieces = task.division->split(
-      task.division->estimateLayers(execution), static_cast<std::size_t>(piece.count));
+    task.pieces = task.decomposition->split(
+      task.decomposition->estimateLayers(execution), static_cast<std::size_t>(piece.count));
   }
 }
 
 void vtkCartesianMesher::Make(const Task& task, Piece& piece, cartesian::Execution& execution)
 {
-  piece.assembly = cartesian::meshPart(task.prepared, *task.division,
+  piece.assembly = cartesian::meshPart(task.prepared, *task.decomposition,
     task.pieces[static_cast<std::size_t>(piece.number)], task.options, execution);
 }
 
@@ -281,8 +281,8 @@ int vtkCartesianMesher::EstimateNumberOfPieces()
       this->GetInputAlgorithm(1, i)->Update();
       regions.emplace_back(this->GetInputDataObject(1, i));
     }
-    const auto division = this->Divide(surface, prepared, regions, execution);
-    pieces = division->partsNeeded(division->estimateLayers(execution));
+    const auto decomposition = this->Divide(surface, prepared, regions, execution);
+    pieces = decomposition->partsNeeded(decomposition->estimateLayers(execution));
   });
   return static_cast<int>(pieces);
 }

@@ -28,8 +28,8 @@ constexpr std::array<const char*, 3> PlaneNames = { "PlanesX", "PlanesY", "Plane
 Numbering numberCorners(const Boxes& boxes)
 {
   std::vector<std::vector<PointUse>> uses(1);
-  uses[0].reserve(8 * boxes.boxes.size());
-  for (const PackedBox& packed : boxes.boxes)
+  uses[0].reserve(8 * boxes.packed.size());
+  for (const PackedBox& packed : boxes.packed)
   {
     const Box box = boxes.placed(packed);
     for (unsigned corner = 0; corner < 8; ++corner)
@@ -119,7 +119,7 @@ public:
       last[axis] = static_cast<double>(boxes.planes[axis].size()) - 2;
     }
     const GlobalBox global{ readTriple(global_, cell, last),
-      static_cast<std::uint32_t>(boxes.boxes.size()), None, 0, 0 };
+      static_cast<std::uint32_t>(boxes.packed.size()), None, 0, 0 };
     const double deepest = DeepestLevel;
     const double widest = FinePerBox - 1;
     const auto level = readTriple(level_, cell, { deepest, deepest, deepest });
@@ -147,7 +147,7 @@ public:
       ++boxes.rowStart[boxes.row(global.index[1], global.index[2])];
     }
     place(box, boxes);
-    boxes.boxes.push_back(box);
+    boxes.packed.push_back(box);
   }
 
 private:
@@ -162,7 +162,7 @@ private:
       if (low % size != 0)
       {
         throw Error(Fault::MissingArray,
-          "Level and Offset of box " + std::to_string(boxes.boxes.size()) +
+          "Level and Offset of box " + std::to_string(boxes.packed.size()) +
             " do not fit together: connect the output of Cartesian Boxer.");
       }
       global.depth = std::max(global.depth, box.level[axis]);
@@ -218,7 +218,7 @@ void toVTK(const Boxes& boxes, vtkUnstructuredGrid* grid)
       boxes.lattice.position(1, p[1]), boxes.lattice.position(2, p[2]));
   }
 
-  const auto count = static_cast<vtkIdType>(boxes.boxes.size());
+  const auto count = static_cast<vtkIdType>(boxes.packed.size());
   vtkNew<vtkIdTypeArray> connectivity;
   connectivity->SetNumberOfValues(8 * count);
   for (vtkIdType i = 0; i < 8 * count; ++i)
@@ -238,7 +238,7 @@ void toVTK(const Boxes& boxes, vtkUnstructuredGrid* grid)
   cornerStatus->SetNumberOfTuples(count);
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const PackedBox& box = boxes.boxes[static_cast<std::size_t>(i)];
+    const PackedBox& box = boxes.packed[static_cast<std::size_t>(i)];
     offsets->SetValue(i, 8 * i);
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -286,7 +286,7 @@ Boxes boxesFromVTK(vtkUnstructuredGrid* grid)
   }
   scan(boxes.rowStart);
   boxes.globals.push_back(
-    { { 0, 0, 0 }, static_cast<std::uint32_t>(boxes.boxes.size()), None, 0, 0 });
+    { { 0, 0, 0 }, static_cast<std::uint32_t>(boxes.packed.size()), None, 0, 0 });
   boxes.listUnits();
   return boxes;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A piece of a mesh (Kernel/Division.h) among the others.
+// A piece of a mesh (Kernel/Decomposition.h) among the others.
 #pragma once
 
 #include "Cells/Boundary.h"

@@ -118,9 +118,9 @@ double octreeLeaves(const Boxes& boxes, const GlobalBox& global, const FinePoint
   for (std::int64_t i = 0; i < size * size * size; ++i)
   {
     const FinePoint at = { low[0] + i % size, low[1] + i / size % size, low[2] + i / size / size };
-    const std::uint32_t b = boxes.boxAt(at, boxes.boxes[global.firstBox].global, step);
+    const std::uint32_t b = boxes.boxAt(at, boxes.packed[global.firstBox].global, step);
     kept = kept || b != None;
-    divided = divided || b == None || boxes.boxes[b].status == BoxStatus::Intersected;
+    divided = divided || b == None || boxes.packed[b].status == BoxStatus::Intersected;
   }
   if (!kept || !divided || level == global.depth)
   {
@@ -152,8 +152,8 @@ void printSaving()
     options.refinement.depth = depth;
     options.memoryLimit = PlentyOfMemory;
     const PreparedSurface prepared = prepareSurface(ball.view(), options, execution);
-    const auto division = divide(prepared, options, execution);
-    const Boxes boxes = division->boxes(division->allLayers(), execution);
+    const auto decomposition = decompose(prepared, options, execution);
+    const Boxes boxes = decomposition->boxes(decomposition->allLayers(), execution);
     double leaves = 0;
     for (std::size_t g = 0; g + 1 < boxes.globals.size(); ++g)
     {
@@ -163,7 +163,7 @@ void printSaving()
           global.index[2] * FinePerBox },
         0);
     }
-    const auto count = static_cast<double>(boxes.boxes.size());
+    const auto count = static_cast<double>(boxes.packed.size());
     std::printf("%42d%12.0f%12.0f%9.1f%%\n", depth, count, leaves, 100 * (1 - count / leaves));
   }
 }

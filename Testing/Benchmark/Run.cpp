@@ -215,9 +215,9 @@ double sizeFor(double boxes, const Triangles& surface)
   for (int i = 0; i < 2; ++i)
   {
     const PreparedSurface prepared = prepareSurface(surface.view(), options, execution);
-    const auto division = divide(prepared, options, execution);
-    const Boxes boxed = division->boxes(division->allLayers(), execution);
-    options.grid.cellSize *= std::cbrt(static_cast<double>(boxed.boxes.size()) / boxes);
+    const auto decomposition = decompose(prepared, options, execution);
+    const Boxes boxed = decomposition->boxes(decomposition->allLayers(), execution);
+    options.grid.cellSize *= std::cbrt(static_cast<double>(boxed.packed.size()) / boxes);
   }
   return options.grid.cellSize;
 }

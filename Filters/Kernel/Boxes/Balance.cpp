@@ -27,7 +27,7 @@ void forEachAcross(const Boxes& boxes, const PackedBox& box, int axis, bool uppe
       const std::uint32_t neighbour = boxes.boxAt(fine, box.global, step);
       if (neighbour != None)
       {
-        visit(boxes.boxes[neighbour]);
+        visit(boxes.packed[neighbour]);
       }
     }
   }

@@ -88,7 +88,7 @@ public:
 
 private:
   template <class Visitor>
-  void forEachRow(Visitor&& visit)
+  void forEachRowPiece(Visitor&& visit)
   {
     const std::size_t rowsAlongY = planes_[1].size() - 1;
     const std::size_t first = boxes_.row(0, layers_.begin);
@@ -116,7 +116,7 @@ private:
   void listGlobals()
   {
     boxes_.rowStart.assign((planes_[1].size() - 1) * (planes_[2].size() - 1) + 1, 0);
-    forEachRow([&](std::size_t row, std::uint32_t j, std::uint32_t k) {
+    forEachRowPiece([&](std::size_t row, std::uint32_t j, std::uint32_t k) {
       statuses_.forEachBox(j, k, [&](std::uint32_t, BoxStatus) { ++boxes_.rowStart[row]; });
     });
     const std::size_t count = scan(boxes_.rowStart);
@@ -127,7 +127,7 @@ private:
     boxes_.globals.resize(count + 1);
     boxes_.globals.back() = { { 0, 0, 0 }, 0, None, 0, 0 };
     statusOf_.resize(count);
-    forEachRow([&](std::size_t row, std::uint32_t j, std::uint32_t k) {
+    forEachRowPiece([&](std::size_t row, std::uint32_t j, std::uint32_t k) {
       std::size_t next = boxes_.rowStart[row];
       statuses_.forEachBox(j, k, [&](std::uint32_t i, BoxStatus status) {
         boxes_.globals[next] = { { i, j, k }, 0, None, 0, 0 };
@@ -169,10 +169,10 @@ private:
 
   void checkDepths(double mostBytes) const
   {
-    Estimate estimate;
+    MeshEstimate estimate;
     for (std::size_t g = 0; g < statusOf_.size(); ++g)
     {
-      const Estimate box = estimateBox(statusOf_[g], depths_[g]);
+      const MeshEstimate box = estimateBox(statusOf_[g], depths_[g]);
       estimate.inside += box.inside;
       estimate.intersected += box.intersected;
     }
@@ -256,7 +256,7 @@ private:
       next += static_cast<std::uint32_t>(isDivided(g) ? parts_[g].size() : 1);
     }
     boxes_.globals.back().firstBox = parts_.empty() ? std::uint32_t(statusOf_.size()) : next;
-    boxes_.boxes.resize(boxes_.globals.back().firstBox);
+    boxes_.packed.resize(boxes_.globals.back().firstBox);
     forEachGlobal([&](std::size_t g) { flatten(g); });
     if (!parts_.empty())
     {
@@ -273,7 +273,7 @@ private:
     std::uint32_t next = global.firstBox;
     if (!isDivided(g))
     {
-      boxes_.boxes[next] = packed(g, { { 0, 0, 0 }, { 0, 0, 0 }, statusOf_[g], cornersOf(g) });
+      boxes_.packed[next] = packed(g, { { 0, 0, 0 }, { 0, 0, 0 }, statusOf_[g], cornersOf(g) });
       return;
     }
     std::sort(parts_[g].begin(), parts_[g].end(), [](const LocalBox& a, const LocalBox& b) {
@@ -283,7 +283,7 @@ private:
     for (const LocalBox& part : parts_[g])
     {
       global.depth = std::max({ global.depth, part.level[0], part.level[1], part.level[2] });
-      boxes_.boxes[next++] = packed(g, part);
+      boxes_.packed[next++] = packed(g, part);
     }
   }
 
@@ -302,7 +302,7 @@ private:
       bool changed = false;
       for (std::uint32_t b = first; b < end; ++b)
       {
-        const PackedBox& box = boxes_.boxes[b];
+        const PackedBox& box = boxes_.packed[b];
         changed |= balance(g, { box.offset, box.level, box.status, box.corners }, level, parts);
       }
       if (changed)
@@ -398,13 +398,13 @@ Boxes generateBoxes(const Surface& surface, const Meshlines& planes, const Shoeb
     .generate(kept, mostBytes);
 }
 
-double Estimate::bytes() const
+double MeshEstimate::bytes() const
 {
   return inside * BytesOfAnInsideBox + intersected * BytesOfAnIntersectedBox +
     triangles * BytesOfATriangle;
 }
 
-Estimate estimateBox(BoxStatus status, const Depths& depths)
+MeshEstimate estimateBox(BoxStatus status, const Depths& depths)
 {
   const double intersected = status == BoxStatus::Intersected
     ? std::min(std::pow(8, depths.allowed), UnitsAcrossABox * std::pow(4, depths.allowed))
@@ -412,7 +412,7 @@ Estimate estimateBox(BoxStatus status, const Depths& depths)
   return { std::pow(8, depths.forced), intersected, 0 };
 }
 
-Estimate estimateMesh(const Surface& surface, const Meshlines& planes)
+MeshEstimate estimateMesh(const Surface& surface, const Meshlines& planes)
 {
   double intersected = 0;
   Bounds bounds = Bounds::none();
@@ -438,7 +438,7 @@ Estimate estimateMesh(const Surface& surface, const Meshlines& planes)
   return { inside, intersected, static_cast<double>(surface.triangles.size()) };
 }
 
-void checkMemory(const Estimate& estimate, double mostBytes)
+void checkMemory(const MeshEstimate& estimate, double mostBytes)
 {
   constexpr double GiB = 1024.0 * 1024 * 1024;
   if (estimate.bytes() > mostBytes)

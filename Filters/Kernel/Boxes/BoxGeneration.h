@@ -13,7 +13,7 @@ namespace cartesian
 // divides them and inside boxes further. Then boxes are balanced (Balance.h).
 
 // The boxes of the layers `kept`, balanced. Cells will be made for those of `core`; the others are what
-// they depend on (Parts/Division.h).
+// they depend on (Parts/Decomposition.h).
 //
 // Throws Error (TooManyBoxes) where the mesh would take more bytes than `mostBytes`.
 Boxes generateBoxes(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
@@ -21,7 +21,7 @@ Boxes generateBoxes(const Surface& surface, const Meshlines& planes, const Shoeb
   double mostBytes, Execution& execution);
 
 // How large a mesh will be, roughly, before anything is built.
-struct Estimate
+struct MeshEstimate
 {
   double inside = 0; // boxes
   double intersected = 0;
@@ -32,12 +32,12 @@ struct Estimate
 };
 
 // Without refinement.
-Estimate estimateMesh(const Surface& surface, const Meshlines& planes);
+MeshEstimate estimateMesh(const Surface& surface, const Meshlines& planes);
 
 // Of one global box.
-Estimate estimateBox(BoxStatus status, const Depths& depths);
+MeshEstimate estimateBox(BoxStatus status, const Depths& depths);
 
 // Throws TooManyBoxes where the estimate exceeds `mostBytes`.
-void checkMemory(const Estimate& estimate, double mostBytes);
+void checkMemory(const MeshEstimate& estimate, double mostBytes);
 
 }

@@ -77,9 +77,9 @@ void Boxes::listUnits()
   }
   units.assign(size, None);
   findNearDepths();
-  for (std::uint32_t b = 0; b < boxes.size(); ++b)
+  for (std::uint32_t b = 0; b < packed.size(); ++b)
   {
-    const PackedBox& box = boxes[b];
+    const PackedBox& box = packed[b];
     const GlobalBox& global = globalOf(box);
     if (global.depth == 0)
     {
@@ -164,12 +164,12 @@ std::array<std::uint32_t, 4> facing(const Boxes& boxes, const PackedBox& box, in
 std::vector<std::uint32_t> intersectedBoxes(const Boxes& boxes, Execution& execution)
 {
   constexpr std::size_t BoxesAChunk = 1 << 16;
-  const std::size_t count = boxes.boxes.size();
+  const std::size_t count = boxes.packed.size();
   std::vector<std::vector<std::uint32_t>> parts(chunks(count, BoxesAChunk));
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b)
     {
-      if (boxes.boxes[b].status == BoxStatus::Intersected)
+      if (boxes.packed[b].status == BoxStatus::Intersected)
       {
         parts[begin / BoxesAChunk].push_back(static_cast<std::uint32_t>(b));
       }

@@ -96,7 +96,7 @@ struct Boxes
   RawVector<GlobalBox>
     globals; // by rows along x (J + K * boxes along y), then by I; one more at the end
   std::vector<std::size_t> rowStart; // first global box of each row, and the end
-  RawVector<PackedBox> boxes;        // in order of global boxes
+  RawVector<PackedBox> packed;       // in order of global boxes
   std::vector<std::uint32_t> units; // the box that holds each unit of divided global boxes, or None
 
   std::size_t row(std::size_t j, std::size_t k) const { return j + k * (planes[1].size() - 1); }
@@ -117,7 +117,7 @@ struct Boxes
     return FinePerBox >> box.level[axis];
   }
 
-  Box box(std::size_t b) const { return placed(boxes[b]); }
+  Box box(std::size_t b) const { return placed(packed[b]); }
   Box placed(const PackedBox& box) const;
   Point lowOf(std::size_t b) const;
 
@@ -177,7 +177,7 @@ inline Box Boxes::placed(const PackedBox& box) const
 
 inline Point Boxes::lowOf(std::size_t b) const
 {
-  const PackedBox& box = boxes[b];
+  const PackedBox& box = packed[b];
   const auto& at = globalOf(box).index;
   return { planeAt(planes[0], at[0], box.offset[0]), planeAt(planes[1], at[1], box.offset[1]),
     planeAt(planes[2], at[2], box.offset[2]) };

@@ -17,7 +17,7 @@ void checkDepth(int depth, const std::string& what)
   requireInRange(RefinementSpec::AllDepths, depth, what);
 }
 
-RowSet emptySet(const Meshlines& planes)
+GlobalBoxSet emptySet(const Meshlines& planes)
 {
   return { static_cast<std::int64_t>(planes[0].size()) - 1,
     static_cast<std::int64_t>(planes[1].size()) - 1,

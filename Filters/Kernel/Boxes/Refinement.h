@@ -3,8 +3,8 @@
 
 #include "Base/Range.h"
 #include "Boxes/Boxes.h"
+#include "Boxes/GlobalBoxSet.h"
 #include "Boxes/Shoeboxes.h"
-#include "Lattice/RowSet.h"
 
 #include <string>
 
@@ -78,14 +78,14 @@ private:
   struct Boundary
   {
     int depth;
-    RowSet boxes;
-    std::vector<RowSet> blends; // boxes whose forced depth is at least blendStart - n
+    GlobalBoxSet boxes;
+    std::vector<GlobalBoxSet> blends; // boxes whose forced depth is at least blendStart - n
     int blendStart;
   };
   struct Region
   {
     int depth;
-    RowSet boxes;
+    GlobalBoxSet boxes;
   };
 
   void addBlocks(const RefinementSpec& spec, const Meshlines& planes);

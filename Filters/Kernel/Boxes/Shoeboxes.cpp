@@ -147,7 +147,7 @@ Shoeboxes fillShoeboxes(const Surface& surface, const Meshlines& planes, Executi
   execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t)
     {
-      forEachRow(surface.corners(t), axes, planes,
+      forEachRowPiece(surface.corners(t), axes, planes,
         [&](std::int64_t j, std::int64_t k, const Fragment& piece) {
           findSpan(piece, planes, j, k, t, spans[begin / TrianglesAChunk]);
         });

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "Base/Sorting.h"
-#include "Lattice/Rows.h"
+#include "Lattice/TriangleSlicing.h"
 #include "Surface/Surface.h"
 
 namespace cartesian

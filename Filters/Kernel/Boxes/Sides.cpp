@@ -50,7 +50,7 @@ bool hasHangingNodes(const Boxes& boxes, const PackedBox& box, std::vector<std::
 template <class Visitor>
 void forEachPart(const Boxes& boxes, std::uint32_t b, int axis, bool upper, Visitor&& visit)
 {
-  const PackedBox& box = boxes.boxes[b];
+  const PackedBox& box = boxes.packed[b];
   const int u = (axis + 1) % 3;
   const int v = (axis + 2) % 3;
   const std::array<std::uint32_t, 4> across = facing(boxes, box, axis, upper);
@@ -151,7 +151,7 @@ struct Before
 
 void classify(const Boxes& boxes, Sides& result, Execution& execution)
 {
-  const std::size_t count = boxes.boxes.size();
+  const std::size_t count = boxes.packed.size();
   RawVector<Kind> kinds(count);
   std::vector<Before> before(chunks(count, BoxesAChunk) + 1);
   execution.nextLoop(0.1);
@@ -159,7 +159,7 @@ void classify(const Boxes& boxes, Sides& result, Execution& execution)
     std::vector<std::int64_t> scratch;
     for (std::size_t b = begin; b < end; ++b)
     {
-      kinds[b] = kindOf(boxes, boxes.boxes[b], scratch);
+      kinds[b] = kindOf(boxes, boxes.packed[b], scratch);
       before[begin / BoxesAChunk + 1].count(kinds[b]);
     }
   });
@@ -199,7 +199,7 @@ void listSidesOfBoxes(Sides& result, Execution& execution)
 {
   result.boxStart.assign(result.polyhedral.size() + 1, 0);
   const auto forEachSide = [&](auto&& visit) {
-    for (std::uint32_t s = 0; s < result.sides.size(); ++s)
+    for (std::uint32_t s = 0; s < result.common.size(); ++s)
     {
       if (s % BoxesAChunk == 0)
       {
@@ -207,7 +207,7 @@ void listSidesOfBoxes(Sides& result, Execution& execution)
       }
       for (const bool upper : { true, false })
       {
-        const Side& side = result.sides[s];
+        const Side& side = result.common[s];
         const std::uint32_t n = result.polyhedralOrdinal(upper ? side.low : side.high);
         if (n != None)
         {
@@ -265,8 +265,8 @@ void hangingNodes(const Boxes& boxes, int axis, const FinePoint& from, std::int6
         at[axis] = (at[axis] / step + 1) * step;
         continue;
       }
-      const std::int64_t low = boxes.fineLow(boxes.boxes[box])[axis];
-      at[axis] = low + Boxes::fineSize(boxes.boxes[box], axis);
+      const std::int64_t low = boxes.fineLow(boxes.packed[box])[axis];
+      at[axis] = low + Boxes::fineSize(boxes.packed[box], axis);
       add(low);
       add(at[axis]);
     }
@@ -293,10 +293,10 @@ Sides findSides(const Boxes& boxes, Execution& execution)
       result.ownStart[n] = part.size() - before;
     }
   });
-  result.sides.resize(scan(result.ownStart));
+  result.common.resize(scan(result.ownStart));
   execution.forEach(parts.size(), 1, [&](std::size_t i, std::size_t) {
     const std::size_t first = result.ownStart[i * BoxesAChunk];
-    std::copy(parts[i].begin(), parts[i].end(), result.sides.begin() + std::ptrdiff_t(first));
+    std::copy(parts[i].begin(), parts[i].end(), result.common.begin() + std::ptrdiff_t(first));
   });
   listSidesOfBoxes(result, execution);
   return result;

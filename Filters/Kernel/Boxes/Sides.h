@@ -43,9 +43,9 @@ struct Sides
   RawVector<std::uint32_t>
     ordinal; // of each box: in `polyhedral`, in `divided` with HexahedronBit, or None
   std::vector<std::uint32_t> patchBox; // of polyhedral boxes: number among the intersected, or None
-  RawVector<Side> sides;
-  std::vector<std::size_t> ownStart; // first side that each polyhedral box owns, and the end
-  std::vector<std::size_t> boxStart; // first of each polyhedral box's sides in ofBox, and the end
+  RawVector<Side> common;              // of two neighbouring boxes each
+  std::vector<std::size_t> ownStart;   // first side that each polyhedral box owns, and the end
+  std::vector<std::size_t> boxStart;   // first of each polyhedral box's sides in ofBox, and the end
   RawVector<SideOfBox> ofBox;
 
   // The number among the polyhedral boxes, or None.

@@ -112,10 +112,10 @@ void UnitStatuses::findUnits(const Surface& surface, const TriangleRange& triang
   const Point high = { planes_[0].back(), planes_[1].back(), planes_[2].back() };
   forEachTriangle(triangles, [&](std::uint32_t t) {
     const Corners corners = surface.corners(t);
-    forEachSlab(corners, clip(corners, low, high), 2, inner_[2],
+    forEachSlice(corners, clip(corners, low, high), 2, inner_[2],
       [&](std::int64_t below, const Fragment& slab) {
         const auto z = static_cast<std::size_t>(below + 1);
-        forEachSlab(corners, slab, 1, inner_[1], [&](std::int64_t under, const Fragment& piece) {
+        forEachSlice(corners, slab, 1, inner_[1], [&](std::int64_t under, const Fragment& piece) {
           const auto y = static_cast<std::size_t>(under + 1);
           const auto [least, most] = rangeOf(piece, 0);
           const auto last = static_cast<std::size_t>(intervalOf(inner_[0], most) + 1);

@@ -54,7 +54,7 @@ public:
     const Boxes& boxes = parts_.boxes;
     const auto& flawed = parts_.inner.flawed;
     const bool anywhere = std::find(flawed.begin(), flawed.end(), 1) != flawed.end();
-    Faces exposed = facesOfEach(0, parts_.sides.sides.size(), execution,
+    Faces exposed = facesOfEach(0, parts_.sides.common.size(), execution,
       [&](std::size_t s, Faces& faces) { exposeInnerFaces(s, faces); });
     const Faces shaped = facesOfEach(0, parts_.cells.shaped.size(), execution,
       [&](std::size_t f, Faces& faces) { exposeShapedFace(f, faces); });
@@ -121,7 +121,7 @@ private:
 
   void exposeInnerFaces(std::size_t s, std::vector<BoundaryFace>& faces) const
   {
-    const Side& side = parts_.sides.sides[s];
+    const Side& side = parts_.sides.common[s];
     for (std::size_t f = parts_.inner.sideStart[s]; f < parts_.inner.sideStart[s + 1]; ++f)
     {
       const Beyond low = beyond(side.low, parts_.cells.ofInnerFace[f][0]);
@@ -198,7 +198,7 @@ private:
   // faces, they are the boundary; a side without any is missing.
   bool exposed(std::uint32_t b, int axis, bool upper) const
   {
-    const std::uint32_t other = facing(parts_.boxes, parts_.boxes.boxes[b], axis, upper)[0];
+    const std::uint32_t other = facing(parts_.boxes, parts_.boxes.packed[b], axis, upper)[0];
     const std::uint32_t n = parts_.sides.polyhedralOrdinal(other);
     if (n == None)
     {
@@ -211,7 +211,7 @@ private:
     for (std::size_t i = parts_.sides.boxStart[n]; i < parts_.sides.boxStart[n + 1]; ++i)
     {
       const std::uint32_t s = parts_.sides.ofBox[i].side;
-      if ((upper ? parts_.sides.sides[s].low : parts_.sides.sides[s].high) == b)
+      if ((upper ? parts_.sides.common[s].low : parts_.sides.common[s].high) == b)
       {
         return parts_.inner.sideStart[s] == parts_.inner.sideStart[s + 1];
       }
@@ -266,11 +266,11 @@ CellNumbers numberCells(const MeshParts& parts, Execution& execution)
   const std::uint32_t end = boxes.firstBoxOf(boxes.core.end);
   const auto isCore = [&](std::size_t box) { return box >= first && box < end; };
   CellNumbers numbers;
-  numbers.ofBox.resize(boxes.boxes.size() + 1);
+  numbers.ofBox.resize(boxes.packed.size() + 1);
   numbers.ofCell.resize(cells.size());
-  std::vector<std::uint32_t> next(chunks(boxes.boxes.size(), ItemsAChunk));
+  std::vector<std::uint32_t> next(chunks(boxes.packed.size(), ItemsAChunk));
   const auto forEachBox = [&](auto&& visit) {
-    execution.forEach(boxes.boxes.size(), ItemsAChunk, [&](std::size_t begin, std::size_t after) {
+    execution.forEach(boxes.packed.size(), ItemsAChunk, [&](std::size_t begin, std::size_t after) {
       for (std::size_t box = begin; box < after; ++box)
       {
         visit(box, parts.sides.polyhedralOrdinal(static_cast<std::uint32_t>(box)),

@@ -1,8 +1,9 @@
 #include "Cells/Cells.h"
 
+#include "Base/DisjointSets.h"
 #include "Base/EdgeTable.h"
 #include "Base/Error.h"
-#include "Base/Spares.h"
+#include "Base/ObjectPool.h"
 #include "Lattice/Vector.h"
 
 #include <algorithm>
@@ -99,7 +100,7 @@ public:
       {
         separate(n);
       }
-      const bool counts = boxes_.isCore(boxes_.boxes[sides_.polyhedral[n]]);
+      const bool counts = boxes_.isCore(boxes_.packed[sides_.polyhedral[n]]);
       part.voids += counts ? voids_ : 0;
       part.folds += counts ? folds_ : 0;
       emit(sides_.polyhedral[n], spec, part);
@@ -214,23 +215,6 @@ private:
     folds_ = dropFolds();
   }
 
-  std::uint32_t root(std::uint32_t face)
-  {
-    while (parent_[face] != face)
-    {
-      parent_[face] = parent_[parent_[face]];
-      face = parent_[face];
-    }
-    return face;
-  }
-
-  void join(std::uint32_t f, std::uint32_t g)
-  {
-    f = root(f);
-    g = root(g);
-    parent_[std::max(f, g)] = std::min(f, g);
-  }
-
   // Joins faces that share an edge; false where an edge is not run through as often one way as
   // the other. Volumes that only touch in an edge stay apart where each closes by itself.
   bool joinFaces()
@@ -241,7 +225,7 @@ private:
       return true;
     }
     listEdges();
-    separateFaces();
+    sets_.reset(faces_.size());
     for (std::size_t i = 0; i < edges_.size();)
     {
       std::size_t end = i;
@@ -256,7 +240,7 @@ private:
       }
       if (end - i == 2)
       {
-        join(edges_[i].face, edges_[i + 1].face);
+        sets_.unite(edges_[i].face, edges_[i + 1].face);
       }
       else
       {
@@ -269,16 +253,10 @@ private:
     return true;
   }
 
-  void separateFaces()
-  {
-    parent_.resize(faces_.size());
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-
   // Where each edge has two faces, one each way, as nearly everywhere: false elsewhere.
   bool joinInPairs()
   {
-    separateFaces();
+    sets_.reset(faces_.size());
     firstAtEdge_.reset(std::accumulate(corners_.begin(), corners_.end(), std::size_t(0),
       [](std::size_t sum, const Corners& corners) { return sum + corners.size(); }));
     std::size_t single = 0;
@@ -298,10 +276,7 @@ private:
         }
         else
         {
-          if (parent_[f] != parent_[first / 2])
-          {
-            join(f, first / 2);
-          }
+          sets_.unite(f, first / 2);
           first = Paired;
           --single;
         }
@@ -333,7 +308,7 @@ private:
       const bool other = faces_[g].kind() == FaceRef::Kind::Patch;
       if (cycles_[i].first == cycles_[i + 1].first && patch != other)
       {
-        join(f, g);
+        sets_.unite(f, g);
       }
     }
   }
@@ -364,13 +339,14 @@ private:
           int sum = 0;
           for (std::size_t j = begin; j < end; ++j)
           {
-            sum += root(edges_[j].face) == root(edges_[i].face) ? edges_[j].direction : 0;
+            sum +=
+              sets_.find(edges_[j].face) == sets_.find(edges_[i].face) ? edges_[j].direction : 0;
           }
           if (sum != 0)
           {
             for (std::size_t j = begin; j < end; ++j)
             {
-              join(edges_[i].face, edges_[j].face);
+              sets_.unite(edges_[i].face, edges_[j].face);
             }
             changed = true;
             break;
@@ -421,15 +397,15 @@ private:
 
   void findShells()
   {
-    spares_.putBack(shells_);
+    pool_.release(shells_);
     shellOf_.assign(faces_.size(), None);
     for (std::uint32_t f = 0; f < faces_.size(); ++f)
     {
-      const std::uint32_t r = root(f);
+      const std::uint32_t r = sets_.find(f);
       if (shellOf_[r] == None)
       {
         shellOf_[r] = static_cast<std::uint32_t>(shells_.size());
-        shells_.push_back(spares_.take());
+        shells_.push_back(pool_.acquire());
         shells_.back().clear();
       }
       Shell& shell = shells_[shellOf_[r]];
@@ -683,7 +659,7 @@ private:
   static constexpr std::uint32_t Paired = EdgeTable::Fresh - 1;
 
   // A solid angle beyond this is that of a point inside.
-  static constexpr double HalfAround = 2 * 3.14159265358979;
+  static constexpr double HalfAround = 2 * Pi;
 
   const Boxes& boxes_;
   const Patches& patches_;
@@ -694,12 +670,12 @@ private:
   std::vector<Corners> corners_; // of each face
   std::vector<FaceEdge> edges_;
   EdgeTable firstAtEdge_; // the first face at each edge and how it runs, then Paired
-  std::vector<std::uint32_t> parent_;
+  DisjointSets sets_;     // of the box's faces
   std::vector<std::pair<std::size_t, std::size_t>> shared_;
   std::vector<FaceMeasure> measures_;
   std::vector<Vector> ring_;
   std::vector<Shell> shells_;
-  Spares<Shell> spares_;
+  ObjectPool<Shell> pool_;
   std::size_t voids_ = 0; // of the volumes that separate has found
   std::size_t folds_ = 0;
   std::vector<std::uint32_t> shellOf_;

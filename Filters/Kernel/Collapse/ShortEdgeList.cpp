@@ -105,7 +105,7 @@ private:
     }
     for (std::size_t s = faces_.sides.ownStart[n]; s < faces_.sides.ownStart[n + 1]; ++s)
     {
-      const Side& side = faces_.sides.sides[s];
+      const Side& side = faces_.sides.common[s];
       const double unit = std::min(shortest, shortestEdge(side.low == box ? side.high : side.low));
       for (std::size_t f = faces_.inner.sideStart[s]; f < faces_.inner.sideStart[s + 1]; ++f)
       {

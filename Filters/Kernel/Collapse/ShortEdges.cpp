@@ -52,7 +52,7 @@ public:
     , nodes_(nodes)
     , inner_(inner)
     , execution_(execution)
-    , featureCosine_(std::cos(spec.featureAngle * 3.14159265358979 / 180))
+    , featureCosine_(std::cos(radians(spec.featureAngle)))
   {
   }
 
@@ -250,7 +250,7 @@ private:
 
   std::uint32_t layerOf(std::size_t n) const
   {
-    return boxes_.globalOf(boxes_.boxes[sides_.polyhedral[n]]).index[2];
+    return boxes_.globalOf(boxes_.packed[sides_.polyhedral[n]]).index[2];
   }
 
   bool isMovingLayer(std::uint32_t layer) const

@@ -127,7 +127,7 @@ private:
 
   WarpedHexahedron measureUndivided(std::uint32_t box) const
   {
-    const auto& low = boxes_.globalOf(boxes_.boxes[box]).index;
+    const auto& low = boxes_.globalOf(boxes_.packed[box]).index;
     return measured(box, [&](unsigned corner) {
       const Vertex vertex{
         { low[2] + (corner >> 2), low[1] + (corner >> 1 & 1), low[0] + (corner & 1) }, None

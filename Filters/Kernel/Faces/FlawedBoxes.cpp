@@ -111,7 +111,7 @@ public:
     result.boxes = flawed_;
     for (const std::uint32_t s : changed_)
     {
-      for (const std::uint32_t box : { sides_.sides[s].low, sides_.sides[s].high })
+      for (const std::uint32_t box : { sides_.common[s].low, sides_.common[s].high })
       {
         if (const std::uint32_t n = sides_.polyhedralOrdinal(box); n != None)
         {
@@ -136,7 +136,7 @@ private:
 
   bool isOfFlawed(std::uint32_t s) const
   {
-    const Side& side = sides_.sides[s];
+    const Side& side = sides_.common[s];
     const auto is = [&](std::uint32_t box) {
       const std::uint32_t n = sides_.polyhedralOrdinal(box);
       return n != None && flawed_[n] != 0;
@@ -157,7 +157,7 @@ private:
   void findNearSides()
   {
     std::vector<std::uint8_t> near(nodes_.at.size());
-    const auto count = static_cast<std::uint32_t>(sides_.sides.size());
+    const auto count = static_cast<std::uint32_t>(sides_.common.size());
     for (std::uint32_t s = 0; s < count; ++s)
     {
       if (isOfFlawed(s))
@@ -328,7 +328,7 @@ private:
 
   void judgeLines()
   {
-    sideChanges_.assign(sides_.sides.size(), 0);
+    sideChanges_.assign(sides_.common.size(), 0);
     for (auto begin = sights_.cbegin(); begin != sights_.cend();)
     {
       const auto end = std::find_if(
@@ -416,7 +416,7 @@ private:
 
   void judgeSides()
   {
-    newChordsOf_.assign(sides_.sides.size(), None);
+    newChordsOf_.assign(sides_.common.size(), None);
     for (const std::uint32_t s : nearSides_)
     {
       const bool forced = givenUp_ != GivenUp::Nothing && isOfFlawed(s);

@@ -1,7 +1,7 @@
 #include "Faces/InnerFaces.h"
 
 #include "Base/Loops.h"
-#include "Base/Spares.h"
+#include "Base/ObjectPool.h"
 #include "Faces/SideChords.h"
 #include "Lattice/StarPolygons.h"
 
@@ -23,7 +23,7 @@ struct Part
   std::vector<std::uint8_t> flawed;
 };
 
-Wide area(const std::vector<Flat>& at)
+Wide area(const std::vector<PlanePoint>& at)
 {
   Wide twice = 0;
   for (std::size_t i = 1; i + 1 < at.size(); ++i)
@@ -34,13 +34,13 @@ Wide area(const std::vector<Flat>& at)
 }
 
 // Whether x lies inside the polygon (crossings of a ray to the right; on its border, either).
-bool contains(const std::vector<Flat>& at, const Flat& x)
+bool contains(const std::vector<PlanePoint>& at, const PlanePoint& x)
 {
   bool in = false;
   for (std::size_t i = 0; i < at.size(); ++i)
   {
-    const Flat& p = at[i];
-    const Flat& q = at[i + 1 < at.size() ? i + 1 : 0];
+    const PlanePoint& p = at[i];
+    const PlanePoint& q = at[i + 1 < at.size() ? i + 1 : 0];
     if ((p.b > x.b) != (q.b > x.b) && (turn(p, q, x) > 0) == (q.b > p.b))
     {
       in = !in;
@@ -88,7 +88,7 @@ public:
   }
 
 private:
-  Flat at(std::uint32_t node) const { return flatten(nodes_[node], rectangle_->axis); }
+  PlanePoint at(std::uint32_t node) const { return flatten(nodes_[node], rectangle_->axis); }
 
   // A side that no surface crosses is inside or outside as a whole.
   bool tracePlain(Part& part) const
@@ -183,8 +183,8 @@ private:
   // Whether x leaves e's head further to the left than y.
   bool turnsLeftOf(const SideEdge& e, const SideEdge& x, const SideEdge& y) const
   {
-    const Flat from = at(e.from);
-    const Flat here = at(e.to);
+    const PlanePoint from = at(e.from);
+    const PlanePoint here = at(e.to);
     const bool xLeft = turn(from, here, at(x.to)) > 0;
     const bool yLeft = turn(from, here, at(y.to)) > 0;
     return xLeft != yLeft ? xLeft : turn(here, at(y.to), at(x.to)) > 0;
@@ -192,8 +192,8 @@ private:
 
   void traceLoops()
   {
-    spares_.putBack(outer_);
-    spares_.putBack(holes_);
+    pool_.release(outer_);
+    pool_.release(holes_);
     used_.assign(edges_.size(), 0);
     for (std::size_t first = 0; first < edges_.size(); ++first)
     {
@@ -210,7 +210,7 @@ private:
         i = edges_[i].to == edges_[first].from ? first : follow(edges_[i]);
       } while (i != first);
       forEachSimpleLoop(walk_, [&](const std::uint32_t* begin, const std::uint32_t* end) {
-        FlatPolygon loop = spares_.take();
+        FlatPolygon loop = pool_.acquire();
         loop.nodes.assign(begin, end);
         loop.at.clear();
         for (const std::uint32_t* node = begin; node != end; ++node)
@@ -223,13 +223,13 @@ private:
   }
 
   // Whether moving its nodes by a level may turn a loop over.
-  static bool isThin(const std::vector<Flat>& at)
+  static bool isThin(const std::vector<PlanePoint>& at)
   {
     Wide length = 0;
     for (std::size_t i = 0; i < at.size(); ++i)
     {
-      const Flat& p = at[i];
-      const Flat& q = at[i + 1 < at.size() ? i + 1 : 0];
+      const PlanePoint& p = at[i];
+      const PlanePoint& q = at[i + 1 < at.size() ? i + 1 : 0];
       length += std::abs(q.a - p.a) + std::abs(q.b - p.b);
     }
     const Wide twice = area(at);
@@ -327,7 +327,7 @@ private:
   std::vector<FlatPolygon> outer_;
   std::vector<FlatPolygon> holes_;
   std::vector<FlatPolygon> stars_;
-  Spares<FlatPolygon> spares_;
+  ObjectPool<FlatPolygon> pool_;
 };
 
 class SideBuilder

@@ -39,7 +39,7 @@ void LoopPatches::gatherChords(std::size_t n)
       sideChords_.find(s, sideChords_.rectangle(s), chords_);
       dropOpposite(chords_, scratch_);
     }
-    const std::size_t axis = sides_.sides[s].axis;
+    const std::size_t axis = sides_.common[s].axis;
     Vector up{ 0, 0, 0 };
     up[axis] = 1;
     for (const SideEdge& chord : chords_)
@@ -169,7 +169,7 @@ void LoopPatches::listSources(std::uint32_t n)
   addOf(n);
   for (std::size_t i = sides_.boxStart[n]; sources_.empty() && i < sides_.boxStart[n + 1]; ++i)
   {
-    const Side& side = sides_.sides[sides_.ofBox[i].side];
+    const Side& side = sides_.common[sides_.ofBox[i].side];
     addOf(sides_.polyhedralOrdinal(sides_.ofBox[i].upper ? side.high : side.low));
   }
   if (sources_.empty())

@@ -100,11 +100,11 @@ Part sidesOf(const Boxes& boxes, const Sides& sides, std::size_t begin, std::siz
   ChunkNodes list(boxes, part.uses);
   for (std::size_t n = begin; n < end; ++n)
   {
-    const std::uint32_t global = boxes.boxes[sides.polyhedral[n]].global;
+    const std::uint32_t global = boxes.packed[sides.polyhedral[n]].global;
     for (std::size_t s = sides.ownStart[n]; s < sides.ownStart[n + 1]; ++s)
     {
       const std::size_t before = part.nodes.size();
-      list.addBorder(sides.sides[s], global, part.nodes);
+      list.addBorder(sides.common[s], global, part.nodes);
       borderSizes[s] = part.nodes.size() - before;
     }
   }
@@ -117,7 +117,7 @@ Part hexahedraOf(const Boxes& boxes, const Sides& sides, std::size_t begin, std:
   ChunkNodes list(boxes, part.uses);
   for (std::size_t n = begin; n < end; ++n)
   {
-    const PackedBox& box = boxes.boxes[sides.divided[n]];
+    const PackedBox& box = boxes.packed[sides.divided[n]];
     for (unsigned corner = 0; corner < 8; ++corner)
     {
       FinePoint fine = boxes.fineLow(box);
@@ -140,7 +140,7 @@ Nodes findNodes(
   const std::size_t sideParts = chunks(count, BoxesAChunk);
   std::vector<Part> parts(sideParts + chunks(sides.divided.size(), BoxesAChunk));
   Nodes nodes;
-  nodes.borderStart.assign(sides.sides.size() + 1, 0);
+  nodes.borderStart.assign(sides.common.size() + 1, 0);
   execution.nextLoop(0.9);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     parts[begin / BoxesAChunk] = sidesOf(boxes, sides, begin, end, nodes.borderStart);

@@ -7,7 +7,7 @@ namespace
 {
 
 // Appends a node if it lies on the border. Corners belong to the border that begins there.
-void addToBorder(const Flat& p, const Rectangle& r, std::uint32_t node, int change,
+void addToBorder(const PlanePoint& p, const Rectangle& r, std::uint32_t node, int change,
   std::vector<BorderNode>& border)
 {
   if (p.b == r.low.b && p.a < r.high.a)
@@ -30,7 +30,7 @@ void addToBorder(const Flat& p, const Rectangle& r, std::uint32_t node, int chan
 
 bool lies(const Point& p, Level plane, const Rectangle& r)
 {
-  const Flat at = flatten(p, r.axis);
+  const PlanePoint at = flatten(p, r.axis);
   return p[static_cast<std::size_t>(r.axis)] == plane && at.a >= r.low.a && at.a <= r.high.a &&
     at.b >= r.low.b && at.b <= r.high.b;
 }
@@ -93,7 +93,7 @@ void dropOpposite(std::vector<SideEdge>& edges, std::vector<std::uint8_t>& scrat
 
 Rectangle SideChords::rectangle(std::size_t s) const
 {
-  const Side& side = sides_.sides[s];
+  const Side& side = sides_.common[s];
   Rectangle r;
   r.axis = side.axis;
   r.border = nodes_.border.data() + nodes_.borderStart[s];
@@ -102,12 +102,12 @@ Rectangle SideChords::rectangle(std::size_t s) const
   r.high = r.low;
   for (std::size_t i = 0; i < r.borderSize; ++i)
   {
-    const Flat p = flatten(nodes_.at[r.border[i]], side.axis);
+    const PlanePoint p = flatten(nodes_.at[r.border[i]], side.axis);
     r.high = { std::max(r.high.a, p.a), std::max(r.high.b, p.b) };
   }
   r.corner.fill(Known::Nothing);
-  const std::array<Flat, 4> at = { r.low, Flat{ r.high.a, r.low.b }, r.high,
-    Flat{ r.low.a, r.high.b } };
+  const std::array<PlanePoint, 4> at = { r.low, PlanePoint{ r.high.a, r.low.b }, r.high,
+    PlanePoint{ r.low.a, r.high.b } };
   for (const bool upper : { true, false })
   {
     const std::uint32_t b = upper ? side.low : side.high;
@@ -115,10 +115,10 @@ Rectangle SideChords::rectangle(std::size_t s) const
     {
       continue;
     }
-    const PackedBox& box = boxes_.boxes[b];
+    const PackedBox& box = boxes_.packed[b];
     const std::array<unsigned, 4> corners = sideCorners(side.axis, upper ? 1 : 0);
-    const auto isAt = [&](unsigned corner, const Flat& place) {
-      const Flat p = flatten(cornerOf(boxes_.placed(box), corner), side.axis);
+    const auto isAt = [&](unsigned corner, const PlanePoint& place) {
+      const PlanePoint p = flatten(cornerOf(boxes_.placed(box), corner), side.axis);
       return p.a == place.a && p.b == place.b;
     };
     for (std::size_t i = 0; i < 4; ++i)
@@ -136,7 +136,7 @@ Rectangle SideChords::rectangle(std::size_t s) const
 // turned over.
 void SideChords::find(std::size_t s, const Rectangle& r, std::vector<SideEdge>& chords) const
 {
-  const Side& side = sides_.sides[s];
+  const Side& side = sides_.common[s];
   chords.clear();
   const std::uint32_t low = sides_.polyhedralOrdinal(side.low);
   const bool fromLow = low != None && sides_.patchBox[low] != None;

@@ -34,8 +34,8 @@ enum class Known : std::int8_t
 struct Rectangle
 {
   int axis;
-  Flat low;
-  Flat high;
+  PlanePoint low;
+  PlanePoint high;
   const std::uint32_t* border; // grid nodes, counter-clockwise from the lowest corner
   std::size_t borderSize;
   std::array<Known, 4> corner; // counter-clockwise from the lowest corner

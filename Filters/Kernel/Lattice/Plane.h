@@ -7,20 +7,20 @@ namespace cartesian
 {
 
 // Levels along the two free axes (axis + 1, axis + 2: right-handed with the normal).
-struct Flat
+struct PlanePoint
 {
   std::int64_t a;
   std::int64_t b;
 };
 
-inline Flat flatten(const Point& p, int axis)
+inline PlanePoint flatten(const Point& p, int axis)
 {
   return { static_cast<std::int64_t>(p[(axis + 1) % 3]),
     static_cast<std::int64_t>(p[(axis + 2) % 3]) };
 }
 
 // Twice the area of pqr, positive counter-clockwise; exact.
-inline Wide turn(const Flat& p, const Flat& q, const Flat& r)
+inline Wide turn(const PlanePoint& p, const PlanePoint& q, const PlanePoint& r)
 {
   return static_cast<Wide>(q.a - p.a) * (r.b - p.b) - static_cast<Wide>(q.b - p.b) * (r.a - p.a);
 }

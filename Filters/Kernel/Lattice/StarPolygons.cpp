@@ -19,7 +19,7 @@ struct Vector
   double b;
 };
 
-Vector minus(const Flat& p, const Flat& q)
+Vector minus(const PlanePoint& p, const PlanePoint& q)
 {
   return { static_cast<double>(p.a - q.a), static_cast<double>(p.b - q.b) };
 }
@@ -29,25 +29,25 @@ double cross(const Vector& u, const Vector& v)
   return u.a * v.b - u.b * v.a;
 }
 
-double distance2(const Flat& p, const Flat& q)
+double distance2(const PlanePoint& p, const PlanePoint& q)
 {
   const Vector d = minus(p, q);
   return d.a * d.a + d.b * d.b;
 }
 
-bool same(const Flat& p, const Flat& q)
+bool same(const PlanePoint& p, const PlanePoint& q)
 {
   return p.a == q.a && p.b == q.b;
 }
 
-bool between(const Flat& p, const Flat& q, const Flat& x)
+bool between(const PlanePoint& p, const PlanePoint& q, const PlanePoint& x)
 {
   return std::min(p.a, q.a) <= x.a && x.a <= std::max(p.a, q.a) && std::min(p.b, q.b) <= x.b &&
     x.b <= std::max(p.b, q.b);
 }
 
 // Whether segments pq and rs share a point other than one common end.
-bool obstructs(const Flat& p, const Flat& q, const Flat& r, const Flat& s)
+bool obstructs(const PlanePoint& p, const PlanePoint& q, const PlanePoint& r, const PlanePoint& s)
 {
   if ((same(p, r) && same(q, s)) || (same(p, s) && same(q, r)))
   {
@@ -61,14 +61,14 @@ bool obstructs(const Flat& p, const Flat& q, const Flat& r, const Flat& s)
   {
     return true;
   }
-  const auto touches = [](int t, const Flat& u, const Flat& v, const Flat& x) {
+  const auto touches = [](int t, const PlanePoint& u, const PlanePoint& v, const PlanePoint& x) {
     return t == 0 && between(u, v, x) && !same(u, x) && !same(v, x);
   };
   return touches(pqr, p, q, r) || touches(pqs, p, q, s) || touches(rsp, r, s, p) ||
     touches(rsq, r, s, q);
 }
 
-bool obstructed(const std::vector<Flat>& at, const Flat& p, const Flat& q)
+bool obstructed(const std::vector<PlanePoint>& at, const PlanePoint& p, const PlanePoint& q)
 {
   for (std::size_t i = 0; i < at.size(); ++i)
   {
@@ -81,7 +81,8 @@ bool obstructed(const std::vector<Flat>& at, const Flat& p, const Flat& q)
 }
 
 // Whether x lies in the interior angle at corner p, whose neighbours are before and after.
-bool inCone(const Flat& before, const Flat& p, const Flat& after, const Flat& x)
+bool inCone(
+  const PlanePoint& before, const PlanePoint& p, const PlanePoint& after, const PlanePoint& x)
 {
   const bool leftOfOut = turn(p, after, x) > 0;
   const bool leftOfIn = turn(before, p, x) > 0;
@@ -89,16 +90,16 @@ bool inCone(const Flat& before, const Flat& p, const Flat& after, const Flat& x)
 }
 
 // The interior angle at corner i beyond 180 degrees, or less than 0.
-double concavity(const std::vector<Flat>& at, std::size_t i)
+double concavity(const std::vector<PlanePoint>& at, std::size_t i)
 {
   const std::size_t n = at.size();
-  const Flat& p = at[i];
+  const PlanePoint& p = at[i];
   const Vector in = minus(p, at[(i + n - 1) % n]);
   const Vector out = minus(at[(i + 1) % n], p);
   return -std::atan2(cross(in, out), in.a * out.a + in.b * out.b);
 }
 
-std::size_t mostConcave(const std::vector<Flat>& at)
+std::size_t mostConcave(const std::vector<PlanePoint>& at)
 {
   std::size_t worst = 0;
   double most = -std::numeric_limits<double>::infinity();
@@ -128,18 +129,18 @@ struct Diagonal
 };
 
 // The optimal diagonal from corner i, unless no diagonal is possible.
-Diagonal optimalDiagonal(const std::vector<Flat>& at, std::size_t i)
+Diagonal optimalDiagonal(const std::vector<PlanePoint>& at, std::size_t i)
 {
   const std::size_t n = at.size();
-  const Flat& p = at[i];
-  const Flat& before = at[(i + n - 1) % n];
-  const Flat& after = at[(i + 1) % n];
+  const PlanePoint& p = at[i];
+  const PlanePoint& before = at[(i + n - 1) % n];
+  const PlanePoint& after = at[(i + 1) % n];
   Diagonal best;
   for (std::size_t step = 2; step + 1 < n; ++step)
   {
     Diagonal d;
     d.to = (i + step) % n;
-    const Flat& q = at[d.to];
+    const PlanePoint& q = at[d.to];
     d.heals = turn(before, p, q) >= 0 && turn(q, p, after) >= 0;
     d.length2 = distance2(p, q);
     d.found = true;
@@ -186,14 +187,14 @@ FlatPolygon part(const FlatPolygon& polygon, std::size_t from, std::size_t to)
   }
 }
 
-Flat rightmost(const FlatPolygon& polygon)
+PlanePoint rightmost(const FlatPolygon& polygon)
 {
   return *std::max_element(polygon.at.begin(), polygon.at.end(),
-    [](const Flat& p, const Flat& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
+    [](const PlanePoint& p, const PlanePoint& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
 }
 
 // Whether x lies in the interior angle at corner i.
-bool inCone(const std::vector<Flat>& at, std::size_t i, const Flat& x)
+bool inCone(const std::vector<PlanePoint>& at, std::size_t i, const PlanePoint& x)
 {
   const std::size_t n = at.size();
   return inCone(at[(i + n - 1) % n], at[i], at[(i + 1) % n], x);
@@ -219,8 +220,8 @@ struct Bridge
 bool runsInside(const Bridge& bridge, const FlatPolygon& polygon, const FlatPolygon& hole,
   const std::vector<FlatPolygon>& others)
 {
-  const Flat& p = polygon.at[bridge.outer];
-  const Flat& q = hole.at[bridge.inner];
+  const PlanePoint& p = polygon.at[bridge.outer];
+  const PlanePoint& q = hole.at[bridge.inner];
   const std::size_t n = hole.at.size();
   if (same(p, q))
   {
@@ -298,12 +299,12 @@ void joinTouching(FlatPolygon loop, FlatPolygon& polygon, std::vector<FlatPolygo
 
 }
 
-bool isStar(const std::vector<Flat>& at)
+bool isStar(const std::vector<PlanePoint>& at)
 {
   const std::size_t n = at.size();
-  const Flat base = at[0];
+  const PlanePoint base = at[0];
   Vector mean{ 0, 0 };
-  for (const Flat& p : at)
+  for (const PlanePoint& p : at)
   {
     mean.a += static_cast<double>(p.a - base.a) / static_cast<double>(n);
     mean.b += static_cast<double>(p.b - base.b) / static_cast<double>(n);
@@ -326,8 +327,8 @@ void joinHoles(FlatPolygon& polygon, std::vector<FlatPolygon> holes)
   // What lies right of a hole is joined before it, so nothing hides the polygon from the hole's
   // rightmost corner but the polygon itself: there is an edge.
   std::sort(holes.begin(), holes.end(), [](const FlatPolygon& x, const FlatPolygon& y) {
-    const Flat p = rightmost(x);
-    const Flat q = rightmost(y);
+    const PlanePoint p = rightmost(x);
+    const PlanePoint q = rightmost(y);
     return p.a != q.a ? p.a < q.a : (p.b != q.b ? p.b < q.b : x.nodes < y.nodes);
   });
   joinTouching(polygon, polygon, holes);

@@ -17,11 +17,11 @@ namespace cartesian
 struct FlatPolygon
 {
   std::vector<std::uint32_t> nodes;
-  std::vector<Flat> at;
+  std::vector<PlanePoint> at;
 };
 
 // Whether the star triangulation has no triangle turned over (by more than rounding).
-bool isStar(const std::vector<Flat>& at);
+bool isStar(const std::vector<PlanePoint>& at);
 
 // Joins holes (clockwise) to the polygon around them, each by the shortest edge that it and what is
 // joined already can see of each other past the other holes.

@@ -1,4 +1,4 @@
-// Differences of points in double precision, in levels: for measures, never for decisions.
+// Vectors in double precision, and angles: for measures, never for exact decisions.
 #pragma once
 
 #include "Lattice/Lattice.h"
@@ -9,6 +9,13 @@ namespace cartesian
 {
 
 using Vector = std::array<double, 3>;
+
+constexpr double Pi = 3.14159265358979323846;
+
+constexpr double radians(double degrees)
+{
+  return degrees * Pi / 180;
+}
 
 inline Vector minus(const Point& p, const Point& q)
 {

@@ -128,7 +128,7 @@ std::array<Id, 8> Mesh::corners(std::size_t box, NumberOf&& numberOf) const
     }
     return p;
   }
-  const std::uint32_t i = parts_.boxes.globalOf(parts_.boxes.boxes[box]).index[0];
+  const std::uint32_t i = parts_.boxes.globalOf(parts_.boxes.packed[box]).index[0];
   for (std::uint32_t line = 0; line < 4; ++line)
   {
     p[2 * line] = static_cast<Id>(numberOf(line, i));
@@ -291,7 +291,7 @@ void Mesh::writeCellData(const CellData& data, Execution& execution) const
       {
         if (parts_.sides.polyhedralOrdinal(static_cast<std::uint32_t>(b)) == None)
         {
-          write(numbers_.ofBox[b], boxes.boxes[b], 1);
+          write(numbers_.ofBox[b], boxes.packed[b], 1);
         }
       }
     });
@@ -300,7 +300,7 @@ void Mesh::writeCellData(const CellData& data, Execution& execution) const
     const std::uint32_t number = numbers_.ofBox[hexahedron.box];
     if (parts_.sides.polyhedralOrdinal(hexahedron.box) == None && CellNumbers::isHere(number))
     {
-      write(number, boxes.boxes[hexahedron.box], hexahedron.volumeFraction);
+      write(number, boxes.packed[hexahedron.box], hexahedron.volumeFraction);
     }
   }
   const Cells& cells = parts_.cells;
@@ -310,7 +310,7 @@ void Mesh::writeCellData(const CellData& data, Execution& execution) const
     {
       if (!cells.cells[c].removed)
       {
-        write(numbers_.ofCell[c], boxes.boxes[cells.cells[c].box], cells.cells[c].volumeFraction);
+        write(numbers_.ofCell[c], boxes.packed[cells.cells[c].box], cells.cells[c].volumeFraction);
       }
     }
   });
@@ -339,7 +339,7 @@ void Mesh::forEachPoint(const BoundaryFace& face, Visitor&& visit) const
     case BoundaryFace::Kind::BoxSide:
     {
       const std::size_t box = face.index / 6;
-      const auto& at = parts_.boxes.globalOf(parts_.boxes.boxes[box]).index;
+      const auto& at = parts_.boxes.globalOf(parts_.boxes.packed[box]).index;
       const std::array<Id, 8> p = corners(box, [&](std::uint32_t line, std::uint32_t i) {
         return points_.ofVertex(i, at[1] + (line & 1), at[2] + (line >> 1));
       });

@@ -3,7 +3,7 @@
 // Cells are hexahedra (inside boxes without hanging nodes) and polyhedra, in order of their boxes;
 // points are in the order of PointNumbers.h. All are written straight into arrays of the caller's.
 //
-// The mesh of a part of the grid (Division.h) has the cells of its core and the points that those
+// The mesh of a part of the grid (Decomposition.h) has the cells of its core and the points that those
 // use. Their numbers in the whole mesh are their own and the number of all cells of the parts
 // before, and those of writeGlobalPoints.
 #pragma once

@@ -179,7 +179,7 @@ std::vector<Use> PointNumbers::usedNodes(
     forEachNode(face, parts.patches, parts.inner, cells.shaped, mark);
   };
   const auto isHere = [&](std::uint32_t box) {
-    return layers.contains(boxes.globalOf(boxes.boxes[box]).index[2]);
+    return layers.contains(boxes.globalOf(boxes.packed[box]).index[2]);
   };
   const auto forEach = [&](std::size_t count, auto&& visit) {
     execution.forEach(count, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
@@ -200,8 +200,8 @@ std::vector<Use> PointNumbers::usedNodes(
   const auto isHexahedronHere = [&](std::uint32_t box) {
     return box != None && parts.sides.polyhedralOrdinal(box) == None && isHere(box);
   };
-  forEach(parts.sides.sides.size(), [&](std::size_t s) {
-    const Side& side = parts.sides.sides[s];
+  forEach(parts.sides.common.size(), [&](std::size_t s) {
+    const Side& side = parts.sides.common[s];
     const bool keeps = isHexahedronHere(side.low) || isHexahedronHere(side.high);
     for (std::size_t f = parts.inner.sideStart[s]; keeps && f < parts.inner.sideStart[s + 1]; ++f)
     {

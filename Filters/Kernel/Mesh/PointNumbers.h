@@ -1,7 +1,7 @@
 // Numbers of the points that cells use (section 6, step 11).
 //
 // Points are numbered row by row (Numbering.h), in each row: vertices of the global mesh, other grid
-// nodes, points of patches, nodes that shaping added. So the numbers of a part's points (Division.h)
+// nodes, points of patches, nodes that shaping added. So the numbers of a part's points (Decomposition.h)
 // follow those of the part before it.
 #pragma once
 

@@ -231,7 +231,7 @@ std::size_t rebuiltBoxes(const Assembly& a)
   std::size_t count = 0;
   for (std::size_t n = 0; n < a.rebuilt.size(); ++n)
   {
-    count += a.rebuilt[n] && a.boxes.isCore(a.boxes.boxes[a.sides.polyhedral[n]]);
+    count += a.rebuilt[n] && a.boxes.isCore(a.boxes.packed[a.sides.polyhedral[n]]);
   }
   return count;
 }
@@ -241,7 +241,7 @@ std::vector<std::uint32_t> flawedBoxes(const Assembly& a)
   std::vector<std::uint32_t> flawed;
   for (std::size_t n = 0; n < a.cells.flawed.size(); ++n)
   {
-    if (a.cells.flawed[n] && a.boxes.isCore(a.boxes.boxes[a.sides.polyhedral[n]]))
+    if (a.cells.flawed[n] && a.boxes.isCore(a.boxes.packed[a.sides.polyhedral[n]]))
     {
       flawed.push_back(a.sides.polyhedral[n]);
     }

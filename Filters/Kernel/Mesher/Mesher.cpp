@@ -10,8 +10,8 @@ std::unique_ptr<Assembly> mesh(
 {
   planStages(options, execution);
   const PreparedSurface prepared = prepareSurface(surface, options, execution);
-  const std::unique_ptr<Division> division = divide(prepared, options, execution);
-  return meshPart(prepared, *division, division->allLayers(), options, execution);
+  const std::unique_ptr<Decomposition> decomposition = decompose(prepared, options, execution);
+  return meshPart(prepared, *decomposition, decomposition->allLayers(), options, execution);
 }
 
 PreparedSurface prepareSurface(
@@ -26,7 +26,7 @@ PreparedSurface prepareSurface(
   checkGrid(grid, prepared.bounds, prepared.memoryLimit);
   prepared.planes = onLattice(grid, prepared.bounds, lattice);
   prepared.surface = onLattice(view, lattice, execution);
-  Estimate estimate = estimateMesh(prepared.surface, prepared.planes);
+  MeshEstimate estimate = estimateMesh(prepared.surface, prepared.planes);
   estimate.inside /= parts;
   estimate.intersected /= parts;
   checkMemory(estimate, prepared.memoryLimit);
@@ -35,26 +35,27 @@ PreparedSurface prepareSurface(
   return prepared;
 }
 
-std::unique_ptr<Division> divide(
+std::unique_ptr<Decomposition> decompose(
   const PreparedSurface& prepared, const Options& options, Execution& execution)
 {
   execution.stage("Boxes", AfterSurface, AfterBoxes);
-  return std::make_unique<Division>(prepared.surface, prepared.planes, options.refinement,
-    prepared.memoryLimit, reachOf(options), execution);
+  return std::make_unique<Decomposition>(prepared.surface, prepared.planes, options.refinement,
+    prepared.memoryLimit, laterStepsOf(options), execution);
 }
 
-Patches makePatches(const PreparedSurface& prepared, const Division& division, const Boxes& boxes,
-  const Options& options, Execution& execution)
+Patches makePatches(const PreparedSurface& prepared, const Decomposition& decomposition,
+  const Boxes& boxes, const Options& options, Execution& execution)
 {
   execution.stage("Patches", AfterBoxes, AfterPatches);
-  return generatePatches(prepared.surface, boxes, division.shoeboxes(), options.patches, execution);
+  return generatePatches(
+    prepared.surface, boxes, decomposition.shoeboxes(), options.patches, execution);
 }
 
-std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared, const Division& division,
-  Layers core, const Options& options, Execution& execution)
+std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
+  const Decomposition& decomposition, Layers core, const Options& options, Execution& execution)
 {
-  Boxes boxes = division.boxes(core, execution);
-  Patches patches = makePatches(prepared, division, boxes, options, execution);
+  Boxes boxes = decomposition.boxes(core, execution);
+  Patches patches = makePatches(prepared, decomposition, boxes, options, execution);
   return assemble(std::move(boxes), std::move(patches), options, execution);
 }
 

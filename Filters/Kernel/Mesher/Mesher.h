@@ -1,18 +1,18 @@
 // The whole meshing task, step by step (section 6): what the filters run.
 //
 //   surface --prepareSurface--> Surface, Meshlines     steps 2, 3, 4
-//           --divide----------> Division, Boxes        steps 5, 7, 8   (Cartesian Boxer)
+//           --decompose-------> Decomposition, Boxes        steps 5, 7, 8   (Cartesian Boxer)
 //           --makePatches-----> Patches                A1              (Patcher)
 //           --assemble--------> Sides, InnerFaces,     9, A3, B1-B4    (Cell Assembler)
 //                               Cells, Mesh            11-13
 //
-// mesh() is all of it, meshPart() all that follows divide() for one part of the grid.
+// mesh() is all of it, meshPart() all that follows decompose() for one part of the grid.
 #pragma once
 
 #include "Mesher/Assembly.h"
 #include "Mesher/Options.h"
 #include "Mesher/Stages.h"
-#include "Parts/Division.h"
+#include "Parts/Decomposition.h"
 #include "Repair/SurfaceRepair.h"
 
 #include <memory>
@@ -43,16 +43,16 @@ PreparedSurface prepareSurface(
 
 // How the grid is divided; borrows `prepared`. Throws Error: BadParameter (of the refinement); of a
 // region's surface EmptySurface, BadCoordinate, FlawedSurface.
-std::unique_ptr<Division> divide(
+std::unique_ptr<Decomposition> decompose(
   const PreparedSurface& prepared, const Options& options, Execution& execution);
 
 // Throws Error: BadParameter (an angle).
-Patches makePatches(const PreparedSurface& prepared, const Division& division, const Boxes& boxes,
-  const Options& options, Execution& execution);
+Patches makePatches(const PreparedSurface& prepared, const Decomposition& decomposition,
+  const Boxes& boxes, const Options& options, Execution& execution);
 
 // The boxes, patches and cells of one part: the layers `core` of global boxes. Throws Error:
 // TooManyBoxes, BadParameter, FlawedSurface.
-std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared, const Division& division,
-  Layers core, const Options& options, Execution& execution);
+std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
+  const Decomposition& decomposition, Layers core, const Options& options, Execution& execution);
 
 }

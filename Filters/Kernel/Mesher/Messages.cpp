@@ -88,7 +88,7 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
       std::to_string(check.nonManifoldEdges) + " edges of more than two triangles and " +
       std::to_string(check.inconsistentEdges) + " inconsistently oriented edges:";
   }
-  for (const SurfaceCheck::Place& place : check.places)
+  for (const SurfaceCheck::FlawedEdge& place : check.places)
   {
     text += std::string("\n  ") + place.what + " edge from " +
       positionOf(prepared.surface, place.edge[0]) + " to " +

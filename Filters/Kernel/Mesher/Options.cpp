@@ -43,7 +43,7 @@ bool shapesCells(const Options& options)
   return shapesCells(options.smallCells, options.shaping);
 }
 
-Reach reachOf(const Options& options)
+LaterSteps laterStepsOf(const Options& options)
 {
   return { options.collapse.ratio > 0, shapesCells(options) };
 }

@@ -33,7 +33,7 @@ struct Options
 double bytesAllowed(const Options& options);
 
 // How far the cells of a part depend on others.
-Reach reachOf(const Options& options);
+LaterSteps laterStepsOf(const Options& options);
 
 // Whether any step of shaping has work to do.
 bool shapesCells(const Options& options);

@@ -13,7 +13,7 @@ struct Statistic
   double value;
 };
 
-// Of a part (Division.h), those of its core: the parts' add up.
+// Of a part (Decomposition.h), those of its core: the parts' add up.
 std::vector<Statistic> statistics(const Assembly& assembly);
 
 }

@@ -77,7 +77,7 @@ std::array<std::vector<Slab>, ShapingStages> slabsFor(Layers wanted, std::uint32
   return slabs;
 }
 
-Layers shapedFrom(Layers wanted, std::uint32_t all)
+Layers layersForShaping(Layers wanted, std::uint32_t all)
 {
   Layers from = wanted;
   for (const std::vector<Slab>& slabs : slabsFor(wanted, all))
@@ -90,7 +90,7 @@ Layers shapedFrom(Layers wanted, std::uint32_t all)
   return from;
 }
 
-Layers collapsedFrom(Layers wanted, std::uint32_t all)
+Layers layersForCollapse(Layers wanted, std::uint32_t all)
 {
   if (wanted.begin == wanted.end || all <= SlabThickness)
   {
@@ -107,14 +107,14 @@ Layers collapsedFrom(Layers wanted, std::uint32_t all)
   return { seamBelow(slabOf(below)), std::min(seamBelow(slabOf(wanted.end) + 1), all) };
 }
 
-Layers cutFrom(Layers core, const Reach& reach, std::uint32_t all)
+Layers layersForCells(Layers core, const LaterSteps& laterSteps, std::uint32_t all)
 {
-  Layers layers = core.grown(reach.shapes ? HaloOfShapedCells : HaloOfCells, all);
-  if (reach.shapes)
+  Layers layers = core.grown(laterSteps.shapes ? HaloOfShapedCells : HaloOfCells, all);
+  if (laterSteps.shapes)
   {
-    layers = shapedFrom(layers, all).grown(HaloOfCells, all);
+    layers = layersForShaping(layers, all).grown(HaloOfCells, all);
   }
-  return reach.collapses ? collapsedFrom(layers, all) : layers;
+  return laterSteps.collapses ? layersForCollapse(layers, all) : layers;
 }
 
 }

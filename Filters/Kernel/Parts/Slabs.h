@@ -3,7 +3,7 @@
 // Shaping (CellShaping.h) goes from cell to neighbour, as far as it likes. In slabs it ends somewhere:
 // the layer next to another slab is looked at, but nothing in it changes. Cells there have their turn
 // in a second stage, in slabs that lie across the borders of the first. Borders are the grid's, so
-// that they are the same for any number of threads and for all parts of a mesh (Division.h); slabs of
+// that they are the same for any number of threads and for all parts of a mesh (Decomposition.h); slabs of
 // one stage depend on no other.
 //
 //   layer              0 1 2 3 4 5 6 7 8 9 10 ...
@@ -42,7 +42,7 @@ struct Slab
 std::array<std::vector<Slab>, ShapingStages> slabsFor(Layers wanted, std::uint32_t allLayers);
 
 // The layers whose cells must be right before they are shaped for those of `wanted` to be right after.
-Layers shapedFrom(Layers wanted, std::uint32_t allLayers);
+Layers layersForShaping(Layers wanted, std::uint32_t allLayers);
 
 // Where a grid is divided at least cost.
 constexpr std::uint32_t FirstDivide = SlabThickness / 2;
@@ -60,16 +60,16 @@ inline bool isSeam(std::uint32_t plane, std::uint32_t allLayers)
 }
 
 // The layers that those of `wanted` depend on: as they were before edges collapsed.
-Layers collapsedFrom(Layers wanted, std::uint32_t allLayers);
+Layers layersForCollapse(Layers wanted, std::uint32_t allLayers);
 
 // What is done to cells, as far as cells depend on others.
-struct Reach
+struct LaterSteps
 {
   bool collapses = false; // short edges
   bool shapes = false;
 };
 
 // The layers whose cells must be right, as the grid cuts them, for those of `core` to be so in the end.
-Layers cutFrom(Layers core, const Reach& reach, std::uint32_t allLayers);
+Layers layersForCells(Layers core, const LaterSteps& laterSteps, std::uint32_t allLayers);
 
 }

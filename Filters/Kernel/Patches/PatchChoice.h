@@ -1,6 +1,7 @@
 // Choice of the patching method (section 4.7).
 #pragma once
 
+#include "Lattice/Vector.h"
 #include "Patches/BoxSurface.h"
 
 namespace cartesian
@@ -28,7 +29,7 @@ public:
   PatchChooser(const Surface& surface, const Features& features, double featureAngle)
     : surface_(surface)
     , features_(features)
-    , leastCosine_(std::cos(featureAngle * std::acos(-1.0) / 180))
+    , leastCosine_(std::cos(radians(featureAngle)))
   {
   }
 

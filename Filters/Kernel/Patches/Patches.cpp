@@ -119,7 +119,7 @@ public:
                                 std::uint32_t triangle) { addPolygon(begin, end, triangle); });
     }
     part_.polygonsOfBox.push_back(static_cast<std::uint32_t>(part_.sizes.size() - before));
-    giveSlots(boxes_.boxes[b], piece.points, firstCorner);
+    giveSlots(boxes_.packed[b], piece.points, firstCorner);
   }
 
 private:
@@ -357,7 +357,7 @@ Patches generatePatches(const Surface& surface, const Boxes& boxes, const Shoebo
   const std::vector<std::uint32_t> intersected = intersectedBoxes(boxes, execution);
   const std::size_t count = intersected.size();
   std::vector<Pieces> pieces(chunks(count, BoxesAChunk));
-  std::vector<PatchReason> reasons(boxes.boxes.size(), PatchReason::MarchingCubes);
+  std::vector<PatchReason> reasons(boxes.packed.size(), PatchReason::MarchingCubes);
   execution.nextLoop(0.42);
   execution.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
     cutPieces(surface, features, boxes, clearance, shoeboxes, spec, intersected, begin, end,

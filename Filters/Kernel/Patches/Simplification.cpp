@@ -1,6 +1,7 @@
 #include "Patches/Simplification.h"
 
 #include "Base/Loops.h"
+#include "Lattice/Vector.h"
 
 #include <algorithm>
 
@@ -10,7 +11,7 @@ namespace cartesian
 namespace
 {
 
-const double Degree = std::acos(-1.0) / 180;
+constexpr double Degree = Pi / 180;
 
 // A corner whose angle is this much (sine) over 180 degrees still counts as straight.
 constexpr double MostConcave = 1e-3;

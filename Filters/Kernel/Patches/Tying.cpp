@@ -1,6 +1,7 @@
 #include "Patches/Tying.h"
 
 #include "Boxes/Sides.h"
+#include "Lattice/Vector.h"
 
 #include <numeric>
 
@@ -15,7 +16,7 @@ constexpr std::size_t MostReplaced = 256;
 
 double cosineOf(double degrees)
 {
-  return std::cos(degrees * std::acos(-1.0) / 180);
+  return std::cos(radians(degrees));
 }
 
 double distance(const Point& p, const Point& q)
@@ -393,8 +394,8 @@ void SideTying::keepFarthest(const BoxSurface& piece)
   {
     return;
   }
-  const Flat p = flat(piece, line_.nodes.front());
-  const Flat q = flat(piece, line_.nodes.back());
+  const PlanePoint p = flat(piece, line_.nodes.front());
+  const PlanePoint q = flat(piece, line_.nodes.back());
   Wide farthest = 0;
   std::size_t best = 0;
   for (std::size_t i = 1; i + 1 < line_.nodes.size(); ++i)
@@ -522,9 +523,9 @@ bool SideTying::passesOver(
   {
     listFlatNodes(piece);
   }
-  const Flat a = flat(piece, line_.nodes[i]);
-  const Flat b = flat(piece, line_.nodes[before]);
-  const Flat c = flat(piece, line_.nodes[j]);
+  const PlanePoint a = flat(piece, line_.nodes[i]);
+  const PlanePoint b = flat(piece, line_.nodes[before]);
+  const PlanePoint c = flat(piece, line_.nodes[j]);
   const int way = sign(turn(a, b, c));
   if (way == 0)
   {

@@ -57,7 +57,7 @@ private:
 
   struct FlatNode
   {
-    Flat at;
+    PlanePoint at;
     std::uint32_t node;
   };
 
@@ -83,7 +83,7 @@ private:
   void sortByPart();
   double shortestEdge(const Box& box, int axis) const;
   bool endsShareLine(const BoxSurface& piece) const;
-  Flat flat(const BoxSurface& piece, std::uint32_t node) const
+  PlanePoint flat(const BoxSurface& piece, std::uint32_t node) const
   {
     return flatten(piece.points[node], axis_);
   }

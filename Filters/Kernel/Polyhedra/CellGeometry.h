@@ -98,7 +98,7 @@ constexpr double FlatUpTo = 15;
 template <class Corner>
 bool isBent(std::size_t size, Corner&& corner, const Vector& area)
 {
-  const double least = std::cos(FlatUpTo * 3.14159265358979 / 180);
+  const double least = std::cos(radians(FlatUpTo));
   bool bent = false;
   forEachStarTriangle(size, corner, [&](const Vector&, const Vector&, const Vector& triangle) {
     bent = bent || dot(triangle, area) < least * norm(triangle) * norm(area);
@@ -136,7 +136,7 @@ CellGeometry measureCell(std::size_t size, Face&& face)
 // In degrees, 0 to 180; 90 where one of them is 0.
 inline double angle(const Vector& u, const Vector& v)
 {
-  constexpr double Degrees = 57.29577951308232;
+  constexpr double Degrees = 180 / Pi;
   const double sine = norm(cross(u, v));
   const double cosine = dot(u, v);
   return Degrees * (sine == 0 && cosine == 0 ? std::atan2(1, 0) : std::atan2(sine, cosine));

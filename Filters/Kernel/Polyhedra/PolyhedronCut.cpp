@@ -1,12 +1,12 @@
 #include "Polyhedra/PolyhedronCut.h"
 
+#include "Base/DisjointSets.h"
 #include "Base/EdgeTable.h"
 #include "Lattice/StarPolygons.h"
 #include "Polyhedra/CellGeometry.h"
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 
 namespace cartesian
 {
@@ -423,7 +423,7 @@ private:
       {
         continue;
       }
-      const CellCut::Corners corners = cut_.cornersOf(cut_.faces[f]);
+      const CellCut::FaceCorners corners = cut_.cornersOf(cut_.faces[f]);
       Index from = corners[corners.size() - 1];
       for (const Index to : corners)
       {
@@ -500,7 +500,7 @@ private:
     std::vector<std::pair<Sums, std::size_t>> order;
     for (std::size_t f = 0; f < cut_.faces.size(); ++f)
     {
-      const CellCut::Corners corners = cut_.cornersOf(cut_.faces[f]);
+      const CellCut::FaceCorners corners = cut_.cornersOf(cut_.faces[f]);
       Sums sums{ corners.size(), 0, 0 };
       for (const std::uint64_t corner : corners)
       {
@@ -511,7 +511,7 @@ private:
     }
     std::sort(order.begin(), order.end());
     return std::adjacent_find(order.begin(), order.end(), [&](const auto& x, const auto& y) {
-      const CellCut::Corners corners = cut_.cornersOf(cut_.faces[x.second]);
+      const CellCut::FaceCorners corners = cut_.cornersOf(cut_.faces[x.second]);
       return x.first == y.first &&
         std::is_permutation(
           corners.begin(), corners.end(), cut_.cornersOf(cut_.faces[y.second]).begin());
@@ -520,26 +520,15 @@ private:
 
   // --- the parts
 
-  Index root(Index f)
-  {
-    while (parent_[f] != f)
-    {
-      parent_[f] = parent_[parent_[f]];
-      f = parent_[f];
-    }
-    return f;
-  }
-
   // Faces that share an edge belong together, on either side. Cutting faces are there twice: below
   // as themselves, above with numbers of their own.
   bool findParts()
   {
     const auto count = static_cast<Index>(cut_.faces.size());
-    parent_.resize(2 * std::size_t(count));
-    std::iota(parent_.begin(), parent_.end(), 0);
+    sets_.reset(2 * std::size_t(count));
     edges_.reset(2 * cut_.corners.size());
     const auto list = [&](Index f, Index as, int side) {
-      const CellCut::Corners corners = cut_.cornersOf(cut_.faces[f]);
+      const CellCut::FaceCorners corners = cut_.cornersOf(cut_.faces[f]);
       Index from = corners[corners.size() - 1];
       for (const Index to : corners)
       {
@@ -549,7 +538,7 @@ private:
         {
           first = as;
         }
-        parent_[root(as)] = root(first);
+        sets_.unite(as, first);
         from = to;
       }
     };
@@ -564,7 +553,7 @@ private:
     number_.assign(2 * std::size_t(count), NoPoint);
     cut_.parts = 0;
     const auto partOf = [&](Index f) {
-      Index& number = number_[root(f)];
+      Index& number = number_[sets_.find(f)];
       number = number == NoPoint ? cut_.parts++ : number;
       return number;
     };
@@ -592,7 +581,7 @@ private:
   std::vector<int> signs_;
   std::vector<int> sides_; // of each face of the cut
   std::vector<FlatPolygon> stars_;
-  std::vector<Index> parent_;
+  DisjointSets sets_; // of the cut's faces
   std::vector<Index> number_;
   EdgeTable edges_; // the first face at each, on each side of the plane
 };
@@ -609,14 +598,14 @@ Polyhedron partOf(const Polyhedron& cell, const CellCut& cut, std::uint32_t part
   Polyhedron result;
   result.reserve(cell.nodes.size() + cut.points.size(), cut.faces.size(), cut.corners.size());
   result.nodes.assign(cell.nodes.begin(), cell.nodes.end());
-  for (const CellCut::Point& point : cut.points)
+  for (const CellCut::NewNode& point : cut.points)
   {
     result.nodes.push_back(point.at);
   }
   for (const CellCut::Face& face : cut.faces)
   {
     const bool inner = face.source == CellCut::NoSource;
-    const CellCut::Corners corners = cut.cornersOf(face);
+    const CellCut::FaceCorners corners = cut.cornersOf(face);
     if (face.below == part)
     {
       result.corners.insert(result.corners.end(), corners.begin(), corners.end());

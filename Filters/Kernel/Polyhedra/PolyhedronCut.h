@@ -20,7 +20,7 @@ struct CellCut
 {
   // A new node on the edge between two nodes, rounded to whole numbers: the i-th has the index
   // (nodes of the cell) + i.
-  struct Point
+  struct NewNode
   {
     std::uint32_t low;
     std::uint32_t high;
@@ -37,7 +37,7 @@ struct CellCut
   static constexpr std::uint32_t NoSource = ~std::uint32_t(0);
 
   // The corners of a face, one after the other.
-  struct Corners
+  struct FaceCorners
   {
     const std::uint32_t* first;
     const std::uint32_t* last;
@@ -47,12 +47,12 @@ struct CellCut
     std::size_t size() const { return static_cast<std::size_t>(last - first); }
     std::uint32_t operator[](std::size_t i) const { return first[i]; }
   };
-  Corners cornersOf(const Face& face) const
+  FaceCorners cornersOf(const Face& face) const
   {
     return { corners.data() + face.begin, corners.data() + face.end };
   }
 
-  std::vector<Point> points;
+  std::vector<NewNode> points;
   std::vector<Face> faces;
   std::vector<std::uint32_t> corners; // of all faces
   std::uint32_t parts = 0;

@@ -1,7 +1,8 @@
 #include "Repair/Duplicates.h"
 
+#include "Base/DisjointSets.h"
+
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 namespace cartesian
@@ -23,43 +24,33 @@ class Regions
 {
 public:
   explicit Regions(std::size_t groups)
-    : parent_(groups)
+    : sets_(groups)
     , balance_(groups)
     , inconsistent_(groups)
   {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-
-  std::uint32_t of(std::uint32_t group)
-  {
-    while (parent_[group] != group)
-    {
-      parent_[group] = parent_[parent_[group]];
-      group = parent_[group];
-    }
-    return group;
   }
 
   void join(std::uint32_t a, std::uint32_t b)
   {
-    const std::uint32_t rootA = of(a);
-    const std::uint32_t rootB = of(b);
+    const std::uint32_t rootA = sets_.find(a);
+    const std::uint32_t rootB = sets_.find(b);
     if (rootA != rootB)
     {
-      parent_[std::max(rootA, rootB)] = std::min(rootA, rootB);
-      balance_[std::min(rootA, rootB)] += balance_[std::max(rootA, rootB)];
-      inconsistent_[std::min(rootA, rootB)] |= inconsistent_[std::max(rootA, rootB)];
+      const std::uint32_t root = sets_.unite(rootA, rootB);
+      const std::uint32_t absorbed = root == rootA ? rootB : rootA;
+      balance_[root] += balance_[absorbed];
+      inconsistent_[root] |= inconsistent_[absorbed];
     }
   }
 
-  void vote(std::uint32_t group, bool keep) { balance_[of(group)] += keep ? 1 : -1; }
-  bool keeps(std::uint32_t group) { return balance_[of(group)] >= 0; }
+  void vote(std::uint32_t group, bool keep) { balance_[sets_.find(group)] += keep ? 1 : -1; }
+  bool keeps(std::uint32_t group) { return balance_[sets_.find(group)] >= 0; }
 
-  void setInconsistent(std::uint32_t group) { inconsistent_[of(group)] = 1; }
-  bool consistent(std::uint32_t group) { return inconsistent_[of(group)] == 0; }
+  void setInconsistent(std::uint32_t group) { inconsistent_[sets_.find(group)] = 1; }
+  bool consistent(std::uint32_t group) { return inconsistent_[sets_.find(group)] == 0; }
 
 private:
-  std::vector<std::uint32_t> parent_;
+  DisjointSets sets_;
   std::vector<long long> balance_;
   std::vector<std::uint8_t>
     inconsistent_; // an edge is run through more often one way than the other
@@ -130,10 +121,10 @@ Duplicates findDuplicates(const Surface& surface, const SurfaceEdges& edges)
   return result;
 }
 
-std::vector<Dropped> dropDuplicates(
+std::vector<DroppedTriangle> dropDuplicates(
   Surface& surface, const SurfaceEdges& edges, const Duplicates& duplicates)
 {
-  std::vector<Dropped> dropped;
+  std::vector<DroppedTriangle> dropped;
   if (duplicates.groups() == 0)
   {
     return dropped;

@@ -16,7 +16,7 @@ struct Duplicates
   std::size_t groups() const { return start.size() - 1; }
 };
 
-struct Dropped
+struct DroppedTriangle
 {
   std::uint32_t triangle;
   std::array<std::uint32_t, 3> vertices;
@@ -31,7 +31,7 @@ Duplicates findDuplicates(const Surface& surface, const SurfaceEdges& edges);
 // thickness); but where all edges were given consistently, as many stay as no other one cancels (a
 // wall of two bodies that overlap). Of several boundaries, the lowest stays.
 // Returns what was dropped, in order of groups.
-std::vector<Dropped> dropDuplicates(
+std::vector<DroppedTriangle> dropDuplicates(
   Surface& surface, const SurfaceEdges& edges, const Duplicates& duplicates);
 
 }

@@ -82,17 +82,17 @@ private:
     {
       return;
     }
-    Components components(surface);
+    DisjointSets components = connectedComponents(surface);
     std::vector<std::uint8_t> inconsistent(surface.vertices.size());
     edges.forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
       const auto down = std::count_if(begin, end, [](const EdgeUse& use) { return use.down(); });
       if (std::abs((end - begin) - 2 * down) > (end - begin) % 2)
       {
-        inconsistent[components.of(lower)] = 1;
+        inconsistent[components.find(lower)] = 1;
       }
     });
     edges.forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
-      if ((end - begin) % 2 == 1 || end - begin == 2 || inconsistent[components.of(lower)] != 0)
+      if ((end - begin) % 2 == 1 || end - begin == 2 || inconsistent[components.find(lower)] != 0)
       {
         return;
       }

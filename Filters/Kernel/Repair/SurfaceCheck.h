@@ -14,14 +14,14 @@ struct SurfaceCheck
 
   // The first few flawed edges, in order of their vertices: what is wrong, the edge's two ends
   // and a triangle that uses it.
-  struct Place
+  struct FlawedEdge
   {
     const char* what;
     std::array<std::uint32_t, 2> edge;
     std::uint32_t triangle;
   };
   static constexpr std::size_t MostPlaces = 5;
-  std::vector<Place> places;
+  std::vector<FlawedEdge> places;
 
   // Then every line through the domain enters it as often as it leaves it.
   bool closed() const { return openEdges == 0; }

@@ -38,7 +38,7 @@ Vector across(const Surface& surface, std::uint32_t lower, const EdgeUse& use)
 
 bool folded(const Vector& a, const Vector& b)
 {
-  static const double least = std::cos(FoldAngle * std::acos(-1.0) / 180);
+  static const double least = std::cos(radians(FoldAngle));
   const double product = dot(a, a) * dot(b, b);
   return product > 0 && dot(a, b) > least * std::sqrt(product);
 }
@@ -93,7 +93,7 @@ public:
     , execution_(execution)
   {
     given_.triangles.resize(given);
-    for (const Dropped& d : repair.loose)
+    for (const DroppedTriangle& d : repair.loose)
     {
       given_.triangles[d.triangle] = d.vertices;
     }
@@ -182,7 +182,7 @@ private:
   void listTriangles()
   {
     std::vector<bool> dropped(given_.triangles.size());
-    for (const Dropped& d : repair_.duplicates)
+    for (const DroppedTriangle& d : repair_.duplicates)
     {
       dropped[d.triangle] = true;
       add(DefectKind::DuplicateTriangle, d.triangle, None, true, positionsOf(d.vertices));
@@ -250,12 +250,12 @@ private:
 
   void listComponents()
   {
-    Components components(given_);
+    DisjointSets components = connectedComponents(given_);
     std::vector<Point> low(given_.vertices.size(), Point{ ~0u, ~0u, ~0u });
     std::vector<Point> high(given_.vertices.size(), Point{});
     for (const Triangle& t : given_.triangles)
     {
-      const std::uint32_t root = components.of(t[0]);
+      const std::uint32_t root = components.find(t[0]);
       for (const std::uint32_t v : t)
       {
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -282,7 +282,7 @@ private:
     }
     for (std::size_t t = 0; t < given_.triangles.size(); ++t)
     {
-      if (small[components.of(given_.triangles[t][0])] && !namesAVertexTwice(given_.triangles[t]))
+      if (small[components.find(given_.triangles[t][0])] && !namesAVertexTwice(given_.triangles[t]))
       {
         addTriangle(DefectKind::SmallComponent, static_cast<std::uint32_t>(t), None);
       }

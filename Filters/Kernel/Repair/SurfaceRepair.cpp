@@ -11,7 +11,7 @@ namespace cartesian
 namespace
 {
 
-std::vector<Dropped> dropLoose(Surface& surface, const SurfaceEdges& edges)
+std::vector<DroppedTriangle> dropLoose(Surface& surface, const SurfaceEdges& edges)
 {
   std::vector<std::uint8_t> openEdges(surface.triangles.size());
   edges.forEach([&](std::uint32_t, const EdgeUse* begin, const EdgeUse* end) {
@@ -20,7 +20,7 @@ std::vector<Dropped> dropLoose(Surface& surface, const SurfaceEdges& edges)
       ++openEdges[begin->triangle()];
     }
   });
-  std::vector<Dropped> dropped;
+  std::vector<DroppedTriangle> dropped;
   for (std::uint32_t t = 0; t < openEdges.size(); ++t)
   {
     if (openEdges[t] == 3)
@@ -35,13 +35,13 @@ std::vector<Dropped> dropLoose(Surface& surface, const SurfaceEdges& edges)
 // Marks the components with an edge that more triangles run through one way than the other.
 void findUnoriented(Surface& surface, const SurfaceEdges& edges)
 {
-  Components components(surface);
+  DisjointSets components = connectedComponents(surface);
   std::vector<std::uint8_t> unoriented(surface.vertices.size());
   edges.forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
     const auto down = std::count_if(begin, end, [](const EdgeUse& use) { return use.down(); });
     if (2 * down != end - begin)
     {
-      unoriented[components.of(lower)] = 1;
+      unoriented[components.find(lower)] = 1;
     }
   });
   if (std::count(unoriented.begin(), unoriented.end(), 1) == 0)
@@ -51,7 +51,7 @@ void findUnoriented(Surface& surface, const SurfaceEdges& edges)
   surface.byParity.resize(surface.triangles.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
-    surface.byParity[t] = unoriented[components.of(surface.triangles[t][0])];
+    surface.byParity[t] = unoriented[components.find(surface.triangles[t][0])];
   }
 }
 

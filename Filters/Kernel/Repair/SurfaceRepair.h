@@ -11,10 +11,12 @@ namespace cartesian
 
 struct SurfaceRepair
 {
-  std::vector<Dropped> duplicates; // triangles that were there before, or a wall between bodies
-  SurfaceCheck check;              // without duplicates, oriented, with its holes
-  std::vector<Dropped> loose; // triangles that share no edge with another: they enclose nothing
-  std::vector<Hole> holes;    // in order of their lowest vertices
+  std::vector<DroppedTriangle>
+    duplicates;       // triangles that were there before, or a wall between bodies
+  SurfaceCheck check; // without duplicates, oriented, with its holes
+  std::vector<DroppedTriangle>
+    loose;                 // triangles that share no edge with another: they enclose nothing
+  std::vector<Hole> holes; // in order of their lowest vertices
 
   std::size_t leaks() const;
 };

@@ -20,7 +20,7 @@ bool isAtBoundary(const Polyhedron& part)
 
 // The fitness of the largest part, the others being gone, or nothing where these are too large, or
 // would leave a hole inside the mesh.
-std::optional<Fitness> fitnessOfRest(
+std::optional<CellFaults> fitnessOfRest(
   const CellView& view, const CellCut& cut, double volume, double mostLost)
 {
   Polyhedron rest;
@@ -44,7 +44,7 @@ std::optional<Fitness> fitnessOfRest(
   {
     return {};
   }
-  std::vector<Beyond> beyond;
+  std::vector<NeighbourCell> beyond;
   std::size_t face = 0;
   for (const CellCut::Face& f : cut.faces) // in the order of partOf
   {
@@ -52,11 +52,11 @@ std::optional<Fitness> fitnessOfRest(
     if (f.below == largest || (isCut && f.above == largest))
     {
       rest.isBoundary[face] = isCut || view.shape.isBoundary[f.source];
-      beyond.push_back(isCut ? Beyond{} : view.beyond[f.source]);
+      beyond.push_back(isCut ? NeighbourCell{} : view.beyond[f.source]);
       ++face;
     }
   }
-  return fitnessOf(rest, shape, beyond);
+  return faultsOf(rest, shape, beyond);
 }
 
 // Removes all parts but the largest; returns how many those are.
@@ -83,7 +83,7 @@ std::size_t carve(CellComplex& cells, CellKey key, double largest)
   cells.lookBeyond(key, view);
   measure(view.shape, shape);
   const double mostLost = largest * cells.volumeOfBox(key);
-  const FoundCuts found = searchCuts(view, shape, fitnessOf(view.shape, shape, view.beyond),
+  const FoundCuts found = searchCuts(view, shape, faultsOf(view.shape, shape, view.beyond),
     [&](const CellCut& cut) { return fitnessOfRest(view, cut, shape.volume, mostLost); });
   for (auto cut = found.helpful.rbegin(); cut != found.helpful.rend(); ++cut)
   {

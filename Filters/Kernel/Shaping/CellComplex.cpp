@@ -34,7 +34,7 @@ CellComplex::CellComplex(CellsToShape& whole, const Slab& slab)
   , boxesOfSlab_{ boxes_.firstBoxOf(slab.layers.begin), boxes_.firstBoxOf(slab.layers.end) }
   , freeBoxes_{ boxes_.firstBoxOf(slab.free.begin), boxes_.firstBoxOf(slab.free.end) }
   , isOpenHexahedron_(boxesOfSlab_[1] - boxesOfSlab_[0])
-  , nextKey_(static_cast<CellKey>(whole.cells.size() + whole.boxes.boxes.size()))
+  , nextKey_(static_cast<CellKey>(whole.cells.size() + whole.boxes.packed.size()))
 {
   const auto [begin, end] = whole.cellsIn(slab.layers);
   firstOfSlab_ = begin;
@@ -96,7 +96,7 @@ std::array<CellKey, 2> CellComplex::cellsOf(std::uint32_t face) const
   std::array<CellKey, 2> keys = cells_.ofInnerFace[face - firstInner()];
   if (keys[0] == None || keys[1] == None)
   {
-    const Side& side = sides_.sides[whole_.sideOf[face - firstInner()]];
+    const Side& side = sides_.common[whole_.sideOf[face - firstInner()]];
     const std::array<std::uint32_t, 2> boxes{ side.low, side.high };
     for (std::size_t k = 0; k < 2; ++k)
     {
@@ -173,17 +173,17 @@ void CellComplex::lookAround(CellKey key, MeasuredCell& cell) const
   forEachFace(key, [&](const FaceUse& use) {
     const bool boundary = cell.shape.isBoundary[cell.across.size()] != 0;
     cell.across.push_back(boundary ? CellKey(None) : across(use));
-    cell.beyond.push_back(boundary ? Beyond{} : placeAndVolume(cell.across.back(), origin));
+    cell.beyond.push_back(boundary ? NeighbourCell{} : placeAndVolume(cell.across.back(), origin));
   });
 }
 
-Beyond CellComplex::placeAndVolume(CellKey key, const Point& origin) const
+NeighbourCell CellComplex::placeAndVolume(CellKey key, const Point& origin) const
 {
   const OpenCell* open = opened(key);
   if (open || key < cells_.size())
   {
     const Point low = boxes_.lowOf(open ? open->box : cells_.cells[key].box);
-    const Beyond& place = open ? open->place : whole_.known.places[key];
+    const NeighbourCell& place = open ? open->place : whole_.known.places[key];
     return { plus(minus(low, origin), place.centre), place.volume };
   }
   const Box box = boxes_.box(key - cells_.size());
@@ -197,7 +197,7 @@ const CellShape& CellComplex::measured(CellKey key) const
   return scratch_.measures;
 }
 
-Beyond CellComplex::measuredPlace(CellKey key) const
+NeighbourCell CellComplex::measuredPlace(CellKey key) const
 {
   const CellShape& measures = measured(key);
   return { measures.centre, measures.volume };
@@ -295,7 +295,7 @@ std::vector<std::pair<CellKey, double>> CellComplex::neighbours(CellKey key) con
 
 Layers CellComplex::layersOf(CellKey key) const
 {
-  const std::uint32_t layer = boxes_.globalOf(boxes_.boxes[boxOf(key)]).index[2];
+  const std::uint32_t layer = boxes_.globalOf(boxes_.packed[boxOf(key)]).index[2];
   std::array<std::uint8_t, 2> reach{ 0, 0 };
   if (const OpenCell* cell = opened(key))
   {
@@ -374,7 +374,7 @@ std::vector<CellKey> CellComplex::select(Kept&& isKept) const
   const auto others = static_cast<std::ptrdiff_t>(keys.size());
   for (const auto& [key, open] : openOfOther_)
   {
-    const PackedBox& box = boxes_.boxes[open_[open].box];
+    const PackedBox& box = boxes_.packed[open_[open].box];
     if (isAlive(key) && open_[open].changed && key >= cells_.size() && isFree(key) &&
       slab_.acting.contains(boxes_.globalOf(box).index[2]) && isKept(key, true))
     {
@@ -481,7 +481,7 @@ void CellComplex::view(const std::vector<CellKey>& keys, CellView& view) const
 // Fills in the nodes, by place, and gives the corners their numbers there.
 void CellComplex::numberNodes(const Point& origin, CellView& view) const
 {
-  std::vector<NumberedPoint>& places = scratch_.places;
+  std::vector<PointSortKey>& places = scratch_.places;
   EdgeTable& numberOf = scratch_.numberOf;
   places.clear();
   numberOf.reset(scratch_.corners.size());
@@ -562,13 +562,13 @@ void CellComplex::addSideOfHexahedron(std::uint32_t box, unsigned side, OpenCell
 {
   const bool upper = side % 2 == 1;
   const std::uint32_t other =
-    facing(boxes_, boxes_.boxes[box], static_cast<int>(side / 2), upper)[0];
+    facing(boxes_, boxes_.packed[box], static_cast<int>(side / 2), upper)[0];
   const std::uint32_t n = sides_.polyhedralOrdinal(other);
   for (std::size_t i = n == None ? 0 : sides_.boxStart[n]; n != None && i < sides_.boxStart[n + 1];
        ++i)
   {
     const std::size_t s = sides_.ofBox[i].side;
-    const Side& shared = sides_.sides[s];
+    const Side& shared = sides_.common[s];
     const bool between = upper ? shared.low == box : shared.high == box;
     if (between && shared.axis == side / 2 && inner_.sideStart[s] < inner_.sideStart[s + 1])
     {
@@ -629,7 +629,7 @@ std::uint32_t CellComplex::nodeOfCorner(std::uint32_t box, unsigned corner)
   {
     return nodes_.ofDivided[ordinal & ~Sides::HexahedronBit][corner];
   }
-  const auto& low = boxes_.globalOf(boxes_.boxes[box]).index;
+  const auto& low = boxes_.globalOf(boxes_.packed[box]).index;
   const VertexNode at{ low[2] + (corner >> 2 & 1), low[1] + (corner >> 1 & 1),
     low[0] + (corner & 1), nextNode() };
   const std::size_t row = at.j + at.k * boxes_.planes[1].size();

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "Base/EdgeTable.h"
-#include "Lattice/NumberedPoint.h"
+#include "Lattice/PointSortKey.h"
 #include "Parts/Slabs.h"
 #include "Polyhedra/PolyhedronCut.h"
 #include "Shaping/CellsToShape.h"
@@ -28,7 +28,7 @@ struct MeasuredCell
   Polyhedron shape; // without nodes in common; the origin is the lower corner of its box
   CellShape measures;
   std::vector<CellKey> across; // or None
-  std::vector<Beyond> beyond;
+  std::vector<NeighbourCell> beyond;
 };
 
 class CellComplex
@@ -71,7 +71,7 @@ public:
   bool mayMerge(const std::vector<CellKey>& keys) const;
 
   // 1 if it belongs to the part that is meshed (Boxes::core), else 0.
-  std::size_t counts(CellKey key) const { return boxes_.isCore(boxes_.boxes[boxOf(key)]) ? 1 : 0; }
+  std::size_t counts(CellKey key) const { return boxes_.isCore(boxes_.packed[boxOf(key)]) ? 1 : 0; }
 
   std::uint32_t boxOf(CellKey key) const;
   bool isAlive(CellKey key) const; // neither removed nor merged
@@ -124,7 +124,7 @@ public:
   // Its volume as a part of its box's.
   double share(CellKey key) const;
 
-  // As isAnyAtFault (CellFitness.h): known beforehand for cells as they were.
+  // As isAnyAtFault (CellFaults.h): known beforehand for cells as they were.
   bool isAtFault(CellKey key) const;
 
   // Whether solvers accept all its faces by what is known beforehand; else only a look around tells.
@@ -161,7 +161,7 @@ private:
     bool isSeen = false;  // its faces' sights are known since it changed
     std::uint32_t changedAt = 0;
     std::array<std::uint8_t, 2> reach{ 0, 0 };    // as in Cell
-    Beyond place;                                 // from the lower corner of its box
+    NeighbourCell place;                          // from the lower corner of its box
     mutable IsAtFault fault = IsAtFault::Unknown; // since it changed; one thread has a slab
   };
   struct FaceNodes
@@ -188,8 +188,8 @@ private:
     };
     std::vector<Outer> faces;
     std::vector<std::uint32_t> corners;
-    std::vector<NumberedPoint> places; // of nodes, each once
-    EdgeTable numberOf;                // of nodes: edges from them to themselves
+    std::vector<PointSortKey> places; // of nodes, each once
+    EdgeTable numberOf;               // of nodes: edges from them to themselves
     Polyhedron polyhedron;
     CellShape measures;
   };
@@ -253,7 +253,7 @@ private:
   bool hasEdge(const FaceUse& use, std::uint32_t u, std::uint32_t v) const;
   std::vector<CellKey> cellsAround(CellKey key, std::uint32_t u, std::uint32_t v);
   std::uint32_t own(std::uint32_t face, CellKey cell);
-  Point placeOfPoint(CellKey key, const CellCut::Point& point) const;
+  Point placeOfPoint(CellKey key, const CellCut::NewNode& point) const;
   bool meetsNode(
     const std::vector<CellKey>& touched, const CellView& view, const CellCut& cut) const;
   bool meetsFace(const CellView& view, const CellCut& cut) const;
@@ -263,8 +263,8 @@ private:
   FaceUse addPiece(FaceUse use, CellKey cell, Shaped piece, std::uint32_t& owned);
   std::uint32_t renamed(std::uint32_t face) const;
   const CellShape& measured(CellKey key) const; // until the next
-  Beyond measuredPlace(CellKey key) const;
-  Beyond placeAndVolume(CellKey key, const Point& origin) const;
+  NeighbourCell measuredPlace(CellKey key) const;
+  NeighbourCell placeAndVolume(CellKey key, const Point& origin) const;
   void insertNode(CellKey cell, std::uint32_t u, std::uint32_t v, std::uint32_t node);
 
   std::int32_t boundaryOf(std::uint32_t face) const;

@@ -43,7 +43,7 @@ std::vector<CellKey> CellComplex::cellsAround(CellKey key, std::uint32_t u, std:
 std::vector<CellKey> CellComplex::touchedBy(CellKey key, const CellView& view, const CellCut& cut)
 {
   std::vector<CellKey> touched{ key };
-  for (const CellCut::Point& point : cut.points)
+  for (const CellCut::NewNode& point : cut.points)
   {
     const std::vector<CellKey> around =
       cellsAround(key, view.nodes[point.low], view.nodes[point.high]);
@@ -91,7 +91,7 @@ std::uint32_t CellComplex::own(std::uint32_t face, CellKey cell)
   else
   {
     copy.cells = cellsOf(face);
-    const Side& side = sides_.sides[whole_.sideOf[face - firstInner()]];
+    const Side& side = sides_.common[whole_.sideOf[face - firstInner()]];
     for (std::size_t k = 0; k < 2; ++k)
     {
       if (copy.cells[k] == None)
@@ -171,7 +171,7 @@ void CellComplex::setCell(const FaceUse& use, CellKey key)
   }
 }
 
-Point CellComplex::placeOfPoint(CellKey key, const CellCut::Point& point) const
+Point CellComplex::placeOfPoint(CellKey key, const CellCut::NewNode& point) const
 {
   const Point origin = boxes_.lowOf(boxOf(key));
   Point place;
@@ -196,7 +196,7 @@ bool CellComplex::meetsNode(
   const std::vector<CellKey>& touched, const CellView& view, const CellCut& cut) const
 {
   std::vector<Point> places;
-  for (const CellCut::Point& point : cut.points)
+  for (const CellCut::NewNode& point : cut.points)
   {
     places.push_back(placeOfPoint(touched.front(), point));
   }
@@ -230,7 +230,7 @@ bool CellComplex::meetsFace(const CellView& view, const CellCut& cut) const
   const auto isThere = [&](const CellCut::Face& face) {
     const bool whole = face.source == CellCut::NoSource || pieces[face.source] < 2 ||
       view.across[face.source] == None;
-    const CellCut::Corners corners = cut.cornersOf(face);
+    const CellCut::FaceCorners corners = cut.cornersOf(face);
     if (whole || std::any_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
           return corner >= view.nodes.size();
         }))
@@ -259,7 +259,7 @@ bool CellComplex::meetsFace(const CellView& view, const CellCut& cut) const
 bool CellComplex::losesStar(
   const FaceUse& use, CellKey key, const CellView& view, const CellCut& cut) const
 {
-  const auto isBetween = [&](const CellCut::Point& point, std::uint32_t from, std::uint32_t to) {
+  const auto isBetween = [&](const CellCut::NewNode& point, std::uint32_t from, std::uint32_t to) {
     const std::uint32_t low = view.nodes[point.low];
     const std::uint32_t high = view.nodes[point.high];
     return (low == from && high == to) || (high == from && low == to);
@@ -270,7 +270,7 @@ bool CellComplex::losesStar(
   {
     const std::uint32_t from = ring.first[i > 0 ? i - 1 : ring.size - 1];
     divided = std::any_of(cut.points.begin(), cut.points.end(),
-      [&](const CellCut::Point& point) { return isBetween(point, from, ring.first[i]); });
+      [&](const CellCut::NewNode& point) { return isBetween(point, from, ring.first[i]); });
   }
   if (!divided)
   {
@@ -287,7 +287,7 @@ bool CellComplex::losesStar(
     const auto corner = [&](
                           std::size_t k) { return ring.first[use.turned ? ring.size - 1 - k : k]; };
     addCorner(minus(placeOf(corner(i)), origin));
-    for (const CellCut::Point& point : cut.points)
+    for (const CellCut::NewNode& point : cut.points)
     {
       if (isBetween(point, corner(i), corner(i + 1 < ring.size ? i + 1 : 0)))
       {
@@ -323,7 +323,7 @@ void CellComplex::cut(
 {
   changed_ = true;
   std::vector<std::uint32_t> nodes = view.nodes;
-  for (const CellCut::Point& point : cut.points)
+  for (const CellCut::NewNode& point : cut.points)
   {
     nodes.push_back(addNode(placeOfPoint(key, point)));
     const std::uint32_t u = view.nodes[point.low];

@@ -77,14 +77,14 @@ void CellComplex::noteSights(
     {
       return;
     }
-    std::array<FaceSight, 2>& sights =
+    std::array<CentreOffset, 2>& sights =
       isShaped(use.face) ? ofShaped[use.face - firstShaped()] : given[use.face - firstInner()];
-    sights[use.turned] = sightOf(measures.centre, face.centre, face.area);
+    sights[use.turned] = centreOffsetOf(measures.centre, face.centre, face.area);
     const CellKey other = across(use);
     if (other != None && !hasFaces(other))
     {
       sights[1 - use.turned] =
-        sightOf(placeAndVolume(other, origin).centre, face.centre, scaled(face.area, -1));
+        centreOffsetOf(placeAndVolume(other, origin).centre, face.centre, scaled(face.area, -1));
     }
   });
 }

@@ -116,8 +116,7 @@ private:
 
   void joinFlatFaces()
   {
-    const double leastCosine =
-      exact_ ? OnOnePlane : std::cos(spec_.joinAngle * (3.14159265358979 / 180));
+    const double leastCosine = exact_ ? OnOnePlane : std::cos(radians(spec_.joinAngle));
     for (const CellKey key : complex_.polyhedraAtFault())
     {
       execution_.poll();

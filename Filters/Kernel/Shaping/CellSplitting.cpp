@@ -20,7 +20,7 @@ constexpr double LeastPart = 1e-3;
 constexpr int MostRounds = 100;
 
 // The parts' fitness, or nothing where one is smaller than `least`.
-std::optional<Fitness> fitnessAfter(const CellView& view, const CellCut& cut, double least)
+std::optional<CellFaults> fitnessAfter(const CellView& view, const CellCut& cut, double least)
 {
   std::vector<Polyhedron> parts;
   parts.reserve(cut.parts);
@@ -34,8 +34,8 @@ std::optional<Fitness> fitnessAfter(const CellView& view, const CellCut& cut, do
       return {};
     }
   }
-  Fitness sum;
-  std::vector<Beyond> beyond;
+  CellFaults sum;
+  std::vector<NeighbourCell> beyond;
   std::vector<std::uint8_t> counts;
   beyond.reserve(cut.faces.size());
   counts.reserve(cut.faces.size());
@@ -49,11 +49,12 @@ std::optional<Fitness> fitnessAfter(const CellView& view, const CellCut& cut, do
       if (face.below == p || (inner && face.above == p))
       {
         const CellShape& other = shapes[face.below == p ? face.above : face.below];
-        beyond.push_back(inner ? Beyond{ other.centre, other.volume } : view.beyond[face.source]);
+        beyond.push_back(
+          inner ? NeighbourCell{ other.centre, other.volume } : view.beyond[face.source]);
         counts.push_back(face.below == p ? 1 : 0);
       }
     }
-    sum += fitnessOf(parts[p], shapes[p], beyond, counts);
+    sum += faultsOf(parts[p], shapes[p], beyond, counts);
   }
   return sum;
 }
@@ -66,12 +67,12 @@ std::vector<CellCut> findCuts(
   cells.lookBeyond(key, view);
   CellShape shape;
   measure(view.shape, shape);
-  const Fitness before = fitnessOf(view.shape, shape, view.beyond);
+  const CellFaults before = faultsOf(view.shape, shape, view.beyond);
   const double least = std::max(LeastPart * shape.volume, leastFraction * cells.volumeOfBox(key));
   FoundCuts found = searchCuts(
     view, shape, before, [&](const CellCut& cut) { return fitnessAfter(view, cut, least); });
   // Without concave edges nothing of the boundary fails.
-  if (found.helpful.empty() && found.harmless && before.faults[Fitness::BoundaryAngle] > 0)
+  if (found.helpful.empty() && found.harmless && before.counts[CellFaults::BoundaryAngle] > 0)
   {
     found.helpful.push_back(std::move(*found.harmless));
   }
@@ -129,7 +130,7 @@ private:
     for (const CellKey key : failing)
     {
       cells_.lookAround(key, cell);
-      const double area = fitnessOf(cell.shape, cell.measures, cell.beyond).area;
+      const double area = faultsOf(cell.shape, cell.measures, cell.beyond).area;
       order.emplace_back(-static_cast<float>(area), key);
     }
     std::sort(order.begin(), order.end());

@@ -1,7 +1,7 @@
 // One cell, or several as one, taken out of the whole to be looked at and tried on.
 #pragma once
 
-#include "Polyhedra/CellFitness.h"
+#include "Polyhedra/CellFaults.h"
 
 namespace cartesian
 {
@@ -26,7 +26,7 @@ struct CellView
   std::vector<CellKey> across;        // the cell beyond, or None
   std::vector<std::int32_t> boundary; // that it belongs to, where nothing is beyond
   std::vector<std::uint8_t> fixed;    // 1: a cell is beyond that must not change
-  std::vector<Beyond> beyond;         // filled by CellComplex::lookBeyond
+  std::vector<NeighbourCell> beyond;  // filled by CellComplex::lookBeyond
 
   void reserve(std::size_t ofFaces, std::size_t ofCorners)
   {

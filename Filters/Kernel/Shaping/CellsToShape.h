@@ -20,8 +20,8 @@ enum class IsAtFault : std::uint8_t
 struct KnownCells
 {
   std::vector<IsAtFault> atFault;    // Unknown: so is the rest
-  std::vector<std::uint8_t> isPlain; // as isPlain (CellFitness.h)
-  std::vector<Beyond> places;        // from the lower corner of its box
+  std::vector<std::uint8_t> isPlain; // as isPlain (CellFaults.h)
+  std::vector<NeighbourCell> places; // from the lower corner of its box
   std::vector<double> shares;        // of its box's volume
 
   void reserve(std::size_t cells);
@@ -30,7 +30,7 @@ struct KnownCells
 };
 
 // Of inner, then shaped faces, from the cells below and above.
-using Sights = std::vector<std::array<FaceSight, 2>>;
+using Sights = std::vector<std::array<CentreOffset, 2>>;
 
 // What the slabs of one stage have in common.
 struct CellsToShape

@@ -72,7 +72,7 @@ std::vector<ConcaveEdge> concaveEdges(const Polyhedron& cell, const CellShape& s
     e.to = edge.second;
     e.faces = { f, other->second };
     e.bend = -std::atan2(sine, cosine);
-    e.bend += e.bend < 0 ? 2 * 3.14159265358979 : 0;
+    e.bend += e.bend < 0 ? 2 * Pi : 0;
     e.along = along;
     // Both the sum of the normals and that of the ways into the faces point out of the cell.
     const Vector ways = plus(cross(n1, along), cross(along, n2));
@@ -122,7 +122,7 @@ CutPlane planeThrough(
 class Search
 {
 public:
-  Search(const CellView& view, const CellShape& shape, const Fitness& before, const Judge& judge)
+  Search(const CellView& view, const CellShape& shape, const CellFaults& before, const Judge& judge)
     : cell_(view.shape)
     , shape_(shape)
     , judge_(judge)
@@ -221,7 +221,7 @@ private:
     {
       return;
     }
-    const std::optional<Fitness> after = judge_(trial_);
+    const std::optional<CellFaults> after = judge_(trial_);
     if (after && after->weight() < best_.weight())
     {
       best_ = *after;
@@ -238,8 +238,8 @@ private:
   const Polyhedron& cell_;
   const CellShape& shape_;
   const Judge& judge_;
-  Fitness before_;
-  Fitness best_;
+  CellFaults before_;
+  CellFaults best_;
   std::vector<ConcaveEdge> edges_;
   FoundCuts found_;
   CellCut trial_;
@@ -248,7 +248,7 @@ private:
 }
 
 FoundCuts searchCuts(
-  const CellView& view, const CellShape& shape, const Fitness& before, const Judge& judge)
+  const CellView& view, const CellShape& shape, const CellFaults& before, const Judge& judge)
 {
   if (view.shape.faces() > MostFaces)
   {

@@ -11,7 +11,7 @@ namespace cartesian
 {
 
 // What would be at fault after a cut, or nothing where it must not be made.
-using Judge = std::function<std::optional<Fitness>(const CellCut&)>;
+using Judge = std::function<std::optional<CellFaults>(const CellCut&)>;
 
 struct FoundCuts
 {
@@ -22,6 +22,6 @@ struct FoundCuts
 
 // `before`: of the cell as it is.
 FoundCuts searchCuts(
-  const CellView& view, const CellShape& shape, const Fitness& before, const Judge& judge);
+  const CellView& view, const CellShape& shape, const CellFaults& before, const Judge& judge);
 
 }

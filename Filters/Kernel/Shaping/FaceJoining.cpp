@@ -337,7 +337,8 @@ std::vector<JoinedFaces> joinFace(const CellView& view, const CellShape& shape, 
   return Joiner(view, shape, AnyAngle).runWith(face);
 }
 
-Polyhedron shapeOf(const CellView& view, const JoinedFaces& joined, std::vector<Beyond>& beyond)
+Polyhedron shapeOf(
+  const CellView& view, const JoinedFaces& joined, std::vector<NeighbourCell>& beyond)
 {
   if (joined.groups.empty())
   {

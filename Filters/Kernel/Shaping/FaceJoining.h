@@ -28,6 +28,7 @@ JoinedFaces joinFaces(const CellView& view, const CellShape& shape, double least
 std::vector<JoinedFaces> joinFace(const CellView& view, const CellShape& shape, std::uint32_t face);
 
 // The view's shape with the groups, if any, for faces, and what is beyond them.
-Polyhedron shapeOf(const CellView& view, const JoinedFaces& joined, std::vector<Beyond>& beyond);
+Polyhedron shapeOf(
+  const CellView& view, const JoinedFaces& joined, std::vector<NeighbourCell>& beyond);
 
 }

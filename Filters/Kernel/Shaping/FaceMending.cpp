@@ -14,7 +14,7 @@ constexpr double LeastVolumeLeft = 0.8;
 // Where no pair of faces helps, those that meet at less become one, in degrees.
 constexpr std::array<double, 5> WiderAngles{ 30, 45, 60, 90, 180 };
 
-constexpr double RadiansPerDegree = 3.14159265358979 / 180;
+constexpr double RadiansPerDegree = Pi / 180;
 
 }
 
@@ -25,7 +25,7 @@ bool FaceMender::joinFaces(CellKey key, double leastCosine)
   {
     return false;
   }
-  const Fitness before = fitnessOf(view_.shape, shape_, view_.beyond);
+  const CellFaults before = faultsOf(view_.shape, shape_, view_.beyond);
   const JoinedFaces joined = cartesian::joinFaces(view_, shape_, leastCosine);
   if (joined.groups.empty() || !tryOut(joined).isBetterThan(before) || !keepsCell() ||
     complex_.hasFacesNear(key, view_, joined))
@@ -61,11 +61,11 @@ void FaceMender::look(CellKey key)
   measure(view_.shape, shape_);
 }
 
-Fitness FaceMender::tryOut(const JoinedFaces& joined)
+CellFaults FaceMender::tryOut(const JoinedFaces& joined)
 {
   trial_ = shapeOf(view_, joined, beyond_);
   measure(trial_, after_);
-  return fitnessOf(trial_, after_, beyond_);
+  return faultsOf(trial_, after_, beyond_);
 }
 
 // What was tried out.
@@ -82,7 +82,7 @@ bool FaceMender::mendFace(CellKey key)
   {
     return false;
   }
-  Fitness best = fitnessOf(view_.shape, shape_, view_.beyond);
+  CellFaults best = faultsOf(view_.shape, shape_, view_.beyond);
   JoinedFaces bestJoined;
   for (std::uint32_t face = 0; face < view_.faces.size(); ++face)
   {
@@ -93,7 +93,7 @@ bool FaceMender::mendFace(CellKey key)
     }
     for (JoinedFaces& joined : joinFace(view_, shape_, face))
     {
-      const Fitness fitness = tryOut(joined);
+      const CellFaults fitness = tryOut(joined);
       if (fitness.isBetterThan(best) && keepsCell() && !complex_.hasFacesNear(key, view_, joined))
       {
         best = fitness;

@@ -26,7 +26,7 @@ public:
 
 private:
   void look(CellKey key);
-  Fitness tryOut(const JoinedFaces& joined);
+  CellFaults tryOut(const JoinedFaces& joined);
   bool keepsCell() const;
   bool mendFace(CellKey key);
 
@@ -35,7 +35,7 @@ private:
   CellShape shape_;
   Polyhedron trial_; // what is tried out
   CellShape after_;
-  std::vector<Beyond> beyond_;
+  std::vector<NeighbourCell> beyond_;
 };
 
 }

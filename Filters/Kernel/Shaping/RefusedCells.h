@@ -10,7 +10,7 @@
 namespace cartesian
 {
 
-// Cells with refused faces (CellFitness.h; by either centre of bent faces), or too few; of an inner
+// Cells with refused faces (CellFaults.h; by either centre of bent faces), or too few; of an inner
 // face's two the smaller goes. Only cells with a boundary face go, smaller than `largest` volumes of their
 // box, or than R where their boundary has its own.
 class RefusedCells

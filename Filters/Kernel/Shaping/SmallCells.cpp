@@ -149,7 +149,7 @@ private:
 
   // But for its faces towards the cells from `begin` to `end`.
   template <class Iterator>
-  Fitness alone(CellKey key, Iterator begin, Iterator end)
+  CellFaults alone(CellKey key, Iterator begin, Iterator end)
   {
     cells_.lookAround(key, cell_);
     counts_.clear();
@@ -157,12 +157,12 @@ private:
     {
       counts_.push_back(std::find(begin, end, other) == end ? 1 : 0);
     }
-    return fitnessOf(cell_.shape, cell_.measures, cell_.beyond, counts_);
+    return faultsOf(cell_.shape, cell_.measures, cell_.beyond, counts_);
   }
 
-  Fitness apart(const std::vector<CellKey>& keys)
+  CellFaults apart(const std::vector<CellKey>& keys)
   {
-    Fitness sum;
+    CellFaults sum;
     for (auto key = keys.begin(); key != keys.end(); ++key)
     {
       sum += alone(*key, keys.begin(), key);
@@ -170,7 +170,7 @@ private:
     return sum;
   }
 
-  Fitness together(Merging& merging)
+  CellFaults together(Merging& merging)
   {
     cells_.view(merging.keys, merging.view);
     cells_.lookBeyond(merging.keys.front(), merging.view);
@@ -178,12 +178,12 @@ private:
     merging.joined = joinFaces(merging.view, shape_, isThin(shape_) ? NoAngle : leastCosine_);
     if (merging.joined.groups.empty())
     {
-      return fitnessOf(merging.view.shape, shape_, merging.view.beyond);
+      return faultsOf(merging.view.shape, shape_, merging.view.beyond);
     }
-    std::vector<Beyond> beyond;
+    std::vector<NeighbourCell> beyond;
     const Polyhedron joined = shapeOf(merging.view, merging.joined, beyond);
     measure(joined, shape_);
-    return fitnessOf(joined, shape_, beyond);
+    return faultsOf(joined, shape_, beyond);
   }
 
   // Carries it out unless another has changed one of the cells or what is beyond: then later.
@@ -248,8 +248,8 @@ private:
         group.keys.clear();
         continue;
       }
-      const Fitness after = together(group);
-      const Fitness before = apart(group.keys);
+      const CellFaults after = together(group);
+      const CellFaults before = apart(group.keys);
       if (after.weight() > before.weight() || !after.isNoLessValidThan(before))
       {
         group.keys.clear();
@@ -272,7 +272,7 @@ private:
   void choose(const Candidate& candidate, Merging& merging)
   {
     const CellKey* const none = nullptr;
-    const Fitness own = alone(candidate.key, none, none);
+    const CellFaults own = alone(candidate.key, none, none);
     int best = 0; // change of weight
     Merging& trial = trial_;
     const auto most = std::min(candidate.neighbours.size(), MostNeighbours);
@@ -281,13 +281,13 @@ private:
       const CellKey other = candidate.neighbours[i];
       const bool first = candidate.small && merging.keys.empty();
       trial.keys = { other, candidate.key };
-      Fitness before = alone(other, trial.keys.begin() + 1, trial.keys.end());
+      CellFaults before = alone(other, trial.keys.begin() + 1, trial.keys.end());
       before += own;
       if (before.weight() < (first ? 0 : 1) - best) // at best nothing is left of it
       {
         continue;
       }
-      const Fitness after = together(trial);
+      const CellFaults after = together(trial);
       const int change = after.weight() - before.weight();
       if (after.isNoLessValidThan(before) && (change < best || (first && change == 0)))
       {

@@ -16,7 +16,7 @@ struct MergesTried
 };
 
 // Merges cells smaller than `ratio` of their box, and with `mend` cells at fault, into the neighbour
-// with which least is at fault (CellFitness.h): never more than before, of a cell at fault less. Faces
+// with which least is at fault (CellFaults.h): never more than before, of a cell at fault less. Faces
 // of the result are joined (FaceJoining.h) where their normals' cosine is at least `leastCosine`. In
 // rounds, the smallest first, so that the result depends on the cells only. No two faces get the same
 // nodes. Returns how many were merged.

@@ -23,7 +23,7 @@ public:
   Finder(const Surface& surface, double featureAngle, Features& result)
     : surface_(surface)
     , result_(result)
-    , leastCosine_(std::cos(featureAngle * std::acos(-1.0) / 180))
+    , leastCosine_(std::cos(radians(featureAngle)))
     , neighbours_(surface.triangles.size(), Neighbours{ None, None, None })
   {
   }

@@ -1,7 +1,7 @@
 #include "Surface/Surface.h"
 
 #include "Base/Error.h"
-#include "Lattice/NumberedPoint.h"
+#include "Lattice/PointSortKey.h"
 #include "Lattice/Vector.h"
 
 #include <algorithm>
@@ -58,7 +58,7 @@ void checkTriangle(const SurfaceView& view, std::size_t triangle)
 // Gives points that share all levels one vertex: fills `surface.vertices`, returns each point's.
 std::vector<std::uint32_t> mergePoints(const std::vector<Point>& points, Surface& surface)
 {
-  std::vector<NumberedPoint> order;
+  std::vector<PointSortKey> order;
   order.reserve(points.size());
   for (std::uint32_t id = 0; id < points.size(); ++id)
   {

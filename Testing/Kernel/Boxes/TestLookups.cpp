@@ -1,7 +1,7 @@
 // What is looked up often, against the plain way.
 #include "Base/EdgeTable.h"
 #include "Boxes/Boxes.h"
-#include "Lattice/NumberedPoint.h"
+#include "Lattice/PointSortKey.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ TEST(Lookups, NumberedPointsAreInOrderOfPlacesThenNumbers)
     return static_cast<Level>(random() % 3 == 0 ? random() : random() % 3);
   };
   std::vector<std::pair<Point, std::uint32_t>> plain;
-  std::vector<NumberedPoint> packed;
+  std::vector<PointSortKey> packed;
   for (int i = 0; i < 3000; ++i)
   {
     plain.push_back({ { level(), level(), level() }, level() });

@@ -18,7 +18,7 @@ constexpr std::array<int, 2> acrossOf(int axis)
 std::vector<Box> placed(const Boxes& boxes)
 {
   std::vector<Box> all;
-  for (const PackedBox& box : boxes.boxes)
+  for (const PackedBox& box : boxes.packed)
   {
     all.push_back(boxes.placed(box));
   }
@@ -279,7 +279,7 @@ TEST(Refinement, RegionsRefineWhatLiesInThem)
   options.refinement.regions.push_back({ ball.view(), 2 });
   options.refinement.regions.push_back({ far.view(), 1 });
   const Meshed meshed = meshOf(cube(), cellsOf(0.1), options);
-  for (const PackedBox& b : meshed.boxed.boxes.boxes)
+  for (const PackedBox& b : meshed.boxed.boxes.packed)
   {
     const auto& at = meshed.boxed.boxes.globalOf(b).index;
     const bool middle = at[0] == 5 && at[1] == 5 && at[2] == 5;
@@ -350,7 +350,7 @@ TEST(Refinement, RangesBeyondTheGridAreClippedWithAWarning)
   EXPECT_NE(meshed.boxed.warnings.find("row 0"), std::string::npos) << meshed.boxed.warnings;
   EXPECT_NE(meshed.boxed.warnings.find("I from 3 to 40"), std::string::npos);
   EXPECT_TRUE(isValid(meshed.mesh));
-  EXPECT_GT(meshed.boxed.boxes.boxes.size(), 125u);
+  EXPECT_GT(meshed.boxed.boxes.packed.size(), 125u);
 }
 
 TEST(Refinement, TooManyBoxesAreRefusedBeforeTheyAreBuilt)

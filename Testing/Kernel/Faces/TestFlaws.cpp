@@ -1,5 +1,6 @@
 // Surfaces with flaws: what can be meshed is meshed, validly; the rest is said.
 #include "Base/Error.h"
+#include "Lattice/Vector.h"
 #include "Support/Effort.h"
 #include "Support/MeshChecker.h"
 
@@ -183,9 +184,8 @@ TEST(Flaws, ABoxThroughABox)
 TEST(Flaws, BodiesThatCross)
 {
   const Soup ball = unmarked(sphere(12, 1));
-  const double pi = std::acos(-1.0);
   // The lens between two balls of radius 1 whose middles are 1 apart.
-  const double lens = 5 * pi / 12;
+  const double lens = 5 * Pi / 12;
   for (const PatchMethod method :
     cases({ PatchMethod::MarchingCubes, PatchMethod::ExactFit, PatchMethod::Automatic }))
   {
@@ -200,7 +200,7 @@ TEST(Flaws, BodiesThatCross)
       EXPECT_NEAR(volumeOf(meshed.mesh) / volume, 1, 0.02);
     };
     Soup two = ball;
-    expectVolume(two.add(ball.moved({ 0.6, 0.64, 0.48 })), 8 * pi / 3 - lens, 30);
+    expectVolume(two.add(ball.moved({ 0.6, 0.64, 0.48 })), 8 * Pi / 3 - lens, 30);
     Soup rods = unmarked(box({ -0.2, -0.21, -1 }, { 0.2, 0.21, 1 })).turned();
     rods.add(unmarked(box({ -1, -0.2, -0.21 }, { 1, 0.2, 0.21 })).turned());
     expectVolume(rods, 0.4 * 0.42 * 4 - 0.4 * 0.4 * 0.42, 40);
@@ -237,7 +237,7 @@ TEST(Flaws, AMoebiusBand)
   const int n = 24;
   for (int i = 0; i < n; ++i)
   {
-    const double u = 2 * 3.14159265358979 * i / n;
+    const double u = 2 * Pi * i / n;
     for (const double v : { -0.4, 0.4 })
     {
       const double r = 1 + v * std::cos(u / 2);
@@ -290,8 +290,8 @@ TEST(Flaws, BoxesMadeAnewAreDescribedWithPlaces)
   Execution execution;
   TestOptions options;
   options.patches = exactFit();
-  const auto division = divide(prepared, options, execution);
-  const auto assembly = meshPart(prepared, *division, division->allLayers(), options, execution);
+  const auto decomposition = decompose(prepared, options, execution);
+  const auto assembly = meshPart(prepared, *decomposition, decomposition->allLayers(), options, execution);
   const std::string text = describeFlaws(*assembly);
   EXPECT_TRUE(flawedBoxes(*assembly).empty()) << text;
   EXPECT_NE(text.find(std::to_string(rebuiltBoxes(*assembly)) + " boxes"), std::string::npos)

@@ -84,7 +84,7 @@ std::size_t sheetsInTheMiddle(const Meshed& meshed)
   const Patches& patches = meshed.patches;
   for (std::size_t n = 0; n < intersected.size(); ++n)
   {
-    if (meshed.boxed.boxes.globalOf(meshed.boxed.boxes.boxes[intersected[n]]).index !=
+    if (meshed.boxed.boxes.globalOf(meshed.boxed.boxes.packed[intersected[n]]).index !=
       std::array<std::uint32_t, 3>{ 1, 1, 1 })
     {
       continue;
@@ -172,7 +172,7 @@ TEST(MarchingCubes, LongLoopsAreClosedToo)
     std::vector<LoopNode> loop;
     for (std::size_t i = 0; i < n; ++i)
     {
-      const double angle = 2 * std::acos(-1.0) * double(i) / double(n);
+      const double angle = 2 * Pi * double(i) / double(n);
       loop.push_back(node({ std::cos(angle), std::sin(angle), 0 }, { 0, 0, 1 }));
     }
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;

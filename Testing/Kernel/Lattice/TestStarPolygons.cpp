@@ -1,5 +1,6 @@
 // Faces that are too concave are split into parts that fall into triangles around their centres.
 #include "Lattice/StarPolygons.h"
+#include "Lattice/Vector.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@ using namespace cartesian;
 namespace
 {
 
-FlatPolygon polygon(const std::vector<Flat>& at)
+FlatPolygon polygon(const std::vector<PlanePoint>& at)
 {
   FlatPolygon p;
   p.at = at;
@@ -23,7 +24,7 @@ FlatPolygon polygon(const std::vector<Flat>& at)
   return p;
 }
 
-FlatPolygon hole(const std::vector<Flat>& at, std::uint32_t firstNode)
+FlatPolygon hole(const std::vector<PlanePoint>& at, std::uint32_t firstNode)
 {
   FlatPolygon p;
   for (std::size_t i = at.size(); i-- > 0;) // clockwise
@@ -34,12 +35,12 @@ FlatPolygon hole(const std::vector<Flat>& at, std::uint32_t firstNode)
   return p;
 }
 
-std::vector<Flat> square(std::int64_t low, std::int64_t high)
+std::vector<PlanePoint> square(std::int64_t low, std::int64_t high)
 {
   return { { low, low }, { high, low }, { high, high }, { low, high } };
 }
 
-Wide twiceArea(const std::vector<Flat>& at)
+Wide twiceArea(const std::vector<PlanePoint>& at)
 {
   Wide sum = 0;
   for (std::size_t i = 1; i + 1 < at.size(); ++i)
@@ -72,18 +73,18 @@ Edges withoutZeros(Edges edges)
 }
 
 // In exact numbers: n times the centre is the sum of n corners.
-bool isStarExactly(const std::vector<Flat>& at)
+bool isStarExactly(const std::vector<PlanePoint>& at)
 {
   const auto n = static_cast<std::int64_t>(at.size());
-  Flat centre{ 0, 0 };
-  for (const Flat& p : at)
+  PlanePoint centre{ 0, 0 };
+  for (const PlanePoint& p : at)
   {
     centre = { centre.a + p.a, centre.b + p.b };
   }
   for (std::size_t i = 0; i < at.size(); ++i)
   {
-    const Flat& p = at[i];
-    const Flat& q = at[(i + 1) % at.size()];
+    const PlanePoint& p = at[i];
+    const PlanePoint& q = at[(i + 1) % at.size()];
     if (turn(centre, { n * p.a, n * p.b }, { n * q.a, n * q.b }) < 0)
     {
       return false;
@@ -121,9 +122,9 @@ void expectStars(const FlatPolygon& whole)
   }
 }
 
-std::vector<Flat> comb(int teeth)
+std::vector<PlanePoint> comb(int teeth)
 {
-  std::vector<Flat> at = { { 0, 0 }, { 20 * teeth, 0 } };
+  std::vector<PlanePoint> at = { { 0, 0 }, { 20 * teeth, 0 } };
   for (int i = teeth; i-- > 0;)
   {
     at.push_back({ 20 * i + 20, 1000 });
@@ -134,14 +135,14 @@ std::vector<Flat> comb(int teeth)
   return at;
 }
 
-std::vector<Flat> spiral(int windings)
+std::vector<PlanePoint> spiral(int windings)
 {
-  std::vector<Flat> outer;
-  std::vector<Flat> inner;
+  std::vector<PlanePoint> outer;
+  std::vector<PlanePoint> inner;
   for (int i = 0; i <= 4 * windings; ++i)
   {
     const std::int64_t r = 1000 - 1000 * i / (4 * windings + 2);
-    const std::array<Flat, 4> way = { { { 1, 1 }, { -1, 1 }, { -1, -1 }, { 1, -1 } } };
+    const std::array<PlanePoint, 4> way = { { { 1, 1 }, { -1, 1 }, { -1, -1 }, { 1, -1 } } };
     outer.push_back({ way[i % 4].a * r, way[i % 4].b * r });
     inner.push_back({ way[i % 4].a * (r - 20), way[i % 4].b * (r - 20) });
   }
@@ -150,15 +151,15 @@ std::vector<Flat> spiral(int windings)
 }
 
 // Corners at random distances, in order of their directions: simple, however spiky.
-std::vector<Flat> spiky(unsigned seed, int corners)
+std::vector<PlanePoint> spiky(unsigned seed, int corners)
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> radius(1e3, 1e9);
-  std::vector<Flat> at;
+  std::vector<PlanePoint> at;
   for (int i = 0; i < corners; ++i)
   {
     const double r = radius(random);
-    const double angle = 2 * 3.14159265358979 * i / corners;
+    const double angle = 2 * Pi * i / corners;
     at.push_back({ std::llround(r * std::cos(angle)), std::llround(r * std::sin(angle)) });
   }
   return at;
@@ -169,8 +170,8 @@ std::vector<Flat> spiky(unsigned seed, int corners)
 TEST(StarPolygons, ConvexPolygonsStayWhole)
 {
   for (const auto& at : { square(0, 10), square(0, 4000000000),
-         std::vector<Flat>{ { 0, 0 }, { 1000000000, 0 }, { 1000000000, 1 } },
-         std::vector<Flat>{ { 0, 0 }, { 5, 0 }, { 9, 0 }, { 9, 9 } } })
+         std::vector<PlanePoint>{ { 0, 0 }, { 1000000000, 0 }, { 1000000000, 1 } },
+         std::vector<PlanePoint>{ { 0, 0 }, { 5, 0 }, { 9, 0 }, { 9, 9 } } })
   {
     EXPECT_TRUE(isStar(at));
     EXPECT_EQ(split(polygon(at)).size(), 1U);
@@ -232,8 +233,8 @@ TEST(StarPolygons, SeveralHoles)
   std::vector<FlatPolygon> holes;
   for (std::uint32_t i = 0; i < 9; ++i)
   {
-    std::vector<Flat> at = square(0, 150);
-    for (Flat& corner : at)
+    std::vector<PlanePoint> at = square(0, 150);
+    for (PlanePoint& corner : at)
     {
       corner = { corner.a + 100 + 300 * (i % 3) + i, corner.b + 100 + 300 * (i / 3) + 2 * i };
     }
@@ -271,11 +272,11 @@ TEST(StarPolygons, ManyTriangularHoles)
     for (std::uint32_t i = 0; i < 64; ++i)
     {
       const auto corner = [&](std::int64_t a, std::int64_t b) {
-        return Flat{ 100 + 100 * (i % 8) + a + static_cast<std::int64_t>(random() % 40),
+        return PlanePoint{ 100 + 100 * (i % 8) + a + static_cast<std::int64_t>(random() % 40),
           100 + 100 * (i / 8) + b + static_cast<std::int64_t>(random() % 40) };
       };
-      const Flat first = corner(0, 0);
-      const Flat second = corner(50, 0);
+      const PlanePoint first = corner(0, 0);
+      const PlanePoint second = corner(50, 0);
       holes.push_back(hole({ first, second, corner(20, 50) }, 4 + 3 * i));
     }
     std::shuffle(holes.begin(), holes.end(), random);
@@ -319,8 +320,8 @@ TEST(StarPolygons, PolygonsThatCrossThemselves)
     std::uniform_int_distribution<std::int64_t> level(0, width);
     for (int i = 0; i < 100; ++i)
     {
-      std::vector<Flat> at(static_cast<std::size_t>(3 + i % 20));
-      for (Flat& p : at)
+      std::vector<PlanePoint> at(static_cast<std::size_t>(3 + i % 20));
+      for (PlanePoint& p : at)
       {
         p = { level(random), level(random) };
       }

@@ -44,8 +44,8 @@ Meshlines scaled(Meshlines planes, Level by)
 Soup nearCoarseLattice(unsigned seed, int count, int width, double spacing)
 {
   std::mt19937 random(seed);
-  return randomTetrahedra(seed, count, width).each([&](const Vec& p) {
-    Vec q{};
+  return randomTetrahedra(seed, count, width).each([&](const Vector& p) {
+    Vector q{};
     for (int axis = 0; axis < 3; ++axis)
     {
       q[axis] = (p[axis] - 1) / 2 * spacing + (random() % 2 ? 1 : -1) + spacing;

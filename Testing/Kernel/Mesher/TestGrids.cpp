@@ -41,7 +41,7 @@ double boundaryArea(const MeshArrays& mesh, std::int32_t index)
         const double* p = mesh.points.data() + 3 * mesh.boundaryPoints[static_cast<std::size_t>(i)];
         face.points.push_back({ p[0], p[1], p[2] });
       }
-      Vec normal{};
+      Vector normal{};
       for (std::uint32_t i = 1; i + 1 < face.points.size(); ++i)
       {
         for (int axis = 0; axis < 3; ++axis)
@@ -104,11 +104,11 @@ TEST(Grids, ACubeOnItsOwnMeshlinesIsAllHexahedra)
 TEST(Grids, EdgesAlongBoxEdgesAndDiagonals)
 {
   const std::vector<double> lines = { -2, -1, -0.5, 0, 0.5, 1, 2 };
-  const Soup diamond = box({ -0.5, -0.5, -0.5 }, { 0.5, 0.5, 0.5 }).each([](const Vec& p) {
-    return Vec{ p[0] - p[1], p[0] + p[1], p[2] };
+  const Soup diamond = box({ -0.5, -0.5, -0.5 }, { 0.5, 0.5, 0.5 }).each([](const Vector& p) {
+    return Vector{ p[0] - p[1], p[0] + p[1], p[2] };
   });
-  const Soup sheared = box({ -0.5, -0.5, -0.5 }, { 0.5, 0.5, 0.5 }).each([](const Vec& p) {
-    return Vec{ p[0] + p[1], p[1] + p[2], p[2] };
+  const Soup sheared = box({ -0.5, -0.5, -0.5 }, { 0.5, 0.5, 0.5 }).each([](const Vector& p) {
+    return Vector{ p[0] + p[1], p[1] + p[2], p[2] };
   });
   for (const Soup& soup : { octahedron(1), octahedron(0.5), diamond, sheared,
          tetrahedron({ { { -1, -1, -1 }, { 1, 1, -1 }, { 1, -1, 1 }, { -1, 1, 1 } } }) })
@@ -214,8 +214,8 @@ TEST(Grids, PartsOfShapes)
   for (const NamedShape& shape : cleanShapes())
   {
     SCOPED_TRACE(shape.name);
-    const Vec low = shape.soup.low();
-    const Vec high = shape.soup.high();
+    const Vector low = shape.soup.low();
+    const Vector high = shape.soup.high();
     GridSpec grid;
     for (int axis = 0; axis < 3; ++axis)
     {

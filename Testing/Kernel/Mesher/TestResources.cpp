@@ -1,5 +1,6 @@
 // Extremes of size and place: bounded time and memory, a mesh or a clear message.
 #include "Base/Error.h"
+#include "Lattice/Vector.h"
 #include "Support/Effort.h"
 #include "Support/FuzzedSurface.h"
 
@@ -59,7 +60,7 @@ TEST(Resources, OneBoxHoldsAllTriangles)
 TEST(Resources, ANodeOfManyTriangles)
 {
   const std::uint32_t count = 20000;
-  const double angle = 2 * 3.14159265358979 / count;
+  const double angle = 2 * Pi / count;
   Soup soup;
   for (std::uint32_t i = 0; i < count; ++i)
   {
@@ -79,7 +80,7 @@ TEST(Resources, ANodeOfManyTriangles)
 TEST(Resources, ARingInOneBox)
 {
   const std::uint32_t count = 1000;
-  const double angle = 2 * 3.14159265358979 / count;
+  const double angle = 2 * Pi / count;
   Soup soup;
   for (std::uint32_t i = 0; i < count; ++i)
   {
@@ -137,7 +138,7 @@ TEST(Resources, ThousandsOfLooseTriangles)
   Soup soup;
   for (std::uint32_t t = 0; t < 20000; ++t)
   {
-    const Vec p{ at(random), at(random), at(random) };
+    const Vector p{ at(random), at(random), at(random) };
     soup.points.insert(
       soup.points.end(), { p, { p[0] + 0.01, p[1], p[2] + 0.003 }, { p[0], p[1] + 0.01, p[2] } });
     soup.triangles.push_back({ 3 * t, 3 * t + 1, 3 * t + 2 });

@@ -22,7 +22,7 @@ TEST(Statistics, FitTogether)
   EXPECT_EQ(values.at("Cells"), static_cast<double>(assembly->mesh->cellCount()));
   EXPECT_EQ(values.at("Cells"), values.at("Hexahedra") + values.at("Polyhedra"));
   EXPECT_EQ(values.at("BoxesInside") + values.at("BoxesIntersected"),
-    static_cast<double>(assembly->boxes.boxes.size()));
+    static_cast<double>(assembly->boxes.packed.size()));
   EXPECT_EQ(values.at("BoxesByMarchingCubes") + values.at("BoxesByExactFit"),
     values.at("BoxesIntersected"));
 }

@@ -14,8 +14,8 @@ namespace
 // Coordinates in 1/1024: they stay exact when moved.
 Soup onGrid(const Soup& soup)
 {
-  return soup.each([](const Vec& p) {
-    return Vec{ std::round(1024 * p[0]) / 1024, std::round(1024 * p[1]) / 1024,
+  return soup.each([](const Vector& p) {
+    return Vector{ std::round(1024 * p[0]) / 1024, std::round(1024 * p[1]) / 1024,
       std::round(1024 * p[2]) / 1024 };
   });
 }
@@ -53,7 +53,7 @@ TEST(Symmetry, TranslationMovesThePointsAndNothingElse)
     for (const int levels : { 0, 1 })
     {
       const TestOptions options = asTheyAre(0, depth(levels));
-      const Vec by = { 0.5, -1.25, 3 };
+      const Vector by = { 0.5, -1.25, 3 };
       const MeshArrays before = meshOf(still, cellsOf(0.125), options).mesh;
       MeshArrays after = meshOf(still.moved(by), cellsOf(0.125), options).mesh;
       for (std::size_t i = 0; i < after.points.size(); ++i)

@@ -1,7 +1,7 @@
 // Parts of a grid, each meshed by itself, are together the mesh of the whole: the same points, bit for
 // bit, the same cells, the same numbers.
 #include "Base/Error.h"
-#include "Parts/Division.h"
+#include "Parts/Decomposition.h"
 #include "Support/Effort.h"
 #include "Support/Pipeline.h"
 
@@ -29,19 +29,19 @@ public:
     : execution_(options.threads)
     , options_(options)
     , prepared_(prepare(soup, grid))
-    , division_(divide(prepared_, options, execution_))
+    , decomposition_(decompose(prepared_, options, execution_))
   {
   }
 
   std::vector<Layers> split(std::size_t count)
   {
-    return division_->split(division_->estimateLayers(execution_), count);
+    return decomposition_->split(decomposition_->estimateLayers(execution_), count);
   }
 
   std::vector<Layers> eachLayer() const
   {
     std::vector<Layers> layers;
-    for (std::uint32_t k = 0; k < division_->allLayers().end; ++k)
+    for (std::uint32_t k = 0; k < decomposition_->allLayers().end; ++k)
     {
       layers.push_back({ k, k + 1 });
     }
@@ -50,7 +50,7 @@ public:
 
   Part part(Layers core, Id pointsBefore)
   {
-    const auto assembly = meshPart(prepared_, *division_, core, options_, execution_);
+    const auto assembly = meshPart(prepared_, *decomposition_, core, options_, execution_);
     const Mesh& mesh = *assembly->mesh;
     Part part;
     part.mesh = arraysOf(mesh, assembly->boxes, execution_);
@@ -65,7 +65,7 @@ private:
   Execution execution_;
   TestOptions options_;
   PreparedSurface prepared_;
-  std::unique_ptr<Division> division_;
+  std::unique_ptr<Decomposition> decomposition_;
 };
 
 // The whole mesh out of its parts. Points that several parts have must be the same.
@@ -328,8 +328,8 @@ TEST(Parts, AreAsManyAsMemoryAsksFor)
   const PreparedSurface prepared = prepare(soup, cellsAlongLongest(soup, 150));
   Execution execution;
   const auto needed = [&](double bytes) {
-    const Division division(prepared.surface, prepared.planes, {}, bytes, {}, execution);
-    return division.partsNeeded(division.estimateLayers(execution));
+    const Decomposition decomposition(prepared.surface, prepared.planes, {}, bytes, {}, execution);
+    return decomposition.partsNeeded(decomposition.estimateLayers(execution));
   };
   const double whole = estimateMesh(prepared.surface, prepared.planes).bytes();
   EXPECT_EQ(1u, needed(2 * whole));

@@ -22,7 +22,7 @@ TestOptions by(PatchMethod method, int levels = 0, Tying tying = Tying::KeepNode
   return options;
 }
 
-Vec at(const Meshed& meshed, std::size_t corner)
+Vector at(const Meshed& meshed, std::size_t corner)
 {
   const Point& p = meshed.patches.points[meshed.patches.corners[corner]];
   const Lattice& lattice = meshed.boxed.boxes.lattice;
@@ -79,7 +79,7 @@ void expectSoundFaces(const Meshed& meshed)
       Vector centre{ 0, 0, 0 };
       for (std::size_t c = begin; c < end; ++c)
       {
-        const Vec x = at(meshed, c);
+        const Vector x = at(meshed, c);
         centre = plus(centre,
           { x[0] / double(end - begin), x[1] / double(end - begin), x[2] / double(end - begin) });
       }

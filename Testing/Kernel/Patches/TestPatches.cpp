@@ -53,10 +53,10 @@ double areaOf(const Patches& patches, std::size_t patch, const Lattice& lattice)
 {
   const auto at = [&](std::size_t corner) {
     const Point& p = patches.points[patches.corners[corner]];
-    return Vec{ lattice.position(0, p[0]), lattice.position(1, p[1]), lattice.position(2, p[2]) };
+    return Vector{ lattice.position(0, p[0]), lattice.position(1, p[1]), lattice.position(2, p[2]) };
   };
-  Vec sum{};
-  const Vec base = at(patches.start[patch]);
+  Vector sum{};
+  const Vector base = at(patches.start[patch]);
   for (std::size_t c = patches.start[patch] + 1; c + 1 < patches.start[patch + 1]; ++c)
   {
     for (int axis = 0; axis < 3; ++axis)

@@ -1,5 +1,5 @@
 // Cells by themselves: measured, and cut by planes.
-#include "Polyhedra/CellFitness.h"
+#include "Polyhedra/CellFaults.h"
 #include "Polyhedra/PolyhedronCut.h"
 
 #include <gtest/gtest.h>
@@ -68,11 +68,11 @@ double volumeOf(const Polyhedron& cell)
   return shape.volume;
 }
 
-std::array<int, Fitness::Faults> faultsOf(const Polyhedron& cell)
+std::array<int, CellFaults::Kinds> faultsOf(const Polyhedron& cell)
 {
   CellShape shape;
   measure(cell, shape);
-  return fitnessOf(cell, shape, std::vector<Beyond>(cell.faces())).faults;
+  return faultsOf(cell, shape, std::vector<NeighbourCell>(cell.faces())).counts;
 }
 
 // Every edge is run through as often one way as the other.
@@ -140,8 +140,8 @@ TEST(Polyhedron, ACubeIsMeasured)
 TEST(Polyhedron, AThinEllFailsTheAngleConditionAndAThickOneDoesNot)
 {
   // The centre of an L leaves it, seen from the concave corner, when its arms get thinner than 0.38.
-  EXPECT_EQ(faultsOf(ell(300))[Fitness::BoundaryAngle], 2);
-  EXPECT_EQ(faultsOf(ell(600))[Fitness::BoundaryAngle], 0);
+  EXPECT_EQ(faultsOf(ell(300))[CellFaults::BoundaryAngle], 2);
+  EXPECT_EQ(faultsOf(ell(600))[CellFaults::BoundaryAngle], 0);
 }
 
 TEST(Polyhedron, ANarrowFaceFarFromTheCentreIsSkewed)
@@ -151,8 +151,8 @@ TEST(Polyhedron, ANarrowFaceFarFromTheCentreIsSkewed)
     prism({ { 0, 0 }, { 1000, 0 }, { 1000, 100 }, { 990, 100 }, { 0, 100 } }, 1000);
   CellShape shape;
   measure(slab, shape);
-  EXPECT_EQ(faultsOf(slab)[Fitness::BoundaryAngle], 0);
-  EXPECT_EQ(faultsOf(slab)[Fitness::BoundarySkewed], 1);
+  EXPECT_EQ(faultsOf(slab)[CellFaults::BoundaryAngle], 0);
+  EXPECT_EQ(faultsOf(slab)[CellFaults::BoundarySkewness], 1);
   EXPECT_TRUE(isAtFault(slab, shape, 4));
   EXPECT_FALSE(isAtFault(slab, shape, 5));
 }
@@ -177,7 +177,7 @@ TEST(PolyhedronCut, APlaneNearCornersTakesThem)
 {
   // Through a diagonal, but for 3 degrees: no new point.
   CellCut cut;
-  const double slope = std::tan((45.0 + 3) * 3.14159265358979 / 180);
+  const double slope = std::tan(radians(45.0 + 3));
   const Vector normal = unit({ -slope, 1, 0 });
   ASSERT_TRUE(cutCell(cube(), { { 0, 0, 0 }, normal, {} }, cut));
   EXPECT_TRUE(cut.points.empty());
@@ -205,7 +205,7 @@ TEST(PolyhedronCut, AnEllAlongItsConcaveEdge)
     const Polyhedron arm = partOf(cell, cut, part);
     EXPECT_TRUE(isClosed(arm));
     measure(arm, shape);
-    EXPECT_EQ(faultsOf(arm)[Fitness::BoundaryAngle], 0);
+    EXPECT_EQ(faultsOf(arm)[CellFaults::BoundaryAngle], 0);
     volume += shape.volume;
   }
   EXPECT_DOUBLE_EQ(volume, volumeOf(cell));
@@ -239,9 +239,9 @@ TEST(Polyhedron, FacesThatAreSurelyAcceptedAreNotRefused)
     const double reach = std::pow(10, 2 + 1.5 * uniform(random));
     shape.centre = minus(plus(face.centre, vector(reach)), scaled(normal, reach));
     shape.volume = 1;
-    const Beyond beyond{ plus(plus(face.centre, vector(reach)), scaled(normal, reach)), 1 };
-    const bool isSure = isSurelyAccepted(sightOf(shape.centre, face.centre, face.area),
-      sightOf(beyond.centre, face.centre, scaled(face.area, -1)));
+    const NeighbourCell beyond{ plus(plus(face.centre, vector(reach)), scaled(normal, reach)), 1 };
+    const bool isSure = isSurelyAccepted(centreOffsetOf(shape.centre, face.centre, face.area),
+      centreOffsetOf(beyond.centre, face.centre, scaled(face.area, -1)));
     const bool isBad = isRefused(cell, shape, 0, beyond);
     EXPECT_FALSE(isSure && isBad);
     sure += isSure ? 1 : 0;

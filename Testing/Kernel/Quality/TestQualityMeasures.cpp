@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr double Close = 1e-12;
-const double Degrees = 180 / std::acos(-1.0);
+constexpr double Degrees = 180 / Pi;
 
 using Polygon = std::vector<Vector>;
 using Polyhedron = std::vector<Polygon>; // outward faces

@@ -125,7 +125,7 @@ TEST(Orientation, ManySmallCavities)
   std::mt19937 random(7);
   for (int i = 0; i < 500; ++i)
   {
-    const Vec at{ 0.05 + i % 10 * 0.1, 0.05 + i / 10 % 10 * 0.1, 0.1 + i / 100 * 0.2 };
+    const Vector at{ 0.05 + i % 10 * 0.1, 0.05 + i / 10 % 10 * 0.1, 0.1 + i / 100 * 0.2 };
     const Soup cavity = octahedron(0.01).turned().moved(at);
     soup.add(random() % 2 ? cavity : cavity.flipped());
     volume -= cavity.volume();

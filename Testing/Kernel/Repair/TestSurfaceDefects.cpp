@@ -80,7 +80,7 @@ TEST(SurfaceDefects, OpenEdgesAndTheHole)
   {
     const Vector& p = defects.points[6 + i];
     EXPECT_TRUE(std::any_of(lost.begin(), lost.end(), [&](std::uint32_t corner) {
-      const Vec& q = soup.points[corner];
+      const Vector& q = soup.points[corner];
       return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) < 1e-8;
     }));
   }
@@ -124,7 +124,7 @@ TEST(SurfaceDefects, AFoldAndAnOverlap)
   Soup soup = unmarked(cube());
   soup.points.push_back({ 0.5, 0.25, 0 });
   const auto flap = static_cast<std::uint32_t>(soup.points.size() - 1);
-  const auto at = [&](const Vec& p) {
+  const auto at = [&](const Vector& p) {
     return static_cast<std::uint32_t>(
       std::find(soup.points.begin(), soup.points.end(), p) - soup.points.begin());
   };

@@ -19,13 +19,13 @@ Soup unmarked(Soup soup)
 }
 
 // Without the triangles for which `lost` is true of their middles.
-Soup without(const Soup& soup, const std::function<bool(const Vec&)>& lost)
+Soup without(const Soup& soup, const std::function<bool(const Vector&)>& lost)
 {
   Soup rest;
   rest.points = soup.points;
   for (std::size_t t = 0; t < soup.triangles.size(); ++t)
   {
-    Vec middle{};
+    Vector middle{};
     for (const std::uint32_t p : soup.triangles[t])
     {
       for (int axis = 0; axis < 3; ++axis)
@@ -148,7 +148,7 @@ TEST(Duplicates, AWallBetweenBodiesIsNone)
 // A tetrahedron twice as high as another on the same triangle: both as given are one body.
 TEST(Duplicates, AWallOfTwoBodiesThatOverlapStays)
 {
-  const auto onTheFloor = [](const Vec& apex) {
+  const auto onTheFloor = [](const Vector& apex) {
     return unmarked(tetrahedron({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, apex } })).turned();
   };
   const Soup high = onTheFloor({ 0.3, 0.3, 1 });
@@ -178,7 +178,7 @@ TEST(Holes, WiderThanABoxAreLeaks)
   Soup halves;
   for (const bool upper : { false, true })
   {
-    const Soup half = without(soup, [&](const Vec& middle) { return (middle[2] > 0) != upper; });
+    const Soup half = without(soup, [&](const Vector& middle) { return (middle[2] > 0) != upper; });
     halves.add(half.moved({ 0, 0, upper ? 0.5 : 0 }));
   }
   const Meshed meshed = meshOf(halves, cellsOf(0.15));
@@ -197,7 +197,7 @@ TEST(Holes, WiderThanABoxAreLeaks)
 TEST(Holes, OfManyEdges)
 {
   const Soup soup = unmarked(sphere(60, 1));
-  const Soup half = without(soup, [](const Vec& middle) { return middle[2] > 0; });
+  const Soup half = without(soup, [](const Vector& middle) { return middle[2] > 0; });
   const PreparedSurface prepared = prepare(half, cellsOf(0.5));
   ASSERT_EQ(prepared.repair.holes.size(), 1U);
   EXPECT_GT(prepared.repair.holes[0].rim.size(), 128U);

@@ -23,7 +23,7 @@ Surface randomTriangles(unsigned seed, int count, int width)
   Soup soup;
   for (int i = 0; i < 3 * count; ++i)
   {
-    Vec p{};
+    Vector p{};
     for (double& x : p)
     {
       x = 2 * static_cast<double>(random() % static_cast<unsigned>(width)) + 1;

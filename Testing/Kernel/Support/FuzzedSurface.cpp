@@ -106,7 +106,7 @@ Soup editedShapes(Bytes& bytes)
   Soup soup = shape(bytes);
   for (unsigned n = bytes.below(3); n > 0; --n)
   {
-    Vec by{};
+    Vector by{};
     for (double& x : by)
     {
       x = (bytes.byte() - 128.0) / 64;

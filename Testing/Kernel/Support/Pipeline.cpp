@@ -130,9 +130,9 @@ BoxedSurface boxSurface(
 {
   Options options;
   options.refinement = refinement;
-  const auto division = divide(prepared, options, execution);
-  Boxes boxes = division->boxes(division->allLayers(), execution);
-  return { std::move(boxes), division->takeShoeboxes(), division->warnings() };
+  const auto decomposition = decompose(prepared, options, execution);
+  Boxes boxes = decomposition->boxes(decomposition->allLayers(), execution);
+  return { std::move(boxes), decomposition->takeShoeboxes(), decomposition->warnings() };
 }
 
 Meshlines randomPlanes(unsigned seed, int width)
@@ -168,15 +168,17 @@ PreparedSurface prepareOnLevels(const Soup& soup, const Meshlines& planes)
 Meshed meshPrepared(const PreparedSurface& prepared, const TestOptions& options)
 {
   Execution execution(options.threads);
-  const auto division = divide(prepared, options, execution);
-  const auto assembly = meshPart(prepared, *division, division->allLayers(), options, execution);
+  const auto decomposition = decompose(prepared, options, execution);
+  const auto assembly =
+    meshPart(prepared, *decomposition, decomposition->allLayers(), options, execution);
   Meshed result;
   result.prepared = prepared;
   result.mesh = arraysOf(*assembly->mesh, assembly->boxes, execution);
   result.flawedBoxes = flawedBoxes(*assembly);
   result.statistics = statisticsOf(*assembly);
   result.patches = std::move(assembly->patches);
-  result.boxed = { std::move(assembly->boxes), division->takeShoeboxes(), division->warnings() };
+  result.boxed = { std::move(assembly->boxes), decomposition->takeShoeboxes(),
+    decomposition->warnings() };
   return result;
 }
 

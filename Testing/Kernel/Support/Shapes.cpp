@@ -10,35 +10,13 @@ namespace cartesian
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
-
-Vec minus(const Vec& a, const Vec& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-Vec cross(const Vec& a, const Vec& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double dot(const Vec& a, const Vec& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-double length(const Vec& a)
-{
-  return std::sqrt(dot(a, a));
-}
-
 // Adds quadrilaterals whose points are named by integers: the same name is the same point.
 class Builder
 {
 public:
   using Name = std::array<int, 3>;
 
-  explicit Builder(std::function<Vec(const Name&)> place)
+  explicit Builder(std::function<Vector(const Name&)> place)
     : place_(std::move(place))
   {
   }
@@ -79,13 +57,13 @@ private:
     return static_cast<std::uint32_t>(at->second);
   }
 
-  std::function<Vec(const Name&)> place_;
+  std::function<Vector(const Name&)> place_;
   std::map<Name, std::size_t> ids_;
   Soup soup_;
 };
 
 // The surface of a cube of n^3 grid boxes around the origin, its points moved by `place`.
-Soup gridCube(int n, const std::function<Vec(const Vec&)>& place)
+Soup gridCube(int n, const std::function<Vector(const Vector&)>& place)
 {
   Builder builder([&](const Builder::Name& name) {
     return place({ 2.0 * name[0] / n - 1, 2.0 * name[1] / n - 1, 2.0 * name[2] / n - 1 });
@@ -107,9 +85,9 @@ Soup gridCube(int n, const std::function<Vec(const Vec&)>& place)
   return builder.take();
 }
 
-Vec onSphere(const Vec& p, double radius)
+Vector onSphere(const Vector& p, double radius)
 {
-  const double l = length(p);
+  const double l = norm(p);
   return { radius * p[0] / l, radius * p[1] / l, radius * p[2] / l };
 }
 
@@ -131,7 +109,7 @@ double Soup::volume() const
   double six = 0;
   for (const auto& t : triangles)
   {
-    const Vec& base = points[triangles[0][0]];
+    const Vector& base = points[triangles[0][0]];
     six +=
       dot(minus(points[t[0]], base), cross(minus(points[t[1]], base), minus(points[t[2]], base)));
   }
@@ -141,7 +119,7 @@ double Soup::volume() const
 double Soup::area(std::size_t triangle) const
 {
   const auto& t = triangles[triangle];
-  return length(cross(minus(points[t[1]], points[t[0]]), minus(points[t[2]], points[t[0]]))) / 2;
+  return norm(cross(minus(points[t[1]], points[t[0]]), minus(points[t[2]], points[t[0]]))) / 2;
 }
 
 double Soup::area() const
@@ -161,18 +139,18 @@ double Soup::edgeLength() const
   {
     for (int i = 0; i < 3; ++i)
     {
-      twice += length(minus(points[t[i]], points[t[(i + 1) % 3]]));
+      twice += norm(minus(points[t[i]], points[t[(i + 1) % 3]]));
     }
   }
   return twice / 2;
 }
 
-Vec Soup::low() const
+Vector Soup::low() const
 {
   return boundsOf(view()).low;
 }
 
-Vec Soup::high() const
+Vector Soup::high() const
 {
   return boundsOf(view()).high;
 }
@@ -200,37 +178,37 @@ Soup& Soup::add(const Soup& other)
   return *this;
 }
 
-Soup Soup::each(const std::function<Vec(const Vec&)>& move) const
+Soup Soup::each(const std::function<Vector(const Vector&)>& move) const
 {
   Soup result = *this;
-  for (Vec& p : result.points)
+  for (Vector& p : result.points)
   {
     p = move(p);
   }
   return result;
 }
 
-Soup Soup::moved(const Vec& by) const
+Soup Soup::moved(const Vector& by) const
 {
-  return each([&](const Vec& p) { return Vec{ p[0] + by[0], p[1] + by[1], p[2] + by[2] }; });
+  return each([&](const Vector& p) { return Vector{ p[0] + by[0], p[1] + by[1], p[2] + by[2] }; });
 }
 
 Soup Soup::scaled(double by) const
 {
-  return scaled(Vec{ by, by, by });
+  return scaled(Vector{ by, by, by });
 }
 
-Soup Soup::scaled(const Vec& by) const
+Soup Soup::scaled(const Vector& by) const
 {
-  return each([&](const Vec& p) { return Vec{ p[0] * by[0], p[1] * by[1], p[2] * by[2] }; });
+  return each([&](const Vector& p) { return Vector{ p[0] * by[0], p[1] * by[1], p[2] * by[2] }; });
 }
 
 Soup Soup::turned(int axis, double degrees) const
 {
   const double c = std::cos(degrees * Pi / 180);
   const double s = std::sin(degrees * Pi / 180);
-  return each([&](const Vec& p) {
-    Vec q = p;
+  return each([&](const Vector& p) {
+    Vector q = p;
     const int u = (axis + 1) % 3;
     const int v = (axis + 2) % 3;
     q[u] = c * p[u] - s * p[v];
@@ -246,7 +224,7 @@ Soup Soup::turned() const
 
 Soup Soup::permuted(const std::array<int, 3>& axes) const
 {
-  Soup result = each([&](const Vec& p) { return Vec{ p[axes[0]], p[axes[1]], p[axes[2]] }; });
+  Soup result = each([&](const Vector& p) { return Vector{ p[axes[0]], p[axes[1]], p[axes[2]] }; });
   const bool even = (axes[0] + 1) % 3 == axes[1];
   return even ? result : result.flipped();
 }
@@ -261,10 +239,10 @@ Soup Soup::flipped() const
   return result;
 }
 
-Soup box(const Vec& low, const Vec& high)
+Soup box(const Vector& low, const Vector& high)
 {
-  return gridCube(1, [&](const Vec& p) {
-    return Vec{ p[0] < 0 ? low[0] : high[0], p[1] < 0 ? low[1] : high[1],
+  return gridCube(1, [&](const Vector& p) {
+    return Vector{ p[0] < 0 ? low[0] : high[0], p[1] < 0 ? low[1] : high[1],
       p[2] < 0 ? low[2] : high[2] };
   });
 }
@@ -290,7 +268,7 @@ Soup octahedron(double radius)
   return soup;
 }
 
-Soup tetrahedron(const std::array<Vec, 4>& corners)
+Soup tetrahedron(const std::array<Vector, 4>& corners)
 {
   Soup soup;
   soup.points.assign(corners.begin(), corners.end());
@@ -300,7 +278,7 @@ Soup tetrahedron(const std::array<Vec, 4>& corners)
 
 Soup sphere(int n, double radius)
 {
-  return gridCube(n, [&](const Vec& p) { return onSphere(p, radius); });
+  return gridCube(n, [&](const Vector& p) { return onSphere(p, radius); });
 }
 
 Soup torus(int n, double radius, double tube)
@@ -309,7 +287,7 @@ Soup torus(int n, double radius, double tube)
     const double u = 2 * Pi * name[0] / (2 * n);
     const double v = 2 * Pi * name[1] / n;
     const double r = radius + tube * std::cos(v);
-    return Vec{ r * std::cos(u), r * std::sin(u), tube * std::sin(v) };
+    return Vector{ r * std::cos(u), r * std::sin(u), tube * std::sin(v) };
   };
   Builder builder(place);
   for (int i = 0; i < 2 * n; ++i)
@@ -332,7 +310,7 @@ Soup kleinBottle(int n)
     const double a = std::sin(v);
     const double b = std::sin(2 * v);
     const double r = 3 + std::cos(half) * a - std::sin(half) * b;
-    return Vec{ r * std::cos(2 * half), r * std::sin(2 * half),
+    return Vector{ r * std::cos(2 * half), r * std::sin(2 * half),
       std::sin(half) * a + std::cos(half) * b };
   };
   Builder builder(place);
@@ -385,7 +363,7 @@ Soup voxels(const std::array<std::vector<double>, 3>& lines,
     return within && inside(p[0], p[1], p[2]);
   };
   Builder builder([&](const Builder::Name& p) {
-    return Vec{ lines[0][p[0]], lines[1][p[1]], lines[2][p[2]] };
+    return Vector{ lines[0][p[0]], lines[1][p[1]], lines[2][p[2]] };
   });
   for (int v = 0; v < n[0] * n[1] * n[2]; ++v)
   {
@@ -423,22 +401,22 @@ Soup starPolyhedron(unsigned seed, int n)
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> radius(0.3, 1);
-  return gridCube(n, [&](const Vec& p) { return onSphere(p, radius(random)); });
+  return gridCube(n, [&](const Vector& p) { return onSphere(p, radius(random)); });
 }
 
 Soup bumpySphere(unsigned seed, int n)
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> value(-1, 1);
-  std::array<Vec, 5> waves;
-  for (Vec& wave : waves)
+  std::array<Vector, 5> waves;
+  for (Vector& wave : waves)
   {
     wave = { 7 * value(random), 7 * value(random), 7 * value(random) };
   }
-  return gridCube(n, [&](const Vec& p) {
-    const Vec q = onSphere(p, 1);
+  return gridCube(n, [&](const Vector& p) {
+    const Vector q = onSphere(p, 1);
     double radius = 1;
-    for (const Vec& wave : waves)
+    for (const Vector& wave : waves)
     {
       radius += 0.12 * std::sin(dot(wave, q));
     }
@@ -453,8 +431,8 @@ Soup randomTetrahedra(unsigned seed, int count, int width)
   Soup soup;
   for (int i = 0; i < count; ++i)
   {
-    std::array<Vec, 4> corners;
-    for (Vec& corner : corners)
+    std::array<Vector, 4> corners;
+    for (Vector& corner : corners)
     {
       for (double& x : corner)
       {

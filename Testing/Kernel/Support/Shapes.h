@@ -1,6 +1,7 @@
 // Named shapes as triangle soups, for the tests.
 #pragma once
 
+#include "Lattice/Vector.h"
 #include "Surface/Surface.h"
 
 #include <functional>
@@ -11,12 +12,10 @@
 namespace cartesian
 {
 
-using Vec = std::array<double, 3>;
-
 // Triangles with outward normals.
 struct Soup
 {
-  std::vector<Vec> points;
+  std::vector<Vector> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::int32_t> boundary; // of each triangle, or empty: all 0
 
@@ -30,25 +29,25 @@ struct Soup
   double area(std::size_t triangle) const;
   double area() const;
   double edgeLength() const; // each edge of two triangles counted once
-  Vec low() const;
-  Vec high() const;
+  Vector low() const;
+  Vector high() const;
   double longest() const;
 
   Soup& add(const Soup& other);
-  Soup each(const std::function<Vec(const Vec&)>& move) const;
-  Soup moved(const Vec& by) const;
+  Soup each(const std::function<Vector(const Vector&)>& move) const;
+  Soup moved(const Vector& by) const;
   Soup scaled(double by) const;
-  Soup scaled(const Vec& by) const;
+  Soup scaled(const Vector& by) const;
   Soup turned(int axis, double degrees) const;
   Soup turned() const;                                 // by odd angles about all axes
   Soup permuted(const std::array<int, 3>& axes) const; // new axis a is the old axes[a]
   Soup flipped() const;                                // normals the other way
 };
 
-Soup box(const Vec& low, const Vec& high); // boundaries 0 to 5: low x, high x, low y, ...
-Soup cube();                               // 0 to 1
-Soup octahedron(double radius);            // vertices on the axes
-Soup tetrahedron(const std::array<Vec, 4>& corners);
+Soup box(const Vector& low, const Vector& high); // boundaries 0 to 5: low x, high x, low y, ...
+Soup cube();                                     // 0 to 1
+Soup octahedron(double radius);                  // vertices on the axes
+Soup tetrahedron(const std::array<Vector, 4>& corners);
 Soup sphere(int n, double radius); // 12 n^2 triangles
 Soup torus(int n, double radius, double tube);
 Soup needle();           // 1 long, 1e-4 thick

@@ -1,4 +1,5 @@
 // How large a mesh is expected to be, against what is made.
+#include "Lattice/Vector.h"
 #include "Support/Pipeline.h"
 #include "Surface/SizeEstimate.h"
 
@@ -7,13 +8,11 @@ using namespace cartesian;
 namespace
 {
 
-constexpr double Pi = 3.14159265358979;
-
 double boxesOf(const Soup& soup, double size, int deepest)
 {
   Execution execution;
   return static_cast<double>(
-    boxSurface(prepare(soup, cellsOf(size)), depth(deepest), execution).boxes.boxes.size());
+    boxSurface(prepare(soup, cellsOf(size)), depth(deepest), execution).boxes.packed.size());
 }
 
 }

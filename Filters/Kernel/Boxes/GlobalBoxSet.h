@@ -7,11 +7,11 @@
 namespace cartesian
 {
 
-class RowSet
+class GlobalBoxSet
 {
 public:
   // For `rowsAlongY` times `rowsAlongZ` rows of `boxesAlongX` boxes.
-  RowSet(std::int64_t boxesAlongX, std::int64_t rowsAlongY, std::int64_t rowsAlongZ);
+  GlobalBoxSet(std::int64_t boxesAlongX, std::int64_t rowsAlongY, std::int64_t rowsAlongZ);
 
   // Boxes of a row are inserted in order of i.
   void insert(std::int64_t i, std::int64_t j, std::int64_t k);
@@ -19,7 +19,7 @@ public:
   bool contains(std::int64_t i, std::int64_t j, std::int64_t k) const;
 
   // All boxes at most `layers` boxes away along x, y and z.
-  RowSet grown(std::int64_t layers) const;
+  GlobalBoxSet grown(std::int64_t layers) const;
 
 private:
   struct Run
@@ -30,8 +30,8 @@ private:
   using Row = std::vector<Run>;
 
   static void unite(std::vector<Run>& runs);
-  RowSet grownAlongX(std::int64_t layers) const;
-  RowSet grownAcross(std::int64_t layers, bool alongZ) const;
+  GlobalBoxSet grownAlongX(std::int64_t layers) const;
+  GlobalBoxSet grownAcross(std::int64_t layers, bool alongZ) const;
 
   std::int64_t boxesAlongX_;
   std::int64_t rowsAlongY_;

@@ -1,4 +1,4 @@
-#include "Parts/Division.h"
+#include "Parts/Decomposition.h"
 
 namespace cartesian
 {
@@ -7,7 +7,7 @@ namespace
 {
 
 // Layers of global boxes around a part of the grid that its cells depend on, directly or not. What
-// happens to cells once they are cut reaches as far as cutFrom() says (Slabs.h). Before, three times,
+// happens to cells once they are cut reaches as far as layersForCells() says (Slabs.h). Before, three times,
 // flawed boxes change those around them, and are flawed by theirs (FlawedBoxes.h); faces between those
 // and the next layer take the surface in one more, and how each box there is patched; and where boxes
 // are divided, that takes the split lines of the next.
@@ -17,18 +17,18 @@ constexpr std::uint32_t HaloOfDivided = HaloOfUndivided + 1;
 
 // ... after balancing, which takes balanceReach() more.
 Layers layersFor(
-  Layers core, const Reach& reach, const Refinement& refinement, std::uint32_t allLayers)
+  Layers core, const LaterSteps& laterSteps, const Refinement& refinement, std::uint32_t allLayers)
 {
-  return cutFrom(core, reach, allLayers)
+  return layersForCells(core, laterSteps, allLayers)
     .grown(refinement.any() ? HaloOfDivided : HaloOfUndivided, allLayers);
 }
 
 // The time that an intersected box takes, by that of a box inside (see Testing/Benchmark).
 constexpr double WorkOfAnIntersectedBox = 30;
 
-Estimate sumOf(const std::vector<Estimate>& ofLayers, Layers layers)
+MeshEstimate sumOf(const std::vector<MeshEstimate>& ofLayers, Layers layers)
 {
-  Estimate sum;
+  MeshEstimate sum;
   for (std::uint32_t k = layers.begin; k < layers.end; ++k)
   {
     sum.inside += ofLayers[k].inside;
@@ -43,42 +43,42 @@ std::uint32_t nearestDivide(std::uint32_t layer)
   return layer / DivideDistance * DivideDistance + FirstDivide;
 }
 
-double workOf(const Estimate& estimate)
+double workOf(const MeshEstimate& estimate)
 {
   return estimate.inside + WorkOfAnIntersectedBox * estimate.intersected;
 }
 
 }
 
-Division::Division(const Surface& surface, const Meshlines& planes, const RefinementSpec& spec,
-  double mostBytes, const Reach& reach, Execution& execution)
+Decomposition::Decomposition(const Surface& surface, const Meshlines& planes,
+  const RefinementSpec& spec, double mostBytes, const LaterSteps& laterSteps, Execution& execution)
   : surface_(surface)
   , planes_(planes)
   , mostBytes_(mostBytes)
-  , reach_(reach)
+  , laterSteps_(laterSteps)
   , shoeboxes_(fillShoeboxes(surface, planes, execution))
   , refinement_(spec, surface, shoeboxes_, planes, execution)
   , statuses_(surface, planes, shoeboxes_, execution)
 {
 }
 
-Boxes Division::boxes(Layers core, Execution& execution) const
+Boxes Decomposition::boxes(Layers core, Execution& execution) const
 {
   return generateBoxes(surface_, planes_, shoeboxes_, refinement_, statuses_, core,
-    layersFor(core, reach_, refinement_, allLayers().end), mostBytes_, execution);
+    layersFor(core, laterSteps_, refinement_, allLayers().end), mostBytes_, execution);
 }
 
-std::vector<Estimate> Division::estimateLayers(Execution& execution) const
+std::vector<MeshEstimate> Decomposition::estimateLayers(Execution& execution) const
 {
-  std::vector<Estimate> layers(allLayers().end);
+  std::vector<MeshEstimate> layers(allLayers().end);
   execution.forEach(layers.size(), 1, [&](std::size_t begin, std::size_t) {
     const auto k = static_cast<std::uint32_t>(begin);
-    Estimate& sum = layers[k];
+    MeshEstimate& sum = layers[k];
     for (std::uint32_t j = 0; j + 1 < planes_[1].size(); ++j)
     {
       statuses_.forEachBox(j, k, [&](std::uint32_t i, BoxStatus status) {
         const Depths depths = refinement_.any() ? refinement_.at(i, j, k) : Depths();
-        const Estimate box = estimateBox(status, depths);
+        const MeshEstimate box = estimateBox(status, depths);
         sum.inside += box.inside;
         sum.intersected += box.intersected;
       });
@@ -87,13 +87,14 @@ std::vector<Estimate> Division::estimateLayers(Execution& execution) const
   return layers;
 }
 
-std::vector<Layers> Division::split(const std::vector<Estimate>& layers, std::size_t count) const
+std::vector<Layers> Decomposition::split(
+  const std::vector<MeshEstimate>& layers, std::size_t count) const
 {
   const auto end = static_cast<std::uint32_t>(layers.size());
   const double all = workOf(sumOf(layers, { 0, end }));
   std::vector<Layers> parts(count);
   // Thin parts would become uneven.
-  const bool moves = reach_.shapes && end >= 2 * DivideDistance * count;
+  const bool moves = laterSteps_.shapes && end >= 2 * DivideDistance * count;
   std::uint32_t k = 0;
   double before = 0;
   for (std::size_t part = 0; part < count; ++part)
@@ -109,15 +110,15 @@ std::vector<Layers> Division::split(const std::vector<Estimate>& layers, std::si
   return parts;
 }
 
-std::size_t Division::partsNeeded(const std::vector<Estimate>& layers) const
+std::size_t Decomposition::partsNeeded(const std::vector<MeshEstimate>& layers) const
 {
   const auto all = static_cast<std::uint32_t>(layers.size());
   for (std::size_t count = 1;; ++count)
   {
-    Estimate largest;
+    MeshEstimate largest;
     for (const Layers& core : split(layers, count))
     {
-      const Estimate part = sumOf(layers, layersFor(core, reach_, refinement_, all));
+      const MeshEstimate part = sumOf(layers, layersFor(core, laterSteps_, refinement_, all));
       largest = part.bytes() > largest.bytes() ? part : largest;
     }
     largest.triangles = static_cast<double>(surface_.triangles.size());

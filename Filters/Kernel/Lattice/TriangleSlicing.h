@@ -40,7 +40,7 @@ inline std::pair<Level, Level> rangeOf(const Fragment& f, int axis)
 // Calls visit(interval, piece) for the pieces of `fragment` between the planes of `axis`, which
 // has not cut it so far: all its levels along that axis are odd.
 template <class Visitor>
-void forEachSlab(const Corners& triangle, const Fragment& fragment, int axis,
+void forEachSlice(const Corners& triangle, const Fragment& fragment, int axis,
   const std::vector<Level>& planes, Visitor&& visit)
 {
   const auto [least, most] = rangeOf(fragment, axis);
@@ -60,12 +60,12 @@ void forEachSlab(const Corners& triangle, const Fragment& fragment, int axis,
 
 // Calls visit(middle, outer, piece) for the pieces of a triangle in the rows along axes.along.
 template <class Visitor>
-void forEachRow(
+void forEachRowPiece(
   const Corners& triangle, const RowAxes& axes, const Meshlines& planes, Visitor&& visit)
 {
-  forEachSlab(triangle, Fragment::whole(triangle), axes.outer, planes[axes.outer],
+  forEachSlice(triangle, Fragment::whole(triangle), axes.outer, planes[axes.outer],
     [&](std::int64_t outer, const Fragment& slab) {
-      forEachSlab(triangle, slab, axes.middle, planes[axes.middle],
+      forEachSlice(triangle, slab, axes.middle, planes[axes.middle],
         [&](std::int64_t middle, const Fragment& piece) { visit(middle, outer, piece); });
     });
 }

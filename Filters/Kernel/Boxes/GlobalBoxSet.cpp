@@ -1,11 +1,12 @@
-#include "Lattice/RowSet.h"
+#include "Boxes/GlobalBoxSet.h"
 
 #include <algorithm>
 
 namespace cartesian
 {
 
-RowSet::RowSet(std::int64_t boxesAlongX, std::int64_t rowsAlongY, std::int64_t rowsAlongZ)
+GlobalBoxSet::GlobalBoxSet(
+  std::int64_t boxesAlongX, std::int64_t rowsAlongY, std::int64_t rowsAlongZ)
   : boxesAlongX_(boxesAlongX)
   , rowsAlongY_(rowsAlongY)
   , rowsAlongZ_(rowsAlongZ)
@@ -13,7 +14,7 @@ RowSet::RowSet(std::int64_t boxesAlongX, std::int64_t rowsAlongY, std::int64_t r
 {
 }
 
-void RowSet::insert(std::int64_t i, std::int64_t j, std::int64_t k)
+void GlobalBoxSet::insert(std::int64_t i, std::int64_t j, std::int64_t k)
 {
   Row& row = rows_[static_cast<std::size_t>(j + k * rowsAlongY_)];
   if (!row.empty() && row.back().end == i)
@@ -26,7 +27,7 @@ void RowSet::insert(std::int64_t i, std::int64_t j, std::int64_t k)
   }
 }
 
-bool RowSet::contains(std::int64_t i, std::int64_t j, std::int64_t k) const
+bool GlobalBoxSet::contains(std::int64_t i, std::int64_t j, std::int64_t k) const
 {
   const Row& row = rows_[static_cast<std::size_t>(j + k * rowsAlongY_)];
   const auto after = std::upper_bound(
@@ -34,12 +35,12 @@ bool RowSet::contains(std::int64_t i, std::int64_t j, std::int64_t k) const
   return after != row.begin() && i < (after - 1)->end;
 }
 
-RowSet RowSet::grown(std::int64_t layers) const
+GlobalBoxSet GlobalBoxSet::grown(std::int64_t layers) const
 {
   return grownAlongX(layers).grownAcross(layers, false).grownAcross(layers, true);
 }
 
-void RowSet::unite(std::vector<Run>& runs)
+void GlobalBoxSet::unite(std::vector<Run>& runs)
 {
   std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.begin < b.begin; });
   std::size_t size = 0;
@@ -57,9 +58,9 @@ void RowSet::unite(std::vector<Run>& runs)
   runs.resize(size);
 }
 
-RowSet RowSet::grownAlongX(std::int64_t layers) const
+GlobalBoxSet GlobalBoxSet::grownAlongX(std::int64_t layers) const
 {
-  RowSet result = *this;
+  GlobalBoxSet result = *this;
   for (Row& row : result.rows_)
   {
     for (Run& run : row)
@@ -72,9 +73,9 @@ RowSet RowSet::grownAlongX(std::int64_t layers) const
   return result;
 }
 
-RowSet RowSet::grownAcross(std::int64_t layers, bool alongZ) const
+GlobalBoxSet GlobalBoxSet::grownAcross(std::int64_t layers, bool alongZ) const
 {
-  RowSet result(boxesAlongX_, rowsAlongY_, rowsAlongZ_);
+  GlobalBoxSet result(boxesAlongX_, rowsAlongY_, rowsAlongZ_);
   for (std::int64_t k = 0; k < rowsAlongZ_; ++k)
   {
     for (std::int64_t j = 0; j < rowsAlongY_; ++j)

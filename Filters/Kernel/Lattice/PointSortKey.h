@@ -6,10 +6,10 @@
 namespace cartesian
 {
 
-class NumberedPoint
+class PointSortKey
 {
 public:
-  NumberedPoint(const Point& p, std::uint32_t number)
+  PointSortKey(const Point& p, std::uint32_t number)
     : xy_(std::uint64_t(p[0]) << 32 | p[1])
     , zAndNumber_(std::uint64_t(p[2]) << 32 | number)
   {
@@ -22,11 +22,11 @@ public:
   }
   std::uint32_t number() const { return static_cast<std::uint32_t>(zAndNumber_); }
 
-  bool operator<(const NumberedPoint& other) const
+  bool operator<(const PointSortKey& other) const
   {
     return xy_ != other.xy_ ? xy_ < other.xy_ : zAndNumber_ < other.zAndNumber_;
   }
-  bool isAt(const NumberedPoint& other) const
+  bool isAt(const PointSortKey& other) const
   {
     return xy_ == other.xy_ && zAndNumber_ >> 32 == other.zAndNumber_ >> 32;
   }

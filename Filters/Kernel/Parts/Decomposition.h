@@ -13,18 +13,17 @@
 namespace cartesian
 {
 
-class Division
+class Decomposition
 {
 public:
-  // Borrows `surface` and `planes`. `mostBytes`: for the boxes and cells of one part; `reach`: of what
-  // will be done to cells. Throws Error:
-  // BadParameter (of the refinement); of a region's surface EmptySurface, BadCoordinate,
+  // Borrows `surface` and `planes`. `mostBytes`: for the boxes and cells of one part; `laterSteps`: what
+  // will be done to the cells. Throws Error: BadParameter (of the refinement); of a region's surface EmptySurface, BadCoordinate,
   // FlawedSurface.
-  Division(const Surface& surface, const Meshlines& planes, const RefinementSpec& spec,
-    double mostBytes, const Reach& reach, Execution& execution);
+  Decomposition(const Surface& surface, const Meshlines& planes, const RefinementSpec& spec,
+    double mostBytes, const LaterSteps& laterSteps, Execution& execution);
 
-  Division(const Division&) = delete;
-  Division& operator=(const Division&) = delete;
+  Decomposition(const Decomposition&) = delete;
+  Decomposition& operator=(const Decomposition&) = delete;
 
   const Surface& surface() const { return surface_; }
   const Shoeboxes& shoeboxes() const { return shoeboxes_; }
@@ -39,21 +38,21 @@ public:
   Boxes boxes(Layers core, Execution& execution) const;
 
   // Of each layer of global boxes.
-  std::vector<Estimate> estimateLayers(Execution& execution) const;
+  std::vector<MeshEstimate> estimateLayers(Execution& execution) const;
 
   // The fewest parts that take no more than the bytes allowed each. Throws Error: TooManyBoxes,
   // where a single layer takes more.
-  std::size_t partsNeeded(const std::vector<Estimate>& layers) const;
+  std::size_t partsNeeded(const std::vector<MeshEstimate>& layers) const;
 
   // The layers of each of `count` parts that take about equally long; some may be empty. Cells that are
   // shaped divide them where that takes least around them.
-  std::vector<Layers> split(const std::vector<Estimate>& layers, std::size_t count) const;
+  std::vector<Layers> split(const std::vector<MeshEstimate>& layers, std::size_t count) const;
 
 private:
   const Surface& surface_;
   const Meshlines& planes_;
   double mostBytes_;
-  Reach reach_;
+  LaterSteps laterSteps_;
   Shoeboxes shoeboxes_;
   Refinement refinement_;
   GlobalStatuses statuses_;

@@ -1,4 +1,4 @@
-#include "Polyhedra/CellFitness.h"
+#include "Polyhedra/CellFaults.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,102 +85,103 @@ double ownCosine(const CellShape& shape, std::size_t face)
   return cosine(minus(f.centre, shape.centre), f.area);
 }
 
-void addFaults(const Polyhedron& cell, const CellShape& shape, std::size_t f, const Beyond& beyond,
-  Fitness& fitness)
+void addFaults(const Polyhedron& cell, const CellShape& shape, std::size_t f,
+  const NeighbourCell& neighbour, CellFaults& faults)
 {
   const FaceShape& face = shape.faces[f];
   const double own = ownCosine(shape, f);
   const auto note = [&](
-                      Fitness::Fault fault, bool holds) { fitness.faults[fault] += holds ? 1 : 0; };
+                      CellFaults::Kind kind, bool holds) { faults.counts[kind] += holds ? 1 : 0; };
   bool steep = false;
   bool skewed = false;
   if (cell.isBoundary[f])
   {
     steep = own <= LeastBoundaryCosine;
     skewed = isBoundarySkewed(cell, shape, f);
-    note(Fitness::BoundaryAngle, steep);
+    note(CellFaults::BoundaryAngle, steep);
   }
-  else if (beyond.volume > 0)
+  else if (neighbour.volume > 0)
   {
-    const Vector between = minus(beyond.centre, shape.centre);
-    const double others = cosine(minus(beyond.centre, face.centre), face.area);
+    const Vector between = minus(neighbour.centre, shape.centre);
+    const double others = cosine(minus(neighbour.centre, face.centre), face.area);
     steep = std::min(own, others) < LeastInnerCosine;
     skewed = isInnerSkewed(cell, shape, f, between);
-    note(Fitness::InnerAngle, steep);
-    note(Fitness::Wrong, std::min({ own, others, dot(between, face.area) }) <= 0);
-    note(Fitness::Steep, cosine(between, face.area) < LeastSlopeCosine);
-    note(Fitness::Uneven,
-      std::min(shape.volume, beyond.volume) <
-        LeastVolumeRatio * std::max(shape.volume, beyond.volume));
+    note(CellFaults::InnerAngle, steep);
+    note(CellFaults::WronglyOriented, std::min({ own, others, dot(between, face.area) }) <= 0);
+    note(CellFaults::NonOrthogonal, cosine(between, face.area) < LeastSlopeCosine);
+    note(CellFaults::VolumeRatio,
+      std::min(shape.volume, neighbour.volume) <
+        LeastVolumeRatio * std::max(shape.volume, neighbour.volume));
     const double near = std::abs(dot(minus(face.centre, shape.centre), face.area));
-    const double far = std::abs(dot(minus(beyond.centre, face.centre), face.area));
-    note(Fitness::Lopsided, std::min(near, far) < LeastFaceWeight * (near + far));
+    const double far = std::abs(dot(minus(neighbour.centre, face.centre), face.area));
+    note(CellFaults::FaceWeight, std::min(near, far) < LeastFaceWeight * (near + far));
   }
-  note(cell.isBoundary[f] ? Fitness::BoundarySkewed : Fitness::InnerSkewed, skewed);
-  fitness.area += steep || skewed ? norm(face.area) : 0;
+  note(cell.isBoundary[f] ? CellFaults::BoundarySkewness : CellFaults::InnerSkewness, skewed);
+  faults.area += steep || skewed ? norm(face.area) : 0;
 }
 
 }
 
-int Fitness::count() const
+int CellFaults::count() const
 {
-  return std::accumulate(faults.begin(), faults.end(), 0);
+  return std::accumulate(counts.begin(), counts.end(), 0);
 }
 
-int Fitness::weight() const
+int CellFaults::weight() const
 {
-  static constexpr std::array<int, Faults> weights{ 4, 2, 16, 2, 1, 8, 1, 1 };
-  return std::inner_product(faults.begin(), faults.end(), weights.begin(), 0);
+  static constexpr std::array<int, Kinds> weights{ 4, 2, 16, 2, 1, 8, 1, 1 };
+  return std::inner_product(counts.begin(), counts.end(), weights.begin(), 0);
 }
 
-Fitness& Fitness::operator+=(const Fitness& other)
+CellFaults& CellFaults::operator+=(const CellFaults& other)
 {
-  for (std::size_t i = 0; i < Faults; ++i)
+  for (std::size_t i = 0; i < Kinds; ++i)
   {
-    faults[i] += other.faults[i];
+    counts[i] += other.counts[i];
   }
   area += other.area;
   return *this;
 }
 
-bool Fitness::isNoLessValidThan(const Fitness& other) const
+bool CellFaults::isNoLessValidThan(const CellFaults& other) const
 {
-  constexpr std::array<Fault, 4> refused{ BoundaryAngle, Wrong, BoundarySkewed, InnerSkewed };
-  return std::all_of(refused.begin(), refused.end(),
-    [&](Fault fault) { return faults[fault] <= other.faults[fault]; });
+  constexpr std::array<Kind, 4> refused{ BoundaryAngle, WronglyOriented, BoundarySkewness,
+    InnerSkewness };
+  return std::all_of(
+    refused.begin(), refused.end(), [&](Kind kind) { return counts[kind] <= other.counts[kind]; });
 }
 
-bool Fitness::isNoWorseThan(const Fitness& other) const
+bool CellFaults::isNoWorseThan(const CellFaults& other) const
 {
-  return std::equal(faults.begin(), faults.end(), other.faults.begin(), std::less_equal<>());
+  return std::equal(counts.begin(), counts.end(), other.counts.begin(), std::less_equal<>());
 }
 
-bool Fitness::isBetterThan(const Fitness& other) const
+bool CellFaults::isBetterThan(const CellFaults& other) const
 {
   return isNoWorseThan(other) &&
     (count() < other.count() || area < other.area * (1 - RoundingOfAreas));
 }
 
-Fitness fitnessOf(const Polyhedron& cell, const CellShape& shape, const std::vector<Beyond>& beyond,
-  const std::vector<std::uint8_t>& counts)
+CellFaults faultsOf(const Polyhedron& cell, const CellShape& shape,
+  const std::vector<NeighbourCell>& neighbours, const std::vector<std::uint8_t>& counted)
 {
-  Fitness fitness;
+  CellFaults faults;
   for (std::size_t f = 0; f < cell.faces(); ++f)
   {
-    if (counts.empty() || counts[f])
+    if (counted.empty() || counted[f])
     {
-      addFaults(cell, shape, f, beyond[f], fitness);
+      addFaults(cell, shape, f, neighbours[f], faults);
     }
   }
-  return fitness;
+  return faults;
 }
 
 bool isRefused(
-  const Polyhedron& cell, const CellShape& shape, std::size_t face, const Beyond& beyond)
+  const Polyhedron& cell, const CellShape& shape, std::size_t face, const NeighbourCell& neighbour)
 {
-  Fitness fitness;
-  addFaults(cell, shape, face, beyond, fitness);
-  return fitness.faults[Fitness::InnerAngle] > 0 || !fitness.isNoLessValidThan({});
+  CellFaults faults;
+  addFaults(cell, shape, face, neighbour, faults);
+  return faults.counts[CellFaults::InnerAngle] > 0 || !faults.isNoLessValidThan({});
 }
 
 bool isDoubtful(const Polyhedron& cell, const CellShape& shape, std::size_t face)
@@ -196,7 +197,7 @@ bool isDoubtful(const Polyhedron& cell, const CellShape& shape, std::size_t face
   return boundary ? own <= LeastBoundaryCosine : own < LeastInnerCosine;
 }
 
-FaceSight sightOf(const Vector& centre, const Vector& faceCentre, const Vector& area)
+CentreOffset centreOffsetOf(const Vector& centre, const Vector& faceCentre, const Vector& area)
 {
   const Vector normal = unit(area);
   const Vector towards = minus(faceCentre, centre);
@@ -205,7 +206,7 @@ FaceSight sightOf(const Vector& centre, const Vector& faceCentre, const Vector& 
     static_cast<float>(norm(minus(towards, scaled(normal, height)))) };
 }
 
-bool isSurelyAccepted(const FaceSight& one, const FaceSight& other)
+bool isSurelyAccepted(const CentreOffset& one, const CentreOffset& other)
 {
   constexpr float MostSlope = 2; // the tangent of an angle below that of DoubtfulInnerCosine
   constexpr float MostOfDistance = 0.79F; // less than MostSkewness * ShareOfDistance

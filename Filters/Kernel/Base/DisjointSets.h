@@ -1,0 +1,51 @@
+// Disjoint sets (union-find) of the numbers 0 to n - 1. The lowest number of a set represents it, so that the
+// result does not depend on the order of unions.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace cartesian
+{
+
+class DisjointSets
+{
+public:
+  explicit DisjointSets(std::size_t size = 0) { reset(size); }
+
+  // Each number becomes a set of its own. Keeps the storage.
+  void reset(std::size_t size)
+  {
+    parent_.resize(size);
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+
+  // The lowest number of the set that holds x.
+  std::uint32_t find(std::uint32_t x)
+  {
+    while (parent_[x] != x)
+    {
+      parent_[x] = parent_[parent_[x]];
+      x = parent_[x];
+    }
+    return x;
+  }
+
+  // Returns the lowest number of the united set.
+  std::uint32_t unite(std::uint32_t x, std::uint32_t y)
+  {
+    const std::uint32_t rootX = find(x);
+    const std::uint32_t rootY = find(y);
+    const std::uint32_t root = std::min(rootX, rootY);
+    parent_[std::max(rootX, rootY)] = root;
+    return root;
+  }
+
+private:
+  std::vector<std::uint32_t> parent_;
+};
+
+}
