@@ -1,5 +1,5 @@
-"""xvfb-run -a pvpython draw.py REPOSITORY PROGRAM: makes two pictures of README.md, of its task's mesh
-cut open, and of a flow that OpenFOAM computed. PROGRAM is cartesian-mesher; the others are made by
+"""xvfb-run -a pvpython draw.py REPOSITORY PROGRAM: makes two pictures of the help pages, of the mesh of
+their task cut open, and of a flow that OpenFOAM computed. PROGRAM is cartesian-mesher; the others are made by
 demo.sh, TestImages.py and Window/photograph.py."""
 
 import pathlib
@@ -14,7 +14,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 import foam
 from ducts import solve
 from pipeline import DATA, output, producer
-from readme import block
+from pages import HELP, block
 
 PROGRAM = sys.argv[2]
 
@@ -42,7 +42,7 @@ def picture(name, view, towards, zoom=1.4):
     view.CameraFocalPoint, view.CameraPosition, view.CameraViewUp = [0, 0, 0], towards, [0, 0, 1]
     simple.ResetCamera(view)
     simple.GetActiveCamera().Zoom(zoom)
-    simple.SaveScreenshot(str(DATA / name), view)
+    simple.SaveScreenshot(str(HELP / name), view)
 
 
 def draw_task(folder):
