@@ -27,8 +27,6 @@
 #include "vtkCartesianProperties.h"          // for vtkPatchPropertiesMacro
 
 #include <memory> // for std::unique_ptr
-#include <string> // for std::string
-#include <vector> // for std::vector
 
 namespace cartesian
 {

@@ -9,6 +9,11 @@
 #ifndef vtkCartesianProperties_h
 #define vtkCartesianProperties_h
 
+#include "vtkSetGet.h" // for vtkSetMacro
+
+#include <string> // for std::string
+#include <vector> // for std::vector
+
 /**
  * How patches are made: vtkPatcher, vtkCartesianMesher.
  *

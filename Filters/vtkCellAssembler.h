@@ -44,9 +44,6 @@
 #include "vtkCartesianMesherFiltersModule.h" // for the export macro
 #include "vtkCartesianProperties.h"          // for vtkCellPropertiesMacro
 
-#include <string> // for std::string
-#include <vector> // for std::vector
-
 class VTKCARTESIANMESHERFILTERS_EXPORT vtkCellAssembler : public vtkCartesianAlgorithm
 {
 public:
