@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A number for each edge between two nodes (or for a node: from it to itself), and for each of its two
 // sides: a table with open addressing that keeps its storage from use to use.
 #pragma once

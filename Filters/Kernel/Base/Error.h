@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is wrong with the user's input: what, where, what to do.
 #pragma once
 

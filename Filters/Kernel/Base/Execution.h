@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How long work runs: on how many threads, with what progress, until when.
 //
 // Work is cut into chunks of a fixed number of items, so that what a chunk does never depends on

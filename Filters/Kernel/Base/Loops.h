@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Closed walks over numbered nodes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A vector whose new elements hold anything: for large arrays that all threads fill at once. Filling
 // them with zeros first would cost one thread as much.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Items gathered chunk by chunk, put into numbered buckets: count, scan, fill, sort.
 #pragma once
 

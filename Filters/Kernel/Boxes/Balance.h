@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Neighbouring boxes of not too different levels (section 4.5, figure 2).
 //
 // No side of a box may be touched by more than one split line of its neighbours in each direction:

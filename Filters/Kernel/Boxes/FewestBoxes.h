@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The fewest boxes that cover a global box (section 4.5), by an exact search over all splits.
 //
 // A box of the search is a dyadic part of the global box: a level and a position along each axis.

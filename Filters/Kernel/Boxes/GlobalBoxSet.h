@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A set of global boxes as runs along x: small where boxes lie together.
 #pragma once
 

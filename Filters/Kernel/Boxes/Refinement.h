@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Types of Refinement (section 4.6): how deep global boxes may, and must, be divided.
 #pragma once
 

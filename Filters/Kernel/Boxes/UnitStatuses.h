@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // In/out statuses inside one global box (section 4.5): of the vertices of its units, and of the
 // units themselves.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The boundary of the mesh: patches, and inner faces that lost the cell on their other side (4.10).
 #pragma once
 

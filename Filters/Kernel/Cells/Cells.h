@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Assembling of cells (section 6, part B; 4.10).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the user chooses about small cells (section 4.10).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the user chooses about short edges (ShortEdges.h).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Faces of which some lose corners or go altogether: what is left moves up in its arrays.
 #pragma once
 

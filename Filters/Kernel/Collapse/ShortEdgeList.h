@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Edges that are short against their boxes: what may collapse (ShortEdges.h).
 #pragma once
 

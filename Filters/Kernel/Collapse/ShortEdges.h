@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Collapse of short edges: nodes that nearly coincide become one.
 //
 // Where the surface passes close to a corner or a side of a box it leaves cells that are too thin or

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Flawed boxes: Marching Cubes from the statuses, where the surface's own patches do not close.
 //
 // - A line between neighbouring nodes of the grid keeps its crossings where all sides around it have the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Generation of Inner Faces (section 4.9): the faces on the common sides of boxes.
 //
 // The inside region of a side is bounded by the edges of patches that lie on it and by those

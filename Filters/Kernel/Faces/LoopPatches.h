@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Patches of flawed boxes: triangles between the loops of the chords on a box's sides, which close by
 // construction.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Nodes of faces, numbered (section 7.1); nodes that hang on the sides of coarser boxes among them.
 #pragma once
 

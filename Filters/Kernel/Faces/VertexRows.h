@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Those vertices of the global mesh that cells use: runs along x, so that memory grows with the mesh
 // and not with the grid.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where the surface meets cutting planes and lines, exactly (sections 4.2, 7.1).
 //
 // All inputs are lattice points with odd levels (vertices) and even levels (planes). A crossing

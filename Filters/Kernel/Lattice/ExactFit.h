@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Exact Fit (section 4.7): the pieces of surface triangles between cutting planes.
 //
 // A fragment is what planes leave of one triangle: a convex polygon whose every side lies on an

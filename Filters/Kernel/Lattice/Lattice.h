@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The integer lattice: Scaling (section 4.1) and Dual Levels (4.2, 7.1).
 //
 // The domain's cube is divided into at most 4.2e9 levels a direction. Vertices of the surface

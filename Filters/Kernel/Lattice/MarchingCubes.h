@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Marching Cubes (section 4.7): triangles between the crossings on the edges of a box.
 //
 // There is no table of patterns: the crossings, joined on each side of the box as the surface joins

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The user's meshlines: the cutting planes of the global mesh (section 4, steps 1 and 3).
 #pragma once
 

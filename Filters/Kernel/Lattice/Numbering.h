@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Numbering is sorting (section 7.1): equal points get equal ids, whoever needs them.
 //
 // Points are sorted row by row of the global mesh, each row by x, y, z. A point belongs to the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Points of one cutting plane, seen from the side its normal points to.
 #pragma once
 

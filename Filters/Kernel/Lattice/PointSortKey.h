@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A point with a number, packed: sorts by place, then by number, several times as fast as the two apart.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Splitting of inner faces that are too concave (sections 3 and 4.9).
 //
 // A face must fall into triangles around its centre (the mean of its corners): the star

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cuts a triangle into the rows of the global mesh: what both Shoeboxes (4.3) and In/Out Status
 // (4.4) are read from.
 //

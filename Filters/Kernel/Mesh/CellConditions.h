@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How many cells miss the requirements of section 3: a part of the statistics of step 12.
 #pragma once
 

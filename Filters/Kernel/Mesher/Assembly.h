@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Boxes and patches made into a mesh, step by step (section 6: 9, A3, B1 to B4, 11 to 13).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The whole meshing task, step by step (section 6): what the filters run.
 //
 //   surface --prepareSurface--> Surface, Meshlines     steps 2, 3, 4

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the user is told about flaws of a surface and its mesh: in words with places, or nothing.
 #pragma once
 

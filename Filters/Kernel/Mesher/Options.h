@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // All that the user chooses about a mesh: each option with its default, range and unit once, here or in
 // its group. The panel's names for them are in OptionTable.h.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where each stage of the task ends, as a part of all work: measured on a mesh of 2 million cells with
 // default properties.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One file as OpenFOAM reads it: a header, then text or a list.
 #pragma once
 

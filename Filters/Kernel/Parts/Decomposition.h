@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How a grid is divided: what all parts of it have in common.
 //
 // A part is a range of layers of global boxes along z, its core, meshed by itself: one part after the

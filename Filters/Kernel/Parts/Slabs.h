@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Slabs: layers of global boxes whose cells change by themselves.
 //
 // Shaping (CellShaping.h) goes from cell to neighbour, as far as it likes. In slabs it ends somewhere:

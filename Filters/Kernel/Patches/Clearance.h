@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How far points of patches keep away from cutting planes that they are not on.
 //
 // Dual Levels keep them a level away, which leaves edges of a level's length where the surface passes

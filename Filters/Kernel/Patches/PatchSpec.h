@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the user chooses about patches (sections 4.7, 4.8, A2).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Polygon Simplification (section 6, A2) of the patches of one box.
 //
 // Nodes inside smooth parts go, triangles of similar normal become convex polygons, slivers join a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What can be said of a cell edge by edge: whether it closes, and how concave it is.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What section 3 of the paper and OpenFOAM's checkMesh demand of cells, counted.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One cell by itself, and the conditions of section 3 that it has to fulfil.
 #pragma once
 

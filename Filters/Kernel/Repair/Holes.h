@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Holes of the surface, closed: those wider than a box are leaks.
 //
 // A hole's rim is a loop of edges with an odd number of triangles; such edges always form loops. It is

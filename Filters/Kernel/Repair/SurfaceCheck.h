@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Is the surface closed and consistently oriented? (section 2: what the preprocessor ensures)
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is wrong with a surface, and where (step 4): for the user to look at.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is done to any surface before it is meshed (steps 4 and 6): duplicates and loose triangles dropped,
 // triangles oriented, holes closed.
 #pragma once

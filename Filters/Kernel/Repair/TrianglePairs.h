@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What two triangles have in common besides corners and edges (step 4), exactly.
 #pragma once
 

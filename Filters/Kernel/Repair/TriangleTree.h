@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A tree of bounds over the triangles of a surface that have an area: which of them are near each other?
 //
 // Triangles are sorted along a space-filling curve; a node of height h holds 2^h neighbours on it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cells made fit for solvers (sections 3, 4.10, 4.11): concave ones are split, small ones merged.
 // Slab by slab (Slabs.h): those of the core, and around it what a point of theirs may belong to.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The last resort where neither a cut, nor a merge, nor an IP patch mends a cell (section 4.11): it is
 // removed as a small cell is (4.10).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the user chooses about the shape of cells (sections 4.10, 4.11).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sharp features of the surface (section 4.7): edges at which it turns by more than an angle.
 //
 // A thin triangle turned over between two healthy ones is folded geometry (section 1): its edges are

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where axis-parallel lines cross the surface (section 4.4: rays).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How large a mesh will be, from its surface alone and in no time: before anything is meshed.
 #pragma once
 

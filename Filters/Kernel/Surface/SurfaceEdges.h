@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The edges of a surface and the triangles that use each.
 #pragma once
 
