@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCartesianAlgorithm.h"
 
-#include "Guard.h"
+#include "ReportErrors.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -25,7 +25,7 @@ bool vtkCartesianAlgorithm::Run(
     cartesian::Execution execution(this->NumberOfThreads, monitor, begin, end);
     work(execution);
   };
-  return cartesian::guarded(runIt, [this](unsigned long code, const std::string& message) {
+  return cartesian::reportErrors(runIt, [this](unsigned long code, const std::string& message) {
     this->ErrorCode = code;
     if (!message.empty())
     {

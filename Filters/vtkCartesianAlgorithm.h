@@ -67,7 +67,7 @@ protected:
   /**
    * Calls `work` with this filter's threads, progress and abort flag, and turns what it throws
    * into an error message and an error code. True if nothing was thrown. The work is the part from
-   * `begin` to `end` of the whole task (Kernel/Mesher.h); the filter's progress never goes back.
+   * `begin` to `end` of the whole task (Kernel/Mesher/Stages.h); the filter's progress never goes back.
    */
   bool Run(double begin, double end, const std::function<void(cartesian::Execution&)>& work);
 

@@ -5,7 +5,10 @@
 #include "BoxesVTK.h"
 #include "DefectsToVTK.h"
 #include "Mesher/Mesher.h"
+#include "Mesher/Messages.h"
 #include "Parts/Decomposition.h"
+#include "Repair/SurfaceDefects.h"
+#include "ReportErrors.h"
 #include "Surface/SizeEstimate.h"
 #include "SurfaceBlocks.h"
 #include "SurfaceFromVTK.h"
@@ -17,8 +20,6 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
-#include "vtksys/SystemInformation.hxx"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -26,12 +27,6 @@
 
 namespace
 {
-
-constexpr double BytesOfAKiB = 1024;
-constexpr double BytesOfAGiB = BytesOfAKiB * BytesOfAKiB * BytesOfAKiB;
-
-// Of the machine's memory, where the user sets no limit.
-constexpr double ShareOfMemory = 0.75;
 
 template <class Table>
 void PrintTable(ostream& os, vtkIndent indent, const char* name, const Table& table)
@@ -286,16 +281,13 @@ int vtkCartesianBoxer::RequestInformation(
   {
     this->SurfaceTime = data->GetMTime();
     this->Size.reset();
-    try
-    {
+    const auto look = [&] {
       const cartesian::SurfaceFromVTK surface(data, this->BoundaryArray);
       this->ListBoundaries(surface);
       this->Size = std::make_unique<cartesian::SurfaceSize>(cartesian::sizeOf(surface.view()));
-    }
-    catch (const cartesian::Error&)
-    {
-      // Not read yet, or flawed: the work itself will say so.
-    }
+    };
+    // Not read yet, or flawed: the work itself will say so.
+    cartesian::reportErrors(look, [](unsigned long, const std::string&) {});
   }
   this->EstimateBoxes();
   return 1;
@@ -330,15 +322,20 @@ void vtkCartesianBoxer::EstimateBoxes()
   }
 }
 
+cartesian::Options vtkCartesianBoxer::MakeOptions()
+{
+  cartesian::Options options;
+  options.grid.cellSize = this->CellSize;
+  options.grid.meshlines = this->Meshlines;
+  options.memoryLimit = this->MemoryLimit;
+  return options;
+}
+
 cartesian::PreparedSurface vtkCartesianBoxer::Prepare(
   const cartesian::SurfaceFromVTK& surface, cartesian::Execution& execution, int parts)
 {
-  const double limit = this->MemoryLimit > 0 ? this->MemoryLimit * BytesOfAGiB
-                                             : ShareOfMemory * BytesOfAKiB *
-      static_cast<double>(vtksys::SystemInformation().GetHostMemoryTotal());
-  const cartesian::GridSpec grid{ this->CellSize, this->Meshlines };
   cartesian::PreparedSurface prepared =
-    cartesian::prepareSurface(surface.view(), grid, limit, execution, parts);
+    cartesian::prepareSurface(surface.view(), this->MakeOptions(), execution, parts);
   this->ReportFlaws(cartesian::describeFlaws(prepared, surface.cells()));
   return prepared;
 }
@@ -414,18 +411,16 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkCartesianBoxer::Regions(vtkInform
 
 std::unique_ptr<cartesian::Decomposition> vtkCartesianBoxer::Divide(
   const cartesian::SurfaceFromVTK& source, const cartesian::PreparedSurface& prepared,
-  const std::vector<vtkSmartPointer<vtkDataObject>>& regions,
-  const cartesian::LaterSteps& laterSteps, cartesian::Execution& execution)
+  const std::vector<vtkSmartPointer<vtkDataObject>>& regions, cartesian::Execution& execution)
 {
-  execution.stage("Boxes", cartesian::AfterSurface, cartesian::AfterBoxes);
-  cartesian::RefinementSpec spec = this->MakeSpec(source);
+  cartesian::Options options = this->MakeOptions();
+  options.refinement = this->MakeSpec(source);
   const std::vector<RegionSurface> surfaces = RegionSurfaces(regions, this->RegionDepth);
   for (const RegionSurface& region : surfaces)
   {
-    spec.regions.push_back({ region.surface->view(), region.depth });
+    options.refinement.regions.push_back({ region.surface->view(), region.depth });
   }
-  auto decomposition = std::make_unique<cartesian::Decomposition>(
-    prepared.surface, prepared.planes, spec, prepared.memoryLimit, laterSteps, execution);
+  auto decomposition = cartesian::decompose(prepared, options, execution);
   for (const std::string& warning :
     { cartesian::describeOverhang(prepared), decomposition->warnings() })
   {
@@ -444,7 +439,7 @@ int vtkCartesianBoxer::RequestData(
   this->Run(0, cartesian::AfterBoxes, [&](cartesian::Execution& execution) {
     const cartesian::SurfaceFromVTK surface(vtkDataObject::GetData(input[0]), this->BoundaryArray);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
-    const auto decomposition = this->Divide(surface, prepared, Regions(input[1]), {}, execution);
+    const auto decomposition = this->Divide(surface, prepared, Regions(input[1]), execution);
     cartesian::toVTK(decomposition->boxes(decomposition->allLayers(), execution),
       vtkUnstructuredGrid::GetData(output));
   });

@@ -45,11 +45,11 @@ class vtkPolyData;
 namespace cartesian
 {
 class Decomposition;
+struct Options;
 struct PreparedSurface;
 struct RefinementSpec;
 class SurfaceFromVTK;
 struct SurfaceSize;
-struct LaterSteps;
 }
 
 class VTKCARTESIANMESHERFILTERS_EXPORT vtkCartesianBoxer : public vtkCartesianAlgorithm
@@ -208,6 +208,12 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
   /**
+   * What the properties say; refinement, which takes the surface's boundaries, and small cell ratios of
+   * boundaries are left out.
+   */
+  virtual cartesian::Options MakeOptions();
+
+  /**
    * The surface on the lattice, checked; flaws are reported. `parts`: in how many parts the mesh is
    * made, none of which may take more than the memory allowed.
    */
@@ -222,13 +228,11 @@ protected:
 
   /**
    * How the grid is divided; rows of tables that reach beyond it are reported. `source` is what
-   * `prepared` was made from and is borrowed, `regions` what Regions() gives, `laterSteps` what will be
-   * done to the cells of parts.
+   * `prepared` was made from and is borrowed, `regions` what Regions() gives.
    */
   std::unique_ptr<cartesian::Decomposition> Divide(const cartesian::SurfaceFromVTK& source,
     const cartesian::PreparedSurface& prepared,
-    const std::vector<vtkSmartPointer<vtkDataObject>>& regions,
-    const cartesian::LaterSteps& laterSteps, cartesian::Execution& execution);
+    const std::vector<vtkSmartPointer<vtkDataObject>>& regions, cartesian::Execution& execution);
 
   /**
    * The inputs of port 1.

@@ -3,8 +3,11 @@
 
 #include "Base/Error.h"
 #include "BoundarySettings.h"
+#include "FilterOptions.h"
 #include "GhostCells.h"
 #include "MeshToVTK.h"
+#include "Mesher/Mesher.h"
+#include "Mesher/Messages.h"
 #include "Parts/Decomposition.h"
 #include "SurfaceFromVTK.h"
 
@@ -26,7 +29,7 @@ struct vtkCartesianMesher::Task
   vtkMTimeType time = 0; // of the filter and its inputs
   std::unique_ptr<cartesian::SurfaceFromVTK> surface;
   cartesian::BoundaryNames types; // of boundaries
-  std::vector<cartesian::BoundaryRatio> ratios;
+  cartesian::Options options;     // all but refinement
   cartesian::PreparedSurface prepared;
   std::unique_ptr<cartesian::Decomposition> decomposition;
   std::vector<cartesian::Layers> pieces;
@@ -40,8 +43,6 @@ struct vtkCartesianMesher::Piece
   int number = 0;
   int count = 1;
   int ghostLevels = 0;
-  cartesian::Boxes boxes;
-  cartesian::Patches patches;
   std::unique_ptr<cartesian::Assembly> assembly;
 };
 
@@ -51,21 +52,6 @@ vtkCartesianMesher::vtkCartesianMesher()
 }
 
 vtkCartesianMesher::~vtkCartesianMesher() = default;
-
-void vtkCartesianMesher::SetBoundaryName(int row, const char* name)
-{
-  this->SetRow(this->BoundaryNames, row, std::string(name ? name : ""));
-}
-
-void vtkCartesianMesher::SetBoundaryType(int row, const char* type)
-{
-  this->SetRow(this->BoundaryTypes, row, std::string(type ? type : ""));
-}
-
-void vtkCartesianMesher::SetBoundarySmallCellRatio(int row, double ratio)
-{
-  this->SetRow(this->BoundaryRatios, row, ratio);
-}
 
 int vtkCartesianMesher::FillOutputPortInformation(int port, vtkInformation* info)
 {
@@ -79,17 +65,12 @@ int vtkCartesianMesher::RequestUpdateExtent(
   return !this->InPieces && IsLeftToFirstProcess(request, output) ? 1 : AskForWholeInputs(input);
 }
 
-cartesian::CellSpec vtkCartesianMesher::MakeCellSpec()
+cartesian::Options vtkCartesianMesher::MakeOptions()
 {
-  cartesian::CellSpec spec;
-  spec.collapseRatio = this->CollapseRatio;
-  spec.smallCellRatio = this->SmallCellRatio;
-  spec.smallCells =
-    this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove;
-  spec.mergeRatio = this->MergeRatio;
-  spec.splitConcave = this->SplitConcaveCells;
-  spec.refusedCellRatio = this->RefusedCellRatio;
-  return spec;
+  cartesian::Options options = this->Superclass::MakeOptions();
+  cartesian::setPatchOptions(this, options);
+  cartesian::setCellOptions(this, options);
+  return options;
 }
 
 void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
@@ -106,15 +87,16 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
   const cartesian::BoundarySettings boundaries{ this->BoundaryNames, this->BoundaryTypes,
     this->BoundaryRatios };
   task.types = cartesian::boundaryTypes(boundaries, task.surface->names());
-  task.ratios = cartesian::boundaryRatios(boundaries, task.surface->names());
-  cartesian::planStages(this->MakeCellSpec(), execution);
+  task.options = this->MakeOptions();
+  task.options.smallCells.boundaryRatios =
+    cartesian::boundaryRatios(boundaries, task.surface->names());
+  cartesian::planStages(task.options, execution);
   task.prepared = this->Prepare(*task.surface, execution, piece.count);
   if (piece.number == 0)
   {
     this->Inspect(task.prepared, *task.surface, vtkPolyData::GetData(output, 2), execution);
   }
-  task.decomposition = this->Divide(*task.surface, task.prepared, regions,
-    cartesian::laterStepsOf(this->MakeCellSpec()), execution);
+  task.decomposition = this->Divide(*task.surface, task.prepared, regions, execution);
   task.pieces = { task.decomposition->allLayers() };
   if (piece.count > 1)
   {
@@ -125,18 +107,8 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
 
 void vtkCartesianMesher::Make(const Task& task, Piece& piece, cartesian::Execution& execution)
 {
-  piece.boxes =
-    task.decomposition->boxes(task.pieces[static_cast<std::size_t>(piece.number)], execution);
-  execution.stage("Patches", cartesian::AfterBoxes, cartesian::AfterPatches);
-  piece.patches =
-    cartesian::generatePatches(task.prepared.surface, piece.boxes, task.decomposition->shoeboxes(),
-      { static_cast<cartesian::PatchMethod>(this->PatchMethod), this->FeatureAngle,
-        this->MergeAngle, static_cast<cartesian::Tying>(this->Tying) },
-      execution);
-  cartesian::CellSpec spec = this->MakeCellSpec();
-  spec.boundaryRatios = &task.ratios;
-  piece.assembly =
-    std::make_unique<cartesian::Assembly>(piece.boxes, piece.patches, spec, execution);
+  piece.assembly = cartesian::meshPart(task.prepared, *task.decomposition,
+    task.pieces[static_cast<std::size_t>(piece.number)], task.options, execution);
 }
 
 void vtkCartesianMesher::CountPiecesBefore(
@@ -147,9 +119,9 @@ void vtkCartesianMesher::CountPiecesBefore(
     Piece before;
     before.number = static_cast<int>(task.cells.size());
     before.count = piece.count;
-    this->Make(task, before, execution);
-    task.cells.push_back(before.assembly->mesh().cellCount());
-    task.points.push_back(before.assembly->mesh().ownPointCount());
+    Make(task, before, execution);
+    task.cells.push_back(before.assembly->mesh->cellCount());
+    task.points.push_back(before.assembly->mesh->ownPointCount());
   }
 }
 
@@ -210,16 +182,17 @@ void vtkCartesianMesher::RequestPieceAlone(
       task->time = time;
     }
     this->CountPiecesBefore(*task, piece, execution);
-    this->Make(*task, piece, execution);
+    Make(*task, piece, execution);
     const auto number = static_cast<std::ptrdiff_t>(piece.number);
     const cartesian::MeshPiece place{ std::accumulate(task->cells.begin(),
                                         task->cells.begin() + number, cartesian::Id(0)),
       std::accumulate(task->points.begin(), task->points.begin() + number, cartesian::Id(0)),
       piece.count == 1, {} };
-    const cartesian::OutputMesh& mesh = piece.assembly->mesh();
+    const cartesian::OutputMesh& mesh = *piece.assembly->mesh;
     if (piece.number + 1 == piece.count && place.cellsBefore + mesh.cellCount() == 0)
     {
-      throw cartesian::Error(cartesian::Fault::FlawedSurface, piece.assembly->describeNothing());
+      throw cartesian::Error(cartesian::Fault::FlawedSurface,
+        cartesian::describeNothing(*piece.assembly, task->options));
     }
     if (task->cells.size() == static_cast<std::size_t>(piece.number))
     {
@@ -241,10 +214,10 @@ void vtkCartesianMesher::RequestPieceOfProcess(Piece& piece, const cartesian::Pr
   Task task;
   const bool isDone = this->Run(0, cartesian::AfterNumbering, [&](cartesian::Execution& execution) {
     this->Begin(task, piece, processes, input, output, execution);
-    this->Make(task, piece, execution);
+    Make(task, piece, execution);
   });
   const unsigned long flaws = this->GetErrorCode();
-  const cartesian::OutputMesh* mesh = isDone ? &piece.assembly->mesh() : nullptr;
+  const cartesian::OutputMesh* mesh = isDone ? piece.assembly->mesh.get() : nullptr;
   const std::vector<std::vector<double>> counts =
     processes.gather({ isDone ? 0.0 : static_cast<double>(flaws),
       isDone ? static_cast<double>(mesh->cellCount()) : 0,
@@ -266,7 +239,8 @@ void vtkCartesianMesher::RequestPieceOfProcess(Piece& piece, const cartesian::Pr
   this->Run(cartesian::AfterNumbering, 1, [&](cartesian::Execution& execution) {
     if (cells == 0)
     {
-      throw cartesian::Error(cartesian::Fault::FlawedSurface, piece.assembly->describeNothing());
+      throw cartesian::Error(
+        cartesian::Fault::FlawedSurface, cartesian::describeNothing(*piece.assembly, task.options));
     }
     this->Write(task, piece, place, output, execution);
   });
@@ -282,7 +256,7 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
     vtkPolyData::GetData(output, 1), execution);
   const bool wasSilent = this->IsSilent; // these flaws are of this piece only
   this->IsSilent = false;
-  this->ReportFlaws(piece.assembly->describeFlaws());
+  this->ReportFlaws(cartesian::describeFlaws(*piece.assembly));
   this->IsSilent = wasSilent;
   if (piece.ghostLevels > 0 && place.processes.areSeveral())
   {
@@ -307,8 +281,7 @@ int vtkCartesianMesher::EstimateNumberOfPieces()
       this->GetInputAlgorithm(1, i)->Update();
       regions.emplace_back(this->GetInputDataObject(1, i));
     }
-    const auto decomposition = this->Divide(
-      surface, prepared, regions, cartesian::laterStepsOf(this->MakeCellSpec()), execution);
+    const auto decomposition = this->Divide(surface, prepared, regions, execution);
     pieces = decomposition->partsNeeded(decomposition->estimateLayers(execution));
   });
   return static_cast<int>(pieces);
@@ -317,18 +290,8 @@ int vtkCartesianMesher::EstimateNumberOfPieces()
 void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "PatchMethod: " << this->PatchMethod << "\n";
-  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
-  os << indent << "MergeAngle: " << this->MergeAngle << "\n";
-  os << indent << "Tying: " << this->Tying << "\n";
-  os << indent << "CollapseRatio: " << this->CollapseRatio << "\n";
-  os << indent << "SmallCells: " << this->SmallCells << "\n";
-  os << indent << "MergeRatio: " << this->MergeRatio << "\n";
-  os << indent << "SplitConcaveCells: " << this->SplitConcaveCells << "\n";
+  cartesian::printPatchProperties(this, os, indent);
+  cartesian::printCellProperties(this, os, indent);
+  this->PrintBoundarySettings(os, indent);
   os << indent << "InPieces: " << this->InPieces << "\n";
-  os << indent << "RefusedCellRatio: " << this->RefusedCellRatio << "\n";
-  os << indent << "SmallCellRatio: " << this->SmallCellRatio << "\n";
-  PrintColumn(os, indent, "BoundaryNames", this->BoundaryNames);
-  PrintColumn(os, indent, "BoundaryTypes", this->BoundaryTypes);
-  PrintColumn(os, indent, "BoundarySmallCellRatios", this->BoundaryRatios);
 }

@@ -9,7 +9,7 @@
  * vtkSurfaceInspector.
  *
  * vtkCartesianBoxer, vtkPatcher and vtkCellAssembler in one, with the same result bit for bit: the
- * boxer's properties are inherited, the other two's repeated here.
+ * boxer's properties are inherited, those shared with the other two are in vtkCartesianProperties.h.
  *
  * Asked for a piece of the mesh, by its rank or by a writer that streams, it makes that piece only: a
  * slab of the grid. Pieces have global ids (cells: CellId, points: GlobalPointIds); together they are
@@ -24,10 +24,12 @@
 
 #include "vtkCartesianBoxer.h"
 #include "vtkCartesianMesherFiltersModule.h" // for the export macro
+#include "vtkCartesianProperties.h"          // for vtkPatchPropertiesMacro
+
+#include <memory> // for std::unique_ptr
 
 namespace cartesian
 {
-struct CellSpec;
 struct MeshPiece;
 class Processes;
 }
@@ -39,73 +41,11 @@ public:
   vtkTypeMacro(vtkCartesianMesher, vtkCartesianBoxer);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /**
-   * See vtkPatcher.
-   */
-  vtkSetClampMacro(PatchMethod, int, 0, 2);
-  vtkGetMacro(PatchMethod, int);
-  vtkSetMacro(FeatureAngle, double);
-  vtkGetMacro(FeatureAngle, double);
-  vtkSetMacro(MergeAngle, double);
-  vtkGetMacro(MergeAngle, double);
-  vtkSetClampMacro(Tying, int, 0, 1);
-  vtkGetMacro(Tying, int);
-  ///@}
+  vtkPatchPropertiesMacro();
+  vtkCellPropertiesMacro();
+  vtkBoundarySettingsMacro();
 
-  ///@{
-  /**
-   * Edges shorter than this fraction of their box collapse, so that hardly any small cell is left
-   * (4.10): 0 (none) to 0.3; default 0.1. Corners of boxes move onto the surface; nodes of the surface
-   * move along it only.
-   */
-  vtkSetMacro(CollapseRatio, double);
-  vtkGetMacro(CollapseRatio, double);
-  ///@}
-
-  /**
-   * What becomes of small cells (4.10); default Merge.
-   */
-  enum SmallCellsModes
-  {
-    Remove = 0, ///< left out; their inner faces become boundary faces of their neighbours
-    Merge = 1   ///< a part of the neighbour across the largest area; the volume is kept
-  };
-
-  ///@{
-  vtkSetClampMacro(SmallCells, int, Remove, Merge);
-  vtkGetMacro(SmallCells, int);
-  ///@}
-
-  ///@{
-  /**
-   * With Merge: cells smaller than this fraction of their box are merged: 0 (none) to less than 1;
-   * default 0.015.
-   */
-  vtkSetMacro(MergeRatio, double);
-  vtkGetMacro(MergeRatio, double);
-  ///@}
-
-  ///@{
-  /**
-   * Cut cells that fail an angle condition of section 3 along their concave edges (4.11); default
-   * on.
-   */
-  vtkSetMacro(SplitConcaveCells, bool);
-  vtkGetMacro(SplitConcaveCells, bool);
-  vtkBooleanMacro(SplitConcaveCells, bool);
-  ///@}
-
-  ///@{
-  /**
-   * See vtkCellAssembler.
-   */
-  vtkSetMacro(SmallCellRatio, double);
-  vtkGetMacro(SmallCellRatio, double);
-  vtkSetMacro(RefusedCellRatio, double);
-  vtkGetMacro(RefusedCellRatio, double);
-  ///@}
-
+public:
   ///@{
   /**
    * Whether each rank makes a piece of the mesh; off: the first rank makes all of it. Default: on.
@@ -121,21 +61,6 @@ public:
    */
   int EstimateNumberOfPieces();
 
-  ///@{
-  /**
-   * See vtkCellAssembler.
-   */
-  void SetNumberOfBoundaryNames(int number) { this->Resize(this->BoundaryNames, number); }
-  void SetBoundaryName(int row, const char* name);
-  void SetNumberOfBoundaryTypes(int number) { this->Resize(this->BoundaryTypes, number); }
-  void SetBoundaryType(int row, const char* type);
-  void SetNumberOfBoundarySmallCellRatios(int number)
-  {
-    this->Resize(this->BoundaryRatios, number);
-  }
-  void SetBoundarySmallCellRatio(int row, double ratio);
-  ///@}
-
 protected:
   vtkCartesianMesher();
   ~vtkCartesianMesher() override;
@@ -146,20 +71,9 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
-  int PatchMethod = 0;
-  double FeatureAngle = 30;
-  double MergeAngle = 10;
-  int Tying = 0;
-  double CollapseRatio = 0.1;
-  int SmallCells = Merge;
-  double MergeRatio = 0.015;
-  double SmallCellRatio = 1e-3;
-  bool SplitConcaveCells = true;
-  double RefusedCellRatio = 4;
+  cartesian::Options MakeOptions() override;
+
   bool InPieces = true;
-  std::vector<std::string> BoundaryNames;
-  std::vector<std::string> BoundaryTypes;
-  std::vector<double> BoundaryRatios;
 
 private:
   vtkCartesianMesher(const vtkCartesianMesher&) = delete;
@@ -168,10 +82,9 @@ private:
   struct Task;
   struct Piece;
 
-  cartesian::CellSpec MakeCellSpec();
   void Begin(Task& task, const Piece& piece, const cartesian::Processes& processes,
     vtkInformationVector** input, vtkInformationVector* output, cartesian::Execution& execution);
-  void Make(const Task& task, Piece& piece, cartesian::Execution& execution);
+  static void Make(const Task& task, Piece& piece, cartesian::Execution& execution);
   void CountPiecesBefore(Task& task, const Piece& piece, cartesian::Execution& execution);
   void RequestPieceAlone(Piece& piece, vtkInformationVector** input, vtkInformationVector* output);
   void RequestPieceOfProcess(Piece& piece, const cartesian::Processes& processes,

@@ -4,7 +4,10 @@
 #include "BoundaryNames.h"
 #include "BoundarySettings.h"
 #include "BoxesVTK.h"
+#include "FieldData.h"
+#include "FilterOptions.h"
 #include "MeshToVTK.h"
+#include "Mesher/Messages.h"
 #include "PatchesVTK.h"
 
 #include "vtkInformation.h"
@@ -12,27 +15,29 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
+namespace
+{
+
+// The angle that the patches were made with; `otherwise` for patches that do not tell.
+double FeatureAngleOf(vtkPolyData* patches, double otherwise)
+{
+  if (!patches->GetFieldData()->HasArray(cartesian::FeatureAngleField))
+  {
+    return otherwise;
+  }
+  const double angle = cartesian::getField(patches, cartesian::FeatureAngleField, 1)[0];
+  cartesian::requireInRange(cartesian::PatchSpec::FeatureAngles, angle, "Feature Angle");
+  return angle;
+}
+
+}
+
 vtkStandardNewMacro(vtkCellAssembler);
 
 vtkCellAssembler::vtkCellAssembler()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
-}
-
-void vtkCellAssembler::SetBoundaryName(int row, const char* name)
-{
-  this->SetRow(this->BoundaryNames, row, std::string(name ? name : ""));
-}
-
-void vtkCellAssembler::SetBoundaryType(int row, const char* type)
-{
-  this->SetRow(this->BoundaryTypes, row, std::string(type ? type : ""));
-}
-
-void vtkCellAssembler::SetBoundarySmallCellRatio(int row, double ratio)
-{
-  this->SetRow(this->BoundaryRatios, row, ratio);
 }
 
 int vtkCellAssembler::FillInputPortInformation(int port, vtkInformation* info)
@@ -60,29 +65,23 @@ int vtkCellAssembler::RequestData(
     cartesian::removeBoxFields(vtkDataObject::GetData(output, port));
   }
   this->Run(cartesian::AfterPatches, 1, [&](cartesian::Execution& execution) {
-    const cartesian::Boxes boxes = cartesian::boxesFromVTK(vtkUnstructuredGrid::GetData(input[0]));
-    const cartesian::Patches patches =
-      cartesian::patchesFromVTK(vtkPolyData::GetData(input[1]), boxes);
-    const cartesian::BoundaryNames names =
-      cartesian::boundaryNames(vtkDataObject::GetData(input[1]));
+    cartesian::Boxes boxes = cartesian::boxesFromVTK(vtkUnstructuredGrid::GetData(input[0]));
+    vtkPolyData* patchData = vtkPolyData::GetData(input[1]);
+    cartesian::Patches patches = cartesian::patchesFromVTK(patchData, boxes);
+    const cartesian::BoundaryNames names = cartesian::boundaryNames(patchData);
     const cartesian::BoundarySettings boundaries{ this->BoundaryNames, this->BoundaryTypes,
       this->BoundaryRatios };
     const auto types = cartesian::boundaryTypes(boundaries, names);
-    const auto ratios = cartesian::boundaryRatios(boundaries, names);
-    cartesian::CellSpec spec;
-    spec.collapseRatio = this->CollapseRatio;
-    spec.smallCellRatio = this->SmallCellRatio;
-    spec.smallCells =
-      this->SmallCells == Merge ? cartesian::SmallCells::Merge : cartesian::SmallCells::Remove;
-    spec.mergeRatio = this->MergeRatio;
-    spec.splitConcave = this->SplitConcaveCells;
-    spec.refusedCellRatio = this->RefusedCellRatio;
-    spec.boundaryRatios = &ratios;
-    cartesian::planStages(spec, execution);
-    const cartesian::Assembly assembly(boxes, patches, spec, execution);
-    cartesian::toVTK(assembly, { names, types }, {}, vtkUnstructuredGrid::GetData(output, 0),
+    cartesian::Options options;
+    options.patches.featureAngle = FeatureAngleOf(patchData, options.patches.featureAngle);
+    cartesian::setCellOptions(this, options);
+    options.smallCells.boundaryRatios = cartesian::boundaryRatios(boundaries, names);
+    cartesian::planStages(options, execution);
+    const auto assembly =
+      cartesian::assemble(std::move(boxes), std::move(patches), options, execution);
+    cartesian::toVTK(*assembly, { names, types }, {}, vtkUnstructuredGrid::GetData(output, 0),
       vtkPolyData::GetData(output, 1), execution);
-    this->ReportFlaws(assembly.describeFlaws());
+    this->ReportFlaws(cartesian::describeFlaws(*assembly));
   });
   return 1;
 }
@@ -90,13 +89,6 @@ int vtkCellAssembler::RequestData(
 void vtkCellAssembler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "CollapseRatio: " << this->CollapseRatio << "\n";
-  os << indent << "SmallCells: " << this->SmallCells << "\n";
-  os << indent << "MergeRatio: " << this->MergeRatio << "\n";
-  os << indent << "SplitConcaveCells: " << this->SplitConcaveCells << "\n";
-  os << indent << "RefusedCellRatio: " << this->RefusedCellRatio << "\n";
-  os << indent << "SmallCellRatio: " << this->SmallCellRatio << "\n";
-  PrintColumn(os, indent, "BoundaryNames", this->BoundaryNames);
-  PrintColumn(os, indent, "BoundaryTypes", this->BoundaryTypes);
-  PrintColumn(os, indent, "BoundarySmallCellRatios", this->BoundaryRatios);
+  cartesian::printCellProperties(this, os, indent);
+  this->PrintBoundarySettings(os, indent);
 }

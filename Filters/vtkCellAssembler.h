@@ -25,6 +25,9 @@
  * met at an angle, section 4.11; one is made only where its centre satisfies the angle condition); point
  * array MeshPointId (point of the mesh).
  *
+ * Sharp edges, which the collapse of short edges keeps, are those of the Feature Angle that the patches were
+ * made with (field data FeatureAngle).
+ *
  * Where the patches of a box do not close, the box and those next to it get others, by Marching Cubes
  * from the statuses of corners (BoxesRebuilt). Boxes that do not close even so are left out
  * (BoxesFlawed): their neighbours' faces become boundary.
@@ -39,6 +42,7 @@
 
 #include "vtkCartesianAlgorithm.h"
 #include "vtkCartesianMesherFiltersModule.h" // for the export macro
+#include "vtkCartesianProperties.h"          // for vtkCellPropertiesMacro
 
 class VTKCARTESIANMESHERFILTERS_EXPORT vtkCellAssembler : public vtkCartesianAlgorithm
 {
@@ -47,85 +51,8 @@ public:
   vtkTypeMacro(vtkCellAssembler, vtkCartesianAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /**
-   * Edges shorter than this fraction of their box collapse, so that hardly any small cell is left
-   * (4.10): 0 (none) to 0.3; default 0.1. Corners of boxes move onto the surface; nodes of the surface
-   * move along it only.
-   */
-  vtkSetMacro(CollapseRatio, double);
-  vtkGetMacro(CollapseRatio, double);
-  ///@}
-
-  /**
-   * What becomes of small cells (4.10); default Merge.
-   */
-  enum SmallCellsModes
-  {
-    Remove = 0, ///< left out; their inner faces become boundary faces of their neighbours
-    Merge = 1   ///< a part of the neighbour across the largest area; the volume is kept
-  };
-
-  ///@{
-  vtkSetClampMacro(SmallCells, int, Remove, Merge);
-  vtkGetMacro(SmallCells, int);
-  ///@}
-
-  ///@{
-  /**
-   * With Merge: cells smaller than this fraction of their box are merged: 0 (none) to less than 1;
-   * default 0.015.
-   */
-  vtkSetMacro(MergeRatio, double);
-  vtkGetMacro(MergeRatio, double);
-  ///@}
-
-  ///@{
-  /**
-   * Cut cells that fail an angle condition of section 3 along their concave edges (4.11); default
-   * on.
-   */
-  vtkSetMacro(SplitConcaveCells, bool);
-  vtkGetMacro(SplitConcaveCells, bool);
-  vtkBooleanMacro(SplitConcaveCells, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Cells smaller than this fraction of their box are left out: 0 (none but those without volume)
-   * to less than 1; default 0.001.
-   */
-  vtkSetMacro(SmallCellRatio, double);
-  vtkGetMacro(SmallCellRatio, double);
-  ///@}
-
-  ///@{
-  /**
-   * Where concave cells are split and the patches are not exact: what solvers would refuse (section 3,
-   * checkMesh) and nothing mends is left out, up to as many volumes of its box; default 4. 0: none
-   * is. Boundaries with a small cell ratio of their own keep larger ones.
-   */
-  vtkSetMacro(RefusedCellRatio, double);
-  vtkGetMacro(RefusedCellRatio, double);
-  ///@}
-
-  ///@{
-  /**
-   * What is special about boundaries, by name, a row each: the type that vtkPolyMeshWriter gives the
-   * patch (automatic, patch, wall, symmetry, symmetryPlane, empty), and what stands for
-   * SmallCellRatio in cells whose patches are mostly of it (section 4.10). As many types and ratios
-   * as names, or none. "no_surface" is where there is no patch.
-   */
-  void SetNumberOfBoundaryNames(int number) { this->Resize(this->BoundaryNames, number); }
-  void SetBoundaryName(int row, const char* name);
-  void SetNumberOfBoundaryTypes(int number) { this->Resize(this->BoundaryTypes, number); }
-  void SetBoundaryType(int row, const char* type);
-  void SetNumberOfBoundarySmallCellRatios(int number)
-  {
-    this->Resize(this->BoundaryRatios, number);
-  }
-  void SetBoundarySmallCellRatio(int row, double ratio);
-  ///@}
+  vtkCellPropertiesMacro();
+  vtkBoundarySettingsMacro();
 
 protected:
   vtkCellAssembler();
@@ -135,16 +62,6 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
-
-  double CollapseRatio = 0.1;
-  int SmallCells = Merge;
-  double MergeRatio = 0.015;
-  double SmallCellRatio = 1e-3;
-  bool SplitConcaveCells = true;
-  double RefusedCellRatio = 4;
-  std::vector<std::string> BoundaryNames;
-  std::vector<std::string> BoundaryTypes;
-  std::vector<double> BoundaryRatios;
 
 private:
   vtkCellAssembler(const vtkCellAssembler&) = delete;

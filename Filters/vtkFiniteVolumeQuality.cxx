@@ -171,3 +171,8 @@ int vtkFiniteVolumeQuality::RequestData(
   }
   return 1;
 }
+
+void vtkFiniteVolumeQuality::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

@@ -55,6 +55,7 @@ class VTKCARTESIANMESHERFILTERS_EXPORT vtkFiniteVolumeQuality : public vtkCartes
 public:
   static vtkFiniteVolumeQuality* New();
   vtkTypeMacro(vtkFiniteVolumeQuality, vtkCartesianAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
 protected:
   vtkFiniteVolumeQuality();

@@ -2,6 +2,7 @@
 #include "vtkNamedSTLReader.h"
 
 #include "BoundaryNames.h"
+#include "ReportErrors.h"
 #include "SurfaceFromVTK.h"
 
 #include "vtkCellData.h"
@@ -92,14 +93,25 @@ int vtkNamedSTLReader::RequestData(
   {
     return 0;
   }
-  vtkPolyData* surface = vtkPolyData::GetData(output);
-  const std::vector<std::string> names =
-    SolidNames(this->GetFileName(), std::numeric_limits<std::size_t>::max());
-  vtkDataArray* labels = surface->GetCellData()->GetArray(cartesian::StlSolids);
-  // A binary file has neither.
-  if (labels && labels->GetRange()[1] < static_cast<double>(names.size()))
-  {
-    cartesian::setBoundaryNames(surface, Unite(names, labels));
-  }
+  const auto nameSolids = [&] {
+    vtkPolyData* surface = vtkPolyData::GetData(output);
+    const std::vector<std::string> names =
+      SolidNames(this->GetFileName(), std::numeric_limits<std::size_t>::max());
+    vtkDataArray* labels = surface->GetCellData()->GetArray(cartesian::StlSolids);
+    // A binary file has neither.
+    if (labels && labels->GetRange()[1] < static_cast<double>(names.size()))
+    {
+      cartesian::setBoundaryNames(surface, Unite(names, labels));
+    }
+  };
+  cartesian::reportErrors(nameSolids, [this](unsigned long code, const std::string& message) {
+    this->SetErrorCode(code);
+    vtkErrorMacro(<< message);
+  });
   return 1;
+}
+
+void vtkNamedSTLReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
 }

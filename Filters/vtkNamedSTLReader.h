@@ -20,6 +20,7 @@ class VTKCARTESIANMESHERFILTERS_EXPORT vtkNamedSTLReader : public vtkSTLReader
 public:
   static vtkNamedSTLReader* New();
   vtkTypeMacro(vtkNamedSTLReader, vtkSTLReader);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
    * 1 if the file is ASCII STL and at least one of its first two solids has a name, else 0.

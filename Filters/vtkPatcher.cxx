@@ -4,6 +4,8 @@
 #include "Base/Error.h"
 #include "BoundaryNames.h"
 #include "BoxesVTK.h"
+#include "FieldData.h"
+#include "FilterOptions.h"
 #include "Mesher/Mesher.h"
 #include "PatchesVTK.h"
 #include "SurfaceFromVTK.h"
@@ -81,10 +83,10 @@ int vtkPatcher::RequestData(
     const cartesian::Shoeboxes shoeboxes =
       cartesian::fillShoeboxes(surface, boxes.planes, execution);
     execution.stage("Patches", cartesian::AfterBoxes, 1);
-    const cartesian::Patches patches = cartesian::generatePatches(surface, boxes, shoeboxes,
-      { static_cast<cartesian::PatchMethod>(this->PatchMethod), this->FeatureAngle,
-        this->MergeAngle, static_cast<cartesian::Tying>(this->Tying) },
-      execution);
+    cartesian::Options options;
+    cartesian::setPatchOptions(this, options);
+    const cartesian::Patches patches =
+      cartesian::generatePatches(surface, boxes, shoeboxes, options.patches, execution);
     if (patches.size() == 0)
     {
       throwMisplaced();
@@ -93,6 +95,8 @@ int vtkPatcher::RequestData(
     cells.resize(surface.triangles.size(), -1);
     cartesian::toVTK(patches, boxes, cells, vtkPolyData::GetData(output));
     cartesian::setBoundaryNames(vtkDataObject::GetData(output), source.names());
+    cartesian::setField(
+      vtkDataObject::GetData(output), cartesian::FeatureAngleField, { this->FeatureAngle });
   });
   return 1;
 }
@@ -101,8 +105,5 @@ void vtkPatcher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "BoundaryArray: " << this->BoundaryArray << "\n";
-  os << indent << "PatchMethod: " << this->PatchMethod << "\n";
-  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
-  os << indent << "MergeAngle: " << this->MergeAngle << "\n";
-  os << indent << "Tying: " << this->Tying << "\n";
+  cartesian::printPatchProperties(this, os, indent);
 }

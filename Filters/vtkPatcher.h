@@ -12,7 +12,8 @@
  * Fit because 1 an edge of the box is crossed more than once, 2 the surface meets a side in a closed
  * polyline, 3 a sharp feature passes through or the surface turns within the box by more than twice
  * Feature Angle, 4 there are several boundaries, 5 the surface in the box is no set of discs, 6 Patch
- * Method says so). Sections 4.7, 4.8 and A2 of the paper.
+ * Method says so). Field data: FeatureAngle (double), for vtkCellAssembler. Sections 4.7, 4.8 and A2 of
+ * the paper.
  *
  * Errors: EmptySurface, BadCoordinate, MissingArray (no Boundary Array of that name, or boxes that
  * Cartesian Boxer did not make, or not for this surface), BadParameter (an angle).
@@ -24,6 +25,7 @@
 
 #include "vtkCartesianAlgorithm.h"
 #include "vtkCartesianMesherFiltersModule.h" // for the export macro
+#include "vtkCartesianProperties.h"          // for vtkPatchPropertiesMacro
 
 #include <string> // for std::string
 
@@ -34,26 +36,9 @@ public:
   vtkTypeMacro(vtkPatcher, vtkCartesianAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /**
-   * How patches are made.
-   */
-  enum PatchMethods
-  {
-    Automatic = 0,    ///< Marching Cubes where it is safe, Exact Fit elsewhere
-    ExactFit = 1,     ///< the surface itself, cut at the sides of the boxes
-    MarchingCubes = 2 ///< everywhere, for comparison: sharp edges are chamfered, details are lost
-  };
+  vtkPatchPropertiesMacro();
 
-  /**
-   * What becomes of the nodes that a box by Exact Fit has on a side where its neighbour is by
-   * Marching Cubes.
-   */
-  enum Tyings
-  {
-    KeepNodes = 0, ///< the neighbour takes them over
-    MoveNodes = 1  ///< they move onto the neighbour's straight line (equation 5)
-  };
-
+public:
   ///@{
   /**
    * Cell array of the surface that numbers its boundaries. Empty, the default: the one that a
@@ -61,39 +46,6 @@ public:
    */
   vtkSetMacro(BoundaryArray, std::string);
   vtkGetMacro(BoundaryArray, std::string);
-  ///@}
-
-  ///@{
-  /**
-   * One of PatchMethods. Default: Automatic.
-   */
-  vtkSetClampMacro(PatchMethod, int, Automatic, MarchingCubes);
-  vtkGetMacro(PatchMethod, int);
-  ///@}
-
-  ///@{
-  /**
-   * Edges at which the surface turns by more than this are kept; degrees, 0 to 180. Default: 30.
-   */
-  vtkSetMacro(FeatureAngle, double);
-  vtkGetMacro(FeatureAngle, double);
-  ///@}
-
-  ///@{
-  /**
-   * How far the normals of what becomes one patch may differ, degrees, 0 to 90. Exact Fit as a patch
-   * method merges nothing. Default: 10.
-   */
-  vtkSetMacro(MergeAngle, double);
-  vtkGetMacro(MergeAngle, double);
-  ///@}
-
-  ///@{
-  /**
-   * One of Tyings. Default: KeepNodes.
-   */
-  vtkSetClampMacro(Tying, int, KeepNodes, MoveNodes);
-  vtkGetMacro(Tying, int);
   ///@}
 
 protected:
@@ -106,10 +58,6 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
   std::string BoundaryArray;
-  int PatchMethod = Automatic;
-  double FeatureAngle = 30;
-  double MergeAngle = 10;
-  int Tying = KeepNodes;
 
 private:
   vtkPatcher(const vtkPatcher&) = delete;

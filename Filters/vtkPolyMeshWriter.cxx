@@ -3,9 +3,9 @@
 
 #include "BoundaryOfFaces.h"
 #include "Cells/Cells.h"
-#include "Guard.h"
 #include "MeshUnion.h"
 #include "OpenFoam/PolyMeshFiles.h"
+#include "ReportErrors.h"
 
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
@@ -136,22 +136,24 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkPolyMeshWriter::Gather()
 
 void vtkPolyMeshWriter::WriteData()
 {
-  const vtkSmartPointer<vtkUnstructuredGrid> grid = this->Gather();
-  if (!grid)
-  {
-    return;
-  }
-  if (!this->FileName || !*this->FileName)
-  {
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    vtkErrorMacro("There is no file name: set one, such as case.foam.");
-    return;
-  }
-  cartesian::guarded([&] { this->WriteCase(grid); },
-    [this](unsigned long code, const std::string& message) {
-      this->SetErrorCode(code);
-      vtkErrorMacro(<< message);
-    });
+  const auto write = [&] {
+    const vtkSmartPointer<vtkUnstructuredGrid> grid = this->Gather();
+    if (!grid)
+    {
+      return;
+    }
+    if (!this->FileName || !*this->FileName)
+    {
+      this->SetErrorCode(vtkErrorCode::NoFileNameError);
+      vtkErrorMacro("There is no file name: set one, such as case.foam.");
+      return;
+    }
+    this->WriteCase(grid);
+  };
+  cartesian::reportErrors(write, [this](unsigned long code, const std::string& message) {
+    this->SetErrorCode(code);
+    vtkErrorMacro(<< message);
+  });
 }
 
 void vtkPolyMeshWriter::WriteCase(vtkUnstructuredGrid* grid)

@@ -40,6 +40,9 @@ public:
    */
   vtkSetClampMacro(Shape, int, Box, Input);
   vtkGetMacro(Shape, int);
+  void SetShapeToBox() { this->SetShape(Box); }
+  void SetShapeToSphere() { this->SetShape(Sphere); }
+  void SetShapeToInput() { this->SetShape(Input); }
   ///@}
 
   ///@{

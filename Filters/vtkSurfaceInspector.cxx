@@ -35,3 +35,8 @@ int vtkSurfaceInspector::RequestData(
   });
   return 1;
 }
+
+void vtkSurfaceInspector::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

@@ -44,6 +44,7 @@ class VTKCARTESIANMESHERFILTERS_EXPORT vtkSurfaceInspector : public vtkCartesian
 public:
   static vtkSurfaceInspector* New();
   vtkTypeMacro(vtkSurfaceInspector, vtkCartesianBoxer);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
 protected:
   vtkSurfaceInspector();

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "BoundaryNames.h"
-#include "Cells/Cells.h"
+#include "Cells/SmallCellSpec.h"
 
 #include <vector>
 

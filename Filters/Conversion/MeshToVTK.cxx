@@ -3,6 +3,8 @@
 
 #include "BoundaryOfFaces.h"
 #include "FieldData.h"
+#include "Mesher/Stages.h"
+#include "Mesher/Statistics.h"
 #include "Polyhedra/CellGeometry.h"
 #include "PolyhedronStorage.h"
 
@@ -84,22 +86,22 @@ void setCellData(const OutputMesh& mesh, vtkUnstructuredGrid* grid, Execution& e
 
 void setStatistics(const Assembly& assembly, const Processes& processes, vtkUnstructuredGrid* grid)
 {
-  const auto statistics = assembly.statistics();
+  const std::vector<Statistic> statistics = cartesian::statistics(assembly);
   std::vector<double> values;
-  for (const auto& statistic : statistics)
+  for (const Statistic& statistic : statistics)
   {
-    values.push_back(statistic.second);
+    values.push_back(statistic.value);
   }
   values = processes.sum(values);
   for (std::size_t i = 0; i < values.size(); ++i)
   {
-    setField(grid, statistics[i].first, { values[i] });
+    setField(grid, statistics[i].name, { values[i] });
   }
 }
 
 void setMesh(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution& execution)
 {
-  const OutputMesh& mesh = assembly.mesh();
+  const OutputMesh& mesh = *assembly.mesh;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(mesh.pointCount());
@@ -280,12 +282,12 @@ void toVTK(const Assembly& assembly, const BoundaryTexts& texts, const MeshPiece
   execution.stage("Writing the mesh", AfterNumbering, 1);
   setMesh(assembly, mesh, execution);
   setStatistics(assembly, piece.processes, mesh);
-  setBoundary(assembly.mesh(), mesh, boundary, execution);
+  setBoundary(*assembly.mesh, mesh, boundary, execution);
   setBoundaryOfFaces(mesh, boundary, execution);
   describeBoundaries(texts, piece.processes, boundary, mesh);
   if (!piece.isWhole)
   {
-    setGlobalIds(assembly.mesh(), piece, mesh, boundary, execution);
+    setGlobalIds(*assembly.mesh, piece, mesh, boundary, execution);
   }
 }
 

@@ -21,7 +21,7 @@
 
 #include "BoundaryNames.h"
 #include "MeshPiece.h"
-#include "Mesher/Mesher.h"
+#include "Mesher/Assembly.h"
 
 class vtkPolyData;
 class vtkUnstructuredGrid;

@@ -3,7 +3,8 @@
 //
 // Cell arrays: BoundaryId (int), BoxId (id type: the box's cell in the grid of boxes), SurfaceCell (id
 // type: the cell of the surface that the patch is part of), PatchReason (unsigned char: why its box has these
-// patches; the codes of PatchReason in PatchChoice.h).
+// patches; the codes of PatchReason in PatchChoice.h). Field data: FeatureAngle (double: from which angle
+// on an edge was a sharp feature).
 #pragma once
 
 #include "Patches/Patches.h"
@@ -14,6 +15,8 @@ class vtkPolyData;
 
 namespace cartesian
 {
+
+constexpr const char* FeatureAngleField = "FeatureAngle";
 
 // `surfaceCells`: the cell of each triangle of the surface (SurfaceFromVTK).
 void toVTK(const Patches& patches, const Boxes& boxes, const std::vector<vtkIdType>& surfaceCells,

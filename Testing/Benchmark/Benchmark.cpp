@@ -147,22 +147,23 @@ void printSaving()
   for (int depth = 0; depth <= 3; ++depth)
   {
     Execution execution(0);
-    GridSpec grid;
-    grid.cellSize = 0.2;
-    RefinementSpec refinement;
-    refinement.depth = depth;
-    const PreparedSurface prepared = prepareSurface(ball.view(), grid, 1e12, execution);
-    const BoxedSurface boxed = boxSurface(prepared, refinement, execution);
+    Options options;
+    options.grid.cellSize = 0.2;
+    options.refinement.depth = depth;
+    options.memoryLimit = PlentyOfMemory;
+    const PreparedSurface prepared = prepareSurface(ball.view(), options, execution);
+    const auto decomposition = decompose(prepared, options, execution);
+    const Boxes boxes = decomposition->boxes(decomposition->allLayers(), execution);
     double leaves = 0;
-    for (std::size_t g = 0; g + 1 < boxed.boxes.globals.size(); ++g)
+    for (std::size_t g = 0; g + 1 < boxes.globals.size(); ++g)
     {
-      const GlobalBox& global = boxed.boxes.globals[g];
-      leaves += octreeLeaves(boxed.boxes, global,
+      const GlobalBox& global = boxes.globals[g];
+      leaves += octreeLeaves(boxes, global,
         { global.index[0] * FinePerBox, global.index[1] * FinePerBox,
           global.index[2] * FinePerBox },
         0);
     }
-    const auto count = static_cast<double>(boxed.boxes.packed.size());
+    const auto count = static_cast<double>(boxes.packed.size());
     std::printf("%42d%12.0f%12.0f%9.1f%%\n", depth, count, leaves, 100 * (1 - count / leaves));
   }
 }

@@ -1,5 +1,7 @@
 #include "Run.h"
 
+#include "Mesher/Statistics.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -206,16 +208,18 @@ Triangles readStl(const std::string& name)
 
 double sizeFor(double boxes, const Triangles& surface)
 {
-  Execution execution(0);
-  GridSpec grid;
-  grid.cellSize = std::cbrt(surface.volume() / boxes);
+  Execution execution(Execution::AllCores);
+  Options options;
+  options.grid.cellSize = std::cbrt(surface.volume() / boxes);
+  options.memoryLimit = PlentyOfMemory;
   for (int i = 0; i < 2; ++i)
   {
-    const PreparedSurface prepared = prepareSurface(surface.view(), grid, 1e12, execution);
-    const BoxedSurface boxed = boxSurface(prepared, RefinementSpec(), execution);
-    grid.cellSize *= std::cbrt(static_cast<double>(boxed.boxes.packed.size()) / boxes);
+    const PreparedSurface prepared = prepareSurface(surface.view(), options, execution);
+    const auto decomposition = decompose(prepared, options, execution);
+    const Boxes boxed = decomposition->boxes(decomposition->allLayers(), execution);
+    options.grid.cellSize *= std::cbrt(static_cast<double>(boxed.packed.size()) / boxes);
   }
-  return grid.cellSize;
+  return options.grid.cellSize;
 }
 
 Figures measure(
@@ -223,32 +227,26 @@ Figures measure(
 {
   Memory memory;
   Execution execution(threads, [&](double, const char* stage) { return memory(stage); });
-  GridSpec grid;
-  grid.cellSize = cellSize;
-  const PreparedSurface prepared = prepareSurface(surface.view(), grid, 1e12, execution);
-  RefinementSpec refinement;
-  refinement.depth = depth;
-  const BoxedSurface boxed = boxSurface(prepared, refinement, execution);
-  execution.stage("Patches", AfterBoxes, AfterPatches);
-  PatchSpec spec;
-  spec.method = method;
-  const Patches patches =
-    generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes, spec, execution);
-  const Assembly assembly(boxed.boxes, patches, CellSpec(), execution);
+  Options options;
+  options.grid.cellSize = cellSize;
+  options.refinement.depth = depth;
+  options.patches.method = method;
+  options.memoryLimit = PlentyOfMemory;
+  const auto assembly = mesh(surface.view(), options, execution);
   execution.stage("Writing the mesh", AfterNumbering, 1);
   Figures figures;
-  figures.output = write(assembly.mesh(), execution);
+  figures.output = write(*assembly->mesh, execution);
   memory.close();
   for (const auto& [stage, time] : execution.seconds())
   {
     figures.stages.push_back({ stage, time, memory.peak(stage) });
     figures.seconds += time;
   }
-  for (const auto& [name, value] : assembly.statistics())
+  for (const Statistic& statistic : statistics(*assembly))
   {
-    figures.cut = std::strcmp(name, "Polyhedra") == 0 ? value : figures.cut;
+    figures.cut = std::strcmp(statistic.name, "Polyhedra") == 0 ? statistic.value : figures.cut;
   }
-  figures.cells = static_cast<double>(assembly.mesh().cellCount());
+  figures.cells = static_cast<double>(assembly->mesh->cellCount());
   figures.peak = memory.peak();
   return figures;
 }

@@ -27,6 +27,8 @@ struct Triangles
 Triangles sphere(int rings);                // 4 rings (rings - 1) triangles, of radius 1
 Triangles readStl(const std::string& name); // ASCII, in the folder Data
 
+constexpr double PlentyOfMemory = 1000; // GiB
+
 // The cell size that gives about as many boxes.
 double sizeFor(double boxes, const Triangles& surface);
 

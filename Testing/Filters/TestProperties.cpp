@@ -4,14 +4,18 @@
 #include "vtkCellAssembler.h"
 #include "vtkPatcher.h"
 #include "vtkPolyMeshWriter.h"
+#include "vtkRefinementRegion.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkErrorCode.h"
 #include "vtkNew.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <new>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -44,6 +48,58 @@ void expectToPrint(vtkObject* object, const std::vector<std::string>& lines)
   }
 }
 
+// Runs any work as a filter does.
+class Worker : public vtkCartesianAlgorithm
+{
+public:
+  static Worker* New()
+  {
+    auto* worker = new Worker;
+    worker->InitializeObjectBase();
+    return worker;
+  }
+  vtkTypeMacro(Worker, vtkCartesianAlgorithm);
+
+  bool Do(const std::function<void()>& work)
+  {
+    return this->Run(0, 1, [&](cartesian::Execution&) { work(); });
+  }
+};
+
+}
+
+TEST(Properties, NoExceptionLeavesAFilter)
+{
+  vtkNew<Worker> worker;
+  EXPECT_TRUE(worker->Do([] {}));
+  EXPECT_EQ(worker->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+  const auto expectCode = [&](unsigned long code, const std::function<void()>& work) {
+    EXPECT_EQ(errorsOf(worker, [&] { EXPECT_FALSE(worker->Do(work)); }), 1);
+    EXPECT_EQ(worker->GetErrorCode(), code);
+  };
+  expectCode(vtkCartesianAlgorithm::OutOfMemory, [] { throw std::bad_alloc(); });
+  expectCode(vtkErrorCode::UnknownError, [] { throw std::logic_error("a fault of ours"); });
+  expectCode(vtkErrorCode::UnknownError, [] { throw 1; });
+}
+
+TEST(Properties, EnumsAreSetByName)
+{
+  vtkNew<vtkCartesianMesher> mesher;
+  mesher->SetPatchMethodToMarchingCubes();
+  EXPECT_EQ(mesher->GetPatchMethod(), vtkCartesianMesher::MarchingCubes);
+  mesher->SetTyingToMoveNodes();
+  EXPECT_EQ(mesher->GetTying(), vtkCartesianMesher::MoveNodes);
+  mesher->SetSmallCellsToRemove();
+  EXPECT_EQ(mesher->GetSmallCells(), vtkCartesianMesher::Remove);
+  mesher->SetPatchMethod(7);
+  EXPECT_EQ(mesher->GetPatchMethod(), vtkCartesianMesher::MarchingCubes);
+
+  vtkNew<vtkRefinementRegion> region;
+  region->SetShapeToSphere();
+  EXPECT_EQ(region->GetShape(), vtkRefinementRegion::Sphere);
+  vtkNew<vtkPolyMeshWriter> writer;
+  writer->SetFileTypeToASCII();
+  EXPECT_EQ(writer->GetFileType(), VTK_ASCII);
 }
 
 TEST(Properties, MeshlinesOfEachAxisAreKeptApart)

@@ -21,6 +21,7 @@ exhaust = read("kcl_exhaust_header_lumens.stl")
 check("exhaust", exhaust)
 check("exhaust, named array", exhaust, {"CellSize": 15}, {"BoundaryArray": "STLSolidLabeling"})
 check("spot, small cells removed", read("cino_spot.obj"), cells={"SmallCellRatio": 0.2})
+check("spot, other feature angle", read("cino_spot.obj"), {"CellSize": 0.05}, {"FeatureAngle": 12})
 check("part between meshlines", read("tm_featuretype_occ.stl"),
     {"CellSize": 4, "MeshlinesX": [-40, -39, 0, 17, 50], "MeshlinesZ": [-10, 10, 20]})
 check("exhaust, refined", exhaust, {"CellSize": 30, "RefinementDepth": 2,

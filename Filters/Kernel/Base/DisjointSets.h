@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Disjoint sets (union-find) of the numbers 0 to n - 1. The lowest number of a set represents it,
 // so that the result does not depend on the order of unions.
 #pragma once

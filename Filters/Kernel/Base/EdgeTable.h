@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A hash table (open addressing) from an edge between two nodes, and one of its two sides, to a
 // number. A single node counts as an edge to itself. The table keeps its storage from use to use.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Errors for the user: what is wrong, where, and what to do about it.
 #pragma once
 

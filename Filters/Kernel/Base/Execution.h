@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Runs loops on several threads, reports progress, and lets the user stop the work.
 //
 // Work is divided into chunks of a fixed number of items, so that the results never depend on the
@@ -32,7 +33,9 @@ public:
   // stage's name; returns false to stop.
   using Monitor = std::function<bool(double fraction, const char* stage)>;
 
-  // `threads` 0: one per core. Stages are given as parts of a whole (0 to 1); the work is the part
+  static constexpr int AllCores = 0;
+
+  // `threads` AllCores: one per core. Stages are given as parts of a whole (0 to 1); the work is the part
   // of this whole from `begin` to `end`.
   explicit Execution(int threads = 1, Monitor monitor = nullptr, double begin = 0, double end = 1);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Separates closed walks over numbered nodes into simple loops.
 #pragma once
 

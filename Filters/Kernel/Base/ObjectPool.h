@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Unused objects kept for reuse, so that nested containers, which are filled anew for each box or
 // side, keep their memory.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A vector whose new elements are left uninitialised: for large arrays that all threads fill in
 // parallel, where zeroing them first on one thread would take as long.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Parallel bucket sort of items gathered chunk by chunk: count, scan, fill, sort.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Balances the levels of neighbouring boxes (section 4.5, figure 2): 2:1 in each direction.
 //
 // At most one split line of its neighbours may touch a side of a box in each direction: across a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Box Generation (section 4.5; steps 7 and 8).
 #pragma once
 

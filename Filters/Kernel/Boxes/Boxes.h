@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The boxes that cover the domain (sections 4 and 4.5).
 //
 // Meshlines cut space into global boxes. A global box may be divided into boxes: halved along x, y

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Finds the fewest boxes that cover a global box (section 4.5), by dynamic programming over all
 // splits.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A set of global boxes, run-length encoded along x: small if they are contiguous.
 #pragma once
 

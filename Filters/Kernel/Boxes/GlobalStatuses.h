@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The statuses of global boxes, row by row (section 4.5).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // In/Out Status (section 4.4) of the vertices of the global mesh.
 #pragma once
 

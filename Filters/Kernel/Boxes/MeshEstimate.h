@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A rough estimate of the number of boxes and of the memory for a mesh, before it is built.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Boxes/Refinement.h"
 
 #include "Base/Error.h"
@@ -14,12 +15,7 @@ const std::array<std::string, 3> IndexNames = { "I from ", "J from ", "K from " 
 
 void checkDepth(int depth, const std::string& what)
 {
-  if (depth < 0 || depth > DeepestLevel)
-  {
-    throw Error(Fault::BadParameter,
-      what + " is " + std::to_string(depth) + ": it must be from 0 to " +
-        std::to_string(DeepestLevel) + ".");
-  }
+  requireInRange(RefinementSpec::AllDepths, depth, what);
 }
 
 GlobalBoxSet emptySet(const Meshlines& planes)

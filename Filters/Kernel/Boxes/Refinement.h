@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Types of Refinement (section 4.6): how deeply global boxes may, and must, be divided.
 #pragma once
 
+#include "Base/Range.h"
 #include "Boxes/Boxes.h"
 #include "Boxes/GlobalBoxSet.h"
 #include "Boxes/Shoeboxes.h"
@@ -23,23 +25,25 @@ struct RefinementBlock
 struct BoundaryRefinement
 {
   std::int32_t boundary;
-  int depth; // allowed at the boundary, 0 to DeepestLevel
+  int depth = 1; // allowed at the boundary, 0 to DeepestLevel
 
   // Layers at each forced depth; 0: no blending. The first layer is the boxes at the boundary
   // themselves; the depth falls by one from group to group, down to 1.
-  int blendLayers;
-  bool blendBelow; // blending starts at depth - 1 instead of depth
+  int blendLayers = 0;
+  bool blendBelow = false; // blending starts at depth - 1 instead of depth
 };
 
 // Global boxes that are inside or touch a closed surface.
 struct RefinementRegion
 {
   SurfaceView surface; // closed; user units
-  int depth;           // allowed and forced, 0 to DeepestLevel
+  int depth = 1;       // allowed and forced, 0 to DeepestLevel
 };
 
 struct RefinementSpec
 {
+  static constexpr Range AllDepths{ 0, DeepestLevel };
+
   int depth = 0; // of all boxes without another specification, 0 to DeepestLevel
   std::vector<RefinementBlock> blocks;        // the last one wins
   std::vector<BoundaryRefinement> boundaries; // the deepest one wins

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Shoeboxes (section 4.3): which triangles pass through which global boxes, exactly.
 //
 // The shoeboxes are the global boxes. A triangle passes through a box if a piece of it lies between

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Common Rectangular Sides of Boxes (section 6, step 9): U, V and W sides, perpendicular to x, y, z.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Boxes/UnitStatuses.h"
 
 #include "Surface/LineCrossings.h"

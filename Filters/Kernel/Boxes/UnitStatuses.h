@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // In/out statuses within one global box (section 4.5): of its units and of their vertices.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/Boundary.h"
 
 #include "Base/Sorting.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The boundary of the mesh: patches, and inner faces whose cell on the other side was removed (4.10).
 #pragma once
 

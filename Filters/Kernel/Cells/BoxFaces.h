@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The faces of one polyhedral box: its patches and the inner faces of its sides, and which of them are
 // connected by edges (section 6, step B1).
 #pragma once
@@ -124,7 +125,7 @@ private:
   std::vector<FaceCorners> corners_; // of each face
   std::vector<FaceEdge> edges_;
   EdgeTable firstAtEdge_; // twice the first face at each edge, plus 1 if it runs up; then Paired
-  DisjointSets sets_; // of faces
+  DisjointSets sets_;     // of faces
   std::vector<std::pair<std::size_t, std::size_t>> shared_; // ranges of edges_
   Cycles cycles_;
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The separated volumes of one polyhedral box (section 6, step B2).
 #pragma once
 

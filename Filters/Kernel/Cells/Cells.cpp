@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/Cells.h"
 
 #include "Base/Error.h"
@@ -51,7 +52,7 @@ public:
     return !volumes_.anyFaceTwice(faces_);
   }
 
-  void addBox(std::size_t n, const CellSpec& spec, CellChunk& chunk)
+  void addBox(std::size_t n, const SmallCellSpec& spec, CellChunk& chunk)
   {
     const std::size_t before = chunk.cells.size();
     const bool closed = closes(n);
@@ -73,7 +74,7 @@ public:
 private:
   void findVolumes(std::size_t n) { volumes_.find(faces_, boxes_.lowOf(sides_.polyhedral[n])); }
 
-  void addCells(std::uint32_t boxIndex, const CellSpec& spec, CellChunk& chunk)
+  void addCells(std::uint32_t boxIndex, const SmallCellSpec& spec, CellChunk& chunk)
   {
     const Box box = boxes_.box(boxIndex);
     const Vector size = minus(box.high, box.low);
@@ -90,8 +91,8 @@ private:
       cell.firstFace = chunk.faces.size();
       cell.sliver = shell.volume < 0 || shell.isSliver();
       cell.removed = cell.sliver ||
-        (spec.smallCells == SmallCells::Remove &&
-          cell.volumeFraction < ratioOf(spec, cell.boundary, spec.smallCellRatio));
+        (spec.handling == SmallCells::Remove &&
+          cell.volumeFraction < ratioOf(spec, cell.boundary, spec.ratio));
       chunk.cells.push_back(cell);
       for (const std::uint32_t f : shell.faces)
       {
@@ -149,16 +150,13 @@ Cells join(const std::vector<CellChunk>& ofChunk, std::size_t boxes, Execution& 
 
 }
 
-double ratioOf(const CellSpec& spec, std::int32_t boundary, double otherwise)
+double ratioOf(const SmallCellSpec& spec, std::int32_t boundary, double otherwise)
 {
-  if (spec.boundaryRatios)
+  for (const BoundaryRatio& own : spec.boundaryRatios)
   {
-    for (const BoundaryRatio& own : *spec.boundaryRatios)
+    if (own.boundary == boundary)
     {
-      if (own.boundary == boundary)
-      {
-        return own.ratio;
-      }
+      return own.ratio;
     }
   }
   return otherwise;
@@ -198,7 +196,7 @@ std::vector<std::uint8_t> findFlawed(const Boxes& boxes, const Patches& patches,
 }
 
 Cells assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sides,
-  const Nodes& nodes, const InnerFaces& inner, const CellSpec& spec, Execution& execution)
+  const Nodes& nodes, const InnerFaces& inner, const SmallCellSpec& spec, Execution& execution)
 {
   if (std::max(patches.size(), inner.size()) > FaceOfCell::MostFaces)
   {

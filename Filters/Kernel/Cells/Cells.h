@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Assembly of cells (section 6, part B; 4.10).
 #pragma once
 
+#include "Cells/SmallCellSpec.h"
 #include "Faces/InnerFaces.h"
 
 namespace cartesian
@@ -88,47 +90,6 @@ struct Cells
   std::size_t size() const { return all.size() - 1; }
 };
 
-enum class SmallCells
-{
-  Remove, // their inner faces become boundary faces of their neighbours
-  Merge,  // they become part of a neighbour
-};
-
-// An R of its own for a boundary: it applies to cells most of whose patches belong to it.
-struct BoundaryRatio
-{
-  std::int32_t boundary;
-  double ratio; // from 0 to less than 1
-};
-
-struct CellSpec
-{
-  // Edges shorter than this part of their box collapse (EdgeCollapse.h); 0: none.
-  double collapseRatio = 0.1;
-  double featureAngle = 30; // in degrees, of the edges that stay in place
-
-  // R, from 0 to less than 1: cells below this part of their box's volume are removed.
-  double smallCellRatio = 1e-3;
-
-  SmallCells smallCells = SmallCells::Merge;
-  double mergeRatio = 0.015; // cells below this part of their box's volume are merged
-
-  // Boundary faces of merged cells become one where their normals differ by less, in degrees.
-  double joinAngle = 15;
-
-  bool splitConcave = true; // splits cells that fail an angle condition of section 3
-
-  // If cells are split: cells that solvers refuse and that cannot be mended are removed, up to this many
-  // times the volume of their box; 0: none.
-  double refusedCellRatio = 4;
-
-  const std::vector<BoundaryRatio>* boundaryRatios =
-    nullptr; // borrowed, may be null; each boundary once
-};
-
-// The R of cells of that boundary: its own, if it has one, else this.
-double ratioOf(const CellSpec& spec, std::int32_t boundary, double otherwise);
-
 // Calls visit(node) for the corners of a face, counter-clockwise from outside its cell.
 template <class Visitor>
 void forEachNode(const FaceOfCell& face, const Patches& patches, const InnerFaces& inner,
@@ -168,6 +129,6 @@ std::vector<std::uint8_t> findFlawed(const Boxes& boxes, const Patches& patches,
 // Finds the separated volumes of each polyhedral box, and marks small ones as removed. Cells thinner than a
 // hundredth of a lattice step (slivers due to rounding) are removed whatever R is.
 Cells assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sides,
-  const Nodes& nodes, const InnerFaces& inner, const CellSpec& spec, Execution& execution);
+  const Nodes& nodes, const InnerFaces& inner, const SmallCellSpec& spec, Execution& execution);
 
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which nodes may move where, and which may merge, so that no face turns over or leaves the surface.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Collapse/EdgeCollapse.h"
 
 #include "Base/Sorting.h"

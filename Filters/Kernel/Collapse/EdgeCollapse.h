@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Collapses short edges: nodes that nearly coincide become one.
 //
 // Where the surface passes close to a corner or a side of a box, it leaves cells that are too thin or too
@@ -14,13 +15,13 @@ namespace cartesian
 
 struct EdgeCollapseSpec
 {
-  // From 0 (none) to MostCollapseRatio: edges shorter than this part of their box's shortest edge
-  // collapse, unless a face would turn over.
-  double ratio = 0;
+  // As in CollapseSpec.h: edges shorter than this part of their box's shortest edge collapse, unless a face
+  // would turn over.
+  double ratio;
 
   // In degrees. Nodes at which faces meet at a larger angle, or several boundaries meet, lie on an edge of
   // the surface, which keeps its place.
-  double featureAngle = 30;
+  double featureAngle;
 
   // Whether nodes of the surface keep their places.
   bool exact = false;
@@ -32,8 +33,6 @@ struct EdgeCollapseSpec
   // beyond them. True: only nodes that all belong to boxes next to a seam move.
   bool acrossSeams = false;
 };
-
-constexpr double MostCollapseRatio = 0.3;
 
 // Returns the number of nodes that vanished. Patches and inner faces without area vanish too. The result
 // depends on the places of nodes, not on their order.

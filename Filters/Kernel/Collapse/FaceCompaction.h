@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Removes corners and faces from arrays of faces, and closes the gaps.
 #pragma once
 

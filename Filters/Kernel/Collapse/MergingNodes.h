@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Nodes at short edges, what they have become part of so far, and the faces around them.
 #pragma once
 

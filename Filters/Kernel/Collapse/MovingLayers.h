@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // In which layers of boxes nodes may move while short edges collapse, so that what happens between two
 // seams (Slabs.h) depends on nothing beyond them.
 #pragma once

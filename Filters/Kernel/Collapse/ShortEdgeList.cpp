@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Collapse/ShortEdgeList.h"
 
 #include "Lattice/Vector.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The edges that are short compared with their boxes, and so may collapse (EdgeCollapse.h).
 #pragma once
 

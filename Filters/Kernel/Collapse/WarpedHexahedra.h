@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Hexahedra with corners that moved onto the surface (EdgeCollapse.h), and their volumes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Rebuilds flawed boxes, in which the patches of the surface do not close, by Marching Cubes from the
 // statuses of their corners.
 //

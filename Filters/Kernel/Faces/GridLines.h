@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The lines between neighbouring grid nodes near flawed boxes: which keep their crossings with the
 // surface, and what the others get (BoxRebuilding.h).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Generation of Inner Faces (section 4.9): the faces on the common sides of boxes.
 //
 // The region of a side that is inside is bounded by the edges of patches that lie on the side, and by

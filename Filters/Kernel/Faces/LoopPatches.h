@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // New patches for a flawed box: triangles over the loops that the chords on its sides form, which close by
 // construction.
 #pragma once

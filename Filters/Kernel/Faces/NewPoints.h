@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Points that rebuilding flawed boxes adds, numbered after the nodes.
 #pragma once
 

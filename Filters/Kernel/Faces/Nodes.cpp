@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Faces/Nodes.h"
 
 #include "Lattice/Numbering.h"

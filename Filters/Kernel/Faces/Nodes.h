@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The nodes of all faces, numbered (section 7.1), hanging nodes included.
 #pragma once
 

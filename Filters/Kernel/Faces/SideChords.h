@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What bounds the inside region of a common side (section 4.9): chords, which are edges of patches, and
 // the border of the side, with the status of its corners.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The vertices of the global mesh that cells use, stored as runs along x: memory grows with the mesh, not
 // with the grid.
 #pragma once

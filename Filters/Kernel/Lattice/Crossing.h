@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Exact crossings of the surface with cutting planes and lines (sections 4.2, 7.1).
 //
 // All inputs are lattice points: vertices have odd levels, planes even ones. A crossing has even

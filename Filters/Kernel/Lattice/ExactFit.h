@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Exact Fit (section 4.7): clips surface triangles between cutting planes.
 //
 // A fragment is the part of one triangle between planes: a convex polygon whose sides lie on the

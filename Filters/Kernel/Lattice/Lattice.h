@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The integer lattice: Scaling (section 4.1) and Dual Levels (4.2, 7.1).
 //
 // A cube around the domain is divided into at most 4.2e9 levels in each direction. Vertices of the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Marching Cubes (section 4.7): triangulates the loops through the surface's crossings with the
 // edges of a box.
 //

@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Meshlines: the cutting planes of the global mesh (section 4, steps 1 and 3).
 #pragma once
 
+#include "Base/Range.h"
 #include "Lattice/Lattice.h"
 
 #include <vector>
@@ -11,8 +13,10 @@ namespace cartesian
 // The user's specification, in user units.
 struct GridSpec
 {
-  double cellSize =
-    0; // of boxes in directions without meshlines; 0: the surface's longest dimension / 50
+  static constexpr Range CellSizes{ 0 }; // user units
+
+  // Of boxes in directions without meshlines; 0: the surface's longest dimension / 50.
+  double cellSize = 0;
   std::array<std::vector<double>, 3> meshlines; // strictly increasing, at least two, or none
 };
 

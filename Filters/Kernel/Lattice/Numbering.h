@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Numbers points by sorting (section 7.1): equal points get equal ids, no matter which boxes use
 // them.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Points in one cutting plane, as seen from the side that its normal points to.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A point and its number packed into two words: sorts by position, then by number, several times as
 // fast as a pair.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Splits inner faces that are too concave (sections 3 and 4.9).
 //
 // A face must have a star triangulation: triangles from its centre (the mean of its corners) to

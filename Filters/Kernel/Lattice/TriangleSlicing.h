@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cuts a triangle into pieces by rows of the global mesh: the basis of Shoeboxes (4.3) and In/Out
 // Status (4.4).
 //

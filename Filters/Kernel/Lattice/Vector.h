@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Vectors in double precision, and angles: for measures, never for exact decisions.
 #pragma once
 

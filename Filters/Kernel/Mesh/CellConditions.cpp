@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/CellConditions.h"
 
 #include "Quality/QualityMeasures.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Counts the cells that fail the conditions of section 3, for the statistics of step 12.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The finished mesh (section 6, steps 11 and 13): cells and points numbered and written.
 //
 // Cells are hexahedra (inside boxes without hanging nodes) and polyhedra, in order of their boxes; points

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Numbers of the points that cells use (section 6, step 11).
 //
 // Points are numbered row by row (Numbering.h). Each row has first the vertices of the global mesh, then

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // OpenFOAM's file constant/polyMesh/boundary: the patches and their entries, which users may edit.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "OpenFoam/FoamFile.h"
 
 #include "Base/Error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One file of OpenFOAM: a header, then text or a list.
 #pragma once
 

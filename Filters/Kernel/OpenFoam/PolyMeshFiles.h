@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A mesh as an OpenFOAM case: its folder constant/polyMesh.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Decomposition of a grid into parts, and what all parts have in common.
 //
 // A part is a range of layers of global boxes along z, its core, that is meshed by itself: one part

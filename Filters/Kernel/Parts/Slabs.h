@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Slabs: ranges of layers of global boxes whose cells can be changed independently.
 //
 // Shaping (CellShaping.h) can propagate from cell to cell without bound. Slabs bound it: a slab

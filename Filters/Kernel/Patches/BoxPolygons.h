@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The polygons of one box while they are simplified, with the normals of what each came from.
 #pragma once
 

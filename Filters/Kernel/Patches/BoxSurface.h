@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The surface in one box: what all methods of patch generation (section 4.7) start from.
 //
 // The polygons are those of Exact Fit. The segments are their edges on the sides of the box, without

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The loops that chords form on the sides of a box, made triangles (section 4.7).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Crossings on the edges of boxes that cancel each other, where all boxes are patched by Marching Cubes.
 //
 // Marching Cubes knows no edge that is crossed more than once. On each line between two corners of boxes,

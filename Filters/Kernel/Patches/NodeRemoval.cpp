@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Patches/NodeRemoval.h"
 
 #include "Base/Loops.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Removal of nodes from the polygons of a box (section 6, A2).
 #pragma once
 

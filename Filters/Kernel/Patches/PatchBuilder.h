@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The patches of one box, out of the surface in it.
 #pragma once
 

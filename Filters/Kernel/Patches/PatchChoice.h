@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Choice of the patching method (section 4.7).
 #pragma once
 

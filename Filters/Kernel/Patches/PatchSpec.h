@@ -1,5 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the user chooses about patches (sections 4.7, 4.8, A2).
 #pragma once
+
+#include "Base/Range.h"
 
 #include <cstdint>
 
@@ -23,10 +26,12 @@ enum class Tying : std::uint8_t
 
 struct PatchSpec
 {
+  static constexpr Range FeatureAngles{ 0, 180 };
+  static constexpr Range MergeAngles{ 0, 90 };
+
   PatchMethod method = PatchMethod::Automatic;
-  double featureAngle = 30; // degrees, 0 to 180: edges that turn by more are kept
-  double mergeAngle =
-    15; // degrees, 0 to 90: how far the normals of what becomes one patch may differ
+  double featureAngle = 30; // degrees: edges of the surface that turn by more are kept
+  double mergeAngle = 10;   // degrees: how far the normals of what becomes one patch may differ
   Tying tying = Tying::KeepNodes;
 };
 

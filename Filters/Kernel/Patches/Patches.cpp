@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Patches/Patches.h"
 
 #include "Base/Error.h"
@@ -117,16 +118,8 @@ void copyChunk(const PatchChunk& chunk, std::size_t index, const Offsets& offset
 
 void checkSpec(const PatchSpec& spec)
 {
-  const auto check = [](const char* name, double angle, double most) {
-    if (!(angle >= 0 && angle <= most))
-    {
-      throw Error(Fault::BadParameter,
-        std::string("The ") + name + " is " + number(angle) +
-          " degrees; it must lie between 0 and " + number(most) + ".");
-    }
-  };
-  check("Feature Angle", spec.featureAngle, 180);
-  check("Merge Angle", spec.mergeAngle, 90);
+  requireInRange(PatchSpec::FeatureAngles, spec.featureAngle, "Feature Angle");
+  requireInRange(PatchSpec::MergeAngles, spec.mergeAngle, "Merge Angle");
 }
 
 class PatchGenerator

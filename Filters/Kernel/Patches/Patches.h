@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Generation of Patches (section 4.7): the boundary faces inside each intersected box, by Marching
 // Cubes or Exact Fit, tied (4.8) and simplified (A2).
 #pragma once

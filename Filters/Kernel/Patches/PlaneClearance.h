@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How far points of patches keep away from cutting planes that they are not on.
 //
 // Dual Levels only keep them one level away. Where the surface passes a corner or an edge of a box, that

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Polygons of a box become fewer, convex ones (section 6, A2).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tying of Patches (section 4.8): what the patches of two boxes share on the side between them.
 //
 // On each part of a side that two boxes share, the surface leaves polylines. Both boxes see the same

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Polygon Simplification (section 6, A2) of the patches of one box.
 //
 // Nodes inside smooth parts are removed, triangles with similar normals become convex polygons, and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Polyhedra/CellEdges.h"
 
 #include "Polyhedra/CellGeometry.h"

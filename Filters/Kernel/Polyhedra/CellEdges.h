@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Checks a cell edge by edge: is it closed, and how concave is it?
 #pragma once
 

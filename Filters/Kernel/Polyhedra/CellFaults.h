@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Counts the faults of cells: violations of section 3 of the paper and of OpenFOAM's checkMesh.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Centres, areas and volumes of polygons and polyhedra as OpenFOAM computes them, and the angles of
 // section 3. Works in any unit of length.
 #pragma once

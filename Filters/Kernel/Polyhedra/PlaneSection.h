@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where a cutting plane meets a cell: which nodes lie above, on and below it, and the new nodes on
 // the edges that cross it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One cell by itself, and its geometric measures.
 #pragma once
 

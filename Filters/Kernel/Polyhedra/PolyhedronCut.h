@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A cell cut by a plane (section 4.11).
 #pragma once
 

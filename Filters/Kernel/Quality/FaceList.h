@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The faces of a mesh as solvers number them (section 6, step 13): each once, with its two cells.
 #pragma once
 

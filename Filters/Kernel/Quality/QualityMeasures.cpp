@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Quality/QualityMeasures.h"
 
 #include "Base/Sorting.h"

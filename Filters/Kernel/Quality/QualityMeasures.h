@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How good a mesh is for finite-volume solvers: the conditions of section 3, and what OpenFOAM 1912
 // checks (checkMesh), with its definitions and limits.
 #pragma once

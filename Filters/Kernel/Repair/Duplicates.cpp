@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/Duplicates.h"
 
 #include "Base/DisjointSets.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Triangles that occur in the surface more than once (step 4): the same three vertices, in either
 // direction.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Closes the holes of a surface. Holes at least as wide as a box are reported as leaks.
 //
 // The rim of a hole is a loop of edges that an odd number of triangles use; such edges always form

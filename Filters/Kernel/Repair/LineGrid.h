@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Finds the lines along one axis that cross a triangle: a grid across that axis lists the lines in
 // each cell.
 #pragma once

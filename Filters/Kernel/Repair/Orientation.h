@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Consistent orientation of the triangles (step 6): afterwards normals point out of the domain.
 //
 // The rule: shells that do not intersect alternate, however they were oriented: a shell inside a

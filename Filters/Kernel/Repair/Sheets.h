@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sheets of a surface: triangles connected across edges of exactly two triangles, and how each
 // triangle is turned relative to the first one of its sheet.
 #pragma once

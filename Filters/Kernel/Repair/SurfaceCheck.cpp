@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/SurfaceCheck.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whether the surface is closed and consistently oriented, which section 2 leaves to a preprocessor.
 #pragma once
 

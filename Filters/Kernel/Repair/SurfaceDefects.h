@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Lists what is wrong with a surface, and where, for the user to inspect (step 4).
 #pragma once
 
@@ -55,7 +56,7 @@ SurfaceDefects findDefects(const Surface& surface, std::size_t given, const Surf
   const Meshlines& planes, Execution& execution);
 
 // A message about folds, overlaps and intersections, which may degrade a mesh and which describeFlaws
-// (Mesher.h) does not mention; empty if there are none.
+// (Messages.h) does not mention; empty if there are none.
 std::string describe(const SurfaceDefects& defects);
 
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Repairs a surface before it is meshed (steps 4 and 6): drops duplicate and loose triangles,
 // orients the others and closes holes.
 #pragma once

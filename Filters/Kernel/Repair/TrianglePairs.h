@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Exact test of how two triangles intersect, apart from shared corners and edges (step 4).
 #pragma once
 

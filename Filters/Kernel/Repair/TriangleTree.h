@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A bounding volume hierarchy of the triangles that have an area: which of them are near each other?
 //
 // Triangles are sorted along a space-filling curve (Morton order); a node of height h holds 2^h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The lines that decide how sheets are oriented: through the largest triangles of each sheet.
 #pragma once
 

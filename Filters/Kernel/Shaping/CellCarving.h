@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The part of a cell that makes solvers refuse it is cut off and removed (sections 4.10 and 4.11):
 // where the whole cell is too large to go, and no cut helps that keeps both parts.
 #pragma once

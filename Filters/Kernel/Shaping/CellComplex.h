@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cells that can be cut and joined (sections 4.10 and 4.11), in one slab (Slabs.h).
 //
 // Cells and faces are copied when they change for the first time ("opened"): what nobody touches

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/CellShaping.h"
 
 #include "Shaping/CellCarving.h"
@@ -17,12 +18,12 @@ namespace
 
 // Those at the boundary below a part of their box: R of their boundary, but not more than `most`.
 // Elsewhere they would leave a hole.
-void removeSmallCells(CellComplex& complex, const CellSpec& spec, double most)
+void removeSmallCells(CellComplex& complex, const SmallCellSpec& spec, double most)
 {
   for (const CellKey key : complex.polyhedra())
   {
     const double share = complex.share(key);
-    if (share < most && share < ratioOf(spec, complex.boundaryOfCell(key), spec.smallCellRatio) &&
+    if (share < most && share < ratioOf(spec, complex.boundaryOfCell(key), spec.ratio) &&
       complex.isAtBoundary(key))
     {
       complex.remove(key);
@@ -34,8 +35,10 @@ void removeSmallCells(CellComplex& complex, const CellSpec& spec, double most)
 class Shaper
 {
 public:
-  Shaper(CellComplex& complex, const CellSpec& spec, bool exact, Execution& execution)
+  Shaper(CellComplex& complex, const SmallCellSpec& small, const ShapingSpec& spec, bool exact,
+    Execution& execution)
     : complex_(complex)
+    , small_(small)
     , spec_(spec)
     , exact_(exact)
     , execution_(execution)
@@ -66,9 +69,9 @@ private:
   // What cannot be merged is small beyond use.
   void removeSmall(double most)
   {
-    if (spec_.smallCells == SmallCells::Merge && !exact_)
+    if (small_.handling == SmallCells::Merge && !exact_)
     {
-      removeSmallCells(complex_, spec_, most);
+      removeSmallCells(complex_, small_, most);
     }
   }
 
@@ -76,7 +79,7 @@ private:
   // what is too large to go can lose a part.
   void removeRefused()
   {
-    RefusedCells refused(complex_, spec_, execution_);
+    RefusedCells refused(complex_, small_, execution_);
     std::uint32_t looked = 0;
     for (std::size_t pass = 0; pass < LargestShares.size(); ++pass)
     {
@@ -105,7 +108,7 @@ private:
 
   void merge(bool mend)
   {
-    if (spec_.smallCells == SmallCells::Merge)
+    if (small_.handling == SmallCells::Merge)
     {
       shaping_.cellsMerged +=
         mergeSmallCells(complex_, spec_.mergeRatio, mend, OnOnePlane, merges_, execution_);
@@ -124,7 +127,7 @@ private:
 
   void split()
   {
-    const double least = spec_.smallCells == SmallCells::Remove ? spec_.smallCellRatio : 0;
+    const double least = small_.handling == SmallCells::Remove ? small_.ratio : 0;
     shaping_.cellsSplit +=
       splitCells(complex_, complex_.polyhedraAtFault(), least, execution_).cellsSplit;
   }
@@ -152,7 +155,8 @@ private:
   static constexpr double MostCarved = 0.5;
 
   CellComplex& complex_;
-  const CellSpec& spec_;
+  const SmallCellSpec& small_;
+  const ShapingSpec& spec_;
   bool exact_;
   Execution& execution_;
   FaceMender mender_;
@@ -172,18 +176,14 @@ Shaping& Shaping::operator+=(const Shaping& other)
   return *this;
 }
 
-bool shapesCells(const CellSpec& spec)
+bool shapesCells(const SmallCellSpec& small, const ShapingSpec& spec)
 {
-  return spec.smallCells == SmallCells::Merge || spec.splitConcave;
-}
-
-LaterSteps laterStepsOf(const CellSpec& spec)
-{
-  return { spec.collapseRatio > 0, shapesCells(spec) };
+  return small.handling == SmallCells::Merge || spec.splitConcave;
 }
 
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
-  const InnerFaces& inner, Cells& cells, const CellSpec& spec, Execution& execution)
+  const InnerFaces& inner, Cells& cells, const SmallCellSpec& small, const ShapingSpec& spec,
+  Execution& execution)
 {
   const bool exact = isExact(patches);
   const std::uint32_t all = boxes.allLayers().end;
@@ -206,7 +206,7 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
     execution.forEach(slabs.size(), 1, [&](std::size_t s, std::size_t) {
       Execution alone = execution.alone();
       complexes[s] = std::make_unique<CellComplex>(whole, slabs[s]);
-      shapings[s] = Shaper(*complexes[s], spec, exact, alone).run();
+      shapings[s] = Shaper(*complexes[s], small, spec, exact, alone).run();
     });
     for (const Shaping& shaping : shapings)
     {

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cells made fit for solvers (sections 3, 4.10, 4.11): concave ones are split, small ones merged.
 // Slab by slab (Slabs.h): those of the core, and around it what a point of theirs may belong to.
 #pragma once
 
 #include "Cells/Cells.h"
-#include "Parts/Slabs.h"
+#include "Shaping/ShapingSpec.h"
 
 namespace cartesian
 {
@@ -22,12 +23,10 @@ struct Shaping
 };
 
 // Whether there is anything to do.
-bool shapesCells(const CellSpec& spec);
-
-// How far cells depend on others, for these and for short edges.
-LaterSteps laterStepsOf(const CellSpec& spec);
+bool shapesCells(const SmallCellSpec& small, const ShapingSpec& spec);
 
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
-  const InnerFaces& inner, Cells& cells, const CellSpec& spec, Execution& execution);
+  const InnerFaces& inner, Cells& cells, const SmallCellSpec& small, const ShapingSpec& spec,
+  Execution& execution);
 
 }

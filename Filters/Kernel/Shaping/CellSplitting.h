@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cell splitting (section 4.11): cells so concave that an angle condition of section 3 fails are cut
 // along their worst concave edges.
 #pragma once

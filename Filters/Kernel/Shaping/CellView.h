@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One cell, or several as one, taken out of the whole to be looked at and tried on.
 #pragma once
 

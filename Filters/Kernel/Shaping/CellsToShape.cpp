@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/CellsToShape.h"
 
 #include "Shaping/CellComplex.h"

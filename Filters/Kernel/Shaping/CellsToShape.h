@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the slabs of one stage of shaping have in common (CellShaping.h), and what is known of all cells
 // before any changes: most never do, and are measured once.
 #pragma once

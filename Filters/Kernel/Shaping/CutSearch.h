@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where a cell is cut (section 4.11): along concave edges, the worst first.
 #pragma once
 

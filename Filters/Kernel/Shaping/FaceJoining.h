@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Neighbouring faces of a cell that can be one: between the same two cells on one plane, or of one
 // boundary with normals close to each other; neither with a fixed cell beyond.
 #pragma once

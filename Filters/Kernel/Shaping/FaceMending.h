@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Faces of a cell made one where that mends it: the paper's IP patches (section 4.11).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/RefusedCells.h"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ bool RefusedCells::mayGo(const Candidate& candidate) const
 {
   return cells_.hasFaces(candidate.key) && cells_.isFree(candidate.key) &&
     cells_.isAtBoundary(candidate.key) &&
-    candidate.volume < ratioOf(spec_, cells_.mainBoundary(candidate.key), largest_);
+    candidate.volume < ratioOf(small_, cells_.mainBoundary(candidate.key), largest_);
 }
 
 // For each refused face of a cell, finds the smaller of its two cells that may go.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The last resort where neither a cut, nor a merge, nor an IP patch mends a cell (section 4.11): it is
 // removed as a small cell is (4.10).
 #pragma once
@@ -16,9 +17,9 @@ namespace cartesian
 class RefusedCells
 {
 public:
-  RefusedCells(CellComplex& cells, const CellSpec& spec, Execution& execution)
+  RefusedCells(CellComplex& cells, const SmallCellSpec& small, Execution& execution)
     : cells_(cells)
-    , spec_(spec)
+    , small_(small)
     , execution_(execution)
   {
   }
@@ -42,7 +43,7 @@ private:
   std::vector<CellKey> removeSome(const std::vector<CellKey>& keys);
 
   CellComplex& cells_;
-  const CellSpec& spec_;
+  const SmallCellSpec& small_;
   Execution& execution_;
   double largest_ = 0;
   std::size_t removed_ = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Small cells (section 4.10) that become a part of a neighbour.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Finds the sharp features of the surface (section 4.7): edges at which it turns by more than the
 // feature angle.
 //

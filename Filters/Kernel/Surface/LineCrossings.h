@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where axis-parallel lines cross the surface: the rays of section 4.4.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A quick estimate of a mesh's size, from its surface alone.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The triangulated surface on the lattice (sections 4.1, 4.2; steps 2 and 3).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How the surface winds around a point (section 4.4).
 #pragma once
 

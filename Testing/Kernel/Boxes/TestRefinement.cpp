@@ -175,7 +175,7 @@ TEST(Refinement, RandomSpecificationsHold)
       ? box({ 0, 0, 0 }, { 1, 0.7, 0.4 }).turned()
       : (n % 3 == 1 ? bumpySphere(static_cast<unsigned>(random()), 6) : torus(12, 1, 0.3));
     const std::int32_t boundaries = n % 3 == 0 ? 6 : 1;
-    Options options;
+    TestOptions options = asTheyAre();
     const GridSpec grid = cellsAlongLongest(soup, 4.5);
     const PreparedSurface prepared = prepare(soup, grid);
     options.refinement = randomSpec(random, prepared.planes, boundaries);
@@ -204,7 +204,7 @@ TEST(Refinement, RandomSpecificationsHold)
 
 TEST(Refinement, BoxesOfABlockFillTheirGlobalBoxes)
 {
-  Options options;
+  TestOptions options = asTheyAre();
   options.refinement.blocks.push_back({ { 1, 1, 1 }, { 2, 2, 2 }, 2, 2 });
   const Meshed meshed = meshOf(cube(), cellsOf(0.2), options);
   std::map<std::uint32_t, double> volume;
@@ -273,7 +273,7 @@ TEST(Refinement, BlendsInLayers)
 
 TEST(Refinement, RegionsRefineWhatLiesInThem)
 {
-  Options options;
+  TestOptions options = asTheyAre();
   const Soup ball = sphere(6, 0.2).moved({ 0.5, 0.5, 0.5 });
   const Soup far = box({ -3, 0.9, 0.9 }, { 5, 3, 3 }); // reaches beyond the domain
   options.refinement.regions.push_back({ ball.view(), 2 });
@@ -294,7 +294,7 @@ TEST(Refinement, RegionsRefineWhatLiesInThem)
 TEST(Refinement, SameMeshForAnyNumberOfThreads)
 {
   const Soup soup = bumpySphere(5, 8);
-  Options options;
+  TestOptions options = asTheyAre();
   options.refinement = depth(3);
   options.refinement.boundaries.push_back({ 0, 3, 1, false });
   const Meshed one = meshOf(soup, cellsAlongLongest(soup, 6), options);
@@ -307,7 +307,7 @@ TEST(Refinement, SameMeshForAnyNumberOfThreads)
 
 void expectFault(const RefinementSpec& spec, Fault fault, const std::string& words)
 {
-  Options options;
+  TestOptions options = asTheyAre();
   options.refinement = spec;
   try
   {
@@ -344,7 +344,7 @@ TEST(Refinement, ErrorsNameWhatIsWrong)
 
 TEST(Refinement, RangesBeyondTheGridAreClippedWithAWarning)
 {
-  Options options;
+  TestOptions options = asTheyAre();
   options.refinement.blocks.push_back({ { 3, -2, 0 }, { 40, 1, 0 }, 1, 1 });
   const Meshed meshed = meshOf(cube(), cellsOf(0.2), options);
   EXPECT_NE(meshed.boxed.warnings.find("row 0"), std::string::npos) << meshed.boxed.warnings;
@@ -358,7 +358,7 @@ TEST(Refinement, TooManyBoxesAreRefusedBeforeTheyAreBuilt)
   const Soup soup = cube();
   PreparedSurface prepared = prepare(soup, cellsOf(0.05));
   prepared.memoryLimit = 1e8;
-  Options options;
+  TestOptions options = asTheyAre();
   options.refinement.blocks.push_back({ { 0, 0, 0 }, { 19, 19, 19 }, 6, 6 });
   try
   {

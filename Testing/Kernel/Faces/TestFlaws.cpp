@@ -55,7 +55,8 @@ Soup damaged(Soup soup, unsigned flaws, unsigned seed)
   return soup;
 }
 
-void expectValidOrRefused(const Soup& soup, const GridSpec& grid, const Options& options = {})
+void expectValidOrRefused(
+  const Soup& soup, const GridSpec& grid, const TestOptions& options = asTheyAre())
 {
   try
   {
@@ -75,8 +76,7 @@ Meshed meshAll(const Soup& soup)
     for (const int levels : { 0, 1 })
     {
       SCOPED_TRACE(std::to_string(cells) + " cells, depth " + std::to_string(levels));
-      expectValidOrRefused(
-        soup, cellsAlongLongest(soup, cells), { asTheyAre(0), 1, depth(levels) });
+      expectValidOrRefused(soup, cellsAlongLongest(soup, cells), asTheyAre(0, depth(levels)));
     }
   }
   Meshed meshed = meshOf(soup, cellsAlongLongest(soup, FineCells));
@@ -122,7 +122,7 @@ TEST(Flaws, OneTriangleInAHundred)
   {
     ASSERT_GT(soup.triangles.size(), 1000U) << name;
     const GridSpec grid = cellsAlongLongest(soup, 25);
-    Options options;
+    TestOptions options = asTheyAre();
     options.patches.method = PatchMethod::Automatic;
     const double volume = volumeOf(meshOf(soup, grid, options).mesh);
     for (const unsigned flaws : cases({ 1U, 2U, 3U, 4U, 5U, 6U, 7U }))
@@ -190,7 +190,7 @@ TEST(Flaws, BodiesThatCross)
     cases({ PatchMethod::MarchingCubes, PatchMethod::ExactFit, PatchMethod::Automatic }))
   {
     SCOPED_TRACE(static_cast<int>(method));
-    Options options;
+    TestOptions options = asTheyAre();
     options.patches.method = method;
     const auto expectVolume = [&](const Soup& soup, double volume, double cells) {
       const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, cells), options);
@@ -288,13 +288,14 @@ TEST(Flaws, BoxesMadeAnewAreDescribedWithPlaces)
   const PreparedSurface prepared =
     prepare(sphere(5, 1).add(sphere(6, 0.8).moved({ 0.9, 0.1, 0.2 })), cellsOf(0.2));
   Execution execution;
-  const BoxedSurface boxed = boxSurface(prepared, {}, execution);
-  const Patches patches =
-    generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes, exactFit(), execution);
-  const Assembly assembly(boxed.boxes, patches, {}, execution);
-  const std::string text = assembly.describeFlaws();
-  EXPECT_TRUE(assembly.flawedBoxes().empty()) << text;
-  EXPECT_NE(text.find(std::to_string(assembly.rebuiltBoxes()) + " boxes"), std::string::npos)
+  TestOptions options;
+  options.patches = exactFit();
+  const auto decomposition = decompose(prepared, options, execution);
+  const auto assembly =
+    meshPart(prepared, *decomposition, decomposition->allLayers(), options, execution);
+  const std::string text = describeFlaws(*assembly);
+  EXPECT_TRUE(flawedBoxes(*assembly).empty()) << text;
+  EXPECT_NE(text.find(std::to_string(rebuiltBoxes(*assembly)) + " boxes"), std::string::npos)
     << text;
   EXPECT_NE(text.find("global box "), std::string::npos) << text;
 }

@@ -113,7 +113,7 @@ std::size_t sheetsInTheMiddle(const Meshed& meshed)
 
 Meshed meshByMarchingCubes(const Soup& soup)
 {
-  Options options;
+  TestOptions options = asTheyAre();
   options.patches.method = PatchMethod::MarchingCubes;
   GridSpec grid;
   for (auto& lines : grid.meshlines)

@@ -142,16 +142,15 @@ TEST(Errors, MeshlinesCloserThanTheLattice)
 
 TEST(Errors, MemoryLimit)
 {
-  Execution execution;
   expectError(Fault::TooManyBoxes, { "Memory Limit", "boxes" },
-    [&] { prepareSurface(cube().view(), cellsOf(0.01), 1e6, execution); });
-  EXPECT_NO_THROW(prepareSurface(cube().view(), cellsOf(0.01), 1e10, execution));
+    [&] { prepare(cube(), cellsOf(0.01), 1e-3); });
+  EXPECT_NO_THROW(prepare(cube(), cellsOf(0.01), 10));
 }
 
 TEST(Errors, MemoryLimitOfRefinement)
 {
   Execution execution;
-  const PreparedSurface prepared = prepareSurface(cube().view(), cellsOf(0.1), 1e8, execution);
+  const PreparedSurface prepared = prepare(cube(), cellsOf(0.1), 0.1);
   EXPECT_NO_THROW(boxSurface(prepared, depth(1), execution));
   expectError(Fault::TooManyBoxes, { "Memory Limit" },
     [&] { boxSurface(prepared, depth(DeepestLevel), execution); });
@@ -161,9 +160,8 @@ TEST(Errors, BadDepth)
 {
   for (const int bad : { -1, DeepestLevel + 1 })
   {
-    expectError(Fault::BadParameter, { "Depth", std::to_string(bad) }, [&] {
-      meshOf(cube(), cellsOf(0.3), { asTheyAre(0), 1, depth(bad) });
-    });
+    expectError(Fault::BadParameter, { "Depth", std::to_string(bad) },
+      [&] { meshOf(cube(), cellsOf(0.3), asTheyAre(0, depth(bad))); });
   }
 }
 
@@ -171,39 +169,57 @@ TEST(Errors, BadSmallCellRatio)
 {
   for (const double bad : { -1e-3, 1.0, 2.0, Nan, Infinity })
   {
-    expectError(Fault::BadParameter, { "Small Cell Ratio" }, [&] {
-      meshOf(cube(), cellsOf(0.3), { asTheyAre(bad), 1, {} });
+    expectError(Fault::BadParameter, { "Small Cell Ratio" },
+      [&] { meshOf(cube(), cellsOf(0.3), asTheyAre(bad)); });
+  }
+}
+
+TEST(Errors, OptionsOutOfTheirRange)
+{
+  const auto expectRefused = [](const char* name, double value, const auto& set) {
+    TestOptions options;
+    set(options, value);
+    expectError(Fault::BadParameter, { name }, [&] { meshOf(cube(), cellsOf(0.3), options); });
+  };
+  for (const double bad : { -1e-3, Nan, Infinity })
+  {
+    expectRefused(
+      "Feature Angle", bad, [](Options& o, double value) { o.patches.featureAngle = value; });
+    expectRefused(
+      "Merge Angle", bad, [](Options& o, double value) { o.patches.mergeAngle = value; });
+    expectRefused(
+      "Collapse Ratio", bad, [](Options& o, double value) { o.collapse.ratio = value; });
+    expectRefused(
+      "Merge Ratio", bad, [](Options& o, double value) { o.shaping.mergeRatio = value; });
+    expectRefused("boundary 3", bad, [](Options& o, double value) {
+      o.smallCells.boundaryRatios.push_back({ 3, value });
     });
   }
+  expectRefused(
+    "Refused Cell Ratio", -1, [](Options& o, double value) { o.shaping.refusedCellRatio = value; });
 }
 
 TEST(Errors, NothingToMesh)
 {
   const Soup flat = cube().scaled({ 1, 1, 0 });
   expectError(Fault::FlawedSurface, { "nothing" }, [&] { meshOf(flat, cellsOf(0.3)); });
-  expectError(Fault::FlawedSurface, { "Small Cell Ratio" }, [&] {
-    meshOf(cube().scaled(0.01), cellsOf(0.3), { asTheyAre(0.5), 1, {} });
-  });
+  expectError(Fault::FlawedSurface, { "Small Cell Ratio" },
+    [&] { meshOf(cube().scaled(0.01), cellsOf(0.3), asTheyAre(0.5)); });
 }
 
 TEST(Errors, StoppedAtOnce)
 {
   const Soup soup = sphere(6, 1);
+  TestOptions options;
+  options.grid = cellsOf(0.1);
+  options.patches = exactFit();
   for (int calls = 1; calls < 12; ++calls)
   {
     for (const int threads : { 1, 3 })
     {
       int called = 0;
       Execution execution(threads, [&](double, const char*) { return ++called < calls; });
-      const auto run = [&] {
-        const PreparedSurface prepared =
-          prepareSurface(soup.view(), cellsOf(0.1), PlentyOfMemory, execution);
-        const BoxedSurface boxed = boxSurface(prepared, {}, execution);
-        const Patches patches =
-          generatePatches(prepared.surface, boxed.boxes, boxed.shoeboxes, exactFit(), execution);
-        const Assembly assembly(boxed.boxes, patches, {}, execution);
-      };
-      EXPECT_THROW(run(), Stopped);
+      EXPECT_THROW(mesh(soup.view(), options, execution), Stopped);
       EXPECT_EQ(called, calls);
     }
   }

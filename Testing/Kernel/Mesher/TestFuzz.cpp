@@ -11,7 +11,8 @@ namespace
 {
 
 // A mesh, or a refusal of a surface that encloses nothing. Returns how many boxes are flawed.
-std::size_t expectValid(const Soup& soup, const Meshlines& planes, const Options& options = {})
+std::size_t expectValid(
+  const Soup& soup, const Meshlines& planes, const TestOptions& options = asTheyAre())
 {
   try
   {
@@ -73,7 +74,7 @@ TEST(Fuzz, TetrahedraThatOverlapOnATinyLattice)
     const int width = 1 + static_cast<int>(seed % 12);
     const Soup soup = randomTetrahedra(seed, 2 + static_cast<int>(seed % 7), width);
     expectValid(soup, randomPlanes(seed, width),
-      { asTheyAre(seed % 2 ? 0 : 1e-3), 1 + static_cast<int>(seed % 3), {} });
+      asTheyAre(seed % 2 ? 0 : 1e-3, {}, 1 + static_cast<int>(seed % 3)));
   }
 }
 
@@ -113,7 +114,7 @@ TEST(Fuzz, RefinedBoxesOnALatticeNotMuchFiner)
     const int width = 2 + static_cast<int>(seed % 7);
     const Soup soup = nearCoarseLattice(seed, 1 + static_cast<int>(seed % 4), width, 32);
     const Meshlines planes = scaled(randomPlanes(seed, (width + 3) / 4), 64);
-    expectValid(soup, planes, { asTheyAre(), 1, depth(1 + static_cast<int>(seed % 3)) });
+    expectValid(soup, planes, asTheyAre(0, depth(1 + static_cast<int>(seed % 3))));
   }
 }
 

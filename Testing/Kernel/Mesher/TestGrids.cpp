@@ -19,7 +19,7 @@ GridSpec meshlines(
   return grid;
 }
 
-Meshed expectGood(const Soup& soup, const GridSpec& grid, const Options& options = {})
+Meshed expectGood(const Soup& soup, const GridSpec& grid, const TestOptions& options = asTheyAre())
 {
   Meshed meshed = meshOf(soup, grid, options);
   EXPECT_TRUE(isValid(meshed.mesh));
@@ -86,7 +86,7 @@ TEST(Grids, MeshlinesOnWalls)
   {
     expectGood(soup, meshlines(lines, lines, lines));
     expectGood(soup, meshlines(wider, wider, wider));
-    expectGood(soup, meshlines(wider, wider, wider), { asTheyAre(), 1, depth(1) });
+    expectGood(soup, meshlines(wider, wider, wider), asTheyAre(0, depth(1)));
   }
 }
 
@@ -94,7 +94,7 @@ TEST(Grids, MeshlinesOnWalls)
 TEST(Grids, ACubeOnItsOwnMeshlinesIsAllHexahedra)
 {
   const std::vector<double> lines = { -1, 0, 0.25, 0.5, 0.75, 1, 2 };
-  const Meshed meshed = meshOf(cube(), meshlines(lines, lines, lines), { asTheyAre(1e-3), 1, {} });
+  const Meshed meshed = meshOf(cube(), meshlines(lines, lines, lines), asTheyAre(1e-3));
   EXPECT_TRUE(isValid(meshed.mesh));
   EXPECT_TRUE(fills(meshed.mesh, cube()));
   EXPECT_EQ(meshed.mesh.cells(), 64U);
@@ -115,7 +115,7 @@ TEST(Grids, EdgesAlongBoxEdgesAndDiagonals)
   {
     expectGood(soup, meshlines(lines, lines, lines));
     expectGood(soup, cellsOf(0.25));
-    expectGood(soup, cellsOf(0.5), { asTheyAre(), 1, depth(2) });
+    expectGood(soup, cellsOf(0.5), asTheyAre(0, depth(2)));
   }
 }
 
@@ -198,7 +198,7 @@ TEST(Grids, HalfASphere)
   for (const int levels : { 0, 1 })
   {
     const Meshed meshed =
-      meshOf(soup, meshlines(lines, { -2, -0.7, 0 }, lines), { asTheyAre(), 1, depth(levels) });
+      meshOf(soup, meshlines(lines, { -2, -0.7, 0 }, lines), asTheyAre(0, depth(levels)));
     EXPECT_TRUE(isValid(meshed.mesh));
     EXPECT_NEAR(volumeOf(meshed.mesh), soup.volume() / 2, 1e-8);
     EXPECT_NEAR(boundaryArea(meshed.mesh, 2), soup.area() / 6, 1e-8); // of six equal parts
@@ -227,7 +227,7 @@ TEST(Grids, PartsOfShapes)
     try
     {
       EXPECT_TRUE(isValid(meshOf(shape.soup, grid).mesh));
-      EXPECT_TRUE(isValid(meshOf(shape.soup, grid, { asTheyAre(), 1, depth(1) }).mesh));
+      EXPECT_TRUE(isValid(meshOf(shape.soup, grid, asTheyAre(0, depth(1))).mesh));
     }
     catch (const Error& error) // nothing of the surface is between these meshlines, or thinner
     {

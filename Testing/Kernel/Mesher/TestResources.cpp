@@ -71,7 +71,7 @@ TEST(Resources, ANodeOfManyTriangles)
   }
   soup.points.push_back({ 0, 0, 0.5 });
   soup.points.push_back({ 0, 0, -0.5 });
-  const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 0.5), { CellSpec{}, 1, {}, {} });
+  const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 0.5), TestOptions());
   EXPECT_TRUE(isValid(meshed.mesh, true));
   EXPECT_NEAR(volumeOf(meshed.mesh) / soup.volume(), 1, 1e-3);
 }
@@ -99,7 +99,7 @@ TEST(Resources, ARingInOneBox)
       soup.triangles.push_back({ b, 3 * next + k, 3 * next + (k + 1) % 3 });
     }
   }
-  Options options{ CellSpec{}, 1, {}, {} };
+  TestOptions options;
   try
   {
     meshOf(soup, cellsAlongLongest(soup, 0.5), options);
@@ -110,7 +110,7 @@ TEST(Resources, ARingInOneBox)
     EXPECT_NE(std::string(error.what()).find("Refused Cell Ratio of 0"), std::string::npos)
       << error.what();
   }
-  options.cells.refusedCellRatio = 0;
+  options.shaping.refusedCellRatio = 0;
   const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 0.5), options);
   EXPECT_NEAR(volumeOf(meshed.mesh) / soup.volume(), 1, 0.05);
 }

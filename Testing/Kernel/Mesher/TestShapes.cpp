@@ -43,8 +43,7 @@ TEST_P(CleanShape, RefinedMeshIsValidAndFillsTheSurface)
   for (const int levels : { 1, 2 })
   {
     SCOPED_TRACE("depth " + std::to_string(levels));
-    const Meshed meshed =
-      meshOf(soup, cellsAlongLongest(soup, 2.9), { asTheyAre(0), 1, depth(levels) });
+    const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 2.9), asTheyAre(0, depth(levels)));
     EXPECT_TRUE(isValid(meshed.mesh));
     EXPECT_TRUE(fills(meshed.mesh, soup));
     EXPECT_TRUE(meshed.flawedBoxes.empty());
@@ -61,7 +60,7 @@ TEST_P(CleanShape, SmallCellsAreRemoved)
     const double size = soup.longest() / 6.1;
     try
     {
-      const Meshed meshed = meshOf(soup, cellsOf(size), { asTheyAre(ratio), 1, {} });
+      const Meshed meshed = meshOf(soup, cellsOf(size), asTheyAre(ratio));
       EXPECT_TRUE(isValid(meshed.mesh));
       for (const double fraction : meshed.mesh.volumeFraction)
       {

@@ -52,7 +52,7 @@ TEST(Symmetry, TranslationMovesThePointsAndNothingElse)
   {
     for (const int levels : { 0, 1 })
     {
-      const Options options{ asTheyAre(0), 1, depth(levels) };
+      const TestOptions options = asTheyAre(0, depth(levels));
       const Vector by = { 0.5, -1.25, 3 };
       const MeshArrays before = meshOf(still, cellsOf(0.125), options).mesh;
       MeshArrays after = meshOf(still.moved(by), cellsOf(0.125), options).mesh;

@@ -9,7 +9,7 @@ using namespace cartesian;
 namespace
 {
 
-void expectSameWith(const Soup& soup, const GridSpec& grid, Options options)
+void expectSameWith(const Soup& soup, const GridSpec& grid, TestOptions options)
 {
   const Meshed one = meshOf(soup, grid, options);
   for (const int threads : cases({ 2, 3, 8 }))
@@ -28,8 +28,10 @@ void expectSameWith(const Soup& soup, const GridSpec& grid, Options options)
 
 void expectSame(const Soup& soup, const GridSpec& grid, const RefinementSpec& refinement)
 {
-  expectSameWith(soup, grid, { asTheyAre(1e-3), 1, refinement });
-  expectSameWith(soup, grid, { {}, 1, refinement, {} });
+  expectSameWith(soup, grid, asTheyAre(1e-3, refinement));
+  TestOptions options;
+  options.refinement = refinement;
+  expectSameWith(soup, grid, options);
 }
 
 }

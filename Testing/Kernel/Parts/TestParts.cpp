@@ -25,24 +25,23 @@ struct Part
 class Parts
 {
 public:
-  Parts(const Soup& soup, const GridSpec& grid, const Options& options)
+  Parts(const Soup& soup, const GridSpec& grid, const TestOptions& options)
     : execution_(options.threads)
     , options_(options)
     , prepared_(prepare(soup, grid))
-    , decomposition_(prepared_.surface, prepared_.planes, options.refinement, PlentyOfMemory,
-        laterStepsOf(options.cells), execution_)
+    , decomposition_(decompose(prepared_, options, execution_))
   {
   }
 
   std::vector<Layers> split(std::size_t count)
   {
-    return decomposition_.split(decomposition_.estimateLayers(execution_), count);
+    return decomposition_->split(decomposition_->estimateLayers(execution_), count);
   }
 
   std::vector<Layers> eachLayer() const
   {
     std::vector<Layers> layers;
-    for (std::uint32_t k = 0; k < decomposition_.allLayers().end; ++k)
+    for (std::uint32_t k = 0; k < decomposition_->allLayers().end; ++k)
     {
       layers.push_back({ k, k + 1 });
     }
@@ -51,27 +50,22 @@ public:
 
   Part part(Layers core, Id pointsBefore)
   {
-    const Boxes boxes = decomposition_.boxes(core, execution_);
-    const Patches patches = generatePatches(
-      prepared_.surface, boxes, decomposition_.shoeboxes(), options_.patches, execution_);
-    const Assembly assembly(boxes, patches, options_.cells, execution_);
+    const auto assembly = meshPart(prepared_, *decomposition_, core, options_, execution_);
+    const OutputMesh& mesh = *assembly->mesh;
     Part part;
-    part.mesh = arraysOf(assembly.mesh(), boxes, execution_);
+    part.mesh = arraysOf(mesh, assembly->boxes, execution_);
     part.globalPoint.resize(part.mesh.points.size() / 3);
-    assembly.mesh().writeGlobalPoints(pointsBefore, part.globalPoint.data(), execution_);
-    part.ownPoints = assembly.mesh().ownPointCount();
-    for (const auto& [name, value] : assembly.statistics())
-    {
-      part.statistics[name] = value;
-    }
+    mesh.writeGlobalPoints(pointsBefore, part.globalPoint.data(), execution_);
+    part.ownPoints = mesh.ownPointCount();
+    part.statistics = statisticsOf(*assembly);
     return part;
   }
 
 private:
   Execution execution_;
-  Options options_;
+  TestOptions options_;
   PreparedSurface prepared_;
-  Decomposition decomposition_;
+  std::unique_ptr<Decomposition> decomposition_;
 };
 
 // Assembles the whole mesh from its parts. Points that several parts have must agree.
@@ -199,7 +193,7 @@ void expectUnion(Parts& parts, const Meshed& whole, const std::vector<std::vecto
   }
 }
 
-void expectUnion(const Soup& soup, const GridSpec& grid, const Options& options)
+void expectUnion(const Soup& soup, const GridSpec& grid, const TestOptions& options)
 {
   Parts parts(soup, grid, options);
   std::vector<std::vector<Layers>> splits = { parts.eachLayer() };
@@ -214,7 +208,8 @@ void expectUnion(const Soup& soup, const GridSpec& grid, const Options& options)
 // Divided where the mesher would divide, and elsewhere.
 void expectShapedUnion(const Soup& soup, const GridSpec& grid, int depthEverywhere)
 {
-  const Options options{ {}, 1, depth(depthEverywhere), {} };
+  TestOptions options;
+  options.refinement = depth(depthEverywhere);
   Parts parts(soup, grid, options);
   const auto end = static_cast<std::uint32_t>(parts.eachLayer().size());
   ASSERT_GT(end, 45u); // else parts see all layers
@@ -222,9 +217,11 @@ void expectShapedUnion(const Soup& soup, const GridSpec& grid, int depthEverywhe
     { parts.split(2), parts.split(4), { { 0, 18 }, { 18, 19 }, { 19, 30 }, { 30, end } } });
 }
 
-Options automatic(int depthEverywhere)
+TestOptions automatic(int depthEverywhere, double smallCellRatio = 1e-3)
 {
-  return { asTheyAre(1e-3), 1, depth(depthEverywhere), {} };
+  TestOptions options = asTheyAre(smallCellRatio, depth(depthEverywhere));
+  options.patches = PatchSpec();
+  return options;
 }
 
 // So tall that parts do not see all layers; turned a little, so that no faces lie in the grid's
@@ -275,7 +272,7 @@ INSTANTIATE_TEST_SUITE_P(Of, ShapedParts,
 TEST(Parts, AreTheWholeMeshAroundADeepPlace)
 {
   const Soup soup = bumpySphere(4, 10);
-  Options options = automatic(1);
+  TestOptions options = automatic(1);
   options.refinement.blocks.push_back({ { 3, 3, 4 }, { 4, 4, 4 }, 3, 3 });
   options.refinement.blocks.push_back({ { 0, 4, 2 }, { 8, 4, 2 }, 4, 0 });
   expectUnion(soup, cellsAlongLongest(soup, 8), options);
@@ -288,7 +285,7 @@ TEST(Parts, AreTheWholeMeshFarFromADeepLayer)
   const Soup soup = box({ 0, 0, 0 }, { 1, 1, 12 });
   GridSpec grid = cellsOf(1);
   grid.meshlines[0] = grid.meshlines[1] = { -0.9, 0.1, 1.1 };
-  Options options = automatic(0);
+  TestOptions options = automatic(0);
   options.refinement.blocks.push_back({ { 0, 0, 6 }, { 1, 1, 6 }, 5, 0 });
   const std::vector<unsigned char> level = meshOf(soup, grid, options).mesh.level;
   ASSERT_EQ(5, *std::max_element(level.begin(), level.end()));
@@ -298,13 +295,13 @@ TEST(Parts, AreTheWholeMeshFarFromADeepLayer)
 TEST(Parts, AreTheWholeMeshByExactFit)
 {
   const Soup soup = bumpySphere(5, 8);
-  expectUnion(soup, cellsAlongLongest(soup, 9), { asTheyAre(), 3, depth(1), exactFit() });
+  expectUnion(soup, cellsAlongLongest(soup, 9), asTheyAre(0, depth(1), 3));
 }
 
 TEST(Parts, AreTheWholeMeshWhereSmallCellsAreRemoved)
 {
   const Soup soup = bumpySphere(6, 8);
-  expectUnion(soup, cellsAlongLongest(soup, 14), { asTheyAre(0.3), 1, depth(0), {} });
+  expectUnion(soup, cellsAlongLongest(soup, 14), automatic(0, 0.3));
 }
 
 TEST(Parts, AreTheWholeMeshOfAFlawedSurface)

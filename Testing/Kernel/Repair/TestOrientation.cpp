@@ -173,8 +173,7 @@ TEST(Orientation, DoesNotDependOnThreads)
   for (const int threads : { 1, 4 })
   {
     Execution execution(threads);
-    triangles.push_back(
-      prepareSurface(soup.view(), grid, PlentyOfMemory, execution).surface.triangles);
+    triangles.push_back(prepare(soup, grid, execution).surface.triangles);
   }
   EXPECT_EQ(triangles[0], triangles[1]);
 }

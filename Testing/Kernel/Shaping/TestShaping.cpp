@@ -12,12 +12,11 @@ namespace cartesian
 namespace
 {
 
-Options shaped(SmallCells smallCells, int threads = 1)
+TestOptions shaped(SmallCells smallCells, int threads = 1)
 {
-  Options options;
-  options.cells = asTheyAre();
-  options.cells.splitConcave = true;
-  options.cells.smallCells = smallCells;
+  TestOptions options = asTheyAre();
+  options.shaping.splitConcave = true;
+  options.smallCells.handling = smallCells;
   options.threads = threads;
   return options;
 }
@@ -53,7 +52,7 @@ TEST_P(ShapedMesh, KeepsVolumeAndAreasAndLeavesNoGap)
 TEST_P(ShapedMesh, KeepsVolumeAndAreasOfRefinedMeshes)
 {
   const Soup& soup = GetParam().soup;
-  Options options = shaped(SmallCells::Merge);
+  TestOptions options = shaped(SmallCells::Merge);
   options.refinement = depth(2);
   const MeshArrays mesh = meshOf(soup, cellsAlongLongest(soup, 3.3), options).mesh;
   EXPECT_TRUE(isValid(mesh, true));
@@ -99,13 +98,12 @@ TEST(Shaping, ASlabIsMergedIntoTheCellsBelow)
 // Where corners of boxes move onto a crease, a cell must not end on its other side.
 TEST(Shaping, CollapsedEdgesKeepTheVolumeOfExactFit)
 {
-  Options options;
-  options.cells = asTheyAre();
+  TestOptions options = asTheyAre();
   for (unsigned seed = 0; seed < repeats(40); ++seed)
   {
     SCOPED_TRACE(seed);
     const Soup soup = starPolyhedron(seed, 3);
-    options.cells.collapseRatio = seed % 2 == 0 ? 0.1 : MostCollapseRatio;
+    options.collapse.ratio = seed % 2 == 0 ? 0.1 : CollapseSpec::Ratios.most;
     const MeshArrays mesh = meshOf(soup, cellsAlongLongest(soup, 12.3 + seed), options).mesh;
     EXPECT_TRUE(isValid(mesh, true));
     EXPECT_TRUE(fills(mesh, soup));

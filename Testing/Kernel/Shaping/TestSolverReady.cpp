@@ -20,14 +20,6 @@ class SolverReady : public ::testing::TestWithParam<NamedShape>
 {
 };
 
-Options defaults()
-{
-  Options options;
-  options.cells = CellSpec();
-  options.patches = PatchSpec();
-  return options;
-}
-
 Quality qualityOf(const MeshArrays& mesh)
 {
   CellFaces faces;
@@ -88,7 +80,7 @@ std::size_t failuresByProjectedCentres(const MeshArrays& mesh)
 }
 
 // Unless all cells are small (4.10), as those of a needle.
-void expectReady(const Soup& soup, double cells, const Options& options)
+void expectReady(const Soup& soup, double cells, const TestOptions& options)
 {
   MeshArrays mesh;
   try
@@ -123,14 +115,14 @@ TEST_P(SolverReady, NothingIsRefused)
   for (const double cells : { 3.3, 8.0 })
   {
     SCOPED_TRACE(cells);
-    expectReady(soup, cells, defaults());
+    expectReady(soup, cells, TestOptions());
   }
 }
 
 TEST_P(SolverReady, NothingIsRefusedInRefinedMeshes)
 {
   const Soup& soup = GetParam().soup;
-  Options options = defaults();
+  TestOptions options;
   options.refinement = depth(2);
   expectReady(soup, 3.3, options);
 }

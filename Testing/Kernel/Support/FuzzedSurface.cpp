@@ -137,20 +137,19 @@ Meshlines planesFrom(Bytes& bytes, unsigned width)
   return planes;
 }
 
-Options optionsFrom(Bytes& bytes)
+TestOptions optionsFrom(Bytes& bytes)
 {
-  Options options;
-  options.cells = asTheyAre(bytes.below(2) ? 1e-3 : 0);
+  TestOptions options = asTheyAre(bytes.below(2) ? 1e-3 : 0);
   const unsigned choices = bytes.byte();
   options.patches.method = (choices & 2) != 0 ? PatchMethod::MarchingCubes
     : (choices & 1) != 0                      ? PatchMethod::Automatic
                                               : PatchMethod::ExactFit;
-  options.cells.smallCells = (choices & 4) != 0 ? SmallCells::Merge : SmallCells::Remove;
-  options.cells.splitConcave = (choices & 8) != 0;
+  options.smallCells.handling = (choices & 4) != 0 ? SmallCells::Merge : SmallCells::Remove;
+  options.shaping.splitConcave = (choices & 8) != 0;
   return options;
 }
 
-Meshed meshFrom(Bytes& bytes, Options options)
+Meshed meshFrom(Bytes& bytes, TestOptions options)
 {
   const unsigned kind = bytes.below(4);
   if (kind == 0)
@@ -185,8 +184,8 @@ bool isRefusal(Fault fault)
   Bytes bytes(data, size);
   try
   {
-    const Options options = optionsFrom(bytes);
-    return isValid(meshFrom(bytes, options).mesh, options.cells.smallCells == SmallCells::Merge);
+    const TestOptions options = optionsFrom(bytes);
+    return isValid(meshFrom(bytes, options).mesh, options.smallCells.handling == SmallCells::Merge);
   }
   catch (const Error& error)
   {

@@ -68,14 +68,27 @@ PatchSpec exactFit()
   return spec;
 }
 
-CellSpec asTheyAre(double smallCellRatio)
+TestOptions asTheyAre(double smallCellRatio, const RefinementSpec& refinement, int threads)
 {
-  CellSpec spec;
-  spec.collapseRatio = 0;
-  spec.smallCellRatio = smallCellRatio;
-  spec.smallCells = SmallCells::Remove;
-  spec.splitConcave = false;
-  return spec;
+  TestOptions options;
+  options.refinement = refinement;
+  options.patches = exactFit();
+  options.collapse.ratio = 0;
+  options.smallCells.ratio = smallCellRatio;
+  options.smallCells.handling = SmallCells::Remove;
+  options.shaping.splitConcave = false;
+  options.threads = threads;
+  return options;
+}
+
+std::map<std::string, double> statisticsOf(const Assembly& assembly)
+{
+  std::map<std::string, double> values;
+  for (const Statistic& statistic : statistics(assembly))
+  {
+    values[statistic.name] = statistic.value;
+  }
+  return values;
 }
 
 GridSpec cellsOf(double size)
@@ -97,10 +110,29 @@ RefinementSpec depth(int levels)
   return spec;
 }
 
-PreparedSurface prepare(const Soup& soup, const GridSpec& grid)
+PreparedSurface prepare(
+  const Soup& soup, const GridSpec& grid, Execution& execution, double memoryLimit)
+{
+  Options options;
+  options.grid = grid;
+  options.memoryLimit = memoryLimit;
+  return prepareSurface(soup.view(), options, execution);
+}
+
+PreparedSurface prepare(const Soup& soup, const GridSpec& grid, double memoryLimit)
 {
   Execution execution;
-  return prepareSurface(soup.view(), grid, PlentyOfMemory, execution);
+  return prepare(soup, grid, execution, memoryLimit);
+}
+
+BoxedSurface boxSurface(
+  const PreparedSurface& prepared, const RefinementSpec& refinement, Execution& execution)
+{
+  Options options;
+  options.refinement = refinement;
+  const auto decomposition = decompose(prepared, options, execution);
+  Boxes boxes = decomposition->boxes(decomposition->allLayers(), execution);
+  return { std::move(boxes), decomposition->takeShoeboxes(), decomposition->warnings() };
 }
 
 Meshlines randomPlanes(unsigned seed, int width)
@@ -129,29 +161,28 @@ PreparedSurface prepareOnLevels(const Soup& soup, const Meshlines& planes)
   prepared.surface = onLattice(soup.view(), Lattice({ 0, 0, 0 }, 1), execution);
   prepared.trianglesGiven = prepared.surface.triangles.size();
   prepared.repair = repair(prepared.surface, planes, execution);
-  prepared.memoryLimit = PlentyOfMemory;
+  prepared.memoryLimit = 1e11;
   return prepared;
 }
 
-Meshed meshPrepared(const PreparedSurface& prepared, const Options& options)
+Meshed meshPrepared(const PreparedSurface& prepared, const TestOptions& options)
 {
   Execution execution(options.threads);
+  const auto decomposition = decompose(prepared, options, execution);
+  const auto assembly =
+    meshPart(prepared, *decomposition, decomposition->allLayers(), options, execution);
   Meshed result;
   result.prepared = prepared;
-  result.boxed = boxSurface(prepared, options.refinement, execution);
-  result.patches = generatePatches(
-    prepared.surface, result.boxed.boxes, result.boxed.shoeboxes, options.patches, execution);
-  const Assembly assembly(result.boxed.boxes, result.patches, options.cells, execution);
-  result.mesh = arraysOf(assembly.mesh(), result.boxed.boxes, execution);
-  result.flawedBoxes = assembly.flawedBoxes();
-  for (const auto& [name, value] : assembly.statistics())
-  {
-    result.statistics[name] = value;
-  }
+  result.mesh = arraysOf(*assembly->mesh, assembly->boxes, execution);
+  result.flawedBoxes = flawedBoxes(*assembly);
+  result.statistics = statisticsOf(*assembly);
+  result.patches = std::move(assembly->patches);
+  result.boxed = { std::move(assembly->boxes), decomposition->takeShoeboxes(),
+    decomposition->warnings() };
   return result;
 }
 
-Meshed meshOf(const Soup& soup, const GridSpec& grid, const Options& options)
+Meshed meshOf(const Soup& soup, const GridSpec& grid, const TestOptions& options)
 {
   return meshPrepared(prepare(soup, grid), options);
 }

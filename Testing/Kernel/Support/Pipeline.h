@@ -2,6 +2,8 @@
 #pragma once
 
 #include "Mesher/Mesher.h"
+#include "Mesher/Messages.h"
+#include "Mesher/Statistics.h"
 #include "Support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -43,6 +45,15 @@ struct MeshArrays
 
 MeshArrays arraysOf(const OutputMesh& mesh, const Boxes& boxes, Execution& execution);
 
+std::map<std::string, double> statisticsOf(const Assembly& assembly);
+
+struct BoxedSurface
+{
+  Boxes boxes;
+  Shoeboxes shoeboxes;
+  std::string warnings;
+};
+
 struct Meshed
 {
   PreparedSurface prepared;
@@ -53,27 +64,32 @@ struct Meshed
   std::map<std::string, double> statistics;
 };
 
-constexpr double PlentyOfMemory = 1e11;
+constexpr double PlentyOfMemory = 100; // GiB
+
+// The user's defaults, in one thread.
+struct TestOptions : Options
+{
+  int threads = 1;
+};
 
 PatchSpec exactFit();
 
-// Cells are neither merged nor split; only those smaller than the ratio, or without volume, are
-// removed.
-CellSpec asTheyAre(double smallCellRatio = 0);
-
-struct Options
-{
-  CellSpec cells = asTheyAre();
-  int threads = 1;
-  RefinementSpec refinement;
-  PatchSpec patches = exactFit(); // tests rely on exact volumes and areas
-};
+// Tests rely on exact volumes and areas: patches are the surface itself, and cells are neither merged nor
+// split; only those smaller than the ratio, or without volume, are removed.
+TestOptions asTheyAre(
+  double smallCellRatio = 0, const RefinementSpec& refinement = {}, int threads = 1);
 
 GridSpec cellsOf(double size);
 GridSpec cellsAlongLongest(const Soup& soup, double cells);
 RefinementSpec depth(int levels); // everywhere
 
-PreparedSurface prepare(const Soup& soup, const GridSpec& grid);
+PreparedSurface prepare(const Soup& soup, const GridSpec& grid, Execution& execution,
+  double memoryLimit = PlentyOfMemory);
+PreparedSurface prepare(
+  const Soup& soup, const GridSpec& grid, double memoryLimit = PlentyOfMemory);
+
+BoxedSurface boxSurface(
+  const PreparedSurface& prepared, const RefinementSpec& refinement, Execution& execution);
 
 // In each direction, two to all of the planes between the levels 0 and 2 * width + 2.
 Meshlines randomPlanes(unsigned seed, int width);
@@ -81,8 +97,8 @@ Meshlines randomPlanes(unsigned seed, int width);
 // A surface whose coordinates are odd levels, cut by these planes.
 PreparedSurface prepareOnLevels(const Soup& soup, const Meshlines& planes);
 
-Meshed meshPrepared(const PreparedSurface& prepared, const Options& options = {});
-Meshed meshOf(const Soup& soup, const GridSpec& grid, const Options& options = {});
+Meshed meshPrepared(const PreparedSurface& prepared, const TestOptions& options = asTheyAre());
+Meshed meshOf(const Soup& soup, const GridSpec& grid, const TestOptions& options = asTheyAre());
 
 // For parametrised tests.
 inline std::string nameOf(const ::testing::TestParamInfo<NamedShape>& info)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The kernel's exceptions as a VTK algorithm's error codes and messages.
+// Exceptions as a VTK algorithm's error codes and messages: none may leave a filter.
 #pragma once
 
 #include "Base/Error.h"
@@ -7,6 +7,7 @@
 
 #include "vtkErrorCode.h"
 
+#include <exception>
 #include <new>
 #include <string>
 
@@ -18,10 +19,10 @@ constexpr unsigned long errorCode(Fault fault)
   return vtkErrorCode::UserError + static_cast<unsigned long>(fault);
 }
 
-// Calls `work`; true if it threw nothing. Else calls report(error code, message); stopped by the
-// user, there is no message.
+// Calls `work`; true if it threw nothing. Else calls report(error code, message); there is no message
+// where the user has stopped the work. What nobody foresaw is vtkErrorCode::UnknownError.
 template <class Work, class Report>
-bool guarded(Work&& work, Report&& report)
+bool reportErrors(Work&& work, Report&& report)
 {
   try
   {
@@ -41,6 +42,14 @@ bool guarded(Work&& work, Report&& report)
     report(errorCode(Fault::OutOfMemory),
       "Out of memory. Use a larger cell size, or set a lower memory limit to be told before the "
       "work begins.");
+  }
+  catch (const std::exception& error)
+  {
+    report(vtkErrorCode::UnknownError, std::string("Unexpected error: ") + error.what());
+  }
+  catch (...)
+  {
+    report(vtkErrorCode::UnknownError, "Unexpected error.");
   }
   return false;
 }

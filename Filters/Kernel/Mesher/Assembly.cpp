@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesher/Assembly.h"
+
+#include "Base/Error.h"
+#include "Collapse/EdgeCollapse.h"
+#include "Collapse/WarpedHexahedra.h"
+#include "Faces/BoxRebuilding.h"
+#include "Lattice/Vector.h"
+#include "Mesher/Messages.h"
+#include "Mesher/Stages.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace cartesian
+{
+
+namespace
+{
+
+using BoxFlags = std::vector<std::uint8_t>; // 0 or 1 for each polyhedral box
+
+void unite(BoxFlags& flags, const BoxFlags& others)
+{
+  std::transform(flags.begin(), flags.end(), others.begin(), flags.begin(), std::bit_or<>());
+}
+
+// Nodes and inner faces, from the patches.
+void makeInnerFaces(Assembly& a, Execution& execution)
+{
+  a.nodes = findNodes(a.boxes, a.patches, a.sides, execution);
+  execution.stage("Inner faces", AfterSides, AfterInnerFaces);
+  a.inner = generateInnerFaces(a.boxes, a.patches, a.sides, a.nodes, execution);
+}
+
+// Boxes whose faces do not close.
+BoxFlags findFlawed(const Assembly& a, Execution& execution)
+{
+  return findFlawed(a.boxes, a.patches, a.sides, a.nodes, a.inner, execution);
+}
+
+Cells makeCells(const Assembly& a, const Options& options, Execution& execution)
+{
+  return assembleCells(
+    a.boxes, a.patches, a.sides, a.nodes, a.inner, options.smallCells, execution);
+}
+
+BoxFlags makeFaces(Assembly& a, Execution& execution)
+{
+  makeInnerFaces(a, execution);
+  execution.stage("Cells", AfterInnerFaces, AfterCells);
+  return findFlawed(a, execution);
+}
+
+// Each time the boxes that still are flawed keep less. Returns those that are flawed in the end.
+BoxFlags rebuildFlawed(Assembly& a, BoxFlags flawed, Execution& execution)
+{
+  a.rebuilt.assign(flawed.size(), 0);
+  for (const GivenUp givenUp : { GivenUp::Nothing, GivenUp::Chords, GivenUp::Crossings })
+  {
+    if (std::find(flawed.begin(), flawed.end(), 1) == flawed.end())
+    {
+      break;
+    }
+    execution.stage("Flawed boxes", AfterCells, AfterCells);
+    RebuiltPatches next =
+      rebuildFlawedBoxes(a.boxes, a.patches, a.sides, a.nodes, a.inner, flawed, givenUp, execution);
+    unite(a.rebuilt, next.boxes);
+    a.patches = std::move(next.patches);
+    flawed = makeFaces(a, execution);
+  }
+  return flawed;
+}
+
+// Where the surface has a crease, a cell that was to become flat may end on its other side: without
+// it the mesh would be too large.
+BoxFlags findTurned(const Assembly& a, const Cells& cells)
+{
+  constexpr double RoundingLevels = 2;
+  BoxFlags turned(a.sides.polyhedral.size());
+  for (std::size_t n = 0; n < turned.size(); ++n)
+  {
+    const Box box = a.boxes.box(a.sides.polyhedral[n]);
+    const Vector size = minus(box.high, box.low);
+    const double height = *std::min_element(size.begin(), size.end());
+    const auto first = cells.all.begin();
+    turned[n] = std::any_of(first + std::ptrdiff_t(cells.boxStart[n]),
+      first + std::ptrdiff_t(cells.boxStart[n + 1]),
+      [&](const Cell& cell) { return cell.volumeFraction * height < -RoundingLevels; });
+  }
+  return turned;
+}
+
+// Collapses short edges, first between the seams, then across them (EdgeCollapse.h), and makes the cells.
+// Boxes whose faces then do not close, or whose cells turned over, keep their edges in another attempt;
+// what changes for that changes nothing beyond the seams.
+class EdgeCollapse
+{
+public:
+  EdgeCollapse(Assembly& a, const BoxFlags& flawed, const Options& options, Execution& execution)
+    : a_(a)
+    , flawed_(flawed)
+    , options_(options)
+    , execution_(execution)
+    , before_(a.patches)
+    , between_{ options.collapse.ratio, options.patches.featureAngle, isExact(before_), flawed,
+      false }
+    , across_(between_)
+  {
+    across_.acrossSeams = true;
+  }
+
+  void run()
+  {
+    execution_.stage("Short edges", AfterCells, AfterShortEdges);
+    while (!collapseBetweenSeams() || !collapseAcrossSeams())
+    {
+      a_.patches = before_;
+      makeInnerFaces(a_, execution_);
+    }
+    a_.nodes.warped = warpedHexahedra(a_.boxes, a_.sides, a_.nodes, execution_);
+  }
+
+private:
+  std::size_t collapse(const EdgeCollapseSpec& edges)
+  {
+    return collapseShortEdges(
+      a_.boxes, a_.sides, edges, a_.patches, a_.nodes, a_.inner, execution_);
+  }
+
+  // False: other boxes than before are flawed, and will keep their edges.
+  bool keepsFlawed(EdgeCollapseSpec& edges, const BoxFlags& flawed) const
+  {
+    unite(edges.keeps, flawed);
+    return flawed == flawed_;
+  }
+
+  // False: there are boxes with cells turned over that will keep their edges.
+  bool keepsTurned(EdgeCollapseSpec& edges, const Cells& cells) const
+  {
+    const BoxFlags before = edges.keeps;
+    unite(edges.keeps, findTurned(a_, cells));
+    return edges.keeps == before;
+  }
+
+  bool collapseBetweenSeams()
+  {
+    if (collapse(between_) == 0)
+    {
+      return true;
+    }
+    bool done = keepsFlawed(between_, findFlawed(a_, execution_));
+    if (between_.exact)
+    {
+      done = keepsTurned(between_, makeCells(a_, options_, execution_)) && done;
+    }
+    return done;
+  }
+
+  bool collapseAcrossSeams()
+  {
+    const std::size_t collapsed = collapse(across_);
+    a_.cells = makeCells(a_, options_, execution_);
+    if (collapsed == 0)
+    {
+      return true;
+    }
+    bool done = keepsFlawed(across_, a_.cells.flawed);
+    if (across_.exact)
+    {
+      done = keepsTurned(across_, a_.cells) && done;
+    }
+    return done;
+  }
+
+  Assembly& a_;
+  const BoxFlags& flawed_; // before any collapse
+  const Options& options_;
+  Execution& execution_;
+  const Patches before_;
+  EdgeCollapseSpec between_;
+  EdgeCollapseSpec across_;
+};
+
+void requireCells(const Assembly& a, const Options& options)
+{
+  const Layers all = a.boxes.allLayers();
+  const bool isWhole = a.boxes.core.begin == all.begin && a.boxes.core.end == all.end;
+  if (isWhole && a.mesh->cellCount() == 0)
+  {
+    throw Error(Fault::FlawedSurface, describeNothing(a, options));
+  }
+}
+
+}
+
+std::unique_ptr<Assembly> assemble(
+  Boxes boxes, Patches patches, const Options& options, Execution& execution)
+{
+  requireValidCells(options);
+  auto assembly = std::make_unique<Assembly>();
+  Assembly& a = *assembly;
+  a.boxes = std::move(boxes);
+  a.patches = std::move(patches);
+
+  execution.stage("Common sides of boxes", AfterPatches, AfterSides);
+  a.sides = findSides(a.boxes, execution);
+  const BoxFlags flawed = rebuildFlawed(a, makeFaces(a, execution), execution);
+  if (options.collapse.ratio > 0)
+  {
+    EdgeCollapse(a, flawed, options, execution).run();
+  }
+  else
+  {
+    a.cells = makeCells(a, options, execution);
+  }
+  if (shapesCells(options))
+  {
+    execution.stage("Shaping of cells", AfterShortEdges, AfterShaping);
+    a.shaping = shapeCells(a.boxes, a.patches, a.sides, a.nodes, a.inner, a.cells,
+      options.smallCells, options.shaping, execution);
+  }
+  execution.stage("Numbering", AfterShaping, AfterNumbering);
+  a.mesh = std::make_unique<OutputMesh>(
+    MeshParts{ a.boxes, a.patches, a.sides, a.nodes, a.inner, a.cells }, execution);
+  requireCells(a, options);
+  return assembly;
+}
+
+std::size_t rebuiltBoxes(const Assembly& a)
+{
+  std::size_t count = 0;
+  for (std::size_t n = 0; n < a.rebuilt.size(); ++n)
+  {
+    count += a.rebuilt[n] && a.boxes.isCore(a.boxes.packed[a.sides.polyhedral[n]]);
+  }
+  return count;
+}
+
+std::vector<std::uint32_t> flawedBoxes(const Assembly& a)
+{
+  std::vector<std::uint32_t> flawed;
+  for (std::size_t n = 0; n < a.cells.flawed.size(); ++n)
+  {
+    if (a.cells.flawed[n] && a.boxes.isCore(a.boxes.packed[a.sides.polyhedral[n]]))
+    {
+      flawed.push_back(a.sides.polyhedral[n]);
+    }
+  }
+  return flawed;
+}
+
+}

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesher/Messages.h"
+
+#include "Base/Error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// Planes step aside by a few levels: what is next to 0 is written as 0.
+std::string position(const Lattice& lattice, const Point& p)
+{
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double x = lattice.position(axis, p[static_cast<std::size_t>(axis)]);
+    text += (axis == 0 ? "(" : ", ") + number(std::abs(x) < 4 * lattice.step() ? 0 : x);
+  }
+  return text + ")";
+}
+
+std::string positionOf(const Surface& surface, std::uint32_t vertex)
+{
+  return position(surface.lattice, surface.vertices[vertex]);
+}
+
+const char* lineBreak(const std::string& text)
+{
+  return text.empty() ? "" : "\n";
+}
+
+// The first few of these boxes, as text to append.
+std::string places(const Boxes& boxes, const std::vector<std::uint32_t>& which)
+{
+  constexpr std::size_t MostPlaces = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(which.size(), MostPlaces); ++i)
+  {
+    const Box box = boxes.box(which[i]);
+    const auto& global = boxes.globalOf(box).index;
+    text += "\n  in global box " + std::to_string(global[0]) + ", " + std::to_string(global[1]) +
+      ", " + std::to_string(global[2]) + ", from " + position(boxes.lattice, box.low) + " to " +
+      position(boxes.lattice, box.high);
+  }
+  return text;
+}
+
+// The holes that are left, as text to append.
+std::string describeLeaks(const PreparedSurface& prepared)
+{
+  constexpr std::size_t MostPlaces = 5;
+  const std::vector<Hole>& holes = prepared.repair.holes;
+  const std::size_t leaks = prepared.repair.leaks();
+  if (leaks == 0)
+  {
+    return "";
+  }
+  std::string text = "\n" + std::to_string(leaks) +
+    " holes are wider than a box; lids close them, of boundary " + std::to_string(NoBoundary) + ":";
+  std::size_t places = 0;
+  for (const Hole& hole : holes)
+  {
+    if (hole.leak && places++ < MostPlaces)
+    {
+      text += "\n  hole " + number(hole.width * prepared.surface.lattice.step()) + " wide, of " +
+        std::to_string(hole.rim.size()) + " edges, from " +
+        positionOf(prepared.surface, hole.rim[0]) + " to " +
+        positionOf(prepared.surface, hole.rim[hole.rim.size() / 2]);
+    }
+  }
+  return text;
+}
+
+}
+
+std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>& cells)
+{
+  const SurfaceRepair& repair = prepared.repair;
+  const SurfaceCheck& check = repair.check;
+  std::string text;
+  if (!check.places.empty())
+  {
+    text = "The surface has " + std::to_string(check.openEdges) + " open edges, " +
+      std::to_string(check.nonManifoldEdges) + " edges of more than two triangles and " +
+      std::to_string(check.inconsistentEdges) + " inconsistently oriented edges:";
+  }
+  for (const SurfaceCheck::FlawedEdge& place : check.places)
+  {
+    text += std::string("\n  ") + place.what + " edge from " +
+      positionOf(prepared.surface, place.edge[0]) + " to " +
+      positionOf(prepared.surface, place.edge[1]) + " of cell " +
+      std::to_string(cells[place.triangle]);
+  }
+  if (!repair.duplicates.empty())
+  {
+    text += lineBreak(text) + std::to_string(repair.duplicates.size()) +
+      " triangles were there before, and are left out.";
+  }
+  if (!repair.loose.empty())
+  {
+    text += lineBreak(text) + std::to_string(repair.loose.size()) +
+      " triangles share no edge with others, and are left out.";
+  }
+  if (const std::size_t closed = repair.holes.size() - repair.leaks())
+  {
+    text += lineBreak(text) + std::to_string(closed) + " holes narrower than a box were closed.";
+  }
+  return text + describeLeaks(prepared);
+}
+
+std::string describeOverhang(const PreparedSurface& prepared)
+{
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto& planes = prepared.planes[axis];
+    const Lattice& lattice = prepared.surface.lattice;
+    if (lattice.vertex(axis, prepared.bounds.low[axis]) < planes.front() ||
+      lattice.vertex(axis, prepared.bounds.high[axis]) > planes.back())
+    {
+      text += std::string(text.empty() ? "" : " ") + "The surface reaches beyond the Meshlines " +
+        "XYZ"[axis] + ", which cut the mesh off there.";
+    }
+  }
+  return text;
+}
+
+std::string describeFlaws(const Assembly& assembly)
+{
+  std::vector<std::uint32_t> rebuilt;
+  for (std::size_t n = 0; n < assembly.rebuilt.size(); ++n)
+  {
+    if (assembly.rebuilt[n] != 0)
+    {
+      rebuilt.push_back(assembly.sides.polyhedral[n]);
+    }
+  }
+  std::string text;
+  if (!rebuilt.empty())
+  {
+    text = "The surface does not close in or next to " + std::to_string(rebuilt.size()) +
+      " boxes (parts cross or overlap); Marching Cubes made patches from the statuses there:" +
+      places(assembly.boxes, rebuilt);
+  }
+  if (const std::vector<std::uint32_t> flawed = flawedBoxes(assembly); !flawed.empty())
+  {
+    text += lineBreak(text) + std::to_string(flawed.size()) +
+      " boxes do not close even so; they are left out of the mesh:" +
+      places(assembly.boxes, flawed);
+  }
+  return text;
+}
+
+std::string describeNothing(const Assembly& assembly, const Options& options)
+{
+  const Cells& cells = assembly.cells;
+  const bool onlySlivers = std::all_of(
+    cells.all.begin(), cells.all.end() - 1, [](const Cell& cell) { return cell.sliver; });
+  if (onlySlivers)
+  {
+    return "There is nothing to mesh: the surface encloses no volume, or is open everywhere." +
+      describeFlaws(assembly);
+  }
+  const std::string all = "There is nothing left to mesh: all " + std::to_string(cells.size()) +
+    " cells are smaller than the Small Cell Ratio allows (" + number(options.smallCells.ratio) +
+    " of their boxes)";
+  return assembly.shaping.refusedCellsRemoved == 0
+    ? all + ". Choose a smaller ratio or a smaller Cell Size."
+    : all +
+      ", or of a shape that solvers refuse. Choose a smaller Cell Size, or a Refused Cell Ratio of "
+      "0 to keep them.";
+}
+
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the user is told about flaws of a surface and its mesh: in words with places, or nothing.
+#pragma once
+
+#include "Mesher/Mesher.h"
+
+namespace cartesian
+{
+
+// What was found and repaired. `cells`: the user's number of each triangle given.
+std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>& cells);
+
+// Where the surface reaches beyond the meshlines.
+std::string describeOverhang(const PreparedSurface& prepared);
+
+// Boxes whose patches were made anew, and those that are left out.
+std::string describeFlaws(const Assembly& assembly);
+
+// Why there is no cell.
+std::string describeNothing(const Assembly& assembly, const Options& options);
+
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesher/OptionTable.h"
+
+#include "Base/Execution.h"
+#include "Mesher/Options.h"
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr const char* Length = "units of the surface";
+constexpr const char* Degrees = "degrees";
+
+template <class Enum>
+NamedOption choice(const char* name, Enum initial, std::vector<const char*> texts)
+{
+  const Range range{ 0, static_cast<double>(texts.size()) - 1 };
+  return { name, static_cast<double>(initial), range, "", std::move(texts) };
+}
+
+}
+
+std::vector<NamedOption> optionTable()
+{
+  const Options d; // defaults
+  return {
+    { "Cell Size", d.grid.cellSize, GridSpec::CellSizes, Length },
+    { "Refinement Depth", double(d.refinement.depth), RefinementSpec::AllDepths, "" },
+    { "Refined Boundary Depth", double(BoundaryRefinement{}.depth), RefinementSpec::AllDepths, "" },
+    { "Region Depth", double(RefinementRegion{}.depth), RefinementSpec::AllDepths, "" },
+    { "Depth", double(RefinementRegion{}.depth), RefinementSpec::AllDepths, "" },
+    choice("Patch Method", d.patches.method, { "Automatic", "Exact Fit", "Marching Cubes" }),
+    { "Feature Angle", d.patches.featureAngle, PatchSpec::FeatureAngles, Degrees },
+    { "Merge Angle", d.patches.mergeAngle, PatchSpec::MergeAngles, Degrees },
+    choice("Tying", d.patches.tying, { "Keep Nodes", "Move Nodes" }),
+    { "Collapse Ratio", d.collapse.ratio, CollapseSpec::Ratios, "" },
+    choice("Small Cells", d.smallCells.handling, { "Remove", "Merge" }),
+    { "Merge Ratio", d.shaping.mergeRatio, ShapingSpec::MergeRatios, "" },
+    { "Small Cell Ratio", d.smallCells.ratio, SmallCellSpec::Ratios, "" },
+    { "Split Concave Cells", double(d.shaping.splitConcave), { 0, 1 }, "" },
+    { "Refused Cell Ratio", d.shaping.refusedCellRatio, ShapingSpec::RefusedCellRatios, "" },
+    { "Memory Limit", d.memoryLimit, Options::MemoryLimits, "GiB" },
+    { "Number Of Threads", double(Execution::AllCores), { 0 }, "" },
+  };
+}
+
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesher/Options.h"
+
+#include "Shaping/CellShaping.h"
+
+#if __has_include(<unistd.h>)
+#include <unistd.h>
+#endif
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr double BytesOfAGiB = 1024.0 * 1024.0 * 1024.0;
+
+// Of the machine's memory, where the user sets no limit.
+constexpr double ShareOfMemory = 0.75;
+
+double machineMemory()
+{
+#ifdef _SC_PHYS_PAGES
+  const auto pages = static_cast<double>(sysconf(_SC_PHYS_PAGES));
+  const auto bytesOfAPage = static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (pages > 0 && bytesOfAPage > 0)
+  {
+    return pages * bytesOfAPage;
+  }
+#endif
+  return std::numeric_limits<double>::infinity();
+}
+
+}
+
+double bytesAllowed(const Options& options)
+{
+  return options.memoryLimit > 0 ? options.memoryLimit * BytesOfAGiB
+                                 : ShareOfMemory * machineMemory();
+}
+
+bool shapesCells(const Options& options)
+{
+  return shapesCells(options.smallCells, options.shaping);
+}
+
+LaterSteps laterStepsOf(const Options& options)
+{
+  return { options.collapse.ratio > 0, shapesCells(options) };
+}
+
+void requireValidCells(const Options& options)
+{
+  requireInRange(SmallCellSpec::Ratios, options.smallCells.ratio, "Small Cell Ratio");
+  for (const BoundaryRatio& own : options.smallCells.boundaryRatios)
+  {
+    requireInRange(SmallCellSpec::Ratios, own.ratio,
+      "Small Cell Ratio of boundary " + std::to_string(own.boundary));
+  }
+  requireInRange(ShapingSpec::MergeRatios, options.shaping.mergeRatio, "Merge Ratio");
+  requireInRange(
+    ShapingSpec::RefusedCellRatios, options.shaping.refusedCellRatio, "Refused Cell Ratio");
+  requireInRange(CollapseSpec::Ratios, options.collapse.ratio, "Collapse Ratio");
+}
+
+}

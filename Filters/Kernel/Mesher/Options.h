@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All that the user chooses about a mesh: each option with its default, range and unit once, here or in
+// its group. The panel's names for them are in OptionTable.h.
+#pragma once
+
+#include "Boxes/Refinement.h"
+#include "Cells/SmallCellSpec.h"
+#include "Collapse/CollapseSpec.h"
+#include "Lattice/Meshlines.h"
+#include "Parts/Slabs.h"
+#include "Patches/PatchSpec.h"
+#include "Shaping/ShapingSpec.h"
+
+namespace cartesian
+{
+
+struct Options
+{
+  static constexpr Range MemoryLimits{ 0 };
+
+  GridSpec grid;
+  RefinementSpec refinement;
+  PatchSpec patches; // with the feature angle of all steps
+  CollapseSpec collapse;
+  SmallCellSpec smallCells;
+  ShapingSpec shaping;
+
+  // GiB that the mesh, or each part of it, may need by an estimate; 0: three quarters of this
+  // machine's memory.
+  double memoryLimit = 0;
+};
+
+// Memory limit in bytes; without one where this machine does not tell how much memory it has.
+double bytesAllowed(const Options& options);
+
+// How far the cells of a part depend on others.
+LaterSteps laterStepsOf(const Options& options);
+
+// Whether any step of shaping has work to do.
+bool shapesCells(const Options& options);
+
+// Throws Error (BadParameter) where an option about cells is out of its range; other groups are checked
+// by the rooms that take them.
+void requireValidCells(const Options& options);
+
+}

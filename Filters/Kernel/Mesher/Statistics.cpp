@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesher/Statistics.h"
+
+#include <array>
+
+namespace cartesian
+{
+
+namespace
+{
+
+struct Counts
+{
+  double cells = 0;
+  double hexahedra = 0;
+  double polyhedra = 0;
+  double points = 0;
+  double boundaryFaces = 0;
+  double boxesInside = 0;
+  double boxesIntersected = 0;
+  double byMarchingCubes = 0;
+  double byExactFit = 0;
+  double edgeCrossedTwice = 0;
+  double closedPolyline = 0;
+  double sharpFeature = 0;
+  double severalBoundaries = 0;
+  double notDiscs = 0;
+  double boxesRebuilt = 0;
+  double boxesFlawed = 0;
+  double patches = 0;
+  double cellsSplit = 0;
+  double cellsWithJoinedFaces = 0;
+  double smallCellsMerged = 0;
+  double smallCellsRemoved = 0;
+  double refusedPartsCarved = 0;
+  double refusedCellsRemoved = 0;
+  double isolatedCells = 0;
+  double voids = 0;
+  double folds = 0;
+  double boundaryAngle = 0;
+  double innerAngle = 0;
+  double openness = 0;
+  double volume = 0;
+};
+
+struct Row
+{
+  const char* name;
+  const char* meaning;
+  double Counts::*count;
+};
+
+constexpr std::array<Row, 30> Table{ {
+  { "Cells", "cells of the mesh", &Counts::cells },
+  { "Hexahedra", "cells that are whole boxes without hanging nodes", &Counts::hexahedra },
+  { "Polyhedra", "all other cells", &Counts::polyhedra },
+  { "Points", "points of the mesh", &Counts::points },
+  { "BoundaryFaces", "faces that only one cell has", &Counts::boundaryFaces },
+  { "BoxesInside", "boxes that the surface does not pass through", &Counts::boxesInside },
+  { "BoxesIntersected", "boxes that it passes through", &Counts::boxesIntersected },
+  { "BoxesByMarchingCubes", "... with patches by Marching Cubes", &Counts::byMarchingCubes },
+  { "BoxesByExactFit", "... with patches by Exact Fit", &Counts::byExactFit },
+  { "BoxesEdgeCrossedTwice", "Exact Fit: the surface crosses an edge more than once",
+    &Counts::edgeCrossedTwice },
+  { "BoxesClosedPolyline", "Exact Fit: the surface meets a side in a closed polyline",
+    &Counts::closedPolyline },
+  { "BoxesSharpFeature", "Exact Fit: a sharp feature passes through", &Counts::sharpFeature },
+  { "BoxesSeveralBoundaries", "Exact Fit: there are several boundaries",
+    &Counts::severalBoundaries },
+  { "BoxesNotDiscs", "Exact Fit: the surface in the box is no set of discs", &Counts::notDiscs },
+  { "BoxesRebuilt", "boxes whose patches were made anew, as the surface does not close there",
+    &Counts::boxesRebuilt },
+  { "BoxesFlawed", "boxes left out, as they do not close even so", &Counts::boxesFlawed },
+  { "Patches", "faces of boxes on the surface, before cells are shaped", &Counts::patches },
+  { "CellsSplit", "cuts through concave cells", &Counts::cellsSplit },
+  { "CellsWithJoinedFaces", "cells with a boundary face made of several, of any angle",
+    &Counts::cellsWithJoinedFaces },
+  { "SmallCellsMerged", "small cells that became a part of a neighbour",
+    &Counts::smallCellsMerged },
+  { "SmallCellsRemoved", "small cells that were left out", &Counts::smallCellsRemoved },
+  { "RefusedPartsCarved", "parts of cells cut off, as solvers would refuse the cells",
+    &Counts::refusedPartsCarved },
+  { "RefusedCellsRemoved", "cells left out, as solvers would refuse them",
+    &Counts::refusedCellsRemoved },
+  { "IsolatedCells", "cells without a neighbour", &Counts::isolatedCells },
+  { "VoidsInsideCells", "closed pieces of surface inside one cell, holes of it", &Counts::voids },
+  { "FoldsLeftOut", "walls without thickness inside one cell, left out", &Counts::folds },
+  { "BoundaryAngleFailures", "cells that fail the angle condition of boundary faces (section 3)",
+    &Counts::boundaryAngle },
+  { "InnerAngleFailures", "cells that fail the angle condition of inner faces",
+    &Counts::innerAngle },
+  { "OpennessFailures", "cells that do not close", &Counts::openness },
+  { "VolumeFailures", "cells without a positive volume", &Counts::volume },
+} };
+
+bool isInner(const Cells& cells, const FaceOfCell& face)
+{
+  const bool shaped =
+    face.kind() == FaceOfCell::Kind::Shaped || face.kind() == FaceOfCell::Kind::TurnedShaped;
+  return face.kind() != FaceOfCell::Kind::Patch &&
+    !(shaped && cells.shaped.cells[face.index][face.turned() ? 0 : 1] == None);
+}
+
+// Of the boxes of the core.
+class Counter
+{
+public:
+  explicit Counter(const Assembly& assembly)
+    : a_(assembly)
+    , first_(a_.boxes.firstBoxOf(a_.boxes.core.begin))
+    , last_(a_.boxes.firstBoxOf(a_.boxes.core.end))
+  {
+  }
+
+  Counts count()
+  {
+    countBoxes();
+    countCells();
+    countChanges();
+    n_.points = static_cast<double>(a_.mesh->ownPointCount());
+    n_.boundaryFaces = static_cast<double>(a_.mesh->boundary().size());
+    n_.boundaryAngle = static_cast<double>(a_.mesh->failures().boundaryAngle);
+    n_.innerAngle = static_cast<double>(a_.mesh->failures().innerAngle);
+    n_.openness = static_cast<double>(a_.mesh->failures().open);
+    n_.volume = static_cast<double>(a_.mesh->failures().negativeVolume);
+    return n_;
+  }
+
+private:
+  bool isCore(std::uint32_t box) const { return box >= first_ && box < last_; }
+
+  void countBoxes()
+  {
+    double polyhedral = 0;
+    std::array<double, PatchReasons> because{};
+    for (std::size_t n = 0; n < a_.sides.polyhedral.size(); ++n)
+    {
+      if (!isCore(a_.sides.polyhedral[n]))
+      {
+        continue;
+      }
+      ++polyhedral;
+      if (const std::uint32_t box = a_.sides.patchBox[n]; box != None)
+      {
+        ++n_.boxesIntersected;
+        ++because[static_cast<std::size_t>(a_.patches.reason[box])];
+        n_.patches += static_cast<double>(a_.patches.boxStart[box + 1] - a_.patches.boxStart[box]);
+      }
+    }
+    const double boxes = last_ - first_;
+    const auto boxesBecause = [&](PatchReason reason) {
+      return because[static_cast<std::size_t>(reason)];
+    };
+    n_.hexahedra = boxes - polyhedral;
+    n_.boxesInside = boxes - n_.boxesIntersected;
+    n_.byMarchingCubes = boxesBecause(PatchReason::MarchingCubes);
+    n_.byExactFit = n_.boxesIntersected - n_.byMarchingCubes;
+    n_.edgeCrossedTwice = boxesBecause(PatchReason::EdgeCrossedTwice);
+    n_.closedPolyline = boxesBecause(PatchReason::ClosedPolyline);
+    n_.sharpFeature = boxesBecause(PatchReason::SharpFeature);
+    n_.severalBoundaries = boxesBecause(PatchReason::SeveralBoundaries);
+    n_.notDiscs = boxesBecause(PatchReason::NotDiscs);
+    n_.boxesRebuilt = static_cast<double>(rebuiltBoxes(a_));
+    n_.boxesFlawed = static_cast<double>(flawedBoxes(a_).size());
+  }
+
+  // Small, refused and carved ones are all marked as removed: countChanges() takes them apart.
+  void countCells()
+  {
+    const Cells& cells = a_.cells;
+    n_.cells = static_cast<double>(a_.mesh->cellCount());
+    n_.polyhedra = n_.cells - n_.hexahedra;
+    for (std::size_t c = 0; c < cells.size(); ++c)
+    {
+      const Cell& cell = cells.all[c];
+      if (!isCore(cell.box))
+      {
+        continue;
+      }
+      bool hasInnerFace = false;
+      for (std::size_t f = cell.firstFace; f < cells.all[c + 1].firstFace && !hasInnerFace; ++f)
+      {
+        hasInnerFace = isInner(cells, cells.faces[f]);
+      }
+      n_.smallCellsRemoved += cell.removed;
+      n_.isolatedCells += !hasInnerFace && !cell.removed;
+    }
+    n_.voids = static_cast<double>(cells.voids);
+    n_.folds = static_cast<double>(cells.folds);
+  }
+
+  void countChanges()
+  {
+    n_.cellsSplit = static_cast<double>(a_.shaping.cellsSplit);
+    n_.cellsWithJoinedFaces = static_cast<double>(a_.shaping.cellsMended);
+    n_.smallCellsMerged = static_cast<double>(a_.shaping.cellsMerged);
+    n_.refusedPartsCarved = static_cast<double>(a_.shaping.partsCarved);
+    n_.refusedCellsRemoved = static_cast<double>(a_.shaping.refusedCellsRemoved);
+    n_.smallCellsRemoved -= n_.refusedPartsCarved + n_.refusedCellsRemoved;
+  }
+
+  const Assembly& a_;
+  const std::uint32_t first_;
+  const std::uint32_t last_;
+  Counts n_;
+};
+
+}
+
+std::vector<Statistic> statistics(const Assembly& assembly)
+{
+  const Counts counts = Counter(assembly).count();
+  std::vector<Statistic> result;
+  for (const Row& row : Table)
+  {
+    result.push_back({ row.name, row.meaning, counts.*row.count });
+  }
+  return result;
+}
+
+}

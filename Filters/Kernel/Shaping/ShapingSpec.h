@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the user chooses about the shape of cells (sections 4.10, 4.11).
+#pragma once
+
+#include "Base/Range.h"
+
+namespace cartesian
+{
+
+struct ShapingSpec
+{
+  static constexpr Range MergeRatios{ 0, 1, false };
+  static constexpr Range RefusedCellRatios{ 0 };
+
+  // Where small cells merge, those below this part of their box's volume do.
+  double mergeRatio = 0.015;
+
+  // Boundary faces of merged cells become one where their normals differ by less, in degrees.
+  double joinAngle = 15;
+
+  bool splitConcave = true; // cells that fail an angle condition of section 3
+
+  // Where cells are split: what solvers refuse and nothing mends is removed, up to as many volumes of
+  // its box; 0: none.
+  double refusedCellRatio = 4;
+};
+
+}

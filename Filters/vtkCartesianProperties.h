@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkCartesianProperties.h
+ * @brief properties that a single step of the mesher shares with vtkCartesianMesher
+ *
+ * Each is written once, as a macro: VTK's wrappers see the methods in every class that has it, which
+ * they would not in a template or a second base class. Initial values are those of Kernel/Mesher/Options.h.
+ */
+#ifndef vtkCartesianProperties_h
+#define vtkCartesianProperties_h
+
+#include "vtkSetGet.h" // for vtkSetMacro
+
+#include <string> // for std::string
+#include <vector> // for std::vector
+
+/**
+ * How patches are made: vtkPatcher, vtkCartesianMesher.
+ *
+ * PatchMethod, one of PatchMethods, default Automatic: Automatic is Marching Cubes where it is safe and
+ * Exact Fit elsewhere; ExactFit the surface itself, cut at the sides of the boxes; MarchingCubes
+ * everywhere, for comparison: sharp edges are chamfered, details are lost.
+ *
+ * FeatureAngle, degrees, 0 to 180, default 30: edges at which the surface turns by more are kept.
+ *
+ * MergeAngle, degrees, 0 to 90, default 10: how far the normals of what becomes one patch may differ.
+ * Exact Fit as a patch method merges nothing.
+ *
+ * Tying, one of Tyings, default KeepNodes: what becomes of the nodes that a box by Exact Fit has on a side
+ * where its neighbour is by Marching Cubes. KeepNodes: the neighbour takes them over; MoveNodes: they
+ * move onto the neighbour's straight line (equation 5).
+ */
+#define vtkPatchPropertiesMacro()                                                                  \
+public:                                                                                            \
+  enum PatchMethods                                                                                \
+  {                                                                                                \
+    Automatic = 0,                                                                                 \
+    ExactFit = 1,                                                                                  \
+    MarchingCubes = 2                                                                              \
+  };                                                                                               \
+  enum Tyings                                                                                      \
+  {                                                                                                \
+    KeepNodes = 0,                                                                                 \
+    MoveNodes = 1                                                                                  \
+  };                                                                                               \
+  vtkSetClampMacro(PatchMethod, int, Automatic, MarchingCubes);                                    \
+  vtkGetMacro(PatchMethod, int);                                                                   \
+  void SetPatchMethodToAutomatic()                                                                 \
+  {                                                                                                \
+    this->SetPatchMethod(Automatic);                                                               \
+  }                                                                                                \
+  void SetPatchMethodToExactFit()                                                                  \
+  {                                                                                                \
+    this->SetPatchMethod(ExactFit);                                                                \
+  }                                                                                                \
+  void SetPatchMethodToMarchingCubes()                                                             \
+  {                                                                                                \
+    this->SetPatchMethod(MarchingCubes);                                                           \
+  }                                                                                                \
+  vtkSetMacro(FeatureAngle, double);                                                               \
+  vtkGetMacro(FeatureAngle, double);                                                               \
+  vtkSetMacro(MergeAngle, double);                                                                 \
+  vtkGetMacro(MergeAngle, double);                                                                 \
+  vtkSetClampMacro(Tying, int, KeepNodes, MoveNodes);                                              \
+  vtkGetMacro(Tying, int);                                                                         \
+  void SetTyingToKeepNodes()                                                                       \
+  {                                                                                                \
+    this->SetTying(KeepNodes);                                                                     \
+  }                                                                                                \
+  void SetTyingToMoveNodes()                                                                       \
+  {                                                                                                \
+    this->SetTying(MoveNodes);                                                                     \
+  }                                                                                                \
+                                                                                                   \
+protected:                                                                                         \
+  int PatchMethod = Automatic;                                                                     \
+  double FeatureAngle = 30;                                                                        \
+  double MergeAngle = 10;                                                                          \
+  int Tying = KeepNodes
+
+/**
+ * What becomes of cells: vtkCellAssembler, vtkCartesianMesher.
+ *
+ * CollapseRatio, 0 (none) to 0.3, default 0.1: edges shorter than this fraction of their box collapse,
+ * so that hardly any small cell is left (4.10). Corners of boxes move onto the surface; nodes of the
+ * surface move along it only.
+ *
+ * SmallCells, one of SmallCellsModes, default Merge (4.10). Remove: they are left out; their inner faces
+ * become boundary faces of their neighbours. Merge: they become a part of the neighbour across the
+ * largest area; the volume is kept.
+ *
+ * MergeRatio, 0 (none) to less than 1, default 0.015: with Merge, cells smaller than this fraction of
+ * their box are merged.
+ *
+ * SmallCellRatio, 0 (none but those without volume) to less than 1, default 0.001: cells smaller than
+ * this fraction of their box are left out.
+ *
+ * SplitConcaveCells, default on: cells that fail an angle condition of section 3 are cut along their
+ * concave edges (4.11).
+ *
+ * RefusedCellRatio, 0 (none) or more, default 4: where concave cells are split and the patches are not
+ * exact, what solvers would refuse (section 3, checkMesh) and nothing mends is left out, up to as many
+ * volumes of its box. Boundaries with a small cell ratio of their own keep larger ones.
+ */
+#define vtkCellPropertiesMacro()                                                                   \
+public:                                                                                            \
+  enum SmallCellsModes                                                                             \
+  {                                                                                                \
+    Remove = 0,                                                                                    \
+    Merge = 1                                                                                      \
+  };                                                                                               \
+  vtkSetMacro(CollapseRatio, double);                                                              \
+  vtkGetMacro(CollapseRatio, double);                                                              \
+  vtkSetClampMacro(SmallCells, int, Remove, Merge);                                                \
+  vtkGetMacro(SmallCells, int);                                                                    \
+  void SetSmallCellsToRemove()                                                                     \
+  {                                                                                                \
+    this->SetSmallCells(Remove);                                                                   \
+  }                                                                                                \
+  void SetSmallCellsToMerge()                                                                      \
+  {                                                                                                \
+    this->SetSmallCells(Merge);                                                                    \
+  }                                                                                                \
+  vtkSetMacro(MergeRatio, double);                                                                 \
+  vtkGetMacro(MergeRatio, double);                                                                 \
+  vtkSetMacro(SmallCellRatio, double);                                                             \
+  vtkGetMacro(SmallCellRatio, double);                                                             \
+  vtkSetMacro(SplitConcaveCells, bool);                                                            \
+  vtkGetMacro(SplitConcaveCells, bool);                                                            \
+  vtkBooleanMacro(SplitConcaveCells, bool);                                                        \
+  vtkSetMacro(RefusedCellRatio, double);                                                           \
+  vtkGetMacro(RefusedCellRatio, double);                                                           \
+                                                                                                   \
+protected:                                                                                         \
+  double CollapseRatio = 0.1;                                                                      \
+  int SmallCells = Merge;                                                                          \
+  double MergeRatio = 0.015;                                                                       \
+  double SmallCellRatio = 1e-3;                                                                    \
+  bool SplitConcaveCells = true;                                                                   \
+  double RefusedCellRatio = 4
+
+/**
+ * What is special about boundaries, by name, a row each: the type that vtkPolyMeshWriter gives the patch
+ * (automatic, patch, wall, symmetry, symmetryPlane, empty), and what stands for SmallCellRatio in cells
+ * whose patches are mostly of it (section 4.10). As many types and ratios as names, or none.
+ * "no_surface" is where there is no patch. For subclasses of vtkCartesianAlgorithm: vtkCellAssembler,
+ * vtkCartesianMesher.
+ */
+#define vtkBoundarySettingsMacro()                                                                 \
+public:                                                                                            \
+  void SetNumberOfBoundaryNames(int number)                                                        \
+  {                                                                                                \
+    this->Resize(this->BoundaryNames, number);                                                     \
+  }                                                                                                \
+  void SetBoundaryName(int row, const char* name)                                                  \
+  {                                                                                                \
+    this->SetRow(this->BoundaryNames, row, std::string(name ? name : ""));                         \
+  }                                                                                                \
+  void SetNumberOfBoundaryTypes(int number)                                                        \
+  {                                                                                                \
+    this->Resize(this->BoundaryTypes, number);                                                     \
+  }                                                                                                \
+  void SetBoundaryType(int row, const char* type)                                                  \
+  {                                                                                                \
+    this->SetRow(this->BoundaryTypes, row, std::string(type ? type : ""));                         \
+  }                                                                                                \
+  void SetNumberOfBoundarySmallCellRatios(int number)                                              \
+  {                                                                                                \
+    this->Resize(this->BoundaryRatios, number);                                                    \
+  }                                                                                                \
+  void SetBoundarySmallCellRatio(int row, double ratio)                                            \
+  {                                                                                                \
+    this->SetRow(this->BoundaryRatios, row, ratio);                                                \
+  }                                                                                                \
+                                                                                                   \
+protected:                                                                                         \
+  void PrintBoundarySettings(ostream& os, vtkIndent indent)                                        \
+  {                                                                                                \
+    this->PrintColumn(os, indent, "BoundaryNames", this->BoundaryNames);                           \
+    this->PrintColumn(os, indent, "BoundaryTypes", this->BoundaryTypes);                           \
+    this->PrintColumn(os, indent, "BoundarySmallCellRatios", this->BoundaryRatios);                \
+  }                                                                                                \
+  std::vector<std::string> BoundaryNames;                                                          \
+  std::vector<std::string> BoundaryTypes;                                                          \
+  std::vector<double> BoundaryRatios
+
+#endif

@@ -1,0 +1,39 @@
+// Every number that users get has a name of its own and a meaning, and they fit together.
+#include "Support/Pipeline.h"
+
+#include <gtest/gtest.h>
+
+using namespace cartesian;
+
+TEST(Statistics, FitTogether)
+{
+  const Soup soup = blockWithTubes().turned();
+  Options options;
+  options.grid = cellsAlongLongest(soup, 15);
+  Execution execution;
+  const auto assembly = mesh(soup.view(), options, execution);
+  std::map<std::string, double> values;
+  for (const Statistic& statistic : statistics(*assembly))
+  {
+    EXPECT_TRUE(values.emplace(statistic.name, statistic.value).second) << statistic.name;
+    EXPECT_GT(std::string(statistic.meaning).size(), 10U) << statistic.name;
+    EXPECT_GE(statistic.value, 0) << statistic.name;
+  }
+  EXPECT_EQ(values.at("Cells"), static_cast<double>(assembly->mesh->cellCount()));
+  EXPECT_EQ(values.at("Cells"), values.at("Hexahedra") + values.at("Polyhedra"));
+  EXPECT_EQ(values.at("BoxesInside") + values.at("BoxesIntersected"),
+    static_cast<double>(assembly->boxes.packed.size()));
+  EXPECT_EQ(values.at("BoxesByMarchingCubes") + values.at("BoxesByExactFit"),
+    values.at("BoxesIntersected"));
+}
+
+TEST(Statistics, AMeshInOneCallIsThatOfTheStages)
+{
+  const Soup soup = sphere(12, 1);
+  TestOptions options;
+  options.grid = cellsAlongLongest(soup, 9);
+  Execution execution;
+  const auto assembly = mesh(soup.view(), options, execution);
+  EXPECT_TRUE(arraysOf(*assembly->mesh, assembly->boxes, execution) ==
+    meshOf(soup, options.grid, options).mesh);
+}
