@@ -86,6 +86,7 @@ void setStatistics(const Assembly& assembly, const Processes& processes, vtkUnst
 {
   const auto statistics = assembly.statistics();
   std::vector<double> values;
+  values.reserve(statistics.size());
   for (const auto& statistic : statistics)
   {
     values.push_back(statistic.second);

@@ -40,7 +40,7 @@ public:
   ThreadLimit& operator=(const ThreadLimit&) = delete;
 
 private:
-  static constexpr rlim_t StackSize = rlim_t(1) << 30U;
+  static constexpr rlim_t StackSize = rlim_t(1) << 31U;
 
   pthread_attr_t attributes_{};
   rlimit limit_{};
