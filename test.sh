@@ -1,13 +1,26 @@
 #!/bin/sh
-# Installs what is missing, builds, runs every test; then the kernel's again under the address and
-# undefined sanitizers. A short run of the fuzzer follows. The builds are in build/release,
-# build/asan and build/fuzz.
+# Installs what is missing, looks at style and spelling, builds, runs every test and clang-tidy on what
+# changed. Then, of the kernel alone: its tests again under the address and undefined sanitizers, those
+# of threads under the thread sanitizer; by clang the same meshes, bit for bit, as by gcc; and a short run
+# of the fuzzer. The builds are in build/release, build/asan, and so on.
 set -eu
 cd "$(dirname "$(readlink -f "$0")")"
 
+began=$(date +%s)
+step() {
+  echo "=== $((($(date +%s) - began) / 60)) min: $*"
+  "$@"
+}
+preset() {
+  step cmake --preset "$1" --log-level=WARNING
+  step cmake --build --preset "$1"
+  step ctest --preset "$1"
+}
+
 .ci/install
-for preset in release asan fuzz; do
-  cmake --preset $preset --log-level=WARNING
-  cmake --build --preset $preset
-  ctest --preset $preset
+step .ci/style
+preset release
+step .ci/tidy
+for name in asan tsan clang fuzz; do
+  preset $name
 done

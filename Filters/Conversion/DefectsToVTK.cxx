@@ -11,13 +11,16 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <array>
+#include <utility>
+
 namespace cartesian
 {
 
 namespace
 {
 
-constexpr std::pair<DefectKind, const char*> CountNames[] = {
+constexpr std::array<std::pair<DefectKind, const char*>, 11> CountNames = { {
   { DefectKind::OpenEdge, "OpenEdges" },
   { DefectKind::NonManifoldEdge, "NonManifoldEdges" },
   { DefectKind::InconsistentEdge, "InconsistentEdges" },
@@ -29,7 +32,7 @@ constexpr std::pair<DefectKind, const char*> CountNames[] = {
   { DefectKind::SmallComponent, "TrianglesOfSmallComponents" },
   { DefectKind::Hole, "Holes" },
   { DefectKind::Leak, "Leaks" },
-};
+} };
 
 class DefectWriter
 {

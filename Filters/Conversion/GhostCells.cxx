@@ -18,6 +18,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace cartesian
@@ -49,7 +50,7 @@ std::vector<vtkBoundingBox> overlaps(vtkUnstructuredGrid* mesh, const Processes&
   return found;
 }
 
-bool isIn(const vtkBoundingBox& box, const double point[3])
+bool isIn(const vtkBoundingBox& box, const std::array<double, 3>& point)
 {
   const double* low = box.GetMinPoint();
   const double* high = box.GetMaxPoint();
@@ -72,8 +73,8 @@ std::vector<std::uint8_t> sharedPoints(vtkUnstructuredGrid* mesh, const Processe
   std::vector<double> names; // global ids: whole numbers below 2^53
   for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
   {
-    double point[3];
-    mesh->GetPoint(p, point);
+    std::array<double, 3> point{};
+    mesh->GetPoint(p, point.data());
     if (std::any_of(
           boxes.begin(), boxes.end(), [&](const vtkBoundingBox& box) { return isIn(box, point); }))
     {

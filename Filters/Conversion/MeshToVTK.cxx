@@ -88,6 +88,7 @@ void setStatistics(const Assembly& assembly, const Processes& processes, vtkUnst
 {
   const std::vector<Statistic> statistics = cartesian::statistics(assembly);
   std::vector<double> values;
+  values.reserve(statistics.size());
   for (const Statistic& statistic : statistics)
   {
     values.push_back(statistic.value);

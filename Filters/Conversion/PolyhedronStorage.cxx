@@ -57,7 +57,7 @@ void setCells(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* types, vtkCellArr
   grid->SetCells(types, cells, polyhedra ? faceStart : nullptr, polyhedra ? faceStream : nullptr);
 }
 
-const vtkIdType* faceStreamOf(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList*)
+const vtkIdType* faceStreamOf(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* /*scratch*/)
 {
   return grid->GetFaces(cell); // as it is stored
 }

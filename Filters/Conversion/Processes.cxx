@@ -122,6 +122,7 @@ vtkSmartPointer<vtkDataObject> unite(const std::vector<vtkSmartPointer<vtkDataOb
   std::size_t n = 0;
   forEachLeaf(parts.front(), [&](vtkPolyData*, vtkCompositeDataIterator* at) {
     std::vector<vtkPolyData*> ofAll;
+    ofAll.reserve(leaves.size());
     for (const auto& ofPart : leaves)
     {
       ofAll.push_back(ofPart[n]);

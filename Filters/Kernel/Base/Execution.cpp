@@ -5,6 +5,8 @@
 #include <chrono>
 #include <exception>
 #include <mutex>
+#include <new>
+#include <system_error>
 
 namespace cartesian
 {
@@ -22,6 +24,29 @@ constexpr unsigned PollsPerClockReading = 8;
 double now()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// Threads that run beside the caller's, as many of `most` as the system can start: work that is cut
+// into chunks gets done by fewer.
+template <class Work>
+std::vector<std::thread> startThreads(std::size_t most, const Work& work)
+{
+  std::vector<std::thread> threads;
+  threads.reserve(most);
+  try
+  {
+    while (threads.size() < most)
+    {
+      threads.emplace_back(work);
+    }
+  }
+  catch (const std::system_error&) // too many threads, or no memory for a stack
+  {
+  }
+  catch (const std::bad_alloc&)
+  {
+  }
+  return threads;
 }
 
 }
@@ -156,12 +181,8 @@ void Execution::forEach(std::size_t count, std::size_t grain,
 
   loop_ = { loop_.end, loop_.end + share_ * (stageEnd_ - loop_.end) };
   share_ = 0;
-  const std::size_t most = chunks(count, grain);
-  std::vector<std::thread> helpers;
-  for (std::size_t i = 1; i < std::min<std::size_t>(threads_, most); ++i)
-  {
-    helpers.emplace_back(loop, false);
-  }
+  const std::size_t most = std::min<std::size_t>(threads_, chunks(count, grain));
+  std::vector<std::thread> helpers = startThreads(most > 0 ? most - 1 : 0, [&] { loop(false); });
   loop(true);
   for (std::thread& helper : helpers)
   {

@@ -62,8 +62,8 @@ public:
   // Seconds spent in each stage so far, in the order in which stages began.
   std::vector<std::pair<std::string, double>> seconds() const;
 
-  // Calls work(begin, end) for chunks of `grain` items of [0, count), on all threads. An exception
-  // ends the loop and is rethrown here.
+  // Calls work(begin, end) for chunks of `grain` items of [0, count), on all threads, or on as many as
+  // the system can start. An exception ends the loop and is rethrown here.
   void forEach(std::size_t count, std::size_t grain,
     const std::function<void(std::size_t begin, std::size_t end)>& work);
 

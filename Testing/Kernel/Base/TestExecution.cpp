@@ -1,6 +1,7 @@
 // Chunks, threads, progress and stopping.
 #include "Base/Error.h"
 #include "Base/Execution.h"
+#include "Support/ThreadLimit.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 #include <chrono>
 #include <mutex>
 #include <set>
+#include <system_error>
 #include <thread>
 
 using namespace cartesian;
@@ -27,6 +29,20 @@ std::set<std::pair<std::size_t, std::size_t>> chunksOf(
     EXPECT_TRUE(made.emplace(begin, end).second);
   });
   return made;
+}
+
+// Threads that forEach ran on, where no more than `most` can be started beside the caller's.
+std::size_t threadsUsed(unsigned most)
+{
+  const ThreadLimit limit(most);
+  std::mutex mutex;
+  std::set<std::thread::id> used;
+  Execution(8).forEach(100, 1, [&](std::size_t, std::size_t) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const std::lock_guard<std::mutex> lock(mutex);
+    used.insert(std::this_thread::get_id());
+  });
+  return used.size();
 }
 
 }
@@ -69,6 +85,18 @@ TEST(Execution, ExceptionsComeOutOfAnyThread)
         Error);
     }
   }
+}
+
+TEST(Execution, MakesDoWithTheThreadsThatStart)
+{
+  {
+    const ThreadLimit limit(0);
+    EXPECT_THROW(std::thread([] {}).join(), std::system_error);
+    EXPECT_EQ(chunksOf(8, 1000, 10), chunksOf(1, 1000, 10));
+  }
+  EXPECT_EQ(threadsUsed(0), 1U);
+  EXPECT_EQ(threadsUsed(2), 3U);
+  EXPECT_EQ(threadsUsed(20), 8U);
 }
 
 TEST(Execution, ProgressNeverFallsAndIsReportedByTheCaller)

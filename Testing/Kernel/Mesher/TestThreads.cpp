@@ -1,6 +1,7 @@
 // One mesh, byte for byte, for any number of threads.
 #include "Support/Effort.h"
 #include "Support/Pipeline.h"
+#include "Support/ThreadLimit.h"
 
 #include <gtest/gtest.h>
 
@@ -64,4 +65,18 @@ TEST(Threads, DoNotChangeBoxesMadeAnew)
   const GridSpec grid = cellsAlongLongest(soup, 25);
   EXPECT_GT(meshOf(soup, grid).statistics.at("BoxesRebuilt"), 3 * 64);
   expectSameWith(soup, grid, {});
+}
+
+TEST(Threads, ThatCannotBeStartedDoNotChangeTheMesh)
+{
+  const Soup soup = bumpySphere(1, 10);
+  const GridSpec grid = cellsAlongLongest(soup, 25);
+  const Meshed one = meshOf(soup, grid, { {}, 1, {}, {} });
+  for (const unsigned most : { 0U, 1U })
+  {
+    const ThreadLimit limit(most);
+    const Meshed other = meshOf(soup, grid, { {}, 8, {}, {} });
+    EXPECT_TRUE(one.mesh == other.mesh);
+    EXPECT_EQ(one.statistics, other.statistics);
+  }
 }

@@ -8,7 +8,7 @@
 namespace cartesian
 {
 
-#ifdef __SANITIZE_ADDRESS__
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr int RepeatedLess = 6;
 #else
 constexpr int RepeatedLess = 1;
