@@ -53,7 +53,8 @@ double areaOf(const Patches& patches, std::size_t patch, const Lattice& lattice)
 {
   const auto at = [&](std::size_t corner) {
     const Point& p = patches.points[patches.corners[corner]];
-    return Vector{ lattice.position(0, p[0]), lattice.position(1, p[1]), lattice.position(2, p[2]) };
+    return Vector{ lattice.position(0, p[0]), lattice.position(1, p[1]),
+      lattice.position(2, p[2]) };
   };
   Vector sum{};
   const Vector base = at(patches.start[patch]);
