@@ -102,7 +102,7 @@ NamedShape read(const std::string& name)
   return shape;
 }
 
-std::string describe(const Soup& soup, double cells, const Options& options)
+std::string describe(const Soup& soup, double cells, const TestOptions& options)
 {
   std::ostringstream text;
   try
@@ -119,7 +119,9 @@ std::string describe(const Soup& soup, double cells, const Options& options)
 
 void print(const NamedShape& shape, double cells, int levels)
 {
-  Options options{ CellSpec(), 0, depth(levels), PatchSpec() };
+  TestOptions options;
+  options.refinement = depth(levels);
+  options.threads = Execution::AllCores;
   for (const PatchMethod method :
     { PatchMethod::Automatic, PatchMethod::ExactFit, PatchMethod::MarchingCubes })
   {

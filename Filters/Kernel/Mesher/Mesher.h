@@ -2,10 +2,10 @@
 // The whole meshing task, step by step (section 6): what the filters run.
 //
 //   surface --prepareSurface--> Surface, Meshlines     steps 2, 3, 4
-//           --decompose-------> Decomposition, Boxes        steps 5, 7, 8   (Cartesian Boxer)
+//           --decompose-------> Decomposition, Boxes   steps 5, 7, 8   (Cartesian Boxer)
 //           --makePatches-----> Patches                A1              (Patcher)
 //           --assemble--------> Sides, InnerFaces,     9, A3, B1-B4    (Cell Assembler)
-//                               Cells, Mesh            11-13
+//                               Cells, OutputMesh      11-13
 //
 // mesh() is all of it, meshPart() all that follows decompose() for one part of the grid.
 #pragma once

@@ -13,8 +13,8 @@ namespace cartesian
 namespace
 {
 
-// Two faces back to back, within this angle in degrees, are the edge of a thin cell, not of a thin
-// gap in a cell: only rounding tells the two apart.
+// Faces whose normals differ by more than this, in degrees, are back to back. They are taken for the
+// edge of a thin cell, not of a thin gap in a cell: only rounding tells the two apart.
 constexpr double KnifeFrom = 180 - 1e-3;
 
 }
