@@ -8,7 +8,7 @@
  * agree with each other.
  *
  * `FileName` (case.foam) is created empty if it is not there; its folder is the case. What is
- * written into it, and what becomes of a mesh that was there, says Kernel/PolyMeshFiles.h: faces in
+ * written into it, and what becomes of a mesh that was there, says Kernel/OpenFoam/PolyMeshFiles.h: faces in
  * upper triangular order, no file of anybody else's is lost.
  *
  * Patches: the boundaries of a mesh of vtkCartesianMesher or vtkCellAssembler, which carries them in

@@ -359,11 +359,11 @@ def place(array):
     return output, rest.partition(" ")[0]
 
 
-def find_renamed(befores, afters):
+def find_renamed(old_records, new_records):
     """{name before: name after} of arrays that are called otherwise, and never have other values."""
     candidates = {}
-    for name in only_in(befores, only_in(befores, afters)):
-        before, after = befores[name]["arrays"], afters[name]["arrays"]
+    for name in only_in(old_records, only_in(old_records, new_records)):
+        before, after = old_records[name]["arrays"], new_records[name]["arrays"]
         added = only_in(after, before)
         for array in only_in(before, after):
             same = [other for other in added
@@ -409,15 +409,15 @@ def change(array, other, number, other_number):
 class Comparison:
     """Of two files' records."""
 
-    def __init__(self, befores, afters, ignore_renamed):
-        self.befores, self.afters, self.ignore_renamed = befores, afters, ignore_renamed
-        self.renamed = find_renamed(befores, afters)
+    def __init__(self, old_records, new_records, ignore_renamed):
+        self.old_records, self.new_records, self.ignore_renamed = old_records, new_records, ignore_renamed
+        self.renamed = find_renamed(old_records, new_records)
         self.uses, self.reworded = collections.Counter(), collections.Counter()
         self.same = self.differ = 0
 
     def run(self):
         """Prints the combinations that differ."""
-        for name in [*self.befores, *only_in(self.afters, self.befores)]:
+        for name in [*self.old_records, *only_in(self.new_records, self.old_records)]:
             found = self.compare(name)
             self.same, self.differ = self.same + (not found), self.differ + bool(found)
             if found:
@@ -425,9 +425,9 @@ class Comparison:
 
     def compare(self, name):
         """Texts that say what differs in a combination."""
-        if name not in self.befores or name not in self.afters:
-            return ["only in the first file" if name in self.befores else "only in the second file"]
-        before, after = self.befores[name], self.afters[name]
+        if name not in self.old_records or name not in self.new_records:
+            return ["only in the first file" if name in self.old_records else "only in the second file"]
+        before, after = self.old_records[name], self.new_records[name]
         names = {array: other for array, other in self.renamed.items()
                  if array in before["arrays"] and other in after["arrays"]}
         self.uses.update(names.items())

@@ -1,4 +1,4 @@
-// libFuzzer's target: any bytes give a valid mesh or a refusal (Kernel/FuzzedSurface.h).
+// libFuzzer's target: any bytes give a valid mesh or a refusal (Support/FuzzedSurface.h).
 #include "Support/FuzzedSurface.h"
 
 #include <cstdio>
