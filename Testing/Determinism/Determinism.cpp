@@ -78,7 +78,7 @@ NamedShape read(const std::string& name)
     }
     else if (key == "vertex" || key == "v")
     {
-      Vec p{};
+      Vector p{};
       words >> p[0] >> p[1] >> p[2];
       soup.points.push_back(p);
     }

@@ -46,7 +46,7 @@ TEST(Sides, CoverEachPolyhedralBoxOnce)
   for (const int levels : { 0, 1, 3 })
   {
     const Soup soup = sphere(6, 1).turned();
-    const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 6), { {}, 1, depth(levels) });
+    const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 6), asTheyAre(0, depth(levels)));
     const Boxes& boxes = meshed.boxed.boxes;
     Execution execution;
     const Sides sides = findSides(boxes, execution);
@@ -58,7 +58,7 @@ TEST(Sides, CoverEachPolyhedralBoxOnce)
 TEST(Sides, AreTheSameForAnyNumberOfThreads)
 {
   const Soup soup = torus(8, 1, 0.4).turned();
-  const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 9), { {}, 1, depth(2) });
+  const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 9), asTheyAre(0, depth(2)));
   Execution one;
   Execution three(3);
   const Sides sides = findSides(meshed.boxed.boxes, one);

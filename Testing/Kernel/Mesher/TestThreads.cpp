@@ -71,11 +71,13 @@ TEST(Threads, ThatCannotBeStartedDoNotChangeTheMesh)
 {
   const Soup soup = bumpySphere(1, 10);
   const GridSpec grid = cellsAlongLongest(soup, 25);
-  const Meshed one = meshOf(soup, grid, { {}, 1, {}, {} });
+  TestOptions options;
+  const Meshed one = meshOf(soup, grid, options);
+  options.threads = 8;
   for (const unsigned most : { 0U, 1U })
   {
     const ThreadLimit limit(most);
-    const Meshed other = meshOf(soup, grid, { {}, 8, {}, {} });
+    const Meshed other = meshOf(soup, grid, options);
     EXPECT_TRUE(one.mesh == other.mesh);
     EXPECT_EQ(one.statistics, other.statistics);
   }
