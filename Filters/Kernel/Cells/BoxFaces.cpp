@@ -10,7 +10,7 @@ namespace cartesian
 template <class Visitor>
 void BoxFaces::forEachEdge(std::size_t face, Visitor&& visit) const
 {
-  const FaceCorners& corners = corners_[face];
+  const CornerRange& corners = corners_[face];
   std::uint32_t from = corners.last[-1];
   for (const std::uint32_t* to = corners.first; to != corners.last; ++to)
   {
@@ -95,7 +95,7 @@ bool BoxFaces::joinInPairs()
 {
   sets_.reset(faces_.size());
   firstAtEdge_.reset(std::accumulate(corners_.begin(), corners_.end(), std::size_t(0),
-    [](std::size_t sum, const FaceCorners& corners) { return sum + corners.size(); }));
+    [](std::size_t sum, const CornerRange& corners) { return sum + corners.size(); }));
   std::size_t single = 0;
   bool paired = true;
   for (std::uint32_t f = 0; f < faces_.size() && paired; ++f)

@@ -43,7 +43,7 @@ public:
   template <class Visitor>
   void forEachCorner(std::size_t face, Visitor&& visit) const
   {
-    const FaceCorners& corners = corners_[face];
+    const CornerRange& corners = corners_[face];
     if (corners.turned)
     {
       for (const std::uint32_t* corner = corners.last; corner != corners.first; --corner)
@@ -76,7 +76,7 @@ public:
 
 private:
   // As the face's array has them.
-  struct FaceCorners
+  struct CornerRange
   {
     const std::uint32_t* first;
     const std::uint32_t* last;
@@ -122,7 +122,7 @@ private:
   const Sides& sides_;
   const InnerFaces& inner_;
   std::vector<FaceOfCell> faces_;
-  std::vector<FaceCorners> corners_; // of each face
+  std::vector<CornerRange> corners_; // of each face
   std::vector<FaceEdge> edges_;
   EdgeTable firstAtEdge_; // twice the first face at each edge, plus 1 if it runs up; then Paired
   DisjointSets sets_;     // of faces

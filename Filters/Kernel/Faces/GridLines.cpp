@@ -147,7 +147,7 @@ void GridLines::lookAround(std::uint32_t s, SideView& view, SeenLines& seen) con
 void GridLines::addSight(std::uint32_t s, const std::vector<BorderNode>& border, std::size_t i,
   std::size_t next, SeenLines& seen)
 {
-  std::vector<LineCrossing>& crossings = seen.crossings;
+  std::vector<StatusChange>& crossings = seen.crossings;
   Sight sight;
   sight.low = border[i].node;
   sight.high = border[next < border.size() ? next : 0].node;
@@ -166,13 +166,13 @@ void GridLines::addSight(std::uint32_t s, const std::vector<BorderNode>& border,
   }
   const auto begin = crossings.begin() + sight.first;
   crossings.erase(std::remove_if(begin, crossings.end(),
-                    [](const LineCrossing& crossing) { return crossing.change == 0; }),
+                    [](const StatusChange& crossing) { return crossing.change == 0; }),
     crossings.end());
   if (border[i].border >= 2)
   {
     std::swap(sight.low, sight.high);
     std::reverse(begin, crossings.end());
-    std::for_each(begin, crossings.end(), [](LineCrossing& c) { c.change = -c.change; });
+    std::for_each(begin, crossings.end(), [](StatusChange& c) { c.change = -c.change; });
   }
   sight.end = static_cast<std::uint32_t>(crossings.size());
   seen.sights.push_back(sight);
@@ -232,7 +232,7 @@ bool GridLines::seesTheSame(const Sight& a, const Sight& b) const
 
 // The middle one of the crossings that change the status as they should, or of all crossings, or a new
 // point.
-LineCrossing GridLines::newCrossing(const Sight* begin, const Sight* end, NewPoints& points) const
+StatusChange GridLines::newCrossing(const Sight* begin, const Sight* end, NewPoints& points) const
 {
   const int change = status_[begin->high] - status_[begin->low];
   if (change == 0)

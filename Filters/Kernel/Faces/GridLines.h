@@ -10,12 +10,13 @@
 namespace cartesian
 {
 
-struct LineCrossing
+// A crossing of a line with the surface.
+struct StatusChange
 {
   std::uint32_t node;
   int change; // of the status, upward
 
-  bool operator==(const LineCrossing& other) const
+  bool operator==(const StatusChange& other) const
   {
     return node == other.node && change == other.change;
   }
@@ -26,7 +27,7 @@ struct NewLine
 {
   std::uint32_t low; // grid nodes
   std::uint32_t high;
-  LineCrossing crossing; // its node is None if there is none
+  StatusChange crossing; // its node is None if there is none
 
   bool operator<(const NewLine& other) const
   {
@@ -97,7 +98,7 @@ private:
   struct SeenLines
   {
     std::vector<Sight> sights;
-    std::vector<LineCrossing> crossings;
+    std::vector<StatusChange> crossings;
     std::vector<std::pair<std::uint32_t, KnownStatus>> statuses; // of grid nodes
   };
 
@@ -116,7 +117,7 @@ private:
   void inferStatuses();
   bool leadsOn(const Sight& sight) const;
   bool seesTheSame(const Sight& a, const Sight& b) const;
-  LineCrossing newCrossing(const Sight* begin, const Sight* end, NewPoints& points) const;
+  StatusChange newCrossing(const Sight* begin, const Sight* end, NewPoints& points) const;
 
   const Sides& sides_;
   const Nodes& nodes_;
@@ -125,7 +126,7 @@ private:
   std::vector<std::uint32_t> nearSides_;
   std::vector<std::int8_t> status_; // of grid nodes near flawed boxes, or KnownStatus::Unknown
   std::vector<Sight> sights_;       // line by line
-  std::vector<LineCrossing> crossings_;
+  std::vector<StatusChange> crossings_;
   std::vector<NewLine> newLines_; // in order
   std::vector<std::uint8_t> sideChanges_;
 };

@@ -32,7 +32,7 @@ public:
   // Boxes come in the order in which they were appended.
   void readNext(BoxSurface& piece)
   {
-    const Counts& n = counts_[next_++];
+    const PieceSizes& n = counts_[next_++];
     const auto copy = [](const auto& from, std::size_t begin, std::size_t count, auto& to) {
       to.assign(from.begin() + std::ptrdiff_t(begin), from.begin() + std::ptrdiff_t(begin + count));
     };
@@ -46,7 +46,7 @@ public:
   }
 
 private:
-  struct Counts
+  struct PieceSizes
   {
     std::size_t points;
     std::size_t polygons;
@@ -61,9 +61,9 @@ private:
   }
 
   BoxSurface all_;
-  std::vector<Counts> counts_;
+  std::vector<PieceSizes> counts_;
   std::size_t next_ = 0;
-  Counts at_{};
+  PieceSizes at_{};
 };
 
 // Where each chunk starts in the whole.
