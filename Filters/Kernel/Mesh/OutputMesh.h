@@ -32,11 +32,10 @@ struct CellArrays
 
 struct CellData
 {
-  int* globalBox;       // 3 * cellCount(): I, J, K
-  unsigned char* level; // 3 * cellCount(): halvings of the global box along x, y, z
-  int* region;          // cellCount()
-  double*
-    volumeFraction; // cellCount(): volume divided by that of its box; above 1 for merged cells
+  int* globalBox;         // 3 * cellCount(): I, J, K
+  unsigned char* level;   // 3 * cellCount(): halvings of the global box along x, y, z
+  int* region;            // cellCount()
+  double* volumeFraction; // cellCount(): volume divided by its box's; above 1 for merged cells
 };
 
 // The boundary faces by themselves, with points numbered in the order of the mesh's.
