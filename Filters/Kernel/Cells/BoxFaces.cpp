@@ -35,7 +35,7 @@ bool BoxFaces::list(std::size_t n)
   {
     const auto [side, upper] = sides_.ofBox[i];
     whole = whole && !inner_.flawed[side];
-    for (std::size_t f = inner_.sideStart[side]; f < inner_.sideStart[side + 1]; ++f)
+    for (std::size_t f = inner_.sideStart[side]; f < inner_.sideStart[side + 1u]; ++f)
     {
       add(FaceOfCell(f, upper ? FaceOfCell::Kind::Inner : FaceOfCell::Kind::TurnedInner));
     }
