@@ -211,6 +211,7 @@ std::vector<Statistic> statistics(const Assembly& assembly)
 {
   const Counts counts = Counter(assembly).count();
   std::vector<Statistic> result;
+  result.reserve(Table.size());
   for (const Row& row : Table)
   {
     result.push_back({ row.name, row.meaning, counts.*row.count });
