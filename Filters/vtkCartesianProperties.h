@@ -89,7 +89,7 @@ protected:                                                                      
  * become boundary faces of their neighbours. Merge: they become a part of the neighbour across the
  * largest area; the volume is kept.
  *
- * MergeRatio, 0 (none) to less than 1, default 0.015: with Merge, cells smaller than this fraction of
+ * MergeRatio, 0 (none) to less than 1, default 0.15: with Merge, cells smaller than this fraction of
  * their box are merged.
  *
  * SmallCellRatio, 0 (none but those without volume) to less than 1, default 0.001: cells smaller than
@@ -134,7 +134,7 @@ public:                                                                         
 protected:                                                                                         \
   double CollapseRatio = 0.1;                                                                      \
   int SmallCells = Merge;                                                                          \
-  double MergeRatio = 0.015;                                                                       \
+  double MergeRatio = 0.15;                                                                        \
   double SmallCellRatio = 1e-3;                                                                    \
   bool SplitConcaveCells = true;                                                                   \
   double RefusedCellRatio = 4

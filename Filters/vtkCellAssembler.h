@@ -9,12 +9,10 @@
  * section 6 of the paper.
  *
  * Mesh: hexahedra and polyhedra with outward faces. Cell arrays GlobalBox (int, components I, J, K),
- * Level (unsigned char, 3: how often the global box was halved along x, y and z), Region (int, from 1),
- * VolumeFraction (double: volume by that of the cell's box; beyond 1 after merging). Field data: the
- * statistics, one array of one number each (Cells, Hexahedra, Polyhedra, Points, BoundaryFaces,
- * BoxesInside, BoxesIntersected, BoxesByMarchingCubes, BoxesByExactFit and why (BoxesEdgeCrossedTwice,
- * BoxesClosedPolyline, BoxesSharpFeature, BoxesSeveralBoundaries, BoxesNotDiscs), BoxesRebuilt,
- * BoxesFlawed, Patches, SmallCellsRemoved, SmallCellsMerged, CellsSplit, CellsWithJoinedFaces (boundary faces of any angle made one),
+ * Region (int, from 1), VolumeFraction (double: volume by that of the cell's box; beyond 1 after merging). Field data: the statistics, one
+ * array of one number each (Cells, Hexahedra, Polyhedra, Points, BoundaryFaces, BoxesInside,
+ * BoxesIntersected, BoxesByExactFit, BoxesRebuilt, BoxesFlawed, Patches, SmallCellsRemoved,
+ * SmallCellsMerged, CellsSplit, CellsWithJoinedFaces (boundary faces of any angle made one),
  * RefusedPartsCarved and RefusedCellsRemoved (what solvers would refuse),
  * IsolatedCells, VoidsInsideCells, FoldsLeftOut), and numbers of cells as in vtkFiniteVolumeQuality:
  * BoundaryAngleFailures, InnerAngleFailures, OpennessFailures, VolumeFailures.

@@ -1,7 +1,8 @@
-"""Heat conduction: with the exact temperatures on the boundary, laplacianFoam's error falls with an
-order above 1.5 as cells get smaller, in a shell between spheres and in a cube turned against the
-grid. The error is the mean one: cells at walls along which the temperature changes have an error of
-first order (OpenFOAM does not correct skewness there), but they are a single layer."""
+"""Heat conduction: with the exact temperatures on the boundary, laplacianFoam's mean error falls as cells
+get smaller: with an order above 1.5 in a shell between spheres, above 1.1 in a cube turned against the
+grid. Merged cells cost the second its order: with cells of a thousandth of a box kept it was 1.5, but
+solvers of second order diverge on those. Cells at walls along which the temperature changes have an error
+of first order (OpenFOAM does not correct skewness there), but they are a single layer."""
 
 import math
 import pathlib
@@ -11,8 +12,6 @@ import numpy as np
 from paraview import simple
 
 import foam
-
-ORDER = 1.5
 
 
 def around_a_point(p):
@@ -44,8 +43,8 @@ def mean_error(folder, temperature):
     return np.average(error, weights=volumes)
 
 
-def check(name, surface, temperature, sizes):
-    """`temperature`: any without sources, its second derivatives add up to 0."""
+def check(name, surface, temperature, sizes, least):
+    """`least`: order; `temperature`: any without sources, its second derivatives add up to 0."""
     print(name)
     errors = []
     with tempfile.TemporaryDirectory() as temporary:
@@ -56,14 +55,14 @@ def check(name, surface, temperature, sizes):
     for coarse, fine in zip(errors, errors[1:]):
         order = math.log2(coarse / fine)
         print(f"order {order:.2f}")
-        assert order > ORDER, order
+        assert order > least, order
 
 
 outer = simple.Sphere(Radius=1, ThetaResolution=128, PhiResolution=64)
 inner = simple.ReverseSense(Input=simple.Sphere(Radius=0.4, ThetaResolution=64, PhiResolution=32),
                             ReverseCells=1)
-check("shell", simple.AppendGeometry(Input=[outer, inner]), around_a_point, (0.21, 0.105, 0.0525))
+check("shell", simple.AppendGeometry(Input=[outer, inner]), around_a_point, (0.21, 0.105, 0.0525), 1.5)
 
 turned = simple.Transform(Input=simple.Box())
 turned.Transform.Rotate = [30, 0, 30]
-check("cube", turned, exponential, (1 / 8, 1 / 16, 1 / 32))
+check("cube", turned, exponential, (1 / 8, 1 / 16, 1 / 32), 1.1)

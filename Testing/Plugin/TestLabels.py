@@ -9,7 +9,7 @@ refinement = {"RefinementDepth": 0, "RefinementBlocks": [], "BoundaryRefinement"
 boundaries = {"BoundaryArray": ""}
 patches = {"PatchMethod": "Automatic", "FeatureAngle": 30.0, "MergeAngle": 10.0,
            "Tying": "Keep Nodes"}
-cells = {"CollapseRatio": 0.1, "SmallCells": "Merge", "MergeRatio": 0.015, "SmallCellRatio": 0.001,
+cells = {"CollapseRatio": 0.1, "SmallCells": "Merge", "MergeRatio": 0.15, "SmallCellRatio": 0.001,
          "SplitConcaveCells": 1, "RefusedCellRatio": 4}
 settings = {"BoundaryNames": [], "BoundaryTypes": [], "BoundarySmallCellRatios": []}
 threads = {"NumberOfThreads": 0}

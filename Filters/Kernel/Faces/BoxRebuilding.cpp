@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Faces/BoxRebuilding.h"
 
+#include "Faces/ChordSimplification.h"
 #include "Faces/GridLines.h"
 #include "Faces/LoopPatches.h"
 
@@ -71,7 +72,9 @@ private:
     newChordsOf_.assign(sides_.common.size(), None);
     for (const std::uint32_t s : lines_.nearSides())
     {
-      const bool forced = givenUp_ != GivenUp::Nothing && lines_.isOfFlawed(s);
+      const bool forced = givenUp_ == GivenUp::Detail
+        ? lines_.isOfFlawed(s) && isBetweenFlawed(s)
+        : givenUp_ != GivenUp::Nothing && lines_.isOfFlawed(s);
       if (lines_.changes(s) || inner_.flawed[s] != 0 || forced)
       {
         newChordsOf_[s] = static_cast<std::uint32_t>(changed_.size());
@@ -81,15 +84,43 @@ private:
     newChords_.resize(changed_.size());
     execution_.forEach(changed_.size(), SidesAChunk, [&](std::size_t begin, std::size_t end) {
       SideView view;
+      ChordSimplifier simplifier;
       for (std::size_t i = begin; i < end; ++i)
       {
-        newChords_[i] = chordsBetweenCrossings(changed_[i], view);
+        newChords_[i] = keepsCrossings(changed_[i]) ? simplerChords(changed_[i], view, simplifier)
+                                                    : chordsBetweenCrossings(changed_[i], view);
       }
     });
     for (std::size_t i = 0; i < changed_.size(); ++i)
     {
       bendAlongBorder(sideChords_.rectangle(changed_[i]), newChords_[i]);
     }
+  }
+
+  // Whether neither box at a side has patches that stay.
+  bool isBetweenFlawed(std::uint32_t s) const
+  {
+    const Side& side = sides_.common[s];
+    const auto is = [&](std::uint32_t box) {
+      const std::uint32_t n = sides_.polyhedralOrdinal(box);
+      return n == None || sides_.patchBox[n] == None || flawed_[n] != 0;
+    };
+    return is(side.low) && is(side.high);
+  }
+
+  bool keepsCrossings(std::uint32_t s) const
+  {
+    return givenUp_ == GivenUp::Detail && !lines_.changes(s) && inner_.flawed[s] == 0;
+  }
+
+  std::vector<SideEdge> simplerChords(
+    std::uint32_t s, SideView& view, ChordSimplifier& simplifier) const
+  {
+    const Rectangle r = sideChords_.rectangle(s);
+    view.look(s, sideChords_, nodes_.at);
+    simplifier.simplify(
+      [&](std::uint32_t node) -> Point { return points_.at(node); }, r, view.chords);
+    return view.chords;
   }
 
   // Lists the crossings around a side counter-clockwise, as far as they change the status in turns.

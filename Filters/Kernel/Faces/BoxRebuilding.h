@@ -22,6 +22,7 @@ namespace cartesian
 // What flawed boxes give up, even where it closes.
 enum class GivenUp : std::uint8_t
 {
+  Detail, // boxes that close: sides between two of them get simplified chords (ChordSimplification.h)
   Nothing,
   Chords,
   Crossings,

@@ -2,6 +2,7 @@
 #include "Mesher/Mesher.h"
 
 #include "Patches/Patches.h"
+#include "Repair/PlanesAside.h"
 
 namespace cartesian
 {
@@ -33,6 +34,7 @@ PreparedSurface prepareSurface(
   checkMemory(estimate, prepared.memoryLimit);
   prepared.trianglesGiven = prepared.surface.triangles.size();
   prepared.repair = repair(prepared.surface, prepared.planes, execution);
+  stepAside(prepared.surface, prepared.planes);
   return prepared;
 }
 

@@ -12,7 +12,7 @@ namespace
 // change their neighbours and are flawed by them (BoxRebuilding.h); faces towards the next layer
 // depend on its surface, and on how each box there is patched; and where boxes are divided, on the
 // split lines of the layer after that.
-constexpr std::uint32_t HaloOfRebuilding = 3 * 2;
+constexpr std::uint32_t HaloOfRebuilding = 4 * 2;
 constexpr std::uint32_t HaloOfUndivided = HaloOfRebuilding + 1;
 constexpr std::uint32_t HaloOfDivided = HaloOfUndivided + 1;
 

@@ -216,6 +216,17 @@ bool isSurelyAccepted(const CentreOffset& one, const CentreOffset& other)
     std::max(one.aside, other.aside) <= MostOfDistance * (one.height + other.height);
 }
 
+bool isSurelyGood(const CentreOffset& one, const CentreOffset& other)
+{
+  constexpr float MostSlope = 1.8F;
+  constexpr float MostOfDistance = 0.38F;
+  constexpr float LeastWeight = 0.14F;
+  const float distance = one.height + other.height;
+  return std::min(one.height, other.height) >= LeastWeight * distance &&
+    std::max(one.aside, other.aside) <= MostOfDistance * distance &&
+    one.aside <= MostSlope * one.height && other.aside <= MostSlope * other.height;
+}
+
 bool isPlain(const Polyhedron& cell, const CellShape& shape)
 {
   for (std::size_t f = 0; f < cell.faces(); ++f)

@@ -81,6 +81,10 @@ CentreOffset centreOffsetOf(const Vector& centre, const Vector& faceCentre, cons
 // two cells lie: the line between the centres meets the face's plane between their projections.
 bool isSurelyAccepted(const CentreOffset& one, const CentreOffset& other);
 
+// Whether an inner face seen so from its two cells costs little, surely (CellCost.h): no weight below a
+// seventh, and the centres near to the face's own normal.
+bool isSurelyGood(const CentreOffset& one, const CentreOffset& other);
+
 // Whether a cell without faces at fault has enough faces, and no doubtful boundary face.
 bool isPlain(const Polyhedron& cell, const CellShape& shape);
 

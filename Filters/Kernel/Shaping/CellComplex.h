@@ -131,6 +131,9 @@ public:
   // Whether solvers accept all its faces by what is known beforehand; else only a look around tells.
   bool isSurelyAccepted(CellKey key) const;
 
+  // Whether all its inner faces surely cost little (CellCost.h), and its boundary faces are plain.
+  bool isSurelyGood(CellKey key) const;
+
   // Makes that known of cells that have changed.
   void lookAtChanged();
 
@@ -243,6 +246,8 @@ private:
   void setCell(const FaceUse& use, CellKey key);
   bool hasChanged(CellKey key) const;
   bool isSeen(CellKey key) const;
+  template <class Accept>
+  bool allSights(CellKey key, Accept&& accept) const;
   void noteSights(CellKey key, const CellShape& measures, Sights& given, Sights& ofShaped) const;
 
   void openHexahedron(std::uint32_t box, OpenCell& cell);

@@ -11,7 +11,9 @@ bool CellComplex::isSeen(CellKey key) const
   return !cell || !cell->changed || cell->isSeen;
 }
 
-bool CellComplex::isSurelyAccepted(CellKey key) const
+// Whether accept(below, above) holds for all its inner faces; false where that is not known.
+template <class Accept>
+bool CellComplex::allSights(CellKey key, Accept&& accept) const
 {
   const OpenCell* open = opened(key);
   const bool changed = open && open->changed;
@@ -33,10 +35,24 @@ bool CellComplex::isSurelyAccepted(CellKey key) const
     {
       const auto& [below, above] = isShaped(use.face) ? sightsOfShaped_[use.face - firstShaped()]
                                                       : whole_.sights[use.face - firstInner()];
-      sure = cartesian::isSurelyAccepted(below, above);
+      sure = accept(below, above);
     }
   });
   return sure;
+}
+
+bool CellComplex::isSurelyAccepted(CellKey key) const
+{
+  return allSights(key, [](const CentreOffset& below, const CentreOffset& above) {
+    return cartesian::isSurelyAccepted(below, above);
+  });
+}
+
+bool CellComplex::isSurelyGood(CellKey key) const
+{
+  return allSights(key, [](const CentreOffset& below, const CentreOffset& above) {
+    return cartesian::isSurelyGood(below, above);
+  });
 }
 
 void CellComplex::lookAtChanged()

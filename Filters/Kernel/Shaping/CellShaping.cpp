@@ -2,10 +2,10 @@
 #include "Shaping/CellShaping.h"
 
 #include "Shaping/CellCarving.h"
+#include "Shaping/CellMerging.h"
 #include "Shaping/CellSplitting.h"
 #include "Shaping/FaceMending.h"
 #include "Shaping/RefusedCells.h"
-#include "Shaping/SmallCells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +15,11 @@ namespace cartesian
 
 namespace
 {
+
+// Faces of a merged cell become one where their normals differ by less, in degrees: boundary faces, and faces
+// to the same cell.
+constexpr double MergeJoinAngle = 3;
+constexpr double InnerJoinAngle = 20;
 
 // Those at the boundary below a part of their box: R of their boundary, but not more than `most`.
 // Elsewhere they would leave a hole.
@@ -44,19 +49,26 @@ public:
     , execution_(execution)
     , mender_(complex)
   {
+    mergeSpec_.ratio = spec.mergeRatio;
+    if (!exact)
+    {
+      mergeSpec_.joins = { std::cos(radians(MergeJoinAngle)), std::cos(radians(InnerJoinAngle)) };
+    }
   }
 
   Shaping run()
   {
     removeSmall(Sliver);
-    merge(false);
+    mergeSmall();
     for (int pass = 0; spec_.splitConcave && pass < Passes; ++pass)
     {
       joinFlatFaces();
       split();
-      merge(true);
+      mergeSmall();
+      mergeFailing();
       mend();
     }
+    mergePoor();
     removeSmall(1);
     if (spec_.splitConcave && spec_.refusedCellRatio > 0 && !exact_)
     {
@@ -106,12 +118,28 @@ private:
     }
   }
 
-  void merge(bool mend)
+  void mergeSmall()
   {
     if (small_.handling == SmallCells::Merge)
     {
-      shaping_.cellsMerged +=
-        mergeSmallCells(complex_, spec_.mergeRatio, mend, OnOnePlane, merges_, execution_);
+      shaping_.cellsMerged += mergeSmallCells(complex_, mergeSpec_, execution_);
+    }
+  }
+
+  void mergeFailing()
+  {
+    if (small_.handling == SmallCells::Merge)
+    {
+      shaping_.cellsMerged += mergeFailingCells(complex_, mergeSpec_, execution_);
+    }
+  }
+
+  void mergePoor()
+  {
+    if (small_.handling == SmallCells::Merge && !exact_)
+    {
+      complex_.lookAtChanged();
+      shaping_.cellsMerged += mergePoorCells(complex_, mergeSpec_, execution_);
     }
   }
 
@@ -160,7 +188,7 @@ private:
   bool exact_;
   Execution& execution_;
   FaceMender mender_;
-  MergesTried merges_;
+  MergeSpec mergeSpec_;
   Shaping shaping_;
 };
 

@@ -103,10 +103,10 @@ void addRing(const std::vector<std::uint32_t>& ring, Polyhedron& shape)
 class Joiner
 {
 public:
-  Joiner(const CellView& view, const CellShape& shape, double leastCosine)
+  Joiner(const CellView& view, const CellShape& shape, const JoinSpec& spec)
     : view_(view)
     , shape_(shape)
-    , leastCosine_(leastCosine)
+    , spec_(spec)
   {
   }
 
@@ -132,7 +132,7 @@ public:
 
   JoinedFaces run()
   {
-    if (leastCosine_ > 1 || !mayAnyFit() || !begin())
+    if (!mayAnyFit() || !begin())
     {
       return {};
     }
@@ -237,8 +237,8 @@ private:
     }
     const Vector& area = shape_.faces[f].area;
     const Vector& others = shape_.faces[g].area;
-    const bool flat = isInner(f) || leastCosine_ >= 1;
-    if (dot(unit(area), unit(others)) < (flat ? NearlyFlat : std::min(leastCosine_, NearlyFlat)))
+    const bool flat = leastCosine(f) >= 1;
+    if (dot(unit(area), unit(others)) < std::min(leastCosine(f), NearlyFlat))
     {
       return false;
     }
@@ -261,6 +261,7 @@ private:
   }
 
   bool isInner(std::uint32_t f) const { return view_.across[f] != None; }
+  double leastCosine(std::uint32_t f) const { return isInner(f) ? spec_.inner : spec_.boundary; }
 
   bool join(std::uint32_t g, std::uint32_t h)
   {
@@ -281,8 +282,8 @@ private:
     addRing(first.ring, trial_);
     addRing(second.ring, trial_);
     addRing(ring, trial_);
-    const bool flat = isInner(first.members.front()) || leastCosine_ >= 1;
-    if (!fitsTogether(trial_, leastCosine_, flat))
+    const double least = leastCosine(first.members.front());
+    if (!fitsTogether(trial_, least, least >= 1))
     {
       return false;
     }
@@ -317,7 +318,7 @@ private:
 
   const CellView& view_;
   const CellShape& shape_;
-  double leastCosine_;
+  JoinSpec spec_;
   JoinedFaces joined_;
   std::vector<std::uint32_t> groupOf_;                         // of faces
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_; // of neighbouring faces
@@ -326,16 +327,15 @@ private:
 
 }
 
-JoinedFaces joinFaces(const CellView& view, const CellShape& shape, double leastCosine)
+JoinedFaces joinFaces(const CellView& view, const CellShape& shape, const JoinSpec& spec)
 {
-  constexpr double NoAngle = 2;
-  return Joiner(view, shape, view.faces.size() > MostFacesJoined ? NoAngle : leastCosine).run();
+  return view.faces.size() > MostFacesJoined ? JoinedFaces{} : Joiner(view, shape, spec).run();
 }
 
 std::vector<JoinedFaces> joinFace(const CellView& view, const CellShape& shape, std::uint32_t face)
 {
   constexpr double AnyAngle = -1;
-  return Joiner(view, shape, AnyAngle).runWith(face);
+  return Joiner(view, shape, { AnyAngle, 1 }).runWith(face);
 }
 
 Polyhedron shapeOf(

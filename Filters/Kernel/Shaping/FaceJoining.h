@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Neighbouring faces of a cell that can be one: between the same two cells on one plane, or of one
-// boundary with normals close to each other; neither with a fixed cell beyond.
+// Neighbouring faces of a cell that can be one: between the same two cells, or of one boundary, with
+// normals close to each other; none with a fixed cell beyond.
 #pragma once
 
 #include "Shaping/CellView.h"
@@ -21,9 +21,15 @@ struct JoinedFaces
 // Cells of more faces keep them all: the time to join grows with the square of their number.
 constexpr std::size_t MostFacesJoined = 1000;
 
-// `shape`: the view's; `leastCosine`: of the angle between normals of boundary faces; 1: they lie on one plane; more: no
-// faces are joined at all.
-JoinedFaces joinFaces(const CellView& view, const CellShape& shape, double leastCosine);
+// Cosines of the angle between the normals of what is joined.
+struct JoinSpec
+{
+  double boundary = 1; // 1: on one plane only
+  double inner = 1;
+};
+
+// `shape`: the view's.
+JoinedFaces joinFaces(const CellView& view, const CellShape& shape, const JoinSpec& spec);
 
 // All ways to make a boundary face and one neighbour of the same boundary one, whatever their angle.
 std::vector<JoinedFaces> joinFace(const CellView& view, const CellShape& shape, std::uint32_t face);

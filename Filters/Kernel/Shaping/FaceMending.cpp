@@ -27,7 +27,7 @@ bool FaceMender::joinFaces(CellKey key, double leastCosine)
     return false;
   }
   const CellFaults before = faultsOf(view_.shape, shape_, view_.beyond);
-  const JoinedFaces joined = cartesian::joinFaces(view_, shape_, leastCosine);
+  const JoinedFaces joined = cartesian::joinFaces(view_, shape_, { leastCosine, 1 });
   if (joined.groups.empty() || !tryOut(joined).isBetterThan(before) || !keepsCell() ||
     complex_.hasFacesNear(key, view_, joined))
   {

@@ -13,7 +13,7 @@ struct ShapingSpec
   static constexpr Range RefusedCellRatios{ 0 };
 
   // Where small cells merge, those below this part of their box's volume do.
-  double mergeRatio = 0.015;
+  double mergeRatio = 0.15;
 
   // Boundary faces of merged cells become one where their normals differ by less, in degrees.
   double joinAngle = 15;

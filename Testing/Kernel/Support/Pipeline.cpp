@@ -187,22 +187,6 @@ Meshed meshOf(const Soup& soup, const GridSpec& grid, const TestOptions& options
   return meshPrepared(prepare(soup, grid), options);
 }
 
-std::map<std::pair<std::uint32_t, std::uint32_t>, int> edgeUses(const Patches& patches)
-{
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> sums;
-  for (std::size_t p = 0; p < patches.size(); ++p)
-  {
-    std::uint32_t from = patches.corners[patches.start[p + 1] - 1];
-    for (std::size_t c = patches.start[p]; c < patches.start[p + 1]; ++c)
-    {
-      const std::uint32_t to = patches.corners[c];
-      sums[std::minmax(from, to)] += from < to ? 1 : -1;
-      from = to;
-    }
-  }
-  return sums;
-}
-
 std::vector<Winding> windings(const Surface& surface, const Meshlines& planes, int axis)
 {
   Execution execution;

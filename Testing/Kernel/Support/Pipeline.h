@@ -100,9 +100,6 @@ PreparedSurface prepareOnLevels(const Soup& soup, const Meshlines& planes);
 Meshed meshPrepared(const PreparedSurface& prepared, const TestOptions& options = asTheyAre());
 Meshed meshOf(const Soup& soup, const GridSpec& grid, const TestOptions& options = asTheyAre());
 
-// How often each edge of the patches (lower, higher point) is run through upward, less downward.
-std::map<std::pair<std::uint32_t, std::uint32_t>, int> edgeUses(const Patches& patches);
-
 // For parametrised tests.
 inline std::string nameOf(const ::testing::TestParamInfo<NamedShape>& info)
 {

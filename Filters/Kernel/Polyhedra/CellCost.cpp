@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Polyhedra/CellCost.h"
+
+#include "Polyhedra/CellGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// Where a measure costs 1.
+constexpr double FairSkewness = 1.6;
+constexpr double FairSlope = 0.7; // square of the tangent of the non-orthogonality: 40 degrees
+constexpr double FairWeight = 0.12;
+constexpr double FairVolumeRatio = 0.06;
+constexpr double FairInnerCosine = 0.35; // of the angle of section 3
+constexpr double FairBoundarySlope = 2;  // square of its tangent: 55 degrees
+constexpr double FairShare = 0.15;
+
+// Cells of this share and more are not small at all.
+constexpr double LargeShare = 0.6;
+
+// Closer to the limits of section 3 (75 and 90 degrees) than this an angle has failed.
+constexpr double LeastInnerCosine = 0.27;
+constexpr double LeastBoundaryCosine = 0.1;
+constexpr double CostOfFailure = 1e3;
+
+// Nothing that a merge mends may outweigh that: the most that any other measure costs.
+constexpr double MostCost = 100;
+
+// OpenFOAM measures skewness over at least these parts of the distance of the centres, and of the
+// height above a boundary face.
+constexpr double ShareOfDistance = 0.2;
+constexpr double ShareOfHeight = 0.4;
+
+constexpr double square(double x)
+{
+  return x * x;
+}
+
+constexpr double fourth(double x)
+{
+  return square(square(x));
+}
+
+// `aside`: from where the line between the centres meets the face's plane to the face's centre;
+// `least`: that it is measured over at least.
+double skewness(const Polyhedron& cell, const FaceShape& shape, std::size_t face,
+  const Vector& aside, double least)
+{
+  const double distance = norm(aside);
+  if (distance <= Tiny)
+  {
+    return 0;
+  }
+  double reach = least * distance;
+  for (std::size_t i = cell.start[face]; i < cell.start[face + 1]; ++i)
+  {
+    reach = std::max(reach, std::abs(dot(minus(cell.nodes[cell.corners[i]], shape.centre), aside)));
+  }
+  return square(distance) / std::max(reach, Tiny);
+}
+
+double bounded(double cost)
+{
+  return std::min(cost, MostCost);
+}
+
+double failure(double cosine)
+{
+  return CostOfFailure * (2 - cosine);
+}
+
+double costOfBoundaryFace(const Polyhedron& cell, const CellShape& shape, std::size_t face)
+{
+  const FaceShape& f = shape.faces[face];
+  const Vector normal = unit(f.area);
+  const Vector towards = minus(f.centre, shape.centre);
+  const double height = dot(towards, normal);
+  const double cosine = height / std::max(norm(towards), Tiny);
+  if (cosine < LeastBoundaryCosine)
+  {
+    return failure(cosine);
+  }
+  const Vector aside = minus(towards, scaled(normal, height));
+  return bounded(fourth(skewness(cell, f, face, aside, ShareOfHeight * height) / FairSkewness)) +
+    bounded(square((1 / square(cosine) - 1) / FairBoundarySlope));
+}
+
+double costOfInnerFace(
+  const Polyhedron& cell, const CellShape& shape, std::size_t face, const NeighbourCell& beyond)
+{
+  const FaceShape& f = shape.faces[face];
+  const Vector normal = unit(f.area);
+  const Vector between = minus(beyond.centre, shape.centre);
+  const Vector towards = minus(f.centre, shape.centre);
+  const Vector away = minus(beyond.centre, f.centre);
+  const double distance = std::max(norm(between), Tiny);
+  const double across = dot(between, normal);
+  const double near = dot(towards, normal);
+  const double far = dot(away, normal);
+  const double own = near / std::max(norm(towards), Tiny);
+  const double others = far / std::max(norm(away), Tiny);
+  const double least = std::min({ across / distance, own, others });
+  if (least < LeastInnerCosine)
+  {
+    return failure(least);
+  }
+  const Vector aside = minus(towards, scaled(between, near / across));
+  const double weight = std::min(near, far) / across;
+  const double ratio =
+    std::min(shape.volume, beyond.volume) / std::max(shape.volume, beyond.volume);
+  return bounded(
+           fourth(skewness(cell, f, face, aside, ShareOfDistance * distance) / FairSkewness)) +
+    bounded(square((square(distance / across) - 1) / FairSlope)) +
+    bounded(fourth(FairWeight / weight)) +
+    bounded(square(FairVolumeRatio / std::max(ratio, Tiny))) +
+    bounded(fourth(FairInnerCosine / std::min(own, others)));
+}
+
+}
+
+double costOfFace(
+  const Polyhedron& cell, const CellShape& shape, std::size_t face, const NeighbourCell& beyond)
+{
+  return cell.isBoundary[face] || beyond.volume <= 0 ? costOfBoundaryFace(cell, shape, face)
+                                                     : costOfInnerFace(cell, shape, face, beyond);
+}
+
+double costOfShare(double share)
+{
+  return share >= LargeShare ? 0 : bounded(square(FairShare / std::max(share, Tiny)));
+}
+
+double costOfFaces(const Polyhedron& cell, const CellShape& shape,
+  const std::vector<NeighbourCell>& beyond, const std::vector<std::uint8_t>& counts, double& worst)
+{
+  double sum = 0;
+  worst = 0;
+  for (std::size_t face = 0; face < cell.faces(); ++face)
+  {
+    if (counts.empty() || counts[face])
+    {
+      const double cost = costOfFace(cell, shape, face, beyond[face]);
+      sum += cost;
+      worst = std::max(worst, cost);
+    }
+  }
+  return sum;
+}
+
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How good a cell is for a finite-volume solver, as one number: what shaping makes smaller.
+//
+// Every term is 1 or less where solvers are at ease and grows steeply beyond, so that the sum is ruled
+// by what is worst: skewness, non-orthogonality, weight and volume ratio of faces as OpenFOAM's
+// checkMesh defines them, the angles of section 3, and the cell's volume by that of its box.
+#pragma once
+
+#include "Polyhedra/CellFaults.h"
+
+namespace cartesian
+{
+
+// Of one face; 1e3 and more where an angle condition of section 3 fails or is about to.
+double costOfFace(
+  const Polyhedron& cell, const CellShape& shape, std::size_t face, const NeighbourCell& beyond);
+
+// Of the cell itself. `share`: its volume as a part of its box's.
+double costOfShare(double share);
+
+// From here on a face or a cell is worth mending.
+constexpr double PoorCost = 3;
+
+// Of all faces for which counts[face] is not 0 (empty: of all); `worst` receives the largest.
+double costOfFaces(const Polyhedron& cell, const CellShape& shape,
+  const std::vector<NeighbourCell>& beyond, const std::vector<std::uint8_t>& counts, double& worst);
+
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Polyhedra/CellCost.h"
+
+#include <gtest/gtest.h>
+
+using namespace cartesian;
+
+namespace
+{
+
+// A box from the origin; its faces: low z, high z, low y, high x, high y, low x.
+Polyhedron boxOf(double x, double y, double z, bool boundary)
+{
+  Polyhedron cell;
+  for (const Vector& p : std::vector<Vector>{ { 0, 0, 0 }, { x, 0, 0 }, { x, y, 0 }, { 0, y, 0 },
+         { 0, 0, z }, { x, 0, z }, { x, y, z }, { 0, y, z } })
+  {
+    cell.nodes.push_back(p);
+  }
+  for (const auto& face : std::vector<std::array<std::uint32_t, 4>>{ { 0, 3, 2, 1 }, { 4, 5, 6, 7 },
+         { 0, 1, 5, 4 }, { 1, 2, 6, 5 }, { 2, 3, 7, 6 }, { 3, 0, 4, 7 } })
+  {
+    for (const std::uint32_t node : face)
+    {
+      cell.addCorner(node);
+    }
+    cell.closeFace(boundary);
+  }
+  return cell;
+}
+
+double costTowards(const Polyhedron& cell, std::size_t face, const NeighbourCell& neighbour)
+{
+  CellShape shape;
+  measure(cell, shape);
+  return costOfFace(cell, shape, face, neighbour);
+}
+
+}
+
+TEST(CellCost, ACubeAmongCubesCostsHardlyAnything)
+{
+  const Polyhedron cell = boxOf(100, 100, 100, false);
+  EXPECT_LT(costTowards(cell, 3, { { 150, 50, 50 }, 1e6 }), 0.05);
+  EXPECT_LT(costTowards(boxOf(100, 100, 100, true), 3, {}), 1e-9);
+}
+
+TEST(CellCost, RisesWithWhatSolversSufferFrom)
+{
+  const Polyhedron cell = boxOf(100, 100, 100, false);
+  const double straight = costTowards(cell, 3, { { 150, 50, 50 }, 1e6 });
+  const double askew = costTowards(cell, 3, { { 150, 120, 50 }, 1e6 });
+  const double near = costTowards(cell, 3, { { 102, 50, 50 }, 1e6 });
+  const double small = costTowards(cell, 3, { { 150, 50, 50 }, 1e3 });
+  EXPECT_GT(askew, straight);
+  EXPECT_GT(near, straight);
+  EXPECT_GT(small, straight);
+}
+
+TEST(CellCost, AFailedAngleOutweighsAllElse)
+{
+  const Polyhedron cell = boxOf(100, 100, 100, false);
+  EXPECT_GE(costTowards(cell, 3, { { 90, 250, 50 }, 1e6 }), 1e3);
+  EXPECT_LE(costOfShare(1e-12), 100);
+  EXPECT_EQ(costOfShare(1), 0);
+}
