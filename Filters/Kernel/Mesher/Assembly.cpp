@@ -154,7 +154,6 @@ public:
       a_.patches = before_;
       makeInnerFaces(a_, execution_);
     }
-    a_.nodes.warped = warpedHexahedra(a_.boxes, a_.sides, a_.nodes, execution_);
   }
 
 private:
@@ -255,8 +254,9 @@ std::unique_ptr<Assembly> assemble(
   {
     execution.stage("Shaping of cells", AfterShortEdges, AfterShaping);
     a.shaping = shapeCells(a.boxes, a.patches, a.sides, a.nodes, a.inner, a.cells,
-      options.smallCells, options.shaping, execution);
+      options.smallCells, options.shaping, options.patches.featureAngle, execution);
   }
+  a.nodes.warped = warpedHexahedra(a.boxes, a.sides, a.nodes, execution);
   execution.stage("Numbering", AfterShaping, AfterNumbering);
   a.mesh = std::make_unique<OutputMesh>(
     MeshParts{ a.boxes, a.patches, a.sides, a.nodes, a.inner, a.cells }, execution);

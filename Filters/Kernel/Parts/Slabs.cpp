@@ -12,6 +12,7 @@ namespace
 // cause no faults themselves.
 constexpr std::uint32_t Acting = 2;
 constexpr std::uint32_t Free = 3;
+constexpr std::uint32_t Moving = 2; // in the second stage; most nodes there have moved in the first
 constexpr std::uint32_t Seen = 4;
 constexpr std::uint32_t Fixed = 1;
 
@@ -41,7 +42,8 @@ Layers shrunk(Layers layers, std::uint32_t by, std::uint32_t all)
 Slab firstSlab(std::uint32_t i, std::uint32_t all)
 {
   const Layers layers{ i * SlabThickness, std::min((i + 1) * SlabThickness, all) };
-  return { layers, shrunk(layers, Fixed, all), shrunk(layers, Acting, all) };
+  const Layers free = shrunk(layers, Fixed, all);
+  return { layers, free, shrunk(layers, Acting, all), free };
 }
 
 // The slab of the second stage across the lower border of the i-th one.
@@ -51,7 +53,7 @@ Slab secondSlab(std::uint32_t i, std::uint32_t all)
   const auto around = [&](std::uint32_t by) {
     return Layers{ border - by, std::min(border + by, all) };
   };
-  return { around(Seen), around(Free), around(Free) };
+  return { around(Seen), around(Free), around(Free), around(Moving) };
 }
 
 }

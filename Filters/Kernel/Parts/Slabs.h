@@ -38,6 +38,7 @@ struct Slab
   Layers layers; // that it sees
   Layers free;   // whose cells may change
   Layers acting; // whose cells are checked for faults
+  Layers moving; // within which nodes may move
 };
 
 // The slabs of each stage on which the shaped cells of these layers depend.

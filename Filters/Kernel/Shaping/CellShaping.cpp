@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/CellShaping.h"
 
+#include "Optimisation/NodeOptimisation.h"
 #include "Shaping/CellCarving.h"
 #include "Shaping/CellMerging.h"
 #include "Shaping/CellSplitting.h"
@@ -175,7 +176,7 @@ private:
 
   // Cells below this part of their box are a wall next to a meshline: merged, they would stick out of
   // their neighbour.
-  static constexpr double Sliver = 1e-4;
+  static constexpr double Sliver = 1e-9;
 
   static constexpr std::array<double, 4> LargestShares{ 0.025, 0.25, 1, 1 };
 
@@ -191,6 +192,18 @@ private:
   MergeSpec mergeSpec_;
   Shaping shaping_;
 };
+
+void optimise(
+  CellsToShape& whole, const std::vector<Slab>& slabs, double featureAngle, Execution& execution)
+{
+  const WallParts parts(
+    whole.boxes, whole.patches, whole.sides, whole.nodes, whole.inner, whole.cells, whole.sideOf);
+  for (const std::uint32_t cell :
+    optimiseNodes(parts, slabs, featureAngle, whole.nodes, whole.cells, execution))
+  {
+    whole.known.atFault[cell] = IsAtFault::Unknown;
+  }
+}
 
 }
 
@@ -211,7 +224,7 @@ bool shapesCells(const SmallCellSpec& small, const ShapingSpec& spec)
 
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
   const InnerFaces& inner, Cells& cells, const SmallCellSpec& small, const ShapingSpec& spec,
-  Execution& execution)
+  double featureAngle, Execution& execution)
 {
   const bool exact = isExact(patches);
   const std::uint32_t all = boxes.allLayers().end;
@@ -241,6 +254,11 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
       sum += shaping;
     }
     writeBack(whole, complexes, execution);
+    complexes.clear();
+    if (spec.optimiseNodes && !exact)
+    {
+            optimise(whole, slabs, featureAngle, execution);
+    }
   }
   return sum;
 }

@@ -27,6 +27,6 @@ bool shapesCells(const SmallCellSpec& small, const ShapingSpec& spec);
 
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
   const InnerFaces& inner, Cells& cells, const SmallCellSpec& small, const ShapingSpec& spec,
-  Execution& execution);
+  double featureAngle, Execution& execution);
 
 }

@@ -18,6 +18,9 @@ struct ShapingSpec
   // Boundary faces of merged cells become one where their normals differ by less, in degrees.
   double joinAngle = 15;
 
+  // Whether nodes at the wall move to where solvers are at ease (NodeOptimisation.h); not with Exact Fit.
+  bool optimiseNodes = true;
+
   bool splitConcave = true; // cells that fail an angle condition of section 3
 
   // Where cells are split: what solvers refuse and nothing mends is removed, up to as many volumes of

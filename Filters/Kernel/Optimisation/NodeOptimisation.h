@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Nodes along the wall move until solvers are at ease with the faces around them.
+//
+// What cutting and merging leave is correct but irregular: centres of faces lie aside of the line between the
+// cells' centres, weights are small. An energy (FaceEnergy.h) sums this up. In each of a fixed number of rounds all
+// nodes of wall cells take a step against its gradient at the same time, and take back what did not help them; in the
+// end, what made a face worse than it was is taken back. So the result is the same for any number of threads and parts
+// of a mesh. Like the smoothing of other meshers, but with one objective, and never along anything but the surface.
+#pragma once
+
+#include "Optimisation/WallMesh.h"
+
+namespace cartesian
+{
+
+// Moves nodes in the free layers of each slab; gives the cells around them their new volumes. The slabs must not touch.
+// Returns the cells of polyhedral boxes that changed. `featureAngle` in degrees: edges of the boundary that turn by more
+// stay.
+std::vector<std::uint32_t> optimiseNodes(const WallParts& parts, const std::vector<Slab>& slabs,
+  double featureAngle, Nodes& nodes, Cells& cells, Execution& execution);
+
+}

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Optimisation/NodePaths.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// How far nodes may leave the surface, and its edges, as parts of the box's edge.
+constexpr double MostFromSurface = 0.01;
+constexpr double MostFromEdge = 0.004;
+
+// An edge of the surface that turns by more at a node has a corner there: cosine of 15 degrees.
+constexpr double LeastCosineOfLine = 0.966;
+
+}
+
+NodePaths::NodePaths(const WallMesh& mesh, double leastCosine)
+  : paths_(mesh.at.size())
+  , start_(mesh.at.size() + 1)
+  , legsOf_(mesh.at.size(), None)
+{
+  const auto forEachUse = [&](auto&& visit) {
+    for (std::size_t f = 0; f < mesh.faces(); ++f)
+    {
+      for (std::uint32_t i = mesh.start[f]; mesh.cells[f][1] == None && i < mesh.start[f + 1]; ++i)
+      {
+        if (mesh.mayMove[mesh.corners[i]])
+        {
+          visit(f, i);
+        }
+      }
+    }
+  };
+  forEachUse([&](std::size_t, std::uint32_t i) { ++start_[mesh.corners[i] + 1]; });
+  for (std::size_t n = 0; n < mesh.at.size(); ++n)
+  {
+    start_[n + 1] += start_[n];
+  }
+  uses_.resize(start_.back());
+  std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
+  forEachUse([&](std::size_t f, std::uint32_t i) {
+    const std::uint32_t begin = mesh.start[f];
+    const std::uint32_t end = mesh.start[f + 1];
+    const FaceGeometry face = measureFace(
+      end - begin, [&](std::size_t k) -> const Vector& { return mesh.at[mesh.corners[begin + k]]; });
+    uses_[next[mesh.corners[i]]++] = { mesh.corners[i > begin ? i - 1 : end - 1],
+      mesh.corners[i + 1 < end ? i + 1 : begin], unit(face.area), mesh.boundary[f] };
+  });
+  for (std::uint32_t node = 0; node < mesh.at.size(); ++node)
+  {
+    if (mesh.mayMove[node])
+    {
+      paths_[node] = pathOf(mesh, node, leastCosine);
+    }
+  }
+}
+
+NodePath NodePaths::pathOf(const WallMesh& mesh, std::uint32_t node, double leastCosine)
+{
+  const auto begin = uses_.begin() + std::ptrdiff_t(start_[node]);
+  const auto end = uses_.begin() + std::ptrdiff_t(start_[node + 1]);
+  if (begin == end)
+  {
+    return { NodePath::Kind::Free, {} };
+  }
+  // Edges of faces at the node: between two faces each where the surface is closed and simple.
+  std::vector<std::uint32_t> sharp;
+  Vector mean{};
+  bool smooth = true;
+  for (auto use = begin; use != end; ++use)
+  {
+    mean = plus(mean, use->normal);
+    const auto next =
+      std::find_if(begin, end, [&](const Use& other) { return other.before == use->after; });
+    if (next == end)
+    {
+      return {};
+    }
+    if (next->boundary != use->boundary || dot(next->normal, use->normal) < leastCosine)
+    {
+      sharp.push_back(use->after);
+    }
+    smooth = smooth &&
+      std::all_of(begin, use, [&](const Use& o) { return dot(o.normal, use->normal) >= leastCosine; });
+  }
+  if (sharp.empty() && smooth)
+  {
+    return { NodePath::Kind::Plane, unit(mean) };
+  }
+  if (sharp.size() != 2)
+  {
+    return {};
+  }
+  const Vector ahead = unit(minus(mesh.at[sharp[0]], mesh.at[node]));
+  const Vector back = unit(minus(mesh.at[sharp[1]], mesh.at[node]));
+  if (dot(ahead, back) > -LeastCosineOfLine)
+  {
+    return {};
+  }
+  legsOf_[node] = static_cast<std::uint32_t>(legs_.size());
+  legs_.push_back({ ahead, back });
+  return { NodePath::Kind::Line, unit(minus(ahead, back)) };
+}
+
+bool NodePaths::allows(
+  std::size_t node, const Vector& from, const Vector& to, double edge) const
+{
+  const Vector way = minus(to, from);
+  if (paths_[node].kind == NodePath::Kind::Line)
+  {
+    const auto& legs = legs_[legsOf_[node]];
+    const Vector& leg = dot(way, legs[0]) > 0 ? legs[0] : legs[1];
+    return norm(cross(way, leg)) <= MostFromEdge * edge;
+  }
+  for (std::uint32_t u = start_[node]; u < start_[node + 1]; ++u)
+  {
+    if (std::abs(dot(way, uses_[u].normal)) > MostFromSurface * edge)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+}
