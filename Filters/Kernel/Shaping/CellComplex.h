@@ -270,6 +270,7 @@ private:
   std::uint32_t renamed(std::uint32_t face) const;
   const CellShape& measured(CellKey key) const; // until the next
   NeighbourCell measuredPlace(CellKey key) const;
+  void remeasure(std::vector<CellKey>& keys);
   NeighbourCell placeAndVolume(CellKey key, const Point& origin) const;
   void insertNode(CellKey cell, std::uint32_t u, std::uint32_t v, std::uint32_t node);
 
