@@ -52,6 +52,10 @@ public:
   // the largest first.
   std::vector<std::pair<CellKey, double>> neighbours(CellKey key) const;
 
+  // Whether is(other) for a cell beyond one of its faces.
+  template <class Is>
+  bool anyBeyond(CellKey key, Is&& is) const;
+
   // The acting cells that are alive and free, but for untouched hexahedra, in order.
   std::vector<CellKey> polyhedra() const;
 
@@ -326,6 +330,17 @@ void CellComplex::forEachFace(CellKey key, Visitor&& visit) const
   {
     visit(useOf(cells_.faces[f]));
   }
+}
+
+template <class Is>
+bool CellComplex::anyBeyond(CellKey key, Is&& is) const
+{
+  bool any = false;
+  forEachFace(key, [&](const FaceUse& use) {
+    const CellKey other = any ? None : across(use);
+    any = any || (other != None && is(other));
+  });
+  return any;
 }
 
 inline CellComplex::FaceNodes CellComplex::nodesOf(std::uint32_t face) const

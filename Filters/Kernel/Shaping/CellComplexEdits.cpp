@@ -572,10 +572,15 @@ bool CellComplex::hasFaceNear(CellKey key, std::vector<std::uint32_t> nodes) con
   for (std::size_t i = 1; i < near.size() && !found; ++i)
   {
     forEachFace(near[i], [&](const FaceUse& use) {
-      face.clear();
-      forEachNodeOf(use, [&](std::uint32_t node) { face.push_back(node); });
+      const FaceNodes of = nodesOf(use.face);
+      if (found || of.size != nodes.size() ||
+        !std::binary_search(nodes.begin(), nodes.end(), *of.first))
+      {
+        return;
+      }
+      face.assign(of.first, of.first + of.size);
       std::sort(face.begin(), face.end());
-      found = found || face == nodes;
+      found = face == nodes;
     });
   }
   return found;
