@@ -346,7 +346,7 @@ void vtkCartesianBoxer::Inspect(const cartesian::PreparedSurface& prepared,
   execution.stage("Defects of the surface", cartesian::AfterSurface, cartesian::AfterDefects);
   const cartesian::SurfaceDefects found = cartesian::findDefects(
     prepared.surface, prepared.trianglesGiven, prepared.repair, prepared.planes, execution);
-  cartesian::toVTK(found, surface.cells(), defects);
+  cartesian::toVTK(found, cartesian::cellsOf(prepared.surface, surface.cells()), defects);
   this->Warn(cartesian::describe(found));
 }
 

@@ -91,9 +91,8 @@ int vtkPatcher::RequestData(
     {
       throwMisplaced();
     }
-    std::vector<vtkIdType> cells = source.cells();
-    cells.resize(surface.triangles.size(), -1);
-    cartesian::toVTK(patches, boxes, cells, vtkPolyData::GetData(output));
+    cartesian::toVTK(
+      patches, boxes, cartesian::cellsOf(surface, source.cells()), vtkPolyData::GetData(output));
     cartesian::setBoundaryNames(vtkDataObject::GetData(output), source.names());
     cartesian::setField(
       vtkDataObject::GetData(output), cartesian::FeatureAngleField, { this->FeatureAngle });

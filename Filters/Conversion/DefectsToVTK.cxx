@@ -81,8 +81,11 @@ private:
           cells->InsertCellPoint(point + i);
         }
         kind_->InsertNextValue(static_cast<int>(defect.kind));
-        cell_->InsertNextValue(cellOf(defect.triangle));
-        other_->InsertNextValue(cellOf(defect.other));
+        const vtkIdType cell = cellOf(defect.triangle);
+        const vtkIdType other = cellOf(defect.other);
+        const bool swaps = other >= 0 && other < cell; // of a pair the lower comes first
+        cell_->InsertNextValue(swaps ? other : cell);
+        other_->InsertNextValue(swaps ? cell : other);
       }
       point += defect.size;
     }

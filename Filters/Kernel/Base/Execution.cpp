@@ -105,28 +105,42 @@ void Execution::advance(double fractionOfLoop)
   reported_ = std::max(reported_, std::min(fraction, 1.0));
 }
 
+// What runs alone has read the clock before it asks: to count its calls again would make silences eight times
+// as long.
 Execution Execution::alone()
 {
   return Execution(1, [this](double, const char*) {
-    poll();
+    if (!isHelper())
+    {
+      askIfTime(true);
+    }
     return true;
   });
 }
 
 void Execution::poll()
 {
-  if (std::this_thread::get_id() != owner_)
+  if (!isHelper())
   {
-    if (stopped_)
-    {
-      throw Stopped();
-    }
-    return;
+    askIfTime(++polls_ % PollsPerClockReading == 0);
   }
-  const bool isTime = monitor_ &&
-    (reported_ >= reportedThen_ + LeastProgress ||
-      (++polls_ % PollsPerClockReading == 0 && now() > asked_ + LongestSilence));
-  if (isTime)
+}
+
+// Whether this thread helps the calling one; throws where that has noticed that the user wants to stop.
+bool Execution::isHelper() const
+{
+  const bool helper = std::this_thread::get_id() != owner_;
+  if (helper && stopped_)
+  {
+    throw Stopped();
+  }
+  return helper;
+}
+
+void Execution::askIfTime(bool readsClock)
+{
+  if (monitor_ &&
+    (reported_ >= reportedThen_ + LeastProgress || (readsClock && now() > asked_ + LongestSilence)))
   {
     ask();
   }

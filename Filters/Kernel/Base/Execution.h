@@ -75,6 +75,8 @@ private:
   };
 
   double workUpTo(double whole) const;
+  bool isHelper() const;
+  void askIfTime(bool readsClock);
   void advance(double fractionOfLoop);
   void ask();
 

@@ -94,7 +94,7 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
     text += std::string("\n  ") + place.what + " edge from " +
       positionOf(prepared.surface, place.edge[0]) + " to " +
       positionOf(prepared.surface, place.edge[1]) + " of cell " +
-      std::to_string(cells[place.triangle]);
+      std::to_string(cells[prepared.surface.given[place.triangle]]);
   }
   if (!repair.duplicates.empty())
   {

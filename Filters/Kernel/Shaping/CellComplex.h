@@ -52,6 +52,10 @@ public:
   // the largest first.
   std::vector<std::pair<CellKey, double>> neighbours(CellKey key) const;
 
+  // Whether is(other) for a cell beyond one of its faces.
+  template <class Is>
+  bool anyBeyond(CellKey key, Is&& is) const;
+
   // The acting cells that are alive and free, but for untouched hexahedra, in order.
   std::vector<CellKey> polyhedra() const;
 
@@ -270,6 +274,7 @@ private:
   std::uint32_t renamed(std::uint32_t face) const;
   const CellShape& measured(CellKey key) const; // until the next
   NeighbourCell measuredPlace(CellKey key) const;
+  void remeasure(std::vector<CellKey>& keys);
   NeighbourCell placeAndVolume(CellKey key, const Point& origin) const;
   void insertNode(CellKey cell, std::uint32_t u, std::uint32_t v, std::uint32_t node);
 
@@ -325,6 +330,17 @@ void CellComplex::forEachFace(CellKey key, Visitor&& visit) const
   {
     visit(useOf(cells_.faces[f]));
   }
+}
+
+template <class Is>
+bool CellComplex::anyBeyond(CellKey key, Is&& is) const
+{
+  bool any = false;
+  forEachFace(key, [&](const FaceUse& use) {
+    const CellKey other = any ? None : across(use);
+    any = any || (other != None && is(other));
+  });
+  return any;
 }
 
 inline CellComplex::FaceNodes CellComplex::nodesOf(std::uint32_t face) const

@@ -324,6 +324,7 @@ void CellComplex::cut(
 {
   changed_ = true;
   std::vector<std::uint32_t> nodes = view.nodes;
+  std::vector<CellKey> touched;
   for (const CellCut::NewNode& point : cut.points)
   {
     nodes.push_back(addNode(placeOfPoint(key, point)));
@@ -332,6 +333,7 @@ void CellComplex::cut(
     for (const CellKey around : cellsAround(key, u, v))
     {
       insertNode(around, u, v, nodes.back());
+      touched.push_back(around);
     }
   }
   std::vector<FaceUse> faces = view.faces;
@@ -382,6 +384,7 @@ void CellComplex::cut(
     FaceUse use = faces[face.source];
     if (pieces[face.source] > 1)
     {
+      touched.push_back(view.across[face.source]);
       if (use.turned)
       {
         std::reverse(piece.nodes.begin(), piece.nodes.end());
@@ -394,9 +397,24 @@ void CellComplex::cut(
   for (const CellKey k : keys)
   {
     opened(k)->change(now_);
-    opened(k)->place = measuredPlace(k);
   }
   parts.insert(parts.end(), keys.begin(), keys.end());
+  touched.insert(touched.end(), keys.begin(), keys.end());
+  remeasure(touched);
+}
+
+// What changes a face that is not flat moves volume from one of its cells to the other.
+void CellComplex::remeasure(std::vector<CellKey>& keys)
+{
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  for (const CellKey key : keys)
+  {
+    if (OpenCell* cell = key == None ? nullptr : opened(key))
+    {
+      cell->place = measuredPlace(key);
+    }
+  }
 }
 
 FaceUse CellComplex::addShaped(Shaped face)
@@ -554,10 +572,15 @@ bool CellComplex::hasFaceNear(CellKey key, std::vector<std::uint32_t> nodes) con
   for (std::size_t i = 1; i < near.size() && !found; ++i)
   {
     forEachFace(near[i], [&](const FaceUse& use) {
-      face.clear();
-      forEachNodeOf(use, [&](std::uint32_t node) { face.push_back(node); });
+      const FaceNodes of = nodesOf(use.face);
+      if (found || of.size != nodes.size() ||
+        !std::binary_search(nodes.begin(), nodes.end(), *of.first))
+      {
+        return;
+      }
+      face.assign(of.first, of.first + of.size);
       std::sort(face.begin(), face.end());
-      found = found || face == nodes;
+      found = face == nodes;
     });
   }
   return found;
@@ -666,6 +689,7 @@ void CellComplex::removeFace(CellKey key, std::uint32_t face)
 
 void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joined)
 {
+  std::vector<CellKey> touched;
   for (const JoinedFaces::Group& group : joined.groups)
   {
     if (group.members.size() < 2)
@@ -674,6 +698,7 @@ void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joi
     }
     changed_ = true;
     const std::uint32_t first = group.members.front();
+    touched.push_back(view.across[first]);
     const FaceUse use = view.faces[first];
     std::vector<std::uint32_t> nodes;
     for (const std::uint32_t node : group.ring)
@@ -697,10 +722,8 @@ void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joi
       }
     }
   }
-  if (opened(key))
-  {
-    opened(key)->place = measuredPlace(key);
-  }
+  touched.push_back(key);
+  remeasure(touched);
 }
 
 }

@@ -107,12 +107,11 @@ public:
     for (const CellKey key : cells_.polyhedra())
     {
       execution_.poll();
-      if (cells_.share(key) < LargestOfGroup)
+      if (cells_.share(key) < LargestOfGroup && (isSmall(key) || mayBeOfFineBox(key)))
       {
         const auto neighbours = cells_.neighbours(key);
         const CellKey into = neighbours.empty() ? None : neighbours.front().first;
-        if (into != None && !isSmall(into) &&
-          (isSmall(key) || cells_.volume(key) < LeastVolumeRatio * cells_.volume(into)))
+        if (into != None && !isSmall(into) && (isSmall(key) || isFineNextTo(key, into)))
         {
           byLargest[into].push_back(key);
         }
@@ -227,6 +226,17 @@ private:
     measure(joined, shape_);
     const double faces = costOfFaces(joined, shape_, beyond, {}, both.worst);
     return faces + costOfShare(shape_.volume / cells_.volumeOfBox(into));
+  }
+
+  bool isFineNextTo(CellKey key, CellKey other) const
+  {
+    return cells_.volume(key) < LeastVolumeRatio * cells_.volume(other);
+  }
+
+  // Before its neighbours are measured.
+  bool mayBeOfFineBox(CellKey key) const
+  {
+    return cells_.anyBeyond(key, [&](CellKey other) { return isFineNextTo(key, other); });
   }
 
   bool isSmall(CellKey key) const { return cells_.share(key) < spec_.ratio; }

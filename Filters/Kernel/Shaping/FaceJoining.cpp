@@ -108,6 +108,11 @@ public:
     , shape_(shape)
     , spec_(spec)
   {
+    normals_.reserve(shape.faces.size());
+    for (const FaceShape& face : shape.faces)
+    {
+      normals_.push_back(unit(face.area));
+    }
   }
 
   // A boundary face with each of its neighbours in turn, whatever the angle.
@@ -235,14 +240,12 @@ private:
     {
       return false;
     }
-    const Vector& area = shape_.faces[f].area;
-    const Vector& others = shape_.faces[g].area;
     const bool flat = leastCosine(f) >= 1;
-    if (dot(unit(area), unit(others)) < std::min(leastCosine(f), NearlyFlat))
+    if (dot(normals_[f], normals_[g]) < std::min(leastCosine(f), NearlyFlat))
     {
       return false;
     }
-    const Vector normal = unit(plus(area, others));
+    const Vector normal = unit(plus(shape_.faces[f].area, shape_.faces[g].area));
     return !flat || (isNearPlane(f, normal) && isNearPlane(g, normal));
   }
 
@@ -319,6 +322,7 @@ private:
   const CellView& view_;
   const CellShape& shape_;
   JoinSpec spec_;
+  std::vector<Vector> normals_; // of faces
   JoinedFaces joined_;
   std::vector<std::uint32_t> groupOf_;                         // of faces
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_; // of neighbouring faces

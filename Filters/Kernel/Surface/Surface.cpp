@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace cartesian
 {
@@ -79,6 +80,60 @@ std::vector<std::uint32_t> mergePoints(const std::vector<Point>& points, Surface
   return vertex;
 }
 
+// A triangle of the view by its vertices in order, then by direction and boundary: those that are equal
+// in all that are interchangeable.
+struct OrderedTriangle
+{
+  std::array<std::uint32_t, 3> sorted;
+  std::array<std::uint32_t, 3> vertices; // the lowest first
+  std::int32_t boundary;
+  std::uint32_t given;
+
+  bool operator<(const OrderedTriangle& other) const
+  {
+    return std::tie(sorted, vertices, boundary) <
+      std::tie(other.sorted, other.vertices, other.boundary);
+  }
+};
+
+OrderedTriangle orderedTriangle(
+  const SurfaceView& view, std::size_t triangle, const std::vector<std::uint32_t>& vertex)
+{
+  OrderedTriangle t{};
+  for (std::size_t corner = 0; corner < 3; ++corner)
+  {
+    t.vertices[corner] = vertex[view.triangles[3 * triangle + corner]];
+  }
+  const auto [p, q, r] = t.vertices;
+  t.vertices = std::min({ t.vertices, { q, r, p }, { r, p, q } }); // also where it names one twice
+  t.sorted = t.vertices;
+  std::sort(t.sorted.begin(), t.sorted.end());
+  t.boundary = view.boundary ? view.boundary[triangle] : 0;
+  t.given = static_cast<std::uint32_t>(triangle);
+  return t;
+}
+
+void addTriangles(
+  const SurfaceView& view, const std::vector<std::uint32_t>& vertex, Surface& surface)
+{
+  std::vector<OrderedTriangle> order;
+  order.reserve(view.triangleCount);
+  for (std::size_t t = 0; t < view.triangleCount; ++t)
+  {
+    order.push_back(orderedTriangle(view, t, vertex));
+  }
+  std::sort(order.begin(), order.end());
+  surface.triangles.reserve(order.size());
+  surface.boundary.reserve(order.size());
+  surface.given.reserve(order.size());
+  for (const OrderedTriangle& t : order)
+  {
+    surface.triangles.push_back(t.vertices);
+    surface.boundary.push_back(t.boundary);
+    surface.given.push_back(t.given);
+  }
+}
+
 }
 
 Bounds boundsOf(const SurfaceView& view)
@@ -129,19 +184,7 @@ Surface onLattice(const SurfaceView& view, const Lattice& lattice, Execution& ex
   Surface surface;
   surface.lattice = lattice;
   const std::vector<std::uint32_t> vertex = mergePoints(points, surface);
-  surface.triangles.resize(view.triangleCount);
-  surface.boundary.assign(view.triangleCount, 0);
-  for (std::size_t t = 0; t < view.triangleCount; ++t)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      surface.triangles[t][corner] = vertex[view.triangles[3 * t + corner]];
-    }
-  }
-  if (view.boundary)
-  {
-    std::copy_n(view.boundary, view.triangleCount, surface.boundary.begin());
-  }
+  addTriangles(view, vertex, surface);
   return surface;
 }
 

@@ -37,6 +37,8 @@ struct Surface
   std::vector<std::array<std::uint32_t, 3>>
     triangles;                        // oriented either way until orient() (Orientation.h)
   std::vector<std::int32_t> boundary; // of each triangle
+  std::vector<std::uint32_t>
+    given; // of each triangle, its number in the view; none: it closes a hole
   std::vector<std::uint8_t>
     byParity; // of each triangle; 1: no consistent orientation (Winding.h); empty: all 0
 
@@ -55,8 +57,22 @@ struct Surface
   }
 };
 
-// Places a surface on the lattice. Points that share all three levels become one vertex.
+// Places a surface on the lattice. Points that share all three levels become one vertex. Vertices are
+// in order of their places, each triangle starts from its lowest vertex, and triangles are in order of their
+// vertices: nothing later depends on the order in which the view lists them, down to the rounding of sums.
 Surface onLattice(const SurfaceView& view, const Lattice& lattice, Execution& execution);
+
+// The user's number of each triangle, or -1: it closes a hole. `cells`: of the view's triangles.
+template <class Id>
+std::vector<Id> cellsOf(const Surface& surface, const std::vector<Id>& cells)
+{
+  std::vector<Id> result(surface.triangles.size(), -1);
+  for (std::size_t t = 0; t < surface.given.size(); ++t)
+  {
+    result[t] = cells[surface.given[t]];
+  }
+  return result;
+}
 
 // In square and cubic user units.
 double areaOf(const Surface& surface);

@@ -169,6 +169,26 @@ TEST(Execution, LoopsOfOthersStopToo)
     while (std::chrono::steady_clock::now() < end) { execution.poll(); }, Stopped);
 }
 
+// Work that runs alone inside a loop is no longer silent than other work.
+TEST(Execution, LoopsOfOthersReportAsOften)
+{
+  std::vector<std::chrono::steady_clock::time_point> times;
+  Execution execution(1, [&](double, const char*) {
+    times.push_back(std::chrono::steady_clock::now());
+    return true;
+  });
+  execution.stage("Stage", 0, 1);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(600);
+  execution.forEach(1, 1, [&](std::size_t, std::size_t) {
+    Execution alone = execution.alone();
+    while (std::chrono::steady_clock::now() < end)
+    {
+      alone.poll();
+    }
+  });
+  EXPECT_GE(times.size(), 5U); // 10 and more on an idle machine
+}
+
 TEST(Execution, StopsAtOnce)
 {
   for (const int threads : { 1, 4 })

@@ -105,34 +105,3 @@ TEST(Symmetry, AxesMayBePermuted)
     }
   }
 }
-
-// Neither the order of triangles, nor that of points, nor the corner that a triangle starts from.
-TEST(Symmetry, OrderOfTheInputDoesNotMatter)
-{
-  const Soup soup = bumpySphere(9, 6);
-  Soup shuffled = soup;
-  std::mt19937 random(1);
-  std::vector<std::uint32_t> order(soup.points.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i)
-  {
-    order[i] = i;
-  }
-  std::shuffle(order.begin(), order.end(), random);
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    shuffled.points[order[i]] = soup.points[i];
-  }
-  for (auto& triangle : shuffled.triangles)
-  {
-    for (std::uint32_t& p : triangle)
-    {
-      p = order[p];
-    }
-    std::rotate(triangle.begin(), triangle.begin() + random() % 3, triangle.end());
-  }
-  const MeshArrays mesh = meshOf(soup, cellsOf(0.3)).mesh;
-  const MeshArrays other = meshOf(shuffled, cellsOf(0.3)).mesh;
-  EXPECT_EQ(mesh.points, other.points);
-  EXPECT_EQ(mesh.connectivity, other.connectivity);
-  EXPECT_EQ(mesh.volumeFraction.size(), other.volumeFraction.size());
-}

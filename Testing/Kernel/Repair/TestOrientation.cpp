@@ -62,14 +62,17 @@ TEST_P(Oriented, AlreadyStaysAsItIs)
   const Surface surface = surfaceOf(soup);
   for (std::size_t t = 0; t < soup.triangles.size(); ++t)
   {
+    Corners given;
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
       for (int axis = 0; axis < 3; ++axis)
       {
-        ASSERT_EQ(surface.corners(t)[corner][axis],
-          surface.lattice.vertex(axis, soup.points[soup.triangles[t][corner]][axis]));
+        given[corner][axis] =
+          surface.lattice.vertex(axis, soup.points[soup.triangles[surface.given[t]][corner]][axis]);
       }
     }
+    std::rotate(given.begin(), std::min_element(given.begin(), given.end()), given.end());
+    ASSERT_EQ(surface.corners(t), given);
   }
 }
 
