@@ -287,37 +287,43 @@ private:
   // Appends what a pass makes of a box, without parts that are outside; true if it was halved.
   bool balance(std::size_t g, const LocalBox& box, int level, std::vector<LocalBox>& parts) const
   {
-    const std::uint8_t axis = axisToHalve(boxes_, packed(g, box), level);
-    if (axis == NoAxis)
+    const unsigned axes = axesToHalve(boxes_, packed(g, box), level);
+    if (axes == 0)
     {
       parts.push_back(box);
       return false;
     }
-    for (const bool upper : { false, true })
+    for (unsigned upper = 0; upper < 8; ++upper)
     {
-      const LocalBox half = halfOf(g, box, axis, upper);
-      if (half.status != BoxStatus::Outside)
+      if ((upper & ~axes) != 0)
       {
-        balance(g, half, level, parts);
+        continue; // not halved along one of these axes
+      }
+      const LocalBox part = partOf(g, box, axes, upper);
+      if (part.status != BoxStatus::Outside)
+      {
+        balance(g, part, level, parts);
       }
     }
     return true;
   }
 
-  LocalBox halfOf(std::size_t g, const LocalBox& whole, std::uint8_t axis, bool upper) const
+  // The part of a box that is halved along these axes on the upper sides of some of them.
+  LocalBox partOf(std::size_t g, const LocalBox& whole, unsigned axes, unsigned upper) const
   {
-    LocalBox half = whole;
-    ++half.level[axis];
-    if (upper)
+    LocalBox part = whole;
+    for (unsigned axis = 0; axis < 3; ++axis)
     {
-      half.offset[axis] =
-        static_cast<std::uint8_t>(half.offset[axis] + (FinePerBox >> half.level[axis]));
+      if ((axes >> axis & 1) != 0)
+      {
+        part = halfOf(part, axis, (upper >> axis & 1) != 0);
+      }
     }
     if (whole.status == BoxStatus::Intersected)
     {
-      findStatus(g, half);
+      findStatus(g, part);
     }
-    return half;
+    return part;
   }
 
   void findStatus(std::size_t g, LocalBox& part) const
