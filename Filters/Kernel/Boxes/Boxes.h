@@ -53,8 +53,8 @@ template <class BoxInGlobal>
 BoxInGlobal halfOf(BoxInGlobal box, unsigned axis, bool upper)
 {
   ++box.level[axis];
-  box.offset[axis] = static_cast<std::uint8_t>(
-    box.offset[axis] + (upper ? FinePerBox >> box.level[axis] : 0));
+  box.offset[axis] =
+    static_cast<std::uint8_t>(box.offset[axis] + (upper ? FinePerBox >> box.level[axis] : 0));
   return box;
 }
 
