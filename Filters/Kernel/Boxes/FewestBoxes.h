@@ -3,12 +3,13 @@
 // splits.
 //
 // The search considers all dyadic boxes: each has a level and a position along each axis. Its cost
-// is 0 if all its units are outside; 1 if all are inside and its levels are at least the forced
-// depth of each; 1 if some are intersected and its levels are at least the allowed depth too, or if
-// it is a unit; else that of its cheapest split into two halves along x, y or z. There are (2^(depth + 1) - 1)^3 such boxes, each evaluated once with three additions: 27,
-// 343, 3375, 29,791, 250,047 and 2,048,383 for depths 1 to 6. The search is exact among the covers
-// that repeated splitting can make; it does not find those that no plane splits (five boxes that
-// wind around a corner). Of equally cheap splits, the one along the lowest axis is taken.
+// is 0 if all its units are outside; 1 if its levels are at least the forced depth of all its units
+// and these are all inside, or some intersected and its levels at least the allowed depth too; else
+// that of its cheapest split into two halves along x, y or z. There are (2^(depth + 1) - 1)^3 such
+// boxes, each evaluated once with three additions: 27, 343, 3375, 29,791, 250,047 and 2,048,383 for
+// depths 1 to 6. The search is exact among the covers that repeated splitting can make; it does not
+// find those that no plane splits (five boxes that wind around a corner). Of equally cheap splits,
+// the one along the lowest axis is taken.
 #pragma once
 
 #include "Boxes/Boxes.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A region of refinement (4.6 has none): which boxes a closed surface touches.
+// A region of refinement: which boxes a closed surface touches. (The paper has blocks of global boxes
+// only.)
 #pragma once
 
 #include "Boxes/GlobalBoxSet.h"

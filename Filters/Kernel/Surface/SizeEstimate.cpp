@@ -11,8 +11,8 @@ namespace
 {
 
 // How many larger boxes there are per finest box at the surface, by depth: measured on five
-// surfaces for depths 1 to 3; the last value is for all greater depths.
-constexpr std::array<double, 5> LargerBoxes = { 0, 0.15, 0.25, 0.35, 0.4 };
+// surfaces for depths 1 to 5; the last value is for all greater depths.
+constexpr std::array<double, 5> LargerBoxes = { 0, 0.15, 0.35, 0.45, 0.5 };
 
 }
 

@@ -124,7 +124,8 @@ TEST(Refinement, RandomSpecificationsHold)
     const GridSpec grid = cellsAlongLongest(soup, 4.5);
     const PreparedSurface prepared = prepare(soup, grid);
     options.refinement = randomSpec(random, prepared.planes, boundaries);
-    const Soup region = box({ 0, 0, 0 }, { 0.4, 0.3, 0.5 }).turned().moved(soup.points[n]);
+    const Soup region =
+      box({ 0, 0, 0 }, { 0.4, 0.3, 0.5 }).turned().moved(soup.points[n % soup.points.size()]);
     options.refinement.regions.push_back({ region.view(), static_cast<int>(n % 4) });
     const Meshed meshed = meshPrepared(prepared, options);
     SCOPED_TRACE("case " + std::to_string(n));
