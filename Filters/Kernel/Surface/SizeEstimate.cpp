@@ -33,7 +33,8 @@ SurfaceSize sizeOf(const SurfaceView& view)
     {
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        p[corner][axis] = view.points[3 * view.triangles[3 * t + corner] + axis] - bounds.low[axis];
+        p[corner][axis] =
+          view.points[std::size_t(3) * view.triangles[3 * t + corner] + axis] - bounds.low[axis];
       }
     }
     for (std::size_t x = 0; x < 3; ++x)
