@@ -34,32 +34,54 @@ void forEachAcross(const Boxes& boxes, const PackedBox& box, int axis, bool uppe
   }
 }
 
-}
-
-std::uint8_t axisToHalve(const Boxes& boxes, const PackedBox& box, int level)
+// The axes along which a neighbour is finer than `level` and the box coarser.
+unsigned axesAlongWhichTooCoarse(const Boxes& boxes, const PackedBox& box, int level)
 {
-  std::uint8_t result = NoAxis;
-  if (boxes.globalOf(box).nearDepth <= level ||
-    std::min({ box.level[0], box.level[1], box.level[2] }) >= level)
-  {
-    return result; // no neighbour is finer, or this box is fine enough
-  }
+  unsigned result = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
     for (const bool upper : { false, true })
     {
       forEachAcross(boxes, box, axis, upper, [&](const PackedBox& other) {
-        for (const int along : { (axis + 1) % 3, (axis + 2) % 3 })
+        for (unsigned along = 0; along < 3; ++along)
         {
-          if (box.level[along] < level && other.level[along] > level)
-          {
-            result = std::min(result, static_cast<std::uint8_t>(along));
-          }
+          const bool tooCoarse = box.level[along] < level && other.level[along] > level;
+          result |= unsigned(tooCoarse) << along;
         }
       });
     }
   }
   return result;
+}
+
+}
+
+std::uint8_t axesToHalve(const Boxes& boxes, const PackedBox& box, int level)
+{
+  if (boxes.globalOf(box).nearDepth <= level ||
+    std::min({ box.level[0], box.level[1], box.level[2] }) >= level)
+  {
+    return 0; // no neighbour is finer, or this box is fine enough
+  }
+  const unsigned wanted = axesAlongWhichTooCoarse(boxes, box, level);
+  unsigned result = 0;
+  int fewest = 2;
+  for (unsigned axis = 0; axis < 3; ++axis)
+  {
+    if ((wanted >> axis & 1) == 0)
+    {
+      continue;
+    }
+    int unfinished = 0;
+    for (const bool upper : { false, true })
+    {
+      unfinished += axesAlongWhichTooCoarse(boxes, halfOf(box, axis, upper), level) != 0 ? 1 : 0;
+    }
+    result = unfinished < fewest ? 0 : result;
+    fewest = std::min(fewest, unfinished);
+    result |= unfinished == fewest ? 1u << axis : 0;
+  }
+  return static_cast<std::uint8_t>(result);
 }
 
 }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Balances the levels of neighbouring boxes (section 4.5, figure 2): 2:1 in each direction.
 //
-// At most one split line of its neighbours may touch a side of a box in each direction: across a
-// side, the levels along it differ by at most one. A box that is too coarse is halved in that
-// direction. This is done in passes, from the deepest level down: pass n halves boxes until none
-// coarser than level n touches one finer than n. It does not change boxes finer than n, so its
-// effect on a box depends only on the boxes that touched it before the pass, not on the order of
-// visits; and the effect of all passes depends only on boxes at most balanceReach() global boxes
-// away.
+// Across a side, levels differ by at most one in each of the three directions: along the side, as in
+// the paper, so that at most one split line of the neighbours touches it in each direction; and
+// across it, so that no box is much longer than its neighbour where a solver interpolates between
+// the two. A box that is too coarse is halved. This is done in passes, from the deepest level down:
+// pass n halves boxes until none coarser than level n touches one finer than n. It does not change
+// levels finer than n, so its effect on a box depends only on the boxes that touched it before the
+// pass, not on the order of visits; and the effect of all passes depends only on boxes at most
+// balanceReach() global boxes away.
 #pragma once
 
 #include "Boxes/Boxes.h"
@@ -21,9 +22,11 @@ constexpr std::uint32_t balanceReach(int depth)
   return depth > 1 ? static_cast<std::uint32_t>(depth) - 1 : 0;
 }
 
-// The lowest axis along which a box must be halved in the pass of this level, or NoAxis. `boxes`:
-// before the pass; `box` may be a part of one of them.
-constexpr std::uint8_t NoAxis = 3;
-std::uint8_t axisToHalve(const Boxes& boxes, const PackedBox& box, int level);
+// The axes (bit 1 << axis) along which a box must be halved next in the pass of this level; its
+// parts may have to be halved further. Of the axes along which neighbours are too fine these are
+// the ones that leave the fewest halves to be halved further, all of them if several do: thus a box
+// before a wall of fine ones is first halved towards it, whichever axis that is. `boxes`: before
+// the pass; `box` may be a part of one of them.
+std::uint8_t axesToHalve(const Boxes& boxes, const PackedBox& box, int level);
 
 }

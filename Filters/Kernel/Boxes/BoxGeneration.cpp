@@ -129,7 +129,7 @@ private:
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         const Level size = planes_[axis][at[axis] + 1] - planes_[axis][at[axis]];
-        if (depths_[g].allowed > 0 && size < 2 * FinePerBox)
+        if (depths_[g].deepest() > 0 && size < 2 * FinePerBox)
         {
           throw Error(Fault::BadParameter,
             "Global box " + std::to_string(at[0]) + ", " + std::to_string(at[1]) + ", " +
@@ -151,25 +151,27 @@ private:
     checkMemory(estimate, mostBytes);
   }
 
+  // What the division of global boxes needs, one after the other.
+  struct DivisionScratch
+  {
+    FewestBoxes search;
+    UnitStatuses statuses;
+    UnitStatuses ofRegion;
+    std::vector<BoxStatus> units;
+    std::vector<std::uint8_t> forced;
+  };
+
   void divide()
   {
     execution_.nextLoop(0.8);
     execution_.forEach(statusOf_.size(), GlobalsAChunk, [&](std::size_t begin, std::size_t end) {
-      FewestBoxes search;
-      UnitStatuses statuses;
+      DivisionScratch scratch;
       for (std::size_t g = begin; g < end; ++g)
       {
-        if (statusOf_[g] == BoxStatus::Intersected && depths_[g].allowed > 0)
+        const bool intersected = statusOf_[g] == BoxStatus::Intersected;
+        if (depths_[g].touched > 0 || (intersected && depths_[g].allowed > 0))
         {
-          const GlobalBox& global = boxes_.globals[g];
-          statuses.compute(surface_, trianglesOf(global), planes_, global.index, depths_[g].allowed,
-            statuses_.lowCorner(global.index));
-          search.search(depths_[g].allowed, depths_[g].forced, statuses.units());
-          search.collect(parts_[g]);
-          for (LocalBox& box : parts_[g])
-          {
-            box.corners = statuses.corners(box.offset, box.level);
-          }
+          divideByUnits(g, scratch);
         }
         else if (depths_[g].forced > 0)
         {
@@ -177,6 +179,29 @@ private:
         }
       }
     });
+  }
+
+  void divideByUnits(std::size_t g, DivisionScratch& scratch)
+  {
+    const GlobalBox& global = boxes_.globals[g];
+    const Depths& depths = depths_[g];
+    refinement_.forcedOfUnits(global.index, depths, scratch.ofRegion, scratch.forced);
+    if (statusOf_[g] != BoxStatus::Intersected)
+    {
+      scratch.units.assign(scratch.forced.size(), statusOf_[g]);
+      scratch.search.search(depths.deepest(), depths.allowed, scratch.units, scratch.forced);
+      scratch.search.collect(parts_[g]);
+      return;
+    }
+    scratch.statuses.compute(surface_, trianglesOf(global), planes_, global.index, depths.deepest(),
+      statuses_.lowCorner(global.index));
+    scratch.search.search(
+      depths.deepest(), depths.allowed, scratch.statuses.units(), scratch.forced);
+    scratch.search.collect(parts_[g]);
+    for (LocalBox& box : parts_[g])
+    {
+      box.corners = scratch.statuses.corners(box.offset, box.level);
+    }
   }
 
   static void divideEvenly(int depth, std::vector<LocalBox>& parts)
@@ -287,37 +312,43 @@ private:
   // Appends what a pass makes of a box, without parts that are outside; true if it was halved.
   bool balance(std::size_t g, const LocalBox& box, int level, std::vector<LocalBox>& parts) const
   {
-    const std::uint8_t axis = axisToHalve(boxes_, packed(g, box), level);
-    if (axis == NoAxis)
+    const unsigned axes = axesToHalve(boxes_, packed(g, box), level);
+    if (axes == 0)
     {
       parts.push_back(box);
       return false;
     }
-    for (const bool upper : { false, true })
+    for (unsigned upper = 0; upper < 8; ++upper)
     {
-      const LocalBox half = halfOf(g, box, axis, upper);
-      if (half.status != BoxStatus::Outside)
+      if ((upper & ~axes) != 0)
       {
-        balance(g, half, level, parts);
+        continue; // not halved along one of these axes
+      }
+      const LocalBox part = partOf(g, box, axes, upper);
+      if (part.status != BoxStatus::Outside)
+      {
+        balance(g, part, level, parts);
       }
     }
     return true;
   }
 
-  LocalBox halfOf(std::size_t g, const LocalBox& whole, std::uint8_t axis, bool upper) const
+  // The part of a box that is halved along these axes on the upper sides of some of them.
+  LocalBox partOf(std::size_t g, const LocalBox& whole, unsigned axes, unsigned upper) const
   {
-    LocalBox half = whole;
-    ++half.level[axis];
-    if (upper)
+    LocalBox part = whole;
+    for (unsigned axis = 0; axis < 3; ++axis)
     {
-      half.offset[axis] =
-        static_cast<std::uint8_t>(half.offset[axis] + (FinePerBox >> half.level[axis]));
+      if ((axes >> axis & 1) != 0)
+      {
+        part = halfOf(part, axis, (upper >> axis & 1) != 0);
+      }
     }
     if (whole.status == BoxStatus::Intersected)
     {
-      findStatus(g, half);
+      findStatus(g, part);
     }
-    return half;
+    return part;
   }
 
   void findStatus(std::size_t g, LocalBox& part) const

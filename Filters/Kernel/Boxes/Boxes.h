@@ -48,6 +48,16 @@ struct PackedBox
   BoxStatus status;
 };
 
+// The lower or upper half of a box that has an offset and levels as PackedBox has; all else stays.
+template <class BoxInGlobal>
+BoxInGlobal halfOf(BoxInGlobal box, unsigned axis, bool upper)
+{
+  ++box.level[axis];
+  box.offset[axis] =
+    static_cast<std::uint8_t>(box.offset[axis] + (upper ? FinePerBox >> box.level[axis] : 0));
+  return box;
+}
+
 // A box with its position.
 struct Box : PackedBox
 {

@@ -39,13 +39,12 @@ std::size_t FewestBoxes::index(const DyadicBox& box) const
 
 bool FewestBoxes::isLeaf(const DyadicBox& box) const
 {
-  const auto& level = box.level;
-  if (level[0] == depth_ && level[1] == depth_ && level[2] == depth_)
-  {
-    return true;
-  }
-  return content_[index(box)] == bit(BoxStatus::Inside) &&
-    std::min({ level[0], level[1], level[2] }) >= forced_;
+  const auto& [x, y, z] = box.level;
+  const Content& content = content_[index(box)];
+  const int least = std::min({ x, y, z });
+  const bool intersected = (content.statuses & bit(BoxStatus::Intersected)) != 0;
+  return least >= content.forced &&
+    (intersected ? least >= allowed_ : content.statuses == bit(BoxStatus::Inside));
 }
 
 int FewestBoxes::cheapestSplit(const DyadicBox& box, std::uint32_t& cost) const
@@ -74,12 +73,14 @@ void FewestBoxes::evaluate(const DyadicBox& box)
   {
     if (box.level[axis] < depth_)
     {
-      content_[here] = static_cast<std::uint8_t>(
-        content_[index(half(box, axis, 0))] | content_[index(half(box, axis, 1))]);
+      const Content& lower = content_[index(half(box, axis, 0))];
+      const Content& upper = content_[index(half(box, axis, 1))];
+      content_[here] = { static_cast<std::uint8_t>(lower.statuses | upper.statuses),
+        std::max(lower.forced, upper.forced) };
       break;
     }
   }
-  if (content_[here] == bit(BoxStatus::Outside))
+  if (content_[here].statuses == bit(BoxStatus::Outside))
   {
     cost_[here] = 0;
   }
@@ -110,16 +111,19 @@ void FewestBoxes::forEachDyadicBox(const std::array<int, 3>& level, Visitor&& vi
   }
 }
 
-std::uint32_t FewestBoxes::search(int depth, int forced, const std::vector<BoxStatus>& units)
+std::uint32_t FewestBoxes::search(int depth, int allowed, const std::vector<BoxStatus>& units,
+  const std::vector<std::uint8_t>& forced)
 {
   depth_ = depth;
-  forced_ = forced;
+  allowed_ = allowed;
   const std::size_t along = (std::size_t(2) << depth) - 1;
   cost_.resize(along * along * along);
   content_.resize(cost_.size());
   std::size_t unit = 0;
-  forEachDyadicBox({ depth, depth, depth },
-    [&](const DyadicBox& box) { content_[index(box)] = bit(units[unit++]); });
+  forEachDyadicBox({ depth, depth, depth }, [&](const DyadicBox& box) {
+    content_[index(box)] = { bit(units[unit]), forced[unit] };
+    ++unit;
+  });
   // Halves are deeper than the whole, so from the units up.
   std::array<int, 3> level{};
   for (level[2] = depth; level[2] >= 0; --level[2])
@@ -142,7 +146,7 @@ void FewestBoxes::collect(std::vector<LocalBox>& boxes) const
 
 void FewestBoxes::collect(const DyadicBox& box, std::vector<LocalBox>& boxes) const
 {
-  const std::uint8_t content = content_[index(box)];
+  const std::uint8_t content = content_[index(box)].statuses;
   if (content == bit(BoxStatus::Outside))
   {
     return;

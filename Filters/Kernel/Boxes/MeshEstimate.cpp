@@ -51,10 +51,20 @@ double MeshEstimate::bytes() const
 
 MeshEstimate estimateBox(BoxStatus status, const Depths& depths)
 {
-  const double intersected = status == BoxStatus::Intersected
-    ? std::min(std::pow(8, depths.allowed), UnitsAcrossABox * std::pow(4, depths.allowed))
-    : 0;
-  return { std::pow(8, depths.forced), intersected, 0 };
+  const auto wholly = [&](int allowed, int forced) -> MeshEstimate {
+    const double intersected = status == BoxStatus::Intersected
+      ? std::min(std::pow(8, allowed), UnitsAcrossABox * std::pow(4, allowed))
+      : 0;
+    return { std::pow(8, forced), intersected, 0 };
+  };
+  const MeshEstimate without = wholly(depths.allowed, depths.forced);
+  if (depths.touched == 0)
+  {
+    return without;
+  }
+  // Where regions' borders pass, they touch half of the global boxes, more or less.
+  const MeshEstimate with = wholly(depths.deepest(), depths.touched);
+  return { (without.inside + with.inside) / 2, (without.intersected + with.intersected) / 2, 0 };
 }
 
 MeshEstimate estimateMesh(const Surface& surface, const Meshlines& planes)

@@ -2,8 +2,6 @@
 #include "Boxes/Refinement.h"
 
 #include "Base/Error.h"
-#include "Boxes/GlobalStatuses.h"
-#include "Repair/SurfaceCheck.h"
 
 namespace cartesian
 {
@@ -42,7 +40,9 @@ Refinement::Refinement(const RefinementSpec& spec, const Surface& surface,
   }
   for (const RefinementRegion& region : spec.regions)
   {
-    addRegion(region, surface, planes, execution);
+    checkDepth(region.depth, "The depth of Refinement Regions");
+    deepest_ = std::max(deepest_, region.depth);
+    regions_.push_back(std::make_unique<RefinedRegion>(region, surface.lattice, planes, execution));
   }
 }
 
@@ -125,50 +125,6 @@ void Refinement::addBoundary(const BoundaryRefinement& row, std::size_t number,
   boundaries_.push_back(std::move(boundary));
 }
 
-// The region's surface has its own lattice, as it may be larger than the domain; its boxes are
-// those of the grid.
-void Refinement::addRegion(const RefinementRegion& region, const Surface& surface,
-  const Meshlines& planes, Execution& execution)
-{
-  checkDepth(region.depth, "The depth of Refinement Regions");
-  Bounds bounds = boundsOf(region.surface);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    bounds.include(axis, surface.lattice.position(axis, planes[axis].front()));
-    bounds.include(axis, surface.lattice.position(axis, planes[axis].back()));
-  }
-  const Lattice lattice(bounds);
-  Meshlines own;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (const Level level : planes[axis])
-    {
-      const Level plane = lattice.plane(axis, surface.lattice.position(axis, level));
-      own[axis].push_back(own[axis].empty() ? plane : std::max(plane, own[axis].back() + 2));
-    }
-  }
-  const Surface closed = onLattice(region.surface, lattice, execution);
-  const SurfaceCheck surfaceCheck = check(SurfaceEdges(closed, execution), execution);
-  if (!surfaceCheck.closed())
-  {
-    throw Error(Fault::FlawedSurface,
-      "The surface of Refinement Regions has " + std::to_string(surfaceCheck.openEdges) +
-        " open edges: connect closed surfaces.");
-  }
-  const Shoeboxes shoeboxes = fillShoeboxes(closed, own, execution);
-  const GlobalStatuses statuses(closed, own, shoeboxes, execution);
-  RefinedRegion result{ region.depth, emptySet(planes) };
-  for (std::uint32_t k = 0; k + 1 < planes[2].size(); ++k)
-  {
-    for (std::uint32_t j = 0; j + 1 < planes[1].size(); ++j)
-    {
-      statuses.forEachBox(j, k, [&](std::uint32_t i, BoxStatus) { result.boxes.insert(i, j, k); });
-    }
-  }
-  deepest_ = std::max(deepest_, region.depth);
-  regions_.push_back(std::move(result));
-}
-
 Depths Refinement::at(std::int64_t i, std::int64_t j, std::int64_t k) const
 {
   const std::array<std::int64_t, 3> at = { i, j, k };
@@ -202,16 +158,29 @@ Depths Refinement::at(std::int64_t i, std::int64_t j, std::int64_t k) const
     }
   }
   depths.allowed = atBoundary >= 0 ? atBoundary : depths.allowed;
-  for (const RefinedRegion& region : regions_)
+  for (const auto& region : regions_)
   {
-    if (region.boxes.contains(i, j, k))
-    {
-      depths.allowed = std::max(depths.allowed, region.depth);
-      depths.forced = std::max(depths.forced, region.depth);
-    }
+    const BoxStatus status = region->status(i, j, k);
+    int& depth = status == BoxStatus::Inside ? depths.forced : depths.touched;
+    depth = std::max(depth, status == BoxStatus::Outside ? 0 : region->depth());
   }
+  depths.touched = depths.touched > depths.forced ? depths.touched : 0;
   depths.allowed = std::max(depths.allowed, depths.forced);
   return depths;
+}
+
+void Refinement::forcedOfUnits(const std::array<std::uint32_t, 3>& index, const Depths& depths,
+  UnitStatuses& scratch, std::vector<std::uint8_t>& forced) const
+{
+  forced.assign(std::size_t(1) << 3 * depths.deepest(), static_cast<std::uint8_t>(depths.forced));
+  for (const auto& region : regions_)
+  {
+    if (depths.touched > 0 && region->depth() > depths.forced &&
+      region->status(index[0], index[1], index[2]) == BoxStatus::Intersected)
+    {
+      region->raise(index, depths.deepest(), scratch, forced);
+    }
+  }
 }
 
 }

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Types of Refinement (section 4.6): how deeply global boxes may, and must, be divided.
+//
+// Depth, blocks and boundaries tell it of whole global boxes, as in the paper. Regions tell it of
+// boxes: where a region's border passes through a global box, only the boxes that it touches must
+// reach its depth; the others are divided as if it were not there, and for balance.
 #pragma once
 
 #include "Base/Range.h"
 #include "Boxes/Boxes.h"
 #include "Boxes/GlobalBoxSet.h"
-#include "Boxes/Shoeboxes.h"
+#include "Boxes/RefinedRegion.h"
 
+#include <memory>
 #include <string>
 
 namespace cartesian
@@ -33,13 +38,6 @@ struct BoundaryRefinement
   bool blendBelow = false; // blending starts at depth - 1 instead of depth
 };
 
-// Global boxes that are inside or touch a closed surface.
-struct RefinementRegion
-{
-  SurfaceView surface; // closed; user units
-  int depth = 1;       // allowed and forced, 0 to DeepestLevel
-};
-
 struct RefinementSpec
 {
   static constexpr Range AllDepths{ 0, DeepestLevel };
@@ -54,6 +52,9 @@ struct Depths
 {
   int allowed = 0; // where the surface passes
   int forced = 0;  // everywhere; at most `allowed`
+  int touched = 0; // where regions touch that do so in part only; 0, or more than `forced`
+
+  int deepest() const { return std::max(allowed, touched); }
 };
 
 // Evaluates a specification in the paper's order: default, blocks, boundaries; then regions.
@@ -66,6 +67,11 @@ public:
     const Meshlines& planes, Execution& execution);
 
   Depths at(std::int64_t i, std::int64_t j, std::int64_t k) const;
+
+  // The forced depth of each unit of a global box, x fastest. `depths`: of this global box, which
+  // has 2^depths.deepest() units along each axis. `scratch` keeps its storage.
+  void forcedOfUnits(const std::array<std::uint32_t, 3>& index, const Depths& depths,
+    UnitStatuses& scratch, std::vector<std::uint8_t>& forced) const;
 
   // Whether any box is divided.
   bool any() const { return any_; }
@@ -84,22 +90,13 @@ private:
     std::vector<GlobalBoxSet> blends; // boxes whose forced depth is at least blendStart - n
     int blendStart;
   };
-  struct RefinedRegion
-  {
-    int depth;
-    GlobalBoxSet boxes;
-  };
-
   void addBlocks(const RefinementSpec& spec, const Meshlines& planes);
   void addBoundary(const BoundaryRefinement& row, std::size_t number, const Surface& surface,
     const Shoeboxes& shoeboxes, const Meshlines& planes);
-  void addRegion(const RefinementRegion& region, const Surface& surface, const Meshlines& planes,
-    Execution& execution);
-
   int depth_;
   std::vector<RefinementBlock> blocks_;
   std::vector<RefinedBoundary> boundaries_;
-  std::vector<RefinedRegion> regions_;
+  std::vector<std::unique_ptr<RefinedRegion>> regions_;
   bool any_;
   int deepest_ = 0;
   std::string warnings_;

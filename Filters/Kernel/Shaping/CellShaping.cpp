@@ -257,7 +257,7 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
     complexes.clear();
     if (spec.optimiseNodes && !exact)
     {
-            optimise(whole, slabs, featureAngle, execution);
+      optimise(whole, slabs, featureAngle, execution);
     }
   }
   return sum;

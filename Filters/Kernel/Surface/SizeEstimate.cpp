@@ -11,8 +11,8 @@ namespace
 {
 
 // How many larger boxes there are per finest box at the surface, by depth: measured on five
-// surfaces for depths 1 to 3; the last value is for all greater depths.
-constexpr std::array<double, 5> LargerBoxes = { 0, 0.15, 0.25, 0.35, 0.4 };
+// surfaces for depths 1 to 5; the last value is for all greater depths.
+constexpr std::array<double, 5> LargerBoxes = { 0, 0.15, 0.35, 0.45, 0.5 };
 
 }
 
@@ -33,7 +33,8 @@ SurfaceSize sizeOf(const SurfaceView& view)
     {
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        p[corner][axis] = view.points[3 * view.triangles[3 * t + corner] + axis] - bounds.low[axis];
+        p[corner][axis] =
+          view.points[std::size_t(3) * view.triangles[3 * t + corner] + axis] - bounds.low[axis];
       }
     }
     for (std::size_t x = 0; x < 3; ++x)

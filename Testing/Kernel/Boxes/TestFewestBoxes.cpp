@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace cartesian
@@ -17,13 +18,26 @@ struct Range
   std::array<int, 3> high;
 };
 
+// What the search is asked for.
+struct Case
+{
+  int depth;
+  int allowed;
+  std::vector<BoxStatus> units;
+  std::vector<std::uint8_t> forced; // of each unit
+
+  std::size_t unit(int x, int y, int z) const
+  {
+    return static_cast<std::size_t>(x | y << depth | z << 2 * depth);
+  }
+};
+
 class BruteForce
 {
 public:
-  BruteForce(int depth, int forced, const std::vector<BoxStatus>& units)
-    : side_(1 << depth)
-    , widest_(side_ >> forced)
-    , units_(units)
+  explicit BruteForce(const Case& asked)
+    : side_(1 << asked.depth)
+    , asked_(asked)
   {
   }
 
@@ -41,7 +55,9 @@ private:
     {
       return 0;
     }
-    if (units == 1 || (inside == units && std::max({ size[0], size[1], size[2] }) <= widest_))
+    const int widest = std::max({ size[0], size[1], size[2] });
+    const bool mayStay = intersected > 0 ? widest <= side_ >> asked_.allowed : inside == units;
+    if (mayStay && widest <= side_ >> forced(r))
     {
       return 1;
     }
@@ -62,22 +78,34 @@ private:
   int count(const Range& r, BoxStatus status) const
   {
     int found = 0;
+    forEachUnit(r, [&](std::size_t unit) { found += asked_.units[unit] == status; });
+    return found;
+  }
+
+  int forced(const Range& r) const
+  {
+    int most = 0;
+    forEachUnit(r, [&](std::size_t unit) { most = std::max(most, int(asked_.forced[unit])); });
+    return most;
+  }
+
+  template <class Visitor>
+  void forEachUnit(const Range& r, Visitor&& visit) const
+  {
     for (int z = r.low[2]; z < r.high[2]; ++z)
     {
       for (int y = r.low[1]; y < r.high[1]; ++y)
       {
         for (int x = r.low[0]; x < r.high[0]; ++x)
         {
-          found += units_[static_cast<std::size_t>(x + side_ * (y + side_ * z))] == status;
+          visit(asked_.unit(x, y, z));
         }
       }
     }
-    return found;
   }
 
   int side_;
-  int widest_;
-  const std::vector<BoxStatus>& units_;
+  const Case& asked_;
 };
 
 std::vector<BoxStatus> randomUnits(int depth, std::mt19937& random)
@@ -102,44 +130,67 @@ std::vector<BoxStatus> randomUnits(int depth, std::mt19937& random)
   return units;
 }
 
-// Each unit that is not outside lies in exactly one box, which has the status of all its units.
-void expectCover(
-  const std::vector<LocalBox>& boxes, int depth, int forced, const std::vector<BoxStatus>& units)
+// The same everywhere, or, as where a region's border passes, on one side of a plane only.
+std::vector<std::uint8_t> randomForced(int depth, std::mt19937& random)
 {
-  const std::size_t side = std::size_t(1) << depth;
-  const int unit = static_cast<int>(FinePerBox >> depth);
-  std::vector<int> covered(units.size());
+  const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  std::vector<std::uint8_t> forced(
+    std::size_t(1) << 3 * depth, static_cast<std::uint8_t>(below(depth + 1)));
+  const int axis = below(3);
+  const int plane = below(1 << depth);
+  for (std::size_t u = 0; u < forced.size() && below(2) == 0; ++u)
+  {
+    const int at = static_cast<int>(u >> axis * depth) & ((1 << depth) - 1);
+    forced[u] = at < plane ? static_cast<std::uint8_t>(depth) : forced[u];
+  }
+  return forced;
+}
+
+Case randomCase(int depth, std::mt19937& random)
+{
+  const int allowed = static_cast<int>(random() % static_cast<unsigned>(depth + 1));
+  return { depth, allowed, randomUnits(depth, random), randomForced(depth, random) };
+}
+
+// Each unit that is not outside lies in exactly one box, which is as small as all its units demand.
+void expectCover(const std::vector<LocalBox>& boxes, const Case& asked)
+{
+  const int unit = static_cast<int>(FinePerBox >> asked.depth);
+  std::vector<int> covered(asked.units.size());
   for (const LocalBox& box : boxes)
   {
-    std::array<std::size_t, 3> low;
-    std::array<std::size_t, 3> size;
+    std::array<int, 3> low;
+    std::array<int, 3> size;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       ASSERT_EQ(box.offset[axis] % (FinePerBox >> box.level[axis]), 0);
-      ASSERT_GE(box.level[axis], forced);
-      low[axis] = static_cast<std::size_t>(box.offset[axis] / unit);
-      size[axis] = static_cast<std::size_t>((FinePerBox >> box.level[axis]) / unit);
+      low[axis] = box.offset[axis] / unit;
+      size[axis] = static_cast<int>(FinePerBox >> box.level[axis]) / unit;
     }
-    for (std::size_t z = low[2]; z < low[2] + size[2]; ++z)
+    const int least = std::min({ box.level[0], box.level[1], box.level[2] });
+    ASSERT_GE(least, box.status == BoxStatus::Intersected ? asked.allowed : 0);
+    bool intersected = false;
+    for (int z = low[2]; z < low[2] + size[2]; ++z)
     {
-      for (std::size_t y = low[1]; y < low[1] + size[1]; ++y)
+      for (int y = low[1]; y < low[1] + size[1]; ++y)
       {
-        for (std::size_t x = low[0]; x < low[0] + size[0]; ++x)
+        for (int x = low[0]; x < low[0] + size[0]; ++x)
         {
-          const std::size_t u = x + side * (y + side * z);
+          const std::size_t u = asked.unit(x, y, z);
           ++covered[u];
-          ASSERT_EQ(units[u], box.status);
+          ASSERT_GE(least, asked.forced[u]);
+          intersected = intersected || asked.units[u] == BoxStatus::Intersected;
+          ASSERT_TRUE(box.status == BoxStatus::Intersected || asked.units[u] == box.status);
         }
       }
     }
-    if (box.status == BoxStatus::Intersected)
-    {
-      ASSERT_EQ(size, (std::array<std::size_t, 3>{ 1, 1, 1 }));
-    }
+    ASSERT_EQ(intersected, box.status == BoxStatus::Intersected);
   }
-  for (std::size_t u = 0; u < units.size(); ++u)
+  for (std::size_t u = 0; u < covered.size(); ++u)
   {
-    ASSERT_EQ(covered[u], units[u] == BoxStatus::Outside ? 0 : 1);
+    // A box that is not halved further because it is intersected may hold outside units.
+    ASSERT_LE(covered[u], 1);
+    ASSERT_TRUE(covered[u] == 1 || asked.units[u] == BoxStatus::Outside);
   }
 }
 
@@ -147,17 +198,16 @@ TEST(FewestBoxes, AreAsFewAsBruteForceFinds)
 {
   std::mt19937 random(1);
   FewestBoxes search;
-  for (int n = 0; n < 150; ++n)
+  for (int n = 0; n < 300; ++n)
   {
-    const int depth = 1 + n % 2;
-    const int forced = static_cast<int>(random() % static_cast<unsigned>(depth + 1));
-    const std::vector<BoxStatus> units = randomUnits(depth, random);
-    const std::uint32_t found = search.search(depth, forced, units);
-    ASSERT_EQ(found, BruteForce(depth, forced, units).fewest()) << "case " << n;
+    const Case asked = randomCase(1 + n % 2, random);
+    const std::uint32_t found =
+      search.search(asked.depth, asked.allowed, asked.units, asked.forced);
+    ASSERT_EQ(found, BruteForce(asked).fewest()) << "case " << n;
     std::vector<LocalBox> boxes;
     search.collect(boxes);
     ASSERT_EQ(boxes.size(), found);
-    expectCover(boxes, depth, forced, units);
+    expectCover(boxes, asked);
   }
 }
 
@@ -167,11 +217,11 @@ TEST(FewestBoxes, CoverDeepBoxesExactly)
   FewestBoxes search;
   for (int depth = 3; depth <= 5; ++depth)
   {
-    const std::vector<BoxStatus> units = randomUnits(depth, random);
+    const Case asked = randomCase(depth, random);
     std::vector<LocalBox> boxes;
-    ASSERT_GT(search.search(depth, 1, units), 0u);
+    ASSERT_GT(search.search(depth, asked.allowed, asked.units, asked.forced), 0u);
     search.collect(boxes);
-    expectCover(boxes, depth, 1, units);
+    expectCover(boxes, asked);
   }
 }
 
@@ -184,7 +234,7 @@ TEST(FewestBoxes, SplitInOneDirectionOnly)
     units[u] = u % 2 == 0 ? BoxStatus::Inside : BoxStatus::Outside;
   }
   FewestBoxes search;
-  ASSERT_EQ(search.search(1, 0, units), 1u);
+  ASSERT_EQ(search.search(1, 1, units, std::vector<std::uint8_t>(8, 0)), 1u);
   std::vector<LocalBox> boxes;
   search.collect(boxes);
   EXPECT_EQ(boxes[0].level, (std::array<std::uint8_t, 3>{ 1, 0, 0 }));

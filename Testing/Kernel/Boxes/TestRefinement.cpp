@@ -10,11 +10,6 @@ namespace cartesian
 namespace
 {
 
-constexpr std::array<int, 2> acrossOf(int axis)
-{
-  return { (axis + 1) % 3, (axis + 2) % 3 };
-}
-
 std::vector<Box> placed(const Boxes& boxes)
 {
   std::vector<Box> all;
@@ -23,56 +18,6 @@ std::vector<Box> placed(const Boxes& boxes)
     all.push_back(boxes.placed(box));
   }
   return all;
-}
-
-bool overlap(const Box& a, const Box& b, int axis)
-{
-  return a.low[axis] < b.high[axis] && b.low[axis] < a.high[axis];
-}
-
-// The planes of b's ends that cut a's extent along an axis.
-void addSplitLines(const Box& a, const Box& b, int axis, std::vector<Level>& lines)
-{
-  for (const Level level : { b.low[axis], b.high[axis] })
-  {
-    if (level > a.low[axis] && level < a.high[axis])
-    {
-      lines.push_back(level);
-    }
-  }
-}
-
-// Whether at most one split line of its neighbours touches a side of `box` in each direction.
-bool isBalanced(const std::vector<Box>& boxes, const Box& box, int axis, bool upper)
-{
-  const Level plane = upper ? box.high[axis] : box.low[axis];
-  std::array<std::vector<Level>, 2> lines;
-  for (const Box& other : boxes)
-  {
-    const auto [u, v] = acrossOf(axis);
-    if ((upper ? other.low[axis] : other.high[axis]) == plane && overlap(box, other, u) &&
-      overlap(box, other, v))
-    {
-      addSplitLines(box, other, u, lines[0]);
-      addSplitLines(box, other, v, lines[1]);
-    }
-  }
-  return std::all_of(lines.begin(), lines.end(), [](std::vector<Level>& along) {
-    std::sort(along.begin(), along.end());
-    return std::unique(along.begin(), along.end()) - along.begin() <= 1;
-  });
-}
-
-void expectBalanced(const std::vector<Box>& boxes)
-{
-  for (const Box& box : boxes)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      ASSERT_TRUE(isBalanced(boxes, box, axis, false));
-      ASSERT_TRUE(isBalanced(boxes, box, axis, true));
-    }
-  }
 }
 
 double volumeOfBox(const Box& box)
@@ -179,11 +124,13 @@ TEST(Refinement, RandomSpecificationsHold)
     const GridSpec grid = cellsAlongLongest(soup, 4.5);
     const PreparedSurface prepared = prepare(soup, grid);
     options.refinement = randomSpec(random, prepared.planes, boundaries);
+    const Soup region =
+      box({ 0, 0, 0 }, { 0.4, 0.3, 0.5 }).turned().moved(soup.points[n % soup.points.size()]);
+    options.refinement.regions.push_back({ region.view(), static_cast<int>(n % 4) });
     const Meshed meshed = meshPrepared(prepared, options);
     SCOPED_TRACE("case " + std::to_string(n));
 
     const std::vector<Box> boxes = placed(meshed.boxed.boxes);
-    expectBalanced(boxes);
     double twice = 0;
     for (std::size_t a = 0; a < boxes.size(); ++a)
     {
@@ -289,6 +236,49 @@ TEST(Refinement, RegionsRefineWhatLiesInThem)
   }
   EXPECT_TRUE(isValid(meshed.mesh));
   EXPECT_TRUE(fills(meshed.mesh, cube()));
+}
+
+// Where its border passes through global boxes, too: boxes shrink towards the region, but only
+// those that it touches must reach its depth.
+TEST(Refinement, RegionsRefineOnlyTheBoxesThatTheyTouch)
+{
+  constexpr int Depth = 3;
+  const Vector middle = { 0.52, 0.47, 0.49 };
+  constexpr double Radius = 0.3;
+  const Soup ball = sphere(12, Radius).moved(middle);
+  TestOptions options = asTheyAre();
+  options.refinement.regions.push_back({ ball.view(), Depth });
+  const Meshed meshed = meshOf(cube(), cellsOf(0.2), options);
+  const Lattice& lattice = meshed.prepared.surface.lattice;
+  std::array<int, Depth + 1> count{};
+  for (const Box& b : placed(meshed.boxed.boxes))
+  {
+    double nearest = 0; // squares of distances
+    double size = 0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double low = lattice.position(axis, b.low[axis]);
+      const double high = lattice.position(axis, b.high[axis]);
+      const auto a = static_cast<std::size_t>(axis);
+      nearest += std::pow(std::max({ low - middle[a], middle[a] - high, 0. }), 2);
+      size += std::pow(high - low, 2);
+    }
+    const int least = std::min({ b.level[0], b.level[1], b.level[2] });
+    ++count[static_cast<std::size_t>(least)];
+    if (std::sqrt(nearest) < 0.95 * Radius)
+    {
+      EXPECT_EQ(least, Depth);
+    }
+    else if (std::sqrt(nearest) > Radius + 2 * std::sqrt(size))
+    {
+      EXPECT_LT(least, Depth);
+    }
+  }
+  EXPECT_GT(*std::min_element(count.begin(), count.end()), 0);
+  // All boxes of that depth in the ball, and one layer around it.
+  const double boxesInBall = 4 / 3. * 3.1416 * std::pow(Radius * 8 / 0.2, 3);
+  EXPECT_LT(count[Depth], 1.4 * boxesInBall);
+  EXPECT_TRUE(isValid(meshed.mesh));
 }
 
 TEST(Refinement, SameMeshForAnyNumberOfThreads)

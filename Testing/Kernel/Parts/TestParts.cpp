@@ -1,6 +1,7 @@
 // Parts of a grid, each meshed by itself, are together the mesh of the whole: the same points, bit
 // for bit, the same cells, the same numbers.
 #include "Base/Error.h"
+#include "Boxes/Balance.h"
 #include "Parts/Decomposition.h"
 #include "Support/Effort.h"
 #include "Support/Pipeline.h"
@@ -275,20 +276,29 @@ TEST(Parts, AreTheWholeMeshAroundADeepPlace)
   TestOptions options = automatic(1);
   options.refinement.blocks.push_back({ { 3, 3, 4 }, { 4, 4, 4 }, 3, 3 });
   options.refinement.blocks.push_back({ { 0, 4, 2 }, { 8, 4, 2 }, 4, 0 });
+  const Soup region = box({ -0.3, 0, -0.2 }, { 0.2, 2, 0.1 }).turned();
+  options.refinement.regions.push_back({ region.view(), 3 });
   expectUnion(soup, cellsAlongLongest(soup, 8), options);
 }
 
-// A wall along which boxes are halved repeatedly, but never across it. For balance, so are those
-// above and below, each once less.
-TEST(Parts, AreTheWholeMeshFarFromADeepLayer)
+// For balance, a tiny region divides global boxes far away from it (TestBalance.cpp).
+TEST(Parts, AreTheWholeMeshFarFromADeepPlace)
 {
-  const Soup soup = box({ 0, 0, 0 }, { 1, 1, 12 });
+  const Soup soup = box({ 0, 0, 0 }, { 1, 1, 14 });
   GridSpec grid = cellsOf(1);
   grid.meshlines[0] = grid.meshlines[1] = { -0.9, 0.1, 1.1 };
-  TestOptions options = automatic(0);
-  options.refinement.blocks.push_back({ { 0, 0, 6 }, { 1, 1, 6 }, 5, 0 });
-  const std::vector<unsigned char> level = meshOf(soup, grid, options).mesh.level;
-  ASSERT_EQ(5, *std::max_element(level.begin(), level.end()));
+  TestOptions options = asTheyAre();
+  const Soup ball = sphere(1, 0.002).moved({ 0.46, 0, 2.964 });
+  options.refinement.regions.push_back({ ball.view(), DeepestLevel });
+  const MeshArrays mesh = meshOf(soup, grid, options).mesh;
+  int farthest = 0;
+  for (std::size_t c = 0; c < mesh.cells(); ++c)
+  {
+    const bool divided = std::any_of(
+      &mesh.level[3 * c], &mesh.level[3 * c] + 3, [](unsigned char level) { return level > 0; });
+    farthest = std::max(farthest, divided ? mesh.globalBox[3 * c + 2] : 0);
+  }
+  ASSERT_EQ(farthest, 2 + int(balanceReach(DeepestLevel)));
   expectUnion(soup, grid, options);
 }
 
