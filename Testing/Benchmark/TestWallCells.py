@@ -56,6 +56,18 @@ def check_cube(folder):
     assert cube.contain(np.array([0.4, 0.3, 0.2])) and not cube.contain(np.array([0.6, 0.3, 0.2]))
 
 
+def check_parts():
+    """A point in each of two parts, and none in a void."""
+    one = wallsurfaces.sphere(24)
+    corners = np.concatenate([one.corners, 0.2 * one.corners[:, ::-1], one.corners + [2, 0, 0]])
+    corners = np.random.default_rng(1).permutation(corners)
+    three = wallsurfaces.Surface("three", corners, np.zeros(len(corners), int), ["surface"])
+    assert np.bincount(three.parts()).tolist() == [len(one.corners)] * 3
+    inside = np.array(sorted(three.points_inside(1 / 8)))
+    assert inside.shape == (2, 3) and all(three.contain(point) for point in inside)
+    assert (np.linalg.norm(inside - [[0, 0, 0], [2, 0, 0]], axis=1) < 0.5).all()
+
+
 def check_commands():
     for command in ("cells tilted_pipe --size 1/12", "timestep bend --size 8 --depth 0", "pipe --size 0.2",
                     "solvers tilted_pipe --size 8 --depth 0 --iterations 3 --limit 9"):
@@ -71,4 +83,5 @@ with tempfile.TemporaryDirectory() as temporary:
     for number, name in enumerate(wallmeshes.MESHERS):
         check_sphere(name, pathlib.Path(temporary) / str(number))
     check_cube(pathlib.Path(temporary) / "cube")
+check_parts()
 check_commands()

@@ -1,21 +1,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How good the cells at walls are, for solvers and beside snappyHexMesh's at equal boxes, where it is installed.
+"""How good the cells at walls are, for solvers; beside snappyHexMesh's at equal boxes, where it is installed.
 
     pvpython wallcells.py cells SURFACE... [--size 1/40] [--depth 0]
     pvpython wallcells.py solvers [SURFACE...] [--size 2] [--depth 1] [--iterations 500]
     pvpython wallcells.py timestep [SURFACE...] [--size 2] [--depth 1]
     pvpython wallcells.py pipe [--size 0.025] [--depth 0]
 
-A SURFACE is a file, or one of sphere, tilted_pipe, bend, and runner_1 to runner_4 of the exhaust header in Data.
---size is the length of a box, or, as 1/40, by the surface's longest side. Both meshers run on one thread, and
-seconds are those of the processor. What is in brackets is the default; all options: pvpython wallcells.py --help.
+A SURFACE is a closed one: a file, or sphere, tilted_pipe, bend, or runner_1 to runner_4 of the exhaust header
+in Data. --size is the length of a box, or, as 1/40, its part of the surface's longest side. Both meshers run
+on one thread; seconds are the processor's. In brackets are the defaults; --help after a command has more.
 
-cells: of the cells, smallest volume by the volume of the cell's box, and checkMesh's measures; of the boundary,
-the errors of its volume and areas, faces that lean from the nearest triangle, also where the surface turns by less
-than 30 degrees within two boxes, and largest distances over a box at the surface.
+cells: of the cells, the smallest volume by that of the cell's box, and checkMesh's measures; of the boundary,
+the errors of its volume and areas, the faces that lean from the nearest triangle (also: where the surface
+turns by less than 30 degrees within two boxes), and the largest distances, over a box at the surface.
 solvers: turbulent flow with plain second-order schemes; does it survive the mesh?
 timestep: the explicit step at Courant number 0.9 for speed 1 along each axis, the shortest of all cells.
-pipe: the error of the wall's gradient for conduction across a tilted pipe of diameter 1, by the exact one.
+pipe: the error of the wall's gradient, by the exact one, for conduction across a tilted pipe of diameter 1.
 """
 
 import argparse
@@ -35,6 +35,7 @@ import wallmeasures  # noqa: E402
 import wallmeshes  # noqa: E402
 import wallsurfaces  # noqa: E402
 
+MANY = 12  # boundaries
 DUCTS = [*(f"runner_{i}" for i in range(1, 5)), "tilted_pipe", "bend"]
 PIPE_RADIUS, PIPE_LENGTH, PIPE_FACETS = 0.5, 2.0, 180
 
@@ -92,10 +93,6 @@ def cell_figures(meshed, surface, box):
     found |= wallmeasures.cells(meshed.mesh, meshed.boxes)
     found["time step"] = meshed.mesh.time_step().min()
     found |= wallmeasures.fidelity(meshed.mesh, surface, box)
-    errors = wallmeasures.area_errors(meshed.mesh, surface)
-    found["boundaries over 0.1 % off in area"] = sum(abs(error) > 1e-3 for error in errors.values())
-    worst = sorted(errors, key=lambda name: -abs(errors[name]))[:6]
-    found |= {f"area error of {name}"[:38]: errors[name] for name in sorted(worst)}
     checked = foam.CheckMesh(meshed.folder, "-allGeometry")
     plain = foam.CheckMesh(meshed.folder)
     found["checkMesh"] = plain.ok
@@ -104,16 +101,31 @@ def cell_figures(meshed, surface, box):
     return found
 
 
+def area_rows(errors):
+    """Figures by mesher: how many boundaries are off, and by how much; of many, the worst of each mesher."""
+    names = dict.fromkeys(name for found in errors.values() for name in found)
+    if len(names) > MANY:
+        worst = {name for found in errors.values()
+                 for name in sorted(found, key=lambda name: -abs(found[name]))[:MANY // 2]}
+        names = [name for name in names if name in worst]
+    return {mesher: {"boundaries over 0.1 % off in area": sum(abs(error) > 1e-3 for error in found.values())} |
+            {f"area error of {name}"[:38]: found[name] for name in names} for mesher, found in errors.items()}
+
+
 def cells(options):
     for name in options.surfaces:
-        surface, columns = wallsurfaces.load(name), {}
+        surface, columns, errors = wallsurfaces.load(name), {}, {}
         box = box_length(options.size, surface) / 2 ** options.depth
         for mesher, meshed in each_mesh(surface, options):
-            failed = isinstance(meshed, Exception)
-            columns[mesher] = {"cells": "FAILED"} if failed else cell_figures(meshed, surface, box)
-            if failed:
+            if isinstance(meshed, Exception):
+                columns[mesher] = {"cells": "FAILED"}
                 print(f"{mesher}: {meshed}", file=sys.stderr)
-        print_rows(f"{surface.name}, {options.size}, depth {options.depth}", columns)
+            else:
+                columns[mesher] = cell_figures(meshed, surface, box)
+                errors[mesher] = wallmeasures.area_errors(meshed.mesh, surface)
+        rows = area_rows(errors)
+        print_rows(f"{surface.name}, {options.size}, depth {options.depth}",
+                   {mesher: column | rows.get(mesher, {}) for mesher, column in columns.items()})
 
 
 def solvers(options):

@@ -9,7 +9,7 @@ from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import mutable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
-from vtkmodules.vtkFiltersCore import vtkPolyDataConnectivityFilter, vtkTriangleFilter
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
 DATA = pathlib.Path(__file__).resolve().parents[2] / "Data"
 HEADER = DATA / "kcl_exhaust_header_lumens.stl"
@@ -97,15 +97,15 @@ class Surface(Triangles):
 
     def parts(self):
         """The number of each triangle's connected part."""
-        points, ids = np.unique(self.corners.reshape(-1, 3), axis=0, return_inverse=True)
-        connect = vtkPolyDataConnectivityFilter()
-        connect.SetInputData(polydata(points, ids.reshape(-1, 3)))
-        connect.SetExtractionModeToAllRegions()
-        connect.ColorRegionsOn()
-        connect.Update()
-        part_of = vtk_to_numpy(connect.GetOutput().GetPointData().GetArray("RegionId"))
-        assert len(part_of) == len(points)
-        return part_of[ids.reshape(-1, 3)[:, 0]]
+        _, ids = np.unique(self.corners.reshape(-1, 3), axis=0, return_inverse=True)
+        ids = ids.reshape(-1, 3)
+        lowest = np.arange(ids.max() + 1)  # point known to be of the same part
+        while True:
+            before = lowest.copy()
+            np.minimum.at(lowest, ids.ravel(), np.repeat(lowest[ids].min(axis=1), 3))
+            lowest = lowest[lowest]
+            if (lowest == before).all():
+                return np.unique(lowest[ids[:, 0]], return_inverse=True)[1]
 
     def points_inside(self, size):
         """A point in each part that is no void, as far from the surface as some tens of trials get."""
