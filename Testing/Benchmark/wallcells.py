@@ -161,7 +161,7 @@ def timestep(options):
 
 
 def pipe(options):
-    surface = wallsurfaces.tilted_pipe(PIPE_RADIUS, PIPE_LENGTH, PIPE_FACETS)
+    surface = wallsurfaces.tilted_pipe(PIPE_RADIUS, PIPE_LENGTH, PIPE_FACETS, level=False)
     lines = []
     for mesher, meshed in each_mesh(surface, options):
         if isinstance(meshed, Exception):
@@ -201,7 +201,8 @@ def arguments(texts):
         if command == "solvers":
             one.add_argument("--inlet", help="a boundary (default: the first whose name begins so)")
             one.add_argument("--outlet", help="likewise; all others are walls")
-            one.add_argument("--velocity", type=float, nargs=3, help="at the inlet (default: straight in)")
+            one.add_argument("--velocity", type=float, nargs=3,
+                             help="at the inlet (default: straight in, or along the pipe)")
             one.add_argument("--speed", type=float, default=20.0, help="without --velocity")
             one.add_argument("--iterations", type=int, default=500)
             one.add_argument("--limit", type=float, default=3.0, help="of speeds, by the inlet's")

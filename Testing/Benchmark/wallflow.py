@@ -33,10 +33,11 @@ class Duct:
     the largest speed that is believed, by the inlet's."""
 
     def __init__(self, surface, inlet, outlet, velocity=None, speed=20.0, iterations=500, limit=3.0):
-        those = surface.solids == surface.names.index(inlet)
-        normal = (surface.areas[those, None] * surface.normals[those]).sum(axis=0)
         self.inlet, self.outlet, self.iterations, self.limit = inlet, outlet, iterations, limit
-        self.velocity = np.array(velocity) if velocity else -speed * normal / np.linalg.norm(normal)
+        those = surface.solids == surface.names.index(inlet)
+        inward = -(surface.areas[those, None] * surface.normals[those]).sum(axis=0)
+        ahead = inward / np.linalg.norm(inward) if surface.ahead is None else surface.ahead
+        self.velocity = np.array(velocity) if velocity else speed * ahead
         self.diameter = np.sqrt(4 * surface.area_of(inlet) / np.pi)
 
 

@@ -64,6 +64,8 @@ class Triangles:
 class Surface(Triangles):
     """Triangles of solids with names: `solids[i]` is the number of triangle i's solid in `names`."""
 
+    ahead = None  # the direction of the flow at the inlet, if not straight in
+
     def __init__(self, name, corners, solids, names):
         # STL readers keep single precision: so both meshers and the measures have the same surface.
         super().__init__(np.asarray(corners, np.float32).astype(float))
@@ -174,16 +176,12 @@ def sphere(facets=100, radius=0.5):
     return from_proxy("sphere", simple.Sphere(Radius=radius, ThetaResolution=2 * facets, PhiResolution=facets))
 
 
-def tube(name, path, tangents, binormal, radius, facets):
-    """A pipe of circular section about a path in the plane across `binormal`: inlet, outlet, wall."""
-    angle = np.arange(facets) * 2 * math.pi / facets
-    rings = np.array([p + radius * (np.cos(angle)[:, None] * np.cross(binormal, t) +
-                                    np.sin(angle)[:, None] * binormal)
-                      for p, t in zip(path, tangents)])
-    following = np.roll(rings, -1, axis=1)
-    quads = rings[:-1], following[:-1], following[1:], rings[1:]
-    a, b, c, d = (corners.reshape(-1, 3) for corners in quads)
-    first, last = np.broadcast_to(path[0], (facets, 3)), np.broadcast_to(path[-1], (facets, 3))
+def tube(name, rings):
+    """A pipe through the rings of points (steps, facets, 3): inlet and outlet are fans about their means."""
+    following, facets = np.roll(rings, -1, axis=1), rings.shape[1]
+    a, b, c, d = (corners.reshape(-1, 3) for corners in
+                  (rings[:-1], following[:-1], following[1:], rings[1:]))
+    first, last = (np.broadcast_to(ring.mean(axis=0), (facets, 3)) for ring in (rings[0], rings[-1]))
     triangles = [np.stack([a, c, b], axis=1), np.stack([a, d, c], axis=1),
                  np.stack([first, rings[0], following[0]], axis=1),
                  np.stack([last, following[-1], rings[-1]], axis=1)]
@@ -191,21 +189,38 @@ def tube(name, path, tangents, binormal, radius, facets):
     return Surface(name, np.concatenate(triangles), solids, ["wall", "inlet", "outlet"])
 
 
-def tilted_pipe(radius=15.0, length=100.0, facets=96):
-    across = np.cross(TILTED, [0, 0, 1]) / np.linalg.norm(np.cross(TILTED, [0, 0, 1]))
-    return tube("tilted_pipe", np.outer([0, length], TILTED), [TILTED] * 2, across, radius, facets)
+def circles(path, tangents, across, radius, facets):
+    """Rings about the points of a path in the plane normal to `across`."""
+    angle = np.arange(facets)[:, None] * 2 * math.pi / facets
+    return np.array([p + radius * (np.cos(angle) * np.cross(across, t) + np.sin(angle) * across)
+                     for p, t in zip(path, tangents)])
 
 
-def bend(radius=15.0, turn=40.0, straight=40.0, steps=48):
-    """Straight, a quarter of a circle, straight; in a plane that is along no axis."""
+def tilted_pipe(radius=15.0, length=150.0, facets=96, level=True):
+    """`level`: the ends are at constant x, else across the pipe. (With those, flow with plain schemes diverges
+    on snappyHexMesh's mesh, too.)"""
     across = np.cross(TILTED, [0, 0, 1]) / np.linalg.norm(np.cross(TILTED, [0, 0, 1]))
-    ahead, aside = TILTED, np.cross(across, TILTED)
-    angles = np.linspace(0, math.pi / 2, steps + 1)[:, None]
-    tangents = np.cos(angles) * ahead + np.sin(angles) * aside
-    arc = turn * (np.sin(angles) * ahead + (1 - np.cos(angles)) * aside)
-    path = np.concatenate([[-straight * ahead], arc, [arc[-1] + straight * aside]])
-    tangents = np.concatenate([tangents[:1], tangents, tangents[-1:]])
-    return tube("bend", path, tangents, across, radius, 96)
+    rings = circles(np.outer([0, length], TILTED), [TILTED] * 2, across, radius, facets)
+    if level:
+        ends = np.array([0, length])[:, None] * TILTED[0]
+        rings -= ((rings[:, :, 0] - ends) / TILTED[0])[:, :, None] * TILTED
+    pipe = tube("tilted_pipe", rings)
+    pipe.ahead = TILTED
+    return pipe
+
+
+def bend(radius=15.0, turn=45.0, straight=40.0, degrees=60, steps=32):
+    """Along x, turned aside, and back along x; in a plane that is along no other axis."""
+    ahead, aside = np.array([1, 0, 0]), np.array([0, math.cos(0.6), math.sin(0.6)])
+    angles = np.linspace(0, math.radians(degrees), steps + 1)
+    angles = np.concatenate([[0], angles, angles[::-1], [0]])
+    tangents = np.cos(angles)[:, None] * ahead + np.sin(angles)[:, None] * aside
+    step = np.full(len(angles) - 1, turn * math.radians(degrees) / steps)
+    step[[0, steps + 1, -1]] = straight
+    middle = tangents[1:] + tangents[:-1]
+    middle /= np.linalg.norm(middle, axis=1)[:, None]
+    path = np.concatenate([np.zeros((1, 3)), np.cumsum(step[:, None] * middle, axis=0)])
+    return tube("bend", circles(path, tangents, np.cross(ahead, aside), radius, 96))
 
 
 def load(name):
