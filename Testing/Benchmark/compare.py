@@ -31,8 +31,9 @@ from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader, vtkSTLWriter
 
 HERE = pathlib.Path(__file__).resolve()
-sys.path.insert(0, str(HERE.parents[1] / "Plugin"))
+sys.path[:0] = [str(HERE.parent), str(HERE.parents[1] / "Plugin")]
 import foam  # noqa: E402
+from snappy import write_case  # noqa: E402
 
 SPHERE = "sphere"
 RADIUS = 0.5
@@ -152,7 +153,7 @@ def snappy(name, size):
         (pathlib.Path(folder) / "constant" / "triSurface").mkdir(parents=True)
         writer.SetFileName(f"{folder}/constant/triSurface/surface.stl")
         writer.Write()
-        write_snappy_case(folder, low, high, cells, point_inside(name, size))
+        write_case(folder, low, high, cells, [point_inside(name, size)])
         foam.run(folder, "blockMesh")
         begin, peak = time.perf_counter(), 0
         environment = dict(os.environ, WM_PROJECT_DIR=foam.CONFIGURATION, PWD=folder)
@@ -171,47 +172,6 @@ def snappy(name, size):
     volume = volume_of(data)
     return {"cells": int(re.search(r"^ +cells: +(\d+)", text, re.MULTILINE)[1]), "seconds": seconds,
             "bytes": peak, "error": abs(found - volume) / volume}
-
-
-def write_snappy_case(folder, low, high, cells, inside):
-    corners = "".join(f"({x} {y} {z})\n" for z in (low[2], high[2])
-        for x, y in ((low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1])))
-    foam.write(folder, "system/blockMeshDict", f"""
-        vertices ({corners});
-        blocks (hex (0 1 2 3 4 5 6 7) ({cells[0]} {cells[1]} {cells[2]}) simpleGrading (1 1 1));
-        boundary ();""")
-    foam.write(folder, "system/controlDict", """
-        application snappyHexMesh; startFrom startTime; startTime 0; stopAt endTime; endTime 1; deltaT 1;
-        writeControl timeStep; writeInterval 1; writeFormat binary;""")
-    foam.write(folder, "system/fvSchemes", "ddtSchemes {} gradSchemes {} divSchemes {} "
-        "laplacianSchemes {} interpolationSchemes {} snGradSchemes {}")
-    foam.write(folder, "system/fvSolution", "")
-    foam.write(folder, "system/snappyHexMeshDict", f"""
-        castellatedMesh true; snap true; addLayers false;
-        geometry {{ surface.stl {{ type triSurfaceMesh; name surface; }} }}
-        castellatedMeshControls
-        {{
-            maxLocalCells 100000000; maxGlobalCells 100000000; minRefinementCells 10;
-            nCellsBetweenLevels 1; resolveFeatureAngle 30; allowFreeStandingZoneFaces true;
-            features (); refinementRegions {{}}
-            refinementSurfaces {{ surface {{ level (0 0); }} }}
-            locationInMesh ({inside[0]} {inside[1]} {inside[2]});
-        }}
-        snapControls {{ nSmoothPatch 3; tolerance 2.0; nSolveIter 30; nRelaxIter 5; }}
-        addLayersControls
-        {{
-            relativeSizes true; layers {{}} expansionRatio 1; finalLayerThickness 0.3; minThickness 0.1;
-            nGrow 0; featureAngle 60; nRelaxIter 3; nSmoothSurfaceNormals 1; nSmoothNormals 3;
-            nSmoothThickness 10; maxFaceThicknessRatio 0.5; maxThicknessToMedialRatio 0.3;
-            minMedianAxisAngle 90; nBufferCellsNoExtrude 0; nLayerIter 50;
-        }}
-        meshQualityControls
-        {{
-            maxNonOrtho 65; maxBoundarySkewness 20; maxInternalSkewness 4; maxConcave 80; minVol 1e-30;
-            minTetQuality 1e-30; minArea -1; minTwist 0.02; minDeterminant 0.001; minFaceWeight 0.05;
-            minVolRatio 0.01; minTriangleTwist -1; nSmoothScale 4; errorReduction 0.75;
-        }}
-        mergeTolerance 1e-6;""")
 
 
 def run(tool, name, size):

@@ -71,7 +71,7 @@ def write(folder, path, text, kind="dictionary"):
 
 
 class Files:
-    """constant/polyMesh, read without any of the code that wrote it."""
+    """constant/polyMesh, ours or what OpenFOAM's programs write, read without the code that wrote it."""
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder) / "constant" / "polyMesh"
@@ -90,10 +90,15 @@ class Files:
 
     def lists(self, name, kind):
         data = (self.folder / name).read_bytes()
-        header, _, body = data.partition(b"}\n\n")
+        header, _, body = data.partition(b"\n}\n")
+        body = re.sub(rb"\A(\s*//[^\n]*\n)*\s*", b"", body)
         if b"binary" in header:
             return list(self.binary_lists(body, kind))
-        count, _, items = body.partition(b"\n")
+        body = re.sub(rb"\s*//[^\n]*\s*\Z", b"\n", body)
+        same = re.fullmatch(rb"(\d+)\{(\S+)\}\s*", body)
+        if same:
+            return [np.full(int(same[1]), same[2]).astype(kind)]
+        count, _, items = body.partition(b"(")
         if b"faceList" not in header:
             words = items.translate(bytes.maketrans(b"()", b"  ")).split()
             found = [np.array(words).astype(kind)]

@@ -25,11 +25,13 @@ struct SystemFile
   const char* text;
 };
 
+// With OpenFOAM's own 6 digits (transformPoints: 10), what its programs write anew loses the points' digits:
+// the smallest faces become none.
 constexpr std::array<SystemFile, 3> SystemFiles = { {
   { "controlDict",
     "application     potentialFoam;\nstartFrom       startTime;\nstartTime       0;\n"
     "stopAt          endTime;\nendTime         1;\ndeltaT          1;\n"
-    "writeControl    timeStep;\nwriteInterval   1;\n" },
+    "writeControl    timeStep;\nwriteInterval   1;\nwritePrecision  17;\n" },
   { "fvSchemes",
     "ddtSchemes { default steadyState; }\ngradSchemes { default Gauss linear; }\n"
     "divSchemes { default none; }\nlaplacianSchemes { default Gauss linear corrected; }\n"

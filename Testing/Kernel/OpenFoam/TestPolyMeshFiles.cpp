@@ -5,6 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
 #include <sstream>
 
 using namespace cartesian;
@@ -28,9 +32,9 @@ protected:
   ~PolyMeshFiles() override { fs::remove_all(folder); }
 
   // A tetrahedron of two patches.
-  fs::path write(FoamFormat format, const std::string& first = "a") const
+  fs::path write(FoamFormat format, const std::string& first = "a",
+    const std::vector<double>& points = { 0, 0, 0, 0.1, 0, 0, 0, 1e-9, 0, 0, 0, 1 }) const
   {
-    const std::vector<double> points = { 0, 0, 0, 0.1, 0, 0, 0, 1e-9, 0, 0, 0, 1 };
     CellFaces cells;
     cells.firstFace = { 0, 4 };
     cells.firstCorner = { 0, 3, 6, 9, 12 };
@@ -42,9 +46,10 @@ protected:
     return writePolyMesh({ points, cells, faces, patches }, folder, format);
   }
 
-  std::string read(const char* name) const
+  // Without the header.
+  std::string read(const fs::path& name, const fs::path& location = "constant/polyMesh") const
   {
-    std::ifstream file(folder / "constant" / "polyMesh" / name);
+    std::ifstream file(folder / location / name);
     std::stringstream text;
     text << file.rdbuf();
     return text.str().substr(text.str().find("}\n\n") + 3);
@@ -64,6 +69,31 @@ TEST_F(PolyMeshFiles, AsciiIsWhatOpenFOAMReads)
   EXPECT_EQ(read("neighbour"), "0\n(\n)\n");
   EXPECT_NE(read("boundary").find("wall;\n        nFaces          3;\n        startFace       1;"),
     std::string::npos);
+}
+
+TEST_F(PolyMeshFiles, AsciiReadsBackAsTheSameNumbers)
+{
+  const std::vector<double> points = { 1. / 3, std::nextafter(1., 2), -0.1, 1e-300, 387.5356812,
+    -1.20052e-15, 5e-324, 123456789.123456789, 2. / 3, 1e22, 4 * std::atan(1.), -0. };
+  write(FoamFormat::Ascii, "a", points);
+  std::string text = read("points").substr(1);
+  std::replace_if(
+    text.begin(), text.end(), [](char c) { return c == '(' || c == ')'; }, ' ');
+  const char* next = text.c_str();
+  for (const double expected : points)
+  {
+    char* end = nullptr;
+    const double found = std::strtod(next, &end);
+    EXPECT_EQ(std::memcmp(&found, &expected, sizeof(double)), 0) << found << " for " << expected;
+    next = end;
+  }
+}
+
+// controlDict says how many digits OpenFOAM's programs write when they move or renumber the mesh.
+TEST_F(PolyMeshFiles, ProgramsWriteAllDigits)
+{
+  write(FoamFormat::Ascii);
+  EXPECT_NE(read("controlDict", "system").find("writePrecision  17;"), std::string::npos);
 }
 
 TEST_F(PolyMeshFiles, BinaryHasNoBracketsAroundNothing)

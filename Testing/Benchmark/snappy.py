@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""OpenFOAM's snappyHexMesh: the case that it needs, with the defaults of its tutorials. No layers."""
+
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Plugin"))
+import foam  # noqa: E402
+
+QUALITY = """
+    maxNonOrtho 65; maxBoundarySkewness 20; maxInternalSkewness 4; maxConcave 80; minVol 1e-30;
+    minTetQuality 1e-30; minArea -1; minTwist 0.02; minDeterminant 0.001; minFaceWeight 0.05;
+    minVolRatio 0.01; minTriangleTwist -1; nSmoothScale 4; errorReduction 0.75;"""
+
+LAYERS = """
+    relativeSizes true; layers {} expansionRatio 1; finalLayerThickness 0.3; minThickness 0.1;
+    nGrow 0; featureAngle 60; nRelaxIter 3; nSmoothSurfaceNormals 1; nSmoothNormals 3;
+    nSmoothThickness 10; maxFaceThicknessRatio 0.5; maxThicknessToMedialRatio 0.3;
+    minMedianAxisAngle 90; nBufferCellsNoExtrude 0; nLayerIter 50;"""
+
+
+def write_block(folder, low, high, cells):
+    """The background: a box of equal cells."""
+    corners = "".join(f"({x} {y} {z})\n" for z in (low[2], high[2])
+        for x, y in ((low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1])))
+    foam.write(folder, "system/blockMeshDict", f"""
+        vertices ({corners});
+        blocks (hex (0 1 2 3 4 5 6 7) ({cells[0]} {cells[1]} {cells[2]}) simpleGrading (1 1 1));
+        boundary ();""")
+
+
+def write_case(folder, low, high, cells, inside, level=0, regions=(), features=False):
+    """For constant/triSurface/surface.stl. `inside`: a point in each part to mesh; `regions`: the names of
+    the file's solids, if these shall be patches; `features`: whether to snap to surface.eMesh beside it,
+    which surfaceFeatureExtract writes."""
+    write_block(folder, low, high, cells)
+    foam.write(folder, "system/controlDict", f"""
+        application snappyHexMesh; startFrom startTime; startTime 0; stopAt endTime; endTime 1; deltaT 1;
+        writeControl timeStep; writeInterval 1; writePrecision 17;
+        writeFormat {"ascii" if features else "binary"};""")
+    foam.write(folder, "system/fvSchemes", "ddtSchemes {} gradSchemes {} divSchemes {} "
+        "laplacianSchemes {} interpolationSchemes {} snGradSchemes {}")
+    foam.write(folder, "system/fvSolution", "")
+    foam.write(folder, "system/surfaceFeatureExtractDict", "surface.stl { extractionMethod "
+        "extractFromSurface; extractFromSurfaceCoeffs { includedAngle 150; } writeObj no; }")
+    points = [f"({p[0]!r} {p[1]!r} {p[2]!r})" for p in inside]
+    where = f"locationInMesh {points[0]};" if len(points) == 1 else \
+        f"locationsInMesh ({' '.join(f'({point} none)' for point in points)});"
+    edges = f'{{ file "surface.eMesh"; level {level}; }}' if features else ""
+    named = f"regions {{ {' '.join(f'{name} {{ name {name}; }}' for name in regions)} }}" if regions else ""
+    explicit = """nFeatureSnapIter 10; implicitFeatureSnap false; explicitFeatureSnap true;
+        multiRegionFeatureSnap true;""" if features else ""
+    foam.write(folder, "system/snappyHexMeshDict", f"""
+        castellatedMesh true; snap true; addLayers false;
+        geometry {{ surface.stl {{ type triSurfaceMesh; name surface; {named} }} }}
+        castellatedMeshControls
+        {{
+            maxLocalCells 100000000; maxGlobalCells 100000000; minRefinementCells 10;
+            nCellsBetweenLevels 1; resolveFeatureAngle 30; allowFreeStandingZoneFaces true;
+            features ({edges}); refinementRegions {{}}
+            refinementSurfaces {{ surface {{ level ({level} {level}); }} }}
+            {where}
+        }}
+        snapControls {{ nSmoothPatch 3; tolerance 2.0; nSolveIter 30; nRelaxIter 5; {explicit} }}
+        addLayersControls {{ {LAYERS} }}
+        meshQualityControls {{ {QUALITY} }}
+        mergeTolerance 1e-6;""")

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A surface meshed by Cartesian Mesher and by snappyHexMesh at equal boxes, for wallcells.py: both from the
+same file, both on one thread, both saved as an OpenFOAM case."""
+
+import pathlib
+import resource
+import shutil
+import time
+
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import foam
+import snappy
+from wallmeasures import Mesh
+
+OURS, THEIRS = "Cartesian Mesher", "snappyHexMesh"
+MESHERS = (OURS, THEIRS) if shutil.which("snappyHexMesh") else (OURS,)
+
+
+class Meshed:
+    """A case, the volume of each cell's box, and the mesher's seconds of CPU."""
+
+    def __init__(self, folder, boxes, seconds):
+        self.folder, self.boxes, self.seconds = pathlib.Path(folder), boxes, seconds
+        self.mesh = Mesh(folder)
+
+
+def make(mesher, surface, size, depth, folder, properties=None):
+    """A Meshed; AssertionError if there is no mesh."""
+    if mesher == OURS:
+        return make_ours(surface, size, depth, folder, properties or {})
+    return make_theirs(surface, size, depth, folder)
+
+
+def make_ours(surface, size, depth, folder, properties):
+    path = pathlib.Path(folder) / "constant" / "triSurface" / "surface.stl"
+    surface.write(path)
+    reader = simple.NamedSTLReader(FileName=str(path))
+    reader.UpdatePipeline()
+    mesher = simple.CartesianMesher(Input=reader, CellSize=size, RefinementDepth=depth,
+                                    NumberOfThreads=1, **properties)
+    mesher.UpdateVTKObjects()
+    filter = mesher.SMProxy.GetClientSideObject()
+    begin = time.process_time()
+    filter.Update()
+    seconds = time.process_time() - begin
+    grid = filter.GetOutputDataObject(0)
+    assert grid.GetNumberOfCells(), f"no mesh of {surface.name}, for the reason above"
+    level = vtk_to_numpy(grid.GetCellData().GetArray("Level")).sum(axis=1)
+    foam.save(mesher, folder)
+    simple.Delete(mesher)
+    simple.Delete(reader)
+    return Meshed(folder, size ** 3 / 2.0 ** level, seconds)
+
+
+def make_theirs(surface, size, depth, folder):
+    path = pathlib.Path(folder) / "constant" / "triSurface" / "surface.stl"
+    surface.write(path)
+    low, high = surface.bounds()
+    cells = ((high - low) / size).astype(int) + 2
+    low = low - size / 2
+    names = surface.names if len(surface.names) > 1 else []
+    snappy.write_case(folder, low.tolist(), (low + size * cells).tolist(), cells.tolist(),
+        surface.points_inside(size), depth, names, features=True)
+    foam.run(folder, "blockMesh")
+    foam.run(folder, "surfaceFeatureExtract")
+    begin = children_time()
+    foam.run(folder, "snappyHexMesh", "-overwrite")
+    seconds = children_time() - begin
+    meshed = Meshed(folder, size ** 3, seconds)
+    if (meshed.mesh.folder / "cellLevel").exists():
+        level = meshed.mesh.lists("cellLevel", np.int32)[0]
+        meshed.boxes = size ** 3 / 8.0 ** level
+    return meshed
+
+
+def children_time():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
