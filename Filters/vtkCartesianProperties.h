@@ -98,6 +98,9 @@ protected:                                                                      
  * SplitConcaveCells, default on: cells that fail an angle condition of section 3 are cut along their
  * concave edges (4.11).
  *
+ * OptimiseNodes, default on: where small cells merge or concave ones are split, and the patches are not exact, nodes of
+ * the cells at the surface move to where solvers are at ease with the faces around them; those of the surface along it.
+ *
  * RefusedCellRatio, 0 (none) or more, default 4: where concave cells are split and the patches are not
  * exact, what solvers would refuse (section 3, checkMesh) and nothing mends is left out, up to as many
  * volumes of its box. Boundaries with a small cell ratio of their own keep larger ones.
@@ -128,6 +131,9 @@ public:                                                                         
   vtkSetMacro(SplitConcaveCells, bool);                                                            \
   vtkGetMacro(SplitConcaveCells, bool);                                                            \
   vtkBooleanMacro(SplitConcaveCells, bool);                                                        \
+  vtkSetMacro(OptimiseNodes, bool);                                                                \
+  vtkGetMacro(OptimiseNodes, bool);                                                                \
+  vtkBooleanMacro(OptimiseNodes, bool);                                                            \
   vtkSetMacro(RefusedCellRatio, double);                                                           \
   vtkGetMacro(RefusedCellRatio, double);                                                           \
                                                                                                    \
@@ -137,6 +143,7 @@ protected:                                                                      
   double MergeRatio = 0.15;                                                                        \
   double SmallCellRatio = 1e-3;                                                                    \
   bool SplitConcaveCells = true;                                                                   \
+  bool OptimiseNodes = true;                                                                       \
   double RefusedCellRatio = 4
 
 /**

@@ -27,6 +27,7 @@ void setCellOptions(Filter* filter, Options& options)
   options.smallCells.handling = static_cast<SmallCells>(filter->GetSmallCells());
   options.shaping.mergeRatio = filter->GetMergeRatio();
   options.shaping.splitConcave = filter->GetSplitConcaveCells();
+  options.shaping.optimiseNodes = filter->GetOptimiseNodes();
   options.shaping.refusedCellRatio = filter->GetRefusedCellRatio();
 }
 
@@ -47,6 +48,7 @@ void printCellProperties(Filter* filter, ostream& os, vtkIndent indent)
   os << indent << "MergeRatio: " << filter->GetMergeRatio() << "\n";
   os << indent << "SmallCellRatio: " << filter->GetSmallCellRatio() << "\n";
   os << indent << "SplitConcaveCells: " << filter->GetSplitConcaveCells() << "\n";
+  os << indent << "OptimiseNodes: " << filter->GetOptimiseNodes() << "\n";
   os << indent << "RefusedCellRatio: " << filter->GetRefusedCellRatio() << "\n";
 }
 

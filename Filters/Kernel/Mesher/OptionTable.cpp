@@ -40,6 +40,7 @@ std::vector<NamedOption> optionTable()
     { "Merge Ratio", d.shaping.mergeRatio, ShapingSpec::MergeRatios, "" },
     { "Small Cell Ratio", d.smallCells.ratio, SmallCellSpec::Ratios, "" },
     { "Split Concave Cells", double(d.shaping.splitConcave), { 0, 1 }, "" },
+    { "Optimise Nodes", double(d.shaping.optimiseNodes), { 0, 1 }, "" },
     { "Refused Cell Ratio", d.shaping.refusedCellRatio, ShapingSpec::RefusedCellRatios, "" },
     { "Memory Limit", d.memoryLimit, Options::MemoryLimits, "GiB" },
     { "Number Of Threads", double(Execution::AllCores), { 0 }, "" },

@@ -232,8 +232,9 @@ double energyOfShare(double share, double& byShare)
   }
   const double least = std::max(share, LeastRatio);
   const double energy = square(FairShare / least);
-  byShare = -2 * energy / least;
-  return energy;
+  const double lack = std::max(0.0, LeastRatio - share);
+  byShare = -2 * energy / least - (lack > 0 ? Beyond : 0);
+  return energy + Beyond * lack;
 }
 
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace cartesian
@@ -32,6 +33,9 @@ constexpr double FairLimits = 2;
 
 // The smallest triangle of a face's star, relative to the mean one, unless it was smaller.
 constexpr double LeastOfStar = 0.02;
+
+// ... and a cell smaller than it was down to this share of its box.
+constexpr double FairShare = 0.1;
 
 constexpr double OfFoldedFace = 1e9;
 
@@ -61,7 +65,7 @@ public:
     measure();
     leastStars_ = stars_;
     evaluate();
-    const std::vector<FaceEnergy> first = energies_;
+    const State first{ energies_, m_.measures };
     for (int round = 0; round < Rounds; ++round)
     {
       execution.poll();
@@ -97,6 +101,13 @@ private:
     double energy; // before its last step, or infinite: none to compare with
     Vector before; // its last step
     Vector gradient;
+  };
+
+  // In the beginning.
+  struct State
+  {
+    std::vector<FaceEnergy> energies;
+    std::vector<CellGeometry> cells;
   };
 
   static double edgeOf(double volume) { return std::cbrt(volume); }
@@ -419,7 +430,7 @@ private:
     node.step = std::min(node.step, StepOfShortestEdge * std::sqrt(node.shortest));
     const Vector to = plus(m_.at[node.at], scaled(down, node.step / length));
     const Vector& from = before_[node.at];
-    if (norm(minus(to, from)) <= FarthestWay * node.edge && paths_.allows(node.at, from, to, node.edge))
+    if (isInGrid(to) && norm(minus(to, from)) <= FarthestWay * node.edge && paths_.allows(node.at, from, to, node.edge))
     {
       m_.at[node.at] = to;
     }
@@ -427,6 +438,18 @@ private:
     {
       node.step *= Shorter;
     }
+  }
+
+  bool isInGrid(const Vector& at) const
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      if (!(at[axis] > m_.ends[0][axis] && at[axis] < m_.ends[1][axis]))
+      {
+        return false;
+      }
+    }
+    return true;
   }
 
   void takeBackSteps()
@@ -445,37 +468,28 @@ private:
     at = { std::round(at[0]), std::round(at[1]), std::round(at[2]) };
   }
 
-  // Takes back all steps of the nodes of faces that are worse than they were; false: there is none.
-  bool takeBackAround(const std::vector<FaceEnergy>& first)
+  // Takes back all steps of the nodes of faces and cells that are worse than they were; false: there is none.
+  bool takeBackAround(const State& first)
   {
     std::vector<std::uint32_t> back;
-    const auto list = [&](std::size_t f) {
-      bool any = false;
-      for (std::uint32_t i = m_.start[f]; i < m_.start[f + 1]; ++i)
-      {
-        const std::uint32_t n = m_.corners[i];
-        if (movingOf_[n] != None && m_.at[n] != before_[n])
-        {
-          back.push_back(n);
-          any = true;
-        }
-      }
-      return any;
-    };
     for (std::size_t f = 0; f < m_.faces(); ++f)
     {
-      const bool isWorse =
-        energies_[f].limits > FairLimits && energies_[f].limits > first[f].limits;
-      if ((isWorse || isFolded(f)) && !list(f))
+      const double limits = energies_[f].limits;
+      const bool isWorse = limits > FairLimits && limits > first.energies[f].limits;
+      if ((isWorse || isFolded(f)) && !listMoved(f, back))
       {
         for (const std::uint32_t c : m_.cells[f])
         {
-          for (std::uint32_t i = c < m_.changing ? m_.cellStart[c] : 0;
-               c < m_.changing && i < m_.cellStart[c + 1]; ++i)
-          {
-            list(m_.cellFaces[i]);
-          }
+          listMovedOf(c, back);
         }
+      }
+    }
+    for (std::uint32_t c = 0; c < m_.changing; ++c)
+    {
+      const double volume = m_.measures[c].volume;
+      if (volume < FairShare * m_.volumeOfBox[c] && volume < first.cells[c].volume)
+      {
+        listMovedOf(c, back);
       }
     }
     for (const std::uint32_t n : back)
@@ -483,6 +497,25 @@ private:
       m_.at[n] = before_[n];
     }
     return !back.empty();
+  }
+
+  // Appends the corners of a face that have moved; whether there are any.
+  bool listMoved(std::size_t f, std::vector<std::uint32_t>& moved) const
+  {
+    const std::size_t before = moved.size();
+    std::copy_if(m_.corners.begin() + std::ptrdiff_t(m_.start[f]),
+      m_.corners.begin() + std::ptrdiff_t(m_.start[f + 1]), std::back_inserter(moved),
+      [&](std::uint32_t n) { return movingOf_[n] != None && m_.at[n] != before_[n]; });
+    return moved.size() > before;
+  }
+
+  void listMovedOf(std::uint32_t c, std::vector<std::uint32_t>& moved) const
+  {
+    for (std::uint32_t i = c < m_.changing ? m_.cellStart[c] : 0;
+         c < m_.changing && i < m_.cellStart[c + 1]; ++i)
+    {
+      listMoved(m_.cellFaces[i], moved);
+    }
   }
 
   WallMesh& m_;

@@ -34,21 +34,24 @@ public:
     , firstHexahedron_(static_cast<CellKey>(parts.cells.size()))
   {
     mesh_.origin = { 0, 0, p_.boxes.planes[2][slab.layers.begin] };
+    const auto& planes = p_.boxes.planes;
+    mesh_.ends = { minus(Point{ planes[0].front(), planes[1].front(), planes[2].front() }, mesh_.origin),
+      minus(Point{ planes[0].back(), planes[1].back(), planes[2].back() }, mesh_.origin) };
   }
 
   WallMesh run()
   {
     listCells();
-    // A polyhedral complex has fewer nodes than its cells have faces.
-    const std::size_t most = p_.cells.all[end_].firstFace - p_.cells.all[first_].firstFace;
-    stateOf_.reset(2 * most + 8 * (divided_[1] - divided_[0]));
+    // A polyhedron of F faces has at most 2 F - 4 nodes.
+    const std::size_t faces = p_.cells.all[end_].firstFace - p_.cells.all[first_].firstFace;
+    stateOf_.reset(2 * faces + 8 * (divided_[1] - divided_[0]));
     findMovable();
     listChanging();
-    localOf_.reset(most + 8 * hexahedra_.size());
+    localOf_.reset(2 * faces + 8 * hexahedra_.size());
     vertexOf_.reset(8 * hexahedra_.size());
-    faceOf_.reset(most + 6 * hexahedra_.size());
+    faceOf_.reset(faces + 6 * hexahedra_.size());
     quadOf_.reset(6 * hexahedra_.size());
-    cellOf_.reset(most + 6 * hexahedra_.size());
+    cellOf_.reset(faces + 6 * hexahedra_.size());
     listFaces();
     sortNodes();
     sortFaces();
@@ -388,7 +391,7 @@ private:
       return;
     }
     known = static_cast<std::uint32_t>(mesh_.faces());
-    forEachNodeOf(face, [&](std::uint32_t node) { mesh_.corners.push_back(localOf(node)); });
+    forEachNodeOf(face, [&](std::uint32_t node) { mesh_.corners.push_back(localOf(node, isMovable(node))); });
     const CellKey other = across(face);
     closeFace({ c, other, other == None ? boundaryOf(face) : NoBoundary });
   }
@@ -475,21 +478,22 @@ private:
     return static_cast<std::uint32_t>(mesh_.at.size() - 1);
   }
 
-  std::uint32_t localOf(std::uint32_t node)
+  std::uint32_t localOf(std::uint32_t node, bool movable)
   {
     std::uint32_t& local = localOf_.at(node, node);
     if (local == EdgeTable::Fresh)
     {
-      local = addNode(placeOf(node), node, isMovable(node));
+      local = addNode(placeOf(node), node, movable);
     }
     return local;
   }
 
+  // Those that may move are here already, as nodes of a wall cell.
   std::uint32_t localOfCorner(std::uint32_t box, unsigned corner)
   {
     if (const std::uint32_t ordinal = p_.sides.ordinal[box]; ordinal != None)
     {
-      return localOf(p_.nodes.ofDivided[ordinal & ~Sides::HexahedronBit][corner]);
+      return localOf(p_.nodes.ofDivided[ordinal & ~Sides::HexahedronBit][corner], false);
     }
     const auto& low = p_.boxes.globalOf(p_.boxes.packed[box]).index;
     const std::array<std::uint32_t, 3> at{ low[0] + (corner & 1), low[1] + (corner >> 1 & 1),
@@ -503,7 +507,8 @@ private:
     if (found != end && areSame(*found, p))
     {
       return localOf(static_cast<std::uint32_t>(p_.nodes.patchPoints) +
-        static_cast<std::uint32_t>(found - begin));
+          static_cast<std::uint32_t>(found - begin),
+        false);
     }
     std::uint32_t& local = vertexOf_.at(static_cast<std::uint32_t>(row), at[0]);
     if (local == EdgeTable::Fresh)

@@ -33,6 +33,7 @@ struct WallMesh
 {
   // Nodes. Places are in levels from `origin`.
   Point origin{};
+  std::array<Vector, 2> ends{}; // of the grid, lowest and highest: nodes stay between them
   std::vector<Vector> at;
   std::vector<std::uint32_t> number; // in Nodes, or None: corners of hexahedra that only hexahedra have
   std::vector<std::uint8_t> mayMove; // 1: all cells at the node are here, and it is a wall cell's

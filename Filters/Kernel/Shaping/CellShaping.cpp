@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace cartesian
 {
@@ -71,26 +72,12 @@ public:
     }
     mergePoor();
     removeSmall(1);
-    if (spec_.splitConcave && spec_.refusedCellRatio > 0 && !exact_)
-    {
-      removeRefused();
-    }
     return shaping_;
   }
 
-private:
-  // What cannot be merged is small beyond use.
-  void removeSmall(double most)
-  {
-    if (small_.handling == SmallCells::Merge && !exact_)
-    {
-      removeSmallCells(complex_, small_, most);
-    }
-  }
-
-  // The smallest first, as a removal may be enough for the neighbours. What it exposes can be mended;
-  // what is too large to go can lose a part.
-  void removeRefused()
+  // What neither merging nor moving nodes has saved. The smallest first, as a removal may be enough for the
+  // neighbours. What it exposes can be mended; what is too large to go can lose a part.
+  Shaping removeRefused()
   {
     RefusedCells refused(complex_, small_, execution_);
     std::uint32_t looked = 0;
@@ -116,6 +103,17 @@ private:
       }
       shaping_.refusedCellsRemoved +=
         refused.remove(keys, LargestShares[pass] * spec_.refusedCellRatio);
+    }
+    return shaping_;
+  }
+
+private:
+  // What cannot be merged is small beyond use.
+  void removeSmall(double most)
+  {
+    if (small_.handling == SmallCells::Merge && !exact_)
+    {
+      removeSmallCells(complex_, small_, most);
     }
   }
 
@@ -203,18 +201,21 @@ void optimise(
   {
     whole.known.atFault[cell] = IsAtFault::Unknown;
   }
+  const std::vector<Point>& at = whole.nodes.at;
+  std::sort(whole.nodes.ofCuts.begin(), whole.nodes.ofCuts.end(),
+    [&](std::uint32_t a, std::uint32_t b) { return at[a] < at[b]; });
 }
 
 }
 
-Shaping& Shaping::operator+=(const Shaping& other)
+Shaping operator+(Shaping sum, const Shaping& other)
 {
-  cellsSplit += other.cellsSplit;
-  cellsMerged += other.cellsMerged;
-  cellsMended += other.cellsMended;
-  partsCarved += other.partsCarved;
-  refusedCellsRemoved += other.refusedCellsRemoved;
-  return *this;
+  sum.cellsSplit += other.cellsSplit;
+  sum.cellsMerged += other.cellsMerged;
+  sum.cellsMended += other.cellsMended;
+  sum.partsCarved += other.partsCarved;
+  sum.refusedCellsRemoved += other.refusedCellsRemoved;
+  return sum;
 }
 
 bool shapesCells(const SmallCellSpec& small, const ShapingSpec& spec)
@@ -228,37 +229,41 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
 {
   const bool exact = isExact(patches);
   const std::uint32_t all = boxes.allLayers().end;
-  const auto stages = slabsFor(boxes.core.grown(HaloOfShapedCells, all), all);
   CellsToShape whole(boxes, patches, sides, nodes, inner, cells);
   Shaping sum;
-  for (std::size_t stage = 0; stage < stages.size(); ++stage)
+  double left = 1 + ShapingStages;
+  for (const std::vector<Slab>& slabs : slabsFor(boxes.core.grown(HaloOfShapedCells, all), all))
   {
-    const std::vector<Slab>& slabs = stages[stage];
     if (slabs.empty())
     {
       continue;
     }
-    const double left = static_cast<double>(stages.size() - stage);
-    execution.nextLoop(0.02);
-    whole.measure({ slabs.front().layers.begin, slabs.back().layers.end }, execution);
-    std::vector<std::unique_ptr<CellComplex>> complexes(slabs.size());
-    std::vector<Shaping> shapings(slabs.size());
-    execution.nextLoop(0.9 / left);
-    execution.forEach(slabs.size(), 1, [&](std::size_t s, std::size_t) {
-      Execution alone = execution.alone();
-      complexes[s] = std::make_unique<CellComplex>(whole, slabs[s]);
-      shapings[s] = Shaper(*complexes[s], small, spec, exact, alone).run();
-    });
-    for (const Shaping& shaping : shapings)
-    {
-      sum += shaping;
-    }
-    writeBack(whole, complexes, execution);
-    complexes.clear();
+    const auto inSlabs = [&](auto&& shape) {
+      execution.nextLoop(0.02);
+      whole.measure({ slabs.front().layers.begin, slabs.back().layers.end }, execution);
+      std::vector<std::unique_ptr<CellComplex>> complexes(slabs.size());
+      std::vector<Shaping> shapings(slabs.size());
+      execution.nextLoop(0.5 / left);
+      execution.forEach(slabs.size(), 1, [&](std::size_t s, std::size_t) {
+        Execution alone = execution.alone();
+        complexes[s] = std::make_unique<CellComplex>(whole, slabs[s]);
+        Shaper shaper(*complexes[s], small, spec, exact, alone);
+        shapings[s] = shape(shaper);
+      });
+      sum = std::accumulate(shapings.begin(), shapings.end(), sum);
+      writeBack(whole, complexes, execution);
+    };
+    inSlabs([](Shaper& shaper) { return shaper.run(); });
     if (spec.optimiseNodes && !exact)
     {
+      execution.nextLoop(0.5 / left);
       optimise(whole, slabs, featureAngle, execution);
     }
+    if (spec.splitConcave && spec.refusedCellRatio > 0 && !exact)
+    {
+      inSlabs([](Shaper& shaper) { return shaper.removeRefused(); });
+    }
+    --left;
   }
   return sum;
 }

@@ -18,9 +18,9 @@ struct Shaping
     0; // got a boundary face of several, of any angle: the paper's IP patches
   std::size_t partsCarved = 0; // that solvers refuse; removed
   std::size_t refusedCellsRemoved = 0;
-
-  Shaping& operator+=(const Shaping& other);
 };
+
+Shaping operator+(Shaping sum, const Shaping& other);
 
 // Whether there is anything to do.
 bool shapesCells(const SmallCellSpec& small, const ShapingSpec& spec);
