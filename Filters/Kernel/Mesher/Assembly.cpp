@@ -130,10 +130,11 @@ BoxFlags findTurned(const Assembly& a, const Cells& cells)
 // Collapses short edges, first between the seams, then across them (EdgeCollapse.h), and makes the cells.
 // Boxes whose faces then do not close, or whose cells turned over, keep their edges in another attempt;
 // what changes for that changes nothing beyond the seams.
-class EdgeCollapse
+class CollapseAttempts
 {
 public:
-  EdgeCollapse(Assembly& a, const BoxFlags& flawed, const Options& options, Execution& execution)
+  CollapseAttempts(
+    Assembly& a, const BoxFlags& flawed, const Options& options, Execution& execution)
     : a_(a)
     , flawed_(flawed)
     , options_(options)
@@ -244,7 +245,7 @@ std::unique_ptr<Assembly> assemble(
   const BoxFlags flawed = rebuildFlawed(a, makeFaces(a, execution), execution);
   if (options.collapse.ratio > 0)
   {
-    EdgeCollapse(a, flawed, options, execution).run();
+    CollapseAttempts(a, flawed, options, execution).run();
   }
   else
   {

@@ -11,14 +11,14 @@ namespace cartesian
 
 constexpr double AfterSurface = 0.01;
 constexpr double AfterDefects = 0.02; // while Boxes begin where Surface ends
-constexpr double AfterBoxes = 0.065;
-constexpr double AfterPatches = 0.245;
-constexpr double AfterSides = 0.32;
-constexpr double AfterInnerFaces = 0.36;
-constexpr double AfterCells = 0.375;
-constexpr double AfterShortEdges = 0.53;
-constexpr double AfterShaping = 0.83;
-constexpr double AfterNumbering = 0.905;
+constexpr double AfterBoxes = 0.045;
+constexpr double AfterPatches = 0.155;
+constexpr double AfterSides = 0.19;
+constexpr double AfterInnerFaces = 0.21;
+constexpr double AfterCells = 0.22;
+constexpr double AfterShortEdges = 0.3;
+constexpr double AfterShaping = 0.88;
+constexpr double AfterNumbering = 0.93;
 
 // Leaves out of the progress the stages that the options do not ask for; before the first stage.
 inline void planStages(const Options& options, Execution& execution)

@@ -57,16 +57,15 @@ double reachOf(const Ring& ring, const Vector& centre, const Vector& aside, doub
   double reach = least * norm(aside);
   for (std::size_t i = 0; i < ring.size; ++i)
   {
-    reach =
-      std::max(reach, std::abs(dot(minus(ring.at[ring.first[i]], centre), aside)));
+    reach = std::max(reach, std::abs(dot(minus(ring.at[ring.first[i]], centre), aside)));
   }
   return reach / std::max(norm(aside), Tiny);
 }
 
 // The distance `aside` by which a face's centre is off: skewness, and the error of a flux. Returns the factor of
 // `aside` in the derivative.
-double energyOfOffset(const FaceGeometry& face, const Ring& ring, const Vector& aside,
-  double least, double weight, FaceEnergy& energy)
+double energyOfOffset(const FaceGeometry& face, const Ring& ring, const Vector& aside, double least,
+  double weight, FaceEnergy& energy)
 {
   const double offset = dot(aside, aside);
   const double fair = fourth(FairSkewness * reachOf(ring, face.centre, aside, least));
@@ -110,7 +109,8 @@ double addLack(double height, double least, double unit, FaceEnergy& energy)
   return height < least ? -Beyond / unit : 0;
 }
 
-void addAreaGradient(const Vector& byNormal, const Vector& normal, double size, FaceGradient& ofFace)
+void addAreaGradient(
+  const Vector& byNormal, const Vector& normal, double size, FaceGradient& ofFace)
 {
   add(ofFace.area, byNormal, 1 / size);
   add(ofFace.area, normal, -dot(byNormal, normal) / size);
@@ -119,8 +119,8 @@ void addAreaGradient(const Vector& byNormal, const Vector& normal, double size, 
 }
 
 FaceEnergy energyOfInnerFace(const FaceGeometry& face, const Ring& ring, double edge,
-  const CellGeometry& below, const CellGeometry& above, FaceGradient& ofFace,
-  CellGradient& ofBelow, CellGradient& ofAbove)
+  const CellGeometry& below, const CellGeometry& above, FaceGradient& ofFace, CellGradient& ofBelow,
+  CellGradient& ofAbove)
 {
   FaceEnergy energy;
   const double size = std::max(norm(face.area), Tiny);
@@ -159,8 +159,8 @@ FaceEnergy energyOfInnerFace(const FaceGeometry& face, const Ring& ring, double 
   const double part = near / across;
   Vector aside = towards;
   add(aside, between, -part);
-  const double factor = energyOfOffset(face, ring, aside, ShareOfDistance * distance,
-    WeightOfInner * size / fourth(edge), energy);
+  const double factor = energyOfOffset(
+    face, ring, aside, ShareOfDistance * distance, WeightOfInner * size / fourth(edge), energy);
   add(byTowards, aside, factor);
   add(byBetween, aside, -factor * part);
   const double byPart = -factor * dot(aside, between);
@@ -202,8 +202,8 @@ FaceEnergy energyOfBoundaryFace(const FaceGeometry& face, const Ring& ring, doub
   const double height = std::max(along, LeastHeight * edge);
   Vector aside = towards;
   add(aside, normal, -along);
-  double byAside = energyOfOffset(face, ring, aside, ShareOfHeight * height,
-    WeightOfBoundary * size / fourth(edge), energy);
+  double byAside = energyOfOffset(
+    face, ring, aside, ShareOfHeight * height, WeightOfBoundary * size / fourth(edge), energy);
 
   const double slope = dot(aside, aside) / square(height);
   energy.limits += square(slope / FairBoundarySlope);

@@ -43,8 +43,8 @@ struct Ring
 
 // `edge`: of the cells' boxes. The area points from the cell below to the one above. Adds to the gradients.
 FaceEnergy energyOfInnerFace(const FaceGeometry& face, const Ring& ring, double edge,
-  const CellGeometry& below, const CellGeometry& above, FaceGradient& ofFace,
-  CellGradient& ofBelow, CellGradient& ofAbove);
+  const CellGeometry& below, const CellGeometry& above, FaceGradient& ofFace, CellGradient& ofBelow,
+  CellGradient& ofAbove);
 
 FaceEnergy energyOfBoundaryFace(const FaceGeometry& face, const Ring& ring, double edge,
   const CellGeometry& cell, FaceGradient& ofFace, CellGradient& ofCell);

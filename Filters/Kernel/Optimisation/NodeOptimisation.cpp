@@ -250,8 +250,8 @@ private:
       const auto& cells = m_.cells[f];
       const Ring ring{ m_.at.data(), m_.corners.data() + m_.start[f], cornersOf(f) };
       energies_[f] = cells[1] == None
-        ? energyOfBoundaryFace(faces_[f], ring, edgeOfFace_[f], m_.measures[cells[0]],
-            ofFaces_[f], ofCells_[cells[0]])
+        ? energyOfBoundaryFace(
+            faces_[f], ring, edgeOfFace_[f], m_.measures[cells[0]], ofFaces_[f], ofCells_[cells[0]])
         : energyOfInnerFace(faces_[f], ring, edgeOfFace_[f], m_.measures[cells[0]],
             m_.measures[cells[1]], ofFaces_[f], ofCells_[cells[0]], ofCells_[cells[1]]);
       if (isFolded(f))
@@ -430,7 +430,8 @@ private:
     node.step = std::min(node.step, StepOfShortestEdge * std::sqrt(node.shortest));
     const Vector to = plus(m_.at[node.at], scaled(down, node.step / length));
     const Vector& from = before_[node.at];
-    if (isInGrid(to) && norm(minus(to, from)) <= FarthestWay * node.edge && paths_.allows(node.at, from, to, node.edge))
+    if (isInGrid(to) && norm(minus(to, from)) <= FarthestWay * node.edge &&
+      paths_.allows(node.at, from, to, node.edge))
     {
       m_.at[node.at] = to;
     }
@@ -562,8 +563,7 @@ void write(const WallMesh& mesh, Nodes& nodes, Cells& cells)
   {
     for (std::size_t axis = 0; mesh.mayMove[n] && axis < 3; ++axis)
     {
-      nodes.at[mesh.number[n]][axis] =
-        static_cast<Level>(mesh.at[n][axis] + mesh.origin[axis]);
+      nodes.at[mesh.number[n]][axis] = static_cast<Level>(mesh.at[n][axis] + mesh.origin[axis]);
     }
   }
   for (std::uint32_t c = 0; c < mesh.changing; ++c)

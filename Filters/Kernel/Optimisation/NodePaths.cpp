@@ -45,8 +45,8 @@ NodePaths::NodePaths(const WallMesh& mesh, double leastCosine)
   forEachUse([&](std::size_t f, std::uint32_t i) {
     const std::uint32_t begin = mesh.start[f];
     const std::uint32_t end = mesh.start[f + 1];
-    const FaceGeometry face = measureFace(
-      end - begin, [&](std::size_t k) -> const Vector& { return mesh.at[mesh.corners[begin + k]]; });
+    const FaceGeometry face = measureFace(end - begin,
+      [&](std::size_t k) -> const Vector& { return mesh.at[mesh.corners[begin + k]]; });
     uses_[next[mesh.corners[i]]++] = { mesh.corners[i > begin ? i - 1 : end - 1],
       mesh.corners[i + 1 < end ? i + 1 : begin], unit(face.area), mesh.boundary[f] };
   });
@@ -84,8 +84,9 @@ NodePath NodePaths::pathOf(const WallMesh& mesh, std::uint32_t node, double leas
     {
       sharp.push_back(use->after);
     }
-    smooth = smooth &&
-      std::all_of(begin, use, [&](const Use& o) { return dot(o.normal, use->normal) >= leastCosine; });
+    smooth = smooth && std::all_of(begin, use, [&](const Use& o) {
+      return dot(o.normal, use->normal) >= leastCosine;
+    });
   }
   if (sharp.empty() && smooth)
   {
@@ -106,8 +107,7 @@ NodePath NodePaths::pathOf(const WallMesh& mesh, std::uint32_t node, double leas
   return { NodePath::Kind::Line, unit(minus(ahead, back)) };
 }
 
-bool NodePaths::allows(
-  std::size_t node, const Vector& from, const Vector& to, double edge) const
+bool NodePaths::allows(std::size_t node, const Vector& from, const Vector& to, double edge) const
 {
   const Vector way = minus(to, from);
   if (paths_[node].kind == NodePath::Kind::Line)

@@ -48,8 +48,9 @@ private:
   std::vector<NodePath> paths_;
   std::vector<std::uint32_t> start_; // of the uses of each node, and the end
   std::vector<Use> uses_;
-  std::vector<std::array<Vector, 2>> legs_; // of nodes on lines: unit vectors to the two next nodes on it
-  std::vector<std::uint32_t> legsOf_;       // of each node, or None
+  std::vector<std::array<Vector, 2>>
+    legs_;                            // of nodes on lines: unit vectors to the two next nodes on it
+  std::vector<std::uint32_t> legsOf_; // of each node, or None
 };
 
 }

@@ -35,7 +35,8 @@ public:
   {
     mesh_.origin = { 0, 0, p_.boxes.planes[2][slab.layers.begin] };
     const auto& planes = p_.boxes.planes;
-    mesh_.ends = { minus(Point{ planes[0].front(), planes[1].front(), planes[2].front() }, mesh_.origin),
+    mesh_.ends = { minus(Point{ planes[0].front(), planes[1].front(), planes[2].front() },
+                     mesh_.origin),
       minus(Point{ planes[0].back(), planes[1].back(), planes[2].back() }, mesh_.origin) };
   }
 
@@ -71,10 +72,8 @@ private:
   {
     const auto firstOf = [&](std::uint32_t layer) {
       const auto& boxes = p_.sides.polyhedral;
-      const auto at =
-        std::lower_bound(boxes.begin(), boxes.end(), p_.boxes.firstBoxOf(layer));
-      return static_cast<CellKey>(
-        p_.cells.boxStart[static_cast<std::size_t>(at - boxes.begin())]);
+      const auto at = std::lower_bound(boxes.begin(), boxes.end(), p_.boxes.firstBoxOf(layer));
+      return static_cast<CellKey>(p_.cells.boxStart[static_cast<std::size_t>(at - boxes.begin())]);
     };
     first_ = firstOf(slab_.layers.begin);
     end_ = firstOf(slab_.layers.end);
@@ -133,10 +132,7 @@ private:
     return face.kind() == FaceOfCell::Kind::Inner || face.kind() == FaceOfCell::Kind::TurnedInner;
   }
 
-  bool isRemoved(CellKey key) const
-  {
-    return key < firstHexahedron_ && p_.cells.all[key].removed;
-  }
+  bool isRemoved(CellKey key) const { return key < firstHexahedron_ && p_.cells.all[key].removed; }
 
   // The cell beyond a face, or None.
   CellKey across(const FaceOfCell& face) const
@@ -261,7 +257,8 @@ private:
       const auto& nodes = p_.nodes.ofDivided[d];
       const std::uint32_t box = p_.sides.divided[d];
       if (p_.sides.polyhedralOrdinal(box) == None &&
-        std::any_of(nodes.begin(), nodes.end(), [&](std::uint32_t node) { return isMovable(node); }))
+        std::any_of(
+          nodes.begin(), nodes.end(), [&](std::uint32_t node) { return isMovable(node); }))
       {
         boxes.push_back(box);
       }
@@ -284,7 +281,8 @@ private:
       return;
     }
     const auto& rows = p_.nodes.rowStart;
-    const auto row = static_cast<std::size_t>(std::upper_bound(rows.begin(), rows.end(), c) - rows.begin()) - 1;
+    const auto row =
+      static_cast<std::size_t>(std::upper_bound(rows.begin(), rows.end(), c) - rows.begin()) - 1;
     const std::size_t rowLength = p_.boxes.planes[1].size();
     const std::size_t j = row % rowLength;
     const std::size_t k = row / rowLength;
@@ -295,9 +293,8 @@ private:
     }
     for (unsigned corner = 0; corner < 8; ++corner)
     {
-      const std::uint32_t global =
-        p_.boxes.globalAt(std::int64_t(i) - (corner & 1), std::int64_t(j) - (corner >> 1 & 1),
-          std::int64_t(k) - (corner >> 2));
+      const std::uint32_t global = p_.boxes.globalAt(std::int64_t(i) - (corner & 1),
+        std::int64_t(j) - (corner >> 1 & 1), std::int64_t(k) - (corner >> 2));
       if (global != None && p_.boxes.globals[global].depth == 0 &&
         p_.sides.ordinal[p_.boxes.globals[global].firstBox] == None)
       {
@@ -376,7 +373,8 @@ private:
       forEachNodeOf(face, [&](std::uint32_t node) { ring.push_back(placeOf(node)); });
       faces.push_back(measureFace(ring.size(), [&](std::size_t i) { return ring[i]; }));
     });
-    return measureCell(faces.size(), [&](std::size_t i) -> const FaceGeometry& { return faces[i]; });
+    return measureCell(
+      faces.size(), [&](std::size_t i) -> const FaceGeometry& { return faces[i]; });
   }
 
   Vector placeOf(std::uint32_t node) const { return minus(p_.nodes.at[node], mesh_.origin); }
@@ -391,7 +389,8 @@ private:
       return;
     }
     known = static_cast<std::uint32_t>(mesh_.faces());
-    forEachNodeOf(face, [&](std::uint32_t node) { mesh_.corners.push_back(localOf(node, isMovable(node))); });
+    forEachNodeOf(
+      face, [&](std::uint32_t node) { mesh_.corners.push_back(localOf(node, isMovable(node))); });
     const CellKey other = across(face);
     closeFace({ c, other, other == None ? boundaryOf(face) : NoBoundary });
   }
@@ -421,8 +420,8 @@ private:
       {
         for (std::size_t f = p_.inner.sideStart[s]; f < p_.inner.sideStart[s + 1]; ++f)
         {
-          addFace(key,
-            FaceOfCell(f, upper ? FaceOfCell::Kind::Inner : FaceOfCell::Kind::TurnedInner));
+          addFace(
+            key, FaceOfCell(f, upper ? FaceOfCell::Kind::Inner : FaceOfCell::Kind::TurnedInner));
         }
         return;
       }
@@ -430,12 +429,13 @@ private:
     if (const std::uint32_t face = shapedFaceAt(box, side); face != None)
     {
       const bool turned = p_.cells.shaped.cells[face][1] == ShapedFaces::SomeHexahedron;
-      addFace(key,
-        FaceOfCell(face, turned ? FaceOfCell::Kind::TurnedShaped : FaceOfCell::Kind::Shaped));
+      addFace(
+        key, FaceOfCell(face, turned ? FaceOfCell::Kind::TurnedShaped : FaceOfCell::Kind::Shaped));
       return;
     }
     std::uint32_t& known = quadOf_.at(upper || other == None ? box : other,
-      upper || other != None ? static_cast<std::uint32_t>(axis) : 3u + static_cast<std::uint32_t>(axis));
+      upper || other != None ? static_cast<std::uint32_t>(axis)
+                             : 3u + static_cast<std::uint32_t>(axis));
     if (known == EdgeTable::Fresh)
     {
       known = static_cast<std::uint32_t>(mesh_.faces());
@@ -640,9 +640,9 @@ private:
   std::vector<CellKey> changing_;
   std::vector<std::uint32_t> hexahedra_; // boxes, that change
   std::array<std::size_t, 2> divided_{}; // Sides::divided in the free layers: begin and end
-  EdgeTable stateOf_; // of nodes
-  EdgeTable localOf_; // of nodes: their numbers here
-  EdgeTable vertexOf_; // of other corners of hexahedra
+  EdgeTable stateOf_;                    // of nodes
+  EdgeTable localOf_;                    // of nodes: their numbers here
+  EdgeTable vertexOf_;                   // of other corners of hexahedra
   EdgeTable faceOf_;
   EdgeTable quadOf_;
   EdgeTable cellOf_;

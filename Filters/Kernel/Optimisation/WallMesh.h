@@ -25,8 +25,9 @@ struct WallParts
   const InnerFaces& inner;
   const Cells& cells;
   const std::vector<std::uint32_t>& sideOf; // of each inner face
-  std::vector<std::uint32_t> hexahedronAt;  // the box of the hexahedron at each shaped face, or None
-  std::vector<std::uint8_t> isVertex;       // of nodes that shaping added: 1 at vertices of the global mesh
+  std::vector<std::uint32_t> hexahedronAt; // the box of the hexahedron at each shaped face, or None
+  std::vector<std::uint8_t>
+    isVertex; // of nodes that shaping added: 1 at vertices of the global mesh
 };
 
 struct WallMesh
@@ -35,7 +36,8 @@ struct WallMesh
   Point origin{};
   std::array<Vector, 2> ends{}; // of the grid, lowest and highest: nodes stay between them
   std::vector<Vector> at;
-  std::vector<std::uint32_t> number; // in Nodes, or None: corners of hexahedra that only hexahedra have
+  std::vector<std::uint32_t>
+    number; // in Nodes, or None: corners of hexahedra that only hexahedra have
   std::vector<std::uint8_t> mayMove; // 1: all cells at the node are here, and it is a wall cell's
 
   // Faces; the corners are counter-clockwise seen from outside the cell below.

@@ -191,6 +191,17 @@ private:
   Shaping shaping_;
 };
 
+// Of the time that is left (Execution::nextLoop).
+struct Shares
+{
+  double shaping;
+  double optimisation;
+  double removal;
+};
+
+constexpr std::array<Shares, ShapingStages> SharesOfStages{ { { 0.35, 0.5, 0.2 },
+  { 0.45, 0.6, 0.8 } } };
+
 void optimise(
   CellsToShape& whole, const std::vector<Slab>& slabs, double featureAngle, Execution& execution)
 {
@@ -231,19 +242,20 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
   const std::uint32_t all = boxes.allLayers().end;
   CellsToShape whole(boxes, patches, sides, nodes, inner, cells);
   Shaping sum;
-  double left = 1 + ShapingStages;
+  std::size_t stage = 0;
   for (const std::vector<Slab>& slabs : slabsFor(boxes.core.grown(HaloOfShapedCells, all), all))
   {
+    const Shares& shares = SharesOfStages[stage++];
     if (slabs.empty())
     {
       continue;
     }
-    const auto inSlabs = [&](auto&& shape) {
+    const auto inSlabs = [&](double share, auto&& shape) {
       execution.nextLoop(0.02);
       whole.measure({ slabs.front().layers.begin, slabs.back().layers.end }, execution);
       std::vector<std::unique_ptr<CellComplex>> complexes(slabs.size());
       std::vector<Shaping> shapings(slabs.size());
-      execution.nextLoop(0.5 / left);
+      execution.nextLoop(share);
       execution.forEach(slabs.size(), 1, [&](std::size_t s, std::size_t) {
         Execution alone = execution.alone();
         complexes[s] = std::make_unique<CellComplex>(whole, slabs[s]);
@@ -253,17 +265,16 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
       sum = std::accumulate(shapings.begin(), shapings.end(), sum);
       writeBack(whole, complexes, execution);
     };
-    inSlabs([](Shaper& shaper) { return shaper.run(); });
+    inSlabs(shares.shaping, [](Shaper& shaper) { return shaper.run(); });
     if (spec.optimiseNodes && !exact)
     {
-      execution.nextLoop(0.5 / left);
+      execution.nextLoop(shares.optimisation);
       optimise(whole, slabs, featureAngle, execution);
     }
     if (spec.splitConcave && spec.refusedCellRatio > 0 && !exact)
     {
-      inSlabs([](Shaper& shaper) { return shaper.removeRefused(); });
+      inSlabs(shares.removal, [](Shaper& shaper) { return shaper.removeRefused(); });
     }
-    --left;
   }
   return sum;
 }
