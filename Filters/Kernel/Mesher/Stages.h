@@ -9,8 +9,8 @@
 namespace cartesian
 {
 
-constexpr double AfterSurface = 0.01;
-constexpr double AfterDefects = 0.02; // while Boxes begin where Surface ends
+constexpr double AfterSurface = 0.008;
+constexpr double AfterDefects = 0.016; // while Boxes begin where Surface ends
 constexpr double AfterBoxes = 0.045;
 constexpr double AfterPatches = 0.155;
 constexpr double AfterSides = 0.19;

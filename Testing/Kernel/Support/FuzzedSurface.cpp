@@ -185,7 +185,10 @@ bool isRefusal(Fault fault)
   try
   {
     const TestOptions options = optionsFrom(bytes);
-    return isValid(meshFrom(bytes, options).mesh, options.smallCells.handling == SmallCells::Merge);
+    const bool nodesMove =
+      options.shaping.splitConcave && options.patches.method != PatchMethod::ExactFit;
+    return isValid(
+      meshFrom(bytes, options).mesh, nodesMove || options.smallCells.handling == SmallCells::Merge);
   }
   catch (const Error& error)
   {
