@@ -53,10 +53,10 @@ class Listener:
         self.keep("error:", message(text), self.errors)
 
     def keep(self, kind, text, texts):
-        """Once, if several steps say the same."""
+        """Once, if several steps say the same; in one piece, as ranks write at the same time."""
         if text not in texts:
             texts.append(text)
-            print(kind, text, file=sys.stderr)
+            print(f"{kind} {text}", file=sys.stderr)
 
     def progress(self, algorithm, event):
         if self.interrupted:

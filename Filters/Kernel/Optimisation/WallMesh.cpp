@@ -652,14 +652,14 @@ private:
 }
 
 WallParts::WallParts(const Boxes& b, const Patches& p, const Sides& s, const Nodes& n,
-  const InnerFaces& i, const Cells& c, const std::vector<std::uint32_t>& ofSide)
+  const InnerFaces& i, const Cells& c, const std::vector<std::uint32_t>& side)
   : boxes(b)
   , patches(p)
   , sides(s)
   , nodes(n)
   , inner(i)
   , cells(c)
-  , sideOf(ofSide)
+  , sideOf(side)
   , hexahedronAt(c.shaped.size(), None)
   , isVertex(n.at.size() - n.patchPoints - n.grid.size())
 {
