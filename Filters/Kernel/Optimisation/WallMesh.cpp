@@ -663,9 +663,9 @@ WallParts::WallParts(const Boxes& b, const Patches& p, const Sides& s, const Nod
   , hexahedronAt(c.shaped.size(), None)
   , isVertex(n.at.size() - n.patchPoints - n.grid.size())
 {
-  for (const ShapedFaces::HexahedronSide& side : cells.shaped.ofHexahedra)
+  for (const ShapedFaces::HexahedronSide& of : cells.shaped.ofHexahedra)
   {
-    hexahedronAt[side.face] = side.box;
+    hexahedronAt[of.face] = of.box;
   }
   for (const VertexNode& vertex : nodes.moreVertices)
   {
