@@ -12,8 +12,8 @@
  * Region (int, from 1), VolumeFraction (double: volume by that of the cell's box; beyond 1 after merging). Field data: the statistics, one
  * array of one number each (Cells, Hexahedra, Polyhedra, Points, BoundaryFaces, BoxesInside,
  * BoxesIntersected, BoxesByExactFit, BoxesRebuilt, BoxesFlawed, Patches, SmallCellsRemoved,
- * SmallCellsMerged, CellsSplit, CellsWithJoinedFaces (boundary faces of any angle made one),
- * RefusedPartsCarved and RefusedCellsRemoved (what solvers would refuse),
+ * SmallCellsMerged, CellsSplit, CellsWithJoinedFaces (faces of any angle made one),
+ * RefusedCellsRemoved (what solvers would refuse),
  * IsolatedCells, VoidsInsideCells, FoldsLeftOut), and numbers of cells as in vtkFiniteVolumeQuality:
  * BoundaryAngleFailures, InnerAngleFailures, OpennessFailures, VolumeFailures.
  * For vtkPolyMeshWriter: cell array CellId (number of the cell) and field data array

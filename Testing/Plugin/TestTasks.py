@@ -105,6 +105,7 @@ length = [40, 50, 60]
 [cells]
 small_cells = "Remove"
 small_cell_ratio = 0.01
+refused_cell_ratio = 0
 [output]
 mesh = "out/mesh.vtu"
 boundary = ["out/boundary.vtp"]
@@ -114,7 +115,7 @@ source = simple.OpenDataFile(str(EXHAUST))
 regions = [simple.RefinementRegion(Input=source, Shape="Sphere", Center=[70, 200, -100], Radius=30, Depth=2),
            simple.RefinementRegion(Input=source, Position=[0, 0, -100], Length=[40, 50, 60])]
 mesher = simple.CartesianMesher(Input=source, CellSize=24, MeshlinesZ=[-400, -150.5, -100, -50, 0, 400],
-    BoundaryRefinement=[1, 2, 1, 1, 2, 1, 0, 0], RefinementRegions=regions, SmallCells="Remove", SmallCellRatio=0.01,
+    BoundaryRefinement=[1, 2, 1, 1, 2, 1, 0, 0], RefinementRegions=regions, SmallCells="Remove", SmallCellRatio=0.01, RefusedCellRatio=0,
     BoundaryNames=["inlet_2", "outlet_1"], BoundaryTypes=["automatic", "wall"], BoundarySmallCellRatios=[0.2, 0.01])
 expected = output(mesher)
 assert expected.GetNumberOfCells() > 500

@@ -10,6 +10,7 @@
 #include "Mesher/Stages.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace cartesian
@@ -20,9 +21,13 @@ namespace
 
 using BoxFlags = std::vector<std::uint8_t>; // 0 or 1 for each polyhedral box
 
-// Boxes with more patches show detail that is smaller than they are. At 1/25 of its length no CAD surface that was
-// measured has boxes with more than 31, while half of the boxes of a scan have more than 60.
-constexpr std::ptrdiff_t MostPatches = 48;
+// Boxes with more patches may show detail that is smaller than they are, and do where the polygons over their
+// polylines move no more than this part of the box's volume. With very many patches they surely do: at 1/25 of
+// its length no CAD surface that was measured has boxes with more than 31, while half of the boxes of a scan
+// have more than 60.
+constexpr std::ptrdiff_t ManyPatches = 8;
+constexpr std::ptrdiff_t TooManyPatches = 32;
+constexpr double VolumeOfDetail = 0.03;
 
 void unite(BoxFlags& flags, const BoxFlags& others)
 {
@@ -56,36 +61,78 @@ BoxFlags makeFaces(Assembly& a, Execution& execution)
   return findFlawed(a, execution);
 }
 
-// Where a box holds more detail than its size can show, the inner part of its patches is replaced by
-// polygons over the polylines on its sides: the paper's IP patches (4.11), before anything else looks at it.
-// Borders between boundaries stay, and what passes between the corners of a box without taking any in: its
-// polylines alone would not show it.
-void simplifyDetail(Assembly& a, Execution& execution)
+std::ptrdiff_t patchesOf(const Assembly& a, std::uint32_t box)
 {
-  if (isExact(a.patches))
-  {
-    return;
-  }
-  const Patches& patches = a.patches;
+  return static_cast<std::ptrdiff_t>(a.patches.boxStart[box + 1] - a.patches.boxStart[box]);
+}
+
+// Boxes that may hold more detail than their size can show. Borders between boundaries stay, and what passes
+// between the corners of a box without taking any in: its polylines alone would not show it.
+BoxFlags findDetailed(const Assembly& a)
+{
+  const auto& boundary = a.patches.boundary;
   BoxFlags detailed(a.sides.polyhedral.size());
   for (std::size_t n = 0; n < detailed.size(); ++n)
   {
-    if (const std::uint32_t box = a.sides.patchBox[n]; box != None)
+    const std::uint32_t box = a.sides.patchBox[n];
+    const std::uint8_t corners = a.boxes.packed[a.sides.polyhedral[n]].corners;
+    if (box != None && corners != 0 && corners != AllCorners && patchesOf(a, box) > ManyPatches)
     {
-      const auto begin = patches.boundary.begin() + std::ptrdiff_t(patches.boxStart[box]);
-      const auto end = patches.boundary.begin() + std::ptrdiff_t(patches.boxStart[box + 1]);
-      const std::uint8_t corners = a.boxes.packed[a.sides.polyhedral[n]].corners;
-      detailed[n] = end - begin > MostPatches && corners != 0 && corners != AllCorners &&
-        std::all_of(begin, end, [&](std::int32_t boundary) { return boundary == *begin; });
+      const auto begin = boundary.begin() + std::ptrdiff_t(a.patches.boxStart[box]);
+      const auto end = boundary.begin() + std::ptrdiff_t(a.patches.boxStart[box + 1]);
+      detailed[n] = std::all_of(begin, end, [&](std::int32_t other) { return other == *begin; });
     }
   }
-  if (std::find(detailed.begin(), detailed.end(), 1) != detailed.end())
+  return detailed;
+}
+
+// Between a box's centre and its patches, as a part of its volume.
+double volumeBelow(const Patches& patches, std::uint32_t n, const Box& box)
+{
+  const Vector size = minus(box.high, box.low);
+  const Vector centre = scaled(size, 0.5);
+  double volume = 0;
+  for (std::size_t p = patches.boxStart[n]; p < patches.boxStart[n + 1]; ++p)
   {
-    makeInnerFaces(a, execution);
-    a.patches = rebuildFlawedBoxes(
-      a.boxes, a.patches, a.sides, a.nodes, a.inner, detailed, GivenUp::Detail, execution)
-                  .patches;
+    const auto corner = [&](std::size_t i) {
+      return minus(minus(patches.points[patches.corners[i]], box.low), centre);
+    };
+    const Vector first = corner(patches.start[p]);
+    for (std::size_t i = patches.start[p] + 1; i + 1 < patches.start[p + 1]; ++i)
+    {
+      volume += dot(first, cross(corner(i), corner(i + 1)));
+    }
   }
+  return volume / (6 * size[0] * size[1] * size[2]);
+}
+
+// Where a box holds more detail than its size can show, the inner part of its patches is replaced by
+// polygons over the polylines on its sides: the paper's IP patches (4.11), before anything else looks at it.
+void simplifyDetail(Assembly& a, Execution& execution)
+{
+  BoxFlags detailed = isExact(a.patches) ? BoxFlags{} : findDetailed(a);
+  if (std::find(detailed.begin(), detailed.end(), 1) == detailed.end())
+  {
+    return;
+  }
+  makeInnerFaces(a, execution);
+  const auto simplified = [&] {
+    return rebuildFlawedBoxes(
+      a.boxes, a.patches, a.sides, a.nodes, a.inner, detailed, GivenUp::Detail, execution)
+      .patches;
+  };
+  const Patches trial = simplified();
+  for (std::size_t n = 0; n < detailed.size(); ++n)
+  {
+    const std::uint32_t box = a.sides.patchBox[n];
+    if (detailed[n] && patchesOf(a, box) <= TooManyPatches)
+    {
+      const Box at = a.boxes.box(a.sides.polyhedral[n]);
+      detailed[n] =
+        std::abs(volumeBelow(trial, box, at) - volumeBelow(a.patches, box, at)) <= VolumeOfDetail;
+    }
+  }
+  a.patches = simplified();
 }
 
 // Each time the boxes that still are flawed keep less. Returns those that are flawed in the end.

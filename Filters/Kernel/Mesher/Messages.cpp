@@ -5,12 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace cartesian
 {
 
 namespace
 {
+
+// What is left out of a mesh beyond this part of its volume is told.
+constexpr double LargestLossUntold = 1e-3;
 
 // Planes step aside by a few levels: what is next to 0 is written as 0.
 std::string position(const Lattice& lattice, const Point& p)
@@ -74,6 +78,58 @@ std::string describeLeaks(const PreparedSurface& prepared)
     }
   }
   return text;
+}
+
+double volumeOf(const Box& box)
+{
+  const Vector size = minus(box.high, box.low);
+  return size[0] * size[1] * size[2];
+}
+
+// Of the core, in levels.
+double volumeOfMesh(const Assembly& a)
+{
+  double volume = 0;
+  for (std::uint32_t box = 0; box < a.boxes.packed.size(); ++box)
+  {
+    const bool isHexahedron = a.sides.polyhedralOrdinal(box) == None;
+    volume += isHexahedron && a.boxes.isCore(a.boxes.packed[box]) ? volumeOf(a.boxes.box(box)) : 0;
+  }
+  for (std::size_t c = 0; c < a.cells.size(); ++c)
+  {
+    const Cell& cell = a.cells.all[c];
+    if (!cell.removed && a.boxes.isCore(a.boxes.packed[cell.box]))
+    {
+      volume += cell.volumeFraction * volumeOf(a.boxes.box(cell.box));
+    }
+  }
+  return volume;
+}
+
+// Cells that were the last resort to remove: nothing where that hardly changes the volume.
+std::string describeRefused(const Assembly& a)
+{
+  constexpr double Percent = 100;
+  std::vector<RemovedCell> refused = a.shaping.refused;
+  const double lost = std::accumulate(refused.begin(), refused.end(), 0.0,
+    [](double sum, const RemovedCell& cell) { return sum + cell.volume; });
+  const double share = refused.empty() ? 0 : lost / (lost + volumeOfMesh(a));
+  if (share <= LargestLossUntold)
+  {
+    return "";
+  }
+  std::stable_sort(refused.begin(), refused.end(),
+    [](const RemovedCell& x, const RemovedCell& y) { return x.volume > y.volume; });
+  std::vector<std::uint32_t> boxes;
+  for (const RemovedCell& cell : refused)
+  {
+    boxes.push_back(cell.box);
+  }
+  return std::to_string(refused.size()) +
+    " cells that solvers would refuse, and that nothing mends, are left out, " +
+    number(std::round(share * Percent * 100) / 100) +
+    " % of the volume. A smaller Cell Size or a larger Refinement Depth keeps them. The largest:" +
+    places(a.boxes, boxes);
 }
 
 }
@@ -153,6 +209,10 @@ std::string describeFlaws(const Assembly& assembly)
       " boxes do not close even so; they are left out of the mesh:" +
       places(assembly.boxes, flawed);
   }
+  if (const std::string refused = describeRefused(assembly); !refused.empty())
+  {
+    text += lineBreak(text) + refused;
+  }
   return text;
 }
 
@@ -169,9 +229,8 @@ std::string describeNothing(const Assembly& assembly, const Options& options)
   const std::string all = "There is nothing left to mesh: all " + std::to_string(cells.size()) +
     " cells are smaller than the Small Cell Ratio allows (" + number(options.smallCells.ratio) +
     " of their boxes)";
-  return assembly.shaping.refusedCellsRemoved == 0
-    ? all + ". Choose a smaller ratio or a smaller Cell Size."
-    : all +
+  return assembly.shaping.refused.empty() ? all + ". Choose a smaller ratio or a smaller Cell Size."
+                                          : all +
       ", or of a shape that solvers refuse. Choose a smaller Cell Size, or a Refused Cell Ratio of "
       "0 to keep them.";
 }

@@ -13,7 +13,8 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
 // Where the surface reaches beyond the meshlines.
 std::string describeOverhang(const PreparedSurface& prepared);
 
-// Boxes whose patches were made anew, and those that are left out.
+// Boxes whose patches were made anew, and those that are left out; cells that solvers would refuse, left out, if
+// they are more than a thousandth of the volume.
 std::string describeFlaws(const Assembly& assembly);
 
 // Why there is no cell.

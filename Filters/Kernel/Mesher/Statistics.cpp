@@ -32,7 +32,6 @@ struct Counts
   double cellsWithJoinedFaces = 0;
   double smallCellsMerged = 0;
   double smallCellsRemoved = 0;
-  double refusedPartsCarved = 0;
   double refusedCellsRemoved = 0;
   double isolatedCells = 0;
   double voids = 0;
@@ -50,7 +49,7 @@ struct Row
   double Counts::*count;
 };
 
-constexpr std::array<Row, 30> Table{ {
+constexpr std::array<Row, 29> Table{ {
   { "Cells", "cells of the mesh", &Counts::cells },
   { "Hexahedra", "cells that are whole boxes without hanging nodes", &Counts::hexahedra },
   { "Polyhedra", "all other cells", &Counts::polyhedra },
@@ -73,13 +72,11 @@ constexpr std::array<Row, 30> Table{ {
   { "BoxesFlawed", "boxes left out, as they do not close even so", &Counts::boxesFlawed },
   { "Patches", "faces of boxes on the surface, before cells are shaped", &Counts::patches },
   { "CellsSplit", "cuts through concave cells", &Counts::cellsSplit },
-  { "CellsWithJoinedFaces", "cells with a boundary face made of several, of any angle",
+  { "CellsWithJoinedFaces", "cells with faces made one, of any angle, that solvers refused",
     &Counts::cellsWithJoinedFaces },
   { "SmallCellsMerged", "small cells that became a part of a neighbour",
     &Counts::smallCellsMerged },
   { "SmallCellsRemoved", "small cells that were left out", &Counts::smallCellsRemoved },
-  { "RefusedPartsCarved", "parts of cells cut off, as solvers would refuse the cells",
-    &Counts::refusedPartsCarved },
   { "RefusedCellsRemoved", "cells left out, as solvers would refuse them",
     &Counts::refusedCellsRemoved },
   { "IsolatedCells", "cells without a neighbour", &Counts::isolatedCells },
@@ -164,7 +161,7 @@ private:
     n_.boxesFlawed = static_cast<double>(flawedBoxes(a_).size());
   }
 
-  // Small, refused and carved ones are all marked as removed: countChanges() takes them apart.
+  // Small and refused ones are all marked as removed: countChanges() takes them apart.
   void countCells()
   {
     const Cells& cells = a_.cells;
@@ -192,11 +189,10 @@ private:
   void countChanges()
   {
     n_.cellsSplit = static_cast<double>(a_.shaping.cellsSplit);
-    n_.cellsWithJoinedFaces = static_cast<double>(a_.shaping.cellsMended);
+    n_.cellsWithJoinedFaces = static_cast<double>(a_.shaping.cellsSimplified);
     n_.smallCellsMerged = static_cast<double>(a_.shaping.cellsMerged);
-    n_.refusedPartsCarved = static_cast<double>(a_.shaping.partsCarved);
-    n_.refusedCellsRemoved = static_cast<double>(a_.shaping.refusedCellsRemoved);
-    n_.smallCellsRemoved -= n_.refusedPartsCarved + n_.refusedCellsRemoved;
+    n_.refusedCellsRemoved = static_cast<double>(a_.shaping.refused.size());
+    n_.smallCellsRemoved -= n_.refusedCellsRemoved;
   }
 
   const Assembly& a_;

@@ -184,15 +184,13 @@ bool isRefused(
   return faults.counts[CellFaults::InnerAngle] > 0 || !faults.isNoLessValidThan({});
 }
 
-bool isDoubtful(const Polyhedron& cell, const CellShape& shape, std::size_t face)
+bool mayBeDoubtful(const CellShape& shape, bool boundary, std::size_t face)
 {
-  const bool boundary = cell.isBoundary[face] != 0;
-  if (ownCosine(shape, face) > (boundary ? DoubtfulBoundaryCosine : DoubtfulInnerCosine))
-  {
-    return false;
-  }
-  CellShape projected;
-  measureProjected(cell, projected);
+  return ownCosine(shape, face) <= (boundary ? DoubtfulBoundaryCosine : DoubtfulInnerCosine);
+}
+
+bool isDoubtful(const CellShape& projected, bool boundary, std::size_t face)
+{
   const double own = ownCosine(projected, face);
   return boundary ? own <= LeastBoundaryCosine : own < LeastInnerCosine;
 }

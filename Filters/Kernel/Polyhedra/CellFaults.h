@@ -63,9 +63,10 @@ CellFaults faultsOf(const Polyhedron& cell, const CellShape& shape,
 bool isRefused(
   const Polyhedron& cell, const CellShape& shape, std::size_t face, const NeighbourCell& neighbour);
 
-// Whether a face with a large angle, though not refused, would be refused with the centres of
-// measureProjected.
-bool isDoubtful(const Polyhedron& cell, const CellShape& shape, std::size_t face);
+// Whether a face has so large an angle that, though not refused, it may be refused with the centres of
+// measureProjected; and whether it would be, given those.
+bool mayBeDoubtful(const CellShape& shape, bool boundary, std::size_t face);
+bool isDoubtful(const CellShape& projected, bool boundary, std::size_t face);
 
 // Where a cell's centre lies relative to a face, in levels.
 struct CentreOffset

@@ -322,6 +322,11 @@ bool CellComplex::isFree(CellKey key) const
   return box >= freeBoxes_[0] && box < freeBoxes_[1];
 }
 
+bool CellComplex::isActing(CellKey key) const
+{
+  return isFree(key) && slab_.acting.contains(boxes_.globalOf(boxes_.packed[boxOf(key)]).index[2]);
+}
+
 bool CellComplex::hasChangedNear(CellKey key, std::uint32_t mark) const
 {
   const auto hasChangedSince = [&](CellKey other) {
@@ -398,7 +403,8 @@ std::vector<CellKey> CellComplex::polyhedraAtFault() const
   });
 }
 
-std::vector<CellKey> CellComplex::polyhedraChangedSince(std::uint32_t mark) const
+// And the cells beside them, in order, each once; None may be among them.
+std::vector<CellKey> CellComplex::allChangedSince(std::uint32_t mark) const
 {
   std::vector<CellKey> changed;
   const auto look = [&](CellKey key, const OpenCell& cell) {
@@ -423,10 +429,29 @@ std::vector<CellKey> CellComplex::polyhedraChangedSince(std::uint32_t mark) cons
     look(key, open_[open]);
   }
   std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  return changed;
+}
+
+std::vector<CellKey> CellComplex::polyhedraChangedSince(std::uint32_t mark) const
+{
+  const std::vector<CellKey> changed = allChangedSince(mark);
   std::vector<CellKey> keys = polyhedra();
   keys.erase(
     std::remove_if(keys.begin(), keys.end(),
       [&](CellKey key) { return !std::binary_search(changed.begin(), changed.end(), key); }),
+    keys.end());
+  return keys;
+}
+
+std::vector<CellKey> CellComplex::othersTouched() const
+{
+  std::vector<CellKey> keys = allChangedSince(0);
+  keys.erase(std::remove_if(keys.begin(), keys.end(),
+               [&](CellKey key) {
+                 return key == None || !isAlive(key) || !hasFaces(key) || !isFree(key) ||
+                   isActing(key);
+               }),
     keys.end());
   return keys;
 }
@@ -473,7 +498,7 @@ void CellComplex::view(const std::vector<CellKey>& keys, CellView& view) const
     view.faces.push_back(face.use);
     view.across.push_back(exposed ? CellKey(None) : face.other);
     view.boundary.push_back(exposed ? boundaryOfCell(face.other) : boundaryOf(face.use.face));
-    view.fixed.push_back(face.other == None || isFree(face.other) ? 0 : 1);
+    view.fixed.push_back(face.other == None || isActing(face.other) ? 0 : 1);
     view.shape.corners.insert(view.shape.corners.end(), corner(face.begin), corner(face.end));
     view.shape.closeFace(view.across.back() == None);
   }

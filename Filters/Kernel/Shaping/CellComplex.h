@@ -66,11 +66,17 @@ public:
   std::uint32_t mark() { return ++now_; }
   std::vector<CellKey> polyhedraChangedSince(std::uint32_t mark) const;
 
+  // Free cells that the slab does not look after, but has changed, or one beside them.
+  std::vector<CellKey> othersTouched() const;
+
   // Whether it, or a cell beyond one of its faces, or one beyond theirs, has changed since then.
   bool hasChangedNear(CellKey key, std::uint32_t mark) const;
 
   // Whether it may change: all of it lies in the slab's free layers.
   bool isFree(CellKey key) const;
+
+  // Whether the slab also looks after it: is free, and its box lies in the slab's acting layers.
+  bool isActing(CellKey key) const;
 
   // Whether all are free and do not lie in too many layers for one cell.
   bool mayMerge(const std::vector<CellKey>& keys) const;
@@ -237,6 +243,7 @@ private:
   }
   template <class Kept>
   std::vector<CellKey> select(Kept&& isKept) const;
+  std::vector<CellKey> allChangedSince(std::uint32_t mark) const;
   Layers layersOf(CellKey key) const;
   FaceUse useOf(const FaceOfCell& ref) const;
   OpenCell* opened(CellKey key);

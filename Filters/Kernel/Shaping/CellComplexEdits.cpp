@@ -590,7 +590,7 @@ bool CellComplex::hasFacesNear(CellKey key, const CellView& view, const JoinedFa
 {
   return std::any_of(
     joined.groups.begin(), joined.groups.end(), [&](const JoinedFaces::Group& group) {
-      if (group.members.size() < 2)
+      if (!group.isNew())
       {
         return false;
       }
@@ -692,7 +692,7 @@ void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joi
   std::vector<CellKey> touched;
   for (const JoinedFaces::Group& group : joined.groups)
   {
-    if (group.members.size() < 2)
+    if (!group.isNew())
     {
       continue;
     }

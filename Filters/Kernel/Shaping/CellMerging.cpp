@@ -4,6 +4,7 @@
 #include "Polyhedra/CellCost.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace cartesian
@@ -18,6 +19,7 @@ constexpr int MostRounds = 4;
 // As many neighbours are tried, those that share most area.
 constexpr std::size_t MostNeighbours = 8;
 constexpr std::size_t MostNeighboursOfSmall = 3;
+constexpr std::size_t MostNeighboursOfPoor = 4;
 
 // The sum of costs has to fall by more than rounding.
 constexpr double LeastGain = 1e-6;
@@ -28,340 +30,345 @@ constexpr double LeastGainOfPoor = 0.3;
 // No face gets a larger cost than this by a merge, unless it had one: an angle of section 3 failed.
 constexpr double MostCost = 1e3;
 
+// A union that costs so much more before its faces are joined at small angles is no better after.
+constexpr double MostOfJoins = 500;
+
 // Where no face of the result costs more, no other neighbour is tried.
 constexpr double FairCost = 1;
+
+// What a cell that is gone costs, by its share of its box: it resolved something.
+constexpr double CostOfCell = 10;
 
 // Cells of a fine box that are smaller than this part of a neighbour join it in groups, up to this share of
 // their box.
 constexpr double LeastVolumeRatio = 0.06;
 constexpr double LargestOfGroup = 0.6;
 
+// Cells below this part of what is small become simpler where they cannot join a neighbour otherwise.
+constexpr double LeastShare = 0.75;
+
 // No cell grows beyond this part of its box.
-constexpr double MostShare = 2.5;
+constexpr double MostShare = 1.6;
 
-struct Candidate
+// Where nothing narrower helps, faces of a cell that solvers refuse are joined up to these angles, in degrees.
+struct WideAngles
 {
-  CellKey key;
-  float rank; // the lowest first; equal but for rounding is equal
-
-  bool operator<(const Candidate& other) const
-  {
-    return rank != other.rank ? rank < other.rank : key < other.key;
-  }
+  double boundary;
+  double inner;
 };
+constexpr std::array<WideAngles, 2> WiderAngles{ { { 45, 60 }, { 90, 120 } } };
 
-// Cells as one: the first takes the others in.
-struct Union
+// One with fewer faces that solvers refuse is better than one that gains more.
+bool isBetter(const CellUnion& a, const CellUnion& b)
+{
+  // Equal but for rounding is equal: sums depend on the order of the surface's triangles.
+  const bool gainsMore = static_cast<float>(a.gain) > static_cast<float>(b.gain);
+  return b.keys.empty() ||
+    (a.costs.refused != b.costs.refused ? a.costs.refused < b.costs.refused : gainsMore);
+}
+
+}
+
+void CellMerger::mergeSmall()
+{
+  mergeGroups();
+  const CellKey* const none = nullptr;
+  run(cells_.polyhedra(), [&](CellKey key, bool acts) {
+    const bool small = isSmall(key);
+    if (acts && small)
+    {
+      mergeBest(key, costsOfCell(key, none, none), MostNeighboursOfSmall, LeastGain);
+    }
+    return std::make_pair(small, cells_.share(key));
+  });
+}
+
+void CellMerger::improve()
+{
+  std::vector<CellKey> keys =
+    improvedAt_ == 0 ? cells_.polyhedra() : cells_.polyhedraChangedSince(improvedAt_);
+  improvedAt_ = cells_.mark();
+  const CellKey* const none = nullptr;
+  run(std::move(keys), [&](CellKey key, bool acts) {
+    const FaceCosts costs =
+      !isSmall(key) && cells_.isSurelyGood(key) ? FaceCosts{} : costsOfCell(key, none, none);
+    const bool isPoor = costs.worst > PoorCost || costs.refused > 0;
+    if (acts && isPoor)
+    {
+      mergeBest(
+        key, costs, costs.refused > 0 ? MostNeighbours : MostNeighboursOfPoor, LeastGainOfPoor);
+    }
+    return std::make_pair(isPoor, -costs.worst);
+  });
+}
+
+bool CellMerger::improve(CellKey key)
+{
+  const CellKey* const none = nullptr;
+  const FaceCosts costs = costsOfCell(key, none, none);
+  const bool improved = costs.worst > PoorCost && mergeBest(key, costs, MostNeighbours, LeastGain);
+  return improved || costs.refused == 0;
+}
+
+std::vector<CellKey> CellMerger::lookedAfter(bool looksAtOthers) const
+{
+  std::vector<CellKey> all = cells_.polyhedra();
+  if (looksAtOthers)
+  {
+    const std::vector<CellKey> others = cells_.othersTouched();
+    all.insert(all.end(), others.begin(), others.end());
+  }
+  return all;
+}
+
+std::vector<CellKey> CellMerger::refused(bool looksAtOthers)
 {
   std::vector<CellKey> keys;
-  CellView view;
-  JoinedFaces joined;
-  double gain = 0;  // by how much the sum of costs falls
-  double worst = 0; // cost of a face
-};
-
-// Whether two faces have the same nodes, and a cell is beyond one of them: nothing would be between.
-// (Between two boundary faces CellComplex::merge leaves nothing.)
-bool isFolded(const CellView& view)
-{
-  std::vector<std::uint32_t> nodes(view.shape.corners.begin(), view.shape.corners.end());
-  const auto begin = [&](std::size_t f) { return nodes.begin() + view.shape.start[f]; };
-  std::vector<std::size_t> faces(view.faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f)
+  const CellKey* const none = nullptr;
+  for (const CellKey key : lookedAfter(looksAtOthers))
   {
-    faces[f] = f;
-    std::sort(begin(f), begin(f + 1));
+    if (!cells_.isSurelyAccepted(key) && costsOfCell(key, none, none).refused > 0)
+    {
+      keys.push_back(key);
+    }
   }
-  std::sort(faces.begin(), faces.end(), [&](std::size_t f, std::size_t g) {
-    return std::lexicographical_compare(begin(f), begin(f + 1), begin(g), begin(g + 1));
-  });
-  return std::adjacent_find(faces.begin(), faces.end(), [&](std::size_t f, std::size_t g) {
-    return std::equal(begin(f), begin(f + 1), begin(g), begin(g + 1)) &&
-      (view.across[f] != None || view.across[g] != None);
-  }) != faces.end();
+  return keys;
 }
 
-class Merger
+// look(key, whether to act): whether it is a candidate, and its rank.
+template <class Look>
+void CellMerger::run(std::vector<CellKey> keys, Look&& look)
 {
-public:
-  Merger(CellComplex& cells, const MergeSpec& spec, Execution& execution)
-    : cells_(cells)
-    , spec_(spec)
-    , execution_(execution)
+  for (int round = 0; round < MostRounds && !keys.empty(); ++round)
   {
-  }
-
-  std::size_t mergeSmall()
-  {
-    return run(cells_.polyhedra(), MostNeighboursOfSmall, [&](CellKey key) {
-      const double share = cells_.share(key);
-      return std::make_pair(share < spec_.ratio, share);
-    });
-  }
-
-  // Small cells side by side on one neighbour, or cells of a fine box each on one of a coarse box: each alone
-  // would leave a step there, all together none.
-  std::size_t mergeGroups()
-  {
-    std::map<CellKey, std::vector<CellKey>> byLargest;
-    for (const CellKey key : cells_.polyhedra())
+    const std::uint32_t mark = cells_.mark();
+    for (const Candidate& candidate : list(keys, look))
     {
       execution_.poll();
-      if (cells_.share(key) < LargestOfGroup && (isSmall(key) || mayBeOfFineBox(key)))
+      if (cells_.isAlive(candidate.key))
       {
-        const auto neighbours = cells_.neighbours(key);
-        const CellKey into = neighbours.empty() ? None : neighbours.front().first;
-        if (into != None && !isSmall(into) && (isSmall(key) || isFineNextTo(key, into)))
-        {
-          byLargest[into].push_back(key);
-        }
+        look(candidate.key, true);
       }
     }
-    for (const auto& [into, group] : byLargest)
-    {
-      execution_.poll();
-      trial_.keys.assign(1, into);
-      trial_.keys.insert(trial_.keys.end(), group.begin(), group.end());
-      if (group.size() > 1 && cells_.mayMerge(trial_.keys))
-      {
-        mergeGroup();
-      }
-    }
-    return merged_;
+    keys = cells_.polyhedraChangedSince(mark);
   }
-
-  std::size_t mergeFailing()
-  {
-    return run(cells_.polyhedraAtFault(), MostNeighbours, [&](CellKey key) {
-      const double share = cells_.share(key);
-      return std::make_pair(share < MostShare && cells_.isAtFault(key), share);
-    });
-  }
-
-  std::size_t mergePoor()
-  {
-    leastGain_ = LeastGainOfPoor;
-    return run(cells_.polyhedra(), MostNeighbours, [&](CellKey key) {
-      const double worst = cells_.isSurelyGood(key) ? 0 : worstCost(key);
-      return std::make_pair(worst > PoorCost, -worst);
-    });
-  }
-
-private:
-  // look(key): whether it is a candidate, and its rank.
-  template <class Look>
-  std::size_t run(std::vector<CellKey> keys, std::size_t mostNeighbours, Look&& look)
-  {
-    for (int round = 0; round < MostRounds && !keys.empty(); ++round)
-    {
-      const std::uint32_t mark = cells_.mark();
-      const std::vector<Candidate> candidates = list(keys, look);
-      for (const Candidate& candidate : candidates)
-      {
-        execution_.poll();
-        if (cells_.isAlive(candidate.key) && look(candidate.key).first)
-        {
-          mergeBest(candidate.key, mostNeighbours);
-        }
-      }
-      keys = cells_.polyhedraChangedSince(mark);
-    }
-    return merged_;
-  }
-
-  template <class Look>
-  std::vector<Candidate> list(const std::vector<CellKey>& keys, Look&& look)
-  {
-    std::vector<Candidate> candidates;
-    for (const CellKey key : keys)
-    {
-      execution_.poll();
-      if (const auto [is, rank] = look(key); is)
-      {
-        candidates.push_back({ key, static_cast<float>(rank) });
-      }
-    }
-    std::sort(candidates.begin(), candidates.end());
-    return candidates;
-  }
-
-  double worstCost(CellKey key)
-  {
-    cells_.lookAround(key, cell_);
-    double worst = 0;
-    costOfFaces(cell_.shape, cell_.measures, cell_.beyond, {}, worst);
-    return worst;
-  }
-
-  // But for its faces towards the cells from `begin` to `end`.
-  template <class Iterator>
-  double costOf(CellKey key, Iterator begin, Iterator end, double& worst)
-  {
-    cells_.lookAround(key, cell_);
-    counts_.clear();
-    for (const CellKey other : cell_.across)
-    {
-      counts_.push_back(std::find(begin, end, other) == end ? 1 : 0);
-    }
-    double worstOfAll = 0;
-    const double faces =
-      costOfFaces(cell_.shape, cell_.measures, cell_.beyond, counts_, worstOfAll);
-    worst = std::max(worst, worstOfAll);
-    return faces + costOfShare(cells_.share(key));
-  }
-
-  double costTogether(Union& both)
-  {
-    const CellKey into = both.keys[0];
-    cells_.view(both.keys, both.view);
-    cells_.lookBeyond(into, both.view);
-    measure(both.view.shape, shape_);
-    both.joined = joinFaces(both.view, shape_, spec_.joins);
-    std::vector<NeighbourCell> beyond;
-    const Polyhedron joined = shapeOf(both.view, both.joined, beyond);
-    if (joined.faces() < LeastFaces)
-    {
-      return Never;
-    }
-    measure(joined, shape_);
-    const double faces = costOfFaces(joined, shape_, beyond, {}, both.worst);
-    return faces + costOfShare(shape_.volume / cells_.volumeOfBox(into));
-  }
-
-  bool isFineNextTo(CellKey key, CellKey other) const
-  {
-    return cells_.volume(key) < LeastVolumeRatio * cells_.volume(other);
-  }
-
-  // Before its neighbours are measured.
-  bool mayBeOfFineBox(CellKey key) const
-  {
-    return cells_.anyBeyond(key, [&](CellKey other) { return isFineNextTo(key, other); });
-  }
-
-  bool isSmall(CellKey key) const { return cells_.share(key) < spec_.ratio; }
-
-  // The cells of the trial at hand, if that is better than each alone.
-  void mergeGroup()
-  {
-    cells_.open(trial_.keys.front());
-    double worst = 0;
-    double before = 0;
-    for (auto key = trial_.keys.begin(); key != trial_.keys.end(); ++key)
-    {
-      before += costOf(*key, trial_.keys.begin(), key, worst);
-    }
-    if (before - costTogether(trial_) > LeastGain && isAllowed(trial_, worst))
-    {
-      merge(trial_);
-    }
-  }
-
-  void mergeBest(CellKey key, std::size_t mostNeighbours)
-  {
-    double ownWorst = 0;
-    const CellKey* const none = nullptr;
-    const double own = costOf(key, none, none, ownWorst);
-    const double share = cells_.share(key);
-    Union best;
-    std::size_t tried = 0;
-    for (const auto& [other, area] : cells_.neighbours(key))
-    {
-      if (tried == mostNeighbours)
-      {
-        break;
-      }
-      if (!cells_.mayMerge({ key, other }) || share + cells_.share(other) > MostShare)
-      {
-        continue;
-      }
-      ++tried;
-      cells_.open(other); // a hexahedron has no faces of its own
-      const bool grows = cells_.volume(key) > cells_.volume(other);
-      trial_.keys = { grows ? key : other, grows ? other : key };
-      double worst = ownWorst;
-      const double before = own + costOf(other, &key, &key + 1, worst);
-      trial_.gain = before - costTogether(trial_);
-      if (trial_.gain > leastGain_ && isBetter(trial_, best) && isAllowed(trial_, worst))
-      {
-        std::swap(best, trial_);
-        if (best.worst < FairCost)
-        {
-          break;
-        }
-      }
-    }
-    if (!best.keys.empty())
-    {
-      merge(best);
-    }
-  }
-
-  // One in which no angle fails is better than one that gains more.
-  static bool isBetter(const Union& a, const Union& b)
-  {
-    const bool fails = a.worst >= MostCost;
-    const bool otherFails = b.worst >= MostCost;
-    // Equal but for rounding is equal: sums depend on the order of the surface's triangles.
-    const bool gainsMore = static_cast<float>(a.gain) > static_cast<float>(b.gain);
-    return b.keys.empty() || (fails != otherFails ? otherFails : gainsMore);
-  }
-
-  // `worst`: the largest cost of a face before.
-  bool isAllowed(const Union& merged, double worst) const
-  {
-    return merged.worst < std::max(worst, MostCost) && !isFolded(merged.view) &&
-      !cells_.hasFacesNear(merged.keys[0], merged.view, merged.joined);
-  }
-
-  void merge(const Union& merged)
-  {
-    for (const CellKey other : merged.view.across)
-    {
-      if (other != None)
-      {
-        cells_.open(other);
-      }
-    }
-    for (std::size_t i = 1; i < merged.keys.size(); ++i)
-    {
-      merged_ += cells_.counts(merged.keys[i]);
-      cells_.merge(merged.keys[i], merged.keys.front());
-    }
-    cells_.join(merged.keys.front(), merged.view, merged.joined);
-  }
-
-  static constexpr double Never = 1e30;
-
-  CellComplex& cells_;
-  const MergeSpec& spec_;
-  Execution& execution_;
-  std::size_t merged_ = 0;
-  double leastGain_ = LeastGain;
-
-  // Of the trial at hand, kept for their memory:
-  Union trial_;
-  MeasuredCell cell_;
-  CellShape shape_;
-  std::vector<std::uint8_t> counts_;
-};
-
 }
 
-std::size_t mergeSmallCells(CellComplex& cells, const MergeSpec& spec, Execution& execution)
+template <class Look>
+std::vector<CellMerger::Candidate> CellMerger::list(const std::vector<CellKey>& keys, Look&& look)
 {
-  const std::size_t inGroups = Merger(cells, spec, execution).mergeGroups();
-  return inGroups + Merger(cells, spec, execution).mergeSmall();
+  std::vector<Candidate> candidates;
+  for (const CellKey key : keys)
+  {
+    execution_.poll();
+    if (const auto [is, rank] = look(key, false); is)
+    {
+      candidates.push_back({ key, static_cast<float>(rank) });
+    }
+  }
+  std::sort(candidates.begin(), candidates.end());
+  return candidates;
 }
 
-std::size_t mergeFailingCells(CellComplex& cells, const MergeSpec& spec, Execution& execution)
+// Small cells side by side on one neighbour, or cells of a fine box each on one of a coarse box: each alone
+// would leave a step there, all together none.
+void CellMerger::mergeGroups()
 {
-  return Merger(cells, spec, execution).mergeFailing();
+  std::map<CellKey, std::vector<CellKey>> byLargest;
+  for (const CellKey key : cells_.polyhedra())
+  {
+    execution_.poll();
+    if (cells_.share(key) < LargestOfGroup && (isSmall(key) || mayBeOfFineBox(key)))
+    {
+      const auto neighbours = cells_.neighbours(key);
+      const CellKey into = neighbours.empty() ? None : neighbours.front().first;
+      if (into != None && !isSmall(into) && (isSmall(key) || isFineNextTo(key, into)))
+      {
+        std::vector<CellKey>& group = byLargest[into];
+        group.resize(std::max<std::size_t>(group.size(), 1), into);
+        group.push_back(key);
+      }
+    }
+  }
+  for (const auto& [into, group] : byLargest)
+  {
+    execution_.poll();
+    if (group.size() > 2 && cells_.mayMerge(group))
+    {
+      mergeGroup(group);
+    }
+  }
 }
 
-std::size_t mergePoorCells(CellComplex& cells, const MergeSpec& spec, Execution& execution)
+// If that is better than each alone.
+void CellMerger::mergeGroup(const std::vector<CellKey>& keys)
 {
-  return Merger(cells, spec, execution).mergePoor();
+  best_.keys.clear();
+  trial_.keys = keys;
+  cells_.open(keys.front());
+  FaceCosts before;
+  for (auto key = keys.begin(); key != keys.end(); ++key)
+  {
+    before += costsOfCell(*key, keys.begin(), key);
+  }
+  tryOut(before, LeastGain, spec_.joins, false);
+  if (!best_.keys.empty())
+  {
+    apply(best_);
+  }
+}
+
+bool CellMerger::isSmall(CellKey key) const
+{
+  return cells_.share(key) < spec_.ratio;
+}
+
+bool CellMerger::isFineNextTo(CellKey key, CellKey other) const
+{
+  return cells_.volume(key) < LeastVolumeRatio * cells_.volume(other);
+}
+
+// Before its neighbours are measured.
+bool CellMerger::mayBeOfFineBox(CellKey key) const
+{
+  return cells_.anyBeyond(key, [&](CellKey other) { return isFineNextTo(key, other); });
+}
+
+// But for its faces towards the cells from `begin` to `end`.
+template <class Iterator>
+FaceCosts CellMerger::costsOfCell(CellKey key, Iterator begin, Iterator end)
+{
+  cells_.lookAround(key, cell_);
+  counts_.clear();
+  for (const CellKey other : cell_.across)
+  {
+    counts_.push_back(std::find(begin, end, other) == end ? 1 : 0);
+  }
+  FaceCosts costs = costsOf(cell_.shape, cell_.measures, cell_.beyond, counts_);
+  const double ofShare = costOfShare(cells_.share(key));
+  costs.sum += ofShare;
+  costs.worst = std::max(costs.worst, ofShare);
+  costs.refused += cell_.across.size() < LeastFaces ? 1 : 0;
+  return costs;
+}
+
+// Returns whether there was a better one.
+bool CellMerger::mergeBest(
+  CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain)
+{
+  best_.keys.clear();
+  findBest(key, own, mostNeighbours, leastGain, spec_.joins, false);
+  if (spec_.simplifies)
+  {
+    simplifyBest(key, own, mostNeighbours, leastGain);
+  }
+  if (best_.keys.empty())
+  {
+    return false;
+  }
+  apply(best_);
+  return true;
+}
+
+// What solvers refuse, or are strained by, or is very small, and finds nothing better as it is.
+void CellMerger::simplifyBest(
+  CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain)
+{
+  const auto isMended = [&] { return !best_.keys.empty() && best_.costs.refused == 0; };
+  if (isMended())
+  {
+    return;
+  }
+  cells_.open(key);
+  if (own.refused > 0 || cells_.share(key) < LeastShare * spec_.ratio)
+  {
+    findBest(key, own, mostNeighbours, leastGain, spec_.joins, true);
+  }
+  else if (own.worst >= StrainedCost)
+  {
+    trial_.keys.assign(1, key);
+    tryOut(own, leastGain, spec_.joins, true);
+  }
+  for (const WideAngles& angles : WiderAngles)
+  {
+    if (own.refused > 0 && !isMended())
+    {
+      findBest(key, own, mostNeighbours, leastGain,
+        { std::cos(radians(angles.boundary)), std::cos(radians(angles.inner)) }, true);
+    }
+  }
+}
+
+// Among the cell alone, if it may become simpler, and with each of its neighbours.
+void CellMerger::findBest(CellKey key, const FaceCosts& own, std::size_t mostNeighbours,
+  double leastGain, const JoinSpec& joins, bool simplifies)
+{
+  if (simplifies)
+  {
+    trial_.keys.assign(1, key);
+    tryOut(own, leastGain, joins, true);
+  }
+  const double share = cells_.share(key);
+  std::size_t tried = 0;
+  for (const auto& [other, area] : cells_.neighbours(key))
+  {
+    if (!spec_.merges || tried == mostNeighbours ||
+      (!best_.keys.empty() && best_.costs.worst < FairCost && best_.costs.refused == 0))
+    {
+      break;
+    }
+    if (!cells_.mayMerge({ key, other }) || share + cells_.share(other) > MostShare)
+    {
+      continue;
+    }
+    ++tried;
+    cells_.open(other); // a hexahedron has no faces of its own
+    const bool grows = cells_.volume(key) > cells_.volume(other);
+    trial_.keys.assign({ grows ? key : other, grows ? other : key });
+    FaceCosts before = own;
+    before += costsOfCell(other, &key, &key + 1);
+    before.sum -= CostOfCell * cells_.share(trial_.keys[1]);
+    tryOut(before, leastGain, joins, simplifies);
+  }
+}
+
+// The trial's cells; keeps the better one. `before`: the costs of each alone.
+void CellMerger::tryOut(
+  const FaceCosts& before, double leastGain, const JoinSpec& joins, bool simplifies)
+{
+  const double most = simplifies ? Never : before.sum + MostOfJoins;
+  double cost = trying_.tryOut(trial_, joins, most);
+  if (cost < Never && simplifies)
+  {
+    cost = trying_.simplify(trial_, cost);
+  }
+  trial_.gain = before.sum - cost;
+  const bool isAllowed = trial_.gain > leastGain &&
+    trial_.costs.worst < std::max(before.worst, MostCost) &&
+    (trial_.costs.refused == 0 || trial_.costs.refused < before.refused);
+  if (isAllowed && isBetter(trial_, best_) && trying_.isSound(trial_))
+  {
+    std::swap(best_, trial_);
+  }
+}
+
+void CellMerger::apply(const CellUnion& chosen)
+{
+  const CellKey into = chosen.keys.front();
+  for (const CellKey other : chosen.view.across)
+  {
+    if (other != None)
+    {
+      cells_.open(other);
+    }
+  }
+  for (std::size_t i = 1; i < chosen.keys.size(); ++i)
+  {
+    merged_ += cells_.counts(chosen.keys[i]);
+    cells_.merge(chosen.keys[i], into);
+  }
+  simplified_ += chosen.keys.size() == 1 ? cells_.counts(into) : 0;
+  cells_.join(into, chosen.view, chosen.joined);
 }
 
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Small cells, and those at fault, become a part of a neighbour (section 4.10, but the volume is kept).
+// Small cells, poor ones, and those that solvers refuse, become a part of a neighbour (section 4.10, but
+// the volume is kept) or simpler (4.11, IP patches).
 #pragma once
 
 #include "Base/Execution.h"
-#include "Shaping/CellComplex.h"
+#include "Shaping/CellUnion.h"
 
 namespace cartesian
 {
@@ -13,15 +14,87 @@ struct MergeSpec
   double ratio = 0; // cells below this part of their box's volume are small
 
   JoinSpec joins; // which faces of the result become one
+
+  bool merges = true;
+  bool simplifies = true; // cells that solvers refuse, by joining faces at any angle
 };
 
-// Each small cell, or each at fault (CellFaults.h), joins the neighbour with which the sum of all costs
-// around it (CellCost.h) falls most; where it falls with none, the cell stays. One after the other, the
-// smallest first, within a slab. No two faces get the same nodes. Returns how many were merged.
-std::size_t mergeSmallCells(CellComplex& cells, const MergeSpec& spec, Execution& execution);
-std::size_t mergeFailingCells(CellComplex& cells, const MergeSpec& spec, Execution& execution);
+// One cell after the other, the smallest or poorest first, within a slab: each joins the neighbour with which
+// the sum of all costs around it (CellCost.h) falls most; where it falls with none, it stays. No two faces
+// get the same nodes.
+class CellMerger
+{
+public:
+  CellMerger(CellComplex& cells, const MergeSpec& spec, Execution& execution)
+    : cells_(cells)
+    , spec_(spec)
+    , execution_(execution)
+    , trying_(cells)
+  {
+  }
 
-// The same for cells with a face that costs more than PoorCost: accepted, but better off in one.
-std::size_t mergePoorCells(CellComplex& cells, const MergeSpec& spec, Execution& execution);
+  // Small cells, and before them groups of cells side by side.
+  void mergeSmall();
+
+  // Cells with a face that costs more than PoorCost. Looks at all cells, the next time at what has changed.
+  void improve();
+
+  // One cell, if solvers refuse it; returns false where nothing helps.
+  bool improve(CellKey key);
+
+  // The slab's cells; also those that it only touches, if nobody looks at them later.
+  std::vector<CellKey> lookedAfter(bool looksAtOthers) const;
+
+  // Those of which solvers refuse a face.
+  std::vector<CellKey> refused(bool looksAtOthers);
+
+  std::size_t merged() const { return merged_; }         // cells that are gone
+  std::size_t simplified() const { return simplified_; } // cells with faces joined at any angle
+
+private:
+  struct Candidate
+  {
+    CellKey key;
+    float rank; // the lowest first; equal but for rounding is equal
+
+    bool operator<(const Candidate& other) const
+    {
+      return rank != other.rank ? rank < other.rank : key < other.key;
+    }
+  };
+
+  template <class Look>
+  void run(std::vector<CellKey> keys, Look&& look);
+  template <class Look>
+  std::vector<Candidate> list(const std::vector<CellKey>& keys, Look&& look);
+  void mergeGroups();
+  void mergeGroup(const std::vector<CellKey>& keys);
+  bool isSmall(CellKey key) const;
+  bool isFineNextTo(CellKey key, CellKey other) const;
+  bool mayBeOfFineBox(CellKey key) const;
+  template <class Iterator>
+  FaceCosts costsOfCell(CellKey key, Iterator begin, Iterator end);
+  bool mergeBest(CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain);
+  void simplifyBest(
+    CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain);
+  void findBest(CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain,
+    const JoinSpec& joins, bool simplifies);
+  void tryOut(const FaceCosts& before, double leastGain, const JoinSpec& joins, bool simplifies);
+  void apply(const CellUnion& chosen);
+
+  CellComplex& cells_;
+  const MergeSpec& spec_;
+  Execution& execution_;
+  UnionTrial trying_;
+  std::size_t merged_ = 0;
+  std::size_t simplified_ = 0;
+  std::uint32_t improvedAt_ = 0; // all has been looked at since
+
+  // Kept for their memory:
+  CellUnion trial_;
+  CellUnion best_;
+  MeasuredCell cell_;
+  std::vector<std::uint8_t> counts_;
+};
 
 }

@@ -2,10 +2,8 @@
 #include "Shaping/CellShaping.h"
 
 #include "Optimisation/NodeOptimisation.h"
-#include "Shaping/CellCarving.h"
-#include "Shaping/CellMerging.h"
 #include "Shaping/CellSplitting.h"
-#include "Shaping/FaceMending.h"
+#include "Shaping/PartTransfer.h"
 #include "Shaping/RefusedCells.h"
 
 #include <algorithm>
@@ -25,9 +23,10 @@ constexpr double InnerJoinAngle = 20;
 
 // Those at the boundary below a part of their box: R of their boundary, but not more than `most`.
 // Elsewhere they would leave a hole.
-void removeSmallCells(CellComplex& complex, const SmallCellSpec& spec, double most)
+void removeSmallCells(
+  CellComplex& complex, const std::vector<CellKey>& keys, const SmallCellSpec& spec, double most)
 {
-  for (const CellKey key : complex.polyhedra())
+  for (const CellKey key : keys)
   {
     const double share = complex.share(key);
     if (share < most && share < ratioOf(spec, complex.boundaryOfCell(key), spec.ratio) &&
@@ -38,156 +37,142 @@ void removeSmallCells(CellComplex& complex, const SmallCellSpec& spec, double mo
   }
 }
 
+MergeSpec mergeSpecOf(const ShapingSpec& spec, bool merges, bool exact)
+{
+  MergeSpec merging;
+  merging.ratio = spec.mergeRatio;
+  merging.merges = merges;
+  merging.simplifies = spec.splitConcave && !exact;
+  if (!exact)
+  {
+    merging.joins = { std::cos(radians(MergeJoinAngle)), std::cos(radians(InnerJoinAngle)) };
+  }
+  return merging;
+}
+
 // What is done to the cells of one slab.
 class Shaper
 {
 public:
+  // `isLast`: no other slab looks at cells after this one.
   Shaper(CellComplex& complex, const SmallCellSpec& small, const ShapingSpec& spec, bool exact,
-    Execution& execution)
+    bool isLast, Execution& execution)
     : complex_(complex)
     , small_(small)
     , spec_(spec)
     , exact_(exact)
+    , isLast_(isLast)
+    , merges_(small.handling == SmallCells::Merge)
     , execution_(execution)
-    , mender_(complex)
+    , mergeSpec_(mergeSpecOf(spec, merges_, exact))
+    , merger_(complex, mergeSpec_, execution)
   {
-    mergeSpec_.ratio = spec.mergeRatio;
-    if (!exact)
-    {
-      mergeSpec_.joins = { std::cos(radians(MergeJoinAngle)), std::cos(radians(InnerJoinAngle)) };
-    }
   }
 
   Shaping run()
   {
     removeSmall(Sliver);
     mergeSmall();
-    for (int pass = 0; spec_.splitConcave && pass < Passes; ++pass)
+    if (spec_.splitConcave)
     {
-      joinFlatFaces();
       split();
       mergeSmall();
-      mergeFailing();
-      mend();
     }
-    mergePoor();
+    improve();
     removeSmall(1);
-    return shaping_;
+    return result();
   }
 
-  // What neither merging nor moving nodes has saved. The smallest first, as a removal may be enough for the
-  // neighbours. What it exposes can be mended; what is too large to go can lose a part.
+  // Where nodes have moved; then what nothing has saved goes: small cells first, parts of others, at last
+  // whole cells. Each time what is exposed may be saved again.
   Shaping removeRefused()
   {
-    RefusedCells refused(complex_, small_, execution_);
-    std::uint32_t looked = 0;
+    improve();
+    removeSmall(1);
     for (std::size_t pass = 0; pass < LargestShares.size(); ++pass)
     {
-      mend();
-      shaping_.partsCarved +=
-        carveCells(complex_, complex_.polyhedraAtFault(), MostCarved, execution_);
-      mend();
+      std::vector<CellKey> keys = merger_.refused(isLast_);
+      if (keys.empty())
+      {
+        break;
+      }
+      if (pass > 0)
+      {
+        transferParts(complex_, keys, LeftOver::IsRemoved, merger_, execution_, shaping_.refused);
+        keys = merger_.refused(isLast_);
+      }
+      cartesian::removeRefused(complex_, keys, small_, LargestShares[pass] * spec_.refusedCellRatio,
+        execution_, shaping_.refused);
+      improve();
       removeSmall(1);
-      // Only a look at all cells finds skewed inner faces: once, and in the end at what has changed.
-      std::vector<CellKey> keys;
-      if (pass == 0)
-      {
-        complex_.lookAtChanged();
-        keys = complex_.polyhedra();
-        looked = complex_.mark();
-      }
-      else
-      {
-        const bool last = pass + 1 == LargestShares.size();
-        keys = last ? complex_.polyhedraChangedSince(looked) : complex_.polyhedraAtFault();
-      }
-      shaping_.refusedCellsRemoved +=
-        refused.remove(keys, LargestShares[pass] * spec_.refusedCellRatio);
     }
-    return shaping_;
+    return result();
   }
 
 private:
   // What cannot be merged is small beyond use.
   void removeSmall(double most)
   {
-    if (small_.handling == SmallCells::Merge && !exact_)
+    if (merges_ && !exact_)
     {
-      removeSmallCells(complex_, small_, most);
+      removeSmallCells(complex_, merger_.lookedAfter(isLast_), small_, most);
     }
   }
 
   void mergeSmall()
   {
-    if (small_.handling == SmallCells::Merge)
+    if (merges_)
     {
-      shaping_.cellsMerged += mergeSmallCells(complex_, mergeSpec_, execution_);
-    }
-  }
-
-  void mergeFailing()
-  {
-    if (small_.handling == SmallCells::Merge)
-    {
-      shaping_.cellsMerged += mergeFailingCells(complex_, mergeSpec_, execution_);
-    }
-  }
-
-  void mergePoor()
-  {
-    if (small_.handling == SmallCells::Merge && !exact_)
-    {
-      complex_.lookAtChanged();
-      shaping_.cellsMerged += mergePoorCells(complex_, mergeSpec_, execution_);
-    }
-  }
-
-  void joinFlatFaces()
-  {
-    const double leastCosine = exact_ ? OnOnePlane : std::cos(radians(spec_.joinAngle));
-    for (const CellKey key : complex_.polyhedraAtFault())
-    {
-      execution_.poll();
-      mender_.joinFaces(key, leastCosine);
+      merger_.mergeSmall();
     }
   }
 
   void split()
   {
-    const double least = small_.handling == SmallCells::Remove ? small_.ratio : 0;
+    const double least = merges_ ? 0 : small_.ratio;
     shaping_.cellsSplit +=
       splitCells(complex_, complex_.polyhedraAtFault(), least, execution_).cellsSplit;
   }
 
-  void mend()
+  // What a transfer has changed may help its neighbours.
+  void improve()
   {
-    for (const CellKey key : exact_ ? std::vector<CellKey>{} : complex_.polyhedraAtFault())
+    for (int pass = 0; !exact_ && pass < Passes; ++pass)
     {
-      execution_.poll();
-      shaping_.cellsMended += mender_.mend(key) ? complex_.counts(key) : 0;
+      complex_.lookAtChanged();
+      merger_.improve();
+      if (mergeSpec_.simplifies && merges_)
+      {
+        transferParts(complex_, merger_.refused(isLast_), LeftOver::ComesBack, merger_, execution_,
+          shaping_.refused);
+      }
     }
   }
 
-  // What one pass has left the second mends in part; a third finds hardly anything.
+  Shaping result()
+  {
+    shaping_.cellsMerged = merger_.merged();
+    shaping_.cellsSimplified = merger_.simplified();
+    return shaping_;
+  }
+
   static constexpr int Passes = 2;
-  static constexpr double OnOnePlane = 1;
 
   // Cells below this part of their box are a wall next to a meshline: merged, they would stick out of
   // their neighbour.
   static constexpr double Sliver = 1e-9;
 
-  static constexpr std::array<double, 4> LargestShares{ 0.025, 0.25, 1, 1 };
-
-  // A carved cell loses no more than this part of its box.
-  static constexpr double MostCarved = 0.5;
+  static constexpr std::array<double, 8> LargestShares{ 0.025, 0.1, 0.25, 0.25, 1, 1, 1, 1 };
 
   CellComplex& complex_;
   const SmallCellSpec& small_;
   const ShapingSpec& spec_;
   bool exact_;
+  bool isLast_;
+  bool merges_;
   Execution& execution_;
-  FaceMender mender_;
   MergeSpec mergeSpec_;
+  CellMerger merger_;
   Shaping shaping_;
 };
 
@@ -223,9 +208,8 @@ Shaping operator+(Shaping sum, const Shaping& other)
 {
   sum.cellsSplit += other.cellsSplit;
   sum.cellsMerged += other.cellsMerged;
-  sum.cellsMended += other.cellsMended;
-  sum.partsCarved += other.partsCarved;
-  sum.refusedCellsRemoved += other.refusedCellsRemoved;
+  sum.cellsSimplified += other.cellsSimplified;
+  sum.refused.insert(sum.refused.end(), other.refused.begin(), other.refused.end());
   return sum;
 }
 
@@ -246,6 +230,7 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
   for (const std::vector<Slab>& slabs : slabsFor(boxes.core.grown(HaloOfShapedCells, all), all))
   {
     const Shares& shares = SharesOfStages[stage++];
+    const bool isLast = stage == ShapingStages;
     if (slabs.empty())
     {
       continue;
@@ -259,7 +244,7 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
       execution.forEach(slabs.size(), 1, [&](std::size_t s, std::size_t) {
         Execution alone = execution.alone();
         complexes[s] = std::make_unique<CellComplex>(whole, slabs[s]);
-        Shaper shaper(*complexes[s], small, spec, exact, alone);
+        Shaper shaper(*complexes[s], small, spec, exact, isLast, alone);
         shapings[s] = shape(shaper);
       });
       sum = std::accumulate(shapings.begin(), shapings.end(), sum);

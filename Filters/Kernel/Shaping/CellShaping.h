@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Cells/Cells.h"
+#include "Shaping/RemovedCell.h"
 #include "Shaping/ShapingSpec.h"
 
 namespace cartesian
@@ -14,10 +15,9 @@ struct Shaping
 {
   std::size_t cellsSplit = 0; // cuts
   std::size_t cellsMerged = 0;
-  std::size_t cellsMended =
-    0; // got a boundary face of several, of any angle: the paper's IP patches
-  std::size_t partsCarved = 0; // that solvers refuse; removed
-  std::size_t refusedCellsRemoved = 0;
+  std::size_t cellsSimplified =
+    0; // solvers refused them: faces are one, at any angle: the paper's IP patches
+  std::vector<RemovedCell> refused; // and removed
 };
 
 Shaping operator+(Shaping sum, const Shaping& other);

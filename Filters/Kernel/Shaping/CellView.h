@@ -26,7 +26,7 @@ struct CellView
   std::vector<FaceUse> faces;
   std::vector<CellKey> across;        // the cell beyond, or None
   std::vector<std::int32_t> boundary; // that it belongs to, where nothing is beyond
-  std::vector<std::uint8_t> fixed;    // 1: a cell is beyond that must not change
+  std::vector<std::uint8_t> fixed;    // 1: beyond is a cell that no other face may change
   std::vector<NeighbourCell> beyond;  // filled by CellComplex::lookBeyond
 
   void reserve(std::size_t ofFaces, std::size_t ofCorners)

@@ -115,21 +115,27 @@ public:
     }
   }
 
-  // A boundary face with each of its neighbours in turn, whatever the angle.
-  std::vector<JoinedFaces> runWith(std::uint32_t face)
+  // A group with each of its neighbours in turn.
+  std::vector<JoinedFaces> runWith(const JoinedFaces& given, std::uint32_t group)
   {
     std::vector<JoinedFaces> results;
     if (!begin())
     {
       return results;
     }
-    const JoinedFaces apart = joined_;
-    for (const auto& [f, g] : pairs_)
+    if (!given.groups.empty())
     {
-      if ((f == face || g == face) && join(f, g))
+      beginWith(given);
+    }
+    const JoinedFaces apart = joined_;
+    const std::vector<std::uint32_t> groups = groupOf_;
+    for (const std::uint32_t other : groupsBeside(group))
+    {
+      if (join(group, other) || recut(group, other))
       {
         results.push_back(withoutEmpty(std::move(joined_)));
         joined_ = apart;
+        groupOf_ = groups;
       }
     }
     return results;
@@ -177,6 +183,35 @@ private:
       groupOf_.push_back(f);
     }
     return true;
+  }
+
+  void beginWith(const JoinedFaces& given)
+  {
+    joined_ = given;
+    for (std::uint32_t g = 0; g < given.groups.size(); ++g)
+    {
+      for (const std::uint32_t member : given.groups[g].members)
+      {
+        groupOf_[member] = g;
+      }
+    }
+  }
+
+  std::vector<std::uint32_t> groupsBeside(std::uint32_t group) const
+  {
+    std::vector<std::uint32_t> beside;
+    for (const auto& [f, g] : pairs_)
+    {
+      const std::uint32_t one = groupOf_[f];
+      const std::uint32_t other = groupOf_[g];
+      if (one != other && (one == group || other == group))
+      {
+        beside.push_back(one == group ? other : one);
+      }
+    }
+    std::sort(beside.begin(), beside.end());
+    beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
+    return beside;
   }
 
   bool mayAnyFit() const
@@ -300,6 +335,95 @@ private:
     return true;
   }
 
+  // Divides two groups anew, so that the smaller of both is as large as can be; false where nothing is better.
+  bool recut(std::uint32_t g, std::uint32_t h)
+  {
+    JoinedFaces::Group& first = joined_.groups[g];
+    JoinedFaces::Group& second = joined_.groups[h];
+    const std::vector<std::uint32_t> ring = joinRings(first.ring, second.ring);
+    if (ring.size() < 4 || ring.size() > MostCornersRecut)
+    {
+      return false;
+    }
+    const double least = leastCosine(first.members.front());
+    trial_.start.assign(1, 0);
+    trial_.corners.clear();
+    trial_.isBoundary.clear();
+    addRing(first.ring, trial_);
+    addRing(second.ring, trial_);
+    CellShape shape;
+    measure(trial_, shape);
+    double largest = 2 * std::min(norm(shape.faces[0].area), norm(shape.faces[1].area));
+    std::array<std::vector<std::uint32_t>, 2> best;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      for (std::size_t k = i + 2; k < ring.size() && k - i + 1 < ring.size(); ++k)
+      {
+        std::array<std::vector<std::uint32_t>, 2> parts = cutRing(ring, i, k);
+        const double smaller = smallerOf(parts, least);
+        if (smaller > largest && !hasEdge(ring[i], ring[k]) && !hasTwin(parts[0]) &&
+          !hasTwin(parts[1]))
+        {
+          largest = smaller;
+          best = std::move(parts);
+        }
+      }
+    }
+    if (best[0].empty())
+    {
+      return false;
+    }
+    first.ring = std::move(best[0]);
+    second.ring = std::move(best[1]);
+    first.recut = second.recut = true;
+    return true;
+  }
+
+  bool hasEdge(std::uint32_t from, std::uint32_t to) const
+  {
+    const auto runs = [&](const JoinedFaces::Group& group) {
+      for (std::size_t i = 0; i < group.ring.size(); ++i)
+      {
+        const std::uint32_t a = group.ring[i];
+        const std::uint32_t b = group.ring[i + 1 < group.ring.size() ? i + 1 : 0];
+        if ((a == from && b == to) || (a == to && b == from))
+        {
+          return true;
+        }
+      }
+      return false;
+    };
+    return std::any_of(joined_.groups.begin(), joined_.groups.end(), runs);
+  }
+
+  static std::array<std::vector<std::uint32_t>, 2> cutRing(
+    const std::vector<std::uint32_t>& ring, std::size_t i, std::size_t k)
+  {
+    const auto at = [&](std::size_t c) { return ring.begin() + static_cast<std::ptrdiff_t>(c); };
+    std::array<std::vector<std::uint32_t>, 2> parts;
+    parts[0].assign(at(i), at(k + 1));
+    parts[1].assign(at(k), ring.end());
+    parts[1].insert(parts[1].end(), ring.begin(), at(i + 1));
+    return parts;
+  }
+
+  // Its area, or less than 0 where one has no star triangulation, or they meet at too wide an angle.
+  double smallerOf(const std::array<std::vector<std::uint32_t>, 2>& parts, double leastCosine)
+  {
+    trial_.start.assign(1, 0);
+    trial_.corners.clear();
+    trial_.isBoundary.clear();
+    addRing(parts[0], trial_);
+    addRing(parts[1], trial_);
+    CellShape shape;
+    measure(trial_, shape);
+    const Vector normal = unit(shape.faces[0].area);
+    const Vector other = unit(shape.faces[1].area);
+    const bool fits = dot(normal, other) >= std::max(leastCosine, LeastCosineOfCut) &&
+      isStar(trial_, 0, normal) && isStar(trial_, 1, other);
+    return fits ? std::min(norm(shape.faces[0].area), norm(shape.faces[1].area)) : -1;
+  }
+
   // Two faces between the same nodes would enclose nothing.
   bool hasTwin(std::vector<std::uint32_t> ring) const
   {
@@ -315,6 +439,12 @@ private:
         return nodes == ring;
       });
   }
+
+  // All diagonals are tried.
+  static constexpr std::size_t MostCornersRecut = 16;
+
+  // Faces that are cut apart anew do not fold over.
+  static constexpr double LeastCosineOfCut = 0.5;
 
   // Cosine of normals of faces that might lie on one plane.
   static constexpr double NearlyFlat = 0.999;
@@ -336,10 +466,12 @@ JoinedFaces joinFaces(const CellView& view, const CellShape& shape, const JoinSp
   return view.faces.size() > MostFacesJoined ? JoinedFaces{} : Joiner(view, shape, spec).run();
 }
 
-std::vector<JoinedFaces> joinFace(const CellView& view, const CellShape& shape, std::uint32_t face)
+std::vector<JoinedFaces> joinOneMore(const CellView& view, const CellShape& shape,
+  const JoinedFaces& joined, std::uint32_t group, double leastCosine)
 {
-  constexpr double AnyAngle = -1;
-  return Joiner(view, shape, { AnyAngle, 1 }).runWith(face);
+  return view.faces.size() > MostFacesJoined
+    ? std::vector<JoinedFaces>{}
+    : Joiner(view, shape, { leastCosine, leastCosine }).runWith(joined, group);
 }
 
 Polyhedron shapeOf(

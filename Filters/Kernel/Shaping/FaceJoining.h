@@ -14,12 +14,15 @@ struct JoinedFaces
   {
     std::vector<std::uint32_t> members; // faces of the view
     std::vector<std::uint32_t> ring;    // nodes of the view, counter-clockwise from outside
+    bool recut = false;                 // with another group: together they cover what they did
+
+    bool isNew() const { return recut || members.size() > 1; }
   };
   std::vector<Group> groups; // each face is in one; none: no faces are joined
 };
 
 // Cells of more faces keep them all: the time to join grows with the square of their number.
-constexpr std::size_t MostFacesJoined = 1000;
+constexpr std::size_t MostFacesJoined = 200;
 
 // Cosines of the angle between the normals of what is joined.
 struct JoinSpec
@@ -31,8 +34,10 @@ struct JoinSpec
 // `shape`: the view's.
 JoinedFaces joinFaces(const CellView& view, const CellShape& shape, const JoinSpec& spec);
 
-// All ways to make a boundary face and one neighbour of the same boundary one, whatever their angle.
-std::vector<JoinedFaces> joinFace(const CellView& view, const CellShape& shape, std::uint32_t face);
+// All ways to make one of the groups (where there is none: a face) and one neighbour one, where
+// their normals make no smaller cosine; where they cannot be one, they are cut apart along another diagonal.
+std::vector<JoinedFaces> joinOneMore(const CellView& view, const CellShape& shape,
+  const JoinedFaces& joined, std::uint32_t group, double leastCosine);
 
 // The view's shape with the groups, if any, for faces, and what is beyond them.
 Polyhedron shapeOf(

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/RefusedCells.h"
 
-#include <algorithm>
-#include <iterator>
+#include <set>
 
 namespace cartesian
 {
@@ -10,114 +9,112 @@ namespace cartesian
 namespace
 {
 
-// Each round exposes faces of the cells next to those removed, which are seldom at fault.
-constexpr int MostRounds = 10;
-
-}
-
-bool RefusedCells::Candidate::operator<(const Candidate& other) const
+struct Candidate
 {
-  const auto a = static_cast<float>(volume); // equal but for rounding is equal
-  const auto b = static_cast<float>(other.volume);
-  return a != b ? a < b : key < other.key;
-}
+  double volume; // as a part of its box
+  CellKey key;
 
-std::size_t RefusedCells::remove(const std::vector<CellKey>& keys, double largest)
-{
-  largest_ = largest;
-  removed_ = 0;
-  std::vector<CellKey> left;
-  std::set_union(keys.begin(), keys.end(), stay_.begin(), stay_.end(), std::back_inserter(left));
-  stay_.clear();
-  for (int round = 0; !left.empty() && round < MostRounds; ++round)
+  bool operator<(const Candidate& other) const
   {
-    left = removeSome(left);
+    const auto a = static_cast<float>(volume); // equal but for rounding is equal
+    const auto b = static_cast<float>(other.volume);
+    return a != b ? a < b : key < other.key;
   }
-  return removed_;
-}
+};
 
-RefusedCells::Candidate RefusedCells::candidate(CellKey key) const
+class Search
 {
-  return { cells_.share(key), key };
-}
-
-bool RefusedCells::mayGo(const Candidate& candidate) const
-{
-  return cells_.hasFaces(candidate.key) && cells_.isFree(candidate.key) &&
-    cells_.isAtBoundary(candidate.key) &&
-    candidate.volume < ratioOf(small_, cells_.mainBoundary(candidate.key), largest_);
-}
-
-// For each refused face of a cell, finds the smaller of its two cells that may go.
-void RefusedCells::lookAt(CellKey key, MeasuredCell& cell, std::set<Candidate>& candidates)
-{
-  if (!cells_.isAlive(key) || cells_.isSurelyAccepted(key))
+public:
+  Search(const CellComplex& cells, const SmallCellSpec& small, double largest)
+    : cells_(cells)
+    , small_(small)
+    , largest_(largest)
   {
-    return;
   }
-  cells_.lookAround(key, cell);
-  if (cell.across.size() < LeastFaces && mayGo(candidate(key)))
+
+  // For each refused face of a cell, finds the smaller of its two cells that may go.
+  void lookAt(CellKey key)
   {
-    candidates.insert(candidate(key));
-    return;
-  }
-  for (std::size_t f = 0; f < cell.across.size(); ++f)
-  {
-    if (!isRefused(cell.shape, cell.measures, f, cell.beyond[f]) &&
-      !isDoubtful(cell.shape, cell.measures, f))
+    cells_.lookAround(key, cell_);
+    const Candidate own{ cells_.share(key), key };
+    if (cell_.across.size() < LeastFaces && mayGo(own))
     {
-      continue;
+      candidates_.insert(own);
+      return;
     }
-    const CellKey other = cell.across[f];
-    Candidate smaller = candidate(key);
-    Candidate larger = other == None ? smaller : candidate(other);
-    if (larger < smaller)
+    for (std::size_t f = 0; f < cell_.across.size(); ++f)
     {
-      std::swap(smaller, larger);
-    }
-    if (mayGo(smaller))
-    {
-      candidates.insert(smaller);
-    }
-    else if (mayGo(larger))
-    {
-      candidates.insert(larger);
-    }
-    else
-    {
-      stay_.insert(key);
+      if (!isRefused(cell_.shape, cell_.measures, f, cell_.beyond[f]))
+      {
+        continue;
+      }
+      const CellKey other = cell_.across[f];
+      Candidate smaller = own;
+      Candidate larger = other == None ? own : Candidate{ cells_.share(other), other };
+      if (larger < smaller)
+      {
+        std::swap(smaller, larger);
+      }
+      if (mayGo(smaller))
+      {
+        candidates_.insert(smaller);
+      }
+      else if (mayGo(larger))
+      {
+        candidates_.insert(larger);
+      }
     }
   }
+
+  const std::set<Candidate>& candidates() const { return candidates_; }
+
+private:
+  bool mayGo(const Candidate& candidate) const
+  {
+    return cells_.hasFaces(candidate.key) && cells_.isFree(candidate.key) &&
+      cells_.isAtBoundary(candidate.key) &&
+      candidate.volume < ratioOf(small_, cells_.mainBoundary(candidate.key), largest_);
+  }
+
+  const CellComplex& cells_;
+  const SmallCellSpec& small_;
+  double largest_;
+  MeasuredCell cell_;
+  std::set<Candidate> candidates_;
+};
+
 }
 
-// Returns the cells to look at again.
-std::vector<CellKey> RefusedCells::removeSome(const std::vector<CellKey>& keys)
+void remove(CellComplex& cells, CellKey key, std::vector<RemovedCell>& removed)
 {
-  std::set<Candidate> candidates;
-  MeasuredCell cell;
+  if (cells.counts(key) > 0)
+  {
+    removed.push_back({ cells.boxOf(key), cells.volume(key) });
+  }
+  cells.remove(key);
+}
+
+void removeRefused(CellComplex& cells, const std::vector<CellKey>& keys, const SmallCellSpec& small,
+  double largest, Execution& execution, std::vector<RemovedCell>& removed)
+{
+  Search search(cells, small, largest);
   for (const CellKey key : keys)
   {
-    execution_.poll();
-    lookAt(key, cell, candidates);
+    execution.poll();
+    search.lookAt(key);
   }
-  std::set<CellKey> again;
-  for (const Candidate& candidate : candidates)
+  std::set<CellKey> beside;
+  for (const Candidate& candidate : search.candidates())
   {
-    // The removal of a neighbour may be enough.
-    if (again.count(candidate.key) == 0)
+    if (beside.count(candidate.key) == 0)
     {
-      for (const auto& [other, area] : cells_.neighbours(candidate.key))
+      for (const auto& [other, area] : cells.neighbours(candidate.key))
       {
-        if (cells_.hasFaces(other) && cells_.isFree(other))
-        {
-          again.insert(other);
-        }
+        beside.insert(other);
       }
-      cells_.remove(candidate.key);
-      removed_ += cells_.counts(candidate.key);
+      remove(cells, candidate.key, removed);
     }
   }
-  return { again.begin(), again.end() };
 }
 
 }

@@ -5,49 +5,19 @@
 
 #include "Base/Execution.h"
 #include "Shaping/CellComplex.h"
-
-#include <set>
+#include "Shaping/RemovedCell.h"
 
 namespace cartesian
 {
 
-// Cells with refused faces (CellFaults.h; by either centre of bent faces), or too few; of an inner
-// face's two the smaller goes. Only cells with a boundary face go, smaller than `largest` volumes of their
-// box, or than R where their boundary has its own.
-class RefusedCells
-{
-public:
-  RefusedCells(CellComplex& cells, const SmallCellSpec& small, Execution& execution)
-    : cells_(cells)
-    , small_(small)
-    , execution_(execution)
-  {
-  }
+// Of these cells, in order: those with refused faces (CellFaults.h), or too few; of an inner face's two the
+// smaller goes. Only cells with a boundary face go, smaller than `largest` volumes of their box, or than R where
+// their boundary has its own; of neighbours only one, the smallest, as that may be enough. Appends what was
+// removed.
+void removeRefused(CellComplex& cells, const std::vector<CellKey>& keys, const SmallCellSpec& small,
+  double largest, Execution& execution, std::vector<RemovedCell>& removed);
 
-  // Of these cells, in order, and of those that could not go before. In rounds, the smallest first, so that
-  // the result depends on the cells only. Returns how many were removed.
-  std::size_t remove(const std::vector<CellKey>& keys, double largest);
-
-private:
-  struct Candidate
-  {
-    double volume; // as a part of its box
-    CellKey key;
-
-    bool operator<(const Candidate& other) const;
-  };
-
-  Candidate candidate(CellKey key) const;
-  bool mayGo(const Candidate& candidate) const;
-  void lookAt(CellKey key, MeasuredCell& cell, std::set<Candidate>& candidates);
-  std::vector<CellKey> removeSome(const std::vector<CellKey>& keys);
-
-  CellComplex& cells_;
-  const SmallCellSpec& small_;
-  Execution& execution_;
-  double largest_ = 0;
-  std::size_t removed_ = 0;
-  std::set<CellKey> stay_; // refused, but too large to go
-};
+// One cell, noted where it counts (CellComplex::counts).
+void remove(CellComplex& cells, CellKey key, std::vector<RemovedCell>& removed);
 
 }

@@ -15,9 +15,6 @@ struct ShapingSpec
   // Where small cells merge, those below this part of their box's volume do.
   double mergeRatio = 0.15;
 
-  // Boundary faces of merged cells become one where their normals differ by less, in degrees.
-  double joinAngle = 15;
-
   // Whether nodes at the wall move to where solvers are at ease (NodeOptimisation.h); not with Exact Fit.
   bool optimiseNodes = true;
 

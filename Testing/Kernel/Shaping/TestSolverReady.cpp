@@ -127,6 +127,28 @@ TEST_P(SolverReady, NothingIsRefusedInRefinedMeshes)
   expectReady(soup, 3.3, options);
 }
 
+// Mending moves next to no volume, where it leaves out nothing.
+TEST(SolverReady, MendingKeepsTheVolume)
+{
+  for (const unsigned seed : { 1U, 2U, 3U })
+  {
+    for (const double cells : { 6.0, 10.0 })
+    {
+      SCOPED_TRACE(seed);
+      const Soup soup = bumpySphere(seed, 24);
+      TestOptions asCut;
+      asCut.smallCells.handling = SmallCells::Remove;
+      asCut.smallCells.ratio = 1e-9;
+      asCut.shaping.splitConcave = false;
+      const GridSpec grid = cellsAlongLongest(soup, cells);
+      const double volume = volumeOf(meshOf(soup, grid, asCut).mesh);
+      TestOptions mended;
+      mended.shaping.refusedCellRatio = 0;
+      EXPECT_NEAR(volumeOf(meshOf(soup, grid, mended).mesh), volume, 5e-3 * volume);
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, SolverReady, ::testing::ValuesIn(cleanShapes()), nameOf);
 
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Shaping/CellCarving.h"
+#include "Shaping/PartTransfer.h"
 
 #include "Shaping/CutSearch.h"
+#include "Shaping/RefusedCells.h"
 
 #include <algorithm>
 
@@ -11,18 +12,17 @@ namespace cartesian
 namespace
 {
 
-// A cell loses a part as often as that.
-constexpr int MostCuts = 3;
+constexpr double LargestPart = 0.5; // of the cell's box
 
 bool isAtBoundary(const Polyhedron& part)
 {
   return std::find(part.isBoundary.begin(), part.isBoundary.end(), 1) != part.isBoundary.end();
 }
 
-// The fitness of the largest part, the others being gone, or nothing where these are too large, or
-// would leave a hole inside the mesh.
+// The fitness of the largest part where nothing is beyond the cut, or nothing where the other parts are
+// too large, or all inside.
 std::optional<CellFaults> fitnessOfRest(
-  const CellView& view, const CellCut& cut, double volume, double mostLost)
+  const CellView& view, const CellCut& cut, double volume, double mostGiven)
 {
   Polyhedron rest;
   CellShape shape;
@@ -41,7 +41,7 @@ std::optional<CellFaults> fitnessOfRest(
       shape = std::move(measures);
     }
   }
-  if (volume - shape.volume > mostLost || inside > (isAtBoundary(rest) ? 0 : 1))
+  if (volume - shape.volume > mostGiven || inside > (isAtBoundary(rest) ? 0 : 1))
   {
     return {};
   }
@@ -60,32 +60,40 @@ std::optional<CellFaults> fitnessOfRest(
   return faultsOf(rest, shape, beyond);
 }
 
-// Removes all parts but the largest; returns how many those are.
-std::size_t keepLargest(CellComplex& cells, const std::vector<CellKey>& parts)
+// All parts but the largest.
+void giveAway(CellComplex& cells, const std::vector<CellKey>& parts, LeftOver leftOver,
+  CellMerger& merger, std::vector<RemovedCell>& removed)
 {
   const CellKey largest = *std::max_element(parts.begin(), parts.end(),
     [&](CellKey a, CellKey b) { return cells.volume(a) < cells.volume(b); });
   for (const CellKey part : parts)
   {
-    if (part != largest)
+    if (part == largest || merger.improve(part) || !cells.isAlive(part) || !cells.isAlive(largest))
     {
-      cells.remove(part);
+      continue;
+    }
+    if (leftOver == LeftOver::IsRemoved && cells.isAtBoundary(part))
+    {
+      remove(cells, part, removed);
+    }
+    else
+    {
+      cells.merge(part, largest);
     }
   }
-  return parts.size() - 1;
 }
 
-// Returns how many parts were removed.
-std::size_t carve(CellComplex& cells, CellKey key, double largest)
+void transfer(CellComplex& cells, CellKey key, LeftOver leftOver, CellMerger& merger,
+  std::vector<RemovedCell>& removed)
 {
   CellView view;
   CellShape shape;
   cells.view({ key }, view);
   cells.lookBeyond(key, view);
   measure(view.shape, shape);
-  const double mostLost = largest * cells.volumeOfBox(key);
+  const double mostGiven = LargestPart * cells.volumeOfBox(key);
   const FoundCuts found = searchCuts(view, shape, faultsOf(view.shape, shape, view.beyond),
-    [&](const CellCut& cut) { return fitnessOfRest(view, cut, shape.volume, mostLost); });
+    [&](const CellCut& cut) { return fitnessOfRest(view, cut, shape.volume, mostGiven); });
   for (auto cut = found.helpful.rbegin(); cut != found.helpful.rend(); ++cut)
   {
     cells.open(key);
@@ -93,29 +101,25 @@ std::size_t carve(CellComplex& cells, CellKey key, double largest)
     {
       std::vector<CellKey> parts;
       cells.cut(key, view, *cut, parts);
-      return keepLargest(cells, parts);
+      giveAway(cells, parts, leftOver, merger, removed);
+      return;
     }
   }
-  return 0;
 }
 
 }
 
-std::size_t carveCells(
-  CellComplex& cells, const std::vector<CellKey>& keys, double largest, Execution& execution)
+void transferParts(CellComplex& cells, const std::vector<CellKey>& keys, LeftOver leftOver,
+  CellMerger& merger, Execution& execution, std::vector<RemovedCell>& removed)
 {
-  std::size_t carved = 0;
   for (const CellKey key : keys)
   {
     execution.poll();
-    std::size_t parts = 1;
-    for (int i = 0; i < MostCuts && parts > 0 && cells.isAlive(key) && cells.isAtFault(key); ++i)
+    if (cells.isAlive(key))
     {
-      parts = carve(cells, key, largest);
-      carved += parts * cells.counts(key);
+      transfer(cells, key, leftOver, merger, removed);
     }
   }
-  return carved;
 }
 
 }

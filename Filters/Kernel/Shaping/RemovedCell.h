@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+namespace cartesian
+{
+
+// A cell of the core, or a part of one, that solvers would refuse, and that is left out.
+struct RemovedCell
+{
+  std::uint32_t box;
+  double volume; // in levels
+};
+
+}
