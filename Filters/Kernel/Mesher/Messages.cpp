@@ -121,6 +121,7 @@ std::string describeRefused(const Assembly& a)
   std::stable_sort(refused.begin(), refused.end(),
     [](const RemovedCell& x, const RemovedCell& y) { return x.volume > y.volume; });
   std::vector<std::uint32_t> boxes;
+  boxes.reserve(refused.size());
   for (const RemovedCell& cell : refused)
   {
     boxes.push_back(cell.box);

@@ -39,7 +39,7 @@ public:
   // Cells with a face that costs more than PoorCost. Looks at all cells, the next time at what has changed.
   void improve();
 
-  // One cell, if solvers refuse it; returns false where nothing helps.
+  // One cell, if it is poor; returns false where solvers refuse it and nothing helps.
   bool improve(CellKey key);
 
   // The slab's cells; also those that it only touches, if nobody looks at them later.
