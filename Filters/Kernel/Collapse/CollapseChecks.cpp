@@ -93,6 +93,30 @@ bool CollapseChecks::mayMove(std::uint32_t slot, const Point& to, double unit)
   return error <= std::max(RoundingLevels, (feature ? FeatureError : SmoothError) * unit);
 }
 
+double CollapseChecks::bendAt(std::uint32_t slot)
+{
+  normals_.clear();
+  double least = 1;
+  merging_.forEachFaceAt(slot, [&](std::uint32_t face) {
+    if (!merging_.isPatch(face))
+    {
+      return;
+    }
+    merging_.ringOf(face, ring_);
+    if (ring_.size() < 3)
+    {
+      return;
+    }
+    const Vector normal = cartesian::unit(merging_.areaOf(ring_));
+    for (const Vector& other : normals_)
+    {
+      least = std::min(least, dot(other, normal));
+    }
+    normals_.push_back(normal);
+  });
+  return normals_.empty() ? 2 : least;
+}
+
 // Notes the boundaries at the edges of a patch (its corners are in ring_) that end at a node.
 void CollapseChecks::listBorders(std::uint32_t slot, std::uint32_t face)
 {

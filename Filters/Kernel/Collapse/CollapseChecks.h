@@ -19,6 +19,10 @@ public:
   // `unit`: the shortest edge of the smallest box around.
   bool mayMove(std::uint32_t slot, const Point& to, double unit);
 
+  // How the surface bends at a node: the smallest cosine between the normals of patches there; 2 where there
+  // is none.
+  double bendAt(std::uint32_t slot);
+
   // Whether two nodes may become one: a node next to both must be the third corner of a triangle, else
   // faces would touch.
   bool closesUp(std::uint32_t a, std::uint32_t b);

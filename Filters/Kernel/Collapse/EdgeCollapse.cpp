@@ -6,6 +6,8 @@
 #include "Collapse/FaceCompaction.h"
 #include "Collapse/MovingLayers.h"
 
+#include <cmath>
+
 namespace cartesian
 {
 
@@ -17,6 +19,17 @@ constexpr std::size_t BoxesAChunk = 1024;
 
 // In a chain of short edges, one collapses in each round.
 constexpr int MostRounds = 8;
+
+// Along surfaces that bend, edges collapse up to so many times the spec's ratio, but no longer ones than
+// this part of their box. There a merged cell would keep a small face of its own beside its neighbour's; on
+// planes both become one.
+constexpr double TimesRatio = 5;
+constexpr double LongestRatio = 0.5;
+
+// ... where normals around their nodes differ by angles between these, in degrees: where the corner of a box
+// moves onto the surface (up to the feature angle), and where two nodes of the surface become one.
+constexpr double LeastBend = 1;
+constexpr double MostBend = 10;
 
 struct Choice
 {
@@ -38,14 +51,20 @@ public:
     , execution_(execution)
     , layers_(boxes, sides, nodes, spec)
     , slots_(patches, nodes, inner)
+    , longest_(spec.exact ? spec.ratio
+                          : std::max(spec.ratio, std::min(TimesRatio * spec.ratio, LongestRatio)))
+    , straight_(std::cos(radians(LeastBend)))
+    , bent_(std::cos(radians(MostBend)))
+    , sharp_(std::cos(radians(spec.featureAngle)))
   {
   }
 
   std::size_t run()
   {
     execution_.nextLoop(0.3);
+    // Moving nodes may shorten an edge.
     edges_ = listShortEdges(
-      { boxes_, sides_, patches_, nodes_, inner_ }, spec_.ratio,
+      { boxes_, sides_, patches_, nodes_, inner_ }, std::max(2 * spec_.ratio, longest_),
       [&](std::size_t n) { return layers_.stays(n); }, execution_);
     if (edges_.empty())
     {
@@ -155,7 +174,8 @@ private:
       return choice;
     }
     const double length = norm(minus(slots_[a].at, slots_[b].at));
-    if (length >= spec_.ratio * edge.unit)
+    if (length >= spec_.ratio * edge.unit &&
+      (length >= longest_ * edge.unit || !isAlongBend(a, b, checks)))
     {
       return choice;
     }
@@ -168,6 +188,15 @@ private:
     choice.length = static_cast<float>(length);
     choice.toB = toA && toB ? prefersB(a, b) : toB;
     return choice;
+  }
+
+  bool isAlongBend(std::uint32_t a, std::uint32_t b, CollapseChecks& checks) const
+  {
+    const double atA = checks.bendAt(a);
+    const double atB = checks.bendAt(b);
+    const double bend = std::min(atA, atB);
+    const bool isTwo = std::max(atA, atB) <= 1;
+    return bend < straight_ && bend > (isTwo ? bent_ : sharp_);
   }
 
   // Where both may move, the grid's node does, else the one at the lower place.
@@ -369,6 +398,10 @@ private:
   Execution& execution_;
   MovingLayers layers_;
   MergingNodes slots_;
+  double longest_;  // edge that collapses, as a part of its unit
+  double straight_; // cosines
+  double bent_;
+  double sharp_;
   std::vector<ShortEdge> edges_; // their ends are nodes at first, then slots
   std::vector<Choice> choices_;  // of each edge
   std::vector<Merge> merges_;    // of this round

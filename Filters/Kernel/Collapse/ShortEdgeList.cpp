@@ -60,7 +60,7 @@ private:
   void addShortEdges(const RawVector<std::size_t>& start, const RawVector<std::uint32_t>& corners,
     std::size_t face, double unit, std::vector<ShortEdge>& edges) const
   {
-    const double most = 2 * ratio_ * unit; // moving nodes may shorten an edge
+    const double most = ratio_ * unit;
     std::uint32_t from = corners[start[face + 1] - 1];
     for (std::size_t i = start[face]; i < start[face + 1]; ++i)
     {
