@@ -83,7 +83,8 @@ protected:                                                                      
  *
  * CollapseRatio, 0 (none) to 0.3, default 0.1: edges shorter than this fraction of their box collapse,
  * so that hardly any small cell is left (4.10). Corners of boxes move onto the surface; nodes of the
- * surface move along it only.
+ * surface move along it only. Where a smooth surface bends, edges up to five times as long, at most half
+ * a box, do so too.
  *
  * SmallCells, one of SmallCellsModes, default Merge (4.10). Remove: they are left out; their inner faces
  * become boundary faces of their neighbours. Merge: they become a part of the neighbour across the

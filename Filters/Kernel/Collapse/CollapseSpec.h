@@ -11,7 +11,8 @@ struct CollapseSpec
 {
   static constexpr Range Ratios{ 0, 0.3 };
 
-  // Edges shorter than this part of their box's shortest edge collapse; 0: none.
+  // Edges shorter than this part of their box's shortest edge collapse, longer ones where a smooth surface
+  // bends (EdgeCollapse.cpp); 0: none.
   double ratio = 0.1;
 };
 

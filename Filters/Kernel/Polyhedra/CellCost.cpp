@@ -4,6 +4,7 @@
 #include "Polyhedra/CellGeometry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace cartesian
@@ -20,6 +21,12 @@ constexpr double FairVolumeRatio = 0.06;
 constexpr double FairInnerCosine = 0.35; // of the angle of section 3
 constexpr double FairBoundarySlope = 2;  // square of its tangent: 55 degrees
 constexpr double FairShare = 0.15;
+
+// checkMesh's determinant of the cell's inner faces: 1 for a cube, next to nothing where there is a direction
+// that hardly any of them faces. No more than what a cell that is gone costs: where the domain is one cell
+// thin, all have that.
+constexpr double FairDeterminant = 0.02;
+constexpr double MostOfDeterminant = 8;
 
 // Cells of this share and more are not small at all.
 constexpr double LargeShare = 0.6;
@@ -136,21 +143,41 @@ double costOfShare(double share)
   return share >= LargeShare ? 0 : bounded(square(FairShare / std::max(share, Tiny)));
 }
 
-double costOfFaces(const Polyhedron& cell, const CellShape& shape,
-  const std::vector<NeighbourCell>& beyond, const std::vector<std::uint8_t>& counts, double& worst)
+double costOfDeterminant(const Polyhedron& cell, const CellShape& shape)
 {
-  double sum = 0;
-  worst = 0;
-  for (std::size_t face = 0; face < cell.faces(); ++face)
+  std::array<Vector, 3> sum{};
+  double size = 0;
+  std::size_t count = 0;
+  for (std::size_t f = 0; f < cell.faces(); ++f)
   {
-    if (counts.empty() || counts[face])
+    if (cell.isBoundary[f])
     {
-      const double cost = costOfFace(cell, shape, face, beyond[face]);
-      sum += cost;
-      worst = std::max(worst, cost);
+      continue;
+    }
+    const Vector& area = shape.faces[f].area;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      sum[axis] = plus(sum[axis], scaled(area, area[axis]));
+    }
+    size += norm(area);
+    ++count;
+  }
+  const double mean = size / static_cast<double>(std::max<std::size_t>(count, 1));
+  const double determinant = dot(sum[0], cross(sum[1], sum[2])) / (8 * std::pow(mean, 6) + Tiny);
+  return count == 0 ? 0
+                    : std::min(FairDeterminant / std::max(determinant, Tiny), MostOfDeterminant);
+}
+
+bool isEasy(const Polyhedron& cell, const CellShape& shape)
+{
+  for (std::size_t f = 0; f < cell.faces(); ++f)
+  {
+    if (cell.isBoundary[f] && costOfBoundaryFace(cell, shape, f) > PoorCost)
+    {
+      return false;
     }
   }
-  return sum;
+  return costOfDeterminant(cell, shape) <= PoorCost;
 }
 
 }

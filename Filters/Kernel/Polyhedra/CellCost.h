@@ -21,8 +21,11 @@ double costOfShare(double share);
 // From here on a face or a cell is worth mending.
 constexpr double PoorCost = 3;
 
-// Of all faces for which counts[face] is not 0 (empty: of all); `worst` receives the largest.
-double costOfFaces(const Polyhedron& cell, const CellShape& shape,
-  const std::vector<NeighbourCell>& beyond, const std::vector<std::uint8_t>& counts, double& worst);
+// Of the cell as its inner faces lie: high where there is a direction that hardly any of them faces. Pressure
+// and velocity along it are at the mercy of rounding there.
+double costOfDeterminant(const Polyhedron& cell, const CellShape& shape);
+
+// Whether none of its boundary faces costs more than PoorCost, nor its determinant.
+bool isEasy(const Polyhedron& cell, const CellShape& shape);
 
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Polyhedra/CellCost.h"
 #include "Shaping/CellComplex.h"
 
 namespace cartesian
@@ -66,7 +67,8 @@ void CellComplex::lookAtChanged()
     const CellShape& measures = measured(key);
     const bool atFault = isAnyAtFault(scratch_.polyhedron, measures);
     cell.fault = atFault ? IsAtFault::Yes : IsAtFault::No;
-    cell.isPlain = !atFault && isPlain(scratch_.polyhedron, measures);
+    cell.isPlain =
+      !atFault && isPlain(scratch_.polyhedron, measures) && isEasy(scratch_.polyhedron, measures);
     cell.isSeen = true;
     noteSights(key, measures, whole_.sights, sightsOfShaped_);
   };

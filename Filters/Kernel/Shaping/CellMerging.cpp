@@ -246,8 +246,9 @@ FaceCosts CellMerger::costsOfCell(CellKey key, Iterator begin, Iterator end)
   }
   FaceCosts costs = costsOf(cell_.shape, cell_.measures, cell_.beyond, counts_);
   const double ofShare = costOfShare(cells_.share(key));
-  costs.sum += ofShare;
-  costs.worst = std::max(costs.worst, ofShare);
+  const double ofDeterminant = costOfDeterminant(cell_.shape, cell_.measures);
+  costs.sum += ofShare + ofDeterminant;
+  costs.worst = std::max({ costs.worst, ofShare, ofDeterminant });
   costs.refused += cell_.across.size() < LeastFaces ? 1 : 0;
   return costs;
 }

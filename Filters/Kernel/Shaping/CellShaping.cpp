@@ -5,6 +5,7 @@
 #include "Shaping/CellSplitting.h"
 #include "Shaping/PartTransfer.h"
 #include "Shaping/RefusedCells.h"
+#include "Shaping/TipRemoval.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,6 +89,7 @@ public:
   Shaping removeRefused()
   {
     improve();
+    removeTips();
     removeSmall(1);
     for (std::size_t pass = 0; pass < LargestShares.size(); ++pass)
     {
@@ -116,6 +118,15 @@ private:
     if (merges_ && !exact_)
     {
       removeSmallCells(complex_, merger_.lookedAfter(isLast_), small_, most);
+    }
+  }
+
+  void removeTips()
+  {
+    if (merges_ && mergeSpec_.simplifies)
+    {
+      cartesian::removeTips(complex_, merger_.lookedAfter(isLast_), small_, LargestTip);
+      improve();
     }
   }
 
@@ -161,6 +172,9 @@ private:
   // Cells below this part of their box are a wall next to a meshline: merged, they would stick out of
   // their neighbour.
   static constexpr double Sliver = 1e-9;
+
+  // Below this part of their box tips go.
+  static constexpr double LargestTip = 0.05;
 
   static constexpr std::array<double, 8> LargestShares{ 0.025, 0.1, 0.25, 0.25, 1, 1, 1, 1 };
 

@@ -15,9 +15,9 @@ namespace
 // Below this cost no face is refused.
 constexpr double AcceptedCost = 0.4;
 
-// What a part of the box that joined boundary faces add or take costs: a hundredth as much as a face at
+// What a part of the box that joined boundary faces add or take costs: a hundredth about as much as a face at
 // which solvers are not at ease.
-constexpr double CostOfVolume = 1500;
+constexpr double CostOfVolume = 1000;
 
 // Joined faces change a cell's volume by no more than this factor.
 constexpr double LeastVolumeKept = 0.8;
@@ -162,7 +162,7 @@ double UnionTrial::cost(CellUnion& cells)
   }
   const double box = cells_.volumeOfBox(cells.keys.front());
   cells.costs = costsOf(polyhedron, shape, isJoined ? beyond_ : cells.view.beyond);
-  return cells.costs.sum + costOfShare(shape.volume / box) +
+  return cells.costs.sum + costOfShare(shape.volume / box) + costOfDeterminant(polyhedron, shape) +
     (isJoined ? CostOfVolume * volumeMoved(cells, joined) / std::min(box, shape_.volume) : 0);
 }
 

@@ -11,8 +11,8 @@ namespace cartesian
 // The cost of what must not be.
 constexpr double Never = 1e30;
 
-// From here on a face strains solvers: skewness 3.
-constexpr double StrainedCost = 12;
+// From here on a face strains solvers: skewness 2.4.
+constexpr double StrainedCost = 5;
 
 // What solvers think of faces.
 struct FaceCosts

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/CellsToShape.h"
 
+#include "Polyhedra/CellCost.h"
+
 #include "Shaping/CellComplex.h"
 
 #include <algorithm>
@@ -103,7 +105,8 @@ void CellsToShape::measure(Layers layers, Execution& execution)
       known.shares[c] = measures.volume / complex.volumeOfBox(key);
       const bool atFault = isAnyAtFault(polyhedron, measures);
       known.atFault[c] = atFault ? IsAtFault::Yes : IsAtFault::No;
-      known.isPlain[c] = !atFault && isPlain(polyhedron, measures) ? 1 : 0;
+      known.isPlain[c] =
+        !atFault && isPlain(polyhedron, measures) && isEasy(polyhedron, measures) ? 1 : 0;
       complex.noteSights(key, measures, sights, none);
     }
   });

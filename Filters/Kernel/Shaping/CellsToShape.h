@@ -21,7 +21,7 @@ enum class IsAtFault : std::uint8_t
 struct KnownCells
 {
   std::vector<IsAtFault> atFault;    // Unknown: so is the rest
-  std::vector<std::uint8_t> isPlain; // as isPlain (CellFaults.h)
+  std::vector<std::uint8_t> isPlain; // as isPlain (CellFaults.h) and isEasy (CellCost.h)
   std::vector<NeighbourCell> places; // from the lower corner of its box
   std::vector<double> shares;        // of its box's volume
 

@@ -57,6 +57,35 @@ TEST(CellCost, RisesWithWhatSolversSufferFrom)
   EXPECT_GT(small, straight);
 }
 
+// A box with inner faces on some sides only.
+Polyhedron boxWithInner(std::initializer_list<std::size_t> inner)
+{
+  Polyhedron cell = boxOf(100, 100, 100, true);
+  for (const std::size_t face : inner)
+  {
+    cell.isBoundary[face] = 0;
+  }
+  return cell;
+}
+
+TEST(CellCost, InnerFacesHaveToLieInAllDirections)
+{
+  const auto cost = [](const Polyhedron& cell) {
+    CellShape shape;
+    measure(cell, shape);
+    return std::make_pair(costOfDeterminant(cell, shape), isEasy(cell, shape));
+  };
+  EXPECT_NEAR(cost(boxWithInner({ 0, 1, 2, 3, 4, 5 })).first, 0.02, 1e-12); // the determinant is 1
+  EXPECT_NEAR(cost(boxWithInner({ 0, 2, 3 })).first, 0.16, 1e-12);          // 1/8
+  EXPECT_TRUE(cost(boxWithInner({ 0, 2, 3 })).second);
+  for (const Polyhedron& flat : { boxWithInner({ 0, 1 }), boxWithInner({ 0, 2 }),
+         boxWithInner({ 5 }), boxWithInner({ 0, 1, 2, 4 }) })
+  {
+    EXPECT_EQ(cost(flat).first, 8);
+    EXPECT_FALSE(cost(flat).second);
+  }
+}
+
 TEST(CellCost, AFailedAngleOutweighsAllElse)
 {
   const Polyhedron cell = boxOf(100, 100, 100, false);

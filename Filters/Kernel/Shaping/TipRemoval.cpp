@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shaping/TipRemoval.h"
+
+#include "Shaping/CellUnion.h"
+
+#include <algorithm>
+#include <set>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// Cosine of 45 degrees: what leans more from the surface is a step.
+constexpr double LeastCosine = 0.7071;
+
+class TipSearch
+{
+public:
+  explicit TipSearch(const CellComplex& cells)
+    : cells_(cells)
+  {
+  }
+
+  bool mayGo(CellKey key)
+  {
+    cells_.lookAround(key, tip_);
+    if (leavesStep())
+    {
+      return false;
+    }
+    const double worst = costsOf(tip_.shape, tip_.measures, tip_.beyond).worst;
+    std::vector<CellKey> around = tip_.across;
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    return std::all_of(around.begin(), around.end(),
+      [&](CellKey other) { return other == None || isFairWithout(other, key, worst); });
+  }
+
+private:
+  bool leavesStep() const
+  {
+    Vector boundary{};
+    for (std::size_t f = 0; f < tip_.across.size(); ++f)
+    {
+      boundary = tip_.across[f] == None ? plus(boundary, tip_.measures.faces[f].area) : boundary;
+    }
+    const Vector normal = unit(boundary);
+    for (std::size_t f = 0; f < tip_.across.size(); ++f)
+    {
+      if (tip_.across[f] != None && -dot(unit(tip_.measures.faces[f].area), normal) < LeastCosine)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // Whether solvers accept a cell with boundary faces towards one that is gone, and none costs more than `most`.
+  bool isFairWithout(CellKey other, CellKey gone, double most)
+  {
+    if (!cells_.hasFaces(other) || !cells_.isFree(other))
+    {
+      return false;
+    }
+    cells_.lookAround(other, beside_);
+    for (std::size_t f = 0; f < beside_.across.size(); ++f)
+    {
+      if (beside_.across[f] == gone)
+      {
+        beside_.shape.isBoundary[f] = 1;
+        beside_.beyond[f] = {};
+      }
+    }
+    const FaceCosts costs = costsOf(beside_.shape, beside_.measures, beside_.beyond);
+    return costs.refused == 0 && costs.worst <= std::max(most, StrainedCost);
+  }
+
+  const CellComplex& cells_;
+  MeasuredCell tip_;
+  MeasuredCell beside_;
+};
+
+}
+
+void removeTips(
+  CellComplex& cells, const std::vector<CellKey>& keys, const SmallCellSpec& small, double largest)
+{
+  TipSearch search(cells);
+  std::set<CellKey> beside;
+  for (const CellKey key : keys)
+  {
+    const double share = cells.share(key);
+    if (share < largest && beside.count(key) == 0 && cells.isAtBoundary(key) &&
+      share < ratioOf(small, cells.mainBoundary(key), largest) && search.mayGo(key))
+    {
+      for (const auto& [other, area] : cells.neighbours(key))
+      {
+        beside.insert(other);
+      }
+      cells.remove(key);
+    }
+  }
+}
+
+}

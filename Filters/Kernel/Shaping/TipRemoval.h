@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tips and slivers of the domain that hold next to nothing and that no neighbour can take in: what closes them
+// takes the place of their patches, as the paper's IP patches do (section 4.11).
+#pragma once
+
+#include "Cells/SmallCellSpec.h"
+#include "Shaping/CellComplex.h"
+
+namespace cartesian
+{
+
+// Removes, in order, those of these cells that are smaller than `largest` volumes of their box (or than R where
+// their boundary has its own), where that leaves no step: what it exposes faces the way that the cell's boundary
+// does, and is no worse for solvers than what was there. Of neighbours only one goes.
+void removeTips(
+  CellComplex& cells, const std::vector<CellKey>& keys, const SmallCellSpec& small, double largest);
+
+}
