@@ -3,6 +3,7 @@
 
 #include "Base/Error.h"
 #include "SurfaceBlocks.h"
+#include "Utf8.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -164,8 +165,9 @@ void SurfaceFromVTK::readBoundaries(vtkPolyData* block, const std::string& bound
   }
 }
 
-std::int32_t SurfaceFromVTK::numberOf(const std::string& name)
+std::int32_t SurfaceFromVTK::numberOf(const std::string& given)
 {
+  const std::string name = toUtf8(given);
   const auto [place, isNew] = numbers_.emplace(name, static_cast<std::int32_t>(numbers_.size()));
   if (isNew)
   {

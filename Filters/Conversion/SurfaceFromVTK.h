@@ -42,7 +42,7 @@ public:
 private:
   void readTriangles(vtkPolyData* block);
   void readBoundaries(vtkPolyData* block, const std::string& boundaryArray);
-  std::int32_t numberOf(const std::string& name);
+  std::int32_t numberOf(const std::string& given);
 
   vtkIdType cellsBefore_ = 0; // in the blocks before the one being read
   std::vector<double> points_;
