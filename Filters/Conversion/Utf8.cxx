@@ -33,7 +33,8 @@ std::string toUtf8(const std::string& text)
   {
     return text;
   }
-  std::istringstream stream(text);
+  std::istringstream stream(
+    text + "\n\n\n"); // VTK overlooks a character that is cut off at the end
   if (vtkNew<vtkUTF8TextCodec>()->IsValid(stream))
   {
     return text;
