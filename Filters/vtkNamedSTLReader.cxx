@@ -21,8 +21,8 @@
 #include "vtksys/SystemTools.hxx"
 
 #include <array>
+#include <cctype>
 #include <cstdio>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <memory>
@@ -87,10 +87,10 @@ Solids ReadSolids(const char* file, std::size_t most)
   std::string line;
   for (bool isText = false; solids.names.size() < most && GetLine(stream, line);)
   {
-    const char first = line[std::min(line.find_first_not_of(Blanks), line.size())];
-    if (isText && std::strchr("sSeE", first) == nullptr)
+    const int first = std::tolower(line[std::min(line.find_first_not_of(Blanks), line.size())]);
+    if (isText && first != 's' && first != 'e')
     {
-      continue;
+      continue; // neither solid nor endsolid
     }
     const auto [keyword, name] = Split(line);
     if (keyword.empty())
