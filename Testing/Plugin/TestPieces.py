@@ -93,9 +93,9 @@ with tempfile.TemporaryDirectory() as folder:
             sorted((folder / str(limit)).glob("mesh/*.vtu"))
         return done, files
 
-    few, many = (run(limit) for limit in (1.0, 0.05))
+    few, many = (run(limit) for limit in (1.0, 0.1))
     summaries = []
-    for limit, (done, files) in (1.0, few), (0.05, many):
+    for limit, (done, files) in (1.0, few), (0.1, many):
         assert done.returncode == 0, done.stderr
         summaries.append(json.loads((folder / str(limit) / "statistics.json").read_text()))
         assert len(summaries[-1]["boundaries"]) == 12

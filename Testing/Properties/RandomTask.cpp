@@ -153,6 +153,26 @@ void drawCells(TestOptions& options, Draw& draw)
   options.shaping.refusedCellRatio = draw.of({ 0, 1, 4, 100 });
 }
 
+// All lengths.
+void scale(RandomTask& task, double by)
+{
+  task.soup = task.soup.scaled(by);
+  GridSpec& grid = task.options.grid;
+  grid.cellSize *= by;
+  for (auto& lines : grid.meshlines)
+  {
+    for (double& line : lines)
+    {
+      line *= by;
+    }
+  }
+  for (std::size_t i = 0; i < task.regions.size(); ++i)
+  {
+    task.regions[i] = task.regions[i].scaled(by);
+    task.options.refinement.regions[i].surface = task.regions[i].view();
+  }
+}
+
 // One property out of its range.
 void spoil(RandomTask& task, Draw& draw)
 {
@@ -171,16 +191,16 @@ RandomTask::RandomTask(unsigned seed)
 {
   Draw draw(seed);
   soup = surface(draw);
-  if (draw.once(10))
-  {
-    soup = soup.scaled(std::pow(10, draw.from(-160, 160)));
-  }
   drawBoundaries(soup, draw);
   options.grid = grid(soup, draw);
   if (!draw.once(8)) // else all as a user finds it
   {
     options.refinement = refinement(*this, draw);
     drawCells(options, draw);
+  }
+  if (draw.once(10))
+  {
+    scale(*this, std::pow(10, draw.from(-160, 160)));
   }
   options.threads = draw.from(1, 3);
   if (draw.once(40))
