@@ -13,6 +13,7 @@
 #include <functional>
 #include <iostream>
 
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -67,18 +68,29 @@ Outcome meshOne(const RandomTask& task)
   }
 }
 
-// What a process ends with that does the work, but not for longer than some seconds.
-int outcomeOf(unsigned seconds, const std::function<Outcome()>& work)
+struct Ended
+{
+  int status;
+  double seconds; // of processor time: what else runs on the machine does not count
+};
+
+// A process that does the work, but not for longer than some seconds.
+Ended run(unsigned seconds, const std::function<Outcome()>& work)
 {
   const pid_t child = fork();
   if (child == 0)
   {
-    alarm(seconds);
+    const rlimit limit{ seconds, seconds };
+    setrlimit(RLIMIT_CPU, &limit);
     std::_Exit(work());
   }
   int status = 0;
-  waitpid(child, &status, 0);
-  return status;
+  rusage usage{};
+  wait4(child, &status, 0, &usage);
+  constexpr double Microseconds = 1e-6;
+  return { status,
+    static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+      Microseconds * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec) };
 }
 
 // Empty if all is well.
@@ -89,16 +101,17 @@ std::string faultOf(unsigned seed, std::array<int, 2>& counts)
   usual.valid = true;
   usual.options = TestOptions();
   usual.options.grid = task.valid ? task.options.grid : GridSpec();
-  const double began = now();
-  outcomeOf(MostSeconds, [&] { return meshOne(usual); });
-  const double allowed = LongestOfDefault * std::max(LeastSeconds, now() - began);
-  const int status = outcomeOf(
-    std::min(MostSeconds, static_cast<unsigned>(allowed) + 1), [&] { return meshOne(task); });
+  const double usualSeconds = run(MostSeconds, [&] { return meshOne(usual); }).seconds;
+  const double allowed = LongestOfDefault * std::max(LeastSeconds, usualSeconds);
+  const int status = run(std::min(MostSeconds, static_cast<unsigned>(allowed) + 1), [&] {
+    return meshOne(task);
+  }).status;
   if (WIFSIGNALED(status))
   {
     const int signal = WTERMSIG(status);
-    return signal == SIGALRM ? "takes longer than " + std::to_string(allowed) + " s"
-                             : "ended by signal " + std::to_string(signal);
+    return signal == SIGKILL || signal == SIGXCPU
+      ? "takes longer than " + std::to_string(allowed) + " s"
+      : "ended by signal " + std::to_string(signal);
   }
   const int outcome = WEXITSTATUS(status);
   if (outcome > Refused)
