@@ -54,8 +54,8 @@ void vtkCartesianAlgorithm::Warn(const std::string& text)
 void vtkCartesianAlgorithm::RequireSurface(vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  for (const char* type :
-    { "vtkPolyData", "vtkMultiBlockDataSet", "vtkPartitionedDataSetCollection" })
+  for (const char* type : { "vtkPolyData", "vtkMultiBlockDataSet", "vtkPartitionedDataSet",
+         "vtkPartitionedDataSetCollection" })
   {
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
   }

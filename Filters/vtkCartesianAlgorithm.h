@@ -83,7 +83,7 @@ protected:
   void Warn(const std::string& text);
 
   /**
-   * An input port takes a vtkPolyData, or many in a vtkMultiBlockDataSet or a
+   * An input port takes a vtkPolyData, or many in a vtkMultiBlockDataSet, a vtkPartitionedDataSet or a
    * vtkPartitionedDataSetCollection.
    */
   static void RequireSurface(vtkInformation* info);

@@ -336,7 +336,9 @@ cartesian::PreparedSurface vtkCartesianBoxer::Prepare(
 {
   cartesian::PreparedSurface prepared =
     cartesian::prepareSurface(surface.view(), this->MakeOptions(), execution, parts);
-  this->ReportFlaws(cartesian::describeFlaws(prepared, surface.cells()));
+  const std::string undivided = surface.describeUndivided();
+  const std::string flaws = cartesian::describeFlaws(prepared, surface.cells());
+  this->ReportFlaws(undivided + (undivided.empty() || flaws.empty() ? "" : "\n") + flaws);
   return prepared;
 }
 

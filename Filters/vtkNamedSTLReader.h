@@ -5,7 +5,8 @@
  *
  * Output: what vtkSTLReader gives, the solids numbered in the cell array STLSolidLabeling, and field
  * data BoundaryIds (int) and BoundaryNames (string): the numbers that occur and their names. Solids
- * of one name are one boundary; so are those without one, "unnamed".
+ * of one name are one boundary; so are those without one, "unnamed". Names are UTF-8; bytes that are
+ * not, in the file, are taken for Latin-1.
  *
  * @sa vtkCartesianMesher
  */
@@ -15,6 +16,8 @@
 #include "vtkCartesianMesherFiltersModule.h" // for the export macro
 #include "vtkSTLReader.h"
 
+class vtkPolyData;
+
 class VTKCARTESIANMESHERFILTERS_EXPORT vtkNamedSTLReader : public vtkSTLReader
 {
 public:
@@ -23,7 +26,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * 1 if the file is ASCII STL and at least one of its first two solids has a name, else 0.
+   * 1 if the file is ASCII STL and at least one of its first two solids has a name, or a name that
+   * vtkSTLReader does not read (not ASCII, or long), or if the file is so broken that vtkSTLReader would end
+   * the program; else 0.
    */
   static int CanReadFile(const char* name);
 
@@ -35,6 +40,8 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
+  int ReadWithoutNames(vtkPolyData* surface);
+
   vtkNamedSTLReader(const vtkNamedSTLReader&) = delete;
   void operator=(const vtkNamedSTLReader&) = delete;
 };

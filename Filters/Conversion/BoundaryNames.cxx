@@ -3,6 +3,7 @@
 
 #include "Base/Error.h"
 #include "Surface/Surface.h"
+#include "Utf8.h"
 
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
@@ -65,7 +66,7 @@ BoundaryNames boundaryNames(vtkDataObject* data)
   BoundaryNames result;
   for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
   {
-    result[static_cast<std::int32_t>(ids->GetComponent(i, 0))] = names->GetValue(i);
+    result[static_cast<std::int32_t>(ids->GetComponent(i, 0))] = toUtf8(names->GetValue(i));
   }
   return result;
 }

@@ -35,15 +35,22 @@ void collectBlocks(
   }
 }
 
-void collectPartitions(vtkPartitionedDataSetCollection* data, std::vector<SurfaceBlock>& blocks)
+void collectPartitions(
+  vtkPartitionedDataSet* data, const std::string& parent, std::vector<SurfaceBlock>& blocks)
+{
+  for (unsigned i = 0; i < data->GetNumberOfPartitions(); ++i)
+  {
+    vtkInformation* information = data->HasMetaData(i) ? data->GetMetaData(i) : nullptr;
+    collect(data->GetPartitionAsDataObject(i), nameIn(information, parent), blocks);
+  }
+}
+
+void collectDataSets(vtkPartitionedDataSetCollection* data, std::vector<SurfaceBlock>& blocks)
 {
   for (unsigned i = 0; i < data->GetNumberOfPartitionedDataSets(); ++i)
   {
-    const std::string name = nameIn(data->HasMetaData(i) ? data->GetMetaData(i) : nullptr, "");
-    for (unsigned j = 0; j < data->GetNumberOfPartitions(i); ++j)
-    {
-      collect(data->GetPartitionAsDataObject(i, j), name, blocks);
-    }
+    vtkInformation* information = data->HasMetaData(i) ? data->GetMetaData(i) : nullptr;
+    collectPartitions(data->GetPartitionedDataSet(i), nameIn(information, ""), blocks);
   }
 }
 
@@ -62,7 +69,11 @@ void collect(vtkDataObject* data, const std::string& name, std::vector<SurfaceBl
   }
   else if (auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(data))
   {
-    collectPartitions(collection, blocks);
+    collectDataSets(collection, blocks);
+  }
+  else if (auto* partitions = vtkPartitionedDataSet::SafeDownCast(data))
+  {
+    collectPartitions(partitions, name, blocks);
   }
   else if (data) // blocks may be empty
   {

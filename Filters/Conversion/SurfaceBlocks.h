@@ -20,8 +20,8 @@ struct SurfaceBlock
   std::string name; // empty if there are no blocks, or this one has no name
 };
 
-// All surfaces with polygons: a vtkPolyData itself, or those in a vtkMultiBlockDataSet or
-// vtkPartitionedDataSetCollection, in order. A nested block without a name has the name of its parent.
+// All surfaces with polygons: a vtkPolyData itself, or those in a vtkMultiBlockDataSet, vtkPartitionedDataSet
+// or vtkPartitionedDataSetCollection, in order. A nested block without a name has the name of its parent.
 // Throws Error (EmptySurface): there is none, or a block is of another kind.
 std::vector<SurfaceBlock> surfaceBlocks(vtkDataObject* input);
 

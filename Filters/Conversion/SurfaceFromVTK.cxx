@@ -2,19 +2,25 @@
 #include "SurfaceFromVTK.h"
 
 #include "Base/Error.h"
+#include "Lattice/Vector.h"
 #include "SurfaceBlocks.h"
+#include "Utf8.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkTriangleFilter.h"
+#include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -52,6 +58,72 @@ vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData* input)
   return filter->GetOutput();
 }
 
+// Cells that VTK takes for absent: blanked, refined elsewhere, copies of another piece's, or with a blanked
+// point. Empty if there are none.
+std::vector<bool> hiddenCells(vtkPolyData* block)
+{
+  constexpr int HiddenCell = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL |
+    vtkDataSetAttributes::DUPLICATECELL;
+  vtkUnsignedCharArray* cells = block->GetCellGhostArray();
+  vtkUnsignedCharArray* points = block->GetPointGhostArray();
+  if (!cells && !points)
+  {
+    return {};
+  }
+  std::vector<bool> hidden;
+  for (vtkCellArray* kind :
+    { block->GetVerts(), block->GetLines(), block->GetPolys(), block->GetStrips() })
+  {
+    auto cell = vtk::TakeSmartPointer(kind->NewIterator());
+    for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+    {
+      vtkIdType size = 0;
+      const vtkIdType* corners = nullptr;
+      cell->GetCurrentCell(size, corners);
+      const auto isHidden = [&](vtkIdType point) {
+        return (points->GetValue(point) & vtkDataSetAttributes::HIDDENPOINT) != 0;
+      };
+      const auto id = static_cast<vtkIdType>(hidden.size());
+      hidden.push_back((cells && (cells->GetValue(id) & HiddenCell) != 0) ||
+        (points && std::any_of(corners, corners + size, isHidden)));
+    }
+  }
+  return hidden;
+}
+
+// How many of a polygon's corners differ from the one before.
+std::size_t differentCorners(vtkPoints* points, vtkIdType size, const vtkIdType* corners)
+{
+  std::size_t count = 0;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    std::array<double, 3> a;
+    std::array<double, 3> b;
+    points->GetPoint(corners[i], a.data());
+    points->GetPoint(corners[(i + 1) % size], b.data());
+    count += a != b;
+  }
+  return count;
+}
+
+// Whether a polygon's corners lie on one line.
+bool isFlat(vtkPoints* points, vtkIdType size, const vtkIdType* corners)
+{
+  std::array<Vector, 3> p;
+  points->GetPoint(corners[0], p[0].data());
+  for (vtkIdType i = 2; i < size; ++i)
+  {
+    points->GetPoint(corners[i - 1], p[1].data());
+    points->GetPoint(corners[i], p[2].data());
+    const Vector area = cross(minus(p[1], p[0]), minus(p[2], p[0]));
+    if (area[0] != 0 || area[1] != 0 || area[2] != 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 // The boundary that a cell array gives for `cell`, which the user knows as `userCell`.
 std::int32_t boundaryNumber(vtkDataArray* array, vtkIdType cell, vtkIdType userCell)
 {
@@ -75,6 +147,7 @@ SurfaceFromVTK::SurfaceFromVTK(vtkDataObject* input, const std::string& boundary
   for (const SurfaceBlock& block : blocks)
   {
     readTriangles(block.surface);
+    findUndivided(block.surface);
     if (isWhole || !boundaryArray.empty())
     {
       readBoundaries(block.surface, boundaryArray);
@@ -109,6 +182,7 @@ void SurfaceFromVTK::readTriangles(vtkPolyData* block)
     surface = triangulated(block);
     ids = vtkIdTypeArray::SafeDownCast(surface->GetCellData()->GetArray(CellIds));
   }
+  const std::vector<bool> hidden = hiddenCells(block);
   const vtkIdType before = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
   auto cell = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
   triangles_.reserve(triangles_.size() + 3 * static_cast<std::size_t>(surface->GetNumberOfPolys()));
@@ -118,23 +192,64 @@ void SurfaceFromVTK::readTriangles(vtkPolyData* block)
     vtkIdType size = 0;
     const vtkIdType* corners = nullptr;
     cell->GetCurrentCell(size, corners);
-    if (size != 3)
+    const vtkIdType place = before + cell->GetCurrentCellId();
+    const vtkIdType id = ids ? ids->GetValue(place) : place;
+    // A polygon of fewer corners has no area.
+    if (size != 3 || (!hidden.empty() && hidden[static_cast<std::size_t>(id)]))
     {
-      continue; // a polygon of fewer corners has no area
+      continue;
     }
     for (int i = 0; i < 3; ++i)
     {
       triangles_.push_back(
         static_cast<std::uint32_t>(pointsBefore + static_cast<std::size_t>(corners[i])));
     }
-    const vtkIdType id = before + cell->GetCurrentCellId();
-    cells_.push_back(cellsBefore_ + (ids ? ids->GetValue(id) : id));
+    cells_.push_back(cellsBefore_ + id);
   }
   points_.resize(points_.size() + 3 * static_cast<std::size_t>(surface->GetNumberOfPoints()));
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
     surface->GetPoint(i, points_.data() + 3 * (pointsBefore + static_cast<std::size_t>(i)));
   }
+}
+
+// VTK leaves polygons that cross or touch themselves out, or a part of them.
+void SurfaceFromVTK::findUndivided(vtkPolyData* block)
+{
+  if (allTriangles(block))
+  {
+    return;
+  }
+  std::vector<std::size_t> made(static_cast<std::size_t>(block->GetNumberOfCells()));
+  for (auto cell = cells_.rbegin(); cell != cells_.rend() && *cell >= cellsBefore_; ++cell)
+  {
+    ++made[static_cast<std::size_t>(*cell - cellsBefore_)];
+  }
+  const std::vector<bool> hidden = hiddenCells(block);
+  auto id = static_cast<std::size_t>(block->GetNumberOfVerts() + block->GetNumberOfLines());
+  auto cell = vtk::TakeSmartPointer(block->GetPolys()->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell(), ++id)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    cell->GetCurrentCell(size, corners);
+    const bool there = hidden.empty() || !hidden[id];
+    if (there && size > 3 && !isFlat(block->GetPoints(), size, corners) &&
+      made[id] + 2 < differentCorners(block->GetPoints(), size, corners))
+    {
+      undivided_.push_back(cellsBefore_ + static_cast<vtkIdType>(id));
+    }
+  }
+}
+
+std::string SurfaceFromVTK::describeUndivided() const
+{
+  return undivided_.empty() ? ""
+                            : std::to_string(undivided_.size()) +
+      " polygons, the first of them cell " + std::to_string(undivided_.front()) +
+      ", cross or touch themselves, and are left out at least in part: correct them, or divide "
+      "them into "
+      "triangles.";
 }
 
 void SurfaceFromVTK::readBoundaries(vtkPolyData* block, const std::string& boundaryArray)
@@ -164,8 +279,9 @@ void SurfaceFromVTK::readBoundaries(vtkPolyData* block, const std::string& bound
   }
 }
 
-std::int32_t SurfaceFromVTK::numberOf(const std::string& name)
+std::int32_t SurfaceFromVTK::numberOf(const std::string& given)
 {
+  const std::string name = toUtf8(given);
   const auto [place, isNew] = numbers_.emplace(name, static_cast<std::int32_t>(numbers_.size()));
   if (isNew)
   {

@@ -19,9 +19,9 @@ namespace cartesian
 // The array in which vtkSTLReader numbers the named solids of a file.
 constexpr const char* StlSolids = "STLSolidLabeling";
 
-// Copies the triangles of a vtkPolyData, or of all those in a vtkMultiBlockDataSet or
-// vtkPartitionedDataSetCollection. Polygons with more corners are triangulated; verts and lines are left out.
-// Cells are numbered continuously over all blocks.
+// Copies the triangles of a vtkPolyData, or of all those in a vtkMultiBlockDataSet, vtkPartitionedDataSet or
+// vtkPartitionedDataSetCollection. Polygons with more corners are triangulated; verts, lines, and cells that
+// vtkGhostType hides are left out. Cells are numbered continuously over all blocks.
 class SurfaceFromVTK
 {
 public:
@@ -36,19 +36,24 @@ public:
   // The cell of the input that each triangle is, or is part of.
   const std::vector<vtkIdType>& cells() const { return cells_; }
 
+  // A message about polygons that could not be triangulated; empty if there are none.
+  std::string describeUndivided() const;
+
   // The names of all boundaries that triangles have: from strings, blocks, or the input's field data.
   const BoundaryNames& names() const { return names_; }
 
 private:
   void readTriangles(vtkPolyData* block);
+  void findUndivided(vtkPolyData* block);
   void readBoundaries(vtkPolyData* block, const std::string& boundaryArray);
-  std::int32_t numberOf(const std::string& name);
+  std::int32_t numberOf(const std::string& given);
 
   vtkIdType cellsBefore_ = 0; // in the blocks before the one being read
   std::vector<double> points_;
   std::vector<std::uint32_t> triangles_;
   std::vector<vtkIdType> cells_;
   std::vector<std::int32_t> boundary_;
+  std::vector<vtkIdType> undivided_; // polygons
   BoundaryNames names_;
   std::map<std::string, std::int32_t> numbers_; // of boundaries that are only given by name
 };

@@ -14,8 +14,23 @@ def key_of(label):
     return re.sub(r"[^a-z0-9]+", "_", label.lower()).strip("_")
 
 
+# Whole numbers go to the server as a C int.
+LEAST_INT, MOST_INT = -2**31, 2**31 - 1
+
+LONGEST_SHOWN = 60  # characters of a value in a message
+
+
 class BadValue(Exception):
     """A value that a parameter cannot have; says what it may be."""
+
+
+def shown(value):
+    """A value as Python writes it, but never a page of it."""
+    try:
+        text = repr(value)
+    except ValueError:  # whole numbers of more than 4300 digits
+        return "a number of thousands of digits"
+    return text if len(text) <= LONGEST_SHOWN else text[:LONGEST_SHOWN] + "..."
 
 
 @dataclasses.dataclass
@@ -64,27 +79,42 @@ class Parameter:
     def _one(self, value, where):
         if self.choices:
             if value not in self.choices:
-                raise BadValue(f"{where}{value!r} is none of {', '.join(map(repr, self.choices))}")
+                raise BadValue(f"{where}{shown(value)} is none of {', '.join(map(repr, self.choices))}")
             return value
         if self.kind is str:
             if not isinstance(value, str):
-                raise BadValue(f"{where}{value!r} is no text")
+                raise BadValue(f"{where}{shown(value)} is no text")
+            if "\0" in value:
+                raise BadValue(f"{where}{shown(value)} has the character NUL, which no name can have")
             return value
         if self.kind is bool:
             if value not in (True, False):
-                raise BadValue(f"{where}{value!r} is neither true nor false")
+                raise BadValue(f"{where}{shown(value)} is neither true nor false")
             return int(value)
-        if isinstance(value, bool):
-            value = int(value)
-        if not isinstance(value, (int, float)) or (self.kind is int and int(value) != value):
-            raise BadValue(f"{where}{value!r} is no {'whole ' if self.kind is int else ''}number")
-        if not self.least <= value <= self.most:
-            raise BadValue(f"{where}{value!r} is out of range: {self.range()}")
-        return int(value) if self.kind is int else float(value)
+        return self._number(value, where)
+
+    def _number(self, value, where):
+        whole = self.kind is int
+        if not isinstance(value, (int, float)) or value != value or (
+                whole and isinstance(value, float) and not value.is_integer()):
+            raise BadValue(f"{where}{shown(value)} is no {'whole ' if whole else ''}number")
+        least, most = self.limits()
+        if not least <= value <= most:
+            raise BadValue(f"{where}{shown(value)} is out of range: {self.range()}")
+        try:
+            return self.kind(value)
+        except OverflowError:
+            raise BadValue(f"{where}{shown(value)} is more than a number can be") from None
+
+    def limits(self):
+        if self.kind is int:
+            return max(self.least, LEAST_INT), min(self.most, MOST_INT)
+        return self.least, self.most
 
     def range(self):
-        ends = (f"{self.least:g} or more" if math.isfinite(self.least) else "",
-            f"at most {self.most:g}" if math.isfinite(self.most) else "")
+        least, most = self.limits()
+        ends = (f"{least:.10g} or more" if math.isfinite(least) else "",
+            f"at most {most:.10g}" if math.isfinite(most) else "")
         return " and ".join(end for end in ends if end)
 
 

@@ -1,33 +1,36 @@
 """Runs task files: what cartesian-mesher starts under pvpython or, within mpirun, under pvbatch."""
 
+import signal
+
+# Python's own handler raises exceptions amid the imports below, which VTK does not survive. Until a filter
+# listens, Ctrl-C ends the program at once; cartesian-mesher has kept it off up to here.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
+signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
+
 import argparse
+import contextlib
 import itertools
 import json
 import os
 import pathlib
-import signal
 import sys
 import time
 import traceback
 
 import cartesianmesher.vtkCartesianMesherFilters  # without it, filters show their base class only
-from paraview import servermanager, simple
+from paraview import simple
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
-from vtkmodules.vtkIOParallelXML import vtkXMLPPolyDataWriter, vtkXMLPUnstructuredGridWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
+import writing
 from parameters import names, parameters
-from task import MESHER, TaskError, read_task
+from task import MESHER, TaskError, printable, read_task
 from template import template
 
 # Exit codes; FAULT is one of the program.
 SUCCESS, FAULT, REFUSED, WARNINGS = 0, 1, 2, 3
 STOPPED = 128 + signal.SIGINT
-
-VTK_WRITERS = {".vtu": vtkXMLUnstructuredGridWriter, ".vtp": vtkXMLPolyDataWriter}
-PIECE_WRITERS = {".pvtu": vtkXMLPUnstructuredGridWriter, ".pvtp": vtkXMLPPolyDataWriter}
 
 
 class Listener:
@@ -56,7 +59,7 @@ class Listener:
         """Once, if several steps say the same; in one piece, as ranks write at the same time."""
         if text not in texts:
             texts.append(text)
-            print(f"{kind} {text}", file=sys.stderr)
+            print(f"{kind} {printable(text)}", file=sys.stderr)
 
     def progress(self, algorithm, event):
         if self.interrupted:
@@ -72,12 +75,27 @@ def message(text):
     return text.partition("): ")[2].strip() or text.strip()
 
 
-def surface(files):
+# What surfaces can be: data of a class, or of one derived from it.
+SURFACES = "vtkPolyData", "vtkMultiBlockDataSet", "vtkPartitionedDataSet", "vtkPartitionedDataSetCollection"
+
+
+def opened(file, fail):
+    """The source of a surface in a file."""
+    try:
+        reader = simple.OpenDataFile(str(file.resolve()))
+    except RuntimeError:  # that is how ParaView says that no reader takes the file
+        reader = None
+    if reader is None:
+        raise fail(f"ParaView cannot read {file}: it is broken, or of an unknown kind")
+    kind = reader.SMProxy.GetOutputPort(0).GetDataClassName()
+    if kind not in SURFACES:
+        raise fail(f"{file} is no surface: ParaView reads it as {kind}")
+    return reader
+
+
+def surface(task, files, *where):
     """A source of all files; several are blocks that have the files' names."""
-    readers = [simple.OpenDataFile(str(file.resolve())) for file in files]
-    for file, reader in zip(files, readers):
-        if reader is None:
-            raise TaskError(f"{file}: ParaView knows no reader for it")
+    readers = [opened(file, lambda what: task.error(where, what)) for file in files]
     if len(readers) == 1:
         return readers[0]
     return simple.GroupDatasets(Input=readers, BlockNames=[file.stem for file in files])
@@ -107,97 +125,102 @@ def set_properties(mesher, task):
             if isinstance(values[i], str):
                 numbers = boundary_numbers(mesher) if numbers is None else numbers
                 if values[i] not in numbers:
-                    raise TaskError(f"{task.path}: {named[name].table}.{named[name].key}: the surface "
-                        f"has no boundary {values[i]!r}, only {', '.join(numbers) or 'unnamed ones'}")
+                    raise task.error((named[name].table, named[name].key), "the surface has no "
+                        f"boundary {values[i]!r}, only {', '.join(numbers) or 'unnamed ones'}")
                 values[i] = numbers[values[i]]
         setattr(mesher, name, values)
 
 
 def build(task):
     """The pipeline of a task, not yet run."""
-    source = surface(task.surfaces)
-    regions = [simple.RefinementRegion(Input=surface([region.file]) if region.file else source,
+    source = surface(task, task.surfaces, "surface", "file")
+    regions = [simple.RefinementRegion(
+                   Input=surface(task, [region.file], "regions", i, "file") if region.file else source,
                    **({"Shape": "Input"} if region.file else {}) | region.properties)
-        for region in task.regions]
+        for i, region in enumerate(task.regions)]
     mesher = simple.CartesianMesher(Input=source, RefinementRegions=regions)
     set_properties(mesher, task)
     # One file of VTK's holds the whole mesh: then the first rank has to have it.
-    if any(file.suffix in VTK_WRITERS for file in task.mesh + task.boundary):
+    if any(file.suffix in writing.WRITERS[port] for port, kind in enumerate(KINDS)
+            for file in getattr(task, kind)):
         mesher.InPieces = 0
     return mesher
 
 
-def write(mesher, task):
-    for port, files in enumerate([task.mesh, task.boundary]):
-        for file in files:
-            file.parent.mkdir(parents=True, exist_ok=True)
-            if file.suffix in VTK_WRITERS:
-                write_whole(mesher, port, file)
-            else:
-                save(mesher, port, file)
+# The outputs of Cartesian Mesher, port by port.
+KINDS = "mesh", "boundary"
 
 
-def write_whole(mesher, port, file):
-    """On any number of ranks one file: the first rank has the whole mesh."""
-    writer = VTK_WRITERS[file.suffix]()
-    writer.SetFileName(str(file))
-    # ParaView 5.11 on Debian 12 can't read back appended data, the default.
-    writer.SetDataModeToBinary()
-    writer.SetInputDataObject(mesher.SMProxy.GetClientSideObject().GetOutputDataObject(port))
-    if not writer.Write():
-        raise TaskError(f"{file}: could not be written")
-
-
-def save(mesher, port, file):
+@contextlib.contextmanager
+def outputs_of(task, kind, file):
+    """Says of which key an output is that cannot be written."""
     try:
-        simple.SaveData(str(file.resolve()), proxy=servermanager.OutputPort(mesher, port))
-    except AttributeError:  # that is how ParaView says that it has no writer
-        raise TaskError(f"{file}: ParaView has no writer for {file.suffix or 'no extension'}") from None
-    if not file.exists():
-        raise TaskError(f"{file}: could not be written")
+        yield
+    except writing.NotWritten as error:
+        raise task.error(("output", kind), f"{file}: {error}") from None
 
 
-def write_pieces(mesher, task, pieces):
-    """Makes and writes one piece after the other; the fields of each."""
-    Pipeline = vtkStreamingDemandDrivenPipeline
-    algorithm = mesher.SMProxy.GetClientSideObject()
+def create_folders(task):
+    """Before the work: not to learn after hours that there is no place for the mesh."""
+    for kind in *KINDS, "statistics":
+        for file in getattr(task, kind):
+            with outputs_of(task, kind, file):
+                writing.created(file.parent)
+
+
+def write(mesher, task):
+    for port, kind in enumerate(KINDS):
+        for file in getattr(task, kind):
+            with outputs_of(task, kind, file):
+                if file.suffix in writing.WRITERS[port]:
+                    data = mesher.SMProxy.GetClientSideObject().GetOutputDataObject(port)
+                    writing.write_whole(data, port, file)
+                else:
+                    writing.save(mesher, port, file)
+
+
+def write_pieces(listener, task, pieces):
+    """Makes and writes one piece after the other; the fields of each, or of none if one failed."""
     fields = []
-    for piece in range(pieces):
-        for port in range(algorithm.GetNumberOfOutputPorts()):
-            request = algorithm.GetOutputInformation(port)
-            request.Set(Pipeline.UPDATE_PIECE_NUMBER(), piece)
-            request.Set(Pipeline.UPDATE_NUMBER_OF_PIECES(), pieces)
-            request.Set(Pipeline.UPDATE_NUMBER_OF_GHOST_LEVELS(), 0)
-        algorithm.UpdatePiece(piece, pieces, 0)
-        fields.append(field_arrays(algorithm))
-        if algorithm.GetErrorCode() != 0 and fields[-1].get("Cells", [0]) == [0]:
-            break
-        for port, files in enumerate([task.mesh, task.boundary]):
-            for file in files:
-                write_piece(algorithm.GetOutputDataObject(port), file, piece, pieces)
+    with contextlib.suppress(NoMesh), contextlib.ExitStack() as stack:
+        outputs = []
+        for port, kind in enumerate(KINDS):
+            for file in getattr(task, kind):
+                stack.enter_context(outputs_of(task, kind, file))
+                outputs.append((port, kind, stack.enter_context(writing.replacing_pieces(file))))
+        for piece in range(pieces):
+            make_piece(listener.algorithm, piece, pieces)
+            if listener.errors or listener.interrupted:
+                fields.clear()
+                raise NoMesh
+            fields.append(field_arrays(listener.algorithm))
+            for port, kind, file in outputs:
+                with outputs_of(task, kind, file):
+                    data = listener.algorithm.GetOutputDataObject(port)
+                    writing.write_piece(data, port, file, piece, pieces)
     return fields
 
 
-def write_piece(data, file, piece, pieces):
-    """Of several files, and the one that names them all."""
-    file.parent.mkdir(parents=True, exist_ok=True)
-    writer = PIECE_WRITERS[file.suffix]()
-    writer.SetFileName(str(file))
-    writer.SetDataModeToBinary()
-    writer.SetNumberOfPieces(pieces)
-    writer.SetStartPiece(piece)
-    writer.SetEndPiece(piece)
-    writer.SetWriteSummaryFile(piece == 0)
-    writer.SetInputDataObject(data)
-    if not writer.Write():
-        raise TaskError(f"{file}: could not be written")
+class NoMesh(Exception):
+    """One of the pieces could not be made: what there is of the others is thrown away."""
+
+
+def make_piece(algorithm, piece, pieces):
+    Pipeline = vtkStreamingDemandDrivenPipeline
+    for port in range(algorithm.GetNumberOfOutputPorts()):
+        request = algorithm.GetOutputInformation(port)
+        request.Set(Pipeline.UPDATE_PIECE_NUMBER(), piece)
+        request.Set(Pipeline.UPDATE_NUMBER_OF_PIECES(), pieces)
+        request.Set(Pipeline.UPDATE_NUMBER_OF_GHOST_LEVELS(), 0)
+    algorithm.UpdatePiece(piece, pieces, 0)
 
 
 def pieces_needed(mesher, task):
     """In how many pieces to make the mesh, one after the other, to keep to the memory limit."""
     alone = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses() == 1
-    files = task.mesh + task.boundary
-    if not alone or not files or not all(file.suffix in PIECE_WRITERS for file in files):
+    takes_pieces = [file.suffix in writing.PIECE_WRITERS[port] for port, kind in enumerate(KINDS)
+        for file in getattr(task, kind)]
+    if not alone or not takes_pieces or not all(takes_pieces):
         return 1
     return mesher.SMProxy.GetClientSideObject().EstimateNumberOfPieces()
 
@@ -215,13 +238,13 @@ def statistics(mesher, listener, seconds, fields):
     mesh, boundaries = {}, {}
     for arrays in fields:
         rows = [arrays.pop(name, []) for name in
-            ("BoundaryIds", "BoundaryNames", "BoundaryFaceCounts", "BoundaryAreas")]
-        types = arrays.pop("BoundaryTypes", [])
-        for number, name, faces, area, type in itertools.zip_longest(*rows, types, fillvalue=""):
+            ("BoundaryIds", "BoundaryNames", "BoundaryTypes", "BoundaryFaceCounts", "BoundaryAreas")]
+        # Types are there where the user gave some; counts and areas, where there is a mesh.
+        for number, name, type, faces, area in itertools.zip_longest(*rows):
             row = boundaries.setdefault(number,
-                {"number": number, "name": name, "type": type, "faces": 0, "area": 0})
-            row["faces"] += faces
-            row["area"] += area
+                {"number": number, "name": name, "type": type or "", "faces": 0, "area": 0})
+            row["faces"] += faces or 0
+            row["area"] += area or 0
         for name, values in arrays.items():
             if len(values) == 1:
                 mesh[name] = mesh.get(name, 0) + values[0]
@@ -244,17 +267,18 @@ def report(summary):
     for name, value in summary["mesh"].items():
         print(f"{name:32} {value}")
     for row in summary["boundaries"]:
-        print(f"boundary {row['number']:3}  {row['name']:24} {row['faces']:9} faces, area {row['area']:.9g}")
+        print(f"boundary {row['number']:3}  {printable(row['name']):24} {row['faces']:9} faces, area {row['area']:.9g}")
 
 
 def run(task, quiet):
     """Meshes, writes, and returns the exit code."""
     begin = time.monotonic()
     mesher = build(task)
+    create_folders(task)
     listener = Listener(mesher, quiet)
     pieces = pieces_needed(mesher, task)
     if pieces > 1:
-        fields = write_pieces(mesher, task, pieces)
+        fields = write_pieces(listener, task, pieces)
     else:
         if pieces == 1:
             mesher.UpdatePipeline()
@@ -267,8 +291,8 @@ def run(task, quiet):
         if not quiet:
             report(summary)
     for file in task.statistics:
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(json.dumps(summary, indent=2) + "\n")
+        with outputs_of(task, "statistics", file):
+            writing.write_text(file, json.dumps(summary, indent=2) + "\n")
     if listener.interrupted:
         return STOPPED
     return REFUSED if not has_mesh else WARNINGS if listener.warnings or listener.errors else SUCCESS

@@ -27,18 +27,27 @@
     statistics = "header.json"
 """
 
+import bisect
 import dataclasses
 import pathlib
 import re
 import tomllib
 
-from parameters import BadValue, collections, parameters
+from parameters import BadValue, collections, parameters, shown
 
 MESHER, REGION = "CartesianMesher", "RefinementRegion"
 
 
+def printable(text):
+    """What a terminal, or a stream of VTK's, cannot take is written as Python escapes it."""
+    return "".join(c if c.isprintable() or c == "\n" else repr(c)[1:-1] for c in text)
+
+
 class TaskError(Exception):
     """What is wrong with a task file, and in what line."""
+
+    def __init__(self, text):
+        super().__init__(printable(text))
 
 
 @dataclasses.dataclass
@@ -56,13 +65,18 @@ class Task:
     mesh: list  # files to write
     boundary: list
     statistics: list
+    reader: object  # knows lines
+
+    def error(self, where, what):
+        """What has come to light later than when the task was read, at a path of keys."""
+        return self.reader.error(where, what)
 
 
 def lines_of(text):
     """{path of keys: line} of a TOML text; a path is a tuple, with numbers for tables in arrays."""
     lines, table, counts = {}, (), {}
     for number, line in enumerate(text.splitlines(), 1):
-        head = re.match(r"\s*(\[\[?)\s*([\w.\-\"' ]+?)\s*\]\]?\s*(#.*)?$", line)
+        head = re.match(r"\s*(\[\[?)([\w.\-\"' ]+)\]\]?\s*(#.*)?$", line)
         key = re.match(r"""\s*((?:[\w.\-]|"[^"]*"|'[^']*')+)\s*=""", line)
         if head:
             table = split_key(head[2])
@@ -79,23 +93,49 @@ def split_key(text):
     return tuple(part.strip().strip("\"'") for part in text.split("."))
 
 
+def failing_line(text, failure):
+    """The first line up to which a text cannot be read for that reason."""
+    def fails(count):
+        try:
+            tomllib.loads("\n".join(lines[:count]))
+        except Exception as error:
+            return type(error) is failure
+        return False
+    lines = text.split("\n")
+    return bisect.bisect_left(range(1, len(lines)), True, key=fails) + 1
+
+
 class _Reader:
     def __init__(self, path):
         self.path = path
         try:
             text = path.read_text(encoding="utf-8")
-            self.content = tomllib.loads(text)
         except (OSError, UnicodeDecodeError) as error:
             raise TaskError(f"{path}: cannot be read: {error}") from None
+        self.lines = lines_of(text)
+        try:
+            self.content = tomllib.loads(text)
         except tomllib.TOMLDecodeError as error:
             raise TaskError(f"{path}: is no TOML: {error}") from None
-        self.lines = lines_of(text)
+        except RecursionError as error:
+            raise self.unreadable(text, error, "lists in lists in lists, too many to be read") from None
+        except ValueError as error:
+            raise self.unreadable(text, error, "a number of more digits than can be read") from None
 
-    def fail(self, where, what):
+    def unreadable(self, text, error, what):
+        """The line and its key, where TOML itself does not tell them."""
+        line = failing_line(text, type(error))
+        where = max((where for where in self.lines if self.lines[where] <= line), key=self.lines.get, default=())
+        return self.error(where, f"{what}, in line {line}")
+
+    def error(self, where, what):
         line = next((self.lines[where[:n]] for n in range(len(where), 0, -1)
             if where[:n] in self.lines), None)
         key = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in where)
-        raise TaskError(f"{self.path}{f':{line}' if line else ''}: {key.lstrip('.')}: {what}")
+        return TaskError(f"{self.path}{f':{line}' if line else ''}: {key.lstrip('.')}: {what}")
+
+    def fail(self, where, what):
+        raise self.error(where, what)
 
     def table(self, content, where, known):
         """The table itself, when all its keys are known."""
@@ -139,15 +179,26 @@ class _Reader:
     def files(self, content, where, *, exist):
         """One file or a list of them, relative to the task file."""
         names = [content] if isinstance(content, str) else content
-        if not isinstance(names, list) or not all(isinstance(name, str) and name for name in names):
+        if not isinstance(names, list) or not names and exist \
+                or not all(isinstance(name, str) and name for name in names):
             self.fail(where, "must be the name of a file, or a list of names")
-        files = [self.path.parent / name for name in names]
-        for file in files:
+        return [self.file(name, where, exist) for name in names]
+
+    def file(self, name, where, exist):
+        if "\0" in name:
+            self.fail(where, f"{shown(name)} has the character NUL, which no file name can have")
+        file = self.path.parent / name
+        try:
             if exist and not file.is_file():
                 self.fail(where, f"there is no file {file}")
             if not exist and file.is_dir():
                 self.fail(where, f"{file} is a folder")
-        return files
+            if exist:
+                with file.open("rb") as stream:
+                    stream.read(1)
+        except OSError as error:
+            self.fail(where, f"{shown(name)} cannot be {'read' if exist else 'written'}: {error.strerror}")
+        return file
 
     def region(self, content, where, of):
         known = {parameter.key for parameter in of}
@@ -161,10 +212,18 @@ class _Reader:
         return Region(self.files(content["file"], where + ("file",), exist=True)[0], properties)
 
 
-def outputs(reader, content):
-    kinds = {"mesh", "boundary", "statistics"}
-    reader.table(content, ("output",), kinds)
-    return {kind: reader.files(content.get(kind, []), ("output", kind), exist=False) for kind in kinds}
+def outputs(reader, content, inputs):
+    """Files to write, by kind: none twice, and none that is read."""
+    kinds = ("mesh", "boundary", "statistics")
+    reader.table(content, ("output",), set(kinds))
+    files = {kind: reader.files(content.get(kind, []), ("output", kind), exist=False) for kind in kinds}
+    taken = {file.resolve(): "is read by the task" for file in inputs}
+    for kind in kinds:
+        for file in files[kind]:
+            if file.resolve() in taken:
+                reader.fail(("output", kind), f"{file} {taken[file.resolve()]}: choose another name")
+            taken[file.resolve()] = "is written already"
+    return files
 
 
 def read_task(path):
@@ -187,9 +246,9 @@ def read_task(path):
         properties |= reader.collection(content.get(of.key, []), of, defaults)
     if "file" not in content.get("surface", {}):
         reader.fail(("surface",), "needs the key file: a surface to mesh")
-    regions = reader.tables(content.get("regions", []), "regions")
-    return Task(path=reader.path,
-        surfaces=reader.files(content["surface"]["file"], ("surface", "file"), exist=True),
-        properties=properties,
-        regions=[reader.region(table, ("regions", i), region) for i, table in enumerate(regions)],
-        **outputs(reader, content.get("output", {})))
+    surfaces = reader.files(content["surface"]["file"], ("surface", "file"), exist=True)
+    regions = [reader.region(table, ("regions", i), region)
+        for i, table in enumerate(reader.tables(content.get("regions", []), "regions"))]
+    inputs = [reader.path, *surfaces, *(region.file for region in regions if region.file)]
+    return Task(path=reader.path, surfaces=surfaces, properties=properties, regions=regions,
+        reader=reader, **outputs(reader, content.get("output", {}), inputs))

@@ -3,12 +3,13 @@ surface's field data. Names, numbers of faces and areas are on the mesh and its 
 
 import math
 import pathlib
+import struct
 import tempfile
 
 from paraview import simple
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkStringArray
 from vtkmodules.vtkCommonDataModel import (vtkCompositeDataSet, vtkImageData, vtkMultiBlockDataSet,
-                                           vtkPartitionedDataSetCollection, vtkPolyData)
+                                           vtkPartitionedDataSet, vtkPartitionedDataSetCollection, vtkPolyData)
 
 from pipeline import (Messages, assert_identical, error_code, octahedron, output, polydata, producer,
                       read)
@@ -102,6 +103,10 @@ collection.SetPartition(1, 0, low)
 for i, name in enumerate(["first", "second"]):
     collection.GetMetaData(i).Set(vtkCompositeDataSet.NAME(), name)
 check(producer(collection), {0: ("first", 5), 1: ("second", 3)})
+partitions = vtkPartitionedDataSet()
+for i, part in enumerate((low, high, last)):
+    partitions.SetPartition(i, part)
+check(producer(partitions), {0: ("block_0", 3), 1: ("block_1", 4), 2: ("block_2", 1)})
 check(simple.GroupDatasets(Input=[producer(low), producer(high), producer(last)],
     BlockNames=["x", "y", "z"]), {0: ("x", 3), 1: ("y", 4), 2: ("z", 1)})
 
@@ -128,8 +133,16 @@ facets = ["facet normal 0 0 0\nouter loop\n" + "".join("vertex %g %g %g\n" % poi
 
 
 def write(path, *solids):
-    path.write_text("".join(f"solid {name}\n{''.join(parts)}endsolid {name}\n" for name, parts in solids))
+    path.write_bytes(b"".join(f"solid {name}\n{''.join(parts)}endsolid {name}\n".encode("utf-8", "surrogateescape")
+        for name, parts in solids))
     return str(path)
+
+
+def nameless(data):
+    copy = data.NewInstance()
+    copy.DeepCopy(data)
+    copy.GetFieldData().RemoveArray("BoundaryNames")
+    return copy
 
 
 with tempfile.TemporaryDirectory() as folder:
@@ -143,6 +156,39 @@ with tempfile.TemporaryDirectory() as folder:
         assert simple.OpenDataFile(write(path, *solids)).GetXMLName() == "stlreader"
     # Asked to, it reads such a file all the same.
     check(simple.NamedSTLReader(FileName=write(path, ("one", facets))), {0: ("one", 8)})
+
+    # Names of any characters and length: in UTF-8, in Latin-1, in neither.
+    plain = output(simple.OpenDataFile(write(path, ("one", facets[:3]), ("two", facets[3:]))))
+    for number, (first, second, *read_as) in enumerate((
+        ("Einlaß", "Auslaß"),
+        ("流入口側の境界面の名前", "流出口側の境界面の名前"),
+        ("Einla\udcdf", "\udcc4u\udcdferes", "Einlaß", "Äußeres"),
+        ("\udcff\udcfe", "cut \udce2\udc82", "ÿþ", "cut â\x82"),
+        ("x" * 900, "two"),
+        ("x" * 247, "x" * 248),
+        ("x" * 60000, "ß"),
+        ('a"b\\c\x01;{}', "two"),
+    )):
+        # Of the same name, ParaView takes the file for the one before.
+        path = pathlib.Path(folder) / f"named{number}.stl"
+        reader = simple.OpenDataFile(write(path, (first, facets[:3]), (second, facets[3:])))
+        expected_names = read_as or (first, second)
+        mesh = check(reader, {0: (expected_names[0], 3), 1: (expected_names[1], 5)})
+        assert_identical("but for its names", nameless(output(reader)), nameless(plain))
+        case = pathlib.Path(folder) / f"case{number}" / "case.foam"
+        simple.SaveData(str(case), proxy=simple.CartesianMesher(Input=reader, CellSize=0.3))
+        (case.parent / "constant" / "polyMesh" / "boundary").read_text(encoding="utf-8")
+    # One solid too, if its name is what VTK's reader does not take.
+    path = pathlib.Path(folder) / "one.stl"
+    check(simple.OpenDataFile(write(path, ("流入口側の境界面の名前", facets))), {0: ("流入口側の境界面の名前", 8)})
+    # A binary file may begin with "solid", and with anything.
+    for number, head in enumerate((b"solid binary", b"solid a\nsolid b\nfacet", bytes([200]) * 80)):
+        path = pathlib.Path(folder) / f"binary{number}.stl"
+        facet = b"".join(struct.pack("<12fH", 0, 0, 0, *(x for i in face for x in points[i]), 0) for face in triangles)
+        path.write_bytes(head.ljust(80, b" ") + struct.pack("<I", 8) + facet)
+        reader = simple.OpenDataFile(str(path))
+        assert reader.GetXMLName() == "stlreader", path
+        assert output(reader).GetNumberOfCells() == 8
 exhaust = simple.OpenDataFile(read("kcl_exhaust_header_lumens.stl").FileNames[0])
 assert list(names(output(simple.CartesianMesher(Input=exhaust, CellSize=30))).values()) == [
     f"{kind}_{i}" for i in range(1, 5) for kind in ("wall", "inlet", "outlet")]

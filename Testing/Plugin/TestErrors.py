@@ -7,8 +7,8 @@ import tempfile
 
 from cartesianmesher.vtkCartesianMesherFilters import vtkCartesianMesher
 from paraview import simple
-from vtkmodules.vtkCommonCore import vtkIntArray
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonCore import vtkIntArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkPolyData
 
 import measure
 from pipeline import (DATA, Messages, assert_identical, error_code, merged, octahedron, output, polydata,
@@ -145,6 +145,51 @@ assert check(wing, FLAWED_SURFACE, "8 open edges", "does not close").GetNumberOf
 box = simple.Box()
 assert_identical("polygons", output(simple.CartesianMesher(Input=box)),
     output(simple.CartesianMesher(Input=simple.Triangulate(Input=box))))
+
+# Polygons that cross or touch themselves: VTK's triangles leave them out, or a part of them. Concave ones are
+# as good as others, and those without area no loss.
+floor = [(0, 0, 0), (3, 0, 0), (3, 2, 0), (0, 2, 0)]
+roof = [(x, y, 1) for x, y, _ in floor]
+walls = [(0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
+crossing = "1 polygons, the first of them cell 4, cross or touch themselves"
+for name, top, parts in (
+    ("bow tie", (4, 6, 5, 7), [crossing]),
+    ("touches itself", (4, 5, 6, 7, 4, 8, 9, 10, 8), [crossing]),
+    ("concave", (4, 8, 5, 6, 7), []),
+    ("doubled corner", (4, 5, 5, 6, 7), []),
+):
+    inner = [(1, 0.5, 1), (1, 1.5, 1), (2, 1.5, 1)]
+    box_of = polydata(floor + roof + inner, [*walls, top, (3, 2, 1, 0)])
+    mesher = simple.CartesianMesher(Input=producer(box_of), CellSize=0.5)
+    with Messages() as said:
+        output(mesher)
+    assert all(part in str(said) for part in parts) and ("cross or touch" in str(said)) == bool(parts), (name, str(said))
+    assert not parts or error_code(mesher) == FLAWED_SURFACE, name
+
+# What vtkGhostType hides is not there: the rest is meshed as if it were alone.
+pair = merged(octahedron(), octahedron(1, (5, 0, 0)))
+for where, value, which in (
+    ("CellData", vtkDataSetAttributes.HIDDENCELL, range(8, 16)),
+    ("CellData", vtkDataSetAttributes.DUPLICATECELL, range(8, 16)),
+    ("PointData", vtkDataSetAttributes.HIDDENPOINT, range(6, 12)),
+):
+    ghosts = vtkUnsignedCharArray()
+    ghosts.SetName(vtkDataSetAttributes.GhostArrayName())
+    for i in range(16 if where == "CellData" else 12):
+        ghosts.InsertNextValue(value if i in which else 0)
+    hiding = polydata([pair.GetPoint(i) for i in range(12)],
+        [[pair.GetCell(i).GetPointId(j) for j in range(3)] for i in range(16)])
+    getattr(hiding, "Get" + where)().AddArray(ghosts)
+    assert_identical(f"hidden by {where}, {value}",
+        check(simple.CartesianMesher(Input=producer(hiding), CellSize=0.3), 0),
+        output(simple.CartesianMesher(Input=surface, CellSize=0.3)))
+hiding = octahedron()
+ghosts = vtkUnsignedCharArray()
+ghosts.SetName(vtkDataSetAttributes.GhostArrayName())
+for _ in range(8):
+    ghosts.InsertNextValue(vtkDataSetAttributes.HIDDENCELL)
+hiding.GetCellData().AddArray(ghosts)
+refused(producer(hiding), EMPTY_SURFACE, "no triangles")
 
 # Boxes and patches that do not belong together.
 boxer = simple.CartesianBoxer(Input=surface, CellSize=0.3)

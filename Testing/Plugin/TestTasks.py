@@ -2,6 +2,7 @@
 
 import json
 import os
+import resource
 import pathlib
 import re
 import shutil
@@ -26,14 +27,14 @@ EXHAUST = DATA / "kcl_exhaust_header_lumens.stl"
 folder = pathlib.Path(tempfile.mkdtemp())
 
 
-def start(*arguments, ranks=0, code=SUCCESS):
+def start(*arguments, ranks=0, code=SUCCESS, **more):
     """What the program says, on stdout and stderr."""
     mpi = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(ranks)] if ranks else []
     # Started by a program that is of MPI itself, mpirun refuses.
     environment = {name: value for name, value in os.environ.items()
         if not name.startswith(("OMPI_", "PMIX_", "ORTE_"))}
     done = subprocess.run([*mpi, PROGRAM, *map(str, arguments)], capture_output=True, text=True,
-        timeout=300, env=environment)
+        timeout=300, env=environment, **more)
     said = done.stdout + done.stderr
     assert done.returncode == code, f"exit code {done.returncode} instead of {code}: {said}"
     return said
@@ -173,6 +174,12 @@ def refusal(text):
     return run(text, "--quiet", code=REFUSED)
 
 
+(folder / "noise.vtp").write_bytes(bytes(range(256)))
+(folder / "noise.stl").write_bytes(bytes(80) + (10**9).to_bytes(4, "little") + bytes(range(256)))
+(folder / "table.csv").write_text("a,b\n1,2\n")
+for name in "full.vtu", "full.vtp":
+    (folder / name).symlink_to("/dev/full")
+
 # Refusals name the line and the key.
 for text, *parts in (
     (FILES + "[grid]\ncell_size = -1\n", "task.toml:4: grid.cell_size", "out of range: 0 or more"),
@@ -206,6 +213,43 @@ for text, *parts in (
     (FILES + '[output]\nmesh = "m.nonsense"\n', "no writer for .nonsense"),
     ("[grid]\ncell_size = 1\n", "surface", "needs the key file"),
     ('[surface]\nfile = "none.stl"\n', ":2: surface.file", "there is no file"),
+    (FILES + f"[grid]\ncell_size = {'9' * 400}\n", ":4: grid.cell_size", "9... is more than a number can be"),
+    (FILES + f"[grid]\n\ncell_size = {'9' * 5000}\n", ":5: grid.cell_size", "more digits", "in line 5"),
+    (FILES + f"[grid]\ncell_size = 0x{'f' * 5000}\n", ":4: grid.cell_size", "more than a number can be"),
+    (FILES + "[refinement]\nrefinement_depth = inf\n", ":4: refinement.refinement_depth", "no whole number"),
+    (FILES + "[refinement]\nrefinement_depth = nan\n", ":4: refinement.refinement_depth", "no whole number"),
+    (FILES + "[refinement]\nrefinement_depth = 1e400\n", ":4: refinement.refinement_depth", "no whole number"),
+    (FILES + "[performance]\nnumber_of_threads = 4000000000\n", ":4: performance.number_of_threads",
+        "at most 2147483647"),
+    (FILES + f"[grid]\nmeshlines_x = [\n{'[' * 10000}{']' * 10000}]\n", ":4: grid.meshlines_x", "in line 5"),
+    (FILES + "[grid]\nmeshlines_x = [nan]\n", ":4: grid.meshlines_x", "nan is no number"),
+    (FILES + "[refinement]\nrefinement_blocks = [[0, inf, 0, 1, 0, 1, 1, 1]]\n", "inf is no whole number"),
+    (FILES + '[refinement]\nrefined_boundaries = ["nope"]\n', 'Refined Boundaries has "nope"'),
+    (FILES + "[" + 30000 * " " + "!\n", "no TOML"),
+    (FILES + '[grid]\n"a\\u0000" = 1\n', ":3: grid.a\\x00", "not known"),
+    (FILES + '[[boundaries]]\nname = "roof\\u0000"\n', ":4: boundaries[0].name", "'roof\\x00' has the character NUL"),
+    ('[surface]\nfile = "roof\\u0000.stl"\n', ":2: surface.file", "NUL"),
+    (f'[surface]\nfile = "{5000 * "s"}.stl"\n', ":2: surface.file", "cannot be read: File name too long"),
+    ("[surface]\nfile = []\n", ":2: surface.file", "name of a file"),
+    # Nobody can read this one, not even root.
+    ('[surface]\nfile = "/proc/self/mem"\n', ":2: surface.file", "cannot be read: Input/output error"),
+    ('[surface]\nfile = "noise.vtp"\n', ":2: surface.file", "ParaView cannot read"),
+    ('[surface]\nfile = "table.csv"\n', ":2: surface.file", "no surface", "vtkTable"),
+    (FILES + '[[regions]]\nfile = "table.csv"\n', ":4: regions[0].file", "no surface", "vtkTable"),
+    ('[surface]\nfile = "noise.stl"\n', "1000000000 triangles", "broken, or no STL"),
+    (FILES + '[output]\nmesh = "m\\u0000.vtu"\n', ":4: output.mesh", "NUL"),
+    (FILES + f'[output]\nmesh = "{5000 * "m"}.vtu"\n', ":4: output.mesh", "cannot be written: File name too long"),
+    (FILES + '[output]\nmesh = "."\n', ":4: output.mesh", "is a folder"),
+    (FILES + '[output]\nmesh = "roof.stl/m.vtu"\n', ":4: output.mesh", "could not be written"),
+    (FILES + '[output]\nmesh = "m.vtp"\n', ":4: output.mesh", "no writer for .vtp"),
+    (FILES + '[output]\nboundary = "m.vtu"\n', ":4: output.boundary", "no writer for .vtu"),
+    (FILES + '[output]\nmesh = "m.vtu"\nstatistics = "m.vtu"\n', ":5: output.statistics", "written already"),
+    (FILES + '[output]\nstatistics = "roof.stl"\n', ":4: output.statistics", "is read by the task"),
+    (FILES + '[output]\nstatistics = "task.toml"\n', ":4: output.statistics", "is read by the task"),
+    # A full device.
+    (FILES + '[output]\nmesh = "full.vtu"\n', ":4: output.mesh", "No space left on device"),
+    (FILES + '[output]\nboundary = "full.vtp"\n', ":4: output.boundary", "No space left on device"),
+    (FILES + '[output]\nstatistics = "/dev/full"\n', ":4: output.statistics", "No space left on device"),
     ("[surface\n", "no TOML", "line 1"),
     (FILES + '[surface]\nfile = "roof.stl"\n', "no TOML", "line 3"),
     (FILES + "[grid]\ncell_size = 1e9\n", "error: Cell Size is 1e+09", "smaller"),
@@ -215,6 +259,33 @@ for text, *parts in (
     for part in parts:
         assert part in said, f"no '{part}' in: {said}"
 assert "cannot be read" in start(folder / "nothing.toml", code=REFUSED)
+
+# A file that cannot be written whole leaves what was there: files, pieces, a case.
+OLD, NEW = FILES + "[grid]\ncell_size = 0.1\n[output]\n", FILES + "[grid]\ncell_size = 0.02\n[output]\n"
+MOST_BYTES = 5000000
+
+
+def of_limited_size():
+    resource.setrlimit(resource.RLIMIT_FSIZE, (MOST_BYTES, MOST_BYTES))
+
+
+def contents():
+    return {path: path.read_bytes() for path in (folder / "kept").rglob("*") if path.is_file()}
+
+
+for mesh in "mesh.vtu", "mesh.pvtu", "mesh.vtk", "mesh.foam":
+    run(OLD + f'mesh = "kept/{mesh}"\n', "--quiet")
+    before = contents()
+    said = run(NEW + f'mesh = "kept/{mesh}"\n', "--quiet", code=REFUSED, preexec_fn=of_limited_size)
+    assert ":6: output.mesh" in said and "could not be written" in said, said
+    after = contents()
+    assert {path: after.get(path) for path in before} == before, f"{mesh} was lost: {set(after)}"
+    shutil.rmtree(folder / "kept")
+# A new set of pieces leaves nothing of the one before.
+for _ in range(3):
+    run(OLD + 'mesh = "kept/a.b.pvtu"\nboundary = "kept/a.b.pvtp"\n', "--quiet")
+    assert len(contents()) == 4, set(contents())
+    assert read("kept/a.b.pvtu", simple.XMLPartitionedUnstructuredGridReader).GetNumberOfCells() > 1000
 for text, *arguments in (FILES + "[grid]\ncell_size = 1e9\n",), (FILES + "[grid]\nsize = 1\n",), (FILES, "--nonsense"):
     said = run(text, *arguments, ranks=2, code=REFUSED)
     assert "error: " in said and "Stack trace" not in said and "SIGTERM" not in said, said

@@ -13,9 +13,10 @@ namespace cartesian
 namespace
 {
 
-// Peak memory, measured on a sphere and on the surfaces in Data/ (see Testing/Benchmark).
+// Peak memory of smooth surfaces in boxes with four corners of patches each; detail within boxes is only known
+// later (Mesher/Mesher.cpp).
 constexpr double BytesOfAnInsideBox = 260;
-constexpr double BytesOfAnIntersectedBox = 2600;
+constexpr double BytesOfAnIntersectedBox = 4800;
 constexpr double BytesOfATriangle = 150;
 
 // A smooth surface passes through about this many times 4^d units of a box of depth d.
@@ -95,14 +96,19 @@ MeshEstimate estimateMesh(const Surface& surface, const Meshlines& planes)
 
 void checkMemory(const MeshEstimate& estimate, double mostBytes)
 {
+  checkMemory(estimate.boxes(), estimate.bytes(), mostBytes);
+}
+
+void checkMemory(double boxes, double bytes, double mostBytes)
+{
   constexpr double GiB = 1024.0 * 1024 * 1024;
-  if (estimate.bytes() > mostBytes)
+  if (bytes > mostBytes)
   {
     std::array<char, 300> text;
     std::snprintf(text.data(), text.size(),
       "The mesh would have about %.4g boxes and take about %.4g GiB, more than the Memory Limit of "
       "%.4g GiB: choose a larger Cell Size, less refinement, or raise the limit.",
-      estimate.boxes(), estimate.bytes() / GiB, mostBytes / GiB);
+      boxes, bytes / GiB, mostBytes / GiB);
     throw Error(Fault::TooManyBoxes, text.data());
   }
 }

@@ -26,5 +26,6 @@ MeshEstimate estimateBox(BoxStatus status, const Depths& depths);
 
 // Throws Error (TooManyBoxes) if the estimate exceeds `mostBytes`.
 void checkMemory(const MeshEstimate& estimate, double mostBytes);
+void checkMemory(double boxes, double bytes, double mostBytes);
 
 }

@@ -129,22 +129,24 @@ fs::path freeName(const fs::path& polyMesh)
   return name;
 }
 
-// Renames the old folder, without the mesh if that is to be replaced. Returns the new name, or an empty one
-// if nothing was left.
-fs::path setAside(const fs::path& polyMesh, bool replaced)
+// Renames the old folder, if there is one; the new name, or an empty one.
+fs::path setAside(const fs::path& polyMesh)
 {
   if (!fs::exists(polyMesh))
   {
     return {};
   }
-  const fs::path kept = freeName(polyMesh);
+  fs::path kept = freeName(polyMesh);
   fs::rename(polyMesh, kept);
+  return kept;
+}
+
+// Removes the files of a mesh, and the folder if nothing else was in it: then the path is empty.
+fs::path withoutMesh(const fs::path& kept)
+{
   for (const char* name : MeshFiles)
   {
-    if (replaced)
-    {
-      fs::remove(kept / name);
-    }
+    fs::remove(kept / name);
   }
   return fs::is_empty(kept) && fs::remove(kept) ? fs::path() : kept;
 }
@@ -165,9 +167,10 @@ std::filesystem::path writePolyMesh(
     fs::create_directories(unfinished);
     writeFiles(mesh, replaced ? FoamBoundary(polyMesh / "boundary") : FoamBoundary(mesh.patches),
       unfinished, format);
-    fs::path kept = setAside(polyMesh, replaced);
+    // The old mesh goes when the new one is there: whenever the program is killed, there is one of them.
+    const fs::path kept = setAside(polyMesh);
     fs::rename(unfinished, polyMesh);
-    return kept;
+    return replaced ? withoutMesh(kept) : kept;
   }
   catch (const fs::filesystem_error& error)
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/SurfaceDefects.h"
 
+#include "Base/Error.h"
 #include "Repair/TrianglePairs.h"
 #include "Surface/Components.h"
 
@@ -211,6 +212,10 @@ private:
 
     const TrianglePairs found = findPairs(given_, execution_);
     result_.notCompared = found.givenUp.size();
+    if (!found.givenUp.empty())
+    {
+      result_.notComparedAt = positionOf(given_.triangles[found.givenUp[0]][0]);
+    }
     std::vector<Partner> overlapped;
     for (const TrianglePair& pair : found.pairs)
     {
@@ -340,8 +345,12 @@ std::string describe(const SurfaceDefects& defects)
   }
   if (defects.notCompared > 0)
   {
+    const Vector& at = defects.notComparedAt;
     text += (text.empty() ? "" : "\n") + std::to_string(defects.notCompared) +
-      " triangles have too many others nearby to be checked for intersections.";
+      " triangles, such as one at (" + number(at[0]) + ", " + number(at[1]) + ", " + number(at[2]) +
+      "), have too many others nearby to be checked for intersections: they are long and thin, or "
+      "far larger "
+      "than others. Divide them, if the mesh shows flaws there.";
   }
   return text;
 }

@@ -49,6 +49,7 @@ struct SurfaceDefects
   std::array<std::size_t, DefectKinds> counts{}; // by kind
   std::size_t components = 0;                    // connected by vertices
   std::size_t notCompared = 0; // triangles with too many neighbours to be checked for intersections
+  Vector notComparedAt{};      // the first of them
 };
 
 // Of the repaired surface, whose first `given` triangles are the user's.

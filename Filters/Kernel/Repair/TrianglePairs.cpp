@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace cartesian
 {
@@ -13,12 +14,13 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t TrianglesAChunk = 1024;
-constexpr std::size_t MostNeighbours = 512;
-constexpr std::size_t FewestNeighbours = 64;
+constexpr std::size_t TestsAChunk = 1 << 16;
 
-// Pairs compared in all, before triangles get fewer neighbours.
-constexpr std::size_t MostTests = 30000000;
+// Of each triangle at first, which few exceed.
+constexpr std::size_t FirstTests = 64;
+
+// In all, or FirstTests of each triangle where that is more.
+constexpr std::size_t MostTests = 10000000;
 
 int signOf(Wide x)
 {
@@ -222,6 +224,62 @@ std::vector<Vector> meetPlane(const Corners& t, const Corners& other)
   return places;
 }
 
+struct PairSearch
+{
+  std::vector<TrianglePair> pairs;
+  std::vector<std::size_t> unfinished; // places of triangles with more neighbours
+  std::size_t tests = 0;
+
+  void add(const PairSearch& other)
+  {
+    pairs.insert(pairs.end(), other.pairs.begin(), other.pairs.end());
+    unfinished.insert(unfinished.end(), other.unfinished.begin(), other.unfinished.end());
+    tests += other.tests;
+  }
+};
+
+// Compares the triangles at some places of the tree with at most `most` neighbours each.
+PairSearch search(const Surface& surface, const TriangleTree& tree,
+  const std::vector<std::size_t>& places, std::size_t most, Execution& execution)
+{
+  const std::size_t grain = std::max<std::size_t>(1, TestsAChunk / most);
+  std::vector<PairSearch> parts(chunks(places.size(), grain));
+  execution.forEach(places.size(), grain, [&](std::size_t begin, std::size_t end) {
+    PairSearch& part = parts[begin / grain];
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const std::uint32_t t = tree.triangle(places[i]);
+      std::size_t seen = 0;
+      bool finished = true;
+      tree.forEachLarger(places[i], [&](std::uint32_t other) {
+        if (seen == most)
+        {
+          finished = false;
+          return false;
+        }
+        ++seen;
+        const Contact contact = contactOf(surface, t, other);
+        if (contact != Contact::Apart)
+        {
+          part.pairs.push_back({ std::min(t, other), std::max(t, other), contact });
+        }
+        return true;
+      });
+      part.tests += seen;
+      if (!finished)
+      {
+        part.unfinished.push_back(places[i]);
+      }
+    }
+  });
+  PairSearch all;
+  for (const PairSearch& part : parts)
+  {
+    all.add(part);
+  }
+  return all;
+}
+
 }
 
 Contact contactOf(const Surface& surface, std::uint32_t a, std::uint32_t b)
@@ -262,38 +320,28 @@ std::array<Vector, 2> sharedSegment(const Corners& a, const Corners& b)
 TrianglePairs findPairs(const Surface& surface, Execution& execution)
 {
   const TriangleTree tree(surface, execution);
-  const std::size_t count = tree.size();
-  const std::size_t most =
-    std::clamp(MostTests / std::max<std::size_t>(count, 1), FewestNeighbours, MostNeighbours);
-  std::vector<TrianglePairs> parts(chunks(count, TrianglesAChunk));
-  execution.nextLoop(0.9);
-  execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
-    TrianglePairs& part = parts[begin / TrianglesAChunk];
-    for (std::size_t place = begin; place < end; ++place)
-    {
-      const std::uint32_t t = tree.triangle(place);
-      std::size_t seen = 0;
-      tree.forEachLarger(place, [&](std::uint32_t other) {
-        const Contact contact = contactOf(surface, t, other);
-        if (contact != Contact::Apart)
-        {
-          part.pairs.push_back({ std::min(t, other), std::max(t, other), contact });
-        }
-        return ++seen < most;
-      });
-      if (seen == most)
-      {
-        part.givenUp.push_back(t);
-      }
-    }
-  });
-  TrianglePairs all;
-  for (const TrianglePairs& part : parts)
+  std::vector<std::size_t> places(tree.size());
+  std::iota(places.begin(), places.end(), 0);
+  execution.nextLoop(0.7);
+  PairSearch found = search(surface, tree, places, FirstTests, execution);
+  if (!found.unfinished.empty())
   {
-    all.pairs.insert(all.pairs.end(), part.pairs.begin(), part.pairs.end());
-    all.givenUp.insert(all.givenUp.end(), part.givenUp.begin(), part.givenUp.end());
+    // Around the pole of a sphere all triangles are neighbours: the tests that others need not are theirs.
+    const std::size_t left = std::max(MostTests, FirstTests * tree.size()) - found.tests;
+    places = std::move(found.unfinished);
+    found.unfinished.clear();
+    execution.nextLoop(0.7);
+    found.add(search(surface, tree, places, std::max(FirstTests, left / places.size()), execution));
   }
-  std::sort(all.pairs.begin(), all.pairs.end());
+  // Those that were compared in both searches are there twice.
+  std::sort(found.pairs.begin(), found.pairs.end());
+  const auto same = [](const TrianglePair& a, const TrianglePair& b) { return !(a < b); };
+  found.pairs.erase(std::unique(found.pairs.begin(), found.pairs.end(), same), found.pairs.end());
+  TrianglePairs all{ std::move(found.pairs), {} };
+  for (const std::size_t place : found.unfinished)
+  {
+    all.givenUp.push_back(tree.triangle(place));
+  }
   std::sort(all.givenUp.begin(), all.givenUp.end());
   return all;
 }

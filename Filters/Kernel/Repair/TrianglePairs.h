@@ -41,9 +41,9 @@ struct TrianglePairs
   std::vector<std::uint32_t> givenUp; // triangles with too many neighbours, in order
 };
 
-// All pairs of triangles (that have an area) which cross or overlap. Each triangle is compared with
-// at most 512 larger ones nearby; with fewer, down to 64, if there are more than 60 000 triangles.
-// The rest is given up.
+// All pairs of triangles (that have an area) which cross or overlap. In all, 10 million pairs are compared,
+// or 64 of each triangle where that is more: each with 64 larger ones nearby, then those with more neighbours,
+// with as many as are left for each. The rest is given up.
 TrianglePairs findPairs(const Surface& surface, Execution& execution);
 
 }

@@ -17,8 +17,10 @@ namespace
 
 constexpr std::size_t VerticesAChunk = 1 << 14;
 
-// Squares of coordinates must stay finite in double precision.
-constexpr double LargestCoordinate = 1e150;
+// Volumes must stay finite in double precision; those of small parts of small cells, and squares of the areas
+// of their faces, must not vanish.
+constexpr double LargestCoordinate = 1e100;
+constexpr double ShortestSurface = 1e-70;
 
 std::string place(const double* p)
 {
@@ -158,6 +160,12 @@ Bounds boundsOf(const SurfaceView& view)
   if (bounds.longest() == 0)
   {
     throw Error(Fault::EmptySurface, "All points of the surface coincide: nothing to mesh.");
+  }
+  if (bounds.longest() < ShortestSurface)
+  {
+    throw Error(Fault::BadCoordinate,
+      "The surface is only " + number(bounds.longest()) +
+        " long: volumes of cells would vanish in double precision. Scale it up.");
   }
   return bounds;
 }

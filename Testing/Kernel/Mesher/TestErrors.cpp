@@ -1,6 +1,6 @@
 // What cannot be meshed is refused: the right fault, and words that name the place.
 #include "Base/Error.h"
-#include "Support/Pipeline.h"
+#include "Support/MeshChecker.h"
 
 #include <gtest/gtest.h>
 
@@ -72,6 +72,19 @@ TEST(Errors, BadCoordinates)
     Soup soup = cube();
     soup.points[5][1] = bad;
     expectRefusal(Fault::BadCoordinate, { "Point 5", "cell 2" }, soup);
+  }
+}
+
+// Or volumes are zero or infinite.
+TEST(Errors, SurfacesOfUnearthlySizes)
+{
+  expectRefusal(Fault::BadCoordinate, { "1e-150 long", "Scale it up" }, cube().scaled(1e-150));
+  expectRefusal(Fault::BadCoordinate, { "too large" }, cube().scaled(1e120));
+  for (const double size : { 1e-69, 1e100 })
+  {
+    const Meshed meshed = meshOf(cube().scaled(size), cellsOf(size / 4));
+    EXPECT_TRUE(isValid(meshed.mesh));
+    EXPECT_GT(volumeOf(meshed.mesh) / size / size / size, 0.999);
   }
 }
 

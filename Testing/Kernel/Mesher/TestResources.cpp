@@ -157,6 +157,27 @@ TEST(Resources, ThousandsOfLooseTriangles)
   }
 }
 
+// Few boxes, but 70,000 patches in them: the estimate that boxes allow is too low, and the limit holds.
+TEST(Resources, MemoryLimitHoldsForDetailInBoxes)
+{
+  constexpr double Taken = 35e6 / 1024 / 1024 / 1024; // GiB, measured
+  const Soup soup = sphere(60, 1);
+  Options options;
+  options.grid = cellsAlongLongest(soup, 12);
+  options.patches = exactFit();
+  options.memoryLimit = Taken;
+  Execution execution(2);
+  try
+  {
+    mesh(soup.view(), options, execution);
+    FAIL() << "more memory than the limit";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.fault, Fault::TooManyBoxes) << error.what();
+  }
+}
+
 TEST(Resources, CoordinatesOfAnySize)
 {
   for (const double size : { 1e-30, 1e-6, 1e30, 1e100 })

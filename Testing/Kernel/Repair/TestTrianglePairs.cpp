@@ -132,6 +132,22 @@ Contact wanted(const Surface& surface, std::uint32_t a, std::uint32_t b)
   return common < 2 && extent(rest) > LeastLength ? Contact::Crossing : Contact::Apart;
 }
 
+// Two fans of slivers.
+Soup bipyramid(std::uint32_t meridians)
+{
+  Soup soup;
+  soup.points = { { 0, 0, 1 }, { 0, 0, -1 } };
+  for (std::uint32_t i = 0; i < meridians; ++i)
+  {
+    const double angle = 2 * std::acos(-1) * i / meridians;
+    soup.points.push_back({ std::cos(angle), std::sin(angle), 0 });
+    const std::uint32_t next = (i + 1) % meridians;
+    soup.triangles.push_back({ 0, 2 + i, 2 + next });
+    soup.triangles.push_back({ 1, 2 + next, 2 + i });
+  }
+  return soup;
+}
+
 bool hasArea(const Surface& surface, std::uint32_t t)
 {
   const Vector n = normalOfTriangle(surface.corners(t));
@@ -229,4 +245,35 @@ TEST(TrianglePairs, TheStretchIsWhereTheyCross)
       EXPECT_NEAR(ends[i][axis], wantedEnds[i][axis], 1e-9);
     }
   }
+}
+
+// All triangles around a pole of a sphere are neighbours, hundreds of them.
+TEST(TrianglePairs, PolesOfSpheresAreCompared)
+{
+  constexpr std::uint32_t Meridians = 600;
+  Soup soup = bipyramid(Meridians);
+  Execution execution(2);
+  const auto search = [&] {
+    return findPairs(onLattice(soup.view(), Lattice({ -2, -2, -2 }, 1e-9), execution), execution);
+  };
+  TrianglePairs found = search();
+  EXPECT_TRUE(found.givenUp.empty());
+  EXPECT_TRUE(found.pairs.empty());
+  // A needle from the pole through one of them.
+  const auto n = static_cast<std::uint32_t>(soup.points.size());
+  soup.points.insert(soup.points.end(), { { 0.3, 0.1, 2 }, { 0.3, 0.1, -2 }, { 0.31, 0.1, 2 } });
+  soup.triangles.push_back({ n, n + 1, n + 2 });
+  found = search();
+  EXPECT_TRUE(found.givenUp.empty());
+  EXPECT_FALSE(found.pairs.empty());
+}
+
+// As many neighbours as there are triangles: not all are compared, and the time is bounded.
+TEST(TrianglePairs, FansOfSliversAreGivenUp)
+{
+  constexpr std::uint32_t Slivers = 20000;
+  Execution execution(2);
+  const TrianglePairs found = findPairs(
+    onLattice(bipyramid(Slivers).view(), Lattice({ -2, -2, -2 }, 1e-9), execution), execution);
+  EXPECT_GT(found.givenUp.size(), Slivers / 2);
 }

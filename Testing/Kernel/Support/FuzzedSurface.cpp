@@ -179,6 +179,12 @@ bool isRefusal(Fault fault)
 
 }
 
+Soup editedShapes(const std::uint8_t* data, std::size_t size)
+{
+  Bytes bytes(data, size);
+  return editedShapes(bytes);
+}
+
 ::testing::AssertionResult meshesFromBytes(const std::uint8_t* data, std::size_t size)
 {
   Bytes bytes(data, size);

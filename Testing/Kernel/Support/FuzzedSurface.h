@@ -12,4 +12,7 @@ namespace cartesian
 // split. Missing bytes are zero. Success: a valid mesh, or an error about the surface.
 ::testing::AssertionResult meshesFromBytes(const std::uint8_t* bytes, std::size_t size);
 
+// The edited shapes alone.
+Soup editedShapes(const std::uint8_t* bytes, std::size_t size);
+
 }

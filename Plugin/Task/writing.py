@@ -1,0 +1,159 @@
+"""Writes files so that whenever the program is killed, what has their names is wholly old or wholly new:
+new ones are written beside, and take the name at once. Where one file names many, as .pvtu does, those of
+the new one are in a folder that the old one does not name."""
+
+import contextlib
+import os
+import shutil
+
+from paraview import servermanager, simple
+from vtkmodules.vtkCommonCore import vtkOutputWindow
+from vtkmodules.vtkCommonMisc import vtkErrorCode
+from vtkmodules.vtkIOParallelXML import vtkXMLPPolyDataWriter, vtkXMLPUnstructuredGridWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
+
+# Of the ports of Cartesian Mesher: the mesh, its boundary.
+WRITERS = ({".vtu": vtkXMLUnstructuredGridWriter}, {".vtp": vtkXMLPolyDataWriter})
+PIECE_WRITERS = ({".pvtu": vtkXMLPUnstructuredGridWriter}, {".pvtp": vtkXMLPPolyDataWriter})
+# A case is a folder of files, which its writer swaps itself.
+CASE = ".foam"
+
+
+class NotWritten(Exception):
+    """Why a file could not be written."""
+
+
+@contextlib.contextmanager
+def failures():
+    """What VTK calls errors, and the system, become one exception."""
+    said = []
+    def hear(window, event, text):
+        said.append(text.partition("): ")[2].partition("\n")[0] or text)
+    hear.CallDataType = "string0"
+    window = vtkOutputWindow.GetInstance()
+    observer = window.AddObserver("ErrorEvent", hear)
+    try:
+        yield
+    except OSError as error:
+        raise NotWritten(f"could not be written: {error.strerror}") from None
+    finally:
+        window.RemoveObserver(observer)
+    if said:
+        # The pipeline says no more than that an algorithm failed.
+        why = next((f": {text}" for text in said if not text.startswith("Algorithm ")), "")
+        raise NotWritten("could not be written" + why)
+
+
+def created(folder):
+    with failures():
+        folder.mkdir(parents=True, exist_ok=True)
+
+
+@contextlib.contextmanager
+def replacing(file):
+    """The name to write to; what is there in the end takes the place of `file`, last of all that a writer
+    has put beside it."""
+    with failures():
+        target = file.resolve()
+        if target.exists() and not target.is_file():  # a device
+            yield target
+            return
+        folder = target.with_name(f".{target.name}.new")
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir()
+        try:
+            new = folder / file.name
+            with failures():
+                yield new
+            for path in sorted(folder.iterdir(), key=lambda path: path == new):
+                if path.is_dir():
+                    shutil.rmtree(target.with_name(path.name), ignore_errors=True)
+                os.replace(path, target if path == new else target.with_name(path.name))
+        finally:
+            shutil.rmtree(folder, ignore_errors=True)
+
+
+@contextlib.contextmanager
+def replacing_pieces(file):
+    """The same for a file that names pieces; the call that is given takes them back."""
+    with failures():
+        target = file.resolve()
+        if target.exists() and not target.is_file():
+            raise NotWritten("is no file that could be replaced")
+        old = target.read_text(errors="replace") if target.is_file() else ""
+        # ParaView takes what follows the first dot of a name for its extension.
+        stem = f"{target.stem}_{file.suffix[1:]}".replace(".", "_")
+        folders = [target.with_name(f"{stem}{n}") for n in (1, 2)]
+        if f"{folders[0].name}/" in old:
+            folders.reverse()
+        new = folders[0].with_name(folders[0].name + file.suffix)
+        shutil.rmtree(folders[0], ignore_errors=True)
+        try:
+            with failures():
+                yield new
+            os.replace(new, target)
+        except BaseException:
+            new.unlink(missing_ok=True)
+            shutil.rmtree(folders[0], ignore_errors=True)
+            raise
+        shutil.rmtree(folders[1], ignore_errors=True)
+
+
+def write_text(file, text):
+    with replacing(file) as new:
+        new.write_text(text, encoding="utf-8")
+
+
+def write_whole(data, port, file):
+    """On any number of ranks one file: the first rank has the whole mesh."""
+    with replacing(file) as new:
+        writer = WRITERS[port][file.suffix]()
+        writer.SetFileName(str(new))
+        # ParaView 5.11 on Debian 12 can't read back appended data, the default.
+        writer.SetDataModeToBinary()
+        writer.SetInputDataObject(data)
+        run(writer)
+
+
+def write_piece(data, port, file, piece, pieces):
+    """Of several files, and the one that names them all."""
+    writer = PIECE_WRITERS[port][file.suffix]()
+    writer.SetFileName(str(file))
+    writer.SetDataModeToBinary()
+    writer.SetUseSubdirectory(True)
+    writer.SetNumberOfPieces(pieces)
+    writer.SetStartPiece(piece)
+    writer.SetEndPiece(piece)
+    writer.SetWriteSummaryFile(piece == 0)
+    writer.SetInputDataObject(data)
+    run(writer)
+
+
+def run(writer):
+    try:
+        with failures():
+            writer.Write()
+    except NotWritten:
+        code = writer.GetErrorCode()
+        if code == vtkErrorCode.NoError:
+            raise
+        # It tells more than what the pipeline says.
+        raise NotWritten(f"could not be written: {vtkErrorCode.GetStringFromErrorCode(code)}") from None
+
+
+def save(mesher, port, file):
+    """By the writer that ParaView has for such files."""
+    if file.suffix == CASE:
+        with failures():
+            save_as(mesher, port, file.absolute())
+        return
+    replace = replacing_pieces if file.suffix in PIECE_WRITERS[port] else replacing
+    with replace(file) as new:
+        save_as(mesher, port, new)
+
+
+def save_as(mesher, port, file):
+    try:
+        simple.SaveData(str(file), proxy=servermanager.OutputPort(mesher, port))
+    except AttributeError:  # that is how ParaView says that it has no writer
+        raise NotWritten(f"ParaView has no writer for {file.suffix or 'no extension'}") from None
