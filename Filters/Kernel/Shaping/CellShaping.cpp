@@ -108,6 +108,7 @@ public:
       improve();
       removeSmall(1);
     }
+    removeTips();
     return result();
   }
 

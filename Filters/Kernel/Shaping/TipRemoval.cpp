@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/TipRemoval.h"
 
+#include "Polyhedra/CellCost.h"
 #include "Shaping/CellUnion.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ constexpr double LeastCosine = 0.7071;
 class TipSearch
 {
 public:
-  explicit TipSearch(const CellComplex& cells)
+  explicit TipSearch(CellComplex& cells)
     : cells_(cells)
   {
   }
@@ -30,7 +31,8 @@ public:
     {
       return false;
     }
-    const double worst = costsOf(tip_.shape, tip_.measures, tip_.beyond).worst;
+    const double worst = std::max({ costsOf(tip_.shape, tip_.measures, tip_.beyond).worst,
+      costOfShare(cells_.share(key)), costOfDeterminant(tip_.shape, tip_.measures) });
     std::vector<CellKey> around = tip_.across;
     std::sort(around.begin(), around.end());
     around.erase(std::unique(around.begin(), around.end()), around.end());
@@ -57,14 +59,17 @@ private:
     return false;
   }
 
-  // Whether solvers accept a cell with boundary faces towards one that is gone, and none costs more than `most`.
+  // Whether solvers accept a cell with boundary faces towards one that is gone, and nothing is worse than it was, or
+  // costs more than `most`.
   bool isFairWithout(CellKey other, CellKey gone, double most)
   {
-    if (!cells_.hasFaces(other) || !cells_.isFree(other))
+    if (!cells_.isFree(other))
     {
       return false;
     }
+    cells_.open(other); // a hexahedron has no faces of its own
     cells_.lookAround(other, beside_);
+    const double before = costsOf(beside_.shape, beside_.measures, beside_.beyond).worst;
     for (std::size_t f = 0; f < beside_.across.size(); ++f)
     {
       if (beside_.across[f] == gone)
@@ -74,10 +79,10 @@ private:
       }
     }
     const FaceCosts costs = costsOf(beside_.shape, beside_.measures, beside_.beyond);
-    return costs.refused == 0 && costs.worst <= std::max(most, StrainedCost);
+    return costs.refused == 0 && costs.worst <= std::max({ most, before, StrainedCost });
   }
 
-  const CellComplex& cells_;
+  CellComplex& cells_;
   MeasuredCell tip_;
   MeasuredCell beside_;
 };
