@@ -186,9 +186,10 @@ def cells(mesher):
         of_cell = areas.setdefault(owners.GetValue(face), {})
         boundary = boundaries.GetValue(face)
         of_cell[boundary] = of_cell.get(boundary, 0) + sizes.GetValue(face)
-    boxes, fractions = (mesh.GetCellData().GetArray(name) for name in ("GlobalBox", "VolumeFraction"))
-    return {(boxes.GetTuple(cell), fractions.GetValue(cell)): areas.get(cell)
-        and max(sorted(areas[cell]), key=areas[cell].get) for cell in range(mesh.GetNumberOfCells())}
+    boxes, fractions, ids = (mesh.GetCellData().GetArray(name) for name in ("GlobalBox", "VolumeFraction", "CellId"))
+    return {(boxes.GetTuple(place), fractions.GetValue(place)): areas.get(cell)
+        and max(sorted(areas[cell]), key=areas[cell].get)
+        for place, cell in enumerate(ids.GetValue(i) for i in range(mesh.GetNumberOfCells()))}
 
 
 numbers_of = {name: number for number, name in names(output(cut())).items()}
