@@ -22,6 +22,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <memory>
 
@@ -47,15 +49,12 @@ void PrintTable(ostream& os, vtkIndent indent, const char* name, const Table& ta
 constexpr int DigitsOfSizes = 3;
 constexpr int DigitsOfNumbers = 2;
 
+// The double next to these digits, which is shown without others.
 double Rounded(double value, int digits)
 {
-  if (!(value > 0))
-  {
-    return 0;
-  }
-  const int last = static_cast<int>(std::floor(std::log10(value))) + 1 - digits;
-  const double unit = std::pow(10, std::abs(last));
-  return last > 0 ? std::round(value / unit) * unit : std::round(value * unit) / unit;
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.*e", digits - 1, std::max(0.0, value));
+  return std::strtod(text.data(), nullptr);
 }
 
 // Tables hold doubles; all their numbers are whole.
@@ -245,7 +244,7 @@ int vtkCartesianBoxer::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1 ? 1 : 0);
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), port == 1 ? 1 : 0);
-  RequireSurface(info);
+  AcceptAnything(info);
   return 1;
 }
 
@@ -277,20 +276,24 @@ int vtkCartesianBoxer::RequestInformation(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
   vtkDataObject* data = vtkDataObject::GetData(input[0]);
-  if (data && data->GetMTime() != this->SurfaceTime)
+  if (data && (data->GetMTime() != this->SurfaceTime || this->BoundaryArray != this->ListedArray))
   {
     this->SurfaceTime = data->GetMTime();
+    this->ListedArray = this->BoundaryArray;
     this->Size.reset();
-    const auto look = [&] {
-      const cartesian::SurfaceFromVTK surface(data, this->BoundaryArray);
-      this->ListBoundaries(surface);
-      this->Size = std::make_unique<cartesian::SurfaceSize>(cartesian::sizeOf(surface.view()));
-    };
     // Not read yet, or flawed: the work itself will say so.
-    cartesian::reportErrors(look, [](unsigned long, const std::string&) {});
+    cartesian::reportErrors(
+      [&] { this->LookAt(cartesian::SurfaceFromVTK(data, this->BoundaryArray)); },
+      [](unsigned long, const std::string&) {});
   }
   this->EstimateBoxes();
   return 1;
+}
+
+void vtkCartesianBoxer::LookAt(const cartesian::SurfaceFromVTK& surface)
+{
+  this->ListBoundaries(surface);
+  this->Size = std::make_unique<cartesian::SurfaceSize>(cartesian::sizeOf(surface.view()));
 }
 
 void vtkCartesianBoxer::EstimateBoxes()
@@ -316,8 +319,8 @@ void vtkCartesianBoxer::EstimateBoxes()
     *next++ = size;
     for (int depth = 0; depth < Depths; ++depth)
     {
-      *next++ = Rounded(
-        cartesian::expectedBoxes(*this->Size, { size, size, size }, depth), DigitsOfNumbers);
+      const double boxes = cartesian::expectedBoxes(*this->Size, { size, size, size }, depth);
+      *next++ = Rounded(std::max(1.0, std::round(boxes)), DigitsOfNumbers);
     }
   }
 }
@@ -336,7 +339,7 @@ cartesian::PreparedSurface vtkCartesianBoxer::Prepare(
 {
   cartesian::PreparedSurface prepared =
     cartesian::prepareSurface(surface.view(), this->MakeOptions(), execution, parts);
-  this->ReportFlaws(cartesian::describeFlaws(prepared, surface.cells()));
+  this->Warn(cartesian::describeFlaws(prepared, surface.cells()));
   return prepared;
 }
 
@@ -379,7 +382,6 @@ cartesian::RefinementSpec vtkCartesianBoxer::MakeSpec(const cartesian::SurfaceFr
 void vtkCartesianBoxer::AddChosenBoundaries(
   const cartesian::SurfaceFromVTK& source, cartesian::RefinementSpec& spec)
 {
-  this->ListBoundaries(source);
   const std::size_t rows = spec.boundaries.size();
   for (int i = 0; i < this->RefinedBoundaries->GetNumberOfArrays(); ++i)
   {
@@ -413,6 +415,9 @@ std::unique_ptr<cartesian::Decomposition> vtkCartesianBoxer::Divide(
   const cartesian::SurfaceFromVTK& source, const cartesian::PreparedSurface& prepared,
   const std::vector<vtkSmartPointer<vtkDataObject>>& regions, cartesian::Execution& execution)
 {
+  // After Load State, this is the first that is seen of the surface.
+  this->LookAt(source);
+  this->EstimateBoxes();
   cartesian::Options options = this->MakeOptions();
   options.refinement = this->MakeSpec(source);
   const std::vector<RegionSurface> surfaces = RegionSurfaces(regions, this->RegionDepth);

@@ -12,8 +12,8 @@
  * LatticeStep, PlanesX, PlanesY, PlanesZ (see Conversion/BoxesVTK.h).
  *
  * Errors: EmptySurface, BadCoordinate, BadCellSize, BadMeshlines, TooManyBoxes,
- * MissingArray, BadParameter (a depth, a block, an unknown boundary); FlawedSurface with a
- * valid output.
+ * MissingArray, BadParameter (a depth, a block, an unknown boundary); FlawedSurface (a
+ * region is no closed surface).
  *
  * The boxes lie between meshlines: planes across x, y and z. They are CellSize apart, starting at
  * the surface's bounding box, or where the user puts them. The global boxes between them may be
@@ -264,9 +264,11 @@ private:
   void ListBoundaries(const cartesian::SurfaceFromVTK& source);
   void AddChosenBoundaries(
     const cartesian::SurfaceFromVTK& source, cartesian::RefinementSpec& spec);
+  void LookAt(const cartesian::SurfaceFromVTK& surface);
   void EstimateBoxes();
 
   vtkMTimeType SurfaceTime = 0; // of the surface that RefinedBoundaries and Size are about
+  std::string ListedArray;      // its boundaries are those of RefinedBoundaries
   std::unique_ptr<cartesian::SurfaceSize> Size;
   double ExpectedBoxes[20] = {};
 };

@@ -32,8 +32,8 @@
  * from the statuses of corners (BoxesRebuilt). Boxes that do not close even so are left out
  * (BoxesFlawed): their neighbours' faces become boundary.
  *
- * Errors: MissingArray (inputs that do not belong together), BadParameter; FlawedSurface with a valid
- * output where any box was made anew or left out.
+ * Errors: MissingArray (inputs that do not belong together), BadParameter; FlawedSurface where no
+ * cell is left.
  *
  * @sa vtkCartesianBoxer vtkPatcher vtkCartesianMesher
  */

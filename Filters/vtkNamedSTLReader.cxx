@@ -14,7 +14,6 @@
 
 #include <array>
 #include <limits>
-#include <map>
 #include <sstream>
 #include <vector>
 
@@ -50,27 +49,6 @@ std::vector<std::string> SolidNames(const char* file, std::size_t most)
   return names;
 }
 
-// Gives solids of one name the number of the first of them.
-cartesian::BoundaryNames Unite(const std::vector<std::string>& names, vtkDataArray* labels)
-{
-  cartesian::BoundaryNames result;
-  std::map<std::string, std::int32_t> numbers;
-  for (const std::string& name : names)
-  {
-    const auto number = static_cast<std::int32_t>(numbers.size());
-    if (numbers.emplace(name, number).second)
-    {
-      result[number] = name.empty() ? "unnamed" : name;
-    }
-  }
-  for (vtkIdType cell = 0; cell < labels->GetNumberOfTuples(); ++cell)
-  {
-    const auto solid = static_cast<std::size_t>(labels->GetComponent(cell, 0));
-    labels->SetComponent(cell, 0, numbers.at(names.at(solid)));
-  }
-  return result;
-}
-
 }
 
 vtkStandardNewMacro(vtkNamedSTLReader);
@@ -101,7 +79,7 @@ int vtkNamedSTLReader::RequestData(
     // A binary file has neither.
     if (labels && labels->GetRange()[1] < static_cast<double>(names.size()))
     {
-      cartesian::setBoundaryNames(surface, Unite(names, labels));
+      cartesian::setBoundaryNames(surface, cartesian::uniteNames(names, labels));
     }
   };
   cartesian::reportErrors(nameSolids, [this](unsigned long code, const std::string& message) {
