@@ -34,15 +34,6 @@ bool vtkCartesianAlgorithm::Run(
   });
 }
 
-void vtkCartesianAlgorithm::ReportFlaws(const std::string& text)
-{
-  if (!text.empty())
-  {
-    this->ErrorCode = vtkCartesianAlgorithm::FlawedSurface;
-    this->Warn(text);
-  }
-}
-
 void vtkCartesianAlgorithm::Warn(const std::string& text)
 {
   if (!text.empty() && !this->IsSilent)
@@ -51,14 +42,9 @@ void vtkCartesianAlgorithm::Warn(const std::string& text)
   }
 }
 
-void vtkCartesianAlgorithm::RequireSurface(vtkInformation* info)
+void vtkCartesianAlgorithm::AcceptAnything(vtkInformation* info)
 {
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  for (const char* type : { "vtkPolyData", "vtkMultiBlockDataSet", "vtkPartitionedDataSet",
-         "vtkPartitionedDataSetCollection" })
-  {
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
-  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
 }
 
 int vtkCartesianAlgorithm::RequestUpdateExtent(

@@ -6,8 +6,8 @@
  * Results do not depend on the number of threads.
  *
  * On an error a filter says what is wrong, where and what to do (vtkErrorMacro), sets an
- * `ErrorCode` (vtkAlgorithm::GetErrorCode) from the list below, and gives an empty or partial but
- * valid output. Without an error the code is 0.
+ * `ErrorCode` (vtkAlgorithm::GetErrorCode) from the list below, and gives an empty output. Without an
+ * error the code is 0, also where warnings tell of flaws that the output has.
  *
  * @sa vtkCartesianBoxer vtkPatcher vtkCellAssembler vtkCartesianMesher
  */
@@ -44,7 +44,7 @@ public:
     BadMeshlines = 40004,  ///< meshlines do not increase, are too few, or miss the surface
     TooManyBoxes = 40005,  ///< the estimated memory exceeds the limit
     MissingArray = 40006,  ///< an array is not there, or has the wrong length or type
-    FlawedSurface = 40007, ///< open or inconsistent: meshed as far as possible
+    FlawedSurface = 40007, ///< so flawed that there is nothing to mesh
     BadParameter = 40008,  ///< another property is out of its range
     Stopped = 40009,       ///< by the user
     OutOfMemory = 40010,   ///< there was less memory than estimated
@@ -72,21 +72,17 @@ protected:
   bool Run(double begin, double end, const std::function<void(cartesian::Execution&)>& work);
 
   /**
-   * Flaws of the surface that the mesh survives: a warning, and the error code FlawedSurface. No
-   * text, no flaws.
-   */
-  void ReportFlaws(const std::string& text);
-
-  /**
-   * A warning, if there is a text.
+   * A warning, if there is a text: of flaws of the surface, for example, that the mesh survives. The
+   * error code is that of a refusal.
    */
   void Warn(const std::string& text);
 
   /**
-   * An input port takes a vtkPolyData, or many in a vtkMultiBlockDataSet, a vtkPartitionedDataSet or a
-   * vtkPartitionedDataSetCollection.
+   * An input port for a vtkPolyData, or many in a vtkMultiBlockDataSet, a vtkPartitionedDataSet or a
+   * vtkPartitionedDataSetCollection. It takes anything: one error of our own says that other data are
+   * no surface, instead of several by VTK and no code.
    */
-  static void RequireSurface(vtkInformation* info);
+  static void AcceptAnything(vtkInformation* info);
 
   /**
    * The first process asks for all of its inputs, whole: it makes the mesh alone.

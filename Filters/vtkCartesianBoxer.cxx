@@ -22,6 +22,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <memory>
 
@@ -47,15 +49,12 @@ void PrintTable(ostream& os, vtkIndent indent, const char* name, const Table& ta
 constexpr int DigitsOfSizes = 3;
 constexpr int DigitsOfNumbers = 2;
 
+// The double next to these digits, which is shown without others.
 double Rounded(double value, int digits)
 {
-  if (!(value > 0))
-  {
-    return 0;
-  }
-  const int last = static_cast<int>(std::floor(std::log10(value))) + 1 - digits;
-  const double unit = std::pow(10, std::abs(last));
-  return last > 0 ? std::round(value / unit) * unit : std::round(value * unit) / unit;
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.*e", digits - 1, std::max(0.0, value));
+  return std::strtod(text.data(), nullptr);
 }
 
 // Tables hold doubles; all their numbers are whole.
@@ -95,6 +94,14 @@ std::vector<RegionSurface> RegionSurfaces(
 }
 
 }
+
+// What ExpectedBoxes are estimated from.
+struct vtkCartesianBoxer::SeenSurface
+{
+  cartesian::BoundaryNames names;
+  cartesian::SurfaceSize whole;
+  std::map<std::int32_t, cartesian::SurfaceSize> ofBoundary;
+};
 
 vtkStandardNewMacro(vtkCartesianBoxer);
 
@@ -236,7 +243,8 @@ double vtkCartesianBoxer::EstimateNumberOfBoxes()
       box[axis] = (static_cast<double>(planes.back()) - planes.front()) /
         static_cast<double>(planes.size() - 1) * prepared.surface.lattice.step();
     }
-    boxes = cartesian::expectedBoxes(cartesian::sizeOf(surface.view()), box, this->RefinementDepth);
+    this->LookAt(surface);
+    boxes = this->EstimateBoxes(box, this->RefinementDepth);
   });
   return boxes;
 }
@@ -245,7 +253,7 @@ int vtkCartesianBoxer::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1 ? 1 : 0);
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), port == 1 ? 1 : 0);
-  RequireSurface(info);
+  AcceptAnything(info);
   return 1;
 }
 
@@ -277,31 +285,71 @@ int vtkCartesianBoxer::RequestInformation(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
   vtkDataObject* data = vtkDataObject::GetData(input[0]);
-  if (data && data->GetMTime() != this->SurfaceTime)
+  if (data && (data->GetMTime() != this->SurfaceTime || this->BoundaryArray != this->ListedArray))
   {
     this->SurfaceTime = data->GetMTime();
-    this->Size.reset();
-    const auto look = [&] {
-      const cartesian::SurfaceFromVTK surface(data, this->BoundaryArray);
-      this->ListBoundaries(surface);
-      this->Size = std::make_unique<cartesian::SurfaceSize>(cartesian::sizeOf(surface.view()));
-    };
+    this->ListedArray = this->BoundaryArray;
+    this->Seen.reset();
     // Not read yet, or flawed: the work itself will say so.
-    cartesian::reportErrors(look, [](unsigned long, const std::string&) {});
+    cartesian::reportErrors(
+      [&] { this->LookAt(cartesian::SurfaceFromVTK(data, this->BoundaryArray)); },
+      [](unsigned long, const std::string&) {});
   }
   this->EstimateBoxes();
   return 1;
+}
+
+void vtkCartesianBoxer::LookAt(const cartesian::SurfaceFromVTK& surface)
+{
+  this->ListBoundaries(surface);
+  const cartesian::SurfaceView view = surface.view();
+  this->Seen =
+    std::make_unique<SeenSurface>(SeenSurface{ surface.names(), cartesian::sizeOf(view), {} });
+  std::map<std::int32_t, std::vector<std::uint32_t>> triangles;
+  for (std::size_t t = 0; t < view.triangleCount; ++t)
+  {
+    std::vector<std::uint32_t>& mine = triangles[view.boundary[t]];
+    mine.insert(mine.end(), view.triangles + 3 * t, view.triangles + 3 * t + 3);
+  }
+  for (const auto& [boundary, corners] : triangles)
+  {
+    cartesian::SurfaceSize size =
+      cartesian::sizeOf({ view.points, view.pointCount, corners.data(), corners.size() / 3 });
+    size.volume = 0; // of no closed surface
+    this->Seen->ofBoundary.emplace(boundary, size);
+  }
+}
+
+// With the depths of boundaries, but without blocks and regions.
+double vtkCartesianBoxer::EstimateBoxes(const std::array<double, 3>& size, int depth)
+{
+  double boxes = cartesian::expectedBoxes(this->Seen->whole, size, depth);
+  std::map<std::int32_t, int> depths;
+  for (const cartesian::BoundaryRefinement& row : this->MakeSpec(this->Seen->names).boundaries)
+  {
+    depths[row.boundary] = std::max(depths[row.boundary], row.depth);
+  }
+  for (const auto& [boundary, own] : depths)
+  {
+    if (const auto part = this->Seen->ofBoundary.find(boundary);
+        part != this->Seen->ofBoundary.end())
+    {
+      boxes += cartesian::expectedBoxes(part->second, size, own) -
+        cartesian::expectedBoxes(part->second, size, depth);
+    }
+  }
+  return boxes;
 }
 
 void vtkCartesianBoxer::EstimateBoxes()
 {
   constexpr int Depths = 3;
   std::fill(std::begin(this->ExpectedBoxes), std::end(this->ExpectedBoxes), 0.0);
-  if (!this->Size)
+  if (!this->Seen)
   {
     return;
   }
-  const double longest = this->Size->longest;
+  const double longest = this->Seen->whole.longest;
   const double applied = this->CellSize > 0
     ? this->CellSize
     : Rounded(longest / cartesian::DefaultCellsAlongLongest, DigitsOfSizes);
@@ -310,16 +358,20 @@ void vtkCartesianBoxer::EstimateBoxes()
   {
     sizes.push_back(Rounded(longest / cells, DigitsOfSizes));
   }
-  double* next = this->ExpectedBoxes;
-  for (const double size : sizes)
-  {
-    *next++ = size;
-    for (int depth = 0; depth < Depths; ++depth)
+  const auto fill = [&] {
+    double* next = this->ExpectedBoxes;
+    for (const double size : sizes)
     {
-      *next++ = Rounded(
-        cartesian::expectedBoxes(*this->Size, { size, size, size }, depth), DigitsOfNumbers);
+      *next++ = size;
+      for (int depth = 0; depth < Depths; ++depth)
+      {
+        const double boxes = this->EstimateBoxes({ size, size, size }, depth);
+        *next++ = Rounded(std::max(1.0, std::round(boxes)), DigitsOfNumbers);
+      }
     }
-  }
+  };
+  // A row that is no good is told of when it is used.
+  cartesian::reportErrors(fill, [](unsigned long, const std::string&) {});
 }
 
 cartesian::Options vtkCartesianBoxer::MakeOptions()
@@ -338,7 +390,7 @@ cartesian::PreparedSurface vtkCartesianBoxer::Prepare(
     cartesian::prepareSurface(surface.view(), this->MakeOptions(), execution, parts);
   const std::string undivided = surface.describeUndivided();
   const std::string flaws = cartesian::describeFlaws(prepared, surface.cells());
-  this->ReportFlaws(undivided + (undivided.empty() || flaws.empty() ? "" : "\n") + flaws);
+  this->Warn(undivided + (undivided.empty() || flaws.empty() ? "" : "\n") + flaws);
   return prepared;
 }
 
@@ -352,7 +404,7 @@ void vtkCartesianBoxer::Inspect(const cartesian::PreparedSurface& prepared,
   this->Warn(cartesian::describe(found));
 }
 
-cartesian::RefinementSpec vtkCartesianBoxer::MakeSpec(const cartesian::SurfaceFromVTK& source)
+cartesian::RefinementSpec vtkCartesianBoxer::MakeSpec(const cartesian::BoundaryNames& names)
 {
   cartesian::RefinementSpec spec;
   spec.depth = this->RefinementDepth;
@@ -374,14 +426,13 @@ cartesian::RefinementSpec vtkCartesianBoxer::MakeSpec(const cartesian::SurfaceFr
     spec.boundaries.push_back({ WholeNumber(row[0], name), WholeNumber(row[1], name),
       WholeNumber(row[2], name), WholeNumber(row[3], name) != 0 });
   }
-  this->AddChosenBoundaries(source, spec);
+  this->AddChosenBoundaries(names, spec);
   return spec;
 }
 
 void vtkCartesianBoxer::AddChosenBoundaries(
-  const cartesian::SurfaceFromVTK& source, cartesian::RefinementSpec& spec)
+  const cartesian::BoundaryNames& names, cartesian::RefinementSpec& spec)
 {
-  this->ListBoundaries(source);
   const std::size_t rows = spec.boundaries.size();
   for (int i = 0; i < this->RefinedBoundaries->GetNumberOfArrays(); ++i)
   {
@@ -390,8 +441,7 @@ void vtkCartesianBoxer::AddChosenBoundaries(
     {
       continue;
     }
-    const std::int32_t boundary =
-      cartesian::boundaryCalled(source.names(), name, "Refined Boundaries");
+    const std::int32_t boundary = cartesian::boundaryCalled(names, name, "Refined Boundaries");
     const auto rowsEnd = spec.boundaries.begin() + static_cast<std::ptrdiff_t>(rows);
     if (std::none_of(spec.boundaries.begin(), rowsEnd,
           [&](const auto& row) { return row.boundary == boundary; }))
@@ -415,8 +465,11 @@ std::unique_ptr<cartesian::Decomposition> vtkCartesianBoxer::Divide(
   const cartesian::SurfaceFromVTK& source, const cartesian::PreparedSurface& prepared,
   const std::vector<vtkSmartPointer<vtkDataObject>>& regions, cartesian::Execution& execution)
 {
+  // After Load State, this is the first that is seen of the surface.
+  this->LookAt(source);
+  this->EstimateBoxes();
   cartesian::Options options = this->MakeOptions();
-  options.refinement = this->MakeSpec(source);
+  options.refinement = this->MakeSpec(source.names());
   const std::vector<RegionSurface> surfaces = RegionSurfaces(regions, this->RegionDepth);
   for (const RegionSurface& region : surfaces)
   {

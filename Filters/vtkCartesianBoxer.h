@@ -12,8 +12,8 @@
  * LatticeStep, PlanesX, PlanesY, PlanesZ (see Conversion/BoxesVTK.h).
  *
  * Errors: EmptySurface, BadCoordinate, BadCellSize, BadMeshlines, TooManyBoxes,
- * MissingArray, BadParameter (a depth, a block, an unknown boundary); FlawedSurface with a
- * valid output.
+ * MissingArray, BadParameter (a depth, a block, an unknown boundary); FlawedSurface (a
+ * region is no closed surface).
  *
  * The boxes lie between meshlines: planes across x, y and z. They are CellSize apart, starting at
  * the surface's bounding box, or where the user puts them. The global boxes between them may be
@@ -35,10 +35,12 @@
 #include "vtkNew.h"                // for vtkNew
 #include "vtkSmartPointer.h"       // for vtkSmartPointer
 
-#include <array>  // for std::array
-#include <memory> // for std::unique_ptr
-#include <string> // for std::string
-#include <vector> // for std::vector
+#include <array>   // for std::array
+#include <cstdint> // for std::int32_t
+#include <map>     // for std::map
+#include <memory>  // for std::unique_ptr
+#include <string>  // for std::string
+#include <vector>  // for std::vector
 
 class vtkPolyData;
 
@@ -49,7 +51,6 @@ struct Options;
 struct PreparedSurface;
 struct RefinementSpec;
 class SurfaceFromVTK;
-struct SurfaceSize;
 }
 
 class VTKCARTESIANMESHERFILTERS_EXPORT vtkCartesianBoxer : public vtkCartesianAlgorithm
@@ -260,14 +261,19 @@ private:
   void operator=(const vtkCartesianBoxer&) = delete;
 
   bool HasMeshline(int axis, int i);
-  cartesian::RefinementSpec MakeSpec(const cartesian::SurfaceFromVTK& source);
+  cartesian::RefinementSpec MakeSpec(const std::map<std::int32_t, std::string>& names);
   void ListBoundaries(const cartesian::SurfaceFromVTK& source);
   void AddChosenBoundaries(
-    const cartesian::SurfaceFromVTK& source, cartesian::RefinementSpec& spec);
+    const std::map<std::int32_t, std::string>& names, cartesian::RefinementSpec& spec);
+  void LookAt(const cartesian::SurfaceFromVTK& surface);
   void EstimateBoxes();
+  double EstimateBoxes(const std::array<double, 3>& size, int depth);
 
-  vtkMTimeType SurfaceTime = 0; // of the surface that RefinedBoundaries and Size are about
-  std::unique_ptr<cartesian::SurfaceSize> Size;
+  struct SeenSurface;
+
+  vtkMTimeType SurfaceTime = 0; // of the surface that RefinedBoundaries and Seen are about
+  std::string ListedArray;      // its boundaries are those of RefinedBoundaries
+  std::unique_ptr<SeenSurface> Seen;
   double ExpectedBoxes[20] = {};
 };
 

@@ -191,8 +191,7 @@ void vtkCartesianMesher::RequestPieceAlone(
     const cartesian::OutputMesh& mesh = *piece.assembly->mesh;
     if (piece.number + 1 == piece.count && place.cellsBefore + mesh.cellCount() == 0)
     {
-      throw cartesian::Error(cartesian::Fault::FlawedSurface,
-        cartesian::describeNothing(*piece.assembly, task->options));
+      throw cartesian::nothingToMesh(*piece.assembly, task->options);
     }
     if (task->cells.size() == static_cast<std::size_t>(piece.number))
     {
@@ -216,10 +215,9 @@ void vtkCartesianMesher::RequestPieceOfProcess(Piece& piece, const cartesian::Pr
     this->Begin(task, piece, processes, input, output, execution);
     Make(task, piece, execution);
   });
-  const unsigned long flaws = this->GetErrorCode();
   const cartesian::OutputMesh* mesh = isDone ? piece.assembly->mesh.get() : nullptr;
   const std::vector<std::vector<double>> counts =
-    processes.gather({ isDone ? 0.0 : static_cast<double>(flaws),
+    processes.gather({ isDone ? 0.0 : static_cast<double>(this->GetErrorCode()),
       isDone ? static_cast<double>(mesh->cellCount()) : 0,
       isDone ? static_cast<double>(mesh->ownPointCount()) : 0 });
   cartesian::MeshPiece place{ 0, 0, false, processes };
@@ -239,13 +237,11 @@ void vtkCartesianMesher::RequestPieceOfProcess(Piece& piece, const cartesian::Pr
   this->Run(cartesian::AfterNumbering, 1, [&](cartesian::Execution& execution) {
     if (cells == 0)
     {
-      throw cartesian::Error(
-        cartesian::Fault::FlawedSurface, cartesian::describeNothing(*piece.assembly, task.options));
+      throw cartesian::nothingToMesh(*piece.assembly, task.options);
     }
     this->Write(task, piece, place, output, execution);
   });
   this->IsWaitedFor = false;
-  this->ErrorCode = this->ErrorCode == 0 ? flaws : this->ErrorCode;
 }
 
 void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
@@ -256,7 +252,7 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
     vtkPolyData::GetData(output, 1), execution);
   const bool wasSilent = this->IsSilent; // these flaws are of this piece only
   this->IsSilent = false;
-  this->ReportFlaws(cartesian::describeFlaws(*piece.assembly));
+  this->Warn(cartesian::describeFlaws(*piece.assembly));
   this->IsSilent = wasSilent;
   if (piece.ghostLevels > 0 && place.processes.areSeveral())
   {

@@ -81,7 +81,7 @@ int vtkCellAssembler::RequestData(
       cartesian::assemble(std::move(boxes), std::move(patches), options, execution);
     cartesian::toVTK(*assembly, { names, types }, {}, vtkUnstructuredGrid::GetData(output, 0),
       vtkPolyData::GetData(output, 1), execution);
-    this->ReportFlaws(cartesian::describeFlaws(*assembly));
+    this->Warn(cartesian::describeFlaws(*assembly));
   });
   return 1;
 }

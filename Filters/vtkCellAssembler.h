@@ -19,7 +19,7 @@
  * For vtkPolyMeshWriter: cell array CellId (number of the cell) and field data array
  * BoundaryOfFaces (components Cell, Face, BoundaryId: a row for each boundary face).
  *
- * Boundary: cell arrays BoundaryId (int; -1 where no patch was), OwnerCell (cell of the mesh),
+ * Boundary: cell arrays BoundaryId (int; -1 where no patch was), OwnerCell (CellId of the cell),
  * FaceArea (double, 3: the vector area by star triangulation, equation 1: outwards, so that those of a
  * cell's faces sum up to 0), FaceCentre (double, 3), IPPatch (unsigned char: 1 for faces made of several that
  * met at an angle, section 4.11; one is made only where its centre satisfies the angle condition); point
@@ -32,8 +32,8 @@
  * from the statuses of corners (BoxesRebuilt). Boxes that do not close even so are left out
  * (BoxesFlawed): their neighbours' faces become boundary.
  *
- * Errors: MissingArray (inputs that do not belong together), BadParameter; FlawedSurface with a valid
- * output where any box was made anew or left out.
+ * Errors: MissingArray (inputs that do not belong together), BadParameter; FlawedSurface where no
+ * cell is left.
  *
  * @sa vtkCartesianBoxer vtkPatcher vtkCartesianMesher
  */

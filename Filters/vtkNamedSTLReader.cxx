@@ -24,7 +24,6 @@
 #include <cctype>
 #include <cstdio>
 #include <limits>
-#include <map>
 #include <memory>
 #include <vector>
 
@@ -191,27 +190,6 @@ void MergePoints(
   surface->GetCellData()->SetScalars(mergedLabels);
 }
 
-// Gives solids of one name the number of the first of them.
-cartesian::BoundaryNames Unite(const std::vector<std::string>& names, vtkDataArray* labels)
-{
-  cartesian::BoundaryNames result;
-  std::map<std::string, std::int32_t> numbers;
-  for (const std::string& name : names)
-  {
-    const auto number = static_cast<std::int32_t>(numbers.size());
-    if (numbers.emplace(name, number).second)
-    {
-      result[number] = name.empty() ? "unnamed" : name;
-    }
-  }
-  for (vtkIdType cell = 0; cell < labels->GetNumberOfTuples(); ++cell)
-  {
-    const auto solid = static_cast<std::size_t>(labels->GetComponent(cell, 0));
-    labels->SetComponent(cell, 0, numbers.at(names.at(solid)));
-  }
-  return result;
-}
-
 }
 
 vtkStandardNewMacro(vtkNamedSTLReader);
@@ -272,7 +250,7 @@ int vtkNamedSTLReader::RequestData(
     // A binary file has neither.
     if (labels && labels->GetRange()[1] < static_cast<double>(solids.names.size()))
     {
-      cartesian::setBoundaryNames(surface, Unite(solids.names, labels));
+      cartesian::setBoundaryNames(surface, cartesian::uniteNames(solids.names, labels));
     }
   };
   cartesian::reportErrors(nameSolids, [this](unsigned long code, const std::string& message) {

@@ -51,7 +51,7 @@ int vtkPatcher::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port == 0)
   {
-    RequireSurface(info);
+    AcceptAnything(info);
   }
   else
   {

@@ -28,8 +28,7 @@
  * Holes, Leaks; Components (pieces without a common vertex); TrianglesNotCompared (with more than
  * 512 larger ones nearby; 64 in surfaces of half a million). Of each kind the first million is listed.
  *
- * Errors: EmptySurface, BadCoordinate, BadCellSize, BadMeshlines, TooManyBoxes; FlawedSurface where
- * edges are at fault or triangles there twice.
+ * Errors: EmptySurface, BadCoordinate, BadCellSize, BadMeshlines, TooManyBoxes.
  *
  * @sa vtkCartesianMesher
  */

@@ -74,7 +74,7 @@ def draw(mesher, mesh, picture):
     cells.ColorArrayName = ["CELLS", ""]
     cells.AmbientColor = cells.DiffuseColor = [1.0, 0.97, 0.88]
     # Each face of the boundary is shown with its cell.
-    boundary = show(["Boundary", "Mesh"], "inputs[0].CellData['OwnerCell']")
+    boundary = show(["Boundary", "Mesh"], "inputs[1].CellData['CellId'].argsort()[inputs[0].CellData['OwnerCell']]")
     ColorBy(boundary, ("CELLS", "BoundaryId"))
     first, last = (int(n) for n in boundary.Input.CellData["BoundaryId"].GetRange())
     colours = GetColorTransferFunction("BoundaryId")

@@ -86,6 +86,26 @@ void setBoundaryNames(vtkDataObject* data, const BoundaryNames& names)
   data->GetFieldData()->AddArray(nameArray);
 }
 
+BoundaryNames uniteNames(const std::vector<std::string>& names, vtkDataArray* labels)
+{
+  BoundaryNames result;
+  std::map<std::string, std::int32_t> numbers;
+  for (const std::string& name : names)
+  {
+    const auto number = static_cast<std::int32_t>(numbers.size());
+    if (numbers.emplace(name, number).second)
+    {
+      result[number] = name.empty() ? "unnamed" : name;
+    }
+  }
+  for (vtkIdType cell = 0; cell < labels->GetNumberOfTuples(); ++cell)
+  {
+    const auto part = static_cast<std::size_t>(labels->GetComponent(cell, 0));
+    labels->SetComponent(cell, 0, numbers.at(names.at(part)));
+  }
+  return result;
+}
+
 void setBoundaryTypes(vtkDataObject* data, const BoundaryNames& names, const BoundaryNames& types)
 {
   if (types.empty())

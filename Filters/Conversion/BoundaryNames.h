@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
+class vtkDataArray;
 class vtkDataObject;
 
 namespace cartesian
@@ -27,6 +29,10 @@ std::string unnamedBoundary(std::int32_t boundary);
 BoundaryNames boundaryNames(vtkDataObject* data);
 
 void setBoundaryNames(vtkDataObject* data, const BoundaryNames& names);
+
+// For files that name parts, some alike: gives parts of one name the number of the first of them. `labels`:
+// the part of each cell, which becomes its boundary. Parts without a name are "unnamed".
+BoundaryNames uniteNames(const std::vector<std::string>& names, vtkDataArray* labels);
 
 // Sets the field data BoundaryTypes (string), OpenFOAM's type of each boundary in `names`, or empty where the
 // type is unknown. No array if all are unknown.

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace cartesian
 {
@@ -64,17 +63,23 @@ vtkIdType findFace(const std::vector<vtkIdType>& face, const vtkIdType* stream)
   return count;
 }
 
-void addCellIds(vtkUnstructuredGrid* mesh, Execution& execution)
+vtkIdTypeArray* cellIdsOf(vtkUnstructuredGrid* mesh)
 {
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName(CellId);
-  ids->SetNumberOfValues(mesh->GetNumberOfCells());
-  vtkIdType* const id = ids->GetPointer(0);
-  const auto count = static_cast<std::size_t>(mesh->GetNumberOfCells());
-  execution.forEach(count, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
-    std::iota(id + begin, id + end, static_cast<vtkIdType>(begin));
+  return vtkIdTypeArray::SafeDownCast(mesh->GetCellData()->GetAbstractArray(CellId));
+}
+
+// Where each cell is in the mesh, by its CellId.
+std::vector<vtkIdType> placesOfCells(vtkUnstructuredGrid* mesh, Execution& execution)
+{
+  const vtkIdType* const id = cellIdsOf(mesh)->GetPointer(0);
+  std::vector<vtkIdType> places(static_cast<std::size_t>(mesh->GetNumberOfCells()));
+  execution.forEach(places.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c)
+    {
+      places[static_cast<std::size_t>(id[c])] = static_cast<vtkIdType>(c);
+    }
   });
-  mesh->GetCellData()->AddArray(ids);
+  return places;
 }
 
 using BoundaryFaceRow = std::array<vtkIdType, 3>;
@@ -89,6 +94,7 @@ std::vector<BoundaryFaceRow> listRows(
   auto* meshPoint =
     vtkIdTypeArray::SafeDownCast(boundary->GetPointData()->GetAbstractArray("MeshPointId"));
   vtkCellArray* const polygons = boundary->GetPolys();
+  const std::vector<vtkIdType> places = placesOfCells(mesh, execution);
   std::vector<BoundaryFaceRow> rows(static_cast<std::size_t>(polygons->GetNumberOfCells()));
   execution.forEach(rows.size(), FacesAChunk, [&](std::size_t begin, std::size_t end) {
     CellFaceReader reader(mesh);
@@ -104,7 +110,8 @@ std::vector<BoundaryFaceRow> listRows(
       std::transform(points, points + count, corners.begin(),
         [&](vtkIdType point) { return meshPoint->GetValue(point); });
       const vtkIdType cell = owner->GetValue(face);
-      rows[r] = { cell, findFace(corners, reader.read(cell)), number->GetValue(face) };
+      const vtkIdType* const faces = reader.read(places[static_cast<std::size_t>(cell)]);
+      rows[r] = { cell, findFace(corners, faces), number->GetValue(face) };
     }
   });
   return rows;
@@ -174,7 +181,6 @@ private:
 
 void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution)
 {
-  addCellIds(mesh, execution);
   std::vector<BoundaryFaceRow> rows = listRows(mesh, boundary, execution);
   sortFacesOfCells(rows);
   vtkNew<vtkIdTypeArray> array;
@@ -196,7 +202,7 @@ BoundaryKnowledge readBoundaryOfFaces(vtkUnstructuredGrid* grid, const GridFaces
 {
   const std::size_t inner = list.neighbour.size();
   boundary.assign(list.face.size() - inner, NoBoundary);
-  auto* ids = vtkIdTypeArray::SafeDownCast(grid->GetCellData()->GetAbstractArray(CellId));
+  vtkIdTypeArray* ids = cellIdsOf(grid);
   vtkIdTypeArray* array = rowsOf(grid);
   if (!ids || !array)
   {

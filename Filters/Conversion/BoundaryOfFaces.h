@@ -2,8 +2,8 @@
 // The boundary of each face of a mesh, kept in the mesh itself. Thus a mesh can be written with its patches
 // after any filters that leave its cells unchanged.
 //
-// Cell array CellId (id type): number of the cell when the mesh was made. Field data array
-// BoundaryOfFaces (id type, components Cell, Face, BoundaryId): for each boundary face the CellId
+// Cell array CellId (id type): number of the cell when the mesh was made, in order of boxes: not its
+// place in the mesh, where hexahedra come first. Field data array BoundaryOfFaces (id type, components Cell, Face, BoundaryId): for each boundary face the CellId
 // of its cell, the number of the face in the cell in VTK's order, and its boundary; by CellId.
 #pragma once
 
@@ -20,7 +20,8 @@ namespace cartesian
 constexpr const char* CellId = "CellId";
 constexpr const char* BoundaryOfFaces = "BoundaryOfFaces";
 
-// Adds both arrays to the mesh. `boundary`: as in MeshToVTK.h, in order of OwnerCell.
+// Adds BoundaryOfFaces to a mesh whose CellId is 0, 1, 2, ... in any order. `boundary`: as in MeshToVTK.h,
+// in order of OwnerCell.
 void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution);
 
 enum class BoundaryKnowledge

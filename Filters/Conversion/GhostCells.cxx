@@ -267,12 +267,43 @@ private:
   vtkNew<vtkIdList> ids_;
 };
 
+// Moves hexahedra before polyhedra again (OutputMesh.h), as ghosts of both kinds are last.
+void sortByType(vtkUnstructuredGrid* mesh)
+{
+  std::vector<vtkIdType> order(static_cast<std::size_t>(mesh->GetNumberOfCells()));
+  std::iota(order.begin(), order.end(), vtkIdType(0));
+  std::stable_partition(order.begin(), order.end(),
+    [&](vtkIdType cell) { return mesh->GetCellType(cell) != VTK_POLYHEDRON; });
+  vtkNew<vtkUnstructuredGrid> sorted;
+  sorted->ShallowCopy(mesh);
+  sorted->SetCells(vtkNew<vtkUnsignedCharArray>(), vtkNew<vtkCellArray>());
+  vtkNew<vtkIdList> ids;
+  for (const vtkIdType cell : order)
+  {
+    const int type = mesh->GetCellType(cell);
+    type == VTK_POLYHEDRON ? mesh->GetFaceStream(cell, ids) : mesh->GetCellPoints(cell, ids);
+    sorted->InsertNextCell(type, ids);
+  }
+  vtkCellData* data = sorted->GetCellData();
+  data->DeepCopy(mesh->GetCellData());
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* from = mesh->GetCellData()->GetAbstractArray(i);
+    for (vtkIdType c = 0; c < mesh->GetNumberOfCells(); ++c)
+    {
+      data->GetAbstractArray(i)->SetTuple(c, order[static_cast<std::size_t>(c)], from);
+    }
+  }
+  mesh->ShallowCopy(sorted);
+}
+
 }
 
 void addGhostCells(vtkUnstructuredGrid* mesh, int levels, const Processes& processes)
 {
   const std::vector<vtkIdType> cells = cellsNear(mesh, processes, levels);
   Appender(mesh, withGhosts(mesh, cells, levels), cells).run();
+  sortByType(mesh);
 }
 
 }

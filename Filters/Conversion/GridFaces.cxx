@@ -2,15 +2,20 @@
 #include "GridFaces.h"
 
 #include "Base/Error.h"
+#include "BoundaryOfFaces.h"
 #include "PolyhedronStorage.h"
 
+#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkHexahedron.h"
+#include "vtkIdTypeArray.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace cartesian
 {
@@ -84,6 +89,18 @@ void checkPoints(vtkUnstructuredGrid* grid)
   }
 }
 
+std::vector<vtkIdType> cellsInOrder(vtkUnstructuredGrid* grid)
+{
+  std::vector<vtkIdType> cells(static_cast<std::size_t>(grid->GetNumberOfCells()));
+  std::iota(cells.begin(), cells.end(), vtkIdType(0));
+  if (auto* ids = vtkIdTypeArray::SafeDownCast(grid->GetCellData()->GetAbstractArray(CellId)))
+  {
+    std::stable_sort(cells.begin(), cells.end(),
+      [ids](vtkIdType a, vtkIdType b) { return ids->GetValue(a) < ids->GetValue(b); });
+  }
+  return cells;
+}
+
 // Appends a cell as CellFaceReader gives it; null: a cell without faces.
 void append(const vtkIdType* stream, CellFaces& cells)
 {
@@ -136,7 +153,7 @@ void GridFaces::readCells(vtkUnstructuredGrid* grid)
     vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
   vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
   CellFaceReader reader(grid);
-  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  for (const vtkIdType c : cellsInOrder(grid))
   {
     const vtkIdType* stream =
       ghosts && (ghosts->GetValue(c) & leftOut) != 0 ? nullptr : reader.read(c);

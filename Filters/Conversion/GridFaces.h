@@ -40,7 +40,9 @@ private:
 // have no faces. Throws Error (BadMesh): a cell with curved edges, too many points.
 CellFaces facesOfCells(vtkUnstructuredGrid* grid);
 
-// The cells that have a volume and are no ghosts, and the points that they use, renumbered in order.
+// The cells that have a volume and are no ghosts, in order of their CellId (BoundaryOfFaces.h) if they have
+// one: neighbours have numbers close to each other, as solvers like it, which the grid's order, with
+// hexahedra first, does not give. And the points that they use, renumbered in order.
 struct GridFaces
 {
   CellFaces cells;

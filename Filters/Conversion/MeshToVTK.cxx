@@ -55,6 +55,9 @@ void setCells(const OutputMesh& mesh, vtkUnstructuredGrid* grid, Execution& exec
 
 void setCellData(const OutputMesh& mesh, vtkUnstructuredGrid* grid, Execution& execution)
 {
+  vtkNew<vtkIdTypeArray> number;
+  number->SetName(CellId);
+  number->SetNumberOfTuples(mesh.cellCount());
   vtkNew<vtkIntArray> global;
   global->SetName("GlobalBox");
   global->SetNumberOfComponents(3);
@@ -75,13 +78,14 @@ void setCellData(const OutputMesh& mesh, vtkUnstructuredGrid* grid, Execution& e
   vtkNew<vtkDoubleArray> fraction;
   fraction->SetName("VolumeFraction");
   fraction->SetNumberOfTuples(mesh.cellCount());
-  mesh.writeCellData(
-    { global->GetPointer(0), level->GetPointer(0), region->GetPointer(0), fraction->GetPointer(0) },
+  mesh.writeCellData({ number->GetPointer(0), global->GetPointer(0), level->GetPointer(0),
+                       region->GetPointer(0), fraction->GetPointer(0) },
     execution);
   grid->GetCellData()->AddArray(global);
   grid->GetCellData()->AddArray(level);
   grid->GetCellData()->AddArray(region);
   grid->GetCellData()->AddArray(fraction);
+  grid->GetCellData()->AddArray(number);
 }
 
 void setStatistics(const Assembly& assembly, const Processes& processes, vtkUnstructuredGrid* grid)

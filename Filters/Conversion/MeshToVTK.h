@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The kernel's mesh as VTK data.
 //
-// Mesh (vtkUnstructuredGrid of VTK_HEXAHEDRON and VTK_POLYHEDRON with outward faces). Cell arrays:
+// Mesh (vtkUnstructuredGrid of VTK_HEXAHEDRON, which come first, and VTK_POLYHEDRON with outward faces).
+// Cell arrays:
 // GlobalBox (int, components I, J, K), Level (unsigned char, components X, Y, Z: of the cell's box), Region
 // (int, from 1), VolumeFraction (double, of the cell's box); and those of BoundaryOfFaces.h. Field data: one
 // array of one number for each of the statistics.
 //
 // Boundary (vtkPolyData): the faces that only one cell has, in order of their cells. Cell arrays:
-// BoundaryId (int; -1 where no patch was), OwnerCell (id type: cell of the mesh). Point array:
+// BoundaryId (int; -1 where no patch was), OwnerCell (id type: CellId of the cell). Point array:
 // MeshPointId (id type).
 //
 // Both have field data with one value for each boundary, in order of their numbers: BoundaryIds and

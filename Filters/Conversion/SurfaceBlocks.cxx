@@ -78,8 +78,8 @@ void collect(vtkDataObject* data, const std::string& name, std::vector<SurfaceBl
   else if (data) // blocks may be empty
   {
     throw Error(Fault::EmptySurface,
-      "Block \"" + name + "\" is a " + data->GetClassName() +
-        ", no surface: take it out (Extract Block), or its surface (Extract Surface).");
+      (name.empty() ? "The input" : "Block \"" + name + "\"") + " is a " + data->GetClassName() +
+        ", no surface: take its surface (Extract Surface), or take it out (Extract Block).");
   }
 }
 

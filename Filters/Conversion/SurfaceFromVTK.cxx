@@ -20,8 +20,11 @@
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 
+#include "vtksys/SystemTools.hxx"
+
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <set>
 
@@ -137,25 +140,59 @@ std::int32_t boundaryNumber(vtkDataArray* array, vtkIdType cell, vtkIdType userC
   return static_cast<std::int32_t>(std::lround(value));
 }
 
+// Blocks are called like the files that they were read from.
+std::string withoutSuffix(const std::string& name)
+{
+  for (const char* suffix : { ".stl", ".obj", ".ply", ".vtp", ".vtk" })
+  {
+    if (name.size() > std::strlen(suffix) &&
+      vtksys::SystemTools::StringEndsWith(vtksys::SystemTools::LowerCase(name), suffix))
+    {
+      return name.substr(0, name.size() - std::strlen(suffix));
+    }
+  }
+  return name;
+}
+
+// The array that numbers the boundaries of a surface that is no blocks, where none is chosen; or null.
+const char* boundaryArrayOf(vtkPolyData* surface)
+{
+  for (const char* name : { StlSolids, BoundaryIdArray })
+  {
+    if (surface->GetCellData()->HasArray(name))
+    {
+      return name;
+    }
+  }
+  return nullptr;
+}
+
 }
 
 SurfaceFromVTK::SurfaceFromVTK(vtkDataObject* input, const std::string& boundaryArray)
 {
   const std::vector<SurfaceBlock> blocks = surfaceBlocks(input);
   const bool isWhole = blocks.front().surface == input;
+  const bool isChosen = !boundaryArray.empty() && boundaryArray != AutomaticBoundaries;
+  const char* const found = isWhole ? boundaryArrayOf(blocks.front().surface) : nullptr;
   names_ = isWhole ? boundaryNames(input) : BoundaryNames();
   for (const SurfaceBlock& block : blocks)
   {
     readTriangles(block.surface);
     findUndivided(block.surface);
-    if (isWhole || !boundaryArray.empty())
+    if (isChosen || found)
     {
-      readBoundaries(block.surface, boundaryArray);
+      readBoundaries(block.surface, isChosen ? boundaryArray : found);
+    }
+    else if (isWhole)
+    {
+      boundary_.resize(cells_.size(), 0);
     }
     else
     {
-      const std::string name =
-        block.name.empty() ? "block_" + std::to_string(&block - blocks.data()) : block.name;
+      const std::string name = block.name.empty()
+        ? "block_" + std::to_string(&block - blocks.data())
+        : withoutSuffix(block.name);
       boundary_.resize(cells_.size(), numberOf(name));
     }
     cellsBefore_ += block.surface->GetNumberOfCells();
@@ -252,15 +289,9 @@ std::string SurfaceFromVTK::describeUndivided() const
       "triangles.";
 }
 
-void SurfaceFromVTK::readBoundaries(vtkPolyData* block, const std::string& boundaryArray)
+void SurfaceFromVTK::readBoundaries(vtkPolyData* block, const std::string& name)
 {
-  const std::string name = boundaryArray.empty() ? StlSolids : boundaryArray;
   vtkAbstractArray* array = block->GetCellData()->GetAbstractArray(name.c_str());
-  if (!array && boundaryArray.empty())
-  {
-    boundary_.resize(cells_.size(), 0);
-    return;
-  }
   auto* strings = vtkStringArray::SafeDownCast(array);
   auto* numbers = vtkDataArray::SafeDownCast(array);
   if ((!strings && !numbers) || array->GetNumberOfComponents() != 1 ||

@@ -19,6 +19,12 @@ namespace cartesian
 // The array in which vtkSTLReader numbers the named solids of a file.
 constexpr const char* StlSolids = "STLSolidLabeling";
 
+// The array in which vtkNamedOBJReader, and outputs of this module, number boundaries.
+constexpr const char* BoundaryIdArray = "BoundaryId";
+
+// The boundary array that means the same as none: what the surface has is found out.
+constexpr const char* AutomaticBoundaries = "Automatic";
+
 // Copies the triangles of a vtkPolyData, or of all those in a vtkMultiBlockDataSet, vtkPartitionedDataSet or
 // vtkPartitionedDataSetCollection. Polygons with more corners are triangulated; verts, lines, and cells that
 // vtkGhostType hides are left out. Cells are numbered continuously over all blocks.
@@ -26,8 +32,9 @@ class SurfaceFromVTK
 {
 public:
   // `boundaryArray`: cell array that numbers or names the boundaries. Equal strings are one boundary,
-  // numbered from 0 in the order in which they first appear. Empty: each block is a boundary with the name
-  // of the block; without blocks StlSolids if present, else all 0.
+  // numbered from 0 in the order in which they first appear. Empty or AutomaticBoundaries: each block is a
+  // boundary with the name of the block, without the suffix of a file; without blocks StlSolids or
+  // BoundaryIdArray if present, else all 0.
   // Throws Error: EmptySurface, MissingArray, BadParameter.
   SurfaceFromVTK(vtkDataObject* input, const std::string& boundaryArray);
 
@@ -45,8 +52,8 @@ public:
 private:
   void readTriangles(vtkPolyData* block);
   void findUndivided(vtkPolyData* block);
-  void readBoundaries(vtkPolyData* block, const std::string& boundaryArray);
-  std::int32_t numberOf(const std::string& given);
+  void readBoundaries(vtkPolyData* block, const std::string& name);
+  std::int32_t numberOf(const std::string& name);
 
   vtkIdType cellsBefore_ = 0; // in the blocks before the one being read
   std::vector<double> points_;

@@ -95,6 +95,7 @@ double write(const OutputMesh& mesh, Execution& execution)
   RawVector<unsigned char> types(cells);
   RawVector<Id> faceStart(cells);
   RawVector<Id> faceStream(static_cast<std::size_t>(mesh.faceStreamSize()));
+  RawVector<Id> number(cells);
   RawVector<int> globalBox(3 * cells);
   RawVector<unsigned char> level(3 * cells);
   RawVector<int> region(cells);
@@ -103,13 +104,14 @@ double write(const OutputMesh& mesh, Execution& execution)
   mesh.writeCells({ offsets.data(), connectivity.data(), types.data(), faceStart.data(),
                     faceStream.data(), 12, 42 },
     execution);
-  mesh.writeCellData({ globalBox.data(), level.data(), region.data(), fraction.data() }, execution);
+  mesh.writeCellData(
+    { number.data(), globalBox.data(), level.data(), region.data(), fraction.data() }, execution);
   const BoundaryMesh boundary = mesh.boundaryMesh(execution);
   const auto bytes = [](const auto&... arrays) {
     return (0.0 + ... + static_cast<double>(arrays.size() * sizeof(arrays[0])));
   };
   return bytes(points, offsets, connectivity, types, faceStart, faceStream, globalBox, level,
-    region, fraction, boundary.start, boundary.corners, boundary.meshPoint);
+    region, fraction, number, boundary.start, boundary.corners, boundary.meshPoint);
 }
 
 }

@@ -48,7 +48,8 @@ def make_ours(surface, size, depth, folder, properties):
     seconds = time.process_time() - begin
     grid = filter.GetOutputDataObject(0)
     assert grid.GetNumberOfCells(), f"no mesh of {surface.name}, for the reason above"
-    level = vtk_to_numpy(grid.GetCellData().GetArray("Level")).sum(axis=1)
+    level, number = (vtk_to_numpy(grid.GetCellData().GetArray(name)) for name in ("Level", "CellId"))
+    level = level[np.argsort(number)].sum(axis=1)  # in the order of OpenFOAM's cells
     foam.save(mesher, folder)
     simple.Delete(mesher)
     simple.Delete(reader)

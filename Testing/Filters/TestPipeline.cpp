@@ -296,12 +296,19 @@ TEST(Pipeline, BoundaryOfFacesNamesEachFaceOnce)
     vtkIdTypeArray::SafeDownCast(mesh(mesher)->GetFieldData()->GetAbstractArray("BoundaryOfFaces"));
   ASSERT_TRUE(rows);
   ASSERT_EQ(rows->GetNumberOfTuples(), boundary(mesher)->GetNumberOfPolys());
+  vtkDataArray* ids = mesh(mesher)->GetCellData()->GetArray("CellId");
+  std::vector<vtkIdType> place(static_cast<std::size_t>(mesh(mesher)->GetNumberOfCells()));
+  for (vtkIdType c = 0; c < mesh(mesher)->GetNumberOfCells(); ++c)
+  {
+    place.at(static_cast<std::size_t>(ids->GetComponent(c, 0))) = c;
+  }
   for (vtkIdType r = 0; r < rows->GetNumberOfTuples(); ++r)
   {
     const vtkIdType cell = rows->GetTypedComponent(r, 0);
     const vtkIdType face = rows->GetTypedComponent(r, 1);
     EXPECT_EQ(cell, boundary(mesher)->GetCellData()->GetArray("OwnerCell")->GetComponent(r, 0));
-    EXPECT_LT(face, mesh(mesher)->GetCell(cell)->GetNumberOfFaces());
+    EXPECT_LT(
+      face, mesh(mesher)->GetCell(place.at(static_cast<std::size_t>(cell)))->GetNumberOfFaces());
     EXPECT_TRUE(r == 0 || cell > rows->GetTypedComponent(r - 1, 0) ||
       (cell == rows->GetTypedComponent(r - 1, 0) && face > rows->GetTypedComponent(r - 1, 1)));
   }

@@ -127,6 +127,40 @@ named.GetFieldData().AddArray(strings(["nine", "five", "twenty"], "BoundaryNames
 check(producer(named), {5: ("five", 4), 9: ("nine", 3), 11: ("boundary_11", 1), 20: ("twenty", 0)},
     BoundaryArray="Part")
 
+# An array that is called as the mesher's own needs not to be chosen: its output is its input.
+numbered = octahedron()
+numbered.GetCellData().AddArray(numbers([3] * 5 + [4] * 3, "BoundaryId"))
+check(producer(numbered), {3: ("boundary_3", 5), 4: ("boundary_4", 3)})
+check(producer(numbered), {3: ("boundary_3", 5), 4: ("boundary_4", 3)}, BoundaryArray="Automatic")
+check(producer(numbered), {3: ("boundary_3", 5), 4: ("boundary_4", 3)}, BoundaryArray="")
+numbered.GetFieldData().AddArray(numbers([3, 4], "BoundaryIds"))
+numbered.GetFieldData().AddArray(strings(["three", "four"], "BoundaryNames"))
+again = simple.CartesianMesher(Input=producer(numbered), CellSize=0.3, **EXACT)
+again = simple.CartesianMesher(Input=simple.OutputPort(again, 1), CellSize=0.4, **EXACT)
+assert {3: "three", 4: "four"}.items() <= names(output(again)).items()
+
+# Blocks lose the suffixes of their files, and nothing else.
+check(simple.GroupDatasets(Input=[producer(low), producer(high), producer(last)],
+    BlockNames=["x.stl", "y.1", ".obj"]), {0: ("x", 3), 1: ("y.1", 4), 2: (".obj", 1)})
+
+# Groups of an OBJ file: of several words, twice, without a name, without faces, faces before all groups.
+corners = "".join("v %g %g %g\n" % point for point in points)
+with tempfile.TemporaryDirectory() as folder:
+    def groups(*lines):
+        path = pathlib.Path(folder) / "groups.obj"
+        faces = iter(triangles)
+        path.write_text(corners + "".join(
+            "f %d %d %d\n" % tuple(i + 1 for i in next(faces)) if line == "f" else line + "\r\n" for line in lines))
+        return str(path)
+
+    several = simple.OpenDataFile(groups("f", "g in let", "f", "usemtl red", "f", "g empty", "g wall", "f", "f",
+        "g", "f", "  g in let ", "f", "g wall", "f"))
+    assert several.GetXMLName() == "NamedOBJReader"
+    check(several, {0: ("unnamed", 2), 1: ("in let", 3), 2: ("wall", 3)})
+    for lines in (["f"] * 8, ["g one"] + ["f"] * 8, ["g one", "f", "g one"] + ["f"] * 7):
+        assert simple.OpenDataFile(groups(*lines)).GetXMLName() != "NamedOBJReader", lines
+    check(simple.NamedOBJReader(FileName=groups("g one", *["f"] * 8)), {0: ("one", 8)})
+
 # Names in an STL file. Its own reader is the one that opens it, but only where there are names.
 facets = ["facet normal 0 0 0\nouter loop\n" + "".join("vertex %g %g %g\n" % points[i] for i in face)
     + "endloop\nendfacet\n" for face in triangles]
@@ -232,9 +266,10 @@ def cells(mesher):
         of_cell = areas.setdefault(owners.GetValue(face), {})
         boundary = boundaries.GetValue(face)
         of_cell[boundary] = of_cell.get(boundary, 0) + sizes.GetValue(face)
-    boxes, fractions = (mesh.GetCellData().GetArray(name) for name in ("GlobalBox", "VolumeFraction"))
-    return {(boxes.GetTuple(cell), fractions.GetValue(cell)): areas.get(cell)
-        and max(sorted(areas[cell]), key=areas[cell].get) for cell in range(mesh.GetNumberOfCells())}
+    boxes, fractions, ids = (mesh.GetCellData().GetArray(name) for name in ("GlobalBox", "VolumeFraction", "CellId"))
+    return {(boxes.GetTuple(place), fractions.GetValue(place)): areas.get(cell)
+        and max(sorted(areas[cell]), key=areas[cell].get)
+        for place, cell in enumerate(ids.GetValue(i) for i in range(mesh.GetNumberOfCells()))}
 
 
 numbers_of = {name: number for number, name in names(output(cut())).items()}

@@ -54,6 +54,8 @@ def assert_ghosts(source, size, depth, levels):
     generator.BuildIfRequiredOff()
     generator.Update()
     found, expected = described(mesh), described(generator.GetOutputDataObject(0))
+    types = vtk_to_numpy(mesh.GetCellTypesArray())
+    assert (np.diff(types) >= 0).all(), "hexahedra are not first"
     ghosts = len(found[0]) - own.GetNumberOfCells()
     assert ghosts > 50 * levels, f"{ghosts} ghost cells"
     assert found[0] == expected[0], f"cells: {len(found[0])}, with VTK's ghosts {len(expected[0])}"

@@ -6,7 +6,7 @@ from paraview import simple
 grid = {"CellSize": 0.0, "MeshlinesX": [], "MeshlinesY": [], "MeshlinesZ": []}
 refinement = {"RefinementDepth": 0, "RefinementBlocks": [], "BoundaryRefinement": [],
               "RefinedBoundaries": [], "RefinedBoundaryDepth": 1, "RegionDepth": 1}
-boundaries = {"BoundaryArray": ""}
+boundaries = {"BoundaryArray": "Automatic"}
 patches = {"PatchMethod": "Automatic", "FeatureAngle": 30.0, "MergeAngle": 10.0,
            "Tying": "Keep Nodes"}
 cells = {"CollapseRatio": 0.1, "SmallCells": "Merge", "MergeRatio": 0.15, "SmallCellRatio": 0.001,

@@ -54,7 +54,8 @@ def turn_a_hexahedron(mesh, boundary):
 
 
 def repeat_a_cell(mesh, boundary):
-    mesh.GetFaceLocations().SetValue(1, mesh.GetFaceLocations().GetValue(0))
+    last = mesh.GetNumberOfCells() - 1
+    mesh.GetFaceLocations().SetValue(last, mesh.GetFaceLocations().GetValue(last - 1))
 
 
 def turn_a_boundary_face(mesh, boundary):

@@ -5,7 +5,7 @@ from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import measure
-from pipeline import Messages, error_code, octahedron, output, producer, read
+from pipeline import DATA, Messages, error_code, octahedron, output, producer, read
 
 BAD_PARAMETER = 40008
 
@@ -93,3 +93,21 @@ for size in 0, 0.1:
         for depth in range(3)]
     assert all(0.85 < boxes / true < 1.15 for boxes, true in zip(expected, made)), f"{expected}, in truth {made}"
 assert [row[0] for row in rows[1:]] == [0.0687, 0.0344, 0.0172, 0.00859], rows
+# ... and the refinement of boundaries, in rows and by names.
+header = simple.OpenDataFile(str(DATA / "kcl_exhaust_header_lumens.stl"))
+header.UpdatePipeline()
+for properties in ({"BoundaryRefinement": [0, 2, 0, 0, 3, 2, 0, 0]},
+                   {"RefinedBoundaries": ["wall_1", "wall_2"], "RefinedBoundaryDepth": 2}):
+    mesher = simple.CartesianMesher(Input=header, CellSize=6, **properties)
+    mesher.UpdatePipelineInformation()
+    plain, made = (output(simple.CartesianBoxer(Input=header, CellSize=6, **refinement)).GetNumberOfCells()
+        for refinement in ({}, properties))
+    assert made > 1.5 * plain and 0.8 < mesher.ExpectedBoxes[1] / made < 1.2, (list(mesher.ExpectedBoxes), plain, made)
+# Numbers are whole, at least 1, and written with no more digits than they have.
+mesher = simple.CartesianMesher(Input=spot, CellSize=1e-10)
+for size in 1e-10, 5:
+    mesher.CellSize = size
+    mesher.UpdatePipelineInformation()
+    for row in (list(mesher.ExpectedBoxes)[i:i + 4] for i in range(0, 20, 4)):
+        assert all(boxes >= 1 and boxes == round(boxes) and len(f"{boxes:g}".split("e")[0]) <= 7 and
+            float(f"{boxes:.2g}") == boxes for boxes in row[1:]), row

@@ -150,12 +150,16 @@ def assert_close(what, value, expected, tolerance):
 
 
 class Mesh:
-    """Asserts that the mesh is a finite-volume mesh and that the boundary is its boundary."""
+    """Asserts that the mesh is a finite-volume mesh and that the boundary is its boundary. Cells have
+    the numbers of CellId."""
 
     def __init__(self, grid, boundary):
         self.xyz = points_of(grid)
         self.cells = grid.GetNumberOfCells()
         self.faces = faces_of_cells(grid)
+        number = vtk_to_numpy(grid.GetCellData().GetArray("CellId"))
+        assert np.array_equal(np.sort(number), np.arange(self.cells)), "numbers of cells"
+        self.faces.owner = number[self.faces.owner]
         self.check_points()
         self.check_sharing()
         self.check_closure()
@@ -227,8 +231,9 @@ class Mesh:
     def check_arrays(self, grid):
         fraction = vtk_to_numpy(grid.GetCellData().GetArray("VolumeFraction"))
         assert 0 < fraction.min()
-        self.fractions = fraction
+        self.fractions = fraction[np.argsort(vtk_to_numpy(grid.GetCellData().GetArray("CellId")))]
         types = vtk_to_numpy(grid.GetCellTypesArray())
+        assert (np.diff(types) >= 0).all(), "hexahedra are not first"
         assert (vtk_to_numpy(grid.GetCellData().GetArray("Region")) == 1).all()
         global_box = vtk_to_numpy(grid.GetCellData().GetArray("GlobalBox"))
         assert global_box.shape == (self.cells, 3)

@@ -19,7 +19,7 @@ enum class Fault
   BadMeshlines = 4,  // not increasing, fewer than two, or missing the surface
   TooManyBoxes = 5,  // the estimate exceeds the memory limit
   MissingArray = 6,  // an array is missing, or has the wrong length or type
-  FlawedSurface = 7, // open or inconsistent: meshed as far as possible
+  FlawedSurface = 7, // so flawed that there is nothing to mesh
   BadParameter = 8,  // out of range
   Stopped = 9,       // by the user
   OutOfMemory = 10,

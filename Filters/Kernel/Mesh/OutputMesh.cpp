@@ -15,7 +15,6 @@ namespace
 constexpr std::size_t RowsAChunk = 16;
 constexpr std::size_t CellsAChunk = 1024;
 constexpr std::size_t PointsAChunk = 1 << 15;
-constexpr Id CornersOfAHexahedron = 8;
 
 }
 
@@ -98,19 +97,31 @@ void OutputMesh::placeRows()
     {
       continue;
     }
-    std::size_t hexahedra = firstBoxOfRow(row + 1) - firstBoxOfRow(row);
     for (; n < polyhedral.size() && polyhedral[n] < firstBoxOfRow(row + 1); ++n)
     {
-      --hexahedra;
       for (std::size_t c = firstCell[n]; c < firstCell[n + 1]; ++c)
       {
         sum.connectivity += cellSizes_[c].points;
         sum.faceStream += cellSizes_[c].faceStream;
       }
     }
-    sum.connectivity += CornersOfAHexahedron * static_cast<Id>(hexahedra);
   }
   rows_.push_back(sum);
+  hexahedra_ = hexahedraBefore(boxes.firstBoxOf(boxes.core.end));
+}
+
+std::size_t OutputMesh::hexahedraBefore(std::size_t box) const
+{
+  const std::vector<std::uint32_t>& polyhedral = parts_.sides.polyhedral;
+  const std::size_t first = parts_.boxes.firstBoxOf(parts_.boxes.core.begin);
+  const auto begin = std::lower_bound(polyhedral.begin(), polyhedral.end(), first);
+  const auto end = std::lower_bound(begin, polyhedral.end(), box);
+  return box - first - static_cast<std::size_t>(end - begin);
+}
+
+std::size_t OutputMesh::placeOfPolyhedron(std::size_t cell) const
+{
+  return hexahedra_ + numbers_.ofCell[cell] - hexahedraBefore(parts_.cells.all[cell].box);
 }
 
 // The corners of a hexahedron in VTK's order. If its box is not divided, numberOf(line, i) gives the number
@@ -211,6 +222,9 @@ void OutputMesh::writeCells(const CellArrays& arrays, Execution& execution) cons
 void OutputMesh::writeRow(std::size_t row, const CellArrays& arrays, CellPoints& points) const
 {
   RowOffsets at = rows_[row];
+  at.connectivity += CornersOfAHexahedron * static_cast<Id>(hexahedra_);
+  std::size_t hexahedron = hexahedraBefore(firstBoxOfRow(row));
+  std::size_t polyhedron = hexahedra_ + numbers_.ofBox[firstBoxOfRow(row)] - hexahedron;
   const std::size_t rowLength = parts_.boxes.planes[1].size();
   const std::size_t line = row + row / (rowLength - 1); // the row of points of its lower vertices
   std::array<PointNumbers::Walk, 4> lines{ PointNumbers::Walk(points_, line),
@@ -218,21 +232,21 @@ void OutputMesh::writeRow(std::size_t row, const CellArrays& arrays, CellPoints&
     PointNumbers::Walk(points_, line + rowLength + 1) };
   for (std::size_t b = firstBoxOfRow(row); b < firstBoxOfRow(row + 1); ++b)
   {
-    std::size_t id = numbers_.ofBox[b];
     const std::uint32_t n = parts_.sides.polyhedralOrdinal(static_cast<std::uint32_t>(b));
     if (n == None)
     {
       const std::array<Id, 8> p =
         corners(b, [&](std::uint32_t l, std::uint32_t i) { return lines[l].ofVertex(i); });
       constexpr std::array<int, 8> order = { 0, 1, 3, 2, 4, 5, 7, 6 };
+      const Id start = CornersOfAHexahedron * static_cast<Id>(hexahedron);
       for (int i = 0; i < 8; ++i)
       {
-        arrays.connectivity[at.connectivity + i] = p[order[i]];
+        arrays.connectivity[start + i] = p[order[i]];
       }
-      arrays.offsets[id] = at.connectivity;
-      arrays.types[id] = arrays.hexahedron;
-      arrays.faceStart[id] = -1;
-      at.connectivity += CornersOfAHexahedron;
+      arrays.offsets[hexahedron] = start;
+      arrays.types[hexahedron] = arrays.hexahedron;
+      arrays.faceStart[hexahedron] = -1;
+      ++hexahedron;
       continue;
     }
     for (std::size_t c = parts_.cells.boxStart[n]; c < parts_.cells.boxStart[n + 1]; ++c)
@@ -244,12 +258,12 @@ void OutputMesh::writeRow(std::size_t row, const CellArrays& arrays, CellPoints&
       writeFaces(c, arrays.faceStream + at.faceStream, points);
       std::sort(points.points.begin(), points.points.end());
       std::copy(points.points.begin(), points.points.end(), arrays.connectivity + at.connectivity);
-      arrays.offsets[id] = at.connectivity;
-      arrays.types[id] = arrays.polyhedron;
-      arrays.faceStart[id] = at.faceStream;
+      arrays.offsets[polyhedron] = at.connectivity;
+      arrays.types[polyhedron] = arrays.polyhedron;
+      arrays.faceStart[polyhedron] = at.faceStream;
       at.connectivity += cellSizes_[c].points;
       at.faceStream += cellSizes_[c].faceStream;
-      ++id;
+      ++polyhedron;
     }
   }
 }
@@ -275,7 +289,9 @@ void OutputMesh::writeFaces(std::size_t cell, Id* stream, CellPoints& points) co
 
 void OutputMesh::writeCellData(const CellData& data, Execution& execution) const
 {
-  const auto write = [&](std::size_t id, const PackedBox& box, double fraction) {
+  const auto write = [&](std::size_t id, std::uint32_t number, const PackedBox& box,
+                       double fraction) {
+    data.number[id] = number;
     for (int axis = 0; axis < 3; ++axis)
     {
       data.globalBox[3 * id + axis] = static_cast<int>(parts_.boxes.globalOf(box).index[axis]);
@@ -288,11 +304,12 @@ void OutputMesh::writeCellData(const CellData& data, Execution& execution) const
   const std::size_t firstBox = boxes.firstBoxOf(boxes.core.begin);
   execution.forEach(boxes.firstBoxOf(boxes.core.end) - firstBox, CellsAChunk,
     [&](std::size_t begin, std::size_t end) {
+      std::size_t id = hexahedraBefore(firstBox + begin);
       for (std::size_t b = firstBox + begin; b < firstBox + end; ++b)
       {
         if (parts_.sides.polyhedralOrdinal(static_cast<std::uint32_t>(b)) == None)
         {
-          write(numbers_.ofBox[b], boxes.packed[b], 1);
+          write(id++, numbers_.ofBox[b], boxes.packed[b], 1);
         }
       }
     });
@@ -301,7 +318,8 @@ void OutputMesh::writeCellData(const CellData& data, Execution& execution) const
     const std::uint32_t number = numbers_.ofBox[hexahedron.box];
     if (parts_.sides.polyhedralOrdinal(hexahedron.box) == None && CellNumbers::isHere(number))
     {
-      write(number, boxes.packed[hexahedron.box], hexahedron.volumeFraction);
+      write(hexahedraBefore(hexahedron.box), number, boxes.packed[hexahedron.box],
+        hexahedron.volumeFraction);
     }
   }
   const Cells& cells = parts_.cells;
@@ -311,7 +329,8 @@ void OutputMesh::writeCellData(const CellData& data, Execution& execution) const
     {
       if (!cells.all[c].removed)
       {
-        write(numbers_.ofCell[c], boxes.packed[cells.all[c].box], cells.all[c].volumeFraction);
+        write(placeOfPolyhedron(c), numbers_.ofCell[c], boxes.packed[cells.all[c].box],
+          cells.all[c].volumeFraction);
       }
     }
   });

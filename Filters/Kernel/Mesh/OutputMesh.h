@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The finished mesh (section 6, steps 11 and 13): cells and points numbered and written.
 //
-// Cells are hexahedra (inside boxes without hanging nodes) and polyhedra, in order of their boxes; points
-// are in the order of PointNumbers.h. They are written directly into the caller's arrays.
+// Cells are hexahedra (inside boxes without hanging nodes) and polyhedra, numbered in order of their boxes;
+// points are in the order of PointNumbers.h. They are written directly into the caller's arrays: first all
+// hexahedra, then all polyhedra, each in order of their numbers. VTK's Clip needs this: it loses cells of
+// grids in which hexahedra come after polyhedra.
 //
 // The mesh of a part of the grid (Decomposition.h) has the cells of its core and the points that these use. The
 // number of a cell in the whole mesh is its own plus the number of cells of all parts before;
@@ -18,7 +20,7 @@
 namespace cartesian
 {
 
-// The caller's arrays, of the sizes that OutputMesh gives.
+// The caller's arrays, of the sizes that OutputMesh gives. Hexahedra first.
 struct CellArrays
 {
   Id* offsets;              // cellCount() + 1
@@ -30,8 +32,10 @@ struct CellArrays
   unsigned char polyhedron;
 };
 
+// Of the cells as they are in CellArrays.
 struct CellData
 {
+  Id* number;             // cellCount(): CellNumbers, by which BoundaryFace names cells
   int* globalBox;         // 3 * cellCount(): I, J, K
   unsigned char* level;   // 3 * cellCount(): halvings of the global box along x, y, z
   int* region;            // cellCount()
@@ -57,7 +61,10 @@ public:
   // belong to the next part.
   Id ownPointCount() const { return ownPoints_; }
   Id cellCount() const { return numbers_.ofBox.back(); }
-  Id connectivitySize() const { return rows_.back().connectivity; }
+  Id connectivitySize() const
+  {
+    return CornersOfAHexahedron * static_cast<Id>(hexahedra_) + rows_.back().connectivity;
+  }
   Id faceStreamSize() const { return rows_.back().faceStream; }
   const std::vector<BoundaryFace>& boundary() const { return boundary_; }
   const CellConditions& failures() const { return failures_; }
@@ -79,7 +86,10 @@ private:
   template <class Visitor>
   void forEachPoint(const BoundaryFace& face, Visitor&& visit) const;
 
-  // Where a row of boxes starts in the output arrays; only the core has any.
+  static constexpr Id CornersOfAHexahedron = 8;
+
+  // Where the polyhedra of a row of boxes start in the output arrays, after all hexahedra; only the core
+  // has any.
   struct RowOffsets
   {
     Id connectivity = 0;
@@ -121,6 +131,12 @@ private:
   void measureCells(Execution& execution);
   void placeRows();
 
+  // How many boxes of the core before this one are hexahedra: the place of a hexahedron among the cells.
+  std::size_t hexahedraBefore(std::size_t box) const;
+
+  // The place of a cell of a polyhedral box among the cells.
+  std::size_t placeOfPolyhedron(std::size_t cell) const;
+
   template <class NumberOf>
   std::array<Id, 8> corners(std::size_t box, NumberOf&& numberOf) const;
   std::size_t firstBoxOfRow(std::size_t row) const
@@ -140,6 +156,7 @@ private:
   PointNumbers points_;
   std::unique_ptr<PointNumbers> pointsAround_; // for a part: includes the points of cells around it
   Id ownPoints_ = 0;
+  std::size_t hexahedra_ = 0;
   std::vector<CellSize> cellSizes_; // of each cell of polyhedral boxes
   std::vector<RowOffsets> rows_;
   std::vector<BoundaryFace> boundary_;

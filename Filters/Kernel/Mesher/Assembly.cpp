@@ -271,7 +271,7 @@ void requireCells(const Assembly& a, const Options& options)
   const bool isWhole = a.boxes.core.begin == all.begin && a.boxes.core.end == all.end;
   if (isWhole && a.mesh->cellCount() == 0)
   {
-    throw Error(Fault::FlawedSurface, describeNothing(a, options));
+    throw nothingToMesh(a, options);
   }
 }
 

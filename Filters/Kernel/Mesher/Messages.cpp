@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesher/Messages.h"
 
-#include "Base/Error.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -31,6 +29,12 @@ std::string position(const Lattice& lattice, const Point& p)
 std::string positionOf(const Surface& surface, std::uint32_t vertex)
 {
   return position(surface.lattice, surface.vertices[vertex]);
+}
+
+// "1 hole" or "3 holes".
+std::string counted(std::size_t count, const char* one, const char* several)
+{
+  return std::to_string(count) + " " + (count == 1 ? one : several);
 }
 
 const char* lineBreak(const std::string& text)
@@ -64,8 +68,10 @@ std::string describeLeaks(const PreparedSurface& prepared)
   {
     return "";
   }
-  std::string text = "\n" + std::to_string(leaks) +
-    " holes are wider than a box; lids close them, of boundary " + std::to_string(NoBoundary) + ":";
+  std::string text = "\n" +
+    counted(leaks, "hole is wider than a box; a lid closes it",
+      "holes are wider than a box; lids close them") +
+    ", of boundary " + std::to_string(NoBoundary) + ":";
   std::size_t places = 0;
   for (const Hole& hole : holes)
   {
@@ -126,11 +132,30 @@ std::string describeRefused(const Assembly& a)
   {
     boxes.push_back(cell.box);
   }
-  return std::to_string(refused.size()) +
-    " cells that solvers would refuse, and that nothing mends, are left out, " +
-    number(std::round(share * Percent * 100) / 100) +
+  return counted(refused.size(), "cell that solvers would refuse, and that nothing mends, is",
+           "cells that solvers would refuse, and that nothing mends, are") +
+    " left out, " + number(std::round(share * Percent * 100) / 100) +
     " % of the volume. A smaller Cell Size or a larger Refinement Depth keeps them. The largest:" +
     places(a.boxes, boxes);
+}
+
+std::string describeNothing(const Assembly& assembly, const Options& options)
+{
+  const Cells& cells = assembly.cells;
+  const bool onlySlivers = std::all_of(
+    cells.all.begin(), cells.all.end() - 1, [](const Cell& cell) { return cell.sliver; });
+  if (onlySlivers)
+  {
+    return "There is nothing to mesh: the surface encloses no volume, or is open everywhere." +
+      describeFlaws(assembly);
+  }
+  const std::string all = "There is nothing left to mesh: all " + std::to_string(cells.size()) +
+    " cells are smaller than the Small Cell Ratio allows (" + number(options.smallCells.ratio) +
+    " of their boxes)";
+  return assembly.shaping.refused.empty() ? all + ". Choose a smaller ratio or a smaller Cell Size."
+                                          : all +
+      ", or of a shape that solvers refuse. Choose a smaller Cell Size, or a Refused Cell Ratio of "
+      "0 to keep them.";
 }
 
 }
@@ -142,9 +167,10 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
   std::string text;
   if (!check.places.empty())
   {
-    text = "The surface has " + std::to_string(check.openEdges) + " open edges, " +
-      std::to_string(check.nonManifoldEdges) + " edges of more than two triangles and " +
-      std::to_string(check.inconsistentEdges) + " inconsistently oriented edges:";
+    text = "The surface has " + counted(check.openEdges, "open edge", "open edges") + ", " +
+      counted(check.nonManifoldEdges, "edge", "edges") + " of more than two triangles and " +
+      counted(
+        check.inconsistentEdges, "inconsistently oriented edge:", "inconsistently oriented edges:");
   }
   for (const SurfaceCheck::FlawedEdge& place : check.places)
   {
@@ -155,17 +181,21 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
   }
   if (!repair.duplicates.empty())
   {
-    text += lineBreak(text) + std::to_string(repair.duplicates.size()) +
-      " triangles were there before, and are left out.";
+    text += lineBreak(text) +
+      counted(repair.duplicates.size(), "duplicate triangle is", "duplicate triangles are") +
+      " left out.";
   }
   if (!repair.loose.empty())
   {
-    text += lineBreak(text) + std::to_string(repair.loose.size()) +
-      " triangles share no edge with others, and are left out.";
+    text += lineBreak(text) +
+      counted(repair.loose.size(), "triangle shares no edge with others, and is left out.",
+        "triangles share no edge with others, and are left out.");
   }
   if (const std::size_t closed = repair.holes.size() - repair.leaks())
   {
-    text += lineBreak(text) + std::to_string(closed) + " holes narrower than a box were closed.";
+    text += lineBreak(text) +
+      counted(
+        closed, "hole narrower than a box was closed.", "holes narrower than a box were closed.");
   }
   return text + describeLeaks(prepared);
 }
@@ -200,14 +230,15 @@ std::string describeFlaws(const Assembly& assembly)
   std::string text;
   if (!rebuilt.empty())
   {
-    text = "The surface does not close in or next to " + std::to_string(rebuilt.size()) +
-      " boxes (parts cross or overlap); Marching Cubes made patches from the statuses there:" +
+    text = "The surface does not close in or next to " + counted(rebuilt.size(), "box", "boxes") +
+      " (parts cross or overlap); Marching Cubes made patches from the statuses there:" +
       places(assembly.boxes, rebuilt);
   }
   if (const std::vector<std::uint32_t> flawed = flawedBoxes(assembly); !flawed.empty())
   {
-    text += lineBreak(text) + std::to_string(flawed.size()) +
-      " boxes do not close even so; they are left out of the mesh:" +
+    text += lineBreak(text) +
+      counted(flawed.size(), "box does not close even so and is left out of the mesh:",
+        "boxes do not close even so; they are left out of the mesh:") +
       places(assembly.boxes, flawed);
   }
   if (const std::string refused = describeRefused(assembly); !refused.empty())
@@ -217,23 +248,18 @@ std::string describeFlaws(const Assembly& assembly)
   return text;
 }
 
-std::string describeNothing(const Assembly& assembly, const Options& options)
+Error nothingToMesh(const Assembly& assembly, const Options& options)
 {
-  const Cells& cells = assembly.cells;
-  const bool onlySlivers = std::all_of(
-    cells.all.begin(), cells.all.end() - 1, [](const Cell& cell) { return cell.sliver; });
-  if (onlySlivers)
+  const auto& planes = assembly.boxes.planes;
+  const bool isOneBox =
+    std::all_of(planes.begin(), planes.end(), [](const auto& lines) { return lines.size() == 2; });
+  if (isOneBox && options.grid.cellSize > 0)
   {
-    return "There is nothing to mesh: the surface encloses no volume, or is open everywhere." +
-      describeFlaws(assembly);
+    return { Fault::BadCellSize,
+      "There is nothing to mesh: Cell Size " + number(options.grid.cellSize) +
+        " is larger than the surface. Choose a smaller one." };
   }
-  const std::string all = "There is nothing left to mesh: all " + std::to_string(cells.size()) +
-    " cells are smaller than the Small Cell Ratio allows (" + number(options.smallCells.ratio) +
-    " of their boxes)";
-  return assembly.shaping.refused.empty() ? all + ". Choose a smaller ratio or a smaller Cell Size."
-                                          : all +
-      ", or of a shape that solvers refuse. Choose a smaller Cell Size, or a Refused Cell Ratio of "
-      "0 to keep them.";
+  return { Fault::FlawedSurface, describeNothing(assembly, options) };
 }
 
 }

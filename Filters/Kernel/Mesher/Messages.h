@@ -2,6 +2,7 @@
 // What the user is told about flaws of a surface and its mesh: in words with places, or nothing.
 #pragma once
 
+#include "Base/Error.h"
 #include "Mesher/Mesher.h"
 
 namespace cartesian
@@ -17,7 +18,7 @@ std::string describeOverhang(const PreparedSurface& prepared);
 // they are more than a thousandth of the volume.
 std::string describeFlaws(const Assembly& assembly);
 
-// Why there is no cell.
-std::string describeNothing(const Assembly& assembly, const Options& options);
+// Why there is no cell: BadCellSize or FlawedSurface.
+Error nothingToMesh(const Assembly& assembly, const Options& options);
 
 }

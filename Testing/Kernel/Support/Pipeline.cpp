@@ -8,6 +8,50 @@
 namespace cartesian
 {
 
+namespace
+{
+
+// Moves the cells, hexahedra first as they were written, to the places that their numbers say.
+void sortCells(MeshArrays& a, const std::vector<Id>& number)
+{
+  std::vector<std::size_t> order(number.size());
+  for (std::size_t c = 0; c < number.size(); ++c)
+  {
+    order.at(static_cast<std::size_t>(number[c])) = c;
+  }
+  const MeshArrays written = a;
+  a.offsets.assign(1, 0);
+  a.connectivity.clear();
+  a.faceStream.clear();
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const std::size_t c = order[i];
+    const auto first = written.connectivity.begin();
+    a.connectivity.insert(
+      a.connectivity.end(), first + written.offsets[c], first + written.offsets[c + 1]);
+    a.offsets.push_back(static_cast<Id>(a.connectivity.size()));
+    a.types[i] = written.types[c];
+    a.faceStart[i] = -1;
+    if (const Id start = written.faceStart[c]; start >= 0)
+    {
+      a.faceStart[i] = static_cast<Id>(a.faceStream.size());
+      const auto stream = written.faceStream.begin() + start;
+      auto end = stream + 1;
+      for (Id face = 0; face < *stream; ++face)
+      {
+        end += *end + 1;
+      }
+      a.faceStream.insert(a.faceStream.end(), stream, end);
+    }
+    std::copy_n(written.globalBox.begin() + 3 * std::ptrdiff_t(c), 3, &a.globalBox[3 * i]);
+    std::copy_n(written.level.begin() + 3 * std::ptrdiff_t(c), 3, &a.level[3 * i]);
+    a.region[i] = written.region[c];
+    a.volumeFraction[i] = written.volumeFraction[c];
+  }
+}
+
+}
+
 MeshArrays arraysOf(const OutputMesh& mesh, const Boxes& boxes, Execution& execution)
 {
   MeshArrays a;
@@ -18,6 +62,7 @@ MeshArrays arraysOf(const OutputMesh& mesh, const Boxes& boxes, Execution& execu
   a.types.resize(cells);
   a.faceStart.resize(cells);
   a.faceStream.resize(static_cast<std::size_t>(mesh.faceStreamSize()));
+  std::vector<Id> number(cells);
   a.globalBox.resize(3 * cells);
   a.level.resize(3 * cells);
   a.region.resize(cells);
@@ -27,7 +72,10 @@ MeshArrays arraysOf(const OutputMesh& mesh, const Boxes& boxes, Execution& execu
                     a.faceStream.data(), MeshArrays::Hexahedron, MeshArrays::Polyhedron },
     execution);
   mesh.writeCellData(
-    { a.globalBox.data(), a.level.data(), a.region.data(), a.volumeFraction.data() }, execution);
+    { number.data(), a.globalBox.data(), a.level.data(), a.region.data(), a.volumeFraction.data() },
+    execution);
+  EXPECT_TRUE(std::is_sorted(a.types.begin(), a.types.end())) << "hexahedra are not first";
+  sortCells(a, number);
 
   const BoundaryMesh boundary = mesh.boundaryMesh(execution);
   a.boundaryStart = boundary.start;

@@ -13,7 +13,7 @@
 namespace cartesian
 {
 
-// All arrays that Mesh writes, and the meshlines.
+// All arrays that Mesh writes, with cells in order of their numbers, and the meshlines.
 struct MeshArrays
 {
   static constexpr unsigned char Hexahedron = 12;

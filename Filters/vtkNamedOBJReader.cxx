@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNamedOBJReader.h"
+
+#include "Base/Error.h"
+#include "BoundaryNames.h"
+#include "ReportErrors.h"
+#include "SurfaceFromVTK.h"
+
+#include "vtkCellData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include "vtksys/FStream.hxx"
+
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+// Groups that have faces, in order of the file; vtkOBJReader only counts them.
+struct Groups
+{
+  std::vector<std::string> names;
+  std::vector<int> ofFace; // index of its name
+};
+
+// Stops after `most` groups.
+Groups ReadGroups(const char* file, std::size_t most)
+{
+  Groups groups;
+  vtksys::ifstream stream(file, std::ios::binary);
+  std::string line;
+  std::string name;
+  bool isNew = true;
+  while (std::getline(stream, line))
+  {
+    std::istringstream words(line);
+    std::string keyword;
+    words >> keyword >> std::ws;
+    if (keyword == "g")
+    {
+      std::string next;
+      std::getline(words, next);
+      next.erase(next.find_last_not_of(" \t\r") + 1);
+      isNew = isNew || next != name;
+      name = next;
+    }
+    else if (keyword == "f")
+    {
+      if (isNew && groups.names.size() == most)
+      {
+        break;
+      }
+      if (isNew)
+      {
+        groups.names.push_back(name);
+        isNew = false;
+      }
+      groups.ofFace.push_back(static_cast<int>(groups.names.size()) - 1);
+    }
+  }
+  return groups;
+}
+
+// The cell array of the faces' groups; a vtkPolyData has vertices and lines before them.
+vtkSmartPointer<vtkIntArray> LabelsOf(const Groups& groups, vtkPolyData* surface)
+{
+  const auto faces = static_cast<vtkIdType>(groups.ofFace.size());
+  if (faces != surface->GetNumberOfPolys())
+  {
+    throw cartesian::Error(cartesian::Fault::MissingArray,
+      "The file has " + std::to_string(faces) + " lines of faces, of which " +
+        std::to_string(surface->GetNumberOfPolys()) +
+        " could be read: their groups are unknown. Use ParaView's Wavefront OBJ Reader instead.");
+  }
+  auto labels = vtkSmartPointer<vtkIntArray>::New();
+  labels->SetName(cartesian::BoundaryIdArray);
+  labels->SetNumberOfValues(surface->GetNumberOfCells());
+  labels->FillValue(0);
+  for (vtkIdType face = 0; face < faces; ++face)
+  {
+    labels->SetValue(
+      surface->GetNumberOfCells() - faces + face, groups.ofFace[static_cast<std::size_t>(face)]);
+  }
+  return labels;
+}
+
+}
+
+vtkStandardNewMacro(vtkNamedOBJReader);
+
+int vtkNamedOBJReader::CanReadFile(const char* name)
+{
+  return ReadGroups(name, 2).names.size() == 2;
+}
+
+int vtkNamedOBJReader::RequestData(
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
+{
+  if (!this->Superclass::RequestData(request, input, output))
+  {
+    return 0;
+  }
+  const auto nameGroups = [&] {
+    vtkPolyData* surface = vtkPolyData::GetData(output);
+    const Groups groups = ReadGroups(this->GetFileName(), std::numeric_limits<std::size_t>::max());
+    if (!groups.names.empty())
+    {
+      const auto labels = LabelsOf(groups, surface);
+      cartesian::setBoundaryNames(surface, cartesian::uniteNames(groups.names, labels));
+      surface->GetCellData()->AddArray(labels);
+    }
+  };
+  cartesian::reportErrors(nameGroups, [this](unsigned long code, const std::string& message) {
+    this->SetErrorCode(code);
+    vtkErrorMacro(<< message);
+  });
+  return 1;
+}
+
+void vtkNamedOBJReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

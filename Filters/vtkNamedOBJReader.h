@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNamedOBJReader
+ * @brief reads an OBJ file that names its groups
+ *
+ * Output: what vtkOBJReader gives, the cell array BoundaryId (int): the group of each face, and field data
+ * BoundaryIds (int) and BoundaryNames (string): the numbers that occur and their names. Groups of one
+ * name are one boundary; so are those without one and faces before the first group, "unnamed".
+ *
+ * @sa vtkCartesianMesher vtkNamedSTLReader
+ */
+#ifndef vtkNamedOBJReader_h
+#define vtkNamedOBJReader_h
+
+#include "vtkCartesianMesherFiltersModule.h" // for the export macro
+#include "vtkOBJReader.h"
+
+class VTKCARTESIANMESHERFILTERS_EXPORT vtkNamedOBJReader : public vtkOBJReader
+{
+public:
+  static vtkNamedOBJReader* New();
+  vtkTypeMacro(vtkNamedOBJReader, vtkOBJReader);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * 1 if the file has faces in at least two groups of different names, else 0.
+   */
+  static int CanReadFile(const char* name);
+
+protected:
+  vtkNamedOBJReader() = default;
+  ~vtkNamedOBJReader() override = default;
+
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+private:
+  vtkNamedOBJReader(const vtkNamedOBJReader&) = delete;
+  void operator=(const vtkNamedOBJReader&) = delete;
+};
+
+#endif

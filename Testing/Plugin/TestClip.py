@@ -1,0 +1,79 @@
+"""ParaView's Clip and Slice of a mesh are right: two halves add up to the whole, and a slice has the
+area that the boundary encloses in its plane. Neither holds where polyhedra come before hexahedra."""
+
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from measure import points_of
+from pipeline import Messages, octahedron, output, producer, read
+
+# How far off they may be today, not how far they should: VTK leaves out polyhedra that "cannot be
+# contoured", and divides bent faces in its own way; faces of Exact Fit are mostly flat. With polyhedra before
+# hexahedra, halves are 10 to 40 % off.
+VOLUME = {"Automatic": 5e-3, "Exact Fit": 2e-3}
+AREA = {"Automatic": 4e-2, "Exact Fit": 5e-3}
+
+
+def integral(proxy, name):
+    array = output(simple.IntegrateVariables(Input=proxy)).GetCellData().GetArray(name)
+    return array.GetValue(0) if array else 0
+
+
+def enclosed(boundary, origin, normal):
+    """The area that a boundary encloses in a plane, from triangles around the middle of each face."""
+    faces = boundary.GetPolys()
+    corners = vtk_to_numpy(faces.GetConnectivityArray())
+    start = vtk_to_numpy(faces.GetOffsetsArray())
+    points = points_of(boundary) - origin
+    area = 0
+    for begin, end in zip(start[:-1], start[1:]):
+        loop = points[corners[begin:end]]
+        above = loop @ normal > 0
+        if above.all() or not above.any():
+            continue
+        for triangle in zip(loop, np.roll(loop, -1, axis=0), [loop.mean(axis=0)] * len(loop)):
+            ends = {}
+            for a, b in zip(triangle, triangle[1:] + triangle[:1]):
+                h, k = a @ normal, b @ normal
+                if (h > 0) != (k > 0):
+                    ends[h > 0] = a + h / (h - k) * (b - a)
+            if ends:
+                area += np.cross(ends[True], ends[False]) @ normal / 2
+    return abs(area)
+
+
+def check(name, source, method, **properties):
+    mesher = simple.CartesianMesher(Input=source, PatchMethod=method, **properties)
+    mesh = output(mesher)
+    types = vtk_to_numpy(mesh.GetCellTypesArray())
+    assert len(set(types)) == 2 and (np.diff(types) >= 0).all(), "hexahedra are not first"
+    low, high = np.reshape(mesh.GetBounds(), (3, 2)).T
+    whole = integral(mesher, "Volume")
+    for normal, at in ((1, 0, 0), 0.41), ((0, 0, 1), 0.53), ((0.48, 0.6, 0.64), 0.48):
+        origin = low + at * (high - low)
+        halves = 0
+        with Messages():
+            for side in 0, 1:
+                clip = simple.Clip(Input=mesher, ClipType="Plane", Invert=side)
+                clip.ClipType.Origin, clip.ClipType.Normal = origin.tolist(), normal
+                halves += integral(clip, "Volume")
+            slice = simple.Slice(Input=mesher, SliceType="Plane", Triangulatetheslice=0)
+            slice.SliceType.Origin, slice.SliceType.Normal = origin.tolist(), normal
+            area = integral(slice, "Area")
+        volume = abs(halves / whole - 1)
+        expected = enclosed(output(mesher, 1), origin, np.array(normal))
+        print(f"{name}, {method}, {normal}: volume {volume:.1e}, area {abs(area / expected - 1):.1e} off")
+        assert volume < VOLUME[method], f"{name}, {method}, {normal}: halves of {halves}, whole {whole}"
+        assert abs(area / expected - 1) < AREA[method], f"{name}, {method}, {normal}: {area}, not {expected}"
+
+
+cube = read("tm_7_8ths_cube.stl")
+for method in VOLUME:
+    check("octahedron", producer(octahedron()), method, CellSize=0.13)
+    check("cylinder", simple.Triangulate(Input=simple.Cylinder(Resolution=24)), method, CellSize=0.09)
+    check("sphere", simple.Sphere(ThetaResolution=24, PhiResolution=24), method, CellSize=0.08)
+    check("refined sphere", simple.Sphere(ThetaResolution=24, PhiResolution=24), method, CellSize=0.12,
+        RefinementDepth=1)
+    check("spot", read("cino_spot.obj"), method, CellSize=0.08)
+    check("cube", cube, method, CellSize=np.ptp(points_of(output(cube)), axis=0).max() / 12)

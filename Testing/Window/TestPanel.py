@@ -1,0 +1,44 @@
+"""What the panel says: an unset Boundary Array has a text, Expected Boxes are there after Load State, and the
+menu Meshing begins with what a user needs."""
+
+import pathlib
+import sys
+
+from events import PROPERTIES, apply, event, macro, meshing_menu, open_file, script
+from window import Screen
+
+SURFACE = pathlib.Path(sys.argv[1]) / "Data" / "tm_7_8ths_cube.stl"
+SAVE = """
+from paraview import simple
+simple.SaveState("{folder}/state.pvsm")
+"""
+SELECT = """
+from paraview import simple
+simple.SetActiveSource(simple.FindSource("{other}"))
+"""
+# Without asking for the information anew, as simple.FindSource(...).ExpectedBoxes would.
+NOTE = """
+from paraview import simple
+property = simple.FindSource("CartesianMesher1").SMProxy.GetProperty("ExpectedBoxes")
+open("{folder}/notes.txt", "a").write(repr([property.GetElement(i) for i in range(4)]) + "\\n")
+"""
+
+
+def check(object, property, value):
+    return f'<pqcheck object="{object}" property="{property}" arguments="{value}"/>'
+
+
+with Screen() as screen:
+    for name, text in (("save", SAVE), ("note", NOTE), ("surface", SELECT.replace("{other}", SURFACE.name)),
+            ("mesher", SELECT.replace("{other}", "CartesianMesher1"))):
+        screen.add_macro(name, text.replace("{folder}", str(screen.folder)))
+    screen.play(script(open_file(SURFACE), apply(), meshing_menu("CartesianMesher"),
+        check(f"{PROPERTIES}/BoundaryArray/ComboBox", "currentText", "Automatic"),
+        apply(), macro("note"), macro("save")))
+    screen.play(script(macro("surface"), macro("mesher"), macro("note")), f"--state={screen.folder / 'state.pvsm'}")
+    applied, loaded = map(eval, (screen.folder / "notes.txt").read_text().splitlines())
+    assert min(applied) > 0 and loaded == applied, (applied, loaded)
+
+    # The steps of the mesher are in a menu of their own. (Patcher and Cell Assembler would ask for inputs.)
+    menu = "pqClientMainWindow/menubar/menuFilters/Meshing in Steps"
+    screen.play(script(open_file(SURFACE), apply(), event(menu, "activate", "CartesianBoxer"), apply()))
