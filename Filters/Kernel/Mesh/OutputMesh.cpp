@@ -143,8 +143,9 @@ std::array<Id, 8> OutputMesh::corners(std::size_t box, NumberOf&& numberOf) cons
   const std::uint32_t i = parts_.boxes.globalOf(parts_.boxes.packed[box]).index[0];
   for (std::uint32_t line = 0; line < 4; ++line)
   {
-    p[2 * line] = static_cast<Id>(numberOf(line, i));
-    p[2 * line + 1] = p[2 * line] + 1;
+    const std::size_t low = 2 * std::size_t(line);
+    p[low] = static_cast<Id>(numberOf(line, i));
+    p[low + 1] = p[low] + 1;
   }
   return p;
 }

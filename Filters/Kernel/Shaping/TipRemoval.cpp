@@ -27,7 +27,9 @@ public:
   bool mayGo(CellKey key)
   {
     cells_.lookAround(key, tip_);
-    if (leavesStep())
+    const bool isAlone = std::all_of(
+      tip_.across.begin(), tip_.across.end(), [](CellKey other) { return other == None; });
+    if (isAlone || leavesStep())
     {
       return false;
     }
