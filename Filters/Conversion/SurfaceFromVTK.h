@@ -53,7 +53,7 @@ private:
   void readTriangles(vtkPolyData* block);
   void findUndivided(vtkPolyData* block);
   void readBoundaries(vtkPolyData* block, const std::string& name);
-  std::int32_t numberOf(const std::string& name);
+  std::int32_t numberOf(const std::string& given);
 
   vtkIdType cellsBefore_ = 0; // in the blocks before the one being read
   std::vector<double> points_;
