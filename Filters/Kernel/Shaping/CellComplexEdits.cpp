@@ -613,7 +613,7 @@ void CellComplex::remove(CellKey key)
   for (const FaceUse& use : faces)
   {
     const CellKey other = across(use);
-    if (other != None && other >= cells_.size() && !isInner(use.face))
+    if (other != None && other >= cells_.size() && (!isInner(use.face) || isFree(other)))
     {
       open(other);
       opened(other)->change(now_);

@@ -285,7 +285,7 @@ void CellMerger::simplifyBest(
   {
     findBest(key, own, mostNeighbours, leastGain, spec_.joins, true);
   }
-  else if (own.worst >= StrainedCost)
+  else if (own.worst > PoorCost)
   {
     trial_.keys.assign(1, key);
     tryOut(own, leastGain, spec_.joins, true);

@@ -126,7 +126,8 @@ private:
   {
     if (merges_ && mergeSpec_.simplifies)
     {
-      cartesian::removeTips(complex_, merger_.lookedAfter(isLast_), small_, LargestTip);
+      cartesian::removeTips(
+        complex_, merger_.lookedAfter(isLast_), small_, LargestTip, mergeSpec_.joins);
       improve();
     }
   }

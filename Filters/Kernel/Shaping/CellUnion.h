@@ -55,6 +55,9 @@ public:
   // joined.
   double tryOut(CellUnion& cells, const JoinSpec& joins, double most);
 
+  // The same of cells that the view shows already.
+  double tryOutView(CellUnion& cells, const JoinSpec& joins, double most = Never);
+
   // Of the union tried out last: as long as solvers refuse a face, or are strained by one, joins that which
   // costs most with the neighbour that helps most: the first at any angle, the second where the surface
   // hardly turns. Returns the cost in the end.

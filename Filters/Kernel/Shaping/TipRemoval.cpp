@@ -19,8 +19,10 @@ constexpr double LeastCosine = 0.7071;
 class TipSearch
 {
 public:
-  explicit TipSearch(CellComplex& cells)
+  TipSearch(CellComplex& cells, const JoinSpec& joins)
     : cells_(cells)
+    , joins_(joins)
+    , trying_(cells)
   {
   }
 
@@ -61,8 +63,8 @@ private:
     return false;
   }
 
-  // Whether solvers accept a cell with boundary faces towards one that is gone, and nothing is worse than it was, or
-  // costs more than `most`.
+  // Whether solvers accept a cell with boundary faces towards one that is gone, which become one with others where
+  // that helps, and nothing is worse than it was, or costs more than `most`.
   bool isFairWithout(CellKey other, CellKey gone, double most)
   {
     if (!cells_.isFree(other))
@@ -70,31 +72,43 @@ private:
       return false;
     }
     cells_.open(other); // a hexahedron has no faces of its own
-    cells_.lookAround(other, beside_);
-    const double before = costsOf(beside_.shape, beside_.measures, beside_.beyond).worst;
-    for (std::size_t f = 0; f < beside_.across.size(); ++f)
+    CellView& view = without_.view;
+    without_.keys.assign(1, other);
+    cells_.view(without_.keys, view);
+    cells_.lookBeyond(other, view);
+    measure(view.shape, beside_);
+    const double before = costsOf(view.shape, beside_, view.beyond).worst;
+    for (std::size_t f = 0; f < view.across.size(); ++f)
     {
-      if (beside_.across[f] == gone)
+      if (view.across[f] == gone)
       {
-        beside_.shape.isBoundary[f] = 1;
-        beside_.beyond[f] = {};
+        view.shape.isBoundary[f] = 1;
+        view.across[f] = None;
+        view.boundary[f] = cells_.mainBoundary(gone);
+        view.beyond[f] = {};
       }
     }
-    const FaceCosts costs = costsOf(beside_.shape, beside_.measures, beside_.beyond);
-    return costs.refused == 0 && costs.worst <= std::max({ most, before, StrainedCost });
+    const double cost = trying_.tryOutView(without_, joins_);
+    return cost < Never && trying_.simplify(without_, cost) < Never && without_.costs.refused == 0 &&
+      without_.costs.worst <= std::max({ most, before, StrainedCost });
   }
 
   CellComplex& cells_;
+  const JoinSpec& joins_;
+  UnionTrial trying_;
+
+  // Kept for their memory:
   MeasuredCell tip_;
-  MeasuredCell beside_;
+  CellShape beside_;
+  CellUnion without_;
 };
 
 }
 
-void removeTips(
-  CellComplex& cells, const std::vector<CellKey>& keys, const SmallCellSpec& small, double largest)
+void removeTips(CellComplex& cells, const std::vector<CellKey>& keys, const SmallCellSpec& small,
+  double largest, const JoinSpec& joins)
 {
-  TipSearch search(cells);
+  TipSearch search(cells, joins);
   std::set<CellKey> beside;
   for (const CellKey key : keys)
   {
