@@ -123,7 +123,7 @@ public:
     {
       normals_.push_back(unit(face.area));
     }
-    negligible_ = negligibleArea(shape);
+    negligible_ = spec.boundary < 1 ? negligibleArea(shape) : 0;
   }
 
   // A group with each of its neighbours in turn.
@@ -481,7 +481,7 @@ private:
   const CellShape& shape_;
   JoinSpec spec_;
   std::vector<Vector> normals_; // of faces
-  double negligible_;           // areas
+  double negligible_;           // areas; on one plane only, none is
   JoinedFaces joined_;
   std::vector<std::uint32_t> groupOf_;                         // of faces
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_; // of neighbouring faces
