@@ -21,6 +21,9 @@ constexpr double StepCosine = 0.7071;
 constexpr double TurnCosine = 0.866;
 constexpr double LargestLedge = 0.02;
 
+// Cells with a poor determinant are tips up to a size that is larger by this factor.
+constexpr double LargerOfPoorDeterminant = 2;
+
 // More tips side by side than this are no tip.
 constexpr std::size_t MostSideBySide = 6;
 
@@ -32,6 +35,19 @@ public:
     , joins_(joins)
     , trying_(cells)
   {
+  }
+
+  // Smaller than this part of its box, or not much larger where its determinant is poor.
+  bool isSmall(CellKey key, double largest)
+  {
+    const double share = cells_.share(key);
+    if (share < largest || share >= LargerOfPoorDeterminant * largest)
+    {
+      return share < largest;
+    }
+    cells_.shape(key, cell_.shape);
+    measure(cell_.shape, cell_.measures);
+    return costOfDeterminant(cell_.shape, cell_.measures) > PoorCost;
   }
 
   // Cells side by side.
@@ -179,13 +195,12 @@ std::vector<std::vector<CellKey>> sideBySide(
 void removeTips(CellComplex& cells, const std::vector<CellKey>& keys, const SmallCellSpec& small,
   double largest, const JoinSpec& joins)
 {
+  TipSearch search(cells, joins);
   std::vector<CellKey> tips;
   std::copy_if(keys.begin(), keys.end(), std::back_inserter(tips), [&](CellKey key) {
-    const double share = cells.share(key);
-    return share < largest && cells.isAtBoundary(key) &&
-      share < ratioOf(small, cells.mainBoundary(key), largest);
+    return cells.isAtBoundary(key) &&
+      search.isSmall(key, ratioOf(small, cells.mainBoundary(key), largest));
   });
-  TipSearch search(cells, joins);
   std::set<CellKey> beside;
   const auto tryOut = [&](const std::vector<CellKey>& group) {
     const auto isBeside = [&](CellKey key) { return beside.count(key) > 0; };
