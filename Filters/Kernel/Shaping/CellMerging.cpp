@@ -51,12 +51,8 @@ constexpr double LeastShare = 0.75;
 constexpr double MostShare = 1.6;
 
 // Where nothing narrower helps, faces of a cell that solvers refuse are joined up to these angles, in degrees.
-struct WideAngles
-{
-  double boundary;
-  double inner;
-};
-constexpr std::array<WideAngles, 2> WiderAngles{ { { 45, 60 }, { 90, 120 } } };
+constexpr double WideBoundaryAngle = 60;
+constexpr double WideInnerAngle = 90;
 
 // One with fewer faces that solvers refuse is better than one that gains more.
 bool isBetter(const CellUnion& a, const CellUnion& b)
@@ -290,13 +286,10 @@ void CellMerger::simplifyBest(
     trial_.keys.assign(1, key);
     tryOut(own, leastGain, spec_.joins, true);
   }
-  for (const WideAngles& angles : WiderAngles)
+  if (own.refused > 0 && !isMended())
   {
-    if (own.refused > 0 && !isMended())
-    {
-      findBest(key, own, mostNeighbours, leastGain,
-        { std::cos(radians(angles.boundary)), std::cos(radians(angles.inner)) }, true);
-    }
+    findBest(key, own, mostNeighbours, leastGain,
+      { std::cos(radians(WideBoundaryAngle)), std::cos(radians(WideInnerAngle)) }, true);
   }
 }
 

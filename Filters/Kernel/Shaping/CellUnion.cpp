@@ -22,7 +22,7 @@ constexpr double CostOfVolume = 1000;
 // Joined faces change a cell's volume by no more than this factor.
 constexpr double LeastVolumeKept = 0.8;
 
-// Cosines of angles at which faces are joined: those that solvers refuse; that strain them (40 degrees).
+// Cosines of angles at which faces are joined: those that solvers refuse; that strain them (107 degrees).
 constexpr double AnyAngle = -1;
 constexpr double CosineOfStrained = -0.3;
 

@@ -320,8 +320,8 @@ private:
   bool isNegligible(std::uint32_t f) const { return norm(shape_.faces[f].area) < negligible_; }
   bool isNegligible(const JoinedFaces::Group& group) const
   {
-    return std::all_of(group.members.begin(), group.members.end(),
-      [&](std::uint32_t f) { return isNegligible(f); });
+    return std::all_of(
+      group.members.begin(), group.members.end(), [&](std::uint32_t f) { return isNegligible(f); });
   }
   double leastCosine(std::uint32_t f) const { return isInner(f) ? spec_.inner : spec_.boundary; }
 
@@ -349,7 +349,8 @@ private:
     addRing(second.ring, trial_);
     addRing(ring, trial_);
     const double least = leastCosine(first.members.front());
-    if (!(isNegligible(second) ? fitsWithNegligible(trial_) : fitsTogether(trial_, least, least >= 1)))
+    if (!(isNegligible(second) ? fitsWithNegligible(trial_)
+                               : fitsTogether(trial_, least, least >= 1)))
     {
       return false;
     }

@@ -149,7 +149,8 @@ private:
       }
     }
     const double cost = trying_.tryOutView(without_, joins_);
-    return cost < Never && trying_.simplify(without_, cost) < Never && without_.costs.refused == 0 &&
+    return cost < Never && trying_.simplify(without_, cost) < Never &&
+      without_.costs.refused == 0 &&
       without_.costs.worst <= std::max({ most, before, StrainedCost });
   }
 
