@@ -6,8 +6,10 @@
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
 #include <cstddef>
 #include <functional>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -63,7 +65,8 @@ public:
   std::vector<std::pair<std::string, double>> seconds() const;
 
   // Calls work(begin, end) for chunks of `grain` items of [0, count), on all threads, or on as many as
-  // the system can start. An exception ends the loop and is rethrown here.
+  // the system can start. An exception ends the loop and is rethrown here. Chunks that may take longer than a
+  // tenth of a second poll.
   void forEach(std::size_t count, std::size_t grain,
     const std::function<void(std::size_t begin, std::size_t end)>& work);
 
@@ -79,6 +82,7 @@ private:
   void askIfTime(bool readsClock);
   void advance(double fractionOfLoop);
   void ask();
+  void waitFor(std::mutex& mutex, std::condition_variable& ended, const std::size_t& running);
 
   int threads_;
   std::thread::id owner_ = std::this_thread::get_id();

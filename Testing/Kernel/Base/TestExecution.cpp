@@ -206,6 +206,29 @@ TEST(Execution, StopsAtOnce)
   }
 }
 
+// The caller has nothing left to do, while another thread works on.
+TEST(Execution, StopsWhatOtherThreadsStillDo)
+{
+  const std::thread::id caller = std::this_thread::get_id();
+  const auto begin = std::chrono::steady_clock::now();
+  const auto passed = [&] { return std::chrono::steady_clock::now() - begin; };
+  Execution execution(
+    2, [&](double, const char*) { return passed() < std::chrono::milliseconds(100); });
+  execution.stage("work", 0, 1);
+  EXPECT_THROW(execution.forEach(2, 1,
+                 [&](std::size_t, std::size_t) {
+                   while (
+                     std::this_thread::get_id() != caller && passed() < std::chrono::seconds(10))
+                   {
+                     std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                     execution.poll();
+                   }
+                   std::this_thread::sleep_for(std::chrono::milliseconds(20)); // both get one
+                 }),
+    Stopped);
+  EXPECT_LT(passed(), std::chrono::seconds(5));
+}
+
 TEST(Execution, NoThreadsMeansOneACore)
 {
   EXPECT_GE(Execution(0).threads(), 1);
