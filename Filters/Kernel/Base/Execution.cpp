@@ -106,15 +106,23 @@ void Execution::advance(double fractionOfLoop)
 
 // What runs alone has read the clock before it asks: to count its calls again would make silences eight times
 // as long.
-Execution Execution::alone()
+Execution Execution::alone(double begin, double end)
 {
-  return Execution(1, [this](double, const char*) {
+  return Execution(1, [this, begin, end](double fraction, const char*) {
     if (!isHelper())
     {
+      advance(begin + fraction * (end - begin));
       askIfTime(true);
     }
     return true;
   });
+}
+
+void Execution::reach(double fraction)
+{
+  loop_.end = stageEnd_;
+  advance(fraction);
+  poll();
 }
 
 void Execution::poll()

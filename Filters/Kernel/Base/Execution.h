@@ -58,8 +58,12 @@ public:
   // calling thread has noticed.
   void poll();
 
-  // For work inside a forEach: runs on one thread and polls this object.
-  Execution alone();
+  // The stage is done so far (0 to 1): for long loops other than forEach.
+  void reach(double fraction);
+
+  // For work inside a forEach, which is its part from `begin` to `end` (0 to 1): runs on one thread and polls
+  // this object.
+  Execution alone(double begin, double end);
 
   // Seconds spent in each stage so far, in the order in which stages began.
   std::vector<std::pair<std::string, double>> seconds() const;

@@ -158,6 +158,31 @@ TEST(Execution, LoopsAreSharesOfWhatIsLeft)
   EXPECT_EQ(last, 1);
 }
 
+// ... and of other loops: those of work that runs alone in one of them, too.
+TEST(Execution, WorkInsideALoopReportsItsPart)
+{
+  double last = 0;
+  Execution execution(1, [&](double fraction, const char*) {
+    last = fraction;
+    return true;
+  });
+  execution.stage("Stage", 0, 0.5);
+  execution.nextLoop(1);
+  execution.forEach(2, 1, [&](std::size_t item, std::size_t) {
+    const double begin = static_cast<double>(item) / 2;
+    Execution alone = execution.alone(begin, begin + 0.5);
+    EXPECT_DOUBLE_EQ(last, 0.5 * begin);
+    alone.stage("half", 0, 0.5);
+    alone.reach(0.5);
+    EXPECT_DOUBLE_EQ(last, 0.5 * (begin + 0.125));
+    alone.stage("the other half", 0.5, 1);
+    EXPECT_DOUBLE_EQ(last, 0.5 * (begin + 0.25));
+    alone.reach(1);
+    EXPECT_DOUBLE_EQ(last, 0.5 * (begin + 0.5));
+  });
+  EXPECT_DOUBLE_EQ(last, 0.5);
+}
+
 TEST(Execution, LoopsOfOthersStopToo)
 {
   bool goOn = true;
@@ -180,7 +205,7 @@ TEST(Execution, LoopsOfOthersReportAsOften)
   execution.stage("Stage", 0, 1);
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(600);
   execution.forEach(1, 1, [&](std::size_t, std::size_t) {
-    Execution alone = execution.alone();
+    Execution alone = execution.alone(0, 1);
     while (std::chrono::steady_clock::now() < end)
     {
       alone.poll();
