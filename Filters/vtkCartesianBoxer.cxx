@@ -473,6 +473,8 @@ std::unique_ptr<cartesian::Decomposition> vtkCartesianBoxer::Divide(
   const std::vector<RegionSurface> surfaces = RegionSurfaces(regions, this->RegionDepth);
   for (const RegionSurface& region : surfaces)
   {
+    const std::string undivided = region.surface->describeUndivided();
+    this->Warn(undivided.empty() ? "" : "Of a refinement region: " + undivided);
     options.refinement.regions.push_back({ region.surface->view(), region.depth });
   }
   auto decomposition = cartesian::decompose(prepared, options, execution);

@@ -11,6 +11,7 @@
 #include "Parts/Decomposition.h"
 #include "SurfaceFromVTK.h"
 
+#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -206,29 +207,54 @@ void vtkCartesianMesher::RequestPieceAlone(
   }
 }
 
+// The first error code of any process; that it was stopped only if none has another: others failing stops it.
+unsigned long vtkCartesianMesher::CodeOfAll(
+  const std::vector<std::vector<double>>& counts, const cartesian::Processes& processes)
+{
+  unsigned long code = vtkErrorCode::NoError;
+  std::vector<std::size_t> failed;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+  {
+    const auto own = static_cast<unsigned long>(counts[i][0]);
+    if (own != vtkErrorCode::NoError)
+    {
+      failed.push_back(i);
+      code = code == vtkErrorCode::NoError || code == Stopped ? own : code;
+    }
+  }
+  processes.forgetFailures(failed);
+  return code;
+}
+
 // Where one process fails, all do; nobody waits for it.
 void vtkCartesianMesher::RequestPieceOfProcess(Piece& piece, const cartesian::Processes& processes,
   vtkInformationVector** input, vtkInformationVector* output)
 {
   Task task;
+  this->HasOtherFailed = [&] { return processes.hasOtherFailed(); };
   const bool isDone = this->Run(0, cartesian::AfterNumbering, [&](cartesian::Execution& execution) {
     this->Begin(task, piece, processes, input, output, execution);
     Make(task, piece, execution);
   });
+  this->HasOtherFailed = nullptr;
+  if (!isDone)
+  {
+    processes.tellFailure();
+  }
   const cartesian::OutputMesh* mesh = isDone ? piece.assembly->mesh.get() : nullptr;
   const std::vector<std::vector<double>> counts =
     processes.gather({ isDone ? 0.0 : static_cast<double>(this->GetErrorCode()),
       isDone ? static_cast<double>(mesh->cellCount()) : 0,
       isDone ? static_cast<double>(mesh->ownPointCount()) : 0 });
   cartesian::MeshPiece place{ 0, 0, false, processes };
+  if (const unsigned long code = CodeOfAll(counts, processes); code != vtkErrorCode::NoError)
+  {
+    this->ErrorCode = code;
+    return;
+  }
   double cells = 0;
   for (std::size_t i = 0; i < counts.size(); ++i)
   {
-    if (counts[i][0] != 0)
-    {
-      this->ErrorCode = static_cast<unsigned long>(counts[i][0]);
-      return;
-    }
     place.cellsBefore += static_cast<int>(i) < piece.number ? cartesian::Id(counts[i][1]) : 0;
     place.pointsBefore += static_cast<int>(i) < piece.number ? cartesian::Id(counts[i][2]) : 0;
     cells += counts[i][1];

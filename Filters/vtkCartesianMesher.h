@@ -27,6 +27,7 @@
 #include "vtkCartesianProperties.h"          // for vtkPatchPropertiesMacro
 
 #include <memory> // for std::unique_ptr
+#include <vector> // for std::vector
 
 namespace cartesian
 {
@@ -87,6 +88,8 @@ private:
   static void Make(const Task& task, Piece& piece, cartesian::Execution& execution);
   void CountPiecesBefore(Task& task, const Piece& piece, cartesian::Execution& execution);
   void RequestPieceAlone(Piece& piece, vtkInformationVector** input, vtkInformationVector* output);
+  static unsigned long CodeOfAll(
+    const std::vector<std::vector<double>>& counts, const cartesian::Processes& processes);
   void RequestPieceOfProcess(Piece& piece, const cartesian::Processes& processes,
     vtkInformationVector** input, vtkInformationVector* output);
   void Write(const Task& task, const Piece& piece, const cartesian::MeshPiece& place,

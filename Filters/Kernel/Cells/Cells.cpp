@@ -189,6 +189,7 @@ std::vector<std::uint8_t> findFlawed(const Boxes& boxes, const Patches& patches,
     BoxAssembler assembler(boxes, patches, sides, nodes, inner);
     for (std::size_t n = begin; n < end; ++n)
     {
+      execution.poll();
       flawed[n] = assembler.closes(n) ? 0 : 1;
     }
   });
@@ -211,6 +212,7 @@ Cells assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sid
     BoxAssembler assembler(boxes, patches, sides, nodes, inner);
     for (std::size_t n = begin; n < end; ++n)
     {
+      execution.poll();
       assembler.addBox(n, spec, ofChunk[begin / BoxesAChunk]);
     }
   });

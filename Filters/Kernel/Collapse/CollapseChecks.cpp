@@ -48,12 +48,28 @@ bool CollapseChecks::staysOnGrid(const Point& from, const Point& to) const
   return true;
 }
 
+bool CollapseChecks::isOnSurface(std::uint32_t slot)
+{
+  return merging_.anyFaceAt(slot, [&](std::uint32_t face) {
+    if (!merging_.isPatch(face))
+    {
+      return false;
+    }
+    merging_.ringOf(face, ring_);
+    return ring_.size() > 2 && norm(merging_.areaOf(ring_)) > 0;
+  });
+}
+
 bool CollapseChecks::mayMove(std::uint32_t slot, const Point& to, double unit)
 {
   const Point& from = merging_[slot].at;
   if (!staysOnGrid(from, to))
   {
     return false;
+  }
+  if (spec_.exact)
+  {
+    return !isOnSurface(slot);
   }
   normals_.clear();
   borders_.clear();
@@ -86,10 +102,6 @@ bool CollapseChecks::mayMove(std::uint32_t slot, const Point& to, double unit)
     listBorders(slot, face);
   });
   error = std::max(error, distanceFromBorders(slot, to));
-  if (spec_.exact)
-  {
-    return normals_.empty();
-  }
   return error <= std::max(RoundingLevels, (feature ? FeatureError : SmoothError) * unit);
 }
 

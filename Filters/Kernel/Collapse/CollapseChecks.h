@@ -59,6 +59,7 @@ public:
   }
 
 private:
+  bool isOnSurface(std::uint32_t slot);
   bool staysOnGrid(const Point& from, const Point& to) const;
   void listBorders(std::uint32_t slot, std::uint32_t face);
   double distanceFromBorders(std::uint32_t slot, const Point& to);

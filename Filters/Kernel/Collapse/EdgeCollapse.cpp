@@ -115,6 +115,7 @@ private:
         {
           if (layers_.stays(n) && layers_.isNearMoving(n))
           {
+            execution_.poll();
             listSlotsOfBox(n, found[begin / BoxesAChunk]);
           }
         }
@@ -219,6 +220,7 @@ private:
       CollapseChecks checks(boxes_, spec_, patches_, slots_);
       for (std::size_t i = begin; i < end; ++i)
       {
+        execution_.poll();
         choices_[i] = choose(edges_[i], checks);
       }
     });
@@ -312,6 +314,7 @@ private:
         {
           if (merges_[m].edge != None)
           {
+            execution_.poll();
             listBadMerges(merges_[m].stays, mergeAt, checks, found[begin / EdgesAChunk]);
           }
         }

@@ -419,6 +419,7 @@ InnerFaces generateInnerFaces(const Boxes& boxes, const Patches& patches, const 
     SideBuilder builder(boxes, patches, sides, nodes);
     for (std::size_t n = begin; n < end; ++n)
     {
+      execution.poll();
       builder.addSidesOf(n, ofChunk[begin / BoxesAChunk]);
     }
   });

@@ -43,12 +43,12 @@ public:
   WallMesh run()
   {
     listCells();
-    // A polyhedron of F faces has at most 2 F - 4 nodes.
     const std::size_t faces = p_.cells.all[end_].firstFace - p_.cells.all[first_].firstFace;
-    stateOf_.reset(2 * faces + 8 * (divided_[1] - divided_[0]));
+    const std::size_t nodes = mostNodes();
+    stateOf_.reset(nodes + 8 * (divided_[1] - divided_[0]));
     findMovable();
     listChanging();
-    localOf_.reset(2 * faces + 8 * hexahedra_.size());
+    localOf_.reset(nodes + 8 * hexahedra_.size());
     vertexOf_.reset(8 * hexahedra_.size());
     faceOf_.reset(faces + 6 * hexahedra_.size());
     quadOf_.reset(6 * hexahedra_.size());
@@ -85,6 +85,17 @@ private:
       divided_[end] = static_cast<std::size_t>(
         std::lower_bound(divided.begin(), divided.end(), box) - divided.begin());
     }
+  }
+
+  // Each node of a closed cell is at two of its faces or more: at no more than two where it lies within an edge.
+  std::size_t mostNodes() const
+  {
+    std::size_t corners = 0;
+    for (CellKey c = first_; c < end_; ++c)
+    {
+      forEachNodeOfCell(c, [&](std::uint32_t) { ++corners; });
+    }
+    return corners / 2;
   }
 
   bool isFree(CellKey c) const

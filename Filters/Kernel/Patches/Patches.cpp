@@ -156,6 +156,7 @@ public:
       BoxSurface piece;
       for (std::size_t n = begin; n < end; ++n)
       {
+        execution_.poll();
         chunk.readNext(piece);
         builder.addBox(intersected_[n], piece);
       }
@@ -173,6 +174,7 @@ private:
     BoxSurface piece;
     for (std::size_t n = begin; n < end; ++n)
     {
+      execution_.poll();
       const Box box = boxes_.box(intersected_[n]);
       const auto& global = boxes_.globalOf(box).index;
       const auto [first, last] = shoeboxes.triangles(boxes_.row(global[1], global[2]), global[0]);

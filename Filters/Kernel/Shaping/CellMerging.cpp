@@ -138,12 +138,13 @@ void CellMerger::run(std::vector<CellKey> keys, Look&& look)
   for (int round = 0; round < MostRounds && !keys.empty(); ++round)
   {
     const std::uint32_t mark = cells_.mark();
-    for (const Candidate& candidate : list(keys, look))
+    const std::vector<Candidate> candidates = list(keys, look);
+    for (std::size_t i = 0; i < candidates.size(); ++i)
     {
-      execution_.poll();
-      if (cells_.isAlive(candidate.key))
+      execution_.reach(round == 0 ? double(i) / double(candidates.size()) : 1);
+      if (cells_.isAlive(candidates[i].key))
       {
-        look(candidate.key, true);
+        look(candidates[i].key, true);
       }
     }
     keys = cells_.polyhedraChangedSince(mark);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 namespace cartesian
@@ -24,8 +25,8 @@ constexpr double LargestLedge = 0.02;
 // Cells with a poor determinant are tips up to a size that is larger by this factor.
 constexpr double LargerOfPoorDeterminant = 2;
 
-// More tips side by side than this are no tip.
-constexpr std::size_t MostSideBySide = 6;
+// Tips side by side that hold more than as many of the largest are no tip.
+constexpr double MostSideBySide = 2;
 
 class TipSearch
 {
@@ -219,9 +220,12 @@ void removeTips(CellComplex& cells, const std::vector<CellKey>& keys, const Smal
     std::for_each(group.begin(), group.end(), [&](CellKey key) { cells.remove(key); });
     return true;
   };
+  const auto shareOf = [&](double sum, CellKey key) { return sum + cells.share(key); };
   for (const std::vector<CellKey>& group : sideBySide(cells, tips))
   {
-    if (group.size() > MostSideBySide || !tryOut(group))
+    const bool isTip =
+      std::accumulate(group.begin(), group.end(), 0.0, shareOf) < MostSideBySide * largest;
+    if (!isTip || !tryOut(group))
     {
       for (std::size_t i = 0; group.size() > 1 && i < group.size(); ++i)
       {
