@@ -15,5 +15,8 @@ cell_size=${2:-0}
   cmake --preset release --log-level=WARNING
   cmake --build --preset release --target CartesianMesher vtkCartesianMesherFiltersPython
 )
-PV_PLUGIN_PATH=$here/build/release/lib/paraview-5.11/plugins \
-  exec xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvpython "$here/Plugin/demo.py" "$surface" "$cell_size"
+for plugins in "$here"/build/release/lib/paraview-*/plugins; do
+  export PV_PLUGIN_PATH="$plugins"
+done
+exec xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \
+  pvpython "$here/Plugin/demo.py" "$surface" "$cell_size"

@@ -3,6 +3,7 @@
 
 #include "BoundaryNames.h"
 #include "ReportErrors.h"
+#include "StlSource.h"
 #include "SurfaceFromVTK.h"
 
 #include "Utf8.h"
@@ -219,7 +220,7 @@ int vtkNamedSTLReader::ReadWithoutNames(vtkPolyData* surface)
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> triangles;
   vtkNew<vtkFloatArray> labels;
-  if (!this->ReadASCIISTL(copy.get(), points, triangles, labels))
+  if (!this->ReadASCIISTL(cartesian::stlSource(copy.get()), points, triangles, labels))
   {
     return 0;
   }

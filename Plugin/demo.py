@@ -83,7 +83,8 @@ def draw(mesher, mesh, picture):
     colours.Annotations = [str(n) for n in range(first, last + 1) for _ in "ab"]
     boundary.SetScalarBarVisibility(view, False)
     # The boundary's faces are faces of the mesh too: a hair nearer, they win.
-    boundary.Position = [1e-3 * max(sizes) * a for a in away]
+    translation = "Translation" if "Translation" in boundary.ListProperties() else "Position"  # ParaView 5.11
+    setattr(boundary, translation, [1e-3 * max(sizes) * a for a in away])
 
     view.CameraFocalPoint = middle
     view.CameraPosition = [m + max(sizes) * a for m, a in zip(middle, away)]

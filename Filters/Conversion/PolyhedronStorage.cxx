@@ -9,13 +9,16 @@
 #include "vtkUnstructuredGrid.h"
 #include "vtkVersionMacros.h"
 
+#include <algorithm>
+#include <numeric>
+
 namespace cartesian
 {
 
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20240112)
 
-// From VTK 9.4 on there is one array of the faces of all cells, and a list of them for each cell. Never
-// compiled so far: ParaView 5.11 has VTK 9.2.
+// From VTK 9.4 on there is one array of the faces of all cells, and a list of them for each cell: here those
+// numbered from firstFace[cell] to firstFace[cell + 1].
 void setCells(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* types, vtkCellArray* cells,
   vtkIdTypeArray* faceStart, vtkIdTypeArray* faceStream)
 {
@@ -24,21 +27,48 @@ void setCells(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* types, vtkCellArr
     grid->SetCells(types, cells);
     return;
   }
-  vtkNew<vtkCellArray> faces;
-  vtkNew<vtkCellArray> facesOfCells;
-  for (vtkIdType cell = 0; cell < faceStart->GetNumberOfValues(); ++cell)
+  const vtkIdType cellCount = faceStart->GetNumberOfValues();
+  vtkNew<vtkIdTypeArray> firstFace;
+  firstFace->SetNumberOfValues(cellCount + 1);
+  vtkIdType faceCount = 0;
+  vtkIdType polyhedra = 0;
+  for (vtkIdType cell = 0; cell < cellCount; ++cell)
+  {
+    firstFace->SetValue(cell, faceCount);
+    const vtkIdType start = faceStart->GetValue(cell);
+    faceCount += start < 0 ? 0 : faceStream->GetValue(start);
+    polyhedra += start < 0 ? 0 : 1;
+  }
+  firstFace->SetValue(cellCount, faceCount);
+
+  vtkNew<vtkIdTypeArray> faceOffset;
+  vtkNew<vtkIdTypeArray> corners;
+  faceOffset->SetNumberOfValues(faceCount + 1);
+  corners->SetNumberOfValues(faceStream->GetNumberOfValues() - polyhedra - faceCount);
+  vtkIdType* offset = faceOffset->GetPointer(0);
+  vtkIdType* corner = corners->GetPointer(0);
+  *offset = 0;
+  for (vtkIdType cell = 0; cell < cellCount; ++cell)
   {
     const vtkIdType start = faceStart->GetValue(cell);
-    const vtkIdType* stream = start < 0 ? nullptr : faceStream->GetPointer(start);
-    const vtkIdType count = stream ? *stream++ : 0;
-    facesOfCells->InsertNextCell(static_cast<int>(count));
-    for (vtkIdType face = 0; face < count; ++face)
+    const vtkIdType* face = start < 0 ? nullptr : faceStream->GetPointer(start + 1);
+    for (vtkIdType i = firstFace->GetValue(cell); i < firstFace->GetValue(cell + 1); ++i)
     {
-      const vtkIdType size = *stream++;
-      facesOfCells->InsertCellPoint(faces->InsertNextCell(size, stream));
-      stream += size;
+      const vtkIdType size = *face++;
+      offset[1] = offset[0] + size;
+      ++offset;
+      corner = std::copy_n(face, size, corner);
+      face += size;
     }
   }
+  vtkNew<vtkIdTypeArray> faceNumbers;
+  faceNumbers->SetNumberOfValues(faceCount);
+  std::iota(faceNumbers->GetPointer(0), faceNumbers->GetPointer(0) + faceCount, vtkIdType(0));
+
+  vtkNew<vtkCellArray> faces;
+  vtkNew<vtkCellArray> facesOfCells;
+  faces->SetData(faceOffset, corners);
+  facesOfCells->SetData(firstFace, faceNumbers);
   grid->SetPolyhedralCells(types, cells, facesOfCells, faces);
 }
 

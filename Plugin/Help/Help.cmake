@@ -1,19 +1,29 @@
 # The pages of this folder in ParaView's Help, compiled into the plugin. Without the tools, which
 # ParaView's own packages do not bring, there is no Help; nothing else is missing.
-find_program(XMLPATTERNS NAMES xmlpatterns-qt5 xmlpatterns)
 find_program(CMARK_GFM cmark-gfm)
-find_package(Qt5 5.15 QUIET COMPONENTS Help)
+set(qt Qt5) # of ParaView 5.11, which does not say so
+if (PARAVIEW_QT_MAJOR_VERSION)
+  set(qt Qt${PARAVIEW_QT_MAJOR_VERSION})
+endif ()
+find_package(${qt} QUIET COMPONENTS Help)
 find_package(Python3 3.9 QUIET COMPONENTS Interpreter)
 
-# Debian's xmlpatterns may be a wrapper with nothing in it.
+# What makes HTML of XML, and how it says its version: Debian's xmlpatterns may be a wrapper with nothing in it.
+if (ParaView_VERSION VERSION_LESS 6.0)
+  find_program(TRANSFORMER NAMES xmlpatterns-qt5 xmlpatterns)
+  set(version_option -version)
+else ()
+  find_program(TRANSFORMER xsltproc)
+  set(version_option --version)
+endif ()
 set(works 1)
-if (XMLPATTERNS)
-  execute_process(COMMAND "${XMLPATTERNS}" -version
+if (TRANSFORMER)
+  execute_process(COMMAND "${TRANSFORMER}" ${version_option}
     RESULT_VARIABLE works OUTPUT_QUIET ERROR_QUIET)
 endif ()
 
-if (NOT works EQUAL 0 OR NOT CMARK_GFM OR NOT Qt5Help_FOUND OR NOT Python3_Interpreter_FOUND)
-  message(STATUS "No help pages: they need xmlpatterns, qhelpgenerator, cmark-gfm and Python")
+if (NOT works EQUAL 0 OR NOT CMARK_GFM OR NOT ${qt}Help_FOUND OR NOT Python3_Interpreter_FOUND)
+  message(STATUS "No help pages: they need xmlpatterns or xsltproc, qhelpgenerator, cmark-gfm and Python")
   set(help_arguments XML_DOCUMENTATION OFF)
   return ()
 endif ()

@@ -28,6 +28,9 @@ try:
     from paraview import simple
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
+
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Plugin"))
+    from polyhedra import face_arrays
 except ImportError:  # any Python can compare
     simple = None
 
@@ -263,10 +266,11 @@ def arrays(data):
     for name, cells in cell_arrays(data).items():
         yield f"{name} offsets", cells and cells.GetOffsetsArray()
         yield name, cells and cells.GetConnectivityArray()
-    if hasattr(data, "GetFaces"):
+    if data.IsA("vtkUnstructuredGrid"):
+        faces, places = face_arrays(data)
         yield "types", data.GetCellTypesArray()
-        yield "polyhedral faces", data.GetFaces()
-        yield "places of polyhedral faces", data.GetFaceLocations()
+        yield "polyhedral faces", faces
+        yield "places of polyhedral faces", places
     for kind, attributes in (("point", data.GetPointData()), ("cell", data.GetCellData()),
                              ("field", data.GetFieldData())):
         for i in range(attributes.GetNumberOfArrays()):
@@ -275,7 +279,7 @@ def arrays(data):
 
 
 def cell_arrays(data):
-    if hasattr(data, "GetFaces"):
+    if data.IsA("vtkUnstructuredGrid"):
         return {"cells": data.GetCells()}
     return {"verts": data.GetVerts(), "lines": data.GetLines(), "polygons": data.GetPolys(),
             "strips": data.GetStrips()}

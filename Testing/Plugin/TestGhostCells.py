@@ -10,6 +10,7 @@ from vtkmodules.vtkIOGeometry import vtkOBJReader
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 import pieces
+from polyhedra import face_streams
 
 RANKS = vtkMultiProcessController.GetGlobalController()
 assert RANKS.GetNumberOfProcesses() > 1
@@ -27,8 +28,7 @@ def described(grid):
         if attributes.GetArrayName(i) not in ("vtkGhostType", "vtkGlobalCellIds")]
     ids = vtk_to_numpy(attributes.GetArray("CellId")).tolist()
     own = pieces.own_cells(grid).tolist()
-    stream = vtk_to_numpy(grid.GetFaces()).tolist()
-    starts = vtk_to_numpy(grid.GetFaceLocations()).tolist()
+    stream, starts = (array.tolist() for array in face_streams(grid))
     cells = {ids[c]: (own[c], [[names[p] for p in loop]
                 for loop in pieces.loops(grid, c, stream, starts[c])],
             [array[c] for array in arrays])

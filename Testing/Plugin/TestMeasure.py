@@ -6,6 +6,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import measure
 from pipeline import octahedron, output, producer
+from polyhedra import face_streams, set_face_streams
 
 source = producer(octahedron())
 mesher = simple.CartesianMesher(Input=source, CellSize=0.3, PatchMethod="Exact Fit")
@@ -37,13 +38,15 @@ def move_a_point(mesh, boundary):
 
 
 def turn_a_face(mesh, boundary):
-    stream = vtk_to_numpy(mesh.GetFaces())
+    stream, starts = face_streams(mesh)
     stream[2 : 2 + stream[1]] = stream[2 : 2 + stream[1]][::-1].copy()
+    set_face_streams(mesh, stream, starts)
 
 
 def swap_corners_of_a_face(mesh, boundary):
-    stream = vtk_to_numpy(mesh.GetFaces())
+    stream, starts = face_streams(mesh)
     stream[2:4] = stream[3:1:-1].copy()
+    set_face_streams(mesh, stream, starts)
 
 
 def turn_a_hexahedron(mesh, boundary):
@@ -54,8 +57,9 @@ def turn_a_hexahedron(mesh, boundary):
 
 
 def repeat_a_cell(mesh, boundary):
-    last = mesh.GetNumberOfCells() - 1
-    mesh.GetFaceLocations().SetValue(last, mesh.GetFaceLocations().GetValue(last - 1))
+    stream, starts = face_streams(mesh)
+    starts[-1] = starts[-2]
+    set_face_streams(mesh, stream, starts)
 
 
 def turn_a_boundary_face(mesh, boundary):

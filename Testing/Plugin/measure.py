@@ -9,6 +9,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_POLYHEDRON
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
+from polyhedra import face_streams
+
 HEXAHEDRON = ((0, 4, 7, 3), (1, 2, 6, 5), (0, 1, 5, 4), (3, 7, 6, 2), (0, 3, 2, 1), (4, 5, 6, 7))
 LEVELS = 4.2e9  # of the mesher's lattice, along the longest side
 CLOSE = 1e-9
@@ -84,8 +86,8 @@ def faces_of_cells(grid):
     # The first face of all polyhedra, then the second of all that have one, and so on.
     cells = np.flatnonzero(types == VTK_POLYHEDRON)
     if len(cells):
-        stream = vtk_to_numpy(grid.GetFaces())
-        at = vtk_to_numpy(grid.GetFaceLocations())[cells]
+        stream, starts = face_streams(grid)
+        at = starts[cells]
         left = stream[at]
         at = at + 1
         while len(cells):

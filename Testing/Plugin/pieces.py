@@ -5,6 +5,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
+from polyhedra import face_streams
+
 CELL_ARRAYS = "GlobalBox", "Level", "Region", "VolumeFraction", "CellId"
 
 
@@ -36,9 +38,7 @@ def loops(grid, cell, stream, start):
 
 def cells(grid, points):
     """Of each cell by its id: its loops with the numbers `points` for its points, and its arrays."""
-    stream = vtk_to_numpy(grid.GetFaces()).tolist() if grid.GetFaces() else []
-    starts = vtk_to_numpy(grid.GetFaceLocations()).tolist() if grid.GetFaces() \
-        else [-1] * grid.GetNumberOfCells()
+    stream, starts = (array.tolist() for array in face_streams(grid))
     arrays = [vtk_to_numpy(grid.GetCellData().GetArray(name)) for name in CELL_ARRAYS]
     own = own_cells(grid)
     return {arrays[-1][c]: ([[points[p] for p in loop] for loop in loops(grid, c, stream, starts[c])],

@@ -9,6 +9,8 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkStringOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
+from polyhedra import face_arrays
+
 DATA = pathlib.Path(sys.argv[1]) / "Data"
 
 READERS = {
@@ -89,15 +91,15 @@ class Messages:
 def arrays(data):
     """Everything in a data object: names and arrays."""
     all = {"points": data.GetPoints() and data.GetPoints().GetData()}
-    cells = {"cells": data.GetCells()} if hasattr(data, "GetFaces") else {
+    is_grid = data.IsA("vtkUnstructuredGrid")
+    cells = {"cells": data.GetCells()} if is_grid else {
         "verts": data.GetVerts(), "lines": data.GetLines(),
         "polygons": data.GetPolys(), "strips": data.GetStrips()}
     for name, value in cells.items():
         all[name + ", offsets"] = value.GetOffsetsArray()
         all[name] = value.GetConnectivityArray()
-    if hasattr(data, "GetFaces"):
-        all |= {"types": data.GetCellTypesArray(), "faces": data.GetFaces(),
-                "face locations": data.GetFaceLocations()}
+    if is_grid:
+        all |= dict(zip(("types", "faces", "face locations"), (data.GetCellTypesArray(), *face_arrays(data))))
     for where in "PointData", "CellData", "FieldData":
         attributes = getattr(data, "Get" + where)()
         for i in range(attributes.GetNumberOfArrays()):

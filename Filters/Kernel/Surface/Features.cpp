@@ -3,6 +3,8 @@
 
 #include "Surface/SurfaceEdges.h"
 
+#include <algorithm>
+
 namespace cartesian
 {
 
