@@ -92,8 +92,10 @@ void Refinement::addBoundary(const BoundaryRefinement& row, std::size_t number,
   {
     throw Error(Fault::BadParameter, "The blending distance in " + name + " is negative.");
   }
-  if (std::find(surface.boundary.begin(), surface.boundary.end(), row.boundary) ==
-    surface.boundary.end())
+  const auto isRefined = [&](std::int32_t boundary) {
+    return surface.walls.isOf(boundary, row.boundary);
+  };
+  if (std::none_of(surface.boundary.begin(), surface.boundary.end(), isRefined))
   {
     throw Error(Fault::BadParameter,
       "The surface has no boundary " + std::to_string(row.boundary) + ", named in " + name + ".");
@@ -109,7 +111,7 @@ void Refinement::addBoundary(const BoundaryRefinement& row, std::size_t number,
       const auto end =
         shoeboxes.triangle.begin() + static_cast<std::ptrdiff_t>(shoeboxes.triangleStart[b + 1]);
       if (std::any_of(
-            begin, end, [&](std::uint32_t t) { return surface.boundary[t] == row.boundary; }))
+            begin, end, [&](std::uint32_t t) { return isRefined(surface.boundary[t]); }))
       {
         boundary.boxes.insert(shoeboxes.column[b], static_cast<std::int64_t>(r % rowsAlongY),
           static_cast<std::int64_t>(r / rowsAlongY));

@@ -50,7 +50,8 @@ public:
     for (std::size_t i = 0; i + 1 < twins_.size(); ++i)
     {
       if (twins_[i].first == twins_[i + 1].first &&
-        merging_.isPatch(twins_[i].second) == merging_.isPatch(twins_[i + 1].second))
+        (merging_.isPatch(twins_[i].second) == merging_.isPatch(twins_[i + 1].second) ||
+          isInterface(twins_[i].second) || isInterface(twins_[i + 1].second)))
       {
         merging_.ringOf(twins_[i].second, ring_);
         visit(ring_);
@@ -63,6 +64,13 @@ private:
   void listBorders(std::uint32_t slot, std::uint32_t face);
   double distanceFromBorders(std::uint32_t slot, const Point& to);
   bool isGood(std::uint32_t face) const;
+
+  // Between two regions (Walls.h): what becomes flat there must stay a cell, as nothing else is between
+  // its neighbours.
+  bool isInterface(std::uint32_t face) const
+  {
+    return merging_.isPatch(face) && patches_.walls.isInterface(patches_.boundary[face]);
+  }
   std::uint64_t keyOfRing() const;
 
   template <class Visitor>

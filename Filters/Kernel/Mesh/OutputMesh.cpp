@@ -290,15 +290,16 @@ void OutputMesh::writeFaces(std::size_t cell, Id* stream, CellPoints& points) co
 
 void OutputMesh::writeCellData(const CellData& data, Execution& execution) const
 {
-  const auto write = [&](std::size_t id, std::uint32_t number, const PackedBox& box,
-                       double fraction) {
+  const auto write = [&](std::size_t id, std::uint32_t number, std::size_t b,
+                       std::int32_t region, double fraction) {
+    const PackedBox& box = parts_.boxes.packed[b];
     data.number[id] = number;
     for (int axis = 0; axis < 3; ++axis)
     {
       data.globalBox[3 * id + axis] = static_cast<int>(parts_.boxes.globalOf(box).index[axis]);
       data.level[3 * id + axis] = box.level[axis];
     }
-    data.region[id] = FirstRegion;
+    data.region[id] = region;
     data.volumeFraction[id] = fraction;
   };
   const Boxes& boxes = parts_.boxes;
@@ -310,7 +311,7 @@ void OutputMesh::writeCellData(const CellData& data, Execution& execution) const
       {
         if (parts_.sides.polyhedralOrdinal(static_cast<std::uint32_t>(b)) == None)
         {
-          write(id++, numbers_.ofBox[b], boxes.packed[b], 1);
+          write(id++, numbers_.ofBox[b], b, boxes.regionOf(b), 1);
         }
       }
     });
@@ -319,8 +320,8 @@ void OutputMesh::writeCellData(const CellData& data, Execution& execution) const
     const std::uint32_t number = numbers_.ofBox[hexahedron.box];
     if (parts_.sides.polyhedralOrdinal(hexahedron.box) == None && CellNumbers::isHere(number))
     {
-      write(hexahedraBefore(hexahedron.box), number, boxes.packed[hexahedron.box],
-        hexahedron.volumeFraction);
+      write(hexahedraBefore(hexahedron.box), number, hexahedron.box,
+        boxes.regionOf(hexahedron.box), hexahedron.volumeFraction);
     }
   }
   const Cells& cells = parts_.cells;
@@ -330,7 +331,7 @@ void OutputMesh::writeCellData(const CellData& data, Execution& execution) const
     {
       if (!cells.all[c].removed)
       {
-        write(placeOfPolyhedron(c), numbers_.ofCell[c], boxes.packed[cells.all[c].box],
+        write(placeOfPolyhedron(c), numbers_.ofCell[c], cells.all[c].box, cells.all[c].region,
           cells.all[c].volumeFraction);
       }
     }

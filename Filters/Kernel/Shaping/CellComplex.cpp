@@ -131,6 +131,15 @@ bool CellComplex::isAlive(CellKey key) const
   return key >= cells_.size() || !cells_.all[key].removed;
 }
 
+std::int32_t CellComplex::regionOf(CellKey key) const
+{
+  const OpenCell* cell = opened(key);
+  const CellKey origin = cell ? cell->origin : key;
+  return origin < cells_.size()
+    ? cells_.all[origin].region
+    : boxes_.regionOf(static_cast<std::size_t>(origin - cells_.size()));
+}
+
 std::uint32_t CellComplex::boxOf(CellKey key) const
 {
   if (const OpenCell* cell = opened(key))
@@ -271,7 +280,7 @@ std::vector<std::pair<CellKey, double>> CellComplex::neighbours(CellKey key) con
     const double area = norm(measures.faces[face].area);
     const CellKey other = polyhedron.isBoundary[face] ? None : across(use);
     ++face;
-    if (other == None)
+    if (other == None || regionOf(other) != regionOf(key))
     {
       return;
     }
@@ -357,6 +366,10 @@ bool CellComplex::mayMerge(const std::vector<CellKey>& keys) const
   Layers all = layersOf(keys.front());
   for (const CellKey key : keys)
   {
+    if (regionOf(key) != regionOf(keys.front()))
+    {
+      return false;
+    }
     const Layers layers = layersOf(key);
     all = { std::min(all.begin, layers.begin), std::max(all.end, layers.end) };
   }
@@ -498,7 +511,10 @@ void CellComplex::view(const std::vector<CellKey>& keys, CellView& view) const
     view.faces.push_back(face.use);
     view.across.push_back(exposed ? CellKey(None) : face.other);
     view.boundary.push_back(exposed ? boundaryOfCell(face.other) : boundaryOf(face.use.face));
-    view.fixed.push_back(face.other == None || isActing(face.other) ? 0 : 1);
+    view.fixed.push_back(face.other == None ||
+          (isActing(face.other) && regionOf(face.other) == regionOf(keys.front()))
+        ? 0
+        : 1);
     view.shape.corners.insert(view.shape.corners.end(), corner(face.begin), corner(face.end));
     view.shape.closeFace(view.across.back() == None);
   }
