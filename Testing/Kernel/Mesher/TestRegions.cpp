@@ -119,19 +119,19 @@ TEST(Regions, ShareTheirCommonTriangles)
   soup.addRegion(
     cube().each([](const Vector& p) { return Vector{ 3 - 2 * p[0], p[1], p[2] }; }).flipped());
   expectExactly(soup, OfTwoBoxes);
-  expectNearly(soup, OfTwoBoxes, 1e-6);
+  expectNearly(soup, OfTwoBoxes, 3e-5);
 }
 
 TEST(Regions, ShareTheirCommonWall)
 {
   expectExactly(twoBoxes(), OfTwoBoxes);
-  expectNearly(twoBoxes(), OfTwoBoxes, 1e-6);
+  expectNearly(twoBoxes(), OfTwoBoxes, 3e-5);
 }
 
 TEST(Regions, MayLieInEachOther)
 {
   expectExactly(boxInBox(), OfBoxInBox);
-  expectNearly(boxInBox(), OfBoxInBox, 1e-6);
+  expectNearly(boxInBox(), OfBoxInBox, 3e-5);
 }
 
 TEST(Regions, TheFirstKeepsTheVolume)
