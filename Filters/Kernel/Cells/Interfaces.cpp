@@ -33,4 +33,19 @@ void makeInterfaces(const Patches& patches, InnerFaces& inner, Cells& cells, Exe
   findCellsOfInnerFaces(inner, cells, execution);
 }
 
+// Hexahedra are in boxes that no wall passes through.
+bool isInterface(const Cells& cells, const FaceOfCell& face)
+{
+  if (face.isPatch())
+  {
+    return false;
+  }
+  const bool inner =
+    face.kind() == FaceOfCell::Kind::Inner || face.kind() == FaceOfCell::Kind::TurnedInner;
+  const auto& [below, above] =
+    inner ? cells.ofInnerFace[face.index] : cells.shaped.cells[face.index];
+  return below < cells.size() && above < cells.size() &&
+    cells.all[below].region != cells.all[above].region;
+}
+
 }

@@ -11,11 +11,7 @@ namespace cartesian
 // changes such a face changes it for both its cells. Patches keep their numbers; no cell has those any more.
 void makeInterfaces(const Patches& patches, InnerFaces& inner, Cells& cells, Execution& execution);
 
-// Whether these are cells of polyhedral boxes and of two regions.
-inline bool areOfTwoRegions(const Cells& cells, std::uint32_t below, std::uint32_t above)
-{
-  return below < cells.size() && above < cells.size() &&
-    cells.all[below].region != cells.all[above].region;
-}
+// Whether a face of a cell is between two regions.
+bool isInterface(const Cells& cells, const FaceOfCell& face);
 
 }

@@ -194,7 +194,7 @@ private:
   void fixInterfaces(CellKey c)
   {
     forEachFace(c, [&](const FaceOfCell& face) {
-      if (!face.isPatch() && areOfTwoRegions(p_.cells, c, beyond(face)))
+      if (isInterface(p_.cells, face))
       {
         forEachNodeOf(face, [&](std::uint32_t node) { stateOf_.at(node, node) = Fixed; });
       }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <tuple>
 
 namespace cartesian
@@ -367,6 +368,39 @@ private:
     numbers_; // of walls
 };
 
+// Puts vertices in order of their places, and triangles in order of vertices, as onLattice() does.
+void sortByPlace(Surface& surface)
+{
+  std::vector<std::uint32_t> order(surface.vertices.size());
+  std::vector<std::uint32_t> place(order.size());
+  std::iota(order.begin(), order.end(), 0);
+  const std::vector<Point> at = surface.vertices;
+  std::sort(
+    order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return at[a] < at[b]; });
+  for (std::uint32_t i = 0; i < order.size(); ++i)
+  {
+    place[order[i]] = i;
+    surface.vertices[i] = at[order[i]];
+  }
+  const Surface given = surface;
+  std::vector<std::uint32_t> triangles(given.triangles.size());
+  std::iota(triangles.begin(), triangles.end(), 0);
+  for (auto& t : surface.triangles)
+  {
+    t = { place[t[0]], place[t[1]], place[t[2]] };
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  }
+  const std::vector<std::array<std::uint32_t, 3>> renamed = surface.triangles;
+  std::sort(triangles.begin(), triangles.end(),
+    [&](std::uint32_t a, std::uint32_t b) { return renamed[a] < renamed[b]; });
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    surface.triangles[i] = renamed[triangles[i]];
+    surface.boundary[i] = given.boundary[triangles[i]];
+    surface.given[i] = given.given[triangles[i]];
+  }
+}
+
 bool haveSameVertices(const Surface& surface, std::uint32_t s, std::uint32_t t)
 {
   const auto& a = surface.triangles[s];
@@ -410,6 +444,7 @@ void separateRegions(Surface& surface, const Meshlines& planes,
   imprint(all, execution);
   requireApart(all, names, execution);
   surface = WallFinder(all, regions).run(execution);
+  sortByPlace(surface);
   for (std::int32_t region = FirstRegion; region <= regions; ++region)
   {
     const auto isOf = [&](const Wall& wall) {

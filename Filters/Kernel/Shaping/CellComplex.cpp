@@ -140,6 +140,16 @@ std::int32_t CellComplex::regionOf(CellKey key) const
     : boxes_.regionOf(static_cast<std::size_t>(origin - cells_.size()));
 }
 
+bool CellComplex::isInterface(const FaceUse& use) const
+{
+  if (boxes_.regions.empty() || isPatch(use.face))
+  {
+    return false;
+  }
+  const auto& [below, above] = cellsOf(use.face);
+  return below != None && above != None && regionOf(below) != regionOf(above);
+}
+
 std::uint32_t CellComplex::boxOf(CellKey key) const
 {
   if (const OpenCell* cell = opened(key))
@@ -163,7 +173,7 @@ void CellComplex::addFaceTo(Polyhedron& shape, const FaceUse& use, const Point& 
     shape.corners[first + i] = static_cast<std::uint32_t>(first + i);
   }
   const CellKey other = across(use);
-  shape.closeFace(other == None || !isAlive(other));
+  shape.closeFace(other == None || !isAlive(other) || isInterface(use));
 }
 
 void CellComplex::shape(CellKey key, Polyhedron& shape) const
@@ -280,7 +290,7 @@ std::vector<std::pair<CellKey, double>> CellComplex::neighbours(CellKey key) con
     const double area = norm(measures.faces[face].area);
     const CellKey other = polyhedron.isBoundary[face] ? None : across(use);
     ++face;
-    if (other == None || regionOf(other) != regionOf(key))
+    if (other == None)
     {
       return;
     }
@@ -511,12 +521,10 @@ void CellComplex::view(const std::vector<CellKey>& keys, CellView& view) const
     view.faces.push_back(face.use);
     view.across.push_back(exposed ? CellKey(None) : face.other);
     view.boundary.push_back(exposed ? boundaryOfCell(face.other) : boundaryOf(face.use.face));
-    view.fixed.push_back(face.other == None ||
-          (isActing(face.other) && regionOf(face.other) == regionOf(keys.front()))
-        ? 0
-        : 1);
+    const bool isBetween = isInterface(face.use);
+    view.fixed.push_back(face.other == None || (isActing(face.other) && !isBetween) ? 0 : 1);
     view.shape.corners.insert(view.shape.corners.end(), corner(face.begin), corner(face.end));
-    view.shape.closeFace(view.across.back() == None);
+    view.shape.closeFace(view.across.back() == None || isBetween);
   }
 }
 

@@ -257,6 +257,10 @@ private:
   }
   std::array<CellKey, 2> cellsOf(std::uint32_t face) const;
   CellKey across(const FaceUse& use) const;
+
+  // Whether a face is between two regions. For solvers of one of them it is at the boundary; but a cut of it
+  // is one for both.
+  bool isInterface(const FaceUse& use) const;
   void setCell(const FaceUse& use, CellKey key);
   bool hasChanged(CellKey key) const;
   bool isSeen(CellKey key) const;

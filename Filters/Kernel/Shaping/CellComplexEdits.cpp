@@ -655,7 +655,7 @@ bool CellComplex::isAtBoundary(CellKey key) const
   forEachFace(key, [&](const FaceUse& use) {
     const CellKey other = across(use);
     any = any || other == None || !isAlive(other);
-    border = border || (other != None && regionOf(other) != regionOf(key));
+    border = border || isInterface(use);
   });
   return any && !border;
 }
