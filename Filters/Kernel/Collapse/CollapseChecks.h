@@ -19,6 +19,10 @@ public:
   // `unit`: the shortest edge of the smallest box around.
   bool mayMove(std::uint32_t slot, const Point& to, double unit);
 
+  // Whether all walls (Walls.h) at a node are also at another: else a region between them would lose its
+  // thickness where the first becomes the second.
+  bool keepsWalls(std::uint32_t slot, std::uint32_t to);
+
   // How the surface bends at a node: the smallest cosine between the normals of patches there; 2 where there
   // is none.
   double bendAt(std::uint32_t slot);
@@ -62,6 +66,7 @@ public:
 private:
   bool staysOnGrid(const Point& from, const Point& to) const;
   void listBorders(std::uint32_t slot, std::uint32_t face);
+  void listWalls(std::uint32_t slot, std::vector<std::int32_t>& walls);
   double distanceFromBorders(std::uint32_t slot, const Point& to);
   bool isGood(std::uint32_t face) const;
 
@@ -84,6 +89,7 @@ private:
   std::vector<std::uint32_t> ring_;
   std::vector<Vector> normals_;
   std::vector<std::pair<std::uint32_t, std::int32_t>> borders_; // next node, boundary
+  std::array<std::vector<std::int32_t>, 2> walls_;
   std::vector<std::uint32_t> near_;
   std::vector<std::uint32_t> thirds_;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> twins_; // key of the corners, face

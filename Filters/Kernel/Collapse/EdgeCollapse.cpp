@@ -179,8 +179,8 @@ private:
     {
       return choice;
     }
-    const bool toB = checks.mayMove(a, slots_[b].at, edge.unit);
-    const bool toA = checks.mayMove(b, slots_[a].at, edge.unit);
+    const bool toB = checks.mayMove(a, slots_[b].at, edge.unit) && checks.keepsWalls(a, b);
+    const bool toA = checks.mayMove(b, slots_[a].at, edge.unit) && checks.keepsWalls(b, a);
     if ((!toA && !toB) || !checks.closesUp(a, b))
     {
       return choice;
