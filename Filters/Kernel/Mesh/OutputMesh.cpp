@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/OutputMesh.h"
 
+#include "Cells/Interfaces.h"
 #include "Parts/Slabs.h"
 
 #include <algorithm>
@@ -46,7 +47,38 @@ OutputMesh::OutputMesh(const MeshParts& parts, Execution& execution)
   measureCells(execution);
   placeRows();
   boundary_ = collectBoundary(parts_, numbers_, execution);
+  if (parts.patches.walls.any())
+  {
+    listInterfaces();
+  }
   failures_ = countFailures(parts_, numbers_, boundary_, execution);
+}
+
+void OutputMesh::listInterfaces()
+{
+  const Cells& cells = parts_.cells;
+  for (std::size_t c = numbers_.coreBegin; c < numbers_.coreEnd; ++c)
+  {
+    for (std::size_t f = cells.all[c].firstFace; f < cells.all[c + 1].firstFace; ++f)
+    {
+      const FaceOfCell& face = cells.faces[f];
+      if (cells.all[c].removed || face.turned() || !isInterface(cells, face))
+      {
+        continue;
+      }
+      const bool inner = face.kind() == FaceOfCell::Kind::Inner;
+      const std::uint32_t front =
+        (inner ? cells.ofInnerFace[face.index] : cells.shaped.cells[face.index])[1];
+      const std::uint32_t number = numbers_.ofCell[front];
+      if (number != None)
+      {
+        interfaces_.push_back({ numbers_.ofCell[c], face.index,
+          inner ? parts_.inner.wallOf(face.index) : cells.shaped.boundary[face.index],
+          inner ? BoundaryFace::Kind::Inner : BoundaryFace::Kind::Shaped });
+        inFront_.push_back(CellNumbers::isHere(number) ? static_cast<Id>(number) : Id(-1));
+      }
+    }
+  }
 }
 
 void OutputMesh::measureCells(Execution& execution)
@@ -377,16 +409,16 @@ void OutputMesh::forEachPoint(const BoundaryFace& face, Visitor&& visit) const
   }
 }
 
-// Lists the points of the boundary, in order. Returns the index of each of the mesh's points there.
-RawVector<std::uint32_t> OutputMesh::numberBoundaryPoints(
+// Lists the points of faces, in order. Returns the index of each of the mesh's points there.
+RawVector<std::uint32_t> OutputMesh::numberPointsOf(const std::vector<BoundaryFace>& faces,
   std::vector<Id>& points, Execution& execution) const
 {
   const auto count = static_cast<std::size_t>(pointCount());
   std::vector<std::atomic<bool>> used(count);
-  execution.forEach(boundary_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+  execution.forEach(faces.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f)
     {
-      forEachPoint(boundary_[f], [&](Id point) {
+      forEachPoint(faces[f], [&](Id point) {
         used[static_cast<std::size_t>(point)].store(true, std::memory_order_relaxed);
       });
     }
@@ -402,7 +434,7 @@ RawVector<std::uint32_t> OutputMesh::numberBoundaryPoints(
     first[begin / PointsAChunk] = sum;
   });
   points.resize(scan(first));
-  RawVector<std::uint32_t> places(count); // undefined for points that are not on the boundary
+  RawVector<std::uint32_t> places(count); // undefined for points of no such face
   execution.forEach(count, PointsAChunk, [&](std::size_t begin, std::size_t end) {
     std::uint32_t next = first[begin / PointsAChunk];
     for (std::size_t p = begin; p < end; ++p)
@@ -417,23 +449,24 @@ RawVector<std::uint32_t> OutputMesh::numberBoundaryPoints(
   return places;
 }
 
-BoundaryMesh OutputMesh::boundaryMesh(Execution& execution) const
+BoundaryMesh OutputMesh::meshOf(
+  const std::vector<BoundaryFace>& faces, Execution& execution) const
 {
   BoundaryMesh result;
-  result.start.assign(boundary_.size() + 1, 0);
-  execution.forEach(boundary_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+  result.start.assign(faces.size() + 1, 0);
+  execution.forEach(faces.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f)
     {
-      forEachPoint(boundary_[f], [&](Id) { ++result.start[f]; });
+      forEachPoint(faces[f], [&](Id) { ++result.start[f]; });
     }
   });
   result.corners.resize(static_cast<std::size_t>(scan(result.start)));
-  const RawVector<std::uint32_t> local = numberBoundaryPoints(result.meshPoint, execution);
-  execution.forEach(boundary_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+  const RawVector<std::uint32_t> local = numberPointsOf(faces, result.meshPoint, execution);
+  execution.forEach(faces.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f)
     {
       auto next = static_cast<std::size_t>(result.start[f]);
-      forEachPoint(boundary_[f],
+      forEachPoint(faces[f],
         [&](Id point) { result.corners[next++] = local[static_cast<std::size_t>(point)]; });
     }
   });

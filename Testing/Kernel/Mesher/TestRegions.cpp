@@ -225,14 +225,14 @@ TEST(Regions, MayBeTurned)
 TEST(Regions, MayBeSmooth)
 {
   Soup soup;
-  soup.addRegion(sphere(8, 0.375));
-  soup.addRegion(sphere(8, 0.5));
+  soup.addRegion(sphere(3, 0.375));
+  soup.addRegion(sphere(3, 0.5));
   soup.addRegion(box({ -1, -1, -1 }, { 1, 1, 1 }));
-  const double inner = sphere(8, 0.375).volume();
-  const double outer = sphere(8, 0.5).volume();
+  const double inner = sphere(3, 0.375).volume();
+  const double outer = sphere(3, 0.5).volume();
   const Expected expected{ { { 1, inner }, { 2, outer - inner }, { 3, 8 - outer } },
-    { { { 0, 3 }, 24 }, { { 1, 2 }, sphere(8, 0.375).area() },
-      { { 2, 3 }, sphere(8, 0.5).area() } } };
+    { { { 0, 3 }, 24 }, { { 1, 2 }, sphere(3, 0.375).area() },
+      { { 2, 3 }, sphere(3, 0.5).area() } } };
   expectExactly(soup, expected);
   expectNearly(soup, expected, 0.1);
 }
