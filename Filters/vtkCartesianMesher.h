@@ -46,6 +46,7 @@ public:
   vtkCellPropertiesMacro();
   vtkBoundarySettingsMacro();
 
+public:
   /**
    * What tells the regions of the mesh apart; One by default.
    */
