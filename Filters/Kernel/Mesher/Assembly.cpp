@@ -235,6 +235,7 @@ public:
     , between_{ options.collapse.ratio, options.patches.featureAngle, isExact(before_), flawed,
       false }
     , across_(between_)
+    , turnedMatter_(between_.exact || before_.walls.any())
   {
     across_.acrossSeams = true;
   }
@@ -278,7 +279,7 @@ private:
       return true;
     }
     bool done = keepsFlawed(between_, findFlawed(a_, execution_));
-    if (between_.exact)
+    if (turnedMatter_)
     {
       done = keepsTurned(between_, makeCells(a_, options_, execution_)) && done;
     }
@@ -294,7 +295,7 @@ private:
       return true;
     }
     bool done = keepsFlawed(across_, a_.cells.flawed);
-    if (across_.exact)
+    if (turnedMatter_)
     {
       done = keepsTurned(across_, a_.cells) && done;
     }
@@ -308,6 +309,10 @@ private:
   const Patches before_;
   EdgeCollapseSpec between_;
   EdgeCollapseSpec across_;
+
+  // Whether a cell that turned over cannot just be left out: the mesh would be too large, or a hole would be
+  // between two regions.
+  const bool turnedMatter_;
 };
 
 void requireCells(const Assembly& a, const Options& options)
