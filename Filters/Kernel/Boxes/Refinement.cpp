@@ -143,12 +143,11 @@ Depths Refinement::at(std::int64_t i, std::int64_t j, std::int64_t k) const
       depths = { block.allowed, block.forced };
     }
   }
-  int atBoundary = -1;
   for (const RefinedBoundary& boundary : boundaries_)
   {
     if (boundary.boxes.contains(i, j, k))
     {
-      atBoundary = std::max(atBoundary, boundary.depth);
+      depths.allowed = std::max(depths.allowed, boundary.depth);
     }
     for (std::size_t n = 0; n < boundary.blends.size(); ++n)
     {
@@ -159,7 +158,6 @@ Depths Refinement::at(std::int64_t i, std::int64_t j, std::int64_t k) const
       }
     }
   }
-  depths.allowed = atBoundary >= 0 ? atBoundary : depths.allowed;
   for (const auto& region : regions_)
   {
     const BoxStatus status = region->status(i, j, k);
