@@ -294,8 +294,7 @@ int vtkCartesianBoxer::RequestInformation(
     this->Seen.reset();
     // Not read yet, or flawed: the work itself will say so.
     cartesian::reportErrors(
-      [&] { this->LookAt(this->Read(data)); },
-      [](unsigned long, const std::string&) {});
+      [&] { this->LookAt(this->Read(data)); }, [](unsigned long, const std::string&) {});
   }
   this->EstimateBoxes();
   return 1;

@@ -354,20 +354,21 @@ void setInterfaces(const Assembly& assembly, const std::vector<std::string>& nam
   }
   output->GetFieldData()->AddArray(interfaceNames);
   vtkCellData* data = output->GetCellData();
-  data->SetScalars(arrayOf<vtkIntArray>("InterfaceId", faces.size(),
-    [&](std::size_t i) { return ids.at({ wallOf(i).behind, wallOf(i).front }); }));
+  data->SetScalars(arrayOf<vtkIntArray>("InterfaceId", faces.size(), [&](std::size_t i) {
+    return ids.at({ wallOf(i).behind, wallOf(i).front });
+  }));
   data->AddArray(arrayOf<vtkIntArray>(
     "OwnerRegion", faces.size(), [&](std::size_t i) { return wallOf(i).behind; }));
   data->AddArray(arrayOf<vtkIntArray>(
     "NeighbourRegion", faces.size(), [&](std::size_t i) { return wallOf(i).front; }));
   data->AddArray(arrayOf<vtkIntArray>(
     "OwnerBoundaryId", faces.size(), [&](std::size_t i) { return wallOf(i).boundary; }));
-  data->AddArray(arrayOf<vtkIntArray>("NeighbourBoundaryId", faces.size(),
-    [&](std::size_t i) { return wallOf(i).boundaryInFront; }));
+  data->AddArray(arrayOf<vtkIntArray>(
+    "NeighbourBoundaryId", faces.size(), [&](std::size_t i) { return wallOf(i).boundaryInFront; }));
   data->AddArray(arrayOf<vtkIdTypeArray>(
     "OwnerCell", faces.size(), [&](std::size_t i) { return faces[i].cell; }));
-  data->AddArray(arrayOf<vtkIdTypeArray>("NeighbourCell", faces.size(),
-    [&](std::size_t i) { return from.inFrontOfInterfaces()[i]; }));
+  data->AddArray(arrayOf<vtkIdTypeArray>(
+    "NeighbourCell", faces.size(), [&](std::size_t i) { return from.inFrontOfInterfaces()[i]; }));
 }
 
 }

@@ -42,7 +42,7 @@ namespace cartesian
 struct BoundaryTexts
 {
   BoundaryNames names;
-  BoundaryNames types; // of those that have one
+  BoundaryNames types;              // of those that have one
   std::vector<std::string> regions; // empty: there is one
 };
 

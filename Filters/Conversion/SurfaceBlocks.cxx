@@ -38,8 +38,7 @@ std::string nameIn(vtkInformation* information, const std::string& parent)
   return name && *name ? name : parent;
 }
 
-void collectBlocks(
-  vtkMultiBlockDataSet* data, const std::string& parent, bool isTop,
+void collectBlocks(vtkMultiBlockDataSet* data, const std::string& parent, bool isTop,
   std::vector<SurfaceBlock>& blocks)
 {
   for (unsigned i = 0; i < data->GetNumberOfBlocks(); ++i)
@@ -50,8 +49,7 @@ void collectBlocks(
   }
 }
 
-void collectPartitions(
-  vtkPartitionedDataSet* data, const std::string& parent, bool isTop,
+void collectPartitions(vtkPartitionedDataSet* data, const std::string& parent, bool isTop,
   std::vector<SurfaceBlock>& blocks)
 {
   for (unsigned i = 0; i < data->GetNumberOfPartitions(); ++i)

@@ -208,10 +208,9 @@ SurfaceFromVTK::SurfaceFromVTK(vtkDataObject* input, const std::string& boundary
     if (regionsFrom == RegionSource::Blocks)
     {
       const bool isNew = &block == blocks.data() || block.top != (&block - 1)->top;
-      addRegion(isNew
-          ? (block.topName.empty() ? "region_" + std::to_string(regionNames_.size() + 1)
-                                   : withoutSuffix(block.topName))
-          : regionNames_.back());
+      addRegion(isNew ? (block.topName.empty() ? "region_" + std::to_string(regionNames_.size() + 1)
+                                               : withoutSuffix(block.topName))
+                      : regionNames_.back());
     }
     else if (regionsFrom == RegionSource::Array)
     {
@@ -354,7 +353,8 @@ void SurfaceFromVTK::addRegion(const std::string& given)
 {
   const std::string name = toUtf8(given);
   const auto found = std::find(regionNames_.begin(), regionNames_.end(), name);
-  region_.resize(cells_.size(), FirstRegion + static_cast<std::int32_t>(found - regionNames_.begin()));
+  region_.resize(
+    cells_.size(), FirstRegion + static_cast<std::int32_t>(found - regionNames_.begin()));
   if (found == regionNames_.end())
   {
     regionNames_.push_back(name);
@@ -381,8 +381,8 @@ void SurfaceFromVTK::readRegions(vtkPolyData* block, const std::string& name)
   for (std::size_t t = region_.size(); t < cells_.size(); ++t)
   {
     const vtkIdType cell = cells_[t] - cellsBefore_;
-    const std::string value =
-      strings ? toUtf8(strings->GetValue(cell)) : "region_" + array->GetVariantValue(cell).ToString();
+    const std::string value = strings ? toUtf8(strings->GetValue(cell))
+                                      : "region_" + array->GetVariantValue(cell).ToString();
     const auto [at, isNew] =
       known.emplace(value, FirstRegion + static_cast<std::int32_t>(regionNames_.size()));
     if (isNew)

@@ -297,8 +297,8 @@ private:
       return statuses_.lowCorner(vertex).region();
     }
     const Point low = { planes_[0][at[0]], planes_[1][at[1]], planes_[2][at[2]] };
-    return windingAt(surface_, trianglesOf(boxes_.globals[g]), low, statuses_.lowCorner(at),
-      cornerOf(box, corner))
+    return windingAt(
+      surface_, trianglesOf(boxes_.globals[g]), low, statuses_.lowCorner(at), cornerOf(box, corner))
       .region();
   }
 

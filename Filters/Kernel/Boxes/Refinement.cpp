@@ -110,8 +110,7 @@ void Refinement::addBoundary(const BoundaryRefinement& row, std::size_t number,
         shoeboxes.triangle.begin() + static_cast<std::ptrdiff_t>(shoeboxes.triangleStart[b]);
       const auto end =
         shoeboxes.triangle.begin() + static_cast<std::ptrdiff_t>(shoeboxes.triangleStart[b + 1]);
-      if (std::any_of(
-            begin, end, [&](std::uint32_t t) { return isRefined(surface.boundary[t]); }))
+      if (std::any_of(begin, end, [&](std::uint32_t t) { return isRefined(surface.boundary[t]); }))
       {
         boundary.boxes.insert(shoeboxes.column[b], static_cast<std::int64_t>(r % rowsAlongY),
           static_cast<std::int64_t>(r / rowsAlongY));

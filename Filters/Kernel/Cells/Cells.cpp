@@ -42,8 +42,8 @@ public:
   bool closes(std::size_t n)
   {
     listRegions(n);
-    return std::all_of(regions_.begin(), regions_.end(),
-      [&](std::int32_t region) { return closes(n, region); });
+    return std::all_of(
+      regions_.begin(), regions_.end(), [&](std::int32_t region) { return closes(n, region); });
   }
 
   void addBox(std::size_t n, const SmallCellSpec& spec, CellChunk& chunk)
@@ -156,8 +156,7 @@ private:
   {
     return patches_.walls.any() &&
       std::any_of(shell.faces.begin(), shell.faces.end(), [&](std::uint32_t f) {
-        return faces_.isPatch(f) &&
-          patches_.walls.isInterface(patches_.boundary[faces_[f].index]);
+        return faces_.isPatch(f) && patches_.walls.isInterface(patches_.boundary[faces_[f].index]);
       });
   }
 

@@ -16,7 +16,8 @@ void makeInterfaces(const Patches& patches, InnerFaces& inner, Cells& cells, Exe
     if (patches.walls.isInterface(patches.boundary[p]))
     {
       innerOf[p] = static_cast<std::uint32_t>(inner.size());
-      inner.nodes.insert(inner.nodes.end(), patches.corners.begin() + std::ptrdiff_t(patches.start[p]),
+      inner.nodes.insert(inner.nodes.end(),
+        patches.corners.begin() + std::ptrdiff_t(patches.start[p]),
         patches.corners.begin() + std::ptrdiff_t(patches.start[p + 1]));
       inner.start.push_back(inner.nodes.size());
       inner.wall.push_back(patches.boundary[p]);

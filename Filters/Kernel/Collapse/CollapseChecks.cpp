@@ -101,8 +101,7 @@ bool CollapseChecks::keepsWalls(std::uint32_t slot, std::uint32_t to)
   }
   listWalls(slot, walls_[0]);
   listWalls(to, walls_[1]);
-  return std::includes(
-    walls_[1].begin(), walls_[1].end(), walls_[0].begin(), walls_[0].end());
+  return std::includes(walls_[1].begin(), walls_[1].end(), walls_[0].begin(), walls_[0].end());
 }
 
 // In order, each once.

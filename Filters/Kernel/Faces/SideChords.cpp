@@ -146,8 +146,8 @@ std::uint32_t SideChords::patchBoxOf(const Side& side, bool& isLow) const
 
 // Faces of the side run along these edges in the opposite direction to the patch. For the upper box, or
 // where the region is in front of the patch, the face is turned over.
-void SideChords::find(std::size_t s, const Rectangle& r, std::vector<SideEdge>& chords,
-  std::int32_t region) const
+void SideChords::find(
+  std::size_t s, const Rectangle& r, std::vector<SideEdge>& chords, std::int32_t region) const
 {
   const Side& side = sides_.common[s];
   chords.clear();
@@ -204,8 +204,7 @@ void SideChords::listRegions(std::size_t s, std::vector<std::int32_t>& regions) 
   }
   std::sort(regions.begin(), regions.end());
   regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
-  regions.erase(
-    std::remove(regions.begin(), regions.end(), OutsideRegion), regions.end());
+  regions.erase(std::remove(regions.begin(), regions.end(), OutsideRegion), regions.end());
 }
 
 }

@@ -322,8 +322,8 @@ void OutputMesh::writeFaces(std::size_t cell, Id* stream, CellPoints& points) co
 
 void OutputMesh::writeCellData(const CellData& data, Execution& execution) const
 {
-  const auto write = [&](std::size_t id, std::uint32_t number, std::size_t b,
-                       std::int32_t region, double fraction) {
+  const auto write = [&](std::size_t id, std::uint32_t number, std::size_t b, std::int32_t region,
+                       double fraction) {
     const PackedBox& box = parts_.boxes.packed[b];
     data.number[id] = number;
     for (int axis = 0; axis < 3; ++axis)
@@ -352,8 +352,8 @@ void OutputMesh::writeCellData(const CellData& data, Execution& execution) const
     const std::uint32_t number = numbers_.ofBox[hexahedron.box];
     if (parts_.sides.polyhedralOrdinal(hexahedron.box) == None && CellNumbers::isHere(number))
     {
-      write(hexahedraBefore(hexahedron.box), number, hexahedron.box,
-        boxes.regionOf(hexahedron.box), hexahedron.volumeFraction);
+      write(hexahedraBefore(hexahedron.box), number, hexahedron.box, boxes.regionOf(hexahedron.box),
+        hexahedron.volumeFraction);
     }
   }
   const Cells& cells = parts_.cells;
@@ -410,8 +410,8 @@ void OutputMesh::forEachPoint(const BoundaryFace& face, Visitor&& visit) const
 }
 
 // Lists the points of faces, in order. Returns the index of each of the mesh's points there.
-RawVector<std::uint32_t> OutputMesh::numberPointsOf(const std::vector<BoundaryFace>& faces,
-  std::vector<Id>& points, Execution& execution) const
+RawVector<std::uint32_t> OutputMesh::numberPointsOf(
+  const std::vector<BoundaryFace>& faces, std::vector<Id>& points, Execution& execution) const
 {
   const auto count = static_cast<std::size_t>(pointCount());
   std::vector<std::atomic<bool>> used(count);
@@ -449,8 +449,7 @@ RawVector<std::uint32_t> OutputMesh::numberPointsOf(const std::vector<BoundaryFa
   return places;
 }
 
-BoundaryMesh OutputMesh::meshOf(
-  const std::vector<BoundaryFace>& faces, Execution& execution) const
+BoundaryMesh OutputMesh::meshOf(const std::vector<BoundaryFace>& faces, Execution& execution) const
 {
   BoundaryMesh result;
   result.start.assign(faces.size() + 1, 0);

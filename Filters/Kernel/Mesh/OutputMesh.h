@@ -155,8 +155,8 @@ private:
   void writeFaces(std::size_t cell, Id* stream, CellPoints& points) const;
   void listInterfaces();
   BoundaryMesh meshOf(const std::vector<BoundaryFace>& faces, Execution& execution) const;
-  RawVector<std::uint32_t> numberPointsOf(const std::vector<BoundaryFace>& faces,
-    std::vector<Id>& points, Execution& execution) const;
+  RawVector<std::uint32_t> numberPointsOf(
+    const std::vector<BoundaryFace>& faces, std::vector<Id>& points, Execution& execution) const;
 
   template <class Visitor>
   void forEachPoint(const FaceOfCell& face, Visitor&& visit) const;

@@ -111,8 +111,7 @@ double volumeBelow(const Patches& patches, std::uint32_t n, const Box& box)
 // polygons over the polylines on its sides: the paper's IP patches (4.11), before anything else looks at it.
 void simplifyDetail(Assembly& a, Execution& execution)
 {
-  BoxFlags detailed =
-    isExact(a.patches) || a.patches.walls.any() ? BoxFlags{} : findDetailed(a);
+  BoxFlags detailed = isExact(a.patches) || a.patches.walls.any() ? BoxFlags{} : findDetailed(a);
   if (std::find(detailed.begin(), detailed.end(), 1) == detailed.end())
   {
     return;
@@ -140,8 +139,8 @@ void simplifyDetail(Assembly& a, Execution& execution)
 // Where several regions meet, patches cannot be made anew from corners alone.
 Error flawBetweenRegions(const Assembly& a, const BoxFlags& flawed)
 {
-  const auto n = static_cast<std::size_t>(
-    std::find(flawed.begin(), flawed.end(), 1) - flawed.begin());
+  const auto n =
+    static_cast<std::size_t>(std::find(flawed.begin(), flawed.end(), 1) - flawed.begin());
   const Box box = a.boxes.box(a.sides.polyhedral[n]);
   const auto place = [&](std::size_t axis) {
     return number((a.boxes.lattice.position(static_cast<int>(axis), box.low[axis]) +

@@ -248,8 +248,7 @@ std::vector<double> regionVolumes(const Assembly& a)
   }
   for (const WarpedHexahedron& warped : a.nodes.warped)
   {
-    if (a.boxes.isCore(a.boxes.packed[warped.box]) &&
-      a.sides.polyhedralOrdinal(warped.box) == None)
+    if (a.boxes.isCore(a.boxes.packed[warped.box]) && a.sides.polyhedralOrdinal(warped.box) == None)
     {
       add(warped.box, a.boxes.regionOf(warped.box), warped.volumeFraction - 1);
     }

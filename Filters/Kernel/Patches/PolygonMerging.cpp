@@ -97,8 +97,7 @@ void PolygonMerging::joinAcross(const MergeCandidate& candidate)
   }
   const bool pSliver = box_.isSliver(p);
   const bool sliver = pSliver || box_.isSliver(q);
-  if (!surface_.walls.areAlike(
-        surface_.boundary[p.triangle], surface_.boundary[q.triangle]))
+  if (!surface_.walls.areAlike(surface_.boundary[p.triangle], surface_.boundary[q.triangle]))
   {
     return;
   }

@@ -239,8 +239,8 @@ private:
   // The border of a convex polygon, and edges from its lowest corner to the others.
   void mark(std::vector<std::uint32_t> corners, Marks& marks) const
   {
-    const std::uint32_t first = *std::min_element(corners.begin(), corners.end(),
-      [&](std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t first =
+      *std::min_element(corners.begin(), corners.end(), [&](std::uint32_t a, std::uint32_t b) {
         return surface_.vertices[a] < surface_.vertices[b];
       });
     marks.points.insert(marks.points.end(), corners.begin(), corners.end());

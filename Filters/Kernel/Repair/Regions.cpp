@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/Regions.h"
 
-#include "Base/Error.h"
 #include "Base/DisjointSets.h"
+#include "Base/Error.h"
 #include "Repair/Imprint.h"
 #include "Repair/SurfaceRepair.h"
 #include "Repair/TrianglePairs.h"
@@ -155,8 +155,7 @@ private:
       [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
     for (const std::uint32_t t : order)
     {
-      if (pieces_.empty() ||
-        sorted(pieces_.back().vertices) != sorted(surface_.triangles[t]))
+      if (pieces_.empty() || sorted(pieces_.back().vertices) != sorted(surface_.triangles[t]))
       {
         pieces_.push_back({ surface_.triangles[t], {} });
       }
@@ -168,10 +167,8 @@ private:
   {
     const auto& p = pieces_[a].triangles;
     const auto& q = pieces_[b].triangles;
-    return std::equal(
-      p.begin(), p.end(), q.begin(), q.end(), [&](std::uint32_t s, std::uint32_t t) {
-        return surface_.region[s] == surface_.region[t];
-      });
+    return std::equal(p.begin(), p.end(), q.begin(), q.end(),
+      [&](std::uint32_t s, std::uint32_t t) { return surface_.region[s] == surface_.region[t]; });
   }
 
   // Pieces of the same regions, connected across edges that no others have: all have the same regions around.
@@ -256,8 +253,8 @@ private:
     const std::vector<Level> outers{ even(axes.outer) };
     Level own = 0;
     bool isHit = false;
-    forEachLineCrossing(corners, axes, middles, outers,
-      [&](std::size_t, std::size_t, const Point& p, bool) {
+    forEachLineCrossing(
+      corners, axes, middles, outers, [&](std::size_t, std::size_t, const Point& p, bool) {
         own = p[along];
         isHit = true;
       });
@@ -447,9 +444,8 @@ void separateRegions(Surface& surface, const Meshlines& planes,
   sortByPlace(surface);
   for (std::int32_t region = FirstRegion; region <= regions; ++region)
   {
-    const auto isOf = [&](const Wall& wall) {
-      return wall.behind == region || wall.front == region;
-    };
+    const auto isOf = [&](
+                        const Wall& wall) { return wall.behind == region || wall.front == region; };
     if (std::none_of(surface.walls.all.begin(), surface.walls.all.end(), isOf))
     {
       throw Error(Fault::FlawedSurface,

@@ -144,10 +144,10 @@ std::uint32_t TriangleDivision::pointBetween(std::uint32_t from, std::uint32_t t
   for (const std::uint32_t point : points_)
   {
     const PlanePoint x = at(point);
-    const auto along = static_cast<Wide>(x.a - p.a) * (q.a - p.a) +
-      static_cast<Wide>(x.b - p.b) * (q.b - p.b);
-    const auto back = static_cast<Wide>(x.a - q.a) * (p.a - q.a) +
-      static_cast<Wide>(x.b - q.b) * (p.b - q.b);
+    const auto along =
+      static_cast<Wide>(x.a - p.a) * (q.a - p.a) + static_cast<Wide>(x.b - p.b) * (q.b - p.b);
+    const auto back =
+      static_cast<Wide>(x.a - q.a) * (p.a - q.a) + static_cast<Wide>(x.b - q.b) * (p.b - q.b);
     if (point != from && point != to && along > 0 && back > 0 && turn(p, q, x) == 0)
     {
       return point;

@@ -135,9 +135,8 @@ std::int32_t CellComplex::regionOf(CellKey key) const
 {
   const OpenCell* cell = opened(key);
   const CellKey origin = cell ? cell->origin : key;
-  return origin < cells_.size()
-    ? cells_.all[origin].region
-    : boxes_.regionOf(static_cast<std::size_t>(origin - cells_.size()));
+  return origin < cells_.size() ? cells_.all[origin].region
+                                : boxes_.regionOf(static_cast<std::size_t>(origin - cells_.size()));
 }
 
 bool CellComplex::isInterface(const FaceUse& use) const
@@ -522,7 +521,7 @@ void CellComplex::view(const std::vector<CellKey>& keys, CellView& view) const
     view.across.push_back(exposed ? CellKey(None) : face.other);
     view.boundary.push_back(exposed ? boundaryOfCell(face.other) : boundaryOf(face.use.face));
     const bool isBetween = isInterface(face.use);
-    view.fixed.push_back(face.other == None || (isActing(face.other) && !isBetween) ? 0 : 1);
+    view.fixed.push_back(face.other == None || isActing(face.other) ? 0 : 1);
     view.shape.corners.insert(view.shape.corners.end(), corner(face.begin), corner(face.end));
     view.shape.closeFace(view.across.back() == None || isBetween);
   }

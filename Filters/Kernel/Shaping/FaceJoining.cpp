@@ -298,8 +298,16 @@ private:
     return true;
   }
 
-  bool isInner(std::uint32_t f) const { return view_.across[f] != None; }
-  double leastCosine(std::uint32_t f) const { return isInner(f) ? spec_.inner : spec_.boundary; }
+  bool isInner(std::uint32_t f) const
+  {
+    return view_.across[f] != None && !view_.shape.isBoundary[f];
+  }
+  double leastCosine(std::uint32_t f) const
+  {
+    // Between two regions there is a cell beyond a boundary face, which nobody asks.
+    const double boundary = view_.across[f] == None ? -1 : FlatInterface;
+    return isInner(f) ? spec_.inner : std::max(spec_.boundary, boundary);
+  }
 
   bool join(std::uint32_t g, std::uint32_t h)
   {
@@ -448,6 +456,7 @@ private:
 
   // Cosine of normals of faces that might lie on one plane.
   static constexpr double NearlyFlat = 0.999;
+  static constexpr double FlatInterface = 0.866; // cosine of 30 degrees
 
   const CellView& view_;
   const CellShape& shape_;

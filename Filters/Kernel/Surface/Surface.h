@@ -22,7 +22,8 @@ struct SurfaceView
   std::size_t triangleCount = 0;
   const std::int32_t* boundary = nullptr; // boundary index of each triangle; null: all 0
   const long long* cells = nullptr; // the user's number of each triangle, for messages, or null
-  const std::int32_t* region = nullptr; // of each triangle, from FirstRegion; null: there is only one
+  const std::int32_t* region =
+    nullptr; // of each triangle, from FirstRegion; null: there is only one
   const std::vector<std::string>* regionNames = nullptr; // in order, for messages; null: none
 };
 
@@ -37,8 +38,8 @@ struct Surface
   std::vector<std::array<std::uint32_t, 3>>
     triangles;                        // oriented either way until orient() (Orientation.h)
   std::vector<std::int32_t> boundary; // of each triangle
-  std::vector<std::int32_t> region;   // of each triangle, until separateRegions(); empty: one region
-  Walls walls;                        // from then on
+  std::vector<std::int32_t> region; // of each triangle, until separateRegions(); empty: one region
+  Walls walls;                      // from then on
   std::vector<std::uint32_t>
     given; // of each triangle, its number in the view; none: it closes a hole
   std::vector<std::uint8_t>

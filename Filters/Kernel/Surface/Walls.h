@@ -19,8 +19,8 @@ constexpr std::int32_t NoBoundary = -1;
 // Triangles with the same regions and boundaries on either side. Normals point from behind to the front.
 struct Wall
 {
-  std::int32_t behind; // region, never outside
-  std::int32_t front;  // region, or outside
+  std::int32_t behind;          // region, never outside
+  std::int32_t front;           // region, or outside
   std::int32_t boundary;        // of the region behind
   std::int32_t boundaryInFront; // of the region in front, or NoBoundary
 

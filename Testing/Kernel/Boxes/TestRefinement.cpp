@@ -177,8 +177,7 @@ TEST(Refinement, RandomSpecificationsHold)
 TEST(Refinement, ABoundaryBelowTheDepthEverywhereChangesNothing)
 {
   TestOptions options = asTheyAre(0, depth(2));
-  const std::size_t boxes =
-    meshOf(sphere(6, 1), cellsOf(0.3), options).boxed.boxes.packed.size();
+  const std::size_t boxes = meshOf(sphere(6, 1), cellsOf(0.3), options).boxed.boxes.packed.size();
   options.refinement.boundaries.push_back({ 0, 1, 0, false });
   EXPECT_EQ(meshOf(sphere(6, 1), cellsOf(0.3), options).boxed.boxes.packed.size(), boxes);
 }

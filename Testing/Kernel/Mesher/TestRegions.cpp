@@ -118,8 +118,11 @@ TEST(Regions, ShareTheirCommonTriangles)
 {
   Soup soup;
   soup.addRegion(cube());
-  soup.addRegion(
-    cube().each([](const Vector& p) { return Vector{ 3 - 2 * p[0], p[1], p[2] }; }).flipped());
+  soup.addRegion(cube()
+                   .each([](const Vector& p) {
+                     return Vector{ 3 - 2 * p[0], p[1], p[2] };
+                   })
+                   .flipped());
   expectExactly(soup, OfTwoBoxes);
   expectNearly(soup, OfTwoBoxes, 3e-5);
 }
@@ -213,8 +216,11 @@ TEST(Regions, MayBeTurned)
 {
   Soup soup;
   soup.addRegion(cube());
-  soup.addRegion(
-    cube().each([](const Vector& p) { return Vector{ 3 - 2 * p[0], p[1], p[2] }; }).flipped());
+  soup.addRegion(cube()
+                   .each([](const Vector& p) {
+                     return Vector{ 3 - 2 * p[0], p[1], p[2] };
+                   })
+                   .flipped());
   const std::vector<std::int32_t> regions = soup.region;
   soup = soup.turned();
   soup.region = regions;
