@@ -49,7 +49,7 @@ struct vtkCartesianMesher::Piece
 
 vtkCartesianMesher::vtkCartesianMesher()
 {
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
 }
 
 vtkCartesianMesher::~vtkCartesianMesher() = default;
@@ -84,7 +84,7 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
   {
     region = processes.whole(region);
   }
-  task.surface = std::make_unique<cartesian::SurfaceFromVTK>(surface, this->BoundaryArray);
+  task.surface = std::make_unique<cartesian::SurfaceFromVTK>(this->Read(surface));
   const cartesian::BoundarySettings boundaries{ this->BoundaryNames, this->BoundaryTypes,
     this->BoundaryRatios };
   task.types = cartesian::boundaryTypes(boundaries, task.surface->names());
@@ -93,7 +93,8 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
     cartesian::boundaryRatios(boundaries, task.surface->names());
   cartesian::planStages(task.options, execution);
   task.prepared = this->Prepare(*task.surface, execution, piece.count);
-  if (piece.number == 0)
+  // Triangles between regions are others than the user's.
+  if (piece.number == 0 && !task.prepared.surface.walls.any())
   {
     this->Inspect(task.prepared, *task.surface, vtkPolyData::GetData(output, 2), execution);
   }
@@ -274,8 +275,9 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   const cartesian::MeshPiece& place, vtkInformationVector* output, cartesian::Execution& execution)
 {
   vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(output, 0);
-  cartesian::toVTK(*piece.assembly, { task.surface->names(), task.types }, place, mesh,
-    vtkPolyData::GetData(output, 1), execution);
+  cartesian::toVTK(*piece.assembly,
+    { task.surface->names(), task.types, task.surface->regionNames() }, place, mesh,
+    vtkPolyData::GetData(output, 1), vtkPolyData::GetData(output, 3), execution);
   const bool wasSilent = this->IsSilent; // these flaws are of this piece only
   this->IsSilent = false;
   this->Warn(cartesian::describeFlaws(*piece.assembly));
@@ -294,7 +296,7 @@ int vtkCartesianMesher::EstimateNumberOfPieces()
   }
   std::size_t pieces = 0;
   this->Run(0, 1, [&](cartesian::Execution& execution) {
-    const cartesian::SurfaceFromVTK surface(this->UpdatedSurface(), this->BoundaryArray);
+    const cartesian::SurfaceFromVTK surface = this->Read(this->UpdatedSurface());
     constexpr int Many = 1 << 20;
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution, Many);
     std::vector<vtkSmartPointer<vtkDataObject>> regions;
@@ -316,4 +318,6 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   cartesian::printCellProperties(this, os, indent);
   this->PrintBoundarySettings(os, indent);
   os << indent << "InPieces: " << this->InPieces << "\n";
+  os << indent << "RegionsFrom: " << this->RegionsFrom << "\n";
+  os << indent << "RegionArray: " << this->RegionArray << "\n";
 }

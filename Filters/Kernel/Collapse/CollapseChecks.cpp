@@ -105,6 +105,31 @@ bool CollapseChecks::mayMove(std::uint32_t slot, const Point& to, double unit)
   return error <= std::max(RoundingLevels, (feature ? FeatureError : SmoothError) * unit);
 }
 
+bool CollapseChecks::keepsWalls(std::uint32_t slot, std::uint32_t to)
+{
+  if (!patches_.walls.any())
+  {
+    return true;
+  }
+  listWalls(slot, walls_[0]);
+  listWalls(to, walls_[1]);
+  return std::includes(walls_[1].begin(), walls_[1].end(), walls_[0].begin(), walls_[0].end());
+}
+
+// In order, each once.
+void CollapseChecks::listWalls(std::uint32_t slot, std::vector<std::int32_t>& walls)
+{
+  walls.clear();
+  merging_.forEachFaceAt(slot, [&](std::uint32_t face) {
+    if (merging_.isPatch(face))
+    {
+      walls.push_back(patches_.boundary[face]);
+    }
+  });
+  std::sort(walls.begin(), walls.end());
+  walls.erase(std::unique(walls.begin(), walls.end()), walls.end());
+}
+
 double CollapseChecks::bendAt(std::uint32_t slot)
 {
   normals_.clear();

@@ -180,8 +180,8 @@ private:
     {
       return choice;
     }
-    const bool toB = checks.mayMove(a, slots_[b].at, edge.unit);
-    const bool toA = checks.mayMove(b, slots_[a].at, edge.unit);
+    const bool toB = checks.mayMove(a, slots_[b].at, edge.unit) && checks.keepsWalls(a, b);
+    const bool toA = checks.mayMove(b, slots_[a].at, edge.unit) && checks.keepsWalls(b, a);
     if ((!toA && !toB) || !checks.closesUp(a, b))
     {
       return choice;
@@ -383,9 +383,17 @@ private:
       execution_);
     patches_.triangle.resize(patches_.start.size() - 1);
     patches_.boundary.resize(patches_.start.size() - 1);
+    const bool hasRegions = !inner_.region.empty();
     compactFaces(
-      inner_.sideStart, inner_.start, inner_.nodes, whatIsLeft, [](std::size_t, std::size_t) {},
+      inner_.sideStart, inner_.start, inner_.nodes, whatIsLeft,
+      [&](std::size_t from, std::size_t to) {
+        if (hasRegions)
+        {
+          inner_.region[to] = inner_.region[from];
+        }
+      },
       execution_);
+    inner_.region.resize(hasRegions ? inner_.size() : 0);
     for (const MergingNodes::Slot& slot : slots_)
     {
       nodes_.at[slot.node] = slots_[slot.into].at;

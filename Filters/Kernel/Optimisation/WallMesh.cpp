@@ -2,6 +2,7 @@
 #include "Optimisation/WallMesh.h"
 
 #include "Base/EdgeTable.h"
+#include "Cells/Interfaces.h"
 #include "Faces/UsedVertices.h"
 #include "Lattice/PointSortKey.h"
 
@@ -196,7 +197,19 @@ private:
       {
         forEachNodeOfCell(c, [&](std::uint32_t node) { stateOf_.at(node, node) = Fixed; });
       }
+      fixInterfaces(c);
     }
+  }
+
+  // Nodes between two regions stay: two walls meet there.
+  void fixInterfaces(CellKey c)
+  {
+    forEachFace(c, [&](const FaceOfCell& face) {
+      if (isInterface(p_.cells, face))
+      {
+        forEachNodeOf(face, [&](std::uint32_t node) { stateOf_.at(node, node) = Fixed; });
+      }
+    });
   }
 
   template <class Visitor>

@@ -316,14 +316,27 @@ private:
     return true;
   }
 
-  bool isInner(std::uint32_t f) const { return view_.across[f] != None; }
-  bool isNegligible(std::uint32_t f) const { return norm(shape_.faces[f].area) < negligible_; }
+  // For solvers of one region a face between two is at the boundary; but nobody asks the cell beyond.
+  bool isInterface(std::uint32_t f) const
+  {
+    return view_.across[f] != None && view_.shape.isBoundary[f];
+  }
+  bool isInner(std::uint32_t f) const { return view_.across[f] != None && !isInterface(f); }
+  bool isNegligible(std::uint32_t f) const
+  {
+    return norm(shape_.faces[f].area) < negligible_ && !isInterface(f);
+  }
   bool isNegligible(const JoinedFaces::Group& group) const
   {
     return std::all_of(
       group.members.begin(), group.members.end(), [&](std::uint32_t f) { return isNegligible(f); });
   }
-  double leastCosine(std::uint32_t f) const { return isInner(f) ? spec_.inner : spec_.boundary; }
+  double leastCosine(std::uint32_t f) const
+  {
+    const double boundary =
+      isInterface(f) ? std::max(spec_.boundary, FlatInterface) : spec_.boundary;
+    return isInner(f) ? spec_.inner : boundary;
+  }
 
   bool join(std::uint32_t g, std::uint32_t h)
   {
@@ -477,6 +490,7 @@ private:
 
   // Cosine of normals of faces that might lie on one plane.
   static constexpr double NearlyFlat = 0.999;
+  static constexpr double FlatInterface = 0.866; // cosine of 30 degrees
 
   const CellView& view_;
   const CellShape& shape_;
