@@ -3,19 +3,15 @@
 
 #include "BoundaryNames.h"
 #include "ReportErrors.h"
-#include "StlSource.h"
 #include "SurfaceFromVTK.h"
 
 #include "Utf8.h"
 
-#include "vtkCellArray.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkErrorCode.h"
-#include "vtkFloatArray.h"
-#include "vtkMergePoints.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include "vtksys/FStream.hxx"
@@ -24,9 +20,14 @@
 #include <array>
 #include <cctype>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <limits>
-#include <memory>
+#include <string>
+#include <system_error>
 #include <vector>
+
+#include <unistd.h>
 
 namespace
 {
@@ -140,55 +141,54 @@ std::uint32_t AbsurdCount(const char* file)
                                                                                              : 0;
 }
 
-using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-
-// A temporary file, an ASCII file without the names of its solids. Null if it cannot be written.
-File CopyWithoutNames(const char* file)
+// A file of its own name in the folder for temporary files, for as long as this lives.
+class TemporaryFile
 {
-  File copy(std::tmpfile(), std::fclose);
+public:
+  TemporaryFile()
+  {
+    std::error_code none;
+    name_ = (std::filesystem::temp_directory_path(none) / "cartesianmesherXXXXXX").string();
+    const int descriptor = mkstemp(name_.data());
+    exists_ = descriptor >= 0 && close(descriptor) == 0;
+  }
+  ~TemporaryFile()
+  {
+    if (exists_)
+    {
+      std::remove(name_.c_str());
+    }
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  bool exists() const { return exists_; }
+  const std::string& name() const { return name_; }
+
+private:
+  std::string name_;
+  bool exists_ = false;
+};
+
+// Copies an ASCII file without the names of its solids. False if the copy cannot be written.
+bool CopyWithoutNames(const char* file, const TemporaryFile& copy)
+{
   vtksys::ifstream stream(file, std::ios::binary);
+  vtksys::ofstream output(copy.name().c_str(), std::ios::binary);
   std::string line;
-  bool written = copy != nullptr;
-  while (written && GetLine(stream, line))
+  while (output && GetLine(stream, line))
   {
     const std::string keyword = Split(line).first;
     const bool named = keyword == "solid" || keyword == "endsolid";
-    written = std::fputs(((named ? keyword : line) + "\n").c_str(), copy.get()) >= 0;
+    output << (named ? keyword : line) << '\n';
   }
-  if (!written || std::fflush(copy.get()) != 0)
-  {
-    return { nullptr, std::fclose };
-  }
-  std::rewind(copy.get());
-  return copy;
+  return copy.exists() && output.flush();
 }
 
-// Points that coincide become one, as vtkSTLReader does it.
-void MergePoints(
-  vtkPoints* points, vtkCellArray* triangles, vtkFloatArray* labels, vtkPolyData* surface)
+// Takes what a reader says of a file's copy, to be said of the file.
+void Keep(vtkObject* /*reader*/, unsigned long /*event*/, void* kept, void* text)
 {
-  vtkNew<vtkPoints> mergedPoints;
-  vtkNew<vtkMergePoints> locator;
-  locator->InitPointInsertion(mergedPoints, points->GetBounds());
-  vtkNew<vtkCellArray> mergedTriangles;
-  vtkNew<vtkFloatArray> mergedLabels;
-  mergedLabels->SetName(cartesian::StlSolids);
-  for (vtkIdType t = 0; t < triangles->GetNumberOfCells(); ++t)
-  {
-    std::array<vtkIdType, 3> corners;
-    for (vtkIdType i = 0; i < 3; ++i)
-    {
-      locator->InsertUniquePoint(points->GetPoint(3 * t + i), corners[static_cast<std::size_t>(i)]);
-    }
-    if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
-    {
-      mergedTriangles->InsertNextCell(3, corners.data());
-      mergedLabels->InsertNextValue(labels->GetValue(t));
-    }
-  }
-  surface->SetPoints(mergedPoints);
-  surface->SetPolys(mergedTriangles);
-  surface->GetCellData()->SetScalars(mergedLabels);
+  *static_cast<std::string*>(kept) += static_cast<const char*>(text);
 }
 
 }
@@ -209,22 +209,31 @@ int vtkNamedSTLReader::CanReadFile(const char* name)
 
 int vtkNamedSTLReader::ReadWithoutNames(vtkPolyData* surface)
 {
-  const File copy = CopyWithoutNames(this->GetFileName());
-  if (!copy)
+  const TemporaryFile copy;
+  if (!CopyWithoutNames(this->GetFileName(), copy))
   {
     this->SetErrorCode(vtkErrorCode::OutOfDiskSpaceError);
     vtkErrorMacro("There is no room for a temporary copy of " << this->GetFileName()
                                                               << ", without names of solids.");
     return 0;
   }
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> triangles;
-  vtkNew<vtkFloatArray> labels;
-  if (!this->ReadASCIISTL(cartesian::stlSource(copy.get()), points, triangles, labels))
+  std::string errors;
+  vtkNew<vtkCallbackCommand> keep;
+  keep->SetCallback(Keep);
+  keep->SetClientData(&errors);
+  vtkNew<vtkSTLReader> reader;
+  reader->AddObserver(vtkCommand::ErrorEvent, keep);
+  reader->SetFileName(copy.name().c_str());
+  reader->ScalarTagsOn();
+  reader->Update();
+  if (!errors.empty())
   {
+    vtksys::SystemTools::ReplaceString(errors, copy.name(), this->GetFileName());
+    this->SetErrorCode(reader->GetErrorCode());
+    vtkErrorMacro(<< errors);
     return 0;
   }
-  MergePoints(points, triangles, labels, surface);
+  surface->ShallowCopy(reader->GetOutput());
   return 1;
 }
 

@@ -28,6 +28,8 @@ from parameters import names, parameters
 from task import MESHER, TaskError, printable, read_task
 from template import template
 
+VERSION = (pathlib.Path(__file__).parent / "version.txt").read_text().strip()
+
 # Exit codes; FAULT is one of the program.
 SUCCESS, FAULT, REFUSED, WARNINGS = 0, 1, 2, 3
 STOPPED = 128 + signal.SIGINT
@@ -313,6 +315,7 @@ def main(arguments):
         epilog="Exit codes: 0 success; 2 refused, the messages say why; 3 a mesh, but with warnings; "
             f"{STOPPED} stopped by Ctrl-C; 1 a fault of the program.")
     parser.add_argument("task", nargs="?", type=pathlib.Path, help="a task file (TOML)")
+    parser.add_argument("--version", action="version", version=f"cartesian-mesher {VERSION}")
     parser.add_argument("--quiet", action="store_true", help="print warnings and errors only")
     parser.add_argument("--check", action="store_true", help="check task and surface and estimate the number of boxes, do not mesh")
     parser.add_argument("--template", action="store_true",

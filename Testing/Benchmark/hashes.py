@@ -27,10 +27,10 @@ import time
 try:
     from paraview import simple
     from vtkmodules.util.numpy_support import vtk_to_numpy
-    from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
+    from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkPoints, vtkStringOutputWindow
 
     sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Plugin"))
-    from polyhedra import face_arrays
+    from polyhedra import cell_arrays, face_arrays, type_array
 except ImportError:  # any Python can compare
     simple = None
 
@@ -63,7 +63,7 @@ QUICKLY_VARIED = "kcl_exhaust_header_lumens", "tm_featuretype_occ"
 class Surface:
     def __init__(self, path):
         self.name = path.stem
-        self.source = reader(path)
+        self.source = in_floats(reader(path))
         self.source.UpdatePipeline()
         bounds = self.source.GetDataInformation().GetBounds()
         self.low = bounds[0::2]
@@ -75,6 +75,19 @@ class Surface:
     def point(self, *fractions):
         """The point at these fractions of the bounding box."""
         return [low + f * length for low, f, length in zip(self.low, fractions, self.lengths)]
+
+
+def in_floats(source):
+    """What was read, its points in single precision: VTK 9.3's reader of OBJ has them in double."""
+    source.UpdatePipeline()
+    surface = source.SMProxy.GetClientSideObject().GetOutputDataObject(0)
+    points = vtkPoints()
+    points.SetDataTypeToFloat()
+    points.DeepCopy(surface.GetPoints())
+    surface.SetPoints(points)
+    rounded = simple.TrivialProducer()
+    rounded.SMProxy.GetClientSideObject().SetOutput(surface)
+    return rounded
 
 
 def reader(path):
@@ -263,12 +276,13 @@ class Record:
 def arrays(data):
     """(name, array) of all that makes a data object, in the order in which it has them."""
     yield "points", data.GetPoints() and data.GetPoints().GetData()
-    for name, cells in cell_arrays(data).items():
-        yield f"{name} offsets", cells and cells.GetOffsetsArray()
-        yield name, cells and cells.GetConnectivityArray()
+    for name, cells in all_cells(data).items():
+        offsets, corners = cell_arrays(cells) if cells else (None, None)
+        yield f"{name} offsets", offsets
+        yield name, corners
     if data.IsA("vtkUnstructuredGrid"):
         faces, places = face_arrays(data)
-        yield "types", data.GetCellTypesArray()
+        yield "types", type_array(data)
         yield "polyhedral faces", faces
         yield "places of polyhedral faces", places
     for kind, attributes in (("point", data.GetPointData()), ("cell", data.GetCellData()),
@@ -278,7 +292,7 @@ def arrays(data):
             yield f"{kind} {array.GetName()}", array
 
 
-def cell_arrays(data):
+def all_cells(data):
     if data.IsA("vtkUnstructuredGrid"):
         return {"cells": data.GetCells()}
     return {"verts": data.GetVerts(), "lines": data.GetLines(), "polygons": data.GetPolys(),

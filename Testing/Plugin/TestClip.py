@@ -7,6 +7,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from measure import points_of
 from pipeline import Messages, octahedron, output, producer, read
+from polyhedra import cell_types
 
 # How far off they may be today, not how far they should: VTK leaves out polyhedra that "cannot be
 # contoured", and divides bent faces in its own way; faces of Exact Fit are mostly flat. With polyhedra before
@@ -46,7 +47,7 @@ def enclosed(boundary, origin, normal):
 def check(name, source, method, **properties):
     mesher = simple.CartesianMesher(Input=source, PatchMethod=method, **properties)
     mesh = output(mesher)
-    types = vtk_to_numpy(mesh.GetCellTypesArray())
+    types = cell_types(mesh)
     assert len(set(types)) == 2 and (np.diff(types) >= 0).all(), "hexahedra are not first"
     low, high = np.reshape(mesh.GetBounds(), (3, 2)).T
     whole = integral(mesher, "Volume")

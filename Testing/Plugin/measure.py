@@ -9,7 +9,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_POLYHEDRON
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
-from polyhedra import face_streams
+from polyhedra import cell_types, face_streams
 
 HEXAHEDRON = ((0, 4, 7, 3), (1, 2, 6, 5), (0, 1, 5, 4), (3, 7, 6, 2), (0, 3, 2, 1), (4, 5, 6, 7))
 LEVELS = 4.2e9  # of the mesher's lattice, along the longest side
@@ -76,7 +76,7 @@ class Faces:
 
 def faces_of_cells(grid):
     """All faces of all cells, as the cells name them."""
-    types = vtk_to_numpy(grid.GetCellTypesArray())
+    types = cell_types(grid)
     connectivity = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
     offsets = vtk_to_numpy(grid.GetCells().GetOffsetsArray())
     assert np.isin(types, (VTK_HEXAHEDRON, VTK_POLYHEDRON)).all()
@@ -234,7 +234,7 @@ class Mesh:
         fraction = vtk_to_numpy(grid.GetCellData().GetArray("VolumeFraction"))
         assert 0 < fraction.min()
         self.fractions = fraction[np.argsort(vtk_to_numpy(grid.GetCellData().GetArray("CellId")))]
-        types = vtk_to_numpy(grid.GetCellTypesArray())
+        types = cell_types(grid)
         assert (np.diff(types) >= 0).all(), "hexahedra are not first"
         assert (vtk_to_numpy(grid.GetCellData().GetArray("Region")) == 1).all()
         global_box = vtk_to_numpy(grid.GetCellData().GetArray("GlobalBox"))

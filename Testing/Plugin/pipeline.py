@@ -9,7 +9,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkStringOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from polyhedra import face_arrays
+from polyhedra import cell_arrays, face_arrays, type_array
 
 DATA = pathlib.Path(sys.argv[1]) / "Data"
 
@@ -96,10 +96,9 @@ def arrays(data):
         "verts": data.GetVerts(), "lines": data.GetLines(),
         "polygons": data.GetPolys(), "strips": data.GetStrips()}
     for name, value in cells.items():
-        all[name + ", offsets"] = value.GetOffsetsArray()
-        all[name] = value.GetConnectivityArray()
+        all[name + ", offsets"], all[name] = cell_arrays(value)
     if is_grid:
-        all |= dict(zip(("types", "faces", "face locations"), (data.GetCellTypesArray(), *face_arrays(data))))
+        all |= dict(zip(("types", "faces", "face locations"), (type_array(data), *face_arrays(data))))
     for where in "PointData", "CellData", "FieldData":
         attributes = getattr(data, "Get" + where)()
         for i in range(attributes.GetNumberOfArrays()):

@@ -1,12 +1,12 @@
-"""The faces of polyhedra as one stream of numbers, however this version of VTK stores them.
+"""The cells of grids and the faces of polyhedra, however this version of VTK stores them.
 
-The stream has for each polyhedron the number of its faces, then the size and points of each. Up to VTK 9.3
+The faces are one stream of numbers, which has for each polyhedron the number of its faces, then the size and points of each. Up to VTK 9.3
 grids hold this stream; from 9.4 on, an array of faces and, for each cell, a list of them.
 """
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkUnstructuredGrid
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON, vtkCellArray, vtkUnstructuredGrid
 
 STREAMS = not hasattr(vtkUnstructuredGrid, "GetPolyhedronFaces")
 
@@ -14,7 +14,7 @@ STREAMS = not hasattr(vtkUnstructuredGrid, "GetPolyhedronFaces")
 def face_streams(grid):
     """The stream, and where in it each cell begins: -1 if that is no polyhedron."""
     stored = grid.GetFaces() if STREAMS else grid.GetPolyhedronFaces()
-    if not stored or not has_polyhedra(grid):
+    if not stored or VTK_POLYHEDRON not in cell_types(grid):
         return np.empty(0, np.int64), np.full(grid.GetNumberOfCells(), -1)
     if STREAMS:
         return vtk_to_numpy(stored), vtk_to_numpy(grid.GetFaceLocations())
@@ -29,7 +29,7 @@ def face_arrays(grid):
 
 def set_face_streams(grid, stream, starts):
     """Gives the grid's cells other faces."""
-    types, cells = grid.GetCellTypesArray(), grid.GetCells()
+    types, cells = type_array(grid), grid.GetCells()
     if STREAMS:
         grid.SetCells(types, cells, id_array(starts), id_array(stream))
         return
@@ -44,8 +44,21 @@ def set_face_streams(grid, stream, starts):
     grid.SetPolyhedralCells(types, cells, of_cells, faces)
 
 
-def has_polyhedra(grid):
-    return 42 in vtk_to_numpy(grid.GetCellTypesArray())
+def cell_types(grid):
+    """Of each cell; from VTK 9.6 on, a grid whose cells are all of one type has no array of them."""
+    types = grid.GetCellTypesArray()
+    if types is None:
+        return np.array([grid.GetCellType(cell) for cell in range(grid.GetNumberOfCells())], np.uint8)
+    return vtk_to_numpy(types)
+
+
+def type_array(grid):
+    return numpy_to_vtk(cell_types(grid), deep=True)
+
+
+def cell_arrays(cells):
+    """Offsets and points of a vtkCellArray: arrays of one type, as versions of VTK differ in that."""
+    return [id_array(numbers) for numbers in offsets_and_values(cells)]
 
 
 def offsets_and_values(cells):
