@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 using namespace cartesian;
 
 namespace
@@ -241,6 +243,51 @@ TEST(Regions, MayBeSmooth)
       { { 2, 3 }, sphere(3, 0.5).area() } } };
   expectExactly(soup, expected);
   expectNearly(soup, expected, 0.1);
+}
+
+TEST(Regions, DoNotDependOnThreadsNorOnTheOrderOfTriangles)
+{
+  Soup soup;
+  soup.addRegion(cube());
+  soup.addRegion(box({ 1, 0.25, -0.5 }, { 2, 0.75, 0.625 }));
+  soup.addRegion(sphere(2, 0.25).moved({ 0.5, 0.5, 1.5 }));
+  TestOptions options;
+  const GridSpec grid = cellsAlongLongest(soup, 9.3);
+  const Meshed before = meshOf(soup, grid, options);
+  std::mt19937 random(5);
+  std::vector<std::size_t> order(soup.triangles.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::shuffle(order.begin(), order.end(), random);
+  Soup other = soup;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    other.triangles[i] = soup.triangles[order[i]];
+    other.region[i] = soup.region[order[i]];
+    other.boundary[i] = soup.boundary[order[i]];
+    std::rotate(
+      other.triangles[i].begin(), other.triangles[i].begin() + i % 3, other.triangles[i].end());
+  }
+  options.threads = 3;
+  EXPECT_TRUE(meshOf(other, grid, options).mesh == before.mesh);
+}
+
+TEST(Regions, MustBeClosed)
+{
+  Soup soup;
+  soup.addRegion(cube());
+  Soup open = box({ 2, 0, 0 }, { 3, 1, 1 });
+  open.triangles.pop_back();
+  open.boundary.pop_back();
+  soup.addRegion(open);
+  expectRefusal(soup, "The surface of region 2 is not closed at (");
+}
+
+TEST(Regions, MustNotPassThroughEachOther)
+{
+  Soup soup;
+  soup.addRegion(cube());
+  soup.addRegion(box({ 0.5, 0.25, 0.25 }, { 2, 0.75, 0.75 }));
+  expectRefusal(soup, "The surfaces of regions 1 and 2 pass through each other near (");
 }
 
 TEST(Regions, TheFirstKeepsTheVolume)
