@@ -194,11 +194,9 @@ SurfaceFromVTK::SurfaceFromVTK(vtkDataObject* input, const std::string& boundary
       const std::string name = block.name.empty()
         ? "block_" + std::to_string(&block - blocks.data())
         : withoutSuffix(block.name);
-      const char* const own =
-        regionsFrom == RegionSource::Blocks ? boundaryArrayOf(block.surface) : nullptr;
-      if (own)
+      if (regionsFrom == RegionSource::Blocks)
       {
-        readBoundariesByName(block.surface, own, name);
+        readBoundariesByName(block.surface, name);
       }
       if (boundary_.size() < cells_.size())
       {
@@ -207,10 +205,8 @@ SurfaceFromVTK::SurfaceFromVTK(vtkDataObject* input, const std::string& boundary
     }
     if (regionsFrom == RegionSource::Blocks)
     {
-      const bool isNew = &block == blocks.data() || block.top != (&block - 1)->top;
-      addRegion(isNew ? (block.topName.empty() ? "region_" + std::to_string(regionNames_.size() + 1)
-                                               : withoutSuffix(block.topName))
-                      : regionNames_.back());
+      addRegion(block.topName.empty() ? "region_" + std::to_string(block.top + 1)
+                                      : withoutSuffix(block.topName));
     }
     else if (regionsFrom == RegionSource::Array)
     {
@@ -332,11 +328,11 @@ void SurfaceFromVTK::readBoundaries(vtkPolyData* block, const std::string& name)
 }
 
 // Those that the block numbers and names by itself: other blocks may use the same numbers for others.
-void SurfaceFromVTK::readBoundariesByName(
-  vtkPolyData* block, const std::string& array, const std::string& name)
+void SurfaceFromVTK::readBoundariesByName(vtkPolyData* block, const std::string& name)
 {
   const BoundaryNames own = boundaryNames(block);
-  vtkDataArray* numbers = block->GetCellData()->GetArray(array.c_str());
+  const char* const array = boundaryArrayOf(block);
+  vtkDataArray* numbers = array ? block->GetCellData()->GetArray(array) : nullptr;
   if (!numbers || own.empty())
   {
     return;

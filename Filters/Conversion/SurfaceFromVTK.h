@@ -62,9 +62,9 @@ private:
   void readTriangles(vtkPolyData* block);
   void findUndivided(vtkPolyData* block);
   void readBoundaries(vtkPolyData* block, const std::string& name);
-  void readBoundariesByName(vtkPolyData* block, const std::string& array, const std::string& name);
-  void readRegions(vtkPolyData* block, const std::string& array);
-  void addRegion(const std::string& name);
+  void readBoundariesByName(vtkPolyData* block, const std::string& name);
+  void readRegions(vtkPolyData* block, const std::string& name);
+  void addRegion(const std::string& given);
   std::int32_t numberOf(const std::string& given);
 
   vtkIdType cellsBefore_ = 0; // in the blocks before the one being read

@@ -19,7 +19,6 @@ TriangleDivision::TriangleDivision(
   const std::vector<Point>& vertices, const Triple& triangle, int axis)
   : vertices_(vertices)
   , axis_(axis)
-  , way_(1)
   , triangles_(1, triangle)
   , points_(triangle.begin(), triangle.end())
 {

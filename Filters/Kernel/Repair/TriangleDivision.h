@@ -53,7 +53,7 @@ private:
 
   const std::vector<Point>& vertices_;
   int axis_;
-  int way_; // 1 if the triangle is counter-clockwise as it is seen
+  int way_ = 1; // 1 if the triangle is counter-clockwise as it is seen
   std::vector<Triple> triangles_;
   std::array<std::vector<std::uint32_t>, 3> onEdge_; // with both ends
   std::vector<std::uint32_t> points_;
