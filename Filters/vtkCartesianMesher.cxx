@@ -69,6 +69,7 @@ int vtkCartesianMesher::RequestUpdateExtent(
 cartesian::Options vtkCartesianMesher::MakeOptions()
 {
   cartesian::Options options = this->Superclass::MakeOptions();
+  cartesian::setDomainOptions(this, options);
   cartesian::setPatchOptions(this, options);
   cartesian::setCellOptions(this, options);
   return options;
@@ -84,11 +85,16 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
   {
     region = processes.whole(region);
   }
-  task.surface = std::make_unique<cartesian::SurfaceFromVTK>(this->Read(surface));
+  task.surface = std::make_unique<cartesian::SurfaceFromVTK>(this->ReadWithSides(surface));
   const cartesian::BoundarySettings boundaries{ this->BoundaryNames, this->BoundaryTypes,
     this->BoundaryRatios };
   task.types = cartesian::boundaryTypes(boundaries, task.surface->names());
   task.options = this->MakeOptions();
+  if (task.options.domain.isOutside() && this->Half > 0)
+  {
+    const auto symmetric = static_cast<std::size_t>(2 * (this->Half - 1));
+    task.types.emplace(task.surface->sides()[symmetric], "symmetryPlane");
+  }
   task.options.smallCells.boundaryRatios =
     cartesian::boundaryRatios(boundaries, task.surface->names());
   cartesian::planStages(task.options, execution);
@@ -318,6 +324,7 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   cartesian::printCellProperties(this, os, indent);
   this->PrintBoundarySettings(os, indent);
   os << indent << "InPieces: " << this->InPieces << "\n";
+  cartesian::printDomainProperties(this, os, indent);
   os << indent << "RegionsFrom: " << this->RegionsFrom << "\n";
   os << indent << "RegionArray: " << this->RegionArray << "\n";
 }

@@ -71,6 +71,10 @@ public:
       [&](std::size_t c, Faces& faces) { addPatches(c, faces); });
     Faces all(patches.size() + exposed.size());
     std::merge(patches.begin(), patches.end(), exposed.begin(), exposed.end(), all.begin());
+    if (boxes.ends != NoEnds)
+    {
+      nameEnds(all, execution);
+    }
     return all;
   }
 
@@ -235,6 +239,48 @@ private:
       }
     }
     return true;
+  }
+
+  // Faces where the grid cuts the domain are known by their place: all that is there lies on the last plane.
+  void nameEnds(std::vector<BoundaryFace>& faces, Execution& execution) const
+  {
+    execution.forEach(faces.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f)
+      {
+        if (faces[f].boundary == NoBoundary)
+        {
+          faces[f].boundary = boundaryOfEnd(faces[f]);
+        }
+      }
+    });
+  }
+
+  std::int32_t boundaryOfEnd(const BoundaryFace& face) const
+  {
+    for (std::size_t side = 0; side < 6; ++side)
+    {
+      if (face.kind == BoundaryFace::Kind::BoxSide
+          ? side == face.index % 6 &&
+            isAtEnd(parts_.boxes.box(face.index / 6), side / 2, side % 2 == 1)
+          : liesAtEnd(face, side))
+      {
+        return parts_.boxes.ends[side];
+      }
+    }
+    return NoBoundary;
+  }
+
+  bool liesAtEnd(const BoundaryFace& face, std::size_t side) const
+  {
+    const auto& planes = parts_.boxes.planes[side / 2];
+    const Level level = side % 2 == 1 ? planes.back() : planes.front();
+    const auto kind = face.isShaped() ? FaceOfCell::Kind::Shaped
+      : face.kind == BoundaryFace::Kind::Patch ? FaceOfCell::Kind::Patch
+                                               : FaceOfCell::Kind::Inner;
+    bool all = true;
+    forEachNode(FaceOfCell(face.index, kind), parts_.patches, parts_.inner, parts_.cells.shaped,
+      [&](std::uint32_t node) { all = all && parts_.nodes.at[node][side / 2] == level; });
+    return all;
   }
 
   const MeshParts& parts_;

@@ -203,7 +203,8 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
 std::string describeOverhang(const PreparedSurface& prepared)
 {
   std::string text;
-  for (int axis = 0; axis < 3; ++axis)
+  const bool isMeant = prepared.surface.around.inside();
+  for (int axis = 0; !isMeant && axis < 3; ++axis)
   {
     const auto& planes = prepared.planes[axis];
     const Lattice& lattice = prepared.surface.lattice;

@@ -27,6 +27,15 @@ std::vector<NamedOption> optionTable()
   const Options d; // defaults
   return {
     choice("Regions From", d.regionsFrom, { "One", "Blocks", "Array" }),
+    choice("Domain", d.domain.domain, { "Inside", "Outside" }),
+    choice("Box From", d.domain.boxFrom, { "Surface", "Bounds" }),
+    choice("Flow Direction", d.domain.flow,
+      { "Plus X", "Minus X", "Plus Y", "Minus Y", "Plus Z", "Minus Z" }),
+    { "Lengths Before", d.domain.before, DomainSpec::Lengths, "" },
+    { "Lengths Behind", d.domain.behind, DomainSpec::Lengths, "" },
+    { "Lengths Beside", d.domain.beside, DomainSpec::Lengths, "" },
+    choice("Ground", d.domain.ground, { "None", "xMin", "xMax", "yMin", "yMax", "zMin", "zMax" }),
+    choice("Half", d.domain.half, { "None", "Across X", "Across Y", "Across Z" }),
     { "Cell Size", d.grid.cellSize, GridSpec::CellSizes, Length },
     { "Refinement Depth", double(d.refinement.depth), RefinementSpec::AllDepths, "" },
     { "Refined Boundary Depth", double(BoundaryRefinement{}.depth), RefinementSpec::AllDepths, "" },

@@ -10,6 +10,7 @@
 #include "Parts/Slabs.h"
 #include "Patches/PatchSpec.h"
 #include "Shaping/ShapingSpec.h"
+#include "Surface/FlowDomain.h"
 
 namespace cartesian
 {
@@ -27,6 +28,7 @@ struct Options
   static constexpr Range MemoryLimits{ 0 };
 
   RegionSource regionsFrom = RegionSource::One;
+  DomainSpec domain;
   GridSpec grid;
   RefinementSpec refinement;
   PatchSpec patches; // with the feature angle of all steps
