@@ -46,6 +46,12 @@ Vector forEachStarTriangle(std::size_t size, Corner&& corner, Visitor&& visit)
 template <class Corner>
 FaceGeometry measureFace(std::size_t size, Corner&& corner)
 {
+  if (size == 3)
+  {
+    const Vector p = minus(corner(1), corner(0));
+    const Vector q = minus(corner(2), corner(0));
+    return { plus(corner(0), scaled(plus(p, q), 1.0 / 3)), scaled(cross(p, q), 0.5) };
+  }
   Vector area{ 0, 0, 0 };
   Vector moment{ 0, 0, 0 };
   double sum = 0;
