@@ -196,6 +196,11 @@ void CellComplex::lookAround(CellKey key, MeasuredCell& cell) const
   });
 }
 
+Vector CellComplex::between(CellKey from, CellKey to) const
+{
+  return minus(boxes_.lowOf(boxOf(to)), boxes_.lowOf(boxOf(from)));
+}
+
 NeighbourCell CellComplex::placeAndVolume(CellKey key, const Point& origin) const
 {
   const OpenCell* open = opened(key);

@@ -48,6 +48,9 @@ public:
   void shape(CellKey key, Polyhedron& shape) const;
   void lookAround(CellKey key, MeasuredCell& cell) const;
 
+  // From the lower corner of one's box to that of the other's.
+  Vector between(CellKey from, CellKey to) const;
+
   // The cells of its region beyond its faces that are alive, each with the area between them (lattice
   // levels), the largest first.
   std::vector<std::pair<CellKey, double>> neighbours(CellKey key) const;

@@ -2,6 +2,7 @@
 #include "Shaping/CellMerging.h"
 
 #include "Polyhedra/CellCost.h"
+#include "Polyhedra/CellGeometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -303,6 +304,10 @@ void CellMerger::findBest(CellKey key, const FaceCosts& own, std::size_t mostNei
     trial_.keys.assign(1, key);
     tryOut(own, leastGain, joins, true);
   }
+  else
+  {
+    cells_.lookAround(key, own_);
+  }
   const double share = cells_.share(key);
   std::size_t tried = 0;
   for (const auto& [other, area] : cells_.neighbours(key))
@@ -323,8 +328,42 @@ void CellMerger::findBest(CellKey key, const FaceCosts& own, std::size_t mostNei
     FaceCosts before = own;
     before += costsOfCell(other, &key, &key + 1);
     before.sum -= CostOfCell * cells_.share(trial_.keys[1]);
-    tryOut(before, leastGain, joins, simplifies);
+    const double most = before.sum + MostOfJoins;
+    if (simplifies || costTogether(key, other, most) <= most)
+    {
+      tryOut(before, leastGain, joins, simplifies);
+    }
   }
+}
+
+// About what the faces of the two cells looked around last would cost as they are, as those of one.
+double CellMerger::costTogether(CellKey key, CellKey other, double most)
+{
+  const double own = own_.measures.volume;
+  const double others = cell_.measures.volume;
+  const Vector between = cells_.between(key, other);
+  const Vector ownCentre = own_.measures.centre;
+  const Vector centre =
+    scaled(plus(scaled(ownCentre, own), scaled(plus(cell_.measures.centre, between), others)),
+      1 / std::max(own + others, Tiny));
+  own_.measures.volume = cell_.measures.volume = own + others;
+  own_.measures.centre = centre;
+  cell_.measures.centre = minus(centre, between);
+  double cost = costAround(own_, other, most);
+  cost += cost > most ? 0 : costAround(cell_, key, most - cost);
+  own_.measures.volume = own;
+  own_.measures.centre = ownCentre;
+  return cost;
+}
+
+double CellMerger::costAround(const MeasuredCell& cell, CellKey butFor, double most) const
+{
+  double cost = 0;
+  for (std::size_t f = 0; f < cell.across.size() && cost <= most; ++f)
+  {
+    cost += cell.across[f] == butFor ? 0 : costOfFace(cell.shape, cell.measures, f, cell.beyond[f]);
+  }
+  return cost;
 }
 
 // The trial's cells; keeps the better one. `before`: the costs of each alone.

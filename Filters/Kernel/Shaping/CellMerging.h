@@ -79,6 +79,8 @@ private:
     CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain);
   void findBest(CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain,
     const JoinSpec& joins, bool simplifies);
+  double costTogether(CellKey key, CellKey other, double most);
+  double costAround(const MeasuredCell& cell, CellKey butFor, double most) const;
   void tryOut(const FaceCosts& before, double leastGain, const JoinSpec& joins, bool simplifies);
   void apply(const CellUnion& chosen);
 
@@ -94,6 +96,7 @@ private:
   CellUnion trial_;
   CellUnion best_;
   MeasuredCell cell_;
+  MeasuredCell own_;
   std::vector<std::uint8_t> counts_;
 };
 
