@@ -430,7 +430,6 @@ std::vector<CellKey> CellComplex::polyhedraAtFault() const
   });
 }
 
-// And the cells beside them, in order, each once; None may be among them.
 std::vector<CellKey> CellComplex::allChangedSince(std::uint32_t mark) const
 {
   std::vector<CellKey> changed;

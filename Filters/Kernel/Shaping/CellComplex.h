@@ -69,6 +69,9 @@ public:
   std::uint32_t mark() { return ++now_; }
   std::vector<CellKey> polyhedraChangedSince(std::uint32_t mark) const;
 
+  // All that have, and the cells beside them, in order, each once; None may be among them.
+  std::vector<CellKey> allChangedSince(std::uint32_t mark) const;
+
   // Free cells that the slab does not look after, but has changed, or one beside them.
   std::vector<CellKey> othersTouched() const;
 
@@ -249,7 +252,6 @@ private:
   }
   template <class Kept>
   std::vector<CellKey> select(Kept&& isKept) const;
-  std::vector<CellKey> allChangedSince(std::uint32_t mark) const;
   Layers layersOf(CellKey key) const;
   FaceUse useOf(const FaceOfCell& ref) const;
   OpenCell* opened(CellKey key);

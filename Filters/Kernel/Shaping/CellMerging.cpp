@@ -118,17 +118,27 @@ std::vector<CellKey> CellMerger::lookedAfter(bool looksAtOthers) const
   return all;
 }
 
+// Only what has changed since, or was refused then, is looked at again.
 std::vector<CellKey> CellMerger::refused(bool looksAtOthers)
 {
-  std::vector<CellKey> keys;
-  const CellKey* const none = nullptr;
-  for (const CellKey key : lookedAfter(looksAtOthers))
+  std::vector<CellKey> keys = lookedAfter(looksAtOthers);
+  if (refusedAt_ > 0)
   {
-    if (!cells_.isSurelyAccepted(key) && costsOfCell(key, none, none).refused > 0)
-    {
-      keys.push_back(key);
-    }
+    std::vector<CellKey> again = cells_.allChangedSince(refusedAt_);
+    again.insert(again.end(), refused_.begin(), refused_.end());
+    std::sort(again.begin(), again.end());
+    keys.erase(std::remove_if(keys.begin(), keys.end(),
+                 [&](CellKey key) { return !std::binary_search(again.begin(), again.end(), key); }),
+      keys.end());
   }
+  refusedAt_ = cells_.mark();
+  const CellKey* const none = nullptr;
+  keys.erase(std::remove_if(keys.begin(), keys.end(),
+               [&](CellKey key) {
+                 return cells_.isSurelyAccepted(key) || costsOfCell(key, none, none).refused == 0;
+               }),
+    keys.end());
+  refused_ = keys;
   return keys;
 }
 

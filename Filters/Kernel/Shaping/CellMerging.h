@@ -91,6 +91,8 @@ private:
   std::size_t merged_ = 0;
   std::size_t simplified_ = 0;
   std::uint32_t improvedAt_ = 0; // all has been looked at since
+  std::uint32_t refusedAt_ = 0;  // likewise
+  std::vector<CellKey> refused_; // then
 
   // Kept for their memory:
   CellUnion trial_;
