@@ -68,9 +68,12 @@ bool isBetter(const CellUnion& a, const CellUnion& b)
 
 void CellMerger::mergeSmall()
 {
-  mergeGroups();
+  std::vector<CellKey> keys =
+    mergedAt_ == 0 ? cells_.polyhedra() : cells_.polyhedraChangedSince(mergedAt_);
+  mergedAt_ = cells_.mark();
+  mergeGroups(keys);
   const CellKey* const none = nullptr;
-  run(cells_.polyhedra(), [&](CellKey key, bool acts) {
+  run(std::move(keys), [&](CellKey key, bool acts) {
     const bool small = isSmall(key);
     if (acts && small)
     {
@@ -180,10 +183,10 @@ std::vector<CellMerger::Candidate> CellMerger::list(const std::vector<CellKey>& 
 
 // Small cells side by side on one neighbour, or cells of a fine box each on one of a coarse box: each alone
 // would leave a step there, all together none.
-void CellMerger::mergeGroups()
+void CellMerger::mergeGroups(const std::vector<CellKey>& keys)
 {
   std::map<CellKey, std::vector<CellKey>> byLargest;
-  for (const CellKey key : cells_.polyhedra())
+  for (const CellKey key : keys)
   {
     execution_.poll();
     if (cells_.share(key) < LargestOfGroup && (isSmall(key) || mayBeOfFineBox(key)))

@@ -67,7 +67,7 @@ private:
   void run(std::vector<CellKey> keys, Look&& look);
   template <class Look>
   std::vector<Candidate> list(const std::vector<CellKey>& keys, Look&& look);
-  void mergeGroups();
+  void mergeGroups(const std::vector<CellKey>& keys);
   void mergeGroup(const std::vector<CellKey>& keys);
   bool isSmall(CellKey key) const;
   bool isFineNextTo(CellKey key, CellKey other) const;
@@ -90,7 +90,8 @@ private:
   UnionTrial trying_;
   std::size_t merged_ = 0;
   std::size_t simplified_ = 0;
-  std::uint32_t improvedAt_ = 0; // all has been looked at since
+  std::uint32_t mergedAt_ = 0;   // all has been looked at since
+  std::uint32_t improvedAt_ = 0; // likewise
   std::uint32_t refusedAt_ = 0;  // likewise
   std::vector<CellKey> refused_; // then
 
