@@ -32,6 +32,10 @@ struct MeasuredCell
   std::vector<NeighbourCell> beyond;
 };
 
+// The cells of its region beyond its faces that are alive, each with the area between them (lattice
+// levels), the largest first.
+std::vector<std::pair<CellKey, double>> neighboursOf(const MeasuredCell& cell);
+
 class CellComplex
 {
 public:
@@ -51,8 +55,6 @@ public:
   // From the lower corner of one's box to that of the other's.
   Vector between(CellKey from, CellKey to) const;
 
-  // The cells of its region beyond its faces that are alive, each with the area between them (lattice
-  // levels), the largest first.
   std::vector<std::pair<CellKey, double>> neighbours(CellKey key) const;
 
   // Whether is(other) for a cell beyond one of its faces.
@@ -215,6 +217,7 @@ private:
     EdgeTable numberOf;               // of nodes: edges from them to themselves
     Polyhedron polyhedron;
     CellShape measures;
+    MeasuredCell cell;
   };
 
   static constexpr std::uint32_t MostFaces = 0x7fffffffu;

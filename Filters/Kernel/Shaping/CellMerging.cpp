@@ -269,6 +269,12 @@ bool CellMerger::mergeBest(
   CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain)
 {
   best_.keys.clear();
+  cells_.lookAround(key, own_);
+  neighbours_.clear();
+  for (const auto& [other, area] : neighboursOf(own_))
+  {
+    neighbours_.push_back({ other, {} });
+  }
   findBest(key, own, mostNeighbours, leastGain, spec_.joins, false);
   if (spec_.simplifies)
   {
@@ -317,14 +323,11 @@ void CellMerger::findBest(CellKey key, const FaceCosts& own, std::size_t mostNei
     trial_.keys.assign(1, key);
     tryOut(own, leastGain, joins, true);
   }
-  else
-  {
-    cells_.lookAround(key, own_);
-  }
   const double share = cells_.share(key);
   std::size_t tried = 0;
-  for (const auto& [other, area] : cells_.neighbours(key))
+  for (Neighbour& neighbour : neighbours_)
   {
+    const CellKey other = neighbour.key;
     if (!spec_.merges || tried == mostNeighbours ||
       (!best_.keys.empty() && best_.costs.worst < FairCost && best_.costs.refused == 0))
     {
@@ -338,8 +341,12 @@ void CellMerger::findBest(CellKey key, const FaceCosts& own, std::size_t mostNei
     cells_.open(other); // a hexahedron has no faces of its own
     const bool grows = cells_.volume(key) > cells_.volume(other);
     trial_.keys.assign({ grows ? key : other, grows ? other : key });
+    if (!neighbour.costs)
+    {
+      neighbour.costs = costsOfCell(other, &key, &key + 1);
+    }
     FaceCosts before = own;
-    before += costsOfCell(other, &key, &key + 1);
+    before += *neighbour.costs;
     before.sum -= CostOfCell * cells_.share(trial_.keys[1]);
     const double most = before.sum + MostOfJoins;
     if (simplifies || costTogether(key, other, most) <= most)

@@ -6,6 +6,8 @@
 #include "Base/Execution.h"
 #include "Shaping/CellUnion.h"
 
+#include <optional>
+
 namespace cartesian
 {
 
@@ -63,6 +65,13 @@ private:
     }
   };
 
+  // Of the cell to merge.
+  struct Neighbour
+  {
+    CellKey key;
+    std::optional<FaceCosts> costs; // but for its faces towards that cell
+  };
+
   template <class Look>
   void run(std::vector<CellKey> keys, Look&& look);
   template <class Look>
@@ -100,6 +109,7 @@ private:
   CellUnion best_;
   MeasuredCell cell_;
   MeasuredCell own_;
+  std::vector<Neighbour> neighbours_;
   std::vector<std::uint8_t> counts_;
 };
 
