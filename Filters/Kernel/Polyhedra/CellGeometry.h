@@ -7,12 +7,23 @@
 #include "Lattice/Vector.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace cartesian
 {
 
 // Smaller areas and volumes count as zero; this only keeps divisors from vanishing.
 constexpr double Tiny = 1e-150;
+
+// A polygon of some nodes, counter-clockwise from outside.
+struct Ring
+{
+  const Vector* nodes;
+  const std::uint32_t* corners;
+  std::size_t size;
+
+  const Vector& operator[](std::size_t i) const { return nodes[corners[i]]; }
+};
 
 struct FaceGeometry
 {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Base/RawVector.h"
-#include "Lattice/Vector.h"
+#include "Polyhedra/CellGeometry.h"
 
 #include <cstdint>
 #include <vector>
@@ -28,16 +28,6 @@ struct Polyhedron
     start.push_back(static_cast<std::uint32_t>(corners.size()));
     isBoundary.push_back(boundary ? 1 : 0);
   }
-};
-
-// A polygon of some nodes, counter-clockwise from outside.
-struct Ring
-{
-  const Vector* nodes;
-  const std::uint32_t* corners;
-  std::size_t size;
-
-  const Vector& operator[](std::size_t i) const { return nodes[corners[i]]; }
 };
 
 inline Ring ringOf(const Polyhedron& cell, std::size_t face)
