@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Polyhedra/Polyhedron.h"
 
-#include "Polyhedra/CellGeometry.h"
-
 #include <algorithm>
 #include <cmath>
 

@@ -55,6 +55,17 @@ constexpr double MostShare = 1.6;
 constexpr double WideBoundaryAngle = 60;
 constexpr double WideInnerAngle = 90;
 
+// Of its faces but for those towards a cell; ends where that is more than `most`.
+double costAround(const MeasuredCell& cell, CellKey butFor, double most)
+{
+  double cost = 0;
+  for (std::size_t f = 0; f < cell.across.size() && cost <= most; ++f)
+  {
+    cost += cell.across[f] == butFor ? 0 : costOfFace(cell.shape, cell.measures, f, cell.beyond[f]);
+  }
+  return cost;
+}
+
 // One with fewer faces that solvers refuse is better than one that gains more.
 bool isBetter(const CellUnion& a, const CellUnion& b)
 {
@@ -373,16 +384,6 @@ double CellMerger::costTogether(CellKey key, CellKey other, double most)
   cost += cost > most ? 0 : costAround(cell_, key, most - cost);
   own_.measures.volume = own;
   own_.measures.centre = ownCentre;
-  return cost;
-}
-
-double CellMerger::costAround(const MeasuredCell& cell, CellKey butFor, double most) const
-{
-  double cost = 0;
-  for (std::size_t f = 0; f < cell.across.size() && cost <= most; ++f)
-  {
-    cost += cell.across[f] == butFor ? 0 : costOfFace(cell.shape, cell.measures, f, cell.beyond[f]);
-  }
   return cost;
 }
 

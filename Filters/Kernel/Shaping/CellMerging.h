@@ -89,7 +89,6 @@ private:
   void findBest(CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain,
     const JoinSpec& joins, bool simplifies);
   double costTogether(CellKey key, CellKey other, double most);
-  double costAround(const MeasuredCell& cell, CellKey butFor, double most) const;
   void tryOut(const FaceCosts& before, double leastGain, const JoinSpec& joins, bool simplifies);
   void apply(const CellUnion& chosen);
 
