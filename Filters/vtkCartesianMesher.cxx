@@ -93,8 +93,7 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
     cartesian::boundaryRatios(boundaries, task.surface->names());
   cartesian::planStages(task.options, execution);
   task.prepared = this->Prepare(*task.surface, execution, piece.count);
-  // Triangles between regions are others than the user's.
-  if (piece.number == 0 && !task.prepared.surface.walls.any())
+  if (piece.number == 0)
   {
     this->Inspect(task.prepared, *task.surface, vtkPolyData::GetData(output, 2), execution);
   }
@@ -320,4 +319,5 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InPieces: " << this->InPieces << "\n";
   os << indent << "RegionsFrom: " << this->RegionsFrom << "\n";
   os << indent << "RegionArray: " << this->RegionArray << "\n";
+  os << indent << "ContactTolerance: " << this->ContactTolerance << "\n";
 }

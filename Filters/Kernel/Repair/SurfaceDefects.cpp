@@ -328,6 +328,26 @@ SurfaceDefects findDefects(const Surface& surface, std::size_t given, const Surf
   return DefectLister(surface, given, repair, planes, execution).list();
 }
 
+SurfaceDefects listContacts(const std::vector<ClosedContact>& contacts, const Lattice& lattice)
+{
+  SurfaceDefects result;
+  std::size_t& count = result.counts[static_cast<std::size_t>(DefectKind::ClosedContact)];
+  for (const ClosedContact& contact : contacts)
+  {
+    for (std::size_t i = 0; i < contact.given.size(); ++i, ++count)
+    {
+      result.defects.push_back({ DefectKind::ClosedContact, contact.given[i], SurfaceDefects::None,
+        3, true, contact.width * lattice.step() });
+      for (const Point& p : contact.triangles[i])
+      {
+        result.points.push_back(
+          { lattice.position(0, p[0]), lattice.position(1, p[1]), lattice.position(2, p[2]) });
+      }
+    }
+  }
+  return result;
+}
+
 std::string describe(const SurfaceDefects& defects)
 {
   const std::pair<DefectKind, const char*> kinds[] = {
