@@ -415,8 +415,9 @@ void vtkCartesianBoxer::Inspect(const cartesian::PreparedSurface& prepared,
   }
   const cartesian::SurfaceDefects found = cartesian::findDefects(
     prepared.surface, prepared.trianglesGiven, prepared.repair, prepared.planes, execution);
-  cartesian::toVTK(found, cartesian::cellsOf(prepared.surface, surface.cells()), defects);
-  this->Warn(cartesian::describe(found));
+  const std::vector<vtkIdType> cells = cartesian::cellsOf(prepared.surface, surface.cells());
+  cartesian::toVTK(found, cells, defects);
+  this->Warn(cartesian::describe(found, cells));
 }
 
 cartesian::RefinementSpec vtkCartesianBoxer::MakeSpec(const cartesian::BoundaryNames& names)

@@ -90,7 +90,7 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
   task.types = cartesian::boundaryTypes(boundaries, task.surface->names());
   task.options = this->MakeOptions();
   task.options.smallCells.boundaryRatios =
-    cartesian::boundaryRatios(boundaries, task.surface->names());
+    cartesian::boundaryRatios(boundaries, task.surface->names(), task.options.smallCells.handling);
   cartesian::planStages(task.options, execution);
   task.prepared = this->Prepare(*task.surface, execution, piece.count);
   if (piece.number == 0)
