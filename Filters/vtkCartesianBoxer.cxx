@@ -381,6 +381,7 @@ cartesian::Options vtkCartesianBoxer::MakeOptions()
   options.grid.cellSize = this->CellSize;
   options.grid.meshlines = this->Meshlines;
   options.memoryLimit = this->MemoryLimit;
+  options.contactTolerance = this->ContactTolerance;
   return options;
 }
 
@@ -405,10 +406,18 @@ void vtkCartesianBoxer::Inspect(const cartesian::PreparedSurface& prepared,
   const cartesian::SurfaceFromVTK& surface, vtkPolyData* defects, cartesian::Execution& execution)
 {
   execution.stage("Defects of the surface", cartesian::AfterSurface, cartesian::AfterDefects);
+  if (prepared.surface.walls.any())
+  {
+    // Triangles between regions are others than the user's: what was closed is listed with those.
+    cartesian::toVTK(cartesian::listContacts(prepared.contacts, prepared.surface.lattice),
+      surface.cells(), defects);
+    return;
+  }
   const cartesian::SurfaceDefects found = cartesian::findDefects(
     prepared.surface, prepared.trianglesGiven, prepared.repair, prepared.planes, execution);
-  cartesian::toVTK(found, cartesian::cellsOf(prepared.surface, surface.cells()), defects);
-  this->Warn(cartesian::describe(found));
+  const std::vector<vtkIdType> cells = cartesian::cellsOf(prepared.surface, surface.cells());
+  cartesian::toVTK(found, cells, defects);
+  this->Warn(cartesian::describe(found, cells));
 }
 
 cartesian::RefinementSpec vtkCartesianBoxer::MakeSpec(const cartesian::BoundaryNames& names)

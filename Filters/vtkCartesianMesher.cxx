@@ -90,11 +90,10 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
   task.types = cartesian::boundaryTypes(boundaries, task.surface->names());
   task.options = this->MakeOptions();
   task.options.smallCells.boundaryRatios =
-    cartesian::boundaryRatios(boundaries, task.surface->names());
+    cartesian::boundaryRatios(boundaries, task.surface->names(), task.options.smallCells.handling);
   cartesian::planStages(task.options, execution);
   task.prepared = this->Prepare(*task.surface, execution, piece.count);
-  // Triangles between regions are others than the user's.
-  if (piece.number == 0 && !task.prepared.surface.walls.any())
+  if (piece.number == 0)
   {
     this->Inspect(task.prepared, *task.surface, vtkPolyData::GetData(output, 2), execution);
   }
@@ -320,4 +319,5 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InPieces: " << this->InPieces << "\n";
   os << indent << "RegionsFrom: " << this->RegionsFrom << "\n";
   os << indent << "RegionArray: " << this->RegionArray << "\n";
+  os << indent << "ContactTolerance: " << this->ContactTolerance << "\n";
 }

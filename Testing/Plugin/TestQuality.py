@@ -5,6 +5,7 @@ import pathlib
 import tempfile
 
 import foam
+import measure
 import numpy as np
 from paraview import simple
 from pipeline import output, read
@@ -83,5 +84,14 @@ assert np.abs(areas.sum(axis=0)).max() < 1e-9 * np.linalg.norm(areas, axis=1).su
 sizes = output(simple.CellSize(Input=simple.OutputPort(mesher, 1), ComputeLength=0, ComputeVolume=0))
 assert (np.linalg.norm(areas, axis=1) <= values(sizes, "Area") * (1 + 1e-9)).all()
 assert field(output(mesher), "BoundaryAngleFailures") == 0
-assert np.isfinite(centres).all()
+faces = measure.faces_of_polydata(boundary, np.zeros(len(joined), int))
+points = measure.points_of(boundary)[faces.corners]
+middles = (faces.sums(points) / faces.size[:, None])[faces.face]
+following = measure.points_of(boundary)[faces.corners[faces.next]]
+triangles = np.cross(points - middles, following - middles) / 2
+weights = np.linalg.norm(triangles, axis=1)[:, None]
+lengths = np.sqrt(np.linalg.norm(areas, axis=1))
+assert (np.abs(areas - faces.sums(triangles)).max(axis=1) < 1e-9 * lengths**2).all()
+own_centres = faces.sums(weights * (points + following + middles) / 3) / faces.sums(weights)
+assert (np.abs(centres - own_centres).max(axis=1) < 1e-9 * lengths).all()
 print(int(joined.sum()), "IP patches of", len(joined), "boundary faces")

@@ -70,8 +70,10 @@ PreparedSurface prepareSurface(
   prepared.trianglesGiven = prepared.surface.triangles.size();
   if (view.region)
   {
-    separateRegions(prepared.surface, prepared.planes,
-      view.regionNames ? *view.regionNames : std::vector<std::string>(), execution);
+    RegionSpec regions;
+    regions.names = view.regionNames ? *view.regionNames : std::vector<std::string>();
+    regions.contactTolerance = options.contactTolerance;
+    prepared.contacts = separateRegions(prepared.surface, prepared.planes, regions, execution);
   }
   else
   {

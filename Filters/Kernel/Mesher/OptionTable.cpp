@@ -3,6 +3,7 @@
 
 #include "Base/Execution.h"
 #include "Mesher/Options.h"
+#include "Repair/Regions.h"
 
 namespace cartesian
 {
@@ -27,6 +28,7 @@ std::vector<NamedOption> optionTable()
   const Options d; // defaults
   return {
     choice("Regions From", d.regionsFrom, { "One", "Blocks", "Array" }),
+    { "Contact Tolerance", d.contactTolerance, RegionSpec::ContactTolerances, Length },
     { "Cell Size", d.grid.cellSize, GridSpec::CellSizes, Length },
     { "Refinement Depth", double(d.refinement.depth), RefinementSpec::AllDepths, "" },
     { "Refined Boundary Depth", double(BoundaryRefinement{}.depth), RefinementSpec::AllDepths, "" },

@@ -27,6 +27,7 @@ struct Options
   static constexpr Range MemoryLimits{ 0 };
 
   RegionSource regionsFrom = RegionSource::One;
+  double contactTolerance = 0; // user units (Regions.h)
   GridSpec grid;
   RefinementSpec refinement;
   PatchSpec patches; // with the feature angle of all steps

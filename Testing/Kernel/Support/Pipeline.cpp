@@ -232,7 +232,11 @@ Meshed meshPrepared(const PreparedSurface& prepared, const TestOptions& options)
 
 Meshed meshOf(const Soup& soup, const GridSpec& grid, const TestOptions& options)
 {
-  return meshPrepared(prepare(soup, grid), options);
+  Options whole = options;
+  whole.grid = grid;
+  whole.memoryLimit = PlentyOfMemory;
+  Execution execution;
+  return meshPrepared(prepareSurface(soup.view(), whole, execution), options);
 }
 
 std::vector<Winding> windings(const Surface& surface, const Meshlines& planes, int axis)
