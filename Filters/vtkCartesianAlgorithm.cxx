@@ -20,7 +20,8 @@ bool vtkCartesianAlgorithm::Run(
     const auto monitor = [&](double fraction, const char* stage) {
       this->SetProgressText(stage);
       this->UpdateProgress(fraction);
-      return this->IsWaitedFor || !this->CheckAbort();
+      const bool stops = this->CheckAbort() || (this->HasOtherFailed && this->HasOtherFailed());
+      return this->IsWaitedFor || !stops;
     };
     cartesian::Execution execution(this->NumberOfThreads, monitor, begin, end);
     work(execution);

@@ -146,8 +146,9 @@ protected:
   ///@}
 
   int NumberOfThreads = 0;
-  bool IsSilent = false;    // the first process says what all would
-  bool IsWaitedFor = false; // by other processes: too late to stop
+  bool IsSilent = false;                // the first process says what all would
+  bool IsWaitedFor = false;             // by other processes: too late to stop
+  std::function<bool()> HasOtherFailed; // of the processes; null: there are no others
 
 private:
   vtkCartesianAlgorithm(const vtkCartesianAlgorithm&) = delete;

@@ -225,7 +225,7 @@ vtkDataObject* vtkCartesianBoxer::UpdatedSurface()
 void vtkCartesianBoxer::DescribeBoundaries(vtkDataObject* result)
 {
   this->Run(0, 1, [&](cartesian::Execution&) {
-    const cartesian::SurfaceFromVTK surface(this->UpdatedSurface(), this->BoundaryArray);
+    const cartesian::SurfaceFromVTK surface = this->Read(this->UpdatedSurface());
     cartesian::setBoundaryNames(result, surface.names());
   });
 }
@@ -234,7 +234,7 @@ double vtkCartesianBoxer::EstimateNumberOfBoxes()
 {
   double boxes = 0;
   this->Run(0, 1, [&](cartesian::Execution& execution) {
-    const cartesian::SurfaceFromVTK surface(this->UpdatedSurface(), this->BoundaryArray);
+    const cartesian::SurfaceFromVTK surface = this->Read(this->UpdatedSurface());
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
     std::array<double, 3> box;
     for (std::size_t axis = 0; axis < box.size(); ++axis)
@@ -285,15 +285,16 @@ int vtkCartesianBoxer::RequestInformation(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
   vtkDataObject* data = vtkDataObject::GetData(input[0]);
-  if (data && (data->GetMTime() != this->SurfaceTime || this->BoundaryArray != this->ListedArray))
+  const std::string listed =
+    this->BoundaryArray + "\n" + std::to_string(this->RegionsFrom) + "\n" + this->RegionArray;
+  if (data && (data->GetMTime() != this->SurfaceTime || listed != this->ListedArray))
   {
     this->SurfaceTime = data->GetMTime();
-    this->ListedArray = this->BoundaryArray;
+    this->ListedArray = listed;
     this->Seen.reset();
     // Not read yet, or flawed: the work itself will say so.
     cartesian::reportErrors(
-      [&] { this->LookAt(cartesian::SurfaceFromVTK(data, this->BoundaryArray)); },
-      [](unsigned long, const std::string&) {});
+      [&] { this->LookAt(this->Read(data)); }, [](unsigned long, const std::string&) {});
   }
   this->EstimateBoxes();
   return 1;
@@ -381,6 +382,12 @@ cartesian::Options vtkCartesianBoxer::MakeOptions()
   options.grid.meshlines = this->Meshlines;
   options.memoryLimit = this->MemoryLimit;
   return options;
+}
+
+cartesian::SurfaceFromVTK vtkCartesianBoxer::Read(vtkDataObject* surface) const
+{
+  return { surface, this->BoundaryArray, static_cast<cartesian::RegionSource>(this->RegionsFrom),
+    this->RegionArray };
 }
 
 cartesian::PreparedSurface vtkCartesianBoxer::Prepare(
@@ -473,6 +480,8 @@ std::unique_ptr<cartesian::Decomposition> vtkCartesianBoxer::Divide(
   const std::vector<RegionSurface> surfaces = RegionSurfaces(regions, this->RegionDepth);
   for (const RegionSurface& region : surfaces)
   {
+    const std::string undivided = region.surface->describeUndivided();
+    this->Warn(undivided.empty() ? "" : "Of a refinement region: " + undivided);
     options.refinement.regions.push_back({ region.surface->view(), region.depth });
   }
   auto decomposition = cartesian::decompose(prepared, options, execution);
@@ -492,7 +501,7 @@ int vtkCartesianBoxer::RequestData(
     return 1;
   }
   this->Run(0, cartesian::AfterBoxes, [&](cartesian::Execution& execution) {
-    const cartesian::SurfaceFromVTK surface(vtkDataObject::GetData(input[0]), this->BoundaryArray);
+    const cartesian::SurfaceFromVTK surface = this->Read(vtkDataObject::GetData(input[0]));
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
     const auto decomposition = this->Divide(surface, prepared, Regions(input[1]), execution);
     cartesian::toVTK(decomposition->boxes(decomposition->allLayers(), execution),

@@ -215,6 +215,11 @@ protected:
   virtual cartesian::Options MakeOptions();
 
   /**
+   * The surface with its boundaries and regions.
+   */
+  cartesian::SurfaceFromVTK Read(vtkDataObject* surface) const;
+
+  /**
    * The surface on the lattice, checked; flaws are reported. `parts`: in how many parts the mesh is
    * made, none of which may take more than the memory allowed.
    */
@@ -256,6 +261,10 @@ protected:
   int RegionDepth = 1;
   double MemoryLimit = 0;
 
+  // Only vtkCartesianMesher lets users choose these.
+  int RegionsFrom = 0;
+  std::string RegionArray;
+
 private:
   vtkCartesianBoxer(const vtkCartesianBoxer&) = delete;
   void operator=(const vtkCartesianBoxer&) = delete;
@@ -272,7 +281,7 @@ private:
   struct SeenSurface;
 
   vtkMTimeType SurfaceTime = 0; // of the surface that RefinedBoundaries and Seen are about
-  std::string ListedArray;      // its boundaries are those of RefinedBoundaries
+  std::string ListedArray;      // what chose its boundaries, which are those of RefinedBoundaries
   std::unique_ptr<SeenSurface> Seen;
   double ExpectedBoxes[20] = {};
 };

@@ -11,6 +11,7 @@
 #include "Parts/Decomposition.h"
 #include "SurfaceFromVTK.h"
 
+#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -48,7 +49,7 @@ struct vtkCartesianMesher::Piece
 
 vtkCartesianMesher::vtkCartesianMesher()
 {
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
 }
 
 vtkCartesianMesher::~vtkCartesianMesher() = default;
@@ -83,7 +84,7 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
   {
     region = processes.whole(region);
   }
-  task.surface = std::make_unique<cartesian::SurfaceFromVTK>(surface, this->BoundaryArray);
+  task.surface = std::make_unique<cartesian::SurfaceFromVTK>(this->Read(surface));
   const cartesian::BoundarySettings boundaries{ this->BoundaryNames, this->BoundaryTypes,
     this->BoundaryRatios };
   task.types = cartesian::boundaryTypes(boundaries, task.surface->names());
@@ -92,7 +93,8 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
     cartesian::boundaryRatios(boundaries, task.surface->names());
   cartesian::planStages(task.options, execution);
   task.prepared = this->Prepare(*task.surface, execution, piece.count);
-  if (piece.number == 0)
+  // Triangles between regions are others than the user's.
+  if (piece.number == 0 && !task.prepared.surface.walls.any())
   {
     this->Inspect(task.prepared, *task.surface, vtkPolyData::GetData(output, 2), execution);
   }
@@ -206,29 +208,54 @@ void vtkCartesianMesher::RequestPieceAlone(
   }
 }
 
+// The first error code of any process; that it was stopped only if none has another: others failing stops it.
+unsigned long vtkCartesianMesher::CodeOfAll(
+  const std::vector<std::vector<double>>& counts, const cartesian::Processes& processes)
+{
+  unsigned long code = vtkErrorCode::NoError;
+  std::vector<std::size_t> failed;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+  {
+    const auto own = static_cast<unsigned long>(counts[i][0]);
+    if (own != vtkErrorCode::NoError)
+    {
+      failed.push_back(i);
+      code = code == vtkErrorCode::NoError || code == Stopped ? own : code;
+    }
+  }
+  processes.forgetFailures(failed);
+  return code;
+}
+
 // Where one process fails, all do; nobody waits for it.
 void vtkCartesianMesher::RequestPieceOfProcess(Piece& piece, const cartesian::Processes& processes,
   vtkInformationVector** input, vtkInformationVector* output)
 {
   Task task;
+  this->HasOtherFailed = [&] { return processes.hasOtherFailed(); };
   const bool isDone = this->Run(0, cartesian::AfterNumbering, [&](cartesian::Execution& execution) {
     this->Begin(task, piece, processes, input, output, execution);
     Make(task, piece, execution);
   });
+  this->HasOtherFailed = nullptr;
+  if (!isDone)
+  {
+    processes.tellFailure();
+  }
   const cartesian::OutputMesh* mesh = isDone ? piece.assembly->mesh.get() : nullptr;
   const std::vector<std::vector<double>> counts =
     processes.gather({ isDone ? 0.0 : static_cast<double>(this->GetErrorCode()),
       isDone ? static_cast<double>(mesh->cellCount()) : 0,
       isDone ? static_cast<double>(mesh->ownPointCount()) : 0 });
   cartesian::MeshPiece place{ 0, 0, false, processes };
+  if (const unsigned long code = CodeOfAll(counts, processes); code != vtkErrorCode::NoError)
+  {
+    this->ErrorCode = code;
+    return;
+  }
   double cells = 0;
   for (std::size_t i = 0; i < counts.size(); ++i)
   {
-    if (counts[i][0] != 0)
-    {
-      this->ErrorCode = static_cast<unsigned long>(counts[i][0]);
-      return;
-    }
     place.cellsBefore += static_cast<int>(i) < piece.number ? cartesian::Id(counts[i][1]) : 0;
     place.pointsBefore += static_cast<int>(i) < piece.number ? cartesian::Id(counts[i][2]) : 0;
     cells += counts[i][1];
@@ -248,8 +275,9 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   const cartesian::MeshPiece& place, vtkInformationVector* output, cartesian::Execution& execution)
 {
   vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(output, 0);
-  cartesian::toVTK(*piece.assembly, { task.surface->names(), task.types }, place, mesh,
-    vtkPolyData::GetData(output, 1), execution);
+  cartesian::toVTK(*piece.assembly,
+    { task.surface->names(), task.types, task.surface->regionNames() }, place, mesh,
+    vtkPolyData::GetData(output, 1), vtkPolyData::GetData(output, 3), execution);
   const bool wasSilent = this->IsSilent; // these flaws are of this piece only
   this->IsSilent = false;
   this->Warn(cartesian::describeFlaws(*piece.assembly));
@@ -268,7 +296,7 @@ int vtkCartesianMesher::EstimateNumberOfPieces()
   }
   std::size_t pieces = 0;
   this->Run(0, 1, [&](cartesian::Execution& execution) {
-    const cartesian::SurfaceFromVTK surface(this->UpdatedSurface(), this->BoundaryArray);
+    const cartesian::SurfaceFromVTK surface = this->Read(this->UpdatedSurface());
     constexpr int Many = 1 << 20;
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution, Many);
     std::vector<vtkSmartPointer<vtkDataObject>> regions;
@@ -290,4 +318,6 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   cartesian::printCellProperties(this, os, indent);
   this->PrintBoundarySettings(os, indent);
   os << indent << "InPieces: " << this->InPieces << "\n";
+  os << indent << "RegionsFrom: " << this->RegionsFrom << "\n";
+  os << indent << "RegionArray: " << this->RegionArray << "\n";
 }

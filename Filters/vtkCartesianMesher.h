@@ -6,7 +6,8 @@
  * Input: a closed surface (vtkPolyData). Outputs: port 0 "Mesh" (vtkUnstructuredGrid), port 1
  * "Boundary" (vtkPolyData), the faces of the mesh that only one cell has; their arrays are those of
  * vtkCellAssembler, the errors those of all three filters. Port 2 "Defects" (vtkPolyData): see
- * vtkSurfaceInspector.
+ * vtkSurfaceInspector; none with several regions. Port 3 "Interfaces" (vtkPolyData): the faces between
+ * two regions, with the arrays that Conversion/MeshToVTK.h lists.
  *
  * vtkCartesianBoxer, vtkPatcher and vtkCellAssembler in one, with the same result bit for bit: the
  * boxer's properties are inherited, those shared with the other two are in vtkCartesianProperties.h.
@@ -27,6 +28,7 @@
 #include "vtkCartesianProperties.h"          // for vtkPatchPropertiesMacro
 
 #include <memory> // for std::unique_ptr
+#include <vector> // for std::vector
 
 namespace cartesian
 {
@@ -46,6 +48,36 @@ public:
   vtkBoundarySettingsMacro();
 
 public:
+  /**
+   * What tells the regions of the mesh apart; One by default.
+   */
+  enum RegionSources
+  {
+    One = 0,    // there is one
+    Blocks = 1, // each block of the surface at the top is one
+    Array = 2,  // triangles with the same value of RegionArray are one
+  };
+
+  ///@{
+  /**
+   * Each region needs a closed surface. Regions may touch, in common planes or along the same triangles,
+   * or lie in one another; where several are, the first is. Cells of two regions share the faces between.
+   */
+  vtkSetClampMacro(RegionsFrom, int, One, Array);
+  vtkGetMacro(RegionsFrom, int);
+  void SetRegionsFromToOne() { this->SetRegionsFrom(One); }
+  void SetRegionsFromToBlocks() { this->SetRegionsFrom(Blocks); }
+  void SetRegionsFromToArray() { this->SetRegionsFrom(Array); }
+  ///@}
+
+  ///@{
+  /**
+   * Cell array of the surface that numbers or names the regions, in the order in which they first appear.
+   */
+  vtkSetMacro(RegionArray, std::string);
+  vtkGetMacro(RegionArray, std::string);
+  ///@}
+
   ///@{
   /**
    * Whether each rank makes a piece of the mesh; off: the first rank makes all of it. Default: on.
@@ -87,6 +119,8 @@ private:
   static void Make(const Task& task, Piece& piece, cartesian::Execution& execution);
   void CountPiecesBefore(Task& task, const Piece& piece, cartesian::Execution& execution);
   void RequestPieceAlone(Piece& piece, vtkInformationVector** input, vtkInformationVector* output);
+  static unsigned long CodeOfAll(
+    const std::vector<std::vector<double>>& counts, const cartesian::Processes& processes);
   void RequestPieceOfProcess(Piece& piece, const cartesian::Processes& processes,
     vtkInformationVector** input, vtkInformationVector* output);
   void Write(const Task& task, const Piece& piece, const cartesian::MeshPiece& place,

@@ -79,8 +79,8 @@ int vtkCellAssembler::RequestData(
     cartesian::planStages(options, execution);
     const auto assembly =
       cartesian::assemble(std::move(boxes), std::move(patches), options, execution);
-    cartesian::toVTK(*assembly, { names, types }, {}, vtkUnstructuredGrid::GetData(output, 0),
-      vtkPolyData::GetData(output, 1), execution);
+    cartesian::toVTK(*assembly, { names, types, {} }, {}, vtkUnstructuredGrid::GetData(output, 0),
+      vtkPolyData::GetData(output, 1), nullptr, execution);
     this->Warn(cartesian::describeFlaws(*assembly));
   });
   return 1;

@@ -3,16 +3,21 @@
 
 #include "BoundaryOfFaces.h"
 #include "Cells/Cells.h"
+#include "GridFaces.h"
 #include "MeshUnion.h"
 #include "OpenFoam/PolyMeshFiles.h"
 #include "ReportErrors.h"
 
+#include "vtkCellData.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -79,6 +84,30 @@ std::vector<cartesian::FoamPatch> SortPatches(
     patches.push_back({ names[i], counts[i], types[boundaries[i]] });
   }
   return patches;
+}
+
+// A zone for each region, where the mesh names several.
+std::vector<cartesian::FoamZone> ZonesOf(
+  vtkUnstructuredGrid* grid, const cartesian::GridFaces& faces)
+{
+  auto* names = vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray("RegionNames"));
+  auto* regions = vtkIntArray::SafeDownCast(grid->GetCellData()->GetArray("Region"));
+  std::vector<cartesian::FoamZone> zones;
+  for (vtkIdType n = 0; names && regions && n < names->GetNumberOfValues(); ++n)
+  {
+    zones.push_back({ cartesian::foamWord(names->GetValue(n)), {} });
+  }
+  for (std::uint32_t cell = 0; !zones.empty() && cell < faces.cellOf.size(); ++cell)
+  {
+    const auto region = static_cast<std::size_t>(regions->GetValue(faces.cellOf[cell]));
+    if (region >= 1 && region <= zones.size())
+    {
+      zones[region - 1].cells.push_back(cell);
+    }
+  }
+  const auto isEmpty = [](const cartesian::FoamZone& zone) { return zone.cells.empty(); };
+  zones.erase(std::remove_if(zones.begin(), zones.end(), isEmpty), zones.end());
+  return zones;
 }
 
 }
@@ -185,9 +214,9 @@ void vtkPolyMeshWriter::WriteCase(vtkUnstructuredGrid* grid)
   this->UpdateProgress(0.5);
 
   const std::filesystem::path file = this->FileName;
-  const std::filesystem::path kept =
-    cartesian::writePolyMesh({ faces.points, faces.cells, list, patches }, file.parent_path(),
-      this->FileType == VTK_ASCII ? cartesian::FoamFormat::Ascii : cartesian::FoamFormat::Binary);
+  const std::filesystem::path kept = cartesian::writePolyMesh(
+    { faces.points, faces.cells, list, patches, ZonesOf(grid, faces) }, file.parent_path(),
+    this->FileType == VTK_ASCII ? cartesian::FoamFormat::Ascii : cartesian::FoamFormat::Binary);
   cartesian::createMarker(file);
   if (!kept.empty())
   {

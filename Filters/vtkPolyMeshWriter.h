@@ -20,6 +20,9 @@
  * empty or missing, the type that a mesh being replaced has there, else wall where the name
  * starts with "wall" or "Wall", else patch.
  *
+ * Where the field data array RegionNames and the cell array Region tell of several regions, each is a
+ * cellZone.
+ *
  * On several processes the first gathers the pieces and writes them; points of the same coordinates
  * are then one.
  *

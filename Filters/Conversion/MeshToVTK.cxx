@@ -19,8 +19,11 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <map>
 
 namespace cartesian
 {
@@ -158,13 +161,11 @@ void setFaceGeometry(
   boundary->GetCellData()->AddArray(isIP);
 }
 
-void setBoundary(
-  const OutputMesh& mesh, vtkUnstructuredGrid* grid, vtkPolyData* boundary, Execution& execution)
+// Points and polygons of some faces of the mesh.
+void setFaces(
+  const BoundaryMesh& faces, vtkUnstructuredGrid* grid, vtkPolyData* output, Execution& execution)
 {
-  const BoundaryMesh faces = mesh.boundaryMesh(execution);
-  const auto faceCount = static_cast<vtkIdType>(mesh.boundary().size());
   const auto pointCount = static_cast<vtkIdType>(faces.meshPoint.size());
-
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(pointCount);
@@ -181,29 +182,42 @@ void setBoundary(
     }
   });
   vtkNew<vtkIdTypeArray> offsets;
-  offsets->SetNumberOfValues(faceCount + 1);
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(faces.start.size()));
   std::copy(faces.start.begin(), faces.start.end(), offsets->GetPointer(0));
   vtkNew<vtkIdTypeArray> corners;
   corners->SetNumberOfValues(static_cast<vtkIdType>(faces.corners.size()));
   std::copy(faces.corners.begin(), faces.corners.end(), corners->GetPointer(0));
   vtkNew<vtkCellArray> polygons;
   polygons->SetData(offsets, corners);
-  vtkNew<vtkIntArray> id;
-  id->SetName("BoundaryId");
-  id->SetNumberOfValues(faceCount);
-  vtkNew<vtkIdTypeArray> owner;
-  owner->SetName("OwnerCell");
-  owner->SetNumberOfValues(faceCount);
-  for (vtkIdType i = 0; i < faceCount; ++i)
+  output->SetPoints(points);
+  output->SetPolys(polygons);
+  output->GetPointData()->AddArray(meshPoint);
+}
+
+// A value for each of some faces, valueOf(index).
+template <class Array, class ValueOf>
+vtkSmartPointer<Array> arrayOf(const char* name, std::size_t faces, ValueOf&& valueOf)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(faces));
+  for (std::size_t i = 0; i < faces; ++i)
   {
-    id->SetValue(i, mesh.boundary()[static_cast<std::size_t>(i)].boundary);
-    owner->SetValue(i, mesh.boundary()[static_cast<std::size_t>(i)].cell);
+    array->SetValue(static_cast<vtkIdType>(i), valueOf(i));
   }
-  boundary->SetPoints(points);
-  boundary->SetPolys(polygons);
-  boundary->GetPointData()->AddArray(meshPoint);
-  boundary->GetCellData()->SetScalars(id); // the initial colouring
-  boundary->GetCellData()->AddArray(owner);
+  return array;
+}
+
+void setBoundary(
+  const OutputMesh& mesh, vtkUnstructuredGrid* grid, vtkPolyData* boundary, Execution& execution)
+{
+  const BoundaryMesh faces = mesh.boundaryMesh(execution);
+  setFaces(faces, grid, boundary, execution);
+  const std::vector<BoundaryFace>& all = mesh.boundary();
+  boundary->GetCellData()->SetScalars(arrayOf<vtkIntArray>( // the initial colouring
+    "BoundaryId", all.size(), [&](std::size_t i) { return all[i].boundary; }));
+  boundary->GetCellData()->AddArray(
+    arrayOf<vtkIdTypeArray>("OwnerCell", all.size(), [&](std::size_t i) { return all[i].cell; }));
   setFaceGeometry(mesh, faces, boundary, execution);
 }
 
@@ -279,10 +293,88 @@ void describeBoundaries(const BoundaryTexts& texts, const Processes& processes,
   }
 }
 
+// By name, from FirstRegion.
+std::string nameOfRegion(const std::vector<std::string>& names, std::int32_t region)
+{
+  const auto n = static_cast<std::size_t>(region - FirstRegion);
+  return n < names.size() ? names[n] : "region_" + std::to_string(region);
+}
+
+// Name and volume of each region, on both outputs, and of which each boundary face is.
+void setRegions(const Assembly& assembly, const std::vector<std::string>& names,
+  const Processes& processes, vtkUnstructuredGrid* mesh, vtkPolyData* boundary)
+{
+  const std::vector<double> volumes = processes.sum(regionVolumes(assembly));
+  vtkNew<vtkStringArray> regionNames;
+  regionNames->SetName("RegionNames");
+  for (std::size_t n = 0; n < volumes.size(); ++n)
+  {
+    regionNames->InsertNextValue(nameOfRegion(names, FirstRegion + static_cast<std::int32_t>(n)));
+  }
+  for (vtkDataObject* output : std::initializer_list<vtkDataObject*>{ mesh, boundary })
+  {
+    output->GetFieldData()->AddArray(regionNames);
+    setField(output, "RegionVolumes", volumes);
+  }
+  auto* numbers = vtkIdTypeArray::SafeDownCast(mesh->GetCellData()->GetArray(CellId));
+  auto* regions = vtkIntArray::SafeDownCast(mesh->GetCellData()->GetArray("Region"));
+  std::vector<int> regionOf(static_cast<std::size_t>(mesh->GetNumberOfCells()));
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    regionOf[static_cast<std::size_t>(numbers->GetValue(cell))] = regions->GetValue(cell);
+  }
+  const std::vector<BoundaryFace>& faces = assembly.mesh->boundary();
+  boundary->GetCellData()->AddArray(arrayOf<vtkIntArray>("Region", faces.size(),
+    [&](std::size_t i) { return regionOf[static_cast<std::size_t>(faces[i].cell)]; }));
+}
+
+void setInterfaces(const Assembly& assembly, const std::vector<std::string>& names,
+  vtkUnstructuredGrid* mesh, vtkPolyData* output, Execution& execution)
+{
+  const OutputMesh& from = *assembly.mesh;
+  setFaces(from.interfaceMesh(execution), mesh, output, execution);
+  const std::vector<BoundaryFace>& faces = from.interfaces();
+  const auto wallOf = [&](std::size_t i) -> const Wall& {
+    return assembly.patches.walls.all[static_cast<std::size_t>(faces[i].boundary)];
+  };
+  std::map<std::pair<std::int32_t, std::int32_t>, int> ids;
+  for (const Wall& wall : assembly.patches.walls.all)
+  {
+    if (wall.isInterface())
+    {
+      ids.emplace(std::make_pair(wall.behind, wall.front), 0);
+    }
+  }
+  vtkNew<vtkStringArray> interfaceNames;
+  interfaceNames->SetName("InterfaceNames");
+  for (auto& [regions, id] : ids)
+  {
+    id = static_cast<int>(interfaceNames->InsertNextValue(
+      nameOfRegion(names, regions.first) + "_to_" + nameOfRegion(names, regions.second)));
+  }
+  output->GetFieldData()->AddArray(interfaceNames);
+  vtkCellData* data = output->GetCellData();
+  data->SetScalars(arrayOf<vtkIntArray>("InterfaceId", faces.size(), [&](std::size_t i) {
+    return ids.at({ wallOf(i).behind, wallOf(i).front });
+  }));
+  data->AddArray(arrayOf<vtkIntArray>(
+    "OwnerRegion", faces.size(), [&](std::size_t i) { return wallOf(i).behind; }));
+  data->AddArray(arrayOf<vtkIntArray>(
+    "NeighbourRegion", faces.size(), [&](std::size_t i) { return wallOf(i).front; }));
+  data->AddArray(arrayOf<vtkIntArray>(
+    "OwnerBoundaryId", faces.size(), [&](std::size_t i) { return wallOf(i).boundary; }));
+  data->AddArray(arrayOf<vtkIntArray>(
+    "NeighbourBoundaryId", faces.size(), [&](std::size_t i) { return wallOf(i).boundaryInFront; }));
+  data->AddArray(arrayOf<vtkIdTypeArray>(
+    "OwnerCell", faces.size(), [&](std::size_t i) { return faces[i].cell; }));
+  data->AddArray(arrayOf<vtkIdTypeArray>(
+    "NeighbourCell", faces.size(), [&](std::size_t i) { return from.inFrontOfInterfaces()[i]; }));
+}
+
 }
 
 void toVTK(const Assembly& assembly, const BoundaryTexts& texts, const MeshPiece& piece,
-  vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution)
+  vtkUnstructuredGrid* mesh, vtkPolyData* boundary, vtkPolyData* interfaces, Execution& execution)
 {
   execution.stage("Writing the mesh", AfterNumbering, 1);
   setMesh(assembly, mesh, execution);
@@ -290,6 +382,11 @@ void toVTK(const Assembly& assembly, const BoundaryTexts& texts, const MeshPiece
   setBoundary(*assembly.mesh, mesh, boundary, execution);
   setBoundaryOfFaces(mesh, boundary, execution);
   describeBoundaries(texts, piece.processes, boundary, mesh);
+  if (assembly.patches.walls.any())
+  {
+    setRegions(assembly, texts.regions, piece.processes, mesh, boundary);
+    setInterfaces(assembly, texts.regions, mesh, interfaces, execution);
+  }
   if (!piece.isWhole)
   {
     setGlobalIds(*assembly.mesh, piece, mesh, boundary, execution);

@@ -15,6 +15,15 @@
 // BoundaryNames, BoundaryTypes if any boundary has a type (BoundaryNames.h), BoundaryFaceCounts (id type),
 // BoundaryAreas (double, square user units).
 //
+// With several regions, Boundary has the cell array Region (int), and both have field data with one value for
+// each region: RegionNames, RegionVolumes (double, cubic user units).
+//
+// Interfaces (vtkPolyData): the faces between cells of two regions, seen from the one of the lower region, their
+// owner. Cell arrays: InterfaceId (int, from 0: of the field data InterfaceNames, "X_to_Y" of the names of the
+// owner's and the neighbour's region), OwnerRegion, NeighbourRegion, OwnerBoundaryId, NeighbourBoundaryId (int),
+// OwnerCell, NeighbourCell (id type: CellIds; -1: the neighbour belongs to another piece). Point array:
+// MeshPointId.
+//
 // For a piece of the mesh, all numbers of cells and points in arrays are those of the whole mesh
 // (MeshPiece.h). Statistics and field data are those of all processes together, if there are several, else
 // of this piece.
@@ -33,10 +42,11 @@ namespace cartesian
 struct BoundaryTexts
 {
   BoundaryNames names;
-  BoundaryNames types; // of those that have one
+  BoundaryNames types;              // of those that have one
+  std::vector<std::string> regions; // empty: there is one
 };
 
 void toVTK(const Assembly& assembly, const BoundaryTexts& texts, const MeshPiece& piece,
-  vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution);
+  vtkUnstructuredGrid* mesh, vtkPolyData* boundary, vtkPolyData* interfaces, Execution& execution);
 
 }

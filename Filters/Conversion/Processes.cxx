@@ -9,6 +9,9 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkMultiProcessController.h"
+#if VTK_MODULE_ENABLE_VTK_ParallelMPI
+#include "vtkMPIController.h"
+#endif
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -20,6 +23,8 @@ namespace cartesian
 
 namespace
 {
+
+constexpr int FailureTag = 24240;
 
 // Calls visit(surface, iterator) for the leaves, including null ones. Without blocks the iterator is null.
 template <class Visitor>
@@ -185,6 +190,43 @@ std::vector<std::vector<double>> Processes::gather(const std::vector<double>& mi
     rows.emplace_back(begin, begin + lengths[i]);
   }
   return rows;
+}
+
+void Processes::tellFailure() const
+{
+  for (int process = 0; controller_ && process < controller_->GetNumberOfProcesses(); ++process)
+  {
+    const int failed = 1;
+    if (process != controller_->GetLocalProcessId())
+    {
+      controller_->Send(&failed, 1, process, FailureTag);
+    }
+  }
+}
+
+void Processes::forgetFailures(const std::vector<std::size_t>& ofProcesses) const
+{
+  for (const std::size_t process : ofProcesses)
+  {
+    int failed = 0;
+    if (process != this->ownNumber())
+    {
+      controller_->Receive(&failed, 1, static_cast<int>(process), FailureTag);
+    }
+  }
+}
+
+bool Processes::hasOtherFailed() const
+{
+  int failed = 0;
+#if VTK_MODULE_ENABLE_VTK_ParallelMPI
+  if (auto* controller = vtkMPIController::SafeDownCast(controller_))
+  {
+    int process = 0;
+    controller->Iprobe(vtkMultiProcessController::ANY_SOURCE, FailureTag, &failed, &process);
+  }
+#endif
+  return failed != 0;
 }
 
 std::vector<double> Processes::sum(const std::vector<double>& mine) const

@@ -32,6 +32,14 @@ public:
   // The sums over all processes, each of which has as many numbers.
   std::vector<double> sum(const std::vector<double>& mine) const;
 
+  // Tells the others that this process failed, so that they need not go on; all must call
+  // forgetFailures() after they have gathered who failed.
+  void tellFailure() const;
+  void forgetFailures(const std::vector<std::size_t>& ofProcesses) const;
+
+  // Whether one of the others has told so.
+  bool hasOtherFailed() const;
+
   // The whole surface, in one piece or in blocks, the same on all processes. Beforehand each process may
   // have all of it, or one of them, or each may have a part, in the same blocks.
   // Throws Error (EmptySurface): the blocks differ.

@@ -18,6 +18,8 @@ struct SurfaceBlock
 {
   vtkPolyData* surface;
   std::string name; // empty if there are no blocks, or this one has no name
+  std::size_t top;  // the block at the top, of which this is a part, by number
+  std::string topName;
 };
 
 // All surfaces with polygons: a vtkPolyData itself, or those in a vtkMultiBlockDataSet, vtkPartitionedDataSet

@@ -169,7 +169,8 @@ const char* boundaryArrayOf(vtkPolyData* surface)
 
 }
 
-SurfaceFromVTK::SurfaceFromVTK(vtkDataObject* input, const std::string& boundaryArray)
+SurfaceFromVTK::SurfaceFromVTK(vtkDataObject* input, const std::string& boundaryArray,
+  RegionSource regionsFrom, const std::string& regionArray)
 {
   const std::vector<SurfaceBlock> blocks = surfaceBlocks(input);
   const bool isWhole = blocks.front().surface == input;
@@ -193,7 +194,23 @@ SurfaceFromVTK::SurfaceFromVTK(vtkDataObject* input, const std::string& boundary
       const std::string name = block.name.empty()
         ? "block_" + std::to_string(&block - blocks.data())
         : withoutSuffix(block.name);
-      boundary_.resize(cells_.size(), numberOf(name));
+      if (regionsFrom == RegionSource::Blocks)
+      {
+        readBoundariesByName(block.surface, name);
+      }
+      if (boundary_.size() < cells_.size())
+      {
+        boundary_.resize(cells_.size(), numberOf(name));
+      }
+    }
+    if (regionsFrom == RegionSource::Blocks)
+    {
+      addRegion(block.topName.empty() ? "region_" + std::to_string(block.top + 1)
+                                      : withoutSuffix(block.topName));
+    }
+    else if (regionsFrom == RegionSource::Array)
+    {
+      readRegions(block.surface, regionArray);
     }
     cellsBefore_ += block.surface->GetNumberOfCells();
   }
@@ -310,6 +327,68 @@ void SurfaceFromVTK::readBoundaries(vtkPolyData* block, const std::string& name)
   }
 }
 
+// Those that the block numbers and names by itself: other blocks may use the same numbers for others.
+void SurfaceFromVTK::readBoundariesByName(vtkPolyData* block, const std::string& name)
+{
+  const BoundaryNames own = boundaryNames(block);
+  const char* const array = boundaryArrayOf(block);
+  vtkDataArray* numbers = array ? block->GetCellData()->GetArray(array) : nullptr;
+  if (!numbers || own.empty())
+  {
+    return;
+  }
+  for (std::size_t t = boundary_.size(); t < cells_.size(); ++t)
+  {
+    const auto found = own.find(boundaryNumber(numbers, cells_[t] - cellsBefore_, cells_[t]));
+    boundary_.push_back(numberOf(found == own.end() ? name : found->second));
+  }
+}
+
+// Triangles read since the last are of this region: a new one, unless it has the name of one that is there.
+void SurfaceFromVTK::addRegion(const std::string& given)
+{
+  const std::string name = toUtf8(given);
+  const auto found = std::find(regionNames_.begin(), regionNames_.end(), name);
+  region_.resize(
+    cells_.size(), FirstRegion + static_cast<std::int32_t>(found - regionNames_.begin()));
+  if (found == regionNames_.end())
+  {
+    regionNames_.push_back(name);
+  }
+}
+
+void SurfaceFromVTK::readRegions(vtkPolyData* block, const std::string& name)
+{
+  vtkAbstractArray* array = block->GetCellData()->GetAbstractArray(name.c_str());
+  if (!array || array->GetNumberOfComponents() != 1 ||
+    array->GetNumberOfTuples() != block->GetNumberOfCells())
+  {
+    throw Error(Fault::MissingArray,
+      "Region Array \"" + name +
+        "\" is no cell array of the surface with one number or string a cell: choose another, or "
+        "another way to tell regions.");
+  }
+  auto* strings = vtkStringArray::SafeDownCast(array);
+  std::map<std::string, std::int32_t> known;
+  for (std::size_t i = 0; i < regionNames_.size(); ++i)
+  {
+    known[regionNames_[i]] = FirstRegion + static_cast<std::int32_t>(i);
+  }
+  for (std::size_t t = region_.size(); t < cells_.size(); ++t)
+  {
+    const vtkIdType cell = cells_[t] - cellsBefore_;
+    const std::string value = strings ? toUtf8(strings->GetValue(cell))
+                                      : "region_" + array->GetVariantValue(cell).ToString();
+    const auto [at, isNew] =
+      known.emplace(value, FirstRegion + static_cast<std::int32_t>(regionNames_.size()));
+    if (isNew)
+    {
+      regionNames_.push_back(value);
+    }
+    region_.push_back(at->second);
+  }
+}
+
 std::int32_t SurfaceFromVTK::numberOf(const std::string& given)
 {
   const std::string name = toUtf8(given);
@@ -324,7 +403,7 @@ std::int32_t SurfaceFromVTK::numberOf(const std::string& given)
 SurfaceView SurfaceFromVTK::view() const
 {
   return { points_.data(), points_.size() / 3, triangles_.data(), cells_.size(), boundary_.data(),
-    cells_.data() };
+    cells_.data(), regionNames_.size() > 1 ? region_.data() : nullptr, &regionNames_ };
 }
 
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "BoundaryNames.h"
+#include "Mesher/Options.h"
 #include "Surface/Surface.h"
 
 #include "vtkType.h"
@@ -36,7 +37,12 @@ public:
   // boundary with the name of the block, without the suffix of a file; without blocks StlSolids or
   // BoundaryIdArray if present, else all 0.
   // Throws Error: EmptySurface, MissingArray, BadParameter.
-  SurfaceFromVTK(vtkDataObject* input, const std::string& boundaryArray);
+  //
+  // With `regionsFrom` Blocks each block at the top is a region; where it is no blocks itself, StlSolids or
+  // BoundaryIdArray in it are its boundaries. With Array, `regionArray` numbers or names the regions, in
+  // the order in which they first appear.
+  SurfaceFromVTK(vtkDataObject* input, const std::string& boundaryArray,
+    RegionSource regionsFrom = RegionSource::One, const std::string& regionArray = "");
 
   SurfaceView view() const;
 
@@ -49,10 +55,16 @@ public:
   // The names of all boundaries that triangles have: from strings, blocks, or the input's field data.
   const BoundaryNames& names() const { return names_; }
 
+  // In order; empty if there is one.
+  const std::vector<std::string>& regionNames() const { return regionNames_; }
+
 private:
   void readTriangles(vtkPolyData* block);
   void findUndivided(vtkPolyData* block);
   void readBoundaries(vtkPolyData* block, const std::string& name);
+  void readBoundariesByName(vtkPolyData* block, const std::string& name);
+  void readRegions(vtkPolyData* block, const std::string& name);
+  void addRegion(const std::string& given);
   std::int32_t numberOf(const std::string& given);
 
   vtkIdType cellsBefore_ = 0; // in the blocks before the one being read
@@ -62,6 +74,8 @@ private:
   std::vector<std::int32_t> boundary_;
   std::vector<vtkIdType> undivided_; // polygons
   BoundaryNames names_;
+  std::vector<std::int32_t> region_;
+  std::vector<std::string> regionNames_;
   std::map<std::string, std::int32_t> numbers_; // of boundaries that are only given by name
 };
 

@@ -172,6 +172,12 @@ for name, top, parts in (
         output(mesher)
     assert all(part in str(said) for part in parts) and ("cross or touch" in str(said)) == bool(parts), (name, str(said))
     assert error_code(mesher) == 0, name
+    # The same as the surface of a region.
+    region = simple.RefinementRegion(Input=producer(box_of), Shape="Input", Depth=1)
+    mesher = simple.CartesianMesher(Input=box, RefinementRegions=[region], CellSize=0.5)
+    with Messages() as said:
+        output(mesher)
+    assert all("Of a refinement region: " + part in str(said) for part in parts), (name, str(said))
 
 # What vtkGhostType hides is not there: the rest is meshed as if it were alone.
 pair = merged(octahedron(), octahedron(1, (5, 0, 0)))

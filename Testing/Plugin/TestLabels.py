@@ -15,6 +15,7 @@ settings = {"BoundaryNames": [], "BoundaryTypes": [], "BoundarySmallCellRatios":
 threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}
 pieces = {"InPieces": 1}
+regions = {"RegionsFrom": "One", "RegionArray": ""}
 
 surface = simple.Sphere()
 cube = simple.Box()
@@ -34,7 +35,7 @@ expected = {
     assembler: ("Cell Assembler", ["Input", "Patches"], cells | settings | threads),
     mesher: ("Cartesian Mesher", ["Input", "RefinementRegions"],
              boundaries | grid | refinement | patches | cells | settings | threads | memory
-             | pieces),
+             | pieces | regions),
     inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
     quality: ("Finite Volume Quality", ["Input"], threads),
     # A region is as large as its input at first.
@@ -60,7 +61,7 @@ for proxy in expected:
         assert property.GetPanelVisibility() == "never" or len(text) > 20, f"{name} of {proxy} is not explained"
 
 for proxy, names in (
-    (assembler, ["Mesh", "Boundary"]), (mesher, ["Mesh", "Boundary", "Defects"]),
+    (assembler, ["Mesh", "Boundary"]), (mesher, ["Mesh", "Boundary", "Defects", "Interfaces"]),
     (quality, ["Mesh", "Faces"]),
 ):
     ports = [proxy.GetOutputPortName(i) for i in range(proxy.GetNumberOfOutputPorts())]

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
-#include <mutex>
 #include <new>
 #include <system_error>
 
@@ -107,15 +106,23 @@ void Execution::advance(double fractionOfLoop)
 
 // What runs alone has read the clock before it asks: to count its calls again would make silences eight times
 // as long.
-Execution Execution::alone()
+Execution Execution::alone(double begin, double end)
 {
-  return Execution(1, [this](double, const char*) {
+  return Execution(1, [this, begin, end](double fraction, const char*) {
     if (!isHelper())
     {
+      advance(begin + fraction * (end - begin));
       askIfTime(true);
     }
     return true;
   });
+}
+
+void Execution::reach(double fraction)
+{
+  loop_.end = stageEnd_;
+  advance(fraction);
+  poll();
 }
 
 void Execution::poll()
@@ -157,6 +164,23 @@ void Execution::ask()
   reportedThen_ = reported_;
 }
 
+// Polls while other threads have chunks of their own to finish, however long they take.
+void Execution::waitFor(
+  std::mutex& mutex, std::condition_variable& ended, const std::size_t& running)
+{
+  std::unique_lock<std::mutex> lock(mutex);
+  while (!ended.wait_for(
+    lock, std::chrono::duration<double>(LongestSilence), [&] { return running == 0; }))
+  {
+    lock.unlock();
+    if (!isHelper())
+    {
+      askIfTime(true);
+    }
+    lock.lock();
+  }
+}
+
 void Execution::forEach(std::size_t count, std::size_t grain,
   const std::function<void(std::size_t begin, std::size_t end)>& work)
 {
@@ -164,24 +188,13 @@ void Execution::forEach(std::size_t count, std::size_t grain,
   std::atomic<bool> failed{ false };
   std::exception_ptr failure;
   std::mutex mutex;
+  std::condition_variable ended;
+  std::size_t running = 0; // helpers
 
-  const auto loop = [&](bool monitored) {
+  const auto attempt = [&](auto&& part) {
     try
     {
-      while (!failed)
-      {
-        const std::size_t begin = next.fetch_add(grain);
-        if (begin >= count)
-        {
-          return;
-        }
-        work(begin, std::min(begin + grain, count));
-        if (monitored)
-        {
-          advance(static_cast<double>(begin) / static_cast<double>(count));
-          poll();
-        }
-      }
+      part();
     }
     catch (...)
     {
@@ -192,12 +205,39 @@ void Execution::forEach(std::size_t count, std::size_t grain,
       }
     }
   };
+  const auto loop = [&](bool monitored) {
+    while (!failed)
+    {
+      const std::size_t begin = next.fetch_add(grain);
+      if (begin >= count)
+      {
+        return;
+      }
+      work(begin, std::min(begin + grain, count));
+      if (monitored)
+      {
+        advance(static_cast<double>(begin) / static_cast<double>(count));
+        poll();
+      }
+    }
+  };
 
   loop_ = { loop_.end, loop_.end + share_ * (stageEnd_ - loop_.end) };
   share_ = 0;
   const std::size_t most = std::min<std::size_t>(threads_, chunks(count, grain));
-  std::vector<std::thread> helpers = startThreads(most > 0 ? most - 1 : 0, [&] { loop(false); });
-  loop(true);
+  running = most > 0 ? most - 1 : 0;
+  std::vector<std::thread> helpers = startThreads(running, [&] {
+    attempt([&] { loop(false); });
+    const std::lock_guard<std::mutex> lock(mutex);
+    --running;
+    ended.notify_one();
+  });
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    running -= most > 0 ? most - 1 - helpers.size() : 0; // those that could not be started
+  }
+  attempt([&] { loop(true); });
+  attempt([&] { waitFor(mutex, ended, running); });
   for (std::thread& helper : helpers)
   {
     helper.join();

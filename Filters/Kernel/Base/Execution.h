@@ -6,8 +6,10 @@
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
 #include <cstddef>
 #include <functional>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -56,14 +58,19 @@ public:
   // calling thread has noticed.
   void poll();
 
-  // For work inside a forEach: runs on one thread and polls this object.
-  Execution alone();
+  // The stage is done so far (0 to 1): for long loops other than forEach.
+  void reach(double fraction);
+
+  // For work inside a forEach, which is its part from `begin` to `end` (0 to 1): runs on one thread and polls
+  // this object.
+  Execution alone(double begin, double end);
 
   // Seconds spent in each stage so far, in the order in which stages began.
   std::vector<std::pair<std::string, double>> seconds() const;
 
   // Calls work(begin, end) for chunks of `grain` items of [0, count), on all threads, or on as many as
-  // the system can start. An exception ends the loop and is rethrown here.
+  // the system can start. An exception ends the loop and is rethrown here. Chunks that may take longer than a
+  // tenth of a second poll.
   void forEach(std::size_t count, std::size_t grain,
     const std::function<void(std::size_t begin, std::size_t end)>& work);
 
@@ -79,6 +86,7 @@ private:
   void askIfTime(bool readsClock);
   void advance(double fractionOfLoop);
   void ask();
+  void waitFor(std::mutex& mutex, std::condition_variable& ended, const std::size_t& running);
 
   int threads_;
   std::thread::id owner_ = std::this_thread::get_id();

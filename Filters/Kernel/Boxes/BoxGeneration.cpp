@@ -55,6 +55,10 @@ public:
     }
     leaveOutAllBut(kept);
     flatten();
+    if (surface_.walls.any())
+    {
+      findRegions();
+    }
     return std::move(boxes_);
   }
 
@@ -259,6 +263,43 @@ private:
     {
       boxes_.listUnits();
     }
+  }
+
+  // The regions of all corners of all boxes.
+  void findRegions()
+  {
+    boxes_.regions.resize(boxes_.packed.size());
+    forEachGlobal([&](std::size_t g) {
+      for (std::uint32_t b = boxes_.globals[g].firstBox; b < boxes_.globals[g + 1].firstBox; ++b)
+      {
+        for (unsigned corner = 0; corner < 8; ++corner)
+        {
+          boxes_.regions[b][corner] = regionAt(g, boxes_.box(b), corner);
+        }
+      }
+    });
+  }
+
+  std::int32_t regionAt(std::size_t g, const Box& box, unsigned corner) const
+  {
+    const auto& at = boxes_.globals[g].index;
+    std::array<std::uint32_t, 3> vertex = at;
+    bool isVertex = true; // of the global mesh
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      const std::int64_t fine = box.offset[axis] +
+        ((corner >> axis & 1) != 0 ? Boxes::fineSize(box, static_cast<int>(axis)) : 0);
+      isVertex = isVertex && fine % FinePerBox == 0;
+      vertex[axis] += fine == FinePerBox ? 1 : 0;
+    }
+    if (isVertex)
+    {
+      return statuses_.lowCorner(vertex).region();
+    }
+    const Point low = { planes_[0][at[0]], planes_[1][at[1]], planes_[2][at[2]] };
+    return windingAt(
+      surface_, trianglesOf(boxes_.globals[g]), low, statuses_.lowCorner(at), cornerOf(box, corner))
+      .region();
   }
 
   bool isDivided(std::size_t g) const { return !parts_.empty() && !parts_[g].empty(); }

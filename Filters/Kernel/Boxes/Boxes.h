@@ -10,6 +10,7 @@
 #include "Base/Execution.h"
 #include "Base/RawVector.h"
 #include "Lattice/Meshlines.h"
+#include "Surface/Walls.h"
 
 #include <algorithm>
 #include <array>
@@ -27,10 +28,6 @@ enum class BoxStatus : std::uint8_t
   Inside = 1,
   Intersected = 2, // a triangle passes through it
 };
-
-// The region of a vertex or a cell: 0 is outside, domains are numbered from 1.
-constexpr std::int32_t OutsideRegion = 0;
-constexpr std::int32_t FirstRegion = 1;
 
 // The most halvings in one direction. They define the fine grid: positions count the smallest
 // possible parts of global boxes, from the first meshline on.
@@ -66,6 +63,8 @@ struct Box : PackedBox
 };
 
 constexpr std::uint8_t AllCorners = 0xff;
+
+using CornerRegions = std::array<std::int32_t, 8>;
 
 inline Point cornerOf(const Box& box, unsigned corner)
 {
@@ -111,6 +110,7 @@ struct Boxes
   RawVector<PackedBox> packed;       // by global box
   std::vector<std::uint32_t>
     units; // the box that contains each unit of divided global boxes, or None
+  std::vector<CornerRegions> regions; // of each box; empty: one region
 
   std::size_t row(std::size_t j, std::size_t k) const { return j + k * (planes[1].size() - 1); }
   const GlobalBox& globalOf(const PackedBox& box) const { return globals[box.global]; }
@@ -128,6 +128,18 @@ struct Boxes
   static std::int64_t fineSize(const PackedBox& box, int axis)
   {
     return FinePerBox >> box.level[axis];
+  }
+
+  std::int32_t regionAt(std::size_t b, unsigned corner) const
+  {
+    return regions.empty() ? ((packed[b].corners >> corner & 1) != 0 ? FirstRegion : OutsideRegion)
+                           : regions[b][corner];
+  }
+
+  // Of a box that the surface does not pass through.
+  std::int32_t regionOf(std::size_t b) const
+  {
+    return regions.empty() ? FirstRegion : regions[b][0];
   }
 
   Box box(std::size_t b) const { return placed(packed[b]); }

@@ -92,8 +92,10 @@ void Refinement::addBoundary(const BoundaryRefinement& row, std::size_t number,
   {
     throw Error(Fault::BadParameter, "The blending distance in " + name + " is negative.");
   }
-  if (std::find(surface.boundary.begin(), surface.boundary.end(), row.boundary) ==
-    surface.boundary.end())
+  const auto isRefined = [&](std::int32_t boundary) {
+    return surface.walls.isOf(boundary, row.boundary);
+  };
+  if (std::none_of(surface.boundary.begin(), surface.boundary.end(), isRefined))
   {
     throw Error(Fault::BadParameter,
       "The surface has no boundary " + std::to_string(row.boundary) + ", named in " + name + ".");
@@ -108,8 +110,7 @@ void Refinement::addBoundary(const BoundaryRefinement& row, std::size_t number,
         shoeboxes.triangle.begin() + static_cast<std::ptrdiff_t>(shoeboxes.triangleStart[b]);
       const auto end =
         shoeboxes.triangle.begin() + static_cast<std::ptrdiff_t>(shoeboxes.triangleStart[b + 1]);
-      if (std::any_of(
-            begin, end, [&](std::uint32_t t) { return surface.boundary[t] == row.boundary; }))
+      if (std::any_of(begin, end, [&](std::uint32_t t) { return isRefined(surface.boundary[t]); }))
       {
         boundary.boxes.insert(shoeboxes.column[b], static_cast<std::int64_t>(r % rowsAlongY),
           static_cast<std::int64_t>(r / rowsAlongY));
@@ -141,12 +142,11 @@ Depths Refinement::at(std::int64_t i, std::int64_t j, std::int64_t k) const
       depths = { block.allowed, block.forced };
     }
   }
-  int atBoundary = -1;
   for (const RefinedBoundary& boundary : boundaries_)
   {
     if (boundary.boxes.contains(i, j, k))
     {
-      atBoundary = std::max(atBoundary, boundary.depth);
+      depths.allowed = std::max(depths.allowed, boundary.depth);
     }
     for (std::size_t n = 0; n < boundary.blends.size(); ++n)
     {
@@ -157,7 +157,6 @@ Depths Refinement::at(std::int64_t i, std::int64_t j, std::int64_t k) const
       }
     }
   }
-  depths.allowed = atBoundary >= 0 ? atBoundary : depths.allowed;
   for (const auto& region : regions_)
   {
     const BoxStatus status = region->status(i, j, k);

@@ -44,7 +44,7 @@ struct RefinementSpec
 
   int depth = 0; // of all boxes without another specification, 0 to DeepestLevel
   std::vector<RefinementBlock> blocks;        // the last one wins
-  std::vector<BoundaryRefinement> boundaries; // the deepest one wins
+  std::vector<BoundaryRefinement> boundaries; // never make boxes coarser, as section 4.6 ends
   std::vector<RefinementRegion> regions;      // never make boxes coarser
 };
 

@@ -57,10 +57,13 @@ public:
     const bool anywhere = std::find(flawed.begin(), flawed.end(), 1) != flawed.end();
     Faces exposed = facesOfEach(0, parts_.sides.common.size(), execution,
       [&](std::size_t s, Faces& faces) { exposeInnerFaces(s, faces); });
+    const Faces interfaces = facesOfEach(parts_.inner.firstInterface(), parts_.inner.size(),
+      execution, [&](std::size_t f, Faces& faces) { exposeInterface(f, faces); });
     const Faces shaped = facesOfEach(0, parts_.cells.shaped.size(), execution,
       [&](std::size_t f, Faces& faces) { exposeShapedFace(f, faces); });
     const Faces ofBoxes = facesOfEach(boxes.row(0, boxes.core.begin), boxes.row(0, boxes.core.end),
       execution, [&](std::size_t row, Faces& faces) { exposeBoxesOfRow(row, anywhere, faces); });
+    exposed.insert(exposed.end(), interfaces.begin(), interfaces.end());
     exposed.insert(exposed.end(), shaped.begin(), shaped.end());
     exposed.insert(exposed.end(), ofBoxes.begin(), ofBoxes.end());
     std::sort(exposed.begin(), exposed.end());
@@ -82,8 +85,9 @@ private:
       const FaceOfCell& face = cells.faces[f];
       if (number != None && face.kind() == FaceOfCell::Kind::Patch)
       {
+        const std::int32_t wall = parts_.patches.boundary[face.index];
         faces.push_back(
-          { number, face.index, parts_.patches.boundary[face.index], BoundaryFace::Kind::Patch });
+          { number, face.index, parts_.patches.walls.boundary(wall), BoundaryFace::Kind::Patch });
       }
     }
     std::sort(faces.begin() + std::ptrdiff_t(before), faces.end());
@@ -107,16 +111,28 @@ private:
     return { None, boundaryBeyond(parts_.patches, parts_.sides, box) };
   }
 
-  static void expose(const OtherSide& low, const OtherSide& high, std::size_t face,
-    BoundaryFace::Kind kind, BoundaryFace::Kind turned, std::vector<BoundaryFace>& faces)
+  void expose(const OtherSide& low, const OtherSide& high, std::size_t face,
+    BoundaryFace::Kind kind, BoundaryFace::Kind turned, std::vector<BoundaryFace>& faces) const
   {
+    const Walls& walls = parts_.patches.walls;
     if (CellNumbers::isHere(low.cell) && high.cell == None)
     {
-      faces.push_back({ low.cell, face, high.boundary, kind });
+      faces.push_back({ low.cell, face, walls.boundary(high.boundary), kind });
     }
     if (low.cell == None && CellNumbers::isHere(high.cell))
     {
-      faces.push_back({ high.cell, face, low.boundary, turned });
+      faces.push_back({ high.cell, face, walls.boundary(low.boundary), turned });
+    }
+  }
+
+  // A face between two regions of which one has lost its cell there.
+  void exposeInterface(std::size_t f, std::vector<BoundaryFace>& faces) const
+  {
+    const auto& cells = parts_.cells.ofInnerFace[f];
+    if (cells[0] != None && cells[1] != None) // else shaping has replaced it
+    {
+      expose(beyond(None, cells[0]), beyond(None, cells[1]), f, BoundaryFace::Kind::Inner,
+        BoundaryFace::Kind::TurnedInner, faces);
     }
   }
 

@@ -19,7 +19,7 @@ void BoxFaces::forEachEdge(std::size_t face, Visitor&& visit) const
   }
 }
 
-bool BoxFaces::list(std::size_t n)
+bool BoxFaces::list(std::size_t n, std::int32_t region)
 {
   faces_.clear();
   corners_.clear();
@@ -27,7 +27,14 @@ bool BoxFaces::list(std::size_t n)
   {
     for (std::size_t p = patches_.boxStart[box]; p < patches_.boxStart[box + 1]; ++p)
     {
-      add(FaceOfCell(p, FaceOfCell::Kind::Patch));
+      if (patches_.walls.behind(patches_.boundary[p]) == region)
+      {
+        add(FaceOfCell(p, FaceOfCell::Kind::Patch));
+      }
+      else if (patches_.walls.front(patches_.boundary[p]) == region)
+      {
+        add(FaceOfCell(p, FaceOfCell::Kind::TurnedPatch));
+      }
     }
   }
   bool whole = true;
@@ -37,7 +44,10 @@ bool BoxFaces::list(std::size_t n)
     whole = whole && !inner_.flawed[side];
     for (std::size_t f = inner_.sideStart[side]; f < inner_.sideStart[side + 1u]; ++f)
     {
-      add(FaceOfCell(f, upper ? FaceOfCell::Kind::Inner : FaceOfCell::Kind::TurnedInner));
+      if (inner_.regionOf(f) == region)
+      {
+        add(FaceOfCell(f, upper ? FaceOfCell::Kind::Inner : FaceOfCell::Kind::TurnedInner));
+      }
     }
   }
   return whole;
@@ -45,7 +55,7 @@ bool BoxFaces::list(std::size_t n)
 
 void BoxFaces::add(const FaceOfCell& face)
 {
-  const bool patch = face.kind() == FaceOfCell::Kind::Patch;
+  const bool patch = face.isPatch();
   const std::size_t* const at = (patch ? patches_.start : inner_.start).data() + face.index;
   const std::uint32_t* const nodes = (patch ? patches_.corners : inner_.nodes).data();
   corners_.push_back({ nodes + at[0], nodes + at[1], face.turned() });
@@ -145,7 +155,7 @@ void BoxFaces::joinFlatCells()
   cycles_.clear();
   for (std::uint32_t face = 0; face < faces_.size(); ++face)
   {
-    const bool patch = faces_[face].kind() == FaceOfCell::Kind::Patch;
+    const bool patch = faces_[face].isPatch();
     cycles_.emplace_back(cycleOf(face, patch), face);
   }
   std::sort(cycles_.begin(), cycles_.end());
@@ -153,8 +163,8 @@ void BoxFaces::joinFlatCells()
   {
     const std::uint32_t f = cycles_[i].second;
     const std::uint32_t g = cycles_[i + 1].second;
-    const bool patch = faces_[f].kind() == FaceOfCell::Kind::Patch;
-    const bool other = faces_[g].kind() == FaceOfCell::Kind::Patch;
+    const bool patch = faces_[f].isPatch();
+    const bool other = faces_[g].isPatch();
     if (cycles_[i].first == cycles_[i + 1].first && patch != other)
     {
       sets_.unite(f, g);
@@ -208,7 +218,7 @@ void BoxFaces::listPatchCycles(const std::vector<std::uint32_t>& faces, Cycles& 
   cycles.clear();
   for (const std::uint32_t face : faces)
   {
-    if (faces_[face].kind() == FaceOfCell::Kind::Patch)
+    if (faces_[face].isPatch())
     {
       cycles.emplace_back(cycleOf(face, false), face);
     }

@@ -23,14 +23,14 @@ public:
   {
   }
 
-  // Takes the faces of the n-th polyhedral box and connects those that share an edge. Returns false if
-  // they do not close: one of the sides is flawed, or at some edge the faces do not cancel (as many run
-  // through it one way as the other).
-  bool gather(std::size_t n) { return list(n) && connect(); }
+  // Takes the faces around a region in the n-th polyhedral box and connects those that share an edge.
+  // Returns false if they do not close: one of the sides is flawed, or at some edge the faces do not cancel
+  // (as many run through it one way as the other).
+  bool gather(std::size_t n, std::int32_t region) { return list(n, region) && connect(); }
 
   std::size_t size() const { return faces_.size(); }
   const FaceOfCell& operator[](std::size_t face) const { return faces_[face]; }
-  bool isPatch(std::size_t face) const { return faces_[face].kind() == FaceOfCell::Kind::Patch; }
+  bool isPatch(std::size_t face) const { return faces_[face].isPatch(); }
 
   // The first of the faces that a face is connected with.
   std::uint32_t root(std::uint32_t face) { return sets_.find(face); }
@@ -107,7 +107,7 @@ private:
 
   template <class Visitor>
   void forEachEdge(std::size_t face, Visitor&& visit) const;
-  bool list(std::size_t n);
+  bool list(std::size_t n, std::int32_t region);
   void add(const FaceOfCell& face);
   bool connect();
   bool joinInPairs();

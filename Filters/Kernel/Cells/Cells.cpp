@@ -31,16 +31,66 @@ public:
   BoxAssembler(const Boxes& boxes, const Patches& patches, const Sides& sides, const Nodes& nodes,
     const InnerFaces& inner)
     : boxes_(boxes)
+    , patches_(patches)
     , sides_(sides)
     , faces_(patches, sides, inner)
     , volumes_(patches, nodes)
   {
   }
 
-  // Whether the faces of a box close, without volumes that overlap.
+  // Whether the faces of a box close around each region in it, without volumes that overlap.
   bool closes(std::size_t n)
   {
-    if (!faces_.gather(n) || faces_.anyPatchTwice())
+    listRegions(n);
+    return std::all_of(
+      regions_.begin(), regions_.end(), [&](std::int32_t region) { return closes(n, region); });
+  }
+
+  void addBox(std::size_t n, const SmallCellSpec& spec, CellChunk& chunk)
+  {
+    const std::size_t before = chunk.cells.size();
+    const std::size_t facesBefore = chunk.faces.size();
+    listRegions(n);
+    const bool closed = std::all_of(regions_.begin(), regions_.end(),
+      [&](std::int32_t region) { return addCells(n, region, spec, chunk); });
+    chunk.flawed.push_back(closed ? 0 : 1);
+    if (!closed)
+    {
+      chunk.cells.resize(before);
+      chunk.faces.erase(chunk.faces.begin() + std::ptrdiff_t(facesBefore), chunk.faces.end());
+    }
+    chunk.cellsOfBox.push_back(static_cast<std::uint32_t>(chunk.cells.size() - before));
+  }
+
+private:
+  // Those that the n-th polyhedral box has a part of.
+  void listRegions(std::size_t n)
+  {
+    regions_.assign(1, FirstRegion);
+    if (!patches_.walls.any())
+    {
+      return;
+    }
+    regions_.clear();
+    for (unsigned corner = 0; corner < 8; ++corner)
+    {
+      regions_.push_back(boxes_.regionAt(sides_.polyhedral[n], corner));
+    }
+    const std::uint32_t box = sides_.patchBox[n];
+    for (std::size_t p = box == None ? 0 : patches_.boxStart[box];
+         box != None && p < patches_.boxStart[box + 1]; ++p)
+    {
+      regions_.push_back(patches_.walls.behind(patches_.boundary[p]));
+      regions_.push_back(patches_.walls.front(patches_.boundary[p]));
+    }
+    std::sort(regions_.begin(), regions_.end());
+    regions_.erase(std::unique(regions_.begin(), regions_.end()), regions_.end());
+    regions_.erase(std::remove(regions_.begin(), regions_.end(), OutsideRegion), regions_.end());
+  }
+
+  bool closes(std::size_t n, std::int32_t region)
+  {
+    if (!faces_.gather(n, region) || faces_.anyPatchTwice())
     {
       return false;
     }
@@ -52,29 +102,27 @@ public:
     return !volumes_.anyFaceTwice(faces_);
   }
 
-  void addBox(std::size_t n, const SmallCellSpec& spec, CellChunk& chunk)
+  bool addCells(std::size_t n, std::int32_t region, const SmallCellSpec& spec, CellChunk& chunk)
   {
-    const std::size_t before = chunk.cells.size();
-    const bool closed = closes(n);
-    chunk.flawed.push_back(closed ? 0 : 1);
-    if (closed)
+    if (!closes(n, region))
     {
-      if (!faces_.hasSharedEdges()) // else closes() has found the volumes
-      {
-        findVolumes(n);
-      }
-      const bool counts = boxes_.isCore(boxes_.packed[sides_.polyhedral[n]]);
-      chunk.voids += counts ? volumes_.voids() : 0;
-      chunk.folds += counts ? volumes_.folds() : 0;
-      addCells(sides_.polyhedral[n], spec, chunk);
+      return false;
     }
-    chunk.cellsOfBox.push_back(static_cast<std::uint32_t>(chunk.cells.size() - before));
+    if (!faces_.hasSharedEdges()) // else closes() has found the volumes
+    {
+      findVolumes(n);
+    }
+    const bool counts = boxes_.isCore(boxes_.packed[sides_.polyhedral[n]]);
+    chunk.voids += counts ? volumes_.voids() : 0;
+    chunk.folds += counts ? volumes_.folds() : 0;
+    writeCells(sides_.polyhedral[n], region, spec, chunk);
+    return true;
   }
 
-private:
   void findVolumes(std::size_t n) { volumes_.find(faces_, boxes_.lowOf(sides_.polyhedral[n])); }
 
-  void addCells(std::uint32_t boxIndex, const SmallCellSpec& spec, CellChunk& chunk)
+  void writeCells(
+    std::uint32_t boxIndex, std::int32_t region, const SmallCellSpec& spec, CellChunk& chunk)
   {
     const Box box = boxes_.box(boxIndex);
     const Vector size = minus(box.high, box.low);
@@ -87,12 +135,14 @@ private:
       Cell cell;
       cell.box = boxIndex;
       cell.boundary = volumes_.mainBoundary(faces_, shell);
+      cell.region = region;
       cell.volumeFraction = shell.volume / (size[0] * size[1] * size[2]);
       cell.firstFace = chunk.faces.size();
       cell.sliver = shell.volume < 0 || shell.isSliver();
-      cell.removed = cell.sliver ||
-        (spec.handling == SmallCells::Remove &&
-          cell.volumeFraction < ratioOf(spec, cell.boundary, spec.ratio));
+      cell.removed = !isAtInterface(shell) &&
+        (cell.sliver ||
+          (spec.handling == SmallCells::Remove &&
+            cell.volumeFraction < ratioOf(spec, cell.boundary, spec.ratio)));
       chunk.cells.push_back(cell);
       for (const std::uint32_t f : shell.faces)
       {
@@ -101,10 +151,21 @@ private:
     }
   }
 
+  // Then it stays, whatever its size: another region's cell would lose its neighbour.
+  bool isAtInterface(const Shell& shell) const
+  {
+    return patches_.walls.any() &&
+      std::any_of(shell.faces.begin(), shell.faces.end(), [&](std::uint32_t f) {
+        return faces_.isPatch(f) && patches_.walls.isInterface(patches_.boundary[faces_[f].index]);
+      });
+  }
+
   const Boxes& boxes_;
+  const Patches& patches_;
   const Sides& sides_;
   BoxFaces faces_;
   BoxVolumes volumes_;
+  std::vector<std::int32_t> regions_;
 };
 
 Cells join(const std::vector<CellChunk>& ofChunk, std::size_t boxes, Execution& execution)
@@ -189,6 +250,7 @@ std::vector<std::uint8_t> findFlawed(const Boxes& boxes, const Patches& patches,
     BoxAssembler assembler(boxes, patches, sides, nodes, inner);
     for (std::size_t n = begin; n < end; ++n)
     {
+      execution.poll();
       flawed[n] = assembler.closes(n) ? 0 : 1;
     }
   });
@@ -211,6 +273,7 @@ Cells assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sid
     BoxAssembler assembler(boxes, patches, sides, nodes, inner);
     for (std::size_t n = begin; n < end; ++n)
     {
+      execution.poll();
       assembler.addBox(n, spec, ofChunk[begin / BoxesAChunk]);
     }
   });

@@ -10,7 +10,8 @@ namespace cartesian
 
 // A face of a cell: a patch, an inner face of a side, or a face that shaping made (CellShaping.h). The
 // cell below a face of the latter two kinds, outside of which it is counter-clockwise, has it as it is;
-// the cell above has it turned over.
+// the cell above has it turned over. So it is with patches between two regions, until they are inner faces
+// too (Interfaces.h).
 struct FaceOfCell
 {
   enum class Kind : std::uint32_t
@@ -20,6 +21,7 @@ struct FaceOfCell
     TurnedInner,
     Shaped,
     TurnedShaped,
+    TurnedPatch,
   };
 
   std::uint32_t index : 29;
@@ -31,7 +33,12 @@ struct FaceOfCell
   {
   }
   Kind kind() const { return static_cast<Kind>(kindBits); }
-  bool turned() const { return kind() == Kind::TurnedInner || kind() == Kind::TurnedShaped; }
+  bool isPatch() const { return kind() == Kind::Patch || kind() == Kind::TurnedPatch; }
+  bool turned() const
+  {
+    return kind() == Kind::TurnedInner || kind() == Kind::TurnedShaped ||
+      kind() == Kind::TurnedPatch;
+  }
 
   static constexpr std::uint32_t MostFaces = (1u << 29) - 1;
 };
@@ -41,6 +48,7 @@ struct Cell
 {
   std::uint32_t box;
   std::int32_t boundary; // of most of its patches by area, or NoBoundary
+  std::int32_t region;
   double volumeFraction; // of its box
   std::size_t firstFace; // in Cells::faces; up to the next cell's first
   bool sliver;           // its volume is mere rounding
@@ -59,7 +67,7 @@ struct ShapedFaces
   std::vector<std::size_t> start{ 0 }; // first node of each face, and the end
   std::vector<std::uint32_t> nodes;
   std::vector<std::array<std::uint32_t, 2>> cells; // below and above, or SomeHexahedron, or None
-  std::vector<std::int32_t> boundary;              // where one of the cells is None
+  std::vector<std::int32_t> boundary; // where one of the cells is None, or between two regions
 
   // Of the hexahedra: the box, its side (as in BoundaryFace) and the face there.
   struct HexahedronSide
@@ -106,6 +114,7 @@ void forEachNode(const FaceOfCell& face, const Patches& patches, const InnerFace
   switch (face.kind())
   {
     case FaceOfCell::Kind::Patch:
+    case FaceOfCell::Kind::TurnedPatch:
       run(patches.start, patches.corners);
       break;
     case FaceOfCell::Kind::Inner:

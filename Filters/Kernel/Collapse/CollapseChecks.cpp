@@ -48,12 +48,28 @@ bool CollapseChecks::staysOnGrid(const Point& from, const Point& to) const
   return true;
 }
 
+bool CollapseChecks::isOnSurface(std::uint32_t slot)
+{
+  return merging_.anyFaceAt(slot, [&](std::uint32_t face) {
+    if (!merging_.isPatch(face))
+    {
+      return false;
+    }
+    merging_.ringOf(face, ring_);
+    return ring_.size() > 2 && norm(merging_.areaOf(ring_)) > 0;
+  });
+}
+
 bool CollapseChecks::mayMove(std::uint32_t slot, const Point& to, double unit)
 {
   const Point& from = merging_[slot].at;
   if (!staysOnGrid(from, to))
   {
     return false;
+  }
+  if (spec_.exact)
+  {
+    return !isOnSurface(slot);
   }
   normals_.clear();
   borders_.clear();
@@ -86,11 +102,32 @@ bool CollapseChecks::mayMove(std::uint32_t slot, const Point& to, double unit)
     listBorders(slot, face);
   });
   error = std::max(error, distanceFromBorders(slot, to));
-  if (spec_.exact)
-  {
-    return normals_.empty();
-  }
   return error <= std::max(RoundingLevels, (feature ? FeatureError : SmoothError) * unit);
+}
+
+bool CollapseChecks::keepsWalls(std::uint32_t slot, std::uint32_t to)
+{
+  if (!patches_.walls.any())
+  {
+    return true;
+  }
+  listWalls(slot, walls_[0]);
+  listWalls(to, walls_[1]);
+  return std::includes(walls_[1].begin(), walls_[1].end(), walls_[0].begin(), walls_[0].end());
+}
+
+// In order, each once.
+void CollapseChecks::listWalls(std::uint32_t slot, std::vector<std::int32_t>& walls)
+{
+  walls.clear();
+  merging_.forEachFaceAt(slot, [&](std::uint32_t face) {
+    if (merging_.isPatch(face))
+    {
+      walls.push_back(patches_.boundary[face]);
+    }
+  });
+  std::sort(walls.begin(), walls.end());
+  walls.erase(std::unique(walls.begin(), walls.end()), walls.end());
 }
 
 double CollapseChecks::bendAt(std::uint32_t slot)

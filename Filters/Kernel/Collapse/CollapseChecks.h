@@ -19,6 +19,10 @@ public:
   // `unit`: the shortest edge of the smallest box around.
   bool mayMove(std::uint32_t slot, const Point& to, double unit);
 
+  // Whether all walls (Walls.h) at a node are also at another: else a region between them would lose its
+  // thickness where the first becomes the second.
+  bool keepsWalls(std::uint32_t slot, std::uint32_t to);
+
   // How the surface bends at a node: the smallest cosine between the normals of patches there; 2 where there
   // is none.
   double bendAt(std::uint32_t slot);
@@ -50,7 +54,8 @@ public:
     for (std::size_t i = 0; i + 1 < twins_.size(); ++i)
     {
       if (twins_[i].first == twins_[i + 1].first &&
-        merging_.isPatch(twins_[i].second) == merging_.isPatch(twins_[i + 1].second))
+        (merging_.isPatch(twins_[i].second) == merging_.isPatch(twins_[i + 1].second) ||
+          isInterface(twins_[i].second) || isInterface(twins_[i + 1].second)))
       {
         merging_.ringOf(twins_[i].second, ring_);
         visit(ring_);
@@ -59,10 +64,19 @@ public:
   }
 
 private:
+  bool isOnSurface(std::uint32_t slot);
   bool staysOnGrid(const Point& from, const Point& to) const;
   void listBorders(std::uint32_t slot, std::uint32_t face);
+  void listWalls(std::uint32_t slot, std::vector<std::int32_t>& walls);
   double distanceFromBorders(std::uint32_t slot, const Point& to);
   bool isGood(std::uint32_t face) const;
+
+  // Between two regions (Walls.h): what becomes flat there must stay a cell, as nothing else is between
+  // its neighbours.
+  bool isInterface(std::uint32_t face) const
+  {
+    return merging_.isPatch(face) && patches_.walls.isInterface(patches_.boundary[face]);
+  }
   std::uint64_t keyOfRing() const;
 
   template <class Visitor>
@@ -76,6 +90,7 @@ private:
   std::vector<std::uint32_t> ring_;
   std::vector<Vector> normals_;
   std::vector<std::pair<std::uint32_t, std::int32_t>> borders_; // next node, boundary
+  std::array<std::vector<std::int32_t>, 2> walls_;
   std::vector<std::uint32_t> near_;
   std::vector<std::uint32_t> thirds_;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> twins_; // key of the corners, face

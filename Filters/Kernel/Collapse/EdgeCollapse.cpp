@@ -115,6 +115,7 @@ private:
         {
           if (layers_.stays(n) && layers_.isNearMoving(n))
           {
+            execution_.poll();
             listSlotsOfBox(n, found[begin / BoxesAChunk]);
           }
         }
@@ -179,8 +180,8 @@ private:
     {
       return choice;
     }
-    const bool toB = checks.mayMove(a, slots_[b].at, edge.unit);
-    const bool toA = checks.mayMove(b, slots_[a].at, edge.unit);
+    const bool toB = checks.mayMove(a, slots_[b].at, edge.unit) && checks.keepsWalls(a, b);
+    const bool toA = checks.mayMove(b, slots_[a].at, edge.unit) && checks.keepsWalls(b, a);
     if ((!toA && !toB) || !checks.closesUp(a, b))
     {
       return choice;
@@ -219,6 +220,7 @@ private:
       CollapseChecks checks(boxes_, spec_, patches_, slots_);
       for (std::size_t i = begin; i < end; ++i)
       {
+        execution_.poll();
         choices_[i] = choose(edges_[i], checks);
       }
     });
@@ -312,6 +314,7 @@ private:
         {
           if (merges_[m].edge != None)
           {
+            execution_.poll();
             listBadMerges(merges_[m].stays, mergeAt, checks, found[begin / EdgesAChunk]);
           }
         }
@@ -380,9 +383,17 @@ private:
       execution_);
     patches_.triangle.resize(patches_.start.size() - 1);
     patches_.boundary.resize(patches_.start.size() - 1);
+    const bool hasRegions = !inner_.region.empty();
     compactFaces(
-      inner_.sideStart, inner_.start, inner_.nodes, whatIsLeft, [](std::size_t, std::size_t) {},
+      inner_.sideStart, inner_.start, inner_.nodes, whatIsLeft,
+      [&](std::size_t from, std::size_t to) {
+        if (hasRegions)
+        {
+          inner_.region[to] = inner_.region[from];
+        }
+      },
       execution_);
+    inner_.region.resize(hasRegions ? inner_.size() : 0);
     for (const MergingNodes::Slot& slot : slots_)
     {
       nodes_.at[slot.node] = slots_[slot.into].at;

@@ -56,19 +56,31 @@ public:
   // Faces: patches, then inner faces.
   bool isPatch(std::uint32_t face) const { return face < patches_.size(); }
 
-  // Calls visit(face) for the faces at all nodes that became this one; faces may come twice.
-  template <class Visitor>
-  void forEachFaceAt(std::uint32_t slot, Visitor&& visit) const
+  // Whether test(face) is true for any face at all nodes that became this one; faces may come twice.
+  template <class Test>
+  bool anyFaceAt(std::uint32_t slot, Test&& test) const
   {
     std::uint32_t s = slot;
     do
     {
-      for (const FaceOfSlot* use = facesOf_.begin(s); use != facesOf_.end(s); ++use)
+      if (std::any_of(facesOf_.begin(s), facesOf_.end(s),
+            [&](const FaceOfSlot& use) { return test(use.face); }))
       {
-        visit(use->face);
+        return true;
       }
       s = slots_[s].next;
     } while (s != slot);
+    return false;
+  }
+
+  // Calls visit(face) for all of them.
+  template <class Visitor>
+  void forEachFaceAt(std::uint32_t slot, Visitor&& visit) const
+  {
+    anyFaceAt(slot, [&](std::uint32_t face) {
+      visit(face);
+      return false;
+    });
   }
 
   // The corners that a face has left.

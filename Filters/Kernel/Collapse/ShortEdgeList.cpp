@@ -32,6 +32,7 @@ public:
       std::vector<ShortEdge>& edges = parts[begin / BoxesAChunk];
       for (std::size_t n = begin; n < end; ++n)
       {
+        execution.poll();
         listEdgesOf(n, edges);
       }
       unite(edges);

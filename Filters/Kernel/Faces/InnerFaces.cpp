@@ -22,6 +22,7 @@ struct FaceChunk
   std::vector<std::uint32_t> faceSizes;
   std::vector<std::uint32_t> facesOfSide;
   std::vector<std::uint8_t> flawed;
+  std::vector<std::int32_t> regions; // of faces
 };
 
 Wide area(const std::vector<PlanePoint>& at)
@@ -347,13 +348,19 @@ public:
     {
       const std::size_t facesBefore = chunk.faceSizes.size();
       const std::size_t nodesBefore = chunk.nodes.size();
-      const Rectangle r = sideChords_.rectangle(s);
-      sideChords_.find(s, r, tracer_.chords());
-      const bool closed = tracer_.trace(r, chunk);
+      sideChords_.listRegions(s, regions_);
+      const bool closed = std::all_of(regions_.begin(), regions_.end(), [&](std::int32_t region) {
+        const Rectangle r = sideChords_.rectangle(s, region);
+        sideChords_.find(s, r, tracer_.chords(), region);
+        const bool traced = tracer_.trace(r, chunk);
+        chunk.regions.resize(chunk.faceSizes.size(), region);
+        return traced;
+      });
       if (!closed)
       {
         chunk.faceSizes.resize(facesBefore);
         chunk.nodes.resize(nodesBefore);
+        chunk.regions.resize(facesBefore);
       }
       chunk.flawed.push_back(closed ? 0 : 1);
       chunk.facesOfSide.push_back(static_cast<std::uint32_t>(chunk.faceSizes.size() - facesBefore));
@@ -364,9 +371,10 @@ private:
   const Sides& sides_;
   SideChords sideChords_;
   SideTracer tracer_;
+  std::vector<std::int32_t> regions_; // of a side
 };
 
-InnerFaces join(const std::vector<FaceChunk>& ofChunk, Execution& execution)
+InnerFaces join(const std::vector<FaceChunk>& ofChunk, bool hasRegions, Execution& execution)
 {
   std::vector<std::size_t> side;
   std::vector<std::size_t> face;
@@ -386,6 +394,7 @@ InnerFaces join(const std::vector<FaceChunk>& ofChunk, Execution& execution)
   result.sideStart.resize(sides + 1);
   result.sideStart.back() = faces;
   result.flawed.resize(sides);
+  result.region.resize(hasRegions ? faces : 0);
   execution.forEach(ofChunk.size(), 1, [&](std::size_t i, std::size_t) {
     const FaceChunk& chunk = ofChunk[i];
     std::copy(
@@ -395,6 +404,11 @@ InnerFaces join(const std::vector<FaceChunk>& ofChunk, Execution& execution)
     {
       result.start[face[i] + f] = next;
       next += chunk.faceSizes[f];
+    }
+    if (hasRegions)
+    {
+      std::copy(chunk.regions.begin(), chunk.regions.end(),
+        result.region.begin() + std::ptrdiff_t(face[i]));
     }
     next = face[i];
     for (std::size_t s = 0; s < chunk.facesOfSide.size(); ++s)
@@ -419,10 +433,11 @@ InnerFaces generateInnerFaces(const Boxes& boxes, const Patches& patches, const 
     SideBuilder builder(boxes, patches, sides, nodes);
     for (std::size_t n = begin; n < end; ++n)
     {
+      execution.poll();
       builder.addSidesOf(n, ofChunk[begin / BoxesAChunk]);
     }
   });
-  return join(ofChunk, execution);
+  return join(ofChunk, patches.walls.any(), execution);
 }
 
 }

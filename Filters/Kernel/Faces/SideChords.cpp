@@ -94,7 +94,7 @@ void dropOpposite(std::vector<SideEdge>& edges, std::vector<std::uint8_t>& scrat
   edges.resize(kept);
 }
 
-Rectangle SideChords::rectangle(std::size_t s) const
+Rectangle SideChords::rectangle(std::size_t s, std::int32_t region) const
 {
   const Side& side = sides_.common[s];
   Rectangle r;
@@ -129,41 +129,82 @@ Rectangle SideChords::rectangle(std::size_t s) const
       if (boxes_.globalOf(box).nearDepth == 0 || isAt(corners[i], at[i]))
       {
         r.corner[i] =
-          (box.corners >> corners[i] & 1) != 0 ? KnownStatus::Inside : KnownStatus::Outside;
+          boxes_.regionAt(b, corners[i]) == region ? KnownStatus::Inside : KnownStatus::Outside;
       }
     }
   }
   return r;
 }
 
-// Faces of the side run along these edges in the opposite direction to the patch. For the upper box, the
-// face is turned over.
-void SideChords::find(std::size_t s, const Rectangle& r, std::vector<SideEdge>& chords) const
+std::uint32_t SideChords::patchBoxOf(const Side& side, bool& isLow) const
+{
+  const std::uint32_t low = sides_.polyhedralOrdinal(side.low);
+  isLow = low != None && sides_.patchBox[low] != None;
+  const std::uint32_t n = isLow ? low : sides_.polyhedralOrdinal(side.high);
+  return n == None ? None : sides_.patchBox[n];
+}
+
+// Faces of the side run along these edges in the opposite direction to the patch. For the upper box, or
+// where the region is in front of the patch, the face is turned over.
+void SideChords::find(
+  std::size_t s, const Rectangle& r, std::vector<SideEdge>& chords, std::int32_t region) const
 {
   const Side& side = sides_.common[s];
   chords.clear();
-  const std::uint32_t low = sides_.polyhedralOrdinal(side.low);
-  const bool fromLow = low != None && sides_.patchBox[low] != None;
-  const std::uint32_t n = fromLow ? low : sides_.polyhedralOrdinal(side.high);
-  if (n == None || sides_.patchBox[n] == None)
+  bool fromLow = false;
+  const std::uint32_t box = patchBoxOf(side, fromLow);
+  if (box == None)
   {
     return;
   }
   const Level plane = planeAt(boxes_.planes[side.axis], side.corner[side.axis]);
-  const std::uint32_t box = sides_.patchBox[n];
   for (std::size_t p = patches_.boxStart[box]; p < patches_.boxStart[box + 1]; ++p)
   {
+    const bool isBehind = patches_.walls.behind(patches_.boundary[p]) == region;
+    if (!isBehind && patches_.walls.front(patches_.boundary[p]) != region)
+    {
+      continue;
+    }
     std::uint32_t from = patches_.corners[patches_.start[p + 1] - 1];
     for (std::size_t c = patches_.start[p]; c < patches_.start[p + 1]; ++c)
     {
       const std::uint32_t to = patches_.corners[c];
       if (lies(patches_.points[from], plane, r) && lies(patches_.points[to], plane, r))
       {
-        chords.push_back(fromLow ? SideEdge{ to, from } : SideEdge{ from, to });
+        chords.push_back(fromLow == isBehind ? SideEdge{ to, from } : SideEdge{ from, to });
       }
       from = to;
     }
   }
+}
+
+void SideChords::listRegions(std::size_t s, std::vector<std::int32_t>& regions) const
+{
+  regions.assign(1, FirstRegion);
+  if (!patches_.walls.any())
+  {
+    return;
+  }
+  regions.clear();
+  const Side& side = sides_.common[s];
+  for (const std::uint32_t b : { side.low, side.high })
+  {
+    for (unsigned corner = 0; b != None && corner < 8; ++corner)
+    {
+      regions.push_back(boxes_.regionAt(b, corner));
+    }
+  }
+  bool isLow = false;
+  const std::uint32_t box = patchBoxOf(side, isLow);
+  for (std::size_t p = box == None ? 0 : patches_.boxStart[box];
+       box != None && p < patches_.boxStart[box + 1]; ++p)
+  {
+    regions.push_back(patches_.walls.behind(patches_.boundary[p]));
+    regions.push_back(patches_.walls.front(patches_.boundary[p]));
+  }
+  std::sort(regions.begin(), regions.end());
+  regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
+  regions.erase(std::remove(regions.begin(), regions.end(), OutsideRegion), regions.end());
 }
 
 }

@@ -71,12 +71,21 @@ public:
   {
   }
 
-  Rectangle rectangle(std::size_t side) const;
+  // Inside is where this region is.
+  Rectangle rectangle(std::size_t side, std::int32_t region = FirstRegion) const;
 
-  // Lists the edges of patches on a side: those of the lower box if it has patches, else of the upper.
-  void find(std::size_t side, const Rectangle& r, std::vector<SideEdge>& chords) const;
+  // Lists the edges on a side of the patches that bound a region: those of the lower box if it has patches,
+  // else of the upper.
+  void find(std::size_t side, const Rectangle& r, std::vector<SideEdge>& chords,
+    std::int32_t region = FirstRegion) const;
+
+  // Lists the regions that a side may show, ascending.
+  void listRegions(std::size_t side, std::vector<std::int32_t>& regions) const;
 
 private:
+  // The box whose patches are taken, among the intersected ones, or None.
+  std::uint32_t patchBoxOf(const Side& side, bool& isLow) const;
+
   const Boxes& boxes_;
   const Patches& patches_;
   const Sides& sides_;

@@ -155,6 +155,13 @@ Diagonal optimalDiagonal(const std::vector<PlanePoint>& at, std::size_t i)
 // Reveals a bridge that isStar misses because of rounding: its nodes occur twice.
 bool areDistinct(const std::vector<std::uint32_t>& nodes)
 {
+  constexpr std::size_t Many = 64; // so many take longer to compare in pairs than to sort
+  if (nodes.size() > Many)
+  {
+    std::vector<std::uint32_t> sorted = nodes;
+    std::sort(sorted.begin(), sorted.end());
+    return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+  }
   for (auto node = nodes.begin(); node != nodes.end(); ++node)
   {
     if (std::find(nodes.begin(), node, *node) != node)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/CellConditions.h"
 
+#include "Cells/Interfaces.h"
 #include "Quality/QualityMeasures.h"
 
 #include <algorithm>
@@ -90,7 +91,7 @@ private:
     using Kind = FaceOfCell::Kind;
     static_assert(int(Kind::Patch) == int(BoundaryFace::Kind::Patch));
     static_assert(int(Kind::TurnedShaped) == int(BoundaryFace::Kind::TurnedShaped));
-    return face.kind() == Kind::Patch ||
+    return face.kind() == Kind::Patch || isInterface(parts_.cells, face) ||
       std::any_of(exposed_, boundaryEnd_, [&](const BoundaryFace& exposed) {
         return int(exposed.kind) == int(face.kind()) && exposed.index == face.index;
       });

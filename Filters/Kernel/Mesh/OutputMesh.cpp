@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/OutputMesh.h"
 
+#include "Cells/Interfaces.h"
 #include "Parts/Slabs.h"
 
 #include <algorithm>
@@ -46,7 +47,38 @@ OutputMesh::OutputMesh(const MeshParts& parts, Execution& execution)
   measureCells(execution);
   placeRows();
   boundary_ = collectBoundary(parts_, numbers_, execution);
+  if (parts.patches.walls.any())
+  {
+    listInterfaces();
+  }
   failures_ = countFailures(parts_, numbers_, boundary_, execution);
+}
+
+void OutputMesh::listInterfaces()
+{
+  const Cells& cells = parts_.cells;
+  for (std::size_t c = numbers_.coreBegin; c < numbers_.coreEnd; ++c)
+  {
+    for (std::size_t f = cells.all[c].firstFace; f < cells.all[c + 1].firstFace; ++f)
+    {
+      const FaceOfCell& face = cells.faces[f];
+      if (cells.all[c].removed || face.turned() || !isInterface(cells, face))
+      {
+        continue;
+      }
+      const bool inner = face.kind() == FaceOfCell::Kind::Inner;
+      const std::uint32_t front =
+        (inner ? cells.ofInnerFace[face.index] : cells.shaped.cells[face.index])[1];
+      const std::uint32_t number = numbers_.ofCell[front];
+      if (number != None)
+      {
+        interfaces_.push_back({ numbers_.ofCell[c], face.index,
+          inner ? parts_.inner.wallOf(face.index) : cells.shaped.boundary[face.index],
+          inner ? BoundaryFace::Kind::Inner : BoundaryFace::Kind::Shaped });
+        inFront_.push_back(CellNumbers::isHere(number) ? static_cast<Id>(number) : Id(-1));
+      }
+    }
+  }
 }
 
 void OutputMesh::measureCells(Execution& execution)
@@ -290,15 +322,16 @@ void OutputMesh::writeFaces(std::size_t cell, Id* stream, CellPoints& points) co
 
 void OutputMesh::writeCellData(const CellData& data, Execution& execution) const
 {
-  const auto write = [&](std::size_t id, std::uint32_t number, const PackedBox& box,
+  const auto write = [&](std::size_t id, std::uint32_t number, std::size_t b, std::int32_t region,
                        double fraction) {
+    const PackedBox& box = parts_.boxes.packed[b];
     data.number[id] = number;
     for (int axis = 0; axis < 3; ++axis)
     {
       data.globalBox[3 * id + axis] = static_cast<int>(parts_.boxes.globalOf(box).index[axis]);
       data.level[3 * id + axis] = box.level[axis];
     }
-    data.region[id] = FirstRegion;
+    data.region[id] = region;
     data.volumeFraction[id] = fraction;
   };
   const Boxes& boxes = parts_.boxes;
@@ -310,7 +343,7 @@ void OutputMesh::writeCellData(const CellData& data, Execution& execution) const
       {
         if (parts_.sides.polyhedralOrdinal(static_cast<std::uint32_t>(b)) == None)
         {
-          write(id++, numbers_.ofBox[b], boxes.packed[b], 1);
+          write(id++, numbers_.ofBox[b], b, boxes.regionOf(b), 1);
         }
       }
     });
@@ -319,7 +352,7 @@ void OutputMesh::writeCellData(const CellData& data, Execution& execution) const
     const std::uint32_t number = numbers_.ofBox[hexahedron.box];
     if (parts_.sides.polyhedralOrdinal(hexahedron.box) == None && CellNumbers::isHere(number))
     {
-      write(hexahedraBefore(hexahedron.box), number, boxes.packed[hexahedron.box],
+      write(hexahedraBefore(hexahedron.box), number, hexahedron.box, boxes.regionOf(hexahedron.box),
         hexahedron.volumeFraction);
     }
   }
@@ -330,7 +363,7 @@ void OutputMesh::writeCellData(const CellData& data, Execution& execution) const
     {
       if (!cells.all[c].removed)
       {
-        write(placeOfPolyhedron(c), numbers_.ofCell[c], boxes.packed[cells.all[c].box],
+        write(placeOfPolyhedron(c), numbers_.ofCell[c], cells.all[c].box, cells.all[c].region,
           cells.all[c].volumeFraction);
       }
     }
@@ -376,16 +409,16 @@ void OutputMesh::forEachPoint(const BoundaryFace& face, Visitor&& visit) const
   }
 }
 
-// Lists the points of the boundary, in order. Returns the index of each of the mesh's points there.
-RawVector<std::uint32_t> OutputMesh::numberBoundaryPoints(
-  std::vector<Id>& points, Execution& execution) const
+// Lists the points of faces, in order. Returns the index of each of the mesh's points there.
+RawVector<std::uint32_t> OutputMesh::numberPointsOf(
+  const std::vector<BoundaryFace>& faces, std::vector<Id>& points, Execution& execution) const
 {
   const auto count = static_cast<std::size_t>(pointCount());
   std::vector<std::atomic<bool>> used(count);
-  execution.forEach(boundary_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+  execution.forEach(faces.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f)
     {
-      forEachPoint(boundary_[f], [&](Id point) {
+      forEachPoint(faces[f], [&](Id point) {
         used[static_cast<std::size_t>(point)].store(true, std::memory_order_relaxed);
       });
     }
@@ -401,7 +434,7 @@ RawVector<std::uint32_t> OutputMesh::numberBoundaryPoints(
     first[begin / PointsAChunk] = sum;
   });
   points.resize(scan(first));
-  RawVector<std::uint32_t> places(count); // undefined for points that are not on the boundary
+  RawVector<std::uint32_t> places(count); // undefined for points of no such face
   execution.forEach(count, PointsAChunk, [&](std::size_t begin, std::size_t end) {
     std::uint32_t next = first[begin / PointsAChunk];
     for (std::size_t p = begin; p < end; ++p)
@@ -416,23 +449,23 @@ RawVector<std::uint32_t> OutputMesh::numberBoundaryPoints(
   return places;
 }
 
-BoundaryMesh OutputMesh::boundaryMesh(Execution& execution) const
+BoundaryMesh OutputMesh::meshOf(const std::vector<BoundaryFace>& faces, Execution& execution) const
 {
   BoundaryMesh result;
-  result.start.assign(boundary_.size() + 1, 0);
-  execution.forEach(boundary_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+  result.start.assign(faces.size() + 1, 0);
+  execution.forEach(faces.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f)
     {
-      forEachPoint(boundary_[f], [&](Id) { ++result.start[f]; });
+      forEachPoint(faces[f], [&](Id) { ++result.start[f]; });
     }
   });
   result.corners.resize(static_cast<std::size_t>(scan(result.start)));
-  const RawVector<std::uint32_t> local = numberBoundaryPoints(result.meshPoint, execution);
-  execution.forEach(boundary_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+  const RawVector<std::uint32_t> local = numberPointsOf(faces, result.meshPoint, execution);
+  execution.forEach(faces.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f)
     {
       auto next = static_cast<std::size_t>(result.start[f]);
-      forEachPoint(boundary_[f],
+      forEachPoint(faces[f],
         [&](Id point) { result.corners[next++] = local[static_cast<std::size_t>(point)]; });
     }
   });

@@ -79,7 +79,15 @@ public:
   void writeCellData(const CellData& data, Execution& execution) const;
 
   // Faces as in boundary().
-  BoundaryMesh boundaryMesh(Execution& execution) const;
+  BoundaryMesh boundaryMesh(Execution& execution) const { return meshOf(boundary_, execution); }
+
+  // The faces between two regions, as those of the cell of the region behind; BoundaryFace::boundary is the
+  // wall (Walls.h).
+  const std::vector<BoundaryFace>& interfaces() const { return interfaces_; }
+
+  // The cell in front of each, or -1: it belongs to another part.
+  const std::vector<Id>& inFrontOfInterfaces() const { return inFront_; }
+  BoundaryMesh interfaceMesh(Execution& execution) const { return meshOf(interfaces_, execution); }
 
 private:
   // Calls visit(point) for the corners of a boundary face, counter-clockwise from outside.
@@ -145,8 +153,10 @@ private:
   }
   void writeRow(std::size_t row, const CellArrays& arrays, CellPoints& points) const;
   void writeFaces(std::size_t cell, Id* stream, CellPoints& points) const;
-  RawVector<std::uint32_t> numberBoundaryPoints(
-    std::vector<Id>& points, Execution& execution) const;
+  void listInterfaces();
+  BoundaryMesh meshOf(const std::vector<BoundaryFace>& faces, Execution& execution) const;
+  RawVector<std::uint32_t> numberPointsOf(
+    const std::vector<BoundaryFace>& faces, std::vector<Id>& points, Execution& execution) const;
 
   template <class Visitor>
   void forEachPoint(const FaceOfCell& face, Visitor&& visit) const;
@@ -160,6 +170,8 @@ private:
   std::vector<CellSize> cellSizes_; // of each cell of polyhedral boxes
   std::vector<RowOffsets> rows_;
   std::vector<BoundaryFace> boundary_;
+  std::vector<BoundaryFace> interfaces_;
+  std::vector<Id> inFront_;
   CellConditions failures_;
 };
 

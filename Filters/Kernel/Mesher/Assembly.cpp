@@ -2,6 +2,7 @@
 #include "Mesher/Assembly.h"
 
 #include "Base/Error.h"
+#include "Cells/Interfaces.h"
 #include "Collapse/EdgeCollapse.h"
 #include "Collapse/WarpedHexahedra.h"
 #include "Faces/BoxRebuilding.h"
@@ -110,7 +111,7 @@ double volumeBelow(const Patches& patches, std::uint32_t n, const Box& box)
 // polygons over the polylines on its sides: the paper's IP patches (4.11), before anything else looks at it.
 void simplifyDetail(Assembly& a, Execution& execution)
 {
-  BoxFlags detailed = isExact(a.patches) ? BoxFlags{} : findDetailed(a);
+  BoxFlags detailed = isExact(a.patches) || a.patches.walls.any() ? BoxFlags{} : findDetailed(a);
   if (std::find(detailed.begin(), detailed.end(), 1) == detailed.end())
   {
     return;
@@ -135,6 +136,45 @@ void simplifyDetail(Assembly& a, Execution& execution)
   a.patches = simplified();
 }
 
+// Where several regions meet, patches cannot be made anew from corners alone.
+Error flawBetweenRegions(const Assembly& a, const BoxFlags& flawed)
+{
+  const auto n =
+    static_cast<std::size_t>(std::find(flawed.begin(), flawed.end(), 1) - flawed.begin());
+  const Box box = a.boxes.box(a.sides.polyhedral[n]);
+  const auto place = [&](std::size_t axis) {
+    return number((a.boxes.lattice.position(static_cast<int>(axis), box.low[axis]) +
+                    a.boxes.lattice.position(static_cast<int>(axis), box.high[axis])) /
+      2);
+  };
+  return { Fault::FlawedSurface,
+    "The walls of the regions do not close in the box around (" + place(0) + ", " + place(1) +
+      ", " + place(2) + "): with several regions, their surfaces must not intersect themselves." };
+}
+
+// The same, by walls instead of boundaries.
+Options forWalls(Options options, const Walls& walls)
+{
+  if (!walls.any())
+  {
+    return options;
+  }
+  SmallCellSpec& spec = options.smallCells;
+  const std::vector<BoundaryRatio> given = std::move(spec.boundaryRatios);
+  spec.boundaryRatios.clear();
+  for (std::size_t wall = 0; wall < walls.all.size(); ++wall)
+  {
+    for (const BoundaryRatio& own : given)
+    {
+      if (own.boundary == walls.all[wall].boundary)
+      {
+        spec.boundaryRatios.push_back({ static_cast<std::int32_t>(wall), own.ratio });
+      }
+    }
+  }
+  return options;
+}
+
 // Each time the boxes that still are flawed keep less. Returns those that are flawed in the end.
 BoxFlags rebuildFlawed(Assembly& a, BoxFlags flawed, Execution& execution)
 {
@@ -144,6 +184,10 @@ BoxFlags rebuildFlawed(Assembly& a, BoxFlags flawed, Execution& execution)
     if (std::find(flawed.begin(), flawed.end(), 1) == flawed.end())
     {
       break;
+    }
+    if (a.patches.walls.any())
+    {
+      throw flawBetweenRegions(a, flawed);
     }
     execution.stage("Flawed boxes", AfterCells, AfterCells);
     RebuiltPatches next =
@@ -190,6 +234,7 @@ public:
     , between_{ options.collapse.ratio, options.patches.featureAngle, isExact(before_), flawed,
       false }
     , across_(between_)
+    , turnedMatter_(between_.exact || before_.walls.any())
   {
     across_.acrossSeams = true;
   }
@@ -233,7 +278,7 @@ private:
       return true;
     }
     bool done = keepsFlawed(between_, findFlawed(a_, execution_));
-    if (between_.exact)
+    if (turnedMatter_)
     {
       done = keepsTurned(between_, makeCells(a_, options_, execution_)) && done;
     }
@@ -249,7 +294,7 @@ private:
       return true;
     }
     bool done = keepsFlawed(across_, a_.cells.flawed);
-    if (across_.exact)
+    if (turnedMatter_)
     {
       done = keepsTurned(across_, a_.cells) && done;
     }
@@ -263,6 +308,10 @@ private:
   const Patches before_;
   EdgeCollapseSpec between_;
   EdgeCollapseSpec across_;
+
+  // Whether a cell that turned over cannot just be left out: the mesh would be too large, or a hole would be
+  // between two regions.
+  const bool turnedMatter_;
 };
 
 void requireCells(const Assembly& a, const Options& options)
@@ -278,9 +327,10 @@ void requireCells(const Assembly& a, const Options& options)
 }
 
 std::unique_ptr<Assembly> assemble(
-  Boxes boxes, Patches patches, const Options& options, Execution& execution)
+  Boxes boxes, Patches patches, const Options& given, Execution& execution)
 {
-  requireValidCells(options);
+  requireValidCells(given);
+  const Options options = forWalls(given, patches.walls);
   auto assembly = std::make_unique<Assembly>();
   Assembly& a = *assembly;
   a.boxes = std::move(boxes);
@@ -298,6 +348,7 @@ std::unique_ptr<Assembly> assemble(
   {
     a.cells = makeCells(a, options, execution);
   }
+  makeInterfaces(a.patches, a.inner, a.cells, execution);
   if (shapesCells(options))
   {
     execution.stage("Shaping of cells", AfterShortEdges, AfterShaping);

@@ -4,6 +4,7 @@
 #include "Boxes/MeshEstimate.h"
 #include "Patches/Patches.h"
 #include "Repair/PlanesAside.h"
+#include "Repair/Regions.h"
 
 #include <algorithm>
 
@@ -67,7 +68,15 @@ PreparedSurface prepareSurface(
   estimate.intersected /= parts;
   checkMemory(estimate, prepared.memoryLimit);
   prepared.trianglesGiven = prepared.surface.triangles.size();
-  prepared.repair = repair(prepared.surface, prepared.planes, execution);
+  if (view.region)
+  {
+    separateRegions(prepared.surface, prepared.planes,
+      view.regionNames ? *view.regionNames : std::vector<std::string>(), execution);
+  }
+  else
+  {
+    prepared.repair = repair(prepared.surface, prepared.planes, execution);
+  }
   stepAside(prepared.surface, prepared.planes);
   return prepared;
 }

@@ -26,6 +26,7 @@ std::vector<NamedOption> optionTable()
 {
   const Options d; // defaults
   return {
+    choice("Regions From", d.regionsFrom, { "One", "Blocks", "Array" }),
     { "Cell Size", d.grid.cellSize, GridSpec::CellSizes, Length },
     { "Refinement Depth", double(d.refinement.depth), RefinementSpec::AllDepths, "" },
     { "Refined Boundary Depth", double(BoundaryRefinement{}.depth), RefinementSpec::AllDepths, "" },

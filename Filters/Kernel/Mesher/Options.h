@@ -14,10 +14,19 @@
 namespace cartesian
 {
 
+// What the caller makes SurfaceView::region of.
+enum class RegionSource : std::uint8_t
+{
+  One = 0,    // there is one region
+  Blocks = 1, // each block of the surface is one
+  Array = 2,  // a cell array tells
+};
+
 struct Options
 {
   static constexpr Range MemoryLimits{ 0 };
 
+  RegionSource regionsFrom = RegionSource::One;
   GridSpec grid;
   RefinementSpec refinement;
   PatchSpec patches; // with the feature angle of all steps

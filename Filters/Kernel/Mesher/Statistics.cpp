@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesher/Statistics.h"
 
+#include <algorithm>
 #include <array>
 
 namespace cartesian
@@ -213,6 +214,46 @@ std::vector<Statistic> statistics(const Assembly& assembly)
     result.push_back({ row.name, row.meaning, counts.*row.count });
   }
   return result;
+}
+
+std::vector<double> regionVolumes(const Assembly& a)
+{
+  std::int32_t regions = FirstRegion;
+  for (const Wall& wall : a.patches.walls.all)
+  {
+    regions = std::max({ regions, wall.behind, wall.front });
+  }
+  std::vector<double> volumes(static_cast<std::size_t>(regions));
+  const double step = a.boxes.lattice.step();
+  const auto add = [&](std::uint32_t b, std::int32_t region, double fraction) {
+    const Box box = a.boxes.box(b);
+    const Vector size = minus(box.high, box.low);
+    volumes[static_cast<std::size_t>(region - FirstRegion)] +=
+      fraction * size[0] * step * size[1] * step * size[2] * step;
+  };
+  const std::uint32_t end = a.boxes.firstBoxOf(a.boxes.core.end);
+  for (std::uint32_t b = a.boxes.firstBoxOf(a.boxes.core.begin); b < end; ++b)
+  {
+    const std::uint32_t n = a.sides.polyhedralOrdinal(b);
+    if (n == None)
+    {
+      add(b, a.boxes.regionOf(b), 1);
+    }
+    for (std::size_t c = n == None ? 0 : a.cells.boxStart[n];
+         n != None && c < a.cells.boxStart[n + 1]; ++c)
+    {
+      const Cell& cell = a.cells.all[c];
+      add(b, cell.region, cell.removed ? 0 : cell.volumeFraction);
+    }
+  }
+  for (const WarpedHexahedron& warped : a.nodes.warped)
+  {
+    if (a.boxes.isCore(a.boxes.packed[warped.box]) && a.sides.polyhedralOrdinal(warped.box) == None)
+    {
+      add(warped.box, a.boxes.regionOf(warped.box), warped.volumeFraction - 1);
+    }
+  }
+  return volumes;
 }
 
 }

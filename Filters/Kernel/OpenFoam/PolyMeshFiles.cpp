@@ -19,6 +19,8 @@ constexpr const char* Location = "constant/polyMesh";
 constexpr std::array<const char*, 5> MeshFiles = { "points", "faces", "owner", "neighbour",
   "boundary" };
 
+constexpr const char* Zones = "cellZones";
+
 struct SystemFile
 {
   const char* name;
@@ -86,6 +88,20 @@ void writeLabels(const fs::path& path, const std::vector<std::uint32_t>& labels,
   file.close();
 }
 
+void writeZones(const std::vector<FoamZone>& zones, const fs::path& folder)
+{
+  FoamFile file(folder / Zones, FoamFormat::Ascii, { "regIOobject", Location, {} });
+  file.text(std::to_string(zones.size()) + "\n(\n");
+  for (const FoamZone& zone : zones)
+  {
+    file.text(zone.name + "\n{\n    type cellZone;\n    cellLabels List<label> ");
+    file.labels(zone.cells.size(), [&](std::size_t i) { return zone.cells[i]; });
+    file.text(";\n}\n");
+  }
+  file.text(")\n");
+  file.close();
+}
+
 void writeFiles(
   const FoamMesh& mesh, const FoamBoundary& boundary, const fs::path& folder, FoamFormat format)
 {
@@ -100,6 +116,10 @@ void writeFiles(
   writeLabels(folder / "owner", mesh.faces.owner, note, format);
   writeLabels(folder / "neighbour", mesh.faces.neighbour, note, format);
   writeBoundary(boundary, mesh, folder);
+  if (!mesh.zones.empty())
+  {
+    writeZones(mesh.zones, folder);
+  }
 }
 
 void writeSystem(const fs::path& folder)
@@ -147,6 +167,10 @@ fs::path withoutMesh(const fs::path& kept)
   for (const char* name : MeshFiles)
   {
     fs::remove(kept / name);
+  }
+  if (FoamFile::isOurs(kept / Zones))
+  {
+    fs::remove(kept / Zones);
   }
   return fs::is_empty(kept) && fs::remove(kept) ? fs::path() : kept;
 }

@@ -9,15 +9,22 @@
 namespace cartesian
 {
 
+struct FoamZone
+{
+  std::string name;
+  std::vector<std::uint32_t> cells; // ascending
+};
+
 struct FoamMesh
 {
   const std::vector<double>& points; // three coordinates each; each point belongs to a face
   const CellFaces& cells;
   const FaceList& faces; // boundary faces in order of the patches
   const std::vector<FoamPatch>& patches;
+  std::vector<FoamZone> zones = {}; // cellZones; none: no such file
 };
 
-// Writes points, faces, owner, neighbour and boundary into `folder`/constant/polyMesh, and the files
+// Writes points, faces, owner, neighbour, boundary and, if there are zones, cellZones into `folder`/constant/polyMesh, and the files
 // system/controlDict, fvSchemes and fvSolution that checkMesh needs, if they are missing.
 //
 // If this function wrote an existing polyMesh for patches of the same names, that is replaced once the new

@@ -68,7 +68,7 @@ public:
     const State first{ energies_, m_.measures };
     for (int round = 0; round < Rounds; ++round)
     {
-      execution.poll();
+      execution.reach(double(round) / Rounds);
       differentiate();
       step();
       measure();
@@ -582,7 +582,8 @@ std::vector<std::uint32_t> optimiseNodes(const WallParts& parts, const std::vect
 {
   std::vector<std::vector<std::uint32_t>> changed(slabs.size());
   execution.forEach(slabs.size(), 1, [&](std::size_t s, std::size_t) {
-    Execution alone = execution.alone();
+    const auto count = static_cast<double>(slabs.size());
+    Execution alone = execution.alone(double(s) / count, double(s + 1) / count);
     WallMesh mesh = wallMesh(parts, slabs[s]);
     if (Optimiser(mesh, featureAngle).run(alone))
     {

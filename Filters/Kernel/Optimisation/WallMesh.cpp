@@ -2,6 +2,7 @@
 #include "Optimisation/WallMesh.h"
 
 #include "Base/EdgeTable.h"
+#include "Cells/Interfaces.h"
 #include "Faces/UsedVertices.h"
 #include "Lattice/PointSortKey.h"
 
@@ -43,12 +44,12 @@ public:
   WallMesh run()
   {
     listCells();
-    // A polyhedron of F faces has at most 2 F - 4 nodes.
     const std::size_t faces = p_.cells.all[end_].firstFace - p_.cells.all[first_].firstFace;
-    stateOf_.reset(2 * faces + 8 * (divided_[1] - divided_[0]));
+    const std::size_t nodes = mostNodes();
+    stateOf_.reset(nodes + 8 * (divided_[1] - divided_[0]));
     findMovable();
     listChanging();
-    localOf_.reset(2 * faces + 8 * hexahedra_.size());
+    localOf_.reset(nodes + 8 * hexahedra_.size());
     vertexOf_.reset(8 * hexahedra_.size());
     faceOf_.reset(faces + 6 * hexahedra_.size());
     quadOf_.reset(6 * hexahedra_.size());
@@ -85,6 +86,17 @@ private:
       divided_[end] = static_cast<std::size_t>(
         std::lower_bound(divided.begin(), divided.end(), box) - divided.begin());
     }
+  }
+
+  // Each node of a closed cell is at two of its faces or more: at no more than two where it lies within an edge.
+  std::size_t mostNodes() const
+  {
+    std::size_t corners = 0;
+    for (CellKey c = first_; c < end_; ++c)
+    {
+      forEachNodeOfCell(c, [&](std::uint32_t) { ++corners; });
+    }
+    return corners / 2;
   }
 
   bool isFree(CellKey c) const
@@ -185,7 +197,19 @@ private:
       {
         forEachNodeOfCell(c, [&](std::uint32_t node) { stateOf_.at(node, node) = Fixed; });
       }
+      fixInterfaces(c);
     }
+  }
+
+  // Nodes between two regions stay: two walls meet there.
+  void fixInterfaces(CellKey c)
+  {
+    forEachFace(c, [&](const FaceOfCell& face) {
+      if (isInterface(p_.cells, face))
+      {
+        forEachNodeOf(face, [&](std::uint32_t node) { stateOf_.at(node, node) = Fixed; });
+      }
+    });
   }
 
   template <class Visitor>

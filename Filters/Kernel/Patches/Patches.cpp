@@ -116,10 +116,16 @@ void copyChunk(const PatchChunk& chunk, std::size_t index, const Offsets& offset
   }
 }
 
-void checkSpec(const PatchSpec& spec)
+void checkSpec(const PatchSpec& spec, const Surface& surface)
 {
   requireInRange(PatchSpec::FeatureAngles, spec.featureAngle, "Feature Angle");
   requireInRange(PatchSpec::MergeAngles, spec.mergeAngle, "Merge Angle");
+  if (surface.walls.any() && spec.method == PatchMethod::MarchingCubes)
+  {
+    throw Error(Fault::BadParameter,
+      "Marching Cubes alone cannot show where several regions meet: choose Automatic or Exact "
+      "Fit.");
+  }
 }
 
 class PatchGenerator
@@ -156,6 +162,7 @@ public:
       BoxSurface piece;
       for (std::size_t n = begin; n < end; ++n)
       {
+        execution_.poll();
         chunk.readNext(piece);
         builder.addBox(intersected_[n], piece);
       }
@@ -173,6 +180,7 @@ private:
     BoxSurface piece;
     for (std::size_t n = begin; n < end; ++n)
     {
+      execution_.poll();
       const Box box = boxes_.box(intersected_[n]);
       const auto& global = boxes_.globalOf(box).index;
       const auto [first, last] = shoeboxes.triangles(boxes_.row(global[1], global[2]), global[0]);
@@ -180,11 +188,30 @@ private:
       PatchReason& reason = reasons_[intersected_[n]];
       if (spec_.method != PatchMethod::MarchingCubes)
       {
-        reason = spec_.method == PatchMethod::ExactFit ? PatchReason::ExactFitChosen
-                                                       : chooser.choose(box, piece);
+        reason = spec_.method == PatchMethod::ExactFit
+          ? PatchReason::ExactFitChosen
+          : chooser.choose(behindFirst(intersected_[n], box, piece), piece);
       }
       pieces.append(piece, reason != PatchReason::MarchingCubes);
     }
+  }
+
+  // With several regions, a corner counts as inside where it is behind the first of the walls: if the box
+  // has others, it is no box for Marching Cubes anyway.
+  Box behindFirst(std::uint32_t b, Box box, const BoxSurface& piece) const
+  {
+    if (!surface_.walls.any() || piece.triangles.empty())
+    {
+      return box;
+    }
+    const std::int32_t behind = surface_.walls.behind(surface_.boundary[piece.triangles[0]]);
+    unsigned bits = 0;
+    for (unsigned corner = 0; corner < 8; ++corner)
+    {
+      bits |= static_cast<unsigned>(boxes_.regionAt(b, corner) == behind) << corner;
+    }
+    box.corners = static_cast<std::uint8_t>(bits);
+    return box;
   }
 
   // Numbers the points and puts all chunks together.
@@ -211,6 +238,7 @@ private:
       copyChunk(ofChunk[i], i, offsets, numbering, surface_, patches);
     });
     patches.points.swap(numbering.points);
+    patches.walls = surface_.walls;
     patches.reason.reserve(intersected_.size());
     for (const std::uint32_t box : intersected_)
     {
@@ -240,7 +268,7 @@ bool isExact(const Patches& patches)
 Patches generatePatches(const Surface& surface, const Boxes& boxes, const Shoeboxes& shoeboxes,
   const PatchSpec& spec, Execution& execution)
 {
-  checkSpec(spec);
+  checkSpec(spec, surface);
   return PatchGenerator(surface, boxes, spec, execution).generate(shoeboxes);
 }
 

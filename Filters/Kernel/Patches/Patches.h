@@ -19,6 +19,7 @@ struct Patches
   RawVector<std::uint32_t> corners;  // ids of points
   RawVector<std::uint32_t> triangle; // of the surface, from which each polygon comes
   RawVector<std::int32_t> boundary;  // boundary index of each polygon
+  Walls walls;                       // of the surface
   std::vector<std::size_t> boxStart; // first polygon of the n-th intersected box, and the end
   std::vector<PatchReason> reason;   // of the n-th intersected box
 

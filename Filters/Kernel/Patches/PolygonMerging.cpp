@@ -97,6 +97,10 @@ void PolygonMerging::joinAcross(const MergeCandidate& candidate)
   }
   const bool pSliver = box_.isSliver(p);
   const bool sliver = pSliver || box_.isSliver(q);
+  if (!surface_.walls.areAlike(surface_.boundary[p.triangle], surface_.boundary[q.triangle]))
+  {
+    return;
+  }
   NormalCone cone = around(p.cone, q.cone);
   if (sliver)
   {

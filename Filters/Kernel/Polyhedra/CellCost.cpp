@@ -28,6 +28,9 @@ constexpr double FairShare = 0.15;
 constexpr double FairDeterminant = 0.02;
 constexpr double MostOfDeterminant = 8;
 
+// Of a cell's largest face.
+constexpr double NegligibleShare = 1e-4;
+
 // Cells of this share and more are not small at all.
 constexpr double LargeShare = 0.6;
 
@@ -138,6 +141,16 @@ double costOfFace(
                                                      : costOfInnerFace(cell, shape, face, beyond);
 }
 
+double negligibleArea(const CellShape& shape)
+{
+  double largest = 0;
+  for (const FaceShape& face : shape.faces)
+  {
+    largest = std::max(largest, dot(face.area, face.area));
+  }
+  return NegligibleShare * std::sqrt(largest);
+}
+
 double costOfShare(double share)
 {
   return share >= LargeShare ? 0 : bounded(square(FairShare / std::max(share, Tiny)));
@@ -170,9 +183,11 @@ double costOfDeterminant(const Polyhedron& cell, const CellShape& shape)
 
 bool isEasy(const Polyhedron& cell, const CellShape& shape)
 {
+  const double negligible = negligibleArea(shape);
   for (std::size_t f = 0; f < cell.faces(); ++f)
   {
-    if (cell.isBoundary[f] && costOfBoundaryFace(cell, shape, f) > PoorCost)
+    if (norm(shape.faces[f].area) < negligible ||
+      (cell.isBoundary[f] && costOfBoundaryFace(cell, shape, f) > PoorCost))
     {
       return false;
     }

@@ -15,6 +15,12 @@ namespace cartesian
 double costOfFace(
   const Polyhedron& cell, const CellShape& shape, std::size_t face, const NeighbourCell& beyond);
 
+// Faces of a smaller area are negligible: they join any neighbour, of another boundary too.
+double negligibleArea(const CellShape& shape);
+
+// What a negligible face costs besides: it is worth mending.
+constexpr double CostOfNegligible = 4;
+
 // Of the cell itself. `share`: its volume as a part of its box's.
 double costOfShare(double share);
 
@@ -25,7 +31,7 @@ constexpr double PoorCost = 3;
 // and velocity along it are at the mercy of rounding there.
 double costOfDeterminant(const Polyhedron& cell, const CellShape& shape);
 
-// Whether none of its boundary faces costs more than PoorCost, nor its determinant.
+// Whether none of its boundary faces costs more than PoorCost, nor its determinant, and no face is negligible.
 bool isEasy(const Polyhedron& cell, const CellShape& shape);
 
 }

@@ -131,6 +131,24 @@ bool CellComplex::isAlive(CellKey key) const
   return key >= cells_.size() || !cells_.all[key].removed;
 }
 
+std::int32_t CellComplex::regionOf(CellKey key) const
+{
+  const OpenCell* cell = opened(key);
+  const CellKey origin = cell ? cell->origin : key;
+  return origin < cells_.size() ? cells_.all[origin].region
+                                : boxes_.regionOf(static_cast<std::size_t>(origin - cells_.size()));
+}
+
+bool CellComplex::isInterface(const FaceUse& use) const
+{
+  if (boxes_.regions.empty() || isPatch(use.face))
+  {
+    return false;
+  }
+  const auto& [below, above] = cellsOf(use.face);
+  return below != None && above != None && regionOf(below) != regionOf(above);
+}
+
 std::uint32_t CellComplex::boxOf(CellKey key) const
 {
   if (const OpenCell* cell = opened(key))
@@ -154,7 +172,7 @@ void CellComplex::addFaceTo(Polyhedron& shape, const FaceUse& use, const Point& 
     shape.corners[first + i] = static_cast<std::uint32_t>(first + i);
   }
   const CellKey other = across(use);
-  shape.closeFace(other == None || !isAlive(other));
+  shape.closeFace(other == None || !isAlive(other) || isInterface(use));
 }
 
 void CellComplex::shape(CellKey key, Polyhedron& shape) const
@@ -357,6 +375,10 @@ bool CellComplex::mayMerge(const std::vector<CellKey>& keys) const
   Layers all = layersOf(keys.front());
   for (const CellKey key : keys)
   {
+    if (regionOf(key) != regionOf(keys.front()))
+    {
+      return false;
+    }
     const Layers layers = layersOf(key);
     all = { std::min(all.begin, layers.begin), std::max(all.end, layers.end) };
   }
@@ -498,9 +520,10 @@ void CellComplex::view(const std::vector<CellKey>& keys, CellView& view) const
     view.faces.push_back(face.use);
     view.across.push_back(exposed ? CellKey(None) : face.other);
     view.boundary.push_back(exposed ? boundaryOfCell(face.other) : boundaryOf(face.use.face));
+    const bool isBetween = isInterface(face.use);
     view.fixed.push_back(face.other == None || isActing(face.other) ? 0 : 1);
     view.shape.corners.insert(view.shape.corners.end(), corner(face.begin), corner(face.end));
-    view.shape.closeFace(view.across.back() == None);
+    view.shape.closeFace(view.across.back() == None || isBetween);
   }
 }
 

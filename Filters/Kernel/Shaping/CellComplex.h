@@ -48,8 +48,8 @@ public:
   void shape(CellKey key, Polyhedron& shape) const;
   void lookAround(CellKey key, MeasuredCell& cell) const;
 
-  // The cells beyond its faces that are alive, each with the area between them (lattice levels),
-  // the largest first.
+  // The cells of its region beyond its faces that are alive, each with the area between them (lattice
+  // levels), the largest first.
   std::vector<std::pair<CellKey, double>> neighbours(CellKey key) const;
 
   // Whether is(other) for a cell beyond one of its faces.
@@ -78,8 +78,10 @@ public:
   // Whether the slab also looks after it: is free, and its box lies in the slab's acting layers.
   bool isActing(CellKey key) const;
 
-  // Whether all are free and do not lie in too many layers for one cell.
+  // Whether all are free, of one region, and do not lie in too many layers for one cell.
   bool mayMerge(const std::vector<CellKey>& keys) const;
+
+  std::int32_t regionOf(CellKey key) const;
 
   // 1 if it belongs to the part that is meshed (Boxes::core), else 0.
   std::size_t counts(CellKey key) const { return boxes_.isCore(boxes_.packed[boxOf(key)]) ? 1 : 0; }
@@ -122,7 +124,8 @@ public:
   // That most of its patches belonged to, or NoBoundary.
   std::int32_t boundaryOfCell(CellKey key) const;
 
-  // Whether one of its faces is a boundary face now.
+  // Whether one of its faces is a boundary face now, and none is another region's too: what goes there leaves
+  // a hole.
   bool isAtBoundary(CellKey key) const;
 
   // Of its boundary faces as they are now, that with the largest area; without any, its own.
@@ -254,6 +257,10 @@ private:
   }
   std::array<CellKey, 2> cellsOf(std::uint32_t face) const;
   CellKey across(const FaceUse& use) const;
+
+  // Whether a face is between two regions. For solvers of one of them it is at the boundary; but a cut of it
+  // is one for both.
+  bool isInterface(const FaceUse& use) const;
   void setCell(const FaceUse& use, CellKey key);
   bool hasChanged(CellKey key) const;
   bool isSeen(CellKey key) const;

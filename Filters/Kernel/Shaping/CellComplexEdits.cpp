@@ -92,6 +92,7 @@ std::uint32_t CellComplex::own(std::uint32_t face, CellKey cell)
   else
   {
     copy.cells = cellsOf(face);
+    copy.boundary = inner_.wallOf(face - firstInner());
     const Side& side = sides_.common[whole_.sideOf[face - firstInner()]];
     for (std::size_t k = 0; k < 2; ++k)
     {
@@ -613,7 +614,7 @@ void CellComplex::remove(CellKey key)
   for (const FaceUse& use : faces)
   {
     const CellKey other = across(use);
-    if (other != None && other >= cells_.size() && !isInner(use.face))
+    if (other != None && other >= cells_.size() && (!isInner(use.face) || isFree(other)))
     {
       open(other);
       opened(other)->change(now_);
@@ -636,7 +637,7 @@ std::int32_t CellComplex::boundaryOf(std::uint32_t face) const
   }
   if (isInner(face))
   {
-    return NoBoundary;
+    return inner_.wallOf(face - firstInner());
   }
   return isShaped(face) ? shaped(face).boundary : cells_.shaped.boundary[face - firstGiven()];
 }
@@ -650,11 +651,13 @@ std::int32_t CellComplex::boundaryOfCell(CellKey key) const
 bool CellComplex::isAtBoundary(CellKey key) const
 {
   bool any = false;
+  bool border = false;
   forEachFace(key, [&](const FaceUse& use) {
     const CellKey other = across(use);
     any = any || other == None || !isAlive(other);
+    border = border || isInterface(use);
   });
-  return any;
+  return any && !border;
 }
 
 std::int32_t CellComplex::mainBoundary(CellKey key) const

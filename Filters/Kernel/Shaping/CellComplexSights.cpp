@@ -29,10 +29,10 @@ bool CellComplex::allSights(CellKey key, Accept&& accept) const
     {
       return;
     }
-    // A face that has become a shaped one since is not among these.
-    sure =
-      isSeen(other) && (!isShaped(use.face) || use.face - firstShaped() < sightsOfShaped_.size());
-    if (sure && isAlive(other))
+    // A face that has become a shaped one since is not among these, nor is one that a removed cell exposes.
+    sure = isAlive(other) && isSeen(other) &&
+      (!isShaped(use.face) || use.face - firstShaped() < sightsOfShaped_.size());
+    if (sure)
     {
       const auto& [below, above] = isShaped(use.face) ? sightsOfShaped_[use.face - firstShaped()]
                                                       : whole_.sights[use.face - firstInner()];

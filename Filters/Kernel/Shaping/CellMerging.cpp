@@ -51,12 +51,8 @@ constexpr double LeastShare = 0.75;
 constexpr double MostShare = 1.6;
 
 // Where nothing narrower helps, faces of a cell that solvers refuse are joined up to these angles, in degrees.
-struct WideAngles
-{
-  double boundary;
-  double inner;
-};
-constexpr std::array<WideAngles, 2> WiderAngles{ { { 45, 60 }, { 90, 120 } } };
+constexpr double WideBoundaryAngle = 60;
+constexpr double WideInnerAngle = 90;
 
 // One with fewer faces that solvers refuse is better than one that gains more.
 bool isBetter(const CellUnion& a, const CellUnion& b)
@@ -142,12 +138,13 @@ void CellMerger::run(std::vector<CellKey> keys, Look&& look)
   for (int round = 0; round < MostRounds && !keys.empty(); ++round)
   {
     const std::uint32_t mark = cells_.mark();
-    for (const Candidate& candidate : list(keys, look))
+    const std::vector<Candidate> candidates = list(keys, look);
+    for (std::size_t i = 0; i < candidates.size(); ++i)
     {
-      execution_.poll();
-      if (cells_.isAlive(candidate.key))
+      execution_.reach(round == 0 ? double(i) / double(candidates.size()) : 1);
+      if (cells_.isAlive(candidates[i].key))
       {
-        look(candidate.key, true);
+        look(candidates[i].key, true);
       }
     }
     keys = cells_.polyhedraChangedSince(mark);
@@ -285,18 +282,15 @@ void CellMerger::simplifyBest(
   {
     findBest(key, own, mostNeighbours, leastGain, spec_.joins, true);
   }
-  else if (own.worst >= StrainedCost)
+  else if (own.worst > PoorCost)
   {
     trial_.keys.assign(1, key);
     tryOut(own, leastGain, spec_.joins, true);
   }
-  for (const WideAngles& angles : WiderAngles)
+  if (own.refused > 0 && !isMended())
   {
-    if (own.refused > 0 && !isMended())
-    {
-      findBest(key, own, mostNeighbours, leastGain,
-        { std::cos(radians(angles.boundary)), std::cos(radians(angles.inner)) }, true);
-    }
+    findBest(key, own, mostNeighbours, leastGain,
+      { std::cos(radians(WideBoundaryAngle)), std::cos(radians(WideInnerAngle)) }, true);
   }
 }
 

@@ -72,13 +72,17 @@ public:
 
   Shaping run()
   {
+    execution_.stage("Merging", 0, 0.25);
     removeSmall(Sliver);
     mergeSmall();
     if (spec_.splitConcave)
     {
+      execution_.stage("Splitting", 0.25, 0.6);
       split();
+      execution_.stage("Merging", 0.6, 0.7);
       mergeSmall();
     }
+    execution_.stage("Improving", 0.7, 1);
     improve();
     removeSmall(1);
     return result();
@@ -88,11 +92,13 @@ public:
   // whole cells. Each time what is exposed may be saved again.
   Shaping removeRefused()
   {
+    execution_.stage("Improving", 0, 0.4);
     improve();
     removeTips();
     removeSmall(1);
     for (std::size_t pass = 0; pass < LargestShares.size(); ++pass)
     {
+      execution_.stage("Removing", 0.4 + 0.075 * double(pass), 0.4 + 0.075 * double(pass + 1));
       std::vector<CellKey> keys = merger_.refused(isLast_);
       if (keys.empty())
       {
@@ -126,7 +132,8 @@ private:
   {
     if (merges_ && mergeSpec_.simplifies)
     {
-      cartesian::removeTips(complex_, merger_.lookedAfter(isLast_), small_, LargestTip);
+      cartesian::removeTips(
+        complex_, merger_.lookedAfter(isLast_), small_, LargestTip, mergeSpec_.joins);
       improve();
     }
   }
@@ -257,7 +264,8 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
       std::vector<Shaping> shapings(slabs.size());
       execution.nextLoop(share);
       execution.forEach(slabs.size(), 1, [&](std::size_t s, std::size_t) {
-        Execution alone = execution.alone();
+        const auto count = static_cast<double>(slabs.size());
+        Execution alone = execution.alone(double(s) / count, double(s + 1) / count);
         complexes[s] = std::make_unique<CellComplex>(whole, slabs[s]);
         Shaper shaper(*complexes[s], small, spec, exact, isLast, alone);
         shapings[s] = shape(shaper);

@@ -4,6 +4,7 @@
 #include "Shaping/CutSearch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -100,9 +101,12 @@ public:
     for (int round = 0; !failing.empty() && round < MostRounds; ++round)
     {
       next_.clear();
-      for (const CellKey key : worstFirst(failing))
+      const std::vector<CellKey> order = worstFirst(failing);
+      for (std::size_t i = 0; i < order.size(); ++i)
       {
-        execution_.poll();
+        const CellKey key = order[i];
+        execution_.reach(doneBefore(round) +
+          (doneBefore(round + 1) - doneBefore(round)) * double(i) / double(order.size()));
         if (fails(cells_, key))
         {
           split(key);
@@ -124,12 +128,16 @@ public:
   }
 
 private:
+  // Each round does half of what is left, about.
+  static double doneBefore(int round) { return 1 - std::ldexp(1.0, -round); }
+
   std::vector<CellKey> worstFirst(const std::vector<CellKey>& failing) const
   {
     std::vector<std::pair<float, CellKey>> order; // equal but for rounding is equal
     MeasuredCell cell;
     for (const CellKey key : failing)
     {
+      execution_.poll();
       cells_.lookAround(key, cell);
       const double area = faultsOf(cell.shape, cell.measures, cell.beyond).area;
       order.emplace_back(-static_cast<float>(area), key);

@@ -22,9 +22,9 @@ constexpr double CostOfVolume = 1000;
 // Joined faces change a cell's volume by no more than this factor.
 constexpr double LeastVolumeKept = 0.8;
 
-// Cosines of angles at which faces are joined: those that solvers refuse; that strain them (40 degrees).
+// Cosines of angles at which faces are joined: those that solvers refuse; that strain them (107 degrees).
 constexpr double AnyAngle = -1;
-constexpr double CosineOfStrained = 0.766;
+constexpr double CosineOfStrained = -0.3;
 
 // Costs have to fall by more than rounding.
 constexpr double LeastGain = 1e-6;
@@ -109,13 +109,15 @@ FaceCosts costsOf(const Polyhedron& cell, const CellShape& shape,
   FaceCosts costs;
   double worstRefused = -1;
   Refusal refusal(cell, shape, beyond);
+  const double negligible = negligibleArea(shape);
   for (std::uint32_t f = 0; f < cell.faces() && costs.sum <= most; ++f)
   {
     if (!counts.empty() && !counts[f])
     {
       continue;
     }
-    const double cost = costOfFace(cell, shape, f, beyond[f]);
+    const double cost = costOfFace(cell, shape, f, beyond[f]) +
+      (norm(shape.faces[f].area) < negligible ? CostOfNegligible : 0);
     costs.sum += cost;
     costs.toMend = cost > costs.worst && costs.refused == 0 ? f : costs.toMend;
     costs.worst = std::max(costs.worst, cost);
@@ -135,6 +137,11 @@ double UnionTrial::tryOut(CellUnion& cells, const JoinSpec& joins, double most)
 {
   cells_.view(cells.keys, cells.view);
   cells_.lookBeyond(cells.keys.front(), cells.view);
+  return tryOutView(cells, joins, most);
+}
+
+double UnionTrial::tryOutView(CellUnion& cells, const JoinSpec& joins, double most)
+{
   measure(cells.view.shape, shape_);
   if (costsOf(cells.view.shape, shape_, cells.view.beyond, {}, most).sum > most)
   {

@@ -55,9 +55,12 @@ public:
   // joined.
   double tryOut(CellUnion& cells, const JoinSpec& joins, double most);
 
+  // The same of cells that the view shows already.
+  double tryOutView(CellUnion& cells, const JoinSpec& joins, double most = Never);
+
   // Of the union tried out last: as long as solvers refuse a face, or are strained by one, joins that which
-  // costs most with the neighbour that helps most: the first at any angle, the second where the surface
-  // hardly turns. Returns the cost in the end.
+  // costs most with the neighbour that helps most: the first at any angle, the second up to a bit more
+  // than a right angle. Returns the cost in the end.
   double simplify(CellUnion& cells, double cost);
 
   // That can be merged: no two of its faces have the same nodes, nor a face near by.

@@ -12,11 +12,12 @@ namespace cartesian
 namespace
 {
 
-// A cell tries as many cuts for a start, the worst concave edges first.
+// A cell tries as many cuts for a start, the worst concave edges first; and is halved at as many faces, the
+// largest first.
 constexpr std::size_t MostCandidates = 8;
 
 // Cells of more faces stay whole: the time to look for a cut grows with the square of their number.
-constexpr std::size_t MostFaces = 1000;
+constexpr std::size_t MostFaces = 250;
 
 // Edges bent by less than this (as a sine) are flat.
 constexpr double LeastBend = 1e-3;
@@ -161,20 +162,36 @@ private:
   // Across the centre, or half-way to a face at fault, which is nearer to the centre of its part then.
   void halve()
   {
-    bool any = false;
-    for (std::size_t face = 0; face < cell_.faces(); ++face)
+    const std::vector<std::size_t> faces = largestAtFault();
+    if (!faces.empty())
     {
-      if (!isAtFault(cell_, shape_, face))
-      {
-        continue;
-      }
-      if (!any)
-      {
-        halveAt(shape_.centre);
-      }
-      any = true;
+      halveAt(shape_.centre);
+    }
+    for (const std::size_t face : faces)
+    {
       halveAt(plus(shape_.centre, scaled(minus(shape_.faces[face].centre, shape_.centre), 0.5)));
     }
+  }
+
+  std::vector<std::size_t> largestAtFault() const
+  {
+    std::vector<std::pair<float, std::size_t>> order; // equal but for rounding is equal
+    for (std::size_t face = 0; face < cell_.faces(); ++face)
+    {
+      if (isAtFault(cell_, shape_, face))
+      {
+        order.emplace_back(-static_cast<float>(norm(shape_.faces[face].area)), face);
+      }
+    }
+    std::sort(order.begin(), order.end());
+    order.resize(std::min(order.size(), MostCandidates));
+    std::vector<std::size_t> faces;
+    for (const auto& [area, face] : order)
+    {
+      faces.push_back(face);
+    }
+    std::sort(faces.begin(), faces.end());
+    return faces;
   }
 
   void halveAt(const Vector& at)

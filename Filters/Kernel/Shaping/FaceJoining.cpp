@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/FaceJoining.h"
 
+#include "Polyhedra/CellCost.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -94,6 +96,14 @@ bool fitsTogether(const Polyhedron& faces, double leastCosine, bool flat)
   return (!flat || isFlat(faces, shape, 2, RoundingLevels)) && isStar(faces, 2, normal);
 }
 
+// ... where one of the two is negligible.
+bool fitsWithNegligible(const Polyhedron& faces)
+{
+  CellShape shape;
+  measure(faces, shape);
+  return isStar(faces, 2, unit(shape.faces[2].area));
+}
+
 void addRing(const std::vector<std::uint32_t>& ring, Polyhedron& shape)
 {
   shape.corners.insert(shape.corners.end(), ring.begin(), ring.end());
@@ -113,6 +123,7 @@ public:
     {
       normals_.push_back(unit(face.area));
     }
+    negligible_ = spec.boundary < 1 ? negligibleArea(shape) : 0;
   }
 
   // A group with each of its neighbours in turn.
@@ -270,8 +281,15 @@ private:
   // Of two faces, before a closer look.
   bool mayFit(std::uint32_t f, std::uint32_t g) const
   {
-    if (f == g || view_.across[f] != view_.across[g] || view_.fixed[f] || view_.fixed[g] ||
-      (!isInner(f) && view_.boundary[f] != view_.boundary[g]))
+    if (f == g || view_.across[f] != view_.across[g] || view_.fixed[f] || view_.fixed[g])
+    {
+      return false;
+    }
+    if (isNegligible(f) || isNegligible(g))
+    {
+      return true;
+    }
+    if (!isInner(f) && view_.boundary[f] != view_.boundary[g])
     {
       return false;
     }
@@ -298,14 +316,37 @@ private:
     return true;
   }
 
-  bool isInner(std::uint32_t f) const { return view_.across[f] != None; }
-  double leastCosine(std::uint32_t f) const { return isInner(f) ? spec_.inner : spec_.boundary; }
+  // For solvers of one region a face between two is at the boundary; but nobody asks the cell beyond.
+  bool isInterface(std::uint32_t f) const
+  {
+    return view_.across[f] != None && view_.shape.isBoundary[f];
+  }
+  bool isInner(std::uint32_t f) const { return view_.across[f] != None && !isInterface(f); }
+  bool isNegligible(std::uint32_t f) const
+  {
+    return norm(shape_.faces[f].area) < negligible_ && !isInterface(f);
+  }
+  bool isNegligible(const JoinedFaces::Group& group) const
+  {
+    return std::all_of(
+      group.members.begin(), group.members.end(), [&](std::uint32_t f) { return isNegligible(f); });
+  }
+  double leastCosine(std::uint32_t f) const
+  {
+    const double boundary =
+      isInterface(f) ? std::max(spec_.boundary, FlatInterface) : spec_.boundary;
+    return isInner(f) ? spec_.inner : boundary;
+  }
 
   bool join(std::uint32_t g, std::uint32_t h)
   {
     if (g == h)
     {
       return false;
+    }
+    if (isNegligible(joined_.groups[g])) // a joined face belongs to what its first member does
+    {
+      std::swap(g, h);
     }
     JoinedFaces::Group& first = joined_.groups[g];
     JoinedFaces::Group& second = joined_.groups[h];
@@ -321,7 +362,8 @@ private:
     addRing(second.ring, trial_);
     addRing(ring, trial_);
     const double least = leastCosine(first.members.front());
-    if (!fitsTogether(trial_, least, least >= 1))
+    if (!(isNegligible(second) ? fitsWithNegligible(trial_)
+                               : fitsTogether(trial_, least, least >= 1)))
     {
       return false;
     }
@@ -448,11 +490,13 @@ private:
 
   // Cosine of normals of faces that might lie on one plane.
   static constexpr double NearlyFlat = 0.999;
+  static constexpr double FlatInterface = 0.866; // cosine of 30 degrees
 
   const CellView& view_;
   const CellShape& shape_;
   JoinSpec spec_;
   std::vector<Vector> normals_; // of faces
+  double negligible_;           // areas; on one plane only, none is
   JoinedFaces joined_;
   std::vector<std::uint32_t> groupOf_;                         // of faces
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_; // of neighbouring faces

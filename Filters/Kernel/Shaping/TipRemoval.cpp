@@ -5,6 +5,8 @@
 #include "Shaping/CellUnion.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <set>
 
 namespace cartesian
@@ -14,46 +16,80 @@ namespace
 {
 
 // Cosine of 45 degrees: what leans more from the surface is a step.
-constexpr double LeastCosine = 0.7071;
+constexpr double StepCosine = 0.7071;
+
+// Cosine of 30 degrees: where the surface turns more, a ledge of this part of a box's side is none.
+constexpr double TurnCosine = 0.866;
+constexpr double LargestLedge = 0.02;
+
+// Cells with a poor determinant are tips up to a size that is larger by this factor.
+constexpr double LargerOfPoorDeterminant = 2;
+
+// Tips side by side that hold more than as many of the largest are no tip.
+constexpr double MostSideBySide = 2;
 
 class TipSearch
 {
 public:
-  explicit TipSearch(CellComplex& cells)
+  TipSearch(CellComplex& cells, const JoinSpec& joins)
     : cells_(cells)
+    , joins_(joins)
+    , trying_(cells)
   {
   }
 
-  bool mayGo(CellKey key)
+  // Smaller than this part of its box, or not much larger where its determinant is poor.
+  bool isSmall(CellKey key, double largest)
   {
-    cells_.lookAround(key, tip_);
-    const bool isAlone = std::all_of(
-      tip_.across.begin(), tip_.across.end(), [](CellKey other) { return other == None; });
-    if (isAlone || leavesStep())
+    const double share = cells_.share(key);
+    if (share < largest || share >= LargerOfPoorDeterminant * largest)
+    {
+      return share < largest;
+    }
+    cells_.shape(key, cell_.shape);
+    measure(cell_.shape, cell_.measures);
+    return costOfDeterminant(cell_.shape, cell_.measures) > PoorCost;
+  }
+
+  // Cells side by side.
+  bool mayGo(const std::vector<CellKey>& keys)
+  {
+    cells_.view(keys, tip_);
+    measure(tip_.shape, shape_);
+    std::vector<CellKey> around;
+    std::copy_if(tip_.across.begin(), tip_.across.end(), std::back_inserter(around),
+      [](CellKey other) { return other != None; });
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    if (around.empty() || leavesStep(keys.front()))
     {
       return false;
     }
-    const double worst = std::max({ costsOf(tip_.shape, tip_.measures, tip_.beyond).worst,
-      costOfShare(cells_.share(key)), costOfDeterminant(tip_.shape, tip_.measures) });
-    std::vector<CellKey> around = tip_.across;
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
+    const double worst = worstCost(keys);
     return std::all_of(around.begin(), around.end(),
-      [&](CellKey other) { return other == None || isFairWithout(other, key, worst); });
+      [&](CellKey other) { return isFairWithout(other, keys, worst); });
   }
 
 private:
-  bool leavesStep() const
+  // Whether what is exposed leans from all patches that it replaces.
+  bool leavesStep(CellKey key) const
   {
-    Vector boundary{};
+    std::vector<Vector> normals;
     for (std::size_t f = 0; f < tip_.across.size(); ++f)
     {
-      boundary = tip_.across[f] == None ? plus(boundary, tip_.measures.faces[f].area) : boundary;
+      if (tip_.across[f] == None)
+      {
+        normals.push_back(unit(shape_.faces[f].area));
+      }
     }
-    const Vector normal = unit(boundary);
+    const double side = std::pow(cells_.volumeOfBox(key), 2.0 / 3);
+    const double ledge = turns(normals) ? LargestLedge * side : 0;
     for (std::size_t f = 0; f < tip_.across.size(); ++f)
     {
-      if (tip_.across[f] != None && -dot(unit(tip_.measures.faces[f].area), normal) < LeastCosine)
+      const Vector normal = scaled(unit(shape_.faces[f].area), -1);
+      if (tip_.across[f] != None && norm(shape_.faces[f].area) > ledge &&
+        std::none_of(normals.begin(), normals.end(),
+          [&](const Vector& patch) { return dot(patch, normal) >= StepCosine; }))
       {
         return true;
       }
@@ -61,52 +97,140 @@ private:
     return false;
   }
 
-  // Whether solvers accept a cell with boundary faces towards one that is gone, and nothing is worse than it was, or
-  // costs more than `most`.
-  bool isFairWithout(CellKey other, CellKey gone, double most)
+  static bool turns(const std::vector<Vector>& normals)
+  {
+    for (std::size_t i = 0; i < normals.size(); ++i)
+    {
+      for (std::size_t k = 0; k < i; ++k)
+      {
+        if (dot(normals[i], normals[k]) < TurnCosine)
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  double worstCost(const std::vector<CellKey>& keys)
+  {
+    double worst = 0;
+    for (const CellKey key : keys)
+    {
+      cells_.lookAround(key, cell_);
+      worst = std::max({ worst, costsOf(cell_.shape, cell_.measures, cell_.beyond).worst,
+        costOfShare(cells_.share(key)), costOfDeterminant(cell_.shape, cell_.measures) });
+    }
+    return worst;
+  }
+
+  // Whether solvers accept a cell with boundary faces towards those that are gone, which become one with others
+  // where that helps, and nothing is worse than it was, or costs more than `most`.
+  bool isFairWithout(CellKey other, const std::vector<CellKey>& gone, double most)
   {
     if (!cells_.isFree(other))
     {
       return false;
     }
     cells_.open(other); // a hexahedron has no faces of its own
-    cells_.lookAround(other, beside_);
-    const double before = costsOf(beside_.shape, beside_.measures, beside_.beyond).worst;
-    for (std::size_t f = 0; f < beside_.across.size(); ++f)
+    CellView& view = without_.view;
+    without_.keys.assign(1, other);
+    cells_.view(without_.keys, view);
+    cells_.lookBeyond(other, view);
+    measure(view.shape, shape_);
+    const double before = costsOf(view.shape, shape_, view.beyond).worst;
+    for (std::size_t f = 0; f < view.across.size(); ++f)
     {
-      if (beside_.across[f] == gone)
+      if (std::find(gone.begin(), gone.end(), view.across[f]) != gone.end())
       {
-        beside_.shape.isBoundary[f] = 1;
-        beside_.beyond[f] = {};
+        view.shape.isBoundary[f] = 1;
+        view.boundary[f] = cells_.mainBoundary(view.across[f]);
+        view.across[f] = None;
+        view.beyond[f] = {};
       }
     }
-    const FaceCosts costs = costsOf(beside_.shape, beside_.measures, beside_.beyond);
-    return costs.refused == 0 && costs.worst <= std::max({ most, before, StrainedCost });
+    const double cost = trying_.tryOutView(without_, joins_);
+    return cost < Never && trying_.simplify(without_, cost) < Never &&
+      without_.costs.refused == 0 &&
+      without_.costs.worst <= std::max({ most, before, StrainedCost });
   }
 
   CellComplex& cells_;
-  MeasuredCell tip_;
-  MeasuredCell beside_;
+  const JoinSpec& joins_;
+  UnionTrial trying_;
+
+  // Kept for their memory:
+  CellView tip_;
+  CellShape shape_;
+  MeasuredCell cell_;
+  CellUnion without_;
 };
+
+// Those that are side by side, each in one list, in order of their first.
+std::vector<std::vector<CellKey>> sideBySide(
+  const CellComplex& cells, const std::vector<CellKey>& tips)
+{
+  std::vector<std::vector<CellKey>> groups;
+  std::set<CellKey> left(tips.begin(), tips.end());
+  while (!left.empty())
+  {
+    std::vector<CellKey> group{ *left.begin() };
+    left.erase(left.begin());
+    for (std::size_t i = 0; i < group.size(); ++i)
+    {
+      for (const auto& [other, area] : cells.neighbours(group[i]))
+      {
+        if (left.erase(other) > 0)
+        {
+          group.push_back(other);
+        }
+      }
+    }
+    std::sort(group.begin(), group.end());
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
 
 }
 
-void removeTips(
-  CellComplex& cells, const std::vector<CellKey>& keys, const SmallCellSpec& small, double largest)
+void removeTips(CellComplex& cells, const std::vector<CellKey>& keys, const SmallCellSpec& small,
+  double largest, const JoinSpec& joins)
 {
-  TipSearch search(cells);
+  TipSearch search(cells, joins);
+  std::vector<CellKey> tips;
+  std::copy_if(keys.begin(), keys.end(), std::back_inserter(tips), [&](CellKey key) {
+    return cells.isAtBoundary(key) &&
+      search.isSmall(key, ratioOf(small, cells.mainBoundary(key), largest));
+  });
   std::set<CellKey> beside;
-  for (const CellKey key : keys)
-  {
-    const double share = cells.share(key);
-    if (share < largest && beside.count(key) == 0 && cells.isAtBoundary(key) &&
-      share < ratioOf(small, cells.mainBoundary(key), largest) && search.mayGo(key))
+  const auto tryOut = [&](const std::vector<CellKey>& group) {
+    const auto isBeside = [&](CellKey key) { return beside.count(key) > 0; };
+    if (std::any_of(group.begin(), group.end(), isBeside) || !search.mayGo(group))
+    {
+      return false;
+    }
+    for (const CellKey key : group)
     {
       for (const auto& [other, area] : cells.neighbours(key))
       {
         beside.insert(other);
       }
-      cells.remove(key);
+    }
+    std::for_each(group.begin(), group.end(), [&](CellKey key) { cells.remove(key); });
+    return true;
+  };
+  const auto shareOf = [&](double sum, CellKey key) { return sum + cells.share(key); };
+  for (const std::vector<CellKey>& group : sideBySide(cells, tips))
+  {
+    const bool isTip =
+      std::accumulate(group.begin(), group.end(), 0.0, shareOf) < MostSideBySide * largest;
+    if (!isTip || !tryOut(group))
+    {
+      for (std::size_t i = 0; group.size() > 1 && i < group.size(); ++i)
+      {
+        tryOut({ group[i] });
+      }
     }
   }
 }

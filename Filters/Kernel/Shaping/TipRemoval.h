@@ -10,9 +10,10 @@ namespace cartesian
 {
 
 // Removes, in order, those of these cells that are smaller than `largest` volumes of their box (or than R where
-// their boundary has its own), where that leaves no step: what it exposes faces the way that the cell's boundary
-// does, and is no worse for solvers than what was there. Of neighbours only one goes.
-void removeTips(
-  CellComplex& cells, const std::vector<CellKey>& keys, const SmallCellSpec& small, double largest);
+// their boundary has its own), where that leaves no step: what it exposes faces the way that a patch of the cell
+// does, and, as far as `joins` allows as one face with its neighbours, is no worse for solvers than what was there.
+// Tips side by side go together, or else one of them.
+void removeTips(CellComplex& cells, const std::vector<CellKey>& keys, const SmallCellSpec& small,
+  double largest, const JoinSpec& joins);
 
 }

@@ -88,13 +88,14 @@ struct OrderedTriangle
 {
   std::array<std::uint32_t, 3> sorted;
   std::array<std::uint32_t, 3> vertices; // the lowest first
+  std::int32_t region;
   std::int32_t boundary;
   std::uint32_t given;
 
   bool operator<(const OrderedTriangle& other) const
   {
-    return std::tie(sorted, vertices, boundary) <
-      std::tie(other.sorted, other.vertices, other.boundary);
+    return std::tie(sorted, vertices, region, boundary) <
+      std::tie(other.sorted, other.vertices, other.region, other.boundary);
   }
 };
 
@@ -110,6 +111,7 @@ OrderedTriangle orderedTriangle(
   t.vertices = std::min({ t.vertices, { q, r, p }, { r, p, q } }); // also where it names one twice
   t.sorted = t.vertices;
   std::sort(t.sorted.begin(), t.sorted.end());
+  t.region = view.region ? view.region[triangle] : FirstRegion;
   t.boundary = view.boundary ? view.boundary[triangle] : 0;
   t.given = static_cast<std::uint32_t>(triangle);
   return t;
@@ -132,6 +134,10 @@ void addTriangles(
   {
     surface.triangles.push_back(t.vertices);
     surface.boundary.push_back(t.boundary);
+    if (view.region)
+    {
+      surface.region.push_back(t.region);
+    }
     surface.given.push_back(t.given);
   }
 }

@@ -4,8 +4,10 @@
 
 #include "Base/Execution.h"
 #include "Lattice/Crossing.h"
+#include "Surface/Walls.h"
 #include "Surface/Winding.h"
 
+#include <string>
 #include <vector>
 
 namespace cartesian
@@ -20,15 +22,14 @@ struct SurfaceView
   std::size_t triangleCount = 0;
   const std::int32_t* boundary = nullptr; // boundary index of each triangle; null: all 0
   const long long* cells = nullptr; // the user's number of each triangle, for messages, or null
+  const std::int32_t* region =
+    nullptr; // of each triangle, from FirstRegion; null: there is only one
+  const std::vector<std::string>* regionNames = nullptr; // in order, for messages; null: none
 };
 
 // The bounds of all points that triangles use. Throws Error: EmptySurface, BadCoordinate (with the
 // point's id), BadParameter (a triangle refers to a point that does not exist).
 Bounds boundsOf(const SurfaceView& view);
-
-// Boundary index of faces that do not come from the user's surface: at a leak, or at the end of the
-// grid.
-constexpr std::int32_t NoBoundary = -1;
 
 struct Surface
 {
@@ -37,6 +38,8 @@ struct Surface
   std::vector<std::array<std::uint32_t, 3>>
     triangles;                        // oriented either way until orient() (Orientation.h)
   std::vector<std::int32_t> boundary; // of each triangle
+  std::vector<std::int32_t> region; // of each triangle, until separateRegions(); empty: one region
+  Walls walls;                      // from then on
   std::vector<std::uint32_t>
     given; // of each triangle, its number in the view; none: it closes a hole
   std::vector<std::uint8_t>
@@ -52,6 +55,11 @@ struct Surface
   // path.
   Winding crossing(std::size_t triangle, bool up) const
   {
+    if (walls.any())
+    {
+      const std::int32_t back = walls.front(boundary[triangle]) - walls.behind(boundary[triangle]);
+      return { up ? back : -back, false };
+    }
     return !byParity.empty() && byParity[triangle] != 0 ? Winding{ 0, true }
                                                         : Winding{ up ? -1 : 1, false };
   }

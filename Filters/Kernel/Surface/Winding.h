@@ -20,6 +20,9 @@ struct Winding
 
   bool inside() const { return (turns > 0) != odd; }
 
+  // Of a surface with walls (Walls.h): each crossing adds the difference of the regions' numbers.
+  std::int32_t region() const { return turns; }
+
   // Continues the path along `other`, forwards or back.
   Winding& add(const Winding& other, bool back = false)
   {

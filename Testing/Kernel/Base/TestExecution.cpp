@@ -158,6 +158,31 @@ TEST(Execution, LoopsAreSharesOfWhatIsLeft)
   EXPECT_EQ(last, 1);
 }
 
+// ... and of other loops: those of work that runs alone in one of them, too.
+TEST(Execution, WorkInsideALoopReportsItsPart)
+{
+  double last = 0;
+  Execution execution(1, [&](double fraction, const char*) {
+    last = fraction;
+    return true;
+  });
+  execution.stage("Stage", 0, 0.5);
+  execution.nextLoop(1);
+  execution.forEach(2, 1, [&](std::size_t item, std::size_t) {
+    const double begin = static_cast<double>(item) / 2;
+    Execution alone = execution.alone(begin, begin + 0.5);
+    EXPECT_DOUBLE_EQ(last, 0.5 * begin);
+    alone.stage("half", 0, 0.5);
+    alone.reach(0.5);
+    EXPECT_DOUBLE_EQ(last, 0.5 * (begin + 0.125));
+    alone.stage("the other half", 0.5, 1);
+    EXPECT_DOUBLE_EQ(last, 0.5 * (begin + 0.25));
+    alone.reach(1);
+    EXPECT_DOUBLE_EQ(last, 0.5 * (begin + 0.5));
+  });
+  EXPECT_DOUBLE_EQ(last, 0.5);
+}
+
 TEST(Execution, LoopsOfOthersStopToo)
 {
   bool goOn = true;
@@ -180,7 +205,7 @@ TEST(Execution, LoopsOfOthersReportAsOften)
   execution.stage("Stage", 0, 1);
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(600);
   execution.forEach(1, 1, [&](std::size_t, std::size_t) {
-    Execution alone = execution.alone();
+    Execution alone = execution.alone(0, 1);
     while (std::chrono::steady_clock::now() < end)
     {
       alone.poll();
@@ -204,6 +229,29 @@ TEST(Execution, StopsAtOnce)
       Stopped);
     EXPECT_LT(done, 500000);
   }
+}
+
+// The caller has nothing left to do, while another thread works on.
+TEST(Execution, StopsWhatOtherThreadsStillDo)
+{
+  const std::thread::id caller = std::this_thread::get_id();
+  const auto begin = std::chrono::steady_clock::now();
+  const auto passed = [&] { return std::chrono::steady_clock::now() - begin; };
+  Execution execution(
+    2, [&](double, const char*) { return passed() < std::chrono::milliseconds(100); });
+  execution.stage("work", 0, 1);
+  EXPECT_THROW(execution.forEach(2, 1,
+                 [&](std::size_t, std::size_t) {
+                   while (
+                     std::this_thread::get_id() != caller && passed() < std::chrono::seconds(10))
+                   {
+                     std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                     execution.poll();
+                   }
+                   std::this_thread::sleep_for(std::chrono::milliseconds(20)); // both get one
+                 }),
+    Stopped);
+  EXPECT_LT(passed(), std::chrono::seconds(5));
 }
 
 TEST(Execution, NoThreadsMeansOneACore)

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <random>
 #include <set>
@@ -82,5 +83,36 @@ TEST(Loops, RandomWalksKeepTheirEdges)
       EXPECT_EQ(std::set<std::uint32_t>(loop.begin(), loop.end()).size(), loop.size());
     }
     EXPECT_EQ(edgesOf(loops), edgesOf({ walk }));
+  }
+}
+
+// ... and are those that a search along the walk finds, however long it is.
+TEST(Loops, LongWalksFallIntoTheSameLoops)
+{
+  std::mt19937 random(2);
+  for (int i = 0; i < 50; ++i)
+  {
+    Walk walk(65 + random() % 500);
+    for (std::uint32_t& node : walk)
+    {
+      node = static_cast<std::uint32_t>(random() % (i < 25 ? 30 : 3000));
+    }
+    std::vector<Walk> expected;
+    Walk open;
+    for (const std::uint32_t node : walk)
+    {
+      const auto before = std::find(open.begin(), open.end(), node);
+      if (open.end() - before > 2)
+      {
+        expected.emplace_back(before, open.end());
+      }
+      open.erase(before, open.end());
+      open.push_back(node);
+    }
+    if (open.size() > 2)
+    {
+      expected.push_back(open);
+    }
+    EXPECT_EQ(loopsOf(walk), expected);
   }
 }

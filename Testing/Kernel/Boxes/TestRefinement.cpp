@@ -111,6 +111,25 @@ int forcedDepth(const RefinementSpec& spec, const PreparedSurface& prepared,
   return std::max(forced, 0);
 }
 
+// No box that the surface passes through may be deeper.
+int mostAllowed(const RefinementSpec& spec)
+{
+  int most = spec.depth;
+  for (const RefinementBlock& block : spec.blocks)
+  {
+    most = std::max({ most, block.allowed, block.forced });
+  }
+  for (const BoundaryRefinement& row : spec.boundaries)
+  {
+    most = std::max(most, row.depth);
+  }
+  for (const RefinementRegion& region : spec.regions)
+  {
+    most = std::max(most, region.depth);
+  }
+  return most;
+}
+
 TEST(Refinement, RandomSpecificationsHold)
 {
   std::mt19937 random(3);
@@ -132,6 +151,7 @@ TEST(Refinement, RandomSpecificationsHold)
 
     const std::vector<Box> boxes = placed(meshed.boxed.boxes);
     double twice = 0;
+    int deepest = 0; // of the boxes that the surface passes through
     for (std::size_t a = 0; a < boxes.size(); ++a)
     {
       for (std::size_t b = 0; b < a; ++b)
@@ -142,11 +162,24 @@ TEST(Refinement, RandomSpecificationsHold)
       const int forced = forcedDepth(options.refinement, prepared, meshed.boxed.shoeboxes, global);
       const auto& level = boxes[a].level;
       ASSERT_GE(std::min({ level[0], level[1], level[2] }), forced);
+      if (boxes[a].status == BoxStatus::Intersected)
+      {
+        deepest = std::max({ deepest, int(level[0]), int(level[1]), int(level[2]) });
+      }
     }
+    EXPECT_LE(deepest, mostAllowed(options.refinement));
     EXPECT_EQ(twice, 0) << "boxes overlap";
     EXPECT_TRUE(isValid(meshed.mesh));
     EXPECT_TRUE(fills(meshed.mesh, soup));
   }
+}
+
+TEST(Refinement, ABoundaryBelowTheDepthEverywhereChangesNothing)
+{
+  TestOptions options = asTheyAre(0, depth(2));
+  const std::size_t boxes = meshOf(sphere(6, 1), cellsOf(0.3), options).boxed.boxes.packed.size();
+  options.refinement.boundaries.push_back({ 0, 1, 0, false });
+  EXPECT_EQ(meshOf(sphere(6, 1), cellsOf(0.3), options).boxed.boxes.packed.size(), boxes);
 }
 
 TEST(Refinement, BoxesOfABlockFillTheirGlobalBoxes)
@@ -177,7 +210,7 @@ TEST(Refinement, BoxesOfABlockFillTheirGlobalBoxes)
   EXPECT_EQ(refined, 8);
 }
 
-TEST(Refinement, LaterBlocksWinAndBoundariesOnlyDeepenWhatIsForced)
+TEST(Refinement, LaterBlocksWinAndBoundariesOnlyDeepen)
 {
   const Soup soup = cube();
   const PreparedSurface prepared = prepare(soup, cellsOf(0.2));
@@ -193,7 +226,7 @@ TEST(Refinement, LaterBlocksWinAndBoundariesOnlyDeepenWhatIsForced)
   EXPECT_EQ(refinement.at(4, 4, 4).forced, 2);
   EXPECT_EQ(refinement.at(2, 2, 2).allowed, 2);
   EXPECT_EQ(refinement.at(2, 2, 2).forced, 1);
-  EXPECT_EQ(refinement.at(0, 2, 2).allowed, 1); // the boundary changes it
+  EXPECT_EQ(refinement.at(0, 2, 2).allowed, 2); // the boundary never decreases it
   EXPECT_EQ(refinement.at(0, 2, 2).forced, 1);
   EXPECT_EQ(refinement.at(0, 0, 0).forced, 2); // never decreased
 }

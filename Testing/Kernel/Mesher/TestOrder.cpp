@@ -66,11 +66,35 @@ struct Case
   NamedShape shape;
   double cells; // along its longest side
   int depth;
+  PatchMethod method = PatchMethod::Automatic;
 };
 
 std::ostream& operator<<(std::ostream& stream, const Case& c)
 {
-  return stream << c.shape.name << ", " << c.cells << " cells, depth " << c.depth;
+  return stream << c.shape.name << ", " << c.cells << " cells, depth " << c.depth << ", method "
+                << static_cast<int>(c.method);
+}
+
+// Triangles are missing, flipped, there twice, and without area.
+Soup flawed(Soup soup, unsigned seed)
+{
+  std::mt19937 random(seed);
+  const auto any = [&]() -> auto&
+  {
+    return soup.triangles[random() % soup.triangles.size()];
+  };
+  for (int i = 0; i < 5; ++i)
+  {
+    std::swap(any()[0], any()[1]);
+    auto& flipped = any();
+    std::swap(flipped[0], flipped[1]);
+    const auto twice = any();
+    any() = twice;
+    auto& flat = any();
+    flat[0] = flat[1];
+  }
+  soup.boundary.clear();
+  return soup;
 }
 
 std::vector<Case> allCases()
@@ -92,6 +116,23 @@ std::vector<Case> allCases()
     all.push_back({ readData(name), 14, 0 });
     all.push_back({ readData(name), 6, 1 });
   }
+  // Far more detail than boxes: hundreds of triangles in each.
+  const Soup detailed = bumpySphere(5, RepeatedLess == 1 ? 60 : 24).turned();
+  for (const PatchMethod method : { PatchMethod::Automatic, PatchMethod::ExactFit })
+  {
+    all.push_back({ { "DetailedBumpySphere", detailed }, 8, 0, method });
+    all.push_back(
+      { { "FlawedBumpySphere", flawed(bumpySphere(6, 12).turned(), 1) }, 9, 0, method });
+    all.push_back({ { "KleinBottle", kleinBottle(20) }, 12, 0, method });
+    for (unsigned seed = 1; seed <= repeats(6); ++seed)
+    {
+      all.push_back({ { "Tetrahedra", randomTetrahedra(seed, 6, 9).turned() }, 6, 1, method });
+    }
+  }
+  for (const NamedShape& shape : RepeatedLess == 1 ? cleanShapes() : std::vector<NamedShape>())
+  {
+    all.push_back({ shape, 7, 0, PatchMethod::ExactFit });
+  }
   return all;
 }
 
@@ -106,6 +147,7 @@ Outcome outcomeOf(const Soup& soup, const Case& c)
 {
   TestOptions options;
   options.refinement = depth(c.depth);
+  options.patches.method = c.method;
   Outcome outcome;
   try
   {

@@ -115,6 +115,21 @@ TEST(Resources, ARingInOneBox)
   EXPECT_NEAR(volumeOf(meshed.mesh) / soup.volume(), 1, 0.05);
 }
 
+// A plate without one of its triangles, on many meshlines across: a few faces with many corners each. That it
+// ends is the test.
+TEST(Resources, FewFacesOfManyCorners)
+{
+  Soup soup = unmarked(box({ 0, 0, 0 }, { 2, 1, 0.125 }));
+  GridSpec grid = cellsOf(2);
+  grid.meshlines[0] = { -0.5, 0, 0.0931647, 0.130392, 0.421673, 0.658466, 0.85534, 1.29209 };
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+  {
+    Soup open = soup;
+    open.triangles.erase(open.triangles.begin() + static_cast<std::ptrdiff_t>(t));
+    EXPECT_TRUE(isValid(meshOf(open, grid, TestOptions()).mesh, true)) << t;
+  }
+}
+
 TEST(Resources, AComponentOfOneTriangle)
 {
   Soup loose;

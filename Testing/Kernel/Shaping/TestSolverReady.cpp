@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace cartesian
@@ -39,13 +40,15 @@ Quality qualityOf(const MeshArrays& mesh)
   return measureQuality(mesh.points.data(), faces, list, execution);
 }
 
-// Faces that break a rule of section 3 by the centres that later versions of OpenFOAM give bent faces.
-std::size_t failuresByProjectedCentres(const MeshArrays& mesh)
+Face nodesOf(Face face)
 {
-  const auto nodesOf = [](Face face) {
-    std::sort(face.begin(), face.end());
-    return face;
-  };
+  std::sort(face.begin(), face.end());
+  return face;
+}
+
+// Of how many cells each face is a part.
+std::map<Face, int> usesOfFaces(const MeshArrays& mesh)
+{
   std::map<Face, int> uses;
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
   {
@@ -54,6 +57,13 @@ std::size_t failuresByProjectedCentres(const MeshArrays& mesh)
       ++uses[nodesOf(face)];
     }
   }
+  return uses;
+}
+
+// Faces that break a rule of section 3 by the centres that later versions of OpenFOAM give bent faces.
+std::size_t failuresByProjectedCentres(const MeshArrays& mesh)
+{
+  const std::map<Face, int> uses = usesOfFaces(mesh);
   std::size_t failures = 0;
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
   {
@@ -66,7 +76,7 @@ std::size_t failuresByProjectedCentres(const MeshArrays& mesh)
         polyhedron.addCorner(static_cast<std::uint32_t>(polyhedron.nodes.size()));
         polyhedron.nodes.push_back({ p[0], p[1], p[2] });
       }
-      polyhedron.closeFace(uses[nodesOf(face)] == 1);
+      polyhedron.closeFace(uses.at(nodesOf(face)) == 1);
     }
     CellShape shape;
     measureProjected(polyhedron, shape);
@@ -145,6 +155,36 @@ TEST(SolverReady, MendingKeepsTheVolume)
       TestOptions mended;
       mended.shaping.refusedCellRatio = 0;
       EXPECT_NEAR(volumeOf(meshOf(soup, grid, mended).mesh), volume, 5e-3 * volume);
+    }
+  }
+}
+
+// Walls that lean by next to nothing from planes of the grid, and are boundaries of their own, leave strips in
+// the cells beside them; these become a part of the faces next to them.
+TEST(SolverReady, NoBoundaryFaceIsNegligible)
+{
+  for (const double degrees : { 0.0, 1e-6, 1e-5 })
+  {
+    SCOPED_TRACE(degrees);
+    Soup soup = cube();
+    soup.add(box({ 1, 0.25, 0.25 }, { 1.5, 0.5, 0.75 }));
+    const MeshArrays mesh = meshOf(soup.turned(2, degrees), cellsAlongLongest(soup, 12), {}).mesh;
+    const std::map<Face, int> uses = usesOfFaces(mesh);
+    for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
+    {
+      double smallest = std::numeric_limits<double>::max(); // at the boundary
+      double largest = 0;
+      for (const Face& face : facesOf(mesh, cell))
+      {
+        const auto corner = [&](std::size_t i) {
+          const double* const p = &mesh.points[3 * static_cast<std::size_t>(face[i])];
+          return Vector{ p[0], p[1], p[2] };
+        };
+        const double area = norm(measureFace(face.size(), corner).area);
+        largest = std::max(largest, area);
+        smallest = uses.at(nodesOf(face)) == 1 ? std::min(smallest, area) : smallest;
+      }
+      EXPECT_GE(smallest, 1e-4 * largest) << cell;
     }
   }
 }

@@ -255,7 +255,7 @@ private:
     }
     expect(corners == points, name + " lists other points than its faces");
     expect(!edges.unbalanced(), name + " is not closed");
-    expect(mesh_.region[cell] == FirstRegion, name + " is in no region");
+    expect(mesh_.region[cell] >= FirstRegion, name + " is in no region");
     used_.insert(points.begin(), points.end());
     checkVolume(cell, faces, name);
     checkPlace(cell, points, name);
@@ -402,6 +402,40 @@ double volumeOf(const MeshArrays& mesh)
     volume += volumeOfCell(mesh, cell);
   }
   return static_cast<double>(volume);
+}
+
+std::map<int, double> volumesByRegion(const MeshArrays& mesh)
+{
+  std::map<int, double> volumes;
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
+  {
+    volumes[mesh.region[cell]] += static_cast<double>(volumeOfCell(mesh, cell));
+  }
+  return volumes;
+}
+
+std::map<std::pair<int, int>, double> areasBetweenRegions(const MeshArrays& mesh)
+{
+  std::map<Face, std::size_t> cellOf;
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
+  {
+    for (const Face& face : facesOf(mesh, cell))
+    {
+      cellOf[fromLeast(face)] = cell;
+    }
+  }
+  std::map<std::pair<int, int>, double> areas;
+  for (const auto& [face, cell] : cellOf)
+  {
+    const auto beyond = cellOf.find(reversed(face));
+    const int other = beyond == cellOf.end() ? OutsideRegion : mesh.region[beyond->second];
+    if (mesh.region[cell] > other)
+    {
+      areas[{ other, mesh.region[cell] }] += static_cast<double>(
+        Star(mesh, face, mesh.points.data() + 3 * static_cast<std::size_t>(face[0])).area());
+    }
+  }
+  return areas;
 }
 
 std::map<std::array<int, 3>, std::vector<double>> volumesByBox(const MeshArrays& mesh)

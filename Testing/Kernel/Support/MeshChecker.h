@@ -26,6 +26,12 @@ double volumeSlack(const MeshArrays& mesh, const Soup& soup);
 
 double volumeOf(const MeshArrays& mesh);
 
+std::map<int, double> volumesByRegion(const MeshArrays& mesh);
+
+// The area of the faces between each two regions, the lower first, or between outside (0) and a region. Faces
+// count as between two cells if both have the same points.
+std::map<std::pair<int, int>, double> areasBetweenRegions(const MeshArrays& mesh);
+
 // The points of each face of a cell, counter-clockwise from outside.
 using Face = std::vector<Id>;
 std::vector<Face> facesOf(const MeshArrays& mesh, std::size_t cell);

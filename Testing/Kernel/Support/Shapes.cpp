@@ -101,6 +101,7 @@ SurfaceView Soup::view() const
   v.triangles = triangles.empty() ? nullptr : triangles[0].data();
   v.triangleCount = triangles.size();
   v.boundary = boundary.empty() ? nullptr : boundary.data();
+  v.region = region.empty() ? nullptr : region.data();
   return v;
 }
 
@@ -158,6 +159,14 @@ Vector Soup::high() const
 double Soup::longest() const
 {
   return boundsOf(view()).longest();
+}
+
+Soup& Soup::addRegion(const Soup& other)
+{
+  const std::int32_t next = region.empty() ? FirstRegion : region.back() + 1;
+  add(other);
+  region.resize(triangles.size(), next);
+  return *this;
 }
 
 Soup& Soup::add(const Soup& other)

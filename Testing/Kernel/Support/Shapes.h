@@ -18,6 +18,7 @@ struct Soup
   std::vector<Vector> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::int32_t> boundary; // of each triangle, or empty: all 0
+  std::vector<std::int32_t> region;   // of each triangle, or empty: there is only one
 
   SurfaceView view() const; // borrows
 
@@ -34,6 +35,7 @@ struct Soup
   double longest() const;
 
   Soup& add(const Soup& other);
+  Soup& addRegion(const Soup& other); // the first, or after those that are there
   Soup each(const std::function<Vector(const Vector&)>& move) const;
   Soup moved(const Vector& by) const;
   Soup scaled(double by) const;

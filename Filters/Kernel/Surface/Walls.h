@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What lies on either side of a surface's triangles where they bound several regions.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace cartesian
+{
+
+// The region of a vertex or a cell: 0 is outside, regions are numbered from 1.
+constexpr std::int32_t OutsideRegion = 0;
+constexpr std::int32_t FirstRegion = 1;
+
+// Boundary index of faces that do not come from the user's surface: at a leak, or at the end of the
+// grid.
+constexpr std::int32_t NoBoundary = -1;
+
+// Triangles with the same regions and boundaries on either side. Normals point from behind to the front.
+struct Wall
+{
+  std::int32_t behind;          // region, never outside
+  std::int32_t front;           // region, or outside
+  std::int32_t boundary;        // of the region behind
+  std::int32_t boundaryInFront; // of the region in front, or NoBoundary
+
+  bool isInterface() const { return front != OutsideRegion; }
+};
+
+// Of a surface with several regions, whose boundary indices are indices of walls up to the mesh that is
+// written; empty: there is one region, and boundary indices are the user's. So what keeps a border between
+// boundaries also keeps one between regions.
+struct Walls
+{
+  std::vector<Wall> all;
+
+  bool any() const { return !all.empty(); }
+
+  std::int32_t behind(std::int32_t boundary) const
+  {
+    return all.empty() ? FirstRegion : at(boundary).behind;
+  }
+  std::int32_t front(std::int32_t boundary) const
+  {
+    return all.empty() ? OutsideRegion : at(boundary).front;
+  }
+  bool isInterface(std::int32_t boundary) const
+  {
+    return !all.empty() && boundary != NoBoundary && at(boundary).isInterface();
+  }
+
+  // Whether two walls are between the same regions.
+  bool areAlike(std::int32_t a, std::int32_t b) const
+  {
+    return behind(a) == behind(b) && front(a) == front(b);
+  }
+
+  // Whether a wall belongs to this boundary of the user's, on either side.
+  bool isOf(std::int32_t wall, std::int32_t boundary) const
+  {
+    return all.empty() || wall == NoBoundary
+      ? wall == boundary
+      : at(wall).boundary == boundary || at(wall).boundaryInFront == boundary;
+  }
+
+  // The user's boundary, of the region behind.
+  std::int32_t boundary(std::int32_t boundary) const
+  {
+    return all.empty() || boundary == NoBoundary ? boundary : at(boundary).boundary;
+  }
+
+private:
+  const Wall& at(std::int32_t boundary) const { return all[static_cast<std::size_t>(boundary)]; }
+};
+
+}

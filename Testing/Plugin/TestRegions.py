@@ -1,0 +1,106 @@
+"""Regions From: cells of two regions share the faces between them; names, volumes, interfaces."""
+
+import math
+
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+
+def box(low, high):
+    source = simple.Box(XLength=high[0] - low[0], YLength=high[1] - low[1],
+                        ZLength=high[2] - low[2],
+                        Center=[(a + b) / 2 for a, b in zip(low, high)])
+    return simple.Triangulate(Input=source)
+
+
+def outputs(mesher):
+    mesher.UpdatePipeline()
+    filter = mesher.GetClientSideObject()
+    return [filter.GetOutputDataObject(port) for port in (0, 1, 3)]
+
+
+def strings(data, name):
+    array = data.GetFieldData().GetAbstractArray(name)
+    return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
+
+
+def volumes(data):
+    return vtk_to_numpy(data.GetFieldData().GetArray("RegionVolumes"))
+
+
+# Blocks: a duct whose ends are flush with the solid around it. The first region keeps the volume.
+assembly = simple.GroupDatasets(Input=[box([-0.25, -0.25, -1], [0.25, 0.25, 1]),
+                                       box([-1, -1, -1], [1, 1, 1])],
+                                BlockNames=["gas", "solid"])
+mesher = simple.CartesianMesher(Input=assembly, RegionsFrom="Blocks", CellSize=0.17,
+                                PatchMethod="Exact Fit")
+mesh, boundary, interfaces = outputs(mesher)
+assert strings(mesh, "RegionNames") == ["gas", "solid"], strings(mesh, "RegionNames")
+for actual, expected in zip(volumes(mesh), [0.5, 7.5]):
+    assert math.isclose(actual, expected, rel_tol=1e-8), volumes(mesh)
+region = vtk_to_numpy(mesh.GetCellData().GetArray("Region"))
+number = vtk_to_numpy(mesh.GetCellData().GetArray("CellId"))
+regionOf = dict(zip(number, region))
+assert set(region) == {1, 2}
+
+data = interfaces.GetCellData()
+assert interfaces.GetNumberOfCells() > 0
+assert strings(interfaces, "InterfaceNames") == ["gas_to_solid"]
+for side in "Owner", "Neighbour":
+    cells = vtk_to_numpy(data.GetArray(side + "Cell"))
+    regions = vtk_to_numpy(data.GetArray(side + "Region"))
+    assert [regionOf[cell] for cell in cells] == list(regions), side
+assert set(vtk_to_numpy(data.GetArray("OwnerRegion"))) == {1}
+assert set(vtk_to_numpy(data.GetArray("NeighbourRegion"))) == {2}
+
+# None of them is exterior, and boundary faces tell whose they are.
+exterior = {tuple(sorted(boundary.GetPointData().GetArray("MeshPointId").GetValue(
+    boundary.GetCell(i).GetPointId(k)) for k in range(boundary.GetCell(i).GetNumberOfPoints())))
+    for i in range(boundary.GetNumberOfCells())}
+for i in range(interfaces.GetNumberOfCells()):
+    cell = interfaces.GetCell(i)
+    points = tuple(sorted(interfaces.GetPointData().GetArray("MeshPointId").GetValue(
+        cell.GetPointId(k)) for k in range(cell.GetNumberOfPoints())))
+    assert points not in exterior
+owners = vtk_to_numpy(boundary.GetCellData().GetArray("OwnerCell"))
+assert [regionOf[cell] for cell in owners] == list(
+    vtk_to_numpy(boundary.GetCellData().GetArray("Region")))
+areas = dict(zip(strings(mesh, "BoundaryNames"),
+                 vtk_to_numpy(mesh.GetFieldData().GetArray("BoundaryAreas"))))
+assert math.isclose(areas["gas"], 0.5, rel_tol=1e-8), areas
+assert math.isclose(areas["solid"], 23.5, rel_tol=1e-8), areas
+
+# Array: the same bodies as one surface.
+whole = simple.MergeBlocks(Input=assembly, OutputDataSetType="Polygonal Mesh", MergePoints=0)
+marked = simple.ProgrammableFilter(Input=whole, Script="""
+import numpy
+part = numpy.arange(inputs[0].GetNumberOfCells()) >= 12
+output.CellData.append(numpy.where(part, 40, 7), "Part")
+""")
+other = simple.CartesianMesher(Input=marked, RegionsFrom="Array", RegionArray="Part",
+                               CellSize=0.17, PatchMethod="Exact Fit")
+same = outputs(other)[0]
+assert strings(same, "RegionNames") == ["region_7", "region_40"], strings(same, "RegionNames")
+assert (volumes(same) == volumes(mesh)).all()
+assert same.GetNumberOfCells() == mesh.GetNumberOfCells()
+
+# In pieces it is the same.
+wholeCells = mesh.GetNumberOfCells()
+for pieces in 2, 3:
+    cells = 0
+    for piece in range(pieces):
+        filter = mesher.GetClientSideObject()
+        filter.UpdatePiece(piece, pieces, 0)
+        part = filter.GetOutputDataObject(0)
+        ids = vtk_to_numpy(part.GetCellData().GetArray("CellId"))
+        regions = vtk_to_numpy(part.GetCellData().GetArray("Region"))
+        assert [regionOf[i] for i in ids] == list(regions), (pieces, piece)
+        cells += part.GetNumberOfCells()
+    assert cells == wholeCells, (cells, wholeCells)
+
+# Bodies that pass through each other are refused by name.
+mixed = simple.GroupDatasets(Input=[box([0, 0, 0], [1, 1, 1]), box([0.5, 0.3, 0.2], [2, 2, 2])],
+                             BlockNames=["a", "b"])
+refused = simple.CartesianMesher(Input=mixed, RegionsFrom="Blocks", CellSize=0.3)
+refused.UpdatePipeline()
+assert refused.GetClientSideObject().GetErrorCode() == 40007
