@@ -38,6 +38,7 @@ globals().update({error.__name__: error for error in _ERRORS.values()})
 
 # Setters of one value are found; these are none, and others take rows.
 _NOT_OPTIONS = "InPieces", "Meshline", "NumberOfMeshlines", "RefinedBoundaryArrayStatus"
+_SEQUENCES = list, tuple, np.ndarray
 _ROWS = {
     "meshlines_x": ("SetNumberOfMeshlinesX", "SetMeshlineX"),
     "meshlines_y": ("SetNumberOfMeshlinesY", "SetMeshlineY"),
@@ -118,16 +119,14 @@ def _set(mesher, name, value):
     if name in _SINGLE:
         _set_one(mesher, name, _SINGLE[name], value)
     elif name in _ROWS:
-        resize, put = (getattr(mesher, setter) for setter in _ROWS[name])
-        rows = list(value)
-        resize(len(rows))
-        for i, row in enumerate(rows):
-            put(i, *(row if isinstance(row, (list, tuple, np.ndarray)) else (row,)))
+        _set_rows(mesher, name, value)
     elif name == "refined_boundaries":
         for boundary in [value] if isinstance(value, str) else value:
             mesher.SetRefinedBoundaryArrayStatus(boundary, 1)
     elif name == "refinement_regions":
         for region in value if isinstance(value, (list, tuple)) else [value]:
+            if not _is_data(region):
+                raise TypeError(f"{name}: {region!r} is no vtkPolyData")
             mesher.AddInputDataObject(1, region)
     else:
         raise TypeError(f"There is no option {name!r}. Options are {', '.join(OPTIONS)}.")
@@ -146,12 +145,31 @@ def _set_one(mesher, name, setter, value):
         raise TypeError(f"{name}: {value!r}: {error}") from None
 
 
+def _set_rows(mesher, name, rows):
+    if not isinstance(rows, _SEQUENCES):
+        raise TypeError(f"{name}: {rows!r} is no sequence of rows")
+    resize, put = (getattr(mesher, setter) for setter in _ROWS[name])
+    resize(len(rows))
+    for i, row in enumerate(rows):
+        try:
+            put(i, *(row if isinstance(row, _SEQUENCES) else (row,)))
+        except TypeError:
+            raise TypeError(f"{name}: row {i}, {row!r}, does not have the right number and types of values. "
+                            f"They are those of vtkCartesianMesher.{_ROWS[name][1]}, after the row's number.") from None
+
+
+def _is_data(value):
+    return hasattr(value, "IsA") and hasattr(value, "GetCellData")
+
+
 def _surface(surface, faces):
     if faces is None:
-        if not hasattr(surface, "IsA") or not hasattr(surface, "GetCellData"):
+        if not _is_data(surface):
             raise TypeError(f"The surface is a {type(surface).__name__}: neither a vtkPolyData nor, with faces, "
                             "an array of points.")
         return surface
+    if _is_data(surface):
+        raise TypeError(f"faces: they belong to an array of points; a {type(surface).__name__} has its own")
     points = _array("points", surface, np.floating)
     triangles = _array("faces", faces, np.integer)
     if not np.isfinite(points).all():
@@ -162,7 +180,10 @@ def _surface(surface, faces):
 
 
 def _array(what, array, kind):
-    array = np.asarray(array)
+    try:
+        array = np.asarray(array)
+    except ValueError:
+        raise ValueError(f"{what}: their rows differ in length: each has three numbers") from None
     if array.ndim != 2 or array.shape[1] != 3:
         raise ValueError(f"{what}: their shape is {array.shape}, not (n, 3)")
     wanted = kind if kind is np.integer else np.number
