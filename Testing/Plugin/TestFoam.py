@@ -15,6 +15,7 @@ from vtkmodules.vtkFiltersCore import vtkAppendFilter
 import foam
 import measure
 from pipeline import Messages, merged, octahedron, output, producer, read
+from polyhedra import keep_polyhedra
 
 BAD_MESH, CANNOT_WRITE = 40011, 40012
 NO_FILE_NAME = 20006
@@ -34,7 +35,7 @@ def read_back(folder):
     """The mesh and the patches by name, as ParaView reads them."""
     case = simple.OpenFOAMReader(FileName=str(folder / "case.foam"))
     case.MeshRegions = case.MeshRegions.Available
-    case.Decomposepolyhedra = 0
+    keep_polyhedra(case)
     blocks = output(case)
     mesh, boundary = blocks.GetBlock(0), blocks.GetBlock(1)
     names = [boundary.GetMetaData(i).Get(boundary.NAME()) for i in range(boundary.GetNumberOfBlocks())]

@@ -9,6 +9,7 @@ import measure
 import numpy as np
 from paraview import simple
 from pipeline import output, read
+from polyhedra import keep_polyhedra
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 CODES = {"Volume": 1, "Openness": 2, "OpenEdges": 4, "BoundaryAngle": 8, "InnerAngle": 16,
@@ -67,7 +68,8 @@ mesh = check("cow", simple.CartesianMesher(Input=cow, CellSize=0.1))
 # The same mesh, from OpenFOAM's files, in single precision.
 with tempfile.TemporaryDirectory() as folder:
     case = foam.save(simple.CartesianMesher(Input=cow, CellSize=0.1), pathlib.Path(folder))
-    reader = simple.OpenFOAMReader(FileName=str(case / "case.foam"), Decomposepolyhedra=0)
+    reader = simple.OpenFOAMReader(FileName=str(case / "case.foam"))
+    keep_polyhedra(reader)
     again = output(simple.FiniteVolumeQuality(Input=simple.MergeBlocks(Input=reader)))
 order = np.argsort(values(mesh, "CellId"))  # of the files
 for measure, tolerance in ("Volume", 1e-6), ("OpenEdges", 0), ("NonOrthogonality", 0.01):
