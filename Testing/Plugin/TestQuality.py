@@ -5,8 +5,8 @@ import pathlib
 import tempfile
 
 import foam
-import measure
 import numpy as np
+from measure import faces_of_polydata, points_of
 from paraview import simple
 from pipeline import output, read
 from polyhedra import keep_polyhedra
@@ -86,10 +86,10 @@ assert np.abs(areas.sum(axis=0)).max() < 1e-9 * np.linalg.norm(areas, axis=1).su
 sizes = output(simple.CellSize(Input=simple.OutputPort(mesher, 1), ComputeLength=0, ComputeVolume=0))
 assert (np.linalg.norm(areas, axis=1) <= values(sizes, "Area") * (1 + 1e-9)).all()
 assert field(output(mesher), "BoundaryAngleFailures") == 0
-faces = measure.faces_of_polydata(boundary, np.zeros(len(joined), int))
-points = measure.points_of(boundary)[faces.corners]
+faces = faces_of_polydata(boundary, np.zeros(len(joined), int))
+points = points_of(boundary)[faces.corners]
 middles = (faces.sums(points) / faces.size[:, None])[faces.face]
-following = measure.points_of(boundary)[faces.corners[faces.next]]
+following = points_of(boundary)[faces.corners[faces.next]]
 triangles = np.cross(points - middles, following - middles) / 2
 weights = np.linalg.norm(triangles, axis=1)[:, None]
 lengths = np.sqrt(np.linalg.norm(areas, axis=1))
