@@ -32,8 +32,8 @@ struct PreparedSurface
   std::size_t trianglesGiven; // what follows closes holes
   SurfaceRepair repair;
   Meshlines planes;
-  Bounds bounds;      // of the surface, user units
-  double memoryLimit; // bytes
+  Bounds bounds; // of the surface, user units
+  MemoryLimit memoryLimit;
 };
 
 // Scaling, Dual Levels, check and repair of the surface. `parts`: how many the mesh is made in, each of
