@@ -153,6 +153,22 @@ std::uint32_t AbsurdCount(const char* file)
                                                                                              : 0;
 }
 
+// Why a file cannot be read, or nothing.
+std::string FaultOf(const std::string& file, const Solids& solids)
+{
+  if (const std::uint32_t count = solids.names.empty() ? AbsurdCount(file.c_str()) : 0)
+  {
+    return file + " says that it has " + std::to_string(count) +
+      " triangles, many more than its length allows: it is broken, or no STL.";
+  }
+  if (solids.tooLong > 0)
+  {
+    return "Line " + std::to_string(solids.tooLong) + " of " + file + " has more than " +
+      std::to_string(LongestLine - 1) + " characters: shorten the name of the solid.";
+  }
+  return {};
+}
+
 // A file of its own name in the folder for temporary files, for as long as this lives.
 class TemporaryFile
 {
@@ -255,18 +271,11 @@ int vtkNamedSTLReader::RequestData(
 {
   const char* file = this->GetFileName();
   const Solids solids = file ? ReadSolids(file, std::numeric_limits<std::size_t>::max()) : Solids();
-  if (const std::uint32_t count = file && solids.names.empty() ? AbsurdCount(file) : 0)
+  const std::string fault = file ? FaultOf(file, solids) : std::string();
+  if (!fault.empty())
   {
     this->SetErrorCode(vtkErrorCode::FileFormatError);
-    vtkErrorMacro("" << file << " says that it has " << count
-                     << " triangles, many more than its length allows: it is broken, or no STL.");
-    return 0;
-  }
-  if (solids.tooLong > 0)
-  {
-    this->SetErrorCode(vtkErrorCode::FileFormatError);
-    vtkErrorMacro("Line " << solids.tooLong << " of " << file << " has more than "
-                          << LongestLine - 1 << " characters: shorten the name of the solid.");
+    vtkErrorMacro(<< fault);
     return 0;
   }
   vtkPolyData* surface = vtkPolyData::GetData(output);

@@ -75,12 +75,12 @@ std::vector<MeshEstimate> Decomposition::estimateLayers(Execution& execution) co
   execution.forEach(layers.size(), 1, [&](std::size_t begin, std::size_t) {
     const auto k = static_cast<std::uint32_t>(begin);
     MeshEstimate& sum = layers[k];
+    const std::size_t firstRow = begin * (planes_[1].size() - 1);
     for (std::uint32_t j = 0; j + 1 < planes_[1].size(); ++j)
     {
       statuses_.forEachBox(j, k, [&](std::uint32_t i, BoxStatus status) {
         const Depths depths = refinement_.any() ? refinement_.at(i, j, k) : Depths();
-        const std::size_t row = j + k * (planes_[1].size() - 1);
-        sum.add(estimateBox(status, depths, shoeboxes_.triangles(row, i)));
+        sum.add(estimateBox(status, depths, shoeboxes_.triangles(firstRow + j, i)));
       });
     }
   });
