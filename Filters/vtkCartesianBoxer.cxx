@@ -26,6 +26,7 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
+#include <set>
 
 namespace
 {
@@ -265,17 +266,23 @@ int vtkCartesianBoxer::FillOutputPortInformation(int, vtkInformation* info)
 
 void vtkCartesianBoxer::ListBoundaries(const cartesian::SurfaceFromVTK& source)
 {
-  vtkNew<vtkDataArraySelection> list;
+  std::vector<const char*> names;
+  std::set<std::string> listed;
   for (const auto& named : source.names())
   {
-    const char* name = named.second.c_str();
-    list->AddArray(name, this->RefinedBoundaries->ArrayIsEnabled(name));
+    if (listed.insert(named.second).second)
+    {
+      names.push_back(named.second.c_str());
+    }
   }
+  // To add them one by one would compare each with all before it.
+  vtkNew<vtkDataArraySelection> list;
+  list->SetArraysWithDefault(names.data(), static_cast<int>(names.size()), 0);
   for (int i = 0; i < this->RefinedBoundaries->GetNumberOfArrays(); ++i)
   {
     if (this->RefinedBoundaries->GetArraySetting(i))
     {
-      list->AddArray(this->RefinedBoundaries->GetArrayName(i), true);
+      list->EnableArray(this->RefinedBoundaries->GetArrayName(i));
     }
   }
   this->RefinedBoundaries->CopySelections(list);

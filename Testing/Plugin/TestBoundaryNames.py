@@ -5,6 +5,7 @@ import math
 import pathlib
 import struct
 import tempfile
+import time
 
 from paraview import simple
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkStringArray
@@ -215,6 +216,14 @@ with tempfile.TemporaryDirectory() as folder:
     # One solid too, if its name is what VTK's reader does not take.
     path = pathlib.Path(folder) / "one.stl"
     check(simple.OpenDataFile(write(path, ("流入口側の境界面の名前", facets))), {0: ("流入口側の境界面の名前", 8)})
+    # Without an end in sight it is refused, with its place.
+    for number, solids in enumerate(([("n" * 70000, facets)], [("short", facets[:3]), ("n" * 70000, facets[3:])])):
+        path = pathlib.Path(folder) / f"long{number}.stl"
+        reader = simple.OpenDataFile(write(path, *solids))
+        with Messages() as said:
+            reader.UpdatePipeline()
+        line = 1 if number == 0 else 2 + 7 * 3 + 1
+        assert f"Line {line} of {path} has more than 65535 characters" in str(said), str(said)[:500]
     # A binary file may begin with "solid", and with anything.
     for number, head in enumerate((b"solid binary", b"solid a\nsolid b\nfacet", bytes([200]) * 80)):
         path = pathlib.Path(folder) / f"binary{number}.stl"
@@ -313,3 +322,17 @@ for source, part in (outer, 'Block "picture" is a vtkImageData'), (vtkMultiBlock
         mesh = output(mesher)
     assert part in str(said) and error_code(mesher) == 40001, said
     assert mesh.GetNumberOfCells() == 0
+
+# Very many are listed in no time, the second time too.
+rows = 120
+grid = [(i / rows, j / rows, 0.0) for i in range(rows + 1) for j in range(rows + 1)]
+cells = [(a, a + 1, a + rows + 2, a + rows + 1) for i in range(rows) for a in range(i * (rows + 1), i * (rows + 1) + rows)]
+plate = polydata(grid, cells)
+plate.GetCellData().AddArray(strings([f"boundary {i}" for i in range(len(cells))], "Many"))
+begin = time.process_time()
+boxer = simple.CartesianBoxer(Input=producer(plate), CellSize=0.5, BoundaryArray="Many")
+for _ in range(2):
+    boxer.SMProxy.UpdatePipelineInformation()
+    plate.Modified()
+seconds = time.process_time() - begin
+assert seconds < 4, f"{seconds:.1f} s to list {len(cells)} boundaries"

@@ -11,37 +11,6 @@
 namespace cartesian
 {
 
-namespace
-{
-
-// Memory of all that follows the patches, with the arrays that VTK holds: measured on spheres, tori, bumpy
-// spheres and their like, at 12 to 60 boxes and depths 0 to 4, where this is 0.7 to 2.0 times what is taken (below 1 for meshes of a few MB).
-constexpr double BytesOfABox = 260;
-constexpr double BytesOfATriangle = 150;
-constexpr double BytesOfACorner = 150;
-constexpr double BytesOfAnExactBox = 1400;
-constexpr double BytesOfASimplifiedBox = 2600;
-constexpr double BytesOfAShapedBox = 4200;
-
-// What the surface is like within boxes is known here only: there can be any number of patches in one.
-void requireMemory(const PreparedSurface& prepared, const Boxes& boxes, const Patches& patches,
-  const Options& options)
-{
-  const auto all = static_cast<double>(boxes.packed.size());
-  const auto cut = static_cast<double>(std::count_if(boxes.packed.begin(), boxes.packed.end(),
-    [](const PackedBox& box) { return box.status == BoxStatus::Intersected; }));
-  const double bytesOfACutBox = options.patches.method == PatchMethod::ExactFit ? BytesOfAnExactBox
-    : shapesCells(options)                                                      ? BytesOfAShapedBox
-                           : BytesOfASimplifiedBox;
-  checkMemory(all,
-    all * BytesOfABox + cut * bytesOfACutBox +
-      static_cast<double>(prepared.surface.triangles.size()) * BytesOfATriangle +
-      static_cast<double>(patches.corners.size()) * BytesOfACorner,
-    prepared.memoryLimit);
-}
-
-}
-
 std::unique_ptr<Assembly> mesh(
   const SurfaceView& surface, const Options& options, Execution& execution)
 {
@@ -57,15 +26,16 @@ PreparedSurface prepareSurface(
   execution.stage("Scaling and Dual Levels", 0, AfterSurface);
   const GridSpec& grid = options.grid;
   PreparedSurface prepared;
-  prepared.memoryLimit = bytesAllowed(options);
+  prepared.memoryLimit = memoryLimitOf(options);
   prepared.bounds = boundsOf(view);
   const Lattice lattice(domainOf(grid, prepared.bounds));
-  checkGrid(grid, prepared.bounds, prepared.memoryLimit);
+  checkGrid(grid, prepared.bounds, prepared.memoryLimit.bytes);
   prepared.planes = onLattice(grid, prepared.bounds, lattice);
   prepared.surface = onLattice(view, lattice, execution);
   MeshEstimate estimate = estimateMesh(prepared.surface, prepared.planes);
   estimate.inside /= parts;
   estimate.intersected /= parts;
+  estimate.pieces /= parts;
   checkMemory(estimate, prepared.memoryLimit);
   prepared.trianglesGiven = prepared.surface.triangles.size();
   if (view.region)
@@ -103,8 +73,13 @@ std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   const Decomposition& decomposition, Layers core, const Options& options, Execution& execution)
 {
   Boxes boxes = decomposition.boxes(core, execution);
+  const MeshEstimate estimate = estimateMesh(prepared.surface, decomposition.shoeboxes(), boxes);
+  const MemoryLimit& limit = prepared.memoryLimit;
+  checkMemory(estimate, limit);
   Patches patches = makePatches(prepared, decomposition, boxes, options, execution);
-  requireMemory(prepared, boxes, patches, options);
+  // How much there is in boxes with other than exact patches is known only here.
+  const auto corners = static_cast<double>(patches.corners.size());
+  checkMemory(estimate.boxes(), estimate.bytes(limit, corners), limit);
   return assemble(std::move(boxes), std::move(patches), options, execution);
 }
 

@@ -34,8 +34,8 @@ struct PreparedSurface
   SurfaceRepair repair;
   std::vector<ClosedContact> contacts; // of several regions
   Meshlines planes;
-  Bounds bounds;      // of the surface, user units
-  double memoryLimit; // bytes
+  Bounds bounds; // of the surface, user units
+  MemoryLimit memoryLimit;
 };
 
 // Scaling, Dual Levels, check and repair of the surface. `parts`: how many the mesh is made in, each of
