@@ -5,7 +5,6 @@ import math
 import pathlib
 import struct
 import tempfile
-import time
 
 from paraview import simple
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkStringArray
@@ -322,17 +321,3 @@ for source, part in (outer, 'Block "picture" is a vtkImageData'), (vtkMultiBlock
         mesh = output(mesher)
     assert part in str(said) and error_code(mesher) == 40001, said
     assert mesh.GetNumberOfCells() == 0
-
-# Very many are listed in no time, the second time too.
-rows = 120
-grid = [(i / rows, j / rows, 0.0) for i in range(rows + 1) for j in range(rows + 1)]
-cells = [(a, a + 1, a + rows + 2, a + rows + 1) for i in range(rows) for a in range(i * (rows + 1), i * (rows + 1) + rows)]
-plate = polydata(grid, cells)
-plate.GetCellData().AddArray(strings([f"boundary {i}" for i in range(len(cells))], "Many"))
-begin = time.process_time()
-boxer = simple.CartesianBoxer(Input=producer(plate), CellSize=0.5, BoundaryArray="Many")
-for _ in range(2):
-    boxer.SMProxy.UpdatePipelineInformation()
-    plate.Modified()
-seconds = time.process_time() - begin
-assert seconds < 4, f"{seconds:.1f} s to list {len(cells)} boundaries"
