@@ -26,6 +26,7 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
+#include <set>
 
 namespace
 {
@@ -266,22 +267,25 @@ int vtkCartesianBoxer::FillOutputPortInformation(int, vtkInformation* info)
 
 void vtkCartesianBoxer::ListBoundaries(const cartesian::SurfaceFromVTK& source)
 {
-  vtkNew<vtkDataArraySelection> list;
-  for (const auto& [number, text] : source.names())
+  std::vector<const char*> names;
+  std::set<std::string> listed;
+  const auto& sides = source.sides(); // nothing passes through boxes there
+  for (const auto& named : source.names())
   {
-    const auto& sides = source.sides();
-    if (std::find(sides.begin(), sides.end(), number) != sides.end())
+    if (std::find(sides.begin(), sides.end(), named.first) == sides.end() &&
+      listed.insert(named.second).second)
     {
-      continue; // nothing passes through boxes there
+      names.push_back(named.second.c_str());
     }
-    const char* name = text.c_str();
-    list->AddArray(name, this->RefinedBoundaries->ArrayIsEnabled(name));
   }
+  // To add them one by one would compare each with all before it.
+  vtkNew<vtkDataArraySelection> list;
+  list->SetArraysWithDefault(names.data(), static_cast<int>(names.size()), 0);
   for (int i = 0; i < this->RefinedBoundaries->GetNumberOfArrays(); ++i)
   {
     if (this->RefinedBoundaries->GetArraySetting(i))
     {
-      list->AddArray(this->RefinedBoundaries->GetArrayName(i), true);
+      list->EnableArray(this->RefinedBoundaries->GetArrayName(i));
     }
   }
   this->RefinedBoundaries->CopySelections(list);
@@ -407,6 +411,7 @@ cartesian::Options vtkCartesianBoxer::MakeOptions()
   options.grid.cellSize = this->CellSize;
   options.grid.meshlines = this->Meshlines;
   options.memoryLimit = this->MemoryLimit;
+  options.contactTolerance = this->ContactTolerance;
   return options;
 }
 
@@ -443,10 +448,18 @@ void vtkCartesianBoxer::Inspect(const cartesian::PreparedSurface& prepared,
   const cartesian::SurfaceFromVTK& surface, vtkPolyData* defects, cartesian::Execution& execution)
 {
   execution.stage("Defects of the surface", cartesian::AfterSurface, cartesian::AfterDefects);
+  if (prepared.surface.walls.any())
+  {
+    // Triangles between regions are others than the user's: what was closed is listed with those.
+    cartesian::toVTK(cartesian::listContacts(prepared.contacts, prepared.surface.lattice),
+      surface.cells(), defects);
+    return;
+  }
   const cartesian::SurfaceDefects found = cartesian::findDefects(
     prepared.surface, prepared.trianglesGiven, prepared.repair, prepared.planes, execution);
-  cartesian::toVTK(found, cartesian::cellsOf(prepared.surface, surface.cells()), defects);
-  this->Warn(cartesian::describe(found));
+  const std::vector<vtkIdType> cells = cartesian::cellsOf(prepared.surface, surface.cells());
+  cartesian::toVTK(found, cells, defects);
+  this->Warn(cartesian::describe(found, cells));
 }
 
 cartesian::RefinementSpec vtkCartesianBoxer::MakeSpec(const cartesian::BoundaryNames& names)

@@ -270,6 +270,7 @@ protected:
   // Only vtkCartesianMesher lets users choose these.
   int RegionsFrom = 0;
   std::string RegionArray;
+  double ContactTolerance = 0;
 
 private:
   vtkCartesianBoxer(const vtkCartesianBoxer&) = delete;

@@ -96,11 +96,10 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
     task.types.emplace(task.surface->sides()[symmetric], "symmetryPlane");
   }
   task.options.smallCells.boundaryRatios =
-    cartesian::boundaryRatios(boundaries, task.surface->names());
+    cartesian::boundaryRatios(boundaries, task.surface->names(), task.options.smallCells.handling);
   cartesian::planStages(task.options, execution);
   task.prepared = this->Prepare(*task.surface, execution, piece.count);
-  // Triangles between regions are others than the user's.
-  if (piece.number == 0 && !task.prepared.surface.walls.any())
+  if (piece.number == 0)
   {
     this->Inspect(task.prepared, *task.surface, vtkPolyData::GetData(output, 2), execution);
   }
@@ -327,4 +326,5 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   cartesian::printDomainProperties(this, os, indent);
   os << indent << "RegionsFrom: " << this->RegionsFrom << "\n";
   os << indent << "RegionArray: " << this->RegionArray << "\n";
+  os << indent << "ContactTolerance: " << this->ContactTolerance << "\n";
 }

@@ -168,6 +168,15 @@ public:
 
   ///@{
   /**
+   * Walls of two regions that face each other at most this far apart become one: that of the earlier region.
+   * In units of the surface; 0, the default: only what touches does.
+   */
+  vtkSetMacro(ContactTolerance, double);
+  vtkGetMacro(ContactTolerance, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether each rank makes a piece of the mesh; off: the first rank makes all of it. Default: on.
    */
   vtkSetMacro(InPieces, bool);

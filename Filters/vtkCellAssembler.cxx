@@ -75,7 +75,8 @@ int vtkCellAssembler::RequestData(
     cartesian::Options options;
     options.patches.featureAngle = FeatureAngleOf(patchData, options.patches.featureAngle);
     cartesian::setCellOptions(this, options);
-    options.smallCells.boundaryRatios = cartesian::boundaryRatios(boundaries, names);
+    options.smallCells.boundaryRatios =
+      cartesian::boundaryRatios(boundaries, names, options.smallCells.handling);
     cartesian::planStages(options, execution);
     const auto assembly =
       cartesian::assemble(std::move(boxes), std::move(patches), options, execution);

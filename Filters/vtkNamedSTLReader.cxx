@@ -54,16 +54,13 @@ std::pair<std::string, std::string> Split(const std::string& line)
     line.substr(rest, line.find_last_not_of(Blanks) + 1 - rest) };
 }
 
-// False at the end, or if the next line is none of a text.
+// False at the end, or if the next line is too long; then `line` is its beginning.
 bool GetLine(std::istream& stream, std::string& line)
 {
   static thread_local std::vector<char> buffer(LongestLine);
-  if (!stream.getline(buffer.data(), LongestLine))
-  {
-    return false;
-  }
+  const bool isLine = static_cast<bool>(stream.getline(buffer.data(), LongestLine));
   line = buffer.data();
-  return true;
+  return isLine;
 }
 
 // Of the first `most` solids of an ASCII file; none of a binary one. (vtkSTLReader's own header
@@ -71,7 +68,8 @@ bool GetLine(std::istream& stream, std::string& line)
 struct Solids
 {
   std::vector<std::string> names;
-  bool suitVTK = true; // vtkSTLReader would read the file
+  bool suitVTK = true;     // vtkSTLReader would read the file
+  std::size_t tooLong = 0; // the line, from 1, whose name is too long to be read; 0: none
 };
 
 // Whether a line may come next after the first solid: of a binary file, which may begin with "solid"
@@ -81,13 +79,27 @@ bool FollowsSolid(const std::string& keyword)
   return keyword == "facet" || keyword == "endsolid" || keyword == "color";
 }
 
+// Whether a line that is too long to be read has a name: binary data have zeros.
+bool IsLongName(const std::string& begin)
+{
+  const std::string keyword = Split(begin).first;
+  return begin.size() + 1 == LongestLine && (keyword == "solid" || keyword == "endsolid");
+}
+
 Solids ReadSolids(const char* file, std::size_t most)
 {
   Solids solids;
   vtksys::ifstream stream(file, std::ios::binary);
   std::string line;
-  for (bool isText = false; solids.names.size() < most && GetLine(stream, line);)
+  std::size_t number = 0;
+  for (bool isText = false; solids.names.size() < most;)
   {
+    ++number;
+    if (!GetLine(stream, line))
+    {
+      solids.tooLong = IsLongName(line) ? number : 0;
+      break;
+    }
     const int first = std::tolower(line[std::min(line.find_first_not_of(Blanks), line.size())]);
     if (isText && first != 's' && first != 'e')
     {
@@ -139,6 +151,22 @@ std::uint32_t AbsurdCount(const char* file)
   const std::uint64_t held = vtksys::SystemTools::FileLength(file) / BytesOfATriangle;
   return count > 2 * held + Slack && count <= std::uint32_t(std::numeric_limits<int>::max()) ? count
                                                                                              : 0;
+}
+
+// Why a file cannot be read, or nothing.
+std::string FaultOf(const std::string& file, const Solids& solids)
+{
+  if (const std::uint32_t count = solids.names.empty() ? AbsurdCount(file.c_str()) : 0)
+  {
+    return file + " says that it has " + std::to_string(count) +
+      " triangles, many more than its length allows: it is broken, or no STL.";
+  }
+  if (solids.tooLong > 0)
+  {
+    return "Line " + std::to_string(solids.tooLong) + " of " + file + " has more than " +
+      std::to_string(LongestLine - 1) + " characters: shorten the name of the solid.";
+  }
+  return {};
 }
 
 // A file of its own name in the folder for temporary files, for as long as this lives.
@@ -204,7 +232,8 @@ int vtkNamedSTLReader::CanReadFile(const char* name)
 {
   const Solids first = ReadSolids(name, 2);
   const bool named = first.names.size() == 2 && first.names[0].size() + first.names[1].size() > 0;
-  return named || !first.suitVTK || (first.names.empty() && AbsurdCount(name) > 0);
+  return named || !first.suitVTK || first.tooLong > 0 ||
+    (first.names.empty() && AbsurdCount(name) > 0);
 }
 
 int vtkNamedSTLReader::ReadWithoutNames(vtkPolyData* surface)
@@ -242,11 +271,11 @@ int vtkNamedSTLReader::RequestData(
 {
   const char* file = this->GetFileName();
   const Solids solids = file ? ReadSolids(file, std::numeric_limits<std::size_t>::max()) : Solids();
-  if (const std::uint32_t count = file && solids.names.empty() ? AbsurdCount(file) : 0)
+  const std::string fault = file ? FaultOf(file, solids) : std::string();
+  if (!fault.empty())
   {
     this->SetErrorCode(vtkErrorCode::FileFormatError);
-    vtkErrorMacro("" << file << " says that it has " << count
-                     << " triangles, many more than its length allows: it is broken, or no STL.");
+    vtkErrorMacro(<< fault);
     return 0;
   }
   vtkPolyData* surface = vtkPolyData::GetData(output);

@@ -5,7 +5,7 @@
 #include "Cells/Cells.h"
 #include "GridFaces.h"
 #include "MeshUnion.h"
-#include "OpenFoam/PolyMeshFiles.h"
+#include "OpenFoam/FoamRegions.h"
 #include "ReportErrors.h"
 
 #include "vtkCellData.h"
@@ -35,6 +35,17 @@ bool Before(vtkIdType a, vtkIdType b)
                                                                       : a < b;
 }
 
+// The name as a word that is not taken yet: with the number, if need be.
+std::string TakeWord(const std::string& name, vtkIdType number, std::set<std::string>& taken)
+{
+  std::string word = cartesian::foamWord(name);
+  while (!taken.insert(word).second)
+  {
+    word += "_" + std::to_string(number);
+  }
+  return word;
+}
+
 // A distinct word for each boundary.
 std::vector<std::string> PatchNames(
   vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& boundaries)
@@ -48,13 +59,8 @@ std::vector<std::string> PatchNames(
     const auto name = given.find(boundary);
     const std::string plain =
       boundary == cartesian::NoBoundary ? "no_surface" : "boundary_" + std::to_string(boundary);
-    std::string word =
-      name == given.end() || name->second.empty() ? plain : cartesian::foamWord(name->second);
-    while (!taken.insert(word).second)
-    {
-      word += "_" + std::to_string(boundary);
-    }
-    names.push_back(word);
+    names.push_back(TakeWord(
+      name == given.end() || name->second.empty() ? plain : name->second, boundary, taken));
   }
   return names;
 }
@@ -86,27 +92,46 @@ std::vector<cartesian::FoamPatch> SortPatches(
   return patches;
 }
 
-// A zone for each region, where the mesh names several.
-std::vector<cartesian::FoamZone> ZonesOf(
-  vtkUnstructuredGrid* grid, const cartesian::GridFaces& faces)
+// Those regions that have cells; none, if all cells are of one.
+cartesian::FoamRegions RegionsOf(vtkUnstructuredGrid* grid, const cartesian::GridFaces& faces)
 {
   auto* names = vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray("RegionNames"));
   auto* regions = vtkIntArray::SafeDownCast(grid->GetCellData()->GetArray("Region"));
+  std::map<int, std::uint32_t> number;
+  for (std::size_t cell = 0; names && regions && cell < faces.cellOf.size(); ++cell)
+  {
+    number[regions->GetValue(faces.cellOf[cell])] = 0;
+  }
+  if (number.size() < 2 || number.begin()->first < 1 ||
+    number.rbegin()->first > names->GetNumberOfValues())
+  {
+    return {};
+  }
+  cartesian::FoamRegions result;
+  std::set<std::string> taken;
+  for (auto& [region, index] : number)
+  {
+    index = static_cast<std::uint32_t>(result.names.size());
+    result.names.push_back(TakeWord(names->GetValue(region - 1), region, taken));
+  }
+  for (const vtkIdType cell : faces.cellOf)
+  {
+    result.ofCell.push_back(number[regions->GetValue(cell)]);
+  }
+  return result;
+}
+
+std::vector<cartesian::FoamZone> ZonesOf(const cartesian::FoamRegions& regions)
+{
   std::vector<cartesian::FoamZone> zones;
-  for (vtkIdType n = 0; names && regions && n < names->GetNumberOfValues(); ++n)
+  for (const std::string& name : regions.names)
   {
-    zones.push_back({ cartesian::foamWord(names->GetValue(n)), {} });
+    zones.push_back({ name, {} });
   }
-  for (std::uint32_t cell = 0; !zones.empty() && cell < faces.cellOf.size(); ++cell)
+  for (std::uint32_t cell = 0; cell < regions.ofCell.size(); ++cell)
   {
-    const auto region = static_cast<std::size_t>(regions->GetValue(faces.cellOf[cell]));
-    if (region >= 1 && region <= zones.size())
-    {
-      zones[region - 1].cells.push_back(cell);
-    }
+    zones[regions.ofCell[cell]].cells.push_back(cell);
   }
-  const auto isEmpty = [](const cartesian::FoamZone& zone) { return zone.cells.empty(); };
-  zones.erase(std::remove_if(zones.begin(), zones.end(), isEmpty), zones.end());
   return zones;
 }
 
@@ -214,15 +239,29 @@ void vtkPolyMeshWriter::WriteCase(vtkUnstructuredGrid* grid)
   this->UpdateProgress(0.5);
 
   const std::filesystem::path file = this->FileName;
-  const std::filesystem::path kept = cartesian::writePolyMesh(
-    { faces.points, faces.cells, list, patches, ZonesOf(grid, faces) }, file.parent_path(),
+  cartesian::PolyMeshFiles files(file.parent_path(),
     this->FileType == VTK_ASCII ? cartesian::FoamFormat::Ascii : cartesian::FoamFormat::Binary);
-  cartesian::createMarker(file);
-  if (!kept.empty())
+  const cartesian::FoamRegions regions = RegionsOf(grid, faces);
+  cartesian::FoamMesh mesh =
+    cartesian::foamMesh(std::move(faces.points), faces.cells, list, std::move(patches));
+  if (regions.names.empty() || this->RegionsAs == Zones)
   {
-    vtkWarningMacro("What was in constant/polyMesh and does not belong to the new mesh is now in "
-      << kept.string());
+    mesh.zones = ZonesOf(regions);
+    files.write(mesh);
   }
+  else
+  {
+    for (std::uint32_t region = 0; region < regions.names.size(); ++region)
+    {
+      files.write(cartesian::meshOfRegion(mesh, regions, region), regions.names[region]);
+    }
+  }
+  for (const std::filesystem::path& kept : files.replace())
+  {
+    vtkWarningMacro(
+      "What was in the case and does not belong to the new mesh is now in " << kept.string());
+  }
+  cartesian::createMarker(file);
 }
 
 void vtkPolyMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
@@ -230,4 +269,5 @@ void vtkPolyMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "FileType: " << this->FileType << "\n";
+  os << indent << "RegionsAs: " << this->RegionsAs << "\n";
 }

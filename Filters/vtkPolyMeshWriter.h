@@ -17,11 +17,13 @@
  * BoundaryIds (numbers) give its boundary, else boundary_<id>; faces without a boundary are in
  * the patch no_surface. A grid from elsewhere has one patch, boundary. A patch has the type that the
  * field data array BoundaryTypes (strings, beside BoundaryIds) gives its boundary; where that is
- * empty or missing, the type that a mesh being replaced has there, else wall where the name
- * starts with "wall" or "Wall", else patch.
+ * empty or missing, the type that a mesh being replaced has there, else patch where the name starts with inlet,
+ * outlet or cyclic, else wall.
  *
- * Where the field data array RegionNames and the cell array Region tell of several regions, each is a
- * cellZone.
+ * Where the field data array RegionNames and the cell array Region tell that cells are of several regions,
+ * `RegionsAs` says what these become: Meshes (the default), one for each, constant/<region>/polyMesh, with
+ * patches <region>_to_<other> of type mappedWall, and constant/regionProperties; or Zones, one mesh in which
+ * each is a cellZone.
  *
  * On several processes the first gathers the pieces and writes them; points of the same coordinates
  * are then one.
@@ -67,6 +69,20 @@ public:
   void SetFileTypeToBinary() { this->SetFileType(VTK_BINARY); }
   ///@}
 
+  enum RegionKind
+  {
+    Meshes = 0,
+    Zones = 1
+  };
+
+  ///@{
+  /**
+   * What several regions become.
+   */
+  vtkSetClampMacro(RegionsAs, int, Meshes, Zones);
+  vtkGetMacro(RegionsAs, int);
+  ///@}
+
 protected:
   vtkPolyMeshWriter() = default;
   ~vtkPolyMeshWriter() override;
@@ -78,6 +94,7 @@ protected:
 
   char* FileName = nullptr;
   int FileType = VTK_BINARY;
+  int RegionsAs = Meshes;
 
 private:
   vtkPolyMeshWriter(const vtkPolyMeshWriter&) = delete;

@@ -22,10 +22,11 @@
  *  9 component smaller than a box in all directions (its triangles)
  * 10 hole narrower than a box, closed in the mesh (line around it)
  * 11 leak: a hole as wide as a box or wider, closed by a lid of boundary -1 (line around it)
+ * 12 closed contact, of vtkCartesianMesher alone: a wall that became that of another region (triangle)
  *
  * Field data: their numbers OpenEdges, NonManifoldEdges, InconsistentEdges, DegenerateTriangles,
  * DuplicateTriangles, FoldedTriangles, OverlappedTriangles, Intersections, TrianglesOfSmallComponents,
- * Holes, Leaks; Components (pieces without a common vertex); TrianglesNotCompared (with more than
+ * Holes, Leaks, TrianglesOfClosedContacts; Components (pieces without a common vertex); TrianglesNotCompared (with more than
  * 512 larger ones nearby; 64 in surfaces of half a million). Of each kind the first million is listed.
  *
  * Errors: EmptySurface, BadCoordinate, BadCellSize, BadMeshlines, TooManyBoxes.

@@ -69,16 +69,31 @@ std::map<std::int32_t, std::string> boundaryTypes(
 }
 
 std::vector<BoundaryRatio> boundaryRatios(
-  const BoundarySettings& settings, const BoundaryNames& names)
+  const BoundarySettings& settings, const BoundaryNames& names, SmallCells handling)
 {
+  std::map<std::int32_t, double> ratios;
+  const std::map<std::int32_t, std::string> types = boundaryTypes(settings, names);
+  for (const auto& [boundary, name] : names)
+  {
+    const auto type = types.find(boundary);
+    const bool opens = type == types.end() ? isOpening(name) : type->second == "patch";
+    if (opens && handling == SmallCells::Remove)
+    {
+      ratios[boundary] = OpeningRatio;
+    }
+  }
   const auto numbers =
     numbersOf(settings.names, settings.ratios.size(), "Boundary Small Cell Ratios", names);
-  std::vector<BoundaryRatio> ratios;
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
-    ratios.push_back({ numbers[i], settings.ratios[i] });
+    ratios[numbers[i]] = settings.ratios[i];
   }
-  return ratios;
+  std::vector<BoundaryRatio> result;
+  for (const auto& [boundary, ratio] : ratios)
+  {
+    result.push_back({ boundary, ratio });
+  }
+  return result;
 }
 
 }

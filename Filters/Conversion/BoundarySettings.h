@@ -20,11 +20,15 @@ struct BoundarySettings
   std::vector<double> ratios;     // the R of section 4.10 for each name; or empty
 };
 
+// The R of boundaries that something flows through, where small cells are removed (section 4.10): of type patch,
+// or without a type, but of a name that says so (isOpening). There nothing that has a volume is left out.
+constexpr double OpeningRatio = 1e-100;
+
 // Types (without AutomaticType) and ratios by the numbers of the boundaries. Both throw Error (BadParameter):
 // a name that is unknown or there twice, an unknown type, fewer or more types or ratios than names.
 std::map<std::int32_t, std::string> boundaryTypes(
   const BoundarySettings& settings, const BoundaryNames& names);
 std::vector<BoundaryRatio> boundaryRatios(
-  const BoundarySettings& settings, const BoundaryNames& names);
+  const BoundarySettings& settings, const BoundaryNames& names, SmallCells handling);
 
 }

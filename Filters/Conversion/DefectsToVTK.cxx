@@ -5,6 +5,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -20,7 +21,7 @@ namespace cartesian
 namespace
 {
 
-constexpr std::array<std::pair<DefectKind, const char*>, 11> CountNames = { {
+constexpr std::array<std::pair<DefectKind, const char*>, 12> CountNames = { {
   { DefectKind::OpenEdge, "OpenEdges" },
   { DefectKind::NonManifoldEdge, "NonManifoldEdges" },
   { DefectKind::InconsistentEdge, "InconsistentEdges" },
@@ -32,6 +33,7 @@ constexpr std::array<std::pair<DefectKind, const char*>, 11> CountNames = { {
   { DefectKind::SmallComponent, "TrianglesOfSmallComponents" },
   { DefectKind::Hole, "Holes" },
   { DefectKind::Leak, "Leaks" },
+  { DefectKind::ClosedContact, "TrianglesOfClosedContacts" },
 } };
 
 class DefectWriter
@@ -44,6 +46,7 @@ public:
     kind_->SetName("DefectKind");
     cell_->SetName("SurfaceCell");
     other_->SetName("OtherCell");
+    width_->SetName("Width");
   }
 
   void write(vtkPolyData* output)
@@ -65,6 +68,7 @@ public:
     output->GetCellData()->SetScalars(kind_);
     output->GetCellData()->AddArray(cell_);
     output->GetCellData()->AddArray(other_);
+    output->GetCellData()->AddArray(width_);
   }
 
 private:
@@ -86,6 +90,7 @@ private:
         const bool swaps = other >= 0 && other < cell; // of a pair the lower comes first
         cell_->InsertNextValue(swaps ? other : cell);
         other_->InsertNextValue(swaps ? cell : other);
+        width_->InsertNextValue(defect.width);
       }
       point += defect.size;
     }
@@ -101,6 +106,7 @@ private:
   vtkNew<vtkIntArray> kind_;
   vtkNew<vtkIdTypeArray> cell_;
   vtkNew<vtkIdTypeArray> other_;
+  vtkNew<vtkDoubleArray> width_;
 };
 
 }

@@ -2,7 +2,7 @@
 // The defects of a surface as a vtkPolyData of lines and triangles.
 //
 // Cell arrays: DefectKind (int: SurfaceDefects.h, vtkSurfaceInspector.h), SurfaceCell and OtherCell (id
-// type: cells of the surface, or -1). Field data: one number for each count.
+// type: cells of the surface, or -1), Width (double: of closed contacts, else 0). Field data: one number for each count.
 #pragma once
 
 #include "Repair/SurfaceDefects.h"

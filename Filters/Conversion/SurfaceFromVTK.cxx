@@ -191,17 +191,7 @@ SurfaceFromVTK::SurfaceFromVTK(vtkDataObject* input, const std::string& boundary
     }
     else
     {
-      const std::string name = block.name.empty()
-        ? "block_" + std::to_string(&block - blocks.data())
-        : withoutSuffix(block.name);
-      if (regionsFrom == RegionSource::Blocks)
-      {
-        readBoundariesByName(block.surface, name);
-      }
-      if (boundary_.size() < cells_.size())
-      {
-        boundary_.resize(cells_.size(), numberOf(name));
-      }
+      readBoundaryOfBlock(block, &block - blocks.data(), regionsFrom);
     }
     if (regionsFrom == RegionSource::Blocks)
     {
@@ -217,6 +207,22 @@ SurfaceFromVTK::SurfaceFromVTK(vtkDataObject* input, const std::string& boundary
   for (const std::int32_t boundary : std::set<std::int32_t>(boundary_.begin(), boundary_.end()))
   {
     names_.emplace(boundary, unnamedBoundary(boundary));
+  }
+}
+
+// A block is a boundary of its name; of a region, its own boundaries come first.
+void SurfaceFromVTK::readBoundaryOfBlock(
+  const SurfaceBlock& block, std::ptrdiff_t number, RegionSource regionsFrom)
+{
+  const std::string name =
+    block.name.empty() ? "block_" + std::to_string(number) : withoutSuffix(block.name);
+  if (regionsFrom == RegionSource::Blocks)
+  {
+    readBoundariesByName(block.surface, name);
+  }
+  if (boundary_.size() < cells_.size())
+  {
+    boundary_.resize(cells_.size(), numberOf(name));
   }
 }
 

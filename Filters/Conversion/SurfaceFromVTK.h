@@ -8,6 +8,7 @@
 
 #include "vtkType.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ class vtkPolyData;
 
 namespace cartesian
 {
+
+struct SurfaceBlock;
 
 // The array in which vtkSTLReader numbers the named solids of a file.
 constexpr const char* StlSolids = "STLSolidLabeling";
@@ -67,6 +70,8 @@ private:
   void readTriangles(vtkPolyData* block);
   void findUndivided(vtkPolyData* block);
   void readBoundaries(vtkPolyData* block, const std::string& name);
+  void readBoundaryOfBlock(
+    const SurfaceBlock& block, std::ptrdiff_t number, RegionSource regionsFrom);
   void readBoundariesByName(vtkPolyData* block, const std::string& name);
   void readRegions(vtkPolyData* block, const std::string& name);
   void addRegion(const std::string& given);

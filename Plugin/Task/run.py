@@ -150,7 +150,7 @@ def build(task):
 
 
 # The outputs of Cartesian Mesher, port by port.
-KINDS = "mesh", "boundary"
+KINDS = "mesh", "boundary", "defects"
 
 
 @contextlib.contextmanager

@@ -24,6 +24,7 @@
     [output]                   # all optional; files are next to the task file
     mesh = ["header.vtu", "case/header.foam"]
     boundary = "header.vtp"
+    defects = "defects.vtp"    # of the surface; of all of it, so not of a mesh in pieces
     statistics = "header.json"
 """
 
@@ -64,6 +65,7 @@ class Task:
     regions: list
     mesh: list  # files to write
     boundary: list
+    defects: list
     statistics: list
     reader: object  # knows lines
 
@@ -214,7 +216,7 @@ class _Reader:
 
 def outputs(reader, content, inputs):
     """Files to write, by kind: none twice, and none that is read."""
-    kinds = ("mesh", "boundary", "statistics")
+    kinds = ("mesh", "boundary", "defects", "statistics")
     reader.table(content, ("output",), set(kinds))
     files = {kind: reader.files(content.get(kind, []), ("output", kind), exist=False) for kind in kinds}
     taken = {file.resolve(): "is read by the task" for file in inputs}

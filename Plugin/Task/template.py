@@ -28,6 +28,7 @@ OUTPUT = """
 [output]
 # mesh = ["mesh.vtu", "case/case.foam"]
 # boundary = "boundary.vtp"
+# defects = "defects.vtp"
 # statistics = "statistics.json\""""
 
 

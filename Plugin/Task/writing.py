@@ -12,9 +12,10 @@ from vtkmodules.vtkCommonMisc import vtkErrorCode
 from vtkmodules.vtkIOParallelXML import vtkXMLPPolyDataWriter, vtkXMLPUnstructuredGridWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
 
-# Of the ports of Cartesian Mesher: the mesh, its boundary.
-WRITERS = ({".vtu": vtkXMLUnstructuredGridWriter}, {".vtp": vtkXMLPolyDataWriter})
-PIECE_WRITERS = ({".pvtu": vtkXMLPUnstructuredGridWriter}, {".pvtp": vtkXMLPPolyDataWriter})
+# Of the ports of Cartesian Mesher: the mesh, its boundary, the defects of its surface, which no piece has.
+WRITERS = ({".vtu": vtkXMLUnstructuredGridWriter}, {".vtp": vtkXMLPolyDataWriter},
+           {".vtp": vtkXMLPolyDataWriter})
+PIECE_WRITERS = ({".pvtu": vtkXMLPUnstructuredGridWriter}, {".pvtp": vtkXMLPPolyDataWriter}, {})
 # A case is a folder of files, which its writer swaps itself.
 CASE = ".foam"
 

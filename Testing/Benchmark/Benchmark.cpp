@@ -1,17 +1,22 @@
-// Benchmark [stages | growth | refinement] [THREADS...]: what the kernel takes, in seconds and memory,
+// Benchmark [stages | growth | refinement | memory] [THREADS...]: what the kernel takes, in seconds and memory,
 // with each of the given numbers of threads (default: 1, and one a core).
 //
 // stages: stage by stage, for three surfaces at three sizes; growth: against the number of cells, of
 // triangles, and the depth, with exponents, on the first number of threads; refinement: how many
-// boxes it takes against an isotropic octree. By default all.
+// boxes it takes against an isotropic octree; memory: what is estimated for 40 meshes against what they take, on the
+// first number of threads. By default all.
 #include "Base/Error.h"
 #include "Run.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <thread>
+
+#include <sys/wait.h>
+#include <unistd.h>
 
 using namespace cartesian;
 
@@ -105,6 +110,57 @@ void printGrowth(int threads)
     }
   }
   std::printf("\n");
+}
+
+void printMemoryOf(
+  const Triangles& surface, double cells, int depth, PatchMethod method, int threads)
+{
+  const Bounds bounds = boundsOf(surface.view());
+  double length = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    length = std::max(length, bounds.high[axis] - bounds.low[axis]);
+  }
+  const double size = length / cells;
+  const Estimates estimated = estimate(surface, size, depth, method);
+  // In a process of its own: what the last one freed is not taken anew.
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    const double taken = measure(surface, size, depth, method, threads).peak;
+    std::printf("%-34s%9zu%6.0f%6d  %-10s%10.1f%8.2f%8.2f\n", surface.name.c_str(), surface.size(),
+      cells, depth, method == PatchMethod::ExactFit ? "Exact Fit" : "Automatic", taken / MB,
+      estimated.layers / taken, estimated.boxes / taken);
+    std::fflush(stdout);
+    std::_Exit(0);
+  }
+  waitpid(child, nullptr, 0);
+}
+
+void printMemory(int threads)
+{
+  std::printf("%-34s%9s%6s%6s  %-10s%10s%16s\n%82s%8s\n", "", "triangles", "cells", "depth",
+    "patches", "taken MB", "estimated/taken", "before", "boxes");
+  std::fflush(stdout);
+  const auto print = [&](const Triangles& surface, double cells, int depth) {
+    for (const PatchMethod method : { PatchMethod::Automatic, PatchMethod::ExactFit })
+    {
+      printMemoryOf(surface, cells, depth, method, threads);
+    }
+  };
+  for (const Triangles& surface : { sphere(12), sphere(60),
+         readStl("kcl_exhaust_header_lumens.stl"), readStl("tm_featuretype_occ.stl") })
+  {
+    for (const double cells : { 12., 30. })
+    {
+      print(surface, cells, 0);
+      print(surface, cells, 2);
+    }
+  }
+  print(sphere(12), 12, 3);
+  print(sphere(12), 12, 4);
+  print(sphere(200), 12, 0);
+  print(sphere(200), 40, 0);
 }
 
 // The leaves of an octree that divides whatever the surface passes through to the same depth: the
@@ -214,6 +270,10 @@ int main(int count, char** arguments)
     if (asked("refinement"))
     {
       printSaving();
+    }
+    if (asked("memory"))
+    {
+      printMemory(threads.front());
     }
   }
   catch (const Error& error)

@@ -224,6 +224,27 @@ double sizeFor(double boxes, const Triangles& surface)
   return options.grid.cellSize;
 }
 
+Estimates estimate(const Triangles& surface, double cellSize, int depth, PatchMethod method)
+{
+  Execution execution(Execution::AllCores);
+  Options options;
+  options.grid.cellSize = cellSize;
+  options.refinement.depth = depth;
+  options.patches.method = method;
+  options.memoryLimit = PlentyOfMemory;
+  const PreparedSurface prepared = prepareSurface(surface.view(), options, execution);
+  const auto decomposition = decompose(prepared, options, execution);
+  MeshEstimate layers;
+  layers.triangles = static_cast<double>(prepared.surface.triangles.size());
+  for (const MeshEstimate& layer : decomposition->estimateLayers(execution))
+  {
+    layers.add(layer);
+  }
+  const Boxes boxes = decomposition->boxes(decomposition->allLayers(), execution);
+  return { layers.bytes(prepared.memoryLimit),
+    estimateMesh(prepared.surface, decomposition->shoeboxes(), boxes).bytes(prepared.memoryLimit) };
+}
+
 Figures measure(
   const Triangles& surface, double cellSize, int depth, PatchMethod method, int threads)
 {

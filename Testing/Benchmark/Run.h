@@ -48,6 +48,15 @@ struct Figures
   std::vector<Stage> stages;
 };
 
+// Bytes that the mesh is said to take.
+struct Estimates
+{
+  double layers; // before there are boxes: it decides about pieces
+  double boxes;  // before there are patches
+};
+
+Estimates estimate(const Triangles& surface, double cellSize, int depth, PatchMethod method);
+
 Figures measure(
   const Triangles& surface, double cellSize, int depth, PatchMethod method, int threads);
 

@@ -27,9 +27,10 @@ import time
 try:
     from paraview import simple
     from vtkmodules.util.numpy_support import vtk_to_numpy
-    from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkPoints, vtkStringOutputWindow
+    from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
 
     sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Plugin"))
+    from floats import in_floats
     from polyhedra import cell_arrays, face_arrays, type_array
 except ImportError:  # any Python can compare
     simple = None
@@ -75,19 +76,6 @@ class Surface:
     def point(self, *fractions):
         """The point at these fractions of the bounding box."""
         return [low + f * length for low, f, length in zip(self.low, fractions, self.lengths)]
-
-
-def in_floats(source):
-    """What was read, its points in single precision: VTK 9.3's reader of OBJ has them in double."""
-    source.UpdatePipeline()
-    surface = source.SMProxy.GetClientSideObject().GetOutputDataObject(0)
-    points = vtkPoints()
-    points.SetDataTypeToFloat()
-    points.DeepCopy(surface.GetPoints())
-    surface.SetPoints(points)
-    rounded = simple.TrivialProducer()
-    rounded.SMProxy.GetClientSideObject().SetOutput(surface)
-    return rounded
 
 
 def reader(path):

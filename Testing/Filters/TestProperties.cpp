@@ -100,6 +100,8 @@ TEST(Properties, EnumsAreSetByName)
   vtkNew<vtkPolyMeshWriter> writer;
   writer->SetFileTypeToASCII();
   EXPECT_EQ(writer->GetFileType(), VTK_ASCII);
+  writer->SetRegionsAs(vtkPolyMeshWriter::Zones);
+  EXPECT_EQ(writer->GetRegionsAs(), vtkPolyMeshWriter::Zones);
 }
 
 TEST(Properties, MeshlinesOfEachAxisAreKeptApart)
@@ -219,7 +221,7 @@ TEST(Properties, AllArePrinted)
       "BoundarySmallCellRatios:" });
 
   vtkNew<vtkPolyMeshWriter> writer;
-  expectToPrint(writer, { "FileName: (none)", "FileType: 2" });
+  expectToPrint(writer, { "FileName: (none)", "FileType: 2", "RegionsAs: 0" });
   writer->SetFileName("case.foam");
   writer->SetFileType(0); // there is none
   expectToPrint(writer, { "FileName: case.foam", "FileType: 1" });

@@ -15,6 +15,7 @@ from vtkmodules.vtkFiltersCore import vtkAppendFilter
 import foam
 import measure
 from pipeline import Messages, merged, octahedron, output, producer, read
+from polyhedra import keep_polyhedra
 
 BAD_MESH, CANNOT_WRITE = 40011, 40012
 NO_FILE_NAME = 20006
@@ -34,7 +35,7 @@ def read_back(folder):
     """The mesh and the patches by name, as ParaView reads them."""
     case = simple.OpenFOAMReader(FileName=str(folder / "case.foam"))
     case.MeshRegions = case.MeshRegions.Available
-    case.Decomposepolyhedra = 0
+    keep_polyhedra(case)
     blocks = output(case)
     mesh, boundary = blocks.GetBlock(0), blocks.GetBlock(1)
     names = [boundary.GetMetaData(i).Get(boundary.NAME()) for i in range(boundary.GetNumberOfBlocks())]
@@ -195,7 +196,7 @@ assert write(named, folder) == ("", 0)
 files = foam.Files(folder)
 assert list(files.patches) == ["wall_a_b", "inlet", "inlet_2", "boundary_3", "_1st", "Wände", "__",
     *(f"boundary_{i}" for i in range(7, 12))], list(files.patches)
-assert [type for type in types(files).values() if type != "patch"] == ["wall"]
+assert [name for name, type in types(files).items() if type != "wall"] == ["inlet", "inlet_2"]
 assert list(read_back(folder)[1]) == list(files.patches)
 foam.CheckMesh(folder)
 
@@ -209,25 +210,25 @@ for path in others:
 (folder / "case.foam").write_text("mine")
 # ... edited types of patches too, when a finer mesh takes the place of this one.
 boundary = poly_mesh / "boundary"
-boundary.write_text(boundary.read_text().replace("patch;", "symmetry;", 1))
+boundary.write_text(boundary.read_text().replace("wall;", "symmetry;", 1))
 finer = simple.CartesianMesher(Input=exhaust.Input, CellSize=6)
 assert write(output(finer), folder) == ("", 0)
 files = foam.Files(folder)
 check_equal(output(finer), output(finer, 1), files)
-assert list(types(files).values()) == ["symmetry"] + 11 * ["patch"]
+assert list(types(files).values()) == ["symmetry"] + 11 * ["wall"]
 assert not list(folder.glob("**/polyMesh?*"))
 # ... but what the user says of types wins, and other entries stay.
 boundary.write_text(boundary.read_text().replace("symmetry;", "symmetry; // type of mine ;\n  inGroups 1(type);", 1))
 typed = simple.CartesianMesher(Input=exhaust.Input, CellSize=10,
     BoundaryNames=["boundary_0", "boundary_3", "boundary_5"], BoundaryTypes=["empty", "symmetryPlane", "automatic"])
 assert write(output(typed), folder) == ("", 0)
-assert list(types(foam.Files(folder)).values()) == ["empty", "patch", "patch", "symmetryPlane"] + 8 * ["patch"]
+assert list(types(foam.Files(folder)).values()) == ["empty", "wall", "wall", "symmetryPlane"] + 8 * ["wall"]
 assert "empty; // type of mine ;\n  inGroups 1(type);" in boundary.read_text()
 assert write(output(exhaust), folder) == ("", 0)
-assert list(types(foam.Files(folder)).values()) == ["empty", "patch", "patch", "symmetryPlane"] + 8 * ["patch"]
+assert list(types(foam.Files(folder)).values()) == ["empty", "wall", "wall", "symmetryPlane"] + 8 * ["wall"]
 # ... a new case has them too, whatever keeps the cells comes between.
 assert list(types(saved(simple.Threshold(Input=typed, Scalars=["CELLS", "Region"]))[1]).values()) == \
-    ["empty", "patch", "patch", "symmetryPlane"] + 8 * ["patch"]
+    ["empty", "wall", "wall", "symmetryPlane"] + 8 * ["wall"]
 # ... the zones of the mesh that was replaced are put aside.
 (poly_mesh / "cellZones").write_text("zones")
 said, code = write(output(exhaust), folder)

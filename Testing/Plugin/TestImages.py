@@ -8,6 +8,7 @@ import pathlib
 
 from paraview import simple
 
+from floats import in_floats
 from pictures import BASELINE, difference
 from pipeline import read
 
@@ -50,7 +51,7 @@ def half(source, normal, origin=(0, 0, 0)):
     return clip
 
 
-spot, exhaust = read("cino_spot.obj"), read("kcl_exhaust_header_lumens.stl")
+spot, exhaust = in_floats(read("cino_spot.obj")), read("kcl_exhaust_header_lumens.stl")
 boxer = simple.CartesianBoxer(Input=spot, CellSize=0.1)
 draw("BoxesByStatus", half(boxer, [1, 0, 0]), "Status", [1, 2], [1, 0.3, -0.5], [0, 1, 0])
 

@@ -15,7 +15,7 @@ settings = {"BoundaryNames": [], "BoundaryTypes": [], "BoundarySmallCellRatios":
 threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}
 pieces = {"InPieces": 1}
-regions = {"RegionsFrom": "One", "RegionArray": ""}
+regions = {"RegionsFrom": "One", "RegionArray": "", "ContactTolerance": 0.0}
 domain = {"Domain": "Inside", "BoxFrom": "Surface", "DomainBounds": [0, 1, 0, 1, 0, 1],
           "FlowDirection": "Plus X", "LengthsBefore": 3, "LengthsBehind": 5, "LengthsBeside": 3,
           "Ground": "None", "Half": "None"}
@@ -72,5 +72,5 @@ for proxy, names in (
 
 writer = simple.CreateWriter("case.foam", mesher)
 assert writer.GetXMLLabel() == "OpenFOAM Mesh Writer", writer.GetXMLLabel()
-assert sorted(writer.ListProperties()) == ["FileName", "FileType", "Input"]
-assert writer.FileType == "Binary"
+assert sorted(writer.ListProperties()) == ["FileName", "FileType", "Input", "RegionsAs"]
+assert writer.FileType == "Binary" and writer.RegionsAs == "Meshes"

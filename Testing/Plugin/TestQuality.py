@@ -6,8 +6,10 @@ import tempfile
 
 import foam
 import numpy as np
+from measure import faces_of_polydata, points_of
 from paraview import simple
 from pipeline import output, read
+from polyhedra import keep_polyhedra
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 CODES = {"Volume": 1, "Openness": 2, "OpenEdges": 4, "BoundaryAngle": 8, "InnerAngle": 16,
@@ -66,7 +68,8 @@ mesh = check("cow", simple.CartesianMesher(Input=cow, CellSize=0.1))
 # The same mesh, from OpenFOAM's files, in single precision.
 with tempfile.TemporaryDirectory() as folder:
     case = foam.save(simple.CartesianMesher(Input=cow, CellSize=0.1), pathlib.Path(folder))
-    reader = simple.OpenFOAMReader(FileName=str(case / "case.foam"), Decomposepolyhedra=0)
+    reader = simple.OpenFOAMReader(FileName=str(case / "case.foam"))
+    keep_polyhedra(reader)
     again = output(simple.FiniteVolumeQuality(Input=simple.MergeBlocks(Input=reader)))
 order = np.argsort(values(mesh, "CellId"))  # of the files
 for measure, tolerance in ("Volume", 1e-6), ("OpenEdges", 0), ("NonOrthogonality", 0.01):
@@ -83,5 +86,14 @@ assert np.abs(areas.sum(axis=0)).max() < 1e-9 * np.linalg.norm(areas, axis=1).su
 sizes = output(simple.CellSize(Input=simple.OutputPort(mesher, 1), ComputeLength=0, ComputeVolume=0))
 assert (np.linalg.norm(areas, axis=1) <= values(sizes, "Area") * (1 + 1e-9)).all()
 assert field(output(mesher), "BoundaryAngleFailures") == 0
-assert np.isfinite(centres).all()
+faces = faces_of_polydata(boundary, np.zeros(len(joined), int))
+points = points_of(boundary)[faces.corners]
+middles = (faces.sums(points) / faces.size[:, None])[faces.face]
+following = points_of(boundary)[faces.corners[faces.next]]
+triangles = np.cross(points - middles, following - middles) / 2
+weights = np.linalg.norm(triangles, axis=1)[:, None]
+lengths = np.sqrt(np.linalg.norm(areas, axis=1))
+assert (np.abs(areas - faces.sums(triangles)).max(axis=1) < 1e-9 * lengths**2).all()
+own_centres = faces.sums(weights * (points + following + middles) / 3) / faces.sums(weights)
+assert (np.abs(centres - own_centres).max(axis=1) < 1e-9 * lengths).all()
 print(int(joined.sum()), "IP patches of", len(joined), "boundary faces")

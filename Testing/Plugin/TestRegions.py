@@ -104,3 +104,33 @@ mixed = simple.GroupDatasets(Input=[box([0, 0, 0], [1, 1, 1]), box([0.5, 0.3, 0.
 refused = simple.CartesianMesher(Input=mixed, RegionsFrom="Blocks", CellSize=0.3)
 refused.UpdatePipeline()
 assert refused.GetClientSideObject().GetErrorCode() == 40007
+
+
+# Curved walls of other triangles become one within the tolerance, and are listed as defects.
+def cylinder(corners, radius, height=2):
+    source = simple.Cylinder(Resolution=corners, Radius=radius, Height=height)
+    return simple.Triangulate(Input=simple.Clean(Input=source))
+
+
+rod, ball = cylinder(24, 0.5), simple.Sphere(Radius=0.25, ThetaResolution=16, PhiResolution=16)
+outer = simple.Sphere(Radius=0.25, ThetaResolution=23, PhiResolution=13)
+hollow = simple.AppendGeometry(Input=[rod, outer])
+two = simple.GroupDatasets(Input=[ball, hollow], BlockNames=["ball", "rod"])
+mesher = simple.CartesianMesher(Input=two, RegionsFrom="Blocks", CellSize=0.1, ContactTolerance=0.02)
+mesh = outputs(mesher)[0]
+defects = mesher.GetClientSideObject().GetOutputDataObject(2)
+data = defects.GetCellData()
+assert set(vtk_to_numpy(data.GetArray("DefectKind"))) == {12}
+count = outer.GetDataInformation().GetNumberOfCells()
+assert defects.GetNumberOfCells() == count, (defects.GetNumberOfCells(), count)
+width = vtk_to_numpy(data.GetArray("Width"))
+assert (width == width[0]).all() and 0.001 < width[0] < 0.02, width
+assert defects.GetFieldData().GetArray("TrianglesOfClosedContacts").GetValue(0) == count
+first = ball.GetDataInformation().GetNumberOfCells()
+rodCells = rod.GetDataInformation().GetNumberOfCells()
+assert set(vtk_to_numpy(data.GetArray("SurfaceCell"))) == set(
+    range(first + rodCells, first + rodCells + count))
+assert mesh.GetNumberOfCells() > 0
+loose = simple.CartesianMesher(Input=two, RegionsFrom="Blocks", CellSize=0.1)
+loose.UpdatePipeline()
+assert loose.GetClientSideObject().GetErrorCode() == 40007

@@ -110,6 +110,7 @@ refused_cell_ratio = 0
 [output]
 mesh = "out/mesh.vtu"
 boundary = ["out/boundary.vtp"]
+defects = "out/defects.vtp"
 statistics = "out/statistics.json"
 """
 source = simple.OpenDataFile(str(EXHAUST))
@@ -126,6 +127,7 @@ for stage in "Boxes", "Patches", "Cells", "Writing the mesh":
 assert "inlet_1" in said
 assert_identical("from a task", read("out/mesh.vtu"), expected)
 assert_identical("its boundary", read("out/boundary.vtp", simple.XMLPolyDataReader), output(mesher, 1))
+assert_identical("its defects", read("out/defects.vtp", simple.XMLPolyDataReader), output(mesher, 2))
 statistics = json.loads((folder / "out" / "statistics.json").read_text())
 assert statistics["mesh"]["Cells"] == expected.GetNumberOfCells()
 assert [row["name"] for row in statistics["boundaries"]][:3] == ["wall_1", "inlet_1", "outlet_1"]

@@ -44,6 +44,12 @@ def set_face_streams(grid, stream, starts):
     grid.SetPolyhedralCells(types, cells, of_cells, faces)
 
 
+def keep_polyhedra(reader):
+    """ParaView 5.11's reader of OpenFOAM decomposes them unless told; later ones never do."""
+    if "Decomposepolyhedra" in reader.ListProperties():
+        reader.Decomposepolyhedra = 0
+
+
 def cell_types(grid):
     """Of each cell; from VTK 9.6 on, a grid whose cells are all of one type has no array of them."""
     types = grid.GetCellTypesArray()

@@ -4,7 +4,6 @@
 #include "Base/Error.h"
 #include "Boxes/Balance.h"
 #include "Boxes/FewestBoxes.h"
-#include "Boxes/MeshEstimate.h"
 #include "Boxes/UnitStatuses.h"
 
 #include <algorithm>
@@ -40,13 +39,13 @@ public:
   }
 
   // `kept`: the layers that stay once the boxes are balanced.
-  Boxes generate(Layers kept, double mostBytes)
+  Boxes generate(Layers kept, const MemoryLimit& limit)
   {
     listGlobals();
     if (refinement_.any())
     {
       findDepths();
-      checkDepths(mostBytes);
+      checkDepths(limit);
       divide();
       for (int level = refinement_.deepest() - 1; level > 0; --level)
       {
@@ -144,16 +143,15 @@ private:
     });
   }
 
-  void checkDepths(double mostBytes) const
+  void checkDepths(const MemoryLimit& limit) const
   {
     MeshEstimate estimate;
+    estimate.triangles = static_cast<double>(surface_.triangles.size());
     for (std::size_t g = 0; g < statusOf_.size(); ++g)
     {
-      const MeshEstimate box = estimateBox(statusOf_[g], depths_[g]);
-      estimate.inside += box.inside;
-      estimate.intersected += box.intersected;
+      estimate.add(estimateBox(statusOf_[g], depths_[g], trianglesOf(boxes_.globals[g])));
     }
-    checkMemory(estimate, mostBytes);
+    checkMemory(estimate, limit);
   }
 
   // What the division of global boxes needs, one after the other.
@@ -435,12 +433,12 @@ private:
 
 Boxes generateBoxes(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
   const Refinement& refinement, const GlobalStatuses& statuses, Layers core, Layers kept,
-  double mostBytes, Execution& execution)
+  const MemoryLimit& limit, Execution& execution)
 {
   const auto end = static_cast<std::uint32_t>(planes[2].size() - 1);
   const Layers layers = kept.grown(balanceReach(refinement.deepest()), end);
   return BoxGenerator(surface, planes, shoeboxes, refinement, statuses, core, layers, execution)
-    .generate(kept, mostBytes);
+    .generate(kept, limit);
 }
 
 }

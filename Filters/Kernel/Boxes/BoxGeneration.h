@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Boxes/GlobalStatuses.h"
+#include "Boxes/MeshEstimate.h"
 #include "Boxes/Refinement.h"
 
 namespace cartesian
@@ -15,9 +16,9 @@ namespace cartesian
 //
 // Returns the balanced boxes of the layers `kept`. Cells will be made for those of `core`, which
 // depend on the others (Parts/Decomposition.h). Throws Error (TooManyBoxes) if the mesh would take
-// more than `mostBytes`.
+// more than the limit.
 Boxes generateBoxes(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
   const Refinement& refinement, const GlobalStatuses& statuses, Layers core, Layers kept,
-  double mostBytes, Execution& execution);
+  const MemoryLimit& limit, Execution& execution);
 
 }

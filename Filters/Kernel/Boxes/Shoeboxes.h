@@ -13,6 +13,9 @@
 namespace cartesian
 {
 
+// Of a shoebox.
+using TriangleRange = std::pair<const std::uint32_t*, const std::uint32_t*>;
+
 // Rows run along x and are numbered j + k * (boxes along y).
 struct Shoeboxes
 {
@@ -23,8 +26,7 @@ struct Shoeboxes
   std::vector<std::uint32_t> triangle;    // ascending within a box
 
   // The triangles of box i of a row, ascending.
-  std::pair<const std::uint32_t*, const std::uint32_t*> triangles(
-    std::size_t row, std::uint32_t i) const
+  TriangleRange triangles(std::size_t row, std::uint32_t i) const
   {
     const auto begin = column.begin() + static_cast<std::ptrdiff_t>(rowStart[row]);
     const auto end = column.begin() + static_cast<std::ptrdiff_t>(rowStart[row + 1]);

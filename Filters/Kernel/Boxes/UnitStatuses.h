@@ -3,13 +3,10 @@
 #pragma once
 
 #include "Boxes/Boxes.h"
-#include "Surface/Surface.h"
+#include "Boxes/Shoeboxes.h"
 
 namespace cartesian
 {
-
-// Triangles of a shoebox.
-using TriangleRange = std::pair<const std::uint32_t*, const std::uint32_t*>;
 
 class UnitStatuses
 {

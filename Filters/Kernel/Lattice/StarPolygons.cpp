@@ -252,10 +252,20 @@ Bridge bestBridge(
       bridges.push_back({ distance2(polygon.at[o], hole.at[h]), o, h });
     }
   }
-  std::sort(bridges.begin(), bridges.end());
-  const auto best = std::find_if(bridges.begin(), bridges.end(),
-    [&](const Bridge& bridge) { return runsInside(bridge, polygon, hole, others); });
-  return best == bridges.end() ? bridges.front() : *best;
+  // Nearly always one of the first few will do: to sort them all takes longer.
+  const auto later = [](const Bridge& x, const Bridge& y) { return y < x; };
+  std::make_heap(bridges.begin(), bridges.end(), later);
+  const Bridge shortest = bridges.front();
+  while (!bridges.empty())
+  {
+    if (runsInside(bridges.front(), polygon, hole, others))
+    {
+      return bridges.front();
+    }
+    std::pop_heap(bridges.begin(), bridges.end(), later);
+    bridges.pop_back();
+  }
+  return shortest;
 }
 
 // The result is outer ... o, h ... h, o ...; a shared corner needs no edge.

@@ -15,32 +15,6 @@ namespace cartesian
 namespace
 {
 
-// Memory of all that follows the patches, with the arrays that VTK holds: measured on spheres, tori, bumpy
-// spheres and their like, at 12 to 60 boxes and depths 0 to 4, where this is 0.7 to 2.0 times what is taken (below 1 for meshes of a few MB).
-constexpr double BytesOfABox = 260;
-constexpr double BytesOfATriangle = 150;
-constexpr double BytesOfACorner = 150;
-constexpr double BytesOfAnExactBox = 1400;
-constexpr double BytesOfASimplifiedBox = 2600;
-constexpr double BytesOfAShapedBox = 4200;
-
-// What the surface is like within boxes is known here only: there can be any number of patches in one.
-void requireMemory(const PreparedSurface& prepared, const Boxes& boxes, const Patches& patches,
-  const Options& options)
-{
-  const auto all = static_cast<double>(boxes.packed.size());
-  const auto cut = static_cast<double>(std::count_if(boxes.packed.begin(), boxes.packed.end(),
-    [](const PackedBox& box) { return box.status == BoxStatus::Intersected; }));
-  const double bytesOfACutBox = options.patches.method == PatchMethod::ExactFit ? BytesOfAnExactBox
-    : shapesCells(options)                                                      ? BytesOfAShapedBox
-                           : BytesOfASimplifiedBox;
-  checkMemory(all,
-    all * BytesOfABox + cut * bytesOfACutBox +
-      static_cast<double>(prepared.surface.triangles.size()) * BytesOfATriangle +
-      static_cast<double>(patches.corners.size()) * BytesOfACorner,
-    prepared.memoryLimit);
-}
-
 Bounds united(Bounds a, const Bounds& b)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -77,11 +51,11 @@ PreparedSurface prepareSurface(
 {
   execution.stage("Scaling and Dual Levels", 0, AfterSurface);
   PreparedSurface prepared;
-  prepared.memoryLimit = bytesAllowed(options);
+  prepared.memoryLimit = memoryLimitOf(options);
   prepared.bounds = boundsOf(view);
   const bool isOutside = options.domain.isOutside();
   const Bounds meshed = isOutside ? boxAround(options.domain, prepared.bounds) : prepared.bounds;
-  checkGrid(options.grid, meshed, prepared.memoryLimit);
+  checkGrid(options.grid, meshed, prepared.memoryLimit.bytes);
   const GridSpec grid = isOutside ? fittedTo(meshed, options.grid) : options.grid;
   const Lattice lattice(united(domainOf(grid, meshed), prepared.bounds));
   prepared.planes = onLattice(grid, meshed, lattice);
@@ -95,12 +69,15 @@ PreparedSurface prepareSurface(
   MeshEstimate estimate = estimateMesh(prepared.surface, prepared.planes);
   estimate.inside /= parts;
   estimate.intersected /= parts;
+  estimate.pieces /= parts;
   checkMemory(estimate, prepared.memoryLimit);
   prepared.trianglesGiven = prepared.surface.triangles.size();
   if (view.region)
   {
-    separateRegions(prepared.surface, prepared.planes,
-      view.regionNames ? *view.regionNames : std::vector<std::string>(), execution);
+    RegionSpec regions;
+    regions.names = view.regionNames ? *view.regionNames : std::vector<std::string>();
+    regions.contactTolerance = options.contactTolerance;
+    prepared.contacts = separateRegions(prepared.surface, prepared.planes, regions, execution);
   }
   else
   {
@@ -134,8 +111,13 @@ std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   const Decomposition& decomposition, Layers core, const Options& options, Execution& execution)
 {
   Boxes boxes = decomposition.boxes(core, execution);
+  const MeshEstimate estimate = estimateMesh(prepared.surface, decomposition.shoeboxes(), boxes);
+  const MemoryLimit& limit = prepared.memoryLimit;
+  checkMemory(estimate, limit);
   Patches patches = makePatches(prepared, decomposition, boxes, options, execution);
-  requireMemory(prepared, boxes, patches, options);
+  // How much there is in boxes with other than exact patches is known only here.
+  const auto corners = static_cast<double>(patches.corners.size());
+  checkMemory(estimate.boxes(), estimate.bytes(limit, corners), limit);
   return assemble(std::move(boxes), std::move(patches), options, execution);
 }
 

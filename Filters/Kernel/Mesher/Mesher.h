@@ -14,6 +14,7 @@
 #include "Mesher/Options.h"
 #include "Mesher/Stages.h"
 #include "Parts/Decomposition.h"
+#include "Repair/Contacts.h"
 #include "Repair/SurfaceRepair.h"
 
 #include <memory>
@@ -31,9 +32,10 @@ struct PreparedSurface
   Surface surface;
   std::size_t trianglesGiven; // what follows closes holes
   SurfaceRepair repair;
+  std::vector<ClosedContact> contacts; // of several regions
   Meshlines planes;
-  Bounds bounds;      // of the surface, user units
-  double memoryLimit; // bytes
+  Bounds bounds; // of the surface, user units
+  MemoryLimit memoryLimit;
 };
 
 // Scaling, Dual Levels, check and repair of the surface. `parts`: how many the mesh is made in, each of

@@ -3,6 +3,7 @@
 
 #include "Base/Execution.h"
 #include "Mesher/Options.h"
+#include "Repair/Regions.h"
 
 namespace cartesian
 {
@@ -27,6 +28,7 @@ std::vector<NamedOption> optionTable()
   const Options d; // defaults
   return {
     choice("Regions From", d.regionsFrom, { "One", "Blocks", "Array" }),
+    { "Contact Tolerance", d.contactTolerance, RegionSpec::ContactTolerances, Length },
     choice("Domain", d.domain.domain, { "Inside", "Outside" }),
     choice("Box From", d.domain.boxFrom, { "Surface", "Bounds" }),
     choice("Flow Direction", d.domain.flow,

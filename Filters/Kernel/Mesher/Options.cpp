@@ -33,10 +33,11 @@ double machineMemory()
 
 }
 
-double bytesAllowed(const Options& options)
+MemoryLimit memoryLimitOf(const Options& options)
 {
-  return options.memoryLimit > 0 ? options.memoryLimit * BytesOfAGiB
-                                 : ShareOfMemory * machineMemory();
+  const double bytes =
+    options.memoryLimit > 0 ? options.memoryLimit * BytesOfAGiB : ShareOfMemory * machineMemory();
+  return { bytes, options.patches.method == PatchMethod::ExactFit, shapesCells(options) };
 }
 
 bool shapesCells(const Options& options)

@@ -3,6 +3,7 @@
 // its group. The panel's names for them are in OptionTable.h.
 #pragma once
 
+#include "Boxes/MeshEstimate.h"
 #include "Boxes/Refinement.h"
 #include "Cells/SmallCellSpec.h"
 #include "Collapse/CollapseSpec.h"
@@ -28,6 +29,7 @@ struct Options
   static constexpr Range MemoryLimits{ 0 };
 
   RegionSource regionsFrom = RegionSource::One;
+  double contactTolerance = 0; // user units (Regions.h)
   DomainSpec domain;
   GridSpec grid;
   RefinementSpec refinement;
@@ -41,8 +43,8 @@ struct Options
   double memoryLimit = 0;
 };
 
-// Memory limit in bytes; without one where this machine does not tell how much memory it has.
-double bytesAllowed(const Options& options);
+// What a mesh may take; without a limit where this machine does not tell how much memory it has.
+MemoryLimit memoryLimitOf(const Options& options);
 
 // How far the cells of a part depend on others.
 LaterSteps laterStepsOf(const Options& options);

@@ -16,15 +16,35 @@ namespace
 constexpr const char* Blank = " \t\r\n";
 constexpr const char* EndOfWord = " \t\r\n;";
 
-std::string newEntries(const std::string& name)
+std::string entry(const std::string& key, const std::string& value)
 {
-  const bool wall = name.rfind("wall", 0) == 0 || name.rfind("Wall", 0) == 0;
-  return std::string("\n        type            ") + (wall ? "wall" : "patch") +
-    ";\n        nFaces          0;\n        startFace       0;\n    ";
+  return "\n        " + key + std::string(key.size() < 16 ? 16 - key.size() : 1, ' ') + value + ";";
 }
 
-// Replaces the value of the entry `key`.
-void setEntry(std::string& entries, const std::string& key, const std::string& value)
+std::string newEntries(const FoamPatch& patch)
+{
+  const bool isMapped = !patch.sample.region.empty();
+  std::string text = entry("type",
+                       isMapped                  ? "mappedWall"
+                         : isOpening(patch.name) ? "patch"
+                                                 : "wall") +
+    entry("nFaces", "0") + entry("startFace", "0");
+  if (isMapped)
+  {
+    text += entry("sampleMode", "nearestPatchFace") + entry("sampleRegion", patch.sample.region) +
+      entry("samplePatch", patch.sample.patch);
+  }
+  return text + "\n    ";
+}
+
+// Where the value of the entry `key` is; of length 0: nowhere.
+struct Place
+{
+  std::size_t at;
+  std::size_t length;
+};
+
+Place findEntry(const std::string& entries, const std::string& key)
 {
   for (std::size_t at = entries.find(key); at != std::string::npos; at = entries.find(key, at + 1))
   {
@@ -36,9 +56,18 @@ void setEntry(std::string& entries, const std::string& key, const std::string& v
     const bool oneWord = begin > after && end > begin && next < entries.size();
     if (wholeWord && oneWord && entries[next] == ';')
     {
-      entries.replace(begin, end - begin, value);
-      return;
+      return { begin, end - begin };
     }
+  }
+  return { 0, 0 };
+}
+
+void setEntry(std::string& entries, const std::string& key, const std::string& value)
+{
+  const Place place = findEntry(entries, key);
+  if (place.length > 0)
+  {
+    entries.replace(place.at, place.length, value);
   }
 }
 
@@ -61,12 +90,21 @@ std::string foamWord(const std::string& name)
   return word.empty() || std::strchr("-.:0123456789", word[0]) ? "_" + word : word;
 }
 
+bool isOpening(const std::string& name)
+{
+  std::string lower = name;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto begins = [&](const char* word) { return lower.rfind(word, 0) == 0; };
+  return begins("inlet") || begins("outlet") || begins("cyclic");
+}
+
 FoamBoundary::FoamBoundary(const std::vector<FoamPatch>& patches)
 {
   patches_.reserve(patches.size());
   for (const FoamPatch& patch : patches)
   {
-    patches_.push_back({ patch.name, newEntries(patch.name) });
+    patches_.push_back({ patch.name, newEntries(patch) });
   }
 }
 
@@ -99,6 +137,22 @@ bool FoamBoundary::hasNamesOf(const std::vector<FoamPatch>& patches) const
 {
   return std::equal(patches_.begin(), patches_.end(), patches.begin(), patches.end(),
     [](const Patch& a, const FoamPatch& b) { return a.name == b.name; });
+}
+
+bool FoamBoundary::hasOpening(const std::vector<FoamPatch>& patches) const
+{
+  for (std::size_t i = 0; i < patches_.size(); ++i)
+  {
+    const Place place = findEntry(patches_[i].entries, "type");
+    const std::string type = patches[i].type.empty()
+      ? patches_[i].entries.substr(place.at, place.length)
+      : patches[i].type;
+    if (type == "patch" || type.rfind("cyclic", 0) == 0)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 std::string FoamBoundary::text(const std::vector<FoamPatch>& patches, std::size_t start) const

@@ -9,11 +9,19 @@
 namespace cartesian
 {
 
+// The patch of another region's mesh that has the same faces; no names: there is none.
+struct FoamSample
+{
+  std::string region = {};
+  std::string patch = {};
+};
+
 struct FoamPatch
 {
-  std::string name;      // an OpenFOAM word (foamWord), different from all others
-  std::size_t count;     // number of faces, at least one
-  std::string type = {}; // one of foamTypes(); empty: as the existing file says, else by name
+  std::string name;       // an OpenFOAM word (foamWord), different from all others
+  std::size_t count;      // number of faces, at least one
+  std::string type = {};  // one of foamTypes(); empty: as the existing file says, else by name
+  FoamSample sample = {}; // a new patch that has one is a mappedWall
 };
 
 // The types of patches that need no further entries.
@@ -22,17 +30,24 @@ const std::vector<std::string>& foamTypes();
 // The name with each character that OpenFOAM does not allow in words replaced by an underscore.
 std::string foamWord(const std::string& name);
 
+// Whether flow passes through a boundary of which only the name is known: it begins with inlet, outlet or
+// cyclic, in whatever letters. All others are walls.
+bool isOpening(const std::string& name);
+
 // The entries of each patch, the text between its brackets.
 class FoamBoundary
 {
 public:
-  // Patches without a type become walls if their name starts with "wall" or "Wall", else patches.
+  // Patches without a type have that of their names.
   explicit FoamBoundary(const std::vector<FoamPatch>& patches);
 
   // Reads a file. There are no patches if it holds anything but patches with plain entries.
   explicit FoamBoundary(const std::filesystem::path& path);
 
   bool hasNamesOf(const std::vector<FoamPatch>& patches) const;
+
+  // Whether anything may flow through a patch.
+  bool hasOpening(const std::vector<FoamPatch>& patches) const;
 
   // The file's list of patches, with faces numbered from `start`. Entries stay as they are, except for the
   // numbers of faces, and for the type where `patches` have one.

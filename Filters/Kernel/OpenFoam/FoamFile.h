@@ -25,7 +25,7 @@ public:
   struct Header
   {
     const char* className;
-    const char* location; // folder of the file within the case
+    std::string location; // folder of the file within the case
     std::string note;     // empty: none
   };
 

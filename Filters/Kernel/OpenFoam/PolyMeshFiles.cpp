@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
+#include <set>
+#include <sstream>
 
 namespace cartesian
 {
@@ -15,7 +18,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr const char* Location = "constant/polyMesh";
 constexpr std::array<const char*, 5> MeshFiles = { "points", "faces", "owner", "neighbour",
   "boundary" };
 
@@ -49,48 +51,40 @@ bool isReplaceable(const fs::path& polyMesh, const std::vector<FoamPatch>& patch
     FoamBoundary(polyMesh / "boundary").hasNamesOf(patches);
 }
 
-void writeBoundary(const FoamBoundary& boundary, const FoamMesh& mesh, const fs::path& folder)
+// A folder of mesh files.
+struct Folder
 {
-  FoamFile file(folder / "boundary", FoamFormat::Ascii, { "polyBoundaryMesh", Location, {} });
-  file.text(boundary.text(mesh.patches, mesh.faces.neighbour.size()));
+  fs::path path;        // where they are written
+  std::string location; // as they say
+  FoamFormat format;
+};
+
+void writeBoundary(const FoamBoundary& boundary, const FoamMesh& mesh, const Folder& to)
+{
+  FoamFile file(to.path / "boundary", FoamFormat::Ascii, { "polyBoundaryMesh", to.location, {} });
+  file.text(boundary.text(mesh.patches, mesh.neighbour.size()));
   file.close();
 }
 
-void writeFaces(const FoamMesh& mesh, const fs::path& folder, FoamFormat format)
+void writeFaces(const FoamMesh& mesh, const Folder& to)
 {
-  const CellFaces& cells = mesh.cells;
-  std::vector<std::size_t> start = { 0 };
-  std::vector<std::uint32_t> corners;
-  start.reserve(mesh.faces.face.size() + 1);
-  for (const std::uint32_t face : mesh.faces.face)
-  {
-    const std::uint32_t* const begin = cells.corners.data() + cells.firstCorner[face];
-    const std::uint32_t* const end = cells.corners.data() + cells.firstCorner[face + 1];
-    corners.insert(corners.end(), begin, end);
-    start.push_back(corners.size());
-  }
-  if (corners.size() > std::numeric_limits<std::int32_t>::max())
-  {
-    throw Error(Fault::BadMesh,
-      "The mesh has more corners of faces than OpenFOAM can number in 32 bits: make it coarser.");
-  }
-  FoamFile file(folder / "faces", format,
-    { format == FoamFormat::Binary ? "faceCompactList" : "faceList", Location, {} });
-  file.labelLists(start, corners);
+  FoamFile file(to.path / "faces", to.format,
+    { to.format == FoamFormat::Binary ? "faceCompactList" : "faceList", to.location, {} });
+  file.labelLists(mesh.start, mesh.corners);
   file.close();
 }
 
-void writeLabels(const fs::path& path, const std::vector<std::uint32_t>& labels,
-  const std::string& note, FoamFormat format)
+void writeLabels(const char* name, const std::vector<std::uint32_t>& labels,
+  const std::string& note, const Folder& to)
 {
-  FoamFile file(path, format, { "labelList", Location, note });
+  FoamFile file(to.path / name, to.format, { "labelList", to.location, note });
   file.labels(labels.size(), [&](std::size_t i) { return labels[i]; });
   file.close();
 }
 
-void writeZones(const std::vector<FoamZone>& zones, const fs::path& folder)
+void writeZones(const std::vector<FoamZone>& zones, const Folder& to)
 {
-  FoamFile file(folder / Zones, FoamFormat::Ascii, { "regIOobject", Location, {} });
+  FoamFile file(to.path / Zones, FoamFormat::Ascii, { "regIOobject", to.location, {} });
   file.text(std::to_string(zones.size()) + "\n(\n");
   for (const FoamZone& zone : zones)
   {
@@ -102,34 +96,36 @@ void writeZones(const std::vector<FoamZone>& zones, const fs::path& folder)
   file.close();
 }
 
-void writeFiles(
-  const FoamMesh& mesh, const FoamBoundary& boundary, const fs::path& folder, FoamFormat format)
+void writeFiles(const FoamMesh& mesh, const FoamBoundary& boundary, const Folder& to)
 {
-  FoamFile points(folder / "points", format, { "vectorField", Location, {} });
+  FoamFile points(to.path / "points", to.format, { "vectorField", to.location, {} });
   points.vectors(mesh.points);
   points.close();
-  writeFaces(mesh, folder, format);
+  writeFaces(mesh, to);
   const std::string note = "nPoints:" + std::to_string(mesh.points.size() / 3) +
-    " nCells:" + std::to_string(mesh.cells.cellCount()) +
-    " nFaces:" + std::to_string(mesh.faces.face.size()) +
-    " nInternalFaces:" + std::to_string(mesh.faces.neighbour.size());
-  writeLabels(folder / "owner", mesh.faces.owner, note, format);
-  writeLabels(folder / "neighbour", mesh.faces.neighbour, note, format);
-  writeBoundary(boundary, mesh, folder);
+    " nCells:" + std::to_string(mesh.cellCount) + " nFaces:" + std::to_string(mesh.owner.size()) +
+    " nInternalFaces:" + std::to_string(mesh.neighbour.size());
+  writeLabels("owner", mesh.owner, note, to);
+  writeLabels("neighbour", mesh.neighbour, note, to);
+  writeBoundary(boundary, mesh, to);
   if (!mesh.zones.empty())
   {
-    writeZones(mesh.zones, folder);
+    writeZones(mesh.zones, to);
   }
 }
 
-void writeSystem(const fs::path& folder)
+// Those of a region are what a mesh needs, not a run.
+void writeSystem(const fs::path& folder, const std::string& region)
 {
-  fs::create_directories(folder);
+  const fs::path place = folder / "system" / region;
+  fs::create_directories(place);
   for (const SystemFile& missing : SystemFiles)
   {
-    if (!fs::exists(folder / missing.name))
+    const bool isOfCase = std::string(missing.name) == "controlDict";
+    if ((region.empty() || !isOfCase) && !fs::exists(place / missing.name))
     {
-      FoamFile file(folder / missing.name, FoamFormat::Ascii, { "dictionary", "system", {} });
+      FoamFile file(place / missing.name, FoamFormat::Ascii,
+        { "dictionary", (fs::path("system") / region).lexically_normal().string(), {} });
       file.text(std::string("// The least that checkMesh wants: adapt it to your solver.\n\n") +
         missing.text);
       file.close();
@@ -137,27 +133,27 @@ void writeSystem(const fs::path& folder)
   }
 }
 
-fs::path freeName(const fs::path& polyMesh)
+fs::path freeName(const fs::path& path)
 {
-  fs::path name = polyMesh;
+  fs::path name = path;
   name += ".old";
   for (int i = 2; fs::exists(name); ++i)
   {
-    name = polyMesh;
+    name = path;
     name += ".old" + std::to_string(i);
   }
   return name;
 }
 
-// Renames the old folder, if there is one; the new name, or an empty one.
-fs::path setAside(const fs::path& polyMesh)
+// Renames what is old, if there is any; the new name, or an empty one.
+fs::path setAside(const fs::path& path)
 {
-  if (!fs::exists(polyMesh))
+  if (!fs::exists(path))
   {
     return {};
   }
-  fs::path kept = freeName(polyMesh);
-  fs::rename(polyMesh, kept);
+  fs::path kept = freeName(path);
+  fs::rename(path, kept);
   return kept;
 }
 
@@ -175,32 +171,126 @@ fs::path withoutMesh(const fs::path& kept)
   return fs::is_empty(kept) && fs::remove(kept) ? fs::path() : kept;
 }
 
+fs::path unfinished(fs::path polyMesh)
+{
+  return polyMesh += ".unfinished";
 }
 
-std::filesystem::path writePolyMesh(
-  const FoamMesh& mesh, const std::filesystem::path& folder, FoamFormat format)
+// Whether a file of regions names all of these.
+bool namesAll(const fs::path& file, const std::set<std::string>& regions)
 {
-  const fs::path polyMesh = folder / Location;
-  fs::path unfinished = polyMesh;
-  unfinished += ".unfinished";
+  std::ifstream stream(file);
+  std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  std::replace_if(
+    text.begin(), text.end(), [](char c) { return c == '(' || c == ')' || c == ';'; }, ' ');
+  std::istringstream words(text);
+  const std::set<std::string> found{ std::istream_iterator<std::string>(words), {} };
+  return std::includes(found.begin(), found.end(), regions.begin(), regions.end());
+}
+
+template <class Action>
+void reportingFailures(Action&& act)
+{
   try
   {
-    writeSystem(folder / "system");
-    const bool replaced = fs::exists(polyMesh) && isReplaceable(polyMesh, mesh.patches);
-    fs::remove_all(unfinished);
-    fs::create_directories(unfinished);
-    writeFiles(mesh, replaced ? FoamBoundary(polyMesh / "boundary") : FoamBoundary(mesh.patches),
-      unfinished, format);
-    // The old mesh goes when the new one is there: whenever the program is killed, there is one of them.
-    const fs::path kept = setAside(polyMesh);
-    fs::rename(unfinished, polyMesh);
-    return replaced ? withoutMesh(kept) : kept;
+    act();
   }
   catch (const fs::filesystem_error& error)
   {
     throw Error(
       Fault::CannotWrite, std::string(error.what()) + ": choose another folder, or make room.");
   }
+}
+
+}
+
+FoamMesh foamMesh(std::vector<double> points, const CellFaces& cells, const FaceList& faces,
+  std::vector<FoamPatch> patches)
+{
+  FoamMesh mesh{ std::move(points), { 0 }, {}, faces.owner, faces.neighbour, cells.cellCount(),
+    std::move(patches) };
+  mesh.start.reserve(faces.face.size() + 1);
+  for (const std::uint32_t face : faces.face)
+  {
+    const std::uint32_t* const begin = cells.corners.data() + cells.firstCorner[face];
+    const std::uint32_t* const end = cells.corners.data() + cells.firstCorner[face + 1];
+    mesh.corners.insert(mesh.corners.end(), begin, end);
+    mesh.start.push_back(mesh.corners.size());
+  }
+  if (mesh.corners.size() > std::numeric_limits<std::int32_t>::max())
+  {
+    throw Error(Fault::BadMesh,
+      "The mesh has more corners of faces than OpenFOAM can number in 32 bits: make it coarser.");
+  }
+  return mesh;
+}
+
+PolyMeshFiles::PolyMeshFiles(std::filesystem::path folder, FoamFormat format)
+  : folder_(std::move(folder))
+  , format_(format)
+{
+}
+
+void PolyMeshFiles::write(const FoamMesh& mesh, const std::string& region)
+{
+  reportingFailures([&] {
+    writeSystem(folder_, {});
+    if (!region.empty())
+    {
+      writeSystem(folder_, region);
+    }
+    const fs::path location = fs::path("constant") / region / "polyMesh";
+    const fs::path polyMesh = folder_ / location;
+    const bool replaces = fs::exists(polyMesh) && isReplaceable(polyMesh, mesh.patches);
+    fs::remove_all(unfinished(polyMesh));
+    fs::create_directories(unfinished(polyMesh));
+    const FoamBoundary boundary =
+      replaces ? FoamBoundary(polyMesh / "boundary") : FoamBoundary(mesh.patches);
+    writeFiles(mesh, boundary, { unfinished(polyMesh), location.string(), format_ });
+    written_.push_back({ polyMesh, replaces, region, boundary.hasOpening(mesh.patches) });
+  });
+}
+
+std::vector<std::filesystem::path> PolyMeshFiles::replace()
+{
+  std::vector<fs::path> kept;
+  reportingFailures([&] {
+    for (const Written& written : written_)
+    {
+      // The old mesh goes when the new one is there: whenever the program is killed, there is one of them.
+      const fs::path old = setAside(written.polyMesh);
+      fs::rename(unfinished(written.polyMesh), written.polyMesh);
+      kept.push_back(written.replaces ? withoutMesh(old) : old);
+    }
+    if (!written_.empty() && !written_.front().region.empty())
+    {
+      writeRegionProperties(kept);
+    }
+  });
+  kept.erase(std::remove(kept.begin(), kept.end(), fs::path()), kept.end());
+  return kept;
+}
+
+void PolyMeshFiles::writeRegionProperties(std::vector<std::filesystem::path>& kept) const
+{
+  std::string fluid;
+  std::string solid;
+  std::set<std::string> regions;
+  for (const Written& written : written_)
+  {
+    (written.isFluid ? fluid : solid) += " " + written.region;
+    regions.insert(written.region);
+  }
+  const fs::path path = folder_ / "constant" / "regionProperties";
+  if (fs::exists(path) && namesAll(path, regions))
+  {
+    return;
+  }
+  kept.push_back(setAside(path));
+  FoamFile file(path, FoamFormat::Ascii, { "dictionary", "constant", {} });
+  file.text("// fluid: what has a patch that is no wall.\n\nregions\n(\n    fluid (" + fluid +
+    " )\n    solid (" + solid + " )\n);\n");
+  file.close();
 }
 
 void createMarker(const std::filesystem::path& path)

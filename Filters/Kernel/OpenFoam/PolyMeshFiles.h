@@ -17,25 +17,58 @@ struct FoamZone
 
 struct FoamMesh
 {
-  const std::vector<double>& points; // three coordinates each; each point belongs to a face
-  const CellFaces& cells;
-  const FaceList& faces; // boundary faces in order of the patches
-  const std::vector<FoamPatch>& patches;
+  std::vector<double> points;           // three coordinates each; each point belongs to a face
+  std::vector<std::size_t> start;       // of each face in `corners`, and the end
+  std::vector<std::uint32_t> corners;   // points in order around the face, from outside its owner
+  std::vector<std::uint32_t> owner;     // of each face: inner ones first, then those of the patches
+  std::vector<std::uint32_t> neighbour; // of inner faces
+  std::size_t cellCount;
+  std::vector<FoamPatch> patches;
   std::vector<FoamZone> zones = {}; // cellZones; none: no such file
 };
 
-// Writes points, faces, owner, neighbour, boundary and, if there are zones, cellZones into `folder`/constant/polyMesh, and the files
-// system/controlDict, fvSchemes and fvSolution that checkMesh needs, if they are missing.
+// `faces`: boundary faces in order of the patches. Throws Error (BadMesh): more than 2^31 - 1 corners.
+FoamMesh foamMesh(std::vector<double> points, const CellFaces& cells, const FaceList& faces,
+  std::vector<FoamPatch> patches);
+
+// Writes meshes of a case: that of `folder`/constant/polyMesh, or one for each region, constant/<region>/polyMesh.
+// Each has points, faces, owner, neighbour, boundary and, if there are zones, cellZones; beside them are the
+// files system/controlDict, fvSchemes and fvSolution that checkMesh needs, if they are missing.
 //
-// If this function wrote an existing polyMesh for patches of the same names, that is replaced once the new
-// one is complete. The entries of its patches, which the user may have edited, are kept except for the
+// If this class wrote an existing polyMesh for patches of the same names, that is replaced once all the new
+// ones are complete. The entries of its patches, which the user may have edited, are kept except for the
 // numbers of faces. Anything else in the folder (zones and sets, which do not fit the new mesh), and all of
-// any other polyMesh, is renamed to polyMesh.old (polyMesh.old2, ...). Returns the new name, or an empty one
-// if nothing was renamed.
+// any other polyMesh, is renamed to polyMesh.old (polyMesh.old2, ...).
 //
-// Throws Error: BadMesh (more than 2^31 - 1 points, faces or corners), CannotWrite.
-std::filesystem::path writePolyMesh(
-  const FoamMesh& mesh, const std::filesystem::path& folder, FoamFormat format);
+// All methods throw Error (CannotWrite).
+class PolyMeshFiles
+{
+public:
+  PolyMeshFiles(std::filesystem::path folder, FoamFormat format);
+
+  // `region`: an OpenFOAM word; empty: the case has one mesh. Writes beside what is there.
+  void write(const FoamMesh& mesh, const std::string& region = {});
+
+  // Puts all that was written in its place. Of regions, writes constant/regionProperties too, where each is
+  // fluid that has a patch which is no wall, as chtMultiRegionFoam asks, and else solid; one that names all
+  // regions stays as it is, another is renamed. Returns what was renamed.
+  std::vector<std::filesystem::path> replace();
+
+private:
+  struct Written
+  {
+    std::filesystem::path polyMesh;
+    bool replaces; // a mesh that we wrote, of the same patches
+    std::string region;
+    bool isFluid;
+  };
+
+  void writeRegionProperties(std::vector<std::filesystem::path>& kept) const;
+
+  std::filesystem::path folder_;
+  FoamFormat format_;
+  std::vector<Written> written_;
+};
 
 // Creates the empty file with which ParaView opens a case, if it does not exist. Throws Error
 // (CannotWrite).

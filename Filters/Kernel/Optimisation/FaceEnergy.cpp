@@ -57,7 +57,7 @@ double reachOf(const Ring& ring, const Vector& centre, const Vector& aside, doub
   double reach = least * norm(aside);
   for (std::size_t i = 0; i < ring.size; ++i)
   {
-    reach = std::max(reach, std::abs(dot(minus(ring.at[ring.first[i]], centre), aside)));
+    reach = std::max(reach, std::abs(dot(minus(ring[i], centre), aside)));
   }
   return reach / std::max(norm(aside), Tiny);
 }

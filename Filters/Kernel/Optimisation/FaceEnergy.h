@@ -5,8 +5,6 @@
 
 #include "Polyhedra/CellGeometry.h"
 
-#include <cstdint>
-
 namespace cartesian
 {
 
@@ -33,15 +31,7 @@ struct FaceEnergy
   double all = 0;
 };
 
-// A face's corners, for its reach: OpenFOAM's skewness is relative to it.
-struct Ring
-{
-  const Vector* at;
-  const std::uint32_t* first;
-  std::size_t size;
-};
-
-// `edge`: of the cells' boxes. The area points from the cell below to the one above. Adds to the gradients.
+// `ring`: for the face's reach, to which OpenFOAM's skewness is relative; `edge`: of the cells' boxes. The area points from the cell below to the one above. Adds to the gradients.
 FaceEnergy energyOfInnerFace(const FaceGeometry& face, const Ring& ring, double edge,
   const CellGeometry& below, const CellGeometry& above, FaceGradient& ofFace, CellGradient& ofBelow,
   CellGradient& ofAbove);

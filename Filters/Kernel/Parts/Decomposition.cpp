@@ -32,8 +32,7 @@ MeshEstimate sumOf(const std::vector<MeshEstimate>& ofLayers, Layers layers)
   MeshEstimate sum;
   for (std::uint32_t k = layers.begin; k < layers.end; ++k)
   {
-    sum.inside += ofLayers[k].inside;
-    sum.intersected += ofLayers[k].intersected;
+    sum.add(ofLayers[k]);
   }
   return sum;
 }
@@ -52,10 +51,11 @@ double workOf(const MeshEstimate& estimate)
 }
 
 Decomposition::Decomposition(const Surface& surface, const Meshlines& planes,
-  const RefinementSpec& spec, double mostBytes, const LaterSteps& laterSteps, Execution& execution)
+  const RefinementSpec& spec, const MemoryLimit& limit, const LaterSteps& laterSteps,
+  Execution& execution)
   : surface_(surface)
   , planes_(planes)
-  , mostBytes_(mostBytes)
+  , limit_(limit)
   , laterSteps_(laterSteps)
   , shoeboxes_(fillShoeboxes(surface, planes, execution))
   , refinement_(spec, surface, shoeboxes_, planes, execution)
@@ -66,7 +66,7 @@ Decomposition::Decomposition(const Surface& surface, const Meshlines& planes,
 Boxes Decomposition::boxes(Layers core, Execution& execution) const
 {
   return generateBoxes(surface_, planes_, shoeboxes_, refinement_, statuses_, core,
-    layersFor(core, laterSteps_, refinement_, allLayers().end), mostBytes_, execution);
+    layersFor(core, laterSteps_, refinement_, allLayers().end), limit_, execution);
 }
 
 std::vector<MeshEstimate> Decomposition::estimateLayers(Execution& execution) const
@@ -75,13 +75,12 @@ std::vector<MeshEstimate> Decomposition::estimateLayers(Execution& execution) co
   execution.forEach(layers.size(), 1, [&](std::size_t begin, std::size_t) {
     const auto k = static_cast<std::uint32_t>(begin);
     MeshEstimate& sum = layers[k];
+    const std::size_t firstRow = begin * (planes_[1].size() - 1);
     for (std::uint32_t j = 0; j + 1 < planes_[1].size(); ++j)
     {
       statuses_.forEachBox(j, k, [&](std::uint32_t i, BoxStatus status) {
         const Depths depths = refinement_.any() ? refinement_.at(i, j, k) : Depths();
-        const MeshEstimate box = estimateBox(status, depths);
-        sum.inside += box.inside;
-        sum.intersected += box.intersected;
+        sum.add(estimateBox(status, depths, shoeboxes_.triangles(firstRow + j, i)));
       });
     }
   });
@@ -119,17 +118,17 @@ std::size_t Decomposition::partsNeeded(const std::vector<MeshEstimate>& layers) 
     MeshEstimate largest;
     for (const Layers& core : split(layers, count))
     {
-      const MeshEstimate part = sumOf(layers, layersFor(core, laterSteps_, refinement_, all));
-      largest = part.bytes() > largest.bytes() ? part : largest;
+      MeshEstimate part = sumOf(layers, layersFor(core, laterSteps_, refinement_, all));
+      part.triangles = static_cast<double>(surface_.triangles.size());
+      largest = part.bytes(limit_) > largest.bytes(limit_) ? part : largest;
     }
-    largest.triangles = static_cast<double>(surface_.triangles.size());
-    if (largest.bytes() <= mostBytes_)
+    if (largest.bytes(limit_) <= limit_.bytes)
     {
       return count;
     }
     if (count >= all)
     {
-      checkMemory(largest, mostBytes_);
+      checkMemory(largest, limit_);
     }
   }
 }

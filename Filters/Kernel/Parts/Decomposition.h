@@ -19,11 +19,11 @@ namespace cartesian
 class Decomposition
 {
 public:
-  // Borrows `surface` and `planes`. `mostBytes`: for the boxes and cells of one part; `laterSteps`:
+  // Borrows `surface` and `planes`. `limit`: of one part; `laterSteps`:
   // what will be done to the cells. Throws Error: BadParameter (of the refinement); of a region's
   // surface EmptySurface, BadCoordinate, FlawedSurface.
   Decomposition(const Surface& surface, const Meshlines& planes, const RefinementSpec& spec,
-    double mostBytes, const LaterSteps& laterSteps, Execution& execution);
+    const MemoryLimit& limit, const LaterSteps& laterSteps, Execution& execution);
 
   Decomposition(const Decomposition&) = delete;
   Decomposition& operator=(const Decomposition&) = delete;
@@ -54,7 +54,7 @@ public:
 private:
   const Surface& surface_;
   const Meshlines& planes_;
-  double mostBytes_;
+  MemoryLimit limit_;
   LaterSteps laterSteps_;
   Shoeboxes shoeboxes_;
   Refinement refinement_;

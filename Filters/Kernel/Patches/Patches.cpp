@@ -2,6 +2,7 @@
 #include "Patches/Patches.h"
 
 #include "Base/Error.h"
+#include "Patches/NearTriangles.h"
 #include "Patches/PatchBuilder.h"
 
 namespace cartesian
@@ -177,13 +178,15 @@ private:
     SurfaceCutter cutter(
       surface_, features_, boxes_, spec_.method == PatchMethod::ExactFit ? nullptr : &clearance_);
     PatchChooser chooser(surface_, features_, spec_.featureAngle);
+    NearTriangles near(surface_, boxes_);
     BoxSurface piece;
     for (std::size_t n = begin; n < end; ++n)
     {
       execution_.poll();
       const Box box = boxes_.box(intersected_[n]);
       const auto& global = boxes_.globalOf(box).index;
-      const auto [first, last] = shoeboxes.triangles(boxes_.row(global[1], global[2]), global[0]);
+      const auto [first, last] =
+        near.of(box, shoeboxes.triangles(boxes_.row(global[1], global[2]), global[0]));
       cutter.cut(box, first, last, piece);
       PatchReason& reason = reasons_[intersected_[n]];
       if (spec_.method != PatchMethod::MarchingCubes)

@@ -25,7 +25,7 @@ constexpr double CostOfNegligible = 4;
 double costOfShare(double share);
 
 // From here on a face or a cell is worth mending.
-constexpr double PoorCost = 3;
+constexpr double PoorCost = 5;
 
 // Of the cell as its inner faces lie: high where there is a direction that hardly any of them faces. Pressure
 // and velocity along it are at the mercy of rounding there.

@@ -7,12 +7,23 @@
 #include "Lattice/Vector.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace cartesian
 {
 
 // Smaller areas and volumes count as zero; this only keeps divisors from vanishing.
 constexpr double Tiny = 1e-150;
+
+// A polygon of some nodes, counter-clockwise from outside.
+struct Ring
+{
+  const Vector* nodes;
+  const std::uint32_t* corners;
+  std::size_t size;
+
+  const Vector& operator[](std::size_t i) const { return nodes[corners[i]]; }
+};
 
 struct FaceGeometry
 {
@@ -46,6 +57,12 @@ Vector forEachStarTriangle(std::size_t size, Corner&& corner, Visitor&& visit)
 template <class Corner>
 FaceGeometry measureFace(std::size_t size, Corner&& corner)
 {
+  if (size == 3)
+  {
+    const Vector p = minus(corner(1), corner(0));
+    const Vector q = minus(corner(2), corner(0));
+    return { plus(corner(0), scaled(plus(p, q), 1.0 / 3)), scaled(cross(p, q), 0.5) };
+  }
   Vector area{ 0, 0, 0 };
   Vector moment{ 0, 0, 0 };
   double sum = 0;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Polyhedra/Polyhedron.h"
 
-#include "Polyhedra/CellGeometry.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -25,16 +23,15 @@ Vector meanOf(std::size_t size, Corner&& corner)
   return scaled(mean, 1.0 / static_cast<double>(size));
 }
 
-FaceShape shapeOf(const Polyhedron& cell, std::size_t face)
-{
-  const std::uint32_t* const corners = cell.corners.data() + cell.start[face];
-  const std::size_t size = cell.start[face + 1] - cell.start[face];
-  const auto corner = [&](std::size_t i) -> const Vector& { return cell.nodes[corners[i]]; };
-  const FaceGeometry geometry = measureFace(size, corner);
-  return { geometry.area, geometry.centre, meanOf(size, corner) };
 }
 
-// Measures the volume and its centre.
+FaceShape measure(const Ring& ring)
+{
+  const auto corner = [&](std::size_t i) -> const Vector& { return ring[i]; };
+  const FaceGeometry geometry = measureFace(ring.size, corner);
+  return { geometry.area, geometry.centre, meanOf(ring.size, corner) };
+}
+
 void measureVolume(CellShape& shape)
 {
   Vector middle{ 0, 0, 0 };
@@ -55,8 +52,6 @@ void measureVolume(CellShape& shape)
     shape.volume += dot(face.area, minus(face.mean, middle)) / 3;
   }
   shape.centre = pyramids > 0 ? plus(middle, scaled(moment, 1 / pyramids)) : middle;
-}
-
 }
 
 void Polyhedron::clear()
@@ -80,7 +75,7 @@ void measure(const Polyhedron& cell, CellShape& shape)
   shape.faces.resize(cell.faces());
   for (std::size_t f = 0; f < cell.faces(); ++f)
   {
-    shape.faces[f] = shapeOf(cell, f);
+    shape.faces[f] = measure(ringOf(cell, f));
   }
   measureVolume(shape);
 }
@@ -108,13 +103,12 @@ bool isThin(const CellShape& shape)
   return shape.volume <= LeastThickness * area;
 }
 
-bool isFlat(const Polyhedron& cell, const CellShape& shape, std::size_t face, double distance)
+bool isFlat(const Ring& ring, const FaceShape& shape, double distance)
 {
-  const Vector normal = unit(shape.faces[face].area);
-  for (std::size_t i = cell.start[face]; i < cell.start[face + 1]; ++i)
+  const Vector normal = unit(shape.area);
+  for (std::size_t i = 0; i < ring.size; ++i)
   {
-    const Vector p = minus(cell.nodes[cell.corners[i]], shape.faces[face].centre);
-    if (std::abs(dot(p, normal)) > distance)
+    if (std::abs(dot(minus(ring[i], shape.centre), normal)) > distance)
     {
       return false;
     }
@@ -122,17 +116,15 @@ bool isFlat(const Polyhedron& cell, const CellShape& shape, std::size_t face, do
   return true;
 }
 
-bool isStar(const Polyhedron& cell, std::size_t face, const Vector& normal)
+bool isStar(const Ring& ring, const Vector& normal)
 {
-  const Vector mean = meanOf(cell.start[face + 1] - cell.start[face],
-    [&](std::size_t i) { return cell.nodes[cell.corners[cell.start[face] + i]]; });
+  const Vector mean = meanOf(ring.size, [&](std::size_t i) -> const Vector& { return ring[i]; });
   double least = 0;
   double sum = 0;
-  for (std::size_t i = cell.start[face]; i < cell.start[face + 1]; ++i)
+  for (std::size_t i = 0; i < ring.size; ++i)
   {
-    const std::size_t next = i + 1 < cell.start[face + 1] ? i + 1 : cell.start[face];
-    const Vector p = minus(cell.nodes[cell.corners[i]], mean);
-    const Vector q = minus(cell.nodes[cell.corners[next]], mean);
+    const Vector p = minus(ring[i], mean);
+    const Vector q = minus(ring[i + 1 < ring.size ? i + 1 : 0], mean);
     const double area = dot(cross(p, q), normal);
     least = std::min(least, area);
     sum += area;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Base/RawVector.h"
-#include "Lattice/Vector.h"
+#include "Polyhedra/CellGeometry.h"
 
 #include <cstdint>
 #include <vector>
@@ -30,6 +30,12 @@ struct Polyhedron
   }
 };
 
+inline Ring ringOf(const Polyhedron& cell, std::size_t face)
+{
+  const std::uint32_t begin = cell.start[face];
+  return { cell.nodes.data(), cell.corners.data() + begin, cell.start[face + 1] - begin };
+}
+
 struct FaceShape
 {
   Vector area;   // outward area vector
@@ -47,6 +53,10 @@ struct CellShape
 // Measures a cell as OpenFOAM 1912 does.
 void measure(const Polyhedron& cell, CellShape& shape);
 
+// Its parts: of a face, and of a cell whose faces are measured.
+FaceShape measure(const Ring& ring);
+void measureVolume(CellShape& shape);
+
 // The same, with centres of faces as in later versions (projectedCentre in CellGeometry.h).
 void measureProjected(const Polyhedron& cell, CellShape& shape);
 
@@ -55,9 +65,9 @@ void measureProjected(const Polyhedron& cell, CellShape& shape);
 bool isThin(const CellShape& shape);
 
 // Whether a face, projected along `normal`, has a star triangulation.
-bool isStar(const Polyhedron& cell, std::size_t face, const Vector& normal);
+bool isStar(const Ring& ring, const Vector& normal);
 
 // Whether all corners of a face are within `distance` of its plane.
-bool isFlat(const Polyhedron& cell, const CellShape& shape, std::size_t face, double distance);
+bool isFlat(const Ring& ring, const FaceShape& shape, double distance);
 
 }

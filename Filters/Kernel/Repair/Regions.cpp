@@ -420,16 +420,19 @@ void requireApart(
           nameOf(std::max(a, b), names) + " pass through each other near " +
           placeOf(surface, middleOf(surface, pair.first)) +
           ": only regions that touch in common planes or triangles, or lie in one another, can be "
-          "separated. Cut one out of the other.");
+          "separated. Cut one out of the other, or choose a Contact Tolerance that is larger than "
+          "what is between walls that ought to touch.");
     }
   }
 }
 
 }
 
-void separateRegions(Surface& surface, const Meshlines& planes,
-  const std::vector<std::string>& names, Execution& execution)
+std::vector<ClosedContact> separateRegions(
+  Surface& surface, const Meshlines& planes, const RegionSpec& spec, Execution& execution)
 {
+  requireInRange(RegionSpec::ContactTolerances, spec.contactTolerance, "Contact Tolerance");
+  const std::vector<std::string>& names = spec.names;
   const std::int32_t regions = *std::max_element(surface.region.begin(), surface.region.end());
   Surface all;
   all.lattice = surface.lattice;
@@ -437,6 +440,11 @@ void separateRegions(Surface& surface, const Meshlines& planes,
   for (std::int32_t region = FirstRegion; region <= regions; ++region)
   {
     append(surfaceOf(surface, region, planes, names, execution), all);
+  }
+  std::vector<ClosedContact> closed;
+  if (spec.contactTolerance > 0)
+  {
+    closed = closeContacts(all, regions, spec.contactTolerance / surface.lattice.step(), execution);
   }
   imprint(all, execution);
   requireApart(all, names, execution);
@@ -453,6 +461,7 @@ void separateRegions(Surface& surface, const Meshlines& planes,
           ": it lies in those before it. Put it before them, or leave it out.");
     }
   }
+  return closed;
 }
 
 }

@@ -14,6 +14,9 @@ namespace cartesian
 namespace
 {
 
+// Overlapped triangles in a message.
+constexpr std::size_t MostNamed = 20;
+
 using Triangle = std::array<std::uint32_t, 3>;
 
 // Two triangles at an edge with almost no angle between them.
@@ -320,6 +323,29 @@ private:
   std::array<std::vector<Vector>, DefectKinds> points_;
 };
 
+// The first of them, by the user's numbers, with their middles.
+std::string listOverlapped(const SurfaceDefects& defects, const std::vector<long long>& cells)
+{
+  std::string text;
+  std::size_t count = 0;
+  std::size_t point = 0;
+  for (const Defect& defect : defects.defects)
+  {
+    if (defect.kind == DefectKind::OverlappedTriangle && count++ < MostNamed)
+    {
+      Vector middle{};
+      for (std::size_t i = point; i < point + defect.size; ++i)
+      {
+        middle = plus(middle, scaled(defects.points[i], 1. / defect.size));
+      }
+      text += "\n  cell " + std::to_string(cells[defect.triangle]) + " at (" + number(middle[0]) +
+        ", " + number(middle[1]) + ", " + number(middle[2]) + ")";
+    }
+    point += defect.size;
+  }
+  return text + (count > MostNamed ? "\n  ..." : "");
+}
+
 }
 
 SurfaceDefects findDefects(const Surface& surface, std::size_t given, const SurfaceRepair& repair,
@@ -328,7 +354,27 @@ SurfaceDefects findDefects(const Surface& surface, std::size_t given, const Surf
   return DefectLister(surface, given, repair, planes, execution).list();
 }
 
-std::string describe(const SurfaceDefects& defects)
+SurfaceDefects listContacts(const std::vector<ClosedContact>& contacts, const Lattice& lattice)
+{
+  SurfaceDefects result;
+  std::size_t& count = result.counts[static_cast<std::size_t>(DefectKind::ClosedContact)];
+  for (const ClosedContact& contact : contacts)
+  {
+    for (std::size_t i = 0; i < contact.given.size(); ++i, ++count)
+    {
+      result.defects.push_back({ DefectKind::ClosedContact, contact.given[i], SurfaceDefects::None,
+        3, true, contact.width * lattice.step() });
+      for (const Point& p : contact.triangles[i])
+      {
+        result.points.push_back(
+          { lattice.position(0, p[0]), lattice.position(1, p[1]), lattice.position(2, p[2]) });
+      }
+    }
+  }
+  return result;
+}
+
+std::string describe(const SurfaceDefects& defects, const std::vector<long long>& cells)
 {
   const std::pair<DefectKind, const char*> kinds[] = {
     { DefectKind::FoldedTriangle, " triangles are folded back onto a neighbour." },
@@ -341,6 +387,7 @@ std::string describe(const SurfaceDefects& defects)
     if (const std::size_t count = defects.counts[static_cast<std::size_t>(kind)])
     {
       text += (text.empty() ? "" : "\n") + std::to_string(count) + words;
+      text += kind == DefectKind::OverlappedTriangle ? listOverlapped(defects, cells) : "";
     }
   }
   if (defects.notCompared > 0)

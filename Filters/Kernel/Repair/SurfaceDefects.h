@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Lattice/Vector.h"
+#include "Repair/Contacts.h"
 #include "Repair/SurfaceRepair.h"
 
 namespace cartesian
@@ -22,8 +23,10 @@ enum class DefectKind
   SmallComponent = 9,     // smaller than a box in all directions; triangles
   Hole = 10,              // narrower than a box, closed; line around it
   Leak = 11,              // a hole at least as wide as a box, closed; line around it
+  ClosedContact =
+    12, // faced another region's wall within the tolerance, and is that now; triangles
 };
-constexpr std::size_t DefectKinds = 12;
+constexpr std::size_t DefectKinds = 13;
 
 // Two triangles with a smaller angle between them, in degrees, are a fold.
 constexpr double FoldAngle = 1;
@@ -35,6 +38,7 @@ struct Defect
   std::uint32_t other;    // the second one of a pair, or None
   std::uint32_t size;     // number of points
   bool polygon;           // otherwise a line
+  double width = 0;       // of a closed contact, user units
 };
 
 struct SurfaceDefects
@@ -56,8 +60,12 @@ struct SurfaceDefects
 SurfaceDefects findDefects(const Surface& surface, std::size_t given, const SurfaceRepair& repair,
   const Meshlines& planes, Execution& execution);
 
+// The triangles that later regions lost, by their numbers in the view.
+SurfaceDefects listContacts(const std::vector<ClosedContact>& contacts, const Lattice& lattice);
+
 // A message about folds, overlaps and intersections, which may degrade a mesh and which describeFlaws
-// (Messages.h) does not mention; empty if there are none.
-std::string describe(const SurfaceDefects& defects);
+// (Messages.h) does not mention, with the first overlapped triangles; empty if there are none. `cells`: the
+// user's number of each triangle.
+std::string describe(const SurfaceDefects& defects, const std::vector<long long>& cells);
 
 }

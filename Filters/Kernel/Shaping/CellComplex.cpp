@@ -196,6 +196,11 @@ void CellComplex::lookAround(CellKey key, MeasuredCell& cell) const
   });
 }
 
+Vector CellComplex::between(CellKey from, CellKey to) const
+{
+  return minus(boxes_.lowOf(boxOf(to)), boxes_.lowOf(boxOf(from)));
+}
+
 NeighbourCell CellComplex::placeAndVolume(CellKey key, const Point& origin) const
 {
   const OpenCell* open = opened(key);
@@ -281,18 +286,21 @@ void CellComplex::lookBeyond(CellKey key, CellView& view) const
 
 std::vector<std::pair<CellKey, double>> CellComplex::neighbours(CellKey key) const
 {
-  const CellShape& measures = measured(key);
-  const Polyhedron& polyhedron = scratch_.polyhedron;
+  lookAround(key, scratch_.cell);
+  return neighboursOf(scratch_.cell);
+}
+
+std::vector<std::pair<CellKey, double>> neighboursOf(const MeasuredCell& cell)
+{
   std::vector<std::pair<CellKey, double>> result;
-  std::size_t face = 0;
-  forEachFace(key, [&](const FaceUse& use) {
-    const double area = norm(measures.faces[face].area);
-    const CellKey other = polyhedron.isBoundary[face] ? None : across(use);
-    ++face;
+  for (std::size_t f = 0; f < cell.across.size(); ++f)
+  {
+    const CellKey other = cell.across[f];
     if (other == None)
     {
-      return;
+      continue;
     }
+    const double area = norm(cell.measures.faces[f].area);
     const auto known = std::find_if(
       result.begin(), result.end(), [&](const auto& entry) { return entry.first == other; });
     if (known == result.end())
@@ -303,7 +311,7 @@ std::vector<std::pair<CellKey, double>> CellComplex::neighbours(CellKey key) con
     {
       known->second += area;
     }
-  });
+  }
   std::sort(result.begin(), result.end(), [](const auto& x, const auto& y) {
     const auto a = static_cast<float>(x.second); // equal but for rounding is equal
     const auto b = static_cast<float>(y.second);
@@ -425,7 +433,6 @@ std::vector<CellKey> CellComplex::polyhedraAtFault() const
   });
 }
 
-// And the cells beside them, in order, each once; None may be among them.
 std::vector<CellKey> CellComplex::allChangedSince(std::uint32_t mark) const
 {
   std::vector<CellKey> changed;

@@ -32,6 +32,10 @@ struct MeasuredCell
   std::vector<NeighbourCell> beyond;
 };
 
+// The cells of its region beyond its faces that are alive, each with the area between them (lattice
+// levels), the largest first.
+std::vector<std::pair<CellKey, double>> neighboursOf(const MeasuredCell& cell);
+
 class CellComplex
 {
 public:
@@ -48,8 +52,9 @@ public:
   void shape(CellKey key, Polyhedron& shape) const;
   void lookAround(CellKey key, MeasuredCell& cell) const;
 
-  // The cells of its region beyond its faces that are alive, each with the area between them (lattice
-  // levels), the largest first.
+  // From the lower corner of one's box to that of the other's.
+  Vector between(CellKey from, CellKey to) const;
+
   std::vector<std::pair<CellKey, double>> neighbours(CellKey key) const;
 
   // Whether is(other) for a cell beyond one of its faces.
@@ -65,6 +70,9 @@ public:
   // Of these, those that have changed, or have a neighbour that has, since `mark` was called.
   std::uint32_t mark() { return ++now_; }
   std::vector<CellKey> polyhedraChangedSince(std::uint32_t mark) const;
+
+  // All that have, and the cells beside them, in order, each once; None may be among them.
+  std::vector<CellKey> allChangedSince(std::uint32_t mark) const;
 
   // Free cells that the slab does not look after, but has changed, or one beside them.
   std::vector<CellKey> othersTouched() const;
@@ -209,6 +217,7 @@ private:
     EdgeTable numberOf;               // of nodes: edges from them to themselves
     Polyhedron polyhedron;
     CellShape measures;
+    MeasuredCell cell;
   };
 
   static constexpr std::uint32_t MostFaces = 0x7fffffffu;
@@ -246,7 +255,6 @@ private:
   }
   template <class Kept>
   std::vector<CellKey> select(Kept&& isKept) const;
-  std::vector<CellKey> allChangedSince(std::uint32_t mark) const;
   Layers layersOf(CellKey key) const;
   FaceUse useOf(const FaceOfCell& ref) const;
   OpenCell* opened(CellKey key);

@@ -300,7 +300,7 @@ bool CellComplex::losesStar(
   face.closeFace(false);
   CellShape shape;
   measure(face, shape);
-  return !isStar(face, 0, unit(shape.faces[0].area));
+  return !isStar(ringOf(face, 0), unit(shape.faces[0].area));
 }
 
 // Cells that touch in an edge only have the same points on it.
@@ -591,10 +591,6 @@ bool CellComplex::hasFacesNear(CellKey key, const CellView& view, const JoinedFa
 {
   return std::any_of(
     joined.groups.begin(), joined.groups.end(), [&](const JoinedFaces::Group& group) {
-      if (!group.isNew())
-      {
-        return false;
-      }
       std::vector<std::uint32_t> nodes;
       for (const std::uint32_t node : group.ring)
       {
@@ -695,10 +691,6 @@ void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joi
   std::vector<CellKey> touched;
   for (const JoinedFaces::Group& group : joined.groups)
   {
-    if (!group.isNew())
-    {
-      continue;
-    }
     changed_ = true;
     const std::uint32_t first = group.members.front();
     touched.push_back(view.across[first]);

@@ -2,6 +2,7 @@
 #include "Shaping/CellMerging.h"
 
 #include "Polyhedra/CellCost.h"
+#include "Polyhedra/CellGeometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,6 +55,17 @@ constexpr double MostShare = 1.6;
 constexpr double WideBoundaryAngle = 60;
 constexpr double WideInnerAngle = 90;
 
+// Of its faces but for those towards a cell; ends where that is more than `most`.
+double costAround(const MeasuredCell& cell, CellKey butFor, double most)
+{
+  double cost = 0;
+  for (std::size_t f = 0; f < cell.across.size() && cost <= most; ++f)
+  {
+    cost += cell.across[f] == butFor ? 0 : costOfFace(cell.shape, cell.measures, f, cell.beyond[f]);
+  }
+  return cost;
+}
+
 // One with fewer faces that solvers refuse is better than one that gains more.
 bool isBetter(const CellUnion& a, const CellUnion& b)
 {
@@ -67,9 +79,12 @@ bool isBetter(const CellUnion& a, const CellUnion& b)
 
 void CellMerger::mergeSmall()
 {
-  mergeGroups();
+  std::vector<CellKey> keys =
+    mergedAt_ == 0 ? cells_.polyhedra() : cells_.polyhedraChangedSince(mergedAt_);
+  mergedAt_ = cells_.mark();
+  mergeGroups(keys);
   const CellKey* const none = nullptr;
-  run(cells_.polyhedra(), [&](CellKey key, bool acts) {
+  run(std::move(keys), [&](CellKey key, bool acts) {
     const bool small = isSmall(key);
     if (acts && small)
     {
@@ -117,17 +132,27 @@ std::vector<CellKey> CellMerger::lookedAfter(bool looksAtOthers) const
   return all;
 }
 
+// Only what has changed since, or was refused then, is looked at again.
 std::vector<CellKey> CellMerger::refused(bool looksAtOthers)
 {
-  std::vector<CellKey> keys;
-  const CellKey* const none = nullptr;
-  for (const CellKey key : lookedAfter(looksAtOthers))
+  std::vector<CellKey> keys = lookedAfter(looksAtOthers);
+  if (refusedAt_ > 0)
   {
-    if (!cells_.isSurelyAccepted(key) && costsOfCell(key, none, none).refused > 0)
-    {
-      keys.push_back(key);
-    }
+    std::vector<CellKey> again = cells_.allChangedSince(refusedAt_);
+    again.insert(again.end(), refused_.begin(), refused_.end());
+    std::sort(again.begin(), again.end());
+    keys.erase(std::remove_if(keys.begin(), keys.end(),
+                 [&](CellKey key) { return !std::binary_search(again.begin(), again.end(), key); }),
+      keys.end());
   }
+  refusedAt_ = cells_.mark();
+  const CellKey* const none = nullptr;
+  keys.erase(std::remove_if(keys.begin(), keys.end(),
+               [&](CellKey key) {
+                 return cells_.isSurelyAccepted(key) || costsOfCell(key, none, none).refused == 0;
+               }),
+    keys.end());
+  refused_ = keys;
   return keys;
 }
 
@@ -169,10 +194,10 @@ std::vector<CellMerger::Candidate> CellMerger::list(const std::vector<CellKey>& 
 
 // Small cells side by side on one neighbour, or cells of a fine box each on one of a coarse box: each alone
 // would leave a step there, all together none.
-void CellMerger::mergeGroups()
+void CellMerger::mergeGroups(const std::vector<CellKey>& keys)
 {
   std::map<CellKey, std::vector<CellKey>> byLargest;
-  for (const CellKey key : cells_.polyhedra())
+  for (const CellKey key : keys)
   {
     execution_.poll();
     if (cells_.share(key) < LargestOfGroup && (isSmall(key) || mayBeOfFineBox(key)))
@@ -255,6 +280,12 @@ bool CellMerger::mergeBest(
   CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain)
 {
   best_.keys.clear();
+  cells_.lookAround(key, own_);
+  neighbours_.clear();
+  for (const auto& [other, area] : neighboursOf(own_))
+  {
+    neighbours_.push_back({ other, {} });
+  }
   findBest(key, own, mostNeighbours, leastGain, spec_.joins, false);
   if (spec_.simplifies)
   {
@@ -305,8 +336,9 @@ void CellMerger::findBest(CellKey key, const FaceCosts& own, std::size_t mostNei
   }
   const double share = cells_.share(key);
   std::size_t tried = 0;
-  for (const auto& [other, area] : cells_.neighbours(key))
+  for (Neighbour& neighbour : neighbours_)
   {
+    const CellKey other = neighbour.key;
     if (!spec_.merges || tried == mostNeighbours ||
       (!best_.keys.empty() && best_.costs.worst < FairCost && best_.costs.refused == 0))
     {
@@ -320,11 +352,39 @@ void CellMerger::findBest(CellKey key, const FaceCosts& own, std::size_t mostNei
     cells_.open(other); // a hexahedron has no faces of its own
     const bool grows = cells_.volume(key) > cells_.volume(other);
     trial_.keys.assign({ grows ? key : other, grows ? other : key });
+    if (!neighbour.costs)
+    {
+      neighbour.costs = costsOfCell(other, &key, &key + 1);
+    }
     FaceCosts before = own;
-    before += costsOfCell(other, &key, &key + 1);
+    before += *neighbour.costs;
     before.sum -= CostOfCell * cells_.share(trial_.keys[1]);
-    tryOut(before, leastGain, joins, simplifies);
+    const double most = before.sum + MostOfJoins;
+    if (simplifies || costTogether(key, other, most) <= most)
+    {
+      tryOut(before, leastGain, joins, simplifies);
+    }
   }
+}
+
+// About what the faces of the two cells looked around last would cost as they are, as those of one.
+double CellMerger::costTogether(CellKey key, CellKey other, double most)
+{
+  const double own = own_.measures.volume;
+  const double others = cell_.measures.volume;
+  const Vector between = cells_.between(key, other);
+  const Vector ownCentre = own_.measures.centre;
+  const Vector centre =
+    scaled(plus(scaled(ownCentre, own), scaled(plus(cell_.measures.centre, between), others)),
+      1 / std::max(own + others, Tiny));
+  own_.measures.volume = cell_.measures.volume = own + others;
+  own_.measures.centre = centre;
+  cell_.measures.centre = minus(centre, between);
+  double cost = costAround(own_, other, most);
+  cost += cost > most ? 0 : costAround(cell_, key, most - cost);
+  own_.measures.volume = own;
+  own_.measures.centre = ownCentre;
+  return cost;
 }
 
 // The trial's cells; keeps the better one. `before`: the costs of each alone.

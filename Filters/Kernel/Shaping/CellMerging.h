@@ -6,6 +6,8 @@
 #include "Base/Execution.h"
 #include "Shaping/CellUnion.h"
 
+#include <optional>
+
 namespace cartesian
 {
 
@@ -63,11 +65,18 @@ private:
     }
   };
 
+  // Of the cell to merge.
+  struct Neighbour
+  {
+    CellKey key;
+    std::optional<FaceCosts> costs; // but for its faces towards that cell
+  };
+
   template <class Look>
   void run(std::vector<CellKey> keys, Look&& look);
   template <class Look>
   std::vector<Candidate> list(const std::vector<CellKey>& keys, Look&& look);
-  void mergeGroups();
+  void mergeGroups(const std::vector<CellKey>& keys);
   void mergeGroup(const std::vector<CellKey>& keys);
   bool isSmall(CellKey key) const;
   bool isFineNextTo(CellKey key, CellKey other) const;
@@ -79,6 +88,7 @@ private:
     CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain);
   void findBest(CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain,
     const JoinSpec& joins, bool simplifies);
+  double costTogether(CellKey key, CellKey other, double most);
   void tryOut(const FaceCosts& before, double leastGain, const JoinSpec& joins, bool simplifies);
   void apply(const CellUnion& chosen);
 
@@ -88,12 +98,17 @@ private:
   UnionTrial trying_;
   std::size_t merged_ = 0;
   std::size_t simplified_ = 0;
-  std::uint32_t improvedAt_ = 0; // all has been looked at since
+  std::uint32_t mergedAt_ = 0;   // all has been looked at since
+  std::uint32_t improvedAt_ = 0; // likewise
+  std::uint32_t refusedAt_ = 0;  // likewise
+  std::vector<CellKey> refused_; // then
 
   // Kept for their memory:
   CellUnion trial_;
   CellUnion best_;
   MeasuredCell cell_;
+  MeasuredCell own_;
+  std::vector<Neighbour> neighbours_;
   std::vector<std::uint8_t> counts_;
 };
 

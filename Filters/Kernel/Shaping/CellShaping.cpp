@@ -162,10 +162,22 @@ private:
       merger_.improve();
       if (mergeSpec_.simplifies && merges_)
       {
-        transferParts(complex_, merger_.refused(isLast_), LeftOver::ComesBack, merger_, execution_,
-          shaping_.refused);
+        transfer();
       }
     }
+  }
+
+  // Parts of refused cells; not again where nothing near by has changed since.
+  void transfer()
+  {
+    std::vector<CellKey> keys = merger_.refused(isLast_);
+    const auto isTried = [&](CellKey key) { return !complex_.hasChangedNear(key, transferredAt_); };
+    if (transferredAt_ > 0)
+    {
+      keys.erase(std::remove_if(keys.begin(), keys.end(), isTried), keys.end());
+    }
+    transferredAt_ = complex_.mark();
+    transferParts(complex_, keys, LeftOver::ComesBack, merger_, execution_, shaping_.refused);
   }
 
   Shaping result()
@@ -195,6 +207,7 @@ private:
   Execution& execution_;
   MergeSpec mergeSpec_;
   CellMerger merger_;
+  std::uint32_t transferredAt_ = 0; // all that was refused has been tried since
   Shaping shaping_;
 };
 

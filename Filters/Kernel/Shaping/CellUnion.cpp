@@ -143,56 +143,66 @@ double UnionTrial::tryOut(CellUnion& cells, const JoinSpec& joins, double most)
 double UnionTrial::tryOutView(CellUnion& cells, const JoinSpec& joins, double most)
 {
   measure(cells.view.shape, shape_);
-  if (costsOf(cells.view.shape, shape_, cells.view.beyond, {}, most).sum > most)
+  cells.costs = costsOf(cells.view.shape, shape_, cells.view.beyond, {}, most);
+  if (cells.costs.sum > most)
   {
     return Never;
   }
-  cells.joined = joinFaces(cells.view, shape_, joins);
-  return cost(cells);
+  joiner_.look(cells.view, shape_);
+  cells.joined = joiner_.join(joins);
+  return cells.joined.groups.empty() ? costOfCell(cells, cells.view.shape, shape_, cells.costs)
+                                     : costOfJoined(cells, cells.joined, Never, cells.costs);
 }
 
-double UnionTrial::cost(CellUnion& cells)
+// Of the cell itself, besides its faces' costs.
+double UnionTrial::costOfCell(const CellUnion& cells, const Polyhedron& polyhedron,
+  const CellShape& shape, const FaceCosts& costs) const
 {
-  const bool isJoined = !cells.joined.groups.empty();
-  Polyhedron joined;
-  if (isJoined)
-  {
-    joined = shapeOf(cells.view, cells.joined, beyond_);
-    measure(joined, joinedShape_);
-  }
-  const Polyhedron& polyhedron = isJoined ? joined : cells.view.shape;
-  const CellShape& shape = isJoined ? joinedShape_ : shape_;
-  if (polyhedron.faces() < LeastFaces || shape.volume < LeastVolumeKept * shape_.volume ||
-    shape_.volume < LeastVolumeKept * shape.volume)
+  const double box = cells_.volumeOfBox(cells.keys.front());
+  return polyhedron.faces() < LeastFaces
+    ? Never
+    : costs.sum + costOfShare(shape.volume / box) + costOfDeterminant(polyhedron, shape);
+}
+
+// Never, if it is larger than `most`.
+double UnionTrial::costOfJoined(
+  const CellUnion& cells, const JoinedFaces& joined, double most, FaceCosts& costs)
+{
+  const JoinedShape& result = joiner_.shapeOf(joined);
+  const double volume = result.measures.volume;
+  const double ofVolume = CostOfVolume * volumeMoved(cells.view, joined, result) /
+    std::min(cells_.volumeOfBox(cells.keys.front()), shape_.volume);
+  if (volume < LeastVolumeKept * shape_.volume || shape_.volume < LeastVolumeKept * volume ||
+    ofVolume > most)
   {
     return Never;
   }
-  const double box = cells_.volumeOfBox(cells.keys.front());
-  cells.costs = costsOf(polyhedron, shape, isJoined ? beyond_ : cells.view.beyond);
-  return cells.costs.sum + costOfShare(shape.volume / box) + costOfDeterminant(polyhedron, shape) +
-    (isJoined ? CostOfVolume * volumeMoved(cells, joined) / std::min(box, shape_.volume) : 0);
+  costs = costsOf(result.polyhedron, result.measures, result.beyond, {}, most);
+  return costs.sum > most ? Never
+                          : costOfCell(cells, result.polyhedron, result.measures, costs) + ofVolume;
 }
 
 // Between boundary faces as they are and joined.
-double UnionTrial::volumeMoved(const CellUnion& cells, const Polyhedron& joined) const
+double UnionTrial::volumeMoved(
+  const CellView& view, const JoinedFaces& joined, const JoinedShape& result) const
 {
   double moved = 0;
   double byCuts = 0;
-  for (std::size_t g = 0; g < cells.joined.groups.size(); ++g)
+  std::size_t face = result.kept(joined);
+  for (const JoinedFaces::Group& group : joined.groups)
   {
-    const std::vector<std::uint32_t>& members = cells.joined.groups[g].members;
-    if (!cells.joined.groups[g].isNew() || !joined.isBoundary[g])
+    const Vector& centre = result.measures.faces[face++].centre;
+    if (!view.shape.isBoundary[group.members.front()])
     {
       continue;
     }
     double between = 0;
-    for (const std::uint32_t f : members)
+    for (const std::uint32_t f : group.members)
     {
-      between +=
-        dot(minus(shape_.faces[f].centre, joinedShape_.faces[g].centre), shape_.faces[f].area);
+      between += dot(minus(shape_.faces[f].centre, centre), shape_.faces[f].area);
     }
-    byCuts += cells.joined.groups[g].recut ? between / 3 : 0;
-    moved += cells.joined.groups[g].recut ? 0 : std::abs(between) / 3;
+    byCuts += group.recut ? between / 3 : 0;
+    moved += group.recut ? 0 : std::abs(between) / 3;
   }
   return moved + std::abs(byCuts);
 }
@@ -201,28 +211,26 @@ double UnionTrial::simplify(CellUnion& cells, double cost)
 {
   while (cells.costs.refused > 0 || cells.costs.worst >= StrainedCost)
   {
-    trial_.keys = cells.keys;
-    trial_.view = cells.view;
-    double least = cost;
+    double least = cost - LeastGain;
     JoinedFaces best;
     FaceCosts costsOfBest;
-    for (JoinedFaces& joined : joinOneMore(cells.view, shape_, cells.joined, cells.costs.toMend,
-           cells.costs.refused > 0 ? AnyAngle : CosineOfStrained))
+    for (JoinedFaces& joined : joiner_.joinOneMore(
+           cells.joined, cells.costs.toMend, cells.costs.refused > 0 ? AnyAngle : CosineOfStrained))
     {
-      trial_.joined = std::move(joined);
-      const double now = this->cost(trial_);
-      if (now < least - LeastGain)
+      FaceCosts costs;
+      const double now = costOfJoined(cells, joined, least, costs);
+      if (now < least)
       {
-        least = now;
-        best = std::move(trial_.joined);
-        costsOfBest = trial_.costs;
+        least = now - LeastGain;
+        best = std::move(joined);
+        costsOfBest = costs;
       }
     }
     if (best.groups.empty())
     {
       break;
     }
-    cost = least;
+    cost = least + LeastGain;
     cells.joined = std::move(best);
     cells.costs = costsOfBest;
   }

@@ -67,14 +67,16 @@ public:
   bool isSound(const CellUnion& cells) const;
 
 private:
-  double cost(CellUnion& cells);
-  double volumeMoved(const CellUnion& cells, const Polyhedron& joined) const;
+  double costOfCell(const CellUnion& cells, const Polyhedron& polyhedron, const CellShape& shape,
+    const FaceCosts& costs) const;
+  double costOfJoined(
+    const CellUnion& cells, const JoinedFaces& joined, double most, FaceCosts& costs);
+  double volumeMoved(
+    const CellView& view, const JoinedFaces& joined, const JoinedShape& result) const;
 
   const CellComplex& cells_;
   CellShape shape_; // of the view
-  CellShape joinedShape_;
-  CellUnion trial_;
-  std::vector<NeighbourCell> beyond_;
+  FaceJoiner joiner_;
 };
 
 }

@@ -5,20 +5,21 @@
 
 #include "Shaping/CellView.h"
 
+#include <array>
+
 namespace cartesian
 {
 
+// Faces of a view that become one, or that are divided anew. All others stay.
 struct JoinedFaces
 {
   struct Group
   {
-    std::vector<std::uint32_t> members; // faces of the view
+    std::vector<std::uint32_t> members; // faces of the view; no other group has them
     std::vector<std::uint32_t> ring;    // nodes of the view, counter-clockwise from outside
     bool recut = false;                 // with another group: together they cover what they did
-
-    bool isNew() const { return recut || members.size() > 1; }
   };
-  std::vector<Group> groups; // each face is in one; none: no faces are joined
+  std::vector<Group> groups;
 };
 
 // Cells of more faces keep them all: the time to join grows with the square of their number.
@@ -31,16 +32,93 @@ struct JoinSpec
   double inner = 1;
 };
 
-// `shape`: the view's.
-JoinedFaces joinFaces(const CellView& view, const CellShape& shape, const JoinSpec& spec);
+// A view's shape with joined faces: those that stay, in their order, then the groups.
+struct JoinedShape
+{
+  Polyhedron polyhedron;
+  CellShape measures;
+  std::vector<NeighbourCell> beyond;
 
-// All ways to make one of the groups (where there is none: a face) and one neighbour one, where
-// their normals make no smaller cosine; where they cannot be one, they are cut apart along another diagonal.
-std::vector<JoinedFaces> joinOneMore(const CellView& view, const CellShape& shape,
-  const JoinedFaces& joined, std::uint32_t group, double leastCosine);
+  // The place of the first group.
+  std::size_t kept(const JoinedFaces& joined) const
+  {
+    return polyhedron.faces() - joined.groups.size();
+  }
+};
 
-// The view's shape with the groups, if any, for faces, and what is beyond them.
-Polyhedron shapeOf(
-  const CellView& view, const JoinedFaces& joined, std::vector<NeighbourCell>& beyond);
+// Joins faces of one view after the other; keeps its memory.
+class FaceJoiner
+{
+public:
+  // What the others are about; `shape`: the view's. Both must stay as they are.
+  void look(const CellView& view, const CellShape& shape);
+
+  // All that fit together.
+  JoinedFaces join(const JoinSpec& spec);
+
+  // All ways to make one more face, counted as in JoinedShape, and one neighbour one, where their normals
+  // make no smaller cosine; where they cannot be one, they are cut apart along another diagonal.
+  std::vector<JoinedFaces> joinOneMore(
+    const JoinedFaces& given, std::size_t face, double leastCosine);
+
+  // Valid until the next call, or the next view.
+  const JoinedShape& shapeOf(const JoinedFaces& joined);
+
+private:
+  // A face of the view that stays, or (number of faces) + group.
+  using Part = std::uint32_t;
+
+  std::uint32_t faces() const { return static_cast<std::uint32_t>(view_->faces.size()); }
+  bool isFace(Part part) const { return part < faces(); }
+  JoinedFaces::Group& groupOf(Part part) { return joined_.groups[part - faces()]; }
+  const JoinedFaces::Group& groupOf(Part part) const { return joined_.groups[part - faces()]; }
+  std::uint32_t firstMember(Part part) const
+  {
+    return isFace(part) ? part : groupOf(part).members.front();
+  }
+  Ring ringOf(Part part) const;
+  Ring ringOf(const std::vector<std::uint32_t>& corners) const;
+  template <class Is>
+  bool anyPart(Is&& is) const;
+
+  void begin(const JoinSpec& spec, const JoinedFaces& given);
+  void listPairs();
+  JoinedFaces joinedParts();
+  Part partAt(std::size_t face) const;
+  std::vector<Part> partsBeside(Part part) const;
+
+  bool mayAnyFit() const;
+  bool mayFit(std::uint32_t f, std::uint32_t g) const;
+  bool isNearPlane(std::uint32_t f, const Vector& normal) const;
+  bool isInterface(std::uint32_t f) const;
+  bool isInner(std::uint32_t f) const;
+  bool isNegligible(std::uint32_t f) const;
+  bool isNegligiblePart(Part part) const;
+  double leastCosine(std::uint32_t f) const;
+
+  bool join(Part g, Part h);
+  bool fitsTogether(Part g, Part h, double leastCosine) const;
+  bool fitsWithNegligible() const;
+  Part makeGroup(Part part);
+  bool recut(Part g, Part h);
+  double smallerOf(
+    const std::array<std::vector<std::uint32_t>, 2>& parts, double leastCosine) const;
+  bool hasEdge(std::uint32_t from, std::uint32_t to) const;
+  bool hasTwin(const std::vector<std::uint32_t>& ring) const;
+
+  const CellView* view_ = nullptr;
+  const CellShape* shape_ = nullptr;
+  JoinSpec spec_;
+  std::vector<Vector> normals_; // of faces
+  std::vector<double> areas_;   // likewise
+  double negligible_ = 0;       // an area; on one plane only, none is
+  JoinedFaces joined_;
+  std::vector<Part> partOf_;                                   // of faces
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_; // of neighbouring faces
+  bool pairsAreListed_ = false;
+  std::vector<std::array<std::uint32_t, 3>> edges_;
+  std::vector<std::uint32_t> ring_; // tried out
+  JoinedShape joinedShape_;
+};
 
 }

@@ -37,7 +37,7 @@ enum class FlowDirection : std::uint8_t
 // A side of the box.
 enum class BoxSide : std::uint8_t
 {
-  None = 0,
+  Nowhere = 0,
   XMin = 1,
   XMax = 2,
   YMin = 3,
@@ -49,7 +49,7 @@ enum class BoxSide : std::uint8_t
 // Which half of the box is left out: all below the middle of the surface along one axis.
 enum class Half : std::uint8_t
 {
-  None = 0,
+  Neither = 0,
   AcrossX = 1,
   AcrossY = 2,
   AcrossZ = 3,
@@ -65,9 +65,9 @@ struct DomainSpec
   double before = 3; // times the surface's longest side
   double behind = 5;
   double beside = 3;
-  BoxSide ground = BoxSide::None; // there the box ends with the surface
-  Half half = Half::None;
-  Bounds bounds{};           // user units
+  BoxSide ground = BoxSide::Nowhere; // there the box ends with the surface
+  Half half = Half::Neither;
+  Bounds bounds{};              // user units
   EndBoundaries sides = NoEnds; // boundaries of the box's sides
 
   bool isOutside() const { return domain == Domain::Outside; }

@@ -380,7 +380,7 @@ TEST(Refinement, TooManyBoxesAreRefusedBeforeTheyAreBuilt)
 {
   const Soup soup = cube();
   PreparedSurface prepared = prepare(soup, cellsOf(0.05));
-  prepared.memoryLimit = 1e8;
+  prepared.memoryLimit = { 1e8 };
   TestOptions options = asTheyAre();
   options.refinement.blocks.push_back({ { 0, 0, 0 }, { 19, 19, 19 }, 6, 6 });
   try

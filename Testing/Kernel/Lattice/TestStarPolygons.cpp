@@ -2,6 +2,7 @@
 #include "Lattice/StarPolygons.h"
 #include "Lattice/Vector.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -38,7 +38,7 @@ void expectRegions(const MeshArrays& mesh, const Expected& expected, double part
 }
 
 // By Exact Fit: with cells as they are, then with cells that solvers accept.
-void expectExactly(const Soup& soup, const Expected& expected)
+void expectExactly(const Soup& soup, const Expected& expected, double contactTolerance = 0)
 {
   for (const double cells : { 1.0, 3.7, 8.0, 11.3 })
   {
@@ -47,12 +47,15 @@ void expectExactly(const Soup& soup, const Expected& expected)
       SCOPED_TRACE(std::to_string(cells) + " cells along the longest dimension, depth " +
         std::to_string(levels));
       const GridSpec grid = cellsAlongLongest(soup, cells);
-      const Meshed asIs = meshOf(soup, grid, asTheyAre(0, depth(levels)));
+      TestOptions plain = asTheyAre(0, depth(levels));
+      plain.contactTolerance = contactTolerance;
+      const Meshed asIs = meshOf(soup, grid, plain);
       EXPECT_TRUE(isValid(asIs.mesh));
       expectRegions(asIs.mesh, expected, 1e-9);
       TestOptions options;
       options.patches = exactFit();
       options.refinement = depth(levels);
+      options.contactTolerance = contactTolerance;
       const Meshed shaped = meshOf(soup, grid, options);
       EXPECT_TRUE(isValid(shaped.mesh, true));
       expectRegions(shaped.mesh, expected, 1e-9);
@@ -90,6 +93,74 @@ void expectRefusal(const Soup& soup, const std::string& words)
     EXPECT_EQ(error.fault, Fault::FlawedSurface);
     EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
   }
+}
+
+// Of height 2 over a regular polygon around the z axis; boundary 0: the side, 1 and 2: the ends.
+Soup prism(int corners, double radius, double firstAngle = 0)
+{
+  Soup soup;
+  for (int i = 0; i < corners; ++i)
+  {
+    const double angle = firstAngle + 2 * Pi * i / corners;
+    for (const double z : { 0., 2. })
+    {
+      soup.points.push_back({ radius * std::cos(angle), radius * std::sin(angle), z });
+    }
+  }
+  const auto low = [&](int i) { return static_cast<std::uint32_t>(2 * (i % corners)); };
+  const auto high = [&](int i) { return low(i) + 1; };
+  for (int i = 0; i < corners; ++i)
+  {
+    soup.triangles.push_back({ low(i), low(i + 1), high(i) });
+    soup.triangles.push_back({ low(i + 1), high(i + 1), high(i) });
+    soup.boundary.insert(soup.boundary.end(), { 0, 0 });
+  }
+  for (int i = 1; i + 1 < corners; ++i)
+  {
+    soup.triangles.push_back({ low(0), low(i + 1), low(i) });
+    soup.triangles.push_back({ high(0), high(i), high(i + 1) });
+    soup.boundary.insert(soup.boundary.end(), { 1, 2 });
+  }
+  return soup;
+}
+
+double areaOf(int corners, double radius)
+{
+  return corners * radius * radius * std::sin(2 * Pi / corners) / 2;
+}
+
+double sideOf(int corners, double radius)
+{
+  return 2 * 2 * corners * radius * std::sin(Pi / corners);
+}
+
+// Around the z axis, with as many corners inside as outside. Boundary 3: the bore.
+Soup pipe(int corners, double inner, double outer, double firstAngle)
+{
+  Soup soup = prism(corners, outer, firstAngle);
+  Soup bore = prism(corners, inner, firstAngle).flipped();
+  const auto sides = static_cast<std::size_t>(2 * corners);
+  const auto next = static_cast<std::uint32_t>(soup.points.size());
+  soup.triangles.resize(sides);
+  soup.boundary.resize(sides);
+  soup.points.insert(soup.points.end(), bore.points.begin(), bore.points.end());
+  for (std::size_t t = 0; t < sides; ++t)
+  {
+    const auto& c = bore.triangles[t];
+    soup.triangles.push_back({ c[0] + next, c[1] + next, c[2] + next });
+    soup.boundary.push_back(3);
+  }
+  const auto at = [&](
+                    int i, int end) { return static_cast<std::uint32_t>(2 * (i % corners) + end); };
+  for (int i = 0; i < corners; ++i)
+  {
+    soup.triangles.push_back({ at(i, 0), at(i, 0) + next, at(i + 1, 0) });
+    soup.triangles.push_back({ at(i, 0) + next, at(i + 1, 0) + next, at(i + 1, 0) });
+    soup.triangles.push_back({ at(i, 1), at(i + 1, 1), at(i, 1) + next });
+    soup.triangles.push_back({ at(i + 1, 1), at(i + 1, 1) + next, at(i, 1) + next });
+    soup.boundary.insert(soup.boundary.end(), { 1, 1, 2, 2 });
+  }
+  return soup;
 }
 
 Soup twoBoxes()
@@ -296,4 +367,63 @@ TEST(Regions, TheFirstKeepsTheVolume)
   soup.addRegion(cube());
   soup.addRegion(box({ 0.3, 0.2, 0.4 }, { 0.7, 0.8, 0.6 }));
   expectRefusal(soup, "Nothing is left of region 2");
+}
+
+// Facets of 24 and of 17 cross each other; the rod, the first, keeps its wall, which the pipe gets too.
+TEST(Regions, CurvedWallsOfOtherTrianglesBecomeOneWithinTheTolerance)
+{
+  const double rod = areaOf(24, 0.5);
+  const double whole = areaOf(17, 0.8);
+  const Expected expected{ { { 1, 2 * rod }, { 2, 2 * (whole - rod) } },
+    { { { 0, 1 }, 2 * rod }, { { 0, 2 }, 2 * (whole - rod) + sideOf(17, 0.8) },
+      { { 1, 2 }, sideOf(24, 0.5) } } };
+  for (const double inner : { 0.48, 0.5, 0.53 })
+  {
+    SCOPED_TRACE(inner);
+    Soup soup;
+    soup.addRegion(prism(24, 0.5));
+    soup.addRegion(pipe(17, inner, 0.8, 0.1));
+    expectExactly(inner == 0.5 ? soup.turned() : soup, expected, 0.05);
+  }
+}
+
+TEST(Regions, TheFirstWallStaysWhicheverItIs)
+{
+  const double bore = areaOf(17, 0.5);
+  const double whole = areaOf(17, 0.8);
+  Soup soup;
+  soup.addRegion(pipe(17, 0.5, 0.8, 0.1));
+  soup.addRegion(prism(24, 0.49));
+  expectExactly(soup,
+    { { { 1, 2 * (whole - bore) }, { 2, 2 * bore } },
+      { { { 0, 1 }, 2 * (whole - bore) + sideOf(17, 0.8) }, { { 0, 2 }, 2 * bore },
+        { { 1, 2 }, sideOf(17, 0.5) } } },
+    0.05);
+}
+
+TEST(Regions, AClosedWallInsideBecomesOneWithinTheTolerance)
+{
+  Soup soup;
+  soup.addRegion(sphere(3, 0.5));
+  Soup shell = box({ -1, -1, -1 }, { 1, 1, 1 });
+  shell.add(sphere(4, 0.505).flipped());
+  soup.addRegion(shell);
+  const double ball = sphere(3, 0.5).volume();
+  expectExactly(soup,
+    { { { 1, ball }, { 2, 8 - ball } }, { { { 0, 2 }, 24 }, { { 1, 2 }, sphere(3, 0.5).area() } } },
+    0.08);
+}
+
+TEST(Regions, WallsBeyondTheToleranceStay)
+{
+  Soup soup;
+  soup.addRegion(prism(24, 0.4));
+  soup.addRegion(pipe(17, 0.5, 0.8, 0.1));
+  const double rod = areaOf(24, 0.4);
+  const double ring = areaOf(17, 0.8) - areaOf(17, 0.5);
+  expectExactly(soup,
+    { { { 1, 2 * rod }, { 2, 2 * ring } },
+      { { { 0, 1 }, 2 * rod + sideOf(24, 0.4) },
+        { { 0, 2 }, 2 * ring + sideOf(17, 0.8) + sideOf(17, 0.5) } } },
+    0.05);
 }

@@ -1,6 +1,8 @@
 // Extremes of size and place: bounded time and memory, a mesh or a clear message.
 #include "Base/Error.h"
+#include "Boxes/MeshEstimate.h"
 #include "Lattice/Vector.h"
+#include "Support/DataFile.h"
 #include "Support/Effort.h"
 #include "Support/FuzzedSurface.h"
 
@@ -190,6 +192,41 @@ TEST(Resources, MemoryLimitHoldsForDetailInBoxes)
   catch (const Error& error)
   {
     EXPECT_EQ(error.fault, Fault::TooManyBoxes) << error.what();
+  }
+}
+
+// Against what "Benchmark memory 16" measured: on so many threads all slabs are shaped at once.
+TEST(Resources, MemoryIsEstimated)
+{
+  struct Case
+  {
+    const char* file;
+    double cells;
+    int depth;
+    PatchMethod method;
+    double taken; // MB
+  };
+  const Case cases[] = { { "kcl_exhaust_header_lumens.stl", 30, 0, PatchMethod::Automatic, 11.5 },
+    { "kcl_exhaust_header_lumens.stl", 30, 2, PatchMethod::Automatic, 120.6 },
+    { "kcl_exhaust_header_lumens.stl", 30, 2, PatchMethod::ExactFit, 99.4 },
+    { "tm_featuretype_occ.stl", 30, 0, PatchMethod::Automatic, 14.2 },
+    { "tm_featuretype_occ.stl", 30, 2, PatchMethod::Automatic, 169.2 },
+    { "tm_featuretype_occ.stl", 30, 2, PatchMethod::ExactFit, 89.9 } };
+  for (const Case& c : cases)
+  {
+    const Soup soup = readData(c.file).soup;
+    Options options;
+    options.grid = cellsAlongLongest(soup, c.cells);
+    options.refinement.depth = c.depth;
+    options.patches.method = c.method;
+    Execution execution(1);
+    const PreparedSurface prepared = prepareSurface(soup.view(), options, execution);
+    const auto decomposition = decompose(prepared, options, execution);
+    const Boxes boxes = decomposition->boxes(decomposition->allLayers(), execution);
+    const double estimated =
+      estimateMesh(prepared.surface, decomposition->shoeboxes(), boxes).bytes(prepared.memoryLimit);
+    EXPECT_GT(estimated, 1e6 * c.taken) << c.file << ", depth " << c.depth;
+    EXPECT_LT(estimated, 2e6 * c.taken) << c.file << ", depth " << c.depth;
   }
 }
 

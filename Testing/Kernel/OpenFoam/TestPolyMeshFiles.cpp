@@ -19,17 +19,17 @@ namespace
 namespace fs = std::filesystem;
 
 // An empty folder of each test's own.
-class PolyMeshFiles : public testing::Test
+class PolyMesh : public testing::Test
 {
 protected:
-  PolyMeshFiles()
+  PolyMesh()
     : folder(fs::path(testing::TempDir()) /
         testing::UnitTest::GetInstance()->current_test_info()->name())
   {
     fs::remove_all(folder);
     fs::create_directories(folder);
   }
-  ~PolyMeshFiles() override { fs::remove_all(folder); }
+  ~PolyMesh() override { fs::remove_all(folder); }
 
   // A tetrahedron of two patches.
   fs::path write(FoamFormat format, const std::string& first = "a",
@@ -42,8 +42,10 @@ protected:
     FaceList faces;
     faces.face = { 0, 1, 2, 3 };
     faces.owner = { 0, 0, 0, 0 };
-    const std::vector<FoamPatch> patches = { { first, 1 }, { "wall", 3 } };
-    return writePolyMesh({ points, cells, faces, patches }, folder, format);
+    PolyMeshFiles files(folder, format);
+    files.write(foamMesh(points, cells, faces, { { first, 1 }, { "wall", 3 } }));
+    const std::vector<fs::path> kept = files.replace();
+    return kept.empty() ? fs::path() : kept.front();
   }
 
   // Without the header.
@@ -60,7 +62,7 @@ protected:
 
 }
 
-TEST_F(PolyMeshFiles, AsciiIsWhatOpenFOAMReads)
+TEST_F(PolyMesh, AsciiIsWhatOpenFOAMReads)
 {
   EXPECT_EQ(write(FoamFormat::Ascii), "");
   EXPECT_EQ(read("points"), "4\n(\n(0 0 0)\n(0.1 0 0)\n(0 1e-09 0)\n(0 0 1)\n)\n");
@@ -71,7 +73,7 @@ TEST_F(PolyMeshFiles, AsciiIsWhatOpenFOAMReads)
     std::string::npos);
 }
 
-TEST_F(PolyMeshFiles, AsciiReadsBackAsTheSameNumbers)
+TEST_F(PolyMesh, AsciiReadsBackAsTheSameNumbers)
 {
   const std::vector<double> points = { 1. / 3, std::nextafter(1., 2), -0.1, 1e-300, 387.5356812,
     -1.20052e-15, 5e-324, 123456789.123456789, 2. / 3, 1e22, 4 * std::atan(1.), -0. };
@@ -90,13 +92,13 @@ TEST_F(PolyMeshFiles, AsciiReadsBackAsTheSameNumbers)
 }
 
 // controlDict says how many digits OpenFOAM's programs write when they move or renumber the mesh.
-TEST_F(PolyMeshFiles, ProgramsWriteAllDigits)
+TEST_F(PolyMesh, ProgramsWriteAllDigits)
 {
   write(FoamFormat::Ascii);
   EXPECT_NE(read("controlDict", "system").find("writePrecision  17;"), std::string::npos);
 }
 
-TEST_F(PolyMeshFiles, BinaryHasNoBracketsAroundNothing)
+TEST_F(PolyMesh, BinaryHasNoBracketsAroundNothing)
 {
   write(FoamFormat::Binary);
   EXPECT_EQ(read("neighbour"), "0\n\n");
@@ -104,7 +106,7 @@ TEST_F(PolyMeshFiles, BinaryHasNoBracketsAroundNothing)
   EXPECT_EQ(read("points").size(), std::string("4\n()\n").size() + 12 * sizeof(double));
 }
 
-TEST_F(PolyMeshFiles, AMeshOfOtherPatchesIsKept)
+TEST_F(PolyMesh, AMeshOfOtherPatchesIsKept)
 {
   write(FoamFormat::Ascii);
   EXPECT_EQ(write(FoamFormat::Binary), "");
@@ -113,7 +115,7 @@ TEST_F(PolyMeshFiles, AMeshOfOtherPatchesIsKept)
   EXPECT_FALSE(fs::exists(folder / "constant" / "polyMesh.unfinished"));
 }
 
-TEST_F(PolyMeshFiles, AFileInTheWayIsAnError)
+TEST_F(PolyMesh, AFileInTheWayIsAnError)
 {
   std::ofstream(folder / "constant") << "mine";
   try
@@ -127,7 +129,7 @@ TEST_F(PolyMeshFiles, AFileInTheWayIsAnError)
   }
 }
 
-TEST_F(PolyMeshFiles, WordsHaveNoBracketsAndDoNotStartAsNumbers)
+TEST_F(PolyMesh, WordsHaveNoBracketsAndDoNotStartAsNumbers)
 {
   EXPECT_EQ(foamWord("inlet_1"), "inlet_1");
   EXPECT_EQ(foamWord("a b/c;{\"$#}"), "a_b_c______");

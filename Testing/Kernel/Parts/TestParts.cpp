@@ -339,10 +339,11 @@ TEST(Parts, AreAsManyAsMemoryAsksFor)
   const PreparedSurface prepared = prepare(soup, cellsAlongLongest(soup, 150));
   Execution execution;
   const auto needed = [&](double bytes) {
-    const Decomposition decomposition(prepared.surface, prepared.planes, {}, bytes, {}, execution);
+    const Decomposition decomposition(
+      prepared.surface, prepared.planes, {}, { bytes }, {}, execution);
     return decomposition.partsNeeded(decomposition.estimateLayers(execution));
   };
-  const double whole = estimateMesh(prepared.surface, prepared.planes).bytes();
+  const double whole = estimateMesh(prepared.surface, prepared.planes).bytes({ 0 });
   EXPECT_EQ(1u, needed(2 * whole));
   EXPECT_GE(needed(whole / 2), 2u);
   EXPECT_LE(needed(whole / 2), 5u);

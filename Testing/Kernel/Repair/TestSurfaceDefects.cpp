@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 using namespace cartesian;
@@ -69,7 +70,7 @@ TEST_P(NoDefects, InACleanSurface)
   counts.erase(DefectKind::NonManifoldEdge); // of bodies that touch
   counts.erase(DefectKind::SmallComponent);
   EXPECT_TRUE(counts.empty()) << static_cast<int>(counts.begin()->first);
-  EXPECT_EQ(describe(defects), "");
+  EXPECT_EQ(describe(defects, {}), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Clean, NoDefects, ::testing::ValuesIn(cleanShapes()), nameOf);
@@ -139,17 +140,25 @@ TEST(SurfaceDefects, AFoldAndAnOverlap)
   };
   soup.triangles.push_back({ at({ 0, 0, 0 }), at({ 1, 0, 0 }), flap });
   const SurfaceDefects defects = defectsOf(soup);
+  std::vector<long long> numbers(100);
+  std::iota(numbers.begin(), numbers.end(), 1000);
   Counts counts = countsOf(defects);
   EXPECT_EQ(counts[DefectKind::FoldedTriangle], 2U);
   // One of the two triangles of that wall has the flap's edge; the flap may reach the other.
   EXPECT_LE(counts[DefectKind::OverlappedTriangle], 2U);
   EXPECT_EQ(counts[DefectKind::Intersection], 0U);
-  EXPECT_NE(describe(defects).find("2 triangles are folded"), std::string::npos);
+  EXPECT_NE(describe(defects, numbers).find("2 triangles are folded"), std::string::npos);
 
   const Soup walls = unmarked(cube().add(cube().moved({ 1, 0.5, 0.25 })));
   const SurfaceDefects overlapping = defectsOf(walls);
   EXPECT_GE(countsOf(overlapping)[DefectKind::OverlappedTriangle], 3U);
-  EXPECT_NE(describe(overlapping).find("overlap"), std::string::npos);
+  // The first 20 are named, by the user's numbers.
+  const std::string text = describe(overlapping, numbers);
+  EXPECT_NE(text.find(" triangles overlap others in the same plane.\n  cell 1"), std::string::npos)
+    << text;
+  const auto named = static_cast<std::size_t>(std::count(text.begin(), text.end(), '(')); // places
+  EXPECT_EQ(
+    named, std::min<std::size_t>(20, countsOf(overlapping)[DefectKind::OverlappedTriangle]));
 }
 
 TEST(SurfaceDefects, Intersections)

@@ -209,7 +209,7 @@ PreparedSurface prepareOnLevels(const Soup& soup, const Meshlines& planes)
   prepared.surface = onLattice(soup.view(), Lattice({ 0, 0, 0 }, 1), execution);
   prepared.trianglesGiven = prepared.surface.triangles.size();
   prepared.repair = repair(prepared.surface, planes, execution);
-  prepared.memoryLimit = 1e11;
+  prepared.memoryLimit = { 1e11 };
   return prepared;
 }
 
@@ -232,7 +232,11 @@ Meshed meshPrepared(const PreparedSurface& prepared, const TestOptions& options)
 
 Meshed meshOf(const Soup& soup, const GridSpec& grid, const TestOptions& options)
 {
-  return meshPrepared(prepare(soup, grid), options);
+  Options whole = options;
+  whole.grid = grid;
+  whole.memoryLimit = PlentyOfMemory;
+  Execution execution;
+  return meshPrepared(prepareSurface(soup.view(), whole, execution), options);
 }
 
 std::vector<Winding> windings(const Surface& surface, const Meshlines& planes, int axis)

@@ -1,0 +1,205 @@
+"""Polyhedral Cartesian meshes of closed surfaces, with VTK alone: no ParaView is needed.
+
+    import cartesianmesher
+    mesh = cartesianmesher.mesh(surface, cell_size=0.1)
+
+`mesh` takes a surface and gives a vtkUnstructuredGrid. Options are keywords; help(cartesianmesher.mesh) lists
+them. What goes wrong is an exception with the error's name, such as cartesianmesher.EmptySurface. The filters
+themselves are in cartesianmesher.vtkCartesianMesherFilters.
+"""
+
+import re
+import warnings
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+from .vtkCartesianMesherFilters import vtkCartesianAlgorithm, vtkCartesianMesher
+
+
+class Error(RuntimeError):
+    """What the mesher refuses, or cannot do; `code` is the filter's error code."""
+
+    code = None
+
+
+def _error(name, code):
+    return type(name, (Error,), {"__module__": __name__, "code": code, "__doc__": f"Error {code}."})
+
+
+_ERRORS = {
+    code: _error(name, code)
+    for name, code in vars(vtkCartesianAlgorithm).items()
+    if isinstance(code, int) and code > 40000
+}
+globals().update({error.__name__: error for error in _ERRORS.values()})
+
+# Setters of one value are found; these are none, and others take rows.
+_NOT_OPTIONS = "InPieces", "Meshline", "NumberOfMeshlines", "RefinedBoundaryArrayStatus"
+_SEQUENCES = list, tuple, np.ndarray
+_ROWS = {
+    "meshlines_x": ("SetNumberOfMeshlinesX", "SetMeshlineX"),
+    "meshlines_y": ("SetNumberOfMeshlinesY", "SetMeshlineY"),
+    "meshlines_z": ("SetNumberOfMeshlinesZ", "SetMeshlineZ"),
+    "refinement_blocks": ("SetNumberOfRefinementBlocks", "SetRefinementBlock"),
+    "boundary_refinement": ("SetNumberOfBoundaryRefinements", "SetBoundaryRefinement"),
+    "boundary_names": ("SetNumberOfBoundaryNames", "SetBoundaryName"),
+    "boundary_types": ("SetNumberOfBoundaryTypes", "SetBoundaryType"),
+    "boundary_small_cell_ratios": ("SetNumberOfBoundarySmallCellRatios", "SetBoundarySmallCellRatio"),
+}
+
+
+def _snake(name):
+    return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
+
+
+def _own(pattern):
+    """What this module's classes add to VTK's whose names match, in the order of the alphabet."""
+    return sorted(match[1] for name in dir(vtkCartesianMesher) if (match := re.fullmatch(pattern, name))
+        and not hasattr(vtkCartesianAlgorithm.__bases__[0], name))
+
+
+_SINGLE = {_snake(name): name for name in _own("Get(.*)") if hasattr(vtkCartesianMesher, "Set" + name)
+           and name not in _NOT_OPTIONS}
+_CHOICES = {}
+for _name in _SINGLE.values():
+    for _choice in _own(f"Set{_name}To(.*)"):
+        _CHOICES.setdefault(_name, {})[_snake(_choice).replace("_", " ")] = _choice
+OPTIONS = sorted([*_SINGLE, *_ROWS, "refined_boundaries", "refinement_regions"])
+
+
+def mesh(surface, faces=None, **options):
+    """The mesh of a closed surface, as a vtkUnstructuredGrid.
+
+    `surface`: a vtkPolyData, or any mesh that is one, such as PyVista's; or an array of points, n x 3, with
+    `faces`, an array of triangles, m x 3, that number them from 0. Options that are left out have the
+    defaults of ParaView's panel:
+
+    {options}
+
+    Rows are sequences: refinement_blocks=[(0, 5, 0, 5, 0, 1, 2, 1)], boundary_names=["inlet"].
+    refinement_regions are closed surfaces, vtkPolyData each. A choice is a text: {choices}.
+
+    Raises TypeError and ValueError for arguments that are no surface and no options, and an Error with the
+    name of what went wrong.
+    """
+    mesher = vtkCartesianMesher()
+    mesher.SetInputDataObject(_surface(surface, faces))
+    for name, value in options.items():
+        _set(mesher, name, value)
+    messages = []
+    for event in "ErrorEvent", "WarningEvent":
+        mesher.AddObserver(event, _listener(messages, event))
+    mesher.Update()
+    if mesher.GetErrorCode():
+        text = messages[0] if messages else f"error {mesher.GetErrorCode()}"
+        raise _ERRORS.get(mesher.GetErrorCode(), Error)(text)
+    return mesher.GetOutput()
+
+
+mesh.__doc__ = mesh.__doc__.format(options=",\n    ".join(OPTIONS), choices="; ".join(
+    f"{_snake(name)}: {', '.join(choices)}" for name, choices in sorted(_CHOICES.items())))
+
+
+def _listener(messages, event):
+    """Keeps errors; warnings, of flaws that the mesh survives, are printed by Python."""
+    def hear(_caller, _event, text):
+        text = re.sub(r"^.*?\(0x[0-9a-f]+\): ", "", text, flags=re.DOTALL).strip()
+        if event == "ErrorEvent":
+            messages.append(text)
+        else:
+            warnings.warn(text, stacklevel=4)
+    hear.CallDataType = "string0"
+    return hear
+
+
+def _set(mesher, name, value):
+    if name in _SINGLE:
+        _set_one(mesher, name, _SINGLE[name], value)
+    elif name in _ROWS:
+        _set_rows(mesher, name, value)
+    elif name == "refined_boundaries":
+        for boundary in [value] if isinstance(value, str) else value:
+            mesher.SetRefinedBoundaryArrayStatus(boundary, 1)
+    elif name == "refinement_regions":
+        for region in value if isinstance(value, (list, tuple)) else [value]:
+            if not _is_data(region):
+                raise TypeError(f"{name}: {region!r} is no vtkPolyData")
+            mesher.AddInputDataObject(1, region)
+    else:
+        raise TypeError(f"There is no option {name!r}. Options are {', '.join(OPTIONS)}.")
+
+
+def _set_one(mesher, name, setter, value):
+    choices = _CHOICES.get(setter)
+    if choices:
+        if value not in choices:
+            raise ValueError(f"{name}: {value!r} is none of {', '.join(map(repr, choices))}")
+        getattr(mesher, f"Set{setter}To{choices[value]}")()
+        return
+    try:
+        getattr(mesher, "Set" + setter)(value)
+    except TypeError as error:
+        raise TypeError(f"{name}: {value!r}: {error}") from None
+
+
+def _set_rows(mesher, name, rows):
+    if not isinstance(rows, _SEQUENCES):
+        raise TypeError(f"{name}: {rows!r} is no sequence of rows")
+    resize, put = (getattr(mesher, setter) for setter in _ROWS[name])
+    resize(len(rows))
+    for i, row in enumerate(rows):
+        try:
+            put(i, *(row if isinstance(row, _SEQUENCES) else (row,)))
+        except TypeError:
+            raise TypeError(f"{name}: row {i}, {row!r}, does not have the right number and types of values. "
+                            f"They are those of vtkCartesianMesher.{_ROWS[name][1]}, after the row's number.") from None
+
+
+def _is_data(value):
+    return hasattr(value, "IsA") and hasattr(value, "GetCellData")
+
+
+def _surface(surface, faces):
+    if faces is None:
+        if not _is_data(surface):
+            raise TypeError(f"The surface is a {type(surface).__name__}: neither a vtkPolyData nor, with faces, "
+                            "an array of points.")
+        return surface
+    if _is_data(surface):
+        raise TypeError(f"faces: they belong to an array of points; a {type(surface).__name__} has its own")
+    points = _array("points", surface, np.floating)
+    triangles = _array("faces", faces, np.integer)
+    if not np.isfinite(points).all():
+        raise ValueError(f"points: point {int(np.argmin(np.isfinite(points).all(axis=1)))} is not finite")
+    if triangles.size and not 0 <= triangles.min() <= triangles.max() < len(points):
+        raise ValueError(f"faces: they name points {triangles.min()} to {triangles.max()}, and there are {len(points)}")
+    return _polydata(points.astype(np.float64), triangles.astype(np.int64))
+
+
+def _array(what, array, kind):
+    try:
+        array = np.asarray(array)
+    except ValueError:
+        raise ValueError(f"{what}: their rows differ in length: each has three numbers") from None
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ValueError(f"{what}: their shape is {array.shape}, not (n, 3)")
+    wanted = kind if kind is np.integer else np.number
+    if not np.issubdtype(array.dtype, wanted) or np.issubdtype(array.dtype, np.complexfloating):
+        raise TypeError(f"{what}: their type is {array.dtype}, not {'integers' if kind is np.integer else 'numbers'}")
+    return array
+
+
+def _polydata(points, triangles):
+    coordinates = vtkPoints()
+    coordinates.SetData(numpy_to_vtk(points, deep=True))
+    polygons = vtkCellArray()
+    polygons.SetData(
+        numpy_to_vtkIdTypeArray(np.arange(0, 3 * len(triangles) + 1, 3, dtype=np.int64), deep=True),
+        numpy_to_vtkIdTypeArray(np.ascontiguousarray(triangles).ravel(), deep=True))
+    data = vtkPolyData()
+    data.SetPoints(coordinates)
+    data.SetPolys(polygons)
+    return data

@@ -1,0 +1,141 @@
+"""A mesh of several regions as an OpenFOAM case: a mesh for each, with mappedWall patches of the same faces
+in the same order; chtMultiRegionSimpleFoam runs on it as it is, and a slab of two conductivities gets its
+exact temperature."""
+
+import pathlib
+import re
+import tempfile
+
+import numpy as np
+from paraview import simple
+from vtkmodules.vtkCommonCore import vtkStringArray
+
+import foam
+from pipeline import output, producer
+
+CONDUCTIVITY = {"left": 1.0, "right": 4.0}  # W/(m K)
+COLD, HOT = 300.0, 400.0                    # K, at x = 0 and x = 3
+TIMES = 400
+
+temporary = tempfile.TemporaryDirectory()
+
+
+def box(low, high):
+    """The boundary at x = `low` is "cold", at 3 "hot", what is left "side"."""
+    surface = output(simple.Triangulate(Input=simple.Box(
+        XLength=high[0] - low[0], YLength=high[1] - low[1], ZLength=high[2] - low[2],
+        Center=[(a + b) / 2 for a, b in zip(low, high)])))
+    names = vtkStringArray()
+    names.SetName("Wall")
+    for i in range(surface.GetNumberOfCells()):
+        first, last = surface.GetCell(i).GetBounds()[:2]
+        names.InsertNextValue("inlet cold" if last == 0 else "hot" if first == 3 else "side")
+    surface.GetCellData().AddArray(names)
+    return producer(surface)
+
+
+def slab(size, method="Automatic"):
+    both = simple.GroupDatasets(Input=[box([0, 0, 0], [1, 1, 1]), box([1, 0, 0], [3, 1, 1])],
+                                BlockNames=list(CONDUCTIVITY))
+    return simple.CartesianMesher(Input=both, RegionsFrom="Blocks", BoundaryArray="Wall", CellSize=size,
+                                  PatchMethod=method)
+
+
+def corners(files, name):
+    """Of each face of a patch, the coordinates from the lowest corner on."""
+    part = files.of_patch(name)
+    for face in range(part.start, part.stop):
+        ids = files.faces.corners[files.faces.start[face]:files.faces.start[face + 1]]
+        yield [tuple(p) for p in files.points[ids].tolist()]
+
+
+def rotated(loop):
+    first = loop.index(min(loop))
+    return loop[first:] + loop[:first]
+
+
+mesher = slab(0.23)
+folder = foam.save(simple.OutputPort(mesher, "Mesh"), temporary.name + "/case")
+constant = folder / "constant"
+assert not (constant / "polyMesh").exists()
+left, right = (foam.Files(folder, region) for region in CONDUCTIVITY)
+for files in left, right:
+    files.check()
+for files, volume in (left, 1), (right, 2):
+    assert abs(files.volumes().sum() - volume) < 1e-5, files.volumes().sum()
+cells = mesher.GetDataInformation().GetNumberOfCells()
+assert left.cells + right.cells == cells, (left.cells, right.cells, cells)
+assert {name: kind for name, (kind, _, _) in left.patches.items() if kind == "mappedWall"} == \
+    {"left_to_right": "mappedWall"}, left.patches
+assert list(right.patches)[-1] == "right_to_left"
+ours, theirs = list(corners(left, "left_to_right")), list(corners(right, "right_to_left"))
+assert len(ours) == len(theirs) > 0
+for a, b in zip(ours, theirs):
+    assert rotated(a) == rotated(b[::-1]), (a, b)
+boundary = (constant / "left/polyMesh/boundary").read_text()
+for entry in "sampleMode +nearestPatchFace", "sampleRegion +right", "samplePatch +right_to_left":
+    assert re.search(entry + ";", boundary), boundary
+# A region with a patch that is no wall is fluid.
+properties = constant / "regionProperties"
+assert re.search(r"fluid \( left \)\s+solid \( right \)", properties.read_text()), properties.read_text()
+for region in CONDUCTIVITY:
+    check = foam.CheckMesh(folder, "-region", region)
+    assert check.ok, (region, check.failures)
+
+# What the user made of them stays when a finer mesh takes the place of this one.
+foam.write(folder, "constant/regionProperties", "regions ( fluid () solid (left right) );")
+mine = properties.read_text()
+path = constant / "left/polyMesh/boundary"
+path.write_text(path.read_text().replace("left_to_right\n    {", "left_to_right\n    {\n        inGroups 1(mine);"))
+foam.save(simple.OutputPort(slab(0.25, "Exact Fit"), "Mesh"), folder)  # cells along the walls
+assert properties.read_text() == mine and "1(mine)" in path.read_text()
+assert not list(folder.glob("**/*.old*"))
+
+# The solver, from our files and its fields alone.
+foam.write(folder, "constant/g", "dimensions [0 1 -2 0 0 0 0]; value (0 0 0);", "uniformDimensionedVectorField")
+foam.control(folder, TIMES)
+for region, conductivity in CONDUCTIVITY.items():
+    foam.write(folder, f"system/{region}/fvSchemes", (folder / f"system/{region}/fvSchemes").read_text()
+               .partition("solver.\n")[2])
+    foam.write(folder, f"system/{region}/fvSolution",
+               "solvers { h { solver PCG; preconditioner DIC; tolerance 1e-13; relTol 0; } }\n"
+               "SIMPLE { nNonOrthogonalCorrectors 1; }\nrelaxationFactors { equations { h 1; } }")
+    foam.write(folder, f"constant/{region}/thermophysicalProperties", f"""
+thermoType
+{{
+    type heSolidThermo; mixture pureMixture; transport constIso; thermo hConst;
+    equationOfState rhoConst; specie specie; energy sensibleEnthalpy;
+}}
+mixture
+{{
+    specie {{ molWeight 1; }} transport {{ kappa {conductivity}; }}
+    thermodynamics {{ Hf 0; Cp 1; }} equationOfState {{ rho 1; }}
+}}""")
+    foam.write(folder, f"constant/{region}/radiationProperties", "radiation off; radiationModel none;")
+    foam.write_field(folder, f"{region}/T", "[0 0 0 1 0 0 0]", str(COLD), {
+        '".*"': "zeroGradient;", "inlet_cold": f"fixedValue; value uniform {COLD};",
+        "hot": f"fixedValue; value uniform {HOT};",
+        '".*_to_.*"': "compressible::turbulentTemperatureCoupledBaffleMixed; Tnbr T; "
+                      f"kappaMethod solidThermo; value uniform {COLD};"})
+    foam.write_field(folder, f"{region}/p", "[1 -1 -2 0 0 0 0]", "1e5",
+                     {'".*"': "calculated; value uniform 1e5;"})
+foam.run(folder, "chtMultiRegionSimpleFoam")
+flux = (HOT - COLD) / sum(length / CONDUCTIVITY[name] for name, length in (("left", 1), ("right", 2)))
+for region, start, at in ("left", COLD, 0), ("right", COLD + flux / CONDUCTIVITY["left"], 1):
+    files = foam.Files(folder, region)
+    exact = start + flux / CONDUCTIVITY[region] * (files.centres()[:, 0] - at)
+    error = np.abs(foam.read_field(folder, TIMES, f"{region}/T") - exact).max() / (HOT - COLD)
+    print(f"{region}: {files.cells} cells, largest error {error:.1e} of the difference")
+    assert error < 1e-6, (region, error)
+
+# Where asked, one mesh with zones; of one region alone, that region's.
+one = foam.save(simple.OutputPort(mesher, "Mesh"), temporary.name + "/one", RegionsAs="Zones")
+assert foam.Files(one).cells == cells and foam.CheckMesh(one).ok
+zones = (one / "constant/polyMesh/cellZones").read_text()
+assert re.findall(r"(\w+)\s*\{\s*type cellZone;", zones) == list(CONDUCTIVITY), zones[:300]
+assert not (one / "constant/regionProperties").exists()
+alone = simple.Threshold(Input=simple.OutputPort(mesher, "Mesh"), Scalars=["CELLS", "Region"],
+                         LowerThreshold=2, UpperThreshold=2)
+folder = foam.save(alone, pathlib.Path(temporary.name) / "alone")
+assert foam.Files(folder).cells == right.cells
+assert not (folder / "constant/polyMesh/cellZones").exists()
