@@ -89,6 +89,7 @@ std::vector<BoundaryRatio> boundaryRatios(
     ratios[numbers[i]] = settings.ratios[i];
   }
   std::vector<BoundaryRatio> result;
+  result.reserve(ratios.size());
   for (const auto& [boundary, ratio] : ratios)
   {
     result.push_back({ boundary, ratio });

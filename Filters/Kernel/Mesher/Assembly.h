@@ -20,8 +20,10 @@ struct Assembly
   Nodes nodes;
   InnerFaces inner;
   Cells cells;
-  std::vector<std::uint8_t> rebuilt; // 1 for polyhedral boxes whose patches were made anew
+  std::vector<std::uint32_t> rebuilt; // boxes whose patches were made anew, in order
   Shaping shaping;
+  std::vector<RemovedCell> fragments; // cells of the core that went with small parts (Fragments.h)
+  std::size_t isolatedCells = 0;      // cells of the core in those that stay
   std::unique_ptr<OutputMesh> mesh;
 };
 
@@ -30,8 +32,8 @@ struct Assembly
 std::unique_ptr<Assembly> assemble(
   Boxes boxes, Patches patches, const Options& options, Execution& execution);
 
-// How many boxes of the core have patches made anew (BoxRebuilding.h).
-std::size_t rebuiltBoxes(const Assembly& assembly);
+// Boxes of the core whose patches were made anew (BoxRebuilding.h).
+std::vector<std::uint32_t> rebuiltBoxes(const Assembly& assembly);
 
 // Intersected boxes of the core that have no cells: neither their patches close nor those made anew.
 std::vector<std::uint32_t> flawedBoxes(const Assembly& assembly);

@@ -94,7 +94,7 @@ std::vector<Layers> Decomposition::split(
   const double all = workOf(sumOf(layers, { 0, end }));
   std::vector<Layers> parts(count);
   // Thin parts would become too uneven.
-  const bool moves = laterSteps_.shapes && end >= 2 * DivideDistance * count;
+  const bool moves = laterSteps_.shapes && end >= 2 * std::size_t(DivideDistance) * count;
   std::uint32_t k = 0;
   double before = 0;
   for (std::size_t part = 0; part < count; ++part)

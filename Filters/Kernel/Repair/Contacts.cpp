@@ -363,9 +363,10 @@ private:
     for (std::size_t i = 0; i < position.size(); ++i)
     {
       rim.to.push_back({ vertexAt(other, position[i]) });
-      for (double k = std::floor(position[i]) + 1; k < position[i] + step[i]; ++k)
+      for (auto k = static_cast<std::size_t>(position[i]) + 1;
+           static_cast<double>(k) < position[i] + step[i]; ++k)
       {
-        rim.to.back().push_back(other[static_cast<std::size_t>(k) % other.size()]);
+        rim.to.back().push_back(other[k % other.size()]);
       }
     }
     return true;
@@ -395,21 +396,54 @@ private:
     return known->second;
   }
 
-  // The later region loses its side and gets the other; what is left of both is divided at the rims.
-  void exchange(const Group& group, const std::vector<Rim>& rims)
+  // How the later region's triangles change at the rims.
+  struct Moves
   {
     std::map<std::uint32_t, std::uint32_t> moved;
-    std::map<std::array<std::uint32_t, 2>, Loop>
-      between; // along the later region's other side of the rim
+    std::map<std::array<std::uint32_t, 2>, Loop> between; // along its other side of the rim
+  };
+
+  static Moves movesOf(const std::vector<Rim>& rims)
+  {
+    Moves moves;
     for (const Rim& rim : rims)
     {
       for (std::size_t i = 0; i < rim.from.size(); ++i)
       {
-        moved[rim.from[i]] = rim.to[i].front();
-        Loop& points = between[{ rim.from[(i + 1) % rim.from.size()], rim.from[i] }];
+        moves.moved[rim.from[i]] = rim.to[i].front();
+        Loop& points = moves.between[{ rim.from[(i + 1) % rim.from.size()], rim.from[i] }];
         points.assign(rim.to[i].rbegin(), rim.to[i].rend() - 1);
       }
     }
+    return moves;
+  }
+
+  // A triangle, divided at the points that its edges have got.
+  std::vector<Triple> partsOf(std::uint32_t t, const Moves& moves) const
+  {
+    const bool isLater = surface_.region[t] == later_;
+    Triple c = surface_.triangles[t];
+    std::array<Loop, 3> onEdges;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const auto found = moves.between.find({ c[i], c[(i + 1) % 3] });
+      onEdges[i] =
+        isLater && found != moves.between.end() ? found->second : pointsOn(c[i], c[(i + 1) % 3]);
+    }
+    for (std::uint32_t& v : c)
+    {
+      const auto found = moves.moved.find(v);
+      v = isLater && found != moves.moved.end() ? found->second : v;
+    }
+    std::vector<Triple> parts;
+    divide(c, onEdges, parts);
+    return parts;
+  }
+
+  // The later region loses its side and gets the other; what is left of both is divided at the rims.
+  void exchange(const Group& group, const std::vector<Rim>& rims)
+  {
+    const Moves moves = movesOf(rims);
     const NearbyTriangles own(surface_, group.of[1], 2 * tolerance_);
     const std::set<std::uint32_t> lost(group.of[1].begin(), group.of[1].end());
     const std::set<std::uint32_t> taken(group.of[0].begin(), group.of[0].end());
@@ -430,25 +464,7 @@ private:
       {
         continue;
       }
-      Triple c = surface_.triangles[t];
-      std::array<Loop, 3> onEdges;
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        onEdges[i] = pointsOn(c[i], c[(i + 1) % 3]);
-        const auto found = between.find({ c[i], c[(i + 1) % 3] });
-        if (surface_.region[t] == later_ && found != between.end())
-        {
-          onEdges[i] = found->second;
-        }
-      }
-      for (std::uint32_t& v : c)
-      {
-        const auto found = moved.find(v);
-        v = surface_.region[t] == later_ && found != moved.end() ? found->second : v;
-      }
-      std::vector<Triple> parts;
-      divide(c, onEdges, parts);
-      for (const Triple& part : parts)
+      for (const Triple& part : partsOf(t, moves))
       {
         add(part, t, surface_.region[t]);
         if (taken.count(t) > 0)
