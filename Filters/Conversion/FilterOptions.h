@@ -20,7 +20,7 @@ void setDomainOptions(Filter* filter, Options& options)
   domain.before = filter->GetLengthsBefore();
   domain.behind = filter->GetLengthsBehind();
   domain.beside = filter->GetLengthsBeside();
-  domain.ground = static_cast<BoxSide>(filter->GetGround());
+  domain.ground = static_cast<DomainSide>(filter->GetGround());
   domain.half = static_cast<Half>(filter->GetHalf());
   for (std::size_t axis = 0; axis < 3; ++axis)
   {

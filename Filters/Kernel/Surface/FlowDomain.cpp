@@ -66,13 +66,13 @@ void checkBox(const Bounds& box, const Bounds& surface)
 Bounds boxAround(const DomainSpec& spec, const Bounds& surface)
 {
   Bounds box = spec.boxFrom == BoxSource::Bounds ? spec.bounds : lengthsAround(spec, surface);
-  if (spec.ground != BoxSide::Nowhere)
+  if (spec.ground != DomainSide::NoSide)
   {
     const std::size_t side = static_cast<std::size_t>(spec.ground) - 1;
     (side % 2 == 0 ? box.low : box.high)[side / 2] =
       (side % 2 == 0 ? surface.low : surface.high)[side / 2];
   }
-  if (spec.half != Half::Neither)
+  if (spec.half != Half::Whole)
   {
     const std::size_t axis = static_cast<std::size_t>(spec.half) - 1;
     box.low[axis] = surface.low[axis] + (surface.high[axis] - surface.low[axis]) / 2;

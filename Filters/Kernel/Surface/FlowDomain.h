@@ -35,9 +35,9 @@ enum class FlowDirection : std::uint8_t
 };
 
 // A side of the box.
-enum class BoxSide : std::uint8_t
+enum class DomainSide : std::uint8_t
 {
-  Nowhere = 0,
+  NoSide = 0,
   XMin = 1,
   XMax = 2,
   YMin = 3,
@@ -49,7 +49,7 @@ enum class BoxSide : std::uint8_t
 // Which half of the box is left out: all below the middle of the surface along one axis.
 enum class Half : std::uint8_t
 {
-  Neither = 0,
+  Whole = 0,
   AcrossX = 1,
   AcrossY = 2,
   AcrossZ = 3,
@@ -65,8 +65,8 @@ struct DomainSpec
   double before = 3; // times the surface's longest side
   double behind = 5;
   double beside = 3;
-  BoxSide ground = BoxSide::Nowhere; // there the box ends with the surface
-  Half half = Half::Neither;
+  DomainSide ground = DomainSide::NoSide; // there the box ends with the surface
+  Half half = Half::Whole;
   Bounds bounds{};              // user units
   EndBoundaries sides = NoEnds; // boundaries of the box's sides
 
