@@ -75,6 +75,17 @@ cartesian::Options vtkCartesianMesher::MakeOptions()
   return options;
 }
 
+// But for the ground, flow passes through the sides of the box.
+void vtkCartesianMesher::AddTypesOfSides(Task& task)
+{
+  for (int side = 0; task.options.domain.isOutside() && side < 6; ++side)
+  {
+    const bool isSymmetric = this->Half > 0 && side == 2 * (this->Half - 1);
+    const char* type = isSymmetric ? "symmetryPlane" : side + 1 == this->Ground ? "wall" : "patch";
+    task.types.emplace(task.surface->sides()[static_cast<std::size_t>(side)], type);
+  }
+}
+
 void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
   const cartesian::Processes& processes, vtkInformationVector** input, vtkInformationVector* output,
   cartesian::Execution& execution)
@@ -90,11 +101,7 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
     this->BoundaryRatios };
   task.types = cartesian::boundaryTypes(boundaries, task.surface->names());
   task.options = this->MakeOptions();
-  if (task.options.domain.isOutside() && this->Half > 0)
-  {
-    const auto symmetric = static_cast<std::size_t>(2 * (this->Half - 1));
-    task.types.emplace(task.surface->sides()[symmetric], "symmetryPlane");
-  }
+  this->AddTypesOfSides(task);
   task.options.smallCells.boundaryRatios =
     cartesian::boundaryRatios(boundaries, task.surface->names(), task.options.smallCells.handling);
   cartesian::planStages(task.options, execution);

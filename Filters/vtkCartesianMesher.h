@@ -140,7 +140,7 @@ public:
   ///@{
   /**
    * The side of the box that ends with the surface, which so stands on it: 0, the default, for none; 1 to 6 for
-   * low x, high x, low y, ...
+   * low x, high x, low y, ... It is a wall, the other sides are patches, unless BoundaryTypes say otherwise.
    */
   vtkSetClampMacro(Ground, int, 0, 6);
   vtkGetMacro(Ground, int);
@@ -220,6 +220,7 @@ private:
   struct Task;
   struct Piece;
 
+  void AddTypesOfSides(Task& task);
   void Begin(Task& task, const Piece& piece, const cartesian::Processes& processes,
     vtkInformationVector** input, vtkInformationVector* output, cartesian::Execution& execution);
   static void Make(const Task& task, Piece& piece, cartesian::Execution& execution);

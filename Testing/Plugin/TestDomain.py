@@ -55,7 +55,7 @@ mesher.Half = "Across X"
 expect(mesher, {"xMin": 27, "xMax": 28, "zMax": 24, "boundary_0": 2.5})
 mesh = mesher.GetClientSideObject().GetOutputDataObject(0)
 types = dict(zip(strings(mesh, "BoundaryNames"), strings(mesh, "BoundaryTypes")))
-assert types["xMin"] == "symmetryPlane" and types["xMax"] == "", types
+assert [types[side] for side in SIDES] == ["symmetryPlane"] + 3 * ["patch"] + ["wall", "patch"], types
 
 # A box by its bounds, which cuts the body off.
 mesher.Half = "None"

@@ -259,10 +259,9 @@ private:
   {
     for (std::size_t side = 0; side < 6; ++side)
     {
-      if (face.kind == BoundaryFace::Kind::BoxSide
-          ? side == face.index % 6 &&
+      if (face.kind == BoundaryFace::Kind::BoxSide ? side == face.index % 6 &&
             isAtEnd(parts_.boxes.box(face.index / 6), side / 2, side % 2 == 1)
-          : liesAtEnd(face, side))
+                                                   : liesAtEnd(face, side))
       {
         return parts_.boxes.ends[side];
       }
@@ -274,7 +273,7 @@ private:
   {
     const auto& planes = parts_.boxes.planes[side / 2];
     const Level level = side % 2 == 1 ? planes.back() : planes.front();
-    const auto kind = face.isShaped() ? FaceOfCell::Kind::Shaped
+    const auto kind = face.isShaped()          ? FaceOfCell::Kind::Shaped
       : face.kind == BoundaryFace::Kind::Patch ? FaceOfCell::Kind::Patch
                                                : FaceOfCell::Kind::Inner;
     bool all = true;
