@@ -177,7 +177,8 @@ void GridFaces::readPoints(vtkUnstructuredGrid* grid)
   {
     if (number[p] != 0)
     {
-      number[p] = static_cast<std::uint32_t>(points.size() / 3);
+      number[p] = static_cast<std::uint32_t>(pointOf.size());
+      pointOf.push_back(static_cast<vtkIdType>(p));
       points.resize(points.size() + 3);
       grid->GetPoint(static_cast<vtkIdType>(p), points.data() + points.size() - 3);
     }

@@ -46,8 +46,9 @@ CellFaces facesOfCells(vtkUnstructuredGrid* grid);
 struct GridFaces
 {
   CellFaces cells;
-  std::vector<double> points;    // three coordinates each
-  std::vector<vtkIdType> cellOf; // number of each cell in the grid
+  std::vector<double> points;     // three coordinates each
+  std::vector<vtkIdType> cellOf;  // number of each cell in the grid
+  std::vector<vtkIdType> pointOf; // the same of each point
 
   // Throws Error (BadMesh): a cell with curved edges, nothing left, too many.
   explicit GridFaces(vtkUnstructuredGrid* grid);

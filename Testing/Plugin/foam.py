@@ -128,17 +128,18 @@ class Files:
             body = body[1:]
 
     def check(self):
-        """What OpenFOAM asks of the order of faces and cells."""
+        """What OpenFOAM asks of the order of faces and cells; patches of no faces are a piece's only."""
         inner = len(self.neighbour)
         owner = self.owner[:inner]
         assert (owner < self.neighbour).all(), "an owner is above its neighbour"
         pairs = owner.astype(np.int64) * self.cells + self.neighbour
         assert (np.diff(pairs) >= 0).all(), "inner faces are not in upper triangular order"
+        assert (self.folder / "faceProcAddressing").exists() or all(self.patches[name][2] for name in self.patches)
         next = inner
         for name, (kind, start, count) in self.patches.items():
-            assert start == next and count > 0, name
-            # Two mapped patches have one order.
-            assert kind == "mappedWall" or (np.diff(self.owner[start:start + count]) >= 0).all(), name
+            assert start == next, name
+            # Two mapped patches have one order, as have two of processes.
+            assert kind in ("mappedWall", "processor") or (np.diff(self.owner[start:start + count]) >= 0).all(), name
             next += count
         assert next == len(self.owner)
 
