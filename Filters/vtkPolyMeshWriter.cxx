@@ -69,6 +69,18 @@ void OnAll(const cartesian::Processes& processes, Work&& work)
   }
 }
 
+cartesian::FoamPiece ReadPiece(
+  vtkUnstructuredGrid* grid, int regionsAs, cartesian::Execution& execution)
+{
+  cartesian::FoamPiece piece = cartesian::foamPiece(grid, execution);
+  if (!piece.mesh.zones.empty() && regionsAs == vtkPolyMeshWriter::Meshes)
+  {
+    throw cartesian::Error(cartesian::Fault::BadParameter,
+      "A decomposed case has one mesh for all regions: set Regions As to Zones.");
+  }
+  return piece;
+}
+
 // Writes a piece beside what is there.
 cartesian::PolyMeshFiles WriteBeside(cartesian::FoamPiece&& piece, std::size_t number,
   const std::vector<cartesian::FaceNumbers>& numbersOfAll, vtkUnstructuredGrid* grid,
@@ -239,7 +251,7 @@ void vtkPolyMeshWriter::AddPiece(vtkUnstructuredGrid* grid, int number)
     cartesian::folderOfProcess(std::filesystem::path(this->FileName).parent_path(), number);
   file += ".unfinished";
   cartesian::Execution execution(0);
-  const cartesian::FoamPiece piece = cartesian::foamPiece(grid, execution);
+  const cartesian::FoamPiece piece = ReadPiece(grid, this->RegionsAs, execution);
   this->SoFar->outlines.push_back(cartesian::outlineOf(piece));
   this->SoFar->pieces.emplace_back(piece, file);
   this->UpdateProgress(static_cast<double>(number + 1) / (this->Pieces + 1));
@@ -277,7 +289,7 @@ void vtkPolyMeshWriter::WriteOwnPiece(vtkUnstructuredGrid* grid)
   cartesian::FoamPiece piece;
   OnAll(processes, [&] {
     this->CheckDecomposition(count);
-    piece = cartesian::foamPiece(grid, execution);
+    piece = ReadPiece(grid, this->RegionsAs, execution);
   });
   this->UpdateProgress(0.4);
   std::vector<cartesian::FoamOutline> outlines;

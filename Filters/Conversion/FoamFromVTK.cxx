@@ -182,6 +182,11 @@ std::vector<std::int32_t> pointNumbers(vtkUnstructuredGrid* grid, const GridFace
 
 FoamPiece foamPiece(vtkUnstructuredGrid* grid, Execution& execution)
 {
+  if (grid->GetNumberOfCells() == 0)
+  {
+    throw Error(Fault::BadMesh,
+      "A piece of the mesh has no cells, which OpenFOAM does not take: write fewer pieces.");
+  }
   GridFaces faces(grid);
   turnOutward(faces.cells, faces.points, execution);
   FaceList list = listFaces(faces.cells, faces.points.size() / 3, Clashes::Refused, execution);

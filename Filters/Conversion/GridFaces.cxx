@@ -5,6 +5,7 @@
 #include "BoundaryOfFaces.h"
 #include "PolyhedronStorage.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataSetAttributes.h"
@@ -19,6 +20,12 @@
 
 namespace cartesian
 {
+
+CellFaceReader::CellFaceReader(vtkUnstructuredGrid* grid)
+  : grid_(grid)
+  , points_(vtk::TakeSmartPointer(grid->GetCells()->NewIterator()))
+{
+}
 
 const vtkIdType* CellFaceReader::read(vtkIdType cell)
 {
@@ -37,7 +44,7 @@ const vtkIdType* CellFaceReader::readHexahedron(vtkIdType cell)
 {
   vtkIdType count = 0;
   const vtkIdType* points = nullptr;
-  grid_->GetCellPoints(cell, count, points, points_);
+  points_->GetCellAtId(cell, count, points);
   stream_->Reset();
   stream_->InsertNextId(6);
   for (int face = 0; face < 6; ++face)

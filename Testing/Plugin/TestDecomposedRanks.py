@@ -8,13 +8,13 @@ from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 import decomposed
 import foam
-from pipeline import read
+from pipeline import DATA
 
 processes = vtkMultiProcessController.GetGlobalController()
 ranks = processes.GetNumberOfProcesses()
 
 with tempfile.TemporaryDirectory() as temporary:
-    mesher = simple.CartesianMesher(Input=read("kcl_exhaust_header_lumens.stl"), CellSize=12)
+    mesher = simple.CartesianMesher(Input=simple.OpenDataFile(str(DATA / "kcl_exhaust_header_lumens.stl")), CellSize=12)
     whole = foam.Files(foam.save(mesher, pathlib.Path(temporary) / "whole"))
     for kind in "Ascii", "Binary":
         case = foam.save(mesher, pathlib.Path(temporary) / kind, Pieces=ranks, FileType=kind)

@@ -137,22 +137,16 @@ private:
 void checkOrder(const std::vector<FoamOutline>& outlines)
 {
   std::size_t cells = 0;
-  for (std::size_t piece = 0; piece < outlines.size(); ++piece)
+  for (const FoamOutline& outline : outlines)
   {
-    if (outlines[piece].cells == 0)
-    {
-      throw Error(Fault::BadMesh,
-        "Piece " + std::to_string(piece) + " of " + std::to_string(outlines.size()) +
-          " has no cells, which OpenFOAM does not take: write fewer pieces.");
-    }
-    if (outlines[piece].firstCell != cells)
+    if (outline.firstCell != cells)
     {
       throw Error(Fault::BadMesh,
         "The cells are not numbered in the order of the pieces: to write a decomposed case, save "
         "the "
         "mesh of Cartesian Mesher itself.");
     }
-    cells += outlines[piece].cells;
+    cells += outline.cells;
   }
 }
 

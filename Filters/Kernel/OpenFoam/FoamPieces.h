@@ -75,8 +75,8 @@ struct FaceNumbers
 
 FoamOutline outlineOf(const FoamPiece& piece);
 
-// Of each piece. Throws Error (BadMesh): cells are not in order of the pieces, cells overlap, a piece has no
-// cells, more faces than OpenFOAM can number.
+// Of each piece. Throws Error (BadMesh): cells are not in order of the pieces, cells overlap, more faces than
+// OpenFOAM can number.
 std::vector<FaceNumbers> numberFaces(const std::vector<FoamOutline>& outlines);
 
 // The mesh of `piece` (its number) with patches and addressing. `patches`: of numbers.boundaries. Those between
