@@ -21,7 +21,8 @@ bool vtkCartesianAlgorithm::Run(
     const auto monitor = [&](double fraction, const char* stage) {
       this->SetProgressText(stage);
       this->UpdateProgress(fraction);
-      const bool stops = cartesian::isStopped(this) || (this->HasOtherFailed && this->HasOtherFailed());
+      const bool stops =
+        cartesian::isStopped(this) || (this->HasOtherFailed && this->HasOtherFailed());
       return this->IsWaitedFor || !stops;
     };
     cartesian::Execution execution(this->NumberOfThreads, monitor, begin, end);
