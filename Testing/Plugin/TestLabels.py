@@ -72,5 +72,5 @@ for proxy, names in (
 
 writer = simple.CreateWriter("case.foam", mesher)
 assert writer.GetXMLLabel() == "OpenFOAM Mesh Writer", writer.GetXMLLabel()
-assert sorted(writer.ListProperties()) == ["FileName", "FileType", "Input", "RegionsAs"]
+assert sorted(writer.ListProperties()) == ["FileName", "FileType", "Input", "Pieces", "RegionsAs"]
 assert writer.FileType == "Binary" and writer.RegionsAs == "Meshes"
