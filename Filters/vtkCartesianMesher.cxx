@@ -3,6 +3,7 @@
 
 #include "Base/Error.h"
 #include "BoundarySettings.h"
+#include "DefectsToVTK.h"
 #include "FilterOptions.h"
 #include "GhostCells.h"
 #include "MeshToVTK.h"
@@ -290,6 +291,7 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   cartesian::toVTK(*piece.assembly,
     { task.surface->names(), task.types, task.surface->regionNames() }, place, mesh,
     vtkPolyData::GetData(output, 1), vtkPolyData::GetData(output, 3), execution);
+  cartesian::addCellsLeftOut(*piece.assembly, vtkPolyData::GetData(output, 2));
   const bool wasSilent = this->IsSilent; // these flaws are of this piece only
   this->IsSilent = false;
   this->Warn(cartesian::describeFlaws(*piece.assembly));
