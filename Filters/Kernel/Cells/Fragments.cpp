@@ -105,12 +105,14 @@ private:
   {
     part_.assign(1, c);
     Layers layers = layersOf(c);
-    for (std::size_t i = 0; i < part_.size(); ++i)
+    std::size_t next = 0;
+    while (next < part_.size())
     {
-      const Layers own = layersOf(part_[i]);
+      const std::uint32_t cell = part_[next++];
+      const Layers own = layersOf(cell);
       layers = { std::min(layers.begin, own.begin), std::max(layers.end, own.end) };
       if (layers.end - layers.begin > MostLayersOfAFragment ||
-        anyBeyond(part_[i], [&](std::uint32_t other) { return !add(other); }))
+        anyBeyond(cell, [&](std::uint32_t other) { return !add(other); }))
       {
         return false;
       }

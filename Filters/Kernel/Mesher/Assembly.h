@@ -30,7 +30,7 @@ struct Assembly
 // Runs all steps. Throws Error: BadParameter, TooManyBoxes, FlawedSurface (no cell is left of the whole;
 // a part may have none).
 std::unique_ptr<Assembly> assemble(
-  Boxes boxes, Patches patches, const Options& options, Execution& execution);
+  Boxes boxes, Patches patches, const Options& given, Execution& execution);
 
 // Boxes of the core whose patches were made anew (BoxRebuilding.h).
 std::vector<std::uint32_t> rebuiltBoxes(const Assembly& assembly);
