@@ -5,6 +5,7 @@
 #include "Surface/Walls.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -371,8 +372,7 @@ private:
         ? std::find_if(begin, end,
             [&](std::uint32_t point) { return piece_.points[point] == face.firstCorner; })
         : begin;
-      mesh_.corners.insert(mesh_.corners.end(), first, end);
-      mesh_.corners.insert(mesh_.corners.end(), begin, first);
+      std::rotate_copy(begin, first, end, std::back_inserter(mesh_.corners));
       mesh_.start.push_back(mesh_.corners.size());
       mesh_.owner.push_back(owner[i]);
     }
