@@ -15,10 +15,10 @@
 
 vtkWholeMeshWriter::~vtkWholeMeshWriter()
 {
-  this->SetFileName(nullptr);
+  delete[] this->FileName;
 }
 
-int vtkWholeMeshWriter::FillInputPortInformation(int, vtkInformation* info)
+int vtkWholeMeshWriter::FillInputPortInformation(int /*port*/, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
   return 1;
