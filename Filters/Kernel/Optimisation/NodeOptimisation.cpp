@@ -81,11 +81,10 @@ public:
     }
     measure();
     evaluate();
-    while (takeBackAround(first))
+    for (std::vector<std::uint32_t> back = worsened(first); !back.empty(); back = worsened(first))
     {
       execution.poll();
-      measure();
-      evaluate();
+      takeBack(back);
     }
     return true;
   }
@@ -247,18 +246,8 @@ private:
     std::fill(energyOfCell_.begin(), energyOfCell_.end(), 0);
     for (std::size_t f = 0; f < m_.faces(); ++f)
     {
-      const auto& cells = m_.cells[f];
-      const Ring ring{ m_.at.data(), m_.corners.data() + m_.start[f], cornersOf(f) };
-      energies_[f] = cells[1] == None
-        ? energyOfBoundaryFace(
-            faces_[f], ring, edgeOfFace_[f], m_.measures[cells[0]], ofFaces_[f], ofCells_[cells[0]])
-        : energyOfInnerFace(faces_[f], ring, edgeOfFace_[f], m_.measures[cells[0]],
-            m_.measures[cells[1]], ofFaces_[f], ofCells_[cells[0]], ofCells_[cells[1]]);
-      if (isFolded(f))
-      {
-        energies_[f].all += OfFoldedFace;
-      }
-      for (const std::uint32_t c : cells)
+      evaluateFace(f);
+      for (const std::uint32_t c : m_.cells[f])
       {
         if (c < m_.changing)
         {
@@ -271,6 +260,21 @@ private:
       double byShare = 0;
       energyOfCell_[c] += energyOfShare(m_.measures[c].volume / m_.volumeOfBox[c], byShare);
       ofCells_[c].volume += byShare / m_.volumeOfBox[c];
+    }
+  }
+
+  void evaluateFace(std::size_t f)
+  {
+    const auto& cells = m_.cells[f];
+    const Ring ring{ m_.at.data(), m_.corners.data() + m_.start[f], cornersOf(f) };
+    energies_[f] = cells[1] == None
+      ? energyOfBoundaryFace(
+          faces_[f], ring, edgeOfFace_[f], m_.measures[cells[0]], ofFaces_[f], ofCells_[cells[0]])
+      : energyOfInnerFace(faces_[f], ring, edgeOfFace_[f], m_.measures[cells[0]],
+          m_.measures[cells[1]], ofFaces_[f], ofCells_[cells[0]], ofCells_[cells[1]]);
+    if (isFolded(f))
+    {
+      energies_[f].all += OfFoldedFace;
     }
   }
 
@@ -469,19 +473,19 @@ private:
     at = { std::round(at[0]), std::round(at[1]), std::round(at[2]) };
   }
 
-  // Takes back all steps of the nodes of faces and cells that are worse than they were; false: there is none.
-  bool takeBackAround(const State& first)
+  // The nodes that have moved, of faces and cells that are worse than they were.
+  std::vector<std::uint32_t> worsened(const State& first) const
   {
-    std::vector<std::uint32_t> back;
+    std::vector<std::uint32_t> nodes;
     for (std::size_t f = 0; f < m_.faces(); ++f)
     {
       const double limits = energies_[f].limits;
       const bool isWorse = limits > FairLimits && limits > first.energies[f].limits;
-      if ((isWorse || isFolded(f)) && !listMoved(f, back))
+      if ((isWorse || isFolded(f)) && !listMoved(f, nodes))
       {
         for (const std::uint32_t c : m_.cells[f])
         {
-          listMovedOf(c, back);
+          listMovedOf(c, nodes);
         }
       }
     }
@@ -490,14 +494,45 @@ private:
       const double volume = m_.measures[c].volume;
       if (volume < FairShare * m_.volumeOfBox[c] && volume < first.cells[c].volume)
       {
-        listMovedOf(c, back);
+        listMovedOf(c, nodes);
       }
     }
-    for (const std::uint32_t n : back)
+    return sortedUnique(std::move(nodes));
+  }
+
+  // All steps of these nodes; then measures what that changes, and its limits.
+  void takeBack(const std::vector<std::uint32_t>& nodes)
+  {
+    std::vector<std::uint32_t> faces;
+    for (const std::uint32_t n : nodes)
     {
       m_.at[n] = before_[n];
+      forEachFaceOf(movingOf_[n], [&](std::uint32_t f) { faces.push_back(f); });
     }
-    return !back.empty();
+    std::vector<std::uint32_t> cells;
+    for (const std::uint32_t f : faces = sortedUnique(std::move(faces)))
+    {
+      measureOne(f);
+      std::copy_if(m_.cells[f].begin(), m_.cells[f].end(), std::back_inserter(cells),
+        [&](std::uint32_t c) { return c < m_.changing; });
+    }
+    for (const std::uint32_t c : cells = sortedUnique(std::move(cells)))
+    {
+      m_.measures[c] = measureOf(c);
+      faces.insert(faces.end(), m_.cellFaces.begin() + std::ptrdiff_t(m_.cellStart[c]),
+        m_.cellFaces.begin() + std::ptrdiff_t(m_.cellStart[c + 1]));
+    }
+    for (const std::uint32_t f : sortedUnique(std::move(faces)))
+    {
+      evaluateFace(f);
+    }
+  }
+
+  static std::vector<std::uint32_t> sortedUnique(std::vector<std::uint32_t> list)
+  {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    return list;
   }
 
   // Appends the corners of a face that have moved; whether there are any.
