@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/RefusedCells.h"
 
+#include <algorithm>
 #include <set>
 
 namespace cartesian
@@ -68,7 +69,34 @@ public:
 
   const std::set<Candidate>& candidates() const { return candidates_; }
 
+  // Whether no cell that the slab must leave as it is would be refused without it.
+  bool sparesOthers(CellKey key)
+  {
+    const auto neighbours = cells_.neighbours(key);
+    return std::all_of(neighbours.begin(), neighbours.end(), [&](const auto& neighbour) {
+      const CellKey other = neighbour.first;
+      return cells_.isFree(other) || !cells_.hasFaces(other) || isAcceptedWithout(other, key);
+    });
+  }
+
 private:
+  bool isAcceptedWithout(CellKey other, CellKey gone)
+  {
+    cells_.lookAround(other, cell_);
+    for (std::size_t f = 0; f < cell_.across.size(); ++f)
+    {
+      if (cell_.across[f] == gone)
+      {
+        cell_.shape.isBoundary[f] = 1;
+        if (isRefused(cell_.shape, cell_.measures, f, {}))
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
   bool mayGo(const Candidate& candidate) const
   {
     return cells_.hasFaces(candidate.key) && cells_.isFree(candidate.key) &&
@@ -106,7 +134,7 @@ void removeRefused(CellComplex& cells, const std::vector<CellKey>& keys, const S
   std::set<CellKey> beside;
   for (const Candidate& candidate : search.candidates())
   {
-    if (beside.count(candidate.key) == 0)
+    if (beside.count(candidate.key) == 0 && search.sparesOthers(candidate.key))
     {
       for (const auto& [other, area] : cells.neighbours(candidate.key))
       {
