@@ -64,9 +64,26 @@ Slab secondSlab(std::uint32_t i, std::uint32_t all)
   const auto around = [&](std::uint32_t by) {
     return Layers{ border - by, std::min(border + by, all) };
   };
-  return { around(Seen), around(Free), around(Free), around(Moving) };
+  return { around(Seen), around(Free), around(Acting), around(Moving) };
 }
 
+}
+
+bool mayHoldACell(Layers layers, std::uint32_t all)
+{
+  if (layers.end - layers.begin > MostLayersOfACell)
+  {
+    return false;
+  }
+  for (std::uint32_t plane = layers.begin + 1; all > SlabThickness && plane < layers.end; ++plane)
+  {
+    const std::uint32_t fromBorder = (plane + Free) % SlabThickness; // of the slab above or below
+    if (fromBorder == 0 || fromBorder == 2 * Free)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool isBesideDivide(std::uint32_t layer, std::uint32_t allLayers)

@@ -9,9 +9,10 @@
 //
 //   layer              0 1 2 3 4 5 6 7 8 9 10 ...
 //   first stage        A A A A A A A A f - |  - f A A A A A A f - | ...
-//   second stage                   - A A A |  A A A -                     A acts, f free, - fixed
+//   second stage                   - f A A |  A A f -                     A acts, f free, - fixed
 //
-// Nothing changes in layers 3 to 6 in the second stage: it costs least to divide a mesh there.
+// Nothing changes in layers 3 to 6 in the second stage: it costs least to divide a mesh there. No cell may extend
+// into both these and layers that do change, or it would be fixed beside what the second stage removes.
 #pragma once
 
 #include "Boxes/Boxes.h"
@@ -27,6 +28,9 @@ constexpr std::size_t ShapingStages = 2;
 // No cell extends over more layers after merging, so that a part has to see only one layer of cells
 // that may extend into it.
 constexpr std::uint32_t MostLayersOfACell = 2;
+
+// Whether cells may extend over these layers.
+bool mayHoldACell(Layers layers, std::uint32_t allLayers);
 
 // The cells of one more layer tell which of a part's points are used, and which of its faces have
 // lost their neighbour. If cells may extend into the next layer, this takes two.

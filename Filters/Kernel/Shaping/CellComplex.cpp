@@ -391,7 +391,7 @@ bool CellComplex::mayMerge(const std::vector<CellKey>& keys) const
     all = { std::min(all.begin, layers.begin), std::max(all.end, layers.end) };
   }
   return all.begin >= slab_.free.begin && all.end <= slab_.free.end &&
-    all.end - all.begin <= MostLayersOfACell;
+    mayHoldACell(all, boxes_.allLayers().end);
 }
 
 // isKept(key, whether it is open): of acting cells as they were, then of those made since.

@@ -96,3 +96,22 @@ TEST(Slabs, LargerPartsAndMoreStepsNeedNoFewerLayers)
     }
   }
 }
+
+// What a slab of the second stage removes exposes faces of cells beside it: these must be its own to mend.
+TEST(Slabs, OfTheSecondStageMayChangeAllCellsBesideThoseOnWhichTheyAct)
+{
+  for (std::uint32_t all = 11; all < 60; ++all)
+  {
+    const auto stages = slabsFor({ 0, all }, all);
+    for (const Slab& slab : stages[1])
+    {
+      for (std::uint32_t layer = 0; layer < all; ++layer)
+      {
+        const Layers cell{ layer, std::min(layer + MostLayersOfACell, all) };
+        const bool isBeside = cell.begin <= slab.acting.end && cell.end >= slab.acting.begin;
+        EXPECT_TRUE(!isBeside || !mayHoldACell(cell, all) || contains(slab.free, cell))
+          << layer << " of " << all;
+      }
+    }
+  }
+}
