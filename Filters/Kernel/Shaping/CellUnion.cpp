@@ -2,6 +2,7 @@
 #include "Shaping/CellUnion.h"
 
 #include "Polyhedra/CellCost.h"
+#include "Polyhedra/Refusal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,47 +62,6 @@ FaceCosts& FaceCosts::operator+=(const FaceCosts& other)
 }
 
 // --- costs
-
-namespace
-{
-
-// Whether solvers refuse faces of a cell; knows its other centres once they are asked for.
-class Refusal
-{
-public:
-  Refusal(const Polyhedron& cell, const CellShape& shape, const std::vector<NeighbourCell>& beyond)
-    : cell_(cell)
-    , shape_(shape)
-    , beyond_(beyond)
-  {
-  }
-
-  bool isRefused(std::uint32_t face)
-  {
-    if (cartesian::isRefused(cell_, shape_, face, beyond_[face]))
-    {
-      return true;
-    }
-    const bool boundary = cell_.isBoundary[face] != 0;
-    if (!mayBeDoubtful(shape_, boundary, face))
-    {
-      return false;
-    }
-    if (projected_.faces.empty())
-    {
-      measureProjected(cell_, projected_);
-    }
-    return isDoubtful(projected_, boundary, face);
-  }
-
-private:
-  const Polyhedron& cell_;
-  const CellShape& shape_;
-  const std::vector<NeighbourCell>& beyond_;
-  CellShape projected_;
-};
-
-}
 
 FaceCosts costsOf(const Polyhedron& cell, const CellShape& shape,
   const std::vector<NeighbourCell>& beyond, const std::vector<std::uint8_t>& counts, double most)

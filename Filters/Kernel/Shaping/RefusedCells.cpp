@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/RefusedCells.h"
 
+#include "Polyhedra/Refusal.h"
+
 #include <algorithm>
 #include <set>
 
@@ -43,9 +45,10 @@ public:
       candidates_.insert(own);
       return;
     }
+    Refusal refusal(cell_.shape, cell_.measures, cell_.beyond);
     for (std::size_t f = 0; f < cell_.across.size(); ++f)
     {
-      if (!isRefused(cell_.shape, cell_.measures, f, cell_.beyond[f]))
+      if (!refusal.isRefused(f))
       {
         continue;
       }
@@ -83,18 +86,19 @@ private:
   bool isAcceptedWithout(CellKey other, CellKey gone)
   {
     cells_.lookAround(other, cell_);
+    std::vector<std::size_t> exposed;
     for (std::size_t f = 0; f < cell_.across.size(); ++f)
     {
       if (cell_.across[f] == gone)
       {
         cell_.shape.isBoundary[f] = 1;
-        if (isRefused(cell_.shape, cell_.measures, f, {}))
-        {
-          return false;
-        }
+        cell_.beyond[f] = {};
+        exposed.push_back(f);
       }
     }
-    return true;
+    Refusal refusal(cell_.shape, cell_.measures, cell_.beyond);
+    return std::none_of(
+      exposed.begin(), exposed.end(), [&](std::size_t f) { return refusal.isRefused(f); });
   }
 
   bool mayGo(const Candidate& candidate) const
