@@ -64,7 +64,7 @@ Slab secondSlab(std::uint32_t i, std::uint32_t all)
   const auto around = [&](std::uint32_t by) {
     return Layers{ border - by, std::min(border + by, all) };
   };
-  return { around(Seen), around(Free), around(Acting), around(Moving) };
+  return { around(Seen), around(Free), around(Free), around(Moving) };
 }
 
 }

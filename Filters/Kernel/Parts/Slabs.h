@@ -9,7 +9,7 @@
 //
 //   layer              0 1 2 3 4 5 6 7 8 9 10 ...
 //   first stage        A A A A A A A A f - |  - f A A A A A A f - | ...
-//   second stage                   - f A A |  A A f -                     A acts, f free, - fixed
+//   second stage                   - A A A |  A A A -                     A acts, f free, - fixed
 //
 // Nothing changes in layers 3 to 6 in the second stage: it costs least to divide a mesh there. No cell may extend
 // into both these and layers that do change, or it would be fixed beside what the second stage removes.

@@ -31,7 +31,7 @@ void removeSmallCells(
   {
     const double share = complex.share(key);
     if (share < most && share < ratioOf(spec, complex.boundaryOfCell(key), spec.ratio) &&
-      complex.isAtBoundary(key))
+      complex.isAtBoundary(key) && sparesOthers(complex, key))
     {
       complex.remove(key);
     }

@@ -72,7 +72,7 @@ void giveAway(CellComplex& cells, const std::vector<CellKey>& parts, LeftOver le
     {
       continue;
     }
-    if (leftOver == LeftOver::IsRemoved && cells.isAtBoundary(part))
+    if (leftOver == LeftOver::IsRemoved && cells.isAtBoundary(part) && sparesOthers(cells, part))
     {
       remove(cells, part, removed);
     }

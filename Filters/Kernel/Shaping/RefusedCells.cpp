@@ -72,35 +72,7 @@ public:
 
   const std::set<Candidate>& candidates() const { return candidates_; }
 
-  // Whether no cell that the slab must leave as it is would be refused without it.
-  bool sparesOthers(CellKey key)
-  {
-    const auto neighbours = cells_.neighbours(key);
-    return std::all_of(neighbours.begin(), neighbours.end(), [&](const auto& neighbour) {
-      const CellKey other = neighbour.first;
-      return cells_.isFree(other) || !cells_.hasFaces(other) || isAcceptedWithout(other, key);
-    });
-  }
-
 private:
-  bool isAcceptedWithout(CellKey other, CellKey gone)
-  {
-    cells_.lookAround(other, cell_);
-    std::vector<std::size_t> exposed;
-    for (std::size_t f = 0; f < cell_.across.size(); ++f)
-    {
-      if (cell_.across[f] == gone)
-      {
-        cell_.shape.isBoundary[f] = 1;
-        cell_.beyond[f] = {};
-        exposed.push_back(f);
-      }
-    }
-    Refusal refusal(cell_.shape, cell_.measures, cell_.beyond);
-    return std::none_of(
-      exposed.begin(), exposed.end(), [&](std::size_t f) { return refusal.isRefused(f); });
-  }
-
   bool mayGo(const Candidate& candidate) const
   {
     return cells_.hasFaces(candidate.key) && cells_.isFree(candidate.key) &&
@@ -115,6 +87,34 @@ private:
   std::set<Candidate> candidates_;
 };
 
+bool isAcceptedWithout(const CellComplex& cells, CellKey other, CellKey gone)
+{
+  MeasuredCell cell;
+  cells.lookAround(other, cell);
+  std::vector<std::size_t> exposed;
+  for (std::size_t f = 0; f < cell.across.size(); ++f)
+  {
+    if (cell.across[f] == gone)
+    {
+      cell.shape.isBoundary[f] = 1;
+      cell.beyond[f] = {};
+      exposed.push_back(f);
+    }
+  }
+  Refusal refusal(cell.shape, cell.measures, cell.beyond);
+  return std::none_of(
+    exposed.begin(), exposed.end(), [&](std::size_t f) { return refusal.isRefused(f); });
+}
+
+}
+
+bool sparesOthers(const CellComplex& cells, CellKey key)
+{
+  const auto neighbours = cells.neighbours(key);
+  return std::all_of(neighbours.begin(), neighbours.end(), [&](const auto& neighbour) {
+    const CellKey other = neighbour.first;
+    return cells.isFree(other) || !cells.hasFaces(other) || isAcceptedWithout(cells, other, key);
+  });
 }
 
 void remove(CellComplex& cells, CellKey key, std::vector<RemovedCell>& removed)
@@ -138,7 +138,7 @@ void removeRefused(CellComplex& cells, const std::vector<CellKey>& keys, const S
   std::set<CellKey> beside;
   for (const Candidate& candidate : search.candidates())
   {
-    if (beside.count(candidate.key) == 0 && search.sparesOthers(candidate.key))
+    if (beside.count(candidate.key) == 0 && sparesOthers(cells, candidate.key))
     {
       for (const auto& [other, area] : cells.neighbours(candidate.key))
       {

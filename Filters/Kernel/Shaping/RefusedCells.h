@@ -17,6 +17,9 @@ namespace cartesian
 void removeRefused(CellComplex& cells, const std::vector<CellKey>& keys, const SmallCellSpec& small,
   double largest, Execution& execution, std::vector<RemovedCell>& removed);
 
+// Whether a cell may go: none that the slab must leave as it is would be refused for want of it.
+bool sparesOthers(const CellComplex& cells, CellKey key);
+
 // One cell, noted where it counts (CellComplex::counts).
 void remove(CellComplex& cells, CellKey key, std::vector<RemovedCell>& removed);
 
