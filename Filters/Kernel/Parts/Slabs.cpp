@@ -69,21 +69,17 @@ Slab secondSlab(std::uint32_t i, std::uint32_t all)
 
 }
 
-bool mayHoldACell(Layers layers, std::uint32_t all)
+bool straddlesStages(Layers layers, std::uint32_t all)
 {
-  if (layers.end - layers.begin > MostLayersOfACell)
-  {
-    return false;
-  }
   for (std::uint32_t plane = layers.begin + 1; all > SlabThickness && plane < layers.end; ++plane)
   {
-    const std::uint32_t fromBorder = (plane + Free) % SlabThickness; // of the slab above or below
-    if (fromBorder == 0 || fromBorder == 2 * Free)
+    const std::uint32_t fromReach = (plane + Free) % SlabThickness;
+    if (fromReach == 0 || fromReach == 2 * Free)
     {
-      return false;
+      return true;
     }
   }
-  return true;
+  return false;
 }
 
 bool isBesideDivide(std::uint32_t layer, std::uint32_t allLayers)

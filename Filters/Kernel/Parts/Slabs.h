@@ -11,8 +11,7 @@
 //   first stage        A A A A A A A A f - |  - f A A A A A A f - | ...
 //   second stage                   - A A A |  A A A -                     A acts, f free, - fixed
 //
-// Nothing changes in layers 3 to 6 in the second stage: it costs least to divide a mesh there. No cell may extend
-// into both these and layers that do change, or it would be fixed beside what the second stage removes.
+// Nothing changes in layers 3 to 6 in the second stage: it costs least to divide a mesh there.
 #pragma once
 
 #include "Boxes/Boxes.h"
@@ -29,8 +28,9 @@ constexpr std::size_t ShapingStages = 2;
 // that may extend into it.
 constexpr std::uint32_t MostLayersOfACell = 2;
 
-// Whether cells may extend over these layers.
-bool mayHoldACell(Layers layers, std::uint32_t allLayers);
+// Whether a cell over these layers is partly in those that the second stage may change: it would be fixed beside what
+// the second stage removes, and is better avoided.
+bool straddlesStages(Layers layers, std::uint32_t allLayers);
 
 // The cells of one more layer tell which of a part's points are used, and which of its faces have
 // lost their neighbour. If cells may extend into the next layer, this takes two.

@@ -380,18 +380,27 @@ bool CellComplex::hasChangedNear(CellKey key, std::uint32_t mark) const
 
 bool CellComplex::mayMerge(const std::vector<CellKey>& keys) const
 {
+  const Layers all = layersOf(keys);
+  return all.begin >= slab_.free.begin && all.end <= slab_.free.end &&
+    all.end - all.begin <= MostLayersOfACell &&
+    std::all_of(keys.begin(), keys.end(),
+      [&](CellKey key) { return regionOf(key) == regionOf(keys.front()); });
+}
+
+bool CellComplex::wouldStraddleStages(const std::vector<CellKey>& keys) const
+{
+  return straddlesStages(layersOf(keys), boxes_.allLayers().end);
+}
+
+Layers CellComplex::layersOf(const std::vector<CellKey>& keys) const
+{
   Layers all = layersOf(keys.front());
   for (const CellKey key : keys)
   {
-    if (regionOf(key) != regionOf(keys.front()))
-    {
-      return false;
-    }
     const Layers layers = layersOf(key);
     all = { std::min(all.begin, layers.begin), std::max(all.end, layers.end) };
   }
-  return all.begin >= slab_.free.begin && all.end <= slab_.free.end &&
-    mayHoldACell(all, boxes_.allLayers().end);
+  return all;
 }
 
 // isKept(key, whether it is open): of acting cells as they were, then of those made since.

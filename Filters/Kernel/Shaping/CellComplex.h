@@ -89,6 +89,9 @@ public:
   // Whether all are free, of one region, and do not lie in too many layers for one cell.
   bool mayMerge(const std::vector<CellKey>& keys) const;
 
+  // Whether together they would be fixed in the second stage, beside cells that are not.
+  bool wouldStraddleStages(const std::vector<CellKey>& keys) const;
+
   std::int32_t regionOf(CellKey key) const;
 
   // 1 if it belongs to the part that is meshed (Boxes::core), else 0.
@@ -256,6 +259,7 @@ private:
   template <class Kept>
   std::vector<CellKey> select(Kept&& isKept) const;
   Layers layersOf(CellKey key) const;
+  Layers layersOf(const std::vector<CellKey>& keys) const;
   FaceUse useOf(const FaceOfCell& ref) const;
   OpenCell* opened(CellKey key);
   const OpenCell* opened(CellKey key) const;

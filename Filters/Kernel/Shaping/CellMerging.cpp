@@ -215,7 +215,7 @@ void CellMerger::mergeGroups(const std::vector<CellKey>& keys)
   for (const auto& [into, group] : byLargest)
   {
     execution_.poll();
-    if (group.size() > 2 && cells_.mayMerge(group))
+    if (group.size() > 2 && cells_.mayMerge(group) && !cells_.wouldStraddleStages(group))
     {
       mergeGroup(group);
     }
@@ -334,36 +334,47 @@ void CellMerger::findBest(CellKey key, const FaceCosts& own, std::size_t mostNei
     trial_.keys.assign(1, key);
     tryOut(own, leastGain, joins, true);
   }
-  const double share = cells_.share(key);
+  const bool mustMerge = own.refused > 0 || isSmall(key);
   std::size_t tried = 0;
-  for (Neighbour& neighbour : neighbours_)
+  for (const bool straddles : { false, true })
   {
-    const CellKey other = neighbour.key;
-    if (!spec_.merges || tried == mostNeighbours ||
-      (!best_.keys.empty() && best_.costs.worst < FairCost && best_.costs.refused == 0))
+    for (Neighbour& neighbour : neighbours_)
     {
-      break;
+      if (!spec_.merges || tried == mostNeighbours ||
+        (straddles && (!mustMerge || !best_.keys.empty())) ||
+        (!best_.keys.empty() && best_.costs.worst < FairCost && best_.costs.refused == 0))
+      {
+        break;
+      }
+      if (cells_.mayMerge({ key, neighbour.key }) &&
+        cells_.wouldStraddleStages({ key, neighbour.key }) == straddles &&
+        cells_.share(key) + cells_.share(neighbour.key) <= MostShare)
+      {
+        ++tried;
+        tryWith(neighbour, key, own, leastGain, joins, simplifies);
+      }
     }
-    if (!cells_.mayMerge({ key, other }) || share + cells_.share(other) > MostShare)
-    {
-      continue;
-    }
-    ++tried;
-    cells_.open(other); // a hexahedron has no faces of its own
-    const bool grows = cells_.volume(key) > cells_.volume(other);
-    trial_.keys.assign({ grows ? key : other, grows ? other : key });
-    if (!neighbour.costs)
-    {
-      neighbour.costs = costsOfCell(other, &key, &key + 1);
-    }
-    FaceCosts before = own;
-    before += *neighbour.costs;
-    before.sum -= CostOfCell * cells_.share(trial_.keys[1]);
-    const double most = before.sum + MostOfJoins;
-    if (simplifies || costTogether(key, other, most) <= most)
-    {
-      tryOut(before, leastGain, joins, simplifies);
-    }
+  }
+}
+
+void CellMerger::tryWith(Neighbour& neighbour, CellKey key, const FaceCosts& own, double leastGain,
+  const JoinSpec& joins, bool simplifies)
+{
+  const CellKey other = neighbour.key;
+  cells_.open(other); // a hexahedron has no faces of its own
+  const bool grows = cells_.volume(key) > cells_.volume(other);
+  trial_.keys.assign({ grows ? key : other, grows ? other : key });
+  if (!neighbour.costs)
+  {
+    neighbour.costs = costsOfCell(other, &key, &key + 1);
+  }
+  FaceCosts before = own;
+  before += *neighbour.costs;
+  before.sum -= CostOfCell * cells_.share(trial_.keys[1]);
+  const double most = before.sum + MostOfJoins;
+  if (simplifies || costTogether(key, other, most) <= most)
+  {
+    tryOut(before, leastGain, joins, simplifies);
   }
 }
 

@@ -88,6 +88,8 @@ private:
     CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain);
   void findBest(CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain,
     const JoinSpec& joins, bool simplifies);
+  void tryWith(Neighbour& neighbour, CellKey key, const FaceCosts& own, double leastGain,
+    const JoinSpec& joins, bool simplifies);
   double costTogether(CellKey key, CellKey other, double most);
   void tryOut(const FaceCosts& before, double leastGain, const JoinSpec& joins, bool simplifies);
   void apply(const CellUnion& chosen);

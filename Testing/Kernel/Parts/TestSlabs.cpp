@@ -97,8 +97,8 @@ TEST(Slabs, LargerPartsAndMoreStepsNeedNoFewerLayers)
   }
 }
 
-// Else a cell could have faults beside what the second stage changes, and nobody could mend it.
-TEST(Slabs, OfTheSecondStageMayChangeCellsWhollyOrNotAtAll)
+// A cell that is fixed in part could have faults beside what changes, and nobody could mend it.
+TEST(Slabs, OfTheSecondStageMayChangeAllOrNothingOfACellThatDoesNotStraddle)
 {
   for (std::uint32_t all = 11; all < 60; ++all)
   {
@@ -109,7 +109,7 @@ TEST(Slabs, OfTheSecondStageMayChangeCellsWhollyOrNotAtAll)
       {
         const Layers cell{ layer, layer + 2 };
         const bool isBeside = cell.end <= slab.free.begin || cell.begin >= slab.free.end;
-        EXPECT_TRUE(!mayHoldACell(cell, all) || isBeside || contains(slab.free, cell))
+        EXPECT_TRUE(straddlesStages(cell, all) || isBeside || contains(slab.free, cell))
           << layer << " of " << all;
       }
     }
