@@ -439,7 +439,7 @@ cartesian::PreparedSurface vtkCartesianBoxer::Prepare(
   cartesian::PreparedSurface prepared =
     cartesian::prepareSurface(surface.view(), options, execution, parts);
   const std::string undivided = surface.describeUndivided();
-  const std::string flaws = cartesian::describeFlaws(prepared, surface.cells());
+  const std::string flaws = cartesian::describeFlaws(prepared, surface.cells(), surface.names());
   this->Warn(undivided + (undivided.empty() || flaws.empty() ? "" : "\n") + flaws);
   return prepared;
 }
