@@ -101,17 +101,24 @@ public:
       {
         for (std::size_t b = fine_.rowStart[row]; b < fine_.rowStart[row + 1]; ++b)
         {
+          const auto before = static_cast<std::ptrdiff_t>(mine.size());
           lookFrom({ fine_.column[b], row % rowsAlongY(), row / rowsAlongY() }, mine);
+          leaveOutTwins(mine, before);
         }
       }
-      std::sort(mine.begin(), mine.end());
-      mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
+      leaveOutTwins(mine, 0);
     });
     return found;
   }
 
 private:
   using Cell = std::array<std::size_t, 3>; // of the finer grid
+
+  static void leaveOutTwins(std::vector<Octants::Key>& keys, std::ptrdiff_t begin)
+  {
+    std::sort(keys.begin() + begin, keys.end());
+    keys.erase(std::unique(keys.begin() + begin, keys.end()), keys.end());
+  }
 
   std::size_t rowsAlongY() const { return finePlanes_[1].size() - 1; }
 
@@ -176,7 +183,7 @@ private:
     {
       return;
     }
-    forEachSample(fragment, size / (2 << level), [&](const Vector& start) {
+    forEachSample(fragment, size / (1 << level), [&](const Vector& start) {
       const double distance = distanceAcross(t, start, direction);
       if (const int own = levelAcross(start, distance); own > 0)
       {
@@ -262,11 +269,11 @@ private:
     return (hasTwoSides(t) ? std::abs(cosine) : cosine) >= LeastCosine;
   }
 
-  // Lists the octants along a line, and all that they are in.
+  // Lists the octants along a line.
   void follow(const Vector& start, const Vector& direction, double distance, int level,
     std::vector<Octants::Key>& found) const
   {
-    constexpr int StepsAnOctant = 4;
+    constexpr int StepsAnOctant = 2;
     const double step = sizeAround(start) / (StepsAnOctant << level);
     const auto steps = static_cast<int>(std::ceil(distance / step));
     Octants::Key last{ ~std::uint64_t(0), 0 };
@@ -275,9 +282,9 @@ private:
       const Octant octant =
         octantAround(plus(start, scaled(direction, std::min(i * step, distance))), level);
       const Octants::Key key = octants_.keyOf(octant);
-      for (int coarser = level; key != last && coarser > 0; --coarser)
+      if (key != last)
       {
-        found.push_back(octants_.keyOf(octant.around(coarser)));
+        found.push_back(key);
       }
       last = key;
     }

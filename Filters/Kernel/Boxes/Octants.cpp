@@ -11,6 +11,21 @@ namespace
 constexpr unsigned Bits = DeepestLevel;
 constexpr std::uint32_t Mask = (1U << Bits) - 1;
 
+int levelOf(const Octants::Key& key)
+{
+  return static_cast<int>(key.second >> 3 * Bits);
+}
+
+// The octant of the next coarser level that holds this one.
+Octants::Key around(const Octants::Key& key)
+{
+  const auto half = [&](unsigned axis) {
+    return (key.second >> axis * Bits & Mask) / 2 << axis * Bits;
+  };
+  const auto level = static_cast<std::uint32_t>(levelOf(key) - 1);
+  return { key.first, level << 3 * Bits | half(2) | half(1) | half(0) };
+}
+
 Point cornerOf(const Octant& octant, const Meshlines& planes, std::int64_t beyond)
 {
   Point corner;
@@ -30,16 +45,6 @@ Octant Octant::part(unsigned which) const
   for (unsigned axis = 0; axis < 3; ++axis)
   {
     result.position[axis] = 2 * position[axis] + (which >> axis & 1);
-  }
-  return result;
-}
-
-Octant Octant::around(int coarser) const
-{
-  Octant result{ global, coarser, {} };
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    result.position[axis] = position[axis] >> (level - coarser);
   }
   return result;
 }
@@ -69,6 +74,20 @@ void Octants::add(std::vector<std::vector<Key>>& lists)
     keys_.insert(keys_.end(), list.begin(), list.end());
     list = {};
   }
+  leaveOutTwins();
+  const std::size_t given = keys_.size();
+  for (std::size_t i = 0; i < given; ++i)
+  {
+    for (Key key = around(keys_[i]); levelOf(key) > 0; key = around(key))
+    {
+      keys_.push_back(key);
+    }
+  }
+  leaveOutTwins();
+}
+
+void Octants::leaveOutTwins()
+{
   std::sort(keys_.begin(), keys_.end());
   keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
 }
@@ -86,7 +105,7 @@ int Octants::deepest() const
   int deepest = 0;
   for (const Key& key : keys_)
   {
-    deepest = std::max(deepest, static_cast<int>(key.second >> 3 * Bits));
+    deepest = std::max(deepest, levelOf(key));
   }
   return deepest;
 }
@@ -94,7 +113,7 @@ int Octants::deepest() const
 int Octants::deepestIn(const std::array<std::uint32_t, 3>& global) const
 {
   const Range range = rangeOf(global);
-  return range.first == range.second ? 0 : static_cast<int>((range.second - 1)->second >> 3 * Bits);
+  return range.first == range.second ? 0 : levelOf(*(range.second - 1));
 }
 
 std::size_t Octants::countIn(const std::array<std::uint32_t, 3>& global) const
@@ -110,7 +129,7 @@ void Octants::raise(const std::array<std::uint32_t, 3>& global, int unitDepth,
   for (auto key = range.first; key != range.second; ++key)
   {
     const std::uint32_t part = key->second;
-    const auto level = static_cast<std::uint8_t>(part >> 3 * Bits);
+    const auto level = static_cast<std::uint8_t>(levelOf(*key));
     const int shift = unitDepth - level;
     const std::size_t size = std::size_t(1) << shift;
     const std::size_t x0 = std::size_t(part & Mask) << shift;

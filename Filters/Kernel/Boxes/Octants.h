@@ -16,9 +16,6 @@ struct Octant
 
   // The half of each axis that bit 0 to 2 of `which` tells.
   Octant part(unsigned which) const;
-
-  // Of this level or a lower one: what it is in.
-  Octant around(int coarser) const;
 };
 
 Point lowOf(const Octant& octant, const Meshlines& planes);
@@ -37,7 +34,8 @@ public:
 
   Key keyOf(const Octant& octant) const;
 
-  // Takes the lists, in which octants may occur more than once.
+  // Takes the lists, in which octants may occur more than once; adds the octants that they are in. No octant
+  // is of level 0.
   void add(std::vector<std::vector<Key>>& lists);
 
   // The largest level; 0 if there are none.
@@ -52,6 +50,7 @@ public:
 
 private:
   using Range = std::pair<std::vector<Key>::const_iterator, std::vector<Key>::const_iterator>;
+  void leaveOutTwins();
   Range rangeOf(const std::array<std::uint32_t, 3>& global) const;
 
   std::array<std::uint64_t, 2> across_; // global boxes along x and y

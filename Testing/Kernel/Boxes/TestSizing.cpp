@@ -180,8 +180,10 @@ TEST(Sizing, AsManyBoxesFitBetweenWallsThatFaceEachOther)
       sizing.largestDepth = 4;
       const auto place = [&](const Soup& soup) { return turned ? soup.turned() : soup; };
       const Soup slab = place(box({ 0, 0, 0 }, { 0.6, 0.5, Gap }));
-      const Meshed meshed = boxed(slab, 0.11, sizing);
-      EXPECT_TRUE(isValid(meshed.mesh));
+      RefinementSpec spec;
+      spec.sizing = sizing;
+      Execution execution;
+      const Boxes boxes = boxSurface(prepare(slab, cellsOf(0.11)), spec, execution).boxes;
       for (unsigned n = 0; n < repeats(20); ++n)
       {
         // Corners of a tiny shape tell where two points are.
@@ -190,8 +192,8 @@ TEST(Sizing, AsManyBoxesFitBetweenWallsThatFaceEachOther)
         Soup ends;
         ends.points = { { x, y, 0 }, { x, y, Gap } };
         ends = place(ends);
-        ASSERT_GE(boxesAlong(meshed.boxed.boxes, ends.points[0], ends.points[1]),
-          static_cast<std::size_t>(cells))
+        ASSERT_GE(
+          boxesAlong(boxes, ends.points[0], ends.points[1]), static_cast<std::size_t>(cells))
           << cells << (turned ? " turned" : "");
       }
     }
