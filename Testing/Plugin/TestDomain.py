@@ -90,7 +90,8 @@ mesh = "case/case.foam"
 
 # A gap between a body and the floor, across which boxes have to fit: 0.1 high.
 above = simple.CartesianMesher(Input=cube, Domain="Outside", BoxFrom="Bounds",
-    DomainBounds=[-2, 2, -2, 2, -0.6, 1.5], CellSize=0.2, CellsAcrossGaps=4, LargestDepth=4)
+    DomainBounds=[-2, 2, -2, 2, -0.6, 1.5], CellSize=0.2, CellsAcrossGaps=4, LargestDepth=4,
+    PatchMethod="Exact Fit")
 expect(above, {"zMin": 16, "boundary_0": 6})
 boxes = above.GetClientSideObject().GetOutputDataObject(0)
 level = vtk_to_numpy(boxes.GetCellData().GetArray("Level")).min(axis=1)
