@@ -439,7 +439,7 @@ cartesian::PreparedSurface vtkCartesianBoxer::Prepare(
   cartesian::PreparedSurface prepared =
     cartesian::prepareSurface(surface.view(), options, execution, parts);
   const std::string undivided = surface.describeUndivided();
-  const std::string flaws = cartesian::describeFlaws(prepared, surface.cells());
+  const std::string flaws = cartesian::describeFlaws(prepared, surface.cells(), surface.names());
   this->Warn(undivided + (undivided.empty() || flaws.empty() ? "" : "\n") + flaws);
   return prepared;
 }
@@ -466,6 +466,10 @@ cartesian::RefinementSpec vtkCartesianBoxer::MakeSpec(const cartesian::BoundaryN
 {
   cartesian::RefinementSpec spec;
   spec.depth = this->RefinementDepth;
+  spec.sizing.curvatureAngle = this->CurvatureAngle;
+  spec.sizing.featureDepth = this->FeatureDepth;
+  spec.sizing.cellsAcrossGaps = this->CellsAcrossGaps;
+  spec.sizing.largestDepth = this->LargestDepth;
   for (std::size_t n = 0; n < this->RefinementBlocks.size(); ++n)
   {
     const std::string name = "row " + std::to_string(n) + " of Refinement Blocks";
@@ -577,5 +581,9 @@ void vtkCartesianBoxer::PrintSelf(ostream& os, vtkIndent indent)
   this->RefinedBoundaries->PrintSelf(os, indent.GetNextIndent());
   os << indent << "RefinedBoundaryDepth: " << this->RefinedBoundaryDepth << "\n";
   os << indent << "RegionDepth: " << this->RegionDepth << "\n";
+  os << indent << "CurvatureAngle: " << this->CurvatureAngle << "\n";
+  os << indent << "FeatureDepth: " << this->FeatureDepth << "\n";
+  os << indent << "CellsAcrossGaps: " << this->CellsAcrossGaps << "\n";
+  os << indent << "LargestDepth: " << this->LargestDepth << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }

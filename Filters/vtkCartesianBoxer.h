@@ -187,6 +187,24 @@ public:
 
   ///@{
   /**
+   * Depths that the surface asks for by its shape; they only ever refine. Boxes are divided until the surface
+   * turns by at most CurvatureAngle in each (degrees, 0 to 180; 0, the default: never), but for sharp edges;
+   * boxes at sharp edges to FeatureDepth (0 to 6, default 0); and until CellsAcrossGaps of them (0 to 64,
+   * default 0) fit between walls that face each other. Angle and gaps end at LargestDepth (0 to 6, default
+   * 3). Edges are sharp beyond 30 degrees; in vtkCartesianMesher, beyond FeatureAngle.
+   */
+  vtkSetMacro(CurvatureAngle, double);
+  vtkGetMacro(CurvatureAngle, double);
+  vtkSetMacro(FeatureDepth, int);
+  vtkGetMacro(FeatureDepth, int);
+  vtkSetMacro(CellsAcrossGaps, int);
+  vtkGetMacro(CellsAcrossGaps, int);
+  vtkSetMacro(LargestDepth, int);
+  vtkGetMacro(LargestDepth, int);
+  ///@}
+
+  ///@{
+  /**
    * Memory that the mesh may need by an estimate made first, in GiB; beyond it the filter refuses
    * with TooManyBoxes. 0, the default, means three quarters of this machine's memory.
    */
@@ -265,6 +283,10 @@ protected:
   vtkNew<vtkDataArraySelection> RefinedBoundaries;
   int RefinedBoundaryDepth = 1;
   int RegionDepth = 1;
+  double CurvatureAngle = 0;
+  int FeatureDepth = 0;
+  int CellsAcrossGaps = 0;
+  int LargestDepth = 3;
   double MemoryLimit = 0;
 
   // Only vtkCartesianMesher lets users choose these.

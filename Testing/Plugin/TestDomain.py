@@ -87,3 +87,15 @@ mesh = "case/case.foam"
     assert "symmetryPlane" in text, text
     check = foam.CheckMesh(folder / "case")
     assert check.ok, check.text
+
+# A gap between a body and the floor, across which boxes have to fit: 0.1 high.
+above = simple.CartesianMesher(Input=cube, Domain="Outside", BoxFrom="Bounds",
+    DomainBounds=[-2, 2, -2, 2, -0.6, 1.5], CellSize=0.2, CellsAcrossGaps=4, LargestDepth=4,
+    PatchMethod="Exact Fit")
+expect(above, {"zMin": 16, "boundary_0": 6})
+boxes = above.GetClientSideObject().GetOutputDataObject(0)
+level = vtk_to_numpy(boxes.GetCellData().GetArray("Level")).min(axis=1)
+middles = [[sum(boxes.GetCell(cell).GetBounds()[i:i + 2]) / 2 for i in (0, 2, 4)]
+    for cell in range(boxes.GetNumberOfCells())]
+inGap = [abs(x) < 0.45 and abs(y) < 0.45 and z < -0.5 for x, y, z in middles]
+assert level[inGap].min() >= 3 and level.min() == 0, level[inGap].min()

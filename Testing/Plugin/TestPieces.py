@@ -28,6 +28,9 @@ def mesher(size=CELL_SIZE, depth=DEPTH):
     mesher.SetInputConnection(reader.GetOutputPort())
     mesher.SetCellSize(size)
     mesher.SetRefinementDepth(depth)
+    mesher.SetCurvatureAngle(40)
+    mesher.SetCellsAcrossGaps(4)
+    mesher.SetLargestDepth(2)
     return mesher
 
 

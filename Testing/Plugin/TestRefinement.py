@@ -36,6 +36,8 @@ for name, source in ("exhaust", exhaust), ("part", part), ("spot", spot):
     for depth in 1, 2, 3:
         level = check(f"{name}, depth {depth}", source, RefinementDepth=depth)
         assert level.max() == depth
+    check(f"{name}, by its shape", source, CurvatureAngle=25, CellsAcrossGaps=3, FeatureDepth=1,
+          LargestDepth=2)
     with Messages():  # blocks reach beyond the grid of some
         check(f"{name}, blocks", source, RefinementBlocks=blocks)
         bounds = output(source).GetBounds()

@@ -27,6 +27,8 @@ check("part between meshlines", read("tm_featuretype_occ.stl"),
 check("exhaust, refined", exhaust, {"CellSize": 30, "RefinementDepth": 2,
     "RefinementBlocks": [0, 2, 0, 3, 0, 1, 3, 1], "BoundaryRefinement": [2, 3, 1, 0],
     "RefinementRegions": simple.Sphere(Center=[70, 200, -100], Radius=50)})
+check("exhaust, by its shape", exhaust,
+    {"CellSize": 30, "CurvatureAngle": 30, "CellsAcrossGaps": 4, "FeatureDepth": 1})
 check("sphere on 1 thread", simple.Sphere(), {"NumberOfThreads": 1})
 check("box", simple.Box())
 

@@ -172,7 +172,7 @@ private:
       for (std::size_t g = begin; g < end; ++g)
       {
         const bool intersected = statusOf_[g] == BoxStatus::Intersected;
-        if (depths_[g].touched > 0 || (intersected && depths_[g].allowed > 0))
+        if (depths_[g].inPart() || (intersected && depths_[g].allowed > 0))
         {
           divideByUnits(g, scratch);
         }

@@ -95,7 +95,15 @@ MeshEstimate estimateBox(BoxStatus status, const Depths& depths, const TriangleR
     const double beside = allowed == 0 ? 0 : BoxesBesideUnits * layer;
     return { std::max(forcedBoxes - units, beside), units, piecesIn(units, passing), 0 };
   };
-  const MeshEstimate without = wholly(depths.allowed, depths.forced);
+  MeshEstimate without = wholly(depths.allowed, depths.forced);
+  if (depths.sized > 0)
+  {
+    // Octants that the surface asks for, those that they are in among them; the rest of those are empty or
+    // inside.
+    const auto units = std::max(without.intersected, double(depths.octants));
+    without = { without.inside + units, status == BoxStatus::Intersected ? units : 0,
+      piecesIn(units, passing), 0 };
+  }
   if (depths.touched == 0)
   {
     return without;

@@ -2,6 +2,8 @@
 #include "Boxes/Refinement.h"
 
 #include "Base/Error.h"
+#include "Boxes/Curvature.h"
+#include "Boxes/Gaps.h"
 
 namespace cartesian
 {
@@ -16,6 +18,23 @@ void checkDepth(int depth, const std::string& what)
   requireInRange(RefinementSpec::AllDepths, depth, what);
 }
 
+// On the lattice, as deeply as boxes may be.
+void requireDivisible(const Meshlines& planes)
+{
+  for (const std::vector<Level>& ofAxis : planes)
+  {
+    for (std::size_t i = 0; i + 1 < ofAxis.size(); ++i)
+    {
+      if (ofAxis[i + 1] - ofAxis[i] < 2 * FinePerBox)
+      {
+        throw Error(Fault::BadParameter,
+          "Some boxes are too thin to be divided on this lattice: set Curvature Angle, Feature "
+          "Depth and Cells Across Gaps to 0, or choose a larger Cell Size.");
+      }
+    }
+  }
+}
+
 GlobalBoxSet emptySet(const Meshlines& planes)
 {
   return { static_cast<std::int64_t>(planes[0].size()) - 1,
@@ -28,8 +47,9 @@ GlobalBoxSet emptySet(const Meshlines& planes)
 Refinement::Refinement(const RefinementSpec& spec, const Surface& surface,
   const Shoeboxes& shoeboxes, const Meshlines& planes, Execution& execution)
   : depth_(spec.depth)
-  , any_(
-      spec.depth > 0 || !spec.blocks.empty() || !spec.boundaries.empty() || !spec.regions.empty())
+  , octants_(planes)
+  , any_(spec.depth > 0 || !spec.blocks.empty() || !spec.boundaries.empty() ||
+      !spec.regions.empty() || spec.sizing.any())
 {
   checkDepth(spec.depth, "Refinement Depth");
   deepest_ = spec.depth;
@@ -44,6 +64,30 @@ Refinement::Refinement(const RefinementSpec& spec, const Surface& surface,
     deepest_ = std::max(deepest_, region.depth);
     regions_.push_back(std::make_unique<RefinedRegion>(region, surface.lattice, planes, execution));
   }
+  addSizes(spec.sizing, surface, shoeboxes, planes, execution);
+}
+
+void Refinement::addSizes(const SizingSpec& spec, const Surface& surface,
+  const Shoeboxes& shoeboxes, const Meshlines& planes, Execution& execution)
+{
+  requireInRange(SizingSpec::CurvatureAngles, spec.curvatureAngle, "Curvature Angle");
+  requireInRange(SizingSpec::GapCells, spec.cellsAcrossGaps, "Cells Across Gaps");
+  checkDepth(spec.featureDepth, "Feature Depth");
+  checkDepth(spec.largestDepth, "Largest Depth");
+  if (!spec.any())
+  {
+    return;
+  }
+  requireDivisible(planes);
+  if (spec.curvatureAngle > 0 || spec.featureDepth > 0)
+  {
+    addBends(spec, surface, shoeboxes, planes, octants_, execution);
+  }
+  if (spec.cellsAcrossGaps > 0 && spec.largestDepth > 0)
+  {
+    addGaps(spec, surface, planes, octants_, execution);
+  }
+  deepest_ = std::max(deepest_, octants_.deepest());
 }
 
 void Refinement::addBlocks(const RefinementSpec& spec, const Meshlines& planes)
@@ -163,7 +207,12 @@ Depths Refinement::at(std::int64_t i, std::int64_t j, std::int64_t k) const
     int& depth = status == BoxStatus::Inside ? depths.forced : depths.touched;
     depth = std::max(depth, status == BoxStatus::Outside ? 0 : region->depth());
   }
+  const std::array<std::uint32_t, 3> global = { static_cast<std::uint32_t>(i),
+    static_cast<std::uint32_t>(j), static_cast<std::uint32_t>(k) };
+  depths.sized = octants_.deepestIn(global);
+  depths.octants = octants_.countIn(global);
   depths.touched = depths.touched > depths.forced ? depths.touched : 0;
+  depths.sized = depths.sized > depths.forced ? depths.sized : 0;
   depths.allowed = std::max(depths.allowed, depths.forced);
   return depths;
 }
@@ -179,6 +228,10 @@ void Refinement::forcedOfUnits(const std::array<std::uint32_t, 3>& index, const 
     {
       region->raise(index, depths.deepest(), scratch, forced);
     }
+  }
+  if (depths.sized > 0)
+  {
+    octants_.raise(index, depths.deepest(), forced);
   }
 }
 

@@ -3,13 +3,16 @@
 //
 // Depth, blocks and boundaries tell it of whole global boxes, as in the paper. Regions tell it of
 // boxes: where a region's border passes through a global box, only the boxes that it touches must
-// reach its depth; the others are divided as if it were not there, and for balance.
+// reach its depth; the others are divided as if it were not there, and for balance. So do depths that the
+// surface itself asks for (SizingSpec.h).
 #pragma once
 
 #include "Base/Range.h"
 #include "Boxes/Boxes.h"
 #include "Boxes/GlobalBoxSet.h"
+#include "Boxes/Octants.h"
 #include "Boxes/RefinedRegion.h"
+#include "Boxes/SizingSpec.h"
 
 #include <memory>
 #include <string>
@@ -46,22 +49,28 @@ struct RefinementSpec
   std::vector<RefinementBlock> blocks;        // the last one wins
   std::vector<BoundaryRefinement> boundaries; // never make boxes coarser, as section 4.6 ends
   std::vector<RefinementRegion> regions;      // never make boxes coarser
+  SizingSpec sizing;                          // never makes boxes coarser
 };
 
 struct Depths
 {
-  int allowed = 0; // where the surface passes
-  int forced = 0;  // everywhere; at most `allowed`
-  int touched = 0; // where regions touch that do so in part only; 0, or more than `forced`
+  int allowed = 0;         // where the surface passes
+  int forced = 0;          // everywhere; at most `allowed`
+  int touched = 0;         // where regions touch that do so in part only; 0, or more than `forced`
+  int sized = 0;           // the most that the surface asks for anywhere; 0, or more than `forced`
+  std::size_t octants = 0; // that it asks for
 
-  int deepest() const { return std::max(allowed, touched); }
+  int deepest() const { return std::max({ allowed, touched, sized }); }
+
+  // Whether some units must be deeper than others.
+  bool inPart() const { return touched > 0 || sized > 0; }
 };
 
-// Evaluates a specification in the paper's order: default, blocks, boundaries; then regions.
+// Evaluates a specification in the paper's order: default, blocks, boundaries; then regions and sizes.
 class Refinement
 {
 public:
-  // Throws Error: BadParameter (a depth out of range, IS > IE, an unknown boundary); EmptySurface,
+  // Throws Error: BadParameter (a number out of range, IS > IE, an unknown boundary); EmptySurface,
   // BadCoordinate, FlawedSurface (a region is not a closed surface).
   Refinement(const RefinementSpec& spec, const Surface& surface, const Shoeboxes& shoeboxes,
     const Meshlines& planes, Execution& execution);
@@ -93,10 +102,13 @@ private:
   void addBlocks(const RefinementSpec& spec, const Meshlines& planes);
   void addBoundary(const BoundaryRefinement& row, std::size_t number, const Surface& surface,
     const Shoeboxes& shoeboxes, const Meshlines& planes);
+  void addSizes(const SizingSpec& spec, const Surface& surface, const Shoeboxes& shoeboxes,
+    const Meshlines& planes, Execution& execution);
   int depth_;
   std::vector<RefinementBlock> blocks_;
   std::vector<RefinedBoundary> boundaries_;
   std::vector<std::unique_ptr<RefinedRegion>> regions_;
+  Octants octants_;
   bool any_;
   int deepest_ = 0;
   std::string warnings_;

@@ -95,7 +95,9 @@ std::unique_ptr<Decomposition> decompose(
   const PreparedSurface& prepared, const Options& options, Execution& execution)
 {
   execution.stage("Boxes", AfterSurface, AfterBoxes);
-  return std::make_unique<Decomposition>(prepared.surface, prepared.planes, options.refinement,
+  RefinementSpec refinement = options.refinement;
+  refinement.sizing.featureAngle = options.patches.featureAngle;
+  return std::make_unique<Decomposition>(prepared.surface, prepared.planes, refinement,
     prepared.memoryLimit, laterStepsOf(options), execution);
 }
 

@@ -86,6 +86,39 @@ std::string describeLeaks(const PreparedSurface& prepared)
   return text;
 }
 
+// Boundaries all of whose triangles are duplicates that are left out, as text to append.
+std::string describeVanished(
+  const PreparedSurface& prepared, const std::map<std::int32_t, std::string>& names)
+{
+  constexpr std::size_t MostNames = 30;
+  const Surface& surface = prepared.surface;
+  std::map<std::int32_t, std::size_t> left;
+  for (std::size_t t = 0; t < prepared.trianglesGiven; ++t)
+  {
+    ++left[surface.boundary[t]];
+  }
+  for (const DroppedTriangle& dropped : prepared.repair.duplicates)
+  {
+    --left[surface.boundary[dropped.triangle]];
+  }
+  std::string list;
+  std::size_t vanished = 0;
+  for (const auto& [boundary, triangles] : left)
+  {
+    if (triangles == 0 && vanished++ < MostNames)
+    {
+      const auto name = names.find(boundary);
+      list += (list.empty() ? "" : ", ") +
+        (name == names.end() ? std::to_string(boundary) : name->second);
+    }
+  }
+  return vanished == 0 ? ""
+                       : "\nNothing is left of " + counted(vanished, "boundary", "boundaries") +
+      ", all of whose triangles are duplicates (walls without thickness, such as a sheet with two "
+      "sides, cannot be meshed: give them some): " +
+      list + (vanished > MostNames ? ", ..." : "") + ".";
+}
+
 double volumeOf(const Box& box)
 {
   const Vector size = minus(box.high, box.low);
@@ -159,7 +192,8 @@ std::string describeNothing(const Assembly& assembly, const Options& options)
 
 }
 
-std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>& cells)
+std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>& cells,
+  const std::map<std::int32_t, std::string>& names)
 {
   const SurfaceRepair& repair = prepared.repair;
   const SurfaceCheck& check = repair.check;
@@ -182,7 +216,7 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
   {
     text += lineBreak(text) +
       counted(repair.duplicates.size(), "duplicate triangle is", "duplicate triangles are") +
-      " left out.";
+      " left out." + describeVanished(prepared, names);
   }
   if (!repair.loose.empty())
   {

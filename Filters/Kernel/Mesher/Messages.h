@@ -5,11 +5,14 @@
 #include "Base/Error.h"
 #include "Mesher/Mesher.h"
 
+#include <map>
+
 namespace cartesian
 {
 
-// What was found and repaired. `cells`: the user's number of each triangle given.
-std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>& cells);
+// What was found and repaired. `cells`: the user's number of each triangle given; `names`: of boundaries.
+std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>& cells,
+  const std::map<std::int32_t, std::string>& names);
 
 // Where the surface reaches beyond the meshlines, unless it is what a box around it cuts off.
 std::string describeOverhang(const PreparedSurface& prepared);

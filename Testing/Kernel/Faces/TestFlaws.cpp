@@ -268,11 +268,35 @@ TEST(Flaws, AreDescribedWithPlaces)
   {
     cells.push_back(1000 + i);
   }
-  const std::string text = describeFlaws(prepared, cells);
+  const std::string text = describeFlaws(prepared, cells, {});
   EXPECT_NE(text.find("3 open edges"), std::string::npos) << text;
   EXPECT_NE(text.find("(0, 0, 0)"), std::string::npos) << text;
   EXPECT_NE(text.find("of cell 10"), std::string::npos) << text;
-  EXPECT_EQ(describeFlaws(prepare(cube(), cellsOf(0.3)), cells), "");
+  EXPECT_EQ(describeFlaws(prepare(cube(), cellsOf(0.3)), cells, {}), "");
+}
+
+// A sheet with two sides, each a boundary, as cars have them.
+TEST(Flaws, BoundariesWithoutThicknessAreNamed)
+{
+  Soup soup = cube();
+  for (const std::int32_t boundary : { 7, 8 })
+  {
+    Soup side;
+    side.points = { { 2, 0, 0 }, { 3, 0, 0 }, { 3, 1, 0 }, { 2, 1, 0 } };
+    side.triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
+    side.boundary = { boundary, boundary };
+    soup.add(boundary == 7 ? side : side.flipped());
+  }
+  const std::string text = describeFlaws(prepare(soup, cellsOf(0.3)),
+    std::vector<Id>(soup.triangles.size()), { { 7, "fairing" }, { 5, "cube" } });
+  EXPECT_NE(text.find("Nothing is left of 2 boundaries"), std::string::npos) << text;
+  EXPECT_NE(text.find(": fairing, 8."), std::string::npos) << text;
+
+  // Written twice, a body stays.
+  const Soup twice = cube().add(cube());
+  const std::string ofBody =
+    describeFlaws(prepare(twice, cellsOf(0.3)), std::vector<Id>(twice.triangles.size()), {});
+  EXPECT_EQ(ofBody, "12 duplicate triangles are left out.");
 }
 
 TEST(Flaws, MeshlinesThatCutAreMentioned)

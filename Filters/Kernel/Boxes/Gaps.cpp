@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Boxes/Gaps.h"
+
+#include "Boxes/Shoeboxes.h"
+#include "Lattice/Vector.h"
+
+#include <limits>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t RowsAChunk = 16;
+constexpr double Infinite = std::numeric_limits<double>::infinity();
+
+// Lines are followed through a grid so many levels finer than the boxes.
+constexpr int MostLevelsFiner = 2;
+
+// Of the angle between a line and the normal of the wall that it meets.
+constexpr double LeastCosine = 0.5;
+
+// Levels from a wall within which a line meets nothing: that is the wall itself.
+constexpr double OwnWall = 2;
+
+// Along each side of a piece of the surface, at most so many lines start.
+constexpr double MostSamples = 64;
+
+Meshlines dividedBy(int level, const Meshlines& planes)
+{
+  Meshlines result;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto fines = static_cast<std::int64_t>(planes[axis].size() - 1) * FinePerBox;
+    for (std::int64_t fine = 0; fine <= fines; fine += FinePerBox >> level)
+    {
+      result[axis].push_back(planeAt(planes[axis], fine));
+    }
+  }
+  return result;
+}
+
+// The interval of planes that holds a place; the first or last for one beyond.
+std::size_t intervalAround(const std::vector<Level>& planes, double place)
+{
+  const auto after = std::upper_bound(planes.begin() + 1, planes.end() - 1, place);
+  return static_cast<std::size_t>(after - planes.begin()) - 1;
+}
+
+Vector vectorOf(const Point& p)
+{
+  return { double(p[0]), double(p[1]), double(p[2]) };
+}
+
+Vector between(const Vector& a, const Vector& b, double part)
+{
+  return plus(a, scaled(minus(b, a), part));
+}
+
+// How far along a line from `start` a triangle is; infinite where it is not met.
+double distanceTo(const Corners& c, const Vector& start, const Vector& direction)
+{
+  const Vector u = minus(c[1], c[0]);
+  const Vector v = minus(c[2], c[0]);
+  const Vector p = cross(direction, v);
+  const double volume = dot(u, p);
+  if (volume == 0)
+  {
+    return Infinite;
+  }
+  const Vector from = minus(start, vectorOf(c[0]));
+  const double a = dot(from, p) / volume;
+  const Vector q = cross(from, u);
+  const double b = dot(direction, q) / volume;
+  return a < 0 || b < 0 || a + b > 1 ? Infinite : dot(v, q) / volume;
+}
+
+class Gaps
+{
+public:
+  Gaps(const SizingSpec& spec, const Surface& surface, const Meshlines& planes,
+    const Octants& octants, Execution& execution)
+    : spec_(spec)
+    , surface_(surface)
+    , planes_(planes)
+    , octants_(octants)
+    , finer_(std::min(spec.largestDepth, MostLevelsFiner))
+    , finePlanes_(dividedBy(finer_, planes))
+    , fine_(fillShoeboxes(surface, finePlanes_, execution))
+  {
+  }
+
+  std::vector<std::vector<Octants::Key>> find(Execution& execution) const
+  {
+    const std::size_t rows = fine_.rowStart.size() - 1;
+    std::vector<std::vector<Octants::Key>> found(chunks(rows, RowsAChunk));
+    execution.forEach(rows, RowsAChunk, [&](std::size_t begin, std::size_t end) {
+      std::vector<Octants::Key>& mine = found[begin / RowsAChunk];
+      for (std::size_t row = begin; row < end; ++row)
+      {
+        for (std::size_t b = fine_.rowStart[row]; b < fine_.rowStart[row + 1]; ++b)
+        {
+          const auto before = static_cast<std::ptrdiff_t>(mine.size());
+          lookFrom({ fine_.column[b], row % rowsAlongY(), row / rowsAlongY() }, mine);
+          leaveOutTwins(mine, before);
+        }
+      }
+      leaveOutTwins(mine, 0);
+    });
+    return found;
+  }
+
+private:
+  using Cell = std::array<std::size_t, 3>; // of the finer grid
+
+  static void leaveOutTwins(std::vector<Octants::Key>& keys, std::ptrdiff_t begin)
+  {
+    std::sort(keys.begin() + begin, keys.end());
+    keys.erase(std::unique(keys.begin() + begin, keys.end()), keys.end());
+  }
+
+  std::size_t rowsAlongY() const { return finePlanes_[1].size() - 1; }
+
+  TriangleRange trianglesOf(const Cell& cell) const
+  {
+    return fine_.triangles(cell[1] + cell[2] * rowsAlongY(), static_cast<std::uint32_t>(cell[0]));
+  }
+
+  double sizeAround(const Vector& place) const
+  {
+    double size = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const std::size_t i = intervalAround(planes_[axis], place[axis]);
+      size = std::max(size, double(planes_[axis][i + 1]) - planes_[axis][i]);
+    }
+    return size;
+  }
+
+  void lookFrom(const Cell& cell, std::vector<Octants::Key>& found) const
+  {
+    Point low;
+    Point high;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      low[axis] = finePlanes_[axis][cell[axis]];
+      high[axis] = finePlanes_[axis][cell[axis] + 1];
+    }
+    const TriangleRange triangles = trianglesOf(cell);
+    for (const std::uint32_t* t = triangles.first; t != triangles.second; ++t)
+    {
+      const Corners corners = surface_.corners(*t);
+      const Vector out = unit(cross(minus(corners[1], corners[0]), minus(corners[2], corners[0])));
+      const Fragment fragment = clip(corners, low, high);
+      if (fragment.size > 0 && norm(out) > 0)
+      {
+        lookFrom(*t, fragment, scaled(out, -1), found);
+        if (hasTwoSides(*t))
+        {
+          lookFrom(*t, fragment, out, found);
+        }
+      }
+    }
+  }
+
+  // Or may have, for all that is known.
+  bool hasTwoSides(std::uint32_t t) const
+  {
+    return surface_.walls.any() || (!surface_.byParity.empty() && surface_.byParity[t] != 0);
+  }
+
+  // First a few lines, then, where they meet a wall, as many as boxes need.
+  void lookFrom(std::uint32_t t, const Fragment& fragment, const Vector& direction,
+    std::vector<Octants::Key>& found) const
+  {
+    const double size = sizeAround(vectorOf(fragment.corner[0]));
+    int level = 0;
+    forEachSample(fragment, size / (1 << finer_), [&](const Vector& start) {
+      level = std::max(level, levelAcross(start, distanceAcross(t, start, direction)));
+    });
+    if (level == 0)
+    {
+      return;
+    }
+    forEachSample(fragment, size / (1 << level), [&](const Vector& start) {
+      const double distance = distanceAcross(t, start, direction);
+      if (const int own = levelAcross(start, distance); own > 0)
+      {
+        follow(start, direction, distance, own, found);
+      }
+    });
+  }
+
+  // The least level of boxes around a place of which enough fit into a gap, or the largest allowed.
+  int levelAcross(const Vector& place, double distance) const
+  {
+    constexpr double Rounding = 1e-9;
+    const double wanted = distance / spec_.cellsAcrossGaps * (1 + Rounding);
+    double size = sizeAround(place);
+    int level = 0;
+    for (; size > wanted && level < spec_.largestDepth; ++level)
+    {
+      size /= 2;
+    }
+    return level;
+  }
+
+  // How far it is from a place on triangle `t` to a wall that faces it; infinite where that is so far that
+  // enough boxes fit between.
+  double distanceAcross(std::uint32_t t, const Vector& start, const Vector& direction) const
+  {
+    const double most = spec_.cellsAcrossGaps * sizeAround(start);
+    Cell cell;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      cell[axis] = intervalAround(finePlanes_[axis], start[axis]);
+    }
+    double nearest = Infinite;
+    bool faces = false;
+    for (;;)
+    {
+      const auto [leaves, axis] = endOf(cell, start, direction);
+      const TriangleRange triangles = trianglesOf(cell);
+      for (const std::uint32_t* other = triangles.first; other != triangles.second; ++other)
+      {
+        const Corners corners = surface_.corners(*other);
+        const double distance = *other == t ? 0 : distanceTo(corners, start, direction);
+        if (distance > OwnWall && distance < nearest)
+        {
+          nearest = distance;
+          faces = isFacing(*other, corners, direction);
+        }
+      }
+      if (nearest <= leaves)
+      {
+        return faces ? nearest : Infinite;
+      }
+      const bool up = direction[axis] > 0;
+      const bool isLast = cell[axis] == (up ? finePlanes_[axis].size() - 2 : 0);
+      if (isLast || leaves > most)
+      {
+        const bool isWall = isLast && surface_.around.inside();
+        return isWall && std::abs(direction[axis]) >= LeastCosine ? leaves : Infinite;
+      }
+      cell[axis] = up ? cell[axis] + 1 : cell[axis] - 1;
+    }
+  }
+
+  // Where a line leaves a cell: how far from its start, and across which axis.
+  std::pair<double, std::size_t> endOf(
+    const Cell& cell, const Vector& start, const Vector& direction) const
+  {
+    std::pair<double, std::size_t> end{ Infinite, 0 };
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const std::size_t plane = cell[axis] + (direction[axis] > 0 ? 1 : 0);
+      const double distance = direction[axis] == 0
+        ? Infinite
+        : (finePlanes_[axis][plane] - start[axis]) / direction[axis];
+      end = std::min(end, { distance, axis });
+    }
+    return end;
+  }
+
+  bool isFacing(std::uint32_t t, const Corners& c, const Vector& direction) const
+  {
+    const double cosine = dot(unit(cross(minus(c[1], c[0]), minus(c[2], c[0]))), direction);
+    return (hasTwoSides(t) ? std::abs(cosine) : cosine) >= LeastCosine;
+  }
+
+  // Lists the octants along a line.
+  void follow(const Vector& start, const Vector& direction, double distance, int level,
+    std::vector<Octants::Key>& found) const
+  {
+    constexpr int StepsAnOctant = 2;
+    const double step = sizeAround(start) / (StepsAnOctant << level);
+    const auto steps = static_cast<int>(std::ceil(distance / step));
+    Octants::Key last{ ~std::uint64_t(0), 0 };
+    for (int i = 0; i <= steps; ++i)
+    {
+      const Octant octant =
+        octantAround(plus(start, scaled(direction, std::min(i * step, distance))), level);
+      const Octants::Key key = octants_.keyOf(octant);
+      if (key != last)
+      {
+        found.push_back(key);
+      }
+      last = key;
+    }
+  }
+
+  Octant octantAround(const Vector& place, int level) const
+  {
+    Octant octant;
+    octant.level = level;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const std::vector<Level>& planes = planes_[axis];
+      const std::size_t i = intervalAround(planes, place[axis]);
+      const double along = (place[axis] - planes[i]) / (double(planes[i + 1]) - planes[i]);
+      octant.global[axis] = static_cast<std::uint32_t>(i);
+      octant.position[axis] = static_cast<std::uint32_t>(
+        std::clamp(std::floor(along * (1 << level)), 0., double((1 << level) - 1)));
+    }
+    return octant;
+  }
+
+  // Calls visit(place) with places of a piece of a triangle that are about `spacing` apart.
+  template <class Visitor>
+  static void forEachSample(const Fragment& fragment, double spacing, Visitor&& visit)
+  {
+    const Vector a = vectorOf(fragment.corner[0]);
+    for (std::size_t i = 1; i + 1 < static_cast<std::size_t>(fragment.size); ++i)
+    {
+      const Vector b = vectorOf(fragment.corner[i]);
+      const Vector c = vectorOf(fragment.corner[i + 1]);
+      const double longest = std::max({ norm(minus(b, a)), norm(minus(c, b)), norm(minus(a, c)) });
+      const auto n = static_cast<int>(std::clamp(std::ceil(longest / spacing), 1., MostSamples));
+      for (int row = 0; row < n; ++row)
+      {
+        for (int column = 0; column <= row; ++column)
+        {
+          // The middle of a triangle that is n times smaller.
+          const double toEdge = (row + 2. / 3) / n;
+          const double along = (column + 1. / 3) / (row + 2. / 3);
+          visit(between(a, between(b, c, along), toEdge));
+        }
+      }
+    }
+  }
+
+  const SizingSpec& spec_;
+  const Surface& surface_;
+  const Meshlines& planes_;
+  const Octants& octants_;
+  const int finer_;
+  const Meshlines finePlanes_;
+  const Shoeboxes fine_;
+};
+
+}
+
+void addGaps(const SizingSpec& spec, const Surface& surface, const Meshlines& planes,
+  Octants& octants, Execution& execution)
+{
+  std::vector<std::vector<Octants::Key>> found =
+    Gaps(spec, surface, planes, octants, execution).find(execution);
+  octants.add(found);
+}
+
+}

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parts of global boxes that must not be in larger boxes. An octant is a global box halved as often along
+// each axis.
+#pragma once
+
+#include "Boxes/Boxes.h"
+
+namespace cartesian
+{
+
+struct Octant
+{
+  std::array<std::uint32_t, 3> global;     // I, J, K
+  int level = 0;                           // 0 to DeepestLevel
+  std::array<std::uint32_t, 3> position{}; // in its global box, below 2^level
+
+  // The half of each axis that bit 0 to 2 of `which` tells.
+  Octant part(unsigned which) const;
+};
+
+Point lowOf(const Octant& octant, const Meshlines& planes);
+Point highOf(const Octant& octant, const Meshlines& planes);
+
+class Octants
+{
+public:
+  // First the number of the global box, then level and position.
+  using Key = std::pair<std::uint64_t, std::uint32_t>;
+
+  explicit Octants(const Meshlines& planes)
+    : across_{ planes[0].size() - 1, planes[1].size() - 1 }
+  {
+  }
+
+  Key keyOf(const Octant& octant) const;
+
+  // Takes the lists, in which octants may occur more than once; adds the octants that they are in. No octant
+  // is of level 0.
+  void add(std::vector<std::vector<Key>>& lists);
+
+  // The largest level; 0 if there are none.
+  int deepest() const;
+  int deepestIn(const std::array<std::uint32_t, 3>& global) const;
+  std::size_t countIn(const std::array<std::uint32_t, 3>& global) const;
+
+  // Raises the forced depths of the units in octants of a global box, which has 2^unitDepth of them along each
+  // axis, x fastest, to the octants' levels.
+  void raise(const std::array<std::uint32_t, 3>& global, int unitDepth,
+    std::vector<std::uint8_t>& forced) const;
+
+private:
+  using Range = std::pair<std::vector<Key>::const_iterator, std::vector<Key>::const_iterator>;
+  void leaveOutTwins();
+  Range rangeOf(const std::array<std::uint32_t, 3>& global) const;
+
+  std::array<std::uint64_t, 2> across_; // global boxes along x and y
+  std::vector<Key> keys_;               // ascending
+};
+
+}
