@@ -170,26 +170,26 @@ private:
     return surface_.walls.any() || (!surface_.byParity.empty() && surface_.byParity[t] != 0);
   }
 
-  // First a few lines, then, where they meet a wall, as many as boxes need.
+  // First lines as far apart as the finer grid's; where boxes must be smaller, closer ones.
   void lookFrom(std::uint32_t t, const Fragment& fragment, const Vector& direction,
     std::vector<Octants::Key>& found) const
   {
     const double size = sizeAround(vectorOf(fragment.corner[0]));
     int level = 0;
-    forEachSample(fragment, size / (1 << finer_), [&](const Vector& start) {
-      level = std::max(level, levelAcross(start, distanceAcross(t, start, direction)));
-    });
-    if (level == 0)
-    {
-      return;
-    }
-    forEachSample(fragment, size / (1 << level), [&](const Vector& start) {
+    const auto look = [&](const Vector& start) {
       const double distance = distanceAcross(t, start, direction);
-      if (const int own = levelAcross(start, distance); own > 0)
+      const int own = levelAcross(start, distance);
+      if (own > 0)
       {
         follow(start, direction, distance, own, found);
       }
-    });
+      level = std::max(level, own);
+    };
+    forEachSample(fragment, size / (1 << finer_), look);
+    if (level > finer_)
+    {
+      forEachSample(fragment, size / (1 << level), look);
+    }
   }
 
   // The least level of boxes around a place of which enough fit into a gap, or the largest allowed.
