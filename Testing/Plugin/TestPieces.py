@@ -20,7 +20,7 @@ EXHAUST = DATA / "kcl_exhaust_header_lumens.stl"
 CELL_SIZE, DEPTH, PIECES = 10.0, 1, 3
 
 
-def mesher(size=CELL_SIZE, depth=DEPTH):
+def mesher(size=CELL_SIZE, depth=DEPTH, gaps=4):
     reader = vtkSTLReader()
     reader.SetFileName(str(EXHAUST))
     reader.ScalarTagsOn()
@@ -28,8 +28,8 @@ def mesher(size=CELL_SIZE, depth=DEPTH):
     mesher.SetInputConnection(reader.GetOutputPort())
     mesher.SetCellSize(size)
     mesher.SetRefinementDepth(depth)
-    mesher.SetCurvatureAngle(40)
-    mesher.SetCellsAcrossGaps(4)
+    mesher.SetCurvatureAngle(10 * gaps)
+    mesher.SetCellsAcrossGaps(gaps)
     mesher.SetLargestDepth(2)
     return mesher
 
@@ -77,7 +77,7 @@ with tempfile.TemporaryDirectory() as folder:
 
     # Layers enough that a piece does not depend on all of them.
     size = 4.0
-    alone = mesher(size, 0)
+    alone = mesher(size, 0, 0)
     alone.Update()
     whole = alone.GetOutputDataObject(0)
 

@@ -170,26 +170,26 @@ private:
     return surface_.walls.any() || (!surface_.byParity.empty() && surface_.byParity[t] != 0);
   }
 
-  // First a few lines, then, where they meet a wall, as many as boxes need.
+  // First lines as far apart as the finer grid's; where boxes must be smaller, closer ones.
   void lookFrom(std::uint32_t t, const Fragment& fragment, const Vector& direction,
     std::vector<Octants::Key>& found) const
   {
     const double size = sizeAround(vectorOf(fragment.corner[0]));
     int level = 0;
-    forEachSample(fragment, size / (1 << finer_), [&](const Vector& start) {
-      level = std::max(level, levelAcross(start, distanceAcross(t, start, direction)));
-    });
-    if (level == 0)
-    {
-      return;
-    }
-    forEachSample(fragment, size / (1 << level), [&](const Vector& start) {
+    const auto look = [&](const Vector& start) {
       const double distance = distanceAcross(t, start, direction);
-      if (const int own = levelAcross(start, distance); own > 0)
+      const int own = levelAcross(start, distance);
+      if (own > 0)
       {
         follow(start, direction, distance, own, found);
       }
-    });
+      level = std::max(level, own);
+    };
+    forEachSample(fragment, size / (1 << finer_), look);
+    if (level > finer_)
+    {
+      forEachSample(fragment, size / (1 << level), look);
+    }
   }
 
   // The least level of boxes around a place of which enough fit into a gap, or the largest allowed.
@@ -216,25 +216,14 @@ private:
     {
       cell[axis] = intervalAround(finePlanes_[axis], start[axis]);
     }
-    double nearest = Infinite;
-    bool faces = false;
+    Met met{ Infinite, t };
     for (;;)
     {
       const auto [leaves, axis] = endOf(cell, start, direction);
-      const TriangleRange triangles = trianglesOf(cell);
-      for (const std::uint32_t* other = triangles.first; other != triangles.second; ++other)
+      meet(cell, t, start, direction, met);
+      if (met.distance <= leaves)
       {
-        const Corners corners = surface_.corners(*other);
-        const double distance = *other == t ? 0 : distanceTo(corners, start, direction);
-        if (distance > OwnWall && distance < nearest)
-        {
-          nearest = distance;
-          faces = isFacing(*other, corners, direction);
-        }
-      }
-      if (nearest <= leaves)
-      {
-        return faces ? nearest : Infinite;
+        return isFacing(met.triangle, direction) ? met.distance : Infinite;
       }
       const bool up = direction[axis] > 0;
       const bool isLast = cell[axis] == (up ? finePlanes_[axis].size() - 2 : 0);
@@ -247,6 +236,28 @@ private:
     }
   }
 
+  // What a line meets first.
+  struct Met
+  {
+    double distance;
+    std::uint32_t triangle;
+  };
+
+  // Of the triangles in a cell other than `own`, unless what was met is nearer.
+  void meet(const Cell& cell, std::uint32_t own, const Vector& start, const Vector& direction,
+    Met& met) const
+  {
+    const TriangleRange triangles = trianglesOf(cell);
+    for (const std::uint32_t* t = triangles.first; t != triangles.second; ++t)
+    {
+      const double distance = *t == own ? 0 : distanceTo(surface_.corners(*t), start, direction);
+      if (distance > OwnWall && distance < met.distance)
+      {
+        met = { distance, *t };
+      }
+    }
+  }
+
   // Where a line leaves a cell: how far from its start, and across which axis.
   std::pair<double, std::size_t> endOf(
     const Cell& cell, const Vector& start, const Vector& direction) const
@@ -255,16 +266,16 @@ private:
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const std::size_t plane = cell[axis] + (direction[axis] > 0 ? 1 : 0);
-      const double distance = direction[axis] == 0
-        ? Infinite
-        : (finePlanes_[axis][plane] - start[axis]) / direction[axis];
+      const double along = double(finePlanes_[axis][plane]) - start[axis];
+      const double distance = direction[axis] == 0 ? Infinite : along / direction[axis];
       end = std::min(end, { distance, axis });
     }
     return end;
   }
 
-  bool isFacing(std::uint32_t t, const Corners& c, const Vector& direction) const
+  bool isFacing(std::uint32_t t, const Vector& direction) const
   {
+    const Corners c = surface_.corners(t);
     const double cosine = dot(unit(cross(minus(c[1], c[0]), minus(c[2], c[0]))), direction);
     return (hasTwoSides(t) ? std::abs(cosine) : cosine) >= LeastCosine;
   }
@@ -298,7 +309,8 @@ private:
     {
       const std::vector<Level>& planes = planes_[axis];
       const std::size_t i = intervalAround(planes, place[axis]);
-      const double along = (place[axis] - planes[i]) / (double(planes[i + 1]) - planes[i]);
+      const double low = planes[i];
+      const double along = (place[axis] - low) / (double(planes[i + 1]) - low);
       octant.global[axis] = static_cast<std::uint32_t>(i);
       octant.position[axis] = static_cast<std::uint32_t>(
         std::clamp(std::floor(along * (1 << level)), 0., double((1 << level) - 1)));
@@ -306,11 +318,33 @@ private:
     return octant;
   }
 
+  // The mean of the corners, and how far the furthest is from it.
+  static std::pair<Vector, double> middleOf(const Fragment& fragment)
+  {
+    std::pair<Vector, double> result{};
+    const auto size = static_cast<std::size_t>(fragment.size);
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      result.first = plus(result.first, scaled(vectorOf(fragment.corner[i]), 1. / fragment.size));
+    }
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      result.second =
+        std::max(result.second, norm(minus(vectorOf(fragment.corner[i]), result.first)));
+    }
+    return result;
+  }
+
   // Calls visit(place) with places of a piece of a triangle that are about `spacing` apart.
   template <class Visitor>
   static void forEachSample(const Fragment& fragment, double spacing, Visitor&& visit)
   {
     const Vector a = vectorOf(fragment.corner[0]);
+    if (const auto [middle, reach] = middleOf(fragment); reach < spacing / 2)
+    {
+      visit(middle);
+      return;
+    }
     for (std::size_t i = 1; i + 1 < static_cast<std::size_t>(fragment.size); ++i)
     {
       const Vector b = vectorOf(fragment.corner[i]);
