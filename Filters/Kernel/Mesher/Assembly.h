@@ -2,6 +2,7 @@
 // Boxes and patches made into a mesh, step by step (section 6: 9, A3, B1 to B4, 11 to 13).
 #pragma once
 
+#include "Lifting/PrismStacks.h"
 #include "Mesh/OutputMesh.h"
 #include "Mesher/Options.h"
 #include "Shaping/CellShaping.h"
@@ -23,6 +24,7 @@ struct Assembly
   std::vector<std::uint8_t> rebuilt; // 1 for polyhedral boxes whose patches were made anew
   Shaping shaping;
   std::unique_ptr<OutputMesh> mesh;
+  std::unique_ptr<PrismStacks> stacks; // on the mesh, or null: no layers
 };
 
 // Runs all steps. Throws Error: BadParameter, TooManyBoxes, FlawedSurface (no cell is left of the whole;

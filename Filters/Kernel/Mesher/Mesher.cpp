@@ -1,15 +1,52 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesher/Mesher.h"
 
+#include "Base/Error.h"
 #include "Boxes/MeshEstimate.h"
 #include "Patches/Patches.h"
 #include "Repair/PlanesAside.h"
 #include "Repair/Regions.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cartesian
 {
+
+namespace
+{
+
+// The shortest side of a box, in levels.
+double shortestSide(const Meshlines& planes)
+{
+  double least = LevelsOfTheDomain;
+  for (const auto& axis : planes)
+  {
+    for (std::size_t i = 0; i + 1 < axis.size(); ++i)
+    {
+      least = std::min(least, double(axis[i + 1]) - axis[i]);
+    }
+  }
+  return least;
+}
+
+void makeRoomForLayers(PreparedSurface& prepared, const Options& options, Execution& execution)
+{
+  requireValid(options.layers);
+  if (prepared.surface.walls.any())
+  {
+    throw Error(Fault::BadParameter,
+      "Layers is " + std::to_string(options.layers.count) +
+        ", but with several regions there are no layers: set it to 0.");
+  }
+  const double step = prepared.surface.lattice.step();
+  const double box =
+    std::ldexp(shortestSide(prepared.planes) * step, -std::max(0, options.refinement.depth));
+  prepared.displacement = std::make_unique<Displacement>(displace(prepared.surface, options.layers,
+    totalThickness(options.layers, box) / step, execution));
+}
+
+}
 
 std::unique_ptr<Assembly> mesh(
   const SurfaceView& surface, const Options& options, Execution& execution)
@@ -49,6 +86,10 @@ PreparedSurface prepareSurface(
   {
     prepared.repair = repair(prepared.surface, prepared.planes, execution);
   }
+  if (options.layers.count > 0)
+  {
+    makeRoomForLayers(prepared, options, execution);
+  }
   stepAside(prepared.surface, prepared.planes);
   return prepared;
 }
@@ -80,7 +121,13 @@ std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   // How much there is in boxes with other than exact patches is known only here.
   const auto corners = static_cast<double>(patches.corners.size());
   checkMemory(estimate.boxes(), estimate.bytes(limit, corners), limit);
-  return assemble(std::move(boxes), std::move(patches), options, execution);
+  auto assembly = assemble(std::move(boxes), std::move(patches), options, execution);
+  if (prepared.displacement)
+  {
+    assembly->stacks = std::make_unique<PrismStacks>(
+      liftBoundary(*assembly->mesh, prepared.surface, *prepared.displacement, execution));
+  }
+  return assembly;
 }
 
 }
