@@ -37,7 +37,7 @@ struct PreparedSurface
   Meshlines planes;
   Bounds bounds; // of the surface, user units
   MemoryLimit memoryLimit;
-  std::unique_ptr<Displacement> displacement; // of `surface`, or null: no layers
+  std::shared_ptr<const Displacement> displacement; // of `surface`, or null: no layers
 };
 
 // Scaling, Dual Levels, check and repair of the surface, which makes room for layers. `parts`: how many the mesh is made in, each of
