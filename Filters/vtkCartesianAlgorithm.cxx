@@ -2,6 +2,7 @@
 #include "vtkCartesianAlgorithm.h"
 
 #include "ReportErrors.h"
+#include "StopRequests.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -20,7 +21,8 @@ bool vtkCartesianAlgorithm::Run(
     const auto monitor = [&](double fraction, const char* stage) {
       this->SetProgressText(stage);
       this->UpdateProgress(fraction);
-      const bool stops = this->CheckAbort() || (this->HasOtherFailed && this->HasOtherFailed());
+      const bool stops =
+        cartesian::isStopped(this) || (this->HasOtherFailed && this->HasOtherFailed());
       return this->IsWaitedFor || !stops;
     };
     cartesian::Execution execution(this->NumberOfThreads, monitor, begin, end);

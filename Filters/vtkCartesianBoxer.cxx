@@ -100,6 +100,7 @@ std::vector<RegionSurface> RegionSurfaces(
 struct vtkCartesianBoxer::SeenSurface
 {
   cartesian::BoundaryNames names;
+  cartesian::Bounds bounds;
   cartesian::SurfaceSize whole;
   std::map<std::int32_t, cartesian::SurfaceSize> ofBoundary;
 };
@@ -226,7 +227,7 @@ vtkDataObject* vtkCartesianBoxer::UpdatedSurface()
 void vtkCartesianBoxer::DescribeBoundaries(vtkDataObject* result)
 {
   this->Run(0, 1, [&](cartesian::Execution&) {
-    const cartesian::SurfaceFromVTK surface = this->Read(this->UpdatedSurface());
+    const cartesian::SurfaceFromVTK surface = this->ReadWithSides(this->UpdatedSurface());
     cartesian::setBoundaryNames(result, surface.names());
   });
 }
@@ -268,9 +269,11 @@ void vtkCartesianBoxer::ListBoundaries(const cartesian::SurfaceFromVTK& source)
 {
   std::vector<const char*> names;
   std::set<std::string> listed;
+  const auto& sides = source.sides(); // nothing passes through boxes there
   for (const auto& named : source.names())
   {
-    if (listed.insert(named.second).second)
+    if (std::find(sides.begin(), sides.end(), named.first) == sides.end() &&
+      listed.insert(named.second).second)
     {
       names.push_back(named.second.c_str());
     }
@@ -311,8 +314,8 @@ void vtkCartesianBoxer::LookAt(const cartesian::SurfaceFromVTK& surface)
 {
   this->ListBoundaries(surface);
   const cartesian::SurfaceView view = surface.view();
-  this->Seen =
-    std::make_unique<SeenSurface>(SeenSurface{ surface.names(), cartesian::sizeOf(view), {} });
+  this->Seen = std::make_unique<SeenSurface>(
+    SeenSurface{ surface.names(), cartesian::boundsOf(view), cartesian::sizeOf(view), {} });
   std::map<std::int32_t, std::vector<std::uint32_t>> triangles;
   for (std::size_t t = 0; t < view.triangleCount; ++t)
   {
@@ -328,10 +331,28 @@ void vtkCartesianBoxer::LookAt(const cartesian::SurfaceFromVTK& surface)
   }
 }
 
+cartesian::SurfaceSize vtkCartesianBoxer::MeshedSize()
+{
+  cartesian::SurfaceSize size = this->Seen->whole;
+  const cartesian::DomainSpec domain = this->MakeOptions().domain;
+  if (domain.isOutside())
+  {
+    const cartesian::Bounds box = cartesian::boxAround(domain, this->Seen->bounds);
+    double volume = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      volume *= box.high[axis] - box.low[axis];
+    }
+    size.volume = std::max(0.0, volume - size.volume);
+    size.longest = box.longest();
+  }
+  return size;
+}
+
 // With the depths of boundaries, but without blocks and regions.
 double vtkCartesianBoxer::EstimateBoxes(const std::array<double, 3>& size, int depth)
 {
-  double boxes = cartesian::expectedBoxes(this->Seen->whole, size, depth);
+  double boxes = cartesian::expectedBoxes(this->MeshedSize(), size, depth);
   std::map<std::int32_t, int> depths;
   for (const cartesian::BoundaryRefinement& row : this->MakeSpec(this->Seen->names).boundaries)
   {
@@ -357,7 +378,9 @@ void vtkCartesianBoxer::EstimateBoxes()
   {
     return;
   }
-  const double longest = this->Seen->whole.longest;
+  double longest = this->Seen->whole.longest;
+  cartesian::reportErrors(
+    [&] { longest = this->MeshedSize().longest; }, [](unsigned long, const std::string&) {});
   const double applied = this->CellSize > 0
     ? this->CellSize
     : Rounded(longest / cartesian::DefaultCellsAlongLongest, DigitsOfSizes);
@@ -398,11 +421,23 @@ cartesian::SurfaceFromVTK vtkCartesianBoxer::Read(vtkDataObject* surface) const
     this->RegionArray };
 }
 
+cartesian::SurfaceFromVTK vtkCartesianBoxer::ReadWithSides(vtkDataObject* data)
+{
+  cartesian::SurfaceFromVTK surface = this->Read(data);
+  if (this->MakeOptions().domain.isOutside())
+  {
+    surface.addSides();
+  }
+  return surface;
+}
+
 cartesian::PreparedSurface vtkCartesianBoxer::Prepare(
   const cartesian::SurfaceFromVTK& surface, cartesian::Execution& execution, int parts)
 {
+  cartesian::Options options = this->MakeOptions();
+  options.domain.sides = surface.sides();
   cartesian::PreparedSurface prepared =
-    cartesian::prepareSurface(surface.view(), this->MakeOptions(), execution, parts);
+    cartesian::prepareSurface(surface.view(), options, execution, parts);
   const std::string undivided = surface.describeUndivided();
   const std::string flaws = cartesian::describeFlaws(prepared, surface.cells());
   this->Warn(undivided + (undivided.empty() || flaws.empty() ? "" : "\n") + flaws);

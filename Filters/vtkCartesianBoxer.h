@@ -51,6 +51,7 @@ struct Options;
 struct PreparedSurface;
 struct RefinementSpec;
 class SurfaceFromVTK;
+struct SurfaceSize;
 }
 
 class VTKCARTESIANMESHERFILTERS_EXPORT vtkCartesianBoxer : public vtkCartesianAlgorithm
@@ -220,6 +221,11 @@ protected:
   cartesian::SurfaceFromVTK Read(vtkDataObject* surface) const;
 
   /**
+   * The same with the sides of the box that is around it, if what is outside is meshed.
+   */
+  cartesian::SurfaceFromVTK ReadWithSides(vtkDataObject* data);
+
+  /**
    * The surface on the lattice, checked; flaws are reported. `parts`: in how many parts the mesh is
    * made, none of which may take more than the memory allowed.
    */
@@ -276,6 +282,7 @@ private:
   void AddChosenBoundaries(
     const std::map<std::int32_t, std::string>& names, cartesian::RefinementSpec& spec);
   void LookAt(const cartesian::SurfaceFromVTK& surface);
+  cartesian::SurfaceSize MeshedSize();
   void EstimateBoxes();
   double EstimateBoxes(const std::array<double, 3>& size, int depth);
 

@@ -3,6 +3,7 @@
 
 #include "Base/Error.h"
 #include "BoundarySettings.h"
+#include "DefectsToVTK.h"
 #include "FilterOptions.h"
 #include "GhostCells.h"
 #include "MeshToVTK.h"
@@ -69,6 +70,7 @@ int vtkCartesianMesher::RequestUpdateExtent(
 cartesian::Options vtkCartesianMesher::MakeOptions()
 {
   cartesian::Options options = this->Superclass::MakeOptions();
+  cartesian::setDomainOptions(this, options);
   cartesian::setPatchOptions(this, options);
   cartesian::setCellOptions(this, options);
   options.layers.count = this->Layers;
@@ -77,6 +79,17 @@ cartesian::Options vtkCartesianMesher::MakeOptions()
   options.layers.thickness = this->LayersThickness;
   options.layers.boundariesWithout = this->BoundariesWithoutLayers;
   return options;
+}
+
+// But for the ground, flow passes through the sides of the box.
+void vtkCartesianMesher::AddTypesOfSides(Task& task)
+{
+  for (int side = 0; task.options.domain.isOutside() && side < 6; ++side)
+  {
+    const bool isSymmetric = this->Half > 0 && side == 2 * (this->Half - 1);
+    const char* type = isSymmetric ? "symmetryPlane" : side + 1 == this->Ground ? "wall" : "patch";
+    task.types.emplace(task.surface->sides()[static_cast<std::size_t>(side)], type);
+  }
 }
 
 void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
@@ -89,7 +102,7 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
   {
     region = processes.whole(region);
   }
-  task.surface = std::make_unique<cartesian::SurfaceFromVTK>(this->Read(surface));
+  task.surface = std::make_unique<cartesian::SurfaceFromVTK>(this->ReadWithSides(surface));
   const cartesian::BoundarySettings boundaries{ this->BoundaryNames, this->BoundaryTypes,
     this->BoundaryRatios };
   task.types = cartesian::boundaryTypes(boundaries, task.surface->names());
@@ -102,6 +115,7 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
   this->BoundariesWithoutLayers =
     cartesian::boundariesWithoutLayers(boundaries, task.surface->names());
   task.options = this->MakeOptions();
+  this->AddTypesOfSides(task);
   task.options.smallCells.boundaryRatios =
     cartesian::boundaryRatios(boundaries, task.surface->names(), task.options.smallCells.handling);
   cartesian::planStages(task.options, execution);
@@ -290,6 +304,7 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   cartesian::toVTK(*piece.assembly,
     { task.surface->names(), task.types, task.surface->regionNames() }, place, mesh,
     vtkPolyData::GetData(output, 1), vtkPolyData::GetData(output, 3), execution);
+  cartesian::addCellsLeftOut(*piece.assembly, vtkPolyData::GetData(output, 2));
   const bool wasSilent = this->IsSilent; // these flaws are of this piece only
   this->IsSilent = false;
   this->Warn(cartesian::describeFlaws(*piece.assembly));
@@ -334,6 +349,7 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LayerExpansionRatio: " << this->LayerExpansionRatio << "\n";
   os << indent << "FirstLayerThickness: " << this->FirstLayerThickness << "\n";
   os << indent << "LayersThickness: " << this->LayersThickness << "\n";
+  cartesian::printDomainProperties(this, os, indent);
   os << indent << "RegionsFrom: " << this->RegionsFrom << "\n";
   os << indent << "RegionArray: " << this->RegionArray << "\n";
   os << indent << "ContactTolerance: " << this->ContactTolerance << "\n";

@@ -108,6 +108,94 @@ public:
   vtkGetMacro(RegionArray, std::string);
   ///@}
 
+  /**
+   * What is meshed; Inside by default.
+   */
+  enum Domains
+  {
+    Inside = 0,  // what the surface encloses
+    Outside = 1, // a box without what the surface encloses; then there is one region
+  };
+
+  ///@{
+  /**
+   * Outside, the sides of the box are boundaries: xMin, xMax, yMin, yMax, zMin, zMax. Bodies that reach beyond
+   * are cut off there. Meshlines win over the box in their direction.
+   */
+  vtkSetClampMacro(Domain, int, Inside, Outside);
+  vtkGetMacro(Domain, int);
+  void SetDomainToInside() { this->SetDomain(Inside); }
+  void SetDomainToOutside() { this->SetDomain(Outside); }
+  ///@}
+
+  ///@{
+  /**
+   * Where the box comes from: 0, the default: from the surface; 1: from DomainBounds.
+   */
+  vtkSetClampMacro(BoxFrom, int, 0, 1);
+  vtkGetMacro(BoxFrom, int);
+  void SetBoxFromToSurface() { this->SetBoxFrom(0); }
+  void SetBoxFromToBounds() { this->SetBoxFrom(1); }
+  ///@}
+
+  ///@{
+  /**
+   * Low and high x, y and z of the box, in the surface's units.
+   */
+  vtkSetVector6Macro(DomainBounds, double);
+  vtkGetVector6Macro(DomainBounds, double);
+  ///@}
+
+  ///@{
+  /**
+   * Where the flow goes: 0 to 5 for plus x (the default), minus x, plus y, ...; and how far the box from the
+   * surface reaches before, behind and beside it: times its longest side; 0 or more, default 3, 5, 3.
+   */
+  vtkSetClampMacro(FlowDirection, int, 0, 5);
+  vtkGetMacro(FlowDirection, int);
+  void SetFlowDirectionToPlusX() { this->SetFlowDirection(0); }
+  void SetFlowDirectionToMinusX() { this->SetFlowDirection(1); }
+  void SetFlowDirectionToPlusY() { this->SetFlowDirection(2); }
+  void SetFlowDirectionToMinusY() { this->SetFlowDirection(3); }
+  void SetFlowDirectionToPlusZ() { this->SetFlowDirection(4); }
+  void SetFlowDirectionToMinusZ() { this->SetFlowDirection(5); }
+  vtkSetMacro(LengthsBefore, double);
+  vtkGetMacro(LengthsBefore, double);
+  vtkSetMacro(LengthsBehind, double);
+  vtkGetMacro(LengthsBehind, double);
+  vtkSetMacro(LengthsBeside, double);
+  vtkGetMacro(LengthsBeside, double);
+  ///@}
+
+  ///@{
+  /**
+   * The side of the box that ends with the surface, which so stands on it: 0, the default, for none; 1 to 6 for
+   * low x, high x, low y, ... It is a wall, the other sides are patches, unless BoundaryTypes say otherwise.
+   */
+  vtkSetClampMacro(Ground, int, 0, 6);
+  vtkGetMacro(Ground, int);
+  void SetGroundToNone() { this->SetGround(0); }
+  void SetGroundToxMin() { this->SetGround(1); }
+  void SetGroundToxMax() { this->SetGround(2); }
+  void SetGroundToyMin() { this->SetGround(3); }
+  void SetGroundToyMax() { this->SetGround(4); }
+  void SetGroundTozMin() { this->SetGround(5); }
+  void SetGroundTozMax() { this->SetGround(6); }
+  ///@}
+
+  ///@{
+  /**
+   * The axis, 1 to 3, below whose middle, of the surface, nothing is meshed; the side there is a symmetryPlane
+   * unless BoundaryTypes say otherwise. 0, the default, for none.
+   */
+  vtkSetClampMacro(Half, int, 0, 3);
+  vtkGetMacro(Half, int);
+  void SetHalfToNone() { this->SetHalf(0); }
+  void SetHalfToAcrossX() { this->SetHalf(1); }
+  void SetHalfToAcrossY() { this->SetHalf(2); }
+  void SetHalfToAcrossZ() { this->SetHalf(3); }
+  ///@}
+
   ///@{
   /**
    * Walls of two regions that face each other at most this far apart become one: that of the earlier region.
@@ -150,6 +238,15 @@ protected:
   double FirstLayerThickness = 0;
   double LayersThickness = 0;
   std::vector<std::int32_t> BoundariesWithoutLayers; // of the surface being meshed
+  int Domain = Inside;
+  int BoxFrom = 0;
+  double DomainBounds[6] = { 0, 1, 0, 1, 0, 1 };
+  int FlowDirection = 0;
+  double LengthsBefore = 3;
+  double LengthsBehind = 5;
+  double LengthsBeside = 3;
+  int Ground = 0;
+  int Half = 0;
 
 private:
   vtkCartesianMesher(const vtkCartesianMesher&) = delete;
@@ -158,6 +255,7 @@ private:
   struct Task;
   struct Piece;
 
+  void AddTypesOfSides(Task& task);
   void Begin(Task& task, const Piece& piece, const cartesian::Processes& processes,
     vtkInformationVector** input, vtkInformationVector* output, cartesian::Execution& execution);
   static void Make(const Task& task, Piece& piece, cartesian::Execution& execution);

@@ -13,7 +13,7 @@
  * array of one number each (Cells, Hexahedra, Polyhedra, Points, BoundaryFaces, BoxesInside,
  * BoxesIntersected, BoxesByExactFit, BoxesRebuilt, BoxesFlawed, Patches, SmallCellsRemoved,
  * SmallCellsMerged, CellsSplit, CellsWithJoinedFaces (faces of any angle made one),
- * RefusedCellsRemoved (what solvers would refuse),
+ * RefusedCellsRemoved (what solvers would refuse), FragmentCellsRemoved (what the grid cuts off),
  * IsolatedCells, VoidsInsideCells, FoldsLeftOut), and numbers of cells as in vtkFiniteVolumeQuality:
  * BoundaryAngleFailures, InnerAngleFailures, OpennessFailures, VolumeFailures.
  * For vtkPolyMeshWriter: cell array CellId (number of the cell) and field data array

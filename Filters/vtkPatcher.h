@@ -12,7 +12,8 @@
  * Fit because 1 an edge of the box is crossed more than once, 2 the surface meets a side in a closed
  * polyline, 3 a sharp feature passes through or the surface turns within the box by more than twice
  * Feature Angle, 4 there are several boundaries, 5 the surface in the box is no set of discs, 6 Patch
- * Method says so). Field data: FeatureAngle (double), for vtkCellAssembler. Sections 4.7, 4.8 and A2 of
+ * Method says so), EnclosedVolume (double: of the connected piece of the surface that it belongs to; with
+ * it Cell Assembler tells a small body from a fragment that the grid cuts off). Field data: FeatureAngle (double), for vtkCellAssembler. Sections 4.7, 4.8 and A2 of
  * the paper.
  *
  * Errors: EmptySurface, BadCoordinate, MissingArray (no Boundary Array of that name, or boxes that

@@ -1,141 +1,109 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPolyMeshWriter.h"
 
+#include "Base/Error.h"
 #include "BoundaryOfFaces.h"
-#include "Cells/Cells.h"
+#include "FoamFromVTK.h"
+#include "FoamPieceStore.h"
 #include "GridFaces.h"
 #include "MeshUnion.h"
-#include "OpenFoam/FoamRegions.h"
+#include "Processes.h"
 #include "ReportErrors.h"
 
-#include "vtkCellData.h"
 #include "vtkErrorCode.h"
-#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <set>
+#include <optional>
 
 vtkStandardNewMacro(vtkPolyMeshWriter);
+
+// What one process has written of the pieces that it makes one after the other.
+struct vtkPolyMeshWriter::PiecesSoFar
+{
+  std::vector<cartesian::FoamPieceStore> pieces;
+  std::vector<cartesian::FoamOutline> outlines;
+};
 
 namespace
 {
 
-// Numbers in order, NoBoundary last.
-bool Before(vtkIdType a, vtkIdType b)
+cartesian::FoamFormat FormatOf(int fileType)
 {
-  return (a == cartesian::NoBoundary) != (b == cartesian::NoBoundary) ? b == cartesian::NoBoundary
-                                                                      : a < b;
+  return fileType == VTK_ASCII ? cartesian::FoamFormat::Ascii : cartesian::FoamFormat::Binary;
 }
 
-// The name as a word that is not taken yet: with the number, if need be.
-std::string TakeWord(const std::string& name, vtkIdType number, std::set<std::string>& taken)
+int CountProcesses()
 {
-  std::string word = cartesian::foamWord(name);
-  while (!taken.insert(word).second)
-  {
-    word += "_" + std::to_string(number);
-  }
-  return word;
+  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
+  return processes ? processes->GetNumberOfProcesses() : 1;
 }
 
-// A distinct word for each boundary.
-std::vector<std::string> PatchNames(
-  vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& boundaries)
+// What one process cannot do, none does: the others need not wait for it.
+template <class Work>
+void OnAll(const cartesian::Processes& processes, Work&& work)
 {
-  const std::map<vtkIdType, std::string> given =
-    cartesian::readBoundaryTexts(grid, "BoundaryNames");
-  std::vector<std::string> names;
-  std::set<std::string> taken;
-  for (const vtkIdType boundary : boundaries)
+  std::optional<cartesian::Error> mine;
+  try
   {
-    const auto name = given.find(boundary);
-    const std::string plain =
-      boundary == cartesian::NoBoundary ? "no_surface" : "boundary_" + std::to_string(boundary);
-    names.push_back(TakeWord(
-      name == given.end() || name->second.empty() ? plain : name->second, boundary, taken));
+    work();
   }
-  return names;
+  catch (const cartesian::Error& error)
+  {
+    mine = error;
+  }
+  const std::vector<double> failures = processes.sum({ mine ? 1.0 : 0.0 });
+  if (mine)
+  {
+    throw *mine;
+  }
+  if (failures[0] > 0)
+  {
+    throw cartesian::Error(cartesian::Fault::BadMesh,
+      "Another rank cannot write its piece, for the reason that it gives.");
+  }
 }
 
-// Sorts the boundary faces by the boundaries they are of.
-std::vector<cartesian::FoamPatch> SortPatches(
-  vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& boundaryOf, cartesian::FaceList& list)
+cartesian::FoamPiece ReadPiece(
+  vtkUnstructuredGrid* grid, int regionsAs, cartesian::Execution& execution)
 {
-  std::vector<vtkIdType> boundaries = boundaryOf;
-  std::sort(boundaries.begin(), boundaries.end(), Before);
-  boundaries.erase(std::unique(boundaries.begin(), boundaries.end()), boundaries.end());
-  std::vector<std::uint32_t> patchOf;
-  patchOf.reserve(boundaryOf.size());
-  for (const vtkIdType boundary : boundaryOf)
+  cartesian::FoamPiece piece = cartesian::foamPiece(grid, execution);
+  if (!piece.mesh.zones.empty() && regionsAs == vtkPolyMeshWriter::Meshes)
   {
-    patchOf.push_back(static_cast<std::uint32_t>(
-      std::lower_bound(boundaries.begin(), boundaries.end(), boundary, Before) -
-      boundaries.begin()));
+    throw cartesian::Error(cartesian::Fault::BadParameter,
+      "A decomposed case has one mesh for all regions: set Regions As to Zones.");
   }
-  const std::vector<std::size_t> counts = cartesian::sortByPatch(list, patchOf, boundaries.size());
-  const std::vector<std::string> names = PatchNames(grid, boundaries);
-  std::map<vtkIdType, std::string> types = cartesian::readBoundaryTexts(grid, "BoundaryTypes");
-  std::vector<cartesian::FoamPatch> patches;
-  patches.reserve(names.size());
-  for (std::size_t i = 0; i < names.size(); ++i)
-  {
-    patches.push_back({ names[i], counts[i], types[boundaries[i]] });
-  }
-  return patches;
+  return piece;
 }
 
-// Those regions that have cells; none, if all cells are of one.
-cartesian::FoamRegions RegionsOf(vtkUnstructuredGrid* grid, const cartesian::GridFaces& faces)
+// Writes a piece beside what is there.
+cartesian::PolyMeshFiles WriteBeside(cartesian::FoamPiece&& piece, std::size_t number,
+  const std::vector<cartesian::FaceNumbers>& numbersOfAll, vtkUnstructuredGrid* grid,
+  const std::filesystem::path& folder, cartesian::FoamFormat format)
 {
-  auto* names = vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray("RegionNames"));
-  auto* regions = vtkIntArray::SafeDownCast(grid->GetCellData()->GetArray("Region"));
-  std::map<int, std::uint32_t> number;
-  for (std::size_t cell = 0; names && regions && cell < faces.cellOf.size(); ++cell)
+  const cartesian::FaceNumbers& numbers = numbersOfAll[number];
+  std::vector<vtkIdType> boundaries;
+  std::vector<std::size_t> counts;
+  for (const cartesian::FaceNumbers::Boundary& boundary : numbers.boundaries)
   {
-    number[regions->GetValue(faces.cellOf[cell])] = 0;
+    boundaries.push_back(boundary.boundary);
+    counts.push_back(boundary.count);
   }
-  if (number.size() < 2 || number.begin()->first < 1 ||
-    number.rbegin()->first > names->GetNumberOfValues())
-  {
-    return {};
-  }
-  cartesian::FoamRegions result;
-  std::set<std::string> taken;
-  for (auto& [region, index] : number)
-  {
-    index = static_cast<std::uint32_t>(result.names.size());
-    result.names.push_back(TakeWord(names->GetValue(region - 1), region, taken));
-  }
-  for (const vtkIdType cell : faces.cellOf)
-  {
-    result.ofCell.push_back(number[regions->GetValue(cell)]);
-  }
-  return result;
-}
-
-std::vector<cartesian::FoamZone> ZonesOf(const cartesian::FoamRegions& regions)
-{
-  std::vector<cartesian::FoamZone> zones;
-  for (const std::string& name : regions.names)
-  {
-    zones.push_back({ name, {} });
-  }
-  for (std::uint32_t cell = 0; cell < regions.ofCell.size(); ++cell)
-  {
-    zones[regions.ofCell[cell]].cells.push_back(cell);
-  }
-  return zones;
+  cartesian::PolyMeshFiles files(
+    folder, format, { static_cast<int>(number), static_cast<int>(numbersOfAll.size()) });
+  files.write(cartesian::completed(
+    std::move(piece), number, numbers, cartesian::patchesOf(grid, boundaries, counts)));
+  return files;
 }
 
 }
+
+vtkPolyMeshWriter::vtkPolyMeshWriter() = default;
 
 vtkPolyMeshWriter::~vtkPolyMeshWriter()
 {
@@ -151,16 +119,29 @@ int vtkPolyMeshWriter::FillInputPortInformation(int, vtkInformation* info)
 vtkTypeBool vtkPolyMeshWriter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
-  if (processes && request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
+  const bool isAlone = CountProcesses() == 1;
+  if (request->Has(Pipeline::REQUEST_UPDATE_EXTENT()) && (processes || this->Pieces > 1))
   {
     vtkInformation* info = input[0]->GetInformationObject(0);
-    info->Set(
-      vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), processes->GetLocalProcessId());
-    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(),
-      processes->GetNumberOfProcesses());
+    const int next = this->SoFar ? static_cast<int>(this->SoFar->pieces.size()) : 0;
+    info->Set(Pipeline::UPDATE_PIECE_NUMBER(), isAlone ? next : processes->GetLocalProcessId());
+    info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), isAlone ? this->Pieces : CountProcesses());
   }
-  return this->Superclass::ProcessRequest(request, input, output);
+  const vtkTypeBool done = this->Superclass::ProcessRequest(request, input, output);
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) && isAlone && this->Pieces > 1)
+  {
+    if (this->SoFar)
+    {
+      request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
+    }
+    else
+    {
+      request->Remove(Pipeline::CONTINUE_EXECUTING());
+    }
+  }
+  return done;
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> vtkPolyMeshWriter::Gather()
@@ -188,25 +169,147 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkPolyMeshWriter::Gather()
   return cartesian::unitePieces(pieces);
 }
 
+template <class Action>
+void vtkPolyMeshWriter::Try(Action&& act)
+{
+  cartesian::reportErrors(act, [this](unsigned long code, const std::string& message) {
+    this->SetErrorCode(code);
+    vtkErrorMacro(<< message);
+    this->SoFar.reset();
+  });
+}
+
 void vtkPolyMeshWriter::WriteData()
 {
-  const auto write = [&] {
+  this->Try([&] {
+    const bool isNamed = this->FileName && *this->FileName;
+    auto* own = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
+    if (isNamed && this->Pieces > 1 && CountProcesses() > 1)
+    {
+      this->WriteOwnPiece(own);
+      return;
+    }
+    if (isNamed && this->Pieces > 1)
+    {
+      this->AddPiece(own, this->SoFar ? static_cast<int>(this->SoFar->pieces.size()) : 0);
+      return;
+    }
     const vtkSmartPointer<vtkUnstructuredGrid> grid = this->Gather();
     if (!grid)
     {
       return;
     }
-    if (!this->FileName || !*this->FileName)
+    if (!isNamed)
     {
       this->SetErrorCode(vtkErrorCode::NoFileNameError);
       vtkErrorMacro("There is no file name: set one, such as case.foam.");
       return;
     }
     this->WriteCase(grid);
-  };
-  cartesian::reportErrors(write, [this](unsigned long code, const std::string& message) {
-    this->SetErrorCode(code);
-    vtkErrorMacro(<< message);
+  });
+}
+
+void vtkPolyMeshWriter::WritePiece(vtkUnstructuredGrid* piece, int number)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->Try([&] { this->AddPiece(piece, number); });
+}
+
+void vtkPolyMeshWriter::CheckDecomposition(int processes)
+{
+  if (processes > 1 && this->Pieces != processes)
+  {
+    throw cartesian::Error(cartesian::Fault::BadParameter,
+      "Pieces is " + std::to_string(this->Pieces) + " on " + std::to_string(processes) +
+        " ranks, each of which writes one: set it to 1 or " + std::to_string(processes) + ".");
+  }
+  // OpenFOAM runs on as many processes as there are folders.
+  const auto next =
+    cartesian::folderOfProcess(std::filesystem::path(this->FileName).parent_path(), this->Pieces);
+  if (std::filesystem::exists(next))
+  {
+    throw cartesian::Error(cartesian::Fault::CannotWrite,
+      next.string() + " is there, of a case in more pieces than the " +
+        std::to_string(this->Pieces) + " to write: remove the old ones.");
+  }
+}
+
+void vtkPolyMeshWriter::AddPiece(vtkUnstructuredGrid* grid, int number)
+{
+  if (number == 0)
+  {
+    this->CheckDecomposition(1);
+    this->SoFar = std::make_unique<PiecesSoFar>();
+  }
+  if (!this->SoFar || this->SoFar->pieces.size() != static_cast<std::size_t>(number))
+  {
+    throw cartesian::Error(cartesian::Fault::BadParameter,
+      "Pieces are written in order from 0, and number " + std::to_string(number) +
+        " is not the next.");
+  }
+  std::filesystem::path file =
+    cartesian::folderOfProcess(std::filesystem::path(this->FileName).parent_path(), number);
+  file += ".unfinished";
+  cartesian::Execution execution(0);
+  const cartesian::FoamPiece piece = ReadPiece(grid, this->RegionsAs, execution);
+  this->SoFar->outlines.push_back(cartesian::outlineOf(piece));
+  this->SoFar->pieces.emplace_back(piece, file);
+  this->UpdateProgress(static_cast<double>(number + 1) / (this->Pieces + 1));
+  if (number + 1 == this->Pieces)
+  {
+    this->FinishPieces(grid);
+    this->SoFar.reset();
+  }
+}
+
+void vtkPolyMeshWriter::FinishPieces(vtkUnstructuredGrid* grid)
+{
+  const std::filesystem::path file = this->FileName;
+  const auto numbers = cartesian::numberFaces(this->SoFar->outlines);
+  std::vector<cartesian::PolyMeshFiles> written;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    written.push_back(WriteBeside(this->SoFar->pieces[i].load(), i, numbers, grid,
+      file.parent_path(), FormatOf(this->FileType)));
+  }
+  for (cartesian::PolyMeshFiles& files : written)
+  {
+    this->WarnOfKept(files.replace());
+  }
+  cartesian::createMarker(file);
+}
+
+void vtkPolyMeshWriter::WriteOwnPiece(vtkUnstructuredGrid* grid)
+{
+  const int count = CountProcesses();
+  const cartesian::Processes processes(
+    vtkMultiProcessController::GetGlobalController()->GetLocalProcessId(), count);
+  const std::filesystem::path file = this->FileName;
+  cartesian::Execution execution(0);
+  cartesian::FoamPiece piece;
+  OnAll(processes, [&] {
+    this->CheckDecomposition(count);
+    piece = ReadPiece(grid, this->RegionsAs, execution);
+  });
+  this->UpdateProgress(0.4);
+  std::vector<cartesian::FoamOutline> outlines;
+  for (const auto& numbers : processes.gather(cartesian::outlineOf(piece).toNumbers()))
+  {
+    outlines.push_back(cartesian::FoamOutline::fromNumbers(numbers));
+  }
+  const auto numbers = cartesian::numberFaces(outlines);
+  this->UpdateProgress(0.5);
+  std::optional<cartesian::PolyMeshFiles> files;
+  OnAll(processes, [&] {
+    files = WriteBeside(std::move(piece), processes.ownNumber(), numbers, grid, file.parent_path(),
+      FormatOf(this->FileType));
+  });
+  OnAll(processes, [&] {
+    this->WarnOfKept(files->replace());
+    if (processes.ownNumber() == 0)
+    {
+      cartesian::createMarker(file);
+    }
   });
 }
 
@@ -224,7 +327,8 @@ void vtkPolyMeshWriter::WriteCase(vtkUnstructuredGrid* grid)
   std::vector<cartesian::FoamPatch> patches;
   if (known == cartesian::BoundaryKnowledge::All)
   {
-    patches = SortPatches(grid, boundaryOf, list);
+    const auto [boundaries, counts] = cartesian::sortByBoundary(boundaryOf, list);
+    patches = cartesian::patchesOf(grid, boundaries, counts);
   }
   else if (!boundaryOf.empty())
   {
@@ -239,14 +343,14 @@ void vtkPolyMeshWriter::WriteCase(vtkUnstructuredGrid* grid)
   this->UpdateProgress(0.5);
 
   const std::filesystem::path file = this->FileName;
-  cartesian::PolyMeshFiles files(file.parent_path(),
-    this->FileType == VTK_ASCII ? cartesian::FoamFormat::Ascii : cartesian::FoamFormat::Binary);
-  const cartesian::FoamRegions regions = RegionsOf(grid, faces);
+  cartesian::PolyMeshFiles files(file.parent_path(), FormatOf(this->FileType));
+  const cartesian::FoamRegions regions =
+    cartesian::regionsOf(grid, faces, cartesian::RegionsAsked::WithCells);
   cartesian::FoamMesh mesh =
     cartesian::foamMesh(std::move(faces.points), faces.cells, list, std::move(patches));
   if (regions.names.empty() || this->RegionsAs == Zones)
   {
-    mesh.zones = ZonesOf(regions);
+    mesh.zones = cartesian::zonesOf(regions);
     files.write(mesh);
   }
   else
@@ -256,12 +360,17 @@ void vtkPolyMeshWriter::WriteCase(vtkUnstructuredGrid* grid)
       files.write(cartesian::meshOfRegion(mesh, regions, region), regions.names[region]);
     }
   }
-  for (const std::filesystem::path& kept : files.replace())
+  this->WarnOfKept(files.replace());
+  cartesian::createMarker(file);
+}
+
+void vtkPolyMeshWriter::WarnOfKept(const std::vector<std::filesystem::path>& kept)
+{
+  for (const std::filesystem::path& path : kept)
   {
     vtkWarningMacro(
-      "What was in the case and does not belong to the new mesh is now in " << kept.string());
+      "What was in the case and does not belong to the new mesh is now in " << path.string());
   }
-  cartesian::createMarker(file);
 }
 
 void vtkPolyMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
@@ -270,4 +379,5 @@ void vtkPolyMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "FileType: " << this->FileType << "\n";
   os << indent << "RegionsAs: " << this->RegionsAs << "\n";
+  os << indent << "Pieces: " << this->Pieces << "\n";
 }

@@ -28,6 +28,12 @@
  * On several processes the first gathers the pieces and writes them; points of the same coordinates
  * are then one.
  *
+ * With several `Pieces`, the case is decomposed, as decomposePar would make it of that mesh: each piece is in
+ * processor<N>/constant/polyMesh, with processor patches and the addressing files, which number the mesh that is
+ * written otherwise. Several processes write a piece each; a single one asks its input for one piece
+ * after the other, and has no more than one in memory. The input has the global ids of vtkCartesianMesher, and
+ * of several regions each is a cellZone.
+ *
  * Errors (GetErrorCode): vtkErrorCode::NoFileNameError; BadMesh, CannotWrite, OutOfMemory of
  * vtkCartesianAlgorithm. Then an existing mesh is as it was before.
  *
@@ -39,6 +45,10 @@
 #include "vtkCartesianMesherFiltersModule.h" // for the export macro
 #include "vtkSmartPointer.h"                 // for vtkSmartPointer
 #include "vtkWriter.h"
+
+#include <filesystem> // for names of files
+#include <memory>     // for unique_ptr
+#include <vector>     // for lists of files
 
 class vtkMultiProcessController;
 class vtkUnstructuredGrid;
@@ -83,8 +93,23 @@ public:
   vtkGetMacro(RegionsAs, int);
   ///@}
 
+  ///@{
+  /**
+   * Of how many pieces the case is: 1, the default, for a mesh that is whole. On several processes, else as many
+   * as these.
+   */
+  vtkSetClampMacro(Pieces, int, 1, VTK_INT_MAX);
+  vtkGetMacro(Pieces, int);
+  ///@}
+
+  /**
+   * Writes piece `number` of `Pieces`, in order from 0; the case is there after the last. For callers that make
+   * the pieces themselves, on one process.
+   */
+  void WritePiece(vtkUnstructuredGrid* piece, int number);
+
 protected:
-  vtkPolyMeshWriter() = default;
+  vtkPolyMeshWriter();
   ~vtkPolyMeshWriter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
@@ -95,6 +120,7 @@ protected:
   char* FileName = nullptr;
   int FileType = VTK_BINARY;
   int RegionsAs = Meshes;
+  int Pieces = 1;
 
 private:
   vtkPolyMeshWriter(const vtkPolyMeshWriter&) = delete;
@@ -106,6 +132,25 @@ private:
   vtkSmartPointer<vtkUnstructuredGrid> Gather();
 
   void WriteCase(vtkUnstructuredGrid* grid);
+
+  /**
+   * Of a decomposed case: the piece of this process, or piece `number` of its only process.
+   */
+  void WriteOwnPiece(vtkUnstructuredGrid* grid);
+  void AddPiece(vtkUnstructuredGrid* grid, int number);
+  void FinishPieces(vtkUnstructuredGrid* grid);
+
+  /**
+   * Runs the action; what it throws becomes the error code.
+   */
+  template <class Action>
+  void Try(Action&& act);
+
+  void CheckDecomposition(int processes);
+  void WarnOfKept(const std::vector<std::filesystem::path>& kept);
+
+  struct PiecesSoFar;
+  std::unique_ptr<PiecesSoFar> SoFar;
 };
 
 #endif

@@ -23,10 +23,12 @@
  * 10 hole narrower than a box, closed in the mesh (line around it)
  * 11 leak: a hole as wide as a box or wider, closed by a lid of boundary -1 (line around it)
  * 12 closed contact, of vtkCartesianMesher alone: a wall that became that of another region (triangle)
+ * 13 cell left out, of vtkCartesianMesher alone: solvers would refuse it, or the grid cuts it off from the rest (the six
+ *    sides of its box; Volume is the cell's)
  *
  * Field data: their numbers OpenEdges, NonManifoldEdges, InconsistentEdges, DegenerateTriangles,
  * DuplicateTriangles, FoldedTriangles, OverlappedTriangles, Intersections, TrianglesOfSmallComponents,
- * Holes, Leaks, TrianglesOfClosedContacts; Components (pieces without a common vertex); TrianglesNotCompared (with more than
+ * Holes, Leaks, TrianglesOfClosedContacts, CellsLeftOut; Components (pieces without a common vertex); TrianglesNotCompared (with more than
  * 512 larger ones nearby; 64 in surfaces of half a million). Of each kind the first million is listed.
  *
  * Errors: EmptySurface, BadCoordinate, BadCellSize, BadMeshlines, TooManyBoxes.

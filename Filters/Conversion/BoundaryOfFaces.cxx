@@ -4,9 +4,9 @@
 #include "Cells/Cells.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
@@ -99,13 +99,13 @@ std::vector<BoundaryFaceRow> listRows(
   execution.forEach(rows.size(), FacesAChunk, [&](std::size_t begin, std::size_t end) {
     CellFaceReader reader(mesh);
     std::vector<vtkIdType> corners;
-    vtkNew<vtkIdList> scratch;
+    auto polygon = vtk::TakeSmartPointer(polygons->NewIterator());
     for (std::size_t r = begin; r < end; ++r)
     {
       const auto face = static_cast<vtkIdType>(r);
       vtkIdType count = 0;
       const vtkIdType* points = nullptr;
-      polygons->GetCellAtId(face, count, points, scratch);
+      polygon->GetCellAtId(face, count, points);
       corners.resize(static_cast<std::size_t>(count));
       std::transform(points, points + count, corners.begin(),
         [&](vtkIdType point) { return meshPoint->GetValue(point); });

@@ -3,6 +3,8 @@
 
 #include "FieldData.h"
 
+#include "Boxes/Sides.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -13,6 +15,7 @@
 #include "vtkPolyData.h"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace cartesian
@@ -36,6 +39,8 @@ constexpr std::array<std::pair<DefectKind, const char*>, 12> CountNames = { {
   { DefectKind::ClosedContact, "TrianglesOfClosedContacts" },
 } };
 
+constexpr const char* CellsLeftOut = "CellsLeftOut";
+
 class DefectWriter
 {
 public:
@@ -47,6 +52,7 @@ public:
     cell_->SetName("SurfaceCell");
     other_->SetName("OtherCell");
     width_->SetName("Width");
+    volume_->SetName("Volume");
   }
 
   void write(vtkPolyData* output)
@@ -69,6 +75,7 @@ public:
     output->GetCellData()->AddArray(cell_);
     output->GetCellData()->AddArray(other_);
     output->GetCellData()->AddArray(width_);
+    output->GetCellData()->AddArray(volume_);
   }
 
 private:
@@ -91,6 +98,7 @@ private:
         cell_->InsertNextValue(swaps ? other : cell);
         other_->InsertNextValue(swaps ? cell : other);
         width_->InsertNextValue(defect.width);
+        volume_->InsertNextValue(0);
       }
       point += defect.size;
     }
@@ -107,6 +115,56 @@ private:
   vtkNew<vtkIdTypeArray> cell_;
   vtkNew<vtkIdTypeArray> other_;
   vtkNew<vtkDoubleArray> width_;
+  vtkNew<vtkDoubleArray> volume_;
+};
+
+// To defects that are there.
+class CellAdder
+{
+public:
+  CellAdder(const Boxes& boxes, vtkPolyData* output)
+    : boxes_(boxes)
+    , points_(output->GetPoints())
+    , polygons_(output->GetPolys())
+    , data_(output->GetCellData())
+  {
+  }
+
+  void add(const RemovedCell& cell)
+  {
+    const Box box = boxes_.box(cell.box);
+    const vtkIdType first = points_->GetNumberOfPoints();
+    for (unsigned corner = 0; corner < 8; ++corner)
+    {
+      const auto at = [&](int axis) {
+        const Point& end = (corner >> axis & 1u) != 0 ? box.high : box.low;
+        return boxes_.lattice.position(axis, end[static_cast<std::size_t>(axis)]);
+      };
+      points_->InsertNextPoint(at(0), at(1), at(2));
+    }
+    const double volume = cell.volume * std::pow(boxes_.lattice.step(), 3);
+    for (int side = 0; side < 6; ++side)
+    {
+      polygons_->InsertNextCell(4);
+      for (const unsigned corner : sideCorners(side / 2, static_cast<unsigned>(side % 2)))
+      {
+        polygons_->InsertCellPoint(first + static_cast<vtkIdType>(corner));
+      }
+      append("DefectKind", static_cast<int>(DefectKind::CellLeftOut));
+      append("SurfaceCell", -1);
+      append("OtherCell", -1);
+      append("Width", 0);
+      append("Volume", volume);
+    }
+  }
+
+private:
+  void append(const char* array, double value) { data_->GetArray(array)->InsertNextTuple1(value); }
+
+  const Boxes& boxes_;
+  vtkPoints* points_;
+  vtkCellArray* polygons_;
+  vtkCellData* data_;
 };
 
 }
@@ -121,6 +179,29 @@ void toVTK(
   }
   setField(output, "Components", { static_cast<double>(defects.components) });
   setField(output, "TrianglesNotCompared", { static_cast<double>(defects.notCompared) });
+  setField(output, CellsLeftOut, { 0 }); // so far: addCellsLeftOut()
+}
+
+void addCellsLeftOut(const Assembly& assembly, vtkPolyData* output)
+{
+  const std::size_t count = assembly.shaping.refused.size() + assembly.fragments.size();
+  if (!output->GetCellData()->HasArray("DefectKind"))
+  {
+    if (count == 0)
+    {
+      return;
+    }
+    toVTK({}, {}, output);
+  }
+  CellAdder adder(assembly.boxes, output);
+  for (const auto* cells : { &assembly.shaping.refused, &assembly.fragments })
+  {
+    for (const RemovedCell& cell : *cells)
+    {
+      adder.add(cell);
+    }
+  }
+  setField(output, CellsLeftOut, { static_cast<double>(count) });
 }
 
 }

@@ -2,9 +2,11 @@
 // The defects of a surface as a vtkPolyData of lines and triangles.
 //
 // Cell arrays: DefectKind (int: SurfaceDefects.h, vtkSurfaceInspector.h), SurfaceCell and OtherCell (id
-// type: cells of the surface, or -1), Width (double: of closed contacts, else 0). Field data: one number for each count.
+// type: cells of the surface, or -1), Width (double: of closed contacts, else 0), Volume (double: of cells left out,
+// else 0). Field data: one number for each count.
 #pragma once
 
+#include "Mesher/Assembly.h"
 #include "Repair/SurfaceDefects.h"
 
 #include "vtkType.h"
@@ -17,5 +19,9 @@ namespace cartesian
 // `surfaceCells`: the cell of each triangle of the surface (SurfaceFromVTK).
 void toVTK(
   const SurfaceDefects& defects, const std::vector<vtkIdType>& surfaceCells, vtkPolyData* output);
+
+// Adds the cells that the mesh lacks, as solvers would refuse them or the grid has cut them off: the six sides of the
+// box of each, of kind CellLeftOut.
+void addCellsLeftOut(const Assembly& assembly, vtkPolyData* output);
 
 }

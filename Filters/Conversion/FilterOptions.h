@@ -11,6 +11,44 @@ namespace cartesian
 {
 
 template <class Filter>
+void setDomainOptions(Filter* filter, Options& options)
+{
+  DomainSpec& domain = options.domain;
+  domain.domain = static_cast<Domain>(filter->GetDomain());
+  domain.boxFrom = static_cast<BoxSource>(filter->GetBoxFrom());
+  domain.flow = static_cast<FlowDirection>(filter->GetFlowDirection());
+  domain.before = filter->GetLengthsBefore();
+  domain.behind = filter->GetLengthsBehind();
+  domain.beside = filter->GetLengthsBeside();
+  domain.ground = static_cast<DomainSide>(filter->GetGround());
+  domain.half = static_cast<Half>(filter->GetHalf());
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    domain.bounds.low[axis] = filter->GetDomainBounds()[2 * axis];
+    domain.bounds.high[axis] = filter->GetDomainBounds()[2 * axis + 1];
+  }
+}
+
+template <class Filter>
+void printDomainProperties(Filter* filter, ostream& os, vtkIndent indent)
+{
+  os << indent << "Domain: " << filter->GetDomain() << "\n";
+  os << indent << "BoxFrom: " << filter->GetBoxFrom() << "\n";
+  os << indent << "DomainBounds:";
+  for (int i = 0; i < 6; ++i)
+  {
+    os << " " << filter->GetDomainBounds()[i];
+  }
+  os << "\n";
+  os << indent << "FlowDirection: " << filter->GetFlowDirection() << "\n";
+  os << indent << "LengthsBefore: " << filter->GetLengthsBefore() << "\n";
+  os << indent << "LengthsBehind: " << filter->GetLengthsBehind() << "\n";
+  os << indent << "LengthsBeside: " << filter->GetLengthsBeside() << "\n";
+  os << indent << "Ground: " << filter->GetGround() << "\n";
+  os << indent << "Half: " << filter->GetHalf() << "\n";
+}
+
+template <class Filter>
 void setPatchOptions(Filter* filter, Options& options)
 {
   options.patches.method = static_cast<PatchMethod>(filter->GetPatchMethod());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GhostCells.h"
 
+#include "Base/Error.h"
 #include "Processes.h"
 
 #include "vtkBoundingBox.h"
@@ -8,7 +9,6 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkExtractCells.h"
-#include "vtkGhostCellsGenerator.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -16,6 +16,9 @@
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#if VTK_MODULE_ENABLE_VTK_FiltersParallelDIY2
+#include "vtkGhostCellsGenerator.h"
+#endif
 
 #include <algorithm>
 #include <array>
@@ -127,6 +130,7 @@ std::vector<vtkIdType> cellsNear(vtkUnstructuredGrid* mesh, const Processes& pro
   return cells;
 }
 
+#if VTK_MODULE_ENABLE_VTK_FiltersParallelDIY2
 vtkSmartPointer<vtkUnstructuredGrid> withGhosts(
   vtkUnstructuredGrid* mesh, const std::vector<vtkIdType>& cells, int levels)
 {
@@ -142,6 +146,14 @@ vtkSmartPointer<vtkUnstructuredGrid> withGhosts(
   generator->Update();
   return vtkUnstructuredGrid::SafeDownCast(generator->GetOutputDataObject(0));
 }
+#else
+vtkSmartPointer<vtkUnstructuredGrid> withGhosts(
+  vtkUnstructuredGrid*, const std::vector<vtkIdType>&, int)
+{
+  throw Error(Fault::BadParameter,
+    "This VTK has no module FiltersParallelDIY2, which finds ghost cells: ask for none.");
+}
+#endif
 
 vtkUnsignedCharArray* addGhostArray(vtkDataSetAttributes* attributes, vtkIdType size)
 {

@@ -5,6 +5,7 @@
 #include "BoundaryOfFaces.h"
 #include "PolyhedronStorage.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataSetAttributes.h"
@@ -19,6 +20,12 @@
 
 namespace cartesian
 {
+
+CellFaceReader::CellFaceReader(vtkUnstructuredGrid* grid)
+  : grid_(grid)
+  , points_(vtk::TakeSmartPointer(grid->GetCells()->NewIterator()))
+{
+}
 
 const vtkIdType* CellFaceReader::read(vtkIdType cell)
 {
@@ -37,7 +44,7 @@ const vtkIdType* CellFaceReader::readHexahedron(vtkIdType cell)
 {
   vtkIdType count = 0;
   const vtkIdType* points = nullptr;
-  grid_->GetCellPoints(cell, count, points, points_);
+  points_->GetCellAtId(cell, count, points);
   stream_->Reset();
   stream_->InsertNextId(6);
   for (int face = 0; face < 6; ++face)
@@ -177,7 +184,8 @@ void GridFaces::readPoints(vtkUnstructuredGrid* grid)
   {
     if (number[p] != 0)
     {
-      number[p] = static_cast<std::uint32_t>(points.size() / 3);
+      number[p] = static_cast<std::uint32_t>(pointOf.size());
+      pointOf.push_back(static_cast<vtkIdType>(p));
       points.resize(points.size() + 3);
       grid->GetPoint(static_cast<vtkIdType>(p), points.data() + points.size() - 3);
     }

@@ -4,9 +4,11 @@
 
 #include "Quality/FaceList.h"
 
+#include "vtkCellArrayIterator.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 class vtkUnstructuredGrid;
 
@@ -17,10 +19,7 @@ namespace cartesian
 class CellFaceReader
 {
 public:
-  explicit CellFaceReader(vtkUnstructuredGrid* grid)
-    : grid_(grid)
-  {
-  }
+  explicit CellFaceReader(vtkUnstructuredGrid* grid);
 
   // The number of faces, then for each its size and points; valid until the next call. Null if the
   // cell has no volume. Throws Error (BadMesh) if its edges are curved.
@@ -32,7 +31,7 @@ private:
 
   vtkUnstructuredGrid* grid_;
   vtkNew<vtkIdList> stream_;
-  vtkNew<vtkIdList> points_;
+  vtkSmartPointer<vtkCellArrayIterator> points_;
   vtkNew<vtkGenericCell> cell_;
 };
 
@@ -46,8 +45,9 @@ CellFaces facesOfCells(vtkUnstructuredGrid* grid);
 struct GridFaces
 {
   CellFaces cells;
-  std::vector<double> points;    // three coordinates each
-  std::vector<vtkIdType> cellOf; // number of each cell in the grid
+  std::vector<double> points;     // three coordinates each
+  std::vector<vtkIdType> cellOf;  // number of each cell in the grid
+  std::vector<vtkIdType> pointOf; // the same of each point
 
   // Throws Error (BadMesh): a cell with curved edges, nothing left, too many.
   explicit GridFaces(vtkUnstructuredGrid* grid);

@@ -7,6 +7,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -14,6 +15,8 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <cmath>
 
 namespace cartesian
 {
@@ -50,6 +53,7 @@ public:
     , boundary_(cellArray(input, "BoundaryId"))
     , box_(cellArray(input, "BoxId"))
     , reason_(cellArray(input, "PatchReason"))
+    , enclosed_(cellArray(input, "EnclosedVolume"))
   {
   }
 
@@ -71,7 +75,8 @@ public:
       polygon->GetCurrentCell(size, corners);
       readCorners(id, size, corners);
       patches_.boundary.push_back(static_cast<std::int32_t>(boundary_->GetComponent(id, 0)));
-      patches_.triangle.push_back(0); // unknown here; cells do not need it
+      patches_.triangle.push_back(static_cast<std::uint32_t>(id)); // what is known of the surface's
+      patches_.enclosed.push_back(static_cast<float>(enclosed_->GetComponent(id, 0) / cubicStep_));
     }
     patches_.start.push_back(patches_.corners.size());
     scan(patches_.boxStart);
@@ -138,6 +143,8 @@ private:
   vtkDataArray* boundary_;
   vtkDataArray* box_;
   vtkDataArray* reason_;
+  vtkDataArray* enclosed_; // cubic user units
+  const double cubicStep_ = std::pow(boxes_.lattice.step(), 3);
   std::vector<std::uint32_t> intersected_;
   std::size_t n_ = 0; // the intersected box at hand
   Patches patches_;
@@ -179,6 +186,15 @@ void toVTK(const Patches& patches, const Boxes& boxes, const std::vector<vtkIdTy
   {
     cell->SetValue(i, surfaceCells[patches.triangle[static_cast<std::size_t>(i)]]);
   }
+  vtkNew<vtkDoubleArray> enclosed;
+  enclosed->SetName("EnclosedVolume");
+  enclosed->SetNumberOfValues(count);
+  const double cubicStep = std::pow(boxes.lattice.step(), 3);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    enclosed->SetValue(
+      i, patches.enclosed[patches.triangle[static_cast<std::size_t>(i)]] * cubicStep);
+  }
   vtkNew<vtkIdTypeArray> box;
   box->SetName("BoxId");
   box->SetNumberOfValues(count);
@@ -202,6 +218,7 @@ void toVTK(const Patches& patches, const Boxes& boxes, const std::vector<vtkIdTy
   output->GetCellData()->AddArray(box);
   output->GetCellData()->AddArray(cell);
   output->GetCellData()->AddArray(reason);
+  output->GetCellData()->AddArray(enclosed);
 }
 
 Patches patchesFromVTK(vtkPolyData* input, const Boxes& boxes)

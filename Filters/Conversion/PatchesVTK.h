@@ -3,7 +3,8 @@
 //
 // Cell arrays: BoundaryId (int), BoxId (id type: the box's cell in the grid of boxes), SurfaceCell (id
 // type: the cell of the surface that the patch is part of), PatchReason (unsigned char: why its box has these
-// patches; the codes of PatchReason in PatchChoice.h). Field data: FeatureAngle (double: from which angle
+// patches; the codes of PatchReason in PatchChoice.h), EnclosedVolume (double, cubic user units: of the
+// connected piece of surface that it comes from). Field data: FeatureAngle (double: from which angle
 // on an edge was a sharp feature).
 #pragma once
 

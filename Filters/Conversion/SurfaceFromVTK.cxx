@@ -395,6 +395,19 @@ void SurfaceFromVTK::readRegions(vtkPolyData* block, const std::string& name)
   }
 }
 
+void SurfaceFromVTK::addSides()
+{
+  std::int32_t next = names_.empty() ? 0 : std::max(0, names_.rbegin()->first + 1);
+  std::size_t side = 0;
+  for (const char* name : { "xMin", "xMax", "yMin", "yMax", "zMin", "zMax" })
+  {
+    const auto same = std::find_if(
+      names_.begin(), names_.end(), [&](const auto& named) { return named.second == name; });
+    sides_[side] = same == names_.end() ? next++ : same->first;
+    names_.emplace(sides_[side++], name);
+  }
+}
+
 std::int32_t SurfaceFromVTK::numberOf(const std::string& given)
 {
   const std::string name = toUtf8(given);

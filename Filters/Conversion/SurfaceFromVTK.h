@@ -58,6 +58,11 @@ public:
   // The names of all boundaries that triangles have: from strings, blocks, or the input's field data.
   const BoundaryNames& names() const { return names_; }
 
+  // Makes the sides of a box around the surface boundaries too: xMin, xMax, yMin, ... Those of the surface with
+  // these names go on there.
+  void addSides();
+  const EndBoundaries& sides() const { return sides_; }
+
   // In order; empty if there is one.
   const std::vector<std::string>& regionNames() const { return regionNames_; }
 
@@ -79,6 +84,7 @@ private:
   std::vector<std::int32_t> boundary_;
   std::vector<vtkIdType> undivided_; // polygons
   BoundaryNames names_;
+  EndBoundaries sides_ = NoEnds;
   std::vector<std::int32_t> region_;
   std::vector<std::string> regionNames_;
   std::map<std::string, std::int32_t> numbers_; // of boundaries that are only given by name

@@ -178,7 +178,7 @@ def write(mesher, task):
                     data = mesher.SMProxy.GetClientSideObject().GetOutputDataObject(port)
                     writing.write_whole(data, port, file)
                 else:
-                    writing.save(mesher, port, file)
+                    writing.save(mesher, port, file, task.pieces)
 
 
 def write_pieces(listener, task, pieces):
@@ -189,7 +189,9 @@ def write_pieces(listener, task, pieces):
         for port, kind in enumerate(KINDS):
             for file in getattr(task, kind):
                 stack.enter_context(outputs_of(task, kind, file))
-                outputs.append((port, kind, stack.enter_context(writing.replacing_pieces(file))))
+                opened = writing.case_pieces(file, pieces) if file.suffix == writing.CASE \
+                    else writing.replacing_pieces(file)
+                outputs.append((port, kind, stack.enter_context(opened)))
         for piece in range(pieces):
             make_piece(listener.algorithm, piece, pieces)
             if listener.errors or listener.interrupted:
@@ -218,13 +220,31 @@ def make_piece(algorithm, piece, pieces):
 
 
 def pieces_needed(mesher, task):
-    """In how many pieces to make the mesh, one after the other, to keep to the memory limit."""
-    alone = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses() == 1
+    """In how many pieces to make the mesh, one after the other: those of the case, or to keep to the memory
+    limit."""
+    ranks = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
+    if task.pieces > 1:
+        return decomposed_pieces(task, ranks)
+    alone = ranks == 1
     takes_pieces = [file.suffix in writing.PIECE_WRITERS[port] for port, kind in enumerate(KINDS)
         for file in getattr(task, kind)]
     if not alone or not takes_pieces or not all(takes_pieces):
         return 1
     return mesher.SMProxy.GetClientSideObject().EstimateNumberOfPieces()
+
+
+def decomposed_pieces(task, ranks):
+    """How many this rank makes of a case that the task wants in pieces."""
+    if ranks > 1 and ranks != task.pieces:
+        raise task.error(("output", "pieces"), f"{task.pieces} on {ranks} ranks, each of which writes one: "
+            f"set it to 1 or {ranks}")
+    for port, kind in enumerate(KINDS):
+        suffixes = [*writing.PIECE_WRITERS[port], *([writing.CASE] if port == 0 else [])]
+        for file in getattr(task, kind):
+            if file.suffix not in suffixes:
+                raise task.error(("output", kind), f"{file} cannot be written in pieces" +
+                    (f", only {' and '.join(suffixes)}" if suffixes else ""))
+    return task.pieces if ranks == 1 else 1
 
 
 def field_arrays(algorithm):

@@ -23,6 +23,7 @@
 
     [output]                   # all optional; files are next to the task file
     mesh = ["header.vtu", "case/header.foam"]
+    pieces = 1                 # of the case: more for a decomposed one; on several ranks as many as these
     boundary = "header.vtp"
     defects = "defects.vtp"    # of the surface; of all of it, so not of a mesh in pieces
     statistics = "header.json"
@@ -67,6 +68,7 @@ class Task:
     boundary: list
     defects: list
     statistics: list
+    pieces: int
     reader: object  # knows lines
 
     def error(self, where, what):
@@ -215,9 +217,12 @@ class _Reader:
 
 
 def outputs(reader, content, inputs):
-    """Files to write, by kind: none twice, and none that is read."""
+    """Files to write, by kind, none twice and none that is read; and in how many pieces."""
     kinds = ("mesh", "boundary", "defects", "statistics")
-    reader.table(content, ("output",), set(kinds))
+    reader.table(content, ("output",), {*kinds, "pieces"})
+    pieces = content.get("pieces", 1)
+    if type(pieces) is not int or pieces < 1:
+        reader.fail(("output", "pieces"), f"{shown(pieces)} is no whole number above 0")
     files = {kind: reader.files(content.get(kind, []), ("output", kind), exist=False) for kind in kinds}
     taken = {file.resolve(): "is read by the task" for file in inputs}
     for kind in kinds:
@@ -225,7 +230,7 @@ def outputs(reader, content, inputs):
             if file.resolve() in taken:
                 reader.fail(("output", kind), f"{file} {taken[file.resolve()]}: choose another name")
             taken[file.resolve()] = "is written already"
-    return files
+    return files | {"pieces": pieces}
 
 
 def read_task(path):

@@ -27,6 +27,7 @@ OUTPUT = """
 # What to write; each a file or a list of them.
 [output]
 # mesh = ["mesh.vtu", "case/case.foam"]
+# pieces = 1               # of the case: more for a decomposed one; on several ranks as many as these
 # boundary = "boundary.vtp"
 # defects = "defects.vtp"
 # statistics = "statistics.json\""""

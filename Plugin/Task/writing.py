@@ -6,6 +6,7 @@ import contextlib
 import os
 import shutil
 
+from cartesianmesher.vtkCartesianMesherFilters import vtkPolyMeshWriter
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import vtkOutputWindow
 from vtkmodules.vtkCommonMisc import vtkErrorCode
@@ -100,6 +101,16 @@ def replacing_pieces(file):
         shutil.rmtree(folders[1], ignore_errors=True)
 
 
+@contextlib.contextmanager
+def case_pieces(file, pieces):
+    """The writer of a decomposed case, which takes one piece after the other and keeps them until the last."""
+    writer = vtkPolyMeshWriter()
+    writer.SetFileName(str(file.absolute()))
+    writer.SetPieces(pieces)
+    writer.SetRegionsAs(writer.Zones)
+    yield writer
+
+
 def write_text(file, text):
     with replacing(file) as new:
         new.write_text(text, encoding="utf-8")
@@ -117,7 +128,11 @@ def write_whole(data, port, file):
 
 
 def write_piece(data, port, file, piece, pieces):
-    """Of several files, and the one that names them all."""
+    """Of several files, and the one that names them all; or of a case, by its writer."""
+    if isinstance(file, vtkPolyMeshWriter):
+        with failures():
+            file.WritePiece(data, piece)
+        return
     writer = PIECE_WRITERS[port][file.suffix]()
     writer.SetFileName(str(file))
     writer.SetDataModeToBinary()
@@ -142,19 +157,20 @@ def run(writer):
         raise NotWritten(f"could not be written: {vtkErrorCode.GetStringFromErrorCode(code)}") from None
 
 
-def save(mesher, port, file):
-    """By the writer that ParaView has for such files."""
+def save(mesher, port, file, pieces):
+    """By the writer that ParaView has for such files; a case in pieces."""
     if file.suffix == CASE:
         with failures():
-            save_as(mesher, port, file.absolute())
+            save_as(mesher, port, file.absolute(),
+                **{"Pieces": pieces, "RegionsAs": "Zones"} if pieces > 1 else {})
         return
     replace = replacing_pieces if file.suffix in PIECE_WRITERS[port] else replacing
     with replace(file) as new:
         save_as(mesher, port, new)
 
 
-def save_as(mesher, port, file):
+def save_as(mesher, port, file, **properties):
     try:
-        simple.SaveData(str(file), proxy=servermanager.OutputPort(mesher, port))
+        simple.SaveData(str(file), proxy=servermanager.OutputPort(mesher, port), **properties)
     except AttributeError:  # that is how ParaView says that it has no writer
         raise NotWritten(f"ParaView has no writer for {file.suffix or 'no extension'}") from None

@@ -7,7 +7,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from pipeline import (Messages, assert_identical, error_code, merged, octahedron, output, polydata,
                       producer, read)
 
-OPEN_EDGE, DUPLICATE, OVERLAP, INTERSECTION, HOLE, LEAK = 1, 5, 7, 8, 10, 11
+OPEN_EDGE, DUPLICATE, OVERLAP, INTERSECTION, HOLE, LEAK, LEFT_OUT = 1, 5, 7, 8, 10, 11, 13
 
 
 def cell_array(data, name):
@@ -79,3 +79,18 @@ with Messages():
     wing = output(simple.SurfaceInspector(Input=read("HD_airframe_aileron_gap.stl")))
 assert count(wing, "OpenEdges") == 8 and count(wing, "Intersections") == 1880
 assert count(wing, "Holes") + count(wing, "Leaks") == 2
+
+# What a mesh of it lacks: a box for each cell that is left out.
+with Messages():
+    mesher = simple.CartesianMesher(Input=read("HD_airframe_aileron_gap.stl"), CellSize=327)
+    mesher.UpdatePipeline()
+mesh, defects = (mesher.GetClientSideObject().GetOutputDataObject(port) for port in (0, 2))
+left_out = count(defects, "CellsLeftOut")
+assert left_out == count(mesh, "RefusedCellsRemoved") + count(mesh, "FragmentCellsRemoved") > 0
+kinds, volumes = cell_array(defects, "DefectKind"), cell_array(defects, "Volume")
+assert (kinds == LEFT_OUT).sum() == 6 * left_out
+assert ((volumes > 0) == (kinds == LEFT_OUT)).all() and volumes.max() < 327 ** 3
+assert defects.GetNumberOfCells() == len(kinds)
+for side in np.flatnonzero(kinds == LEFT_OUT):
+    extent = np.ptp(places(defects, int(side)), axis=0)
+    assert sorted(np.round(extent / 327)) == [0, 1, 1], extent

@@ -16,6 +16,9 @@ threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}
 pieces = {"InPieces": 1}
 regions = {"RegionsFrom": "One", "RegionArray": "", "ContactTolerance": 0.0}
+domain = {"Domain": "Inside", "BoxFrom": "Surface", "DomainBounds": [0, 1, 0, 1, 0, 1],
+          "FlowDirection": "Plus X", "LengthsBefore": 3, "LengthsBehind": 5, "LengthsBeside": 3,
+          "Ground": "None", "Half": "None"}
 
 surface = simple.Sphere()
 cube = simple.Box()
@@ -35,7 +38,7 @@ expected = {
     assembler: ("Cell Assembler", ["Input", "Patches"], cells | settings | threads),
     mesher: ("Cartesian Mesher", ["Input", "RefinementRegions"],
              boundaries | grid | refinement | patches | cells | settings | threads | memory
-             | pieces | regions),
+             | pieces | regions | domain),
     inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
     quality: ("Finite Volume Quality", ["Input"], threads),
     # A region is as large as its input at first.
@@ -69,5 +72,5 @@ for proxy, names in (
 
 writer = simple.CreateWriter("case.foam", mesher)
 assert writer.GetXMLLabel() == "OpenFOAM Mesh Writer", writer.GetXMLLabel()
-assert sorted(writer.ListProperties()) == ["FileName", "FileType", "Input", "RegionsAs"]
+assert sorted(writer.ListProperties()) == ["FileName", "FileType", "Input", "Pieces", "RegionsAs"]
 assert writer.FileType == "Binary" and writer.RegionsAs == "Meshes"

@@ -47,10 +47,12 @@ Outcome meshOne(const RandomTask& task)
 {
   try
   {
-    const Meshed meshed = meshOf(task.soup, task.options.grid, task.options);
+    Execution execution(task.options.threads);
+    const auto assembly = mesh(task.soup.view(), task.options, execution);
+    const MeshArrays arrays = arraysOf(*assembly->mesh, assembly->boxes, execution);
     // Whatever shapes cells, or moves their corners, may take them out of their boxes.
     const bool inBoxes = task.options.collapse.ratio == 0 && !shapesCells(task.options);
-    const auto valid = isValid(meshed.mesh, !inBoxes);
+    const auto valid = isValid(arrays, !inBoxes);
     if (!valid || !task.valid)
     {
       std::cerr << (task.valid ? valid.message() : "accepted what is out of range") << "\n";
@@ -105,6 +107,7 @@ std::string faultOf(unsigned seed, std::array<int, 2>& counts)
     // More boxes take longer whatever is done to them.
     usual.options.grid = task.options.grid;
     usual.options.refinement = task.options.refinement;
+    usual.options.domain = task.options.domain;
   }
   const double usualSeconds = run(MostSeconds, [&] { return meshOne(usual); }).seconds;
   const double allowed = LongestOfDefault * std::max(LeastSeconds, usualSeconds);

@@ -153,12 +153,42 @@ void drawCells(TestOptions& options, Draw& draw)
   options.shaping.refusedCellRatio = draw.of({ 0, 1, 4, 100 });
 }
 
+// The surface in a box whose sides may cut it off.
+DomainSpec outside(const Soup& soup, Draw& draw)
+{
+  DomainSpec spec;
+  spec.domain = Domain::Outside;
+  spec.boxFrom = static_cast<BoxSource>(draw.below(2));
+  spec.flow = static_cast<FlowDirection>(draw.below(6));
+  for (double* lengths : { &spec.before, &spec.behind, &spec.beside })
+  {
+    *lengths = draw.of({ 0, 0.1, 0.5 });
+  }
+  spec.ground = static_cast<DomainSide>(draw.below(7));
+  spec.half = static_cast<Half>(draw.below(4));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double size = soup.longest();
+    spec.bounds.low[axis] = soup.low()[axis] + size * draw.of({ -0.5, 0, 0.3 });
+    spec.bounds.high[axis] = soup.high()[axis] + size * draw.of({ -0.3, 0, 0.5 });
+    spec.sides[2 * axis] = 1000;
+    spec.sides[2 * axis + 1] = 1001;
+  }
+  return spec;
+}
+
 // All lengths.
 void scale(RandomTask& task, double by)
 {
   task.soup = task.soup.scaled(by);
   GridSpec& grid = task.options.grid;
   grid.cellSize *= by;
+  Bounds& box = task.options.domain.bounds;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    box.low[axis] *= by;
+    box.high[axis] *= by;
+  }
   for (auto& lines : grid.meshlines)
   {
     for (double& line : lines)
@@ -198,6 +228,10 @@ RandomTask::RandomTask(unsigned seed)
     options.refinement = refinement(*this, draw);
     drawCells(options, draw);
   }
+  if (draw.once(4))
+  {
+    options.domain = outside(soup, draw);
+  }
   if (draw.once(10))
   {
     scale(*this, std::pow(10, draw.from(-160, 160)));
@@ -222,7 +256,8 @@ std::string describe(const RandomTask& task)
       text << " " << line;
     }
   }
-  text << ", depth " << o.refinement.depth << ", blocks " << o.refinement.blocks.size();
+  text << (o.domain.isOutside() ? ", outside" : "") << ", depth " << o.refinement.depth
+       << ", blocks " << o.refinement.blocks.size();
   for (const BoundaryRefinement& row : o.refinement.boundaries)
   {
     text << ", boundary " << row.boundary << " " << row.depth << " " << row.blendLayers << " "

@@ -35,6 +35,7 @@ public:
     boxes_.lattice = surface.lattice;
     boxes_.planes = planes;
     boxes_.core = core;
+    boxes_.ends = surface.ends;
   }
 
   // `kept`: the layers that stay once the boxes are balanced.

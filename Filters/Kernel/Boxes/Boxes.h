@@ -111,6 +111,7 @@ struct Boxes
   std::vector<std::uint32_t>
     units; // the box that contains each unit of divided global boxes, or None
   std::vector<CornerRegions> regions; // of each box; empty: one region
+  EndBoundaries ends = NoEnds;        // boundaries where the grid cuts the domain
 
   std::size_t row(std::size_t j, std::size_t k) const { return j + k * (planes[1].size() - 1); }
   const GlobalBox& globalOf(const PackedBox& box) const { return globals[box.global]; }

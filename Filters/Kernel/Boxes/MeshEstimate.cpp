@@ -128,7 +128,8 @@ MeshEstimate estimateMesh(const Surface& surface, const Meshlines& planes)
     all *= static_cast<double>(planes[axis].size() - 1);
     extent *= std::max(2.0, bounds.high[axis] - bounds.low[axis]) * surface.lattice.step();
   }
-  const double inside = all * std::min(1.0, std::abs(volumeOf(surface)) / extent);
+  const double inside =
+    surface.around.inside() ? all : all * std::min(1.0, std::abs(volumeOf(surface)) / extent);
   const auto triangles = static_cast<double>(surface.triangles.size());
   return { inside, intersected, piecesIn(intersected, triangles), triangles };
 }

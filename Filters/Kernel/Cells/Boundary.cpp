@@ -2,8 +2,11 @@
 #include "Cells/Boundary.h"
 
 #include "Base/Sorting.h"
+#include "Repair/NearbyTriangles.h"
 
 #include <algorithm>
+#include <functional>
+#include <limits>
 
 namespace cartesian
 {
@@ -16,6 +19,7 @@ struct OtherSide
 {
   std::uint32_t cell = None;          // number of the cell there, if it was not removed
   std::int32_t boundary = NoBoundary; // else the boundary that the face belongs to
+  std::uint32_t box = None;           // ... or the nearest in this box, if it has several
 };
 
 constexpr std::size_t ItemsAChunk = 4096;
@@ -71,6 +75,10 @@ public:
       [&](std::size_t c, Faces& faces) { addPatches(c, faces); });
     Faces all(patches.size() + exposed.size());
     std::merge(patches.begin(), patches.end(), exposed.begin(), exposed.end(), all.begin());
+    if (boxes.ends != NoEnds)
+    {
+      nameEnds(all, execution);
+    }
     return all;
   }
 
@@ -97,7 +105,8 @@ private:
   {
     if (cell != None)
     {
-      return { numbers_.ofCell[cell], parts_.cells.all[cell].boundary };
+      const Cell& there = parts_.cells.all[cell];
+      return { numbers_.ofCell[cell], there.boundary, there.box };
     }
     if (box == None)
     {
@@ -108,7 +117,62 @@ private:
     {
       return { numbers_.ofBox[box], NoBoundary };
     }
-    return { None, boundaryBeyond(parts_.patches, parts_.sides, box) };
+    return { None, boundaryBeyond(parts_.patches, parts_.sides, box), box };
+  }
+
+  // Of a face that what is gone exposes: of the patches in its box, the nearest one's.
+  std::int32_t boundaryOf(const OtherSide& gone, std::size_t face, BoundaryFace::Kind kind) const
+  {
+    const Patches& patches = parts_.patches;
+    const std::uint32_t n = parts_.sides.polyhedralOrdinal(gone.box);
+    const std::uint32_t of = n == None ? None : parts_.sides.patchBox[n];
+    const std::size_t first = of == None ? 0 : patches.boxStart[of];
+    const std::size_t end = of == None ? 0 : patches.boxStart[of + 1];
+    const auto ofBox = patches.boundary.begin();
+    if (std::adjacent_find(ofBox + std::ptrdiff_t(first), ofBox + std::ptrdiff_t(end),
+          std::not_equal_to<>()) == ofBox + std::ptrdiff_t(end))
+    {
+      return gone.boundary;
+    }
+    const Vector place = middleOf(face, kind);
+    std::pair<double, std::int32_t> nearest{ std::numeric_limits<double>::infinity(),
+      gone.boundary };
+    for (std::size_t p = first; p < end; ++p)
+    {
+      const double distance = distanceOf(p, place);
+      nearest = distance < nearest.first ? std::pair(distance, patches.boundary[p]) : nearest;
+    }
+    return nearest.second;
+  }
+
+  // The mean of its nodes, in levels.
+  Vector middleOf(std::size_t face, BoundaryFace::Kind kind) const
+  {
+    const bool isShaped =
+      kind == BoundaryFace::Kind::Shaped || kind == BoundaryFace::Kind::TurnedShaped;
+    Vector sum{};
+    double count = 0;
+    forEachNode(FaceOfCell(face, isShaped ? FaceOfCell::Kind::Shaped : FaceOfCell::Kind::Inner),
+      parts_.patches, parts_.inner, parts_.cells.shaped, [&](std::uint32_t node) {
+        sum = plus(sum, minus(parts_.nodes.at[node], Point{}));
+        ++count;
+      });
+    return scaled(sum, 1 / count);
+  }
+
+  // From a patch to a place.
+  double distanceOf(std::size_t patch, const Vector& place) const
+  {
+    const Patches& patches = parts_.patches;
+    const auto corner = [&](std::size_t i) { return patches.points[patches.corners[i]]; };
+    const std::size_t first = patches.start[patch];
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = first + 1; i + 1 < patches.start[patch + 1]; ++i)
+    {
+      const Corners triangle{ corner(first), corner(i), corner(i + 1) };
+      nearest = std::min(nearest, norm(minus(nearestPlace(triangle, place), place)));
+    }
+    return nearest;
   }
 
   void expose(const OtherSide& low, const OtherSide& high, std::size_t face,
@@ -117,11 +181,11 @@ private:
     const Walls& walls = parts_.patches.walls;
     if (CellNumbers::isHere(low.cell) && high.cell == None)
     {
-      faces.push_back({ low.cell, face, walls.boundary(high.boundary), kind });
+      faces.push_back({ low.cell, face, walls.boundary(boundaryOf(high, face, kind)), kind });
     }
     if (low.cell == None && CellNumbers::isHere(high.cell))
     {
-      faces.push_back({ high.cell, face, walls.boundary(low.boundary), turned });
+      faces.push_back({ high.cell, face, walls.boundary(boundaryOf(low, face, turned)), turned });
     }
   }
 
@@ -235,6 +299,47 @@ private:
       }
     }
     return true;
+  }
+
+  // Faces where the grid cuts the domain are known by their place: all that is there lies on the last plane.
+  void nameEnds(std::vector<BoundaryFace>& faces, Execution& execution) const
+  {
+    execution.forEach(faces.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f)
+      {
+        if (faces[f].boundary == NoBoundary)
+        {
+          faces[f].boundary = boundaryOfEnd(faces[f]);
+        }
+      }
+    });
+  }
+
+  std::int32_t boundaryOfEnd(const BoundaryFace& face) const
+  {
+    for (std::size_t side = 0; side < 6; ++side)
+    {
+      if (face.kind == BoundaryFace::Kind::BoxSide ? side == face.index % 6 &&
+            isAtEnd(parts_.boxes.box(face.index / 6), side / 2, side % 2 == 1)
+                                                   : liesAtEnd(face, side))
+      {
+        return parts_.boxes.ends[side];
+      }
+    }
+    return NoBoundary;
+  }
+
+  bool liesAtEnd(const BoundaryFace& face, std::size_t side) const
+  {
+    const auto& planes = parts_.boxes.planes[side / 2];
+    const Level level = side % 2 == 1 ? planes.back() : planes.front();
+    const auto kind = face.isShaped()          ? FaceOfCell::Kind::Shaped
+      : face.kind == BoundaryFace::Kind::Patch ? FaceOfCell::Kind::Patch
+                                               : FaceOfCell::Kind::Inner;
+    bool all = true;
+    forEachNode(FaceOfCell(face.index, kind), parts_.patches, parts_.inner, parts_.cells.shaped,
+      [&](std::uint32_t node) { all = all && parts_.nodes.at[node][side / 2] == level; });
+    return all;
   }
 
   const MeshParts& parts_;

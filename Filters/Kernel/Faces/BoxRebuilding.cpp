@@ -307,6 +307,7 @@ private:
       }
     }
     to.boxStart.push_back(to.triangle.size());
+    to.enclosed = patches_.enclosed;
     to.reason = patches_.reason;
     to.points.reserve(patches_.points.size() + points_.points().size());
     to.points = patches_.points;

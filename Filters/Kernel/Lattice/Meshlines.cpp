@@ -77,16 +77,23 @@ void checkMeshlines(const std::vector<double>& lines, int axis, const Bounds& su
   }
 }
 
-std::vector<Level> uniformLines(
-  double size, double low, double high, int axis, const Lattice& lattice)
+// The number of cells of this size along an axis.
+double requireLines(double size, double extent, int axis)
 {
-  const double count = cellCount(size, high - low);
+  const double count = cellCount(size, extent);
   if (count > MostLines)
   {
     throw Error(Fault::TooManyBoxes,
       "Cell Size " + number(size) + " makes " + number(count) + " cells along " + AxisName[axis] +
         ": choose a larger one.");
   }
+  return count;
+}
+
+std::vector<Level> uniformLines(
+  double size, double low, double high, int axis, const Lattice& lattice)
+{
+  const double count = requireLines(size, high - low, axis);
   std::vector<Level> lines;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
   {
@@ -131,6 +138,26 @@ Bounds domainOf(const GridSpec& spec, const Bounds& surface)
     }
   }
   return domain;
+}
+
+GridSpec fittedTo(const Bounds& box, const GridSpec& spec)
+{
+  GridSpec grid = spec;
+  const double size = cellSize(spec, box);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double extent = box.high[axis] - box.low[axis];
+    const double count = requireLines(size, extent, static_cast<int>(axis));
+    for (double i = 0; spec.meshlines[axis].empty() && i < count; ++i)
+    {
+      grid.meshlines[axis].push_back(box.low[axis] + i * extent / count);
+    }
+    if (spec.meshlines[axis].empty())
+    {
+      grid.meshlines[axis].push_back(box.high[axis]);
+    }
+  }
+  return grid;
 }
 
 Meshlines onLattice(const GridSpec& spec, const Bounds& surface, const Lattice& lattice)

@@ -29,6 +29,10 @@ using Meshlines = std::array<std::vector<Level>, 3>;
 // Throws Error: BadCellSize, BadMeshlines.
 Bounds domainOf(const GridSpec& spec, const Bounds& surface);
 
+// The grid that ends where the box does: where it has no meshlines, its cells are as large as fit evenly, at
+// most its cell size. Throws Error: BadCellSize, TooManyBoxes.
+GridSpec fittedTo(const Bounds& box, const GridSpec& spec);
+
 // Cells of uniform size start at the lower bounds of the surface; the first and the last plane are
 // moved outward by a level if they would touch the surface. Throws Error: BadCellSize, BadMeshlines
 // (they miss the surface, or are closer than the lattice resolves).

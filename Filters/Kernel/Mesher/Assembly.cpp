@@ -2,6 +2,7 @@
 #include "Mesher/Assembly.h"
 
 #include "Base/Error.h"
+#include "Cells/Fragments.h"
 #include "Cells/Interfaces.h"
 #include "Collapse/EdgeCollapse.h"
 #include "Collapse/WarpedHexahedra.h"
@@ -178,7 +179,7 @@ Options forWalls(Options options, const Walls& walls)
 // Each time the boxes that still are flawed keep less. Returns those that are flawed in the end.
 BoxFlags rebuildFlawed(Assembly& a, BoxFlags flawed, Execution& execution)
 {
-  a.rebuilt.assign(flawed.size(), 0);
+  BoxFlags all(flawed.size());
   for (const GivenUp givenUp : { GivenUp::Nothing, GivenUp::Chords, GivenUp::Crossings })
   {
     if (std::find(flawed.begin(), flawed.end(), 1) == flawed.end())
@@ -192,9 +193,16 @@ BoxFlags rebuildFlawed(Assembly& a, BoxFlags flawed, Execution& execution)
     execution.stage("Flawed boxes", AfterCells, AfterCells);
     RebuiltPatches next =
       rebuildFlawedBoxes(a.boxes, a.patches, a.sides, a.nodes, a.inner, flawed, givenUp, execution);
-    unite(a.rebuilt, next.boxes);
+    unite(all, next.boxes);
     a.patches = std::move(next.patches);
     flawed = makeFaces(a, execution);
+  }
+  for (std::size_t n = 0; n < all.size(); ++n)
+  {
+    if (all[n] != 0)
+    {
+      a.rebuilt.push_back(a.sides.polyhedral[n]); // shaping may number polyhedral boxes anew
+    }
   }
   return flawed;
 }
@@ -314,6 +322,34 @@ private:
   const bool turnedMatter_;
 };
 
+// Fragments would leave a solver without a pressure: they go, unless the surface is to stay exactly.
+void removeFragments(Assembly& a, const Options& options, Execution& execution)
+{
+  const bool removes = shapesCells(options) && options.smallCells.handling == SmallCells::Merge &&
+    options.shaping.refusedCellRatio > 0 && !isExact(a.patches);
+  for (const SmallPart& part :
+    findSmallParts(a.boxes, a.patches, a.sides, a.inner, a.cells, execution))
+  {
+    for (const std::uint32_t c : part.cells)
+    {
+      Cell& cell = a.cells.all[c];
+      const bool isCore = a.boxes.isCore(a.boxes.packed[cell.box]);
+      if (!removes || !part.isFragment)
+      {
+        a.isolatedCells += isCore ? 1 : 0;
+        continue;
+      }
+      cell.removed = true;
+      if (isCore)
+      {
+        const Box box = a.boxes.box(cell.box);
+        const Vector size = minus(box.high, box.low);
+        a.fragments.push_back({ cell.box, cell.volumeFraction * size[0] * size[1] * size[2] });
+      }
+    }
+  }
+}
+
 void requireCells(const Assembly& a, const Options& options)
 {
   const Layers all = a.boxes.allLayers();
@@ -355,6 +391,7 @@ std::unique_ptr<Assembly> assemble(
     a.shaping = shapeCells(a.boxes, a.patches, a.sides, a.nodes, a.inner, a.cells,
       options.smallCells, options.shaping, options.patches.featureAngle, execution);
   }
+  removeFragments(a, options, execution);
   a.nodes.warped = warpedHexahedra(a.boxes, a.sides, a.nodes, execution);
   execution.stage("Numbering", AfterShaping, AfterNumbering);
   a.mesh = std::make_unique<OutputMesh>(
@@ -363,14 +400,12 @@ std::unique_ptr<Assembly> assemble(
   return assembly;
 }
 
-std::size_t rebuiltBoxes(const Assembly& a)
+std::vector<std::uint32_t> rebuiltBoxes(const Assembly& a)
 {
-  std::size_t count = 0;
-  for (std::size_t n = 0; n < a.rebuilt.size(); ++n)
-  {
-    count += a.rebuilt[n] && a.boxes.isCore(a.boxes.packed[a.sides.polyhedral[n]]);
-  }
-  return count;
+  std::vector<std::uint32_t> rebuilt;
+  std::copy_if(a.rebuilt.begin(), a.rebuilt.end(), std::back_inserter(rebuilt),
+    [&](std::uint32_t box) { return a.boxes.isCore(a.boxes.packed[box]); });
+  return rebuilt;
 }
 
 std::vector<std::uint32_t> flawedBoxes(const Assembly& a)

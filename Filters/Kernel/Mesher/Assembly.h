@@ -21,8 +21,10 @@ struct Assembly
   Nodes nodes;
   InnerFaces inner;
   Cells cells;
-  std::vector<std::uint8_t> rebuilt; // 1 for polyhedral boxes whose patches were made anew
+  std::vector<std::uint32_t> rebuilt; // boxes whose patches were made anew, in order
   Shaping shaping;
+  std::vector<RemovedCell> fragments; // cells of the core that went with small parts (Fragments.h)
+  std::size_t isolatedCells = 0;      // cells of the core in those that stay
   std::unique_ptr<OutputMesh> mesh;
   std::unique_ptr<PrismStacks> stacks; // on the mesh, or null: no layers
 };
@@ -30,10 +32,10 @@ struct Assembly
 // Runs all steps. Throws Error: BadParameter, TooManyBoxes, FlawedSurface (no cell is left of the whole;
 // a part may have none).
 std::unique_ptr<Assembly> assemble(
-  Boxes boxes, Patches patches, const Options& options, Execution& execution);
+  Boxes boxes, Patches patches, const Options& given, Execution& execution);
 
-// How many boxes of the core have patches made anew (BoxRebuilding.h).
-std::size_t rebuiltBoxes(const Assembly& assembly);
+// Boxes of the core whose patches were made anew (BoxRebuilding.h).
+std::vector<std::uint32_t> rebuiltBoxes(const Assembly& assembly);
 
 // Intersected boxes of the core that have no cells: neither their patches close nor those made anew.
 std::vector<std::uint32_t> flawedBoxes(const Assembly& assembly);

@@ -46,6 +46,26 @@ void makeRoomForLayers(PreparedSurface& prepared, const Options& options, Execut
     totalThickness(options.layers, box) / step, execution));
 }
 
+Bounds united(Bounds a, const Bounds& b)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    a.include(axis, b.low[static_cast<std::size_t>(axis)]);
+    a.include(axis, b.high[static_cast<std::size_t>(axis)]);
+  }
+  return a;
+}
+
+void requireOneRegion(const SurfaceView& view)
+{
+  if (view.region)
+  {
+    throw Error(Fault::BadParameter,
+      "Domain is Outside, where there is one region: set Regions From to One, or Domain to "
+      "Inside.");
+  }
+}
+
 }
 
 std::unique_ptr<Assembly> mesh(
@@ -61,14 +81,22 @@ PreparedSurface prepareSurface(
   const SurfaceView& view, const Options& options, Execution& execution, int parts)
 {
   execution.stage("Scaling and Dual Levels", 0, AfterSurface);
-  const GridSpec& grid = options.grid;
   PreparedSurface prepared;
   prepared.memoryLimit = memoryLimitOf(options);
   prepared.bounds = boundsOf(view);
-  const Lattice lattice(domainOf(grid, prepared.bounds));
-  checkGrid(grid, prepared.bounds, prepared.memoryLimit.bytes);
-  prepared.planes = onLattice(grid, prepared.bounds, lattice);
+  const bool isOutside = options.domain.isOutside();
+  const Bounds meshed = isOutside ? boxAround(options.domain, prepared.bounds) : prepared.bounds;
+  checkGrid(options.grid, meshed, prepared.memoryLimit.bytes);
+  const GridSpec grid = isOutside ? fittedTo(meshed, options.grid) : options.grid;
+  const Lattice lattice(united(domainOf(grid, meshed), prepared.bounds));
+  prepared.planes = onLattice(grid, meshed, lattice);
   prepared.surface = onLattice(view, lattice, execution);
+  if (isOutside)
+  {
+    requireOneRegion(view);
+    prepared.surface.around = Winding{ 1, false };
+    prepared.surface.ends = options.domain.sides;
+  }
   MeshEstimate estimate = estimateMesh(prepared.surface, prepared.planes);
   estimate.inside /= parts;
   estimate.intersected /= parts;
@@ -85,6 +113,10 @@ PreparedSurface prepareSurface(
   else
   {
     prepared.repair = repair(prepared.surface, prepared.planes, execution);
+  }
+  if (isOutside)
+  {
+    turnInsideOut(prepared.surface);
   }
   if (options.layers.count > 0)
   {

@@ -112,29 +112,28 @@ double volumeOfMesh(const Assembly& a)
   return volume;
 }
 
-// Cells that were the last resort to remove: nothing where that hardly changes the volume.
-std::string describeRefused(const Assembly& a)
+// Cells that are left out: nothing where that hardly changes the volume. `one` and `several` follow their number.
+std::string describeLeftOut(
+  const Assembly& a, std::vector<RemovedCell> cells, const char* one, const char* several)
 {
   constexpr double Percent = 100;
-  std::vector<RemovedCell> refused = a.shaping.refused;
-  const double lost = std::accumulate(refused.begin(), refused.end(), 0.0,
+  const double lost = std::accumulate(cells.begin(), cells.end(), 0.0,
     [](double sum, const RemovedCell& cell) { return sum + cell.volume; });
-  const double share = refused.empty() ? 0 : lost / (lost + volumeOfMesh(a));
+  const double share = cells.empty() ? 0 : lost / (lost + volumeOfMesh(a));
   if (share <= LargestLossUntold)
   {
     return "";
   }
-  std::stable_sort(refused.begin(), refused.end(),
+  std::stable_sort(cells.begin(), cells.end(),
     [](const RemovedCell& x, const RemovedCell& y) { return x.volume > y.volume; });
   std::vector<std::uint32_t> boxes;
-  boxes.reserve(refused.size());
-  for (const RemovedCell& cell : refused)
+  boxes.reserve(cells.size());
+  for (const RemovedCell& cell : cells)
   {
     boxes.push_back(cell.box);
   }
-  return counted(refused.size(), "cell that solvers would refuse, and that nothing mends, is",
-           "cells that solvers would refuse, and that nothing mends, are") +
-    " left out, " + number(std::round(share * Percent * 100) / 100) +
+  return counted(cells.size(), one, several) + " left out, " +
+    number(std::round(share * Percent * 100) / 100) +
     " % of the volume. A smaller Cell Size or a larger Refinement Depth keeps them. The largest:" +
     places(a.boxes, boxes);
 }
@@ -203,7 +202,8 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
 std::string describeOverhang(const PreparedSurface& prepared)
 {
   std::string text;
-  for (int axis = 0; axis < 3; ++axis)
+  const bool isMeant = prepared.surface.around.inside();
+  for (int axis = 0; !isMeant && axis < 3; ++axis)
   {
     const auto& planes = prepared.planes[axis];
     const Lattice& lattice = prepared.surface.lattice;
@@ -219,15 +219,8 @@ std::string describeOverhang(const PreparedSurface& prepared)
 
 std::string describeFlaws(const Assembly& assembly)
 {
-  std::vector<std::uint32_t> rebuilt;
-  for (std::size_t n = 0; n < assembly.rebuilt.size(); ++n)
-  {
-    if (assembly.rebuilt[n] != 0)
-    {
-      rebuilt.push_back(assembly.sides.polyhedral[n]);
-    }
-  }
   std::string text;
+  const std::vector<std::uint32_t> rebuilt = rebuiltBoxes(assembly);
   if (!rebuilt.empty())
   {
     text = "The surface does not close in or next to " + counted(rebuilt.size(), "box", "boxes") +
@@ -241,9 +234,15 @@ std::string describeFlaws(const Assembly& assembly)
         "boxes do not close even so; they are left out of the mesh:") +
       places(assembly.boxes, flawed);
   }
-  if (const std::string refused = describeRefused(assembly); !refused.empty())
+  const std::string refused = describeLeftOut(assembly, assembly.shaping.refused,
+    "cell that solvers would refuse, and that nothing mends, is",
+    "cells that solvers would refuse, and that nothing mends, are");
+  const std::string fragments =
+    describeLeftOut(assembly, assembly.fragments, "cell that the grid cuts off from the rest is",
+      "cells that the grid cuts off from the rest are");
+  for (const std::string& leftOut : { refused, fragments })
   {
-    text += lineBreak(text) + refused;
+    text += leftOut.empty() ? "" : lineBreak(text) + leftOut;
   }
   return text;
 }

@@ -11,7 +11,7 @@ namespace cartesian
 // What was found and repaired. `cells`: the user's number of each triangle given.
 std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>& cells);
 
-// Where the surface reaches beyond the meshlines.
+// Where the surface reaches beyond the meshlines, unless it is what a box around it cuts off.
 std::string describeOverhang(const PreparedSurface& prepared);
 
 // Boxes whose patches were made anew, and those that are left out; cells that solvers would refuse, left out, if

@@ -12,6 +12,7 @@
 #include "Parts/Slabs.h"
 #include "Patches/PatchSpec.h"
 #include "Shaping/ShapingSpec.h"
+#include "Surface/FlowDomain.h"
 
 namespace cartesian
 {
@@ -30,6 +31,7 @@ struct Options
 
   RegionSource regionsFrom = RegionSource::One;
   double contactTolerance = 0; // user units (Regions.h)
+  DomainSpec domain;
   GridSpec grid;
   RefinementSpec refinement;
   PatchSpec patches; // with the feature angle of all steps

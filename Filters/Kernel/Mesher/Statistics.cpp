@@ -34,6 +34,7 @@ struct Counts
   double smallCellsMerged = 0;
   double smallCellsRemoved = 0;
   double refusedCellsRemoved = 0;
+  double fragmentCellsRemoved = 0;
   double isolatedCells = 0;
   double voids = 0;
   double folds = 0;
@@ -50,7 +51,7 @@ struct Row
   double Counts::*count;
 };
 
-constexpr std::array<Row, 29> Table{ {
+constexpr std::array<Row, 30> Table{ {
   { "Cells", "cells of the mesh", &Counts::cells },
   { "Hexahedra", "cells that are whole boxes without hanging nodes", &Counts::hexahedra },
   { "Polyhedra", "all other cells", &Counts::polyhedra },
@@ -80,7 +81,10 @@ constexpr std::array<Row, 29> Table{ {
   { "SmallCellsRemoved", "small cells that were left out", &Counts::smallCellsRemoved },
   { "RefusedCellsRemoved", "cells left out, as solvers would refuse them",
     &Counts::refusedCellsRemoved },
-  { "IsolatedCells", "cells without a neighbour", &Counts::isolatedCells },
+  { "FragmentCellsRemoved", "cells left out, as the grid cuts them off from the rest",
+    &Counts::fragmentCellsRemoved },
+  { "IsolatedCells", "cells in parts of at most 16 that no face connects with the rest",
+    &Counts::isolatedCells },
   { "VoidsInsideCells", "closed pieces of surface inside one cell, holes of it", &Counts::voids },
   { "FoldsLeftOut", "walls without thickness inside one cell, left out", &Counts::folds },
   { "BoundaryAngleFailures", "cells that fail the angle condition of boundary faces (section 3)",
@@ -90,14 +94,6 @@ constexpr std::array<Row, 29> Table{ {
   { "OpennessFailures", "cells that do not close", &Counts::openness },
   { "VolumeFailures", "cells without a positive volume", &Counts::volume },
 } };
-
-bool isInner(const Cells& cells, const FaceOfCell& face)
-{
-  const bool shaped =
-    face.kind() == FaceOfCell::Kind::Shaped || face.kind() == FaceOfCell::Kind::TurnedShaped;
-  return face.kind() != FaceOfCell::Kind::Patch &&
-    !(shaped && cells.shaped.cells[face.index][face.turned() ? 0 : 1] == None);
-}
 
 // Of the boxes of the core.
 class Counter
@@ -158,7 +154,7 @@ private:
     n_.sharpFeature = boxesBecause(PatchReason::SharpFeature);
     n_.severalBoundaries = boxesBecause(PatchReason::SeveralBoundaries);
     n_.notDiscs = boxesBecause(PatchReason::NotDiscs);
-    n_.boxesRebuilt = static_cast<double>(rebuiltBoxes(a_));
+    n_.boxesRebuilt = static_cast<double>(rebuiltBoxes(a_).size());
     n_.boxesFlawed = static_cast<double>(flawedBoxes(a_).size());
   }
 
@@ -175,13 +171,7 @@ private:
       {
         continue;
       }
-      bool hasInnerFace = false;
-      for (std::size_t f = cell.firstFace; f < cells.all[c + 1].firstFace && !hasInnerFace; ++f)
-      {
-        hasInnerFace = isInner(cells, cells.faces[f]);
-      }
       n_.smallCellsRemoved += cell.removed;
-      n_.isolatedCells += !hasInnerFace && !cell.removed;
     }
     n_.voids = static_cast<double>(cells.voids);
     n_.folds = static_cast<double>(cells.folds);
@@ -193,7 +183,9 @@ private:
     n_.cellsWithJoinedFaces = static_cast<double>(a_.shaping.cellsSimplified);
     n_.smallCellsMerged = static_cast<double>(a_.shaping.cellsMerged);
     n_.refusedCellsRemoved = static_cast<double>(a_.shaping.refused.size());
-    n_.smallCellsRemoved -= n_.refusedCellsRemoved;
+    n_.fragmentCellsRemoved = static_cast<double>(a_.fragments.size());
+    n_.smallCellsRemoved -= n_.refusedCellsRemoved + n_.fragmentCellsRemoved;
+    n_.isolatedCells = static_cast<double>(a_.isolatedCells);
   }
 
   const Assembly& a_;

@@ -24,8 +24,10 @@ std::string entry(const std::string& key, const std::string& value)
 std::string newEntries(const FoamPatch& patch)
 {
   const bool isMapped = !patch.sample.region.empty();
+  const bool isShared = patch.processes.other >= 0;
   std::string text = entry("type",
                        isMapped                  ? "mappedWall"
+                         : isShared              ? "processor"
                          : isOpening(patch.name) ? "patch"
                                                  : "wall") +
     entry("nFaces", "0") + entry("startFace", "0");
@@ -33,6 +35,12 @@ std::string newEntries(const FoamPatch& patch)
   {
     text += entry("sampleMode", "nearestPatchFace") + entry("sampleRegion", patch.sample.region) +
       entry("samplePatch", patch.sample.patch);
+  }
+  if (isShared)
+  {
+    text += entry("inGroups", "1(processor)") + entry("matchTolerance", "0.0001") +
+      entry("transform", "unknown") + entry("myProcNo", std::to_string(patch.processes.own)) +
+      entry("neighbProcNo", std::to_string(patch.processes.other));
   }
   return text + "\n    ";
 }

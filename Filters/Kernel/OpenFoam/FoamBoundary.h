@@ -16,12 +16,20 @@ struct FoamSample
   std::string patch = {};
 };
 
+// The processes between which a patch of a piece lies (FoamPieces.h); none: it is no such patch.
+struct FoamProcesses
+{
+  int own = -1;
+  int other = -1;
+};
+
 struct FoamPatch
 {
   std::string name;       // an OpenFOAM word (foamWord), different from all others
-  std::size_t count;      // number of faces, at least one
+  std::size_t count;      // number of faces; none only in a piece
   std::string type = {};  // one of foamTypes(); empty: as the existing file says, else by name
   FoamSample sample = {}; // a new patch that has one is a mappedWall
+  FoamProcesses processes = {}; // a new patch that has them is a processor
 };
 
 // The types of patches that need no further entries.

@@ -44,7 +44,7 @@ void FoamFile::text(const std::string& words)
   flush(BufferBytes);
 }
 
-void FoamFile::labels(std::size_t count, const std::function<std::uint32_t(std::size_t)>& label)
+void FoamFile::labels(std::size_t count, const std::function<std::int32_t(std::size_t)>& label)
 {
   begin(count);
   for (std::size_t i = 0; i < count; ++i)
@@ -95,8 +95,9 @@ void FoamFile::labelLists(
 {
   if (format_ == FoamFormat::Binary)
   {
-    labels(start.size(), [&](std::size_t i) { return static_cast<std::uint32_t>(start[i]); });
-    labels(labelsOfAll.size(), [&](std::size_t i) { return labelsOfAll[i]; });
+    labels(start.size(), [&](std::size_t i) { return static_cast<std::int32_t>(start[i]); });
+    labels(
+      labelsOfAll.size(), [&](std::size_t i) { return static_cast<std::int32_t>(labelsOfAll[i]); });
     return;
   }
   begin(start.size() - 1);

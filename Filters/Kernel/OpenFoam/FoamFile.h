@@ -33,7 +33,7 @@ public:
 
   void text(const std::string& words);
 
-  void labels(std::size_t count, const std::function<std::uint32_t(std::size_t)>& label);
+  void labels(std::size_t count, const std::function<std::int32_t(std::size_t)>& label);
 
   // Vectors of three numbers.
   void vectors(const std::vector<double>& numbers);

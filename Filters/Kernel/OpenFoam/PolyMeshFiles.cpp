@@ -21,7 +21,10 @@ namespace fs = std::filesystem;
 constexpr std::array<const char*, 5> MeshFiles = { "points", "faces", "owner", "neighbour",
   "boundary" };
 
+// Those that not all meshes have.
 constexpr const char* Zones = "cellZones";
+constexpr std::array<const char*, 4> Addressing = { "pointProcAddressing", "faceProcAddressing",
+  "cellProcAddressing", "boundaryProcAddressing" };
 
 struct SystemFile
 {
@@ -74,11 +77,12 @@ void writeFaces(const FoamMesh& mesh, const Folder& to)
   file.close();
 }
 
-void writeLabels(const char* name, const std::vector<std::uint32_t>& labels,
-  const std::string& note, const Folder& to)
+template <class Label>
+void writeLabels(
+  const char* name, const std::vector<Label>& labels, const std::string& note, const Folder& to)
 {
   FoamFile file(to.path / name, to.format, { "labelList", to.location, note });
-  file.labels(labels.size(), [&](std::size_t i) { return labels[i]; });
+  file.labels(labels.size(), [&](std::size_t i) { return static_cast<std::int32_t>(labels[i]); });
   file.close();
 }
 
@@ -89,7 +93,8 @@ void writeZones(const std::vector<FoamZone>& zones, const Folder& to)
   for (const FoamZone& zone : zones)
   {
     file.text(zone.name + "\n{\n    type cellZone;\n    cellLabels List<label> ");
-    file.labels(zone.cells.size(), [&](std::size_t i) { return zone.cells[i]; });
+    file.labels(
+      zone.cells.size(), [&](std::size_t i) { return static_cast<std::int32_t>(zone.cells[i]); });
     file.text(";\n}\n");
   }
   file.text(")\n");
@@ -112,6 +117,14 @@ void writeFiles(const FoamMesh& mesh, const FoamBoundary& boundary, const Folder
   {
     writeZones(mesh.zones, to);
   }
+  if (mesh.addressing)
+  {
+    const FoamAddressing& addressing = *mesh.addressing;
+    writeLabels(Addressing[0], addressing.points, {}, to);
+    writeLabels(Addressing[1], addressing.faces, {}, to);
+    writeLabels(Addressing[2], addressing.cells, {}, to);
+    writeLabels(Addressing[3], addressing.patches, {}, to);
+  }
 }
 
 // Those of a region are what a mesh needs, not a run.
@@ -130,6 +143,18 @@ void writeSystem(const fs::path& folder, const std::string& region)
         missing.text);
       file.close();
     }
+  }
+}
+
+// OpenFOAM 1912 wants to read how many processes there are.
+void writeDecomposition(const fs::path& folder, int pieces)
+{
+  const fs::path path = folder / "system" / "decomposeParDict";
+  if (!fs::exists(path))
+  {
+    FoamFile file(path, FoamFormat::Ascii, { "dictionary", "system", {} });
+    file.text("numberOfSubdomains " + std::to_string(pieces) + ";\nmethod          scotch;\n");
+    file.close();
   }
 }
 
@@ -164,9 +189,12 @@ fs::path withoutMesh(const fs::path& kept)
   {
     fs::remove(kept / name);
   }
-  if (FoamFile::isOurs(kept / Zones))
+  for (const char* name : { Zones, Addressing[0], Addressing[1], Addressing[2], Addressing[3] })
   {
-    fs::remove(kept / Zones);
+    if (FoamFile::isOurs(kept / name))
+    {
+      fs::remove(kept / name);
+    }
   }
   return fs::is_empty(kept) && fs::remove(kept) ? fs::path() : kept;
 }
@@ -225,19 +253,20 @@ FoamMesh foamMesh(std::vector<double> points, const CellFaces& cells, const Face
   return mesh;
 }
 
-PolyMeshFiles::PolyMeshFiles(std::filesystem::path folder, FoamFormat format)
-  : folder_(std::move(folder))
+PolyMeshFiles::PolyMeshFiles(std::filesystem::path folder, FoamFormat format, FoamPlace place)
+  : case_(std::move(folder))
+  , folder_(place.pieces == 1 ? case_ : folderOfProcess(case_, place.piece))
   , format_(format)
+  , place_(place)
 {
 }
 
 void PolyMeshFiles::write(const FoamMesh& mesh, const std::string& region)
 {
   reportingFailures([&] {
-    writeSystem(folder_, {});
-    if (!region.empty())
+    if (place_.piece == 0)
     {
-      writeSystem(folder_, region);
+      writeSystemOf(region);
     }
     const fs::path location = fs::path("constant") / region / "polyMesh";
     const fs::path polyMesh = folder_ / location;
@@ -249,6 +278,19 @@ void PolyMeshFiles::write(const FoamMesh& mesh, const std::string& region)
     writeFiles(mesh, boundary, { unfinished(polyMesh), location.string(), format_ });
     written_.push_back({ polyMesh, replaces, region, boundary.hasOpening(mesh.patches) });
   });
+}
+
+void PolyMeshFiles::writeSystemOf(const std::string& region) const
+{
+  writeSystem(case_, {});
+  if (!region.empty())
+  {
+    writeSystem(case_, region);
+  }
+  if (place_.pieces > 1)
+  {
+    writeDecomposition(case_, place_.pieces);
+  }
 }
 
 std::vector<std::filesystem::path> PolyMeshFiles::replace()
@@ -291,6 +333,11 @@ void PolyMeshFiles::writeRegionProperties(std::vector<std::filesystem::path>& ke
   file.text("// fluid: what has a patch that is no wall.\n\nregions\n(\n    fluid (" + fluid +
     " )\n    solid (" + solid + " )\n);\n");
   file.close();
+}
+
+std::filesystem::path folderOfProcess(const std::filesystem::path& folder, int process)
+{
+  return folder / ("processor" + std::to_string(process));
 }
 
 void createMarker(const std::filesystem::path& path)

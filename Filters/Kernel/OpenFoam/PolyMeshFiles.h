@@ -6,6 +6,8 @@
 #include "OpenFoam/FoamFile.h"
 #include "Quality/FaceList.h"
 
+#include <optional>
+
 namespace cartesian
 {
 
@@ -13,6 +15,16 @@ struct FoamZone
 {
   std::string name;
   std::vector<std::uint32_t> cells; // ascending
+};
+
+// The numbers that the points, faces, cells and patches of a piece have in the whole mesh (FoamPieces.h).
+struct FoamAddressing
+{
+  std::vector<std::int32_t> points;
+  std::vector<std::int32_t>
+    faces; // from one; negative where the whole mesh has the face turned over
+  std::vector<std::int32_t> cells;
+  std::vector<std::int32_t> patches; // -1: between two processes
 };
 
 struct FoamMesh
@@ -25,15 +37,26 @@ struct FoamMesh
   std::size_t cellCount;
   std::vector<FoamPatch> patches;
   std::vector<FoamZone> zones = {}; // cellZones; none: no such file
+  std::optional<FoamAddressing> addressing = {};
 };
 
 // `faces`: boundary faces in order of the patches. Throws Error (BadMesh): more than 2^31 - 1 corners.
 FoamMesh foamMesh(std::vector<double> points, const CellFaces& cells, const FaceList& faces,
   std::vector<FoamPatch> patches);
 
+// Which piece of a case; by default the mesh is whole.
+struct FoamPlace
+{
+  int piece = 0;
+  int pieces = 1;
+};
+
 // Writes meshes of a case: that of `folder`/constant/polyMesh, or one for each region, constant/<region>/polyMesh.
-// Each has points, faces, owner, neighbour, boundary and, if there are zones, cellZones; beside them are the
-// files system/controlDict, fvSchemes and fvSolution that checkMesh needs, if they are missing.
+// A piece's are in `folder`/processor0, processor1, ... instead.
+// Each has points, faces, owner, neighbour, boundary and, if it has zones or addressing, cellZones, pointProcAddressing,
+// faceProcAddressing, cellProcAddressing, boundaryProcAddressing; beside them are the
+// files system/controlDict, fvSchemes, fvSolution and, of pieces, decomposeParDict that checkMesh needs, if they are
+// missing.
 //
 // If this class wrote an existing polyMesh for patches of the same names, that is replaced once all the new
 // ones are complete. The entries of its patches, which the user may have edited, are kept except for the
@@ -44,7 +67,7 @@ FoamMesh foamMesh(std::vector<double> points, const CellFaces& cells, const Face
 class PolyMeshFiles
 {
 public:
-  PolyMeshFiles(std::filesystem::path folder, FoamFormat format);
+  PolyMeshFiles(std::filesystem::path folder, FoamFormat format, FoamPlace place = {});
 
   // `region`: an OpenFOAM word; empty: the case has one mesh. Writes beside what is there.
   void write(const FoamMesh& mesh, const std::string& region = {});
@@ -63,12 +86,17 @@ private:
     bool isFluid;
   };
 
+  void writeSystemOf(const std::string& region) const;
   void writeRegionProperties(std::vector<std::filesystem::path>& kept) const;
 
+  std::filesystem::path case_;
   std::filesystem::path folder_;
   FoamFormat format_;
+  FoamPlace place_;
   std::vector<Written> written_;
 };
+
+std::filesystem::path folderOfProcess(const std::filesystem::path& folder, int process);
 
 // Creates the empty file with which ParaView opens a case, if it does not exist. Throws Error
 // (CannotWrite).

@@ -25,6 +25,17 @@ Layers hullOf(Layers a, Layers b)
   return { std::min(a.begin, b.begin), std::max(a.end, b.end) };
 }
 
+// A fragment beside a part, what is beyond it, and what that depends on; but none extends across a divide.
+constexpr std::uint32_t HaloOfFragments = HaloOfShapedCells + MostLayersOfAFragment + 1;
+
+// The nearest divide at or above a plane.
+std::uint32_t divideAbove(std::uint32_t plane)
+{
+  const std::uint32_t beyond = plane + DivideDistance - FirstDivide;
+  return (beyond + DivideDistance - 1) / DivideDistance * DivideDistance -
+    (DivideDistance - FirstDivide);
+}
+
 bool meet(Layers a, Layers b)
 {
   return a.begin < b.end && b.begin < a.end;
@@ -56,6 +67,28 @@ Slab secondSlab(std::uint32_t i, std::uint32_t all)
   return { around(Seen), around(Free), around(Free), around(Moving) };
 }
 
+}
+
+bool isBesideDivide(std::uint32_t layer, std::uint32_t allLayers)
+{
+  return allLayers > SlabThickness &&
+    (layer % DivideDistance == FirstDivide || (layer + 1) % DivideDistance == FirstDivide);
+}
+
+Layers layersOfShapedCells(Layers core, std::uint32_t allLayers)
+{
+  if (core.begin == core.end || allLayers <= SlabThickness)
+  {
+    return core.begin == core.end ? core : Layers{ 0, allLayers };
+  }
+  const auto less = [](std::uint32_t plane, std::uint32_t by) {
+    return plane - std::min(plane, by);
+  };
+  const std::uint32_t above = divideAbove(core.end);
+  const std::uint32_t below =
+    core.begin < FirstDivide ? 0 : divideAbove(core.begin + 1) - DivideDistance;
+  return { std::max(less(core.begin, HaloOfFragments), less(below, HaloOfShapedCells)),
+    std::min({ core.end + HaloOfFragments, above + HaloOfShapedCells, allLayers }) };
 }
 
 std::array<std::vector<Slab>, ShapingStages> slabsFor(Layers wanted, std::uint32_t all)
@@ -113,7 +146,7 @@ Layers layersForCollapse(Layers wanted, std::uint32_t all)
 
 Layers layersForCells(Layers core, const LaterSteps& steps, std::uint32_t all)
 {
-  Layers layers = core.grown(steps.shapes ? HaloOfShapedCells : HaloOfCells, all);
+  Layers layers = steps.shapes ? layersOfShapedCells(core, all) : core.grown(HaloOfCells, all);
   if (steps.shapes)
   {
     layers = layersForShaping(layers, all).grown(HaloOfCells, all);

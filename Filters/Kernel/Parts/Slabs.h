@@ -33,6 +33,15 @@ constexpr std::uint32_t MostLayersOfACell = 2;
 constexpr std::uint32_t HaloOfCells = 1;
 constexpr std::uint32_t HaloOfShapedCells = HaloOfCells + MostLayersOfACell - 1;
 
+// A small part of the mesh that stands alone (Cells/Fragments.h) can only go where all parts of a grid that may
+// see it know its neighbours: it extends over so many layers at most, and into none beside a plane where it costs
+// least to divide the grid.
+constexpr std::uint32_t MostLayersOfAFragment = 3;
+bool isBesideDivide(std::uint32_t layer, std::uint32_t allLayers);
+
+// The layers whose shaped cells must be correct, for those of the core and their points to be.
+Layers layersOfShapedCells(Layers core, std::uint32_t allLayers);
+
 struct Slab
 {
   Layers layers; // that it sees

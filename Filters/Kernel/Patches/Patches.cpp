@@ -4,6 +4,7 @@
 #include "Base/Error.h"
 #include "Patches/NearTriangles.h"
 #include "Patches/PatchBuilder.h"
+#include "Surface/Components.h"
 
 namespace cartesian
 {
@@ -242,6 +243,7 @@ private:
     });
     patches.points.swap(numbering.points);
     patches.walls = surface_.walls;
+    patches.enclosed = enclosedVolumes(surface_);
     patches.reason.reserve(intersected_.size());
     for (const std::uint32_t box : intersected_)
     {

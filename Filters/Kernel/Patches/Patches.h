@@ -20,6 +20,7 @@ struct Patches
   RawVector<std::uint32_t> triangle; // of the surface, from which each polygon comes
   RawVector<std::int32_t> boundary;  // boundary index of each polygon
   Walls walls;                       // of the surface
+  std::vector<float> enclosed;       // of each of its triangles, by its component (Components.h)
   std::vector<std::size_t> boxStart; // first polygon of the n-th intersected box, and the end
   std::vector<PatchReason> reason;   // of the n-th intersected box
 

@@ -54,6 +54,22 @@ std::map<Level, WallAreas> wallsNextTo(
   return walls;
 }
 
+// The domain beyond the first and the last plane is cut off: there is no flange on the other side.
+void endInWalls(std::vector<Level>& planes, const std::map<Level, WallAreas>& walls)
+{
+  const auto first = walls.find(planes.front() + 1);
+  if (first != walls.end() && first->second.domainBelow > 0 && planes.front() + 2 < planes[1])
+  {
+    planes.front() += 2;
+  }
+  const auto last = walls.find(planes.back() - 1);
+  if (last != walls.end() && last->second.domainAbove > 0 &&
+    planes.back() - 2 > planes[planes.size() - 2])
+  {
+    planes.back() -= 2;
+  }
+}
+
 }
 
 void stepAside(const Surface& surface, Meshlines& planes)
@@ -81,6 +97,10 @@ void stepAside(const Surface& surface, Meshlines& planes)
       {
         plane -= 2;
       }
+    }
+    if (surface.around.inside())
+    {
+      endInWalls(planes[axis], walls);
     }
   }
 }

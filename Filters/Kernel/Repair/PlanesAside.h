@@ -13,7 +13,9 @@
 namespace cartesian
 {
 
-// Each plane moves by two levels or stays, whichever leaves the smallest area of walls with a flange.
+// Each plane moves by two levels or stays, whichever leaves the smallest area of walls with a flange. Where the
+// domain is around the surface, so do the first and the last, towards the middle: a body that stands on the
+// ground stands in it.
 // The surface is oriented.
 void stepAside(const Surface& surface, Meshlines& planes);
 

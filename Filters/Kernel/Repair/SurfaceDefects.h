@@ -24,9 +24,10 @@ enum class DefectKind
   Hole = 10,              // narrower than a box, closed; line around it
   Leak = 11,              // a hole at least as wide as a box, closed; line around it
   ClosedContact =
-    12, // faced another region's wall within the tolerance, and is that now; triangles
+    12,             // faced another region's wall within the tolerance, and is that now; triangles
+  CellLeftOut = 13, // of the mesh, not of the surface (Assembly.h); the sides of its box
 };
-constexpr std::size_t DefectKinds = 13;
+constexpr std::size_t DefectKinds = 13; // of the surface; from 1
 
 // Two triangles with a smaller angle between them, in degrees, are a fold.
 constexpr double FoldAngle = 1;

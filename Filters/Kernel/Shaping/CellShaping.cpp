@@ -262,7 +262,7 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
   CellsToShape whole(boxes, patches, sides, nodes, inner, cells);
   Shaping sum;
   std::size_t stage = 0;
-  for (const std::vector<Slab>& slabs : slabsFor(boxes.core.grown(HaloOfShapedCells, all), all))
+  for (const std::vector<Slab>& slabs : slabsFor(layersOfShapedCells(boxes.core, all), all))
   {
     const Shares& shares = SharesOfStages[stage++];
     const bool isLast = stage == ShapingStages;

@@ -20,4 +20,7 @@ inline DisjointSets connectedComponents(const Surface& surface)
   return components;
 }
 
+// Of each triangle: the volume that its component encloses, in cubic levels; of a cavity too it is positive.
+std::vector<float> enclosedVolumes(const Surface& surface);
+
 }

@@ -15,6 +15,7 @@ constexpr std::size_t LinesAChunk = 1024;
 LineCrossings::LineCrossings(
   const Surface& surface, const Meshlines& planes, int along, Execution& execution)
   : axes_(RowsAlong[static_cast<std::size_t>(along)])
+  , around_(surface.around)
   , linesOfMiddle_(planes[axes_.middle].size())
 {
   const std::size_t count = surface.triangles.size();

@@ -78,7 +78,8 @@ public:
     const LineCrossing* const first = begin(middle, outer);
     const LineCrossing* const above =
       std::upper_bound(first, end(middle, outer), LineCrossing{ 0, plane, {} });
-    return above == first ? Winding{} : above[-1].winding;
+    Winding winding = around_;
+    return above == first ? winding : winding.add(above[-1].winding);
   }
 
 private:
@@ -101,6 +102,7 @@ private:
   }
 
   RowAxes axes_;
+  Winding around_;
   std::size_t linesOfMiddle_;
   Buckets<LineCrossing> crossings_; // by line
 };

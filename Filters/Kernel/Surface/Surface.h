@@ -40,6 +40,8 @@ struct Surface
   std::vector<std::int32_t> boundary; // of each triangle
   std::vector<std::int32_t> region; // of each triangle, until separateRegions(); empty: one region
   Walls walls;                      // from then on
+  Winding around;                   // of what is far from the surface (FlowDomain.h)
+  EndBoundaries ends = NoEnds;      // where the grid cuts the domain
   std::vector<std::uint32_t>
     given; // of each triangle, its number in the view; none: it closes a hole
   std::vector<std::uint8_t>

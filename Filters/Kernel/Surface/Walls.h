@@ -2,6 +2,7 @@
 // What lies on either side of a surface's triangles where they bound several regions.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -15,6 +16,11 @@ constexpr std::int32_t FirstRegion = 1;
 // Boundary index of faces that do not come from the user's surface: at a leak, or at the end of the
 // grid.
 constexpr std::int32_t NoBoundary = -1;
+
+// Boundary indices of the grid's ends: low x, high x, low y, ...
+using EndBoundaries = std::array<std::int32_t, 6>;
+constexpr EndBoundaries NoEnds = { NoBoundary, NoBoundary, NoBoundary, NoBoundary, NoBoundary,
+  NoBoundary };
 
 // Triangles with the same regions and boundaries on either side. Normals point from behind to the front.
 struct Wall

@@ -302,6 +302,19 @@ TEST(Parts, AreTheWholeMeshFarFromADeepPlace)
   expectUnion(soup, grid, options);
 }
 
+// What is cut off goes in all parts or in none, wherever they are divided (Cells/Fragments.h).
+TEST(Parts, AreTheWholeMeshWithoutFragments)
+{
+  Soup soup;
+  for (int i = 0; i < 12; ++i)
+  {
+    soup.add(beadOnAThread(0.01).moved({ 0.03 * i, 0.02 * i, 4.93 * i }));
+  }
+  const GridSpec grid = cellsAlongLongest(soup, 61.3);
+  ASSERT_GT(meshOf(soup, grid, TestOptions()).statistics.at("FragmentCellsRemoved"), 5);
+  expectShapedUnion(soup, grid, 0);
+}
+
 TEST(Parts, AreTheWholeMeshByExactFit)
 {
   const Soup soup = bumpySphere(5, 8);

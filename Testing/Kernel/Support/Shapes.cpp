@@ -406,6 +406,16 @@ Soup blockWithTubes()
   return voxels({ lines, lines, { 0, 1 } }, [](int i, int j, int) { return i * j % 2 == 0; });
 }
 
+Soup beadOnAThread(double thickness)
+{
+  const std::vector<double> across = { 0, 1.6, 2 - thickness / 2, 2 + thickness / 2, 2.4, 4 };
+  return voxels({ { { 0, 4, 7, 7.8 }, across, across } }, [&](int i, int j, int k) {
+    const bool onThread = j == 2 && k == 2;
+    const bool inBead = j > 0 && j < 4 && k > 0 && k < 4;
+    return i == 0 || (i == 1 ? onThread : inBead);
+  });
+}
+
 Soup starPolyhedron(unsigned seed, int n)
 {
   std::mt19937 random(seed);

@@ -52,11 +52,13 @@ Soup octahedron(double radius);                  // vertices on the axes
 Soup tetrahedron(const std::array<Vector, 4>& corners);
 Soup sphere(int n, double radius); // 12 n^2 triangles
 Soup torus(int n, double radius, double tube);
-Soup needle();           // 1 long, 1e-4 thick
-Soup pyramidOnAPlane();  // its apex touches the inside of a slab's face
-Soup nestedSpheres();    // a ball with a ball cut out
-Soup comb(int teeth);    // thin sheets on a base
-Soup blockWithTubes();   // 3 x 3
+Soup needle();          // 1 long, 1e-4 thick
+Soup pyramidOnAPlane(); // its apex touches the inside of a slab's face
+Soup nestedSpheres();   // a ball with a ball cut out
+Soup comb(int teeth);   // thin sheets on a base
+Soup blockWithTubes();  // 3 x 3
+Soup beadOnAThread(
+  double thickness);     // of the thread, from a block of 4 to a bead of 0.8, at x from 7
 Soup kleinBottle(int n); // a figure of eight swept around with half a twist: intersects itself
 Soup starPolyhedron(unsigned seed, int n);
 Soup bumpySphere(unsigned seed, int n);

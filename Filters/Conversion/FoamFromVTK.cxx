@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FoamFromVTK.h"
+
+#include "Base/Error.h"
+#include "BoundaryOfFaces.h"
+#include "Cells/Cells.h"
+
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkStringArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// Numbers in order, NoBoundary last.
+bool isBefore(vtkIdType a, vtkIdType b)
+{
+  return (a == NoBoundary) != (b == NoBoundary) ? b == NoBoundary : a < b;
+}
+
+// The name as a word that is not taken yet: with the number, if need be.
+std::string takeWord(const std::string& name, vtkIdType number, std::set<std::string>& taken)
+{
+  std::string word = foamWord(name);
+  while (!taken.insert(word).second)
+  {
+    word += "_" + std::to_string(number);
+  }
+  return word;
+}
+
+// A distinct word for each boundary.
+std::vector<std::string> patchNames(
+  vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& boundaries)
+{
+  const std::map<vtkIdType, std::string> given = readBoundaryTexts(grid, "BoundaryNames");
+  std::vector<std::string> names;
+  std::set<std::string> taken;
+  for (const vtkIdType boundary : boundaries)
+  {
+    const auto name = given.find(boundary);
+    const std::string plain =
+      boundary == NoBoundary ? "no_surface" : "boundary_" + std::to_string(boundary);
+    names.push_back(takeWord(
+      name == given.end() || name->second.empty() ? plain : name->second, boundary, taken));
+  }
+  return names;
+}
+
+}
+
+std::vector<FoamPatch> patchesOf(vtkUnstructuredGrid* grid,
+  const std::vector<vtkIdType>& boundaries, const std::vector<std::size_t>& counts)
+{
+  const std::vector<std::string> names = patchNames(grid, boundaries);
+  std::map<vtkIdType, std::string> types = readBoundaryTexts(grid, "BoundaryTypes");
+  std::vector<FoamPatch> patches;
+  patches.reserve(names.size());
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    patches.push_back({ names[i], counts[i], types[boundaries[i]] });
+  }
+  return patches;
+}
+
+std::pair<std::vector<vtkIdType>, std::vector<std::size_t>> sortByBoundary(
+  const std::vector<vtkIdType>& boundaryOf, FaceList& list)
+{
+  std::vector<vtkIdType> boundaries = boundaryOf;
+  std::sort(boundaries.begin(), boundaries.end(), isBefore);
+  boundaries.erase(std::unique(boundaries.begin(), boundaries.end()), boundaries.end());
+  std::vector<std::uint32_t> patchOf;
+  patchOf.reserve(boundaryOf.size());
+  for (const vtkIdType boundary : boundaryOf)
+  {
+    patchOf.push_back(static_cast<std::uint32_t>(
+      std::lower_bound(boundaries.begin(), boundaries.end(), boundary, isBefore) -
+      boundaries.begin()));
+  }
+  std::vector<std::size_t> counts = sortByPatch(list, patchOf, boundaries.size());
+  return { std::move(boundaries), std::move(counts) };
+}
+
+FoamRegions regionsOf(vtkUnstructuredGrid* grid, const GridFaces& faces, RegionsAsked asked)
+{
+  auto* names = vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray("RegionNames"));
+  auto* regions = vtkIntArray::SafeDownCast(grid->GetCellData()->GetArray("Region"));
+  std::map<int, std::uint32_t> number;
+  for (int i = 1; names && asked == RegionsAsked::AllOfTheMesh && i <= names->GetNumberOfValues();
+       ++i)
+  {
+    number[i] = 0;
+  }
+  for (std::size_t cell = 0; names && regions && cell < faces.cellOf.size(); ++cell)
+  {
+    number[regions->GetValue(faces.cellOf[cell])] = 0;
+  }
+  if (!regions || number.size() < 2 || number.begin()->first < 1 ||
+    number.rbegin()->first > names->GetNumberOfValues())
+  {
+    return {};
+  }
+  FoamRegions result;
+  std::set<std::string> taken;
+  for (auto& [region, index] : number)
+  {
+    index = static_cast<std::uint32_t>(result.names.size());
+    result.names.push_back(takeWord(names->GetValue(region - 1), region, taken));
+  }
+  for (const vtkIdType cell : faces.cellOf)
+  {
+    result.ofCell.push_back(number[regions->GetValue(cell)]);
+  }
+  return result;
+}
+
+std::vector<FoamZone> zonesOf(const FoamRegions& regions)
+{
+  std::vector<FoamZone> zones;
+  for (const std::string& name : regions.names)
+  {
+    zones.push_back({ name, {} });
+  }
+  for (std::uint32_t cell = 0; cell < regions.ofCell.size(); ++cell)
+  {
+    zones[regions.ofCell[cell]].cells.push_back(cell);
+  }
+  return zones;
+}
+
+namespace
+{
+
+std::size_t firstCellOf(vtkUnstructuredGrid* grid, const GridFaces& faces)
+{
+  auto* ids = vtkIdTypeArray::SafeDownCast(grid->GetCellData()->GetAbstractArray(CellId));
+  const vtkIdType first = ids ? ids->GetValue(faces.cellOf.front()) : 0;
+  for (std::size_t c = 0; c < faces.cellOf.size(); ++c)
+  {
+    if (!ids || ids->GetValue(faces.cellOf[c]) != first + static_cast<vtkIdType>(c))
+    {
+      throw Error(Fault::BadMesh,
+        "The cells of this piece do not follow each other: to write a decomposed case, save the "
+        "mesh of "
+        "Cartesian Mesher itself.");
+    }
+  }
+  return static_cast<std::size_t>(first);
+}
+
+std::vector<std::int32_t> pointNumbers(vtkUnstructuredGrid* grid, const GridFaces& faces)
+{
+  auto* ids = vtkIdTypeArray::SafeDownCast(grid->GetPointData()->GetGlobalIds());
+  if (!ids)
+  {
+    throw Error(Fault::BadMesh,
+      "The points have no global ids: to write a decomposed case, save the mesh of Cartesian "
+      "Mesher "
+      "itself.");
+  }
+  std::vector<std::int32_t> numbers;
+  numbers.reserve(faces.pointOf.size());
+  for (const vtkIdType point : faces.pointOf)
+  {
+    numbers.push_back(static_cast<std::int32_t>(ids->GetValue(point)));
+  }
+  return numbers;
+}
+
+}
+
+FoamPiece foamPiece(vtkUnstructuredGrid* grid, Execution& execution)
+{
+  if (grid->GetNumberOfCells() == 0)
+  {
+    throw Error(Fault::BadMesh,
+      "A piece of the mesh has no cells, which OpenFOAM does not take: write fewer pieces.");
+  }
+  GridFaces faces(grid);
+  turnOutward(faces.cells, faces.points, execution);
+  FaceList list = listFaces(faces.cells, faces.points.size() / 3, Clashes::Refused, execution);
+  std::vector<vtkIdType> boundaryOf;
+  if (readBoundaryOfFaces(grid, faces, list, boundaryOf) != BoundaryKnowledge::All)
+  {
+    throw Error(Fault::BadMesh,
+      "Cells were changed since the mesh was made: to write a decomposed case, save the mesh of "
+      "Cartesian Mesher itself.");
+  }
+  const auto [boundaries, counts] = sortByBoundary(boundaryOf, list);
+  FoamPiece piece{ {}, pointNumbers(grid, faces), firstCellOf(grid, faces), {} };
+  for (std::size_t i = 0; i < boundaries.size() && boundaries[i] != NoBoundary; ++i)
+  {
+    piece.boundaries.emplace_back(static_cast<std::int32_t>(boundaries[i]), counts[i]);
+  }
+  std::vector<FoamZone> zones = zonesOf(regionsOf(grid, faces, RegionsAsked::AllOfTheMesh));
+  piece.mesh = foamMesh(std::move(faces.points), faces.cells, list, {});
+  piece.mesh.zones = std::move(zones);
+  return piece;
+}
+
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a mesh says of its boundaries and regions, in OpenFOAM's terms (vtkPolyMeshWriter.h).
+#pragma once
+
+#include "GridFaces.h"
+#include "OpenFoam/FoamPieces.h"
+#include "OpenFoam/FoamRegions.h"
+
+class vtkUnstructuredGrid;
+
+namespace cartesian
+{
+
+// Patches of these boundaries, with so many faces each.
+std::vector<FoamPatch> patchesOf(vtkUnstructuredGrid* grid,
+  const std::vector<vtkIdType>& boundaries, const std::vector<std::size_t>& counts);
+
+// Sorts the boundary faces by the boundaries they are of, NoBoundary last. Returns the boundaries and how many
+// faces each has.
+std::pair<std::vector<vtkIdType>, std::vector<std::size_t>> sortByBoundary(
+  const std::vector<vtkIdType>& boundaryOf, FaceList& list);
+
+enum class RegionsAsked
+{
+  WithCells,    // none, if all cells are of one
+  AllOfTheMesh, // those of other pieces too; none, if there is one
+};
+
+FoamRegions regionsOf(vtkUnstructuredGrid* grid, const GridFaces& faces, RegionsAsked asked);
+
+std::vector<FoamZone> zonesOf(const FoamRegions& regions);
+
+// A piece of a mesh; it must have global ids (MeshPiece.h). Throws Error (BadMesh): it has none, or cells were
+// changed since it was made.
+FoamPiece foamPiece(vtkUnstructuredGrid* grid, Execution& execution);
+
+}

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/Fragments.h"
+
+#include "Lattice/Vector.h"
+#include "Parts/Slabs.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t CellsAChunk = 512;
+
+class Search
+{
+public:
+  Search(const Boxes& boxes, const Patches& patches, const Sides& sides, const InnerFaces& inner,
+    const Cells& cells)
+    : boxes_(boxes)
+    , patches_(patches)
+    , sides_(sides)
+    , inner_(inner)
+    , cells_(cells)
+    , isLarge_(cells.size())
+  {
+  }
+
+  std::vector<SmallPart> run(Execution& execution)
+  {
+    execution.forEach(cells_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c)
+      {
+        isLarge_[c] = hasHexahedronBeside(static_cast<std::uint32_t>(c)) ? 1 : 0;
+      }
+    });
+    std::vector<SmallPart> parts;
+    for (std::uint32_t c = 0; c < cells_.size(); ++c)
+    {
+      if (isLarge_[c] == 0 && !cells_.all[c].removed && collect(c))
+      {
+        parts.push_back({ part_, volume() < LargestFragment * enclosed() });
+      }
+      for (const std::uint32_t cell : part_) // each is looked at once
+      {
+        isLarge_[cell] = 1;
+      }
+      part_.clear();
+    }
+    return parts;
+  }
+
+private:
+  // visit(cell beyond the face), None for a hexahedron, until it returns true. Returns whether it did.
+  template <class Visitor>
+  bool anyBeyond(std::uint32_t c, Visitor&& visit) const
+  {
+    const auto face = cells_.faces.begin();
+    return std::any_of(face + std::ptrdiff_t(cells_.all[c].firstFace),
+      face + std::ptrdiff_t(cells_.all[c + 1].firstFace), [&](const FaceOfCell& use) {
+        const std::size_t above = use.turned() ? 0 : 1;
+        switch (use.kind())
+        {
+          case FaceOfCell::Kind::Inner:
+          case FaceOfCell::Kind::TurnedInner:
+            return anyBeyondInner(use.index, above, visit);
+          case FaceOfCell::Kind::Shaped:
+          case FaceOfCell::Kind::TurnedShaped:
+          {
+            const std::uint32_t other = cells_.shaped.cells[use.index][above];
+            return other != None && visit(other == ShapedFaces::SomeHexahedron ? None : other);
+          }
+          default:
+            return false;
+        }
+      });
+  }
+
+  template <class Visitor>
+  bool anyBeyondInner(std::uint32_t face, std::size_t above, Visitor&& visit) const
+  {
+    const std::uint32_t other = cells_.ofInnerFace[face][above];
+    if (other != None)
+    {
+      return visit(other);
+    }
+    const auto after =
+      std::upper_bound(inner_.sideStart.begin(), inner_.sideStart.end(), std::size_t(face));
+    const Side& side =
+      sides_.common[static_cast<std::size_t>(after - inner_.sideStart.begin() - 1)];
+    const std::uint32_t box = above == 1 ? side.high : side.low;
+    return box != None && sides_.polyhedralOrdinal(box) == None && visit(None);
+  }
+
+  bool hasHexahedronBeside(std::uint32_t c) const
+  {
+    return anyBeyond(c, [](std::uint32_t other) { return other == None; });
+  }
+
+  // Fills part_, in order; returns whether it is a small part.
+  bool collect(std::uint32_t c)
+  {
+    part_.assign(1, c);
+    Layers layers = layersOf(c);
+    std::size_t next = 0;
+    while (next < part_.size())
+    {
+      const std::uint32_t cell = part_[next++];
+      const Layers own = layersOf(cell);
+      layers = { std::min(layers.begin, own.begin), std::max(layers.end, own.end) };
+      if (layers.end - layers.begin > MostLayersOfAFragment ||
+        anyBeyond(cell, [&](std::uint32_t other) { return !add(other); }))
+      {
+        return false;
+      }
+    }
+    std::sort(part_.begin(), part_.end());
+    const std::uint32_t all = boxes_.allLayers().end;
+    bool isBeside = false;
+    for (std::uint32_t layer = layers.begin; layer < layers.end; ++layer)
+    {
+      isBeside = isBeside || isBesideDivide(layer, all);
+    }
+    return !isBeside;
+  }
+
+  Layers layersOf(std::uint32_t c) const
+  {
+    const Cell& cell = cells_.all[c];
+    const std::uint32_t layer = boxes_.globalOf(boxes_.packed[cell.box]).index[2];
+    return { layer - cell.reach[0], layer + cell.reach[1] + 1 };
+  }
+
+  // False: with this cell the part is too large.
+  bool add(std::uint32_t other)
+  {
+    if (cells_.all[other].removed || std::find(part_.begin(), part_.end(), other) != part_.end())
+    {
+      return true;
+    }
+    part_.push_back(other);
+    return isLarge_[other] == 0 && part_.size() <= MostCellsOfSmallPart;
+  }
+
+  double volume() const
+  {
+    double sum = 0;
+    for (const std::uint32_t c : part_)
+    {
+      const Box box = boxes_.box(cells_.all[c].box);
+      const Vector size = minus(box.high, box.low);
+      sum += cells_.all[c].volumeFraction * size[0] * size[1] * size[2];
+    }
+    return sum;
+  }
+
+  // The largest volume that a component of the surface encloses on which the part has a node.
+  double enclosed() const
+  {
+    std::unordered_set<std::uint32_t> nodes;
+    double largest = 0;
+    for (const std::uint32_t c : part_)
+    {
+      for (std::size_t f = cells_.all[c].firstFace; f < cells_.all[c + 1].firstFace; ++f)
+      {
+        forEachNode(cells_.faces[f], patches_, inner_, cells_.shaped,
+          [&](std::uint32_t node) { nodes.insert(node); });
+      }
+    }
+    for (const std::uint32_t c : part_)
+    {
+      const std::uint32_t cut =
+        sides_.patchBox[sides_.polyhedralOrdinal(cells_.all[c].box)]; // or None
+      for (std::size_t p = cut == None ? 0 : patches_.boxStart[cut];
+           cut != None && p < patches_.boxStart[cut + 1]; ++p)
+      {
+        const auto corner = patches_.corners.begin();
+        if (std::any_of(corner + std::ptrdiff_t(patches_.start[p]),
+              corner + std::ptrdiff_t(patches_.start[p + 1]),
+              [&](std::uint32_t node) { return nodes.count(node) > 0; }))
+        {
+          largest = std::max(largest, double(patches_.enclosed[patches_.triangle[p]]));
+        }
+      }
+    }
+    return largest;
+  }
+
+  const Boxes& boxes_;
+  const Patches& patches_;
+  const Sides& sides_;
+  const InnerFaces& inner_;
+  const Cells& cells_;
+  std::vector<std::uint8_t> isLarge_; // 1: in no small part, or in one that is known
+  std::vector<std::uint32_t> part_;
+};
+
+}
+
+std::vector<SmallPart> findSmallParts(const Boxes& boxes, const Patches& patches,
+  const Sides& sides, const InnerFaces& inner, const Cells& cells, Execution& execution)
+{
+  return patches.walls.any() ? std::vector<SmallPart>{}
+                             : Search(boxes, patches, sides, inner, cells).run(execution);
+}
+
+}

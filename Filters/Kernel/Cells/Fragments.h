@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Small parts of a mesh that no face connects with the rest: bodies of the size of a few boxes, and what the grid
+// has cut off from a larger body. In such a fragment a solver cannot fix the pressure.
+#pragma once
+
+#include "Cells/Cells.h"
+
+namespace cartesian
+{
+
+// A small part has at most so many cells, none a whole box, in layers as Slabs.h says.
+constexpr std::size_t MostCellsOfSmallPart = 16;
+
+// It is a fragment if it holds less than this part of the volume that the surface around it encloses.
+constexpr double LargestFragment = 0.01;
+
+struct SmallPart
+{
+  std::vector<std::uint32_t> cells; // in order
+  bool isFragment;
+};
+
+// In order of their first cells. With several regions: none.
+std::vector<SmallPart> findSmallParts(const Boxes& boxes, const Patches& patches,
+  const Sides& sides, const InnerFaces& inner, const Cells& cells, Execution& execution);
+
+}

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which side of the surface is meshed: what it encloses, or the space around it, in a box.
+//
+// Outside, the surface is turned inside out, and winds around what is far from it once: a point in no body
+// is inside (Winding.h), in the union of bodies it is not, and no triangles of the box are needed. Where the
+// grid ends the box does; bodies that reach beyond are cut off there exactly.
+#pragma once
+
+#include "Lattice/Meshlines.h"
+#include "Surface/Surface.h"
+
+namespace cartesian
+{
+
+enum class Domain : std::uint8_t
+{
+  Inside = 0,  // what the surface encloses
+  Outside = 1, // a box without the bodies that the surface encloses
+};
+
+enum class BoxSource : std::uint8_t
+{
+  Surface = 0, // lengths of it before, behind and beside
+  Bounds = 1,  // as given
+};
+
+enum class FlowDirection : std::uint8_t
+{
+  PlusX = 0,
+  MinusX = 1,
+  PlusY = 2,
+  MinusY = 3,
+  PlusZ = 4,
+  MinusZ = 5,
+};
+
+// A side of the box.
+enum class DomainSide : std::uint8_t
+{
+  NoSide = 0,
+  XMin = 1,
+  XMax = 2,
+  YMin = 3,
+  YMax = 4,
+  ZMin = 5,
+  ZMax = 6,
+};
+
+// Which half of the box is left out: all below the middle of the surface along one axis.
+enum class Half : std::uint8_t
+{
+  Whole = 0,
+  AcrossX = 1,
+  AcrossY = 2,
+  AcrossZ = 3,
+};
+
+struct DomainSpec
+{
+  static constexpr Range Lengths{ 0 };
+
+  Domain domain = Domain::Inside;
+  BoxSource boxFrom = BoxSource::Surface;
+  FlowDirection flow = FlowDirection::PlusX;
+  double before = 3; // times the surface's longest side
+  double behind = 5;
+  double beside = 3;
+  DomainSide ground = DomainSide::NoSide; // there the box ends with the surface
+  Half half = Half::Whole;
+  Bounds bounds{};              // user units
+  EndBoundaries sides = NoEnds; // boundaries of the box's sides
+
+  bool isOutside() const { return domain == Domain::Outside; }
+};
+
+// The box around a surface with these bounds. Throws Error: BadParameter.
+Bounds boxAround(const DomainSpec& spec, const Bounds& surface);
+
+// Makes the surface, which is oriented, the boundary of what is around it.
+void turnInsideOut(Surface& surface);
+
+}

@@ -1,0 +1,25 @@
+"""Each rank writes its piece of a decomposed case; together they are the mesh that the ranks write whole."""
+
+import pathlib
+import tempfile
+
+from paraview import simple
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+
+import decomposed
+import foam
+from pipeline import DATA
+
+processes = vtkMultiProcessController.GetGlobalController()
+ranks = processes.GetNumberOfProcesses()
+
+with tempfile.TemporaryDirectory() as temporary:
+    mesher = simple.CartesianMesher(Input=simple.OpenDataFile(str(DATA / "kcl_exhaust_header_lumens.stl")), CellSize=12)
+    whole = foam.Files(foam.save(mesher, pathlib.Path(temporary) / "whole"))
+    for kind in "Ascii", "Binary":
+        case = foam.save(mesher, pathlib.Path(temporary) / kind, Pieces=ranks, FileType=kind)
+        pieces = decomposed.check(case, whole, ranks)
+    again = foam.save(mesher, case, Pieces=ranks)  # replaces it
+    decomposed.check(again, whole, ranks)
+    assert not (again / "processor0" / "constant" / "polyMesh.old").exists()
+    print([piece.files.cells for piece in pieces], "cells")

@@ -1,0 +1,89 @@
+"""Domain Outside: a box around bodies, from the panel's properties; its sides are boundaries by name."""
+
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import foam
+
+PROGRAM = sys.argv[2]
+SIDES = ["xMin", "xMax", "yMin", "yMax", "zMin", "zMax"]
+
+
+def strings(data, name):
+    array = data.GetFieldData().GetAbstractArray(name)
+    return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
+
+
+def areas(boundary):
+    """{name of a boundary: its area}."""
+    area = vtk_to_numpy(boundary.GetCellData().GetArray("FaceArea"))
+    number = vtk_to_numpy(boundary.GetCellData().GetArray("BoundaryId"))
+    ids = vtk_to_numpy(boundary.GetFieldData().GetArray("BoundaryIds"))
+    return {name: float(((area[number == i] ** 2).sum(axis=1) ** 0.5).sum())
+        for i, name in zip(ids, strings(boundary, "BoundaryNames"))}
+
+
+def expect(mesher, expected):
+    mesher.UpdatePipeline()
+    filter = mesher.GetClientSideObject()
+    assert filter.GetErrorCode() == 0, filter.GetErrorCode()
+    actual = areas(filter.GetOutputDataObject(1))
+    for name, area in expected.items():
+        assert math.isclose(actual[name], area, rel_tol=1e-6), f"{name}: {actual}"
+    assert "no_surface" not in actual, actual
+
+
+# A cube on the ground, with the flow towards -y: 8 lengths along y, 5 high, 6 wide.
+cube = simple.Triangulate(Input=simple.Box())
+mesher = simple.CartesianMesher(Input=cube, Domain="Outside", FlowDirection="Minus Y",
+    LengthsBefore=2, LengthsBehind=5, LengthsBeside=2.5, Ground="zMin", CellSize=0.4,
+    PatchMethod="Exact Fit")
+expect(mesher, {"xMin": 28, "xMax": 28, "yMin": 21, "yMax": 21, "zMin": 47, "zMax": 48,
+    "boundary_0": 5})
+bounds = mesher.GetClientSideObject().GetOutputDataObject(0).GetBounds()
+for actual, expected in zip(bounds, [-3, 3, -5.5, 2.5, -0.5, 3]):
+    assert math.isclose(actual, expected, abs_tol=1e-6), bounds
+
+# Half of it is symmetric.
+mesher.Half = "Across X"
+expect(mesher, {"xMin": 27, "xMax": 28, "zMax": 24, "boundary_0": 2.5})
+mesh = mesher.GetClientSideObject().GetOutputDataObject(0)
+types = dict(zip(strings(mesh, "BoundaryNames"), strings(mesh, "BoundaryTypes")))
+assert [types[side] for side in SIDES] == ["symmetryPlane"] + 3 * ["patch"] + ["wall", "patch"], types
+
+# A box by its bounds, which cuts the body off.
+mesher.Half = "None"
+mesher.Ground = "None"
+mesher.BoxFrom = "Bounds"
+mesher.DomainBounds = [-2, 2, -2, 2, 0, 2]
+expect(mesher, {"zMin": 15, "zMax": 16, "boundary_0": 3})
+
+# The same by a task file, as an OpenFOAM case.
+with tempfile.TemporaryDirectory() as folder:
+    folder = pathlib.Path(folder)
+    simple.SaveData(str(folder / "cube.stl"), proxy=cube)
+    (folder / "task.toml").write_text("""
+[surface]
+file = "cube.stl"
+[domain]
+domain = "Outside"
+ground = "zMin"
+half = "Across Y"
+[grid]
+cell_size = 0.5
+[output]
+mesh = "case/case.foam"
+""")
+    subprocess.run([PROGRAM, str(folder / "task.toml")], check=True, capture_output=True)
+    text = (folder / "case" / "constant" / "polyMesh" / "boundary").read_text()
+    for side in SIDES:
+        assert side in text, text
+    assert "symmetryPlane" in text, text
+    check = foam.CheckMesh(folder / "case")
+    assert check.ok, check.text
