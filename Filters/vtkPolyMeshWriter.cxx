@@ -2,13 +2,9 @@
 #include "vtkPolyMeshWriter.h"
 
 #include "Base/Error.h"
-#include "BoundaryOfFaces.h"
 #include "FoamFromVTK.h"
 #include "FoamPieceStore.h"
-#include "GridFaces.h"
-#include "MeshUnion.h"
 #include "Processes.h"
-#include "ReportErrors.h"
 
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
@@ -18,7 +14,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <algorithm>
 #include <optional>
 
 vtkStandardNewMacro(vtkPolyMeshWriter);
@@ -105,31 +100,21 @@ cartesian::PolyMeshFiles WriteBeside(cartesian::FoamPiece&& piece, std::size_t n
 
 vtkPolyMeshWriter::vtkPolyMeshWriter() = default;
 
-vtkPolyMeshWriter::~vtkPolyMeshWriter()
-{
-  this->SetFileName(nullptr);
-}
-
-int vtkPolyMeshWriter::FillInputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  return 1;
-}
+vtkPolyMeshWriter::~vtkPolyMeshWriter() = default;
 
 vtkTypeBool vtkPolyMeshWriter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
   const bool isAlone = CountProcesses() == 1;
-  if (request->Has(Pipeline::REQUEST_UPDATE_EXTENT()) && (processes || this->Pieces > 1))
+  const vtkTypeBool done = this->Superclass::ProcessRequest(request, input, output);
+  if (request->Has(Pipeline::REQUEST_UPDATE_EXTENT()) && isAlone && this->Pieces > 1)
   {
     vtkInformation* info = input[0]->GetInformationObject(0);
-    const int next = this->SoFar ? static_cast<int>(this->SoFar->pieces.size()) : 0;
-    info->Set(Pipeline::UPDATE_PIECE_NUMBER(), isAlone ? next : processes->GetLocalProcessId());
-    info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), isAlone ? this->Pieces : CountProcesses());
+    info->Set(Pipeline::UPDATE_PIECE_NUMBER(),
+      this->SoFar ? static_cast<int>(this->SoFar->pieces.size()) : 0);
+    info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), this->Pieces);
   }
-  const vtkTypeBool done = this->Superclass::ProcessRequest(request, input, output);
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) && isAlone && this->Pieces > 1)
   {
     if (this->SoFar)
@@ -144,75 +129,35 @@ vtkTypeBool vtkPolyMeshWriter::ProcessRequest(
   return done;
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> vtkPolyMeshWriter::Gather()
-{
-  vtkSmartPointer<vtkUnstructuredGrid> mine = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
-  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
-  if (!processes || processes->GetNumberOfProcesses() == 1)
-  {
-    return mine;
-  }
-  const vtkIdType cells = mine->GetNumberOfCells();
-  std::vector<vtkIdType> cellsOf(static_cast<std::size_t>(processes->GetNumberOfProcesses()));
-  processes->AllGather(&cells, cellsOf.data(), 1);
-  const bool first = processes->GetLocalProcessId() == 0;
-  if (std::all_of(cellsOf.begin() + 1, cellsOf.end(), [](vtkIdType n) { return n == 0; }))
-  {
-    return first ? mine : nullptr;
-  }
-  std::vector<vtkSmartPointer<vtkDataObject>> pieces;
-  processes->Gather(mine, pieces, 0);
-  if (!first)
-  {
-    return nullptr;
-  }
-  return cartesian::unitePieces(pieces);
-}
-
-template <class Action>
-void vtkPolyMeshWriter::Try(Action&& act)
-{
-  cartesian::reportErrors(act, [this](unsigned long code, const std::string& message) {
-    this->SetErrorCode(code);
-    vtkErrorMacro(<< message);
-    this->SoFar.reset();
-  });
-}
-
 void vtkPolyMeshWriter::WriteData()
 {
-  this->Try([&] {
-    const bool isNamed = this->FileName && *this->FileName;
-    auto* own = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
-    if (isNamed && this->Pieces > 1 && CountProcesses() > 1)
-    {
-      this->WriteOwnPiece(own);
-      return;
-    }
-    if (isNamed && this->Pieces > 1)
-    {
-      this->AddPiece(own, this->SoFar ? static_cast<int>(this->SoFar->pieces.size()) : 0);
-      return;
-    }
-    const vtkSmartPointer<vtkUnstructuredGrid> grid = this->Gather();
-    if (!grid)
-    {
-      return;
-    }
-    if (!isNamed)
-    {
-      this->SetErrorCode(vtkErrorCode::NoFileNameError);
-      vtkErrorMacro("There is no file name: set one, such as case.foam.");
-      return;
-    }
-    this->WriteCase(grid);
-  });
+  auto* own = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
+  if (this->Pieces == 1 || !this->HasFileName())
+  {
+    this->Superclass::WriteData();
+  }
+  else if (CountProcesses() > 1)
+  {
+    this->Try([&] { this->WriteOwnPiece(own); });
+  }
+  else
+  {
+    this->TryToAdd(own, this->SoFar ? static_cast<int>(this->SoFar->pieces.size()) : 0);
+  }
+}
+
+void vtkPolyMeshWriter::TryToAdd(vtkUnstructuredGrid* grid, int number)
+{
+  if (!this->Try([&] { this->AddPiece(grid, number); }))
+  {
+    this->SoFar.reset();
+  }
 }
 
 void vtkPolyMeshWriter::WritePiece(vtkUnstructuredGrid* piece, int number)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
-  this->Try([&] { this->AddPiece(piece, number); });
+  this->TryToAdd(piece, number);
 }
 
 void vtkPolyMeshWriter::CheckDecomposition(int processes)
@@ -313,51 +258,29 @@ void vtkPolyMeshWriter::WriteOwnPiece(vtkUnstructuredGrid* grid)
   });
 }
 
-void vtkPolyMeshWriter::WriteCase(vtkUnstructuredGrid* grid)
+void vtkPolyMeshWriter::WriteMesh(vtkUnstructuredGrid* grid)
 {
   cartesian::Execution execution(0);
-  cartesian::GridFaces faces(grid);
-  cartesian::turnOutward(faces.cells, faces.points, execution);
-  cartesian::FaceList list = cartesian::listFaces(
-    faces.cells, faces.points.size() / 3, cartesian::Clashes::Refused, execution);
-  this->UpdateProgress(0.4);
-
-  std::vector<vtkIdType> boundaryOf;
-  const auto known = cartesian::readBoundaryOfFaces(grid, faces, list, boundaryOf);
-  std::vector<cartesian::FoamPatch> patches;
-  if (known == cartesian::BoundaryKnowledge::All)
+  cartesian::WholeMesh whole = cartesian::wholeMesh(grid, execution);
+  if (whole.lostBoundaries)
   {
-    const auto [boundaries, counts] = cartesian::sortByBoundary(boundaryOf, list);
-    patches = cartesian::patchesOf(grid, boundaries, counts);
-  }
-  else if (!boundaryOf.empty())
-  {
-    patches.push_back({ "boundary", boundaryOf.size() });
-  }
-  if (known == cartesian::BoundaryKnowledge::Unfit)
-  {
-    vtkWarningMacro("Cells were cut or put together since the mesh was made, so that its "
-                    "boundaries are lost: there is one patch. To have them all, save the mesh of "
-                    "Cartesian Mesher itself.");
+    vtkWarningMacro(<< cartesian::LostBoundaries);
   }
   this->UpdateProgress(0.5);
 
   const std::filesystem::path file = this->FileName;
   cartesian::PolyMeshFiles files(file.parent_path(), FormatOf(this->FileType));
-  const cartesian::FoamRegions regions =
-    cartesian::regionsOf(grid, faces, cartesian::RegionsAsked::WithCells);
-  cartesian::FoamMesh mesh =
-    cartesian::foamMesh(std::move(faces.points), faces.cells, list, std::move(patches));
+  const cartesian::FoamRegions& regions = whole.regions;
   if (regions.names.empty() || this->RegionsAs == Zones)
   {
-    mesh.zones = cartesian::zonesOf(regions);
-    files.write(mesh);
+    whole.mesh.zones = cartesian::zonesOf(regions);
+    files.write(whole.mesh);
   }
   else
   {
     for (std::uint32_t region = 0; region < regions.names.size(); ++region)
     {
-      files.write(cartesian::meshOfRegion(mesh, regions, region), regions.names[region]);
+      files.write(cartesian::meshOfRegion(whole.mesh, regions, region), regions.names[region]);
     }
   }
   this->WarnOfKept(files.replace());
@@ -376,7 +299,6 @@ void vtkPolyMeshWriter::WarnOfKept(const std::vector<std::filesystem::path>& kep
 void vtkPolyMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "FileType: " << this->FileType << "\n";
   os << indent << "RegionsAs: " << this->RegionsAs << "\n";
   os << indent << "Pieces: " << this->Pieces << "\n";

@@ -3,9 +3,7 @@
  * @class vtkPolyMeshWriter
  * @brief writes an unstructured grid as an OpenFOAM case
  *
- * Input: a vtkUnstructuredGrid of cells with a volume, polyhedra included; cells of lower dimension
- * and ghost cells are left out. Cells need not be turned right side out, but the faces of each must
- * agree with each other.
+ * Input, several processes and errors: see vtkWholeMeshWriter.
  *
  * `FileName` (case.foam) is created empty if it is not there; its folder is the case. What is
  * written into it, and what becomes of a mesh that was there, says Kernel/OpenFoam/PolyMeshFiles.h: faces in
@@ -25,48 +23,31 @@
  * patches <region>_to_<other> of type mappedWall, and constant/regionProperties; or Zones, one mesh in which
  * each is a cellZone.
  *
- * On several processes the first gathers the pieces and writes them; points of the same coordinates
- * are then one.
- *
  * With several `Pieces`, the case is decomposed, as decomposePar would make it of that mesh: each piece is in
  * processor<N>/constant/polyMesh, with processor patches and the addressing files, which number the mesh that is
  * written otherwise. Several processes write a piece each; a single one asks its input for one piece
  * after the other, and has no more than one in memory. The input has the global ids of vtkCartesianMesher, and
  * of several regions each is a cellZone.
  *
- * Errors (GetErrorCode): vtkErrorCode::NoFileNameError; BadMesh, CannotWrite, OutOfMemory of
- * vtkCartesianAlgorithm. Then an existing mesh is as it was before.
- *
  * @sa vtkCartesianMesher vtkOpenFOAMReader
  */
 #ifndef vtkPolyMeshWriter_h
 #define vtkPolyMeshWriter_h
 
-#include "vtkCartesianMesherFiltersModule.h" // for the export macro
-#include "vtkSmartPointer.h"                 // for vtkSmartPointer
-#include "vtkWriter.h"
+#include "vtkWholeMeshWriter.h"
 
 #include <filesystem> // for names of files
 #include <memory>     // for unique_ptr
 #include <vector>     // for lists of files
 
-class vtkMultiProcessController;
 class vtkUnstructuredGrid;
 
-class VTKCARTESIANMESHERFILTERS_EXPORT vtkPolyMeshWriter : public vtkWriter
+class VTKCARTESIANMESHERFILTERS_EXPORT vtkPolyMeshWriter : public vtkWholeMeshWriter
 {
 public:
   static vtkPolyMeshWriter* New();
-  vtkTypeMacro(vtkPolyMeshWriter, vtkWriter);
+  vtkTypeMacro(vtkPolyMeshWriter, vtkWholeMeshWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * Name of the case's file, usually with the extension .foam.
-   */
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
-  ///@}
 
   ///@{
   /**
@@ -112,12 +93,11 @@ protected:
   vtkPolyMeshWriter();
   ~vtkPolyMeshWriter() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   vtkTypeBool ProcessRequest(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
   void WriteData() override;
+  void WriteMesh(vtkUnstructuredGrid* grid) override;
 
-  char* FileName = nullptr;
   int FileType = VTK_BINARY;
   int RegionsAs = Meshes;
   int Pieces = 1;
@@ -127,24 +107,12 @@ private:
   void operator=(const vtkPolyMeshWriter&) = delete;
 
   /**
-   * The whole mesh on the first process, null on the others.
-   */
-  vtkSmartPointer<vtkUnstructuredGrid> Gather();
-
-  void WriteCase(vtkUnstructuredGrid* grid);
-
-  /**
    * Of a decomposed case: the piece of this process, or piece `number` of its only process.
    */
   void WriteOwnPiece(vtkUnstructuredGrid* grid);
   void AddPiece(vtkUnstructuredGrid* grid, int number);
+  void TryToAdd(vtkUnstructuredGrid* grid, int number);
   void FinishPieces(vtkUnstructuredGrid* grid);
-
-  /**
-   * Runs the action; what it throws becomes the error code.
-   */
-  template <class Action>
-  void Try(Action&& act);
 
   void CheckDecomposition(int processes);
   void WarnOfKept(const std::vector<std::filesystem::path>& kept);

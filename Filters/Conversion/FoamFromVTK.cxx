@@ -180,6 +180,28 @@ std::vector<std::int32_t> pointNumbers(vtkUnstructuredGrid* grid, const GridFace
 
 }
 
+WholeMesh wholeMesh(vtkUnstructuredGrid* grid, Execution& execution)
+{
+  GridFaces faces(grid);
+  turnOutward(faces.cells, faces.points, execution);
+  FaceList list = listFaces(faces.cells, faces.points.size() / 3, Clashes::Refused, execution);
+  std::vector<vtkIdType> boundaryOf;
+  const BoundaryKnowledge known = readBoundaryOfFaces(grid, faces, list, boundaryOf);
+  std::vector<FoamPatch> patches;
+  if (known == BoundaryKnowledge::All)
+  {
+    const auto [boundaries, counts] = sortByBoundary(boundaryOf, list);
+    patches = patchesOf(grid, boundaries, counts);
+  }
+  else if (!boundaryOf.empty())
+  {
+    patches.push_back({ "boundary", boundaryOf.size() });
+  }
+  FoamRegions regions = regionsOf(grid, faces, RegionsAsked::WithCells);
+  return { foamMesh(std::move(faces.points), faces.cells, list, std::move(patches)),
+    std::move(regions), known == BoundaryKnowledge::Unfit };
+}
+
 FoamPiece foamPiece(vtkUnstructuredGrid* grid, Execution& execution)
 {
   if (grid->GetNumberOfCells() == 0)

@@ -30,6 +30,21 @@ FoamRegions regionsOf(vtkUnstructuredGrid* grid, const GridFaces& faces, Regions
 
 std::vector<FoamZone> zonesOf(const FoamRegions& regions);
 
+struct WholeMesh
+{
+  FoamMesh mesh;
+  FoamRegions regions;
+  bool lostBoundaries; // the grid had some: the mesh has one patch
+};
+
+constexpr const char* LostBoundaries =
+  "Cells were cut or put together since the mesh was made, so that its boundaries are lost: there "
+  "is one "
+  "patch. To have them all, save the mesh of Cartesian Mesher itself.";
+
+// Throws Error (BadMesh): cells overlap, or too many to number.
+WholeMesh wholeMesh(vtkUnstructuredGrid* grid, Execution& execution);
+
 // A piece of a mesh; it must have global ids (MeshPiece.h). Throws Error (BadMesh): it has none, or cells were
 // changed since it was made.
 FoamPiece foamPiece(vtkUnstructuredGrid* grid, Execution& execution);

@@ -74,3 +74,6 @@ writer = simple.CreateWriter("case.foam", mesher)
 assert writer.GetXMLLabel() == "OpenFOAM Mesh Writer", writer.GetXMLLabel()
 assert sorted(writer.ListProperties()) == ["FileName", "FileType", "Input", "Pieces", "RegionsAs"]
 assert writer.FileType == "Binary" and writer.RegionsAs == "Meshes"
+writer = simple.CreateWriter("mesh.cgns", mesher)
+assert writer.GetXMLLabel() == "CGNS Mesh Writer", writer.GetXMLLabel()
+assert sorted(writer.ListProperties()) == ["FileName", "Input"]

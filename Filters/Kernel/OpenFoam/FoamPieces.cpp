@@ -5,6 +5,7 @@
 #include "Surface/Walls.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -367,12 +368,11 @@ private:
       const auto end = corners.begin() + static_cast<std::ptrdiff_t>(start[i + 1] - start.front());
       const FaceNumbers::OpenFace& face = numbers_.openFaces[i];
       // Both pieces begin a face with the same corner.
-      const auto middle = face.isTurned
+      const auto corner = face.isTurned
         ? std::find_if(begin, end,
             [&](std::uint32_t point) { return piece_.points[point] == face.firstCorner; })
         : begin;
-      mesh_.corners.insert(mesh_.corners.end(), middle, end);
-      mesh_.corners.insert(mesh_.corners.end(), begin, middle);
+      std::rotate_copy(begin, corner, end, std::back_inserter(mesh_.corners));
       mesh_.start.push_back(mesh_.corners.size());
       mesh_.owner.push_back(owner[i]);
     }

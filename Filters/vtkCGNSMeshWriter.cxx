@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCGNSMeshWriter.h"
+
+#include "CgnsFile.h"
+#include "FoamFromVTK.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkUnstructuredGrid.h"
+
+vtkStandardNewMacro(vtkCGNSMeshWriter);
+
+void vtkCGNSMeshWriter::WriteMesh(vtkUnstructuredGrid* grid)
+{
+  cartesian::Execution execution(0);
+  cartesian::WholeMesh whole = cartesian::wholeMesh(grid, execution);
+  if (whole.lostBoundaries)
+  {
+    vtkWarningMacro(<< cartesian::LostBoundaries);
+  }
+  this->UpdateProgress(0.5);
+  std::vector<cartesian::CgnsZone> zones;
+  for (std::uint32_t region = 0; region < whole.regions.names.size(); ++region)
+  {
+    zones.push_back(
+      { whole.regions.names[region], cartesian::meshOfRegion(whole.mesh, whole.regions, region) });
+  }
+  if (zones.empty())
+  {
+    zones.push_back({ "Zone", std::move(whole.mesh) });
+  }
+  cartesian::writeCgns(zones, this->FileName);
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkCGNSMeshWriter
+ * @brief writes an unstructured grid as a CGNS file of polyhedra with named boundaries
+ *
+ * Input, several processes and errors: see vtkWholeMeshWriter. The file has one base, Base. Each region is a zone
+ * (one called Zone, if there are none) of the sections Faces (NGON_n) and Cells (NFACE_n). Each boundary is a
+ * family of its name, with a FamilyBC of type BCWall, BCSymmetryPlane, BCInflow, BCOutflow or BCGeneral, by its type
+ * or, without one, by its name; the zones' boundary conditions of that name are FamilySpecified, on
+ * FaceCenter. Regions are connected by Abutting1to1, face by face.
+ *
+ * @sa vtkPolyMeshWriter
+ */
+#ifndef vtkCGNSMeshWriter_h
+#define vtkCGNSMeshWriter_h
+
+#include "vtkWholeMeshWriter.h"
+
+class VTKCARTESIANMESHERFILTERS_EXPORT vtkCGNSMeshWriter : public vtkWholeMeshWriter
+{
+public:
+  static vtkCGNSMeshWriter* New();
+  vtkTypeMacro(vtkCGNSMeshWriter, vtkWholeMeshWriter);
+
+protected:
+  vtkCGNSMeshWriter() = default;
+  ~vtkCGNSMeshWriter() override = default;
+
+  void WriteMesh(vtkUnstructuredGrid* grid) override;
+
+private:
+  vtkCGNSMeshWriter(const vtkCGNSMeshWriter&) = delete;
+  void operator=(const vtkCGNSMeshWriter&) = delete;
+};
+
+#endif

@@ -1,0 +1,121 @@
+"""Meshes as CGNS files: read back by ParaView's reader, and checked by CGNS's cgnscheck where it is new enough."""
+
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import foam
+from pieces import loops
+from pipeline import DATA, Messages
+from polyhedra import face_streams
+
+NAMES = [f"{part}_{duct}" for duct in range(1, 5) for part in ("wall", "inlet", "outlet")]
+
+
+def save(proxy, file):
+    file.parent.mkdir(exist_ok=True)
+    simple.SaveData(str(file), proxy)
+    assert not file.with_name(file.name + ".unfinished").exists()
+    check(file)
+    return file
+
+
+def check(file):
+    if not shutil.which("cgnscheck"):
+        return
+    said = subprocess.run(["cgnscheck", str(file)], text=True, capture_output=True)
+    text = said.stdout + said.stderr
+    if "more recent version of the CGNS library" not in text:
+        assert "checking complete" in text and "ERROR" not in text, text
+
+
+def blocks(file):
+    """{name: data} of all that ParaView finds in a file."""
+    reader = simple.CGNSSeriesReader(FileNames=[str(file)])
+    reader.LoadMesh, reader.LoadPatches, reader.DoublePrecisionMesh = 1, 1, 1
+    reader.UpdatePipeline()
+    data = reader.SMProxy.GetClientSideObject().GetOutputDataObject(0)
+    found, iterator = {}, data.NewIterator()
+    iterator.InitTraversal()
+    while not iterator.IsDoneWithTraversal():
+        found.setdefault(iterator.GetCurrentMetaData().Get(data.NAME()), []).append(iterator.GetCurrentDataObject())
+        iterator.GoToNextItem()
+    return found
+
+
+def points(data):
+    return vtk_to_numpy(data.GetPoints().GetData())
+
+
+def faces_of(whole):
+    """Of each cell, its faces as sets of points."""
+    cells = [set() for _ in range(whole.cells)]
+    for i, owner in enumerate(whole.owner):
+        face = frozenset(whole.faces.corners[whole.faces.start[i]:whole.faces.start[i + 1]].tolist())
+        cells[owner].add(face)
+        if i < len(whole.neighbour):
+            cells[whole.neighbour[i]].add(face)
+    return cells
+
+
+def compare(mesh, whole):
+    """The cells of ParaView's grid are those that OpenFOAM gets, in its order."""
+    assert np.array_equal(points(mesh), whole.points)
+    stream, starts = (array.tolist() for array in face_streams(mesh))
+    expected = faces_of(whole)
+    assert mesh.GetNumberOfCells() == len(expected)
+    for cell, start in enumerate(starts):
+        assert {frozenset(face) for face in loops(mesh, cell, stream, start)} == expected[cell], cell
+
+
+def box(low, high):
+    source = simple.Box(XLength=high[0] - low[0], YLength=high[1] - low[1], ZLength=high[2] - low[2],
+        Center=[(a + b) / 2 for a, b in zip(low, high)])
+    return simple.Triangulate(Input=source)
+
+
+with tempfile.TemporaryDirectory() as temporary:
+    folder = pathlib.Path(temporary)
+    mesher = simple.CartesianMesher(Input=simple.OpenDataFile(str(DATA / "kcl_exhaust_header_lumens.stl")), CellSize=12)
+    found = blocks(save(mesher, folder / "header.cgns"))
+    assert list(found) == ["Internal", *NAMES], list(found)
+    whole = foam.Files(foam.save(mesher, folder / "case"))
+    compare(found["Internal"][0], whole)
+    for name in NAMES:
+        part = whole.of_patch(name)
+        corners = whole.faces.corners[whole.faces.start[part.start]:whole.faces.start[part.stop]]
+        expected = whole.points[np.unique(corners)]
+        assert np.array_equal(np.unique(points(found[name][0]), axis=0), np.unique(expected, axis=0)), name
+
+    assert simple.CreateWriter("case.cgns", mesher).GetXMLLabel() == "CGNS Mesh Writer", "ParaView's has no boundaries"
+    task = folder / "task.toml"
+    task.write_text(f'[surface]\nfile = "{DATA / "kcl_exhaust_header_lumens.stl"}"\n[grid]\ncell_size = 12.0\n'
+        '[output]\nmesh = "task.cgns"\n')
+    for ranks in 1, 2:
+        foam.run(folder, *foam.MPIRUN, "-n", str(ranks), sys.argv[2], "--quiet", task.name)
+        compare(blocks(folder / "task.cgns")["Internal"][0], whole)
+        (folder / "task.cgns").unlink()
+
+    # Two regions, which touch: a zone for each.
+    assembly = simple.GroupDatasets(Input=[box([-0.25, -0.25, -1], [0.25, 0.25, 1]), box([-1, -1, -1], [1, 1, 1])],
+        BlockNames=["gas", "solid"])
+    mesher = simple.CartesianMesher(Input=assembly, RegionsFrom="Blocks", CellSize=0.17, PatchMethod="Exact Fit")
+    found = blocks(save(mesher, folder / "regions.cgns"))
+    case = foam.save(mesher, folder / "regions")
+    for region, mesh in zip(("gas", "solid"), found["Internal"]):
+        compare(mesh, foam.Files(case, region))
+    assert {"gas", "solid"} < set(found), list(found)
+
+    # What stood there stays, and nothing else, where the new one cannot be written.
+    (folder / "folder.cgns").mkdir()
+    with Messages() as said:
+        simple.SaveData(str(folder / "folder.cgns"), mesher)
+    assert "folder.cgns (Is a directory): choose another name" in str(said), said
+    assert not (folder / "folder.cgns.unfinished").exists()
+    print(whole.cells, "cells")
