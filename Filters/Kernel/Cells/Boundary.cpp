@@ -164,7 +164,7 @@ private:
   double distanceOf(std::size_t patch, const Vector& place) const
   {
     const Patches& patches = parts_.patches;
-    const auto corner = [&](std::size_t i) { return patches.points[patches.corners[i]]; };
+    const auto corner = [&](std::size_t i) { return parts_.nodes.at[patches.corners[i]]; };
     const std::size_t first = patches.start[patch];
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = first + 1; i + 1 < patches.start[patch + 1]; ++i)
