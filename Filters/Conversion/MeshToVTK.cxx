@@ -37,7 +37,7 @@ constexpr std::size_t ItemsAChunk = 4096;
 
 std::size_t layerCells(const Assembly& assembly)
 {
-  return assembly.stacks ? assembly.stacks->cells() : 0;
+  return assembly.layers ? assembly.layers->stacks.cells() : 0;
 }
 
 // Layers after all cells of the mesh.
@@ -61,7 +61,7 @@ void appendLayers(const OutputMesh& mesh, const PrismStacks& stacks, const CellA
 void setCells(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution& execution)
 {
   const OutputMesh& mesh = *assembly.mesh;
-  const PrismStacks* const stacks = assembly.stacks.get();
+  const PrismStacks* const stacks = assembly.layers ? &assembly.layers->stacks : nullptr;
   const Id cellCount = mesh.cellCount() + static_cast<Id>(layerCells(assembly));
   vtkNew<vtkIdTypeArray> offsets;
   vtkNew<vtkIdTypeArray> connectivity;
@@ -89,8 +89,9 @@ void setCells(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution& ex
 }
 
 // Layers are of the box below them, and have the layer's number; other cells 0.
-void setLayers(const OutputMesh& mesh, const PrismStacks& stacks, vtkUnstructuredGrid* grid)
+void setLayers(const OutputMesh& mesh, const BoundaryLayers& layers, vtkUnstructuredGrid* grid)
 {
+  const PrismStacks& stacks = layers.stacks;
   vtkCellData* const data = grid->GetCellData();
   auto* number = vtkIdTypeArray::SafeDownCast(data->GetArray(CellId));
   std::vector<vtkIdType> places(static_cast<std::size_t>(mesh.cellCount()));
@@ -115,6 +116,12 @@ void setLayers(const OutputMesh& mesh, const PrismStacks& stacks, vtkUnstructure
     layer->SetValue(cell, stacks.layer[i]);
   }
   data->AddArray(layer);
+  for (const ChangedCell& cell : layers.changed)
+  {
+    vtkDataArray* const fraction = data->GetArray("VolumeFraction");
+    fraction->SetComponent(
+      cell.place, 0, cell.volumeByFormer * fraction->GetComponent(cell.place, 0));
+  }
 }
 
 void setCellData(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution& execution)
@@ -152,9 +159,9 @@ void setCellData(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution&
   grid->GetCellData()->AddArray(region);
   grid->GetCellData()->AddArray(fraction);
   grid->GetCellData()->AddArray(number);
-  if (assembly.stacks)
+  if (assembly.layers)
   {
-    setLayers(mesh, *assembly.stacks, grid);
+    setLayers(mesh, *assembly.layers, grid);
   }
 }
 
@@ -180,11 +187,18 @@ void setMesh(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution& exe
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   const std::vector<double> none;
-  const std::vector<double>& ofLayers = assembly.stacks ? assembly.stacks->points : none;
+  const std::vector<double>& ofLayers = assembly.layers ? assembly.layers->stacks.points : none;
   points->SetNumberOfPoints(mesh.pointCount() + static_cast<vtkIdType>(ofLayers.size() / 3));
   auto* const xyz = static_cast<double*>(points->GetVoidPointer(0));
   mesh.writePoints(xyz, execution);
   std::copy(ofLayers.begin(), ofLayers.end(), xyz + 3 * mesh.pointCount());
+  if (assembly.layers)
+  {
+    for (const MovedPoint& moved : assembly.layers->stacks.moved)
+    {
+      std::copy(moved.to.begin(), moved.to.end(), xyz + 3 * moved.point);
+    }
+  }
   grid->SetPoints(points);
   setCells(assembly, grid, execution);
   setCellData(assembly, grid, execution);
@@ -281,14 +295,14 @@ vtkSmartPointer<Array> arrayOf(const char* name, std::size_t faces, ValueOf&& va
 
 const std::vector<BoundaryFace>& boundaryOf(const Assembly& assembly)
 {
-  return assembly.stacks ? assembly.stacks->boundary : assembly.mesh->boundary();
+  return assembly.layers ? assembly.layers->stacks.boundary : assembly.mesh->boundary();
 }
 
 void setBoundary(
   const Assembly& assembly, vtkUnstructuredGrid* grid, vtkPolyData* boundary, Execution& execution)
 {
   const BoundaryMesh faces =
-    assembly.stacks ? assembly.stacks->boundaryMesh : assembly.mesh->boundaryMesh(execution);
+    assembly.layers ? assembly.layers->stacks.boundaryMesh : assembly.mesh->boundaryMesh(execution);
   setFaces(faces, grid, boundary, execution);
   const std::vector<BoundaryFace>& all = boundaryOf(assembly);
   boundary->GetCellData()->SetScalars(arrayOf<vtkIntArray>( // the initial colouring

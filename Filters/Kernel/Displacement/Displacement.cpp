@@ -369,6 +369,7 @@ Displacement displace(
 {
   Displacement result;
   result.spec = spec;
+  result.thickness = thickness;
   result.original = surface.vertices;
   Displacer(surface, result, thickness, execution).run();
   return result;

@@ -2,7 +2,6 @@
 #include "Lifting/PrismStacks.h"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
 
 namespace cartesian
@@ -11,93 +10,53 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t NodesAChunk = 256;
-constexpr double LeastHeight = 4; // levels: what is lifted by less, stays
-
-Vector asVector(const Point& p)
+struct EdgeOfFace
 {
-  return { double(p[0]), double(p[1]), double(p[2]) };
-}
+  Id lower;
+  Id upper;
+  std::size_t face;
 
-// A point of a triangle by its weights of the corners.
-struct Place
-{
-  Vector weights{};
-  double distance = std::numeric_limits<double>::infinity(); // from the point that was asked for
-  std::uint32_t triangle = None;
-
-  bool operator<(const Place& other) const
+  bool operator<(const EdgeOfFace& other) const
   {
-    return distance != other.distance ? distance < other.distance : triangle < other.triangle;
+    return std::tie(lower, upper, face) < std::tie(other.lower, other.upper, other.face);
   }
 };
 
-Vector weighted(const std::array<Vector, 3>& c, const Vector& w)
+std::vector<EdgeOfFace> edgesOf(const LayeredWall& wall)
 {
-  return plus(plus(scaled(c[0], w[0]), scaled(c[1], w[1])), scaled(c[2], w[2]));
-}
-
-Vector onEdge(const std::array<Vector, 3>& c, std::size_t i, const Vector& p)
-{
-  const std::size_t j = (i + 1) % 3;
-  const Vector along = minus(c[j], c[i]);
-  const double square = dot(along, along);
-  const double t = square > 0 ? std::clamp(dot(minus(p, c[i]), along) / square, 0.0, 1.0) : 0.0;
-  Vector weights{};
-  weights[i] = 1 - t;
-  weights[j] = t;
-  return weights;
-}
-
-Place nearestPlace(const std::array<Vector, 3>& c, const Vector& p, std::uint32_t triangle)
-{
-  Place best;
-  const auto consider = [&](const Vector& weights) {
-    const Place place{ weights, norm(minus(weighted(c, weights), p)), triangle };
-    best = place.distance < best.distance ? place : best;
-  };
-  const Vector normal = cross(minus(c[1], c[0]), minus(c[2], c[0]));
-  const double square = dot(normal, normal);
-  Vector inside{};
-  for (std::size_t i = 0; i < 3; ++i)
+  std::vector<EdgeOfFace> edges;
+  for (std::size_t f = 0; f < wall.layered.size(); ++f)
   {
-    const Vector& next = c[(i + 1) % 3];
-    inside[i] = dot(cross(minus(c[(i + 2) % 3], next), minus(p, next)), normal) / square;
-    consider(onEdge(c, i, p));
+    for (std::size_t i = 0; i < wall.corners(f); ++i)
+    {
+      const auto a = static_cast<Id>(wall.node(f, i));
+      const auto b = static_cast<Id>(wall.node(f, i + 1));
+      edges.push_back({ std::min(a, b), std::max(a, b), f });
+    }
   }
-  if (inside[0] >= 0 && inside[1] >= 0 && inside[2] >= 0)
-  {
-    consider(inside);
-  }
-  return best;
+  std::sort(edges.begin(), edges.end());
+  return edges;
 }
 
-class Lifter
+class Stacker
 {
 public:
-  Lifter(const OutputMesh& mesh, const Surface& displaced, const Displacement& displacement,
-    Execution& execution)
+  Stacker(const OutputMesh& mesh, const LayeredWall& wall, const std::vector<double>& heights)
     : mesh_(mesh)
-    , surface_(displaced)
-    , displacement_(displacement)
-    , execution_(execution)
-    , heights_(heightsOfLayers(displacement.spec))
-    , faces_(mesh.boundaryMesh(execution))
-    , points_(3 * static_cast<std::size_t>(mesh.pointCount()))
+    , wall_(wall)
+    , heights_(heights)
+    , edges_(edgesOf(wall))
   {
-    mesh.writePoints(points_.data(), execution);
   }
 
   PrismStacks run()
   {
-    findLayered();
-    liftNodes();
+    moveNodes();
     numberNodes();
-    listEdges();
     keepOldBoundary();
-    for (std::size_t f = 0; f < layered_.size(); ++f)
+    for (std::size_t f = 0; f < wall_.layered.size(); ++f)
     {
-      if (hasStack(f))
+      if (wall_.hasStack(f))
       {
         addStack(f);
       }
@@ -108,152 +67,37 @@ public:
   }
 
 private:
-  struct EdgeOfFace
-  {
-    Id lower;
-    Id upper;
-    std::size_t face;
-
-    bool operator<(const EdgeOfFace& other) const
-    {
-      return std::tie(lower, upper, face) < std::tie(other.lower, other.upper, other.face);
-    }
-  };
-
   std::size_t layers() const { return heights_.size() - 1; }
-  std::size_t corners(std::size_t f) const
-  {
-    return static_cast<std::size_t>(faces_.start[f + 1] - faces_.start[f]);
-  }
+  std::size_t corners(std::size_t f) const { return wall_.corners(f); }
+  std::size_t node(std::size_t f, std::size_t i) const { return wall_.node(f, i); }
 
-  // Index in faces_.meshPoint.
-  std::size_t node(std::size_t f, std::size_t i) const
+  // The mesh keeps the places of nodes with all of their layers.
+  void moveNodes()
   {
-    return static_cast<std::size_t>(
-      faces_.corners[static_cast<std::size_t>(faces_.start[f]) + i % corners(f)]);
-  }
-
-  void findLayered()
-  {
-    layered_.resize(mesh_.boundary().size());
-    isOnWall_.assign(faces_.meshPoint.size(), 0);
-    for (std::size_t f = 0; f < layered_.size(); ++f)
+    for (std::size_t n = 0; n < wall_.parts.size(); ++n)
     {
-      layered_[f] = displacement_.hasLayers(mesh_.boundary()[f].boundary);
-      for (std::size_t i = 0; layered_[f] && i < corners(f); ++i)
+      if (wall_.isOnWall[n] && wall_.parts[n] < 1)
       {
-        isOnWall_[node(f, i)] = 1;
+        result_.moved.push_back({ wall_.faces.meshPoint[n], wall_.at(n, 1) });
       }
     }
-  }
-
-  Place find(const TriangleTree& tree, const Vector& at) const
-  {
-    Place best;
-    for (double reach = LeastHeight; best.distance > reach && reach < LevelsOfTheDomain; reach *= 8)
-    {
-      const Vector r{ reach, reach, reach };
-      tree.forEachWithin(minus(at, r), plus(at, r), [&](std::uint32_t t) {
-        if (displacement_.hasLayers(surface_.boundary[t]))
-        {
-          const Corners c = surface_.corners(t);
-          const Place place =
-            nearestPlace({ asVector(c[0]), asVector(c[1]), asVector(c[2]) }, at, t);
-          best = place < best ? place : best;
-        }
-      });
-    }
-    return best;
-  }
-
-  void liftNodes()
-  {
-    const TriangleTree tree(surface_, execution_);
-    const Lattice& lattice = surface_.lattice;
-    lifted_.resize(faces_.meshPoint.size());
-    isLifted_.assign(lifted_.size(), 0);
-    execution_.forEach(lifted_.size(), NodesAChunk, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n)
-      {
-        if (!isOnWall_[n])
-        {
-          continue;
-        }
-        Vector at{};
-        for (std::size_t axis = 0; axis < 3; ++axis)
-        {
-          at[axis] = (base(n)[axis] - lattice.origin()[axis]) / lattice.step();
-        }
-        const Place place = find(tree, at);
-        if (place.triangle == None)
-        {
-          continue;
-        }
-        const auto& t = surface_.triangles[place.triangle];
-        const auto& original = displacement_.original;
-        const Vector to = weighted({ asVector(original[t[0]]), asVector(original[t[1]]),
-                                     asVector(original[t[2]]) },
-          place.weights);
-        isLifted_[n] = norm(minus(to, at)) > LeastHeight;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-        {
-          lifted_[n][axis] = lattice.origin()[axis] + lattice.step() * to[axis];
-        }
-      }
-    });
-  }
-
-  const double* base(std::size_t n) const
-  {
-    return &points_[3 * static_cast<std::size_t>(faces_.meshPoint[n])];
-  }
-
-  // Edges of other than two faces tell no neighbour: their nodes stay.
-  void listEdges()
-  {
-    for (std::size_t f = 0; f < layered_.size(); ++f)
-    {
-      for (std::size_t i = 0; i < corners(f); ++i)
-      {
-        const auto a = static_cast<Id>(node(f, i));
-        const auto b = static_cast<Id>(node(f, i + 1));
-        edges_.push_back({ std::min(a, b), std::max(a, b), f });
-      }
-    }
-    std::sort(edges_.begin(), edges_.end());
-    for (auto begin = edges_.begin(); begin != edges_.end();)
-    {
-      const auto end = std::find_if(begin, edges_.end(), [&](const EdgeOfFace& edge) {
-        return edge.lower != begin->lower || edge.upper != begin->upper;
-      });
-      if (end - begin != 2)
-      {
-        isLifted_[static_cast<std::size_t>(begin->lower)] = 0;
-        isLifted_[static_cast<std::size_t>(begin->upper)] = 0;
-      }
-      begin = end;
-    }
-    numberNodes();
   }
 
   void numberNodes()
   {
-    first_.assign(lifted_.size(), -1);
-    result_.points.clear();
-    for (std::size_t n = 0; n < lifted_.size(); ++n)
+    first_.assign(wall_.parts.size(), -1);
+    for (std::size_t n = 0; n < wall_.parts.size(); ++n)
     {
-      if (!isLifted_[n])
+      if (wall_.parts[n] == 0)
       {
         continue;
       }
       first_[n] = mesh_.pointCount() + static_cast<Id>(result_.points.size() / 3);
       for (std::size_t k = 1; k <= layers(); ++k)
       {
-        const double h = heights_[layers() - k];
-        for (std::size_t axis = 0; axis < 3; ++axis)
-        {
-          result_.points.push_back(lifted_[n][axis] + h * (base(n)[axis] - lifted_[n][axis]));
-        }
+        const Vector at = wall_.at(n, heights_[layers() - k]);
+        result_.points.insert(result_.points.end(), at.begin(), at.end());
+        result_.nodeOfPoint.push_back(n);
       }
     }
   }
@@ -261,17 +105,7 @@ private:
   // The mesh's point above a node, so many layers from the mesh.
   Id above(std::size_t n, std::size_t k) const
   {
-    return k == 0 || first_[n] < 0 ? faces_.meshPoint[n] : first_[n] + static_cast<Id>(k) - 1;
-  }
-
-  bool hasStack(std::size_t f) const
-  {
-    bool any = false;
-    for (std::size_t i = 0; i < corners(f); ++i)
-    {
-      any = any || isLifted_[node(f, i)];
-    }
-    return layered_[f] && any;
+    return k == 0 || first_[n] < 0 ? wall_.faces.meshPoint[n] : first_[n] + static_cast<Id>(k) - 1;
   }
 
   std::size_t beyond(std::size_t f, std::size_t a, std::size_t b) const
@@ -293,9 +127,9 @@ private:
 
   void keepOldBoundary()
   {
-    for (std::size_t f = 0; f < layered_.size(); ++f)
+    for (std::size_t f = 0; f < wall_.layered.size(); ++f)
     {
-      if (!hasStack(f))
+      if (!wall_.hasStack(f))
       {
         std::vector<Id> face;
         for (std::size_t i = 0; i < corners(f); ++i)
@@ -353,7 +187,7 @@ private:
       return;
     }
     const std::size_t other = beyond(f, a, b);
-    if (!layered_[other])
+    if (!wall_.layered[other])
     {
       const BoundaryFace& there = mesh_.boundary()[other];
       addBoundary(cell, there.boundary, BoundaryFace::Kind::Patch, there.index, side);
@@ -395,27 +229,38 @@ private:
   }
 
   const OutputMesh& mesh_;
-  const Surface& surface_;
-  const Displacement& displacement_;
-  Execution& execution_;
-  const std::vector<double> heights_; // above the wall, as parts of all
-  const BoundaryMesh faces_;
-  std::vector<double> points_;
-  std::vector<std::uint8_t> layered_;  // of each face
-  std::vector<std::uint8_t> isOnWall_; // of each node of faces_
-  std::vector<std::uint8_t> isLifted_;
-  std::vector<Vector> lifted_;
-  std::vector<Id> first_; // of its points, or -1
-  std::vector<EdgeOfFace> edges_;
+  const LayeredWall& wall_;
+  const std::vector<double>& heights_; // above the wall, as parts of all
+  const std::vector<EdgeOfFace> edges_;
+  std::vector<Id> first_; // of each node's points, or -1
   PrismStacks result_;
 };
 
 }
 
-PrismStacks liftBoundary(const OutputMesh& mesh, const Surface& displaced,
-  const Displacement& displacement, Execution& execution)
+PrismStacks stackPrisms(
+  const OutputMesh& mesh, const LayeredWall& wall, const std::vector<double>& heights)
 {
-  return Lifter(mesh, displaced, displacement, execution).run();
+  return Stacker(mesh, wall, heights).run();
+}
+
+std::vector<std::size_t> nodesWithoutLayers(const LayeredWall& wall)
+{
+  const std::vector<EdgeOfFace> edges = edgesOf(wall);
+  std::vector<std::size_t> nodes;
+  for (auto begin = edges.begin(); begin != edges.end();)
+  {
+    const auto end = std::find_if(begin, edges.end(), [&](const EdgeOfFace& edge) {
+      return edge.lower != begin->lower || edge.upper != begin->upper;
+    });
+    if (end - begin != 2)
+    {
+      nodes.push_back(static_cast<std::size_t>(begin->lower));
+      nodes.push_back(static_cast<std::size_t>(begin->upper));
+    }
+    begin = end;
+  }
+  return nodes;
 }
 
 }

@@ -2,7 +2,7 @@
 // Boxes and patches made into a mesh, step by step (section 6: 9, A3, B1 to B4, 11 to 13).
 #pragma once
 
-#include "Lifting/PrismStacks.h"
+#include "Lifting/BoundaryLayers.h"
 #include "Mesh/OutputMesh.h"
 #include "Mesher/Options.h"
 #include "Shaping/CellShaping.h"
@@ -26,7 +26,7 @@ struct Assembly
   std::vector<RemovedCell> fragments; // cells of the core that went with small parts (Fragments.h)
   std::size_t isolatedCells = 0;      // cells of the core in those that stay
   std::unique_ptr<OutputMesh> mesh;
-  std::unique_ptr<PrismStacks> stacks; // on the mesh, or null: no layers
+  std::unique_ptr<BoundaryLayers> layers; // on the mesh, or null
 };
 
 // Runs all steps. Throws Error: BadParameter, TooManyBoxes, FlawedSurface (no cell is left of the whole;

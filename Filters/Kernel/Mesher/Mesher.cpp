@@ -156,8 +156,8 @@ std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   auto assembly = assemble(std::move(boxes), std::move(patches), options, execution);
   if (prepared.displacement)
   {
-    assembly->stacks = std::make_unique<PrismStacks>(
-      liftBoundary(*assembly->mesh, prepared.surface, *prepared.displacement, execution));
+    assembly->layers = std::make_unique<BoundaryLayers>(
+      addLayers(*assembly->mesh, prepared.surface, *prepared.displacement, execution));
   }
   return assembly;
 }

@@ -1,5 +1,5 @@
 // Boundary layers on the mesh of a displaced surface.
-#include "Lifting/PrismStacks.h"
+#include "Lifting/BoundaryLayers.h"
 
 #include "Polyhedra/CellGeometry.h"
 #include "Support/Pipeline.h"
@@ -21,7 +21,7 @@ struct Layered
   std::unique_ptr<Assembly> assembly;
   MeshArrays mesh; // without layers
 
-  const PrismStacks& stacks() const { return *assembly->stacks; }
+  const PrismStacks& stacks() const { return assembly->layers->stacks; }
 
   Vector point(Id p) const
   {
@@ -43,6 +43,14 @@ Layered meshWithLayers(const Soup& soup, TestOptions options)
   result.assembly =
     meshPart(result.prepared, *decomposition, decomposition->allLayers(), options, execution);
   result.mesh = arraysOf(*result.assembly->mesh, result.assembly->boxes, execution);
+  for (const MovedPoint& moved : result.stacks().moved)
+  {
+    std::copy(moved.to.begin(), moved.to.end(), &result.mesh.points[3 * std::size_t(moved.point)]);
+  }
+  for (const ChangedCell& cell : result.assembly->layers->changed)
+  {
+    result.mesh.volumeFraction[std::size_t(cell.place)] *= cell.volumeByFormer;
+  }
   return result;
 }
 
