@@ -14,7 +14,7 @@ namespace
 constexpr int MostRounds = 12;
 constexpr double Thinned = 0.5;
 constexpr double LeastPart = 0.2; // thinner ones end
-constexpr double Slope = 0.5;     // of parts, from node to node of a face
+constexpr double Slope = 0.6;     // of parts, from node to node of a face
 
 constexpr std::uint32_t Refused = 1U << Volume | 1U << Openness | 1U << OpenEdges |
   1U << BoundaryAngle | 1U << NonOrthogonality | 1U << Skewness;
@@ -328,13 +328,13 @@ private:
 
 }
 
-BoundaryLayers addLayers(const OutputMesh& mesh, const Surface& displaced,
-  const Displacement& displacement, Execution& execution)
+BoundaryLayers addLayers(const OutputMesh& mesh, const Lattice& lattice, const WallLift& lift,
+  Execution& execution)
 {
   std::vector<double> points(3 * static_cast<std::size_t>(mesh.pointCount()));
   mesh.writePoints(points.data(), execution);
-  LayeredWall wall = findLayeredWall(mesh, points, displaced, displacement, execution);
-  return StackThinner(mesh, points, heightsOfLayers(displacement.spec), wall, execution).run();
+  LayeredWall wall = findLayeredWall(mesh, points, lattice, lift, execution);
+  return StackThinner(mesh, points, heightsOfLayers(lift.displacement().spec), wall, execution).run();
 }
 
 }

@@ -26,7 +26,7 @@ struct BoundaryLayers
 };
 
 // On a mesh of all of the displaced surface.
-BoundaryLayers addLayers(const OutputMesh& mesh, const Surface& displaced,
-  const Displacement& displacement, Execution& execution);
+BoundaryLayers addLayers(const OutputMesh& mesh, const Lattice& lattice, const WallLift& lift,
+  Execution& execution);
 
 }

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The wall of a mesh of a displaced surface: its nodes, and where each belongs on the surface as it was.
-//
-// Each node has a place on the nearest displaced triangle (of equally near ones the first), and so one on that
-// triangle as it was.
+// The wall of a mesh of a displaced surface: its nodes, and where each belongs on the surface as it was
+// (WallLift.h).
 #pragma once
 
-#include "Displacement/Displacement.h"
+#include "Displacement/WallLift.h"
 #include "Mesh/OutputMesh.h"
 
 namespace cartesian
@@ -44,6 +42,6 @@ struct LayeredWall
 
 // `points`: of the mesh.
 LayeredWall findLayeredWall(const OutputMesh& mesh, const std::vector<double>& points,
-  const Surface& displaced, const Displacement& displacement, Execution& execution);
+  const Lattice& lattice, const WallLift& lift, Execution& execution);
 
 }

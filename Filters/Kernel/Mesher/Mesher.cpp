@@ -153,12 +153,14 @@ std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   // How much there is in boxes with other than exact patches is known only here.
   const auto corners = static_cast<double>(patches.corners.size());
   checkMemory(estimate.boxes(), estimate.bytes(limit, corners), limit);
-  auto assembly = assemble(std::move(boxes), std::move(patches), options, execution);
-  if (prepared.displacement)
+  if (!prepared.displacement)
   {
-    assembly->layers = std::make_unique<BoundaryLayers>(
-      addLayers(*assembly->mesh, prepared.surface, *prepared.displacement, execution));
+    return assemble(std::move(boxes), std::move(patches), options, execution);
   }
+  const WallLift lift(prepared.surface, *prepared.displacement, execution);
+  auto assembly = assemble(std::move(boxes), std::move(patches), options, execution, &lift);
+  assembly->layers = std::make_unique<BoundaryLayers>(
+    addLayers(*assembly->mesh, prepared.surface.lattice, lift, execution));
   return assembly;
 }
 

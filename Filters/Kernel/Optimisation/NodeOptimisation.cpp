@@ -2,6 +2,7 @@
 #include "Optimisation/NodeOptimisation.h"
 
 #include "Optimisation/FaceEnergy.h"
+#include "Optimisation/LayerPrisms.h"
 #include "Optimisation/NodePaths.h"
 
 #include <algorithm>
@@ -42,9 +43,10 @@ constexpr double OfFoldedFace = 1e9;
 class Optimiser
 {
 public:
-  Optimiser(WallMesh& mesh, double featureAngle)
+  Optimiser(WallMesh& mesh, double featureAngle, const WallLift* lift)
     : m_(mesh)
     , paths_(mesh, std::cos(radians(featureAngle)))
+    , prisms_(addPrisms(mesh, lift))
     , before_(mesh.at)
     , faces_(mesh.faces())
     , stars_(mesh.faces())
@@ -124,6 +126,10 @@ private:
           std::numeric_limits<double>::infinity(), {}, {} });
       }
     }
+    for (std::size_t i = 0; i < prisms_.below.size(); ++i)
+    {
+      movingOf[prisms_.firstNode + i] = movingOf[prisms_.below[i]];
+    }
     movingOf_ = std::move(movingOf);
     edgeOfFace_.resize(m_.faces());
     isMoving_.resize(m_.faces());
@@ -186,6 +192,7 @@ private:
 
   void measure()
   {
+    prisms_.follow(m_.at);
     for (Moving& node : moving_)
     {
       node.shortest = std::numeric_limits<double>::infinity();
@@ -249,6 +256,10 @@ private:
     {
       const auto& cells = m_.cells[f];
       const Ring ring{ m_.at.data(), m_.corners.data() + m_.start[f], cornersOf(f) };
+      if (!prisms_.counts[f])
+      {
+        continue;
+      }
       energies_[f] = cells[1] == None
         ? energyOfBoundaryFace(
             faces_[f], ring, edgeOfFace_[f], m_.measures[cells[0]], ofFaces_[f], ofCells_[cells[0]])
@@ -266,7 +277,7 @@ private:
         }
       }
     }
-    for (std::uint32_t c = 0; c < m_.changing; ++c)
+    for (std::uint32_t c = 0; c < prisms_.firstCell; ++c)
     {
       double byShare = 0;
       energyOfCell_[c] += energyOfShare(m_.measures[c].volume / m_.volumeOfBox[c], byShare);
@@ -485,7 +496,7 @@ private:
         }
       }
     }
-    for (std::uint32_t c = 0; c < m_.changing; ++c)
+    for (std::uint32_t c = 0; c < prisms_.firstCell; ++c)
     {
       const double volume = m_.measures[c].volume;
       if (volume < FairShare * m_.volumeOfBox[c] && volume < first.cells[c].volume)
@@ -495,7 +506,8 @@ private:
     }
     for (const std::uint32_t n : back)
     {
-      m_.at[n] = before_[n];
+      const std::uint32_t at = n < prisms_.firstNode ? n : prisms_.below[n - prisms_.firstNode];
+      m_.at[at] = before_[at];
     }
     return !back.empty();
   }
@@ -521,6 +533,7 @@ private:
 
   WallMesh& m_;
   NodePaths paths_;
+  const LayerPrisms prisms_;
   const std::vector<Vector> before_; // where nodes were
   std::vector<Moving> moving_;
   std::vector<std::uint32_t> movingOf_; // of each node, or None
@@ -578,14 +591,14 @@ void write(const WallMesh& mesh, Nodes& nodes, Cells& cells)
 }
 
 std::vector<std::uint32_t> optimiseNodes(const WallParts& parts, const std::vector<Slab>& slabs,
-  double featureAngle, Nodes& nodes, Cells& cells, Execution& execution)
+  double featureAngle, const WallLift* lift, Nodes& nodes, Cells& cells, Execution& execution)
 {
   std::vector<std::vector<std::uint32_t>> changed(slabs.size());
   execution.forEach(slabs.size(), 1, [&](std::size_t s, std::size_t) {
     const auto count = static_cast<double>(slabs.size());
     Execution alone = execution.alone(double(s) / count, double(s + 1) / count);
     WallMesh mesh = wallMesh(parts, slabs[s]);
-    if (Optimiser(mesh, featureAngle).run(alone))
+    if (Optimiser(mesh, featureAngle, lift).run(alone))
     {
       write(mesh, nodes, cells);
       const auto end = mesh.cell.begin() + std::ptrdiff_t(mesh.changing);
