@@ -158,6 +158,24 @@ public:
   {
     findDirections();
     keepFromOpposite();
+    settle();
+  }
+
+  void runAgain(const std::vector<std::uint32_t>& notAt)
+  {
+    for (const std::uint32_t t : notAt)
+    {
+      for (const std::uint32_t v : surface_.triangles[t])
+      {
+        d_.parts[v] = 0;
+      }
+    }
+    settle();
+  }
+
+private:
+  void settle()
+  {
     smooth();
     for (int round = 0; round < MostRounds; ++round)
     {
@@ -177,7 +195,6 @@ public:
     move();
   }
 
-private:
   static constexpr std::size_t VerticesAChunk = 1 << 10;
 
   void listTriangles()
@@ -372,6 +389,14 @@ Displacement displace(
   result.thickness = thickness;
   result.original = surface.vertices;
   Displacer(surface, result, thickness, execution).run();
+  return result;
+}
+
+Displacement displaceAgain(Surface& surface, const Displacement& before,
+  const std::vector<std::uint32_t>& notAt, Execution& execution)
+{
+  Displacement result = before;
+  Displacer(surface, result, before.thickness, execution).runAgain(notAt);
   return result;
 }
 

@@ -33,4 +33,8 @@ struct Displacement
 Displacement displace(
   Surface& surface, const WallLayerSpec& spec, double thickness, Execution& execution);
 
+// As `before`, which was on that surface, but not at these triangles, and thinner around them.
+Displacement displaceAgain(Surface& surface, const Displacement& before,
+  const std::vector<std::uint32_t>& notAt, Execution& execution);
+
 }

@@ -20,13 +20,11 @@ Vector asVector(const Point& p)
 }
 
 // A point of a triangle by its weights of the corners.
-constexpr std::uint32_t NoTriangle = ~0U;
-
 struct Place
 {
   Vector weights{};
   double distance = std::numeric_limits<double>::infinity(); // from the point that was asked for
-  std::uint32_t triangle = NoTriangle;
+  std::uint32_t triangle = WallLift::NoTriangle;
 
   bool operator<(const Place& other) const
   {
@@ -126,8 +124,15 @@ Vector WallLift::operator()(const Vector& at) const
   }
   const auto& t = surface_.triangles[place.triangle];
   const auto& original = displacement_.original;
-  return weighted({ asVector(original[t[0]]), asVector(original[t[1]]), asVector(original[t[2]]) },
-    place.weights);
+  const Corners c = surface_.corners(place.triangle);
+  const std::array<Vector, 3> way{ minus(original[t[0]], c[0]), minus(original[t[1]], c[1]),
+    minus(original[t[2]], c[2]) };
+  return plus(at, weighted(way, place.weights));
+}
+
+std::uint32_t WallLift::triangleAt(const Vector& at) const
+{
+  return Search(*this, at).find().triangle;
 }
 
 bool WallLift::hasRoom(const Vector& from, const Vector& to) const

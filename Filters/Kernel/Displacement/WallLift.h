@@ -15,9 +15,13 @@ public:
 
   const Displacement& displacement() const { return displacement_; }
 
-  // In levels: the place on the nearest displaced triangle (of equally near ones the first), on that triangle
-  // as it was. Itself, if there is no such wall.
+  // In levels: where a point goes with its place on the nearest displaced triangle (of equally near ones the
+  // first), if that becomes what it was. Itself, if there is no such wall.
   Vector operator()(const Vector& at) const;
+
+  // The nearest displaced triangle, or NoTriangle.
+  static constexpr std::uint32_t NoTriangle = ~0U;
+  std::uint32_t triangleAt(const Vector& at) const;
 
   // Whether layers fit between the two.
   bool hasRoom(const Vector& from, const Vector& to) const;

@@ -124,6 +124,9 @@ public:
     return std::move(result_);
   }
 
+  // Nodes of what thinner layers did not mend.
+  const std::vector<std::size_t>& atFault() const { return atFault_; }
+
 private:
   // The cells with a node on the wall, and those beside them.
   void listNear()
@@ -213,12 +216,16 @@ private:
       listFaces(cells, points.size() / 3, Clashes::AreBoundary, execution_);
     const Quality quality = measureQuality(points.data(), cells, list, execution_);
     next_ = wall_.parts;
-    result_.faults = 0;
+    atFault_.clear();
     for (std::size_t f = 0; f < list.face.size(); ++f)
     {
       if ((quality.faceFailures[f] & Refused) != 0 || !(quality.faces[InnerAngle][f] < WrongAngle))
       {
         const bool isInner = f < list.neighbour.size();
+        if (list.owner[f] < places_.size() && !hasMoved(cells, list.face[f]))
+        {
+          continue; // it was so before
+        }
         lowerAtFace(cells, list.face[f],
           isInner && isBetweenStacks(list.owner[f], list.neighbour[f]) ? 0 : Thinned);
       }
@@ -227,7 +234,8 @@ private:
     {
       constexpr std::uint32_t OfCells = 1U << Volume | 1U << Openness | 1U << OpenEdges;
       for (std::size_t f = cells.firstFace[c];
-           (quality.cellFailures[c] & OfCells) != 0 && f < cells.firstFace[c + 1]; ++f)
+           (quality.cellFailures[c] & OfCells) != 0 &&
+           f < cells.firstFace[c + 1]; ++f)
       {
         lowerAtFace(cells, f, Thinned);
       }
@@ -244,22 +252,32 @@ private:
     return c >= count && d >= count && (c - count) / layers != (d - count) / layers;
   }
 
+  // Of an own face of a cell of the mesh, or one towards layers.
+  bool hasMoved(const CellFaces& cells, std::size_t f) const
+  {
+    bool moved = false;
+    for (std::size_t i = cells.firstCorner[f]; i < cells.firstCorner[f + 1]; ++i)
+    {
+      const std::size_t n = nodeOf(cells.corners[i]);
+      moved = moved || (n != None && (wall_.parts[n] > 0 || wall_.displaced[n] != wall_.onWall[n]));
+    }
+    return moved;
+  }
+
   void lowerAtFace(const CellFaces& cells, std::size_t f, double factor)
   {
-    bool ofLayers = false;
     for (std::size_t i = cells.firstCorner[f]; i < cells.firstCorner[f + 1]; ++i)
     {
       const std::uint32_t point = cells.corners[i];
       const std::size_t n = nodeOf(point);
-      if (n == None || wall_.parts[n] == 0)
+      if (n == None)
       {
         continue;
       }
-      ofLayers = true;
+      atFault_.push_back(n);
       const double part = factor * wall_.parts[n];
       next_[n] = std::min(next_[n], part < LeastPart ? 0 : part);
     }
-    result_.faults += ofLayers ? 1 : 0;
   }
 
   // The wall's node at or below a point, or None.
@@ -323,6 +341,7 @@ private:
   std::vector<Id> places_;     // of the near cells in the mesh
   std::vector<double> former_; // their volumes
   std::vector<double> next_;   // parts
+  std::vector<std::size_t> atFault_; // nodes
   BoundaryLayers result_;
 };
 
@@ -334,7 +353,18 @@ BoundaryLayers addLayers(const OutputMesh& mesh, const Lattice& lattice, const W
   std::vector<double> points(3 * static_cast<std::size_t>(mesh.pointCount()));
   mesh.writePoints(points.data(), execution);
   LayeredWall wall = findLayeredWall(mesh, points, lattice, lift, execution);
-  return StackThinner(mesh, points, heightsOfLayers(lift.displacement().spec), wall, execution).run();
+  StackThinner thinner(
+    mesh, points, heightsOfLayers(lift.displacement().spec), wall, execution);
+  BoundaryLayers layers = thinner.run();
+  for (const std::size_t n : thinner.atFault())
+  {
+    layers.faults.push_back(lift.triangleAt(
+      scaled(minus(wall.displaced[n], lattice.origin()), 1 / lattice.step())));
+  }
+  std::sort(layers.faults.begin(), layers.faults.end());
+  layers.faults.erase(
+    std::unique(layers.faults.begin(), layers.faults.end()), layers.faults.end());
+  return layers;
 }
 
 }

@@ -22,7 +22,7 @@ struct BoundaryLayers
 {
   PrismStacks stacks;
   std::vector<ChangedCell> changed; // cells whose nodes moved
-  std::size_t faults = 0;           // faces and cells that are left with one
+  std::vector<std::uint32_t> faults; // displaced triangles where some are left, in order
 };
 
 // On a mesh of all of the displaced surface.

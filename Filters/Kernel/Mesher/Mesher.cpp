@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <numeric>
 
 namespace cartesian
 {
@@ -142,7 +144,10 @@ Patches makePatches(const PreparedSurface& prepared, const Decomposition& decomp
     prepared.surface, boxes, decomposition.shoeboxes(), options.patches, execution);
 }
 
-std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
+namespace
+{
+
+std::unique_ptr<Assembly> meshOnce(const PreparedSurface& prepared,
   const Decomposition& decomposition, Layers core, const Options& options, Execution& execution)
 {
   Boxes boxes = decomposition.boxes(core, execution);
@@ -161,6 +166,37 @@ std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   auto assembly = assemble(std::move(boxes), std::move(patches), options, execution, &lift);
   assembly->layers = std::make_unique<BoundaryLayers>(
     addLayers(*assembly->mesh, prepared.surface.lattice, lift, execution));
+  return assembly;
+}
+
+// Times that a surface is displaced anew, the last time nowhere.
+constexpr int MostDisplacements = 4;
+
+}
+
+std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
+  const Decomposition& decomposition, Layers core, const Options& options, Execution& execution)
+{
+  auto assembly = meshOnce(prepared, decomposition, core, options, execution);
+  PreparedSurface next;
+  for (int i = 1; assembly->layers && !assembly->layers->faults.empty() && i <= MostDisplacements;
+       ++i)
+  {
+    next = i == 1 ? prepared : next;
+    std::vector<std::uint32_t> notAt = assembly->layers->faults;
+    std::fprintf(stderr, "DEBUG %zu\n", notAt.size());
+    if (i == MostDisplacements)
+    {
+      notAt.resize(next.surface.triangles.size());
+      std::iota(notAt.begin(), notAt.end(), 0U);
+    }
+    next.displacement = std::make_shared<const Displacement>(
+      displaceAgain(next.surface, *next.displacement, notAt, execution));
+    stepAside(next.surface, next.planes);
+    const auto parts = decompose(next, options, execution);
+    assembly.reset();
+    assembly = meshOnce(next, *parts, parts->allLayers(), options, execution);
+  }
   return assembly;
 }
 
