@@ -23,6 +23,7 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <map>
 
 namespace cartesian
@@ -312,6 +313,83 @@ void setBoundary(
   setFaceGeometry(all, faces, boundary, execution);
 }
 
+// Of each boundary face, how thick its layers are and how many; of each boundary and of all walls with layers, the
+// share of the area that has all of them, half as thick as asked or more, and the mean thickness.
+class LayerReport
+{
+public:
+  LayerReport(const BoundaryLayers& layers, vtkPolyData* boundary)
+    : layers_(layers)
+    , faces_(layers.stacks.boundary)
+    , thickness_(layers.stacks.thickness)
+  {
+    const auto made = [&](std::size_t i) { return thickness_[i] > 0 ? layers_.spec.count : 0; };
+    boundary->GetCellData()->AddArray(arrayOf<vtkDoubleArray>(
+      "LayerThickness", faces_.size(), [&](std::size_t i) { return thickness_[i]; }));
+    boundary->GetCellData()->AddArray(arrayOf<vtkIntArray>("LayersMade", faces_.size(), made));
+    auto* areas = vtkDoubleArray::SafeDownCast(boundary->GetCellData()->GetArray("FaceArea"));
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+    {
+      Vector area;
+      areas->GetTypedTuple(static_cast<vtkIdType>(i), area.data());
+      add(ofBoundary_[faces_[i].boundary], i, norm(area));
+      if (isWall(faces_[i].boundary))
+      {
+        add(ofWalls_, i, norm(area));
+      }
+    }
+  }
+
+  // `names`: of all boundaries, in their order on the outputs.
+  void write(const BoundaryNames& names, vtkDataObject* output)
+  {
+    setField(output, "LayerCoverage", { ofWalls_.coverage() });
+    setField(output, "MeanLayerThickness", { ofWalls_.mean() });
+    std::vector<double> coverages;
+    std::vector<double> means;
+    for (const auto& named : names)
+    {
+      coverages.push_back(ofBoundary_[named.first].coverage());
+      means.push_back(ofBoundary_[named.first].mean());
+    }
+    setField(output, "BoundaryLayerCoverages", coverages);
+    setField(output, "BoundaryLayerThicknesses", means);
+  }
+
+private:
+  static constexpr double LeastOfAsked = 0.5;
+
+  struct Sums
+  {
+    double area = 0;
+    double covered = 0;
+    double volume = 0;
+
+    double coverage() const { return area > 0 ? covered / area : 0; }
+    double mean() const { return area > 0 ? volume / area : 0; }
+  };
+
+  bool isWall(std::int32_t boundary) const
+  {
+    const auto& without = layers_.spec.boundariesWithout;
+    return boundary != NoBoundary &&
+      std::find(without.begin(), without.end(), boundary) == without.end();
+  }
+
+  void add(Sums& sums, std::size_t face, double area) const
+  {
+    sums.area += area;
+    sums.covered += thickness_[face] >= LeastOfAsked * layers_.thickness ? area : 0;
+    sums.volume += area * thickness_[face];
+  }
+
+  const BoundaryLayers& layers_;
+  const std::vector<BoundaryFace>& faces_;
+  const std::vector<double>& thickness_;
+  std::map<std::int32_t, Sums> ofBoundary_;
+  Sums ofWalls_;
+};
+
 struct BoundaryMeasure
 {
   vtkIdType faces = 0;
@@ -357,8 +435,8 @@ std::map<std::int32_t, BoundaryMeasure> sum(
 }
 
 // Name, number of faces and area of each boundary, on both outputs.
-void describeBoundaries(const BoundaryTexts& texts, const Processes& processes,
-  vtkPolyData* boundary, vtkUnstructuredGrid* mesh)
+void describeBoundaries(const Assembly& assembly, const BoundaryTexts& texts,
+  const Processes& processes, vtkPolyData* boundary, vtkUnstructuredGrid* mesh)
 {
   BoundaryNames names = texts.names;
   std::map<std::int32_t, BoundaryMeasure> measures = sum(measureBoundaries(boundary), processes);
@@ -381,6 +459,12 @@ void describeBoundaries(const BoundaryTexts& texts, const Processes& processes,
     setBoundaryTypes(output, names, texts.types);
     output->GetFieldData()->AddArray(faces);
     output->GetFieldData()->AddArray(areas);
+  }
+  if (assembly.layers)
+  {
+    LayerReport report(*assembly.layers, boundary);
+    report.write(names, mesh);
+    report.write(names, boundary);
   }
 }
 
@@ -472,7 +556,7 @@ void toVTK(const Assembly& assembly, const BoundaryTexts& texts, const MeshPiece
   setStatistics(assembly, piece.processes, mesh);
   setBoundary(assembly, mesh, boundary, execution);
   setBoundaryOfFaces(mesh, boundary, execution);
-  describeBoundaries(texts, piece.processes, boundary, mesh);
+  describeBoundaries(assembly, texts, piece.processes, boundary, mesh);
   if (assembly.patches.walls.any())
   {
     setRegions(assembly, texts.regions, piece.processes, mesh, boundary);

@@ -161,14 +161,23 @@ public:
     settle();
   }
 
-  void runAgain(const std::vector<std::uint32_t>& notAt)
+  void runAgain(std::vector<std::uint32_t> notAt, int rings)
   {
-    for (const std::uint32_t t : notAt)
+    for (int ring = 0; ring <= rings; ++ring)
     {
-      for (const std::uint32_t v : surface_.triangles[t])
+      std::vector<std::uint32_t> next;
+      for (const std::uint32_t t : notAt)
       {
-        d_.parts[v] = 0;
+        for (const std::uint32_t v : surface_.triangles[t])
+        {
+          d_.parts[v] = 0;
+          next.insert(next.end(), around_.begin() + std::ptrdiff_t(start_[v]),
+            around_.begin() + std::ptrdiff_t(start_[v + 1]));
+        }
       }
+      std::sort(next.begin(), next.end());
+      next.erase(std::unique(next.begin(), next.end()), next.end());
+      notAt = std::move(next);
     }
     settle();
   }
@@ -393,10 +402,10 @@ Displacement displace(
 }
 
 Displacement displaceAgain(Surface& surface, const Displacement& before,
-  const std::vector<std::uint32_t>& notAt, Execution& execution)
+  std::vector<std::uint32_t> notAt, int rings, Execution& execution)
 {
   Displacement result = before;
-  Displacer(surface, result, before.thickness, execution).runAgain(notAt);
+  Displacer(surface, result, before.thickness, execution).runAgain(std::move(notAt), rings);
   return result;
 }
 

@@ -33,8 +33,8 @@ struct Displacement
 Displacement displace(
   Surface& surface, const WallLayerSpec& spec, double thickness, Execution& execution);
 
-// As `before`, which was on that surface, but not at these triangles, and thinner around them.
+// As `before`, which was on that surface, but not at these triangles and so many rings of others around them.
 Displacement displaceAgain(Surface& surface, const Displacement& before,
-  const std::vector<std::uint32_t>& notAt, Execution& execution);
+  std::vector<std::uint32_t> notAt, int rings, Execution& execution);
 
 }

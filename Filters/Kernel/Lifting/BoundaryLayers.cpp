@@ -356,6 +356,8 @@ BoundaryLayers addLayers(const OutputMesh& mesh, const Lattice& lattice, const W
   StackThinner thinner(
     mesh, points, heightsOfLayers(lift.displacement().spec), wall, execution);
   BoundaryLayers layers = thinner.run();
+  layers.spec = lift.displacement().spec;
+  layers.thickness = lift.displacement().thickness * lattice.step();
   for (const std::size_t n : thinner.atFault())
   {
     layers.faults.push_back(lift.triangleAt(

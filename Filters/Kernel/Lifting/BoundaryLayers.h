@@ -20,6 +20,8 @@ struct ChangedCell
 
 struct BoundaryLayers
 {
+  WallLayerSpec spec;
+  double thickness = 0; // of all layers, as asked
   PrismStacks stacks;
   std::vector<ChangedCell> changed; // cells whose nodes moved
   std::vector<std::uint32_t> faults; // displaced triangles where some are left, in order

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lifting/PrismStacks.h"
 
+#include "Polyhedra/CellGeometry.h"
+
 #include <algorithm>
 #include <tuple>
 
@@ -116,8 +118,9 @@ private:
   }
 
   void addBoundary(Id cell, std::int32_t boundary, BoundaryFace::Kind kind, std::size_t index,
-    const std::vector<Id>& face)
+    const std::vector<Id>& face, double thickness = 0)
   {
+    result_.thickness.push_back(thickness);
     result_.boundary.push_back({ cell, index, boundary, kind });
     result_.boundaryMesh.start.push_back(
       static_cast<Id>(result_.boundaryMesh.corners.size())); // the end comes last
@@ -142,6 +145,20 @@ private:
     }
   }
 
+  // The mean of its nodes, along the normal of the wall.
+  double thicknessOf(std::size_t f) const
+  {
+    const FaceGeometry face =
+      measureFace(corners(f), [&](std::size_t i) { return wall_.onWall[node(f, i)]; });
+    double sum = 0;
+    for (std::size_t i = 0; i < corners(f); ++i)
+    {
+      const std::size_t n = node(f, i);
+      sum += dot(minus(wall_.onWall[n], wall_.at(n, 1)), unit(face.area));
+    }
+    return sum / static_cast<double>(corners(f));
+  }
+
   void addStack(std::size_t f)
   {
     const BoundaryFace& base = mesh_.boundary()[f];
@@ -156,7 +173,8 @@ private:
       }
       if (k + 1 == layers())
       {
-        addBoundary(cell, base.boundary, BoundaryFace::Kind::Patch, base.index, cellFaces[1]);
+        addBoundary(cell, base.boundary, BoundaryFace::Kind::Patch, base.index, cellFaces[1],
+          thicknessOf(f));
       }
       for (std::size_t i = 0; i < corners(f); ++i)
       {

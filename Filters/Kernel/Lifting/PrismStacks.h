@@ -34,6 +34,7 @@ struct PrismStacks
   // Of the mesh with its stacks, in order of their cells.
   BoundaryMesh boundaryMesh;
   std::vector<BoundaryFace> boundary;
+  std::vector<double> thickness; // of the stack below each, along its normal; 0: none
 
   std::size_t cells() const { return layer.size(); }
 };

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 namespace cartesian
@@ -170,7 +169,7 @@ std::unique_ptr<Assembly> meshOnce(const PreparedSurface& prepared,
 }
 
 // Times that a surface is displaced anew, the last time nowhere.
-constexpr int MostDisplacements = 4;
+constexpr int MostDisplacements = 7;
 
 }
 
@@ -184,14 +183,13 @@ std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   {
     next = i == 1 ? prepared : next;
     std::vector<std::uint32_t> notAt = assembly->layers->faults;
-    std::fprintf(stderr, "DEBUG %zu\n", notAt.size());
     if (i == MostDisplacements)
     {
       notAt.resize(next.surface.triangles.size());
       std::iota(notAt.begin(), notAt.end(), 0U);
     }
     next.displacement = std::make_shared<const Displacement>(
-      displaceAgain(next.surface, *next.displacement, notAt, execution));
+      displaceAgain(next.surface, *next.displacement, std::move(notAt), i - 1, execution));
     stepAside(next.surface, next.planes);
     const auto parts = decompose(next, options, execution);
     assembly.reset();
