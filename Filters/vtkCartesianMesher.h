@@ -28,8 +28,8 @@
 #include "vtkCartesianProperties.h"          // for vtkPatchPropertiesMacro
 
 #include <cstdint> // for std::int32_t
-#include <memory> // for std::unique_ptr
-#include <vector> // for std::vector
+#include <memory>  // for std::unique_ptr
+#include <vector>  // for std::vector
 
 namespace cartesian
 {

@@ -238,8 +238,7 @@ void setFaceGeometry(const std::vector<BoundaryFace>& all, const BoundaryMesh& f
         const auto at = static_cast<vtkIdType>(f);
         area->SetTuple(at, geometry.area.data());
         centre->SetTuple(at, geometry.centre.data());
-        isIP->SetValue(
-          at, all[f].isShaped() && isBent(size, corner, geometry.area) ? 1 : 0);
+        isIP->SetValue(at, all[f].isShaped() && isBent(size, corner, geometry.area) ? 1 : 0);
       }
     });
   boundary->GetCellData()->AddArray(area);

@@ -13,13 +13,13 @@ namespace cartesian
 namespace
 {
 
-constexpr double LongestMitre = 2;        // in thicknesses
-constexpr double PartOfTheWay = 1.0 / 3;  // to what lies opposite
-constexpr double Slope = 0.5;             // of the thickness, along an edge
-constexpr double LeastCosine = 0.5;       // between a triangle's normals before and after
-constexpr double SinOfOnePlane = 0.05;    // normals that differ by less are of one facet
-constexpr double Damping = 1e-3;          // of the directions that facets hardly determine
-constexpr int DampedSteps = 8;            // until what they do determine is exact to rounding
+constexpr double LongestMitre = 2;       // in thicknesses
+constexpr double PartOfTheWay = 1.0 / 3; // to what lies opposite
+constexpr double Slope = 0.5;            // of the thickness, along an edge
+constexpr double LeastCosine = 0.5;      // between a triangle's normals before and after
+constexpr double SinOfOnePlane = 0.05;   // normals that differ by less are of one facet
+constexpr double Damping = 1e-3;         // of the directions that facets hardly determine
+constexpr int DampedSteps = 8;           // until what they do determine is exact to rounding
 constexpr int HalvingRounds = 5;
 constexpr int MostRounds = 20;
 
@@ -28,9 +28,9 @@ using Matrix = std::array<Vector, 3>;
 Vector solve(const Matrix& m, const Vector& right)
 {
   const double determinant = dot(m[0], cross(m[1], m[2]));
-  const Vector sum = plus(plus(scaled(cross(m[1], m[2]), right[0]),
-                            scaled(cross(m[2], m[0]), right[1])),
-    scaled(cross(m[0], m[1]), right[2]));
+  const Vector sum =
+    plus(plus(scaled(cross(m[1], m[2]), right[0]), scaled(cross(m[2], m[0]), right[1])),
+      scaled(cross(m[0], m[1]), right[2]));
   return scaled(sum, 1 / determinant);
 }
 
@@ -257,8 +257,8 @@ private:
       {
         const std::uint32_t t = around_[i];
         const auto& triangle = surface_.triangles[t];
-        const auto at = static_cast<int>(
-          std::find(triangle.begin(), triangle.end(), v) - triangle.begin());
+        const auto at =
+          static_cast<int>(std::find(triangle.begin(), triangle.end(), v) - triangle.begin());
         const Vector normal = unit(normalOf(originalCorners(t)));
         if (norm(normal) > 0)
         {

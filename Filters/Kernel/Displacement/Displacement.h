@@ -13,7 +13,7 @@ namespace cartesian
 struct Displacement
 {
   WallLayerSpec spec;
-  double thickness = 0; // of all layers, in levels
+  double thickness = 0;           // of all layers, in levels
   std::vector<Point> original;    // of each vertex, where it was
   std::vector<Vector> directions; // of each vertex by the full thickness, in levels
   std::vector<double> parts;      // of its direction that each vertex moved, from 0 to 1

@@ -107,8 +107,7 @@ private:
   const Vector at_;
 };
 
-WallLift::WallLift(
-  const Surface& displaced, const Displacement& displacement, Execution& execution)
+WallLift::WallLift(const Surface& displaced, const Displacement& displacement, Execution& execution)
   : surface_(displaced)
   , displacement_(displacement)
   , tree_(displaced, execution)

@@ -20,9 +20,8 @@ constexpr std::uint32_t Refused = 1U << Volume | 1U << Openness | 1U << OpenEdge
   1U << BoundaryAngle | 1U << NonOrthogonality | 1U << Skewness;
 constexpr double WrongAngle = 89.9; // InnerAngle of a face whose pyramid has no volume
 
-constexpr std::array<std::array<int, 4>, 6> SidesOfHexahedron{
-  { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 }, { 3, 7, 6, 2 }, { 0, 3, 2, 1 }, { 4, 5, 6, 7 } }
-};
+constexpr std::array<std::array<int, 4>, 6> SidesOfHexahedron{ { { 0, 4, 7, 3 }, { 1, 2, 6, 5 },
+  { 0, 1, 5, 4 }, { 3, 7, 6, 2 }, { 0, 3, 2, 1 }, { 4, 5, 6, 7 } } };
 
 // The mesh's cells as CellArrays has them.
 struct AllCells
@@ -111,6 +110,7 @@ public:
     smooth();
     listNear();
     former_ = volumes(before_);
+    findFormerFaults();
     for (int round = 0;; ++round)
     {
       result_.stacks = stackPrisms(mesh_, wall_, heights_);
@@ -180,7 +180,8 @@ private:
       {
         faces.push_back(measureFace(
           near_.firstCorner[f + 1] - near_.firstCorner[f], [&](std::size_t i) -> Vector {
-            const double* const at = &points[3 * std::size_t(near_.corners[near_.firstCorner[f] + i])];
+            const double* const at =
+              &points[3 * std::size_t(near_.corners[near_.firstCorner[f] + i])];
             return { at[0], at[1], at[2] };
           }));
       }
@@ -196,11 +197,27 @@ private:
     std::vector<double> points = before_;
     for (const MovedPoint& moved : result_.stacks.moved)
     {
-      std::copy(
-        moved.to.begin(), moved.to.end(), points.begin() + 3 * std::ptrdiff_t(moved.point));
+      std::copy(moved.to.begin(), moved.to.end(), points.begin() + 3 * std::ptrdiff_t(moved.point));
     }
     points.insert(points.end(), result_.stacks.points.begin(), result_.stacks.points.end());
     return points;
+  }
+
+  static bool isAtFault(const Quality& quality, std::size_t f)
+  {
+    return (quality.faceFailures[f] & Refused) != 0 || !(quality.faces[InnerAngle][f] < WrongAngle);
+  }
+
+  // Of the mesh without layers.
+  void findFormerFaults()
+  {
+    const FaceList list = listFaces(near_, before_.size() / 3, Clashes::AreBoundary, execution_);
+    const Quality quality = measureQuality(before_.data(), near_, list, execution_);
+    wasAtFault_.assign(near_.faceCount(), 0);
+    for (std::size_t f = 0; f < list.face.size(); ++f)
+    {
+      wasAtFault_[list.face[f]] = isAtFault(quality, f);
+    }
   }
 
   // Whether any part is lower than it was.
@@ -212,19 +229,19 @@ private:
       addPolyhedron(cells, &result_.stacks.faceStream[static_cast<std::size_t>(start)]);
     }
     const std::vector<double> points = pointsNow();
-    const FaceList list =
-      listFaces(cells, points.size() / 3, Clashes::AreBoundary, execution_);
+    const FaceList list = listFaces(cells, points.size() / 3, Clashes::AreBoundary, execution_);
     const Quality quality = measureQuality(points.data(), cells, list, execution_);
     next_ = wall_.parts;
     atFault_.clear();
     for (std::size_t f = 0; f < list.face.size(); ++f)
     {
-      if ((quality.faceFailures[f] & Refused) != 0 || !(quality.faces[InnerAngle][f] < WrongAngle))
+      if (isAtFault(quality, f))
       {
         const bool isInner = f < list.neighbour.size();
-        if (list.owner[f] < places_.size() && !hasMoved(cells, list.face[f]))
+        if (list.owner[f] < places_.size() &&
+          (wasAtFault_[list.face[f]] || !hasMoved(cells, list.face[f])))
         {
-          continue; // it was so before
+          continue;
         }
         lowerAtFace(cells, list.face[f],
           isInner && isBetweenStacks(list.owner[f], list.neighbour[f]) ? 0 : Thinned);
@@ -234,8 +251,7 @@ private:
     {
       constexpr std::uint32_t OfCells = 1U << Volume | 1U << Openness | 1U << OpenEdges;
       for (std::size_t f = cells.firstFace[c];
-           (quality.cellFailures[c] & OfCells) != 0 &&
-           f < cells.firstFace[c + 1]; ++f)
+           (quality.cellFailures[c] & OfCells) != 0 && f < cells.firstFace[c + 1]; ++f)
       {
         lowerAtFace(cells, f, Thinned);
       }
@@ -338,34 +354,33 @@ private:
   Execution& execution_;
   std::vector<std::uint8_t> isWallPoint_; // of the mesh's points
   CellFaces near_;
-  std::vector<Id> places_;     // of the near cells in the mesh
-  std::vector<double> former_; // their volumes
-  std::vector<double> next_;   // parts
-  std::vector<std::size_t> atFault_; // nodes
+  std::vector<Id> places_;               // of the near cells in the mesh
+  std::vector<double> former_;           // their volumes
+  std::vector<std::uint8_t> wasAtFault_; // of their faces, before there were layers
+  std::vector<double> next_;             // parts
+  std::vector<std::size_t> atFault_;     // nodes
   BoundaryLayers result_;
 };
 
 }
 
-BoundaryLayers addLayers(const OutputMesh& mesh, const Lattice& lattice, const WallLift& lift,
-  Execution& execution)
+BoundaryLayers addLayers(
+  const OutputMesh& mesh, const Lattice& lattice, const WallLift& lift, Execution& execution)
 {
   std::vector<double> points(3 * static_cast<std::size_t>(mesh.pointCount()));
   mesh.writePoints(points.data(), execution);
   LayeredWall wall = findLayeredWall(mesh, points, lattice, lift, execution);
-  StackThinner thinner(
-    mesh, points, heightsOfLayers(lift.displacement().spec), wall, execution);
+  StackThinner thinner(mesh, points, heightsOfLayers(lift.displacement().spec), wall, execution);
   BoundaryLayers layers = thinner.run();
   layers.spec = lift.displacement().spec;
   layers.thickness = lift.displacement().thickness * lattice.step();
   for (const std::size_t n : thinner.atFault())
   {
-    layers.faults.push_back(lift.triangleAt(
-      scaled(minus(wall.displaced[n], lattice.origin()), 1 / lattice.step())));
+    layers.faults.push_back(
+      lift.triangleAt(scaled(minus(wall.displaced[n], lattice.origin()), 1 / lattice.step())));
   }
   std::sort(layers.faults.begin(), layers.faults.end());
-  layers.faults.erase(
-    std::unique(layers.faults.begin(), layers.faults.end()), layers.faults.end());
+  layers.faults.erase(std::unique(layers.faults.begin(), layers.faults.end()), layers.faults.end());
   return layers;
 }
 

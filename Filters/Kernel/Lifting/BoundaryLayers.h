@@ -14,7 +14,7 @@ namespace cartesian
 
 struct ChangedCell
 {
-  Id place;             // among the mesh's cells as CellArrays has them
+  Id place;              // among the mesh's cells as CellArrays has them
   double volumeByFormer; // its volume divided by that before
 };
 
@@ -23,12 +23,12 @@ struct BoundaryLayers
   WallLayerSpec spec;
   double thickness = 0; // of all layers, as asked
   PrismStacks stacks;
-  std::vector<ChangedCell> changed; // cells whose nodes moved
+  std::vector<ChangedCell> changed;  // cells whose nodes moved
   std::vector<std::uint32_t> faults; // displaced triangles where some are left, in order
 };
 
 // On a mesh of all of the displaced surface.
-BoundaryLayers addLayers(const OutputMesh& mesh, const Lattice& lattice, const WallLift& lift,
-  Execution& execution);
+BoundaryLayers addLayers(
+  const OutputMesh& mesh, const Lattice& lattice, const WallLift& lift, Execution& execution);
 
 }

@@ -66,6 +66,10 @@ private:
   {
     const Vector at = scaled(minus(wall_.displaced[n], lattice_.origin()), 1 / lattice_.step());
     const Vector to = lift_(at);
+    if (to == at)
+    {
+      return;
+    }
     wall_.parts[n] = lift_.hasRoom(at, to) ? 1 : 0;
     wall_.onWall[n] = plus(lattice_.origin(), scaled(to, lattice_.step()));
   }

@@ -34,8 +34,7 @@ struct LayeredWall
   // A node's place, where 0 is the wall and 1 the mesh below the layers.
   Vector at(std::size_t node, double height) const
   {
-    return plus(
-      onWall[node], scaled(minus(displaced[node], onWall[node]), height * parts[node]));
+    return plus(onWall[node], scaled(minus(displaced[node], onWall[node]), height * parts[node]));
   }
   bool hasStack(std::size_t face) const;
 };

@@ -173,8 +173,8 @@ private:
       }
       if (k + 1 == layers())
       {
-        addBoundary(cell, base.boundary, BoundaryFace::Kind::Patch, base.index, cellFaces[1],
-          thicknessOf(f));
+        addBoundary(
+          cell, base.boundary, BoundaryFace::Kind::Patch, base.index, cellFaces[1], thicknessOf(f));
       }
       for (std::size_t i = 0; i < corners(f); ++i)
       {

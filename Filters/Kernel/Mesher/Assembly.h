@@ -31,9 +31,8 @@ struct Assembly
 
 // Runs all steps. Throws Error: BadParameter, TooManyBoxes, FlawedSurface (no cell is left of the whole;
 // a part may have none).
-std::unique_ptr<Assembly> assemble(
-  Boxes boxes, Patches patches, const Options& given, Execution& execution,
-  const WallLift* lift = nullptr);
+std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& given,
+  Execution& execution, const WallLift* lift = nullptr);
 
 // Boxes of the core whose patches were made anew (BoxRebuilding.h).
 std::vector<std::uint32_t> rebuiltBoxes(const Assembly& assembly);

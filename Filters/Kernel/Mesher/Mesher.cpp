@@ -43,8 +43,8 @@ void makeRoomForLayers(PreparedSurface& prepared, const Options& options, Execut
   const double step = prepared.surface.lattice.step();
   const double box =
     std::ldexp(shortestSide(prepared.planes) * step, -std::max(0, options.refinement.depth));
-  prepared.displacement = std::make_shared<const Displacement>(displace(prepared.surface, options.layers,
-    totalThickness(options.layers, box) / step, execution));
+  prepared.displacement = std::make_shared<const Displacement>(displace(
+    prepared.surface, options.layers, totalThickness(options.layers, box) / step, execution));
 }
 
 Bounds united(Bounds a, const Bounds& b)

@@ -234,9 +234,9 @@ private:
 
   WallMesh& m_;
   const WallLift& lift_;
-  std::vector<Vector> offsets_;       // of nodes; 0: none
-  std::vector<std::uint32_t> bases_;  // faces with a prism
-  std::vector<std::uint32_t> topOf_;  // of nodes, or None
+  std::vector<Vector> offsets_;        // of nodes; 0: none
+  std::vector<std::uint32_t> bases_;   // faces with a prism
+  std::vector<std::uint32_t> topOf_;   // of nodes, or None
   std::vector<std::uint32_t> prismOf_; // of faces, or None
   LayerPrisms result_;
 };

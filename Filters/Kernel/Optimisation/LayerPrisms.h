@@ -12,10 +12,10 @@ namespace cartesian
 
 struct LayerPrisms
 {
-  std::uint32_t firstNode = 0; // of those on top, the last of the mesh's nodes
+  std::uint32_t firstNode = 0;      // of those on top, the last of the mesh's nodes
   std::vector<std::uint32_t> below; // the node that each of them follows
   std::vector<Vector> offset;
-  std::uint32_t firstCell = 0; // of the prisms, the last of the changing cells
+  std::uint32_t firstCell = 0;      // of the prisms, the last of the changing cells
   std::vector<std::uint8_t> counts; // of each face: 0 for those between a prism and no known cell
 
   void follow(std::vector<Vector>& at) const

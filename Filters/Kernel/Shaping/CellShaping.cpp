@@ -222,9 +222,8 @@ struct Shares
 constexpr std::array<Shares, ShapingStages> SharesOfStages{ { { 0.35, 0.5, 0.2 },
   { 0.45, 0.6, 0.8 } } };
 
-void optimise(
-  CellsToShape& whole, const std::vector<Slab>& slabs, double featureAngle, const WallLift* lift,
-  Execution& execution)
+void optimise(CellsToShape& whole, const std::vector<Slab>& slabs, double featureAngle,
+  const WallLift* lift, Execution& execution)
 {
   const WallParts parts(
     whole.boxes, whole.patches, whole.sides, whole.nodes, whole.inner, whole.cells, whole.sideOf);

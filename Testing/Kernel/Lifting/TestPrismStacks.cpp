@@ -88,7 +88,7 @@ struct LayerCells
 {
   double volume = 0;
   std::size_t notPositive = 0;
-  std::size_t open = 0;          // cells with an edge that is not used once each way
+  std::size_t open = 0;           // cells with an edge that is not used once each way
   std::size_t unmatchedFaces = 0; // that are neither shared nor boundary
 };
 
@@ -113,8 +113,8 @@ LayerCells examine(const Layered& l)
     }
     result.volume += volume;
     result.notPositive += volume > 0 ? 0 : 1;
-    result.open += std::any_of(
-      edges.begin(), edges.end(), [](const auto& edge) { return edge.second != 0; });
+    result.open +=
+      std::any_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.second != 0; });
   }
   for (std::size_t f = 0; f + 1 < l.mesh.boundaryStart.size(); ++f) // where stacks stand
   {
@@ -181,8 +181,7 @@ void expectFilled(const Soup& soup, TestOptions options, double cells)
   EXPECT_EQ(found.notPositive, 0U);
   EXPECT_EQ(found.unmatchedFaces, 0U);
   EXPECT_GT(layered.stacks().cells(), 0U);
-  EXPECT_NEAR(
-    (found.volume + meshVolume(layered.mesh)) / soup.volume(), 1, 1e-9);
+  EXPECT_NEAR((found.volume + meshVolume(layered.mesh)) / soup.volume(), 1, 1e-9);
 }
 
 }
