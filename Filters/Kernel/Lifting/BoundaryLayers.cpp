@@ -238,7 +238,9 @@ private:
       if (isAtFault(quality, f))
       {
         const bool isInner = f < list.neighbour.size();
-        if (list.owner[f] < places_.size() &&
+        const bool isOfMesh =
+          list.owner[f] < places_.size() && !(isInner && list.neighbour[f] >= places_.size());
+        if (isOfMesh &&
           (wasAtFault_[list.face[f]] || !hasMoved(cells, list.face[f])))
         {
           continue;
