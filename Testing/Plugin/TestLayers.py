@@ -52,8 +52,8 @@ layers = {"Layers": COUNT, "FirstLayerThickness": FIRST}
 expect_layers(simple.CartesianMesher(Input=sphere, CellSize=SIZE, **layers), [0])
 
 # On a body in a flow domain, but not on the sides of the domain.
-expect_layers(simple.CartesianMesher(Input=sphere, CellSize=SIZE, Domain="Outside", LengthsBefore=0.5,
-    LengthsBehind=0.5, LengthsBeside=0.5, **layers), [0])
+expect_layers(simple.CartesianMesher(Input=sphere, CellSize=SIZE, Domain="Outside", LengthsBefore=0.15,
+    LengthsBehind=0.15, LengthsBeside=0.15, **layers), [0])
 
 # A first layer of any thickness is none if there are none.
 plain = outputs(simple.CartesianMesher(Input=sphere, CellSize=SIZE))[0]

@@ -86,7 +86,8 @@ public:
   Place find() const
   {
     Place best;
-    for (double reach = LeastHeight; best.distance > reach && reach < LevelsOfTheDomain; reach *= 8)
+    for (double reach = LeastHeight; best.distance > reach && reach < 8 * LevelsOfTheDomain;
+         reach *= 8)
     {
       const Vector r{ reach, reach, reach };
       lift_.tree_.forEachWithin(minus(at_, r), plus(at_, r), [&](std::uint32_t t) {

@@ -240,8 +240,7 @@ private:
         const bool isInner = f < list.neighbour.size();
         const bool isOfMesh =
           list.owner[f] < places_.size() && !(isInner && list.neighbour[f] >= places_.size());
-        if (isOfMesh &&
-          (wasAtFault_[list.face[f]] || !hasMoved(cells, list.face[f])))
+        if (isOfMesh && (wasAtFault_[list.face[f]] || !hasMoved(cells, list.face[f])))
         {
           continue;
         }

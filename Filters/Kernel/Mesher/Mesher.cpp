@@ -43,8 +43,12 @@ void makeRoomForLayers(PreparedSurface& prepared, const Options& options, Execut
   const double step = prepared.surface.lattice.step();
   const double box =
     std::ldexp(shortestSide(prepared.planes) * step, -std::max(0, options.refinement.depth));
-  prepared.displacement = std::make_shared<const Displacement>(displace(
-    prepared.surface, options.layers, totalThickness(options.layers, box) / step, execution));
+  // The sides of a flow domain are not of the surface: nothing could be lifted there.
+  WallLayerSpec spec = options.layers;
+  const EndBoundaries& ends = prepared.surface.ends;
+  spec.boundariesWithout.insert(spec.boundariesWithout.end(), ends.begin(), ends.end());
+  prepared.displacement = std::make_shared<const Displacement>(
+    displace(prepared.surface, spec, totalThickness(spec, box) / step, execution));
 }
 
 Bounds united(Bounds a, const Bounds& b)
