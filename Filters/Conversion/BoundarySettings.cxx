@@ -105,8 +105,7 @@ std::vector<std::int32_t> boundariesWithoutLayers(
   for (const auto& [boundary, name] : names)
   {
     const auto type = types.find(boundary);
-    if (type == types.end() ? isOpening(name) || isSymmetry(name)
-                            : type->second != "wall")
+    if (type == types.end() ? isOpening(name) || isSymmetry(name) : type->second != "wall")
     {
       result.push_back(boundary);
     }

@@ -18,6 +18,8 @@ constexpr double Slope = 0.6;     // of parts, from node to node of a face
 
 constexpr std::uint32_t Refused = 1U << Volume | 1U << Openness | 1U << OpenEdges |
   1U << BoundaryAngle | 1U << NonOrthogonality | 1U << Skewness;
+// A cell that had less of its volume than this part hardly had any to compare with.
+constexpr double LeastFormer = 1e-3;
 constexpr double WrongAngle = 89.9; // InnerAngle of a face whose pyramid has no volume
 
 constexpr std::array<std::array<int, 4>, 6> SidesOfHexahedron{ { { 0, 4, 7, 3 }, { 1, 2, 6, 5 },
@@ -341,7 +343,7 @@ private:
     const std::vector<double> now = volumes(pointsNow());
     for (std::size_t c = 0; c < now.size(); ++c)
     {
-      if (now[c] != former_[c])
+      if (now[c] != former_[c] && former_[c] > LeastFormer * now[c])
       {
         result_.changed.push_back({ places_[c], now[c] / former_[c] });
       }
