@@ -39,7 +39,7 @@ expected = {
     assembler: ("Cell Assembler", ["Input", "Patches"], cells | settings | threads),
     mesher: ("Cartesian Mesher", ["Input", "RefinementRegions"],
              boundaries | grid | refinement | patches | cells | settings | threads | memory
-             | pieces | regions | domain),
+             | pieces | regions | domain | layers),
     inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
     quality: ("Finite Volume Quality", ["Input"], threads),
     # A region is as large as its input at first.
