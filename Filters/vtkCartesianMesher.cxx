@@ -73,6 +73,11 @@ cartesian::Options vtkCartesianMesher::MakeOptions()
   cartesian::setDomainOptions(this, options);
   cartesian::setPatchOptions(this, options);
   cartesian::setCellOptions(this, options);
+  options.layers.count = this->Layers;
+  options.layers.ratio = this->LayerExpansionRatio;
+  options.layers.firstThickness = this->FirstLayerThickness;
+  options.layers.thickness = this->LayersThickness;
+  options.layers.boundariesWithout = this->BoundariesWithoutLayers;
   return options;
 }
 
@@ -101,6 +106,14 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
   const cartesian::BoundarySettings boundaries{ this->BoundaryNames, this->BoundaryTypes,
     this->BoundaryRatios };
   task.types = cartesian::boundaryTypes(boundaries, task.surface->names());
+  if (this->Layers > 0 && piece.count > 1)
+  {
+    throw cartesian::Error(cartesian::Fault::BadParameter,
+      "Layers is " + std::to_string(this->Layers) +
+        ", but a mesh in pieces or on several ranks has no layers: set it to 0, or InPieces off.");
+  }
+  this->BoundariesWithoutLayers =
+    cartesian::boundariesWithoutLayers(boundaries, task.surface->names());
   task.options = this->MakeOptions();
   this->AddTypesOfSides(task);
   task.options.smallCells.boundaryRatios =
@@ -304,7 +317,7 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
 
 int vtkCartesianMesher::EstimateNumberOfPieces()
 {
-  if (!this->InPieces)
+  if (!this->InPieces || this->Layers > 0)
   {
     return 1;
   }
@@ -332,6 +345,10 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   cartesian::printCellProperties(this, os, indent);
   this->PrintBoundarySettings(os, indent);
   os << indent << "InPieces: " << this->InPieces << "\n";
+  os << indent << "Layers: " << this->Layers << "\n";
+  os << indent << "LayerExpansionRatio: " << this->LayerExpansionRatio << "\n";
+  os << indent << "FirstLayerThickness: " << this->FirstLayerThickness << "\n";
+  os << indent << "LayersThickness: " << this->LayersThickness << "\n";
   cartesian::printDomainProperties(this, os, indent);
   os << indent << "RegionsFrom: " << this->RegionsFrom << "\n";
   os << indent << "RegionArray: " << this->RegionArray << "\n";

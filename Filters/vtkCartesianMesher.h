@@ -27,8 +27,9 @@
 #include "vtkCartesianMesherFiltersModule.h" // for the export macro
 #include "vtkCartesianProperties.h"          // for vtkPatchPropertiesMacro
 
-#include <memory> // for std::unique_ptr
-#include <vector> // for std::vector
+#include <cstdint> // for std::int32_t
+#include <memory>  // for std::unique_ptr
+#include <vector>  // for std::vector
 
 namespace cartesian
 {
@@ -57,6 +58,35 @@ public:
     Blocks = 1, // each block of the surface at the top is one
     Array = 2,  // triangles with the same value of RegionArray are one
   };
+
+  ///@{
+  /**
+   * Boundary layers: how many prisms are stacked on each boundary face of a wall; 0, the default: none. A
+   * boundary is a wall unless its type is patch, symmetry, symmetryPlane or empty, or, without a type, its
+   * name begins with inlet, outlet, cyclic or symmetry.
+   */
+  vtkSetMacro(Layers, int);
+  vtkGetMacro(Layers, int);
+  ///@}
+
+  ///@{
+  /**
+   * Each layer's thickness divided by that of the one nearer to the wall: 1 to 3, default 1.2.
+   */
+  vtkSetMacro(LayerExpansionRatio, double);
+  vtkGetMacro(LayerExpansionRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * The thickness of the layer at the wall, or else of all together, in units of the surface. Both 0, the
+   * default: the last layer is half as thick as a box.
+   */
+  vtkSetMacro(FirstLayerThickness, double);
+  vtkGetMacro(FirstLayerThickness, double);
+  vtkSetMacro(LayersThickness, double);
+  vtkGetMacro(LayersThickness, double);
+  ///@}
 
   ///@{
   /**
@@ -203,6 +233,11 @@ protected:
   cartesian::Options MakeOptions() override;
 
   bool InPieces = true;
+  int Layers = 0;
+  double LayerExpansionRatio = 1.2;
+  double FirstLayerThickness = 0;
+  double LayersThickness = 0;
+  std::vector<std::int32_t> BoundariesWithoutLayers; // of the surface being meshed
   int Domain = Inside;
   int BoxFrom = 0;
   double DomainBounds[6] = { 0, 1, 0, 1, 0, 1 };

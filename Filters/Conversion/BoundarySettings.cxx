@@ -97,4 +97,20 @@ std::vector<BoundaryRatio> boundaryRatios(
   return result;
 }
 
+std::vector<std::int32_t> boundariesWithoutLayers(
+  const BoundarySettings& settings, const BoundaryNames& names)
+{
+  const std::map<std::int32_t, std::string> types = boundaryTypes(settings, names);
+  std::vector<std::int32_t> result;
+  for (const auto& [boundary, name] : names)
+  {
+    const auto type = types.find(boundary);
+    if (type == types.end() ? isOpening(name) || isSymmetry(name) : type->second != "wall")
+    {
+      result.push_back(boundary);
+    }
+  }
+  return result;
+}
+
 }

@@ -31,4 +31,8 @@ std::map<std::int32_t, std::string> boundaryTypes(
 std::vector<BoundaryRatio> boundaryRatios(
   const BoundarySettings& settings, const BoundaryNames& names, SmallCells handling);
 
+// Boundaries that are no walls, by type or else by name. Throws what boundaryTypes does.
+std::vector<std::int32_t> boundariesWithoutLayers(
+  const BoundarySettings& settings, const BoundaryNames& names);
+
 }

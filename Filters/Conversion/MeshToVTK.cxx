@@ -23,6 +23,7 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <map>
 
 namespace cartesian
@@ -35,52 +36,122 @@ namespace
 
 constexpr std::size_t ItemsAChunk = 4096;
 
-void setCells(const OutputMesh& mesh, vtkUnstructuredGrid* grid, Execution& execution)
+std::size_t layerCells(const Assembly& assembly)
 {
+  return assembly.layers ? assembly.layers->stacks.cells() : 0;
+}
+
+// Layers after all cells of the mesh.
+void appendLayers(const OutputMesh& mesh, const PrismStacks& stacks, const CellArrays& arrays)
+{
+  for (std::size_t i = 0; i < stacks.cells(); ++i)
+  {
+    const Id cell = mesh.cellCount() + static_cast<Id>(i);
+    arrays.offsets[cell] = mesh.connectivitySize() + stacks.offsets[i];
+    arrays.types[cell] = arrays.polyhedron;
+    arrays.faceStart[cell] = mesh.faceStreamSize() + stacks.faceStart[i];
+  }
+  std::copy(stacks.connectivity.begin(), stacks.connectivity.end(),
+    arrays.connectivity + mesh.connectivitySize());
+  std::copy(
+    stacks.faceStream.begin(), stacks.faceStream.end(), arrays.faceStream + mesh.faceStreamSize());
+  arrays.offsets[mesh.cellCount() + static_cast<Id>(stacks.cells())] =
+    mesh.connectivitySize() + stacks.offsets.back();
+}
+
+void setCells(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution& execution)
+{
+  const OutputMesh& mesh = *assembly.mesh;
+  const PrismStacks* const stacks = assembly.layers ? &assembly.layers->stacks : nullptr;
+  const Id cellCount = mesh.cellCount() + static_cast<Id>(layerCells(assembly));
   vtkNew<vtkIdTypeArray> offsets;
   vtkNew<vtkIdTypeArray> connectivity;
   vtkNew<vtkUnsignedCharArray> types;
   vtkNew<vtkIdTypeArray> faceStart;
   vtkNew<vtkIdTypeArray> faceStream;
-  offsets->SetNumberOfValues(mesh.cellCount() + 1);
-  connectivity->SetNumberOfValues(mesh.connectivitySize());
-  types->SetNumberOfValues(mesh.cellCount());
-  faceStart->SetNumberOfValues(mesh.cellCount());
-  faceStream->SetNumberOfValues(mesh.faceStreamSize());
-  mesh.writeCells(
-    { offsets->GetPointer(0), connectivity->GetPointer(0), types->GetPointer(0),
-      faceStart->GetPointer(0), faceStream->GetPointer(0), VTK_HEXAHEDRON, VTK_POLYHEDRON },
-    execution);
+  offsets->SetNumberOfValues(cellCount + 1);
+  connectivity->SetNumberOfValues(
+    mesh.connectivitySize() + (stacks ? static_cast<Id>(stacks->connectivity.size()) : 0));
+  types->SetNumberOfValues(cellCount);
+  faceStart->SetNumberOfValues(cellCount);
+  faceStream->SetNumberOfValues(
+    mesh.faceStreamSize() + (stacks ? static_cast<Id>(stacks->faceStream.size()) : 0));
+  const CellArrays arrays{ offsets->GetPointer(0), connectivity->GetPointer(0),
+    types->GetPointer(0), faceStart->GetPointer(0), faceStream->GetPointer(0), VTK_HEXAHEDRON,
+    VTK_POLYHEDRON };
+  mesh.writeCells(arrays, execution);
+  if (stacks)
+  {
+    appendLayers(mesh, *stacks, arrays);
+  }
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);
   cartesian::setCells(grid, types, cells, faceStart, faceStream);
 }
 
-void setCellData(const OutputMesh& mesh, vtkUnstructuredGrid* grid, Execution& execution)
+// Layers are of the box below them, and have the layer's number; other cells 0.
+void setLayers(const OutputMesh& mesh, const BoundaryLayers& layers, vtkUnstructuredGrid* grid)
 {
+  const PrismStacks& stacks = layers.stacks;
+  vtkCellData* const data = grid->GetCellData();
+  auto* number = vtkIdTypeArray::SafeDownCast(data->GetArray(CellId));
+  std::vector<vtkIdType> places(static_cast<std::size_t>(mesh.cellCount()));
+  for (vtkIdType cell = 0; cell < mesh.cellCount(); ++cell)
+  {
+    places[static_cast<std::size_t>(number->GetValue(cell))] = cell;
+  }
+  vtkNew<vtkUnsignedCharArray> layer;
+  layer->SetName("Layer");
+  layer->SetNumberOfValues(grid->GetNumberOfCells());
+  layer->FillValue(0);
+  for (std::size_t i = 0; i < stacks.cells(); ++i)
+  {
+    const vtkIdType cell = mesh.cellCount() + static_cast<vtkIdType>(i);
+    const vtkIdType below = places[static_cast<std::size_t>(stacks.below[i])];
+    for (const char* name : { "GlobalBox", "Level", "Region" })
+    {
+      data->GetArray(name)->SetTuple(cell, below, data->GetArray(name));
+    }
+    data->GetArray("VolumeFraction")->SetComponent(cell, 0, 1);
+    number->SetValue(cell, cell);
+    layer->SetValue(cell, stacks.layer[i]);
+  }
+  data->AddArray(layer);
+  for (const ChangedCell& cell : layers.changed)
+  {
+    vtkDataArray* const fraction = data->GetArray("VolumeFraction");
+    fraction->SetComponent(
+      cell.place, 0, cell.volumeByFormer * fraction->GetComponent(cell.place, 0));
+  }
+}
+
+void setCellData(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution& execution)
+{
+  const OutputMesh& mesh = *assembly.mesh;
+  const Id cellCount = grid->GetNumberOfCells();
   vtkNew<vtkIdTypeArray> number;
   number->SetName(CellId);
-  number->SetNumberOfTuples(mesh.cellCount());
+  number->SetNumberOfTuples(cellCount);
   vtkNew<vtkIntArray> global;
   global->SetName("GlobalBox");
   global->SetNumberOfComponents(3);
   global->SetComponentName(0, "I");
   global->SetComponentName(1, "J");
   global->SetComponentName(2, "K");
-  global->SetNumberOfTuples(mesh.cellCount());
+  global->SetNumberOfTuples(cellCount);
   vtkNew<vtkUnsignedCharArray> level;
   level->SetName("Level");
   level->SetNumberOfComponents(3);
   level->SetComponentName(0, "X");
   level->SetComponentName(1, "Y");
   level->SetComponentName(2, "Z");
-  level->SetNumberOfTuples(mesh.cellCount());
+  level->SetNumberOfTuples(cellCount);
   vtkNew<vtkIntArray> region;
   region->SetName("Region");
-  region->SetNumberOfTuples(mesh.cellCount());
+  region->SetNumberOfTuples(cellCount);
   vtkNew<vtkDoubleArray> fraction;
   fraction->SetName("VolumeFraction");
-  fraction->SetNumberOfTuples(mesh.cellCount());
+  fraction->SetNumberOfTuples(cellCount);
   mesh.writeCellData({ number->GetPointer(0), global->GetPointer(0), level->GetPointer(0),
                        region->GetPointer(0), fraction->GetPointer(0) },
     execution);
@@ -89,6 +160,10 @@ void setCellData(const OutputMesh& mesh, vtkUnstructuredGrid* grid, Execution& e
   grid->GetCellData()->AddArray(region);
   grid->GetCellData()->AddArray(fraction);
   grid->GetCellData()->AddArray(number);
+  if (assembly.layers)
+  {
+    setLayers(mesh, *assembly.layers, grid);
+  }
 }
 
 void setStatistics(const Assembly& assembly, const Processes& processes, vtkUnstructuredGrid* grid)
@@ -112,17 +187,28 @@ void setMesh(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution& exe
   const OutputMesh& mesh = *assembly.mesh;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(mesh.pointCount());
-  mesh.writePoints(static_cast<double*>(points->GetVoidPointer(0)), execution);
+  const std::vector<double> none;
+  const std::vector<double>& ofLayers = assembly.layers ? assembly.layers->stacks.points : none;
+  points->SetNumberOfPoints(mesh.pointCount() + static_cast<vtkIdType>(ofLayers.size() / 3));
+  auto* const xyz = static_cast<double*>(points->GetVoidPointer(0));
+  mesh.writePoints(xyz, execution);
+  std::copy(ofLayers.begin(), ofLayers.end(), xyz + 3 * mesh.pointCount());
+  if (assembly.layers)
+  {
+    for (const MovedPoint& moved : assembly.layers->stacks.moved)
+    {
+      std::copy(moved.to.begin(), moved.to.end(), xyz + 3 * moved.point);
+    }
+  }
   grid->SetPoints(points);
-  setCells(mesh, grid, execution);
-  setCellData(mesh, grid, execution);
+  setCells(assembly, grid, execution);
+  setCellData(assembly, grid, execution);
 }
 
 // What solvers that keep to the paper take from the mesher: the vector area (equation 1) and centre of
 // each face, and which are IP patches (4.11).
-void setFaceGeometry(
-  const OutputMesh& mesh, const BoundaryMesh& faces, vtkPolyData* boundary, Execution& execution)
+void setFaceGeometry(const std::vector<BoundaryFace>& all, const BoundaryMesh& faces,
+  vtkPolyData* boundary, Execution& execution)
 {
   const vtkIdType count = boundary->GetNumberOfPolys();
   vtkNew<vtkDoubleArray> area;
@@ -152,8 +238,7 @@ void setFaceGeometry(
         const auto at = static_cast<vtkIdType>(f);
         area->SetTuple(at, geometry.area.data());
         centre->SetTuple(at, geometry.centre.data());
-        isIP->SetValue(
-          at, mesh.boundary()[f].isShaped() && isBent(size, corner, geometry.area) ? 1 : 0);
+        isIP->SetValue(at, all[f].isShaped() && isBent(size, corner, geometry.area) ? 1 : 0);
       }
     });
   boundary->GetCellData()->AddArray(area);
@@ -208,18 +293,101 @@ vtkSmartPointer<Array> arrayOf(const char* name, std::size_t faces, ValueOf&& va
   return array;
 }
 
-void setBoundary(
-  const OutputMesh& mesh, vtkUnstructuredGrid* grid, vtkPolyData* boundary, Execution& execution)
+const std::vector<BoundaryFace>& boundaryOf(const Assembly& assembly)
 {
-  const BoundaryMesh faces = mesh.boundaryMesh(execution);
+  return assembly.layers ? assembly.layers->stacks.boundary : assembly.mesh->boundary();
+}
+
+void setBoundary(
+  const Assembly& assembly, vtkUnstructuredGrid* grid, vtkPolyData* boundary, Execution& execution)
+{
+  const BoundaryMesh faces =
+    assembly.layers ? assembly.layers->stacks.boundaryMesh : assembly.mesh->boundaryMesh(execution);
   setFaces(faces, grid, boundary, execution);
-  const std::vector<BoundaryFace>& all = mesh.boundary();
+  const std::vector<BoundaryFace>& all = boundaryOf(assembly);
   boundary->GetCellData()->SetScalars(arrayOf<vtkIntArray>( // the initial colouring
     "BoundaryId", all.size(), [&](std::size_t i) { return all[i].boundary; }));
   boundary->GetCellData()->AddArray(
     arrayOf<vtkIdTypeArray>("OwnerCell", all.size(), [&](std::size_t i) { return all[i].cell; }));
-  setFaceGeometry(mesh, faces, boundary, execution);
+  setFaceGeometry(all, faces, boundary, execution);
 }
+
+// Of each boundary face, how thick its layers are and how many; of each boundary and of all walls with layers, the
+// share of the area that has all of them, half as thick as asked or more, and the mean thickness.
+class LayerReport
+{
+public:
+  LayerReport(const BoundaryLayers& layers, vtkPolyData* boundary)
+    : layers_(layers)
+    , faces_(layers.stacks.boundary)
+    , thickness_(layers.stacks.thickness)
+  {
+    const auto made = [&](std::size_t i) { return thickness_[i] > 0 ? layers_.spec.count : 0; };
+    boundary->GetCellData()->AddArray(arrayOf<vtkDoubleArray>(
+      "LayerThickness", faces_.size(), [&](std::size_t i) { return thickness_[i]; }));
+    boundary->GetCellData()->AddArray(arrayOf<vtkIntArray>("LayersMade", faces_.size(), made));
+    auto* areas = vtkDoubleArray::SafeDownCast(boundary->GetCellData()->GetArray("FaceArea"));
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+    {
+      Vector area;
+      areas->GetTypedTuple(static_cast<vtkIdType>(i), area.data());
+      add(ofBoundary_[faces_[i].boundary], i, norm(area));
+      if (isWall(faces_[i].boundary))
+      {
+        add(ofWalls_, i, norm(area));
+      }
+    }
+  }
+
+  // `names`: of all boundaries, in their order on the outputs.
+  void write(const BoundaryNames& names, vtkDataObject* output)
+  {
+    setField(output, "LayerCoverage", { ofWalls_.coverage() });
+    setField(output, "MeanLayerThickness", { ofWalls_.mean() });
+    std::vector<double> coverages;
+    std::vector<double> means;
+    for (const auto& named : names)
+    {
+      coverages.push_back(ofBoundary_[named.first].coverage());
+      means.push_back(ofBoundary_[named.first].mean());
+    }
+    setField(output, "BoundaryLayerCoverages", coverages);
+    setField(output, "BoundaryLayerThicknesses", means);
+  }
+
+private:
+  static constexpr double LeastOfAsked = 0.5;
+
+  struct Sums
+  {
+    double area = 0;
+    double covered = 0;
+    double volume = 0;
+
+    double coverage() const { return area > 0 ? covered / area : 0; }
+    double mean() const { return area > 0 ? volume / area : 0; }
+  };
+
+  bool isWall(std::int32_t boundary) const
+  {
+    const auto& without = layers_.spec.boundariesWithout;
+    return boundary != NoBoundary &&
+      std::find(without.begin(), without.end(), boundary) == without.end();
+  }
+
+  void add(Sums& sums, std::size_t face, double area) const
+  {
+    sums.area += area;
+    sums.covered += thickness_[face] >= LeastOfAsked * layers_.thickness ? area : 0;
+    sums.volume += area * thickness_[face];
+  }
+
+  const BoundaryLayers& layers_;
+  const std::vector<BoundaryFace>& faces_;
+  const std::vector<double>& thickness_;
+  std::map<std::int32_t, Sums> ofBoundary_;
+  Sums ofWalls_;
+};
 
 struct BoundaryMeasure
 {
@@ -266,8 +434,8 @@ std::map<std::int32_t, BoundaryMeasure> sum(
 }
 
 // Name, number of faces and area of each boundary, on both outputs.
-void describeBoundaries(const BoundaryTexts& texts, const Processes& processes,
-  vtkPolyData* boundary, vtkUnstructuredGrid* mesh)
+void describeBoundaries(const Assembly& assembly, const BoundaryTexts& texts,
+  const Processes& processes, vtkPolyData* boundary, vtkUnstructuredGrid* mesh)
 {
   BoundaryNames names = texts.names;
   std::map<std::int32_t, BoundaryMeasure> measures = sum(measureBoundaries(boundary), processes);
@@ -290,6 +458,12 @@ void describeBoundaries(const BoundaryTexts& texts, const Processes& processes,
     setBoundaryTypes(output, names, texts.types);
     output->GetFieldData()->AddArray(faces);
     output->GetFieldData()->AddArray(areas);
+  }
+  if (assembly.layers)
+  {
+    LayerReport report(*assembly.layers, boundary);
+    report.write(names, mesh);
+    report.write(names, boundary);
   }
 }
 
@@ -379,9 +553,9 @@ void toVTK(const Assembly& assembly, const BoundaryTexts& texts, const MeshPiece
   execution.stage("Writing the mesh", AfterNumbering, 1);
   setMesh(assembly, mesh, execution);
   setStatistics(assembly, piece.processes, mesh);
-  setBoundary(*assembly.mesh, mesh, boundary, execution);
+  setBoundary(assembly, mesh, boundary, execution);
   setBoundaryOfFaces(mesh, boundary, execution);
-  describeBoundaries(texts, piece.processes, boundary, mesh);
+  describeBoundaries(assembly, texts, piece.processes, boundary, mesh);
   if (assembly.patches.walls.any())
   {
     setRegions(assembly, texts.regions, piece.processes, mesh, boundary);

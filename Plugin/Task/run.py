@@ -261,12 +261,17 @@ def statistics(mesher, listener, seconds, fields):
     for arrays in fields:
         rows = [arrays.pop(name, []) for name in
             ("BoundaryIds", "BoundaryNames", "BoundaryTypes", "BoundaryFaceCounts", "BoundaryAreas")]
+        of_layers = {key: arrays.pop(name) for key, name in (("layer_coverage", "BoundaryLayerCoverages"),
+            ("layer_thickness", "BoundaryLayerThicknesses")) if name in arrays}
         # Types are there where the user gave some; counts and areas, where there is a mesh.
         for number, name, type, faces, area in itertools.zip_longest(*rows):
             row = boundaries.setdefault(number,
                 {"number": number, "name": name, "type": type or "", "faces": 0, "area": 0})
             row["faces"] += faces or 0
             row["area"] += area or 0
+        for key, values in of_layers.items():
+            for number, value in zip(rows[0], values):
+                boundaries[number][key] = value
         for name, values in arrays.items():
             if len(values) == 1:
                 mesh[name] = mesh.get(name, 0) + values[0]

@@ -12,6 +12,7 @@ patches = {"PatchMethod": "Automatic", "FeatureAngle": 30.0, "MergeAngle": 10.0,
            "Tying": "Keep Nodes"}
 cells = {"CollapseRatio": 0.1, "SmallCells": "Merge", "MergeRatio": 0.15, "SmallCellRatio": 0.001,
          "SplitConcaveCells": 1, "OptimiseNodes": 1, "RefusedCellRatio": 4}
+layers = {"Layers": 0, "LayerExpansionRatio": 1.2, "FirstLayerThickness": 0.0, "LayersThickness": 0.0}
 settings = {"BoundaryNames": [], "BoundaryTypes": [], "BoundarySmallCellRatios": []}
 threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}
@@ -39,7 +40,7 @@ expected = {
     assembler: ("Cell Assembler", ["Input", "Patches"], cells | settings | threads),
     mesher: ("Cartesian Mesher", ["Input", "RefinementRegions"],
              boundaries | grid | refinement | patches | cells | settings | threads | memory
-             | pieces | regions | domain),
+             | pieces | regions | domain | layers),
     inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
     quality: ("Finite Volume Quality", ["Input"], threads),
     # A region is as large as its input at first.

@@ -2,6 +2,7 @@
 // Boxes and patches made into a mesh, step by step (section 6: 9, A3, B1 to B4, 11 to 13).
 #pragma once
 
+#include "Lifting/BoundaryLayers.h"
 #include "Mesh/OutputMesh.h"
 #include "Mesher/Options.h"
 #include "Shaping/CellShaping.h"
@@ -25,12 +26,13 @@ struct Assembly
   std::vector<RemovedCell> fragments; // cells of the core that went with small parts (Fragments.h)
   std::size_t isolatedCells = 0;      // cells of the core in those that stay
   std::unique_ptr<OutputMesh> mesh;
+  std::unique_ptr<BoundaryLayers> layers; // on the mesh, or null
 };
 
 // Runs all steps. Throws Error: BadParameter, TooManyBoxes, FlawedSurface (no cell is left of the whole;
 // a part may have none).
-std::unique_ptr<Assembly> assemble(
-  Boxes boxes, Patches patches, const Options& given, Execution& execution);
+std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& given,
+  Execution& execution, const WallLift* lift = nullptr);
 
 // Boxes of the core whose patches were made anew (BoxRebuilding.h).
 std::vector<std::uint32_t> rebuiltBoxes(const Assembly& assembly);

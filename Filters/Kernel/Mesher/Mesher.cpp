@@ -8,12 +8,48 @@
 #include "Repair/Regions.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace cartesian
 {
 
 namespace
 {
+
+// The shortest side of a box, in levels.
+double shortestSide(const Meshlines& planes)
+{
+  double least = LevelsOfTheDomain;
+  for (const auto& axis : planes)
+  {
+    for (std::size_t i = 0; i + 1 < axis.size(); ++i)
+    {
+      least = std::min(least, double(axis[i + 1]) - axis[i]);
+    }
+  }
+  return least;
+}
+
+void makeRoomForLayers(PreparedSurface& prepared, const Options& options, Execution& execution)
+{
+  requireValid(options.layers);
+  if (prepared.surface.walls.any())
+  {
+    throw Error(Fault::BadParameter,
+      "Layers is " + std::to_string(options.layers.count) +
+        ", but with several regions there are no layers: set it to 0.");
+  }
+  const double step = prepared.surface.lattice.step();
+  const double box =
+    std::ldexp(shortestSide(prepared.planes) * step, -std::max(0, options.refinement.depth));
+  // The sides of a flow domain are not of the surface: nothing could be lifted there.
+  WallLayerSpec spec = options.layers;
+  const EndBoundaries& ends = prepared.surface.ends;
+  spec.boundariesWithout.insert(spec.boundariesWithout.end(), ends.begin(), ends.end());
+  prepared.displacement = std::make_shared<const Displacement>(
+    displace(prepared.surface, spec, totalThickness(spec, box) / step, execution));
+}
 
 Bounds united(Bounds a, const Bounds& b)
 {
@@ -87,6 +123,10 @@ PreparedSurface prepareSurface(
   {
     turnInsideOut(prepared.surface);
   }
+  if (options.layers.count > 0)
+  {
+    makeRoomForLayers(prepared, options, execution);
+  }
   stepAside(prepared.surface, prepared.planes);
   return prepared;
 }
@@ -109,7 +149,10 @@ Patches makePatches(const PreparedSurface& prepared, const Decomposition& decomp
     prepared.surface, boxes, decomposition.shoeboxes(), options.patches, execution);
 }
 
-std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
+namespace
+{
+
+std::unique_ptr<Assembly> meshOnce(const PreparedSurface& prepared,
   const Decomposition& decomposition, Layers core, const Options& options, Execution& execution)
 {
   Boxes boxes = decomposition.boxes(core, execution);
@@ -120,7 +163,45 @@ std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   // How much there is in boxes with other than exact patches is known only here.
   const auto corners = static_cast<double>(patches.corners.size());
   checkMemory(estimate.boxes(), estimate.bytes(limit, corners), limit);
-  return assemble(std::move(boxes), std::move(patches), options, execution);
+  if (!prepared.displacement)
+  {
+    return assemble(std::move(boxes), std::move(patches), options, execution);
+  }
+  const WallLift lift(prepared.surface, *prepared.displacement, execution);
+  auto assembly = assemble(std::move(boxes), std::move(patches), options, execution, &lift);
+  assembly->layers = std::make_unique<BoundaryLayers>(
+    addLayers(*assembly->mesh, prepared.surface.lattice, lift, execution));
+  return assembly;
+}
+
+// Times that a surface is displaced anew, the last time nowhere.
+constexpr int MostDisplacements = 7;
+
+}
+
+std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
+  const Decomposition& decomposition, Layers core, const Options& options, Execution& execution)
+{
+  auto assembly = meshOnce(prepared, decomposition, core, options, execution);
+  PreparedSurface next;
+  for (int i = 1; assembly->layers && !assembly->layers->faults.empty() && i <= MostDisplacements;
+       ++i)
+  {
+    next = i == 1 ? prepared : next;
+    std::vector<std::uint32_t> notAt = assembly->layers->faults;
+    if (i == MostDisplacements)
+    {
+      notAt.resize(next.surface.triangles.size());
+      std::iota(notAt.begin(), notAt.end(), 0U);
+    }
+    next.displacement = std::make_shared<const Displacement>(
+      displaceAgain(next.surface, *next.displacement, std::move(notAt), i - 1, execution));
+    stepAside(next.surface, next.planes);
+    const auto parts = decompose(next, options, execution);
+    assembly.reset();
+    assembly = meshOnce(next, *parts, parts->allLayers(), options, execution);
+  }
+  return assembly;
 }
 
 }

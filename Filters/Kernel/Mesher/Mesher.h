@@ -10,6 +10,7 @@
 // mesh() is all of it, meshPart() all that follows decompose() for one part of the grid.
 #pragma once
 
+#include "Displacement/Displacement.h"
 #include "Mesher/Assembly.h"
 #include "Mesher/Options.h"
 #include "Mesher/Stages.h"
@@ -36,9 +37,10 @@ struct PreparedSurface
   Meshlines planes;
   Bounds bounds; // of the surface, user units
   MemoryLimit memoryLimit;
+  std::shared_ptr<const Displacement> displacement; // of `surface`, or null: no layers
 };
 
-// Scaling, Dual Levels, check and repair of the surface. `parts`: how many the mesh is made in, each of
+// Scaling, Dual Levels, check and repair of the surface, which makes room for layers. `parts`: how many the mesh is made in, each of
 // which may take as much memory as the options allow. Throws Error: EmptySurface, BadCoordinate,
 // BadCellSize, BadMeshlines, TooManyBoxes.
 PreparedSurface prepareSurface(

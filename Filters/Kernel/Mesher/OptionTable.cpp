@@ -58,6 +58,10 @@ std::vector<NamedOption> optionTable()
     { "Split Concave Cells", double(d.shaping.splitConcave), { 0, 1 }, "" },
     { "Optimise Nodes", double(d.shaping.optimiseNodes), { 0, 1 }, "" },
     { "Refused Cell Ratio", d.shaping.refusedCellRatio, ShapingSpec::RefusedCellRatios, "" },
+    { "Layers", double(d.layers.count), WallLayerSpec::Counts, "" },
+    { "Layer Expansion Ratio", d.layers.ratio, WallLayerSpec::Ratios, "" },
+    { "First Layer Thickness", d.layers.firstThickness, WallLayerSpec::Thicknesses, Length },
+    { "Layers Thickness", d.layers.thickness, WallLayerSpec::Thicknesses, Length },
     { "Memory Limit", d.memoryLimit, Options::MemoryLimits, "GiB" },
     { "Number Of Threads", double(Execution::AllCores), { 0 }, "" },
   };

@@ -7,6 +7,7 @@
 #include "Boxes/Refinement.h"
 #include "Cells/SmallCellSpec.h"
 #include "Collapse/CollapseSpec.h"
+#include "Displacement/WallLayerSpec.h"
 #include "Lattice/Meshlines.h"
 #include "Parts/Slabs.h"
 #include "Patches/PatchSpec.h"
@@ -37,6 +38,7 @@ struct Options
   CollapseSpec collapse;
   SmallCellSpec smallCells;
   ShapingSpec shaping;
+  WallLayerSpec layers;
 
   // GiB that the mesh, or each part of it, may need by an estimate; 0: three quarters of this
   // machine's memory.

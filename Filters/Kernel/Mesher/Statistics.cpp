@@ -115,12 +115,25 @@ public:
     n_.boundaryFaces = static_cast<double>(a_.mesh->boundary().size());
     n_.boundaryAngle = static_cast<double>(a_.mesh->failures().boundaryAngle);
     n_.innerAngle = static_cast<double>(a_.mesh->failures().innerAngle);
+    countLayers();
     n_.openness = static_cast<double>(a_.mesh->failures().open);
     n_.volume = static_cast<double>(a_.mesh->failures().negativeVolume);
     return n_;
   }
 
 private:
+  void countLayers()
+  {
+    if (a_.layers)
+    {
+      const PrismStacks& stacks = a_.layers->stacks;
+      n_.cells += static_cast<double>(stacks.cells());
+      n_.polyhedra += static_cast<double>(stacks.cells());
+      n_.points += static_cast<double>(stacks.points.size() / 3);
+      n_.boundaryFaces = static_cast<double>(stacks.boundary.size());
+    }
+  }
+
   bool isCore(std::uint32_t box) const { return box >= first_ && box < last_; }
 
   void countBoxes()

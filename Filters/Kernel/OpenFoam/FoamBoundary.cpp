@@ -45,6 +45,14 @@ std::string newEntries(const FoamPatch& patch)
   return text + "\n    ";
 }
 
+// `word` is in lower case; the name may be in any.
+bool beginsWith(const std::string& name, const std::string& word)
+{
+  return name.size() >= word.size() &&
+    std::equal(word.begin(), word.end(), name.begin(),
+      [](char a, unsigned char b) { return a == static_cast<char>(std::tolower(b)); });
+}
+
 // Where the value of the entry `key` is; of length 0: nowhere.
 struct Place
 {
@@ -100,11 +108,12 @@ std::string foamWord(const std::string& name)
 
 bool isOpening(const std::string& name)
 {
-  std::string lower = name;
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto begins = [&](const char* word) { return lower.rfind(word, 0) == 0; };
-  return begins("inlet") || begins("outlet") || begins("cyclic");
+  return beginsWith(name, "inlet") || beginsWith(name, "outlet") || beginsWith(name, "cyclic");
+}
+
+bool isSymmetry(const std::string& name)
+{
+  return beginsWith(name, "symmetry");
 }
 
 FoamBoundary::FoamBoundary(const std::vector<FoamPatch>& patches)

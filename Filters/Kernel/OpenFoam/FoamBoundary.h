@@ -42,6 +42,9 @@ std::string foamWord(const std::string& name);
 // cyclic, in whatever letters. All others are walls.
 bool isOpening(const std::string& name);
 
+// Whether a name begins with symmetry, in upper or lower case.
+bool isSymmetry(const std::string& name);
+
 // The entries of each patch, the text between its brackets.
 class FoamBoundary
 {

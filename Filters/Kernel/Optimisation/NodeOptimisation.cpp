@@ -2,6 +2,7 @@
 #include "Optimisation/NodeOptimisation.h"
 
 #include "Optimisation/FaceEnergy.h"
+#include "Optimisation/LayerPrisms.h"
 #include "Optimisation/NodePaths.h"
 
 #include <algorithm>
@@ -42,9 +43,10 @@ constexpr double OfFoldedFace = 1e9;
 class Optimiser
 {
 public:
-  Optimiser(WallMesh& mesh, double featureAngle)
+  Optimiser(WallMesh& mesh, double featureAngle, const WallLift* lift)
     : m_(mesh)
     , paths_(mesh, std::cos(radians(featureAngle)))
+    , prisms_(addPrisms(mesh, lift))
     , before_(mesh.at)
     , faces_(mesh.faces())
     , stars_(mesh.faces())
@@ -123,6 +125,10 @@ private:
           std::numeric_limits<double>::infinity(), {}, {} });
       }
     }
+    for (std::size_t i = 0; i < prisms_.below.size(); ++i)
+    {
+      movingOf[prisms_.firstNode + i] = movingOf[prisms_.below[i]];
+    }
     movingOf_ = std::move(movingOf);
     edgeOfFace_.resize(m_.faces());
     isMoving_.resize(m_.faces());
@@ -185,6 +191,7 @@ private:
 
   void measure()
   {
+    prisms_.follow(m_.at);
     for (Moving& node : moving_)
     {
       node.shortest = std::numeric_limits<double>::infinity();
@@ -255,7 +262,7 @@ private:
         }
       }
     }
-    for (std::uint32_t c = 0; c < m_.changing; ++c)
+    for (std::uint32_t c = 0; c < prisms_.firstCell; ++c)
     {
       double byShare = 0;
       energyOfCell_[c] += energyOfShare(m_.measures[c].volume / m_.volumeOfBox[c], byShare);
@@ -265,6 +272,10 @@ private:
 
   void evaluateFace(std::size_t f)
   {
+    if (!prisms_.counts[f])
+    {
+      return;
+    }
     const auto& cells = m_.cells[f];
     const Ring ring{ m_.at.data(), m_.corners.data() + m_.start[f], cornersOf(f) };
     energies_[f] = cells[1] == None
@@ -489,7 +500,7 @@ private:
         }
       }
     }
-    for (std::uint32_t c = 0; c < m_.changing; ++c)
+    for (std::uint32_t c = 0; c < prisms_.firstCell; ++c)
     {
       const double volume = m_.measures[c].volume;
       if (volume < FairShare * m_.volumeOfBox[c] && volume < first.cells[c].volume)
@@ -506,9 +517,11 @@ private:
     std::vector<std::uint32_t> faces;
     for (const std::uint32_t n : nodes)
     {
-      m_.at[n] = before_[n];
+      const std::uint32_t at = n < prisms_.firstNode ? n : prisms_.below[n - prisms_.firstNode];
+      m_.at[at] = before_[at];
       forEachFaceOf(movingOf_[n], [&](std::uint32_t f) { faces.push_back(f); });
     }
+    prisms_.follow(m_.at);
     std::vector<std::uint32_t> cells;
     for (const std::uint32_t f : faces = sortedUnique(std::move(faces)))
     {
@@ -556,6 +569,7 @@ private:
 
   WallMesh& m_;
   NodePaths paths_;
+  const LayerPrisms prisms_;
   const std::vector<Vector> before_; // where nodes were
   std::vector<Moving> moving_;
   std::vector<std::uint32_t> movingOf_; // of each node, or None
@@ -613,14 +627,14 @@ void write(const WallMesh& mesh, Nodes& nodes, Cells& cells)
 }
 
 std::vector<std::uint32_t> optimiseNodes(const WallParts& parts, const std::vector<Slab>& slabs,
-  double featureAngle, Nodes& nodes, Cells& cells, Execution& execution)
+  double featureAngle, const WallLift* lift, Nodes& nodes, Cells& cells, Execution& execution)
 {
   std::vector<std::vector<std::uint32_t>> changed(slabs.size());
   execution.forEach(slabs.size(), 1, [&](std::size_t s, std::size_t) {
     const auto count = static_cast<double>(slabs.size());
     Execution alone = execution.alone(double(s) / count, double(s + 1) / count);
     WallMesh mesh = wallMesh(parts, slabs[s]);
-    if (Optimiser(mesh, featureAngle).run(alone))
+    if (Optimiser(mesh, featureAngle, lift).run(alone))
     {
       write(mesh, nodes, cells);
       const auto end = mesh.cell.begin() + std::ptrdiff_t(mesh.changing);

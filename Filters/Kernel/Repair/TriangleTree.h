@@ -6,6 +6,7 @@
 // triangles' numbers.
 #pragma once
 
+#include "Lattice/Vector.h"
 #include "Surface/Surface.h"
 
 #include <algorithm>
@@ -53,6 +54,30 @@ public:
     }
   }
 
+  // Calls visit(triangle) for triangles whose bounds meet these, in levels; along the curve.
+  template <class Visitor>
+  void forEachWithin(const Vector& low, const Vector& high, Visitor&& visit) const
+  {
+    std::array<std::pair<std::size_t, std::size_t>, 2 * MostLevels> stack; // level, node
+    std::size_t size = 0;
+    stack[size++] = { levels_.size() - 1, 0 };
+    while (size > 0)
+    {
+      const auto [level, n] = stack[--size];
+      if (n >= levels_[level].size() || !levels_[level][n].meets(low, high))
+      {
+        continue;
+      }
+      if (level == 0)
+      {
+        visit(order_[n]);
+        continue;
+      }
+      stack[size++] = { level - 1, 2 * n + 1 };
+      stack[size++] = { level - 1, 2 * n };
+    }
+  }
+
 private:
   static constexpr std::size_t MostLevels = 34;
 
@@ -66,6 +91,12 @@ private:
     {
       return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
         other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
+    }
+
+    bool meets(const Vector& from, const Vector& to) const
+    {
+      return low[0] <= to[0] && from[0] <= high[0] && low[1] <= to[1] && from[1] <= high[1] &&
+        low[2] <= to[2] && from[2] <= high[2];
     }
   };
 

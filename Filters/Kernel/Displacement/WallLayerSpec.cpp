@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Displacement/WallLayerSpec.h"
+
+namespace cartesian
+{
+
+namespace
+{
+
+// The last layer, as a part of the box beside it.
+constexpr double LastLayerByBox = 0.5;
+
+// Of all layers, where the first is 1.
+std::vector<double> sumsOfSeries(const WallLayerSpec& spec)
+{
+  std::vector<double> sums{ 0 };
+  double layer = 1;
+  for (int i = 0; i < spec.count; ++i)
+  {
+    sums.push_back(sums.back() + layer);
+    layer *= spec.ratio;
+  }
+  return sums;
+}
+
+}
+
+void requireValid(const WallLayerSpec& spec)
+{
+  requireInRange(WallLayerSpec::Counts, spec.count, "Layers");
+  requireInRange(WallLayerSpec::Ratios, spec.ratio, "Layer Expansion Ratio");
+  requireInRange(WallLayerSpec::Thicknesses, spec.firstThickness, "First Layer Thickness");
+  requireInRange(WallLayerSpec::Thicknesses, spec.thickness, "Layers Thickness");
+}
+
+double totalThickness(const WallLayerSpec& spec, double box)
+{
+  const std::vector<double> sums = sumsOfSeries(spec);
+  if (spec.firstThickness > 0)
+  {
+    return spec.firstThickness * sums.back();
+  }
+  if (spec.thickness > 0)
+  {
+    return spec.thickness;
+  }
+  return LastLayerByBox * box * sums.back() / (sums.back() - sums[sums.size() - 2]);
+}
+
+std::vector<double> heightsOfLayers(const WallLayerSpec& spec)
+{
+  std::vector<double> heights = sumsOfSeries(spec);
+  const double total = heights.back();
+  for (double& height : heights)
+  {
+    height /= total;
+  }
+  return heights;
+}
+
+}

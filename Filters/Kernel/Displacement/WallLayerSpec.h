@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the user chooses about boundary layers.
+#pragma once
+
+#include "Base/Range.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace cartesian
+{
+
+struct WallLayerSpec
+{
+  static constexpr Range Counts{ 0, 50 };
+  static constexpr Range Ratios{ 1, 3 };
+  static constexpr Range Thicknesses{ 0 };
+
+  int count = 0;      // 0: no layers
+  double ratio = 1.2; // of the thicknesses of two layers, away from the wall
+
+  // User units; the first that is not 0 applies. Both 0: the last layer is half as thick as a box.
+  double firstThickness = 0;
+  double thickness = 0; // of all layers
+
+  std::vector<std::int32_t> boundariesWithout;
+};
+
+// Throws Error: BadParameter.
+void requireValid(const WallLayerSpec& spec);
+
+// Of all layers, in user units. `box`: the shortest side of a box.
+double totalThickness(const WallLayerSpec& spec, double box);
+
+// The height above the wall at which each layer ends, as a part of the total: 0, ..., 1.
+std::vector<double> heightsOfLayers(const WallLayerSpec& spec);
+
+}

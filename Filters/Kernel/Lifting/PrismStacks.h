@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The boundary layers of a mesh: a stack of prisms on each boundary face of a layered wall.
+//
+// Points of the layers are on the line from a node to its place on the wall. Faces with a common edge share the
+// side faces above it. Towards boundaries without layers the side faces are boundary. A node without layers has
+// none above it: its prisms become wedges there, and a face all of whose nodes are such has no stack.
+#pragma once
+
+#include "Lifting/LayeredWall.h"
+
+namespace cartesian
+{
+
+struct MovedPoint
+{
+  Id point;
+  Vector to;
+};
+
+struct PrismStacks
+{
+  std::vector<MovedPoint> moved; // of the mesh, in order
+
+  // Follow those of the mesh: points and cells are numbered on.
+  std::vector<double> points;           // x, y, z
+  std::vector<std::size_t> nodeOfPoint; // of the wall
+  std::vector<Id> offsets;              // of each cell in connectivity, and the end
+  std::vector<Id> connectivity;
+  std::vector<Id> faceStart;        // of each cell in faceStream
+  std::vector<Id> faceStream;       // as CellArrays::faceStream
+  std::vector<unsigned char> layer; // of each cell, 1 at the wall
+  std::vector<Id> below;            // of each cell, the number of the mesh's cell under its stack
+
+  // Of the mesh with its stacks, in order of their cells.
+  BoundaryMesh boundaryMesh;
+  std::vector<BoundaryFace> boundary;
+  std::vector<double> thickness; // of the stack below each, along its normal; 0: none
+
+  std::size_t cells() const { return layer.size(); }
+};
+
+// `heights`: of the layers' ends above the wall, as parts of all: 0, ..., 1.
+PrismStacks stackPrisms(
+  const OutputMesh& mesh, const LayeredWall& wall, const std::vector<double>& heights);
+
+// At edges of other than two faces, which tell no neighbour: they can have no layers.
+std::vector<std::size_t> nodesWithoutLayers(const LayeredWall& wall);
+
+}

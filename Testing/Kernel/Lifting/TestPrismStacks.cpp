@@ -1,0 +1,204 @@
+// Boundary layers on the mesh of a displaced surface.
+#include "Lifting/BoundaryLayers.h"
+
+#include "Polyhedra/CellGeometry.h"
+#include "Support/Pipeline.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+namespace cartesian
+{
+
+namespace
+{
+
+struct Layered
+{
+  PreparedSurface prepared;
+  std::unique_ptr<Assembly> assembly;
+  MeshArrays mesh; // without layers
+
+  const PrismStacks& stacks() const { return assembly->layers->stacks; }
+
+  Vector point(Id p) const
+  {
+    const auto own = static_cast<std::size_t>(p);
+    const std::size_t count = mesh.points.size() / 3;
+    const double* const at =
+      own < count ? &mesh.points[3 * own] : &stacks().points[3 * (own - count)];
+    return { at[0], at[1], at[2] };
+  }
+};
+
+Layered meshWithLayers(const Soup& soup, TestOptions options)
+{
+  Execution execution(options.threads);
+  Layered result;
+  options.memoryLimit = PlentyOfMemory;
+  result.prepared = prepareSurface(soup.view(), options, execution);
+  const auto decomposition = decompose(result.prepared, options, execution);
+  result.assembly =
+    meshPart(result.prepared, *decomposition, decomposition->allLayers(), options, execution);
+  result.mesh = arraysOf(*result.assembly->mesh, result.assembly->boxes, execution);
+  for (const MovedPoint& moved : result.stacks().moved)
+  {
+    std::copy(moved.to.begin(), moved.to.end(), &result.mesh.points[3 * std::size_t(moved.point)]);
+  }
+  return result;
+}
+
+using Face = std::vector<Id>;
+
+std::vector<Face> facesAt(const std::vector<Id>& stream, Id start)
+{
+  std::vector<Face> faces;
+  auto at = stream.begin() + start;
+  for (Id left = *at++; left > 0; --left)
+  {
+    faces.emplace_back(at + 1, at + 1 + *at);
+    at += *at + 1;
+  }
+  return faces;
+}
+
+// Of the pyramids over a face's triangles, with the origin.
+double volumeUnder(const Layered& layered, const Face& face)
+{
+  double sum = 0;
+  Vector centre{};
+  for (const Id p : face)
+  {
+    centre = plus(centre, scaled(layered.point(p), 1.0 / double(face.size())));
+  }
+  for (std::size_t i = 0; i < face.size(); ++i)
+  {
+    sum += dot(centre, cross(layered.point(face[i]), layered.point(face[(i + 1) % face.size()])));
+  }
+  return sum / 6;
+}
+
+struct LayerCells
+{
+  std::size_t notPositive = 0;
+  std::size_t open = 0;           // cells with an edge that is not used once each way
+  std::size_t unmatchedFaces = 0; // that are neither shared nor boundary
+};
+
+LayerCells examine(const Layered& l)
+{
+  LayerCells result;
+  std::map<std::set<Id>, int> uses;
+  for (std::size_t c = 0; c < l.stacks().cells(); ++c)
+  {
+    double volume = 0;
+    std::map<std::pair<Id, Id>, int> edges;
+    for (const Face& face : facesAt(l.stacks().faceStream, l.stacks().faceStart[c]))
+    {
+      volume += volumeUnder(l, face);
+      ++uses[{ face.begin(), face.end() }];
+      for (std::size_t i = 0; i < face.size(); ++i)
+      {
+        const Id next = face[(i + 1) % face.size()];
+        ++edges[{ face[i], next }];
+        --edges[{ next, face[i] }];
+      }
+    }
+    result.notPositive += volume > 0 ? 0 : 1;
+    result.open +=
+      std::any_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.second != 0; });
+  }
+  for (std::size_t f = 0; f + 1 < l.mesh.boundaryStart.size(); ++f) // where stacks stand
+  {
+    ++uses[{ l.mesh.boundaryPoints.begin() + l.mesh.boundaryStart[f],
+      l.mesh.boundaryPoints.begin() + l.mesh.boundaryStart[f + 1] }];
+  }
+  const BoundaryMesh& boundary = l.stacks().boundaryMesh;
+  for (std::size_t f = 0; f + 1 < boundary.start.size(); ++f)
+  {
+    std::set<Id> points;
+    for (Id i = boundary.start[f]; i < boundary.start[f + 1]; ++i)
+    {
+      points.insert(boundary.meshPoint[boundary.corners[i]]);
+    }
+    ++uses[points];
+  }
+  for (const auto& use : uses)
+  {
+    result.unmatchedFaces += use.second == 2 ? 0 : 1;
+  }
+  return result;
+}
+
+// Enclosed by the boundary.
+double meshVolume(const Layered& layered)
+{
+  const BoundaryMesh& boundary = layered.stacks().boundaryMesh;
+  double sum = 0;
+  for (std::size_t f = 0; f + 1 < boundary.start.size(); ++f)
+  {
+    Face face;
+    for (Id i = boundary.start[f]; i < boundary.start[f + 1]; ++i)
+    {
+      face.push_back(boundary.meshPoint[boundary.corners[i]]);
+    }
+    sum += volumeUnder(layered, face);
+  }
+  return sum;
+}
+
+TestOptions fiveLayers(double first, int threads = 1)
+{
+  TestOptions options = asTheyAre(0, {}, threads);
+  options.layers.count = 5;
+  options.layers.firstThickness = first;
+  return options;
+}
+
+void expectFilled(const Soup& soup, TestOptions options, double cells)
+{
+  options.grid = cellsAlongLongest(soup, cells);
+  const Layered layered = meshWithLayers(soup, options);
+  const LayerCells found = examine(layered);
+  EXPECT_EQ(found.open, 0U);
+  EXPECT_EQ(found.notPositive, 0U);
+  EXPECT_EQ(found.unmatchedFaces, 0U);
+  EXPECT_GT(layered.stacks().cells(), 0U);
+  EXPECT_NEAR(meshVolume(layered) / soup.volume(), 1, 1e-9);
+}
+
+}
+
+TEST(PrismStacks, FillASphere)
+{
+  expectFilled(sphere(8, 1), fiveLayers(0.005), 20);
+}
+
+TEST(PrismStacks, FillATurnedCube)
+{
+  expectFilled(cube().turned(), fiveLayers(0.0025), 20);
+}
+
+TEST(PrismStacks, SlideWithinBoundariesWithoutLayers)
+{
+  TestOptions options = fiveLayers(0.0025);
+  options.layers.boundariesWithout = { 0, 1 };
+  expectFilled(cube().turned(), options, 20);
+}
+
+TEST(PrismStacks, AreTheSameForThreads)
+{
+  const Soup soup = sphere(8, 1);
+  TestOptions one = fiveLayers(0.005);
+  one.grid = cellsAlongLongest(soup, 20);
+  TestOptions four = one;
+  four.threads = 4;
+  const Layered a = meshWithLayers(soup, one);
+  const Layered b = meshWithLayers(soup, four);
+  EXPECT_EQ(a.stacks().points, b.stacks().points);
+  EXPECT_EQ(a.stacks().faceStream, b.stacks().faceStream);
+}
+
+}

@@ -1,0 +1,62 @@
+"""Boundary layers: of the thickness asked, on walls only, and a mesh that checkMesh finds OK; none: as before."""
+
+import tempfile
+
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import foam
+
+SIZE = 0.1
+COUNT = 5
+FIRST = SIZE / 20
+
+
+def array(data, name):
+    return vtk_to_numpy(data.GetArray(name))
+
+
+def outputs(mesher):
+    mesher.UpdatePipeline()
+    filter = mesher.GetClientSideObject()
+    assert filter.GetErrorCode() == 0, filter.GetErrorCode()
+    return filter.GetOutputDataObject(0), filter.GetOutputDataObject(1)
+
+
+def statistic(mesh, name):
+    return float(array(mesh.GetFieldData(), name)[0])
+
+
+def expect_layers(mesher, walls):
+    """All layers on all of the walls, by their boundary numbers, and nowhere else."""
+    mesh, boundary = outputs(mesher)
+    layer = array(mesh.GetCellData(), "Layer")
+    made = array(boundary.GetCellData(), "LayersMade")
+    on_wall = np.isin(array(boundary.GetCellData(), "BoundaryId"), walls)
+    assert (made[on_wall] == COUNT).all()
+    assert (made[~on_wall] == 0).all()
+    assert [int((layer == k).sum()) for k in range(1, COUNT + 1)] == COUNT * [int(on_wall.sum())]
+    asked = FIRST * sum(1.2 ** k for k in range(COUNT))
+    thickness = array(boundary.GetCellData(), "LayerThickness")
+    assert (abs(thickness[on_wall] / asked - 1) < 0.05).all(), thickness[on_wall]
+    assert statistic(mesh, "LayerCoverage") == 1
+    assert statistic(mesh, "Cells") == mesh.GetNumberOfCells()
+    assert statistic(mesh, "Points") == mesh.GetNumberOfPoints()
+    found = foam.CheckMesh(foam.save(mesher, tempfile.mkdtemp()))
+    assert found.ok, found.failures
+
+
+sphere = simple.Sphere(Radius=1, ThetaResolution=48, PhiResolution=24)
+layers = {"Layers": COUNT, "FirstLayerThickness": FIRST}
+expect_layers(simple.CartesianMesher(Input=sphere, CellSize=SIZE, **layers), [0])
+
+# On a body in a flow domain, but not on the sides of the domain.
+expect_layers(simple.CartesianMesher(Input=sphere, CellSize=SIZE, Domain="Outside", LengthsBefore=0.15,
+    LengthsBehind=0.15, LengthsBeside=0.15, **layers), [0])
+
+# A first layer of any thickness is none if there are none.
+plain = outputs(simple.CartesianMesher(Input=sphere, CellSize=SIZE))[0]
+without = outputs(simple.CartesianMesher(Input=sphere, CellSize=SIZE, FirstLayerThickness=FIRST))[0]
+assert not plain.GetCellData().HasArray("Layer")
+assert (vtk_to_numpy(plain.GetPoints().GetData()) == vtk_to_numpy(without.GetPoints().GetData())).all()
