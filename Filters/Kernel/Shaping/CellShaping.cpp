@@ -2,6 +2,7 @@
 #include "Shaping/CellShaping.h"
 
 #include "Optimisation/NodeOptimisation.h"
+#include "Shaping/CellCession.h"
 #include "Shaping/CellSplitting.h"
 #include "Shaping/PartTransfer.h"
 #include "Shaping/RefusedCells.h"
@@ -96,6 +97,7 @@ public:
     improve();
     removeTips();
     removeSmall(1);
+    cedeFlat();
     for (std::size_t pass = 0; pass < LargestShares.size(); ++pass)
     {
       execution_.stage("Removing", 0.4 + 0.075 * double(pass), 0.4 + 0.075 * double(pass + 1));
@@ -104,6 +106,8 @@ public:
       {
         break;
       }
+      cedeCells(complex_, keys, std::min(LargestShares[pass], LargestCeded), merger_, execution_);
+      keys = merger_.refused(isLast_);
       if (pass > 0)
       {
         transferParts(complex_, keys, LeftOver::IsRemoved, merger_, execution_, shaping_.refused);
@@ -126,6 +130,12 @@ private:
     {
       removeSmallCells(complex_, merger_.lookedAfter(isLast_), small_, most);
     }
+  }
+
+  void cedeFlat()
+  {
+    std::vector<CellKey> keys = merger_.lookedAfter(isLast_);
+    cedeCells(complex_, keys, FlatCell, merger_, execution_);
   }
 
   void removeTips()
@@ -192,6 +202,9 @@ private:
   // Cells below this part of their box are a wall next to a meshline: merged, they would stick out of
   // their neighbour.
   static constexpr double Sliver = 1e-9;
+
+  // Up to this part of its box a cell may go to another region.
+  static constexpr double LargestCeded = 0.1;
 
   // Below this part of their box tips go.
   static constexpr double LargestTip = 0.05;
