@@ -2,12 +2,29 @@
 #include "Shaping/CellCession.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cartesian
 {
 
 namespace
 {
+
+// The interface moves by no more than this part of the box's edge.
+constexpr double LargestShift = 0.02;
+
+// Whether the walls of a cell between two regions may go to its other side.
+bool isThin(const CellComplex& cells, CellKey key)
+{
+  MeasuredCell cell;
+  cells.lookAround(key, cell);
+  double walls = 0;
+  for (std::size_t f = 0; f < cell.across.size(); ++f)
+  {
+    walls += cell.shape.isBoundary[f] ? norm(cell.measures.faces[f].area) : 0;
+  }
+  return cell.measures.volume <= LargestShift * walls * std::cbrt(cells.volumeOfBox(key));
+}
 
 std::size_t refusedFaces(const CellComplex& cells, CellKey key)
 {
@@ -22,7 +39,7 @@ std::size_t refusedFaces(const CellComplex& cells, CellKey key)
 bool cede(CellComplex& cells, CellKey key, CellMerger& merger)
 {
   const std::optional<std::int32_t> wall = cells.onlyWallOf(key);
-  if (!wall)
+  if (!wall || !isThin(cells, key))
   {
     return false;
   }
@@ -46,17 +63,16 @@ bool cede(CellComplex& cells, CellKey key, CellMerger& merger)
   return false;
 }
 
-void cedeCells(CellComplex& cells, const std::vector<CellKey>& keys, double largest,
+bool cedeCells(CellComplex& cells, const std::vector<CellKey>& keys, double largest,
   CellMerger& merger, Execution& execution)
 {
+  bool any = false;
   for (const CellKey key : keys)
   {
     execution.poll();
-    if (cells.isAlive(key) && cells.share(key) < largest)
-    {
-      cede(cells, key, merger);
-    }
+    any = (cells.isAlive(key) && cells.share(key) < largest && cede(cells, key, merger)) || any;
   }
+  return any;
 }
 
 }

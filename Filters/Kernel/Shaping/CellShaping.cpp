@@ -106,8 +106,11 @@ public:
       {
         break;
       }
-      cedeCells(complex_, keys, std::min(LargestShares[pass], LargestCeded), merger_, execution_);
-      keys = merger_.refused(isLast_);
+      if (cedeCells(
+            complex_, keys, std::min(LargestShares[pass], LargestCeded), merger_, execution_))
+      {
+        keys = merger_.refused(isLast_);
+      }
       if (pass > 0)
       {
         transferParts(complex_, keys, LeftOver::IsRemoved, merger_, execution_, shaping_.refused);
@@ -134,8 +137,7 @@ private:
 
   void cedeFlat()
   {
-    std::vector<CellKey> keys = merger_.lookedAfter(isLast_);
-    cedeCells(complex_, keys, FlatCell, merger_, execution_);
+    cedeCells(complex_, merger_.lookedAfter(isLast_), FlatCell, merger_, execution_);
   }
 
   void removeTips()

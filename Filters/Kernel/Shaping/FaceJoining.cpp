@@ -23,8 +23,6 @@ constexpr double NearLevels = 3 * RoundingLevels;
 // Cosine of normals of faces that might lie on one plane.
 constexpr double NearlyFlat = 0.999;
 
-constexpr double FlatInterface = 0.866; // cosine of 30 degrees
-
 // All diagonals are tried.
 constexpr std::size_t MostCornersRecut = 16;
 
@@ -390,20 +388,15 @@ bool FaceJoiner::isNearPlane(std::uint32_t f, const Vector& normal) const
   return true;
 }
 
-// For solvers of one region a face between two is at the boundary; but nobody asks the cell beyond.
-bool FaceJoiner::isInterface(std::uint32_t f) const
-{
-  return view_->across[f] != None && view_->shape.isBoundary[f];
-}
-
+// For solvers of one region a face between two is at the boundary.
 bool FaceJoiner::isInner(std::uint32_t f) const
 {
-  return view_->across[f] != None && !isInterface(f);
+  return view_->across[f] != None && !view_->shape.isBoundary[f];
 }
 
 bool FaceJoiner::isNegligible(std::uint32_t f) const
 {
-  return areas_[f] < negligible_ && !isInterface(f);
+  return areas_[f] < negligible_;
 }
 
 bool FaceJoiner::isNegligiblePart(Part part) const
@@ -419,8 +412,7 @@ bool FaceJoiner::isNegligiblePart(Part part) const
 
 double FaceJoiner::leastCosine(std::uint32_t f) const
 {
-  const double boundary = isInterface(f) ? std::max(spec_.boundary, FlatInterface) : spec_.boundary;
-  return isInner(f) ? spec_.inner : boundary;
+  return isInner(f) ? spec_.inner : spec_.boundary;
 }
 
 // --- joining

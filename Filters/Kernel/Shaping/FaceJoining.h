@@ -90,7 +90,6 @@ private:
   bool mayAnyFit() const;
   bool mayFit(std::uint32_t f, std::uint32_t g) const;
   bool isNearPlane(std::uint32_t f, const Vector& normal) const;
-  bool isInterface(std::uint32_t f) const;
   bool isInner(std::uint32_t f) const;
   bool isNegligible(std::uint32_t f) const;
   bool isNegligiblePart(Part part) const;
