@@ -90,6 +90,7 @@ public:
   // Whether all are free, of one region, and do not lie in too many layers for one cell.
   bool mayMerge(const std::vector<CellKey>& keys) const;
 
+  bool hasRegions() const { return patches_.walls.any(); }
   std::int32_t regionOf(CellKey key) const;
 
   // The wall (Walls.h) between a free cell and another region, if it has no other wall, and all its neighbours are free.

@@ -4,6 +4,7 @@
 #include "Optimisation/NodeOptimisation.h"
 #include "Shaping/CellCession.h"
 #include "Shaping/CellSplitting.h"
+#include "Shaping/InterfaceMending.h"
 #include "Shaping/PartTransfer.h"
 #include "Shaping/RefusedCells.h"
 #include "Shaping/TipRemoval.h"
@@ -172,6 +173,10 @@ private:
     {
       complex_.lookAtChanged();
       merger_.improve();
+      if (complex_.hasRegions())
+      {
+        mendInterfaces(complex_, merger_.refused(isLast_), execution_);
+      }
       if (mergeSpec_.simplifies && merges_)
       {
         transfer();

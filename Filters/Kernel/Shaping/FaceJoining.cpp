@@ -46,7 +46,20 @@ bool hasEdgeFrom(const Ring& ring, std::uint32_t from, std::uint32_t to)
   return false;
 }
 
-// Two polygons that share a chain of edges as one; false where they share several or meet elsewhere too.
+// Cut between its i-th and k-th corner.
+std::array<std::vector<std::uint32_t>, 2> cutRing(
+  const std::vector<std::uint32_t>& ring, std::size_t i, std::size_t k)
+{
+  const auto at = [&](std::size_t c) { return ring.begin() + static_cast<std::ptrdiff_t>(c); };
+  std::array<std::vector<std::uint32_t>, 2> parts;
+  parts[0].assign(at(i), at(k + 1));
+  parts[1].assign(at(k), ring.end());
+  parts[1].insert(parts[1].end(), ring.begin(), at(i + 1));
+  return parts;
+}
+
+}
+
 bool joinRings(const Ring& first, const Ring& second, std::vector<std::uint32_t>& joined)
 {
   const auto next = [](const Ring& ring, std::size_t i) { return i + 1 < ring.size ? i + 1 : 0; };
@@ -90,20 +103,6 @@ bool joinRings(const Ring& first, const Ring& second, std::vector<std::uint32_t>
     joined.push_back(node);
   }
   return true;
-}
-
-// Cut between its i-th and k-th corner.
-std::array<std::vector<std::uint32_t>, 2> cutRing(
-  const std::vector<std::uint32_t>& ring, std::size_t i, std::size_t k)
-{
-  const auto at = [&](std::size_t c) { return ring.begin() + static_cast<std::ptrdiff_t>(c); };
-  std::array<std::vector<std::uint32_t>, 2> parts;
-  parts[0].assign(at(i), at(k + 1));
-  parts[1].assign(at(k), ring.end());
-  parts[1].insert(parts[1].end(), ring.begin(), at(i + 1));
-  return parts;
-}
-
 }
 
 // --- what there is
