@@ -38,14 +38,20 @@ struct Trial
     return static_cast<std::uint32_t>(at - view.faces.begin());
   }
 
-  // A ring of another cell, from this side.
-  std::vector<std::uint32_t> seen(const std::vector<std::uint32_t>& ring, const Trial& from) const
+  // A ring of another cell, at `way` from here, from this side; gets the nodes that it lacks.
+  std::vector<std::uint32_t> seen(
+    const std::vector<std::uint32_t>& ring, const Trial& from, const Vector& way)
   {
     std::vector<std::uint32_t> turned;
     for (auto node = ring.rbegin(); node != ring.rend(); ++node)
     {
       const auto at = std::find(view.nodes.begin(), view.nodes.end(), from.view.nodes[*node]);
       turned.push_back(static_cast<std::uint32_t>(at - view.nodes.begin()));
+      if (turned.back() == view.nodes.size())
+      {
+        view.nodes.push_back(from.view.nodes[*node]);
+        view.shape.nodes.push_back(plus(from.view.shape.nodes[*node], way));
+      }
     }
     return turned;
   }
@@ -160,9 +166,9 @@ private:
     own_.faces.groups.assign(1, { { g, f }, ring });
     loser_.faces.groups.assign(1, { { between, lost }, end });
     gainer_.faces.groups.assign(
-      1, { { gainer_.find(view.faces[g]) }, gainer_.seen(ring, own_), true });
-    gainer_.faces.groups.push_back(
-      { { gainer_.find(loser_.view.faces[between]) }, gainer_.seen(end, loser_), true });
+      1, { { gainer_.find(view.faces[g]) }, gainer_.seen(ring, own_, wayTo(own_)), true });
+    gainer_.faces.groups.push_back({ { gainer_.find(loser_.view.faces[between]) },
+      gainer_.seen(end, loser_, wayTo(loser_)), true });
     return isBetter();
   }
 
@@ -218,6 +224,8 @@ private:
     }
     return false;
   }
+
+  Vector wayTo(const Trial& cell) const { return cells_.between(gainer_.key, cell.key); }
 
   bool isBetter()
   {
