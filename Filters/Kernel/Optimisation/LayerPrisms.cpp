@@ -131,10 +131,13 @@ private:
       }
     }
     std::vector<double> volumes;
+    std::vector<std::int32_t> regions;
     for (const std::uint32_t f : bases_)
     {
       volumes.push_back(m_.volumeOfBox[m_.cells[f][0]]);
+      regions.push_back(m_.region[m_.cells[f][0]]);
     }
+    m_.region.insert(m_.region.begin() + first, regions.begin(), regions.end());
     m_.volumeOfBox.insert(m_.volumeOfBox.begin() + first, volumes.begin(), volumes.end());
     m_.measures.insert(m_.measures.begin() + first, count, CellGeometry{});
     m_.cell.insert(m_.cell.begin() + first, count, std::uint32_t(None));

@@ -278,15 +278,35 @@ private:
     }
     const auto& cells = m_.cells[f];
     const Ring ring{ m_.at.data(), m_.corners.data() + m_.start[f], cornersOf(f) };
-    energies_[f] = cells[1] == None
-      ? energyOfBoundaryFace(
-          faces_[f], ring, edgeOfFace_[f], m_.measures[cells[0]], ofFaces_[f], ofCells_[cells[0]])
+    energies_[f] = m_.isWall(f)
+      ? energyOfWall(f, ring)
       : energyOfInnerFace(faces_[f], ring, edgeOfFace_[f], m_.measures[cells[0]],
           m_.measures[cells[1]], ofFaces_[f], ofCells_[cells[0]], ofCells_[cells[1]]);
     if (isFolded(f))
     {
       energies_[f].all += OfFoldedFace;
     }
+  }
+
+  // Between two regions it is a boundary face for the solvers of both.
+  FaceEnergy energyOfWall(std::size_t f, const Ring& ring)
+  {
+    const auto& cells = m_.cells[f];
+    FaceEnergy energy = energyOfBoundaryFace(
+      faces_[f], ring, edgeOfFace_[f], m_.measures[cells[0]], ofFaces_[f], ofCells_[cells[0]]);
+    if (cells[1] != None)
+    {
+      FaceGeometry turned = faces_[f];
+      turned.area = scaled(turned.area, -1);
+      FaceGradient ofTurned;
+      const FaceEnergy other = energyOfBoundaryFace(
+        turned, ring, edgeOfFace_[f], m_.measures[cells[1]], ofTurned, ofCells_[cells[1]]);
+      energy.limits += other.limits;
+      energy.all += other.all;
+      ofFaces_[f].centre = plus(ofFaces_[f].centre, ofTurned.centre);
+      ofFaces_[f].area = minus(ofFaces_[f].area, ofTurned.area);
+    }
+    return energy;
   }
 
   bool isFolded(std::size_t f) const

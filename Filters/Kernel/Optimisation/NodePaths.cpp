@@ -23,10 +23,22 @@ NodePaths::NodePaths(const WallMesh& mesh, double leastCosine)
   , start_(mesh.at.size() + 1)
   , legsOf_(mesh.at.size(), None)
 {
+  listUses(mesh);
+  for (std::uint32_t node = 0; node < mesh.at.size(); ++node)
+  {
+    if (mesh.mayMove[node])
+    {
+      paths_[node] = pathOf(mesh, node, leastCosine);
+    }
+  }
+}
+
+void NodePaths::listUses(const WallMesh& mesh)
+{
   const auto forEachUse = [&](auto&& visit) {
     for (std::size_t f = 0; f < mesh.faces(); ++f)
     {
-      for (std::uint32_t i = mesh.start[f]; mesh.cells[f][1] == None && i < mesh.start[f + 1]; ++i)
+      for (std::uint32_t i = mesh.start[f]; mesh.isWall(f) && i < mesh.start[f + 1]; ++i)
       {
         if (mesh.mayMove[mesh.corners[i]])
         {
@@ -35,7 +47,9 @@ NodePaths::NodePaths(const WallMesh& mesh, double leastCosine)
       }
     }
   };
-  forEachUse([&](std::size_t, std::uint32_t i) { ++start_[mesh.corners[i] + 1]; });
+  forEachUse([&](std::size_t f, std::uint32_t i) {
+    start_[mesh.corners[i] + 1] += mesh.isInterface(f) ? 2 : 1;
+  });
   for (std::size_t n = 0; n < mesh.at.size(); ++n)
   {
     start_[n + 1] += start_[n];
@@ -47,57 +61,91 @@ NodePaths::NodePaths(const WallMesh& mesh, double leastCosine)
     const std::uint32_t end = mesh.start[f + 1];
     const FaceGeometry face = measureFace(end - begin,
       [&](std::size_t k) -> const Vector& { return mesh.at[mesh.corners[begin + k]]; });
-    uses_[next[mesh.corners[i]]++] = { mesh.corners[i > begin ? i - 1 : end - 1],
-      mesh.corners[i + 1 < end ? i + 1 : begin], unit(face.area), mesh.boundary[f] };
-  });
-  for (std::uint32_t node = 0; node < mesh.at.size(); ++node)
-  {
-    if (mesh.mayMove[node])
+    const bool isInterface = mesh.isInterface(f);
+    const Use use{ mesh.corners[i > begin ? i - 1 : end - 1],
+      mesh.corners[i + 1 < end ? i + 1 : begin], unit(face.area), mesh.boundary[f],
+      mesh.region[mesh.cells[f][0]], isInterface };
+    uses_[next[mesh.corners[i]]++] = use;
+    if (isInterface)
     {
-      paths_[node] = pathOf(mesh, node, leastCosine);
+      uses_[next[mesh.corners[i]]++] = { use.after, use.before, scaled(use.normal, -1),
+        use.boundary, mesh.region[mesh.cells[f][1]], true };
     }
+  });
+  for (std::size_t n = 0; n < mesh.at.size(); ++n)
+  {
+    std::stable_sort(uses_.begin() + std::ptrdiff_t(start_[n]),
+      uses_.begin() + std::ptrdiff_t(start_[n + 1]),
+      [](const Use& a, const Use& b) { return a.region < b.region; });
   }
+}
+
+NodePaths::Sheet NodePaths::sheetOf(const Use* begin, const Use* end, double leastCosine)
+{
+  Sheet sheet;
+  for (const Use* use = begin; use != end; ++use)
+  {
+    sheet.mean = plus(sheet.mean, use->normal);
+    const Use* const next =
+      std::find_if(begin, end, [&](const Use& other) { return other.before == use->after; });
+    if (next == end)
+    {
+      sheet.closes = false;
+      return sheet;
+    }
+    if (next->boundary != use->boundary || dot(next->normal, use->normal) < leastCosine)
+    {
+      sheet.sharp.push_back(use->after);
+    }
+    sheet.isSmooth = sheet.isSmooth && std::all_of(begin, use, [&](const Use& o) {
+      return dot(o.normal, use->normal) >= leastCosine;
+    });
+    sheet.isInterface = sheet.isInterface && use->isInterface;
+  }
+  return sheet;
+}
+
+bool NodePaths::areTheSame(const Sheet& a, const Sheet& b)
+{
+  return b.closes &&
+    (a.sharp.empty() && b.sharp.empty()
+        ? a.isInterface && b.isInterface
+        : std::is_permutation(a.sharp.begin(), a.sharp.end(), b.sharp.begin(), b.sharp.end()));
 }
 
 NodePath NodePaths::pathOf(const WallMesh& mesh, std::uint32_t node, double leastCosine)
 {
-  const auto begin = uses_.begin() + std::ptrdiff_t(start_[node]);
-  const auto end = uses_.begin() + std::ptrdiff_t(start_[node + 1]);
+  const Use* begin = uses_.data() + start_[node];
+  const Use* const end = uses_.data() + start_[node + 1];
   if (begin == end)
   {
     return { NodePath::Kind::Free, {} };
   }
-  // Edges of faces at the node: between two faces each where the surface is closed and simple.
-  std::vector<std::uint32_t> sharp;
-  Vector mean{};
-  bool smooth = true;
-  for (auto use = begin; use != end; ++use)
+  const auto nextSheet = [&] {
+    const Use* const first = begin;
+    begin = std::find_if(first, end, [&](const Use& use) { return use.region != first->region; });
+    return sheetOf(first, begin, leastCosine);
+  };
+  const Sheet sheet = nextSheet();
+  bool same = sheet.closes;
+  while (same && begin != end)
   {
-    mean = plus(mean, use->normal);
-    const auto next =
-      std::find_if(begin, end, [&](const Use& other) { return other.before == use->after; });
-    if (next == end)
-    {
-      return {};
-    }
-    if (next->boundary != use->boundary || dot(next->normal, use->normal) < leastCosine)
-    {
-      sharp.push_back(use->after);
-    }
-    smooth = smooth && std::all_of(begin, use, [&](const Use& o) {
-      return dot(o.normal, use->normal) >= leastCosine;
-    });
+    same = areTheSame(sheet, nextSheet());
   }
-  if (sharp.empty() && smooth)
-  {
-    return { NodePath::Kind::Plane, unit(mean) };
-  }
-  if (sharp.size() != 2)
+  if (!same)
   {
     return {};
   }
-  const Vector ahead = unit(minus(mesh.at[sharp[0]], mesh.at[node]));
-  const Vector back = unit(minus(mesh.at[sharp[1]], mesh.at[node]));
+  if (sheet.sharp.empty() && sheet.isSmooth)
+  {
+    return { NodePath::Kind::Plane, unit(sheet.mean) };
+  }
+  if (sheet.sharp.size() != 2)
+  {
+    return {};
+  }
+  const Vector ahead = unit(minus(mesh.at[sheet.sharp[0]], mesh.at[node]));
+  const Vector back = unit(minus(mesh.at[sheet.sharp[1]], mesh.at[node]));
   if (dot(ahead, back) > -LeastCosineOfLine)
   {
     return {};

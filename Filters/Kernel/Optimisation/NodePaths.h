@@ -12,8 +12,8 @@ struct NodePath
   enum class Kind : std::uint8_t
   {
     Fixed,
-    Line,  // along an edge of the surface, or a border between two of its boundaries
-    Plane, // along the surface
+    Line,  // along an edge of the surface, or a border between two of its boundaries or regions
+    Plane, // along the surface, or the interface of two regions
     Free,
   };
 
@@ -25,23 +25,42 @@ struct NodePath
 class NodePaths
 {
 public:
-  // `leastCosine`: of normals of boundary faces between which there is no edge.
+  // `leastCosine`: of normals of walls between which there is no edge.
   NodePaths(const WallMesh& mesh, double leastCosine);
 
   const NodePath& operator[](std::size_t node) const { return paths_[node]; }
 
   // Whether a node that was at `from` in the beginning and is at `to` shows the same surface: it has not left the planes of
-  // its boundary faces, or its edge, by more than a small part of `edge`.
+  // its walls, or its edge, by more than a small part of `edge`.
   bool allows(std::size_t node, const Vector& from, const Vector& to, double edge) const;
 
 private:
-  struct Use // of a node by a boundary face
+  // Of a node by a wall of a region; an interface is a wall of two. Those of a node come in order of regions.
+  struct Use
   {
     std::uint32_t before; // corners of the face on either side
     std::uint32_t after;
-    Vector normal;
+    Vector normal; // out of the region
     std::int32_t boundary;
+    std::int32_t region;
+    bool isInterface;
   };
+
+  // All walls of one region at a node.
+  struct Sheet
+  {
+    bool closes = true; // each edge at the node is between two of them
+    bool isSmooth = true;
+    bool isInterface = true;          // all of it
+    std::vector<std::uint32_t> sharp; // the other ends of edges and borders at the node
+    Vector mean{};                    // of the normals
+  };
+
+  void listUses(const WallMesh& mesh);
+  static Sheet sheetOf(const Use* begin, const Use* end, double leastCosine);
+
+  // Whether two regions have the same sheet between them, or theirs meet in the same edges.
+  static bool areTheSame(const Sheet& a, const Sheet& b);
 
   NodePath pathOf(const WallMesh& mesh, std::uint32_t node, double leastCosine);
 

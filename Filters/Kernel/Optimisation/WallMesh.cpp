@@ -153,9 +153,13 @@ private:
     return isRemoved(other) ? CellKey(None) : other;
   }
 
-  // Of a face that has no cell beyond it.
+  // Of a face that has no cell beyond it, or one of another region.
   std::int32_t boundaryOf(const FaceOfCell& face) const
   {
+    if (isInner(face) && p_.inner.isInterface(face.index))
+    {
+      return p_.inner.wallOf(face.index);
+    }
     if (face.kind() == FaceOfCell::Kind::Patch)
     {
       return p_.patches.boundary[face.index];
@@ -182,7 +186,9 @@ private:
     for (CellKey c = first_; c < end_; ++c)
     {
       bool wall = false;
-      forEachFace(c, [&](const FaceOfCell& face) { wall = wall || across(face) == None; });
+      forEachFace(c, [&](const FaceOfCell& face) {
+        wall = wall || across(face) == None || isInterface(p_.cells, face);
+      });
       if (wall && !p_.cells.all[c].removed && isFree(c))
       {
         forEachNodeOfCell(c, [&](std::uint32_t node) {
@@ -197,19 +203,7 @@ private:
       {
         forEachNodeOfCell(c, [&](std::uint32_t node) { stateOf_.at(node, node) = Fixed; });
       }
-      fixInterfaces(c);
     }
-  }
-
-  // Nodes between two regions stay: two walls meet there.
-  void fixInterfaces(CellKey c)
-  {
-    forEachFace(c, [&](const FaceOfCell& face) {
-      if (isInterface(p_.cells, face))
-      {
-        forEachNodeOf(face, [&](std::uint32_t node) { stateOf_.at(node, node) = Fixed; });
-      }
-    });
   }
 
   template <class Visitor>
@@ -362,6 +356,7 @@ private:
     const Box whole = p_.boxes.box(box);
     const Vector size = minus(whole.high, whole.low);
     mesh_.cell.push_back(isHexahedron ? std::uint32_t(None) : key);
+    mesh_.region.push_back(isHexahedron ? p_.boxes.regionOf(box) : p_.cells.all[key].region);
     mesh_.volumeOfBox.push_back(size[0] * size[1] * size[2]);
     mesh_.measures.push_back(
       { plus(minus(whole.low, mesh_.origin), scaled(size, 0.5)), mesh_.volumeOfBox.back() });
@@ -416,7 +411,8 @@ private:
     forEachNodeOf(
       face, [&](std::uint32_t node) { mesh_.corners.push_back(localOf(node, isMovable(node))); });
     const CellKey other = across(face);
-    closeFace({ c, other, other == None ? boundaryOf(face) : NoBoundary });
+    const bool isWall = other == None || isInterface(p_.cells, face);
+    closeFace({ c, other, isWall ? boundaryOf(face) : NoBoundary });
   }
 
   void closeFace(const FaceBetween& face)

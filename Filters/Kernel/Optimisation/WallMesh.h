@@ -44,7 +44,7 @@ struct WallMesh
   std::vector<std::uint32_t> start{ 0 };
   std::vector<std::uint32_t> corners;
   std::vector<std::array<std::uint32_t, 2>> cells; // below and above; None above: a boundary face
-  std::vector<std::int32_t> boundary;              // of boundary faces
+  std::vector<std::int32_t> boundary; // of boundary faces, and of those between two regions
 
   // Cells: first those with a node that may move, whose faces are all here; then their neighbours, which keep their
   // measures.
@@ -54,8 +54,15 @@ struct WallMesh
   std::vector<CellGeometry> measures;
   std::vector<double> volumeOfBox;
   std::vector<std::uint32_t> cell; // in Cells, or None: a hexahedron
+  std::vector<std::int32_t> region;
 
   std::size_t faces() const { return cells.size(); }
+
+  bool isInterface(std::size_t f) const
+  {
+    return cells[f][1] != None && region[cells[f][0]] != region[cells[f][1]];
+  }
+  bool isWall(std::size_t f) const { return cells[f][1] == None || isInterface(f); }
 };
 
 WallMesh wallMesh(const WallParts& parts, const Slab& slab);

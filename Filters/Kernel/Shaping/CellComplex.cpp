@@ -134,9 +134,9 @@ bool CellComplex::isAlive(CellKey key) const
 std::int32_t CellComplex::regionOf(CellKey key) const
 {
   const OpenCell* cell = opened(key);
-  const CellKey origin = cell ? cell->origin : key;
-  return origin < cells_.size() ? cells_.all[origin].region
-                                : boxes_.regionOf(static_cast<std::size_t>(origin - cells_.size()));
+  return cell             ? cell->region
+    : key < cells_.size() ? cells_.all[key].region
+                          : boxes_.regionOf(static_cast<std::size_t>(key - cells_.size()));
 }
 
 bool CellComplex::isInterface(const FaceUse& use) const
@@ -584,6 +584,7 @@ void CellComplex::open(CellKey key)
     return;
   }
   OpenCell cell;
+  cell.region = regionOf(key);
   if (key < cells_.size())
   {
     cell.faces.reserve(cells_.all[key + 1].firstFace - cells_.all[key].firstFace);

@@ -18,6 +18,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 
 namespace cartesian
@@ -92,7 +93,14 @@ public:
   // Whether together they would be fixed in the second stage, beside cells that are not.
   bool wouldStraddleStages(const std::vector<CellKey>& keys) const;
 
+  bool hasRegions() const { return patches_.walls.any(); }
   std::int32_t regionOf(CellKey key) const;
+
+  // The wall (Walls.h) between a free cell and another region, if it has no other wall, and all its neighbours are free.
+  std::optional<std::int32_t> onlyWallOf(CellKey key) const;
+
+  // Moves a cell to the region beyond its only wall: that goes to its other faces. Once more takes it back.
+  void changeRegion(CellKey key, std::int32_t wall);
 
   // 1 if it belongs to the part that is meshed (Boxes::core), else 0.
   std::size_t counts(CellKey key) const { return boxes_.isCore(boxes_.packed[boxOf(key)]) ? 1 : 0; }
@@ -180,7 +188,8 @@ private:
 
     std::vector<FaceUse> faces;
     std::uint32_t box;
-    std::uint32_t origin;  // the cell that it is or was a part of
+    std::uint32_t origin; // the cell that it is or was a part of
+    std::int32_t region;
     std::int32_t boundary; // as in Cell
     bool alive = true;
     bool removed = false; // as in Cell
@@ -289,6 +298,7 @@ private:
   bool hasEdge(const FaceUse& use, std::uint32_t u, std::uint32_t v) const;
   std::vector<CellKey> cellsAround(CellKey key, std::uint32_t u, std::uint32_t v);
   std::uint32_t own(std::uint32_t face, CellKey cell);
+  void makeWall(std::uint32_t face, std::int32_t wall);
   Point placeOfPoint(CellKey key, const CellCut::NewNode& point) const;
   bool meetsNode(
     const std::vector<CellKey>& touched, const CellView& view, const CellCut& cut) const;

@@ -348,6 +348,7 @@ void CellComplex::cut(
     OpenCell cell;
     cell.box = opened(key)->box;
     cell.origin = opened(key)->origin;
+    cell.region = opened(key)->region;
     cell.boundary = opened(key)->boundary;
     cell.reach = opened(key)->reach;
     openOfOther_[nextKey_] = static_cast<std::uint32_t>(open_.size());
@@ -529,6 +530,65 @@ void CellComplex::merge(CellKey small, CellKey into)
   from.alive = false;
   from.change(now_);
   to.place = measuredPlace(into);
+}
+
+std::optional<std::int32_t> CellComplex::onlyWallOf(CellKey key) const
+{
+  std::optional<std::int32_t> wall;
+  bool isOnly = hasFaces(key) && isFree(key);
+  forEachFace(key, [&](const FaceUse& use) {
+    const CellKey other = across(use);
+    isOnly = isOnly && other != None && isAlive(other) && isFree(other);
+    if (isOnly && isInterface(use))
+    {
+      isOnly = !wall || *wall == boundaryOf(use.face);
+      wall = boundaryOf(use.face);
+    }
+  });
+  return isOnly ? wall : std::nullopt;
+}
+
+void CellComplex::changeRegion(CellKey key, std::int32_t wall)
+{
+  changed_ = true;
+  open(key);
+  const std::size_t count = opened(key)->faces.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const CellKey other = across(opened(key)->faces[i]);
+    open(other);
+    opened(other)->change(now_);
+    own(opened(key)->faces[i].face, key);
+  }
+  OpenCell& cell = *opened(key);
+  cell.region = cell.region == patches_.walls.behind(wall) ? patches_.walls.front(wall)
+                                                           : patches_.walls.behind(wall);
+  cell.change(now_);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const FaceUse use = cell.faces[i];
+    makeWall(use.face, regionOf(across(use)) == cell.region ? NoBoundary : wall);
+  }
+}
+
+// Of a shaped face; below it comes the region behind the wall.
+void CellComplex::makeWall(std::uint32_t face, std::int32_t wall)
+{
+  Shaped& of = shaped(face);
+  of.boundary = wall;
+  if (wall == NoBoundary || regionOf(of.cells[0]) == patches_.walls.behind(wall))
+  {
+    return;
+  }
+  std::reverse(of.nodes.begin(), of.nodes.end());
+  std::swap(of.cells[0], of.cells[1]);
+  for (const CellKey key : of.cells)
+  {
+    for (FaceUse& use : opened(key)->faces)
+    {
+      use.turned = use.face == face ? !use.turned : use.turned;
+    }
+  }
 }
 
 void CellComplex::reachAsFarAs(CellKey small, CellKey into)

@@ -388,9 +388,7 @@ private:
     Cell cell;
     cell.box = open.box;
     cell.boundary = open.boundary;
-    cell.region = open.origin < old.size()
-      ? old.all[open.origin].region
-      : whole_.boxes.regionOf(static_cast<std::size_t>(open.origin - old.size()));
+    cell.region = open.region;
     cell.volumeFraction = changed.volume / (size[0] * size[1] * size[2]);
     cell.firstFace = result_.faces.size();
     cell.removed = open.removed;

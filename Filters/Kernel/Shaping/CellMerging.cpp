@@ -409,6 +409,10 @@ void CellMerger::tryOut(
     cost = trying_.simplify(trial_, cost);
   }
   trial_.gain = before.sum - cost;
+  if (trial_.gain > leastGain)
+  {
+    trial_.gain -= trying_.costBeyond(trial_);
+  }
   const bool isAllowed = trial_.gain > leastGain &&
     trial_.costs.worst < std::max(before.worst, MostCost) &&
     (trial_.costs.refused == 0 || trial_.costs.refused < before.refused);

@@ -2,7 +2,9 @@
 #include "Shaping/CellShaping.h"
 
 #include "Optimisation/NodeOptimisation.h"
+#include "Shaping/CellCession.h"
 #include "Shaping/CellSplitting.h"
+#include "Shaping/InterfaceMending.h"
 #include "Shaping/PartTransfer.h"
 #include "Shaping/RefusedCells.h"
 #include "Shaping/TipRemoval.h"
@@ -96,6 +98,7 @@ public:
     improve();
     removeTips();
     removeSmall(1);
+    cedeFlat();
     for (std::size_t pass = 0; pass < LargestShares.size(); ++pass)
     {
       execution_.stage("Removing", 0.4 + 0.075 * double(pass), 0.4 + 0.075 * double(pass + 1));
@@ -103,6 +106,11 @@ public:
       if (keys.empty())
       {
         break;
+      }
+      if (cedeCells(
+            complex_, keys, std::min(LargestShares[pass], LargestCeded), merger_, execution_))
+      {
+        keys = merger_.refused(isLast_);
       }
       if (pass > 0)
       {
@@ -126,6 +134,11 @@ private:
     {
       removeSmallCells(complex_, merger_.lookedAfter(isLast_), small_, most);
     }
+  }
+
+  void cedeFlat()
+  {
+    cedeCells(complex_, merger_.lookedAfter(isLast_), FlatCell, merger_, execution_);
   }
 
   void removeTips()
@@ -160,6 +173,10 @@ private:
     {
       complex_.lookAtChanged();
       merger_.improve();
+      if (complex_.hasRegions())
+      {
+        mendInterfaces(complex_, merger_.refused(isLast_), execution_);
+      }
       if (mergeSpec_.simplifies && merges_)
       {
         transfer();
@@ -192,6 +209,9 @@ private:
   // Cells below this part of their box are a wall next to a meshline: merged, they would stick out of
   // their neighbour.
   static constexpr double Sliver = 1e-9;
+
+  // Up to this part of its box a cell may go to another region.
+  static constexpr double LargestCeded = 0.1;
 
   // Below this part of their box tips go.
   static constexpr double LargestTip = 0.05;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace cartesian
 {
@@ -195,6 +196,68 @@ double UnionTrial::simplify(CellUnion& cells, double cost)
     cells.costs = costsOfBest;
   }
   return cost;
+}
+
+// The same faces, as a cell of another region has them.
+JoinedFaces seenFrom(const CellView& beyond, CellKey key, const CellUnion& cells)
+{
+  JoinedFaces joined;
+  for (const JoinedFaces::Group& group : cells.joined.groups)
+  {
+    if (cells.view.across[group.members.front()] != key)
+    {
+      continue;
+    }
+    JoinedFaces::Group& seen = joined.groups.emplace_back();
+    for (const std::uint32_t member : group.members)
+    {
+      const auto at = std::find_if(beyond.faces.begin(), beyond.faces.end(),
+        [&](const FaceUse& use) { return use.face == cells.view.faces[member].face; });
+      seen.members.push_back(static_cast<std::uint32_t>(at - beyond.faces.begin()));
+    }
+    for (auto node = group.ring.rbegin(); node != group.ring.rend(); ++node)
+    {
+      const auto at = std::find(beyond.nodes.begin(), beyond.nodes.end(), cells.view.nodes[*node]);
+      seen.ring.push_back(static_cast<std::uint32_t>(at - beyond.nodes.begin()));
+    }
+  }
+  return joined;
+}
+
+// By how much the costs of a cell of another region rise with the faces that are joined between them; Never, where
+// solvers refuse more of it than before.
+double UnionTrial::costBeyond(const CellUnion& cells, CellKey other)
+{
+  cells_.view({ other }, beyond_);
+  cells_.lookBeyond(other, beyond_);
+  measure(beyond_.shape, shapeBeyond_);
+  const FaceCosts before = costsOf(beyond_.shape, shapeBeyond_, beyond_.beyond);
+  joinerBeyond_.look(beyond_, shapeBeyond_);
+  const JoinedShape& result = joinerBeyond_.shapeOf(seenFrom(beyond_, other, cells));
+  const double volume = result.measures.volume;
+  const FaceCosts after = costsOf(result.polyhedron, result.measures, result.beyond);
+  const bool isFair = result.polyhedron.faces() >= LeastFaces &&
+    volume >= LeastVolumeKept * shapeBeyond_.volume &&
+    shapeBeyond_.volume >= LeastVolumeKept * volume && after.refused <= before.refused;
+  return isFair ? after.sum - before.sum : Never;
+}
+
+double UnionTrial::costBeyond(const CellUnion& cells)
+{
+  const CellView& view = cells.view;
+  std::vector<CellKey> others;
+  for (const JoinedFaces::Group& group : cells.joined.groups)
+  {
+    const std::uint32_t face = group.members.front();
+    if (view.across[face] != None && view.shape.isBoundary[face])
+    {
+      others.push_back(view.across[face]);
+    }
+  }
+  std::sort(others.begin(), others.end());
+  others.erase(std::unique(others.begin(), others.end()), others.end());
+  return std::accumulate(others.begin(), others.end(), 0.0,
+    [&](double sum, CellKey other) { return sum + costBeyond(cells, other); });
 }
 
 bool UnionTrial::isSound(const CellUnion& cells) const

@@ -66,17 +66,27 @@ public:
   // That can be merged: no two of its faces have the same nodes, nor a face near by.
   bool isSound(const CellUnion& cells) const;
 
+  // By how much the costs of cells of other regions rise with the faces that are joined between them; Never or more,
+  // where solvers refuse more of them than before.
+  double costBeyond(const CellUnion& cells);
+
 private:
   double costOfCell(const CellUnion& cells, const Polyhedron& polyhedron, const CellShape& shape,
     const FaceCosts& costs) const;
   double costOfJoined(
     const CellUnion& cells, const JoinedFaces& joined, double most, FaceCosts& costs);
+  double costBeyond(const CellUnion& cells, CellKey other);
   double volumeMoved(
     const CellView& view, const JoinedFaces& joined, const JoinedShape& result) const;
 
   const CellComplex& cells_;
   CellShape shape_; // of the view
   FaceJoiner joiner_;
+
+  // Of a cell of another region:
+  CellView beyond_;
+  CellShape shapeBeyond_;
+  FaceJoiner joinerBeyond_;
 };
 
 }

@@ -23,8 +23,6 @@ constexpr double NearLevels = 3 * RoundingLevels;
 // Cosine of normals of faces that might lie on one plane.
 constexpr double NearlyFlat = 0.999;
 
-constexpr double FlatInterface = 0.866; // cosine of 30 degrees
-
 // All diagonals are tried.
 constexpr std::size_t MostCornersRecut = 16;
 
@@ -48,7 +46,20 @@ bool hasEdgeFrom(const Ring& ring, std::uint32_t from, std::uint32_t to)
   return false;
 }
 
-// Two polygons that share a chain of edges as one; false where they share several or meet elsewhere too.
+// Cut between its i-th and k-th corner.
+std::array<std::vector<std::uint32_t>, 2> cutRing(
+  const std::vector<std::uint32_t>& ring, std::size_t i, std::size_t k)
+{
+  const auto at = [&](std::size_t c) { return ring.begin() + static_cast<std::ptrdiff_t>(c); };
+  std::array<std::vector<std::uint32_t>, 2> parts;
+  parts[0].assign(at(i), at(k + 1));
+  parts[1].assign(at(k), ring.end());
+  parts[1].insert(parts[1].end(), ring.begin(), at(i + 1));
+  return parts;
+}
+
+}
+
 bool joinRings(const Ring& first, const Ring& second, std::vector<std::uint32_t>& joined)
 {
   const auto next = [](const Ring& ring, std::size_t i) { return i + 1 < ring.size ? i + 1 : 0; };
@@ -92,20 +103,6 @@ bool joinRings(const Ring& first, const Ring& second, std::vector<std::uint32_t>
     joined.push_back(node);
   }
   return true;
-}
-
-// Cut between its i-th and k-th corner.
-std::array<std::vector<std::uint32_t>, 2> cutRing(
-  const std::vector<std::uint32_t>& ring, std::size_t i, std::size_t k)
-{
-  const auto at = [&](std::size_t c) { return ring.begin() + static_cast<std::ptrdiff_t>(c); };
-  std::array<std::vector<std::uint32_t>, 2> parts;
-  parts[0].assign(at(i), at(k + 1));
-  parts[1].assign(at(k), ring.end());
-  parts[1].insert(parts[1].end(), ring.begin(), at(i + 1));
-  return parts;
-}
-
 }
 
 // --- what there is
@@ -390,20 +387,15 @@ bool FaceJoiner::isNearPlane(std::uint32_t f, const Vector& normal) const
   return true;
 }
 
-// For solvers of one region a face between two is at the boundary; but nobody asks the cell beyond.
-bool FaceJoiner::isInterface(std::uint32_t f) const
-{
-  return view_->across[f] != None && view_->shape.isBoundary[f];
-}
-
+// For solvers of one region a face between two is at the boundary.
 bool FaceJoiner::isInner(std::uint32_t f) const
 {
-  return view_->across[f] != None && !isInterface(f);
+  return view_->across[f] != None && !view_->shape.isBoundary[f];
 }
 
 bool FaceJoiner::isNegligible(std::uint32_t f) const
 {
-  return areas_[f] < negligible_ && !isInterface(f);
+  return areas_[f] < negligible_;
 }
 
 bool FaceJoiner::isNegligiblePart(Part part) const
@@ -419,8 +411,7 @@ bool FaceJoiner::isNegligiblePart(Part part) const
 
 double FaceJoiner::leastCosine(std::uint32_t f) const
 {
-  const double boundary = isInterface(f) ? std::max(spec_.boundary, FlatInterface) : spec_.boundary;
-  return isInner(f) ? spec_.inner : boundary;
+  return isInner(f) ? spec_.inner : spec_.boundary;
 }
 
 // --- joining

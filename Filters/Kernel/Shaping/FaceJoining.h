@@ -10,6 +10,9 @@
 namespace cartesian
 {
 
+// Two polygons that share a chain of edges as one; false where they share several or meet elsewhere too.
+bool joinRings(const Ring& first, const Ring& second, std::vector<std::uint32_t>& joined);
+
 // Faces of a view that become one, or that are divided anew. All others stay.
 struct JoinedFaces
 {
@@ -90,7 +93,6 @@ private:
   bool mayAnyFit() const;
   bool mayFit(std::uint32_t f, std::uint32_t g) const;
   bool isNearPlane(std::uint32_t f, const Vector& normal) const;
-  bool isInterface(std::uint32_t f) const;
   bool isInner(std::uint32_t f) const;
   bool isNegligible(std::uint32_t f) const;
   bool isNegligiblePart(Part part) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/PartTransfer.h"
 
+#include "Shaping/CellCession.h"
 #include "Shaping/CutSearch.h"
 #include "Shaping/RefusedCells.h"
 
@@ -76,7 +77,7 @@ void giveAway(CellComplex& cells, const std::vector<CellKey>& parts, LeftOver le
     {
       remove(cells, part, removed);
     }
-    else
+    else if (leftOver == LeftOver::ComesBack || !cede(cells, part, merger))
     {
       cells.merge(part, largest);
     }

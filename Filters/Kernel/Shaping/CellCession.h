@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Between two regions no cell can be removed, as that would leave a hole: what nothing mends there goes to the
+// other region, which takes its place (as what is outside does at a boundary, section 4.10). Only what is thin does:
+// the interface, its edges and corners stay where they were, but for a small part of a box.
+#pragma once
+
+#include "Shaping/CellMerging.h"
+
+namespace cartesian
+{
+
+// Below this part of its box a cell between two regions is a wall without thickness.
+constexpr double FlatCell = 1e-6;
+
+// Whether a cell joined one of the region beyond its faces. Only where solvers accept what comes of it, and accept of
+// its neighbours what they did before; and only if it has no face at the boundary.
+bool cede(CellComplex& cells, CellKey key, CellMerger& merger);
+
+// Of these, in order: those smaller than `largest` volumes of their box. Whether any did.
+bool cedeCells(CellComplex& cells, const std::vector<CellKey>& keys, double largest,
+  CellMerger& merger, Execution& execution);
+
+}
