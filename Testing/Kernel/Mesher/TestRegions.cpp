@@ -427,3 +427,73 @@ TEST(Regions, WallsBeyondTheToleranceStay)
         { { 0, 2 }, 2 * ring + sideOf(17, 0.8) + sideOf(17, 0.5) } } },
     0.05);
 }
+
+// 100 bricks, each with diagonals of its own.
+TEST(Regions, LieFaceToFace)
+{
+  Soup soup;
+  Expected expected;
+  const std::array<int, 3> counts{ 5, 5, 4 };
+  const auto number = [&](int i, int j, int k) {
+    return i < 0 || j < 0 || k < 0 || i >= counts[0] || j >= counts[1] || k >= counts[2]
+      ? 0
+      : 1 + i + counts[0] * (j + counts[1] * k);
+  };
+  for (int k = 0; k < counts[2]; ++k)
+  {
+    for (int j = 0; j < counts[1]; ++j)
+    {
+      for (int i = 0; i < counts[0]; ++i)
+      {
+        const Vector low{ 0.25 * i, 0.25 * j, 0.25 * k };
+        const bool other = (i + j + k) % 2 != 0;
+        const Soup brick = box({ 0, 0, 0 }, { 0.25, 0.25, 0.25 });
+        const auto mirrored = [](const Vector& p) { return Vector{ 0.25 - p[0], p[1], p[2] }; };
+        soup.addRegion((other ? brick.each(mirrored).flipped() : brick).moved(low));
+        const int own = number(i, j, k);
+        expected.volumes[own] = 1. / 64;
+        for (const int beside : { number(i - 1, j, k), number(i + 1, j, k), number(i, j - 1, k),
+               number(i, j + 1, k), number(i, j, k - 1), number(i, j, k + 1) })
+        {
+          if (beside < own)
+          {
+            expected.areas[{ beside, own }] += 1. / 16;
+          }
+        }
+      }
+    }
+  }
+  TestOptions options;
+  options.patches = exactFit();
+  for (const double cells : { 5.0, 7.3 })
+  {
+    const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, cells), options);
+    EXPECT_TRUE(isValid(meshed.mesh, true));
+    expectRegions(meshed.mesh, expected, 1e-9);
+  }
+}
+
+// A shaft in a bush, from almost no gap or overlap up to half a box: where it is closed, the shaft
+// keeps its volume, and nothing is between them.
+TEST(Regions, CloseAnyGapWithinTheTolerance)
+{
+  const double shaft = areaOf(24, 0.5);
+  const double whole = areaOf(17, 0.9);
+  TestOptions options;
+  options.patches = exactFit();
+  for (const double gap : { -0.1, -1e-3, -1e-6, 1e-6, 1e-4, 1e-2, 0.1 })
+  {
+    SCOPED_TRACE(gap);
+    Soup soup;
+    soup.addRegion(prism(24, 0.5));
+    soup.addRegion(pipe(17, 0.5 + gap, 0.9, 0.1));
+    options.contactTolerance = std::abs(gap) + 0.02;
+    const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 9.3), options);
+    EXPECT_TRUE(isValid(meshed.mesh, true));
+    expectRegions(meshed.mesh,
+      { { { 1, 2 * shaft }, { 2, 2 * (whole - shaft) } },
+        { { { 0, 1 }, 2 * shaft }, { { 0, 2 }, 2 * (whole - shaft) + sideOf(17, 0.9) },
+          { { 1, 2 }, sideOf(24, 0.5) } } },
+      1e-9);
+  }
+}
