@@ -223,14 +223,22 @@ private:
       meet(cell, t, start, direction, met);
       if (met.distance <= leaves)
       {
-        return isFacing(met.triangle, direction) ? met.distance : Infinite;
+        if (!isFacing(met.triangle, direction))
+        {
+          return Infinite;
+        }
+        return met.distance;
       }
       const bool up = direction[axis] > 0;
       const bool isLast = cell[axis] == (up ? finePlanes_[axis].size() - 2 : 0);
       if (isLast || leaves > most)
       {
         const bool isWall = isLast && surface_.around.inside();
-        return isWall && std::abs(direction[axis]) >= LeastCosine ? leaves : Infinite;
+        if (!isWall || std::abs(direction[axis]) < LeastCosine)
+        {
+          return Infinite;
+        }
+        return leaves;
       }
       cell[axis] = up ? cell[axis] + 1 : cell[axis] - 1;
     }

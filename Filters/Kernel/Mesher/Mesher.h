@@ -38,6 +38,11 @@ struct PreparedSurface
   Bounds bounds; // of the surface, user units
   MemoryLimit memoryLimit;
   std::shared_ptr<const Displacement> displacement; // of `surface`, or null: no layers
+  std::shared_ptr<const Surface>
+    undisplaced; // `surface` before it made room for layers, or null: it has not
+
+  // What `repair` is about.
+  const Surface& repaired() const { return undisplaced ? *undisplaced : surface; }
 };
 
 // Scaling, Dual Levels, check and repair of the surface, which makes room for layers. `parts`: how many the mesh is made in, each of
