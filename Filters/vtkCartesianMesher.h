@@ -80,7 +80,7 @@ public:
   ///@{
   /**
    * The thickness of the layer at the wall, or else of all together, in units of the surface. Both 0, the
-   * default: the last layer is half as thick as a box.
+   * default: all together are a third of a box.
    */
   vtkSetMacro(FirstLayerThickness, double);
   vtkGetMacro(FirstLayerThickness, double);

@@ -19,7 +19,7 @@ struct WallLayerSpec
   int count = 0;      // 0: no layers
   double ratio = 1.2; // of the thicknesses of two layers, away from the wall
 
-  // User units; the first that is not 0 applies. Both 0: the last layer is half as thick as a box.
+  // User units; the first that is not 0 applies. Both 0: all layers together are a third of a box.
   double firstThickness = 0;
   double thickness = 0; // of all layers
 
