@@ -238,13 +238,13 @@ private:
     using Kind = FaceOfCell::Kind;
     if (use.face < firstInner_)
     {
-      return FaceOfCell(use.face, Kind::Patch);
+      return { use.face, Kind::Patch };
     }
     if (use.face < firstGiven_)
     {
-      return FaceOfCell(use.face - firstInner_, use.turned ? Kind::TurnedInner : Kind::Inner);
+      return { use.face - firstInner_, use.turned ? Kind::TurnedInner : Kind::Inner };
     }
-    return FaceOfCell(newFace(s, use.face), use.turned ? Kind::TurnedShaped : Kind::Shaped);
+    return { newFace(s, use.face), use.turned ? Kind::TurnedShaped : Kind::Shaped };
   }
 
   // --- cells
