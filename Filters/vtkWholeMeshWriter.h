@@ -13,7 +13,7 @@
  * Errors (GetErrorCode): vtkErrorCode::NoFileNameError; BadMesh, CannotWrite, OutOfMemory of
  * vtkCartesianAlgorithm. Then what was there before is as it was.
  *
- * @sa vtkPolyMeshWriter vtkCGNSMeshWriter
+ * @sa vtkPolyMeshWriter vtkCGNSMeshWriter vtkEnSightMeshWriter vtkFluentMeshWriter
  */
 #ifndef vtkWholeMeshWriter_h
 #define vtkWholeMeshWriter_h

@@ -2,6 +2,9 @@
 #include "CgnsFile.h"
 
 #include "Base/Error.h"
+#include "Base/OutputFile.h"
+#include "Formats/FacesOfCells.h"
+#include "Formats/UniqueNames.h"
 
 #include "vtk_cgns.h"
 // clang-format off
@@ -9,8 +12,6 @@
 // clang-format on
 
 #include <array>
-#include <cctype>
-#include <map>
 #include <numeric>
 #include <set>
 
@@ -61,49 +62,21 @@ private:
   bool isOpen_ = true;
 };
 
-// Names as CGNS allows them for siblings, each different.
-class Names
-{
-public:
-  const std::string& of(const std::string& name)
-  {
-    const auto [found, isNew] = names_.try_emplace(name);
-    std::string& cut = found->second;
-    if (isNew)
-    {
-      cut = name.substr(0, MostBytes);
-      for (int i = 2; !taken_.insert(cut).second; ++i)
-      {
-        const std::string end = "_" + std::to_string(i);
-        cut = name.substr(0, MostBytes - end.size()) + end;
-      }
-    }
-    return cut;
-  }
-
-  // No other gets a name that these have.
-  void avoid(const Names& others) { taken_.insert(others.taken_.begin(), others.taken_.end()); }
-
-private:
-  std::map<std::string, std::string> names_;
-  std::set<std::string> taken_;
-};
-
 CGNS_ENUMT(BCType_t) typeOf(const FoamPatch& patch)
 {
-  const int first = std::tolower(static_cast<unsigned char>(patch.name[0]));
-  const bool isOpen = isOpening(patch.name);
-  if (patch.type.rfind("symmetry", 0) == 0)
+  switch (kindOf(patch))
   {
-    return CGNS_ENUMV(BCSymmetryPlane);
+    case BoundaryKind::Wall:
+      return CGNS_ENUMV(BCWall);
+    case BoundaryKind::Symmetry:
+      return CGNS_ENUMV(BCSymmetryPlane);
+    case BoundaryKind::Inlet:
+      return CGNS_ENUMV(BCInflow);
+    case BoundaryKind::Outlet:
+      return CGNS_ENUMV(BCOutflow);
+    default:
+      return CGNS_ENUMV(BCGeneral);
   }
-  if (patch.type == "wall" || (patch.type.empty() && !isOpen))
-  {
-    return CGNS_ENUMV(BCWall);
-  }
-  return isOpen && first == 'i' ? CGNS_ENUMV(BCInflow)
-    : isOpen && first == 'o'    ? CGNS_ENUMV(BCOutflow)
-                                : CGNS_ENUMV(BCGeneral);
 }
 
 // Elements are the faces, then the cells, from 1.
@@ -209,24 +182,15 @@ private:
   // Negative: the face points into the cell.
   void writeCells() const
   {
-    std::vector<cgsize_t> start(mesh_.cellCount + 1);
-    const auto forEachUse = [&](auto&& visit) {
-      for (std::size_t f = 0; f < mesh_.owner.size(); ++f)
-      {
-        visit(mesh_.owner[f], static_cast<cgsize_t>(f) + 1);
-        if (f < mesh_.neighbour.size())
-        {
-          visit(mesh_.neighbour[f], -static_cast<cgsize_t>(f) - 1);
-        }
-      }
-    };
-    forEachUse([&](std::uint32_t cell, cgsize_t) { ++start[cell + 1]; });
-    std::partial_sum(start.begin(), start.end(), start.begin());
-    std::vector<cgsize_t> faces(static_cast<std::size_t>(start.back()));
-    std::vector<cgsize_t> next = start;
-    forEachUse([&](std::uint32_t cell, cgsize_t face) {
-      faces[static_cast<std::size_t>(next[cell]++)] = face;
-    });
+    const FacesOfCells cells(mesh_);
+    const std::vector<cgsize_t> start(cells.start.begin(), cells.start.end());
+    std::vector<cgsize_t> faces;
+    faces.reserve(cells.uses.size());
+    for (const FaceUse use : cells.uses)
+    {
+      const auto number = static_cast<cgsize_t>(use.face) + 1;
+      faces.push_back(use.pointsInward ? -number : number);
+    }
     writeSection("Cells", CGNS_ENUMV(NFACE_n), faces_ + 1, cells_, faces, start);
   }
 
@@ -319,9 +283,9 @@ private:
   const std::vector<CgnsZone>& zones_;
   File file_;
   int base_ = 0;
-  Names zoneNames_;
-  Names families_;   // siblings of zones
-  Names conditions_; // of boundaries in zones
+  UniqueNames zoneNames_{ MostBytes };
+  UniqueNames families_{ MostBytes };   // siblings of zones
+  UniqueNames conditions_{ MostBytes }; // of boundaries in zones
   std::vector<ZoneWriter> writers_;
 };
 
@@ -329,26 +293,8 @@ private:
 
 void writeCgns(const std::vector<CgnsZone>& zones, const std::filesystem::path& path)
 {
-  fs::path unfinished = path;
-  unfinished += ".unfinished";
-  std::error_code failure;
-  try
-  {
-    fs::create_directories(
-      fs::absolute(path).parent_path(), failure); // if not, opening the file tells
-    Writer(zones, unfinished).run();
-    fs::rename(unfinished, path, failure);
-    if (failure)
-    {
-      throw Error(Fault::CannotWrite,
-        "Cannot write " + path.string() + " (" + failure.message() + "): choose another name.");
-    }
-  }
-  catch (const Error&)
-  {
-    fs::remove(unfinished, failure);
-    throw;
-  }
+  replaceFiles({ path },
+    [&](const std::vector<fs::path>& unfinished) { Writer(zones, unfinished.front()).run(); });
 }
 
 }

@@ -14,8 +14,7 @@ import foam
 from pieces import loops
 from pipeline import DATA, Messages
 from polyhedra import face_streams
-
-NAMES = [f"{part}_{duct}" for duct in range(1, 5) for part in ("wall", "inlet", "outlet")]
+from slab import slab
 
 
 def save(proxy, file):
@@ -53,41 +52,24 @@ def points(data):
     return vtk_to_numpy(data.GetPoints().GetData())
 
 
-def faces_of(whole):
-    """Of each cell, its faces as sets of points."""
-    cells = [set() for _ in range(whole.cells)]
-    for i, owner in enumerate(whole.owner):
-        face = frozenset(whole.faces.corners[whole.faces.start[i]:whole.faces.start[i + 1]].tolist())
-        cells[owner].add(face)
-        if i < len(whole.neighbour):
-            cells[whole.neighbour[i]].add(face)
-    return cells
-
-
 def compare(mesh, whole):
     """The cells of ParaView's grid are those that OpenFOAM gets, in its order."""
     assert np.array_equal(points(mesh), whole.points)
     stream, starts = (array.tolist() for array in face_streams(mesh))
-    expected = faces_of(whole)
+    expected = whole.faces_of_cells()
     assert mesh.GetNumberOfCells() == len(expected)
     for cell, start in enumerate(starts):
         assert {frozenset(face) for face in loops(mesh, cell, stream, start)} == expected[cell], cell
-
-
-def box(low, high):
-    source = simple.Box(XLength=high[0] - low[0], YLength=high[1] - low[1], ZLength=high[2] - low[2],
-        Center=[(a + b) / 2 for a, b in zip(low, high)])
-    return simple.Triangulate(Input=source)
 
 
 with tempfile.TemporaryDirectory() as temporary:
     folder = pathlib.Path(temporary)
     mesher = simple.CartesianMesher(Input=simple.OpenDataFile(str(DATA / "kcl_exhaust_header_lumens.stl")), CellSize=12)
     found = blocks(save(mesher, folder / "header.cgns"))
-    assert list(found) == ["Internal", *NAMES], list(found)
     whole = foam.Files(foam.save(mesher, folder / "case"))
+    assert list(found) == ["Internal", *whole.patches], list(found)
     compare(found["Internal"][0], whole)
-    for name in NAMES:
+    for name in whole.patches:
         part = whole.of_patch(name)
         corners = whole.faces.corners[whole.faces.start[part.start]:whole.faces.start[part.stop]]
         expected = whole.points[np.unique(corners)]
@@ -103,14 +85,12 @@ with tempfile.TemporaryDirectory() as temporary:
         (folder / "task.cgns").unlink()
 
     # Two regions, which touch: a zone for each.
-    assembly = simple.GroupDatasets(Input=[box([-0.25, -0.25, -1], [0.25, 0.25, 1]), box([-1, -1, -1], [1, 1, 1])],
-        BlockNames=["gas", "solid"])
-    mesher = simple.CartesianMesher(Input=assembly, RegionsFrom="Blocks", CellSize=0.17, PatchMethod="Exact Fit")
+    mesher = slab(0.23)
     found = blocks(save(mesher, folder / "regions.cgns"))
     case = foam.save(mesher, folder / "regions")
-    for region, mesh in zip(("gas", "solid"), found["Internal"]):
+    for region, mesh in zip(("left", "right"), found["Internal"]):
         compare(mesh, foam.Files(case, region))
-    assert {"gas", "solid"} < set(found), list(found)
+    assert set(found) == {"Internal", "inlet_cold", "side", "hot"}, list(found)
 
     # What stood there stays, and nothing else, where the new one cannot be written.
     (folder / "folder.cgns").mkdir()

@@ -8,37 +8,14 @@ import tempfile
 
 import numpy as np
 from paraview import simple
-from vtkmodules.vtkCommonCore import vtkStringArray
 
 import foam
-from pipeline import output, producer
+from slab import CONDUCTIVITY, slab
 
-CONDUCTIVITY = {"left": 1.0, "right": 4.0}  # W/(m K)
 COLD, HOT = 300.0, 400.0                    # K, at x = 0 and x = 3
 TIMES = 400
 
 temporary = tempfile.TemporaryDirectory()
-
-
-def box(low, high):
-    """The boundary at x = `low` is "cold", at 3 "hot", what is left "side"."""
-    surface = output(simple.Triangulate(Input=simple.Box(
-        XLength=high[0] - low[0], YLength=high[1] - low[1], ZLength=high[2] - low[2],
-        Center=[(a + b) / 2 for a, b in zip(low, high)])))
-    names = vtkStringArray()
-    names.SetName("Wall")
-    for i in range(surface.GetNumberOfCells()):
-        first, last = surface.GetCell(i).GetBounds()[:2]
-        names.InsertNextValue("inlet cold" if last == 0 else "hot" if first == 3 else "side")
-    surface.GetCellData().AddArray(names)
-    return producer(surface)
-
-
-def slab(size, method="Automatic"):
-    both = simple.GroupDatasets(Input=[box([0, 0, 0], [1, 1, 1]), box([1, 0, 0], [3, 1, 1])],
-                                BlockNames=list(CONDUCTIVITY))
-    return simple.CartesianMesher(Input=both, RegionsFrom="Blocks", BoundaryArray="Wall", CellSize=size,
-                                  PatchMethod=method)
 
 
 def corners(files, name):

@@ -76,6 +76,7 @@ writer = simple.CreateWriter("case.foam", mesher)
 assert writer.GetXMLLabel() == "OpenFOAM Mesh Writer", writer.GetXMLLabel()
 assert sorted(writer.ListProperties()) == ["FileName", "FileType", "Input", "Pieces", "RegionsAs"]
 assert writer.FileType == "Binary" and writer.RegionsAs == "Meshes"
-writer = simple.CreateWriter("mesh.cgns", mesher)
-assert writer.GetXMLLabel() == "CGNS Mesh Writer", writer.GetXMLLabel()
-assert sorted(writer.ListProperties()) == ["FileName", "Input"]
+for suffix, format in ("cgns", "CGNS"), ("msh", "Fluent"), ("case", "EnSight"):
+    writer = simple.CreateWriter(f"mesh.{suffix}", mesher)
+    assert writer.GetXMLLabel() == f"{format} Mesh Writer", writer.GetXMLLabel()
+    assert sorted(writer.ListProperties()) == ["FileName", "Input"]

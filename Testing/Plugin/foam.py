@@ -151,6 +151,16 @@ class Files:
             next += count
         assert next == len(self.owner)
 
+    def faces_of_cells(self):
+        """Of each cell, its faces as sets of points."""
+        cells = [set() for _ in range(self.cells)]
+        for i, owner in enumerate(self.owner):
+            face = frozenset(self.faces.corners[self.faces.start[i]:self.faces.start[i + 1]].tolist())
+            cells[owner].add(face)
+            if i < len(self.neighbour):
+                cells[self.neighbour[i]].add(face)
+        return cells
+
     def volumes(self):
         """Of the cells, each about one of its points."""
         cells, inner = self.cells, len(self.neighbour)

@@ -116,6 +116,21 @@ bool isSymmetry(const std::string& name)
   return beginsWith(name, "symmetry");
 }
 
+BoundaryKind kindOf(const FoamPatch& patch)
+{
+  if (patch.type.rfind("symmetry", 0) == 0)
+  {
+    return BoundaryKind::Symmetry;
+  }
+  if (patch.type == "wall" || (patch.type.empty() && !isOpening(patch.name)))
+  {
+    return BoundaryKind::Wall;
+  }
+  return beginsWith(patch.name, "inlet") ? BoundaryKind::Inlet
+    : beginsWith(patch.name, "outlet")   ? BoundaryKind::Outlet
+                                         : BoundaryKind::Opening;
+}
+
 FoamBoundary::FoamBoundary(const std::vector<FoamPatch>& patches)
 {
   patches_.reserve(patches.size());

@@ -45,6 +45,18 @@ bool isOpening(const std::string& name);
 // Whether a name begins with symmetry, in upper or lower case.
 bool isSymmetry(const std::string& name);
 
+// What a boundary is to solvers other than OpenFOAM's: by its type or, without one, by its name.
+enum class BoundaryKind
+{
+  Wall,
+  Symmetry,
+  Inlet,
+  Outlet,
+  Opening // another
+};
+
+BoundaryKind kindOf(const FoamPatch& patch);
+
 // The entries of each patch, the text between its brackets.
 class FoamBoundary
 {

@@ -2,12 +2,9 @@
 // One file of OpenFOAM: a header, then text or a list.
 #pragma once
 
+#include "Base/OutputFile.h"
+
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <string>
-#include <vector>
 
 namespace cartesian
 {
@@ -19,7 +16,7 @@ enum class FoamFormat
 };
 
 // All methods throw Error (CannotWrite).
-class FoamFile
+class FoamFile : public OutputFile
 {
 public:
   struct Header
@@ -31,8 +28,6 @@ public:
 
   FoamFile(const std::filesystem::path& path, FoamFormat format, const Header& header);
 
-  void text(const std::string& words);
-
   void labels(std::size_t count, const std::function<std::int32_t(std::size_t)>& label);
 
   // Vectors of three numbers.
@@ -41,25 +36,14 @@ public:
   // Lists of labels; the i-th from start[i] to start[i + 1].
   void labelLists(const std::vector<std::size_t>& start, const std::vector<std::uint32_t>& labels);
 
-  // Must be called at the end: until then, part of the file may not have been written.
-  void close();
-
   // Whether this class wrote the file.
   static bool isOurs(const std::filesystem::path& path);
 
 private:
-  template <class Value>
-  void decimal(Value value);
-  template <class Value>
-  void raw(Value value);
   void begin(std::size_t count);
   void end(std::size_t count);
-  void flush(std::size_t least);
 
-  std::filesystem::path path_;
   FoamFormat format_;
-  std::ofstream file_;
-  std::string buffer_;
 };
 
 }

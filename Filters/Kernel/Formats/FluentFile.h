@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A mesh as a file of ANSYS Fluent (.msh), in ASCII: faces of any number of corners between zones of polyhedra.
+//
+// The format is that of the appendix "Mesh File Format" of Fluent's user's guide. The sections are: 0 comment, 2
+// dimension, 10 points, 12 cells, 13 faces, 45 zones; numbers in 10, 12 and 13 are hexadecimal, from one. The corners
+// of a face run counter-clockwise seen from its first cell's inside; the second cell is 0 at a boundary.
+#pragma once
+
+#include "OpenFoam/FoamRegions.h"
+
+namespace cartesian
+{
+
+// Each region is a zone of cells (one called "cells", if there are none), fluid or, where there are several and this one
+// has walls and symmetry planes only, solid. Inner faces are a zone "interior" for each; faces between two regions
+// one of type wall, <region>_to_<other>. Each patch is a zone of its name, by its kind wall, symmetry,
+// velocity-inlet or pressure-outlet (which other openings are too); one of several regions is divided,
+// <patch>_<region>, as faces of a zone are of one zone of cells. Characters in names that Fluent does not allow
+// become underscores. Throws Error (CannotWrite).
+void writeFluent(
+  const FoamMesh& mesh, const FoamRegions& regions, const std::filesystem::path& path);
+
+}

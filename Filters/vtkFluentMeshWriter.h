@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkFluentMeshWriter
+ * @brief writes an unstructured grid as a Fluent mesh (.msh) of polyhedra with named boundaries
+ *
+ * Input, several processes and errors: see vtkWholeMeshWriter. The format is the ASCII one of the appendix "Mesh
+ * File Format" of ANSYS Fluent's user's guide. Each region is a zone of cells, each boundary a zone of faces with its
+ * name, of type wall, symmetry, velocity-inlet or pressure-outlet, by its type or, without one, by its name.
+ * Coordinates read back as the same numbers.
+ *
+ * @sa vtkPolyMeshWriter vtkCGNSMeshWriter
+ */
+#ifndef vtkFluentMeshWriter_h
+#define vtkFluentMeshWriter_h
+
+#include "vtkWholeMeshWriter.h"
+
+class VTKCARTESIANMESHERFILTERS_EXPORT vtkFluentMeshWriter : public vtkWholeMeshWriter
+{
+public:
+  static vtkFluentMeshWriter* New();
+  vtkTypeMacro(vtkFluentMeshWriter, vtkWholeMeshWriter);
+
+protected:
+  vtkFluentMeshWriter() = default;
+  ~vtkFluentMeshWriter() override = default;
+
+  void WriteMesh(vtkUnstructuredGrid* grid) override;
+
+private:
+  vtkFluentMeshWriter(const vtkFluentMeshWriter&) = delete;
+  void operator=(const vtkFluentMeshWriter&) = delete;
+};
+
+#endif
