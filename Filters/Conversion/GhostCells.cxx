@@ -2,6 +2,7 @@
 #include "GhostCells.h"
 
 #include "Base/Error.h"
+#include "PolyhedronStorage.h"
 #include "Processes.h"
 
 #include "vtkBoundingBox.h"
@@ -22,7 +23,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace cartesian
 {
@@ -34,9 +34,9 @@ namespace
 std::vector<vtkBoundingBox> overlaps(vtkUnstructuredGrid* mesh, const Processes& processes)
 {
   vtkBoundingBox mine; // invalid if there are no points
-  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  if (mesh->GetNumberOfPoints() > 0)
   {
-    mine.AddPoint(mesh->GetPoint(p));
+    mine.SetBounds(mesh->GetPoints()->GetBounds());
   }
   std::vector<double> bounds(6);
   mine.GetBounds(bounds.data());
@@ -201,19 +201,15 @@ public:
       pointGhosts->SetValue(pointOf_[static_cast<std::size_t>(p)], points->GetValue(p));
     }
     const vtkIdType own = mesh_->GetNumberOfCells();
-    for (vtkIdType c = 0; cells && c < from_->GetNumberOfCells(); ++c)
-    {
-      if (cells->GetValue(c) & vtkDataSetAttributes::DUPLICATECELL)
-      {
-        addCell(c);
-        appendTuple(c, from_->GetCellData(), mesh_->GetCellData());
-      }
-    }
+    addCells(cells, false);
+    const vtkIdType polyhedra = mesh_->GetNumberOfCells();
+    addCells(cells, true);
     vtkUnsignedCharArray* cellGhosts =
       addGhostArray(mesh_->GetCellData(), mesh_->GetNumberOfCells());
     std::fill(cellGhosts->GetPointer(0) + own,
       cellGhosts->GetPointer(0) + mesh_->GetNumberOfCells(),
       static_cast<unsigned char>(vtkDataSetAttributes::DUPLICATECELL));
+    moveBeforePolyhedra(own, polyhedra);
   }
 
 private:
@@ -242,6 +238,39 @@ private:
       }
       point = mesh_->GetPoints()->InsertNextPoint(from_->GetPoint(p));
       appendTuple(p, from_->GetPointData(), mesh_->GetPointData());
+    }
+  }
+
+  // The ghosts that are polyhedra, or the others.
+  void addCells(vtkUnsignedCharArray* ghosts, bool arePolyhedra)
+  {
+    for (vtkIdType c = 0; ghosts && c < from_->GetNumberOfCells(); ++c)
+    {
+      if (ghosts->GetValue(c) & vtkDataSetAttributes::DUPLICATECELL &&
+        (from_->GetCellType(c) == VTK_POLYHEDRON) == arePolyhedra)
+      {
+        addCell(c);
+        appendTuple(c, from_->GetCellData(), mesh_->GetCellData());
+      }
+    }
+  }
+
+  // Hexahedra come first, as in all meshes (OutputMesh.h).
+  void moveBeforePolyhedra(vtkIdType begin, vtkIdType end)
+  {
+    vtkIdType first = begin;
+    while (first > 0 && mesh_->GetCellType(first - 1) == VTK_POLYHEDRON)
+    {
+      --first;
+    }
+    if (first == begin || begin == end)
+    {
+      return;
+    }
+    rotateCells(mesh_, first, begin, end);
+    for (int i = 0; i < mesh_->GetCellData()->GetNumberOfArrays(); ++i)
+    {
+      rotateTuples(mesh_->GetCellData()->GetAbstractArray(i), first, begin, end);
     }
   }
 
@@ -279,43 +308,12 @@ private:
   vtkNew<vtkIdList> ids_;
 };
 
-// Moves hexahedra before polyhedra again (OutputMesh.h), as ghosts of both kinds are last.
-void sortByType(vtkUnstructuredGrid* mesh)
-{
-  std::vector<vtkIdType> order(static_cast<std::size_t>(mesh->GetNumberOfCells()));
-  std::iota(order.begin(), order.end(), vtkIdType(0));
-  std::stable_partition(order.begin(), order.end(),
-    [&](vtkIdType cell) { return mesh->GetCellType(cell) != VTK_POLYHEDRON; });
-  vtkNew<vtkUnstructuredGrid> sorted;
-  sorted->ShallowCopy(mesh);
-  sorted->SetCells(vtkNew<vtkUnsignedCharArray>(), vtkNew<vtkCellArray>());
-  vtkNew<vtkIdList> ids;
-  for (const vtkIdType cell : order)
-  {
-    const int type = mesh->GetCellType(cell);
-    type == VTK_POLYHEDRON ? mesh->GetFaceStream(cell, ids) : mesh->GetCellPoints(cell, ids);
-    sorted->InsertNextCell(type, ids);
-  }
-  vtkCellData* data = sorted->GetCellData();
-  data->DeepCopy(mesh->GetCellData());
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* from = mesh->GetCellData()->GetAbstractArray(i);
-    for (vtkIdType c = 0; c < mesh->GetNumberOfCells(); ++c)
-    {
-      data->GetAbstractArray(i)->SetTuple(c, order[static_cast<std::size_t>(c)], from);
-    }
-  }
-  mesh->ShallowCopy(sorted);
-}
-
 }
 
 void addGhostCells(vtkUnstructuredGrid* mesh, int levels, const Processes& processes)
 {
   const std::vector<vtkIdType> cells = cellsNear(mesh, processes, levels);
   Appender(mesh, withGhosts(mesh, cells, levels), cells).run();
-  sortByType(mesh);
 }
 
 }

@@ -5,15 +5,57 @@
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <numeric>
+#include <vector>
 
 namespace cartesian
 {
+
+namespace
+{
+
+// Of a cell array, each cell with its points.
+void rotateLists(vtkCellArray* lists, vtkIdType first, vtkIdType middle, vtkIdType end)
+{
+  std::vector<vtkIdType> offset(static_cast<std::size_t>(end - first) + 1);
+  for (vtkIdType cell = first; cell <= end; ++cell)
+  {
+    offset[static_cast<std::size_t>(cell - first)] = lists->GetOffset(cell);
+  }
+  const vtkIdType before = offset[static_cast<std::size_t>(middle - first)];
+  rotateTuples(lists->GetConnectivityArray(), offset.front(), before, offset.back());
+  vtkIdType next = first;
+  const auto place = [&](vtkIdType cell, vtkIdType shift) {
+    lists->GetOffsetsArray()->SetComponent(
+      next++, 0, static_cast<double>(offset[static_cast<std::size_t>(cell - first)] + shift));
+  };
+  for (vtkIdType cell = middle; cell < end; ++cell)
+  {
+    place(cell, offset.front() - before);
+  }
+  for (vtkIdType cell = first; cell < middle; ++cell)
+  {
+    place(cell, offset.back() - before);
+  }
+}
+
+}
+
+void rotateTuples(vtkAbstractArray* array, vtkIdType first, vtkIdType middle, vtkIdType end)
+{
+  const auto copy = vtk::TakeSmartPointer(array->NewInstance());
+  copy->SetNumberOfComponents(array->GetNumberOfComponents());
+  copy->SetNumberOfTuples(end - first);
+  copy->InsertTuples(0, end - first, first, array);
+  array->InsertTuples(first, end - middle, middle - first, copy);
+  array->InsertTuples(first + end - middle, middle - first, 0, copy);
+}
 
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20240112)
 
@@ -72,6 +114,16 @@ void setCells(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* types, vtkCellArr
   grid->SetPolyhedralCells(types, cells, facesOfCells, faces);
 }
 
+void rotateCells(vtkUnstructuredGrid* grid, vtkIdType first, vtkIdType middle, vtkIdType end)
+{
+  rotateTuples(grid->GetCellTypesArray(), first, middle, end);
+  rotateLists(grid->GetCells(), first, middle, end);
+  if (grid->GetPolyhedronFaceLocations())
+  {
+    rotateLists(grid->GetPolyhedronFaceLocations(), first, middle, end);
+  }
+}
+
 const vtkIdType* faceStreamOf(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* scratch)
 {
   grid->GetFaceStream(cell, scratch);
@@ -85,6 +137,16 @@ void setCells(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* types, vtkCellArr
 {
   const bool polyhedra = faceStream->GetNumberOfValues() > 0;
   grid->SetCells(types, cells, polyhedra ? faceStart : nullptr, polyhedra ? faceStream : nullptr);
+}
+
+void rotateCells(vtkUnstructuredGrid* grid, vtkIdType first, vtkIdType middle, vtkIdType end)
+{
+  rotateTuples(grid->GetCellTypesArray(), first, middle, end);
+  rotateLists(grid->GetCells(), first, middle, end);
+  if (grid->GetFaceLocations())
+  {
+    rotateTuples(grid->GetFaceLocations(), first, middle, end);
+  }
 }
 
 const vtkIdType* faceStreamOf(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* /*scratch*/)

@@ -4,6 +4,7 @@
 
 #include "vtkType.h"
 
+class vtkAbstractArray;
 class vtkCellArray;
 class vtkIdList;
 class vtkIdTypeArray;
@@ -17,6 +18,12 @@ namespace cartesian
 // polyhedron. There, the number of faces is followed by the size and points of each.
 void setCells(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* types, vtkCellArray* cells,
   vtkIdTypeArray* faceStart, vtkIdTypeArray* faceStream);
+
+// Puts the cells from `middle` to `end` before those from `first` to `middle`; arrays of cell data stay as they are.
+void rotateCells(vtkUnstructuredGrid* grid, vtkIdType first, vtkIdType middle, vtkIdType end);
+
+// The same with the tuples of an array.
+void rotateTuples(vtkAbstractArray* array, vtkIdType first, vtkIdType middle, vtkIdType end);
 
 // The faces of a polyhedron: their number, then the size and points of each. Valid until `scratch` or the grid
 // changes.
