@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GhostCells.h"
 
-#include "Base/Error.h"
 #include "PolyhedronStorage.h"
 #include "Processes.h"
 
@@ -17,12 +16,10 @@
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
-#if VTK_MODULE_ENABLE_VTK_FiltersParallelDIY2
-#include "vtkGhostCellsGenerator.h"
-#endif
 
 #include <algorithm>
 #include <array>
+#include <unordered_map>
 
 namespace cartesian
 {
@@ -67,8 +64,15 @@ bool isIn(const vtkBoundingBox& box, const std::array<double, 3>& point)
   return true;
 }
 
-// Finds out which points another piece has too.
-std::vector<std::uint8_t> sharedPoints(vtkUnstructuredGrid* mesh, const Processes& processes)
+// Another process, and which of our points it has too.
+struct Neighbour
+{
+  std::size_t process;
+  std::vector<vtkIdType> points;
+};
+
+// In order of the processes.
+std::vector<Neighbour> neighbours(vtkUnstructuredGrid* mesh, const Processes& processes)
 {
   auto* ids = vtkIdTypeArray::SafeDownCast(mesh->GetPointData()->GetGlobalIds());
   const std::vector<vtkBoundingBox> boxes = overlaps(mesh, processes);
@@ -85,29 +89,37 @@ std::vector<std::uint8_t> sharedPoints(vtkUnstructuredGrid* mesh, const Processe
       names.push_back(static_cast<double>(ids->GetValue(p)));
     }
   }
-  std::vector<double> others;
-  const std::vector<std::vector<double>> all = processes.gather(names);
-  for (std::size_t i = 0; i < all.size(); ++i)
+  std::vector<Neighbour> found;
+  std::vector<std::vector<double>> all = processes.gather(names);
+  for (std::size_t process = 0; process < all.size(); ++process)
   {
-    if (i != processes.ownNumber())
+    std::vector<double>& theirs = all[process];
+    std::sort(theirs.begin(), theirs.end());
+    Neighbour neighbour{ process, {} };
+    for (std::size_t i = 0; process != processes.ownNumber() && i < candidates.size(); ++i)
     {
-      others.insert(others.end(), all[i].begin(), all[i].end());
+      if (std::binary_search(theirs.begin(), theirs.end(), names[i]))
+      {
+        neighbour.points.push_back(candidates[i]);
+      }
+    }
+    if (!neighbour.points.empty())
+    {
+      found.push_back(std::move(neighbour));
     }
   }
-  std::sort(others.begin(), others.end());
-  std::vector<std::uint8_t> isShared(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-  {
-    isShared[static_cast<std::size_t>(candidates[i])] =
-      std::binary_search(others.begin(), others.end(), names[i]) ? 1 : 0;
-  }
-  return isShared;
+  return found;
 }
 
-// The cells that may be ghosts elsewhere, or share a point with one.
-std::vector<vtkIdType> cellsNear(vtkUnstructuredGrid* mesh, const Processes& processes, int levels)
+// The cells that are ghosts there: with one of these points, or in a later layer with a point of the layer before.
+vtkSmartPointer<vtkUnstructuredGrid> ghostsOf(
+  vtkUnstructuredGrid* mesh, const std::vector<vtkIdType>& points, int levels)
 {
-  std::vector<std::uint8_t> isNear = sharedPoints(mesh, processes);
+  std::vector<std::uint8_t> isNear(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  for (const vtkIdType point : points)
+  {
+    isNear[static_cast<std::size_t>(point)] = 1;
+  }
   std::vector<vtkIdType> cells;
   for (int level = 0; level < levels; ++level)
   {
@@ -116,44 +128,25 @@ std::vector<vtkIdType> cellsNear(vtkUnstructuredGrid* mesh, const Processes& pro
     for (vtkIdType c = 0; c < mesh->GetNumberOfCells(); ++c)
     {
       vtkIdType count = 0;
-      const vtkIdType* points = nullptr;
-      mesh->GetCells()->GetCellAtId(c, count, points);
-      if (std::any_of(points, points + count,
+      const vtkIdType* corners = nullptr;
+      mesh->GetCells()->GetCellAtId(c, count, corners);
+      if (std::any_of(corners, corners + count,
             [&](vtkIdType p) { return before[static_cast<std::size_t>(p)] != 0; }))
       {
         cells.push_back(c);
         std::for_each(
-          points, points + count, [&](vtkIdType p) { isNear[static_cast<std::size_t>(p)] = 1; });
+          corners, corners + count, [&](vtkIdType p) { isNear[static_cast<std::size_t>(p)] = 1; });
       }
     }
   }
-  return cells;
+  vtkNew<vtkExtractCells> extract;
+  extract->SetInputData(mesh);
+  extract->SetCellIds(cells.data(), static_cast<vtkIdType>(cells.size()));
+  extract->AssumeSortedAndUniqueIdsOn();
+  extract->Update();
+  extract->GetOutput()->GetFieldData()->Initialize(); // that of the piece
+  return extract->GetOutput();
 }
-
-#if VTK_MODULE_ENABLE_VTK_FiltersParallelDIY2
-vtkSmartPointer<vtkUnstructuredGrid> withGhosts(
-  vtkUnstructuredGrid* mesh, const std::vector<vtkIdType>& cells, int levels)
-{
-  vtkNew<vtkExtractCells> near;
-  near->SetInputData(mesh);
-  near->SetCellIds(cells.data(), static_cast<vtkIdType>(cells.size()));
-  near->AssumeSortedAndUniqueIdsOn();
-  near->Update();
-  vtkNew<vtkGhostCellsGenerator> generator;
-  generator->SetInputData(near->GetOutput());
-  generator->SetNumberOfGhostLayers(levels);
-  generator->BuildIfRequiredOff();
-  generator->Update();
-  return vtkUnstructuredGrid::SafeDownCast(generator->GetOutputDataObject(0));
-}
-#else
-vtkSmartPointer<vtkUnstructuredGrid> withGhosts(
-  vtkUnstructuredGrid*, const std::vector<vtkIdType>&, int)
-{
-  throw Error(Fault::BadParameter,
-    "This VTK has no module FiltersParallelDIY2, which finds ghost cells: ask for none.");
-}
-#endif
 
 vtkUnsignedCharArray* addGhostArray(vtkDataSetAttributes* attributes, vtkIdType size)
 {
@@ -165,45 +158,45 @@ vtkUnsignedCharArray* addGhostArray(vtkDataSetAttributes* attributes, vtkIdType 
   return ghosts;
 }
 
-// Appends the points and cells that only `from` has to the mesh.
+// Appends the points and cells of other pieces to the mesh.
 class Appender
 {
 public:
-  Appender(
-    vtkUnstructuredGrid* mesh, vtkUnstructuredGrid* from, const std::vector<vtkIdType>& cells)
+  Appender(vtkUnstructuredGrid* mesh, const std::vector<Neighbour>& neighbours, std::size_t own)
     : mesh_(mesh)
-    , from_(from)
   {
     auto* ids = vtkIdTypeArray::SafeDownCast(mesh->GetPointData()->GetGlobalIds());
-    for (const vtkIdType cell : cells)
+    pointGhosts_ = addGhostArray(mesh->GetPointData(), mesh->GetNumberOfPoints());
+    for (const Neighbour& neighbour : neighbours)
     {
-      vtkIdType count = 0;
-      const vtkIdType* points = nullptr;
-      mesh->GetCells()->GetCellAtId(cell, count, points);
-      for (vtkIdType i = 0; i < count; ++i)
+      for (const vtkIdType point : neighbour.points)
       {
-        known_.emplace_back(ids->GetValue(points[i]), points[i]);
+        known_.emplace(ids->GetValue(point), point);
+        if (neighbour.process < own)
+        {
+          pointGhosts_->SetValue(point, vtkDataSetAttributes::DUPLICATEPOINT);
+        }
       }
     }
-    std::sort(known_.begin(), known_.end());
-    known_.erase(std::unique(known_.begin(), known_.end()), known_.end());
   }
 
-  void run()
+  void run(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& ghosts)
   {
-    vtkUnsignedCharArray* cells = from_->GetCellGhostArray();
-    vtkUnsignedCharArray* points = from_->GetPointGhostArray();
-    addPoints();
-    vtkUnsignedCharArray* pointGhosts =
-      addGhostArray(mesh_->GetPointData(), mesh_->GetNumberOfPoints());
-    for (vtkIdType p = 0; points && p < from_->GetNumberOfPoints(); ++p)
+    std::vector<std::vector<vtkIdType>> pointsOf;
+    for (const auto& from : ghosts)
     {
-      pointGhosts->SetValue(pointOf_[static_cast<std::size_t>(p)], points->GetValue(p));
+      pointsOf.push_back(addPoints(from));
     }
     const vtkIdType own = mesh_->GetNumberOfCells();
-    addCells(cells, false);
+    const auto addAll = [&](bool polyhedra) {
+      for (std::size_t i = 0; i < ghosts.size(); ++i)
+      {
+        addCells(ghosts[i], pointsOf[i], polyhedra);
+      }
+    };
+    addAll(false);
     const vtkIdType polyhedra = mesh_->GetNumberOfCells();
-    addCells(cells, true);
+    addAll(true);
     vtkUnsignedCharArray* cellGhosts =
       addGhostArray(mesh_->GetCellData(), mesh_->GetNumberOfCells());
     std::fill(cellGhosts->GetPointer(0) + own,
@@ -218,39 +211,41 @@ private:
     for (int i = 0; i < to->GetNumberOfArrays(); ++i)
     {
       vtkAbstractArray* array = to->GetAbstractArray(i);
-      array->InsertNextTuple(at, from->GetAbstractArray(array->GetName()));
-    }
-  }
-
-  void addPoints()
-  {
-    auto* ids = vtkIdTypeArray::SafeDownCast(from_->GetPointData()->GetGlobalIds());
-    pointOf_.resize(static_cast<std::size_t>(from_->GetNumberOfPoints()));
-    for (vtkIdType p = 0; p < from_->GetNumberOfPoints(); ++p)
-    {
-      const auto id = std::make_pair(ids->GetValue(p), vtkIdType(0));
-      const auto at = std::lower_bound(known_.begin(), known_.end(), id);
-      vtkIdType& point = pointOf_[static_cast<std::size_t>(p)];
-      if (at != known_.end() && at->first == id.first)
+      if (vtkAbstractArray* values = from->GetAbstractArray(array->GetName()))
       {
-        point = at->second;
-        continue;
+        array->InsertNextTuple(at, values);
       }
-      point = mesh_->GetPoints()->InsertNextPoint(from_->GetPoint(p));
-      appendTuple(p, from_->GetPointData(), mesh_->GetPointData());
     }
   }
 
-  // The ghosts that are polyhedra, or the others.
-  void addCells(vtkUnsignedCharArray* ghosts, bool arePolyhedra)
+  // Of each point there, that of the mesh.
+  std::vector<vtkIdType> addPoints(vtkUnstructuredGrid* from)
   {
-    for (vtkIdType c = 0; ghosts && c < from_->GetNumberOfCells(); ++c)
+    auto* ids = vtkIdTypeArray::SafeDownCast(from->GetPointData()->GetGlobalIds());
+    std::vector<vtkIdType> points;
+    for (vtkIdType p = 0; p < from->GetNumberOfPoints(); ++p)
     {
-      if (ghosts->GetValue(c) & vtkDataSetAttributes::DUPLICATECELL &&
-        (from_->GetCellType(c) == VTK_POLYHEDRON) == arePolyhedra)
+      const auto [at, isNew] = known_.emplace(ids->GetValue(p), mesh_->GetNumberOfPoints());
+      if (isNew)
       {
-        addCell(c);
-        appendTuple(c, from_->GetCellData(), mesh_->GetCellData());
+        mesh_->GetPoints()->InsertNextPoint(from->GetPoint(p));
+        appendTuple(p, from->GetPointData(), mesh_->GetPointData());
+        pointGhosts_->InsertNextValue(vtkDataSetAttributes::DUPLICATEPOINT);
+      }
+      points.push_back(at->second);
+    }
+    return points;
+  }
+
+  // Those that are polyhedra, or the others.
+  void addCells(vtkUnstructuredGrid* from, const std::vector<vtkIdType>& points, bool polyhedra)
+  {
+    for (vtkIdType c = 0; c < from->GetNumberOfCells(); ++c)
+    {
+      if ((from->GetCellType(c) == VTK_POLYHEDRON) == polyhedra)
+      {
+        addCell(from, c, points);
+        appendTuple(c, from->GetCellData(), mesh_->GetCellData());
       }
     }
   }
@@ -274,22 +269,22 @@ private:
     }
   }
 
-  void addCell(vtkIdType cell)
+  void addCell(vtkUnstructuredGrid* from, vtkIdType cell, const std::vector<vtkIdType>& points)
   {
     const auto rename = [&](vtkIdType i) {
-      ids_->SetId(i, pointOf_[static_cast<std::size_t>(ids_->GetId(i))]);
+      ids_->SetId(i, points[static_cast<std::size_t>(ids_->GetId(i))]);
     };
-    if (from_->GetCellType(cell) != VTK_POLYHEDRON)
+    if (from->GetCellType(cell) != VTK_POLYHEDRON)
     {
-      from_->GetCellPoints(cell, ids_);
+      from->GetCellPoints(cell, ids_);
       for (vtkIdType i = 0; i < ids_->GetNumberOfIds(); ++i)
       {
         rename(i);
       }
-      mesh_->InsertNextCell(from_->GetCellType(cell), ids_);
+      mesh_->InsertNextCell(from->GetCellType(cell), ids_);
       return;
     }
-    from_->GetFaceStream(cell, ids_);
+    from->GetFaceStream(cell, ids_);
     for (vtkIdType face = 0, at = 1; face < ids_->GetId(0); ++face)
     {
       const vtkIdType end = at + 1 + ids_->GetId(at);
@@ -302,9 +297,8 @@ private:
   }
 
   vtkUnstructuredGrid* mesh_;
-  vtkUnstructuredGrid* from_;
-  std::vector<std::pair<vtkIdType, vtkIdType>> known_; // global ids of points near others, points
-  std::vector<vtkIdType> pointOf_;                     // of each of from's
+  vtkUnsignedCharArray* pointGhosts_;
+  std::unordered_map<vtkIdType, vtkIdType> known_; // of global ids in several pieces, the point
   vtkNew<vtkIdList> ids_;
 };
 
@@ -312,8 +306,13 @@ private:
 
 void addGhostCells(vtkUnstructuredGrid* mesh, int levels, const Processes& processes)
 {
-  const std::vector<vtkIdType> cells = cellsNear(mesh, processes, levels);
-  Appender(mesh, withGhosts(mesh, cells, levels), cells).run();
+  const std::vector<Neighbour> others = neighbours(mesh, processes);
+  std::vector<vtkSmartPointer<vtkUnstructuredGrid>> ghosts;
+  for (const Neighbour& other : others)
+  {
+    ghosts.push_back(processes.exchange(ghostsOf(mesh, other.points, levels), other.process));
+  }
+  Appender(mesh, others, processes.ownNumber()).run(ghosts);
 }
 
 }

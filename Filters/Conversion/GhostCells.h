@@ -13,8 +13,8 @@ class Processes;
 // (section "Ghost" of VTK's vtkDataSetAttributes). Pieces have global ids, and the same coordinates for
 // points in common. All processes must call it.
 //
-// The ghost cells are those of vtkGhostCellsGenerator. As that filter searches all its cells, it only gets
-// those near other pieces.
+// The ghost cells are those of vtkGhostCellsGenerator. That filter compares all points of all outer faces; here,
+// the global ids tell which are in common.
 void addGhostCells(vtkUnstructuredGrid* mesh, int levels, const Processes& processes);
 
 }

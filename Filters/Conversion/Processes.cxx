@@ -15,6 +15,7 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <cstdint>
 
@@ -25,6 +26,7 @@ namespace
 {
 
 constexpr int FailureTag = 24240;
+constexpr int ExchangeTag = 24241;
 
 // Calls visit(surface, iterator) for the leaves, including null ones. Without blocks the iterator is null.
 template <class Visitor>
@@ -190,6 +192,24 @@ std::vector<std::vector<double>> Processes::gather(const std::vector<double>& mi
     rows.emplace_back(begin, begin + lengths[i]);
   }
   return rows;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> Processes::exchange(
+  vtkUnstructuredGrid* mine, std::size_t process) const
+{
+  const int other = static_cast<int>(process);
+  vtkNew<vtkUnstructuredGrid> theirs;
+  // In any order, two that send at once would wait for each other.
+  if (process > this->ownNumber())
+  {
+    controller_->Send(mine, other, ExchangeTag);
+  }
+  controller_->Receive(theirs, other, ExchangeTag);
+  if (process < this->ownNumber())
+  {
+    controller_->Send(mine, other, ExchangeTag);
+  }
+  return theirs;
 }
 
 void Processes::tellFailure() const

@@ -9,6 +9,7 @@
 
 class vtkDataObject;
 class vtkMultiProcessController;
+class vtkUnstructuredGrid;
 
 namespace cartesian
 {
@@ -31,6 +32,10 @@ public:
 
   // The sums over all processes, each of which has as many numbers.
   std::vector<double> sum(const std::vector<double>& mine) const;
+
+  // Gives a grid to another process for one of its; both must call this, and each its others in ascending order.
+  vtkSmartPointer<vtkUnstructuredGrid> exchange(
+    vtkUnstructuredGrid* mine, std::size_t process) const;
 
   // Tells the others that this process failed, so that they need not go on; all must call
   // forgetFailures() after they have gathered who failed.
