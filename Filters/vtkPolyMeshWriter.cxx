@@ -71,7 +71,8 @@ cartesian::FoamPiece ReadPiece(
   if (!piece.mesh.zones.empty() && regionsAs == vtkPolyMeshWriter::Meshes)
   {
     throw cartesian::Error(cartesian::Fault::BadParameter,
-      "A decomposed case has one mesh for all regions: set Regions As to Zones.");
+      "A decomposed case has one mesh for all regions: set Regions As to Zones; splitMeshRegions "
+      "-cellZones -parallel makes one for each of it.");
   }
   return piece;
 }

@@ -10,7 +10,7 @@ import numpy as np
 from paraview import simple
 
 import foam
-from slab import CONDUCTIVITY, slab
+from slab import CONDUCTIVITY, box, slab
 
 COLD, HOT = 300.0, 400.0                    # K, at x = 0 and x = 3
 TIMES = 400
@@ -116,3 +116,23 @@ alone = simple.Threshold(Input=simple.OutputPort(mesher, "Mesh"), Scalars=["CELL
 folder = foam.save(alone, pathlib.Path(temporary.name) / "alone")
 assert foam.Files(folder).cells == right.cells
 assert not (folder / "constant/polyMesh/cellZones").exists()
+
+# In pieces, that one mesh is decomposed; OpenFOAM splits it on all ranks into the meshes that are written whole.
+rod = simple.GroupDatasets(Input=[box([0, 0.27, 0.31], [3, 0.71, 0.69]), box([0, 0, 0], [3, 1, 1])],
+                           BlockNames=["gas", "solid"])
+mesher = simple.CartesianMesher(Input=rod, RegionsFrom="Blocks", BoundaryArray="Wall", CellSize=0.13)
+whole = foam.save(simple.OutputPort(mesher, "Mesh"), temporary.name + "/rod")
+case = foam.save(simple.OutputPort(mesher, "Mesh"), temporary.name + "/pieces", Pieces=3, RegionsAs="Zones")
+foam.run_parallel(case, 3, "splitMeshRegions", "-cellZones", "-overwrite")
+for region in "gas", "solid":
+    text = foam.run_parallel(case, 3, "checkMesh", "-region", region)
+    assert "Coupled point location match (average 0) OK" in text, text
+    alone, volumes, faces = foam.Files(whole, region), [], {}
+    for piece in range(3):
+        files = foam.Files(case / f"processor{piece}", region)
+        volumes += files.volumes().tolist() if files.cells else []
+        for name, (kind, _, count) in files.patches.items():
+            if kind != "processor":
+                faces[name] = faces.get(name, 0) + count
+    assert np.allclose(volumes, alone.volumes(), rtol=1e-12, atol=0)
+    assert faces == {name: count for name, (_, _, count) in alone.patches.items()}, (faces, alone.patches)
