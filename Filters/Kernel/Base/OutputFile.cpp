@@ -34,15 +34,33 @@ void OutputFile::flush()
   buffer_.clear();
 }
 
+namespace
+{
+
+void refuseFailure(const fs::path& path, std::error_code failure)
+{
+  if (failure)
+  {
+    throw Error(Fault::CannotWrite,
+      "Cannot write " + path.string() + " (" + failure.message() + "): choose another name.");
+  }
+}
+
+}
+
 void replaceFiles(const std::vector<fs::path>& paths,
   const std::function<void(const std::vector<fs::path>& unfinished)>& write)
 {
+  std::error_code failure;
   std::vector<fs::path> unfinished = paths;
   for (fs::path& path : unfinished)
   {
+    if (fs::is_directory(path, failure))
+    {
+      refuseFailure(path, std::make_error_code(std::errc::is_a_directory));
+    }
     path += ".unfinished";
   }
-  std::error_code failure;
   try
   {
     fs::create_directories(
@@ -51,12 +69,7 @@ void replaceFiles(const std::vector<fs::path>& paths,
     for (std::size_t i = 0; i < paths.size(); ++i)
     {
       fs::rename(unfinished[i], paths[i], failure);
-      if (failure)
-      {
-        throw Error(Fault::CannotWrite,
-          "Cannot write " + paths[i].string() + " (" + failure.message() +
-            "): choose another name.");
-      }
+      refuseFailure(paths[i], failure);
     }
   }
   catch (...)
