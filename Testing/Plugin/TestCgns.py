@@ -72,8 +72,9 @@ with tempfile.TemporaryDirectory() as temporary:
     for name in whole.patches:
         part = whole.of_patch(name)
         corners = whole.faces.corners[whole.faces.start[part.start]:whole.faces.start[part.stop]]
-        expected = whole.points[np.unique(corners)]
-        assert np.array_equal(np.unique(points(found[name][0]), axis=0), np.unique(expected, axis=0)), name
+        expected = {tuple(point) for point in whole.points[np.unique(corners)].tolist()}
+        # ParaView 5.13 has the other points of the zone too.
+        assert expected <= {tuple(point) for point in points(found[name][0]).tolist()}, name
 
     assert simple.CreateWriter("case.cgns", mesher).GetXMLLabel() == "CGNS Mesh Writer", "ParaView's has no boundaries"
     task = folder / "task.toml"
