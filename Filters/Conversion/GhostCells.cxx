@@ -183,6 +183,7 @@ public:
   void run(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& ghosts)
   {
     std::vector<std::vector<vtkIdType>> pointsOf;
+    pointsOf.reserve(ghosts.size());
     for (const auto& from : ghosts)
     {
       pointsOf.push_back(addPoints(from));
@@ -308,6 +309,7 @@ void addGhostCells(vtkUnstructuredGrid* mesh, int levels, const Processes& proce
 {
   const std::vector<Neighbour> others = neighbours(mesh, processes);
   std::vector<vtkSmartPointer<vtkUnstructuredGrid>> ghosts;
+  ghosts.reserve(others.size());
   for (const Neighbour& other : others)
   {
     ghosts.push_back(processes.exchange(ghostsOf(mesh, other.points, levels), other.process));
