@@ -20,6 +20,16 @@ namespace cartesian
 namespace
 {
 
+// Of a grid with cells of several types.
+vtkDataArray* typesOf(vtkUnstructuredGrid* grid)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  return grid->GetCellTypes();
+#else
+  return grid->GetCellTypesArray();
+#endif
+}
+
 // Of a cell array, each cell with its points.
 void rotateLists(vtkCellArray* lists, vtkIdType first, vtkIdType middle, vtkIdType end)
 {
@@ -116,7 +126,7 @@ void setCells(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* types, vtkCellArr
 
 void rotateCells(vtkUnstructuredGrid* grid, vtkIdType first, vtkIdType middle, vtkIdType end)
 {
-  rotateTuples(grid->GetCellTypesArray(), first, middle, end);
+  rotateTuples(typesOf(grid), first, middle, end);
   rotateLists(grid->GetCells(), first, middle, end);
   if (grid->GetPolyhedronFaceLocations())
   {
@@ -141,7 +151,7 @@ void setCells(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* types, vtkCellArr
 
 void rotateCells(vtkUnstructuredGrid* grid, vtkIdType first, vtkIdType middle, vtkIdType end)
 {
-  rotateTuples(grid->GetCellTypesArray(), first, middle, end);
+  rotateTuples(typesOf(grid), first, middle, end);
   rotateLists(grid->GetCells(), first, middle, end);
   if (grid->GetFaceLocations())
   {

@@ -19,7 +19,8 @@ namespace cartesian
 void setCells(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* types, vtkCellArray* cells,
   vtkIdTypeArray* faceStart, vtkIdTypeArray* faceStream);
 
-// Puts the cells from `middle` to `end` before those from `first` to `middle`; arrays of cell data stay as they are.
+// Puts the cells from `middle` to `end` before those from `first` to `middle`, which are of other types; arrays of cell
+// data stay as they are.
 void rotateCells(vtkUnstructuredGrid* grid, vtkIdType first, vtkIdType middle, vtkIdType end);
 
 // The same with the tuples of an array.

@@ -127,7 +127,7 @@ private:
   void sortFaces()
   {
     sortInnerFaces();
-    std::uint32_t face = static_cast<std::uint32_t>(mesh_.neighbour.size());
+    auto face = static_cast<std::uint32_t>(mesh_.neighbour.size());
     for (const FoamPatch& patch : mesh_.patches)
     {
       std::map<std::uint32_t, std::vector<std::uint32_t>> ofRegion;
