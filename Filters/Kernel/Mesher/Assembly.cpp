@@ -363,7 +363,7 @@ void requireCells(const Assembly& a, const Options& options)
 }
 
 std::unique_ptr<Assembly> assemble(
-  Boxes boxes, Patches patches, const Options& given, Execution& execution, const WallLift* lift)
+  Boxes boxes, Patches patches, const Options& given, Execution& execution, const WallLayerSpec* layers)
 {
   requireValidCells(given);
   const Options options = forWalls(given, patches.walls);
@@ -389,7 +389,7 @@ std::unique_ptr<Assembly> assemble(
   {
     execution.stage("Shaping of cells", AfterShortEdges, AfterShaping);
     a.shaping = shapeCells(a.boxes, a.patches, a.sides, a.nodes, a.inner, a.cells,
-      options.smallCells, options.shaping, options.patches.featureAngle, execution, lift);
+      options.smallCells, options.shaping, options.patches.featureAngle, execution, layers);
   }
   removeFragments(a, options, execution);
   a.nodes.warped = warpedHexahedra(a.boxes, a.sides, a.nodes, execution);

@@ -7,7 +7,7 @@
 #include "Boxes/Refinement.h"
 #include "Cells/SmallCellSpec.h"
 #include "Collapse/CollapseSpec.h"
-#include "Displacement/WallLayerSpec.h"
+#include "Surface/WallLayerSpec.h"
 #include "Lattice/Meshlines.h"
 #include "Parts/Slabs.h"
 #include "Patches/PatchSpec.h"

@@ -243,12 +243,12 @@ constexpr std::array<Shares, ShapingStages> SharesOfStages{ { { 0.35, 0.5, 0.2 }
   { 0.45, 0.6, 0.8 } } };
 
 void optimise(CellsToShape& whole, const std::vector<Slab>& slabs, double featureAngle,
-  const WallLift* lift, Execution& execution)
+  const WallLayerSpec* layers, Execution& execution)
 {
   const WallParts parts(
     whole.boxes, whole.patches, whole.sides, whole.nodes, whole.inner, whole.cells, whole.sideOf);
   for (const std::uint32_t cell :
-    optimiseNodes(parts, slabs, featureAngle, lift, whole.nodes, whole.cells, execution))
+    optimiseNodes(parts, slabs, featureAngle, layers, whole.nodes, whole.cells, execution))
   {
     whole.known.atFault[cell] = IsAtFault::Unknown;
   }
@@ -275,7 +275,7 @@ bool shapesCells(const SmallCellSpec& small, const ShapingSpec& spec)
 
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
   const InnerFaces& inner, Cells& cells, const SmallCellSpec& small, const ShapingSpec& spec,
-  double featureAngle, Execution& execution, const WallLift* lift)
+  double featureAngle, Execution& execution, const WallLayerSpec* layers)
 {
   const bool exact = isExact(patches);
   const std::uint32_t all = boxes.allLayers().end;
@@ -310,7 +310,7 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
     if (spec.optimiseNodes && !exact)
     {
       execution.nextLoop(shares.optimisation);
-      optimise(whole, slabs, featureAngle, lift, execution);
+      optimise(whole, slabs, featureAngle, layers, execution);
     }
     if (spec.splitConcave && spec.refusedCellRatio > 0 && !exact)
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Lifting/PrismStacks.h"
+#include "Layers/PrismStacks.h"
 
 #include "Polyhedra/CellGeometry.h"
 
@@ -73,12 +73,11 @@ private:
   std::size_t corners(std::size_t f) const { return wall_.corners(f); }
   std::size_t node(std::size_t f, std::size_t i) const { return wall_.node(f, i); }
 
-  // The mesh keeps the places of nodes with all of their layers.
   void moveNodes()
   {
-    for (std::size_t n = 0; n < wall_.parts.size(); ++n)
+    for (std::size_t n = 0; n < wall_.nodes(); ++n)
     {
-      if (wall_.isOnWall[n] && wall_.parts[n] < 1)
+      if (wall_.parts[n] > 0)
       {
         result_.moved.push_back({ wall_.faces.meshPoint[n], wall_.at(n, 1) });
       }
@@ -149,12 +148,12 @@ private:
   double thicknessOf(std::size_t f) const
   {
     const FaceGeometry face =
-      measureFace(corners(f), [&](std::size_t i) { return wall_.onWall[node(f, i)]; });
+      measureFace(corners(f), [&](std::size_t i) { return wall_.place[node(f, i)]; });
     double sum = 0;
     for (std::size_t i = 0; i < corners(f); ++i)
     {
       const std::size_t n = node(f, i);
-      sum += dot(minus(wall_.onWall[n], wall_.at(n, 1)), unit(face.area));
+      sum += dot(minus(wall_.place[n], wall_.at(n, 1)), unit(face.area));
     }
     return sum / static_cast<double>(corners(f));
   }

@@ -6,7 +6,7 @@
 // none above it: its prisms become wedges there, and a face all of whose nodes are such has no stack.
 #pragma once
 
-#include "Lifting/LayeredWall.h"
+#include "Layers/LayeredWall.h"
 
 namespace cartesian
 {
@@ -19,7 +19,7 @@ struct MovedPoint
 
 struct PrismStacks
 {
-  std::vector<MovedPoint> moved; // of the mesh, in order
+  std::vector<MovedPoint> moved; // of the mesh
 
   // Follow those of the mesh: points and cells are numbered on.
   std::vector<double> points;           // x, y, z

@@ -1,5 +1,5 @@
 // Boundary layers on the mesh of a displaced surface.
-#include "Lifting/BoundaryLayers.h"
+#include "Layers/BoundaryLayers.h"
 
 #include "Polyhedra/CellGeometry.h"
 #include "Support/Pipeline.h"
