@@ -12,24 +12,24 @@ namespace cartesian
 namespace
 {
 
-constexpr int Rings = 4; // of cells whose points follow
-constexpr int MostRounds = 40;
+constexpr int Rings = 4; // of cells whose points follow the wall
 constexpr double Thinned = 0.5;
-constexpr double LeastPart = 0.2; // thinner ones end
-constexpr double Slope = 0.6;     // of parts, from node to node of a face
+constexpr int ThinningRounds = 20; // afterwards layers at fault end at once
+constexpr double LeastPart = 0.2;  // thinner ones end
+constexpr double Slope = 0.8; // of parts, from node to node of a face: layers end over two columns
 
 constexpr std::uint32_t OfCells = 1U << Volume | 1U << Openness | 1U << OpenEdges;
-constexpr std::uint32_t OfFaces =
-  1U << BoundaryAngle | 1U << NonOrthogonality | 1U << Skewness;
+constexpr std::uint32_t OfFaces = 1U << BoundaryAngle | 1U << NonOrthogonality | 1U << Skewness;
+constexpr double WrongAngle = 89.9; // InnerAngle of a face whose pyramid has no volume
+
 // A cell that had less of its volume than this part hardly had any to compare with.
 constexpr double LeastFormer = 1e-3;
-constexpr double WrongAngle = 89.9; // InnerAngle of a face whose pyramid has no volume
 
 class LayerMaker
 {
 public:
-  LayerMaker(const OutputMesh& mesh, const std::vector<double>& points,
-    std::vector<double> heights, LayeredWall& wall, Execution& execution)
+  LayerMaker(const OutputMesh& mesh, const std::vector<double>& points, std::vector<double> heights,
+    LayeredWall& wall, Execution& execution)
     : mesh_(mesh)
     , before_(points)
     , heights_(std::move(heights))
@@ -46,59 +46,64 @@ public:
     {
       wall_.parts[n] = 0;
     }
-    smooth();
-    findFormerFaults();
+    former_ = faultsOf(near_.cells, before_);
     for (int round = 0;; ++round)
     {
+      execution_.reach(1 - 1 / (1 + 0.3 * double(round)));
+      smooth();
       stack();
-      if (!lowerAtFaults(round) || round == MostRounds)
+      if (!lowerAtFaults(round < ThinningRounds ? Thinned : 0))
       {
         break;
       }
-      smooth();
     }
     listChanged();
     return std::move(result_);
   }
 
 private:
+  // What solvers refuse.
+  struct Faults
+  {
+    FaceList list;
+    std::vector<std::uint8_t> face; // of each face of the cells, as its owner has it
+    std::vector<std::uint8_t> cell;
+    std::vector<std::uint8_t>
+      isLong; // cells of which only the aspect ratio is at fault: thinner is no better
+  };
+
+  Faults faultsOf(const CellFaces& cells, const std::vector<double>& points) const
+  {
+    Faults faults;
+    faults.list = listFaces(cells, points.size() / 3, Clashes::AreBoundary, execution_);
+    const Quality quality = measureQuality(points.data(), cells, faults.list, execution_);
+    faults.face.resize(cells.faceCount());
+    for (std::size_t f = 0; f < faults.list.face.size(); ++f)
+    {
+      faults.face[faults.list.face[f]] =
+        (quality.faceFailures[f] & OfFaces) != 0 || !(quality.faces[InnerAngle][f] < WrongAngle);
+    }
+    for (const std::uint32_t failures : quality.cellFailures)
+    {
+      faults.cell.push_back((failures & OfCells) != 0);
+      faults.isLong.push_back((failures & 1U << AspectRatio) != 0);
+    }
+    return faults;
+  }
+
   void stack()
   {
     result_.stacks = stackPrisms(mesh_, wall_, heights_);
-    motion_.run(wall_);
+    motion_.run();
     for (std::size_t i = 0; i < motion_.moving().size(); ++i)
     {
-      const std::uint32_t p = motion_.moving()[i];
-      if (const Vector& way = motion_.ways()[i]; way != Vector{})
+      const Id p = motion_.moving()[i];
+      if (const Vector& way = motion_.way(i); way != Vector{})
       {
-        const double* const at = &before_[3 * std::size_t(p)];
-        result_.stacks.moved.push_back({ Id(p), plus(Vector{ at[0], at[1], at[2] }, way) });
+        const double* const at = &before_[3 * static_cast<std::size_t>(p)];
+        result_.stacks.moved.push_back({ p, plus(Vector{ at[0], at[1], at[2] }, way) });
       }
     }
-  }
-
-  std::vector<double> volumes(const std::vector<double>& points) const
-  {
-    const CellFaces& cells = near_.cells;
-    std::vector<double> result(near_.places.size());
-    std::vector<FaceGeometry> faces;
-    for (std::size_t c = 0; c < result.size(); ++c)
-    {
-      faces.clear();
-      for (std::size_t f = cells.firstFace[c]; f < cells.firstFace[c + 1]; ++f)
-      {
-        faces.push_back(measureFace(
-          cells.firstCorner[f + 1] - cells.firstCorner[f], [&](std::size_t i) -> Vector {
-            const double* const at =
-              &points[3 * std::size_t(cells.corners[cells.firstCorner[f] + i])];
-            return { at[0], at[1], at[2] };
-          }));
-      }
-      result[c] = measureCell(faces.size(), [&](std::size_t i) -> const FaceGeometry& {
-        return faces[i];
-      }).volume;
-    }
-    return result;
   }
 
   std::vector<double> pointsNow() const
@@ -112,78 +117,49 @@ private:
     return points;
   }
 
-  static bool isAtFault(const Quality& quality, std::size_t f)
-  {
-    return (quality.faceFailures[f] & OfFaces) != 0 || !(quality.faces[InnerAngle][f] < WrongAngle);
-  }
-
-  // Of the mesh without layers.
-  void findFormerFaults()
-  {
-    const CellFaces& cells = near_.cells;
-    const FaceList list = listFaces(cells, before_.size() / 3, Clashes::AreBoundary, execution_);
-    const Quality quality = measureQuality(before_.data(), cells, list, execution_);
-    wasAtFault_.assign(cells.faceCount(), 0);
-    for (std::size_t f = 0; f < list.face.size(); ++f)
-    {
-      wasAtFault_[list.face[f]] = isAtFault(quality, f);
-    }
-    cellWasAtFault_.assign(cells.cellCount(), 0);
-    for (std::size_t c = 0; c < cells.cellCount(); ++c)
-    {
-      cellWasAtFault_[c] = (quality.cellFailures[c] & OfCells) != 0;
-    }
-  }
-
   // Whether any part is lower than it was.
-  bool lowerAtFaults(int round)
+  bool lowerAtFaults(double factor)
   {
     CellFaces cells = near_.cells;
     for (const Id start : result_.stacks.faceStart)
     {
       addPolyhedron(cells, &result_.stacks.faceStream[static_cast<std::size_t>(start)]);
     }
-    const std::vector<double> points = pointsNow();
-    const FaceList list = listFaces(cells, points.size() / 3, Clashes::AreBoundary, execution_);
-    const Quality quality = measureQuality(points.data(), cells, list, execution_);
+    const Faults faults = faultsOf(cells, pointsNow());
     next_ = wall_.parts;
-    std::size_t inMesh = 0, between = 0, inStack = 0, ofCell = 0;
-    for (std::size_t f = 0; f < list.face.size(); ++f)
+    isStuck_.assign(wall_.nodes(), 0);
+    for (std::size_t f = 0; f < faults.list.face.size(); ++f)
     {
-      if (!isAtFault(quality, f))
-      {
-        continue;
-      }
-      const bool isInner = f < list.neighbour.size();
-      const std::size_t count = near_.places.size();
-      const bool isOfMesh =
-        list.owner[f] < count && !(isInner && list.neighbour[f] >= count);
-      if (isOfMesh && wasAtFault_[list.face[f]])
-      {
-        continue;
-      }
-      const bool isBetween = isInner && isBetweenStacks(list.owner[f], list.neighbour[f]);
-      ++(isOfMesh ? inMesh : isBetween ? between : inStack);
-      lowerAtFace(cells, list.face[f], isBetween ? 0 : Thinned);
+      lowerAtListed(cells, faults, f, factor);
     }
     for (std::size_t c = 0; c < cells.cellCount(); ++c)
     {
-      if ((quality.cellFailures[c] & OfCells) == 0 ||
-        (c < cellWasAtFault_.size() && cellWasAtFault_[c]))
+      const bool isOfMesh = c < near_.places.size();
+      const bool isNew = faults.cell[c] && !(isOfMesh && former_.cell[c]);
+      const bool isLong = faults.isLong[c] && !(isOfMesh && former_.isLong[c]);
+      for (std::size_t f = cells.firstFace[c]; (isNew || isLong) && f < cells.firstFace[c + 1]; ++f)
       {
-        continue;
-      }
-      ++ofCell;
-      for (std::size_t f = cells.firstFace[c]; f < cells.firstFace[c + 1]; ++f)
-      {
-        lowerAtFace(cells, f, Thinned);
+        lowerAtFace(cells, f, isNew ? factor : 0);
       }
     }
-    if (getenv("LAYDBG"))
-      fprintf(stderr, "round %d: mesh %zu between %zu stack %zu cells %zu\n", round, inMesh, between, inStack, ofCell);
+    lowerAroundStuck(factor);
     const bool lowered = next_ != wall_.parts;
     wall_.parts = std::move(next_);
     return lowered;
+  }
+
+  // A face that was at fault before there were layers may be so.
+  void lowerAtListed(const CellFaces& cells, const Faults& faults, std::size_t f, double factor)
+  {
+    const std::uint32_t face = faults.list.face[f];
+    const std::uint32_t owner = faults.list.owner[f];
+    const bool isInner = f < faults.list.neighbour.size();
+    const std::uint32_t other = isInner ? faults.list.neighbour[f] : owner;
+    const bool isOfMesh = std::max(owner, other) < near_.places.size();
+    if (faults.face[face] && !(isOfMesh && former_.face[face]))
+    {
+      lowerAtFace(cells, face, isBetweenStacks(owner, other) ? 0 : factor);
+    }
   }
 
   bool isBetweenStacks(std::uint32_t c, std::uint32_t d) const
@@ -195,23 +171,60 @@ private:
 
   void lowerAtFace(const CellFaces& cells, std::size_t f, double factor)
   {
+    bool any = false;
     for (std::size_t i = cells.firstCorner[f]; i < cells.firstCorner[f + 1]; ++i)
     {
       const std::size_t n = nodeOf(cells.corners[i]);
-      if (n == None)
+      any = (n != None && lower(n, factor)) || any;
+    }
+    for (std::size_t i = cells.firstCorner[f]; !any && i < cells.firstCorner[f + 1]; ++i)
+    {
+      if (const std::size_t n = nodeOf(cells.corners[i]); n != None)
       {
-        continue;
+        isStuck_[n] = 1;
       }
-      const double part = factor * wall_.parts[n];
-      next_[n] = std::min(next_[n], part < LeastPart ? 0 : part);
+    }
+  }
+
+  bool lower(std::size_t n, double factor)
+  {
+    const double part = factor * wall_.parts[n];
+    next_[n] = std::min(next_[n], part < LeastPart ? 0 : part);
+    return wall_.parts[n] > 0;
+  }
+
+  // What is at fault where no layers are, comes from those that are nearest.
+  void lowerAroundStuck(double factor)
+  {
+    for (bool grows = std::find(isStuck_.begin(), isStuck_.end(), 1) != isStuck_.end(); grows;)
+    {
+      grows = false;
+      bool lowered = false;
+      const std::vector<std::uint8_t> stuck = isStuck_;
+      for (std::size_t f = 0; f < wall_.layered.size(); ++f)
+      {
+        bool any = false;
+        for (std::size_t i = 0; i < wall_.corners(f); ++i)
+        {
+          any = any || stuck[wall_.node(f, i)];
+        }
+        for (std::size_t i = 0; any && i < wall_.corners(f); ++i)
+        {
+          const std::size_t n = wall_.node(f, i);
+          lowered = lower(n, factor) || lowered;
+          grows = grows || !isStuck_[n];
+          isStuck_[n] = 1;
+        }
+      }
+      grows = grows && !lowered;
     }
   }
 
   // The wall's node at, below or nearest to a point, or None.
   std::size_t nodeOf(std::uint32_t point) const
   {
-    return point >= near_.origin.size() ? result_.stacks.nodeOfPoint[point - near_.origin.size()]
-                                        : near_.origin[point];
+    return point < near_.origin.size() ? near_.origin[point]
+                                       : result_.stacks.nodeOfPoint[point - near_.origin.size()];
   }
 
   // Until no part is higher than the slope allows: the same whatever the order.
@@ -239,8 +252,8 @@ private:
 
   void listChanged()
   {
-    const std::vector<double> former = volumes(before_);
-    const std::vector<double> now = volumes(pointsNow());
+    const std::vector<double> former = volumesOf(near_.cells, before_);
+    const std::vector<double> now = volumesOf(near_.cells, pointsNow());
     for (std::size_t c = 0; c < now.size(); ++c)
     {
       if (now[c] != former[c] && former[c] > LeastFormer * now[c])
@@ -257,9 +270,9 @@ private:
   Execution& execution_;
   const NearCells near_;
   NodeMotion motion_;
-  std::vector<std::uint8_t> wasAtFault_; // of their faces, before there were layers
-  std::vector<std::uint8_t> cellWasAtFault_;
-  std::vector<double> next_; // parts
+  Faults former_;                     // of the near cells, before there were layers
+  std::vector<double> next_;          // parts
+  std::vector<std::uint8_t> isStuck_; // nodes near faults, none of which has layers
   BoundaryLayers result_;
 };
 
@@ -271,9 +284,9 @@ BoundaryLayers addLayers(const OutputMesh& mesh, const Surface& surface, const W
   std::vector<double> points(3 * static_cast<std::size_t>(mesh.pointCount()));
   mesh.writePoints(points.data(), execution);
   LayeredWall wall = findLayeredWall(mesh, points, spec, thickness, execution);
+  spreadWays(wall, thickness);
   keepFromOpposite(wall, surface, execution);
-  BoundaryLayers layers =
-    LayerMaker(mesh, points, heightsOfLayers(spec), wall, execution).run();
+  BoundaryLayers layers = LayerMaker(mesh, points, heightsOfLayers(spec), wall, execution).run();
   layers.spec = spec;
   layers.thickness = thickness;
   return layers;

@@ -2,11 +2,10 @@
 // Boundary layers on a finished mesh: its wall nodes move inwards, the points near them follow (NodeMotion.h), and
 // stacks of prisms fill the gap (PrismStacks.h).
 //
-// Where solvers would refuse a cell that they accepted before, or one of the layers, these become thinner or end. In
-// each round the mesh near the wall is measured (QualityMeasures.h). The nodes of each face at fault, or those nearest
-// to it, have half as much of the layers as before, in the end none, at once if the fault is between two stacks: these
-// cannot mend by being thinner. Neighbours then have at most Slope of the full thickness more. With layers
-// nowhere the mesh is what it was: so there is always an end.
+// Where solvers would refuse a face or a cell that they accepted before, or one of the layers, these become thinner
+// or end. In each round the mesh near the wall is measured (QualityMeasures.h). The nodes of each face at fault, or those
+// nearest to it, have half as much of the layers as before, in the end none; at once if the fault is between two
+// stacks, as these cannot mend by being thinner. With layers nowhere the mesh is what it was: so there is an end.
 #pragma once
 
 #include "Layers/PrismStacks.h"

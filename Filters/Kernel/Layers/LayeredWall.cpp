@@ -14,6 +14,8 @@ namespace
 {
 
 constexpr double PartOfTheWay = 1.0 / 3; // to what lies opposite
+constexpr double SinOfOnePlane = 0.1;    // normals that differ by less tell the same
+constexpr double SinOfSharpEdge = 0.7;   // ... about the way of a node
 constexpr std::size_t NodesAChunk = 256;
 
 class WallFinder
@@ -78,14 +80,19 @@ private:
   {
     wall_.way.assign(wall_.nodes(), Vector{});
     wall_.fixed.resize(wall_.nodes());
+    wall_.across.resize(wall_.nodes());
     wall_.parts.assign(wall_.nodes(), 0);
     execution.forEach(wall_.nodes(), NodesAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n)
       {
-        wall_.fixed[n] = independentNormals(others_[n]);
+        wall_.fixed[n] = independentNormals(others_[n], SinOfOnePlane);
         if (wall_.isOnWall[n])
         {
           wall_.way[n] = scaled(meetingPoint(facets_[n], wall_.fixed[n]), thickness_);
+          std::vector<Facet> all = others_[n];
+          all.push_back({ unit(wall_.way[n]), 1 });
+          all.insert(all.end(), facets_[n].begin(), facets_[n].end());
+          wall_.across[n] = independentNormals(all, SinOfSharpEdge);
           wall_.parts[n] = norm(wall_.way[n]) > 0 ? 1 : 0;
         }
       }

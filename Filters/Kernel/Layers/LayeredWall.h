@@ -10,10 +10,11 @@ namespace cartesian
 
 struct LayeredWall
 {
-  BoundaryMesh faces;                 // of the mesh without layers
-  std::vector<std::uint8_t> layered;  // of each face
-  std::vector<std::uint8_t> isOnWall; // of each node, an index in faces.meshPoint: it is of a layered face
-  std::vector<Vector> place;          // of each node, in user units
+  BoundaryMesh faces;                // of the mesh without layers
+  std::vector<std::uint8_t> layered; // of each face
+  std::vector<std::uint8_t>
+    isOnWall;                // of each node, an index in faces.meshPoint: it is of a layered face
+  std::vector<Vector> place; // of each node, in user units
 
   // Of each node on the wall, the way inwards through all layers, to where the planes of the faces around it meet
   // (OffsetPlanes.h); it is within the planes of boundaries without layers. Others: 0.
@@ -21,6 +22,9 @@ struct LayeredWall
 
   // Of each node, the normals of the planes of boundaries without layers around it (orthogonal): where it may slide.
   std::vector<std::vector<Vector>> fixed;
+
+  // ... of each node on the wall, those across which its way is certain: others come from nodes beside it.
+  std::vector<std::vector<Vector>> across;
 
   // Of its way, how much layers take; the mesh's point moves to there. 0: it has none.
   std::vector<double> parts;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Layers/NearCells.h"
 
+#include "Polyhedra/CellGeometry.h"
+
 #include <algorithm>
 
 namespace cartesian
@@ -171,6 +173,28 @@ void addPolyhedron(CellFaces& cells, const Id* stream)
     cells.firstCorner.push_back(cells.corners.size());
   }
   cells.firstFace.push_back(cells.faceCount());
+}
+
+std::vector<double> volumesOf(const CellFaces& cells, const std::vector<double>& points)
+{
+  std::vector<double> result(cells.cellCount());
+  std::vector<FaceGeometry> faces;
+  for (std::size_t c = 0; c < result.size(); ++c)
+  {
+    faces.clear();
+    for (std::size_t f = cells.firstFace[c]; f < cells.firstFace[c + 1]; ++f)
+    {
+      const std::uint32_t* const corners = &cells.corners[cells.firstCorner[f]];
+      faces.push_back(
+        measureFace(cells.firstCorner[f + 1] - cells.firstCorner[f], [&](std::size_t i) -> Vector {
+          const double* const at = &points[3 * static_cast<std::size_t>(corners[i])];
+          return { at[0], at[1], at[2] };
+        }));
+    }
+    const auto face = [&](std::size_t i) -> const FaceGeometry& { return faces[i]; };
+    result[c] = measureCell(faces.size(), face).volume;
+  }
+  return result;
 }
 
 NearCells findNearCells(

@@ -3,43 +3,40 @@
 // more than others.
 #pragma once
 
+#include "Layers/HarmonicField.h"
 #include "Layers/NearCells.h"
 
 namespace cartesian
 {
 
-// The ways of points are harmonic on the graph of the mesh's edges, whose weights are the reciprocals of their lengths:
-// along a row of points they fall linearly from the wall's to 0 at points that do not move. Those on planes of
-// boundaries without layers slide within them.
+// Spreads the ways of the wall's nodes along it: what the planes around a node do not tell about its way comes from
+// nodes beside it, and fades away over some thicknesses. So nodes near a sharp edge make room for those on it.
+void spreadWays(LayeredWall& wall, double thickness);
+
+// The ways of points are harmonic on the graph of the mesh's edges, whose weights are the reciprocals of their
+// lengths: along a row of points they fall linearly from the wall's to 0 at points that do not move. Those on planes
+// of boundaries without layers slide within them.
 class NodeMotion
 {
 public:
+  // Borrows the wall.
   NodeMotion(const NearCells& near, const LayeredWall& wall, const std::vector<double>& points);
 
-  // The ways of the points that may move, as the wall's parts are now; starts from the ways before. The same bits
-  // for any number of threads.
-  void run(const LayeredWall& wall);
+  // As the wall's parts are now; from the ways before.
+  void run();
 
-  const std::vector<std::uint32_t>& moving() const { return moving_; } // points of the mesh, in order
-  const std::vector<Vector>& ways() const { return ways_; }
+  const std::vector<std::uint32_t>& moving() const
+  {
+    return moving_;
+  } // points of the mesh, in order
+  const Vector& way(std::size_t i) const { return field_.values()[i]; } // of each
 
 private:
-  struct Link
-  {
-    std::uint32_t to; // of moving_; or a node of the wall, beyond these
-    double weight;
-  };
+  void makeField(const NearCells& near, const std::vector<double>& points);
 
-  void listLinks(const NearCells& near, const std::vector<double>& points);
-  std::vector<Vector> residual(const LayeredWall& wall) const;
-  Vector within(std::size_t i, const Vector& v) const;
-
+  const LayeredWall& wall_;
   std::vector<std::uint32_t> moving_;
-  std::vector<Vector> ways_;
-  std::vector<std::size_t> firstLink_; // of each, and the end
-  std::vector<Link> links_;
-  std::vector<double> sums_; // of the weights
-  std::vector<const std::vector<Vector>*> fixed_; // normals of planes, or null
+  HarmonicField field_; // of these, then of the wall's nodes
 };
 
 }

@@ -12,7 +12,8 @@ namespace cartesian
 namespace
 {
 
-constexpr double Height = 0.4; // of the box's edge
+constexpr double Height = 0.4;        // of the box's edge
+constexpr double SinOfOnePlane = 0.1; // normals that differ by less tell the same
 
 struct EdgeOfFace
 {
@@ -76,7 +77,8 @@ private:
       {
         faces.push_back(f);
         const double edge = std::cbrt(m_.volumeOfBox[m_.cells[f][0]]);
-        forEachCorner(f, [&](std::uint32_t n) { edges[n] = edges[n] > 0 ? std::min(edges[n], edge) : edge; });
+        forEachCorner(
+          f, [&](std::uint32_t n) { edges[n] = edges[n] > 0 ? std::min(edges[n], edge) : edge; });
       }
     }
     offsets_.assign(m_.at.size(), Vector{});
@@ -87,7 +89,8 @@ private:
         if (offsets_[n] == Vector{})
         {
           offsets_[n] =
-            scaled(meetingPoint(facets[n], independentNormals(others[n])), Height * edges[n]);
+            scaled(meetingPoint(facets[n], independentNormals(others[n], SinOfOnePlane)),
+              Height * edges[n]);
         }
         all = all && norm(offsets_[n]) > 0;
       });

@@ -4,8 +4,8 @@
 // wrong with a stack of prisms, is wrong with the polygon below.
 #pragma once
 
-#include "Surface/WallLayerSpec.h"
 #include "Optimisation/WallMesh.h"
+#include "Surface/WallLayerSpec.h"
 
 namespace cartesian
 {

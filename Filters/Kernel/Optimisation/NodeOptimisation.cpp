@@ -647,7 +647,8 @@ void write(const WallMesh& mesh, Nodes& nodes, Cells& cells)
 }
 
 std::vector<std::uint32_t> optimiseNodes(const WallParts& parts, const std::vector<Slab>& slabs,
-  double featureAngle, const WallLayerSpec* layers, Nodes& nodes, Cells& cells, Execution& execution)
+  double featureAngle, const WallLayerSpec* layers, Nodes& nodes, Cells& cells,
+  Execution& execution)
 {
   std::vector<std::vector<std::uint32_t>> changed(slabs.size());
   execution.forEach(slabs.size(), 1, [&](std::size_t s, std::size_t) {

@@ -8,8 +8,8 @@
 // of a mesh. Like the smoothing of other meshers, but with one objective, and never along anything but the surface.
 #pragma once
 
-#include "Surface/WallLayerSpec.h"
 #include "Optimisation/WallMesh.h"
+#include "Surface/WallLayerSpec.h"
 
 namespace cartesian
 {
@@ -18,6 +18,7 @@ namespace cartesian
 // Returns the cells of polyhedral boxes that changed. `featureAngle` in degrees: edges of the boundary that turn by more
 // stay. `layers`: that some walls will have, or null.
 std::vector<std::uint32_t> optimiseNodes(const WallParts& parts, const std::vector<Slab>& slabs,
-  double featureAngle, const WallLayerSpec* layers, Nodes& nodes, Cells& cells, Execution& execution);
+  double featureAngle, const WallLayerSpec* layers, Nodes& nodes, Cells& cells,
+  Execution& execution);
 
 }

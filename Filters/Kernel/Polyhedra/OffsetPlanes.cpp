@@ -40,13 +40,13 @@ void addFacet(std::vector<Facet>& facets, const Vector& normal, double angle)
   facets.push_back({ normal, angle });
 }
 
-std::vector<Vector> independentNormals(const std::vector<Facet>& facets)
+std::vector<Vector> independentNormals(const std::vector<Facet>& facets, double sine)
 {
   std::vector<Vector> normals;
   for (const Facet& facet : facets)
   {
     const Vector rest = within(normals, facet.normal);
-    if (norm(rest) > 2 * SinOfOnePlane && normals.size() < 3)
+    if (norm(rest) > sine && normals.size() < 3)
     {
       normals.push_back(unit(rest));
     }

@@ -20,8 +20,9 @@ struct Facet
 // Adds it to the facets around a corner. Those of about one plane count once, with all their angle.
 void addFacet(std::vector<Facet>& facets, const Vector& normal, double angle);
 
-// The normals that independent of each other, at most three, orthogonal and of length 1.
-std::vector<Vector> independentNormals(const std::vector<Facet>& facets);
+// The normals that differ from each other and from their sums, at most three, orthogonal and of length 1. `sine`: of
+// the least angle.
+std::vector<Vector> independentNormals(const std::vector<Facet>& facets, double sine);
 
 // What is left of a vector within planes of orthogonal normals.
 Vector within(const std::vector<Vector>& normals, Vector v);

@@ -8,6 +8,7 @@
 #include "Shaping/PartTransfer.h"
 #include "Shaping/RefusedCells.h"
 #include "Shaping/TipRemoval.h"
+#include "Shaping/WallJoining.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,13 +60,14 @@ class Shaper
 public:
   // `isLast`: no other slab looks at cells after this one.
   Shaper(CellComplex& complex, const SmallCellSpec& small, const ShapingSpec& spec, bool exact,
-    bool isLast, Execution& execution)
+    bool isLast, const WallLayerSpec* layers, Execution& execution)
     : complex_(complex)
     , small_(small)
     , spec_(spec)
     , exact_(exact)
     , isLast_(isLast)
     , merges_(small.handling == SmallCells::Merge)
+    , layers_(layers)
     , execution_(execution)
     , mergeSpec_(mergeSpecOf(spec, merges_, exact))
     , merger_(complex, mergeSpec_, execution)
@@ -87,6 +89,7 @@ public:
     execution_.stage("Improving", 0.7, 1);
     improve();
     removeSmall(1);
+    joinWalls();
     return result();
   }
 
@@ -123,10 +126,20 @@ public:
       removeSmall(1);
     }
     removeTips();
+    joinWalls();
     return result();
   }
 
 private:
+  // Where layers will stand.
+  void joinWalls()
+  {
+    if (layers_ && !exact_)
+    {
+      cartesian::joinWalls(complex_, merger_.lookedAfter(isLast_), *layers_, execution_);
+    }
+  }
+
   // What cannot be merged is small beyond use.
   void removeSmall(double most)
   {
@@ -224,6 +237,7 @@ private:
   bool exact_;
   bool isLast_;
   bool merges_;
+  const WallLayerSpec* layers_; // or null
   Execution& execution_;
   MergeSpec mergeSpec_;
   CellMerger merger_;
@@ -300,7 +314,7 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
         const auto count = static_cast<double>(slabs.size());
         Execution alone = execution.alone(double(s) / count, double(s + 1) / count);
         complexes[s] = std::make_unique<CellComplex>(whole, slabs[s]);
-        Shaper shaper(*complexes[s], small, spec, exact, isLast, alone);
+        Shaper shaper(*complexes[s], small, spec, exact, isLast, layers, alone);
         shapings[s] = shape(shaper);
       });
       sum = std::accumulate(shapings.begin(), shapings.end(), sum);

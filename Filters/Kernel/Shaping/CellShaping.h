@@ -4,9 +4,9 @@
 #pragma once
 
 #include "Cells/Cells.h"
-#include "Surface/WallLayerSpec.h"
 #include "Shaping/RemovedCell.h"
 #include "Shaping/ShapingSpec.h"
+#include "Surface/WallLayerSpec.h"
 
 namespace cartesian
 {
