@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Layers/BoundaryLayers.h"
 
+#include "Layers/LayerFaults.h"
 #include "Layers/NodeMotion.h"
-#include "Quality/QualityMeasures.h"
 
 #include <algorithm>
 
@@ -12,15 +12,12 @@ namespace cartesian
 namespace
 {
 
-constexpr int Rings = 4; // of cells whose points follow the wall
+constexpr int Rings = 4;           // of cells whose points follow the wall
+constexpr double LeastMove = 1e-3; // of the longest way: others change no measure much
 constexpr double Thinned = 0.5;
 constexpr int ThinningRounds = 20; // afterwards layers at fault end at once
 constexpr double LeastPart = 0.2;  // thinner ones end
 constexpr double Slope = 0.8; // of parts, from node to node of a face: layers end over two columns
-
-constexpr std::uint32_t OfCells = 1U << Volume | 1U << Openness | 1U << OpenEdges;
-constexpr std::uint32_t OfFaces = 1U << BoundaryAngle | 1U << NonOrthogonality | 1U << Skewness;
-constexpr double WrongAngle = 89.9; // InnerAngle of a face whose pyramid has no volume
 
 // A cell that had less of its volume than this part hardly had any to compare with.
 constexpr double LeastFormer = 1e-3;
@@ -37,6 +34,8 @@ public:
     , execution_(execution)
     , near_(findNearCells(mesh, wall, Rings, execution))
     , motion_(near_, wall, points)
+    , faults_(near_, points, execution)
+    , longestWay_(longestWay(wall))
   {
   }
 
@@ -46,51 +45,25 @@ public:
     {
       wall_.parts[n] = 0;
     }
-    former_ = faultsOf(near_.cells, before_);
+    // At last all is measured, as what hardly moves was left out.
+    bool all = true;
     for (int round = 0;; ++round)
     {
       execution_.reach(1 - 1 / (1 + 0.3 * double(round)));
       smooth();
       stack();
-      if (!lowerAtFaults(round < ThinningRounds ? Thinned : 0))
+      const bool lowered = lowerAtFaults(all, round < ThinningRounds ? Thinned : 0);
+      if (!lowered && (all || round == 0))
       {
         break;
       }
+      all = !lowered;
     }
     listChanged();
     return std::move(result_);
   }
 
 private:
-  // What solvers refuse.
-  struct Faults
-  {
-    FaceList list;
-    std::vector<std::uint8_t> face; // of each face of the cells, as its owner has it
-    std::vector<std::uint8_t> cell;
-    std::vector<std::uint8_t>
-      isLong; // cells of which only the aspect ratio is at fault: thinner is no better
-  };
-
-  Faults faultsOf(const CellFaces& cells, const std::vector<double>& points) const
-  {
-    Faults faults;
-    faults.list = listFaces(cells, points.size() / 3, Clashes::AreBoundary, execution_);
-    const Quality quality = measureQuality(points.data(), cells, faults.list, execution_);
-    faults.face.resize(cells.faceCount());
-    for (std::size_t f = 0; f < faults.list.face.size(); ++f)
-    {
-      faults.face[faults.list.face[f]] =
-        (quality.faceFailures[f] & OfFaces) != 0 || !(quality.faces[InnerAngle][f] < WrongAngle);
-    }
-    for (const std::uint32_t failures : quality.cellFailures)
-    {
-      faults.cell.push_back((failures & OfCells) != 0);
-      faults.isLong.push_back((failures & 1U << AspectRatio) != 0);
-    }
-    return faults;
-  }
-
   void stack()
   {
     result_.stacks = stackPrisms(mesh_, wall_, heights_);
@@ -117,30 +90,51 @@ private:
     return points;
   }
 
-  // Whether any part is lower than it was.
-  bool lowerAtFaults(double factor)
+  static double longestWay(const LayeredWall& wall)
   {
-    CellFaces cells = near_.cells;
-    for (const Id start : result_.stacks.faceStart)
+    double longest = 0;
+    for (const Vector& way : wall.way)
     {
-      addPolyhedron(cells, &result_.stacks.faceStream[static_cast<std::size_t>(start)]);
+      longest = std::max(longest, norm(way));
     }
-    const Faults faults = faultsOf(cells, pointsNow());
-    next_ = wall_.parts;
+    return longest;
+  }
+
+  // From where a point was when it was measured last.
+  double moveOf(const std::vector<double>& points, std::size_t p) const
+  {
+    const double* const from = &measured_[3 * p];
+    const double* const to = &points[3 * p];
+    return norm(Vector{ to[0] - from[0], to[1] - from[1], to[2] - from[2] });
+  }
+
+  // Since they were measured last; of the stacks those above nodes whose part is another.
+  std::vector<std::uint8_t> listMoved(const std::vector<double>& points, bool all) const
+  {
+    const std::size_t ofMesh = before_.size() / 3;
+    std::vector<std::uint8_t> hasMoved(points.size() / 3, all);
+    const double least = LeastMove * longestWay_;
+    for (std::size_t p = 0; !all && p < hasMoved.size(); ++p)
+    {
+      const std::size_t n = p < ofMesh ? None : result_.stacks.nodeOfPoint[p - ofMesh];
+      hasMoved[p] = n != None ? wall_.parts[n] != measuredParts_[n] : moveOf(points, p) > least;
+    }
+    return hasMoved;
+  }
+
+  // Whether there are any; lowers the parts there.
+  bool lowerAtFaults(bool all, double factor)
+  {
+    std::vector<double> points = pointsNow();
+    const std::vector<LayerFault> found =
+      faults_.find(result_.stacks, points, listMoved(points, all), execution_);
+    measured_ = std::move(points);
+    measuredParts_ = wall_.parts;
     isStuck_.assign(wall_.nodes(), 0);
-    for (std::size_t f = 0; f < faults.list.face.size(); ++f)
+    next_ = wall_.parts;
+    for (const LayerFault& fault : found)
     {
-      lowerAtListed(cells, faults, f, factor);
-    }
-    for (std::size_t c = 0; c < cells.cellCount(); ++c)
-    {
-      const bool isOfMesh = c < near_.places.size();
-      const bool isNew = faults.cell[c] && !(isOfMesh && former_.cell[c]);
-      const bool isLong = faults.isLong[c] && !(isOfMesh && former_.isLong[c]);
-      for (std::size_t f = cells.firstFace[c]; (isNew || isLong) && f < cells.firstFace[c + 1]; ++f)
-      {
-        lowerAtFace(cells, f, isNew ? factor : 0);
-      }
+      lowerAt(fault, fault.mendsThinner ? factor : 0);
     }
     lowerAroundStuck(factor);
     const bool lowered = next_ != wall_.parts;
@@ -148,38 +142,17 @@ private:
     return lowered;
   }
 
-  // A face that was at fault before there were layers may be so.
-  void lowerAtListed(const CellFaces& cells, const Faults& faults, std::size_t f, double factor)
-  {
-    const std::uint32_t face = faults.list.face[f];
-    const std::uint32_t owner = faults.list.owner[f];
-    const bool isInner = f < faults.list.neighbour.size();
-    const std::uint32_t other = isInner ? faults.list.neighbour[f] : owner;
-    const bool isOfMesh = std::max(owner, other) < near_.places.size();
-    if (faults.face[face] && !(isOfMesh && former_.face[face]))
-    {
-      lowerAtFace(cells, face, isBetweenStacks(owner, other) ? 0 : factor);
-    }
-  }
-
-  bool isBetweenStacks(std::uint32_t c, std::uint32_t d) const
-  {
-    const std::size_t layers = heights_.size() - 1;
-    const std::size_t count = near_.places.size();
-    return c >= count && d >= count && (c - count) / layers != (d - count) / layers;
-  }
-
-  void lowerAtFace(const CellFaces& cells, std::size_t f, double factor)
+  void lowerAt(const LayerFault& fault, double factor)
   {
     bool any = false;
-    for (std::size_t i = cells.firstCorner[f]; i < cells.firstCorner[f + 1]; ++i)
+    for (const std::uint32_t point : fault.points)
     {
-      const std::size_t n = nodeOf(cells.corners[i]);
+      const std::size_t n = nodeOf(point);
       any = (n != None && lower(n, factor)) || any;
     }
-    for (std::size_t i = cells.firstCorner[f]; !any && i < cells.firstCorner[f + 1]; ++i)
+    for (const std::uint32_t point : fault.points)
     {
-      if (const std::size_t n = nodeOf(cells.corners[i]); n != None)
+      if (const std::size_t n = nodeOf(point); !any && n != None)
       {
         isStuck_[n] = 1;
       }
@@ -270,7 +243,10 @@ private:
   Execution& execution_;
   const NearCells near_;
   NodeMotion motion_;
-  Faults former_;                     // of the near cells, before there were layers
+  const LayerFaults faults_;
+  const double longestWay_;
+  std::vector<double> measured_; // points, when they were measured last
+  std::vector<double> measuredParts_;
   std::vector<double> next_;          // parts
   std::vector<std::uint8_t> isStuck_; // nodes near faults, none of which has layers
   BoundaryLayers result_;

@@ -37,6 +37,7 @@ struct PrismStacks
   std::vector<double> thickness; // of the stack below each, along its normal; 0: none
 
   std::size_t cells() const { return layer.size(); }
+  std::size_t stackOf(std::size_t cell) const { return (cell + layer[cell]) / layer[0]; }
 };
 
 // `heights`: of the layers' ends above the wall, as parts of all: 0, ..., 1.
