@@ -24,6 +24,7 @@ struct BoundaryLayers
   WallLayerSpec spec;
   double thickness = 0; // of all layers, as asked, in user units
   PrismStacks stacks;
+  LayeredBoundary boundary;
   std::vector<ChangedCell> changed; // cells whose points moved
 };
 

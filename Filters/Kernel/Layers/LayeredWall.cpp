@@ -37,6 +37,7 @@ public:
       wall_.place.push_back({ at[0], at[1], at[2] });
     }
     findLayered();
+    findBeyond();
     facets_.resize(wall_.nodes());
     others_.resize(wall_.nodes());
     for (std::size_t f = 0; f < wall_.layered.size(); ++f)
@@ -44,6 +45,7 @@ public:
       addFace(f);
     }
     findWays(execution);
+    endAtOddEdges();
     return std::move(wall_);
   }
 
@@ -59,6 +61,36 @@ private:
       {
         wall_.isOnWall[wall_.node(f, i)] = 1;
       }
+    }
+  }
+
+  void findBeyond()
+  {
+    std::vector<std::array<std::size_t, 4>> edges; // lower node, upper node, corner, face
+    for (std::size_t f = 0; f < wall_.layered.size(); ++f)
+    {
+      for (std::size_t i = 0; i < wall_.corners(f); ++i)
+      {
+        const std::size_t a = wall_.node(f, i);
+        const std::size_t b = wall_.node(f, i + 1);
+        edges.push_back({ std::min(a, b), std::max(a, b),
+          static_cast<std::size_t>(wall_.faces.start[f]) + i, f });
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    wall_.beyond.resize(edges.size());
+    for (std::size_t i = 0; i < edges.size();)
+    {
+      std::size_t end = i + 1;
+      while (end < edges.size() && edges[end][0] == edges[i][0] && edges[end][1] == edges[i][1])
+      {
+        ++end;
+      }
+      for (std::size_t k = i; k < end; ++k)
+      {
+        wall_.beyond[edges[k][2]] = edges[end - i == 2 ? i + end - 1 - k : k][3];
+      }
+      i = end;
     }
   }
 
@@ -97,6 +129,22 @@ private:
         }
       }
     });
+  }
+
+  // Edges of other than two faces tell no neighbour: their nodes can have no layers.
+  void endAtOddEdges()
+  {
+    for (std::size_t f = 0; f < wall_.layered.size(); ++f)
+    {
+      for (std::size_t i = 0; i < wall_.corners(f); ++i)
+      {
+        if (wall_.faceBeyond(f, i) == f)
+        {
+          wall_.parts[wall_.node(f, i)] = 0;
+          wall_.parts[wall_.node(f, i + 1)] = 0;
+        }
+      }
+    }
   }
 
   const OutputMesh& mesh_;

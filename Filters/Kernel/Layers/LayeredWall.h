@@ -29,6 +29,10 @@ struct LayeredWall
   // Of its way, how much layers take; the mesh's point moves to there. 0: it has none.
   std::vector<double> parts;
 
+  // Of each face's corners, as in faces.corners, the face beyond the edge from there to the next corner; itself where
+  // there are not two faces at an edge.
+  std::vector<std::size_t> beyond;
+
   std::size_t nodes() const { return place.size(); }
   std::size_t corners(std::size_t face) const
   {
@@ -38,6 +42,11 @@ struct LayeredWall
   {
     return static_cast<std::size_t>(
       faces.corners[static_cast<std::size_t>(faces.start[face]) + i % corners(face)]);
+  }
+
+  std::size_t faceBeyond(std::size_t face, std::size_t i) const
+  {
+    return beyond[static_cast<std::size_t>(faces.start[face]) + i];
   }
 
   // Where 0 is the wall and 1 the mesh below the layers.

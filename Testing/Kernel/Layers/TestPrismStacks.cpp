@@ -115,7 +115,7 @@ LayerCells examine(const Layered& l)
     ++uses[{ l.mesh.boundaryPoints.begin() + l.mesh.boundaryStart[f],
       l.mesh.boundaryPoints.begin() + l.mesh.boundaryStart[f + 1] }];
   }
-  const BoundaryMesh& boundary = l.stacks().boundaryMesh;
+  const BoundaryMesh& boundary = l.assembly->layers->boundary.mesh;
   for (std::size_t f = 0; f + 1 < boundary.start.size(); ++f)
   {
     std::set<Id> points;
@@ -135,7 +135,7 @@ LayerCells examine(const Layered& l)
 // Enclosed by the boundary.
 double meshVolume(const Layered& layered)
 {
-  const BoundaryMesh& boundary = layered.stacks().boundaryMesh;
+  const BoundaryMesh& boundary = layered.assembly->layers->boundary.mesh;
   double sum = 0;
   for (std::size_t f = 0; f + 1 < boundary.start.size(); ++f)
   {
