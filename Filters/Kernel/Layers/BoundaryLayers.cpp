@@ -16,7 +16,7 @@ constexpr int Rings = 4;           // of cells whose points follow the wall
 constexpr double LeastMove = 1e-3; // of the longest way: others change no measure much
 constexpr double Thinned = 0.5;
 constexpr int ThinningRounds = 20; // afterwards layers at fault end at once
-constexpr double LeastPart = 0.3;  // thinner ones end
+constexpr double LeastPart = 0.2;  // thinner ones end
 constexpr double Slope = 0.8; // of parts, from node to node of a face: layers end over two columns
 
 // A cell that had less of its volume than this part hardly had any to compare with.
