@@ -48,12 +48,12 @@ public:
       execution_.reach(1 - 1 / (1 + 0.3 * double(round)));
       smooth();
       stack();
-      const bool lowered = lowerAtFaults(all, round < ThinningRounds ? Thinned : 0);
-      if (!lowered && (all || round == 0))
+      const bool changed = mendFaults(all, round < ThinningRounds ? Thinned : 0);
+      if (!changed && (all || round == 0))
       {
         break;
       }
-      all = !lowered;
+      all = !changed;
     }
     result_.boundary = boundaryOf(mesh_, wall_, heights_.size() - 1);
     listChanged();
@@ -119,82 +119,66 @@ private:
     return hasMoved;
   }
 
-  // Whether there are any; lowers the parts there.
-  bool lowerAtFaults(bool all, double factor)
+  // Whether there are any; what mends them.
+  bool mendFaults(bool all, double factor)
   {
     std::vector<double> points = pointsNow();
     const std::vector<LayerFault> found =
       faults_.find(result_.stacks, points, listMoved(points, all), execution_);
     measured_ = std::move(points);
     measuredParts_ = wall_.parts;
-    isStuck_.assign(wall_.nodes(), 0);
     next_ = wall_.parts;
+    bool changed = false;
     for (const LayerFault& fault : found)
     {
-      lowerAt(fault, fault.mendsThinner ? factor : 0);
+      changed = hold(fault) || lower(fault.points, fault.mendsThinner ? factor : 0) ||
+        leaveAlone(fault) || changed;
     }
-    lowerAroundStuck(factor);
-    const bool lowered = next_ != wall_.parts;
     wall_.parts = std::move(next_);
-    return lowered;
+    return changed;
   }
 
-  void lowerAt(const LayerFault& fault, double factor)
+  // The points of cells inside the mesh stay where they were.
+  bool hold(const LayerFault& fault)
   {
-    bool any = false;
-    for (const std::uint32_t point : fault.points)
+    const bool isAtWall = std::any_of(fault.around.begin(), fault.around.end(),
+      [&](std::uint32_t point) { return near_.wallNode[point] != None; });
+    bool changed = false;
+    for (const std::uint32_t point : fault.around)
     {
-      const std::size_t n = nodeOf(point);
-      any = (n != None && lower(n, factor)) || any;
+      changed = (!isAtWall && motion_.hold(point)) || changed;
     }
-    for (const std::uint32_t point : fault.points)
+    return changed;
+  }
+
+  // The parts of nodes at, below or nearest to these points.
+  bool lower(const std::vector<std::uint32_t>& points, double factor)
+  {
+    bool changed = false;
+    for (const std::uint32_t point : points)
     {
-      if (const std::size_t n = nodeOf(point); !any && n != None)
+      const std::size_t ofMesh = near_.origin.size();
+      const std::size_t n =
+        point < ofMesh ? near_.origin[point] : result_.stacks.nodeOfPoint[point - ofMesh];
+      if (n != None && wall_.parts[n] > 0)
       {
-        isStuck_[n] = 1;
+        const double part = factor * wall_.parts[n];
+        next_[n] = std::min(next_[n], part < LeastPart ? 0 : part);
+        changed = true;
       }
     }
+    return changed;
   }
 
-  bool lower(std::size_t n, double factor)
+  // There are no layers at the fault: its cells become what they were without any.
+  bool leaveAlone(const LayerFault& fault)
   {
-    const double part = factor * wall_.parts[n];
-    next_[n] = std::min(next_[n], part < LeastPart ? 0 : part);
-    return wall_.parts[n] > 0;
-  }
-
-  // What is at fault where no layers are, comes from those that are nearest.
-  void lowerAroundStuck(double factor)
-  {
-    for (bool grows = std::find(isStuck_.begin(), isStuck_.end(), 1) != isStuck_.end(); grows;)
+    bool changed = lower(fault.around, 0);
+    for (const std::uint32_t point : fault.around)
     {
-      grows = false;
-      bool lowered = false;
-      const std::vector<std::uint8_t> stuck = isStuck_;
-      for (std::size_t f = 0; f < wall_.layered.size(); ++f)
-      {
-        bool any = false;
-        for (std::size_t i = 0; i < wall_.corners(f); ++i)
-        {
-          any = any || stuck[wall_.node(f, i)];
-        }
-        for (std::size_t i = 0; any && i < wall_.corners(f); ++i)
-        {
-          const std::size_t n = wall_.node(f, i);
-          lowered = lower(n, factor) || lowered;
-          grows = grows || !isStuck_[n];
-          isStuck_[n] = 1;
-        }
-      }
-      grows = grows && !lowered;
+      changed = motion_.hold(point) || changed;
     }
-  }
-
-  // The wall's node at, below or nearest to a point, or None.
-  std::size_t nodeOf(std::uint32_t point) const
-  {
-    return point < near_.origin.size() ? near_.origin[point]
-                                       : result_.stacks.nodeOfPoint[point - near_.origin.size()];
+    return changed;
   }
 
   // Until no part is higher than the slope allows: the same whatever the order.
@@ -244,8 +228,7 @@ private:
   const double longestWay_;
   std::vector<double> measured_; // points, when they were measured last
   std::vector<double> measuredParts_;
-  std::vector<double> next_;          // parts
-  std::vector<std::uint8_t> isStuck_; // nodes near faults, none of which has layers
+  std::vector<double> next_; // parts
   BoundaryLayers result_;
 };
 

@@ -44,6 +44,15 @@ HarmonicField::HarmonicField(std::vector<Vector> values, std::vector<Link> links
   }
 }
 
+bool HarmonicField::hold(std::size_t unknown)
+{
+  static const std::vector<Vector> allAxes{ { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  const bool isNew = fixed_[unknown] != &allAxes;
+  fixed_[unknown] = &allAxes;
+  values_[unknown] = {};
+  return isNew;
+}
+
 Vector HarmonicField::withinFixed(std::size_t i, const Vector& v) const
 {
   return fixed_[i] ? within(*fixed_[i], v) : v;

@@ -32,6 +32,9 @@ public:
   std::vector<Vector>& values() { return values_; }
   const std::vector<Vector>& values() const { return values_; }
 
+  // From now on an unknown is 0. Whether it was not held before.
+  bool hold(std::size_t unknown);
+
   // From the values as they are. The same bits for any number of threads.
   void solve();
 

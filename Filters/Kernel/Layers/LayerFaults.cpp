@@ -25,6 +25,18 @@ struct LayerFaults::Selection
   std::vector<std::uint32_t> number; // of each: a near cell, or beyond these one of the stacks
   std::vector<std::uint32_t> face;   // of each face of a near cell among theirs; others None
   std::vector<std::uint8_t> hasChanged;
+
+  void addPoints(
+    std::size_t firstFace, std::size_t lastFace, std::vector<std::uint32_t>& points) const
+  {
+    points.insert(points.end(),
+      cells.corners.begin() + static_cast<std::ptrdiff_t>(cells.firstCorner[firstFace]),
+      cells.corners.begin() + static_cast<std::ptrdiff_t>(cells.firstCorner[lastFace]));
+  }
+  void addPointsOfCell(std::size_t cell, std::vector<std::uint32_t>& points) const
+  {
+    addPoints(cells.firstFace[cell], cells.firstFace[cell + 1], points);
+  }
 };
 
 LayerFaults::LayerFaults(
@@ -131,6 +143,27 @@ bool LayerFaults::isNewFace(const Selection& selected, const Faults& faults, std
     !(isOfMesh && faceWasAtFault_[selected.face[faults.list.face[f]]]);
 }
 
+LayerFault LayerFaults::ofFace(
+  const Selection& selected, const Faults& faults, std::size_t f, const PrismStacks& stacks) const
+{
+  LayerFault fault;
+  const std::uint32_t face = faults.list.face[f];
+  selected.addPoints(face, face + 1, fault.points);
+  const std::size_t ofMesh = near_.cells.cellCount();
+  const std::uint32_t owner = faults.list.owner[f];
+  const std::uint32_t other = f < faults.list.neighbour.size() ? faults.list.neighbour[f] : owner;
+  const std::uint32_t c = selected.number[owner];
+  const std::uint32_t d = selected.number[other];
+  if (std::max(c, d) < ofMesh)
+  {
+    selected.addPointsOfCell(owner, fault.around);
+    selected.addPointsOfCell(other, fault.around);
+  }
+  fault.mendsThinner =
+    std::min(c, d) < ofMesh || stacks.stackOf(c - ofMesh) == stacks.stackOf(d - ofMesh);
+  return fault;
+}
+
 std::vector<LayerFault> LayerFaults::find(const PrismStacks& stacks,
   const std::vector<double>& points, const std::vector<std::uint8_t>& hasMoved,
   Execution& execution) const
@@ -138,26 +171,11 @@ std::vector<LayerFault> LayerFaults::find(const PrismStacks& stacks,
   const Selection selected = select(stacks, hasMoved);
   const Faults faults = measure(selected.cells, points, execution);
   std::vector<LayerFault> found;
-  const auto add = [&](std::size_t face, bool mendsThinner) {
-    const CellFaces& cells = selected.cells;
-    found.push_back(
-      { { cells.corners.begin() + static_cast<std::ptrdiff_t>(cells.firstCorner[face]),
-          cells.corners.begin() + static_cast<std::ptrdiff_t>(cells.firstCorner[face + 1]) },
-        mendsThinner });
-  };
-  const auto stackOf = [&](std::uint32_t cell) {
-    return stacks.stackOf(cell - near_.cells.cellCount());
-  };
   for (std::size_t f = 0; f < faults.face.size(); ++f)
   {
     if (isNewFace(selected, faults, f))
     {
-      const bool isInner = f < faults.list.neighbour.size();
-      const std::uint32_t c = selected.number[faults.list.owner[f]];
-      const std::uint32_t d = isInner ? selected.number[faults.list.neighbour[f]] : c;
-      const bool isBetweenStacks =
-        std::min(c, d) >= near_.cells.cellCount() && stackOf(c) != stackOf(d);
-      add(faults.list.face[f], !isBetweenStacks);
+      found.push_back(ofFace(selected, faults, f, stacks));
     }
   }
   for (std::size_t c = 0; c < selected.number.size(); ++c)
@@ -166,10 +184,13 @@ std::vector<LayerFault> LayerFaults::find(const PrismStacks& stacks,
     const bool isOfMesh = number < near_.cells.cellCount();
     const bool isNew = faults.cell[c] && !(isOfMesh && cellWasAtFault_[number]);
     const bool isLong = faults.isLong[c] && !(isOfMesh && cellWasLong_[number]);
-    for (std::size_t f = selected.cells.firstFace[c];
-         selected.hasChanged[c] && (isNew || isLong) && f < selected.cells.firstFace[c + 1]; ++f)
+    if (selected.hasChanged[c] && (isNew || isLong))
     {
-      add(f, isNew);
+      LayerFault fault;
+      selected.addPointsOfCell(c, fault.points);
+      fault.around = isOfMesh ? fault.points : fault.around;
+      fault.mendsThinner = isNew;
+      found.push_back(std::move(fault));
     }
   }
   return found;

@@ -10,7 +10,8 @@ namespace cartesian
 
 struct LayerFault
 {
-  std::vector<std::uint32_t> points; // of a face, the mesh's, then those of the stacks
+  std::vector<std::uint32_t> points; // of a face or a cell, the mesh's, then those of the stacks
+  std::vector<std::uint32_t> around; // if it is of the mesh alone: all points of its cells
   bool mendsThinner = true;          // or only where there are no layers
 };
 
@@ -40,6 +41,8 @@ private:
     const CellFaces& cells, const std::vector<double>& points, Execution& execution);
   Selection select(const PrismStacks& stacks, const std::vector<std::uint8_t>& hasMoved) const;
   bool isNewFace(const Selection& selected, const Faults& faults, std::size_t f) const;
+  LayerFault ofFace(const Selection& selected, const Faults& faults, std::size_t f,
+    const PrismStacks& stacks) const;
 
   const NearCells& near_;
   std::vector<std::uint8_t> faceWasAtFault_; // of the near cells, as the owner has it

@@ -155,6 +155,13 @@ void NodeMotion::makeField(const NearCells& near, const std::vector<double>& poi
     std::move(damping), std::move(fixed));
 }
 
+bool NodeMotion::hold(std::uint32_t point)
+{
+  const auto at = std::lower_bound(moving_.begin(), moving_.end(), point);
+  return at != moving_.end() && *at == point &&
+    field_.hold(static_cast<std::size_t>(at - moving_.begin()));
+}
+
 void NodeMotion::run()
 {
   for (std::size_t n = 0; n < wall_.nodes(); ++n)

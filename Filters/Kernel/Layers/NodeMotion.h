@@ -22,6 +22,9 @@ public:
   // Borrows the wall.
   NodeMotion(const NearCells& near, const LayeredWall& wall, const std::vector<double>& points);
 
+  // From now on a point of the mesh stays where it was. Whether it would have moved.
+  bool hold(std::uint32_t point);
+
   // As the wall's parts are now; from the ways before.
   void run();
 
