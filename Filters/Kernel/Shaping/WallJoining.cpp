@@ -18,6 +18,9 @@ constexpr double SteepestLine =
 constexpr double MostSkew =
   2.5; // of that line's distance from the side's centre, in half lengths of the edge
 
+// Between a cell and the prism on one of its faces, which is flat: tangent of the same angle.
+constexpr double SteepestFloor = 1.5;
+
 // Faces are joined up to this angle; those with a smaller share of the other's area at any.
 const double CosineOfBend = std::cos(radians(30));
 constexpr double NegligibleShare = 0.05;
@@ -105,7 +108,7 @@ private:
     }
     Chain chain;
     if (!findChain(first, { view_.shape.nodes.data(), ring.data(), ring.size() }, chain) ||
-      !isAtFault(f, g, chain))
+      !(isAtFault(f, g, chain) || isSteep(f) || isSteep(g)))
     {
       return false;
     }
@@ -147,6 +150,14 @@ private:
     }
     const double miss = dot(toMiddle, u) - dot(line, u) * before / way;
     return 2 * std::abs(miss) > MostSkew * norm(edge);
+  }
+
+  bool isSteep(std::uint32_t f) const
+  {
+    const Vector line = minus(shape_.faces[f].centre, shape_.centre);
+    const Vector normal = unit(shape_.faces[f].area);
+    const double height = dot(line, normal);
+    return norm(minus(line, scaled(normal, height))) > SteepestFloor * height;
   }
 
   bool isAccepted(CellKey key, const JoinedFaces& joined)
