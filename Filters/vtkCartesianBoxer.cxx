@@ -456,8 +456,8 @@ void vtkCartesianBoxer::Inspect(const cartesian::PreparedSurface& prepared,
     return;
   }
   const cartesian::SurfaceDefects found = cartesian::findDefects(
-    prepared.repaired(), prepared.trianglesGiven, prepared.repair, prepared.planes, execution);
-  const std::vector<vtkIdType> cells = cartesian::cellsOf(prepared.repaired(), surface.cells());
+    prepared.surface, prepared.trianglesGiven, prepared.repair, prepared.planes, execution);
+  const std::vector<vtkIdType> cells = cartesian::cellsOf(prepared.surface, surface.cells());
   cartesian::toVTK(found, cells, defects);
   this->Warn(cartesian::describe(found, cells));
 }

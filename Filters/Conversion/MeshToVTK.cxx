@@ -295,14 +295,14 @@ vtkSmartPointer<Array> arrayOf(const char* name, std::size_t faces, ValueOf&& va
 
 const std::vector<BoundaryFace>& boundaryOf(const Assembly& assembly)
 {
-  return assembly.layers ? assembly.layers->stacks.boundary : assembly.mesh->boundary();
+  return assembly.layers ? assembly.layers->boundary.faces : assembly.mesh->boundary();
 }
 
 void setBoundary(
   const Assembly& assembly, vtkUnstructuredGrid* grid, vtkPolyData* boundary, Execution& execution)
 {
   const BoundaryMesh faces =
-    assembly.layers ? assembly.layers->stacks.boundaryMesh : assembly.mesh->boundaryMesh(execution);
+    assembly.layers ? assembly.layers->boundary.mesh : assembly.mesh->boundaryMesh(execution);
   setFaces(faces, grid, boundary, execution);
   const std::vector<BoundaryFace>& all = boundaryOf(assembly);
   boundary->GetCellData()->SetScalars(arrayOf<vtkIntArray>( // the initial colouring
@@ -319,8 +319,8 @@ class LayerReport
 public:
   LayerReport(const BoundaryLayers& layers, vtkPolyData* boundary)
     : layers_(layers)
-    , faces_(layers.stacks.boundary)
-    , thickness_(layers.stacks.thickness)
+    , faces_(layers.boundary.faces)
+    , thickness_(layers.boundary.thickness)
   {
     const auto made = [&](std::size_t i) { return thickness_[i] > 0 ? layers_.spec.count : 0; };
     boundary->GetCellData()->AddArray(arrayOf<vtkDoubleArray>(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""OpenFOAM's snappyHexMesh: the case that it needs, with the defaults of its tutorials. No layers."""
+"""OpenFOAM's snappyHexMesh: the case that it needs, with the defaults of its tutorials."""
 
 import pathlib
 import sys
@@ -13,7 +13,6 @@ QUALITY = """
     minVolRatio 0.01; minTriangleTwist -1; nSmoothScale 4; errorReduction 0.75;"""
 
 LAYERS = """
-    relativeSizes true; layers {} expansionRatio 1; finalLayerThickness 0.3; minThickness 0.1;
     nGrow 0; featureAngle 60; nRelaxIter 3; nSmoothSurfaceNormals 1; nSmoothNormals 3;
     nSmoothThickness 10; maxFaceThicknessRatio 0.5; maxThicknessToMedialRatio 0.3;
     minMedianAxisAngle 90; nBufferCellsNoExtrude 0; nLayerIter 50;"""
@@ -29,10 +28,10 @@ def write_block(folder, low, high, cells):
         boundary ();""")
 
 
-def write_case(folder, low, high, cells, inside, level=0, regions=(), features=False):
+def write_case(folder, low, high, cells, inside, level=0, regions=(), features=False, layers=None):
     """For constant/triSurface/surface.stl. `inside`: a point in each part to mesh; `regions`: the names of
     the file's solids, if these shall be patches; `features`: whether to snap to surface.eMesh beside it,
-    which surfaceFeatureExtract writes."""
+    which surfaceFeatureExtract writes; `layers`: how many on all walls, their ratio, and the height of the first."""
     write_block(folder, low, high, cells)
     foam.write(folder, "system/controlDict", f"""
         application snappyHexMesh; startFrom startTime; startTime 0; stopAt endTime; endTime 1; deltaT 1;
@@ -50,8 +49,9 @@ def write_case(folder, low, high, cells, inside, level=0, regions=(), features=F
     named = f"regions {{ {' '.join(f'{name} {{ name {name}; }}' for name in regions)} }}" if regions else ""
     explicit = """nFeatureSnapIter 10; implicitFeatureSnap false; explicitFeatureSnap true;
         multiRegionFeatureSnap true;""" if features else ""
+    count, ratio, first = layers or (0, 1, 0)
     foam.write(folder, "system/snappyHexMeshDict", f"""
-        castellatedMesh true; snap true; addLayers false;
+        castellatedMesh true; snap true; addLayers {str(count > 0).lower()};
         geometry {{ surface.stl {{ type triSurfaceMesh; name surface; {named} }} }}
         castellatedMeshControls
         {{
@@ -62,6 +62,10 @@ def write_case(folder, low, high, cells, inside, level=0, regions=(), features=F
             {where}
         }}
         snapControls {{ nSmoothPatch 3; tolerance 2.0; nSolveIter 30; nRelaxIter 5; {explicit} }}
-        addLayersControls {{ {LAYERS} }}
+        addLayersControls
+        {{
+            relativeSizes false; layers {{ ".*" {{ nSurfaceLayers {count}; }} }} expansionRatio {ratio};
+            firstLayerThickness {first}; minThickness {0.2 * first}; {LAYERS}
+        }}
         meshQualityControls {{ {QUALITY} }}
         mergeTolerance 1e-6;""")

@@ -4,6 +4,7 @@
     pvpython wallcells.py cells SURFACE... [--size 1/40] [--depth 0]
     pvpython wallcells.py solvers [SURFACE...] [--size 2] [--depth 1] [--iterations 500]
     pvpython wallcells.py timestep [SURFACE...] [--size 2] [--depth 1]
+    pvpython wallcells.py layers SURFACE... [--size 1/40] [--depth 0] [--layers 5,1.2,0.05]
     pvpython wallcells.py pipe [--size 0.025] [--depth 0]
 
 A SURFACE is a closed one: a file, or sphere, tilted_pipe, bend, or runner_1 to runner_4 of the exhaust header
@@ -15,6 +16,8 @@ the errors of its volume and areas, the faces that lean from the nearest triangl
 turns by less than 30 degrees within two boxes), and the largest distances, over a box at the surface.
 solvers: turbulent flow with plain second-order schemes; does it survive the mesh?
 timestep: the explicit step at Courant number 0.9 for speed 1 along each axis, the shortest of all cells.
+layers: the share of the walls' area that has all layers (--layers: their number, ratio, and the first one's
+height by a box), each at least half as thick as asked; the same where the wall opposite is three boxes away.
 pipe: the error of the wall's gradient, by the exact one, for conduction across a tilted pipe of diameter 1.
 """
 
@@ -31,6 +34,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent / "Plugin")]
 import foam  # noqa: E402
 import wallflow  # noqa: E402
+import walllayers  # noqa: E402
 import wallmeasures  # noqa: E402
 import wallmeshes  # noqa: E402
 import wallsurfaces  # noqa: E402
@@ -49,14 +53,14 @@ def box_length(text, surface):
     return float(over) / float(under) * (high - low).max()
 
 
-def each_mesh(surface, options):
+def each_mesh(surface, options, layers=None):
     """The meshers' names, and what they made (an error instead, if they made nothing); in turn."""
     size = box_length(options.size, surface)
     for mesher in options.meshers:
         with tempfile.TemporaryDirectory() as temporary:
             folder = (options.keep or pathlib.Path(temporary)) / f"{surface.name}_{mesher.split()[0]}"
             try:
-                made = wallmeshes.make(mesher, surface, size, options.depth, folder, options.set)
+                made = wallmeshes.make(mesher, surface, size, options.depth, folder, options.set, layers)
             except AssertionError as error:
                 made = error
             yield mesher, made
@@ -144,6 +148,25 @@ def solvers(options):
         print_lines("flow", lines)
 
 
+def layers(options):
+    lines = []
+    for name in options.surfaces:
+        surface = wallsurfaces.load(name)
+        box = box_length(options.size, surface) / 2 ** options.depth
+        count, ratio, first = (float(text) for text in options.layers.split(","))
+        asked = first * box * ratio ** np.arange(int(count))
+        for mesher, meshed in each_mesh(surface, options, (int(count), ratio, first * box)):
+            found = {"cells": "FAILED"}
+            if not isinstance(meshed, Exception):
+                mesh = meshed.mesh
+                found = {"cells": mesh.cells, "seconds": meshed.seconds}
+                found |= walllayers.coverage(mesh, surface, asked, box)
+                found |= {"non-orthogonality": mesh.non_orthogonality().max(initial=0),
+                          "skewness": mesh.skewness().max(), "checkMesh": foam.CheckMesh(meshed.folder).ok}
+            lines.append((surface.name, mesher, found))
+    print_lines("layers", lines)
+
+
 def timestep(options):
     lines = []
     for name in options.surfaces or DUCTS:
@@ -187,7 +210,7 @@ def arguments(texts):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(dest="command", required=True)
     for command, size, depth in (("cells", "1/40", 0), ("solvers", "2", 1), ("timestep", "2", 1),
-                                 ("pipe", "0.025", 0)):
+                                 ("layers", "1/40", 0), ("pipe", "0.025", 0)):
         one = commands.add_parser(command)
         one.add_argument("--size", default=size, help="length of a box, or its part of the longest side")
         one.add_argument("--depth", type=int, default=depth, help="halvings along the surface")
@@ -197,7 +220,9 @@ def arguments(texts):
         one.add_argument("--meshers", type=lambda text: [wallmeshes.MESHERS[int(i)] for i in text.split(",")],
                          default=wallmeshes.MESHERS, help="0: ours alone; 1: snappyHexMesh alone")
         if command != "pipe":
-            one.add_argument("surfaces", nargs="+" if command == "cells" else "*", metavar="SURFACE")
+            one.add_argument("surfaces", nargs="+" if command in ("cells", "layers") else "*", metavar="SURFACE")
+        if command == "layers":
+            one.add_argument("--layers", default="5,1.2,0.05", help="their number, ratio, and first height by a box")
         if command == "solvers":
             one.add_argument("--inlet", help="a boundary (default: the first whose name begins so)")
             one.add_argument("--outlet", help="likewise; all others are walls")

@@ -27,11 +27,12 @@ class Meshed:
         self.mesh = Mesh(folder)
 
 
-def make(mesher, surface, size, depth, folder, properties=None):
-    """A Meshed; AssertionError if there is no mesh."""
+def make(mesher, surface, size, depth, folder, properties=None, layers=None):
+    """A Meshed; AssertionError if there is no mesh. `layers`: how many, their ratio, the first one's height."""
     if mesher == OURS:
-        return make_ours(surface, size, depth, folder, properties or {})
-    return make_theirs(surface, size, depth, folder)
+        named = zip(("Layers", "LayerExpansionRatio", "FirstLayerThickness"), layers or ())
+        return make_ours(surface, size, depth, folder, dict(named) | (properties or {}))
+    return make_theirs(surface, size, depth, folder, layers)
 
 
 def make_ours(surface, size, depth, folder, properties):
@@ -56,7 +57,7 @@ def make_ours(surface, size, depth, folder, properties):
     return Meshed(folder, size ** 3 / 2.0 ** level, seconds)
 
 
-def make_theirs(surface, size, depth, folder):
+def make_theirs(surface, size, depth, folder, layers):
     path = pathlib.Path(folder) / "constant" / "triSurface" / "surface.stl"
     surface.write(path)
     low, high = surface.bounds()
@@ -64,7 +65,7 @@ def make_theirs(surface, size, depth, folder):
     low = low - size / 2
     names = surface.names if len(surface.names) > 1 else []
     snappy.write_case(folder, low.tolist(), (low + size * cells).tolist(), cells.tolist(),
-        surface.points_inside(size), depth, names, features=True)
+        surface.points_inside(size), depth, names, features=True, layers=layers)
     foam.run(folder, "blockMesh")
     foam.run(folder, "surfaceFeatureExtract")
     begin = children_time()

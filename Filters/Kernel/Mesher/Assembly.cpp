@@ -362,11 +362,15 @@ void requireCells(const Assembly& a, const Options& options)
 
 }
 
-std::unique_ptr<Assembly> assemble(
-  Boxes boxes, Patches patches, const Options& given, Execution& execution, const WallLift* lift)
+std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& given,
+  Execution& execution, const WallLayerSpec* layers)
 {
   requireValidCells(given);
-  const Options options = forWalls(given, patches.walls);
+  Options options = forWalls(given, patches.walls);
+  if (layers && options.collapse.ratio > 0)
+  {
+    options.collapse.ratio = std::max(options.collapse.ratio, CollapseSpec::WithLayers);
+  }
   auto assembly = std::make_unique<Assembly>();
   Assembly& a = *assembly;
   a.boxes = std::move(boxes);
@@ -389,7 +393,7 @@ std::unique_ptr<Assembly> assemble(
   {
     execution.stage("Shaping of cells", AfterShortEdges, AfterShaping);
     a.shaping = shapeCells(a.boxes, a.patches, a.sides, a.nodes, a.inner, a.cells,
-      options.smallCells, options.shaping, options.patches.featureAngle, execution, lift);
+      options.smallCells, options.shaping, options.patches.featureAngle, execution, layers);
   }
   removeFragments(a, options, execution);
   a.nodes.warped = warpedHexahedra(a.boxes, a.sides, a.nodes, execution);

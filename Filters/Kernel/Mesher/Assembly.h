@@ -2,7 +2,7 @@
 // Boxes and patches made into a mesh, step by step (section 6: 9, A3, B1 to B4, 11 to 13).
 #pragma once
 
-#include "Lifting/BoundaryLayers.h"
+#include "Layers/BoundaryLayers.h"
 #include "Mesh/OutputMesh.h"
 #include "Mesher/Options.h"
 #include "Shaping/CellShaping.h"
@@ -32,7 +32,7 @@ struct Assembly
 // Runs all steps. Throws Error: BadParameter, TooManyBoxes, FlawedSurface (no cell is left of the whole;
 // a part may have none).
 std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& given,
-  Execution& execution, const WallLift* lift = nullptr);
+  Execution& execution, const WallLayerSpec* layers = nullptr);
 
 // Boxes of the core whose patches were made anew (BoxRebuilding.h).
 std::vector<std::uint32_t> rebuiltBoxes(const Assembly& assembly);

@@ -3,14 +3,12 @@
 
 #include "Base/Error.h"
 #include "Boxes/MeshEstimate.h"
-#include "Displacement/SurfaceDivision.h"
 #include "Patches/Patches.h"
 #include "Repair/PlanesAside.h"
 #include "Repair/Regions.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace cartesian
 {
@@ -32,30 +30,14 @@ double shortestSide(const Meshlines& planes)
   return least;
 }
 
-// Edges of triangles that move are no longer: with shorter ones more edges of patches are in the way of stacks (measured
-// with 1, 2, 4, 8 on a cube and the exhaust header).
-constexpr double BoxesATriangle = 4;
-
-void makeRoomForLayers(PreparedSurface& prepared, const Options& options, Execution& execution)
+void requireOneRegion(const Surface& surface, const WallLayerSpec& layers)
 {
-  requireValid(options.layers);
-  if (prepared.surface.walls.any())
+  if (surface.walls.any())
   {
     throw Error(Fault::BadParameter,
-      "Layers is " + std::to_string(options.layers.count) +
+      "Layers is " + std::to_string(layers.count) +
         ", but with several regions there are no layers: set it to 0.");
   }
-  const double step = prepared.surface.lattice.step();
-  const double levels =
-    std::ldexp(shortestSide(prepared.planes), -std::max(0, options.refinement.depth));
-  // The sides of a flow domain are not of the surface: nothing could be lifted there.
-  WallLayerSpec spec = options.layers;
-  const EndBoundaries& ends = prepared.surface.ends;
-  spec.boundariesWithout.insert(spec.boundariesWithout.end(), ends.begin(), ends.end());
-  prepared.undisplaced = std::make_shared<const Surface>(prepared.surface);
-  divideTriangles(prepared.surface, BoxesATriangle * levels);
-  prepared.displacement = std::make_shared<const Displacement>(
-    displace(prepared.surface, spec, totalThickness(spec, levels * step) / step, execution));
 }
 
 Bounds united(Bounds a, const Bounds& b)
@@ -132,7 +114,8 @@ PreparedSurface prepareSurface(
   }
   if (options.layers.count > 0)
   {
-    makeRoomForLayers(prepared, options, execution);
+    requireValid(options.layers);
+    requireOneRegion(prepared.surface, options.layers);
   }
   stepAside(prepared.surface, prepared.planes);
   return prepared;
@@ -159,7 +142,17 @@ Patches makePatches(const PreparedSurface& prepared, const Decomposition& decomp
 namespace
 {
 
-std::unique_ptr<Assembly> meshOnce(const PreparedSurface& prepared,
+// Of all layers, in user units.
+double thicknessOf(const PreparedSurface& prepared, const Options& options)
+{
+  return totalThickness(options.layers,
+    std::ldexp(shortestSide(prepared.planes) * prepared.surface.lattice.step(),
+      -std::max(0, options.refinement.depth)));
+}
+
+}
+
+std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   const Decomposition& decomposition, Layers core, const Options& options, Execution& execution)
 {
   Boxes boxes = decomposition.boxes(core, execution);
@@ -170,44 +163,17 @@ std::unique_ptr<Assembly> meshOnce(const PreparedSurface& prepared,
   // How much there is in boxes with other than exact patches is known only here.
   const auto corners = static_cast<double>(patches.corners.size());
   checkMemory(estimate.boxes(), estimate.bytes(limit, corners), limit);
-  if (!prepared.displacement)
+  if (options.layers.count == 0)
   {
     return assemble(std::move(boxes), std::move(patches), options, execution);
   }
-  const WallLift lift(prepared.surface, *prepared.displacement, execution);
-  auto assembly = assemble(std::move(boxes), std::move(patches), options, execution, &lift);
-  assembly->layers = std::make_unique<BoundaryLayers>(
-    addLayers(*assembly->mesh, prepared.surface.lattice, lift, execution));
-  return assembly;
-}
-
-// Times that a surface is displaced anew, the last time nowhere.
-constexpr int MostDisplacements = 7;
-
-}
-
-std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
-  const Decomposition& decomposition, Layers core, const Options& options, Execution& execution)
-{
-  auto assembly = meshOnce(prepared, decomposition, core, options, execution);
-  PreparedSurface next;
-  for (int i = 1; assembly->layers && !assembly->layers->faults.empty() && i <= MostDisplacements;
-       ++i)
-  {
-    next = i == 1 ? prepared : next;
-    std::vector<std::uint32_t> notAt = assembly->layers->faults;
-    if (i == MostDisplacements)
-    {
-      notAt.resize(next.surface.triangles.size());
-      std::iota(notAt.begin(), notAt.end(), 0U);
-    }
-    next.displacement = std::make_shared<const Displacement>(
-      displaceAgain(next.surface, *next.displacement, std::move(notAt), i - 1, execution));
-    stepAside(next.surface, next.planes);
-    const auto parts = decompose(next, options, execution);
-    assembly.reset();
-    assembly = meshOnce(next, *parts, parts->allLayers(), options, execution);
-  }
+  // The sides of a flow domain have none.
+  WallLayerSpec layers = options.layers;
+  const EndBoundaries& ends = prepared.surface.ends;
+  layers.boundariesWithout.insert(layers.boundariesWithout.end(), ends.begin(), ends.end());
+  auto assembly = assemble(std::move(boxes), std::move(patches), options, execution, &layers);
+  assembly->layers = std::make_unique<BoundaryLayers>(addLayers(
+    *assembly->mesh, prepared.surface, layers, thicknessOf(prepared, options), execution));
   return assembly;
 }
 

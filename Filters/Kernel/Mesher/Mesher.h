@@ -10,7 +10,6 @@
 // mesh() is all of it, meshPart() all that follows decompose() for one part of the grid.
 #pragma once
 
-#include "Displacement/Displacement.h"
 #include "Mesher/Assembly.h"
 #include "Mesher/Options.h"
 #include "Mesher/Stages.h"
@@ -37,16 +36,10 @@ struct PreparedSurface
   Meshlines planes;
   Bounds bounds; // of the surface, user units
   MemoryLimit memoryLimit;
-  std::shared_ptr<const Displacement> displacement; // of `surface`, or null: no layers
-  std::shared_ptr<const Surface>
-    undisplaced; // `surface` before it made room for layers, or null: it has not
-
-  // What `repair` is about.
-  const Surface& repaired() const { return undisplaced ? *undisplaced : surface; }
 };
 
-// Scaling, Dual Levels, check and repair of the surface, which makes room for layers. `parts`: how many the mesh is made in, each of
-// which may take as much memory as the options allow. Throws Error: EmptySurface, BadCoordinate,
+// Scaling, Dual Levels, check and repair of the surface. `parts`: how many the mesh is made in, each of which
+// may take as much memory as the options allow. Throws Error: EmptySurface, BadCoordinate,
 // BadCellSize, BadMeshlines, TooManyBoxes.
 PreparedSurface prepareSurface(
   const SurfaceView& view, const Options& options, Execution& execution, int parts = 1);

@@ -79,8 +79,8 @@ std::string describeLeaks(const PreparedSurface& prepared)
     {
       text += "\n  hole " + number(hole.width * prepared.surface.lattice.step()) + " wide, of " +
         std::to_string(hole.rim.size()) + " edges, from " +
-        positionOf(prepared.repaired(), hole.rim[0]) + " to " +
-        positionOf(prepared.repaired(), hole.rim[hole.rim.size() / 2]);
+        positionOf(prepared.surface, hole.rim[0]) + " to " +
+        positionOf(prepared.surface, hole.rim[hole.rim.size() / 2]);
     }
   }
   return text;
@@ -91,7 +91,7 @@ std::string describeVanished(
   const PreparedSurface& prepared, const std::map<std::int32_t, std::string>& names)
 {
   constexpr std::size_t MostNames = 30;
-  const Surface& surface = prepared.repaired();
+  const Surface& surface = prepared.surface;
   std::map<std::int32_t, std::size_t> left;
   for (std::size_t t = 0; t < prepared.trianglesGiven; ++t)
   {
@@ -208,9 +208,9 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
   for (const SurfaceCheck::FlawedEdge& place : check.places)
   {
     text += std::string("\n  ") + place.what + " edge from " +
-      positionOf(prepared.repaired(), place.edge[0]) + " to " +
-      positionOf(prepared.repaired(), place.edge[1]) + " of cell " +
-      std::to_string(cells[prepared.repaired().given[place.triangle]]);
+      positionOf(prepared.surface, place.edge[0]) + " to " +
+      positionOf(prepared.surface, place.edge[1]) + " of cell " +
+      std::to_string(cells[prepared.surface.given[place.triangle]]);
   }
   if (!repair.duplicates.empty())
   {

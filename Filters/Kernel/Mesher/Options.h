@@ -7,12 +7,12 @@
 #include "Boxes/Refinement.h"
 #include "Cells/SmallCellSpec.h"
 #include "Collapse/CollapseSpec.h"
-#include "Displacement/WallLayerSpec.h"
 #include "Lattice/Meshlines.h"
 #include "Parts/Slabs.h"
 #include "Patches/PatchSpec.h"
 #include "Shaping/ShapingSpec.h"
 #include "Surface/FlowDomain.h"
+#include "Surface/WallLayerSpec.h"
 
 namespace cartesian
 {

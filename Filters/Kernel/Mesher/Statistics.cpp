@@ -130,7 +130,7 @@ private:
       n_.cells += static_cast<double>(stacks.cells());
       n_.polyhedra += static_cast<double>(stacks.cells());
       n_.points += static_cast<double>(stacks.points.size() / 3);
-      n_.boundaryFaces = static_cast<double>(stacks.boundary.size());
+      n_.boundaryFaces = static_cast<double>(a_.layers->boundary.faces.size());
     }
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Optimisation/LayerPrisms.h"
 
+#include "Polyhedra/OffsetPlanes.h"
+
 #include <algorithm>
 #include <tuple>
 
@@ -10,7 +12,8 @@ namespace cartesian
 namespace
 {
 
-constexpr double Height = 0.4; // of the box's edge
+constexpr double Height = 0.4;        // of the box's edge
+constexpr double SinOfOnePlane = 0.1; // normals that differ by less tell the same
 
 struct EdgeOfFace
 {
@@ -28,9 +31,9 @@ struct EdgeOfFace
 class PrismBuilder
 {
 public:
-  PrismBuilder(WallMesh& mesh, const WallLift& lift)
+  PrismBuilder(WallMesh& mesh, const WallLayerSpec& layers)
     : m_(mesh)
-    , lift_(lift)
+    , layers_(layers)
     , topOf_(mesh.at.size(), None)
   {
   }
@@ -55,29 +58,39 @@ private:
     }
   }
 
-  // Of the nodes of faces at walls with layers; faces all of whose nodes have one get a prism.
+  // Outwards, to where the planes of the faces around a node meet; faces all of whose nodes have one get a prism.
   void findOffsets()
   {
+    std::vector<std::vector<Facet>> facets(m_.at.size());
+    std::vector<std::vector<Facet>> others(m_.at.size());
+    std::vector<double> edges(m_.at.size());
     std::vector<std::uint32_t> faces;
     for (std::uint32_t f = 0; f < m_.faces(); ++f)
     {
-      if (m_.cells[f][1] == None && m_.cells[f][0] < m_.changing &&
-        lift_.displacement().hasLayers(m_.boundary[f]))
+      if (m_.cells[f][1] != None || m_.cells[f][0] >= m_.volumeOfBox.size())
+      {
+        continue;
+      }
+      const bool layered = layers_.hasLayers(m_.boundary[f]);
+      addFacets(f, layered ? facets : others);
+      if (layered && m_.cells[f][0] < m_.changing)
       {
         faces.push_back(f);
+        const double edge = std::cbrt(m_.volumeOfBox[m_.cells[f][0]]);
+        forEachCorner(
+          f, [&](std::uint32_t n) { edges[n] = edges[n] > 0 ? std::min(edges[n], edge) : edge; });
       }
     }
     offsets_.assign(m_.at.size(), Vector{});
-    std::vector<std::uint8_t> isKnown(m_.at.size());
     for (const std::uint32_t f : faces)
     {
-      const double edge = std::cbrt(m_.volumeOfBox[m_.cells[f][0]]);
       bool all = true;
       forEachCorner(f, [&](std::uint32_t n) {
-        if (!isKnown[n])
+        if (offsets_[n] == Vector{})
         {
-          isKnown[n] = 1;
-          offsets_[n] = offsetOf(m_.at[n], edge);
+          offsets_[n] =
+            scaled(meetingPoint(facets[n], independentNormals(others[n], SinOfOnePlane)),
+              Height * edges[n]);
         }
         all = all && norm(offsets_[n]) > 0;
       });
@@ -88,14 +101,17 @@ private:
     }
   }
 
-  Vector offsetOf(const Vector& at, double edge) const
+  void addFacets(std::uint32_t f, std::vector<std::vector<Facet>>& ofNodes) const
   {
-    const Vector origin = minus(m_.origin, Point{});
-    const Vector from = plus(at, origin);
-    const Vector to = lift_(from);
-    return lift_.hasRoom(from, to)
-      ? scaled(minus(to, from), Height * edge / lift_.displacement().thickness)
-      : Vector{};
+    const std::uint32_t* const corners = m_.corners.data() + m_.start[f];
+    const std::size_t size = m_.start[f + 1] - m_.start[f];
+    const auto at = [&](std::size_t i) -> const Vector& { return m_.at[corners[i % size]]; };
+    const Vector normal = unit(measureFace(size, at).area);
+    for (std::size_t i = 0; norm(normal) > 0 && i < size; ++i)
+    {
+      const Vector back = minus(at(i + size - 1), at(i));
+      addFacet(ofNodes[corners[i]], normal, radians(angle(back, minus(at(i + 1), at(i)))));
+    }
   }
 
   void addTops()
@@ -236,7 +252,7 @@ private:
   }
 
   WallMesh& m_;
-  const WallLift& lift_;
+  const WallLayerSpec& layers_;
   std::vector<Vector> offsets_;        // of nodes; 0: none
   std::vector<std::uint32_t> bases_;   // faces with a prism
   std::vector<std::uint32_t> topOf_;   // of nodes, or None
@@ -246,9 +262,9 @@ private:
 
 }
 
-LayerPrisms addPrisms(WallMesh& mesh, const WallLift* lift)
+LayerPrisms addPrisms(WallMesh& mesh, const WallLayerSpec* layers)
 {
-  if (!lift)
+  if (!layers)
   {
     LayerPrisms none;
     none.firstNode = static_cast<std::uint32_t>(mesh.at.size());
@@ -256,7 +272,7 @@ LayerPrisms addPrisms(WallMesh& mesh, const WallLift* lift)
     none.counts.assign(mesh.faces(), 1);
     return none;
   }
-  return PrismBuilder(mesh, *lift).run();
+  return PrismBuilder(mesh, *layers).run();
 }
 
 }

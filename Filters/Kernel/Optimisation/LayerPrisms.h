@@ -4,8 +4,8 @@
 // wrong with a stack of prisms, is wrong with the polygon below.
 #pragma once
 
-#include "Displacement/WallLift.h"
 #include "Optimisation/WallMesh.h"
+#include "Surface/WallLayerSpec.h"
 
 namespace cartesian
 {
@@ -27,7 +27,7 @@ struct LayerPrisms
   }
 };
 
-// Adds them to the mesh. `lift` null: none.
-LayerPrisms addPrisms(WallMesh& mesh, const WallLift* lift);
+// Adds them to the mesh. `layers` null: none.
+LayerPrisms addPrisms(WallMesh& mesh, const WallLayerSpec* layers);
 
 }

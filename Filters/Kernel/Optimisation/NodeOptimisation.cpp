@@ -43,10 +43,10 @@ constexpr double OfFoldedFace = 1e9;
 class Optimiser
 {
 public:
-  Optimiser(WallMesh& mesh, double featureAngle, const WallLift* lift)
+  Optimiser(WallMesh& mesh, double featureAngle, const WallLayerSpec* layers)
     : m_(mesh)
     , paths_(mesh, std::cos(radians(featureAngle)))
-    , prisms_(addPrisms(mesh, lift))
+    , prisms_(addPrisms(mesh, layers))
     , before_(mesh.at)
     , faces_(mesh.faces())
     , stars_(mesh.faces())
@@ -647,14 +647,15 @@ void write(const WallMesh& mesh, Nodes& nodes, Cells& cells)
 }
 
 std::vector<std::uint32_t> optimiseNodes(const WallParts& parts, const std::vector<Slab>& slabs,
-  double featureAngle, const WallLift* lift, Nodes& nodes, Cells& cells, Execution& execution)
+  double featureAngle, const WallLayerSpec* layers, Nodes& nodes, Cells& cells,
+  Execution& execution)
 {
   std::vector<std::vector<std::uint32_t>> changed(slabs.size());
   execution.forEach(slabs.size(), 1, [&](std::size_t s, std::size_t) {
     const auto count = static_cast<double>(slabs.size());
     Execution alone = execution.alone(double(s) / count, double(s + 1) / count);
     WallMesh mesh = wallMesh(parts, slabs[s]);
-    if (Optimiser(mesh, featureAngle, lift).run(alone))
+    if (Optimiser(mesh, featureAngle, layers).run(alone))
     {
       write(mesh, nodes, cells);
       const auto end = mesh.cell.begin() + std::ptrdiff_t(mesh.changing);

@@ -8,16 +8,17 @@
 // of a mesh. Like the smoothing of other meshers, but with one objective, and never along anything but the surface.
 #pragma once
 
-#include "Displacement/WallLift.h"
 #include "Optimisation/WallMesh.h"
+#include "Surface/WallLayerSpec.h"
 
 namespace cartesian
 {
 
 // Moves nodes in the free layers of each slab; gives the cells around them their new volumes. The slabs must not touch.
 // Returns the cells of polyhedral boxes that changed. `featureAngle` in degrees: edges of the boundary that turn by more
-// stay. `lift`: of the walls that will have layers, or null.
+// stay. `layers`: that some walls will have, or null.
 std::vector<std::uint32_t> optimiseNodes(const WallParts& parts, const std::vector<Slab>& slabs,
-  double featureAngle, const WallLift* lift, Nodes& nodes, Cells& cells, Execution& execution);
+  double featureAngle, const WallLayerSpec* layers, Nodes& nodes, Cells& cells,
+  Execution& execution);
 
 }

@@ -8,6 +8,7 @@
 #include "Shaping/PartTransfer.h"
 #include "Shaping/RefusedCells.h"
 #include "Shaping/TipRemoval.h"
+#include "Shaping/WallJoining.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,13 +60,14 @@ class Shaper
 public:
   // `isLast`: no other slab looks at cells after this one.
   Shaper(CellComplex& complex, const SmallCellSpec& small, const ShapingSpec& spec, bool exact,
-    bool isLast, Execution& execution)
+    bool isLast, const WallLayerSpec* layers, Execution& execution)
     : complex_(complex)
     , small_(small)
     , spec_(spec)
     , exact_(exact)
     , isLast_(isLast)
     , merges_(small.handling == SmallCells::Merge)
+    , layers_(layers)
     , execution_(execution)
     , mergeSpec_(mergeSpecOf(spec, merges_, exact))
     , merger_(complex, mergeSpec_, execution)
@@ -87,6 +89,7 @@ public:
     execution_.stage("Improving", 0.7, 1);
     improve();
     removeSmall(1);
+    joinWalls();
     return result();
   }
 
@@ -123,10 +126,20 @@ public:
       removeSmall(1);
     }
     removeTips();
+    joinWalls();
     return result();
   }
 
 private:
+  // Where layers will stand.
+  void joinWalls()
+  {
+    if (layers_ && !exact_)
+    {
+      cartesian::joinWalls(complex_, merger_.lookedAfter(isLast_), *layers_, execution_);
+    }
+  }
+
   // What cannot be merged is small beyond use.
   void removeSmall(double most)
   {
@@ -224,6 +237,7 @@ private:
   bool exact_;
   bool isLast_;
   bool merges_;
+  const WallLayerSpec* layers_; // or null
   Execution& execution_;
   MergeSpec mergeSpec_;
   CellMerger merger_;
@@ -243,12 +257,12 @@ constexpr std::array<Shares, ShapingStages> SharesOfStages{ { { 0.35, 0.5, 0.2 }
   { 0.45, 0.6, 0.8 } } };
 
 void optimise(CellsToShape& whole, const std::vector<Slab>& slabs, double featureAngle,
-  const WallLift* lift, Execution& execution)
+  const WallLayerSpec* layers, Execution& execution)
 {
   const WallParts parts(
     whole.boxes, whole.patches, whole.sides, whole.nodes, whole.inner, whole.cells, whole.sideOf);
   for (const std::uint32_t cell :
-    optimiseNodes(parts, slabs, featureAngle, lift, whole.nodes, whole.cells, execution))
+    optimiseNodes(parts, slabs, featureAngle, layers, whole.nodes, whole.cells, execution))
   {
     whole.known.atFault[cell] = IsAtFault::Unknown;
   }
@@ -275,7 +289,7 @@ bool shapesCells(const SmallCellSpec& small, const ShapingSpec& spec)
 
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
   const InnerFaces& inner, Cells& cells, const SmallCellSpec& small, const ShapingSpec& spec,
-  double featureAngle, Execution& execution, const WallLift* lift)
+  double featureAngle, Execution& execution, const WallLayerSpec* layers)
 {
   const bool exact = isExact(patches);
   const std::uint32_t all = boxes.allLayers().end;
@@ -300,7 +314,7 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
         const auto count = static_cast<double>(slabs.size());
         Execution alone = execution.alone(double(s) / count, double(s + 1) / count);
         complexes[s] = std::make_unique<CellComplex>(whole, slabs[s]);
-        Shaper shaper(*complexes[s], small, spec, exact, isLast, alone);
+        Shaper shaper(*complexes[s], small, spec, exact, isLast, layers, alone);
         shapings[s] = shape(shaper);
       });
       sum = std::accumulate(shapings.begin(), shapings.end(), sum);
@@ -310,7 +324,7 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
     if (spec.optimiseNodes && !exact)
     {
       execution.nextLoop(shares.optimisation);
-      optimise(whole, slabs, featureAngle, lift, execution);
+      optimise(whole, slabs, featureAngle, layers, execution);
     }
     if (spec.splitConcave && spec.refusedCellRatio > 0 && !exact)
     {

@@ -4,9 +4,9 @@
 #pragma once
 
 #include "Cells/Cells.h"
-#include "Displacement/WallLift.h"
 #include "Shaping/RemovedCell.h"
 #include "Shaping/ShapingSpec.h"
+#include "Surface/WallLayerSpec.h"
 
 namespace cartesian
 {
@@ -26,9 +26,9 @@ Shaping operator+(Shaping sum, const Shaping& other);
 // Whether there is anything to do.
 bool shapesCells(const SmallCellSpec& small, const ShapingSpec& spec);
 
-// `lift`: of the walls that will have layers, or null.
+// `layers`: that some walls will have, or null.
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
   const InnerFaces& inner, Cells& cells, const SmallCellSpec& small, const ShapingSpec& spec,
-  double featureAngle, Execution& execution, const WallLift* lift = nullptr);
+  double featureAngle, Execution& execution, const WallLayerSpec* layers = nullptr);
 
 }

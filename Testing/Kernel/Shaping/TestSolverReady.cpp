@@ -2,7 +2,6 @@
 #include "Base/Error.h"
 #include "Polyhedra/CellGeometry.h"
 #include "Polyhedra/Polyhedron.h"
-#include "Quality/QualityMeasures.h"
 #include "Support/MeshChecker.h"
 
 #include <gtest/gtest.h>
@@ -20,25 +19,6 @@ namespace
 class SolverReady : public ::testing::TestWithParam<NamedShape>
 {
 };
-
-Quality qualityOf(const MeshArrays& mesh)
-{
-  CellFaces faces;
-  for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
-  {
-    faces.firstFace.push_back(faces.firstCorner.size());
-    for (const Face& face : facesOf(mesh, cell))
-    {
-      faces.firstCorner.push_back(faces.corners.size());
-      faces.corners.insert(faces.corners.end(), face.begin(), face.end());
-    }
-  }
-  faces.firstFace.push_back(faces.firstCorner.size());
-  faces.firstCorner.push_back(faces.corners.size());
-  Execution execution(1);
-  const FaceList list = listFaces(faces, mesh.points.size() / 3, Clashes::AreBoundary, execution);
-  return measureQuality(mesh.points.data(), faces, list, execution);
-}
 
 Face nodesOf(Face face)
 {

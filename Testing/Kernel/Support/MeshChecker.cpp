@@ -487,4 +487,23 @@ double volumeSlack(const MeshArrays& mesh, const Soup& soup)
   return resultOf(text);
 }
 
+Quality qualityOf(const MeshArrays& mesh)
+{
+  CellFaces faces;
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
+  {
+    faces.firstFace.push_back(faces.firstCorner.size());
+    for (const Face& face : facesOf(mesh, cell))
+    {
+      faces.firstCorner.push_back(faces.corners.size());
+      faces.corners.insert(faces.corners.end(), face.begin(), face.end());
+    }
+  }
+  faces.firstFace.push_back(faces.firstCorner.size());
+  faces.firstCorner.push_back(faces.corners.size());
+  Execution execution(1);
+  const FaceList list = listFaces(faces, mesh.points.size() / 3, Clashes::AreBoundary, execution);
+  return measureQuality(mesh.points.data(), faces, list, execution);
+}
+
 }

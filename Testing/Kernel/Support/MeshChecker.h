@@ -1,6 +1,7 @@
 // An independent check of meshes: it knows only the arrays that were written, not how they were made.
 #pragma once
 
+#include "Quality/QualityMeasures.h"
 #include "Support/Pipeline.h"
 
 #include <gtest/gtest.h>
@@ -35,6 +36,7 @@ std::map<std::pair<int, int>, double> areasBetweenRegions(const MeshArrays& mesh
 // The points of each face of a cell, counter-clockwise from outside.
 using Face = std::vector<Id>;
 std::vector<Face> facesOf(const MeshArrays& mesh, std::size_t cell);
+Quality qualityOf(const MeshArrays& mesh);
 
 // Volumes of the cells of each box (I, J, K), ascending.
 std::map<std::array<int, 3>, std::vector<double>> volumesByBox(const MeshArrays& mesh);

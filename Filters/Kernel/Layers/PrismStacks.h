@@ -6,7 +6,7 @@
 // none above it: its prisms become wedges there, and a face all of whose nodes are such has no stack.
 #pragma once
 
-#include "Lifting/LayeredWall.h"
+#include "Layers/LayeredWall.h"
 
 namespace cartesian
 {
@@ -19,7 +19,7 @@ struct MovedPoint
 
 struct PrismStacks
 {
-  std::vector<MovedPoint> moved; // of the mesh, in order
+  std::vector<MovedPoint> moved; // of the mesh
 
   // Follow those of the mesh: points and cells are numbered on.
   std::vector<double> points;           // x, y, z
@@ -31,19 +31,22 @@ struct PrismStacks
   std::vector<unsigned char> layer; // of each cell, 1 at the wall
   std::vector<Id> below;            // of each cell, the number of the mesh's cell under its stack
 
-  // Of the mesh with its stacks, in order of their cells.
-  BoundaryMesh boundaryMesh;
-  std::vector<BoundaryFace> boundary;
-  std::vector<double> thickness; // of the stack below each, along its normal; 0: none
-
   std::size_t cells() const { return layer.size(); }
+  std::size_t stackOf(std::size_t cell) const { return (cell + layer[cell]) / layer[0]; }
+};
+
+// The boundary of the mesh with its stacks: faces without stacks, then those of each stack's cells.
+struct LayeredBoundary
+{
+  BoundaryMesh mesh;
+  std::vector<BoundaryFace> faces;
+  std::vector<double> thickness; // of the stack below each, along its normal; 0: none
 };
 
 // `heights`: of the layers' ends above the wall, as parts of all: 0, ..., 1.
 PrismStacks stackPrisms(
   const OutputMesh& mesh, const LayeredWall& wall, const std::vector<double>& heights);
 
-// At edges of other than two faces, which tell no neighbour: they can have no layers.
-std::vector<std::size_t> nodesWithoutLayers(const LayeredWall& wall);
+LayeredBoundary boundaryOf(const OutputMesh& mesh, const LayeredWall& wall, std::size_t layers);
 
 }

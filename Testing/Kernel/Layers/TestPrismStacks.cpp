@@ -1,12 +1,16 @@
-// Boundary layers on the mesh of a displaced surface.
-#include "Lifting/BoundaryLayers.h"
+// Boundary layers on finished meshes.
+#include "Layers/BoundaryLayers.h"
 
+#include "Base/Error.h"
 #include "Polyhedra/CellGeometry.h"
+#include "Support/MeshChecker.h"
 #include "Support/Pipeline.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace cartesian
@@ -19,7 +23,8 @@ struct Layered
 {
   PreparedSurface prepared;
   std::unique_ptr<Assembly> assembly;
-  MeshArrays mesh; // without layers
+  MeshArrays plain; // before there were layers
+  MeshArrays mesh;  // as its points are with layers, without these
 
   const PrismStacks& stacks() const { return assembly->layers->stacks; }
 
@@ -43,14 +48,13 @@ Layered meshWithLayers(const Soup& soup, TestOptions options)
   result.assembly =
     meshPart(result.prepared, *decomposition, decomposition->allLayers(), options, execution);
   result.mesh = arraysOf(*result.assembly->mesh, result.assembly->boxes, execution);
+  result.plain = result.mesh;
   for (const MovedPoint& moved : result.stacks().moved)
   {
     std::copy(moved.to.begin(), moved.to.end(), &result.mesh.points[3 * std::size_t(moved.point)]);
   }
   return result;
 }
-
-using Face = std::vector<Id>;
 
 std::vector<Face> facesAt(const std::vector<Id>& stream, Id start)
 {
@@ -115,7 +119,7 @@ LayerCells examine(const Layered& l)
     ++uses[{ l.mesh.boundaryPoints.begin() + l.mesh.boundaryStart[f],
       l.mesh.boundaryPoints.begin() + l.mesh.boundaryStart[f + 1] }];
   }
-  const BoundaryMesh& boundary = l.stacks().boundaryMesh;
+  const BoundaryMesh& boundary = l.assembly->layers->boundary.mesh;
   for (std::size_t f = 0; f + 1 < boundary.start.size(); ++f)
   {
     std::set<Id> points;
@@ -135,7 +139,7 @@ LayerCells examine(const Layered& l)
 // Enclosed by the boundary.
 double meshVolume(const Layered& layered)
 {
-  const BoundaryMesh& boundary = layered.stacks().boundaryMesh;
+  const BoundaryMesh& boundary = layered.assembly->layers->boundary.mesh;
   double sum = 0;
   for (std::size_t f = 0; f + 1 < boundary.start.size(); ++f)
   {
@@ -147,6 +151,36 @@ double meshVolume(const Layered& layered)
     sum += volumeUnder(layered, face);
   }
   return sum;
+}
+
+// The mesh and its layers as one.
+MeshArrays wholeOf(const Layered& layered)
+{
+  MeshArrays whole = layered.mesh;
+  const PrismStacks& stacks = layered.stacks();
+  const auto connectivity = static_cast<Id>(whole.connectivity.size());
+  const auto faceStream = static_cast<Id>(whole.faceStream.size());
+  whole.points.insert(whole.points.end(), stacks.points.begin(), stacks.points.end());
+  whole.connectivity.insert(
+    whole.connectivity.end(), stacks.connectivity.begin(), stacks.connectivity.end());
+  whole.faceStream.insert(
+    whole.faceStream.end(), stacks.faceStream.begin(), stacks.faceStream.end());
+  whole.offsets.pop_back();
+  for (std::size_t c = 0; c < stacks.cells(); ++c)
+  {
+    whole.offsets.push_back(connectivity + stacks.offsets[c]);
+    whole.faceStart.push_back(faceStream + stacks.faceStart[c]);
+    whole.types.push_back(MeshArrays::Polyhedron);
+  }
+  whole.offsets.push_back(connectivity + stacks.offsets.back());
+  return whole;
+}
+
+std::size_t countFailing(const Quality& quality, Measure measure)
+{
+  const std::vector<double>& values = quality.cells[measure];
+  return static_cast<std::size_t>(std::count_if(
+    values.begin(), values.end(), [&](double value) { return fails(measure, value); }));
 }
 
 TestOptions fiveLayers(double first, int threads = 1)
@@ -187,6 +221,48 @@ TEST(PrismStacks, SlideWithinBoundariesWithoutLayers)
   options.layers.boundariesWithout = { 0, 1 };
   expectFilled(cube().turned(), options, 20);
 }
+
+class LayersOnShapes : public ::testing::TestWithParam<NamedShape>
+{
+};
+
+// The walls stay, no volume is lost, and solvers refuse nothing that they would accept without layers.
+TEST_P(LayersOnShapes, AreAcceptedAndTakeNothingAway)
+{
+  const Soup& soup = GetParam().soup;
+  TestOptions options;
+  options.grid = cellsAlongLongest(soup, 8);
+  options.layers.count = 3;
+  Layered layered;
+  try
+  {
+    layered = meshWithLayers(soup, options);
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(std::string(error.what()).find("There is nothing left to mesh: all "), 0U);
+    return;
+  }
+  const LayerCells found = examine(layered);
+  EXPECT_EQ(found.open, 0U);
+  EXPECT_EQ(found.notPositive, 0U);
+  EXPECT_EQ(found.unmatchedFaces, 0U);
+  const Quality before = qualityOf(layered.plain);
+  const Quality quality = qualityOf(wholeOf(layered));
+  for (const Measure measure :
+    { Volume, Openness, OpenEdges, BoundaryAngle, NonOrthogonality, Skewness, AspectRatio })
+  {
+    EXPECT_LE(countFailing(quality, measure), countFailing(before, measure))
+      << MeasureSpecs[measure].name;
+  }
+  const auto sum = [](const Quality& of) {
+    const std::vector<double>& volumes = of.cells[Volume];
+    return std::accumulate(volumes.begin(), volumes.end(), 0.0);
+  };
+  EXPECT_NEAR(sum(quality) / sum(before), 1, 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, LayersOnShapes, ::testing::ValuesIn(cleanShapes()), nameOf);
 
 TEST(PrismStacks, AreTheSameForThreads)
 {

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Displacement/WallLayerSpec.h"
+#include "Surface/WallLayerSpec.h"
+
+#include "Surface/Surface.h"
+
+#include <algorithm>
 
 namespace cartesian
 {
@@ -23,6 +27,13 @@ std::vector<double> sumsOfSeries(const WallLayerSpec& spec)
   return sums;
 }
 
+}
+
+bool WallLayerSpec::hasLayers(std::int32_t boundary) const
+{
+  return boundary != NoBoundary &&
+    std::find(boundariesWithout.begin(), boundariesWithout.end(), boundary) ==
+    boundariesWithout.end();
 }
 
 void requireValid(const WallLayerSpec& spec)

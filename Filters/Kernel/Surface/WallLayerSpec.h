@@ -24,6 +24,8 @@ struct WallLayerSpec
   double thickness = 0; // of all layers
 
   std::vector<std::int32_t> boundariesWithout;
+
+  bool hasLayers(std::int32_t boundary) const;
 };
 
 // Throws Error: BadParameter.

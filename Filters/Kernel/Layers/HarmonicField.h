@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Vectors at the nodes of a graph, as smooth as what is known of them allows.
+#pragma once
+
+#include "Lattice/Vector.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace cartesian
+{
+
+// Each unknown value is the mean of its neighbours', weighted, with 0 in place of what is not linked; the part of it
+// along its fixed normals stays what it was.
+class HarmonicField
+{
+public:
+  struct Link
+  {
+    std::uint32_t from; // an unknown
+    std::uint32_t to;   // an unknown or a known
+    double weight;
+  };
+
+  HarmonicField() = default;
+
+  // `values`: of the unknowns, to start with, then of the knowns. `links` in order of `from`. `damping`: of each
+  // unknown, its weight towards 0. `fixed`: of each unknown, orthogonal normals of length 1, or null; borrowed.
+  HarmonicField(std::vector<Vector> values, std::vector<Link> links, std::vector<double> damping,
+    std::vector<const std::vector<Vector>*> fixed);
+
+  std::vector<Vector>& values() { return values_; }
+  const std::vector<Vector>& values() const { return values_; }
+
+  // From now on an unknown is 0. Whether it was not held before.
+  bool hold(std::size_t unknown);
+
+  // From the values as they are. The same bits for any number of threads.
+  void solve();
+
+private:
+  using Vectors = std::vector<Vector>;
+
+  std::size_t unknowns() const { return sums_.size(); }
+  Vector withinFixed(std::size_t i, const Vector& v) const;
+  Vectors times(const Vectors& values) const;
+
+  std::vector<Vector> values_;
+  std::vector<Link> links_;
+  std::vector<std::size_t> firstLink_; // of each unknown, and the end
+  std::vector<double> sums_;           // of the weights of each unknown
+  std::vector<const std::vector<Vector>*> fixed_;
+};
+
+}

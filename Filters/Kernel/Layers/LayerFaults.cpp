@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Layers/LayerFaults.h"
+
+#include "Quality/QualityMeasures.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::uint32_t OfCells = 1U << Volume | 1U << Openness | 1U << OpenEdges;
+constexpr std::uint32_t OfFaces = 1U << BoundaryAngle | 1U << NonOrthogonality | 1U << Skewness;
+constexpr double WrongAngle = 89.9; // InnerAngle of a face whose pyramid has no volume
+constexpr int PointsOfAFace = 3;    // at least
+
+}
+
+// Cells that have changed, and those that share a face with one: all that measures of the first need.
+struct LayerFaults::Selection
+{
+  CellFaces cells;
+  std::vector<std::uint32_t> number; // of each: a near cell, or beyond these one of the stacks
+  std::vector<std::uint32_t> face;   // of each face of a near cell among theirs; others None
+  std::vector<std::uint8_t> hasChanged;
+
+  void addPoints(
+    std::size_t firstFace, std::size_t lastFace, std::vector<std::uint32_t>& points) const
+  {
+    points.insert(points.end(),
+      cells.corners.begin() + static_cast<std::ptrdiff_t>(cells.firstCorner[firstFace]),
+      cells.corners.begin() + static_cast<std::ptrdiff_t>(cells.firstCorner[lastFace]));
+  }
+  void addPointsOfCell(std::size_t cell, std::vector<std::uint32_t>& points) const
+  {
+    addPoints(cells.firstFace[cell], cells.firstFace[cell + 1], points);
+  }
+};
+
+LayerFaults::LayerFaults(
+  const NearCells& near, const std::vector<double>& points, Execution& execution)
+  : near_(near)
+{
+  Faults faults = measure(near.cells, points, execution);
+  faceWasAtFault_.assign(near.cells.faceCount(), 0);
+  for (std::size_t f = 0; f < faults.face.size(); ++f)
+  {
+    faceWasAtFault_[faults.list.face[f]] = faults.face[f];
+  }
+  cellWasAtFault_ = std::move(faults.cell);
+  cellWasLong_ = std::move(faults.isLong);
+}
+
+LayerFaults::Faults LayerFaults::measure(
+  const CellFaces& cells, const std::vector<double>& points, Execution& execution)
+{
+  Faults faults;
+  faults.list = listFaces(cells, points.size() / 3, Clashes::AreBoundary, execution);
+  const Quality quality = measureQuality(points.data(), cells, faults.list, execution);
+  for (std::size_t f = 0; f < faults.list.face.size(); ++f)
+  {
+    faults.face.push_back(
+      (quality.faceFailures[f] & OfFaces) != 0 || !(quality.faces[InnerAngle][f] < WrongAngle));
+  }
+  for (const std::uint32_t failures : quality.cellFailures)
+  {
+    faults.cell.push_back((failures & OfCells) != 0);
+    faults.isLong.push_back((failures & 1U << AspectRatio) != 0);
+  }
+  return faults;
+}
+
+LayerFaults::Selection LayerFaults::select(
+  const PrismStacks& stacks, const std::vector<std::uint8_t>& hasMoved) const
+{
+  const CellFaces& near = near_.cells;
+  const auto nearCount = static_cast<std::uint32_t>(near.cellCount());
+  const auto count = nearCount + static_cast<std::uint32_t>(stacks.cells());
+  CellFaces ofStacks;
+  ofStacks.firstFace.assign(1, 0);
+  ofStacks.firstCorner.assign(1, 0);
+  for (const Id start : stacks.faceStart)
+  {
+    addPolyhedron(ofStacks, &stacks.faceStream[static_cast<std::size_t>(start)]);
+  }
+  const auto forEachCorner = [&](std::uint32_t c, auto&& visit) {
+    const CellFaces& cells = c < nearCount ? near : ofStacks;
+    const std::size_t cell = c < nearCount ? c : c - nearCount;
+    const std::size_t end = cells.firstCorner[cells.firstFace[cell + 1]];
+    for (std::size_t i = cells.firstCorner[cells.firstFace[cell]]; i < end; ++i)
+    {
+      visit(cells.corners[i]);
+    }
+  };
+  std::vector<std::uint8_t> hasChanged(count);
+  std::vector<std::uint8_t> isTouched(hasMoved.size());
+  for (std::uint32_t c = 0; c < count; ++c)
+  {
+    forEachCorner(c, [&](std::uint32_t p) { hasChanged[c] = hasChanged[c] || hasMoved[p]; });
+    if (hasChanged[c])
+    {
+      forEachCorner(c, [&](std::uint32_t p) { isTouched[p] = 1; });
+    }
+  }
+  Selection selected;
+  selected.cells.firstFace.assign(1, 0);
+  selected.cells.firstCorner.assign(1, 0);
+  for (std::uint32_t c = 0; c < count; ++c)
+  {
+    int touched = 0; // as often as faces have them
+    forEachCorner(c, [&](std::uint32_t p) { touched += isTouched[p]; });
+    if (touched < PointsOfAFace)
+    {
+      continue;
+    }
+    selected.number.push_back(c);
+    selected.hasChanged.push_back(hasChanged[c]);
+    const CellFaces& cells = c < nearCount ? near : ofStacks;
+    const std::size_t cell = c < nearCount ? c : c - nearCount;
+    for (std::size_t f = cells.firstFace[cell]; f < cells.firstFace[cell + 1]; ++f)
+    {
+      selected.face.push_back(c < nearCount ? static_cast<std::uint32_t>(f) : std::uint32_t(None));
+      selected.cells.corners.insert(selected.cells.corners.end(),
+        cells.corners.begin() + static_cast<std::ptrdiff_t>(cells.firstCorner[f]),
+        cells.corners.begin() + static_cast<std::ptrdiff_t>(cells.firstCorner[f + 1]));
+      selected.cells.firstCorner.push_back(selected.cells.corners.size());
+    }
+    selected.cells.firstFace.push_back(selected.cells.faceCount());
+  }
+  return selected;
+}
+
+// Whether a listed face is at fault, and not because it was before there were layers.
+bool LayerFaults::isNewFace(const Selection& selected, const Faults& faults, std::size_t f) const
+{
+  const std::uint32_t owner = faults.list.owner[f];
+  const std::uint32_t other = f < faults.list.neighbour.size() ? faults.list.neighbour[f] : owner;
+  const bool isOfMesh =
+    std::max(selected.number[owner], selected.number[other]) < near_.cells.cellCount();
+  return faults.face[f] && (selected.hasChanged[owner] || selected.hasChanged[other]) &&
+    !(isOfMesh && faceWasAtFault_[selected.face[faults.list.face[f]]]);
+}
+
+LayerFault LayerFaults::ofFace(
+  const Selection& selected, const Faults& faults, std::size_t f, const PrismStacks& stacks) const
+{
+  LayerFault fault;
+  const std::uint32_t face = faults.list.face[f];
+  selected.addPoints(face, face + 1, fault.points);
+  const std::size_t ofMesh = near_.cells.cellCount();
+  const std::uint32_t owner = faults.list.owner[f];
+  const std::uint32_t other = f < faults.list.neighbour.size() ? faults.list.neighbour[f] : owner;
+  const std::uint32_t c = selected.number[owner];
+  const std::uint32_t d = selected.number[other];
+  if (std::max(c, d) < ofMesh)
+  {
+    selected.addPointsOfCell(owner, fault.around);
+    selected.addPointsOfCell(other, fault.around);
+  }
+  fault.mendsThinner =
+    std::min(c, d) < ofMesh || stacks.stackOf(c - ofMesh) == stacks.stackOf(d - ofMesh);
+  return fault;
+}
+
+std::vector<LayerFault> LayerFaults::find(const PrismStacks& stacks,
+  const std::vector<double>& points, const std::vector<std::uint8_t>& hasMoved,
+  Execution& execution) const
+{
+  const Selection selected = select(stacks, hasMoved);
+  const Faults faults = measure(selected.cells, points, execution);
+  std::vector<LayerFault> found;
+  for (std::size_t f = 0; f < faults.face.size(); ++f)
+  {
+    if (isNewFace(selected, faults, f))
+    {
+      found.push_back(ofFace(selected, faults, f, stacks));
+    }
+  }
+  for (std::size_t c = 0; c < selected.number.size(); ++c)
+  {
+    const std::uint32_t number = selected.number[c];
+    const bool isOfMesh = number < near_.cells.cellCount();
+    const bool isNew = faults.cell[c] && !(isOfMesh && cellWasAtFault_[number]);
+    const bool isLong = faults.isLong[c] && !(isOfMesh && cellWasLong_[number]);
+    if (selected.hasChanged[c] && (isNew || isLong))
+    {
+      LayerFault fault;
+      selected.addPointsOfCell(c, fault.points);
+      fault.around = isOfMesh ? fault.points : fault.around;
+      fault.mendsThinner = isNew;
+      found.push_back(std::move(fault));
+    }
+  }
+  return found;
+}
+
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What solvers refuse of a mesh with layers and accepted, or had not to accept, without them.
+#pragma once
+
+#include "Layers/NearCells.h"
+#include "Layers/PrismStacks.h"
+
+namespace cartesian
+{
+
+struct LayerFault
+{
+  std::vector<std::uint32_t> points; // of a face or a cell, the mesh's, then those of the stacks
+  std::vector<std::uint32_t> around; // if it is of the mesh alone: all points of its cells
+  bool mendsThinner = true;          // or only where there are no layers
+};
+
+class LayerFaults
+{
+public:
+  // Borrows the cells. `points`: of the mesh without layers.
+  LayerFaults(const NearCells& near, const std::vector<double>& points, Execution& execution);
+
+  // Of cells with a point that `hasMoved`. `points`: of the mesh, then those of the stacks.
+  std::vector<LayerFault> find(const PrismStacks& stacks, const std::vector<double>& points,
+    const std::vector<std::uint8_t>& hasMoved, Execution& execution) const;
+
+private:
+  // What measureQuality says of some cells.
+  struct Faults
+  {
+    FaceList list;
+    std::vector<std::uint8_t> face; // of each listed face
+    std::vector<std::uint8_t> cell;
+    std::vector<std::uint8_t>
+      isLong; // cells at fault for their aspect ratio: if they are thinner it is larger
+  };
+  struct Selection;
+
+  static Faults measure(
+    const CellFaces& cells, const std::vector<double>& points, Execution& execution);
+  Selection select(const PrismStacks& stacks, const std::vector<std::uint8_t>& hasMoved) const;
+  bool isNewFace(const Selection& selected, const Faults& faults, std::size_t f) const;
+  LayerFault ofFace(const Selection& selected, const Faults& faults, std::size_t f,
+    const PrismStacks& stacks) const;
+
+  const NearCells& near_;
+  std::vector<std::uint8_t> faceWasAtFault_; // of the near cells, as the owner has it
+  std::vector<std::uint8_t> cellWasAtFault_;
+  std::vector<std::uint8_t> cellWasLong_;
+};
+
+}

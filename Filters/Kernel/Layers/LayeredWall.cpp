@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Layers/LayeredWall.h"
+
+#include "Polyhedra/CellGeometry.h"
+#include "Polyhedra/OffsetPlanes.h"
+#include "Repair/TriangleTree.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr double PartOfTheWay = 1.0 / 3; // to what lies opposite
+constexpr double SinOfOnePlane = 0.1;    // normals that differ by less tell the same
+constexpr double SinOfSharpEdge = 0.7;   // ... about the way of a node
+constexpr std::size_t NodesAChunk = 256;
+
+class WallFinder
+{
+public:
+  WallFinder(const OutputMesh& mesh, const WallLayerSpec& spec, double thickness)
+    : mesh_(mesh)
+    , spec_(spec)
+    , thickness_(thickness)
+  {
+  }
+
+  LayeredWall run(const std::vector<double>& points, Execution& execution)
+  {
+    wall_.faces = mesh_.boundaryMesh(execution);
+    for (const Id point : wall_.faces.meshPoint)
+    {
+      const double* const at = &points[3 * static_cast<std::size_t>(point)];
+      wall_.place.push_back({ at[0], at[1], at[2] });
+    }
+    findLayered();
+    findBeyond();
+    facets_.resize(wall_.nodes());
+    others_.resize(wall_.nodes());
+    for (std::size_t f = 0; f < wall_.layered.size(); ++f)
+    {
+      addFace(f);
+    }
+    findWays(execution);
+    endAtOddEdges();
+    return std::move(wall_);
+  }
+
+private:
+  void findLayered()
+  {
+    wall_.layered.resize(mesh_.boundary().size());
+    wall_.isOnWall.assign(wall_.nodes(), 0);
+    for (std::size_t f = 0; f < wall_.layered.size(); ++f)
+    {
+      wall_.layered[f] = spec_.hasLayers(mesh_.boundary()[f].boundary);
+      for (std::size_t i = 0; wall_.layered[f] && i < wall_.corners(f); ++i)
+      {
+        wall_.isOnWall[wall_.node(f, i)] = 1;
+      }
+    }
+  }
+
+  void findBeyond()
+  {
+    std::vector<std::array<std::size_t, 4>> edges; // lower node, upper node, corner, face
+    for (std::size_t f = 0; f < wall_.layered.size(); ++f)
+    {
+      for (std::size_t i = 0; i < wall_.corners(f); ++i)
+      {
+        const std::size_t a = wall_.node(f, i);
+        const std::size_t b = wall_.node(f, i + 1);
+        edges.push_back({ std::min(a, b), std::max(a, b),
+          static_cast<std::size_t>(wall_.faces.start[f]) + i, f });
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    wall_.beyond.resize(edges.size());
+    for (std::size_t i = 0; i < edges.size();)
+    {
+      std::size_t end = i + 1;
+      while (end < edges.size() && edges[end][0] == edges[i][0] && edges[end][1] == edges[i][1])
+      {
+        ++end;
+      }
+      for (std::size_t k = i; k < end; ++k)
+      {
+        wall_.beyond[edges[k][2]] = edges[end - i == 2 ? i + end - 1 - k : k][3];
+      }
+      i = end;
+    }
+  }
+
+  void addFace(std::size_t f)
+  {
+    const std::size_t size = wall_.corners(f);
+    const auto at = [&](std::size_t i) -> const Vector& { return wall_.place[wall_.node(f, i)]; };
+    const Vector inwards = scaled(unit(measureFace(size, at).area), -1);
+    for (std::size_t i = 0; norm(inwards) > 0 && i < size; ++i)
+    {
+      const Vector back = minus(at(i + size - 1), at(i));
+      const Vector ahead = minus(at(i + 1), at(i));
+      const std::size_t n = wall_.node(f, i);
+      addFacet((wall_.layered[f] ? facets_ : others_)[n], inwards, radians(angle(back, ahead)));
+    }
+  }
+
+  void findWays(Execution& execution)
+  {
+    wall_.way.assign(wall_.nodes(), Vector{});
+    wall_.fixed.resize(wall_.nodes());
+    wall_.across.resize(wall_.nodes());
+    wall_.parts.assign(wall_.nodes(), 0);
+    execution.forEach(wall_.nodes(), NodesAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        wall_.fixed[n] = independentNormals(others_[n], SinOfOnePlane);
+        if (wall_.isOnWall[n])
+        {
+          wall_.way[n] = scaled(meetingPoint(facets_[n], wall_.fixed[n]), thickness_);
+          std::vector<Facet> all = others_[n];
+          all.push_back({ unit(wall_.way[n]), 1 });
+          all.insert(all.end(), facets_[n].begin(), facets_[n].end());
+          wall_.across[n] = independentNormals(all, SinOfSharpEdge);
+          wall_.parts[n] = norm(wall_.way[n]) > 0 ? 1 : 0;
+        }
+      }
+    });
+  }
+
+  // Edges of other than two faces tell no neighbour: their nodes can have no layers.
+  void endAtOddEdges()
+  {
+    for (std::size_t f = 0; f < wall_.layered.size(); ++f)
+    {
+      for (std::size_t i = 0; i < wall_.corners(f); ++i)
+      {
+        if (wall_.faceBeyond(f, i) == f)
+        {
+          wall_.parts[wall_.node(f, i)] = 0;
+          wall_.parts[wall_.node(f, i + 1)] = 0;
+        }
+      }
+    }
+  }
+
+  const OutputMesh& mesh_;
+  const WallLayerSpec& spec_;
+  const double thickness_;
+  std::vector<std::vector<Facet>> facets_; // around each node, of walls with layers
+  std::vector<std::vector<Facet>> others_;
+  LayeredWall wall_;
+};
+
+// Where a ray leaves through a triangle, in its own length; more than 1: it does not.
+double leavesAt(const Vector& from, const Vector& along, const Corners& c)
+{
+  const Vector u = minus(c[1], c[0]);
+  const Vector v = minus(c[2], c[0]);
+  const Vector w = cross(along, v);
+  const double determinant = dot(u, w);
+  const Vector first{ double(c[0][0]), double(c[0][1]), double(c[0][2]) };
+  const Vector start = minus(from, first);
+  const double a = dot(start, w) / determinant;
+  const Vector x = cross(start, u);
+  const double b = dot(along, x) / determinant;
+  const double t = dot(v, x) / determinant;
+  constexpr double Rounding = 1e-9;
+  const bool meets = dot(along, cross(u, v)) > 0 && a >= -Rounding && b >= -Rounding &&
+    a + b <= 1 + Rounding && t > 0;
+  return meets ? t : 2; // NaN of parallels is no meeting
+}
+
+}
+
+bool LayeredWall::hasStack(std::size_t face) const
+{
+  bool any = false;
+  for (std::size_t i = 0; i < corners(face); ++i)
+  {
+    any = any || parts[node(face, i)] > 0;
+  }
+  return layered[face] && any;
+}
+
+LayeredWall findLayeredWall(const OutputMesh& mesh, const std::vector<double>& points,
+  const WallLayerSpec& spec, double thickness, Execution& execution)
+{
+  return WallFinder(mesh, spec, thickness).run(points, execution);
+}
+
+void keepFromOpposite(LayeredWall& wall, const Surface& surface, Execution& execution)
+{
+  const TriangleTree tree(surface, execution);
+  const Lattice& lattice = surface.lattice;
+  execution.forEach(wall.nodes(), NodesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      if (wall.parts[n] == 0)
+      {
+        continue;
+      }
+      const Vector from = scaled(minus(wall.place[n], lattice.origin()), 1 / lattice.step());
+      const Vector along = scaled(wall.way[n], 1 / PartOfTheWay / lattice.step());
+      const Vector to = plus(from, along);
+      Vector low = from;
+      Vector high = from;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        low[axis] = std::min(from[axis], to[axis]);
+        high[axis] = std::max(from[axis], to[axis]);
+      }
+      tree.forEachWithin(low, high, [&](std::uint32_t t) {
+        wall.parts[n] = std::min(wall.parts[n], leavesAt(from, along, surface.corners(t)));
+      });
+    }
+  });
+}
+
+}

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The boundary of a mesh that gets layers: which of its nodes go where.
+#pragma once
+
+#include "Mesh/OutputMesh.h"
+#include "Surface/WallLayerSpec.h"
+
+namespace cartesian
+{
+
+struct LayeredWall
+{
+  BoundaryMesh faces;                // of the mesh without layers
+  std::vector<std::uint8_t> layered; // of each face
+  std::vector<std::uint8_t>
+    isOnWall;                // of each node, an index in faces.meshPoint: it is of a layered face
+  std::vector<Vector> place; // of each node, in user units
+
+  // Of each node on the wall, the way inwards through all layers, to where the planes of the faces around it meet
+  // (OffsetPlanes.h); it is within the planes of boundaries without layers. Others: 0.
+  std::vector<Vector> way;
+
+  // Of each node, the normals of the planes of boundaries without layers around it (orthogonal): where it may slide.
+  std::vector<std::vector<Vector>> fixed;
+
+  // ... of each node on the wall, those across which its way is certain: others come from nodes beside it.
+  std::vector<std::vector<Vector>> across;
+
+  // Of its way, how much layers take; the mesh's point moves to there. 0: it has none.
+  std::vector<double> parts;
+
+  // Of each face's corners, as in faces.corners, the face beyond the edge from there to the next corner; itself where
+  // there are not two faces at an edge.
+  std::vector<std::size_t> beyond;
+
+  std::size_t nodes() const { return place.size(); }
+  std::size_t corners(std::size_t face) const
+  {
+    return static_cast<std::size_t>(faces.start[face + 1] - faces.start[face]);
+  }
+  std::size_t node(std::size_t face, std::size_t i) const
+  {
+    return static_cast<std::size_t>(
+      faces.corners[static_cast<std::size_t>(faces.start[face]) + i % corners(face)]);
+  }
+
+  std::size_t faceBeyond(std::size_t face, std::size_t i) const
+  {
+    return beyond[static_cast<std::size_t>(faces.start[face]) + i];
+  }
+
+  // Where 0 is the wall and 1 the mesh below the layers.
+  Vector at(std::size_t node, double height) const
+  {
+    return plus(place[node], scaled(way[node], height * parts[node]));
+  }
+  bool hasStack(std::size_t face) const;
+};
+
+// `points`: of the mesh. `thickness`: of all layers, in user units.
+LayeredWall findLayeredWall(const OutputMesh& mesh, const std::vector<double>& points,
+  const WallLayerSpec& spec, double thickness, Execution& execution);
+
+// Lowers the parts of nodes until layers take at most a third of the way to the wall that lies opposite.
+void keepFromOpposite(LayeredWall& wall, const Surface& surface, Execution& execution);
+
+}

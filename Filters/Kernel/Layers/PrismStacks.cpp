@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Layers/PrismStacks.h"
+
+#include "Polyhedra/CellGeometry.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// The points above a node are numbered one after the other, from the mesh to the wall.
+class Columns
+{
+public:
+  Columns(const OutputMesh& mesh, const LayeredWall& wall, std::size_t layers)
+    : layers_(layers)
+    , first_(wall.nodes())
+  {
+    Id next = mesh.pointCount();
+    for (std::size_t n = 0; n < wall.nodes(); ++n)
+    {
+      first_[n] = wall.parts[n] > 0 ? next : -1;
+      next += wall.parts[n] > 0 ? static_cast<Id>(layers) : 0;
+    }
+  }
+
+  std::size_t layers() const { return layers_; }
+
+  // So many layers above the mesh.
+  Id above(const LayeredWall& wall, std::size_t n, std::size_t k) const
+  {
+    return k == 0 || first_[n] < 0 ? wall.faces.meshPoint[n] : first_[n] + static_cast<Id>(k) - 1;
+  }
+
+private:
+  const std::size_t layers_;
+  std::vector<Id> first_; // of each node, or -1
+};
+
+// The k-th side of a stack above an edge: four points, or three where one node has no layers, or none.
+struct Side
+{
+  std::array<Id, 4> points;
+  std::size_t size;
+
+  Side(const LayeredWall& wall, const Columns& columns, std::size_t f, std::size_t i, std::size_t k)
+  {
+    const std::size_t a = wall.node(f, i);
+    const std::size_t b = wall.node(f, i + 1);
+    const auto above = [&](std::size_t n, std::size_t level) {
+      return columns.above(wall, n, level);
+    };
+    points = { above(a, k), above(b, k), above(b, k + 1), above(a, k + 1) };
+    size = points.size();
+    if (points[2] == points[1])
+    {
+      points[2] = points[3];
+      --size;
+    }
+    if (points[size - 1] == points[0])
+    {
+      --size;
+    }
+  }
+  bool exists() const { return size >= 3; }
+};
+
+class Stacker
+{
+public:
+  Stacker(const OutputMesh& mesh, const LayeredWall& wall, const std::vector<double>& heights)
+    : mesh_(mesh)
+    , wall_(wall)
+    , heights_(heights)
+    , columns_(mesh, wall, heights.size() - 1)
+  {
+  }
+
+  PrismStacks run()
+  {
+    placePoints();
+    for (std::size_t f = 0; f < wall_.layered.size(); ++f)
+    {
+      for (std::size_t k = 0; wall_.hasStack(f) && k < columns_.layers(); ++k)
+      {
+        addCell(f, k);
+      }
+    }
+    result_.offsets.push_back(static_cast<Id>(result_.connectivity.size()));
+    return std::move(result_);
+  }
+
+private:
+  Id above(std::size_t n, std::size_t k) const { return columns_.above(wall_, n, k); }
+
+  void placePoints()
+  {
+    for (std::size_t n = 0; n < wall_.nodes(); ++n)
+    {
+      if (wall_.parts[n] == 0)
+      {
+        continue;
+      }
+      result_.moved.push_back({ wall_.faces.meshPoint[n], wall_.at(n, 1) });
+      for (std::size_t k = 1; k <= columns_.layers(); ++k)
+      {
+        const Vector at = wall_.at(n, heights_[columns_.layers() - k]);
+        result_.points.insert(result_.points.end(), at.begin(), at.end());
+        result_.nodeOfPoint.push_back(n);
+      }
+    }
+  }
+
+  void addCell(std::size_t f, std::size_t k)
+  {
+    std::vector<Id>& stream = result_.faceStream;
+    result_.offsets.push_back(static_cast<Id>(result_.connectivity.size()));
+    result_.faceStart.push_back(static_cast<Id>(stream.size()));
+    const std::size_t count = stream.size();
+    const std::size_t corners = wall_.corners(f);
+    stream.push_back(2);
+    stream.push_back(static_cast<Id>(corners));
+    for (std::size_t i = 0; i < corners; ++i)
+    {
+      stream.push_back(above(wall_.node(f, corners - 1 - i), k));
+      result_.connectivity.push_back(stream.back());
+    }
+    stream.push_back(static_cast<Id>(corners));
+    for (std::size_t i = 0; i < corners; ++i)
+    {
+      const std::size_t n = wall_.node(f, i);
+      stream.push_back(above(n, k + 1));
+      if (stream.back() != above(n, k))
+      {
+        result_.connectivity.push_back(stream.back());
+      }
+    }
+    for (std::size_t i = 0; i < corners; ++i)
+    {
+      const Side side(wall_, columns_, f, i, k);
+      if (side.exists())
+      {
+        ++stream[count];
+        stream.push_back(static_cast<Id>(side.size));
+        stream.insert(stream.end(), side.points.begin(), side.points.begin() + side.size);
+      }
+    }
+    result_.layer.push_back(static_cast<unsigned char>(columns_.layers() - k));
+    result_.below.push_back(mesh_.boundary()[f].cell);
+  }
+
+  const OutputMesh& mesh_;
+  const LayeredWall& wall_;
+  const std::vector<double>& heights_; // above the wall, as parts of all
+  const Columns columns_;
+  PrismStacks result_;
+};
+
+class BoundaryLister
+{
+public:
+  BoundaryLister(const OutputMesh& mesh, const LayeredWall& wall, std::size_t layers)
+    : mesh_(mesh)
+    , wall_(wall)
+    , columns_(mesh, wall, layers)
+  {
+  }
+
+  LayeredBoundary run()
+  {
+    keepWithoutStacks();
+    Id cell = mesh_.cellCount();
+    for (std::size_t f = 0; f < wall_.layered.size(); ++f)
+    {
+      for (std::size_t k = 0; wall_.hasStack(f) && k < columns_.layers(); ++k)
+      {
+        addOf(f, k, cell++);
+      }
+    }
+    listPoints();
+    return std::move(result_);
+  }
+
+private:
+  template <class Points>
+  void add(const BoundaryFace& face, const Points& points, std::size_t size, double thickness)
+  {
+    result_.faces.push_back(face);
+    result_.thickness.push_back(thickness);
+    std::vector<Id>& corners = result_.mesh.corners;
+    result_.mesh.start.push_back(static_cast<Id>(corners.size())); // the end comes last
+    corners.insert(
+      corners.end(), points.begin(), points.begin() + static_cast<std::ptrdiff_t>(size));
+  }
+
+  std::vector<Id> pointsOf(std::size_t f, std::size_t k) const
+  {
+    std::vector<Id> points;
+    for (std::size_t i = 0; i < wall_.corners(f); ++i)
+    {
+      points.push_back(columns_.above(wall_, wall_.node(f, i), k));
+    }
+    return points;
+  }
+
+  void keepWithoutStacks()
+  {
+    for (std::size_t f = 0; f < wall_.layered.size(); ++f)
+    {
+      if (!wall_.hasStack(f))
+      {
+        add(mesh_.boundary()[f], pointsOf(f, 0), wall_.corners(f), 0);
+      }
+    }
+  }
+
+  void addOf(std::size_t f, std::size_t k, Id cell)
+  {
+    if (k + 1 == columns_.layers())
+    {
+      const BoundaryFace& base = mesh_.boundary()[f];
+      add({ cell, base.index, base.boundary, BoundaryFace::Kind::Patch },
+        pointsOf(f, columns_.layers()), wall_.corners(f), thicknessOf(f));
+    }
+    for (std::size_t i = 0; i < wall_.corners(f); ++i)
+    {
+      const std::size_t other = wall_.faceBeyond(f, i);
+      const Side side(wall_, columns_, f, i, k);
+      if (!wall_.layered[other] && side.exists())
+      {
+        const BoundaryFace& there = mesh_.boundary()[other];
+        add({ cell, there.index, there.boundary, BoundaryFace::Kind::Patch }, side.points,
+          side.size, 0);
+      }
+    }
+  }
+
+  // The mean of its nodes, along the normal of the wall.
+  double thicknessOf(std::size_t f) const
+  {
+    const std::size_t corners = wall_.corners(f);
+    const FaceGeometry face =
+      measureFace(corners, [&](std::size_t i) { return wall_.place[wall_.node(f, i)]; });
+    double sum = 0;
+    for (std::size_t i = 0; i < corners; ++i)
+    {
+      const std::size_t n = wall_.node(f, i);
+      sum += dot(minus(wall_.place[n], wall_.at(n, 1)), unit(face.area));
+    }
+    return sum / static_cast<double>(corners);
+  }
+
+  // Corners are the mesh's points so far.
+  void listPoints()
+  {
+    BoundaryMesh& mesh = result_.mesh;
+    mesh.start.push_back(static_cast<Id>(mesh.corners.size()));
+    mesh.meshPoint = mesh.corners;
+    std::sort(mesh.meshPoint.begin(), mesh.meshPoint.end());
+    mesh.meshPoint.erase(
+      std::unique(mesh.meshPoint.begin(), mesh.meshPoint.end()), mesh.meshPoint.end());
+    for (Id& corner : mesh.corners)
+    {
+      corner = std::lower_bound(mesh.meshPoint.begin(), mesh.meshPoint.end(), corner) -
+        mesh.meshPoint.begin();
+    }
+  }
+
+  const OutputMesh& mesh_;
+  const LayeredWall& wall_;
+  const Columns columns_;
+  LayeredBoundary result_;
+};
+
+}
+
+PrismStacks stackPrisms(
+  const OutputMesh& mesh, const LayeredWall& wall, const std::vector<double>& heights)
+{
+  return Stacker(mesh, wall, heights).run();
+}
+
+LayeredBoundary boundaryOf(const OutputMesh& mesh, const LayeredWall& wall, std::size_t layers)
+{
+  return BoundaryLister(mesh, wall, layers).run();
+}
+
+}
