@@ -10,12 +10,13 @@ import foam  # noqa: E402
 QUALITY = """
     maxNonOrtho 65; maxBoundarySkewness 20; maxInternalSkewness 4; maxConcave 80; minVol 1e-30;
     minTetQuality 1e-30; minArea -1; minTwist 0.02; minDeterminant 0.001; minFaceWeight 0.05;
-    minVolRatio 0.01; minTriangleTwist -1; nSmoothScale 4; errorReduction 0.75;"""
+    minVolRatio 0.01; minTriangleTwist -1; nSmoothScale 4; errorReduction 0.75;
+    relaxed { maxNonOrtho 75; minTetQuality -1e30; }"""
 
 LAYERS = """
     nGrow 0; featureAngle 60; nRelaxIter 3; nSmoothSurfaceNormals 1; nSmoothNormals 3;
-    nSmoothThickness 10; maxFaceThicknessRatio 0.5; maxThicknessToMedialRatio 0.3;
-    minMedianAxisAngle 90; nBufferCellsNoExtrude 0; nLayerIter 50;"""
+    slipFeatureAngle 30; nRelaxedIter 20; nSmoothThickness 10; maxFaceThicknessRatio 0.5; maxThicknessToMedialRatio 0.3;
+    minMedialAxisAngle 90; nBufferCellsNoExtrude 0; nLayerIter 50;"""
 
 
 def write_block(folder, low, high, cells):
