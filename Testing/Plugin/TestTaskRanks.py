@@ -68,11 +68,11 @@ for ranks in 2, 3:
     for mesh in "out/mesh.pvtu", "out/mesh.foam":
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
-            said, code, usual = Program(folder, ranks, mesh, 14).end()
+            said, code, usual = Program(folder, ranks, mesh, 24).end()
             assert code in (SUCCESS, WARNINGS), said
             before = contents(folder)
             for failing in range(ranks):
-                said, code, seconds = Program(folder, ranks, mesh, 13, failing).end()
+                said, code, seconds = Program(folder, ranks, mesh, 20, failing).end()
                 print(f"{mesh}, {ranks} ranks, {failing} fails: {seconds:.1f} s, {usual:.1f} without")
                 assert code == REFUSED and "output.mesh" in said and "could not be written" in said, said
                 assert contents(folder) == before, "what was there is lost"
