@@ -14,6 +14,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <exception>
 #include <optional>
 
 vtkStandardNewMacro(vtkPolyMeshWriter);
@@ -43,19 +44,19 @@ int CountProcesses()
 template <class Work>
 void OnAll(const cartesian::Processes& processes, Work&& work)
 {
-  std::optional<cartesian::Error> mine;
+  std::exception_ptr mine;
   try
   {
     work();
   }
-  catch (const cartesian::Error& error)
+  catch (...) // the others wait whatever it is: no memory, too
   {
-    mine = error;
+    mine = std::current_exception();
   }
   const std::vector<double> failures = processes.sum({ mine ? 1.0 : 0.0 });
   if (mine)
   {
-    throw *mine;
+    std::rethrow_exception(mine);
   }
   if (failures[0] > 0)
   {
@@ -238,15 +239,18 @@ void vtkPolyMeshWriter::WriteOwnPiece(vtkUnstructuredGrid* grid)
     piece = ReadPiece(grid, this->RegionsAs, execution);
   });
   this->UpdateProgress(0.4);
-  std::vector<cartesian::FoamOutline> outlines;
-  for (const auto& numbers : processes.gather(cartesian::outlineOf(piece).toNumbers()))
-  {
-    outlines.push_back(cartesian::FoamOutline::fromNumbers(numbers));
-  }
-  const auto numbers = cartesian::numberFaces(outlines);
+  std::vector<double> outline;
+  OnAll(processes, [&] { outline = cartesian::outlineOf(piece).toNumbers(); });
+  const std::vector<std::vector<double>> outlinesOfAll = processes.gather(outline);
   this->UpdateProgress(0.5);
   std::optional<cartesian::PolyMeshFiles> files;
   OnAll(processes, [&] {
+    std::vector<cartesian::FoamOutline> outlines;
+    for (const auto& numbers : outlinesOfAll)
+    {
+      outlines.push_back(cartesian::FoamOutline::fromNumbers(numbers));
+    }
+    const auto numbers = cartesian::numberFaces(outlines);
     files = WriteBeside(std::move(piece), processes.ownNumber(), numbers, grid, file.parent_path(),
       FormatOf(this->FileType));
   });

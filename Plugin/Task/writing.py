@@ -4,6 +4,7 @@ the new one are in a folder that the old one does not name."""
 
 import contextlib
 import os
+import re
 import shutil
 
 from cartesianmesher.vtkCartesianMesherFilters import vtkPolyMeshWriter
@@ -17,6 +18,8 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWrit
 WRITERS = ({".vtu": vtkXMLUnstructuredGridWriter}, {".vtp": vtkXMLPolyDataWriter},
            {".vtp": vtkXMLPolyDataWriter})
 PIECE_WRITERS = ({".pvtu": vtkXMLPUnstructuredGridWriter}, {".pvtp": vtkXMLPPolyDataWriter}, {})
+# What files of VTK's end with.
+END = b"</VTKFile>\n"
 # A case is a folder of files, which its writer swaps itself.
 CASE = ".foam"
 
@@ -164,9 +167,27 @@ def save(mesher, port, file, pieces):
             save_as(mesher, port, file.absolute(),
                 **{"Pieces": pieces, "RegionsAs": "Zones"} if pieces > 1 else {})
         return
-    replace = replacing_pieces if file.suffix in PIECE_WRITERS[port] else replacing
-    with replace(file) as new:
+    if file.suffix not in PIECE_WRITERS[port]:
+        with replacing(file) as new:
+            save_as(mesher, port, new)
+        return
+    with replacing_pieces(file) as new:
         save_as(mesher, port, new)
+        check_pieces(new, servermanager.OutputPort(mesher, port).GetDataInformation().GetNumberOfCells())
+
+
+def check_pieces(file, cells):
+    """Whether there are as many cells as all ranks have: of another rank's failure this one hears nothing."""
+    for piece in (file.parent / name for name in re.findall('Source="([^"]*)"', file.read_text())):
+        with piece.open("rb") as text:
+            head = next((line for line in text if b"<Piece " in line), b"")
+            text.seek(max(0, text.seek(0, os.SEEK_END) - len(END)))
+            whole = text.read().endswith(END)
+        if not whole:
+            raise NotWritten(f"could not be written: the rank of {piece.name} has failed, perhaps for want of room")
+        cells -= sum(map(int, re.findall(rb'NumberOf(?:Cells|Verts|Lines|Strips|Polys)="(\d+)"', head)))
+    if cells != 0:
+        raise NotWritten("could not be written: a rank has failed before it wrote its piece")
 
 
 def save_as(mesher, port, file, **properties):

@@ -18,7 +18,8 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = str(ROOT / "Plugin" / "Task"), str(ROOT / "Testing" / "Plugin")
+BUILD = pathlib.Path(os.environ["PV_PLUGIN_PATH"]).parents[2]
+sys.path[:0] = str(BUILD / "share" / "cartesianmesher"), str(ROOT / "Testing" / "Plugin")
 
 import run
 from task import read_task

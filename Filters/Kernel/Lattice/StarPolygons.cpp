@@ -66,11 +66,19 @@ bool obstructs(const PlanePoint& p, const PlanePoint& q, const PlanePoint& r, co
     touches(rsq, r, s, q);
 }
 
+// Whether segments pq and rs lie apart along an axis: nearly all do, where there are many.
+bool areApart(const PlanePoint& p, const PlanePoint& q, const PlanePoint& r, const PlanePoint& s)
+{
+  return std::max(p.a, q.a) < std::min(r.a, s.a) || std::max(r.a, s.a) < std::min(p.a, q.a) ||
+    std::max(p.b, q.b) < std::min(r.b, s.b) || std::max(r.b, s.b) < std::min(p.b, q.b);
+}
+
 bool obstructed(const std::vector<PlanePoint>& at, const PlanePoint& p, const PlanePoint& q)
 {
   for (std::size_t i = 0; i < at.size(); ++i)
   {
-    if (obstructs(p, q, at[i], at[i + 1 < at.size() ? i + 1 : 0]))
+    const PlanePoint& next = at[i + 1 < at.size() ? i + 1 : 0];
+    if (!areApart(p, q, at[i], next) && obstructs(p, q, at[i], next))
     {
       return true;
     }
@@ -240,32 +248,91 @@ bool runsInside(const Bridge& bridge, const FlatPolygon& polygon, const FlatPoly
       [&](const FlatPolygon& other) { return obstructed(other.at, p, q); });
 }
 
-// The shortest bridge; where (by rounding) none runs inside, the shortest of all.
-Bridge bestBridge(
-  const FlatPolygon& polygon, const FlatPolygon& hole, const std::vector<FlatPolygon>& others)
+// A rectangle around a polygon.
+struct Surroundings
+{
+  explicit Surroundings(const FlatPolygon& polygon)
+    : low(polygon.at.front())
+    , high(low)
+  {
+    for (const PlanePoint& p : polygon.at)
+    {
+      low = { std::min(low.a, p.a), std::min(low.b, p.b) };
+      high = { std::max(high.a, p.a), std::max(high.b, p.b) };
+    }
+  }
+
+  // Of a point; no larger than from any corner, rounding included.
+  double distance2From(const PlanePoint& p) const
+  {
+    return distance2(p, { std::clamp(p.a, low.a, high.a), std::clamp(p.b, low.b, high.b) });
+  }
+
+  PlanePoint low;
+  PlanePoint high;
+};
+
+// All bridges no longer than `most`, in order.
+std::vector<Bridge> bridgesUpTo(
+  double most, const FlatPolygon& polygon, const FlatPolygon& hole, const Surroundings& around)
 {
   std::vector<Bridge> bridges;
   for (std::size_t o = 0; o < polygon.at.size(); ++o)
   {
-    for (std::size_t h = 0; h < hole.at.size(); ++h)
+    for (std::size_t h = 0; h < hole.at.size() && around.distance2From(polygon.at[o]) <= most; ++h)
     {
-      bridges.push_back({ distance2(polygon.at[o], hole.at[h]), o, h });
+      const Bridge bridge{ distance2(polygon.at[o], hole.at[h]), o, h };
+      if (bridge.length2 <= most)
+      {
+        bridges.push_back(bridge);
+      }
     }
   }
-  // Nearly always one of the first few will do: to sort them all takes longer.
-  const auto later = [](const Bridge& x, const Bridge& y) { return y < x; };
-  std::make_heap(bridges.begin(), bridges.end(), later);
-  const Bridge shortest = bridges.front();
-  while (!bridges.empty())
+  std::sort(bridges.begin(), bridges.end());
+  return bridges;
+}
+
+double shortestLength2(
+  const FlatPolygon& polygon, const FlatPolygon& hole, const Surroundings& around)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const PlanePoint& p : polygon.at)
   {
-    if (runsInside(bridges.front(), polygon, hole, others))
+    for (std::size_t h = 0; h < hole.at.size() && around.distance2From(p) < least; ++h)
     {
-      return bridges.front();
+      least = std::min(least, distance2(p, hole.at[h]));
     }
-    std::pop_heap(bridges.begin(), bridges.end(), later);
-    bridges.pop_back();
   }
-  return shortest;
+  return least;
+}
+
+// The shortest bridge; where (by rounding) none runs inside, the shortest of all.
+Bridge bestBridge(
+  const FlatPolygon& polygon, const FlatPolygon& hole, const std::vector<FlatPolygon>& others)
+{
+  // Nearly always one of the first few will do: longer ones are not even listed until those have failed.
+  constexpr double More = 16;
+  const std::size_t all = polygon.at.size() * hole.at.size();
+  const Surroundings around(hole);
+  double most = shortestLength2(polygon, hole, around);
+  std::vector<Bridge> bridges = bridgesUpTo(most, polygon, hole, around);
+  const Bridge shortest = bridges.front();
+  for (std::size_t tried = 0;;)
+  {
+    for (; tried < bridges.size(); ++tried)
+    {
+      if (runsInside(bridges[tried], polygon, hole, others))
+      {
+        return bridges[tried];
+      }
+    }
+    if (bridges.size() == all)
+    {
+      return shortest;
+    }
+    most = std::max(More * most, 1.0);
+    bridges = bridgesUpTo(most, polygon, hole, around);
+  }
 }
 
 // The result is outer ... o, h ... h, o ...; a shared corner needs no edge.

@@ -17,7 +17,7 @@ namespace
 constexpr std::size_t MostCandidates = 8;
 
 // Cells of more faces stay whole: the time to look for a cut grows with the square of their number.
-constexpr std::size_t MostFaces = 250;
+constexpr std::size_t MostFaces = 100;
 
 // Edges bent by less than this (as a sine) are flat.
 constexpr double LeastBend = 1e-3;

@@ -26,7 +26,7 @@ struct JoinedFaces
 };
 
 // Cells of more faces keep them all: the time to join grows with the square of their number.
-constexpr std::size_t MostFacesJoined = 200;
+constexpr std::size_t MostFacesJoined = 100;
 
 // Cosines of the angle between the normals of what is joined.
 struct JoinSpec

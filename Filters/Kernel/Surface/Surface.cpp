@@ -59,9 +59,20 @@ void checkTriangle(const SurfaceView& view, std::size_t triangle)
   }
 }
 
+// Sorts what may take seconds, and can be stopped in between.
+template <class T>
+void sortPolling(std::vector<T>& items, Execution& execution)
+{
+  std::sort(items.begin(), items.end(), [&](const T& a, const T& b) {
+    execution.poll();
+    return a < b;
+  });
+}
+
 // Merges points that share all three levels: fills `surface.vertices` and returns the vertex of
 // each point.
-std::vector<std::uint32_t> mergePoints(const std::vector<Point>& points, Surface& surface)
+std::vector<std::uint32_t> mergePoints(
+  const std::vector<Point>& points, Surface& surface, Execution& execution)
 {
   std::vector<PointSortKey> order;
   order.reserve(points.size());
@@ -69,7 +80,7 @@ std::vector<std::uint32_t> mergePoints(const std::vector<Point>& points, Surface
   {
     order.emplace_back(points[id], id);
   }
-  std::sort(order.begin(), order.end());
+  sortPolling(order, execution);
   std::vector<std::uint32_t> vertex(points.size());
   for (std::size_t i = 0; i < order.size(); ++i)
   {
@@ -117,8 +128,8 @@ OrderedTriangle orderedTriangle(
   return t;
 }
 
-void addTriangles(
-  const SurfaceView& view, const std::vector<std::uint32_t>& vertex, Surface& surface)
+void addTriangles(const SurfaceView& view, const std::vector<std::uint32_t>& vertex,
+  Surface& surface, Execution& execution)
 {
   std::vector<OrderedTriangle> order;
   order.reserve(view.triangleCount);
@@ -126,7 +137,7 @@ void addTriangles(
   {
     order.push_back(orderedTriangle(view, t, vertex));
   }
-  std::sort(order.begin(), order.end());
+  sortPolling(order, execution);
   surface.triangles.reserve(order.size());
   surface.boundary.reserve(order.size());
   surface.given.reserve(order.size());
@@ -197,8 +208,8 @@ Surface onLattice(const SurfaceView& view, const Lattice& lattice, Execution& ex
 
   Surface surface;
   surface.lattice = lattice;
-  const std::vector<std::uint32_t> vertex = mergePoints(points, surface);
-  addTriangles(view, vertex, surface);
+  const std::vector<std::uint32_t> vertex = mergePoints(points, surface, execution);
+  addTriangles(view, vertex, surface, execution);
   return surface;
 }
 
