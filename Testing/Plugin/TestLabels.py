@@ -74,7 +74,8 @@ for proxy, names in (
 
 writer = simple.CreateWriter("case.foam", mesher)
 assert writer.GetXMLLabel() == "OpenFOAM Mesh Writer", writer.GetXMLLabel()
-assert sorted(writer.ListProperties()) == ["FileName", "FileType", "Input", "Pieces", "RegionsAs"]
+assert sorted(writer.ListProperties()) == ["FileName", "FileType", "Input", "Pieces", "RegionsAs", "ZoneBorders",
+                                             "ZoneRegions"]
 assert writer.FileType == "Binary" and writer.RegionsAs == "Meshes"
 writer = simple.CreateWriter("mesh.cgns", mesher)
 assert writer.GetXMLLabel() == "CGNS Mesh Writer", writer.GetXMLLabel()
