@@ -19,10 +19,11 @@ void vtkCGNSMeshWriter::WriteMesh(vtkUnstructuredGrid* grid)
   }
   this->UpdateProgress(0.5);
   std::vector<cartesian::CgnsZone> zones;
+  const cartesian::FoamZoning zoning = cartesian::separateMeshes(whole.regions);
   for (std::uint32_t region = 0; region < whole.regions.names.size(); ++region)
   {
-    zones.push_back(
-      { whole.regions.names[region], cartesian::meshOfRegion(whole.mesh, whole.regions, region) });
+    zones.push_back({ whole.regions.names[region],
+      cartesian::meshOfRegion(whole.mesh, whole.regions, zoning, region) });
   }
   if (zones.empty())
   {

@@ -16,6 +16,7 @@
 
 #include <exception>
 #include <optional>
+#include <set>
 
 vtkStandardNewMacro(vtkPolyMeshWriter);
 
@@ -164,6 +165,13 @@ void vtkPolyMeshWriter::WritePiece(vtkUnstructuredGrid* piece, int number)
 
 void vtkPolyMeshWriter::CheckDecomposition(int processes)
 {
+  if (!this->ZoneRegions.empty() || this->ZoneBorders == CyclicAMI)
+  {
+    throw cartesian::Error(cartesian::Fault::BadParameter,
+      "A decomposed case has a cellZone for each region: leave Zone Regions empty and Zone Borders "
+      "Face Zones, or "
+      "write it whole and run decomposePar.");
+  }
   if (processes > 1 && this->Pieces != processes)
   {
     throw cartesian::Error(cartesian::Fault::BadParameter,
@@ -276,20 +284,53 @@ void vtkPolyMeshWriter::WriteMesh(vtkUnstructuredGrid* grid)
   const std::filesystem::path file = this->FileName;
   cartesian::PolyMeshFiles files(file.parent_path(), FormatOf(this->FileType));
   const cartesian::FoamRegions& regions = whole.regions;
-  if (regions.names.empty() || this->RegionsAs == Zones)
+  if (regions.names.empty() && !this->ZoneRegions.empty())
   {
-    whole.mesh.zones = cartesian::zonesOf(regions);
+    throw cartesian::Error(
+      cartesian::Fault::BadParameter, "Zone Regions: all cells are of one region. Leave it empty.");
+  }
+  if (regions.names.empty())
+  {
     files.write(whole.mesh);
   }
   else
   {
-    for (std::uint32_t region = 0; region < regions.names.size(); ++region)
+    cartesian::FoamZoning zoning = this->RegionsAs == Zones
+      ? cartesian::allZones(regions)
+      : cartesian::zonesOfNames(whole.mesh, regions, this->ZoneRegions);
+    zoning.border =
+      this->ZoneBorders == CyclicAMI ? cartesian::ZoneBorder::Pair : cartesian::ZoneBorder::Faces;
+    const std::set<std::uint32_t> meshes(zoning.meshOf.begin(), zoning.meshOf.end());
+    for (const std::uint32_t region : meshes)
     {
-      files.write(cartesian::meshOfRegion(whole.mesh, regions, region), regions.names[region]);
+      files.write(cartesian::meshOfRegion(whole.mesh, regions, zoning, region),
+        meshes.size() == 1 ? std::string() : regions.names[region]);
     }
   }
   this->WarnOfKept(files.replace());
   cartesian::createMarker(file);
+}
+
+void vtkPolyMeshWriter::AddZoneRegion(const std::string& name)
+{
+  this->ZoneRegions.push_back(name);
+  this->Modified();
+}
+
+void vtkPolyMeshWriter::ClearZoneRegions()
+{
+  this->ZoneRegions.clear();
+  this->Modified();
+}
+
+int vtkPolyMeshWriter::GetNumberOfZoneRegions()
+{
+  return static_cast<int>(this->ZoneRegions.size());
+}
+
+std::string vtkPolyMeshWriter::GetZoneRegion(int i)
+{
+  return this->ZoneRegions.at(i);
 }
 
 void vtkPolyMeshWriter::WarnOfKept(const std::vector<std::filesystem::path>& kept)
@@ -306,5 +347,7 @@ void vtkPolyMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileType: " << this->FileType << "\n";
   os << indent << "RegionsAs: " << this->RegionsAs << "\n";
+  os << indent << "ZoneRegions: " << this->ZoneRegions.size() << "\n";
+  os << indent << "ZoneBorders: " << this->ZoneBorders << "\n";
   os << indent << "Pieces: " << this->Pieces << "\n";
 }

@@ -21,7 +21,8 @@
  * Where the field data array RegionNames and the cell array Region tell that cells are of several regions,
  * `RegionsAs` says what these become: Meshes (the default), one for each, constant/<region>/polyMesh, with
  * patches <region>_to_<other> of type mappedWall, and constant/regionProperties; or Zones, one mesh in which
- * each is a cellZone.
+ * each is a cellZone. Of the former, `ZoneRegions` are cellZones of another one's mesh, in a faceZone or between
+ * cyclicAMI patches (`ZoneBorders`).
  *
  * With several `Pieces`, the case is decomposed, as decomposePar would make it of that mesh: each piece is in
  * processor<N>/constant/polyMesh, with processor patches and the addressing files, which number the mesh that is
@@ -38,6 +39,7 @@
 
 #include <filesystem> // for names of files
 #include <memory>     // for unique_ptr
+#include <string>     // for names of regions
 #include <vector>     // for lists of files
 
 class vtkUnstructuredGrid;
@@ -76,6 +78,32 @@ public:
 
   ///@{
   /**
+   * Names of regions that are cellZones of a mesh, as porous media and rotating parts are, where the others are
+   * meshes: of the first other region that they touch. None by default.
+   */
+  void AddZoneRegion(const std::string& name);
+  void ClearZoneRegions();
+  int GetNumberOfZoneRegions();
+  std::string GetZoneRegion(int i);
+  ///@}
+
+  enum ZoneBorder
+  {
+    FaceZones = 0,
+    CyclicAMI = 1
+  };
+
+  ///@{
+  /**
+   * What is between a zone and other cells of its mesh: inner faces in a faceZone (the default), or two patches of
+   * type cyclicAMI with points of their own.
+   */
+  vtkSetClampMacro(ZoneBorders, int, FaceZones, CyclicAMI);
+  vtkGetMacro(ZoneBorders, int);
+  ///@}
+
+  ///@{
+  /**
    * Of how many pieces the case is: 1, the default, for a mesh that is whole. On several processes, else as many
    * as these.
    */
@@ -100,6 +128,8 @@ protected:
 
   int FileType = VTK_BINARY;
   int RegionsAs = Meshes;
+  std::vector<std::string> ZoneRegions;
+  int ZoneBorders = FaceZones;
   int Pieces = 1;
 
 private:

@@ -102,6 +102,13 @@ TEST(Properties, EnumsAreSetByName)
   EXPECT_EQ(writer->GetFileType(), VTK_ASCII);
   writer->SetRegionsAs(vtkPolyMeshWriter::Zones);
   EXPECT_EQ(writer->GetRegionsAs(), vtkPolyMeshWriter::Zones);
+  writer->AddZoneRegion("rotor");
+  ASSERT_EQ(writer->GetNumberOfZoneRegions(), 1);
+  EXPECT_EQ(writer->GetZoneRegion(0), "rotor");
+  writer->ClearZoneRegions();
+  EXPECT_EQ(writer->GetNumberOfZoneRegions(), 0);
+  writer->SetZoneBorders(vtkPolyMeshWriter::CyclicAMI);
+  EXPECT_EQ(writer->GetZoneBorders(), vtkPolyMeshWriter::CyclicAMI);
 }
 
 TEST(Properties, MeshlinesOfEachAxisAreKeptApart)
@@ -221,7 +228,8 @@ TEST(Properties, AllArePrinted)
       "BoundarySmallCellRatios:" });
 
   vtkNew<vtkPolyMeshWriter> writer;
-  expectToPrint(writer, { "FileName: (none)", "FileType: 2", "RegionsAs: 0" });
+  expectToPrint(writer,
+    { "FileName: (none)", "FileType: 2", "RegionsAs: 0", "ZoneRegions: 0", "ZoneBorders: 0" });
   writer->SetFileName("case.foam");
   writer->SetFileType(0); // there is none
   expectToPrint(writer, { "FileName: case.foam", "FileType: 1" });

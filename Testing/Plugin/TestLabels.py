@@ -74,7 +74,8 @@ for proxy, names in (
 
 writer = simple.CreateWriter("case.foam", mesher)
 assert writer.GetXMLLabel() == "OpenFOAM Mesh Writer", writer.GetXMLLabel()
-assert sorted(writer.ListProperties()) == ["FileName", "FileType", "Input", "Pieces", "RegionsAs"]
+assert sorted(writer.ListProperties()) == ["FileName", "FileType", "Input", "Pieces", "RegionsAs", "ZoneBorders",
+                                             "ZoneRegions"]
 assert writer.FileType == "Binary" and writer.RegionsAs == "Meshes"
 for suffix, format in ("cgns", "CGNS"), ("msh", "Fluent"), ("case", "EnSight"):
     writer = simple.CreateWriter(f"mesh.{suffix}", mesher)

@@ -146,8 +146,9 @@ class Files:
         next = inner
         for name, (kind, start, count) in self.patches.items():
             assert start == next, name
-            # Two mapped patches have one order, as have two of processes.
-            assert kind in ("mappedWall", "processor") or (np.diff(self.owner[start:start + count]) >= 0).all(), name
+            # Two patches of the same faces have one order.
+            paired = kind in ("mappedWall", "cyclicAMI", "processor")
+            assert paired or (np.diff(self.owner[start:start + count]) >= 0).all(), name
             next += count
         assert next == len(self.owner)
 

@@ -25,9 +25,11 @@ std::string newEntries(const FoamPatch& patch)
 {
   const bool isMapped = !patch.sample.region.empty();
   const bool isShared = patch.processes.other >= 0;
+  const bool isCoupled = !patch.partner.empty();
   std::string text = entry("type",
                        isMapped                  ? "mappedWall"
                          : isShared              ? "processor"
+                         : isCoupled             ? "cyclicAMI"
                          : isOpening(patch.name) ? "patch"
                                                  : "wall") +
     entry("nFaces", "0") + entry("startFace", "0");
@@ -35,6 +37,11 @@ std::string newEntries(const FoamPatch& patch)
   {
     text += entry("sampleMode", "nearestPatchFace") + entry("sampleRegion", patch.sample.region) +
       entry("samplePatch", patch.sample.patch);
+  }
+  if (isCoupled)
+  {
+    text += entry("inGroups", "1(cyclicAMI)") + entry("matchTolerance", "0.0001") +
+      entry("transform", "noOrdering") + entry("neighbourPatch", patch.partner);
   }
   if (isShared)
   {

@@ -30,6 +30,7 @@ struct FoamPatch
   std::string type = {};  // one of foamTypes(); empty: as the existing file says, else by name
   FoamSample sample = {}; // a new patch that has one is a mappedWall
   FoamProcesses processes = {}; // a new patch that has them is a processor
+  std::string partner = {};     // a new patch that has one is a cyclicAMI with that patch
 };
 
 // The types of patches that need no further entries.

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OpenFoam/FoamRegions.h"
 
+#include "Base/Error.h"
+
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <numeric>
+#include <set>
 
 namespace cartesian
 {
@@ -17,14 +22,17 @@ struct Part
 {
   FoamPatch patch;
   std::vector<std::size_t> faces;
+  std::vector<bool> isTurned = {}; // seen from the neighbour; empty: none
 };
 
 class RegionMesh
 {
 public:
-  RegionMesh(const FoamMesh& whole, const FoamRegions& regions, std::uint32_t region)
+  RegionMesh(const FoamMesh& whole, const FoamRegions& regions, const FoamZoning& zoning,
+    std::uint32_t region)
     : whole_(whole)
     , regions_(regions)
+    , zoning_(zoning)
     , region_(region)
   {
   }
@@ -41,12 +49,25 @@ public:
     {
       addPatch(part);
     }
+    for (const Part& part : pairs())
+    {
+      addPatch(part);
+    }
     numberPoints();
+    addZones();
     return std::move(mesh_);
   }
 
 private:
-  bool isOurs(std::uint32_t cell) const { return regions_.ofCell[cell] == region_; }
+  std::uint32_t meshOf(std::uint32_t cell) const { return zoning_.meshOf[regions_.ofCell[cell]]; }
+
+  bool isOurs(std::uint32_t cell) const { return meshOf(cell) == region_; }
+
+  // Cells with inner faces between them are of one.
+  std::uint32_t partOf(std::uint32_t cell) const
+  {
+    return zoning_.border == ZoneBorder::Pair ? regions_.ofCell[cell] : meshOf(cell);
+  }
 
   void numberCells()
   {
@@ -61,10 +82,9 @@ private:
     }
   }
 
-  // Seen from our cell.
-  void addFace(std::size_t face)
+  // Seen from the owner, or from the neighbour.
+  void addFace(std::size_t face, bool turned)
   {
-    const bool turned = !isOurs(whole_.owner[face]);
     const auto first = static_cast<std::ptrdiff_t>(mesh_.corners.size());
     mesh_.corners.insert(mesh_.corners.end(), whole_.corners.data() + whole_.start[face],
       whole_.corners.data() + whole_.start[face + 1]);
@@ -81,11 +101,25 @@ private:
     mesh_.start = { 0 };
     for (std::size_t face = 0; face < whole_.neighbour.size(); ++face)
     {
-      if (isOurs(whole_.owner[face]) && isOurs(whole_.neighbour[face]))
+      const std::uint32_t owner = whole_.owner[face];
+      const std::uint32_t neighbour = whole_.neighbour[face];
+      if (isOurs(owner) && partOf(owner) == partOf(neighbour))
       {
-        addFace(face);
-        mesh_.neighbour.push_back(number_[whole_.neighbour[face]]);
+        addToBorder(regions_.ofCell[owner], regions_.ofCell[neighbour]);
+        addFace(face, false);
+        mesh_.neighbour.push_back(number_[neighbour]);
       }
+    }
+  }
+
+  // The face that comes next is between these regions.
+  void addToBorder(std::uint32_t ofOwner, std::uint32_t ofNeighbour)
+  {
+    if (ofOwner != ofNeighbour)
+    {
+      FoamFaceZone& zone = borders_[std::minmax(ofOwner, ofNeighbour)];
+      zone.faces.push_back(static_cast<std::uint32_t>(mesh_.owner.size()));
+      zone.isTurned.push_back(ofOwner > ofNeighbour);
     }
   }
 
@@ -95,9 +129,9 @@ private:
     {
       return;
     }
-    for (const std::size_t face : part.faces)
+    for (std::size_t i = 0; i < part.faces.size(); ++i)
     {
-      addFace(face);
+      addFace(part.faces[i], !part.isTurned.empty() && part.isTurned[i]);
     }
     mesh_.patches.push_back(part.patch);
     mesh_.patches.back().count = part.faces.size();
@@ -121,6 +155,7 @@ private:
     return parts;
   }
 
+  // Faces to other meshes.
   std::vector<Part> interfaces() const
   {
     std::vector<Part> parts;
@@ -135,10 +170,42 @@ private:
       const std::uint32_t neighbour = whole_.neighbour[face];
       if (isOurs(owner) != isOurs(neighbour))
       {
-        parts[regions_.ofCell[isOurs(owner) ? neighbour : owner]].faces.push_back(face);
+        Part& part = parts[meshOf(isOurs(owner) ? neighbour : owner)];
+        part.faces.push_back(face);
+        part.isTurned.push_back(isOurs(neighbour));
       }
     }
     return parts;
+  }
+
+  // Faces between parts of this mesh, twice.
+  std::vector<Part> pairs() const
+  {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Part> parts;
+    for (std::size_t face = 0; face < whole_.neighbour.size(); ++face)
+    {
+      const std::uint32_t owner = whole_.owner[face];
+      const std::uint32_t neighbour = whole_.neighbour[face];
+      if (isOurs(owner) && isOurs(neighbour) && partOf(owner) != partOf(neighbour))
+      {
+        for (const bool turned : { false, true })
+        {
+          const std::uint32_t from = regions_.ofCell[turned ? neighbour : owner];
+          const std::uint32_t to = regions_.ofCell[turned ? owner : neighbour];
+          Part& part = parts[{ from, to }];
+          part.patch.name = nameOf(from, to);
+          part.patch.partner = nameOf(to, from);
+          part.faces.push_back(face);
+          part.isTurned.push_back(turned);
+        }
+      }
+    }
+    std::vector<Part> result;
+    for (auto& [regions, part] : parts)
+    {
+      result.push_back(std::move(part));
+    }
+    return result;
   }
 
   // Of the patch of `from` that faces `to`, unlike all boundaries.
@@ -153,41 +220,187 @@ private:
     return name;
   }
 
+  // Parts share no points.
   void numberPoints()
   {
-    std::vector<std::uint32_t> number(whole_.points.size() / 3, None);
-    for (const std::uint32_t point : mesh_.corners)
+    std::vector<std::vector<std::size_t>> facesOf(regions_.names.size());
+    std::vector<std::uint32_t> partOfCell;
+    for (std::uint32_t cell = 0; cell < whole_.cellCount; ++cell)
     {
-      number[point] = 0;
+      if (isOurs(cell))
+      {
+        partOfCell.push_back(partOf(cell));
+      }
     }
-    std::uint32_t count = 0;
+    for (std::size_t face = 0; face < mesh_.owner.size(); ++face)
+    {
+      facesOf[partOfCell[mesh_.owner[face]]].push_back(face);
+    }
+    for (const std::vector<std::size_t>& faces : facesOf)
+    {
+      numberPoints(faces);
+    }
+  }
+
+  void numberPoints(const std::vector<std::size_t>& faces)
+  {
+    std::vector<std::uint32_t> number(whole_.points.size() / 3, None);
+    forCornersOf(faces, [&](std::uint32_t point) { number[point] = 0; });
     for (std::size_t point = 0; point < number.size(); ++point)
     {
       if (number[point] != None)
       {
-        number[point] = count++;
+        number[point] = static_cast<std::uint32_t>(mesh_.points.size() / 3);
         const double* const at = whole_.points.data() + 3 * point;
         mesh_.points.insert(mesh_.points.end(), at, at + 3);
       }
     }
-    for (std::uint32_t& point : mesh_.corners)
+    forCornersOf(faces, [&](std::uint32_t& point) { point = number[point]; });
+  }
+
+  template <class Work>
+  void forCornersOf(const std::vector<std::size_t>& faces, Work&& work)
+  {
+    for (const std::size_t face : faces)
     {
-      point = number[point];
+      for (std::size_t i = mesh_.start[face]; i < mesh_.start[face + 1]; ++i)
+      {
+        work(mesh_.corners[i]);
+      }
     }
+  }
+
+  void addZones()
+  {
+    for (std::uint32_t region = 0; region < regions_.names.size(); ++region)
+    {
+      if (zoning_.meshOf[region] == region_ && zoning_.isZone[region])
+      {
+        mesh_.zones.push_back({ regions_.names[region], cellsOf(region) });
+      }
+    }
+    for (auto& [regions, zone] : borders_)
+    {
+      zone.name = regions_.names[regions.first] + "_to_" + regions_.names[regions.second];
+      mesh_.faceZones.push_back(std::move(zone));
+    }
+  }
+
+  std::vector<std::uint32_t> cellsOf(std::uint32_t region) const
+  {
+    std::vector<std::uint32_t> cells;
+    for (std::size_t cell = 0; cell < whole_.cellCount; ++cell)
+    {
+      if (regions_.ofCell[cell] == region)
+      {
+        cells.push_back(number_[cell]);
+      }
+    }
+    return cells;
   }
 
   const FoamMesh& whole_;
   const FoamRegions& regions_;
+  const FoamZoning& zoning_;
   std::uint32_t region_;
-  std::vector<std::uint32_t> number_; // of each cell of ours
+  std::vector<std::uint32_t> number_;                                       // of each cell of ours
+  std::map<std::pair<std::uint32_t, std::uint32_t>, FoamFaceZone> borders_; // of two regions
   FoamMesh mesh_{};
 };
 
+// Pairs of regions with faces between them, either way.
+std::set<std::pair<std::uint32_t, std::uint32_t>> contactsOf(
+  const FoamMesh& whole, const FoamRegions& regions)
+{
+  std::set<std::pair<std::uint32_t, std::uint32_t>> contacts;
+  for (std::size_t face = 0; face < whole.neighbour.size(); ++face)
+  {
+    const std::uint32_t a = regions.ofCell[whole.owner[face]];
+    const std::uint32_t b = regions.ofCell[whole.neighbour[face]];
+    if (a != b)
+    {
+      contacts.insert({ a, b });
+      contacts.insert({ b, a });
+    }
+  }
+  return contacts;
 }
 
-FoamMesh meshOfRegion(const FoamMesh& whole, const FoamRegions& regions, std::uint32_t region)
+std::string listed(const std::vector<std::string>& names)
 {
-  return RegionMesh(whole, regions, region).run();
+  return std::accumulate(std::next(names.begin()), names.end(), names.front(),
+    [](const std::string& list, const std::string& name) { return list + ", " + name; });
+}
+
+std::vector<bool> regionsOfNames(const FoamRegions& regions, const std::vector<std::string>& names)
+{
+  std::vector<bool> isNamed(regions.names.size(), false);
+  for (const std::string& name : names)
+  {
+    const auto found = std::find(regions.names.begin(), regions.names.end(), foamWord(name));
+    if (found == regions.names.end())
+    {
+      throw Error(Fault::BadParameter,
+        "Zone Regions: the mesh has no region " + name + ". It has " + listed(regions.names) + ".");
+    }
+    isNamed[static_cast<std::size_t>(found - regions.names.begin())] = true;
+  }
+  return isNamed;
+}
+
+}
+
+FoamZoning separateMeshes(const FoamRegions& regions)
+{
+  FoamZoning zoning{ std::vector<std::uint32_t>(regions.names.size()),
+    std::vector<bool>(regions.names.size(), false) };
+  std::iota(zoning.meshOf.begin(), zoning.meshOf.end(), 0);
+  return zoning;
+}
+
+FoamZoning allZones(const FoamRegions& regions)
+{
+  return { std::vector<std::uint32_t>(regions.names.size(), 0),
+    std::vector<bool>(regions.names.size(), true) };
+}
+
+FoamZoning zonesOfNames(
+  const FoamMesh& whole, const FoamRegions& regions, const std::vector<std::string>& names)
+{
+  FoamZoning zoning = separateMeshes(regions);
+  zoning.isZone = regionsOfNames(regions, names);
+  const auto contacts = contactsOf(whole, regions);
+  std::vector<bool> isPlaced = zoning.isZone;
+  isPlaced.flip();
+  // In rounds: zones that touch a mesh, zones that touch those, and so on.
+  for (std::vector<bool> before; before != isPlaced;)
+  {
+    before = isPlaced;
+    for (const auto& [zone, other] : contacts)
+    {
+      if (!before[zone] && before[other])
+      {
+        const std::uint32_t mesh = zoning.meshOf[other];
+        zoning.meshOf[zone] = isPlaced[zone] ? std::min(zoning.meshOf[zone], mesh) : mesh;
+        isPlaced[zone] = true;
+      }
+    }
+  }
+  const auto alone = std::find(isPlaced.begin(), isPlaced.end(), false);
+  if (alone != isPlaced.end())
+  {
+    throw Error(Fault::BadParameter,
+      "Zone Regions: " + regions.names[static_cast<std::size_t>(alone - isPlaced.begin())] +
+        " touches no region that is not a zone too: leave out the region in whose mesh it is to "
+        "be.");
+  }
+  return zoning;
+}
+
+FoamMesh meshOfRegion(
+  const FoamMesh& whole, const FoamRegions& regions, const FoamZoning& zoning, std::uint32_t region)
+{
+  return RegionMesh(whole, regions, zoning, region).run();
 }
 
 }

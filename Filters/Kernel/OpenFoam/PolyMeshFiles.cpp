@@ -23,6 +23,7 @@ constexpr std::array<const char*, 5> MeshFiles = { "points", "faces", "owner", "
 
 // Those that not all meshes have.
 constexpr const char* Zones = "cellZones";
+constexpr const char* FaceZones = "faceZones";
 constexpr std::array<const char*, 4> Addressing = { "pointProcAddressing", "faceProcAddressing",
   "cellProcAddressing", "boundaryProcAddressing" };
 
@@ -101,6 +102,23 @@ void writeZones(const std::vector<FoamZone>& zones, const Folder& to)
   file.close();
 }
 
+void writeFaceZones(const std::vector<FoamFaceZone>& zones, const Folder& to)
+{
+  FoamFile file(to.path / FaceZones, FoamFormat::Ascii, { "regIOobject", to.location, {} });
+  file.text(std::to_string(zones.size()) + "\n(\n");
+  for (const FoamFaceZone& zone : zones)
+  {
+    file.text(zone.name + "\n{\n    type faceZone;\n    faceLabels List<label> ");
+    file.labels(
+      zone.faces.size(), [&](std::size_t i) { return static_cast<std::int32_t>(zone.faces[i]); });
+    file.text(";\n    flipMap List<bool> ");
+    file.labels(zone.faces.size(), [&](std::size_t i) { return zone.isTurned[i] ? 1 : 0; });
+    file.text(";\n}\n");
+  }
+  file.text(")\n");
+  file.close();
+}
+
 void writeFiles(const FoamMesh& mesh, const FoamBoundary& boundary, const Folder& to)
 {
   FoamFile points(to.path / "points", to.format, { "vectorField", to.location, {} });
@@ -116,6 +134,10 @@ void writeFiles(const FoamMesh& mesh, const FoamBoundary& boundary, const Folder
   if (!mesh.zones.empty())
   {
     writeZones(mesh.zones, to);
+  }
+  if (!mesh.faceZones.empty())
+  {
+    writeFaceZones(mesh.faceZones, to);
   }
   if (mesh.addressing)
   {
@@ -189,7 +211,8 @@ fs::path withoutMesh(const fs::path& kept)
   {
     fs::remove(kept / name);
   }
-  for (const char* name : { Zones, Addressing[0], Addressing[1], Addressing[2], Addressing[3] })
+  for (const char* name :
+    { Zones, FaceZones, Addressing[0], Addressing[1], Addressing[2], Addressing[3] })
   {
     if (FoamFile::isOurs(kept / name))
     {

@@ -17,6 +17,14 @@ struct FoamZone
   std::vector<std::uint32_t> cells; // ascending
 };
 
+// Inner faces, each seen from the same side.
+struct FoamFaceZone
+{
+  std::string name;
+  std::vector<std::uint32_t> faces; // ascending
+  std::vector<bool> isTurned;       // that side is not the owner's
+};
+
 // The numbers that the points, faces, cells and patches of a piece have in the whole mesh (FoamPieces.h).
 struct FoamAddressing
 {
@@ -37,6 +45,7 @@ struct FoamMesh
   std::size_t cellCount;
   std::vector<FoamPatch> patches;
   std::vector<FoamZone> zones = {}; // cellZones; none: no such file
+  std::vector<FoamFaceZone> faceZones = {};
   std::optional<FoamAddressing> addressing = {};
 };
 
@@ -53,7 +62,7 @@ struct FoamPlace
 
 // Writes meshes of a case: that of `folder`/constant/polyMesh, or one for each region, constant/<region>/polyMesh.
 // A piece's are in `folder`/processor0, processor1, ... instead.
-// Each has points, faces, owner, neighbour, boundary and, if it has zones or addressing, cellZones, pointProcAddressing,
+// Each has points, faces, owner, neighbour, boundary and, if it has them, cellZones, faceZones, pointProcAddressing,
 // faceProcAddressing, cellProcAddressing, boundaryProcAddressing; beside them are the
 // files system/controlDict, fvSchemes, fvSolution and, of pieces, decomposeParDict that checkMesh needs, if they are
 // missing.
