@@ -5,19 +5,11 @@
 #include "FoamFromVTK.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkUnstructuredGrid.h"
 
 vtkStandardNewMacro(vtkCGNSMeshWriter);
 
-void vtkCGNSMeshWriter::WriteMesh(vtkUnstructuredGrid* grid)
+void vtkCGNSMeshWriter::WriteMesh(cartesian::WholeMesh& whole)
 {
-  cartesian::Execution execution(0);
-  cartesian::WholeMesh whole = cartesian::wholeMesh(grid, execution);
-  if (whole.lostBoundaries)
-  {
-    vtkWarningMacro(<< cartesian::LostBoundaries);
-  }
-  this->UpdateProgress(0.5);
   std::vector<cartesian::CgnsZone> zones;
   const cartesian::FoamZoning zoning = cartesian::separateMeshes(whole.regions);
   for (std::uint32_t region = 0; region < whole.regions.names.size(); ++region)

@@ -26,7 +26,7 @@ protected:
   vtkCGNSMeshWriter() = default;
   ~vtkCGNSMeshWriter() override = default;
 
-  void WriteMesh(vtkUnstructuredGrid* grid) override;
+  void WriteMesh(cartesian::WholeMesh& whole) override;
 
 private:
   vtkCGNSMeshWriter(const vtkCGNSMeshWriter&) = delete;

@@ -71,6 +71,18 @@ int vtkCartesianAlgorithm::AskForWholeInputs(vtkInformationVector** input)
   return 1;
 }
 
+int vtkCartesianAlgorithm::AskForNeighbours(vtkInformationVector** input)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* info = input[0]->GetInformationObject(0);
+  if (info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1)
+  {
+    info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
+      info->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) + 1);
+  }
+  return 1;
+}
+
 vtkInformation* vtkCartesianAlgorithm::AskedOutput(
   vtkInformation* request, vtkInformationVector* output)
 {

@@ -96,6 +96,11 @@ protected:
   int AskForWholeInputs(vtkInformationVector** input);
 
   /**
+   * Asks for one more layer of ghost cells in a piece of the first input, if it has several.
+   */
+  static int AskForNeighbours(vtkInformationVector** input);
+
+  /**
    * The output that was asked for: only that one knows its piece.
    */
   static vtkInformation* AskedOutput(vtkInformation* request, vtkInformationVector* output);

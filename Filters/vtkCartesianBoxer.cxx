@@ -9,6 +9,7 @@
 #include "Parts/Decomposition.h"
 #include "Repair/SurfaceDefects.h"
 #include "ReportErrors.h"
+#include "SizesFromVTK.h"
 #include "Surface/SizeEstimate.h"
 #include "SurfaceBlocks.h"
 #include "SurfaceFromVTK.h"
@@ -85,10 +86,11 @@ std::vector<RegionSurface> RegionSurfaces(
     for (const cartesian::SurfaceBlock& block : cartesian::surfaceBlocks(data))
     {
       vtkDataArray* own = block.surface->GetFieldData()->GetArray(cartesian::RegionDepthField);
-      regions.push_back({ std::make_unique<cartesian::SurfaceFromVTK>(block.surface, ""),
-        own && own->GetNumberOfTuples() == 1
-          ? WholeNumber(own->GetComponent(0, 0), "the field data of Refinement Regions")
-          : depth });
+      RegionSurface& region = regions.emplace_back();
+      region.surface = std::make_unique<cartesian::SurfaceFromVTK>(block.surface, "");
+      region.depth = own && own->GetNumberOfTuples() == 1
+        ? WholeNumber(own->GetComponent(0, 0), "the field data of Refinement Regions")
+        : depth;
     }
   }
   return regions;
@@ -109,7 +111,7 @@ vtkStandardNewMacro(vtkCartesianBoxer);
 
 vtkCartesianBoxer::vtkCartesianBoxer()
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
 }
 
 vtkCartesianBoxer::~vtkCartesianBoxer() = default;
@@ -253,13 +255,13 @@ double vtkCartesianBoxer::EstimateNumberOfBoxes()
 
 int vtkCartesianBoxer::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1 ? 1 : 0);
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port > 0 ? 1 : 0);
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), port == 1 ? 1 : 0);
   AcceptAnything(info);
   return 1;
 }
 
-int vtkCartesianBoxer::FillOutputPortInformation(int, vtkInformation* info)
+int vtkCartesianBoxer::FillOutputPortInformation(int /*port*/, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkUnstructuredGrid");
   return 1;
@@ -292,7 +294,7 @@ void vtkCartesianBoxer::ListBoundaries(const cartesian::SurfaceFromVTK& source)
 }
 
 int vtkCartesianBoxer::RequestInformation(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
+  vtkInformation* /*request*/, vtkInformationVector** input, vtkInformationVector* /*output*/)
 {
   vtkDataObject* data = vtkDataObject::GetData(input[0]);
   const std::string listed =
@@ -516,6 +518,7 @@ void vtkCartesianBoxer::AddChosenBoundaries(
 std::vector<vtkSmartPointer<vtkDataObject>> vtkCartesianBoxer::Regions(vtkInformationVector* input)
 {
   std::vector<vtkSmartPointer<vtkDataObject>> regions;
+  regions.reserve(static_cast<std::size_t>(input->GetNumberOfInformationObjects()));
   for (int i = 0; i < input->GetNumberOfInformationObjects(); ++i)
   {
     regions.emplace_back(vtkDataObject::GetData(input, i));
@@ -523,15 +526,36 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkCartesianBoxer::Regions(vtkInform
   return regions;
 }
 
+cartesian::AskedSizes vtkCartesianBoxer::ReadSizes(
+  vtkDataObject* surface, const cartesian::SurfaceFromVTK& source, vtkDataObject* field) const
+{
+  if (this->SizeArray.empty())
+  {
+    return {};
+  }
+  return field ? cartesian::sizesInField(this->SizeArray, field)
+               : cartesian::sizesOnSurface(this->SizeArray, surface, source.cells());
+}
+
 std::unique_ptr<cartesian::Decomposition> vtkCartesianBoxer::Divide(
   const cartesian::SurfaceFromVTK& source, const cartesian::PreparedSurface& prepared,
-  const std::vector<vtkSmartPointer<vtkDataObject>>& regions, cartesian::Execution& execution)
+  const std::vector<vtkSmartPointer<vtkDataObject>>& regions, cartesian::AskedSizes sizes,
+  cartesian::Execution& execution)
 {
+  if (!this->SizeArray.empty() && !sizes.isThere)
+  {
+    throw cartesian::Error(cartesian::Fault::MissingArray,
+      "Size Array \"" + this->SizeArray + "\" is no point or cell array of the " +
+        (this->GetNumberOfInputConnections(2) > 0 ? "Size Field" : "surface") +
+        " with one number each: choose another, or none.");
+  }
   // After Load State, this is the first that is seen of the surface.
   this->LookAt(source);
   this->EstimateBoxes();
   cartesian::Options options = this->MakeOptions();
   options.refinement = this->MakeSpec(source.names());
+  options.refinement.sizing.sizes = std::move(sizes.boxes);
+  options.refinement.sizing.sizeOfTriangle = std::move(sizes.ofTriangles);
   const std::vector<RegionSurface> surfaces = RegionSurfaces(regions, this->RegionDepth);
   for (const RegionSurface& region : surfaces)
   {
@@ -556,9 +580,11 @@ int vtkCartesianBoxer::RequestData(
     return 1;
   }
   this->Run(0, cartesian::AfterBoxes, [&](cartesian::Execution& execution) {
-    const cartesian::SurfaceFromVTK surface = this->Read(vtkDataObject::GetData(input[0]));
+    vtkDataObject* const data = vtkDataObject::GetData(input[0]);
+    const cartesian::SurfaceFromVTK surface = this->Read(data);
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
-    const auto decomposition = this->Divide(surface, prepared, Regions(input[1]), execution);
+    const auto decomposition = this->Divide(surface, prepared, Regions(input[1]),
+      this->ReadSizes(data, surface, vtkDataObject::GetData(input[2])), execution);
     cartesian::toVTK(decomposition->boxes(decomposition->allLayers(), execution),
       vtkUnstructuredGrid::GetData(output));
   });
@@ -585,5 +611,6 @@ void vtkCartesianBoxer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FeatureDepth: " << this->FeatureDepth << "\n";
   os << indent << "CellsAcrossGaps: " << this->CellsAcrossGaps << "\n";
   os << indent << "LargestDepth: " << this->LargestDepth << "\n";
+  os << indent << "SizeArray: " << this->SizeArray << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }

@@ -21,7 +21,7 @@
  * inside or intersected at the depth allowed there, balanced between neighbours.
  *
  * Input port 1, optional, many: closed surfaces (vtkPolyData, or blocks of them), each around a
- * region to refine.
+ * region to refine. Port 2, optional: a data set of any kind, or blocks of them, with the SizeArray.
  *
  * @sa vtkPatcher vtkCellAssembler vtkCartesianMesher
  */
@@ -46,6 +46,7 @@ class vtkPolyData;
 
 namespace cartesian
 {
+struct AskedSizes;
 class Decomposition;
 struct Options;
 struct PreparedSurface;
@@ -205,6 +206,17 @@ public:
 
   ///@{
   /**
+   * A point or cell array, of the data on input port 2 if there are any, else of the surface, that says how long
+   * the edges of boxes may be where it is, in the surface's units: boxes are divided until they are as small, or to
+   * LargestDepth. Values that are not positive ask for nothing. Empty, the default: none.
+   */
+  vtkSetMacro(SizeArray, std::string);
+  vtkGetMacro(SizeArray, std::string);
+  void RemoveSizeField() { this->RemoveAllInputConnections(2); }
+  ///@}
+
+  ///@{
+  /**
    * Memory that the mesh may need by an estimate made first, in GiB; beyond it the filter refuses
    * with TooManyBoxes. 0, the default, means three quarters of this machine's memory.
    */
@@ -258,11 +270,19 @@ protected:
 
   /**
    * How the grid is divided; rows of tables that reach beyond it are reported. `source` is what
-   * `prepared` was made from and is borrowed, `regions` what Regions() gives.
+   * `prepared` was made from and is borrowed, `regions` what Regions() gives, `sizes` what
+   * ReadSizes() does.
    */
   std::unique_ptr<cartesian::Decomposition> Divide(const cartesian::SurfaceFromVTK& source,
     const cartesian::PreparedSurface& prepared,
-    const std::vector<vtkSmartPointer<vtkDataObject>>& regions, cartesian::Execution& execution);
+    const std::vector<vtkSmartPointer<vtkDataObject>>& regions, cartesian::AskedSizes sizes,
+    cartesian::Execution& execution);
+
+  /**
+   * What the SizeArray asks for: `field` is the input of port 2, or null.
+   */
+  cartesian::AskedSizes ReadSizes(
+    vtkDataObject* surface, const cartesian::SurfaceFromVTK& source, vtkDataObject* field) const;
 
   /**
    * The inputs of port 1.
@@ -287,6 +307,7 @@ protected:
   int FeatureDepth = 0;
   int CellsAcrossGaps = 0;
   int LargestDepth = 3;
+  std::string SizeArray;
   double MemoryLimit = 0;
 
   // Only vtkCartesianMesher lets users choose these.

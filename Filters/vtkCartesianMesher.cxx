@@ -7,9 +7,11 @@
 #include "FilterOptions.h"
 #include "GhostCells.h"
 #include "MeshToVTK.h"
+#include "Mesher/CellBudget.h"
 #include "Mesher/Mesher.h"
 #include "Mesher/Messages.h"
 #include "Parts/Decomposition.h"
+#include "SizesFromVTK.h"
 #include "SurfaceFromVTK.h"
 
 #include "vtkErrorCode.h"
@@ -73,16 +75,20 @@ cartesian::Options vtkCartesianMesher::MakeOptions()
   cartesian::setDomainOptions(this, options);
   cartesian::setPatchOptions(this, options);
   cartesian::setCellOptions(this, options);
+  options.cellBudget = this->CellBudget;
   options.layers.count = this->Layers;
   options.layers.ratio = this->LayerExpansionRatio;
   options.layers.firstThickness = this->FirstLayerThickness;
   options.layers.thickness = this->LayersThickness;
-  options.layers.boundariesWithout = this->BoundariesWithoutLayers;
+  for (const auto& [boundary, back] : this->Baffles)
+  {
+    options.baffles.push_back({ boundary, back });
+  }
   return options;
 }
 
 // But for the ground, flow passes through the sides of the box.
-void vtkCartesianMesher::AddTypesOfSides(Task& task)
+void vtkCartesianMesher::AddTypesOfSides(Task& task) const
 {
   for (int side = 0; task.options.domain.isOutside() && side < 6; ++side)
   {
@@ -90,6 +96,37 @@ void vtkCartesianMesher::AddTypesOfSides(Task& task)
     const char* type = isSymmetric ? "symmetryPlane" : side + 1 == this->Ground ? "wall" : "patch";
     task.types.emplace(task.surface->sides()[static_cast<std::size_t>(side)], type);
   }
+}
+
+// Both sides of a baffle are walls.
+void vtkCartesianMesher::AddBaffles(Task& task)
+{
+  this->Baffles.clear();
+  for (const auto& [boundary, type] : std::map<std::int32_t, std::string>(task.types))
+  {
+    if (type == cartesian::BaffleType)
+    {
+      const std::int32_t back = task.surface->addBack(boundary);
+      this->Baffles.emplace_back(boundary, back);
+      task.types[boundary] = "wall";
+      task.types[back] = "wall";
+    }
+  }
+}
+
+void vtkCartesianMesher::RequireOnePieceIfNeeded(const Piece& piece) const
+{
+  if (piece.count == 1 || !this->NeedsOnePiece())
+  {
+    return;
+  }
+  const std::string why = this->Layers > 0 ? "Layers is " + std::to_string(this->Layers) +
+      ", but a mesh in pieces or on several ranks has no layers: set it to 0"
+    : this->CellBudget > 0 ? "Cell Budget is " + std::to_string(this->CellBudget) +
+      ", but the cells of pieces, or of several ranks, are not counted together: set it to 0"
+                           : "There are Keep Points, but what is connected is not known of pieces "
+                             "or on several ranks: give none";
+  throw cartesian::Error(cartesian::Fault::BadParameter, why + ", or InPieces off.");
 }
 
 void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
@@ -102,19 +139,23 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
   {
     region = processes.whole(region);
   }
+  // All that needs the others comes first: any of them may fail from here on.
+  vtkDataObject* const field = vtkDataObject::GetData(input[2]);
+  cartesian::AskedSizes inField;
+  if (field && !this->SizeArray.empty())
+  {
+    inField = cartesian::sizesInField(this->SizeArray, field);
+    inField.boxes = processes.all(inField.boxes);
+    inField.isThere = processes.sum({ inField.isThere ? 1.0 : 0.0 })[0] > 0;
+  }
   task.surface = std::make_unique<cartesian::SurfaceFromVTK>(this->ReadWithSides(surface));
   const cartesian::BoundarySettings boundaries{ this->BoundaryNames, this->BoundaryTypes,
-    this->BoundaryRatios };
+    this->BoundaryRatios, this->BoundaryLayers };
   task.types = cartesian::boundaryTypes(boundaries, task.surface->names());
-  if (this->Layers > 0 && piece.count > 1)
-  {
-    throw cartesian::Error(cartesian::Fault::BadParameter,
-      "Layers is " + std::to_string(this->Layers) +
-        ", but a mesh in pieces or on several ranks has no layers: set it to 0, or InPieces off.");
-  }
-  this->BoundariesWithoutLayers =
-    cartesian::boundariesWithoutLayers(boundaries, task.surface->names());
+  this->RequireOnePieceIfNeeded(piece);
+  this->AddBaffles(task);
   task.options = this->MakeOptions();
+  task.options.layers.boundaries = cartesian::boundaryLayers(boundaries, task.surface->names());
   this->AddTypesOfSides(task);
   task.options.smallCells.boundaryRatios =
     cartesian::boundaryRatios(boundaries, task.surface->names(), task.options.smallCells.handling);
@@ -124,7 +165,10 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
   {
     this->Inspect(task.prepared, *task.surface, vtkPolyData::GetData(output, 2), execution);
   }
-  task.decomposition = this->Divide(*task.surface, task.prepared, regions, execution);
+  cartesian::AskedSizes sizes =
+    field ? std::move(inField) : this->ReadSizes(surface, *task.surface, nullptr);
+  task.decomposition =
+    this->Divide(*task.surface, task.prepared, regions, std::move(sizes), execution);
   task.pieces = { task.decomposition->allLayers() };
   if (piece.count > 1)
   {
@@ -135,6 +179,12 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
 
 void vtkCartesianMesher::Make(const Task& task, Piece& piece, cartesian::Execution& execution)
 {
+  if (task.options.cellBudget > 0)
+  {
+    piece.assembly =
+      cartesian::meshWithinBudget(task.prepared, *task.decomposition, task.options, execution);
+    return;
+  }
   piece.assembly = cartesian::meshPart(task.prepared, *task.decomposition,
     task.pieces[static_cast<std::size_t>(piece.number)], task.options, execution);
 }
@@ -191,7 +241,7 @@ void vtkCartesianMesher::RequestPieceAlone(
   Piece& piece, vtkInformationVector** input, vtkInformationVector* output)
 {
   vtkMTimeType time = this->GetMTime();
-  for (int port = 0; port < 2; ++port)
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
     for (int i = 0; i < input[port]->GetNumberOfInformationObjects(); ++i)
     {
@@ -308,6 +358,10 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   const bool wasSilent = this->IsSilent; // these flaws are of this piece only
   this->IsSilent = false;
   this->Warn(cartesian::describeFlaws(*piece.assembly));
+  if (task.options.cellBudget > 0)
+  {
+    this->Warn(cartesian::describeBudget(*piece.assembly, task.options));
+  }
   this->IsSilent = wasSilent;
   if (piece.ghostLevels > 0 && place.processes.areSeveral())
   {
@@ -317,13 +371,14 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
 
 int vtkCartesianMesher::EstimateNumberOfPieces()
 {
-  if (!this->InPieces || this->Layers > 0)
+  if (!this->InPieces || this->NeedsOnePiece())
   {
     return 1;
   }
   std::size_t pieces = 0;
   this->Run(0, 1, [&](cartesian::Execution& execution) {
-    const cartesian::SurfaceFromVTK surface = this->Read(this->UpdatedSurface());
+    vtkDataObject* const data = this->UpdatedSurface();
+    const cartesian::SurfaceFromVTK surface = this->Read(data);
     constexpr int Many = 1 << 20;
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution, Many);
     std::vector<vtkSmartPointer<vtkDataObject>> regions;
@@ -332,7 +387,12 @@ int vtkCartesianMesher::EstimateNumberOfPieces()
       this->GetInputAlgorithm(1, i)->Update();
       regions.emplace_back(this->GetInputDataObject(1, i));
     }
-    const auto decomposition = this->Divide(surface, prepared, regions, execution);
+    if (vtkAlgorithm* field = this->GetInputAlgorithm(2, 0))
+    {
+      field->Update();
+    }
+    const auto decomposition = this->Divide(surface, prepared, regions,
+      this->ReadSizes(data, surface, this->GetInputDataObject(2, 0)), execution);
     pieces = decomposition->partsNeeded(decomposition->estimateLayers(execution));
   });
   return static_cast<int>(pieces);
@@ -345,10 +405,12 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   cartesian::printCellProperties(this, os, indent);
   this->PrintBoundarySettings(os, indent);
   os << indent << "InPieces: " << this->InPieces << "\n";
+  os << indent << "CellBudget: " << this->CellBudget << "\n";
   os << indent << "Layers: " << this->Layers << "\n";
   os << indent << "LayerExpansionRatio: " << this->LayerExpansionRatio << "\n";
   os << indent << "FirstLayerThickness: " << this->FirstLayerThickness << "\n";
   os << indent << "LayersThickness: " << this->LayersThickness << "\n";
+  PrintColumn(os, indent, "BoundaryLayersThickness", this->BoundaryLayers);
   cartesian::printDomainProperties(this, os, indent);
   os << indent << "RegionsFrom: " << this->RegionsFrom << "\n";
   os << indent << "RegionArray: " << this->RegionArray << "\n";

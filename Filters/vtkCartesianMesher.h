@@ -29,6 +29,7 @@
 
 #include <cstdint> // for std::int32_t
 #include <memory>  // for std::unique_ptr
+#include <utility> // for std::pair
 #include <vector>  // for std::vector
 
 namespace cartesian
@@ -90,6 +91,32 @@ public:
 
   ///@{
   /**
+   * How thick all layers together are on the boundaries of the table of names (SetBoundaryName), whatever their
+   * type, in units of the surface. 0: they have none; negative: as if they were not in the table. As many as
+   * names, or none.
+   */
+  void SetNumberOfBoundaryLayersThicknesses(int number)
+  {
+    this->Resize(this->BoundaryLayers, number);
+  }
+  void SetBoundaryLayersThickness(int row, double thickness)
+  {
+    this->SetRow(this->BoundaryLayers, row, thickness);
+  }
+  ///@}
+
+  ///@{
+  /**
+   * How many cells the mesh may have, to 5 %: beyond that CurvatureAngle, the boxes that CellsAcrossGaps asks for and
+   * the sizes of the SizeArray are enlarged by one factor until the cells fit, which takes a second mesh at most times.
+   * 0, the default: any number. Then the mesh is made in one piece, on one rank.
+   */
+  vtkSetClampMacro(CellBudget, int, 0, VTK_INT_MAX);
+  vtkGetMacro(CellBudget, int);
+  ///@}
+
+  ///@{
+  /**
    * Each region needs a closed surface. Regions may touch, in common planes or along the same triangles,
    * or lie in one another; where several are, the first is. Cells of two regions share the faces between.
    */
@@ -115,6 +142,8 @@ public:
   {
     Inside = 0,  // what the surface encloses
     Outside = 1, // a box without what the surface encloses; then there is one region
+    AroundPoints =
+      2, // what the surface encloses around KeepPoints, in bodies or between them; one region
   };
 
   ///@{
@@ -122,10 +151,25 @@ public:
    * Outside, the sides of the box are boundaries: xMin, xMax, yMin, yMax, zMin, zMax. Bodies that reach beyond
    * are cut off there. Meshlines win over the box in their direction.
    */
-  vtkSetClampMacro(Domain, int, Inside, Outside);
+  vtkSetClampMacro(Domain, int, Inside, AroundPoints);
   vtkGetMacro(Domain, int);
   void SetDomainToInside() { this->SetDomain(Inside); }
   void SetDomainToOutside() { this->SetDomain(Outside); }
+  void SetDomainToAroundPoints() { this->SetDomain(AroundPoints); }
+  ///@}
+
+  ///@{
+  /**
+   * Points in the surface's units: connected parts of the domain that contain none of them are left out. None,
+   * the default: all parts stay. Then the mesh is made in one piece, on one rank. BadParameter: a point lies on
+   * the surface, or outside of the domain.
+   */
+  void SetNumberOfKeepPoints(int number) { this->Resize(this->KeepPoints, number); }
+  void SetKeepPoint(int row, double x, double y, double z)
+  {
+    this->SetRow(this->KeepPoints, row, { x, y, z });
+  }
+  const std::vector<std::array<double, 3>>& GetKeepPoints() const { return this->KeepPoints; }
   ///@}
 
   ///@{
@@ -237,8 +281,12 @@ protected:
   double LayerExpansionRatio = 1.2;
   double FirstLayerThickness = 0;
   double LayersThickness = 0;
-  std::vector<std::int32_t> BoundariesWithoutLayers; // of the surface being meshed
+  std::vector<double> BoundaryLayers;
+  std::vector<std::pair<std::int32_t, std::int32_t>>
+    Baffles; // their boundaries, and those of their backs
+  int CellBudget = 0;
   int Domain = Inside;
+  std::vector<std::array<double, 3>> KeepPoints;
   int BoxFrom = 0;
   double DomainBounds[6] = { 0, 1, 0, 1, 0, 1 };
   int FlowDirection = 0;
@@ -255,11 +303,17 @@ private:
   struct Task;
   struct Piece;
 
-  void AddTypesOfSides(Task& task);
+  void AddTypesOfSides(Task& task) const;
+  void AddBaffles(Task& task);
+  void RequireOnePieceIfNeeded(const Piece& piece) const;
+  bool NeedsOnePiece() const
+  {
+    return this->Layers > 0 || this->CellBudget > 0 || !this->KeepPoints.empty();
+  }
   void Begin(Task& task, const Piece& piece, const cartesian::Processes& processes,
     vtkInformationVector** input, vtkInformationVector* output, cartesian::Execution& execution);
   static void Make(const Task& task, Piece& piece, cartesian::Execution& execution);
-  void CountPiecesBefore(Task& task, const Piece& piece, cartesian::Execution& execution);
+  static void CountPiecesBefore(Task& task, const Piece& piece, cartesian::Execution& execution);
   void RequestPieceAlone(Piece& piece, vtkInformationVector** input, vtkInformationVector* output);
   static unsigned long CodeOfAll(
     const std::vector<std::vector<double>>& counts, const cartesian::Processes& processes);

@@ -70,8 +70,16 @@ int vtkCellAssembler::RequestData(
     cartesian::Patches patches = cartesian::patchesFromVTK(patchData, boxes);
     const cartesian::BoundaryNames names = cartesian::boundaryNames(patchData);
     const cartesian::BoundarySettings boundaries{ this->BoundaryNames, this->BoundaryTypes,
-      this->BoundaryRatios };
+      this->BoundaryRatios, {} };
     const auto types = cartesian::boundaryTypes(boundaries, names);
+    if (std::any_of(types.begin(), types.end(),
+          [](const auto& type) { return type.second == cartesian::BaffleType; }))
+    {
+      throw cartesian::Error(cartesian::Fault::BadParameter,
+        "Boundary Types has \"baffle\", which Cartesian Mesher alone knows: use it instead of "
+        "three "
+        "steps.");
+    }
     cartesian::Options options;
     options.patches.featureAngle = FeatureAngleOf(patchData, options.patches.featureAngle);
     cartesian::setCellOptions(this, options);

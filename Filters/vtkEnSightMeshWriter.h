@@ -25,7 +25,7 @@ protected:
   vtkEnSightMeshWriter() = default;
   ~vtkEnSightMeshWriter() override = default;
 
-  void WriteMesh(vtkUnstructuredGrid* grid) override;
+  void WriteMesh(cartesian::WholeMesh& whole) override;
 
 private:
   vtkEnSightMeshWriter(const vtkEnSightMeshWriter&) = delete;

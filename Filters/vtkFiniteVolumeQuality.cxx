@@ -15,7 +15,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedIntArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -126,16 +125,9 @@ int vtkFiniteVolumeQuality::FillOutputPortInformation(int port, vtkInformation* 
 }
 
 int vtkFiniteVolumeQuality::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
+  vtkInformation* /*request*/, vtkInformationVector** input, vtkInformationVector* /*output*/)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* info = input[0]->GetInformationObject(0);
-  if (info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1)
-  {
-    info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
-      info->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) + 1);
-  }
-  return 1;
+  return AskForNeighbours(input);
 }
 
 int vtkFiniteVolumeQuality::RequestData(

@@ -5,18 +5,10 @@
 #include "Formats/FluentFile.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkUnstructuredGrid.h"
 
 vtkStandardNewMacro(vtkFluentMeshWriter);
 
-void vtkFluentMeshWriter::WriteMesh(vtkUnstructuredGrid* grid)
+void vtkFluentMeshWriter::WriteMesh(cartesian::WholeMesh& whole)
 {
-  cartesian::Execution execution(0);
-  const cartesian::WholeMesh whole = cartesian::wholeMesh(grid, execution);
-  if (whole.lostBoundaries)
-  {
-    vtkWarningMacro(<< cartesian::LostBoundaries);
-  }
-  this->UpdateProgress(0.5);
   cartesian::writeFluent(whole.mesh, whole.regions, this->FileName);
 }

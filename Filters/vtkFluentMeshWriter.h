@@ -25,7 +25,7 @@ protected:
   vtkFluentMeshWriter() = default;
   ~vtkFluentMeshWriter() override = default;
 
-  void WriteMesh(vtkUnstructuredGrid* grid) override;
+  void WriteMesh(cartesian::WholeMesh& whole) override;
 
 private:
   vtkFluentMeshWriter(const vtkFluentMeshWriter&) = delete;

@@ -254,6 +254,7 @@ void vtkPolyMeshWriter::WriteOwnPiece(vtkUnstructuredGrid* grid)
   std::optional<cartesian::PolyMeshFiles> files;
   OnAll(processes, [&] {
     std::vector<cartesian::FoamOutline> outlines;
+    outlines.reserve(outlinesOfAll.size());
     for (const auto& numbers : outlinesOfAll)
     {
       outlines.push_back(cartesian::FoamOutline::fromNumbers(numbers));
@@ -271,16 +272,8 @@ void vtkPolyMeshWriter::WriteOwnPiece(vtkUnstructuredGrid* grid)
   });
 }
 
-void vtkPolyMeshWriter::WriteMesh(vtkUnstructuredGrid* grid)
+void vtkPolyMeshWriter::WriteMesh(cartesian::WholeMesh& whole)
 {
-  cartesian::Execution execution(0);
-  cartesian::WholeMesh whole = cartesian::wholeMesh(grid, execution);
-  if (whole.lostBoundaries)
-  {
-    vtkWarningMacro(<< cartesian::LostBoundaries);
-  }
-  this->UpdateProgress(0.5);
-
   const std::filesystem::path file = this->FileName;
   cartesian::PolyMeshFiles files(file.parent_path(), FormatOf(this->FileType));
   const cartesian::FoamRegions& regions = whole.regions;

@@ -124,7 +124,7 @@ protected:
   vtkTypeBool ProcessRequest(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
   void WriteData() override;
-  void WriteMesh(vtkUnstructuredGrid* grid) override;
+  void WriteMesh(cartesian::WholeMesh& whole) override;
 
   int FileType = VTK_BINARY;
   int RegionsAs = Meshes;

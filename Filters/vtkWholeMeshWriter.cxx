@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWholeMeshWriter.h"
 
+#include "FoamFromVTK.h"
 #include "MeshUnion.h"
 #include "ReportErrors.h"
 
@@ -83,9 +84,21 @@ void vtkWholeMeshWriter::WriteData()
     }
     else if (grid)
     {
-      this->WriteMesh(grid);
+      this->WriteGrid(grid);
     }
   });
+}
+
+void vtkWholeMeshWriter::WriteGrid(vtkUnstructuredGrid* grid)
+{
+  cartesian::Execution execution(0);
+  cartesian::WholeMesh whole = cartesian::wholeMesh(grid, execution);
+  if (whole.lostBoundaries)
+  {
+    vtkWarningMacro(<< cartesian::LostBoundaries);
+  }
+  this->UpdateProgress(0.5);
+  this->WriteMesh(whole);
 }
 
 void vtkWholeMeshWriter::PrintSelf(ostream& os, vtkIndent indent)

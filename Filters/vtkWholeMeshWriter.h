@@ -26,6 +26,11 @@
 
 class vtkUnstructuredGrid;
 
+namespace cartesian
+{
+struct WholeMesh;
+}
+
 class VTKCARTESIANMESHERFILTERS_EXPORT vtkWholeMeshWriter : public vtkWriter
 {
 public:
@@ -50,9 +55,11 @@ protected:
   void WriteData() override;
 
   /**
-   * Writes the whole mesh, on one process. May throw cartesian::Error.
+   * Writes the whole mesh, on one process; may throw cartesian::Error. WriteGrid finds its faces, and leaves them
+   * to WriteMesh, which need not leave anything of them: a subclass has one of the two.
    */
-  virtual void WriteMesh(vtkUnstructuredGrid* grid) = 0;
+  virtual void WriteGrid(vtkUnstructuredGrid* grid);
+  virtual void WriteMesh(cartesian::WholeMesh& /*whole*/) {}
 
   bool HasFileName() const { return this->FileName && *this->FileName; }
 

@@ -4,7 +4,8 @@
 //
 // Cell array CellId (id type): number of the cell when the mesh was made, in order of boxes: not its
 // place in the mesh, where hexahedra come first. Field data array BoundaryOfFaces (id type, components Cell, Face, BoundaryId): for each boundary face the CellId
-// of its cell, the number of the face in the cell in VTK's order, and its boundary; by CellId.
+// of its cell, the number of the face in the cell in VTK's order, and its boundary; by CellId. Both sides of a
+// face of a baffle are there.
 #pragma once
 
 #include "GridFaces.h"
@@ -31,9 +32,10 @@ enum class BoundaryKnowledge
   All      // each boundary face is known, or was an inner face before
 };
 
-// Gives the boundary of each boundary face of `list`, or NoBoundary where it is unknown.
+// Gives the boundary of each boundary face of `list`, or NoBoundary where it is unknown. Faces of baffles are
+// boundary faces of both their cells then.
 BoundaryKnowledge readBoundaryOfFaces(vtkUnstructuredGrid* grid, const GridFaces& faces,
-  const FaceList& list, std::vector<vtkIdType>& boundary);
+  FaceList& list, std::vector<vtkIdType>& boundary);
 
 // The strings of the field data array `name` (BoundaryNames, BoundaryTypes), by the numbers in BoundaryIds
 // (if that is missing: 0, 1, 2, ...).

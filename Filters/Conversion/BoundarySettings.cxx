@@ -38,13 +38,14 @@ std::vector<std::int32_t> numbersOf(const std::vector<std::string>& rows, std::s
 void checkType(const std::string& type)
 {
   const std::vector<std::string>& types = foamTypes();
-  if (std::find(types.begin(), types.end(), type) == types.end())
+  if (type != BaffleType && std::find(types.begin(), types.end(), type) == types.end())
   {
     std::string known = AutomaticType;
     for (const std::string& one : types)
     {
       known += ", " + one;
     }
+    known += std::string(", ") + BaffleType;
     throw Error(
       Fault::BadParameter, "Boundary Types has \"" + type + "\", which is none of " + known + ".");
   }
@@ -97,17 +98,26 @@ std::vector<BoundaryRatio> boundaryRatios(
   return result;
 }
 
-std::vector<std::int32_t> boundariesWithoutLayers(
+std::vector<WallLayerSpec::OfBoundary> boundaryLayers(
   const BoundarySettings& settings, const BoundaryNames& names)
 {
   const std::map<std::int32_t, std::string> types = boundaryTypes(settings, names);
-  std::vector<std::int32_t> result;
+  const auto numbers =
+    numbersOf(settings.names, settings.layers.size(), "Boundary Layers Thickness", names);
+  std::vector<WallLayerSpec::OfBoundary> result;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    if (settings.layers[i] >= 0)
+    {
+      result.push_back({ numbers[i], settings.layers[i] });
+    }
+  }
   for (const auto& [boundary, name] : names)
   {
     const auto type = types.find(boundary);
     if (type == types.end() ? isOpening(name) || isSymmetry(name) : type->second != "wall")
     {
-      result.push_back(boundary);
+      result.push_back({ boundary, 0 });
     }
   }
   return result;

@@ -4,6 +4,7 @@
 
 #include "BoundaryNames.h"
 #include "Cells/SmallCellSpec.h"
+#include "Surface/WallLayerSpec.h"
 
 #include <vector>
 
@@ -13,11 +14,17 @@ namespace cartesian
 // The type of a boundary for which the user has not chosen one.
 constexpr const char* AutomaticType = "automatic";
 
+// The type of a boundary whose triangles are sheets in a region (Repair/Baffles.h).
+constexpr const char* BaffleType = "baffle";
+
 struct BoundarySettings
 {
   std::vector<std::string> names; // each once
-  std::vector<std::string> types; // foamTypes() or AutomaticType, for each name; or empty
-  std::vector<double> ratios;     // the R of section 4.10 for each name; or empty
+  std::vector<std::string>
+    types;                    // foamTypes(), BaffleType or AutomaticType, for each name; or empty
+  std::vector<double> ratios; // the R of section 4.10 for each name; or empty
+  std::vector<double>
+    layers; // how thick all layers are, for each name; negative: as elsewhere; or empty
 };
 
 // The R of boundaries that something flows through, where small cells are removed (section 4.10): of type patch,
@@ -31,8 +38,9 @@ std::map<std::int32_t, std::string> boundaryTypes(
 std::vector<BoundaryRatio> boundaryRatios(
   const BoundarySettings& settings, const BoundaryNames& names, SmallCells handling);
 
-// Boundaries that are no walls, by type or else by name. Throws what boundaryTypes does.
-std::vector<std::int32_t> boundariesWithoutLayers(
+// Boundaries whose layers are unlike the others': the rows with a thickness, then those that are no walls, by type or
+// else by name. Throws what boundaryTypes does; fewer or more thicknesses than names.
+std::vector<WallLayerSpec::OfBoundary> boundaryLayers(
   const BoundarySettings& settings, const BoundaryNames& names);
 
 }

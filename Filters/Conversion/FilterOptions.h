@@ -27,6 +27,7 @@ void setDomainOptions(Filter* filter, Options& options)
     domain.bounds.low[axis] = filter->GetDomainBounds()[2 * axis];
     domain.bounds.high[axis] = filter->GetDomainBounds()[2 * axis + 1];
   }
+  domain.keepPoints = filter->GetKeepPoints();
 }
 
 template <class Filter>
@@ -38,6 +39,12 @@ void printDomainProperties(Filter* filter, ostream& os, vtkIndent indent)
   for (int i = 0; i < 6; ++i)
   {
     os << " " << filter->GetDomainBounds()[i];
+  }
+  os << "\n";
+  os << indent << "KeepPoints:";
+  for (const auto& point : filter->GetKeepPoints())
+  {
+    os << " (" << point[0] << " " << point[1] << " " << point[2] << ")";
   }
   os << "\n";
   os << indent << "FlowDirection: " << filter->GetFlowDirection() << "\n";

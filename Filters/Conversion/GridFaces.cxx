@@ -146,7 +146,10 @@ CellFaces facesOfCells(vtkUnstructuredGrid* grid)
 GridFaces::GridFaces(vtkUnstructuredGrid* grid)
 {
   checkPoints(grid);
-  readCells(grid);
+  if (grid->GetNumberOfCells() > 0) // else there may be no arrays, as where a filter has failed
+  {
+    readCells(grid);
+  }
   if (cellOf.empty())
   {
     throw Error(Fault::BadMesh, "There are no cells with a volume to write.");

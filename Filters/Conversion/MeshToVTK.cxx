@@ -332,7 +332,7 @@ public:
       Vector area;
       areas->GetTypedTuple(static_cast<vtkIdType>(i), area.data());
       add(ofBoundary_[faces_[i].boundary], i, norm(area));
-      if (isWall(faces_[i].boundary))
+      if (layers_.spec.hasLayers(faces_[i].boundary))
       {
         add(ofWalls_, i, norm(area));
       }
@@ -368,17 +368,11 @@ private:
     double mean() const { return area > 0 ? volume / area : 0; }
   };
 
-  bool isWall(std::int32_t boundary) const
-  {
-    const auto& without = layers_.spec.boundariesWithout;
-    return boundary != NoBoundary &&
-      std::find(without.begin(), without.end(), boundary) == without.end();
-  }
-
   void add(Sums& sums, std::size_t face, double area) const
   {
     sums.area += area;
-    sums.covered += thickness_[face] >= LeastOfAsked * layers_.thickness ? area : 0;
+    const double asked = layers_.spec.thicknessAt(faces_[face].boundary, layers_.thickness);
+    sums.covered += asked > 0 && thickness_[face] >= LeastOfAsked * asked ? area : 0;
     sums.volume += area * thickness_[face];
   }
 

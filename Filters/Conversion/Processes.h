@@ -5,6 +5,8 @@
 #include "vtkSmartPointer.h"
 
 #include <cstddef>
+#include <cstring>
+#include <type_traits>
 #include <vector>
 
 class vtkDataObject;
@@ -29,6 +31,27 @@ public:
 
   // The numbers of each process, in order.
   std::vector<std::vector<double>> gather(const std::vector<double>& mine) const;
+
+  // The rows of all processes, each of which may have some of them or all, in the order of processes. A row is numbers only.
+  template <class Row>
+  std::vector<Row> all(const std::vector<Row>& mine) const
+  {
+    static_assert(std::is_trivially_copyable_v<Row> && sizeof(Row) % sizeof(double) == 0);
+    if (!areSeveral())
+    {
+      return mine;
+    }
+    std::vector<double> numbers(mine.size() * (sizeof(Row) / sizeof(double)));
+    std::memcpy(numbers.data(), mine.data(), mine.size() * sizeof(Row));
+    std::vector<Row> rows;
+    for (const std::vector<double>& theirs : gather(numbers))
+    {
+      const std::size_t before = rows.size();
+      rows.resize(before + theirs.size() * sizeof(double) / sizeof(Row));
+      std::memcpy(rows.data() + before, theirs.data(), theirs.size() * sizeof(double));
+    }
+    return rows;
+  }
 
   // The sums over all processes, each of which has as many numbers.
   std::vector<double> sum(const std::vector<double>& mine) const;

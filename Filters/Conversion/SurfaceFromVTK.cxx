@@ -395,17 +395,29 @@ void SurfaceFromVTK::readRegions(vtkPolyData* block, const std::string& name)
   }
 }
 
+// A boundary that no triangle has may have the name of one that is there.
+std::int32_t SurfaceFromVTK::numberOfAdded(const std::string& name)
+{
+  const auto same = std::find_if(
+    names_.begin(), names_.end(), [&](const auto& named) { return named.second == name; });
+  const std::int32_t next = names_.empty() ? 0 : std::max(0, names_.rbegin()->first + 1);
+  const std::int32_t number = same == names_.end() ? next : same->first;
+  names_.emplace(number, name);
+  return number;
+}
+
 void SurfaceFromVTK::addSides()
 {
-  std::int32_t next = names_.empty() ? 0 : std::max(0, names_.rbegin()->first + 1);
   std::size_t side = 0;
   for (const char* name : { "xMin", "xMax", "yMin", "yMax", "zMin", "zMax" })
   {
-    const auto same = std::find_if(
-      names_.begin(), names_.end(), [&](const auto& named) { return named.second == name; });
-    sides_[side] = same == names_.end() ? next++ : same->first;
-    names_.emplace(sides_[side++], name);
+    sides_[side++] = numberOfAdded(name);
   }
+}
+
+std::int32_t SurfaceFromVTK::addBack(std::int32_t boundary)
+{
+  return numberOfAdded(names_.at(boundary) + "_back");
 }
 
 std::int32_t SurfaceFromVTK::numberOf(const std::string& given)

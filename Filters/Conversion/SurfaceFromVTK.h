@@ -63,6 +63,9 @@ public:
   void addSides();
   const EndBoundaries& sides() const { return sides_; }
 
+  // Makes the back of a boundary one too: NAME_back, which may be there. Returns its number.
+  std::int32_t addBack(std::int32_t boundary);
+
   // In order; empty if there is one.
   const std::vector<std::string>& regionNames() const { return regionNames_; }
 
@@ -76,6 +79,7 @@ private:
   void readRegions(vtkPolyData* block, const std::string& name);
   void addRegion(const std::string& given);
   std::int32_t numberOf(const std::string& given);
+  std::int32_t numberOfAdded(const std::string& name);
 
   vtkIdType cellsBefore_ = 0; // in the blocks before the one being read
   std::vector<double> points_;

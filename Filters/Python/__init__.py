@@ -45,8 +45,10 @@ _ROWS = {
     "meshlines_z": ("SetNumberOfMeshlinesZ", "SetMeshlineZ"),
     "refinement_blocks": ("SetNumberOfRefinementBlocks", "SetRefinementBlock"),
     "boundary_refinement": ("SetNumberOfBoundaryRefinements", "SetBoundaryRefinement"),
+    "keep_points": ("SetNumberOfKeepPoints", "SetKeepPoint"),
     "boundary_names": ("SetNumberOfBoundaryNames", "SetBoundaryName"),
     "boundary_types": ("SetNumberOfBoundaryTypes", "SetBoundaryType"),
+    "boundary_layers_thickness": ("SetNumberOfBoundaryLayersThicknesses", "SetBoundaryLayersThickness"),
     "boundary_small_cell_ratios": ("SetNumberOfBoundarySmallCellRatios", "SetBoundarySmallCellRatio"),
 }
 
@@ -67,7 +69,7 @@ _CHOICES = {}
 for _name in _SINGLE.values():
     for _choice in _own(f"Set{_name}To(.*)"):
         _CHOICES.setdefault(_name, {})[_snake(_choice).replace("_", " ")] = _choice
-OPTIONS = sorted([*_SINGLE, *_ROWS, "refined_boundaries", "refinement_regions"])
+OPTIONS = sorted([*_SINGLE, *_ROWS, "refined_boundaries", "refinement_regions", "size_field"])
 
 
 def mesh(surface, faces=None, **options):
@@ -80,7 +82,7 @@ def mesh(surface, faces=None, **options):
     {options}
 
     Rows are sequences: refinement_blocks=[(0, 5, 0, 5, 0, 1, 2, 1)], boundary_names=["inlet"].
-    refinement_regions are closed surfaces, vtkPolyData each. A choice is a text: {choices}.
+    refinement_regions are closed surfaces, vtkPolyData each; size_field is a vtkDataSet with size_array. A choice is a text: {choices}.
 
     Raises TypeError and ValueError for arguments that are no surface and no options, and an Error with the
     name of what went wrong.
@@ -128,6 +130,10 @@ def _set(mesher, name, value):
             if not _is_data(region):
                 raise TypeError(f"{name}: {region!r} is no vtkPolyData")
             mesher.AddInputDataObject(1, region)
+    elif name == "size_field":
+        if not _is_data(value):
+            raise TypeError(f"{name}: {value!r} is no vtkDataSet")
+        mesher.SetInputDataObject(2, value)
     else:
         raise TypeError(f"There is no option {name!r}. Options are {', '.join(OPTIONS)}.")
 

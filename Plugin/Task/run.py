@@ -81,8 +81,8 @@ def message(text):
 SURFACES = "vtkPolyData", "vtkMultiBlockDataSet", "vtkPartitionedDataSet", "vtkPartitionedDataSetCollection"
 
 
-def opened(file, fail):
-    """The source of a surface in a file."""
+def opened(file, fail, kinds=SURFACES):
+    """The source of a surface, or of other data, in a file."""
     try:
         reader = simple.OpenDataFile(str(file.resolve()))
     except RuntimeError:  # that is how ParaView says that no reader takes the file
@@ -90,7 +90,7 @@ def opened(file, fail):
     if reader is None:
         raise fail(f"ParaView cannot read {file}: it is broken, or of an unknown kind")
     kind = reader.SMProxy.GetOutputPort(0).GetDataClassName()
-    if kind not in SURFACES:
+    if kinds and kind not in kinds:
         raise fail(f"{file} is no surface: ParaView reads it as {kind}")
     return reader
 
@@ -141,6 +141,9 @@ def build(task):
                    **({"Shape": "Input"} if region.file else {}) | region.properties)
         for i, region in enumerate(task.regions)]
     mesher = simple.CartesianMesher(Input=source, RefinementRegions=regions)
+    if task.size_field:
+        mesher.SizeField = opened(task.size_field,
+            lambda what: task.error(("refinement", "size_field"), what), kinds=())
     set_properties(mesher, task)
     # One file of VTK's holds the whole mesh: then the first rank has to have it.
     if any(file.suffix in writing.WRITERS[port] for port, kind in enumerate(KINDS)

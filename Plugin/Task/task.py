@@ -10,6 +10,9 @@
     refinement_depth = 1
     boundary_refinement = [ { boundary = "inlet", depth = 2, blending_distance = 2, blend_to_depth_1 = 0 } ]
 
+    size_array = "size"        # of the surface, or of
+    size_field = "before.vtu"  # any file of data that ParaView opens
+
     [[boundaries]]             # any number: those that differ from the others
     name = "inlet"
     type = "patch"
@@ -38,6 +41,7 @@ import tomllib
 from parameters import BadValue, collections, parameters, shown
 
 MESHER, REGION = "CartesianMesher", "RefinementRegion"
+FILE_KEYS = {"surface": {"file"}, "refinement": {"size_field"}}  # beside the properties, by table
 
 
 def printable(text):
@@ -64,6 +68,7 @@ class Task:
     surfaces: list
     properties: dict  # of Cartesian Mesher, by their names in Python
     regions: list
+    size_field: pathlib.Path | None
     mesh: list  # files to write
     boundary: list
     defects: list
@@ -216,6 +221,11 @@ class _Reader:
         return Region(self.files(content["file"], where + ("file",), exist=True)[0], properties)
 
 
+def targets_of(file):
+    """What is written for an output: the file, and the folder of its blocks."""
+    return (file, file.with_suffix("")) if file.suffix in (".vtm", ".vtpc") else (file,)
+
+
 def outputs(reader, content, inputs):
     """Files to write, by kind, none twice and none that is read; and in how many pieces."""
     kinds = ("mesh", "boundary", "defects", "statistics")
@@ -227,9 +237,10 @@ def outputs(reader, content, inputs):
     taken = {file.resolve(): "is read by the task" for file in inputs}
     for kind in kinds:
         for file in files[kind]:
-            if file.resolve() in taken:
-                reader.fail(("output", kind), f"{file} {taken[file.resolve()]}: choose another name")
-            taken[file.resolve()] = "is written already"
+            for target in targets_of(file):
+                if target.resolve() in taken:
+                    reader.fail(("output", kind), f"{target} {taken[target.resolve()]}: choose another name")
+                taken[target.resolve()] = "is written already"
     return files | {"pieces": pieces}
 
 
@@ -245,7 +256,7 @@ def read_task(path):
 
     properties = {}
     for name, of in tables.items():
-        known = {parameter.key for parameter in of} | ({"file"} if name == "surface" else set())
+        known = {parameter.key for parameter in of} | FILE_KEYS.get(name, set())
         table = reader.table(content.get(name, {}), (name,), known)
         properties |= reader.values(table, (name,), of)
     defaults = {parameter.key: properties.get(parameter.name, parameter.default) for parameter in mesher}
@@ -256,6 +267,11 @@ def read_task(path):
     surfaces = reader.files(content["surface"]["file"], ("surface", "file"), exist=True)
     regions = [reader.region(table, ("regions", i), region)
         for i, table in enumerate(reader.tables(content.get("regions", []), "regions"))]
-    inputs = [reader.path, *surfaces, *(region.file for region in regions if region.file)]
-    return Task(path=reader.path, surfaces=surfaces, properties=properties, regions=regions,
+    size_field = content.get("refinement", {}).get("size_field")
+    if size_field is not None:
+        if not isinstance(size_field, str):
+            reader.fail(("refinement", "size_field"), "must be the name of a file")
+        size_field = reader.file(size_field, ("refinement", "size_field"), True)
+    inputs = [reader.path, *surfaces, *([size_field] if size_field else []), *(region.file for region in regions if region.file)]
+    return Task(path=reader.path, surfaces=surfaces, properties=properties, regions=regions, size_field=size_field,
         reader=reader, **outputs(reader, content.get("output", {}), inputs))

@@ -16,6 +16,10 @@ SURFACE_FILE = """
 # is called as its file is.
 file = "surface.stl\""""
 
+SIZE_FIELD = """
+# Data of any kind, such as a solution on an earlier mesh, that have the size_array.
+# size_field = "before.vtu\""""
+
 REGIONS = """
 # Boxes and spheres to refine in, each a table [[regions]] of its own; or a closed surface's file and
 # a depth."""
@@ -58,6 +62,8 @@ def template():
         if name == "surface":
             parts.append(SURFACE_FILE)
         parts += [entry(parameter) for parameter in of]
+        if name == "refinement":
+            parts.append(SIZE_FIELD)
     for collection in collections(MESHER):
         parts += [ROWS, f"# [[{collection.key}]]", *[entry(column, "# ") for column in collection.columns]]
     parts += [REGIONS, "# [[regions]]", *[entry(parameter, "# ") for parameter in parameters(REGION)]]

@@ -122,7 +122,7 @@ void printMemoryOf(
     length = std::max(length, bounds.high[axis] - bounds.low[axis]);
   }
   const double size = length / cells;
-  const Estimates estimated = estimate(surface, size, depth, method);
+  const Estimates estimated = estimate(surface, size, depth, method, threads);
   // In a process of its own: what the last one freed is not taken anew.
   const pid_t child = fork();
   if (child == 0)

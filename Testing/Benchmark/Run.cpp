@@ -224,9 +224,10 @@ double sizeFor(double boxes, const Triangles& surface)
   return options.grid.cellSize;
 }
 
-Estimates estimate(const Triangles& surface, double cellSize, int depth, PatchMethod method)
+Estimates estimate(
+  const Triangles& surface, double cellSize, int depth, PatchMethod method, int threads)
 {
-  Execution execution(Execution::AllCores);
+  Execution execution(threads);
   Options options;
   options.grid.cellSize = cellSize;
   options.refinement.depth = depth;
@@ -234,15 +235,13 @@ Estimates estimate(const Triangles& surface, double cellSize, int depth, PatchMe
   options.memoryLimit = PlentyOfMemory;
   const PreparedSurface prepared = prepareSurface(surface.view(), options, execution);
   const auto decomposition = decompose(prepared, options, execution);
-  MeshEstimate layers;
-  layers.triangles = static_cast<double>(prepared.surface.triangles.size());
-  for (const MeshEstimate& layer : decomposition->estimateLayers(execution))
-  {
-    layers.add(layer);
-  }
-  const Boxes boxes = decomposition->boxes(decomposition->allLayers(), execution);
-  return { layers.bytes(prepared.memoryLimit),
-    estimateMesh(prepared.surface, decomposition->shoeboxes(), boxes).bytes(prepared.memoryLimit) };
+  const Layers all = decomposition->allLayers();
+  const Boxes boxes = decomposition->boxes(all, execution);
+  const auto bytes = [&](const std::vector<MeshEstimate>& ofLayers) {
+    return decomposition->together(ofLayers, all).bytes(prepared.memoryLimit);
+  };
+  return { bytes(decomposition->estimateLayers(execution)),
+    bytes(estimateLayers(decomposition->shoeboxes(), boxes)) };
 }
 
 Figures measure(

@@ -55,7 +55,8 @@ struct Estimates
   double boxes;  // before there are patches
 };
 
-Estimates estimate(const Triangles& surface, double cellSize, int depth, PatchMethod method);
+Estimates estimate(
+  const Triangles& surface, double cellSize, int depth, PatchMethod method, int threads);
 
 Figures measure(
   const Triangles& surface, double cellSize, int depth, PatchMethod method, int threads);

@@ -138,7 +138,7 @@ def solvers(options):
         inlet, outlet = (given or next(solid for solid in surface.names if solid.startswith(end))
                          for given, end in ((options.inlet, "inlet"), (options.outlet, "outlet")))
         duct = wallflow.Duct(surface, inlet, outlet, options.velocity, options.speed, options.iterations,
-                             options.limit)
+                             options.limit, options.model)
         for mesher, meshed in each_mesh(surface, options):
             found = {"OK": False}
             if not isinstance(meshed, Exception):
@@ -230,6 +230,7 @@ def arguments(texts):
                              help="at the inlet (default: straight in, or along the pipe)")
             one.add_argument("--speed", type=float, default=20.0, help="without --velocity")
             one.add_argument("--iterations", type=int, default=500)
+            one.add_argument("--model", choices=("kEpsilon", "kOmegaSST"), default="kEpsilon")
             one.add_argument("--limit", type=float, default=3.0, help="of speeds, by the inlet's")
     options = parser.parse_args(texts)
     if not hasattr(simple, "CartesianMesher"):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Solvers for wallcells.py: turbulent flow with plain schemes through a duct, and conduction across a pipe.
 
-The flow is what asks most of a mesh: kEpsilon, linearUpwind with plain Gauss gradients, corrected
+The flow is what asks most of a mesh: kEpsilon or kOmegaSST, linearUpwind with plain Gauss gradients, corrected
 Laplacians, from potentialFoam, in simpleFoam. Nothing limits what poor cells do to it."""
 
 import os
@@ -17,23 +17,24 @@ K = 0.5  # at the inlet
 SCHEMES = """ddtSchemes { default steadyState; }
 gradSchemes { default Gauss linear; }
 divSchemes { default none; div(phi,U) bounded Gauss linearUpwind grad(U);
-    div(phi,k) bounded Gauss limitedLinear 1; div(phi,epsilon) bounded Gauss limitedLinear 1;
+    div(phi,k) bounded Gauss limitedLinear 1; div(phi,epsilon) $div(phi,k); div(phi,omega) $div(phi,k);
     div((nuEff*dev2(T(grad(U))))) Gauss linear; }
 laplacianSchemes { default Gauss linear corrected; } interpolationSchemes { default linear; }
 snGradSchemes { default corrected; } wallDist { method meshWave; }"""
 SOLUTION = """solvers {
     p { solver GAMG; smoother GaussSeidel; tolerance 1e-9; relTol 0.05; } Phi { $p; relTol 0.01; }
-    "(U|k|epsilon)" { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-10; relTol 0.1; nSweeps 1; } }
+    "(U|k|epsilon|omega)" { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-10; relTol 0.1; nSweeps 1; } }
 SIMPLE { nNonOrthogonalCorrectors 0; consistent no; } potentialFlow { nNonOrthogonalCorrectors 5; }
-relaxationFactors { fields { p 0.3; } equations { U 0.7; k 0.7; epsilon 0.7; } }"""
+relaxationFactors { fields { p 0.3; } equations { U 0.7; k 0.7; epsilon 0.7; omega 0.7; } }"""
 
 
 class Duct:
     """What flows: names of the ends, all else is wall; velocity at the inlet; the iterations to run, and
-    the largest speed that is believed, by the inlet's."""
+    the largest speed that is believed, by the inlet's; the model of turbulence."""
 
-    def __init__(self, surface, inlet, outlet, velocity=None, speed=20.0, iterations=500, limit=3.0):
-        self.inlet, self.outlet, self.iterations, self.limit = inlet, outlet, iterations, limit
+    def __init__(self, surface, inlet, outlet, velocity=None, speed=20.0, iterations=500, limit=3.0,
+                 model="kEpsilon"):
+        self.inlet, self.outlet, self.iterations, self.limit, self.model = inlet, outlet, iterations, limit, model
         those = surface.solids == surface.names.index(inlet)
         inward = -(surface.areas[those, None] * surface.normals[those]).sum(axis=0)
         ahead = inward / np.linalg.norm(inward) if surface.ahead is None else surface.ahead
@@ -55,7 +56,9 @@ def write_flow(folder, duct):
     names = list(foam.Files(folder).patches)
     missing = {duct.inlet, duct.outlet} - set(names)
     assert not missing, f"the mesh has no boundary {', '.join(missing)}"
-    epsilon = 0.09 ** 0.75 * K ** 1.5 / (0.07 * duct.diameter)
+    omega = K ** 0.5 / (0.09 ** 0.25 * 0.07 * duct.diameter)
+    rate, units, start = {"kEpsilon": ("epsilon", "[0 2 -3 0 0 0 0]", 0.09 * K * omega),
+                          "kOmegaSST": ("omega", "[0 0 -1 0 0 0 0]", omega)}[duct.model]
     velocity = "({!r} {!r} {!r})".format(*duct.velocity.tolist())
     none, fixed, uniform = "zeroGradient;", "fixedValue; value uniform {};", "; value uniform {};"
     back = "inletOutlet; inletValue uniform {0}; value uniform {0};"
@@ -68,14 +71,13 @@ def write_flow(folder, duct):
     field("U", "[0 1 -1 0 0 0 0]", zero, fixed.format(velocity), back.format(zero), "noSlip;")
     field("p", "[0 2 -2 0 0 0 0]", 0, none, fixed.format(0), none)
     field("k", "[0 2 -2 0 0 0 0]", K, fixed.format(K), back.format(K), "kqRWallFunction" + uniform.format(K))
-    field("epsilon", "[0 2 -3 0 0 0 0]", epsilon, fixed.format(epsilon), back.format(epsilon),
-          "epsilonWallFunction" + uniform.format(epsilon))
+    field(rate, units, start, fixed.format(start), back.format(start), rate + "WallFunction" + uniform.format(start))
     field("nut", "[0 2 -1 0 0 0 0]", 0.1, "calculated" + uniform.format(0), "calculated" + uniform.format(0),
           "nutkWallFunction" + uniform.format(0))
     foam.write(folder, "constant/transportProperties",
                f"transportModel Newtonian; nu [0 2 -1 0 0 0 0] {VISCOSITY};")
     foam.write(folder, "constant/turbulenceProperties",
-               "simulationType RAS; RAS { RASModel kEpsilon; turbulence on; printCoeffs off; }")
+               f"simulationType RAS; RAS {{ RASModel {duct.model}; turbulence on; printCoeffs off; }}")
     foam.write(folder, "system/fvSchemes", SCHEMES)
     foam.write(folder, "system/fvSolution", SOLUTION)
     foam.control(folder, duct.iterations, f"""functions {{
@@ -113,7 +115,7 @@ def flow(folder, duct):
         "iterations": iterations,
         "residual of p": last(r"Solving for p, Initial residual = ([^,]+)", log),
         "k bounded": log.count("bounding k"),
-        "epsilon bounded": log.count("bounding epsilon"),
+        "epsilon or omega bounded": log.count("bounding epsilon") + log.count("bounding omega"),
         "speed / inlet's": largest,
         "pressure drop": last(rf"areaAverage\({re.escape(duct.inlet)}\) of p = (\S+)", log),
     }

@@ -10,6 +10,7 @@ from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import foam
+from pipeline import Messages, error_code
 
 PROGRAM = sys.argv[2]
 SIDES = ["xMin", "xMax", "yMin", "yMax", "zMin", "zMax"]
@@ -99,3 +100,21 @@ middles = [[sum(boxes.GetCell(cell).GetBounds()[i:i + 2]) / 2 for i in (0, 2, 4)
     for cell in range(boxes.GetNumberOfCells())]
 inGap = [abs(x) < 0.45 and abs(y) < 0.45 and z < -0.5 for x, y, z in middles]
 assert level[inGap].min() >= 3 and level.min() == 0, level[inGap].min()
+
+# A hollow cube: the air around it, or in it, alone. On the surface, or in pieces: refused.
+hollow = simple.AppendGeometry(Input=[cube, simple.Triangulate(Input=simple.Box(XLength=0.6, YLength=0.6, ZLength=0.6))])
+kept = simple.CartesianMesher(Input=hollow, Domain="Outside", LengthsBefore=1, LengthsBehind=1, LengthsBeside=1,
+    CellSize=0.4, PatchMethod="Exact Fit")
+expect(kept, {"xMin": 9, "boundary_0": 6 + 6 * 0.36})
+kept.KeepPoints = [1, 0, 0]
+expect(kept, {"xMin": 9, "boundary_0": 6})
+left_out = kept.GetClientSideObject().GetOutputDataObject(0).GetFieldData().GetArray("PartsLeftOut")
+assert left_out.GetValue(0) == 1, left_out.GetValue(0)
+kept.Domain = "Around Points"
+kept.KeepPoints = [0.1, 0.1, 0.1]
+expect(kept, {"boundary_0": 6 * 0.36})
+for points, words in (([0, 0, -0.5], "lies on the surface"), ([9, 0, 0], "outside of the grid")):
+    kept.KeepPoints = points
+    with Messages() as said:
+        kept.UpdatePipeline()
+    assert error_code(kept) == 40008 and words in str(said), said

@@ -7,30 +7,16 @@ import tempfile
 
 import numpy as np
 from paraview import simple
-from vtkmodules.vtkCommonCore import vtkStringArray
 
 import foam
-from pipeline import Messages, output, producer
+import slab
+from pipeline import Messages
 
 temporary = tempfile.TemporaryDirectory()
 
-
-def box(low, high):
-    """The boundary at x = 0 is "inlet", at 3 "outlet", what is left "side"."""
-    surface = output(simple.Triangulate(Input=simple.Box(
-        XLength=high[0] - low[0], YLength=high[1] - low[1], ZLength=high[2] - low[2],
-        Center=[(a + b) / 2 for a, b in zip(low, high)])))
-    names = vtkStringArray()
-    names.SetName("Wall")
-    for i in range(surface.GetNumberOfCells()):
-        first, last = surface.GetCell(i).GetBounds()[:2]
-        names.InsertNextValue("inlet" if last == 0 else "outlet" if first == 3 else "side")
-    surface.GetCellData().AddArray(names)
-    return producer(surface)
-
-
-BODIES = {"porous": box([1, 0, 0], [2, 1, 1]), "air": box([0, 0, 0], [3, 1, 1]),
-          "casing": box([0, -0.5, -0.5], [3, 1.5, 1.5])}
+ENDS = ("inlet", "outlet")
+BODIES = {"porous": slab.box([1, 0, 0], [2, 1, 1], ENDS), "air": slab.box([0, 0, 0], [3, 1, 1], ENDS),
+          "casing": slab.box([0, -0.5, -0.5], [3, 1.5, 1.5], ENDS)}
 
 
 def mesh_of(names, size=0.21, method="Automatic"):

@@ -6,13 +6,15 @@ from paraview import simple
 grid = {"CellSize": 0.0, "MeshlinesX": [], "MeshlinesY": [], "MeshlinesZ": []}
 refinement = {"RefinementDepth": 0, "RefinementBlocks": [], "BoundaryRefinement": [],
               "RefinedBoundaries": [], "RefinedBoundaryDepth": 1, "RegionDepth": 1,
-              "CurvatureAngle": 0.0, "CellsAcrossGaps": 0, "LargestDepth": 3, "FeatureDepth": 0}
+              "CurvatureAngle": 0.0, "CellsAcrossGaps": 0, "LargestDepth": 3, "FeatureDepth": 0,
+              "SizeArray": ""}
 boundaries = {"BoundaryArray": "Automatic"}
 patches = {"PatchMethod": "Automatic", "FeatureAngle": 30.0, "MergeAngle": 10.0,
            "Tying": "Keep Nodes"}
 cells = {"CollapseRatio": 0.1, "SmallCells": "Merge", "MergeRatio": 0.15, "SmallCellRatio": 0.001,
          "SplitConcaveCells": 1, "OptimiseNodes": 1, "RefusedCellRatio": 4}
-layers = {"Layers": 0, "LayerExpansionRatio": 1.2, "FirstLayerThickness": 0.0, "LayersThickness": 0.0}
+layers = {"Layers": 0, "LayerExpansionRatio": 1.2, "FirstLayerThickness": 0.0, "LayersThickness": 0.0,
+          "CellBudget": 0, "BoundaryLayersThickness": []}
 settings = {"BoundaryNames": [], "BoundaryTypes": [], "BoundarySmallCellRatios": []}
 threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}
@@ -20,7 +22,7 @@ pieces = {"InPieces": 1}
 regions = {"RegionsFrom": "One", "RegionArray": "", "ContactTolerance": 0.0}
 domain = {"Domain": "Inside", "BoxFrom": "Surface", "DomainBounds": [0, 1, 0, 1, 0, 1],
           "FlowDirection": "Plus X", "LengthsBefore": 3, "LengthsBehind": 5, "LengthsBeside": 3,
-          "Ground": "None", "Half": "None"}
+          "Ground": "None", "Half": "None", "KeepPoints": []}
 
 surface = simple.Sphere()
 cube = simple.Box()
@@ -31,18 +33,20 @@ assembler = simple.CellAssembler(Input=boxer, Patches=patcher)
 mesher = simple.CartesianMesher(Input=surface)
 inspector = simple.SurfaceInspector(Input=surface)
 quality = simple.FiniteVolumeQuality(Input=mesher)
+summary = simple.MeshSummary(Input=mesher)
 region = simple.RefinementRegion(Input=cube)
 
 expected = {
-    boxer: ("Cartesian Boxer", ["Input", "RefinementRegions"],
+    boxer: ("Cartesian Boxer", ["Input", "RefinementRegions", "SizeField"],
             boundaries | grid | refinement | threads | memory),
     patcher: ("Patcher", ["Input", "Boxes"], boundaries | patches | threads),
     assembler: ("Cell Assembler", ["Input", "Patches"], cells | settings | threads),
-    mesher: ("Cartesian Mesher", ["Input", "RefinementRegions"],
+    mesher: ("Cartesian Mesher", ["Input", "RefinementRegions", "SizeField"],
              boundaries | grid | refinement | patches | cells | settings | threads | memory
              | pieces | regions | domain | layers),
     inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
     quality: ("Finite Volume Quality", ["Input"], threads),
+    summary: ("Mesh Summary", ["Input"], threads | {"Measure": "Skewness", "NumberOfWorstCells": 10}),
     # A region is as large as its input at first.
     region: ("Refinement Region", ["Input"], {"Shape": "Box", "Position": [-0.5, -0.5, -0.5],
         "Rotation": [0, 0, 0], "Length": [1, 1, 1], "Center": [0, 0, 0], "Radius": 0.25,
@@ -67,7 +71,7 @@ for proxy in expected:
 
 for proxy, names in (
     (assembler, ["Mesh", "Boundary"]), (mesher, ["Mesh", "Boundary", "Defects", "Interfaces"]),
-    (quality, ["Mesh", "Faces"]),
+    (quality, ["Mesh", "Faces"]), (summary, ["Summary", "Worst Cells"]),
 ):
     ports = [proxy.GetOutputPortName(i) for i in range(proxy.GetNumberOfOutputPorts())]
     assert ports == names, ports
@@ -77,7 +81,8 @@ assert writer.GetXMLLabel() == "OpenFOAM Mesh Writer", writer.GetXMLLabel()
 assert sorted(writer.ListProperties()) == ["FileName", "FileType", "Input", "Pieces", "RegionsAs", "ZoneBorders",
                                              "ZoneRegions"]
 assert writer.FileType == "Binary" and writer.RegionsAs == "Meshes"
-for suffix, format in ("cgns", "CGNS"), ("msh", "Fluent"), ("case", "EnSight"):
+for suffix, label in (("cgns", "CGNS Mesh"), ("msh", "Fluent Mesh"), ("case", "EnSight Mesh"), ("vtm", "Region Blocks"),
+                      ("vtpc", "Region Blocks")):
     writer = simple.CreateWriter(f"mesh.{suffix}", mesher)
-    assert writer.GetXMLLabel() == f"{format} Mesh Writer", writer.GetXMLLabel()
+    assert writer.GetXMLLabel() == f"{label} Writer", writer.GetXMLLabel()
     assert sorted(writer.ListProperties()) == ["FileName", "Input"]

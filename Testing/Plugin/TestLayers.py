@@ -7,6 +7,7 @@ from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import foam
+import slab
 
 SIZE = 0.1
 COUNT = 5
@@ -54,6 +55,17 @@ expect_layers(simple.CartesianMesher(Input=sphere, CellSize=SIZE, **layers), [0]
 # On a body in a flow domain, but not on the sides of the domain.
 expect_layers(simple.CartesianMesher(Input=sphere, CellSize=SIZE, Domain="Outside", LengthsBefore=0.15,
     LengthsBehind=0.15, LengthsBeside=0.15, **layers), [0])
+
+# Boundaries have layers of their own thickness, whatever their type.
+thicknesses = {"inlet cold": 0.01, "hot": -1, "side": 0.03}
+mesh, boundary = outputs(simple.CartesianMesher(Input=slab.box([0, 0, 0], [3, 1, 1]), BoundaryArray="Wall", CellSize=SIZE,
+    Layers=2, LayersThickness=0.02, BoundaryNames=list(thicknesses), BoundaryLayersThickness=list(thicknesses.values())))
+names = mesh.GetFieldData().GetAbstractArray("BoundaryNames")
+names = dict(zip((names.GetValue(i) for i in range(names.GetNumberOfValues())), array(mesh.GetFieldData(), "BoundaryIds")))
+for name, asked in thicknesses.items():
+    on = array(boundary.GetCellData(), "BoundaryId") == names[name]
+    thickness = np.median(array(boundary.GetCellData(), "LayerThickness")[on])
+    assert abs(thickness - (asked if asked > 0 else 0.02)) < 1e-9, (name, thickness)
 
 # A first layer of any thickness is none if there are none.
 plain = outputs(simple.CartesianMesher(Input=sphere, CellSize=SIZE))[0]

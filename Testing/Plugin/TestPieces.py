@@ -95,9 +95,9 @@ with tempfile.TemporaryDirectory() as folder:
         files = sorted((folder / str(limit)).glob("mesh_pvtu1/*.vtu"))
         return done, files
 
-    few, many = (run(limit) for limit in (1.0, 0.1))
+    few, many = (run(limit) for limit in (1.0, 0.06))
     summaries = []
-    for limit, (done, files) in (1.0, few), (0.1, many):
+    for limit, (done, files) in (1.0, few), (0.06, many):
         assert done.returncode == 0, done.stderr
         summaries.append(json.loads((folder / str(limit) / "statistics.json").read_text()))
         assert len(summaries[-1]["boundaries"]) == 12

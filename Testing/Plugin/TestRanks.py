@@ -6,7 +6,9 @@ import tempfile
 import numpy as np
 from cartesianmesher.vtkCartesianMesherFilters import vtkCartesianMesher
 from paraview import servermanager, simple
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersGeneral import vtkMultiBlockDataGroupFilter
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
@@ -18,8 +20,9 @@ RANKS = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
 assert RANKS > 1
 
 
-def on_one_rank(source, size, depth):
+def on_one_rank(source, size, depth, regions=0):
     mesher = vtkCartesianMesher()
+    mesher.SetRegionsFrom(regions)
     mesher.SetInputConnection(source.GetOutputPort())
     mesher.SetCellSize(size)
     mesher.SetRefinementDepth(depth)
@@ -80,6 +83,24 @@ for source, alone, size in ((read("kcl_exhaust_header_lumens.stl"), stl, 10.0),
     faces.UpdatePipeline()
     found = faces.GetDataInformation().GetNumberOfCells()
     assert found == boundary_faces(mesher), f"Boundary alone: {found} faces"
+
+# Several regions: a ball in a box.
+block = simple.Triangulate(Input=simple.Box(XLength=0.7, YLength=0.8, ZLength=2))
+both = simple.GroupDatasets(Input=[simple.Sphere(Radius=0.3), block], BlockNames=["ball", "block"])
+group, ball, box, divided = vtkMultiBlockDataGroupFilter(), vtkSphereSource(), vtkCubeSource(), vtkTriangleFilter()
+ball.SetRadius(0.3)
+box.SetXLength(0.7), box.SetYLength(0.8), box.SetZLength(2)
+divided.SetInputConnection(box.GetOutputPort())
+group.AddInputConnection(ball.GetOutputPort())
+group.AddInputConnection(divided.GetOutputPort())
+expected = on_one_rank(group, 0.05, 0, 1)
+mesher = simple.CartesianMesher(Input=both, RegionsFrom="Blocks", CellSize=0.05)
+assert_same(mesher, expected)
+volumes = [filter.GetOutputDataObject(0).GetFieldData().GetArray("RegionVolumes")
+           for filter in (mesher.SMProxy.GetClientSideObject(), expected)]
+assert np.allclose(*([array.GetValue(i) for i in range(2)] for array in volumes), rtol=1e-12)
+between = servermanager.OutputPort(mesher, 3).GetDataInformation().GetNumberOfCells()
+assert between == expected.GetOutputDataObject(3).GetNumberOfCells() > 0
 
 # A surface that each rank has a part of; its triangles come in another order.
 spread = simple.ProgrammableFilter(Input=read("cino_spot.obj"), OutputDataSetType="vtkPolyData", Script="""

@@ -2,8 +2,13 @@
 
 import math
 
+import pathlib
+import tempfile
+
+import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 
 
 def box(low, high):
@@ -52,6 +57,24 @@ for side in "Owner", "Neighbour":
     assert [regionOf[cell] for cell in cells] == list(regions), side
 assert set(vtk_to_numpy(data.GetArray("OwnerRegion"))) == {1}
 assert set(vtk_to_numpy(data.GetArray("NeighbourRegion"))) == {2}
+
+# As files with a block for each region: its cells, in their order, and the same points on both sides.
+with tempfile.TemporaryDirectory() as folder:
+    for suffix in "vtm", "vtpc":
+        file = f"{folder}/{suffix}/mesh.{suffix}"
+        pathlib.Path(file).parent.mkdir()
+        simple.SaveData(file, simple.OutputPort(mesher, "Mesh"))
+        reader = simple.OpenDataFile(file)
+        reader.UpdatePipeline()
+        blocks = reader.GetClientSideObject().GetOutputDataObject(0)
+        assert blocks.IsA("vtkMultiBlockDataSet" if suffix == "vtm" else "vtkPartitionedDataSetCollection")
+        points = []
+        for i, name in enumerate(("gas", "solid")):
+            assert blocks.GetMetaData(i).Get(vtkCompositeDataSet.NAME()) == name
+            block = blocks.GetBlock(i) if suffix == "vtm" else blocks.GetPartition(i, 0)
+            assert np.array_equal(vtk_to_numpy(block.GetCellData().GetArray("CellId")), number[region == i + 1])
+            points.append(set(map(tuple, vtk_to_numpy(block.GetPoints().GetData()))))
+        assert points[0] & points[1] == set(map(tuple, vtk_to_numpy(interfaces.GetPoints().GetData())))
 
 # None of them is exterior, and boundary faces tell whose they are.
 exterior = {tuple(sorted(boundary.GetPointData().GetArray("MeshPointId").GetValue(

@@ -54,7 +54,7 @@ def read(name, reader=simple.XMLUnstructuredGridReader):
 # back, it is what a new filter has.
 mesher = simple.CartesianMesher(Input=simple.Sphere())
 assert set(names(MESHER)) == \
-    set(mesher.ListProperties()) - {"Input", "RefinementRegions", "RefinedBoundaryInfo", "ExpectedBoxes"}
+    set(mesher.ListProperties()) - {"Input", "RefinementRegions", "SizeField", "RefinedBoundaryInfo", "ExpectedBoxes"}
 region = simple.RefinementRegion(Input=simple.Sphere())
 assert {parameter.name for parameter in parameters(REGION)} == set(region.ListProperties()) - {"Input"}
 for parameter in parameters(MESHER):
@@ -246,6 +246,7 @@ for text, *parts in (
     (FILES + '[output]\nmesh = "m.vtp"\n', ":4: output.mesh", "no writer for .vtp"),
     (FILES + '[output]\nboundary = "m.vtu"\n', ":4: output.boundary", "no writer for .vtu"),
     (FILES + '[output]\nmesh = "m.vtu"\nstatistics = "m.vtu"\n', ":5: output.statistics", "written already"),
+    (FILES + '[output]\nmesh = ["m.vtm", "m.vtpc"]\n', ":4: output.mesh", "m is written already"),
     (FILES + '[output]\nstatistics = "roof.stl"\n', ":4: output.statistics", "is read by the task"),
     (FILES + '[output]\nstatistics = "task.toml"\n', ":4: output.statistics", "is read by the task"),
     # A full device.

@@ -1,7 +1,10 @@
-"""xvfb-run -a pvpython draw.py REPOSITORY PROGRAM: makes two pictures of the help pages, of the mesh of
-their task cut open, and of a flow that OpenFOAM computed. PROGRAM is cartesian-mesher; the others are made by
+"""xvfb-run -a pvpython draw.py REPOSITORY PROGRAM [NAME ...]: makes pictures of the help pages: of the mesh of
+their task cut open (task), of a flow that OpenFOAM computed (flow), of a mesh that
+follows a solution (adaptation), of layers (layers), of the coolant jacket (jacket), and of solid and gas
+of the exhaust header (regions; needs the folder of surfaces in SURFACES). PROGRAM is cartesian-mesher; the others are made by
 demo.sh, TestImages.py and Window/photograph.py."""
 
+import os
 import pathlib
 import subprocess
 import sys
@@ -9,12 +12,15 @@ import tempfile
 
 import numpy as np
 from paraview import simple
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkFiltersCore import vtkImageAppend
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 import foam
+import jacket
 from ducts import solve
 from pipeline import DATA, output, producer
-from pages import HELP, block
+from pages import HELP, block, blocks
 
 PROGRAM = sys.argv[2]
 
@@ -34,8 +40,8 @@ def half(source, origin, normal):
     return clip
 
 
-def picture(name, view, towards, zoom=1.4):
-    view.ViewSize = [1000, 600]
+def picture(name, view, towards, zoom=1.4, size=(1000, 600)):
+    view.ViewSize = size
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground = 0
     view.Background = [1, 1, 1]
@@ -58,10 +64,10 @@ def draw_task(folder):
 
 def draw_flow(folder):
     surface = simple.OpenDataFile(str(DATA / "kcl_exhaust_header_lumens.stl"))
-    mesher = simple.CartesianMesher(Input=surface, CellSize=6)
+    mesher = simple.CartesianMesher(Input=surface, CellSize=3)
     speeds = np.linalg.norm(solve(foam.save(mesher, folder))[1], axis=1)
     mesh = output(mesher)
-    array = numpy_to_vtk(speeds, deep=True)
+    array = numpy_to_vtk(speeds[vtk_to_numpy(mesh.GetCellData().GetArray("CellId"))], deep=True)
     array.SetName("Speed")
     mesh.GetCellData().AddArray(array)
     view = simple.CreateView("RenderView")
@@ -73,6 +79,90 @@ def draw_flow(folder):
     picture("flow.png", view, [1, -0.25, 0.35])
 
 
-for draw in draw_task, draw_flow:
+def draw_layers(_):
+    surface = simple.OpenDataFile(str(DATA / "kcl_exhaust_header_lumens.stl"))
+    mesher = simple.CartesianMesher(Input=surface, CellSize=4, Layers=5, FirstLayerThickness=0.25)
+    view = simple.CreateView("RenderView")
+    show(simple.OutputPort(mesher, "Mesh"), view, "Layer").SetScalarBarVisibility(view, False)
+    view.CameraParallelProjection = 1
+    picture("layers.png", view, [0.35, -1, 0.3])
+    camera = simple.GetActiveCamera()
+    camera.SetFocalPoint(0, 0, 0)  # the first inlet
+    camera.SetPosition(105, -300, 90)
+    view.CameraParallelScale = 19
+    simple.SaveScreenshot(str(HELP / "layers.png"), view)
+
+
+def joined(name, parts):
+    """One picture of several, side by side."""
+    pictures = [vtkPNGReader() for _ in parts]
+    all_ = vtkImageAppend()
+    for reader, part in zip(pictures, parts):
+        reader.SetFileName(str(part))
+        all_.AddInputConnection(reader.GetOutputPort())
+    writer = vtkPNGWriter()
+    writer.SetFileName(str(HELP / name))
+    writer.SetInputConnection(all_.GetOutputPort())
+    writer.Write()
+
+
+def draw_jacket(folder):
+    mesh = simple.OutputPort(jacket.mesher(), "Mesh")
+    hole = list(jacket.hole_centres())[2]
+    parts = []
+    for number, (zoom, towards) in enumerate(((1.05, [-0.5, -1, 0.6]), (1, [0, -1, 0]))):
+        view = simple.CreateView("RenderView")
+        origin = [0, 0, 0] if number == 0 else [0, hole[1], 0]
+        shown = half(mesh, origin, [0, -1, 0])
+        show(shown, view, "Level").SetScalarBarVisibility(view, False)
+        view.CameraParallelProjection = number
+        parts.append(folder / f"{number}.png")
+        picture(parts[-1], view, towards, zoom, [500, 500])
+        if number:
+            camera = simple.GetActiveCamera()
+            camera.SetFocalPoint(hole[0], hole[1], 0)
+            camera.SetPosition(hole[0], hole[1] - 300, 0)
+            view.CameraParallelScale = 9
+            simple.SaveScreenshot(str(parts[-1]), view)
+    joined("jacket.png", parts)
+
+
+def draw_regions(folder):
+    surfaces = pathlib.Path(os.environ["SURFACES"])
+    gas, solid = (simple.NamedSTLReader(FileName=str(surfaces / f"kcl_exhaust_header_{name}.stl"))
+                  for name in ("lumens", "fused"))
+    both = simple.GroupDatasets(Input=[gas, solid], BlockNames=["gas", "solid"])
+    mesher = simple.CartesianMesher(Input=both, RegionsFrom="Blocks", ContactTolerance=2, CellSize=6)
+    parts = []
+    for region in 2, 1:
+        view = simple.CreateView("RenderView")
+        alone = simple.Threshold(Input=simple.OutputPort(mesher, "Mesh"), Scalars=["CELLS", "Region"],
+                                 LowerThreshold=region, UpperThreshold=region)
+        display = show(half(alone, [70, 0, 0], [1, 0, 0]), view, "Region")
+        simple.ColorBy(display, None)
+        display.DiffuseColor = [0.75, 0.75, 0.8] if region == 2 else [0.95, 0.75, 0.45]
+        parts.append(folder / f"{region}.png")
+        picture(parts[-1], view, [1, -0.25, 0.35], 1.05, [500, 500])
+    joined("regions.png", parts)
+
+
+def draw_adaptation(folder):
+    os.chdir(folder)
+    names = {}
+    for script in blocks(HELP / "adaptation.md", "python"):
+        exec(script, names)
+    view = simple.CreateView("RenderView")
+    names["solution"].Decomposepolyhedra = 0
+    merged = simple.MergeBlocks(Input=names["solution"])
+    merged.UpdatePipeline(1)
+    show(half(merged, [0, 0, 0], [0, 1, 0]), view, "T").SetScalarBarVisibility(view, False)
+    simple.GetColorTransferFunction("T").RescaleTransferFunction(0, 0.6)
+    view.ViewTime = 1
+    picture("adaptation.png", view, [0.2, 1, 0.15])
+
+
+DRAWN = {"task": draw_task, "flow": draw_flow, "layers": draw_layers, "adaptation": draw_adaptation,
+         "jacket": draw_jacket, "regions": draw_regions}
+for name in sys.argv[3:] or DRAWN:
     with tempfile.TemporaryDirectory() as folder:
-        draw(pathlib.Path(folder))
+        DRAWN[name](pathlib.Path(folder))

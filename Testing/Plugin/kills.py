@@ -18,8 +18,9 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-BUILD = pathlib.Path(os.environ["PV_PLUGIN_PATH"]).parents[2]
-sys.path[:0] = str(BUILD / "share" / "cartesianmesher"), str(ROOT / "Testing" / "Plugin")
+TASKS = pathlib.Path("share") / "cartesianmesher"
+BUILD = next(folder for folder in pathlib.Path(os.environ["PV_PLUGIN_PATH"]).parents if (folder / TASKS).is_dir())
+sys.path[:0] = str(BUILD / TASKS), str(ROOT / "Testing" / "Plugin")
 
 import run
 from task import read_task

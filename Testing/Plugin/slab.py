@@ -8,8 +8,8 @@ from pipeline import output, producer
 CONDUCTIVITY = {"left": 1.0, "right": 4.0}  # W/(m K)
 
 
-def box(low, high):
-    """The boundary at x = `low` is "cold", at 3 "hot", what is left "side"."""
+def box(low, high, ends=("inlet cold", "hot")):
+    """The boundary at x = 0 has the first name of the ends, at 3 the second, what is left is "side"."""
     surface = output(simple.Triangulate(Input=simple.Box(
         XLength=high[0] - low[0], YLength=high[1] - low[1], ZLength=high[2] - low[2],
         Center=[(a + b) / 2 for a, b in zip(low, high)])))
@@ -17,7 +17,7 @@ def box(low, high):
     names.SetName("Wall")
     for i in range(surface.GetNumberOfCells()):
         first, last = surface.GetCell(i).GetBounds()[:2]
-        names.InsertNextValue("inlet cold" if last == 0 else "hot" if first == 3 else "side")
+        names.InsertNextValue(ends[0] if last == 0 else ends[1] if first == 3 else "side")
     surface.GetCellData().AddArray(names)
     return producer(surface)
 

@@ -49,9 +49,14 @@ Outcome meshOne(const RandomTask& task)
   {
     Execution execution(task.options.threads);
     const auto assembly = mesh(task.soup.view(), task.options, execution);
-    const MeshArrays arrays = arraysOf(*assembly->mesh, assembly->boxes, execution);
+    MeshArrays arrays = arraysOf(*assembly->mesh, assembly->boxes, execution);
     // Whatever shapes cells, or moves their corners, may take them out of their boxes.
-    const bool inBoxes = task.options.collapse.ratio == 0 && !shapesCells(task.options);
+    const bool inBoxes =
+      task.options.collapse.ratio == 0 && !shapesCells(task.options) && !assembly->layers;
+    if (assembly->layers)
+    {
+      arrays = withLayers(std::move(arrays), *assembly->layers);
+    }
     const auto valid = isValid(arrays, !inBoxes);
     if (!valid || !task.valid)
     {

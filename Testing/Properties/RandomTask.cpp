@@ -177,12 +177,36 @@ DomainSpec outside(const Soup& soup, Draw& draw)
   return spec;
 }
 
+void drawLayers(RandomTask& task, Draw& draw)
+{
+  WallLayerSpec& layers = task.options.layers;
+  const double size = task.soup.longest();
+  layers.count = draw.from(1, 6);
+  layers.ratio = draw.of({ 1, 1.2, 3 });
+  layers.firstThickness = draw.once(2) ? 0 : size * draw.of({ 1e-6, 0.001, 0.02, 1 });
+  layers.thickness = draw.once(2) ? 0 : size * draw.of({ 1e-6, 0.01, 0.1, 1 });
+  for (int boundary = 0; boundary < 4; ++boundary)
+  {
+    if (draw.once(4))
+    {
+      layers.boundaries.push_back({ boundary, draw.once(2) ? 0 : size * draw.of({ 0.001, 0.1 }) });
+    }
+  }
+}
+
 // All lengths.
 void scale(RandomTask& task, double by)
 {
   task.soup = task.soup.scaled(by);
   GridSpec& grid = task.options.grid;
   grid.cellSize *= by;
+  WallLayerSpec& layers = task.options.layers;
+  layers.firstThickness *= by;
+  layers.thickness *= by;
+  for (WallLayerSpec::OfBoundary& one : layers.boundaries)
+  {
+    one.thickness *= by;
+  }
   Bounds& box = task.options.domain.bounds;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -232,6 +256,10 @@ RandomTask::RandomTask(unsigned seed)
   {
     options.domain = outside(soup, draw);
   }
+  if (draw.once(4))
+  {
+    drawLayers(*this, draw);
+  }
   if (draw.once(10))
   {
     scale(*this, std::pow(10, draw.from(-160, 160)));
@@ -256,7 +284,9 @@ std::string describe(const RandomTask& task)
       text << " " << line;
     }
   }
-  text << (o.domain.isOutside() ? ", outside" : "") << ", depth " << o.refinement.depth
+  text << ", layers " << o.layers.count << " " << o.layers.ratio << " " << o.layers.firstThickness
+       << " " << o.layers.thickness << (o.layers.boundaries.empty() ? "" : " by boundary")
+       << (o.domain.isOutside() ? ", outside" : "") << ", depth " << o.refinement.depth
        << ", blocks " << o.refinement.blocks.size();
   for (const BoundaryRefinement& row : o.refinement.boundaries)
   {

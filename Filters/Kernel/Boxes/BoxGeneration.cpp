@@ -39,13 +39,12 @@ public:
   }
 
   // `kept`: the layers that stay once the boxes are balanced.
-  Boxes generate(Layers kept, const MemoryLimit& limit)
+  Boxes generate(Layers kept)
   {
     listGlobals();
     if (refinement_.any())
     {
       findDepths();
-      checkDepths(limit);
       divide();
       for (int level = refinement_.deepest() - 1; level > 0; --level)
       {
@@ -141,17 +140,6 @@ private:
         }
       }
     });
-  }
-
-  void checkDepths(const MemoryLimit& limit) const
-  {
-    MeshEstimate estimate;
-    estimate.triangles = static_cast<double>(surface_.triangles.size());
-    for (std::size_t g = 0; g < statusOf_.size(); ++g)
-    {
-      estimate.add(estimateBox(statusOf_[g], depths_[g], trianglesOf(boxes_.globals[g])));
-    }
-    checkMemory(estimate, limit);
   }
 
   // What the division of global boxes needs, one after the other.
@@ -433,12 +421,12 @@ private:
 
 Boxes generateBoxes(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
   const Refinement& refinement, const GlobalStatuses& statuses, Layers core, Layers kept,
-  const MemoryLimit& limit, Execution& execution)
+  Execution& execution)
 {
   const auto end = static_cast<std::uint32_t>(planes[2].size() - 1);
   const Layers layers = kept.grown(balanceReach(refinement.deepest()), end);
   return BoxGenerator(surface, planes, shoeboxes, refinement, statuses, core, layers, execution)
-    .generate(kept, limit);
+    .generate(kept);
 }
 
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "Boxes/GlobalStatuses.h"
-#include "Boxes/MeshEstimate.h"
 #include "Boxes/Refinement.h"
 
 namespace cartesian
@@ -15,10 +14,10 @@ namespace cartesian
 // divides these and inside boxes further. Then boxes are balanced (Balance.h).
 //
 // Returns the balanced boxes of the layers `kept`. Cells will be made for those of `core`, which
-// depend on the others (Parts/Decomposition.h). Throws Error (TooManyBoxes) if the mesh would take
-// more than the limit.
+// depend on the others (Parts/Decomposition.h). Throws Error: BadParameter (a box is too thin to be divided),
+// TooManyBoxes (for 32 bits).
 Boxes generateBoxes(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
   const Refinement& refinement, const GlobalStatuses& statuses, Layers core, Layers kept,
-  const MemoryLimit& limit, Execution& execution);
+  Execution& execution);
 
 }

@@ -2,6 +2,7 @@
 #include "Boxes/Curvature.h"
 
 #include "Base/DisjointSets.h"
+#include "Boxes/OctantSearch.h"
 #include "Surface/Features.h"
 #include "Surface/SurfaceEdges.h"
 
@@ -10,8 +11,6 @@ namespace cartesian
 
 namespace
 {
-
-constexpr std::size_t RowsAChunk = 16;
 
 // What is in an octant.
 struct Content
@@ -231,24 +230,9 @@ void addBends(const SizingSpec& spec, const Surface& surface, const Shoeboxes& s
   const Meshlines& planes, Octants& octants, Execution& execution)
 {
   const Bends bends(spec, surface, planes, octants, execution);
-  const std::size_t rows = shoeboxes.rowStart.size() - 1;
-  const std::size_t rowsAlongY = planes[1].size() - 1;
-  std::vector<std::vector<Octants::Key>> found(chunks(rows, RowsAChunk));
-  execution.forEach(rows, RowsAChunk, [&](std::size_t begin, std::size_t end) {
-    Scratch scratch;
-    for (std::size_t row = begin; row < end; ++row)
-    {
-      for (std::size_t b = shoeboxes.rowStart[row]; b < shoeboxes.rowStart[row + 1]; ++b)
-      {
-        const Octant global{ { shoeboxes.column[b], static_cast<std::uint32_t>(row % rowsAlongY),
-          static_cast<std::uint32_t>(row / rowsAlongY) } };
-        const std::uint32_t* const all = shoeboxes.triangle.data();
-        bends.find(global,
-          { all + shoeboxes.triangleStart[b], all + shoeboxes.triangleStart[b + 1] }, scratch,
-          found[begin / RowsAChunk]);
-      }
-    }
-  });
+  std::vector<std::vector<Octants::Key>> found = findOctants<Scratch>(shoeboxes, planes, execution,
+    [&](const std::array<std::uint32_t, 3>& box, const TriangleRange& triangles, Scratch& scratch,
+      std::vector<Octants::Key>& mine) { bends.find({ box }, triangles, scratch, mine); });
   octants.add(found);
 }
 

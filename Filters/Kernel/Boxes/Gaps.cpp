@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Boxes/Gaps.h"
 
-#include "Boxes/Shoeboxes.h"
-#include "Lattice/Vector.h"
+#include "Boxes/OctantSearch.h"
+#include "Lattice/LineMeeting.h"
 
 #include <limits>
 
@@ -12,7 +12,6 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t RowsAChunk = 16;
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 
 // Lines are followed through a grid so many levels finer than the boxes.
@@ -48,11 +47,6 @@ std::size_t intervalAround(const std::vector<Level>& planes, double place)
   return static_cast<std::size_t>(after - planes.begin()) - 1;
 }
 
-Vector vectorOf(const Point& p)
-{
-  return { double(p[0]), double(p[1]), double(p[2]) };
-}
-
 Vector between(const Vector& a, const Vector& b, double part)
 {
   return plus(a, scaled(minus(b, a), part));
@@ -61,19 +55,12 @@ Vector between(const Vector& a, const Vector& b, double part)
 // How far along a line from `start` a triangle is; infinite where it is not met.
 double distanceTo(const Corners& c, const Vector& start, const Vector& direction)
 {
-  const Vector u = minus(c[1], c[0]);
-  const Vector v = minus(c[2], c[0]);
-  const Vector p = cross(direction, v);
-  const double volume = dot(u, p);
-  if (volume == 0)
+  const LineMeeting m = meetLine(c, start, direction);
+  if (m.second >= 0 && m.third >= 0 && m.second + m.third <= 1)
   {
-    return Infinite;
+    return m.distance;
   }
-  const Vector from = minus(start, vectorOf(c[0]));
-  const double a = dot(from, p) / volume;
-  const Vector q = cross(from, u);
-  const double b = dot(direction, q) / volume;
-  return a < 0 || b < 0 || a + b > 1 ? Infinite : dot(v, q) / volume;
+  return Infinite; // of parallels too: they have NaN
 }
 
 class Gaps
@@ -93,21 +80,18 @@ public:
 
   std::vector<std::vector<Octants::Key>> find(Execution& execution) const
   {
-    const std::size_t rows = fine_.rowStart.size() - 1;
-    std::vector<std::vector<Octants::Key>> found(chunks(rows, RowsAChunk));
-    execution.forEach(rows, RowsAChunk, [&](std::size_t begin, std::size_t end) {
-      std::vector<Octants::Key>& mine = found[begin / RowsAChunk];
-      for (std::size_t row = begin; row < end; ++row)
-      {
-        for (std::size_t b = fine_.rowStart[row]; b < fine_.rowStart[row + 1]; ++b)
-        {
+    std::vector<std::vector<Octants::Key>> found =
+      findOctants<NoScratch>(fine_, finePlanes_, execution,
+        [&](const std::array<std::uint32_t, 3>& box, const TriangleRange& triangles, NoScratch&,
+          std::vector<Octants::Key>& mine) {
           const auto before = static_cast<std::ptrdiff_t>(mine.size());
-          lookFrom({ fine_.column[b], row % rowsAlongY(), row / rowsAlongY() }, mine);
+          lookFrom({ box[0], box[1], box[2] }, triangles, mine);
           leaveOutTwins(mine, before);
-        }
-      }
-      leaveOutTwins(mine, 0);
-    });
+        });
+    for (std::vector<Octants::Key>& keys : found)
+    {
+      leaveOutTwins(keys, 0);
+    }
     return found;
   }
 
@@ -138,7 +122,12 @@ private:
     return size;
   }
 
-  void lookFrom(const Cell& cell, std::vector<Octants::Key>& found) const
+  struct NoScratch
+  {
+  };
+
+  void lookFrom(
+    const Cell& cell, const TriangleRange& triangles, std::vector<Octants::Key>& found) const
   {
     Point low;
     Point high;
@@ -147,7 +136,6 @@ private:
       low[axis] = finePlanes_[axis][cell[axis]];
       high[axis] = finePlanes_[axis][cell[axis] + 1];
     }
-    const TriangleRange triangles = trianglesOf(cell);
     for (const std::uint32_t* t = triangles.first; t != triangles.second; ++t)
     {
       const Corners corners = surface_.corners(*t);
@@ -174,7 +162,7 @@ private:
   void lookFrom(std::uint32_t t, const Fragment& fragment, const Vector& direction,
     std::vector<Octants::Key>& found) const
   {
-    const double size = sizeAround(vectorOf(fragment.corner[0]));
+    const double size = sizeAround(toVector(fragment.corner[0]));
     int level = 0;
     const auto look = [&](const Vector& start) {
       const double distance = distanceAcross(t, start, direction);
@@ -333,12 +321,12 @@ private:
     const auto size = static_cast<std::size_t>(fragment.size);
     for (std::size_t i = 0; i < size; ++i)
     {
-      result.first = plus(result.first, scaled(vectorOf(fragment.corner[i]), 1. / fragment.size));
+      result.first = plus(result.first, scaled(toVector(fragment.corner[i]), 1. / fragment.size));
     }
     for (std::size_t i = 0; i < size; ++i)
     {
       result.second =
-        std::max(result.second, norm(minus(vectorOf(fragment.corner[i]), result.first)));
+        std::max(result.second, norm(minus(toVector(fragment.corner[i]), result.first)));
     }
     return result;
   }
@@ -347,7 +335,7 @@ private:
   template <class Visitor>
   static void forEachSample(const Fragment& fragment, double spacing, Visitor&& visit)
   {
-    const Vector a = vectorOf(fragment.corner[0]);
+    const Vector a = toVector(fragment.corner[0]);
     if (const auto [middle, reach] = middleOf(fragment); reach < spacing / 2)
     {
       visit(middle);
@@ -355,8 +343,8 @@ private:
     }
     for (std::size_t i = 1; i + 1 < static_cast<std::size_t>(fragment.size); ++i)
     {
-      const Vector b = vectorOf(fragment.corner[i]);
-      const Vector c = vectorOf(fragment.corner[i + 1]);
+      const Vector b = toVector(fragment.corner[i]);
+      const Vector c = toVector(fragment.corner[i + 1]);
       const double longest = std::max({ norm(minus(b, a)), norm(minus(c, b)), norm(minus(a, c)) });
       const auto n = static_cast<int>(std::clamp(std::ceil(longest / spacing), 1., MostSamples));
       for (int row = 0; row < n; ++row)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 namespace cartesian
 {
@@ -13,18 +14,36 @@ namespace cartesian
 namespace
 {
 
-// Peak memory of all stages, with the arrays that VTK holds, where there are threads for all slabs.
-constexpr double BytesOfAnyMesh = 3.8e6;
-constexpr double BytesOfABox = 260;
-constexpr double BytesOfATriangle = 150;
-constexpr double BytesOfACorner = 145; // of a patch
-constexpr double BytesOfAnIntersectedBox = 1800;
-constexpr double BytesOfAShapedBox = 4900; // where few patches are exact, on very many threads
+// Bytes. What several stages take, with the arrays that VTK holds, measured on one to 16 threads; the peak of a
+// mesh is that of one of these stages.
+constexpr double OfAnyMesh = 4.3e6;
+constexpr double OfAThread = 8e4; // but for the first
+constexpr double OfATriangle = 115;
 
-// A surface passes through about this many times 4^d units of a box of depth d, and leaves about this many
-// times 4^d boxes inside.
-constexpr double UnitsAcrossABox = 1.1;
+// Of each box, of each that is intersected, of those that are shaped at once, and of each corner of a patch.
+struct BytesOfAStage
+{
+  double box;
+  double intersected;
+  double atOnce;
+  double corner;
+};
+
+constexpr BytesOfAStage Cutting{ 110, 640, 360, 60 }; // until short edges have collapsed
+constexpr BytesOfAStage Shaping{ 150, 500, 4400, 0 };
+constexpr BytesOfAStage ShapingExact{ 110, 345, 1150, 4 };
+constexpr BytesOfAStage Writing{ 220, 1600, 3200, 44 }; // with what shaping has left to the heap
+constexpr BytesOfAStage WritingExact{ 220, 1940, 500, 125 };
+constexpr BytesOfAStage Layering{ 730, 2900, 0, 510 };
+constexpr double OfALayersCorner = 315;
+constexpr double OfALayersExactCorner = 465;
+
+// A surface leaves about this many times 4^d boxes inside a box of depth d.
 constexpr double BoxesBesideUnits = 0.4;
+
+// Walls close to each other share units: more than these are rarely intersected, of all in a box, and of 4^d.
+constexpr double MostUnits = 0.7;
+constexpr double MostLayersOfUnits = 2;
 
 // Exact patches have so many corners for each piece of a triangle and for each box.
 constexpr double CornersOfAPiece = 3.3;
@@ -62,16 +81,29 @@ double boxesOfTriangle(const Corners& c, const Meshlines& planes)
 
 double MeshEstimate::bytes(const MemoryLimit& limit) const
 {
-  return bytes(limit,
-    limit.exact ? CornersOfAPiece * pieces + CornersOfAnExactBox * intersected
-                : CornersOfABox * intersected);
+  const double corners = limit.exact ? CornersOfAPiece * pieces + CornersOfAnExactBox * intersected
+                                     : CornersOfABox * intersected;
+  return bytes(limit, { corners, corners });
 }
 
-double MeshEstimate::bytes(const MemoryLimit& limit, double corners) const
+double MeshEstimate::bytes(const MemoryLimit& limit, const PatchCorners& corners) const
 {
-  const bool shapes = limit.shapes && !limit.exact;
-  return BytesOfAnyMesh + boxes() * BytesOfABox + triangles * BytesOfATriangle +
-    corners * BytesOfACorner + intersected * (shapes ? BytesOfAShapedBox : BytesOfAnIntersectedBox);
+  const auto of = [&](const BytesOfAStage& stage, double count) {
+    return stage.box * boxes() + stage.intersected * intersected + stage.atOnce * atOnce +
+      stage.corner * count;
+  };
+  double most =
+    std::max(of(Cutting, corners.all), of(limit.exact ? WritingExact : Writing, corners.kept));
+  if (limit.shapes)
+  {
+    most = std::max(most, of(limit.exact ? ShapingExact : Shaping, corners.kept));
+  }
+  if (limit.layers > 0)
+  {
+    const double ofACorner = limit.exact ? OfALayersExactCorner : OfALayersCorner;
+    most = std::max(most, of(Layering, corners.kept) + limit.layers * ofACorner * corners.kept);
+  }
+  return OfAnyMesh + OfAThread * (limit.threads - 1) + OfATriangle * triangles + most;
 }
 
 void MeshEstimate::add(const MeshEstimate& part)
@@ -81,19 +113,45 @@ void MeshEstimate::add(const MeshEstimate& part)
   pieces += part.pieces;
 }
 
-MeshEstimate estimateBox(BoxStatus status, const Depths& depths, const TriangleRange& triangles)
+std::vector<float> areasInBoxes(
+  const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes)
+{
+  std::vector<float> areas(surface.triangles.size());
+  for (const std::uint32_t t : shoeboxes.triangle)
+  {
+    ++areas[t];
+  }
+  for (std::size_t t = 0; t < areas.size(); ++t)
+  {
+    if (areas[t] > 0)
+    {
+      areas[t] = static_cast<float>(boxesOfTriangle(surface.corners(t), planes)) / areas[t];
+    }
+  }
+  return areas;
+}
+
+MeshEstimate estimateBox(BoxStatus status, const Depths& depths, const TriangleRange& triangles,
+  const std::vector<float>& areas)
 {
   const auto passing = static_cast<double>(triangles.second - triangles.first);
+  const double area = depths.deepest() == 0
+    ? 0
+    : std::accumulate(triangles.first, triangles.second, 0.0,
+        [&](double sum, std::uint32_t t) { return sum + double(areas[t]); });
   const auto wholly = [&](int allowed, int forced) -> MeshEstimate {
     const double forcedBoxes = std::pow(8, forced);
     if (status != BoxStatus::Intersected)
     {
-      return { forcedBoxes, 0, 0, 0 };
+      return { forcedBoxes };
     }
     const double layer = std::pow(4, allowed);
-    const double units = allowed == 0 ? 1 : std::min(std::pow(8, allowed), UnitsAcrossABox * layer);
+    const double units = allowed == 0
+      ? 1
+      : std::clamp(
+          area * layer, 1., std::min(MostLayersOfUnits * layer, MostUnits * std::pow(8, allowed)));
     const double beside = allowed == 0 ? 0 : BoxesBesideUnits * layer;
-    return { std::max(forcedBoxes - units, beside), units, piecesIn(units, passing), 0 };
+    return { std::max(forcedBoxes - units, beside), units, piecesIn(units, passing) };
   };
   MeshEstimate without = wholly(depths.allowed, depths.forced);
   if (depths.sized > 0)
@@ -102,7 +160,7 @@ MeshEstimate estimateBox(BoxStatus status, const Depths& depths, const TriangleR
     // inside.
     const auto units = std::max(without.intersected, double(depths.octants));
     without = { without.inside + units, status == BoxStatus::Intersected ? units : 0,
-      piecesIn(units, passing), 0 };
+      piecesIn(units, passing) };
   }
   if (depths.touched == 0)
   {
@@ -111,7 +169,7 @@ MeshEstimate estimateBox(BoxStatus status, const Depths& depths, const TriangleR
   // Where regions' borders pass, they touch half of the global boxes, more or less.
   const MeshEstimate with = wholly(depths.deepest(), depths.touched);
   return { (without.inside + with.inside) / 2, (without.intersected + with.intersected) / 2,
-    (without.pieces + with.pieces) / 2, 0 };
+    (without.pieces + with.pieces) / 2 };
 }
 
 MeshEstimate estimateMesh(const Surface& surface, const Meshlines& planes)
@@ -142,10 +200,9 @@ MeshEstimate estimateMesh(const Surface& surface, const Meshlines& planes)
   return { inside, intersected, piecesIn(intersected, triangles), triangles };
 }
 
-MeshEstimate estimateMesh(const Surface& surface, const Shoeboxes& shoeboxes, const Boxes& boxes)
+std::vector<MeshEstimate> estimateLayers(const Shoeboxes& shoeboxes, const Boxes& boxes)
 {
-  MeshEstimate sum;
-  sum.triangles = static_cast<double>(surface.triangles.size());
+  std::vector<MeshEstimate> layers(boxes.allLayers().end);
   for (std::size_t g = 0; g + 1 < boxes.globals.size(); ++g)
   {
     const GlobalBox& global = boxes.globals[g];
@@ -155,10 +212,10 @@ MeshEstimate estimateMesh(const Surface& surface, const Shoeboxes& shoeboxes, co
       begin, end, [](const PackedBox& box) { return box.status == BoxStatus::Intersected; }));
     const TriangleRange triangles =
       shoeboxes.triangles(boxes.row(global.index[1], global.index[2]), global.index[0]);
-    sum.add({ static_cast<double>(end - begin) - intersected, intersected,
-      piecesIn(intersected, static_cast<double>(triangles.second - triangles.first)), 0 });
+    layers[global.index[2]].add({ static_cast<double>(end - begin) - intersected, intersected,
+      piecesIn(intersected, static_cast<double>(triangles.second - triangles.first)) });
   }
-  return sum;
+  return layers;
 }
 
 void checkMemory(const MeshEstimate& estimate, const MemoryLimit& limit)

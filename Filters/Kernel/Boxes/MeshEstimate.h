@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An estimate of the number of boxes and of the memory for a mesh, before it is built: from the surface alone,
-// then from what global boxes hold, then from the boxes, then from the patches. Of the boxes it is 1 to 2 times
-// what is taken (Testing/Benchmark: Benchmark memory).
+// then from what global boxes hold, then from the boxes, then from the patches. It is the peak of those stages
+// that can take the most, and 1 to 2 times what is taken (Testing/Benchmark: Benchmark memory).
 #pragma once
 
 #include "Boxes/Boxes.h"
@@ -18,6 +18,14 @@ struct MemoryLimit
   // What decides how much it takes.
   bool exact = false; // all patches are exact
   bool shapes = true; // cells are shaped
+  int layers = 0;     // of prisms at walls
+  int threads = 1;
+};
+
+struct PatchCorners
+{
+  double all = 0;
+  double kept = 0; // but for most of those of detail that becomes simpler
 };
 
 struct MeshEstimate
@@ -27,24 +35,34 @@ struct MeshEstimate
   double pieces = 0;      // of triangles in one box each
   double triangles = 0;   // of the surface
 
+  // Intersected boxes whose cells are shaped at the same time (Parts/Slabs.h).
+  double atOnce = 0;
+
   double boxes() const { return inside + intersected; }
   double bytes(const MemoryLimit& limit) const;
 
   // Where the corners of all patches are counted.
-  double bytes(const MemoryLimit& limit, double corners) const;
+  double bytes(const MemoryLimit& limit, const PatchCorners& corners) const;
 
-  // All but the triangles, which all parts of a mesh have in common.
+  // But for the triangles, which all parts of a mesh have in common, and what is done at once.
   void add(const MeshEstimate& part);
 };
 
 // Of a mesh without refinement.
 MeshEstimate estimateMesh(const Surface& surface, const Meshlines& planes);
 
-// Of one global box that is inside or intersected, and of the triangles that pass through it.
-MeshEstimate estimateBox(BoxStatus status, const Depths& depths, const TriangleRange& triangles);
+// For each triangle: how many global boxes a plane of its area would pass through, divided among those that it
+// passes through. Their sum in a box, times 4^d, is about the number of boxes of depth d in it that it intersects.
+std::vector<float> areasInBoxes(
+  const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes);
 
-// Of boxes that are made.
-MeshEstimate estimateMesh(const Surface& surface, const Shoeboxes& shoeboxes, const Boxes& boxes);
+// Of one global box that is inside or intersected, and of the triangles that pass through it. `areas`: of all
+// triangles (above); may be empty if the box is not divided.
+MeshEstimate estimateBox(BoxStatus status, const Depths& depths, const TriangleRange& triangles,
+  const std::vector<float>& areas);
+
+// Of boxes that are made, for each layer of the grid.
+std::vector<MeshEstimate> estimateLayers(const Shoeboxes& shoeboxes, const Boxes& boxes);
 
 // Throws Error (TooManyBoxes) if the estimate exceeds the limit.
 void checkMemory(const MeshEstimate& estimate, const MemoryLimit& limit);

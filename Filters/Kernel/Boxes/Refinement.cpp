@@ -4,6 +4,7 @@
 #include "Base/Error.h"
 #include "Boxes/Curvature.h"
 #include "Boxes/Gaps.h"
+#include "Boxes/WantedSizes.h"
 
 namespace cartesian
 {
@@ -29,10 +30,25 @@ void requireDivisible(const Meshlines& planes)
       {
         throw Error(Fault::BadParameter,
           "Some boxes are too thin to be divided on this lattice: set Curvature Angle, Feature "
-          "Depth and Cells Across Gaps to 0, or choose a larger Cell Size.");
+          "Depth and Cells Across Gaps to 0 and give no Size Array, or choose a larger Cell Size.");
       }
     }
   }
+}
+
+SizingSpec relaxed(SizingSpec spec, double factor)
+{
+  spec.curvatureAngle = std::min(SizingSpec::CurvatureAngles.most, spec.curvatureAngle * factor);
+  spec.cellsAcrossGaps /= factor;
+  for (WantedSize& wanted : spec.sizes)
+  {
+    wanted.size *= factor;
+  }
+  for (double& size : spec.sizeOfTriangle)
+  {
+    size *= factor;
+  }
+  return spec;
 }
 
 GlobalBoxSet emptySet(const Meshlines& planes)
@@ -47,6 +63,7 @@ GlobalBoxSet emptySet(const Meshlines& planes)
 Refinement::Refinement(const RefinementSpec& spec, const Surface& surface,
   const Shoeboxes& shoeboxes, const Meshlines& planes, Execution& execution)
   : depth_(spec.depth)
+  , sizing_(spec.sizing)
   , octants_(planes)
   , any_(spec.depth > 0 || !spec.blocks.empty() || !spec.boundaries.empty() ||
       !spec.regions.empty() || spec.sizing.any())
@@ -64,16 +81,25 @@ Refinement::Refinement(const RefinementSpec& spec, const Surface& surface,
     deepest_ = std::max(deepest_, region.depth);
     regions_.push_back(std::make_unique<RefinedRegion>(region, surface.lattice, planes, execution));
   }
-  addSizes(spec.sizing, surface, shoeboxes, planes, execution);
+  requireInRange(SizingSpec::CurvatureAngles, sizing_.curvatureAngle, "Curvature Angle");
+  requireInRange(SizingSpec::GapCells, sizing_.cellsAcrossGaps, "Cells Across Gaps");
+  checkDepth(sizing_.featureDepth, "Feature Depth");
+  checkDepth(sizing_.largestDepth, "Largest Depth");
+  deepestWithoutSizes_ = deepest_;
+  addSizes(sizing_, surface, shoeboxes, planes, execution);
+}
+
+void Refinement::relax(double factor, const Surface& surface, const Shoeboxes& shoeboxes,
+  const Meshlines& planes, Execution& execution)
+{
+  octants_ = Octants(planes);
+  deepest_ = deepestWithoutSizes_;
+  addSizes(relaxed(sizing_, factor), surface, shoeboxes, planes, execution);
 }
 
 void Refinement::addSizes(const SizingSpec& spec, const Surface& surface,
   const Shoeboxes& shoeboxes, const Meshlines& planes, Execution& execution)
 {
-  requireInRange(SizingSpec::CurvatureAngles, spec.curvatureAngle, "Curvature Angle");
-  requireInRange(SizingSpec::GapCells, spec.cellsAcrossGaps, "Cells Across Gaps");
-  checkDepth(spec.featureDepth, "Feature Depth");
-  checkDepth(spec.largestDepth, "Largest Depth");
   if (!spec.any())
   {
     return;
@@ -86,6 +112,10 @@ void Refinement::addSizes(const SizingSpec& spec, const Surface& surface,
   if (spec.cellsAcrossGaps > 0 && spec.largestDepth > 0)
   {
     addGaps(spec, surface, planes, octants_, execution);
+  }
+  if (spec.asksForSizes() && spec.largestDepth > 0)
+  {
+    addWantedSizes(spec, surface, shoeboxes, planes, octants_, execution);
   }
   deepest_ = std::max(deepest_, octants_.deepest());
 }

@@ -75,6 +75,10 @@ public:
   Refinement(const RefinementSpec& spec, const Surface& surface, const Shoeboxes& shoeboxes,
     const Meshlines& planes, Execution& execution);
 
+  // Makes what the surface or a field asks for larger by a factor than the specification has it, but for feature depths.
+  void relax(double factor, const Surface& surface, const Shoeboxes& shoeboxes,
+    const Meshlines& planes, Execution& execution);
+
   Depths at(std::int64_t i, std::int64_t j, std::int64_t k) const;
 
   // The forced depth of each unit of a global box, x fastest. `depths`: of this global box, which
@@ -105,12 +109,14 @@ private:
   void addSizes(const SizingSpec& spec, const Surface& surface, const Shoeboxes& shoeboxes,
     const Meshlines& planes, Execution& execution);
   int depth_;
+  SizingSpec sizing_;
   std::vector<RefinementBlock> blocks_;
   std::vector<RefinedBoundary> boundaries_;
   std::vector<std::unique_ptr<RefinedRegion>> regions_;
   Octants octants_;
   bool any_;
   int deepest_ = 0;
+  int deepestWithoutSizes_ = 0;
   std::string warnings_;
 };
 

@@ -4,8 +4,19 @@
 
 #include "Base/Range.h"
 
+#include <array>
+#include <vector>
+
 namespace cartesian
 {
+
+// A box whose content asks for boxes no larger than a size; in user units.
+struct WantedSize
+{
+  std::array<double, 3> low;
+  std::array<double, 3> high; // no lower; flat ones are points, lines or rectangles
+  double size;                // more than 0
+};
 
 struct SizingSpec
 {
@@ -14,12 +25,18 @@ struct SizingSpec
 
   // Degrees: boxes are divided until the surface turns by no more in each, but for sharp edges; 0: never.
   double curvatureAngle = 0;
-  int featureDepth = 0;     // of boxes that a sharp edge passes through, 0 to DeepestLevel
-  int cellsAcrossGaps = 0;  // boxes from wall to wall where two face each other; 0: any number
-  int largestDepth = 3;     // where angle and gaps end, 0 to DeepestLevel
-  double featureAngle = 30; // degrees: edges at which the surface turns by more are sharp
+  int featureDepth = 0;       // of boxes that a sharp edge passes through, 0 to DeepestLevel
+  double cellsAcrossGaps = 0; // boxes from wall to wall where two face each other; 0: any number
+  std::vector<WantedSize> sizes;
+  std::vector<double> sizeOfTriangle; // of each of the view, user units, 0: any; empty: all any
+  int largestDepth = 3;               // where angle, gaps and sizes end, 0 to DeepestLevel
+  double featureAngle = 30;           // degrees: edges at which the surface turns by more are sharp
 
-  bool any() const { return curvatureAngle > 0 || featureDepth > 0 || cellsAcrossGaps > 0; }
+  bool any() const
+  {
+    return curvatureAngle > 0 || featureDepth > 0 || cellsAcrossGaps > 0 || asksForSizes();
+  }
+  bool asksForSizes() const { return !sizes.empty() || !sizeOfTriangle.empty(); }
 };
 
 }

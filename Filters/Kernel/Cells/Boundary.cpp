@@ -139,6 +139,10 @@ private:
       gone.boundary };
     for (std::size_t p = first; p < end; ++p)
     {
+      if (patches.walls.isInterface(patches.boundary[p]))
+      {
+        continue;
+      }
       const double distance = distanceOf(p, place);
       nearest = distance < nearest.first ? std::pair(distance, patches.boundary[p]) : nearest;
     }
@@ -189,13 +193,36 @@ private:
     }
   }
 
-  // A face between two regions of which one has lost its cell there.
+  // Both sides of a face of a baffle are boundary faces.
+  void exposeBaffle(const OtherSide& behind, const OtherSide& front, std::size_t face,
+    std::int32_t wall, BoundaryFace::Kind kind, BoundaryFace::Kind turned,
+    std::vector<BoundaryFace>& faces) const
+  {
+    const Walls& walls = parts_.patches.walls;
+    if (!walls.isBaffle(wall) || behind.cell == None || front.cell == None)
+    {
+      return;
+    }
+    if (CellNumbers::isHere(behind.cell))
+    {
+      faces.push_back({ behind.cell, face, walls.boundary(wall), kind });
+    }
+    if (CellNumbers::isHere(front.cell))
+    {
+      faces.push_back({ front.cell, face, walls.boundaryInFront(wall), turned });
+    }
+  }
+
+  // A face between two regions of which one has lost its cell there, or of a baffle.
   void exposeInterface(std::size_t f, std::vector<BoundaryFace>& faces) const
   {
     const auto& cells = parts_.cells.ofInnerFace[f];
     if (cells[0] != None && cells[1] != None) // else shaping has replaced it
     {
-      expose(beyond(None, cells[0]), beyond(None, cells[1]), f, BoundaryFace::Kind::Inner,
+      const OtherSide behind = beyond(None, cells[0]);
+      const OtherSide front = beyond(None, cells[1]);
+      expose(behind, front, f, BoundaryFace::Kind::Inner, BoundaryFace::Kind::TurnedInner, faces);
+      exposeBaffle(behind, front, f, parts_.inner.wallOf(f), BoundaryFace::Kind::Inner,
         BoundaryFace::Kind::TurnedInner, faces);
     }
   }
@@ -219,7 +246,10 @@ private:
         : cell != None                           ? beyond(None, cell)
                                                  : OtherSide{ None, shaped.boundary[f] };
     };
-    expose(side(shaped.cells[f][0]), side(shaped.cells[f][1]), f, BoundaryFace::Kind::Shaped,
+    const OtherSide below = side(shaped.cells[f][0]);
+    const OtherSide above = side(shaped.cells[f][1]);
+    expose(below, above, f, BoundaryFace::Kind::Shaped, BoundaryFace::Kind::TurnedShaped, faces);
+    exposeBaffle(below, above, f, shaped.boundary[f], BoundaryFace::Kind::Shaped,
       BoundaryFace::Kind::TurnedShaped, faces);
   }
 

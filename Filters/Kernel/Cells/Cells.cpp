@@ -139,7 +139,7 @@ private:
       cell.volumeFraction = shell.volume / (size[0] * size[1] * size[2]);
       cell.firstFace = chunk.faces.size();
       cell.sliver = shell.volume < 0 || shell.isSliver();
-      cell.removed = !isAtInterface(shell) &&
+      cell.removed = !mustStay(shell, cell.sliver) &&
         (cell.sliver ||
           (spec.handling == SmallCells::Remove &&
             cell.volumeFraction < ratioOf(spec, cell.boundary, spec.ratio)));
@@ -151,13 +151,24 @@ private:
     }
   }
 
-  // Then it stays, whatever its size: another region's cell would lose its neighbour.
-  bool isAtInterface(const Shell& shell) const
+  // At an interface, whatever its size: another region's cell would lose its neighbour. But for what lies flat
+  // between another region and outside: that region's cell ends there.
+  bool mustStay(const Shell& shell, bool isSliver) const
   {
-    return patches_.walls.any() &&
-      std::any_of(shell.faces.begin(), shell.faces.end(), [&](std::uint32_t f) {
-        return faces_.isPatch(f) && patches_.walls.isInterface(patches_.boundary[faces_[f].index]);
-      });
+    if (!patches_.walls.any())
+    {
+      return false;
+    }
+    std::size_t interfaces = 0;
+    std::size_t inner = 0;
+    for (const std::uint32_t f : shell.faces)
+    {
+      inner += faces_.isPatch(f) ? 0 : 1;
+      interfaces +=
+        faces_.isPatch(f) && patches_.walls.isInterface(patches_.boundary[faces_[f].index]) ? 1 : 0;
+    }
+    const bool isBetween = isSliver && inner == 0 && interfaces == 1 && shell.faces.size() > 1;
+    return interfaces > 0 && !isBetween;
   }
 
   const Boxes& boxes_;

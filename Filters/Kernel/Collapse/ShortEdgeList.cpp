@@ -35,14 +35,14 @@ public:
         execution.poll();
         listEdgesOf(n, edges);
       }
-      unite(edges);
+      unite(edges, execution);
     });
     std::vector<ShortEdge> all;
     for (const auto& part : parts)
     {
       all.insert(all.end(), part.begin(), part.end());
     }
-    unite(all);
+    unite(all, execution);
     return all;
   }
 
@@ -117,9 +117,11 @@ private:
     }
   }
 
-  static void unite(std::vector<ShortEdge>& edges)
+  // Exact patches may have tens of millions.
+  static void unite(std::vector<ShortEdge>& edges, Execution& execution)
   {
-    std::sort(edges.begin(), edges.end(), [](const ShortEdge& x, const ShortEdge& y) {
+    std::sort(edges.begin(), edges.end(), [&](const ShortEdge& x, const ShortEdge& y) {
+      execution.poll();
       return x.a != y.a ? x.a < y.a : (x.b != y.b ? x.b < y.b : x.unit < y.unit);
     });
     edges.erase(std::unique(edges.begin(), edges.end(),

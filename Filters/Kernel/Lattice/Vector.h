@@ -18,6 +18,17 @@ constexpr double radians(double degrees)
   return degrees * Pi / 180;
 }
 
+inline Vector toVector(const Point& p)
+{
+  return { double(p[0]), double(p[1]), double(p[2]) };
+}
+
+// The odd level between the two even ones around it.
+inline Level oddLevel(double level)
+{
+  return static_cast<Level>(2 * std::floor(level / 2) + 1);
+}
+
 inline Vector minus(const Point& p, const Point& q)
 {
   return { double(p[0]) - q[0], double(p[1]) - q[1], double(p[2]) - q[2] };

@@ -55,7 +55,7 @@ public:
       }
       all = !changed;
     }
-    result_.boundary = boundaryOf(mesh_, wall_, heights_.size() - 1);
+    result_.boundary = boundaryOf(mesh_, wall_, heights_);
     listChanged();
     return std::move(result_);
   }

@@ -13,8 +13,9 @@ namespace
 
 constexpr std::uint32_t OfCells = 1U << Volume | 1U << Openness | 1U << OpenEdges;
 constexpr std::uint32_t OfFaces = 1U << BoundaryAngle | 1U << NonOrthogonality | 1U << Skewness;
-constexpr double WrongAngle = 89.9; // InnerAngle of a face whose pyramid has no volume
-constexpr int PointsOfAFace = 3;    // at least
+constexpr double WrongAngle = 89.9;  // InnerAngle of a face whose pyramid has no volume
+constexpr int PointsOfAFace = 3;     // at least
+constexpr double LeastWeight = 0.02; // FaceWeight of the sides between two stacks
 
 }
 
@@ -64,6 +65,9 @@ LayerFaults::Faults LayerFaults::measure(
     faults.face.push_back(
       (quality.faceFailures[f] & OfFaces) != 0 || !(quality.faces[InnerAngle][f] < WrongAngle));
   }
+  faults.weight.assign(quality.faces[FaceWeight].begin(),
+    quality.faces[FaceWeight].begin() + static_cast<std::ptrdiff_t>(faults.list.neighbour.size()));
+  faults.volume = quality.cells[Volume];
   for (const std::uint32_t failures : quality.cellFailures)
   {
     faults.cell.push_back((failures & OfCells) != 0);
@@ -164,6 +168,28 @@ LayerFault LayerFaults::ofFace(
   return fault;
 }
 
+// The smaller one of two cells of stacks side by side, if it is that much thinner.
+std::optional<LayerFault> LayerFaults::ofSlice(
+  const Selection& selected, const Faults& faults, std::size_t f, const PrismStacks& stacks) const
+{
+  const std::size_t ofMesh = near_.cells.cellCount();
+  const std::uint32_t owner = faults.list.owner[f];
+  const std::uint32_t other = faults.list.neighbour[f];
+  const std::uint32_t c = selected.number[owner];
+  const std::uint32_t d = selected.number[other];
+  if (!(faults.weight[f] < LeastWeight) ||
+    !(selected.hasChanged[owner] || selected.hasChanged[other]) || std::min(c, d) < ofMesh ||
+    stacks.stackOf(c - ofMesh) == stacks.stackOf(d - ofMesh))
+  {
+    return std::nullopt;
+  }
+  LayerFault fault;
+  fault.mendsThinner = false;
+  selected.addPointsOfCell(
+    faults.volume[other] < faults.volume[owner] ? other : owner, fault.points);
+  return fault;
+}
+
 std::vector<LayerFault> LayerFaults::find(const PrismStacks& stacks,
   const std::vector<double>& points, const std::vector<std::uint8_t>& hasMoved,
   Execution& execution) const
@@ -171,6 +197,13 @@ std::vector<LayerFault> LayerFaults::find(const PrismStacks& stacks,
   const Selection selected = select(stacks, hasMoved);
   const Faults faults = measure(selected.cells, points, execution);
   std::vector<LayerFault> found;
+  for (std::size_t f = 0; f < faults.weight.size(); ++f)
+  {
+    if (std::optional<LayerFault> fault = ofSlice(selected, faults, f, stacks))
+    {
+      found.push_back(std::move(*fault));
+    }
+  }
   for (std::size_t f = 0; f < faults.face.size(); ++f)
   {
     if (isNewFace(selected, faults, f))

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What solvers refuse of a mesh with layers and accepted, or had not to accept, without them.
+// What solvers refuse of a mesh with layers and accepted, or had not to accept, without them; and thin slices beside
+// thick stacks, which nobody refuses, but which make solvers slow or diverge.
 #pragma once
 
 #include "Layers/NearCells.h"
 #include "Layers/PrismStacks.h"
+
+#include <optional>
 
 namespace cartesian
 {
@@ -31,6 +34,8 @@ private:
   {
     FaceList list;
     std::vector<std::uint8_t> face; // of each listed face
+    std::vector<double> weight;     // FaceWeight of each inner face
+    std::vector<double> volume;     // of each cell
     std::vector<std::uint8_t> cell;
     std::vector<std::uint8_t>
       isLong; // cells at fault for their aspect ratio: if they are thinner it is larger
@@ -41,6 +46,8 @@ private:
     const CellFaces& cells, const std::vector<double>& points, Execution& execution);
   Selection select(const PrismStacks& stacks, const std::vector<std::uint8_t>& hasMoved) const;
   bool isNewFace(const Selection& selected, const Faults& faults, std::size_t f) const;
+  std::optional<LayerFault> ofSlice(const Selection& selected, const Faults& faults, std::size_t f,
+    const PrismStacks& stacks) const;
   LayerFault ofFace(const Selection& selected, const Faults& faults, std::size_t f,
     const PrismStacks& stacks) const;
 

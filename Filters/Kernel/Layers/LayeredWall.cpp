@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Layers/LayeredWall.h"
 
+#include "Lattice/LineMeeting.h"
 #include "Polyhedra/CellGeometry.h"
 #include "Polyhedra/OffsetPlanes.h"
 #include "Repair/TriangleTree.h"
@@ -73,12 +74,12 @@ private:
       {
         const std::size_t a = wall_.node(f, i);
         const std::size_t b = wall_.node(f, i + 1);
-        edges.push_back({ std::min(a, b), std::max(a, b),
-          static_cast<std::size_t>(wall_.faces.start[f]) + i, f });
+        edges.push_back({ std::min(a, b), std::max(a, b), wall_.corner(f, i), f });
       }
     }
     std::sort(edges.begin(), edges.end());
     wall_.beyond.resize(edges.size());
+    wall_.opposite.resize(edges.size());
     for (std::size_t i = 0; i < edges.size();)
     {
       std::size_t end = i + 1;
@@ -88,7 +89,9 @@ private:
       }
       for (std::size_t k = i; k < end; ++k)
       {
-        wall_.beyond[edges[k][2]] = edges[end - i == 2 ? i + end - 1 - k : k][3];
+        const auto& other = edges[end - i == 2 ? i + end - 1 - k : k];
+        wall_.beyond[edges[k][2]] = other[3];
+        wall_.opposite[edges[k][2]] = other[2];
       }
       i = end;
     }
@@ -99,12 +102,14 @@ private:
     const std::size_t size = wall_.corners(f);
     const auto at = [&](std::size_t i) -> const Vector& { return wall_.place[wall_.node(f, i)]; };
     const Vector inwards = scaled(unit(measureFace(size, at).area), -1);
+    const double distance = spec_.thicknessAt(mesh_.boundary()[f].boundary, thickness_);
     for (std::size_t i = 0; norm(inwards) > 0 && i < size; ++i)
     {
       const Vector back = minus(at(i + size - 1), at(i));
       const Vector ahead = minus(at(i + 1), at(i));
       const std::size_t n = wall_.node(f, i);
-      addFacet((wall_.layered[f] ? facets_ : others_)[n], inwards, radians(angle(back, ahead)));
+      addFacet((wall_.layered[f] ? facets_ : others_)[n],
+        { inwards, radians(angle(back, ahead)), distance });
     }
   }
 
@@ -120,9 +125,9 @@ private:
         wall_.fixed[n] = independentNormals(others_[n], SinOfOnePlane);
         if (wall_.isOnWall[n])
         {
-          wall_.way[n] = scaled(meetingPoint(facets_[n], wall_.fixed[n]), thickness_);
+          wall_.way[n] = meetingPoint(facets_[n], wall_.fixed[n]);
           std::vector<Facet> all = others_[n];
-          all.push_back({ unit(wall_.way[n]), 1 });
+          all.push_back({ unit(wall_.way[n]), 1, thickness_ });
           all.insert(all.end(), facets_[n].begin(), facets_[n].end());
           wall_.across[n] = independentNormals(all, SinOfSharpEdge);
           wall_.parts[n] = norm(wall_.way[n]) > 0 ? 1 : 0;
@@ -158,20 +163,11 @@ private:
 // Where a ray leaves through a triangle, in its own length; more than 1: it does not.
 double leavesAt(const Vector& from, const Vector& along, const Corners& c)
 {
-  const Vector u = minus(c[1], c[0]);
-  const Vector v = minus(c[2], c[0]);
-  const Vector w = cross(along, v);
-  const double determinant = dot(u, w);
-  const Vector first{ double(c[0][0]), double(c[0][1]), double(c[0][2]) };
-  const Vector start = minus(from, first);
-  const double a = dot(start, w) / determinant;
-  const Vector x = cross(start, u);
-  const double b = dot(along, x) / determinant;
-  const double t = dot(v, x) / determinant;
   constexpr double Rounding = 1e-9;
-  const bool meets = dot(along, cross(u, v)) > 0 && a >= -Rounding && b >= -Rounding &&
-    a + b <= 1 + Rounding && t > 0;
-  return meets ? t : 2; // NaN of parallels is no meeting
+  const LineMeeting m = meetLine(c, from, along);
+  const bool meets = m.leaves && m.second >= -Rounding && m.third >= -Rounding &&
+    m.second + m.third <= 1 + Rounding && m.distance > 0;
+  return meets ? m.distance : 2;
 }
 
 }

@@ -29,25 +29,31 @@ struct LayeredWall
   // Of its way, how much layers take; the mesh's point moves to there. 0: it has none.
   std::vector<double> parts;
 
-  // Of each face's corners, as in faces.corners, the face beyond the edge from there to the next corner; itself where
-  // there are not two faces at an edge.
+  // Of each face's corners, as in faces.corners, the face beyond the edge from there to the next corner, and that
+  // face's corner from which the edge goes back; itself where there are not two faces at an edge.
   std::vector<std::size_t> beyond;
+  std::vector<std::size_t> opposite;
 
   std::size_t nodes() const { return place.size(); }
   std::size_t corners(std::size_t face) const
   {
     return static_cast<std::size_t>(faces.start[face + 1] - faces.start[face]);
   }
+  std::size_t corner(std::size_t face, std::size_t i) const
+  {
+    return static_cast<std::size_t>(faces.start[face]) + i % corners(face);
+  }
+  std::size_t cornerAfter(std::size_t face, std::size_t corner) const
+  {
+    const bool isLast = corner + 1 == static_cast<std::size_t>(faces.start[face + 1]);
+    return isLast ? static_cast<std::size_t>(faces.start[face]) : corner + 1;
+  }
   std::size_t node(std::size_t face, std::size_t i) const
   {
-    return static_cast<std::size_t>(
-      faces.corners[static_cast<std::size_t>(faces.start[face]) + i % corners(face)]);
+    return static_cast<std::size_t>(faces.corners[corner(face, i)]);
   }
 
-  std::size_t faceBeyond(std::size_t face, std::size_t i) const
-  {
-    return beyond[static_cast<std::size_t>(faces.start[face]) + i];
-  }
+  std::size_t faceBeyond(std::size_t face, std::size_t i) const { return beyond[corner(face, i)]; }
 
   // Where 0 is the wall and 1 the mesh below the layers.
   Vector at(std::size_t node, double height) const
@@ -57,7 +63,7 @@ struct LayeredWall
   bool hasStack(std::size_t face) const;
 };
 
-// `points`: of the mesh. `thickness`: of all layers, in user units.
+// `points`: of the mesh. `thickness`: of all layers where `spec` says nothing else, in user units.
 LayeredWall findLayeredWall(const OutputMesh& mesh, const std::vector<double>& points,
   const WallLayerSpec& spec, double thickness, Execution& execution);
 

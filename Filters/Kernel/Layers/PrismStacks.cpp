@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Layers/PrismStacks.h"
 
+#include "Layers/StackSides.h"
 #include "Polyhedra/CellGeometry.h"
 
 #include <algorithm>
@@ -40,33 +41,28 @@ private:
   std::vector<Id> first_; // of each node, or -1
 };
 
-// The k-th side of a stack above an edge: four points, or three where one node has no layers, or none.
-struct Side
+// Lists the points of the side over n edges of a face from corner i on, in the k-th layer; none if it has no area.
+void listSide(const LayeredWall& wall, const Columns& columns, std::size_t f, std::size_t k,
+  std::size_t i, std::size_t n, std::vector<Id>& points)
 {
-  std::array<Id, 4> points;
-  std::size_t size;
-
-  Side(const LayeredWall& wall, const Columns& columns, std::size_t f, std::size_t i, std::size_t k)
+  points.clear();
+  for (std::size_t c = i; c <= i + n; ++c)
   {
-    const std::size_t a = wall.node(f, i);
-    const std::size_t b = wall.node(f, i + 1);
-    const auto above = [&](std::size_t n, std::size_t level) {
-      return columns.above(wall, n, level);
-    };
-    points = { above(a, k), above(b, k), above(b, k + 1), above(a, k + 1) };
-    size = points.size();
-    if (points[2] == points[1])
+    points.push_back(columns.above(wall, wall.node(f, c), k));
+  }
+  for (std::size_t c = i + n + 1; c-- > i;)
+  {
+    const Id point = columns.above(wall, wall.node(f, c), k + 1);
+    if (point != points[c - i])
     {
-      points[2] = points[3];
-      --size;
-    }
-    if (points[size - 1] == points[0])
-    {
-      --size;
+      points.push_back(point);
     }
   }
-  bool exists() const { return size >= 3; }
-};
+  if (points.size() < 3)
+  {
+    points.clear();
+  }
+}
 
 class Stacker
 {
@@ -76,6 +72,7 @@ public:
     , wall_(wall)
     , heights_(heights)
     , columns_(mesh, wall, heights.size() - 1)
+    , sides_(mesh, wall, heights)
   {
   }
 
@@ -138,16 +135,15 @@ private:
         result_.connectivity.push_back(stream.back());
       }
     }
-    for (std::size_t i = 0; i < corners; ++i)
-    {
-      const Side side(wall_, columns_, f, i, k);
-      if (side.exists())
+    sides_.forEach(f, k, [&](std::size_t i, std::size_t n) {
+      listSide(wall_, columns_, f, k, i, n, side_);
+      if (!side_.empty())
       {
         ++stream[count];
-        stream.push_back(static_cast<Id>(side.size));
-        stream.insert(stream.end(), side.points.begin(), side.points.begin() + side.size);
+        stream.push_back(static_cast<Id>(side_.size()));
+        stream.insert(stream.end(), side_.begin(), side_.end());
       }
-    }
+    });
     result_.layer.push_back(static_cast<unsigned char>(columns_.layers() - k));
     result_.below.push_back(mesh_.boundary()[f].cell);
   }
@@ -156,16 +152,20 @@ private:
   const LayeredWall& wall_;
   const std::vector<double>& heights_; // above the wall, as parts of all
   const Columns columns_;
+  const StackSides sides_;
+  std::vector<Id> side_;
   PrismStacks result_;
 };
 
 class BoundaryLister
 {
 public:
-  BoundaryLister(const OutputMesh& mesh, const LayeredWall& wall, std::size_t layers)
+  BoundaryLister(
+    const OutputMesh& mesh, const LayeredWall& wall, const std::vector<double>& heights)
     : mesh_(mesh)
     , wall_(wall)
-    , columns_(mesh, wall, layers)
+    , columns_(mesh, wall, heights.size() - 1)
+    , sides_(mesh, wall, heights)
   {
   }
 
@@ -185,15 +185,13 @@ public:
   }
 
 private:
-  template <class Points>
-  void add(const BoundaryFace& face, const Points& points, std::size_t size, double thickness)
+  void add(const BoundaryFace& face, const std::vector<Id>& points, double thickness)
   {
     result_.faces.push_back(face);
     result_.thickness.push_back(thickness);
     std::vector<Id>& corners = result_.mesh.corners;
     result_.mesh.start.push_back(static_cast<Id>(corners.size())); // the end comes last
-    corners.insert(
-      corners.end(), points.begin(), points.begin() + static_cast<std::ptrdiff_t>(size));
+    corners.insert(corners.end(), points.begin(), points.end());
   }
 
   std::vector<Id> pointsOf(std::size_t f, std::size_t k) const
@@ -212,7 +210,7 @@ private:
     {
       if (!wall_.hasStack(f))
       {
-        add(mesh_.boundary()[f], pointsOf(f, 0), wall_.corners(f), 0);
+        add(mesh_.boundary()[f], pointsOf(f, 0), 0);
       }
     }
   }
@@ -223,19 +221,17 @@ private:
     {
       const BoundaryFace& base = mesh_.boundary()[f];
       add({ cell, base.index, base.boundary, BoundaryFace::Kind::Patch },
-        pointsOf(f, columns_.layers()), wall_.corners(f), thicknessOf(f));
+        pointsOf(f, columns_.layers()), thicknessOf(f));
     }
-    for (std::size_t i = 0; i < wall_.corners(f); ++i)
-    {
+    sides_.forEach(f, k, [&](std::size_t i, std::size_t n) {
       const std::size_t other = wall_.faceBeyond(f, i);
-      const Side side(wall_, columns_, f, i, k);
-      if (!wall_.layered[other] && side.exists())
+      listSide(wall_, columns_, f, k, i, n, side_);
+      if (!wall_.layered[other] && !side_.empty())
       {
         const BoundaryFace& there = mesh_.boundary()[other];
-        add({ cell, there.index, there.boundary, BoundaryFace::Kind::Patch }, side.points,
-          side.size, 0);
+        add({ cell, there.index, there.boundary, BoundaryFace::Kind::Patch }, side_, 0);
       }
-    }
+    });
   }
 
   // The mean of its nodes, along the normal of the wall.
@@ -272,6 +268,8 @@ private:
   const OutputMesh& mesh_;
   const LayeredWall& wall_;
   const Columns columns_;
+  const StackSides sides_;
+  std::vector<Id> side_;
   LayeredBoundary result_;
 };
 
@@ -283,9 +281,10 @@ PrismStacks stackPrisms(
   return Stacker(mesh, wall, heights).run();
 }
 
-LayeredBoundary boundaryOf(const OutputMesh& mesh, const LayeredWall& wall, std::size_t layers)
+LayeredBoundary boundaryOf(
+  const OutputMesh& mesh, const LayeredWall& wall, const std::vector<double>& heights)
 {
-  return BoundaryLister(mesh, wall, layers).run();
+  return BoundaryLister(mesh, wall, heights).run();
 }
 
 }

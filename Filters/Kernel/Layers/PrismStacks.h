@@ -2,7 +2,7 @@
 // The boundary layers of a mesh: a stack of prisms on each boundary face of a layered wall.
 //
 // Points of the layers are on the line from a node to its place on the wall. Faces with a common edge share the
-// side faces above it. Towards boundaries without layers the side faces are boundary. A node without layers has
+// side faces above it (StackSides.h). Towards boundaries without layers the side faces are boundary. A node without layers has
 // none above it: its prisms become wedges there, and a face all of whose nodes are such has no stack.
 #pragma once
 
@@ -47,6 +47,7 @@ struct LayeredBoundary
 PrismStacks stackPrisms(
   const OutputMesh& mesh, const LayeredWall& wall, const std::vector<double>& heights);
 
-LayeredBoundary boundaryOf(const OutputMesh& mesh, const LayeredWall& wall, std::size_t layers);
+LayeredBoundary boundaryOf(
+  const OutputMesh& mesh, const LayeredWall& wall, const std::vector<double>& heights);
 
 }

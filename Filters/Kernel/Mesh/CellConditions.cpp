@@ -64,10 +64,8 @@ private:
   FaceGeometry geometryOf(const FaceOfCell& face)
   {
     corners_.clear();
-    forEachNode(face, parts_.patches, parts_.inner, parts_.cells.shaped, [&](std::uint32_t node) {
-      const Point& p = parts_.nodes.at[node];
-      corners_.push_back({ double(p[0]), double(p[1]), double(p[2]) });
-    });
+    forEachNode(face, parts_.patches, parts_.inner, parts_.cells.shaped,
+      [&](std::uint32_t node) { corners_.push_back(toVector(parts_.nodes.at[node])); });
     return measureFace(
       corners_.size(), [&](std::size_t i) -> const Vector& { return corners_[i]; });
   }

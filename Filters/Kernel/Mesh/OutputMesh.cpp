@@ -70,10 +70,11 @@ void OutputMesh::listInterfaces()
       const std::uint32_t front =
         (inner ? cells.ofInnerFace[face.index] : cells.shaped.cells[face.index])[1];
       const std::uint32_t number = numbers_.ofCell[front];
-      if (number != None)
+      const std::int32_t wall =
+        inner ? parts_.inner.wallOf(face.index) : cells.shaped.boundary[face.index];
+      if (number != None && !parts_.patches.walls.isBaffle(wall))
       {
-        interfaces_.push_back({ numbers_.ofCell[c], face.index,
-          inner ? parts_.inner.wallOf(face.index) : cells.shaped.boundary[face.index],
+        interfaces_.push_back({ numbers_.ofCell[c], face.index, wall,
           inner ? BoundaryFace::Kind::Inner : BoundaryFace::Kind::Shaped });
         inFront_.push_back(CellNumbers::isHere(number) ? static_cast<Id>(number) : Id(-1));
       }
@@ -331,7 +332,7 @@ void OutputMesh::writeCellData(const CellData& data, Execution& execution) const
       data.globalBox[3 * id + axis] = static_cast<int>(parts_.boxes.globalOf(box).index[axis]);
       data.level[3 * id + axis] = box.level[axis];
     }
-    data.region[id] = region;
+    data.region[id] = parts_.patches.walls.givenOf(region);
     data.volumeFraction[id] = fraction;
   };
   const Boxes& boxes = parts_.boxes;

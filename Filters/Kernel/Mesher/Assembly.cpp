@@ -207,6 +207,37 @@ BoxFlags rebuildFlawed(Assembly& a, BoxFlags flawed, Execution& execution)
   return flawed;
 }
 
+// Leaves out all parts without a point to keep: from then on, it is as if the surface did not have them. Returns
+// the boxes that are flawed.
+BoxFlags keepParts(Assembly& a, BoxFlags flawed, const PartsToKeep& which, const Options& options,
+  Execution& execution)
+{
+  if (which.points.empty())
+  {
+    return flawed;
+  }
+  const KeptParts kept = findKeptParts(
+    which, a.boxes, a.patches, a.sides, a.nodes, a.inner, makeCells(a, options, execution));
+  a.partsLeftOut = kept.leftOut;
+  if (kept.leftOut == 0)
+  {
+    return flawed;
+  }
+  std::vector<std::uint32_t> rebuilt;
+  for (const std::uint32_t box : a.rebuilt)
+  {
+    const auto stays = std::lower_bound(kept.boxes.begin(), kept.boxes.end(), box);
+    if (stays != kept.boxes.end() && *stays == box)
+    {
+      rebuilt.push_back(static_cast<std::uint32_t>(stays - kept.boxes.begin()));
+    }
+  }
+  a.rebuilt = std::move(rebuilt);
+  keepOnly(kept, a.boxes, a.patches, execution);
+  a.sides = findSides(a.boxes, execution);
+  return makeFaces(a, execution);
+}
+
 // Where the surface has a crease, a cell that was to become flat may end on its other side: without
 // it the mesh would be too large.
 BoxFlags findTurned(const Assembly& a, const Cells& cells)
@@ -363,7 +394,7 @@ void requireCells(const Assembly& a, const Options& options)
 }
 
 std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& given,
-  Execution& execution, const WallLayerSpec* layers)
+  Execution& execution, const WallLayerSpec* layers, const PartsToKeep& parts)
 {
   requireValidCells(given);
   Options options = forWalls(given, patches.walls);
@@ -379,7 +410,8 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   execution.stage("Common sides of boxes", AfterPatches, AfterSides);
   a.sides = findSides(a.boxes, execution);
   simplifyDetail(a, execution);
-  const BoxFlags flawed = rebuildFlawed(a, makeFaces(a, execution), execution);
+  const BoxFlags flawed =
+    keepParts(a, rebuildFlawed(a, makeFaces(a, execution), execution), parts, options, execution);
   if (options.collapse.ratio > 0)
   {
     CollapseAttempts(a, flawed, options, execution).run();

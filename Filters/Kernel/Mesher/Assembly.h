@@ -2,6 +2,7 @@
 // Boxes and patches made into a mesh, step by step (section 6: 9, A3, B1 to B4, 11 to 13).
 #pragma once
 
+#include "Cells/KeptParts.h"
 #include "Layers/BoundaryLayers.h"
 #include "Mesh/OutputMesh.h"
 #include "Mesher/Options.h"
@@ -24,6 +25,8 @@ struct Assembly
   std::vector<std::uint32_t> rebuilt; // boxes whose patches were made anew, in order
   Shaping shaping;
   std::vector<RemovedCell> fragments; // cells of the core that went with small parts (Fragments.h)
+  double relaxation = 1;              // of sizes, for the cell budget
+  std::size_t partsLeftOut = 0;       // connected, without a point to keep
   std::size_t isolatedCells = 0;      // cells of the core in those that stay
   std::unique_ptr<OutputMesh> mesh;
   std::unique_ptr<BoundaryLayers> layers; // on the mesh, or null
@@ -32,7 +35,7 @@ struct Assembly
 // Runs all steps. Throws Error: BadParameter, TooManyBoxes, FlawedSurface (no cell is left of the whole;
 // a part may have none).
 std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& given,
-  Execution& execution, const WallLayerSpec* layers = nullptr);
+  Execution& execution, const WallLayerSpec* layers = nullptr, const PartsToKeep& parts = {});
 
 // Boxes of the core whose patches were made anew (BoxRebuilding.h).
 std::vector<std::uint32_t> rebuiltBoxes(const Assembly& assembly);

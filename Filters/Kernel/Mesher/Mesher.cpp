@@ -36,8 +36,40 @@ void requireOneRegion(const Surface& surface, const WallLayerSpec& layers)
   {
     throw Error(Fault::BadParameter,
       "Layers is " + std::to_string(layers.count) +
-        ", but with several regions there are no layers: set it to 0.");
+        ", but with several regions or baffles there are no layers: set it to 0.");
   }
+}
+
+// Of one of some parts that have as much each, and as much in each of the grid's layers.
+MeshEstimate ofAPart(MeshEstimate estimate, int parts, std::size_t layers, int threads)
+{
+  estimate.inside /= parts;
+  estimate.intersected /= parts;
+  estimate.pieces /= parts;
+  const double layersAtOnce = double(SlabThickness) * threads;
+  estimate.atOnce =
+    estimate.intersected * std::min(1., layersAtOnce * parts / static_cast<double>(layers));
+  return estimate;
+}
+
+// Patches of a box that has more corners show detail that becomes simpler, but for about as many, where the user did
+// not choose the exact surface.
+PatchCorners cornersOf(const Patches& patches)
+{
+  constexpr double MostKept = 32;
+  const auto all = static_cast<double>(patches.corners.size());
+  if (isExact(patches))
+  {
+    return { all, all };
+  }
+  double kept = 0;
+  for (std::size_t n = 0; n + 1 < patches.boxStart.size(); ++n)
+  {
+    const std::size_t begin = patches.start[patches.boxStart[n]];
+    const std::size_t end = patches.start[patches.boxStart[n + 1]];
+    kept += std::min(MostKept, static_cast<double>(end - begin));
+  }
+  return { all, kept };
 }
 
 Bounds united(Bounds a, const Bounds& b)
@@ -50,13 +82,48 @@ Bounds united(Bounds a, const Bounds& b)
   return a;
 }
 
-void requireOneRegion(const SurfaceView& view)
+void requireOneRegion(
+  const SurfaceView& view, const DomainSpec& domain, const std::vector<Baffle>& baffles)
 {
-  if (view.region)
+  const std::string name = domain.isOutside() ? "Outside" : "Around Points";
+  if (!baffles.empty() && (domain.domain != Domain::Inside || !domain.keepPoints.empty()))
   {
     throw Error(Fault::BadParameter,
-      "Domain is Outside, where there is one region: set Regions From to One, or Domain to "
-      "Inside.");
+      (domain.domain == Domain::Inside ? "There are Keep Points" : "Domain is " + name) +
+        ", where there are no baffles yet: give them another Boundary Type, or mesh all that is "
+        "inside.");
+  }
+  if (view.region && domain.domain != Domain::Inside)
+  {
+    throw Error(Fault::BadParameter,
+      "Domain is " + name +
+        ", where there is one region: set Regions From to One, or Domain to Inside.");
+  }
+  if (view.region && !domain.keepPoints.empty())
+  {
+    throw Error(Fault::BadParameter,
+      "Keep Points are for one region: give none, or set Regions From to One.");
+  }
+}
+
+// Turns the surface so that what is to be meshed is inside.
+void chooseDomain(const DomainSpec& domain, PreparedSurface& prepared)
+{
+  Surface& surface = prepared.surface;
+  if (domain.isOutside())
+  {
+    turnInsideOut(surface);
+  }
+  prepared.keepPoints = onLattice(domain.keepPoints, surface, prepared.planes);
+  if (domain.domain != Domain::AroundPoints)
+  {
+    requireInside(prepared.keepPoints, domain.isOutside() ? "Outside" : "Inside");
+  }
+  else if (areOutside(prepared.keepPoints))
+  {
+    prepared.isEnclosed = true;
+    surface.around = Winding{ 1, false };
+    turnInsideOut(surface);
   }
 }
 
@@ -76,7 +143,7 @@ PreparedSurface prepareSurface(
 {
   execution.stage("Scaling and Dual Levels", 0, AfterSurface);
   PreparedSurface prepared;
-  prepared.memoryLimit = memoryLimitOf(options);
+  prepared.memoryLimit = memoryLimitOf(options, execution.threads());
   prepared.bounds = boundsOf(view);
   const bool isOutside = options.domain.isOutside();
   const Bounds meshed = isOutside ? boxAround(options.domain, prepared.bounds) : prepared.bounds;
@@ -85,21 +152,21 @@ PreparedSurface prepareSurface(
   const Lattice lattice(united(domainOf(grid, meshed), prepared.bounds));
   prepared.planes = onLattice(grid, meshed, lattice);
   prepared.surface = onLattice(view, lattice, execution);
+  requireOneRegion(view, options.domain, options.baffles);
   if (isOutside)
   {
-    requireOneRegion(view);
     prepared.surface.around = Winding{ 1, false };
     prepared.surface.ends = options.domain.sides;
   }
-  MeshEstimate estimate = estimateMesh(prepared.surface, prepared.planes);
-  estimate.inside /= parts;
-  estimate.intersected /= parts;
-  estimate.pieces /= parts;
-  checkMemory(estimate, prepared.memoryLimit);
+  checkMemory(ofAPart(estimateMesh(prepared.surface, prepared.planes), parts,
+                prepared.planes[2].size() - 1, execution.threads()),
+    prepared.memoryLimit);
   prepared.trianglesGiven = prepared.surface.triangles.size();
-  if (view.region)
+  if (view.region || !options.baffles.empty())
   {
     RegionSpec regions;
+    regions.baffles = options.baffles;
+    prepared.surface.region.resize(prepared.surface.triangles.size(), FirstRegion);
     regions.names = view.regionNames ? *view.regionNames : std::vector<std::string>();
     regions.contactTolerance = options.contactTolerance;
     prepared.contacts = separateRegions(prepared.surface, prepared.planes, regions, execution);
@@ -108,10 +175,7 @@ PreparedSurface prepareSurface(
   {
     prepared.repair = repair(prepared.surface, prepared.planes, execution);
   }
-  if (isOutside)
-  {
-    turnInsideOut(prepared.surface);
-  }
+  chooseDomain(options.domain, prepared);
   if (options.layers.count > 0)
   {
     requireValid(options.layers);
@@ -155,23 +219,28 @@ double thicknessOf(const PreparedSurface& prepared, const Options& options)
 std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   const Decomposition& decomposition, Layers core, const Options& options, Execution& execution)
 {
+  const PartsToKeep parts{ prepared.keepPoints, prepared.isEnclosed };
   Boxes boxes = decomposition.boxes(core, execution);
-  const MeshEstimate estimate = estimateMesh(prepared.surface, decomposition.shoeboxes(), boxes);
+  const MeshEstimate estimate = decomposition.together(
+    estimateLayers(decomposition.shoeboxes(), boxes), decomposition.allLayers());
   const MemoryLimit& limit = prepared.memoryLimit;
   checkMemory(estimate, limit);
   Patches patches = makePatches(prepared, decomposition, boxes, options, execution);
   // How much there is in boxes with other than exact patches is known only here.
-  const auto corners = static_cast<double>(patches.corners.size());
-  checkMemory(estimate.boxes(), estimate.bytes(limit, corners), limit);
+  checkMemory(estimate.boxes(), estimate.bytes(limit, cornersOf(patches)), limit);
   if (options.layers.count == 0)
   {
-    return assemble(std::move(boxes), std::move(patches), options, execution);
+    return assemble(std::move(boxes), std::move(patches), options, execution, nullptr, parts);
   }
   // The sides of a flow domain have none.
   WallLayerSpec layers = options.layers;
   const EndBoundaries& ends = prepared.surface.ends;
-  layers.boundariesWithout.insert(layers.boundariesWithout.end(), ends.begin(), ends.end());
-  auto assembly = assemble(std::move(boxes), std::move(patches), options, execution, &layers);
+  for (const std::int32_t end : ends)
+  {
+    layers.boundaries.push_back({ end, 0 });
+  }
+  auto assembly =
+    assemble(std::move(boxes), std::move(patches), options, execution, &layers, parts);
   assembly->layers = std::make_unique<BoundaryLayers>(addLayers(
     *assembly->mesh, prepared.surface, layers, thicknessOf(prepared, options), execution));
   return assembly;

@@ -16,6 +16,7 @@
 #include "Parts/Decomposition.h"
 #include "Repair/Contacts.h"
 #include "Repair/SurfaceRepair.h"
+#include "Surface/KeepPoints.h"
 
 #include <memory>
 #include <string>
@@ -35,6 +36,8 @@ struct PreparedSurface
   std::vector<ClosedContact> contacts; // of several regions
   Meshlines planes;
   Bounds bounds; // of the surface, user units
+  std::vector<KeepPoint> keepPoints;
+  bool isEnclosed = false; // the surface must enclose the space around each
   MemoryLimit memoryLimit;
 };
 

@@ -29,7 +29,7 @@ std::vector<NamedOption> optionTable()
   return {
     choice("Regions From", d.regionsFrom, { "One", "Blocks", "Array" }),
     { "Contact Tolerance", d.contactTolerance, RegionSpec::ContactTolerances, Length },
-    choice("Domain", d.domain.domain, { "Inside", "Outside" }),
+    choice("Domain", d.domain.domain, { "Inside", "Outside", "Around Points" }),
     choice("Box From", d.domain.boxFrom, { "Surface", "Bounds" }),
     choice("Flow Direction", d.domain.flow,
       { "Plus X", "Minus X", "Plus Y", "Minus Y", "Plus Z", "Minus Z" }),
@@ -46,6 +46,7 @@ std::vector<NamedOption> optionTable()
     { "Feature Depth", double(d.refinement.sizing.featureDepth), RefinementSpec::AllDepths, "" },
     { "Cells Across Gaps", double(d.refinement.sizing.cellsAcrossGaps), SizingSpec::GapCells, "" },
     { "Largest Depth", double(d.refinement.sizing.largestDepth), RefinementSpec::AllDepths, "" },
+    { "Cell Budget", d.cellBudget, Options::CellBudgets, "" },
     { "Depth", double(RefinementRegion{}.depth), RefinementSpec::AllDepths, "" },
     choice("Patch Method", d.patches.method, { "Automatic", "Exact Fit", "Marching Cubes" }),
     { "Feature Angle", d.patches.featureAngle, PatchSpec::FeatureAngles, Degrees },

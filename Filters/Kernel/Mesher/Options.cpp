@@ -33,11 +33,12 @@ double machineMemory()
 
 }
 
-MemoryLimit memoryLimitOf(const Options& options)
+MemoryLimit memoryLimitOf(const Options& options, int threads)
 {
   const double bytes =
     options.memoryLimit > 0 ? options.memoryLimit * BytesOfAGiB : ShareOfMemory * machineMemory();
-  return { bytes, options.patches.method == PatchMethod::ExactFit, shapesCells(options) };
+  return { bytes, options.patches.method == PatchMethod::ExactFit, shapesCells(options),
+    options.layers.count, threads };
 }
 
 bool shapesCells(const Options& options)

@@ -10,6 +10,7 @@
 #include "Lattice/Meshlines.h"
 #include "Parts/Slabs.h"
 #include "Patches/PatchSpec.h"
+#include "Repair/Baffles.h"
 #include "Shaping/ShapingSpec.h"
 #include "Surface/FlowDomain.h"
 #include "Surface/WallLayerSpec.h"
@@ -28,9 +29,11 @@ enum class RegionSource : std::uint8_t
 struct Options
 {
   static constexpr Range MemoryLimits{ 0 };
+  static constexpr Range CellBudgets{ 0 };
 
   RegionSource regionsFrom = RegionSource::One;
   double contactTolerance = 0; // user units (Regions.h)
+  std::vector<Baffle> baffles;
   DomainSpec domain;
   GridSpec grid;
   RefinementSpec refinement;
@@ -40,13 +43,17 @@ struct Options
   ShapingSpec shaping;
   WallLayerSpec layers;
 
+  // Cells that the mesh may have: what refinement.sizing asks for, but its feature depth, is relaxed until they fit
+  // (CellBudget.h); 0: any number.
+  double cellBudget = 0;
+
   // GiB that the mesh, or each part of it, may need by an estimate; 0: three quarters of this
   // machine's memory.
   double memoryLimit = 0;
 };
 
 // What a mesh may take; without a limit where this machine does not tell how much memory it has.
-MemoryLimit memoryLimitOf(const Options& options);
+MemoryLimit memoryLimitOf(const Options& options, int threads);
 
 // How far the cells of a part depend on others.
 LaterSteps laterStepsOf(const Options& options);

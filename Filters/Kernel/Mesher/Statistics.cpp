@@ -35,7 +35,9 @@ struct Counts
   double smallCellsRemoved = 0;
   double refusedCellsRemoved = 0;
   double fragmentCellsRemoved = 0;
+  double partsLeftOut = 0;
   double isolatedCells = 0;
+  double sizesRelaxed = 0;
   double voids = 0;
   double folds = 0;
   double boundaryAngle = 0;
@@ -51,7 +53,7 @@ struct Row
   double Counts::*count;
 };
 
-constexpr std::array<Row, 30> Table{ {
+constexpr std::array<Row, 32> Table{ {
   { "Cells", "cells of the mesh", &Counts::cells },
   { "Hexahedra", "cells that are whole boxes without hanging nodes", &Counts::hexahedra },
   { "Polyhedra", "all other cells", &Counts::polyhedra },
@@ -83,8 +85,12 @@ constexpr std::array<Row, 30> Table{ {
     &Counts::refusedCellsRemoved },
   { "FragmentCellsRemoved", "cells left out, as the grid cuts them off from the rest",
     &Counts::fragmentCellsRemoved },
+  { "PartsLeftOut", "connected parts of the domain without a Keep Point, left out",
+    &Counts::partsLeftOut },
   { "IsolatedCells", "cells in parts of at most 16 that no face connects with the rest",
     &Counts::isolatedCells },
+  { "SizesRelaxed", "part by which sizes asked for were enlarged for the Cell Budget",
+    &Counts::sizesRelaxed },
   { "VoidsInsideCells", "closed pieces of surface inside one cell, holes of it", &Counts::voids },
   { "FoldsLeftOut", "walls without thickness inside one cell, left out", &Counts::folds },
   { "BoundaryAngleFailures", "cells that fail the angle condition of boundary faces (section 3)",
@@ -129,7 +135,7 @@ private:
       const PrismStacks& stacks = a_.layers->stacks;
       n_.cells += static_cast<double>(stacks.cells());
       n_.polyhedra += static_cast<double>(stacks.cells());
-      n_.points += static_cast<double>(stacks.points.size() / 3);
+      n_.points += static_cast<double>(stacks.nodeOfPoint.size());
       n_.boundaryFaces = static_cast<double>(a_.layers->boundary.faces.size());
     }
   }
@@ -198,6 +204,8 @@ private:
     n_.refusedCellsRemoved = static_cast<double>(a_.shaping.refused.size());
     n_.fragmentCellsRemoved = static_cast<double>(a_.fragments.size());
     n_.smallCellsRemoved -= n_.refusedCellsRemoved + n_.fragmentCellsRemoved;
+    n_.sizesRelaxed = a_.relaxation - 1;
+    n_.partsLeftOut = static_cast<double>(a_.partsLeftOut);
     n_.isolatedCells = static_cast<double>(a_.isolatedCells);
   }
 
@@ -226,14 +234,15 @@ std::vector<double> regionVolumes(const Assembly& a)
   std::int32_t regions = FirstRegion;
   for (const Wall& wall : a.patches.walls.all)
   {
-    regions = std::max({ regions, wall.behind, wall.front });
+    regions = std::max(
+      { regions, a.patches.walls.givenOf(wall.behind), a.patches.walls.givenOf(wall.front) });
   }
   std::vector<double> volumes(static_cast<std::size_t>(regions));
   const double step = a.boxes.lattice.step();
   const auto add = [&](std::uint32_t b, std::int32_t region, double fraction) {
     const Box box = a.boxes.box(b);
     const Vector size = minus(box.high, box.low);
-    volumes[static_cast<std::size_t>(region - FirstRegion)] +=
+    volumes[static_cast<std::size_t>(a.patches.walls.givenOf(region) - FirstRegion)] +=
       fraction * size[0] * step * size[1] * step * size[2] * step;
   };
   const std::uint32_t end = a.boxes.firstBoxOf(a.boxes.core.end);

@@ -201,6 +201,7 @@ private:
       }
     }
     std::vector<Part> result;
+    result.reserve(parts.size());
     for (auto& [regions, part] : parts)
     {
       result.push_back(std::move(part));

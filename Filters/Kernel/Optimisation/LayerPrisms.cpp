@@ -110,7 +110,7 @@ private:
     for (std::size_t i = 0; norm(normal) > 0 && i < size; ++i)
     {
       const Vector back = minus(at(i + size - 1), at(i));
-      addFacet(ofNodes[corners[i]], normal, radians(angle(back, minus(at(i + 1), at(i)))));
+      addFacet(ofNodes[corners[i]], { normal, radians(angle(back, minus(at(i + 1), at(i)))), 1 });
     }
   }
 

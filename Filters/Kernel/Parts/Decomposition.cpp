@@ -27,16 +27,6 @@ Layers layersFor(
 // The time for an intersected box relative to one inside (see Testing/Benchmark).
 constexpr double WorkOfAnIntersectedBox = 30;
 
-MeshEstimate sumOf(const std::vector<MeshEstimate>& ofLayers, Layers layers)
-{
-  MeshEstimate sum;
-  for (std::uint32_t k = layers.begin; k < layers.end; ++k)
-  {
-    sum.add(ofLayers[k]);
-  }
-  return sum;
-}
-
 // Where it costs least to divide shaped cells.
 std::uint32_t nearestDivide(std::uint32_t layer)
 {
@@ -63,14 +53,30 @@ Decomposition::Decomposition(const Surface& surface, const Meshlines& planes,
 {
 }
 
+void Decomposition::relax(double factor, Execution& execution)
+{
+  if (factor != relaxation_)
+  {
+    refinement_.relax(factor, surface_, shoeboxes_, planes_, execution);
+    relaxation_ = factor;
+  }
+}
+
 Boxes Decomposition::boxes(Layers core, Execution& execution) const
 {
-  return generateBoxes(surface_, planes_, shoeboxes_, refinement_, statuses_, core,
-    layersFor(core, laterSteps_, refinement_, allLayers().end), limit_, execution);
+  const Layers kept = layersFor(core, laterSteps_, refinement_, allLayers().end);
+  if (refinement_.any())
+  {
+    checkMemory(together(estimateLayers(execution), kept), limit_);
+  }
+  return generateBoxes(
+    surface_, planes_, shoeboxes_, refinement_, statuses_, core, kept, execution);
 }
 
 std::vector<MeshEstimate> Decomposition::estimateLayers(Execution& execution) const
 {
+  const std::vector<float> areas =
+    refinement_.any() ? areasInBoxes(surface_, planes_, shoeboxes_) : std::vector<float>();
   std::vector<MeshEstimate> layers(allLayers().end);
   execution.forEach(layers.size(), 1, [&](std::size_t begin, std::size_t) {
     const auto k = static_cast<std::uint32_t>(begin);
@@ -80,18 +86,32 @@ std::vector<MeshEstimate> Decomposition::estimateLayers(Execution& execution) co
     {
       statuses_.forEachBox(j, k, [&](std::uint32_t i, BoxStatus status) {
         const Depths depths = refinement_.any() ? refinement_.at(i, j, k) : Depths();
-        sum.add(estimateBox(status, depths, shoeboxes_.triangles(firstRow + j, i)));
+        sum.add(estimateBox(status, depths, shoeboxes_.triangles(firstRow + j, i), areas));
       });
     }
   });
   return layers;
 }
 
+MeshEstimate Decomposition::together(const std::vector<MeshEstimate>& ofLayers, Layers layers) const
+{
+  MeshEstimate sum;
+  std::vector<double> intersected(ofLayers.size());
+  for (std::uint32_t k = layers.begin; k < layers.end; ++k)
+  {
+    sum.add(ofLayers[k]);
+    intersected[k] = ofLayers[k].intersected;
+  }
+  sum.triangles = static_cast<double>(surface_.triangles.size());
+  sum.atOnce = mostAtOnce(intersected, layers, limit_.threads);
+  return sum;
+}
+
 std::vector<Layers> Decomposition::split(
   const std::vector<MeshEstimate>& layers, std::size_t count) const
 {
   const auto end = static_cast<std::uint32_t>(layers.size());
-  const double all = workOf(sumOf(layers, { 0, end }));
+  const double all = workOf(together(layers, { 0, end }));
   std::vector<Layers> parts(count);
   // Thin parts would become too uneven.
   const bool moves = laterSteps_.shapes && end >= 2 * std::size_t(DivideDistance) * count;
@@ -118,8 +138,7 @@ std::size_t Decomposition::partsNeeded(const std::vector<MeshEstimate>& layers) 
     MeshEstimate largest;
     for (const Layers& core : split(layers, count))
     {
-      MeshEstimate part = sumOf(layers, layersFor(core, laterSteps_, refinement_, all));
-      part.triangles = static_cast<double>(surface_.triangles.size());
+      const MeshEstimate part = together(layers, layersFor(core, laterSteps_, refinement_, all));
       largest = part.bytes(limit_) > largest.bytes(limit_) ? part : largest;
     }
     if (largest.bytes(limit_) <= limit_.bytes)

@@ -32,6 +32,9 @@ public:
   const Shoeboxes& shoeboxes() const { return shoeboxes_; }
   Shoeboxes takeShoeboxes() { return std::move(shoeboxes_); }
 
+  // Makes the sizes that the surface or a field asks for larger by a factor; that of the last call counts.
+  void relax(double factor, Execution& execution);
+
   // A message about rows of the specification that extend beyond the grid, or empty.
   const std::string& warnings() const { return refinement_.warnings(); }
 
@@ -42,6 +45,9 @@ public:
 
   // Of each layer of global boxes.
   std::vector<MeshEstimate> estimateLayers(Execution& execution) const;
+
+  // Of a mesh or a part of one, with these layers.
+  MeshEstimate together(const std::vector<MeshEstimate>& ofLayers, Layers layers) const;
 
   // The least number of parts of which none exceeds the memory limit. Throws Error: TooManyBoxes,
   // if a single layer does.
@@ -58,6 +64,7 @@ private:
   LaterSteps laterSteps_;
   Shoeboxes shoeboxes_;
   Refinement refinement_;
+  double relaxation_ = 1; // of its sizes
   GlobalStatuses statuses_;
 };
 

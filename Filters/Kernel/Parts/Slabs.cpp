@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Parts/Slabs.h"
 
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
 namespace cartesian
 {
 
@@ -125,6 +129,18 @@ std::array<std::vector<Slab>, ShapingStages> slabsFor(Layers wanted, std::uint32
     }
   }
   return slabs;
+}
+
+double mostAtOnce(const std::vector<double>& ofLayers, Layers layers, int threads)
+{
+  std::vector<double> ofSlabs(layers.end / SlabThickness + 1);
+  for (std::uint32_t k = layers.begin; k < layers.end; ++k)
+  {
+    ofSlabs[k / SlabThickness] += ofLayers[k];
+  }
+  std::sort(ofSlabs.begin(), ofSlabs.end(), std::greater<>());
+  const auto count = std::min(ofSlabs.size(), static_cast<std::size_t>(threads));
+  return std::accumulate(ofSlabs.begin(), ofSlabs.begin() + std::ptrdiff_t(count), 0.0);
 }
 
 Layers layersForShaping(Layers wanted, std::uint32_t all)

@@ -57,6 +57,10 @@ struct Slab
 // The slabs of each stage on which the shaped cells of these layers depend.
 std::array<std::vector<Slab>, ShapingStages> slabsFor(Layers wanted, std::uint32_t allLayers);
 
+// Of what there is so much of in each layer, how much the slabs of the first stage hold at most that as many threads
+// shape at once: the fullest.
+double mostAtOnce(const std::vector<double>& ofLayers, Layers layers, int threads);
+
 // The layers whose cells must be correct before shaping, for those of `wanted` to be correct
 // afterwards.
 Layers layersForShaping(Layers wanted, std::uint32_t allLayers);

@@ -25,12 +25,6 @@ double distance(const Point& p, const Point& q)
   return std::sqrt(dot(d, d));
 }
 
-// The odd level next to x, between two even ones.
-Level oddLevel(double x)
-{
-  return 2 * static_cast<Level>(x / 2) + 1;
-}
-
 }
 
 SideTying::SideTying(const Surface& surface, const Features& features, const Boxes& boxes,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Polyhedra/OffsetPlanes.h"
 
+#include <algorithm>
 #include <array>
 
 namespace cartesian
@@ -26,18 +27,22 @@ Vector solve(const Matrix& m, const Vector& right)
 
 }
 
-void addFacet(std::vector<Facet>& facets, const Vector& normal, double angle)
+void addFacet(std::vector<Facet>& facets, const Facet& added)
 {
   for (Facet& facet : facets)
   {
-    if (dot(facet.normal, normal) > 0 && norm(cross(facet.normal, normal)) < SinOfOnePlane)
+    if (dot(facet.normal, added.normal) > 0 &&
+      norm(cross(facet.normal, added.normal)) < SinOfOnePlane)
     {
-      facet.normal = unit(plus(scaled(facet.normal, facet.angle), scaled(normal, angle)));
-      facet.angle += angle;
+      facet.normal =
+        unit(plus(scaled(facet.normal, facet.angle), scaled(added.normal, added.angle)));
+      const double angle = facet.angle + added.angle;
+      facet.distance += (added.distance - facet.distance) * (added.angle / angle);
+      facet.angle = angle;
       return;
     }
   }
-  facets.push_back({ normal, angle });
+  facets.push_back(added);
 }
 
 std::vector<Vector> independentNormals(const std::vector<Facet>& facets, double sine)
@@ -68,6 +73,7 @@ Vector meetingPoint(const std::vector<Facet>& facets, const std::vector<Vector>&
   Matrix squares{};
   Vector sum{};
   double angles = 0;
+  double longest = 0;
   for (const Facet& facet : facets)
   {
     const Vector normal = within(fixed, facet.normal);
@@ -75,19 +81,21 @@ Vector meetingPoint(const std::vector<Facet>& facets, const std::vector<Vector>&
     {
       squares[i] = plus(squares[i], scaled(normal, facet.angle * normal[i]));
     }
-    sum = plus(sum, scaled(normal, facet.angle));
+    sum = plus(sum, scaled(normal, facet.angle * facet.distance));
     angles += facet.angle;
+    longest = std::max(longest, facet.distance);
   }
   for (std::size_t i = 0; i < 3; ++i)
   {
     squares[i][i] += Damping * angles;
   }
-  Vector at = unit(sum);
+  Vector at = scaled(unit(sum), longest);
   for (int step = 0; step < DampedSteps && angles > 0; ++step)
   {
     at = solve(squares, plus(sum, scaled(at, Damping * angles)));
   }
-  return norm(at) > LongestMitre ? scaled(unit(at), LongestMitre) : at;
+  longest *= LongestMitre;
+  return norm(at) > longest ? scaled(unit(at), longest) : at;
 }
 
 }

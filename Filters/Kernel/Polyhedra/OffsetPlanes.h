@@ -13,12 +13,14 @@ namespace cartesian
 // A plane through the corner.
 struct Facet
 {
-  Vector normal; // inwards, of length 1
-  double angle;  // at the corner, in radians: its weight
+  Vector normal;   // inwards, of length 1
+  double angle;    // at the corner, in radians: its weight
+  double distance; // by which it moves
 };
 
-// Adds it to the facets around a corner. Those of about one plane count once, with all their angle.
-void addFacet(std::vector<Facet>& facets, const Vector& normal, double angle);
+// Adds it to the facets around a corner. Those of about one plane count once, with all their angle and the mean of
+// their distances.
+void addFacet(std::vector<Facet>& facets, const Facet& added);
 
 // The normals that differ from each other and from their sums, at most three, orthogonal and of length 1. `sine`: of
 // the least angle.
@@ -27,8 +29,8 @@ std::vector<Vector> independentNormals(const std::vector<Facet>& facets, double 
 // What is left of a vector within planes of orthogonal normals.
 Vector within(const std::vector<Vector>& normals, Vector v);
 
-// From the corner to where the facets' planes meet after each moved by 1: in the sense of least squares, within the
-// planes of `fixed`, and no longer than LongestMitre. Zero if there is none.
+// From the corner to where the facets' planes meet after each moved by its distance: in the sense of least squares,
+// within the planes of `fixed`, and no longer than LongestMitre of the largest distance. Zero if there is none.
 constexpr double LongestMitre = 2;
 Vector meetingPoint(const std::vector<Facet>& facets, const std::vector<Vector>& fixed);
 

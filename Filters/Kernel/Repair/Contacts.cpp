@@ -2,6 +2,7 @@
 #include "Repair/Contacts.h"
 
 #include "Base/DisjointSets.h"
+#include "Repair/EdgePoints.h"
 #include "Repair/NearbyTriangles.h"
 #include "Surface/SurfaceEdges.h"
 
@@ -30,16 +31,6 @@ constexpr double AtEnd = 0.01;
 using Triangles = std::vector<std::uint32_t>;
 using Loop = std::vector<std::uint32_t>; // vertices
 using Triple = std::array<std::uint32_t, 3>;
-
-Vector toVector(const Point& p)
-{
-  return { double(p[0]), double(p[1]), double(p[2]) };
-}
-
-Level oddLevel(double level)
-{
-  return static_cast<Level>(2 * std::floor(level / 2) + 1);
-}
 
 // One pair of regions.
 class ContactCloser
@@ -427,8 +418,9 @@ private:
     for (std::size_t i = 0; i < 3; ++i)
     {
       const auto found = moves.between.find({ c[i], c[(i + 1) % 3] });
-      onEdges[i] =
-        isLater && found != moves.between.end() ? found->second : pointsOn(c[i], c[(i + 1) % 3]);
+      onEdges[i] = isLater && found != moves.between.end()
+        ? found->second
+        : pointsOn(onEdge_, c[i], c[(i + 1) % 3]);
     }
     for (std::uint32_t& v : c)
     {
@@ -542,24 +534,6 @@ private:
     return along > 0 && along < 1 && norm(minus(to, scaled(way, along))) < Flat;
   }
 
-  Loop pointsOn(std::uint32_t from, std::uint32_t to) const
-  {
-    Loop points;
-    const auto found = onEdge_.find({ std::min(from, to), std::max(from, to) });
-    if (found != onEdge_.end())
-    {
-      for (const auto& [along, vertex] : found->second)
-      {
-        points.push_back(vertex);
-      }
-    }
-    if (to < from)
-    {
-      std::reverse(points.begin(), points.end());
-    }
-    return points;
-  }
-
   // Fans from the corner opposite to the first edge that has points.
   static void divide(
     const Triple& c, const std::array<Loop, 3>& onEdges, std::vector<Triple>& parts)
@@ -593,8 +567,7 @@ private:
   Execution& execution_;
   std::map<std::uint32_t, Triangles> sheets_;
   std::map<std::uint32_t, Group> groups_;
-  std::map<std::array<std::uint32_t, 2>, std::map<double, std::uint32_t>>
-    onEdge_; // new vertices, by their place from the lower end
+  EdgePoints onEdge_;
 };
 
 }

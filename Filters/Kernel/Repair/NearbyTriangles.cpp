@@ -12,11 +12,6 @@ namespace
 // Of cells along the longest side of all triangles together.
 constexpr double MostCells = 64;
 
-Vector toVector(const Point& p)
-{
-  return { double(p[0]), double(p[1]), double(p[2]) };
-}
-
 }
 
 // Ericson, Real-Time Collision Detection, 5.1.5: by the regions of the triangle's plane.

@@ -7,6 +7,7 @@
 #include "Repair/SurfaceRepair.h"
 #include "Repair/TrianglePairs.h"
 #include "Surface/LineCrossings.h"
+#include "Surface/Places.h"
 
 #include <algorithm>
 #include <map>
@@ -27,29 +28,6 @@ std::string nameOf(std::int32_t region, const std::vector<std::string>& names)
 {
   const auto n = static_cast<std::size_t>(region - FirstRegion);
   return n < names.size() ? "\"" + names[n] + "\"" : std::to_string(region);
-}
-
-std::string placeOf(const Surface& surface, const Vector& levels)
-{
-  std::string text = "(";
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double origin = surface.lattice.position(axis, 0);
-    text += (axis > 0 ? ", " : "") +
-      number(origin + levels[static_cast<std::size_t>(axis)] * surface.lattice.step());
-  }
-  return text + ")";
-}
-
-Vector middleOf(const Surface& surface, std::size_t triangle)
-{
-  const Corners c = surface.corners(triangle);
-  Vector sum{ 0, 0, 0 };
-  for (const Point& p : c)
-  {
-    sum = plus(sum, { double(p[0]) / 3, double(p[1]) / 3, double(p[2]) / 3 });
-  }
-  return sum;
 }
 
 // The surface of one region, oriented.
@@ -123,10 +101,10 @@ public:
     Surface result;
     result.lattice = surface_.lattice;
     result.vertices = surface_.vertices;
-    for (std::size_t sheet = 0; sheet < sheets_.size(); ++sheet)
+    for (const auto& sheet : sheets_)
     {
-      const std::vector<std::uint8_t> around = regionsAround(sheets_[sheet]);
-      for (const std::uint32_t piece : sheets_[sheet])
+      const std::vector<std::uint8_t> around = regionsAround(sheet);
+      for (const std::uint32_t piece : sheet)
       {
         addWall(pieces_[piece], around, result);
       }
@@ -405,6 +383,18 @@ bool haveSameVertices(const Surface& surface, std::uint32_t s, std::uint32_t t)
   return std::is_permutation(a.begin(), a.end(), b.begin());
 }
 
+std::vector<std::string> namesOfParts(
+  const std::vector<std::int32_t>& given, const std::vector<std::string>& names)
+{
+  std::vector<std::string> result;
+  for (const std::int32_t region : given)
+  {
+    const auto n = static_cast<std::size_t>(region - FirstRegion);
+    result.push_back(n < names.size() ? names[n] : std::to_string(region));
+  }
+  return result;
+}
+
 // Those that pass through each other have no common edge there.
 void requireApart(
   const Surface& surface, const std::vector<std::string>& names, Execution& execution)
@@ -432,8 +422,9 @@ std::vector<ClosedContact> separateRegions(
   Surface& surface, const Meshlines& planes, const RegionSpec& spec, Execution& execution)
 {
   requireInRange(RegionSpec::ContactTolerances, spec.contactTolerance, "Contact Tolerance");
-  const std::vector<std::string>& names = spec.names;
-  const std::int32_t regions = *std::max_element(surface.region.begin(), surface.region.end());
+  std::vector<std::string> names = spec.names;
+  std::int32_t regions = *std::max_element(surface.region.begin(), surface.region.end());
+  const Surface sheets = takeBaffles(surface, spec.baffles);
   Surface all;
   all.lattice = surface.lattice;
   all.vertices = surface.vertices;
@@ -446,9 +437,18 @@ std::vector<ClosedContact> separateRegions(
   {
     closed = closeContacts(all, regions, spec.contactTolerance / surface.lattice.step(), execution);
   }
+  std::vector<std::int32_t> given;
+  if (!sheets.triangles.empty())
+  {
+    const double tolerance = spec.contactTolerance / surface.lattice.step();
+    given = divideByBaffles(all, sheets, spec.baffles, regions, tolerance, names, execution).given;
+    regions = static_cast<std::int32_t>(given.size());
+    names = namesOfParts(given, names);
+  }
   imprint(all, execution);
   requireApart(all, names, execution);
   surface = WallFinder(all, regions).run(execution);
+  surface.walls.given = given;
   sortByPlace(surface);
   for (std::int32_t region = FirstRegion; region <= regions; ++region)
   {

@@ -9,6 +9,7 @@
 
 #include "Base/Range.h"
 #include "Lattice/Meshlines.h"
+#include "Repair/Baffles.h"
 #include "Repair/Contacts.h"
 
 #include <string>
@@ -24,11 +25,12 @@ struct RegionSpec
 
   std::vector<std::string> names; // for messages
   double contactTolerance = 0;    // user units
+  std::vector<Baffle> baffles;
 };
 
 // Fills Surface::walls; boundary indices then are those of walls. Returns what the tolerance closed.
 // Throws Error (FlawedSurface): a region's surface is not closed, or passes through another's, or nothing is
-// left of it.
+// left of it; a baffle does not divide its region.
 std::vector<ClosedContact> separateRegions(
   Surface& surface, const Meshlines& planes, const RegionSpec& spec, Execution& execution);
 

@@ -188,11 +188,6 @@ CornerSides sidesOf(
   return sides;
 }
 
-Vector vectorOf(const Point& p)
-{
-  return { double(p[0]), double(p[1]), double(p[2]) };
-}
-
 // The two points where a triangle's edges pass through another's plane.
 std::vector<Vector> meetPlane(const Corners& t, const Corners& other)
 {
@@ -208,12 +203,12 @@ std::vector<Vector> meetPlane(const Corners& t, const Corners& other)
     const std::size_t j = (i + 1) % 3;
     if (height[i] == 0)
     {
-      places.push_back(vectorOf(t[i]));
+      places.push_back(toVector(t[i]));
     }
     if (height[i] * height[j] < 0)
     {
       const double part = height[i] / (height[i] - height[j]);
-      Vector p = vectorOf(t[i]);
+      Vector p = toVector(t[i]);
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         p[axis] += part * (double(t[j][axis]) - p[axis]);

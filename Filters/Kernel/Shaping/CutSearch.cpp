@@ -186,6 +186,7 @@ private:
     std::sort(order.begin(), order.end());
     order.resize(std::min(order.size(), MostCandidates));
     std::vector<std::size_t> faces;
+    faces.reserve(order.size());
     for (const auto& [area, face] : order)
     {
       faces.push_back(face);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <unordered_map>
 
 namespace cartesian
 {
@@ -73,7 +74,18 @@ public:
   const std::set<Candidate>& candidates() const { return candidates_; }
 
 private:
-  bool mayGo(const Candidate& candidate) const
+  // Asked for each face of a cell, and to know it all of its faces are looked at: once only.
+  bool mayGo(const Candidate& candidate)
+  {
+    const auto [known, isNew] = mayGo_.try_emplace(candidate.key, false);
+    if (isNew)
+    {
+      known->second = findWhetherMayGo(candidate);
+    }
+    return known->second;
+  }
+
+  bool findWhetherMayGo(const Candidate& candidate) const
   {
     return cells_.hasFaces(candidate.key) && cells_.isFree(candidate.key) &&
       cells_.isAtBoundary(candidate.key) &&
@@ -85,6 +97,7 @@ private:
   double largest_;
   MeasuredCell cell_;
   std::set<Candidate> candidates_;
+  std::unordered_map<CellKey, bool> mayGo_;
 };
 
 bool isAcceptedWithout(const CellComplex& cells, CellKey other, CellKey gone)

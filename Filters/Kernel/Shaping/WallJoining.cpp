@@ -24,6 +24,7 @@ constexpr double SteepestFloor = 1.5;
 // Faces are joined up to this angle; those with a smaller share of the other's area at any.
 const double CosineOfBend = std::cos(radians(30));
 constexpr double NegligibleShare = 0.05;
+constexpr double SmallShare = 0.2; // smaller ones are joined even where prisms could stand on both
 constexpr double LeastVolumeKept = 0.8;
 
 // The ends of the chain of edges that two faces share, in the first one's direction.
@@ -36,7 +37,7 @@ struct Chain
 bool findChain(const Ring& first, const Ring& joined, Chain& chain)
 {
   // What follows the chain in the first begins the joined ring (joinRings).
-  const auto at = std::find(first.corners, first.corners + first.size, joined.corners[0]);
+  const auto* const at = std::find(first.corners, first.corners + first.size, joined.corners[0]);
   const auto end = static_cast<std::size_t>(at - first.corners);
   if (end == first.size)
   {
@@ -108,7 +109,7 @@ private:
     }
     Chain chain;
     if (!findChain(first, { view_.shape.nodes.data(), ring.data(), ring.size() }, chain) ||
-      !(isAtFault(f, g, chain) || isSteep(f) || isSteep(g)))
+      !(isAtFault(f, g, chain) || isSteep(f) || isSteep(g) || areUnequal(f, g)))
     {
       return false;
     }
@@ -129,6 +130,14 @@ private:
     const double least = std::min(norm(p), norm(q));
     return least < NegligibleShare * std::max(norm(p), norm(q)) ||
       dot(p, q) > CosineOfBend * norm(p) * norm(q);
+  }
+
+  // Prisms on the smaller one would be thin slices beside the other's.
+  bool areUnequal(std::uint32_t f, std::uint32_t g) const
+  {
+    const double p = norm(shape_.faces[f].area);
+    const double q = norm(shape_.faces[g].area);
+    return std::min(p, q) < SmallShare * std::max(p, q);
   }
 
   // Of the side between two prisms, as seen along the wall's normal.

@@ -14,8 +14,9 @@ namespace cartesian
 
 enum class Domain : std::uint8_t
 {
-  Inside = 0,  // what the surface encloses
-  Outside = 1, // a box without the bodies that the surface encloses
+  Inside = 0,       // what the surface encloses
+  Outside = 1,      // a box without the bodies that the surface encloses
+  AroundPoints = 2, // spaces that it encloses, in bodies or between them, around the points to keep
 };
 
 enum class BoxSource : std::uint8_t
@@ -69,6 +70,9 @@ struct DomainSpec
   Half half = Half::Whole;
   Bounds bounds{};              // user units
   EndBoundaries sides = NoEnds; // boundaries of the box's sides
+
+  // In user units: connected parts of the domain without any are left out; none: all parts stay.
+  std::vector<std::array<double, 3>> keepPoints;
 
   bool isOutside() const { return domain == Domain::Outside; }
 };

@@ -29,11 +29,15 @@ std::vector<double> sumsOfSeries(const WallLayerSpec& spec)
 
 }
 
-bool WallLayerSpec::hasLayers(std::int32_t boundary) const
+double WallLayerSpec::thicknessAt(std::int32_t boundary, double usual) const
 {
-  return boundary != NoBoundary &&
-    std::find(boundariesWithout.begin(), boundariesWithout.end(), boundary) ==
-    boundariesWithout.end();
+  if (boundary == NoBoundary)
+  {
+    return 0;
+  }
+  const auto own = std::find_if(boundaries.begin(), boundaries.end(),
+    [&](const OfBoundary& one) { return one.boundary == boundary; });
+  return own == boundaries.end() ? usual : own->thickness;
 }
 
 void requireValid(const WallLayerSpec& spec)
@@ -42,6 +46,10 @@ void requireValid(const WallLayerSpec& spec)
   requireInRange(WallLayerSpec::Ratios, spec.ratio, "Layer Expansion Ratio");
   requireInRange(WallLayerSpec::Thicknesses, spec.firstThickness, "First Layer Thickness");
   requireInRange(WallLayerSpec::Thicknesses, spec.thickness, "Layers Thickness");
+  for (const WallLayerSpec::OfBoundary& one : spec.boundaries)
+  {
+    requireInRange(WallLayerSpec::Thicknesses, one.thickness, "Boundary Layers Thickness");
+  }
 }
 
 double totalThickness(const WallLayerSpec& spec, double box)

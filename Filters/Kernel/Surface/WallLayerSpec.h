@@ -23,15 +23,23 @@ struct WallLayerSpec
   double firstThickness = 0;
   double thickness = 0; // of all layers
 
-  std::vector<std::int32_t> boundariesWithout;
+  // Boundaries that are unlike the others; of several entries the first applies.
+  struct OfBoundary
+  {
+    std::int32_t boundary;
+    double thickness; // of all layers, in user units; 0: none
+  };
+  std::vector<OfBoundary> boundaries;
 
-  bool hasLayers(std::int32_t boundary) const;
+  // Of all layers on a boundary. `usual`: on others.
+  double thicknessAt(std::int32_t boundary, double usual) const;
+  bool hasLayers(std::int32_t boundary) const { return thicknessAt(boundary, 1) > 0; }
 };
 
 // Throws Error: BadParameter.
 void requireValid(const WallLayerSpec& spec);
 
-// Of all layers, in user units. `box`: the shortest side of a box.
+// Of all layers, in user units, but for `boundaries`. `box`: the shortest side of a box.
 double totalThickness(const WallLayerSpec& spec, double box);
 
 // The height above the wall at which each layer ends, as a part of the total: 0, ..., 1.

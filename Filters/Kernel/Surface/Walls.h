@@ -39,6 +39,21 @@ struct Wall
 struct Walls
 {
   std::vector<Wall> all;
+  std::vector<std::int32_t>
+    given; // of each region here, the user's that it is a part of; empty: the same
+
+  std::int32_t givenOf(std::int32_t region) const
+  {
+    return given.empty() || region == OutsideRegion
+      ? region
+      : given[static_cast<std::size_t>(region - FirstRegion)];
+  }
+
+  // Whether a wall is a baffle: both its sides are of the same region.
+  bool isBaffle(std::int32_t boundary) const
+  {
+    return isInterface(boundary) && givenOf(behind(boundary)) == givenOf(front(boundary));
+  }
 
   bool any() const { return !all.empty(); }
 
@@ -68,6 +83,9 @@ struct Walls
       ? wall == boundary
       : at(wall).boundary == boundary || at(wall).boundaryInFront == boundary;
   }
+
+  // The user's boundary, of the region in front.
+  std::int32_t boundaryInFront(std::int32_t boundary) const { return at(boundary).boundaryInFront; }
 
   // The user's boundary, of the region behind.
   std::int32_t boundary(std::int32_t boundary) const

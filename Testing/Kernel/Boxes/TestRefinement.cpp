@@ -4,6 +4,7 @@
 #include "Support/MeshChecker.h"
 
 #include <cmath>
+#include <map>
 
 namespace cartesian
 {
@@ -111,24 +112,90 @@ int forcedDepth(const RefinementSpec& spec, const PreparedSurface& prepared,
   return std::max(forced, 0);
 }
 
-// No box that the surface passes through may be deeper.
-int mostAllowed(const RefinementSpec& spec)
+// The allowed depth of a global box that the surface passes through, by its blocks and boundaries, found
+// triangle by triangle.
+int allowedDepth(const RefinementSpec& spec, const PreparedSurface& prepared,
+  const std::array<std::size_t, 3>& at, std::size_t begin, std::size_t end, const Shoeboxes& boxes)
 {
-  int most = spec.depth;
+  int allowed = spec.depth;
   for (const RefinementBlock& block : spec.blocks)
   {
-    most = std::max({ most, block.allowed, block.forced });
+    bool in = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const auto index = static_cast<std::int64_t>(at[axis]);
+      in = in && block.first[axis] <= index && index <= block.last[axis];
+    }
+    allowed = in ? block.allowed : allowed;
   }
   for (const BoundaryRefinement& row : spec.boundaries)
   {
-    most = std::max(most, row.depth);
+    for (std::size_t t = begin; t < end; ++t)
+    {
+      const bool isIts = prepared.surface.boundary[boxes.triangle[t]] == row.boundary;
+      allowed = std::max(allowed, isIts ? row.depth : 0);
+    }
   }
-  for (const RefinementRegion& region : spec.regions)
-  {
-    most = std::max(most, region.depth);
-  }
-  return most;
+  return allowed;
 }
+
+// How deep boxes of each global box may be at most: as deep as it asks for itself, or one less for each
+// global box between it and one that asks for more (balance). Cases without regions.
+class MostDepths
+{
+public:
+  MostDepths(
+    const RefinementSpec& spec, const PreparedSurface& prepared, const Shoeboxes& shoeboxes)
+  {
+    const std::size_t ni = prepared.planes[0].size() - 1;
+    const std::size_t nj = prepared.planes[1].size() - 1;
+    const std::size_t nk = prepared.planes[2].size() - 1;
+    for (std::size_t g = 0; g < ni * nj * nk; ++g)
+    {
+      const std::array<std::uint32_t, 3> at = { static_cast<std::uint32_t>(g % ni),
+        static_cast<std::uint32_t>(g / ni % nj), static_cast<std::uint32_t>(g / ni / nj) };
+      forced_[at] = own_[at] = forcedDepth(spec, prepared, shoeboxes, at);
+    }
+    for (std::size_t r = 0; r + 1 < shoeboxes.rowStart.size(); ++r)
+    {
+      for (std::size_t b = shoeboxes.rowStart[r]; b < shoeboxes.rowStart[r + 1]; ++b)
+      {
+        const std::array<std::size_t, 3> at = { shoeboxes.column[b], r % nj, r / nj };
+        int& own = own_[{ static_cast<std::uint32_t>(at[0]), static_cast<std::uint32_t>(at[1]),
+          static_cast<std::uint32_t>(at[2]) }];
+        own = std::max(own,
+          allowedDepth(spec, prepared, at, shoeboxes.triangleStart[b],
+            shoeboxes.triangleStart[b + 1], shoeboxes));
+      }
+    }
+  }
+
+  using Index = std::array<std::uint32_t, 3>;
+  int forced(const Index& at) const { return forced_.at(at); }
+
+  // What it asks for itself.
+  int own(const Index& at) const { return own_.at(at); }
+
+  int most(const Index& at)
+  {
+    const auto [found, isNew] = most_.try_emplace(at, 0);
+    for (auto other = own_.begin(); isNew && other != own_.end(); ++other)
+    {
+      int away = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        away = std::max(away, std::abs(int(other->first[axis]) - int(at[axis])));
+      }
+      found->second = std::max(found->second, other->second - away);
+    }
+    return found->second;
+  }
+
+private:
+  std::map<Index, int> forced_;
+  std::map<Index, int> own_;
+  std::map<Index, int> most_;
+};
 
 TEST(Refinement, RandomSpecificationsHold)
 {
@@ -145,13 +212,17 @@ TEST(Refinement, RandomSpecificationsHold)
     options.refinement = randomSpec(random, prepared.planes, boundaries);
     const Soup region =
       box({ 0, 0, 0 }, { 0.4, 0.3, 0.5 }).turned().moved(soup.points[n % soup.points.size()]);
-    options.refinement.regions.push_back({ region.view(), static_cast<int>(n % 4) });
+    const bool hasRegion = n % 4 > 0;
+    if (hasRegion)
+    {
+      options.refinement.regions.push_back({ region.view(), static_cast<int>(n % 4) });
+    }
     const Meshed meshed = meshPrepared(prepared, options);
     SCOPED_TRACE("case " + std::to_string(n));
 
     const std::vector<Box> boxes = placed(meshed.boxed.boxes);
+    MostDepths depths(options.refinement, prepared, meshed.boxed.shoeboxes);
     double twice = 0;
-    int deepest = 0; // of the boxes that the surface passes through
     for (std::size_t a = 0; a < boxes.size(); ++a)
     {
       for (std::size_t b = 0; b < a; ++b)
@@ -159,15 +230,15 @@ TEST(Refinement, RandomSpecificationsHold)
         twice += common(boxes[a], boxes[b]);
       }
       const auto& global = meshed.boxed.boxes.globalOf(boxes[a]).index;
-      const int forced = forcedDepth(options.refinement, prepared, meshed.boxed.shoeboxes, global);
       const auto& level = boxes[a].level;
-      ASSERT_GE(std::min({ level[0], level[1], level[2] }), forced);
+      ASSERT_GE(std::min({ level[0], level[1], level[2] }), depths.forced(global));
+      const int deepest = std::max({ int(level[0]), int(level[1]), int(level[2]) });
+      ASSERT_LE(deepest, std::max(depths.most(global), hasRegion ? int(n % 4) : 0));
       if (boxes[a].status == BoxStatus::Intersected)
       {
-        deepest = std::max({ deepest, int(level[0]), int(level[1]), int(level[2]) });
+        ASSERT_GE(deepest, depths.own(global)) << "the surface is resolved to the allowed depth";
       }
     }
-    EXPECT_LE(deepest, mostAllowed(options.refinement));
     EXPECT_EQ(twice, 0) << "boxes overlap";
     EXPECT_TRUE(isValid(meshed.mesh));
     EXPECT_TRUE(fills(meshed.mesh, soup));

@@ -5,6 +5,7 @@
 #include "Support/Effort.h"
 #include "Support/MeshChecker.h"
 
+#include <random>
 #include <set>
 
 namespace cartesian
@@ -247,6 +248,137 @@ TEST(Sizing, ErrorsNameTheOption)
   sizing = {};
   sizing.largestDepth = -2;
   expectFault(sizing, "Largest Depth is -2");
+}
+
+// In user units.
+struct Range3
+{
+  Vector low;
+  Vector high;
+};
+
+Range3 placeOf(const Boxes& boxes, const Box& box)
+{
+  Range3 place{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto a = static_cast<std::size_t>(axis);
+    place.low[a] = boxes.lattice.position(axis, box.low[a]);
+    place.high[a] = boxes.lattice.position(axis, box.high[a]);
+  }
+  return place;
+}
+
+double longestEdge(const Range3& place)
+{
+  const Vector size = minus(place.high, place.low);
+  return std::max({ size[0], size[1], size[2] });
+}
+
+// The least size that a field asks for in a box.
+double wantedIn(const std::vector<WantedSize>& field, const Range3& place)
+{
+  double least = 1e9;
+  for (const WantedSize& wanted : field)
+  {
+    bool overlaps = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      overlaps = overlaps && wanted.low[axis] < place.high[axis] - 1e-8 &&
+        wanted.high[axis] > place.low[axis] + 1e-8;
+    }
+    least = overlaps ? std::min(least, wanted.size) : least;
+  }
+  return least;
+}
+
+// In every box: none is larger than wanted, and none as small as half of that but for balance.
+TEST(Sizing, BoxesAreAsSmallAsAFieldAsks)
+{
+  SizingSpec sizing;
+  sizing.largestDepth = 4;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(0, 1);
+  for (int i = 0; i < 60; ++i)
+  {
+    WantedSize wanted{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      wanted.low[axis] = place(random);
+      wanted.high[axis] = wanted.low[axis] + 0.1 * place(random);
+    }
+    wanted.size = 0.02 + 0.3 * place(random);
+    sizing.sizes.push_back(wanted);
+  }
+  constexpr double CellSize = 0.24;
+  const Soup soup = cube();
+  const Meshed meshed = boxed(soup, CellSize, sizing);
+  const Boxes& boxes = meshed.boxed.boxes;
+  std::array<int, DeepestLevel + 1> count{};
+  for (std::size_t b = 0; b < boxes.packed.size(); ++b)
+  {
+    const Box box = boxes.box(b);
+    const Range3 at = placeOf(boxes, box);
+    ++count[static_cast<std::size_t>(leastLevel(box))];
+    ASSERT_LE(longestEdge(at), wantedIn(sizing.sizes, at) * (1 + 1e-6));
+  }
+  EXPECT_GT(count[0] * count[1] * count[2] * count[3], 0);
+  EXPECT_TRUE(isValid(meshed.mesh));
+  EXPECT_TRUE(fills(meshed.mesh, soup));
+  EXPECT_TRUE(boxed(soup, CellSize, sizing, 3).mesh == meshed.mesh);
+}
+
+// A field on the boxes of a grid that asks for one size everywhere: all are of it, within one halving.
+TEST(Sizing, AFieldOfOneSizeMakesBoxesOfIt)
+{
+  for (const double size : { 0.2, 0.1, 0.06 })
+  {
+    SizingSpec sizing;
+    sizing.largestDepth = 4;
+    for (int i = 0; i < 10; ++i)
+    {
+      sizing.sizes.push_back({ { 0.1 * i, 0, 0 }, { 0.1 * (i + 1), 1, 1 }, size });
+    }
+    const Meshed meshed = boxed(cube(), 0.2, sizing);
+    for (std::size_t b = 0; b < meshed.boxed.boxes.packed.size(); ++b)
+    {
+      const double edge = longestEdge(placeOf(meshed.boxed.boxes, meshed.boxed.boxes.box(b)));
+      ASSERT_LE(edge, size * (1 + 1e-6));
+      ASSERT_GT(edge, size / 2);
+    }
+  }
+}
+
+TEST(Sizing, BoxesAreAsSmallAsTrianglesAsk)
+{
+  const Soup soup = sphere(6, 1).turned();
+  SizingSpec sizing;
+  sizing.largestDepth = 3;
+  for (const auto& triangle : soup.triangles)
+  {
+    const double x = soup.points[triangle[0]][0];
+    sizing.sizeOfTriangle.push_back(x > 0.5 ? 0.06 : x > 0 ? 0.2 : 0);
+  }
+  const Meshed meshed = boxed(soup, 0.4, sizing);
+  const Surface& surface = meshed.prepared.surface;
+  int undivided = 0;
+  for (std::size_t b = 0; b < meshed.boxed.boxes.packed.size(); ++b)
+  {
+    const Box box = meshed.boxed.boxes.box(b);
+    double least = 1e9;
+    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
+    {
+      const double wanted = sizing.sizeOfTriangle[surface.given[t]];
+      if (wanted > 0 && clip(surface.corners(t), box.low, box.high).size > 0)
+      {
+        least = std::min(least, wanted);
+      }
+    }
+    ASSERT_LE(longestEdge(placeOf(meshed.boxed.boxes, box)), least * (1 + 1e-6));
+    undivided += leastLevel(box) == 0 ? 1 : 0;
+  }
+  EXPECT_GT(undivided, 10);
+  EXPECT_TRUE(isValid(meshed.mesh));
 }
 
 }

@@ -87,6 +87,7 @@ double volumeUnder(const Layered& layered, const Face& face)
 struct LayerCells
 {
   std::size_t notPositive = 0;
+  std::size_t fewFaces = 0;       // cells of less than four
   std::size_t open = 0;           // cells with an edge that is not used once each way
   std::size_t unmatchedFaces = 0; // that are neither shared nor boundary
 };
@@ -99,7 +100,9 @@ LayerCells examine(const Layered& l)
   {
     double volume = 0;
     std::map<std::pair<Id, Id>, int> edges;
-    for (const Face& face : facesAt(l.stacks().faceStream, l.stacks().faceStart[c]))
+    const std::vector<Face> faces = facesAt(l.stacks().faceStream, l.stacks().faceStart[c]);
+    result.fewFaces += faces.size() < 4 ? 1 : 0;
+    for (const Face& face : faces)
     {
       volume += volumeUnder(l, face);
       ++uses[{ face.begin(), face.end() }];
@@ -136,6 +139,45 @@ LayerCells examine(const Layered& l)
   return result;
 }
 
+// The least FaceWeight of the sides between two stacks; 0.5 if there are none.
+double thinnestSide(const Layered& l)
+{
+  struct Beside
+  {
+    std::size_t stack;
+    double height; // of the cell's centre over the face
+  };
+  std::map<std::set<Id>, std::vector<Beside>> sides;
+  for (std::size_t c = 0; c < l.stacks().cells(); ++c)
+  {
+    const std::vector<Face> faces = facesAt(l.stacks().faceStream, l.stacks().faceStart[c]);
+    std::vector<FaceGeometry> measures;
+    measures.reserve(faces.size());
+    for (const Face& face : faces)
+    {
+      measures.push_back(measureFace(face.size(), [&](std::size_t i) { return l.point(face[i]); }));
+    }
+    const Vector centre = measureCell(faces.size(), [&](std::size_t i) -> const FaceGeometry& {
+      return measures[i];
+    }).centre;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+    {
+      const double height = dot(minus(measures[f].centre, centre), unit(measures[f].area));
+      sides[{ faces[f].begin(), faces[f].end() }].push_back({ l.stacks().stackOf(c), height });
+    }
+  }
+  double least = 0.5;
+  for (const auto& [points, cells] : sides)
+  {
+    if (cells.size() == 2 && cells[0].stack != cells[1].stack)
+    {
+      const auto [low, high] = std::minmax(cells[0].height, cells[1].height);
+      least = std::min(least, low / (low + high));
+    }
+  }
+  return least;
+}
+
 // Enclosed by the boundary.
 double meshVolume(const Layered& layered)
 {
@@ -151,29 +193,6 @@ double meshVolume(const Layered& layered)
     sum += volumeUnder(layered, face);
   }
   return sum;
-}
-
-// The mesh and its layers as one.
-MeshArrays wholeOf(const Layered& layered)
-{
-  MeshArrays whole = layered.mesh;
-  const PrismStacks& stacks = layered.stacks();
-  const auto connectivity = static_cast<Id>(whole.connectivity.size());
-  const auto faceStream = static_cast<Id>(whole.faceStream.size());
-  whole.points.insert(whole.points.end(), stacks.points.begin(), stacks.points.end());
-  whole.connectivity.insert(
-    whole.connectivity.end(), stacks.connectivity.begin(), stacks.connectivity.end());
-  whole.faceStream.insert(
-    whole.faceStream.end(), stacks.faceStream.begin(), stacks.faceStream.end());
-  whole.offsets.pop_back();
-  for (std::size_t c = 0; c < stacks.cells(); ++c)
-  {
-    whole.offsets.push_back(connectivity + stacks.offsets[c]);
-    whole.faceStart.push_back(faceStream + stacks.faceStart[c]);
-    whole.types.push_back(MeshArrays::Polyhedron);
-  }
-  whole.offsets.push_back(connectivity + stacks.offsets.back());
-  return whole;
 }
 
 std::size_t countFailing(const Quality& quality, Measure measure)
@@ -196,6 +215,7 @@ void expectFilled(const Soup& soup, TestOptions options, double cells)
   options.grid = cellsAlongLongest(soup, cells);
   const Layered layered = meshWithLayers(soup, options);
   const LayerCells found = examine(layered);
+  EXPECT_EQ(found.fewFaces, 0U);
   EXPECT_EQ(found.open, 0U);
   EXPECT_EQ(found.notPositive, 0U);
   EXPECT_EQ(found.unmatchedFaces, 0U);
@@ -218,8 +238,80 @@ TEST(PrismStacks, FillATurnedCube)
 TEST(PrismStacks, SlideWithinBoundariesWithoutLayers)
 {
   TestOptions options = fiveLayers(0.0025);
-  options.layers.boundariesWithout = { 0, 1 };
+  options.layers.boundaries = { { 0, 0 }, { 1, 0 } };
   expectFilled(cube().turned(), options, 20);
+}
+
+// As thick as asked, but where cells are cut off at edges.
+TEST(PrismStacks, DifferOnBoundaries)
+{
+  constexpr std::array<double, 6> Asked{ 0.01, 0, 0.03, 0.02, 0.02, 0.015 };
+  const Soup soup = cube();
+  TestOptions options = fiveLayers(0);
+  options.layers.thickness = 0.02;
+  options.layers.boundaries = { { 0, Asked[0] }, { 1, 0 }, { 2, Asked[2] }, { 5, Asked[5] } };
+  options.grid = cellsAlongLongest(soup, 20);
+  const Layered layered = meshWithLayers(soup, options);
+  EXPECT_EQ(examine(layered).unmatchedFaces, 0U);
+  EXPECT_NEAR(meshVolume(layered), 1, 1e-9);
+  const LayeredBoundary& boundary = layered.assembly->layers->boundary;
+  std::array<std::size_t, 6> faces{};
+  std::array<std::size_t, 6> asAsked{};
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f)
+  {
+    const auto side = static_cast<std::size_t>(boundary.faces[f].boundary);
+    ++faces[side];
+    asAsked[side] += std::abs(boundary.thickness[f] - Asked[side]) < 1e-6;
+  }
+  for (std::size_t side = 0; side < faces.size(); ++side)
+  {
+    EXPECT_GT(2 * asAsked[side], faces[side]) << side;
+  }
+}
+
+// Along z from 0 to 4 with a radius of 1: boundary 0, with ends 1 and 2.
+Soup pipe(std::uint32_t facets)
+{
+  Soup soup;
+  soup.points = { { 0, 0, 0 }, { 0, 0, 4 } };
+  for (std::uint32_t i = 0; i < facets; ++i)
+  {
+    const double angle = 2 * Pi * i / facets;
+    soup.points.push_back({ std::cos(angle), std::sin(angle), 0 });
+    soup.points.push_back({ std::cos(angle), std::sin(angle), 4 });
+    const std::uint32_t a = 2 + 2 * i;
+    const std::uint32_t b = 2 + 2 * ((i + 1) % facets);
+    soup.triangles.insert(soup.triangles.end(),
+      { { a, b, b + 1 }, { a, b + 1, a + 1 }, { 0, b, a }, { 1, a + 1, b + 1 } });
+    soup.boundary.insert(soup.boundary.end(), { 0, 0, 1, 2 });
+  }
+  return soup;
+}
+
+// Boxes are ten times as long as the rim's edges.
+TEST(PrismStacks, AreCompleteAlongFinelyDividedRims)
+{
+  const Soup soup = pipe(400).turned();
+  TestOptions options;
+  options.layers.count = 5;
+  options.layers.firstThickness = 0.01;
+  options.layers.boundaries = { { 1, 0 }, { 2, 0 } };
+  options.grid = cellsAlongLongest(soup, 20);
+  const Layered layered = meshWithLayers(soup, options);
+  const LayerCells found = examine(layered);
+  EXPECT_EQ(found.fewFaces, 0U);
+  EXPECT_EQ(found.open, 0U);
+  EXPECT_EQ(found.unmatchedFaces, 0U);
+  const LayeredBoundary& boundary = layered.assembly->layers->boundary;
+  std::size_t walls = 0;
+  std::size_t thin = 0;
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f)
+  {
+    const bool isWall = boundary.faces[f].boundary == 0;
+    walls += isWall;
+    thin += isWall && boundary.thickness[f] < 0.5 * layered.assembly->layers->thickness;
+  }
+  EXPECT_LT(50 * thin, walls); // 9 of 733; 34 if each edge of the rim has a side of its own
 }
 
 class LayersOnShapes : public ::testing::TestWithParam<NamedShape>
@@ -244,11 +336,13 @@ TEST_P(LayersOnShapes, AreAcceptedAndTakeNothingAway)
     return;
   }
   const LayerCells found = examine(layered);
+  EXPECT_EQ(found.fewFaces, 0U);
   EXPECT_EQ(found.open, 0U);
   EXPECT_EQ(found.notPositive, 0U);
   EXPECT_EQ(found.unmatchedFaces, 0U);
+  EXPECT_GE(thinnestSide(layered), 0.0199); // 0.02, but for rounding
   const Quality before = qualityOf(layered.plain);
-  const Quality quality = qualityOf(wholeOf(layered));
+  const Quality quality = qualityOf(withLayers(layered.plain, *layered.assembly->layers));
   for (const Measure measure :
     { Volume, Openness, OpenEdges, BoundaryAngle, NonOrthogonality, Skewness, AspectRatio })
   {

@@ -219,12 +219,14 @@ TEST(Resources, MemoryIsEstimated)
     options.grid = cellsAlongLongest(soup, c.cells);
     options.refinement.depth = c.depth;
     options.patches.method = c.method;
-    Execution execution(1);
+    Execution execution(16);
     const PreparedSurface prepared = prepareSurface(soup.view(), options, execution);
     const auto decomposition = decompose(prepared, options, execution);
-    const Boxes boxes = decomposition->boxes(decomposition->allLayers(), execution);
+    const Layers all = decomposition->allLayers();
+    const Boxes boxes = decomposition->boxes(all, execution);
     const double estimated =
-      estimateMesh(prepared.surface, decomposition->shoeboxes(), boxes).bytes(prepared.memoryLimit);
+      decomposition->together(estimateLayers(decomposition->shoeboxes(), boxes), all)
+        .bytes(prepared.memoryLimit);
     EXPECT_GT(estimated, 1e6 * c.taken) << c.file << ", depth " << c.depth;
     EXPECT_LT(estimated, 2e6 * c.taken) << c.file << ", depth " << c.depth;
   }

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <ctime>
+#include <random>
 
 using namespace cartesian;
 
@@ -32,12 +33,19 @@ Soup fan(std::uint32_t count)
   return soup;
 }
 
-// A cube with a dense ball in it: 12 * n * n triangles in one box of the grid, or in a few.
-Soup denseSpot(int n)
+// A cube with a dense ball in it: 12 * n * n triangles in one box of the grid, or in a few. Rough, as a part of its
+// radius: most of them are of a shape that solvers refuse.
+Soup denseSpot(int n, double roughness = 0)
 {
   Soup soup = box({ -1, -1, -1 }, { 1, 1, 1 });
   soup.boundary.clear();
-  Soup spot = sphere(n, 0.05).moved({ 0.02, 0.03, 0.05 }).flipped();
+  Soup spot = sphere(n, 0.05);
+  std::mt19937 random(1);
+  for (Vector& point : spot.points)
+  {
+    point = scaled(point, 1 + roughness * static_cast<double>(random()) / 4294967296.0);
+  }
+  spot = spot.moved({ 0.02, 0.03, 0.05 }).flipped();
   spot.boundary.clear();
   return soup.add(spot);
 }
@@ -89,7 +97,8 @@ TEST(Stops, NoStageIsSilentForASecond)
     double cells;
   };
   const std::vector<Case> all{ { "Sphere", sphere(RepeatedLess == 1 ? 150 : 40, 1), 12 },
-    { "Fan", fan(20000 / Most), 16 }, { "DenseSpot", denseSpot(RepeatedLess == 1 ? 91 : 20), 15 } };
+    { "Fan", fan(20000 / Most), 16 }, { "DenseSpot", denseSpot(RepeatedLess == 1 ? 91 : 20), 15 },
+    { "RoughSpot", denseSpot(RepeatedLess == 1 ? 75 : 15, 0.01), 15 } };
   for (const Case& c : all)
   {
     for (const PatchMethod method : { PatchMethod::Automatic, PatchMethod::ExactFit })

@@ -23,13 +23,21 @@ struct Part
   std::map<std::string, double> statistics;
 };
 
+PreparedSurface preparedWith(
+  const Soup& soup, const GridSpec& grid, Options options, Execution& execution)
+{
+  options.grid = grid;
+  options.memoryLimit = PlentyOfMemory;
+  return prepareSurface(soup.view(), options, execution);
+}
+
 class Parts
 {
 public:
   Parts(const Soup& soup, const GridSpec& grid, const TestOptions& options)
     : execution_(options.threads)
     , options_(options)
-    , prepared_(prepare(soup, grid))
+    , prepared_(preparedWith(soup, grid, options, execution_))
     , decomposition_(decompose(prepared_, options, execution_))
   {
   }
@@ -207,15 +215,20 @@ void expectUnion(const Soup& soup, const GridSpec& grid, const TestOptions& opti
 }
 
 // Divided where the mesher would divide, and elsewhere.
-void expectShapedUnion(const Soup& soup, const GridSpec& grid, int depthEverywhere)
+void expectShapedUnion(const Soup& soup, const GridSpec& grid, const TestOptions& options)
 {
-  TestOptions options;
-  options.refinement = depth(depthEverywhere);
   Parts parts(soup, grid, options);
   const auto end = static_cast<std::uint32_t>(parts.eachLayer().size());
   ASSERT_GT(end, 45u); // else parts see all layers
   expectUnion(parts, meshOf(soup, grid, options),
     { parts.split(2), parts.split(4), { { 0, 18 }, { 18, 19 }, { 19, 30 }, { 30, end } } });
+}
+
+void expectShapedUnion(const Soup& soup, const GridSpec& grid, int depthEverywhere)
+{
+  TestOptions options;
+  options.refinement = depth(depthEverywhere);
+  expectShapedUnion(soup, grid, options);
 }
 
 TestOptions automatic(int depthEverywhere, double smallCellRatio = 1e-3)
@@ -313,6 +326,31 @@ TEST(Parts, AreTheWholeMeshWithoutFragments)
   const GridSpec grid = cellsAlongLongest(soup, 61.3);
   ASSERT_GT(meshOf(soup, grid, TestOptions()).statistics.at("FragmentCellsRemoved"), 5);
   expectShapedUnion(soup, grid, 0);
+}
+
+// A ball in a block that a baffle divides.
+TEST(Parts, AreTheWholeMeshOfSeveralRegions)
+{
+  Soup soup;
+  soup.addRegion(sphere(5, 0.3).moved({ 0.4, 0.5, 0.5 }));
+  soup.addRegion(cube());
+  soup.boundary.assign(soup.triangles.size(), 0);
+  const auto first = static_cast<std::uint32_t>(soup.points.size());
+  for (const Vector& corner : { Vector{ 0.85, 0, 0 }, Vector{ 0.9, 1, 0 }, Vector{ 0.8, 0, 1 } })
+  {
+    soup.points.push_back(corner);
+  }
+  soup.points.push_back({ 0.85, 1, 1 });
+  for (const std::array<std::uint32_t, 3>& t :
+    { std::array<std::uint32_t, 3>{ 0, 1, 3 }, { 0, 3, 2 } })
+  {
+    soup.triangles.push_back({ first + t[0], first + t[1], first + t[2] });
+    soup.boundary.push_back(1);
+    soup.region.push_back(FirstRegion + 1);
+  }
+  TestOptions options;
+  options.baffles = { { 1, 2 } };
+  expectShapedUnion(tall(soup), cellsAlongLongest(tall(soup), 46.3), options);
 }
 
 TEST(Parts, AreTheWholeMeshByExactFit)

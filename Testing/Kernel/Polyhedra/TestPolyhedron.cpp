@@ -185,6 +185,24 @@ TEST(PolyhedronCut, APlaneNearCornersTakesThem)
   EXPECT_DOUBLE_EQ(volumeOf(partOf(cube(), cut, 1)), 5e8);
 }
 
+// The edges of the cutting polygon would turn by more than 5 degrees.
+TEST(PolyhedronCut, APlaneFartherFromCornersLeavesThem)
+{
+  const double slope = std::tan(radians(45.0 + 6));
+  CellCut cut;
+  ASSERT_TRUE(cutCell(cube(), { { 0, 0, 0 }, unit({ -slope, 1, 0 }), {} }, cut));
+  ASSERT_EQ(cut.points.size(), 2u);
+  for (const CellCut::NewNode& node : cut.points)
+  {
+    EXPECT_NEAR(node.at[0], 1000 / slope, 1);
+    EXPECT_EQ(node.at[1], 1000);
+  }
+  std::vector<double> volumes{ volumeOf(partOf(cube(), cut, 0)), volumeOf(partOf(cube(), cut, 1)) };
+  std::sort(volumes.begin(), volumes.end());
+  EXPECT_NEAR(volumes[0], 5e8 / slope, 1e6);
+  EXPECT_NEAR(volumes[1], 1e9 - 5e8 / slope, 1e6);
+}
+
 TEST(PolyhedronCut, APlaneBesideTheCellCutsNothing)
 {
   CellCut cut;

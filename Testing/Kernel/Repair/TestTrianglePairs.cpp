@@ -100,24 +100,19 @@ double areaOf(const std::vector<Vector>& polygon)
   return std::sqrt(dot(sum, sum)) / 2;
 }
 
-Vector vectorOf(const Point& p)
-{
-  return { double(p[0]), double(p[1]), double(p[2]) };
-}
-
 // `a` clipped to the prism over `b`, and to its plane from both sides.
 Contact wanted(const Surface& surface, std::uint32_t a, std::uint32_t b)
 {
   const Corners ca = surface.corners(a);
   const Corners cb = surface.corners(b);
   const Vector n = normalOfTriangle(cb);
-  std::vector<Vector> rest{ vectorOf(ca[0]), vectorOf(ca[1]), vectorOf(ca[2]) };
+  std::vector<Vector> rest{ toVector(ca[0]), toVector(ca[1]), toVector(ca[2]) };
   for (std::size_t i = 0; i < 3; ++i)
   {
-    rest = clipped(rest, vectorOf(cb[i]), cross(n, minus(cb[(i + 1) % 3], cb[i])));
+    rest = clipped(rest, toVector(cb[i]), cross(n, minus(cb[(i + 1) % 3], cb[i])));
   }
-  rest = clipped(rest, vectorOf(cb[0]), n);
-  rest = clipped(rest, vectorOf(cb[0]), { -n[0], -n[1], -n[2] });
+  rest = clipped(rest, toVector(cb[0]), n);
+  rest = clipped(rest, toVector(cb[0]), { -n[0], -n[1], -n[2] });
   const Vector m = normalOfTriangle(ca);
   const Vector both = cross(m, n);
   if (dot(both, both) == 0)

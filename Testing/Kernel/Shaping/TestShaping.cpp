@@ -75,6 +75,29 @@ TEST(Shaping, AnEllInOneBoxIsSplitInTwo)
   EXPECT_GT(whole.statistics.at("BoundaryAngleFailures"), 0);
 }
 
+// Equation 6: the plane halves the angle at the concave edge, wherever it ends then. Arms of 0.25 and 0.4, so
+// that it ends beside the far corner.
+TEST(Shaping, ACutHalvesTheConcaveAngle)
+{
+  const Soup uneven = voxels({ std::vector<double>{ 0, 0.25, 1 }, { 0, 0.4, 1 }, { 0, 1 } },
+    [](int i, int j, int) { return i == 0 || j == 0; });
+  const Meshed split = meshOf(uneven, cellsOf(1), shaped(SmallCells::Remove));
+  ASSERT_EQ(split.mesh.cells(), 2U);
+  const auto pointsNear = [&](double x, double y) {
+    int count = 0;
+    for (std::size_t p = 0; p < split.mesh.points.size(); p += 3)
+    {
+      count +=
+        std::abs(split.mesh.points[p] - x) < 1e-6 && std::abs(split.mesh.points[p + 1] - y) < 1e-6;
+    }
+    return count;
+  };
+  EXPECT_GE(pointsNear(0.25, 0.4), 2);
+  EXPECT_GE(pointsNear(0, 0.15), 2) << "at 45 degrees from the concave edge";
+  EXPECT_TRUE(isValid(split.mesh));
+  EXPECT_TRUE(fills(split.mesh, uneven));
+}
+
 TEST(Shaping, ASlabIsMergedIntoTheCellsBelow)
 {
   // 3 x 3 x 1 boxes filled, and a slab of a hundredth of a box above them.

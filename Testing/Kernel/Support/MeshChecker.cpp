@@ -214,7 +214,8 @@ private:
     const std::size_t n = mesh_.cells();
     return expect(mesh_.offsets.size() == n + 1 && mesh_.faceStart.size() == n &&
                mesh_.globalBox.size() == 3 * n && mesh_.level.size() == 3 * n &&
-               mesh_.region.size() == n && mesh_.volumeFraction.size() == n &&
+               mesh_.region.size() == n &&
+               (mesh_.volumeFraction.empty() || mesh_.volumeFraction.size() == n) &&
                mesh_.boundaryStart.size() == mesh_.boundaryCell.size() + 1 &&
                mesh_.boundaryIndex.size() == mesh_.boundaryCell.size() &&
                mesh_.offsets.back() == static_cast<Id>(mesh_.connectivity.size()),
@@ -280,8 +281,9 @@ private:
       slack += level == 0 ? 0 : 2 * mesh_.step / std::ldexp(global, -level);
     }
     expect(volume > 0, name + " has the volume " + std::to_string(volume / whole) + " of its box");
-    expect(std::abs(volume / whole - mesh_.volumeFraction[cell]) <
-        slack * std::max<Real>(1, mesh_.volumeFraction[cell]),
+    expect(mesh_.volumeFraction.empty() ||
+        std::abs(volume / whole - mesh_.volumeFraction[cell]) <
+          slack * std::max<Real>(1, mesh_.volumeFraction[cell]),
       name + " has another volume fraction: " + std::to_string(volume / whole));
   }
 

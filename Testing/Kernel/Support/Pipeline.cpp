@@ -129,6 +129,52 @@ TestOptions asTheyAre(double smallCellRatio, const RefinementSpec& refinement, i
   return options;
 }
 
+MeshArrays withLayers(MeshArrays mesh, const BoundaryLayers& layers)
+{
+  const PrismStacks& stacks = layers.stacks;
+  for (const MovedPoint& moved : stacks.moved)
+  {
+    std::copy(moved.to.begin(), moved.to.end(), mesh.points.begin() + 3 * moved.point);
+  }
+  mesh.points.insert(mesh.points.end(), stacks.points.begin(), stacks.points.end());
+  const auto connectivity = static_cast<Id>(mesh.connectivity.size());
+  const auto faceStream = static_cast<Id>(mesh.faceStream.size());
+  mesh.connectivity.insert(
+    mesh.connectivity.end(), stacks.connectivity.begin(), stacks.connectivity.end());
+  mesh.faceStream.insert(mesh.faceStream.end(), stacks.faceStream.begin(), stacks.faceStream.end());
+  mesh.offsets.pop_back();
+  for (std::size_t c = 0; c < stacks.cells(); ++c)
+  {
+    const auto below = static_cast<std::size_t>(stacks.below[c]);
+    mesh.offsets.push_back(connectivity + stacks.offsets[c]);
+    mesh.faceStart.push_back(faceStream + stacks.faceStart[c]);
+    mesh.types.push_back(MeshArrays::Polyhedron);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      mesh.globalBox.push_back(mesh.globalBox[3 * below + axis]);
+      mesh.level.push_back(mesh.level[3 * below + axis]);
+    }
+    mesh.region.push_back(mesh.region[below]);
+  }
+  mesh.offsets.push_back(connectivity + stacks.offsets.back());
+  mesh.volumeFraction.clear();
+  const BoundaryMesh& boundary = layers.boundary.mesh;
+  mesh.boundaryStart = boundary.start;
+  mesh.boundaryPoints.clear();
+  for (const Id corner : boundary.corners)
+  {
+    mesh.boundaryPoints.push_back(boundary.meshPoint.at(static_cast<std::size_t>(corner)));
+  }
+  mesh.boundaryCell.clear();
+  mesh.boundaryIndex.clear();
+  for (const BoundaryFace& face : layers.boundary.faces)
+  {
+    mesh.boundaryCell.push_back(face.cell);
+    mesh.boundaryIndex.push_back(face.boundary);
+  }
+  return mesh;
+}
+
 std::map<std::string, double> statisticsOf(const Assembly& assembly)
 {
   std::map<std::string, double> values;

@@ -45,6 +45,9 @@ struct MeshArrays
 
 MeshArrays arraysOf(const OutputMesh& mesh, const Boxes& boxes, Execution& execution);
 
+// A mesh and its layers as one, without volume fractions; cells of stacks have the data of those below them.
+MeshArrays withLayers(MeshArrays mesh, const BoundaryLayers& layers);
+
 std::map<std::string, double> statisticsOf(const Assembly& assembly);
 
 struct BoxedSurface

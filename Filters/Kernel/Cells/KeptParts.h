@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Connected parts of the domain, of which only those around given points are meshed.
+#pragma once
+
+#include "Cells/Cells.h"
+#include "Surface/KeepPoints.h"
+
+namespace cartesian
+{
+
+struct PartsToKeep
+{
+  std::vector<KeepPoint> points; // none: all parts
+  bool isEnclosed = false;       // none of them may reach the grid's ends
+};
+
+struct KeptParts
+{
+  std::size_t leftOut = 0;                  // parts
+  std::vector<std::uint32_t> boxes;         // that stay, by their old numbers, in order
+  std::vector<std::uint8_t> corners;        // of these: the corners that stay inside
+  std::vector<std::uint8_t> droppedPatches; // 1: bounds what is left out
+};
+
+// Cells, hexahedra among them, that faces connect are a part; it stays if a point is in it. The boxes must
+// be those of the whole grid, with one region. Throws Error (BadParameter): no cell has a point in it, or a part reaches there.
+KeptParts findKeptParts(const PartsToKeep& which, const Boxes& boxes, const Patches& patches,
+  const Sides& sides, const Nodes& nodes, const InnerFaces& inner, const Cells& cells);
+
+// Boxes and patches as they are for a surface without the other parts.
+void keepOnly(const KeptParts& parts, Boxes& boxes, Patches& patches, Execution& execution);
+
+}

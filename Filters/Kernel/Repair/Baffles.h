@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Baffles: open sheets in a region, each side of which becomes a boundary.
+//
+// A sheet that reaches from wall to wall divides its region into parts. For all steps up to the mesh that is
+// written, the parts are regions of their own, and the sheet is the wall between them (Walls.h): so its faces
+// are the same for the cells on both sides, and everything that holds between regions holds here. Walls::given
+// tells which region a part is of.
+//
+// The rim of a sheet need not have the edges of the walls: its corners go to the nearest places of the walls, and
+// the triangles on both sides are divided along each other where the sheet's plane meets them.
+#pragma once
+
+#include "Surface/Surface.h"
+
+#include <string>
+#include <vector>
+
+namespace cartesian
+{
+
+struct Baffle
+{
+  std::int32_t boundary; // of its triangles: of the cells that these point away from
+  std::int32_t back;     // of the cells on the other side
+};
+
+// Takes the triangles of baffles out of a surface.
+Surface takeBaffles(Surface& surface, const std::vector<Baffle>& baffles);
+
+// What regions are divided into.
+struct RegionParts
+{
+  std::vector<std::int32_t>
+    given; // of each part, the region that it is a part of; parts are numbered as regions
+};
+
+// `surface`: of all regions, each closed and oriented; Surface::region are parts then. `sheets`: from takeBaffles().
+// `tolerance`: how far from walls rims may end, in levels. `names`: of regions, for messages. Throws Error
+// (FlawedSurface): a sheet ends within its region or does not divide it, lies outside of it or on a wall.
+RegionParts divideByBaffles(Surface& surface, Surface sheets, const std::vector<Baffle>& baffles,
+  std::int32_t regions, double tolerance, const std::vector<std::string>& names,
+  Execution& execution);
+
+}

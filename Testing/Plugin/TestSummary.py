@@ -1,0 +1,58 @@
+"""Mesh Summary: its numbers are those of the mesh's arrays, the worst cells are the worst, and the view shows the text."""
+
+import re
+
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from pipeline import error_code, output
+
+cube = simple.Triangulate(Input=simple.Box())
+ball = simple.Transform(Input=simple.Sphere(ThetaResolution=24, PhiResolution=16))
+ball.Transform.Translate = [0.3, 0.2, 0.1]
+tunnel = simple.CartesianMesher(Input=ball, Domain="Outside", LengthsBefore=1, LengthsBehind=1, LengthsBeside=1,
+    CellSize=0.25, RefinementDepth=1)
+mesh = output(tunnel)
+summary = simple.MeshSummary(Input=tunnel, Measure="Non Orthogonality", NumberOfWorstCells=7)
+text = output(summary).GetColumnByName("Text").GetValue(0)
+print(text)
+quality = output(simple.FiniteVolumeQuality(Input=tunnel))
+
+
+def field(name):
+    return quality.GetFieldData().GetArray(name).GetValue(0)
+
+
+assert re.search(rf"^{mesh.GetNumberOfCells()} cells \(\d+ hexahedra\), {mesh.GetNumberOfPoints()} points$", text, re.M)
+assert f"Volume {field('TotalVolume'):.6g}, boundary {field('BoundaryArea'):.6g}\n" in text
+names = mesh.GetFieldData().GetAbstractArray("BoundaryNames")
+areas = mesh.GetFieldData().GetArray("BoundaryAreas")
+assert names.GetNumberOfValues() == 7
+for i in range(7):
+    assert f"  {names.GetValue(i)}: area {areas.GetValue(i):.6g}\n" in text
+value = vtk_to_numpy(quality.GetCellData().GetArray("NonOrthogonality"))
+found = re.search(r"NonOrthogonality (\S+) at \((\S+), (\S+), (\S+)\)", text)
+assert found[1] == f"{value.max():.6g}", found[0]
+bounds = np.reshape(quality.GetCell(int(value.argmax())).GetBounds(), (3, 2)).mean(axis=1)
+assert np.allclose([float(x) for x in found.groups()[1:]], bounds, atol=1e-5), (found[0], bounds)
+assert ("No cell is at fault" in text) == (field("FailingCells") == 0)
+
+worst = output(summary, 1)
+assert worst.GetNumberOfCells() == 7
+rank = vtk_to_numpy(worst.GetCellData().GetArray("Rank"))
+own = vtk_to_numpy(worst.GetCellData().GetArray("NonOrthogonality"))
+assert (own[np.argsort(rank)] == np.sort(value)[::-1][:7]).all(), own
+summary.Measure = "Volume"
+own = vtk_to_numpy(output(summary, 1).GetCellData().GetArray("Volume"))
+assert (np.sort(own) == np.sort(vtk_to_numpy(quality.GetCellData().GetArray("Volume")))[:7]).all()
+summary.NumberOfWorstCells = 0
+assert output(summary, 1).GetNumberOfCells() == 0 and error_code(summary) == 0
+
+# Any other grid, too.
+plain = simple.MeshSummary(Input=simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[0, 2, 0, 2, 0, 2])))
+assert "\nVolume 8, boundary 24\n" in output(plain).GetColumnByName("Text").GetValue(0)
+
+# As a text, in a view that needs no screen.
+view = simple.servermanager.ProxyManager().GetPrototypeProxy("views", "RenderView")
+assert view.GetRepresentationType(summary.SMProxy, 0) == "TextSourceRepresentation"
