@@ -1,7 +1,7 @@
-// Benchmark [stages | growth | refinement | memory] [THREADS...]: what the kernel takes, in seconds and memory,
-// with each of the given numbers of threads (default: 1, and one a core).
+// Benchmark [stages | growth | refinement | memory] [THREADS...] [FILE.stl...]: what the kernel takes, in seconds
+// and memory, with each of the given numbers of threads (default: 1, and one a core).
 //
-// stages: stage by stage, for three surfaces at three sizes; growth: against the number of cells, of
+// stages: stage by stage, for three surfaces, or those of the files (ASCII), at three sizes; growth: against the number of cells, of
 // triangles, and the depth, with exponents, on the first number of threads; refinement: how many
 // boxes it takes against an isotropic octree; memory: what is estimated for 40 meshes against what they take, on the
 // first number of threads. By default all.
@@ -13,6 +13,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <iterator>
 #include <thread>
 
 #include <sys/wait.h>
@@ -43,6 +45,31 @@ void printStages(const Triangles& surface, double cellSize, PatchMethod method, 
   }
   std::printf("\n");
   std::fflush(stdout);
+}
+
+void printStages(const Triangles& surface, const std::vector<int>& threads)
+{
+  for (const double cells : Sizes)
+  {
+    const double size = sizeFor(cells, surface);
+    for (const int number : threads)
+    {
+      printStages(surface, size, PatchMethod::Automatic, number);
+      printStages(surface, size, PatchMethod::ExactFit, number);
+    }
+  }
+}
+
+std::vector<Triangles> surfaces(const std::vector<std::string>& files)
+{
+  if (files.empty())
+  {
+    return { sphere(100), readStl("kcl_exhaust_header_lumens.stl"),
+      readStl("tm_featuretype_occ.stl") };
+  }
+  std::vector<Triangles> read;
+  std::transform(files.begin(), files.end(), std::back_inserter(read), readStl);
+  return read;
 }
 
 // A table whose rows grow in one quantity; time and memory grow with exponents of it.
@@ -233,9 +260,14 @@ int main(int count, char** arguments)
     const bool all = count == 1 || std::atoi(arguments[1]) > 0;
     return all || std::strcmp(arguments[1], what) == 0;
   };
+  std::vector<std::string> files;
   for (int i = 1; i < count; ++i)
   {
-    if (std::atoi(arguments[i]) > 0)
+    if (std::filesystem::path(arguments[i]).extension() == ".stl")
+    {
+      files.push_back(std::filesystem::absolute(arguments[i]));
+    }
+    else if (std::atoi(arguments[i]) > 0)
     {
       threads.push_back(std::atoi(arguments[i]));
     }
@@ -246,21 +278,11 @@ int main(int count, char** arguments)
   }
   try
   {
-    for (const Triangles& surface :
-      { sphere(100), readStl("kcl_exhaust_header_lumens.stl"), readStl("tm_featuretype_occ.stl") })
+    if (asked("stages"))
     {
-      for (const double cells : Sizes)
+      for (const Triangles& surface : surfaces(files))
       {
-        if (!asked("stages"))
-        {
-          break;
-        }
-        const double size = sizeFor(cells, surface);
-        for (const int number : threads)
-        {
-          printStages(surface, size, PatchMethod::Automatic, number);
-          printStages(surface, size, PatchMethod::ExactFit, number);
-        }
+        printStages(surface, threads);
       }
     }
     if (asked("growth"))

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <malloc.h>
 
@@ -174,10 +175,9 @@ Triangles sphere(int rings)
   return surface;
 }
 
-// An STL file in ASCII.
 Triangles readStl(const std::string& name)
 {
-  std::ifstream file(DATA_FOLDER "/" + name);
+  std::ifstream file(std::filesystem::path(DATA_FOLDER) / name);
   Triangles surface;
   surface.name = name;
   std::array<std::array<double, 3>, 3> triangle;

@@ -25,7 +25,7 @@ struct Triangles
 };
 
 Triangles sphere(int rings);                // 4 rings (rings - 1) triangles, of radius 1
-Triangles readStl(const std::string& name); // ASCII, in the folder Data
+Triangles readStl(const std::string& name); // ASCII; a path, from the folder Data
 
 constexpr double PlentyOfMemory = 1000; // GiB
 
