@@ -23,6 +23,8 @@ namespace
 constexpr const char* LatticeOrigin = "LatticeOrigin";
 constexpr const char* LatticeStep = "LatticeStep";
 constexpr std::array<const char*, 3> PlaneNames = { "PlanesX", "PlanesY", "PlanesZ" };
+constexpr std::array<const char*, 3> MovedNames = { "MovedPlanesX", "MovedPlanesY",
+  "MovedPlanesZ" };
 
 // Numbers the corners of all boxes.
 Numbering numberCorners(const Boxes& boxes)
@@ -203,6 +205,36 @@ Meshlines readPlanes(vtkUnstructuredGrid* grid)
   return planes;
 }
 
+bool isBetween(const Meshlines& planes, std::size_t axis, double level, double fine)
+{
+  return level > planeAt(planes, axis, std::int64_t(fine) - 1) &&
+    level < planeAt(planes, axis, std::int64_t(fine) + 1) && onPlane(static_cast<Level>(level));
+}
+
+void readMoved(vtkUnstructuredGrid* grid, Meshlines& planes)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const std::vector<double> values = getField(grid, MovedNames[axis], 0);
+    const double end = double(planes[axis].size() - 1) * double(FinePerBox);
+    double before = 0;
+    for (std::size_t i = 0; i < values.size(); i += 2)
+    {
+      const double fine = values[i];
+      if (i + 1 == values.size() || !(fine > before && fine < end) ||
+        !isBetween(planes, axis, values[i + 1], fine))
+      {
+        throw Error(Fault::MissingArray,
+          std::string("Field data array \"") + MovedNames[axis] +
+            "\" is not what Cartesian Boxer wrote.");
+      }
+      planes.moved[axis].push_back(
+        { static_cast<std::int64_t>(fine), static_cast<Level>(values[i + 1]) });
+      before = fine;
+    }
+  }
+}
+
 void setVoxels(const Boxes& boxes, vtkUnstructuredGrid* grid)
 {
   const Numbering corners = numberCorners(boxes);
@@ -276,9 +308,16 @@ void toVTK(const Boxes& boxes, vtkUnstructuredGrid* grid)
   setField(grid, LatticeOrigin,
     { boxes.lattice.origin()[0], boxes.lattice.origin()[1], boxes.lattice.origin()[2] });
   setField(grid, LatticeStep, { boxes.lattice.step() });
-  for (int axis = 0; axis < 3; ++axis)
+  for (std::size_t a = 0; a < 3; ++a)
   {
-    setField(grid, PlaneNames[axis], { boxes.planes[axis].begin(), boxes.planes[axis].end() });
+    setField(grid, PlaneNames[a], { boxes.planes[a].begin(), boxes.planes[a].end() });
+    std::vector<double> moved;
+    for (const MovedPlane& plane : boxes.planes.moved[a])
+    {
+      moved.push_back(static_cast<double>(plane.fine));
+      moved.push_back(plane.level);
+    }
+    setField(grid, MovedNames[a], moved);
   }
 }
 
@@ -288,6 +327,7 @@ Boxes boxesFromVTK(vtkUnstructuredGrid* grid)
   const std::vector<double> origin = getField(grid, LatticeOrigin, 3);
   boxes.lattice = Lattice({ origin[0], origin[1], origin[2] }, getField(grid, LatticeStep, 1)[0]);
   boxes.planes = readPlanes(grid);
+  readMoved(grid, boxes.planes);
   boxes.core = boxes.allLayers();
 
   BoxReader reader(grid);
@@ -305,8 +345,8 @@ Boxes boxesFromVTK(vtkUnstructuredGrid* grid)
 
 void removeBoxFields(vtkDataObject* data)
 {
-  for (const char* name :
-    { LatticeOrigin, LatticeStep, PlaneNames[0], PlaneNames[1], PlaneNames[2] })
+  for (const char* name : { LatticeOrigin, LatticeStep, PlaneNames[0], PlaneNames[1], PlaneNames[2],
+         MovedNames[0], MovedNames[1], MovedNames[2] })
   {
     data->GetFieldData()->RemoveArray(name);
   }

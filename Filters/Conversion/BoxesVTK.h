@@ -6,7 +6,8 @@
 // low corner in its global box, in 1/64 of it), Status (unsigned char: 1 inside, 2 intersected),
 // CornerStatus (unsigned char, bit x + 2 y + 4 z: that corner is inside).
 // Field data: LatticeOrigin (3, user units), LatticeStep (1, user units), PlanesX, PlanesY, PlanesZ
-// (even levels of the lattice).
+// (even levels of the lattice), MovedPlanesX, MovedPlanesY, MovedPlanesZ (pairs of numbers: a plane that divides
+// boxes, in 1/64 of them from the first meshline, and its level, where that is not at this part).
 #pragma once
 
 #include "Boxes/Boxes.h"

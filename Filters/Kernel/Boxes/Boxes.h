@@ -162,21 +162,34 @@ private:
   void findNearDepths();
 };
 
-// The level of a plane of the fine grid, `part` fine steps (0 to FinePerBox) from plane i towards
+// The level of a plane of the fine grid, `part` fine steps (0 to FinePerBox) from meshline i towards
 // the next.
-inline Level planeAt(const std::vector<Level>& planes, std::size_t i, std::int64_t part)
+inline Level planeAt(const Meshlines& planes, std::size_t axis, std::size_t i, std::int64_t part)
 {
+  const std::vector<Level>& lines = planes[axis];
   if (part == 0 || part == FinePerBox)
   {
-    return planes[i + (part == 0 ? 0 : 1)];
+    return lines[i + (part == 0 ? 0 : 1)];
   }
-  const std::int64_t half = (std::int64_t(planes[i + 1]) - planes[i]) / 2;
-  return static_cast<Level>(planes[i] + 2 * (half * part / FinePerBox));
+  const std::vector<MovedPlane>& moved = planes.moved[axis];
+  if (!moved.empty())
+  {
+    const std::int64_t fine = static_cast<std::int64_t>(i) * FinePerBox + part;
+    const auto found = std::lower_bound(moved.begin(), moved.end(), fine,
+      [](const MovedPlane& plane, std::int64_t at) { return plane.fine < at; });
+    if (found != moved.end() && found->fine == fine)
+    {
+      return found->level;
+    }
+  }
+  const std::int64_t half = (std::int64_t(lines[i + 1]) - lines[i]) / 2;
+  return static_cast<Level>(lines[i] + 2 * (half * part / FinePerBox));
 }
 
-inline Level planeAt(const std::vector<Level>& planes, std::int64_t fine)
+inline Level planeAt(const Meshlines& planes, std::size_t axis, std::int64_t fine)
 {
-  return planeAt(planes, static_cast<std::size_t>(fine >> DeepestLevel), fine & (FinePerBox - 1));
+  return planeAt(
+    planes, axis, static_cast<std::size_t>(fine >> DeepestLevel), fine & (FinePerBox - 1));
 }
 
 inline FinePoint Boxes::fineLow(const PackedBox& box) const
@@ -196,8 +209,8 @@ inline Box Boxes::placed(const PackedBox& box) const
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const std::int64_t low = box.offset[axis];
-    result.low[axis] = planeAt(planes[axis], at[axis], low);
-    result.high[axis] = planeAt(planes[axis], at[axis], low + (FinePerBox >> box.level[axis]));
+    result.low[axis] = planeAt(planes, axis, at[axis], low);
+    result.high[axis] = planeAt(planes, axis, at[axis], low + (FinePerBox >> box.level[axis]));
   }
   return result;
 }
@@ -206,8 +219,8 @@ inline Point Boxes::lowOf(std::size_t b) const
 {
   const PackedBox& box = packed[b];
   const auto& at = globalOf(box).index;
-  return { planeAt(planes[0], at[0], box.offset[0]), planeAt(planes[1], at[1], box.offset[1]),
-    planeAt(planes[2], at[2], box.offset[2]) };
+  return { planeAt(planes, 0, at[0], box.offset[0]), planeAt(planes, 1, at[1], box.offset[1]),
+    planeAt(planes, 2, at[2], box.offset[2]) };
 }
 
 // The boxes across a side of `box` at its four quarters: (low, low), (high, low), (low, high),

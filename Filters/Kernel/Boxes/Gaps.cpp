@@ -34,7 +34,7 @@ Meshlines dividedBy(int level, const Meshlines& planes)
     const auto fines = static_cast<std::int64_t>(planes[axis].size() - 1) * FinePerBox;
     for (std::int64_t fine = 0; fine <= fines; fine += FinePerBox >> level)
     {
-      result[axis].push_back(planeAt(planes[axis], fine));
+      result[axis].push_back(planeAt(planes, axis, fine));
     }
   }
   return result;

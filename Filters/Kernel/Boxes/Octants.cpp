@@ -32,7 +32,7 @@ Point cornerOf(const Octant& octant, const Meshlines& planes, std::int64_t beyon
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const std::int64_t part = octant.position[axis] + beyond;
-    corner[axis] = planeAt(planes[axis], octant.global[axis], part * (FinePerBox >> octant.level));
+    corner[axis] = planeAt(planes, axis, octant.global[axis], part * (FinePerBox >> octant.level));
   }
   return corner;
 }

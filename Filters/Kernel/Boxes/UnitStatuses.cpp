@@ -36,7 +36,7 @@ void UnitStatuses::compute(const Surface& surface, const TriangleRange& triangle
     for (std::int64_t part = 0; part <= 1 << depth; ++part)
     {
       planes_[axis].push_back(
-        planeAt(planes[axis], index[axis] * FinePerBox + part * (FinePerBox >> depth)));
+        planeAt(planes, axis, index[axis] * FinePerBox + part * (FinePerBox >> depth)));
     }
     inner_[axis].assign(planes_[axis].begin() + 1, planes_[axis].end() - 1);
   }

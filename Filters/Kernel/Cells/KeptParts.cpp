@@ -15,13 +15,13 @@ namespace
 {
 
 // The fine interval that holds a level, which is between the first plane and the last.
-std::int64_t fineAt(const std::vector<Level>& planes, Level level)
+std::int64_t fineAt(const Meshlines& planes, std::size_t axis, Level level)
 {
-  const std::int64_t i = intervalOf(planes, level);
+  const std::int64_t i = intervalOf(planes[axis], level);
   std::int64_t part = 0;
   for (std::int64_t step = FinePerBox / 2; step > 0; step /= 2)
   {
-    part += planeAt(planes, static_cast<std::size_t>(i), part + step) <= level ? step : 0;
+    part += planeAt(planes, axis, static_cast<std::size_t>(i), part + step) <= level ? step : 0;
   }
   return i * FinePerBox + part;
 }
@@ -214,8 +214,8 @@ private:
     {
       std::int64_t step = 0;
       box =
-        boxes_.boxAt({ fineAt(boxes_.planes[0], point.at[0]), fineAt(boxes_.planes[1], point.at[1]),
-                       fineAt(boxes_.planes[2], point.at[2]) },
+        boxes_.boxAt({ fineAt(boxes_.planes, 0, point.at[0]), fineAt(boxes_.planes, 1, point.at[1]),
+                       fineAt(boxes_.planes, 2, point.at[2]) },
           0, step);
     }
     if (isHexahedron(box))

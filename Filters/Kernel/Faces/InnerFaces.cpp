@@ -350,9 +350,9 @@ public:
       const std::size_t nodesBefore = chunk.nodes.size();
       sideChords_.listRegions(s, regions_);
       const bool closed = std::all_of(regions_.begin(), regions_.end(), [&](std::int32_t region) {
-        const Rectangle r = sideChords_.rectangle(s, region);
-        sideChords_.find(s, r, tracer_.chords(), region);
-        const bool traced = tracer_.trace(r, chunk);
+        rectangle_ = sideChords_.rectangle(s, region);
+        sideChords_.find(s, rectangle_, tracer_.chords(), region);
+        const bool traced = tracer_.trace(rectangle_, chunk);
         chunk.regions.resize(chunk.faceSizes.size(), region);
         return traced;
       });
@@ -372,6 +372,7 @@ private:
   SideChords sideChords_;
   SideTracer tracer_;
   std::vector<std::int32_t> regions_; // of a side
+  Rectangle rectangle_{};             // as one of them sees it
 };
 
 InnerFaces join(const std::vector<FaceChunk>& ofChunk, bool hasRegions, Execution& execution)

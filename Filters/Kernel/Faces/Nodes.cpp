@@ -29,7 +29,7 @@ public:
     Point p;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      p[axis] = planeAt(boxes_.planes[axis], fine[axis]);
+      p[axis] = planeAt(boxes_.planes, axis, fine[axis]);
     }
     const std::uint32_t local = points_.add(p);
     if (local == uses_.size())

@@ -157,7 +157,7 @@ void SideChords::find(
   {
     return;
   }
-  const Level plane = planeAt(boxes_.planes[side.axis], side.corner[side.axis]);
+  const Level plane = planeAt(boxes_.planes, side.axis, side.corner[side.axis]);
   for (std::size_t p = patches_.boxStart[box]; p < patches_.boxStart[box + 1]; ++p)
   {
     const bool isBehind = patches_.walls.behind(patches_.boundary[p]) == region;

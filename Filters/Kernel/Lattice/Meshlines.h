@@ -22,8 +22,26 @@ struct GridSpec
 
 constexpr double DefaultCellsAlongLongest = 50;
 
+// A plane that divides boxes, where it does not lie at an even part of the way between two meshlines.
+struct MovedPlane
+{
+  std::int64_t fine; // in the smallest parts of boxes, from the first meshline (Boxes.h)
+  Level level;
+};
+
 // Even levels of the planes along x, y and z: strictly increasing, at least two in each direction.
-using Meshlines = std::array<std::vector<Level>, 3>;
+struct Meshlines
+{
+  std::array<std::vector<Level>, 3> lines;
+  std::array<std::vector<MovedPlane>, 3> moved = {}; // in order (PlanesAside.h)
+
+  const std::vector<Level>& operator[](std::size_t axis) const { return lines[axis]; }
+  std::vector<Level>& operator[](std::size_t axis) { return lines[axis]; }
+  auto begin() const { return lines.begin(); }
+  auto end() const { return lines.end(); }
+  auto begin() { return lines.begin(); }
+  auto end() { return lines.end(); }
+};
 
 // The bounds of the surface and the meshlines together: what the lattice must hold.
 // Throws Error: BadCellSize, BadMeshlines.

@@ -61,7 +61,7 @@ void SideLines::find(const Boxes& boxes, const Box& box)
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       middle_[axis] =
-        planeAt(boxes.planes[axis], low[axis] + Boxes::fineSize(box, static_cast<int>(axis)) / 2);
+        planeAt(boxes.planes, axis, low[axis] + Boxes::fineSize(box, static_cast<int>(axis)) / 2);
     }
   }
 }
@@ -185,7 +185,7 @@ std::uint32_t SurfaceCutter::addPoint(const Point& exact)
     const std::int64_t first = std::int64_t(boxes_.globalOf(*box_).index[axis]) * FinePerBox;
     for (const std::uint64_t k : { fine, fine + 1 })
     {
-      const Level plane = planeAt(boxes_.planes[axis], first + std::int64_t(k));
+      const Level plane = planeAt(boxes_.planes, axis, first + std::int64_t(k));
       const Level distance = p[axis] > plane ? p[axis] - plane : plane - p[axis];
       if (distance < interval.clearance &&
         4 * std::uint64_t(interval.clearance) * FinePerBox < width)

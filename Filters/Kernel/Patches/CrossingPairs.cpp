@@ -92,7 +92,7 @@ void CrossingPairs::pairOnLine(const Box& box, const BoxSurface& piece, std::siz
   {
     const auto before = static_cast<std::size_t>(
       std::count_if(hanging_.begin(), hanging_.end(), [&](std::int64_t position) {
-        return planeAt(boxes_.planes[axis], position) < piece.points[*node][axis];
+        return planeAt(boxes_.planes, axis, position) < piece.points[*node][axis];
       }));
     if (before != piecesBefore)
     {

@@ -125,7 +125,7 @@ TEST(Errors, ZeroIsTheDefaultCellSize)
 {
   const PreparedSurface prepared = prepare(cube(), cellsOf(0));
   EXPECT_EQ(prepared.planes[0].size(), 51U);
-  EXPECT_TRUE(prepared.planes == prepare(cube(), cellsOf(1.0 / 50)).planes);
+  EXPECT_TRUE(prepared.planes.lines == prepare(cube(), cellsOf(1.0 / 50)).planes.lines);
 }
 
 TEST(Errors, BadMeshlines)

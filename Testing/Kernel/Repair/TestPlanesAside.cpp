@@ -5,37 +5,76 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace cartesian;
 
 namespace
 {
 
-// A box between the levels 11 and 101 along x and y, and those given along z.
-Meshlines planesBeside(double low, double high, Level plane)
+// The planes after they stepped aside from a box between the levels 11 and 101 along x and y, and those
+// given along z.
+Meshlines planesBeside(double low, double high, const std::vector<Level>& along)
 {
-  const Soup soup = box({ 11, 11, low }, { 101, 101, high });
-  const PreparedSurface prepared =
-    prepareOnLevels(soup, { { { 0, 200 }, { 0, 200 }, { 0, 200 } } });
-  Meshlines planes{ { { 0, 200 }, { 0, 200 }, { 0, plane, 200 } } };
+  const std::vector<Level> across{ 0, along.back() };
+  const Meshlines given{ { across, across, along } };
+  const PreparedSurface prepared = prepareOnLevels(box({ 11, 11, low }, { 101, 101, high }), given);
+  Meshlines planes = given;
   stepAside(prepared.surface, planes);
   return planes;
+}
+
+Level meshlineBeside(double low, double high, Level plane)
+{
+  return planesBeside(low, high, { 0, plane, 200 })[2][1];
+}
+
+// Of two boxes' common plane, which halves the space between two meshlines.
+Level halfBeside(double low, double high)
+{
+  const Meshlines planes = planesBeside(low, high, { 0, 12800 });
+  return planeAt(planes, 2, FinePerBox / 2);
 }
 
 }
 
 TEST(PlanesAside, APlaneUnderARoofStepsAboveIt)
 {
-  EXPECT_EQ(planesBeside(11, 51, 50)[2][1], 52U); // the domain ends at 51
+  EXPECT_EQ(meshlineBeside(11, 51, 50), 52U); // the domain ends at 51
 }
 
 TEST(PlanesAside, APlaneOverAFloorStepsBelowIt)
 {
-  EXPECT_EQ(planesBeside(51, 101, 52)[2][1], 50U); // the domain begins at 51
+  EXPECT_EQ(meshlineBeside(51, 101, 52), 50U); // the domain begins at 51
 }
 
 TEST(PlanesAside, PlanesThatLeaveNoFlangeStay)
 {
-  EXPECT_EQ(planesBeside(11, 51, 52)[2][1], 52U);
-  EXPECT_EQ(planesBeside(51, 101, 50)[2][1], 50U);
-  EXPECT_EQ(planesBeside(11, 51, 30)[2][1], 30U);
+  EXPECT_EQ(meshlineBeside(11, 51, 52), 52U);
+  EXPECT_EQ(meshlineBeside(51, 101, 50), 50U);
+  EXPECT_EQ(meshlineBeside(11, 51, 30), 30U);
+}
+
+TEST(PlanesAside, APlaneThatDividesABoxStepsToo)
+{
+  EXPECT_EQ(halfBeside(11, 6401), 6402U);
+  EXPECT_EQ(halfBeside(6399, 10001), 6398U);
+  EXPECT_EQ(halfBeside(11, 6399), 6400U);
+  EXPECT_EQ(halfBeside(11, 6501), 6400U); // far from the wall
+}
+
+// 0.6 in single precision is 2.4e-8 more: a flange of 25 levels here.
+TEST(PlanesAside, WallsInSinglePrecisionRunAlongPlanesInDouble)
+{
+  const double top = float(0.6);
+  Soup soup = box({ 0, 0, 0 }, { 1, 1, 1 });
+  soup.add(box({ 2, 0, 0 }, { 3, 1, top }));
+  for (const double size :
+    { 0.05, 0.1, 0.2, 0.4, 0.8 }) // 0.4: the wall runs along a half; 0.8: a quarter
+  {
+    const PreparedSurface prepared = prepare(soup, cellsOf(size));
+    const auto fine = std::lround(0.6 / size * double(FinePerBox));
+    EXPECT_EQ(planeAt(prepared.planes, 2, fine), prepared.surface.lattice.vertex(2, top) + 1)
+      << size;
+  }
 }
