@@ -1,8 +1,8 @@
 #!/bin/sh
 # Installs what is missing, looks at style and spelling, builds, runs every test and clang-tidy on what
-# changed. Then, of the kernel alone: its tests again under the address and undefined sanitizers, those
-# of threads under the thread sanitizer; by clang the same meshes, bit for bit, as by gcc; and a short run
-# of the fuzzer. The builds are in build/release, build/asan, and so on.
+# changed. Then, of the kernel alone: its tests again and a short run of its fuzzer under the address and
+# undefined sanitizers, the tests of threads under the thread sanitizer; and by clang the same meshes, bit for
+# bit, as by gcc. The builds are in build/release, build/asan, and so on.
 #
 # On Debian 13 and unstable: the release build and its tests alone. Style, clang-tidy and the instrumented
 # builds are those of Debian 12's tools: others format otherwise, and warn of other things.
@@ -28,6 +28,6 @@ fi
 step .ci/style
 preset release
 step .ci/tidy
-for name in asan tsan clang fuzz; do
+for name in asan tsan clang; do
   preset $name
 done

@@ -3,8 +3,8 @@
 
 #include "Base/Error.h"
 #include "Boxes/MeshEstimate.h"
+#include "Boxes/PlanesAside.h"
 #include "Patches/Patches.h"
-#include "Repair/PlanesAside.h"
 #include "Repair/Regions.h"
 
 #include <algorithm>

@@ -115,20 +115,20 @@ bool NodePaths::areTheSame(const Sheet& a, const Sheet& b)
 
 NodePath NodePaths::pathOf(const WallMesh& mesh, std::uint32_t node, double leastCosine)
 {
-  const Use* begin = uses_.data() + start_[node];
+  const Use* next = uses_.data() + start_[node];
   const Use* const end = uses_.data() + start_[node + 1];
-  if (begin == end)
+  if (next == end)
   {
     return { NodePath::Kind::Free, {} };
   }
   const auto nextSheet = [&] {
-    const Use* const first = begin;
-    begin = std::find_if(first, end, [&](const Use& use) { return use.region != first->region; });
-    return sheetOf(first, begin, leastCosine);
+    const Use* const begin = next;
+    next = std::find_if(begin, end, [&](const Use& use) { return use.region != begin->region; });
+    return sheetOf(begin, next, leastCosine);
   };
   const Sheet sheet = nextSheet();
   bool same = sheet.closes;
-  while (same && begin != end)
+  while (same && next != end)
   {
     same = areTheSame(sheet, nextSheet());
   }

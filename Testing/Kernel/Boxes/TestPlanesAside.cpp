@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Repair/PlanesAside.h"
+#include "Boxes/PlanesAside.h"
 
 #include "Support/Pipeline.h"
 
