@@ -106,7 +106,7 @@ private:
   void addSegment(std::uint32_t from, std::uint32_t to, std::uint32_t triangle, std::uint8_t side);
   void keepNetSegments(BoxSurface& result);
   void keepUsedPoints(BoxSurface& result);
-  std::uint32_t addPoint(const Point& p);
+  std::uint32_t addPoint(const Point& exact);
 
   // The global box along one axis.
   struct Interval

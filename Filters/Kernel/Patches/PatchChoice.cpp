@@ -104,14 +104,9 @@ bool PatchChooser::turnsTooFar(const BoxSurface& piece) const
 
 bool PatchChooser::hasSeveralBoundaries(const BoxSurface& piece) const
 {
-  for (const std::uint32_t triangle : piece.triangles)
-  {
-    if (surface_.boundary[triangle] != surface_.boundary[piece.triangles[0]])
-    {
-      return true;
-    }
-  }
-  return false;
+  return std::any_of(piece.triangles.begin(), piece.triangles.end(), [&](std::uint32_t triangle) {
+    return surface_.boundary[triangle] != surface_.boundary[piece.triangles[0]];
+  });
 }
 
 // Follows the segments around. Returns false unless they form simple loops, each over three or more edges

@@ -260,12 +260,12 @@ private:
 
   // --- the cutting faces
 
-  // Edges that only one piece below the plane uses form loops; reversed, these loops are the
-  // cutting faces.
-  bool closeCut()
+  using EdgeRun = std::pair<Edge, int>; // 1: from the lower node; -1: from the higher
+
+  // Of the pieces below the plane. Off the plane the cell is closed: only edges on the plane matter.
+  std::vector<EdgeRun> runsOnPlane() const
   {
-    // Off the plane the cell is closed: only edges on the plane matter.
-    std::vector<std::pair<Edge, int>> runs; // 1: from the lower node; -1: from the higher
+    std::vector<EdgeRun> runs;
     for (std::size_t f = 0; f < cut_.faces.size(); ++f)
     {
       if (sides_[f] > 0)
@@ -283,6 +283,14 @@ private:
         from = to;
       }
     }
+    return runs;
+  }
+
+  // Edges that only one piece below the plane uses form loops; reversed, these loops are the
+  // cutting faces.
+  bool closeCut()
+  {
+    std::vector<EdgeRun> runs = runsOnPlane();
     std::sort(runs.begin(), runs.end());
     std::vector<std::pair<Index, Index>> next; // of a node on a cutting face
     for (auto run = runs.begin(); run != runs.end();)
