@@ -10,6 +10,11 @@
 #include "Shaping/TipRemoval.h"
 #include "Shaping/WallJoining.h"
 
+#include "Polyhedra/Refusal.h"
+#include "Polyhedra/CellCost.h"
+#include "Shaping/CutSearch.h"
+#include <cstdio>
+#include <cstdlib>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -78,11 +83,12 @@ public:
   {
     execution_.stage("Merging", 0, 0.25);
     removeSmall(Sliver);
-    mergeSmall();
+    debugSlivers("removeSliver");
+    debugSlivers("begin"); cedeTips(); debugSlivers("cedeTips"); mergeSmall(); debugSlivers("merge1");
     if (spec_.splitConcave)
     {
       execution_.stage("Splitting", 0.25, 0.6);
-      split();
+      split(); debugSlivers("split");
       execution_.stage("Merging", 0.6, 0.7);
       mergeSmall();
     }
@@ -97,11 +103,12 @@ public:
   // whole cells. Each time what is exposed may be saved again.
   Shaping removeRefused()
   {
-    execution_.stage("Improving", 0, 0.4);
+    execution_.stage("Improving", 0, 0.4); debugSlivers("REMOVE begin");
     improve();
     removeTips();
     removeSmall(1);
     cedeFlat();
+    debugSlivers("cedeFlat");
     for (std::size_t pass = 0; pass < LargestShares.size(); ++pass)
     {
       execution_.stage("Removing", 0.4 + 0.075 * double(pass), 0.4 + 0.075 * double(pass + 1));
@@ -117,7 +124,12 @@ public:
       }
       if (pass > 0)
       {
-        transferParts(complex_, keys, LeftOver::IsRemoved, merger_, execution_, shaping_.refused);
+        debugSlivers("before transfer"); transferParts(complex_, keys, LeftOver::IsRemoved, merger_, execution_, shaping_.refused); debugSlivers("after transfer");
+        keys = merger_.refused(isLast_);
+      }
+      if (complex_.hasRegions())
+      {
+        splitAgain(keys);
         keys = merger_.refused(isLast_);
       }
       cartesian::removeRefused(complex_, keys, small_, LargestShares[pass] * spec_.refusedCellRatio,
@@ -127,10 +139,55 @@ public:
     }
     removeTips();
     joinWalls();
+    debugSlivers("final");
+    if (complex_.hasRegions()) mendInvalid();
+    debugSlivers("mended");
+    debugRefused();
     return result();
   }
 
 private:
+  void debugSlivers(const char* when)
+  {
+    if (!getenv("CM_DEBUG")) return;
+    std::size_t n = 0, refused = 0; std::string some;
+    for (CellKey key : merger_.lookedAfter(isLast_))
+    {
+      if (complex_.share(key) < 1e-5) { ++n; if (n < 12) some += " " + std::to_string(key) + "r" + std::to_string(complex_.regionOf(key)); }
+      MeasuredCell cell; complex_.lookAround(key, cell);
+      refused += costsOf(cell.shape, cell.measures, cell.beyond).refused > 0;
+    }
+    fprintf(stderr, "SLIVERS %s: %zu refused %zu%s\n", when, n, refused, some.c_str());
+  }
+  void debugRefused()
+  {
+    if (!getenv("CM_DEBUG")) return;
+    for (CellKey key : merger_.refused(isLast_))
+    {
+      MeasuredCell cell;
+      complex_.lookAround(key, cell);
+      Refusal refusal(cell.shape, cell.measures, cell.beyond);
+      double edge = std::cbrt(complex_.volumeOfBox(key));
+      CellView view; complex_.view({key}, view);
+      int walls = 0, outer = 0;
+      for (std::size_t f = 0; f < view.faces.size(); ++f) { outer += view.across[f] == CellKey(-1); walls += view.across[f] != CellKey(-1) && view.shape.isBoundary[f]; }
+      fprintf(stderr, "REFUSED cell %u region %d share %.3g faces %zu walls %d outer %d free %d acting %d onlyWall %d isLast %d\n", key, complex_.regionOf(key), complex_.share(key), cell.across.size(), walls, outer, complex_.isFree(key), complex_.isActing(key), (int)complex_.onlyWallOf(key).has_value(), isLast_);
+      complex_.lookBeyond(key, view);
+      CellShape shape; measure(view.shape, shape);
+      Refusal r2(view.shape, shape, view.beyond);
+      for (std::size_t f = 0; f < view.faces.size(); ++f)
+      {
+        Vector n = unit(shape.faces[f].area);
+        fprintf(stderr, "   %s face %u n %u area %.4g normal %.2f %.2f %.2f height %.3g across %d cost %.3g fixed %d %s\n", view.across[f] == CellKey(-1) ? "outer" : view.shape.isBoundary[f] ? "WALL " : "inner", (unsigned)view.faces[f].face, view.shape.start[f+1]-view.shape.start[f], norm(shape.faces[f].area)/edge/edge, n[0], n[1], n[2], dot(n, minus(shape.faces[f].centre, shape.centre))/edge, (int)view.across[f], costOfFace(view.shape, shape, f, view.beyond[f]), view.fixed[f], r2.isRefused(f) ? "<<< REFUSED" : "");
+      }
+      if (complex_.isFree(key)) {
+      CellFaults before = faultsOf(view.shape, shape, view.beyond);
+      fprintf(stderr, "   faults"); for (int c : before.counts) fprintf(stderr, " %d", c); fprintf(stderr, "\n");
+      complex_.open(key);
+      }
+    }
+  }
+
   // Where layers will stand.
   void joinWalls()
   {
@@ -152,6 +209,14 @@ private:
   void cedeFlat()
   {
     cedeCells(complex_, merger_.lookedAfter(isLast_), FlatCell, merger_, execution_);
+  }
+
+  void cedeTips()
+  {
+    if (!exact_ && merges_ && complex_.hasRegions())
+    {
+      cedeCells(complex_, merger_.lookedAfter(isLast_), getenv("CM_TIP") ? atof(getenv("CM_TIP")) : FlatCell, merger_, execution_);
+    }
   }
 
   void removeTips()
@@ -179,6 +244,29 @@ private:
       splitCells(complex_, complex_.polyhedraAtFault(), least, execution_).cellsSplit;
   }
 
+  void mendInvalid()
+  {
+    std::vector<CellKey> keys = merger_.refused(isLast_);
+    for (int round = 0; round < 4 && !keys.empty(); ++round)
+    {
+      std::vector<CellKey> next;
+      for (const CellKey key : keys)
+      {
+        execution_.poll();
+        if (complex_.isAlive(key) && complex_.isFree(key) && splitInvalid(complex_, key, next))
+          ++shaping_.cellsSplit;
+      }
+      keys = next;
+    }
+  }
+
+  void splitAgain(std::vector<CellKey> keys)
+  {
+    keys.erase(std::remove_if(keys.begin(), keys.end(), [&](CellKey key) {
+      return !complex_.isAlive(key) || !complex_.isFree(key) || !complex_.isAtFault(key); }), keys.end());
+    shaping_.cellsSplit += splitCells(complex_, keys, 0, execution_).cellsSplit;
+  }
+
   // What a transfer has changed may help its neighbours.
   void improve()
   {
@@ -192,7 +280,7 @@ private:
       }
       if (mergeSpec_.simplifies && merges_)
       {
-        transfer();
+        debugSlivers("  before improve-transfer"); transfer(); debugSlivers("  after");
       }
     }
   }

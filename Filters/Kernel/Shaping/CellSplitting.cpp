@@ -18,6 +18,11 @@ namespace
 // A part smaller than this part of the cell is no use.
 constexpr double LeastPart = 1e-3;
 
+// ... of one that is invalid.
+constexpr double LeastPartOfInvalid = 1e-6;
+
+constexpr std::uint32_t None = ~std::uint32_t(0);
+
 // Ends a search that never came to rest; a cell is cut some ten times at most.
 constexpr int MostRounds = 100;
 
@@ -61,15 +66,21 @@ std::optional<CellFaults> fitnessAfter(const CellView& view, const CellCut& cut,
   return sum;
 }
 
+CellFaults faultsBefore(
+  const CellComplex& cells, CellKey key, CellView& view, CellShape& shape)
+{
+  cells.view({ key }, view);
+  cells.lookBeyond(key, view);
+  measure(view.shape, shape);
+  return faultsOf(view.shape, shape, view.beyond);
+}
+
 // The fittest last.
 std::vector<CellCut> findCuts(
   const CellComplex& cells, double leastFraction, CellKey key, CellView& view)
 {
-  cells.view({ key }, view);
-  cells.lookBeyond(key, view);
   CellShape shape;
-  measure(view.shape, shape);
-  const CellFaults before = faultsOf(view.shape, shape, view.beyond);
+  const CellFaults before = faultsBefore(cells, key, view, shape);
   const double least = std::max(LeastPart * shape.volume, leastFraction * cells.volumeOfBox(key));
   FoundCuts found = searchCuts(
     view, shape, before, [&](const CellCut& cut) { return fitnessAfter(view, cut, least); });
@@ -79,6 +90,99 @@ std::vector<CellCut> findCuts(
     found.helpful.push_back(std::move(*found.harmless));
   }
   return std::move(found.helpful);
+}
+
+// What is invalid of faces between two regions as the cells beyond them see them: of those that a cut divides, or of
+// all if there is none.
+class FaultsBeyond
+{
+public:
+  FaultsBeyond(const CellComplex& cells, CellKey key, const CellView& view)
+    : view_(view)
+    , beyond_(view.faces.size())
+  {
+    for (std::size_t f = 0; f < view.faces.size(); ++f)
+    {
+      if (view.across[f] != None && view.shape.isBoundary[f])
+      {
+        beyond_[f] = cells.placeFrom(key, view.across[f]);
+      }
+    }
+  }
+
+  CellFaults asTheyAre() const
+  {
+    CellFaults sum;
+    for (std::uint32_t f = 0; f < view_.faces.size(); ++f)
+    {
+      sum += faultsOf(f, ringOf(view_.shape, f), view_.shape.nodes);
+    }
+    return sum;
+  }
+
+  CellFaults after(const CellCut& cut) const
+  {
+    RawVector<Vector> nodes = view_.shape.nodes;
+    for (const CellCut::NewNode& point : cut.points)
+    {
+      nodes.push_back(point.at);
+    }
+    CellFaults sum;
+    for (const CellCut::Face& face : cut.faces)
+    {
+      const CellCut::FaceCorners corners = cut.cornersOf(face);
+      if (face.source != CellCut::NoSource)
+      {
+        sum += faultsOf(face.source, { nodes.data(), corners.first, corners.size() }, nodes);
+      }
+    }
+    return sum;
+  }
+
+private:
+  CellFaults faultsOf(std::uint32_t face, const Ring& ring, const RawVector<Vector>& nodes) const
+  {
+    const NeighbourCell& beyond = beyond_[face];
+    if (beyond.volume <= 0)
+    {
+      return {};
+    }
+    Polyhedron seen;
+    seen.nodes = nodes;
+    for (std::size_t i = ring.size; i-- > 0;)
+    {
+      seen.addCorner(ring.corners[i]);
+    }
+    seen.closeFace(true);
+    CellShape shape;
+    shape.volume = beyond.volume;
+    shape.centre = beyond.centre;
+    shape.faces.push_back(measure(ringOf(seen, 0)));
+    return cartesian::faultsOf(seen, shape, { {} }).invalid();
+  }
+
+  const CellView& view_;
+  std::vector<NeighbourCell> beyond_; // of each face, in another region
+};
+
+// The same where only what is invalid counts, and small parts are of use.
+std::vector<CellCut> findMendingCuts(const CellComplex& cells, CellKey key, CellView& view)
+{
+  CellShape shape;
+  CellFaults before = faultsBefore(cells, key, view, shape).invalid();
+  const FaultsBeyond beyond(cells, key, view);
+  before += beyond.asTheyAre();
+  const double least = LeastPartOfInvalid * shape.volume;
+  return searchCuts(view, shape, before, [&](const CellCut& cut) -> std::optional<CellFaults> {
+    const std::optional<CellFaults> after = fitnessAfter(view, cut, least);
+    if (!after)
+    {
+      return {};
+    }
+    CellFaults sum = after->invalid();
+    sum += beyond.after(cut);
+    return sum;
+  }).helpful;
 }
 
 bool fails(const CellComplex& cells, CellKey key)
@@ -187,6 +291,22 @@ Splitting splitCells(
   CellComplex& cells, std::vector<CellKey> failing, double leastFraction, Execution& execution)
 {
   return Splitter(cells, leastFraction, execution).run(std::move(failing));
+}
+
+bool splitInvalid(CellComplex& cells, CellKey key, std::vector<CellKey>& parts)
+{
+  CellView view;
+  const std::vector<CellCut> cuts = findMendingCuts(cells, key, view);
+  cells.open(key);
+  for (auto cut = cuts.rbegin(); cut != cuts.rend(); ++cut)
+  {
+    if (cells.allows(cells.touchedBy(key, view, *cut), view, *cut))
+    {
+      cells.cut(key, view, *cut, parts);
+      return true;
+    }
+  }
+  return false;
 }
 
 }
