@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -20,6 +21,11 @@ constexpr double LeastPart = 1e-3;
 
 // ... of one that is invalid.
 constexpr double LeastPartOfInvalid = 1e-6;
+
+// ... by a cut that only makes room for another.
+constexpr double LeastHalf = 0.1;
+
+const Turns TurnsOfInvalid{ 0, 0.4, -0.4 };
 
 constexpr std::uint32_t None = ~std::uint32_t(0);
 
@@ -165,26 +171,6 @@ private:
   std::vector<NeighbourCell> beyond_; // of each face, in another region
 };
 
-// The same where only what is invalid counts, and small parts are of use.
-std::vector<CellCut> findMendingCuts(const CellComplex& cells, CellKey key, CellView& view)
-{
-  CellShape shape;
-  CellFaults before = faultsBefore(cells, key, view, shape).invalid();
-  const FaultsBeyond beyond(cells, key, view);
-  before += beyond.asTheyAre();
-  const double least = LeastPartOfInvalid * shape.volume;
-  return searchCuts(view, shape, before, [&](const CellCut& cut) -> std::optional<CellFaults> {
-    const std::optional<CellFaults> after = fitnessAfter(view, cut, least);
-    if (!after)
-    {
-      return {};
-    }
-    CellFaults sum = after->invalid();
-    sum += beyond.after(cut);
-    return sum;
-  }).helpful;
-}
-
 bool fails(const CellComplex& cells, CellKey key)
 {
   return cells.isAlive(key) && cells.isAtFault(key);
@@ -293,20 +279,56 @@ Splitting splitCells(
   return Splitter(cells, leastFraction, execution).run(std::move(failing));
 }
 
+double smallestPart(const CellView& view, const CellCut& cut)
+{
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::uint32_t p = 0; p < cut.parts; ++p)
+  {
+    CellShape shape;
+    measure(partOf(view.shape, cut, p), shape);
+    smallest = std::min(smallest, shape.volume);
+  }
+  return smallest;
+}
+
 bool splitInvalid(CellComplex& cells, CellKey key, std::vector<CellKey>& parts)
 {
   CellView view;
-  const std::vector<CellCut> cuts = findMendingCuts(cells, key, view);
+  CellShape shape;
+  CellFaults before = faultsBefore(cells, key, view, shape).invalid();
+  const FaultsBeyond beyond(cells, key, view);
+  before += beyond.asTheyAre();
   cells.open(key);
-  for (auto cut = cuts.rbegin(); cut != cuts.rend(); ++cut)
+  std::optional<CellCut> halves; // does no harm
+  double smallest = LeastHalf * shape.volume;
+  FoundCuts found = searchCuts(
+    view, shape, before,
+    [&](const CellCut& cut) -> std::optional<CellFaults> {
+      std::optional<CellFaults> after =
+        fitnessAfter(view, cut, LeastPartOfInvalid * shape.volume);
+      if (!after || !cells.allows(cells.touchedBy(key, view, cut), view, cut))
+      {
+        return {};
+      }
+      after = after->invalid();
+      *after += beyond.after(cut);
+      if (after->weight() == before.weight() && smallestPart(view, cut) > smallest)
+      {
+        smallest = smallestPart(view, cut);
+        halves = cut;
+      }
+      return after;
+    },
+    TurnsOfInvalid);
+  if (found.helpful.empty() && halves && before.count() > 0)
   {
-    if (cells.allows(cells.touchedBy(key, view, *cut), view, *cut))
-    {
-      cells.cut(key, view, *cut, parts);
-      return true;
-    }
+    found.helpful.push_back(std::move(*halves));
   }
-  return false;
+  if (!found.helpful.empty())
+  {
+    cells.cut(key, view, found.helpful.back(), parts);
+  }
+  return !found.helpful.empty();
 }
 
 }
