@@ -83,10 +83,14 @@ std::vector<std::pair<CellKey, std::size_t>> leftBehind(CellComplex& cells, cons
 
 bool cede(CellComplex& cells, const ThinCells& thin, CellMerger& merger)
 {
+  // Nothing is worse than a wall without thickness.
+  const bool areFlat = std::all_of(thin.keys.begin(), thin.keys.end(),
+    [&](CellKey key) { return cells.share(key) < FlatCell; });
   const auto left = leftBehind(cells, thin);
   changeRegion(cells, thin);
-  if (std::any_of(left.begin(), left.end(),
-        [&](const auto& cell) { return refusedFaces(cells, cell.first) > cell.second; }))
+  if (!areFlat && std::any_of(left.begin(), left.end(), [&](const auto& cell) {
+        return refusedFaces(cells, cell.first) > cell.second;
+      }))
   {
     changeRegion(cells, thin);
     return false;

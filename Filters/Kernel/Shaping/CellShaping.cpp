@@ -153,11 +153,24 @@ private:
     std::size_t n = 0, refused = 0; std::string some;
     for (CellKey key : merger_.lookedAfter(isLast_))
     {
-      if (complex_.share(key) < 1e-5) { ++n; if (n < 12) some += " " + std::to_string(key) + "r" + std::to_string(complex_.regionOf(key)); }
+      if (complex_.share(key) < 1e-8) { ++n; if (n < 12) some += " " + std::to_string(key) + "r" + std::to_string(complex_.regionOf(key)); }
+      if (std::string(when) == "cedeTips" && complex_.share(key) < 1e-8) debugOne(key);
       MeasuredCell cell; complex_.lookAround(key, cell);
       refused += costsOf(cell.shape, cell.measures, cell.beyond).refused > 0;
     }
     fprintf(stderr, "SLIVERS %s: %zu refused %zu%s\n", when, n, refused, some.c_str());
+  }
+  void debugOne(CellKey key)
+  {
+      double edge = std::cbrt(complex_.volumeOfBox(key));
+      CellView view; complex_.view({key}, view);
+      fprintf(stderr, "TINY cell %u region %d share %.3g faces %zu free %d onlyWall %d isLast %d\n", key, complex_.regionOf(key), complex_.share(key), view.faces.size(), complex_.isFree(key), (int)complex_.onlyWallOf(key).has_value(), isLast_);
+      CellShape shape; measure(view.shape, shape);
+      for (std::size_t f = 0; f < view.faces.size(); ++f)
+      {
+        Vector n = unit(shape.faces[f].area);
+        fprintf(stderr, "   %s face %u n %u area %.4g normal %.2f %.2f %.2f height %.3g across %d box %d share %.3g fixed %d\n", view.across[f] == CellKey(-1) ? "outer" : view.shape.isBoundary[f] ? "WALL " : "inner", (unsigned)view.faces[f].face, view.shape.start[f+1]-view.shape.start[f], norm(shape.faces[f].area)/edge/edge, n[0], n[1], n[2], dot(n, minus(shape.faces[f].centre, shape.centre))/edge, (int)view.across[f], view.across[f] == CellKey(-1) ? -1 : (int)complex_.boxOf(view.across[f]), view.across[f] == CellKey(-1) ? 0 : complex_.share(view.across[f]), view.fixed[f]);
+      }
   }
   void debugRefused()
   {
