@@ -260,7 +260,7 @@ private:
   void mendInvalid()
   {
     std::vector<CellKey> keys = merger_.refused(isLast_);
-    for (int round = 0; round < 4 && !keys.empty(); ++round)
+    for (int round = 0; round < 8 && !keys.empty(); ++round)
     {
       std::vector<CellKey> next;
       for (const CellKey key : keys)

@@ -23,7 +23,7 @@ constexpr double LeastPart = 1e-3;
 constexpr double LeastPartOfInvalid = 1e-6;
 
 // ... by a cut that only makes room for another.
-constexpr double LeastHalf = 0.1;
+constexpr double LeastHalf = 0.02;
 
 const Turns TurnsOfInvalid{ 0, 0.4, -0.4 };
 
@@ -291,6 +291,17 @@ double smallestPart(const CellView& view, const CellCut& cut)
   return smallest;
 }
 
+// A cell that has been removed is in nobody's way.
+bool allowsBesideRemoved(
+  CellComplex& cells, CellKey key, const CellView& view, const CellCut& cut)
+{
+  std::vector<CellKey> touched = cells.touchedBy(key, view, cut);
+  touched.erase(std::remove_if(touched.begin(), touched.end(),
+                  [&](CellKey other) { return !cells.isAlive(other); }),
+    touched.end());
+  return cells.allows(touched, view, cut);
+}
+
 bool splitInvalid(CellComplex& cells, CellKey key, std::vector<CellKey>& parts)
 {
   CellView view;
@@ -306,7 +317,7 @@ bool splitInvalid(CellComplex& cells, CellKey key, std::vector<CellKey>& parts)
     [&](const CellCut& cut) -> std::optional<CellFaults> {
       std::optional<CellFaults> after =
         fitnessAfter(view, cut, LeastPartOfInvalid * shape.volume);
-      if (!after || !cells.allows(cells.touchedBy(key, view, cut), view, cut))
+      if (!after || !allowsBesideRemoved(cells, key, view, cut))
       {
         return {};
       }
