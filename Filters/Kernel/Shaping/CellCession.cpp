@@ -84,8 +84,8 @@ std::vector<std::pair<CellKey, std::size_t>> leftBehind(CellComplex& cells, cons
 bool cede(CellComplex& cells, const ThinCells& thin, CellMerger& merger)
 {
   // Nothing is worse than a wall without thickness.
-  const bool areFlat = std::all_of(thin.keys.begin(), thin.keys.end(),
-    [&](CellKey key) { return cells.share(key) < FlatCell; });
+  const bool areFlat = std::all_of(
+    thin.keys.begin(), thin.keys.end(), [&](CellKey key) { return cells.share(key) < FlatCell; });
   const auto left = leftBehind(cells, thin);
   changeRegion(cells, thin);
   if (!areFlat && std::any_of(left.begin(), left.end(), [&](const auto& cell) {
@@ -165,7 +165,8 @@ bool cedeCells(CellComplex& cells, const std::vector<CellKey>& keys, double larg
   for (const ThinCells& group : sideBySide(cells, std::move(thin)))
   {
     execution.poll();
-    bool all = cells.isAlive(group.keys.front()) && group.keys.size() > 1 && cede(cells, group, merger);
+    bool all =
+      cells.isAlive(group.keys.front()) && group.keys.size() > 1 && cede(cells, group, merger);
     any = any || all;
     for (std::size_t i = 0; !all && i < group.keys.size(); ++i)
     {

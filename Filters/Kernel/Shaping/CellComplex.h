@@ -176,8 +176,6 @@ public:
   void lookAtChanged();
 
   bool changed() const { return changed_; }
-  bool debugThin(CellKey k) const { return isThin(measured(k)); }
-  bool debugMeets(const std::vector<CellKey>& t, const CellView& v, const CellCut& c) const { return meetsNode(t, v, c); }
 
 private:
   friend class ShapedCells;   // writes all back

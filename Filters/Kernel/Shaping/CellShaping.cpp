@@ -5,16 +5,12 @@
 #include "Shaping/CellCession.h"
 #include "Shaping/CellSplitting.h"
 #include "Shaping/InterfaceMending.h"
+#include "Shaping/InvalidCells.h"
 #include "Shaping/PartTransfer.h"
 #include "Shaping/RefusedCells.h"
 #include "Shaping/TipRemoval.h"
 #include "Shaping/WallJoining.h"
 
-#include "Polyhedra/Refusal.h"
-#include "Polyhedra/CellCost.h"
-#include "Shaping/CutSearch.h"
-#include <cstdio>
-#include <cstdlib>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -83,12 +79,12 @@ public:
   {
     execution_.stage("Merging", 0, 0.25);
     removeSmall(Sliver);
-    debugSlivers("removeSliver");
-    debugSlivers("begin"); cedeTips(); debugSlivers("cedeTips"); mergeSmall(); debugSlivers("merge1");
+    cedeTips();
+    mergeSmall();
     if (spec_.splitConcave)
     {
       execution_.stage("Splitting", 0.25, 0.6);
-      split(); debugSlivers("split");
+      split();
       execution_.stage("Merging", 0.6, 0.7);
       mergeSmall();
     }
@@ -103,12 +99,11 @@ public:
   // whole cells. Each time what is exposed may be saved again.
   Shaping removeRefused()
   {
-    execution_.stage("Improving", 0, 0.4); debugSlivers("REMOVE begin");
+    execution_.stage("Improving", 0, 0.4);
     improve();
     removeTips();
     removeSmall(1);
     cedeFlat();
-    debugSlivers("cedeFlat");
     for (std::size_t pass = 0; pass < LargestShares.size(); ++pass)
     {
       execution_.stage("Removing", 0.4 + 0.075 * double(pass), 0.4 + 0.075 * double(pass + 1));
@@ -124,12 +119,7 @@ public:
       }
       if (pass > 0)
       {
-        debugSlivers("before transfer"); transferParts(complex_, keys, LeftOver::IsRemoved, merger_, execution_, shaping_.refused); debugSlivers("after transfer");
-        keys = merger_.refused(isLast_);
-      }
-      if (complex_.hasRegions())
-      {
-        splitAgain(keys);
+        transferParts(complex_, keys, LeftOver::IsRemoved, merger_, execution_, shaping_.refused);
         keys = merger_.refused(isLast_);
       }
       cartesian::removeRefused(complex_, keys, small_, LargestShares[pass] * spec_.refusedCellRatio,
@@ -139,68 +129,14 @@ public:
     }
     removeTips();
     joinWalls();
-    debugSlivers("final");
-    if (complex_.hasRegions()) mendInvalid();
-    debugSlivers("mended");
-    debugRefused();
+    if (complex_.hasRegions())
+    {
+      shaping_.cellsSplit += splitInvalid(complex_, merger_.refused(isLast_), execution_);
+    }
     return result();
   }
 
 private:
-  void debugSlivers(const char* when)
-  {
-    if (!getenv("CM_DEBUG")) return;
-    std::size_t n = 0, refused = 0; std::string some;
-    for (CellKey key : merger_.lookedAfter(isLast_))
-    {
-      if (complex_.share(key) < 1e-8) { ++n; if (n < 12) some += " " + std::to_string(key) + "r" + std::to_string(complex_.regionOf(key)); }
-      if (std::string(when) == "cedeTips" && complex_.share(key) < 1e-8) debugOne(key);
-      MeasuredCell cell; complex_.lookAround(key, cell);
-      refused += costsOf(cell.shape, cell.measures, cell.beyond).refused > 0;
-    }
-    fprintf(stderr, "SLIVERS %s: %zu refused %zu%s\n", when, n, refused, some.c_str());
-  }
-  void debugOne(CellKey key)
-  {
-      double edge = std::cbrt(complex_.volumeOfBox(key));
-      CellView view; complex_.view({key}, view);
-      fprintf(stderr, "TINY cell %u region %d share %.3g faces %zu free %d onlyWall %d isLast %d\n", key, complex_.regionOf(key), complex_.share(key), view.faces.size(), complex_.isFree(key), (int)complex_.onlyWallOf(key).has_value(), isLast_);
-      CellShape shape; measure(view.shape, shape);
-      for (std::size_t f = 0; f < view.faces.size(); ++f)
-      {
-        Vector n = unit(shape.faces[f].area);
-        fprintf(stderr, "   %s face %u n %u area %.4g normal %.2f %.2f %.2f height %.3g across %d box %d share %.3g fixed %d\n", view.across[f] == CellKey(-1) ? "outer" : view.shape.isBoundary[f] ? "WALL " : "inner", (unsigned)view.faces[f].face, view.shape.start[f+1]-view.shape.start[f], norm(shape.faces[f].area)/edge/edge, n[0], n[1], n[2], dot(n, minus(shape.faces[f].centre, shape.centre))/edge, (int)view.across[f], view.across[f] == CellKey(-1) ? -1 : (int)complex_.boxOf(view.across[f]), view.across[f] == CellKey(-1) ? 0 : complex_.share(view.across[f]), view.fixed[f]);
-      }
-  }
-  void debugRefused()
-  {
-    if (!getenv("CM_DEBUG")) return;
-    for (CellKey key : merger_.refused(isLast_))
-    {
-      MeasuredCell cell;
-      complex_.lookAround(key, cell);
-      Refusal refusal(cell.shape, cell.measures, cell.beyond);
-      double edge = std::cbrt(complex_.volumeOfBox(key));
-      CellView view; complex_.view({key}, view);
-      int walls = 0, outer = 0;
-      for (std::size_t f = 0; f < view.faces.size(); ++f) { outer += view.across[f] == CellKey(-1); walls += view.across[f] != CellKey(-1) && view.shape.isBoundary[f]; }
-      fprintf(stderr, "REFUSED cell %u region %d share %.3g faces %zu walls %d outer %d free %d acting %d onlyWall %d isLast %d\n", key, complex_.regionOf(key), complex_.share(key), cell.across.size(), walls, outer, complex_.isFree(key), complex_.isActing(key), (int)complex_.onlyWallOf(key).has_value(), isLast_);
-      complex_.lookBeyond(key, view);
-      CellShape shape; measure(view.shape, shape);
-      Refusal r2(view.shape, shape, view.beyond);
-      for (std::size_t f = 0; f < view.faces.size(); ++f)
-      {
-        Vector n = unit(shape.faces[f].area);
-        fprintf(stderr, "   %s face %u n %u area %.4g normal %.2f %.2f %.2f height %.3g across %d cost %.3g fixed %d %s\n", view.across[f] == CellKey(-1) ? "outer" : view.shape.isBoundary[f] ? "WALL " : "inner", (unsigned)view.faces[f].face, view.shape.start[f+1]-view.shape.start[f], norm(shape.faces[f].area)/edge/edge, n[0], n[1], n[2], dot(n, minus(shape.faces[f].centre, shape.centre))/edge, (int)view.across[f], costOfFace(view.shape, shape, f, view.beyond[f]), view.fixed[f], r2.isRefused(f) ? "<<< REFUSED" : "");
-      }
-      if (complex_.isFree(key)) {
-      CellFaults before = faultsOf(view.shape, shape, view.beyond);
-      fprintf(stderr, "   faults"); for (int c : before.counts) fprintf(stderr, " %d", c); fprintf(stderr, "\n");
-      complex_.open(key);
-      }
-    }
-  }
-
   // Where layers will stand.
   void joinWalls()
   {
@@ -228,7 +164,7 @@ private:
   {
     if (!exact_ && merges_ && complex_.hasRegions())
     {
-      cedeCells(complex_, merger_.lookedAfter(isLast_), getenv("CM_TIP") ? atof(getenv("CM_TIP")) : FlatCell, merger_, execution_);
+      cedeCells(complex_, merger_.lookedAfter(isLast_), LargestTipCeded, merger_, execution_);
     }
   }
 
@@ -257,29 +193,6 @@ private:
       splitCells(complex_, complex_.polyhedraAtFault(), least, execution_).cellsSplit;
   }
 
-  void mendInvalid()
-  {
-    std::vector<CellKey> keys = merger_.refused(isLast_);
-    for (int round = 0; round < 8 && !keys.empty(); ++round)
-    {
-      std::vector<CellKey> next;
-      for (const CellKey key : keys)
-      {
-        execution_.poll();
-        if (complex_.isAlive(key) && complex_.isFree(key) && splitInvalid(complex_, key, next))
-          ++shaping_.cellsSplit;
-      }
-      keys = next;
-    }
-  }
-
-  void splitAgain(std::vector<CellKey> keys)
-  {
-    keys.erase(std::remove_if(keys.begin(), keys.end(), [&](CellKey key) {
-      return !complex_.isAlive(key) || !complex_.isFree(key) || !complex_.isAtFault(key); }), keys.end());
-    shaping_.cellsSplit += splitCells(complex_, keys, 0, execution_).cellsSplit;
-  }
-
   // What a transfer has changed may help its neighbours.
   void improve()
   {
@@ -293,7 +206,7 @@ private:
       }
       if (mergeSpec_.simplifies && merges_)
       {
-        debugSlivers("  before improve-transfer"); transfer(); debugSlivers("  after");
+        transfer();
       }
     }
   }
@@ -326,6 +239,9 @@ private:
 
   // Up to this part of its box a cell may go to another region.
   static constexpr double LargestCeded = 0.1;
+
+  // Up to this part thin ones do before anything else: what is cut or merged around them keeps their small faces.
+  static constexpr double LargestTipCeded = 1e-4;
 
   // Below this part of their box tips go.
   static constexpr double LargestTip = 0.05;

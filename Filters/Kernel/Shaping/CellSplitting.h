@@ -21,7 +21,7 @@ struct Splitting
 Splitting splitCells(
   CellComplex& cells, std::vector<CellKey> failing, double leastFraction, Execution& execution);
 
-// Cuts one cell so that fewer of its faces are invalid, whatever else its parts are; appends their keys.
-bool splitInvalid(CellComplex& cells, CellKey key, std::vector<CellKey>& parts);
+// What is at fault of the parts, or nothing where one is smaller than `least`.
+std::optional<CellFaults> faultsAfter(const CellView& view, const CellCut& cut, double least);
 
 }

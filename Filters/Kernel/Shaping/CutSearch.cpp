@@ -129,8 +129,8 @@ CutPlane planeThrough(const ConcaveEdge& worst, const std::vector<ConcaveEdge>& 
 class Search
 {
 public:
-  Search(const CellView& view, const CellShape& shape, const CellFaults& before,
-    const Judge& judge, const Turns& turns)
+  Search(const CellView& view, const CellShape& shape, const CellFaults& before, const Judge& judge,
+    const Turns& turns)
     : cell_(view.shape)
     , shape_(shape)
     , judge_(judge)
