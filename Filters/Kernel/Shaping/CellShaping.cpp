@@ -79,7 +79,10 @@ public:
   {
     execution_.stage("Merging", 0, 0.25);
     removeSmall(Sliver);
-    cedeTips();
+    if (!exact_)
+    {
+      cedeFlat();
+    }
     mergeSmall();
     if (spec_.splitConcave)
     {
@@ -160,14 +163,6 @@ private:
     cedeCells(complex_, merger_.lookedAfter(isLast_), FlatCell, merger_, execution_);
   }
 
-  void cedeTips()
-  {
-    if (!exact_ && merges_ && complex_.hasRegions())
-    {
-      cedeCells(complex_, merger_.lookedAfter(isLast_), LargestTipCeded, merger_, execution_);
-    }
-  }
-
   void removeTips()
   {
     if (merges_ && mergeSpec_.simplifies)
@@ -239,9 +234,6 @@ private:
 
   // Up to this part of its box a cell may go to another region.
   static constexpr double LargestCeded = 0.1;
-
-  // Up to this part thin ones do before anything else: what is cut or merged around them keeps their small faces.
-  static constexpr double LargestTipCeded = 1e-4;
 
   // Below this part of their box tips go.
   static constexpr double LargestTip = 0.05;

@@ -104,6 +104,7 @@ private:
     }
     std::sort(order.begin(), order.end());
     std::vector<CellKey> keys;
+    keys.reserve(order.size());
     for (const auto& [area, key] : order)
     {
       keys.push_back(key);
