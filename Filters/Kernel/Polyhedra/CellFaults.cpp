@@ -32,6 +32,9 @@ constexpr double ShareOfHeight = 0.4;
 // Areas that differ by less than this part count as equal.
 constexpr double EqualAreas = 1e-6;
 
+constexpr std::array<CellFaults::Kind, 4> Invalid{ CellFaults::BoundaryAngle,
+  CellFaults::WronglyOriented, CellFaults::BoundarySkewness, CellFaults::InnerSkewness };
+
 double cosine(const Vector& u, const Vector& v)
 {
   const double lengths = std::sqrt(dot(u, u) * dot(v, v));
@@ -144,12 +147,20 @@ CellFaults& CellFaults::operator+=(const CellFaults& other)
   return *this;
 }
 
+CellFaults CellFaults::invalid() const
+{
+  CellFaults faults;
+  for (const Kind kind : Invalid)
+  {
+    faults.counts[kind] = counts[kind];
+  }
+  return faults;
+}
+
 bool CellFaults::isNoLessValidThan(const CellFaults& other) const
 {
-  constexpr std::array<Kind, 4> refused{ BoundaryAngle, WronglyOriented, BoundarySkewness,
-    InnerSkewness };
   return std::all_of(
-    refused.begin(), refused.end(), [&](Kind kind) { return counts[kind] <= other.counts[kind]; });
+    Invalid.begin(), Invalid.end(), [&](Kind kind) { return counts[kind] <= other.counts[kind]; });
 }
 
 bool CellFaults::isNoWorseThan(const CellFaults& other) const

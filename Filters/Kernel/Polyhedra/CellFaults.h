@@ -44,7 +44,10 @@ struct CellFaults
   int weight() const;
   CellFaults& operator+=(const CellFaults& other);
 
-  // No more faults of any kind that checkMesh refuses: wrong angles and skewness.
+  // Those alone that checkMesh refuses: wrong angles and skewness.
+  CellFaults invalid() const;
+
+  // No more of these of any kind.
   bool isNoLessValidThan(const CellFaults& other) const;
 
   // No more faults of any kind.

@@ -49,6 +49,12 @@ public:
   // Fills CellView::beyond; `key`: the view's first cell.
   void lookBeyond(CellKey key, CellView& view) const;
 
+  // A cell, and where it is from the lower corner of another's box.
+  NeighbourCell placeFrom(CellKey other, CellKey key) const
+  {
+    return placeAndVolume(key, boxes_.lowOf(boxOf(other)));
+  }
+
   // Without nodes in common: for measures only.
   void shape(CellKey key, Polyhedron& shape) const;
   void lookAround(CellKey key, MeasuredCell& cell) const;

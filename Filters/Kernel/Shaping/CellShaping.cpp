@@ -5,6 +5,7 @@
 #include "Shaping/CellCession.h"
 #include "Shaping/CellSplitting.h"
 #include "Shaping/InterfaceMending.h"
+#include "Shaping/InvalidCells.h"
 #include "Shaping/PartTransfer.h"
 #include "Shaping/RefusedCells.h"
 #include "Shaping/TipRemoval.h"
@@ -78,6 +79,10 @@ public:
   {
     execution_.stage("Merging", 0, 0.25);
     removeSmall(Sliver);
+    if (!exact_)
+    {
+      cedeFlat();
+    }
     mergeSmall();
     if (spec_.splitConcave)
     {
@@ -127,6 +132,10 @@ public:
     }
     removeTips();
     joinWalls();
+    if (complex_.hasRegions())
+    {
+      shaping_.cellsSplit += splitInvalid(complex_, merger_.refused(isLast_), execution_);
+    }
     return result();
   }
 

@@ -21,46 +21,6 @@ constexpr double LeastPart = 1e-3;
 // Ends a search that never came to rest; a cell is cut some ten times at most.
 constexpr int MostRounds = 100;
 
-// The parts' fitness, or nothing where one is smaller than `least`.
-std::optional<CellFaults> fitnessAfter(const CellView& view, const CellCut& cut, double least)
-{
-  std::vector<Polyhedron> parts;
-  parts.reserve(cut.parts);
-  std::vector<CellShape> shapes(cut.parts);
-  for (std::uint32_t p = 0; p < cut.parts; ++p)
-  {
-    parts.push_back(partOf(view.shape, cut, p));
-    measure(parts[p], shapes[p]);
-    if (!(shapes[p].volume > least))
-    {
-      return {};
-    }
-  }
-  CellFaults sum;
-  std::vector<NeighbourCell> beyond;
-  std::vector<std::uint8_t> counts;
-  beyond.reserve(cut.faces.size());
-  counts.reserve(cut.faces.size());
-  for (std::uint32_t p = 0; p < cut.parts; ++p)
-  {
-    beyond.clear();
-    counts.clear();
-    for (const CellCut::Face& face : cut.faces) // in the order of partOf
-    {
-      const bool inner = face.source == CellCut::NoSource;
-      if (face.below == p || (inner && face.above == p))
-      {
-        const CellShape& other = shapes[face.below == p ? face.above : face.below];
-        beyond.push_back(
-          inner ? NeighbourCell{ other.centre, other.volume } : view.beyond[face.source]);
-        counts.push_back(face.below == p ? 1 : 0);
-      }
-    }
-    sum += faultsOf(parts[p], shapes[p], beyond, counts);
-  }
-  return sum;
-}
-
 // The fittest last.
 std::vector<CellCut> findCuts(
   const CellComplex& cells, double leastFraction, CellKey key, CellView& view)
@@ -72,7 +32,7 @@ std::vector<CellCut> findCuts(
   const CellFaults before = faultsOf(view.shape, shape, view.beyond);
   const double least = std::max(LeastPart * shape.volume, leastFraction * cells.volumeOfBox(key));
   FoundCuts found = searchCuts(
-    view, shape, before, [&](const CellCut& cut) { return fitnessAfter(view, cut, least); });
+    view, shape, before, [&](const CellCut& cut) { return faultsAfter(view, cut, least); });
   // Without concave edges nothing of the boundary fails.
   if (found.helpful.empty() && found.harmless && before.counts[CellFaults::BoundaryAngle] > 0)
   {
@@ -144,6 +104,7 @@ private:
     }
     std::sort(order.begin(), order.end());
     std::vector<CellKey> keys;
+    keys.reserve(order.size());
     for (const auto& [area, key] : order)
     {
       keys.push_back(key);
@@ -181,6 +142,45 @@ private:
   std::set<CellKey> next_; // to be looked at in the next round
 };
 
+}
+
+std::optional<CellFaults> faultsAfter(const CellView& view, const CellCut& cut, double least)
+{
+  std::vector<Polyhedron> parts;
+  parts.reserve(cut.parts);
+  std::vector<CellShape> shapes(cut.parts);
+  for (std::uint32_t p = 0; p < cut.parts; ++p)
+  {
+    parts.push_back(partOf(view.shape, cut, p));
+    measure(parts[p], shapes[p]);
+    if (!(shapes[p].volume > least))
+    {
+      return {};
+    }
+  }
+  CellFaults sum;
+  std::vector<NeighbourCell> beyond;
+  std::vector<std::uint8_t> counts;
+  beyond.reserve(cut.faces.size());
+  counts.reserve(cut.faces.size());
+  for (std::uint32_t p = 0; p < cut.parts; ++p)
+  {
+    beyond.clear();
+    counts.clear();
+    for (const CellCut::Face& face : cut.faces) // in the order of partOf
+    {
+      const bool inner = face.source == CellCut::NoSource;
+      if (face.below == p || (inner && face.above == p))
+      {
+        const CellShape& other = shapes[face.below == p ? face.above : face.below];
+        beyond.push_back(
+          inner ? NeighbourCell{ other.centre, other.volume } : view.beyond[face.source]);
+        counts.push_back(face.below == p ? 1 : 0);
+      }
+    }
+    sum += faultsOf(parts[p], shapes[p], beyond, counts);
+  }
+  return sum;
 }
 
 Splitting splitCells(

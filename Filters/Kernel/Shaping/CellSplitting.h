@@ -21,4 +21,7 @@ struct Splitting
 Splitting splitCells(
   CellComplex& cells, std::vector<CellKey> failing, double leastFraction, Execution& execution);
 
+// What is at fault of the parts, or nothing where one is smaller than `least`.
+std::optional<CellFaults> faultsAfter(const CellView& view, const CellCut& cut, double least);
+
 }

@@ -93,8 +93,8 @@ std::vector<ConcaveEdge> concaveEdges(const Polyhedron& cell, const CellShape& s
 
 // The plane through the edge that halves the angle, averaged over the concave edges that continue it
 // at both ends (equation 6).
-CutPlane planeThrough(
-  const ConcaveEdge& worst, const std::vector<ConcaveEdge>& edges, const Polyhedron& cell)
+CutPlane planeThrough(const ConcaveEdge& worst, const std::vector<ConcaveEdge>& edges,
+  const Polyhedron& cell, double turn)
 {
   Vector inwards = scaled(worst.inwards, worst.length);
   std::set<std::uint32_t> nodes{ worst.from, worst.to };
@@ -116,6 +116,11 @@ CutPlane planeThrough(
   CutPlane plane;
   plane.at = cell.nodes[worst.from];
   plane.normal = unit(cross(worst.along, inwards));
+  if (turn != 0)
+  {
+    plane.normal = unit(plus(scaled(plane.normal, std::cos(turn)),
+      scaled(cross(worst.along, plane.normal), std::sin(turn))));
+  }
   plane.through = { worst.from, worst.to };
   return plane;
 }
@@ -124,10 +129,12 @@ CutPlane planeThrough(
 class Search
 {
 public:
-  Search(const CellView& view, const CellShape& shape, const CellFaults& before, const Judge& judge)
+  Search(const CellView& view, const CellShape& shape, const CellFaults& before, const Judge& judge,
+    const Turns& turns)
     : cell_(view.shape)
     , shape_(shape)
     , judge_(judge)
+    , turns_(turns)
     , before_(before)
     , best_(before)
     , edges_(concaveEdges(view.shape, shape))
@@ -137,9 +144,12 @@ public:
   FoundCuts run()
   {
     const std::vector<std::size_t> candidates = this->candidates();
-    for (const std::size_t i : candidates)
+    for (const double turn : turns_)
     {
-      attempt(planeThrough(edges_[i], edges_, cell_), edges_[i].bend > LeastWorthyBend);
+      for (const std::size_t i : candidates)
+      {
+        attempt(planeThrough(edges_[i], edges_, cell_, turn), edges_[i].bend > LeastWorthyBend);
+      }
     }
     for (std::size_t k = 0; k < 2; ++k)
     {
@@ -257,6 +267,7 @@ private:
   const Polyhedron& cell_;
   const CellShape& shape_;
   const Judge& judge_;
+  const Turns& turns_;
   CellFaults before_;
   CellFaults best_;
   std::vector<ConcaveEdge> edges_;
@@ -266,14 +277,14 @@ private:
 
 }
 
-FoundCuts searchCuts(
-  const CellView& view, const CellShape& shape, const CellFaults& before, const Judge& judge)
+FoundCuts searchCuts(const CellView& view, const CellShape& shape, const CellFaults& before,
+  const Judge& judge, const Turns& turns)
 {
   if (view.shape.faces() > MostFaces)
   {
     return {};
   }
-  return Search(view, shape, before, judge).run();
+  return Search(view, shape, before, judge, turns).run();
 }
 
 }

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace cartesian
 {
@@ -21,8 +22,11 @@ struct FoundCuts
   std::optional<CellCut> harmless;
 };
 
+// Angles by which planes that halve the angle at an edge are turned about it, in radians: all are tried.
+using Turns = std::vector<double>;
+
 // `before`: of the cell as it is.
-FoundCuts searchCuts(
-  const CellView& view, const CellShape& shape, const CellFaults& before, const Judge& judge);
+FoundCuts searchCuts(const CellView& view, const CellShape& shape, const CellFaults& before,
+  const Judge& judge, const Turns& turns = { 0 });
 
 }

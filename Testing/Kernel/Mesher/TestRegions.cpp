@@ -188,6 +188,55 @@ Soup boxInBox()
   return soup;
 }
 
+// Three, with walls of these widths.
+Soup nestedBoxes(double inner, double outer)
+{
+  Soup soup;
+  for (const double wall : { 0.0, inner, inner + outer })
+  {
+    soup.addRegion(
+      box({ -0.4 - wall, -0.3 - wall, -0.2 - wall }, { 0.4 + wall, 0.3 + wall, 0.2 + wall }));
+  }
+  return soup;
+}
+
+// What checkMesh refuses of a region by itself.
+std::string invalidIn(const MeshArrays& mesh, int region)
+{
+  CellFaces faces;
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
+  {
+    if (mesh.region[cell] != region)
+    {
+      continue;
+    }
+    faces.firstFace.push_back(faces.firstCorner.size());
+    for (const Face& face : facesOf(mesh, cell))
+    {
+      faces.firstCorner.push_back(faces.corners.size());
+      faces.corners.insert(faces.corners.end(), face.begin(), face.end());
+    }
+  }
+  faces.firstFace.push_back(faces.firstCorner.size());
+  faces.firstCorner.push_back(faces.corners.size());
+  Execution execution(1);
+  const FaceList list = listFaces(faces, mesh.points.size() / 3, Clashes::AreBoundary, execution);
+  const Quality quality = measureQuality(mesh.points.data(), faces, list, execution);
+  const auto most = [&](Measure measure) {
+    return *std::max_element(quality.cells[measure].begin(), quality.cells[measure].end());
+  };
+  std::string found;
+  for (const auto& [measure, limit] : { std::pair{ BoundaryAngle, 90.0 }, { InnerAngle, 90.0 },
+         { Skewness, 4.0 }, { AspectRatio, 1000.0 } })
+  {
+    if (!(most(measure) < limit))
+    {
+      found += std::string(MeasureSpecs[measure].name) + " " + std::to_string(most(measure)) + " ";
+    }
+  }
+  return found;
+}
+
 const Expected OfBoxInBox{ { { 1, 0.078125 }, { 2, 0.921875 } },
   { { { 0, 2 }, 6 }, { { 1, 2 }, 1.1875 } } };
 
@@ -350,6 +399,26 @@ TEST(Regions, MayBeSmooth)
       { { 2, 3 }, sphere(3, 0.5).area() } } };
   expectExactly(soup, expected);
   expectNearly(soup, expected, 0.1);
+}
+
+// Concave corners, and walls thinner than a box, where no cell can be removed.
+TEST(Regions, AreValidEachByItself)
+{
+  for (const auto& [inner, outer] :
+    { std::pair{ 0.0731, 0.0512 }, { 0.1637, 0.0405 }, { 0.0487, 0.1123 } })
+  {
+    Soup soup = nestedBoxes(inner, outer);
+    const std::vector<std::int32_t> regions = soup.region;
+    soup = soup.turned();
+    soup.region = regions;
+    const MeshArrays mesh = meshOf(soup, cellsAlongLongest(soup, 19), TestOptions{}).mesh;
+    EXPECT_TRUE(isValid(mesh, true));
+    for (const int region : { 1, 2, 3 })
+    {
+      EXPECT_EQ(invalidIn(mesh, region), "")
+        << "region " << region << ", walls " << inner << " and " << outer;
+    }
+  }
 }
 
 TEST(Regions, DoNotDependOnThreadsNorOnTheOrderOfTriangles)

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shaping/InvalidCells.h"
+
+#include "Shaping/CellSplitting.h"
+#include "Shaping/CutSearch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::uint32_t None = ~std::uint32_t(0);
+
+// A part smaller than this part of the cell is no use.
+constexpr double LeastPart = 1e-6;
+
+// ... of a cut that only makes room for another.
+constexpr double LeastOfNeutral = 0.02;
+
+// checkMesh fails from 1000 on.
+constexpr double LargestAspect = 300;
+
+// Of planes through concave edges, in radians: the one that halves the angle may meet a node.
+const Turns TurnsTried{ 0, 0.4, -0.4 };
+
+// Each cuts the parts of the one before.
+constexpr int MostRounds = 8;
+
+// What is invalid of faces between two regions as the cells beyond them see them: of those that a cut divides, or of
+// all if there is none.
+class FaultsBeyond
+{
+public:
+  FaultsBeyond(const CellComplex& cells, CellKey key, const CellView& view)
+    : view_(view)
+    , beyond_(view.faces.size())
+  {
+    for (std::size_t f = 0; f < view.faces.size(); ++f)
+    {
+      if (view.across[f] != None && view.shape.isBoundary[f])
+      {
+        beyond_[f] = cells.placeFrom(key, view.across[f]);
+      }
+    }
+  }
+
+  CellFaults asTheyAre() const
+  {
+    CellFaults sum;
+    for (std::uint32_t f = 0; f < view_.faces.size(); ++f)
+    {
+      sum += faultsOf(f, ringOf(view_.shape, f), view_.shape.nodes);
+    }
+    return sum;
+  }
+
+  CellFaults after(const CellCut& cut) const
+  {
+    RawVector<Vector> nodes = view_.shape.nodes;
+    for (const CellCut::NewNode& point : cut.points)
+    {
+      nodes.push_back(point.at);
+    }
+    CellFaults sum;
+    for (const CellCut::Face& face : cut.faces)
+    {
+      const CellCut::FaceCorners corners = cut.cornersOf(face);
+      if (face.source != CellCut::NoSource)
+      {
+        sum += faultsOf(face.source, { nodes.data(), corners.first, corners.size() }, nodes);
+      }
+    }
+    return sum;
+  }
+
+private:
+  CellFaults faultsOf(std::uint32_t face, const Ring& ring, const RawVector<Vector>& nodes) const
+  {
+    const NeighbourCell& beyond = beyond_[face];
+    if (beyond.volume <= 0)
+    {
+      return {};
+    }
+    Polyhedron seen;
+    seen.nodes = nodes;
+    for (std::size_t i = ring.size; i-- > 0;)
+    {
+      seen.addCorner(ring.corners[i]);
+    }
+    seen.closeFace(true);
+    CellShape shape;
+    shape.volume = beyond.volume;
+    shape.centre = beyond.centre;
+    shape.faces.push_back(measure(ringOf(seen, 0)));
+    return cartesian::faultsOf(seen, shape, { {} }).invalid();
+  }
+
+  const CellView& view_;
+  std::vector<NeighbourCell> beyond_; // of each face, in another region
+};
+
+// Of the parts of a cut.
+struct Extremes
+{
+  double volume = std::numeric_limits<double>::infinity(); // the smallest
+  double aspect = 1;                                       // the largest, as checkMesh measures it
+};
+
+Extremes extremesOf(const CellView& view, const CellCut& cut)
+{
+  Extremes extremes;
+  for (std::uint32_t p = 0; p < cut.parts; ++p)
+  {
+    CellShape shape;
+    measure(partOf(view.shape, cut, p), shape);
+    double area = 0;
+    for (const FaceShape& face : shape.faces)
+    {
+      area += norm(face.area);
+    }
+    extremes.volume = std::min(extremes.volume, shape.volume);
+    extremes.aspect =
+      std::max(extremes.aspect, area / (6 * std::pow(std::max(shape.volume, Tiny), 2.0 / 3)));
+  }
+  return extremes;
+}
+
+// A cell that has been removed is in nobody's way.
+bool allows(CellComplex& cells, CellKey key, const CellView& view, const CellCut& cut)
+{
+  std::vector<CellKey> touched = cells.touchedBy(key, view, cut);
+  touched.erase(std::remove_if(touched.begin(), touched.end(),
+                  [&](CellKey other) { return !cells.isAlive(other); }),
+    touched.end());
+  return cells.allows(touched, view, cut);
+}
+
+// Appends the parts' keys; false: nothing is invalid, or no cut is allowed.
+bool split(CellComplex& cells, CellKey key, std::vector<CellKey>& parts)
+{
+  CellView view;
+  cells.view({ key }, view);
+  cells.lookBeyond(key, view);
+  CellShape shape;
+  measure(view.shape, shape);
+  const FaultsBeyond beyond(cells, key, view);
+  CellFaults before = faultsOf(view.shape, shape, view.beyond).invalid();
+  before += beyond.asTheyAre();
+  if (before.count() == 0)
+  {
+    return false;
+  }
+  cells.open(key);
+  std::optional<CellCut> neutral;
+  double smallest = LeastOfNeutral * shape.volume;
+  FoundCuts found = searchCuts(
+    view, shape, before,
+    [&](const CellCut& cut) -> std::optional<CellFaults> {
+      std::optional<CellFaults> after = faultsAfter(view, cut, LeastPart * shape.volume);
+      if (!after || !allows(cells, key, view, cut))
+      {
+        return {};
+      }
+      const Extremes extremes = extremesOf(view, cut);
+      if (extremes.aspect > LargestAspect)
+      {
+        return {};
+      }
+      after = after->invalid();
+      *after += beyond.after(cut);
+      if (after->weight() == before.weight() && extremes.volume > smallest)
+      {
+        smallest = extremes.volume;
+        neutral = cut;
+      }
+      return after;
+    },
+    TurnsTried);
+  if (found.helpful.empty() && !neutral)
+  {
+    return false;
+  }
+  cells.cut(key, view, found.helpful.empty() ? *neutral : found.helpful.back(), parts);
+  return true;
+}
+
+}
+
+std::size_t splitInvalid(CellComplex& cells, std::vector<CellKey> keys, Execution& execution)
+{
+  std::size_t cuts = 0;
+  for (int round = 0; round < MostRounds && !keys.empty(); ++round)
+  {
+    std::vector<CellKey> parts;
+    for (const CellKey key : keys)
+    {
+      execution.poll();
+      const bool mayChange = cells.isAlive(key) && cells.isFree(key);
+      cuts += mayChange && split(cells, key, parts) ? cells.counts(key) : 0;
+    }
+    keys = std::move(parts);
+  }
+  return cuts;
+}
+
+}

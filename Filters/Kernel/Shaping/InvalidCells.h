@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells between two regions that solvers refuse cannot be removed, as that would leave a hole: where nothing else
+// mends them, they are cut into parts that are poor perhaps, but valid.
+#pragma once
+
+#include "Base/Execution.h"
+#include "Shaping/CellComplex.h"
+
+namespace cartesian
+{
+
+// Of these, in order, and of their parts: by the cut that leaves the fewest faces invalid (CellFaults::invalid), those
+// of cells of other regions included; else by one that leaves as many, to make room for the next. Returns how many
+// cuts there were.
+std::size_t splitInvalid(CellComplex& cells, std::vector<CellKey> keys, Execution& execution);
+
+}
