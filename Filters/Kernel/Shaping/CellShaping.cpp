@@ -107,6 +107,8 @@ public:
     removeTips();
     removeSmall(1);
     cedeFlat();
+    shaping_.cellsSplit += splitInvalid(complex_, merger_.refused(isLast_), execution_);
+    improve();
     for (std::size_t pass = 0; pass < LargestShares.size(); ++pass)
     {
       execution_.stage("Removing", 0.4 + 0.075 * double(pass), 0.4 + 0.075 * double(pass + 1));
