@@ -381,17 +381,8 @@ int vtkCartesianMesher::EstimateNumberOfPieces()
     const cartesian::SurfaceFromVTK surface = this->Read(data);
     constexpr int Many = 1 << 20;
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution, Many);
-    std::vector<vtkSmartPointer<vtkDataObject>> regions;
-    for (int i = 0; i < this->GetNumberOfInputConnections(1); ++i)
-    {
-      this->GetInputAlgorithm(1, i)->Update();
-      regions.emplace_back(this->GetInputDataObject(1, i));
-    }
-    if (vtkAlgorithm* field = this->GetInputAlgorithm(2, 0))
-    {
-      field->Update();
-    }
-    const auto decomposition = this->Divide(surface, prepared, regions,
+    this->UpdateOptionalInputs();
+    const auto decomposition = this->Divide(surface, prepared, this->OptionalRegions(),
       this->ReadSizes(data, surface, this->GetInputDataObject(2, 0)), execution);
     pieces = decomposition->partsNeeded(decomposition->estimateLayers(execution));
   });

@@ -105,6 +105,17 @@ for properties in ({"BoundaryRefinement": [0, 2, 0, 0, 3, 2, 0, 0]},
     plain, made = (output(simple.CartesianBoxer(Input=header, CellSize=6, **refinement)).GetNumberOfCells()
         for refinement in ({}, properties))
     assert made > 1.5 * plain and 0.8 < mesher.ExpectedBoxes[1] / made < 1.2, (list(mesher.ExpectedBoxes), plain, made)
+# ... and what else refines, where it is and where the surface asks for it: of grids where that makes at least half as many boxes
+# again.
+sphere = simple.RefinementRegion(Input=header, Shape="Sphere", Depth=2)
+sphere.UpdatePipeline()
+plain = output(simple.CartesianBoxer(Input=header, CellSize=12)).GetNumberOfCells()
+for properties in ({"RefinementRegions": sphere}, {"BoundaryRefinement": [0, 2, 2, 0]}, {"FeatureDepth": 2},
+                   {"CurvatureAngle": 30, "CellsAcrossGaps": 3}):
+    mesher = simple.CartesianBoxer(Input=header, CellSize=12, **properties)
+    made = output(mesher).GetNumberOfCells()
+    mesher.UpdatePipelineInformation()
+    assert made > 1.5 * plain and 0.7 < mesher.ExpectedBoxes[1] / made < 1.4, (properties, list(mesher.ExpectedBoxes), plain, made)
 # Numbers are whole, at least 1, and written with no more digits than they have.
 mesher = simple.CartesianMesher(Input=spot, CellSize=1e-10)
 for size in 1e-10, 5:
