@@ -8,6 +8,7 @@
 #include "Mesher/Mesher.h"
 #include "Mesher/Messages.h"
 #include "Parts/Decomposition.h"
+#include "RegionShapes.h"
 #include "Repair/SurfaceDefects.h"
 #include "ReportErrors.h"
 #include "SizesFromVTK.h"
@@ -91,6 +92,22 @@ std::vector<vtkCartesianBoxer::RegionSurface> vtkCartesianBoxer::RegionSurfaces(
         : this->RegionDepth;
     }
   }
+  const std::size_t rows = this->RefinementShapes.size();
+  if (this->RefinementPositions.size() != rows || this->RefinementLengths.size() != rows ||
+    this->RefinementShapeDepths.size() != rows)
+  {
+    throw cartesian::Error(cartesian::Fault::BadParameter,
+      "There must be as many Refinement Positions, Refinement Lengths and Refinement Shape Depths "
+      "as "
+      "Refinement Shapes.");
+  }
+  for (std::size_t row = 0; row < rows; ++row)
+  {
+    const auto shape = cartesian::shapeInBox(
+      this->RefinementShapes[row], this->RefinementPositions[row], this->RefinementLengths[row]);
+    regions.push_back(
+      { std::make_unique<cartesian::SurfaceFromVTK>(shape, ""), this->RefinementShapeDepths[row] });
+  }
   return regions;
 }
 
@@ -153,6 +170,46 @@ void vtkCartesianBoxer::SetBoundaryRefinement(
   int row, double boundary, double depth, double blendLayers, double blendBelow)
 {
   this->SetRow(this->BoundaryRefinements, row, { boundary, depth, blendLayers, blendBelow });
+}
+
+void vtkCartesianBoxer::SetNumberOfRefinementShapes(int number)
+{
+  this->Resize(this->RefinementShapes, number);
+}
+
+void vtkCartesianBoxer::SetRefinementShape(int row, const char* shape)
+{
+  this->SetRow(this->RefinementShapes, row, std::string(shape ? shape : ""));
+}
+
+void vtkCartesianBoxer::SetNumberOfRefinementPositions(int number)
+{
+  this->Resize(this->RefinementPositions, number);
+}
+
+void vtkCartesianBoxer::SetRefinementPosition(int row, double x, double y, double z)
+{
+  this->SetRow(this->RefinementPositions, row, { x, y, z });
+}
+
+void vtkCartesianBoxer::SetNumberOfRefinementLengths(int number)
+{
+  this->Resize(this->RefinementLengths, number);
+}
+
+void vtkCartesianBoxer::SetRefinementLength(int row, double x, double y, double z)
+{
+  this->SetRow(this->RefinementLengths, row, { x, y, z });
+}
+
+void vtkCartesianBoxer::SetNumberOfRefinementShapeDepths(int number)
+{
+  this->Resize(this->RefinementShapeDepths, number);
+}
+
+void vtkCartesianBoxer::SetRefinementShapeDepth(int row, int depth)
+{
+  this->SetRow(this->RefinementShapeDepths, row, depth);
 }
 
 void vtkCartesianBoxer::SetNumberOfMeshlines(int axis, int number)
@@ -563,6 +620,10 @@ void vtkCartesianBoxer::PrintSelf(ostream& os, vtkIndent indent)
   this->RefinedBoundaries->PrintSelf(os, indent.GetNextIndent());
   os << indent << "RefinedBoundaryDepth: " << this->RefinedBoundaryDepth << "\n";
   os << indent << "RegionDepth: " << this->RegionDepth << "\n";
+  PrintColumn(os, indent, "RefinementShapes", this->RefinementShapes);
+  PrintTable(os, indent, "RefinementPositions", this->RefinementPositions);
+  PrintTable(os, indent, "RefinementLengths", this->RefinementLengths);
+  PrintColumn(os, indent, "RefinementShapeDepths", this->RefinementShapeDepths);
   os << indent << "CurvatureAngle: " << this->CurvatureAngle << "\n";
   os << indent << "FeatureDepth: " << this->FeatureDepth << "\n";
   os << indent << "CellsAcrossGaps: " << this->CellsAcrossGaps << "\n";

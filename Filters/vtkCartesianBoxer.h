@@ -155,6 +155,22 @@ public:
     int row, double boundary, double depth, double blendLayers, double blendBelow);
   ///@}
 
+  ///@{
+  /**
+   * Shapes, a row each, in which boxes are halved as in closed surfaces on input port 1: "box", "sphere", "cylinderX",
+   * "cylinderY" or "cylinderZ", which fills a box given by its low corner and its lengths (more than 0; units of the
+   * surface); and the depth, 0 to 6.
+   */
+  void SetNumberOfRefinementShapes(int number);
+  void SetRefinementShape(int row, const char* shape);
+  void SetNumberOfRefinementPositions(int number);
+  void SetRefinementPosition(int row, double x, double y, double z);
+  void SetNumberOfRefinementLengths(int number);
+  void SetRefinementLength(int row, double x, double y, double z);
+  void SetNumberOfRefinementShapeDepths(int number);
+  void SetRefinementShapeDepth(int row, int depth);
+  ///@}
+
   /**
    * Takes all connections of input port 1 away.
    */
@@ -308,6 +324,10 @@ protected:
   vtkNew<vtkDataArraySelection> RefinedBoundaries;
   int RefinedBoundaryDepth = 1;
   int RegionDepth = 1;
+  std::vector<std::string> RefinementShapes;
+  std::vector<std::array<double, 3>> RefinementPositions;
+  std::vector<std::array<double, 3>> RefinementLengths;
+  std::vector<int> RefinementShapeDepths;
   double CurvatureAngle = 0;
   int FeatureDepth = 0;
   int CellsAcrossGaps = 0;
@@ -331,7 +351,7 @@ private:
     const std::map<std::int32_t, std::string>& names, cartesian::RefinementSpec& spec);
   void EstimateBoxes();
 
-  // A closed surface around a region to refine, with its own depth or RegionDepth.
+  // A closed surface around a region to refine, with its own depth or RegionDepth; of the given ones and the shapes.
   struct RegionSurface;
   std::vector<RegionSurface> RegionSurfaces(
     const std::vector<vtkSmartPointer<vtkDataObject>>& given) const;

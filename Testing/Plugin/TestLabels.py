@@ -7,7 +7,8 @@ grid = {"CellSize": 0.0, "MeshlinesX": [], "MeshlinesY": [], "MeshlinesZ": []}
 refinement = {"RefinementDepth": 0, "RefinementBlocks": [], "BoundaryRefinement": [],
               "RefinedBoundaries": [], "RefinedBoundaryDepth": 1, "RegionDepth": 1,
               "CurvatureAngle": 0.0, "CellsAcrossGaps": 0, "LargestDepth": 3, "FeatureDepth": 0,
-              "SizeArray": ""}
+              "SizeArray": "", "RefinementShapes": [], "RefinementPositions": [], "RefinementLengths": [],
+              "RefinementShapeDepths": []}
 boundaries = {"BoundaryArray": "Automatic"}
 patches = {"PatchMethod": "Automatic", "FeatureAngle": 30.0, "MergeAngle": 10.0,
            "Tying": "Keep Nodes"}

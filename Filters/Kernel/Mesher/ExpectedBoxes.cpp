@@ -63,9 +63,16 @@ public:
   double longest() const { return meshed_.longest; }
 
   // With the depths of boundaries, but without blocks, regions and sizes.
-  double boxes(double size, int depth) const
+  double boxes(const GridSpec& grid, int depth) const
   {
-    const std::array<double, 3> box{ size, size, size };
+    std::array<double, 3> box;
+    for (std::size_t axis = 0; axis < box.size(); ++axis)
+    {
+      const std::vector<double>& lines = grid.meshlines[axis];
+      box[axis] = lines.size() > 1
+        ? (lines.back() - lines.front()) / static_cast<double>(lines.size() - 1)
+        : grid.cellSize;
+    }
     double boxes = expectedBoxes(meshed_, box, depth);
     for (const auto& [boundary, own] : depths_)
     {
@@ -181,7 +188,7 @@ std::vector<double> boxesAt(const Areas& areas, const SurfaceView& surface, Opti
   std::vector<double> result;
   for (const int depth : depths)
   {
-    const double boxes = areas.boxes(options.grid.cellSize, depth);
+    const double boxes = areas.boxes(options.grid, depth);
     if (needsGrid && boxes < MostLookedAt)
     {
       grid = grid ? std::move(grid) : std::make_unique<Grid>(surface, options, execution);
