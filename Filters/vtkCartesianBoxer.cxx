@@ -598,6 +598,8 @@ int vtkCartesianBoxer::RequestData(
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
     const auto decomposition = this->Divide(surface, prepared, Regions(input[1]),
       this->ReadSizes(data, surface, vtkDataObject::GetData(input[2])), execution);
+    // Fields of boxes go on to the mesh.
+    cartesian::setRepairs(prepared.repair, vtkUnstructuredGrid::GetData(output));
     cartesian::toVTK(decomposition->boxes(decomposition->allLayers(), execution),
       vtkUnstructuredGrid::GetData(output));
   });

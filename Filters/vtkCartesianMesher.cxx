@@ -351,6 +351,8 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   const cartesian::MeshPiece& place, vtkInformationVector* output, cartesian::Execution& execution)
 {
   vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(output, 0);
+  cartesian::setRepairs(task.prepared.repair, mesh);
+  cartesian::setRepairs(task.prepared.repair, vtkPolyData::GetData(output, 1));
   cartesian::toVTK(*piece.assembly,
     { task.surface->names(), task.types, task.surface->regionNames() }, place, mesh,
     vtkPolyData::GetData(output, 1), vtkPolyData::GetData(output, 3), execution);

@@ -39,7 +39,12 @@ struct Told
   const char* field;
   const char* text;
 };
-constexpr std::array<Told, 9> WhatWasDone{ {
+constexpr std::array<Told, 14> WhatWasDone{ {
+  { "TrianglesTurned", "triangles of the surface turned over" },
+  { "DuplicatesLeftOut", "duplicate triangles left out" },
+  { "LooseTrianglesLeftOut", "triangles that touch no other left out" },
+  { "HolesClosed", "holes in the surface closed" },
+  { "LeaksClosed", "holes wider than a box closed" },
   { "BoxesRebuilt", "boxes made anew, as the surface does not close there" },
   { "BoxesFlawed", "boxes left out, as they do not close" },
   { "SmallCellsMerged", "small cells merged" },

@@ -46,7 +46,9 @@ expected = {
              boundaries | grid | refinement | patches | cells | settings | threads | memory
              | pieces | regions | domain | layers),
     inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
-    quality: ("Finite Volume Quality", ["Input"], threads),
+    quality: ("Finite Volume Quality", ["Input"], threads | {"OpennessLimit": 1e-6, "BoundaryAngleLimit": 90,
+        "InnerAngleLimit": 75, "NonOrthogonalityLimit": 70, "SkewnessLimit": 4, "FaceWeightLimit": 0.05,
+        "VolumeRatioLimit": 0.01, "DeterminantLimit": 0.001, "AspectRatioLimit": 1000}),
     summary: ("Mesh Summary", ["Input"], threads | {"Measure": "Skewness", "NumberOfWorstCells": 10}),
     # A region is as large as its input at first.
     region: ("Refinement Region", ["Input"], {"Shape": "Box", "Position": [-0.5, -0.5, -0.5],
