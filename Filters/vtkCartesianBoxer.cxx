@@ -105,8 +105,9 @@ std::vector<vtkCartesianBoxer::RegionSurface> vtkCartesianBoxer::RegionSurfaces(
   {
     const auto shape = cartesian::shapeInBox(
       this->RefinementShapes[row], this->RefinementPositions[row], this->RefinementLengths[row]);
-    regions.push_back(
-      { std::make_unique<cartesian::SurfaceFromVTK>(shape, ""), this->RefinementShapeDepths[row] });
+    RegionSurface& region = regions.emplace_back();
+    region.surface = std::make_unique<cartesian::SurfaceFromVTK>(shape, "");
+    region.depth = this->RefinementShapeDepths[row];
   }
   return regions;
 }
@@ -271,6 +272,7 @@ void vtkCartesianBoxer::UpdateOptionalInputs()
 std::vector<vtkSmartPointer<vtkDataObject>> vtkCartesianBoxer::OptionalRegions()
 {
   std::vector<vtkSmartPointer<vtkDataObject>> regions;
+  regions.reserve(static_cast<std::size_t>(this->GetNumberOfInputConnections(1)));
   for (int i = 0; i < this->GetNumberOfInputConnections(1); ++i)
   {
     regions.emplace_back(this->GetInputDataObject(1, i));
