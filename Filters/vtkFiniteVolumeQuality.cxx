@@ -112,7 +112,7 @@ vtkFiniteVolumeQuality::vtkFiniteVolumeQuality()
   this->SetNumberOfOutputPorts(2);
 }
 
-int vtkFiniteVolumeQuality::FillInputPortInformation(int, vtkInformation* info)
+int vtkFiniteVolumeQuality::FillInputPortInformation(int /*port*/, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
   return 1;
@@ -131,7 +131,7 @@ int vtkFiniteVolumeQuality::RequestUpdateExtent(
 }
 
 int vtkFiniteVolumeQuality::RequestData(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+  vtkInformation* /*request*/, vtkInformationVector** input, vtkInformationVector* output)
 {
   vtkUnstructuredGrid* grid = vtkUnstructuredGrid::GetData(input[0]);
   vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(output, 0);

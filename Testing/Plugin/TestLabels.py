@@ -50,9 +50,9 @@ expected = {
         "InnerAngleLimit": 75, "NonOrthogonalityLimit": 70, "SkewnessLimit": 4, "FaceWeightLimit": 0.05,
         "VolumeRatioLimit": 0.01, "DeterminantLimit": 0.001, "AspectRatioLimit": 1000}),
     summary: ("Mesh Summary", ["Input"], threads | {"Measure": "Skewness", "NumberOfWorstCells": 10}),
-    # A region is as large as its input at first.
-    region: ("Refinement Region", ["Input"], {"Shape": "Box", "Position": [-0.5, -0.5, -0.5],
-        "Rotation": [0, 0, 0], "Length": [1, 1, 1], "Center": [0, 0, 0], "Radius": 0.25,
+    # A box has an eighth of its input's bounding box at first, a sphere a fifth of its length.
+    region: ("Refinement Region", ["Input"], {"Shape": "Box", "Position": [0, 0, 0],
+        "Rotation": [0, 0, 0], "Length": [0.5, 0.5, 0.5], "Center": [0, 0, 0], "Radius": 0.1,
         "Depth": 1}),
 }
 for proxy, (label, inputs, properties) in expected.items():

@@ -125,7 +125,7 @@ for properties in ({"BoundaryRefinement": [0, 2, 0, 0, 3, 2, 0, 0]},
     assert made > 1.5 * plain and 0.8 < mesher.ExpectedBoxes[1] / made < 1.2, (list(mesher.ExpectedBoxes), plain, made)
 # ... and what else refines, where it is and where the surface asks for it: of grids where that makes at least half as many boxes
 # again.
-sphere = simple.RefinementRegion(Input=header, Shape="Sphere", Depth=2)
+sphere = simple.RefinementRegion(Input=header, Shape="Sphere", Radius=90, Depth=2)
 sphere.UpdatePipeline()
 plain = output(simple.CartesianBoxer(Input=header, CellSize=12)).GetNumberOfCells()
 for properties in ({"RefinementRegions": sphere}, {"BoundaryRefinement": [0, 2, 2, 0]}, {"FeatureDepth": 2},

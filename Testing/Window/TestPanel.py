@@ -4,8 +4,10 @@ what a user needs."""
 
 import pathlib
 import sys
+from xml.sax.saxutils import quoteattr
 
 from events import PROPERTIES, apply, event, macro, meshing_menu, open_file, script
+from paraview import servermanager, simple  # noqa: F401: connects
 from window import Screen
 
 SURFACE = pathlib.Path(sys.argv[1]) / "Data" / "tm_7_8ths_cube.stl"
@@ -39,8 +41,11 @@ ROW = f"{PROPERTIES}/PropertyCollection/container/1pqProxyWidget0"
 
 
 def check(object, property, value):
-    return f'<pqcheck object="{object}" property="{property}" arguments="{value}"/>'
+    return f'<pqcheck object="{object}" property="{property}" arguments={quoteattr(value)}/>'
 
+
+expected = servermanager.ProxyManager().SMProxyManager.GetPrototypeProxy("filters", "CartesianMesher").GetProperty("ExpectedBoxes")
+told = " ".join(expected.GetDocumentation().GetDescription().split())
 
 with Screen() as screen:
     for name, text in (("save", SAVE), ("note", NOTE), ("surface", SELECT.replace("{other}", SURFACE.name)),
@@ -48,6 +53,7 @@ with Screen() as screen:
         screen.add_macro(name, text.replace("{folder}", str(screen.folder)))
     screen.play(script(open_file(SURFACE), apply(), meshing_menu("CartesianMesher"),
         check(f"{PROPERTIES}/BoundaryArray/ComboBox", "currentText", "Automatic"),
+        check(f"{PROPERTIES}/ExpectedBoxes", "toolTip", f"<html><head/><body><p align=\"justify\">{told}</p></body></html>"),
         apply(), macro("note"), macro("save"),
         event(f"{PROPERTIES}/PropertyCollection/addItemButton", "activate"),
         event(f"{ROW}/Shape/ComboBox", "set_string", "cylinderX"), event(f"{ROW}/InteractiveBox/scaleX", "set_string", "9"),
