@@ -4,13 +4,14 @@
 #include "Base/Error.h"
 #include "BoxesVTK.h"
 #include "DefectsToVTK.h"
+#include "Mesher/ExpectedBoxes.h"
 #include "Mesher/Mesher.h"
 #include "Mesher/Messages.h"
 #include "Parts/Decomposition.h"
+#include "RegionShapes.h"
 #include "Repair/SurfaceDefects.h"
 #include "ReportErrors.h"
 #include "SizesFromVTK.h"
-#include "Surface/SizeEstimate.h"
 #include "SurfaceBlocks.h"
 #include "SurfaceFromVTK.h"
 
@@ -47,18 +48,6 @@ void PrintTable(ostream& os, vtkIndent indent, const char* name, const Table& ta
   }
 }
 
-// Significant digits of ExpectedBoxes.
-constexpr int DigitsOfSizes = 3;
-constexpr int DigitsOfNumbers = 2;
-
-// The double next to these digits, which is shown without others.
-double Rounded(double value, int digits)
-{
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.*e", digits - 1, std::max(0.0, value));
-  return std::strtod(text.data(), nullptr);
-}
-
 // Tables hold doubles; all their numbers are whole.
 int WholeNumber(double value, const std::string& where)
 {
@@ -70,15 +59,25 @@ int WholeNumber(double value, const std::string& where)
   return static_cast<int>(value);
 }
 
-// Closed surfaces around regions, with the depth of each: its own, in field data, or `depth`.
-struct RegionSurface
+}
+
+struct vtkCartesianBoxer::RegionSurface
 {
   std::unique_ptr<cartesian::SurfaceFromVTK> surface;
   int depth;
 };
 
-std::vector<RegionSurface> RegionSurfaces(
-  const std::vector<vtkSmartPointer<vtkDataObject>>& given, int depth)
+// All options, with the surfaces of regions that they borrow.
+struct vtkCartesianBoxer::Asked
+{
+  std::vector<RegionSurface> regions;
+  cartesian::Options options;
+};
+
+vtkStandardNewMacro(vtkCartesianBoxer);
+
+std::vector<vtkCartesianBoxer::RegionSurface> vtkCartesianBoxer::RegionSurfaces(
+  const std::vector<vtkSmartPointer<vtkDataObject>>& given) const
 {
   std::vector<RegionSurface> regions;
   for (const auto& data : given)
@@ -90,24 +89,28 @@ std::vector<RegionSurface> RegionSurfaces(
       region.surface = std::make_unique<cartesian::SurfaceFromVTK>(block.surface, "");
       region.depth = own && own->GetNumberOfTuples() == 1
         ? WholeNumber(own->GetComponent(0, 0), "the field data of Refinement Regions")
-        : depth;
+        : this->RegionDepth;
     }
+  }
+  const std::size_t rows = this->RefinementShapes.size();
+  if (this->RefinementPositions.size() != rows || this->RefinementLengths.size() != rows ||
+    this->RefinementShapeDepths.size() != rows)
+  {
+    throw cartesian::Error(cartesian::Fault::BadParameter,
+      "There must be as many Refinement Positions, Refinement Lengths and Refinement Shape Depths "
+      "as "
+      "Refinement Shapes.");
+  }
+  for (std::size_t row = 0; row < rows; ++row)
+  {
+    const auto shape = cartesian::shapeInBox(
+      this->RefinementShapes[row], this->RefinementPositions[row], this->RefinementLengths[row]);
+    RegionSurface& region = regions.emplace_back();
+    region.surface = std::make_unique<cartesian::SurfaceFromVTK>(shape, "");
+    region.depth = this->RefinementShapeDepths[row];
   }
   return regions;
 }
-
-}
-
-// What ExpectedBoxes are estimated from.
-struct vtkCartesianBoxer::SeenSurface
-{
-  cartesian::BoundaryNames names;
-  cartesian::Bounds bounds;
-  cartesian::SurfaceSize whole;
-  std::map<std::int32_t, cartesian::SurfaceSize> ofBoundary;
-};
-
-vtkStandardNewMacro(vtkCartesianBoxer);
 
 vtkCartesianBoxer::vtkCartesianBoxer()
 {
@@ -170,6 +173,46 @@ void vtkCartesianBoxer::SetBoundaryRefinement(
   this->SetRow(this->BoundaryRefinements, row, { boundary, depth, blendLayers, blendBelow });
 }
 
+void vtkCartesianBoxer::SetNumberOfRefinementShapes(int number)
+{
+  this->Resize(this->RefinementShapes, number);
+}
+
+void vtkCartesianBoxer::SetRefinementShape(int row, const char* shape)
+{
+  this->SetRow(this->RefinementShapes, row, std::string(shape ? shape : ""));
+}
+
+void vtkCartesianBoxer::SetNumberOfRefinementPositions(int number)
+{
+  this->Resize(this->RefinementPositions, number);
+}
+
+void vtkCartesianBoxer::SetRefinementPosition(int row, double x, double y, double z)
+{
+  this->SetRow(this->RefinementPositions, row, { x, y, z });
+}
+
+void vtkCartesianBoxer::SetNumberOfRefinementLengths(int number)
+{
+  this->Resize(this->RefinementLengths, number);
+}
+
+void vtkCartesianBoxer::SetRefinementLength(int row, double x, double y, double z)
+{
+  this->SetRow(this->RefinementLengths, row, { x, y, z });
+}
+
+void vtkCartesianBoxer::SetNumberOfRefinementShapeDepths(int number)
+{
+  this->Resize(this->RefinementShapeDepths, number);
+}
+
+void vtkCartesianBoxer::SetRefinementShapeDepth(int row, int depth)
+{
+  this->SetRow(this->RefinementShapeDepths, row, depth);
+}
+
 void vtkCartesianBoxer::SetNumberOfMeshlines(int axis, int number)
 {
   if (axis < 0 || axis > 2 || number < 0)
@@ -215,6 +258,28 @@ double vtkCartesianBoxer::GetMeshline(int axis, int i)
   return this->HasMeshline(axis, i) ? this->Meshlines[axis][i] : 0.0;
 }
 
+void vtkCartesianBoxer::UpdateOptionalInputs()
+{
+  for (int port = 1; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
+    {
+      this->GetInputAlgorithm(port, i)->Update();
+    }
+  }
+}
+
+std::vector<vtkSmartPointer<vtkDataObject>> vtkCartesianBoxer::OptionalRegions()
+{
+  std::vector<vtkSmartPointer<vtkDataObject>> regions;
+  regions.reserve(static_cast<std::size_t>(this->GetNumberOfInputConnections(1)));
+  for (int i = 0; i < this->GetNumberOfInputConnections(1); ++i)
+  {
+    regions.emplace_back(this->GetInputDataObject(1, i));
+  }
+  return regions;
+}
+
 vtkDataObject* vtkCartesianBoxer::UpdatedSurface()
 {
   vtkAlgorithm* source = this->GetInputAlgorithm();
@@ -238,17 +303,11 @@ double vtkCartesianBoxer::EstimateNumberOfBoxes()
 {
   double boxes = 0;
   this->Run(0, 1, [&](cartesian::Execution& execution) {
-    const cartesian::SurfaceFromVTK surface = this->Read(this->UpdatedSurface());
-    const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
-    std::array<double, 3> box;
-    for (std::size_t axis = 0; axis < box.size(); ++axis)
-    {
-      const auto& planes = prepared.planes[axis];
-      box[axis] = (static_cast<double>(planes.back()) - planes.front()) /
-        static_cast<double>(planes.size() - 1) * prepared.surface.lattice.step();
-    }
-    this->LookAt(surface);
-    boxes = this->EstimateBoxes(box, this->RefinementDepth);
+    this->UpdateOptionalInputs();
+    const cartesian::SurfaceFromVTK surface = this->ReadWithSides(this->UpdatedSurface());
+    this->Prepare(surface, execution);
+    const Asked asked = this->Ask(surface);
+    boxes = cartesian::expectedBoxes(surface.view(), asked.options, execution);
   });
   return boxes;
 }
@@ -303,108 +362,56 @@ int vtkCartesianBoxer::RequestInformation(
   {
     this->SurfaceTime = data->GetMTime();
     this->ListedArray = listed;
-    this->Seen.reset();
     // Not read yet, or flawed: the work itself will say so.
     cartesian::reportErrors(
-      [&] { this->LookAt(this->Read(data)); }, [](unsigned long, const std::string&) {});
+      [&] { this->ListBoundaries(this->Read(data)); }, [](unsigned long, const std::string&) {});
   }
-  this->EstimateBoxes();
   return 1;
 }
 
-void vtkCartesianBoxer::LookAt(const cartesian::SurfaceFromVTK& surface)
+double* vtkCartesianBoxer::GetExpectedBoxes()
 {
-  this->ListBoundaries(surface);
-  const cartesian::SurfaceView view = surface.view();
-  this->Seen = std::make_unique<SeenSurface>(
-    SeenSurface{ surface.names(), cartesian::boundsOf(view), cartesian::sizeOf(view), {} });
-  std::map<std::int32_t, std::vector<std::uint32_t>> triangles;
-  for (std::size_t t = 0; t < view.triangleCount; ++t)
+  vtkMTimeType time = this->GetMTime();
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
-    std::vector<std::uint32_t>& mine = triangles[view.boundary[t]];
-    mine.insert(mine.end(), view.triangles + 3 * t, view.triangles + 3 * t + 3);
-  }
-  for (const auto& [boundary, corners] : triangles)
-  {
-    cartesian::SurfaceSize size =
-      cartesian::sizeOf({ view.points, view.pointCount, corners.data(), corners.size() / 3 });
-    size.volume = 0; // of no closed surface
-    this->Seen->ofBoundary.emplace(boundary, size);
-  }
-}
-
-cartesian::SurfaceSize vtkCartesianBoxer::MeshedSize()
-{
-  cartesian::SurfaceSize size = this->Seen->whole;
-  const cartesian::DomainSpec domain = this->MakeOptions().domain;
-  if (domain.isOutside())
-  {
-    const cartesian::Bounds box = cartesian::boxAround(domain, this->Seen->bounds);
-    double volume = 1;
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
     {
-      volume *= box.high[axis] - box.low[axis];
-    }
-    size.volume = std::max(0.0, volume - size.volume);
-    size.longest = box.longest();
-  }
-  return size;
-}
-
-// With the depths of boundaries, but without blocks and regions.
-double vtkCartesianBoxer::EstimateBoxes(const std::array<double, 3>& size, int depth)
-{
-  double boxes = cartesian::expectedBoxes(this->MeshedSize(), size, depth);
-  std::map<std::int32_t, int> depths;
-  for (const cartesian::BoundaryRefinement& row : this->MakeSpec(this->Seen->names).boundaries)
-  {
-    depths[row.boundary] = std::max(depths[row.boundary], row.depth);
-  }
-  for (const auto& [boundary, own] : depths)
-  {
-    if (const auto part = this->Seen->ofBoundary.find(boundary);
-        part != this->Seen->ofBoundary.end())
-    {
-      boxes += cartesian::expectedBoxes(part->second, size, own) -
-        cartesian::expectedBoxes(part->second, size, depth);
+      vtkDataObject* const data = this->GetInputDataObject(port, i);
+      time = std::max(time, data ? data->GetMTime() : 0);
     }
   }
-  return boxes;
+  if (time != this->ExpectedTime)
+  {
+    this->ExpectedTime = time;
+    std::fill(std::begin(this->ExpectedBoxes), std::end(this->ExpectedBoxes), 0.0);
+    // Not read yet, or refused: the work itself will say so.
+    cartesian::reportErrors(
+      [&] { this->EstimateBoxes(); }, [](unsigned long, const std::string&) {});
+  }
+  return this->ExpectedBoxes;
+}
+
+vtkCartesianBoxer::Asked vtkCartesianBoxer::Ask(const cartesian::SurfaceFromVTK& surface)
+{
+  Asked asked{ this->RegionSurfaces(this->OptionalRegions()), this->MakeOptions() };
+  this->AddRefinement(surface.names(), asked.regions,
+    this->ReadSizes(this->GetInputDataObject(0, 0), surface, this->GetInputDataObject(2, 0)),
+    asked.options);
+  return asked;
 }
 
 void vtkCartesianBoxer::EstimateBoxes()
 {
-  constexpr int Depths = 3;
-  std::fill(std::begin(this->ExpectedBoxes), std::end(this->ExpectedBoxes), 0.0);
-  if (!this->Seen)
+  const cartesian::SurfaceFromVTK surface = this->ReadWithSides(this->GetInputDataObject(0, 0));
+  const Asked asked = this->Ask(surface);
+  cartesian::Execution execution(this->NumberOfThreads);
+  double* next = this->ExpectedBoxes;
+  for (const cartesian::ExpectedRow& row :
+    cartesian::expectedRows(surface.view(), asked.options, execution))
   {
-    return;
+    *next++ = row.size;
+    next = std::copy(row.boxes.begin(), row.boxes.end(), next);
   }
-  double longest = this->Seen->whole.longest;
-  cartesian::reportErrors(
-    [&] { longest = this->MeshedSize().longest; }, [](unsigned long, const std::string&) {});
-  const double applied = this->CellSize > 0
-    ? this->CellSize
-    : Rounded(longest / cartesian::DefaultCellsAlongLongest, DigitsOfSizes);
-  std::vector<double> sizes = { applied };
-  for (const double cells : { 25, 50, 100, 200 })
-  {
-    sizes.push_back(Rounded(longest / cells, DigitsOfSizes));
-  }
-  const auto fill = [&] {
-    double* next = this->ExpectedBoxes;
-    for (const double size : sizes)
-    {
-      *next++ = size;
-      for (int depth = 0; depth < Depths; ++depth)
-      {
-        const double boxes = this->EstimateBoxes({ size, size, size }, depth);
-        *next++ = Rounded(std::max(1.0, std::round(boxes)), DigitsOfNumbers);
-      }
-    }
-  };
-  // A row that is no good is told of when it is used.
-  cartesian::reportErrors(fill, [](unsigned long, const std::string&) {});
 }
 
 cartesian::Options vtkCartesianBoxer::MakeOptions()
@@ -537,6 +544,19 @@ cartesian::AskedSizes vtkCartesianBoxer::ReadSizes(
                : cartesian::sizesOnSurface(this->SizeArray, surface, source.cells());
 }
 
+void vtkCartesianBoxer::AddRefinement(const cartesian::BoundaryNames& names,
+  const std::vector<RegionSurface>& regions, cartesian::AskedSizes sizes,
+  cartesian::Options& options)
+{
+  options.refinement = this->MakeSpec(names);
+  options.refinement.sizing.sizes = std::move(sizes.boxes);
+  options.refinement.sizing.sizeOfTriangle = std::move(sizes.ofTriangles);
+  for (const RegionSurface& region : regions)
+  {
+    options.refinement.regions.push_back({ region.surface->view(), region.depth });
+  }
+}
+
 std::unique_ptr<cartesian::Decomposition> vtkCartesianBoxer::Divide(
   const cartesian::SurfaceFromVTK& source, const cartesian::PreparedSurface& prepared,
   const std::vector<vtkSmartPointer<vtkDataObject>>& regions, cartesian::AskedSizes sizes,
@@ -549,20 +569,15 @@ std::unique_ptr<cartesian::Decomposition> vtkCartesianBoxer::Divide(
         (this->GetNumberOfInputConnections(2) > 0 ? "Size Field" : "surface") +
         " with one number each: choose another, or none.");
   }
-  // After Load State, this is the first that is seen of the surface.
-  this->LookAt(source);
-  this->EstimateBoxes();
-  cartesian::Options options = this->MakeOptions();
-  options.refinement = this->MakeSpec(source.names());
-  options.refinement.sizing.sizes = std::move(sizes.boxes);
-  options.refinement.sizing.sizeOfTriangle = std::move(sizes.ofTriangles);
-  const std::vector<RegionSurface> surfaces = RegionSurfaces(regions, this->RegionDepth);
+  this->ListBoundaries(source); // after Load State, this is the first that is seen of the surface
+  const std::vector<RegionSurface> surfaces = this->RegionSurfaces(regions);
   for (const RegionSurface& region : surfaces)
   {
     const std::string undivided = region.surface->describeUndivided();
     this->Warn(undivided.empty() ? "" : "Of a refinement region: " + undivided);
-    options.refinement.regions.push_back({ region.surface->view(), region.depth });
   }
+  cartesian::Options options = this->MakeOptions();
+  this->AddRefinement(source.names(), surfaces, std::move(sizes), options);
   auto decomposition = cartesian::decompose(prepared, options, execution);
   for (const std::string& warning :
     { cartesian::describeOverhang(prepared), decomposition->warnings() })
@@ -585,6 +600,8 @@ int vtkCartesianBoxer::RequestData(
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
     const auto decomposition = this->Divide(surface, prepared, Regions(input[1]),
       this->ReadSizes(data, surface, vtkDataObject::GetData(input[2])), execution);
+    // Fields of boxes go on to the mesh.
+    cartesian::setRepairs(prepared.repair, vtkUnstructuredGrid::GetData(output));
     cartesian::toVTK(decomposition->boxes(decomposition->allLayers(), execution),
       vtkUnstructuredGrid::GetData(output));
   });
@@ -607,6 +624,10 @@ void vtkCartesianBoxer::PrintSelf(ostream& os, vtkIndent indent)
   this->RefinedBoundaries->PrintSelf(os, indent.GetNextIndent());
   os << indent << "RefinedBoundaryDepth: " << this->RefinedBoundaryDepth << "\n";
   os << indent << "RegionDepth: " << this->RegionDepth << "\n";
+  PrintColumn(os, indent, "RefinementShapes", this->RefinementShapes);
+  PrintTable(os, indent, "RefinementPositions", this->RefinementPositions);
+  PrintTable(os, indent, "RefinementLengths", this->RefinementLengths);
+  PrintColumn(os, indent, "RefinementShapeDepths", this->RefinementShapeDepths);
   os << indent << "CurvatureAngle: " << this->CurvatureAngle << "\n";
   os << indent << "FeatureDepth: " << this->FeatureDepth << "\n";
   os << indent << "CellsAcrossGaps: " << this->CellsAcrossGaps << "\n";

@@ -52,7 +52,6 @@ struct Options;
 struct PreparedSurface;
 struct RefinementSpec;
 class SurfaceFromVTK;
-struct SurfaceSize;
 }
 
 class VTKCARTESIANMESHERFILTERS_EXPORT vtkCartesianBoxer : public vtkCartesianAlgorithm
@@ -112,17 +111,17 @@ public:
 
   /**
    * Updates the surface and estimates, in a fraction of the time that the mesh takes, how many boxes
-   * it will have at RefinementDepth, other refinement left out. 0 on an error.
+   * it will have. 0 on an error.
    */
   double EstimateNumberOfBoxes();
 
   ///@{
   /**
-   * For the surface as it was when information on this filter was last updated: rows of a size of
-   * boxes, and about how many there will be of it at refinement depth 0, 1 and 2. The first size is
-   * CellSize, the others are the longest side by 25, 50, 100 and 200. All 0 without a surface.
+   * For the inputs as they are now: rows of a size of boxes, and about how many there will be of it at refinement
+   * depth 0, 1 and 2, with all other refinement. The first size is CellSize, the others are the longest side by 25, 50,
+   * 100 and 200. All 0 without a surface, or if the mesh would be refused.
    */
-  vtkGetVectorMacro(ExpectedBoxes, double, 20);
+  double* GetExpectedBoxes() VTK_SIZEHINT(20);
   ///@}
 
   ///@{
@@ -154,6 +153,22 @@ public:
   void SetNumberOfBoundaryRefinements(int number);
   void SetBoundaryRefinement(
     int row, double boundary, double depth, double blendLayers, double blendBelow);
+  ///@}
+
+  ///@{
+  /**
+   * Shapes, a row each, in which boxes are halved as in closed surfaces on input port 1: "box", "sphere", "cylinderX",
+   * "cylinderY" or "cylinderZ", which fills a box given by its low corner and its lengths (more than 0; units of the
+   * surface); and the depth, 0 to 6.
+   */
+  void SetNumberOfRefinementShapes(int number);
+  void SetRefinementShape(int row, const char* shape);
+  void SetNumberOfRefinementPositions(int number);
+  void SetRefinementPosition(int row, double x, double y, double z);
+  void SetNumberOfRefinementLengths(int number);
+  void SetRefinementLength(int row, double x, double y, double z);
+  void SetNumberOfRefinementShapeDepths(int number);
+  void SetRefinementShapeDepth(int row, int depth);
   ///@}
 
   /**
@@ -290,9 +305,15 @@ protected:
   static std::vector<vtkSmartPointer<vtkDataObject>> Regions(vtkInformationVector* input);
 
   /**
-   * The surface, brought up to date, or null.
+   * The surface, brought up to date, or null; and all other inputs.
    */
   vtkDataObject* UpdatedSurface();
+  void UpdateOptionalInputs();
+
+  /**
+   * The inputs of port 1, as they are now.
+   */
+  std::vector<vtkSmartPointer<vtkDataObject>> OptionalRegions();
 
   double CellSize = 0;
   std::array<std::vector<double>, 3> Meshlines;
@@ -303,6 +324,10 @@ protected:
   vtkNew<vtkDataArraySelection> RefinedBoundaries;
   int RefinedBoundaryDepth = 1;
   int RegionDepth = 1;
+  std::vector<std::string> RefinementShapes;
+  std::vector<std::array<double, 3>> RefinementPositions;
+  std::vector<std::array<double, 3>> RefinementLengths;
+  std::vector<int> RefinementShapeDepths;
   double CurvatureAngle = 0;
   int FeatureDepth = 0;
   int CellsAcrossGaps = 0;
@@ -324,16 +349,23 @@ private:
   void ListBoundaries(const cartesian::SurfaceFromVTK& source);
   void AddChosenBoundaries(
     const std::map<std::int32_t, std::string>& names, cartesian::RefinementSpec& spec);
-  void LookAt(const cartesian::SurfaceFromVTK& surface);
-  cartesian::SurfaceSize MeshedSize();
   void EstimateBoxes();
-  double EstimateBoxes(const std::array<double, 3>& size, int depth);
 
-  struct SeenSurface;
+  // A closed surface around a region to refine, with its own depth or RegionDepth; of the given ones and the shapes.
+  struct RegionSurface;
+  std::vector<RegionSurface> RegionSurfaces(
+    const std::vector<vtkSmartPointer<vtkDataObject>>& given) const;
+  void AddRefinement(const std::map<std::int32_t, std::string>& names,
+    const std::vector<RegionSurface>& regions, cartesian::AskedSizes sizes,
+    cartesian::Options& options);
 
-  vtkMTimeType SurfaceTime = 0; // of the surface that RefinedBoundaries and Seen are about
-  std::string ListedArray;      // what chose its boundaries, which are those of RefinedBoundaries
-  std::unique_ptr<SeenSurface> Seen;
+  // What the properties and the inputs, as they are, say about the surface.
+  struct Asked;
+  Asked Ask(const cartesian::SurfaceFromVTK& surface);
+
+  vtkMTimeType SurfaceTime = 0; // of the surface that RefinedBoundaries are of
+  std::string ListedArray;      // what chose its boundaries
+  vtkMTimeType ExpectedTime = 0;
   double ExpectedBoxes[20] = {};
 };
 

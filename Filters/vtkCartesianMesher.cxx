@@ -351,6 +351,8 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   const cartesian::MeshPiece& place, vtkInformationVector* output, cartesian::Execution& execution)
 {
   vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(output, 0);
+  cartesian::setRepairs(task.prepared.repair, mesh);
+  cartesian::setRepairs(task.prepared.repair, vtkPolyData::GetData(output, 1));
   cartesian::toVTK(*piece.assembly,
     { task.surface->names(), task.types, task.surface->regionNames() }, place, mesh,
     vtkPolyData::GetData(output, 1), vtkPolyData::GetData(output, 3), execution);
@@ -381,17 +383,8 @@ int vtkCartesianMesher::EstimateNumberOfPieces()
     const cartesian::SurfaceFromVTK surface = this->Read(data);
     constexpr int Many = 1 << 20;
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution, Many);
-    std::vector<vtkSmartPointer<vtkDataObject>> regions;
-    for (int i = 0; i < this->GetNumberOfInputConnections(1); ++i)
-    {
-      this->GetInputAlgorithm(1, i)->Update();
-      regions.emplace_back(this->GetInputDataObject(1, i));
-    }
-    if (vtkAlgorithm* field = this->GetInputAlgorithm(2, 0))
-    {
-      field->Update();
-    }
-    const auto decomposition = this->Divide(surface, prepared, regions,
+    this->UpdateOptionalInputs();
+    const auto decomposition = this->Divide(surface, prepared, this->OptionalRegions(),
       this->ReadSizes(data, surface, this->GetInputDataObject(2, 0)), execution);
     pieces = decomposition->partsNeeded(decomposition->estimateLayers(execution));
   });

@@ -112,7 +112,7 @@ vtkFiniteVolumeQuality::vtkFiniteVolumeQuality()
   this->SetNumberOfOutputPorts(2);
 }
 
-int vtkFiniteVolumeQuality::FillInputPortInformation(int, vtkInformation* info)
+int vtkFiniteVolumeQuality::FillInputPortInformation(int /*port*/, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
   return 1;
@@ -131,13 +131,23 @@ int vtkFiniteVolumeQuality::RequestUpdateExtent(
 }
 
 int vtkFiniteVolumeQuality::RequestData(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+  vtkInformation* /*request*/, vtkInformationVector** input, vtkInformationVector* output)
 {
   vtkUnstructuredGrid* grid = vtkUnstructuredGrid::GetData(input[0]);
   vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(output, 0);
   vtkPolyData* faces = vtkPolyData::GetData(output, 1);
   // Made of nothing, to begin with: processes that fail must take part in the sums.
   std::vector<cartesian::SummaryValue> summary = cartesian::summarise({}, {});
+  cartesian::QualityLimits limits = cartesian::standardLimits();
+  limits[cartesian::Openness] = this->OpennessLimit;
+  limits[cartesian::BoundaryAngle] = this->BoundaryAngleLimit;
+  limits[cartesian::InnerAngle] = this->InnerAngleLimit;
+  limits[cartesian::NonOrthogonality] = this->NonOrthogonalityLimit;
+  limits[cartesian::Skewness] = this->SkewnessLimit;
+  limits[cartesian::FaceWeight] = this->FaceWeightLimit;
+  limits[cartesian::VolumeRatio] = this->VolumeRatioLimit;
+  limits[cartesian::Determinant] = this->DeterminantLimit;
+  limits[cartesian::AspectRatio] = this->AspectRatioLimit;
   this->Run(0, 1, [&](cartesian::Execution& execution) {
     execution.stage("Faces", 0, 0.5);
     const cartesian::CellFaces cells = cartesian::facesOfCells(grid);
@@ -147,7 +157,7 @@ int vtkFiniteVolumeQuality::RequestData(
     execution.stage("Quality measures", 0.5, 1);
     std::vector<double> copy;
     const cartesian::Quality quality =
-      cartesian::measureQuality(Coordinates(grid, copy), cells, list, execution);
+      cartesian::measureQuality(Coordinates(grid, copy), cells, list, execution, limits);
     mesh->ShallowCopy(grid);
     SetMeasures(quality.cells, quality.cellFailures, mesh->GetCellData());
     SetFaces(cells, list, grid, faces);
@@ -167,4 +177,13 @@ int vtkFiniteVolumeQuality::RequestData(
 void vtkFiniteVolumeQuality::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "OpennessLimit: " << this->OpennessLimit << "\n";
+  os << indent << "BoundaryAngleLimit: " << this->BoundaryAngleLimit << "\n";
+  os << indent << "InnerAngleLimit: " << this->InnerAngleLimit << "\n";
+  os << indent << "NonOrthogonalityLimit: " << this->NonOrthogonalityLimit << "\n";
+  os << indent << "SkewnessLimit: " << this->SkewnessLimit << "\n";
+  os << indent << "FaceWeightLimit: " << this->FaceWeightLimit << "\n";
+  os << indent << "VolumeRatioLimit: " << this->VolumeRatioLimit << "\n";
+  os << indent << "DeterminantLimit: " << this->DeterminantLimit << "\n";
+  os << indent << "AspectRatioLimit: " << this->AspectRatioLimit << "\n";
 }

@@ -57,6 +57,30 @@ public:
   vtkTypeMacro(vtkFiniteVolumeQuality, vtkCartesianAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
+  /**
+   * Where a measure fails: the limits of the table, which are the defaults. The others cannot be changed.
+   */
+  vtkSetMacro(OpennessLimit, double);
+  vtkGetMacro(OpennessLimit, double);
+  vtkSetMacro(BoundaryAngleLimit, double);
+  vtkGetMacro(BoundaryAngleLimit, double);
+  vtkSetMacro(InnerAngleLimit, double);
+  vtkGetMacro(InnerAngleLimit, double);
+  vtkSetMacro(NonOrthogonalityLimit, double);
+  vtkGetMacro(NonOrthogonalityLimit, double);
+  vtkSetMacro(SkewnessLimit, double);
+  vtkGetMacro(SkewnessLimit, double);
+  vtkSetMacro(FaceWeightLimit, double);
+  vtkGetMacro(FaceWeightLimit, double);
+  vtkSetMacro(VolumeRatioLimit, double);
+  vtkGetMacro(VolumeRatioLimit, double);
+  vtkSetMacro(DeterminantLimit, double);
+  vtkGetMacro(DeterminantLimit, double);
+  vtkSetMacro(AspectRatioLimit, double);
+  vtkGetMacro(AspectRatioLimit, double);
+  ///@}
+
 protected:
   vtkFiniteVolumeQuality();
   ~vtkFiniteVolumeQuality() override = default;
@@ -67,6 +91,16 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+  double OpennessLimit = 1e-6;
+  double BoundaryAngleLimit = 90;
+  double InnerAngleLimit = 75;
+  double NonOrthogonalityLimit = 70;
+  double SkewnessLimit = 4;
+  double FaceWeightLimit = 0.05;
+  double VolumeRatioLimit = 0.01;
+  double DeterminantLimit = 0.001;
+  double AspectRatioLimit = 1000;
 
 private:
   vtkFiniteVolumeQuality(const vtkFiniteVolumeQuality&) = delete;

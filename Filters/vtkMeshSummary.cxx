@@ -39,16 +39,21 @@ struct Told
   const char* field;
   const char* text;
 };
-constexpr std::array<Told, 9> WhatWasDone{ {
-  { "BoxesRebuilt", "boxes made anew, as the surface does not close there" },
-  { "BoxesFlawed", "boxes left out, as they do not close" },
-  { "SmallCellsMerged", "small cells merged" },
-  { "SmallCellsRemoved", "small cells left out" },
-  { "RefusedCellsRemoved", "cells left out that solvers would refuse" },
-  { "FragmentCellsRemoved", "cells left out that the grid cuts off" },
-  { "IsolatedCells", "cells that few or no others are connected with" },
-  { "PartsLeftOut", "parts without a Keep Point left out" },
-  { "VoidsInsideCells", "closed pieces of surface inside one cell" },
+constexpr std::array<Told, 14> WhatWasDone{ {
+  { "TrianglesTurned", "Triangles of the surface turned over" },
+  { "DuplicatesLeftOut", "Duplicate triangles left out" },
+  { "LooseTrianglesLeftOut", "Triangles that touch no other left out" },
+  { "HolesClosed", "Holes in the surface closed" },
+  { "LeaksClosed", "Holes wider than a box closed" },
+  { "BoxesRebuilt", "Boxes made anew, as the surface does not close there" },
+  { "BoxesFlawed", "Boxes left out, as they do not close" },
+  { "SmallCellsMerged", "Small cells merged" },
+  { "SmallCellsRemoved", "Small cells left out" },
+  { "RefusedCellsRemoved", "Cells left out that solvers would refuse" },
+  { "FragmentCellsRemoved", "Cells left out that the grid cuts off" },
+  { "IsolatedCells", "Cells that few or no others are connected with" },
+  { "PartsLeftOut", "Parts without a Keep Point left out" },
+  { "VoidsInsideCells", "Closed pieces of surface inside one cell" },
 } };
 
 // The value of a field data array, or 0.
@@ -152,7 +157,7 @@ void TellWhatWasDone(vtkDataObject* mesh, std::ostream& text)
   {
     if (const double count = Field(mesh, told.field); count > 0)
     {
-      text << cartesian::number(count) << " " << told.text << "\n";
+      text << told.text << ": " << cartesian::number(count) << "\n";
     }
   }
   if (const double relaxed = Field(mesh, "SizesRelaxed"); relaxed > 0)

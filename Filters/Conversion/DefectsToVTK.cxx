@@ -13,7 +13,9 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -41,6 +43,13 @@ constexpr std::array<std::pair<DefectKind, const char*>, 12> CountNames = { {
 
 constexpr const char* CellsLeftOut = "CellsLeftOut";
 
+const char* nameOf(DefectKind kind)
+{
+  const auto* found = std::find_if(CountNames.begin(), CountNames.end(),
+    [kind](const auto& count) { return count.first == kind; });
+  return found == CountNames.end() ? CellsLeftOut : found->second;
+}
+
 class DefectWriter
 {
 public:
@@ -49,6 +58,7 @@ public:
     , surfaceCells_(surfaceCells)
   {
     kind_->SetName("DefectKind");
+    name_->SetName("DefectName");
     cell_->SetName("SurfaceCell");
     other_->SetName("OtherCell");
     width_->SetName("Width");
@@ -72,6 +82,7 @@ public:
     output->SetLines(lines);
     output->SetPolys(polygons);
     output->GetCellData()->SetScalars(kind_);
+    output->GetCellData()->AddArray(name_);
     output->GetCellData()->AddArray(cell_);
     output->GetCellData()->AddArray(other_);
     output->GetCellData()->AddArray(width_);
@@ -92,6 +103,7 @@ private:
           cells->InsertCellPoint(point + i);
         }
         kind_->InsertNextValue(static_cast<int>(defect.kind));
+        name_->InsertNextValue(nameOf(defect.kind));
         const vtkIdType cell = cellOf(defect.triangle);
         const vtkIdType other = cellOf(defect.other);
         const bool swaps = other >= 0 && other < cell; // of a pair the lower comes first
@@ -112,6 +124,7 @@ private:
   const SurfaceDefects& defects_;
   const std::vector<vtkIdType>& surfaceCells_;
   vtkNew<vtkIntArray> kind_;
+  vtkNew<vtkStringArray> name_;
   vtkNew<vtkIdTypeArray> cell_;
   vtkNew<vtkIdTypeArray> other_;
   vtkNew<vtkDoubleArray> width_;
@@ -151,6 +164,8 @@ public:
         polygons_->InsertCellPoint(first + static_cast<vtkIdType>(corner));
       }
       append("DefectKind", static_cast<int>(DefectKind::CellLeftOut));
+      vtkStringArray::SafeDownCast(data_->GetAbstractArray("DefectName"))
+        ->InsertNextValue(CellsLeftOut);
       append("SurfaceCell", -1);
       append("OtherCell", -1);
       append("Width", 0);
@@ -180,6 +195,25 @@ void toVTK(
   setField(output, "Components", { static_cast<double>(defects.components) });
   setField(output, "TrianglesNotCompared", { static_cast<double>(defects.notCompared) });
   setField(output, CellsLeftOut, { 0 }); // so far: addCellsLeftOut()
+}
+
+void setRepairs(const SurfaceRepair& repair, vtkDataObject* output)
+{
+  const std::size_t leaks = repair.leaks();
+  const std::array<std::pair<const char*, std::size_t>, 5> counts{ {
+    { "TrianglesTurned", repair.turned },
+    { "DuplicatesLeftOut", repair.duplicates.size() },
+    { "LooseTrianglesLeftOut", repair.loose.size() },
+    { "HolesClosed", repair.holes.size() - leaks },
+    { "LeaksClosed", leaks },
+  } };
+  for (const auto& [name, count] : counts)
+  {
+    if (count > 0)
+    {
+      setField(output, name, { static_cast<double>(count) });
+    }
+  }
 }
 
 void addCellsLeftOut(const Assembly& assembly, vtkPolyData* output)

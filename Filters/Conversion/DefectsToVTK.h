@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The defects of a surface as a vtkPolyData of lines and triangles.
 //
-// Cell arrays: DefectKind (int: SurfaceDefects.h, vtkSurfaceInspector.h), SurfaceCell and OtherCell (id
+// Cell arrays: DefectKind (int: SurfaceDefects.h, vtkSurfaceInspector.h), DefectName (string), SurfaceCell and OtherCell (id
 // type: cells of the surface, or -1), Width (double: of closed contacts, else 0), Volume (double: of cells left out,
 // else 0). Field data: one number for each count.
 #pragma once
@@ -11,6 +11,7 @@
 
 #include "vtkType.h"
 
+class vtkDataObject;
 class vtkPolyData;
 
 namespace cartesian
@@ -19,6 +20,10 @@ namespace cartesian
 // `surfaceCells`: the cell of each triangle of the surface (SurfaceFromVTK).
 void toVTK(
   const SurfaceDefects& defects, const std::vector<vtkIdType>& surfaceCells, vtkPolyData* output);
+
+// What was repaired, as numbers in field data: TrianglesTurned, DuplicatesLeftOut, LooseTrianglesLeftOut, HolesClosed,
+// LeaksClosed; each only where it is not 0.
+void setRepairs(const SurfaceRepair& repair, vtkDataObject* output);
 
 // Adds the cells that the mesh lacks, as solvers would refuse them or the grid has cut them off: the six sides of the
 // box of each, of kind CellLeftOut.

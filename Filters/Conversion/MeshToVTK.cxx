@@ -453,6 +453,11 @@ void describeBoundaries(const Assembly& assembly, const BoundaryTexts& texts,
     output->GetFieldData()->AddArray(faces);
     output->GetFieldData()->AddArray(areas);
   }
+  auto* ids = vtkIntArray::SafeDownCast(boundary->GetCellData()->GetArray("BoundaryId"));
+  // Views show strings in categorical colours, with a legend of them.
+  boundary->GetCellData()->AddArray(
+    arrayOf<vtkStringArray>("BoundaryName", static_cast<std::size_t>(ids->GetNumberOfValues()),
+      [&](std::size_t i) { return names.at(ids->GetValue(static_cast<vtkIdType>(i))); }));
   if (assembly.layers)
   {
     LayerReport report(*assembly.layers, boundary);

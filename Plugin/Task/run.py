@@ -333,7 +333,7 @@ def check(task):
     mesher = build(task)
     listener = Listener(mesher, quiet=True)
     boxes = listener.algorithm.EstimateNumberOfBoxes()
-    print(f"about {boxes:.3g} boxes, at refinement depth {mesher.RefinementDepth}")
+    print(f"about {float(f'{boxes:.2g}'):.0f} boxes")
     return REFUSED if boxes == 0 else WARNINGS if listener.warnings else SUCCESS
 
 

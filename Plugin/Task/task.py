@@ -177,7 +177,9 @@ class _Reader:
                 self.fail(where, f"needs the key {first.key}")
             rows.append({column.name: defaults.get(column.key, column.default) for column in others}
                 | self.values(table, where, of.columns))
-        return {column.name: [row[column.name] for row in rows] for column in of.columns} if rows else {}
+        values = {column.name: [row[column.name] for row in rows] for column in of.columns} if rows else {}
+        return {column.name: sum(values[column.name], []) if column.count > 1 else values[column.name]
+            for column in of.columns if rows}
 
     def tables(self, content, key):
         """The content itself, if it is written [[key]]."""

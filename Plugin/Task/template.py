@@ -25,7 +25,7 @@ REGIONS = """
 # a depth."""
 
 ROWS = """
-# Any number of tables of this kind, each with a name; what is left out is as elsewhere."""
+# Any number of tables of this kind, each with the first key; what is left out is as elsewhere."""
 
 OUTPUT = """
 # What to write; each a file or a list of them.

@@ -7,7 +7,8 @@ grid = {"CellSize": 0.0, "MeshlinesX": [], "MeshlinesY": [], "MeshlinesZ": []}
 refinement = {"RefinementDepth": 0, "RefinementBlocks": [], "BoundaryRefinement": [],
               "RefinedBoundaries": [], "RefinedBoundaryDepth": 1, "RegionDepth": 1,
               "CurvatureAngle": 0.0, "CellsAcrossGaps": 0, "LargestDepth": 3, "FeatureDepth": 0,
-              "SizeArray": ""}
+              "SizeArray": "", "RefinementShapes": [], "RefinementPositions": [], "RefinementLengths": [],
+              "RefinementShapeDepths": []}
 boundaries = {"BoundaryArray": "Automatic"}
 patches = {"PatchMethod": "Automatic", "FeatureAngle": 30.0, "MergeAngle": 10.0,
            "Tying": "Keep Nodes"}
@@ -45,11 +46,13 @@ expected = {
              boundaries | grid | refinement | patches | cells | settings | threads | memory
              | pieces | regions | domain | layers),
     inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
-    quality: ("Finite Volume Quality", ["Input"], threads),
+    quality: ("Finite Volume Quality", ["Input"], threads | {"OpennessLimit": 1e-6, "BoundaryAngleLimit": 90,
+        "InnerAngleLimit": 75, "NonOrthogonalityLimit": 70, "SkewnessLimit": 4, "FaceWeightLimit": 0.05,
+        "VolumeRatioLimit": 0.01, "DeterminantLimit": 0.001, "AspectRatioLimit": 1000}),
     summary: ("Mesh Summary", ["Input"], threads | {"Measure": "Skewness", "NumberOfWorstCells": 10}),
-    # A region is as large as its input at first.
-    region: ("Refinement Region", ["Input"], {"Shape": "Box", "Position": [-0.5, -0.5, -0.5],
-        "Rotation": [0, 0, 0], "Length": [1, 1, 1], "Center": [0, 0, 0], "Radius": 0.25,
+    # A box has an eighth of its input's bounding box at first, a sphere a fifth of its length.
+    region: ("Refinement Region", ["Input"], {"Shape": "Box", "Position": [0, 0, 0],
+        "Rotation": [0, 0, 0], "Length": [0.5, 0.5, 0.5], "Center": [0, 0, 0], "Radius": 0.1,
         "Depth": 1}),
 }
 for proxy, (label, inputs, properties) in expected.items():

@@ -5,7 +5,7 @@ from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import measure
-from pipeline import DATA, Messages, error_code, octahedron, output, producer, read
+from pipeline import DATA, Messages, assert_identical, error_code, octahedron, output, producer, read
 
 BAD_PARAMETER = 40008
 
@@ -63,6 +63,24 @@ beside = level[[not touch for touch in touches]]
 assert beside.max() == 1 and beside.min() == 0 and (beside.min(axis=1) == 1).mean() < 0.1
 
 
+# The same box as a row of the mesher's own panel; and round shapes, which touch fewer.
+def shape(name, **changed):
+    row = {"RefinementShapes": [name], "RefinementPositions": [-0.4, 0.1, -0.2], "RefinementLengths": [0.3, 0.2, 0.4],
+        "RefinementShapeDepths": [2]} | changed
+    return simple.CartesianBoxer(Input=spot, CellSize=0.1, **row)
+
+
+region = simple.RefinementRegion(Input=spot, Position=[-0.4, 0.1, -0.2], Length=[0.3, 0.2, 0.4], Depth=2)
+assert_identical("a row", output(shape("box")), output(simple.CartesianBoxer(Input=spot, CellSize=0.1, RefinementRegions=region)))
+counts = {name: output(shape(name)).GetNumberOfCells() for name in ("box", "cylinderX", "cylinderY", "cylinderZ", "sphere")}
+plain = output(simple.CartesianBoxer(Input=spot, CellSize=0.1)).GetNumberOfCells()
+assert all(plain < counts["sphere"] <= counts[name] < counts["box"] for name in counts if name.startswith("c")), counts
+with Messages() as text:
+    for wrong in shape("cone"), shape("box", RefinementLengths=[1, 0, 1]), shape("box", RefinementShapeDepths=[]), \
+            shape("box", RefinementShapeDepths=[7]):
+        assert output(wrong).GetNumberOfCells() == 0 and error_code(wrong) == BAD_PARAMETER
+
+
 def refused(words, **properties):
     mesher = simple.CartesianMesher(Input=spot, **properties)
     with Messages() as text:
@@ -105,6 +123,17 @@ for properties in ({"BoundaryRefinement": [0, 2, 0, 0, 3, 2, 0, 0]},
     plain, made = (output(simple.CartesianBoxer(Input=header, CellSize=6, **refinement)).GetNumberOfCells()
         for refinement in ({}, properties))
     assert made > 1.5 * plain and 0.8 < mesher.ExpectedBoxes[1] / made < 1.2, (list(mesher.ExpectedBoxes), plain, made)
+# ... and what else refines, where it is and where the surface asks for it: of grids where that makes at least half as many boxes
+# again.
+sphere = simple.RefinementRegion(Input=header, Shape="Sphere", Radius=90, Depth=2)
+sphere.UpdatePipeline()
+plain = output(simple.CartesianBoxer(Input=header, CellSize=12)).GetNumberOfCells()
+for properties in ({"RefinementRegions": sphere}, {"BoundaryRefinement": [0, 2, 2, 0]}, {"FeatureDepth": 2},
+                   {"CurvatureAngle": 30, "CellsAcrossGaps": 3}):
+    mesher = simple.CartesianBoxer(Input=header, CellSize=12, **properties)
+    made = output(mesher).GetNumberOfCells()
+    mesher.UpdatePipelineInformation()
+    assert made > 1.5 * plain and 0.7 < mesher.ExpectedBoxes[1] / made < 1.4, (properties, list(mesher.ExpectedBoxes), plain, made)
 # Numbers are whole, at least 1, and written with no more digits than they have.
 mesher = simple.CartesianMesher(Input=spot, CellSize=1e-10)
 for size in 1e-10, 5:

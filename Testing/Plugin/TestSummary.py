@@ -6,7 +6,7 @@ import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from pipeline import error_code, output
+from pipeline import Messages, error_code, octahedron, output, polydata, producer
 
 cube = simple.Triangulate(Input=simple.Box())
 ball = simple.Transform(Input=simple.Sphere(ThetaResolution=24, PhiResolution=16))
@@ -48,6 +48,29 @@ own = vtk_to_numpy(output(summary, 1).GetCellData().GetArray("Volume"))
 assert (np.sort(own) == np.sort(vtk_to_numpy(quality.GetCellData().GetArray("Volume")))[:7]).all()
 summary.NumberOfWorstCells = 0
 assert output(summary, 1).GetNumberOfCells() == 0 and error_code(summary) == 0
+
+# What was repaired: one triangle is missing, one is there twice, one is turned over.
+whole = octahedron()
+triangles = [(0, 1, 2), (1, 3, 2), (3, 4, 2), (4, 0, 2), (1, 0, 5), (3, 5, 1), (4, 3, 5), (0, 1, 2)]
+flawed = simple.CartesianMesher(Input=producer(polydata([whole.GetPoint(i) for i in range(6)], triangles)), CellSize=0.2)
+with Messages():
+    told = output(simple.MeshSummary(Input=flawed)).GetColumnByName("Text").GetValue(0)
+for line in "Triangles of the surface turned over: 1", "Duplicate triangles left out: 1", "Holes wider than a box closed: 1":
+    assert f"\n{line}\n" in told, told
+assert "turned over" not in text and "closed:" not in text
+# ParaView colours by strings in categories, with the strings as its legend.
+boundary, defects = (output(flawed, port).GetCellData() for port in (1, 2))
+names = {boundary.GetArray("BoundaryId").GetValue(i): boundary.GetAbstractArray("BoundaryName").GetValue(i)
+    for i in range(boundary.GetNumberOfTuples())}
+assert names == {-1: "no_surface", 0: "boundary_0"}, names
+kinds = {defects.GetArray("DefectKind").GetValue(i): defects.GetAbstractArray("DefectName").GetValue(i)
+    for i in range(defects.GetNumberOfTuples())}
+assert kinds[5] == "DuplicateTriangles" and kinds[11] == "Leaks", kinds
+
+# What fails is the user's choice.
+strict = simple.FiniteVolumeQuality(Input=tunnel, NonOrthogonalityLimit=float(np.median(value)))
+failing = output(strict).GetFieldData().GetArray("NonOrthogonalityFailures").GetValue(0)
+assert failing == (value >= np.median(value)).sum() > field("NonOrthogonalityFailures"), failing
 
 # Any other grid, too.
 plain = simple.MeshSummary(Input=simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[0, 2, 0, 2, 0, 2])))

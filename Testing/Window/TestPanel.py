@@ -1,10 +1,13 @@
-"""What the panel says: an unset Boundary Array has a text, Expected Boxes are there after Load State, and the
-menu Meshing begins with what a user needs."""
+"""What the panel says: an unset Boundary Array has a text, Expected Boxes have a tooltip and are there after Load State,
+a row of Refinement Shapes has fields and a box with handles in the view, which cannot be turned, and the menu Meshing begins with
+what a user needs."""
 
 import pathlib
 import sys
+from xml.sax.saxutils import quoteattr
 
 from events import PROPERTIES, apply, event, macro, meshing_menu, open_file, script
+from paraview import servermanager, simple  # noqa: F401: connects
 from window import Screen
 
 SURFACE = pathlib.Path(sys.argv[1]) / "Data" / "tm_7_8ths_cube.stl"
@@ -23,18 +26,41 @@ property = simple.FindSource("CartesianMesher1").SMProxy.GetProperty("ExpectedBo
 open("{folder}/notes.txt", "a").write(repr([property.GetElement(i) for i in range(4)]) + "\\n")
 """
 
+SHAPES = """
+from paraview import simple
+mesher = simple.FindSource("CartesianMesher1")
+shapes = [list(mesher.GetPropertyValue("Refinement" + name)) for name in ("Shapes", "Positions", "Lengths", "ShapeDepths")]
+open("{folder}/shapes.txt", "w").write(repr(shapes))
+hidden = simple.GetActiveView().SMProxy.GetProperty("HiddenRepresentations")
+widgets = [hidden.GetProxy(i) for i in range(hidden.GetNumberOfProxies()) if hidden.GetProxy(i).GetXMLName().startswith("BoxWidget")]
+open("{folder}/widgets.txt", "w").write(repr([
+    [widget.GetProperty(name).GetElement(0) for name in ("Visibility", "Enabled", "RotationEnabled", "TranslationEnabled")]
+    for widget in widgets]))
+"""
+ROW = f"{PROPERTIES}/PropertyCollection/container/1pqProxyWidget0"
+
 
 def check(object, property, value):
-    return f'<pqcheck object="{object}" property="{property}" arguments="{value}"/>'
+    return f'<pqcheck object="{object}" property="{property}" arguments={quoteattr(value)}/>'
 
+
+expected = servermanager.ProxyManager().SMProxyManager.GetPrototypeProxy("filters", "CartesianMesher").GetProperty("ExpectedBoxes")
+told = " ".join(expected.GetDocumentation().GetDescription().split())
 
 with Screen() as screen:
     for name, text in (("save", SAVE), ("note", NOTE), ("surface", SELECT.replace("{other}", SURFACE.name)),
-            ("mesher", SELECT.replace("{other}", "CartesianMesher1"))):
+            ("mesher", SELECT.replace("{other}", "CartesianMesher1")), ("shapes", SHAPES)):
         screen.add_macro(name, text.replace("{folder}", str(screen.folder)))
     screen.play(script(open_file(SURFACE), apply(), meshing_menu("CartesianMesher"),
         check(f"{PROPERTIES}/BoundaryArray/ComboBox", "currentText", "Automatic"),
-        apply(), macro("note"), macro("save")))
+        check(f"{PROPERTIES}/ExpectedBoxes", "toolTip", f"<html><head/><body><p align=\"justify\">{told}</p></body></html>"),
+        apply(), macro("note"), macro("save"),
+        event(f"{PROPERTIES}/PropertyCollection/addItemButton", "activate"),
+        event(f"{ROW}/Shape/ComboBox", "set_string", "cylinderX"), event(f"{ROW}/InteractiveBox/scaleX", "set_string", "9"),
+        apply(), macro("shapes")))
+    shapes = eval((screen.folder / "shapes.txt").read_text())
+    assert shapes == [["cylinderX"], [0, 0, 0], [9, 1, 1], [1]], shapes
+    assert eval((screen.folder / "widgets.txt").read_text()) == [[1, 1, 0, 1]], (screen.folder / "widgets.txt").read_text()
     screen.play(script(macro("surface"), macro("mesher"), macro("note")), f"--state={screen.folder / 'state.pvsm'}")
     applied, loaded = map(eval, (screen.folder / "notes.txt").read_text().splitlines())
     assert min(applied) > 0 and loaded == applied, (applied, loaded)

@@ -97,6 +97,15 @@ void Refinement::relax(double factor, const Surface& surface, const Shoeboxes& s
   addSizes(relaxed(sizing_, factor), surface, shoeboxes, planes, execution);
 }
 
+void Refinement::setDepth(int depth)
+{
+  checkDepth(depth, "Refinement Depth");
+  depth_ = depth;
+  any_ = any_ || depth > 0;
+  deepest_ = std::max(deepest_, depth);
+  deepestWithoutSizes_ = std::max(deepestWithoutSizes_, depth);
+}
+
 void Refinement::addSizes(const SizingSpec& spec, const Surface& surface,
   const Shoeboxes& shoeboxes, const Meshlines& planes, Execution& execution)
 {

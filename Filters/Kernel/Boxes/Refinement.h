@@ -79,6 +79,9 @@ public:
   void relax(double factor, const Surface& surface, const Shoeboxes& shoeboxes,
     const Meshlines& planes, Execution& execution);
 
+  // Sets RefinementSpec::depth.
+  void setDepth(int depth);
+
   Depths at(std::int64_t i, std::int64_t j, std::int64_t k) const;
 
   // The forced depth of each unit of a global box, x fastest. `depths`: of this global box, which

@@ -49,12 +49,14 @@ struct FacesOfCells
 class Meter
 {
 public:
-  Meter(const double* points, const CellFaces& cells, const FaceList& list, Execution& execution)
+  Meter(const double* points, const CellFaces& cells, const FaceList& list, Execution& execution,
+    const QualityLimits& limits)
     : points_(points)
     , cells_(cells)
     , list_(list)
     , of_(list, cells.cellCount())
     , execution_(execution)
+    , limits_(limits)
   {
     quality_.cellGeometry.resize(cells.cellCount());
     quality_.faceGeometry.resize(list.owner.size());
@@ -191,7 +193,7 @@ private:
   void setFace(std::size_t face, Measure measure, double value)
   {
     quality_.faces[measure][face] = value;
-    quality_.faceFailures[face] |= fails(measure, value) ? 1u << measure : 0u;
+    quality_.faceFailures[face] |= fails(measure, value, limits_) ? 1u << measure : 0u;
   }
 
   void measureFaceBetween(std::size_t face)
@@ -234,7 +236,7 @@ private:
   void setCell(std::size_t cell, Measure measure, double value)
   {
     quality_.cells[measure][cell] = value;
-    quality_.cellFailures[cell] |= fails(measure, value) ? 1u << measure : 0u;
+    quality_.cellFailures[cell] |= fails(measure, value, limits_) ? 1u << measure : 0u;
   }
 
   void measureCellOf(std::size_t cell, CellEdges& edges)
@@ -367,15 +369,16 @@ private:
   const FaceList& list_;
   FacesOfCells of_;
   Execution& execution_;
+  const QualityLimits limits_;
   Quality quality_;
 };
 
 }
 
-Quality measureQuality(
-  const double* points, const CellFaces& cells, const FaceList& faces, Execution& execution)
+Quality measureQuality(const double* points, const CellFaces& cells, const FaceList& faces,
+  Execution& execution, const QualityLimits& limits)
 {
-  return Meter(points, cells, faces, execution).run();
+  return Meter(points, cells, faces, execution, limits).run();
 }
 
 namespace

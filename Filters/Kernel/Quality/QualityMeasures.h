@@ -79,11 +79,25 @@ constexpr std::array<MeasureSpec, MeasureCount> MeasureSpecs{ {
 // surface, or with several faces in one plane.
 constexpr double ConcaveFrom = 1;
 
-// Whether a value is at or beyond its measure's limit, or is NaN.
-constexpr bool fails(Measure measure, double value)
+// By measure: MeasureSpec::limit, or the user's.
+using QualityLimits = std::array<double, MeasureCount>;
+
+constexpr QualityLimits standardLimits()
 {
-  const MeasureSpec& spec = MeasureSpecs[measure];
-  return spec.largeIsWorse ? !(value < spec.limit) && spec.limit != NoLimit : !(value > spec.limit);
+  QualityLimits limits{};
+  for (std::size_t m = 0; m < MeasureCount; ++m)
+  {
+    limits[m] = MeasureSpecs[m].limit;
+  }
+  return limits;
+}
+
+// Whether a value is at or beyond its measure's limit, or is NaN.
+constexpr bool fails(Measure measure, double value, const QualityLimits& limits = standardLimits())
+{
+  const double limit = limits[measure];
+  return MeasureSpecs[measure].largeIsWorse ? !(value < limit) && limit != NoLimit
+                                            : !(value > limit);
 }
 
 struct Quality
@@ -99,8 +113,8 @@ struct Quality
 };
 
 // `points`: x, y, z of each, any unit. `faces`: those of `cells`, as listFaces gives them.
-Quality measureQuality(
-  const double* points, const CellFaces& cells, const FaceList& faces, Execution& execution);
+Quality measureQuality(const double* points, const CellFaces& cells, const FaceList& faces,
+  Execution& execution, const QualityLimits& limits = standardLimits());
 
 // One of the numbers that sum up a mesh, and how those of its pieces combine.
 struct SummaryValue

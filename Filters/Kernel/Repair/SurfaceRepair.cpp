@@ -33,6 +33,19 @@ std::vector<DroppedTriangle> dropLoose(Surface& surface, const SurfaceEdges& edg
   return dropped;
 }
 
+// Of the triangles that are not dropped.
+std::size_t turnedSince(
+  const std::vector<std::array<std::uint32_t, 3>>& before, const Surface& surface)
+{
+  std::size_t turned = 0;
+  for (std::size_t t = 0; t < before.size(); ++t)
+  {
+    const auto& now = surface.triangles[t];
+    turned += now[1] != now[2] && now[1] == before[t][2] && now[2] == before[t][1] ? 1 : 0;
+  }
+  return turned;
+}
+
 // Marks the components with an edge that more triangles use in one direction than in the other.
 void findUnoriented(Surface& surface, const SurfaceEdges& edges)
 {
@@ -71,6 +84,7 @@ SurfaceRepair repair(Surface& surface, const Meshlines& planes, Execution& execu
     const SurfaceEdges edges(surface, execution);
     result.duplicates = dropDuplicates(surface, edges, findDuplicates(surface, edges));
   }
+  const std::vector<std::array<std::uint32_t, 3>> given = surface.triangles;
   orient(surface, execution);
   const SurfaceEdges edges(surface, execution);
   result.check = check(edges, execution);
@@ -85,6 +99,7 @@ SurfaceRepair repair(Surface& surface, const Meshlines& planes, Execution& execu
   {
     findUnoriented(surface, edges);
   }
+  result.turned = turnedSince(given, surface);
   return result;
 }
 

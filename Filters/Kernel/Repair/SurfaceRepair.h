@@ -13,8 +13,9 @@ namespace cartesian
 struct SurfaceRepair
 {
   std::vector<DroppedTriangle>
-    duplicates;       // triangles that were there before, or a wall between bodies
-  SurfaceCheck check; // oriented, without duplicates, before holes are closed
+    duplicates;           // triangles that were there before, or a wall between bodies
+  std::size_t turned = 0; // triangles that faced the other way than the domain's end
+  SurfaceCheck check;     // oriented, without duplicates, before holes are closed
   std::vector<DroppedTriangle>
     loose;                 // triangles that share no edge with another: they enclose nothing
   std::vector<Hole> holes; // in order of their lowest vertices

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RegionShapes.h"
+
+#include "Base/Error.h"
+
+#include "vtkCubeSource.h"
+#include "vtkCylinderSource.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr int Facets = 64; // once around
+
+// All between -1/2 and 1/2; a cylinder along y.
+vtkSmartPointer<vtkPolyDataAlgorithm> shapeOfUnitSize(const std::string& shape)
+{
+  if (shape == "box")
+  {
+    return vtkSmartPointer<vtkCubeSource>::New();
+  }
+  if (shape == "sphere")
+  {
+    const auto sphere = vtkSmartPointer<vtkSphereSource>::New();
+    sphere->SetThetaResolution(Facets);
+    sphere->SetPhiResolution(Facets / 2);
+    return sphere;
+  }
+  if (shape == "cylinderX" || shape == "cylinderY" || shape == "cylinderZ")
+  {
+    const auto cylinder = vtkSmartPointer<vtkCylinderSource>::New();
+    cylinder->SetResolution(Facets);
+    return cylinder;
+  }
+  throw Error(Fault::BadParameter,
+    "\"" + shape +
+      "\" is none of Refinement Shapes: box, sphere, cylinderX, cylinderY, cylinderZ.");
+}
+
+}
+
+vtkSmartPointer<vtkPolyData> shapeInBox(const std::string& shape,
+  const std::array<double, 3>& position, const std::array<double, 3>& lengths)
+{
+  const auto source = shapeOfUnitSize(shape);
+  if (!(*std::min_element(lengths.begin(), lengths.end()) > 0))
+  {
+    throw Error(
+      Fault::BadParameter, "One of Refinement Lengths is not more than 0: a shape needs a volume.");
+  }
+  vtkNew<vtkTransform> place;
+  place->Translate(
+    position[0] + lengths[0] / 2, position[1] + lengths[1] / 2, position[2] + lengths[2] / 2);
+  place->Scale(lengths.data());
+  if (shape == "cylinderX")
+  {
+    place->RotateZ(90);
+  }
+  if (shape == "cylinderZ")
+  {
+    place->RotateX(90);
+  }
+  vtkNew<vtkTransformPolyDataFilter> filter;
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->SetTransform(place);
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+}
