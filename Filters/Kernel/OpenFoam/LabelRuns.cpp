@@ -18,7 +18,7 @@ LabelRuns::LabelRuns(std::vector<std::int32_t> labels)
     }
     runs.back().end = label + 1;
   }
-  unite(std::move(runs));
+  unite(runs);
 }
 
 void LabelRuns::add(const LabelRuns& others)
@@ -26,11 +26,11 @@ void LabelRuns::add(const LabelRuns& others)
   std::vector<Run> runs(runs_.size() + others.runs_.size());
   std::merge(runs_.begin(), runs_.end(), others.runs_.begin(), others.runs_.end(), runs.begin(),
     [](const Run& a, const Run& b) { return a.begin < b.begin; });
-  unite(std::move(runs));
+  unite(runs);
 }
 
 // Runs in order of their begins, which may overlap.
-void LabelRuns::unite(std::vector<Run> runs)
+void LabelRuns::unite(const std::vector<Run>& runs)
 {
   runs_.clear();
   for (const Run& run : runs)
@@ -81,7 +81,7 @@ LabelRuns LabelRuns::takeFrom(std::vector<double>::const_iterator& next)
     run.end = static_cast<std::int32_t>(*next++);
   }
   LabelRuns result;
-  result.unite(std::move(runs));
+  result.unite(runs);
   return result;
 }
 

@@ -37,7 +37,7 @@ private:
     std::size_t before; // labels in earlier runs
   };
 
-  void unite(std::vector<Run> runs);
+  void unite(const std::vector<Run>& runs);
 
   std::vector<Run> runs_; // ascending, with gaps between them
 };
