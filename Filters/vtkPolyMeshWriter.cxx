@@ -101,8 +101,8 @@ void Join(std::vector<cartesian::RegionLabels>& regions,
 }
 
 // As one mesh or, if there are labels of regions, one for each that has cells.
-void WriteMeshes(cartesian::CompletePiece&& piece, const std::vector<cartesian::RegionLabels>& regions,
-  cartesian::PolyMeshFiles& files)
+void WriteMeshes(cartesian::CompletePiece&& piece,
+  const std::vector<cartesian::RegionLabels>& regions, cartesian::PolyMeshFiles& files)
 {
   if (regions.empty())
   {
