@@ -1,8 +1,7 @@
 """Laminar flow through the exhaust header by OpenFOAM and by Code_Saturne, each from the files that are written for it: the
 same mesh, density, viscosity and inlet speed give the same pressure drop in each duct, to 1 %. On demand, as it takes
-minutes (4, at 40,000 cells); needs Debian's packages openfoam and code-saturne-bin. With two boxes a radius (8) the two
-differ by 3 %, with four, the default, by less than 0.5 %.
-
+minutes (4, at 40,000 cells); needs Debian's packages openfoam and code-saturne-bin. Where a duct is five
+boxes wide (8), the two differ by 3 %; where it is nine, the default, by less than 0.5 %.
 
     pvpython Testing/Plugin/saturne.py REPOSITORY FOLDER [CELL_SIZE]
 """
