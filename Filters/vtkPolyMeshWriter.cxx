@@ -4,6 +4,7 @@
 #include "Base/Error.h"
 #include "FoamFromVTK.h"
 #include "FoamPieceStore.h"
+#include "OpenFoam/FoamPieceRegions.h"
 #include "Processes.h"
 
 #include "vtkErrorCode.h"
@@ -14,8 +15,8 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <exception>
-#include <optional>
 #include <set>
 
 vtkStandardNewMacro(vtkPolyMeshWriter);
@@ -25,6 +26,7 @@ struct vtkPolyMeshWriter::PiecesSoFar
 {
   std::vector<cartesian::FoamPieceStore> pieces;
   std::vector<cartesian::FoamOutline> outlines;
+  bool hasRegions = false;
 };
 
 namespace
@@ -66,23 +68,8 @@ void OnAll(const cartesian::Processes& processes, Work&& work)
   }
 }
 
-cartesian::FoamPiece ReadPiece(
-  vtkUnstructuredGrid* grid, int regionsAs, cartesian::Execution& execution)
-{
-  cartesian::FoamPiece piece = cartesian::foamPiece(grid, execution);
-  if (!piece.mesh.zones.empty() && regionsAs == vtkPolyMeshWriter::Meshes)
-  {
-    throw cartesian::Error(cartesian::Fault::BadParameter,
-      "A decomposed case has one mesh for all regions: set Regions As to Zones; splitMeshRegions "
-      "-cellZones -parallel makes one for each of it.");
-  }
-  return piece;
-}
-
-// Writes a piece beside what is there.
-cartesian::PolyMeshFiles WriteBeside(cartesian::FoamPiece&& piece, std::size_t number,
-  const std::vector<cartesian::FaceNumbers>& numbersOfAll, vtkUnstructuredGrid* grid,
-  const std::filesystem::path& folder, cartesian::FoamFormat format)
+cartesian::CompletePiece Complete(cartesian::FoamPiece&& piece, std::size_t number,
+  const std::vector<cartesian::FaceNumbers>& numbersOfAll, vtkUnstructuredGrid* grid)
 {
   const cartesian::FaceNumbers& numbers = numbersOfAll[number];
   std::vector<vtkIdType> boundaries;
@@ -92,11 +79,47 @@ cartesian::PolyMeshFiles WriteBeside(cartesian::FoamPiece&& piece, std::size_t n
     boundaries.push_back(boundary.boundary);
     counts.push_back(boundary.count);
   }
-  cartesian::PolyMeshFiles files(
-    folder, format, { static_cast<int>(number), static_cast<int>(numbersOfAll.size()) });
-  files.write(cartesian::completed(
-    std::move(piece), number, numbers, cartesian::patchesOf(grid, boundaries, counts)));
-  return files;
+  return cartesian::completed(
+    std::move(piece), number, numbers, cartesian::patchesOf(grid, boundaries, counts));
+}
+
+// Regions that are meshes.
+std::vector<cartesian::RegionLabels> LabelsOf(const cartesian::CompletePiece& piece, int regionsAs)
+{
+  return regionsAs == vtkPolyMeshWriter::Meshes ? cartesian::labelsOfRegions(piece)
+                                                : std::vector<cartesian::RegionLabels>();
+}
+
+void Join(std::vector<cartesian::RegionLabels>& regions,
+  const std::vector<cartesian::RegionLabels>& ofNextPiece)
+{
+  regions.resize(ofNextPiece.size());
+  for (std::size_t i = 0; i < regions.size(); ++i)
+  {
+    regions[i].add(ofNextPiece[i]);
+  }
+}
+
+// As one mesh or, if there are labels of regions, one for each that has cells.
+void WriteMeshes(cartesian::CompletePiece&& piece,
+  const std::vector<cartesian::RegionLabels>& regions, cartesian::PolyMeshFiles& files)
+{
+  if (regions.empty())
+  {
+    piece.mesh.zones = cartesian::zonesOf(piece.regions);
+    files.write(piece.mesh);
+    return;
+  }
+  const auto count = std::count_if(regions.begin(), regions.end(),
+    [](const cartesian::RegionLabels& region) { return region.cells.size() > 0; });
+  for (std::uint32_t i = 0; i < regions.size(); ++i)
+  {
+    if (regions[i].cells.size() > 0)
+    {
+      files.write(cartesian::pieceOfRegion(piece, i, regions[i]),
+        count == 1 ? std::string() : piece.regions.names[i]);
+    }
+  }
 }
 
 }
@@ -168,9 +191,8 @@ void vtkPolyMeshWriter::CheckDecomposition(int processes)
   if (!this->ZoneRegions.empty() || this->ZoneBorders == CyclicAMI)
   {
     throw cartesian::Error(cartesian::Fault::BadParameter,
-      "A decomposed case has a cellZone for each region: leave Zone Regions empty and Zone Borders "
-      "Face Zones, or "
-      "write it whole and run decomposePar.");
+      "In a decomposed case all regions are meshes, or all are zones: leave Zone Regions empty and "
+      "Zone Borders Face Zones, or write it whole and run decomposePar.");
   }
   if (processes > 1 && this->Pieces != processes)
   {
@@ -206,8 +228,9 @@ void vtkPolyMeshWriter::AddPiece(vtkUnstructuredGrid* grid, int number)
     cartesian::folderOfProcess(std::filesystem::path(this->FileName).parent_path(), number);
   file += ".unfinished";
   cartesian::Execution execution(0);
-  const cartesian::FoamPiece piece = ReadPiece(grid, this->RegionsAs, execution);
+  const cartesian::FoamPiece piece = cartesian::foamPiece(grid, execution);
   this->SoFar->outlines.push_back(cartesian::outlineOf(piece));
+  this->SoFar->hasRegions = !piece.regions.names.empty();
   this->SoFar->pieces.emplace_back(piece, file);
   this->UpdateProgress(static_cast<double>(number + 1) / (this->Pieces + 1));
   if (number + 1 == this->Pieces)
@@ -221,11 +244,20 @@ void vtkPolyMeshWriter::FinishPieces(vtkUnstructuredGrid* grid)
 {
   const std::filesystem::path file = this->FileName;
   const auto numbers = cartesian::numberFaces(this->SoFar->outlines);
+  const auto load = [&](std::size_t i) {
+    return Complete(this->SoFar->pieces[i].load(), i, numbers, grid);
+  };
+  std::vector<cartesian::RegionLabels> regions;
+  for (std::size_t i = 0; i < numbers.size() && this->SoFar->hasRegions; ++i)
+  {
+    Join(regions, LabelsOf(load(i), this->RegionsAs));
+  }
   std::vector<cartesian::PolyMeshFiles> written;
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
-    written.push_back(WriteBeside(this->SoFar->pieces[i].load(), i, numbers, grid,
-      file.parent_path(), FormatOf(this->FileType)));
+    written.emplace_back(file.parent_path(), FormatOf(this->FileType),
+      cartesian::FoamPlace{ static_cast<int>(i), this->Pieces });
+    WriteMeshes(load(i), regions, written.back());
   }
   for (cartesian::PolyMeshFiles& files : written)
   {
@@ -244,14 +276,15 @@ void vtkPolyMeshWriter::WriteOwnPiece(vtkUnstructuredGrid* grid)
   cartesian::FoamPiece piece;
   OnAll(processes, [&] {
     this->CheckDecomposition(count);
-    piece = ReadPiece(grid, this->RegionsAs, execution);
+    piece = cartesian::foamPiece(grid, execution);
   });
   this->UpdateProgress(0.4);
   std::vector<double> outline;
   OnAll(processes, [&] { outline = cartesian::outlineOf(piece).toNumbers(); });
   const std::vector<std::vector<double>> outlinesOfAll = processes.gather(outline);
   this->UpdateProgress(0.5);
-  std::optional<cartesian::PolyMeshFiles> files;
+  cartesian::CompletePiece complete;
+  std::vector<double> labels;
   OnAll(processes, [&] {
     std::vector<cartesian::FoamOutline> outlines;
     outlines.reserve(outlinesOfAll.size());
@@ -259,12 +292,24 @@ void vtkPolyMeshWriter::WriteOwnPiece(vtkUnstructuredGrid* grid)
     {
       outlines.push_back(cartesian::FoamOutline::fromNumbers(numbers));
     }
-    const auto numbers = cartesian::numberFaces(outlines);
-    files = WriteBeside(std::move(piece), processes.ownNumber(), numbers, grid, file.parent_path(),
-      FormatOf(this->FileType));
+    complete =
+      Complete(std::move(piece), processes.ownNumber(), cartesian::numberFaces(outlines), grid);
+    labels = cartesian::toNumbers(LabelsOf(complete, this->RegionsAs));
+  });
+  const std::vector<std::vector<double>> labelsOfAll = processes.gather(labels);
+  this->UpdateProgress(0.6);
+  cartesian::PolyMeshFiles files(file.parent_path(), FormatOf(this->FileType),
+    { static_cast<int>(processes.ownNumber()), count });
+  OnAll(processes, [&] {
+    std::vector<cartesian::RegionLabels> regions;
+    for (const auto& numbers : labelsOfAll)
+    {
+      Join(regions, cartesian::regionLabels(numbers));
+    }
+    WriteMeshes(std::move(complete), regions, files);
   });
   OnAll(processes, [&] {
-    this->WarnOfKept(files->replace());
+    this->WarnOfKept(files.replace());
     if (processes.ownNumber() == 0)
     {
       cartesian::createMarker(file);

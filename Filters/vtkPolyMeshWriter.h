@@ -27,8 +27,8 @@
  * With several `Pieces`, the case is decomposed, as decomposePar would make it of that mesh: each piece is in
  * processor<N>/constant/polyMesh, with processor patches and the addressing files, which number the mesh that is
  * written otherwise. Several processes write a piece each; a single one asks its input for one piece
- * after the other, and has no more than one in memory. The input has the global ids of vtkCartesianMesher, and
- * of several regions each is a cellZone.
+ * after the other, and has no more than one in memory. The input has the global ids of vtkCartesianMesher.
+ * Of several regions all are meshes, processor<N>/constant/<region>/polyMesh, or all are zones.
  *
  * @sa vtkCartesianMesher vtkOpenFOAMReader
  */

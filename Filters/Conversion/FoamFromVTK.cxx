@@ -220,14 +220,13 @@ FoamPiece foamPiece(vtkUnstructuredGrid* grid, Execution& execution)
       "Cartesian Mesher itself.");
   }
   const auto [boundaries, counts] = sortByBoundary(boundaryOf, list);
-  FoamPiece piece{ {}, pointNumbers(grid, faces), firstCellOf(grid, faces), {} };
+  FoamPiece piece{ {}, pointNumbers(grid, faces), firstCellOf(grid, faces), {},
+    regionsOf(grid, faces, RegionsAsked::AllOfTheMesh) };
   for (std::size_t i = 0; i < boundaries.size() && boundaries[i] != NoBoundary; ++i)
   {
     piece.boundaries.emplace_back(static_cast<std::int32_t>(boundaries[i]), counts[i]);
   }
-  std::vector<FoamZone> zones = zonesOf(regionsOf(grid, faces, RegionsAsked::AllOfTheMesh));
   piece.mesh = foamMesh(std::move(faces.points), faces.cells, list, {});
-  piece.mesh.zones = std::move(zones);
   return piece;
 }
 

@@ -24,10 +24,7 @@ void forEachVector(Piece& piece, Visitor&& visit)
   visit(piece.mesh.neighbour);
   visit(piece.points);
   visit(piece.boundaries);
-  for (auto& zone : piece.mesh.zones)
-  {
-    visit(zone.cells);
-  }
+  visit(piece.regions.ofCell);
 }
 
 [[noreturn]] void fail(const std::filesystem::path& file)
@@ -49,15 +46,15 @@ FoamPieceStore::FoamPieceStore(const FoamPiece& piece, std::filesystem::path fil
     stream.write(static_cast<const char*>(data), static_cast<std::streamsize>(bytes));
   };
   for (const std::size_t number :
-    { piece.firstCell, piece.mesh.cellCount, piece.mesh.zones.size() })
+    { piece.firstCell, piece.mesh.cellCount, piece.regions.names.size() })
   {
     write(&number, sizeof(number));
   }
-  for (const FoamZone& zone : piece.mesh.zones)
+  for (const std::string& name : piece.regions.names)
   {
-    const std::size_t length = zone.name.size();
+    const std::size_t length = name.size();
     write(&length, sizeof(length));
-    write(zone.name.data(), length);
+    write(name.data(), length);
   }
   forEachVector(piece, [&](const auto& vector) {
     const std::size_t size = vector.size();
@@ -104,11 +101,11 @@ FoamPiece FoamPieceStore::load() const
   FoamPiece piece{};
   piece.firstCell = readSize();
   piece.mesh.cellCount = readSize();
-  piece.mesh.zones.resize(readSize());
-  for (FoamZone& zone : piece.mesh.zones)
+  piece.regions.names.resize(readSize());
+  for (std::string& name : piece.regions.names)
   {
-    zone.name.resize(readSize());
-    read(zone.name.data(), zone.name.size());
+    name.resize(readSize());
+    read(name.data(), name.size());
   }
   forEachVector(piece, [&](auto& vector) {
     vector.resize(readSize());

@@ -1,4 +1,5 @@
-"""Each rank writes its piece of a decomposed case; together they are the mesh that the ranks write whole."""
+"""Each rank writes its piece of a decomposed case; together they are the mesh that the ranks write whole. So are those of
+several regions."""
 
 import pathlib
 import tempfile
@@ -9,6 +10,7 @@ from vtkmodules.vtkParallelCore import vtkMultiProcessController
 import decomposed
 import foam
 from pipeline import DATA
+from slab import CONDUCTIVITY, slab
 
 processes = vtkMultiProcessController.GetGlobalController()
 ranks = processes.GetNumberOfProcesses()
@@ -23,3 +25,10 @@ with tempfile.TemporaryDirectory() as temporary:
     decomposed.check(again, whole, ranks)
     assert not (again / "processor0" / "constant" / "polyMesh.old").exists()
     print([piece.files.cells for piece in pieces], "cells")
+
+    mesh = simple.OutputPort(slab(0.25, "Exact Fit"), "Mesh")
+    whole = foam.save(mesh, pathlib.Path(temporary) / "slab")
+    case = foam.save(mesh, pathlib.Path(temporary) / "regions", Pieces=ranks)
+    for region in CONDUCTIVITY:
+        decomposed.check(case, foam.Files(whole, region), ranks, region)
+    assert (case / "constant/regionProperties").exists()

@@ -1,6 +1,6 @@
 """A mesh of several regions as an OpenFOAM case: a mesh for each, with mappedWall patches of the same faces
-in the same order; chtMultiRegionSimpleFoam runs on it as it is, and a slab of two conductivities gets its
-exact temperature."""
+in the same order, whole or in pieces; chtMultiRegionSimpleFoam runs on it as it is, and a slab of two conductivities
+gets its exact temperature."""
 
 import pathlib
 import re
@@ -9,11 +9,13 @@ import tempfile
 import numpy as np
 from paraview import simple
 
+import decomposed
 import foam
 from slab import CONDUCTIVITY, box, slab
 
 COLD, HOT = 300.0, 400.0                    # K, at x = 0 and x = 3
 TIMES = 400
+SOLIDS = "regions ( fluid () solid (left right) );"
 
 temporary = tempfile.TemporaryDirectory()
 
@@ -60,7 +62,7 @@ for region in CONDUCTIVITY:
     assert check.ok, (region, check.failures)
 
 # What the user made of them stays when a finer mesh takes the place of this one.
-foam.write(folder, "constant/regionProperties", "regions ( fluid () solid (left right) );")
+foam.write(folder, "constant/regionProperties", SOLIDS)
 mine = properties.read_text()
 path = constant / "left/polyMesh/boundary"
 path.write_text(path.read_text().replace("left_to_right\n    {", "left_to_right\n    {\n        inGroups 1(mine);"))
@@ -69,15 +71,20 @@ assert properties.read_text() == mine and "1(mine)" in path.read_text()
 assert not list(folder.glob("**/*.old*"))
 
 # The solver, from our files and its fields alone.
-foam.write(folder, "constant/g", "dimensions [0 1 -2 0 0 0 0]; value (0 0 0);", "uniformDimensionedVectorField")
-foam.control(folder, TIMES)
-for region, conductivity in CONDUCTIVITY.items():
-    foam.write(folder, f"system/{region}/fvSchemes", (folder / f"system/{region}/fvSchemes").read_text()
-               .partition("solver.\n")[2])
-    foam.write(folder, f"system/{region}/fvSolution",
-               "solvers { h { solver PCG; preconditioner DIC; tolerance 1e-13; relTol 0; } }\n"
-               "SIMPLE { nNonOrthogonalCorrectors 1; }\nrelaxationFactors { equations { h 1; } }")
-    foam.write(folder, f"constant/{region}/thermophysicalProperties", f"""
+
+
+def prepare(case, places):
+    """What the solver needs besides the mesh; the fields are in each of the places."""
+    foam.write(case, "constant/g", "dimensions [0 1 -2 0 0 0 0]; value (0 0 0);", "uniformDimensionedVectorField")
+    foam.control(case, TIMES)
+    foam.write(case, "constant/regionProperties", SOLIDS)
+    for region, conductivity in CONDUCTIVITY.items():
+        foam.write(case, f"system/{region}/fvSchemes", (case / f"system/{region}/fvSchemes").read_text()
+                   .partition("solver.\n")[2])
+        foam.write(case, f"system/{region}/fvSolution",
+                   "solvers { h { solver PCG; preconditioner DIC; tolerance 1e-13; relTol 0; } }\n"
+                   "SIMPLE { nNonOrthogonalCorrectors 1; }\nrelaxationFactors { equations { h 1; } }")
+        foam.write(case, f"constant/{region}/thermophysicalProperties", f"""
 thermoType
 {{
     type heSolidThermo; mixture pureMixture; transport constIso; thermo hConst;
@@ -88,22 +95,32 @@ mixture
     specie {{ molWeight 1; }} transport {{ kappa {conductivity}; }}
     thermodynamics {{ Hf 0; Cp 1; }} equationOfState {{ rho 1; }}
 }}""")
-    foam.write(folder, f"constant/{region}/radiationProperties", "radiation off; radiationModel none;")
-    foam.write_field(folder, f"{region}/T", "[0 0 0 1 0 0 0]", str(COLD), {
-        '".*"': "zeroGradient;", "inlet_cold": f"fixedValue; value uniform {COLD};",
-        "hot": f"fixedValue; value uniform {HOT};",
-        '".*_to_.*"': "compressible::turbulentTemperatureCoupledBaffleMixed; Tnbr T; "
-                      f"kappaMethod solidThermo; value uniform {COLD};"})
-    foam.write_field(folder, f"{region}/p", "[1 -1 -2 0 0 0 0]", "1e5",
-                     {'".*"': "calculated; value uniform 1e5;"})
+        foam.write(case, f"constant/{region}/radiationProperties", "radiation off; radiationModel none;")
+        shared = {} if places == [case] else {'"procBoundary.*"': "processor; value uniform {};"}
+        for place in places:
+            foam.write_field(place, f"{region}/T", "[0 0 0 1 0 0 0]", str(COLD), {
+                '".*"': "zeroGradient;", "inlet_cold": f"fixedValue; value uniform {COLD};",
+                "hot": f"fixedValue; value uniform {HOT};",
+                '".*_to_.*"': "compressible::turbulentTemperatureCoupledBaffleMixed; Tnbr T; "
+                              f"kappaMethod solidThermo; value uniform {COLD};",
+                **{name: text.format(COLD) for name, text in shared.items()}})
+            foam.write_field(place, f"{region}/p", "[1 -1 -2 0 0 0 0]", "1e5", {
+                '".*"': "calculated; value uniform 1e5;", **{name: text.format("1e5") for name, text in shared.items()}})
+
+
+def check_temperatures(place):
+    flux = (HOT - COLD) / sum(length / CONDUCTIVITY[name] for name, length in (("left", 1), ("right", 2)))
+    for region, start, at in ("left", COLD, 0), ("right", COLD + flux / CONDUCTIVITY["left"], 1):
+        files = foam.Files(place, region)
+        exact = start + flux / CONDUCTIVITY[region] * (files.centres()[:, 0] - at)
+        error = np.abs(foam.read_field(place, TIMES, f"{region}/T") - exact).max() / (HOT - COLD)
+        print(f"{region}: {files.cells} cells, largest error {error:.1e} of the difference")
+        assert error < 1e-6, (region, error)
+
+
+prepare(folder, [folder])
 foam.run(folder, "chtMultiRegionSimpleFoam")
-flux = (HOT - COLD) / sum(length / CONDUCTIVITY[name] for name, length in (("left", 1), ("right", 2)))
-for region, start, at in ("left", COLD, 0), ("right", COLD + flux / CONDUCTIVITY["left"], 1):
-    files = foam.Files(folder, region)
-    exact = start + flux / CONDUCTIVITY[region] * (files.centres()[:, 0] - at)
-    error = np.abs(foam.read_field(folder, TIMES, f"{region}/T") - exact).max() / (HOT - COLD)
-    print(f"{region}: {files.cells} cells, largest error {error:.1e} of the difference")
-    assert error < 1e-6, (region, error)
+check_temperatures(folder)
 
 # Where asked, one mesh with zones; of one region alone, that region's.
 one = foam.save(simple.OutputPort(mesher, "Mesh"), temporary.name + "/one", RegionsAs="Zones")
@@ -117,12 +134,32 @@ folder = foam.save(alone, pathlib.Path(temporary.name) / "alone")
 assert foam.Files(folder).cells == right.cells
 assert not (folder / "constant/polyMesh/cellZones").exists()
 
-# In pieces, that one mesh is decomposed; OpenFOAM splits it on all ranks into the meshes that are written whole.
-rod = simple.GroupDatasets(Input=[box([0, 0.27, 0.31], [3, 0.71, 0.69]), box([0, 0, 0], [3, 1, 1])],
+# In pieces, each region's mesh is decomposed as it is written whole: the solver starts at once.
+case = foam.save(simple.OutputPort(slab(0.25, "Exact Fit"), "Mesh"), temporary.name + "/parallel", Pieces=2)
+assert not (case / "processor0/constant/polyMesh").exists() and not (case / "processor0/constant/regionProperties").exists()
+for region in CONDUCTIVITY:
+    decomposed.check(case, foam.Files(temporary.name + "/case", region), 2, region)
+places = [case / "processor0", case / "processor1"]
+prepare(case, places)
+foam.run_parallel(case, 2, "chtMultiRegionSimpleFoam")
+for place in places:
+    check_temperatures(place)
+
+# A piece without cells of a region.
+rod = simple.GroupDatasets(Input=[box([0, 0.27, 0.59], [3, 0.71, 0.93]), box([0, 0, 0], [3, 1, 1])],
                            BlockNames=["gas", "solid"])
 mesher = simple.CartesianMesher(Input=rod, RegionsFrom="Blocks", BoundaryArray="Wall", CellSize=0.13)
 whole = foam.save(simple.OutputPort(mesher, "Mesh"), temporary.name + "/rod")
-case = foam.save(simple.OutputPort(mesher, "Mesh"), temporary.name + "/pieces", Pieces=3, RegionsAs="Zones")
+case = foam.save(simple.OutputPort(mesher, "Mesh"), temporary.name + "/pieces", Pieces=3)
+assert not list(case.glob("*.unfinished"))
+for region in "gas", "solid":
+    pieces = decomposed.check(case, foam.Files(whole, region), 3, region)
+    assert (pieces[0].files.cells == 0) == (region == "gas")
+    text = foam.run_parallel(case, 3, "checkMesh", "-region", region)
+    assert "\nMesh OK." in text and "Coupled point location match (average 0) OK" in text, text
+
+# In pieces of one mesh with zones, OpenFOAM splits that on all ranks into the meshes that are written whole.
+case = foam.save(simple.OutputPort(mesher, "Mesh"), temporary.name + "/split", Pieces=3, RegionsAs="Zones")
 foam.run_parallel(case, 3, "splitMeshRegions", "-cellZones", "-overwrite")
 for region in "gas", "solid":
     text = foam.run_parallel(case, 3, "checkMesh", "-region", region)

@@ -110,7 +110,7 @@ for case in whole, fan:
 for properties, words in (
         ({"ZoneRegions": ["rotor"]}, "the mesh has no region rotor. It has porous, air, casing."),
         ({"ZoneRegions": ["porous", "air", "casing"]}, "touches no region that is not a zone too"),
-        ({"ZoneRegions": ["porous"], "RegionsAs": "Meshes", "Pieces": 2}, "A decomposed case")):
+        ({"ZoneRegions": ["porous"], "RegionsAs": "Meshes", "Pieces": 2}, "In a decomposed case")):
     case = pathlib.Path(temporary.name) / "refused"
     with Messages() as said:
         try:

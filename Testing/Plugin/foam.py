@@ -87,7 +87,7 @@ class Files:
         self.points = self.lists("points", np.float64)[0].reshape(-1, 3)
         self.owner = self.lists("owner", np.int32)[0]
         self.neighbour = self.lists("neighbour", np.int32)[0]
-        self.cells = max(self.owner.max(), self.neighbour.max(initial=0)) + 1
+        self.cells = max(self.owner.max(initial=-1), self.neighbour.max(initial=-1)) + 1
         start, corners = self.lists("faces", np.int32)
         self.faces = measure.Faces(corners, np.diff(start), self.owner)
         text = (self.folder / "boundary").read_text()
@@ -115,7 +115,7 @@ class Files:
             rows = re.findall(rb"(\d+)\s*\(([\d\s]*)\)", items)
             assert all(int(size) == len(row.split()) for size, row in rows)
             sizes = [int(size) for size, _ in rows]
-            found = [np.concatenate([[0], np.cumsum(sizes)]),
+            found = [np.concatenate([[0], np.cumsum(sizes)]).astype(int),
                      np.array(b" ".join(row for _, row in rows).split()).astype(kind)]
         items_found = len(found[0]) - 1 if len(found) == 2 else len(found[0])
         assert int(count) * (3 if name == "points" else 1) == items_found, name

@@ -200,8 +200,9 @@ private:
         const FoamOutline::OpenFace& face = at(link->owner);
         const std::size_t number = innerFaces_ + face.innerFacesUntil + ofPiece;
         const std::int32_t corner = outlines_[piece].corners[face.firstCorner];
-        resultAt(link->owner) = { link->other.piece, number, corner, false };
-        resultAt(link->other) = { piece, number, corner, true };
+        resultAt(
+          link->owner) = { link->other.piece, number, corner, false, at(link->other).region };
+        resultAt(link->other) = { piece, number, corner, true, face.region };
       }
       innerFaces_ += outlines_[piece].innerFaces + ofPiece;
     }
@@ -264,7 +265,7 @@ public:
   {
   }
 
-  FoamMesh run(std::vector<FoamPatch> patches)
+  CompletePiece run(std::vector<FoamPatch> patches)
   {
     numberFaces();
     sortOpenFaces();
@@ -277,7 +278,7 @@ public:
     mesh_.patches = std::move(patches);
     addProcessPatches();
     mesh_.addressing = std::move(addressing_);
-    return std::move(mesh_);
+    return { std::move(mesh_), std::move(piece_.regions) };
   }
 
 private:
@@ -346,6 +347,7 @@ private:
     {
       addNumber(numbers_.openFaces[i].number, numbers_.openFaces[i].isTurned);
       ++countOfPiece_[numbers_.openFaces[i].piece];
+      piece_.regions.beyond.push_back(numbers_.openFaces[i].region);
     }
     order.insert(order.end(), linked.begin(), linked.end());
     rewriteOpenFaces(order);
@@ -419,6 +421,7 @@ std::vector<double> FoamOutline::toNumbers() const
     add(face.owner);
     add(face.innerFacesUntil);
     add(face.cornerCount);
+    add(face.region);
     std::for_each(corners.begin() + static_cast<std::ptrdiff_t>(face.firstCorner),
       corners.begin() + static_cast<std::ptrdiff_t>(face.firstCorner + face.cornerCount), add);
   }
@@ -443,7 +446,8 @@ FoamOutline FoamOutline::fromNumbers(const std::vector<double>& numbers)
   {
     const std::size_t owner = take();
     const std::size_t until = take();
-    outline.openFaces.push_back({ owner, until, outline.corners.size(), take() });
+    outline.openFaces.push_back({ owner, until, outline.corners.size(), take(), 0 });
+    outline.openFaces.back().region = static_cast<std::uint32_t>(take());
     for (std::size_t i = 0; i < outline.openFaces.back().cornerCount; ++i)
     {
       outline.corners.push_back(static_cast<std::int32_t>(*next++));
@@ -471,7 +475,8 @@ FoamOutline outlineOf(const FoamPiece& piece)
     const auto until = std::upper_bound(mesh.owner.begin(), lastInner, mesh.owner[face]);
     outline.openFaces.push_back(
       { piece.firstCell + mesh.owner[face], static_cast<std::size_t>(until - mesh.owner.begin()),
-        outline.corners.size(), mesh.start[face + 1] - mesh.start[face] });
+        outline.corners.size(), mesh.start[face + 1] - mesh.start[face],
+        piece.regions.ofCell.empty() ? 0 : piece.regions.ofCell[mesh.owner[face]] });
     for (std::size_t at = mesh.start[face]; at < mesh.start[face + 1]; ++at)
     {
       outline.corners.push_back(piece.points[mesh.corners[at]]);
@@ -486,7 +491,7 @@ std::vector<FaceNumbers> numberFaces(const std::vector<FoamOutline>& outlines)
   return Numbering(outlines).run();
 }
 
-FoamMesh completed(
+CompletePiece completed(
   FoamPiece piece, std::size_t number, const FaceNumbers& numbers, std::vector<FoamPatch> patches)
 {
   return Completion(std::move(piece), number, numbers).run(std::move(patches));

@@ -3,13 +3,13 @@
 // Nobody needs that: each piece needs itself, and the outlines of all.
 //
 //   FoamPiece --outlineOf--> FoamOutline, of all pieces --numberFaces--> FaceNumbers
-//   FoamPiece, FaceNumbers --completed--> FoamMesh
+//   FoamPiece, FaceNumbers --completed--> CompletePiece
 //
 // Cells are numbered in the order of the pieces. The faces of the whole mesh are numbered as listFaces does
 // (FaceList.h), with boundary faces in order of the boundaries.
 #pragma once
 
-#include "OpenFoam/PolyMeshFiles.h"
+#include "OpenFoam/FoamRegions.h"
 
 #include <limits>
 
@@ -24,6 +24,7 @@ struct FoamPiece
   // Boundaries that have faces here, with how many, in order of the faces. The remaining faces are open: they
   // belong to no boundary, or another piece has them too.
   std::vector<std::pair<std::int32_t, std::size_t>> boundaries;
+  FoamRegions regions = {}; // of the whole mesh, and of the cells; no names: there is one
 };
 
 // What all pieces must know of one.
@@ -35,6 +36,7 @@ struct FoamOutline
     std::size_t innerFacesUntil; // of the cells up to the owner
     std::size_t firstCorner;     // the others follow
     std::size_t cornerCount;
+    std::uint32_t region; // of the owner
   };
 
   std::size_t firstCell = 0;
@@ -60,6 +62,7 @@ struct FaceNumbers
     std::size_t number = 0;       // if there is another
     std::int32_t firstCorner = 0; // that of the owner's face
     bool isTurned = false;        // the owner is in the other piece
+    std::uint32_t region = 0;     // of the cell there
   };
   struct Boundary
   {
@@ -79,9 +82,14 @@ FoamOutline outlineOf(const FoamPiece& piece);
 // OpenFOAM can number.
 std::vector<FaceNumbers> numberFaces(const std::vector<FoamOutline>& outlines);
 
-// The mesh of `piece` (its number) with patches and addressing. `patches`: of numbers.boundaries. Those between
-// processes follow them.
-FoamMesh completed(
+struct CompletePiece
+{
+  FoamMesh mesh; // with patches and addressing
+  FoamRegions regions;
+};
+
+// `number`: that of the piece. `patches`: of numbers.boundaries. Those between processes follow them.
+CompletePiece completed(
   FoamPiece piece, std::size_t number, const FaceNumbers& numbers, std::vector<FoamPatch> patches);
 
 }

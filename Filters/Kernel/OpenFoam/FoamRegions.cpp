@@ -4,10 +4,12 @@
 #include "Base/Error.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 #include <map>
 #include <numeric>
 #include <set>
+#include <tuple>
 
 namespace cartesian
 {
@@ -41,17 +43,10 @@ public:
   {
     numberCells();
     addInnerFaces();
-    for (const Part& part : boundaries())
+    for (const std::vector<Part>& parts :
+      { boundaries(), interfaces(), pairs(), sharedBoundaries() })
     {
-      addPatch(part);
-    }
-    for (const Part& part : interfaces())
-    {
-      addPatch(part);
-    }
-    for (const Part& part : pairs())
-    {
-      addPatch(part);
+      std::for_each(parts.begin(), parts.end(), [this](const Part& part) { addPatch(part); });
     }
     numberPoints();
     addZones();
@@ -63,6 +58,18 @@ private:
 
   bool isOurs(std::uint32_t cell) const { return meshOf(cell) == region_; }
 
+  bool isPiece() const { return whole_.addressing.has_value(); }
+
+  // The mesh of the cell behind a face of a patch between processes, which come last.
+  std::uint32_t meshBeyond(std::size_t face) const
+  {
+    const std::size_t fromEnd = whole_.owner.size() - face;
+    return zoning_.meshOf[regions_.beyond[regions_.beyond.size() - fromEnd]];
+  }
+
+  // Whether other processes have the cells behind its faces, of this mesh or of another.
+  static bool isShared(const FoamPatch& patch) { return patch.processes.other >= 0; }
+
   // Cells with inner faces between them are of one.
   std::uint32_t partOf(std::uint32_t cell) const
   {
@@ -73,11 +80,19 @@ private:
   {
     number_.assign(whole_.cellCount, None);
     mesh_.cellCount = 0;
+    if (isPiece())
+    {
+      mesh_.addressing.emplace();
+    }
     for (std::size_t cell = 0; cell < whole_.cellCount; ++cell)
     {
       if (isOurs(static_cast<std::uint32_t>(cell)))
       {
         number_[cell] = static_cast<std::uint32_t>(mesh_.cellCount++);
+        if (isPiece())
+        {
+          mesh_.addressing->cells.push_back(whole_.addressing->cells[cell]);
+        }
       }
     }
   }
@@ -94,6 +109,10 @@ private:
     }
     mesh_.start.push_back(mesh_.corners.size());
     mesh_.owner.push_back(number_[turned ? whole_.neighbour[face] : whole_.owner[face]]);
+    if (isPiece())
+    {
+      mesh_.addressing->faces.push_back(whole_.addressing->faces[face]);
+    }
   }
 
   void addInnerFaces()
@@ -125,34 +144,108 @@ private:
 
   void addPatch(const Part& part)
   {
-    if (part.faces.empty())
+    if (part.faces.empty() && (!isPiece() || isShared(part.patch)))
     {
       return;
     }
     for (std::size_t i = 0; i < part.faces.size(); ++i)
     {
       addFace(part.faces[i], !part.isTurned.empty() && part.isTurned[i]);
+      if (isPiece() && !isShared(part.patch))
+      {
+        turnToOwner();
+      }
     }
     mesh_.patches.push_back(part.patch);
     mesh_.patches.back().count = part.faces.size();
   }
 
+  // The last face is a boundary face of its mesh, whatever it is in the mesh of all regions: its corners begin where
+  // they do when a face of that is turned over.
+  void turnToOwner()
+  {
+    std::int32_t& label = mesh_.addressing->faces.back();
+    if (label < 0)
+    {
+      const auto first =
+        mesh_.corners.begin() + static_cast<std::ptrdiff_t>(*std::prev(mesh_.start.end(), 2));
+      std::rotate(first, std::next(first), mesh_.corners.end());
+      label = -label;
+    }
+  }
+
   std::vector<Part> boundaries() const
+  {
+    return partsOfPatches(
+      [](const FoamPatch& patch) { return !isShared(patch); }, [](std::size_t) { return true; });
+  }
+
+  // Between processes, with cells of this mesh on both sides.
+  std::vector<Part> sharedBoundaries() const
+  {
+    return partsOfPatches(
+      isShared, [this](std::size_t face) { return meshBeyond(face) == region_; });
+  }
+
+  // Of the patches that are wanted, the faces of our cells that are wanted.
+  template <class IsPatchWanted, class IsFaceWanted>
+  std::vector<Part> partsOfPatches(IsPatchWanted&& isPatchWanted, IsFaceWanted&& isFaceWanted) const
   {
     std::vector<Part> parts;
     std::size_t face = whole_.neighbour.size();
     for (const FoamPatch& patch : whole_.patches)
     {
-      parts.push_back({ patch, {} });
-      for (const std::size_t end = face + patch.count; face < end; ++face)
+      const std::size_t end = face + patch.count;
+      if (isPatchWanted(patch))
       {
-        if (isOurs(whole_.owner[face]))
+        parts.push_back({ patch, {} });
+        for (; face < end; ++face)
         {
-          parts.back().faces.push_back(face);
+          if (isOurs(whole_.owner[face]) && isFaceWanted(face))
+          {
+            parts.back().faces.push_back(face);
+          }
         }
       }
+      face = end;
     }
     return parts;
+  }
+
+  // Faces to cells of other processes that are of other meshes too.
+  void addShared(std::vector<Part>& interfaces) const
+  {
+    for (std::size_t face = whole_.owner.size() - regions_.beyond.size();
+         face < whole_.owner.size(); ++face)
+    {
+      if (isOurs(whole_.owner[face]) && meshBeyond(face) != region_)
+      {
+        Part& part = interfaces[meshBeyond(face)];
+        part.faces.push_back(face);
+        part.isTurned.push_back(false);
+      }
+    }
+    for (Part& part : interfaces)
+    {
+      sortByLabel(part);
+    }
+  }
+
+  // In the order that the mesh of all pieces has them in.
+  void sortByLabel(Part& part) const
+  {
+    std::vector<std::tuple<std::int32_t, std::size_t, bool>> order;
+    for (std::size_t i = 0; i < part.faces.size(); ++i)
+    {
+      const std::int32_t label = std::abs(whole_.addressing->faces[part.faces[i]]);
+      order.emplace_back(label, part.faces[i], part.isTurned[i]);
+    }
+    std::sort(order.begin(), order.end());
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+      part.faces[i] = std::get<1>(order[i]);
+      part.isTurned[i] = std::get<2>(order[i]);
+    }
   }
 
   // Faces to other meshes.
@@ -174,6 +267,10 @@ private:
         part.faces.push_back(face);
         part.isTurned.push_back(isOurs(neighbour));
       }
+    }
+    if (isPiece())
+    {
+      addShared(parts);
     }
     return parts;
   }
@@ -254,6 +351,10 @@ private:
         number[point] = static_cast<std::uint32_t>(mesh_.points.size() / 3);
         const double* const at = whole_.points.data() + 3 * point;
         mesh_.points.insert(mesh_.points.end(), at, at + 3);
+        if (isPiece())
+        {
+          mesh_.addressing->points.push_back(whole_.addressing->points[point]);
+        }
       }
     }
     forCornersOf(faces, [&](std::uint32_t& point) { point = number[point]; });

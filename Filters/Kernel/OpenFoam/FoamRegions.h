@@ -11,8 +11,9 @@ namespace cartesian
 // The regions of the cells of a mesh.
 struct FoamRegions
 {
-  std::vector<std::string> names;    // different OpenFOAM words
-  std::vector<std::uint32_t> ofCell; // index of names
+  std::vector<std::string> names;         // different OpenFOAM words
+  std::vector<std::uint32_t> ofCell;      // index of names
+  std::vector<std::uint32_t> beyond = {}; // those of cells behind patches between processes
 };
 
 // What lies between a zone and the rest of its mesh.
@@ -44,6 +45,8 @@ FoamZoning zonesOfNames(
 // The mesh whose first region is this. Cells, faces and points keep their order. Faces between it and another one are
 // the patch <region>_to_<other>, after the others, in the order that the other's patch has too; they sample each other.
 // Borders of zones have such names too.
+// Of a piece with addressing (FoamPieces.h): that part of it, with the same addressing, and all patches that the mesh
+// could have. There is no ZoneBorder::Pair.
 FoamMesh meshOfRegion(const FoamMesh& whole, const FoamRegions& regions, const FoamZoning& zoning,
   std::uint32_t region);
 

@@ -327,7 +327,7 @@ std::vector<std::filesystem::path> PolyMeshFiles::replace()
       fs::rename(unfinished(written.polyMesh), written.polyMesh);
       kept.push_back(written.replaces ? withoutMesh(old) : old);
     }
-    if (!written_.empty() && !written_.front().region.empty())
+    if (!written_.empty() && !written_.front().region.empty() && place_.piece == 0)
     {
       writeRegionProperties(kept);
     }
@@ -346,7 +346,8 @@ void PolyMeshFiles::writeRegionProperties(std::vector<std::filesystem::path>& ke
     (written.isFluid ? fluid : solid) += " " + written.region;
     regions.insert(written.region);
   }
-  const fs::path path = folder_ / "constant" / "regionProperties";
+  const fs::path path = case_ / "constant" / "regionProperties";
+  fs::create_directories(path.parent_path());
   if (fs::exists(path) && namesAll(path, regions))
   {
     return;

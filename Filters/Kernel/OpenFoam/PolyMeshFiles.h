@@ -61,7 +61,7 @@ struct FoamPlace
 };
 
 // Writes meshes of a case: that of `folder`/constant/polyMesh, or one for each region, constant/<region>/polyMesh.
-// A piece's are in `folder`/processor0, processor1, ... instead.
+// A piece's are in `folder`/processor0, processor1, ... instead; what is said of regions stays in `folder`.
 // Each has points, faces, owner, neighbour, boundary and, if it has them, cellZones, faceZones, pointProcAddressing,
 // faceProcAddressing, cellProcAddressing, boundaryProcAddressing; beside them are the
 // files system/controlDict, fvSchemes, fvSolution and, of pieces, decomposeParDict that checkMesh needs, if they are
