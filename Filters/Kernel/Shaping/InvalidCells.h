@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells between two regions that solvers refuse cannot be removed, as that would leave a hole: where nothing else
-// mends them, they are cut into parts that are poor perhaps, but valid.
+// Removing a cell that solvers refuse would leave a step in the wall, or a hole between two regions: where nothing
+// else mends it, it is cut into parts that are poor perhaps, but valid.
 #pragma once
 
 #include "Base/Execution.h"
