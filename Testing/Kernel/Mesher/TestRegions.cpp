@@ -203,25 +203,7 @@ Soup nestedBoxes(double inner, double outer)
 // What checkMesh refuses of a region by itself.
 std::string invalidIn(const MeshArrays& mesh, int region)
 {
-  CellFaces faces;
-  for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
-  {
-    if (mesh.region[cell] != region)
-    {
-      continue;
-    }
-    faces.firstFace.push_back(faces.firstCorner.size());
-    for (const Face& face : facesOf(mesh, cell))
-    {
-      faces.firstCorner.push_back(faces.corners.size());
-      faces.corners.insert(faces.corners.end(), face.begin(), face.end());
-    }
-  }
-  faces.firstFace.push_back(faces.firstCorner.size());
-  faces.firstCorner.push_back(faces.corners.size());
-  Execution execution(1);
-  const FaceList list = listFaces(faces, mesh.points.size() / 3, Clashes::AreBoundary, execution);
-  const Quality quality = measureQuality(mesh.points.data(), faces, list, execution);
+  const Quality quality = qualityOf(mesh, region);
   const auto most = [&](Measure measure) {
     return *std::max_element(quality.cells[measure].begin(), quality.cells[measure].end());
   };

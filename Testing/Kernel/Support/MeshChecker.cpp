@@ -498,11 +498,15 @@ double volumeSlack(const MeshArrays& mesh, const Soup& soup)
   return resultOf(text);
 }
 
-Quality qualityOf(const MeshArrays& mesh)
+Quality qualityOf(const MeshArrays& mesh, std::optional<int> region)
 {
   CellFaces faces;
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
   {
+    if (region && mesh.region[cell] != *region)
+    {
+      continue;
+    }
     faces.firstFace.push_back(faces.firstCorner.size());
     for (const Face& face : facesOf(mesh, cell))
     {

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 namespace cartesian
 {
 
@@ -36,7 +38,9 @@ std::map<std::pair<int, int>, double> areasBetweenRegions(const MeshArrays& mesh
 // The points of each face of a cell, counter-clockwise from outside.
 using Face = std::vector<Id>;
 std::vector<Face> facesOf(const MeshArrays& mesh, std::size_t cell);
-Quality qualityOf(const MeshArrays& mesh);
+
+// Of all cells, or of one region by itself.
+Quality qualityOf(const MeshArrays& mesh, std::optional<int> region = {});
 
 // Volumes of the cells of each box (I, J, K), ascending.
 std::map<std::array<int, 3>, std::vector<double>> volumesByBox(const MeshArrays& mesh);
