@@ -118,7 +118,7 @@ bool passes(const Corners& t, int along, const Point& at)
 Level exactCrossLine(const Corners& t, int along, const Point& at)
 {
   const std::array<Integer, 3> n = normalOf(t);
-  Exact x(Rational(t[0][along]));
+  Exact x{ Rational(t[0][along]) };
   for (const int axis : { (along + 1) % 3, (along + 2) % 3 })
   {
     x = x -

@@ -129,6 +129,6 @@ TEST(Patches, OfClosedSoupsAreWatertight)
     {
       all.push_back(static_cast<Level>(2 * i));
     }
-    expectWatertight(patchesOf(prepareOnLevels(soup, { all, all, all }), {}));
+    expectWatertight(patchesOf(prepareOnLevels(soup, { { all, all, all } }), {}));
   }
 }

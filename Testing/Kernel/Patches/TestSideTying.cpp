@@ -140,10 +140,10 @@ std::vector<std::array<std::vector<Point>, 2>> movedPolylines(
   std::vector<std::array<std::vector<Point>, 2>> polylines;
   for (std::size_t s = 0; s < starts.size(); s += 2)
   {
-    auto& [was, is] = polylines.emplace_back();
+    std::array<std::vector<Point>, 2>& polyline = polylines.emplace_back(); // was, is
     const auto add = [&](std::uint32_t node) {
-      was.push_back(before.points[node]);
-      is.push_back(after.points[node]);
+      polyline[0].push_back(before.points[node]);
+      polyline[1].push_back(after.points[node]);
     };
     add(starts[s]);
     add(starts[s + 1]);

@@ -25,7 +25,7 @@ std::vector<Level> evenLevels(std::int64_t most, std::int64_t step)
 Meshlines everyEvenLevel(int width)
 {
   const std::vector<Level> levels = evenLevels(2 * width + 2, 2);
-  return { levels, levels, levels };
+  return { { levels, levels, levels } };
 }
 
 void expectAgreement(const Surface& surface, const Meshlines& planes)
@@ -118,7 +118,7 @@ TEST(LineCrossings, AgreeOnLargeLattices)
 {
   const int width = 2099999999;
   const std::vector<Level> levels = evenLevels(4200000000, 300000000);
-  const Meshlines planes = { levels, levels, levels };
+  const Meshlines planes = { { levels, levels, levels } };
   for (unsigned seed = 0; seed < repeats(10); ++seed)
   {
     const Soup soup = randomTetrahedra(seed, 20, width);
