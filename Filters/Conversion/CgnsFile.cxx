@@ -186,7 +186,7 @@ private:
     const std::vector<cgsize_t> start(cells.start.begin(), cells.start.end());
     std::vector<cgsize_t> faces;
     faces.reserve(cells.uses.size());
-    for (const FaceUse use : cells.uses)
+    for (const OrientedFace use : cells.uses)
     {
       const auto number = static_cast<cgsize_t>(use.face) + 1;
       faces.push_back(use.pointsInward ? -number : number);

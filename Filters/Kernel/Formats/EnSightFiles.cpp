@@ -71,7 +71,7 @@ private:
     auto face = static_cast<std::uint32_t>(mesh_.neighbour.size());
     for (const FoamPatch& patch : mesh_.patches)
     {
-      std::vector<FaceUse> uses;
+      std::vector<OrientedFace> uses;
       for (const std::size_t end = face + patch.count; face < end; ++face)
       {
         uses.push_back({ face, false });
@@ -86,7 +86,7 @@ private:
 
   void writeCells(const std::string& name, const std::vector<std::uint32_t>& cells)
   {
-    std::vector<FaceUse> uses;
+    std::vector<OrientedFace> uses;
     for (const std::uint32_t cell : cells)
     {
       uses.insert(uses.end(), cells_.uses.begin() + static_cast<std::ptrdiff_t>(cells_.start[cell]),
@@ -104,7 +104,7 @@ private:
   }
 
   // The part's number, name and points, in the order of the whole mesh.
-  void beginPart(const std::string& name, const std::vector<FaceUse>& uses)
+  void beginPart(const std::string& name, const std::vector<OrientedFace>& uses)
   {
     record("part");
     number(++part_);
@@ -135,24 +135,24 @@ private:
     }
   }
 
-  void writeSizes(const std::vector<FaceUse>& uses)
+  void writeSizes(const std::vector<OrientedFace>& uses)
   {
-    for (const FaceUse use : uses)
+    for (const OrientedFace use : uses)
     {
       number(mesh_.start[use.face + 1] - mesh_.start[use.face]);
     }
   }
 
-  void writeCorners(const std::vector<FaceUse>& uses)
+  void writeCorners(const std::vector<OrientedFace>& uses)
   {
     forEachCorner(uses, [&](std::uint32_t point) { file_.raw(placeOf_[point]); });
   }
 
   // From outside the cell.
   template <class Visit>
-  void forEachCorner(const std::vector<FaceUse>& uses, Visit&& visit) const
+  void forEachCorner(const std::vector<OrientedFace>& uses, Visit&& visit) const
   {
-    for (const FaceUse use : uses)
+    for (const OrientedFace use : uses)
     {
       const std::uint32_t* const begin = mesh_.corners.data() + mesh_.start[use.face];
       const std::uint32_t* const end = mesh_.corners.data() + mesh_.start[use.face + 1];

@@ -7,7 +7,7 @@
 namespace cartesian
 {
 
-struct FaceUse
+struct OrientedFace
 {
   std::uint32_t face;
   bool pointsInward; // the cell is its neighbour, not its owner
@@ -18,7 +18,7 @@ struct FacesOfCells
   explicit FacesOfCells(const FoamMesh& mesh);
 
   std::vector<std::size_t> start; // of each cell in `uses`, and the end
-  std::vector<FaceUse> uses;      // ascending
+  std::vector<OrientedFace> uses; // ascending
 };
 
 }
