@@ -179,7 +179,7 @@ Triangles readStl(const std::string& name)
 {
   std::ifstream file(std::filesystem::path(DATA_FOLDER) / name);
   Triangles surface;
-  surface.name = name;
+  surface.name = std::filesystem::path(name).filename();
   std::array<std::array<double, 3>, 3> triangle;
   std::size_t corner = 0;
   for (std::string word; file >> word;)
