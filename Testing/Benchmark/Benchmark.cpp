@@ -75,9 +75,9 @@ void printSurface(const Triangles& surface, const std::vector<int>& threads)
       for (const int number : threads)
       {
         const Figures f = measure(surface, sizeFor(cells, surface), 0, method, number);
-        std::printf("%-34s%10zu  %-10s%8d%10.0f%10.0f%10.2f%12.1f%14.0f\n", surface.name.c_str(),
-          surface.size(), nameOf(method), number, f.cells, f.cut, f.seconds,
-          Microseconds * f.seconds / f.cut, f.peak / f.cells);
+        std::printf("%-34s%10zu  %-10s%8d%10.0f%10.0f%10.2f%10.2f%12.1f%14.0f\n",
+          surface.name.c_str(), surface.size(), nameOf(method), number, f.cells, f.cut, f.seconds,
+          f.processor, Microseconds * f.processor / f.cut, f.peak / f.cells);
         std::fflush(stdout);
       }
     }
@@ -86,8 +86,8 @@ void printSurface(const Triangles& surface, const std::vector<int>& threads)
 
 void printSurfaces(const std::vector<Triangles>& surfaces, const std::vector<int>& threads)
 {
-  std::printf("%-34s%10s  %-10s%8s%10s%10s%10s%12s%14s\n", "", "triangles", "patches", "threads",
-    "cells", "cut", "seconds", "us/cut cell", "bytes a cell");
+  std::printf("%-34s%10s  %-10s%8s%10s%10s%10s%10s%12s%14s\n", "", "triangles", "patches",
+    "threads", "cells", "cut", "seconds", "of CPU", "us/cut cell", "bytes a cell");
   for (const Triangles& surface : surfaces)
   {
     printSurface(surface, threads);
@@ -112,19 +112,20 @@ class GrowthTable
 public:
   GrowthTable(const Triangles& surface, const char* quantity)
   {
-    std::printf("%-28s%12s%10s%10s%10s%12s%14s%12s%10s%10s\n", surface.name.c_str(), quantity,
-      "cells", "cut", "seconds", "us a cell", "us a cut cell", "bytes a cell", "time ~n^",
+    std::printf("%-28s%12s%10s%10s%10s%10s%12s%14s%12s%10s%10s\n", surface.name.c_str(), quantity,
+      "cells", "cut", "seconds", "of CPU", "us a cell", "us a cut cell", "bytes a cell", "time ~n^",
       "peak ~n^");
   }
 
   void add(double quantity, const Figures& f)
   {
-    std::printf("%40.0f%10.0f%10.0f%10.2f%12.2f%14.1f%12.0f", quantity, f.cells, f.cut, f.seconds,
-      Microseconds * f.seconds / f.cells, Microseconds * f.seconds / f.cut, f.peak / f.cells);
+    std::printf("%40.0f%10.0f%10.0f%10.2f%10.2f%12.2f%14.1f%12.0f", quantity, f.cells, f.cut,
+      f.seconds, f.processor, Microseconds * f.processor / f.cells,
+      Microseconds * f.processor / f.cut, f.peak / f.cells);
     if (quantity_ > 0)
     {
       const double factor = std::log(quantity / quantity_);
-      std::printf("%10.2f%10.2f", std::log(f.seconds / before_.seconds) / factor,
+      std::printf("%10.2f%10.2f", std::log(f.processor / before_.processor) / factor,
         std::log(f.peak / before_.peak) / factor);
     }
     std::printf("\n");
