@@ -14,7 +14,7 @@ for plugins in build/release/lib/paraview-*/plugins; do
   export PV_PLUGIN_PATH="$PWD/$plugins"
 done
 
-tables="growth stages surfaces memory boxes compare fidelity tying merging quality walls conduction examples-header
+tables="growth stages surfaces memory boxes compare fidelity tying merging quality scans walls conduction examples-header
   examples-jacket adaptation pieces"
 
 # As ASCII STL, for Benchmark: the scans, or why there are none.
@@ -49,6 +49,13 @@ do_table() {
     tying) pvpython Testing/Benchmark/fidelity.py --sweep tying --cells 25,60 ;;
     merging) pvpython Testing/Benchmark/fidelity.py --sweep merge --cells 40 ;;
     quality) pvpython Testing/Benchmark/QualityTable.py sphere Data/*.stl Data/*.obj --across 12 25 60 ;;
+    scans)
+      for scan in wallaby_cylinder_head_r80.stl elmer_femur.ply vtk_lucy.ply; do
+        [ ! -e "$surfaces/$scan" ] || set -- "$@" "$surfaces/$scan"
+      done
+      shift
+      pvpython Testing/Benchmark/QualityTable.py "$@" --across 25 80
+      ;;
     walls) pvpython Testing/Benchmark/wallcells.py cells sphere Data/kcl_exhaust_header_lumens.stl Data/tm_featuretype_occ.stl --size 1/25 ;;
     conduction) pvpython Testing/Plugin/TestHeat.py . "$bin/cartesian-mesher" ;;
     examples-header) pvpython Testing/Plugin/header.py "$surfaces" 3 1 ;;

@@ -2,29 +2,49 @@
 # these, `sanitize` under the address sanitizer, which takes ten times as long. Those of TestThreads are `threads` as well:
 # the thread sanitizer's.
 
-cmake_policy(SET CMP0057 NEW) # if (IN_LIST)
-
-# More than three seconds in an optimised build.
+# Ten seconds or more in an optimised build.
 set(slow
-  "Fuzz[.]StarPolyhedraFarAway")
+  Fuzz[.]StarPolyhedraFarAway
+  Order[.]OfTheInputDoesNotMatter
+  Shaping[.]CollapsedEdges)
 
-# Too long under a sanitizer; others go the same ways through the kernel on smaller shapes.
+# A second or more.
 set(heavy
-  "CellBudget[.](Curvature|Gaps)"
-  "SizeEstimate"
-  "SmoothShape")
+  Baffles[.]AcrossADuct
+  Balance[.]Axes Balance[.]Holds Balance[.]Reaches
+  CellBudget[.]Curvature CellBudget[.]Gaps CellBudget[.]TheSame
+  Flawed[.]AtRandom
+  Flaws[.]BodiesThatCross Flaws[.]OneTriangleInAHundred
+  Fuzz[.]RandomBytes Fuzz[.]Corpus # libFuzzer's short run does the same
+  KeepPoints[.]TheMesh
+  Parts[.]AreTheWholeMeshAround Parts[.]AreTheWholeMeshFar Parts[.]AreTheWholeMeshOf
+  PatchMethods[.]Threads
+  PrismStacks[.]AreTheSame PrismStacks[.]FillASphere
+  Refinement[.]Random Refinement[.]SameMesh
+  Regions[.]AClosedWall Regions[.]AreValid Regions[.]Curved Regions[.]EndFlush Regions[.]LieInEachOther
+  Regions[.]MayBeSmooth Regions[.]MayLie Regions[.]MayTouchAPlane Regions[.]TheFirstWall Regions[.]WallsBeyond
+  Resources[.]ANodeOfMany
+  Shaping[.]Fuzzed
+  SizeEstimate[.]AsMany
+  SolverReady[.]Mending
+  Stops[.]NoStage
+  TrianglePairs[.]FansOfSlivers)
+
+# Of tests of many shapes, those of these: few triangles in few boxes.
+set(small "/(BoxesTouchingInAnEdge|Cube|CubeTurned|LShape|Needle|Octahedron|PlateOneLevelThick|StarPolyhedron|Tetrahedron|\
+ThinPlateTurned|TurnedBox) ") # names end with "  # GetParam() = ..."
 
 list(JOIN slow "|" slow)
 list(JOIN heavy "|" heavy)
-foreach (test IN LISTS TestKernel_TESTS TestThreads_TESTS)
+foreach (test IN LISTS TestKernel_TESTS)
   set(labels quick)
   if (test MATCHES "${slow}")
     set(labels slow)
-  elseif (NOT test MATCHES "${heavy}")
+  elseif (NOT test MATCHES "${heavy}" AND (NOT test MATCHES "/" OR test MATCHES "${small}"))
     list(APPEND labels sanitize)
   endif ()
-  if (test IN_LIST TestThreads_TESTS)
-    list(APPEND labels threads)
-  endif ()
   set_tests_properties("${test}" PROPERTIES LABELS "${labels}")
+endforeach ()
+foreach (test IN LISTS TestThreads_TESTS)
+  set_tests_properties("${test}" PROPERTIES LABELS "quick;sanitize;threads")
 endforeach ()
