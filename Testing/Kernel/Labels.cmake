@@ -4,9 +4,9 @@
 
 # Ten seconds or more in an optimised build.
 set(slow
-  Fuzz[.]StarPolyhedraFarAway
   Order[.]OfTheInputDoesNotMatter
-  Shaping[.]CollapsedEdges)
+  Shaping[.]CollapsedEdges
+  WholeRefinedMeshOfShapedCells/Torus)
 
 # A second or more.
 set(heavy
