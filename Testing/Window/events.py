@@ -26,8 +26,10 @@ def open_file(path, choose_reader=False):
     return "\n".join(events)
 
 
-def meshing_menu(filter):
-    return event("pqClientMainWindow/menubar/menuFilters/Meshing", "activate", filter)
+def meshing_menu(filter, category="Meshing"):
+    """The menu Filters is opened first: ParaView 5.13 fills it only then."""
+    return "\n".join([event("pqClientMainWindow/menubar", "activate", "menuFilters"),
+        event(f"pqClientMainWindow/menubar/menuFilters/{category}", "activate", filter)])
 
 
 def apply():
