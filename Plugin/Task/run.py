@@ -6,9 +6,6 @@ import signal
 # listens, Ctrl-C ends the program at once; cartesian-mesher has kept it off up to here.
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
-# A file larger than the user may have cannot be written, as on a full device: no reason to be killed. Python of
-# its own ignores this, but not as ParaView 5.13 starts it.
-signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
 
 import argparse
 import contextlib
