@@ -55,6 +55,12 @@ def table_row(property, row, values):
     return "\n".join(events)
 
 
+def rows(property, count):
+    """The table has so many rows. A macro would tell too, but in ParaView 5.13 what undo undoes is then the macro."""
+    table = f"{PROPERTIES}/{property}/ScalarValueList/Table"
+    return f'<pqcheck object={quoteattr(table)} property="modelRowCount" arguments="{count}"/>'
+
+
 def boundary_row(row, name, type, ratio):
     """Adds a row to the table Boundaries and fills it in."""
     fields = f"{PROPERTIES}/PropertyCollection/container/1pqProxyWidget{row}"
