@@ -26,6 +26,8 @@ pieces = {pieces}
 # One rank finds the device full, as far as files tell; -1: none.
 LIMITED = """if [ "$OMPI_COMM_WORLD_RANK" = "$LIMITED" ]; then trap '' XFSZ; ulimit -f 40; fi; exec "$0" "$@" """
 ENVIRONMENT = {name: value for name, value in os.environ.items() if not name.startswith(("OMPI_", "PMIX_", "ORTE_"))}
+# Shared memory that is no file: Open MPI 5 would fail in the limited rank.
+ENVIRONMENT["OMPI_MCA_shmem"] = "sysv"
 
 
 class Program:

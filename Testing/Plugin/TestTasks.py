@@ -29,6 +29,8 @@ program = importlib.util.module_from_spec(RUN)
 RUN.loader.exec_module(program)
 
 SUCCESS, REFUSED, WARNINGS = 0, 2, 3
+# Not in files: Open MPI 5 would die of the limit that some get here (of_limited_size).
+SHARED_MEMORY = {"OMPI_MCA_shmem": "sysv"}
 EXHAUST = DATA / "kcl_exhaust_header_lumens.stl"
 folder = pathlib.Path(tempfile.mkdtemp())
 
@@ -38,7 +40,7 @@ def start(*arguments, ranks=0, code=SUCCESS, **more):
     mpi = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(ranks)] if ranks else []
     # Started by a program that is of MPI itself, mpirun refuses.
     environment = {name: value for name, value in os.environ.items()
-        if not name.startswith(("OMPI_", "PMIX_", "ORTE_"))}
+        if not name.startswith(("OMPI_", "PMIX_", "ORTE_"))} | SHARED_MEMORY
     done = subprocess.run([*mpi, PROGRAM, *map(str, arguments)], capture_output=True, text=True,
         timeout=300, env=environment, **more)
     said = done.stdout + done.stderr
