@@ -57,11 +57,12 @@ def check_cube(folder):
 
 
 def check_edges(folder):
-    """A cube keeps its edges, inside and outside; a smaller mesh does not have them."""
+    """Exact Fit keeps a cube's edges, inside and outside; a smaller mesh does not have them."""
     cube = wallsurfaces.from_proxy("cube", simple.Box())
     assert np.allclose(wallmeasures.length(np.diff(cube.sharp_edges(30), axis=1)[:, 0]).sum(), 12)
     for outside in False, True:
-        mesh = wallmeshes.make(wallmeshes.OURS, cube, 1 / 8, 0, folder / str(outside), outside=outside).mesh
+        mesh = wallmeshes.make(wallmeshes.OURS, cube, 1 / 8, 0, folder / str(outside),
+                               {"PatchMethod": "Exact Fit"}, outside=outside).mesh
         figures = wallmeasures.fidelity(mesh, cube, 1 / 8, outside)
         assert abs(figures["volume error"]) < 1e-5 and figures["sharp edges kept"] == 1, figures
         assert figures["faces leaning over 45 degrees"] == 0 and figures["... rms"] < 1e-5, figures

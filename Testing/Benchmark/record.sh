@@ -32,6 +32,17 @@ SaveData('$stl', proxy=PLYReader(FileNames=['$surfaces/$scan']), FileType='Ascii
   done
 }
 
+# boundary_off SIZES PROPERTY VALUE...: how far the boundary is from smooth surfaces, for each value.
+boundary_off() {
+  sizes=$1 property=$2
+  shift 2
+  for value in "$@"; do
+    echo "$property = $value"
+    pvpython Testing/Benchmark/wallcells.py fidelity sphere torus Data/cino_spot.obj --sizes "$sizes" --turns 1 --domains inside \
+      --meshers 0 --set SmallCellRatio=1e-9 --set "$property=$value"
+  done
+}
+
 do_table() {
   case $1 in
     growth | memory) $bin/Benchmark "$1" 1 ;;
@@ -45,9 +56,9 @@ do_table() {
       [ $# -eq 0 ] || $bin/Benchmark surfaces 1 "$@"
       ;;
     compare) pvpython Testing/Benchmark/compare.py --cells 500000 ;;
-    fidelity) pvpython Testing/Benchmark/fidelity.py --cells 12,24,48,96 ;;
-    tying) pvpython Testing/Benchmark/fidelity.py --sweep tying --cells 25,60 ;;
-    merging) pvpython Testing/Benchmark/fidelity.py --sweep merge --cells 40 ;;
+    fidelity) boundary_off 1/12,1/24,1/48 PatchMethod Automatic "Marching Cubes" ;;
+    tying) boundary_off 1/25,1/60 Tying "Keep Nodes" "Move Nodes" ;;
+    merging) boundary_off 1/40 MergeAngle 0 5 10 15 20 30 ;;
     quality) pvpython Testing/Benchmark/QualityTable.py sphere Data/*.stl Data/*.obj --across 12 25 60 ;;
     scans)
       for scan in wallaby_cylinder_head_r80.stl elmer_femur.ply vtk_lucy.ply; do

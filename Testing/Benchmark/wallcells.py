@@ -88,7 +88,7 @@ def print_rows(title, columns):
 def print_lines(title, lines):
     """A mesh a line. `lines`: name, mesher, and figures."""
     figures = dict.fromkeys(name for line in lines for name in line[2])
-    widths = [max(len(name), 10) + 2 for name in figures]
+    widths = [max(10, len(name), *(len(shown(line[2].get(name, "-"))) for line in lines)) + 2 for name in figures]
     wide = max(15, *(len(name) for name, _, _ in lines)) + 1
     print(f"\n{title:{wide}}{'mesher':>18}" + "".join(f"{n:>{w}}" for n, w in zip(figures, widths)))
     for name, mesher, found in lines:
