@@ -13,6 +13,7 @@ set(heavy
   Baffles[.]AcrossADuct
   Balance[.]Axes Balance[.]Holds Balance[.]Reaches
   CellBudget[.]Curvature CellBudget[.]Gaps CellBudget[.]TheSame
+  FidelityOf[.]TheBoundary
   Flawed[.]AtRandom
   Flaws[.]BodiesThatCross Flaws[.]OneTriangleInAHundred
   Fuzz[.]RandomBytes Fuzz[.]Corpus # libFuzzer's short run does the same
