@@ -371,7 +371,7 @@ private:
   void add(Sums& sums, std::size_t face, double area) const
   {
     sums.area += area;
-    const double asked = layers_.spec.thicknessAt(faces_[face].boundary, layers_.thickness);
+    const double asked = layers_.boundary.asked[face];
     sums.covered += asked > 0 && thickness_[face] >= LeastOfAsked * asked ? area : 0;
     sums.volume += area * thickness_[face];
   }

@@ -17,6 +17,7 @@ constexpr double LeastMove = 1e-3; // of the longest way: others change no measu
 constexpr double Thinned = 0.5;
 constexpr int ThinningRounds = 20; // afterwards layers at fault end at once
 constexpr double LeastPart = 0.2;  // thinner ones end
+constexpr double LeastOfAsked = 0.05; // of the thickness of a stack: thinner ones are left out
 constexpr double Slope = 0.8; // of parts, from node to node of a face: layers end over two columns
 
 // A cell that had less of its volume than this part hardly had any to compare with.
@@ -181,12 +182,30 @@ private:
     return changed;
   }
 
+  // Where a stack would be a film it has none.
+  bool leaveOutFilms()
+  {
+    bool changed = false;
+    for (std::size_t f = 0; f < wall_.layered.size(); ++f)
+    {
+      if (wall_.hasStack(f) && wall_.thickness(f) < LeastOfAsked * wall_.asked[f])
+      {
+        for (std::size_t i = 0; i < wall_.corners(f); ++i)
+        {
+          wall_.parts[wall_.node(f, i)] = 0;
+        }
+        changed = true;
+      }
+    }
+    return changed;
+  }
+
   // Until no part is higher than the slope allows: the same whatever the order.
   void smooth()
   {
     for (bool changed = true; changed;)
     {
-      changed = false;
+      changed = leaveOutFilms();
       for (std::size_t f = 0; f < wall_.layered.size(); ++f)
       {
         double least = 1;
@@ -235,16 +254,15 @@ private:
 }
 
 BoundaryLayers addLayers(const OutputMesh& mesh, const Surface& surface, const WallLayerSpec& spec,
-  double thickness, Execution& execution)
+  Execution& execution)
 {
   std::vector<double> points(3 * static_cast<std::size_t>(mesh.pointCount()));
   mesh.writePoints(points.data(), execution);
-  LayeredWall wall = findLayeredWall(mesh, points, spec, thickness, execution);
-  spreadWays(wall, thickness);
+  LayeredWall wall = findLayeredWall(mesh, points, spec, execution);
+  spreadWays(wall);
   keepFromOpposite(wall, surface, execution);
   BoundaryLayers layers = LayerMaker(mesh, points, heightsOfLayers(spec), wall, execution).run();
   layers.spec = spec;
-  layers.thickness = thickness;
   return layers;
 }
 

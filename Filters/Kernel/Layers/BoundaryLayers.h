@@ -22,14 +22,13 @@ struct ChangedCell
 struct BoundaryLayers
 {
   WallLayerSpec spec;
-  double thickness = 0; // of all layers, as asked, in user units
   PrismStacks stacks;
   LayeredBoundary boundary;
   std::vector<ChangedCell> changed; // cells whose points moved
 };
 
-// `thickness`: of all layers, in user units. `surface`: the one that was meshed.
+// `surface`: the one that was meshed.
 BoundaryLayers addLayers(const OutputMesh& mesh, const Surface& surface, const WallLayerSpec& spec,
-  double thickness, Execution& execution);
+  Execution& execution);
 
 }

@@ -2,6 +2,7 @@
 #include "Layers/LayeredWall.h"
 
 #include "Lattice/LineMeeting.h"
+#include "Layers/AskedThickness.h"
 #include "Polyhedra/CellGeometry.h"
 #include "Polyhedra/OffsetPlanes.h"
 #include "Repair/TriangleTree.h"
@@ -22,10 +23,9 @@ constexpr std::size_t NodesAChunk = 256;
 class WallFinder
 {
 public:
-  WallFinder(const OutputMesh& mesh, const WallLayerSpec& spec, double thickness)
+  WallFinder(const OutputMesh& mesh, const WallLayerSpec& spec)
     : mesh_(mesh)
     , spec_(spec)
-    , thickness_(thickness)
   {
   }
 
@@ -55,12 +55,17 @@ private:
   {
     wall_.layered.resize(mesh_.boundary().size());
     wall_.isOnWall.assign(wall_.nodes(), 0);
+    wall_.usual.assign(wall_.nodes(), 0);
+    const std::vector<double> usual = usualThicknesses(mesh_, spec_);
     for (std::size_t f = 0; f < wall_.layered.size(); ++f)
     {
-      wall_.layered[f] = spec_.hasLayers(mesh_.boundary()[f].boundary);
+      wall_.asked.push_back(spec_.thicknessAt(mesh_.boundary()[f].boundary, usual[f]));
+      wall_.layered[f] = wall_.asked[f] > 0;
       for (std::size_t i = 0; wall_.layered[f] && i < wall_.corners(f); ++i)
       {
-        wall_.isOnWall[wall_.node(f, i)] = 1;
+        const std::size_t n = wall_.node(f, i);
+        wall_.isOnWall[n] = 1;
+        wall_.usual[n] = std::max(wall_.usual[n], usual[f]);
       }
     }
   }
@@ -102,14 +107,13 @@ private:
     const std::size_t size = wall_.corners(f);
     const auto at = [&](std::size_t i) -> const Vector& { return wall_.place[wall_.node(f, i)]; };
     const Vector inwards = scaled(unit(measureFace(size, at).area), -1);
-    const double distance = spec_.thicknessAt(mesh_.boundary()[f].boundary, thickness_);
     for (std::size_t i = 0; norm(inwards) > 0 && i < size; ++i)
     {
       const Vector back = minus(at(i + size - 1), at(i));
       const Vector ahead = minus(at(i + 1), at(i));
       const std::size_t n = wall_.node(f, i);
       addFacet((wall_.layered[f] ? facets_ : others_)[n],
-        { inwards, radians(angle(back, ahead)), distance });
+        { inwards, radians(angle(back, ahead)), wall_.asked[f] });
     }
   }
 
@@ -127,7 +131,7 @@ private:
         {
           wall_.way[n] = meetingPoint(facets_[n], wall_.fixed[n]);
           std::vector<Facet> all = others_[n];
-          all.push_back({ unit(wall_.way[n]), 1, thickness_ });
+          all.push_back({ unit(wall_.way[n]), 1, wall_.usual[n] });
           all.insert(all.end(), facets_[n].begin(), facets_[n].end());
           wall_.across[n] = independentNormals(all, SinOfSharpEdge);
           wall_.parts[n] = norm(wall_.way[n]) > 0 ? 1 : 0;
@@ -154,7 +158,6 @@ private:
 
   const OutputMesh& mesh_;
   const WallLayerSpec& spec_;
-  const double thickness_;
   std::vector<std::vector<Facet>> facets_; // around each node, of walls with layers
   std::vector<std::vector<Facet>> others_;
   LayeredWall wall_;
@@ -182,10 +185,24 @@ bool LayeredWall::hasStack(std::size_t face) const
   return layered[face] && any;
 }
 
-LayeredWall findLayeredWall(const OutputMesh& mesh, const std::vector<double>& points,
-  const WallLayerSpec& spec, double thickness, Execution& execution)
+double LayeredWall::thickness(std::size_t face) const
 {
-  return WallFinder(mesh, spec, thickness).run(points, execution);
+  const std::size_t size = corners(face);
+  const FaceGeometry geometry =
+    measureFace(size, [&](std::size_t i) -> const Vector& { return place[node(face, i)]; });
+  double sum = 0;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const std::size_t n = node(face, i);
+    sum += dot(minus(place[n], at(n, 1)), unit(geometry.area));
+  }
+  return sum / static_cast<double>(size);
+}
+
+LayeredWall findLayeredWall(const OutputMesh& mesh, const std::vector<double>& points,
+  const WallLayerSpec& spec, Execution& execution)
+{
+  return WallFinder(mesh, spec).run(points, execution);
 }
 
 void keepFromOpposite(LayeredWall& wall, const Surface& surface, Execution& execution)

@@ -12,6 +12,8 @@ struct LayeredWall
 {
   BoundaryMesh faces;                // of the mesh without layers
   std::vector<std::uint8_t> layered; // of each face
+  std::vector<double> asked;         // thickness of all layers on each face, in user units; 0: it has none
+  std::vector<double> usual; // of each node, where boundaries have no thickness of their own; the most of its faces
   std::vector<std::uint8_t>
     isOnWall;                // of each node, an index in faces.meshPoint: it is of a layered face
   std::vector<Vector> place; // of each node, in user units
@@ -61,11 +63,14 @@ struct LayeredWall
     return plus(place[node], scaled(way[node], height * parts[node]));
   }
   bool hasStack(std::size_t face) const;
+
+  // Of all layers on a face: the mean of its nodes, along the normal of the wall.
+  double thickness(std::size_t face) const;
 };
 
-// `points`: of the mesh. `thickness`: of all layers where `spec` says nothing else, in user units.
+// `points`: of the mesh.
 LayeredWall findLayeredWall(const OutputMesh& mesh, const std::vector<double>& points,
-  const WallLayerSpec& spec, double thickness, Execution& execution);
+  const WallLayerSpec& spec, Execution& execution);
 
 // Lowers the parts of nodes until layers take at most a third of the way to the wall that lies opposite.
 void keepFromOpposite(LayeredWall& wall, const Surface& surface, Execution& execution);

@@ -46,7 +46,7 @@ void tidy(std::vector<Edge>& edges)
 
 }
 
-void spreadWays(LayeredWall& wall, double thickness)
+void spreadWays(LayeredWall& wall)
 {
   std::vector<Edge> edges;
   for (std::size_t f = 0; f < wall.layered.size(); ++f)
@@ -66,6 +66,7 @@ void spreadWays(LayeredWall& wall, double thickness)
   for (const Edge& edge : edges)
   {
     links.push_back({ edge.from, edge.to, 1 / edge.length });
+    const double thickness = wall.usual[edge.from];
     damping[edge.from] += edge.length / (2 * FadeLength * FadeLength * thickness * thickness);
   }
   std::vector<const std::vector<Vector>*> fixed;

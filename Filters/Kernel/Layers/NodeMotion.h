@@ -11,7 +11,7 @@ namespace cartesian
 
 // Spreads the ways of the wall's nodes along it: what the planes around a node do not tell about its way comes from
 // nodes beside it, and fades away over some thicknesses. So nodes near a sharp edge make room for those on it.
-void spreadWays(LayeredWall& wall, double thickness);
+void spreadWays(LayeredWall& wall);
 
 // The ways of points are harmonic on the graph of the mesh's edges, whose weights are the reciprocals of their
 // lengths: along a row of points they fall linearly from the wall's to 0 at points that do not move. Those on planes

@@ -2,7 +2,6 @@
 #include "Layers/PrismStacks.h"
 
 #include "Layers/StackSides.h"
-#include "Polyhedra/CellGeometry.h"
 
 #include <algorithm>
 
@@ -185,9 +184,10 @@ public:
   }
 
 private:
-  void add(const BoundaryFace& face, const std::vector<Id>& points, double thickness)
+  void add(const BoundaryFace& face, const std::vector<Id>& points, double asked, double thickness)
   {
     result_.faces.push_back(face);
+    result_.asked.push_back(asked);
     result_.thickness.push_back(thickness);
     std::vector<Id>& corners = result_.mesh.corners;
     result_.mesh.start.push_back(static_cast<Id>(corners.size())); // the end comes last
@@ -210,7 +210,7 @@ private:
     {
       if (!wall_.hasStack(f))
       {
-        add(mesh_.boundary()[f], pointsOf(f, 0), 0);
+        add(mesh_.boundary()[f], pointsOf(f, 0), wall_.asked[f], 0);
       }
     }
   }
@@ -221,7 +221,7 @@ private:
     {
       const BoundaryFace& base = mesh_.boundary()[f];
       add({ cell, base.index, base.boundary, BoundaryFace::Kind::Patch },
-        pointsOf(f, columns_.layers()), thicknessOf(f));
+        pointsOf(f, columns_.layers()), wall_.asked[f], wall_.thickness(f));
     }
     sides_.forEach(f, k, [&](std::size_t i, std::size_t n) {
       const std::size_t other = wall_.faceBeyond(f, i);
@@ -229,24 +229,9 @@ private:
       if (!wall_.layered[other] && !side_.empty())
       {
         const BoundaryFace& there = mesh_.boundary()[other];
-        add({ cell, there.index, there.boundary, BoundaryFace::Kind::Patch }, side_, 0);
+        add({ cell, there.index, there.boundary, BoundaryFace::Kind::Patch }, side_, 0, 0);
       }
     });
-  }
-
-  // The mean of its nodes, along the normal of the wall.
-  double thicknessOf(std::size_t f) const
-  {
-    const std::size_t corners = wall_.corners(f);
-    const FaceGeometry face =
-      measureFace(corners, [&](std::size_t i) { return wall_.place[wall_.node(f, i)]; });
-    double sum = 0;
-    for (std::size_t i = 0; i < corners; ++i)
-    {
-      const std::size_t n = wall_.node(f, i);
-      sum += dot(minus(wall_.place[n], wall_.at(n, 1)), unit(face.area));
-    }
-    return sum / static_cast<double>(corners);
   }
 
   // Corners are the mesh's points so far.

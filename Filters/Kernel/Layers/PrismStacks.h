@@ -40,6 +40,7 @@ struct LayeredBoundary
 {
   BoundaryMesh mesh;
   std::vector<BoundaryFace> faces;
+  std::vector<double> asked;     // thickness of all layers on each, in user units; 0: none
   std::vector<double> thickness; // of the stack below each, along its normal; 0: none
 };
 

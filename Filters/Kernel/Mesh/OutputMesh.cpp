@@ -152,6 +152,17 @@ std::size_t OutputMesh::hexahedraBefore(std::size_t box) const
   return box - first - static_cast<std::size_t>(end - begin);
 }
 
+std::size_t OutputMesh::boxOf(Id cell) const
+{
+  const Boxes& boxes = parts_.boxes;
+  const auto of = [&](std::uint32_t layer) {
+    return numbers_.ofBox.begin() + static_cast<std::ptrdiff_t>(boxes.firstBoxOf(layer));
+  };
+  const auto next = std::upper_bound(of(boxes.core.begin), of(boxes.core.end), cell,
+    [](Id number, std::uint32_t first) { return number < static_cast<Id>(first); });
+  return static_cast<std::size_t>(next - numbers_.ofBox.begin()) - 1;
+}
+
 std::size_t OutputMesh::placeOfPolyhedron(std::size_t cell) const
 {
   return hexahedra_ + numbers_.ofCell[cell] - hexahedraBefore(parts_.cells.all[cell].box);

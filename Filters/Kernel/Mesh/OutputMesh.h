@@ -68,6 +68,10 @@ public:
   Id faceStreamSize() const { return rows_.back().faceStream; }
   const std::vector<BoundaryFace>& boundary() const { return boundary_; }
   const CellConditions& failures() const { return failures_; }
+  const Boxes& boxes() const { return parts_.boxes; }
+
+  // The box of a cell; the first of them if it has several. `cell`: as BoundaryFace names it.
+  std::size_t boxOf(Id cell) const;
 
   void writePoints(double* xyz, Execution& execution) const;
 

@@ -16,20 +16,6 @@ namespace cartesian
 namespace
 {
 
-// The shortest side of a box, in levels.
-double shortestSide(const Meshlines& planes)
-{
-  double least = LevelsOfTheDomain;
-  for (const auto& axis : planes)
-  {
-    for (std::size_t i = 0; i + 1 < axis.size(); ++i)
-    {
-      least = std::min(least, double(axis[i + 1]) - axis[i]);
-    }
-  }
-  return least;
-}
-
 void requireOneRegion(const Surface& surface, const WallLayerSpec& layers)
 {
   if (surface.walls.any())
@@ -203,19 +189,6 @@ Patches makePatches(const PreparedSurface& prepared, const Decomposition& decomp
     prepared.surface, boxes, decomposition.shoeboxes(), options.patches, execution);
 }
 
-namespace
-{
-
-// Of all layers, in user units.
-double thicknessOf(const PreparedSurface& prepared, const Options& options)
-{
-  return totalThickness(options.layers,
-    std::ldexp(shortestSide(prepared.planes) * prepared.surface.lattice.step(),
-      -std::max(0, options.refinement.depth)));
-}
-
-}
-
 std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   const Decomposition& decomposition, Layers core, const Options& options, Execution& execution)
 {
@@ -241,8 +214,8 @@ std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   }
   auto assembly =
     assemble(std::move(boxes), std::move(patches), options, execution, &layers, parts);
-  assembly->layers = std::make_unique<BoundaryLayers>(addLayers(
-    *assembly->mesh, prepared.surface, layers, thicknessOf(prepared, options), execution));
+  assembly->layers = std::make_unique<BoundaryLayers>(
+    addLayers(*assembly->mesh, prepared.surface, layers, execution));
   return assembly;
 }
 

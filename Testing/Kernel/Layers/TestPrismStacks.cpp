@@ -351,7 +351,7 @@ TEST(PrismStacks, AreCompleteAlongFinelyDividedRims)
   {
     const bool isWall = boundary.faces[f].boundary == 0;
     walls += isWall;
-    thin += isWall && boundary.thickness[f] < 0.5 * layered.assembly->layers->thickness;
+    thin += isWall && boundary.thickness[f] < 0.5 * boundary.asked[f];
   }
   EXPECT_GT(walls, 500U);
   EXPECT_LT(50 * thin, walls); // 9 of 733; 34 if each edge of the rim has a side of its own
