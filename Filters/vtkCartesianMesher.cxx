@@ -6,6 +6,7 @@
 #include "DefectsToVTK.h"
 #include "FilterOptions.h"
 #include "GhostCells.h"
+#include "LayerWarning.h"
 #include "MeshToVTK.h"
 #include "Mesher/CellBudget.h"
 #include "Mesher/Mesher.h"
@@ -360,6 +361,10 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   const bool wasSilent = this->IsSilent; // these flaws are of this piece only
   this->IsSilent = false;
   this->Warn(cartesian::describeFlaws(*piece.assembly));
+  if (piece.assembly->layers)
+  {
+    this->Warn(cartesian::describeBareWalls(*piece.assembly->layers, mesh));
+  }
   if (task.options.cellBudget > 0)
   {
     this->Warn(cartesian::describeBudget(*piece.assembly, task.options));

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LayerWarning.h"
+
+#include "BoundaryNames.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkFieldData.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <vector>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr double LeastCoverage = 0.9; // less is told
+constexpr std::size_t MostNamed = 10;
+
+struct BareWall
+{
+  std::string name;
+  double coverage;
+};
+
+// Those with the least coverage first.
+std::vector<BareWall> bareWalls(const BoundaryLayers& layers, vtkDataObject* mesh)
+{
+  std::vector<BareWall> bare;
+  vtkDataArray* coverages = mesh->GetFieldData()->GetArray("BoundaryLayerCoverages");
+  vtkDataArray* faces = mesh->GetFieldData()->GetArray("BoundaryFaceCounts");
+  vtkIdType i = 0;
+  for (const auto& [boundary, name] : boundaryNames(mesh))
+  {
+    const double coverage = coverages->GetComponent(i, 0);
+    if (layers.spec.hasLayers(boundary) && faces->GetComponent(i, 0) > 0 &&
+      coverage < LeastCoverage)
+    {
+      bare.push_back({ name, coverage });
+    }
+    ++i;
+  }
+  std::stable_sort(bare.begin(), bare.end(),
+    [](const BareWall& a, const BareWall& b) { return a.coverage < b.coverage; });
+  return bare;
+}
+
+std::string rounded(double coverage)
+{
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2f", coverage);
+  return text.data();
+}
+
+}
+
+std::string describeBareWalls(const BoundaryLayers& layers, vtkDataObject* mesh)
+{
+  const std::vector<BareWall> bare = bareWalls(layers, mesh);
+  if (bare.empty())
+  {
+    return {};
+  }
+  std::string text = "Layers are at least half as thick as asked on less than " +
+    rounded(LeastCoverage) + " of the area of ";
+  const char* separator = "";
+  for (std::size_t i = 0; i < std::min(bare.size(), MostNamed); ++i)
+  {
+    text += separator + bare[i].name + " (" + rounded(bare[i].coverage) + ")";
+    separator = ", ";
+  }
+  const std::size_t more = bare.size() - std::min(bare.size(), MostNamed);
+  return text + (more == 0 ? "" : " and " + std::to_string(more) + " more boundaries") +
+    ". Smaller boxes or thinner layers help there.";
+}
+
+}
