@@ -81,7 +81,7 @@ public:
   ///@{
   /**
    * The thickness of the layer at the wall, or else of all together, in units of the surface. Both 0, the
-   * default: all together are a third of a box.
+   * default: all together are a third of the box at that place.
    */
   vtkSetMacro(FirstLayerThickness, double);
   vtkGetMacro(FirstLayerThickness, double);

@@ -4,6 +4,7 @@ import tempfile
 
 import numpy as np
 from paraview import simple
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import foam
@@ -27,6 +28,20 @@ def outputs(mesher):
 
 def statistic(mesh, name):
     return float(array(mesh.GetFieldData(), name)[0])
+
+
+class Warnings(list):
+    """Collects the texts of warnings from entering to leaving."""
+
+    def __enter__(self):
+        self.output = vtkOutputWindow.GetInstance()
+        self.collector = vtkStringOutputWindow()
+        vtkOutputWindow.SetInstance(self.collector)
+        return self
+
+    def __exit__(self, *_):
+        vtkOutputWindow.SetInstance(self.output)
+        self += self.collector.GetOutput().split("Warning: ")[1:]
 
 
 def expect_layers(mesher, walls):
@@ -72,3 +87,24 @@ plain = outputs(simple.CartesianMesher(Input=sphere, CellSize=SIZE))[0]
 without = outputs(simple.CartesianMesher(Input=sphere, CellSize=SIZE, FirstLayerThickness=FIRST))[0]
 assert not plain.GetCellData().HasArray("Layer")
 assert (vtk_to_numpy(plain.GetPoints().GetData()) == vtk_to_numpy(without.GetPoints().GetData())).all()
+
+# Those of a body in a flow domain are as thick as its small boxes allow, whatever the size of those far away.
+cube = simple.Transform(Input=simple.Box())
+cube.Transform.Rotate = [20, 20, 0]
+body = dict(Input=cube, CellSize=0.2, Domain="Outside", LengthsBefore=0.5, LengthsBehind=0.5, LengthsBeside=0.5,
+    RefinementDepth=3, Layers=3)
+with Warnings() as warnings:
+    mesh, boundary = outputs(simple.CartesianMesher(**body))
+assert statistic(mesh, "LayerCoverage") > 0.9, statistic(mesh, "LayerCoverage")
+assert 0.25 < statistic(mesh, "MeanLayerThickness") / (0.2 / 8) < 0.34, statistic(mesh, "MeanLayerThickness")
+assert not [text for text in warnings if "half as thick" in text], warnings
+
+# Where they are not, a warning names the boundaries and what they have.
+with Warnings() as warnings:
+    mesh, boundary = outputs(simple.CartesianMesher(**body, LayersThickness=0.2 / 3))
+assert statistic(mesh, "LayerCoverage") < 0.5
+told = [text for text in warnings if "half as thick as asked" in text]
+assert len(told) == 1, warnings
+named = mesh.GetFieldData().GetAbstractArray("BoundaryNames").GetValue(0)
+coverage = array(mesh.GetFieldData(), "BoundaryLayerCoverages")[0]
+assert f"{named} ({coverage:.2f})" in told[0], told

@@ -15,8 +15,8 @@ namespace
 constexpr int Rings = 4;           // of cells whose points follow the wall
 constexpr double LeastMove = 1e-3; // of the longest way: others change no measure much
 constexpr double Thinned = 0.5;
-constexpr int ThinningRounds = 20; // afterwards layers at fault end at once
-constexpr double LeastPart = 0.2;  // thinner ones end
+constexpr int ThinningRounds = 20;    // afterwards layers at fault end at once
+constexpr double LeastPart = 0.2;     // thinner ones end
 constexpr double LeastOfAsked = 0.05; // of the thickness of a stack: thinner ones are left out
 constexpr double Slope = 0.8; // of parts, from node to node of a face: layers end over two columns
 
@@ -253,8 +253,8 @@ private:
 
 }
 
-BoundaryLayers addLayers(const OutputMesh& mesh, const Surface& surface, const WallLayerSpec& spec,
-  Execution& execution)
+BoundaryLayers addLayers(
+  const OutputMesh& mesh, const Surface& surface, const WallLayerSpec& spec, Execution& execution)
 {
   std::vector<double> points(3 * static_cast<std::size_t>(mesh.pointCount()));
   mesh.writePoints(points.data(), execution);

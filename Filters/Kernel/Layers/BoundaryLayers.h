@@ -28,7 +28,7 @@ struct BoundaryLayers
 };
 
 // `surface`: the one that was meshed.
-BoundaryLayers addLayers(const OutputMesh& mesh, const Surface& surface, const WallLayerSpec& spec,
-  Execution& execution);
+BoundaryLayers addLayers(
+  const OutputMesh& mesh, const Surface& surface, const WallLayerSpec& spec, Execution& execution);
 
 }

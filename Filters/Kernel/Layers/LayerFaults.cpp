@@ -179,9 +179,8 @@ std::optional<LayerFault> LayerFaults::ofUneven(
   const std::uint32_t other = faults.list.neighbour[f];
   const std::uint32_t c = selected.number[owner];
   const std::uint32_t d = selected.number[other];
-  if (!faults.isUneven[f] ||
-    !(selected.hasChanged[owner] || selected.hasChanged[other]) || std::min(c, d) < ofMesh ||
-    stacks.stackOf(c - ofMesh) == stacks.stackOf(d - ofMesh))
+  if (!faults.isUneven[f] || !(selected.hasChanged[owner] || selected.hasChanged[other]) ||
+    std::min(c, d) < ofMesh || stacks.stackOf(c - ofMesh) == stacks.stackOf(d - ofMesh))
   {
     return std::nullopt;
   }

@@ -33,9 +33,9 @@ private:
   struct Faults
   {
     FaceList list;
-    std::vector<std::uint8_t> face; // of each listed face
+    std::vector<std::uint8_t> face;     // of each listed face
     std::vector<std::uint8_t> isUneven; // of each inner face: its cells differ too much
-    std::vector<double> volume;     // of each cell
+    std::vector<double> volume;         // of each cell
     std::vector<std::uint8_t> cell;
     std::vector<std::uint8_t>
       isLong; // cells at fault for their aspect ratio: if they are thinner it is larger

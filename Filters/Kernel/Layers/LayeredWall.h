@@ -12,8 +12,9 @@ struct LayeredWall
 {
   BoundaryMesh faces;                // of the mesh without layers
   std::vector<std::uint8_t> layered; // of each face
-  std::vector<double> asked;         // thickness of all layers on each face, in user units; 0: it has none
-  std::vector<double> usual; // of each node, where boundaries have no thickness of their own; the most of its faces
+  std::vector<double> asked; // thickness of all layers on each face, in user units; 0: it has none
+  std::vector<double>
+    usual; // of each node, where boundaries have no thickness of their own; the most of its faces
   std::vector<std::uint8_t>
     isOnWall;                // of each node, an index in faces.meshPoint: it is of a layered face
   std::vector<Vector> place; // of each node, in user units

@@ -19,7 +19,8 @@ struct WallLayerSpec
   int count = 0;      // 0: no layers
   double ratio = 1.2; // of the thicknesses of two layers, away from the wall
 
-  // User units; the first that is not 0 applies. Both 0: all layers together are a third of a box.
+  // User units; the first that is not 0 applies. Both 0: all layers together are a third of the box
+  // at that place.
   double firstThickness = 0;
   double thickness = 0; // of all layers
 
@@ -39,7 +40,7 @@ struct WallLayerSpec
 // Throws Error: BadParameter.
 void requireValid(const WallLayerSpec& spec);
 
-// Of all layers, in user units, but for `boundaries`. `box`: the shortest side of a box.
+// Of all layers, in user units, but for `boundaries`. `box`: the shortest side of the box there.
 double totalThickness(const WallLayerSpec& spec, double box);
 
 // The height above the wall at which each layer ends, as a part of the total: 0, ..., 1.

@@ -397,7 +397,7 @@ TEST_P(LayersOnShapes, AreAcceptedAndTakeNothingAway)
   EXPECT_EQ(found.open, 0U);
   EXPECT_EQ(found.notPositive, 0U);
   EXPECT_EQ(found.unmatchedFaces, 0U);
-  EXPECT_GE(thinnestSide(layered), 0.0199); // 0.02, but for rounding
+  EXPECT_GE(thinnestSide(layered), 0.0499); // 0.05, but for rounding
   const Quality before = qualityOf(layered.plain);
   const Quality quality = qualityOf(withLayers(layered.plain, *layered.assembly->layers));
   for (const Measure measure :
@@ -427,6 +427,77 @@ TEST(PrismStacks, AreTheSameForThreads)
   EXPECT_GT(a.stacks().cells(), 0U);
   EXPECT_EQ(a.stacks().points, b.stacks().points);
   EXPECT_EQ(a.stacks().faceStream, b.stacks().faceStream);
+}
+
+// Of the cell at a boundary face, or of the one under its stack.
+Box boxAt(const Layered& layered, const BoundaryFace& face)
+{
+  const OutputMesh& mesh = *layered.assembly->mesh;
+  const Id above = face.cell - mesh.cellCount();
+  const Id cell = above < 0 ? face.cell : layered.stacks().below[static_cast<std::size_t>(above)];
+  return layered.assembly->boxes.box(mesh.boxOf(cell));
+}
+
+// Around a cube, one of whose sides has boxes a quarter as wide as the others, layers are by default as thick as a
+// third of the box beside them.
+TEST(PrismStacks, FollowTheBoxesBesideThem)
+{
+  const Soup soup = cube().turned();
+  TestOptions options;
+  options.layers.count = 3;
+  options.domain.domain = Domain::Outside;
+  options.domain.before = options.domain.behind = options.domain.beside = 0.5;
+  options.grid = cellsAlongLongest(soup, 8);
+  options.refinement.boundaries = { { 0, 2 } };
+  const Layered layered = meshWithLayers(soup, options);
+  EXPECT_EQ(examine(layered).unmatchedFaces, 0U);
+  EXPECT_EQ(examine(layered).notPositive, 0U);
+  const LayeredBoundary& boundary = layered.assembly->layers->boundary;
+  std::map<int, std::array<std::size_t, 2>>
+    byLevel; // faces with layers half as thick or more, and all
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f)
+  {
+    if (boundary.asked[f] > 0)
+    {
+      const Box box = boxAt(layered, boundary.faces[f]);
+      double side = box.high[0] - box.low[0];
+      side = std::min({ side, double(box.high[1] - box.low[1]), double(box.high[2] - box.low[2]) });
+      side *= layered.prepared.surface.lattice.step();
+      EXPECT_NEAR(boundary.asked[f] / side, 1.0 / 3, 0.004);
+      byLevel[box.level[0]][0] += boundary.thickness[f] >= side / 6;
+      ++byLevel[box.level[0]][1];
+    }
+  }
+  ASSERT_EQ(byLevel.size(), 3U);
+  for (const auto& [level, faces] : byLevel)
+  {
+    EXPECT_GT(2 * faces[0], faces[1]) << level;
+  }
+}
+
+// Walls that come together leave ever less room for layers.
+TEST(PrismStacks, AreNoFilms)
+{
+  Soup soup;
+  soup.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0.4, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
+    { 1, 0.4, 1 } };
+  soup.triangles = { { 0, 2, 1 }, { 3, 4, 5 }, { 0, 1, 4 }, { 0, 4, 3 }, { 1, 2, 5 }, { 1, 5, 4 },
+    { 2, 0, 3 }, { 2, 3, 5 } };
+  soup.boundary.assign(soup.triangles.size(), 0);
+  TestOptions options;
+  options.layers.count = 3;
+  options.layers.thickness = 0.1;
+  options.grid = cellsAlongLongest(soup, 40);
+  const Layered layered = meshWithLayers(soup, options);
+  const LayeredBoundary& boundary = layered.assembly->layers->boundary;
+  std::size_t thin = 0;
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f)
+  {
+    const double part = boundary.thickness[f] / boundary.asked[f];
+    thin += part > 0 && part < 0.2;
+    EXPECT_TRUE(!(part > 0) || part >= 0.05) << part;
+  }
+  EXPECT_GT(thin, 0U);
 }
 
 }
