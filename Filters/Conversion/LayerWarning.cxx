@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <vector>
 
@@ -49,10 +50,12 @@ std::vector<BareWall> bareWalls(const BoundaryLayers& layers, vtkDataObject* mes
   return bare;
 }
 
+// Down: none of them is told to have what it lacks.
 std::string rounded(double coverage)
 {
+  constexpr double Rounding = 1e-9;
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.2f", coverage);
+  std::snprintf(text.data(), text.size(), "%.2f", std::floor(100 * coverage + Rounding) / 100);
   return text.data();
 }
 
