@@ -13,9 +13,9 @@ namespace
 
 constexpr std::uint32_t OfCells = 1U << Volume | 1U << Openness | 1U << OpenEdges;
 constexpr std::uint32_t OfFaces = 1U << BoundaryAngle | 1U << NonOrthogonality | 1U << Skewness;
-constexpr double WrongAngle = 89.9; // InnerAngle of a face whose pyramid has no volume
-constexpr int PointsOfAFace = 3;    // at least
-constexpr std::uint32_t OfPairs = 1U << FaceWeight | 1U << VolumeRatio;
+constexpr double WrongAngle = 89.9;  // InnerAngle of a face whose pyramid has no volume
+constexpr int PointsOfAFace = 3;     // at least
+constexpr double LeastWeight = 0.02; // FaceWeight of the sides between two stacks
 
 }
 
@@ -65,10 +65,8 @@ LayerFaults::Faults LayerFaults::measure(
     faults.face.push_back(
       (quality.faceFailures[f] & OfFaces) != 0 || !(quality.faces[InnerAngle][f] < WrongAngle));
   }
-  for (std::size_t f = 0; f < faults.list.neighbour.size(); ++f)
-  {
-    faults.isUneven.push_back((quality.faceFailures[f] & OfPairs) != 0);
-  }
+  faults.weight.assign(quality.faces[FaceWeight].begin(),
+    quality.faces[FaceWeight].begin() + static_cast<std::ptrdiff_t>(faults.list.neighbour.size()));
   faults.volume = quality.cells[Volume];
   for (const std::uint32_t failures : quality.cellFailures)
   {
@@ -170,8 +168,8 @@ LayerFault LayerFaults::ofFace(
   return fault;
 }
 
-// The smaller one of two cells of stacks side by side, if they differ too much.
-std::optional<LayerFault> LayerFaults::ofUneven(
+// The smaller one of two cells of stacks side by side, if it is that much thinner.
+std::optional<LayerFault> LayerFaults::ofSlice(
   const Selection& selected, const Faults& faults, std::size_t f, const PrismStacks& stacks) const
 {
   const std::size_t ofMesh = near_.cells.cellCount();
@@ -179,8 +177,9 @@ std::optional<LayerFault> LayerFaults::ofUneven(
   const std::uint32_t other = faults.list.neighbour[f];
   const std::uint32_t c = selected.number[owner];
   const std::uint32_t d = selected.number[other];
-  if (!faults.isUneven[f] || !(selected.hasChanged[owner] || selected.hasChanged[other]) ||
-    std::min(c, d) < ofMesh || stacks.stackOf(c - ofMesh) == stacks.stackOf(d - ofMesh))
+  if (!(faults.weight[f] < LeastWeight) ||
+    !(selected.hasChanged[owner] || selected.hasChanged[other]) || std::min(c, d) < ofMesh ||
+    stacks.stackOf(c - ofMesh) == stacks.stackOf(d - ofMesh))
   {
     return std::nullopt;
   }
@@ -198,9 +197,9 @@ std::vector<LayerFault> LayerFaults::find(const PrismStacks& stacks,
   const Selection selected = select(stacks, hasMoved);
   const Faults faults = measure(selected.cells, points, execution);
   std::vector<LayerFault> found;
-  for (std::size_t f = 0; f < faults.isUneven.size(); ++f)
+  for (std::size_t f = 0; f < faults.weight.size(); ++f)
   {
-    if (std::optional<LayerFault> fault = ofUneven(selected, faults, f, stacks))
+    if (std::optional<LayerFault> fault = ofSlice(selected, faults, f, stacks))
     {
       found.push_back(std::move(*fault));
     }

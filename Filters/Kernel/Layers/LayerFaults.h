@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What solvers refuse of a mesh with layers and accepted, or had not to accept, without them; and thin or small cells
-// beside others of stacks (FaceWeight, VolumeRatio), which nobody refuses, but which make solvers slow or diverge.
+// What solvers refuse of a mesh with layers and accepted, or had not to accept, without them; and thin slices beside
+// thick stacks, which nobody refuses, but which make solvers slow or diverge.
 #pragma once
 
 #include "Layers/NearCells.h"
@@ -33,9 +33,9 @@ private:
   struct Faults
   {
     FaceList list;
-    std::vector<std::uint8_t> face;     // of each listed face
-    std::vector<std::uint8_t> isUneven; // of each inner face: its cells differ too much
-    std::vector<double> volume;         // of each cell
+    std::vector<std::uint8_t> face; // of each listed face
+    std::vector<double> weight;     // FaceWeight of each inner face
+    std::vector<double> volume;     // of each cell
     std::vector<std::uint8_t> cell;
     std::vector<std::uint8_t>
       isLong; // cells at fault for their aspect ratio: if they are thinner it is larger
@@ -46,7 +46,7 @@ private:
     const CellFaces& cells, const std::vector<double>& points, Execution& execution);
   Selection select(const PrismStacks& stacks, const std::vector<std::uint8_t>& hasMoved) const;
   bool isNewFace(const Selection& selected, const Faults& faults, std::size_t f) const;
-  std::optional<LayerFault> ofUneven(const Selection& selected, const Faults& faults, std::size_t f,
+  std::optional<LayerFault> ofSlice(const Selection& selected, const Faults& faults, std::size_t f,
     const PrismStacks& stacks) const;
   LayerFault ofFace(const Selection& selected, const Faults& faults, std::size_t f,
     const PrismStacks& stacks) const;

@@ -397,7 +397,7 @@ TEST_P(LayersOnShapes, AreAcceptedAndTakeNothingAway)
   EXPECT_EQ(found.open, 0U);
   EXPECT_EQ(found.notPositive, 0U);
   EXPECT_EQ(found.unmatchedFaces, 0U);
-  EXPECT_GE(thinnestSide(layered), 0.0499); // 0.05, but for rounding
+  EXPECT_GE(thinnestSide(layered), 0.0199); // 0.02, but for rounding
   const Quality before = qualityOf(layered.plain);
   const Quality quality = qualityOf(withLayers(layered.plain, *layered.assembly->layers));
   for (const Measure measure :
