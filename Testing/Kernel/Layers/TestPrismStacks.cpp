@@ -217,8 +217,7 @@ Coverage coverageOf(const Layered& layered)
   double all = 0;
   for (std::size_t f = 0; f + 1 < faces.start.size(); ++f)
   {
-    const double asked =
-      layers.spec.thicknessAt(layers.boundary.faces[f].boundary, layers.thickness);
+    const double asked = layers.boundary.asked[f];
     if (asked <= 0)
     {
       continue;
