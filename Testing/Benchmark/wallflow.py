@@ -80,10 +80,7 @@ def write_flow(folder, duct):
                f"simulationType RAS; RAS {{ RASModel {duct.model}; turbulence on; printCoeffs off; }}")
     foam.write(folder, "system/fvSchemes", SCHEMES)
     foam.write(folder, "system/fvSolution", SOLUTION)
-    foam.control(folder, duct.iterations, f"""functions {{
-        drop {{ type surfaceFieldValue; libs (fieldFunctionObjects); writeControl timeStep; writeInterval 1;
-            log yes; writeFields no; regionType patch; name {duct.inlet}; operation areaAverage; fields (p); }}
-        range {{ type fieldMinMax; libs (fieldFunctionObjects); fields (U); log yes; }} }}""")
+    foam.control(folder, duct.iterations)
 
 
 def attempt(folder, program):
@@ -101,6 +98,17 @@ def last(pattern, text):
     return float(found[-1]) if found else float("nan")
 
 
+def results(folder, duct):
+    """The largest speed, and the mean pressure over the inlet, where its gradient is 0. (Debian 13's simpleFoam has no
+    function objects: it dies of the first.)"""
+    files = foam.Files(folder)
+    inlet = files.of_patch(duct.inlet)
+    _, vectors = files.face_centres()
+    pressure = foam.read_field(folder, duct.iterations, "p")[files.owner[inlet]]
+    speeds = np.linalg.norm(foam.read_field(folder, duct.iterations, "U"), axis=1)
+    return speeds.max(), np.average(pressure, weights=np.linalg.norm(vectors[inlet], axis=1))
+
+
 def flow(folder, duct):
     """Runs the case in the folder of a mesh. Figures of the run; "OK" if it ran all its iterations and no speed
     is beyond the limit."""
@@ -109,7 +117,8 @@ def flow(folder, duct):
     started, _ = attempt(folder, "potentialFoam")
     ran, log = attempt(folder, "simpleFoam") if started else (False, "")
     iterations, speed = len(re.findall(r"^Time = ", log, re.MULTILINE)), np.linalg.norm(duct.velocity)
-    largest = last(r"max\(mag\(U\)\) = (\S+)", log) / speed
+    largest, drop = results(folder, duct) if ran else (float("nan"), float("nan"))
+    largest /= speed
     return {
         "OK": ran and iterations == duct.iterations and largest < duct.limit,
         "iterations": iterations,
@@ -117,7 +126,7 @@ def flow(folder, duct):
         "k bounded": log.count("bounding k"),
         "epsilon or omega bounded": log.count("bounding epsilon") + log.count("bounding omega"),
         "speed / inlet's": largest,
-        "pressure drop": last(rf"areaAverage\({re.escape(duct.inlet)}\) of p = (\S+)", log),
+        "pressure drop": drop,
     }
 
 
