@@ -99,6 +99,9 @@ public:
   // Whether together they would be fixed in the second stage, beside cells that are not.
   bool wouldStraddleStages(const std::vector<CellKey>& keys) const;
 
+  // Cosine of Feature Angle.
+  double featureCosine() const { return whole_.featureCosine; }
+
   bool hasRegions() const { return patches_.walls.any(); }
   std::int32_t regionOf(CellKey key) const;
 

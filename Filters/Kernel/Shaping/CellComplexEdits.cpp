@@ -752,7 +752,10 @@ void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joi
   for (const JoinedFaces::Group& group : joined.groups)
   {
     changed_ = true;
-    const std::uint32_t first = group.members.front();
+    // What removed cells have exposed takes the boundary of the wall beside it.
+    const auto isWall = [&](std::uint32_t f) { return boundaryOf(view.faces[f].face) != NoBoundary; };
+    const auto wall = std::find_if(group.members.begin(), group.members.end(), isWall);
+    const std::uint32_t first = wall == group.members.end() ? group.members.front() : *wall;
     touched.push_back(view.across[first]);
     const FaceUse use = view.faces[first];
     std::vector<std::uint32_t> nodes;
@@ -766,9 +769,13 @@ void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joi
     }
     shaped(own(renamed(use.face), key)).nodes = std::move(nodes);
     opened(key)->change(now_);
-    for (std::size_t i = 1; i < group.members.size(); ++i)
+    for (const std::uint32_t member : group.members)
     {
-      const std::uint32_t gone = renamed(view.faces[group.members[i]].face);
+      if (member == first)
+      {
+        continue;
+      }
+      const std::uint32_t gone = renamed(view.faces[member].face);
       removeFace(key, gone);
       if (view.across[first] != None)
       {

@@ -44,6 +44,12 @@ public:
   // One cell, if it is poor; returns false where solvers refuse it and nothing helps.
   bool improve(CellKey key);
 
+  // Of these, those that solvers refuse: walls may be joined across sharp edges too (IP patches).
+  void mendAcrossEdges(const std::vector<CellKey>& keys);
+
+  // Whether solvers refuse a face of it, or are strained by how small it is.
+  bool isFailing(CellKey key);
+
   // The slab's cells; also those that it only touches, if nobody looks at them later.
   std::vector<CellKey> lookedAfter(bool looksAtOthers) const;
 

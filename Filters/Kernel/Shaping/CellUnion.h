@@ -46,7 +46,16 @@ class UnionTrial
 public:
   explicit UnionTrial(const CellComplex& cells)
     : cells_(cells)
+    , joiner_(cells.featureCosine())
+    , joinerBeyond_(cells.featureCosine())
   {
+  }
+
+  // Walls are joined across edges that turn by less: at first, than Feature Angle.
+  void joinAcross(double leastCosine)
+  {
+    joiner_ = FaceJoiner(leastCosine);
+    joinerBeyond_ = FaceJoiner(leastCosine);
   }
 
   // Of cells that have faces, joined as far as `joins` allows. Returns the cost in all: of its faces, of its
