@@ -156,7 +156,10 @@ public:
   // a hole.
   bool isAtBoundary(CellKey key) const;
 
-  // Of its boundary faces as they are now, that with the largest area; without any, its own.
+  // Of its boundary faces as they are now, by boundary; square levels.
+  std::map<std::int32_t, double> wallAreas(CellKey key) const;
+
+  // Of these, that with the largest area; without any, its own.
   std::int32_t mainBoundary(CellKey key) const;
 
   // In lattice levels.

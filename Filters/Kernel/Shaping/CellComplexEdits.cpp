@@ -716,7 +716,7 @@ bool CellComplex::isAtBoundary(CellKey key) const
   return any && !border;
 }
 
-std::int32_t CellComplex::mainBoundary(CellKey key) const
+std::map<std::int32_t, double> CellComplex::wallAreas(CellKey key) const
 {
   MeasuredCell cell;
   lookAround(key, cell);
@@ -731,6 +731,12 @@ std::int32_t CellComplex::mainBoundary(CellKey key) const
     }
     ++face;
   });
+  return areas;
+}
+
+std::int32_t CellComplex::mainBoundary(CellKey key) const
+{
+  std::map<std::int32_t, double> areas = wallAreas(key);
   areas.erase(NoBoundary);
   const auto most = std::max_element(
     areas.begin(), areas.end(), [](const auto& x, const auto& y) { return x.second < y.second; });

@@ -113,25 +113,6 @@ void CellMerger::improve()
   });
 }
 
-void CellMerger::mendAcrossEdges(const std::vector<CellKey>& keys)
-{
-  const CellKey* const none = nullptr;
-  trying_.joinAcross(-1);
-  for (const CellKey key : keys)
-  {
-    execution_.poll();
-    if (cells_.isAlive(key))
-    {
-      const FaceCosts costs = costsOfCell(key, none, none);
-      if (costs.refused > 0)
-      {
-        mergeBest(key, costs, MostNeighbours, LeastGain);
-      }
-    }
-  }
-  trying_.joinAcross(cells_.featureCosine());
-}
-
 bool CellMerger::improve(CellKey key)
 {
   const CellKey* const none = nullptr;
@@ -316,6 +297,7 @@ bool CellMerger::mergeBest(
   CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain)
 {
   best_.keys.clear();
+  trying_.joinAcross(own.refused > 0 ? -1 : cells_.featureCosine());
   cells_.lookAround(key, own_);
   neighbours_.clear();
   for (const auto& [other, area] : neighboursOf(own_))
@@ -340,7 +322,7 @@ void CellMerger::simplifyBest(
   CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain)
 {
   const auto isMended = [&] { return !best_.keys.empty() && best_.costs.refused == 0; };
-  if (isMended())
+  if (isMended() || (own.invalid > 0 && !bendsInvalid_))
   {
     return;
   }

@@ -44,8 +44,8 @@ public:
   // One cell, if it is poor; returns false where solvers refuse it and nothing helps.
   bool improve(CellKey key);
 
-  // Of these, those that solvers refuse: walls may be joined across sharp edges too (IP patches).
-  void mendAcrossEdges(const std::vector<CellKey>& keys);
+  // Whether cells with faces turned over may become simpler: one with a face bent around others cannot be cut any more.
+  void bendInvalid(bool bends) { bendsInvalid_ = bends; }
 
   // Whether solvers refuse a face of it, or are strained by how small it is.
   bool isFailing(CellKey key);
@@ -104,6 +104,7 @@ private:
   const MergeSpec& spec_;
   Execution& execution_;
   UnionTrial trying_;
+  bool bendsInvalid_ = true;
   std::size_t merged_ = 0;
   std::size_t simplified_ = 0;
   std::uint32_t mergedAt_ = 0;   // all has been looked at since

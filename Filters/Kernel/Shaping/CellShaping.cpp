@@ -67,20 +67,19 @@ public:
     {
       cedeFlat();
     }
-    mergeSpec_.simplifies = false; // a face bent around others could not be cut any more
+    merger_.bendInvalid(!spec_.splitConcave);
     mergeSmall();
-    mergeSpec_.simplifies = spec_.splitConcave && !exact_;
     if (spec_.splitConcave)
     {
       execution_.stage("Splitting", 0.25, 0.6);
       split();
-      shaping_.cellsSplit += splitInvalid(complex_, merger_.refused(isLast_), execution_);
+      cutInvalid();
       execution_.stage("Merging", 0.6, 0.7);
       mergeSmall();
     }
     execution_.stage("Improving", 0.7, 1);
+    merger_.bendInvalid(true);
     improve();
-    mendRefused();
     removeSmall();
     joinWalls();
     return result();
@@ -95,7 +94,8 @@ public:
     removeTips();
     removeSmall();
     cedeFlat();
-    mendRefused();
+    cutInvalid();
+    improve();
     for (std::size_t pass = 0; pass < LargestShares.size(); ++pass)
     {
       execution_.stage("Removing", 0.4 + 0.075 * double(pass), 0.4 + 0.075 * double(pass + 1));
@@ -111,7 +111,7 @@ public:
       }
       if (pass > 0)
       {
-        transferParts(complex_, keys, LeftOver::IsRemoved, merger_, execution_, shaping_.refused);
+        transfer(keys, LeftOver::IsRemoved, givenAwayAt_);
         keys = merger_.refused(isLast_);
       }
       const double largest = LargestShares[pass] * spec_.refusedCellRatio;
@@ -124,23 +124,15 @@ public:
     joinWalls();
     if (complex_.hasRegions())
     {
-      shaping_.cellsSplit += splitInvalid(complex_, merger_.refused(isLast_), execution_);
+      cutInvalid();
     }
     return result();
   }
 
 private:
-  // What solvers still refuse is cut, and where no cut helps, gives up its sharp edges (IP patches, 4.11).
-  void mendRefused()
+  void cutInvalid()
   {
-    if (!spec_.splitConcave || exact_)
-    {
-      return;
-    }
     shaping_.cellsSplit += splitInvalid(complex_, merger_.refused(isLast_), execution_);
-    improve();
-    merger_.mendAcrossEdges(merger_.refused(isLast_));
-    improve();
   }
 
   // Where layers will stand.
@@ -161,7 +153,7 @@ private:
   // What is small, and strains solvers, and cannot be merged. What is as thin as the body there stays.
   void removeSmall()
   {
-    removeSmaller(1, [&](CellKey key) { return merger_.isFailing(key); });
+    removeSmaller(1, [&](CellKey key) { return merger_.isFailing(key) && keepsWall(complex_, key); });
   }
 
   // Cells at the boundary (elsewhere they would leave a hole) below a part of their box: R of their boundary, but not
@@ -196,7 +188,8 @@ private:
       std::vector<CellKey> keys = merger_.lookedAfter(isLast_);
       keys.erase(std::remove_if(keys.begin(), keys.end(),
                    [&](CellKey key) {
-                     return complex_.share(key) >= 2 * LargestTip || !merger_.isFailing(key);
+                     return complex_.share(key) >= 2 * LargestTip || !merger_.isFailing(key) ||
+                       !keepsWall(complex_, key);
                    }),
         keys.end());
       cartesian::removeTips(complex_, keys, small_, LargestTip, mergeSpec_.joins);
@@ -232,22 +225,21 @@ private:
       }
       if (mergeSpec_.simplifies && merges_)
       {
-        transfer();
+        transfer(merger_.refused(isLast_), LeftOver::ComesBack, transferredAt_);
       }
     }
   }
 
-  // Parts of refused cells; not again where nothing near by has changed since.
-  void transfer()
+  // Parts of refused cells; not again where nothing near by has changed since `triedAt`.
+  void transfer(std::vector<CellKey> keys, LeftOver leftOver, std::uint32_t& triedAt)
   {
-    std::vector<CellKey> keys = merger_.refused(isLast_);
-    const auto isTried = [&](CellKey key) { return !complex_.hasChangedNear(key, transferredAt_); };
-    if (transferredAt_ > 0)
+    const auto isTried = [&](CellKey key) { return !complex_.hasChangedNear(key, triedAt); };
+    if (triedAt > 0)
     {
       keys.erase(std::remove_if(keys.begin(), keys.end(), isTried), keys.end());
     }
-    transferredAt_ = complex_.mark();
-    transferParts(complex_, keys, LeftOver::ComesBack, merger_, execution_, shaping_.refused);
+    triedAt = complex_.mark();
+    transferParts(complex_, keys, leftOver, merger_, execution_, shaping_.refused);
   }
 
   Shaping result()
@@ -284,6 +276,7 @@ private:
   MergeSpec mergeSpec_;
   CellMerger merger_;
   std::uint32_t transferredAt_ = 0; // all that was refused has been tried since
+  std::uint32_t givenAwayAt_ = 0;   // likewise
   Shaping shaping_;
 };
 

@@ -20,6 +20,7 @@ struct FaceCosts
   double sum = 0;           // CellCost.h
   double worst = 0;         // of one face
   std::size_t refused = 0;  // faces that solvers refuse, or may refuse (CellFaults.h)
+  std::size_t invalid = 0;  // of these, those that are turned over
   std::uint32_t toMend = 0; // of those, or else of all, the one that costs most
 
   FaceCosts& operator+=(const FaceCosts& other);

@@ -76,7 +76,7 @@ void giveAway(CellComplex& cells, const std::vector<CellKey>& parts, LeftOver le
       continue;
     }
     if (leftOver == LeftOver::IsRemoved && cells.share(part) < LargestRemoved &&
-      cells.isAtBoundary(part) && sparesOthers(cells, part))
+      cells.isAtBoundary(part) && keepsWall(cells, part) && sparesOthers(cells, part))
     {
       remove(cells, part, removed);
     }

@@ -4,6 +4,7 @@
 #include "Polyhedra/Refusal.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <unordered_map>
 
@@ -12,6 +13,9 @@ namespace cartesian
 
 namespace
 {
+
+// Of a box's side: what a cell that goes may change of the wall's area.
+constexpr double LargestAreaLost = 0.02;
 
 struct Candidate
 {
@@ -77,7 +81,8 @@ public:
 private:
   bool mayGo(const Candidate& candidate, double largest)
   {
-    return candidate.volume < std::min(limitOf(candidate.key), largest);
+    return candidate.volume < std::min(limitOf(candidate.key), largest) &&
+      (largest == largest_.invalid || keepsWall(cells_, candidate.key));
   }
 
   // Asked for each face of a cell, and to know it all of its faces are looked at: once only.
@@ -127,6 +132,24 @@ bool sparesOthers(const CellComplex& cells, CellKey key)
     const CellKey other = neighbour.first;
     return cells.isFree(other) || !cells.hasFaces(other) || isAcceptedWithout(cells, other, key);
   });
+}
+
+bool keepsWall(const CellComplex& cells, CellKey key)
+{
+  double exposed = 0;
+  for (const auto& [other, area] : cells.neighbours(key))
+  {
+    exposed += area;
+  }
+  double gone = 0;
+  double ofMain = 0;
+  for (const auto& [boundary, area] : cells.wallAreas(key))
+  {
+    gone += area;
+    ofMain = std::max(ofMain, area);
+  }
+  const double most = LargestAreaLost * std::pow(cells.volumeOfBox(key), 2.0 / 3);
+  return gone - ofMain < most && std::abs(exposed - gone) < most;
 }
 
 void remove(CellComplex& cells, CellKey key, std::vector<RemovedCell>& removed)
