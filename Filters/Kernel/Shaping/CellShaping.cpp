@@ -153,7 +153,17 @@ private:
   // What is small, and strains solvers, and cannot be merged. What is as thin as the body there stays.
   void removeSmall()
   {
-    removeSmaller(1, [&](CellKey key) { return merger_.isFailing(key) && keepsWall(complex_, key); });
+    removeSmaller(1, [&](CellKey key) {
+      return merger_.isFailing(key) && keepsWall(complex_, key) && !isThinThere(key);
+    });
+  }
+
+  // Whether the body is as thin as the cell: there is no larger one beside it.
+  bool isThinThere(CellKey key) const
+  {
+    const auto neighbours = complex_.neighbours(key);
+    return std::none_of(neighbours.begin(), neighbours.end(),
+      [&](const auto& neighbour) { return complex_.share(neighbour.first) >= LeastOfHost; });
   }
 
   // Cells at the boundary (elsewhere they would leave a hole) below a part of their box: R of their boundary, but not
@@ -168,7 +178,7 @@ private:
     for (const CellKey key : merger_.lookedAfter(isLast_))
     {
       const double share = complex_.share(key);
-      if (share < most && share < ratioOf(small_, complex_.boundaryOfCell(key), small_.ratio) &&
+      if (share < most && share < ratioOf(small_, complex_.boundaryOfCell(key), spec_.strandedRatio()) &&
         complex_.isAtBoundary(key) && mayGo(key) && sparesOthers(complex_, key))
       {
         complex_.remove(key);
@@ -189,7 +199,7 @@ private:
       keys.erase(std::remove_if(keys.begin(), keys.end(),
                    [&](CellKey key) {
                      return complex_.share(key) >= 2 * LargestTip || !merger_.isFailing(key) ||
-                       !keepsWall(complex_, key);
+                       !keepsWall(complex_, key) || isThinThere(key);
                    }),
         keys.end());
       cartesian::removeTips(complex_, keys, small_, LargestTip, mergeSpec_.joins);
@@ -250,6 +260,9 @@ private:
   }
 
   static constexpr int Passes = 2;
+
+  // Of its box: a cell that one beside it could have been merged with.
+  static constexpr double LeastOfHost = 0.15;
 
   // Of its box.
   static constexpr double Sliver = 1e-9;

@@ -14,8 +14,8 @@ namespace cartesian
 namespace
 {
 
-// Of a box's side: what a cell that goes may change of the wall's area.
-constexpr double LargestAreaLost = 0.02;
+// Of a box's side.
+constexpr double LargestOfOthers = 0.02;
 
 struct Candidate
 {
@@ -136,11 +136,6 @@ bool sparesOthers(const CellComplex& cells, CellKey key)
 
 bool keepsWall(const CellComplex& cells, CellKey key)
 {
-  double exposed = 0;
-  for (const auto& [other, area] : cells.neighbours(key))
-  {
-    exposed += area;
-  }
   double gone = 0;
   double ofMain = 0;
   for (const auto& [boundary, area] : cells.wallAreas(key))
@@ -148,8 +143,7 @@ bool keepsWall(const CellComplex& cells, CellKey key)
     gone += area;
     ofMain = std::max(ofMain, area);
   }
-  const double most = LargestAreaLost * std::pow(cells.volumeOfBox(key), 2.0 / 3);
-  return gone - ofMain < most && std::abs(exposed - gone) < most;
+  return gone - ofMain < LargestOfOthers * std::pow(cells.volumeOfBox(key), 2.0 / 3);
 }
 
 void remove(CellComplex& cells, CellKey key, std::vector<RemovedCell>& removed)
