@@ -359,7 +359,7 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   cartesian::addCellsLeftOut(*piece.assembly, vtkPolyData::GetData(output, 2));
   const bool wasSilent = this->IsSilent; // these flaws are of this piece only
   this->IsSilent = false;
-  this->Warn(cartesian::describeFlaws(*piece.assembly));
+  this->Warn(cartesian::describeFlaws(*piece.assembly, task.surface->names()));
   if (task.options.cellBudget > 0)
   {
     this->Warn(cartesian::describeBudget(*piece.assembly, task.options));

@@ -214,8 +214,7 @@ bool isTurnedOver(const CellShape& shape, std::size_t face, const NeighbourCell&
 {
   const FaceShape& f = shape.faces[face];
   const double own = dot(minus(f.centre, shape.centre), f.area);
-  const double others =
-    neighbour.volume > 0 ? dot(minus(neighbour.centre, f.centre), f.area) : own;
+  const double others = neighbour.volume > 0 ? dot(minus(neighbour.centre, f.centre), f.area) : own;
   return !(std::min(own, others) > 0);
 }
 

@@ -355,11 +355,10 @@ private:
       }
       (area > 0 ? loops : holes).push_back(std::move(loop));
     }
-    return holes.empty() ? std::all_of(loops.begin(), loops.end(),
-                             [&](const std::vector<Index>& loop) {
-                               return addStars(loop, CellCut::NoSource, -1);
-                             })
-                         : loops.size() == 1 && addAround(loops.front(), holes);
+    return holes.empty()
+      ? std::all_of(loops.begin(), loops.end(),
+          [&](const std::vector<Index>& loop) { return addStars(loop, CellCut::NoSource, -1); })
+      : loops.size() == 1 && addAround(loops.front(), holes);
   }
 
   // A cutting face around walls that the plane cuts off within the cell.

@@ -178,7 +178,8 @@ private:
     for (const CellKey key : merger_.lookedAfter(isLast_))
     {
       const double share = complex_.share(key);
-      if (share < most && share < ratioOf(small_, complex_.boundaryOfCell(key), spec_.strandedRatio()) &&
+      if (share < most &&
+        share < ratioOf(small_, complex_.boundaryOfCell(key), spec_.strandedRatio()) &&
         complex_.isAtBoundary(key) && mayGo(key) && sparesOthers(complex_, key))
       {
         complex_.remove(key);

@@ -46,8 +46,8 @@ void KnownCells::append(const KnownCells& others, std::size_t begin, std::size_t
   add(shares, others.shares);
 }
 
-CellsToShape::CellsToShape(
-  const Boxes& b, const Patches& p, Sides& s, Nodes& n, const InnerFaces& i, Cells& c, double featureAngle)
+CellsToShape::CellsToShape(const Boxes& b, const Patches& p, Sides& s, Nodes& n,
+  const InnerFaces& i, Cells& c, double featureAngle)
   : boxes(b)
   , patches(p)
   , sides(s)

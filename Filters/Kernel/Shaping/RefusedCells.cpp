@@ -57,7 +57,8 @@ public:
       {
         continue;
       }
-      const double largest = isTurnedOver(cell_.measures, f, cell_.beyond[f]) ? largest_.invalid : largest_.refused;
+      const double largest =
+        isTurnedOver(cell_.measures, f, cell_.beyond[f]) ? largest_.invalid : largest_.refused;
       const CellKey other = cell_.across[f];
       Candidate smaller = own;
       Candidate larger = other == None ? own : Candidate{ cells_.share(other), other };
