@@ -186,7 +186,10 @@ std::string describeNothing(const Assembly& assembly, const Options& options)
       describeFlaws(assembly);
   }
   const std::string all = "There is nothing left to mesh: all " + std::to_string(cells.size()) +
-    " cells are smaller than the Small Cell Ratio allows (" + number(options.smallCells.ratio) +
+    " cells are smaller than " +
+    (options.smallCells.handling == SmallCells::Merge
+        ? "a tenth of Merge Ratio (" + number(options.shaping.strandedRatio())
+        : "Small Cell Ratio (" + number(options.smallCells.ratio)) +
     " of their boxes)";
   return assembly.shaping.refused.empty() ? all + ". Choose a smaller ratio or a smaller Cell Size."
                                           : all +
