@@ -1,7 +1,8 @@
-// Benchmark [stages | growth | refinement | memory] [THREADS...] [FILE.stl...]: what the kernel takes, in seconds
-// and memory, with each of the given numbers of threads (default: 1, and one a core).
+// Benchmark [stages | surfaces | growth | refinement | memory] [THREADS...] [FILE.stl...]: what the kernel takes, in
+// seconds and memory, with each of the given numbers of threads (default: 1, and one a core).
 //
-// stages: stage by stage, for three surfaces, or those of the files (ASCII), at three sizes; growth: against the number of cells, of
+// stages: stage by stage, for three surfaces, or those of the files (ASCII), at three sizes; surfaces: of the same, a line
+// for each method and two sizes; growth: against the number of cells, of
 // triangles, and the depth, with exponents, on the first number of threads; refinement: how many
 // boxes it takes against an isotropic octree; memory: what is estimated for 40 meshes against what they take, on the
 // first number of threads. By default all.
@@ -29,14 +30,19 @@ constexpr double Sizes[] = { 5e4, 5e5, 2e6 };
 constexpr double MB = 1e6;
 constexpr double Microseconds = 1e6;
 
+const char* nameOf(PatchMethod method)
+{
+  return method == PatchMethod::ExactFit ? "Exact Fit" : "Automatic";
+}
+
 void printStages(const Triangles& surface, double cellSize, PatchMethod method, int threads)
 {
   const Figures f = measure(surface, cellSize, 0, method, threads);
   std::printf("%-32s%10s%10s%8s%10s%12s%10s%10s\n", surface.name.c_str(), "cells", "cut", "threads",
     "seconds", "cells/s", "peak MB", "output MB");
   std::printf("%8zu triangles, %-14s%26.0f%10.0f%8d%10.2f%12.0f%10.0f%10.0f\n", surface.size(),
-    method == PatchMethod::ExactFit ? "Exact Fit" : "Automatic", f.cells, f.cut, threads, f.seconds,
-    f.cells / f.seconds, f.peak / MB, f.output / MB);
+    nameOf(method), f.cells, f.cut, threads, f.seconds, f.cells / f.seconds, f.peak / MB,
+    f.output / MB);
   std::printf("%60s%10s%12s%10s\n", "", "seconds", "us/cut cell", "peak MB");
   for (const Figures::Stage& stage : f.stages)
   {
@@ -60,6 +66,34 @@ void printStages(const Triangles& surface, const std::vector<int>& threads)
   }
 }
 
+void printSurface(const Triangles& surface, const std::vector<int>& threads)
+{
+  for (const double cells : { Sizes[0], Sizes[1] })
+  {
+    for (const PatchMethod method : { PatchMethod::Automatic, PatchMethod::ExactFit })
+    {
+      for (const int number : threads)
+      {
+        const Figures f = measure(surface, sizeFor(cells, surface), 0, method, number);
+        std::printf("%-34s%10zu  %-10s%8d%10.0f%10.0f%10.2f%10.2f%12.1f%14.0f\n",
+          surface.name.c_str(), surface.size(), nameOf(method), number, f.cells, f.cut, f.seconds,
+          f.processor, Microseconds * f.processor / f.cut, f.peak / f.cells);
+        std::fflush(stdout);
+      }
+    }
+  }
+}
+
+void printSurfaces(const std::vector<Triangles>& surfaces, const std::vector<int>& threads)
+{
+  std::printf("%-34s%10s  %-10s%8s%10s%10s%10s%10s%12s%14s\n", "", "triangles", "patches",
+    "threads", "cells", "cut", "seconds", "of CPU", "us/cut cell", "bytes a cell");
+  for (const Triangles& surface : surfaces)
+  {
+    printSurface(surface, threads);
+  }
+}
+
 std::vector<Triangles> surfaces(const std::vector<std::string>& files)
 {
   if (files.empty())
@@ -78,19 +112,20 @@ class GrowthTable
 public:
   GrowthTable(const Triangles& surface, const char* quantity)
   {
-    std::printf("%-28s%12s%10s%10s%10s%12s%14s%12s%10s%10s\n", surface.name.c_str(), quantity,
-      "cells", "cut", "seconds", "us a cell", "us a cut cell", "bytes a cell", "time ~n^",
+    std::printf("%-28s%12s%10s%10s%10s%10s%12s%14s%12s%10s%10s\n", surface.name.c_str(), quantity,
+      "cells", "cut", "seconds", "of CPU", "us a cell", "us a cut cell", "bytes a cell", "time ~n^",
       "peak ~n^");
   }
 
   void add(double quantity, const Figures& f)
   {
-    std::printf("%40.0f%10.0f%10.0f%10.2f%12.2f%14.1f%12.0f", quantity, f.cells, f.cut, f.seconds,
-      Microseconds * f.seconds / f.cells, Microseconds * f.seconds / f.cut, f.peak / f.cells);
+    std::printf("%40.0f%10.0f%10.0f%10.2f%10.2f%12.2f%14.1f%12.0f", quantity, f.cells, f.cut,
+      f.seconds, f.processor, Microseconds * f.processor / f.cells,
+      Microseconds * f.processor / f.cut, f.peak / f.cells);
     if (quantity_ > 0)
     {
       const double factor = std::log(quantity / quantity_);
-      std::printf("%10.2f%10.2f", std::log(f.seconds / before_.seconds) / factor,
+      std::printf("%10.2f%10.2f", std::log(f.processor / before_.processor) / factor,
         std::log(f.peak / before_.peak) / factor);
     }
     std::printf("\n");
@@ -156,8 +191,7 @@ void printMemoryOf(
   {
     const double taken = measure(surface, size, depth, method, threads).peak;
     std::printf("%-34s%9zu%6.0f%6d  %-10s%10.1f%8.2f%8.2f\n", surface.name.c_str(), surface.size(),
-      cells, depth, method == PatchMethod::ExactFit ? "Exact Fit" : "Automatic", taken / MB,
-      estimated.layers / taken, estimated.boxes / taken);
+      cells, depth, nameOf(method), taken / MB, estimated.layers / taken, estimated.boxes / taken);
     std::fflush(stdout);
     std::_Exit(0);
   }
@@ -284,6 +318,10 @@ int main(int count, char** arguments)
       {
         printStages(surface, threads);
       }
+    }
+    if (asked("surfaces"))
+    {
+      printSurfaces(surfaces(files), threads);
     }
     if (asked("growth"))
     {

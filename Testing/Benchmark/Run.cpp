@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <malloc.h>
@@ -179,7 +180,7 @@ Triangles readStl(const std::string& name)
 {
   std::ifstream file(std::filesystem::path(DATA_FOLDER) / name);
   Triangles surface;
-  surface.name = name;
+  surface.name = std::filesystem::path(name).filename();
   std::array<std::array<double, 3>, 3> triangle;
   std::size_t corner = 0;
   for (std::string word; file >> word;)
@@ -254,10 +255,12 @@ Figures measure(
   options.refinement.depth = depth;
   options.patches.method = method;
   options.memoryLimit = PlentyOfMemory;
+  const std::clock_t began = std::clock();
   const auto assembly = mesh(surface.view(), options, execution);
   execution.stage("Writing the mesh", AfterNumbering, 1);
   Figures figures;
   figures.output = write(*assembly->mesh, execution);
+  figures.processor = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
   memory.close();
   for (const auto& [stage, time] : execution.seconds())
   {

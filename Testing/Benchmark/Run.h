@@ -37,8 +37,9 @@ struct Figures
   double cells = 0;
   double cut = 0; // cells that are no hexahedra
   double seconds = 0;
-  double peak = 0;   // bytes
-  double output = 0; // bytes of the arrays
+  double processor = 0; // seconds, of all threads: hardly more on a machine with other work
+  double peak = 0;      // bytes
+  double output = 0;    // bytes of the arrays
   struct Stage
   {
     std::string name;

@@ -56,6 +56,20 @@ def check_cube(folder):
     assert cube.contain(np.array([0.4, 0.3, 0.2])) and not cube.contain(np.array([0.6, 0.3, 0.2]))
 
 
+def check_edges(folder):
+    """Exact Fit keeps a cube's edges, inside and outside; a smaller mesh does not have them."""
+    cube = wallsurfaces.from_proxy("cube", simple.Box())
+    assert np.allclose(wallmeasures.length(np.diff(cube.sharp_edges(30), axis=1)[:, 0]).sum(), 12)
+    for outside in False, True:
+        mesh = wallmeshes.make(wallmeshes.OURS, cube, 1 / 8, 0, folder / str(outside),
+                               {"PatchMethod": "Exact Fit"}, outside=outside).mesh
+        figures = wallmeasures.fidelity(mesh, cube, 1 / 8, outside)
+        assert abs(figures["volume error"]) < 1e-5 and figures["sharp edges kept"] == 1, figures
+        assert figures["faces leaning over 45 degrees"] == 0 and figures["... rms"] < 1e-5, figures
+        mesh.points = mesh.points * 0.9
+        assert wallmeasures.fidelity(mesh, cube, 1 / 8, outside)["sharp edges kept"] == 0
+
+
 def check_parts():
     """A point in each of two parts, and none in a void."""
     one = wallsurfaces.sphere(24)
@@ -69,7 +83,8 @@ def check_parts():
 
 
 def check_commands():
-    for command in ("cells tilted_pipe --size 1/12", "timestep bend --size 8 --depth 0", "pipe --size 0.2",
+    for command in ("cells tilted_pipe --size 1/12", "fidelity tilted_pipe --sizes 1/12 --turns 2",
+                    "timestep bend --size 8 --depth 0", "pipe --size 0.2",
                     "solvers tilted_pipe --size 8 --depth 0 --iterations 3 --limit 9"):
         with contextlib.redirect_stdout(io.StringIO()) as said:
             wallcells.run(command.split())
@@ -83,5 +98,6 @@ with tempfile.TemporaryDirectory() as temporary:
     for number, name in enumerate(wallmeshes.MESHERS):
         check_sphere(name, pathlib.Path(temporary) / str(number))
     check_cube(pathlib.Path(temporary) / "cube")
+    check_edges(pathlib.Path(temporary) / "edges")
 check_parts()
 check_commands()

@@ -2,18 +2,22 @@
 """How good the cells at walls are, for solvers; beside snappyHexMesh's at equal boxes, where it is installed.
 
     pvpython wallcells.py cells SURFACE... [--size 1/40] [--depth 0]
+    pvpython wallcells.py fidelity SURFACE... [--sizes 1/10,1/25,1/60] [--domains inside,outside] [--turns 4]
     pvpython wallcells.py solvers [SURFACE...] [--size 2] [--depth 1] [--iterations 500]
     pvpython wallcells.py timestep [SURFACE...] [--size 2] [--depth 1]
     pvpython wallcells.py layers SURFACE... [--size 1/40] [--depth 0] [--layers 5,1.2,0.05]
     pvpython wallcells.py pipe [--size 0.025] [--depth 0]
 
-A SURFACE is a closed one: a file, or sphere, tilted_pipe, bend, or runner_1 to runner_4 of the exhaust header
+A SURFACE is a closed one: a file, or sphere, torus, tilted_pipe, bend, or runner_1 to runner_4 of the exhaust header
 in Data. --size is the length of a box, or, as 1/40, its part of the surface's longest side. Both meshers run
 on one thread; seconds are the processor's. In brackets are the defaults; --help after a command has more.
 
 cells: of the cells, the smallest volume by that of the cell's box, and checkMesh's measures; of the boundary,
 the errors of its volume and areas, the faces that lean from the nearest triangle (also: where the surface
 turns by less than 30 degrees within two boxes), and the largest distances, over a box at the surface.
+fidelity: of each surface turned, inside it and around it: the errors of its volume and of the areas of boundaries, the
+largest distances, the part of sharp edges that the mesh has, too, and the faces that lean. The tests' named shapes:
+build/release/bin/NamedShapes FOLDER writes them.
 solvers: turbulent flow with plain second-order schemes; does it survive the mesh?
 timestep: the explicit step at Courant number 0.9 for speed 1 along each axis, the shortest of all cells.
 layers: the share of the walls' area that has all layers (--layers: their number, ratio, and the first one's
@@ -53,14 +57,14 @@ def box_length(text, surface):
     return float(over) / float(under) * (high - low).max()
 
 
-def each_mesh(surface, options, layers=None):
+def each_mesh(surface, options, layers=None, outside=False):
     """The meshers' names, and what they made (an error instead, if they made nothing); in turn."""
     size = box_length(options.size, surface)
     for mesher in options.meshers:
         with tempfile.TemporaryDirectory() as temporary:
             folder = (options.keep or pathlib.Path(temporary)) / f"{surface.name}_{mesher.split()[0]}"
             try:
-                made = wallmeshes.make(mesher, surface, size, options.depth, folder, options.set, layers)
+                made = wallmeshes.make(mesher, surface, size, options.depth, folder, options.set, layers, outside)
             except AssertionError as error:
                 made = error
             yield mesher, made
@@ -84,11 +88,12 @@ def print_rows(title, columns):
 def print_lines(title, lines):
     """A mesh a line. `lines`: name, mesher, and figures."""
     figures = dict.fromkeys(name for line in lines for name in line[2])
-    widths = [max(len(name), 10) + 2 for name in figures]
-    print(f"\n{title:16}{'mesher':>18}" + "".join(f"{n:>{w}}" for n, w in zip(figures, widths)))
+    widths = [max(10, len(name), *(len(shown(line[2].get(name, "-"))) for line in lines)) + 2 for name in figures]
+    wide = max(15, *(len(name) for name, _, _ in lines)) + 1
+    print(f"\n{title:{wide}}{'mesher':>18}" + "".join(f"{n:>{w}}" for n, w in zip(figures, widths)))
     for name, mesher, found in lines:
         row = (f"{shown(found.get(figure, '-')):>{w}}" for figure, w in zip(figures, widths))
-        print(f"{name:16}{mesher:>18}" + "".join(row), flush=True)
+        print(f"{name:{wide}}{mesher:>18}" + "".join(row), flush=True)
 
 
 def cell_figures(meshed, surface, box):
@@ -130,6 +135,34 @@ def cells(options):
         rows = area_rows(errors)
         print_rows(f"{surface.name}, {options.size}, depth {options.depth}",
                    {mesher: column | rows.get(mesher, {}) for mesher, column in columns.items()})
+
+
+def fidelity(options):
+    for name in options.surfaces:
+        whole, lines = wallsurfaces.load(name), []
+        for domain in options.domains:
+            for options.size in options.sizes:
+                for turn in list(wallsurfaces.TURNS)[:options.turns]:
+                    surface = whole.turned(wallsurfaces.TURNS[turn])
+                    for mesher, meshed in each_mesh(surface, options, outside=domain == "outside"):
+                        lines.append((f"{domain} {options.size} {turn}", mesher,
+                                      fidelity_figures(meshed, surface, options, domain == "outside")))
+        print_lines(whole.name, lines)
+
+
+def fidelity_figures(meshed, surface, options, outside):
+    if isinstance(meshed, Exception):
+        return {"cells": "FAILED"}
+    box = box_length(options.size, surface) / 2 ** options.depth
+    found = wallmeasures.fidelity(meshed.mesh, surface, box, outside)
+    errors = wallmeasures.area_errors(meshed.mesh, surface)
+    worst = max(errors, key=lambda name: abs(errors[name]))
+    return {"cells": meshed.mesh.cells, "volume": found["volume error"],
+            "areas off": f"{sum(abs(error) > 1e-3 for error in errors.values())}/{len(errors)}",
+            "worst area": errors[worst], "boundary off": found["boundary from surface (boxes)"],
+            "rms": found["... rms"], "surface off": found["surface from boundary (boxes)"],
+            "edges kept": found["sharp edges kept"], "leaning": found["faces leaning over 45 degrees"],
+            "of boundary": worst}
 
 
 def solvers(options):
@@ -209,10 +242,11 @@ def properties(texts):
 def arguments(texts):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(dest="command", required=True)
-    for command, size, depth in (("cells", "1/40", 0), ("solvers", "2", 1), ("timestep", "2", 1),
+    for command, size, depth in (("cells", "1/40", 0), ("fidelity", None, 0), ("solvers", "2", 1), ("timestep", "2", 1),
                                  ("layers", "1/40", 0), ("pipe", "0.025", 0)):
         one = commands.add_parser(command)
-        one.add_argument("--size", default=size, help="length of a box, or its part of the longest side")
+        if command != "fidelity":
+            one.add_argument("--size", default=size, help="length of a box, or its part of the longest side")
         one.add_argument("--depth", type=int, default=depth, help="halvings along the surface")
         one.add_argument("--set", action="append", default=[], metavar="Name=Value",
                          help="any other property of Cartesian Mesher")
@@ -220,7 +254,11 @@ def arguments(texts):
         one.add_argument("--meshers", type=lambda text: [wallmeshes.MESHERS[int(i)] for i in text.split(",")],
                          default=wallmeshes.MESHERS, help="0: ours alone; 1: snappyHexMesh alone")
         if command != "pipe":
-            one.add_argument("surfaces", nargs="+" if command in ("cells", "layers") else "*", metavar="SURFACE")
+            one.add_argument("surfaces", nargs="+" if command in ("cells", "fidelity", "layers") else "*", metavar="SURFACE")
+        if command == "fidelity":
+            one.add_argument("--sizes", type=lambda text: text.split(","), default=["1/10", "1/25", "1/60"])
+            one.add_argument("--domains", type=lambda text: text.split(","), default=["inside", "outside"])
+            one.add_argument("--turns", type=int, default=len(wallsurfaces.TURNS), help="the first of them")
         if command == "layers":
             one.add_argument("--layers", default="5,1.2,0.05", help="their number, ratio, and first height by a box")
         if command == "solvers":

@@ -4,11 +4,14 @@
 import numpy as np
 
 import foam
-from wallsurfaces import Triangles
+from wallsurfaces import SHARP, Triangles, distances_to_edges, sharp_edges
 
 LEANING = np.cos(np.radians(45))
 SMOOTH = np.cos(np.radians(30))
 COURANT = 0.9
+TINY = 1e-3   # boxes
+KEPT = 0.1    # likewise
+SAMPLE = 0.2  # of edges, likewise
 
 
 class Mesh(foam.Files):
@@ -91,12 +94,30 @@ class Mesh(foam.Files):
         np.maximum.at(worst, self.neighbour, of_faces[:self.inner])
         return worst
 
-    def boundary(self):
-        """The boundary's faces cut into triangles about their centres."""
-        faces, first = self.faces, self.faces.start[self.inner]
-        corners, following = faces.corners[first:], faces.corners[faces.next[first:]]
-        middle = self.face_at[faces.face[first:]]
+    def walls(self, surface):
+        """The boundary faces on the surface: all but those on the sides of a box around it."""
+        return np.concatenate([np.arange(start, start + count) for name, (_, start, count) in self.patches.items()
+                               if name in surface.names] or [np.zeros(0, int)])
+
+    def corners_of(self, faces):
+        """Positions of the faces' corners in `self.faces`, and the number of each one's face in the list."""
+        sizes = self.faces.start[faces + 1] - self.faces.start[faces]
+        number = np.repeat(np.arange(len(faces)), sizes)
+        return np.arange(sizes.sum()) + (self.faces.start[faces] - np.cumsum(sizes) + sizes)[number], number
+
+    def triangles(self, faces):
+        """The faces cut into triangles about their centres."""
+        at, number = self.corners_of(faces)
+        corners, following = self.faces.corners[at], self.faces.corners[self.faces.next[at]]
+        middle = self.face_at[faces[number]]
         return Triangles(np.stack([middle, self.points[corners], self.points[following]], axis=1))
+
+    def sharp_edges(self, faces, degrees):
+        """Ends of those at which two of the faces turn by more (n, 2, 3)."""
+        at, number = self.corners_of(faces)
+        edges = np.stack([self.faces.corners[at], self.faces.corners[self.faces.next[at]]], axis=1)
+        normals = self.vectors[faces] / (self.sizes[faces, None] + 1e-300)
+        return self.points[sharp_edges(edges, normals[number], degrees)]
 
 
 def dot(a, b):
@@ -124,24 +145,47 @@ def cells(mesh, boxes):
     }
 
 
-def fidelity(mesh, surface, box):
-    """Figures of the boundary against the surface. `box`: the length of a box along the surface."""
-    inner = mesh.inner
-    at, normals = mesh.face_at[inner:], mesh.vectors[inner:] / (mesh.sizes[inner:, None] + 1e-300)
+def fidelity(mesh, surface, box, outside=False):
+    """Figures of the boundary against the surface. `box`: the length of a box along the surface; `outside`: whether
+    what is meshed is the space around it, in a box."""
+    walls, sign = mesh.walls(surface), -1 if outside else 1
+    at, normals = mesh.face_at[walls], sign * mesh.vectors[walls] / (mesh.sizes[walls, None] + 1e-300)
     off, nearest = surface.nearest(at)
     leaning = dot(normals, surface.normals[nearest]) < LEANING
+    for way in TINY * box * np.concatenate([np.eye(3), -np.eye(3)]):  # at an edge two are as near
+        some = np.flatnonzero(leaning)
+        leaning[some] = dot(normals[some], surface.normals[surface.nearest(at[some] + way)[1]]) < LEANING
     smooth = [is_smooth(surface, point, surface.normals[triangle], box)
               for point, triangle in zip(at[leaning], nearest[leaning])]
-    used = np.unique(mesh.faces.corners[mesh.faces.start[inner]:])
+    used = np.unique(mesh.faces.corners[mesh.corners_of(walls)[0]])
+    there = np.concatenate([off, surface.nearest(mesh.points[used])[0]])
     back = np.concatenate([surface.corners.reshape(-1, 3), surface.corners.mean(axis=1)])
+    enclosed = sign * dot(mesh.face_at[walls] - surface.corners[0, 0], mesh.vectors[walls]).sum() / 3
     return {
-        "volume error": mesh.volume.sum() / surface.volume() - 1,
+        "volume error": enclosed / surface.volume() - 1,
         "faces leaning over 45 degrees": len(smooth),
         "... where the surface is smooth": sum(smooth),
-        "boundary from surface (boxes)": max(off.max(), surface.nearest(mesh.points[used])[0].max()) / box,
+        "boundary from surface (boxes)": there.max(initial=0) / box,
+        "... rms": np.sqrt((there ** 2).mean()) / box,
         "surface from boundary (boxes)":
-            mesh.boundary().nearest(np.unique(back, axis=0))[0].max() / box,
+            mesh.triangles(walls).nearest(np.unique(back, axis=0))[0].max() / box,
+        "sharp edges kept": edges_kept(mesh, walls, surface, box),
     }
+
+
+def edges_kept(mesh, walls, surface, box):
+    """The part of the length of the surface's sharp edges that has an edge of the mesh, which turns by more than half as
+    much, within a tenth of a box."""
+    ends = surface.sharp_edges(SHARP)
+    if len(ends) == 0:
+        return 1.0
+    pieces = np.ceil(length(ends[:, 1] - ends[:, 0]) / (SAMPLE * box)).astype(int)
+    number = np.repeat(np.arange(len(ends)), pieces)
+    part = (np.arange(pieces.sum()) - (np.cumsum(pieces) - pieces)[number] + 0.5) / pieces[number]
+    places = ends[number, 0] + part[:, None] * (ends[number, 1] - ends[number, 0])
+    weights = (length(ends[:, 1] - ends[:, 0]) / pieces)[number]
+    near = distances_to_edges(mesh.sharp_edges(walls, SHARP / 2), places) <= KEPT * box
+    return weights[near].sum() / weights.sum()
 
 
 def is_smooth(surface, point, normal, box):

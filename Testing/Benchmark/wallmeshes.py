@@ -18,6 +18,8 @@ from wallmeasures import Mesh
 OURS, THEIRS = "Cartesian Mesher", "snappyHexMesh"
 MESHERS = (OURS, THEIRS) if shutil.which("snappyHexMesh") else (OURS,)
 
+MARGIN = 0.3  # of the surface's longest side, around it
+
 
 class Meshed:
     """A case, the volume of each cell's box, and the mesher's seconds of CPU."""
@@ -27,12 +29,22 @@ class Meshed:
         self.mesh = Mesh(folder)
 
 
-def make(mesher, surface, size, depth, folder, properties=None, layers=None):
-    """A Meshed; AssertionError if there is no mesh. `layers`: how many, their ratio, the first one's height."""
+def make(mesher, surface, size, depth, folder, properties=None, layers=None, outside=False):
+    """A Meshed; AssertionError if there is no mesh. `layers`: how many, their ratio, the first one's height. `outside`:
+    around the surface, in a box."""
     if mesher == OURS:
-        named = zip(("Layers", "LayerExpansionRatio", "FirstLayerThickness"), layers or ())
-        return make_ours(surface, size, depth, folder, dict(named) | (properties or {}))
-    return make_theirs(surface, size, depth, folder, layers)
+        named = dict(zip(("Layers", "LayerExpansionRatio", "FirstLayerThickness"), layers or ()))
+        if outside:
+            low, high = box_around(surface)
+            named |= {"Domain": "Outside", "BoxFrom": "Bounds", "DomainBounds": np.stack([low, high], axis=1).ravel().tolist()}
+        return make_ours(surface, size, depth, folder, named | (properties or {}))
+    return make_theirs(surface, size, depth, folder, layers, outside)
+
+
+def box_around(surface):
+    low, high = surface.bounds()
+    margin = MARGIN * (high - low).max()
+    return low - margin, high + margin
 
 
 def make_ours(surface, size, depth, folder, properties):
@@ -57,15 +69,16 @@ def make_ours(surface, size, depth, folder, properties):
     return Meshed(folder, size ** 3 / 2.0 ** level, seconds)
 
 
-def make_theirs(surface, size, depth, folder, layers):
+def make_theirs(surface, size, depth, folder, layers, outside):
     path = pathlib.Path(folder) / "constant" / "triSurface" / "surface.stl"
     surface.write(path)
-    low, high = surface.bounds()
+    low, high = box_around(surface) if outside else surface.bounds()
     cells = ((high - low) / size).astype(int) + 2
     low = low - size / 2
+    inside = [(low + 0.37 * size).tolist()] if outside else surface.points_inside(size)
     names = surface.names if len(surface.names) > 1 else []
     snappy.write_case(folder, low.tolist(), (low + size * cells).tolist(), cells.tolist(),
-        surface.points_inside(size), depth, names, features=True, layers=layers)
+        inside, depth, names, features=True, layers=layers)
     foam.run(folder, "blockMesh")
     foam.run(folder, "surfaceFeatureExtract")
     begin = children_time()

@@ -11,6 +11,9 @@ from vtkmodules.vtkCommonCore import mutable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
+SHARP = 30  # degrees: Feature Angle's default
+TURNS = {"as it is": (), "by 20": ((2, 20),), "by 10, 20, 30": ((0, 10), (1, 20), (2, 30)),
+         "by any angles": ((0, 17.3), (1, 41.9), (2, 63.7))}  # about axes, as in Mesher/TestFidelity.cpp
 DATA = pathlib.Path(__file__).resolve().parents[2] / "Data"
 HEADER = DATA / "kcl_exhaust_header_lumens.stl"
 TILTED = np.array([1, 0.6, 0.35]) / np.linalg.norm([1, 0.6, 0.35])
@@ -79,6 +82,24 @@ class Surface(Triangles):
         numbers = np.array([names.index(name) if name in names else -1 for name in self.names])
         return Surface(title, self.corners[chosen], numbers[self.solids[chosen]], names)
 
+    def turned(self, turns):
+        """By degrees about axes, one after the other."""
+        corners = self.corners
+        for axis, degrees in turns:
+            u, v, angle = (axis + 1) % 3, (axis + 2) % 3, math.radians(degrees)
+            matrix = np.eye(3)
+            matrix[[u, v], [u, v]] = math.cos(angle)
+            matrix[u, v], matrix[v, u] = -math.sin(angle), math.sin(angle)
+            corners = corners @ matrix.T
+        return Surface(self.name, corners, self.solids, self.names)
+
+    def sharp_edges(self, degrees):
+        """Ends of those at which it turns by more (n, 2, 3)."""
+        points, ids = np.unique(self.corners.reshape(-1, 3), axis=0, return_inverse=True)
+        ids = ids.reshape(-1, 3)
+        edges = np.stack([ids, np.roll(ids, -1, axis=1)], axis=2).reshape(-1, 2)
+        return points[sharp_edges(edges, np.repeat(self.normals, 3, axis=0), degrees)]
+
     def area_of(self, name):
         return self.areas[self.solids == self.names.index(name)].sum()
 
@@ -130,21 +151,48 @@ class Surface(Triangles):
         return found
 
 
+def sharp_edges(edges, normals, degrees):
+    """The edges (pairs of points), each once, that have not two faces, or at which these turn by more. `normals`: of
+    the face that has the edge."""
+    unique, number, count = np.unique(np.sort(edges, axis=1), axis=0, return_inverse=True, return_counts=True)
+    order = np.argsort(number.ravel(), kind="stable")
+    first = np.cumsum(count) - count
+    one, other = normals[order[first]], normals[order[np.minimum(first + 1, len(order) - 1)]]
+    turns = np.einsum("ij,ij->i", one, other) < math.cos(math.radians(degrees + 1e-4))
+    return unique[(count != 2) | turns]
+
+
+def distances_to_edges(ends, places):
+    """Of each place, to the nearest of the edges (n, 2, 3)."""
+    if len(ends) == 0:
+        return np.full(len(places), np.inf)
+    locator = vtkStaticCellLocator()
+    locator.SetDataSet(polydata(ends.reshape(-1, 3), np.arange(2 * len(ends)).reshape(-1, 2)))
+    locator.BuildLocator()
+    at, cell, part, square = [0.0] * 3, mutable(0), mutable(0), mutable(0.0)
+    squares = np.empty(len(places))
+    for i, place in enumerate(places.tolist()):
+        locator.FindClosestPoint(place, at, cell, part, square)
+        squares[i] = square.get()
+    return np.sqrt(squares)
+
+
 def foam_word(name):
     """The name as our writer makes a word of it for OpenFOAM."""
     word = "".join(c if c.isalnum() or c in "_-.:" or ord(c) > 127 else "_" for c in name)
     return "_" + word if not word or word[0] in "-.:0123456789" else word
 
 
-def polydata(points, triangles):
-    """Of VTK, from arrays."""
-    holder, cells, data = vtkPoints(), vtkCellArray(), vtkPolyData()
+def polydata(points, cells):
+    """Of VTK, from arrays: triangles, or lines."""
+    holder, array, data = vtkPoints(), vtkCellArray(), vtkPolyData()
     holder.SetData(numpy_to_vtk(np.ascontiguousarray(points, float), deep=True))
-    offsets = np.arange(0, 3 * len(triangles) + 1, 3, dtype=np.int64)
-    cells.SetData(numpy_to_vtk(offsets, deep=True),
-                  numpy_to_vtk(triangles.astype(np.int64).ravel(), deep=True))
+    corners = cells.shape[1]
+    offsets = np.arange(0, corners * len(cells) + 1, corners, dtype=np.int64)
+    array.SetData(numpy_to_vtk(offsets, deep=True),
+                  numpy_to_vtk(cells.astype(np.int64).ravel(), deep=True))
     data.SetPoints(holder)
-    data.SetPolys(cells)
+    (data.SetPolys if corners == 3 else data.SetLines)(array)
     return data
 
 
@@ -174,6 +222,11 @@ def from_proxy(name, proxy):
 
 def sphere(facets=100, radius=0.5):
     return from_proxy("sphere", simple.Sphere(Radius=radius, ThetaResolution=2 * facets, PhiResolution=facets))
+
+
+def torus():
+    return from_proxy("torus", simple.Clean(Input=simple.Superquadric(
+        Toroidal=1, ThetaRoundness=1, PhiRoundness=1, ThetaResolution=400, PhiResolution=200)))
 
 
 def tube(name, rings):
@@ -224,8 +277,8 @@ def bend(radius=15.0, turn=45.0, straight=40.0, degrees=60, steps=32):
 
 
 def load(name):
-    """A surface by name: sphere, tilted_pipe, bend, runner_1 to runner_4 (of the exhaust header), or a file."""
-    if name in ("sphere", "tilted_pipe", "bend"):
+    """A surface by name: sphere, torus, tilted_pipe, bend, runner_1 to runner_4 (of the exhaust header), or a file."""
+    if name in ("sphere", "torus", "tilted_pipe", "bend"):
         return globals()[name]()
     if name in (f"runner_{i}" for i in range(1, 5)):
         solids = [f"{part}_{name[-1]}" for part in ("wall", "inlet", "outlet")]

@@ -9,12 +9,18 @@ from measure import points_of
 from pipeline import Messages, octahedron, output, producer, read
 from polyhedra import cell_types
 
-# How far off they may be today, not how far they should: VTK leaves out polyhedra that "cannot be
-# contoured", and divides bent faces in its own way; faces of Exact Fit are mostly flat. With polyhedra before
-# hexahedra, halves are 10 to 40 % off.
-VOLUME = {"Automatic": 1e-2, "Exact Fit": 2e-3}
-AREA = {"Automatic": 4e-2, "Exact Fit": 5e-3}
-
+# How far off halves and areas may be today, not how far they should: VTK leaves out polyhedra that "cannot be
+# contoured", and divides bent faces in its own way. Faces of a cube and of Exact Fit are flat, and nearly all is
+# right; marching cubes on curved walls make bent ones. About twice what is off. With polyhedra before hexahedra,
+# halves are 10 to 40 % off.
+VOLUME = {
+    "Automatic": {"octahedron": 6e-3, "cylinder": 5e-3, "sphere": 8e-3, "refined sphere": 5e-3, "spot": 9e-3, "cube": 2e-4},
+    "Exact Fit": {"octahedron": 2e-5, "cylinder": 5e-6, "sphere": 1e-4, "refined sphere": 4e-4, "spot": 2e-3, "cube": 2e-7},
+}
+AREA = {
+    "Automatic": {"octahedron": 1.5e-2, "cylinder": 8e-3, "sphere": 2e-2, "refined sphere": 4e-3, "spot": 4e-2, "cube": 1e-8},
+    "Exact Fit": {"octahedron": 5e-9, "cylinder": 1e-9, "sphere": 1.5e-3, "refined sphere": 4e-4, "spot": 9e-4, "cube": 1e-10},
+}
 
 def integral(proxy, name):
     array = output(simple.IntegrateVariables(Input=proxy)).GetCellData().GetArray(name)
@@ -51,6 +57,7 @@ def check(name, source, method, **properties):
     assert len(set(types)) == 2 and (np.diff(types) >= 0).all(), "hexahedra are not first"
     low, high = np.reshape(mesh.GetBounds(), (3, 2)).T
     whole = integral(mesher, "Volume")
+    assert whole > 0, name
     for normal, at in ((1, 0, 0), 0.41), ((0, 0, 1), 0.53), ((0.48, 0.6, 0.64), 0.48):
         origin = low + at * (high - low)
         halves = 0
@@ -65,8 +72,8 @@ def check(name, source, method, **properties):
         volume = abs(halves / whole - 1)
         expected = enclosed(output(mesher, 1), origin, np.array(normal))
         print(f"{name}, {method}, {normal}: volume {volume:.1e}, area {abs(area / expected - 1):.1e} off")
-        assert volume < VOLUME[method], f"{name}, {method}, {normal}: halves of {halves}, whole {whole}"
-        assert abs(area / expected - 1) < AREA[method], f"{name}, {method}, {normal}: {area}, not {expected}"
+        assert volume < VOLUME[method][name], f"{name}, {method}, {normal}: halves of {halves}, whole {whole}"
+        assert abs(area / expected - 1) < AREA[method][name], f"{name}, {method}, {normal}: {area}, not {expected}"
 
 
 cube = read("tm_7_8ths_cube.stl")

@@ -64,4 +64,4 @@ check("shell", simple.AppendGeometry(Input=[outer, inner]), around_a_point, (0.2
 
 turned = simple.Transform(Input=simple.Box())
 turned.Transform.Rotate = [30, 0, 30]
-check("cube", turned, exponential, (1 / 8, 1 / 16, 1 / 32), 1.2)
+check("cube", turned, exponential, (1 / 8, 1 / 16, 1 / 32), 1.3)

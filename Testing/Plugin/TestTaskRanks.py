@@ -26,6 +26,8 @@ pieces = {pieces}
 # One rank finds the device full, as far as files tell; -1: none.
 LIMITED = """if [ "$OMPI_COMM_WORLD_RANK" = "$LIMITED" ]; then trap '' XFSZ; ulimit -f 40; fi; exec "$0" "$@" """
 ENVIRONMENT = {name: value for name, value in os.environ.items() if not name.startswith(("OMPI_", "PMIX_", "ORTE_"))}
+# Shared memory that is no file: Open MPI 5 would fail in the limited rank.
+ENVIRONMENT["OMPI_MCA_shmem"] = "sysv"
 
 
 class Program:
@@ -64,20 +66,23 @@ def contents(folder):
         if path.is_file() and ".unfinished" not in str(path)}
 
 
-for ranks in 2, 3:
-    for mesh in "out/mesh.pvtu", "out/mesh.foam":
-        with tempfile.TemporaryDirectory() as name:
-            folder = pathlib.Path(name)
-            said, code, usual = Program(folder, ranks, mesh, 24).end()
-            assert code in (SUCCESS, WARNINGS), said
-            before = contents(folder)
-            for failing in range(ranks):
-                said, code, seconds = Program(folder, ranks, mesh, 20, failing).end()
-                print(f"{mesh}, {ranks} ranks, {failing} fails: {seconds:.1f} s, {usual:.1f} without")
-                assert code == REFUSED and "output.mesh" in said and "could not be written" in said, said
-                assert contents(folder) == before, "what was there is lost"
-                assert seconds < 2 * usual + LONGEST, f"{seconds:.1f} s"
+def loses_nothing(ranks, mesh, limited):
+    """Of a mesh that was written, when each of these ranks in turn cannot write."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        said, code, usual = Program(folder, ranks, mesh, 24).end()
+        assert code in (SUCCESS, WARNINGS), said
+        before = contents(folder)
+        for failing in limited:
+            said, code, seconds = Program(folder, ranks, mesh, 20, failing).end()
+            print(f"{mesh}, {ranks} ranks, {failing} fails: {seconds:.1f} s, {usual:.1f} without")
+            assert code == REFUSED and "output.mesh" in said and "could not be written" in said, said
+            assert contents(folder) == before, "what was there is lost"
+            assert seconds < 2 * usual + LONGEST, f"{seconds:.1f} s"
 
+
+def ends_soon(ranks):
+    """After Ctrl-C, with nothing left."""
     with tempfile.TemporaryDirectory() as name:
         program = Program(pathlib.Path(name), ranks, "mesh.pvtu", 2)  # a minute of work
         said = ""
@@ -95,3 +100,14 @@ for ranks in 2, 3:
             time.sleep(0.1)
         assert program.left() == ([], []), program.left()
         assert not list(pathlib.Path(name).glob("mesh*"))
+
+
+if sys.argv[-1] == "each":
+    for ranks in 2, 3:
+        for mesh in "out/mesh.pvtu", "out/mesh.foam":
+            loses_nothing(ranks, mesh, range(ranks))
+        ends_soon(ranks)
+else:
+    loses_nothing(2, "out/mesh.pvtu", [0])
+    loses_nothing(2, "out/mesh.foam", [1])
+    ends_soon(2)

@@ -6,7 +6,7 @@ import pathlib
 import sys
 from xml.sax.saxutils import quoteattr
 
-from events import PROPERTIES, apply, event, macro, meshing_menu, open_file, script
+from events import PROPERTIES, apply, macro, meshing_menu, open_file, script
 from paraview import servermanager, simple  # noqa: F401: connects
 from window import Screen
 
@@ -70,5 +70,4 @@ with Screen() as screen:
     assert min(applied) > 0 and loaded == applied, (applied, loaded)
 
     # The steps of the mesher are in a menu of their own. (Patcher and Cell Assembler would ask for inputs.)
-    menu = "pqClientMainWindow/menubar/menuFilters/Meshing in Steps"
-    screen.play(script(open_file(SURFACE), apply(), event(menu, "activate", "CartesianBoxer"), apply()))
+    screen.play(script(open_file(SURFACE), apply(), meshing_menu("CartesianBoxer", "Meshing in Steps"), apply()))

@@ -26,8 +26,10 @@ def open_file(path, choose_reader=False):
     return "\n".join(events)
 
 
-def meshing_menu(filter):
-    return event("pqClientMainWindow/menubar/menuFilters/Meshing", "activate", filter)
+def meshing_menu(filter, category="Meshing"):
+    """The menu Filters is opened first: ParaView 5.13 fills it only then."""
+    return "\n".join([event("pqClientMainWindow/menubar", "activate", "menuFilters"),
+        event(f"pqClientMainWindow/menubar/menuFilters/{category}", "activate", filter)])
 
 
 def apply():
@@ -51,6 +53,12 @@ def table_row(property, row, values):
         events += [event(f"{list}/Table", "edit", f"{row}.{column}"),
                    event(editor, "set_string", value), event(editor, "key", RETURN)]
     return "\n".join(events)
+
+
+def rows(property, count):
+    """The table has so many rows. A macro would tell too, but in ParaView 5.13 what undo undoes is then the macro."""
+    table = f"{PROPERTIES}/{property}/ScalarValueList/Table"
+    return f'<pqcheck object={quoteattr(table)} property="modelRowCount" arguments="{count}"/>'
 
 
 def boundary_row(row, name, type, ratio):

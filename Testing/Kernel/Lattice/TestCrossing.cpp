@@ -121,8 +121,9 @@ Level exactCrossLine(const Corners& t, int along, const Point& at)
   Exact x{ Rational(t[0][along]) };
   for (const int axis : { (along + 1) % 3, (along + 2) % 3 })
   {
-    x = x -
-      (Exact::plane(axis, at[axis]) - Exact(Rational(t[0][axis]))) * (Rational(n[axis]) / n[along]);
+    // Of two rationals: dividing 0 by an integer, newer Boosts make 0/16, which they take for positive.
+    const Rational slope = Rational(n[axis]) / Rational(n[along]);
+    x = x - (Exact::plane(axis, at[axis]) - Exact(Rational(t[0][axis]))) * slope;
   }
   return oddLevel(x, along);
 }

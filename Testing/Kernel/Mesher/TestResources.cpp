@@ -44,7 +44,7 @@ TEST(Fuzz, RandomBytes)
   expectValidMeshes(0, repeats(300));
 }
 
-// Run by hand: TestKernel --gtest_also_run_disabled_tests --gtest_filter=*HundredThousand*
+// For .ci/full.
 TEST(Fuzz, DISABLED_AHundredThousandRandomBytes)
 {
   expectValidMeshes(1000, 100000);

@@ -7,8 +7,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <map>
+#include <set>
+#include <string>
 
 namespace cartesian
 {
@@ -69,52 +73,194 @@ std::size_t failuresByProjectedCentres(const MeshArrays& mesh)
   return failures;
 }
 
-// Unless all cells are small (4.10), as those of a needle.
-void expectReady(const Soup& soup, double cells, const TestOptions& options)
+// The meshes of each shape: 3.3 boxes along its longest side, 8, and 3.3 with two levels of refinement.
+enum MeshKind : std::size_t
 {
-  MeshArrays mesh;
-  try
+  Coarse,
+  Fine,
+  Refined,
+  MeshKinds
+};
+using ByKind = std::array<double, MeshKinds>;
+
+// Thinner than the Small Cell Ratio of a box in two directions or in one: nothing of them is left.
+const std::set<std::string> TooThin{ "Needle", "Flat" };
+
+// How far the volume, and the area of each boundary, may be from the surface's, as a part of it.
+struct Tolerance
+{
+  ByKind volume;
+  ByKind area;
+};
+
+// Flat faces and the edges between them are met exactly, but where a sliver at an edge or a corner goes: one box in
+// the middle of 8 x 8 x 8 is 0.2 % of a cube. Half a box that is cut off along an edge takes 6 % of two sides.
+constexpr Tolerance OfFlatFaces{ { 0.01, 0.002, 0.001 }, { 0.05, 0.02, 0.01 } };
+
+// Chords across curved walls. A ball loses 1.5 to 1.9 % at 8 boxes along; errors are of second order in a box's size.
+constexpr Tolerance OfCurvedWalls{ { 0.05, 0.03, 0.02 }, { 0.08, 0.06, 0.04 } };
+
+// Walls, gaps, spikes or bumps that are narrower than a coarse mesh's boxes.
+constexpr Tolerance OfNarrowFeatures{ { 0.1, 0.03, 0.025 }, { 0.2, 0.1, 0.05 } };
+
+Tolerance toleranceOf(const std::string& shape)
+{
+  static const std::set<std::string> Curved{ "Sphere", "Torus", "NestedSpheres", "TwoSpheres",
+    "BumpySphere", "FarAway", "TinyAndFarAway" };
+  static const std::set<std::string> Narrow{ "ThinPlateTurned", "CombTurned", "StarPolyhedron",
+    "Tiny" };
+  return Curved.count(shape) == 1 ? OfCurvedWalls
+    : Narrow.count(shape) == 1    ? OfNarrowFeatures
+                                  : OfFlatFaces;
+}
+
+// What is wrong today. A row that no longer holds has to go, or its figure has to become 0. A cell all of whose
+// inner faces have less than three directions has no determinant: most of these are as wide as a sheet or a corner.
+struct KnownFailure
+{
+  const char* shape;
+  const char* what;
+  ByKind most; // of the cells, the volume, or a boundary's area; 0: nothing is wrong
+};
+constexpr const char* LostVolume = "Volume";
+constexpr const char* WrongArea = "Area";
+constexpr const char* RefusedCells = "RefusedCellsRemoved"; // as a part of those that stay
+const std::vector<KnownFailure> KnownFailures{
+  { "ThinPlateTurned", LostVolume, { 0.75, 0, 0 } },
+  { "ThinPlateTurned", WrongArea, { 1, 0.4, 0.4 } },
+  { "Sphere", RefusedCells, { 0, 0, 0.01 } },
+  { "CombTurned", RefusedCells, { 0.1, 0.02, 0 } },
+  { "StarPolyhedron", RefusedCells, { 0.4, 0.02, 0 } },
+  { "Tiny", RefusedCells, { 0, 0.02, 0.01 } },
+  { "StarPolyhedron", "FaceWeight", { 0, 0.03, 0 } },
+  { "CombTurned", "NonOrthogonality", { 0, 0, 0.01 } },
+  { "StarPolyhedron", "NonOrthogonality", { 0, 0, 0.01 } },
+  { "CombTurned", "VolumeRatio", { 0, 0.03, 0.01 } },
+  { "StarPolyhedron", "VolumeRatio", { 0, 0, 0.03 } },
+  { "FarAway", "VolumeRatio", { 0, 0, 0.02 } },
+  { "Tiny", "VolumeRatio", { 0.2, 0.04, 0.01 } },
+  { "Octahedron", "Determinant", { 0, 0.03, 0 } },
+  { "Tetrahedron", "Determinant", { 0.5, 0.05, 0.02 } },
+  { "TetrahedronTurned", "Determinant", { 0.5, 0.1, 0 } },
+  { "Torus", "Determinant", { 1, 0, 0.01 } },
+  { "TwoSpheres", "Determinant", { 0.2, 0, 0.01 } },
+  { "ThinPlate", "Determinant", { 1, 1, 1 } },
+  { "ThinPlateTurned", "Determinant", { 1, 0.5, 0.4 } },
+  { "Comb", "Determinant", { 0.5, 0.15, 0.3 } },
+  { "CombTurned", "Determinant", { 0.7, 0.15, 0.06 } },
+  { "LShape", "Determinant", { 0.6, 0, 0 } },
+  { "BoxesTouchingInAnEdge", "Determinant", { 0.4, 0, 0 } },
+  { "BoxesTouchingInCorners", "Determinant", { 0.5, 0, 0 } },
+  { "PyramidOnAPlane", "Determinant", { 0.7, 0.03, 0.01 } },
+  { "StarPolyhedron", "Determinant", { 0.2, 0.04, 0.03 } },
+  { "BumpySphere", "Determinant", { 0.1, 0, 0 } },
+  { "FarAway", "Determinant", { 0, 0, 0.02 } },
+  { "Tiny", "Determinant", { 0, 0.04, 0.01 } },
+  { "Huge", "Determinant", { 0, 0, 0.01 } },
+};
+
+// By name, which part fails: of the volume, of a boundary's area, of the cells. What does not fail is 0.
+using Failures = std::map<std::string, double>;
+
+double beyond(double is, double should, double tolerance)
+{
+  const double off = std::abs(is / should - 1);
+  return off <= tolerance ? 0 : off;
+}
+
+Failures failuresOf(const Meshed& meshed, const NamedShape& shape, MeshKind kind)
+{
+  const Tolerance tolerance = toleranceOf(shape.name);
+  Failures failures;
+  failures[LostVolume] = beyond(volumeOf(meshed.mesh), shape.soup.volume(), tolerance.volume[kind]);
+  failures[WrongArea] = 0;
+  std::map<std::int32_t, double> areas = areasByBoundary(meshed.mesh);
+  for (const auto& [boundary, area] : areasByBoundary(shape.soup))
   {
-    mesh = meshOf(soup, cellsAlongLongest(soup, cells), options).mesh;
+    failures[WrongArea] =
+      std::max(failures[WrongArea], beyond(areas[boundary], area, tolerance.area[kind]));
   }
-  catch (const Error& error)
+  const auto cells = static_cast<double>(meshed.mesh.cells());
+  failures[RefusedCells] = meshed.statistics.at(RefusedCells) / cells;
+  const Quality quality = qualityOf(meshed.mesh);
+  for (const Measure measure : { BoundaryAngle, InnerAngle, StarTriangulation, NonOrthogonality,
+         Skewness, FaceWeight, VolumeRatio, Determinant })
   {
-    EXPECT_EQ(std::string(error.what()).find("There is nothing left to mesh: all "), 0U);
+    const std::vector<double>& values = quality.cells[measure];
+    const auto failing = std::count_if(
+      values.begin(), values.end(), [&](double value) { return fails(measure, value); });
+    failures[MeasureSpecs[measure].name] = static_cast<double>(failing) / cells;
+  }
+  return failures;
+}
+
+double knownFailure(const std::string& shape, const std::string& what, MeshKind kind)
+{
+  const auto known = std::find_if(KnownFailures.begin(), KnownFailures.end(),
+    [&](const KnownFailure& row) { return row.shape == shape && row.what == what; });
+  return known == KnownFailures.end() ? 0 : known->most[kind];
+}
+
+void expectReady(const NamedShape& shape, MeshKind kind)
+{
+  TestOptions options;
+  options.refinement = depth(kind == Refined ? 2 : 0);
+  const GridSpec grid = cellsAlongLongest(shape.soup, kind == Fine ? 8 : 3.3);
+  if (TooThin.count(shape.name) == 1)
+  {
+    try
+    {
+      meshOf(shape.soup, grid, options);
+      ADD_FAILURE() << "there is something left of it";
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(std::string(error.what()).find("There is nothing left to mesh: all "), 0U);
+    }
     return;
   }
-  EXPECT_TRUE(isValid(mesh, true));
-  EXPECT_EQ(std::count(mesh.boundaryIndex.begin(), mesh.boundaryIndex.end(), NoBoundary), 0);
-  const Quality quality = qualityOf(mesh);
-  for (const Measure measure : { BoundaryAngle, InnerAngle, StarTriangulation, Skewness })
+  const Meshed meshed = meshOf(shape.soup, grid, options);
+  EXPECT_TRUE(isValid(meshed.mesh, true));
+  EXPECT_EQ(
+    std::count(meshed.mesh.boundaryIndex.begin(), meshed.mesh.boundaryIndex.end(), NoBoundary), 0);
+  for (const auto& [what, failing] : failuresOf(meshed, shape, kind))
   {
-    std::size_t failing = 0;
-    for (const double value : quality.cells[measure])
-    {
-      failing += fails(measure, value) ? 1 : 0;
-    }
-    EXPECT_EQ(failing, 0U) << MeasureSpecs[measure].name;
+    const double known = knownFailure(shape.name, what, kind);
+    EXPECT_LE(failing, known) << what;
+    EXPECT_EQ(failing == 0, known == 0) << what << ": a known failure that is none";
   }
-  EXPECT_EQ(failuresByProjectedCentres(mesh), 0U);
+  EXPECT_EQ(failuresByProjectedCentres(meshed.mesh), 0U);
 }
 
 }
 
 TEST_P(SolverReady, NothingIsRefused)
 {
-  const Soup& soup = GetParam().soup;
-  for (const double cells : { 3.3, 8.0 })
+  for (const MeshKind kind : { Coarse, Fine })
   {
-    SCOPED_TRACE(cells);
-    expectReady(soup, cells, TestOptions());
+    SCOPED_TRACE(kind == Coarse ? "coarse" : "fine");
+    expectReady(GetParam(), kind);
   }
 }
 
 TEST_P(SolverReady, NothingIsRefusedInRefinedMeshes)
 {
-  const Soup& soup = GetParam().soup;
-  TestOptions options;
-  options.refinement = depth(2);
-  expectReady(soup, 3.3, options);
+  expectReady(GetParam(), Refined);
+}
+
+// A row that names no shape or no measure would never be looked at.
+TEST(SolverReady, KnownFailuresAreOfShapesAndMeasures)
+{
+  const std::vector<NamedShape>& shapes = cleanShapes();
+  const Meshed meshed = meshOf(cube(), cellsOf(1), TestOptions());
+  const Failures failures = failuresOf(meshed, { "Cube", cube() }, Coarse);
+  for (const KnownFailure& row : KnownFailures)
+  {
+    EXPECT_TRUE(std::any_of(shapes.begin(), shapes.end(),
+      [&](const NamedShape& shape) { return shape.name == row.shape; }))
+      << row.shape;
+    EXPECT_EQ(failures.count(row.what), 1U) << row.what;
+  }
 }
 
 // Mending moves next to no volume, where it leaves out nothing.

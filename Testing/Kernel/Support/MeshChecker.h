@@ -31,6 +31,10 @@ double volumeOf(const MeshArrays& mesh);
 
 std::map<int, double> volumesByRegion(const MeshArrays& mesh);
 
+// Of the faces of each boundary, and of the triangles of each.
+std::map<std::int32_t, double> areasByBoundary(const MeshArrays& mesh);
+std::map<std::int32_t, double> areasByBoundary(const Soup& soup);
+
 // The area of the faces between each two regions, the lower first, or between outside (0) and a region. Faces
 // count as between two cells if both have the same points.
 std::map<std::pair<int, int>, double> areasBetweenRegions(const MeshArrays& mesh);
