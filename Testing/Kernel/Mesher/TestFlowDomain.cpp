@@ -45,29 +45,6 @@ MeshArrays meshAround(const Soup& soup, const TestOptions& options)
   return arraysOf(*assembly->mesh, assembly->boxes, execution);
 }
 
-std::map<int, double> areasByBoundary(const MeshArrays& mesh)
-{
-  std::map<int, double> areas;
-  for (std::size_t f = 0; f + 1 < mesh.boundaryStart.size(); ++f)
-  {
-    const auto at = [&](Id i) {
-      const double* p =
-        &mesh
-           .points[3 * static_cast<std::size_t>(mesh.boundaryPoints[static_cast<std::size_t>(i)])];
-      return Vector{ p[0], p[1], p[2] };
-    };
-    Vector twice{ 0, 0, 0 };
-    const Id first = mesh.boundaryStart[f];
-    for (Id i = first + 1; i + 1 < mesh.boundaryStart[f + 1]; ++i)
-    {
-      const Vector n = cross(minus(at(i), at(first)), minus(at(i + 1), at(first)));
-      twice = { twice[0] + n[0], twice[1] + n[1], twice[2] + n[2] };
-    }
-    areas[mesh.boundaryIndex[f]] += std::sqrt(dot(twice, twice)) / 2;
-  }
-  return areas;
-}
-
 // Without boundaries of no area.
 void expectAreas(const MeshArrays& mesh, const std::map<int, double>& expected)
 {
