@@ -759,8 +759,9 @@ void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joi
   {
     changed_ = true;
     // What removed cells have exposed takes the boundary of the wall beside it.
-    const auto isWall = [&](
-                          std::uint32_t f) { return boundaryOf(view.faces[f].face) != NoBoundary; };
+    const auto isWall = [&](std::uint32_t f) {
+      return view.across[f] == None && across(view.faces[f]) == None;
+    };
     const auto wall = std::find_if(group.members.begin(), group.members.end(), isWall);
     const std::uint32_t first = wall == group.members.end() ? group.members.front() : *wall;
     touched.push_back(view.across[first]);
