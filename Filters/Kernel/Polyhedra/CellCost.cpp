@@ -25,7 +25,7 @@ constexpr double FairShare = 0.15;
 // checkMesh's determinant of the cell's inner faces: 1 for a cube, next to nothing where there is a direction
 // that hardly any of them faces. No more than what a cell that is gone costs: where the domain is one cell
 // thin, all have that.
-constexpr double FairDeterminant = 0.025;
+constexpr double FairDeterminant = 0.02;
 constexpr double MostOfDeterminant = 8;
 
 // Of a cell's largest face.

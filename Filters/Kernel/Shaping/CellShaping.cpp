@@ -67,13 +67,17 @@ public:
     {
       cedeFlat();
     }
-    merger_.bendInvalid(!spec_.splitConcave);
+    const bool cutsFirst = spec_.splitConcave && !exact_ && !complex_.hasRegions();
+    merger_.bendInvalid(!cutsFirst);
     mergeSmall();
     if (spec_.splitConcave)
     {
       execution_.stage("Splitting", 0.25, 0.6);
       split();
-      cutInvalid();
+      if (cutsFirst)
+      {
+        cutInvalid();
+      }
       execution_.stage("Merging", 0.6, 0.7);
       mergeSmall();
     }
