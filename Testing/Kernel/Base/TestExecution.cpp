@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <mutex>
 #include <set>
 #include <system_error>
@@ -31,16 +33,20 @@ std::set<std::pair<std::size_t, std::size_t>> chunksOf(
   return made;
 }
 
-// Threads that forEach ran on, where no more than `most` can be started beside the caller's.
+// Threads that forEach(8 threads) ran on, where no more than `most` can be started beside the caller's. Chunks wait
+// until all that are expected have come, or for as long as a loaded machine may take.
 std::size_t threadsUsed(unsigned most)
 {
   const ThreadLimit limit(most);
+  const std::size_t expected = std::min(8U, most + 1);
   std::mutex mutex;
+  std::condition_variable came;
   std::set<std::thread::id> used;
   Execution(8).forEach(100, 1, [&](std::size_t, std::size_t) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    const std::lock_guard<std::mutex> lock(mutex);
+    std::unique_lock<std::mutex> lock(mutex);
     used.insert(std::this_thread::get_id());
+    came.notify_all();
+    came.wait_for(lock, std::chrono::seconds(30), [&] { return used.size() >= expected; });
   });
   return used.size();
 }
