@@ -360,7 +360,7 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   cartesian::addCellsLeftOut(*piece.assembly, vtkPolyData::GetData(output, 2));
   const bool wasSilent = this->IsSilent; // these flaws are of this piece only
   this->IsSilent = false;
-  this->Warn(cartesian::describeFlaws(*piece.assembly));
+  this->Warn(cartesian::describeFlaws(*piece.assembly, task.surface->names()));
   if (piece.assembly->layers)
   {
     this->Warn(cartesian::describeBareWalls(*piece.assembly->layers, mesh));

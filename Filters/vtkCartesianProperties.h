@@ -90,11 +90,12 @@ protected:                                                                      
  * become boundary faces of their neighbours. Merge: they become a part of the neighbour across the
  * largest area; the volume is kept.
  *
- * MergeRatio, 0 (none) to less than 1, default 0.15: with Merge, cells smaller than this fraction of
- * their box are merged.
+ * MergeRatio, 0 (none) to less than 1, default 0.3: with Merge, cells smaller than this fraction of
+ * their box are merged; those that strain solvers and that no neighbour can take are left out below a
+ * tenth of it, but for what is as thin as the body there.
  *
- * SmallCellRatio, 0 (none but those without volume) to less than 1, default 0.001: cells smaller than
- * this fraction of their box are left out.
+ * SmallCellRatio, 0 (none but those without volume) to less than 1, default 0.001: with Remove, cells
+ * smaller than this fraction of their box are left out.
  *
  * SplitConcaveCells, default on: cells that fail an angle condition of section 3 are cut along their
  * concave edges (4.11).
@@ -103,8 +104,8 @@ protected:                                                                      
  * the cells at the surface move to where solvers are at ease with the faces around them; those of the surface along it.
  *
  * RefusedCellRatio, 0 (none) or more, default 4: where concave cells are split and the patches are not
- * exact, what solvers would refuse (section 3, checkMesh) and nothing mends is left out, up to as many
- * volumes of its box. Boundaries with a small cell ratio of their own keep larger ones.
+ * exact, cells with a face turned over that nothing mends are left out, up to as many volumes of their
+ * box; others that solvers would refuse (section 3, checkMesh), up to a tenth of it. Boundaries with a small cell ratio of their own keep larger ones.
  */
 #define vtkCellPropertiesMacro()                                                                   \
 public:                                                                                            \
@@ -141,7 +142,7 @@ public:                                                                         
 protected:                                                                                         \
   double CollapseRatio = 0.1;                                                                      \
   int SmallCells = Merge;                                                                          \
-  double MergeRatio = 0.15;                                                                        \
+  double MergeRatio = 0.3;                                                                         \
   double SmallCellRatio = 1e-3;                                                                    \
   bool SplitConcaveCells = true;                                                                   \
   bool OptimiseNodes = true;                                                                       \

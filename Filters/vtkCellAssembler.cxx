@@ -90,7 +90,7 @@ int vtkCellAssembler::RequestData(
       cartesian::assemble(std::move(boxes), std::move(patches), options, execution);
     cartesian::toVTK(*assembly, { names, types, {} }, {}, vtkUnstructuredGrid::GetData(output, 0),
       vtkPolyData::GetData(output, 1), nullptr, execution);
-    this->Warn(cartesian::describeFlaws(*assembly));
+    this->Warn(cartesian::describeFlaws(*assembly, names));
   });
   return 1;
 }

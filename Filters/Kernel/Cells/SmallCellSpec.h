@@ -27,7 +27,7 @@ struct SmallCellSpec
 {
   static constexpr Range Ratios{ 0, 1, false };
 
-  // R: cells below this part of their box's volume are removed.
+  // R, where small cells are removed: those below this part of their box's volume are.
   double ratio = 1e-3;
 
   SmallCells handling = SmallCells::Merge;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesher/Messages.h"
 
+#include "Mesher/CellsLeftOut.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -119,55 +121,57 @@ std::string describeVanished(
       list + (vanished > MostNames ? ", ..." : "") + ".";
 }
 
-double volumeOf(const Box& box)
+// How many of them each boundary has, those with most first.
+std::string countsByBoundary(
+  const std::vector<CellLeftOut>& cells, const std::map<std::int32_t, std::string>& names)
 {
-  const Vector size = minus(box.high, box.low);
-  return size[0] * size[1] * size[2];
+  constexpr std::size_t MostBoundaries = 5;
+  std::map<std::int32_t, std::size_t> counts;
+  for (const CellLeftOut& cell : cells)
+  {
+    ++counts[cell.boundary];
+  }
+  std::vector<std::pair<std::int32_t, std::size_t>> order(counts.begin(), counts.end());
+  std::stable_sort(
+    order.begin(), order.end(), [](const auto& x, const auto& y) { return x.second > y.second; });
+  std::string text;
+  for (std::size_t i = 0; i < std::min(order.size(), MostBoundaries); ++i)
+  {
+    const auto name = names.find(order[i].first);
+    text += name == names.end()
+      ? ""
+      : (text.empty() ? " Beside " : ", ") + name->second + ": " + std::to_string(order[i].second);
+  }
+  return text + (text.empty() ? "" : ".");
 }
 
-// Of the core, in levels.
-double volumeOfMesh(const Assembly& a)
-{
-  double volume = 0;
-  for (std::uint32_t box = 0; box < a.boxes.packed.size(); ++box)
-  {
-    const bool isHexahedron = a.sides.polyhedralOrdinal(box) == None;
-    volume += isHexahedron && a.boxes.isCore(a.boxes.packed[box]) ? volumeOf(a.boxes.box(box)) : 0;
-  }
-  for (std::size_t c = 0; c < a.cells.size(); ++c)
-  {
-    const Cell& cell = a.cells.all[c];
-    if (!cell.removed && a.boxes.isCore(a.boxes.packed[cell.box]))
-    {
-      volume += cell.volumeFraction * volumeOf(a.boxes.box(cell.box));
-    }
-  }
-  return volume;
-}
-
-// Cells that are left out: nothing where that hardly changes the volume. `one` and `several` follow their number.
-std::string describeLeftOut(
-  const Assembly& a, std::vector<RemovedCell> cells, const char* one, const char* several)
+// Nothing where that hardly changes the volume.
+std::string describeLeftOut(const Assembly& a, const std::map<std::int32_t, std::string>& names)
 {
   constexpr double Percent = 100;
-  const double lost = std::accumulate(cells.begin(), cells.end(), 0.0,
-    [](double sum, const RemovedCell& cell) { return sum + cell.volume; });
-  const double share = cells.empty() ? 0 : lost / (lost + volumeOfMesh(a));
+  const double share = shareLeftOut(a);
   if (share <= LargestLossUntold)
   {
     return "";
   }
+  std::vector<CellLeftOut> cells = cellsLeftOut(a);
   std::stable_sort(cells.begin(), cells.end(),
-    [](const RemovedCell& x, const RemovedCell& y) { return x.volume > y.volume; });
+    [](const CellLeftOut& x, const CellLeftOut& y) { return x.volume > y.volume; });
   std::vector<std::uint32_t> boxes;
   boxes.reserve(cells.size());
-  for (const RemovedCell& cell : cells)
+  for (const CellLeftOut& cell : cells)
   {
     boxes.push_back(cell.box);
   }
-  return counted(cells.size(), one, several) + " left out, " +
-    number(std::round(share * Percent * 100) / 100) +
-    " % of the volume. A smaller Cell Size or a larger Refinement Depth keeps them. The largest:" +
+  const std::size_t refused = a.shaping.refused.size();
+  const std::size_t fragments = a.fragments.size();
+  return counted(cells.size(), "cell is", "cells are") + " left out, " +
+    number(std::round(share * Percent * 100) / 100) + " % of the volume: " +
+    std::to_string(cells.size() - std::min(cells.size(), refused + fragments)) + " too small, " +
+    std::to_string(refused) + " that solvers would refuse and nothing mends, " +
+    std::to_string(fragments) + " that the grid cuts off from the rest." +
+    countsByBoundary(cells, names) +
+    " A smaller Cell Size or a larger Refinement Depth keeps them. The largest:" +
     places(a.boxes, boxes);
 }
 
@@ -182,7 +186,10 @@ std::string describeNothing(const Assembly& assembly, const Options& options)
       describeFlaws(assembly);
   }
   const std::string all = "There is nothing left to mesh: all " + std::to_string(cells.size()) +
-    " cells are smaller than the Small Cell Ratio allows (" + number(options.smallCells.ratio) +
+    " cells are smaller than " +
+    (options.smallCells.handling == SmallCells::Merge
+        ? "a tenth of Merge Ratio (" + number(options.shaping.strandedRatio())
+        : "Small Cell Ratio (" + number(options.smallCells.ratio)) +
     " of their boxes)";
   return assembly.shaping.refused.empty() ? all + ". Choose a smaller ratio or a smaller Cell Size."
                                           : all +
@@ -251,7 +258,8 @@ std::string describeOverhang(const PreparedSurface& prepared)
   return text;
 }
 
-std::string describeFlaws(const Assembly& assembly)
+std::string describeFlaws(
+  const Assembly& assembly, const std::map<std::int32_t, std::string>& names)
 {
   std::string text;
   const std::vector<std::uint32_t> rebuilt = rebuiltBoxes(assembly);
@@ -268,16 +276,8 @@ std::string describeFlaws(const Assembly& assembly)
         "boxes do not close even so; they are left out of the mesh:") +
       places(assembly.boxes, flawed);
   }
-  const std::string refused = describeLeftOut(assembly, assembly.shaping.refused,
-    "cell that solvers would refuse, and that nothing mends, is",
-    "cells that solvers would refuse, and that nothing mends, are");
-  const std::string fragments =
-    describeLeftOut(assembly, assembly.fragments, "cell that the grid cuts off from the rest is",
-      "cells that the grid cuts off from the rest are");
-  for (const std::string& leftOut : { refused, fragments })
-  {
-    text += leftOut.empty() ? "" : lineBreak(text) + leftOut;
-  }
+  const std::string leftOut = describeLeftOut(assembly, names);
+  text += leftOut.empty() ? "" : lineBreak(text) + leftOut;
   return text;
 }
 

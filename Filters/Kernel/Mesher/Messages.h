@@ -17,9 +17,10 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
 // Where the surface reaches beyond the meshlines, unless it is what a box around it cuts off.
 std::string describeOverhang(const PreparedSurface& prepared);
 
-// Boxes whose patches were made anew, and those that are left out; cells that solvers would refuse, left out, if
-// they are more than a thousandth of the volume.
-std::string describeFlaws(const Assembly& assembly);
+// Boxes whose patches were made anew, and those that are left out; cells that are left out, whatever the reason, if they
+// are more than a thousandth of the volume. `names`: of boundaries.
+std::string describeFlaws(
+  const Assembly& assembly, const std::map<std::int32_t, std::string>& names = {});
 
 // Why there is no cell: BadCellSize or FlawedSurface.
 Error nothingToMesh(const Assembly& assembly, const Options& options);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesher/Statistics.h"
 
+#include "Mesher/CellsLeftOut.h"
+
 #include <algorithm>
 #include <array>
 
@@ -34,6 +36,7 @@ struct Counts
   double smallCellsMerged = 0;
   double smallCellsRemoved = 0;
   double refusedCellsRemoved = 0;
+  double volumeLeftOut = 0;
   double fragmentCellsRemoved = 0;
   double partsLeftOut = 0;
   double isolatedCells = 0;
@@ -53,7 +56,7 @@ struct Row
   double Counts::*count;
 };
 
-constexpr std::array<Row, 32> Table{ {
+constexpr std::array<Row, 33> Table{ {
   { "Cells", "cells of the mesh", &Counts::cells },
   { "Hexahedra", "cells that are whole boxes without hanging nodes", &Counts::hexahedra },
   { "Polyhedra", "all other cells", &Counts::polyhedra },
@@ -85,6 +88,8 @@ constexpr std::array<Row, 32> Table{ {
     &Counts::refusedCellsRemoved },
   { "FragmentCellsRemoved", "cells left out, as the grid cuts them off from the rest",
     &Counts::fragmentCellsRemoved },
+  { "VolumeLeftOut", "volume of the cells of these three kinds, in user units cubed",
+    &Counts::volumeLeftOut },
   { "PartsLeftOut", "connected parts of the domain without a Keep Point, left out",
     &Counts::partsLeftOut },
   { "IsolatedCells", "cells in parts of at most 16 that no face connects with the rest",
@@ -203,6 +208,7 @@ private:
     n_.smallCellsMerged = static_cast<double>(a_.shaping.cellsMerged);
     n_.refusedCellsRemoved = static_cast<double>(a_.shaping.refused.size());
     n_.fragmentCellsRemoved = static_cast<double>(a_.fragments.size());
+    n_.volumeLeftOut = volumeLeftOut(a_);
     n_.smallCellsRemoved -= n_.refusedCellsRemoved + n_.fragmentCellsRemoved;
     n_.sizesRelaxed = a_.relaxation - 1;
     n_.partsLeftOut = static_cast<double>(a_.partsLeftOut);

@@ -24,6 +24,10 @@ constexpr double MostSkewness = 4;
 constexpr double LeastVolumeRatio = 0.01;
 constexpr double LeastFaceWeight = 0.05;
 
+// What snappyHexMesh's cells have, about.
+constexpr double LeastBalancedWeight = 0.08;
+constexpr double LeastBalancedRatio = 0.02;
+
 // OpenFOAM measures skewness relative to at least these parts of the distance between the centres,
 // and of the height above a boundary face.
 constexpr double ShareOfDistance = 0.2;
@@ -193,6 +197,25 @@ bool isRefused(
   CellFaults faults;
   addFaults(cell, shape, face, neighbour, faults);
   return faults.counts[CellFaults::InnerAngle] > 0 || !faults.isNoLessValidThan({});
+}
+
+bool isUnbalanced(const CellShape& shape, std::size_t face, const NeighbourCell& neighbour)
+{
+  const FaceShape& f = shape.faces[face];
+  const double near = std::abs(dot(minus(f.centre, shape.centre), f.area));
+  const double far = std::abs(dot(minus(neighbour.centre, f.centre), f.area));
+  return neighbour.volume > 0 &&
+    (std::min(near, far) < LeastBalancedWeight * (near + far) ||
+      std::min(shape.volume, neighbour.volume) <
+        LeastBalancedRatio * std::max(shape.volume, neighbour.volume));
+}
+
+bool isTurnedOver(const CellShape& shape, std::size_t face, const NeighbourCell& neighbour)
+{
+  const FaceShape& f = shape.faces[face];
+  const double own = dot(minus(f.centre, shape.centre), f.area);
+  const double others = neighbour.volume > 0 ? dot(minus(neighbour.centre, f.centre), f.area) : own;
+  return !(std::min(own, others) > 0);
 }
 
 bool mayBeDoubtful(const CellShape& shape, bool boundary, std::size_t face)

@@ -66,6 +66,12 @@ CellFaults faultsOf(const Polyhedron& cell, const CellShape& shape,
 bool isRefused(
   const Polyhedron& cell, const CellShape& shape, std::size_t face, const NeighbourCell& neighbour);
 
+// Whether the centres, or the volumes, of an inner face's two cells are so unequal that solvers are strained.
+bool isUnbalanced(const CellShape& shape, std::size_t face, const NeighbourCell& neighbour);
+
+// Whether it is turned over as seen from one of its cells: then that cell is invalid, not merely poor.
+bool isTurnedOver(const CellShape& shape, std::size_t face, const NeighbourCell& neighbour);
+
 // Whether a face has so large an angle that, though not refused, it may be refused with the centres of
 // measureProjected; and whether it would be, given those.
 bool mayBeDoubtful(const CellShape& shape, bool boundary, std::size_t face);

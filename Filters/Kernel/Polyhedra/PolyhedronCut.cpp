@@ -233,8 +233,14 @@ private:
   {
     bool turned = false;
     const Vector normal = source == CellCut::NoSource ? normal_ : twiceAreaOf(corners);
+    FlatPolygon polygon = flattened(corners, normal, turned);
+    return addStars(std::move(polygon), turned, source, side);
+  }
+
+  bool addStars(FlatPolygon polygon, bool turned, Index source, int side)
+  {
     stars_.clear();
-    splitIntoStars(flattened(corners, normal, turned), stars_);
+    splitIntoStars(std::move(polygon), stars_);
     for (FlatPolygon& star : stars_)
     {
       if (turned)
@@ -323,6 +329,8 @@ private:
     {
       return false;
     }
+    std::vector<std::vector<Index>> loops;
+    std::vector<std::vector<Index>> holes; // reversed loops
     std::vector<std::uint8_t> done(next.size());
     for (std::size_t first = 0; first < next.size(); ++first)
     {
@@ -340,14 +348,32 @@ private:
       {
         continue;
       }
-      // A reversed loop is a hole in another one.
-      if (loop.size() < 3 || !(dot(twiceAreaOf(loop), normal_) > 0) ||
-        !addStars(loop, CellCut::NoSource, -1))
+      const double area = dot(twiceAreaOf(loop), normal_);
+      if (loop.size() < 3 || area == 0)
       {
         return false;
       }
+      (area > 0 ? loops : holes).push_back(std::move(loop));
     }
-    return true;
+    return holes.empty()
+      ? std::all_of(loops.begin(), loops.end(),
+          [&](const std::vector<Index>& loop) { return addStars(loop, CellCut::NoSource, -1); })
+      : loops.size() == 1 && addAround(loops.front(), holes);
+  }
+
+  // A cutting face around walls that the plane cuts off within the cell.
+  bool addAround(const std::vector<Index>& loop, const std::vector<std::vector<Index>>& holes)
+  {
+    bool turned = false;
+    FlatPolygon polygon = flattened(loop, normal_, turned);
+    std::vector<FlatPolygon> flat;
+    flat.reserve(holes.size());
+    for (const std::vector<Index>& hole : holes)
+    {
+      flat.push_back(flattened(hole, normal_, turned));
+    }
+    joinHoles(polygon, std::move(flat));
+    return addStars(std::move(polygon), turned, CellCut::NoSource, -1);
   }
 
   // Two faces with the same nodes would enclose a part without thickness.

@@ -99,6 +99,9 @@ public:
   // Whether together they would be fixed in the second stage, beside cells that are not.
   bool wouldStraddleStages(const std::vector<CellKey>& keys) const;
 
+  // Cosine of Feature Angle.
+  double featureCosine() const { return whole_.featureCosine; }
+
   bool hasRegions() const { return patches_.walls.any(); }
   std::int32_t regionOf(CellKey key) const;
 
@@ -153,7 +156,10 @@ public:
   // a hole.
   bool isAtBoundary(CellKey key) const;
 
-  // Of its boundary faces as they are now, that with the largest area; without any, its own.
+  // Of its boundary faces as they are now, by boundary; square levels.
+  std::map<std::int32_t, double> wallAreas(CellKey key) const;
+
+  // Of these, that with the largest area; without any, its own.
   std::int32_t mainBoundary(CellKey key) const;
 
   // In lattice levels.

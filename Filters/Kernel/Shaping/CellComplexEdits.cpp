@@ -716,7 +716,7 @@ bool CellComplex::isAtBoundary(CellKey key) const
   return any && !border;
 }
 
-std::int32_t CellComplex::mainBoundary(CellKey key) const
+std::map<std::int32_t, double> CellComplex::wallAreas(CellKey key) const
 {
   MeasuredCell cell;
   lookAround(key, cell);
@@ -731,6 +731,12 @@ std::int32_t CellComplex::mainBoundary(CellKey key) const
     }
     ++face;
   });
+  return areas;
+}
+
+std::int32_t CellComplex::mainBoundary(CellKey key) const
+{
+  std::map<std::int32_t, double> areas = wallAreas(key);
   areas.erase(NoBoundary);
   const auto most = std::max_element(
     areas.begin(), areas.end(), [](const auto& x, const auto& y) { return x.second < y.second; });
@@ -752,7 +758,12 @@ void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joi
   for (const JoinedFaces::Group& group : joined.groups)
   {
     changed_ = true;
-    const std::uint32_t first = group.members.front();
+    // What removed cells have exposed takes the boundary of the wall beside it.
+    const auto isWall = [&](std::uint32_t f) {
+      return view.across[f] == None && across(view.faces[f]) == None;
+    };
+    const auto wall = std::find_if(group.members.begin(), group.members.end(), isWall);
+    const std::uint32_t first = wall == group.members.end() ? group.members.front() : *wall;
     touched.push_back(view.across[first]);
     const FaceUse use = view.faces[first];
     std::vector<std::uint32_t> nodes;
@@ -766,9 +777,13 @@ void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joi
     }
     shaped(own(renamed(use.face), key)).nodes = std::move(nodes);
     opened(key)->change(now_);
-    for (std::size_t i = 1; i < group.members.size(); ++i)
+    for (const std::uint32_t member : group.members)
     {
-      const std::uint32_t gone = renamed(view.faces[group.members[i]].face);
+      if (member == first)
+      {
+        continue;
+      }
+      const std::uint32_t gone = renamed(view.faces[member].face);
       removeFace(key, gone);
       if (view.across[first] != None)
       {

@@ -45,8 +45,8 @@ constexpr double CostOfCell = 10;
 constexpr double LeastVolumeRatio = 0.06;
 constexpr double LargestOfGroup = 0.6;
 
-// Cells below this part of what is small become simpler where they cannot join a neighbour otherwise.
-constexpr double LeastShare = 0.75;
+// Cells below this part of their box become simpler where they cannot join a neighbour otherwise.
+constexpr double LeastShare = 0.11;
 
 // No cell grows beyond this part of its box.
 constexpr double MostShare = 1.6;
@@ -119,6 +119,23 @@ bool CellMerger::improve(CellKey key)
   const FaceCosts costs = costsOfCell(key, none, none);
   const bool improved = costs.worst > PoorCost && mergeBest(key, costs, MostNeighbours, LeastGain);
   return improved || costs.refused == 0;
+}
+
+bool CellMerger::isFailing(CellKey key)
+{
+  const CellKey* const none = nullptr;
+  if (costsOfCell(key, none, none).refused > 0)
+  {
+    return true;
+  }
+  for (std::size_t f = 0; f < cell_.across.size(); ++f) // as costsOfCell has left it
+  {
+    if (!cell_.shape.isBoundary[f] && isUnbalanced(cell_.measures, f, cell_.beyond[f]))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 std::vector<CellKey> CellMerger::lookedAfter(bool looksAtOthers) const
@@ -280,6 +297,7 @@ bool CellMerger::mergeBest(
   CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain)
 {
   best_.keys.clear();
+  trying_.joinAcross(own.refused > 0 ? -1 : cells_.featureCosine());
   cells_.lookAround(key, own_);
   neighbours_.clear();
   for (const auto& [other, area] : neighboursOf(own_))
@@ -304,12 +322,12 @@ void CellMerger::simplifyBest(
   CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain)
 {
   const auto isMended = [&] { return !best_.keys.empty() && best_.costs.refused == 0; };
-  if (isMended())
+  if (isMended() || (own.invalid > 0 && !bendsInvalid_))
   {
     return;
   }
   cells_.open(key);
-  if (own.refused > 0 || cells_.share(key) < LeastShare * spec_.ratio)
+  if (own.refused > 0 || cells_.share(key) < LeastShare)
   {
     findBest(key, own, mostNeighbours, leastGain, spec_.joins, true);
   }

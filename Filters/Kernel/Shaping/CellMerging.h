@@ -44,6 +44,12 @@ public:
   // One cell, if it is poor; returns false where solvers refuse it and nothing helps.
   bool improve(CellKey key);
 
+  // Whether cells with faces turned over may become simpler: one with a face bent around others cannot be cut any more.
+  void bendInvalid(bool bends) { bendsInvalid_ = bends; }
+
+  // Whether solvers refuse a face of it, or are strained by how small it is.
+  bool isFailing(CellKey key);
+
   // The slab's cells; also those that it only touches, if nobody looks at them later.
   std::vector<CellKey> lookedAfter(bool looksAtOthers) const;
 
@@ -98,6 +104,7 @@ private:
   const MergeSpec& spec_;
   Execution& execution_;
   UnionTrial trying_;
+  bool bendsInvalid_ = true;
   std::size_t merged_ = 0;
   std::size_t simplified_ = 0;
   std::uint32_t mergedAt_ = 0;   // all has been looked at since

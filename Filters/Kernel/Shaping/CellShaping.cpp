@@ -26,22 +26,6 @@ namespace
 constexpr double MergeJoinAngle = 3;
 constexpr double InnerJoinAngle = 20;
 
-// Those at the boundary below a part of their box: R of their boundary, but not more than `most`.
-// Elsewhere they would leave a hole.
-void removeSmallCells(
-  CellComplex& complex, const std::vector<CellKey>& keys, const SmallCellSpec& spec, double most)
-{
-  for (const CellKey key : keys)
-  {
-    const double share = complex.share(key);
-    if (share < most && share < ratioOf(spec, complex.boundaryOfCell(key), spec.ratio) &&
-      complex.isAtBoundary(key) && sparesOthers(complex, key))
-    {
-      complex.remove(key);
-    }
-  }
-}
-
 MergeSpec mergeSpecOf(const ShapingSpec& spec, bool merges, bool exact)
 {
   MergeSpec merging;
@@ -78,22 +62,29 @@ public:
   Shaping run()
   {
     execution_.stage("Merging", 0, 0.25);
-    removeSmall(Sliver);
+    removeSlivers();
     if (!exact_)
     {
       cedeFlat();
     }
+    const bool cutsFirst = spec_.splitConcave && !exact_ && !complex_.hasRegions();
+    merger_.bendInvalid(!cutsFirst);
     mergeSmall();
     if (spec_.splitConcave)
     {
       execution_.stage("Splitting", 0.25, 0.6);
       split();
+      if (cutsFirst)
+      {
+        cutInvalid();
+      }
       execution_.stage("Merging", 0.6, 0.7);
       mergeSmall();
     }
     execution_.stage("Improving", 0.7, 1);
+    merger_.bendInvalid(true);
     improve();
-    removeSmall(1);
+    removeSmall();
     joinWalls();
     return result();
   }
@@ -105,9 +96,9 @@ public:
     execution_.stage("Improving", 0, 0.4);
     improve();
     removeTips();
-    removeSmall(1);
+    removeSmall();
     cedeFlat();
-    shaping_.cellsSplit += splitInvalid(complex_, merger_.refused(isLast_), execution_);
+    cutInvalid();
     improve();
     for (std::size_t pass = 0; pass < LargestShares.size(); ++pass)
     {
@@ -124,24 +115,30 @@ public:
       }
       if (pass > 0)
       {
-        transferParts(complex_, keys, LeftOver::IsRemoved, merger_, execution_, shaping_.refused);
+        transfer(keys, LeftOver::IsRemoved, givenAwayAt_);
         keys = merger_.refused(isLast_);
       }
-      cartesian::removeRefused(complex_, keys, small_, LargestShares[pass] * spec_.refusedCellRatio,
-        execution_, shaping_.refused);
+      const double largest = LargestShares[pass] * spec_.refusedCellRatio;
+      cartesian::removeRefused(complex_, keys, small_,
+        { std::min(largest, LargestRefused), largest }, execution_, shaping_.refused);
       improve();
-      removeSmall(1);
+      removeSmall();
     }
     removeTips();
     joinWalls();
     if (complex_.hasRegions())
     {
-      shaping_.cellsSplit += splitInvalid(complex_, merger_.refused(isLast_), execution_);
+      cutInvalid();
     }
     return result();
   }
 
 private:
+  void cutInvalid()
+  {
+    shaping_.cellsSplit += splitInvalid(complex_, merger_.refused(isLast_), execution_);
+  }
+
   // Where layers will stand.
   void joinWalls()
   {
@@ -151,12 +148,46 @@ private:
     }
   }
 
-  // What cannot be merged is small beyond use.
-  void removeSmall(double most)
+  // Walls beside a meshline: merged, they would stick out of their neighbour.
+  void removeSlivers()
   {
-    if (merges_ && !exact_)
+    removeSmaller(Sliver, [](CellKey) { return true; });
+  }
+
+  // What is small, and strains solvers, and cannot be merged. What is as thin as the body there stays.
+  void removeSmall()
+  {
+    removeSmaller(1, [&](CellKey key) {
+      return merger_.isFailing(key) && keepsWall(complex_, key) && !isThinThere(key);
+    });
+  }
+
+  // Whether the body is as thin as the cell: there is no larger one beside it.
+  bool isThinThere(CellKey key) const
+  {
+    const auto neighbours = complex_.neighbours(key);
+    return std::none_of(neighbours.begin(), neighbours.end(),
+      [&](const auto& neighbour) { return complex_.share(neighbour.first) >= LeastOfHost; });
+  }
+
+  // Cells at the boundary (elsewhere they would leave a hole) below a part of their box: R of their boundary, but not
+  // more than `most`.
+  template <class MayGo>
+  void removeSmaller(double most, MayGo&& mayGo)
+  {
+    if (!merges_ || exact_)
     {
-      removeSmallCells(complex_, merger_.lookedAfter(isLast_), small_, most);
+      return;
+    }
+    for (const CellKey key : merger_.lookedAfter(isLast_))
+    {
+      const double share = complex_.share(key);
+      if (share < most &&
+        share < ratioOf(small_, complex_.boundaryOfCell(key), spec_.strandedRatio()) &&
+        complex_.isAtBoundary(key) && mayGo(key) && sparesOthers(complex_, key))
+      {
+        complex_.remove(key);
+      }
     }
   }
 
@@ -169,8 +200,14 @@ private:
   {
     if (merges_ && mergeSpec_.simplifies)
     {
-      cartesian::removeTips(
-        complex_, merger_.lookedAfter(isLast_), small_, LargestTip, mergeSpec_.joins);
+      std::vector<CellKey> keys = merger_.lookedAfter(isLast_);
+      keys.erase(std::remove_if(keys.begin(), keys.end(),
+                   [&](CellKey key) {
+                     return complex_.share(key) >= 2 * LargestTip || !merger_.isFailing(key) ||
+                       !keepsWall(complex_, key) || isThinThere(key);
+                   }),
+        keys.end());
+      cartesian::removeTips(complex_, keys, small_, LargestTip, mergeSpec_.joins);
       improve();
     }
   }
@@ -203,22 +240,21 @@ private:
       }
       if (mergeSpec_.simplifies && merges_)
       {
-        transfer();
+        transfer(merger_.refused(isLast_), LeftOver::ComesBack, transferredAt_);
       }
     }
   }
 
-  // Parts of refused cells; not again where nothing near by has changed since.
-  void transfer()
+  // Parts of refused cells; not again where nothing near by has changed since `triedAt`.
+  void transfer(std::vector<CellKey> keys, LeftOver leftOver, std::uint32_t& triedAt)
   {
-    std::vector<CellKey> keys = merger_.refused(isLast_);
-    const auto isTried = [&](CellKey key) { return !complex_.hasChangedNear(key, transferredAt_); };
-    if (transferredAt_ > 0)
+    const auto isTried = [&](CellKey key) { return !complex_.hasChangedNear(key, triedAt); };
+    if (triedAt > 0)
     {
       keys.erase(std::remove_if(keys.begin(), keys.end(), isTried), keys.end());
     }
-    transferredAt_ = complex_.mark();
-    transferParts(complex_, keys, LeftOver::ComesBack, merger_, execution_, shaping_.refused);
+    triedAt = complex_.mark();
+    transferParts(complex_, keys, leftOver, merger_, execution_, shaping_.refused);
   }
 
   Shaping result()
@@ -230,12 +266,17 @@ private:
 
   static constexpr int Passes = 2;
 
-  // Cells below this part of their box are a wall next to a meshline: merged, they would stick out of
-  // their neighbour.
+  // Of its box: a cell that one beside it could have been merged with.
+  static constexpr double LeastOfHost = 0.15;
+
+  // Of its box.
   static constexpr double Sliver = 1e-9;
 
   // Up to this part of its box a cell may go to another region.
   static constexpr double LargestCeded = 0.1;
+
+  // Up to this part of its box a cell is removed though it is valid, where solvers refuse a face of it.
+  static constexpr double LargestRefused = 0.1;
 
   // Below this part of their box tips go.
   static constexpr double LargestTip = 0.05;
@@ -253,6 +294,7 @@ private:
   MergeSpec mergeSpec_;
   CellMerger merger_;
   std::uint32_t transferredAt_ = 0; // all that was refused has been tried since
+  std::uint32_t givenAwayAt_ = 0;   // likewise
   Shaping shaping_;
 };
 
@@ -304,7 +346,7 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
 {
   const bool exact = isExact(patches);
   const std::uint32_t all = boxes.allLayers().end;
-  CellsToShape whole(boxes, patches, sides, nodes, inner, cells);
+  CellsToShape whole(boxes, patches, sides, nodes, inner, cells, featureAngle);
   Shaping sum;
   std::size_t stage = 0;
   for (const std::vector<Slab>& slabs : slabsFor(layersOfShapedCells(boxes.core, all), all))

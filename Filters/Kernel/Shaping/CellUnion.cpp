@@ -59,6 +59,7 @@ FaceCosts& FaceCosts::operator+=(const FaceCosts& other)
   sum += other.sum;
   worst = std::max(worst, other.worst);
   refused += other.refused;
+  invalid += other.invalid;
   return *this;
 }
 
@@ -85,6 +86,7 @@ FaceCosts costsOf(const Polyhedron& cell, const CellShape& shape,
     if (cost >= AcceptedCost && refusal.isRefused(f))
     {
       ++costs.refused;
+      costs.invalid += isTurnedOver(shape, f, beyond[f]) ? 1 : 0;
       costs.toMend = cost > worstRefused ? f : costs.toMend;
       worstRefused = std::max(worstRefused, cost);
     }

@@ -20,6 +20,7 @@ struct FaceCosts
   double sum = 0;           // CellCost.h
   double worst = 0;         // of one face
   std::size_t refused = 0;  // faces that solvers refuse, or may refuse (CellFaults.h)
+  std::size_t invalid = 0;  // of these, those that are turned over
   std::uint32_t toMend = 0; // of those, or else of all, the one that costs most
 
   FaceCosts& operator+=(const FaceCosts& other);
@@ -46,7 +47,16 @@ class UnionTrial
 public:
   explicit UnionTrial(const CellComplex& cells)
     : cells_(cells)
+    , joiner_(cells.featureCosine())
+    , joinerBeyond_(cells.featureCosine())
   {
+  }
+
+  // Walls are joined across edges that turn by less: at first, than Feature Angle.
+  void joinAcross(double leastCosine)
+  {
+    joiner_ = FaceJoiner(leastCosine);
+    joinerBeyond_ = FaceJoiner(leastCosine);
   }
 
   // Of cells that have faces, joined as far as `joins` allows. Returns the cost in all: of its faces, of its

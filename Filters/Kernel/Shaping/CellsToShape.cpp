@@ -6,6 +6,7 @@
 #include "Shaping/CellComplex.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cartesian
 {
@@ -45,14 +46,15 @@ void KnownCells::append(const KnownCells& others, std::size_t begin, std::size_t
   add(shares, others.shares);
 }
 
-CellsToShape::CellsToShape(
-  const Boxes& b, const Patches& p, Sides& s, Nodes& n, const InnerFaces& i, Cells& c)
+CellsToShape::CellsToShape(const Boxes& b, const Patches& p, Sides& s, Nodes& n,
+  const InnerFaces& i, Cells& c, double featureAngle)
   : boxes(b)
   , patches(p)
   , sides(s)
   , nodes(n)
   , inner(i)
   , cells(c)
+  , featureCosine(std::cos(radians(featureAngle)))
   , sideOf(i.size())
 {
   for (std::size_t side = 0; side + 1 < inner.sideStart.size(); ++side)

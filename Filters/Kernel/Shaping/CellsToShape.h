@@ -36,8 +36,9 @@ using Sights = std::vector<std::array<CentreOffset, 2>>;
 // What the slabs of one stage have in common.
 struct CellsToShape
 {
+  // `featureAngle` in degrees: edges of the wall that turn by more stay.
   CellsToShape(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
-    const InnerFaces& inner, Cells& cells);
+    const InnerFaces& inner, Cells& cells, double featureAngle);
 
   const Boxes& boxes;
   const Patches& patches;
@@ -45,6 +46,7 @@ struct CellsToShape
   Nodes& nodes;
   const InnerFaces& inner;
   Cells& cells;
+  double featureCosine;
 
   std::vector<std::uint32_t> sideOf; // of each inner face
   KnownCells known;                  // of polyhedral boxes, as they were

@@ -151,7 +151,7 @@ bool FaceJoiner::anyPart(Is&& is) const
 
 void FaceJoiner::begin(const JoinSpec& spec, const JoinedFaces& given)
 {
-  spec_ = spec;
+  spec_ = { std::max(spec.boundary, featureCosine_), spec.inner };
   negligible_ = spec.boundary < 1 ? negligibleArea(*shape_) : 0;
   joined_ = given;
   partOf_.resize(faces());
@@ -422,8 +422,11 @@ bool FaceJoiner::join(Part g, Part h)
   {
     std::swap(g, h);
   }
-  if (!joinRings(ringOf(g), ringOf(h), ring_) || hasTwin(ring_) ||
-    !(isNegligiblePart(h) ? fitsWithNegligible() : fitsTogether(g, h, leastCosine(firstMember(g)))))
+  const std::uint32_t one = firstMember(g);
+  const std::uint32_t other = firstMember(h);
+  if ((!isNegligiblePart(h) && !isInner(one) && view_->boundary[one] != view_->boundary[other]) ||
+    !joinRings(ringOf(g), ringOf(h), ring_) || hasTwin(ring_) ||
+    !(isNegligiblePart(h) ? fitsWithNegligible() : fitsTogether(g, h, leastCosine(one))))
   {
     return false;
   }

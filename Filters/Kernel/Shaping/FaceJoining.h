@@ -53,6 +53,12 @@ struct JoinedShape
 class FaceJoiner
 {
 public:
+  // `featureCosine`: across edges of the wall that turn by more nothing is joined, whatever is asked for.
+  explicit FaceJoiner(double featureCosine)
+    : featureCosine_(featureCosine)
+  {
+  }
+
   // What the others are about; `shape`: the view's. Both must stay as they are.
   void look(const CellView& view, const CellShape& shape);
 
@@ -108,6 +114,7 @@ private:
   bool hasEdge(std::uint32_t from, std::uint32_t to) const;
   bool hasTwin(const std::vector<std::uint32_t>& ring) const;
 
+  double featureCosine_;
   const CellView* view_ = nullptr;
   const CellShape* shape_ = nullptr;
   JoinSpec spec_;

@@ -79,6 +79,7 @@ class Mender
 public:
   explicit Mender(CellComplex& cells)
     : cells_(cells)
+    , joiner_(cells.featureCosine())
   {
   }
 

@@ -13,7 +13,9 @@ namespace cartesian
 namespace
 {
 
-constexpr double LargestPart = 0.5; // of the cell's box
+// Of the cell's box.
+constexpr double LargestPart = 0.5;
+constexpr double LargestRemoved = 0.1;
 
 bool isAtBoundary(const Polyhedron& part)
 {
@@ -73,7 +75,8 @@ void giveAway(CellComplex& cells, const std::vector<CellKey>& parts, LeftOver le
     {
       continue;
     }
-    if (leftOver == LeftOver::IsRemoved && cells.isAtBoundary(part) && sparesOthers(cells, part))
+    if (leftOver == LeftOver::IsRemoved && cells.share(part) < LargestRemoved &&
+      cells.isAtBoundary(part) && keepsWall(cells, part) && sparesOthers(cells, part))
     {
       remove(cells, part, removed);
     }

@@ -4,6 +4,7 @@
 #include "Polyhedra/Refusal.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <unordered_map>
 
@@ -12,6 +13,9 @@ namespace cartesian
 
 namespace
 {
+
+// Of a box's side.
+constexpr double LargestOfOthers = 0.02;
 
 struct Candidate
 {
@@ -29,7 +33,7 @@ struct Candidate
 class Search
 {
 public:
-  Search(const CellComplex& cells, const SmallCellSpec& small, double largest)
+  Search(const CellComplex& cells, const SmallCellSpec& small, const LargestRemoved& largest)
     : cells_(cells)
     , small_(small)
     , largest_(largest)
@@ -41,7 +45,7 @@ public:
   {
     cells_.lookAround(key, cell_);
     const Candidate own{ cells_.share(key), key };
-    if (cell_.across.size() < LeastFaces && mayGo(own))
+    if (cell_.across.size() < LeastFaces && mayGo(own, largest_.invalid))
     {
       candidates_.insert(own);
       return;
@@ -53,6 +57,8 @@ public:
       {
         continue;
       }
+      const double largest =
+        isTurnedOver(cell_.measures, f, cell_.beyond[f]) ? largest_.invalid : largest_.refused;
       const CellKey other = cell_.across[f];
       Candidate smaller = own;
       Candidate larger = other == None ? own : Candidate{ cells_.share(other), other };
@@ -60,11 +66,11 @@ public:
       {
         std::swap(smaller, larger);
       }
-      if (mayGo(smaller))
+      if (mayGo(smaller, largest))
       {
         candidates_.insert(smaller);
       }
-      else if (mayGo(larger))
+      else if (mayGo(larger, largest))
       {
         candidates_.insert(larger);
       }
@@ -74,30 +80,29 @@ public:
   const std::set<Candidate>& candidates() const { return candidates_; }
 
 private:
-  // Asked for each face of a cell, and to know it all of its faces are looked at: once only.
-  bool mayGo(const Candidate& candidate)
+  bool mayGo(const Candidate& candidate, double largest)
   {
-    const auto [known, isNew] = mayGo_.try_emplace(candidate.key, false);
-    if (isNew)
+    return candidate.volume < std::min(limitOf(candidate.key), largest) &&
+      (largest == largest_.invalid || keepsWall(cells_, candidate.key));
+  }
+
+  // Asked for each face of a cell, and to know it all of its faces are looked at: once only.
+  double limitOf(CellKey key)
+  {
+    const auto [known, isNew] = limitOf_.try_emplace(key, 0);
+    if (isNew && cells_.hasFaces(key) && cells_.isFree(key) && cells_.isAtBoundary(key))
     {
-      known->second = findWhetherMayGo(candidate);
+      known->second = ratioOf(small_, cells_.mainBoundary(key), largest_.invalid);
     }
     return known->second;
   }
 
-  bool findWhetherMayGo(const Candidate& candidate) const
-  {
-    return cells_.hasFaces(candidate.key) && cells_.isFree(candidate.key) &&
-      cells_.isAtBoundary(candidate.key) &&
-      candidate.volume < ratioOf(small_, cells_.mainBoundary(candidate.key), largest_);
-  }
-
   const CellComplex& cells_;
   const SmallCellSpec& small_;
-  double largest_;
+  LargestRemoved largest_;
   MeasuredCell cell_;
   std::set<Candidate> candidates_;
-  std::unordered_map<CellKey, bool> mayGo_;
+  std::unordered_map<CellKey, double> limitOf_; // 0: it stays
 };
 
 bool isAcceptedWithout(const CellComplex& cells, CellKey other, CellKey gone)
@@ -130,6 +135,18 @@ bool sparesOthers(const CellComplex& cells, CellKey key)
   });
 }
 
+bool keepsWall(const CellComplex& cells, CellKey key)
+{
+  double gone = 0;
+  double ofMain = 0;
+  for (const auto& [boundary, area] : cells.wallAreas(key))
+  {
+    gone += area;
+    ofMain = std::max(ofMain, area);
+  }
+  return gone - ofMain < LargestOfOthers * std::pow(cells.volumeOfBox(key), 2.0 / 3);
+}
+
 void remove(CellComplex& cells, CellKey key, std::vector<RemovedCell>& removed)
 {
   if (cells.counts(key) > 0)
@@ -140,7 +157,7 @@ void remove(CellComplex& cells, CellKey key, std::vector<RemovedCell>& removed)
 }
 
 void removeRefused(CellComplex& cells, const std::vector<CellKey>& keys, const SmallCellSpec& small,
-  double largest, Execution& execution, std::vector<RemovedCell>& removed)
+  const LargestRemoved& largest, Execution& execution, std::vector<RemovedCell>& removed)
 {
   Search search(cells, small, largest);
   for (const CellKey key : keys)

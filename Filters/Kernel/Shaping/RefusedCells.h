@@ -10,15 +10,24 @@
 namespace cartesian
 {
 
-// Of these cells, in order: those with refused faces (CellFaults.h), or too few; of an inner face's two the
-// smaller goes. Only cells with a boundary face go, smaller than `largest` volumes of their box, or than R where
-// their boundary has its own; of neighbours only one, the smallest, as that may be enough. Appends what was
-// removed.
+// Cells go that are smaller than this part of their box.
+struct LargestRemoved
+{
+  double refused; // with faces that solvers refuse (CellFaults.h)
+  double invalid; // with a face turned over, or too few
+};
+
+// Of these cells, in order: those that solvers refuse; of an inner face's two the smaller goes. Only cells with a
+// boundary face go, smaller than `largest`, or than R where their boundary has its own; of neighbours only one, the
+// smallest, as that may be enough. Appends what was removed.
 void removeRefused(CellComplex& cells, const std::vector<CellKey>& keys, const SmallCellSpec& small,
-  double largest, Execution& execution, std::vector<RemovedCell>& removed);
+  const LargestRemoved& largest, Execution& execution, std::vector<RemovedCell>& removed);
 
 // Whether a cell may go: none that the slab must leave as it is would be refused for want of it.
 bool sparesOthers(const CellComplex& cells, CellKey key);
+
+// Whether a cell may go without taking wall from all boundaries but one.
+bool keepsWall(const CellComplex& cells, CellKey key);
 
 // One cell, noted where it counts (CellComplex::counts).
 void remove(CellComplex& cells, CellKey key, std::vector<RemovedCell>& removed);

@@ -13,7 +13,11 @@ struct ShapingSpec
   static constexpr Range RefusedCellRatios{ 0 };
 
   // Where small cells merge, those below this part of their box's volume do.
-  double mergeRatio = 0.15;
+  double mergeRatio = 0.3;
+
+  // Those that no neighbour can take in, and that strain solvers, are removed below this part of their box: R (4.10)
+  // where cells merge.
+  double strandedRatio() const { return mergeRatio / 10; }
 
   // Whether nodes at the wall move to where solvers are at ease (NodeOptimisation.h); not with Exact Fit.
   bool optimiseNodes = true;

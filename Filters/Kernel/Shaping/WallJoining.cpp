@@ -61,6 +61,7 @@ public:
   Joiner(CellComplex& cells, const WallLayerSpec& layers)
     : cells_(cells)
     , layers_(layers)
+    , joiner_(cells.featureCosine())
   {
   }
 

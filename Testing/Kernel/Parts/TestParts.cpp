@@ -186,6 +186,16 @@ private:
   std::map<std::string, double> statistics_;
 };
 
+// Equal, but for the order in which volumes are summed.
+void expectSame(std::map<std::string, double> one, std::map<std::string, double> other)
+{
+  const double volume = one.at("VolumeLeftOut");
+  EXPECT_NEAR(volume, other.at("VolumeLeftOut"), 1e-12 * volume);
+  one.erase("VolumeLeftOut");
+  other.erase("VolumeLeftOut");
+  EXPECT_EQ(one, other);
+}
+
 void expectUnion(Parts& parts, const Meshed& whole, const std::vector<std::vector<Layers>>& splits)
 {
   for (const std::vector<Layers>& split : splits)
@@ -198,7 +208,7 @@ void expectUnion(Parts& parts, const Meshed& whole, const std::vector<std::vecto
     }
     EXPECT_EQ(whole.mesh.points.size(), 3 * static_cast<std::size_t>(all.ownPoints()));
     EXPECT_TRUE(whole.mesh == all.mesh());
-    EXPECT_EQ(whole.statistics, all.statistics());
+    expectSame(whole.statistics, all.statistics());
   }
 }
 

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells that the mesh lacks, whatever removed them: small ones (section 4.10), those that solvers would refuse (4.11),
+// and those that the grid cuts off.
+#pragma once
+
+#include "Mesher/Mesher.h"
+
+namespace cartesian
+{
+
+struct CellLeftOut
+{
+  std::uint32_t box;
+  std::int32_t boundary; // of most of its patches, or NoBoundary
+  double volume;         // in levels
+};
+
+// Of the core, in order of boxes; slivers, which have no volume, are none.
+std::vector<CellLeftOut> cellsLeftOut(const Assembly& assembly);
+
+// Their volume in user units cubed, and as a part of what the mesh would have with them: 0 to 1.
+double volumeLeftOut(const Assembly& assembly);
+double shareLeftOut(const Assembly& assembly);
+
+}
