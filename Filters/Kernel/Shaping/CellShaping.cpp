@@ -26,10 +26,14 @@ namespace
 constexpr double MergeJoinAngle = 3;
 constexpr double InnerJoinAngle = 20;
 
-MergeSpec mergeSpecOf(const ShapingSpec& spec, bool merges, bool exact)
+// Cells between regions cannot go where a merge turns out to be refused: larger ones are not merged.
+constexpr double LargestMergedBetweenRegions = 0.15;
+
+MergeSpec mergeSpecOf(const ShapingSpec& spec, bool merges, bool exact, bool hasRegions)
 {
   MergeSpec merging;
-  merging.ratio = spec.mergeRatio;
+  merging.ratio =
+    hasRegions ? std::min(spec.mergeRatio, LargestMergedBetweenRegions) : spec.mergeRatio;
   merging.merges = merges;
   merging.simplifies = spec.splitConcave && !exact;
   if (!exact)
@@ -54,7 +58,7 @@ public:
     , merges_(small.handling == SmallCells::Merge)
     , layers_(layers)
     , execution_(execution)
-    , mergeSpec_(mergeSpecOf(spec, merges_, exact))
+    , mergeSpec_(mergeSpecOf(spec, merges_, exact, complex.hasRegions()))
     , merger_(complex, mergeSpec_, execution)
   {
   }
@@ -84,7 +88,6 @@ public:
     execution_.stage("Improving", 0.7, 1);
     merger_.bendInvalid(true);
     improve();
-    removeSmall();
     joinWalls();
     return result();
   }
@@ -121,8 +124,8 @@ public:
       const double largest = LargestShares[pass] * spec_.refusedCellRatio;
       cartesian::removeRefused(complex_, keys, small_,
         { std::min(largest, LargestRefused), largest }, execution_, shaping_.refused);
-      improve();
       removeSmall();
+      improve();
     }
     removeTips();
     joinWalls();

@@ -16,6 +16,7 @@ namespace
 
 // Of a box's side.
 constexpr double LargestOfOthers = 0.02;
+constexpr double LargestChange = 0.2; // of the wall's area
 
 struct Candidate
 {
@@ -57,8 +58,11 @@ public:
       {
         continue;
       }
-      const double largest =
-        isTurnedOver(cell_.measures, f, cell_.beyond[f]) ? largest_.invalid : largest_.refused;
+      if (isTurnedOver(cell_.measures, f, cell_.beyond[f]))
+      {
+        lookAtTurnedOver(own, f);
+        continue;
+      }
       const CellKey other = cell_.across[f];
       Candidate smaller = own;
       Candidate larger = other == None ? own : Candidate{ cells_.share(other), other };
@@ -66,11 +70,11 @@ public:
       {
         std::swap(smaller, larger);
       }
-      if (mayGo(smaller, largest))
+      if (mayGo(smaller, largest_.refused))
       {
         candidates_.insert(smaller);
       }
-      else if (mayGo(larger, largest))
+      else if (mayGo(larger, largest_.refused))
       {
         candidates_.insert(larger);
       }
@@ -80,6 +84,19 @@ public:
   const std::set<Candidate>& candidates() const { return candidates_; }
 
 private:
+  // The cell on whose side the face's pyramid is turned over: without the other it would be as bad.
+  void lookAtTurnedOver(const Candidate& own, std::size_t f)
+  {
+    const bool ofOwn = isTurnedOver(cell_.measures, f, {});
+    const CellKey other = cell_.across[f];
+    const Candidate invalid =
+      ofOwn || other == None ? own : Candidate{ cells_.share(other), other };
+    if (mayGo(invalid, largest_.invalid))
+    {
+      candidates_.insert(invalid);
+    }
+  }
+
   bool mayGo(const Candidate& candidate, double largest)
   {
     return candidate.volume < std::min(limitOf(candidate.key), largest) &&
@@ -144,7 +161,13 @@ bool keepsWall(const CellComplex& cells, CellKey key)
     gone += area;
     ofMain = std::max(ofMain, area);
   }
-  return gone - ofMain < LargestOfOthers * std::pow(cells.volumeOfBox(key), 2.0 / 3);
+  double exposed = 0;
+  for (const auto& [other, area] : cells.neighbours(key))
+  {
+    exposed += area;
+  }
+  const double side = std::pow(cells.volumeOfBox(key), 2.0 / 3);
+  return gone - ofMain < LargestOfOthers * side && std::abs(exposed - gone) < LargestChange * side;
 }
 
 void remove(CellComplex& cells, CellKey key, std::vector<RemovedCell>& removed)

@@ -362,10 +362,12 @@ Coverage leastCoverage(const std::string& shape)
   static const std::map<std::string, Coverage> OfNarrowOnes{
     { "ThinPlate", { 0, 0 } }, // thinner than the layers, where they may take a third of it
     { "ThinPlateTurned", { 0, 0 } },
+    { "Needle", { 0, 0 } },
+    { "Flat", { 0, 0 } },
     { "Comb", { 0.95, 0.35 } }, // teeth and gaps are half as wide as boxes
     { "CombTurned", { 0.25, 0.05 } },
     { "TwoSpheres", { 0.95, 0.7 } }, // a ball of three boxes
-    { "StarPolyhedron", { 0.7, 0.3 } },
+    { "StarPolyhedron", { 0.7, 0.25 } },
     { "BumpySphere", { 0.85, 0.45 } },
     { "Tiny", { 0.7, 0.3 } },
   };
@@ -384,11 +386,6 @@ TEST_P(LayersOnShapes, AreAcceptedAndTakeNothingAway)
   TestOptions options;
   options.grid = cellsAlongLongest(soup, 8);
   options.layers.count = 3;
-  if (GetParam().name == "Needle" || GetParam().name == "Flat") // nothing of them is left
-  {
-    EXPECT_THROW(meshWithLayers(soup, options), Error);
-    return;
-  }
   const Layered layered = meshWithLayers(soup, options);
   expectCovered(layered, leastCoverage(GetParam().name));
   const LayerCells found = examine(layered);

@@ -1,4 +1,6 @@
-// What the grid cuts off from a body is left out; a small body of its own stays (Cells/Fragments.h).
+// What the grid cuts off from a body is left out; a body that is thin for a while stays whole, and so does a small body of
+// its own (Cells/Fragments.h).
+#include "Support/MeshChecker.h"
 #include "Support/Pipeline.h"
 
 #include <gtest/gtest.h>
@@ -30,18 +32,29 @@ double farthest(const MeshArrays& mesh)
 
 TEST(Fragments, GoWhereTheGridCutsThemOff)
 {
-  for (const double thickness : { 0.1, 0.03, 0.01, 0.001 })
+  const Meshed cut = meshOfBead(beadOnAThread(0.001), 1);
+  EXPECT_GT(cut.statistics.at("FragmentCellsRemoved"), 0);
+  EXPECT_EQ(cut.statistics.at("IsolatedCells"), 0);
+  EXPECT_LT(farthest(cut.mesh), 7);
+}
+
+TEST(Fragments, AreNoneOnAThreadOfAHundredthOfABox)
+{
+  for (const double thickness : { 0.1, 0.03, 0.01 })
   {
-    const Meshed cut = meshOfBead(beadOnAThread(thickness), 1);
-    EXPECT_GT(cut.statistics.at("FragmentCellsRemoved"), 0);
-    EXPECT_EQ(cut.statistics.at("IsolatedCells"), 0);
-    EXPECT_LT(farthest(cut.mesh), 7);
+    const Soup soup = beadOnAThread(thickness);
+    const Meshed whole = meshOfBead(soup, 1);
+    EXPECT_TRUE(isValid(whole.mesh, true));
+    EXPECT_EQ(whole.statistics.at("FragmentCellsRemoved"), 0);
+    EXPECT_EQ(whole.statistics.at("IsolatedCells"), 0);
+    EXPECT_NEAR(farthest(whole.mesh), 7.8, 1e-6);
+    EXPECT_NEAR(volumeOf(whole.mesh), soup.volume(), 1e-5 * soup.volume());
   }
 }
 
 TEST(Fragments, StayWhereNothingIsToBeRemoved)
 {
-  const Meshed whole = meshOfBead(beadOnAThread(0.01), 0);
+  const Meshed whole = meshOfBead(beadOnAThread(0.0001), 0);
   EXPECT_EQ(whole.statistics.at("FragmentCellsRemoved"), 0);
   EXPECT_GT(whole.statistics.at("IsolatedCells"), 0);
   EXPECT_NEAR(farthest(whole.mesh), 7.8, 1e-6);

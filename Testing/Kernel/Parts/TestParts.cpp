@@ -331,7 +331,7 @@ TEST(Parts, AreTheWholeMeshWithoutFragments)
   Soup soup;
   for (int i = 0; i < 12; ++i)
   {
-    soup.add(beadOnAThread(0.01).moved({ 0.03 * i, 0.02 * i, 4.93 * i }));
+    soup.add(beadOnAThread(0.001).moved({ 0.03 * i, 0.02 * i, 4.93 * i }));
   }
   const GridSpec grid = cellsAlongLongest(soup, 61.3);
   ASSERT_GT(meshOf(soup, grid, TestOptions()).statistics.at("FragmentCellsRemoved"), 5);
