@@ -1,14 +1,14 @@
 # Read by ctest: which of the kernel's tests run where. `slow` ones in .ci/full only, the others, `quick`, in .ci/run too; of
-# these, `sanitize` under the address sanitizer, which takes ten times as long. Those of TestThreads are `threads` as well:
-# the thread sanitizer's.
+# these, `sanitize` under the address sanitizer, which takes ten times as long. Those of TestThreads are `threads`, the
+# thread sanitizer's.
 
-# Ten seconds or more in an optimised build.
+# Ten seconds or more, together, in an optimised build.
 set(slow
   Order[.]OfTheInputDoesNotMatter
   Shaping[.]CollapsedEdges
-  WholeRefinedMeshOfShapedCells/Torus)
+  WholeRefinedMeshOfShapedCells/)
 
-# A second or more.
+# Half a second or more: four and more under the sanitizer.
 set(heavy
   Baffles[.]AcrossADuct
   Balance[.]Axes Balance[.]Holds Balance[.]Reaches
@@ -17,18 +17,24 @@ set(heavy
   Flawed[.]AtRandom
   Flaws[.]BodiesThatCross Flaws[.]OneTriangleInAHundred
   Fuzz[.]RandomBytes Fuzz[.]Corpus # libFuzzer's short run does the same
+  Fuzz[.]Tetrahedra Fuzz[.]Voxels
   KeepPoints[.]TheMesh
-  Parts[.]AreTheWholeMeshAround Parts[.]AreTheWholeMeshFar Parts[.]AreTheWholeMeshOf
+  Parts[.]AreTheWholeMesh
   PatchMethods[.]Threads
-  PrismStacks[.]AreTheSame PrismStacks[.]FillASphere
+  PrismStacks[.]AreComplete PrismStacks[.]AreNoFilms PrismStacks[.]AreTheSame PrismStacks[.]DifferOn
+  PrismStacks[.]FillASphere PrismStacks[.]FollowTheBoxes PrismStacks[.]Slide
   Refinement[.]Random Refinement[.]SameMesh
-  Regions[.]AClosedWall Regions[.]AreValid Regions[.]Curved Regions[.]EndFlush Regions[.]LieInEachOther
-  Regions[.]MayBeSmooth Regions[.]MayLie Regions[.]MayTouchAPlane Regions[.]TheFirstWall Regions[.]WallsBeyond
-  Resources[.]ANodeOfMany
+  Regions[.]AClosedWall Regions[.]AreValid Regions[.]CloseAnyGap Regions[.]Curved Regions[.]EndFlush
+  Regions[.]LieInEachOther Regions[.]MayBe Regions[.]MayLie Regions[.]MayTouchAPlane Regions[.]MeetAlong
+  Regions[.]ShareAPart Regions[.]TheFirstWall Regions[.]WallsBeyond
+  Resources[.]ANodeOfMany Resources[.]MemoryIsEstimated
   Shaping[.]Fuzzed
   SizeEstimate[.]AsMany
+  Sizing[.]AsMany Sizing[.]NoBox Sizing[.]SameBoxes
   SolverReady[.]Mending
+  Statistics[.]FitTogether
   Stops[.]NoStage
+  Symmetry[.]Translation
   TrianglePairs[.]FansOfSlivers)
 
 # Of tests of many shapes, those of these: few triangles in few boxes.
@@ -47,5 +53,5 @@ foreach (test IN LISTS TestKernel_TESTS)
   set_tests_properties("${test}" PROPERTIES LABELS "${labels}")
 endforeach ()
 foreach (test IN LISTS TestThreads_TESTS)
-  set_tests_properties("${test}" PROPERTIES LABELS "quick;sanitize;threads")
+  set_tests_properties("${test}" PROPERTIES LABELS "quick;threads")
 endforeach ()

@@ -8,7 +8,7 @@ from paraview import simple
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 import foam
-from pipeline import read
+from pipeline import read, redistributes
 
 processes = vtkMultiProcessController.GetGlobalController()
 assert processes.GetNumberOfProcesses() == 2
@@ -23,14 +23,15 @@ with tempfile.TemporaryDirectory() as temporary:
     for file in (whole / "constant" / "polyMesh").iterdir():
         other = pathlib.Path(temporary) / "alone" / "constant" / "polyMesh" / file.name
         assert file.read_bytes() == other.read_bytes(), f"{file.name} differs"
-    shared = simple.RedistributeDataSet(Input=mesher)
-    ranks = simple.ProcessIdScalars(Input=shared)
-    ranks.UpdatePipeline()
-    assert ranks.PointData["ProcessId"].GetRange() == (0, 1), "only one rank has cells"
-    both = foam.Files(foam.save(shared, pathlib.Path(temporary) / "both"))
-    both.check()
-    assert alone.cells == both.cells
-    assert np.array_equal(np.unique(alone.points, axis=0), np.unique(both.points, axis=0))
-    assert np.allclose(np.sort(alone.volumes()), np.sort(both.volumes()), rtol=1e-6)
-    assert alone.patches == both.patches
+    if redistributes(temporary):
+        shared = simple.RedistributeDataSet(Input=mesher)
+        ranks = simple.ProcessIdScalars(Input=shared)
+        ranks.UpdatePipeline()
+        assert ranks.PointData["ProcessId"].GetRange() == (0, 1), "only one rank has cells"
+        both = foam.Files(foam.save(shared, pathlib.Path(temporary) / "both"))
+        both.check()
+        assert alone.cells == both.cells
+        assert np.array_equal(np.unique(alone.points, axis=0), np.unique(both.points, axis=0))
+        assert np.allclose(np.sort(alone.volumes()), np.sort(both.volumes()), rtol=1e-6)
+        assert alone.patches == both.patches
     print(alone.cells, "cells,", len(alone.patches), "patches")

@@ -17,7 +17,7 @@ import pieces
 from pipeline import DATA
 
 EXHAUST = DATA / "kcl_exhaust_header_lumens.stl"
-CELL_SIZE, DEPTH, PIECES = 10.0, 1, 3
+CELL_SIZE, DEPTH, PIECES = 13.0, 1, 3
 
 
 def mesher(size=CELL_SIZE, depth=DEPTH, gaps=4):

@@ -11,10 +11,10 @@ BAD_PARAMETER = 40008
 
 
 def check(name, source, **properties):
-    """Meshes with 8 boxes along the longest side, measures, compares with the surface."""
+    """Meshes with 6 boxes along the longest side, measures, compares with the surface."""
     surface = output(source)
     bounds = surface.GetBounds()
-    size = max(high - low for low, high in zip(bounds[0::2], bounds[1::2])) / 8
+    size = max(high - low for low, high in zip(bounds[0::2], bounds[1::2])) / 6
     mesher = simple.CartesianMesher(
         Input=source, CellSize=size, SmallCellRatio=1e-9, PatchMethod="Exact Fit", **properties)
     try:
