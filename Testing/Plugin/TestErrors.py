@@ -82,7 +82,7 @@ assert_identical("idle point", output(simple.CartesianMesher(Input=idle)),
 for bad in -1, math.nan, math.inf:
     refused(surface, BAD_CELL_SIZE, f"Cell Size is {bad}", "positive", CellSize=bad)
 refused(surface, BAD_CELL_SIZE, "only 2", "smaller", CellSize=1e9)
-refused(surface, BAD_CELL_SIZE, "Cell Size 40 is larger than the surface", CellSize=40)
+refused(surface, BAD_CELL_SIZE, "Cell Size 40 is larger than the surface", CellSize=40, SmallCells="Remove")
 refused(surface, TOO_MANY_BOXES, "1.335e+12 boxes", "GiB", "larger Cell Size", CellSize=1e-4)
 refused(surface, TOO_MANY_BOXES, "2e+300 x 2e+300", "larger", CellSize=1e-300)
 refused(surface, TOO_MANY_BOXES, "2e+07 x 2e+07", CellSize=1e-7)
