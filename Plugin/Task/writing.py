@@ -172,7 +172,7 @@ def save(mesher, port, file, pieces):
             save_as(mesher, port, new)
         return
     with replacing_pieces(file) as new:
-        save_as(mesher, port, new)
+        save_as(mesher, port, new, DataMode="Binary")  # as in write_whole
         check_pieces(new, servermanager.OutputPort(mesher, port).GetDataInformation().GetNumberOfCells())
 
 
