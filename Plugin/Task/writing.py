@@ -123,11 +123,21 @@ def write_whole(data, port, file):
     """On any number of ranks one file: the first rank has the whole mesh."""
     with replacing(file) as new:
         writer = WRITERS[port][file.suffix]()
+        make_safe(writer, data)
         writer.SetFileName(str(new))
         # ParaView 5.11 on Debian 12 can't read back appended data, the default.
         writer.SetDataModeToBinary()
         writer.SetInputDataObject(data)
         run(writer)
+
+
+def make_safe(writer, data):
+    """When a device is full, writers of VTK 9.2 free arrays that only writing appended data has made: after a first such
+    write, of nothing, there are none."""
+    writer.SetInputDataObject(data.NewInstance())
+    writer.WriteToOutputStringOn()
+    writer.Write()
+    writer.WriteToOutputStringOff()
 
 
 def write_piece(data, port, file, piece, pieces):

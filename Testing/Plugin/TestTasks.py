@@ -286,7 +286,7 @@ assert "cannot be read" in start(folder / "nothing.toml", code=REFUSED)
 
 # A file that cannot be written whole leaves what was there: files, pieces, a case.
 OLD, NEW = FILES + "[grid]\ncell_size = 0.1\n[output]\n", FILES + "[grid]\ncell_size = 0.02\n[output]\n"
-MOST_BYTES = 5500000
+MOST_BYTES = 5000000
 
 
 def of_limited_size():
