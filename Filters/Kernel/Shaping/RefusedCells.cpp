@@ -14,9 +14,9 @@ namespace cartesian
 namespace
 {
 
-// Of a box's side.
+// Of a box's side: the wall of further boundaries that may go with a cell, and the change of all its wall's area.
 constexpr double LargestOfOthers = 0.02;
-constexpr double LargestChange = 0.2; // of the wall's area
+constexpr double LargestChange = 0.2;
 
 struct Candidate
 {

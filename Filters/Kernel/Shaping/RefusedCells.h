@@ -26,7 +26,8 @@ void removeRefused(CellComplex& cells, const std::vector<CellKey>& keys, const S
 // Whether a cell may go: none that the slab must leave as it is would be refused for want of it.
 bool sparesOthers(const CellComplex& cells, CellKey key);
 
-// Whether a cell may go without taking wall from all boundaries but one.
+// Whether a cell may go without taking wall from all boundaries but one, and what is exposed is about as large as the
+// wall that goes.
 bool keepsWall(const CellComplex& cells, CellKey key);
 
 // One cell, noted where it counts (CellComplex::counts).

@@ -122,7 +122,7 @@ struct KnownFailure
 constexpr const char* LostVolume = "Volume";
 constexpr const char* WrongArea = "Area";
 constexpr const char* ProjectedCentres = "ProjectedCentres"; // angles as other solvers see them
-constexpr const char* RefusedCells = "RefusedCellsRemoved"; // as a part of those that stay
+constexpr const char* RefusedCells = "RefusedCellsRemoved";  // as a part of those that stay
 const std::vector<KnownFailure> KnownFailures{
   { "BumpySphere", LostVolume, { 0.3, 0, 0 } },
   { "Flat", LostVolume, { 0.5, 0.5, 0.5 } },
