@@ -157,11 +157,13 @@ private:
     removeSmaller(Sliver, [](CellKey) { return true; });
   }
 
-  // What is small, and strains solvers, and cannot be merged. What is as thin as the body there stays.
+  // What is small, and strains solvers, and cannot be merged; and what no face connects with others, in which no solver
+  // can fix the pressure. What is as thin as the body there stays.
   void removeSmall()
   {
     removeSmaller(1, [&](CellKey key) {
-      return merger_.isFailing(key) && keepsWall(complex_, key) && !isThinThere(key);
+      return complex_.neighbours(key).empty() ||
+        (merger_.isFailing(key) && keepsWall(complex_, key) && !isThinThere(key));
     });
   }
 
