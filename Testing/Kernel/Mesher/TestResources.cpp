@@ -73,7 +73,7 @@ TEST(Resources, ANodeOfManyTriangles)
   }
   soup.points.push_back({ 0, 0, 0.5 });
   soup.points.push_back({ 0, 0, -0.5 });
-  const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 0.5), TestOptions());
+  const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 0.8), TestOptions());
   EXPECT_TRUE(isValid(meshed.mesh, true));
   EXPECT_NEAR(volumeOf(meshed.mesh) / soup.volume(), 1, 1e-3);
 }
@@ -102,9 +102,10 @@ TEST(Resources, ARingInOneBox)
     }
   }
   TestOptions options;
+  options.shaping.mergeRatio = 0.15; // of which the ring has a tenth
   try
   {
-    meshOf(soup, cellsAlongLongest(soup, 0.5), options);
+    meshOf(soup, cellsAlongLongest(soup, 0.9), options);
     FAIL() << "solvers take no ring as a cell";
   }
   catch (const Error& error)
@@ -113,7 +114,7 @@ TEST(Resources, ARingInOneBox)
       << error.what();
   }
   options.shaping.refusedCellRatio = 0;
-  const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 0.5), options);
+  const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 0.9), options);
   EXPECT_NEAR(volumeOf(meshed.mesh) / soup.volume(), 1, 0.05);
 }
 
