@@ -92,7 +92,7 @@ protected:                                                                      
  *
  * MergeRatio, 0 (none) to less than 1, default 0.3: with Merge, cells smaller than this fraction of
  * their box are merged; those that strain solvers and that no neighbour can take are left out below a
- * tenth of it, but for what is as thin as the body there.
+ * tenth of it, but for what is as thin as the body there. With several regions, 0.15 at most.
  *
  * SmallCellRatio, 0 (none but those without volume) to less than 1, default 0.001: with Remove, cells
  * smaller than this fraction of their box are left out.
@@ -105,7 +105,8 @@ protected:                                                                      
  *
  * RefusedCellRatio, 0 (none) or more, default 4: where concave cells are split and the patches are not
  * exact, cells with a face turned over that nothing mends are left out, up to as many volumes of their
- * box; others that solvers would refuse (section 3, checkMesh), up to a tenth of it. Boundaries with a small cell ratio of their own keep larger ones.
+ * box; others that solvers would refuse (section 3, checkMesh), up to a tenth of it. Boundaries with a
+ * small cell ratio of their own keep larger ones.
  */
 #define vtkCellPropertiesMacro()                                                                   \
 public:                                                                                            \

@@ -32,10 +32,9 @@ exhaust, part, spot = (read(name) for name in (
     "kcl_exhaust_header_lumens.stl", "tm_featuretype_occ.stl", "cino_spot.obj"))
 blocks = [0, 2, 0, 3, 0, 1, 2, 2,
           3, 6, 1, 5, 0, 7, 3, 0]
-for name, source in ("exhaust", exhaust), ("part", part), ("spot", spot):
-    for depth in 1, 2, 3:
-        level = check(f"{name}, depth {depth}", source, RefinementDepth=depth)
-        assert level.max() == depth
+for name, source, depth in ("exhaust", exhaust, 1), ("part", part, 3), ("spot", spot, 2):
+    level = check(f"{name}, depth {depth}", source, RefinementDepth=depth)
+    assert level.max() == depth
     check(f"{name}, by its shape", source, CurvatureAngle=25, CellsAcrossGaps=3, FeatureDepth=1,
           LargestDepth=2)
     with Messages():  # blocks reach beyond the grid of some

@@ -57,7 +57,8 @@ public:
   // A mesh was made with this factor.
   void learn(double factor, double cells) { scale_ = cells / known_.at(factor); }
 
-  // The least factor, but for the tolerance, with which the cells fit.
+  // The least factor, but for the tolerance, with which the cells fit. Where many sizes change at once, the number of
+  // cells jumps: past the jump, if the budget allows it and is nearer there.
   double factorThatFits()
   {
     const auto fits = [&](double factor) { return cells(factor) <= budget_ * (1 + BoxTolerance); };
@@ -76,7 +77,8 @@ public:
       const double middle = between(low, high, step);
       (fits(middle) ? high : low) = middle;
     }
-    return high;
+    const double over = cells(low) / budget_ - 1;
+    return over <= BudgetTolerance && over < 1 - cells(high) / budget_ ? low : high;
   }
 
 private:

@@ -18,7 +18,7 @@ struct CellLeftOut
 // Of the core, in order of boxes; slivers, which have no volume, are none.
 std::vector<CellLeftOut> cellsLeftOut(const Assembly& assembly);
 
-// Their volume in user units cubed, and as a part of what the mesh would have with them: 0 to 1.
+// Their volume as cut, in user units cubed, and as a part of what the mesh would have with them: 0 to 1.
 double volumeLeftOut(const Assembly& assembly);
 double shareLeftOut(const Assembly& assembly);
 

@@ -121,9 +121,8 @@ public:
         transfer(keys, LeftOver::IsRemoved, givenAwayAt_);
         keys = merger_.refused(isLast_);
       }
-      const double largest = LargestShares[pass] * spec_.refusedCellRatio;
-      cartesian::removeRefused(complex_, keys, small_,
-        { std::min(largest, LargestRefused), largest }, execution_, shaping_.refused);
+      cartesian::removeRefused(complex_, keys, small_, LargestShares[pass] * spec_.refusedCellRatio,
+        execution_, shaping_.refused);
       removeSmall();
       improve();
     }
@@ -279,9 +278,6 @@ private:
 
   // Up to this part of its box a cell may go to another region.
   static constexpr double LargestCeded = 0.1;
-
-  // Up to this part of its box a cell is removed though it is valid, where solvers refuse a face of it.
-  static constexpr double LargestRefused = 0.1;
 
   // Below this part of their box tips go.
   static constexpr double LargestTip = 0.05;

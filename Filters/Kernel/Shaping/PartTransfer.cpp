@@ -13,9 +13,7 @@ namespace cartesian
 namespace
 {
 
-// Of the cell's box.
-constexpr double LargestPart = 0.5;
-constexpr double LargestRemoved = 0.1;
+constexpr double LargestPart = 0.5; // of the cell's box
 
 bool isAtBoundary(const Polyhedron& part)
 {
@@ -75,7 +73,7 @@ void giveAway(CellComplex& cells, const std::vector<CellKey>& parts, LeftOver le
     {
       continue;
     }
-    if (leftOver == LeftOver::IsRemoved && cells.share(part) < LargestRemoved &&
+    if (leftOver == LeftOver::IsRemoved && cells.share(part) < LargestRefused &&
       cells.isAtBoundary(part) && keepsWall(cells, part) && sparesOthers(cells, part))
     {
       remove(cells, part, removed);

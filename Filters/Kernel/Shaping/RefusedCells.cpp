@@ -14,7 +14,7 @@ namespace cartesian
 namespace
 {
 
-// Of a box's side: the wall of further boundaries that may go with a cell, and the change of all its wall's area.
+// Of the area of a box's side: the wall of further boundaries that may go with a cell, and the change of all its wall's.
 constexpr double LargestOfOthers = 0.02;
 constexpr double LargestChange = 0.2;
 
@@ -34,7 +34,7 @@ struct Candidate
 class Search
 {
 public:
-  Search(const CellComplex& cells, const SmallCellSpec& small, const LargestRemoved& largest)
+  Search(const CellComplex& cells, const SmallCellSpec& small, double largest)
     : cells_(cells)
     , small_(small)
     , largest_(largest)
@@ -46,7 +46,7 @@ public:
   {
     cells_.lookAround(key, cell_);
     const Candidate own{ cells_.share(key), key };
-    if (cell_.across.size() < LeastFaces && mayGo(own, largest_.invalid))
+    if (cell_.across.size() < LeastFaces && mayGo(own))
     {
       candidates_.insert(own);
       return;
@@ -70,11 +70,11 @@ public:
       {
         std::swap(smaller, larger);
       }
-      if (mayGo(smaller, largest_.refused))
+      if (mayGoThoughValid(smaller))
       {
         candidates_.insert(smaller);
       }
-      else if (mayGo(larger, largest_.refused))
+      else if (mayGoThoughValid(larger))
       {
         candidates_.insert(larger);
       }
@@ -91,16 +91,18 @@ private:
     const CellKey other = cell_.across[f];
     const Candidate invalid =
       ofOwn || other == None ? own : Candidate{ cells_.share(other), other };
-    if (mayGo(invalid, largest_.invalid))
+    if (mayGo(invalid))
     {
       candidates_.insert(invalid);
     }
   }
 
-  bool mayGo(const Candidate& candidate, double largest)
+  bool mayGo(const Candidate& candidate) { return candidate.volume < limitOf(candidate.key); }
+
+  bool mayGoThoughValid(const Candidate& candidate)
   {
-    return candidate.volume < std::min(limitOf(candidate.key), largest) &&
-      (largest == largest_.invalid || keepsWall(cells_, candidate.key));
+    return candidate.volume < LargestRefused && mayGo(candidate) &&
+      keepsWall(cells_, candidate.key);
   }
 
   // Asked for each face of a cell, and to know it all of its faces are looked at: once only.
@@ -109,14 +111,14 @@ private:
     const auto [known, isNew] = limitOf_.try_emplace(key, 0);
     if (isNew && cells_.hasFaces(key) && cells_.isFree(key) && cells_.isAtBoundary(key))
     {
-      known->second = ratioOf(small_, cells_.mainBoundary(key), largest_.invalid);
+      known->second = ratioOf(small_, cells_.mainBoundary(key), largest_);
     }
     return known->second;
   }
 
   const CellComplex& cells_;
   const SmallCellSpec& small_;
-  LargestRemoved largest_;
+  double largest_;
   MeasuredCell cell_;
   std::set<Candidate> candidates_;
   std::unordered_map<CellKey, double> limitOf_; // 0: it stays
@@ -180,7 +182,7 @@ void remove(CellComplex& cells, CellKey key, std::vector<RemovedCell>& removed)
 }
 
 void removeRefused(CellComplex& cells, const std::vector<CellKey>& keys, const SmallCellSpec& small,
-  const LargestRemoved& largest, Execution& execution, std::vector<RemovedCell>& removed)
+  double largest, Execution& execution, std::vector<RemovedCell>& removed)
 {
   Search search(cells, small, largest);
   for (const CellKey key : keys)

@@ -10,18 +10,15 @@
 namespace cartesian
 {
 
-// Cells go that are smaller than this part of their box.
-struct LargestRemoved
-{
-  double refused; // with faces that solvers refuse (CellFaults.h)
-  double invalid; // with a face turned over, or too few
-};
+// Below this part of its box a cell, or a part of one, is removed though it is valid, where solvers refuse a face of it.
+constexpr double LargestRefused = 0.1;
 
-// Of these cells, in order: those that solvers refuse; of an inner face's two the smaller goes. Only cells with a
-// boundary face go, smaller than `largest`, or than R where their boundary has its own; of neighbours only one, the
-// smallest, as that may be enough. Appends what was removed.
+// Of these cells, in order: those that solvers refuse (CellFaults.h). Of an inner face that is turned over, the cell goes
+// as seen from which it is; of another one's two the smaller, if it is below LargestRefused and keepsWall. Only cells with
+// a boundary face go, smaller than `largest` volumes of their box, or than R where their boundary has its own; of
+// neighbours only one, the smallest, as that may be enough. Appends what was removed.
 void removeRefused(CellComplex& cells, const std::vector<CellKey>& keys, const SmallCellSpec& small,
-  const LargestRemoved& largest, Execution& execution, std::vector<RemovedCell>& removed);
+  double largest, Execution& execution, std::vector<RemovedCell>& removed);
 
 // Whether a cell may go: none that the slab must leave as it is would be refused for want of it.
 bool sparesOthers(const CellComplex& cells, CellKey key);
