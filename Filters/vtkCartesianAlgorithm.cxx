@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCartesianAlgorithm.h"
 
+#include "Legend.h"
 #include "ReportErrors.h"
 #include "StopRequests.h"
 
+#include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
 
 static_assert(
   cartesian::errorCode(cartesian::Fault::EmptySurface) == vtkCartesianAlgorithm::EmptySurface);
@@ -81,6 +85,38 @@ int vtkCartesianAlgorithm::AskForNeighbours(vtkInformationVector** input)
       info->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) + 1);
   }
   return 1;
+}
+
+int vtkCartesianAlgorithm::GetNumberOfLegendArrays()
+{
+  std::vector<vtkDataObject*> outputs;
+  vtkMTimeType time = 0;
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    outputs.push_back(this->GetOutputDataObject(port));
+    time = std::max(time, outputs.back() ? outputs.back()->GetMTime() : 0);
+  }
+  if (time != this->LegendTime)
+  {
+    this->Legend = cartesian::legendOf(outputs);
+    this->LegendTime = time;
+  }
+  return static_cast<int>(this->Legend.size());
+}
+
+const char* vtkCartesianAlgorithm::GetLegendArrayName(int i)
+{
+  return i >= 0 && i < this->GetNumberOfLegendArrays()
+    ? this->Legend[static_cast<std::size_t>(i)].c_str()
+    : nullptr;
+}
+
+int vtkCartesianAlgorithm::GetLegendArrayStatus(const char* name)
+{
+  this->GetNumberOfLegendArrays();
+  return name && std::find(this->Legend.begin(), this->Legend.end(), name) != this->Legend.end()
+    ? 1
+    : 0;
 }
 
 vtkInformation* vtkCartesianAlgorithm::AskedOutput(

@@ -54,6 +54,16 @@ public:
 
   ///@{
   /**
+   * What a legend needs to know, boundaries in order of their ids: each value that the cells of an output have of an array of strings, as
+   * "array/value", and each region as "Region/number/name". The status is 1. Measured once an update.
+   */
+  int GetNumberOfLegendArrays();
+  const char* GetLegendArrayName(int i);
+  int GetLegendArrayStatus(const char* name);
+  ///@}
+
+  ///@{
+  /**
    * Number of threads; 0, the default, means one for each core.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
@@ -156,6 +166,9 @@ protected:
   std::function<bool()> HasOtherFailed; // of the processes; null: there are no others
 
 private:
+  std::vector<std::string> Legend;
+  vtkMTimeType LegendTime = 0; // of the outputs it is of
+
   vtkCartesianAlgorithm(const vtkCartesianAlgorithm&) = delete;
   void operator=(const vtkCartesianAlgorithm&) = delete;
 };

@@ -6,6 +6,7 @@
 #include "vtkFiniteVolumeQuality.h"
 
 #include "vtkCellData.h"
+#include "vtkCommunicator.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -120,9 +121,96 @@ bool WorstPlace(vtkUnstructuredGrid* mesh, const cartesian::MeasureSpec& spec, P
   return !std::isnan(worst[0]);
 }
 
-void TellMeasures(vtkUnstructuredGrid* mesh, std::ostream& text)
+// What fails, in words, the worst for a solver first.
+constexpr std::array<Told, 12> WhatFails{ {
+  { "Volume", "have no volume" },
+  { "Openness", "do not close" },
+  { "OpenEdges", "have open edges" },
+  { "BoundaryAngle", "have a boundary face that points away from them" },
+  { "InnerAngle", "have an inner face that leans by 75 degrees or more" },
+  { "Skewness", "are very skew" },
+  { "NonOrthogonality", "are very non-orthogonal: use limited schemes" },
+  { "AspectRatio", "are very long" },
+  { "FaceWeight", "lie very near a face of a larger one" },
+  { "VolumeRatio", "are much smaller than a neighbour, or larger" },
+  { "Determinant", "have inner faces in less than three directions" },
+  { "StarTriangulation", "have a face that is no star" },
+} };
+
+// Whether OpenFOAM's checkMesh fails for a cell's value of a measure; it only warns of others.
+bool IsRefused(const cartesian::MeasureSpec& spec, double value)
 {
-  text << "Worst cells:\n";
+  constexpr double TurnedOver = 90; // degrees
+  switch (&spec - cartesian::MeasureSpecs.data())
+  {
+    case cartesian::Volume:
+    case cartesian::Openness:
+    case cartesian::OpenEdges:
+    case cartesian::Skewness:
+    case cartesian::AspectRatio:
+      return spec.largeIsWorse ? value >= spec.limit : value <= spec.limit;
+    case cartesian::BoundaryAngle:
+    case cartesian::InnerAngle:
+    case cartesian::NonOrthogonality:
+      return value >= TurnedOver;
+    default:
+      return false;
+  }
+}
+
+// Of all processes, each of which must call this.
+double RefusedCells(vtkUnstructuredGrid* mesh)
+{
+  vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
+  std::vector<char> isRefused(static_cast<std::size_t>(mesh->GetNumberOfCells()));
+  for (const cartesian::MeasureSpec& spec : cartesian::MeasureSpecs)
+  {
+    vtkDataArray* values = mesh->GetCellData()->GetArray(spec.name);
+    for (vtkIdType cell = 0; values && cell < values->GetNumberOfTuples(); ++cell)
+    {
+      if (!(ghosts && ghosts->GetValue(cell) != 0) &&
+        IsRefused(spec, values->GetComponent(cell, 0)))
+      {
+        isRefused[static_cast<std::size_t>(cell)] = 1;
+      }
+    }
+  }
+  auto count = static_cast<double>(std::count(isRefused.begin(), isRefused.end(), 1));
+  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
+  if (processes && processes->GetNumberOfProcesses() > 1)
+  {
+    double sum = 0;
+    processes->AllReduce(&count, &sum, 1, vtkCommunicator::SUM_OP);
+    count = sum;
+  }
+  return count;
+}
+
+std::string Cells(double number)
+{
+  return cartesian::number(number) + (number == 1 ? " cell" : " cells");
+}
+
+void TellVerdict(vtkUnstructuredGrid* mesh, std::ostream& text)
+{
+  const double refused = RefusedCells(mesh);
+  text << (refused == 0 ? "OpenFOAM accepts all cells\n"
+                        : "OpenFOAM's checkMesh refuses " + Cells(refused) + "\n");
+  bool any = false;
+  for (const Told& told : WhatFails)
+  {
+    if (const double failing = Field(mesh, std::string(told.field) + "Failures"); failing > 0)
+    {
+      text << "  " << Cells(failing) << " " << told.text << "\n";
+      any = true;
+    }
+  }
+  text << (any ? "  The output Worst Cells shows them, by Measure\n" : "");
+}
+
+void TellWorst(vtkUnstructuredGrid* mesh, std::ostream& text)
+{
+  text << "Worst values:\n";
   for (const cartesian::MeasureSpec& spec : cartesian::MeasureSpecs)
   {
     Place worst;
@@ -130,24 +218,57 @@ void TellMeasures(vtkUnstructuredGrid* mesh, std::ostream& text)
     {
       text << "  " << spec.name << " " << cartesian::number(worst[0]) << " at ("
            << cartesian::number(worst[1]) << ", " << cartesian::number(worst[2]) << ", "
-           << cartesian::number(worst[3]) << ")";
-      const double failures = Field(mesh, std::string(spec.name) + "Failures");
-      text << (failures > 0 ? ", " + cartesian::number(failures) + " at fault" : "") << "\n";
+           << cartesian::number(worst[3]) << ")\n";
     }
   }
-  const double failing = Field(mesh, "FailingCells");
-  text << (failing > 0 ? cartesian::number(failing) + " cells are at fault\n"
-                       : "No cell is at fault\n");
 }
 
-void TellNamed(vtkDataObject* mesh, const char* title, const char* namesOf, const char* valuesOf,
-  const char* what, std::ostream& text)
+void TellRegions(vtkDataObject* mesh, std::ostream& text)
 {
-  auto* names = vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray(namesOf));
+  auto* names = vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray("RegionNames"));
   for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
   {
-    text << (i == 0 ? title : "") << "  " << names->GetValue(i) << ": " << what << " "
-         << cartesian::number(Field(mesh, valuesOf, i)) << "\n";
+    text << (i == 0 ? "Regions:\n" : "") << "  " << names->GetValue(i) << ": volume "
+         << cartesian::number(Field(mesh, "RegionVolumes", i)) << "\n";
+  }
+}
+
+// Rounded down: all is all.
+std::string InPercent(double share)
+{
+  return cartesian::number(std::floor(10 * Percent * share) / 10) + " %";
+}
+
+// The largest ones.
+void TellBoundaries(vtkDataObject* mesh, std::ostream& text)
+{
+  constexpr std::size_t Most = 10;
+  auto* names =
+    vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray("BoundaryNames"));
+  std::vector<vtkIdType> order(static_cast<std::size_t>(names ? names->GetNumberOfValues() : 0));
+  std::iota(order.begin(), order.end(), 0);
+  const auto areaOf = [&](vtkIdType i) { return Field(mesh, "BoundaryAreas", i); };
+  std::stable_sort(
+    order.begin(), order.end(), [&](vtkIdType a, vtkIdType b) { return areaOf(a) > areaOf(b); });
+  const bool hasLayers = mesh->GetFieldData()->HasArray("BoundaryLayerCoverages") != 0;
+  for (std::size_t i = 0; i < std::min(order.size(), Most); ++i)
+  {
+    const vtkIdType n = order[i];
+    const double coverage = Field(mesh, "BoundaryLayerCoverages", n);
+    text << (i == 0 ? "Boundaries:\n" : "") << "  " << names->GetValue(n) << ": area "
+         << cartesian::number(areaOf(n))
+         << (hasLayers && coverage > 0 ? ", layers on " + InPercent(coverage) + ", " +
+                  cartesian::number(Field(mesh, "BoundaryLayerThicknesses", n)) + " thick"
+                                       : "")
+         << "\n";
+  }
+  if (order.size() > Most)
+  {
+    text << "  and " << order.size() - Most << " more\n";
+  }
+  if (hasLayers)
+  {
+    text << "Layers on " << InPercent(Field(mesh, "LayerCoverage")) << " of the walls\n";
   }
 }
 
@@ -159,6 +280,10 @@ void TellWhatWasDone(vtkDataObject* mesh, std::ostream& text)
     {
       text << told.text << ": " << cartesian::number(count) << "\n";
     }
+  }
+  if (const double volume = Field(mesh, "VolumeLeftOut"); volume > 0)
+  {
+    text << "Volume of the cells left out: " << cartesian::number(volume) << "\n";
   }
   if (const double relaxed = Field(mesh, "SizesRelaxed"); relaxed > 0)
   {
@@ -180,10 +305,11 @@ std::string Summary(vtkUnstructuredGrid* mesh)
   }
   text << "\nVolume " << cartesian::number(Field(mesh, "TotalVolume")) << ", boundary "
        << cartesian::number(Field(mesh, "BoundaryArea")) << "\n";
-  TellNamed(mesh, "Regions:\n", "RegionNames", "RegionVolumes", "volume", text);
-  TellNamed(mesh, "Boundaries:\n", "BoundaryNames", "BoundaryAreas", "area", text);
-  TellMeasures(mesh, text);
+  TellVerdict(mesh, text);
+  TellRegions(mesh, text);
+  TellBoundaries(mesh, text);
   TellWhatWasDone(mesh, text);
+  TellWorst(mesh, text);
   return text.str();
 }
 

@@ -5,6 +5,8 @@ import re
 import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkUnstructuredGrid
 
 from pipeline import Messages, error_code, octahedron, output, polydata, producer
 
@@ -36,7 +38,14 @@ found = re.search(r"NonOrthogonality (\S+) at \((\S+), (\S+), (\S+)\)", text)
 assert found[1] == f"{value.max():.6g}", found[0]
 bounds = np.reshape(quality.GetCell(int(value.argmax())).GetBounds(), (3, 2)).mean(axis=1)
 assert np.allclose([float(x) for x in found.groups()[1:]], bounds, atol=1e-5), (found[0], bounds)
-assert ("No cell is at fault" in text) == (field("FailingCells") == 0)
+# What a solver makes of it comes first.
+refused = np.zeros(mesh.GetNumberOfCells(), bool)
+for name, limit in ("Openness", 1e-6), ("OpenEdges", 1), ("Skewness", 4), ("AspectRatio", 1000), \
+        ("BoundaryAngle", 90), ("InnerAngle", 90), ("NonOrthogonality", 90):
+    refused |= vtk_to_numpy(quality.GetCellData().GetArray(name)) >= limit
+assert text.splitlines()[2] == "OpenFOAM accepts all cells" and not refused.any(), text
+for name, words in ("NonOrthogonality", "are very non-orthogonal"), ("Skewness", "are very skew"), ("FaceWeight", "lie very near"):
+    assert (words in text) == (field(f"{name}Failures") > 0), name
 
 worst = output(summary, 1)
 assert worst.GetNumberOfCells() == 7
@@ -48,6 +57,33 @@ own = vtk_to_numpy(output(summary, 1).GetCellData().GetArray("Volume"))
 assert (np.sort(own) == np.sort(vtk_to_numpy(quality.GetCellData().GetArray("Volume")))[:7]).all()
 summary.NumberOfWorstCells = 0
 assert output(summary, 1).GetNumberOfCells() == 0 and error_code(summary) == 0
+
+# What checkMesh refuses is counted; cells that stand on their heads.
+points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (5, 0, 0), (6, 0, 0), (5, 1, 0), (5, 0, 1)]
+tetrahedra = vtkUnstructuredGrid()
+tetrahedra.SetPoints(vtkPoints())
+for point in points:
+    tetrahedra.GetPoints().InsertNextPoint(point)
+for corners in (0, 1, 2, 3), (4, 6, 5, 7):
+    tetrahedra.InsertNextCell(VTK_TETRA, 4, corners)
+told = output(simple.MeshSummary(Input=producer(tetrahedra))).GetColumnByName("Text").GetValue(0)
+assert told.splitlines()[2:4] == ["OpenFOAM's checkMesh refuses 1 cell", "  1 cell have no volume"], told
+
+# Of many boundaries the ten largest, and of layers how many there are.
+ball = output(simple.Sphere(ThetaResolution=24, PhiResolution=24))
+label = vtkIntArray()
+label.SetName("Label")
+for i in range(ball.GetNumberOfCells()):
+    label.InsertNextValue(i % 13)
+ball.GetCellData().AddArray(label)
+layered = simple.CartesianMesher(Input=producer(ball), BoundaryArray="Label", CellSize=0.1, Layers=2)
+told = output(simple.MeshSummary(Input=layered)).GetColumnByName("Text").GetValue(0)
+coverage = output(layered).GetFieldData().GetArray("LayerCoverage").GetValue(0)
+lines = told.splitlines()
+listed = [float(re.search(r": area (\S+?)(,|$)", line)[1]) for line in lines[lines.index("Boundaries:") + 1:][:10]]
+areas = sorted(vtk_to_numpy(output(layered).GetFieldData().GetArray("BoundaryAreas")), reverse=True)
+assert np.allclose(listed, areas[:10], rtol=1e-5), told
+assert "  and 3 more" in lines and f"Layers on {np.floor(1000 * coverage) / 10:.6g} % of the walls" in lines, told
 
 # What was repaired: one triangle is missing, one is there twice, one is turned over.
 whole = octahedron()

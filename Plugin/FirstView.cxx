@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FirstView.h"
+
+#include "vtkCommand.h"
+#include "vtkDataObject.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVXMLElement.h"
+#include "vtkSMOutputPort.h"
+#include "vtkSMParaViewPipelineController.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxyManager.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// More than these have no edges: a view of a million pixels would be full of them.
+constexpr vtkTypeInt64 MostFacesWithEdges = 60000;
+
+constexpr double OpacityOfSides = 0.15;
+constexpr double LineWidthOfDefects = 4;
+constexpr double ColourOfEdges = 0.25;
+
+// Of a legend: with more names than MostNames it has none, as they would hide the view.
+constexpr unsigned int MostLargeNames = 8;
+constexpr unsigned int MostNames = 24;
+constexpr int SmallFont = 12;
+constexpr double LongLegend = 0.5; // of the view
+
+constexpr const char* Boundaries = "BoundaryName";
+constexpr const char* Defects = "DefectName";
+constexpr const char* Regions = "Region";
+constexpr std::array<const char*, 3> Arrays{ Boundaries, Defects, Regions };
+
+struct Category
+{
+  std::string value;
+  std::string name;
+};
+
+// CellsLeftOut: cells left out.
+std::string inWords(const std::string& name)
+{
+  std::string words;
+  for (const char c : name)
+  {
+    words += std::isupper(c) != 0 && !words.empty() ? " " : "";
+    words += static_cast<char>(std::tolower(c));
+  }
+  return words;
+}
+
+// Of a box around bodies: xMin, ..., zMax.
+bool isSide(const std::string& name)
+{
+  static const std::set<std::string> Sides{ "xMin", "xMax", "yMin", "yMax", "zMin", "zMax" };
+  return Sides.count(name) == 1;
+}
+
+// Hues a golden ratio apart differ from the last few; eight further on they come back, in another shade. Defects are
+// the brightest of all.
+std::array<double, 3> colour(std::size_t i, bool isDefect)
+{
+  constexpr double GoldenRatio = 0.618034;
+  constexpr double Blue = 0.58;
+  constexpr std::array<std::pair<double, double>, 3> Shades{ { { 0.45, 0.9 }, { 0.7, 0.8 },
+    { 0.25, 1 } } }; // saturation, value
+  const double turns = (isDefect ? 0 : Blue) + GoldenRatio * static_cast<double>(i);
+  const auto& [saturation, value] = Shades[i / 8 % Shades.size()];
+  std::array<double, 3> rgb{};
+  vtkMath::HSVToRGB(turns - std::floor(turns), isDefect ? 1 : saturation, isDefect ? 1 : value,
+    &rgb[0], &rgb[1], &rgb[2]);
+  return rgb;
+}
+
+// The entries "array/value" or "array/value/name" of a property LegendInfo.
+std::vector<Category> categoriesOf(vtkSMProxy* source, const std::string& array)
+{
+  source->UpdatePropertyInformation(source->GetProperty("LegendInfo"));
+  const vtkSMPropertyHelper entries(source, "LegendInfo", true);
+  std::vector<Category> categories;
+  for (unsigned int i = 0; i + 1 < entries.GetNumberOfElements(); i += 2)
+  {
+    const std::string entry = entries.GetAsString(i);
+    if (entry.compare(0, array.size() + 1, array + "/") == 0)
+    {
+      const std::string rest = entry.substr(array.size() + 1);
+      const std::size_t slash = rest.find('/');
+      const bool hasName = array == Regions && slash != std::string::npos;
+      const std::string value = hasName ? rest.substr(0, slash) : rest;
+      categories.push_back({ value,
+        hasName              ? rest.substr(slash + 1)
+          : array == Defects ? inWords(value)
+                             : value });
+    }
+  }
+  return categories;
+}
+
+// As vtkSMTransferFunctionManager names them, which finds those that are here already.
+constexpr const char* ColoursGroup = "lookup_tables";
+constexpr const char* ColoursType = "PVLookupTable";
+
+vtkSMProxy* foundColours(const std::string& array, vtkSMSessionProxyManager* proxies)
+{
+  return proxies->GetProxy(ColoursGroup, (array + "." + ColoursType).c_str());
+}
+
+vtkSmartPointer<vtkSMProxy> coloursOf(const std::string& array, vtkSMSessionProxyManager* proxies)
+{
+  vtkSmartPointer<vtkSMProxy> colours = foundColours(array, proxies);
+  if (!colours)
+  {
+    colours.TakeReference(proxies->NewProxy(ColoursGroup, ColoursType));
+    vtkNew<vtkSMParaViewPipelineController> controller;
+    controller->InitializeProxy(colours);
+    controller->RegisterColorTransferFunctionProxy(colours, (array + "." + ColoursType).c_str());
+  }
+  return colours;
+}
+
+// Adds those that are not there yet, as two meshes share the colours of an array.
+void addCategories(
+  vtkSMProxy* colours, const std::vector<Category>& categories, bool areDefects = false)
+{
+  vtkSMPropertyHelper annotations(colours, "Annotations");
+  vtkSMPropertyHelper indexed(colours, "IndexedColors");
+  vtkSMPropertyHelper opacities(colours, "IndexedOpacities", true);
+  std::vector<std::string> known;
+  for (unsigned int i = 0; i + 1 < annotations.GetNumberOfElements(); i += 2)
+  {
+    known.emplace_back(annotations.GetAsString(i));
+  }
+  bool hasSides = false;
+  for (const Category& category : categories)
+  {
+    if (std::find(known.begin(), known.end(), category.value) != known.end())
+    {
+      continue;
+    }
+    const auto n = static_cast<unsigned int>(known.size());
+    annotations.Set(2 * n, category.value.c_str());
+    annotations.Set(2 * n + 1, category.name.c_str());
+    const std::array<double, 3> rgb = colour(n, areDefects);
+    for (unsigned int c = 0; c < 3; ++c)
+    {
+      indexed.Set(3 * n + c, rgb[c]);
+    }
+    const bool side = isSide(category.value);
+    hasSides = hasSides || side;
+    opacities.Set(n, side ? OpacityOfSides : 1);
+    known.push_back(category.value);
+  }
+  vtkSMPropertyHelper(colours, "IndexedLookup").Set(1);
+  vtkSMPropertyHelper(colours, "AnnotationsInitialized", true).Set(1);
+  if (hasSides)
+  {
+    vtkSMPropertyHelper(colours, "EnableOpacityMapping").Set(1);
+  }
+  colours->UpdateVTKObjects();
+}
+
+// The source's hint of this name for a port; null: none.
+vtkPVXMLElement* hintOf(vtkSMProxy* source, int port, const char* name)
+{
+  vtkPVXMLElement* hints = source->GetHints();
+  for (unsigned int i = 0; hints && i < hints->GetNumberOfNestedElements(); ++i)
+  {
+    vtkPVXMLElement* hint = hints->GetNestedElement(i);
+    int of = 0;
+    if (std::strcmp(hint->GetName(), name) == 0 && hint->GetScalarAttribute("port", &of) != 0 &&
+      of == port)
+    {
+      return hint;
+    }
+  }
+  return nullptr;
+}
+
+void set(vtkSMProxy* representation, const char* property, double value)
+{
+  vtkSMPropertyHelper(representation, property, true).Set(value);
+}
+
+// In a corner, where it hides little.
+void prepareText(vtkSMProxy* representation)
+{
+  vtkSMPropertyHelper(representation, "WindowLocation", true).Set("Upper Left Corner");
+  vtkSMPropertyHelper(representation, "Justification", true).Set("Left");
+  set(representation, "FontSize", SmallFont);
+  representation->UpdateVTKObjects();
+}
+
+void prepareColours(
+  vtkSMProxy* representation, vtkSMSourceProxy* source, int port, const std::string& array)
+{
+  vtkSMSessionProxyManager* proxies = representation->GetSessionProxyManager();
+  const std::vector<Category> regions = categoriesOf(source, Regions);
+  if (regions.size() > 1)
+  {
+    addCategories(coloursOf(Regions, proxies), regions);
+  }
+  const bool areDefects = array == Defects;
+  const std::vector<Category> categories = categoriesOf(source, array);
+  const bool hasColours = areDefects ? !categories.empty() : categories.size() > 1;
+  if (hasColours)
+  {
+    addCategories(coloursOf(array, proxies), categories, areDefects);
+  }
+  vtkSMPropertyHelper(representation, "ColorArrayName", true)
+    .SetInputArrayToProcess(vtkDataObject::CELL, hasColours ? array.c_str() : "");
+  const std::vector<double> edges(3, ColourOfEdges);
+  vtkSMPropertyHelper(representation, "EdgeColor", true).Set(edges.data(), 3);
+  if (areDefects)
+  {
+    set(representation, "LineWidth", LineWidthOfDefects);
+  }
+  else if (vtkSMOutputPort* output = source->GetOutputPort(static_cast<unsigned int>(port));
+           output->GetDataInformation()->GetNumberOfCells() > MostFacesWithEdges)
+  {
+    vtkSMPropertyHelper(representation, "Representation", true).Set("Surface");
+  }
+  representation->UpdateVTKObjects();
+}
+
+void prepare(vtkSMProxy* representation)
+{
+  const vtkSMPropertyHelper input(representation, "Input", true);
+  auto* source =
+    input.GetNumberOfElements() == 1 ? vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()) : nullptr;
+  if (!source)
+  {
+    return;
+  }
+  const auto port = static_cast<int>(input.GetOutputPort());
+  if (vtkPVXMLElement* hint = hintOf(source, port, "Colours"))
+  {
+    prepareColours(representation, source, port, hint->GetAttribute("array"));
+  }
+  if (hintOf(source, port, "SmallText"))
+  {
+    prepareText(representation);
+  }
+}
+
+// A legend of names: small where there are many.
+void prepareLegend(vtkSMProxy* legend)
+{
+  vtkSMProxy* colours = vtkSMPropertyHelper(legend, "LookupTable", true).GetAsProxy();
+  vtkSMSessionProxyManager* proxies = legend->GetSessionProxyManager();
+  const bool isOurs = colours &&
+    std::any_of(std::begin(Arrays), std::end(Arrays),
+      [&](const char* array) { return foundColours(array, proxies) == colours; });
+  const unsigned int names =
+    isOurs ? vtkSMPropertyHelper(colours, "Annotations").GetNumberOfElements() / 2 : 0;
+  if (names > MostLargeNames)
+  {
+    set(legend, "LabelFontSize", SmallFont);
+    set(legend, "ScalarBarLength", LongLegend);
+    set(legend, "DrawAnnotations", names > MostNames ? 0 : 1);
+    legend->UpdateVTKObjects();
+  }
+}
+
+class Watch : public vtkCommand
+{
+public:
+  static Watch* New() { return new Watch; }
+
+  void Execute(vtkObject*, unsigned long, void* data) override
+  {
+    using Registered = vtkSMProxyManager::RegisteredProxyInformation;
+    const auto* registered = static_cast<const Registered*>(data);
+    if (registered->Type != Registered::PROXY || !registered->Proxy ||
+      registered->Proxy->GetSessionProxyManager()->GetInLoadXMLState())
+    {
+      return;
+    }
+    const std::string group = registered->GroupName;
+    if (group == "representations")
+    {
+      prepare(registered->Proxy);
+    }
+    else if (group == "scalar_bars")
+    {
+      prepareLegend(registered->Proxy);
+    }
+  }
+};
+
+}
+
+void watchViews()
+{
+  vtkNew<Watch> watch;
+  vtkSMProxyManager::GetProxyManager()->AddObserver(vtkCommand::RegisterEvent, watch);
+}
+
+}
