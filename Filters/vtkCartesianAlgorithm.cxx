@@ -11,6 +11,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <utility>
 
 static_assert(
   cartesian::errorCode(cartesian::Fault::EmptySurface) == vtkCartesianAlgorithm::EmptySurface);
@@ -34,6 +35,7 @@ bool vtkCartesianAlgorithm::Run(
   };
   return cartesian::reportErrors(runIt, [this](unsigned long code, const std::string& message) {
     this->ErrorCode = code;
+    this->TellWarnings();
     if (!message.empty())
     {
       vtkErrorMacro(<< message);
@@ -45,8 +47,24 @@ void vtkCartesianAlgorithm::Warn(const std::string& text)
 {
   if (!text.empty() && !this->IsSilent)
   {
+    this->Warnings.push_back(text);
+  }
+}
+
+void vtkCartesianAlgorithm::TellWarnings()
+{
+  for (const std::string& text : std::exchange(this->Warnings, {}))
+  {
     vtkWarningMacro(<< text);
   }
+}
+
+vtkTypeBool vtkCartesianAlgorithm::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
+{
+  const vtkTypeBool done = this->Superclass::ProcessRequest(request, input, output);
+  this->TellWarnings();
+  return done;
 }
 
 void vtkCartesianAlgorithm::AcceptAnything(vtkInformation* info)

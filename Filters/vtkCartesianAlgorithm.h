@@ -83,9 +83,13 @@ protected:
 
   /**
    * A warning, if there is a text: of flaws of the surface, for example, that the mesh survives. The
-   * error code is that of a refusal.
+   * error code is that of a refusal. It is told once the filter has finished, or before an error: ParaView's
+   * window shows no more progress after a warning.
    */
   void Warn(const std::string& text);
+
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
   /**
    * An input port for a vtkPolyData, or many in a vtkMultiBlockDataSet, a vtkPartitionedDataSet or a
@@ -166,6 +170,9 @@ protected:
   std::function<bool()> HasOtherFailed; // of the processes; null: there are no others
 
 private:
+  void TellWarnings();
+
+  std::vector<std::string> Warnings; // not told yet
   std::vector<std::string> Legend;
   vtkMTimeType LegendTime = 0; // of the outputs it is of
 

@@ -310,7 +310,7 @@ void vtkCartesianMesher::RequestPieceOfProcess(Piece& piece, const cartesian::Pr
 {
   Task task;
   this->HasOtherFailed = [&] { return processes.hasOtherFailed(); };
-  const bool isDone = this->Run(0, cartesian::AfterNumbering, [&](cartesian::Execution& execution) {
+  const bool isDone = this->Run(0, cartesian::AfterLayers, [&](cartesian::Execution& execution) {
     this->Begin(task, piece, processes, input, output, execution);
     Make(task, piece, execution);
   });
@@ -338,7 +338,7 @@ void vtkCartesianMesher::RequestPieceOfProcess(Piece& piece, const cartesian::Pr
     cells += counts[i][1];
   }
   this->IsWaitedFor = true;
-  this->Run(cartesian::AfterNumbering, 1, [&](cartesian::Execution& execution) {
+  this->Run(cartesian::AfterLayers, 1, [&](cartesian::Execution& execution) {
     if (cells == 0)
     {
       throw cartesian::nothingToMesh(*piece.assembly, task.options);

@@ -549,7 +549,7 @@ void setInterfaces(const Assembly& assembly, const std::vector<std::string>& nam
 void toVTK(const Assembly& assembly, const BoundaryTexts& texts, const MeshPiece& piece,
   vtkUnstructuredGrid* mesh, vtkPolyData* boundary, vtkPolyData* interfaces, Execution& execution)
 {
-  execution.stage("Writing the mesh", AfterNumbering, 1);
+  execution.stage("Writing the mesh", AfterLayers, 1);
   setMesh(assembly, mesh, execution);
   setStatistics(assembly, piece.processes, mesh);
   setBoundary(assembly, mesh, boundary, execution);

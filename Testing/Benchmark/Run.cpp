@@ -257,7 +257,7 @@ Figures measure(
   options.memoryLimit = PlentyOfMemory;
   const std::clock_t began = std::clock();
   const auto assembly = mesh(surface.view(), options, execution);
-  execution.stage("Writing the mesh", AfterNumbering, 1);
+  execution.stage("Writing the mesh", AfterLayers, 1);
   Figures figures;
   figures.output = write(*assembly->mesh, execution);
   figures.processor = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;

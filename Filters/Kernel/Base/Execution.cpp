@@ -5,6 +5,7 @@
 #include <chrono>
 #include <exception>
 #include <new>
+#include <numeric>
 #include <system_error>
 
 namespace cartesian
@@ -59,14 +60,16 @@ Execution::Execution(int threads, Monitor monitor, double begin, double end)
 
 void Execution::leaveOut(double begin, double end)
 {
-  leftOut_ = { begin, end };
+  leftOut_.push_back({ begin, end });
 }
 
 // How much of the whole, up to this point, is not left out.
 double Execution::workUpTo(double whole) const
 {
-  const double left = std::min(whole, leftOut_.end) - std::min(whole, leftOut_.begin);
-  return whole - left;
+  return std::accumulate(
+    leftOut_.begin(), leftOut_.end(), whole, [&](double work, const WorkRange& part) {
+      return work - (std::min(whole, part.end) - std::min(whole, part.begin));
+    });
 }
 
 void Execution::stage(const char* name, double begin, double end)

@@ -43,7 +43,7 @@ public:
 
   int threads() const { return threads_; }
 
-  // Declares that the part of the whole from `begin` to `end` takes no time.
+  // Declares that the part of the whole from `begin` to `end` takes no time: parts that do not overlap.
   void leaveOut(double begin, double end);
 
   // Begins the stage `name`, from `begin` to `end` of the whole.
@@ -93,7 +93,7 @@ private:
   std::atomic<bool> stopped_{ false };
   Monitor monitor_;
   WorkRange work_;            // of the whole
-  WorkRange leftOut_{ 0, 0 }; // of the whole
+  std::vector<WorkRange> leftOut_; // of the whole
   const char* stage_ = "";
   WorkRange loop_{ 0, 1 }; // of the whole
   double stageEnd_ = 1;    // of the whole

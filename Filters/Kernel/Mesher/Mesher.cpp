@@ -214,6 +214,7 @@ std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   }
   auto assembly =
     assemble(std::move(boxes), std::move(patches), options, execution, &layers, parts);
+  execution.stage("Layers", AfterNumbering, AfterLayers);
   assembly->layers = std::make_unique<BoundaryLayers>(
     addLayers(*assembly->mesh, prepared.surface, layers, execution));
   return assembly;

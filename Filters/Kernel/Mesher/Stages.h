@@ -9,22 +9,27 @@
 namespace cartesian
 {
 
-constexpr double AfterSurface = 0.008;
-constexpr double AfterDefects = 0.016; // while Boxes begin where Surface ends
-constexpr double AfterBoxes = 0.045;
-constexpr double AfterPatches = 0.155;
-constexpr double AfterSides = 0.19;
-constexpr double AfterInnerFaces = 0.21;
-constexpr double AfterCells = 0.22;
-constexpr double AfterShortEdges = 0.3;
-constexpr double AfterShaping = 0.88;
-constexpr double AfterNumbering = 0.93;
+constexpr double AfterSurface = 0.0056;
+constexpr double AfterDefects = 0.0112; // while Boxes begin where Surface ends
+constexpr double AfterBoxes = 0.0315;
+constexpr double AfterPatches = 0.1085;
+constexpr double AfterSides = 0.133;
+constexpr double AfterInnerFaces = 0.147;
+constexpr double AfterCells = 0.154;
+constexpr double AfterShortEdges = 0.21;
+constexpr double AfterShaping = 0.616;
+constexpr double AfterNumbering = 0.651;
+constexpr double AfterLayers = 0.951;
 
 // Leaves out of the progress the stages that the options do not ask for; before the first stage.
 inline void planStages(const Options& options, Execution& execution)
 {
   execution.leaveOut(options.collapse.ratio > 0 ? AfterShortEdges : AfterCells,
     shapesCells(options) ? AfterShortEdges : AfterShaping);
+  if (options.layers.count == 0)
+  {
+    execution.leaveOut(AfterNumbering, AfterLayers);
+  }
 }
 
 }
