@@ -28,6 +28,14 @@
 
 vtkStandardNewMacro(vtkCartesianMesher);
 
+namespace
+{
+
+constexpr const char* HowToSee = "\nTo see them in a view, show the output Defects; Zoom to Data, "
+                                 "or Find Data and Zoom to Selection for one, go there.";
+
+}
+
 // What all pieces of a mesh have in common.
 struct vtkCartesianMesher::Task
 {
@@ -360,7 +368,8 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   cartesian::addCellsLeftOut(*piece.assembly, vtkPolyData::GetData(output, 2));
   const bool wasSilent = this->IsSilent; // these flaws are of this piece only
   this->IsSilent = false;
-  this->Warn(cartesian::describeFlaws(*piece.assembly, task.surface->names()));
+  const std::string flaws = cartesian::describeFlaws(*piece.assembly, task.surface->names());
+  this->Warn(flaws.empty() ? "" : flaws + HowToSee);
   if (piece.assembly->layers)
   {
     this->Warn(cartesian::describeBareWalls(*piece.assembly->layers, mesh));

@@ -92,7 +92,7 @@ private:
   std::thread::id owner_ = std::this_thread::get_id();
   std::atomic<bool> stopped_{ false };
   Monitor monitor_;
-  WorkRange work_;            // of the whole
+  WorkRange work_;                 // of the whole
   std::vector<WorkRange> leftOut_; // of the whole
   const char* stage_ = "";
   WorkRange loop_{ 0, 1 }; // of the whole
