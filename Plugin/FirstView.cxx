@@ -86,7 +86,7 @@ std::array<double, 3> colour(std::size_t i, bool isDefect)
   const auto& [saturation, value] = Shades[i / 8 % Shades.size()];
   std::array<double, 3> rgb{};
   vtkMath::HSVToRGB(turns - std::floor(turns), isDefect ? 1 : saturation, isDefect ? 1 : value,
-    &rgb[0], &rgb[1], &rgb[2]);
+    rgb.data(), rgb.data() + 1, rgb.data() + 2);
   return rgb;
 }
 
@@ -284,7 +284,7 @@ class Watch : public vtkCommand
 public:
   static Watch* New() { return new Watch; }
 
-  void Execute(vtkObject*, unsigned long, void* data) override
+  void Execute(vtkObject* /*caller*/, unsigned long /*event*/, void* data) override
   {
     using Registered = vtkSMProxyManager::RegisteredProxyInformation;
     const auto* registered = static_cast<const Registered*>(data);

@@ -118,7 +118,8 @@ with tempfile.TemporaryDirectory() as folder:
         with Messages() as said:
             cut = simple.CartesianMesher(Input=simple.STLReader(FileNames=[str(path)]))
             output(cut)
-        assert "premature" in str(said).lower() or "open edges" in str(said), said
+        # VTK 9.6 reads nothing of a file that is cut off, older ones what is there.
+        assert any(words in str(said) for words in ("remature", "open edges", "file length bad")), said
 
 # Other properties.
 refused(surface, MISSING_ARRAY, 'Boundary Array "Nope"', "choose another", BoundaryArray="Nope")

@@ -53,13 +53,19 @@ def check(object, property, value):
 expected = servermanager.ProxyManager().SMProxyManager.GetPrototypeProxy("filters", "CartesianMesher").GetProperty("ExpectedBoxes")
 told = " ".join(expected.GetDocumentation().GetDescription().split())
 
+def tip(text):
+    """As a version of ParaView writes it."""
+    return f"<html><head/><body><table width='500'><tr><td>{text}</td></tr></table></body></html>" \
+        if simple.GetParaViewVersion() >= 6 else f"<html><head/><body><p align=\"justify\">{text}</p></body></html>"
+
+
 with Screen() as screen:
     for name, text in (("save", SAVE), ("note", NOTE), ("surface", SELECT.replace("{other}", SURFACE.name)),
             ("mesher", SELECT.replace("{other}", "CartesianMesher1")), ("row", ROW), ("shapes", SHAPES)):
         screen.add_macro(name, text.replace("{folder}", str(screen.folder)))
     screen.play(script(open_file(SURFACE), apply(), meshing_menu("CartesianMesher"),
         check(f"{PROPERTIES}/BoundaryArray/ComboBox", "currentText", "Automatic"),
-        check(f"{PROPERTIES}/ExpectedBoxes", "toolTip", f"<html><head/><body><p align=\"justify\">{told}</p></body></html>"),
+        check(f"{PROPERTIES}/ExpectedBoxes", "toolTip", tip(told)),
         apply(), macro("note"), macro("save"),
         macro("row"), apply(), macro("shapes")))
     shapes = eval((screen.folder / "shapes.txt").read_text())
