@@ -123,25 +123,26 @@ bool WorstPlace(vtkUnstructuredGrid* mesh, const cartesian::MeasureSpec& spec, P
 
 // What fails, in words, the worst for a solver first.
 constexpr std::array<Told, 12> WhatFails{ {
-  { "Volume", "have no volume" },
-  { "Openness", "do not close" },
-  { "OpenEdges", "have open edges" },
-  { "BoundaryAngle", "have a boundary face that points away from them" },
-  { "InnerAngle", "have an inner face that leans by 75 degrees or more" },
-  { "Skewness", "are very skew" },
-  { "NonOrthogonality", "are very non-orthogonal: use limited schemes" },
-  { "AspectRatio", "are very long" },
-  { "FaceWeight", "lie very near a face of a larger one" },
-  { "VolumeRatio", "are much smaller than a neighbour, or larger" },
-  { "Determinant", "have inner faces in less than three directions" },
-  { "StarTriangulation", "have a face that is no star" },
+  { "Volume", "no volume" },
+  { "Openness", "faces that do not close it" },
+  { "OpenEdges", "open edges" },
+  { "BoundaryAngle", "a boundary face that is turned over" },
+  { "InnerAngle", "an inner face that leans by 75 degrees or more" },
+  { "Skewness", "very skew" },
+  { "NonOrthogonality", "very non-orthogonal, for limited schemes" },
+  { "AspectRatio", "very long" },
+  { "FaceWeight", "a neighbour much nearer to a face (weight)" },
+  { "VolumeRatio", "a neighbour of much other volume" },
+  { "Determinant", "inner faces in less than three directions" },
+  { "StarTriangulation", "a face that is no star" },
 } };
 
 // Whether OpenFOAM's checkMesh fails for a cell's value of a measure; it only warns of others.
-bool IsRefused(const cartesian::MeasureSpec& spec, double value)
+bool IsRefused(std::size_t measure, double value)
 {
   constexpr double TurnedOver = 90; // degrees
-  switch (&spec - cartesian::MeasureSpecs.data())
+  const cartesian::MeasureSpec& spec = cartesian::MeasureSpecs[measure];
+  switch (measure)
   {
     case cartesian::Volume:
     case cartesian::Openness:
@@ -163,13 +164,12 @@ double RefusedCells(vtkUnstructuredGrid* mesh)
 {
   vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
   std::vector<char> isRefused(static_cast<std::size_t>(mesh->GetNumberOfCells()));
-  for (const cartesian::MeasureSpec& spec : cartesian::MeasureSpecs)
+  for (std::size_t m = 0; m < cartesian::MeasureSpecs.size(); ++m)
   {
-    vtkDataArray* values = mesh->GetCellData()->GetArray(spec.name);
+    vtkDataArray* values = mesh->GetCellData()->GetArray(cartesian::MeasureSpecs[m].name);
     for (vtkIdType cell = 0; values && cell < values->GetNumberOfTuples(); ++cell)
     {
-      if (!(ghosts && ghosts->GetValue(cell) != 0) &&
-        IsRefused(spec, values->GetComponent(cell, 0)))
+      if (!(ghosts && ghosts->GetValue(cell) != 0) && IsRefused(m, values->GetComponent(cell, 0)))
       {
         isRefused[static_cast<std::size_t>(cell)] = 1;
       }
@@ -194,6 +194,10 @@ std::string Cells(double number)
 void TellVerdict(vtkUnstructuredGrid* mesh, std::ostream& text)
 {
   const double refused = RefusedCells(mesh);
+  if (Field(mesh, "Cells") == 0) // it could not be measured
+  {
+    return;
+  }
   text << (refused == 0 ? "OpenFOAM accepts all cells\n"
                         : "OpenFOAM's checkMesh refuses " + Cells(refused) + "\n");
   bool any = false;
@@ -201,7 +205,7 @@ void TellVerdict(vtkUnstructuredGrid* mesh, std::ostream& text)
   {
     if (const double failing = Field(mesh, std::string(told.field) + "Failures"); failing > 0)
     {
-      text << "  " << Cells(failing) << " " << told.text << "\n";
+      text << "  " << Cells(failing) << ": " << told.text << "\n";
       any = true;
     }
   }

@@ -136,7 +136,7 @@ vtkSmartPointer<vtkSMProxy> coloursOf(const std::string& array, vtkSMSessionProx
   return colours;
 }
 
-// Adds those that are not there yet, as two meshes share the colours of an array.
+// Two meshes share the colours of an array: those that are not there yet are added, and names are the last ones.
 void addCategories(
   vtkSMProxy* colours, const std::vector<Category>& categories, bool areDefects = false)
 {
@@ -148,11 +148,18 @@ void addCategories(
   {
     known.emplace_back(annotations.GetAsString(i));
   }
+  for (auto n = opacities.GetNumberOfElements(); n < known.size(); ++n)
+  {
+    opacities.Set(n, 1); // ParaView's own have none
+  }
   bool hasSides = false;
   for (const Category& category : categories)
   {
-    if (std::find(known.begin(), known.end(), category.value) != known.end())
+    const auto found = std::find(known.begin(), known.end(), category.value);
+    if (found != known.end())
     {
+      annotations.Set(
+        static_cast<unsigned int>(2 * (found - known.begin()) + 1), category.name.c_str());
       continue;
     }
     const auto n = static_cast<unsigned int>(known.size());

@@ -11,7 +11,8 @@ namespace cartesian
 //   <Colours port="1" array="BoundaryName"/>
 //
 // It has one plain colour where all cells have the same name, and no edges where there are too many to be seen. The
-// names are those of the source's property LegendInfo. A text with the hint SmallText is small, in a corner. States keep the colours that they were saved with.
+// names are those of the source's property LegendInfo. A text with the hint SmallText is small, in a corner. States keep
+// the colours that they were saved with.
 void watchViews();
 
 }

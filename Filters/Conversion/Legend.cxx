@@ -8,7 +8,6 @@
 #include "vtkFieldData.h"
 #include "vtkStringArray.h"
 
-#include <algorithm>
 #include <set>
 
 namespace cartesian

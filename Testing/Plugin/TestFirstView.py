@@ -82,7 +82,7 @@ for display in shown(mesher, 2), shown(inspector, 0):
 
 # The summary is small, in a corner.
 display = shown(simple.MeshSummary(Input=one), 0)
-assert display.WindowLocation == "Upper Left Corner" and display.FontSize == 12 and display.Justification == "Left", display.Justification
+assert display.WindowLocation == "Upper Left Corner" and display.FontSize == 12 and display.Justification == "Left"
 
 # Regions have names too, once somebody asks for them.
 def box(size):
@@ -94,6 +94,9 @@ mesher = simple.CartesianMesher(Input=assembly, RegionsFrom="Blocks", CellSize=0
 display = shown(mesher)
 simple.ColorBy(display, ("CELLS", "Region"))
 assert names(display.LookupTable) == {"1": "gas", "2": "solid"}
+other = simple.GroupDatasets(Input=[box(1), box(2)], BlockNames=["water", "solid"])
+shown(simple.CartesianMesher(Input=other, RegionsFrom="Blocks", CellSize=0.3))
+assert names(display.LookupTable) == {"1": "water", "2": "solid"}
 
 # So many faces that edges would hide them have none.
 plate = simple.Triangulate(Input=simple.Box(ZLength=0.02))

@@ -44,7 +44,7 @@ for name, limit in ("Openness", 1e-6), ("OpenEdges", 1), ("Skewness", 4), ("Aspe
         ("BoundaryAngle", 90), ("InnerAngle", 90), ("NonOrthogonality", 90):
     refused |= vtk_to_numpy(quality.GetCellData().GetArray(name)) >= limit
 assert text.splitlines()[2] == "OpenFOAM accepts all cells" and not refused.any(), text
-for name, words in ("NonOrthogonality", "are very non-orthogonal"), ("Skewness", "are very skew"), ("FaceWeight", "lie very near"):
+for name, words in ("NonOrthogonality", ": very non-orthogonal"), ("Skewness", ": very skew"), ("FaceWeight", ": a neighbour much nearer"):
     assert (words in text) == (field(f"{name}Failures") > 0), name
 
 worst = output(summary, 1)
@@ -67,7 +67,7 @@ for point in points:
 for corners in (0, 1, 2, 3), (4, 6, 5, 7):
     tetrahedra.InsertNextCell(VTK_TETRA, 4, corners)
 told = output(simple.MeshSummary(Input=producer(tetrahedra))).GetColumnByName("Text").GetValue(0)
-assert told.splitlines()[2:4] == ["OpenFOAM's checkMesh refuses 1 cell", "  1 cell have no volume"], told
+assert told.splitlines()[2:4] == ["OpenFOAM's checkMesh refuses 1 cell", "  1 cell: no volume"], told
 
 # Of many boundaries the ten largest, and of layers how many there are.
 ball = output(simple.Sphere(ThetaResolution=24, PhiResolution=24))
