@@ -4,7 +4,7 @@
 #include "Base/Error.h"
 #include "BoxesVTK.h"
 #include "DefectsToVTK.h"
-#include "Mesher/ExpectedBoxes.h"
+#include "ExpectedTable.h"
 #include "Mesher/Mesher.h"
 #include "Mesher/Messages.h"
 #include "Parts/Decomposition.h"
@@ -15,16 +15,17 @@
 #include "SurfaceBlocks.h"
 #include "SurfaceFromVTK.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <memory>
@@ -299,17 +300,19 @@ void vtkCartesianBoxer::DescribeBoundaries(vtkDataObject* result)
   });
 }
 
-double vtkCartesianBoxer::EstimateNumberOfBoxes()
+double* vtkCartesianBoxer::EstimateSize()
 {
-  double boxes = 0;
+  this->EstimatedSize = {};
   this->Run(0, 1, [&](cartesian::Execution& execution) {
     this->UpdateOptionalInputs();
     const cartesian::SurfaceFromVTK surface = this->ReadWithSides(this->UpdatedSurface());
     this->Prepare(surface, execution);
     const Asked asked = this->Ask(surface);
-    boxes = cartesian::expectedBoxes(surface.view(), asked.options, execution);
+    const cartesian::ExpectedMesh mesh =
+      cartesian::expectedMesh(surface.view(), asked.options, execution);
+    this->EstimatedSize = { mesh.boxes, mesh.cells, mesh.bytes };
   });
-  return boxes;
+  return this->EstimatedSize.data();
 }
 
 int vtkCartesianBoxer::FillInputPortInformation(int port, vtkInformation* info)
@@ -369,7 +372,29 @@ int vtkCartesianBoxer::RequestInformation(
   return 1;
 }
 
-double* vtkCartesianBoxer::GetExpectedBoxes()
+const char* vtkCartesianBoxer::GetSurfaceSize()
+{
+  this->SurfaceSize.clear();
+  vtkBoundingBox box;
+  // Not read yet, or no surface: the work itself will say so.
+  cartesian::reportErrors(
+    [&] {
+      for (const cartesian::SurfaceBlock& block :
+        cartesian::surfaceBlocks(this->GetInputDataObject(0, 0)))
+      {
+        box.AddBounds(block.surface->GetBounds());
+      }
+    },
+    [](unsigned long, const std::string&) {});
+  if (box.IsValid())
+  {
+    this->SurfaceSize =
+      cartesian::describeLengths({ box.GetLength(0), box.GetLength(1), box.GetLength(2) });
+  }
+  return this->SurfaceSize.c_str();
+}
+
+vtkStringArray* vtkCartesianBoxer::GetExpectedBoxes()
 {
   vtkMTimeType time = this->GetMTime();
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
@@ -383,7 +408,7 @@ double* vtkCartesianBoxer::GetExpectedBoxes()
   if (time != this->ExpectedTime)
   {
     this->ExpectedTime = time;
-    std::fill(std::begin(this->ExpectedBoxes), std::end(this->ExpectedBoxes), 0.0);
+    this->ExpectedBoxes->Initialize();
     // Not read yet, or refused: the work itself will say so.
     cartesian::reportErrors(
       [&] { this->EstimateBoxes(); }, [](unsigned long, const std::string&) {});
@@ -394,6 +419,7 @@ double* vtkCartesianBoxer::GetExpectedBoxes()
 vtkCartesianBoxer::Asked vtkCartesianBoxer::Ask(const cartesian::SurfaceFromVTK& surface)
 {
   Asked asked{ this->RegionSurfaces(this->OptionalRegions()), this->MakeOptions() };
+  this->AddBoundaryOptions(surface, asked.options);
   this->AddRefinement(surface.names(), asked.regions,
     this->ReadSizes(this->GetInputDataObject(0, 0), surface, this->GetInputDataObject(2, 0)),
     asked.options);
@@ -405,13 +431,8 @@ void vtkCartesianBoxer::EstimateBoxes()
   const cartesian::SurfaceFromVTK surface = this->ReadWithSides(this->GetInputDataObject(0, 0));
   const Asked asked = this->Ask(surface);
   cartesian::Execution execution(this->NumberOfThreads);
-  double* next = this->ExpectedBoxes;
-  for (const cartesian::ExpectedRow& row :
-    cartesian::expectedRows(surface.view(), asked.options, execution))
-  {
-    *next++ = row.size;
-    next = std::copy(row.boxes.begin(), row.boxes.end(), next);
-  }
+  cartesian::toVTK(
+    cartesian::expectedRows(surface.view(), asked.options, execution), this->ExpectedBoxes);
 }
 
 cartesian::Options vtkCartesianBoxer::MakeOptions()
@@ -424,6 +445,16 @@ cartesian::Options vtkCartesianBoxer::MakeOptions()
   return options;
 }
 
+void vtkCartesianBoxer::AddBoundaryOptions(
+  const cartesian::SurfaceFromVTK& /*surface*/, cartesian::Options& /*options*/)
+{
+}
+
+void vtkCartesianBoxer::AddBoundaryDepths(
+  const cartesian::BoundaryNames& /*names*/, cartesian::RefinementSpec& /*spec*/) const
+{
+}
+
 cartesian::SurfaceFromVTK vtkCartesianBoxer::Read(vtkDataObject* surface) const
 {
   return { surface, this->BoundaryArray, static_cast<cartesian::RegionSource>(this->RegionsFrom),
@@ -433,9 +464,9 @@ cartesian::SurfaceFromVTK vtkCartesianBoxer::Read(vtkDataObject* surface) const
 cartesian::SurfaceFromVTK vtkCartesianBoxer::ReadWithSides(vtkDataObject* data)
 {
   cartesian::SurfaceFromVTK surface = this->Read(data);
-  if (this->MakeOptions().domain.isOutside())
+  if (const cartesian::DomainSpec domain = this->MakeOptions().domain; domain.isOutside())
   {
-    surface.addSides();
+    surface.addSides(cartesian::namesOfSides(domain));
   }
   return surface;
 }
@@ -497,6 +528,7 @@ cartesian::RefinementSpec vtkCartesianBoxer::MakeSpec(const cartesian::BoundaryN
     spec.boundaries.push_back({ WholeNumber(row[0], name), WholeNumber(row[1], name),
       WholeNumber(row[2], name), WholeNumber(row[3], name) != 0 });
   }
+  this->AddBoundaryDepths(names, spec);
   this->AddChosenBoundaries(names, spec);
   return spec;
 }
@@ -504,20 +536,13 @@ cartesian::RefinementSpec vtkCartesianBoxer::MakeSpec(const cartesian::BoundaryN
 void vtkCartesianBoxer::AddChosenBoundaries(
   const cartesian::BoundaryNames& names, cartesian::RefinementSpec& spec)
 {
-  const std::size_t rows = spec.boundaries.size();
   for (int i = 0; i < this->RefinedBoundaries->GetNumberOfArrays(); ++i)
   {
-    const std::string name = this->RefinedBoundaries->GetArrayName(i);
-    if (!this->RefinedBoundaries->GetArraySetting(i))
+    if (this->RefinedBoundaries->GetArraySetting(i))
     {
-      continue;
-    }
-    const std::int32_t boundary = cartesian::boundaryCalled(names, name, "Refined Boundaries");
-    const auto rowsEnd = spec.boundaries.begin() + static_cast<std::ptrdiff_t>(rows);
-    if (std::none_of(spec.boundaries.begin(), rowsEnd,
-          [&](const auto& row) { return row.boundary == boundary; }))
-    {
-      spec.boundaries.push_back({ boundary, this->RefinedBoundaryDepth, 0, false });
+      const std::string name = this->RefinedBoundaries->GetArrayName(i);
+      spec.addUnlessThere({ cartesian::boundaryCalled(names, name, "Refined Boundaries"),
+        this->RefinedBoundaryDepth, 0, false });
     }
   }
 }

@@ -43,6 +43,7 @@
 #include <vector>  // for std::vector
 
 class vtkPolyData;
+class vtkStringArray;
 
 namespace cartesian
 {
@@ -110,19 +111,23 @@ public:
   void DescribeBoundaries(vtkDataObject* result);
 
   /**
-   * Updates the surface and estimates, in a fraction of the time that the mesh takes, how many boxes
-   * it will have. 0 on an error.
+   * Updates the surface and estimates, in a fraction of the time that the mesh takes, how large it will be:
+   * the number of boxes, of cells, and the bytes of memory that it takes. All 0 on an error.
    */
-  double EstimateNumberOfBoxes();
+  double* EstimateSize() VTK_SIZEHINT(3);
 
-  ///@{
   /**
-   * For the inputs as they are now: rows of a size of boxes, and about how many there will be of it at refinement
-   * depth 0, 1 and 2, with all other refinement. The first size is CellSize, the others are the longest side by 25, 50,
-   * 100 and 200. All 0 without a surface, or if the mesh would be refused.
+   * Lengths of the surface's bounding box along x, y and z, as a text; empty without a surface.
    */
-  double* GetExpectedBoxes() VTK_SIZEHINT(20);
-  ///@}
+  const char* GetSurfaceSize();
+
+  /**
+   * For the inputs as they are now, rows of four texts: what the columns are called; then the size of boxes, and about
+   * how many boxes and cells there will be, and how much memory they take. The sizes are CellSize, in a row that begins
+   * with an arrow, and the longest side by 25, 50, 100 and 200. Empty without a surface, or if the mesh would be
+   * refused.
+   */
+  vtkStringArray* GetExpectedBoxes();
 
   ///@{
   /**
@@ -261,9 +266,21 @@ protected:
   virtual cartesian::Options MakeOptions();
 
   /**
+   * Adds what the properties say about the surface's boundaries, but for refinement.
+   */
+  virtual void AddBoundaryOptions(
+    const cartesian::SurfaceFromVTK& surface, cartesian::Options& options);
+
+  /**
+   * Adds the depths along boundaries that a table of names has.
+   */
+  virtual void AddBoundaryDepths(
+    const std::map<std::int32_t, std::string>& names, cartesian::RefinementSpec& spec) const;
+
+  /**
    * The surface with its boundaries and regions.
    */
-  cartesian::SurfaceFromVTK Read(vtkDataObject* surface) const;
+  virtual cartesian::SurfaceFromVTK Read(vtkDataObject* surface) const;
 
   /**
    * The same with the sides of the box that is around it, if what is outside is meshed.
@@ -366,7 +383,9 @@ private:
   vtkMTimeType SurfaceTime = 0; // of the surface that RefinedBoundaries are of
   std::string ListedArray;      // what chose its boundaries
   vtkMTimeType ExpectedTime = 0;
-  double ExpectedBoxes[20] = {};
+  vtkNew<vtkStringArray> ExpectedBoxes;
+  std::string SurfaceSize;
+  std::array<double, 3> EstimatedSize{};
 };
 
 #endif

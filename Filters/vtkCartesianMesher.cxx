@@ -96,6 +96,42 @@ cartesian::Options vtkCartesianMesher::MakeOptions()
   return options;
 }
 
+cartesian::BoundarySettings vtkCartesianMesher::GivenBoundaries() const
+{
+  return { this->BoundaryNames, this->BoundaryTypes, this->BoundaryRatios, this->BoundaryLayers,
+    this->BoundaryDepths, this->BoundaryMergedNames };
+}
+
+cartesian::BoundarySettings vtkCartesianMesher::Boundaries() const
+{
+  return cartesian::merged(this->GivenBoundaries());
+}
+
+cartesian::SurfaceFromVTK vtkCartesianMesher::Read(vtkDataObject* data) const
+{
+  cartesian::SurfaceFromVTK surface = this->Superclass::Read(data);
+  surface.rename(cartesian::mergedNames(this->GivenBoundaries(), surface.names()));
+  return surface;
+}
+
+void vtkCartesianMesher::AddBoundaryDepths(
+  const cartesian::BoundaryNames& names, cartesian::RefinementSpec& spec) const
+{
+  for (const auto& [boundary, depth] : cartesian::boundaryDepths(this->Boundaries(), names))
+  {
+    spec.addUnlessThere({ boundary, depth, 0, false });
+  }
+}
+
+void vtkCartesianMesher::AddBoundaryOptions(
+  const cartesian::SurfaceFromVTK& surface, cartesian::Options& options)
+{
+  const cartesian::BoundarySettings boundaries = this->Boundaries();
+  options.layers.boundaries = cartesian::boundaryLayers(boundaries, surface.names());
+  options.smallCells.boundaryRatios =
+    cartesian::boundaryRatios(boundaries, surface.names(), options.smallCells.handling);
+}
+
 // But for the ground, flow passes through the sides of the box.
 void vtkCartesianMesher::AddTypesOfSides(Task& task) const
 {
@@ -158,16 +194,12 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
     inField.isThere = processes.sum({ inField.isThere ? 1.0 : 0.0 })[0] > 0;
   }
   task.surface = std::make_unique<cartesian::SurfaceFromVTK>(this->ReadWithSides(surface));
-  const cartesian::BoundarySettings boundaries{ this->BoundaryNames, this->BoundaryTypes,
-    this->BoundaryRatios, this->BoundaryLayers };
-  task.types = cartesian::boundaryTypes(boundaries, task.surface->names());
+  task.types = cartesian::boundaryTypes(this->Boundaries(), task.surface->names());
   this->RequireOnePieceIfNeeded(piece);
   this->AddBaffles(task);
   task.options = this->MakeOptions();
-  task.options.layers.boundaries = cartesian::boundaryLayers(boundaries, task.surface->names());
+  this->AddBoundaryOptions(*task.surface, task.options);
   this->AddTypesOfSides(task);
-  task.options.smallCells.boundaryRatios =
-    cartesian::boundaryRatios(boundaries, task.surface->names(), task.options.smallCells.handling);
   cartesian::planStages(task.options, execution);
   task.prepared = this->Prepare(*task.surface, execution, piece.count);
   if (piece.number == 0)
@@ -418,6 +450,8 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FirstLayerThickness: " << this->FirstLayerThickness << "\n";
   os << indent << "LayersThickness: " << this->LayersThickness << "\n";
   PrintColumn(os, indent, "BoundaryLayersThickness", this->BoundaryLayers);
+  PrintColumn(os, indent, "BoundaryDepths", this->BoundaryDepths);
+  PrintColumn(os, indent, "BoundaryMergedNames", this->BoundaryMergedNames);
   cartesian::printDomainProperties(this, os, indent);
   os << indent << "RegionsFrom: " << this->RegionsFrom << "\n";
   os << indent << "RegionArray: " << this->RegionArray << "\n";

@@ -34,6 +34,7 @@
 
 namespace cartesian
 {
+struct BoundarySettings;
 struct MeshPiece;
 class Processes;
 }
@@ -102,6 +103,30 @@ public:
   void SetBoundaryLayersThickness(int row, double thickness)
   {
     this->SetRow(this->BoundaryLayers, row, thickness);
+  }
+  ///@}
+
+  ///@{
+  /**
+   * To which depth global boxes that those boundaries pass through are refined (0 to 6), without blending, unless a
+   * row of SetBoundaryRefinement says how; negative: as if they were not in the table. As many as names, or none.
+   */
+  void SetNumberOfBoundaryDepths(int number) { this->Resize(this->BoundaryDepths, number); }
+  void SetBoundaryDepth(int row, int depth) { this->SetRow(this->BoundaryDepths, row, depth); }
+  ///@}
+
+  ///@{
+  /**
+   * What those boundaries are called in the mesh: all that a row is of become one boundary, with any other of that
+   * name. Empty: they keep their names. As many as names, or none.
+   */
+  void SetNumberOfBoundaryMergedNames(int number)
+  {
+    this->Resize(this->BoundaryMergedNames, number);
+  }
+  void SetBoundaryMergedName(int row, const char* name)
+  {
+    this->SetRow(this->BoundaryMergedNames, row, std::string(name ? name : ""));
   }
   ///@}
 
@@ -242,6 +267,17 @@ public:
 
   ///@{
   /**
+   * What the sides of the box are called: 0, the default, xMin to zMax; 1, by FlowDirection: inlet, outlet, ground,
+   * symmetry (of a half), and sides, which are one boundary.
+   */
+  vtkSetClampMacro(SideNames, int, 0, 1);
+  vtkGetMacro(SideNames, int);
+  void SetSideNamesToAxes() { this->SetSideNames(0); }
+  void SetSideNamesToFlow() { this->SetSideNames(1); }
+  ///@}
+
+  ///@{
+  /**
    * Walls of two regions that face each other at most this far apart become one: that of the earlier region.
    * In units of the surface; 0, the default: only what touches does.
    */
@@ -275,6 +311,11 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
   cartesian::Options MakeOptions() override;
+  void AddBoundaryOptions(
+    const cartesian::SurfaceFromVTK& surface, cartesian::Options& options) override;
+  void AddBoundaryDepths(const std::map<std::int32_t, std::string>& names,
+    cartesian::RefinementSpec& spec) const override;
+  cartesian::SurfaceFromVTK Read(vtkDataObject* data) const override;
 
   bool InPieces = true;
   int Layers = 0;
@@ -282,6 +323,8 @@ protected:
   double FirstLayerThickness = 0;
   double LayersThickness = 0;
   std::vector<double> BoundaryLayers;
+  std::vector<int> BoundaryDepths;
+  std::vector<std::string> BoundaryMergedNames;
   std::vector<std::pair<std::int32_t, std::int32_t>>
     Baffles; // their boundaries, and those of their backs
   int CellBudget = 0;
@@ -295,6 +338,7 @@ protected:
   double LengthsBeside = 3;
   int Ground = 0;
   int Half = 0;
+  int SideNames = 0;
 
 private:
   vtkCartesianMesher(const vtkCartesianMesher&) = delete;
@@ -302,6 +346,10 @@ private:
 
   struct Task;
   struct Piece;
+
+  // As the user gave them; and as they are where boundaries have merged.
+  cartesian::BoundarySettings GivenBoundaries() const;
+  cartesian::BoundarySettings Boundaries() const;
 
   void AddTypesOfSides(Task& task) const;
   void AddBaffles(Task& task);

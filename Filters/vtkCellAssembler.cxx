@@ -70,7 +70,7 @@ int vtkCellAssembler::RequestData(
     cartesian::Patches patches = cartesian::patchesFromVTK(patchData, boxes);
     const cartesian::BoundaryNames names = cartesian::boundaryNames(patchData);
     const cartesian::BoundarySettings boundaries{ this->BoundaryNames, this->BoundaryTypes,
-      this->BoundaryRatios, {} };
+      this->BoundaryRatios, {}, {}, {} };
     const auto types = cartesian::boundaryTypes(boundaries, names);
     if (std::any_of(types.begin(), types.end(),
           [](const auto& type) { return type.second == cartesian::BaffleType; }))

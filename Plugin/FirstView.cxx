@@ -67,11 +67,16 @@ std::string inWords(const std::string& name)
   return words;
 }
 
-// Of a box around bodies: xMin, ..., zMax.
-bool isSide(const std::string& name)
+// What the sides of the box are called, where a source meshes what is around bodies.
+std::set<std::string> sidesOf(vtkSMProxy* source)
 {
-  static const std::set<std::string> Sides{ "xMin", "xMax", "yMin", "yMax", "zMin", "zMax" };
-  return Sides.count(name) == 1;
+  if (!source->GetProperty("Domain") || vtkSMPropertyHelper(source, "Domain").GetAsInt() != 1)
+  {
+    return {};
+  }
+  return vtkSMPropertyHelper(source, "SideNames").GetAsInt() == 0
+    ? std::set<std::string>{ "xMin", "xMax", "yMin", "yMax", "zMin", "zMax" }
+    : std::set<std::string>{ "inlet", "outlet", "ground", "symmetry", "sides" };
 }
 
 // Hues a golden ratio apart differ from the last few; eight further on they come back, in another shade. Defects are
@@ -137,8 +142,8 @@ vtkSmartPointer<vtkSMProxy> coloursOf(const std::string& array, vtkSMSessionProx
 }
 
 // Two meshes share the colours of an array: those that are not there yet are added, and names are the last ones.
-void addCategories(
-  vtkSMProxy* colours, const std::vector<Category>& categories, bool areDefects = false)
+void addCategories(vtkSMProxy* colours, const std::vector<Category>& categories,
+  const std::set<std::string>& sides = {}, bool areDefects = false)
 {
   vtkSMPropertyHelper annotations(colours, "Annotations");
   vtkSMPropertyHelper indexed(colours, "IndexedColors");
@@ -170,7 +175,7 @@ void addCategories(
     {
       indexed.Set(3 * n + c, rgb[c]);
     }
-    const bool side = isSide(category.value);
+    const bool side = sides.count(category.value) == 1;
     hasSides = hasSides || side;
     opacities.Set(n, side ? OpacityOfSides : 1);
     known.push_back(category.value);
@@ -229,7 +234,7 @@ void prepareColours(
   const bool hasColours = areDefects ? !categories.empty() : categories.size() > 1;
   if (hasColours)
   {
-    addCategories(coloursOf(array, proxies), categories, areDefects);
+    addCategories(coloursOf(array, proxies), categories, sidesOf(source), areDefects);
   }
   vtkSMPropertyHelper(representation, "ColorArrayName", true)
     .SetInputArrayToProcess(vtkDataObject::CELL, hasColours ? array.c_str() : "");

@@ -2,6 +2,7 @@
 #include "BoundarySettings.h"
 
 #include "Base/Error.h"
+#include "NamePatterns.h"
 #include "OpenFoam/FoamBoundary.h"
 
 #include <algorithm>
@@ -12,9 +13,8 @@ namespace cartesian
 namespace
 {
 
-// The number of the boundary in each row, if the column `property` has values; else nothing.
-std::vector<std::int32_t> numbersOf(const std::vector<std::string>& rows, std::size_t values,
-  const std::string& property, const BoundaryNames& names)
+void requireOneForEachName(
+  const std::vector<std::string>& rows, std::size_t values, const std::string& property)
 {
   if (values != 0 && values != rows.size())
   {
@@ -22,17 +22,57 @@ std::vector<std::int32_t> numbersOf(const std::vector<std::string>& rows, std::s
       property + " has " + std::to_string(values) + " values, but Boundary Names has " +
         std::to_string(rows.size()) + " names: there must be one for each name, or none.");
   }
-  std::vector<std::int32_t> numbers;
   for (const std::string& name : rows)
   {
     if (std::count(rows.begin(), rows.end(), name) > 1)
     {
       throw Error(Fault::BadParameter, "Boundary Names has \"" + name + "\" twice.");
     }
-    numbers.push_back(boundaryCalled(names, name, "Boundary Names"));
   }
-  numbers.resize(values);
-  return numbers;
+}
+
+// The row that counts for each boundary of which there is one.
+std::map<std::int32_t, std::size_t> rowsOfBoundaries(
+  const std::vector<std::string>& rows, const BoundaryNames& names)
+{
+  std::map<std::int32_t, std::size_t> found;
+  for (const auto& [boundary, name] : names)
+  {
+    auto row = std::find(rows.begin(), rows.end(), name);
+    if (row == rows.end())
+    {
+      row = std::find_if(rows.begin(), rows.end(),
+        [&text = name](const std::string& pattern) { return isOf(text, pattern); });
+    }
+    if (row != rows.end())
+    {
+      found.emplace(boundary, static_cast<std::size_t>(row - rows.begin()));
+    }
+  }
+  return found;
+}
+
+void requireKnown(const std::string& row, const BoundaryNames& names)
+{
+  const bool isKnown = isPattern(row) &&
+    std::any_of(
+      names.begin(), names.end(), [&](const auto& named) { return isOf(named.second, row); });
+  if (!isKnown)
+  {
+    boundaryCalled(names, row, "Boundary Names");
+  }
+}
+
+// The same if the column `property` has values; else nothing.
+std::map<std::int32_t, std::size_t> rowsWith(const std::vector<std::string>& rows,
+  std::size_t values, const std::string& property, const BoundaryNames& names)
+{
+  requireOneForEachName(rows, values, property);
+  for (const std::string& row : rows)
+  {
+    requireKnown(row, names);
+  }
+  return values == 0 ? std::map<std::int32_t, std::size_t>() : rowsOfBoundaries(rows, names);
 }
 
 void checkType(const std::string& type)
@@ -53,17 +93,72 @@ void checkType(const std::string& type)
 
 }
 
+BoundaryNames mergedNames(const BoundarySettings& settings, const BoundaryNames& names)
+{
+  requireOneForEachName(settings.names, settings.mergedNames.size(), "Boundary Merged Names");
+  BoundaryNames result;
+  if (settings.mergedNames.empty())
+  {
+    return result;
+  }
+  for (std::size_t row = 0; row < settings.names.size(); ++row)
+  {
+    if (!settings.mergedNames[row].empty())
+    {
+      requireKnown(settings.names[row], names);
+    }
+  }
+  for (const auto& [boundary, row] : rowsOfBoundaries(settings.names, names))
+  {
+    if (!settings.mergedNames[row].empty())
+    {
+      result[boundary] = settings.mergedNames[row];
+    }
+  }
+  return result;
+}
+
+BoundarySettings merged(const BoundarySettings& settings)
+{
+  if (settings.mergedNames.empty())
+  {
+    return settings;
+  }
+  requireOneForEachName(settings.names, settings.mergedNames.size(), "Boundary Merged Names");
+  const auto copyRow = [](auto& to, const auto& from, std::size_t row) {
+    if (row < from.size())
+    {
+      to.push_back(from[row]);
+    }
+  };
+  BoundarySettings result;
+  for (std::size_t row = 0; row < settings.names.size(); ++row)
+  {
+    const std::string& name =
+      settings.mergedNames[row].empty() ? settings.names[row] : settings.mergedNames[row];
+    if (std::find(result.names.begin(), result.names.end(), name) == result.names.end())
+    {
+      result.names.push_back(name);
+      copyRow(result.types, settings.types, row);
+      copyRow(result.ratios, settings.ratios, row);
+      copyRow(result.layers, settings.layers, row);
+      copyRow(result.depths, settings.depths, row);
+    }
+  }
+  return result;
+}
+
 std::map<std::int32_t, std::string> boundaryTypes(
   const BoundarySettings& settings, const BoundaryNames& names)
 {
-  const auto numbers = numbersOf(settings.names, settings.types.size(), "Boundary Types", names);
   std::map<std::int32_t, std::string> types;
-  for (std::size_t i = 0; i < numbers.size(); ++i)
+  for (const auto& [boundary, row] :
+    rowsWith(settings.names, settings.types.size(), "Boundary Types", names))
   {
-    if (settings.types[i] != AutomaticType)
+    if (settings.types[row] != AutomaticType)
     {
-      checkType(settings.types[i]);
-      types[numbers[i]] = settings.types[i];
+      checkType(settings.types[row]);
+      types[boundary] = settings.types[row];
     }
   }
   return types;
@@ -83,11 +178,13 @@ std::vector<BoundaryRatio> boundaryRatios(
       ratios[boundary] = OpeningRatio;
     }
   }
-  const auto numbers =
-    numbersOf(settings.names, settings.ratios.size(), "Boundary Small Cell Ratios", names);
-  for (std::size_t i = 0; i < numbers.size(); ++i)
+  for (const auto& [boundary, row] :
+    rowsWith(settings.names, settings.ratios.size(), "Boundary Small Cell Ratios", names))
   {
-    ratios[numbers[i]] = settings.ratios[i];
+    if (settings.ratios[row] >= 0)
+    {
+      ratios[boundary] = settings.ratios[row];
+    }
   }
   std::vector<BoundaryRatio> result;
   result.reserve(ratios.size());
@@ -98,18 +195,32 @@ std::vector<BoundaryRatio> boundaryRatios(
   return result;
 }
 
+std::map<std::int32_t, int> boundaryDepths(
+  const BoundarySettings& settings, const BoundaryNames& names)
+{
+  std::map<std::int32_t, int> depths;
+  for (const auto& [boundary, row] :
+    rowsWith(settings.names, settings.depths.size(), "Boundary Depths", names))
+  {
+    if (settings.depths[row] >= 0)
+    {
+      depths[boundary] = settings.depths[row];
+    }
+  }
+  return depths;
+}
+
 std::vector<WallLayerSpec::OfBoundary> boundaryLayers(
   const BoundarySettings& settings, const BoundaryNames& names)
 {
   const std::map<std::int32_t, std::string> types = boundaryTypes(settings, names);
-  const auto numbers =
-    numbersOf(settings.names, settings.layers.size(), "Boundary Layers Thickness", names);
   std::vector<WallLayerSpec::OfBoundary> result;
-  for (std::size_t i = 0; i < numbers.size(); ++i)
+  for (const auto& [boundary, row] :
+    rowsWith(settings.names, settings.layers.size(), "Boundary Layers Thickness", names))
   {
-    if (settings.layers[i] >= 0)
+    if (settings.layers[row] >= 0)
     {
-      result.push_back({ numbers[i], settings.layers[i] });
+      result.push_back({ boundary, settings.layers[row] });
     }
   }
   for (const auto& [boundary, name] : names)

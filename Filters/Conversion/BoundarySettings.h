@@ -19,24 +19,38 @@ constexpr const char* BaffleType = "baffle";
 
 struct BoundarySettings
 {
+  // Of one boundary each, or of all those that a pattern with * (any text) or ? (any character) is of and that no row has
+  // by name; of several patterns the first counts.
   std::vector<std::string> names; // each once
   std::vector<std::string>
-    types;                    // foamTypes(), BaffleType or AutomaticType, for each name; or empty
-  std::vector<double> ratios; // the R of section 4.10 for each name; or empty
+    types; // foamTypes(), BaffleType or AutomaticType, for each name; or empty
+  std::vector<double>
+    ratios; // the R of section 4.10 for each name; negative: as elsewhere; or empty
   std::vector<double>
     layers; // how thick all layers are, for each name; negative: as elsewhere; or empty
+  std::vector<int> depths; // of refinement, for each name; negative: as elsewhere; or empty
+  std::vector<std::string>
+    mergedNames; // what they become, for each name; empty: as they are; or empty
 };
+
+// The new names of boundaries that merge.
+BoundaryNames mergedNames(const BoundarySettings& settings, const BoundaryNames& names);
+
+// The rows of boundaries that have merged, each with their new name; of several rows of one name the first counts.
+BoundarySettings merged(const BoundarySettings& settings);
 
 // The R of boundaries that something flows through, where small cells are removed (section 4.10): of type patch,
 // or without a type, but of a name that says so (isOpening). There nothing that has a volume is left out.
 constexpr double OpeningRatio = 1e-100;
 
-// Types (without AutomaticType) and ratios by the numbers of the boundaries. Both throw Error (BadParameter):
-// a name that is unknown or there twice, an unknown type, fewer or more types or ratios than names.
+// Types (without AutomaticType), ratios and depths by the numbers of the boundaries. They throw Error (BadParameter):
+// a name that is unknown or there twice, an unknown type, fewer or more of them than names.
 std::map<std::int32_t, std::string> boundaryTypes(
   const BoundarySettings& settings, const BoundaryNames& names);
 std::vector<BoundaryRatio> boundaryRatios(
   const BoundarySettings& settings, const BoundaryNames& names, SmallCells handling);
+std::map<std::int32_t, int> boundaryDepths(
+  const BoundarySettings& settings, const BoundaryNames& names);
 
 // Boundaries whose layers are unlike the others': the rows with a thickness, then those that are no walls, by type or
 // else by name. Throws what boundaryTypes does; fewer or more thicknesses than names.

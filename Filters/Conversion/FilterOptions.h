@@ -22,6 +22,7 @@ void setDomainOptions(Filter* filter, Options& options)
   domain.beside = filter->GetLengthsBeside();
   domain.ground = static_cast<DomainSide>(filter->GetGround());
   domain.half = static_cast<Half>(filter->GetHalf());
+  domain.sideNames = static_cast<SideNames>(filter->GetSideNames());
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     domain.bounds.low[axis] = filter->GetDomainBounds()[2 * axis];
@@ -53,6 +54,7 @@ void printDomainProperties(Filter* filter, ostream& os, vtkIndent indent)
   os << indent << "LengthsBeside: " << filter->GetLengthsBeside() << "\n";
   os << indent << "Ground: " << filter->GetGround() << "\n";
   os << indent << "Half: " << filter->GetHalf() << "\n";
+  os << indent << "SideNames: " << filter->GetSideNames() << "\n";
 }
 
 template <class Filter>

@@ -406,12 +406,36 @@ std::int32_t SurfaceFromVTK::numberOfAdded(const std::string& name)
   return number;
 }
 
-void SurfaceFromVTK::addSides()
+void SurfaceFromVTK::addSides(const std::array<std::string, 6>& names)
 {
-  std::size_t side = 0;
-  for (const char* name : { "xMin", "xMax", "yMin", "yMax", "zMin", "zMax" })
+  std::transform(names.begin(), names.end(), sides_.begin(),
+    [&](const std::string& name) { return numberOfAdded(name); });
+}
+
+void SurfaceFromVTK::rename(const BoundaryNames& given)
+{
+  std::map<std::string, std::int32_t> numbers;
+  for (const auto& [number, name] : names_)
   {
-    sides_[side++] = numberOfAdded(name);
+    if (given.count(number) == 0)
+    {
+      numbers.emplace(name, number);
+    }
+  }
+  std::map<std::int32_t, std::int32_t> becomes;
+  for (const auto& [number, name] : given)
+  {
+    becomes[number] = numbers.emplace(name, number).first->second;
+    names_.erase(number);
+  }
+  for (const auto& [name, number] : numbers)
+  {
+    names_.emplace(number, name);
+  }
+  for (std::int32_t& number : boundary_)
+  {
+    const auto other = becomes.find(number);
+    number = other == becomes.end() ? number : other->second;
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "vtkType.h"
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -58,10 +59,13 @@ public:
   // The names of all boundaries that triangles have: from strings, blocks, or the input's field data.
   const BoundaryNames& names() const { return names_; }
 
-  // Makes the sides of a box around the surface boundaries too: xMin, xMax, yMin, ... Those of the surface with
-  // these names go on there.
-  void addSides();
+  // Makes the sides of a box around the surface boundaries too, those of one name one boundary. Those of the surface
+  // with these names go on there.
+  void addSides(const std::array<std::string, 6>& names);
   const EndBoundaries& sides() const { return sides_; }
+
+  // Gives boundaries other names. Those of one name become one, also with one that has the name already.
+  void rename(const BoundaryNames& given);
 
   // Makes the back of a boundary one too: NAME_back, which may be there. Returns its number.
   std::int32_t addBack(std::int32_t boundary);

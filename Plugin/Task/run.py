@@ -332,8 +332,9 @@ def check(task):
     """Says how large a mesh would be; returns the exit code."""
     mesher = build(task)
     listener = Listener(mesher, quiet=True)
-    boxes = listener.algorithm.EstimateNumberOfBoxes()
-    print(f"about {float(f'{boxes:.2g}'):.0f} boxes")
+    boxes, cells, bytes_taken = listener.algorithm.EstimateSize()
+    if boxes > 0:
+        print(f"about {float(f'{boxes:.2g}'):.0f} boxes, {float(f'{cells:.2g}'):.0f} cells, {bytes_taken / 1024 ** 3:.1g} GiB of memory")
     return REFUSED if boxes == 0 else WARNINGS if listener.warnings else SUCCESS
 
 

@@ -25,9 +25,8 @@ from paraview import simple
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkSphere
 from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance, vtkMassProperties, vtkTriangleFilter
 from vtkmodules.vtkFiltersGeneral import vtkTableBasedClipDataSet
-from vtkmodules.vtkFiltersParallel import vtkIntegrateAttributes
+from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader, vtkSTLWriter
 
 HERE = pathlib.Path(__file__).resolve()
@@ -75,12 +74,12 @@ def measured(algorithm, volume):
     algorithm.Update()
     seconds, after = time.perf_counter() - begin, memory("VmHWM")
     mesh = algorithm.GetOutputDataObject(0)
-    sizes = vtkCellSizeFilter()
-    sizes.SetInputData(mesh)
-    integral = vtkIntegrateAttributes()
-    integral.SetInputConnection(sizes.GetOutputPort())
-    integral.Update()
-    found = integral.GetOutput().GetCellData().GetArray("Volume").GetValue(0)
+    # What its boundary encloses: VTK's sizes of polyhedra are up to 0.5 % off.
+    boundary, triangles = vtkGeometryFilter(), vtkTriangleFilter()
+    boundary.SetInputData(mesh)
+    triangles.SetInputConnection(boundary.GetOutputPort())
+    triangles.Update()
+    found = volume_of(triangles.GetOutput())
     return {"cells": mesh.GetNumberOfCells(), "seconds": seconds, "bytes": after - before,
             "error": abs(found - volume) / volume}
 

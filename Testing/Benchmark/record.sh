@@ -72,7 +72,7 @@ do_table() {
     examples-header) pvpython Testing/Plugin/header.py "$surfaces" 3 1 ;;
     examples-jacket) pvpython Testing/Plugin/jacket.py . build/jacket ;;
     adaptation) pvpython Testing/Plugin/TestLoop.py . "$bin/cartesian-mesher" ;;
-    pieces) pvpython Testing/Plugin/large.py . "$bin/cartesian-mesher" build/large ;;
+    pieces) pvpython Testing/Plugin/large.py . "$PWD/$bin/cartesian-mesher" build/large ;;
     *) echo "There is no table $1, only $tables" >&2 && return 2 ;;
   esac
 }

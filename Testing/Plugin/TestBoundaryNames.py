@@ -310,6 +310,51 @@ for wrong, part in (
         output(refused)
     assert part in str(said) and error_code(refused) == 40008, f"no '{part}' in {said}"
 
+# A pattern is a row for several: a boundary's own name goes before it, and the first of several patterns.
+NAMES = list(names(output(refined())).values())
+INLETS = [name for name in NAMES if name.startswith("inlet")]
+
+
+def types(mesher):
+    fields = output(mesher).GetFieldData()
+    array = fields.GetAbstractArray("BoundaryTypes")
+    return dict(zip(names(output(mesher)).values(), (array.GetValue(i) for i in range(array.GetNumberOfValues()))))
+
+
+typed = refined(BoundaryNames=["inlet*", "inlet_2", "*let_?", "wall_*"], BoundaryTypes=["patch", "wall", "symmetry", "automatic"])
+for name, type in types(typed).items():
+    assert type == ("wall" if name == "inlet_2" else "patch" if name in INLETS else "symmetry" if name.startswith("outlet") else ""), (name, type)
+deep = refined(BoundaryNames=["inlet*", "wall_1"], BoundaryDepths=[2, -1])
+assert_identical("depths by pattern", output(deep), output(refined(RefinedBoundaries=INLETS, RefinedBoundaryDepth=2)))
+row_and_depth = refined(BoundaryRefinement=[1, 1, 0, 0], BoundaryNames=["inlet_1"], BoundaryDepths=[3])
+assert_identical("a row wins", output(row_and_depth), output(refined(BoundaryRefinement=[1, 1, 0, 0])))
+
+# Boundaries become one, with a name of their own, and with another that has the name.
+merged = refined(BoundaryNames=["inlet*", "outlet_1", "wall_3"], BoundaryTypes=["patch", "automatic", "automatic"],
+    BoundaryMergedNames=["inflow", "wall_2", ""], BoundaryDepths=[2, -1, -1])
+left = [name for name in NAMES if name not in INLETS and name != "outlet_1"]
+assert sorted(names(output(merged)).values()) == sorted(["inflow", *left]), names(output(merged))
+assert types(merged)["inflow"] == "patch"
+area = {name: area for name, _, area in boundaries(output(merged)).values()}
+apart = {name: area for name, _, area in boundaries(output(refined())).values()}
+assert abs(area["inflow"] - sum(apart[name] for name in INLETS)) < 1e-3 * area["inflow"]
+assert abs(area["wall_2"] - apart["wall_2"] - apart["outlet_1"]) < 1e-2 * area["wall_2"]
+for name in "inflow", "wall_2":
+    assert output(refined(BoundaryNames=["inlet*", "outlet_1"], BoundaryMergedNames=["inflow", "wall_2"],
+        RefinedBoundaries=[name])).GetNumberOfCells() > 0
+for wrong, part in (
+    ({"BoundaryNames": ["nobody*"], "BoundaryTypes": ["wall"]}, '"nobody*", which is no boundary'),
+    ({"BoundaryNames": ["nobody*"], "BoundaryMergedNames": ["one"]}, '"nobody*", which is no boundary'),
+    ({"BoundaryNames": ["inlet*"], "BoundaryMergedNames": []}, ""),
+    ({"BoundaryNames": ["inlet*"], "BoundaryMergedNames": ["one", "two"]}, "one for each name"),
+    ({"BoundaryNames": ["inlet*"], "BoundaryDepths": [7]}, "0 to 6"),
+    ({"BoundaryNames": ["inlet_1"], "BoundaryMergedNames": ["in"], "RefinedBoundaries": ["inlet_1"]}, "inlet_1"),
+):
+    with Messages() as said:
+        refused = refined(**wrong)
+        output(refused)
+    assert part in str(said) and error_code(refused) == (40008 if part else 0), f"no '{part}' in {said}"
+
 # What is no surface.
 image = vtkImageData()
 image.SetDimensions(2, 2, 2)

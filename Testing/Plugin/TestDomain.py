@@ -47,6 +47,12 @@ mesher = simple.CartesianMesher(Input=cube, Domain="Outside", FlowDirection="Min
     PatchMethod="Exact Fit")
 expect(mesher, {"xMin": 28, "xMax": 28, "yMin": 21, "yMax": 21, "zMin": 47, "zMax": 48,
     "boundary_0": 5})
+mesher.SideNames = "Flow"
+expect(mesher, {"inlet": 21, "outlet": 21, "ground": 47, "sides": 28 + 28 + 48, "boundary_0": 5})
+assert strings(mesher.GetClientSideObject().GetOutputDataObject(0), "BoundaryTypes") == ["", "patch", "patch", "patch", "wall"], \
+    strings(mesher.GetClientSideObject().GetOutputDataObject(0), "BoundaryTypes")
+mesher.SideNames = "Axes"
+mesher.UpdatePipeline()
 bounds = mesher.GetClientSideObject().GetOutputDataObject(0).GetBounds()
 for actual, expected in zip(bounds, [-3, 3, -5.5, 2.5, -0.5, 3]):
     assert math.isclose(actual, expected, abs_tol=1e-6), bounds

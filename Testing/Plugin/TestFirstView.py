@@ -68,6 +68,9 @@ opacity = dict(zip(names(display.LookupTable), display.LookupTable.IndexedOpacit
 sides = {f"{axis}{end}" for axis in "xyz" for end in ("Min", "Max")}
 assert display.LookupTable.EnableOpacityMapping == 1
 assert {name for name in opacity if opacity[name] < 1} == sides, opacity
+display = shown(simple.CartesianMesher(Input=producer(octahedron()), Domain="Outside", SideNames="Flow", CellSize=0.5))
+opacity = dict(zip(names(display.LookupTable), display.LookupTable.IndexedOpacities))
+assert {name for name in opacity if opacity[name] < 1} == sides | {"inlet", "outlet", "sides"}, opacity
 
 # Defects have words and thick lines, also those of the surface alone.
 flawed = read("HD_airframe_aileron_gap.stl")

@@ -57,6 +57,12 @@ for entry in "sampleMode +nearestPatchFace", "sampleRegion +right", "samplePatch
 # A region with a patch that is no wall is fluid.
 properties = constant / "regionProperties"
 assert re.search(r"fluid \( left \)\s+solid \( right \)", properties.read_text()), properties.read_text()
+# ... or is called so; one that is called solid is not.
+with tempfile.TemporaryDirectory() as named:
+    bodies = simple.GroupDatasets(Input=[simple.Triangulate(Input=simple.Box(Center=[i, 0, 0])) for i in range(3)], BlockNames=["fluidInside", "solid", "air"])
+    foam.save(simple.OutputPort(simple.CartesianMesher(Input=bodies, CellSize=0.25, RegionsFrom="Blocks"), "Mesh"), named)
+    text = (pathlib.Path(named) / "constant" / "regionProperties").read_text()
+    assert re.search(r"fluid \( fluidInside \)\s+solid \( solid air \)", text), text
 for region in CONDUCTIVITY:
     check = foam.CheckMesh(folder, "-region", region)
     assert check.ok, (region, check.failures)

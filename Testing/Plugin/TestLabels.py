@@ -15,7 +15,8 @@ patches = {"PatchMethod": "Automatic", "FeatureAngle": 30.0, "MergeAngle": 10.0,
 cells = {"CollapseRatio": 0.1, "SmallCells": "Merge", "MergeRatio": 0.3, "SmallCellRatio": 0.001,
          "SplitConcaveCells": 1, "OptimiseNodes": 1, "RefusedCellRatio": 4}
 layers = {"Layers": 0, "LayerExpansionRatio": 1.2, "FirstLayerThickness": 0.0, "LayersThickness": 0.0,
-          "CellBudget": 0, "BoundaryLayersThickness": []}
+          "CellBudget": 0, "BoundaryLayersThickness": [],
+          "BoundaryDepths": [], "BoundaryMergedNames": []}
 settings = {"BoundaryNames": [], "BoundaryTypes": [], "BoundarySmallCellRatios": []}
 threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}
@@ -23,7 +24,7 @@ pieces = {"InPieces": 1}
 regions = {"RegionsFrom": "One", "RegionArray": "", "ContactTolerance": 0.0}
 domain = {"Domain": "Inside", "BoxFrom": "Surface", "DomainBounds": [0, 1, 0, 1, 0, 1],
           "FlowDirection": "Plus X", "LengthsBefore": 3, "LengthsBehind": 5, "LengthsBeside": 3,
-          "Ground": "None", "Half": "None", "KeepPoints": []}
+          "Ground": "None", "Half": "None", "SideNames": "Axes", "KeepPoints": []}
 
 surface = simple.Sphere()
 cube = simple.Box()
@@ -81,7 +82,7 @@ for proxy, names in (
 
 writer = simple.CreateWriter("case.foam", mesher)
 assert writer.GetXMLLabel() == "OpenFOAM Mesh Writer", writer.GetXMLLabel()
-assert sorted(writer.ListProperties()) == ["FileName", "FileType", "Input", "Pieces", "RegionsAs", "ZoneBorders",
+assert sorted(writer.ListProperties()) == ["FileName", "FileType", "Input", "NamesOfRegions", "Pieces", "RegionsAs", "ZoneBorders",
                                              "ZoneRegions"]
 assert writer.FileType == "Binary" and writer.RegionsAs == "Meshes"
 for suffix, label in (("cgns", "CGNS Mesh"), ("msh", "Fluent Mesh"), ("case", "EnSight Mesh"), ("vtm", "Region Blocks"),

@@ -80,12 +80,11 @@ unknown = {parameter.name for parameter in parameters(MESHER)
     if parameter.count == 1 and not parameter.rows and parameter.kind is not str} - set(options)
 assert unknown == ONLY_IN_FILTERS, f"the kernel does not know {unknown - ONLY_IN_FILTERS}"
 
+# A new row of a table changes nothing by itself.
 for collection in collections(MESHER):
     for column in collection.columns:
-        name = key_of("Small Cell Ratio")
-        if column.key == name:
-            assert column.default == options["SmallCellRatio"]["initial"], \
-                f"{name} of [[{collection.key}]] is {column.default}"
+        if column.key in map(key_of, ("Small Cell Ratio", "Layers Thickness")) or (collection.key, column.key) == ("boundaries", "depth"):
+            assert column.default == -1, f"{column.key} of [[{collection.key}]] is {column.default}"
 
 keys = {key: value for table in tomllib.loads(template()).values() if isinstance(table, dict)
     for key, value in table.items()}

@@ -101,27 +101,46 @@ assert cells > 0 and error_code(mesher) == 0
 assert "row 0 of Refinement Blocks" in str(text) and "K from 45 to 99" in str(text), str(text)
 
 # How many boxes there will be is known before anything is meshed, and follows the surface and the size.
+def expected_rows(mesher):
+    """Of the texts of the table: sizes, numbers of boxes and of cells, memory; and the row that is asked for."""
+    mesher.UpdatePipelineInformation()
+    texts = list(mesher.ExpectedBoxes)
+    rows = [texts[i:i + 4] for i in range(0, len(texts), 4)]
+    assert rows[0] == ["Cell size", "≈ Boxes", "≈ Cells", "≈ Memory"], rows
+    asked, = (row for row in rows if row[0].startswith("→ "))
+    return [row[0].removeprefix("→ ") for row in rows[1:]], \
+        float(asked[0][2:]), *(float(text.replace(",", "")) for text in asked[1:3]), asked[3]
+
+
+def expected_boxes(mesher):
+    return expected_rows(mesher)[2]
+
+
 mesher = simple.CartesianMesher(Input=spot)
 for size in 0, 0.1:
-    mesher.CellSize = size
-    mesher.UpdatePipelineInformation()
-    rows = [list(mesher.ExpectedBoxes)[i:i + 4] for i in range(0, 20, 4)]
-    applied, *expected = rows[0]
-    assert applied == size or 0.0343 < applied < 0.0345, applied
-    made = [output(simple.CartesianBoxer(Input=spot, CellSize=applied, RefinementDepth=depth)).GetNumberOfCells()
-        for depth in range(3)]
-    assert all(0.85 < boxes / true < 1.15 for boxes, true in zip(expected, made)), f"{expected}, in truth {made}"
-assert [row[0] for row in rows[1:]] == [0.0687, 0.0344, 0.0172, 0.00859], rows
+    for depth in range(3):
+        mesher.CellSize, mesher.RefinementDepth = size, depth
+        sizes, applied, boxes, cells, memory = expected_rows(mesher)
+        assert applied == size or 0.0343 < applied < 0.0345, applied
+        made = output(simple.CartesianBoxer(Input=spot, CellSize=applied, RefinementDepth=depth)).GetNumberOfCells()
+        assert 0.85 < boxes / made < 1.15, f"{boxes}, in truth {made}"
+        assert 0.5 * boxes < cells < boxes and memory.endswith("MiB"), (boxes, cells, memory)
+assert sizes == ["0.1", "0.0687", "0.0344", "0.0172", "0.00859"], sizes
+assert mesher.SurfaceSize == "0.9489 × 1.717 × 1.668" or mesher.SurfaceSize.count(" × ") == 2, mesher.SurfaceSize
+# ... and layers.
+mesher = simple.CartesianMesher(Input=spot, CellSize=0.06, Layers=4)
+*_, cells, _ = expected_rows(mesher)
+assert 0.7 < cells / output(mesher).GetNumberOfCells() < 1.3, cells
 # ... and the refinement of boundaries, in rows and by names.
 header = simple.OpenDataFile(str(DATA / "kcl_exhaust_header_lumens.stl"))
 header.UpdatePipeline()
 for properties in ({"BoundaryRefinement": [0, 2, 0, 0, 3, 2, 0, 0]},
                    {"RefinedBoundaries": ["wall_1", "wall_2"], "RefinedBoundaryDepth": 2}):
     mesher = simple.CartesianMesher(Input=header, CellSize=6, **properties)
-    mesher.UpdatePipelineInformation()
+    expected = expected_boxes(mesher)
     plain, made = (output(simple.CartesianBoxer(Input=header, CellSize=6, **refinement)).GetNumberOfCells()
         for refinement in ({}, properties))
-    assert made > 1.5 * plain and 0.8 < mesher.ExpectedBoxes[1] / made < 1.2, (list(mesher.ExpectedBoxes), plain, made)
+    assert made > 1.5 * plain and 0.8 < expected / made < 1.2, (expected, plain, made)
 # ... and what else refines, where it is and where the surface asks for it: of grids where that makes at least half as many boxes
 # again.
 sphere = simple.RefinementRegion(Input=header, Shape="Sphere", Radius=90, Depth=2)
@@ -131,13 +150,16 @@ for properties in ({"RefinementRegions": sphere}, {"BoundaryRefinement": [0, 2, 
                    {"CurvatureAngle": 30, "CellsAcrossGaps": 3}):
     mesher = simple.CartesianBoxer(Input=header, CellSize=12, **properties)
     made = output(mesher).GetNumberOfCells()
-    mesher.UpdatePipelineInformation()
-    assert made > 1.5 * plain and 0.7 < mesher.ExpectedBoxes[1] / made < 1.4, (properties, list(mesher.ExpectedBoxes), plain, made)
+    expected = expected_boxes(mesher)
+    assert made > 1.5 * plain and 0.7 < expected / made < 1.4, (properties, expected, plain, made)
 # Numbers are whole, at least 1, and written with no more digits than they have.
 mesher = simple.CartesianMesher(Input=spot, CellSize=1e-10)
 for size in 1e-10, 5:
     mesher.CellSize = size
-    mesher.UpdatePipelineInformation()
-    for row in (list(mesher.ExpectedBoxes)[i:i + 4] for i in range(0, 20, 4)):
-        assert all(boxes >= 1 and boxes == round(boxes) and len(f"{boxes:g}".split("e")[0]) <= 7 and
-            float(f"{boxes:.2g}") == boxes for boxes in row[1:]), row
+    *_, boxes, cells, _ = expected_rows(mesher)
+    assert all(number >= 1 and number == round(number) and float(f"{number:.2g}") == number for number in (boxes, cells)), (boxes, cells)
+# Nothing is expected of what would be refused.
+mesher.BoundaryNames = ["nobody"]
+mesher.BoundaryTypes = ["wall"]
+mesher.UpdatePipelineInformation()
+assert list(mesher.ExpectedBoxes) == [], list(mesher.ExpectedBoxes)

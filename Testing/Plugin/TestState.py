@@ -57,6 +57,10 @@ with tempfile.TemporaryDirectory() as folder:
     simple.ResetSession()
     simple.LoadState(str(state))
     check(mesh)
+    # Columns of tables that the state has not are as those of new rows: the panel would show no rows.
+    mesher = simple.FindSource("CartesianMesher")
+    assert list(mesher.BoundaryDepths) == list(mesher.BoundaryLayersThickness) == [-1, -1], list(mesher.BoundaryDepths)
+    assert list(mesher.BoundaryMergedNames) == ["", ""] and list(mesher.RefinementShapeDepths) == [], list(mesher.BoundaryMergedNames)
 
     simple.ResetSession()
     exec(compile(script.read_text(), script, "exec"), {})

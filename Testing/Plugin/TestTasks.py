@@ -85,7 +85,7 @@ def read(name, reader=simple.XMLUnstructuredGridReader):
 # back, it is what a new filter has.
 mesher = simple.CartesianMesher(Input=simple.Sphere())
 assert set(names(MESHER)) == \
-    set(mesher.ListProperties()) - {"Input", "RefinementRegions", "SizeField", "RefinedBoundaryInfo", "LegendInfo", "ExpectedBoxes"}
+    set(mesher.ListProperties()) - {"Input", "RefinementRegions", "SizeField", "RefinedBoundaryInfo", "LegendInfo", "ExpectedBoxes", "SurfaceSize"}
 region = simple.RefinementRegion(Input=simple.Sphere())
 assert {parameter.name for parameter in parameters(REGION)} == set(region.ListProperties()) - {"Input"}
 for parameter in parameters(MESHER):
@@ -170,9 +170,10 @@ alone = (folder / "out" / "mesh.vtu").read_bytes()
 assert run(TASK, "--quiet", ranks=2) == ""
 assert (folder / "out" / "mesh.vtu").read_bytes() == alone
 shutil.rmtree(folder / "out")
-boxes = int(re.fullmatch(r"about (\d+) boxes\n", run(TASK, "--check"))[1])
+boxes, cells = map(int, re.fullmatch(r"about (\d+) boxes, (\d+) cells, [0-9.]+ GiB of memory\n", run(TASK, "--check")).groups())
 made = statistics["mesh"]["BoxesInside"] + statistics["mesh"]["BoxesIntersected"]
 assert 0.8 < boxes / made < 1.25, f"{boxes} estimated, {made} made"
+assert 0.7 < cells / statistics["mesh"]["Cells"] < 1.4, f"{cells} estimated, {statistics['mesh']['Cells']} made"
 assert not (folder / "out").exists()
 
 # Several files are boundaries of their names.
@@ -185,6 +186,8 @@ for name, part in ("floor", triangles[4:]), ("roof", triangles[:4]):
     writer.Write()
 FILES = '[surface]\nfile = ["roof.stl", "floor.stl"]\n'
 assert "Cell Size is 1e+09" in here(FILES + "[grid]\ncell_size = 1e9\n", "--check")
+said = here(FILES + "[grid]\ncell_size = 1e-9\n", "--check")
+assert "about" not in said and "choose a larger Cell Size" in said, said
 here(FILES + '[[regions]]\nfile = ["roof.stl"]\n')
 here(FILES + '[output]\nstatistics = "s.json"\nmesh = "m.vtu"\n', code=SUCCESS)
 assert [row["name"] for row in json.loads((folder / "s.json").read_text())["boundaries"]] == ["roof", "floor"]

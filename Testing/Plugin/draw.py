@@ -53,7 +53,7 @@ def picture(name, view, towards, zoom=1.4, size=(1000, 600)):
 
 def draw_task(folder):
     (folder / "Data").symlink_to(DATA)
-    (folder / "task.toml").write_text(block("toml", "[surface]"))
+    (folder / "task.toml").write_text(block("toml", "header.vtu"))
     subprocess.run([PROGRAM, "--quiet", str(folder / "task.toml")], check=True)
     view = simple.CreateView("RenderView")
     mesh = simple.XMLUnstructuredGridReader(FileName=[str(folder / "header.vtu")])

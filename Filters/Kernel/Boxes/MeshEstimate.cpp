@@ -172,6 +172,12 @@ MeshEstimate estimateBox(BoxStatus status, const Depths& depths, const TriangleR
     (without.pieces + with.pieces) / 2 };
 }
 
+MeshEstimate estimateOf(double boxes, double intersected, double triangles)
+{
+  return { std::max(0.0, boxes - intersected), intersected, piecesIn(intersected, triangles),
+    triangles };
+}
+
 MeshEstimate estimateMesh(const Surface& surface, const Meshlines& planes)
 {
   double intersected = 0;
@@ -196,8 +202,8 @@ MeshEstimate estimateMesh(const Surface& surface, const Meshlines& planes)
   }
   const double inside =
     surface.around.inside() ? all : all * std::min(1.0, std::abs(volumeOf(surface)) / extent);
-  const auto triangles = static_cast<double>(surface.triangles.size());
-  return { inside, intersected, piecesIn(intersected, triangles), triangles };
+  return estimateOf(
+    inside + intersected, intersected, static_cast<double>(surface.triangles.size()));
 }
 
 std::vector<MeshEstimate> estimateLayers(const Shoeboxes& shoeboxes, const Boxes& boxes)

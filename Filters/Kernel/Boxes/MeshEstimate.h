@@ -48,6 +48,9 @@ struct MeshEstimate
   void add(const MeshEstimate& part);
 };
 
+// Of so many boxes, and of triangles of the surface.
+MeshEstimate estimateOf(double boxes, double intersected, double triangles);
+
 // Of a mesh without refinement.
 MeshEstimate estimateMesh(const Surface& surface, const Meshlines& planes);
 

@@ -60,6 +60,15 @@ GlobalBoxSet emptySet(const Meshlines& planes)
 
 }
 
+void RefinementSpec::addUnlessThere(const BoundaryRefinement& row)
+{
+  if (std::none_of(boundaries.begin(), boundaries.end(),
+        [&](const BoundaryRefinement& other) { return other.boundary == row.boundary; }))
+  {
+    boundaries.push_back(row);
+  }
+}
+
 Refinement::Refinement(const RefinementSpec& spec, const Surface& surface,
   const Shoeboxes& shoeboxes, const Meshlines& planes, Execution& execution)
   : depth_(spec.depth)
@@ -95,15 +104,6 @@ void Refinement::relax(double factor, const Surface& surface, const Shoeboxes& s
   octants_ = Octants(planes);
   deepest_ = deepestWithoutSizes_;
   addSizes(relaxed(sizing_, factor), surface, shoeboxes, planes, execution);
-}
-
-void Refinement::setDepth(int depth)
-{
-  checkDepth(depth, "Refinement Depth");
-  depth_ = depth;
-  any_ = any_ || depth > 0;
-  deepest_ = std::max(deepest_, depth);
-  deepestWithoutSizes_ = std::max(deepestWithoutSizes_, depth);
 }
 
 void Refinement::addSizes(const SizingSpec& spec, const Surface& surface,

@@ -45,6 +45,8 @@ struct RefinementSpec
 {
   static constexpr Range AllDepths{ 0, DeepestLevel };
 
+  void addUnlessThere(const BoundaryRefinement& row); // of that boundary
+
   int depth = 0; // of all boxes without another specification, 0 to DeepestLevel
   std::vector<RefinementBlock> blocks;        // the last one wins
   std::vector<BoundaryRefinement> boundaries; // never make boxes coarser, as section 4.6 ends
@@ -78,9 +80,6 @@ public:
   // Makes what the surface or a field asks for larger by a factor than the specification has it, but for feature depths.
   void relax(double factor, const Surface& surface, const Shoeboxes& shoeboxes,
     const Meshlines& planes, Execution& execution);
-
-  // Sets RefinementSpec::depth.
-  void setDepth(int depth);
 
   Depths at(std::int64_t i, std::int64_t j, std::int64_t k) const;
 

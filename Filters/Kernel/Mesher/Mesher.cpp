@@ -32,9 +32,8 @@ MeshEstimate ofAPart(MeshEstimate estimate, int parts, std::size_t layers, int t
   estimate.inside /= parts;
   estimate.intersected /= parts;
   estimate.pieces /= parts;
-  const double layersAtOnce = double(SlabThickness) * threads;
   estimate.atOnce =
-    estimate.intersected * std::min(1., layersAtOnce * parts / static_cast<double>(layers));
+    estimate.intersected * shareAtOnce(static_cast<double>(layers) / parts, threads);
   return estimate;
 }
 

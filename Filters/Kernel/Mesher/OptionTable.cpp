@@ -38,6 +38,7 @@ std::vector<NamedOption> optionTable()
     { "Lengths Beside", d.domain.beside, DomainSpec::Lengths, "" },
     choice("Ground", d.domain.ground, { "None", "xMin", "xMax", "yMin", "yMax", "zMin", "zMax" }),
     choice("Half", d.domain.half, { "None", "Across X", "Across Y", "Across Z" }),
+    choice("Side Names", d.domain.sideNames, { "Axes", "Flow" }),
     { "Cell Size", d.grid.cellSize, GridSpec::CellSizes, Length },
     { "Refinement Depth", double(d.refinement.depth), RefinementSpec::AllDepths, "" },
     { "Refined Boundary Depth", double(BoundaryRefinement{}.depth), RefinementSpec::AllDepths, "" },

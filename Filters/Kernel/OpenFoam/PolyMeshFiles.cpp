@@ -16,6 +16,12 @@ namespace cartesian
 namespace
 {
 
+bool isFluid(const std::string& region, bool hasOpening)
+{
+  const auto begins = [&](const char* with) { return region.rfind(with, 0) == 0; };
+  return begins("fluid") || (hasOpening && !begins("solid"));
+}
+
 namespace fs = std::filesystem;
 
 constexpr std::array<const char*, 5> MeshFiles = { "points", "faces", "owner", "neighbour",
@@ -299,7 +305,8 @@ void PolyMeshFiles::write(const FoamMesh& mesh, const std::string& region)
     const FoamBoundary boundary =
       replaces ? FoamBoundary(polyMesh / "boundary") : FoamBoundary(mesh.patches);
     writeFiles(mesh, boundary, { unfinished(polyMesh), location.string(), format_ });
-    written_.push_back({ polyMesh, replaces, region, boundary.hasOpening(mesh.patches) });
+    written_.push_back(
+      { polyMesh, replaces, region, isFluid(region, boundary.hasOpening(mesh.patches)) });
   });
 }
 
@@ -354,8 +361,9 @@ void PolyMeshFiles::writeRegionProperties(std::vector<std::filesystem::path>& ke
   }
   kept.push_back(setAside(path));
   FoamFile file(path, FoamFormat::Ascii, { "dictionary", "constant", {} });
-  file.text("// fluid: what has a patch that is no wall.\n\nregions\n(\n    fluid (" + fluid +
-    " )\n    solid (" + solid + " )\n);\n");
+  file.text(
+    "// fluid: what is called so, or has a patch that is no wall.\n\nregions\n(\n    fluid (" +
+    fluid + " )\n    solid (" + solid + " )\n);\n");
   file.close();
 }
 

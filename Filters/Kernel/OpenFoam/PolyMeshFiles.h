@@ -82,8 +82,8 @@ public:
   void write(const FoamMesh& mesh, const std::string& region = {});
 
   // Puts all that was written in its place. Of regions, writes constant/regionProperties too, where each is
-  // fluid that has a patch which is no wall, as chtMultiRegionFoam asks, and else solid; one that names all
-  // regions stays as it is, another is renamed. Returns what was renamed.
+  // fluid or solid as its name begins, else fluid if it has a patch which is no wall, as chtMultiRegionFoam asks; one
+  // that names all regions stays as it is, another is renamed. Returns what was renamed.
   std::vector<std::filesystem::path> replace();
 
 private:

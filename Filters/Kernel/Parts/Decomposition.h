@@ -35,9 +35,6 @@ public:
   // Makes the sizes that the surface or a field asks for larger by a factor; that of the last call counts.
   void relax(double factor, Execution& execution);
 
-  // Sets the depth along the surface.
-  void setDepth(int depth) { refinement_.setDepth(depth); }
-
   // A message about rows of the specification that extend beyond the grid, or empty.
   const std::string& warnings() const { return refinement_.warnings(); }
 

@@ -143,6 +143,11 @@ double mostAtOnce(const std::vector<double>& ofLayers, Layers layers, int thread
   return std::accumulate(ofSlabs.begin(), ofSlabs.begin() + std::ptrdiff_t(count), 0.0);
 }
 
+double shareAtOnce(double layers, int threads)
+{
+  return std::min(1., double(SlabThickness) * threads / layers);
+}
+
 Layers layersForShaping(Layers wanted, std::uint32_t all)
 {
   Layers from = wanted;

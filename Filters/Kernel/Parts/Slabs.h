@@ -61,6 +61,9 @@ std::array<std::vector<Slab>, ShapingStages> slabsFor(Layers wanted, std::uint32
 // shape at once: the fullest.
 double mostAtOnce(const std::vector<double>& ofLayers, Layers layers, int threads);
 
+// The same, as a share of all, if each layer has as much.
+double shareAtOnce(double layers, int threads);
+
 // The layers whose cells must be correct before shaping, for those of `wanted` to be correct
 // afterwards.
 Layers layersForShaping(Layers wanted, std::uint32_t allLayers);

@@ -81,6 +81,28 @@ Bounds boxAround(const DomainSpec& spec, const Bounds& surface)
   return box;
 }
 
+std::array<std::string, 6> namesOfSides(const DomainSpec& spec)
+{
+  if (spec.sideNames == SideNames::Axes)
+  {
+    return { "xMin", "xMax", "yMin", "yMax", "zMin", "zMax" };
+  }
+  std::array<std::string, 6> names;
+  names.fill("sides");
+  const auto inlet = static_cast<std::size_t>(spec.flow);
+  names[inlet] = "inlet";
+  names[inlet ^ 1] = "outlet";
+  if (spec.ground != DomainSide::NoSide)
+  {
+    names[static_cast<std::size_t>(spec.ground) - 1] = "ground";
+  }
+  if (spec.half != Half::Whole)
+  {
+    names[2 * (static_cast<std::size_t>(spec.half) - 1)] = "symmetry";
+  }
+  return names;
+}
+
 void turnInsideOut(Surface& surface)
 {
   for (auto& triangle : surface.triangles)

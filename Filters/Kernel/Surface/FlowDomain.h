@@ -9,6 +9,8 @@
 #include "Lattice/Meshlines.h"
 #include "Surface/Surface.h"
 
+#include <string>
+
 namespace cartesian
 {
 
@@ -56,6 +58,13 @@ enum class Half : std::uint8_t
   AcrossZ = 3,
 };
 
+// What the sides of the box are called.
+enum class SideNames : std::uint8_t
+{
+  Axes = 0, // xMin, xMax, yMin, ...
+  Flow = 1, // inlet, outlet, ground, symmetry; and sides, which are one boundary
+};
+
 struct DomainSpec
 {
   static constexpr Range Lengths{ 0 };
@@ -68,6 +77,7 @@ struct DomainSpec
   double beside = 3;
   DomainSide ground = DomainSide::NoSide; // there the box ends with the surface
   Half half = Half::Whole;
+  SideNames sideNames = SideNames::Axes;
   Bounds bounds{};              // user units
   EndBoundaries sides = NoEnds; // boundaries of the box's sides
 
@@ -79,6 +89,9 @@ struct DomainSpec
 
 // The box around a surface with these bounds. Throws Error: BadParameter.
 Bounds boxAround(const DomainSpec& spec, const Bounds& surface);
+
+// Of the sides in the order of DomainSide. Sides of the same name are one boundary.
+std::array<std::string, 6> namesOfSides(const DomainSpec& spec);
 
 // Makes the surface, which is oriented, the boundary of what is around it.
 void turnInsideOut(Surface& surface);

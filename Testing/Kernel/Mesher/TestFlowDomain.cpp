@@ -181,3 +181,17 @@ TEST(FlowDomain, SeveralRegionsAreRefused)
   const Soup two = Soup(cube()).addRegion(cube().moved({ 1, 0, 0 }));
   EXPECT_THROW(meshAround(two, around(0.31, boxFrom(-0.5))), Error);
 }
+
+TEST(FlowDomain, SidesAreNamedByAxesOrByTheFlow)
+{
+  using Names = std::array<std::string, 6>;
+  DomainSpec spec;
+  spec.flow = FlowDirection::MinusY;
+  spec.ground = DomainSide::ZMin;
+  EXPECT_EQ(namesOfSides(spec), (Names{ "xMin", "xMax", "yMin", "yMax", "zMin", "zMax" }));
+  spec.sideNames = SideNames::Flow;
+  EXPECT_EQ(namesOfSides(spec), (Names{ "sides", "sides", "outlet", "inlet", "ground", "sides" }));
+  spec.half = Half::AcrossX;
+  EXPECT_EQ(
+    namesOfSides(spec), (Names{ "symmetry", "sides", "outlet", "inlet", "ground", "sides" }));
+}

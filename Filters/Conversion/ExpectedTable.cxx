@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ExpectedTable.h"
+
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// Of estimates, which are known to two digits.
+constexpr int Digits = 2;
+
+constexpr const char* Arrow = "\u2192 ";
+constexpr const char* Length = "%.4g";
+
+std::string inText(double value, const char* format)
+{
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+
+double rounded(double value)
+{
+  const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(value)) - (Digits - 1)));
+  return std::round(value / unit) * unit;
+}
+
+// 1,234,567; beyond that in powers of ten.
+std::string count(double value)
+{
+  constexpr double Most = 1e12;
+  if (value >= Most)
+  {
+    return inText(value, "%.1e");
+  }
+  std::string text = inText(rounded(value), "%.0f");
+  for (auto end = static_cast<std::ptrdiff_t>(text.size()) - 3; end > 0; end -= 3)
+  {
+    text.insert(static_cast<std::size_t>(end), 1, ',');
+  }
+  return text;
+}
+
+std::string memory(double bytes)
+{
+  constexpr double MiB = 1024.0 * 1024;
+  constexpr double GiB = 1024 * MiB;
+  return bytes < GiB   ? count(bytes / MiB) + " MiB"
+    : bytes < 10 * GiB ? inText(bytes / GiB, "%.1f GiB")
+                       : count(bytes / GiB) + " GiB";
+}
+
+}
+
+void toVTK(const std::vector<ExpectedRow>& rows, vtkStringArray* table)
+{
+  for (const char* column : { "Cell size", "\u2248 Boxes", "\u2248 Cells", "\u2248 Memory" })
+  {
+    table->InsertNextValue(column);
+  }
+  for (const auto& [mesh, isAsked] : rows)
+  {
+    table->InsertNextValue((isAsked ? Arrow : "") + inText(mesh.size, Length));
+    table->InsertNextValue(count(mesh.boxes));
+    table->InsertNextValue(count(mesh.cells));
+    table->InsertNextValue(memory(mesh.bytes));
+  }
+}
+
+std::string describeLengths(const std::array<double, 3>& lengths)
+{
+  constexpr const char* Times = " \u00d7 ";
+  return inText(lengths[0], Length) + Times + inText(lengths[1], Length) + Times +
+    inText(lengths[2], Length);
+}
+
+}

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesher/ExpectedMesh.h"
+
+#include "Base/Error.h"
+#include "Mesher/Mesher.h"
+#include "Surface/SizeEstimate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <utility>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::array<double, 4> BoxesAlongLongest = { 25, 50, 100, 200 };
+
+// Significant digits of those sizes.
+constexpr int DigitsOfSizes = 3;
+
+// More boxes than these take seconds to look at: only areas tell how many there are.
+constexpr double MostLookedAt = 2e6;
+
+// What asks for sizes is looked for in about so many layers of the grid.
+constexpr std::size_t LayersLookedFor = 6;
+
+// Of the boxes that refinement adds by the estimate of memory, which is on the safe side: measured from 0.6 to 0.9.
+constexpr double OfAddedBoxes = 0.7;
+
+// For each box that the surface passes through: small cells that are merged, and the cells of a layer at the wall. Measured
+// on five surfaces: 0.3 to 0.5, and 0.8 to 1.25.
+constexpr double CellsMerged = 0.35;
+constexpr double CellsOfALayer = 0.95;
+
+// The double next to these digits, which is shown without others.
+double rounded(double value)
+{
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.*e", DigitsOfSizes - 1, std::max(0.0, value));
+  return std::strtod(text.data(), nullptr);
+}
+
+struct Counts
+{
+  double all = 0;
+  double intersected = 0;
+  double atLayers = 0; // those of the intersected where the wall has layers
+};
+
+// What is known without a grid: areas of the surface, and of each boundary.
+class Areas
+{
+public:
+  Areas(const SurfaceView& view, const Options& options)
+    : meshed_(meshedSize(view, options.domain))
+  {
+    std::map<std::int32_t, int> depths;
+    for (const BoundaryRefinement& row : options.refinement.boundaries)
+    {
+      int& depth = depths[row.boundary];
+      depth = std::max(depth, row.depth);
+    }
+    for (const auto& [boundary, shadows] : shadowsOfBoundaries(view))
+    {
+      const auto own = depths.find(boundary);
+      boundaries_.push_back({ shadows, own == depths.end() ? 0 : own->second,
+        options.layers.count > 0 && options.layers.hasLayers(boundary) });
+    }
+  }
+
+  double longest() const { return meshed_.longest; }
+
+  // With the depths of boundaries, but without blocks, regions and sizes.
+  Counts boxes(const GridSpec& grid, int depth) const
+  {
+    std::array<double, 3> box;
+    for (std::size_t axis = 0; axis < box.size(); ++axis)
+    {
+      const std::vector<double>& lines = grid.meshlines[axis];
+      box[axis] = lines.size() > 1
+        ? (lines.back() - lines.front()) / static_cast<double>(lines.size() - 1)
+        : grid.cellSize;
+    }
+    Counts boxes;
+    for (const Boundary& part : boundaries_)
+    {
+      const int own = std::max(depth, part.depth);
+      const double intersected = expectedIntersected(part.shadows, box, own);
+      boxes.intersected += intersected;
+      boxes.atLayers += part.hasLayers ? intersected : 0;
+      boxes.all += expectedBoxesAlong(part.shadows, box, own);
+    }
+    boxes.all += expectedInside(meshed_, box);
+    return boxes;
+  }
+
+private:
+  struct Boundary
+  {
+    Shadows shadows;
+    int depth;
+    bool hasLayers;
+  };
+
+  // What is meshed, as if it were inside.
+  static SurfaceSize meshedSize(const SurfaceView& view, const DomainSpec& domain)
+  {
+    SurfaceSize size = sizeOf(view);
+    if (domain.isOutside())
+    {
+      const Bounds box = boxAround(domain, boundsOf(view));
+      double volume = 1;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        volume *= box.high[axis] - box.low[axis];
+      }
+      size.volume = std::max(0.0, volume - size.volume);
+      size.longest = box.longest();
+    }
+    return size;
+  }
+
+  SurfaceSize meshed_;
+  std::vector<Boundary> boundaries_;
+};
+
+// Whether it matters where boxes are.
+bool asksForPlaces(const RefinementSpec& spec)
+{
+  return !spec.blocks.empty() || !spec.regions.empty() || spec.sizing.any() ||
+    std::any_of(spec.boundaries.begin(), spec.boundaries.end(),
+      [](const BoundaryRefinement& row) { return row.blendLayers > 0; });
+}
+
+// Of a grid each global box of which is looked at; where sizes are asked for, of some layers.
+Counts boxesOfGrid(const SurfaceView& surface, Options options, Execution& execution)
+{
+  const PreparedSurface prepared = prepareSurface(surface, options, execution);
+  SizingSpec sizing = std::exchange(options.refinement.sizing, {});
+  const auto withoutSizes = decompose(prepared, options, execution);
+  const std::vector<MeshEstimate> without = withoutSizes->estimateLayers(execution);
+  const MeshEstimate all = withoutSizes->together(without, withoutSizes->allLayers());
+  Counts boxes{ all.boxes(), all.intersected };
+  if (sizing.any())
+  {
+    const std::size_t every = (without.size() + LayersLookedFor - 1) / LayersLookedFor;
+    sizing.everyLayer = every;
+    options.refinement.sizing = std::move(sizing);
+    const auto withSizes = decompose(prepared, options, execution);
+    const std::vector<MeshEstimate> with = withSizes->estimateLayers(execution);
+    for (std::size_t k = every / 2; k < with.size(); k += every)
+    {
+      const auto times = static_cast<double>(every);
+      boxes.all += (with[k].boxes() - without[k].boxes()) * times;
+      boxes.intersected += (with[k].intersected - without[k].intersected) * times;
+    }
+  }
+  return boxes;
+}
+
+// Of options that say how large boxes are.
+ExpectedMesh expected(
+  const Areas& areas, const SurfaceView& surface, const Options& options, Execution& execution)
+{
+  Counts boxes = areas.boxes(options.grid, options.refinement.depth);
+  if (asksForPlaces(options.refinement) && boxes.all < MostLookedAt)
+  {
+    const Counts looked = boxesOfGrid(surface, options, execution);
+    const double added = OfAddedBoxes * std::max(0.0, looked.intersected - boxes.intersected);
+    boxes.atLayers *= 1 + added / std::max(1.0, boxes.intersected);
+    boxes.intersected += added;
+    boxes.all += OfAddedBoxes * std::max(0.0, looked.all - boxes.all);
+  }
+  ExpectedMesh mesh;
+  mesh.size = options.grid.cellSize;
+  mesh.boxes = std::max(1.0, std::round(boxes.all));
+  const bool merges = options.smallCells.handling == SmallCells::Merge;
+  mesh.cells = std::max(1.0,
+    std::round(boxes.all - (merges ? CellsMerged : 0) * boxes.intersected +
+      options.layers.count * CellsOfALayer * boxes.atLayers));
+  MeshEstimate estimate =
+    estimateOf(mesh.boxes, boxes.intersected, static_cast<double>(surface.triangleCount));
+  estimate.atOnce =
+    boxes.intersected * shareAtOnce(areas.longest() / mesh.size, execution.threads());
+  mesh.bytes = estimate.bytes(memoryLimitOf(options, execution.threads()));
+  return mesh;
+}
+
+double sizeOrDefault(const Options& options, const Areas& areas)
+{
+  return options.grid.cellSize > 0 ? options.grid.cellSize
+                                   : rounded(areas.longest() / DefaultCellsAlongLongest);
+}
+
+}
+
+ExpectedMesh expectedMesh(const SurfaceView& surface, const Options& options, Execution& execution)
+{
+  const Areas areas(surface, options);
+  Options asked = options;
+  asked.grid.cellSize = sizeOrDefault(options, areas);
+  return expected(areas, surface, asked, execution);
+}
+
+std::vector<ExpectedRow> expectedRows(
+  const SurfaceView& surface, const Options& options, Execution& execution)
+{
+  const Areas areas(surface, options);
+  const double own = sizeOrDefault(options, areas);
+  std::map<double, bool, std::greater<>> sizes{ { own, true } };
+  for (const double along : BoxesAlongLongest)
+  {
+    sizes.emplace(rounded(areas.longest() / along), false);
+  }
+  std::vector<ExpectedRow> rows;
+  Options asked = options;
+  for (const auto& [size, isAsked] : sizes)
+  {
+    asked.grid.cellSize = size;
+    rows.push_back({ expected(areas, surface, asked, execution), isAsked });
+  }
+  return rows;
+}
+
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// About how large a mesh will be, for several sizes of boxes, before anything is meshed.
+#pragma once
+
+#include "Base/Execution.h"
+#include "Mesher/Options.h"
+#include "Surface/Surface.h"
+
+#include <vector>
+
+namespace cartesian
+{
+
+struct ExpectedMesh
+{
+  double size = 0;  // of boxes, user units
+  double boxes = 0; // at least 1
+  double cells = 0; // with layers
+  double bytes = 0; // that are taken at the peak
+};
+
+// Of the grid and with all refinement and layers that the options ask for. Where only areas of the surface matter, they
+// tell; else each box of the grid is looked at, or some of its layers, unless there are far too many. Throws Error:
+// EmptySurface, BadCoordinate, BadParameter, FlawedSurface (of a region).
+ExpectedMesh expectedMesh(const SurfaceView& surface, const Options& options, Execution& execution);
+
+struct ExpectedRow
+{
+  ExpectedMesh mesh;
+  bool isAsked = false; // it is of the options' cell size, not of another
+};
+
+// The same with other sizes beside: the longest side by 25, 50, 100 and 200. From the largest to the smallest, each
+// once.
+std::vector<ExpectedRow> expectedRows(
+  const SurfaceView& surface, const Options& options, Execution& execution);
+
+}

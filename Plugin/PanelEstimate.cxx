@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PanelEstimate.h"
+
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkPVXMLElement.h"
+#include "vtkSMDoubleVectorProperty.h"
+#include "vtkSMIntVectorProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMPropertyIterator.h"
+#include "vtkSMProxyManager.h"
+#include "vtkSMProxyProperty.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMStringVectorProperty.h"
+#include "vtkSmartPointer.h"
+#include "vtkVariant.h"
+#include "vtkWeakPointer.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// All that can be set, by name.
+void forEachProperty(
+  vtkSMProxy* proxy, const std::function<void(const char*, vtkSMProperty*)>& action)
+{
+  vtkSmartPointer<vtkSMPropertyIterator> properties;
+  properties.TakeReference(proxy->NewPropertyIterator());
+  for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
+  {
+    if (properties->GetProperty()->GetInformationOnly() == 0)
+    {
+      action(properties->GetKey(), properties->GetProperty());
+    }
+  }
+}
+
+// The values in the panel, or those that were applied.
+std::string textOf(vtkSMProxy* proxy, bool inPanel)
+{
+  std::string text;
+  forEachProperty(proxy, [&](const char* name, vtkSMProperty* property) {
+    if (vtkSMVectorProperty::SafeDownCast(property))
+    {
+      vtkSMPropertyHelper helper(proxy, name);
+      helper.SetUseUnchecked(inPanel);
+      text += name;
+      for (unsigned int i = 0; i < helper.GetNumberOfElements(); ++i)
+      {
+        text += "\n" + helper.GetAsVariant(i).ToString();
+      }
+      text += "\n\n";
+    }
+  });
+  return text;
+}
+
+template <class Number>
+void takeNumbers(vtkSMProperty* panel, vtkSMProperty* property)
+{
+  vtkSMPropertyHelper from(panel);
+  from.SetUseUnchecked(true);
+  const std::vector<Number> numbers = from.GetArray<Number>();
+  vtkSMPropertyHelper(property).Set(numbers.data(), static_cast<unsigned int>(numbers.size()));
+}
+
+void takeFromPanel(vtkSMProperty* panel, vtkSMProperty* property)
+{
+  if (auto* texts = vtkSMStringVectorProperty::SafeDownCast(panel))
+  {
+    vtkSMStringVectorProperty::SafeDownCast(property)->SetElements(texts->GetUncheckedElements());
+  }
+  else if (vtkSMDoubleVectorProperty::SafeDownCast(panel))
+  {
+    takeNumbers<double>(panel, property);
+  }
+  else if (vtkSMIntVectorProperty::SafeDownCast(panel))
+  {
+    takeNumbers<int>(panel, property);
+  }
+  else
+  {
+    property->Copy(panel);
+  }
+}
+
+// Of one source: asks another of its kind, which has the values in the panel.
+class Follow : public vtkCommand
+{
+public:
+  static Follow* New() { return new Follow; }
+
+  void Begin(vtkSMProxy* source, const std::string& property)
+  {
+    this->Source = source;
+    this->Property = property;
+    forEachProperty(source, [this](const char* /*name*/, vtkSMProperty* changing) {
+      changing->AddObserver(vtkCommand::UncheckedPropertyModifiedEvent, this);
+    });
+  }
+
+  void Execute(vtkObject* /*caller*/, unsigned long /*event*/, void* /*data*/) override
+  {
+    vtkSMProxy* source = this->Source;
+    if (!source || !source->GetObjectsCreated() ||
+      source->GetSessionProxyManager()->GetInLoadXMLState())
+    {
+      return;
+    }
+    const std::string inPanel = textOf(source, true);
+    if (inPanel == this->Last || (this->Last.empty() && inPanel == textOf(source, false)))
+    {
+      return;
+    }
+    this->Last = inPanel;
+    this->Estimate(source);
+  }
+
+private:
+  void Estimate(vtkSMProxy* source) const
+  {
+    vtkSmartPointer<vtkSMProxy> other;
+    other.TakeReference(
+      source->GetSessionProxyManager()->NewProxy(source->GetXMLGroup(), source->GetXMLName()));
+    other->SetLocation(source->GetLocation());
+    forEachProperty(source, [&](const char* name, vtkSMProperty* property) {
+      takeFromPanel(property, other->GetProperty(name));
+    });
+    other->UpdateVTKObjects();
+    vtkSMProperty* estimate = other->GetProperty(this->Property.c_str());
+    other->UpdatePropertyInformation(estimate);
+    source->GetProperty(this->Property.c_str())->Copy(estimate);
+  }
+
+  vtkWeakPointer<vtkSMProxy> Source;
+  std::string Property;
+  std::string Last; // the values that the property is of; empty: no estimate was made here
+};
+
+class Watch : public vtkCommand
+{
+public:
+  static Watch* New() { return new Watch; }
+
+  void Execute(vtkObject* /*caller*/, unsigned long /*event*/, void* data) override
+  {
+    using Registered = vtkSMProxyManager::RegisteredProxyInformation;
+    const auto* registered = static_cast<const Registered*>(data);
+    vtkSMProxy* source = registered->Type == Registered::PROXY
+      ? vtkSMSourceProxy::SafeDownCast(registered->Proxy)
+      : nullptr;
+    vtkPVXMLElement* hints = source ? source->GetHints() : nullptr;
+    vtkPVXMLElement* hint = hints ? hints->FindNestedElementByName("Estimate") : nullptr;
+    if (hint && std::string(registered->GroupName) == "sources")
+    {
+      vtkNew<Follow> follow;
+      follow->Begin(source, hint->GetAttribute("property"));
+    }
+  }
+};
+
+}
+
+void watchPanels()
+{
+  vtkNew<Watch> watch;
+  vtkSMProxyManager::GetProxyManager()->AddObserver(vtkCommand::RegisterEvent, watch);
+}
+
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Estimates in the panel that follow what is typed, before it is applied.
+#pragma once
+
+namespace cartesian
+{
+
+// Called when the plugin is loaded. From then on a property that is only information, and that a source names in its
+// hints, is for the values in the source's panel, also those that were not applied yet:
+//
+//   <Estimate property="ExpectedBoxes"/>
+//
+// Scripts, which have no such values, see what the applied ones give.
+void watchPanels();
+
+}

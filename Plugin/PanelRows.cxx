@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PanelRows.h"
+
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkPVXMLElement.h"
+#include "vtkSMPropertyGroup.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMProxyManager.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMStringVectorProperty.h"
+#include "vtkSMVectorProperty.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+namespace
+{
+
+vtkSMVectorProperty* columnOf(vtkSMPropertyGroup* table, unsigned int i)
+{
+  return vtkSMVectorProperty::SafeDownCast(table->GetProperty(i));
+}
+
+unsigned int rowsOf(vtkSMVectorProperty* column)
+{
+  return column->GetNumberOfElements() /
+    static_cast<unsigned int>(column->GetNumberOfElementsPerCommand());
+}
+
+// `usual`: the property of a new row.
+void addRows(vtkSMVectorProperty* column, vtkSMProperty* usual, unsigned int rows)
+{
+  const vtkSMPropertyHelper from(usual);
+  vtkSMPropertyHelper to(column);
+  const unsigned int width = from.GetNumberOfElements();
+  for (unsigned int i = 0; i < rows * width; ++i)
+  {
+    if (vtkSMStringVectorProperty::SafeDownCast(column))
+    {
+      to.Set(i, from.GetAsString(i % width));
+    }
+    else
+    {
+      to.Set(i, from.GetAsDouble(i % width));
+    }
+  }
+}
+
+void complete(vtkSMPropertyGroup* table, vtkSMProxy* row)
+{
+  unsigned int rows = 0;
+  for (unsigned int i = 0; i < table->GetNumberOfProperties(); ++i)
+  {
+    rows = std::max(rows, rowsOf(columnOf(table, i)));
+  }
+  for (unsigned int i = 0; i < table->GetNumberOfProperties(); ++i)
+  {
+    vtkSMVectorProperty* column = columnOf(table, i);
+    if (rowsOf(column) == 0)
+    {
+      addRows(column, row->GetProperty(table->GetFunction(column)), rows);
+    }
+  }
+}
+
+class Watch : public vtkCommand
+{
+public:
+  static Watch* New() { return new Watch; }
+
+  void Execute(vtkObject* /*caller*/, unsigned long /*event*/, void* data) override
+  {
+    using Registered = vtkSMProxyManager::RegisteredProxyInformation;
+    const auto* registered = static_cast<const Registered*>(data);
+    vtkSMProxy* source = registered->Type == Registered::PROXY ? registered->Proxy : nullptr;
+    vtkSMSessionProxyManager* proxies = source ? source->GetSessionProxyManager() : nullptr;
+    vtkPVXMLElement* hints = source ? source->GetHints() : nullptr;
+    if (!hints || !hints->FindNestedElementByName("CompleteRows") || !proxies->GetInLoadXMLState())
+    {
+      return;
+    }
+    for (std::size_t i = 0; i < source->GetNumberOfPropertyGroups(); ++i)
+    {
+      vtkSMPropertyGroup* group = source->GetPropertyGroup(i);
+      vtkPVXMLElement* row = group->GetHints()
+        ? group->GetHints()->FindNestedElementByName("PropertyCollectionWidgetPrototype")
+        : nullptr;
+      if (row)
+      {
+        complete(
+          group, proxies->GetPrototypeProxy(row->GetAttribute("group"), row->GetAttribute("name")));
+      }
+    }
+  }
+};
+
+}
+
+void completeRowsOfStates()
+{
+  vtkNew<Watch> watch;
+  vtkSMProxyManager::GetProxyManager()->AddObserver(vtkCommand::RegisterEvent, watch);
+}
+
+}
