@@ -21,9 +21,11 @@ import sys
 import tempfile
 import time
 
+import numpy as np
 from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkSphere
-from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance, vtkMassProperties, vtkTriangleFilter
+from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance, vtkTriangleFilter
 from vtkmodules.vtkFiltersGeneral import vtkTableBasedClipDataSet
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
@@ -55,9 +57,11 @@ def surface(name):
 
 
 def volume_of(data):
-    properties = vtkMassProperties()
-    properties.SetInputData(data)
-    return properties.GetVolume()
+    """Of what triangles enclose. (vtkMassProperties is up to 0.1 % off.)"""
+    points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+    triangles = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    a, b, c = (points[triangles[:, i]] for i in range(3))
+    return abs(np.einsum("ij,ij->", a, np.cross(b, c))) / 6
 
 
 def memory(key, process="self"):
