@@ -394,7 +394,7 @@ const char* vtkCartesianBoxer::GetSurfaceSize()
   return this->SurfaceSize.c_str();
 }
 
-vtkStringArray* vtkCartesianBoxer::GetExpectedBoxes()
+vtkMTimeType vtkCartesianBoxer::LastChange()
 {
   vtkMTimeType time = this->GetMTime();
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
@@ -405,15 +405,23 @@ vtkStringArray* vtkCartesianBoxer::GetExpectedBoxes()
       time = std::max(time, data ? data->GetMTime() : 0);
     }
   }
-  if (time != this->ExpectedTime)
+  return time;
+}
+
+vtkStringArray* vtkCartesianBoxer::GetExpectedBoxes()
+{
+  if (this->LastChange() != this->ExpectedTime)
   {
-    this->ExpectedTime = time;
-    this->ExpectedBoxes->Initialize();
-    // Not read yet, or refused: the work itself will say so.
-    cartesian::reportErrors(
-      [&] { this->EstimateBoxes(); }, [](unsigned long, const std::string&) {});
+    this->Expect(cartesian::expectedRows);
   }
   return this->ExpectedBoxes;
+}
+
+void vtkCartesianBoxer::ExpectCellSizeAlone()
+{
+  this->Expect([](auto&... asked) -> std::vector<cartesian::ExpectedRow> {
+    return { { cartesian::expectedMesh(asked...), true } };
+  });
 }
 
 vtkCartesianBoxer::Asked vtkCartesianBoxer::Ask(const cartesian::SurfaceFromVTK& surface)
@@ -426,13 +434,19 @@ vtkCartesianBoxer::Asked vtkCartesianBoxer::Ask(const cartesian::SurfaceFromVTK&
   return asked;
 }
 
-void vtkCartesianBoxer::EstimateBoxes()
+void vtkCartesianBoxer::Expect(Estimate* estimate)
 {
-  const cartesian::SurfaceFromVTK surface = this->ReadWithSides(this->GetInputDataObject(0, 0));
-  const Asked asked = this->Ask(surface);
-  cartesian::Execution execution(this->NumberOfThreads);
-  cartesian::toVTK(
-    cartesian::expectedRows(surface.view(), asked.options, execution), this->ExpectedBoxes);
+  this->ExpectedTime = this->LastChange();
+  this->ExpectedBoxes->Initialize();
+  // Not read yet, or refused: the work itself will say so.
+  cartesian::reportErrors(
+    [&] {
+      const cartesian::SurfaceFromVTK surface = this->ReadWithSides(this->GetInputDataObject(0, 0));
+      const Asked asked = this->Ask(surface);
+      cartesian::Execution execution(this->NumberOfThreads);
+      cartesian::toVTK(estimate(surface.view(), asked.options, execution), this->ExpectedBoxes);
+    },
+    [](unsigned long, const std::string&) {});
 }
 
 cartesian::Options vtkCartesianBoxer::MakeOptions()

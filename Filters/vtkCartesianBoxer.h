@@ -49,10 +49,13 @@ namespace cartesian
 {
 struct AskedSizes;
 class Decomposition;
+class Execution;
+struct ExpectedRow;
 struct Options;
 struct PreparedSurface;
 struct RefinementSpec;
 class SurfaceFromVTK;
+struct SurfaceView;
 }
 
 class VTKCARTESIANMESHERFILTERS_EXPORT vtkCartesianBoxer : public vtkCartesianAlgorithm
@@ -128,6 +131,11 @@ public:
    * refused.
    */
   vtkStringArray* GetExpectedBoxes();
+
+  /**
+   * Until something changes, GetExpectedBoxes() gives the row of CellSize alone, which takes a fraction of the time.
+   */
+  void ExpectCellSizeAlone();
 
   ///@{
   /**
@@ -366,7 +374,10 @@ private:
   void ListBoundaries(const cartesian::SurfaceFromVTK& source);
   void AddChosenBoundaries(
     const std::map<std::int32_t, std::string>& names, cartesian::RefinementSpec& spec);
-  void EstimateBoxes();
+  vtkMTimeType LastChange(); // of this or an input
+  using Estimate = std::vector<cartesian::ExpectedRow>(
+    const cartesian::SurfaceView&, const cartesian::Options&, cartesian::Execution&);
+  void Expect(Estimate* estimate);
 
   // A closed surface around a region to refine, with its own depth or RegionDepth; of the given ones and the shapes.
   struct RegionSurface;

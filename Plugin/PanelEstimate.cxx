@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PanelEstimate.h"
 
+#include "vtkClientServerStream.h"
 #include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkPVXMLElement.h"
@@ -10,6 +11,7 @@
 #include "vtkSMPropertyIterator.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMProxyProperty.h"
+#include "vtkSMSession.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMStringVectorProperty.h"
@@ -97,10 +99,11 @@ class Follow : public vtkCommand
 public:
   static Follow* New() { return new Follow; }
 
-  void Begin(vtkSMProxy* source, const std::string& property)
+  void Begin(vtkSMProxy* source, vtkPVXMLElement* hint)
   {
     this->Source = source;
-    this->Property = property;
+    this->Property = hint->GetAttribute("property");
+    this->Command = hint->GetAttribute("command");
     forEachProperty(source, [this](const char* /*name*/, vtkSMProperty* changing) {
       changing->AddObserver(vtkCommand::UncheckedPropertyModifiedEvent, this);
     });
@@ -114,13 +117,26 @@ public:
     {
       return;
     }
-    const std::string inPanel = textOf(source, true);
-    if (inPanel == this->Last || (this->Last.empty() && inPanel == textOf(source, false)))
+    const std::string applied = textOf(source, false);
+    std::string typed = textOf(source, true);
+    if (typed == applied)
+    {
+      typed.clear();
+    }
+    if (typed == this->Typed)
     {
       return;
     }
-    this->Last = inPanel;
-    this->Estimate(source);
+    this->Typed = typed;
+    if (!typed.empty())
+    {
+      this->Applied = applied;
+      this->Estimate(source);
+    }
+    else if (applied == this->Applied) // taken back; ParaView itself asks after Apply
+    {
+      source->UpdatePropertyInformation(source->GetProperty(this->Property.c_str()));
+    }
   }
 
 private:
@@ -134,6 +150,10 @@ private:
       takeFromPanel(property, other->GetProperty(name));
     });
     other->UpdateVTKObjects();
+    vtkClientServerStream command;
+    command << vtkClientServerStream::Invoke << VTKOBJECT(other) << this->Command
+            << vtkClientServerStream::End;
+    other->GetSession()->ExecuteStream(other->GetLocation(), command);
     vtkSMProperty* estimate = other->GetProperty(this->Property.c_str());
     other->UpdatePropertyInformation(estimate);
     source->GetProperty(this->Property.c_str())->Copy(estimate);
@@ -141,7 +161,9 @@ private:
 
   vtkWeakPointer<vtkSMProxy> Source;
   std::string Property;
-  std::string Last; // the values that the property is of; empty: no estimate was made here
+  std::string Command;
+  std::string Typed;   // the values that the property is of; empty: those that were applied
+  std::string Applied; // those that were when the last ones were typed
 };
 
 class Watch : public vtkCommand
@@ -161,7 +183,7 @@ public:
     if (hint && std::string(registered->GroupName) == "sources")
     {
       vtkNew<Follow> follow;
-      follow->Begin(source, hint->GetAttribute("property"));
+      follow->Begin(source, hint);
     }
   }
 };

@@ -1,6 +1,7 @@
 """Refinement through the filters: tables, regions, all kinds together; the mesh stays valid and
 exact, and what is wrong in a table is said."""
 
+import cartesianmesher.vtkCartesianMesherFilters  # noqa: F401: for ExpectCellSizeAlone
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -127,6 +128,12 @@ for size in 0, 0.1:
         assert 0.5 * boxes < cells < boxes and memory.endswith("MiB"), (boxes, cells, memory)
 assert sizes == ["0.1", "0.0687", "0.0344", "0.0172", "0.00859"], sizes
 assert mesher.SurfaceSize == "0.9489 × 1.717 × 1.668" or mesher.SurfaceSize.count(" × ") == 2, mesher.SurfaceSize
+# ... alone, until something changes
+rows = expected_rows(mesher)
+mesher.GetClientSideObject().ExpectCellSizeAlone()
+assert expected_rows(mesher) == (["0.1"], *rows[1:]), rows
+mesher.CellSize = 0.0687
+assert len(expected_rows(mesher)[0]) == 4
 # ... and layers.
 mesher = simple.CartesianMesher(Input=spot, CellSize=0.06, Layers=4)
 *_, cells, _ = expected_rows(mesher)

@@ -1,5 +1,5 @@
 """What the panel says: an unset Boundary Array has a text, Expected Boxes have a tooltip, follow what is typed before it is
-applied, and are there after Load State, Keep Points and what layers have show where they count,
+applied, with one row until then, and are there after Load State, Keep Points and what layers have show where they count,
 a row of Refinement Shapes has fields and a box with handles in the view, which cannot be turned, and the menu Meshing begins with
 what a user needs."""
 
@@ -92,17 +92,20 @@ with Screen() as screen:
         macro("note"), number("CellSize", 2), macro("note"), layers(3), macro("note"), choose("Domain", "Outside"), macro("note"),
         check(f"{PROPERTIES}/KeepPoints", "visible", "true"), check(f"{PROPERTIES}/FirstLayerThickness", "visible", "true"),
         choose("Domain", "Inside"), layers(0), number("CellSize", 0), macro("note"),
-        apply(), macro("note"), macro("save"),
+        apply(), macro("note"), macro("save"), number("CellSize", 2), macro("note"), apply(), macro("note"),
         macro("row"), apply(), macro("shapes")))
     shapes = eval((screen.folder / "shapes.txt").read_text())
     assert shapes == [["cylinderX"], [0, 0, 0], [9, 1, 1], [1]], shapes
     assert eval((screen.folder / "widgets.txt").read_text()) == [[1, 1, 0, 1]], (screen.folder / "widgets.txt").read_text()
     screen.play(script(macro("surface"), macro("mesher"), macro("note")), f"--state={screen.folder / 'state.pvsm'}")
-    at_first, typed, with_layers, outside, as_before, applied, loaded = map(eval, (screen.folder / "notes.txt").read_text().splitlines())
+    at_first, typed, with_layers, outside, as_before, applied, again, applied_again, loaded = map(eval, (screen.folder / "notes.txt").read_text().splitlines())
     assert at_first == as_before == applied == loaded and "→ " in str(applied), (at_first, as_before, applied, loaded)
     first, other, layered, around = (rows[rows.index(next(text for text in rows if text.startswith("→ "))):][:4]
         for rows in (at_first, typed, with_layers, outside))
     assert other[0] == "→ 2" and first[:2] != other[:2], (first, other)
+    assert [len(rows) for rows in (at_first, typed, with_layers, outside, again, applied_again)] == [20, 8, 8, 8, 8, 24], \
+        "while values are not applied, there is one row"
+    assert typed == again and typed[4:] == applied_again[4:8], (typed, again, applied_again)
     assert layered[:2] == other[:2] and whole(layered[2]) > 1.5 * whole(other[2]), (other, layered)
     assert around[0] == "→ 2" and whole(around[1]) > 10 * whole(layered[1]), (layered, around)
 
