@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FirstView.h"
 
-#include "vtkCommand.h"
+#include "Registration.h"
+
 #include "vtkDataObject.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -10,7 +11,6 @@
 #include "vtkSMOutputPort.h"
 #include "vtkSMParaViewPipelineController.h"
 #include "vtkSMPropertyHelper.h"
-#include "vtkSMProxyManager.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSmartPointer.h"
@@ -291,38 +291,27 @@ void prepareLegend(vtkSMProxy* legend)
   }
 }
 
-class Watch : public vtkCommand
+void prepareNew(vtkSMProxy* proxy, const std::string& group)
 {
-public:
-  static Watch* New() { return new Watch; }
-
-  void Execute(vtkObject* /*caller*/, unsigned long /*event*/, void* data) override
+  if (proxy->GetSessionProxyManager()->GetInLoadXMLState())
   {
-    using Registered = vtkSMProxyManager::RegisteredProxyInformation;
-    const auto* registered = static_cast<const Registered*>(data);
-    if (registered->Type != Registered::PROXY || !registered->Proxy ||
-      registered->Proxy->GetSessionProxyManager()->GetInLoadXMLState())
-    {
-      return;
-    }
-    const std::string group = registered->GroupName;
-    if (group == "representations")
-    {
-      prepare(registered->Proxy);
-    }
-    else if (group == "scalar_bars")
-    {
-      prepareLegend(registered->Proxy);
-    }
+    return;
   }
-};
+  if (group == "representations")
+  {
+    prepare(proxy);
+  }
+  else if (group == "scalar_bars")
+  {
+    prepareLegend(proxy);
+  }
+}
 
 }
 
 void watchViews()
 {
-  vtkNew<Watch> watch;
-  vtkSMProxyManager::GetProxyManager()->AddObserver(vtkCommand::RegisterEvent, watch);
+  onRegistered<prepareNew>();
 }
 
 }

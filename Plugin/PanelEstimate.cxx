@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PanelEstimate.h"
 
+#include "Registration.h"
+
 #include "vtkClientServerStream.h"
 #include "vtkCommand.h"
 #include "vtkNew.h"
@@ -9,11 +11,10 @@
 #include "vtkSMIntVectorProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
-#include "vtkSMProxyManager.h"
+#include "vtkSMProxy.h"
 #include "vtkSMProxyProperty.h"
 #include "vtkSMSession.h"
 #include "vtkSMSessionProxyManager.h"
-#include "vtkSMSourceProxy.h"
 #include "vtkSMStringVectorProperty.h"
 #include "vtkSmartPointer.h"
 #include "vtkVariant.h"
@@ -166,34 +167,22 @@ private:
   std::string Applied; // those that were when the last ones were typed
 };
 
-class Watch : public vtkCommand
+void followPanel(vtkSMProxy* source, const std::string& group)
 {
-public:
-  static Watch* New() { return new Watch; }
-
-  void Execute(vtkObject* /*caller*/, unsigned long /*event*/, void* data) override
+  vtkPVXMLElement* hints = source->GetHints();
+  vtkPVXMLElement* hint = hints ? hints->FindNestedElementByName("Estimate") : nullptr;
+  if (hint && group == "sources")
   {
-    using Registered = vtkSMProxyManager::RegisteredProxyInformation;
-    const auto* registered = static_cast<const Registered*>(data);
-    vtkSMProxy* source = registered->Type == Registered::PROXY
-      ? vtkSMSourceProxy::SafeDownCast(registered->Proxy)
-      : nullptr;
-    vtkPVXMLElement* hints = source ? source->GetHints() : nullptr;
-    vtkPVXMLElement* hint = hints ? hints->FindNestedElementByName("Estimate") : nullptr;
-    if (hint && std::string(registered->GroupName) == "sources")
-    {
-      vtkNew<Follow> follow;
-      follow->Begin(source, hint);
-    }
+    vtkNew<Follow> follow;
+    follow->Begin(source, hint);
   }
-};
+}
 
 }
 
 void watchPanels()
 {
-  vtkNew<Watch> watch;
-  vtkSMProxyManager::GetProxyManager()->AddObserver(vtkCommand::RegisterEvent, watch);
+  onRegistered<followPanel>();
 }
 
 }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PanelRows.h"
 
-#include "vtkCommand.h"
-#include "vtkNew.h"
+#include "Registration.h"
+
 #include "vtkPVXMLElement.h"
 #include "vtkSMPropertyGroup.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
-#include "vtkSMProxyManager.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMStringVectorProperty.h"
 #include "vtkSMVectorProperty.h"
@@ -67,43 +66,33 @@ void complete(vtkSMPropertyGroup* table, vtkSMProxy* row)
   }
 }
 
-class Watch : public vtkCommand
+void completeTables(vtkSMProxy* source, const std::string& /*group*/)
 {
-public:
-  static Watch* New() { return new Watch; }
-
-  void Execute(vtkObject* /*caller*/, unsigned long /*event*/, void* data) override
+  vtkSMSessionProxyManager* proxies = source->GetSessionProxyManager();
+  vtkPVXMLElement* hints = source->GetHints();
+  if (!hints || !hints->FindNestedElementByName("CompleteRows") || !proxies->GetInLoadXMLState())
   {
-    using Registered = vtkSMProxyManager::RegisteredProxyInformation;
-    const auto* registered = static_cast<const Registered*>(data);
-    vtkSMProxy* source = registered->Type == Registered::PROXY ? registered->Proxy : nullptr;
-    vtkSMSessionProxyManager* proxies = source ? source->GetSessionProxyManager() : nullptr;
-    vtkPVXMLElement* hints = source ? source->GetHints() : nullptr;
-    if (!hints || !hints->FindNestedElementByName("CompleteRows") || !proxies->GetInLoadXMLState())
+    return;
+  }
+  for (std::size_t i = 0; i < source->GetNumberOfPropertyGroups(); ++i)
+  {
+    vtkSMPropertyGroup* group = source->GetPropertyGroup(i);
+    vtkPVXMLElement* row = group->GetHints()
+      ? group->GetHints()->FindNestedElementByName("PropertyCollectionWidgetPrototype")
+      : nullptr;
+    if (row)
     {
-      return;
-    }
-    for (std::size_t i = 0; i < source->GetNumberOfPropertyGroups(); ++i)
-    {
-      vtkSMPropertyGroup* group = source->GetPropertyGroup(i);
-      vtkPVXMLElement* row = group->GetHints()
-        ? group->GetHints()->FindNestedElementByName("PropertyCollectionWidgetPrototype")
-        : nullptr;
-      if (row)
-      {
-        complete(
-          group, proxies->GetPrototypeProxy(row->GetAttribute("group"), row->GetAttribute("name")));
-      }
+      complete(
+        group, proxies->GetPrototypeProxy(row->GetAttribute("group"), row->GetAttribute("name")));
     }
   }
-};
+}
 
 }
 
 void completeRowsOfStates()
 {
-  vtkNew<Watch> watch;
-  vtkSMProxyManager::GetProxyManager()->AddObserver(vtkCommand::RegisterEvent, watch);
+  onRegistered<completeTables>();
 }
 
 }
