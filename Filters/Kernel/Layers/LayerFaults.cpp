@@ -13,9 +13,7 @@ namespace
 
 constexpr std::uint32_t OfCells = 1U << Volume | 1U << Openness | 1U << OpenEdges;
 constexpr std::uint32_t OfFaces = 1U << BoundaryAngle | 1U << NonOrthogonality | 1U << Skewness;
-constexpr double WrongAngle = 89.9;  // InnerAngle of a face whose pyramid has no volume
-constexpr int PointsOfAFace = 3;     // at least
-constexpr double LeastWeight = 0.02; // FaceWeight of the sides between two stacks
+constexpr int PointsOfAFace = 3; // at least
 
 }
 
@@ -62,8 +60,8 @@ LayerFaults::Faults LayerFaults::measure(
   const Quality quality = measureQuality(points.data(), cells, faults.list, execution);
   for (std::size_t f = 0; f < faults.list.face.size(); ++f)
   {
-    faults.face.push_back(
-      (quality.faceFailures[f] & OfFaces) != 0 || !(quality.faces[InnerAngle][f] < WrongAngle));
+    faults.face.push_back((quality.faceFailures[f] & OfFaces) != 0 ||
+      !(quality.faces[InnerAngle][f] < LayerLimits::InnerAngle));
   }
   faults.weight.assign(quality.faces[FaceWeight].begin(),
     quality.faces[FaceWeight].begin() + static_cast<std::ptrdiff_t>(faults.list.neighbour.size()));
@@ -177,7 +175,7 @@ std::optional<LayerFault> LayerFaults::ofSlice(
   const std::uint32_t other = faults.list.neighbour[f];
   const std::uint32_t c = selected.number[owner];
   const std::uint32_t d = selected.number[other];
-  if (!(faults.weight[f] < LeastWeight) ||
+  if (!(faults.weight[f] < LayerLimits::FaceWeight) ||
     !(selected.hasChanged[owner] || selected.hasChanged[other]) || std::min(c, d) < ofMesh ||
     stacks.stackOf(c - ofMesh) == stacks.stackOf(d - ofMesh))
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Optimisation/NodeOptimisation.h"
 
-#include "Optimisation/FaceEnergy.h"
+#include "Acceptance/FaceEnergy.h"
 #include "Optimisation/LayerPrisms.h"
 #include "Optimisation/NodePaths.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Quality/QualityMeasures.h"
 
+#include "Acceptance/Skewness.h"
 #include "Base/Sorting.h"
 #include "Polyhedra/CellEdges.h"
 
@@ -181,13 +182,9 @@ private:
     const double along = dot(geometry.area, way) / (dot(geometry.area, d) + Tiny);
     const Vector miss = minus(way, scaled(d, along));
     const Vector direction = scaled(miss, 1 / (norm(miss) + Tiny));
-    double reach = partOfWay * norm(d) + Tiny;
-    for (std::size_t i = 0; i < sizeOf(face); ++i)
-    {
-      reach = std::max(
-        reach, std::abs(dot(direction, minus(position(corners(face)[i]), geometry.centre))));
-    }
-    return norm(miss) / reach;
+    const auto corner = [&](std::size_t i) { return position(corners(face)[i]); };
+    return norm(miss) /
+      reachAlong(sizeOf(face), corner, geometry.centre, direction, partOfWay * norm(d) + Tiny);
   }
 
   void setFace(std::size_t face, Measure measure, double value)
@@ -209,7 +206,7 @@ private:
       // The shortest line to the plane of the face; the other measures have their best values.
       const Vector normal = scaled(geometry.area, 1 / (norm(geometry.area) + Tiny));
       const Vector way = minus(geometry.centre, quality_.cellGeometry[owner(face)].centre);
-      setFace(face, Skewness, skewness(face, scaled(normal, dot(normal, way)), 0.4));
+      setFace(face, Skewness, skewness(face, scaled(normal, dot(normal, way)), ShareOfHeight));
       setFace(face, BoundaryAngle, ownerAngle);
       setFace(face, TetQuality, ownerTet);
       for (const Measure m : { InnerAngle, NonOrthogonality, FaceWeight, VolumeRatio })
@@ -224,7 +221,7 @@ private:
     setFace(face, BoundaryAngle, MeasureSpecs[BoundaryAngle].best);
     setFace(face, InnerAngle, std::max(ownerAngle, angleIn(neighbour(face), face)));
     setFace(face, NonOrthogonality, angle(d, geometry.area));
-    setFace(face, Skewness, skewness(face, d, 0.2));
+    setFace(face, Skewness, skewness(face, d, ShareOfDistance));
     const double toLow = std::abs(dot(geometry.area, minus(geometry.centre, low.centre)));
     const double toHigh = std::abs(dot(geometry.area, minus(geometry.centre, high.centre)));
     setFace(face, FaceWeight, std::min(toLow, toHigh) / (toLow + toHigh + Tiny));

@@ -3,6 +3,7 @@
 // checks (checkMesh), with its definitions and limits.
 #pragma once
 
+#include "Acceptance/Limits.h"
 #include "Polyhedra/CellGeometry.h"
 #include "Quality/FaceList.h"
 
@@ -49,28 +50,28 @@ constexpr std::array<MeasureSpec, MeasureCount> MeasureSpecs{ {
   // user units cubed
   { "Volume", false, false, 0, NoLimit },
   // sum of the face vectors (equation 2) divided by the sum of their sizes, the worst of x, y, z
-  { "Openness", false, true, 1e-6, 0 },
+  { "Openness", false, true, Limits::Openness, 0 },
   // number of edges that the faces of the cell do not run through equally often in both directions
   { "OpenEdges", false, true, 1, 0 },
   // section 3: angle from the outward normal to the line from cell centre to face centre, degrees
-  { "BoundaryAngle", true, true, 90, 0 },
-  { "InnerAngle", true, true, 75, 0 },
+  { "BoundaryAngle", true, true, Limits::BoundaryAngle, 0 },
+  { "InnerAngle", true, true, Limits::InnerAngle, 0 },
   // section 3: smallest triangle of the star about the mean of the corners, divided by the mean one
-  { "StarTriangulation", true, false, -1e-6, 1 },
+  { "StarTriangulation", true, false, Limits::StarTriangulation, 1 },
   // angle from the normal to the line between the cell centres, degrees
-  { "NonOrthogonality", true, true, 70, 0 },
+  { "NonOrthogonality", true, true, Limits::NonOrthogonality, 0 },
   // distance of that line from the face centre, divided by the size of the face in this direction
-  { "Skewness", true, true, 4, 0 },
+  { "Skewness", true, true, Limits::Skewness, 0 },
   // the smaller distance of the two cell centres from the plane of the face, divided by their sum
-  { "FaceWeight", true, false, 0.05, 1 },
+  { "FaceWeight", true, false, Limits::FaceWeight, 1 },
   // the smaller volume of the two cells divided by the larger
-  { "VolumeRatio", true, false, 0.01, 1 },
+  { "VolumeRatio", true, false, Limits::VolumeRatio, 1 },
   // of the sum of n n^T over inner faces scaled to mean area 1, divided by that of a cube
-  { "Determinant", false, false, 1e-3, NoLimit },
+  { "Determinant", false, false, Limits::Determinant, NoLimit },
   // largest area across an axis divided by the smallest, or a sixth of all area by volume^(2/3)
-  { "AspectRatio", false, true, 1000, 0 },
+  { "AspectRatio", false, true, Limits::AspectRatio, 0 },
   // tetrahedra of an edge, face centre and cell centre: volume by that of the regular one in its sphere
-  { "TetQuality", true, false, 1e-30, 1 },
+  { "TetQuality", true, false, Limits::TetQuality, 1 },
   // of the most concave edge: its inner angle beyond 180 degrees
   { "Concavity", false, true, NoLimit, 0 },
 } };

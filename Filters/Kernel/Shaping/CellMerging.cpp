@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/CellMerging.h"
 
-#include "Polyhedra/CellCost.h"
+#include "Acceptance/CellCost.h"
 #include "Polyhedra/CellGeometry.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/CellUnion.h"
 
-#include "Polyhedra/CellCost.h"
-#include "Polyhedra/Refusal.h"
+#include "Acceptance/CellCost.h"
+#include "Acceptance/Refusal.h"
 
 #include <algorithm>
 #include <cmath>

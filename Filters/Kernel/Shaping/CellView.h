@@ -2,7 +2,7 @@
 // One cell, or several as one, taken out of the whole to be looked at and tried on.
 #pragma once
 
-#include "Polyhedra/CellFaults.h"
+#include "Acceptance/CellFaults.h"
 
 namespace cartesian
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/CellsToShape.h"
 
-#include "Polyhedra/CellCost.h"
+#include "Acceptance/CellCost.h"
 
 #include "Shaping/CellComplex.h"
 

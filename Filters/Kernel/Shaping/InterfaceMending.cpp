@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/InterfaceMending.h"
 
-#include "Polyhedra/CellCost.h"
+#include "Acceptance/CellCost.h"
 
 #include <algorithm>
 

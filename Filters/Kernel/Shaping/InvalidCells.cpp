@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/InvalidCells.h"
 
+#include "Acceptance/Limits.h"
 #include "Shaping/CellSplitting.h"
 #include "Shaping/CutSearch.h"
 
@@ -22,9 +23,6 @@ constexpr double LeastPart = 1e-6;
 
 // ... of a cut that only makes room for another.
 constexpr double LeastOfNeutral = 0.02;
-
-// checkMesh fails from 1000 on.
-constexpr double LargestAspect = 300;
 
 // Of planes through concave edges, in radians: the one that halves the angle may meet a node.
 const Turns TurnsTried{ 0, 0.4, -0.4 };
@@ -168,7 +166,7 @@ bool split(CellComplex& cells, CellKey key, std::vector<CellKey>& parts)
         return {};
       }
       const Extremes extremes = extremesOf(view, cut);
-      if (extremes.aspect > LargestAspect)
+      if (extremes.aspect > Refused::AspectRatio)
       {
         return {};
       }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/RefusedCells.h"
 
-#include "Polyhedra/Refusal.h"
+#include "Acceptance/Refusal.h"
 
 #include <algorithm>
 #include <cmath>

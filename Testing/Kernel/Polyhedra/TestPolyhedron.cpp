@@ -1,5 +1,5 @@
 // Single cells: measured, and cut by planes.
-#include "Polyhedra/CellFaults.h"
+#include "Acceptance/CellFaults.h"
 #include "Polyhedra/PolyhedronCut.h"
 
 #include <gtest/gtest.h>

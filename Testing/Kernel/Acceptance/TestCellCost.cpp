@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Polyhedra/CellCost.h"
+#include "Acceptance/CellCost.h"
 
 #include <gtest/gtest.h>
 

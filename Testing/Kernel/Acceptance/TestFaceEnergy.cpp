@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Energies of faces: their derivatives are those that differences give.
-#include "Optimisation/FaceEnergy.h"
+#include "Acceptance/FaceEnergy.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Optimisation/FaceEnergy.h"
+#include "Acceptance/FaceEnergy.h"
+
+#include "Acceptance/Limits.h"
+#include "Acceptance/Skewness.h"
 
 namespace cartesian
 {
@@ -7,24 +10,10 @@ namespace cartesian
 namespace
 {
 
-// Where a measure costs 1 (as in CellCost.cpp).
-constexpr double FairSkewness = 1.6;
-constexpr double FairSlope = 0.7; // square of the tangent of the non-orthogonality: 40 degrees
-constexpr double FairWeight = 0.12;
-constexpr double FairVolumeRatio = 0.06;
-constexpr double FairInnerCosine = 0.35; // of the angle of section 3
-constexpr double FairBoundarySlope = 2;  // square of its tangent: 55 degrees
-constexpr double FairShare = 0.15;
-constexpr double LargeShare = 0.6; // not small at all
-
 // Weights of what accuracy asks for. A gradient at a wall has nothing beyond to balance it.
 constexpr double WeightOfBoundary = 80;
 constexpr double WeightOfInner = 1;
 constexpr double WeightOfSlope = 0.3;
-
-// OpenFOAM measures skewness over at least these parts of the distance of the centres, and of the height.
-constexpr double ShareOfDistance = 0.2;
-constexpr double ShareOfHeight = 0.4;
 
 // Beyond these parts of the distance of the centres (of the box's edge at boundaries) a measure grows no steeper: a cell
 // turned inside out is to find its way back.
@@ -54,12 +43,9 @@ void add(Vector& sum, const Vector& v, double factor)
 
 double reachOf(const Ring& ring, const Vector& centre, const Vector& aside, double least)
 {
-  double reach = least * norm(aside);
-  for (std::size_t i = 0; i < ring.size; ++i)
-  {
-    reach = std::max(reach, std::abs(dot(minus(ring[i], centre), aside)));
-  }
-  return reach / std::max(norm(aside), Tiny);
+  const auto corner = [&](std::size_t i) { return ring[i]; };
+  return reachAlong(ring.size, corner, centre, aside, least * norm(aside)) /
+    std::max(norm(aside), Tiny);
 }
 
 // The distance `aside` by which a face's centre is off: skewness, and the error of a flux. Returns the factor of
@@ -68,7 +54,7 @@ double energyOfOffset(const FaceGeometry& face, const Ring& ring, const Vector& 
   double weight, FaceEnergy& energy)
 {
   const double offset = dot(aside, aside);
-  const double fair = fourth(FairSkewness * reachOf(ring, face.centre, aside, least));
+  const double fair = fourth(Fair::Skewness * reachOf(ring, face.centre, aside, least));
   const double skew = offset * offset / std::max(fair, Tiny);
   energy.limits += skew;
   energy.all += skew + weight * offset;
@@ -81,7 +67,7 @@ void addRatio(const CellGeometry& below, const CellGeometry& above, FaceEnergy& 
   const bool isBelowSmaller = below.volume < above.volume;
   const double large = std::max({ below.volume, above.volume, Tiny });
   const double small = std::max(std::min(below.volume, above.volume), LeastRatio * large);
-  const double ratio = square(FairVolumeRatio * large / small);
+  const double ratio = square(Fair::VolumeRatio * large / small);
   energy.limits += ratio;
   energy.all += ratio;
   (isBelowSmaller ? ofBelow : ofAbove).volume -= 2 * ratio / small;
@@ -93,7 +79,7 @@ void addRatio(const CellGeometry& below, const CellGeometry& above, FaceEnergy& 
 double addAngle(const Vector& way, double height, FaceEnergy& energy, Vector& byWay)
 {
   const double length = std::max(dot(way, way), Tiny);
-  const double angle = square(square(FairInnerCosine) * length / square(height));
+  const double angle = square(square(Fair::InnerCosine) * length / square(height));
   energy.limits += angle;
   energy.all += angle;
   add(byWay, way, 4 * angle / length);
@@ -141,14 +127,14 @@ FaceEnergy energyOfInnerFace(const FaceGeometry& face, const Ring& ring, double 
 
   const double slope = std::max(0.0, square(distance / across) - 1);
   const double weightOfSlope = WeightOfSlope * size / square(edge);
-  energy.limits += square(slope / FairSlope);
-  energy.all += square(slope / FairSlope) + weightOfSlope * slope;
-  const double bySlope = 2 * slope / square(FairSlope) + weightOfSlope;
+  energy.limits += square(slope / Fair::Slope);
+  energy.all += square(slope / Fair::Slope) + weightOfSlope * slope;
+  const double bySlope = 2 * slope / square(Fair::Slope) + weightOfSlope;
   add(byBetween, between, 2 * bySlope / square(across));
   byAcross -= 2 * bySlope * square(distance / across) / across;
 
   const double nearer = std::min(near, far);
-  const double weight = fourth(FairWeight * across / nearer);
+  const double weight = fourth(Fair::FaceWeight * across / nearer);
   energy.limits += weight;
   energy.all += weight;
   (near < far ? byNear : byFar) -= 4 * weight / nearer;
@@ -206,9 +192,9 @@ FaceEnergy energyOfBoundaryFace(const FaceGeometry& face, const Ring& ring, doub
     face, ring, aside, ShareOfHeight * height, WeightOfBoundary * size / fourth(edge), energy);
 
   const double slope = dot(aside, aside) / square(height);
-  energy.limits += square(slope / FairBoundarySlope);
-  energy.all += square(slope / FairBoundarySlope);
-  const double bySlope = 2 * slope / square(FairBoundarySlope);
+  energy.limits += square(slope / Fair::BoundarySlope);
+  energy.all += square(slope / Fair::BoundarySlope);
+  const double bySlope = 2 * slope / square(Fair::BoundarySlope);
   byAside += 2 * bySlope / square(height);
   const double byHeight =
     addLack(along, LeastHeight * edge, edge, energy) - 2 * bySlope * slope / height;
@@ -226,12 +212,12 @@ FaceEnergy energyOfBoundaryFace(const FaceGeometry& face, const Ring& ring, doub
 double energyOfShare(double share, double& byShare)
 {
   byShare = 0;
-  if (share >= LargeShare)
+  if (share >= Fair::LargeShare)
   {
     return 0;
   }
   const double least = std::max(share, LeastRatio);
-  const double energy = square(FairShare / least);
+  const double energy = square(Fair::Share / least);
   const double lack = std::max(0.0, LeastRatio - share);
   byShare = -2 * energy / least - (lack > 0 ? Beyond : 0);
   return energy + Beyond * lack;

@@ -2,7 +2,7 @@
 // Which faces of a cell solvers refuse (CellFaults.h), with either of the two centres that solvers compute.
 #pragma once
 
-#include "Polyhedra/CellFaults.h"
+#include "Acceptance/CellFaults.h"
 
 namespace cartesian
 {

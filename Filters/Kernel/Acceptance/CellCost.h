@@ -6,7 +6,7 @@
 // checkMesh defines them, the angles of section 3, and the cell's volume by that of its box.
 #pragma once
 
-#include "Polyhedra/CellFaults.h"
+#include "Acceptance/CellFaults.h"
 
 namespace cartesian
 {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Polyhedra/CellFaults.h"
+#include "Acceptance/CellFaults.h"
+
+#include "Acceptance/Limits.h"
+#include "Acceptance/Skewness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,28 +13,6 @@ namespace cartesian
 
 namespace
 {
-
-// A sixth of a degree stricter than section 3: solvers do not agree on the centre of a warped face.
-constexpr double LeastBoundaryCosine = 0.00290887798436196; // cos 89 5/6
-constexpr double LeastInnerCosine = 0.261627710462944;      // cos 74 5/6
-
-// Faces beyond these angles may exceed the limits above with another definition of a face's centre.
-constexpr double DoubtfulBoundaryCosine = 0.173648177666930; // cos 80
-constexpr double DoubtfulInnerCosine = 0.422618261740699;    // cos 65
-
-constexpr double LeastSlopeCosine = 0.342020143325669; // cos 70
-constexpr double MostSkewness = 4;
-constexpr double LeastVolumeRatio = 0.01;
-constexpr double LeastFaceWeight = 0.05;
-
-// What snappyHexMesh's cells have, about.
-constexpr double LeastBalancedWeight = 0.08;
-constexpr double LeastBalancedRatio = 0.02;
-
-// OpenFOAM measures skewness relative to at least these parts of the distance between the centres,
-// and of the height above a boundary face.
-constexpr double ShareOfDistance = 0.2;
-constexpr double ShareOfHeight = 0.4;
 
 // Areas that differ by less than this part count as equal.
 constexpr double EqualAreas = 1e-6;
@@ -51,16 +32,14 @@ bool isSkewed(const Polyhedron& cell, const FaceShape& shape, std::size_t face, 
   double share)
 {
   const double distance = norm(aside);
-  if (distance <= MostSkewness * share)
+  if (distance <= Limits::Skewness * share)
   {
     return false;
   }
-  double reach = 0;
-  for (std::size_t i = cell.start[face]; i < cell.start[face + 1]; ++i)
-  {
-    reach = std::max(reach, std::abs(dot(minus(cell.nodes[cell.corners[i]], shape.centre), aside)));
-  }
-  return distance * distance > MostSkewness * reach;
+  const auto corner = [&](std::size_t i) { return cell.nodes[cell.corners[cell.start[face] + i]]; };
+  const double reach =
+    reachAlong(cell.start[face + 1] - cell.start[face], corner, shape.centre, aside, 0);
+  return distance * distance > Limits::Skewness * reach;
 }
 
 bool isBoundarySkewed(const Polyhedron& cell, const CellShape& shape, std::size_t face)
@@ -104,7 +83,7 @@ void addFaults(const Polyhedron& cell, const CellShape& shape, std::size_t f,
   bool skewed = false;
   if (cell.isBoundary[f])
   {
-    wideAngle = own <= LeastBoundaryCosine;
+    wideAngle = own <= Refused::BoundaryCosine;
     skewed = isBoundarySkewed(cell, shape, f);
     note(CellFaults::BoundaryAngle, wideAngle);
   }
@@ -112,17 +91,17 @@ void addFaults(const Polyhedron& cell, const CellShape& shape, std::size_t f,
   {
     const Vector between = minus(neighbour.centre, shape.centre);
     const double others = cosine(minus(neighbour.centre, face.centre), face.area);
-    wideAngle = std::min(own, others) < LeastInnerCosine;
+    wideAngle = std::min(own, others) < Refused::InnerCosine;
     skewed = isInnerSkewed(cell, shape, f, between);
     note(CellFaults::InnerAngle, wideAngle);
     note(CellFaults::WronglyOriented, std::min({ own, others, dot(between, face.area) }) <= 0);
-    note(CellFaults::NonOrthogonal, cosine(between, face.area) < LeastSlopeCosine);
+    note(CellFaults::NonOrthogonal, cosine(between, face.area) < Refused::SlopeCosine);
     note(CellFaults::VolumeRatio,
       std::min(shape.volume, neighbour.volume) <
-        LeastVolumeRatio * std::max(shape.volume, neighbour.volume));
+        Limits::VolumeRatio * std::max(shape.volume, neighbour.volume));
     const double near = std::abs(dot(minus(face.centre, shape.centre), face.area));
     const double far = std::abs(dot(minus(neighbour.centre, face.centre), face.area));
-    note(CellFaults::FaceWeight, std::min(near, far) < LeastFaceWeight * (near + far));
+    note(CellFaults::FaceWeight, std::min(near, far) < Limits::FaceWeight * (near + far));
   }
   note(cell.isBoundary[f] ? CellFaults::BoundarySkewness : CellFaults::InnerSkewness, skewed);
   faults.area += wideAngle || skewed ? norm(face.area) : 0;
@@ -205,9 +184,9 @@ bool isUnbalanced(const CellShape& shape, std::size_t face, const NeighbourCell&
   const double near = std::abs(dot(minus(f.centre, shape.centre), f.area));
   const double far = std::abs(dot(minus(neighbour.centre, f.centre), f.area));
   return neighbour.volume > 0 &&
-    (std::min(near, far) < LeastBalancedWeight * (near + far) ||
+    (std::min(near, far) < Balanced::FaceWeight * (near + far) ||
       std::min(shape.volume, neighbour.volume) <
-        LeastBalancedRatio * std::max(shape.volume, neighbour.volume));
+        Balanced::VolumeRatio * std::max(shape.volume, neighbour.volume));
 }
 
 bool isTurnedOver(const CellShape& shape, std::size_t face, const NeighbourCell& neighbour)
@@ -220,13 +199,13 @@ bool isTurnedOver(const CellShape& shape, std::size_t face, const NeighbourCell&
 
 bool mayBeDoubtful(const CellShape& shape, bool boundary, std::size_t face)
 {
-  return ownCosine(shape, face) <= (boundary ? DoubtfulBoundaryCosine : DoubtfulInnerCosine);
+  return ownCosine(shape, face) <= (boundary ? Doubtful::BoundaryCosine : Doubtful::InnerCosine);
 }
 
 bool isDoubtful(const CellShape& projected, bool boundary, std::size_t face)
 {
   const double own = ownCosine(projected, face);
-  return boundary ? own <= LeastBoundaryCosine : own < LeastInnerCosine;
+  return boundary ? own <= Refused::BoundaryCosine : own < Refused::InnerCosine;
 }
 
 CentreOffset centreOffsetOf(const Vector& centre, const Vector& faceCentre, const Vector& area)
@@ -240,10 +219,11 @@ CentreOffset centreOffsetOf(const Vector& centre, const Vector& faceCentre, cons
 
 bool isSurelyAccepted(const CentreOffset& one, const CentreOffset& other)
 {
-  constexpr float MostSlope = 2; // the tangent of an angle below that of DoubtfulInnerCosine
-  constexpr float MostOfDistance = 0.79F; // less than MostSkewness * ShareOfDistance
-  static_assert(MostOfDistance < MostSkewness * ShareOfDistance);
-  static_assert(1 > (1 + MostSlope * MostSlope) * DoubtfulInnerCosine * DoubtfulInnerCosine * 1.1);
+  constexpr float MostSlope = 2; // the tangent of an angle below that of Doubtful::InnerCosine
+  constexpr float MostOfDistance = 0.79F; // less than Limits::Skewness * ShareOfDistance
+  static_assert(MostOfDistance < Limits::Skewness * ShareOfDistance);
+  static_assert(
+    1 > (1 + MostSlope * MostSlope) * Doubtful::InnerCosine * Doubtful::InnerCosine * 1.1);
   return one.aside <= MostSlope * one.height && other.aside <= MostSlope * other.height &&
     std::max(one.aside, other.aside) <= MostOfDistance * (one.height + other.height);
 }
@@ -263,7 +243,7 @@ bool isPlain(const Polyhedron& cell, const CellShape& shape)
 {
   for (std::size_t f = 0; f < cell.faces(); ++f)
   {
-    if (cell.isBoundary[f] && ownCosine(shape, f) <= DoubtfulBoundaryCosine)
+    if (cell.isBoundary[f] && ownCosine(shape, f) <= Doubtful::BoundaryCosine)
     {
       return false;
     }
@@ -274,8 +254,8 @@ bool isPlain(const Polyhedron& cell, const CellShape& shape)
 bool isAtFault(const Polyhedron& cell, const CellShape& shape, std::size_t face)
 {
   return cell.isBoundary[face]
-    ? ownCosine(shape, face) <= LeastBoundaryCosine || isBoundarySkewed(cell, shape, face)
-    : ownCosine(shape, face) < LeastInnerCosine;
+    ? ownCosine(shape, face) <= Refused::BoundaryCosine || isBoundarySkewed(cell, shape, face)
+    : ownCosine(shape, face) < Refused::InnerCosine;
 }
 
 bool isAnyAtFault(const Polyhedron& cell, const CellShape& shape)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Polyhedra/CellCost.h"
+#include "Acceptance/CellCost.h"
 
+#include "Acceptance/Limits.h"
+#include "Acceptance/Skewness.h"
 #include "Polyhedra/CellGeometry.h"
 
 #include <algorithm>
@@ -13,39 +15,18 @@ namespace cartesian
 namespace
 {
 
-// Where a measure costs 1.
-constexpr double FairSkewness = 1.6;
-constexpr double FairSlope = 0.7; // square of the tangent of the non-orthogonality: 40 degrees
-constexpr double FairWeight = 0.12;
-constexpr double FairVolumeRatio = 0.06;
-constexpr double FairInnerCosine = 0.35; // of the angle of section 3
-constexpr double FairBoundarySlope = 2;  // square of its tangent: 55 degrees
-constexpr double FairShare = 0.15;
-
 // checkMesh's determinant of the cell's inner faces: 1 for a cube, next to nothing where there is a direction
 // that hardly any of them faces. No more than what a cell that is gone costs: where the domain is one cell
 // thin, all have that.
-constexpr double FairDeterminant = 0.02;
 constexpr double MostOfDeterminant = 8;
 
 // Of a cell's largest face.
 constexpr double NegligibleShare = 1e-4;
 
-// Cells of this share and more are not small at all.
-constexpr double LargeShare = 0.6;
-
-// Closer to the limits of section 3 (75 and 90 degrees) than this an angle has failed.
-constexpr double LeastInnerCosine = 0.27;
-constexpr double LeastBoundaryCosine = 0.1;
 constexpr double CostOfFailure = 1e3;
 
 // Nothing that a merge mends may outweigh that: the most that any other measure costs.
 constexpr double MostCost = 100;
-
-// OpenFOAM measures skewness over at least these parts of the distance of the centres, and of the
-// height above a boundary face.
-constexpr double ShareOfDistance = 0.2;
-constexpr double ShareOfHeight = 0.4;
 
 constexpr double square(double x)
 {
@@ -67,11 +48,9 @@ double skewness(const Polyhedron& cell, const FaceShape& shape, std::size_t face
   {
     return 0;
   }
-  double reach = least * distance;
-  for (std::size_t i = cell.start[face]; i < cell.start[face + 1]; ++i)
-  {
-    reach = std::max(reach, std::abs(dot(minus(cell.nodes[cell.corners[i]], shape.centre), aside)));
-  }
+  const auto corner = [&](std::size_t i) { return cell.nodes[cell.corners[cell.start[face] + i]]; };
+  const double reach = reachAlong(
+    cell.start[face + 1] - cell.start[face], corner, shape.centre, aside, least * distance);
   return square(distance) / std::max(reach, Tiny);
 }
 
@@ -92,13 +71,13 @@ double costOfBoundaryFace(const Polyhedron& cell, const CellShape& shape, std::s
   const Vector towards = minus(f.centre, shape.centre);
   const double height = dot(towards, normal);
   const double cosine = height / std::max(norm(towards), Tiny);
-  if (cosine < LeastBoundaryCosine)
+  if (cosine < Failing::BoundaryCosine)
   {
     return failure(cosine);
   }
   const Vector aside = minus(towards, scaled(normal, height));
-  return bounded(fourth(skewness(cell, f, face, aside, ShareOfHeight * height) / FairSkewness)) +
-    bounded(square((1 / square(cosine) - 1) / FairBoundarySlope));
+  return bounded(fourth(skewness(cell, f, face, aside, ShareOfHeight * height) / Fair::Skewness)) +
+    bounded(square((1 / square(cosine) - 1) / Fair::BoundarySlope));
 }
 
 double costOfInnerFace(
@@ -116,7 +95,7 @@ double costOfInnerFace(
   const double own = near / std::max(norm(towards), Tiny);
   const double others = far / std::max(norm(away), Tiny);
   const double least = std::min({ across / distance, own, others });
-  if (least < LeastInnerCosine)
+  if (least < Failing::InnerCosine)
   {
     return failure(least);
   }
@@ -125,11 +104,11 @@ double costOfInnerFace(
   const double ratio =
     std::min(shape.volume, beyond.volume) / std::max(shape.volume, beyond.volume);
   return bounded(
-           fourth(skewness(cell, f, face, aside, ShareOfDistance * distance) / FairSkewness)) +
-    bounded(square((square(distance / across) - 1) / FairSlope)) +
-    bounded(fourth(FairWeight / weight)) +
-    bounded(square(FairVolumeRatio / std::max(ratio, Tiny))) +
-    bounded(fourth(FairInnerCosine / std::min(own, others)));
+           fourth(skewness(cell, f, face, aside, ShareOfDistance * distance) / Fair::Skewness)) +
+    bounded(square((square(distance / across) - 1) / Fair::Slope)) +
+    bounded(fourth(Fair::FaceWeight / weight)) +
+    bounded(square(Fair::VolumeRatio / std::max(ratio, Tiny))) +
+    bounded(fourth(Fair::InnerCosine / std::min(own, others)));
 }
 
 }
@@ -153,7 +132,7 @@ double negligibleArea(const CellShape& shape)
 
 double costOfShare(double share)
 {
-  return share >= LargeShare ? 0 : bounded(square(FairShare / std::max(share, Tiny)));
+  return share >= Fair::LargeShare ? 0 : bounded(square(Fair::Share / std::max(share, Tiny)));
 }
 
 double costOfDeterminant(const Polyhedron& cell, const CellShape& shape)
@@ -178,7 +157,7 @@ double costOfDeterminant(const Polyhedron& cell, const CellShape& shape)
   const double mean = size / static_cast<double>(std::max<std::size_t>(count, 1));
   const double determinant = dot(sum[0], cross(sum[1], sum[2])) / (8 * std::pow(mean, 6) + Tiny);
   return count == 0 ? 0
-                    : std::min(FairDeterminant / std::max(determinant, Tiny), MostOfDeterminant);
+                    : std::min(Fair::Determinant / std::max(determinant, Tiny), MostOfDeterminant);
 }
 
 bool isEasy(const Polyhedron& cell, const CellShape& shape)

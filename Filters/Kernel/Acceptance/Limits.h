@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The one table of what solvers accept of a face or a cell, and of how near to that shaping goes. Cosines and tangents are
+// of the angles in the comments. The paper's section 3 asks for the angles, OpenFOAM's checkMesh (1912) for the rest.
+#pragma once
+
+namespace cartesian
+{
+
+// What checkMesh and section 3 refuse: at or beyond these. Degrees; ratios.
+struct Limits
+{
+  static constexpr double BoundaryAngle = 90;
+  static constexpr double InnerAngle = 75;
+  static constexpr double StarTriangulation = -1e-6;
+  static constexpr double NonOrthogonality = 70;
+  static constexpr double Skewness = 4;
+  static constexpr double FaceWeight = 0.05;
+  static constexpr double VolumeRatio = 0.01;
+  static constexpr double Determinant = 1e-3;
+  static constexpr double AspectRatio = 1000;
+  static constexpr double Openness = 1e-6;
+  static constexpr double TetQuality = 1e-30;
+};
+
+// Skewness is measured over at least these parts of the distance between the centres, and of the height above a
+// boundary face.
+constexpr double ShareOfDistance = 0.2;
+constexpr double ShareOfHeight = 0.4;
+
+// What shaping refuses, stricter by a sixth of a degree than section 3: solvers do not agree on the centre of a warped
+// face.
+struct Refused
+{
+  static constexpr double BoundaryCosine = 0.00290887798436196; // 89 5/6
+  static constexpr double InnerCosine = 0.261627710462944;      // 74 5/6
+  static constexpr double SlopeCosine = 0.342020143325669;      // 70
+  static constexpr double AspectRatio = 300;
+};
+
+// Faces beyond these angles may exceed those with another definition of a face's centre.
+struct Doubtful
+{
+  static constexpr double BoundaryCosine = 0.173648177666930; // 80
+  static constexpr double InnerCosine = 0.422618261740699;    // 65
+};
+
+// Closer to the limits of section 3 than this an angle has failed where costs are compared.
+struct Failing
+{
+  static constexpr double BoundaryCosine = 0.1; // 84.3
+  static constexpr double InnerCosine = 0.27;   // 74.3
+};
+
+// Of the sides between two stacks of layers.
+struct LayerLimits
+{
+  static constexpr double InnerAngle = 89.9; // of a face whose pyramid has no volume
+  static constexpr double FaceWeight = 0.02;
+};
+
+// What snappyHexMesh's cells have, about.
+struct Balanced
+{
+  static constexpr double FaceWeight = 0.08;
+  static constexpr double VolumeRatio = 0.02;
+};
+
+// Where a measure costs 1: up to there solvers are at ease.
+struct Fair
+{
+  static constexpr double Skewness = 1.6;
+  static constexpr double Slope = 0.7; // square of the tangent of the non-orthogonality: 40
+  static constexpr double FaceWeight = 0.12;
+  static constexpr double VolumeRatio = 0.06;
+  static constexpr double InnerCosine = 0.35; // of the angle of section 3: 69.5
+  static constexpr double BoundarySlope = 2;  // square of its tangent: 55
+  static constexpr double Share = 0.15;       // of its box's volume
+  static constexpr double LargeShare = 0.6;   // not small at all
+  static constexpr double Determinant = 0.02;
+};
+
+}
