@@ -38,25 +38,14 @@ constexpr double fourth(double x)
   return square(square(x));
 }
 
-// `aside`: from where the line between the centres meets the face's plane to the face's centre;
-// `least`: that it is measured over at least.
-double skewness(const Polyhedron& cell, const FaceShape& shape, std::size_t face,
-  const Vector& aside, double least)
-{
-  const double distance = norm(aside);
-  if (distance <= Tiny)
-  {
-    return 0;
-  }
-  const auto corner = [&](std::size_t i) { return cell.nodes[cell.corners[cell.start[face] + i]]; };
-  const double reach = reachAlong(
-    cell.start[face + 1] - cell.start[face], corner, shape.centre, aside, least * distance);
-  return square(distance) / std::max(reach, Tiny);
-}
-
 double bounded(double cost)
 {
   return std::min(cost, MostCost);
+}
+
+double costOf(const FaceSkewness& skewness)
+{
+  return bounded(fourth(skewness.value() / Fair::Skewness));
 }
 
 double failure(double cosine)
@@ -76,7 +65,7 @@ double costOfBoundaryFace(const Polyhedron& cell, const CellShape& shape, std::s
     return failure(cosine);
   }
   const Vector aside = minus(towards, scaled(normal, height));
-  return bounded(fourth(skewness(cell, f, face, aside, ShareOfHeight * height) / Fair::Skewness)) +
+  return costOf(skewnessOf(ringOf(cell, face), f.centre, aside, ShareOfHeight * height)) +
     bounded(square((1 / square(cosine) - 1) / Fair::BoundarySlope));
 }
 
@@ -103,8 +92,7 @@ double costOfInnerFace(
   const double weight = std::min(near, far) / across;
   const double ratio =
     std::min(shape.volume, beyond.volume) / std::max(shape.volume, beyond.volume);
-  return bounded(
-           fourth(skewness(cell, f, face, aside, ShareOfDistance * distance) / Fair::Skewness)) +
+  return costOf(skewnessOf(ringOf(cell, face), f.centre, aside, ShareOfDistance * distance)) +
     bounded(square((square(distance / across) - 1) / Fair::Slope)) +
     bounded(fourth(Fair::FaceWeight / weight)) +
     bounded(square(Fair::VolumeRatio / std::max(ratio, Tiny))) +

@@ -26,22 +26,6 @@ double cosine(const Vector& u, const Vector& v)
   return lengths > 0 ? dot(u, v) / lengths : 0;
 }
 
-// Whether a face's skewness is too large. `aside`: from where the line meets the face's plane to
-// the face's centre; `share`: the least length that it is measured relative to.
-bool isSkewed(const Polyhedron& cell, const FaceShape& shape, std::size_t face, const Vector& aside,
-  double share)
-{
-  const double distance = norm(aside);
-  if (distance <= Limits::Skewness * share)
-  {
-    return false;
-  }
-  const auto corner = [&](std::size_t i) { return cell.nodes[cell.corners[cell.start[face] + i]]; };
-  const double reach =
-    reachAlong(cell.start[face + 1] - cell.start[face], corner, shape.centre, aside, 0);
-  return distance * distance > Limits::Skewness * reach;
-}
-
 bool isBoundarySkewed(const Polyhedron& cell, const CellShape& shape, std::size_t face)
 {
   const FaceShape& f = shape.faces[face];
@@ -49,7 +33,8 @@ bool isBoundarySkewed(const Polyhedron& cell, const CellShape& shape, std::size_
   const Vector towards = minus(f.centre, shape.centre);
   const double height = dot(towards, normal);
   const Vector aside = minus(towards, scaled(normal, height));
-  return isSkewed(cell, f, face, aside, ShareOfHeight * std::abs(height));
+  return isSkewed(
+    ringOf(cell, face), f.centre, aside, ShareOfHeight * std::abs(height), Limits::Skewness);
 }
 
 bool isInnerSkewed(
@@ -63,7 +48,8 @@ bool isInnerSkewed(
     return true;
   }
   const Vector aside = minus(towards, scaled(between, dot(f.area, towards) / across));
-  return isSkewed(cell, f, face, aside, ShareOfDistance * norm(between));
+  return isSkewed(
+    ringOf(cell, face), f.centre, aside, ShareOfDistance * norm(between), Limits::Skewness);
 }
 
 double ownCosine(const CellShape& shape, std::size_t face)

@@ -41,20 +41,14 @@ void add(Vector& sum, const Vector& v, double factor)
   sum[2] += factor * v[2];
 }
 
-double reachOf(const Ring& ring, const Vector& centre, const Vector& aside, double least)
-{
-  const auto corner = [&](std::size_t i) { return ring[i]; };
-  return reachAlong(ring.size, corner, centre, aside, least * norm(aside)) /
-    std::max(norm(aside), Tiny);
-}
-
 // The distance `aside` by which a face's centre is off: skewness, and the error of a flux. Returns the factor of
 // `aside` in the derivative.
 double energyOfOffset(const FaceGeometry& face, const Ring& ring, const Vector& aside, double least,
   double weight, FaceEnergy& energy)
 {
   const double offset = dot(aside, aside);
-  const double fair = fourth(Fair::Skewness * reachOf(ring, face.centre, aside, least));
+  const double fair =
+    fourth(Fair::Skewness * skewnessOf(ring, face.centre, aside, least).reachAlone());
   const double skew = offset * offset / std::max(fair, Tiny);
   energy.limits += skew;
   energy.all += skew + weight * offset;

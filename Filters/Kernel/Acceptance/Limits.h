@@ -22,11 +22,6 @@ struct Limits
   static constexpr double TetQuality = 1e-30;
 };
 
-// Skewness is measured over at least these parts of the distance between the centres, and of the height above a
-// boundary face.
-constexpr double ShareOfDistance = 0.2;
-constexpr double ShareOfHeight = 0.4;
-
 // What shaping refuses, stricter by a sixth of a degree than section 3: solvers do not agree on the centre of a warped
 // face.
 struct Refused

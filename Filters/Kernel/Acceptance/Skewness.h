@@ -1,15 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// OpenFOAM's skewness of a face: how far its centre is from where the line between the centres meets its plane, by how far
-// the face reaches in that direction.
+// OpenFOAM's skewness of a face: how far its centre is from where the line between the centres of its cells meets its
+// plane (at the boundary: from the foot of the cell's centre), by how far the face reaches in that direction. Any unit
+// of length.
 #pragma once
 
-#include "Lattice/Vector.h"
-
-#include <algorithm>
-#include <cmath>
+#include "Polyhedra/CellGeometry.h"
 
 namespace cartesian
 {
+
+// Skewness is measured over at least these parts of the distance between the centres, and of the height above a
+// boundary face.
+constexpr double ShareOfDistance = 0.2;
+constexpr double ShareOfHeight = 0.4;
+
+struct FaceSkewness
+{
+  double miss;   // the distance
+  double length; // of the vector along which the reach is measured
+  double reach;  // times that length
+
+  double value() const { return miss * length / std::max(reach, Tiny); }
+  double reachAlone() const { return reach / std::max(length, Tiny); }
+};
 
 // How far the corners reach from the centre along `aside`, times the length of `aside`; at least `least`.
 template <class Corner>
@@ -22,6 +35,29 @@ double reachAlong(
     reach = std::max(reach, std::abs(dot(minus(corner(i), centre), aside)));
   }
   return reach;
+}
+
+inline double reachAlong(const Ring& ring, const Vector& centre, const Vector& aside, double least)
+{
+  return reachAlong(
+    ring.size, [&](std::size_t i) { return ring[i]; }, centre, aside, least);
+}
+
+// `aside`: from where the line meets the plane to the centre; `least`: the reach, without the length of `aside`. That
+// is not made 1: rounding would move nodes.
+inline FaceSkewness skewnessOf(
+  const Ring& ring, const Vector& centre, const Vector& aside, double least)
+{
+  const double miss = norm(aside);
+  return { miss, miss, reachAlong(ring, centre, aside, least * miss) };
+}
+
+// Whether it is larger than `limit`. Looks at the corners only where it has to.
+inline bool isSkewed(
+  const Ring& ring, const Vector& centre, const Vector& aside, double least, double limit)
+{
+  const double miss = norm(aside);
+  return !(miss <= limit * least) && miss * miss > limit * reachAlong(ring, centre, aside, 0);
 }
 
 }

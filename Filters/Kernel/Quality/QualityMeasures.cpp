@@ -183,8 +183,9 @@ private:
     const Vector miss = minus(way, scaled(d, along));
     const Vector direction = scaled(miss, 1 / (norm(miss) + Tiny));
     const auto corner = [&](std::size_t i) { return position(corners(face)[i]); };
-    return norm(miss) /
+    const double reach =
       reachAlong(sizeOf(face), corner, geometry.centre, direction, partOfWay * norm(d) + Tiny);
+    return FaceSkewness{ norm(miss), 1, reach }.value();
   }
 
   void setFace(std::size_t face, Measure measure, double value)

@@ -2,6 +2,7 @@
 #include "Shaping/WallJoining.h"
 
 #include "Acceptance/CellCost.h"
+#include "Acceptance/Skewness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,7 @@ namespace
 // Between prisms on two faces: as the limits of solvers, with some room for what moving the nodes adds.
 constexpr double SteepestLine =
   2; // tangent of the angle between the centres' line and the normal of the side
-constexpr double MostSkew =
-  2.5; // of that line's distance from the side's centre, in half lengths of the edge
+constexpr double MostSkew = 2.5; // ... of the edge between them
 
 // Between a cell and the prism on one of its faces, which is flat: tangent of the same angle.
 constexpr double SteepestFloor = 1.5;
@@ -158,8 +158,10 @@ private:
     {
       return true;
     }
-    const double miss = dot(toMiddle, u) - dot(line, u) * before / way;
-    return 2 * std::abs(miss) > MostSkew * norm(edge);
+    const Vector aside = scaled(u, dot(toMiddle, u) - dot(line, u) * before / way);
+    const std::array<Vector, 2> ends{ chain.from, chain.to };
+    const std::array<std::uint32_t, 2> both{ 0, 1 };
+    return isSkewed({ ends.data(), both.data(), 2 }, middle, aside, 0, MostSkew);
   }
 
   bool isSteep(std::uint32_t f) const
