@@ -14,9 +14,6 @@ namespace cartesian
 namespace
 {
 
-// Areas that differ by less than this part count as equal.
-constexpr double EqualAreas = 1e-6;
-
 constexpr std::array<CellFaults::Kind, 4> Invalid{ CellFaults::BoundaryAngle,
   CellFaults::WronglyOriented, CellFaults::BoundarySkewness, CellFaults::InnerSkewness };
 
@@ -58,6 +55,11 @@ double ownCosine(const CellShape& shape, std::size_t face)
   return cosine(minus(f.centre, shape.centre), f.area);
 }
 
+bool isTooWide(double cosine, bool boundary)
+{
+  return boundary ? cosine <= Refused::BoundaryCosine : cosine < Refused::InnerCosine;
+}
+
 void addFaults(const Polyhedron& cell, const CellShape& shape, std::size_t f,
   const NeighbourCell& neighbour, CellFaults& faults)
 {
@@ -69,7 +71,7 @@ void addFaults(const Polyhedron& cell, const CellShape& shape, std::size_t f,
   bool skewed = false;
   if (cell.isBoundary[f])
   {
-    wideAngle = own <= Refused::BoundaryCosine;
+    wideAngle = isTooWide(own, true);
     skewed = isBoundarySkewed(cell, shape, f);
     note(CellFaults::BoundaryAngle, wideAngle);
   }
@@ -77,7 +79,7 @@ void addFaults(const Polyhedron& cell, const CellShape& shape, std::size_t f,
   {
     const Vector between = minus(neighbour.centre, shape.centre);
     const double others = cosine(minus(neighbour.centre, face.centre), face.area);
-    wideAngle = std::min(own, others) < Refused::InnerCosine;
+    wideAngle = isTooWide(std::min(own, others), false);
     skewed = isInnerSkewed(cell, shape, f, between);
     note(CellFaults::InnerAngle, wideAngle);
     note(CellFaults::WronglyOriented, std::min({ own, others, dot(between, face.area) }) <= 0);
@@ -126,22 +128,6 @@ CellFaults CellFaults::invalid() const
   return faults;
 }
 
-bool CellFaults::isNoLessValidThan(const CellFaults& other) const
-{
-  return std::all_of(
-    Invalid.begin(), Invalid.end(), [&](Kind kind) { return counts[kind] <= other.counts[kind]; });
-}
-
-bool CellFaults::isNoWorseThan(const CellFaults& other) const
-{
-  return std::equal(counts.begin(), counts.end(), other.counts.begin(), std::less_equal<>());
-}
-
-bool CellFaults::isBetterThan(const CellFaults& other) const
-{
-  return isNoWorseThan(other) && (count() < other.count() || area < other.area * (1 - EqualAreas));
-}
-
 CellFaults faultsOf(const Polyhedron& cell, const CellShape& shape,
   const std::vector<NeighbourCell>& neighbours, const std::vector<std::uint8_t>& counted)
 {
@@ -161,7 +147,7 @@ bool isRefused(
 {
   CellFaults faults;
   addFaults(cell, shape, face, neighbour, faults);
-  return faults.counts[CellFaults::InnerAngle] > 0 || !faults.isNoLessValidThan({});
+  return faults.counts[CellFaults::InnerAngle] > 0 || faults.invalid().count() > 0;
 }
 
 bool isUnbalanced(const CellShape& shape, std::size_t face, const NeighbourCell& neighbour)
@@ -183,15 +169,23 @@ bool isTurnedOver(const CellShape& shape, std::size_t face, const NeighbourCell&
   return !(std::min(own, others) > 0);
 }
 
-bool mayBeDoubtful(const CellShape& shape, bool boundary, std::size_t face)
+bool Refusal::isRefused(std::size_t face)
 {
-  return ownCosine(shape, face) <= (boundary ? Doubtful::BoundaryCosine : Doubtful::InnerCosine);
-}
-
-bool isDoubtful(const CellShape& projected, bool boundary, std::size_t face)
-{
-  const double own = ownCosine(projected, face);
-  return boundary ? own <= Refused::BoundaryCosine : own < Refused::InnerCosine;
+  if (cartesian::isRefused(cell_, shape_, face, beyond_[face]))
+  {
+    return true;
+  }
+  const bool boundary = cell_.isBoundary[face] != 0;
+  const double doubtful = boundary ? Doubtful::BoundaryCosine : Doubtful::InnerCosine;
+  if (!(ownCosine(shape_, face) <= doubtful))
+  {
+    return false;
+  }
+  if (projected_.faces.empty())
+  {
+    measureProjected(cell_, projected_);
+  }
+  return isTooWide(ownCosine(projected_, face), boundary);
 }
 
 CentreOffset centreOffsetOf(const Vector& centre, const Vector& faceCentre, const Vector& area)
@@ -239,9 +233,9 @@ bool isPlain(const Polyhedron& cell, const CellShape& shape)
 
 bool isAtFault(const Polyhedron& cell, const CellShape& shape, std::size_t face)
 {
-  return cell.isBoundary[face]
-    ? ownCosine(shape, face) <= Refused::BoundaryCosine || isBoundarySkewed(cell, shape, face)
-    : ownCosine(shape, face) < Refused::InnerCosine;
+  const bool boundary = cell.isBoundary[face] != 0;
+  return isTooWide(ownCosine(shape, face), boundary) ||
+    (boundary && isBoundarySkewed(cell, shape, face));
 }
 
 bool isAnyAtFault(const Polyhedron& cell, const CellShape& shape)

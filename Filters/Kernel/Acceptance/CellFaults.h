@@ -46,15 +46,6 @@ struct CellFaults
 
   // Those alone that checkMesh refuses: wrong angles and skewness.
   CellFaults invalid() const;
-
-  // No more of these of any kind.
-  bool isNoLessValidThan(const CellFaults& other) const;
-
-  // No more faults of any kind.
-  bool isNoWorseThan(const CellFaults& other) const;
-
-  // ... and fewer in all, or as many on less area.
-  bool isBetterThan(const CellFaults& other) const;
 };
 
 // Counts the faults of a cell's faces; neighbours[f] lies across face f. Faces whose `counted` is 0
@@ -62,7 +53,7 @@ struct CellFaults
 CellFaults faultsOf(const Polyhedron& cell, const CellShape& shape,
   const std::vector<NeighbourCell>& neighbours, const std::vector<std::uint8_t>& counted = {});
 
-// Whether a face violates section 3, or checkMesh refuses it.
+// Whether a face violates section 3, or checkMesh refuses it, with the centres of `shape`.
 bool isRefused(
   const Polyhedron& cell, const CellShape& shape, std::size_t face, const NeighbourCell& neighbour);
 
@@ -72,10 +63,26 @@ bool isUnbalanced(const CellShape& shape, std::size_t face, const NeighbourCell&
 // Whether it is turned over as seen from one of its cells: then that cell is invalid, not merely poor.
 bool isTurnedOver(const CellShape& shape, std::size_t face, const NeighbourCell& neighbour);
 
-// Whether a face has so large an angle that, though not refused, it may be refused with the centres of
-// measureProjected; and whether it would be, given those.
-bool mayBeDoubtful(const CellShape& shape, bool boundary, std::size_t face);
-bool isDoubtful(const CellShape& projected, bool boundary, std::size_t face);
+// Which faces of a cell solvers refuse with either of the two centres that they compute. Borrows its arguments; measures
+// the other centre once that is asked for.
+class Refusal
+{
+public:
+  Refusal(const Polyhedron& cell, const CellShape& shape, const std::vector<NeighbourCell>& beyond)
+    : cell_(cell)
+    , shape_(shape)
+    , beyond_(beyond)
+  {
+  }
+
+  bool isRefused(std::size_t face);
+
+private:
+  const Polyhedron& cell_;
+  const CellShape& shape_;
+  const std::vector<NeighbourCell>& beyond_; // of each face
+  CellShape projected_;
+};
 
 // Where a cell's centre lies relative to a face, in levels.
 struct CentreOffset

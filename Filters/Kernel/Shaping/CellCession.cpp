@@ -34,12 +34,10 @@ std::optional<std::int32_t> wallOfThin(const CellComplex& cells, CellKey key)
   return cell.measures.volume <= most ? wall : std::nullopt;
 }
 
-std::size_t refusedFaces(const CellComplex& cells, CellKey key)
+Verdict verdictOf(const CellComplex& cells, CellKey key)
 {
   MeasuredCell cell;
-  cells.lookAround(key, cell);
-  return costsOf(cell.shape, cell.measures, cell.beyond).refused +
-    (cell.across.size() < LeastFaces ? 1 : 0);
+  return verdictOf(cells, key, cell);
 }
 
 // Cells side by side at the same wall.
@@ -57,8 +55,8 @@ void changeRegion(CellComplex& cells, const ThinCells& thin)
   }
 }
 
-// Of its region, and how many of their faces are refused.
-std::vector<std::pair<CellKey, std::size_t>> leftBehind(CellComplex& cells, const ThinCells& thin)
+// Of its region, as they are.
+std::vector<std::pair<CellKey, Verdict>> leftBehind(CellComplex& cells, const ThinCells& thin)
 {
   std::set<CellKey> found;
   for (const CellKey key : thin.keys)
@@ -72,11 +70,11 @@ std::vector<std::pair<CellKey, std::size_t>> leftBehind(CellComplex& cells, cons
   {
     found.erase(key);
   }
-  std::vector<std::pair<CellKey, std::size_t>> left;
+  std::vector<std::pair<CellKey, Verdict>> left;
   for (const CellKey key : found)
   {
     cells.open(key);
-    left.emplace_back(key, refusedFaces(cells, key));
+    left.emplace_back(key, verdictOf(cells, key));
   }
   return left;
 }
@@ -89,7 +87,7 @@ bool cede(CellComplex& cells, const ThinCells& thin, CellMerger& merger)
   const auto left = leftBehind(cells, thin);
   changeRegion(cells, thin);
   if (!areFlat && std::any_of(left.begin(), left.end(), [&](const auto& cell) {
-        return refusedFaces(cells, cell.first) > cell.second;
+        return !accepts(Accepted::LeftBehind, cell.second, verdictOf(cells, cell.first));
       }))
   {
     changeRegion(cells, thin);
@@ -102,7 +100,8 @@ bool cede(CellComplex& cells, const ThinCells& thin, CellMerger& merger)
     {
       merger.improve(key);
     }
-    if (!cells.isAlive(key) || (cells.share(key) >= FlatCell && refusedFaces(cells, key) == 0))
+    if (!cells.isAlive(key) ||
+      (cells.share(key) >= FlatCell && accepts(Accepted::Ceded, {}, verdictOf(cells, key))))
     {
       any = true;
     }

@@ -22,15 +22,6 @@ constexpr std::size_t MostNeighbours = 8;
 constexpr std::size_t MostNeighboursOfSmall = 3;
 constexpr std::size_t MostNeighboursOfPoor = 4;
 
-// The sum of costs has to fall by more than rounding.
-constexpr double LeastGain = 1e-6;
-
-// ... of a merge that nothing but costs asks for.
-constexpr double LeastGainOfPoor = 0.3;
-
-// No face gets a larger cost than this by a merge, unless it had one: an angle of section 3 failed.
-constexpr double MostCost = 1e3;
-
 // A union that costs so much more before its faces are joined at small angles is no better after.
 constexpr double MostOfJoins = 500;
 
@@ -72,7 +63,7 @@ bool isBetter(const CellUnion& a, const CellUnion& b)
   // Equal but for rounding is equal: sums depend on the order of the surface's triangles.
   const bool gainsMore = static_cast<float>(a.gain) > static_cast<float>(b.gain);
   return b.keys.empty() ||
-    (a.costs.refused != b.costs.refused ? a.costs.refused < b.costs.refused : gainsMore);
+    (a.verdict.refused != b.verdict.refused ? a.verdict.refused < b.verdict.refused : gainsMore);
 }
 
 }
@@ -80,15 +71,14 @@ bool isBetter(const CellUnion& a, const CellUnion& b)
 void CellMerger::mergeSmall()
 {
   std::vector<CellKey> keys =
-    mergedAt_ == 0 ? cells_.polyhedra() : cells_.polyhedraChangedSince(mergedAt_);
-  mergedAt_ = cells_.mark();
+    at_.merged == 0 ? cells_.polyhedra() : cells_.polyhedraChangedSince(at_.merged);
+  at_.merged = cells_.mark();
   mergeGroups(keys);
-  const CellKey* const none = nullptr;
   run(std::move(keys), [&](CellKey key, bool acts) {
     const bool small = isSmall(key);
     if (acts && small)
     {
-      mergeBest(key, costsOfCell(key, none, none), MostNeighboursOfSmall, LeastGain);
+      mergeBest(key, verdictOf(key), MostNeighboursOfSmall, Accepted::SmallMerge);
     }
     return std::make_pair(small, cells_.share(key));
   });
@@ -97,40 +87,38 @@ void CellMerger::mergeSmall()
 void CellMerger::improve()
 {
   std::vector<CellKey> keys =
-    improvedAt_ == 0 ? cells_.polyhedra() : cells_.polyhedraChangedSince(improvedAt_);
-  improvedAt_ = cells_.mark();
-  const CellKey* const none = nullptr;
+    at_.improved == 0 ? cells_.polyhedra() : cells_.polyhedraChangedSince(at_.improved);
+  at_.improved = cells_.mark();
   run(std::move(keys), [&](CellKey key, bool acts) {
-    const FaceCosts costs =
-      !isSmall(key) && cells_.isSurelyGood(key) ? FaceCosts{} : costsOfCell(key, none, none);
-    const bool isPoor = costs.worst > PoorCost || costs.refused > 0;
+    const Verdict own = !isSmall(key) && cells_.isSurelyGood(key) ? Verdict{} : verdictOf(key);
+    const bool isPoor = own.worst > PoorCost || own.refused > 0;
     if (acts && isPoor)
     {
       mergeBest(
-        key, costs, costs.refused > 0 ? MostNeighbours : MostNeighboursOfPoor, LeastGainOfPoor);
+        key, own, own.refused > 0 ? MostNeighbours : MostNeighboursOfPoor, Accepted::PoorMerge);
     }
-    return std::make_pair(isPoor, -costs.worst);
+    return std::make_pair(isPoor, -own.worst);
   });
 }
 
 bool CellMerger::improve(CellKey key)
 {
-  const CellKey* const none = nullptr;
-  const FaceCosts costs = costsOfCell(key, none, none);
-  const bool improved = costs.worst > PoorCost && mergeBest(key, costs, MostNeighbours, LeastGain);
-  return improved || costs.refused == 0;
+  const Verdict own = verdictOf(key);
+  const bool improved =
+    own.worst > PoorCost && mergeBest(key, own, MostNeighbours, Accepted::SmallMerge);
+  return improved || own.refused == 0;
 }
 
 bool CellMerger::isFailing(CellKey key)
 {
-  const CellKey* const none = nullptr;
-  if (costsOfCell(key, none, none).refused > 0)
+  if (verdictOf(key).refused > 0)
   {
     return true;
   }
-  for (std::size_t f = 0; f < cell_.across.size(); ++f) // as costsOfCell has left it
+  for (std::size_t f = 0; f < scratch_.cell.across.size(); ++f) // as verdictOf has left it
   {
-    if (!cell_.shape.isBoundary[f] && isUnbalanced(cell_.measures, f, cell_.beyond[f]))
+    if (!scratch_.cell.shape.isBoundary[f] &&
+      isUnbalanced(scratch_.cell.measures, f, scratch_.cell.beyond[f]))
     {
       return true;
     }
@@ -153,21 +141,19 @@ std::vector<CellKey> CellMerger::lookedAfter(bool looksAtOthers) const
 std::vector<CellKey> CellMerger::refused(bool looksAtOthers)
 {
   std::vector<CellKey> keys = lookedAfter(looksAtOthers);
-  if (refusedAt_ > 0)
+  if (at_.refused > 0)
   {
-    std::vector<CellKey> again = cells_.allChangedSince(refusedAt_);
+    std::vector<CellKey> again = cells_.allChangedSince(at_.refused);
     again.insert(again.end(), refused_.begin(), refused_.end());
     std::sort(again.begin(), again.end());
     keys.erase(std::remove_if(keys.begin(), keys.end(),
                  [&](CellKey key) { return !std::binary_search(again.begin(), again.end(), key); }),
       keys.end());
   }
-  refusedAt_ = cells_.mark();
-  const CellKey* const none = nullptr;
-  keys.erase(std::remove_if(keys.begin(), keys.end(),
-               [&](CellKey key) {
-                 return cells_.isSurelyAccepted(key) || costsOfCell(key, none, none).refused == 0;
-               }),
+  at_.refused = cells_.mark();
+  keys.erase(
+    std::remove_if(keys.begin(), keys.end(),
+      [&](CellKey key) { return cells_.isSurelyAccepted(key) || verdictOf(key).refused == 0; }),
     keys.end());
   refused_ = keys;
   return keys;
@@ -243,14 +229,14 @@ void CellMerger::mergeGroups(const std::vector<CellKey>& keys)
 void CellMerger::mergeGroup(const std::vector<CellKey>& keys)
 {
   best_.keys.clear();
-  trial_.keys = keys;
+  scratch_.trial.keys = keys;
   cells_.open(keys.front());
-  FaceCosts before;
-  for (auto key = keys.begin(); key != keys.end(); ++key)
+  Verdict before;
+  for (const CellKey& key : keys)
   {
-    before += costsOfCell(*key, keys.begin(), key);
+    before += verdictOf(key, keys.data(), &key);
   }
-  tryOut(before, LeastGain, spec_.joins, false);
+  tryOut(before, Accepted::SmallMerge, spec_.joins, false);
   if (!best_.keys.empty())
   {
     apply(best_);
@@ -274,40 +260,34 @@ bool CellMerger::mayBeOfFineBox(CellKey key) const
 }
 
 // But for its faces towards the cells from `begin` to `end`.
-template <class Iterator>
-FaceCosts CellMerger::costsOfCell(CellKey key, Iterator begin, Iterator end)
+Verdict CellMerger::verdictOf(CellKey key, const CellKey* begin, const CellKey* end)
 {
-  cells_.lookAround(key, cell_);
-  counts_.clear();
-  for (const CellKey other : cell_.across)
+  MeasuredCell& cell = scratch_.cell;
+  cells_.lookAround(key, cell);
+  scratch_.counts.clear();
+  for (const CellKey other : cell.across)
   {
-    counts_.push_back(std::find(begin, end, other) == end ? 1 : 0);
+    scratch_.counts.push_back(std::find(begin, end, other) == end ? 1 : 0);
   }
-  FaceCosts costs = costsOf(cell_.shape, cell_.measures, cell_.beyond, counts_);
-  const double ofShare = costOfShare(cells_.share(key));
-  const double ofDeterminant = costOfDeterminant(cell_.shape, cell_.measures);
-  costs.sum += ofShare + ofDeterminant;
-  costs.worst = std::max({ costs.worst, ofShare, ofDeterminant });
-  costs.refused += cell_.across.size() < LeastFaces ? 1 : 0;
-  return costs;
+  return evaluateCell(cell.shape, cell.measures, cell.beyond, cells_.share(key), scratch_.counts);
 }
 
 // Returns whether there was a better one.
 bool CellMerger::mergeBest(
-  CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain)
+  CellKey key, const Verdict& own, std::size_t mostNeighbours, const Acceptance& acceptance)
 {
   best_.keys.clear();
   trying_.joinAcross(own.refused > 0 ? -1 : cells_.featureCosine());
   cells_.lookAround(key, own_);
-  neighbours_.clear();
+  scratch_.neighbours.clear();
   for (const auto& [other, area] : neighboursOf(own_))
   {
-    neighbours_.push_back({ other, {} });
+    scratch_.neighbours.push_back({ other, {} });
   }
-  findBest(key, own, mostNeighbours, leastGain, spec_.joins, false);
+  findBest(key, own, mostNeighbours, acceptance, spec_.joins, false);
   if (spec_.simplifies)
   {
-    simplifyBest(key, own, mostNeighbours, leastGain);
+    simplifyBest(key, own, mostNeighbours, acceptance);
   }
   if (best_.keys.empty())
   {
@@ -319,9 +299,9 @@ bool CellMerger::mergeBest(
 
 // What solvers refuse, or are strained by, or is very small, and finds nothing better as it is.
 void CellMerger::simplifyBest(
-  CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain)
+  CellKey key, const Verdict& own, std::size_t mostNeighbours, const Acceptance& acceptance)
 {
-  const auto isMended = [&] { return !best_.keys.empty() && best_.costs.refused == 0; };
+  const auto isMended = [&] { return !best_.keys.empty() && best_.verdict.refused == 0; };
   if (isMended() || (own.invalid > 0 && !bendsInvalid_))
   {
     return;
@@ -329,38 +309,38 @@ void CellMerger::simplifyBest(
   cells_.open(key);
   if (own.refused > 0 || cells_.share(key) < LeastShare)
   {
-    findBest(key, own, mostNeighbours, leastGain, spec_.joins, true);
+    findBest(key, own, mostNeighbours, acceptance, spec_.joins, true);
   }
   else if (own.worst > PoorCost)
   {
-    trial_.keys.assign(1, key);
-    tryOut(own, leastGain, spec_.joins, true);
+    scratch_.trial.keys.assign(1, key);
+    tryOut(own, acceptance, spec_.joins, true);
   }
   if (own.refused > 0 && !isMended())
   {
-    findBest(key, own, mostNeighbours, leastGain,
+    findBest(key, own, mostNeighbours, acceptance,
       { std::cos(radians(WideBoundaryAngle)), std::cos(radians(WideInnerAngle)) }, true);
   }
 }
 
 // Among the cell alone, if it may become simpler, and with each of its neighbours.
-void CellMerger::findBest(CellKey key, const FaceCosts& own, std::size_t mostNeighbours,
-  double leastGain, const JoinSpec& joins, bool simplifies)
+void CellMerger::findBest(CellKey key, const Verdict& own, std::size_t mostNeighbours,
+  const Acceptance& acceptance, const JoinSpec& joins, bool simplifies)
 {
   if (simplifies)
   {
-    trial_.keys.assign(1, key);
-    tryOut(own, leastGain, joins, true);
+    scratch_.trial.keys.assign(1, key);
+    tryOut(own, acceptance, joins, true);
   }
   const bool mustMerge = own.refused > 0 || isSmall(key);
   std::size_t tried = 0;
   for (const bool straddles : { false, true })
   {
-    for (Neighbour& neighbour : neighbours_)
+    for (Neighbour& neighbour : scratch_.neighbours)
     {
       if (!spec_.merges || tried == mostNeighbours ||
         (straddles && (!mustMerge || !best_.keys.empty())) ||
-        (!best_.keys.empty() && best_.costs.worst < FairCost && best_.costs.refused == 0))
+        (!best_.keys.empty() && best_.verdict.worst < FairCost && best_.verdict.refused == 0))
       {
         break;
       }
@@ -369,30 +349,30 @@ void CellMerger::findBest(CellKey key, const FaceCosts& own, std::size_t mostNei
         cells_.share(key) + cells_.share(neighbour.key) <= MostShare)
       {
         ++tried;
-        tryWith(neighbour, key, own, leastGain, joins, simplifies);
+        tryWith(neighbour, key, own, acceptance, joins, simplifies);
       }
     }
   }
 }
 
-void CellMerger::tryWith(Neighbour& neighbour, CellKey key, const FaceCosts& own, double leastGain,
-  const JoinSpec& joins, bool simplifies)
+void CellMerger::tryWith(Neighbour& neighbour, CellKey key, const Verdict& own,
+  const Acceptance& acceptance, const JoinSpec& joins, bool simplifies)
 {
   const CellKey other = neighbour.key;
   cells_.open(other); // a hexahedron has no faces of its own
   const bool grows = cells_.volume(key) > cells_.volume(other);
-  trial_.keys.assign({ grows ? key : other, grows ? other : key });
-  if (!neighbour.costs)
+  scratch_.trial.keys.assign({ grows ? key : other, grows ? other : key });
+  if (!neighbour.verdict)
   {
-    neighbour.costs = costsOfCell(other, &key, &key + 1);
+    neighbour.verdict = verdictOf(other, &key, &key + 1);
   }
-  FaceCosts before = own;
-  before += *neighbour.costs;
-  before.sum -= CostOfCell * cells_.share(trial_.keys[1]);
-  const double most = before.sum + MostOfJoins;
+  Verdict before = own;
+  before += *neighbour.verdict;
+  before.cost -= CostOfCell * cells_.share(scratch_.trial.keys[1]);
+  const double most = before.cost + MostOfJoins;
   if (simplifies || costTogether(key, other, most) <= most)
   {
-    tryOut(before, leastGain, joins, simplifies);
+    tryOut(before, acceptance, joins, simplifies);
   }
 }
 
@@ -400,17 +380,17 @@ void CellMerger::tryWith(Neighbour& neighbour, CellKey key, const FaceCosts& own
 double CellMerger::costTogether(CellKey key, CellKey other, double most)
 {
   const double own = own_.measures.volume;
-  const double others = cell_.measures.volume;
+  const double others = scratch_.cell.measures.volume;
   const Vector between = cells_.between(key, other);
   const Vector ownCentre = own_.measures.centre;
-  const Vector centre =
-    scaled(plus(scaled(ownCentre, own), scaled(plus(cell_.measures.centre, between), others)),
-      1 / std::max(own + others, Tiny));
-  own_.measures.volume = cell_.measures.volume = own + others;
+  const Vector centre = scaled(
+    plus(scaled(ownCentre, own), scaled(plus(scratch_.cell.measures.centre, between), others)),
+    1 / std::max(own + others, Tiny));
+  own_.measures.volume = scratch_.cell.measures.volume = own + others;
   own_.measures.centre = centre;
-  cell_.measures.centre = minus(centre, between);
+  scratch_.cell.measures.centre = minus(centre, between);
   double cost = costAround(own_, other, most);
-  cost += cost > most ? 0 : costAround(cell_, key, most - cost);
+  cost += cost > most ? 0 : costAround(scratch_.cell, key, most - cost);
   own_.measures.volume = own;
   own_.measures.centre = ownCentre;
   return cost;
@@ -418,25 +398,22 @@ double CellMerger::costTogether(CellKey key, CellKey other, double most)
 
 // The trial's cells; keeps the better one. `before`: the costs of each alone.
 void CellMerger::tryOut(
-  const FaceCosts& before, double leastGain, const JoinSpec& joins, bool simplifies)
+  const Verdict& before, const Acceptance& acceptance, const JoinSpec& joins, bool simplifies)
 {
-  const double most = simplifies ? Never : before.sum + MostOfJoins;
-  double cost = trying_.tryOut(trial_, joins, most);
-  if (cost < Never && simplifies)
+  trying_.tryOut(scratch_.trial, joins, simplifies ? Never : before.cost + MostOfJoins);
+  if (simplifies)
   {
-    cost = trying_.simplify(trial_, cost);
+    trying_.simplify(scratch_.trial);
   }
-  trial_.gain = before.sum - cost;
-  if (trial_.gain > leastGain)
+  if (gain(before, scratch_.trial.verdict) > acceptance.leastGain)
   {
-    trial_.gain -= trying_.costBeyond(trial_);
+    scratch_.trial.verdict.costBeyond = trying_.costBeyond(scratch_.trial);
   }
-  const bool isAllowed = trial_.gain > leastGain &&
-    trial_.costs.worst < std::max(before.worst, MostCost) &&
-    (trial_.costs.refused == 0 || trial_.costs.refused < before.refused);
-  if (isAllowed && isBetter(trial_, best_) && trying_.isSound(trial_))
+  scratch_.trial.gain = gain(before, scratch_.trial.verdict);
+  if (accepts(acceptance, before, scratch_.trial.verdict) && isBetter(scratch_.trial, best_) &&
+    trying_.isSound(scratch_.trial))
   {
-    std::swap(best_, trial_);
+    std::swap(best_, scratch_.trial);
   }
 }
 

@@ -75,7 +75,24 @@ private:
   struct Neighbour
   {
     CellKey key;
-    std::optional<FaceCosts> costs; // but for its faces towards that cell
+    std::optional<Verdict> verdict; // but for its faces towards that cell
+  };
+
+  // When something was done last: all has been looked at since. 0: never.
+  struct Marks
+  {
+    std::uint32_t merged = 0;
+    std::uint32_t improved = 0;
+    std::uint32_t refused = 0;
+  };
+
+  // Kept for their memory.
+  struct Scratch
+  {
+    CellUnion trial;
+    MeasuredCell cell;
+    std::vector<Neighbour> neighbours;
+    std::vector<std::uint8_t> counts;
   };
 
   template <class Look>
@@ -87,17 +104,19 @@ private:
   bool isSmall(CellKey key) const;
   bool isFineNextTo(CellKey key, CellKey other) const;
   bool mayBeOfFineBox(CellKey key) const;
-  template <class Iterator>
-  FaceCosts costsOfCell(CellKey key, Iterator begin, Iterator end);
-  bool mergeBest(CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain);
+  Verdict verdictOf(CellKey key) { return cartesian::verdictOf(cells_, key, scratch_.cell); }
+  Verdict verdictOf(CellKey key, const CellKey* begin, const CellKey* end);
+  bool mergeBest(
+    CellKey key, const Verdict& own, std::size_t mostNeighbours, const Acceptance& acceptance);
   void simplifyBest(
-    CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain);
-  void findBest(CellKey key, const FaceCosts& own, std::size_t mostNeighbours, double leastGain,
-    const JoinSpec& joins, bool simplifies);
-  void tryWith(Neighbour& neighbour, CellKey key, const FaceCosts& own, double leastGain,
+    CellKey key, const Verdict& own, std::size_t mostNeighbours, const Acceptance& acceptance);
+  void findBest(CellKey key, const Verdict& own, std::size_t mostNeighbours,
+    const Acceptance& acceptance, const JoinSpec& joins, bool simplifies);
+  void tryWith(Neighbour& neighbour, CellKey key, const Verdict& own, const Acceptance& acceptance,
     const JoinSpec& joins, bool simplifies);
   double costTogether(CellKey key, CellKey other, double most);
-  void tryOut(const FaceCosts& before, double leastGain, const JoinSpec& joins, bool simplifies);
+  void tryOut(
+    const Verdict& before, const Acceptance& acceptance, const JoinSpec& joins, bool simplifies);
   void apply(const CellUnion& chosen);
 
   CellComplex& cells_;
@@ -107,18 +126,11 @@ private:
   bool bendsInvalid_ = true;
   std::size_t merged_ = 0;
   std::size_t simplified_ = 0;
-  std::uint32_t mergedAt_ = 0;   // all has been looked at since
-  std::uint32_t improvedAt_ = 0; // likewise
-  std::uint32_t refusedAt_ = 0;  // likewise
+  Marks at_;
   std::vector<CellKey> refused_; // then
-
-  // Kept for their memory:
-  CellUnion trial_;
   CellUnion best_;
-  MeasuredCell cell_;
-  MeasuredCell own_;
-  std::vector<Neighbour> neighbours_;
-  std::vector<std::uint8_t> counts_;
+  MeasuredCell own_; // to merge
+  Scratch scratch_;
 };
 
 }

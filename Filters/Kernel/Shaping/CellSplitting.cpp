@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/CellSplitting.h"
 
+#include "Shaping/CellTrial.h"
 #include "Shaping/CutSearch.h"
 
 #include <algorithm>
@@ -15,9 +16,6 @@ namespace cartesian
 namespace
 {
 
-// A part smaller than this part of the cell is no use.
-constexpr double LeastPart = 1e-3;
-
 // Ends a search that never came to rest; a cell is cut some ten times at most.
 constexpr int MostRounds = 100;
 
@@ -25,14 +23,15 @@ constexpr int MostRounds = 100;
 std::vector<CellCut> findCuts(
   const CellComplex& cells, double leastFraction, CellKey key, CellView& view)
 {
-  cells.view({ key }, view);
-  cells.lookBeyond(key, view);
   CellShape shape;
-  measure(view.shape, shape);
+  takeOut(cells, { key }, view, shape);
   const CellFaults before = faultsOf(view.shape, shape, view.beyond);
-  const double least = std::max(LeastPart * shape.volume, leastFraction * cells.volumeOfBox(key));
-  FoundCuts found = searchCuts(
-    view, shape, before, [&](const CellCut& cut) { return faultsAfter(view, cut, least); });
+  const double least =
+    std::max(AcceptedCut::LeastOfSplit * shape.volume, leastFraction * cells.volumeOfBox(key));
+  FoundCuts found = searchCuts(view, shape, before, [&](const CellCut& cut) {
+    const CutParts made(view, cut, least);
+    return made.areAll ? std::optional(made.faults()) : std::nullopt;
+  });
   // Without concave edges nothing of the boundary fails.
   if (found.helpful.empty() && found.harmless && before.counts[CellFaults::BoundaryAngle] > 0)
   {
@@ -75,15 +74,12 @@ public:
       failing.clear();
       for (const CellKey key : next_)
       {
-        failed_.erase(key);
         if (fails(cells_, key))
         {
           failing.push_back(key);
         }
       }
     }
-    failed_.insert(failing.begin(), failing.end());
-    result_.failed.assign(failed_.begin(), failed_.end());
     return result_;
   }
 
@@ -131,56 +127,15 @@ private:
         return;
       }
     }
-    failed_.insert(key);
   }
 
   CellComplex& cells_;
   double leastFraction_;
   Execution& execution_;
   Splitting result_;
-  std::set<CellKey> failed_;
   std::set<CellKey> next_; // to be looked at in the next round
 };
 
-}
-
-std::optional<CellFaults> faultsAfter(const CellView& view, const CellCut& cut, double least)
-{
-  std::vector<Polyhedron> parts;
-  parts.reserve(cut.parts);
-  std::vector<CellShape> shapes(cut.parts);
-  for (std::uint32_t p = 0; p < cut.parts; ++p)
-  {
-    parts.push_back(partOf(view.shape, cut, p));
-    measure(parts[p], shapes[p]);
-    if (!(shapes[p].volume > least))
-    {
-      return {};
-    }
-  }
-  CellFaults sum;
-  std::vector<NeighbourCell> beyond;
-  std::vector<std::uint8_t> counts;
-  beyond.reserve(cut.faces.size());
-  counts.reserve(cut.faces.size());
-  for (std::uint32_t p = 0; p < cut.parts; ++p)
-  {
-    beyond.clear();
-    counts.clear();
-    for (const CellCut::Face& face : cut.faces) // in the order of partOf
-    {
-      const bool inner = face.source == CellCut::NoSource;
-      if (face.below == p || (inner && face.above == p))
-      {
-        const CellShape& other = shapes[face.below == p ? face.above : face.below];
-        beyond.push_back(
-          inner ? NeighbourCell{ other.centre, other.volume } : view.beyond[face.source]);
-        counts.push_back(face.below == p ? 1 : 0);
-      }
-    }
-    sum += faultsOf(parts[p], shapes[p], beyond, counts);
-  }
-  return sum;
 }
 
 Splitting splitCells(

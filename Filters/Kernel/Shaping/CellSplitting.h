@@ -11,8 +11,7 @@ namespace cartesian
 
 struct Splitting
 {
-  std::size_t cellsSplit = 0;  // that there were before
-  std::vector<CellKey> failed; // that still fail a condition and find no cut that helps, in order
+  std::size_t cellsSplit = 0; // that there were before
 };
 
 // Cells are cut one after the other, those with most at fault first; again all that changed, until
@@ -20,8 +19,5 @@ struct Splitting
 // in order. No part becomes smaller than `leastFraction` of its box.
 Splitting splitCells(
   CellComplex& cells, std::vector<CellKey> failing, double leastFraction, Execution& execution);
-
-// What is at fault of the parts, or nothing where one is smaller than `least`.
-std::optional<CellFaults> faultsAfter(const CellView& view, const CellCut& cut, double least);
 
 }

@@ -2,7 +2,6 @@
 #include "Shaping/CellUnion.h"
 
 #include "Acceptance/CellCost.h"
-#include "Acceptance/Refusal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,22 +13,13 @@ namespace cartesian
 namespace
 {
 
-// Below this cost no face is refused.
-constexpr double AcceptedCost = 0.4;
-
 // What a part of the box that joined boundary faces add or take costs: a hundredth about as much as a face at
 // which solvers are not at ease.
 constexpr double CostOfVolume = 1000;
 
-// Joined faces change a cell's volume by no more than this factor.
-constexpr double LeastVolumeKept = 0.8;
-
 // Cosines of angles at which faces are joined: those that solvers refuse; that strain them (107 degrees).
 constexpr double AnyAngle = -1;
 constexpr double CosineOfStrained = -0.3;
-
-// Costs have to fall by more than rounding.
-constexpr double LeastGain = 1e-6;
 
 // Whether two faces have the same nodes, and a cell is beyond one of them: nothing would be between.
 // (Between two boundary faces CellComplex::merge leaves nothing.)
@@ -54,95 +44,66 @@ bool isFolded(const CellView& view)
 
 }
 
-FaceCosts& FaceCosts::operator+=(const FaceCosts& other)
-{
-  sum += other.sum;
-  worst = std::max(worst, other.worst);
-  refused += other.refused;
-  invalid += other.invalid;
-  return *this;
-}
-
-// --- costs
-
-FaceCosts costsOf(const Polyhedron& cell, const CellShape& shape,
-  const std::vector<NeighbourCell>& beyond, const std::vector<std::uint8_t>& counts, double most)
-{
-  FaceCosts costs;
-  double worstRefused = -1;
-  Refusal refusal(cell, shape, beyond);
-  const double negligible = negligibleArea(shape);
-  for (std::uint32_t f = 0; f < cell.faces() && costs.sum <= most; ++f)
-  {
-    if (!counts.empty() && !counts[f])
-    {
-      continue;
-    }
-    const double cost = costOfFace(cell, shape, f, beyond[f]) +
-      (norm(shape.faces[f].area) < negligible ? CostOfNegligible : 0);
-    costs.sum += cost;
-    costs.toMend = cost > costs.worst && costs.refused == 0 ? f : costs.toMend;
-    costs.worst = std::max(costs.worst, cost);
-    if (cost >= AcceptedCost && refusal.isRefused(f))
-    {
-      ++costs.refused;
-      costs.invalid += isTurnedOver(shape, f, beyond[f]) ? 1 : 0;
-      costs.toMend = cost > worstRefused ? f : costs.toMend;
-      worstRefused = std::max(worstRefused, cost);
-    }
-  }
-  return costs;
-}
-
-// --- unions
-
-double UnionTrial::tryOut(CellUnion& cells, const JoinSpec& joins, double most)
+void UnionTrial::tryOut(CellUnion& cells, const JoinSpec& joins, double most)
 {
   cells_.view(cells.keys, cells.view);
   cells_.lookBeyond(cells.keys.front(), cells.view);
-  return tryOutView(cells, joins, most);
+  tryOutView(cells, joins, most);
 }
 
-double UnionTrial::tryOutView(CellUnion& cells, const JoinSpec& joins, double most)
+void UnionTrial::tryOutView(CellUnion& cells, const JoinSpec& joins, double most)
 {
-  measure(cells.view.shape, shape_);
-  cells.costs = costsOf(cells.view.shape, shape_, cells.view.beyond, {}, most);
-  if (cells.costs.sum > most)
+  const Polyhedron& shape = cells.view.shape;
+  measure(shape, shape_);
+  cells.verdict = evaluate(shape, shape_, cells.view.beyond, {}, most);
+  if (cells.verdict.cost > most)
   {
-    return Never;
+    cells.verdict.cost = Never;
+    return;
   }
   joiner_.look(cells.view, shape_);
   cells.joined = joiner_.join(joins);
-  return cells.joined.groups.empty() ? costOfCell(cells, cells.view.shape, shape_, cells.costs)
-                                     : costOfJoined(cells, cells.joined, Never, cells.costs);
+  if (cells.joined.groups.empty())
+  {
+    addCostOfCell(shape, shape_, cells_.volumeOfBox(cells.keys.front()), cells.verdict);
+  }
+  else
+  {
+    cells.verdict = joined(cells, cells.joined, Never);
+  }
 }
 
 // Of the cell itself, besides its faces' costs.
-double UnionTrial::costOfCell(const CellUnion& cells, const Polyhedron& polyhedron,
-  const CellShape& shape, const FaceCosts& costs) const
+void UnionTrial::addCostOfCell(
+  const Polyhedron& polyhedron, const CellShape& shape, double box, Verdict& verdict) const
 {
-  const double box = cells_.volumeOfBox(cells.keys.front());
-  return polyhedron.faces() < LeastFaces
+  verdict.cost = verdict.faces < LeastFaces
     ? Never
-    : costs.sum + costOfShare(shape.volume / box) + costOfDeterminant(polyhedron, shape);
+    : verdict.cost + costOfShare(shape.volume / box) + costOfDeterminant(polyhedron, shape);
 }
 
-// Never, if it is larger than `most`.
-double UnionTrial::costOfJoined(
-  const CellUnion& cells, const JoinedFaces& joined, double most, FaceCosts& costs)
+// The cost is Never, if it is larger than `most`.
+Verdict UnionTrial::joined(const CellUnion& cells, const JoinedFaces& faces, double most)
 {
-  const JoinedShape& result = joiner_.shapeOf(joined);
-  const double volume = result.measures.volume;
-  const double ofVolume = CostOfVolume * volumeMoved(cells.view, joined, result) /
-    std::min(cells_.volumeOfBox(cells.keys.front()), shape_.volume);
-  if (volume < LeastVolumeKept * shape_.volume || shape_.volume < LeastVolumeKept * volume ||
-    ofVolume > most)
+  const JoinedShape& result = joiner_.shapeOf(faces);
+  const double box = cells_.volumeOfBox(cells.keys.front());
+  const double ofVolume =
+    CostOfVolume * volumeMoved(cells.view, faces, result) / std::min(box, shape_.volume);
+  Verdict verdict;
+  const bool mayBe =
+    keepsVolume(Accepted::Join, shape_.volume, result.measures.volume) && !(ofVolume > most);
+  if (mayBe)
   {
-    return Never;
+    verdict = evaluate(result.polyhedron, result.measures, result.beyond, {}, most);
   }
-  costs = costsOf(result.polyhedron, result.measures, result.beyond, {}, most);
-  return costs.sum > most ? Never
-                          : costOfCell(cells, result.polyhedron, result.measures, costs) + ofVolume;
+  if (!mayBe || verdict.cost > most)
+  {
+    verdict.cost = Never;
+    return verdict;
+  }
+  addCostOfCell(result.polyhedron, result.measures, box, verdict);
+  verdict.cost += ofVolume;
+  return verdict;
 }
 
 // Between boundary faces as they are and joined.
@@ -170,78 +131,53 @@ double UnionTrial::volumeMoved(
   return moved + std::abs(byCuts);
 }
 
-double UnionTrial::simplify(CellUnion& cells, double cost)
+void UnionTrial::simplify(CellUnion& cells)
 {
-  while (cells.costs.refused > 0 || cells.costs.worst >= StrainedCost)
+  Verdict& now = cells.verdict;
+  while (now.cost < Never && (now.refused > 0 || now.worst >= StrainedCost))
   {
-    double least = cost - LeastGain;
+    double least = now.cost - LeastGain;
     JoinedFaces best;
-    FaceCosts costsOfBest;
-    for (JoinedFaces& joined : joiner_.joinOneMore(
-           cells.joined, cells.costs.toMend, cells.costs.refused > 0 ? AnyAngle : CosineOfStrained))
+    Verdict ofBest;
+    for (JoinedFaces& faces :
+      joiner_.joinOneMore(cells.joined, now.toMend, now.refused > 0 ? AnyAngle : CosineOfStrained))
     {
-      FaceCosts costs;
-      const double now = costOfJoined(cells, joined, least, costs);
-      if (now < least)
+      const Verdict verdict = joined(cells, faces, least);
+      if (verdict.cost < least)
       {
-        least = now - LeastGain;
-        best = std::move(joined);
-        costsOfBest = costs;
+        least = verdict.cost - LeastGain;
+        best = std::move(faces);
+        ofBest = verdict;
       }
     }
     if (best.groups.empty())
     {
       break;
     }
-    cost = least + LeastGain;
     cells.joined = std::move(best);
-    cells.costs = costsOfBest;
+    now = ofBest;
+    now.cost = least + LeastGain;
   }
-  return cost;
 }
 
-// The same faces, as a cell of another region has them.
-JoinedFaces seenFrom(const CellView& beyond, CellKey key, const CellUnion& cells)
-{
-  JoinedFaces joined;
-  for (const JoinedFaces::Group& group : cells.joined.groups)
-  {
-    if (cells.view.across[group.members.front()] != key)
-    {
-      continue;
-    }
-    JoinedFaces::Group& seen = joined.groups.emplace_back();
-    for (const std::uint32_t member : group.members)
-    {
-      const auto at = std::find_if(beyond.faces.begin(), beyond.faces.end(),
-        [&](const FaceUse& use) { return use.face == cells.view.faces[member].face; });
-      seen.members.push_back(static_cast<std::uint32_t>(at - beyond.faces.begin()));
-    }
-    for (auto node = group.ring.rbegin(); node != group.ring.rend(); ++node)
-    {
-      const auto at = std::find(beyond.nodes.begin(), beyond.nodes.end(), cells.view.nodes[*node]);
-      seen.ring.push_back(static_cast<std::uint32_t>(at - beyond.nodes.begin()));
-    }
-  }
-  return joined;
-}
-
-// By how much the costs of a cell of another region rise with the faces that are joined between them; Never, where
-// solvers refuse more of it than before.
+// By how much the costs of a cell of another region rise with the faces that are joined between them.
 double UnionTrial::costBeyond(const CellUnion& cells, CellKey other)
 {
-  cells_.view({ other }, beyond_);
-  cells_.lookBeyond(other, beyond_);
-  measure(beyond_.shape, shapeBeyond_);
-  const FaceCosts before = costsOf(beyond_.shape, shapeBeyond_, beyond_.beyond);
-  joinerBeyond_.look(beyond_, shapeBeyond_);
-  const JoinedShape& result = joinerBeyond_.shapeOf(seenFrom(beyond_, other, cells));
-  const double volume = result.measures.volume;
-  const FaceCosts after = costsOf(result.polyhedron, result.measures, result.beyond);
-  const bool isFair = result.polyhedron.faces() >= LeastFaces &&
-    volume >= LeastVolumeKept * shapeBeyond_.volume &&
-    shapeBeyond_.volume >= LeastVolumeKept * volume && after.refused <= before.refused;
-  return isFair ? after.sum - before.sum : Never;
+  beyond_.look(cells_, other);
+  for (const JoinedFaces::Group& group : cells.joined.groups)
+  {
+    if (cells.view.across[group.members.front()] == other)
+    {
+      JoinedFaces::Group& seen = beyond_.faces.groups.emplace_back();
+      for (const std::uint32_t member : group.members)
+      {
+        seen.members.push_back(beyond_.find(cells.view.faces[member]));
+      }
+      seen.ring = beyond_.seen(group.ring, cells.view, {}); // it has all these nodes
+    }
+  }
+  const Verdict after = beyond_.joined();
+  return accepts(Accepted::Join, beyond_.now, after) ? -gain(beyond_.now, after) : Never;
 }
 
 double UnionTrial::costBeyond(const CellUnion& cells)

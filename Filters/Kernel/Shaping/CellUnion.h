@@ -3,42 +3,18 @@
 // patches (section 4.11) where solvers would refuse it.
 #pragma once
 
-#include "Shaping/CellComplex.h"
+#include "Shaping/CellTrial.h"
 
 namespace cartesian
 {
-
-// The cost of what must not be.
-constexpr double Never = 1e30;
-
-// From here on a face strains solvers: skewness 2.4.
-constexpr double StrainedCost = 5;
-
-// What solvers think of faces.
-struct FaceCosts
-{
-  double sum = 0;           // CellCost.h
-  double worst = 0;         // of one face
-  std::size_t refused = 0;  // faces that solvers refuse, or may refuse (CellFaults.h)
-  std::size_t invalid = 0;  // of these, those that are turned over
-  std::uint32_t toMend = 0; // of those, or else of all, the one that costs most
-
-  FaceCosts& operator+=(const FaceCosts& other);
-};
-
-// Faces for which counts[face] is 0 are left out; if it is empty, all count. Ends where the sum is larger
-// than `most`.
-FaceCosts costsOf(const Polyhedron& cell, const CellShape& shape,
-  const std::vector<NeighbourCell>& beyond, const std::vector<std::uint8_t>& counts = {},
-  double most = Never);
 
 struct CellUnion
 {
   std::vector<CellKey> keys; // the first takes the others in
   CellView view;
   JoinedFaces joined;
-  FaceCosts costs;
-  double gain = 0; // by how much the sum of all costs falls; less than nothing: no such cell
+  Verdict verdict; // of its faces; its cost is that of the cell in all
+  double gain = 0; // by how much the sum of all costs falls
 };
 
 // Looks at unions, one after the other; keeps its memory.
@@ -48,43 +24,37 @@ public:
   explicit UnionTrial(const CellComplex& cells)
     : cells_(cells)
     , joiner_(cells.featureCosine())
-    , joinerBeyond_(cells.featureCosine())
+    , beyond_(cells)
   {
   }
 
   // Walls are joined across edges that turn by less: at first, than Feature Angle.
-  void joinAcross(double leastCosine)
-  {
-    joiner_ = FaceJoiner(leastCosine);
-    joinerBeyond_ = FaceJoiner(leastCosine);
-  }
+  void joinAcross(double leastCosine) { joiner_ = FaceJoiner(leastCosine); }
 
-  // Of cells that have faces, joined as far as `joins` allows. Returns the cost in all: of its faces, of its
-  // volume as a share of the first one's box, of volume that joined faces add or take; or Never, where it
-  // would have too few faces, keep too little of its volume, or its faces cost more than `most` before any is
-  // joined.
-  double tryOut(CellUnion& cells, const JoinSpec& joins, double most);
+  // Of cells that have faces, joined as far as `joins` allows. The cost is that of its faces, of its volume as
+  // a share of the first one's box, of volume that joined faces add or take; or Never, where it would have too
+  // few faces, keep too little of its volume, or its faces cost more than `most` before any is joined.
+  void tryOut(CellUnion& cells, const JoinSpec& joins, double most);
 
   // The same of cells that the view shows already.
-  double tryOutView(CellUnion& cells, const JoinSpec& joins, double most = Never);
+  void tryOutView(CellUnion& cells, const JoinSpec& joins, double most = Never);
 
   // Of the union tried out last: as long as solvers refuse a face, or are strained by one, joins that which
   // costs most with the neighbour that helps most: the first at any angle, the second up to a bit more
-  // than a right angle. Returns the cost in the end.
-  double simplify(CellUnion& cells, double cost);
+  // than a right angle.
+  void simplify(CellUnion& cells);
 
   // That can be merged: no two of its faces have the same nodes, nor a face near by.
   bool isSound(const CellUnion& cells) const;
 
   // By how much the costs of cells of other regions rise with the faces that are joined between them; Never or more,
-  // where solvers refuse more of them than before.
+  // where that is not accepted.
   double costBeyond(const CellUnion& cells);
 
 private:
-  double costOfCell(const CellUnion& cells, const Polyhedron& polyhedron, const CellShape& shape,
-    const FaceCosts& costs) const;
-  double costOfJoined(
-    const CellUnion& cells, const JoinedFaces& joined, double most, FaceCosts& costs);
+  void addCostOfCell(
+    const Polyhedron& polyhedron, const CellShape& shape, double box, Verdict& verdict) const;
+  Verdict joined(const CellUnion& cells, const JoinedFaces& faces, double most);
   double costBeyond(const CellUnion& cells, CellKey other);
   double volumeMoved(
     const CellView& view, const JoinedFaces& joined, const JoinedShape& result) const;
@@ -92,11 +62,7 @@ private:
   const CellComplex& cells_;
   CellShape shape_; // of the view
   FaceJoiner joiner_;
-
-  // Of a cell of another region:
-  CellView beyond_;
-  CellShape shapeBeyond_;
-  FaceJoiner joinerBeyond_;
+  CellTrial beyond_; // of a cell of another region
 };
 
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -275,6 +276,84 @@ private:
   CellCut trial_;
 };
 
+}
+
+CutParts::CutParts(const CellView& of, const CellCut& by, double least)
+  : view(of)
+  , cut(by)
+  , smallest(std::numeric_limits<double>::infinity())
+{
+  parts.reserve(cut.parts);
+  shapes.reserve(cut.parts);
+  for (std::uint32_t p = 0; p < cut.parts && areAll; ++p)
+  {
+    parts.push_back(partOf(view.shape, cut, p));
+    measure(parts.back(), shapes.emplace_back());
+    areAll = shapes.back().volume > least;
+    smallest = std::min(smallest, shapes.back().volume);
+  }
+}
+
+double CutParts::largestAspect() const
+{
+  double aspect = 1;
+  for (const CellShape& shape : shapes)
+  {
+    double area = 0;
+    for (const FaceShape& face : shape.faces)
+    {
+      area += norm(face.area);
+    }
+    aspect = std::max(aspect, area / (6 * std::pow(std::max(shape.volume, Tiny), 2.0 / 3)));
+  }
+  return aspect;
+}
+
+// visit(face, whether it is the cut), in the order of partOf.
+template <class Visitor>
+void CutParts::forEachFace(std::size_t part, Visitor&& visit) const
+{
+  for (const CellCut::Face& face : cut.faces)
+  {
+    const bool isCut = face.source == CellCut::NoSource;
+    if (face.below == part || (isCut && face.above == part))
+    {
+      visit(face, isCut);
+    }
+  }
+}
+
+CellFaults CutParts::faults() const
+{
+  CellFaults sum;
+  std::vector<NeighbourCell> beyond;
+  std::vector<std::uint8_t> counts; // a face between two parts once
+  beyond.reserve(cut.faces.size());
+  counts.reserve(cut.faces.size());
+  for (std::size_t p = 0; p < parts.size(); ++p)
+  {
+    beyond.clear();
+    counts.clear();
+    forEachFace(p, [&](const CellCut::Face& face, bool isCut) {
+      const CellShape& other = shapes[isCut && face.below == p ? face.above : face.below];
+      beyond.push_back(
+        isCut ? NeighbourCell{ other.centre, other.volume } : view.beyond[face.source]);
+      counts.push_back(face.below == p ? 1 : 0);
+    });
+    sum += faultsOf(parts[p], shapes[p], beyond, counts);
+  }
+  return sum;
+}
+
+CellFaults CutParts::faultsAlone(std::size_t part) const
+{
+  Polyhedron alone = parts[part];
+  std::vector<NeighbourCell> beyond;
+  forEachFace(part, [&](const CellCut::Face& face, bool isCut) {
+    alone.isBoundary[beyond.size()] = isCut || view.shape.isBoundary[face.source];
+    beyond.push_back(isCut ? NeighbourCell{} : view.beyond[face.source]);
+  });
+  return faultsOf(alone, shapes[part], beyond);
 }
 
 FoundCuts searchCuts(const CellView& view, const CellShape& shape, const CellFaults& before,

@@ -12,6 +12,30 @@
 namespace cartesian
 {
 
+// What a cut would make of a cell. Borrows its arguments.
+struct CutParts
+{
+  // Ends with a part whose volume is not larger than `least`: then they are not all.
+  CutParts(const CellView& of, const CellCut& by, double least);
+
+  double largestAspect() const; // a sixth of the area by volume^(2/3)
+
+  // What is at fault of all parts; of one, if nothing is beyond the cut.
+  CellFaults faults() const;
+  CellFaults faultsAlone(std::size_t part) const;
+
+  const CellView& view;
+  const CellCut& cut;
+  std::vector<Polyhedron> parts;
+  std::vector<CellShape> shapes;
+  bool areAll = true;
+  double smallest; // volume
+
+private:
+  template <class Visitor>
+  void forEachFace(std::size_t part, Visitor&& visit) const;
+};
+
 // What would be at fault after a cut, or nothing where it must not be made.
 using Judge = std::function<std::optional<CellFaults>(const CellCut&)>;
 

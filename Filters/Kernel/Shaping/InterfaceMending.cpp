@@ -2,6 +2,7 @@
 #include "Shaping/InterfaceMending.h"
 
 #include "Acceptance/CellCost.h"
+#include "Shaping/CellTrial.h"
 
 #include <algorithm>
 
@@ -11,51 +12,13 @@ namespace cartesian
 namespace
 {
 
-constexpr double LeastGain = 0.3;
-
-constexpr double LeastVolumeKept = 0.8;
-
 // One move may make another possible.
 constexpr int MostMoves = 8;
 
-// A cell, and what some of its faces would become.
-struct Trial
+Ring ringOf(const CellTrial& cell, std::uint32_t face)
 {
-  CellKey key;
-  CellView view;
-  CellShape shape;
-  FaceCosts before;
-  JoinedFaces faces;
-  FaceCosts after;
-
-  Ring ringOf(std::uint32_t face) const { return cartesian::ringOf(view.shape, face); }
-
-  // The place of a face of another cell.
-  std::uint32_t find(const FaceUse& face) const
-  {
-    const auto at = std::find_if(view.faces.begin(), view.faces.end(),
-      [&](const FaceUse& use) { return use.face == face.face; });
-    return static_cast<std::uint32_t>(at - view.faces.begin());
-  }
-
-  // A ring of another cell, at `way` from here, from this side; gets the nodes that it lacks.
-  std::vector<std::uint32_t> seen(
-    const std::vector<std::uint32_t>& ring, const Trial& from, const Vector& way)
-  {
-    std::vector<std::uint32_t> turned;
-    for (auto node = ring.rbegin(); node != ring.rend(); ++node)
-    {
-      const auto at = std::find(view.nodes.begin(), view.nodes.end(), from.view.nodes[*node]);
-      turned.push_back(static_cast<std::uint32_t>(at - view.nodes.begin()));
-      if (turned.back() == view.nodes.size())
-      {
-        view.nodes.push_back(from.view.nodes[*node]);
-        view.shape.nodes.push_back(plus(from.view.shape.nodes[*node], way));
-      }
-    }
-    return turned;
-  }
-};
+  return ringOf(cell.view.shape, face);
+}
 
 bool hasEdge(const Ring& ring, std::uint32_t u, std::uint32_t v)
 {
@@ -79,14 +42,16 @@ class Mender
 public:
   explicit Mender(CellComplex& cells)
     : cells_(cells)
-    , joiner_(cells.featureCosine())
+    , own_(cells)
+    , loser_(cells)
+    , gainer_(cells)
   {
   }
 
   // Moves the edge beside one of its faces between regions; false: none helps.
   bool mend(CellKey key)
   {
-    look(key, own_);
+    own_.look(cells_, key);
     for (std::uint32_t f = 0; f < own_.view.faces.size(); ++f)
     {
       if (isWall(own_, f) &&
@@ -98,29 +63,19 @@ public:
         {
           return true;
         }
-        look(beyond, own_);
+        own_.look(cells_, beyond);
         if (moveEdgeOf(own_.find(face)))
         {
           return true;
         }
-        look(key, own_);
+        own_.look(cells_, key);
       }
     }
     return false;
   }
 
 private:
-  void look(CellKey key, Trial& cell)
-  {
-    cell.key = key;
-    cells_.view({ key }, cell.view);
-    cells_.lookBeyond(key, cell.view);
-    measure(cell.view.shape, cell.shape);
-    cell.before = costsOf(cell.view.shape, cell.shape, cell.view.beyond);
-    cell.faces.groups.clear();
-  }
-
-  static bool isWall(const Trial& cell, std::uint32_t f)
+  static bool isWall(const CellTrial& cell, std::uint32_t f)
   {
     return cell.view.across[f] != None && cell.view.shape.isBoundary[f] && !cell.view.fixed[f];
   }
@@ -133,7 +88,7 @@ private:
     {
       std::vector<std::uint32_t> ring;
       if (g != f && isWall(own_, g) && view.boundary[g] == view.boundary[f] &&
-        view.across[g] != view.across[f] && joinRings(own_.ringOf(g), own_.ringOf(f), ring) &&
+        view.across[g] != view.across[f] && joinRings(ringOf(own_, g), ringOf(own_, f), ring) &&
         tryOut(f, g, ring))
       {
         cells_.join(own_.key, own_.view, own_.faces);
@@ -154,12 +109,12 @@ private:
         return false;
       }
     }
-    look(view.across[f], loser_);
-    look(view.across[g], gainer_);
+    loser_.look(cells_, view.across[f]);
+    gainer_.look(cells_, view.across[g]);
     const std::uint32_t lost = loser_.find(view.faces[f]);
     std::vector<std::uint32_t> end; // of the loser
     const std::uint32_t between =
-      faceBetween(lost, edgesInCommon(own_.ringOf(f), own_.ringOf(g), ring), end);
+      faceBetween(lost, edgesInCommon(ringOf(own_, f), ringOf(own_, g), ring), end);
     if (between == None)
     {
       return false;
@@ -167,9 +122,9 @@ private:
     own_.faces.groups.assign(1, { { g, f }, ring });
     loser_.faces.groups.assign(1, { { between, lost }, end });
     gainer_.faces.groups.assign(
-      1, { { gainer_.find(view.faces[g]) }, gainer_.seen(ring, own_, wayTo(own_)), true });
+      1, { { gainer_.find(view.faces[g]) }, gainer_.seen(ring, own_.view, wayTo(own_)), true });
     gainer_.faces.groups.push_back({ { gainer_.find(loser_.view.faces[between]) },
-      gainer_.seen(end, loser_, wayTo(loser_)), true });
+      gainer_.seen(end, loser_.view, wayTo(loser_)), true });
     return isBetter();
   }
 
@@ -178,12 +133,12 @@ private:
   std::uint32_t faceBetween(
     std::uint32_t lost, std::size_t edges, std::vector<std::uint32_t>& end) const
   {
-    const Ring ring = loser_.ringOf(lost);
+    const Ring ring = ringOf(loser_, lost);
     for (std::uint32_t f = 0; f < loser_.view.faces.size(); ++f)
     {
       if (loser_.view.across[f] == gainer_.key && !loser_.view.fixed[f] &&
-        joinRings(loser_.ringOf(f), ring, end) &&
-        edgesInCommon(loser_.ringOf(f), ring, end) == edges && isAtGainersWall(f, ring))
+        joinRings(ringOf(loser_, f), ring, end) &&
+        edgesInCommon(ringOf(loser_, f), ring, end) == edges && isAtGainersWall(f, ring))
       {
         return f;
       }
@@ -194,7 +149,7 @@ private:
   // Whether the edges that a face has in common with the lost one are those of the own face that grows.
   bool isAtGainersWall(std::uint32_t f, const Ring& lost) const
   {
-    const Ring ring = loser_.ringOf(f);
+    const Ring ring = ringOf(loser_, f);
     for (std::size_t i = 0; i < lost.size; ++i)
     {
       const std::uint32_t u = lost.corners[i];
@@ -217,8 +172,8 @@ private:
     for (std::uint32_t f = 0; f < view.faces.size(); ++f)
     {
       if (view.across[f] == own_.key &&
-        (hasEdge(gainer_.ringOf(f), local(u), local(v)) ||
-          hasEdge(gainer_.ringOf(f), local(v), local(u))))
+        (hasEdge(ringOf(gainer_, f), local(u), local(v)) ||
+          hasEdge(ringOf(gainer_, f), local(v), local(u))))
       {
         return true;
       }
@@ -226,47 +181,29 @@ private:
     return false;
   }
 
-  Vector wayTo(const Trial& cell) const { return cells_.between(gainer_.key, cell.key); }
+  Vector wayTo(const CellTrial& cell) const { return cells_.between(gainer_.key, cell.key); }
 
   bool isBetter()
   {
-    FaceCosts before;
-    FaceCosts after;
-    for (Trial* cell : { &own_, &loser_, &gainer_ })
+    Verdict before;
+    Verdict after;
+    for (CellTrial* cell : { &own_, &loser_, &gainer_ })
     {
-      joiner_.look(cell->view, cell->shape);
-      const JoinedShape& result = joiner_.shapeOf(cell->faces);
-      const double volume = result.measures.volume;
-      if (result.polyhedron.faces() < LeastFaces || volume < LeastVolumeKept * cell->shape.volume ||
-        cell->shape.volume < LeastVolumeKept * volume || !areStars(result, cell->faces) ||
-        cells_.hasFacesNear(cell->key, cell->view, cell->faces))
+      const Verdict joined = cell->joined();
+      if (!keepsShape(Accepted::Mend, cell->now, joined) || !cell->isSound(cells_))
       {
         return false;
       }
-      before += cell->before;
-      after += costsOf(result.polyhedron, result.measures, result.beyond);
+      before += cell->now;
+      after += joined;
     }
-    return after.refused <= before.refused && after.sum < before.sum - LeastGain;
-  }
-
-  static bool areStars(const JoinedShape& shape, const JoinedFaces& faces)
-  {
-    for (std::size_t f = shape.kept(faces); f < shape.polyhedron.faces(); ++f)
-    {
-      const Ring ring = cartesian::ringOf(shape.polyhedron, f);
-      if (!isStar(ring, unit(shape.measures.faces[f].area)))
-      {
-        return false;
-      }
-    }
-    return true;
+    return accepts(Accepted::Mend, before, after);
   }
 
   CellComplex& cells_;
-  Trial own_;
-  Trial loser_;  // of the face
-  Trial gainer_; // of what is beyond it
-  FaceJoiner joiner_;
+  CellTrial own_;
+  CellTrial loser_;  // of the face
+  CellTrial gainer_; // of what is beyond it
 };
 
 }

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/InvalidCells.h"
 
-#include "Acceptance/Limits.h"
-#include "Shaping/CellSplitting.h"
+#include "Shaping/CellTrial.h"
 #include "Shaping/CutSearch.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace cartesian
@@ -18,10 +16,7 @@ namespace
 
 constexpr std::uint32_t None = ~std::uint32_t(0);
 
-// A part smaller than this part of the cell is no use.
-constexpr double LeastPart = 1e-6;
-
-// ... of a cut that only makes room for another.
+// Volume of the smallest part of a cut that only makes room for another, of the cell's.
 constexpr double LeastOfNeutral = 0.02;
 
 // Of planes through concave edges, in radians: the one that halves the angle may meet a node.
@@ -103,32 +98,6 @@ private:
   std::vector<NeighbourCell> beyond_; // of each face, in another region
 };
 
-// Of the parts of a cut.
-struct Extremes
-{
-  double volume = std::numeric_limits<double>::infinity(); // the smallest
-  double aspect = 1;                                       // the largest, as checkMesh measures it
-};
-
-Extremes extremesOf(const CellView& view, const CellCut& cut)
-{
-  Extremes extremes;
-  for (std::uint32_t p = 0; p < cut.parts; ++p)
-  {
-    CellShape shape;
-    measure(partOf(view.shape, cut, p), shape);
-    double area = 0;
-    for (const FaceShape& face : shape.faces)
-    {
-      area += norm(face.area);
-    }
-    extremes.volume = std::min(extremes.volume, shape.volume);
-    extremes.aspect =
-      std::max(extremes.aspect, area / (6 * std::pow(std::max(shape.volume, Tiny), 2.0 / 3)));
-  }
-  return extremes;
-}
-
 // A cell that has been removed is in nobody's way.
 bool allows(CellComplex& cells, CellKey key, const CellView& view, const CellCut& cut)
 {
@@ -143,10 +112,8 @@ bool allows(CellComplex& cells, CellKey key, const CellView& view, const CellCut
 bool split(CellComplex& cells, CellKey key, std::vector<CellKey>& parts)
 {
   CellView view;
-  cells.view({ key }, view);
-  cells.lookBeyond(key, view);
   CellShape shape;
-  measure(view.shape, shape);
+  takeOut(cells, { key }, view, shape);
   const FaultsBeyond beyond(cells, key, view);
   CellFaults before = faultsOf(view.shape, shape, view.beyond).invalid();
   before += beyond.asTheyAre();
@@ -160,21 +127,17 @@ bool split(CellComplex& cells, CellKey key, std::vector<CellKey>& parts)
   FoundCuts found = searchCuts(
     view, shape, before,
     [&](const CellCut& cut) -> std::optional<CellFaults> {
-      std::optional<CellFaults> after = faultsAfter(view, cut, LeastPart * shape.volume);
-      if (!after || !allows(cells, key, view, cut))
+      const CutParts made(view, cut, AcceptedCut::LeastOfInvalid * shape.volume);
+      if (!made.areAll || !allows(cells, key, view, cut) ||
+        made.largestAspect() > AcceptedCut::AspectOfInvalid)
       {
         return {};
       }
-      const Extremes extremes = extremesOf(view, cut);
-      if (extremes.aspect > Refused::AspectRatio)
+      CellFaults after = made.faults().invalid();
+      after += beyond.after(cut);
+      if (after.weight() == before.weight() && made.smallest > smallest)
       {
-        return {};
-      }
-      after = after->invalid();
-      *after += beyond.after(cut);
-      if (after->weight() == before.weight() && extremes.volume > smallest)
-      {
-        smallest = extremes.volume;
+        smallest = made.smallest;
         neutral = cut;
       }
       return after;

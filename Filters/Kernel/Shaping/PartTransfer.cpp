@@ -13,52 +13,27 @@ namespace cartesian
 namespace
 {
 
-constexpr double LargestPart = 0.5; // of the cell's box
-
 bool isAtBoundary(const Polyhedron& part)
 {
   return std::find(part.isBoundary.begin(), part.isBoundary.end(), 1) != part.isBoundary.end();
 }
 
-// The fitness of the largest part where nothing is beyond the cut, or nothing where the other parts are
+// The faults of the largest part where nothing is beyond the cut, or nothing where the other parts are
 // too large, or all inside.
-std::optional<CellFaults> fitnessOfRest(
+std::optional<CellFaults> faultsOfRest(
   const CellView& view, const CellCut& cut, double volume, double mostGiven)
 {
-  Polyhedron rest;
-  CellShape shape;
-  std::uint32_t largest = 0;
-  std::uint32_t inside = 0; // parts
-  for (std::uint32_t p = 0; p < cut.parts; ++p)
-  {
-    Polyhedron part = partOf(view.shape, cut, p);
-    CellShape measures;
-    measure(part, measures);
-    inside += isAtBoundary(part) ? 0 : 1;
-    if (p == 0 || measures.volume > shape.volume)
-    {
-      largest = p;
-      rest = std::move(part);
-      shape = std::move(measures);
-    }
-  }
-  if (volume - shape.volume > mostGiven || inside > (isAtBoundary(rest) ? 0 : 1))
+  const CutParts made(view, cut, -Never);
+  const auto inside = std::count_if(made.parts.begin(), made.parts.end(),
+    [](const Polyhedron& part) { return !isAtBoundary(part); });
+  const auto largest = std::max_element(made.shapes.begin(), made.shapes.end(),
+    [](const CellShape& a, const CellShape& b) { return a.volume < b.volume; });
+  const auto part = static_cast<std::size_t>(largest - made.shapes.begin());
+  if (volume - largest->volume > mostGiven || inside > (isAtBoundary(made.parts[part]) ? 0 : 1))
   {
     return {};
   }
-  std::vector<NeighbourCell> beyond;
-  std::size_t face = 0;
-  for (const CellCut::Face& f : cut.faces) // in the order of partOf
-  {
-    const bool isCut = f.source == CellCut::NoSource;
-    if (f.below == largest || (isCut && f.above == largest))
-    {
-      rest.isBoundary[face] = isCut || view.shape.isBoundary[f.source];
-      beyond.push_back(isCut ? NeighbourCell{} : view.beyond[f.source]);
-      ++face;
-    }
-  }
-  return faultsOf(rest, shape, beyond);
+  return made.faultsAlone(part);
 }
 
 // All parts but the largest.
@@ -90,12 +65,10 @@ void transfer(CellComplex& cells, CellKey key, LeftOver leftOver, CellMerger& me
 {
   CellView view;
   CellShape shape;
-  cells.view({ key }, view);
-  cells.lookBeyond(key, view);
-  measure(view.shape, shape);
-  const double mostGiven = LargestPart * cells.volumeOfBox(key);
+  takeOut(cells, { key }, view, shape);
+  const double mostGiven = AcceptedCut::MostGiven * cells.volumeOfBox(key);
   const FoundCuts found = searchCuts(view, shape, faultsOf(view.shape, shape, view.beyond),
-    [&](const CellCut& cut) { return fitnessOfRest(view, cut, shape.volume, mostGiven); });
+    [&](const CellCut& cut) { return faultsOfRest(view, cut, shape.volume, mostGiven); });
   for (auto cut = found.helpful.rbegin(); cut != found.helpful.rend(); ++cut)
   {
     cells.open(key);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/RefusedCells.h"
 
-#include "Acceptance/Refusal.h"
+#include "Acceptance/Acceptance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -128,19 +128,17 @@ bool isAcceptedWithout(const CellComplex& cells, CellKey other, CellKey gone)
 {
   MeasuredCell cell;
   cells.lookAround(other, cell);
-  std::vector<std::size_t> exposed;
+  std::vector<std::uint8_t> exposed;
   for (std::size_t f = 0; f < cell.across.size(); ++f)
   {
-    if (cell.across[f] == gone)
+    exposed.push_back(cell.across[f] == gone ? 1 : 0);
+    if (exposed.back())
     {
       cell.shape.isBoundary[f] = 1;
       cell.beyond[f] = {};
-      exposed.push_back(f);
     }
   }
-  Refusal refusal(cell.shape, cell.measures, cell.beyond);
-  return std::none_of(
-    exposed.begin(), exposed.end(), [&](std::size_t f) { return refusal.isRefused(f); });
+  return accepts(Accepted::Removal, {}, evaluate(cell.shape, cell.measures, cell.beyond, exposed));
 }
 
 }

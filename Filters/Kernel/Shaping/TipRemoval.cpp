@@ -65,9 +65,13 @@ public:
     {
       return false;
     }
-    const double worst = worstCost(keys);
-    return std::all_of(around.begin(), around.end(),
-      [&](CellKey other) { return isFairWithout(other, keys, worst); });
+    Verdict tip;
+    for (const CellKey key : keys)
+    {
+      tip += verdictOf(cells_, key, cell_);
+    }
+    return std::all_of(
+      around.begin(), around.end(), [&](CellKey other) { return isFairWithout(other, keys, tip); });
   }
 
 private:
@@ -112,21 +116,9 @@ private:
     return false;
   }
 
-  double worstCost(const std::vector<CellKey>& keys)
-  {
-    double worst = 0;
-    for (const CellKey key : keys)
-    {
-      cells_.lookAround(key, cell_);
-      worst = std::max({ worst, costsOf(cell_.shape, cell_.measures, cell_.beyond).worst,
-        costOfShare(cells_.share(key)), costOfDeterminant(cell_.shape, cell_.measures) });
-    }
-    return worst;
-  }
-
   // Whether solvers accept a cell with boundary faces towards those that are gone, which become one with others
-  // where that helps, and nothing is worse than it was, or costs more than `most`.
-  bool isFairWithout(CellKey other, const std::vector<CellKey>& gone, double most)
+  // where that helps, and nothing is worse than it was, or than of those that are gone.
+  bool isFairWithout(CellKey other, const std::vector<CellKey>& gone, Verdict before)
   {
     if (!cells_.isFree(other))
     {
@@ -135,10 +127,8 @@ private:
     cells_.open(other); // a hexahedron has no faces of its own
     CellView& view = without_.view;
     without_.keys.assign(1, other);
-    cells_.view(without_.keys, view);
-    cells_.lookBeyond(other, view);
-    measure(view.shape, shape_);
-    const double before = costsOf(view.shape, shape_, view.beyond).worst;
+    takeOut(cells_, without_.keys, view, shape_);
+    before += evaluate(view.shape, shape_, view.beyond);
     for (std::size_t f = 0; f < view.across.size(); ++f)
     {
       if (std::find(gone.begin(), gone.end(), view.across[f]) != gone.end())
@@ -149,10 +139,9 @@ private:
         view.beyond[f] = {};
       }
     }
-    const double cost = trying_.tryOutView(without_, joins_);
-    return cost < Never && trying_.simplify(without_, cost) < Never &&
-      without_.costs.refused == 0 &&
-      without_.costs.worst <= std::max({ most, before, StrainedCost });
+    trying_.tryOutView(without_, joins_);
+    trying_.simplify(without_);
+    return accepts(Accepted::TipRemoval, before, without_.verdict);
   }
 
   CellComplex& cells_;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/WallJoining.h"
 
-#include "Acceptance/CellCost.h"
 #include "Acceptance/Skewness.h"
+#include "Shaping/CellTrial.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace cartesian
@@ -16,7 +17,7 @@ namespace
 // Between prisms on two faces: as the limits of solvers, with some room for what moving the nodes adds.
 constexpr double SteepestLine =
   2; // tangent of the angle between the centres' line and the normal of the side
-constexpr double MostSkew = 2.5; // ... of the edge between them
+constexpr double MostSkew = 2.5; // skewness of that edge
 
 // Between a cell and the prism on one of its faces, which is flat: tangent of the same angle.
 constexpr double SteepestFloor = 1.5;
@@ -25,7 +26,6 @@ constexpr double SteepestFloor = 1.5;
 const double CosineOfBend = std::cos(radians(30));
 constexpr double NegligibleShare = 0.05;
 constexpr double SmallShare = 0.2; // smaller ones are joined even where prisms could stand on both
-constexpr double LeastVolumeKept = 0.8;
 
 // The ends of the chain of edges that two faces share, in the first one's direction.
 struct Chain
@@ -61,7 +61,9 @@ public:
   Joiner(CellComplex& cells, const WallLayerSpec& layers)
     : cells_(cells)
     , layers_(layers)
-    , joiner_(cells.featureCosine())
+    , trial_(cells)
+    , view_(trial_.view)
+    , shape_(trial_.shape)
   {
   }
 
@@ -81,15 +83,12 @@ public:
     {
       return false;
     }
-    cells_.lookBeyond(key, view_);
-    measure(view_.shape, shape_);
-    joiner_.look(view_, shape_);
-    before_ = costsOf(view_.shape, shape_, view_.beyond);
+    trial_.look(cells_, key);
     for (std::size_t i = 0; i < faces_.size(); ++i)
     {
       for (std::size_t k = i + 1; k < faces_.size(); ++k)
       {
-        if (tryOut(key, faces_[i], faces_[k]))
+        if (tryOut(faces_[i], faces_[k]))
         {
           return true;
         }
@@ -99,7 +98,7 @@ public:
   }
 
 private:
-  bool tryOut(CellKey key, std::uint32_t f, std::uint32_t g)
+  bool tryOut(std::uint32_t f, std::uint32_t g)
   {
     std::vector<std::uint32_t> ring;
     const Ring first = ringOf(view_.shape, f);
@@ -114,13 +113,12 @@ private:
     {
       return false;
     }
-    JoinedFaces joined;
-    joined.groups.push_back({ { f, g }, std::move(ring) });
-    if (!isAccepted(key, joined))
+    trial_.faces.groups.assign(1, { { f, g }, std::move(ring) });
+    if (!accepts(Accepted::Wall, trial_.now, trial_.joined()) || !trial_.isSound(cells_))
     {
       return false;
     }
-    cells_.join(key, view_, joined);
+    cells_.join(trial_.key, view_, trial_.faces);
     return true;
   }
 
@@ -172,30 +170,11 @@ private:
     return norm(minus(line, scaled(normal, height))) > SteepestFloor * height;
   }
 
-  bool isAccepted(CellKey key, const JoinedFaces& joined)
-  {
-    const JoinedShape& result = joiner_.shapeOf(joined);
-    if (result.polyhedron.faces() < LeastFaces ||
-      std::abs(result.measures.volume - shape_.volume) > (1 - LeastVolumeKept) * shape_.volume ||
-      cells_.hasFacesNear(key, view_, joined))
-    {
-      return false;
-    }
-    const std::size_t last = result.polyhedron.faces() - 1;
-    if (!isStar(cartesian::ringOf(result.polyhedron, last), unit(result.measures.faces[last].area)))
-    {
-      return false;
-    }
-    const FaceCosts after = costsOf(result.polyhedron, result.measures, result.beyond);
-    return after.refused <= before_.refused;
-  }
-
   CellComplex& cells_;
   const WallLayerSpec& layers_;
-  CellView view_;
-  CellShape shape_;
-  FaceCosts before_;
-  FaceJoiner joiner_;
+  CellTrial trial_;
+  CellView& view_;
+  const CellShape& shape_;
   std::vector<std::uint32_t> faces_;
 };
 

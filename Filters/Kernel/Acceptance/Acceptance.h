@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether an edit of the mesh is accepted: one function decides, by what solvers make of the cells before and after
+// (Verdict.h). What the steps of shaping differ by has a name, and stands in one table.
+#pragma once
+
+#include "Acceptance/Limits.h"
+#include "Acceptance/Verdict.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+// How many faces solvers may refuse afterwards.
+enum class MayRefuse
+{
+  NoFace,
+  FewerOrNone, // than before
+  AsMany       // as before
+};
+
+struct Acceptance
+{
+  MayRefuse refused;
+  double leastGain = -Never;  // costs have to fall by more
+  double mostWorst = Never;   // nothing costs more than this, unless something did:
+  bool worstFalls = false;    // ... then less than that
+  std::size_t leastFaces = 0; // of a cell
+  double leastVolume = 0;     // as a part of what it was; 0: volumes are not compared
+  double mostVolume = 0;
+};
+
+// From here on a face strains solvers: skewness 2.4.
+constexpr double StrainedCost = 5;
+
+// Sums of costs have to change by more than rounding.
+constexpr double LeastGain = 1e-6;
+
+// What each step of shaping accepts.
+struct Accepted
+{
+  static constexpr double Failed = 1e3; // a cost of what fails (CellCost.h)
+  static constexpr double Any = -Never; // gain
+
+  static constexpr Acceptance SmallMerge{ MayRefuse::FewerOrNone, LeastGain, Failed, true };
+  static constexpr Acceptance PoorMerge{ MayRefuse::FewerOrNone, 0.3, Failed, true };
+  static constexpr Acceptance Join{ MayRefuse::AsMany, Any, Never, false, LeastFaces, 0.8, 1.25 };
+  static constexpr Acceptance Mend{ MayRefuse::AsMany, 0.3, Never, false, LeastFaces, 0.8, 1.25 };
+  static constexpr Acceptance Wall{ MayRefuse::AsMany, Any, Never, false, LeastFaces, 0.8, 1.2 };
+  static constexpr Acceptance TipRemoval{ MayRefuse::NoFace, Any, StrainedCost };
+  static constexpr Acceptance Removal{ MayRefuse::NoFace };
+  static constexpr Acceptance LeftBehind{ MayRefuse::AsMany }; // by cells that are ceded
+  static constexpr Acceptance Ceded{ MayRefuse::NoFace };
+};
+
+// ... of the parts of a cut. Of cuts that are accepted the best has the smallest weight of faults (CutSearch.h).
+struct AcceptedCut
+{
+  // The smallest part's volume is more than this part of the cell's.
+  static constexpr double LeastOfSplit = 1e-3;
+  static constexpr double LeastOfInvalid = 1e-6;
+
+  static constexpr double AspectOfInvalid = Refused::AspectRatio;
+  static constexpr double MostGiven = 0.5; // of its box: all parts but the largest
+};
+
+// By how much costs fall.
+inline double gain(const Verdict& before, const Verdict& after)
+{
+  return before.cost - after.cost - after.costBeyond;
+}
+
+inline bool keepsVolume(const Acceptance& acceptance, double before, double after)
+{
+  return acceptance.leastVolume == 0 ||
+    (after >= acceptance.leastVolume * before && after <= acceptance.mostVolume * before);
+}
+
+// Asked of each cell where an edit changes several.
+inline bool keepsShape(const Acceptance& acceptance, const Verdict& before, const Verdict& after)
+{
+  return after.faces >= acceptance.leastFaces &&
+    keepsVolume(acceptance, before.volume, after.volume);
+}
+
+inline bool accepts(const Acceptance& acceptance, const Verdict& before, const Verdict& after)
+{
+  const double most = std::max(before.worst, acceptance.mostWorst);
+  const bool mayRefuse = after.refused == 0 ||
+    (acceptance.refused == MayRefuse::FewerOrNone && after.refused < before.refused) ||
+    (acceptance.refused == MayRefuse::AsMany && after.refused <= before.refused);
+  return mayRefuse && after.cost < Never && gain(before, after) > acceptance.leastGain &&
+    (acceptance.worstFalls ? after.worst < most : after.worst <= most) &&
+    keepsShape(acceptance, before, after);
+}
+
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A cell taken out of the whole, and what solvers make of it (Verdict.h): as it is, and with some of its faces joined.
+#pragma once
+
+#include "Acceptance/Acceptance.h"
+#include "Shaping/CellComplex.h"
+
+namespace cartesian
+{
+
+// Several cells as one, with what is beyond, and measured.
+void takeOut(
+  const CellComplex& cells, const std::vector<CellKey>& keys, CellView& view, CellShape& shape);
+
+// Of a cell as it is; leaves there what was looked at.
+Verdict verdictOf(const CellComplex& cells, CellKey key, MeasuredCell& cell);
+
+// Looks at cells, one after the other; keeps its memory.
+struct CellTrial
+{
+  explicit CellTrial(const CellComplex& cells)
+    : joiner(cells.featureCosine())
+  {
+  }
+
+  void look(const CellComplex& cells, CellKey key);
+
+  // With the faces joined.
+  Verdict joined();
+
+  // Whether the joined faces have star triangulations, and are not there already.
+  bool isSound(const CellComplex& cells) const;
+
+  // The place of a face that another cell has too.
+  std::uint32_t find(const FaceUse& face) const;
+
+  // A ring of another cell, `way` from here to its origin, from this side; gets the nodes that it lacks.
+  std::vector<std::uint32_t> seen(
+    const std::vector<std::uint32_t>& ring, const CellView& from, const Vector& way);
+
+  CellKey key = 0;
+  CellView view;
+  CellShape shape;
+  Verdict now;
+  JoinedFaces faces; // none at first
+  FaceJoiner joiner;
+};
+
+}
