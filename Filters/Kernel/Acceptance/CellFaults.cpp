@@ -60,6 +60,20 @@ bool isTooWide(double cosine, bool boundary)
   return boundary ? cosine <= Refused::BoundaryCosine : cosine < Refused::InnerCosine;
 }
 
+bool isUnequal(double volume, double other, double ratio)
+{
+  return std::min(volume, other) < ratio * std::max(volume, other);
+}
+
+// Whether the face is nearer to one of the centres than this part of its distances from both.
+bool isOffCentre(
+  const CellShape& shape, const FaceShape& face, const NeighbourCell& neighbour, double weight)
+{
+  const double near = std::abs(dot(minus(face.centre, shape.centre), face.area));
+  const double far = std::abs(dot(minus(neighbour.centre, face.centre), face.area));
+  return std::min(near, far) < weight * (near + far);
+}
+
 void addFaults(const Polyhedron& cell, const CellShape& shape, std::size_t f,
   const NeighbourCell& neighbour, CellFaults& faults)
 {
@@ -84,22 +98,13 @@ void addFaults(const Polyhedron& cell, const CellShape& shape, std::size_t f,
     note(CellFaults::InnerAngle, wideAngle);
     note(CellFaults::WronglyOriented, std::min({ own, others, dot(between, face.area) }) <= 0);
     note(CellFaults::NonOrthogonal, cosine(between, face.area) < Refused::SlopeCosine);
-    note(CellFaults::VolumeRatio,
-      std::min(shape.volume, neighbour.volume) <
-        Limits::VolumeRatio * std::max(shape.volume, neighbour.volume));
-    const double near = std::abs(dot(minus(face.centre, shape.centre), face.area));
-    const double far = std::abs(dot(minus(neighbour.centre, face.centre), face.area));
-    note(CellFaults::FaceWeight, std::min(near, far) < Limits::FaceWeight * (near + far));
+    note(CellFaults::VolumeRatio, isUnequal(shape.volume, neighbour.volume, Limits::VolumeRatio));
+    note(CellFaults::FaceWeight, isOffCentre(shape, face, neighbour, Limits::FaceWeight));
   }
   note(cell.isBoundary[f] ? CellFaults::BoundarySkewness : CellFaults::InnerSkewness, skewed);
   faults.area += wideAngle || skewed ? norm(face.area) : 0;
 }
 
-}
-
-int CellFaults::count() const
-{
-  return std::accumulate(counts.begin(), counts.end(), 0);
 }
 
 int CellFaults::weight() const
@@ -147,18 +152,14 @@ bool isRefused(
 {
   CellFaults faults;
   addFaults(cell, shape, face, neighbour, faults);
-  return faults.counts[CellFaults::InnerAngle] > 0 || faults.invalid().count() > 0;
+  return faults.counts[CellFaults::InnerAngle] > 0 || faults.invalid().weight() > 0;
 }
 
 bool isUnbalanced(const CellShape& shape, std::size_t face, const NeighbourCell& neighbour)
 {
-  const FaceShape& f = shape.faces[face];
-  const double near = std::abs(dot(minus(f.centre, shape.centre), f.area));
-  const double far = std::abs(dot(minus(neighbour.centre, f.centre), f.area));
   return neighbour.volume > 0 &&
-    (std::min(near, far) < Balanced::FaceWeight * (near + far) ||
-      std::min(shape.volume, neighbour.volume) <
-        Balanced::VolumeRatio * std::max(shape.volume, neighbour.volume));
+    (isOffCentre(shape, shape.faces[face], neighbour, Balanced::FaceWeight) ||
+      isUnequal(shape.volume, neighbour.volume, Balanced::VolumeRatio));
 }
 
 bool isTurnedOver(const CellShape& shape, std::size_t face, const NeighbourCell& neighbour)
@@ -171,21 +172,21 @@ bool isTurnedOver(const CellShape& shape, std::size_t face, const NeighbourCell&
 
 bool Refusal::isRefused(std::size_t face)
 {
-  if (cartesian::isRefused(cell_, shape_, face, beyond_[face]))
+  if (cartesian::isRefused(cell, shape, face, beyond[face]))
   {
     return true;
   }
-  const bool boundary = cell_.isBoundary[face] != 0;
+  const bool boundary = cell.isBoundary[face] != 0;
   const double doubtful = boundary ? Doubtful::BoundaryCosine : Doubtful::InnerCosine;
-  if (!(ownCosine(shape_, face) <= doubtful))
+  if (!(ownCosine(shape, face) <= doubtful))
   {
     return false;
   }
-  if (projected_.faces.empty())
+  if (projected.faces.empty())
   {
-    measureProjected(cell_, projected_);
+    measureProjected(cell, projected);
   }
-  return isTooWide(ownCosine(projected_, face), boundary);
+  return isTooWide(ownCosine(projected, face), boundary);
 }
 
 CentreOffset centreOffsetOf(const Vector& centre, const Vector& faceCentre, const Vector& area)

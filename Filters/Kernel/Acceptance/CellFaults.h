@@ -38,9 +38,7 @@ struct CellFaults
   std::array<int, Kinds> counts{};
   double area = 0; // of the faces with a wrong angle or skewness
 
-  int count() const;
-
-  // The count, with each kind weighted by how hard it is to repair later.
+  // How many, with each kind weighted by how hard it is to repair later.
   int weight() const;
   CellFaults& operator+=(const CellFaults& other);
 
@@ -63,25 +61,15 @@ bool isUnbalanced(const CellShape& shape, std::size_t face, const NeighbourCell&
 // Whether it is turned over as seen from one of its cells: then that cell is invalid, not merely poor.
 bool isTurnedOver(const CellShape& shape, std::size_t face, const NeighbourCell& neighbour);
 
-// Which faces of a cell solvers refuse with either of the two centres that they compute. Borrows its arguments; measures
-// the other centre once that is asked for.
-class Refusal
+// Which faces of a cell solvers refuse with either of the two centres that they compute.
+struct Refusal
 {
-public:
-  Refusal(const Polyhedron& cell, const CellShape& shape, const std::vector<NeighbourCell>& beyond)
-    : cell_(cell)
-    , shape_(shape)
-    , beyond_(beyond)
-  {
-  }
-
   bool isRefused(std::size_t face);
 
-private:
-  const Polyhedron& cell_;
-  const CellShape& shape_;
-  const std::vector<NeighbourCell>& beyond_; // of each face
-  CellShape projected_;
+  const Polyhedron& cell;
+  const CellShape& shape;
+  const std::vector<NeighbourCell>& beyond; // of each face
+  CellShape projected{};                    // with the other centres, once asked for
 };
 
 // Where a cell's centre lies relative to a face, in levels.

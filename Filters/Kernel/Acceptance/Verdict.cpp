@@ -35,7 +35,7 @@ Verdict evaluate(const Polyhedron& cell, const CellShape& shape,
   verdict.faces = cell.faces();
   verdict.volume = shape.volume;
   double worstRefused = -1;
-  Refusal refusal(cell, shape, beyond);
+  Refusal refusal{ cell, shape, beyond };
   const double negligible = negligibleArea(shape);
   for (std::uint32_t f = 0; f < cell.faces() && verdict.cost <= most; ++f)
   {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/CellCession.h"
 
+#include "Shaping/RefusedCells.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -40,33 +42,25 @@ Verdict verdictOf(const CellComplex& cells, CellKey key)
   return verdictOf(cells, key, cell);
 }
 
-// Cells side by side at the same wall.
-struct ThinCells
-{
-  std::vector<CellKey> keys;
-  std::int32_t wall;
-};
+using Keys = std::vector<CellKey>;
 
-void changeRegion(CellComplex& cells, const ThinCells& thin)
+void changeRegion(CellComplex& cells, const Keys& thin, std::int32_t wall)
 {
-  for (const CellKey key : thin.keys)
-  {
-    cells.changeRegion(key, thin.wall);
-  }
+  std::for_each(thin.begin(), thin.end(), [&](CellKey key) { cells.changeRegion(key, wall); });
 }
 
 // Of its region, as they are.
-std::vector<std::pair<CellKey, Verdict>> leftBehind(CellComplex& cells, const ThinCells& thin)
+std::vector<std::pair<CellKey, Verdict>> leftBehind(CellComplex& cells, const Keys& thin)
 {
   std::set<CellKey> found;
-  for (const CellKey key : thin.keys)
+  for (const CellKey key : thin)
   {
     for (const auto& [other, area] : cells.neighbours(key))
     {
       found.insert(other);
     }
   }
-  for (const CellKey key : thin.keys)
+  for (const CellKey key : thin)
   {
     found.erase(key);
   }
@@ -79,22 +73,23 @@ std::vector<std::pair<CellKey, Verdict>> leftBehind(CellComplex& cells, const Th
   return left;
 }
 
-bool cede(CellComplex& cells, const ThinCells& thin, CellMerger& merger)
+// Cells side by side at a wall.
+bool cede(CellComplex& cells, const Keys& thin, std::int32_t wall, CellMerger& merger)
 {
   // Nothing is worse than a wall without thickness.
-  const bool areFlat = std::all_of(
-    thin.keys.begin(), thin.keys.end(), [&](CellKey key) { return cells.share(key) < FlatCell; });
+  const bool areFlat =
+    std::all_of(thin.begin(), thin.end(), [&](CellKey key) { return cells.share(key) < FlatCell; });
   const auto left = leftBehind(cells, thin);
-  changeRegion(cells, thin);
+  changeRegion(cells, thin, wall);
   if (!areFlat && std::any_of(left.begin(), left.end(), [&](const auto& cell) {
         return !accepts(Accepted::LeftBehind, cell.second, verdictOf(cells, cell.first));
       }))
   {
-    changeRegion(cells, thin);
+    changeRegion(cells, thin, wall);
     return false;
   }
   bool any = false;
-  for (const CellKey key : thin.keys)
+  for (const CellKey key : thin)
   {
     if (cells.isAlive(key))
     {
@@ -107,36 +102,10 @@ bool cede(CellComplex& cells, const ThinCells& thin, CellMerger& merger)
     }
     else
     {
-      cells.changeRegion(key, thin.wall);
+      cells.changeRegion(key, wall);
     }
   }
   return any;
-}
-
-// Each cell in one group, in the order of their first.
-std::vector<ThinCells> sideBySide(const CellComplex& cells, std::map<CellKey, std::int32_t> thin)
-{
-  std::vector<ThinCells> groups;
-  while (!thin.empty())
-  {
-    ThinCells group{ { thin.begin()->first }, thin.begin()->second };
-    thin.erase(thin.begin());
-    for (std::size_t i = 0; i < group.keys.size(); ++i)
-    {
-      for (const auto& [other, area] : cells.neighbours(group.keys[i]))
-      {
-        const auto at = thin.find(other);
-        if (at != thin.end() && at->second == group.wall)
-        {
-          group.keys.push_back(other);
-          thin.erase(at);
-        }
-      }
-    }
-    std::sort(group.keys.begin(), group.keys.end());
-    groups.push_back(std::move(group));
-  }
-  return groups;
 }
 
 }
@@ -144,7 +113,7 @@ std::vector<ThinCells> sideBySide(const CellComplex& cells, std::map<CellKey, st
 bool cede(CellComplex& cells, CellKey key, CellMerger& merger)
 {
   const std::optional<std::int32_t> wall = wallOfThin(cells, key);
-  return wall && cede(cells, { { key }, *wall }, merger);
+  return wall && cede(cells, { key }, *wall, merger);
 }
 
 bool cedeCells(CellComplex& cells, const std::vector<CellKey>& keys, double largest,
@@ -161,15 +130,15 @@ bool cedeCells(CellComplex& cells, const std::vector<CellKey>& keys, double larg
     }
   }
   bool any = false;
-  for (const ThinCells& group : sideBySide(cells, std::move(thin)))
+  for (const Keys& group : sideBySide(cells, thin))
   {
     execution.poll();
-    bool all =
-      cells.isAlive(group.keys.front()) && group.keys.size() > 1 && cede(cells, group, merger);
+    const bool all = cells.isAlive(group.front()) && group.size() > 1 &&
+      cede(cells, group, thin[group.front()], merger);
     any = any || all;
-    for (std::size_t i = 0; !all && i < group.keys.size(); ++i)
+    for (std::size_t i = 0; !all && i < group.size(); ++i)
     {
-      any = (cells.isAlive(group.keys[i]) && cede(cells, group.keys[i], merger)) || any;
+      any = (cells.isAlive(group[i]) && cede(cells, group[i], merger)) || any;
     }
   }
   return any;

@@ -170,9 +170,9 @@ void CellMerger::run(std::vector<CellKey> keys, Look&& look)
     for (std::size_t i = 0; i < candidates.size(); ++i)
     {
       execution_.reach(round == 0 ? double(i) / double(candidates.size()) : 1);
-      if (cells_.isAlive(candidates[i].key))
+      if (cells_.isAlive(candidates[i].second))
       {
-        look(candidates[i].key, true);
+        look(candidates[i].second, true);
       }
     }
     keys = cells_.polyhedraChangedSince(mark);
@@ -188,7 +188,7 @@ std::vector<CellMerger::Candidate> CellMerger::list(const std::vector<CellKey>& 
     execution_.poll();
     if (const auto [is, rank] = look(key, false); is)
     {
-      candidates.push_back({ key, static_cast<float>(rank) });
+      candidates.emplace_back(static_cast<float>(rank), key);
     }
   }
   std::sort(candidates.begin(), candidates.end());

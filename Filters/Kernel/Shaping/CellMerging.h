@@ -60,16 +60,7 @@ public:
   std::size_t simplified() const { return simplified_; } // cells with faces joined at any angle
 
 private:
-  struct Candidate
-  {
-    CellKey key;
-    float rank; // the lowest first; equal but for rounding is equal
-
-    bool operator<(const Candidate& other) const
-    {
-      return rank != other.rank ? rank < other.rank : key < other.key;
-    }
-  };
+  using Candidate = std::pair<float, CellKey>; // the lowest first; equal but for rounding is equal
 
   // Of the cell to merge.
   struct Neighbour

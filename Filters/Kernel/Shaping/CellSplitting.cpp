@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <set>
 
@@ -60,10 +59,10 @@ public:
     for (int round = 0; !failing.empty() && round < MostRounds; ++round)
     {
       next_.clear();
-      const std::vector<CellKey> order = worstFirst(failing);
+      const std::vector<std::pair<float, CellKey>> order = worstFirst(failing);
       for (std::size_t i = 0; i < order.size(); ++i)
       {
-        const CellKey key = order[i];
+        const CellKey key = order[i].second;
         execution_.reach(doneBefore(round) +
           (doneBefore(round + 1) - doneBefore(round)) * double(i) / double(order.size()));
         if (fails(cells_, key))
@@ -72,13 +71,8 @@ public:
         }
       }
       failing.clear();
-      for (const CellKey key : next_)
-      {
-        if (fails(cells_, key))
-        {
-          failing.push_back(key);
-        }
-      }
+      std::copy_if(next_.begin(), next_.end(), std::back_inserter(failing),
+        [&](CellKey key) { return fails(cells_, key); });
     }
     return result_;
   }
@@ -87,7 +81,7 @@ private:
   // Each round does half of what is left, about.
   static double doneBefore(int round) { return 1 - std::ldexp(1.0, -round); }
 
-  std::vector<CellKey> worstFirst(const std::vector<CellKey>& failing) const
+  std::vector<std::pair<float, CellKey>> worstFirst(const std::vector<CellKey>& failing) const
   {
     std::vector<std::pair<float, CellKey>> order; // equal but for rounding is equal
     MeasuredCell cell;
@@ -99,13 +93,7 @@ private:
       order.emplace_back(-static_cast<float>(area), key);
     }
     std::sort(order.begin(), order.end());
-    std::vector<CellKey> keys;
-    keys.reserve(order.size());
-    for (const auto& [area, key] : order)
-    {
-      keys.push_back(key);
-    }
-    return keys;
+    return order;
   }
 
   // By the fittest cut that spoils no cell beyond.

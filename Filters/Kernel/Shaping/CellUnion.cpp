@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 namespace cartesian
 {
@@ -42,6 +43,15 @@ bool isFolded(const CellView& view)
   }) != faces.end();
 }
 
+// Of the cell itself, besides its faces' costs.
+void addCostOfCell(
+  const Polyhedron& polyhedron, const CellShape& shape, double box, Verdict& verdict)
+{
+  verdict.cost = verdict.faces < LeastFaces
+    ? Never
+    : verdict.cost + costOfShare(shape.volume / box) + costOfDeterminant(polyhedron, shape);
+}
+
 }
 
 void UnionTrial::tryOut(CellUnion& cells, const JoinSpec& joins, double most)
@@ -71,15 +81,6 @@ void UnionTrial::tryOutView(CellUnion& cells, const JoinSpec& joins, double most
   {
     cells.verdict = joined(cells, cells.joined, Never);
   }
-}
-
-// Of the cell itself, besides its faces' costs.
-void UnionTrial::addCostOfCell(
-  const Polyhedron& polyhedron, const CellShape& shape, double box, Verdict& verdict) const
-{
-  verdict.cost = verdict.faces < LeastFaces
-    ? Never
-    : verdict.cost + costOfShare(shape.volume / box) + costOfDeterminant(polyhedron, shape);
 }
 
 // The cost is Never, if it is larger than `most`.
@@ -183,17 +184,15 @@ double UnionTrial::costBeyond(const CellUnion& cells, CellKey other)
 double UnionTrial::costBeyond(const CellUnion& cells)
 {
   const CellView& view = cells.view;
-  std::vector<CellKey> others;
+  std::set<CellKey> others;
   for (const JoinedFaces::Group& group : cells.joined.groups)
   {
     const std::uint32_t face = group.members.front();
     if (view.across[face] != None && view.shape.isBoundary[face])
     {
-      others.push_back(view.across[face]);
+      others.insert(view.across[face]);
     }
   }
-  std::sort(others.begin(), others.end());
-  others.erase(std::unique(others.begin(), others.end()), others.end());
   return std::accumulate(others.begin(), others.end(), 0.0,
     [&](double sum, CellKey other) { return sum + costBeyond(cells, other); });
 }

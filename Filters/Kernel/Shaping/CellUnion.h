@@ -52,8 +52,6 @@ public:
   double costBeyond(const CellUnion& cells);
 
 private:
-  void addCostOfCell(
-    const Polyhedron& polyhedron, const CellShape& shape, double box, Verdict& verdict) const;
   Verdict joined(const CellUnion& cells, const JoinedFaces& faces, double most);
   double costBeyond(const CellUnion& cells, CellKey other);
   double volumeMoved(

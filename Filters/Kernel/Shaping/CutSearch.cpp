@@ -186,22 +186,19 @@ private:
 
   std::vector<std::size_t> largestAtFault() const
   {
-    std::vector<std::pair<float, std::size_t>> order; // equal but for rounding is equal
+    std::vector<std::size_t> faces;
     for (std::size_t face = 0; face < cell_.faces(); ++face)
     {
       if (isAtFault(cell_, shape_, face))
       {
-        order.emplace_back(-static_cast<float>(norm(shape_.faces[face].area)), face);
+        faces.push_back(face);
       }
     }
-    std::sort(order.begin(), order.end());
-    order.resize(std::min(order.size(), MostCandidates));
-    std::vector<std::size_t> faces;
-    faces.reserve(order.size());
-    for (const auto& [area, face] : order)
-    {
-      faces.push_back(face);
-    }
+    // Equal but for rounding is equal.
+    const auto areaOf = [&](std::size_t face) { return float(norm(shape_.faces[face].area)); };
+    std::stable_sort(faces.begin(), faces.end(),
+      [&](std::size_t f, std::size_t g) { return areaOf(f) > areaOf(g); });
+    faces.resize(std::min(faces.size(), MostCandidates));
     std::sort(faces.begin(), faces.end());
     return faces;
   }
@@ -247,7 +244,7 @@ private:
 
   void attempt(const CutPlane& plane, bool worthy)
   {
-    if (best_.count() == 0 || !cutCell(cell_, plane, trial_))
+    if (best_.weight() == 0 || !cutCell(cell_, plane, trial_))
     {
       return;
     }

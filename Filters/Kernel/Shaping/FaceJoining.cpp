@@ -34,18 +34,6 @@ bool contains(const Ring& ring, std::uint32_t node)
   return std::find(ring.corners, ring.corners + ring.size, node) != ring.corners + ring.size;
 }
 
-bool hasEdgeFrom(const Ring& ring, std::uint32_t from, std::uint32_t to)
-{
-  for (std::size_t i = 0; i < ring.size; ++i)
-  {
-    if (ring.corners[i] == from)
-    {
-      return ring.corners[i + 1 < ring.size ? i + 1 : 0] == to;
-    }
-  }
-  return false;
-}
-
 // Cut between its i-th and k-th corner.
 std::array<std::vector<std::uint32_t>, 2> cutRing(
   const std::vector<std::uint32_t>& ring, std::size_t i, std::size_t k)
@@ -58,6 +46,18 @@ std::array<std::vector<std::uint32_t>, 2> cutRing(
   return parts;
 }
 
+}
+
+bool hasEdgeFrom(const Ring& ring, std::uint32_t from, std::uint32_t to)
+{
+  for (std::size_t i = 0; i < ring.size; ++i)
+  {
+    if (ring.corners[i] == from)
+    {
+      return ring.corners[i + 1 < ring.size ? i + 1 : 0] == to;
+    }
+  }
+  return false;
 }
 
 bool joinRings(const Ring& first, const Ring& second, std::vector<std::uint32_t>& joined)

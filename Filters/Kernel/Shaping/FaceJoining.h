@@ -10,6 +10,8 @@
 namespace cartesian
 {
 
+bool hasEdgeFrom(const Ring& ring, std::uint32_t from, std::uint32_t to);
+
 // Two polygons that share a chain of edges as one; false where they share several or meet elsewhere too.
 bool joinRings(const Ring& first, const Ring& second, std::vector<std::uint32_t>& joined);
 

@@ -20,18 +20,6 @@ Ring ringOf(const CellTrial& cell, std::uint32_t face)
   return ringOf(cell.view.shape, face);
 }
 
-bool hasEdge(const Ring& ring, std::uint32_t u, std::uint32_t v)
-{
-  for (std::size_t i = 0; i < ring.size; ++i)
-  {
-    if (ring.corners[i] == u && ring.corners[i + 1 < ring.size ? i + 1 : 0] == v)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 std::size_t edgesInCommon(const Ring& a, const Ring& b, const std::vector<std::uint32_t>& joined)
 {
   return (a.size + b.size - joined.size()) / 2;
@@ -102,12 +90,10 @@ private:
   bool tryOut(std::uint32_t f, std::uint32_t g, const std::vector<std::uint32_t>& ring)
   {
     const CellView& view = own_.view;
-    for (const CellKey key : { own_.key, view.across[f], view.across[g] })
+    if (!cells_.isFree(own_.key) || !cells_.isFree(view.across[f]) ||
+      !cells_.isFree(view.across[g]))
     {
-      if (!cells_.isFree(key))
-      {
-        return false;
-      }
+      return false;
     }
     loser_.look(cells_, view.across[f]);
     gainer_.look(cells_, view.across[g]);
@@ -154,7 +140,7 @@ private:
     {
       const std::uint32_t u = lost.corners[i];
       const std::uint32_t v = lost.corners[i + 1 < lost.size ? i + 1 : 0];
-      if (hasEdge(ring, v, u) && !gainerHasWallAt(loser_.view.nodes[u], loser_.view.nodes[v]))
+      if (hasEdgeFrom(ring, v, u) && !gainerHasWallAt(loser_.view.nodes[u], loser_.view.nodes[v]))
       {
         return false;
       }
@@ -172,8 +158,8 @@ private:
     for (std::uint32_t f = 0; f < view.faces.size(); ++f)
     {
       if (view.across[f] == own_.key &&
-        (hasEdge(ringOf(gainer_, f), local(u), local(v)) ||
-          hasEdge(ringOf(gainer_, f), local(v), local(u))))
+        (hasEdgeFrom(ringOf(gainer_, f), local(u), local(v)) ||
+          hasEdgeFrom(ringOf(gainer_, f), local(v), local(u))))
       {
         return true;
       }

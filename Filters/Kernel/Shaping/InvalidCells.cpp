@@ -5,7 +5,6 @@
 #include "Shaping/CutSearch.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace cartesian
@@ -117,7 +116,7 @@ bool split(CellComplex& cells, CellKey key, std::vector<CellKey>& parts)
   const FaultsBeyond beyond(cells, key, view);
   CellFaults before = faultsOf(view.shape, shape, view.beyond).invalid();
   before += beyond.asTheyAre();
-  if (before.count() == 0)
+  if (before.weight() == 0)
   {
     return false;
   }

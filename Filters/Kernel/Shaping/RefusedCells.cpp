@@ -51,7 +51,7 @@ public:
       candidates_.insert(own);
       return;
     }
-    Refusal refusal(cell_.shape, cell_.measures, cell_.beyond);
+    Refusal refusal{ cell_.shape, cell_.measures, cell_.beyond };
     for (std::size_t f = 0; f < cell_.across.size(); ++f)
     {
       if (!refusal.isRefused(f))
@@ -168,6 +168,33 @@ bool keepsWall(const CellComplex& cells, CellKey key)
   }
   const double side = std::pow(cells.volumeOfBox(key), 2.0 / 3);
   return gone - ofMain < LargestOfOthers * side && std::abs(exposed - gone) < LargestChange * side;
+}
+
+std::vector<std::vector<CellKey>> sideBySide(
+  const CellComplex& cells, std::map<CellKey, std::int32_t> kindOf)
+{
+  std::vector<std::vector<CellKey>> groups;
+  while (!kindOf.empty())
+  {
+    const auto [first, kind] = *kindOf.begin();
+    std::vector<CellKey> group{ first };
+    kindOf.erase(first);
+    for (std::size_t i = 0; i < group.size(); ++i)
+    {
+      for (const auto& [other, area] : cells.neighbours(group[i]))
+      {
+        const auto at = kindOf.find(other);
+        if (at != kindOf.end() && at->second == kind)
+        {
+          group.push_back(other);
+          kindOf.erase(at);
+        }
+      }
+    }
+    std::sort(group.begin(), group.end());
+    groups.push_back(std::move(group));
+  }
+  return groups;
 }
 
 void remove(CellComplex& cells, CellKey key, std::vector<RemovedCell>& removed)

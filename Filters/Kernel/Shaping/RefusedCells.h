@@ -7,6 +7,8 @@
 #include "Shaping/CellComplex.h"
 #include "Shaping/RemovedCell.h"
 
+#include <map>
+
 namespace cartesian
 {
 
@@ -26,6 +28,10 @@ bool sparesOthers(const CellComplex& cells, CellKey key);
 // Whether a cell may go without taking wall from all boundaries but one, and what is exposed is about as large as the
 // wall that goes.
 bool keepsWall(const CellComplex& cells, CellKey key);
+
+// Cells of one kind side by side, each in one group, in the order of their first.
+std::vector<std::vector<CellKey>> sideBySide(
+  const CellComplex& cells, std::map<CellKey, std::int32_t> kindOf);
 
 // One cell, noted where it counts (CellComplex::counts).
 void remove(CellComplex& cells, CellKey key, std::vector<RemovedCell>& removed);

@@ -3,9 +3,11 @@
 
 #include "Acceptance/CellCost.h"
 #include "Shaping/CellUnion.h"
+#include "Shaping/RefusedCells.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -56,11 +58,8 @@ public:
   {
     cells_.view(keys, tip_);
     measure(tip_.shape, shape_);
-    std::vector<CellKey> around;
-    std::copy_if(tip_.across.begin(), tip_.across.end(), std::back_inserter(around),
-      [](CellKey other) { return other != None; });
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
+    std::set<CellKey> around(tip_.across.begin(), tip_.across.end());
+    around.erase(None);
     if (around.empty() || leavesStep(keys.front()))
     {
       return false;
@@ -155,43 +154,21 @@ private:
   CellUnion without_;
 };
 
-// Those that are side by side, each in one list, in order of their first.
-std::vector<std::vector<CellKey>> sideBySide(
-  const CellComplex& cells, const std::vector<CellKey>& tips)
-{
-  std::vector<std::vector<CellKey>> groups;
-  std::set<CellKey> left(tips.begin(), tips.end());
-  while (!left.empty())
-  {
-    std::vector<CellKey> group{ *left.begin() };
-    left.erase(left.begin());
-    for (std::size_t i = 0; i < group.size(); ++i)
-    {
-      for (const auto& [other, area] : cells.neighbours(group[i]))
-      {
-        if (left.erase(other) > 0)
-        {
-          group.push_back(other);
-        }
-      }
-    }
-    std::sort(group.begin(), group.end());
-    groups.push_back(std::move(group));
-  }
-  return groups;
-}
-
 }
 
 void removeTips(CellComplex& cells, const std::vector<CellKey>& keys, const SmallCellSpec& small,
   double largest, const JoinSpec& joins)
 {
   TipSearch search(cells, joins);
-  std::vector<CellKey> tips;
-  std::copy_if(keys.begin(), keys.end(), std::back_inserter(tips), [&](CellKey key) {
-    return cells.isAtBoundary(key) &&
-      search.isSmall(key, ratioOf(small, cells.mainBoundary(key), largest));
-  });
+  std::map<CellKey, std::int32_t> tips;
+  for (const CellKey key : keys)
+  {
+    if (cells.isAtBoundary(key) &&
+      search.isSmall(key, ratioOf(small, cells.mainBoundary(key), largest)))
+    {
+      tips[key] = 0;
+    }
+  }
   std::set<CellKey> beside;
   const auto tryOut = [&](const std::vector<CellKey>& group) {
     const auto isBeside = [&](CellKey key) { return beside.count(key) > 0; };
@@ -210,7 +187,7 @@ void removeTips(CellComplex& cells, const std::vector<CellKey>& keys, const Smal
     return true;
   };
   const auto shareOf = [&](double sum, CellKey key) { return sum + cells.share(key); };
-  for (const std::vector<CellKey>& group : sideBySide(cells, tips))
+  for (const std::vector<CellKey>& group : sideBySide(cells, std::move(tips)))
   {
     const bool isTip =
       std::accumulate(group.begin(), group.end(), 0.0, shareOf) < MostSideBySide * largest;
