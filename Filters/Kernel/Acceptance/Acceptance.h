@@ -22,7 +22,7 @@ enum class MayRefuse
 struct Acceptance
 {
   MayRefuse refused;
-  double leastGain = -Never;  // costs have to fall by more
+  double leastGain = -Never;  // costs have to fall by more; a cost of Never is never accepted
   double mostWorst = Never;   // nothing costs more than this, unless something did:
   bool worstFalls = false;    // ... then less than that
   std::size_t leastFaces = 0; // of a cell
@@ -42,14 +42,21 @@ struct Accepted
   static constexpr double Failed = 1e3; // a cost of what fails (CellCost.h)
   static constexpr double Any = -Never; // gain
 
+  // Cells that become one, or simpler: small ones, poor ones (CellMerging).
   static constexpr Acceptance SmallMerge{ MayRefuse::FewerOrNone, LeastGain, Failed, true };
   static constexpr Acceptance PoorMerge{ MayRefuse::FewerOrNone, 0.3, Failed, true };
+
+  // Joined faces: of a union (CellUnion), between regions (InterfaceMending), where layers will stand (WallJoining).
   static constexpr Acceptance Join{ MayRefuse::AsMany, Any, Never, false, LeastFaces, 0.8, 1.25 };
   static constexpr Acceptance Mend{ MayRefuse::AsMany, 0.3, Never, false, LeastFaces, 0.8, 1.25 };
   static constexpr Acceptance Wall{ MayRefuse::AsMany, Any, Never, false, LeastFaces, 0.8, 1.2 };
+
+  // Cells beside one that is removed: beside a tip (TipRemoval), or what must stay as it is (RefusedCells).
   static constexpr Acceptance TipRemoval{ MayRefuse::NoFace, Any, StrainedCost };
   static constexpr Acceptance Removal{ MayRefuse::NoFace };
-  static constexpr Acceptance LeftBehind{ MayRefuse::AsMany }; // by cells that are ceded
+
+  // Cells beside one that goes to another region, and that cell itself (CellCession).
+  static constexpr Acceptance LeftBehind{ MayRefuse::AsMany };
   static constexpr Acceptance Ceded{ MayRefuse::NoFace };
 };
 
@@ -89,7 +96,7 @@ inline bool accepts(const Acceptance& acceptance, const Verdict& before, const V
   const bool mayRefuse = after.refused == 0 ||
     (acceptance.refused == MayRefuse::FewerOrNone && after.refused < before.refused) ||
     (acceptance.refused == MayRefuse::AsMany && after.refused <= before.refused);
-  return mayRefuse && after.cost < Never && gain(before, after) > acceptance.leastGain &&
+  return mayRefuse && gain(before, after) > acceptance.leastGain &&
     (acceptance.worstFalls ? after.worst < most : after.worst <= most) &&
     keepsShape(acceptance, before, after);
 }

@@ -159,14 +159,23 @@ std::vector<CellKey> CellMerger::refused(bool looksAtOthers)
   return keys;
 }
 
-// look(key, whether to act): whether it is a candidate, and its rank.
+// look(key, whether to act): whether it is a candidate, and its rank: the lowest first.
 template <class Look>
 void CellMerger::run(std::vector<CellKey> keys, Look&& look)
 {
   for (int round = 0; round < MostRounds && !keys.empty(); ++round)
   {
     const std::uint32_t mark = cells_.mark();
-    const std::vector<Candidate> candidates = list(keys, look);
+    std::vector<std::pair<float, CellKey>> candidates; // equal but for rounding is equal
+    for (const CellKey key : keys)
+    {
+      execution_.poll();
+      if (const auto [is, rank] = look(key, false); is)
+      {
+        candidates.emplace_back(static_cast<float>(rank), key);
+      }
+    }
+    std::sort(candidates.begin(), candidates.end());
     for (std::size_t i = 0; i < candidates.size(); ++i)
     {
       execution_.reach(round == 0 ? double(i) / double(candidates.size()) : 1);
@@ -177,22 +186,6 @@ void CellMerger::run(std::vector<CellKey> keys, Look&& look)
     }
     keys = cells_.polyhedraChangedSince(mark);
   }
-}
-
-template <class Look>
-std::vector<CellMerger::Candidate> CellMerger::list(const std::vector<CellKey>& keys, Look&& look)
-{
-  std::vector<Candidate> candidates;
-  for (const CellKey key : keys)
-  {
-    execution_.poll();
-    if (const auto [is, rank] = look(key, false); is)
-    {
-      candidates.emplace_back(static_cast<float>(rank), key);
-    }
-  }
-  std::sort(candidates.begin(), candidates.end());
-  return candidates;
 }
 
 // Small cells side by side on one neighbour, or cells of a fine box each on one of a coarse box: each alone

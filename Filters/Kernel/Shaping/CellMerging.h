@@ -60,8 +60,6 @@ public:
   std::size_t simplified() const { return simplified_; } // cells with faces joined at any angle
 
 private:
-  using Candidate = std::pair<float, CellKey>; // the lowest first; equal but for rounding is equal
-
   // Of the cell to merge.
   struct Neighbour
   {
@@ -88,8 +86,6 @@ private:
 
   template <class Look>
   void run(std::vector<CellKey> keys, Look&& look);
-  template <class Look>
-  std::vector<Candidate> list(const std::vector<CellKey>& keys, Look&& look);
   void mergeGroups(const std::vector<CellKey>& keys);
   void mergeGroup(const std::vector<CellKey>& keys);
   bool isSmall(CellKey key) const;

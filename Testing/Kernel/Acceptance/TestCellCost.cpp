@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Acceptance/CellCost.h"
+#include "Support/CellShapes.h"
 
 #include <gtest/gtest.h>
 
@@ -8,32 +9,9 @@ using namespace cartesian;
 namespace
 {
 
-// A box from the origin; its faces: low z, high z, low y, high x, high y, low x.
-Polyhedron boxOf(double x, double y, double z, bool boundary)
-{
-  Polyhedron cell;
-  for (const Vector& p : std::vector<Vector>{ { 0, 0, 0 }, { x, 0, 0 }, { x, y, 0 }, { 0, y, 0 },
-         { 0, 0, z }, { x, 0, z }, { x, y, z }, { 0, y, z } })
-  {
-    cell.nodes.push_back(p);
-  }
-  for (const auto& face : std::vector<std::array<std::uint32_t, 4>>{ { 0, 3, 2, 1 }, { 4, 5, 6, 7 },
-         { 0, 1, 5, 4 }, { 1, 2, 6, 5 }, { 2, 3, 7, 6 }, { 3, 0, 4, 7 } })
-  {
-    for (const std::uint32_t node : face)
-    {
-      cell.addCorner(node);
-    }
-    cell.closeFace(boundary);
-  }
-  return cell;
-}
-
 double costTowards(const Polyhedron& cell, std::size_t face, const NeighbourCell& neighbour)
 {
-  CellShape shape;
-  measure(cell, shape);
-  return costOfFace(cell, shape, face, neighbour);
+  return costOfFace(cell, shapeOf(cell), face, neighbour);
 }
 
 }
@@ -71,8 +49,7 @@ Polyhedron boxWithInner(std::initializer_list<std::size_t> inner)
 TEST(CellCost, InnerFacesHaveToLieInAllDirections)
 {
   const auto cost = [](const Polyhedron& cell) {
-    CellShape shape;
-    measure(cell, shape);
+    const CellShape shape = shapeOf(cell);
     return std::make_pair(costOfDeterminant(cell, shape), isEasy(cell, shape));
   };
   EXPECT_NEAR(cost(boxWithInner({ 0, 1, 2, 3, 4, 5 })).first, 0.02, 1e-12); // the determinant is 1
