@@ -111,13 +111,11 @@ void FaceJoiner::look(const CellView& view, const CellShape& shape)
 {
   view_ = &view;
   shape_ = &shape;
-  pairsAreListed_ = false;
-  normals_.clear();
-  areas_.clear();
+  edges_.clear();
+  planes_.clear();
   for (const FaceShape& face : shape.faces)
   {
-    areas_.push_back(norm(face.area));
-    normals_.push_back(unit(face.area));
+    planes_.push_back({ unit(face.area), norm(face.area) });
   }
   joinedShape_.polyhedron.nodes.clear();
 }
@@ -171,13 +169,11 @@ void FaceJoiner::begin(const JoinSpec& spec, const JoinedFaces& given)
 // The faces on either side of each edge; where there are not two, none is joined.
 void FaceJoiner::listPairs()
 {
-  if (pairsAreListed_)
+  if (!edges_.empty())
   {
     return;
   }
-  pairsAreListed_ = true;
   pairs_.clear();
-  edges_.clear(); // lower node, higher node, face
   for (std::uint32_t f = 0; f < faces(); ++f)
   {
     const Ring ring = ringOf(f);
@@ -365,7 +361,7 @@ bool FaceJoiner::mayFit(std::uint32_t f, std::uint32_t g) const
     return false;
   }
   const bool flat = leastCosine(f) >= 1;
-  if (dot(normals_[f], normals_[g]) < std::min(leastCosine(f), NearlyFlat))
+  if (dot(planes_[f].normal, planes_[g].normal) < std::min(leastCosine(f), NearlyFlat))
   {
     return false;
   }
@@ -395,7 +391,7 @@ bool FaceJoiner::isInner(std::uint32_t f) const
 
 bool FaceJoiner::isNegligible(std::uint32_t f) const
 {
-  return areas_[f] < negligible_;
+  return planes_[f].area < negligible_;
 }
 
 bool FaceJoiner::isNegligiblePart(Part part) const
@@ -456,7 +452,7 @@ bool FaceJoiner::fitsTogether(Part g, Part h, double leastCosine) const
   const FaceShape shape = measure(ring);
   const Vector normal = unit(shape.area);
   const auto normalOf = [&](Part part) {
-    return isFace(part) ? normals_[part] : unit(measure(ringOf(part)).area);
+    return isFace(part) ? planes_[part].normal : unit(measure(ringOf(part)).area);
   };
   const Vector one = normalOf(g);
   const Vector other = normalOf(h);

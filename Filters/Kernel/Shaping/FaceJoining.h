@@ -79,6 +79,12 @@ private:
   // A face of the view that stays, or (number of faces) + group.
   using Part = std::uint32_t;
 
+  struct Plane
+  {
+    Vector normal;
+    double area;
+  };
+
   std::uint32_t faces() const { return static_cast<std::uint32_t>(view_->faces.size()); }
   bool isFace(Part part) const { return part < faces(); }
   JoinedFaces::Group& groupOf(Part part) { return joined_.groups[part - faces()]; }
@@ -120,15 +126,13 @@ private:
   const CellView* view_ = nullptr;
   const CellShape* shape_ = nullptr;
   JoinSpec spec_;
-  std::vector<Vector> normals_; // of faces
-  std::vector<double> areas_;   // likewise
-  double negligible_ = 0;       // an area; on one plane only, none is
+  std::vector<Plane> planes_; // of faces
+  double negligible_ = 0;     // an area; on one plane only, none is
   JoinedFaces joined_;
   std::vector<Part> partOf_;                                   // of faces
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_; // of neighbouring faces
-  bool pairsAreListed_ = false;
-  std::vector<std::array<std::uint32_t, 3>> edges_;
-  std::vector<std::uint32_t> ring_; // tried out
+  std::vector<std::array<std::uint32_t, 3>> edges_; // lower node, higher node, face; once listed
+  std::vector<std::uint32_t> ring_;                 // tried out
   JoinedShape joinedShape_;
 };
 
