@@ -96,6 +96,31 @@ void addAreaGradient(
   add(ofFace.area, normal, -dot(byNormal, normal) / size);
 }
 
+// Of an inner face, by the lines between centres and their parts along the normal.
+struct InnerDerivatives
+{
+  Vector between{};
+  Vector towards{};
+  Vector away{};
+  double near;
+  double far;
+  double across;
+};
+
+// Takes those along the normal to those by the lines; returns that by the normal.
+Vector takeAlong(InnerDerivatives& by, const Vector& normal, const Vector& towards,
+  const Vector& away, const Vector& between)
+{
+  Vector byNormal{};
+  add(by.towards, normal, by.near);
+  add(byNormal, towards, by.near);
+  add(by.away, normal, by.far);
+  add(byNormal, away, by.far);
+  add(by.between, normal, by.across);
+  add(byNormal, between, by.across);
+  return byNormal;
+}
+
 }
 
 FaceEnergy energyOfInnerFace(const FaceGeometry& face, const Ring& ring, double edge,
@@ -112,27 +137,25 @@ FaceEnergy energyOfInnerFace(const FaceGeometry& face, const Ring& ring, double 
   const double across = std::max(dot(between, normal), LeastAcross * distance);
   const double near = std::max(dot(towards, normal), LeastHeight * distance);
   const double far = std::max(dot(away, normal), LeastHeight * distance);
-  Vector byBetween{};
-  Vector byTowards{};
-  Vector byAway{};
-  double byNear = addLack(dot(towards, normal), LeastHeight * distance, distance, energy);
-  double byFar = addLack(dot(away, normal), LeastHeight * distance, distance, energy);
-  double byAcross = addLack(dot(between, normal), LeastAcross * distance, distance, energy);
+  InnerDerivatives by;
+  by.near = addLack(dot(towards, normal), LeastHeight * distance, distance, energy);
+  by.far = addLack(dot(away, normal), LeastHeight * distance, distance, energy);
+  by.across = addLack(dot(between, normal), LeastAcross * distance, distance, energy);
 
   const double slope = std::max(0.0, square(distance / across) - 1);
   const double weightOfSlope = WeightOfSlope * size / square(edge);
   energy.limits += square(slope / Fair::Slope);
   energy.all += square(slope / Fair::Slope) + weightOfSlope * slope;
   const double bySlope = 2 * slope / square(Fair::Slope) + weightOfSlope;
-  add(byBetween, between, 2 * bySlope / square(across));
-  byAcross -= 2 * bySlope * square(distance / across) / across;
+  add(by.between, between, 2 * bySlope / square(across));
+  by.across -= 2 * bySlope * square(distance / across) / across;
 
   const double nearer = std::min(near, far);
   const double weight = fourth(Fair::FaceWeight * across / nearer);
   energy.limits += weight;
   energy.all += weight;
-  (near < far ? byNear : byFar) -= 4 * weight / nearer;
-  byAcross += 4 * weight / across;
+  (near < far ? by.near : by.far) -= 4 * weight / nearer;
+  by.across += 4 * weight / across;
 
   addRatio(below, above, energy, ofBelow, ofAbove);
 
@@ -141,32 +164,26 @@ FaceEnergy energyOfInnerFace(const FaceGeometry& face, const Ring& ring, double 
   add(aside, between, -part);
   const double factor = energyOfOffset(
     face, ring, aside, ShareOfDistance * distance, WeightOfInner * size / fourth(edge), energy);
-  add(byTowards, aside, factor);
-  add(byBetween, aside, -factor * part);
+  add(by.towards, aside, factor);
+  add(by.between, aside, -factor * part);
   const double byPart = -factor * dot(aside, between);
-  byNear += byPart / across;
-  byAcross -= byPart * part / across;
+  by.near += byPart / across;
+  by.across -= byPart * part / across;
 
   if (norm(towards) * far > norm(away) * near)
   {
-    byNear += addAngle(towards, near, energy, byTowards);
+    by.near += addAngle(towards, near, energy, by.towards);
   }
   else
   {
-    byFar += addAngle(away, far, energy, byAway);
+    by.far += addAngle(away, far, energy, by.away);
   }
 
-  Vector byNormal{};
-  add(byTowards, normal, byNear);
-  add(byNormal, towards, byNear);
-  add(byAway, normal, byFar);
-  add(byNormal, away, byFar);
-  add(byBetween, normal, byAcross);
-  add(byNormal, between, byAcross);
-  add(ofFace.centre, byTowards, 1);
-  add(ofFace.centre, byAway, -1);
-  add(ofBelow.centre, plus(byTowards, byBetween), -1);
-  add(ofAbove.centre, plus(byAway, byBetween), 1);
+  const Vector byNormal = takeAlong(by, normal, towards, away, between);
+  add(ofFace.centre, by.towards, 1);
+  add(ofFace.centre, by.away, -1);
+  add(ofBelow.centre, plus(by.towards, by.between), -1);
+  add(ofAbove.centre, plus(by.away, by.between), 1);
   addAreaGradient(byNormal, normal, size, ofFace);
   return energy;
 }

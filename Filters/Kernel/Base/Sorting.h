@@ -26,6 +26,15 @@ Integer scan(std::vector<Integer>& counts)
   return sum;
 }
 
+// In order, each once.
+template <class Item>
+std::vector<Item> sortedUnique(std::vector<Item> list)
+{
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+  return list;
+}
+
 template <class Item>
 struct Buckets
 {

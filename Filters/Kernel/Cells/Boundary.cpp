@@ -2,6 +2,7 @@
 #include "Cells/Boundary.h"
 
 #include "Base/Sorting.h"
+#include "Cells/Cells.h"
 #include "Repair/NearbyTriangles.h"
 
 #include <algorithm>
@@ -57,71 +58,63 @@ public:
   {
     using Faces = std::vector<BoundaryFace>;
     const Boxes& boxes = parts_.boxes;
-    const auto& flawed = parts_.inner.flawed;
+    const WallFaces& all = parts_.wall.faces;
+    const auto& flawed = parts_.wall.flawed;
     const bool anywhere = std::find(flawed.begin(), flawed.end(), 1) != flawed.end();
     Faces exposed = facesOfEach(0, parts_.sides.common.size(), execution,
       [&](std::size_t s, Faces& faces) { exposeInnerFaces(s, faces); });
-    const Faces interfaces = facesOfEach(parts_.inner.firstInterface(), parts_.inner.size(),
-      execution, [&](std::size_t f, Faces& faces) { exposeInterface(f, faces); });
-    const Faces shaped = facesOfEach(0, parts_.cells.shaped.size(), execution,
-      [&](std::size_t f, Faces& faces) { exposeShapedFace(f, faces); });
+    const Faces others = facesOfEach(all.firstInterface(), all.size(), execution,
+      [&](std::size_t f, Faces& faces) { exposeOther(f, faces); });
     const Faces ofBoxes = facesOfEach(boxes.row(0, boxes.core.begin), boxes.row(0, boxes.core.end),
       execution, [&](std::size_t row, Faces& faces) { exposeBoxesOfRow(row, anywhere, faces); });
-    exposed.insert(exposed.end(), interfaces.begin(), interfaces.end());
-    exposed.insert(exposed.end(), shaped.begin(), shaped.end());
+    exposed.insert(exposed.end(), others.begin(), others.end());
     exposed.insert(exposed.end(), ofBoxes.begin(), ofBoxes.end());
     std::sort(exposed.begin(), exposed.end());
     const Faces patches = facesOfEach(numbers_.coreBegin, numbers_.coreEnd, execution,
       [&](std::size_t c, Faces& faces) { addPatches(c, faces); });
-    Faces all(patches.size() + exposed.size());
-    std::merge(patches.begin(), patches.end(), exposed.begin(), exposed.end(), all.begin());
+    Faces result(patches.size() + exposed.size());
+    std::merge(patches.begin(), patches.end(), exposed.begin(), exposed.end(), result.begin());
     if (boxes.ends != NoEnds)
     {
-      nameEnds(all, execution);
+      nameEnds(result, execution);
     }
-    return all;
+    return result;
   }
 
 private:
   void addPatches(std::size_t c, std::vector<BoundaryFace>& faces) const
   {
     const std::uint32_t number = numbers_.ofCell[c];
-    const Cells& cells = parts_.cells;
+    const WallFaces& all = parts_.wall.faces;
     const std::size_t before = faces.size();
-    for (std::size_t f = cells.all[c].firstFace; f < cells.all[c + 1].firstFace; ++f)
-    {
-      const FaceOfCell& face = cells.faces[f];
-      if (number != None && face.kind() == FaceOfCell::Kind::Patch)
+    parts_.wall.forEachUse(c, [&](const FaceUse& use) {
+      if (number != None && all.isPatch(use.face))
       {
-        const std::int32_t wall = parts_.patches.boundary[face.index];
-        faces.push_back(
-          { number, face.index, parts_.patches.walls.boundary(wall), BoundaryFace::Kind::Patch });
+        faces.push_back({ number, use.face, parts_.patches.walls.boundary(all.boundary[use.face]),
+          BoundaryFace::Kind::Patch });
       }
-    }
+    });
     std::sort(faces.begin() + std::ptrdiff_t(before), faces.end());
   }
 
-  OtherSide beyond(std::uint32_t box, std::uint32_t cell) const
+  // `box`: without a cell, the box there, or None.
+  OtherSide sideOf(std::size_t face, std::size_t k, std::uint32_t box = None) const
   {
-    if (cell != None)
+    const CellKey cell = parts_.wall.faces.cells[face][k];
+    if (cell == None)
     {
-      const Cell& there = parts_.cells.all[cell];
-      return { numbers_.ofCell[cell], there.boundary, there.box };
+      return { None, parts_.wall.faces.boundary[face], box };
     }
-    if (box == None)
+    if (isHexahedron(cell))
     {
-      return {};
+      return { numbers_.ofBox[boxOfHexahedron(cell)], NoBoundary };
     }
-    const std::uint32_t n = parts_.sides.polyhedralOrdinal(box);
-    if (n == None)
-    {
-      return { numbers_.ofBox[box], NoBoundary };
-    }
-    return { None, boundaryBeyond(parts_.patches, parts_.sides, box), box };
+    const Cell& there = parts_.wall.cells[cell];
+    return { numbers_.ofCell[cell], there.boundary, there.box };
   }
 
   // Of a face that what is gone exposes: of the patches in its box, the nearest one's.
-  std::int32_t boundaryOf(const OtherSide& gone, std::size_t face, BoundaryFace::Kind kind) const
+  std::int32_t boundaryOf(const OtherSide& gone, std::size_t face) const
   {
     const Patches& patches = parts_.patches;
     const std::uint32_t n = parts_.sides.polyhedralOrdinal(gone.box);
@@ -134,7 +127,7 @@ private:
     {
       return gone.boundary;
     }
-    const Vector place = middleOf(face, kind);
+    const Vector place = middleOf(face);
     std::pair<double, std::int32_t> nearest{ std::numeric_limits<double>::infinity(),
       gone.boundary };
     for (std::size_t p = first; p < end; ++p)
@@ -150,28 +143,25 @@ private:
   }
 
   // The mean of its nodes, in levels.
-  Vector middleOf(std::size_t face, BoundaryFace::Kind kind) const
+  Vector middleOf(std::size_t face) const
   {
-    const bool isShaped =
-      kind == BoundaryFace::Kind::Shaped || kind == BoundaryFace::Kind::TurnedShaped;
     Vector sum{};
     double count = 0;
-    forEachNode(FaceOfCell(face, isShaped ? FaceOfCell::Kind::Shaped : FaceOfCell::Kind::Inner),
-      parts_.patches, parts_.inner, parts_.cells.shaped, [&](std::uint32_t node) {
-        sum = plus(sum, minus(parts_.nodes.at[node], Point{}));
-        ++count;
-      });
+    parts_.wall.faces.forEachNode({ face, false }, [&](std::uint32_t node) {
+      sum = plus(sum, minus(parts_.nodes.at[node], Point{}));
+      ++count;
+    });
     return scaled(sum, 1 / count);
   }
 
   // From a patch to a place.
   double distanceOf(std::size_t patch, const Vector& place) const
   {
-    const Patches& patches = parts_.patches;
-    const auto corner = [&](std::size_t i) { return parts_.nodes.at[patches.corners[i]]; };
-    const std::size_t first = patches.start[patch];
+    const WallFaces& faces = parts_.wall.faces;
+    const auto corner = [&](std::size_t i) { return parts_.nodes.at[faces.corners[i]]; };
+    const std::size_t first = faces.start[patch];
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = first + 1; i + 1 < patches.start[patch + 1]; ++i)
+    for (std::size_t i = first + 1; i + 1 < faces.start[patch + 1]; ++i)
     {
       const Corners triangle{ corner(first), corner(i), corner(i + 1) };
       nearest = std::min(nearest, norm(minus(nearestPlace(triangle, place), place)));
@@ -179,78 +169,63 @@ private:
     return nearest;
   }
 
-  void expose(const OtherSide& low, const OtherSide& high, std::size_t face,
-    BoundaryFace::Kind kind, BoundaryFace::Kind turned, std::vector<BoundaryFace>& faces) const
+  void add(std::uint32_t cell, const FaceUse& use, std::int32_t boundary,
+    std::vector<BoundaryFace>& faces) const
+  {
+    faces.push_back({ cell, use.face, boundary, kindOf(parts_.wall.faces, use) });
+  }
+
+  void expose(const OtherSide& below, const OtherSide& above, std::size_t face,
+    std::vector<BoundaryFace>& faces) const
   {
     const Walls& walls = parts_.patches.walls;
-    if (CellNumbers::isHere(low.cell) && high.cell == None)
+    if (CellNumbers::isHere(below.cell) && above.cell == None)
     {
-      faces.push_back({ low.cell, face, walls.boundary(boundaryOf(high, face, kind)), kind });
+      add(below.cell, { face, false }, walls.boundary(boundaryOf(above, face)), faces);
     }
-    if (low.cell == None && CellNumbers::isHere(high.cell))
+    if (below.cell == None && CellNumbers::isHere(above.cell))
     {
-      faces.push_back({ high.cell, face, walls.boundary(boundaryOf(low, face, turned)), turned });
+      add(above.cell, { face, true }, walls.boundary(boundaryOf(below, face)), faces);
     }
   }
 
   // Both sides of a face of a baffle are boundary faces.
   void exposeBaffle(const OtherSide& behind, const OtherSide& front, std::size_t face,
-    std::int32_t wall, BoundaryFace::Kind kind, BoundaryFace::Kind turned,
     std::vector<BoundaryFace>& faces) const
   {
     const Walls& walls = parts_.patches.walls;
+    const std::int32_t wall = parts_.wall.faces.boundary[face];
     if (!walls.isBaffle(wall) || behind.cell == None || front.cell == None)
     {
       return;
     }
     if (CellNumbers::isHere(behind.cell))
     {
-      faces.push_back({ behind.cell, face, walls.boundary(wall), kind });
+      add(behind.cell, { face, false }, walls.boundary(wall), faces);
     }
     if (CellNumbers::isHere(front.cell))
     {
-      faces.push_back({ front.cell, face, walls.boundaryInFront(wall), turned });
-    }
-  }
-
-  // A face between two regions of which one has lost its cell there, or of a baffle.
-  void exposeInterface(std::size_t f, std::vector<BoundaryFace>& faces) const
-  {
-    const auto& cells = parts_.cells.ofInnerFace[f];
-    if (cells[0] != None && cells[1] != None) // else shaping has replaced it
-    {
-      const OtherSide behind = beyond(None, cells[0]);
-      const OtherSide front = beyond(None, cells[1]);
-      expose(behind, front, f, BoundaryFace::Kind::Inner, BoundaryFace::Kind::TurnedInner, faces);
-      exposeBaffle(behind, front, f, parts_.inner.wallOf(f), BoundaryFace::Kind::Inner,
-        BoundaryFace::Kind::TurnedInner, faces);
+      add(front.cell, { face, true }, walls.boundaryInFront(wall), faces);
     }
   }
 
   void exposeInnerFaces(std::size_t s, std::vector<BoundaryFace>& faces) const
   {
     const Side& side = parts_.sides.common[s];
-    for (std::size_t f = parts_.inner.sideStart[s]; f < parts_.inner.sideStart[s + 1]; ++f)
+    const auto& start = parts_.wall.faces.sideStart;
+    for (std::size_t f = start[s]; f < start[s + 1]; ++f)
     {
-      const OtherSide low = beyond(side.low, parts_.cells.ofInnerFace[f][0]);
-      const OtherSide high = beyond(side.high, parts_.cells.ofInnerFace[f][1]);
-      expose(low, high, f, BoundaryFace::Kind::Inner, BoundaryFace::Kind::TurnedInner, faces);
+      expose(sideOf(f, 0, side.low), sideOf(f, 1, side.high), f, faces);
     }
   }
 
-  void exposeShapedFace(std::size_t f, std::vector<BoundaryFace>& faces) const
+  // A face between two regions of which one has lost its cell there, or of a baffle; or one that shaping made.
+  void exposeOther(std::size_t f, std::vector<BoundaryFace>& faces) const
   {
-    const ShapedFaces& shaped = parts_.cells.shaped;
-    const auto side = [&](std::uint32_t cell) {
-      return cell == ShapedFaces::SomeHexahedron ? OtherSide{ cell, NoBoundary }
-        : cell != None                           ? beyond(None, cell)
-                                                 : OtherSide{ None, shaped.boundary[f] };
-    };
-    const OtherSide below = side(shaped.cells[f][0]);
-    const OtherSide above = side(shaped.cells[f][1]);
-    expose(below, above, f, BoundaryFace::Kind::Shaped, BoundaryFace::Kind::TurnedShaped, faces);
-    exposeBaffle(below, above, f, shaped.boundary[f], BoundaryFace::Kind::Shaped,
-      BoundaryFace::Kind::TurnedShaped, faces);
+    const OtherSide below = sideOf(f, 0);
+    const OtherSide above = sideOf(f, 1);
+    expose(below, above, f, faces);
+    exposeBaffle(below, above, f, faces);
   }
 
   // Apart from the first and the last global box of a row, most are not at the end of the grid.
@@ -325,7 +300,7 @@ private:
       const std::uint32_t s = parts_.sides.ofBox[i].side;
       if ((upper ? parts_.sides.common[s].low : parts_.sides.common[s].high) == b)
       {
-        return parts_.inner.sideStart[s] == parts_.inner.sideStart[s + 1];
+        return parts_.wall.faces.sideStart[s] == parts_.wall.faces.sideStart[s + 1];
       }
     }
     return true;
@@ -363,11 +338,8 @@ private:
   {
     const auto& planes = parts_.boxes.planes[side / 2];
     const Level level = side % 2 == 1 ? planes.back() : planes.front();
-    const auto kind = face.isShaped()          ? FaceOfCell::Kind::Shaped
-      : face.kind == BoundaryFace::Kind::Patch ? FaceOfCell::Kind::Patch
-                                               : FaceOfCell::Kind::Inner;
     bool all = true;
-    forEachNode(FaceOfCell(face.index, kind), parts_.patches, parts_.inner, parts_.cells.shaped,
+    parts_.wall.faces.forEachNode(face.use(),
       [&](std::uint32_t node) { all = all && parts_.nodes.at[node][side / 2] == level; });
     return all;
   }
@@ -386,15 +358,14 @@ std::size_t firstCellOf(const MeshParts& parts, std::uint32_t box)
 {
   const std::vector<std::uint32_t>& polyhedral = parts.sides.polyhedral;
   const auto at = std::lower_bound(polyhedral.begin(), polyhedral.end(), box);
-  return parts.cells.boxStart[static_cast<std::size_t>(at - polyhedral.begin())];
+  return parts.wall.boxStart[static_cast<std::size_t>(at - polyhedral.begin())];
 }
 
 // Calls visit(c) for the cells of the n-th polyhedral box, unless n is None.
 template <class Visitor>
-void forEachCellOf(const Cells& cells, std::uint32_t n, Visitor&& visit)
+void forEachCellOf(const WallMesh& wall, std::uint32_t n, Visitor&& visit)
 {
-  for (std::size_t c = n == None ? 0 : cells.boxStart[n]; n != None && c < cells.boxStart[n + 1];
-       ++c)
+  for (std::size_t c = n == None ? 0 : wall.boxStart[n]; n != None && c < wall.boxStart[n + 1]; ++c)
   {
     visit(c);
   }
@@ -402,25 +373,30 @@ void forEachCellOf(const Cells& cells, std::uint32_t n, Visitor&& visit)
 
 }
 
-std::int32_t boundaryBeyond(const Patches& patches, const Sides& sides, std::uint32_t box)
+BoundaryFace::Kind kindOf(const WallFaces& faces, const FaceUse& use)
 {
-  const std::uint32_t n = sides.polyhedralOrdinal(box);
-  const std::uint32_t of = n == None ? None : sides.patchBox[n];
-  return of == None || patches.boxStart[of] == patches.boxStart[of + 1]
-    ? NoBoundary
-    : patches.boundary[patches.boxStart[of]];
+  using Kind = BoundaryFace::Kind;
+  switch (faces.originOf(use.face))
+  {
+    case FaceOrigin::Patch:
+      return Kind::Patch;
+    case FaceOrigin::Shaped:
+      return use.turned ? Kind::TurnedShaped : Kind::Shaped;
+    default:
+      return use.turned ? Kind::TurnedInner : Kind::Inner;
+  }
 }
 
 CellNumbers numberCells(const MeshParts& parts, Execution& execution)
 {
   const Boxes& boxes = parts.boxes;
-  const Cells& cells = parts.cells;
+  const WallMesh& wall = parts.wall;
   const std::uint32_t first = boxes.firstBoxOf(boxes.core.begin);
   const std::uint32_t end = boxes.firstBoxOf(boxes.core.end);
   const auto isCore = [&](std::size_t box) { return box >= first && box < end; };
   CellNumbers numbers;
   numbers.ofBox.resize(boxes.packed.size() + 1);
-  numbers.ofCell.resize(cells.size());
+  numbers.ofCell.resize(wall.size());
   std::vector<std::uint32_t> next(chunks(boxes.packed.size(), ItemsAChunk));
   const auto forEachBox = [&](auto&& visit) {
     execution.forEach(boxes.packed.size(), ItemsAChunk, [&](std::size_t begin, std::size_t after) {
@@ -434,7 +410,7 @@ CellNumbers numberCells(const MeshParts& parts, Execution& execution)
   forEachBox([&](std::size_t box, std::uint32_t n, std::uint32_t& count) {
     count += isCore(box) && n == None ? 1 : 0;
     forEachCellOf(
-      cells, n, [&](std::size_t c) { count += isCore(box) && !cells.all[c].removed ? 1 : 0; });
+      wall, n, [&](std::size_t c) { count += isCore(box) && !wall.cells[c].removed ? 1 : 0; });
   });
   numbers.ofBox.back() = scan(next);
   forEachBox([&](std::size_t box, std::uint32_t n, std::uint32_t& number) {
@@ -442,7 +418,7 @@ CellNumbers numberCells(const MeshParts& parts, Execution& execution)
     numbers.ofBox[box] = isCore(box) ? number : CellNumbers::Elsewhere;
     number += isCore(box) && n == None ? 1 : 0;
     forEachCellOf(
-      cells, n, [&](std::size_t c) { numbers.ofCell[c] = cells.all[c].removed ? None : take(); });
+      wall, n, [&](std::size_t c) { numbers.ofCell[c] = wall.cells[c].removed ? None : take(); });
   });
   numbers.coreBegin = firstCellOf(parts, first);
   numbers.coreEnd = firstCellOf(parts, end);

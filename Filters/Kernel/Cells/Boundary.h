@@ -2,7 +2,7 @@
 // The boundary of the mesh: patches, and inner faces whose cell on the other side was removed (4.10).
 #pragma once
 
-#include "Cells/Cells.h"
+#include "Cells/WallMesh.h"
 
 namespace cartesian
 {
@@ -16,8 +16,7 @@ struct MeshParts
   const Patches& patches;
   const Sides& sides;
   const Nodes& nodes;
-  const InnerFaces& inner;
-  const Cells& cells;
+  const WallMesh& wall;
 };
 
 // Numbers the cells of the core that were not removed, in order of boxes: 0, 1, 2, ...
@@ -40,18 +39,21 @@ struct BoundaryFace
   enum class Kind : std::uint8_t
   {
     Patch,       // a polygon of the patches
-    Inner,       // an inner face as it is
+    Inner,       // a face of a side, or between two regions
     TurnedInner, // ... turned over
-    Shaped,      // a shaped face as it is
+    Shaped,      // a face that shaping made
     TurnedShaped,
     BoxSide, // of a hexahedron: 6 * box + (low x, high x, low y, high y, low z, high z)
   };
-  Id cell; // its owner
-  std::size_t index;
+  Id cell;           // its owner
+  std::size_t index; // in WallFaces
   std::int32_t boundary;
   Kind kind;
 
   bool isShaped() const { return kind == Kind::Shaped || kind == Kind::TurnedShaped; }
+
+  // Of one of the wall's faces, as its owner has it.
+  FaceUse use() const { return { index, kind == Kind::TurnedInner || kind == Kind::TurnedShaped }; }
 
   bool operator<(const BoundaryFace& other) const
   {
@@ -60,8 +62,8 @@ struct BoundaryFace
   }
 };
 
-// The boundary of faces between a cell and this box, which has no cells.
-std::int32_t boundaryBeyond(const Patches& patches, const Sides& sides, std::uint32_t box);
+// The kind of a face of the wall.
+BoundaryFace::Kind kindOf(const WallFaces& faces, const FaceUse& use);
 
 // Lists the boundary faces, in order of their cells.
 std::vector<BoundaryFace> collectBoundary(

@@ -29,11 +29,11 @@ bool BoxFaces::list(std::size_t n, std::int32_t region)
     {
       if (patches_.walls.behind(patches_.boundary[p]) == region)
       {
-        add(FaceOfCell(p, FaceOfCell::Kind::Patch));
+        add({ p, false });
       }
       else if (patches_.walls.front(patches_.boundary[p]) == region)
       {
-        add(FaceOfCell(p, FaceOfCell::Kind::TurnedPatch));
+        add({ p, true });
       }
     }
   }
@@ -46,19 +46,20 @@ bool BoxFaces::list(std::size_t n, std::int32_t region)
     {
       if (inner_.regionOf(f) == region)
       {
-        add(FaceOfCell(f, upper ? FaceOfCell::Kind::Inner : FaceOfCell::Kind::TurnedInner));
+        add({ patches_.size() + f, !upper });
       }
     }
   }
   return whole;
 }
 
-void BoxFaces::add(const FaceOfCell& face)
+void BoxFaces::add(const FaceUse& face)
 {
-  const bool patch = face.isPatch();
-  const std::size_t* const at = (patch ? patches_.start : inner_.start).data() + face.index;
+  const bool patch = face.face < patches_.size();
+  const std::size_t* const at =
+    patch ? patches_.start.data() + face.face : inner_.start.data() + (face.face - patches_.size());
   const std::uint32_t* const nodes = (patch ? patches_.corners : inner_.nodes).data();
-  corners_.push_back({ nodes + at[0], nodes + at[1], face.turned() });
+  corners_.push_back({ nodes + at[0], nodes + at[1], face.turned != 0 });
   faces_.push_back(face);
 }
 
@@ -155,7 +156,7 @@ void BoxFaces::joinFlatCells()
   cycles_.clear();
   for (std::uint32_t face = 0; face < faces_.size(); ++face)
   {
-    const bool patch = faces_[face].isPatch();
+    const bool patch = isPatch(face);
     cycles_.emplace_back(cycleOf(face, patch), face);
   }
   std::sort(cycles_.begin(), cycles_.end());
@@ -163,8 +164,8 @@ void BoxFaces::joinFlatCells()
   {
     const std::uint32_t f = cycles_[i].second;
     const std::uint32_t g = cycles_[i + 1].second;
-    const bool patch = faces_[f].isPatch();
-    const bool other = faces_[g].isPatch();
+    const bool patch = isPatch(f);
+    const bool other = isPatch(g);
     if (cycles_[i].first == cycles_[i + 1].first && patch != other)
     {
       sets_.unite(f, g);
@@ -218,7 +219,7 @@ void BoxFaces::listPatchCycles(const std::vector<std::uint32_t>& faces, Cycles& 
   cycles.clear();
   for (const std::uint32_t face : faces)
   {
-    if (faces_[face].isPatch())
+    if (isPatch(face))
     {
       cycles.emplace_back(cycleOf(face, false), face);
     }

@@ -5,7 +5,7 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/EdgeTable.h"
-#include "Cells/Cells.h"
+#include "Cells/WallMesh.h"
 
 #include <algorithm>
 
@@ -29,8 +29,8 @@ public:
   bool gather(std::size_t n, std::int32_t region) { return list(n, region) && connect(); }
 
   std::size_t size() const { return faces_.size(); }
-  const FaceOfCell& operator[](std::size_t face) const { return faces_[face]; }
-  bool isPatch(std::size_t face) const { return faces_[face].isPatch(); }
+  const FaceUse& operator[](std::size_t face) const { return faces_[face]; }
+  bool isPatch(std::size_t face) const { return faces_[face].face < patches_.size(); }
 
   // The first of the faces that a face is connected with.
   std::uint32_t root(std::uint32_t face) { return sets_.find(face); }
@@ -108,7 +108,7 @@ private:
   template <class Visitor>
   void forEachEdge(std::size_t face, Visitor&& visit) const;
   bool list(std::size_t n, std::int32_t region);
-  void add(const FaceOfCell& face);
+  void add(const FaceUse& face);
   bool connect();
   bool joinInPairs();
   void listEdges();
@@ -121,7 +121,7 @@ private:
   const Patches& patches_;
   const Sides& sides_;
   const InnerFaces& inner_;
-  std::vector<FaceOfCell> faces_;
+  std::vector<FaceUse> faces_;       // as WallFaces numbers them
   std::vector<CornerRange> corners_; // of each face
   std::vector<FaceEdge> edges_;
   EdgeTable firstAtEdge_; // twice the first face at each edge, plus 1 if it runs up; then Paired

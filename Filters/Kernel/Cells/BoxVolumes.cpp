@@ -224,7 +224,7 @@ std::int32_t BoxVolumes::mainBoundary(const BoxFaces& faces, const Shell& shell)
   {
     if (faces.isPatch(f))
     {
-      areas_.emplace_back(patches_.boundary[faces[f].index], measures_[f].area);
+      areas_.emplace_back(patches_.boundary[faces[f].face], measures_[f].area);
     }
   }
   if (areas_.size() > 1)

@@ -5,6 +5,8 @@
 #include "Base/Sorting.h"
 #include "Cells/BoxVolumes.h"
 
+#include <algorithm>
+
 namespace cartesian
 {
 
@@ -13,11 +15,14 @@ namespace
 
 constexpr std::size_t BoxesAChunk = 512;
 
+// Shaping adds about half as many faces as there are. What it does not fill costs no memory.
+constexpr std::size_t WithShapedFaces = 2;
+
 // The cells of a chunk of boxes.
 struct CellChunk
 {
   std::vector<Cell> cells;
-  std::vector<FaceOfCell> faces;
+  std::vector<FaceUse> uses;
   std::vector<std::uint32_t> cellsOfBox;
   std::vector<std::uint8_t> flawed;
   std::size_t voids = 0;
@@ -49,7 +54,7 @@ public:
   void addBox(std::size_t n, const SmallCellSpec& spec, CellChunk& chunk)
   {
     const std::size_t before = chunk.cells.size();
-    const std::size_t facesBefore = chunk.faces.size();
+    const std::size_t usesBefore = chunk.uses.size();
     listRegions(n);
     const bool closed = std::all_of(regions_.begin(), regions_.end(),
       [&](std::int32_t region) { return addCells(n, region, spec, chunk); });
@@ -57,7 +62,7 @@ public:
     if (!closed)
     {
       chunk.cells.resize(before);
-      chunk.faces.erase(chunk.faces.begin() + std::ptrdiff_t(facesBefore), chunk.faces.end());
+      chunk.uses.resize(usesBefore);
     }
     chunk.cellsOfBox.push_back(static_cast<std::uint32_t>(chunk.cells.size() - before));
   }
@@ -137,7 +142,7 @@ private:
       cell.boundary = volumes_.mainBoundary(faces_, shell);
       cell.region = region;
       cell.volumeFraction = shell.volume / (size[0] * size[1] * size[2]);
-      cell.firstFace = chunk.faces.size();
+      cell.firstUse = chunk.uses.size();
       cell.sliver = shell.volume < 0 || shell.isSliver();
       cell.removed = !mustStay(shell, cell.sliver) &&
         (cell.sliver ||
@@ -146,7 +151,7 @@ private:
       chunk.cells.push_back(cell);
       for (const std::uint32_t f : shell.faces)
       {
-        chunk.faces.push_back(faces_[f]);
+        chunk.uses.push_back(faces_[f]);
       }
     }
   }
@@ -165,7 +170,7 @@ private:
     {
       inner += faces_.isPatch(f) ? 0 : 1;
       interfaces +=
-        faces_.isPatch(f) && patches_.walls.isInterface(patches_.boundary[faces_[f].index]) ? 1 : 0;
+        faces_.isPatch(f) && patches_.walls.isInterface(patches_.boundary[faces_[f].face]) ? 1 : 0;
     }
     const bool isBetween = isSliver && inner == 0 && interfaces == 1 && shell.faces.size() > 1;
     return interfaces > 0 && !isBetween;
@@ -179,36 +184,36 @@ private:
   std::vector<std::int32_t> regions_;
 };
 
-Cells join(const std::vector<CellChunk>& ofChunk, std::size_t boxes, Execution& execution)
+// The cells of all chunks, without faces.
+WallMesh join(const std::vector<CellChunk>& ofChunk, std::size_t boxes, Execution& execution)
 {
   std::vector<std::size_t> cell;
-  std::vector<std::size_t> face;
-  Cells result;
+  std::vector<std::size_t> use;
+  WallMesh result;
   for (const CellChunk& chunk : ofChunk)
   {
     cell.push_back(chunk.cells.size());
-    face.push_back(chunk.faces.size());
+    use.push_back(chunk.uses.size());
     result.voids += chunk.voids;
     result.folds += chunk.folds;
   }
   const std::size_t cells = scan(cell);
-  const std::size_t faces = scan(face);
-  result.all.resize(cells + 1);
-  result.all.back().firstFace = faces;
-  result.faces.resize(faces, FaceOfCell(0, FaceOfCell::Kind::Patch));
+  const std::size_t uses = scan(use);
+  result.cells.resize(cells + 1);
+  result.cells.back().firstUse = uses;
+  result.uses.resize(uses);
   result.boxStart.resize(boxes + 1);
   result.boxStart.back() = cells;
   result.flawed.resize(boxes);
   execution.forEach(ofChunk.size(), 1, [&](std::size_t i, std::size_t) {
     const CellChunk& chunk = ofChunk[i];
-    std::copy(
-      chunk.faces.begin(), chunk.faces.end(), result.faces.begin() + std::ptrdiff_t(face[i]));
+    std::copy(chunk.uses.begin(), chunk.uses.end(), result.uses.begin() + std::ptrdiff_t(use[i]));
     std::copy(chunk.flawed.begin(), chunk.flawed.end(),
       result.flawed.begin() + std::ptrdiff_t(i * BoxesAChunk));
     for (std::size_t c = 0; c < chunk.cells.size(); ++c)
     {
-      result.all[cell[i] + c] = chunk.cells[c];
-      result.all[cell[i] + c].firstFace += face[i];
+      result.cells[cell[i] + c] = chunk.cells[c];
+      result.cells[cell[i] + c].firstUse += use[i];
     }
     std::size_t next = cell[i];
     for (std::size_t n = 0; n < chunk.cellsOfBox.size(); ++n)
@@ -218,6 +223,73 @@ Cells join(const std::vector<CellChunk>& ofChunk, std::size_t boxes, Execution& 
     }
   });
   return result;
+}
+
+// Patches, then the faces of sides, without cells.
+WallFaces facesOf(const Patches& patches, const InnerFaces& inner)
+{
+  WallFaces faces;
+  const std::size_t count = patches.size() + inner.size();
+  const std::size_t corners = patches.corners.size() + inner.nodes.size();
+  faces.reserve(WithShapedFaces * count, WithShapedFaces * corners);
+  faces.start.clear();
+  for (const std::size_t start : patches.start)
+  {
+    faces.start.push_back(static_cast<std::uint32_t>(start));
+  }
+  for (std::size_t f = 0; f < inner.size(); ++f)
+  {
+    faces.start.push_back(static_cast<std::uint32_t>(patches.corners.size() + inner.start[f + 1]));
+  }
+  faces.corners.assign(patches.corners.begin(), patches.corners.end());
+  faces.corners.insert(faces.corners.end(), inner.nodes.begin(), inner.nodes.end());
+  faces.cells.assign(count, { None, None });
+  faces.boundary.assign(patches.boundary.begin(), patches.boundary.end());
+  faces.boundary.resize(count, NoBoundary);
+  faces.firstShaped = static_cast<std::uint32_t>(count);
+  for (const std::size_t first : inner.sideStart)
+  {
+    faces.sideStart.push_back(static_cast<std::uint32_t>(patches.size() + first));
+  }
+  return faces;
+}
+
+// The cells on either side of the faces; where there is none, the wall that a face belongs to.
+void findCellsOfFaces(
+  const Patches& patches, const Sides& sides, WallMesh& wall, Execution& execution)
+{
+  WallFaces& faces = wall.faces;
+  execution.forEach(wall.size(), BoxesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c)
+    {
+      wall.forEachUse(c,
+        [&](const FaceUse& use) { faces.cells[use.face][use.turned] = static_cast<CellKey>(c); });
+    }
+  });
+  const auto findBeyond = [&](std::uint32_t box, std::uint32_t f, CellKey& cell) {
+    if (cell != None)
+    {
+      return;
+    }
+    if (box != None && sides.polyhedralOrdinal(box) == None)
+    {
+      cell = keyOfHexahedron(box);
+    }
+    else
+    {
+      faces.boundary[f] = boundaryBeyond(patches, sides, box);
+    }
+  };
+  execution.forEach(sides.common.size(), BoxesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s)
+    {
+      for (std::uint32_t f = faces.sideStart[s]; f < faces.sideStart[s + 1]; ++f)
+      {
+        findBeyond(sides.common[s].low, f, faces.cells[f][0]);
+        findBeyond(sides.common[s].high, f, faces.cells[f][1]);
+      }
+    }
+  });
 }
 
 }
@@ -234,22 +306,13 @@ double ratioOf(const SmallCellSpec& spec, std::int32_t boundary, double otherwis
   return otherwise;
 }
 
-void findCellsOfInnerFaces(const InnerFaces& inner, Cells& cells, Execution& execution)
+std::int32_t boundaryBeyond(const Patches& patches, const Sides& sides, std::uint32_t box)
 {
-  cells.ofInnerFace.assign(inner.size(), { None, None });
-  execution.forEach(cells.size(), BoxesAChunk, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c)
-    {
-      for (std::size_t f = cells.all[c].firstFace; f < cells.all[c + 1].firstFace; ++f)
-      {
-        const FaceOfCell& face = cells.faces[f];
-        if (face.kind() == FaceOfCell::Kind::Inner || face.kind() == FaceOfCell::Kind::TurnedInner)
-        {
-          cells.ofInnerFace[face.index][face.turned() ? 1 : 0] = static_cast<std::uint32_t>(c);
-        }
-      }
-    }
-  });
+  const std::uint32_t n = sides.polyhedralOrdinal(box);
+  const std::uint32_t of = n == None ? None : sides.patchBox[n];
+  return of == None || patches.boxStart[of] == patches.boxStart[of + 1]
+    ? NoBoundary
+    : patches.boundary[patches.boxStart[of]];
 }
 
 std::vector<std::uint8_t> findFlawed(const Boxes& boxes, const Patches& patches, const Sides& sides,
@@ -268,14 +331,15 @@ std::vector<std::uint8_t> findFlawed(const Boxes& boxes, const Patches& patches,
   return flawed;
 }
 
-Cells assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sides,
+WallMesh assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sides,
   const Nodes& nodes, const InnerFaces& inner, const SmallCellSpec& spec, Execution& execution)
 {
-  if (std::max(patches.size(), inner.size()) > FaceOfCell::MostFaces)
+  if (WithShapedFaces * (patches.corners.size() + inner.nodes.size()) > None ||
+    boxes.packed.size() > FirstOfCuts - FirstHexahedron)
   {
     throw Error(Fault::TooManyBoxes,
-      "The boundary has more than " + std::to_string(FaceOfCell::MostFaces) +
-        " faces: choose larger cells.");
+      "The mesh has more boxes, or more faces at the boundary, than can be numbered: choose larger "
+      "cells.");
   }
   const std::size_t count = sides.polyhedral.size();
   std::vector<CellChunk> ofChunk(chunks(count, BoxesAChunk));
@@ -288,9 +352,10 @@ Cells assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sid
       assembler.addBox(n, spec, ofChunk[begin / BoxesAChunk]);
     }
   });
-  Cells cells = join(ofChunk, count, execution);
-  findCellsOfInnerFaces(inner, cells, execution);
-  return cells;
+  WallMesh wall = join(ofChunk, count, execution);
+  wall.faces = facesOf(patches, inner);
+  findCellsOfFaces(patches, sides, wall, execution);
+  return wall;
 }
 
 }

@@ -18,29 +18,27 @@ constexpr std::size_t CellsAChunk = 512;
 class Search
 {
 public:
-  Search(const Boxes& boxes, const Patches& patches, const Sides& sides, const InnerFaces& inner,
-    const Cells& cells)
+  Search(const Boxes& boxes, const Patches& patches, const Sides& sides, const WallMesh& wall)
     : boxes_(boxes)
     , patches_(patches)
     , sides_(sides)
-    , inner_(inner)
-    , cells_(cells)
-    , isLarge_(cells.size())
+    , wall_(wall)
+    , isLarge_(wall.size())
   {
   }
 
   std::vector<SmallPart> run(Execution& execution)
   {
-    execution.forEach(cells_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    execution.forEach(wall_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c)
       {
         isLarge_[c] = hasHexahedronBeside(static_cast<std::uint32_t>(c)) ? 1 : 0;
       }
     });
     std::vector<SmallPart> parts;
-    for (std::uint32_t c = 0; c < cells_.size(); ++c)
+    for (std::uint32_t c = 0; c < wall_.size(); ++c)
     {
-      if (isLarge_[c] == 0 && !cells_.all[c].removed && collect(c))
+      if (isLarge_[c] == 0 && !wall_.cells[c].removed && collect(c))
       {
         parts.push_back({ part_, volume() < LargestFragment * enclosed() });
       }
@@ -54,51 +52,19 @@ public:
   }
 
 private:
-  // visit(cell beyond the face), None for a hexahedron, until it returns true. Returns whether it did.
+  // visit(cell beyond a face) until it returns true. Returns whether it did.
   template <class Visitor>
   bool anyBeyond(std::uint32_t c, Visitor&& visit) const
   {
-    const auto face = cells_.faces.begin();
-    return std::any_of(face + std::ptrdiff_t(cells_.all[c].firstFace),
-      face + std::ptrdiff_t(cells_.all[c + 1].firstFace), [&](const FaceOfCell& use) {
-        const std::size_t above = use.turned() ? 0 : 1;
-        switch (use.kind())
-        {
-          case FaceOfCell::Kind::Inner:
-          case FaceOfCell::Kind::TurnedInner:
-            return anyBeyondInner(use.index, above, visit);
-          case FaceOfCell::Kind::Shaped:
-          case FaceOfCell::Kind::TurnedShaped:
-          {
-            const std::uint32_t other = cells_.shaped.cells[use.index][above];
-            return other != None && visit(other == ShapedFaces::SomeHexahedron ? None : other);
-          }
-          default:
-            return false;
-        }
+    const auto use = wall_.uses.begin();
+    return std::any_of(use + std::ptrdiff_t(wall_.cells[c].firstUse),
+      use + std::ptrdiff_t(wall_.cells[c + 1].firstUse), [&](const FaceUse& face) {
+        const CellKey other = wall_.faces.beyond(face);
+        return other != None && visit(other);
       });
   }
 
-  template <class Visitor>
-  bool anyBeyondInner(std::uint32_t face, std::size_t above, Visitor&& visit) const
-  {
-    const std::uint32_t other = cells_.ofInnerFace[face][above];
-    if (other != None)
-    {
-      return visit(other);
-    }
-    const auto after =
-      std::upper_bound(inner_.sideStart.begin(), inner_.sideStart.end(), std::size_t(face));
-    const Side& side =
-      sides_.common[static_cast<std::size_t>(after - inner_.sideStart.begin() - 1)];
-    const std::uint32_t box = above == 1 ? side.high : side.low;
-    return box != None && sides_.polyhedralOrdinal(box) == None && visit(None);
-  }
-
-  bool hasHexahedronBeside(std::uint32_t c) const
-  {
-    return anyBeyond(c, [](std::uint32_t other) { return other == None; });
-  }
+  bool hasHexahedronBeside(std::uint32_t c) const { return anyBeyond(c, isHexahedron); }
 
   // Fills part_, in order; returns whether it is a small part.
   bool collect(std::uint32_t c)
@@ -129,7 +95,7 @@ private:
 
   Layers layersOf(std::uint32_t c) const
   {
-    const Cell& cell = cells_.all[c];
+    const Cell& cell = wall_.cells[c];
     const std::uint32_t layer = boxes_.globalOf(boxes_.packed[cell.box]).index[2];
     return { layer - cell.reach[0], layer + cell.reach[1] + 1 };
   }
@@ -137,7 +103,7 @@ private:
   // False: with this cell the part is too large.
   bool add(std::uint32_t other)
   {
-    if (cells_.all[other].removed || std::find(part_.begin(), part_.end(), other) != part_.end())
+    if (wall_.cells[other].removed || std::find(part_.begin(), part_.end(), other) != part_.end())
     {
       return true;
     }
@@ -150,9 +116,9 @@ private:
     double sum = 0;
     for (const std::uint32_t c : part_)
     {
-      const Box box = boxes_.box(cells_.all[c].box);
+      const Box box = boxes_.box(wall_.cells[c].box);
       const Vector size = minus(box.high, box.low);
-      sum += cells_.all[c].volumeFraction * size[0] * size[1] * size[2];
+      sum += wall_.cells[c].volumeFraction * size[0] * size[1] * size[2];
     }
     return sum;
   }
@@ -164,22 +130,18 @@ private:
     double largest = 0;
     for (const std::uint32_t c : part_)
     {
-      for (std::size_t f = cells_.all[c].firstFace; f < cells_.all[c + 1].firstFace; ++f)
-      {
-        forEachNode(cells_.faces[f], patches_, inner_, cells_.shaped,
-          [&](std::uint32_t node) { nodes.insert(node); });
-      }
+      wall_.forEachNodeOf(c, [&](std::uint32_t node) { nodes.insert(node); });
     }
     for (const std::uint32_t c : part_)
     {
       const std::uint32_t cut =
-        sides_.patchBox[sides_.polyhedralOrdinal(cells_.all[c].box)]; // or None
+        sides_.patchBox[sides_.polyhedralOrdinal(wall_.cells[c].box)]; // or None
       for (std::size_t p = cut == None ? 0 : patches_.boxStart[cut];
            cut != None && p < patches_.boxStart[cut + 1]; ++p)
       {
-        const auto corner = patches_.corners.begin();
-        if (std::any_of(corner + std::ptrdiff_t(patches_.start[p]),
-              corner + std::ptrdiff_t(patches_.start[p + 1]),
+        const auto corner = wall_.faces.corners.begin();
+        if (std::any_of(corner + std::ptrdiff_t(wall_.faces.start[p]),
+              corner + std::ptrdiff_t(wall_.faces.start[p + 1]),
               [&](std::uint32_t node) { return nodes.count(node) > 0; }))
         {
           largest = std::max(largest, double(patches_.enclosed[patches_.triangle[p]]));
@@ -192,8 +154,7 @@ private:
   const Boxes& boxes_;
   const Patches& patches_;
   const Sides& sides_;
-  const InnerFaces& inner_;
-  const Cells& cells_;
+  const WallMesh& wall_;
   std::vector<std::uint8_t> isLarge_; // 1: in no small part, or in one that is known
   std::vector<std::uint32_t> part_;
 };
@@ -201,10 +162,10 @@ private:
 }
 
 std::vector<SmallPart> findSmallParts(const Boxes& boxes, const Patches& patches,
-  const Sides& sides, const InnerFaces& inner, const Cells& cells, Execution& execution)
+  const Sides& sides, const WallMesh& wall, Execution& execution)
 {
   return patches.walls.any() ? std::vector<SmallPart>{}
-                             : Search(boxes, patches, sides, inner, cells).run(execution);
+                             : Search(boxes, patches, sides, wall).run(execution);
 }
 
 }

@@ -3,7 +3,7 @@
 // has cut off from a larger body. In such a fragment a solver cannot fix the pressure.
 #pragma once
 
-#include "Cells/Cells.h"
+#include "Cells/WallMesh.h"
 
 namespace cartesian
 {
@@ -22,6 +22,6 @@ struct SmallPart
 
 // In order of their first cells. With several regions: none.
 std::vector<SmallPart> findSmallParts(const Boxes& boxes, const Patches& patches,
-  const Sides& sides, const InnerFaces& inner, const Cells& cells, Execution& execution);
+  const Sides& sides, const WallMesh& wall, Execution& execution);
 
 }

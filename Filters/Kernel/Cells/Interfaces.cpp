@@ -4,49 +4,36 @@
 namespace cartesian
 {
 
-void makeInterfaces(const Patches& patches, InnerFaces& inner, Cells& cells, Execution& execution)
+void makeInterfaces(const Walls& walls, WallMesh& wall)
 {
-  if (!patches.walls.any())
+  if (!walls.any())
   {
     return;
   }
-  std::vector<std::uint32_t> innerOf(patches.size(), None);
-  for (std::size_t p = 0; p < patches.size(); ++p)
+  WallFaces& faces = wall.faces;
+  std::vector<std::uint32_t> interfaceOf(faces.firstOfSides(), None);
+  for (std::uint32_t p = 0; p < interfaceOf.size(); ++p)
   {
-    if (patches.walls.isInterface(patches.boundary[p]))
+    if (walls.isInterface(faces.boundary[p]))
     {
-      innerOf[p] = static_cast<std::uint32_t>(inner.size());
-      inner.nodes.insert(inner.nodes.end(),
-        patches.corners.begin() + std::ptrdiff_t(patches.start[p]),
-        patches.corners.begin() + std::ptrdiff_t(patches.start[p + 1]));
-      inner.start.push_back(inner.nodes.size());
-      inner.wall.push_back(patches.boundary[p]);
+      interfaceOf[p] = static_cast<std::uint32_t>(faces.size());
+      const std::size_t end = faces.start[p + 1];
+      for (std::size_t i = faces.start[p]; i < end; ++i)
+      {
+        faces.corners.push_back(std::uint32_t(faces.corners[i]));
+      }
+      faces.add(std::array<CellKey, 2>(faces.cells[p]), faces.boundary[p]);
+      faces.cells[p] = { None, None };
     }
   }
-  for (FaceOfCell& face : cells.faces)
+  faces.firstShaped = static_cast<std::uint32_t>(faces.size());
+  for (FaceUse& use : wall.uses)
   {
-    if (face.isPatch() && innerOf[face.index] != None)
+    if (faces.isPatch(use.face) && interfaceOf[use.face] != None)
     {
-      face = FaceOfCell(innerOf[face.index],
-        face.turned() ? FaceOfCell::Kind::TurnedInner : FaceOfCell::Kind::Inner);
+      use = FaceUse(interfaceOf[use.face], use.turned != 0);
     }
   }
-  findCellsOfInnerFaces(inner, cells, execution);
-}
-
-// Hexahedra are in boxes that no wall passes through.
-bool isInterface(const Cells& cells, const FaceOfCell& face)
-{
-  if (face.isPatch())
-  {
-    return false;
-  }
-  const bool inner =
-    face.kind() == FaceOfCell::Kind::Inner || face.kind() == FaceOfCell::Kind::TurnedInner;
-  const auto& [below, above] =
-    inner ? cells.ofInnerFace[face.index] : cells.shaped.cells[face.index];
-  return below < cells.size() && above < cells.size() &&
-    cells.all[below].region != cells.all[above].region;
 }
 
 }

@@ -2,16 +2,13 @@
 // The faces between cells of two regions.
 #pragma once
 
-#include "Cells/Cells.h"
+#include "Cells/WallMesh.h"
 
 namespace cartesian
 {
 
-// Makes the patches between two regions inner faces, below which is the region behind: from then on whatever
-// changes such a face changes it for both its cells. Patches keep their numbers; no cell has those any more.
-void makeInterfaces(const Patches& patches, InnerFaces& inner, Cells& cells, Execution& execution);
-
-// Whether a face of a cell is between two regions.
-bool isInterface(const Cells& cells, const FaceOfCell& face);
+// Makes the patches between two regions faces of two cells, below which is the region behind: from then on whatever
+// changes such a face changes it for both. Patches keep their numbers; no cell has those any more.
+void makeInterfaces(const Walls& walls, WallMesh& wall);
 
 }

@@ -31,15 +31,14 @@ class Parts
 {
 public:
   Parts(const Boxes& boxes, const Patches& patches, const Sides& sides, const Nodes& nodes,
-    const InnerFaces& inner, const Cells& cells)
+    const WallMesh& wall)
     : boxes_(boxes)
     , patches_(patches)
     , sides_(sides)
     , nodes_(nodes)
-    , inner_(inner)
-    , cells_(cells)
-    , parts_(boxes.packed.size() + cells.size())
-    , isKept_(boxes.packed.size() + cells.size())
+    , wall_(wall)
+    , parts_(boxes.packed.size() + wall.size())
+    , isKept_(boxes.packed.size() + wall.size())
   {
     uniteHexahedra();
     uniteAcrossSides();
@@ -120,11 +119,11 @@ private:
 
   std::uint32_t firstCell(std::uint32_t n) const
   {
-    return n == None ? 0 : static_cast<std::uint32_t>(cells_.boxStart[n]);
+    return n == None ? 0 : static_cast<std::uint32_t>(wall_.boxStart[n]);
   }
   std::uint32_t endCell(std::uint32_t n) const
   {
-    return n == None ? 0 : static_cast<std::uint32_t>(cells_.boxStart[n + 1]);
+    return n == None ? 0 : static_cast<std::uint32_t>(wall_.boxStart[n + 1]);
   }
 
   bool isHexahedron(std::uint32_t box) const
@@ -153,16 +152,17 @@ private:
   template <class Visitor>
   void forEachFace(Visitor&& visit) const
   {
+    const WallFaces& faces = wall_.faces;
+    const auto element = [&](CellKey cell) {
+      return cell == None               ? std::uint32_t(None)
+        : cartesian::isHexahedron(cell) ? boxOfHexahedron(cell)
+                                        : cellElement(cell);
+    };
     for (std::size_t s = 0; s < sides_.common.size(); ++s)
     {
-      const Side& side = sides_.common[s];
-      const auto element = [&](std::uint32_t cell, std::uint32_t box) {
-        return cell != None ? cellElement(cell) : isHexahedron(box) ? box : None;
-      };
-      for (std::size_t f = inner_.sideStart[s]; f < inner_.sideStart[s + 1]; ++f)
+      for (std::uint32_t f = faces.sideStart[s]; f < faces.sideStart[s + 1]; ++f)
       {
-        visit(side, element(cells_.ofInnerFace[f][0], side.low),
-          element(cells_.ofInnerFace[f][1], side.high));
+        visit(sides_.common[s], element(faces.cells[f][0]), element(faces.cells[f][1]));
       }
     }
   }
@@ -240,30 +240,27 @@ private:
   bool isInCell(const Point& at, std::uint32_t c) const
   {
     bool isIn = false;
-    for (std::size_t f = cells_.all[c].firstFace; f < cells_.all[c + 1].firstFace; ++f)
-    {
+    wall_.forEachUse(c, [&](const FaceUse& use) {
       std::vector<Point> corners;
-      forEachNode(cells_.faces[f], patches_, inner_, cells_.shaped,
-        [&](std::uint32_t node) { corners.push_back(nodes_.at[node]); });
+      wall_.faces.forEachNode(use, [&](std::uint32_t node) { corners.push_back(nodes_.at[node]); });
       for (std::size_t i = 1; i + 1 < corners.size(); ++i)
       {
         forEachLineCrossing({ corners[0], corners[i], corners[i + 1] }, RowsAlong[0], { at[1] },
           { at[2] },
           [&](std::size_t, std::size_t, const Point& p, bool) { isIn = isIn != (p[0] < at[0]); });
       }
-    }
+    });
     return isIn;
   }
 
   void dropPatches(std::uint32_t c, std::vector<std::uint8_t>& dropped) const
   {
-    for (std::size_t f = cells_.all[c].firstFace; f < cells_.all[c + 1].firstFace; ++f)
-    {
-      if (cells_.faces[f].isPatch())
+    wall_.forEachUse(c, [&](const FaceUse& use) {
+      if (wall_.faces.isPatch(use.face))
       {
-        dropped[cells_.faces[f].index] = 1;
+        dropped[use.face] = 1;
       }
-    }
+    });
   }
 
   // Corners of a box that are nodes of one of its cells, as bits.
@@ -271,15 +268,12 @@ private:
   {
     const Box box = boxes_.box(b);
     unsigned bits = 0;
-    for (std::size_t f = cells_.all[c].firstFace; f < cells_.all[c + 1].firstFace; ++f)
-    {
-      forEachNode(cells_.faces[f], patches_, inner_, cells_.shaped, [&](std::uint32_t node) {
-        for (unsigned corner = 0; corner < 8; ++corner)
-        {
-          bits |= nodes_.at[node] == cornerOf(box, corner) ? 1U << corner : 0;
-        }
-      });
-    }
+    wall_.forEachNodeOf(c, [&](std::uint32_t node) {
+      for (unsigned corner = 0; corner < 8; ++corner)
+      {
+        bits |= nodes_.at[node] == cornerOf(box, corner) ? 1U << corner : 0;
+      }
+    });
     return bits;
   }
 
@@ -308,8 +302,7 @@ private:
   const Patches& patches_;
   const Sides& sides_;
   const Nodes& nodes_;
-  const InnerFaces& inner_;
-  const Cells& cells_;
+  const WallMesh& wall_;
   DisjointSets parts_;
   std::vector<std::uint8_t> isKept_; // of the elements that stand for parts
 };
@@ -403,9 +396,9 @@ void keepPatches(
 }
 
 KeptParts findKeptParts(const PartsToKeep& which, const Boxes& boxes, const Patches& patches,
-  const Sides& sides, const Nodes& nodes, const InnerFaces& inner, const Cells& cells)
+  const Sides& sides, const Nodes& nodes, const WallMesh& wall)
 {
-  Parts parts(boxes, patches, sides, nodes, inner, cells);
+  Parts parts(boxes, patches, sides, nodes, wall);
   for (const KeepPoint& point : which.points)
   {
     parts.keep(point);

@@ -2,7 +2,7 @@
 // Connected parts of the domain, of which only those around given points are meshed.
 #pragma once
 
-#include "Cells/Cells.h"
+#include "Cells/WallMesh.h"
 #include "Surface/KeepPoints.h"
 
 namespace cartesian
@@ -25,7 +25,7 @@ struct KeptParts
 // Cells, hexahedra among them, that faces connect are a part; it stays if a point is in it. The boxes must
 // be those of the whole grid, with one region. Throws Error (BadParameter): no cell has a point in it, or a part reaches there.
 KeptParts findKeptParts(const PartsToKeep& which, const Boxes& boxes, const Patches& patches,
-  const Sides& sides, const Nodes& nodes, const InnerFaces& inner, const Cells& cells);
+  const Sides& sides, const Nodes& nodes, const WallMesh& wall);
 
 // Boxes and patches as they are for a surface without the other parts.
 void keepOnly(const KeptParts& parts, Boxes& boxes, Patches& patches, Execution& execution);

@@ -21,22 +21,10 @@ struct InnerFaces
   std::vector<std::uint8_t> flawed;   // 1: the surface does not close at this side; no faces
   std::vector<std::int32_t> region;   // of each face of a side; empty: one region
 
-  // After the faces of sides come the patches between two regions, once cells know them (Interfaces.h): the
-  // region behind is below.
-  std::vector<std::int32_t> wall; // of each (Walls.h)
-
   std::size_t size() const { return start.size() - 1; }
-  std::size_t firstInterface() const { return sideStart.back(); }
   std::int32_t regionOf(std::size_t face) const
   {
     return region.empty() ? FirstRegion : region[face];
-  }
-  bool isInterface(std::size_t face) const { return face >= firstInterface(); }
-
-  // The wall of a face between two regions, else NoBoundary.
-  std::int32_t wallOf(std::size_t face) const
-  {
-    return isInterface(face) ? wall[face - firstInterface()] : NoBoundary;
   }
 };
 

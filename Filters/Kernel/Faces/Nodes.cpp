@@ -192,4 +192,23 @@ Nodes findNodes(
   return nodes;
 }
 
+std::uint32_t nodeOfCorner(
+  const Boxes& boxes, const Sides& sides, const Nodes& nodes, std::uint32_t box, unsigned corner)
+{
+  if (const std::uint32_t ordinal = sides.ordinal[box]; ordinal != None)
+  {
+    return nodes.ofDivided[ordinal & ~Sides::HexahedronBit][corner];
+  }
+  const VertexNode at = vertexAt(boxes, box, corner);
+  const std::size_t row = at.j + at.k * boxes.planes[1].size();
+  const Point p = cornerOf(boxes.box(box), corner);
+  const auto begin = nodes.grid.begin();
+  const auto end = begin + static_cast<std::ptrdiff_t>(nodes.rowStart[row + 1]);
+  const auto found =
+    std::lower_bound(begin + static_cast<std::ptrdiff_t>(nodes.rowStart[row]), end, p);
+  return found != end && areSame(*found, p)
+    ? static_cast<std::uint32_t>(nodes.patchPoints) + static_cast<std::uint32_t>(found - begin)
+    : std::uint32_t(None);
+}
+
 }

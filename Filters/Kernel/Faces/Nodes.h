@@ -24,6 +24,13 @@ struct VertexNode
   }
 };
 
+// Of a corner of an undivided box, without its node.
+inline VertexNode vertexAt(const Boxes& boxes, std::uint32_t box, unsigned corner)
+{
+  const auto& low = boxes.globalOf(boxes.packed[box]).index;
+  return { low[2] + (corner >> 2 & 1), low[1] + (corner >> 1 & 1), low[0] + (corner & 1), None };
+}
+
 // A hexahedron with a corner that moved (EdgeCollapse.h).
 struct WarpedHexahedron
 {
@@ -46,6 +53,10 @@ struct Nodes
   std::vector<std::uint32_t> ofCuts;    // the other nodes that shaping adds, in order of places
   std::vector<WarpedHexahedron> warped;
 };
+
+// The node at a corner of a hexahedron if it is one of a side, a border or a divided box, else None.
+std::uint32_t nodeOfCorner(
+  const Boxes& boxes, const Sides& sides, const Nodes& nodes, std::uint32_t box, unsigned corner);
 
 Nodes findNodes(
   const Boxes& boxes, const Patches& patches, const Sides& sides, Execution& execution);

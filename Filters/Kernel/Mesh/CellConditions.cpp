@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/CellConditions.h"
 
-#include "Cells/Interfaces.h"
 #include "Quality/QualityMeasures.h"
 
 #include <algorithm>
@@ -32,11 +31,7 @@ public:
   void inspect(std::size_t cell)
   {
     faces_.clear();
-    const auto& cells = parts_.cells.all;
-    for (std::size_t f = cells[cell].firstFace; f < cells[cell + 1].firstFace; ++f)
-    {
-      faces_.push_back(geometryOf(parts_.cells.faces[f]));
-    }
+    parts_.wall.forEachUse(cell, [&](const FaceUse& use) { faces_.push_back(geometryOf(use)); });
     const CellGeometry geometry =
       measureCell(faces_.size(), [&](std::size_t f) -> const FaceGeometry& { return faces_[f]; });
     findBoundary(numbers_.ofCell[cell]);
@@ -50,7 +45,7 @@ public:
       sizes += size;
       // Compares cosines, for speed.
       const Vector way = minus(faces_[f].centre, geometry.centre);
-      const bool boundary = isBoundary(parts_.cells.faces[cells[cell].firstFace + f]);
+      const bool boundary = isBoundary(parts_.wall.uses[parts_.wall.cells[cell].firstUse + f]);
       const double least = boundary ? 0 : leastInnerCosine_ * norm(way) * size;
       failing[boundary] = failing[boundary] || !(dot(way, faces_[f].area) > least);
     }
@@ -61,11 +56,11 @@ public:
   }
 
 private:
-  FaceGeometry geometryOf(const FaceOfCell& face)
+  FaceGeometry geometryOf(const FaceUse& use)
   {
     corners_.clear();
-    forEachNode(face, parts_.patches, parts_.inner, parts_.cells.shaped,
-      [&](std::uint32_t node) { corners_.push_back(toVector(parts_.nodes.at[node])); });
+    parts_.wall.faces.forEachNode(
+      use, [&](std::uint32_t node) { corners_.push_back(toVector(parts_.nodes.at[node])); });
     return measureFace(
       corners_.size(), [&](std::size_t i) -> const Vector& { return corners_[i]; });
   }
@@ -84,15 +79,11 @@ private:
       exposed_, boundary_.end(), [cell](const BoundaryFace& face) { return face.cell != cell; });
   }
 
-  bool isBoundary(const FaceOfCell& face) const
+  bool isBoundary(const FaceUse& use) const
   {
-    using Kind = FaceOfCell::Kind;
-    static_assert(int(Kind::Patch) == int(BoundaryFace::Kind::Patch));
-    static_assert(int(Kind::TurnedShaped) == int(BoundaryFace::Kind::TurnedShaped));
-    return face.kind() == Kind::Patch || isInterface(parts_.cells, face) ||
-      std::any_of(exposed_, boundaryEnd_, [&](const BoundaryFace& exposed) {
-        return int(exposed.kind) == int(face.kind()) && exposed.index == face.index;
-      });
+    return parts_.wall.faces.isPatch(use.face) || parts_.wall.isInterface(use.face) ||
+      std::any_of(exposed_, boundaryEnd_,
+        [&](const BoundaryFace& exposed) { return exposed.index == use.face; });
   }
 
   const MeshParts& parts_;
@@ -118,7 +109,7 @@ CellConditions countFailures(const MeshParts& parts, const CellNumbers& numbers,
     Inspector inspector(parts, numbers, boundary, ofChunk[begin / CellsAChunk]);
     for (std::size_t c = numbers.coreBegin + begin; c < numbers.coreBegin + end; ++c)
     {
-      if (!parts.cells.all[c].removed)
+      if (!parts.wall.cells[c].removed)
       {
         inspector.inspect(c);
       }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/OutputMesh.h"
 
-#include "Cells/Interfaces.h"
 #include "Parts/Slabs.h"
 
 #include <algorithm>
@@ -21,10 +20,10 @@ constexpr std::size_t PointsAChunk = 1 << 15;
 
 // Calls visit(point) for the corners of a face, counter-clockwise from outside its cell.
 template <class Visitor>
-void OutputMesh::forEachPoint(const FaceOfCell& face, Visitor&& visit) const
+void OutputMesh::forEachPoint(const FaceUse& use, Visitor&& visit) const
 {
-  forEachNode(face, parts_.patches, parts_.inner, parts_.cells.shaped,
-    [&](std::uint32_t node) { visit(static_cast<Id>(points_.ofNode(node))); });
+  parts_.wall.faces.forEachNode(
+    use, [&](std::uint32_t node) { visit(static_cast<Id>(points_.ofNode(node))); });
 }
 
 OutputMesh::OutputMesh(const MeshParts& parts, Execution& execution)
@@ -56,57 +55,47 @@ OutputMesh::OutputMesh(const MeshParts& parts, Execution& execution)
 
 void OutputMesh::listInterfaces()
 {
-  const Cells& cells = parts_.cells;
+  const WallMesh& wall = parts_.wall;
   for (std::size_t c = numbers_.coreBegin; c < numbers_.coreEnd; ++c)
   {
-    for (std::size_t f = cells.all[c].firstFace; f < cells.all[c + 1].firstFace; ++f)
-    {
-      const FaceOfCell& face = cells.faces[f];
-      if (cells.all[c].removed || face.turned() || !isInterface(cells, face))
+    wall.forEachUse(c, [&](const FaceUse& use) {
+      if (wall.cells[c].removed || use.turned || !wall.isInterface(use.face))
       {
-        continue;
+        return;
       }
-      const bool inner = face.kind() == FaceOfCell::Kind::Inner;
-      const std::uint32_t front =
-        (inner ? cells.ofInnerFace[face.index] : cells.shaped.cells[face.index])[1];
-      const std::uint32_t number = numbers_.ofCell[front];
-      const std::int32_t wall =
-        inner ? parts_.inner.wallOf(face.index) : cells.shaped.boundary[face.index];
-      if (number != None && !parts_.patches.walls.isBaffle(wall))
+      const std::uint32_t number = numbers_.ofCell[wall.faces.beyond(use)];
+      const std::int32_t between = wall.faces.boundary[use.face];
+      if (number != None && !parts_.patches.walls.isBaffle(between))
       {
-        interfaces_.push_back({ numbers_.ofCell[c], face.index, wall,
-          inner ? BoundaryFace::Kind::Inner : BoundaryFace::Kind::Shaped });
+        interfaces_.push_back({ numbers_.ofCell[c], use.face, between, kindOf(wall.faces, use) });
         inFront_.push_back(CellNumbers::isHere(number) ? static_cast<Id>(number) : Id(-1));
       }
-    }
+    });
   }
 }
 
 void OutputMesh::measureCells(Execution& execution)
 {
-  const Cells& cells = parts_.cells;
-  cellSizes_.resize(cells.size());
+  const WallMesh& wall = parts_.wall;
+  cellSizes_.resize(wall.size());
   const std::size_t first = numbers_.coreBegin;
   execution.nextLoop(0.4);
   execution.forEach(numbers_.coreEnd - first, CellsAChunk, [&](std::size_t begin, std::size_t end) {
     CellPoints points;
     for (std::size_t c = first + begin; c < first + end; ++c)
     {
-      if (cells.all[c].removed)
+      if (wall.cells[c].removed)
       {
         continue;
       }
       std::uint32_t stream = 1;
-      for (std::size_t f = cells.all[c].firstFace; f < cells.all[c + 1].firstFace; ++f)
-      {
-        ++stream;
-        forEachPoint(cells.faces[f], [&](Id) { ++stream; });
-      }
+      wall.forEachUse(c, [&](const FaceUse& use) {
+        const auto size = wall.faces.start[use.face + 1u] - wall.faces.start[use.face];
+        stream += 1 + static_cast<std::uint32_t>(size);
+      });
       points.reset(stream);
-      for (std::size_t f = cells.all[c].firstFace; f < cells.all[c + 1].firstFace; ++f)
-      {
-        forEachPoint(cells.faces[f], [&](Id point) { points.add(point); });
-      }
+      wall.forEachUse(
+        c, [&](const FaceUse& use) { forEachPoint(use, [&](Id point) { points.add(point); }); });
       cellSizes_[c] = { static_cast<std::uint32_t>(points.points.size()), stream };
     }
   });
@@ -116,7 +105,7 @@ void OutputMesh::placeRows()
 {
   const Boxes& boxes = parts_.boxes;
   const std::vector<std::uint32_t>& polyhedral = parts_.sides.polyhedral;
-  const std::vector<std::size_t>& firstCell = parts_.cells.boxStart;
+  const std::vector<std::size_t>& firstCell = parts_.wall.boxStart;
   RowOffsets sum;
   const std::size_t begin = boxes.row(0, boxes.core.begin);
   const std::size_t end = boxes.row(0, boxes.core.end);
@@ -165,7 +154,7 @@ std::size_t OutputMesh::boxOf(Id cell) const
 
 std::size_t OutputMesh::placeOfPolyhedron(std::size_t cell) const
 {
-  return hexahedra_ + numbers_.ofCell[cell] - hexahedraBefore(parts_.cells.all[cell].box);
+  return hexahedra_ + numbers_.ofCell[cell] - hexahedraBefore(parts_.wall.cells[cell].box);
 }
 
 // The corners of a hexahedron in VTK's order. If its box is not divided, numberOf(line, i) gives the number
@@ -294,9 +283,9 @@ void OutputMesh::writeRow(std::size_t row, const CellArrays& arrays, CellPoints&
       ++hexahedron;
       continue;
     }
-    for (std::size_t c = parts_.cells.boxStart[n]; c < parts_.cells.boxStart[n + 1]; ++c)
+    for (std::size_t c = parts_.wall.boxStart[n]; c < parts_.wall.boxStart[n + 1]; ++c)
     {
-      if (parts_.cells.all[c].removed)
+      if (parts_.wall.cells[c].removed)
       {
         continue;
       }
@@ -317,19 +306,16 @@ void OutputMesh::writeRow(std::size_t row, const CellArrays& arrays, CellPoints&
 void OutputMesh::writeFaces(std::size_t cell, Id* stream, CellPoints& points) const
 {
   points.reset(cellSizes_[cell].faceStream);
-  const Cells& cells = parts_.cells;
-  const std::size_t begin = cells.all[cell].firstFace;
-  const std::size_t end = cells.all[cell + 1].firstFace;
-  *stream++ = static_cast<Id>(end - begin);
-  for (std::size_t f = begin; f < end; ++f)
-  {
+  const WallMesh& wall = parts_.wall;
+  *stream++ = static_cast<Id>(wall.cells[cell + 1].firstUse - wall.cells[cell].firstUse);
+  wall.forEachUse(cell, [&](const FaceUse& use) {
     Id* const size = stream++;
-    forEachPoint(cells.faces[f], [&](Id point) {
+    forEachPoint(use, [&](Id point) {
       *stream++ = point;
       points.add(point);
     });
     *size = static_cast<Id>(stream - size - 1);
-  }
+  });
 }
 
 void OutputMesh::writeCellData(const CellData& data, Execution& execution) const
@@ -368,15 +354,15 @@ void OutputMesh::writeCellData(const CellData& data, Execution& execution) const
         hexahedron.volumeFraction);
     }
   }
-  const Cells& cells = parts_.cells;
+  const std::vector<Cell>& cells = parts_.wall.cells;
   const std::size_t first = numbers_.coreBegin;
   execution.forEach(numbers_.coreEnd - first, CellsAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = first + begin; c < first + end; ++c)
     {
-      if (!cells.all[c].removed)
+      if (!cells[c].removed)
       {
-        write(placeOfPolyhedron(c), numbers_.ofCell[c], cells.all[c].box, cells.all[c].region,
-          cells.all[c].volumeFraction);
+        write(placeOfPolyhedron(c), numbers_.ofCell[c], cells[c].box, cells[c].region,
+          cells[c].volumeFraction);
       }
     }
   });
@@ -385,39 +371,22 @@ void OutputMesh::writeCellData(const CellData& data, Execution& execution) const
 template <class Visitor>
 void OutputMesh::forEachPoint(const BoundaryFace& face, Visitor&& visit) const
 {
-  switch (face.kind)
+  if (face.kind != BoundaryFace::Kind::BoxSide)
   {
-    case BoundaryFace::Kind::Patch:
-      forEachPoint(FaceOfCell(face.index, FaceOfCell::Kind::Patch), visit);
-      break;
-    case BoundaryFace::Kind::Inner:
-      forEachPoint(FaceOfCell(face.index, FaceOfCell::Kind::Inner), visit);
-      break;
-    case BoundaryFace::Kind::TurnedInner:
-      forEachPoint(FaceOfCell(face.index, FaceOfCell::Kind::TurnedInner), visit);
-      break;
-    case BoundaryFace::Kind::Shaped:
-      forEachPoint(FaceOfCell(face.index, FaceOfCell::Kind::Shaped), visit);
-      break;
-    case BoundaryFace::Kind::TurnedShaped:
-      forEachPoint(FaceOfCell(face.index, FaceOfCell::Kind::TurnedShaped), visit);
-      break;
-    case BoundaryFace::Kind::BoxSide:
-    {
-      const std::size_t box = face.index / 6;
-      const auto& at = parts_.boxes.globalOf(parts_.boxes.packed[box]).index;
-      const std::array<Id, 8> p = corners(box, [&](std::uint32_t line, std::uint32_t i) {
-        return points_.ofVertex(i, at[1] + (line & 1), at[2] + (line >> 1));
-      });
-      const bool upper = face.index % 2 == 1;
-      const std::array<unsigned, 4> side =
-        sideCorners(static_cast<int>(face.index % 6 / 2), upper ? 1 : 0);
-      for (int i = 0; i < 4; ++i)
-      {
-        visit(p[side[upper ? i : 3 - i]]);
-      }
-      break;
-    }
+    forEachPoint(face.use(), visit);
+    return;
+  }
+  const std::size_t box = face.index / 6;
+  const auto& at = parts_.boxes.globalOf(parts_.boxes.packed[box]).index;
+  const std::array<Id, 8> p = corners(box, [&](std::uint32_t line, std::uint32_t i) {
+    return points_.ofVertex(i, at[1] + (line & 1), at[2] + (line >> 1));
+  });
+  const bool upper = face.index % 2 == 1;
+  const std::array<unsigned, 4> side =
+    sideCorners(static_cast<int>(face.index % 6 / 2), upper ? 1 : 0);
+  for (int i = 0; i < 4; ++i)
+  {
+    visit(p[side[upper ? i : 3 - i]]);
   }
 }
 

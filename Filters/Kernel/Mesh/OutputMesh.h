@@ -94,7 +94,7 @@ public:
   BoundaryMesh interfaceMesh(Execution& execution) const { return meshOf(interfaces_, execution); }
 
 private:
-  // Calls visit(point) for the corners of a boundary face, counter-clockwise from outside.
+  // Calls visit(point) for the corners of a face, counter-clockwise from outside its cell.
   template <class Visitor>
   void forEachPoint(const BoundaryFace& face, Visitor&& visit) const;
 
@@ -163,7 +163,7 @@ private:
     const std::vector<BoundaryFace>& faces, std::vector<Id>& points, Execution& execution) const;
 
   template <class Visitor>
-  void forEachPoint(const FaceOfCell& face, Visitor&& visit) const;
+  void forEachPoint(const FaceUse& use, Visitor&& visit) const;
 
   MeshParts parts_;
   CellNumbers numbers_;

@@ -206,13 +206,10 @@ std::vector<NodeRole> PointNumbers::usedNodes(
   const MeshParts& parts, Layers layers, Execution& execution)
 {
   const Boxes& boxes = parts.boxes;
-  const Cells& cells = parts.cells;
+  const WallMesh& wall = parts.wall;
   std::vector<std::atomic<NodeRole>> marked(parts.nodes.at.size());
   const auto mark = [&](std::uint32_t node) {
     marked[node].store(NodeRole::Plain, std::memory_order_relaxed);
-  };
-  const auto markFace = [&](const FaceOfCell& face) {
-    forEachNode(face, parts.patches, parts.inner, cells.shaped, mark);
   };
   const auto isHere = [&](std::uint32_t box) {
     return layers.contains(boxes.globalOf(boxes.packed[box]).index[2]);
@@ -225,11 +222,10 @@ std::vector<NodeRole> PointNumbers::usedNodes(
       }
     });
   };
-  forEach(cells.size(), [&](std::size_t c) {
-    const bool counts = !cells.all[c].removed && isHere(cells.all[c].box);
-    for (std::size_t f = cells.all[c].firstFace; counts && f < cells.all[c + 1].firstFace; ++f)
+  forEach(wall.size(), [&](std::size_t c) {
+    if (!wall.cells[c].removed && isHere(wall.cells[c].box))
     {
-      markFace(cells.faces[f]);
+      wall.forEachNodeOf(c, mark);
     }
   });
   // A hexahedron keeps its faces, whatever happened to the cells beyond.
@@ -239,9 +235,9 @@ std::vector<NodeRole> PointNumbers::usedNodes(
   forEach(parts.sides.common.size(), [&](std::size_t s) {
     const Side& side = parts.sides.common[s];
     const bool keeps = isHexahedronHere(side.low) || isHexahedronHere(side.high);
-    for (std::size_t f = parts.inner.sideStart[s]; keeps && f < parts.inner.sideStart[s + 1]; ++f)
+    for (std::uint32_t f = wall.faces.sideStart[s]; keeps && f < wall.faces.sideStart[s + 1]; ++f)
     {
-      markFace(FaceOfCell(f, FaceOfCell::Kind::Inner));
+      wall.faces.forEachNode({ f, false }, mark);
     }
   });
   forEach(parts.nodes.ofDivided.size(), [&](std::size_t i) {

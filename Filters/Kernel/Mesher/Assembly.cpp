@@ -2,6 +2,7 @@
 #include "Mesher/Assembly.h"
 
 #include "Base/Error.h"
+#include "Cells/Cells.h"
 #include "Cells/Fragments.h"
 #include "Cells/Interfaces.h"
 #include "Collapse/EdgeCollapse.h"
@@ -50,7 +51,7 @@ BoxFlags findFlawed(const Assembly& a, Execution& execution)
   return findFlawed(a.boxes, a.patches, a.sides, a.nodes, a.inner, execution);
 }
 
-Cells makeCells(const Assembly& a, const Options& options, Execution& execution)
+WallMesh makeCells(const Assembly& a, const Options& options, Execution& execution)
 {
   return assembleCells(
     a.boxes, a.patches, a.sides, a.nodes, a.inner, options.smallCells, execution);
@@ -216,8 +217,8 @@ BoxFlags keepParts(Assembly& a, BoxFlags flawed, const PartsToKeep& which, const
   {
     return flawed;
   }
-  const KeptParts kept = findKeptParts(
-    which, a.boxes, a.patches, a.sides, a.nodes, a.inner, makeCells(a, options, execution));
+  const KeptParts kept =
+    findKeptParts(which, a.boxes, a.patches, a.sides, a.nodes, makeCells(a, options, execution));
   a.partsLeftOut = kept.leftOut;
   if (kept.leftOut == 0)
   {
@@ -240,7 +241,7 @@ BoxFlags keepParts(Assembly& a, BoxFlags flawed, const PartsToKeep& which, const
 
 // Where the surface has a crease, a cell that was to become flat may end on its other side: without
 // it the mesh would be too large.
-BoxFlags findTurned(const Assembly& a, const Cells& cells)
+BoxFlags findTurned(const Assembly& a, const WallMesh& wall)
 {
   constexpr double RoundingLevels = 2;
   BoxFlags turned(a.sides.polyhedral.size());
@@ -249,9 +250,9 @@ BoxFlags findTurned(const Assembly& a, const Cells& cells)
     const Box box = a.boxes.box(a.sides.polyhedral[n]);
     const Vector size = minus(box.high, box.low);
     const double height = *std::min_element(size.begin(), size.end());
-    const auto first = cells.all.begin();
-    turned[n] = std::any_of(first + std::ptrdiff_t(cells.boxStart[n]),
-      first + std::ptrdiff_t(cells.boxStart[n + 1]),
+    const auto first = wall.cells.begin();
+    turned[n] = std::any_of(first + std::ptrdiff_t(wall.boxStart[n]),
+      first + std::ptrdiff_t(wall.boxStart[n + 1]),
       [&](const Cell& cell) { return cell.volumeFraction * height < -RoundingLevels; });
   }
   return turned;
@@ -303,10 +304,10 @@ private:
   }
 
   // False: there are boxes with cells turned over that will keep their edges.
-  bool keepsTurned(EdgeCollapseSpec& edges, const Cells& cells) const
+  bool keepsTurned(EdgeCollapseSpec& edges, const WallMesh& wall) const
   {
     const BoxFlags before = edges.keeps;
-    unite(edges.keeps, findTurned(a_, cells));
+    unite(edges.keeps, findTurned(a_, wall));
     return edges.keeps == before;
   }
 
@@ -327,15 +328,15 @@ private:
   bool collapseAcrossSeams()
   {
     const std::size_t collapsed = collapse(across_);
-    a_.cells = makeCells(a_, options_, execution_);
+    a_.wall = makeCells(a_, options_, execution_);
     if (collapsed == 0)
     {
       return true;
     }
-    bool done = keepsFlawed(across_, a_.cells.flawed);
+    bool done = keepsFlawed(across_, a_.wall.flawed);
     if (turnedMatter_)
     {
-      done = keepsTurned(across_, a_.cells) && done;
+      done = keepsTurned(across_, a_.wall) && done;
     }
     return done;
   }
@@ -358,12 +359,11 @@ void removeFragments(Assembly& a, const Options& options, Execution& execution)
 {
   const bool removes = shapesCells(options) && options.smallCells.handling == SmallCells::Merge &&
     options.shaping.refusedCellRatio > 0 && !isExact(a.patches);
-  for (const SmallPart& part :
-    findSmallParts(a.boxes, a.patches, a.sides, a.inner, a.cells, execution))
+  for (const SmallPart& part : findSmallParts(a.boxes, a.patches, a.sides, a.wall, execution))
   {
     for (const std::uint32_t c : part.cells)
     {
-      Cell& cell = a.cells.all[c];
+      Cell& cell = a.wall.cells[c];
       const bool isCore = a.boxes.isCore(a.boxes.packed[cell.box]);
       if (!removes || !part.isFragment)
       {
@@ -418,20 +418,22 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   }
   else
   {
-    a.cells = makeCells(a, options, execution);
+    a.wall = makeCells(a, options, execution);
   }
-  makeInterfaces(a.patches, a.inner, a.cells, execution);
+  a.inner = InnerFaces();
+  a.patches.forgetPolygons();
+  makeInterfaces(a.patches.walls, a.wall);
   if (shapesCells(options))
   {
     execution.stage("Shaping of cells", AfterShortEdges, AfterShaping);
-    a.shaping = shapeCells(a.boxes, a.patches, a.sides, a.nodes, a.inner, a.cells,
-      options.smallCells, options.shaping, options.patches.featureAngle, execution, layers);
+    a.shaping = shapeCells(a.boxes, a.patches, a.sides, a.nodes, a.wall,
+      { options.smallCells, options.shaping, options.patches.featureAngle, layers }, execution);
   }
   removeFragments(a, options, execution);
   a.nodes.warped = warpedHexahedra(a.boxes, a.sides, a.nodes, execution);
   execution.stage("Numbering", AfterShaping, AfterNumbering);
   a.mesh = std::make_unique<OutputMesh>(
-    MeshParts{ a.boxes, a.patches, a.sides, a.nodes, a.inner, a.cells }, execution);
+    MeshParts{ a.boxes, a.patches, a.sides, a.nodes, a.wall }, execution);
   requireCells(a, options);
   return assembly;
 }
@@ -447,9 +449,9 @@ std::vector<std::uint32_t> rebuiltBoxes(const Assembly& a)
 std::vector<std::uint32_t> flawedBoxes(const Assembly& a)
 {
   std::vector<std::uint32_t> flawed;
-  for (std::size_t n = 0; n < a.cells.flawed.size(); ++n)
+  for (std::size_t n = 0; n < a.wall.flawed.size(); ++n)
   {
-    if (a.cells.flawed[n] && a.boxes.isCore(a.boxes.packed[a.sides.polyhedral[n]]))
+    if (a.wall.flawed[n] && a.boxes.isCore(a.boxes.packed[a.sides.polyhedral[n]]))
     {
       flawed.push_back(a.sides.polyhedral[n]);
     }

@@ -17,11 +17,11 @@ namespace cartesian
 struct Assembly
 {
   Boxes boxes;
-  Patches patches; // as rebuilding and the collapse of short edges left them
+  Patches patches; // without their polygons, once cells are assembled of them
   Sides sides;
   Nodes nodes;
-  InnerFaces inner;
-  Cells cells;
+  InnerFaces inner; // until cells are assembled of them and the patches
+  WallMesh wall;
   std::vector<std::uint32_t> rebuilt; // boxes whose patches were made anew, in order
   Shaping shaping;
   std::vector<RemovedCell> fragments; // cells of the core that went with small parts (Fragments.h)

@@ -22,9 +22,9 @@ double volumeOf(const Box& box)
 std::vector<CellLeftOut> cellsLeftOut(const Assembly& a)
 {
   std::vector<CellLeftOut> cells;
-  for (std::size_t c = 0; c < a.cells.size(); ++c)
+  for (std::size_t c = 0; c < a.wall.size(); ++c)
   {
-    const Cell& cell = a.cells.all[c];
+    const Cell& cell = a.wall.cells[c];
     if (cell.removed && !cell.sliver && a.boxes.isCore(a.boxes.packed[cell.box]))
     {
       cells.push_back(

@@ -177,15 +177,15 @@ std::string describeLeftOut(const Assembly& a, const std::map<std::int32_t, std:
 
 std::string describeNothing(const Assembly& assembly, const Options& options)
 {
-  const Cells& cells = assembly.cells;
+  const WallMesh& wall = assembly.wall;
   const bool onlySlivers = std::all_of(
-    cells.all.begin(), cells.all.end() - 1, [](const Cell& cell) { return cell.sliver; });
+    wall.cells.begin(), wall.cells.end() - 1, [](const Cell& cell) { return cell.sliver; });
   if (onlySlivers)
   {
     return "There is nothing to mesh: the surface encloses no volume, or is open everywhere." +
       describeFlaws(assembly);
   }
-  const std::string all = "There is nothing left to mesh: all " + std::to_string(cells.size()) +
+  const std::string all = "There is nothing left to mesh: all " + std::to_string(wall.size()) +
     " cells are smaller than " +
     (options.smallCells.handling == SmallCells::Merge
         ? "a tenth of Merge Ratio (" + number(options.shaping.strandedRatio())

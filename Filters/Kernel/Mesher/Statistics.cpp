@@ -185,20 +185,20 @@ private:
   // Small and refused ones are all marked as removed: countChanges() takes them apart.
   void countCells()
   {
-    const Cells& cells = a_.cells;
+    const WallMesh& wall = a_.wall;
     n_.cells = static_cast<double>(a_.mesh->cellCount());
     n_.polyhedra = n_.cells - n_.hexahedra;
-    for (std::size_t c = 0; c < cells.size(); ++c)
+    for (std::size_t c = 0; c < wall.size(); ++c)
     {
-      const Cell& cell = cells.all[c];
+      const Cell& cell = wall.cells[c];
       if (!isCore(cell.box))
       {
         continue;
       }
       n_.smallCellsRemoved += cell.removed;
     }
-    n_.voids = static_cast<double>(cells.voids);
-    n_.folds = static_cast<double>(cells.folds);
+    n_.voids = static_cast<double>(wall.voids);
+    n_.folds = static_cast<double>(wall.folds);
   }
 
   void countChanges()
@@ -259,10 +259,10 @@ std::vector<double> regionVolumes(const Assembly& a)
     {
       add(b, a.boxes.regionOf(b), 1);
     }
-    for (std::size_t c = n == None ? 0 : a.cells.boxStart[n];
-         n != None && c < a.cells.boxStart[n + 1]; ++c)
+    for (std::size_t c = n == None ? 0 : a.wall.boxStart[n];
+         n != None && c < a.wall.boxStart[n + 1]; ++c)
     {
-      const Cell& cell = a.cells.all[c];
+      const Cell& cell = a.wall.cells[c];
       add(b, cell.region, cell.removed ? 0 : cell.volumeFraction);
     }
   }

@@ -31,10 +31,10 @@ struct EdgeOfFace
 class PrismBuilder
 {
 public:
-  PrismBuilder(WallMesh& mesh, const WallLayerSpec& layers)
+  PrismBuilder(NodeMesh& mesh, const WallLayerSpec& layers)
     : m_(mesh)
     , layers_(layers)
-    , topOf_(mesh.at.size(), None)
+    , topOf_(mesh.nodes.at.size(), None)
   {
   }
 
@@ -52,36 +52,36 @@ private:
   template <class Visitor>
   void forEachCorner(std::uint32_t f, Visitor&& visit) const
   {
-    for (std::uint32_t i = m_.start[f]; i < m_.start[f + 1]; ++i)
+    for (std::uint32_t i = m_.faces.start[f]; i < m_.faces.start[f + 1]; ++i)
     {
-      visit(m_.corners[i]);
+      visit(m_.faces.corners[i]);
     }
   }
 
   // Outwards, to where the planes of the faces around a node meet; faces all of whose nodes have one get a prism.
   void findOffsets()
   {
-    std::vector<std::vector<Facet>> facets(m_.at.size());
-    std::vector<std::vector<Facet>> others(m_.at.size());
-    std::vector<double> edges(m_.at.size());
+    std::vector<std::vector<Facet>> facets(m_.nodes.at.size());
+    std::vector<std::vector<Facet>> others(m_.nodes.at.size());
+    std::vector<double> edges(m_.nodes.at.size());
     std::vector<std::uint32_t> faces;
-    for (std::uint32_t f = 0; f < m_.faces(); ++f)
+    for (std::uint32_t f = 0; f < m_.faces.size(); ++f)
     {
-      if (m_.cells[f][1] != None || m_.cells[f][0] >= m_.volumeOfBox.size())
+      if (m_.faces.cells[f][1] != None || m_.faces.cells[f][0] >= m_.cells.volumeOfBox.size())
       {
         continue;
       }
-      const bool layered = layers_.hasLayers(m_.boundary[f]);
+      const bool layered = layers_.hasLayers(m_.faces.boundary[f]);
       addFacets(f, layered ? facets : others);
-      if (layered && m_.cells[f][0] < m_.changing)
+      if (layered && m_.faces.cells[f][0] < m_.cells.changing)
       {
         faces.push_back(f);
-        const double edge = std::cbrt(m_.volumeOfBox[m_.cells[f][0]]);
+        const double edge = std::cbrt(m_.cells.volumeOfBox[m_.faces.cells[f][0]]);
         forEachCorner(
           f, [&](std::uint32_t n) { edges[n] = edges[n] > 0 ? std::min(edges[n], edge) : edge; });
       }
     }
-    offsets_.assign(m_.at.size(), Vector{});
+    offsets_.assign(m_.nodes.at.size(), Vector{});
     for (const std::uint32_t f : faces)
     {
       bool all = true;
@@ -103,9 +103,9 @@ private:
 
   void addFacets(std::uint32_t f, std::vector<std::vector<Facet>>& ofNodes) const
   {
-    const std::uint32_t* const corners = m_.corners.data() + m_.start[f];
-    const std::size_t size = m_.start[f + 1] - m_.start[f];
-    const auto at = [&](std::size_t i) -> const Vector& { return m_.at[corners[i % size]]; };
+    const std::uint32_t* const corners = m_.faces.corners.data() + m_.faces.start[f];
+    const std::size_t size = m_.faces.start[f + 1] - m_.faces.start[f];
+    const auto at = [&](std::size_t i) -> const Vector& { return m_.nodes.at[corners[i % size]]; };
     const Vector normal = unit(measureFace(size, at).area);
     for (std::size_t i = 0; norm(normal) > 0 && i < size; ++i)
     {
@@ -116,18 +116,18 @@ private:
 
   void addTops()
   {
-    result_.firstNode = static_cast<std::uint32_t>(m_.at.size());
+    result_.firstNode = static_cast<std::uint32_t>(m_.nodes.at.size());
     for (const std::uint32_t f : bases_)
     {
       forEachCorner(f, [&](std::uint32_t n) {
         if (topOf_[n] == None)
         {
-          topOf_[n] = static_cast<std::uint32_t>(m_.at.size());
+          topOf_[n] = static_cast<std::uint32_t>(m_.nodes.at.size());
           result_.below.push_back(n);
           result_.offset.push_back(offsets_[n]);
-          m_.at.push_back(plus(m_.at[n], offsets_[n]));
-          m_.number.push_back(None);
-          m_.mayMove.push_back(0);
+          m_.nodes.at.push_back(plus(m_.nodes.at[n], offsets_[n]));
+          m_.nodes.number.push_back(None);
+          m_.nodes.mayMove.push_back(0);
         }
       });
     }
@@ -136,10 +136,10 @@ private:
   // Between the cells that change and their neighbours.
   void insertCells()
   {
-    const auto first = static_cast<std::uint32_t>(m_.changing);
+    const auto first = static_cast<std::uint32_t>(m_.cells.changing);
     const auto count = static_cast<std::uint32_t>(bases_.size());
     result_.firstCell = first;
-    for (auto& cells : m_.cells)
+    for (auto& cells : m_.faces.cells)
     {
       for (std::uint32_t& c : cells)
       {
@@ -150,43 +150,44 @@ private:
     std::vector<std::int32_t> regions;
     for (const std::uint32_t f : bases_)
     {
-      volumes.push_back(m_.volumeOfBox[m_.cells[f][0]]);
-      regions.push_back(m_.region[m_.cells[f][0]]);
+      volumes.push_back(m_.cells.volumeOfBox[m_.faces.cells[f][0]]);
+      regions.push_back(m_.cells.region[m_.faces.cells[f][0]]);
     }
-    m_.region.insert(m_.region.begin() + first, regions.begin(), regions.end());
-    m_.volumeOfBox.insert(m_.volumeOfBox.begin() + first, volumes.begin(), volumes.end());
-    m_.measures.insert(m_.measures.begin() + first, count, CellGeometry{});
-    m_.cell.insert(m_.cell.begin() + first, count, std::uint32_t(None));
-    m_.changing += count;
+    m_.cells.region.insert(m_.cells.region.begin() + first, regions.begin(), regions.end());
+    m_.cells.volumeOfBox.insert(
+      m_.cells.volumeOfBox.begin() + first, volumes.begin(), volumes.end());
+    m_.cells.measures.insert(m_.cells.measures.begin() + first, count, CellGeometry{});
+    m_.cells.number.insert(m_.cells.number.begin() + first, count, std::uint32_t(None));
+    m_.cells.changing += count;
   }
 
   void addFaces()
   {
-    result_.counts.assign(m_.faces(), 1);
-    prismOf_.assign(m_.faces(), None);
+    result_.counts.assign(m_.faces.size(), 1);
+    prismOf_.assign(m_.faces.size(), None);
     for (std::uint32_t i = 0; i < bases_.size(); ++i)
     {
       prismOf_[bases_[i]] = result_.firstCell + i;
-      m_.cells[bases_[i]][1] = result_.firstCell + i;
+      m_.faces.cells[bases_[i]][1] = result_.firstCell + i;
     }
     for (const std::uint32_t f : bases_)
     {
-      const std::vector<std::uint32_t> ring(
-        m_.corners.begin() + m_.start[f], m_.corners.begin() + m_.start[f + 1]);
+      const std::vector<std::uint32_t> ring(m_.faces.corners.begin() + m_.faces.start[f],
+        m_.faces.corners.begin() + m_.faces.start[f + 1]);
       for (const std::uint32_t n : ring)
       {
-        m_.corners.push_back(topOf_[n]);
+        m_.faces.corners.push_back(topOf_[n]);
       }
-      closeFace(prismOf_[f], None, m_.boundary[f]);
+      closeFace(prismOf_[f], None, m_.faces.boundary[f]);
     }
     addSides();
   }
 
   void closeFace(std::uint32_t below, std::uint32_t above, std::int32_t boundary)
   {
-    m_.start.push_back(static_cast<std::uint32_t>(m_.corners.size()));
-    m_.cells.push_back({ below, above });
-    m_.boundary.push_back(boundary);
+    m_.faces.start.push_back(static_cast<std::uint32_t>(m_.faces.corners.size()));
+    m_.faces.cells.push_back({ below, above });
+    m_.faces.boundary.push_back(boundary);
     result_.counts.push_back(above == None ? 0 : 1);
   }
 
@@ -195,7 +196,7 @@ private:
     std::vector<EdgeOfFace> edges;
     for (const std::uint32_t f : bases_)
     {
-      std::uint32_t from = m_.corners[m_.start[f + 1] - 1];
+      std::uint32_t from = m_.faces.corners[m_.faces.start[f + 1] - 1];
       forEachCorner(f, [&](std::uint32_t to) {
         edges.push_back({ std::min(from, to), std::max(from, to), f, from > to });
         from = to;
@@ -227,18 +228,18 @@ private:
   {
     const std::uint32_t from = edge.isDown ? edge.upper : edge.lower;
     const std::uint32_t to = edge.isDown ? edge.lower : edge.upper;
-    m_.corners.insert(m_.corners.end(), { from, to, topOf_[to], topOf_[from] });
+    m_.faces.corners.insert(m_.faces.corners.end(), { from, to, topOf_[to], topOf_[from] });
     closeFace(prismOf_[edge.face], other, NoBoundary);
   }
 
   void listFacesOfPrisms()
   {
     std::vector<std::vector<std::uint32_t>> faces(bases_.size());
-    for (std::uint32_t f = 0; f < m_.faces(); ++f)
+    for (std::uint32_t f = 0; f < m_.faces.size(); ++f)
     {
-      for (const std::uint32_t c : m_.cells[f])
+      for (const std::uint32_t c : m_.faces.cells[f])
       {
-        if (c >= result_.firstCell && c < m_.changing)
+        if (c >= result_.firstCell && c < m_.cells.changing)
         {
           faces[c - result_.firstCell].push_back(f);
         }
@@ -246,12 +247,12 @@ private:
     }
     for (const std::vector<std::uint32_t>& ofPrism : faces)
     {
-      m_.cellFaces.insert(m_.cellFaces.end(), ofPrism.begin(), ofPrism.end());
-      m_.cellStart.push_back(static_cast<std::uint32_t>(m_.cellFaces.size()));
+      m_.cells.uses.insert(m_.cells.uses.end(), ofPrism.begin(), ofPrism.end());
+      m_.cells.firstUse.push_back(static_cast<std::uint32_t>(m_.cells.uses.size()));
     }
   }
 
-  WallMesh& m_;
+  NodeMesh& m_;
   const WallLayerSpec& layers_;
   std::vector<Vector> offsets_;        // of nodes; 0: none
   std::vector<std::uint32_t> bases_;   // faces with a prism
@@ -262,14 +263,14 @@ private:
 
 }
 
-LayerPrisms addPrisms(WallMesh& mesh, const WallLayerSpec* layers)
+LayerPrisms addPrisms(NodeMesh& mesh, const WallLayerSpec* layers)
 {
   if (!layers)
   {
     LayerPrisms none;
-    none.firstNode = static_cast<std::uint32_t>(mesh.at.size());
-    none.firstCell = static_cast<std::uint32_t>(mesh.changing);
-    none.counts.assign(mesh.faces(), 1);
+    none.firstNode = static_cast<std::uint32_t>(mesh.nodes.at.size());
+    none.firstCell = static_cast<std::uint32_t>(mesh.cells.changing);
+    none.counts.assign(mesh.faces.size(), 1);
     return none;
   }
   return PrismBuilder(mesh, *layers).run();

@@ -4,7 +4,7 @@
 // wrong with a stack of prisms, is wrong with the polygon below.
 #pragma once
 
-#include "Optimisation/WallMesh.h"
+#include "Optimisation/NodeMesh.h"
 #include "Surface/WallLayerSpec.h"
 
 namespace cartesian
@@ -28,6 +28,6 @@ struct LayerPrisms
 };
 
 // Adds them to the mesh. `layers` null: none.
-LayerPrisms addPrisms(WallMesh& mesh, const WallLayerSpec* layers);
+LayerPrisms addPrisms(NodeMesh& mesh, const WallLayerSpec* layers);
 
 }

@@ -8,7 +8,7 @@
 // of a mesh. Like the smoothing of other meshers, but with one objective, and never along anything but the surface.
 #pragma once
 
-#include "Optimisation/WallMesh.h"
+#include "Optimisation/NodeMesh.h"
 #include "Surface/WallLayerSpec.h"
 
 namespace cartesian
@@ -17,8 +17,8 @@ namespace cartesian
 // Moves nodes in the free layers of each slab; gives the cells around them their new volumes. The slabs must not touch.
 // Returns the cells of polyhedral boxes that changed. `featureAngle` in degrees: edges of the boundary that turn by more
 // stay. `layers`: that some walls will have, or null.
-std::vector<std::uint32_t> optimiseNodes(const WallParts& parts, const std::vector<Slab>& slabs,
-  double featureAngle, const WallLayerSpec* layers, Nodes& nodes, Cells& cells,
-  Execution& execution);
+std::vector<std::uint32_t> optimiseNodes(const Boxes& boxes, const Sides& sides,
+  const std::vector<Slab>& slabs, double featureAngle, const WallLayerSpec* layers, Nodes& nodes,
+  WallMesh& wall, Execution& execution);
 
 }

@@ -18,29 +18,30 @@ constexpr double LeastCosineOfLine = 0.966;
 
 }
 
-NodePaths::NodePaths(const WallMesh& mesh, double leastCosine)
-  : paths_(mesh.at.size())
-  , start_(mesh.at.size() + 1)
-  , legsOf_(mesh.at.size(), None)
+NodePaths::NodePaths(const NodeMesh& mesh, double leastCosine)
+  : paths_(mesh.nodes.at.size())
+  , start_(mesh.nodes.at.size() + 1)
+  , legsOf_(mesh.nodes.at.size(), None)
 {
   listUses(mesh);
-  for (std::uint32_t node = 0; node < mesh.at.size(); ++node)
+  for (std::uint32_t node = 0; node < mesh.nodes.at.size(); ++node)
   {
-    if (mesh.mayMove[node])
+    if (mesh.nodes.mayMove[node])
     {
       paths_[node] = pathOf(mesh, node, leastCosine);
     }
   }
 }
 
-void NodePaths::listUses(const WallMesh& mesh)
+void NodePaths::listUses(const NodeMesh& mesh)
 {
   const auto forEachUse = [&](auto&& visit) {
-    for (std::size_t f = 0; f < mesh.faces(); ++f)
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
     {
-      for (std::uint32_t i = mesh.start[f]; mesh.isWall(f) && i < mesh.start[f + 1]; ++i)
+      for (std::uint32_t i = mesh.faces.start[f]; mesh.isWall(f) && i < mesh.faces.start[f + 1];
+           ++i)
       {
-        if (mesh.mayMove[mesh.corners[i]])
+        if (mesh.nodes.mayMove[mesh.faces.corners[i]])
         {
           visit(f, i);
         }
@@ -48,31 +49,31 @@ void NodePaths::listUses(const WallMesh& mesh)
     }
   };
   forEachUse([&](std::size_t f, std::uint32_t i) {
-    start_[mesh.corners[i] + 1] += mesh.isInterface(f) ? 2 : 1;
+    start_[mesh.faces.corners[i] + 1] += mesh.isInterface(f) ? 2 : 1;
   });
-  for (std::size_t n = 0; n < mesh.at.size(); ++n)
+  for (std::size_t n = 0; n < mesh.nodes.at.size(); ++n)
   {
     start_[n + 1] += start_[n];
   }
   uses_.resize(start_.back());
   std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
   forEachUse([&](std::size_t f, std::uint32_t i) {
-    const std::uint32_t begin = mesh.start[f];
-    const std::uint32_t end = mesh.start[f + 1];
+    const std::uint32_t begin = mesh.faces.start[f];
+    const std::uint32_t end = mesh.faces.start[f + 1];
     const FaceGeometry face = measureFace(end - begin,
-      [&](std::size_t k) -> const Vector& { return mesh.at[mesh.corners[begin + k]]; });
+      [&](std::size_t k) -> const Vector& { return mesh.nodes.at[mesh.faces.corners[begin + k]]; });
     const bool isInterface = mesh.isInterface(f);
-    const Use use{ mesh.corners[i > begin ? i - 1 : end - 1],
-      mesh.corners[i + 1 < end ? i + 1 : begin], unit(face.area), mesh.boundary[f],
-      mesh.region[mesh.cells[f][0]], isInterface };
-    uses_[next[mesh.corners[i]]++] = use;
+    const Use use{ mesh.faces.corners[i > begin ? i - 1 : end - 1],
+      mesh.faces.corners[i + 1 < end ? i + 1 : begin], unit(face.area), mesh.faces.boundary[f],
+      mesh.cells.region[mesh.faces.cells[f][0]], isInterface };
+    uses_[next[mesh.faces.corners[i]]++] = use;
     if (isInterface)
     {
-      uses_[next[mesh.corners[i]]++] = { use.after, use.before, scaled(use.normal, -1),
-        use.boundary, mesh.region[mesh.cells[f][1]], true };
+      uses_[next[mesh.faces.corners[i]]++] = { use.after, use.before, scaled(use.normal, -1),
+        use.boundary, mesh.cells.region[mesh.faces.cells[f][1]], true };
     }
   });
-  for (std::size_t n = 0; n < mesh.at.size(); ++n)
+  for (std::size_t n = 0; n < mesh.nodes.at.size(); ++n)
   {
     std::stable_sort(uses_.begin() + std::ptrdiff_t(start_[n]),
       uses_.begin() + std::ptrdiff_t(start_[n + 1]),
@@ -113,7 +114,7 @@ bool NodePaths::areTheSame(const Sheet& a, const Sheet& b)
         : std::is_permutation(a.sharp.begin(), a.sharp.end(), b.sharp.begin(), b.sharp.end()));
 }
 
-NodePath NodePaths::pathOf(const WallMesh& mesh, std::uint32_t node, double leastCosine)
+NodePath NodePaths::pathOf(const NodeMesh& mesh, std::uint32_t node, double leastCosine)
 {
   const Use* next = uses_.data() + start_[node];
   const Use* const end = uses_.data() + start_[node + 1];
@@ -144,8 +145,8 @@ NodePath NodePaths::pathOf(const WallMesh& mesh, std::uint32_t node, double leas
   {
     return {};
   }
-  const Vector ahead = unit(minus(mesh.at[sheet.sharp[0]], mesh.at[node]));
-  const Vector back = unit(minus(mesh.at[sheet.sharp[1]], mesh.at[node]));
+  const Vector ahead = unit(minus(mesh.nodes.at[sheet.sharp[0]], mesh.nodes.at[node]));
+  const Vector back = unit(minus(mesh.nodes.at[sheet.sharp[1]], mesh.nodes.at[node]));
   if (dot(ahead, back) > -LeastCosineOfLine)
   {
     return {};

@@ -2,7 +2,7 @@
 // Where nodes along the wall may go: those inside anywhere, those of the surface along it; its edges and corners stay.
 #pragma once
 
-#include "Optimisation/WallMesh.h"
+#include "Optimisation/NodeMesh.h"
 
 namespace cartesian
 {
@@ -26,7 +26,7 @@ class NodePaths
 {
 public:
   // `leastCosine`: of normals of walls between which there is no edge.
-  NodePaths(const WallMesh& mesh, double leastCosine);
+  NodePaths(const NodeMesh& mesh, double leastCosine);
 
   const NodePath& operator[](std::size_t node) const { return paths_[node]; }
 
@@ -56,13 +56,13 @@ private:
     Vector mean{};                    // of the normals
   };
 
-  void listUses(const WallMesh& mesh);
+  void listUses(const NodeMesh& mesh);
   static Sheet sheetOf(const Use* begin, const Use* end, double leastCosine);
 
   // Whether two regions have the same sheet between them, or theirs meet in the same edges.
   static bool areTheSame(const Sheet& a, const Sheet& b);
 
-  NodePath pathOf(const WallMesh& mesh, std::uint32_t node, double leastCosine);
+  NodePath pathOf(const NodeMesh& mesh, std::uint32_t node, double leastCosine);
 
   std::vector<NodePath> paths_;
   std::vector<std::uint32_t> start_; // of the uses of each node, and the end

@@ -25,6 +25,14 @@ struct Patches
   std::vector<PatchReason> reason;   // of the n-th intersected box
 
   std::size_t size() const { return triangle.size(); }
+
+  // Frees the polygons themselves: from then on WallMesh and Nodes have them.
+  void forgetPolygons()
+  {
+    std::vector<Point>().swap(points);
+    RawVector<std::size_t>().swap(start);
+    RawVector<std::uint32_t>().swap(corners);
+  }
 };
 
 // Whether the user chose the exact surface, which no later step may then approximate.

@@ -23,23 +23,13 @@ std::array<unsigned, 4> cornersFromOutside(unsigned side)
 
 }
 
-CellComplex::CellComplex(CellsToShape& whole, const Slab& slab)
+CellComplex::CellComplex(ShapedWall& whole, const Slab& slab)
   : whole_(whole)
-  , boxes_(whole.boxes)
-  , patches_(whole.patches)
-  , sides_(whole.sides)
-  , nodes_(whole.nodes)
-  , inner_(whole.inner)
-  , cells_(whole.cells)
   , slab_(slab)
-  , boxesOfSlab_{ boxes_.firstBoxOf(slab.layers.begin), boxes_.firstBoxOf(slab.layers.end) }
-  , freeBoxes_{ boxes_.firstBoxOf(slab.free.begin), boxes_.firstBoxOf(slab.free.end) }
-  , isOpenHexahedron_(boxesOfSlab_[1] - boxesOfSlab_[0])
-  , nextKey_(static_cast<CellKey>(whole.cells.size() + whole.boxes.packed.size()))
+  , open_(whole.cellsIn(slab.layers),
+      { whole.boxes.firstBoxOf(slab.layers.begin), whole.boxes.firstBoxOf(slab.layers.end) })
+  , freeBoxes_{ whole.boxes.firstBoxOf(slab.free.begin), whole.boxes.firstBoxOf(slab.free.end) }
 {
-  const auto [begin, end] = whole.cellsIn(slab.layers);
-  firstOfSlab_ = begin;
-  openOf_.assign(end - begin, None);
   const auto [first, last] = whole.cellsIn(slab.acting);
   for (CellKey key = first; key < last; ++key)
   {
@@ -52,72 +42,19 @@ CellComplex::CellComplex(CellsToShape& whole, const Slab& slab)
 
 // --- reading
 
-FaceUse CellComplex::useOf(const FaceOfCell& ref) const
-{
-  FaceUse use;
-  const FaceOfCell::Kind kind = ref.kind();
-  const bool inner = kind == FaceOfCell::Kind::Inner || kind == FaceOfCell::Kind::TurnedInner;
-  const std::uint32_t first =
-    kind == FaceOfCell::Kind::Patch ? 0 : (inner ? firstInner() : firstGiven());
-  use.face = (ref.index + first) & MostFaces;
-  use.turned = ref.turned() ? 1 : 0;
-  return use;
-}
-
-const CellComplex::OpenCell* CellComplex::opened(CellKey key) const
-{
-  if (const std::size_t i = std::size_t(key) - firstOfSlab_; i < openOf_.size())
-  {
-    return openOf_[i] == None ? nullptr : &open_[openOf_[i]];
-  }
-  const std::size_t hexahedron = std::size_t(key) - cells_.size() - boxesOfSlab_[0];
-  if (hexahedron < isOpenHexahedron_.size() && !isOpenHexahedron_[hexahedron])
-  {
-    return nullptr;
-  }
-  const auto found = openOfOther_.find(key);
-  return found == openOfOther_.end() ? nullptr : &open_[found->second];
-}
-
-CellComplex::OpenCell* CellComplex::opened(CellKey key)
-{
-  return const_cast<OpenCell*>(static_cast<const CellComplex*>(this)->opened(key));
-}
-
 std::array<CellKey, 2> CellComplex::cellsOf(std::uint32_t face) const
 {
-  if (isShaped(face))
-  {
-    return shaped(face).cells;
-  }
-  if (!isInner(face))
-  {
-    return cells_.shaped.cells[face - firstGiven()];
-  }
-  std::array<CellKey, 2> keys = cells_.ofInnerFace[face - firstInner()];
-  if (keys[0] == None || keys[1] == None)
-  {
-    const Side& side = sides_.common[whole_.sideOf[face - firstInner()]];
-    const std::array<std::uint32_t, 2> boxes{ side.low, side.high };
-    for (std::size_t k = 0; k < 2; ++k)
-    {
-      if (keys[k] == None && boxes[k] != None && sides_.polyhedralOrdinal(boxes[k]) == None)
-      {
-        keys[k] = keyOfHexahedron(boxes[k]);
-      }
-    }
-  }
-  return keys;
+  return isMadeHere(face) ? made(face).cells : whole_.mesh.faces.cells[face];
 }
 
 CellKey CellComplex::across(const FaceUse& use) const
 {
-  return isPatch(use.face) ? None : cellsOf(use.face)[use.turned ? 0 : 1];
+  return cellsOf(use.face)[use.turned ? 0 : 1];
 }
 
 double CellComplex::volumeOfBox(CellKey key) const
 {
-  const Box box = boxes_.box(boxOf(key));
+  const Box box = whole_.boxes.box(boxOf(key));
   const Vector size = minus(box.high, box.low);
   return size[0] * size[1] * size[2];
 }
@@ -128,20 +65,20 @@ bool CellComplex::isAlive(CellKey key) const
   {
     return cell->alive && !cell->removed;
   }
-  return key >= cells_.size() || !cells_.all[key].removed;
+  return !whole_.mesh.isRemoved(key);
 }
 
 std::int32_t CellComplex::regionOf(CellKey key) const
 {
   const OpenCell* cell = opened(key);
-  return cell             ? cell->region
-    : key < cells_.size() ? cells_.all[key].region
-                          : boxes_.regionOf(static_cast<std::size_t>(key - cells_.size()));
+  return cell       ? cell->region
+    : isOfWall(key) ? whole_.mesh.cells[key].region
+                    : whole_.boxes.regionOf(boxOfHexahedron(key));
 }
 
 bool CellComplex::isInterface(const FaceUse& use) const
 {
-  if (boxes_.regions.empty() || isPatch(use.face))
+  if (whole_.boxes.regions.empty())
   {
     return false;
   }
@@ -155,8 +92,7 @@ std::uint32_t CellComplex::boxOf(CellKey key) const
   {
     return cell->box;
   }
-  return key < cells_.size() ? cells_.all[key].box
-                             : static_cast<std::uint32_t>(key - cells_.size());
+  return isOfWall(key) ? whole_.mesh.cells[key].box : boxOfHexahedron(key);
 }
 
 void CellComplex::addFaceTo(Polyhedron& shape, const FaceUse& use, const Point& origin) const
@@ -178,7 +114,7 @@ void CellComplex::addFaceTo(Polyhedron& shape, const FaceUse& use, const Point& 
 void CellComplex::shape(CellKey key, Polyhedron& shape) const
 {
   shape.clear();
-  const Point origin = boxes_.lowOf(boxOf(key));
+  const Point origin = whole_.boxes.lowOf(boxOf(key));
   forEachFace(key, [&](const FaceUse& use) { addFaceTo(shape, use, origin); });
 }
 
@@ -186,7 +122,7 @@ void CellComplex::lookAround(CellKey key, MeasuredCell& cell) const
 {
   shape(key, cell.shape);
   measure(cell.shape, cell.measures);
-  const Point origin = boxes_.lowOf(boxOf(key));
+  const Point origin = whole_.boxes.lowOf(boxOf(key));
   cell.across.clear();
   cell.beyond.clear();
   forEachFace(key, [&](const FaceUse& use) {
@@ -198,19 +134,19 @@ void CellComplex::lookAround(CellKey key, MeasuredCell& cell) const
 
 Vector CellComplex::between(CellKey from, CellKey to) const
 {
-  return minus(boxes_.lowOf(boxOf(to)), boxes_.lowOf(boxOf(from)));
+  return minus(whole_.boxes.lowOf(boxOf(to)), whole_.boxes.lowOf(boxOf(from)));
 }
 
 NeighbourCell CellComplex::placeAndVolume(CellKey key, const Point& origin) const
 {
   const OpenCell* open = opened(key);
-  if (open || key < cells_.size())
+  if (open || isOfWall(key))
   {
-    const Point low = boxes_.lowOf(open ? open->box : cells_.all[key].box);
+    const Point low = whole_.boxes.lowOf(open ? open->box : whole_.mesh.cells[key].box);
     const NeighbourCell& place = open ? open->place : whole_.known.places[key];
     return { plus(minus(low, origin), place.centre), place.volume };
   }
-  const Box box = boxes_.box(key - cells_.size());
+  const Box box = whole_.boxes.box(boxOfHexahedron(key));
   return { plus(minus(box.low, origin), scaled(minus(box.high, box.low), 0.5)), volumeOfBox(key) };
 }
 
@@ -233,31 +169,31 @@ double CellComplex::volume(CellKey key) const
   {
     return open->place.volume;
   }
-  return key < cells_.size() ? whole_.known.places[key].volume : volumeOfBox(key);
+  return isOfWall(key) ? whole_.known.places[key].volume : volumeOfBox(key);
 }
 
 double CellComplex::share(CellKey key) const
 {
-  return key < cells_.size() && !hasChanged(key) ? whole_.known.shares[key]
-                                                 : volume(key) / volumeOfBox(key);
+  return isOfWall(key) && !hasChanged(key) ? whole_.known.shares[key]
+                                           : volume(key) / volumeOfBox(key);
 }
 
 bool CellComplex::isAtFault(CellKey key) const
 {
   const OpenCell* cell = opened(key);
-  if (key < cells_.size() && !(cell && cell->changed))
+  if (isOfWall(key) && !(cell && cell->changed))
   {
     return whole_.known.atFault[key] == IsAtFault::Yes;
   }
-  if (cell && cell->fault != IsAtFault::Unknown)
+  if (cell && cell->known.fault != IsAtFault::Unknown)
   {
-    return cell->fault == IsAtFault::Yes;
+    return cell->known.fault == IsAtFault::Yes;
   }
   const CellShape& measures = measured(key);
   const bool any = isAnyAtFault(scratch_.polyhedron, measures);
   if (cell)
   {
-    cell->fault = any ? IsAtFault::Yes : IsAtFault::No;
+    cell->known.fault = any ? IsAtFault::Yes : IsAtFault::No;
   }
   return any;
 }
@@ -270,7 +206,7 @@ bool CellComplex::hasChanged(CellKey key) const
 
 void CellComplex::lookBeyond(CellKey key, CellView& view) const
 {
-  const Point origin = boxes_.lowOf(boxOf(key));
+  const Point origin = whole_.boxes.lowOf(boxOf(key));
   view.beyond.assign(view.faces.size(), {});
   for (std::size_t f = 0; f < view.faces.size(); ++f)
   {
@@ -322,15 +258,15 @@ std::vector<std::pair<CellKey, double>> neighboursOf(const MeasuredCell& cell)
 
 Layers CellComplex::layersOf(CellKey key) const
 {
-  const std::uint32_t layer = boxes_.globalOf(boxes_.packed[boxOf(key)]).index[2];
+  const std::uint32_t layer = whole_.boxes.globalOf(whole_.boxes.packed[boxOf(key)]).index[2];
   std::array<std::uint8_t, 2> reach{ 0, 0 };
   if (const OpenCell* cell = opened(key))
   {
     reach = cell->reach;
   }
-  else if (key < cells_.size())
+  else if (isOfWall(key))
   {
-    reach = cells_.all[key].reach;
+    reach = whole_.mesh.cells[key].reach;
   }
   return { layer - reach[0], layer + reach[1] + 1 };
 }
@@ -338,8 +274,8 @@ Layers CellComplex::layersOf(CellKey key) const
 bool CellComplex::isFree(CellKey key) const
 {
   const OpenCell* open = opened(key);
-  const bool known = open || key < cells_.size();
-  if (known && (open ? open->reach : cells_.all[key].reach) != NoReach)
+  const bool known = open || isOfWall(key);
+  if (known && (open ? open->reach : whole_.mesh.cells[key].reach) != OpenCell::NoReach)
   {
     const Layers layers = layersOf(key);
     return layers.begin >= slab_.free.begin && layers.end <= slab_.free.end;
@@ -350,14 +286,15 @@ bool CellComplex::isFree(CellKey key) const
 
 bool CellComplex::isActing(CellKey key) const
 {
-  return isFree(key) && slab_.acting.contains(boxes_.globalOf(boxes_.packed[boxOf(key)]).index[2]);
+  return isFree(key) &&
+    slab_.acting.contains(whole_.boxes.globalOf(whole_.boxes.packed[boxOf(key)]).index[2]);
 }
 
 bool CellComplex::hasChangedNear(CellKey key, std::uint32_t mark) const
 {
   const auto hasChangedSince = [&](CellKey other) {
     const OpenCell* cell = opened(other);
-    return cell && cell->changed && cell->changedAt >= mark;
+    return cell && cell->hasChangedSince(mark);
   };
   bool found = hasChangedSince(key);
   forEachFace(key, [&](const FaceUse& use) {
@@ -389,7 +326,7 @@ bool CellComplex::mayMerge(const std::vector<CellKey>& keys) const
 
 bool CellComplex::wouldStraddleStages(const std::vector<CellKey>& keys) const
 {
-  return straddlesStages(layersOf(keys), boxes_.allLayers().end);
+  return straddlesStages(layersOf(keys), whole_.boxes.allLayers().end);
 }
 
 Layers CellComplex::layersOf(const std::vector<CellKey>& keys) const
@@ -410,22 +347,19 @@ std::vector<CellKey> CellComplex::select(Kept&& isKept) const
   std::vector<CellKey> keys;
   for (const CellKey key : acting_)
   {
-    const bool open = openOf_[key - firstOfSlab_] != None;
+    const bool open = opened(key) != nullptr;
     if ((!open || (isAlive(key) && isFree(key))) && isKept(key, open))
     {
       keys.push_back(key);
     }
   }
   const auto others = static_cast<std::ptrdiff_t>(keys.size());
-  for (const auto& [key, open] : openOfOther_)
-  {
-    const PackedBox& box = boxes_.packed[open_[open].box];
-    if (isAlive(key) && open_[open].changed && key >= cells_.size() && isFree(key) &&
-      slab_.acting.contains(boxes_.globalOf(box).index[2]) && isKept(key, true))
+  open_.forEachOther([&](CellKey key, const OpenCell& cell) {
+    if (cell.changed && !isOfWall(key) && isAlive(key) && isActing(key) && isKept(key, true))
     {
       keys.push_back(key);
     }
-  }
+  });
   std::sort(keys.begin() + others, keys.end());
   return keys;
 }
@@ -445,8 +379,8 @@ std::vector<CellKey> CellComplex::polyhedraAtFault() const
 std::vector<CellKey> CellComplex::allChangedSince(std::uint32_t mark) const
 {
   std::vector<CellKey> changed;
-  const auto look = [&](CellKey key, const OpenCell& cell) {
-    if (cell.changed && cell.changedAt >= mark)
+  open_.forEach([&](CellKey key, const OpenCell& cell) {
+    if (cell.hasChangedSince(mark))
     {
       changed.push_back(key);
       for (const FaceUse& use : cell.faces)
@@ -454,18 +388,7 @@ std::vector<CellKey> CellComplex::allChangedSince(std::uint32_t mark) const
         changed.push_back(across(use));
       }
     }
-  };
-  for (std::size_t i = 0; i < openOf_.size(); ++i)
-  {
-    if (openOf_[i] != None)
-    {
-      look(static_cast<CellKey>(firstOfSlab_ + i), open_[openOf_[i]]);
-    }
-  }
-  for (const auto& [key, open] : openOfOther_)
-  {
-    look(key, open_[open]);
-  }
+  });
   std::sort(changed.begin(), changed.end());
   changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
   return changed;
@@ -517,7 +440,7 @@ void CellComplex::view(const std::vector<CellKey>& keys, CellView& view) const
   }
   view.clear();
   view.reserve(faces.size(), corners.size());
-  numberNodes(boxes_.lowOf(boxOf(keys.front())), view);
+  numberNodes(whole_.boxes.lowOf(boxOf(keys.front())), view);
   const auto corner = [&](
                         std::size_t i) { return corners.begin() + static_cast<std::ptrdiff_t>(i); };
   for (const Outer& face : faces)
@@ -585,34 +508,26 @@ void CellComplex::open(CellKey key)
   }
   OpenCell cell;
   cell.region = regionOf(key);
-  if (key < cells_.size())
+  if (isOfWall(key))
   {
-    cell.faces.reserve(cells_.all[key + 1].firstFace - cells_.all[key].firstFace);
+    cell.faces.reserve(whole_.mesh.cells[key + 1].firstUse - whole_.mesh.cells[key].firstUse);
     forEachFace(key, [&](const FaceUse& use) { cell.faces.push_back(use); });
-    cell.box = cells_.all[key].box;
+    cell.box = whole_.mesh.cells[key].box;
     cell.origin = key;
-    cell.boundary = cells_.all[key].boundary;
-    cell.removed = cells_.all[key].removed;
-    cell.reach = cells_.all[key].reach;
+    cell.boundary = whole_.mesh.cells[key].boundary;
+    cell.removed = whole_.mesh.cells[key].removed;
+    cell.reach = whole_.mesh.cells[key].reach;
     cell.place = whole_.known.places[key];
   }
   else
   {
-    cell.box = static_cast<std::uint32_t>(key - cells_.size());
+    cell.box = boxOfHexahedron(key);
     cell.origin = key;
     cell.boundary = NoBoundary;
-    cell.place = placeAndVolume(key, boxes_.lowOf(cell.box));
+    cell.place = placeAndVolume(key, whole_.boxes.lowOf(cell.box));
     openHexahedron(cell.box, cell);
   }
-  const std::size_t ofSlab = std::size_t(key) - firstOfSlab_;
-  (ofSlab < openOf_.size() ? openOf_[ofSlab] : openOfOther_[key]) =
-    static_cast<std::uint32_t>(open_.size());
-  if (const std::size_t n = std::size_t(cell.box) - boxesOfSlab_[0];
-      key >= cells_.size() && n < isOpenHexahedron_.size())
-  {
-    isOpenHexahedron_[n] = true;
-  }
-  open_.push_back(std::move(cell));
+  open_.add(key, std::move(cell));
 }
 
 void CellComplex::openHexahedron(std::uint32_t box, OpenCell& cell)
@@ -626,100 +541,61 @@ void CellComplex::openHexahedron(std::uint32_t box, OpenCell& cell)
 // Where the neighbour is a polyhedral box the side has its faces already; else it gets one.
 void CellComplex::addSideOfHexahedron(std::uint32_t box, unsigned side, OpenCell& cell)
 {
-  const bool upper = side % 2 == 1;
-  const std::uint32_t other =
-    facing(boxes_, boxes_.packed[box], static_cast<int>(side / 2), upper)[0];
-  const std::uint32_t n = sides_.polyhedralOrdinal(other);
-  for (std::size_t i = n == None ? 0 : sides_.boxStart[n]; n != None && i < sides_.boxStart[n + 1];
-       ++i)
-  {
-    const std::size_t s = sides_.ofBox[i].side;
-    const Side& shared = sides_.common[s];
-    const bool between = upper ? shared.low == box : shared.high == box;
-    if (between && shared.axis == side / 2 && inner_.sideStart[s] < inner_.sideStart[s + 1])
-    {
-      for (std::size_t f = inner_.sideStart[s]; f < inner_.sideStart[s + 1]; ++f)
-      {
-        FaceUse use = useOf(FaceOfCell(f, FaceOfCell::Kind::Inner));
-        use.turned = upper ? 0 : 1;
-        cell.faces.push_back(use);
-      }
-      return;
-    }
-  }
+  BesideHexahedron& beside = scratch_.beside;
+  lookBeside(whole_.boxes, whole_.sides, whole_.mesh, box, side, beside);
   const std::uint64_t mine = 6 * std::uint64_t(box) + side;
-  FaceUse use;
-  if (const std::uint32_t known = knownFace(box, side); known != None)
+  const CellKey key = keyOfHexahedron(box);
+  const auto known = madeFaces_.ofHexahedra.find(mine);
+  if (!beside.faces.empty())
   {
-    use.face = known & MostFaces;
-    use.turned = cellsOf(known)[0] == keyOfHexahedron(box) ? 0 : 1;
-    cell.faces.push_back(use);
+    cell.faces.insert(cell.faces.end(), beside.faces.begin(), beside.faces.end());
     return;
   }
-  Shaped face;
+  if (known != madeFaces_.ofHexahedra.end())
+  {
+    cell.faces.emplace_back(known->second, cellsOf(known->second)[0] != key);
+    return;
+  }
+  MadeFace face;
   for (const unsigned corner : cornersFromOutside(side))
   {
     face.nodes.push_back(nodeOfCorner(box, corner));
   }
-  face.cells = { keyOfHexahedron(box),
-    other != None && n == None ? keyOfHexahedron(other) : CellKey(None) };
+  const bool isBetween = beside.box != None && !beside.isPolyhedral;
+  face.cells = { key, isBetween ? keyOfHexahedron(beside.box) : CellKey(None) };
   face.boundary = NoBoundary;
-  use = addShaped(std::move(face));
+  const FaceUse use = addFace(std::move(face));
   cell.faces.push_back(use);
-  faceOfHexahedron_[mine] = use.face;
-  if (other != None && n == None)
+  madeFaces_.ofHexahedra[mine] = use.face;
+  if (isBetween)
   {
-    faceOfHexahedron_[6 * std::uint64_t(other) + (side ^ 1u)] = use.face;
+    madeFaces_.ofHexahedra[6 * std::uint64_t(beside.box) + (side ^ 1u)] = use.face;
   }
-}
-
-// The shaped face on a side of a hexahedron, or None.
-std::uint32_t CellComplex::knownFace(std::uint32_t box, std::uint32_t side) const
-{
-  const auto known = faceOfHexahedron_.find(6 * std::uint64_t(box) + side);
-  if (known != faceOfHexahedron_.end())
-  {
-    return known->second;
-  }
-  const auto& given = cells_.shaped.ofHexahedra;
-  const auto at = std::lower_bound(given.begin(), given.end(), std::make_pair(box, side),
-    [](const ShapedFaces::HexahedronSide& x, const std::pair<std::uint32_t, std::uint32_t>& y) {
-      return std::make_pair(x.box, x.side) < y;
-    });
-  return at != given.end() && at->box == box && at->side == side ? firstGiven() + at->face : None;
 }
 
 std::uint32_t CellComplex::nodeOfCorner(std::uint32_t box, unsigned corner)
 {
-  if (const std::uint32_t ordinal = sides_.ordinal[box]; ordinal != None)
+  const Nodes& nodes = whole_.nodes;
+  if (const std::uint32_t node =
+        cartesian::nodeOfCorner(whole_.boxes, whole_.sides, nodes, box, corner);
+      node != None)
   {
-    return nodes_.ofDivided[ordinal & ~Sides::HexahedronBit][corner];
+    return node;
   }
-  const auto& low = boxes_.globalOf(boxes_.packed[box]).index;
-  const VertexNode at{ low[2] + (corner >> 2 & 1), low[1] + (corner >> 1 & 1),
-    low[0] + (corner & 1), nextNode() };
-  const std::size_t row = at.j + at.k * boxes_.planes[1].size();
-  const Point p = cornerOf(boxes_.box(box), corner);
-  const auto begin = nodes_.grid.begin();
-  const auto end = begin + static_cast<std::ptrdiff_t>(nodes_.rowStart[row + 1]);
-  const auto found =
-    std::lower_bound(begin + static_cast<std::ptrdiff_t>(nodes_.rowStart[row]), end, p);
-  if (found != end && *found == p)
-  {
-    return static_cast<std::uint32_t>(nodes_.patchPoints) +
-      static_cast<std::uint32_t>(found - begin);
-  }
-  const auto given = std::lower_bound(nodes_.moreVertices.begin(), nodes_.moreVertices.end(), at);
-  if (given != nodes_.moreVertices.end() && !(at < *given))
+  VertexNode at = vertexAt(whole_.boxes, box, corner);
+  const auto given = std::lower_bound(nodes.moreVertices.begin(), nodes.moreVertices.end(), at);
+  if (given != nodes.moreVertices.end() && !(at < *given))
   {
     return given->node;
   }
+  const std::size_t row = at.j + at.k * whole_.boxes.planes[1].size();
+  at.node = nextNode();
   const auto [known, isNew] =
-    nodeOfVertex_.emplace(at.i + row * std::uint64_t(boxes_.planes[0].size()), at.node);
+    madeNodes_.ofVertex.emplace(at.i + row * std::uint64_t(whole_.boxes.planes[0].size()), at.node);
   if (isNew)
   {
-    added_.push_back(p);
-    vertices_.push_back(at);
+    madeNodes_.at.push_back(cornerOf(whole_.boxes.box(box), corner));
+    madeNodes_.vertices.push_back(at);
   }
   return known->second;
 }

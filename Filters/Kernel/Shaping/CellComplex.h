@@ -5,7 +5,7 @@
 // costs nothing. A hexahedron that gets a node or another face becomes a polyhedron.
 //
 // Slabs of one stage may change at the same time. All that they write in common is which cells are
-// below and above a face as it was (Cells::ofInnerFace, ShapedFaces::cells): a slab writes those of
+// below and above a face as it was (WallFaces::cells): a slab writes those of
 // its free cells, and reads those of cells that touch one; so it is with sights.
 #pragma once
 
@@ -13,13 +13,12 @@
 #include "Lattice/PointSortKey.h"
 #include "Parts/Slabs.h"
 #include "Polyhedra/PolyhedronCut.h"
-#include "Shaping/CellsToShape.h"
 #include "Shaping/FaceJoining.h"
+#include "Shaping/SlabChanges.h"
 
 #include <map>
 #include <memory>
 #include <optional>
-#include <unordered_map>
 
 namespace cartesian
 {
@@ -40,7 +39,7 @@ std::vector<std::pair<CellKey, double>> neighboursOf(const MeasuredCell& cell);
 class CellComplex
 {
 public:
-  CellComplex(CellsToShape& whole, const Slab& slab);
+  CellComplex(ShapedWall& whole, const Slab& slab);
 
   // Of cells of polyhedral boxes, opened or not, and opened others.
   // Several neighbours as one; the origin is the lower corner of the first one's box.
@@ -52,7 +51,7 @@ public:
   // A cell, and where it is from the lower corner of another's box.
   NeighbourCell placeFrom(CellKey other, CellKey key) const
   {
-    return placeAndVolume(key, boxes_.lowOf(boxOf(other)));
+    return placeAndVolume(key, whole_.boxes.lowOf(boxOf(other)));
   }
 
   // Without nodes in common: for measures only.
@@ -102,7 +101,7 @@ public:
   // Cosine of Feature Angle.
   double featureCosine() const { return whole_.featureCosine; }
 
-  bool hasRegions() const { return patches_.walls.any(); }
+  bool hasRegions() const { return whole_.patches.walls.any(); }
   std::int32_t regionOf(CellKey key) const;
 
   // The wall (Walls.h) between a free cell and another region, if it has no other wall, and all its neighbours are free.
@@ -112,13 +111,16 @@ public:
   void changeRegion(CellKey key, std::int32_t wall);
 
   // 1 if it belongs to the part that is meshed (Boxes::core), else 0.
-  std::size_t counts(CellKey key) const { return boxes_.isCore(boxes_.packed[boxOf(key)]) ? 1 : 0; }
+  std::size_t counts(CellKey key) const
+  {
+    return whole_.boxes.isCore(whole_.boxes.packed[boxOf(key)]) ? 1 : 0;
+  }
 
   std::uint32_t boxOf(CellKey key) const;
   bool isAlive(CellKey key) const; // neither removed nor merged
 
   // Hexahedra that nobody has opened do not.
-  bool hasFaces(CellKey key) const { return key < cells_.size() || opened(key) != nullptr; }
+  bool hasFaces(CellKey key) const { return isOfWall(key) || opened(key) != nullptr; }
 
   void open(CellKey key);
 
@@ -184,47 +186,14 @@ public:
   bool changed() const { return changed_; }
 
 private:
-  friend class ShapedCells;   // writes all back
-  friend struct CellsToShape; // measures
+  friend class ShapedCells; // writes all back
+  friend struct ShapedWall; // measures
 
-  struct OpenCell
-  {
-    void change(std::uint32_t now)
-    {
-      changed = true;
-      changedAt = now;
-      fault = IsAtFault::Unknown;
-      isPlain = false;
-      isSeen = false;
-    }
-
-    std::vector<FaceUse> faces;
-    std::uint32_t box;
-    std::uint32_t origin; // the cell that it is or was a part of
-    std::int32_t region;
-    std::int32_t boundary; // as in Cell
-    bool alive = true;
-    bool removed = false; // as in Cell
-    bool changed = false;
-    bool isPlain = false; // known since it changed, as KnownCells::isPlain
-    bool isSeen = false;  // its faces' sights are known since it changed
-    std::uint32_t changedAt = 0;
-    std::array<std::uint8_t, 2> reach{ 0, 0 };    // as in Cell
-    NeighbourCell place;                          // from the lower corner of its box
-    mutable IsAtFault fault = IsAtFault::Unknown; // since it changed; one thread has a slab
-  };
   struct FaceNodes
   {
     const std::uint32_t* first;
     std::size_t size;
   };
-  struct Shaped
-  {
-    std::vector<std::uint32_t> nodes;
-    std::array<CellKey, 2> cells;
-    std::int32_t boundary;
-  };
-
   // What reading works with, kept for its memory.
   struct Scratch
   {
@@ -242,25 +211,15 @@ private:
     Polyhedron polyhedron;
     CellShape measures;
     MeasuredCell cell;
+    BesideHexahedron beside;
   };
 
-  static constexpr std::uint32_t MostFaces = 0x7fffffffu;
-  static constexpr std::array<std::uint8_t, 2> NoReach{ 0, 0 };
+  static bool isOfWall(CellKey key) { return key < FirstHexahedron; }
 
-  std::uint32_t firstInner() const { return static_cast<std::uint32_t>(patches_.size()); }
-  std::uint32_t firstGiven() const
-  {
-    return static_cast<std::uint32_t>(patches_.size() + inner_.size());
-  }
-  std::uint32_t firstShaped() const
-  {
-    return static_cast<std::uint32_t>(firstGiven() + cells_.shaped.size());
-  }
-  bool isPatch(std::uint32_t face) const { return face < firstInner(); }
-  bool isInner(std::uint32_t face) const { return !isPatch(face) && face < firstGiven(); }
-  bool isShaped(std::uint32_t face) const { return face >= firstShaped(); } // here, not before
-  Shaped& shaped(std::uint32_t face) { return shaped_[face - firstShaped()]; }
-  const Shaped& shaped(std::uint32_t face) const { return shaped_[face - firstShaped()]; }
+  std::uint32_t firstMade() const { return static_cast<std::uint32_t>(whole_.mesh.faces.size()); }
+  bool isMadeHere(std::uint32_t face) const { return face >= firstMade(); }
+  MadeFace& made(std::uint32_t face) { return madeFaces_.all[face - firstMade()]; }
+  const MadeFace& made(std::uint32_t face) const { return madeFaces_.all[face - firstMade()]; }
 
   template <class Visitor>
   void forEachFace(CellKey key, Visitor&& visit) const;
@@ -271,23 +230,19 @@ private:
 
   const Point& placeOf(std::uint32_t node) const
   {
-    return node < nodes_.at.size() ? nodes_.at[node] : added_[node - nodes_.at.size()];
+    const std::vector<Point>& at = whole_.nodes.at;
+    return node < at.size() ? at[node] : madeNodes_.at[node - at.size()];
   }
   std::uint32_t nextNode() const
   {
-    return static_cast<std::uint32_t>(nodes_.at.size() + added_.size());
+    return static_cast<std::uint32_t>(whole_.nodes.at.size() + madeNodes_.at.size());
   }
   template <class Kept>
   std::vector<CellKey> select(Kept&& isKept) const;
   Layers layersOf(CellKey key) const;
   Layers layersOf(const std::vector<CellKey>& keys) const;
-  FaceUse useOf(const FaceOfCell& ref) const;
-  OpenCell* opened(CellKey key);
-  const OpenCell* opened(CellKey key) const;
-  CellKey keyOfHexahedron(std::uint32_t box) const
-  {
-    return static_cast<CellKey>(cells_.size() + box);
-  }
+  OpenCell* opened(CellKey key) { return open_.find(key); }
+  const OpenCell* opened(CellKey key) const { return open_.find(key); }
   std::array<CellKey, 2> cellsOf(std::uint32_t face) const;
   CellKey across(const FaceUse& use) const;
 
@@ -299,17 +254,16 @@ private:
   bool isSeen(CellKey key) const;
   template <class Accept>
   bool allSights(CellKey key, Accept&& accept) const;
-  void noteSights(CellKey key, const CellShape& measures, Sights& given, Sights& ofShaped) const;
+  void noteSights(CellKey key, const CellShape& measures, Sights& given, Sights& ofMade) const;
 
   void openHexahedron(std::uint32_t box, OpenCell& cell);
   void addSideOfHexahedron(std::uint32_t box, unsigned side, OpenCell& cell);
-  std::uint32_t knownFace(std::uint32_t box, std::uint32_t side) const;
   void numberNodes(const Point& origin, CellView& view) const;
   std::uint32_t nodeOfCorner(std::uint32_t box, unsigned corner);
 
   bool hasEdge(const FaceUse& use, std::uint32_t u, std::uint32_t v) const;
   std::vector<CellKey> cellsAround(CellKey key, std::uint32_t u, std::uint32_t v);
-  std::uint32_t own(std::uint32_t face, CellKey cell);
+  std::uint32_t own(std::uint32_t face);
   void makeWall(std::uint32_t face, std::int32_t wall);
   Point placeOfPoint(CellKey key, const CellCut::NewNode& point) const;
   bool meetsNode(
@@ -317,8 +271,12 @@ private:
   bool meetsFace(const CellView& view, const CellCut& cut) const;
   bool losesStar(const FaceUse& use, CellKey key, const CellView& view, const CellCut& cut) const;
   std::uint32_t addNode(const Point& place);
-  FaceUse addShaped(Shaped face);
-  FaceUse addPiece(FaceUse use, CellKey cell, Shaped piece, std::uint32_t& owned);
+  std::vector<std::uint32_t> insertNodes(
+    CellKey key, const CellView& view, const CellCut& cut, std::vector<CellKey>& touched);
+  std::vector<CellKey> addParts(CellKey key, std::uint32_t count);
+  void addCutFace(MadeFace face);
+  FaceUse addFace(MadeFace face);
+  FaceUse addPiece(FaceUse use, MadeFace piece, std::uint32_t& owned);
   std::uint32_t renamed(std::uint32_t face) const;
   const CellShape& measured(CellKey key) const; // until the next
   NeighbourCell measuredPlace(CellKey key) const;
@@ -331,31 +289,14 @@ private:
   void removeFace(CellKey key, std::uint32_t face);
   void dropTwins(std::vector<FaceUse>& faces, std::size_t ofSmall);
 
-  CellsToShape& whole_; // only sights of faces change
-  const Boxes& boxes_;
-  const Patches& patches_;
-  const Sides& sides_;
-  const Nodes& nodes_;
-  const InnerFaces& inner_;
-  Cells& cells_; // only the cells of faces change
+  ShapedWall& whole_; // only the cells of faces, and sights, change
   Slab slab_;
-  std::vector<OpenCell> open_;
-  CellKey firstOfSlab_;
-  std::vector<CellKey> acting_;       // alive and free, as they were
-  std::vector<std::uint32_t> openOf_; // of cells of the slab's polyhedral boxes
-  std::unordered_map<CellKey, std::uint32_t> openOfOther_; // of others
-  std::array<std::uint32_t, 2> boxesOfSlab_;               // begin and end
-  std::array<std::uint32_t, 2> freeBoxes_;
-  std::vector<bool> isOpenHexahedron_; // of boxesOfSlab_
-  std::vector<Shaped> shaped_;
-  Sights sightsOfShaped_;
-  std::unordered_map<std::uint32_t, std::uint32_t> shapedAs_;         // of faces as they were
-  std::unordered_map<std::uint64_t, std::uint32_t> faceOfHexahedron_; // 6 * box + side
-  std::vector<Point> added_;                                          // nodes
-  std::map<Point, std::uint32_t> cutNodes_;
-  std::vector<VertexNode> vertices_;
-  std::unordered_map<std::uint64_t, std::uint32_t> nodeOfVertex_;
-  CellKey nextKey_;
+  OpenCells open_;
+  MadeFaces madeFaces_;
+  MadeNodes madeNodes_;
+  std::vector<CellKey> acting_;            // alive and free, as they were
+  std::array<std::uint32_t, 2> freeBoxes_; // begin and end
+  CellKey nextKey_ = FirstOfCuts;
   std::uint32_t now_ = 0;
   bool changed_ = false;
   mutable Scratch scratch_; // one thread has a slab
@@ -363,8 +304,8 @@ private:
 
 // Writes back what the slabs of one stage changed: cells, nodes, and the sides' list of polyhedral
 // boxes. Numbers follow from the order of slabs, and in each from what happened there.
-void writeBack(CellsToShape& whole, const std::vector<std::unique_ptr<CellComplex>>& slabs,
-  Execution& execution);
+void writeBack(
+  ShapedWall& whole, const std::vector<std::unique_ptr<CellComplex>>& slabs, Execution& execution);
 
 template <class Visitor>
 void CellComplex::forEachFace(CellKey key, Visitor&& visit) const
@@ -374,10 +315,7 @@ void CellComplex::forEachFace(CellKey key, Visitor&& visit) const
     std::for_each(cell->faces.begin(), cell->faces.end(), visit);
     return;
   }
-  for (std::size_t f = cells_.all[key].firstFace; f < cells_.all[key + 1].firstFace; ++f)
-  {
-    visit(useOf(cells_.faces[f]));
-  }
+  whole_.mesh.forEachUse(key, visit);
 }
 
 template <class Is>
@@ -393,22 +331,12 @@ bool CellComplex::anyBeyond(CellKey key, Is&& is) const
 
 inline CellComplex::FaceNodes CellComplex::nodesOf(std::uint32_t face) const
 {
-  const auto nodes = [](const auto& start, const auto& corners, std::uint32_t f) {
-    return FaceNodes{ corners.data() + start[f], start[f + 1] - start[f] };
-  };
-  if (isPatch(face))
+  if (!isMadeHere(face))
   {
-    return nodes(patches_.start, patches_.corners, face);
+    const std::size_t first = whole_.mesh.faces.start[face];
+    return { whole_.mesh.faces.corners.data() + first, whole_.mesh.faces.start[face + 1] - first };
   }
-  if (isInner(face))
-  {
-    return nodes(inner_.start, inner_.nodes, face - firstInner());
-  }
-  if (!isShaped(face))
-  {
-    return nodes(cells_.shaped.start, cells_.shaped.nodes, face - firstGiven());
-  }
-  return { shaped(face).nodes.data(), shaped(face).nodes.size() };
+  return { made(face).nodes.data(), made(face).nodes.size() };
 }
 
 // Counter-clockwise from outside the cell that uses the face.

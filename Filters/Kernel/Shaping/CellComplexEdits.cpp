@@ -67,42 +67,15 @@ std::vector<CellKey> CellComplex::touchedBy(CellKey key, const CellView& view, c
 }
 
 // The number of the face, which becomes a shaped one where it is not yet.
-std::uint32_t CellComplex::own(std::uint32_t face, CellKey cell)
+std::uint32_t CellComplex::own(std::uint32_t face)
 {
-  if (isShaped(face))
+  if (isMadeHere(face))
   {
     return face;
   }
-  FaceUse use;
-  use.face = face & MostFaces;
-  use.turned = 0;
-  Shaped copy;
-  forEachNodeOf(use, [&](std::uint32_t node) { copy.nodes.push_back(node); });
-  copy.cells = { cell, None };
-  copy.boundary = NoBoundary;
-  if (isPatch(face))
-  {
-    copy.boundary = patches_.boundary[face];
-  }
-  else if (!isInner(face))
-  {
-    copy.cells = cellsOf(face);
-    copy.boundary = cells_.shaped.boundary[face - firstGiven()];
-  }
-  else
-  {
-    copy.cells = cellsOf(face);
-    copy.boundary = inner_.wallOf(face - firstInner());
-    const Side& side = sides_.common[whole_.sideOf[face - firstInner()]];
-    for (std::size_t k = 0; k < 2; ++k)
-    {
-      if (copy.cells[k] == None)
-      {
-        copy.boundary = boundaryBeyond(patches_, sides_, k == 0 ? side.low : side.high);
-      }
-    }
-  }
-  const std::uint32_t number = firstShaped() + static_cast<std::uint32_t>(shaped_.size());
+  const FaceNodes nodes = nodesOf(face);
+  MadeFace copy{ { nodes.first, nodes.first + nodes.size }, cellsOf(face), boundaryOf(face) };
+  const std::uint32_t number = firstMade() + static_cast<std::uint32_t>(madeFaces_.all.size());
   for (const CellKey key : copy.cells)
   {
     if (key == None)
@@ -111,25 +84,25 @@ std::uint32_t CellComplex::own(std::uint32_t face, CellKey cell)
     }
     open(key);
     OpenCell& owner = *opened(key);
-    if (key < cells_.size())
+    if (isOfWall(key))
     {
       owner.change(now_);
     }
     for (FaceUse& other : owner.faces)
     {
-      other.face = (other.face == face ? number : other.face) & MostFaces;
+      other.face = (other.face == face ? number : other.face) & FaceUse::Most;
     }
   }
-  shaped_.push_back(std::move(copy));
-  shapedAs_[face] = number;
+  madeFaces_.all.push_back(std::move(copy));
+  madeFaces_.numberOf[face] = number;
   return number;
 }
 
 // The number that a face has got since a view was taken.
 std::uint32_t CellComplex::renamed(std::uint32_t face) const
 {
-  const auto found = shapedAs_.find(face);
-  return found == shapedAs_.end() ? face : found->second;
+  const auto found = madeFaces_.numberOf.find(face);
+  return found == madeFaces_.numberOf.end() ? face : found->second;
 }
 
 void CellComplex::insertNode(CellKey cell, std::uint32_t u, std::uint32_t v, std::uint32_t node)
@@ -143,7 +116,7 @@ void CellComplex::insertNode(CellKey cell, std::uint32_t u, std::uint32_t v, std
     {
       continue;
     }
-    std::vector<std::uint32_t>& nodes = shaped(own(use.face, cell)).nodes;
+    std::vector<std::uint32_t>& nodes = made(own(use.face)).nodes;
     for (std::size_t k = 0; k < nodes.size(); ++k)
     {
       const std::uint32_t p = nodes[k];
@@ -159,23 +132,13 @@ void CellComplex::insertNode(CellKey cell, std::uint32_t u, std::uint32_t v, std
 
 void CellComplex::setCell(const FaceUse& use, CellKey key)
 {
-  if (isShaped(use.face))
-  {
-    shaped(use.face).cells[use.turned] = key;
-  }
-  else if (isInner(use.face))
-  {
-    cells_.ofInnerFace[use.face - firstInner()][use.turned] = key;
-  }
-  else if (!isPatch(use.face))
-  {
-    cells_.shaped.cells[use.face - firstGiven()][use.turned] = key;
-  }
+  (isMadeHere(use.face) ? made(use.face).cells : whole_.mesh.faces.cells[use.face])[use.turned] =
+    key;
 }
 
 Point CellComplex::placeOfPoint(CellKey key, const CellCut::NewNode& point) const
 {
-  const Point origin = boxes_.lowOf(boxOf(key));
+  const Point origin = whole_.boxes.lowOf(boxOf(key));
   Point place;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -278,7 +241,7 @@ bool CellComplex::losesStar(
   {
     return false;
   }
-  const Point origin = boxes_.lowOf(boxOf(key));
+  const Point origin = whole_.boxes.lowOf(boxOf(key));
   Polyhedron face;
   const auto addCorner = [&](const Vector& at) {
     face.addCorner(static_cast<std::uint32_t>(face.nodes.size()));
@@ -306,26 +269,25 @@ bool CellComplex::losesStar(
 // Cells that touch in an edge only have the same points on it.
 std::uint32_t CellComplex::addNode(const Point& place)
 {
-  const auto given = std::lower_bound(nodes_.ofCuts.begin(), nodes_.ofCuts.end(), place,
-    [&](std::uint32_t node, const Point& p) { return nodes_.at[node] < p; });
-  if (given != nodes_.ofCuts.end() && nodes_.at[*given] == place)
+  const auto given = std::lower_bound(whole_.nodes.ofCuts.begin(), whole_.nodes.ofCuts.end(), place,
+    [&](std::uint32_t node, const Point& p) { return whole_.nodes.at[node] < p; });
+  if (given != whole_.nodes.ofCuts.end() && whole_.nodes.at[*given] == place)
   {
     return *given;
   }
-  const auto [at, isNew] = cutNodes_.emplace(place, nextNode());
+  const auto [at, isNew] = madeNodes_.ofCuts.emplace(place, nextNode());
   if (isNew)
   {
-    added_.push_back(place);
+    madeNodes_.at.push_back(place);
   }
   return at->second;
 }
 
-void CellComplex::cut(
-  CellKey key, const CellView& view, const CellCut& cut, std::vector<CellKey>& parts)
+// Also where other cells have the edges that they are on. Returns the nodes of the view and of the cut.
+std::vector<std::uint32_t> CellComplex::insertNodes(
+  CellKey key, const CellView& view, const CellCut& cut, std::vector<CellKey>& touched)
 {
-  changed_ = true;
   std::vector<std::uint32_t> nodes = view.nodes;
-  std::vector<CellKey> touched;
   for (const CellCut::NewNode& point : cut.points)
   {
     nodes.push_back(addNode(placeOfPoint(key, point)));
@@ -337,25 +299,46 @@ void CellComplex::cut(
       touched.push_back(around);
     }
   }
-  std::vector<FaceUse> faces = view.faces;
-  for (FaceUse& use : faces)
-  {
-    use.face = renamed(use.face) & MostFaces;
-  }
+  return nodes;
+}
+
+// The cell, then new ones, without faces.
+std::vector<CellKey> CellComplex::addParts(CellKey key, std::uint32_t count)
+{
   std::vector<CellKey> keys{ key };
-  for (std::uint32_t part = 1; part < cut.parts; ++part)
+  opened(key)->faces.clear();
+  for (std::uint32_t part = 1; part < count; ++part)
   {
+    const OpenCell& whole = *opened(key);
     OpenCell cell;
-    cell.box = opened(key)->box;
-    cell.origin = opened(key)->origin;
-    cell.region = opened(key)->region;
-    cell.boundary = opened(key)->boundary;
-    cell.reach = opened(key)->reach;
-    openOfOther_[nextKey_] = static_cast<std::uint32_t>(open_.size());
+    cell.box = whole.box;
+    cell.origin = whole.origin;
+    cell.region = whole.region;
+    cell.boundary = whole.boundary;
+    cell.reach = whole.reach;
+    open_.add(nextKey_, std::move(cell));
     keys.push_back(nextKey_++);
-    open_.push_back(std::move(cell));
   }
-  std::vector<std::uint32_t> pieces(faces.size());
+  return keys;
+}
+
+void CellComplex::addCutFace(MadeFace face)
+{
+  const std::array<CellKey, 2> cells = face.cells;
+  FaceUse use = addFace(std::move(face));
+  opened(cells[0])->faces.push_back(use);
+  use.turned = 1;
+  opened(cells[1])->faces.push_back(use);
+}
+
+void CellComplex::cut(
+  CellKey key, const CellView& view, const CellCut& cut, std::vector<CellKey>& parts)
+{
+  changed_ = true;
+  std::vector<CellKey> touched;
+  const std::vector<std::uint32_t> nodes = insertNodes(key, view, cut, touched);
+  const std::vector<CellKey> keys = addParts(key, cut.parts);
+  std::vector<std::uint32_t> pieces(view.faces.size());
   for (const CellCut::Face& face : cut.faces)
   {
     if (face.source != CellCut::NoSource)
@@ -363,27 +346,22 @@ void CellComplex::cut(
       ++pieces[face.source];
     }
   }
-  std::vector<std::uint32_t> owned(
-    faces.size(), None); // of divided faces that have a piece already
-  opened(key)->faces.clear();
+  // Of divided faces that have a piece already.
+  std::vector<std::uint32_t> owned(view.faces.size(), None);
   for (const CellCut::Face& face : cut.faces)
   {
-    Shaped piece;
+    MadeFace piece{ {}, { keys[face.below], None }, NoBoundary };
     for (const std::uint32_t corner : cut.cornersOf(face))
     {
       piece.nodes.push_back(nodes[corner]);
     }
     if (face.source == CellCut::NoSource)
     {
-      piece.cells = { keys[face.below], keys[face.above] };
-      piece.boundary = NoBoundary;
-      FaceUse use = addShaped(std::move(piece));
-      opened(keys[face.below])->faces.push_back(use);
-      use.turned = 1;
-      opened(keys[face.above])->faces.push_back(use);
+      piece.cells[1] = keys[face.above];
+      addCutFace(std::move(piece));
       continue;
     }
-    FaceUse use = faces[face.source];
+    FaceUse use(renamed(view.faces[face.source].face), view.faces[face.source].turned != 0);
     if (pieces[face.source] > 1)
     {
       touched.push_back(view.across[face.source]);
@@ -391,7 +369,7 @@ void CellComplex::cut(
       {
         std::reverse(piece.nodes.begin(), piece.nodes.end());
       }
-      use = addPiece(use, key, std::move(piece), owned[face.source]);
+      use = addPiece(use, std::move(piece), owned[face.source]);
     }
     setCell(use, keys[face.below]);
     opened(keys[face.below])->faces.push_back(use);
@@ -419,30 +397,27 @@ void CellComplex::remeasure(std::vector<CellKey>& keys)
   }
 }
 
-FaceUse CellComplex::addShaped(Shaped face)
+FaceUse CellComplex::addFace(MadeFace face)
 {
-  FaceUse use;
-  use.face = (firstShaped() + static_cast<std::uint32_t>(shaped_.size())) & MostFaces;
-  use.turned = 0;
-  shaped_.push_back(std::move(face));
-  return use;
+  madeFaces_.all.push_back(std::move(face));
+  return { firstMade() + madeFaces_.all.size() - 1, false };
 }
 
 // A piece of a divided face: the first takes its place, the others are added to the cell beyond.
-FaceUse CellComplex::addPiece(FaceUse use, CellKey cell, Shaped piece, std::uint32_t& owned)
+FaceUse CellComplex::addPiece(FaceUse use, MadeFace piece, std::uint32_t& owned)
 {
   if (owned == None)
   {
-    owned = own(use.face, cell);
-    shaped(owned).nodes = std::move(piece.nodes);
-    use.face = owned & MostFaces;
+    owned = own(use.face);
+    made(owned).nodes = std::move(piece.nodes);
+    use.face = owned & FaceUse::Most;
     return use;
   }
-  piece.cells = shaped(owned).cells;
-  piece.boundary = shaped(owned).boundary;
+  piece.cells = made(owned).cells;
+  piece.boundary = made(owned).boundary;
   const CellKey other = piece.cells[use.turned ? 0 : 1];
   const bool turned = use.turned;
-  use = addShaped(std::move(piece));
+  use = addFace(std::move(piece));
   if (other != None)
   {
     use.turned = turned ? 0 : 1;
@@ -558,11 +533,12 @@ void CellComplex::changeRegion(CellKey key, std::int32_t wall)
     const CellKey other = across(opened(key)->faces[i]);
     open(other);
     opened(other)->change(now_);
-    own(opened(key)->faces[i].face, key);
+    own(opened(key)->faces[i].face);
   }
   OpenCell& cell = *opened(key);
-  cell.region = cell.region == patches_.walls.behind(wall) ? patches_.walls.front(wall)
-                                                           : patches_.walls.behind(wall);
+  cell.region = cell.region == whole_.patches.walls.behind(wall)
+    ? whole_.patches.walls.front(wall)
+    : whole_.patches.walls.behind(wall);
   cell.change(now_);
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -574,9 +550,9 @@ void CellComplex::changeRegion(CellKey key, std::int32_t wall)
 // Of a shaped face; below it comes the region behind the wall.
 void CellComplex::makeWall(std::uint32_t face, std::int32_t wall)
 {
-  Shaped& of = shaped(face);
+  MadeFace& of = made(face);
   of.boundary = wall;
-  if (wall == NoBoundary || regionOf(of.cells[0]) == patches_.walls.behind(wall))
+  if (wall == NoBoundary || regionOf(of.cells[0]) == whole_.patches.walls.behind(wall))
   {
     return;
   }
@@ -670,14 +646,15 @@ void CellComplex::remove(CellKey key)
   for (const FaceUse& use : faces)
   {
     const CellKey other = across(use);
-    if (other != None && other >= cells_.size() && (!isInner(use.face) || isFree(other)))
+    if (other != None && !isOfWall(other) &&
+      (use.face >= whole_.mesh.faces.firstShaped || isFree(other)))
     {
       open(other);
       opened(other)->change(now_);
     }
     else if (OpenCell* neighbour = other == None ? nullptr : opened(other))
     {
-      neighbour->fault = IsAtFault::Unknown;
+      neighbour->known.fault = IsAtFault::Unknown;
     }
   }
   opened(key)->boundary = boundary;
@@ -687,21 +664,13 @@ void CellComplex::remove(CellKey key)
 
 std::int32_t CellComplex::boundaryOf(std::uint32_t face) const
 {
-  if (isPatch(face))
-  {
-    return patches_.boundary[face];
-  }
-  if (isInner(face))
-  {
-    return inner_.wallOf(face - firstInner());
-  }
-  return isShaped(face) ? shaped(face).boundary : cells_.shaped.boundary[face - firstGiven()];
+  return isMadeHere(face) ? made(face).boundary : whole_.mesh.faces.boundary[face];
 }
 
 std::int32_t CellComplex::boundaryOfCell(CellKey key) const
 {
   const OpenCell* cell = opened(key);
-  return cell ? cell->boundary : cells_.all[key].boundary;
+  return cell ? cell->boundary : whole_.mesh.cells[key].boundary;
 }
 
 bool CellComplex::isAtBoundary(CellKey key) const
@@ -775,7 +744,7 @@ void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joi
     {
       std::reverse(nodes.begin(), nodes.end());
     }
-    shaped(own(renamed(use.face), key)).nodes = std::move(nodes);
+    made(own(renamed(use.face))).nodes = std::move(nodes);
     opened(key)->change(now_);
     for (const std::uint32_t member : group.members)
     {

@@ -17,14 +17,13 @@ constexpr std::size_t CellsAChunk = 1024;
 class ShapedCells
 {
 public:
-  ShapedCells(CellsToShape& whole, const std::vector<std::unique_ptr<CellComplex>>& slabs,
-    Execution& execution)
+  ShapedCells(
+    ShapedWall& whole, const std::vector<std::unique_ptr<CellComplex>>& slabs, Execution& execution)
     : whole_(whole)
     , slabs_(slabs)
     , execution_(execution)
-    , firstInner_(static_cast<std::uint32_t>(whole.patches.size()))
-    , firstGiven_(firstInner_ + static_cast<std::uint32_t>(whole.inner.size()))
-    , firstShaped_(firstGiven_ + static_cast<std::uint32_t>(whole.cells.shaped.size()))
+    , mesh_(whole.mesh)
+    , firstMade_(static_cast<std::uint32_t>(whole.mesh.faces.size()))
     , firstAdded_(static_cast<std::uint32_t>(whole.nodes.at.size()))
     , newNodes_(slabs.size())
     , newFaces_(slabs.size())
@@ -40,18 +39,16 @@ public:
     appendNodes();
     appendFaces();
     writeCells(place);
-    findCellsOfShapedFaces();
-    listSidesOfHexahedra();
-    findCellsOfInnerFaces(whole_.inner, result_, execution_);
-    whole_.cells = std::move(result_);
+    mesh_.cells = std::move(result_.cells);
+    mesh_.uses = std::move(result_.uses);
+    mesh_.boxStart = std::move(result_.boxStart);
+    mesh_.flawed = std::move(result_.flawed);
     whole_.known = std::move(known_);
+    findCellsOfFaces();
+    listSidesOfHexahedra();
   }
 
 private:
-  using OpenCell = CellComplex::OpenCell;
-  using Shaped = CellComplex::Shaped;
-  using HexahedronSide = ShapedFaces::HexahedronSide;
-
   // What a cell became: itself, then what it was cut into, in the order of cuts.
   struct Changed
   {
@@ -68,12 +65,7 @@ private:
 
   const OpenCell& cellOf(const Changed& changed) const
   {
-    return slabs_[changed.slab]->open_[changed.open];
-  }
-
-  CellKey keyOfHexahedron(std::uint32_t box) const
-  {
-    return static_cast<CellKey>(whole_.cells.size() + box);
+    return slabs_[changed.slab]->open_.all()[changed.open];
   }
 
   // --- what changed, seen by the slabs
@@ -84,11 +76,12 @@ private:
     {
       execution_.poll();
       const CellComplex& slab = *slabs_[s];
-      newFaces_[s].assign(slab.shaped_.size(), None);
-      newNodes_[s].assign(slab.added_.size(), None);
-      for (std::uint32_t i = 0; i < slab.open_.size(); ++i)
+      const std::vector<OpenCell>& open = slab.open_.all();
+      newFaces_[s].assign(slab.madeFaces_.all.size(), None);
+      newNodes_[s].assign(slab.madeNodes_.at.size(), None);
+      for (std::uint32_t i = 0; i < open.size(); ++i)
       {
-        const OpenCell& cell = slab.open_[i];
+        const OpenCell& cell = open[i];
         if (cell.changed)
         {
           changed_.push_back({ cell.origin, s, i, 0 });
@@ -103,9 +96,9 @@ private:
   {
     for (const FaceUse& use : cell.faces)
     {
-      if (use.face >= firstShaped_)
+      if (use.face >= firstMade_)
       {
-        newFaces_[s][use.face - firstShaped_] = 0;
+        newFaces_[s][use.face - firstMade_] = 0;
       }
       slab.forEachNodeOf(use, [&](std::uint32_t node) {
         if (node >= firstAdded_)
@@ -128,7 +121,7 @@ private:
       for (const FaceUse& use : cellOf(changed).faces)
       {
         const CellKey other = slabs_[changed.slab]->across(use);
-        if (other < whole_.cells.size())
+        if (other < FirstHexahedron)
         {
           whole_.known.atFault[other] = IsAtFault::Unknown;
         }
@@ -167,16 +160,16 @@ private:
     Nodes& nodes = whole_.nodes;
     for (std::size_t s = 0; s < slabs_.size(); ++s)
     {
-      const CellComplex& slab = *slabs_[s];
-      for (std::size_t i = 0; i < slab.added_.size(); ++i)
+      const MadeNodes& made = slabs_[s]->madeNodes_;
+      for (std::size_t i = 0; i < made.at.size(); ++i)
       {
         if (newNodes_[s][i] != None)
         {
           newNodes_[s][i] = static_cast<std::uint32_t>(nodes.at.size());
-          nodes.at.push_back(slab.added_[i]);
+          nodes.at.push_back(made.at[i]);
         }
       }
-      for (VertexNode vertex : slab.vertices_)
+      for (VertexNode vertex : made.vertices)
       {
         vertex.node = newNode(s, vertex.node);
         if (vertex.node != None)
@@ -184,7 +177,7 @@ private:
           nodes.moreVertices.push_back(vertex);
         }
       }
-      for (const auto& [place, node] : slab.cutNodes_)
+      for (const auto& [place, node] : made.ofCuts)
       {
         if (newNode(s, node) != None)
         {
@@ -204,8 +197,7 @@ private:
 
   void appendFaces()
   {
-    ShapedFaces& faces = result_.shaped;
-    faces = std::move(whole_.cells.shaped);
+    WallFaces& faces = mesh_.faces;
     for (std::size_t s = 0; s < slabs_.size(); ++s)
     {
       for (std::size_t f = 0; f < newFaces_[s].size(); ++f)
@@ -215,36 +207,20 @@ private:
           continue;
         }
         newFaces_[s][f] = static_cast<std::uint32_t>(faces.size());
-        const Shaped& face = slabs_[s]->shaped_[f];
+        const MadeFace& face = slabs_[s]->madeFaces_.all[f];
         for (const std::uint32_t node : face.nodes)
         {
-          faces.nodes.push_back(newNode(s, node));
+          faces.corners.push_back(newNode(s, node));
         }
-        faces.start.push_back(faces.nodes.size());
-        faces.cells.push_back({ None, None });
-        faces.boundary.push_back(face.boundary);
+        faces.add(face.cells, face.boundary);
       }
     }
   }
 
-  // The number of a shaped face, of now or before; or None: no cell has it.
+  // The number of a face; None: no cell has it.
   std::uint32_t newFace(std::size_t s, std::uint32_t face) const
   {
-    return face < firstShaped_ ? face - firstGiven_ : newFaces_[s][face - firstShaped_];
-  }
-
-  FaceOfCell refOf(std::size_t s, const FaceUse& use) const
-  {
-    using Kind = FaceOfCell::Kind;
-    if (use.face < firstInner_)
-    {
-      return { use.face, Kind::Patch };
-    }
-    if (use.face < firstGiven_)
-    {
-      return { use.face - firstInner_, use.turned ? Kind::TurnedInner : Kind::Inner };
-    }
-    return { newFace(s, use.face), use.turned ? Kind::TurnedShaped : Kind::Shaped };
+    return face < firstMade_ ? face : newFaces_[s][face - firstMade_];
   }
 
   // --- cells
@@ -256,8 +232,7 @@ private:
     std::vector<std::uint32_t> added;
     for (const Changed& changed : changed_)
     {
-      if (changed.origin >= whole_.cells.size() &&
-        sides.polyhedralOrdinal(cellOf(changed).box) == None)
+      if (changed.origin >= FirstHexahedron && sides.polyhedralOrdinal(cellOf(changed).box) == None)
       {
         added.push_back(cellOf(changed).box);
       }
@@ -305,21 +280,18 @@ private:
 
   void writeCells(const std::vector<std::uint32_t>& place)
   {
-    const Cells& old = whole_.cells;
     const std::vector<std::uint32_t>& polyhedral = whole_.sides.polyhedral;
-    result_.folds = old.folds;
-    result_.voids = old.voids;
     result_.flawed.assign(polyhedral.size(), 0);
     std::vector<std::uint32_t> oldOf(polyhedral.size(), None);
     for (std::size_t n = 0; n < place.size(); ++n)
     {
       oldOf[place[n]] = static_cast<std::uint32_t>(n);
-      result_.flawed[place[n]] = old.flawed[n];
+      result_.flawed[place[n]] = mesh_.flawed[n];
     }
-    const std::size_t most = old.all.size() + changed_.size();
-    result_.all.reserve(most);
+    const std::size_t most = mesh_.cells.size() + changed_.size();
+    result_.cells.reserve(most);
     known_.reserve(most);
-    result_.faces.reserve(old.faces.size());
+    result_.uses.reserve(mesh_.uses.size());
     auto next = changed_.begin();
     auto nextOfHexahedron =
       std::lower_bound(changed_.begin(), changed_.end(), Changed{ keyOfHexahedron(0), 0, 0, 0 });
@@ -338,12 +310,12 @@ private:
       {
         copyCells(copied, c);
         copied = c;
-        result_.boxStart.push_back(result_.all.size());
+        result_.boxStart.push_back(result_.cells.size());
         writeChanged(nextOfHexahedron, keyOfHexahedron(polyhedral[n]));
         continue;
       }
-      result_.boxStart.push_back(result_.all.size() + (c - copied));
-      for (; c < old.boxStart[oldOf[n] + 1]; ++c)
+      result_.boxStart.push_back(result_.cells.size() + (c - copied));
+      for (; c < mesh_.boxStart[oldOf[n] + 1]; ++c)
       {
         if (next != changed_.end() && next->origin == c)
         {
@@ -354,25 +326,24 @@ private:
       }
     }
     copyCells(copied, c);
-    result_.boxStart.push_back(result_.all.size());
+    result_.boxStart.push_back(result_.cells.size());
     Cell end{};
-    end.firstFace = result_.faces.size();
-    result_.all.push_back(end);
+    end.firstUse = result_.uses.size();
+    result_.cells.push_back(end);
   }
 
   void copyCells(std::size_t begin, std::size_t end)
   {
-    const Cells& old = whole_.cells;
-    const std::size_t firstFace = old.all[begin].firstFace;
+    const std::size_t firstUse = mesh_.cells[begin].firstUse;
     known_.append(whole_.known, begin, end);
     for (std::size_t c = begin; c < end; ++c)
     {
-      result_.all.push_back(old.all[c]);
-      result_.all.back().firstFace += result_.faces.size() - firstFace;
+      result_.cells.push_back(mesh_.cells[c]);
+      result_.cells.back().firstUse += result_.uses.size() - firstUse;
     }
-    result_.faces.insert(result_.faces.end(),
-      old.faces.begin() + static_cast<std::ptrdiff_t>(firstFace),
-      old.faces.begin() + static_cast<std::ptrdiff_t>(old.all[end].firstFace));
+    result_.uses.insert(result_.uses.end(),
+      mesh_.uses.begin() + static_cast<std::ptrdiff_t>(firstUse),
+      mesh_.uses.begin() + static_cast<std::ptrdiff_t>(mesh_.cells[end].firstUse));
   }
 
   void writeCell(const Changed& changed)
@@ -382,7 +353,6 @@ private:
     {
       return;
     }
-    const Cells& old = whole_.cells;
     const Box box = whole_.boxes.box(open.box);
     const Vector size = minus(box.high, box.low);
     Cell cell;
@@ -390,48 +360,52 @@ private:
     cell.boundary = open.boundary;
     cell.region = open.region;
     cell.volumeFraction = changed.volume / (size[0] * size[1] * size[2]);
-    cell.firstFace = result_.faces.size();
+    cell.firstUse = result_.uses.size();
     cell.removed = open.removed;
-    cell.sliver = open.removed && open.origin < old.size() && old.all[open.origin].sliver;
+    cell.sliver = open.removed && open.origin < FirstHexahedron && mesh_.cells[open.origin].sliver;
     cell.reach = open.reach;
-    result_.all.push_back(cell);
-    known_.resize(result_.all.size());
+    result_.cells.push_back(cell);
+    known_.resize(result_.cells.size());
     for (const FaceUse& use : open.faces)
     {
-      result_.faces.push_back(refOf(changed.slab, use));
+      result_.uses.emplace_back(newFace(changed.slab, use.face), use.turned != 0);
     }
   }
 
-  // --- what lies on both sides of shaped faces
+  // --- what lies on both sides of faces
 
-  void findCellsOfShapedFaces()
+  bool isStillHexahedron(CellKey key) const
   {
-    ShapedFaces& faces = result_.shaped;
-    faces.cells.assign(faces.size(), { None, None });
-    execution_.forEach(result_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    return isHexahedron(key) && whole_.sides.polyhedralOrdinal(boxOfHexahedron(key)) == None;
+  }
+
+  void findCellsOfFaces()
+  {
+    WallFaces& faces = mesh_.faces;
+    execution_.forEach(faces.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f)
+      {
+        for (CellKey& key : faces.cells[f])
+        {
+          key = isStillHexahedron(key) ? key : CellKey(None);
+        }
+      }
+    });
+    execution_.forEach(mesh_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c)
       {
-        for (std::size_t f = result_.all[c].firstFace; f < result_.all[c + 1].firstFace; ++f)
-        {
-          const FaceOfCell& face = result_.faces[f];
-          if (face.kind() == FaceOfCell::Kind::Shaped ||
-            face.kind() == FaceOfCell::Kind::TurnedShaped)
-          {
-            faces.cells[face.index][face.turned() ? 1 : 0] = static_cast<std::uint32_t>(c);
-          }
-        }
+        mesh_.forEachUse(c,
+          [&](const FaceUse& use) { faces.cells[use.face][use.turned] = static_cast<CellKey>(c); });
       }
     });
   }
 
-  // Of those that stay hexahedra.
   void listSidesOfHexahedra()
   {
-    ShapedFaces& faces = result_.shaped;
-    std::vector<HexahedronSide> sides = std::move(faces.ofHexahedra);
+    std::vector<HexahedronSide> sides = std::move(mesh_.hexahedronSides);
     for (std::size_t s = 0; s < slabs_.size(); ++s)
     {
-      for (const auto& [side, face] : slabs_[s]->faceOfHexahedron_)
+      for (const auto& [side, face] : slabs_[s]->madeFaces_.ofHexahedra)
       {
         sides.push_back({ static_cast<std::uint32_t>(side / 6),
           static_cast<std::uint32_t>(side % 6), newFace(s, face) });
@@ -440,38 +414,29 @@ private:
     std::sort(sides.begin(), sides.end(), [](const HexahedronSide& x, const HexahedronSide& y) {
       return std::make_tuple(x.box, x.side, x.face) < std::make_tuple(y.box, y.side, y.face);
     });
-    faces.ofHexahedra.clear();
-    for (const HexahedronSide& side : sides)
-    {
-      if (side.face == None || whole_.sides.polyhedralOrdinal(side.box) != None)
-      {
-        continue;
-      }
-      std::array<std::uint32_t, 2>& cells = faces.cells[side.face];
-      if ((cells[0] == None) != (cells[1] == None))
-      {
-        (cells[0] == None ? cells[0] : cells[1]) = ShapedFaces::SomeHexahedron;
-        faces.ofHexahedra.push_back(side);
-      }
-    }
+    sides.erase(std::remove_if(sides.begin(), sides.end(),
+                  [&](const HexahedronSide& side) {
+                    return side.face == None || !isStillHexahedron(keyOfHexahedron(side.box));
+                  }),
+      sides.end());
+    mesh_.hexahedronSides = std::move(sides);
   }
 
-  CellsToShape& whole_;
+  ShapedWall& whole_;
   const std::vector<std::unique_ptr<CellComplex>>& slabs_;
   Execution& execution_;
-  std::uint32_t firstInner_; // faces and nodes of the slabs, as in CellComplex
-  std::uint32_t firstGiven_;
-  std::uint32_t firstShaped_;
+  WallMesh& mesh_;
+  std::uint32_t firstMade_; // faces and nodes of the slabs, as in CellComplex
   std::uint32_t firstAdded_;
   std::vector<Changed> changed_;
   std::vector<std::vector<std::uint32_t>> newNodes_; // of each slab's, or None: not used
   std::vector<std::vector<std::uint32_t>> newFaces_;
-  Cells result_;
-  KnownCells known_; // of its cells
+  WallMesh result_; // without faces
+  KnownCells known_;
 };
 
 void writeBack(
-  CellsToShape& whole, const std::vector<std::unique_ptr<CellComplex>>& slabs, Execution& execution)
+  ShapedWall& whole, const std::vector<std::unique_ptr<CellComplex>>& slabs, Execution& execution)
 {
   ShapedCells(whole, slabs, execution).write();
 }

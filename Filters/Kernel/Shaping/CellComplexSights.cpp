@@ -9,7 +9,7 @@ namespace cartesian
 bool CellComplex::isSeen(CellKey key) const
 {
   const OpenCell* cell = opened(key);
-  return !cell || !cell->changed || cell->isSeen;
+  return !cell || !cell->changed || cell->known.isSeen;
 }
 
 // Whether accept(below, above) holds for all its inner faces; false where that is not known.
@@ -18,11 +18,11 @@ bool CellComplex::allSights(CellKey key, Accept&& accept) const
 {
   const OpenCell* open = opened(key);
   const bool changed = open && open->changed;
-  if (!changed && key >= cells_.size())
+  if (!changed && !isOfWall(key))
   {
     return false;
   }
-  bool sure = changed ? open->isPlain && open->isSeen : whole_.known.isPlain[key] != 0;
+  bool sure = changed ? open->known.isPlain && open->known.isSeen : whole_.known.isPlain[key] != 0;
   forEachFace(key, [&](const FaceUse& use) {
     const CellKey other = sure ? across(use) : None;
     if (other == None)
@@ -31,11 +31,12 @@ bool CellComplex::allSights(CellKey key, Accept&& accept) const
     }
     // A face that has become a shaped one since is not among these, nor is one that a removed cell exposes.
     sure = isAlive(other) && isSeen(other) &&
-      (!isShaped(use.face) || use.face - firstShaped() < sightsOfShaped_.size());
+      (!isMadeHere(use.face) || use.face - firstMade() < madeFaces_.sights.size());
     if (sure)
     {
-      const auto& [below, above] = isShaped(use.face) ? sightsOfShaped_[use.face - firstShaped()]
-                                                      : whole_.sights[use.face - firstInner()];
+      const auto& [below, above] = isMadeHere(use.face)
+        ? madeFaces_.sights[use.face - firstMade()]
+        : whole_.sights[use.face - whole_.mesh.faces.firstOfSides()];
       sure = accept(below, above);
     }
   });
@@ -58,46 +59,37 @@ bool CellComplex::isSurelyGood(CellKey key) const
 
 void CellComplex::lookAtChanged()
 {
-  sightsOfShaped_.resize(shaped_.size());
-  const auto look = [&](CellKey key, OpenCell& cell) {
-    if (!cell.changed || cell.isSeen || !cell.alive || cell.removed)
+  madeFaces_.sights.resize(madeFaces_.all.size());
+  open_.forEach([&](CellKey key, const OpenCell& open) {
+    if (!open.changed || open.known.isSeen || !open.alive || open.removed)
     {
       return;
     }
+    OpenCell& cell = *opened(key);
     const CellShape& measures = measured(key);
     const bool atFault = isAnyAtFault(scratch_.polyhedron, measures);
-    cell.fault = atFault ? IsAtFault::Yes : IsAtFault::No;
-    cell.isPlain =
+    cell.known.fault = atFault ? IsAtFault::Yes : IsAtFault::No;
+    cell.known.isPlain =
       !atFault && isPlain(scratch_.polyhedron, measures) && isEasy(scratch_.polyhedron, measures);
-    cell.isSeen = true;
-    noteSights(key, measures, whole_.sights, sightsOfShaped_);
-  };
-  for (std::size_t i = 0; i < openOf_.size(); ++i)
-  {
-    if (openOf_[i] != None)
-    {
-      look(static_cast<CellKey>(firstOfSlab_ + i), open_[openOf_[i]]);
-    }
-  }
-  for (const auto& [key, open] : openOfOther_)
-  {
-    look(key, open_[open]);
-  }
+    cell.known.isSeen = true;
+    noteSights(key, measures, whole_.sights, madeFaces_.sights);
+  });
 }
 
 void CellComplex::noteSights(
-  CellKey key, const CellShape& measures, Sights& given, Sights& ofShaped) const
+  CellKey key, const CellShape& measures, Sights& given, Sights& ofMade) const
 {
-  const Point origin = boxes_.lowOf(boxOf(key));
+  const Point origin = whole_.boxes.lowOf(boxOf(key));
   std::size_t i = 0;
   forEachFace(key, [&](const FaceUse& use) {
     const FaceShape& face = measures.faces[i++];
-    if (isPatch(use.face))
+    if (whole_.mesh.faces.isPatch(use.face))
     {
       return;
     }
-    std::array<CentreOffset, 2>& sights =
-      isShaped(use.face) ? ofShaped[use.face - firstShaped()] : given[use.face - firstInner()];
+    std::array<CentreOffset, 2>& sights = isMadeHere(use.face)
+      ? ofMade[use.face - firstMade()]
+      : given[use.face - whole_.mesh.faces.firstOfSides()];
     sights[use.turned] = centreOffsetOf(measures.centre, face.centre, face.area);
     const CellKey other = across(use);
     if (other != None && !hasFaces(other))

@@ -48,17 +48,15 @@ class Shaper
 {
 public:
   // `isLast`: no other slab looks at cells after this one.
-  Shaper(CellComplex& complex, const SmallCellSpec& small, const ShapingSpec& spec, bool exact,
-    bool isLast, const WallLayerSpec* layers, Execution& execution)
+  Shaper(
+    CellComplex& complex, const ShapingTask& task, bool exact, bool isLast, Execution& execution)
     : complex_(complex)
-    , small_(small)
-    , spec_(spec)
+    , task_(task)
     , exact_(exact)
     , isLast_(isLast)
-    , merges_(small.handling == SmallCells::Merge)
-    , layers_(layers)
+    , merges_(task.small.handling == SmallCells::Merge)
     , execution_(execution)
-    , mergeSpec_(mergeSpecOf(spec, merges_, exact, complex.hasRegions()))
+    , mergeSpec_(mergeSpecOf(task.spec, merges_, exact, complex.hasRegions()))
     , merger_(complex, mergeSpec_, execution)
   {
   }
@@ -71,10 +69,10 @@ public:
     {
       cedeFlat();
     }
-    const bool cutsFirst = spec_.splitConcave && !exact_ && !complex_.hasRegions();
+    const bool cutsFirst = task_.spec.splitConcave && !exact_ && !complex_.hasRegions();
     merger_.bendInvalid(!cutsFirst);
     mergeSmall();
-    if (spec_.splitConcave)
+    if (task_.spec.splitConcave)
     {
       execution_.stage("Splitting", 0.25, 0.6);
       split();
@@ -121,8 +119,8 @@ public:
         transfer(keys, LeftOver::IsRemoved, givenAwayAt_);
         keys = merger_.refused(isLast_);
       }
-      cartesian::removeRefused(complex_, keys, small_, LargestShares[pass] * spec_.refusedCellRatio,
-        execution_, shaping_.refused);
+      cartesian::removeRefused(complex_, keys, task_.small,
+        LargestShares[pass] * task_.spec.refusedCellRatio, execution_, shaping_.refused);
       removeSmall();
       improve();
     }
@@ -144,9 +142,9 @@ private:
   // Where layers will stand.
   void joinWalls()
   {
-    if (layers_ && !exact_)
+    if (task_.layers && !exact_)
     {
-      cartesian::joinWalls(complex_, merger_.lookedAfter(isLast_), *layers_, execution_);
+      cartesian::joinWalls(complex_, merger_.lookedAfter(isLast_), *task_.layers, execution_);
     }
   }
 
@@ -187,7 +185,7 @@ private:
     {
       const double share = complex_.share(key);
       if (share < most &&
-        share < ratioOf(small_, complex_.boundaryOfCell(key), spec_.strandedRatio()) &&
+        share < ratioOf(task_.small, complex_.boundaryOfCell(key), task_.spec.strandedRatio()) &&
         complex_.isAtBoundary(key) && mayGo(key) && sparesOthers(complex_, key))
       {
         complex_.remove(key);
@@ -211,7 +209,7 @@ private:
                        !keepsWall(complex_, key) || isThinThere(key);
                    }),
         keys.end());
-      cartesian::removeTips(complex_, keys, small_, LargestTip, mergeSpec_.joins);
+      cartesian::removeTips(complex_, keys, task_.small, LargestTip, mergeSpec_.joins);
       improve();
     }
   }
@@ -226,7 +224,7 @@ private:
 
   void split()
   {
-    const double least = merges_ ? 0 : small_.ratio;
+    const double least = merges_ ? 0 : task_.small.ratio;
     shaping_.cellsSplit +=
       splitCells(complex_, complex_.polyhedraAtFault(), least, execution_).cellsSplit;
   }
@@ -285,12 +283,10 @@ private:
   static constexpr std::array<double, 8> LargestShares{ 0.025, 0.1, 0.25, 0.25, 1, 1, 1, 1 };
 
   CellComplex& complex_;
-  const SmallCellSpec& small_;
-  const ShapingSpec& spec_;
+  const ShapingTask& task_;
   bool exact_;
   bool isLast_;
   bool merges_;
-  const WallLayerSpec* layers_; // or null
   Execution& execution_;
   MergeSpec mergeSpec_;
   CellMerger merger_;
@@ -310,13 +306,11 @@ struct Shares
 constexpr std::array<Shares, ShapingStages> SharesOfStages{ { { 0.35, 0.5, 0.2 },
   { 0.45, 0.6, 0.8 } } };
 
-void optimise(CellsToShape& whole, const std::vector<Slab>& slabs, double featureAngle,
-  const WallLayerSpec* layers, Execution& execution)
+void optimise(
+  ShapedWall& whole, const std::vector<Slab>& slabs, const ShapingTask& task, Execution& execution)
 {
-  const WallParts parts(
-    whole.boxes, whole.patches, whole.sides, whole.nodes, whole.inner, whole.cells, whole.sideOf);
-  for (const std::uint32_t cell :
-    optimiseNodes(parts, slabs, featureAngle, layers, whole.nodes, whole.cells, execution))
+  for (const std::uint32_t cell : optimiseNodes(whole.boxes, whole.sides, slabs, task.featureAngle,
+         task.layers, whole.nodes, whole.mesh, execution))
   {
     whole.known.atFault[cell] = IsAtFault::Unknown;
   }
@@ -342,12 +336,11 @@ bool shapesCells(const SmallCellSpec& small, const ShapingSpec& spec)
 }
 
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
-  const InnerFaces& inner, Cells& cells, const SmallCellSpec& small, const ShapingSpec& spec,
-  double featureAngle, Execution& execution, const WallLayerSpec* layers)
+  WallMesh& mesh, const ShapingTask& task, Execution& execution)
 {
   const bool exact = isExact(patches);
   const std::uint32_t all = boxes.allLayers().end;
-  CellsToShape whole(boxes, patches, sides, nodes, inner, cells, featureAngle);
+  ShapedWall whole(boxes, patches, sides, nodes, mesh, task.featureAngle);
   Shaping sum;
   std::size_t stage = 0;
   for (const std::vector<Slab>& slabs : slabsFor(layersOfShapedCells(boxes.core, all), all))
@@ -368,19 +361,19 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
         const auto count = static_cast<double>(slabs.size());
         Execution alone = execution.alone(double(s) / count, double(s + 1) / count);
         complexes[s] = std::make_unique<CellComplex>(whole, slabs[s]);
-        Shaper shaper(*complexes[s], small, spec, exact, isLast, layers, alone);
+        Shaper shaper(*complexes[s], task, exact, isLast, alone);
         shapings[s] = shape(shaper);
       });
       sum = std::accumulate(shapings.begin(), shapings.end(), sum);
       writeBack(whole, complexes, execution);
     };
     inSlabs(shares.shaping, [](Shaper& shaper) { return shaper.run(); });
-    if (spec.optimiseNodes && !exact)
+    if (task.spec.optimiseNodes && !exact)
     {
       execution.nextLoop(shares.optimisation);
-      optimise(whole, slabs, featureAngle, layers, execution);
+      optimise(whole, slabs, task, execution);
     }
-    if (spec.splitConcave && spec.refusedCellRatio > 0 && !exact)
+    if (task.spec.splitConcave && task.spec.refusedCellRatio > 0 && !exact)
     {
       inSlabs(shares.removal, [](Shaper& shaper) { return shaper.removeRefused(); });
     }

@@ -3,7 +3,8 @@
 // Slab by slab (Slabs.h): those of the core, and around it what a point of theirs may belong to.
 #pragma once
 
-#include "Cells/Cells.h"
+#include "Cells/SmallCellSpec.h"
+#include "Cells/WallMesh.h"
 #include "Shaping/RemovedCell.h"
 #include "Shaping/ShapingSpec.h"
 #include "Surface/WallLayerSpec.h"
@@ -26,9 +27,15 @@ Shaping operator+(Shaping sum, const Shaping& other);
 // Whether there is anything to do.
 bool shapesCells(const SmallCellSpec& small, const ShapingSpec& spec);
 
-// `layers`: that some walls will have, or null.
+struct ShapingTask
+{
+  const SmallCellSpec& small;
+  const ShapingSpec& spec;
+  double featureAngle;         // degrees; edges of the wall that turn by more stay
+  const WallLayerSpec* layers; // that some walls will have, or null
+};
+
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
-  const InnerFaces& inner, Cells& cells, const SmallCellSpec& small, const ShapingSpec& spec,
-  double featureAngle, Execution& execution, const WallLayerSpec* layers = nullptr);
+  WallMesh& mesh, const ShapingTask& task, Execution& execution);
 
 }

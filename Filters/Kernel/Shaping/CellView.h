@@ -3,18 +3,10 @@
 #pragma once
 
 #include "Acceptance/CellFaults.h"
+#include "Cells/WallMesh.h"
 
 namespace cartesian
 {
-
-// A cell of a polyhedral box; or (number of those) + box: a hexahedron; or beyond: made by a cut.
-using CellKey = std::uint32_t;
-
-struct FaceUse
-{
-  std::uint32_t face : 31; // patches, then inner faces, then shaped ones
-  std::uint32_t turned : 1;
-};
 
 // `nodes`, `faces` and `across` lead back to the whole.
 struct CellView

@@ -12,8 +12,6 @@ namespace cartesian
 namespace
 {
 
-constexpr std::uint32_t None = ~std::uint32_t(0);
-
 // Points on one plane are rounded to whole levels.
 constexpr double RoundingLevels = 2;
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Base/Execution.h"
+#include "Cells/SmallCellSpec.h"
 #include "Shaping/CellComplex.h"
 #include "Shaping/RemovedCell.h"
 

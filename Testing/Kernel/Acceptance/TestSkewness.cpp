@@ -1,4 +1,5 @@
 // Skewness against what can be worked out by hand, and limits against the definition of the mesh's quality.
+#include "Acceptance/CellFaults.h"
 #include "Acceptance/Limits.h"
 #include "Acceptance/Skewness.h"
 #include "Quality/QualityMeasures.h"

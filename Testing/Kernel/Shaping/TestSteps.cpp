@@ -28,15 +28,11 @@ class FewCells
 public:
   FewCells(const Soup& soup, const GridSpec& grid, const PatchSpec& patches = exactFit())
   {
-    Options options = asTheyAre();
+    TestOptions options = asTheyAre();
     options.patches = patches;
-    options.grid = grid;
-    options.memoryLimit = PlentyOfMemory;
-    const PreparedSurface prepared = prepareSurface(soup.view(), options, execution);
-    const auto decomposition = decompose(prepared, options, execution);
-    a_ = meshPart(prepared, *decomposition, decomposition->allLayers(), options, execution);
-    whole_ = std::make_unique<CellsToShape>(
-      a_->boxes, a_->patches, a_->sides, a_->nodes, a_->inner, a_->cells, 45);
+    a_ = assembledOf(soup, grid, options, execution);
+    whole_ =
+      std::make_unique<ShapedWall>(a_->boxes, a_->patches, a_->sides, a_->nodes, a_->wall, 45);
     const Layers all = a_->boxes.allLayers();
     whole_->measure(all, execution);
     complex_ = std::make_unique<CellComplex>(*whole_, Slab{ all, all, all, all });
@@ -76,7 +72,7 @@ public:
 
 private:
   std::unique_ptr<Assembly> a_;
-  std::unique_ptr<CellsToShape> whole_;
+  std::unique_ptr<ShapedWall> whole_;
   std::unique_ptr<CellComplex> complex_;
 };
 

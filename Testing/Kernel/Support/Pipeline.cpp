@@ -259,6 +259,36 @@ PreparedSurface prepareOnLevels(const Soup& soup, const Meshlines& planes)
   return prepared;
 }
 
+std::unique_ptr<Assembly> assembledOf(
+  const Soup& soup, const GridSpec& grid, const TestOptions& given, Execution& execution)
+{
+  Options options = given;
+  options.grid = grid;
+  options.memoryLimit = PlentyOfMemory;
+  const PreparedSurface prepared = prepareSurface(soup.view(), options, execution);
+  const auto decomposition = decompose(prepared, options, execution);
+  return meshPart(prepared, *decomposition, decomposition->allLayers(), options, execution);
+}
+
+namespace
+{
+
+// With their polygons, which the wall mesh has.
+Patches patchesOf(const Assembly& a)
+{
+  Patches patches = a.patches;
+  const WallFaces& faces = a.wall.faces;
+  const std::size_t count = patches.size();
+  const std::size_t corners = faces.start[count];
+  patches.points.assign(
+    a.nodes.at.begin(), a.nodes.at.begin() + std::ptrdiff_t(a.nodes.patchPoints));
+  patches.start.assign(faces.start.begin(), faces.start.begin() + std::ptrdiff_t(count + 1));
+  patches.corners.assign(faces.corners.begin(), faces.corners.begin() + std::ptrdiff_t(corners));
+  return patches;
+}
+
+}
+
 Meshed meshPrepared(const PreparedSurface& prepared, const TestOptions& options)
 {
   Execution execution(options.threads);
@@ -270,7 +300,7 @@ Meshed meshPrepared(const PreparedSurface& prepared, const TestOptions& options)
   result.mesh = arraysOf(*assembly->mesh, assembly->boxes, execution);
   result.flawedBoxes = flawedBoxes(*assembly);
   result.statistics = statisticsOf(*assembly);
-  result.patches = std::move(assembly->patches);
+  result.patches = patchesOf(*assembly);
   result.boxed = { std::move(assembly->boxes), decomposition->takeShoeboxes(),
     decomposition->warnings() };
   return result;

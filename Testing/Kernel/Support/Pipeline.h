@@ -100,6 +100,10 @@ Meshlines randomPlanes(unsigned seed, int width);
 // A surface whose coordinates are odd levels, cut by these planes.
 PreparedSurface prepareOnLevels(const Soup& soup, const Meshlines& planes);
 
+// All steps up to the mesh that is written, in one part.
+std::unique_ptr<Assembly> assembledOf(
+  const Soup& soup, const GridSpec& grid, const TestOptions& options, Execution& execution);
+
 Meshed meshPrepared(const PreparedSurface& prepared, const TestOptions& options = asTheyAre());
 Meshed meshOf(const Soup& soup, const GridSpec& grid, const TestOptions& options = asTheyAre());
 

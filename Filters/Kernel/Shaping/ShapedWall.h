@@ -3,7 +3,6 @@
 // before any changes: most never do, and are measured once.
 #pragma once
 
-#include "Cells/Boundary.h"
 #include "Parts/Slabs.h"
 #include "Shaping/CellView.h"
 
@@ -30,33 +29,34 @@ struct KnownCells
   void append(const KnownCells& others, std::size_t begin, std::size_t end);
 };
 
-// Of inner, then shaped faces, from the cells below and above.
+// Of faces of sides and those after them (WallFaces), from the cells below and above.
 using Sights = std::vector<std::array<CentreOffset, 2>>;
 
 // What the slabs of one stage have in common.
-struct CellsToShape
+struct ShapedWall
 {
   // `featureAngle` in degrees: edges of the wall that turn by more stay.
-  CellsToShape(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
-    const InnerFaces& inner, Cells& cells, double featureAngle);
+  ShapedWall(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes, WallMesh& mesh,
+    double featureAngle);
 
   const Boxes& boxes;
   const Patches& patches;
   Sides& sides;
   Nodes& nodes;
-  const InnerFaces& inner;
-  Cells& cells;
+  WallMesh& mesh;
   double featureCosine;
 
-  std::vector<std::uint32_t> sideOf; // of each inner face
-  KnownCells known;                  // of polyhedral boxes, as they were
-  Sights sights;                     // likewise; those of hexahedra too
+  KnownCells known; // of polyhedral boxes, as they were
+  Sights sights;    // likewise; those of hexahedra too
 
   // Fills what is not known of the cells in these layers, before any slab changes.
   void measure(Layers layers, Execution& execution);
 
   // The cells of polyhedral boxes in these layers: begin and end.
-  std::array<CellKey, 2> cellsIn(Layers layers) const;
+  std::array<CellKey, 2> cellsIn(Layers layers) const
+  {
+    return cartesian::cellsIn(boxes, sides, mesh, layers);
+  }
 };
 
 }

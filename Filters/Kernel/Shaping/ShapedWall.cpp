@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Shaping/CellsToShape.h"
+#include "Shaping/ShapedWall.h"
 
 #include "Acceptance/CellCost.h"
-
 #include "Shaping/CellComplex.h"
 
 #include <algorithm>
@@ -46,47 +45,21 @@ void KnownCells::append(const KnownCells& others, std::size_t begin, std::size_t
   add(shares, others.shares);
 }
 
-CellsToShape::CellsToShape(const Boxes& b, const Patches& p, Sides& s, Nodes& n,
-  const InnerFaces& i, Cells& c, double featureAngle)
+ShapedWall::ShapedWall(
+  const Boxes& b, const Patches& p, Sides& s, Nodes& n, WallMesh& m, double featureAngle)
   : boxes(b)
   , patches(p)
   , sides(s)
   , nodes(n)
-  , inner(i)
-  , cells(c)
+  , mesh(m)
   , featureCosine(std::cos(radians(featureAngle)))
-  , sideOf(i.size())
 {
-  for (std::size_t side = 0; side + 1 < inner.sideStart.size(); ++side)
-  {
-    std::fill(sideOf.begin() + static_cast<std::ptrdiff_t>(inner.sideStart[side]),
-      sideOf.begin() + static_cast<std::ptrdiff_t>(inner.sideStart[side + 1]),
-      static_cast<std::uint32_t>(side));
-  }
 }
 
-std::array<CellKey, 2> CellsToShape::cellsIn(Layers layers) const
+void ShapedWall::measure(Layers layers, Execution& execution)
 {
-  const auto firstOf = [&](std::uint32_t layer) {
-    const auto& polyhedral = sides.polyhedral;
-    const auto at = std::lower_bound(polyhedral.begin(), polyhedral.end(), boxes.firstBoxOf(layer));
-    return static_cast<CellKey>(cells.boxStart[static_cast<std::size_t>(at - polyhedral.begin())]);
-  };
-  return { firstOf(layers.begin), firstOf(layers.end) };
-}
-
-void CellsToShape::measure(Layers layers, Execution& execution)
-{
-  for (const ShapedFaces::HexahedronSide& side : cells.shaped.ofHexahedra)
-  {
-    for (std::uint32_t& cell : cells.shaped.cells[side.face])
-    {
-      cell =
-        cell == ShapedFaces::SomeHexahedron ? static_cast<CellKey>(cells.size() + side.box) : cell;
-    }
-  }
-  known.resize(cells.size());
-  sights.resize(inner.size() + cells.shaped.size());
+  known.resize(mesh.size());
+  sights.resize(mesh.faces.size() - mesh.faces.firstOfSides());
   const CellComplex complex(*this, {});
   Sights none; // slabs make faces later
   const std::array<CellKey, 2> range = cellsIn(layers);

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The mesh at the wall: the cells of polyhedral boxes with all their faces, from their assembly (section 6, part B) until
+// they are written. Hexahedra stay implicit: of their faces, only those are here that a cell at the wall has too.
+#pragma once
+
+#include "Faces/InnerFaces.h"
+
+namespace cartesian
+{
+
+// A cell of the wall mesh; or FirstHexahedron + box; or, in shaping, FirstOfCuts and more: made by a cut; or None.
+using CellKey = std::uint32_t;
+
+constexpr CellKey FirstHexahedron = 1u << 30;
+constexpr CellKey FirstOfCuts = 3u << 30;
+
+constexpr CellKey keyOfHexahedron(std::uint32_t box)
+{
+  return FirstHexahedron + box;
+}
+constexpr bool isHexahedron(CellKey key)
+{
+  return key >= FirstHexahedron && key < FirstOfCuts;
+}
+constexpr std::uint32_t boxOfHexahedron(CellKey key)
+{
+  return key - FirstHexahedron;
+}
+
+// A face of a cell. The cell below a face, outside of which its corners are counter-clockwise, has it as it is; the cell
+// above has it turned over.
+struct FaceUse
+{
+  std::uint32_t face : 31;
+  std::uint32_t turned : 1;
+
+  FaceUse() = default;
+  FaceUse(std::size_t f, bool isTurned)
+    : face(static_cast<std::uint32_t>(f) & Most)
+    , turned(isTurned ? 1 : 0)
+  {
+  }
+
+  static constexpr std::uint32_t Most = 0x7fffffffu;
+};
+
+// Where a face comes from.
+enum class FaceOrigin : std::uint8_t
+{
+  Patch,
+  Side,      // of two boxes (InnerFaces.h)
+  Interface, // a patch between two regions (Interfaces.h)
+  Shaped, // made by shaping (CellShaping.h): a piece of one of those, one with other nodes, or a cut
+};
+
+// In order of their origins: patches, as Patches has them; then those of sides; ...
+struct WallFaces
+{
+  std::vector<std::uint32_t> start{ 0 };     // first corner of each face, and the end
+  std::vector<std::uint32_t> corners;        // nodes
+  std::vector<std::array<CellKey, 2>> cells; // below and above
+
+  // The wall (Walls.h) of patches, of faces between two regions, and of those with no cell on one side.
+  std::vector<std::int32_t> boundary;
+
+  std::vector<std::uint32_t> sideStart; // first face of each side, and the end
+  std::uint32_t firstShaped = 0;
+
+  std::size_t size() const { return cells.size(); }
+  std::uint32_t firstOfSides() const { return sideStart.front(); } // the number of patches
+  std::uint32_t firstInterface() const { return sideStart.back(); }
+
+  FaceOrigin originOf(std::size_t face) const
+  {
+    return face < firstOfSides() ? FaceOrigin::Patch
+      : face < firstInterface()  ? FaceOrigin::Side
+      : face < firstShaped       ? FaceOrigin::Interface
+                                 : FaceOrigin::Shaped;
+  }
+  bool isPatch(std::size_t face) const { return face < firstOfSides(); }
+
+  // The cell on the other side of a cell's face.
+  CellKey beyond(const FaceUse& use) const { return cells[use.face][use.turned ? 0 : 1]; }
+
+  // Calls visit(node) for the corners of a face, counter-clockwise from outside its cell.
+  template <class Visitor>
+  void forEachNode(const FaceUse& use, Visitor&& visit) const
+  {
+    const std::size_t begin = start[use.face];
+    const std::size_t end = start[use.face + 1u];
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      visit(corners[use.turned ? begin + end - 1 - i : i]);
+    }
+  }
+
+  void reserve(std::size_t count, std::size_t ofCorners)
+  {
+    start.reserve(count + 1);
+    corners.reserve(ofCorners);
+    cells.reserve(count);
+    boundary.reserve(count);
+  }
+
+  // Closes the face whose corners were added last.
+  void add(const std::array<CellKey, 2>& of, std::int32_t wall)
+  {
+    start.push_back(static_cast<std::uint32_t>(corners.size()));
+    cells.push_back(of);
+    boundary.push_back(wall);
+  }
+};
+
+// A separated volume (B2) of a polyhedral box (Sides.h).
+struct Cell
+{
+  std::uint32_t box;
+  std::int32_t boundary; // of most of its patches by area, or NoBoundary
+  std::int32_t region;
+  double volumeFraction; // of its box
+  std::size_t firstUse;  // in WallMesh::uses; up to the next cell's first
+  bool sliver;           // its volume is mere rounding
+  bool removed;          // a sliver, or smaller than R of its box (4.10)
+
+  // The number of layers of global boxes that it extends below and above its box's, by merging.
+  std::array<std::uint8_t, 2> reach{ 0, 0 };
+};
+
+// The face that shaping made on a side of a hexahedron (0: low x, 1: high x, low y, ...).
+struct HexahedronSide
+{
+  std::uint32_t box;
+  std::uint32_t side;
+  std::uint32_t face;
+};
+
+struct WallMesh
+{
+  WallFaces faces;
+  std::vector<Cell> cells;           // of polyhedral boxes, in order; then a sentinel
+  std::vector<FaceUse> uses;         // of faces, by cells
+  std::vector<std::size_t> boxStart; // first cell of the n-th polyhedral box, and the end
+  std::vector<std::uint8_t> flawed;  // 1: the faces of the box do not close; it has no cells
+  std::size_t folds = 0;             // walls without thickness inside a cell, which were dropped
+  std::size_t voids = 0;             // closed pieces of surface inside a cell, which are its holes
+  std::vector<HexahedronSide> hexahedronSides; // in order of boxes and sides
+
+  std::size_t size() const { return cells.size() - 1; }
+
+  bool isRemoved(CellKey key) const { return key < FirstHexahedron && cells[key].removed; }
+
+  // Whether a face is between two regions. Hexahedra are in boxes that no wall passes through.
+  bool isInterface(std::size_t face) const
+  {
+    const auto& [below, above] = faces.cells[face];
+    return below < FirstHexahedron && above < FirstHexahedron &&
+      cells[below].region != cells[above].region;
+  }
+
+  // Calls visit(use) for the faces of a cell.
+  template <class Visitor>
+  void forEachUse(std::size_t cell, Visitor&& visit) const
+  {
+    for (std::size_t u = cells[cell].firstUse; u < cells[cell + 1].firstUse; ++u)
+    {
+      visit(uses[u]);
+    }
+  }
+
+  // Calls visit(node) for the corners of a cell's faces.
+  template <class Visitor>
+  void forEachNodeOf(std::size_t cell, Visitor&& visit) const
+  {
+    forEachUse(cell, [&](const FaceUse& use) { faces.forEachNode(use, visit); });
+  }
+};
+
+// The cells of the boxes in these layers: begin and end.
+std::array<CellKey, 2> cellsIn(
+  const Boxes& boxes, const Sides& sides, const WallMesh& wall, Layers layers);
+
+// What is on a side of a hexahedron (0: low x, 1: high x, low y, ...).
+struct BesideHexahedron
+{
+  std::uint32_t box;          // beyond, or None
+  bool isPolyhedral;          // that box: its cells have faces here
+  std::vector<FaceUse> faces; // of the wall mesh, as the hexahedron has them
+};
+
+// Fills in the side of a hexahedron. Without faces, its only one there is implicit.
+void lookBeside(const Boxes& boxes, const Sides& sides, const WallMesh& wall, std::uint32_t box,
+  unsigned side, BesideHexahedron& beside);
+
+}

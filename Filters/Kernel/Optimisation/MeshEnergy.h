@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The energy (FaceEnergy.h) of a node mesh's faces and cells as its nodes are now, and its derivatives by the places of nodes.
+#pragma once
+
+#include "Acceptance/FaceEnergy.h"
+#include "Optimisation/LayerPrisms.h"
+
+namespace cartesian
+{
+
+class MeshEnergy
+{
+public:
+  // `isMoving`: of each face, 1 if it has a corner that moves. Gives the mesh's changing cells their measures.
+  MeshEnergy(NodeMesh& mesh, const LayerPrisms& prisms, std::vector<std::uint8_t> isMoving);
+
+  // As all nodes are now: measures and energies.
+  void evaluate();
+
+  // The same of some faces and the cells beside them, and the energies of all faces of these.
+  void evaluate(const std::vector<std::uint32_t>& faces);
+
+  // From now on a face is folded if its star is worse than now, and bad.
+  void keepStars() { leastStars_ = stars_; }
+
+  // Of faces; cells' energies are the sums of their faces', and what their own size costs.
+  const std::vector<FaceEnergy>& ofFaces() const { return energies_; }
+  double ofCell(std::uint32_t c) const { return c < energyOfCell_.size() ? energyOfCell_[c] : 0; }
+
+  bool isMoving(std::size_t f) const { return isMoving_[f] != 0; }
+  bool isFolded(std::size_t f) const;
+
+  // Passes the derivatives by measures of cells on to those of their faces: once after each evaluation.
+  void differentiate();
+
+  // Calls add(i, derivative) for the corners of a face.
+  template <class Add>
+  void forEachDerivative(std::size_t f, Add&& add) const;
+
+private:
+  const Vector& corner(std::size_t f, std::size_t i) const
+  {
+    return m_.nodes.at[m_.faces.corners[m_.faces.start[f] + i]];
+  }
+  std::size_t cornersOf(std::size_t f) const { return m_.faces.start[f + 1] - m_.faces.start[f]; }
+
+  void measureFace(std::size_t f);
+  CellGeometry measureOf(std::uint32_t c) const;
+  void evaluateFace(std::size_t f);
+  FaceEnergy energyOfWall(std::size_t f, const Ring& ring);
+  void passOn(std::uint32_t c);
+
+  NodeMesh& m_;
+  const LayerPrisms& prisms_;
+  const std::vector<std::uint8_t> isMoving_;
+  std::vector<double> edges_; // of the smaller of each face's boxes
+  std::vector<FaceGeometry> faces_;
+  std::vector<double> stars_;      // smallest triangles of stars
+  std::vector<double> leastStars_; // ... before
+  std::vector<FaceEnergy> energies_;
+  std::vector<FaceGradient> byFaces_;
+  std::vector<CellGradient> byCells_;
+  std::vector<double> energyOfCell_;
+};
+
+// By the triangles of its star.
+template <class Add>
+void MeshEnergy::forEachDerivative(std::size_t f, Add&& add) const
+{
+  const FaceGeometry& face = faces_[f];
+  const Vector normal = unit(face.area);
+  const double size = std::max(norm(face.area), Tiny);
+  const std::size_t count = cornersOf(f);
+  Vector ofMean{};
+  Vector mean{};
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    mean = plus(mean, corner(f, i));
+  }
+  mean = scaled(mean, 1.0 / static_cast<double>(count));
+  const FaceGradient& own = byFaces_[f];
+  const Vector fromCentre = minus(mean, face.centre);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::size_t k = i + 1 < count ? i + 1 : 0;
+    const Vector p = minus(corner(f, i), mean);
+    const Vector q = minus(corner(f, k), mean);
+    const double area = dot(cross(p, q), normal) / 2;
+    const Vector shift = scaled(own.centre, area / (3 * size));
+    const Vector offset = plus(scaled(plus(p, q), 1.0 / 3), fromCentre);
+    const Vector byArea =
+      scaled(plus(own.area, scaled(normal, dot(offset, own.centre) / size)), 0.5);
+    const Vector ofP = cross(q, byArea);
+    const Vector ofQ = cross(byArea, p);
+    add(i, plus(shift, ofP));
+    add(k, plus(shift, ofQ));
+    ofMean = plus(ofMean, minus(shift, plus(ofP, ofQ)));
+  }
+  ofMean = scaled(ofMean, 1.0 / static_cast<double>(count));
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    add(i, ofMean);
+  }
+}
+
+}
