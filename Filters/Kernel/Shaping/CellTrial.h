@@ -23,7 +23,7 @@ struct CellTrial
   {
   }
 
-  void look(const CellComplex& cells, CellKey key);
+  void look(const CellComplex& cells, CellKey cell);
 
   // With the faces joined.
   Verdict joined();
