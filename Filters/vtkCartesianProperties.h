@@ -100,6 +100,10 @@ protected:                                                                      
  * SplitConcaveCells, default on: cells that fail an angle condition of section 3 are cut along their
  * concave edges (4.11).
  *
+ * TrueVolume, default on: where small cells merge or concave ones are split, and Patch Method is Automatic, nodes of
+ * curved walls move off the surface by as much as lets the mesh enclose what the surface does; sharp edges, flat walls
+ * and borders between boundaries stay.
+ *
  * OptimiseNodes, default on: where small cells merge or concave ones are split, and the patches are not exact, nodes of
  * the cells at the surface move to where solvers are at ease with the faces around them; those of the surface along it.
  *
@@ -134,6 +138,9 @@ public:                                                                         
   vtkSetMacro(SplitConcaveCells, bool);                                                            \
   vtkGetMacro(SplitConcaveCells, bool);                                                            \
   vtkBooleanMacro(SplitConcaveCells, bool);                                                        \
+  vtkSetMacro(TrueVolume, bool);                                                                   \
+  vtkGetMacro(TrueVolume, bool);                                                                   \
+  vtkBooleanMacro(TrueVolume, bool);                                                               \
   vtkSetMacro(OptimiseNodes, bool);                                                                \
   vtkGetMacro(OptimiseNodes, bool);                                                                \
   vtkBooleanMacro(OptimiseNodes, bool);                                                            \
@@ -146,6 +153,7 @@ protected:                                                                      
   double MergeRatio = 0.3;                                                                         \
   double SmallCellRatio = 1e-3;                                                                    \
   bool SplitConcaveCells = true;                                                                   \
+  bool TrueVolume = true;                                                                          \
   bool OptimiseNodes = true;                                                                       \
   double RefusedCellRatio = 4
 

@@ -68,6 +68,10 @@ int vtkCellAssembler::RequestData(
     cartesian::Boxes boxes = cartesian::boxesFromVTK(vtkUnstructuredGrid::GetData(input[0]));
     vtkPolyData* patchData = vtkPolyData::GetData(input[1]);
     cartesian::Patches patches = cartesian::patchesFromVTK(patchData, boxes);
+    if (patchData->GetFieldData()->HasArray(cartesian::SurfaceVolumeField))
+    {
+      patches.surfaceVolume = cartesian::getField(patchData, cartesian::SurfaceVolumeField, 1)[0];
+    }
     const cartesian::BoundaryNames names = cartesian::boundaryNames(patchData);
     const cartesian::BoundarySettings boundaries{ this->BoundaryNames, this->BoundaryTypes,
       this->BoundaryRatios, {}, {}, {} };

@@ -309,6 +309,11 @@ std::string Summary(vtkUnstructuredGrid* mesh)
   }
   text << "\nVolume " << cartesian::number(Field(mesh, "TotalVolume")) << ", boundary "
        << cartesian::number(Field(mesh, "BoundaryArea")) << "\n";
+  if (const double enclosed = Field(mesh, "SurfaceVolume"); enclosed > 0)
+  {
+    const double more = Percent * (Field(mesh, "TotalVolume") / enclosed - 1);
+    text << "Volume error " << cartesian::number(more) << " % of what the surface encloses\n";
+  }
   TellVerdict(mesh, text);
   TellRegions(mesh, text);
   TellBoundaries(mesh, text);

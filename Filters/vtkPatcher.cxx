@@ -96,6 +96,8 @@ int vtkPatcher::RequestData(
     cartesian::setBoundaryNames(vtkDataObject::GetData(output), source.names());
     cartesian::setField(
       vtkDataObject::GetData(output), cartesian::FeatureAngleField, { this->FeatureAngle });
+    cartesian::setField(
+      vtkDataObject::GetData(output), cartesian::SurfaceVolumeField, { patches.surfaceVolume });
   });
   return 1;
 }

@@ -13,7 +13,10 @@
  * polyline, 3 a sharp feature passes through or the surface turns within the box by more than twice
  * Feature Angle, 4 there are several boundaries, 5 the surface in the box is no set of discs, 6 Patch
  * Method says so), EnclosedVolume (double: of the connected piece of the surface that it belongs to; with
- * it Cell Assembler tells a small body from a fragment that the grid cuts off). Field data: FeatureAngle (double), for vtkCellAssembler. Sections 4.7, 4.8 and A2 of
+ * it Cell Assembler tells a small body from a fragment that the grid cuts off), StandOff
+ * (double: how far the patches of its box would have to move outwards to enclose what the surface encloses there; Cell
+ * Assembler does that). Field data, for vtkCellAssembler: FeatureAngle (double), SurfaceVolume
+ * (double: what the surface encloses of the domain; 0: not known). Sections 4.7, 4.8 and A2 of
  * the paper.
  *
  * Errors: EmptySurface, BadCoordinate, MissingArray (no Boundary Array of that name, or boxes that

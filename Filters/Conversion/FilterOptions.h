@@ -73,6 +73,7 @@ void setCellOptions(Filter* filter, Options& options)
   options.smallCells.ratio = filter->GetSmallCellRatio();
   options.smallCells.handling = static_cast<SmallCells>(filter->GetSmallCells());
   options.shaping.mergeRatio = filter->GetMergeRatio();
+  options.shaping.trueVolume = filter->GetTrueVolume();
   options.shaping.splitConcave = filter->GetSplitConcaveCells();
   options.shaping.optimiseNodes = filter->GetOptimiseNodes();
   options.shaping.refusedCellRatio = filter->GetRefusedCellRatio();
@@ -94,6 +95,7 @@ void printCellProperties(Filter* filter, ostream& os, vtkIndent indent)
   os << indent << "SmallCells: " << filter->GetSmallCells() << "\n";
   os << indent << "MergeRatio: " << filter->GetMergeRatio() << "\n";
   os << indent << "SmallCellRatio: " << filter->GetSmallCellRatio() << "\n";
+  os << indent << "TrueVolume: " << filter->GetTrueVolume() << "\n";
   os << indent << "SplitConcaveCells: " << filter->GetSplitConcaveCells() << "\n";
   os << indent << "OptimiseNodes: " << filter->GetOptimiseNodes() << "\n";
   os << indent << "RefusedCellRatio: " << filter->GetRefusedCellRatio() << "\n";

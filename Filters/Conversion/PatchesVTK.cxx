@@ -54,6 +54,7 @@ public:
     , box_(cellArray(input, "BoxId"))
     , reason_(cellArray(input, "PatchReason"))
     , enclosed_(cellArray(input, "EnclosedVolume"))
+    , missing_(cellArray(input, "StandOff"))
   {
   }
 
@@ -63,6 +64,7 @@ public:
     intersected_ = intersectedBoxes(boxes_, one);
     patches_.boxStart.assign(intersected_.size() + 1, 0);
     patches_.reason.assign(intersected_.size(), PatchReason::MarchingCubes);
+    patches_.missing.assign(intersected_.size(), 0);
     readPoints();
     auto polygon = vtk::TakeSmartPointer(input_->GetPolys()->NewIterator());
     for (polygon->GoToFirstCell(); !polygon->IsDoneWithTraversal(); polygon->GoToNextCell())
@@ -118,6 +120,8 @@ private:
       throwMismatch(id);
     }
     patches_.reason[n_] = static_cast<PatchReason>(code);
+    patches_.missing[n_] =
+      static_cast<float>(missing_->GetComponent(id, 0) / boxes_.lattice.step());
   }
 
   void readCorners(vtkIdType id, vtkIdType size, const vtkIdType* corners)
@@ -144,6 +148,7 @@ private:
   vtkDataArray* box_;
   vtkDataArray* reason_;
   vtkDataArray* enclosed_; // cubic user units
+  vtkDataArray* missing_;  // user units
   const double cubicStep_ = std::pow(boxes_.lattice.step(), 3);
   std::vector<std::uint32_t> intersected_;
   std::size_t n_ = 0; // the intersected box at hand
@@ -198,6 +203,9 @@ void toVTK(const Patches& patches, const Boxes& boxes, const std::vector<vtkIdTy
   vtkNew<vtkIdTypeArray> box;
   box->SetName("BoxId");
   box->SetNumberOfValues(count);
+  vtkNew<vtkDoubleArray> missing;
+  missing->SetName("StandOff");
+  missing->SetNumberOfValues(count);
   vtkNew<vtkUnsignedCharArray> reason;
   reason->SetName("PatchReason");
   reason->SetNumberOfValues(count);
@@ -208,6 +216,8 @@ void toVTK(const Patches& patches, const Boxes& boxes, const std::vector<vtkIdTy
     std::fill(reason->GetPointer(0) + patches.boxStart[n],
       reason->GetPointer(0) + patches.boxStart[n + 1],
       static_cast<unsigned char>(patches.reason[n]));
+    std::fill(missing->GetPointer(0) + patches.boxStart[n],
+      missing->GetPointer(0) + patches.boxStart[n + 1], patches.missing[n] * boxes.lattice.step());
     std::fill(box->GetPointer(0) + patches.boxStart[n],
       box->GetPointer(0) + patches.boxStart[n + 1], static_cast<vtkIdType>(intersected[n]));
   }
@@ -219,6 +229,7 @@ void toVTK(const Patches& patches, const Boxes& boxes, const std::vector<vtkIdTy
   output->GetCellData()->AddArray(cell);
   output->GetCellData()->AddArray(reason);
   output->GetCellData()->AddArray(enclosed);
+  output->GetCellData()->AddArray(missing);
 }
 
 Patches patchesFromVTK(vtkPolyData* input, const Boxes& boxes)

@@ -4,8 +4,10 @@
 // Cell arrays: BoundaryId (int), BoxId (id type: the box's cell in the grid of boxes), SurfaceCell (id
 // type: the cell of the surface that the patch is part of), PatchReason (unsigned char: why its box has these
 // patches; the codes of PatchReason in PatchChoice.h), EnclosedVolume (double, cubic user units: of the
-// connected piece of surface that it comes from). Field data: FeatureAngle (double: from which angle
-// on an edge was a sharp feature).
+// connected piece of surface that it comes from), StandOff (double, user units: how far the patches of its box would have
+// to move outwards to enclose what the surface encloses there). Field data: FeatureAngle (double: from which angle
+// on an edge was a sharp feature), SurfaceVolume (double, cubic user units: what the surface encloses of the domain; 0:
+// not known).
 #pragma once
 
 #include "Patches/Patches.h"
@@ -18,6 +20,7 @@ namespace cartesian
 {
 
 constexpr const char* FeatureAngleField = "FeatureAngle";
+constexpr const char* SurfaceVolumeField = "SurfaceVolume";
 
 // `surfaceCells`: the cell of each triangle of the surface (SurfaceFromVTK).
 void toVTK(const Patches& patches, const Boxes& boxes, const std::vector<vtkIdType>& surfaceCells,

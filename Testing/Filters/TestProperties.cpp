@@ -87,6 +87,9 @@ TEST(Properties, EnumsAreSetByName)
   vtkNew<vtkCartesianMesher> mesher;
   mesher->SetPatchMethodToMarchingCubes();
   EXPECT_EQ(mesher->GetPatchMethod(), vtkCartesianMesher::MarchingCubes);
+  EXPECT_TRUE(mesher->GetTrueVolume());
+  mesher->TrueVolumeOff();
+  EXPECT_FALSE(mesher->GetTrueVolume());
   mesher->SetTyingToMoveNodes();
   EXPECT_EQ(mesher->GetTying(), vtkCartesianMesher::MoveNodes);
   mesher->SetSmallCellsToRemove();

@@ -103,8 +103,9 @@ with tempfile.TemporaryDirectory() as folder:
         assert len(summaries[-1]["boundaries"]) == 12
     assert len(few[1]) == 1 and len(many[1]) > 1, many[1]
     pieces.assert_union(whole, [pieces.load(file) for file in many[1]])
-    volumes = [summary["mesh"].pop("VolumeLeftOut") for summary in summaries]  # sums, in another order
-    assert np.isclose(*volumes, rtol=1e-12) and summaries[0]["mesh"] == summaries[1]["mesh"]
+    for name in "VolumeLeftOut", "MeshVolume":  # sums, in another order
+        assert np.isclose(*(summary["mesh"].pop(name) for summary in summaries), rtol=1e-12)
+    assert summaries[0]["mesh"] == summaries[1]["mesh"]
     for one, other in zip(summaries[0]["boundaries"], summaries[1]["boundaries"]):
         assert one["faces"] == other["faces"] and np.isclose(one["area"], other["area"], rtol=1e-12)
 

@@ -151,6 +151,7 @@ void drawCells(TestOptions& options, Draw& draw)
   options.shaping.optimiseNodes = draw.once(2);
   options.shaping.splitConcave = draw.once(2);
   options.shaping.refusedCellRatio = draw.of({ 0, 1, 4, 100 });
+  options.shaping.trueVolume = draw.once(2);
 }
 
 // The surface in a box whose sides may cut it off.
@@ -295,8 +296,8 @@ std::string describe(const RandomTask& task)
   }
   text << ", regions " << o.refinement.regions.size() << ", method " << int(o.patches.method)
        << ", feature " << o.patches.featureAngle << ", merge angle " << o.patches.mergeAngle
-       << ", tying " << int(o.patches.tying) << ", collapse " << o.collapse.ratio << ", small "
-       << o.smallCells.ratio
+       << ", true volume " << o.shaping.trueVolume << ", tying " << int(o.patches.tying)
+       << ", collapse " << o.collapse.ratio << ", small " << o.smallCells.ratio
        << (o.smallCells.handling == SmallCells::Merge ? " merged" : " removed") << ", own ratios "
        << o.smallCells.boundaryRatios.size() << ", merge " << o.shaping.mergeRatio << ", optimise "
        << o.shaping.optimiseNodes << ", split " << o.shaping.splitConcave << ", refused "

@@ -375,6 +375,7 @@ void keepPatches(
     }
     result.boxStart.push_back(result.triangle.size());
     result.reason.push_back(patches.reason[n]);
+    result.missing.push_back(patches.missing.empty() ? 0 : patches.missing[n]);
   }
   for (std::size_t i = 0; i < newPoint.size(); ++i)
   {

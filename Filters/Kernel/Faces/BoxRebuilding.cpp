@@ -309,6 +309,8 @@ private:
     to.boxStart.push_back(to.triangle.size());
     to.enclosed = patches_.enclosed;
     to.reason = patches_.reason;
+    to.missing = patches_.missing;
+    to.surfaceVolume = patches_.surfaceVolume;
     to.points.reserve(patches_.points.size() + points_.points().size());
     to.points = patches_.points;
     to.points.insert(to.points.end(), points_.points().begin(), points_.points().end());

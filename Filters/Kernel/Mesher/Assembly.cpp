@@ -6,6 +6,7 @@
 #include "Cells/Fragments.h"
 #include "Cells/Interfaces.h"
 #include "Collapse/EdgeCollapse.h"
+#include "Collapse/StandOff.h"
 #include "Collapse/WarpedHexahedra.h"
 #include "Faces/BoxRebuilding.h"
 #include "Lattice/Vector.h"
@@ -417,6 +418,11 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
     CollapseAttempts(a, flawed, options, execution).run();
   }
   else
+  {
+    a.wall = makeCells(a, options, execution);
+  }
+  if (standsOff(options) &&
+    standOff(a.boxes, a.patches, a.inner, options.patches.featureAngle, a.nodes, execution))
   {
     a.wall = makeCells(a, options, execution);
   }

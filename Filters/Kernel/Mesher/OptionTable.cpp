@@ -57,6 +57,7 @@ std::vector<NamedOption> optionTable()
     choice("Small Cells", d.smallCells.handling, { "Remove", "Merge" }),
     { "Merge Ratio", d.shaping.mergeRatio, ShapingSpec::MergeRatios, "" },
     { "Small Cell Ratio", d.smallCells.ratio, SmallCellSpec::Ratios, "" },
+    { "True Volume", double(d.shaping.trueVolume), { 0, 1 }, "" },
     { "Split Concave Cells", double(d.shaping.splitConcave), { 0, 1 }, "" },
     { "Optimise Nodes", double(d.shaping.optimiseNodes), { 0, 1 }, "" },
     { "Refused Cell Ratio", d.shaping.refusedCellRatio, ShapingSpec::RefusedCellRatios, "" },

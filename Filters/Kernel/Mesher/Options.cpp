@@ -46,9 +46,15 @@ bool shapesCells(const Options& options)
   return shapesCells(options.smallCells, options.shaping);
 }
 
+bool standsOff(const Options& options)
+{
+  return options.shaping.trueVolume && shapesCells(options) &&
+    options.patches.method == PatchMethod::Automatic;
+}
+
 LaterSteps laterStepsOf(const Options& options)
 {
-  return { options.collapse.ratio > 0, shapesCells(options) };
+  return { options.collapse.ratio > 0, standsOff(options), shapesCells(options) };
 }
 
 void requireValidCells(const Options& options)

@@ -58,6 +58,9 @@ MemoryLimit memoryLimitOf(const Options& options, int threads);
 // How far the cells of a part depend on others.
 LaterSteps laterStepsOf(const Options& options);
 
+// Whether nodes move off the surface (StandOff.h).
+bool standsOff(const Options& options);
+
 // Whether any step of shaping has work to do.
 bool shapesCells(const Options& options);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace cartesian
 {
@@ -37,6 +38,8 @@ struct Counts
   double smallCellsRemoved = 0;
   double refusedCellsRemoved = 0;
   double volumeLeftOut = 0;
+  double surfaceVolume = 0;
+  double meshVolume = 0;
   double fragmentCellsRemoved = 0;
   double partsLeftOut = 0;
   double isolatedCells = 0;
@@ -56,7 +59,7 @@ struct Row
   double Counts::*count;
 };
 
-constexpr std::array<Row, 33> Table{ {
+constexpr std::array<Row, 35> Table{ {
   { "Cells", "cells of the mesh", &Counts::cells },
   { "Hexahedra", "cells that are whole boxes without hanging nodes", &Counts::hexahedra },
   { "Polyhedra", "all other cells", &Counts::polyhedra },
@@ -90,6 +93,10 @@ constexpr std::array<Row, 33> Table{ {
     &Counts::fragmentCellsRemoved },
   { "VolumeLeftOut", "volume of the cells of these three kinds, in user units cubed",
     &Counts::volumeLeftOut },
+  { "SurfaceVolume", "what the surface encloses of the domain, in user units cubed; 0: not known",
+    &Counts::surfaceVolume },
+  { "MeshVolume", "what its cells hold without layers of prisms, in user units cubed",
+    &Counts::meshVolume },
   { "PartsLeftOut", "connected parts of the domain without a Keep Point, left out",
     &Counts::partsLeftOut },
   { "IsolatedCells", "cells in parts of at most 16 that no face connects with the rest",
@@ -209,6 +216,9 @@ private:
     n_.refusedCellsRemoved = static_cast<double>(a_.shaping.refused.size());
     n_.fragmentCellsRemoved = static_cast<double>(a_.fragments.size());
     n_.volumeLeftOut = volumeLeftOut(a_);
+    n_.surfaceVolume = a_.patches.surfaceVolume;
+    const std::vector<double> volumes = regionVolumes(a_);
+    n_.meshVolume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
     n_.smallCellsRemoved -= n_.refusedCellsRemoved + n_.fragmentCellsRemoved;
     n_.sizesRelaxed = a_.relaxation - 1;
     n_.partsLeftOut = static_cast<double>(a_.partsLeftOut);

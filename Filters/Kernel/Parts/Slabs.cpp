@@ -185,6 +185,7 @@ Layers layersForCells(Layers core, const LaterSteps& steps, std::uint32_t all)
   {
     layers = layersForShaping(layers, all).grown(HaloOfCells, all);
   }
+  layers = steps.standsOff ? layers.grown(HaloOfStandOff, all) : layers;
   return steps.collapses ? layersForCollapse(layers, all) : layers;
 }
 

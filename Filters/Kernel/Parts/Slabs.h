@@ -91,8 +91,14 @@ Layers layersForCollapse(Layers wanted, std::uint32_t allLayers);
 struct LaterSteps
 {
   bool collapses = false; // short edges are collapsed
+  bool standsOff = false; // nodes move off the surface (StandOff.h)
   bool shapes = false;    // cells are shaped
 };
+
+// How far a node moves off the surface depends on the boxes around it and around its neighbours; and after each round in
+// which bent patches are taken back, on those around these.
+constexpr int RoundsOfStandOff = 2;
+constexpr std::uint32_t HaloOfStandOff = 2 + RoundsOfStandOff;
 
 // The layers whose cells must be cut correctly, for those of `core` to be correct in the end.
 Layers layersForCells(Layers core, const LaterSteps& steps, std::uint32_t allLayers);

@@ -4,6 +4,7 @@
 #include "Base/Error.h"
 #include "Patches/NearTriangles.h"
 #include "Patches/PatchBuilder.h"
+#include "Patches/VolumeGap.h"
 #include "Surface/Components.h"
 
 namespace cartesian
@@ -143,6 +144,7 @@ public:
     , clearance_(surface, boxes)
     , intersected_(intersectedBoxes(boxes, execution))
     , reasons_(boxes.packed.size(), PatchReason::MarchingCubes)
+    , behind_(spec.method == PatchMethod::Automatic ? intersected_.size() : 0)
   {
   }
 
@@ -169,7 +171,9 @@ public:
         builder.addBox(intersected_[n], piece);
       }
     });
-    return join(ofChunk);
+    Patches patches = join(ofChunk);
+    findMissing(patches);
+    return patches;
   }
 
 private:
@@ -195,6 +199,10 @@ private:
         reason = spec_.method == PatchMethod::ExactFit
           ? PatchReason::ExactFitChosen
           : chooser.choose(behindFirst(intersected_[n], box, piece), piece);
+      }
+      if (spec_.method == PatchMethod::Automatic && reason == PatchReason::MarchingCubes)
+      {
+        behind_[n] = spaceBehind(box, piece);
       }
       pieces.append(piece, reason != PatchReason::MarchingCubes);
     }
@@ -244,12 +252,60 @@ private:
     patches.points.swap(numbering.points);
     patches.walls = surface_.walls;
     patches.enclosed = enclosedVolumes(surface_);
+    patches.surfaceVolume = boxes_.core.contains(0) ? surfaceVolume() : 0;
     patches.reason.reserve(intersected_.size());
     for (const std::uint32_t box : intersected_)
     {
       patches.reason.push_back(reasons_[box]);
     }
     return patches;
+  }
+
+  // Exact Fit misses next to nothing.
+  void findMissing(Patches& patches) const
+  {
+    patches.missing.resize(intersected_.size());
+    execution_.forEach(behind_.size(), BoxesAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        if (patches.reason[n] == PatchReason::MarchingCubes)
+        {
+          patches.missing[n] = missingIn(patches, n);
+        }
+      }
+    });
+  }
+
+  float missingIn(const Patches& patches, std::size_t n) const
+  {
+    SpaceBehind space(boxes_.box(intersected_[n]));
+    for (std::size_t p = patches.boxStart[n]; p < patches.boxStart[n + 1]; ++p)
+    {
+      const std::size_t first = patches.start[p];
+      space.add(patches.start[p + 1] - first,
+        [&](std::size_t i) { return patches.points[patches.corners[first + i]]; });
+    }
+    return static_cast<float>((behind_[n] - space.sum()) / std::max(space.area(), Tiny));
+  }
+
+  // Where bodies reach beyond a flow domain it is not known.
+  double surfaceVolume() const
+  {
+    if (surface_.around == Winding{})
+    {
+      return volumeOf(surface_);
+    }
+    double domain = 1;
+    bool reachesBeyond = false;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const auto& planes = boxes_.planes[axis];
+      domain *= (planes.back() - planes.front()) * surface_.lattice.step();
+      reachesBeyond = reachesBeyond ||
+        std::any_of(surface_.vertices.begin(), surface_.vertices.end(),
+          [&](const Point& p) { return p[axis] < planes.front() || p[axis] > planes.back(); });
+    }
+    return reachesBeyond ? 0 : domain + volumeOf(surface_);
   }
 
   const Surface& surface_;
@@ -260,6 +316,7 @@ private:
   const PlaneClearance clearance_;
   const std::vector<std::uint32_t> intersected_;
   std::vector<PatchReason> reasons_; // of all boxes
+  std::vector<double> behind_; // of intersected boxes with chords: the space behind the surface
 };
 
 }

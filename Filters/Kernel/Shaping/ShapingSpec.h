@@ -22,6 +22,10 @@ struct ShapingSpec
   // Whether nodes at the wall move to where solvers are at ease (NodeOptimisation.h); not with Exact Fit.
   bool optimiseNodes = true;
 
+  // Whether nodes of curved walls move off the surface, so that the mesh has its volume (StandOff.h); not with Exact Fit,
+  // nor where cells stay as they are cut.
+  bool trueVolume = true;
+
   bool splitConcave = true; // cells that fail an angle condition of section 3
 
   // Where cells are split: what solvers refuse and nothing mends is removed, up to as many volumes of

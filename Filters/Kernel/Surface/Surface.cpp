@@ -232,7 +232,10 @@ double volumeOf(const Surface& surface)
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
     const Corners c = surface.corners(t);
-    six += dot(minus(c[0], base), cross(minus(c[1], c[0]), minus(c[2], c[0])));
+    if (!surface.walls.isInterface(surface.boundary[t]))
+    {
+      six += dot(minus(c[0], base), cross(minus(c[1], c[0]), minus(c[2], c[0])));
+    }
   }
   const double step = surface.lattice.step();
   return six / 6 * step * step * step;

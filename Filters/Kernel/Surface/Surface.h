@@ -86,6 +86,8 @@ std::vector<Id> cellsOf(const Surface& surface, const std::vector<Id>& cells)
 
 // In square and cubic user units.
 double areaOf(const Surface& surface);
+
+// What all regions enclose together; where parts overlap, each counts. Of one turned inside out: negative.
 double volumeOf(const Surface& surface);
 
 }
