@@ -184,7 +184,8 @@ bool Refusal::isRefused(std::size_t face)
   }
   if (projected.faces.empty())
   {
-    measureProjected(cell, projected);
+    projected.faces = shape.faces;
+    projectCentres(cell, projected);
   }
   return isTooWide(ownCosine(projected, face), boundary);
 }

@@ -80,15 +80,13 @@ void measure(const Polyhedron& cell, CellShape& shape)
   measureVolume(shape);
 }
 
-void measureProjected(const Polyhedron& cell, CellShape& shape)
+void projectCentres(const Polyhedron& cell, CellShape& shape)
 {
-  measure(cell, shape);
   for (std::size_t f = 0; f < cell.faces(); ++f)
   {
-    const std::size_t begin = cell.start[f];
+    const Ring ring = ringOf(cell, f);
     shape.faces[f].centre = projectedCentre(
-      cell.start[f + 1] - begin, [&](std::size_t i) { return cell.nodes[cell.corners[begin + i]]; },
-      shape.faces[f].area);
+      ring.size, [&](std::size_t i) -> const Vector& { return ring[i]; }, shape.faces[f].area);
   }
   measureVolume(shape);
 }

@@ -265,13 +265,13 @@ Verdict CellMerger::verdictOf(CellKey key, const CellKey* begin, const CellKey* 
   return evaluateCell(cell.shape, cell.measures, cell.beyond, cells_.share(key), scratch_.counts);
 }
 
-// Returns whether there was a better one.
+// Of the cell that verdictOf has looked at last. Returns whether there was a better one.
 bool CellMerger::mergeBest(
   CellKey key, const Verdict& own, std::size_t mostNeighbours, const Acceptance& acceptance)
 {
   best_.keys.clear();
   trying_.joinAcross(own.refused > 0 ? -1 : cells_.featureCosine());
-  cells_.lookAround(key, own_);
+  std::swap(own_, scratch_.cell);
   scratch_.neighbours.clear();
   for (const auto& [other, area] : neighboursOf(own_))
   {

@@ -169,12 +169,13 @@ double UnionTrial::costBeyond(const CellUnion& cells, CellKey other)
   {
     if (cells.view.across[group.members.front()] == other)
     {
-      JoinedFaces::Group& seen = beyond_.faces.groups.emplace_back();
+      std::vector<std::uint32_t> members;
       for (const std::uint32_t member : group.members)
       {
-        seen.members.push_back(beyond_.find(cells.view.faces[member]));
+        members.push_back(beyond_.find(cells.view.faces[member]));
       }
-      seen.ring = beyond_.seen(group.ring, cells.view, {}); // it has all these nodes
+      // It has all these nodes.
+      beyond_.join(std::move(members), beyond_.seen(group.ring, cells.view, {}), false);
     }
   }
   const Verdict after = beyond_.joined();

@@ -32,16 +32,19 @@ bool contains(const Ring& ring, std::uint32_t node)
   return std::find(ring.corners, ring.corners + ring.size, node) != ring.corners + ring.size;
 }
 
-// Cut between its i-th and k-th corner.
-std::array<std::vector<std::uint32_t>, 2> cutRing(
-  const std::vector<std::uint32_t>& ring, std::size_t i, std::size_t k)
+// Edges between nodes, of faces, as numbers in the order of nodes, then of faces.
+constexpr unsigned BitsOfNode = 24;
+constexpr unsigned BitsOfFace = 16;
+
+std::uint64_t numberOfEdge(std::uint32_t from, std::uint32_t to, std::uint32_t face)
 {
-  const auto at = [&](std::size_t c) { return ring.begin() + static_cast<std::ptrdiff_t>(c); };
-  std::array<std::vector<std::uint32_t>, 2> parts;
-  parts[0].assign(at(i), at(k + 1));
-  parts[1].assign(at(k), ring.end());
-  parts[1].insert(parts[1].end(), ring.begin(), at(i + 1));
-  return parts;
+  return (std::uint64_t(std::min(from, to)) << BitsOfNode | std::max(from, to)) << BitsOfFace |
+    face;
+}
+
+std::uint32_t faceOfEdge(std::uint64_t number)
+{
+  return static_cast<std::uint32_t>(number & ((1U << BitsOfFace) - 1));
 }
 
 }
@@ -179,19 +182,19 @@ void FaceJoiner::listPairs()
     for (std::size_t i = 0; i < ring.size; ++i)
     {
       const std::uint32_t to = ring.corners[i];
-      edges_.push_back({ std::min(from, to), std::max(from, to), f });
+      edges_.push_back(numberOfEdge(from, to, f));
       from = to;
     }
   }
   std::sort(edges_.begin(), edges_.end());
   const auto sameEdge = [&](std::size_t i, std::size_t k) {
-    return k < edges_.size() && edges_[k][0] == edges_[i][0] && edges_[k][1] == edges_[i][1];
+    return k < edges_.size() && edges_[k] >> BitsOfFace == edges_[i] >> BitsOfFace;
   };
   for (std::size_t i = 0; i + 1 < edges_.size(); ++i)
   {
     if (sameEdge(i, i + 1) && !sameEdge(i, i + 2) && (i == 0 || !sameEdge(i, i - 1)))
     {
-      pairs_.emplace_back(edges_[i][2], edges_[i + 1][2]);
+      pairs_.emplace_back(faceOfEdge(edges_[i]), faceOfEdge(edges_[i + 1]));
     }
   }
 }
@@ -320,7 +323,7 @@ const JoinedShape& FaceJoiner::shapeOf(const JoinedFaces& joined)
   for (const JoinedFaces::Group& group : joined.groups)
   {
     const Ring ring = ringOf(group.ring);
-    add(ring, group.members.front(), measure(ring));
+    add(ring, group.members.front(), group.shape);
   }
   measureVolume(joinedShape_.measures);
   return joinedShape_;
@@ -427,6 +430,7 @@ bool FaceJoiner::join(Part g, Part h)
   const Part part = makeGroup(g);
   JoinedFaces::Group& group = groupOf(part);
   group.ring = ring_;
+  group.shape = ringShape_;
   const auto add = [&](std::uint32_t member) {
     group.members.push_back(member);
     partOf_[member] = part;
@@ -443,14 +447,14 @@ bool FaceJoiner::join(Part g, Part h)
 
 // Whether ring_ can stand for the two parts: it has a star triangulation, and the normals are close; from a
 // cosine of 1 on, all lies on one plane.
-bool FaceJoiner::fitsTogether(Part g, Part h, double leastCosine) const
+bool FaceJoiner::fitsTogether(Part g, Part h, double leastCosine)
 {
   const bool flat = leastCosine >= 1;
   const Ring ring = ringOf(ring_);
-  const FaceShape shape = measure(ring);
-  const Vector normal = unit(shape.area);
+  ringShape_ = measure(ring);
+  const Vector normal = unit(ringShape_.area);
   const auto normalOf = [&](Part part) {
-    return isFace(part) ? planes_[part].normal : unit(measure(ringOf(part)).area);
+    return isFace(part) ? planes_[part].normal : unit(groupOf(part).shape.area);
   };
   const Vector one = normalOf(g);
   const Vector other = normalOf(h);
@@ -459,14 +463,15 @@ bool FaceJoiner::fitsTogether(Part g, Part h, double leastCosine) const
   {
     return false;
   }
-  return (!flat || isFlat(ring, shape, RoundingLevels)) && isStar(ring, normal);
+  return (!flat || isFlat(ring, ringShape_, RoundingLevels)) && isStar(ring, normal);
 }
 
 // ... where one of the two is negligible.
-bool FaceJoiner::fitsWithNegligible() const
+bool FaceJoiner::fitsWithNegligible()
 {
   const Ring ring = ringOf(ring_);
-  return isStar(ring, unit(measure(ring).area));
+  ringShape_ = measure(ring);
+  return isStar(ring, unit(ringShape_.area));
 }
 
 // Of a face alone, if it is in none.
@@ -477,7 +482,8 @@ FaceJoiner::Part FaceJoiner::makeGroup(Part part)
     return part;
   }
   const Ring ring = ringOf(part);
-  joined_.groups.push_back({ { part }, { ring.corners, ring.corners + ring.size } });
+  joined_.groups.push_back(
+    { { part }, { ring.corners, ring.corners + ring.size }, shape_->faces[part] });
   return partOf_[part] = faces() + static_cast<Part>(joined_.groups.size() - 1);
 }
 
@@ -490,42 +496,50 @@ bool FaceJoiner::recut(Part g, Part h)
     return false;
   }
   const double least = leastCosine(firstMember(g));
-  double largest = 2 * std::min(norm(measure(ringOf(g)).area), norm(measure(ringOf(h)).area));
-  std::array<std::vector<std::uint32_t>, 2> best;
+  const auto areaOf = [&](Part part) {
+    return isFace(part) ? planes_[part].area : norm(groupOf(part).shape.area);
+  };
+  double largest = 2 * std::min(areaOf(g), areaOf(h));
+  std::array<HalfRing, 2> best;
   for (std::size_t i = 0; i < ring_.size(); ++i)
   {
     for (std::size_t k = i + 2; k < ring_.size() && k - i + 1 < ring_.size(); ++k)
     {
-      std::array<std::vector<std::uint32_t>, 2> parts = cutRing(ring_, i, k);
-      const double smaller = smallerOf(parts, least);
-      if (smaller > largest && !hasEdge(ring_[i], ring_[k]) && !hasTwin(parts[0]) &&
-        !hasTwin(parts[1]))
+      const auto at = [&](std::size_t c) { return ring_.begin() + static_cast<std::ptrdiff_t>(c); };
+      halves_[0].ring.assign(at(i), at(k + 1));
+      halves_[1].ring.assign(at(k), ring_.end());
+      halves_[1].ring.insert(halves_[1].ring.end(), ring_.begin(), at(i + 1));
+      const double smaller = smallerOf(halves_, least);
+      if (smaller > largest && !hasEdge(ring_[i], ring_[k]) && !hasTwin(halves_[0].ring) &&
+        !hasTwin(halves_[1].ring))
       {
         largest = smaller;
-        best = std::move(parts);
+        std::swap(best, halves_);
       }
     }
   }
-  if (best[0].empty())
+  if (best[0].ring.empty())
   {
     return false;
   }
   const std::array<Part, 2> parts{ makeGroup(g), makeGroup(h) };
   for (std::size_t i = 0; i < 2; ++i)
   {
-    groupOf(parts[i]).ring = std::move(best[i]);
+    groupOf(parts[i]).ring = std::move(best[i].ring);
+    groupOf(parts[i]).shape = best[i].shape;
     groupOf(parts[i]).recut = true;
   }
   return true;
 }
 
 // Its area, or less than 0 where one has no star triangulation, or they meet at too wide an angle.
-double FaceJoiner::smallerOf(
-  const std::array<std::vector<std::uint32_t>, 2>& parts, double leastCosine) const
+double FaceJoiner::smallerOf(std::array<HalfRing, 2>& halves, double leastCosine) const
 {
-  const std::array<Ring, 2> rings{ ringOf(parts[0]), ringOf(parts[1]) };
-  const Vector area = measure(rings[0]).area;
-  const Vector other = measure(rings[1]).area;
+  const std::array<Ring, 2> rings{ ringOf(halves[0].ring), ringOf(halves[1].ring) };
+  halves[0].shape = measure(rings[0]);
+  halves[1].shape = measure(rings[1]);
+  const Vector& area = halves[0].shape.area;
+  const Vector& other = halves[1].shape.area;
   const bool fits = dot(unit(area), unit(other)) >= std::max(leastCosine, LeastCosineOfCut) &&
     isStar(rings[0], unit(area)) && isStar(rings[1], unit(other));
   return fits ? std::min(norm(area), norm(other)) : -1;

@@ -22,6 +22,7 @@ struct JoinedFaces
   {
     std::vector<std::uint32_t> members; // faces of the view; no other group has them
     std::vector<std::uint32_t> ring;    // nodes of the view, counter-clockwise from outside
+    FaceShape shape{};                  // of the ring
     bool recut = false;                 // with another group: together they cover what they did
   };
   std::vector<Group> groups;
@@ -113,12 +114,16 @@ private:
   double leastCosine(std::uint32_t f) const;
 
   bool join(Part g, Part h);
-  bool fitsTogether(Part g, Part h, double leastCosine) const;
-  bool fitsWithNegligible() const;
+  bool fitsTogether(Part g, Part h, double leastCosine);
+  bool fitsWithNegligible();
   Part makeGroup(Part part);
   bool recut(Part g, Part h);
-  double smallerOf(
-    const std::array<std::vector<std::uint32_t>, 2>& parts, double leastCosine) const;
+  struct HalfRing
+  {
+    std::vector<std::uint32_t> ring;
+    FaceShape shape;
+  };
+  double smallerOf(std::array<HalfRing, 2>& halves, double leastCosine) const;
   bool hasEdge(std::uint32_t from, std::uint32_t to) const;
   bool hasTwin(const std::vector<std::uint32_t>& ring) const;
 
@@ -131,8 +136,10 @@ private:
   JoinedFaces joined_;
   std::vector<Part> partOf_;                                   // of faces
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_; // of neighbouring faces
-  std::vector<std::array<std::uint32_t, 3>> edges_; // lower node, higher node, face; once listed
-  std::vector<std::uint32_t> ring_;                 // tried out
+  std::vector<std::uint64_t> edges_; // once listed: lower node, higher node, face
+  std::vector<std::uint32_t> ring_;  // tried out
+  FaceShape ringShape_{};
+  std::array<HalfRing, 2> halves_; // tried out
   JoinedShape joinedShape_;
 };
 
