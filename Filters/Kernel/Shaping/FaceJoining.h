@@ -36,6 +36,11 @@ struct JoinSpec
 {
   double boundary = 1; // 1: on one plane only
   double inner = 1;
+
+  bool operator==(const JoinSpec& other) const
+  {
+    return boundary == other.boundary && inner == other.inner;
+  }
 };
 
 // A view's shape with joined faces: those that stay, in their order, then the groups.
@@ -56,11 +61,13 @@ struct JoinedShape
 class FaceJoiner
 {
 public:
-  // `featureCosine`: across edges of the wall that turn by more nothing is joined, whatever is asked for.
-  explicit FaceJoiner(double featureCosine)
+  explicit FaceJoiner(double featureCosine = 1)
     : featureCosine_(featureCosine)
   {
   }
+
+  // Across edges of the wall that turn by more nothing is joined, whatever is asked for.
+  void joinAcross(double featureCosine) { featureCosine_ = featureCosine; }
 
   // What the others are about; `shape`: the view's. Both must stay as they are.
   void look(const CellView& view, const CellShape& shape);
