@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 namespace cartesian
 {
@@ -17,14 +18,26 @@ constexpr double LeastOfStar = 0.02;
 
 constexpr double OfFoldedFace = 1e9;
 
+// As smallestOfStar (CellGeometry.h) of a face with these triangles. The least divided is the least of those divided.
+double smallestOfStar(const std::vector<Vector>& triangles, const Vector& area)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vector& triangle : triangles)
+  {
+    least = std::min(least, dot(triangle, area));
+  }
+  const double mean = dot(area, area) / static_cast<double>(triangles.size()) + Tiny;
+  return triangles.empty() ? 1 : std::min(1.0, least / mean);
 }
 
-MeshEnergy::MeshEnergy(
-  NodeMesh& mesh, const LayerPrisms& prisms, std::vector<std::uint8_t> isMoving)
+}
+
+MeshEnergy::MeshEnergy(NodeMesh& mesh, const LayerPrisms& prisms, const std::vector<double>& edges,
+  std::vector<std::uint8_t> isMoving)
   : m_(mesh)
   , prisms_(prisms)
   , isMoving_(std::move(isMoving))
-  , edges_(mesh.faces.size())
+  , edges_(edges)
   , faces_(mesh.faces.size())
   , stars_(mesh.faces.size())
   , energies_(mesh.faces.size())
@@ -34,8 +47,10 @@ MeshEnergy::MeshEnergy(
 {
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
   {
-    edges_[f] = mesh.edgeAt(f);
-    measureFace(f);
+    if (!isMoving_[f])
+    {
+      measureFace(f);
+    }
   }
 }
 
@@ -99,9 +114,11 @@ void MeshEnergy::evaluate(const std::vector<std::uint32_t>& faces)
 
 void MeshEnergy::measureFace(std::size_t f)
 {
-  const auto at = [&](std::size_t i) -> const Vector& { return corner(f, i); };
-  faces_[f] = cartesian::measureFace(cornersOf(f), at);
-  stars_[f] = smallestOfStar(cornersOf(f), at, faces_[f].area);
+  triangles_.clear();
+  faces_[f] = cartesian::measureFace(
+    cornersOf(f), [&](std::size_t i) -> const Vector& { return corner(f, i); },
+    [&](const Vector& area) { triangles_.push_back(area); });
+  stars_[f] = smallestOfStar(triangles_, faces_[f].area);
 }
 
 CellGeometry MeshEnergy::measureOf(std::uint32_t c) const

@@ -54,8 +54,9 @@ Vector forEachStarTriangle(std::size_t size, Corner&& corner, Visitor&& visit)
   return mean;
 }
 
-template <class Corner>
-FaceGeometry measureFace(std::size_t size, Corner&& corner)
+// Calls visit(area) for the triangles of its star, but for a triangle's.
+template <class Corner, class Visitor>
+FaceGeometry measureFace(std::size_t size, Corner&& corner, Visitor&& visit)
 {
   if (size == 3)
   {
@@ -72,8 +73,15 @@ FaceGeometry measureFace(std::size_t size, Corner&& corner)
       area = plus(area, triangle);
       moment = plus(moment, scaled(plus(p, q), part / 3));
       sum += part;
+      visit(triangle);
     });
   return { sum < Tiny ? mean : plus(mean, scaled(moment, 1 / sum)), area };
+}
+
+template <class Corner>
+FaceGeometry measureFace(std::size_t size, Corner&& corner)
+{
+  return measureFace(size, corner, [](const Vector&) {});
 }
 
 // The centre as later versions of OpenFOAM define it: with the areas of the triangles projected
