@@ -504,6 +504,13 @@ bool cutCell(const Polyhedron& cell, const CutPlane& plane, CellCut& cut)
 Polyhedron partOf(const Polyhedron& cell, const CellCut& cut, std::uint32_t part)
 {
   Polyhedron result;
+  takePart(cell, cut, part, result);
+  return result;
+}
+
+void takePart(const Polyhedron& cell, const CellCut& cut, std::uint32_t part, Polyhedron& result)
+{
+  result.clear();
   result.reserve(cell.nodes.size() + cut.points.size(), cut.faces.size(), cut.corners.size());
   result.nodes.assign(cell.nodes.begin(), cell.nodes.end());
   for (const CellCut::NewNode& point : cut.points)
@@ -526,7 +533,6 @@ Polyhedron partOf(const Polyhedron& cell, const CellCut& cut, std::uint32_t part
       result.closeFace(false);
     }
   }
-  return result;
 }
 
 }

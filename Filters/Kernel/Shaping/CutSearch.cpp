@@ -304,20 +304,40 @@ private:
 
 }
 
-CutParts::CutParts(const CellView& of, const CellCut& by, double least)
-  : view(of)
-  , cut(by)
-  , smallest(std::numeric_limits<double>::infinity())
+bool CutParts::make(const CellCut& cut, double least)
 {
-  parts.reserve(cut.parts);
-  shapes.reserve(cut.parts);
-  for (std::uint32_t p = 0; p < cut.parts && areAll; ++p)
+  cut_ = &cut;
+  parts.resize(cut.parts);
+  shapes.resize(cut.parts);
+  smallest = std::numeric_limits<double>::infinity();
+  for (std::uint32_t p = 0; p < cut.parts; ++p)
   {
-    parts.push_back(partOf(view.shape, cut, p));
-    measure(parts.back(), shapes.emplace_back());
-    areAll = shapes.back().volume > least;
-    smallest = std::min(smallest, shapes.back().volume);
+    takePart(view_.shape, cut, p, parts[p]);
+    measurePart(p);
+    smallest = std::min(smallest, shapes[p].volume);
+    if (!(shapes[p].volume > least))
+    {
+      return false;
+    }
   }
+  return true;
+}
+
+// Faces that are whole are measured already.
+void CutParts::measurePart(std::size_t part)
+{
+  std::vector<FaceShape>& faces = shapes[part].faces;
+  faces.clear();
+  forEachFace(part, [&](const CellCut::Face& face, bool isCut) {
+    const CellCut::FaceCorners corners = cut_->cornersOf(face);
+    const auto isWhole = [&] {
+      const Ring whole = ringOf(view_.shape, face.source);
+      return std::equal(corners.begin(), corners.end(), whole.corners, whole.corners + whole.size);
+    };
+    faces.push_back(
+      !isCut && isWhole() ? shape_.faces[face.source] : measure(ringOf(parts[part], faces.size())));
+  });
+  measureVolume(shapes[part]);
 }
 
 double CutParts::largestAspect() const
@@ -339,7 +359,7 @@ double CutParts::largestAspect() const
 template <class Visitor>
 void CutParts::forEachFace(std::size_t part, Visitor&& visit) const
 {
-  for (const CellCut::Face& face : cut.faces)
+  for (const CellCut::Face& face : cut_->faces)
   {
     const bool isCut = face.source == CellCut::NoSource;
     if (face.below == part || (isCut && face.above == part))
@@ -349,24 +369,20 @@ void CutParts::forEachFace(std::size_t part, Visitor&& visit) const
   }
 }
 
-CellFaults CutParts::faults() const
+CellFaults CutParts::faults()
 {
   CellFaults sum;
-  std::vector<NeighbourCell> beyond;
-  std::vector<std::uint8_t> counts; // a face between two parts once
-  beyond.reserve(cut.faces.size());
-  counts.reserve(cut.faces.size());
   for (std::size_t p = 0; p < parts.size(); ++p)
   {
-    beyond.clear();
-    counts.clear();
+    beyond_.clear();
+    counts_.clear();
     forEachFace(p, [&](const CellCut::Face& face, bool isCut) {
       const CellShape& other = shapes[isCut && face.below == p ? face.above : face.below];
-      beyond.push_back(
-        isCut ? NeighbourCell{ other.centre, other.volume } : view.beyond[face.source]);
-      counts.push_back(face.below == p ? 1 : 0);
+      beyond_.push_back(
+        isCut ? NeighbourCell{ other.centre, other.volume } : view_.beyond[face.source]);
+      counts_.push_back(face.below == p ? 1 : 0);
     });
-    sum += faultsOf(parts[p], shapes[p], beyond, counts);
+    sum += faultsOf(parts[p], shapes[p], beyond_, counts_);
   }
   return sum;
 }
@@ -376,8 +392,8 @@ CellFaults CutParts::faultsAlone(std::size_t part) const
   Polyhedron alone = parts[part];
   std::vector<NeighbourCell> beyond;
   forEachFace(part, [&](const CellCut::Face& face, bool isCut) {
-    alone.isBoundary[beyond.size()] = isCut || view.shape.isBoundary[face.source];
-    beyond.push_back(isCut ? NeighbourCell{} : view.beyond[face.source]);
+    alone.isBoundary[beyond.size()] = isCut || view_.shape.isBoundary[face.source];
+    beyond.push_back(isCut ? NeighbourCell{} : view_.beyond[face.source]);
   });
   return faultsOf(alone, shapes[part], beyond);
 }
