@@ -32,6 +32,20 @@ FaceShape measure(const Ring& ring)
   return { geometry.area, geometry.centre, meanOf(ring.size, corner) };
 }
 
+// The same bits as measureFace's.
+Vector areaOf(const Ring& ring)
+{
+  if (ring.size == 3)
+  {
+    return scaled(cross(minus(ring[1], ring[0]), minus(ring[2], ring[0])), 0.5);
+  }
+  Vector area{ 0, 0, 0 };
+  forEachStarTriangle(
+    ring.size, [&](std::size_t i) -> const Vector& { return ring[i]; },
+    [&](const Vector&, const Vector&, const Vector& triangle) { area = plus(area, triangle); });
+  return area;
+}
+
 void measureVolume(CellShape& shape)
 {
   Vector middle{ 0, 0, 0 };

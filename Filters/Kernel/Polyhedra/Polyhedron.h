@@ -55,6 +55,7 @@ void measure(const Polyhedron& cell, CellShape& shape);
 
 // Its parts: of a face, and of a cell whose faces are measured.
 FaceShape measure(const Ring& ring);
+Vector areaOf(const Ring& ring); // alone
 void measureVolume(CellShape& shape);
 
 // Gives a measured cell the centres of faces of later versions (projectedCentre in CellGeometry.h), and its own by these.

@@ -430,7 +430,7 @@ bool FaceJoiner::join(Part g, Part h)
   const Part part = makeGroup(g);
   JoinedFaces::Group& group = groupOf(part);
   group.ring = ring_;
-  group.shape = ringShape_;
+  group.shape = measure(ringOf(ring_));
   const auto add = [&](std::uint32_t member) {
     group.members.push_back(member);
     partOf_[member] = part;
@@ -447,12 +447,11 @@ bool FaceJoiner::join(Part g, Part h)
 
 // Whether ring_ can stand for the two parts: it has a star triangulation, and the normals are close; from a
 // cosine of 1 on, all lies on one plane.
-bool FaceJoiner::fitsTogether(Part g, Part h, double leastCosine)
+bool FaceJoiner::fitsTogether(Part g, Part h, double leastCosine) const
 {
   const bool flat = leastCosine >= 1;
   const Ring ring = ringOf(ring_);
-  ringShape_ = measure(ring);
-  const Vector normal = unit(ringShape_.area);
+  const Vector normal = unit(areaOf(ring));
   const auto normalOf = [&](Part part) {
     return isFace(part) ? planes_[part].normal : unit(groupOf(part).shape.area);
   };
@@ -463,15 +462,14 @@ bool FaceJoiner::fitsTogether(Part g, Part h, double leastCosine)
   {
     return false;
   }
-  return (!flat || isFlat(ring, ringShape_, RoundingLevels)) && isStar(ring, normal);
+  return (!flat || isFlat(ring, measure(ring), RoundingLevels)) && isStar(ring, normal);
 }
 
 // ... where one of the two is negligible.
-bool FaceJoiner::fitsWithNegligible()
+bool FaceJoiner::fitsWithNegligible() const
 {
   const Ring ring = ringOf(ring_);
-  ringShape_ = measure(ring);
-  return isStar(ring, unit(ringShape_.area));
+  return isStar(ring, unit(areaOf(ring)));
 }
 
 // Of a face alone, if it is in none.
@@ -496,53 +494,55 @@ bool FaceJoiner::recut(Part g, Part h)
     return false;
   }
   const double least = leastCosine(firstMember(g));
-  const auto areaOf = [&](Part part) {
+  const auto sizeOf = [&](Part part) {
     return isFace(part) ? planes_[part].area : norm(groupOf(part).shape.area);
   };
-  double largest = 2 * std::min(areaOf(g), areaOf(h));
-  std::array<HalfRing, 2> best;
+  double largest = 2 * std::min(sizeOf(g), sizeOf(h));
+  std::array<std::vector<std::uint32_t>, 2> best;
   for (std::size_t i = 0; i < ring_.size(); ++i)
   {
     for (std::size_t k = i + 2; k < ring_.size() && k - i + 1 < ring_.size(); ++k)
     {
       const auto at = [&](std::size_t c) { return ring_.begin() + static_cast<std::ptrdiff_t>(c); };
-      halves_[0].ring.assign(at(i), at(k + 1));
-      halves_[1].ring.assign(at(k), ring_.end());
-      halves_[1].ring.insert(halves_[1].ring.end(), ring_.begin(), at(i + 1));
-      const double smaller = smallerOf(halves_, least);
-      if (smaller > largest && !hasEdge(ring_[i], ring_[k]) && !hasTwin(halves_[0].ring) &&
-        !hasTwin(halves_[1].ring))
+      halves_[0].assign(at(i), at(k + 1));
+      halves_[1].assign(at(k), ring_.end());
+      halves_[1].insert(halves_[1].end(), ring_.begin(), at(i + 1));
+      const double smaller = smallerOf(halves_, least, largest);
+      if (smaller > largest && !hasEdge(ring_[i], ring_[k]) && !hasTwin(halves_[0]) &&
+        !hasTwin(halves_[1]))
       {
         largest = smaller;
         std::swap(best, halves_);
       }
     }
   }
-  if (best[0].ring.empty())
+  if (best[0].empty())
   {
     return false;
   }
   const std::array<Part, 2> parts{ makeGroup(g), makeGroup(h) };
   for (std::size_t i = 0; i < 2; ++i)
   {
-    groupOf(parts[i]).ring = std::move(best[i].ring);
-    groupOf(parts[i]).shape = best[i].shape;
+    groupOf(parts[i]).ring = std::move(best[i]);
+    groupOf(parts[i]).shape = measure(ringOf(groupOf(parts[i]).ring));
     groupOf(parts[i]).recut = true;
   }
   return true;
 }
 
-// Its area, or less than 0 where one has no star triangulation, or they meet at too wide an angle.
-double FaceJoiner::smallerOf(std::array<HalfRing, 2>& halves, double leastCosine) const
+// Its area, or less than 0 where that is not larger than `largest`, one has no star triangulation, or they meet at too
+// wide an angle.
+double FaceJoiner::smallerOf(
+  const std::array<std::vector<std::uint32_t>, 2>& parts, double leastCosine, double largest) const
 {
-  const std::array<Ring, 2> rings{ ringOf(halves[0].ring), ringOf(halves[1].ring) };
-  halves[0].shape = measure(rings[0]);
-  halves[1].shape = measure(rings[1]);
-  const Vector& area = halves[0].shape.area;
-  const Vector& other = halves[1].shape.area;
-  const bool fits = dot(unit(area), unit(other)) >= std::max(leastCosine, LeastCosineOfCut) &&
+  const std::array<Ring, 2> rings{ ringOf(parts[0]), ringOf(parts[1]) };
+  const Vector area = areaOf(rings[0]);
+  const Vector other = areaOf(rings[1]);
+  const double smaller = std::min(norm(area), norm(other));
+  const bool fits = smaller > largest &&
+    dot(unit(area), unit(other)) >= std::max(leastCosine, LeastCosineOfCut) &&
     isStar(rings[0], unit(area)) && isStar(rings[1], unit(other));
-  return fits ? std::min(norm(area), norm(other)) : -1;
+  return fits ? smaller : -1;
 }
 
 bool FaceJoiner::hasEdge(std::uint32_t from, std::uint32_t to) const

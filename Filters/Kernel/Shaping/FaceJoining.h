@@ -121,16 +121,12 @@ private:
   double leastCosine(std::uint32_t f) const;
 
   bool join(Part g, Part h);
-  bool fitsTogether(Part g, Part h, double leastCosine);
-  bool fitsWithNegligible();
+  bool fitsTogether(Part g, Part h, double leastCosine) const;
+  bool fitsWithNegligible() const;
   Part makeGroup(Part part);
   bool recut(Part g, Part h);
-  struct HalfRing
-  {
-    std::vector<std::uint32_t> ring;
-    FaceShape shape;
-  };
-  double smallerOf(std::array<HalfRing, 2>& halves, double leastCosine) const;
+  double smallerOf(const std::array<std::vector<std::uint32_t>, 2>& parts, double leastCosine,
+    double largest) const;
   bool hasEdge(std::uint32_t from, std::uint32_t to) const;
   bool hasTwin(const std::vector<std::uint32_t>& ring) const;
 
@@ -143,10 +139,9 @@ private:
   JoinedFaces joined_;
   std::vector<Part> partOf_;                                   // of faces
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_; // of neighbouring faces
-  std::vector<std::uint64_t> edges_; // once listed: lower node, higher node, face
-  std::vector<std::uint32_t> ring_;  // tried out
-  FaceShape ringShape_{};
-  std::array<HalfRing, 2> halves_; // tried out
+  std::vector<std::uint64_t> edges_;                 // once listed: lower node, higher node, face
+  std::vector<std::uint32_t> ring_;                  // tried out
+  std::array<std::vector<std::uint32_t>, 2> halves_; // of that
   JoinedShape joinedShape_;
 };
 
