@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 
 namespace cartesian
 {
@@ -17,18 +16,6 @@ namespace
 constexpr double LeastOfStar = 0.02;
 
 constexpr double OfFoldedFace = 1e9;
-
-// As smallestOfStar (CellGeometry.h) of a face with these triangles. The least divided is the least of those divided.
-double smallestOfStar(const std::vector<Vector>& triangles, const Vector& area)
-{
-  double least = std::numeric_limits<double>::infinity();
-  for (const Vector& triangle : triangles)
-  {
-    least = std::min(least, dot(triangle, area));
-  }
-  const double mean = dot(area, area) / static_cast<double>(triangles.size()) + Tiny;
-  return triangles.empty() ? 1 : std::min(1.0, least / mean);
-}
 
 }
 
@@ -118,7 +105,12 @@ void MeshEnergy::measureFace(std::size_t f)
   faces_[f] = cartesian::measureFace(
     cornersOf(f), [&](std::size_t i) -> const Vector& { return corner(f, i); },
     [&](const Vector& area) { triangles_.push_back(area); });
-  stars_[f] = smallestOfStar(triangles_, faces_[f].area);
+  StarShare share;
+  for (const Vector& triangle : triangles_)
+  {
+    share.add(dot(triangle, faces_[f].area));
+  }
+  stars_[f] = share.smallest(cornersOf(f), faces_[f].area);
 }
 
 CellGeometry MeshEnergy::measureOf(std::uint32_t c) const

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 
 namespace cartesian
 {
@@ -100,19 +101,35 @@ Vector projectedCentre(std::size_t size, Corner&& corner, const Vector& area)
   return sum < Tiny ? mean : plus(mean, scaled(moment, 1 / sum));
 }
 
+// The least of a star's triangles, by the products of their areas with that of the whole.
+class StarShare
+{
+public:
+  void add(double product) { least_ = std::min(least_, product); }
+
+  // Relative to the mean of so many, at most 1; without any, 1.
+  double smallest(std::size_t size, const Vector& area) const
+  {
+    const double mean = dot(area, area) / static_cast<double>(size) + Tiny;
+    return std::min(1.0, least_ / mean); // the least divided is the least of those divided
+  }
+
+private:
+  double least_ = std::numeric_limits<double>::infinity();
+};
+
 // The area of the smallest star triangle relative to the mean one; negative if it is inverted.
 template <class Corner>
 double smallestOfStar(std::size_t size, Corner&& corner, const Vector& area)
 {
-  double smallest = 1;
+  StarShare share;
   if (size > 3)
   {
-    const double mean = dot(area, area) / static_cast<double>(size) + Tiny;
     forEachStarTriangle(size, corner, [&](const Vector&, const Vector&, const Vector& triangle) {
-      smallest = std::min(smallest, dot(triangle, area) / mean);
+      share.add(dot(triangle, area));
     });
   }
-  return smallest;
+  return share.smallest(size, area);
 }
 
 // Polygons count as flat up to this angle, in degrees, between a star triangle and the whole.

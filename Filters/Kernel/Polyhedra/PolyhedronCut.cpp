@@ -261,7 +261,8 @@ private:
     {
       std::reverse(star.nodes.begin(), star.nodes.end());
     }
-    if (!isStar(star.at) || isFolded(star.nodes))
+    // Of more corners those that are whole are stars.
+    if ((star.at.size() <= 3 && !isStar(star.at)) || isFolded(star.nodes))
     {
       return false;
     }
