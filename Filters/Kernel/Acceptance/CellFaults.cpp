@@ -150,9 +150,21 @@ CellFaults faultsOf(const Polyhedron& cell, const CellShape& shape,
 bool isRefused(
   const Polyhedron& cell, const CellShape& shape, std::size_t face, const NeighbourCell& neighbour)
 {
-  CellFaults faults;
-  addFaults(cell, shape, face, neighbour, faults);
-  return faults.counts[CellFaults::InnerAngle] > 0 || faults.invalid().weight() > 0;
+  const FaceShape& f = shape.faces[face];
+  const double own = ownCosine(shape, face);
+  if (cell.isBoundary[face])
+  {
+    return isTooWide(own, true) || isBoundarySkewed(cell, shape, face);
+  }
+  if (!(neighbour.volume > 0))
+  {
+    return false;
+  }
+  const Vector between = minus(neighbour.centre, shape.centre);
+  const double others = cosine(minus(neighbour.centre, f.centre), f.area);
+  return isTooWide(std::min(own, others), false) ||
+    std::min({ own, others, dot(between, f.area) }) <= 0 ||
+    isInnerSkewed(cell, shape, face, between);
 }
 
 bool isUnbalanced(const CellShape& shape, std::size_t face, const NeighbourCell& neighbour)
@@ -184,7 +196,8 @@ bool Refusal::isRefused(std::size_t face)
   }
   if (projected.faces.empty())
   {
-    measureProjected(cell, projected);
+    projected.faces = shape.faces;
+    projectCentres(cell, projected);
   }
   return isTooWide(ownCosine(projected, face), boundary);
 }

@@ -16,17 +16,18 @@ class EdgeTable
 public:
   static constexpr std::uint32_t Fresh = ~std::uint32_t(0);
 
-  // Empties the table and makes room for this many edges.
+  // Empties the table and makes room for this many edges. Few of them stay close together in what may be a large storage.
   void reset(std::size_t edges)
   {
-    std::size_t size = entries_.size();
-    while (size < std::max<std::size_t>(16, 2 * edges))
+    std::size_t size = 16;
+    while (size < 2 * edges)
     {
-      size = std::max<std::size_t>(16, 2 * size);
+      size *= 2;
     }
+    mask_ = size - 1;
     if (size > entries_.size() || ++use_ == LastUse)
     {
-      entries_.assign(size, { 0, 0, 0, 0 });
+      entries_.assign(std::max(size, entries_.size()), { 0, 0, 0, 0 });
       use_ = 1;
     }
   }
@@ -37,10 +38,9 @@ public:
     constexpr std::uint64_t Golden = 0x9e3779b97f4a7c15u;
     const std::uint64_t bits = (std::uint64_t(lower) << 32 | upper) + side;
     const std::uint32_t useAndSide = use_ << 1 | side;
-    const std::size_t mask = entries_.size() - 1;
     for (std::size_t i = bits * Golden >> 32;; ++i)
     {
-      Entry& entry = entries_[i & mask];
+      Entry& entry = entries_[i & mask_];
       if (entry.useAndSide >> 1 != use_)
       {
         entry = { lower, upper, useAndSide, Fresh };
@@ -64,6 +64,7 @@ private:
     std::uint32_t number;
   };
   std::vector<Entry> entries_;
+  std::size_t mask_ = 0;  // of the part in use
   std::uint32_t use_ = 0; // uses since the entries were cleared
 };
 

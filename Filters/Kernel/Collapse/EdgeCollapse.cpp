@@ -77,6 +77,8 @@ public:
       edge.b = slots_.ofNode(edge.b);
     }
     banEdgesThatStay();
+    choices_.resize(edges_.size());
+    isNew_.assign(slots_.size(), 1);
     std::size_t gone = 0;
     for (int round = 0; round < MostRounds; ++round)
     {
@@ -214,14 +216,16 @@ private:
   // that it tried.
   std::size_t collapseOnce()
   {
-    choices_.assign(edges_.size(), {});
     execution_.nextLoop(0.3);
     execution_.forEach(edges_.size(), EdgesAChunk, [&](std::size_t begin, std::size_t end) {
       CollapseChecks checks(boxes_, spec_, patches_, slots_);
       for (std::size_t i = begin; i < end; ++i)
       {
-        execution_.poll();
-        choices_[i] = choose(edges_[i], checks);
+        if (isNew_[slots_[edges_[i].a].into] || isNew_[slots_[edges_[i].b].into])
+        {
+          execution_.poll();
+          choices_[i] = choose(edges_[i], checks);
+        }
       }
     });
     pickMerges();
@@ -231,11 +235,22 @@ private:
       swapRings(merge);
     }
     takeBackBadMerges();
+    isNew_.assign(slots_.size(), 0);
+    for (const Merge& merge : merges_)
+    {
+      markAround(merge.stays);
+    }
     for (std::uint32_t slot = 0; slot < slots_.size(); ++slot)
     {
       slots_[slot].into = slots_.standing(slot);
     }
     return tried;
+  }
+
+  // What is decided of a slot follows from the faces there, and the places of their corners.
+  void markAround(std::uint32_t slot)
+  {
+    slots_.forEachSlotAround(slot, [&](std::uint32_t near) { isNew_[near] = 1; });
   }
 
   // By length, then by place, so that the order of nodes does not matter.
@@ -303,6 +318,7 @@ private:
       mergeAt[merges_[m].stays] = m;
     }
     std::vector<std::uint8_t> bad(merges_.size());
+    isNew_.assign(slots_.size(), 1);
     for (bool any = true; any;)
     {
       bad.assign(merges_.size(), 0);
@@ -312,7 +328,7 @@ private:
         CollapseChecks checks(boxes_, spec_, patches_, slots_);
         for (std::size_t m = begin; m < end; ++m)
         {
-          if (merges_[m].edge != None)
+          if (merges_[m].edge != None && isNew_[merges_[m].stays])
           {
             execution_.poll();
             listBadMerges(merges_[m].stays, mergeAt, checks, found[begin / EdgesAChunk]);
@@ -320,6 +336,7 @@ private:
         }
       });
       any = false;
+      isNew_.assign(slots_.size(), 0);
       for (const auto& ofChunk : found)
       {
         for (const std::uint32_t m : ofChunk)
@@ -363,7 +380,10 @@ private:
     slots_[merge.stays].at = merge.before;
     slots_[merge.goes].into = merge.goes;
     mergeAt[merge.stays] = None;
+    markAround(merge.stays);
+    markAround(merge.goes);
     edges_[merge.edge].banned = true;
+    choices_[merge.edge] = {};
     merge.edge = None;
   }
 
@@ -413,9 +433,10 @@ private:
   double straight_; // cosines
   double bent_;
   double sharp_;
-  std::vector<ShortEdge> edges_; // their ends are nodes at first, then slots
-  std::vector<Choice> choices_;  // of each edge
-  std::vector<Merge> merges_;    // of this round
+  std::vector<ShortEdge> edges_;    // their ends are nodes at first, then slots
+  std::vector<Choice> choices_;     // of each edge
+  std::vector<std::uint8_t> isNew_; // of slots: 1 where faces have changed since the last look
+  std::vector<Merge> merges_;       // of this round
 };
 
 }

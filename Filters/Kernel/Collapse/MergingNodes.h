@@ -83,6 +83,21 @@ public:
     });
   }
 
+  // Calls visit(slot) for the slots that share a face with a slot, as they are one now; they come several times.
+  template <class Visitor>
+  void forEachSlotAround(std::uint32_t slot, Visitor&& visit) const
+  {
+    forEachFaceAt(slot, [&](std::uint32_t face) {
+      const auto [begin, end] = cornersOf(face);
+      std::for_each(begin, end, [&](std::uint32_t node) {
+        if (slotOf_[node] != None)
+        {
+          visit(standing(slotOf_[node]));
+        }
+      });
+    });
+  }
+
   // The corners that a face has left.
   void ringOf(std::uint32_t face, std::vector<std::uint32_t>& ring) const
   {

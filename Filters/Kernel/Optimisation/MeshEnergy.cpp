@@ -19,12 +19,12 @@ constexpr double OfFoldedFace = 1e9;
 
 }
 
-MeshEnergy::MeshEnergy(
-  NodeMesh& mesh, const LayerPrisms& prisms, std::vector<std::uint8_t> isMoving)
+MeshEnergy::MeshEnergy(NodeMesh& mesh, const LayerPrisms& prisms, const std::vector<double>& edges,
+  std::vector<std::uint8_t> isMoving)
   : m_(mesh)
   , prisms_(prisms)
   , isMoving_(std::move(isMoving))
-  , edges_(mesh.faces.size())
+  , edges_(edges)
   , faces_(mesh.faces.size())
   , stars_(mesh.faces.size())
   , energies_(mesh.faces.size())
@@ -34,8 +34,10 @@ MeshEnergy::MeshEnergy(
 {
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
   {
-    edges_[f] = mesh.edgeAt(f);
-    measureFace(f);
+    if (!isMoving_[f])
+    {
+      measureFace(f);
+    }
   }
 }
 
@@ -99,9 +101,16 @@ void MeshEnergy::evaluate(const std::vector<std::uint32_t>& faces)
 
 void MeshEnergy::measureFace(std::size_t f)
 {
-  const auto at = [&](std::size_t i) -> const Vector& { return corner(f, i); };
-  faces_[f] = cartesian::measureFace(cornersOf(f), at);
-  stars_[f] = smallestOfStar(cornersOf(f), at, faces_[f].area);
+  triangles_.clear();
+  faces_[f] = cartesian::measureFace(
+    cornersOf(f), [&](std::size_t i) -> const Vector& { return corner(f, i); },
+    [&](const Vector& area) { triangles_.push_back(area); });
+  StarShare share;
+  for (const Vector& triangle : triangles_)
+  {
+    share.add(dot(triangle, faces_[f].area));
+  }
+  stars_[f] = share.smallest(cornersOf(f), faces_[f].area);
 }
 
 CellGeometry MeshEnergy::measureOf(std::uint32_t c) const

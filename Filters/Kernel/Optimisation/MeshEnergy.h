@@ -11,8 +11,10 @@ namespace cartesian
 class MeshEnergy
 {
 public:
-  // `isMoving`: of each face, 1 if it has a corner that moves. Gives the mesh's changing cells their measures.
-  MeshEnergy(NodeMesh& mesh, const LayerPrisms& prisms, std::vector<std::uint8_t> isMoving);
+  // Of each face: `edges`: of the smaller of its boxes, borrowed; `isMoving`: 1 if it has a corner that moves. Gives the
+  // mesh's changing cells their measures.
+  MeshEnergy(NodeMesh& mesh, const LayerPrisms& prisms, const std::vector<double>& edges,
+    std::vector<std::uint8_t> isMoving);
 
   // As all nodes are now: measures and energies.
   void evaluate();
@@ -53,7 +55,7 @@ private:
   NodeMesh& m_;
   const LayerPrisms& prisms_;
   const std::vector<std::uint8_t> isMoving_;
-  std::vector<double> edges_; // of the smaller of each face's boxes
+  const std::vector<double>& edges_;
   std::vector<FaceGeometry> faces_;
   std::vector<double> stars_;      // smallest triangles of stars
   std::vector<double> leastStars_; // ... before
@@ -61,6 +63,7 @@ private:
   std::vector<FaceGradient> byFaces_;
   std::vector<CellGradient> byCells_;
   std::vector<double> energyOfCell_;
+  std::vector<Vector> triangles_; // areas, of a face's star
 };
 
 // By the triangles of its star.

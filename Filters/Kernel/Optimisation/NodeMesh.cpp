@@ -5,6 +5,8 @@
 #include "Optimisation/MovingCells.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace cartesian
@@ -373,6 +375,22 @@ void listFacesOfCells(NodeMesh& mesh)
   }
 }
 
+}
+
+std::vector<double> NodeMesh::edgesAtFaces() const
+{
+  std::vector<double> ofCells(cells.volumeOfBox.size());
+  std::transform(cells.volumeOfBox.begin(), cells.volumeOfBox.end(), ofCells.begin(),
+    [](double volume) { return std::cbrt(volume); });
+  std::vector<double> edges(faces.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t f = 0; f < edges.size(); ++f)
+  {
+    for (const std::uint32_t c : faces.cells[f])
+    {
+      edges[f] = c == None ? edges[f] : std::min(edges[f], ofCells[c]);
+    }
+  }
+  return edges;
 }
 
 NodeMesh nodeMesh(const Boxes& boxes, const Sides& sides, const Nodes& nodes, const WallMesh& wall,

@@ -9,10 +9,6 @@
 #include "Parts/Slabs.h"
 #include "Polyhedra/CellGeometry.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace cartesian
 {
 
@@ -59,16 +55,8 @@ struct NodeMesh
     const auto& [below, above] = faces.cells[f];
     return above != None && cells.region[below] != cells.region[above];
   }
-  // Of the smaller of its boxes.
-  double edgeAt(std::size_t f) const
-  {
-    double edge = std::numeric_limits<double>::infinity();
-    for (const std::uint32_t c : faces.cells[f])
-    {
-      edge = c == None ? edge : std::min(edge, std::cbrt(cells.volumeOfBox[c]));
-    }
-    return edge;
-  }
+  // Of the smaller of each face's boxes.
+  std::vector<double> edgesAtFaces() const;
 
   bool isWall(std::size_t f) const { return faces.cells[f][1] == None || isInterface(f); }
 };

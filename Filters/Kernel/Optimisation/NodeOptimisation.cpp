@@ -43,8 +43,9 @@ public:
     , paths_(mesh, std::cos(radians(featureAngle)))
     , prisms_(addPrisms(mesh, layers))
     , before_(mesh.nodes.at)
+    , edges_(mesh.edgesAtFaces())
     , movingOf_(listMoving())
-    , energy_(mesh, prisms_, listFaces())
+    , energy_(mesh, prisms_, edges_, listFaces())
   {
   }
 
@@ -140,11 +141,10 @@ private:
     const auto count = static_cast<std::uint32_t>(m_.faces.size());
     for (std::uint32_t f = 0; f < count; ++f)
     {
-      const double edge = m_.edgeAt(f);
       forEachMovingOf(f, [&](Moving& node) {
         isMoving[f] = 1;
         ++node.firstFace;
-        node.edge = std::min(node.edge, edge);
+        node.edge = std::min(node.edge, edges_[f]);
       });
     }
     std::uint32_t sum = 0;
@@ -387,6 +387,7 @@ private:
   NodePaths paths_;
   const LayerPrisms prisms_;
   const std::vector<Vector> before_; // where nodes were
+  const std::vector<double> edges_;  // of boxes, of each face
   std::vector<Moving> moving_;
   const std::vector<std::uint32_t> movingOf_; // of each node, or None
   std::vector<std::uint32_t> facesOf_;        // of moving nodes

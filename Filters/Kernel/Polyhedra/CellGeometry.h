@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 
 namespace cartesian
 {
@@ -54,8 +55,9 @@ Vector forEachStarTriangle(std::size_t size, Corner&& corner, Visitor&& visit)
   return mean;
 }
 
-template <class Corner>
-FaceGeometry measureFace(std::size_t size, Corner&& corner)
+// Calls visit(area) for the triangles of its star, but for a triangle's.
+template <class Corner, class Visitor>
+FaceGeometry measureFace(std::size_t size, Corner&& corner, Visitor&& visit)
 {
   if (size == 3)
   {
@@ -72,8 +74,15 @@ FaceGeometry measureFace(std::size_t size, Corner&& corner)
       area = plus(area, triangle);
       moment = plus(moment, scaled(plus(p, q), part / 3));
       sum += part;
+      visit(triangle);
     });
   return { sum < Tiny ? mean : plus(mean, scaled(moment, 1 / sum)), area };
+}
+
+template <class Corner>
+FaceGeometry measureFace(std::size_t size, Corner&& corner)
+{
+  return measureFace(size, corner, [](const Vector&) {});
 }
 
 // The centre as later versions of OpenFOAM define it: with the areas of the triangles projected
@@ -92,19 +101,35 @@ Vector projectedCentre(std::size_t size, Corner&& corner, const Vector& area)
   return sum < Tiny ? mean : plus(mean, scaled(moment, 1 / sum));
 }
 
+// The least of a star's triangles, by the products of their areas with that of the whole.
+class StarShare
+{
+public:
+  void add(double product) { least_ = std::min(least_, product); }
+
+  // Relative to the mean of so many, at most 1; without any, 1.
+  double smallest(std::size_t size, const Vector& area) const
+  {
+    const double mean = dot(area, area) / static_cast<double>(size) + Tiny;
+    return std::min(1.0, least_ / mean); // the least divided is the least of those divided
+  }
+
+private:
+  double least_ = std::numeric_limits<double>::infinity();
+};
+
 // The area of the smallest star triangle relative to the mean one; negative if it is inverted.
 template <class Corner>
 double smallestOfStar(std::size_t size, Corner&& corner, const Vector& area)
 {
-  double smallest = 1;
+  StarShare share;
   if (size > 3)
   {
-    const double mean = dot(area, area) / static_cast<double>(size) + Tiny;
     forEachStarTriangle(size, corner, [&](const Vector&, const Vector&, const Vector& triangle) {
-      smallest = std::min(smallest, dot(triangle, area) / mean);
+      share.add(dot(triangle, area));
     });
   }
-  return smallest;
+  return share.smallest(size, area);
 }
 
 // Polygons count as flat up to this angle, in degrees, between a star triangle and the whole.

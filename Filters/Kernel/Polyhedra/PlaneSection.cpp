@@ -19,10 +19,13 @@ constexpr double SnapSlope = 0.0874886635259240;
 
 }
 
-bool PlaneSection::find()
+bool PlaneSection::find(
+  const Polyhedron& cell, const CutPlane& plane, std::vector<CellCut::NewNode>& newNodes)
 {
-  newNodes_.clear();
-  findDistances();
+  cell_ = &cell;
+  newNodes_ = &newNodes;
+  newNodes.clear();
+  findDistances(plane);
   if (!hasBothSides())
   {
     return false;
@@ -31,18 +34,18 @@ bool PlaneSection::find()
   return hasBothSides() && addNewNodes();
 }
 
-void PlaneSection::findDistances()
+void PlaneSection::findDistances(const CutPlane& plane)
 {
-  distance_.resize(cell_.nodes.size());
+  distance_.resize(cell_->nodes.size());
   for (std::size_t n = 0; n < distance_.size(); ++n)
   {
-    distance_[n] = dot(minus(cell_.nodes[n], plane_.at), plane_.normal);
+    distance_[n] = dot(minus(cell_->nodes[n], plane.at), plane.normal);
     if (std::abs(distance_[n]) < RoundingLevels)
     {
       distance_[n] = 0;
     }
   }
-  for (const std::uint32_t n : plane_.through)
+  for (const std::uint32_t n : plane.through)
   {
     distance_[n] = 0;
   }
@@ -59,53 +62,68 @@ bool PlaneSection::hasBothSides() const
 Vector PlaneSection::crossing(std::uint32_t from, std::uint32_t to) const
 {
   const double t = distance_[from] / (distance_[from] - distance_[to]);
-  return plus(cell_.nodes[from], scaled(minus(cell_.nodes[to], cell_.nodes[from]), t));
+  return plus(cell_->nodes[from], scaled(minus(cell_->nodes[to], cell_->nodes[from]), t));
+}
+
+bool PlaneSection::crosses(std::size_t face) const
+{
+  bool above = false;
+  bool below = false;
+  for (std::size_t i = cell_->start[face]; i < cell_->start[face + 1]; ++i)
+  {
+    const double distance = distance_[cell_->corners[i]];
+    above = above || distance > 0;
+    below = below || distance < 0;
+  }
+  return above && below;
 }
 
 // For each edge that crosses the plane, the lengths of the two edges of the cutting polygon that
 // meet there, sorted by edge and length. Each runs across one face.
-std::vector<std::pair<PlaneSection::Edge, double>> PlaneSection::sectionLengths() const
+void PlaneSection::listLengths()
 {
-  std::vector<std::pair<Edge, double>> lengths;
-  std::vector<Vector> ends;
-  for (std::size_t f = 0; f < cell_.faces(); ++f)
+  lengths_.clear();
+  for (std::size_t f = 0; f < cell_->faces(); ++f)
   {
-    ends.clear();
+    if (!crosses(f))
+    {
+      continue;
+    }
+    ends_.clear();
     forEachEdge(f, [&](std::uint32_t from, std::uint32_t to) {
       if (crosses(from, to))
       {
-        ends.push_back(crossing(from, to));
+        ends_.push_back(crossing(from, to));
       }
       else if (sign(to) == 0)
       {
-        ends.push_back(cell_.nodes[to]);
+        ends_.push_back(cell_->nodes[to]);
       }
     });
     double length = 0;
-    for (const Vector& end : ends)
+    for (const Vector& end : ends_)
     {
-      length = std::max(length, norm(minus(end, ends.front())));
+      length = std::max(length, norm(minus(end, ends_.front())));
     }
     forEachEdge(f, [&](std::uint32_t from, std::uint32_t to) {
       if (crosses(from, to))
       {
-        lengths.emplace_back(edgeBetween(from, to), length);
+        lengths_.emplace_back(edgeBetween(from, to), length);
       }
     });
   }
-  std::sort(lengths.begin(), lengths.end());
-  return lengths;
+  std::sort(lengths_.begin(), lengths_.end());
 }
 
 // All decisions are made before any node moves onto the plane.
 void PlaneSection::snapNodes()
 {
-  const auto lengths = sectionLengths();
-  std::vector<std::uint32_t> snapped;
-  for (std::size_t i = 0; i < lengths.size(); ++i)
+  listLengths();
+  snapped_.clear();
+  for (std::size_t i = 0; i < lengths_.size(); ++i)
   {
-    const auto& [edge, length] = lengths[i];
-    if (i > 0 && lengths[i - 1].first == edge)
+    const auto& [edge, length] = lengths_[i];
+    if (i > 0 && lengths_[i - 1].first == edge)
     {
       continue; // the shorter one counts
     }
@@ -113,10 +131,10 @@ void PlaneSection::snapNodes()
     const std::uint32_t nearest = first ? edge.first : edge.second;
     if (std::abs(distance_[nearest]) < SnapSlope * length)
     {
-      snapped.push_back(nearest);
+      snapped_.push_back(nearest);
     }
   }
-  for (const std::uint32_t node : snapped)
+  for (const std::uint32_t node : snapped_)
   {
     distance_[node] = 0;
   }
@@ -125,8 +143,12 @@ void PlaneSection::snapNodes()
 bool PlaneSection::addNewNodes()
 {
   bool distinct = true;
-  for (std::size_t f = 0; f < cell_.faces(); ++f)
+  for (std::size_t f = 0; f < cell_->faces(); ++f)
   {
+    if (!crosses(f))
+    {
+      continue;
+    }
     forEachEdge(f, [&](std::uint32_t from, std::uint32_t to) {
       const Edge edge = edgeBetween(from, to);
       if (crosses(from, to) && newNodeOn(edge) == NoNode)
@@ -136,8 +158,8 @@ bool PlaneSection::addNewNodes()
         {
           x = std::round(x);
         }
-        distinct = distinct && at != cell_.nodes[from] && at != cell_.nodes[to];
-        newNodes_.push_back({ edge.first, edge.second, at });
+        distinct = distinct && at != cell_->nodes[from] && at != cell_->nodes[to];
+        newNodes_->push_back({ edge.first, edge.second, at });
       }
     });
   }
@@ -146,11 +168,11 @@ bool PlaneSection::addNewNodes()
 
 std::uint32_t PlaneSection::newNodeOn(const Edge& edge) const
 {
-  for (std::size_t i = 0; i < newNodes_.size(); ++i) // there are few
+  for (std::size_t i = 0; i < newNodes_->size(); ++i) // there are few
   {
-    if (newNodes_[i].low == edge.first && newNodes_[i].high == edge.second)
+    if ((*newNodes_)[i].low == edge.first && (*newNodes_)[i].high == edge.second)
     {
-      return static_cast<std::uint32_t>(cell_.nodes.size() + i);
+      return static_cast<std::uint32_t>(cell_->nodes.size() + i);
     }
   }
   return NoNode;

@@ -17,32 +17,24 @@ public:
 
   static constexpr std::uint32_t NoNode = ~std::uint32_t(0);
 
-  // Borrows all three; `newNodes` is filled by find().
-  PlaneSection(
-    const Polyhedron& cell, const CutPlane& plane, std::vector<CellCut::NewNode>& newNodes)
-    : cell_(cell)
-    , plane_(plane)
-    , newNodes_(newNodes)
-  {
-  }
-
-  // False if all nodes are on one side of the plane, or rounding moves a new node onto an old one.
-  bool find();
+  // Borrows all three, up to the next call; fills `newNodes`. False if all nodes are on one side of the plane, or
+  // rounding moves a new node onto an old one.
+  bool find(const Polyhedron& cell, const CutPlane& plane, std::vector<CellCut::NewNode>& newNodes);
 
   // 1 above the plane, -1 below, 0 on it: as new nodes are.
   int sign(std::uint32_t node) const
   {
-    return node < cell_.nodes.size() ? (distance_[node] > 0) - (distance_[node] < 0) : 0;
+    return node < distance_.size() ? (distance_[node] > 0) - (distance_[node] < 0) : 0;
   }
-  bool isOnPlane(std::uint32_t node) const
-  {
-    return node >= cell_.nodes.size() || distance_[node] == 0;
-  }
+  bool isOnPlane(std::uint32_t node) const { return sign(node) == 0; }
   bool crosses(std::uint32_t from, std::uint32_t to) const { return sign(from) * sign(to) < 0; }
+
+  // Whether a face has nodes above and below.
+  bool crosses(std::size_t face) const;
 
   const Vector& position(std::uint32_t node) const
   {
-    return node < cell_.nodes.size() ? cell_.nodes[node] : newNodes_[node - cell_.nodes.size()].at;
+    return node < distance_.size() ? cell_->nodes[node] : (*newNodes_)[node - distance_.size()].at;
   }
 
   // The new node on an edge, or NoNode.
@@ -52,11 +44,11 @@ public:
   template <class Visitor>
   void forEachEdge(std::size_t face, Visitor&& visit) const
   {
-    std::uint32_t from = cell_.corners[cell_.start[face + 1] - 1];
-    for (std::size_t i = cell_.start[face]; i < cell_.start[face + 1]; ++i)
+    std::uint32_t from = cell_->corners[cell_->start[face + 1] - 1];
+    for (std::size_t i = cell_->start[face]; i < cell_->start[face + 1]; ++i)
     {
-      visit(from, cell_.corners[i]);
-      from = cell_.corners[i];
+      visit(from, cell_->corners[i]);
+      from = cell_->corners[i];
     }
   }
 
@@ -66,17 +58,19 @@ public:
   }
 
 private:
-  void findDistances();
+  void findDistances(const CutPlane& plane);
   bool hasBothSides() const;
   Vector crossing(std::uint32_t from, std::uint32_t to) const;
-  std::vector<std::pair<Edge, double>> sectionLengths() const;
+  void listLengths();
   void snapNodes();
   bool addNewNodes();
 
-  const Polyhedron& cell_;
-  const CutPlane& plane_;
-  std::vector<CellCut::NewNode>& newNodes_;
+  const Polyhedron* cell_ = nullptr;
+  std::vector<CellCut::NewNode>* newNodes_ = nullptr;
   std::vector<double> distance_; // of the cell's nodes from the plane; 0: on it
+  std::vector<Vector> ends_;
+  std::vector<std::pair<Edge, double>> lengths_;
+  std::vector<std::uint32_t> snapped_;
 };
 
 }

@@ -32,6 +32,20 @@ FaceShape measure(const Ring& ring)
   return { geometry.area, geometry.centre, meanOf(ring.size, corner) };
 }
 
+// The same bits as measureFace's.
+Vector areaOf(const Ring& ring)
+{
+  if (ring.size == 3)
+  {
+    return scaled(cross(minus(ring[1], ring[0]), minus(ring[2], ring[0])), 0.5);
+  }
+  Vector area{ 0, 0, 0 };
+  forEachStarTriangle(
+    ring.size, [&](std::size_t i) -> const Vector& { return ring[i]; },
+    [&](const Vector&, const Vector&, const Vector& triangle) { area = plus(area, triangle); });
+  return area;
+}
+
 void measureVolume(CellShape& shape)
 {
   Vector middle{ 0, 0, 0 };
@@ -80,15 +94,13 @@ void measure(const Polyhedron& cell, CellShape& shape)
   measureVolume(shape);
 }
 
-void measureProjected(const Polyhedron& cell, CellShape& shape)
+void projectCentres(const Polyhedron& cell, CellShape& shape)
 {
-  measure(cell, shape);
   for (std::size_t f = 0; f < cell.faces(); ++f)
   {
-    const std::size_t begin = cell.start[f];
+    const Ring ring = ringOf(cell, f);
     shape.faces[f].centre = projectedCentre(
-      cell.start[f + 1] - begin, [&](std::size_t i) { return cell.nodes[cell.corners[begin + i]]; },
-      shape.faces[f].area);
+      ring.size, [&](std::size_t i) -> const Vector& { return ring[i]; }, shape.faces[f].area);
   }
   measureVolume(shape);
 }

@@ -55,10 +55,11 @@ void measure(const Polyhedron& cell, CellShape& shape);
 
 // Its parts: of a face, and of a cell whose faces are measured.
 FaceShape measure(const Ring& ring);
+Vector areaOf(const Ring& ring); // alone
 void measureVolume(CellShape& shape);
 
-// The same, with centres of faces as in later versions (projectedCentre in CellGeometry.h).
-void measureProjected(const Polyhedron& cell, CellShape& shape);
+// Gives a measured cell the centres of faces of later versions (projectedCentre in CellGeometry.h), and its own by these.
+void projectCentres(const Polyhedron& cell, CellShape& shape);
 
 // Whether rounding, which moves nodes by a level or two, might turn a cell inside out: it is thinner
 // (volume divided by area) than four levels.

@@ -68,4 +68,7 @@ bool cutCell(const Polyhedron& cell, const CutPlane& plane, CellCut& cut);
 // One part as a cell; its nodes are numbered as in the cell and the cut.
 Polyhedron partOf(const Polyhedron& cell, const CellCut& cut, std::uint32_t part);
 
+// The same, in the memory of another.
+void takePart(const Polyhedron& cell, const CellCut& cut, std::uint32_t part, Polyhedron& result);
+
 }

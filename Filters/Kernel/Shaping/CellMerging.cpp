@@ -62,7 +62,7 @@ bool isBetter(const CellUnion& a, const CellUnion& b)
 {
   // Equal but for rounding is equal: sums depend on the order of the surface's triangles.
   const bool gainsMore = static_cast<float>(a.gain) > static_cast<float>(b.gain);
-  return b.keys.empty() ||
+  return !b.of ||
     (a.verdict.refused != b.verdict.refused ? a.verdict.refused < b.verdict.refused : gainsMore);
 }
 
@@ -221,16 +221,15 @@ void CellMerger::mergeGroups(const std::vector<CellKey>& keys)
 // If that is better than each alone.
 void CellMerger::mergeGroup(const std::vector<CellKey>& keys)
 {
-  best_.keys.clear();
-  scratch_.trial.keys = keys;
+  forgetViews(1);
   cells_.open(keys.front());
   Verdict before;
   for (const CellKey& key : keys)
   {
     before += verdictOf(key, keys.data(), &key);
   }
-  tryOut(before, Accepted::SmallMerge, spec_.joins, false);
-  if (!best_.keys.empty())
+  tryOut(viewOf(0, keys), before, Accepted::SmallMerge, spec_.joins, false);
+  if (best_.of)
   {
     apply(best_);
   }
@@ -265,24 +264,24 @@ Verdict CellMerger::verdictOf(CellKey key, const CellKey* begin, const CellKey* 
   return evaluateCell(cell.shape, cell.measures, cell.beyond, cells_.share(key), scratch_.counts);
 }
 
-// Returns whether there was a better one.
+// Of the cell that verdictOf has looked at last. Returns whether there was a better one.
 bool CellMerger::mergeBest(
   CellKey key, const Verdict& own, std::size_t mostNeighbours, const Acceptance& acceptance)
 {
-  best_.keys.clear();
   trying_.joinAcross(own.refused > 0 ? -1 : cells_.featureCosine());
-  cells_.lookAround(key, own_);
+  std::swap(own_, scratch_.cell);
   scratch_.neighbours.clear();
   for (const auto& [other, area] : neighboursOf(own_))
   {
     scratch_.neighbours.push_back({ other, {} });
   }
+  forgetViews(1 + scratch_.neighbours.size());
   findBest(key, own, mostNeighbours, acceptance, spec_.joins, false);
   if (spec_.simplifies)
   {
     simplifyBest(key, own, mostNeighbours, acceptance);
   }
-  if (best_.keys.empty())
+  if (!best_.of)
   {
     return false;
   }
@@ -290,11 +289,33 @@ bool CellMerger::mergeBest(
   return true;
 }
 
+// Makes room for as many.
+void CellMerger::forgetViews(std::size_t count)
+{
+  best_.of = nullptr;
+  scratch_.views.resize(std::max(scratch_.views.size(), count));
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    scratch_.views[i].keys.clear();
+  }
+}
+
+UnionView& CellMerger::viewOf(std::size_t place, const std::vector<CellKey>& keys)
+{
+  UnionView& view = scratch_.views[place];
+  if (view.keys.empty())
+  {
+    view.keys = keys;
+    trying_.look(view);
+  }
+  return view;
+}
+
 // What solvers refuse, or are strained by, or is very small, and finds nothing better as it is.
 void CellMerger::simplifyBest(
   CellKey key, const Verdict& own, std::size_t mostNeighbours, const Acceptance& acceptance)
 {
-  const auto isMended = [&] { return !best_.keys.empty() && best_.verdict.refused == 0; };
+  const auto isMended = [&] { return best_.of && best_.verdict.refused == 0; };
   if (isMended() || (own.invalid > 0 && !bendsInvalid_))
   {
     return;
@@ -306,8 +327,7 @@ void CellMerger::simplifyBest(
   }
   else if (own.worst > PoorCost)
   {
-    scratch_.trial.keys.assign(1, key);
-    tryOut(own, acceptance, spec_.joins, true);
+    tryOut(viewOf(0, { key }), own, acceptance, spec_.joins, true);
   }
   if (own.refused > 0 && !isMended())
   {
@@ -322,8 +342,7 @@ void CellMerger::findBest(CellKey key, const Verdict& own, std::size_t mostNeigh
 {
   if (simplifies)
   {
-    scratch_.trial.keys.assign(1, key);
-    tryOut(own, acceptance, joins, true);
+    tryOut(viewOf(0, { key }), own, acceptance, joins, true);
   }
   const bool mustMerge = own.refused > 0 || isSmall(key);
   std::size_t tried = 0;
@@ -331,9 +350,8 @@ void CellMerger::findBest(CellKey key, const Verdict& own, std::size_t mostNeigh
   {
     for (Neighbour& neighbour : scratch_.neighbours)
     {
-      if (!spec_.merges || tried == mostNeighbours ||
-        (straddles && (!mustMerge || !best_.keys.empty())) ||
-        (!best_.keys.empty() && best_.verdict.worst < FairCost && best_.verdict.refused == 0))
+      if (!spec_.merges || tried == mostNeighbours || (straddles && (!mustMerge || best_.of)) ||
+        (best_.of && best_.verdict.worst < FairCost && best_.verdict.refused == 0))
       {
         break;
       }
@@ -354,18 +372,19 @@ void CellMerger::tryWith(Neighbour& neighbour, CellKey key, const Verdict& own,
   const CellKey other = neighbour.key;
   cells_.open(other); // a hexahedron has no faces of its own
   const bool grows = cells_.volume(key) > cells_.volume(other);
-  scratch_.trial.keys.assign({ grows ? key : other, grows ? other : key });
+  const std::vector<CellKey> keys{ grows ? key : other, grows ? other : key };
   if (!neighbour.verdict)
   {
     neighbour.verdict = verdictOf(other, &key, &key + 1);
   }
   Verdict before = own;
   before += *neighbour.verdict;
-  before.cost -= CostOfCell * cells_.share(scratch_.trial.keys[1]);
+  before.cost -= CostOfCell * cells_.share(keys[1]);
   const double most = before.cost + MostOfJoins;
   if (simplifies || costTogether(key, other, most) <= most)
   {
-    tryOut(before, acceptance, joins, simplifies);
+    const auto place = static_cast<std::size_t>(&neighbour - scratch_.neighbours.data()) + 1;
+    tryOut(viewOf(place, keys), before, acceptance, joins, simplifies);
   }
 }
 
@@ -389,10 +408,11 @@ double CellMerger::costTogether(CellKey key, CellKey other, double most)
   return cost;
 }
 
-// The trial's cells; keeps the better one. `before`: the costs of each alone.
-void CellMerger::tryOut(
-  const Verdict& before, const Acceptance& acceptance, const JoinSpec& joins, bool simplifies)
+// Keeps the better one. `before`: the costs of each alone.
+void CellMerger::tryOut(UnionView& of, const Verdict& before, const Acceptance& acceptance,
+  const JoinSpec& joins, bool simplifies)
 {
+  scratch_.trial.of = &of;
   trying_.tryOut(scratch_.trial, joins, simplifies ? Never : before.cost + MostOfJoins);
   if (simplifies)
   {
@@ -412,21 +432,22 @@ void CellMerger::tryOut(
 
 void CellMerger::apply(const CellUnion& chosen)
 {
-  const CellKey into = chosen.keys.front();
-  for (const CellKey other : chosen.view.across)
+  const UnionView& of = *chosen.of;
+  const CellKey into = of.keys.front();
+  for (const CellKey other : of.view.across)
   {
     if (other != None)
     {
       cells_.open(other);
     }
   }
-  for (std::size_t i = 1; i < chosen.keys.size(); ++i)
+  for (std::size_t i = 1; i < of.keys.size(); ++i)
   {
-    merged_ += cells_.counts(chosen.keys[i]);
-    cells_.merge(chosen.keys[i], into);
+    merged_ += cells_.counts(of.keys[i]);
+    cells_.merge(of.keys[i], into);
   }
-  simplified_ += chosen.keys.size() == 1 ? cells_.counts(into) : 0;
-  cells_.join(into, chosen.view, chosen.joined);
+  simplified_ += of.keys.size() == 1 ? cells_.counts(into) : 0;
+  cells_.join(into, of.view, chosen.joined);
 }
 
 }

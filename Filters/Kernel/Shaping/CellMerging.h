@@ -78,6 +78,7 @@ private:
   // Kept for their memory.
   struct Scratch
   {
+    std::vector<UnionView> views; // of the cell to merge: alone, and with each neighbour
     CellUnion trial;
     MeasuredCell cell;
     std::vector<Neighbour> neighbours;
@@ -93,6 +94,8 @@ private:
   bool mayBeOfFineBox(CellKey key) const;
   Verdict verdictOf(CellKey key) { return cartesian::verdictOf(cells_, key, scratch_.cell); }
   Verdict verdictOf(CellKey key, const CellKey* begin, const CellKey* end);
+  void forgetViews(std::size_t count);
+  UnionView& viewOf(std::size_t place, const std::vector<CellKey>& keys);
   bool mergeBest(
     CellKey key, const Verdict& own, std::size_t mostNeighbours, const Acceptance& acceptance);
   void simplifyBest(
@@ -102,8 +105,8 @@ private:
   void tryWith(Neighbour& neighbour, CellKey key, const Verdict& own, const Acceptance& acceptance,
     const JoinSpec& joins, bool simplifies);
   double costTogether(CellKey key, CellKey other, double most);
-  void tryOut(
-    const Verdict& before, const Acceptance& acceptance, const JoinSpec& joins, bool simplifies);
+  void tryOut(UnionView& of, const Verdict& before, const Acceptance& acceptance,
+    const JoinSpec& joins, bool simplifies);
   void apply(const CellUnion& chosen);
 
   CellComplex& cells_;

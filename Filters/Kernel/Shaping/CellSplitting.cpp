@@ -27,9 +27,9 @@ std::vector<CellCut> findCuts(
   const CellFaults before = faultsOf(view.shape, shape, view.beyond);
   const double least =
     std::max(AcceptedCut::LeastOfSplit * shape.volume, leastFraction * cells.volumeOfBox(key));
+  CutParts made(view, shape);
   FoundCuts found = searchCuts(view, shape, before, [&](const CellCut& cut) {
-    const CutParts made(view, cut, least);
-    return made.areAll ? std::optional(made.faults()) : std::nullopt;
+    return made.make(cut, least) ? std::optional(made.faults()) : std::nullopt;
   });
   // Without concave edges nothing of the boundary fails.
   if (found.helpful.empty() && found.harmless && before.counts[CellFaults::BoundaryAngle] > 0)

@@ -39,10 +39,17 @@ bool CellTrial::isSound(const CellComplex& cells) const
 {
   const auto isStarGroup = [&](const JoinedFaces::Group& group) {
     const Ring ring{ view.shape.nodes.data(), group.ring.data(), group.ring.size() };
-    return isStar(ring, unit(measure(ring).area));
+    return isStar(ring, unit(group.shape.area));
   };
   return std::all_of(faces.groups.begin(), faces.groups.end(), isStarGroup) &&
     !cells.hasFacesNear(key, view, faces);
+}
+
+void CellTrial::join(
+  std::vector<std::uint32_t> members, std::vector<std::uint32_t> ring, bool recut)
+{
+  const FaceShape of = measure({ view.shape.nodes.data(), ring.data(), ring.size() });
+  faces.groups.push_back({ std::move(members), std::move(ring), of, recut });
 }
 
 std::uint32_t CellTrial::find(const FaceUse& face) const

@@ -38,6 +38,9 @@ struct CellTrial
   std::vector<std::uint32_t> seen(
     const std::vector<std::uint32_t>& ring, const CellView& from, const Vector& way);
 
+  // Adds a group to the joined faces.
+  void join(std::vector<std::uint32_t> members, std::vector<std::uint32_t> ring, bool recut);
+
   CellKey key = 0;
   CellView view;
   CellShape shape;

@@ -52,50 +52,99 @@ void addCostOfCell(
     : verdict.cost + costOfShare(shape.volume / box) + costOfDeterminant(polyhedron, shape);
 }
 
+// Between boundary faces as they are and joined.
+double volumeMoved(const UnionView& of, const JoinedFaces& joined, const JoinedShape& result)
+{
+  double moved = 0;
+  double byCuts = 0;
+  std::size_t face = result.kept(joined);
+  for (const JoinedFaces::Group& group : joined.groups)
+  {
+    const Vector& centre = result.measures.faces[face++].centre;
+    if (!of.view.shape.isBoundary[group.members.front()])
+    {
+      continue;
+    }
+    double between = 0;
+    for (const std::uint32_t f : group.members)
+    {
+      between += dot(minus(of.shape.faces[f].centre, centre), of.shape.faces[f].area);
+    }
+    byCuts += group.recut ? between / 3 : 0;
+    moved += group.recut ? 0 : std::abs(between) / 3;
+  }
+  return moved + std::abs(byCuts);
+}
+
+}
+
+void UnionTrial::look(UnionView& cells) const
+{
+  takeOut(cells_, cells.keys, cells.view, cells.shape);
+  cells.verdict.reset();
+  cells.joined.reset();
 }
 
 void UnionTrial::tryOut(CellUnion& cells, const JoinSpec& joins, double most)
 {
-  cells_.view(cells.keys, cells.view);
-  cells_.lookBeyond(cells.keys.front(), cells.view);
-  tryOutView(cells, joins, most);
-}
-
-void UnionTrial::tryOutView(CellUnion& cells, const JoinSpec& joins, double most)
-{
-  const Polyhedron& shape = cells.view.shape;
-  measure(shape, shape_);
-  cells.verdict = evaluate(shape, shape_, cells.view.beyond, {}, most);
-  if (cells.verdict.cost > most)
+  UnionView& of = *cells.of;
+  if (!evaluate(of, most))
   {
     cells.verdict.cost = Never;
     return;
   }
-  joiner_.look(cells.view, shape_);
-  cells.joined = joiner_.join(joins);
-  if (cells.joined.groups.empty())
+  if (!of.joined || !(of.joined->spec == joins))
   {
-    addCostOfCell(shape, shape_, cells_.volumeOfBox(cells.keys.front()), cells.verdict);
+    of.joined = joinAll(of, joins);
+  }
+  cells.joined = of.joined->faces;
+  cells.verdict = of.joined->verdict;
+}
+
+// Before any face is joined; false where the cost is larger than `most`.
+bool UnionTrial::evaluate(UnionView& of, double most) const
+{
+  if (!of.verdict)
+  {
+    const Verdict verdict = cartesian::evaluate(of.view.shape, of.shape, of.view.beyond, {}, most);
+    if (verdict.cost > most)
+    {
+      return false;
+    }
+    of.verdict = verdict;
+    of.joiner.joinAcross(leastCosine_);
+    of.joiner.look(of.view, of.shape);
+  }
+  return of.verdict->cost <= most;
+}
+
+UnionView::Joined UnionTrial::joinAll(UnionView& of, const JoinSpec& joins) const
+{
+  UnionView::Joined result{ joins, of.joiner.join(joins), *of.verdict };
+  if (result.faces.groups.empty())
+  {
+    addCostOfCell(of.view.shape, of.shape, cells_.volumeOfBox(of.keys.front()), result.verdict);
   }
   else
   {
-    cells.verdict = joined(cells, cells.joined, Never);
+    result.verdict = joined(of, result.faces, Never);
   }
+  return result;
 }
 
 // The cost is Never, if it is larger than `most`.
-Verdict UnionTrial::joined(const CellUnion& cells, const JoinedFaces& faces, double most)
+Verdict UnionTrial::joined(UnionView& of, const JoinedFaces& faces, double most) const
 {
-  const JoinedShape& result = joiner_.shapeOf(faces);
-  const double box = cells_.volumeOfBox(cells.keys.front());
+  const JoinedShape& result = of.joiner.shapeOf(faces);
+  const double box = cells_.volumeOfBox(of.keys.front());
   const double ofVolume =
-    CostOfVolume * volumeMoved(cells.view, faces, result) / std::min(box, shape_.volume);
+    CostOfVolume * volumeMoved(of, faces, result) / std::min(box, of.shape.volume);
   Verdict verdict;
   const bool mayBe =
-    keepsVolume(Accepted::Join, shape_.volume, result.measures.volume) && !(ofVolume > most);
+    keepsVolume(Accepted::Join, of.shape.volume, result.measures.volume) && !(ofVolume > most);
   if (mayBe)
   {
-    verdict = evaluate(result.polyhedron, result.measures, result.beyond, {}, most);
+    verdict = cartesian::evaluate(result.polyhedron, result.measures, result.beyond, {}, most);
   }
   if (!mayBe || verdict.cost > most)
   {
@@ -107,31 +156,6 @@ Verdict UnionTrial::joined(const CellUnion& cells, const JoinedFaces& faces, dou
   return verdict;
 }
 
-// Between boundary faces as they are and joined.
-double UnionTrial::volumeMoved(
-  const CellView& view, const JoinedFaces& joined, const JoinedShape& result) const
-{
-  double moved = 0;
-  double byCuts = 0;
-  std::size_t face = result.kept(joined);
-  for (const JoinedFaces::Group& group : joined.groups)
-  {
-    const Vector& centre = result.measures.faces[face++].centre;
-    if (!view.shape.isBoundary[group.members.front()])
-    {
-      continue;
-    }
-    double between = 0;
-    for (const std::uint32_t f : group.members)
-    {
-      between += dot(minus(shape_.faces[f].centre, centre), shape_.faces[f].area);
-    }
-    byCuts += group.recut ? between / 3 : 0;
-    moved += group.recut ? 0 : std::abs(between) / 3;
-  }
-  return moved + std::abs(byCuts);
-}
-
 void UnionTrial::simplify(CellUnion& cells)
 {
   Verdict& now = cells.verdict;
@@ -140,10 +164,10 @@ void UnionTrial::simplify(CellUnion& cells)
     double least = now.cost - LeastGain;
     JoinedFaces best;
     Verdict ofBest;
-    for (JoinedFaces& faces :
-      joiner_.joinOneMore(cells.joined, now.toMend, now.refused > 0 ? AnyAngle : CosineOfStrained))
+    for (JoinedFaces& faces : cells.of->joiner.joinOneMore(
+           cells.joined, now.toMend, now.refused > 0 ? AnyAngle : CosineOfStrained))
     {
-      const Verdict verdict = joined(cells, faces, least);
+      const Verdict verdict = joined(*cells.of, faces, least);
       if (verdict.cost < least)
       {
         least = verdict.cost - LeastGain;
@@ -167,14 +191,15 @@ double UnionTrial::costBeyond(const CellUnion& cells, CellKey other)
   beyond_.look(cells_, other);
   for (const JoinedFaces::Group& group : cells.joined.groups)
   {
-    if (cells.view.across[group.members.front()] == other)
+    if (cells.of->view.across[group.members.front()] == other)
     {
-      JoinedFaces::Group& seen = beyond_.faces.groups.emplace_back();
+      std::vector<std::uint32_t> members;
       for (const std::uint32_t member : group.members)
       {
-        seen.members.push_back(beyond_.find(cells.view.faces[member]));
+        members.push_back(beyond_.find(cells.of->view.faces[member]));
       }
-      seen.ring = beyond_.seen(group.ring, cells.view, {}); // it has all these nodes
+      // It has all these nodes.
+      beyond_.join(std::move(members), beyond_.seen(group.ring, cells.of->view, {}), false);
     }
   }
   const Verdict after = beyond_.joined();
@@ -183,7 +208,7 @@ double UnionTrial::costBeyond(const CellUnion& cells, CellKey other)
 
 double UnionTrial::costBeyond(const CellUnion& cells)
 {
-  const CellView& view = cells.view;
+  const CellView& view = cells.of->view;
   std::set<CellKey> others;
   for (const JoinedFaces::Group& group : cells.joined.groups)
   {
@@ -199,8 +224,8 @@ double UnionTrial::costBeyond(const CellUnion& cells)
 
 bool UnionTrial::isSound(const CellUnion& cells) const
 {
-  return !isFolded(cells.view) &&
-    !cells_.hasFacesNear(cells.keys.front(), cells.view, cells.joined);
+  return !isFolded(cells.of->view) &&
+    !cells_.hasFacesNear(cells.of->keys.front(), cells.of->view, cells.joined);
 }
 
 }

@@ -5,13 +5,33 @@
 
 #include "Shaping/CellTrial.h"
 
+#include <optional>
+
 namespace cartesian
 {
 
-struct CellUnion
+// Cells as one, taken out of the whole, and what is known of them.
+struct UnionView
 {
+  // As far as `spec` allows.
+  struct Joined
+  {
+    JoinSpec spec;
+    JoinedFaces faces;
+    Verdict verdict;
+  };
+
   std::vector<CellKey> keys; // the first takes the others in
   CellView view;
+  CellShape shape;
+  std::optional<Verdict> verdict; // of all faces, before any is joined
+  std::optional<Joined> joined;   // as asked for last
+  FaceJoiner joiner;
+};
+
+struct CellUnion
+{
+  UnionView* of = nullptr; // borrowed
   JoinedFaces joined;
   Verdict verdict; // of its faces; its cost is that of the cell in all
   double gain = 0; // by how much the sum of all costs falls
@@ -23,21 +43,21 @@ class UnionTrial
 public:
   explicit UnionTrial(const CellComplex& cells)
     : cells_(cells)
-    , joiner_(cells.featureCosine())
+    , leastCosine_(cells.featureCosine())
     , beyond_(cells)
   {
   }
 
-  // Walls are joined across edges that turn by less: at first, than Feature Angle.
-  void joinAcross(double leastCosine) { joiner_ = FaceJoiner(leastCosine); }
+  // Walls of what is looked at from now on are joined across edges that turn by less: at first, than Feature Angle.
+  void joinAcross(double leastCosine) { leastCosine_ = leastCosine; }
 
-  // Of cells that have faces, joined as far as `joins` allows. The cost is that of its faces, of its volume as
+  // Takes its cells, which have faces, out of the whole.
+  void look(UnionView& cells) const;
+
+  // With faces joined as far as `joins` allows. The cost is that of its faces, of its volume as
   // a share of the first one's box, of volume that joined faces add or take; or Never, where it would have too
   // few faces, keep too little of its volume, or its faces cost more than `most` before any is joined.
-  void tryOut(CellUnion& cells, const JoinSpec& joins, double most);
-
-  // The same of cells that the view shows already.
-  void tryOutView(CellUnion& cells, const JoinSpec& joins, double most = Never);
+  void tryOut(CellUnion& cells, const JoinSpec& joins, double most = Never);
 
   // Of the union tried out last: as long as solvers refuse a face, or are strained by one, joins that which
   // costs most with the neighbour that helps most: the first at any angle, the second up to a bit more
@@ -52,14 +72,13 @@ public:
   double costBeyond(const CellUnion& cells);
 
 private:
-  Verdict joined(const CellUnion& cells, const JoinedFaces& faces, double most);
+  bool evaluate(UnionView& of, double most) const;
+  UnionView::Joined joinAll(UnionView& of, const JoinSpec& joins) const;
+  Verdict joined(UnionView& of, const JoinedFaces& faces, double most) const;
   double costBeyond(const CellUnion& cells, CellKey other);
-  double volumeMoved(
-    const CellView& view, const JoinedFaces& joined, const JoinedShape& result) const;
 
   const CellComplex& cells_;
-  CellShape shape_; // of the view
-  FaceJoiner joiner_;
+  double leastCosine_;
   CellTrial beyond_; // of a cell of another region
 };
 

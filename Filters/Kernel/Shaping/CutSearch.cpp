@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <set>
 
 namespace cartesian
 {
@@ -16,6 +14,8 @@ namespace
 // A cell tries as many cuts for a start, the worst concave edges first; and is halved at as many faces, the
 // largest first.
 constexpr std::size_t MostCandidates = 8;
+
+constexpr std::uint32_t None = ~std::uint32_t(0);
 
 // Cells of more faces stay whole: the time to look for a cut grows with the square of their number.
 constexpr std::size_t MostFaces = 100;
@@ -41,28 +41,55 @@ struct ConcaveEdge
   bool failing; // one of its faces fails its condition
 };
 
-std::vector<ConcaveEdge> concaveEdges(const Polyhedron& cell, const CellShape& shape)
+// From a lower to a higher node: the face that runs along it, and that which runs against it.
+struct EdgeOfCell
 {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> faceOf; // by directed edge
+  std::uint32_t from;
+  std::uint32_t to;
+  std::array<std::uint32_t, 2> faces;
+};
+
+// Those with both faces, in order; of several faces the last counts.
+std::vector<EdgeOfCell> edgesOf(const Polyhedron& cell)
+{
+  std::vector<std::array<std::uint32_t, 4>> runs; // lower and higher node, whether against, face
+  runs.reserve(cell.corners.size());
   for (std::uint32_t f = 0; f < cell.faces(); ++f)
   {
+    std::uint32_t from = cell.corners[cell.start[f + 1] - 1];
     for (std::uint32_t i = cell.start[f]; i < cell.start[f + 1]; ++i)
     {
-      const std::uint32_t next = i + 1 < cell.start[f + 1] ? i + 1 : cell.start[f];
-      faceOf[{ cell.corners[i], cell.corners[next] }] = f;
+      const std::uint32_t to = cell.corners[i];
+      runs.push_back({ std::min(from, to), std::max(from, to), from > to ? 1U : 0U, f });
+      from = to;
     }
   }
-  std::vector<ConcaveEdge> edges;
-  for (const auto& [edge, f] : faceOf)
+  std::sort(runs.begin(), runs.end());
+  std::vector<EdgeOfCell> edges;
+  for (auto run = runs.begin(); run != runs.end();)
   {
-    const auto other = faceOf.find({ edge.second, edge.first });
-    if (edge.first > edge.second || other == faceOf.end())
+    std::array<std::uint32_t, 2> faces{ None, None };
+    const auto first = run;
+    for (; run != runs.end() && (*run)[0] == (*first)[0] && (*run)[1] == (*first)[1]; ++run)
     {
-      continue;
+      faces[(*run)[2]] = (*run)[3];
     }
-    const Vector n1 = unit(shape.faces[f].area);
-    const Vector n2 = unit(shape.faces[other->second].area);
-    const Vector whole = minus(cell.nodes[edge.second], cell.nodes[edge.first]);
+    if (faces[0] != None && faces[1] != None)
+    {
+      edges.push_back({ (*first)[0], (*first)[1], faces });
+    }
+  }
+  return edges;
+}
+
+std::vector<ConcaveEdge> concaveEdges(const Polyhedron& cell, const CellShape& shape)
+{
+  std::vector<ConcaveEdge> edges;
+  for (const EdgeOfCell& edge : edgesOf(cell))
+  {
+    const Vector n1 = unit(shape.faces[edge.faces[0]].area);
+    const Vector n2 = unit(shape.faces[edge.faces[1]].area);
+    const Vector whole = minus(cell.nodes[edge.to], cell.nodes[edge.from]);
     const Vector along = unit(whole);
     const double sine = dot(cross(n1, n2), along);
     const double cosine = dot(n1, n2);
@@ -71,9 +98,9 @@ std::vector<ConcaveEdge> concaveEdges(const Polyhedron& cell, const CellShape& s
       continue;
     }
     ConcaveEdge e;
-    e.from = edge.first;
-    e.to = edge.second;
-    e.faces = { f, other->second };
+    e.from = edge.from;
+    e.to = edge.to;
+    e.faces = edge.faces;
     e.bend = -std::atan2(sine, cosine);
     e.bend += e.bend < 0 ? 2 * Pi : 0;
     e.along = along;
@@ -81,7 +108,7 @@ std::vector<ConcaveEdge> concaveEdges(const Polyhedron& cell, const CellShape& s
     const Vector ways = plus(cross(n1, along), cross(along, n2));
     e.inwards = unit(scaled(plus(plus(n1, n2), ways), -1));
     e.length = norm(whole);
-    e.failing = isAtFault(cell, shape, f) || isAtFault(cell, shape, other->second);
+    e.failing = isAtFault(cell, shape, e.faces[0]) || isAtFault(cell, shape, e.faces[1]);
     edges.push_back(e);
   }
   std::sort(edges.begin(), edges.end(), [](const ConcaveEdge& x, const ConcaveEdge& y) {
@@ -98,18 +125,20 @@ CutPlane planeThrough(const ConcaveEdge& worst, const std::vector<ConcaveEdge>& 
   const Polyhedron& cell, double turn)
 {
   Vector inwards = scaled(worst.inwards, worst.length);
-  std::set<std::uint32_t> nodes{ worst.from, worst.to };
+  std::vector<std::uint32_t> nodes{ worst.from, worst.to };
+  const auto has = [&](std::uint32_t node) {
+    return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+  };
   for (bool grown = true; grown;)
   {
     grown = false;
     for (const ConcaveEdge& e : edges)
     {
-      const bool continues = (nodes.count(e.from) + nodes.count(e.to)) == 1;
-      if (continues && std::abs(dot(e.along, worst.along)) > ContinuesCosine)
+      const bool startsHere = has(e.from);
+      if (startsHere != has(e.to) && std::abs(dot(e.along, worst.along)) > ContinuesCosine)
       {
         inwards = plus(inwards, scaled(e.inwards, e.length));
-        nodes.insert(e.from);
-        nodes.insert(e.to);
+        nodes.push_back(startsHere ? e.to : e.from);
         grown = true;
       }
     }
@@ -275,20 +304,40 @@ private:
 
 }
 
-CutParts::CutParts(const CellView& of, const CellCut& by, double least)
-  : view(of)
-  , cut(by)
-  , smallest(std::numeric_limits<double>::infinity())
+bool CutParts::make(const CellCut& cut, double least)
 {
-  parts.reserve(cut.parts);
-  shapes.reserve(cut.parts);
-  for (std::uint32_t p = 0; p < cut.parts && areAll; ++p)
+  cut_ = &cut;
+  parts.resize(cut.parts);
+  shapes.resize(cut.parts);
+  smallest = std::numeric_limits<double>::infinity();
+  for (std::uint32_t p = 0; p < cut.parts; ++p)
   {
-    parts.push_back(partOf(view.shape, cut, p));
-    measure(parts.back(), shapes.emplace_back());
-    areAll = shapes.back().volume > least;
-    smallest = std::min(smallest, shapes.back().volume);
+    takePart(view_.shape, cut, p, parts[p]);
+    measurePart(p);
+    smallest = std::min(smallest, shapes[p].volume);
+    if (!(shapes[p].volume > least))
+    {
+      return false;
+    }
   }
+  return true;
+}
+
+// Faces that are whole are measured already.
+void CutParts::measurePart(std::size_t part)
+{
+  std::vector<FaceShape>& faces = shapes[part].faces;
+  faces.clear();
+  forEachFace(part, [&](const CellCut::Face& face, bool isCut) {
+    const CellCut::FaceCorners corners = cut_->cornersOf(face);
+    const auto isWhole = [&] {
+      const Ring whole = ringOf(view_.shape, face.source);
+      return std::equal(corners.begin(), corners.end(), whole.corners, whole.corners + whole.size);
+    };
+    faces.push_back(
+      !isCut && isWhole() ? shape_.faces[face.source] : measure(ringOf(parts[part], faces.size())));
+  });
+  measureVolume(shapes[part]);
 }
 
 double CutParts::largestAspect() const
@@ -310,7 +359,7 @@ double CutParts::largestAspect() const
 template <class Visitor>
 void CutParts::forEachFace(std::size_t part, Visitor&& visit) const
 {
-  for (const CellCut::Face& face : cut.faces)
+  for (const CellCut::Face& face : cut_->faces)
   {
     const bool isCut = face.source == CellCut::NoSource;
     if (face.below == part || (isCut && face.above == part))
@@ -320,24 +369,20 @@ void CutParts::forEachFace(std::size_t part, Visitor&& visit) const
   }
 }
 
-CellFaults CutParts::faults() const
+CellFaults CutParts::faults()
 {
   CellFaults sum;
-  std::vector<NeighbourCell> beyond;
-  std::vector<std::uint8_t> counts; // a face between two parts once
-  beyond.reserve(cut.faces.size());
-  counts.reserve(cut.faces.size());
   for (std::size_t p = 0; p < parts.size(); ++p)
   {
-    beyond.clear();
-    counts.clear();
+    beyond_.clear();
+    counts_.clear();
     forEachFace(p, [&](const CellCut::Face& face, bool isCut) {
       const CellShape& other = shapes[isCut && face.below == p ? face.above : face.below];
-      beyond.push_back(
-        isCut ? NeighbourCell{ other.centre, other.volume } : view.beyond[face.source]);
-      counts.push_back(face.below == p ? 1 : 0);
+      beyond_.push_back(
+        isCut ? NeighbourCell{ other.centre, other.volume } : view_.beyond[face.source]);
+      counts_.push_back(face.below == p ? 1 : 0);
     });
-    sum += faultsOf(parts[p], shapes[p], beyond, counts);
+    sum += faultsOf(parts[p], shapes[p], beyond_, counts_);
   }
   return sum;
 }
@@ -347,8 +392,8 @@ CellFaults CutParts::faultsAlone(std::size_t part) const
   Polyhedron alone = parts[part];
   std::vector<NeighbourCell> beyond;
   forEachFace(part, [&](const CellCut::Face& face, bool isCut) {
-    alone.isBoundary[beyond.size()] = isCut || view.shape.isBoundary[face.source];
-    beyond.push_back(isCut ? NeighbourCell{} : view.beyond[face.source]);
+    alone.isBoundary[beyond.size()] = isCut || view_.shape.isBoundary[face.source];
+    beyond.push_back(isCut ? NeighbourCell{} : view_.beyond[face.source]);
   });
   return faultsOf(alone, shapes[part], beyond);
 }

@@ -12,28 +12,40 @@
 namespace cartesian
 {
 
-// What a cut would make of a cell. Borrows its arguments.
-struct CutParts
+// What cuts would make of a cell, one after the other; keeps its memory.
+class CutParts
 {
-  // Ends with a part whose volume is not larger than `least`: then they are not all.
-  CutParts(const CellView& of, const CellCut& by, double least);
+public:
+  // Borrows both. `shape`: the view's.
+  CutParts(const CellView& view, const CellShape& shape)
+    : view_(view)
+    , shape_(shape)
+  {
+  }
+
+  // Borrows the cut. False, and ends, with a part whose volume is not larger than `least`.
+  bool make(const CellCut& cut, double least);
 
   double largestAspect() const; // a sixth of the area by volume^(2/3)
 
   // What is at fault of all parts; of one, if nothing is beyond the cut.
-  CellFaults faults() const;
+  CellFaults faults();
   CellFaults faultsAlone(std::size_t part) const;
 
-  const CellView& view;
-  const CellCut& cut;
   std::vector<Polyhedron> parts;
   std::vector<CellShape> shapes;
-  bool areAll = true;
-  double smallest; // volume
+  double smallest = 0; // volume
 
 private:
   template <class Visitor>
   void forEachFace(std::size_t part, Visitor&& visit) const;
+  void measurePart(std::size_t part);
+
+  const CellView& view_;
+  const CellShape& shape_;
+  const CellCut* cut_ = nullptr;
+  std::vector<NeighbourCell> beyond_;
+  std::vector<std::uint8_t> counts_; // a face between two parts once
 };
 
 // What would be at fault after a cut, or nothing where it must not be made.

@@ -32,16 +32,19 @@ bool contains(const Ring& ring, std::uint32_t node)
   return std::find(ring.corners, ring.corners + ring.size, node) != ring.corners + ring.size;
 }
 
-// Cut between its i-th and k-th corner.
-std::array<std::vector<std::uint32_t>, 2> cutRing(
-  const std::vector<std::uint32_t>& ring, std::size_t i, std::size_t k)
+// Edges between nodes, of faces, as numbers in the order of nodes, then of faces.
+constexpr unsigned BitsOfNode = 24;
+constexpr unsigned BitsOfFace = 16;
+
+std::uint64_t numberOfEdge(std::uint32_t from, std::uint32_t to, std::uint32_t face)
 {
-  const auto at = [&](std::size_t c) { return ring.begin() + static_cast<std::ptrdiff_t>(c); };
-  std::array<std::vector<std::uint32_t>, 2> parts;
-  parts[0].assign(at(i), at(k + 1));
-  parts[1].assign(at(k), ring.end());
-  parts[1].insert(parts[1].end(), ring.begin(), at(i + 1));
-  return parts;
+  return (std::uint64_t(std::min(from, to)) << BitsOfNode | std::max(from, to)) << BitsOfFace |
+    face;
+}
+
+std::uint32_t faceOfEdge(std::uint64_t number)
+{
+  return static_cast<std::uint32_t>(number & ((1U << BitsOfFace) - 1));
 }
 
 }
@@ -179,19 +182,19 @@ void FaceJoiner::listPairs()
     for (std::size_t i = 0; i < ring.size; ++i)
     {
       const std::uint32_t to = ring.corners[i];
-      edges_.push_back({ std::min(from, to), std::max(from, to), f });
+      edges_.push_back(numberOfEdge(from, to, f));
       from = to;
     }
   }
   std::sort(edges_.begin(), edges_.end());
   const auto sameEdge = [&](std::size_t i, std::size_t k) {
-    return k < edges_.size() && edges_[k][0] == edges_[i][0] && edges_[k][1] == edges_[i][1];
+    return k < edges_.size() && edges_[k] >> BitsOfFace == edges_[i] >> BitsOfFace;
   };
   for (std::size_t i = 0; i + 1 < edges_.size(); ++i)
   {
     if (sameEdge(i, i + 1) && !sameEdge(i, i + 2) && (i == 0 || !sameEdge(i, i - 1)))
     {
-      pairs_.emplace_back(edges_[i][2], edges_[i + 1][2]);
+      pairs_.emplace_back(faceOfEdge(edges_[i]), faceOfEdge(edges_[i + 1]));
     }
   }
 }
@@ -320,7 +323,7 @@ const JoinedShape& FaceJoiner::shapeOf(const JoinedFaces& joined)
   for (const JoinedFaces::Group& group : joined.groups)
   {
     const Ring ring = ringOf(group.ring);
-    add(ring, group.members.front(), measure(ring));
+    add(ring, group.members.front(), group.shape);
   }
   measureVolume(joinedShape_.measures);
   return joinedShape_;
@@ -427,6 +430,7 @@ bool FaceJoiner::join(Part g, Part h)
   const Part part = makeGroup(g);
   JoinedFaces::Group& group = groupOf(part);
   group.ring = ring_;
+  group.shape = measure(ringOf(ring_));
   const auto add = [&](std::uint32_t member) {
     group.members.push_back(member);
     partOf_[member] = part;
@@ -447,10 +451,9 @@ bool FaceJoiner::fitsTogether(Part g, Part h, double leastCosine) const
 {
   const bool flat = leastCosine >= 1;
   const Ring ring = ringOf(ring_);
-  const FaceShape shape = measure(ring);
-  const Vector normal = unit(shape.area);
+  const Vector normal = unit(areaOf(ring));
   const auto normalOf = [&](Part part) {
-    return isFace(part) ? planes_[part].normal : unit(measure(ringOf(part)).area);
+    return isFace(part) ? planes_[part].normal : unit(groupOf(part).shape.area);
   };
   const Vector one = normalOf(g);
   const Vector other = normalOf(h);
@@ -459,14 +462,14 @@ bool FaceJoiner::fitsTogether(Part g, Part h, double leastCosine) const
   {
     return false;
   }
-  return (!flat || isFlat(ring, shape, RoundingLevels)) && isStar(ring, normal);
+  return (!flat || isFlat(ring, measure(ring), RoundingLevels)) && isStar(ring, normal);
 }
 
 // ... where one of the two is negligible.
 bool FaceJoiner::fitsWithNegligible() const
 {
   const Ring ring = ringOf(ring_);
-  return isStar(ring, unit(measure(ring).area));
+  return isStar(ring, unit(areaOf(ring)));
 }
 
 // Of a face alone, if it is in none.
@@ -477,7 +480,8 @@ FaceJoiner::Part FaceJoiner::makeGroup(Part part)
     return part;
   }
   const Ring ring = ringOf(part);
-  joined_.groups.push_back({ { part }, { ring.corners, ring.corners + ring.size } });
+  joined_.groups.push_back(
+    { { part }, { ring.corners, ring.corners + ring.size }, shape_->faces[part] });
   return partOf_[part] = faces() + static_cast<Part>(joined_.groups.size() - 1);
 }
 
@@ -490,19 +494,25 @@ bool FaceJoiner::recut(Part g, Part h)
     return false;
   }
   const double least = leastCosine(firstMember(g));
-  double largest = 2 * std::min(norm(measure(ringOf(g)).area), norm(measure(ringOf(h)).area));
+  const auto sizeOf = [&](Part part) {
+    return isFace(part) ? planes_[part].area : norm(groupOf(part).shape.area);
+  };
+  double largest = 2 * std::min(sizeOf(g), sizeOf(h));
   std::array<std::vector<std::uint32_t>, 2> best;
   for (std::size_t i = 0; i < ring_.size(); ++i)
   {
     for (std::size_t k = i + 2; k < ring_.size() && k - i + 1 < ring_.size(); ++k)
     {
-      std::array<std::vector<std::uint32_t>, 2> parts = cutRing(ring_, i, k);
-      const double smaller = smallerOf(parts, least);
-      if (smaller > largest && !hasEdge(ring_[i], ring_[k]) && !hasTwin(parts[0]) &&
-        !hasTwin(parts[1]))
+      const auto at = [&](std::size_t c) { return ring_.begin() + static_cast<std::ptrdiff_t>(c); };
+      halves_[0].assign(at(i), at(k + 1));
+      halves_[1].assign(at(k), ring_.end());
+      halves_[1].insert(halves_[1].end(), ring_.begin(), at(i + 1));
+      const double smaller = smallerOf(halves_, least, largest);
+      if (smaller > largest && !hasEdge(ring_[i], ring_[k]) && !hasTwin(halves_[0]) &&
+        !hasTwin(halves_[1]))
       {
         largest = smaller;
-        best = std::move(parts);
+        std::swap(best, halves_);
       }
     }
   }
@@ -514,21 +524,25 @@ bool FaceJoiner::recut(Part g, Part h)
   for (std::size_t i = 0; i < 2; ++i)
   {
     groupOf(parts[i]).ring = std::move(best[i]);
+    groupOf(parts[i]).shape = measure(ringOf(groupOf(parts[i]).ring));
     groupOf(parts[i]).recut = true;
   }
   return true;
 }
 
-// Its area, or less than 0 where one has no star triangulation, or they meet at too wide an angle.
+// Its area, or less than 0 where that is not larger than `largest`, one has no star triangulation, or they meet at too
+// wide an angle.
 double FaceJoiner::smallerOf(
-  const std::array<std::vector<std::uint32_t>, 2>& parts, double leastCosine) const
+  const std::array<std::vector<std::uint32_t>, 2>& parts, double leastCosine, double largest) const
 {
   const std::array<Ring, 2> rings{ ringOf(parts[0]), ringOf(parts[1]) };
-  const Vector area = measure(rings[0]).area;
-  const Vector other = measure(rings[1]).area;
-  const bool fits = dot(unit(area), unit(other)) >= std::max(leastCosine, LeastCosineOfCut) &&
+  const Vector area = areaOf(rings[0]);
+  const Vector other = areaOf(rings[1]);
+  const double smaller = std::min(norm(area), norm(other));
+  const bool fits = smaller > largest &&
+    dot(unit(area), unit(other)) >= std::max(leastCosine, LeastCosineOfCut) &&
     isStar(rings[0], unit(area)) && isStar(rings[1], unit(other));
-  return fits ? std::min(norm(area), norm(other)) : -1;
+  return fits ? smaller : -1;
 }
 
 bool FaceJoiner::hasEdge(std::uint32_t from, std::uint32_t to) const

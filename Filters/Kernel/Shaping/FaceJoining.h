@@ -22,6 +22,7 @@ struct JoinedFaces
   {
     std::vector<std::uint32_t> members; // faces of the view; no other group has them
     std::vector<std::uint32_t> ring;    // nodes of the view, counter-clockwise from outside
+    FaceShape shape{};                  // of the ring
     bool recut = false;                 // with another group: together they cover what they did
   };
   std::vector<Group> groups;
@@ -35,6 +36,11 @@ struct JoinSpec
 {
   double boundary = 1; // 1: on one plane only
   double inner = 1;
+
+  bool operator==(const JoinSpec& other) const
+  {
+    return boundary == other.boundary && inner == other.inner;
+  }
 };
 
 // A view's shape with joined faces: those that stay, in their order, then the groups.
@@ -55,11 +61,13 @@ struct JoinedShape
 class FaceJoiner
 {
 public:
-  // `featureCosine`: across edges of the wall that turn by more nothing is joined, whatever is asked for.
-  explicit FaceJoiner(double featureCosine)
+  explicit FaceJoiner(double featureCosine = 1)
     : featureCosine_(featureCosine)
   {
   }
+
+  // Across edges of the wall that turn by more nothing is joined, whatever is asked for.
+  void joinAcross(double featureCosine) { featureCosine_ = featureCosine; }
 
   // What the others are about; `shape`: the view's. Both must stay as they are.
   void look(const CellView& view, const CellShape& shape);
@@ -117,8 +125,8 @@ private:
   bool fitsWithNegligible() const;
   Part makeGroup(Part part);
   bool recut(Part g, Part h);
-  double smallerOf(
-    const std::array<std::vector<std::uint32_t>, 2>& parts, double leastCosine) const;
+  double smallerOf(const std::array<std::vector<std::uint32_t>, 2>& parts, double leastCosine,
+    double largest) const;
   bool hasEdge(std::uint32_t from, std::uint32_t to) const;
   bool hasTwin(const std::vector<std::uint32_t>& ring) const;
 
@@ -131,8 +139,9 @@ private:
   JoinedFaces joined_;
   std::vector<Part> partOf_;                                   // of faces
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_; // of neighbouring faces
-  std::vector<std::array<std::uint32_t, 3>> edges_; // lower node, higher node, face; once listed
-  std::vector<std::uint32_t> ring_;                 // tried out
+  std::vector<std::uint64_t> edges_;                 // once listed: lower node, higher node, face
+  std::vector<std::uint32_t> ring_;                  // tried out
+  std::array<std::vector<std::uint32_t>, 2> halves_; // of that
   JoinedShape joinedShape_;
 };
 

@@ -105,12 +105,12 @@ private:
     {
       return false;
     }
-    own_.faces.groups.assign(1, { { g, f }, ring });
-    loser_.faces.groups.assign(1, { { between, lost }, end });
-    gainer_.faces.groups.assign(
-      1, { { gainer_.find(view.faces[g]) }, gainer_.seen(ring, own_.view, wayTo(own_)), true });
-    gainer_.faces.groups.push_back({ { gainer_.find(loser_.view.faces[between]) },
-      gainer_.seen(end, loser_.view, wayTo(loser_)), true });
+    own_.faces.groups.clear();
+    own_.join({ g, f }, ring, false);
+    loser_.join({ between, lost }, end, false);
+    gainer_.join({ gainer_.find(view.faces[g]) }, gainer_.seen(ring, own_.view, wayTo(own_)), true);
+    gainer_.join({ gainer_.find(loser_.view.faces[between]) },
+      gainer_.seen(end, loser_.view, wayTo(loser_)), true);
     return isBetter();
   }
 

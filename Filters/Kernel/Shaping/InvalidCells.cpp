@@ -98,13 +98,14 @@ private:
 };
 
 // A cell that has been removed is in nobody's way.
-bool allows(CellComplex& cells, CellKey key, const CellView& view, const CellCut& cut)
+std::vector<CellKey> touchedBy(
+  CellComplex& cells, CellKey key, const CellView& view, const CellCut& cut)
 {
   std::vector<CellKey> touched = cells.touchedBy(key, view, cut);
   touched.erase(std::remove_if(touched.begin(), touched.end(),
                   [&](CellKey other) { return !cells.isAlive(other); }),
     touched.end());
-  return cells.allows(touched, view, cut);
+  return touched;
 }
 
 // Appends the parts' keys; false: nothing is invalid, or no cut is allowed.
@@ -123,17 +124,22 @@ bool split(CellComplex& cells, CellKey key, std::vector<CellKey>& parts)
   cells.open(key);
   std::optional<CellCut> neutral;
   double smallest = LeastOfNeutral * shape.volume;
+  CutParts made(view, shape);
   FoundCuts found = searchCuts(
     view, shape, before,
     [&](const CellCut& cut) -> std::optional<CellFaults> {
-      const CutParts made(view, cut, AcceptedCut::LeastOfInvalid * shape.volume);
-      if (!made.areAll || !allows(cells, key, view, cut) ||
-        made.largestAspect() > AcceptedCut::AspectOfInvalid)
+      if (!made.make(cut, AcceptedCut::LeastOfInvalid * shape.volume))
       {
         return {};
       }
+      const std::vector<CellKey> touched = touchedBy(cells, key, view, cut);
       CellFaults after = made.faults().invalid();
       after += beyond.after(cut);
+      if (after.weight() > before.weight() || made.largestAspect() > AcceptedCut::AspectOfInvalid ||
+        !cells.allows(touched, view, cut))
+      {
+        return {};
+      }
       if (after.weight() == before.weight() && made.smallest > smallest)
       {
         smallest = made.smallest;

@@ -21,9 +21,9 @@ bool isAtBoundary(const Polyhedron& part)
 // The faults of the largest part where nothing is beyond the cut, or nothing where the other parts are
 // too large, or all inside.
 std::optional<CellFaults> faultsOfRest(
-  const CellView& view, const CellCut& cut, double volume, double mostGiven)
+  CutParts& made, const CellCut& cut, double volume, double mostGiven)
 {
-  const CutParts made(view, cut, -Never);
+  made.make(cut, -Never);
   const auto inside = std::count_if(made.parts.begin(), made.parts.end(),
     [](const Polyhedron& part) { return !isAtBoundary(part); });
   const auto largest = std::max_element(made.shapes.begin(), made.shapes.end(),
@@ -67,8 +67,9 @@ void transfer(CellComplex& cells, CellKey key, LeftOver leftOver, CellMerger& me
   CellShape shape;
   takeOut(cells, { key }, view, shape);
   const double mostGiven = AcceptedCut::MostGiven * cells.volumeOfBox(key);
+  CutParts made(view, shape);
   const FoundCuts found = searchCuts(view, shape, faultsOf(view.shape, shape, view.beyond),
-    [&](const CellCut& cut) { return faultsOfRest(view, cut, shape.volume, mostGiven); });
+    [&](const CellCut& cut) { return faultsOfRest(made, cut, shape.volume, mostGiven); });
   for (auto cut = found.helpful.rbegin(); cut != found.helpful.rend(); ++cut)
   {
     cells.open(key);

@@ -73,9 +73,19 @@ public:
 
   void add(CellKey key, OpenCell&& cell)
   {
-    const std::size_t ofSlab = std::size_t(key) - first_;
-    (ofSlab < placeOf_.size() ? placeOf_[ofSlab] : others_[key]) =
-      static_cast<std::uint32_t>(all_.size());
+    const auto place = static_cast<std::uint32_t>(all_.size());
+    if (key >= FirstOfCuts) // they come in order
+    {
+      placeOfCut_.push_back(place);
+    }
+    else if (const std::size_t i = std::size_t(key) - first_; i < placeOf_.size())
+    {
+      placeOf_[i] = place;
+    }
+    else
+    {
+      others_[key] = place;
+    }
     if (const std::size_t n = std::size_t(key) - firstHexahedron_; n < isOpenHexahedron_.size())
     {
       isOpenHexahedron_[n] = true;
@@ -105,6 +115,10 @@ public:
     {
       visit(key, all_[place]);
     }
+    for (std::size_t i = 0; i < placeOfCut_.size(); ++i)
+    {
+      visit(static_cast<CellKey>(FirstOfCuts + i), all_[placeOfCut_[i]]);
+    }
   }
 
   // In the order in which they were opened.
@@ -117,6 +131,10 @@ private:
     if (const std::size_t i = std::size_t(key) - first_; i < placeOf_.size())
     {
       return placeOf_[i];
+    }
+    if (key >= FirstOfCuts)
+    {
+      return placeOfCut_[key - FirstOfCuts];
     }
     if (const std::size_t n = std::size_t(key) - firstHexahedron_;
         n < isOpenHexahedron_.size() && !isOpenHexahedron_[n])
@@ -131,7 +149,8 @@ private:
   CellKey firstHexahedron_;
   std::vector<OpenCell> all_;
   std::vector<std::uint32_t> placeOf_;                // in all_, or None: of the slab's cells
-  std::unordered_map<CellKey, std::uint32_t> others_; // the same, of others
+  std::vector<std::uint32_t> placeOfCut_;             // the same, of those made by cuts
+  std::unordered_map<CellKey, std::uint32_t> others_; // ... of all others
   std::vector<bool> isOpenHexahedron_;                // of the slab's boxes
 };
 

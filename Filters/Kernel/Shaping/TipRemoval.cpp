@@ -124,10 +124,10 @@ private:
       return false;
     }
     cells_.open(other); // a hexahedron has no faces of its own
-    CellView& view = without_.view;
-    without_.keys.assign(1, other);
-    takeOut(cells_, without_.keys, view, shape_);
-    before += evaluate(view.shape, shape_, view.beyond);
+    CellView& view = rest_.view;
+    rest_.keys.assign(1, other);
+    trying_.look(rest_);
+    before += evaluate(view.shape, rest_.shape, view.beyond);
     for (std::size_t f = 0; f < view.across.size(); ++f)
     {
       if (std::find(gone.begin(), gone.end(), view.across[f]) != gone.end())
@@ -138,9 +138,11 @@ private:
         view.beyond[f] = {};
       }
     }
-    trying_.tryOutView(without_, joins_);
-    trying_.simplify(without_);
-    return accepts(Accepted::TipRemoval, before, without_.verdict);
+    CellUnion without;
+    without.of = &rest_;
+    trying_.tryOut(without, joins_);
+    trying_.simplify(without);
+    return accepts(Accepted::TipRemoval, before, without.verdict);
   }
 
   CellComplex& cells_;
@@ -151,7 +153,7 @@ private:
   CellView tip_;
   CellShape shape_;
   MeasuredCell cell_;
-  CellUnion without_;
+  UnionView rest_;
 };
 
 }

@@ -113,7 +113,8 @@ private:
     {
       return false;
     }
-    trial_.faces.groups.assign(1, { { f, g }, std::move(ring) });
+    trial_.faces.groups.clear();
+    trial_.join({ f, g }, std::move(ring), false);
     if (!accepts(Accepted::Wall, trial_.now, trial_.joined()) || !trial_.isSound(cells_))
     {
       return false;

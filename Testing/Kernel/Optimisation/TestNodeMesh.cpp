@@ -108,8 +108,8 @@ TEST(MeshEnergy, MeasuresTheCellsAsTheirNodesAre)
   const Soup soup = octahedron(1).turned();
   NodeMesh mesh = Whole(soup).mesh();
   const LayerPrisms none = addPrisms(mesh, nullptr);
-  std::vector<std::uint8_t> isMoving(mesh.faces.size(), 1);
-  MeshEnergy energy(mesh, none, isMoving);
+  const std::vector<double> edges = mesh.edgesAtFaces();
+  MeshEnergy energy(mesh, none, edges, std::vector<std::uint8_t>(mesh.faces.size(), 1));
   energy.evaluate();
   const double before = volumeOf(mesh);
   EXPECT_GT(before, 0);
@@ -127,7 +127,8 @@ TEST(MeshEnergy, FallsAgainstItsGradient)
   const Soup soup = sphere(6, 1);
   NodeMesh mesh = Whole(soup, 9).mesh();
   const LayerPrisms none = addPrisms(mesh, nullptr);
-  MeshEnergy energy(mesh, none, std::vector<std::uint8_t>(mesh.faces.size(), 1));
+  const std::vector<double> edges = mesh.edgesAtFaces();
+  MeshEnergy energy(mesh, none, edges, std::vector<std::uint8_t>(mesh.faces.size(), 1));
   const auto sum = [&] {
     energy.evaluate();
     double all = 0;

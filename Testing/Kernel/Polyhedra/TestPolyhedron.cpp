@@ -104,7 +104,8 @@ TEST(Polyhedron, ProjectedCentresAreThoseOfFlattenedFaces)
   CellShape usual;
   CellShape projected;
   measure(bent, usual);
-  measureProjected(bent, projected);
+  measure(bent, projected);
+  projectCentres(bent, projected);
   const std::size_t upper = 1;
   const Vector normal = unit(usual.faces[upper].area);
   Polyhedron flat = bent;

@@ -63,7 +63,8 @@ std::size_t failuresByProjectedCentres(const MeshArrays& mesh)
       polyhedron.closeFace(uses.at(nodesOf(face)) == 1);
     }
     CellShape shape;
-    measureProjected(polyhedron, shape);
+    measure(polyhedron, shape);
+    projectCentres(polyhedron, shape);
     for (std::size_t f = 0; f < polyhedron.faces(); ++f)
     {
       const double degrees = angle(minus(shape.faces[f].centre, shape.centre), shape.faces[f].area);
