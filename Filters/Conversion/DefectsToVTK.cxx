@@ -218,7 +218,7 @@ void setRepairs(const SurfaceRepair& repair, vtkDataObject* output)
 
 void addCellsLeftOut(const Assembly& assembly, vtkPolyData* output)
 {
-  const std::size_t count = assembly.shaping.refused.size() + assembly.fragments.size();
+  const std::size_t count = assembly.shaping.refused.size() + assembly.separate.fragments.size();
   if (!output->GetCellData()->HasArray("DefectKind"))
   {
     if (count == 0)
@@ -228,7 +228,7 @@ void addCellsLeftOut(const Assembly& assembly, vtkPolyData* output)
     toVTK({}, {}, output);
   }
   CellAdder adder(assembly.boxes, output);
-  for (const auto* cells : { &assembly.shaping.refused, &assembly.fragments })
+  for (const auto* cells : { &assembly.shaping.refused, &assembly.separate.fragments })
   {
     for (const RemovedCell& cell : *cells)
     {

@@ -33,7 +33,7 @@ public:
     , heights_(std::move(heights))
     , wall_(wall)
     , execution_(execution)
-    , near_(findNearCells(mesh, wall, Rings, execution))
+    , near_(findNearCells(mesh, wall, Rings))
     , motion_(near_, wall, points)
     , faults_(near_, points, execution)
     , longestWay_(longestWay(wall))
@@ -101,7 +101,7 @@ private:
   // From where a point was when it was measured last.
   double moveOf(const std::vector<double>& points, std::size_t p) const
   {
-    const double* const from = &measured_[3 * p];
+    const double* const from = &measured_.points[3 * p];
     const double* const to = &points[3 * p];
     return norm(Vector{ to[0] - from[0], to[1] - from[1], to[2] - from[2] });
   }
@@ -115,7 +115,7 @@ private:
     for (std::size_t p = 0; !all && p < hasMoved.size(); ++p)
     {
       const std::size_t n = p < ofMesh ? None : result_.stacks.nodeOfPoint[p - ofMesh];
-      hasMoved[p] = n != None ? wall_.parts[n] != measuredParts_[n] : moveOf(points, p) > least;
+      hasMoved[p] = n != None ? wall_.parts[n] != measured_.parts[n] : moveOf(points, p) > least;
     }
     return hasMoved;
   }
@@ -126,8 +126,7 @@ private:
     std::vector<double> points = pointsNow();
     const std::vector<LayerFault> found =
       faults_.find(result_.stacks, points, listMoved(points, all), execution_);
-    measured_ = std::move(points);
-    measuredParts_ = wall_.parts;
+    measured_ = { std::move(points), wall_.parts };
     next_ = wall_.parts;
     bool changed = false;
     for (const LayerFault& fault : found)
@@ -236,6 +235,13 @@ private:
     }
   }
 
+  // As they were when faults were looked for last.
+  struct Measured
+  {
+    std::vector<double> points;
+    std::vector<double> parts; // of the wall
+  };
+
   const OutputMesh& mesh_;
   const std::vector<double>& before_; // points of the mesh
   const std::vector<double> heights_;
@@ -245,8 +251,7 @@ private:
   NodeMotion motion_;
   const LayerFaults faults_;
   const double longestWay_;
-  std::vector<double> measured_; // points, when they were measured last
-  std::vector<double> measuredParts_;
+  Measured measured_;
   std::vector<double> next_; // parts
   BoundaryLayers result_;
 };

@@ -15,6 +15,21 @@ constexpr std::uint32_t OfCells = 1U << Volume | 1U << Openness | 1U << OpenEdge
 constexpr std::uint32_t OfFaces = 1U << BoundaryAngle | 1U << NonOrthogonality | 1U << Skewness;
 constexpr int PointsOfAFace = 3; // at least
 
+// Adds a cell: its number of faces, and for each its size and points.
+void addPolyhedron(CellFaces& cells, const Id* stream)
+{
+  for (Id left = *stream++; left > 0; --left)
+  {
+    const Id size = *stream++;
+    for (Id i = 0; i < size; ++i)
+    {
+      cells.corners.push_back(static_cast<std::uint32_t>(*stream++));
+    }
+    cells.firstCorner.push_back(cells.corners.size());
+  }
+  cells.firstFace.push_back(cells.faceCount());
+}
+
 }
 
 // Cells that have changed, and those that share a face with one: all that measures of the first need.

@@ -20,13 +20,9 @@ struct NearCells
     mayMove; // ... 1: all cells at the point are near, and it is not on the wall
 };
 
-// Adds a cell: its number of faces, and for each its size and points.
-void addPolyhedron(CellFaces& cells, const Id* stream);
-
 std::vector<double> volumesOf(const CellFaces& cells, const std::vector<double>& points);
 
 // Those that `rings` cells or fewer separate from the wall, and one more ring, whose outer points do not move.
-NearCells findNearCells(
-  const OutputMesh& mesh, const LayeredWall& wall, int rings, Execution& execution);
+NearCells findNearCells(const OutputMesh& mesh, const LayeredWall& wall, int rings);
 
 }

@@ -16,14 +16,9 @@ constexpr std::size_t RowsAChunk = 16;
 constexpr std::size_t CellsAChunk = 1024;
 constexpr std::size_t PointsAChunk = 1 << 15;
 
-}
+constexpr std::array<std::array<std::size_t, 4>, 6> SidesOfHexahedron{ { { 0, 4, 7, 3 },
+  { 1, 2, 6, 5 }, { 0, 1, 5, 4 }, { 3, 7, 6, 2 }, { 0, 3, 2, 1 }, { 4, 5, 6, 7 } } };
 
-// Calls visit(point) for the corners of a face, counter-clockwise from outside its cell.
-template <class Visitor>
-void OutputMesh::forEachPoint(const FaceUse& use, Visitor&& visit) const
-{
-  parts_.wall.faces.forEachNode(
-    use, [&](std::uint32_t node) { visit(static_cast<Id>(points_.ofNode(node))); });
 }
 
 OutputMesh::OutputMesh(const MeshParts& parts, Execution& execution)
@@ -103,33 +98,24 @@ void OutputMesh::measureCells(Execution& execution)
 
 void OutputMesh::placeRows()
 {
-  const Boxes& boxes = parts_.boxes;
-  const std::vector<std::uint32_t>& polyhedral = parts_.sides.polyhedral;
-  const std::vector<std::size_t>& firstCell = parts_.wall.boxStart;
-  RowOffsets sum;
-  const std::size_t begin = boxes.row(0, boxes.core.begin);
-  const std::size_t end = boxes.row(0, boxes.core.end);
-  auto n = static_cast<std::size_t>(
-    std::lower_bound(polyhedral.begin(), polyhedral.end(), firstBoxOfRow(begin)) -
-    polyhedral.begin());
-  for (std::size_t row = 0; row + 1 < boxes.rowStart.size(); ++row)
+  const auto [begin, end] = coreRows();
+  RowOffsets sum{ numbers_.coreBegin, 0, 0 };
+  for (std::size_t row = 0; row + 1 < parts_.boxes.rowStart.size(); ++row)
   {
     rows_.push_back(sum);
     if (row < begin || row >= end)
     {
       continue;
     }
-    for (; n < polyhedral.size() && polyhedral[n] < firstBoxOfRow(row + 1); ++n)
+    for (std::size_t& c = sum.cell;
+         c < numbers_.coreEnd && parts_.wall.cells[c].box < firstBoxOfRow(row + 1); ++c)
     {
-      for (std::size_t c = firstCell[n]; c < firstCell[n + 1]; ++c)
-      {
-        sum.connectivity += cellSizes_[c].points;
-        sum.faceStream += cellSizes_[c].faceStream;
-      }
+      sum.connectivity += cellSizes_[c].points;
+      sum.faceStream += cellSizes_[c].faceStream;
     }
   }
   rows_.push_back(sum);
-  hexahedra_ = hexahedraBefore(boxes.firstBoxOf(boxes.core.end));
+  hexahedra_ = hexahedraBefore(parts_.boxes.firstBoxOf(parts_.boxes.core.end));
 }
 
 std::size_t OutputMesh::hexahedraBefore(std::size_t box) const
@@ -155,32 +141,6 @@ std::size_t OutputMesh::boxOf(Id cell) const
 std::size_t OutputMesh::placeOfPolyhedron(std::size_t cell) const
 {
   return hexahedra_ + numbers_.ofCell[cell] - hexahedraBefore(parts_.wall.cells[cell].box);
-}
-
-// The corners of a hexahedron in VTK's order. If its box is not divided, numberOf(line, i) gives the number
-// of vertex i of the global mesh on one of the box's four lines along x (line: y + 2 z).
-template <class NumberOf>
-std::array<Id, 8> OutputMesh::corners(std::size_t box, NumberOf&& numberOf) const
-{
-  std::array<Id, 8> p;
-  const std::uint32_t ordinal = parts_.sides.ordinal[box];
-  if (ordinal != None)
-  {
-    const auto& nodes = parts_.nodes.ofDivided[ordinal & ~Sides::HexahedronBit];
-    for (std::size_t corner = 0; corner < 8; ++corner)
-    {
-      p[corner] = points_.ofNode(nodes[corner]);
-    }
-    return p;
-  }
-  const std::uint32_t i = parts_.boxes.globalOf(parts_.boxes.packed[box]).index[0];
-  for (std::uint32_t line = 0; line < 4; ++line)
-  {
-    const std::size_t low = 2 * std::size_t(line);
-    p[low] = static_cast<Id>(numberOf(line, i));
-    p[low + 1] = p[low] + 1;
-  }
-  return p;
 }
 
 // Calls visitVertex(point, i, j, k) for vertices of the global mesh, and visitNode(point, node) for nodes,
@@ -237,15 +197,35 @@ void OutputMesh::writeGlobalPoints(Id before, Id* ids, Execution& execution) con
     execution);
 }
 
+void OutputMesh::addFaces(const CellOfMesh& cell, CellFaces& cells) const
+{
+  const auto close = [&] { cells.firstCorner.push_back(cells.corners.size()); };
+  const auto add = [&](Id point) { cells.corners.push_back(static_cast<std::uint32_t>(point)); };
+  if (cell.ofWall == None)
+  {
+    for (const auto& side : SidesOfHexahedron)
+    {
+      std::for_each(side.begin(), side.end(), [&](std::size_t i) { add(cell.corners[i]); });
+      close();
+    }
+  }
+  else
+  {
+    parts_.wall.forEachUse(cell.ofWall, [&](const FaceUse& use) {
+      forEachPoint(use, add);
+      close();
+    });
+  }
+  cells.firstFace.push_back(cells.faceCount());
+}
+
 void OutputMesh::writeCells(const CellArrays& arrays, Execution& execution) const
 {
-  const Boxes& boxes = parts_.boxes;
-  const std::size_t first = boxes.row(0, boxes.core.begin);
-  const std::size_t rows = boxes.row(0, boxes.core.end) - first;
+  const std::array<std::size_t, 2> rows = coreRows();
   execution.nextLoop(0.6);
-  execution.forEach(rows, RowsAChunk, [&](std::size_t begin, std::size_t end) {
+  execution.forEach(rows[1] - rows[0], RowsAChunk, [&](std::size_t begin, std::size_t end) {
     CellPoints points;
-    for (std::size_t row = first + begin; row < first + end; ++row)
+    for (std::size_t row = rows[0] + begin; row < rows[0] + end; ++row)
     {
       writeRow(row, arrays, points);
     }
@@ -255,51 +235,25 @@ void OutputMesh::writeCells(const CellArrays& arrays, Execution& execution) cons
 
 void OutputMesh::writeRow(std::size_t row, const CellArrays& arrays, CellPoints& points) const
 {
+  forEachHexahedron(row, [&](const CellOfMesh& cell) {
+    const Id start = CornersOfAHexahedron * static_cast<Id>(cell.place);
+    std::copy(cell.corners.begin(), cell.corners.end(), arrays.connectivity + start);
+    arrays.offsets[cell.place] = start;
+    arrays.types[cell.place] = arrays.hexahedron;
+    arrays.faceStart[cell.place] = -1;
+  });
   RowOffsets at = rows_[row];
   at.connectivity += CornersOfAHexahedron * static_cast<Id>(hexahedra_);
-  std::size_t hexahedron = hexahedraBefore(firstBoxOfRow(row));
-  std::size_t polyhedron = hexahedra_ + numbers_.ofBox[firstBoxOfRow(row)] - hexahedron;
-  const std::size_t rowLength = parts_.boxes.planes[1].size();
-  const std::size_t line = row + row / (rowLength - 1); // the row of points of its lower vertices
-  std::array<PointNumbers::Walk, 4> lines{ PointNumbers::Walk(points_, line),
-    PointNumbers::Walk(points_, line + 1), PointNumbers::Walk(points_, line + rowLength),
-    PointNumbers::Walk(points_, line + rowLength + 1) };
-  for (std::size_t b = firstBoxOfRow(row); b < firstBoxOfRow(row + 1); ++b)
-  {
-    const std::uint32_t n = parts_.sides.polyhedralOrdinal(static_cast<std::uint32_t>(b));
-    if (n == None)
-    {
-      const std::array<Id, 8> p =
-        corners(b, [&](std::uint32_t l, std::uint32_t i) { return lines[l].ofVertex(i); });
-      constexpr std::array<int, 8> order = { 0, 1, 3, 2, 4, 5, 7, 6 };
-      const Id start = CornersOfAHexahedron * static_cast<Id>(hexahedron);
-      for (int i = 0; i < 8; ++i)
-      {
-        arrays.connectivity[start + i] = p[order[i]];
-      }
-      arrays.offsets[hexahedron] = start;
-      arrays.types[hexahedron] = arrays.hexahedron;
-      arrays.faceStart[hexahedron] = -1;
-      ++hexahedron;
-      continue;
-    }
-    for (std::size_t c = parts_.wall.boxStart[n]; c < parts_.wall.boxStart[n + 1]; ++c)
-    {
-      if (parts_.wall.cells[c].removed)
-      {
-        continue;
-      }
-      writeFaces(c, arrays.faceStream + at.faceStream, points);
-      std::sort(points.points.begin(), points.points.end());
-      std::copy(points.points.begin(), points.points.end(), arrays.connectivity + at.connectivity);
-      arrays.offsets[polyhedron] = at.connectivity;
-      arrays.types[polyhedron] = arrays.polyhedron;
-      arrays.faceStart[polyhedron] = at.faceStream;
-      at.connectivity += cellSizes_[c].points;
-      at.faceStream += cellSizes_[c].faceStream;
-      ++polyhedron;
-    }
-  }
+  forEachPolyhedron(row, [&](const CellOfMesh& cell) {
+    writeFaces(cell.ofWall, arrays.faceStream + at.faceStream, points);
+    std::sort(points.points.begin(), points.points.end());
+    std::copy(points.points.begin(), points.points.end(), arrays.connectivity + at.connectivity);
+    arrays.offsets[cell.place] = at.connectivity;
+    arrays.types[cell.place] = arrays.polyhedron;
+    arrays.faceStart[cell.place] = at.faceStream;
+    at.connectivity += cellSizes_[cell.ofWall].points;
+    at.faceStream += cellSizes_[cell.ofWall].faceStream;
+  });
 }
 
 // Also lists the points of the cell.

@@ -14,7 +14,9 @@
 #include "Base/EdgeTable.h"
 #include "Mesh/CellConditions.h"
 #include "Mesh/PointNumbers.h"
+#include "Quality/FaceList.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace cartesian
@@ -40,6 +42,14 @@ struct CellData
   unsigned char* level;   // 3 * cellCount(): halvings of the global box along x, y, z
   int* region;            // cellCount()
   double* volumeFraction; // cellCount(): volume divided by its box's; above 1 for merged cells
+};
+
+// A cell, to be read from where the mesh has it.
+struct CellOfMesh
+{
+  std::size_t place;           // as CellArrays has them
+  std::uint32_t ofWall;        // its number in the wall mesh, or None: a hexahedron
+  std::array<Id, 8> corners{}; // of a hexahedron, in VTK's order
 };
 
 // The boundary faces by themselves, with points numbered in the order of the mesh's.
@@ -80,6 +90,37 @@ public:
   void writeGlobalPoints(Id before, Id* ids, Execution& execution) const;
 
   void writeCells(const CellArrays& arrays, Execution& execution) const;
+
+  // Calls visit(cell) for all cells, in the order of CellArrays.
+  template <class Visitor>
+  void forEachCell(Visitor&& visit) const
+  {
+    const auto [begin, end] = coreRows();
+    for (std::size_t row = begin; row < end; ++row)
+    {
+      forEachHexahedron(row, visit);
+    }
+    for (std::size_t row = begin; row < end; ++row)
+    {
+      forEachPolyhedron(row, visit);
+    }
+  }
+
+  // Calls visit(point) for the points of a cell, those of a polyhedron for each of its faces.
+  template <class Visitor>
+  void forEachPoint(const CellOfMesh& cell, Visitor&& visit) const
+  {
+    if (cell.ofWall == None)
+    {
+      std::for_each(cell.corners.begin(), cell.corners.end(), visit);
+      return;
+    }
+    parts_.wall.forEachUse(cell.ofWall, [&](const FaceUse& use) { forEachPoint(use, visit); });
+  }
+
+  // Adds a cell with its faces, corners counter-clockwise from outside.
+  void addFaces(const CellOfMesh& cell, CellFaces& cells) const;
+
   void writeCellData(const CellData& data, Execution& execution) const;
 
   // Faces as in boundary().
@@ -100,10 +141,11 @@ private:
 
   static constexpr Id CornersOfAHexahedron = 8;
 
-  // Where the polyhedra of a row of boxes start in the output arrays, after all hexahedra; only the core
-  // has any.
+  // Where the polyhedra of a row of boxes start in the wall mesh, and in the output arrays after all hexahedra; only
+  // the core has any.
   struct RowOffsets
   {
+    std::size_t cell = 0;
     Id connectivity = 0;
     Id faceStream = 0;
   };
@@ -155,6 +197,15 @@ private:
   {
     return parts_.boxes.globals[parts_.boxes.rowStart[row]].firstBox;
   }
+  std::array<std::size_t, 2> coreRows() const
+  {
+    return { parts_.boxes.row(0, parts_.boxes.core.begin),
+      parts_.boxes.row(0, parts_.boxes.core.end) };
+  }
+  template <class Visitor>
+  void forEachHexahedron(std::size_t row, Visitor&& visit) const;
+  template <class Visitor>
+  void forEachPolyhedron(std::size_t row, Visitor&& visit) const;
   void writeRow(std::size_t row, const CellArrays& arrays, CellPoints& points) const;
   void writeFaces(std::size_t cell, Id* stream, CellPoints& points) const;
   void listInterfaces();
@@ -163,7 +214,11 @@ private:
     const std::vector<BoundaryFace>& faces, std::vector<Id>& points, Execution& execution) const;
 
   template <class Visitor>
-  void forEachPoint(const FaceUse& use, Visitor&& visit) const;
+  void forEachPoint(const FaceUse& use, Visitor&& visit) const
+  {
+    parts_.wall.faces.forEachNode(
+      use, [&](std::uint32_t node) { visit(static_cast<Id>(points_.ofNode(node))); });
+  }
 
   MeshParts parts_;
   CellNumbers numbers_;
@@ -178,5 +233,67 @@ private:
   std::vector<Id> inFront_;
   CellConditions failures_;
 };
+
+// The corners of a hexahedron, as bits (x + 2 y + 4 z). If its box is not divided, numberOf(line, i) gives the number
+// of vertex i of the global mesh on one of the box's four lines along x (line: y + 2 z).
+template <class NumberOf>
+std::array<Id, 8> OutputMesh::corners(std::size_t box, NumberOf&& numberOf) const
+{
+  std::array<Id, 8> p;
+  const std::uint32_t ordinal = parts_.sides.ordinal[box];
+  if (ordinal != None)
+  {
+    const auto& nodes = parts_.nodes.ofDivided[ordinal & ~Sides::HexahedronBit];
+    for (std::size_t corner = 0; corner < 8; ++corner)
+    {
+      p[corner] = points_.ofNode(nodes[corner]);
+    }
+    return p;
+  }
+  const std::uint32_t i = parts_.boxes.globalOf(parts_.boxes.packed[box]).index[0];
+  for (std::uint32_t line = 0; line < 4; ++line)
+  {
+    const std::size_t low = 2 * std::size_t(line);
+    p[low] = static_cast<Id>(numberOf(line, i));
+    p[low + 1] = p[low] + 1;
+  }
+  return p;
+}
+
+// Calls visit(cell) for the hexahedra of a row of boxes.
+template <class Visitor>
+void OutputMesh::forEachHexahedron(std::size_t row, Visitor&& visit) const
+{
+  const std::size_t rowLength = parts_.boxes.planes[1].size();
+  const std::size_t line = row + row / (rowLength - 1); // the row of points of its lower vertices
+  std::array<PointNumbers::Walk, 4> lines{ PointNumbers::Walk(points_, line),
+    PointNumbers::Walk(points_, line + 1), PointNumbers::Walk(points_, line + rowLength),
+    PointNumbers::Walk(points_, line + rowLength + 1) };
+  std::size_t place = hexahedraBefore(firstBoxOfRow(row));
+  for (std::size_t b = firstBoxOfRow(row); b < firstBoxOfRow(row + 1); ++b)
+  {
+    if (parts_.sides.polyhedralOrdinal(static_cast<std::uint32_t>(b)) == None)
+    {
+      const std::array<Id, 8> p =
+        corners(b, [&](std::uint32_t l, std::uint32_t i) { return lines[l].ofVertex(i); });
+      visit(CellOfMesh{ place++, None, { p[0], p[1], p[3], p[2], p[4], p[5], p[7], p[6] } });
+    }
+  }
+}
+
+// ... for its polyhedra.
+template <class Visitor>
+void OutputMesh::forEachPolyhedron(std::size_t row, Visitor&& visit) const
+{
+  const std::size_t box = firstBoxOfRow(row);
+  std::size_t place = hexahedra_ + numbers_.ofBox[box] - hexahedraBefore(box);
+  for (std::size_t c = rows_[row].cell; c < rows_[row + 1].cell; ++c)
+  {
+    if (!parts_.wall.cells[c].removed)
+    {
+      visit(CellOfMesh{ place++, static_cast<std::uint32_t>(c), {} });
+    }
+  }
+}
 
 }

@@ -220,7 +220,7 @@ BoxFlags keepParts(Assembly& a, BoxFlags flawed, const PartsToKeep& which, const
   }
   const KeptParts kept =
     findKeptParts(which, a.boxes, a.patches, a.sides, a.nodes, makeCells(a, options, execution));
-  a.partsLeftOut = kept.leftOut;
+  a.separate.leftOut = kept.leftOut;
   if (kept.leftOut == 0)
   {
     return flawed;
@@ -368,7 +368,7 @@ void removeFragments(Assembly& a, const Options& options, Execution& execution)
       const bool isCore = a.boxes.isCore(a.boxes.packed[cell.box]);
       if (!removes || !part.isFragment)
       {
-        a.isolatedCells += isCore ? 1 : 0;
+        a.separate.isolatedCells += isCore ? 1 : 0;
         continue;
       }
       cell.removed = true;
@@ -376,7 +376,8 @@ void removeFragments(Assembly& a, const Options& options, Execution& execution)
       {
         const Box box = a.boxes.box(cell.box);
         const Vector size = minus(box.high, box.low);
-        a.fragments.push_back({ cell.box, cell.volumeFraction * size[0] * size[1] * size[2] });
+        a.separate.fragments.push_back(
+          { cell.box, cell.volumeFraction * size[0] * size[1] * size[2] });
       }
     }
   }

@@ -13,6 +13,14 @@
 namespace cartesian
 {
 
+// What is not connected with the rest (KeptParts.h, Fragments.h).
+struct SeparateParts
+{
+  std::size_t leftOut = 0;            // without a point to keep
+  std::vector<RemovedCell> fragments; // cells of the core that went with small parts
+  std::size_t isolatedCells = 0;      // cells of the core in those that stay
+};
+
 // What the steps have made of a part of the grid, or of all of it. `mesh` refers to the others.
 struct Assembly
 {
@@ -24,10 +32,8 @@ struct Assembly
   WallMesh wall;
   std::vector<std::uint32_t> rebuilt; // boxes whose patches were made anew, in order
   Shaping shaping;
-  std::vector<RemovedCell> fragments; // cells of the core that went with small parts (Fragments.h)
-  double relaxation = 1;              // of sizes, for the cell budget
-  std::size_t partsLeftOut = 0;       // connected, without a point to keep
-  std::size_t isolatedCells = 0;      // cells of the core in those that stay
+  SeparateParts separate;
+  double relaxation = 1; // of sizes, for the cell budget
   std::unique_ptr<OutputMesh> mesh;
   std::unique_ptr<BoundaryLayers> layers; // on the mesh, or null
 };

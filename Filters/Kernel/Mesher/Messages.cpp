@@ -164,7 +164,7 @@ std::string describeLeftOut(const Assembly& a, const std::map<std::int32_t, std:
     boxes.push_back(cell.box);
   }
   const std::size_t refused = a.shaping.refused.size();
-  const std::size_t fragments = a.fragments.size();
+  const std::size_t fragments = a.separate.fragments.size();
   return counted(cells.size(), "cell is", "cells are") + " left out, " +
     number(std::round(share * Percent * 100) / 100) + " % of the volume: " +
     std::to_string(cells.size() - std::min(cells.size(), refused + fragments)) + " too small, " +

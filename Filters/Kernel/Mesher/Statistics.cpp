@@ -214,15 +214,15 @@ private:
     n_.cellsWithJoinedFaces = static_cast<double>(a_.shaping.cellsSimplified);
     n_.smallCellsMerged = static_cast<double>(a_.shaping.cellsMerged);
     n_.refusedCellsRemoved = static_cast<double>(a_.shaping.refused.size());
-    n_.fragmentCellsRemoved = static_cast<double>(a_.fragments.size());
+    n_.fragmentCellsRemoved = static_cast<double>(a_.separate.fragments.size());
     n_.volumeLeftOut = volumeLeftOut(a_);
     n_.surfaceVolume = a_.patches.surfaceVolume;
     const std::vector<double> volumes = regionVolumes(a_);
     n_.meshVolume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
     n_.smallCellsRemoved -= n_.refusedCellsRemoved + n_.fragmentCellsRemoved;
     n_.sizesRelaxed = a_.relaxation - 1;
-    n_.partsLeftOut = static_cast<double>(a_.partsLeftOut);
-    n_.isolatedCells = static_cast<double>(a_.isolatedCells);
+    n_.partsLeftOut = static_cast<double>(a_.separate.leftOut);
+    n_.isolatedCells = static_cast<double>(a_.separate.isolatedCells);
   }
 
   const Assembly& a_;

@@ -83,7 +83,7 @@ TEST(KeepPoints, TheMeshIsThatOfThePartsKeptAlone)
       TestOptions alone = options;
       alone.domain.keepPoints = {};
       const std::unique_ptr<Assembly> assembly = assembled(all, options);
-      EXPECT_EQ(assembly->partsLeftOut, 2U);
+      EXPECT_EQ(assembly->separate.leftOut, 2U);
       const MeshArrays kept = meshed(all, options);
       EXPECT_TRUE(kept == meshed(ball, alone));
       options.threads = 3;
