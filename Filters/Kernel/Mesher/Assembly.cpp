@@ -12,6 +12,7 @@
 #include "Lattice/Vector.h"
 #include "Mesher/Messages.h"
 #include "Mesher/Stages.h"
+#include "Patches/VolumeGap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,26 +91,6 @@ BoxFlags findDetailed(const Assembly& a)
   return detailed;
 }
 
-// Between a box's centre and its patches, as a part of its volume.
-double volumeBelow(const Patches& patches, std::uint32_t n, const Box& box)
-{
-  const Vector size = minus(box.high, box.low);
-  const Vector centre = scaled(size, 0.5);
-  double volume = 0;
-  for (std::size_t p = patches.boxStart[n]; p < patches.boxStart[n + 1]; ++p)
-  {
-    const auto corner = [&](std::size_t i) {
-      return minus(minus(patches.points[patches.corners[i]], box.low), centre);
-    };
-    const Vector first = corner(patches.start[p]);
-    for (std::size_t i = patches.start[p] + 1; i + 1 < patches.start[p + 1]; ++i)
-    {
-      volume += dot(first, cross(corner(i), corner(i + 1)));
-    }
-  }
-  return volume / (6 * size[0] * size[1] * size[2]);
-}
-
 // Where a box holds more detail than its size can show, the inner part of its patches is replaced by
 // polygons over the polylines on its sides: the paper's IP patches (4.11), before anything else looks at it.
 void simplifyDetail(Assembly& a, Execution& execution)
@@ -125,18 +106,34 @@ void simplifyDetail(Assembly& a, Execution& execution)
       a.boxes, a.patches, a.sides, a.nodes, a.inner, detailed, GivenUp::Detail, execution)
       .patches;
   };
+  std::vector<double> behind(detailed.size());
   const Patches trial = simplified();
   for (std::size_t n = 0; n < detailed.size(); ++n)
   {
-    const std::uint32_t box = a.sides.patchBox[n];
-    if (detailed[n] && patchesOf(a, box) <= TooManyPatches)
+    if (!detailed[n])
     {
-      const Box at = a.boxes.box(a.sides.polyhedral[n]);
-      detailed[n] =
-        std::abs(volumeBelow(trial, box, at) - volumeBelow(a.patches, box, at)) <= VolumeOfDetail;
+      continue;
+    }
+    const std::uint32_t box = a.sides.patchBox[n];
+    const Box at = a.boxes.box(a.sides.polyhedral[n]);
+    behind[n] = spaceBehind(at, a.patches, box).sum();
+    if (patchesOf(a, box) <= TooManyPatches)
+    {
+      const Vector size = minus(at.high, at.low);
+      detailed[n] = std::abs(spaceBehind(at, trial, box).sum() - behind[n]) <=
+        VolumeOfDetail * size[0] * size[1] * size[2];
     }
   }
   a.patches = simplified();
+  for (std::size_t n = 0; n < detailed.size(); ++n)
+  {
+    if (detailed[n] && !a.patches.missing.empty())
+    {
+      const std::uint32_t box = a.sides.patchBox[n];
+      a.patches.missing[box] =
+        missingBy(behind[n], spaceBehind(a.boxes.box(a.sides.polyhedral[n]), a.patches, box));
+    }
+  }
 }
 
 // Where several regions meet, patches cannot be made anew from corners alone.

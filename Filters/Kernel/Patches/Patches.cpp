@@ -270,22 +270,11 @@ private:
       {
         if (patches.reason[n] == PatchReason::MarchingCubes)
         {
-          patches.missing[n] = missingIn(patches, n);
+          patches.missing[n] =
+            missingBy(behind_[n], spaceBehind(boxes_.box(intersected_[n]), patches, n));
         }
       }
     });
-  }
-
-  float missingIn(const Patches& patches, std::size_t n) const
-  {
-    SpaceBehind space(boxes_.box(intersected_[n]));
-    for (std::size_t p = patches.boxStart[n]; p < patches.boxStart[n + 1]; ++p)
-    {
-      const std::size_t first = patches.start[p];
-      space.add(patches.start[p + 1] - first,
-        [&](std::size_t i) { return patches.points[patches.corners[first + i]]; });
-    }
-    return static_cast<float>((behind_[n] - space.sum()) / std::max(space.area(), Tiny));
   }
 
   // Where bodies reach beyond a flow domain it is not known.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Patches/BoxSurface.h"
+#include "Patches/Patches.h"
 #include "Polyhedra/CellGeometry.h"
 
 namespace cartesian
@@ -76,6 +77,25 @@ inline double spaceBehind(const Box& box, const BoxSurface& piece)
     corner += size;
   }
   return space.sum();
+}
+
+// Of the patches of the n-th intersected box.
+inline SpaceBehind spaceBehind(const Box& box, const Patches& patches, std::size_t n)
+{
+  SpaceBehind space(box);
+  for (std::size_t p = patches.boxStart[n]; p < patches.boxStart[n + 1]; ++p)
+  {
+    const std::size_t first = patches.start[p];
+    space.add(patches.start[p + 1] - first,
+      [&](std::size_t i) { return patches.points[patches.corners[first + i]]; });
+  }
+  return space;
+}
+
+// By the area of the patches.
+inline float missingBy(double behindSurface, const SpaceBehind& ofPatches)
+{
+  return static_cast<float>((behindSurface - ofPatches.sum()) / std::max(ofPatches.area(), Tiny));
 }
 
 }
