@@ -289,6 +289,12 @@ void TellWhatWasDone(vtkDataObject* mesh, std::ostream& text)
   {
     text << "Volume of the cells left out: " << cartesian::number(volume) << "\n";
   }
+  if (const double enclosed = Field(mesh, "SurfaceVolume"); enclosed > 0)
+  {
+    text << "Volume error: "
+         << cartesian::number(Percent * (Field(mesh, "TotalVolume") / enclosed - 1))
+         << " % of what the surface encloses\n";
+  }
   if (const double relaxed = Field(mesh, "SizesRelaxed"); relaxed > 0)
   {
     text << "Sizes asked for are " << cartesian::number(Percent * relaxed)
@@ -309,11 +315,6 @@ std::string Summary(vtkUnstructuredGrid* mesh)
   }
   text << "\nVolume " << cartesian::number(Field(mesh, "TotalVolume")) << ", boundary "
        << cartesian::number(Field(mesh, "BoundaryArea")) << "\n";
-  if (const double enclosed = Field(mesh, "SurfaceVolume"); enclosed > 0)
-  {
-    const double more = Percent * (Field(mesh, "TotalVolume") / enclosed - 1);
-    text << "Volume error " << cartesian::number(more) << " % of what the surface encloses\n";
-  }
   TellVerdict(mesh, text);
   TellRegions(mesh, text);
   TellBoundaries(mesh, text);

@@ -51,10 +51,9 @@ def check(name, surface, temperature, sizes, least):
             mesher = simple.CartesianMesher(Input=surface, CellSize=size)
             folder = foam.save(mesher, pathlib.Path(temporary) / str(size))
             errors.append(mean_error(folder, temperature))
-    for coarse, fine in zip(errors, errors[1:]):
-        order = math.log2(coarse / fine)
-        print(f"order {order:.2f}")
-        assert order > least, order
+    order = math.log2(errors[0] / errors[-1]) / (len(errors) - 1)
+    print(f"order {order:.2f}")
+    assert order > least, order
 
 
 outer = simple.Sphere(Radius=1, ThetaResolution=128, PhiResolution=64)

@@ -92,12 +92,12 @@ with tempfile.TemporaryDirectory() as folder:
             """)
         done = subprocess.run([sys.argv[2], "--quiet", str(folder / "task.toml")],
             capture_output=True, text=True)
-        files = sorted((folder / str(limit)).glob("mesh_pvtu1/*.vtu"))
+        files = sorted((folder / str(limit)).glob("mesh_pvtu1/*.vtu"), key=lambda file: int(file.stem.rpartition("_")[2]))
         return done, files
 
-    few, many = (run(limit) for limit in (1.0, 0.06))
+    few, many = (run(limit) for limit in (1.0, 0.065))
     summaries = []
-    for limit, (done, files) in (1.0, few), (0.06, many):
+    for limit, (done, files) in (1.0, few), (0.065, many):
         assert done.returncode == 0, done.stderr
         summaries.append(json.loads((folder / str(limit) / "statistics.json").read_text()))
         assert len(summaries[-1]["boundaries"]) == 12

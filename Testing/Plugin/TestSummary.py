@@ -28,6 +28,8 @@ def field(name):
 
 assert re.search(rf"^{mesh.GetNumberOfCells()} cells \(\d+ hexahedra\), {mesh.GetNumberOfPoints()} points$", text, re.M)
 assert f"Volume {field('TotalVolume'):.6g}, boundary {field('BoundaryArea'):.6g}\n" in text
+volume_error = 100 * (field("TotalVolume") / field("SurfaceVolume") - 1)
+assert 0 < abs(volume_error) < 0.1 and f"Volume error: {volume_error:.6g} % of" in text
 names = mesh.GetFieldData().GetAbstractArray("BoundaryNames")
 areas = mesh.GetFieldData().GetArray("BoundaryAreas")
 assert names.GetNumberOfValues() == 7

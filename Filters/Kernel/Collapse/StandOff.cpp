@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Collapse/StandOff.h"
 
-#include "Parts/Slabs.h"
 #include "Polyhedra/CellGeometry.h"
 
 #include <algorithm>
@@ -31,9 +30,8 @@ constexpr double LeastCosineInside = 0.5;
 struct WallNode
 {
   Vector normal{};   // the sum of its patches' areas
-  double weight = 0; // of those that stand off, their area
+  double weight = 0; // the area of those that are chords
   double height = 0; // by weight; once smooth, alone
-  double edge = 0;   // the shortest of their boxes
   bool isKnown = false;
   bool stays = false;
   std::int32_t boundary = NoBoundary;
@@ -62,7 +60,7 @@ public:
       const double edge = *std::min_element(size.begin(), size.end());
       for (std::size_t p = patches_.boxStart[n]; p < patches_.boxStart[n + 1]; ++p)
       {
-        note(p, heightOf(n, edge), edge);
+        note(p, heightOf(n, edge), patches_.reason[n] == PatchReason::MarchingCubes);
       }
     }
     for (std::size_t p = 0; p < patches_.size(); ++p)
@@ -126,7 +124,7 @@ private:
                                               : std::clamp(height, -MostOff * edge, MostOff * edge);
   }
 
-  void note(std::size_t p, double height, double edge)
+  void note(std::size_t p, double height, bool isChords)
   {
     const Vector area = areaOf(p);
     for (std::size_t c = patches_.start[p]; c < patches_.start[p + 1]; ++c)
@@ -134,10 +132,9 @@ private:
       WallNode& node = nodes_[patches_.corners[c]];
       node.stays = node.stays || (node.isKnown && node.boundary != patches_.boundary[p]);
       node.boundary = patches_.boundary[p];
-      node.edge = node.isKnown ? std::min(node.edge, edge) : edge;
       node.isKnown = true;
       node.normal = plus(node.normal, area);
-      if (height != 0)
+      if (isChords || height != 0)
       {
         node.weight += norm(area);
         node.height += norm(area) * height;
@@ -267,13 +264,10 @@ bool standOff(const Boxes& boxes, const Patches& patches, const InnerFaces& inne
   std::vector<Point> to = mover.moved();
   MovedFaces ofWall(patches.start, patches.corners, LeastCosine, nodes.at, to);
   MovedFaces ofInside(inner.start, inner.nodes, LeastCosineInside, nodes.at, to);
-  for (int round = 0; round < RoundsOfStandOff; ++round)
-  {
-    ofWall.findBent(execution);
-    ofInside.findBent(execution);
-    ofWall.takeBack();
-    ofInside.takeBack();
-  }
+  ofWall.findBent(execution);
+  ofInside.findBent(execution);
+  ofWall.takeBack();
+  ofInside.takeBack();
   const bool any = to != nodes.at;
   nodes.at = std::move(to);
   return any;

@@ -95,10 +95,10 @@ struct LaterSteps
   bool shapes = false;    // cells are shaped
 };
 
-// How far a node moves off the surface depends on the boxes around it and around its neighbours; and after each round in
-// which bent patches are taken back, on those around these.
-constexpr int RoundsOfStandOff = 2;
-constexpr std::uint32_t HaloOfStandOff = 2 + RoundsOfStandOff;
+// Once edges have collapsed, patches reach half a box beyond their box, so that nodes of one patch are up to two layers
+// apart. How far a node moves off the surface depends on the boxes around it (1), on its neighbours' way (2), and on
+// whether a patch around it would bend (2); cells have nodes of the next layer (1).
+constexpr std::uint32_t HaloOfStandOff = 6;
 
 // The layers whose cells must be cut correctly, for those of `core` to be correct in the end.
 Layers layersForCells(Layers core, const LaterSteps& steps, std::uint32_t allLayers);
