@@ -11,8 +11,9 @@ namespace cartesian
 {
 
 // Along the normal, once edges have collapsed. Nodes where the wall turns by more than `featureAngle` (degrees) or several
-// boundaries meet stay, and flat walls; towards nodes that stay, the others' way becomes shorter. Nodes on the grid's
-// ends stay there. Returns whether any moved; then cells are to be made anew.
+// boundaries meet stay, and so do those among flat patches alone (where a flat wall becomes a curved one without an edge,
+// its last nodes go part of the way); towards nodes that stay, the others' way becomes shorter. Nodes on the grid's ends
+// stay there. Returns whether any moved; then cells are to be made anew.
 bool standOff(const Boxes& boxes, const Patches& patches, const InnerFaces& inner,
   double featureAngle, Nodes& nodes, Execution& execution);
 
