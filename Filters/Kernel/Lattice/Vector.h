@@ -59,6 +59,12 @@ inline double dot(const Vector& u, const Vector& v)
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
+// To whole levels.
+inline Vector rounded(const Vector& v)
+{
+  return { std::round(v[0]), std::round(v[1]), std::round(v[2]) };
+}
+
 inline double norm(const Vector& u)
 {
   return std::sqrt(dot(u, u));

@@ -52,7 +52,7 @@ private:
   template <class Visitor>
   void forEachCorner(std::uint32_t f, Visitor&& visit) const
   {
-    for (std::uint32_t i = m_.faces.start[f]; i < m_.faces.start[f + 1]; ++i)
+    for (std::uint32_t i = m_.faces.start[f]; i < m_.faces.stop[f]; ++i)
     {
       visit(m_.faces.corners[i]);
     }
@@ -104,7 +104,7 @@ private:
   void addFacets(std::uint32_t f, std::vector<std::vector<Facet>>& ofNodes) const
   {
     const std::uint32_t* const corners = m_.faces.corners.data() + m_.faces.start[f];
-    const std::size_t size = m_.faces.start[f + 1] - m_.faces.start[f];
+    const std::size_t size = m_.faces.stop[f] - m_.faces.start[f];
     const auto at = [&](std::size_t i) -> const Vector& { return m_.nodes.at[corners[i % size]]; };
     const Vector normal = unit(measureFace(size, at).area);
     for (std::size_t i = 0; norm(normal) > 0 && i < size; ++i)
@@ -158,6 +158,7 @@ private:
       m_.cells.volumeOfBox.begin() + first, volumes.begin(), volumes.end());
     m_.cells.measures.insert(m_.cells.measures.begin() + first, count, CellGeometry{});
     m_.cells.number.insert(m_.cells.number.begin() + first, count, std::uint32_t(None));
+    m_.cells.box.insert(m_.cells.box.begin() + first, count, std::uint32_t(None));
     m_.cells.changing += count;
   }
 
@@ -172,8 +173,8 @@ private:
     }
     for (const std::uint32_t f : bases_)
     {
-      const std::vector<std::uint32_t> ring(m_.faces.corners.begin() + m_.faces.start[f],
-        m_.faces.corners.begin() + m_.faces.start[f + 1]);
+      const std::vector<std::uint32_t> ring(
+        m_.faces.corners.begin() + m_.faces.start[f], m_.faces.corners.begin() + m_.faces.stop[f]);
       for (const std::uint32_t n : ring)
       {
         m_.faces.corners.push_back(topOf_[n]);
@@ -185,9 +186,7 @@ private:
 
   void closeFace(std::uint32_t below, std::uint32_t above, std::int32_t boundary)
   {
-    m_.faces.start.push_back(static_cast<std::uint32_t>(m_.faces.corners.size()));
-    m_.faces.cells.push_back({ below, above });
-    m_.faces.boundary.push_back(boundary);
+    m_.faces.close({ below, above }, boundary, None);
     result_.counts.push_back(above == None ? 0 : 1);
   }
 
@@ -196,7 +195,7 @@ private:
     std::vector<EdgeOfFace> edges;
     for (const std::uint32_t f : bases_)
     {
-      std::uint32_t from = m_.faces.corners[m_.faces.start[f + 1] - 1];
+      std::uint32_t from = m_.faces.corners[m_.faces.stop[f] - 1];
       forEachCorner(f, [&](std::uint32_t to) {
         edges.push_back({ std::min(from, to), std::max(from, to), f, from > to });
         from = to;
@@ -247,8 +246,9 @@ private:
     }
     for (const std::vector<std::uint32_t>& ofPrism : faces)
     {
-      m_.cells.uses.insert(m_.cells.uses.end(), ofPrism.begin(), ofPrism.end());
       m_.cells.firstUse.push_back(static_cast<std::uint32_t>(m_.cells.uses.size()));
+      m_.cells.uses.insert(m_.cells.uses.end(), ofPrism.begin(), ofPrism.end());
+      m_.cells.endUse.push_back(static_cast<std::uint32_t>(m_.cells.uses.size()));
     }
   }
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Optimisation/MeshEnergy.h"
 
-#include "Base/Sorting.h"
-
 #include <algorithm>
-#include <iterator>
 
 namespace cartesian
 {
@@ -16,6 +13,9 @@ namespace
 constexpr double LeastOfStar = 0.02;
 
 constexpr double OfFoldedFace = 1e9;
+
+// What limits beyond those that were kept cost besides.
+constexpr double CostOfWorse = 10;
 
 }
 
@@ -70,32 +70,135 @@ void MeshEnergy::evaluate()
   }
   for (std::uint32_t c = 0; c < prisms_.firstCell; ++c)
   {
-    double byShare = 0;
-    energyOfCell_[c] +=
-      energyOfShare(m_.cells.measures[c].volume / m_.cells.volumeOfBox[c], byShare);
-    byCells_[c].volume += byShare / m_.cells.volumeOfBox[c];
+    energyOfCell_[c] += energyOfSize(c);
   }
 }
 
-void MeshEnergy::evaluate(const std::vector<std::uint32_t>& faces)
+double MeshEnergy::energyOfSize(std::uint32_t c)
 {
-  std::vector<std::uint32_t> cells;
+  double byShare = 0;
+  const double energy =
+    energyOfShare(m_.cells.measures[c].volume / m_.cells.volumeOfBox[c], byShare);
+  byCells_[c].volume += byShare / m_.cells.volumeOfBox[c];
+  return energy;
+}
+
+void MeshEnergy::measure(const std::vector<std::uint32_t>& faces)
+{
   for (const std::uint32_t f : faces)
   {
     measureFace(f);
-    std::copy_if(m_.faces.cells[f].begin(), m_.faces.cells[f].end(), std::back_inserter(cells),
-      [&](std::uint32_t c) { return c < m_.cells.changing; });
   }
-  std::vector<std::uint32_t> around = faces;
-  for (const std::uint32_t c : cells = sortedUnique(std::move(cells)))
+}
+
+void MeshEnergy::keepLimits(const std::vector<FaceEnergy>& limits, double fair)
+{
+  for (std::size_t f = 0; f < limits.size(); ++f)
+  {
+    mostLimits_.push_back(std::max(fair, limits[f].limits));
+    energies_[f].all += costOfWorse(f);
+  }
+}
+
+double MeshEnergy::costOfWorse(std::size_t f) const
+{
+  return mostLimits_.empty() ? 0
+                             : CostOfWorse * std::max(0.0, energies_[f].limits - mostLimits_[f]);
+}
+
+double MeshEnergy::known(const Surroundings& around)
+{
+  double sum = 0;
+  for (const std::uint32_t c : around.cells)
+  {
+    sum += c < prisms_.firstCell ? energyOfSize(c) : 0;
+  }
+  for (const std::uint32_t f : around.facesOfCells)
+  {
+    sum += energies_[f].all;
+  }
+  return sum;
+}
+
+double MeshEnergy::evaluate(const Surroundings& around, double most)
+{
+  measure(around.faces);
+  for (const std::uint32_t c : around.cells)
   {
     m_.cells.measures[c] = measureOf(c);
-    around.insert(around.end(), m_.cells.uses.begin() + std::ptrdiff_t(m_.cells.firstUse[c]),
-      m_.cells.uses.begin() + std::ptrdiff_t(m_.cells.firstUse[c + 1]));
+    byCells_[c] = {};
   }
-  for (const std::uint32_t f : sortedUnique(std::move(around)))
+  double sum = 0;
+  for (const std::uint32_t c : around.cells)
   {
+    sum += c < prisms_.firstCell ? energyOfSize(c) : 0;
+  }
+  for (std::size_t i = 0; i < around.facesOfCells.size() && sum <= most; ++i)
+  {
+    const std::uint32_t f = around.facesOfCells[i];
+    byFaces_[f] = {};
     evaluateFace(f);
+    sum += energies_[f].all;
+  }
+  return sum;
+}
+
+Vector MeshEnergy::derivative(const Surroundings& around, std::uint32_t node)
+{
+  for (const std::uint32_t c : around.cells)
+  {
+    passOn(c);
+  }
+  Vector sum{};
+  for (const std::uint32_t f : around.faces)
+  {
+    forEachDerivative(f, [&](std::size_t i, const Vector& derivative) {
+      const std::uint32_t corner = m_.faces.corners[m_.faces.start[f] + i];
+      const bool follows = corner >= prisms_.firstNode;
+      if ((follows ? prisms_.below[corner - prisms_.firstNode] : corner) == node)
+      {
+        sum = plus(sum, derivative);
+      }
+    });
+  }
+  return sum;
+}
+
+void MeshEnergy::keep(const Surroundings& around, Kept& kept) const
+{
+  kept.faces.clear();
+  kept.stars.clear();
+  kept.cells.clear();
+  kept.energies.clear();
+  for (const std::uint32_t f : around.faces)
+  {
+    kept.faces.push_back(faces_[f]);
+    kept.stars.push_back(stars_[f]);
+  }
+  for (const std::uint32_t c : around.cells)
+  {
+    kept.cells.push_back(m_.cells.measures[c]);
+  }
+  for (const std::uint32_t f : around.facesOfCells)
+  {
+    kept.energies.push_back(energies_[f]);
+  }
+}
+
+void MeshEnergy::putBack(const Surroundings& around, const Kept& kept)
+{
+  for (std::size_t i = 0; i < around.faces.size(); ++i)
+  {
+    faces_[around.faces[i]] = kept.faces[i];
+    stars_[around.faces[i]] = kept.stars[i];
+  }
+  for (std::size_t i = 0; i < around.cells.size(); ++i)
+  {
+    m_.cells.measures[around.cells[i]] = kept.cells[i];
+  }
+  for (std::size_t i = 0; i < around.facesOfCells.size(); ++i)
+  {
+    energies_[around.facesOfCells[i]] = kept.energies[i];
   }
 }
 
@@ -116,7 +219,7 @@ void MeshEnergy::measureFace(std::size_t f)
 CellGeometry MeshEnergy::measureOf(std::uint32_t c) const
 {
   const std::uint32_t* const begin = m_.cells.uses.data() + m_.cells.firstUse[c];
-  return measureCell(m_.cells.firstUse[c + 1] - m_.cells.firstUse[c], [&](std::size_t i) {
+  return measureCell(m_.cells.endUse[c] - m_.cells.firstUse[c], [&](std::size_t i) {
     FaceGeometry face = faces_[begin[i]];
     face.area = m_.faces.cells[begin[i]][0] == c ? face.area : scaled(face.area, -1);
     return face;
@@ -135,10 +238,7 @@ void MeshEnergy::evaluateFace(std::size_t f)
     ? energyOfWall(f, ring)
     : energyOfInnerFace(faces_[f], ring, edges_[f], m_.cells.measures[cells[0]],
         m_.cells.measures[cells[1]], byFaces_[f], byCells_[cells[0]], byCells_[cells[1]]);
-  if (isFolded(f))
-  {
-    energies_[f].all += OfFoldedFace;
-  }
+  energies_[f].all += costOfWorse(f) + (isFolded(f) ? OfFoldedFace : 0);
 }
 
 // Between two regions it is a boundary face for the solvers of both.
@@ -179,7 +279,7 @@ void MeshEnergy::differentiate()
 void MeshEnergy::passOn(std::uint32_t c)
 {
   const std::uint32_t* const begin = m_.cells.uses.data() + m_.cells.firstUse[c];
-  const std::size_t size = m_.cells.firstUse[c + 1] - m_.cells.firstUse[c];
+  const std::size_t size = m_.cells.endUse[c] - m_.cells.firstUse[c];
   Vector mean{};
   for (std::size_t i = 0; i < size; ++i)
   {

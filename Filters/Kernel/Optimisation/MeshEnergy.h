@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Acceptance/FaceEnergy.h"
+#include "Optimisation/FaceEdits.h"
 #include "Optimisation/LayerPrisms.h"
 
 namespace cartesian
@@ -19,8 +20,32 @@ public:
   // As all nodes are now: measures and energies.
   void evaluate();
 
-  // The same of some faces and the cells beside them, and the energies of all faces of these.
-  void evaluate(const std::vector<std::uint32_t>& faces);
+  // Some faces alone.
+  void measure(const std::vector<std::uint32_t>& faces);
+
+  // Measures of faces and the cells beside them, and the energies of all faces of these; returns the sum. Where that is
+  // more than `most`, not all are looked at.
+  double evaluate(const Surroundings& around, double most);
+
+  // The same sum, of what was evaluated last.
+  double known(const Surroundings& around);
+
+  // The derivative of that sum by the place of a node, and of the prism on it: once after each evaluation.
+  Vector derivative(const Surroundings& around, std::uint32_t node);
+
+  // What evaluate() changes, to be put back.
+  struct Kept
+  {
+    std::vector<FaceGeometry> faces;
+    std::vector<double> stars;
+    std::vector<CellGeometry> cells;
+    std::vector<FaceEnergy> energies;
+  };
+  void keep(const Surroundings& around, Kept& kept) const;
+  void putBack(const Surroundings& around, const Kept& kept);
+
+  // From now on a face costs ten times as much beyond `fair`, and beyond its FaceEnergy::limits in `limits`.
+  void keepLimits(const std::vector<FaceEnergy>& limits, double fair);
 
   // From now on a face is folded if its star is worse than now, and bad.
   void keepStars() { leastStars_ = stars_; }
@@ -28,6 +53,9 @@ public:
   // Of faces; cells' energies are the sums of their faces', and what their own size costs.
   const std::vector<FaceEnergy>& ofFaces() const { return energies_; }
   double ofCell(std::uint32_t c) const { return c < energyOfCell_.size() ? energyOfCell_[c] : 0; }
+
+  const FaceGeometry& measures(std::size_t f) const { return faces_[f]; }
+  double star(std::size_t f) const { return stars_[f]; } // its smallest triangle, by the mean one
 
   bool isMoving(std::size_t f) const { return isMoving_[f] != 0; }
   bool isFolded(std::size_t f) const;
@@ -44,13 +72,15 @@ private:
   {
     return m_.nodes.at[m_.faces.corners[m_.faces.start[f] + i]];
   }
-  std::size_t cornersOf(std::size_t f) const { return m_.faces.start[f + 1] - m_.faces.start[f]; }
+  std::size_t cornersOf(std::size_t f) const { return m_.faces.stop[f] - m_.faces.start[f]; }
 
   void measureFace(std::size_t f);
   CellGeometry measureOf(std::uint32_t c) const;
   void evaluateFace(std::size_t f);
   FaceEnergy energyOfWall(std::size_t f, const Ring& ring);
   void passOn(std::uint32_t c);
+  double energyOfSize(std::uint32_t c);
+  double costOfWorse(std::size_t f) const;
 
   NodeMesh& m_;
   const LayerPrisms& prisms_;
@@ -59,6 +89,7 @@ private:
   std::vector<FaceGeometry> faces_;
   std::vector<double> stars_;      // smallest triangles of stars
   std::vector<double> leastStars_; // ... before
+  std::vector<double> mostLimits_; // of faces, beyond which they cost more
   std::vector<FaceEnergy> energies_;
   std::vector<FaceGradient> byFaces_;
   std::vector<CellGradient> byCells_;

@@ -87,6 +87,7 @@ private:
     const Box whole = boxes_.box(box);
     const Vector size = minus(whole.high, whole.low);
     mesh_.cells.number.push_back(hexahedron ? std::uint32_t(None) : key);
+    mesh_.cells.box.push_back(hexahedron ? box : std::uint32_t(None));
     mesh_.cells.region.push_back(hexahedron ? boxes_.regionOf(box) : wall_.cells[key].region);
     mesh_.cells.volumeOfBox.push_back(size[0] * size[1] * size[2]);
     mesh_.cells.measures.push_back(
@@ -159,14 +160,13 @@ private:
     });
     const CellKey other = across(use);
     const bool isWall = other == None || wall_.isInterface(use.face);
-    closeFace({ c, other, isWall ? boundaryOf(use) : NoBoundary });
+    closeFace({ c, other, isWall ? boundaryOf(use) : NoBoundary }, use.face);
+    mesh_.faces.isTurned.back() = use.turned;
   }
 
-  void closeFace(const FaceBetween& face)
+  void closeFace(const FaceBetween& face, std::uint32_t number)
   {
-    mesh_.faces.start.push_back(static_cast<std::uint32_t>(mesh_.faces.corners.size()));
-    mesh_.faces.cells.push_back({ cellOf(face.below), cellOf(face.above) });
-    mesh_.faces.boundary.push_back(face.boundary);
+    mesh_.faces.close({ cellOf(face.below), cellOf(face.above) }, face.boundary, number);
   }
 
   // The side of a hexahedron: as its polyhedral neighbour has it, or four corners.
@@ -193,7 +193,7 @@ private:
       const bool isBetween = other != None && !beside_.isPolyhedral;
       known = static_cast<std::uint32_t>(mesh_.faces.size());
       addQuad(box, axis, upper);
-      closeFace({ key, isBetween ? keyOfHexahedron(other) : CellKey(None), NoBoundary });
+      closeFace({ key, isBetween ? keyOfHexahedron(other) : CellKey(None), NoBoundary }, None);
     }
   }
 
@@ -297,12 +297,13 @@ void sortNodes(NodeMesh& mesh)
 void turn(NodeMesh& mesh, std::size_t f)
 {
   const auto begin = mesh.faces.corners.begin() + std::ptrdiff_t(mesh.faces.start[f]);
-  const auto end = mesh.faces.corners.begin() + std::ptrdiff_t(mesh.faces.start[f + 1]);
+  const auto end = mesh.faces.corners.begin() + std::ptrdiff_t(mesh.faces.stop[f]);
   std::rotate(begin, std::min_element(begin, end), end);
   if (mesh.faces.cells[f][1] != None && *(begin + 1) > *(end - 1))
   {
     std::reverse(begin + 1, end);
     std::swap(mesh.faces.cells[f][0], mesh.faces.cells[f][1]);
+    mesh.faces.isTurned[f] ^= 1;
   }
 }
 
@@ -317,32 +318,28 @@ void sortFaces(NodeMesh& mesh)
   }
   const auto ring = [&](std::uint32_t f) {
     const std::uint32_t* corners = mesh.faces.corners.data();
-    return std::make_pair(corners + mesh.faces.start[f], corners + mesh.faces.start[f + 1]);
+    return std::make_pair(corners + mesh.faces.start[f], corners + mesh.faces.stop[f]);
   };
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     const auto x = ring(a);
     const auto y = ring(b);
     return std::lexicographical_compare(x.first, x.second, y.first, y.second);
   });
-  NodeMesh sorted;
-  sorted.faces.corners.reserve(mesh.faces.corners.size());
+  NodeMesh::Faces sorted;
+  sorted.corners.reserve(mesh.faces.corners.size());
   for (const std::uint32_t f : order)
   {
     const auto corners = ring(f);
-    sorted.faces.corners.insert(sorted.faces.corners.end(), corners.first, corners.second);
-    sorted.faces.start.push_back(static_cast<std::uint32_t>(sorted.faces.corners.size()));
-    sorted.faces.cells.push_back(mesh.faces.cells[f]);
-    sorted.faces.boundary.push_back(mesh.faces.boundary[f]);
+    sorted.corners.insert(sorted.corners.end(), corners.first, corners.second);
+    sorted.close(mesh.faces.cells[f], mesh.faces.boundary[f], mesh.faces.number[f]);
+    sorted.isTurned.back() = mesh.faces.isTurned[f];
   }
-  mesh.faces.corners = std::move(sorted.faces.corners);
-  mesh.faces.start = std::move(sorted.faces.start);
-  mesh.faces.cells = std::move(sorted.faces.cells);
-  mesh.faces.boundary = std::move(sorted.faces.boundary);
+  mesh.faces = std::move(sorted);
 }
 
 void listFacesOfCells(NodeMesh& mesh)
 {
-  mesh.cells.firstUse.assign(mesh.cells.changing + 1, 0);
+  mesh.cells.firstUse.assign(mesh.cells.changing, 0);
   const auto forEachUse = [&](auto&& visit) {
     for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
     {
@@ -363,6 +360,7 @@ void listFacesOfCells(NodeMesh& mesh)
     count = sum;
   }
   mesh.cells.uses.resize(sum);
+  mesh.cells.endUse = mesh.cells.firstUse;
   for (auto f = static_cast<std::uint32_t>(mesh.faces.size()); f-- > 0;)
   {
     for (const std::uint32_t c : mesh.faces.cells[f])

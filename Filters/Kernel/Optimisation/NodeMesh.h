@@ -24,10 +24,24 @@ struct NodeMesh
 
   struct Faces
   {
-    std::vector<std::uint32_t> start{ 0 };
+    std::vector<std::uint32_t> start; // of each face's corners, and their end
+    std::vector<std::uint32_t> stop;
     std::vector<std::uint32_t> corners; // counter-clockwise seen from outside the cell below
     std::vector<std::array<std::uint32_t, 2>> cells; // below and above; None above: a boundary face
     std::vector<std::int32_t> boundary; // of boundary faces, and of those between two regions
+    std::vector<std::uint32_t> number;  // in WallFaces, or None: implicit
+    std::vector<std::uint8_t> isTurned; // 1: there the cells below and above change places
+
+    // Closes the face whose corners were added last.
+    void close(const std::array<std::uint32_t, 2>& of, std::int32_t wall, std::uint32_t inWall)
+    {
+      start.push_back(stop.empty() ? 0 : stop.back());
+      stop.push_back(static_cast<std::uint32_t>(corners.size()));
+      cells.push_back(of);
+      boundary.push_back(wall);
+      number.push_back(inWall);
+      isTurned.push_back(0);
+    }
 
     std::size_t size() const { return cells.size(); }
   };
@@ -36,11 +50,13 @@ struct NodeMesh
   struct Cells
   {
     std::size_t changing = 0;
-    std::vector<std::uint32_t> firstUse; // of each changing cell's faces, and the end
+    std::vector<std::uint32_t> firstUse; // of each changing cell's faces, and their end
+    std::vector<std::uint32_t> endUse;
     std::vector<std::uint32_t> uses;
     std::vector<CellGeometry> measures;
     std::vector<double> volumeOfBox;
     std::vector<std::uint32_t> number; // in WallMesh, or None: a hexahedron
+    std::vector<std::uint32_t> box;    // of hexahedra, or None
     std::vector<std::int32_t> region;
   };
 
@@ -49,6 +65,16 @@ struct NodeMesh
   Nodes nodes;
   Faces faces;
   Cells cells;
+
+  // Calls visit(node) for the corners of a face, in order.
+  template <class Visitor>
+  void forEachCorner(std::size_t f, Visitor&& visit) const
+  {
+    for (std::uint32_t i = faces.start[f]; i < faces.stop[f]; ++i)
+    {
+      visit(faces.corners[i]);
+    }
+  }
 
   bool isInterface(std::size_t f) const
   {

@@ -4,6 +4,7 @@
 #include "Base/Sorting.h"
 #include "Optimisation/MeshEnergy.h"
 #include "Optimisation/NodePaths.h"
+#include "Optimisation/WorstFaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +17,8 @@ namespace cartesian
 namespace
 {
 
-// After so many rounds a step more changes hardly anything (measured on cubes, spheres and CAD).
-constexpr int Rounds = 8;
+// More of them help smooth walls no more, and what they leave is mended face by face (WorstFaces.h).
+constexpr int Rounds = 4;
 
 // Steps, as parts of the box's edge, and of the node's shortest edge: two nodes that move towards each other do not meet.
 constexpr double FirstStep = 0.04;
@@ -29,18 +30,16 @@ constexpr double Shorter = 0.5;
 // No node goes farther than this part of the box's edge.
 constexpr double FarthestWay = 0.5;
 
-// A face may become worse than it was up to this (FaceEnergy::limits).
-constexpr double FairLimits = 2;
-
-// A cell may become smaller than it was down to this share of its box.
-constexpr double FairShare = 0.1;
+// FaceEnergy::limits up to which a face may become worse than it was: a skewness of 3.1. What more it does is too dear.
+constexpr double FairLimits = 15;
 
 class Optimiser
 {
 public:
   Optimiser(NodeMesh& mesh, double featureAngle, const WallLayerSpec* layers)
     : m_(mesh)
-    , paths_(mesh, std::cos(radians(featureAngle)))
+    , featureCosine_(std::cos(radians(featureAngle)))
+    , paths_(mesh, featureCosine_)
     , prisms_(addPrisms(mesh, layers))
     , before_(mesh.nodes.at)
     , edges_(mesh.edgesAtFaces())
@@ -49,7 +48,7 @@ public:
   {
   }
 
-  bool run(Execution& execution)
+  bool run(NodesMove move, Execution& execution)
   {
     if (moving_.empty())
     {
@@ -58,28 +57,32 @@ public:
     prisms_.follow(m_.nodes.at);
     energy_.evaluate();
     energy_.keepStars();
-    const State first{ energy_.ofFaces(), m_.cells.measures };
-    for (int round = 0; round < Rounds; ++round)
+    const std::vector<FaceEnergy> first = energy_.ofFaces();
+    for (int round = 0; move == NodesMove::All && round < Rounds; ++round)
     {
-      execution.reach(double(round) / Rounds);
+      execution.reach(double(round) / (Rounds + 1));
       differentiate();
       findShortest();
       step();
       evaluate();
     }
-    takeBackSteps();
+    if (move == NodesMove::All)
+    {
+      takeBackSteps();
+    }
     for (const Moving& node : moving_)
     {
-      round(m_.nodes.at[node.at]);
+      m_.nodes.at[node.at] = rounded(m_.nodes.at[node.at]);
     }
     evaluate();
-    for (std::vector<std::uint32_t> back = worsened(first); !back.empty(); back = worsened(first))
-    {
-      execution.poll();
-      takeBack(back);
-    }
+    energy_.keepLimits(first, FairLimits);
+    edits_ =
+      mendWorstFaces({ m_, paths_, prisms_, before_, edges_, featureCosine_ }, energy_, execution);
     return true;
   }
+
+  // Of the wall mesh, once run.
+  std::vector<FaceEdit>& edits() { return edits_; }
 
 private:
   struct Moving
@@ -92,13 +95,6 @@ private:
     double energy; // before its last step, or infinite: none to compare with
     Vector before; // its last step
     Vector gradient;
-  };
-
-  // In the beginning.
-  struct State
-  {
-    std::vector<FaceEnergy> energies;
-    std::vector<CellGeometry> cells;
   };
 
   // Returns their numbers, of nodes, or None.
@@ -125,7 +121,7 @@ private:
   template <class Visitor>
   void forEachMovingOf(std::uint32_t f, Visitor&& visit)
   {
-    for (std::uint32_t i = m_.faces.start[f]; i < m_.faces.start[f + 1]; ++i)
+    for (std::uint32_t i = m_.faces.start[f]; i < m_.faces.stop[f]; ++i)
     {
       if (const std::uint32_t n = movingOf_[m_.faces.corners[i]]; n != None)
       {
@@ -209,9 +205,8 @@ private:
     }
     for (std::size_t f = 0; f < m_.faces.size(); ++f)
     {
-      std::uint32_t from = m_.faces.corners[m_.faces.start[f + 1] - 1];
-      for (std::uint32_t i = m_.faces.start[f]; energy_.isMoving(f) && i < m_.faces.start[f + 1];
-           ++i)
+      std::uint32_t from = m_.faces.corners[m_.faces.stop[f] - 1];
+      for (std::uint32_t i = m_.faces.start[f]; energy_.isMoving(f) && i < m_.faces.stop[f]; ++i)
       {
         const std::uint32_t to = m_.faces.corners[i];
         const Vector edge = minus(m_.nodes.at[to], m_.nodes.at[from]);
@@ -269,13 +264,7 @@ private:
 
   void move(Moving& node)
   {
-    const NodePath& path = paths_[node.at];
-    Vector down = scaled(node.gradient, -1);
-    if (path.kind != NodePath::Kind::Free)
-    {
-      const Vector along = scaled(path.direction, dot(down, path.direction));
-      down = path.kind == NodePath::Kind::Line ? along : minus(down, along);
-    }
+    const Vector down = paths_[node.at].along(scaled(node.gradient, -1));
     const double length = norm(down);
     if (!(length > 0))
     {
@@ -318,72 +307,8 @@ private:
     }
   }
 
-  static void round(Vector& at)
-  {
-    at = { std::round(at[0]), std::round(at[1]), std::round(at[2]) };
-  }
-
-  // The nodes that have moved, of faces and cells that are worse than they were.
-  std::vector<std::uint32_t> worsened(const State& first) const
-  {
-    std::vector<std::uint32_t> nodes;
-    for (std::size_t f = 0; f < m_.faces.size(); ++f)
-    {
-      const double limits = energy_.ofFaces()[f].limits;
-      const bool isWorse = limits > FairLimits && limits > first.energies[f].limits;
-      if ((isWorse || energy_.isFolded(f)) && !listMoved(f, nodes))
-      {
-        for (const std::uint32_t c : m_.faces.cells[f])
-        {
-          listMovedOf(c, nodes);
-        }
-      }
-    }
-    for (std::uint32_t c = 0; c < prisms_.firstCell; ++c)
-    {
-      const double volume = m_.cells.measures[c].volume;
-      if (volume < FairShare * m_.cells.volumeOfBox[c] && volume < first.cells[c].volume)
-      {
-        listMovedOf(c, nodes);
-      }
-    }
-    return sortedUnique(std::move(nodes));
-  }
-
-  // All steps of these nodes; then measures what that changes, and its limits.
-  void takeBack(const std::vector<std::uint32_t>& nodes)
-  {
-    std::vector<std::uint32_t> faces;
-    for (const std::uint32_t n : nodes)
-    {
-      const std::uint32_t at = n < prisms_.firstNode ? n : prisms_.below[n - prisms_.firstNode];
-      m_.nodes.at[at] = before_[at];
-      forEachFaceOf(movingOf_[n], [&](std::uint32_t f) { faces.push_back(f); });
-    }
-    prisms_.follow(m_.nodes.at);
-    energy_.evaluate(sortedUnique(std::move(faces)));
-  }
-
-  // Appends the corners of a face that have moved; whether there are any.
-  bool listMoved(std::size_t f, std::vector<std::uint32_t>& moved) const
-  {
-    const std::size_t before = moved.size();
-    std::copy_if(m_.faces.corners.begin() + std::ptrdiff_t(m_.faces.start[f]),
-      m_.faces.corners.begin() + std::ptrdiff_t(m_.faces.start[f + 1]), std::back_inserter(moved),
-      [&](std::uint32_t n) { return movingOf_[n] != None && m_.nodes.at[n] != before_[n]; });
-    return moved.size() > before;
-  }
-
-  void listMovedOf(std::uint32_t c, std::vector<std::uint32_t>& moved) const
-  {
-    for (std::uint32_t i = c < m_.cells.changing ? m_.cells.firstUse[c] : 0;
-         c < m_.cells.changing && i < m_.cells.firstUse[c + 1]; ++i)
-    {
-      listMoved(m_.cells.uses[i], moved);
-    }
-  }
-
   NodeMesh& m_;
+  double featureCosine_;
   NodePaths paths_;
   const LayerPrisms prisms_;
   const std::vector<Vector> before_; // where nodes were
@@ -392,6 +317,7 @@ private:
   const std::vector<std::uint32_t> movingOf_; // of each node, or None
   std::vector<std::uint32_t> facesOf_;        // of moving nodes
   MeshEnergy energy_;
+  std::vector<FaceEdit> edits_;
 };
 
 // Enclosed by the star triangles of a cell's faces.
@@ -400,12 +326,12 @@ double volumeOf(const NodeMesh& mesh, std::uint32_t c)
   const Vector& origin =
     mesh.nodes.at[mesh.faces.corners[mesh.faces.start[mesh.cells.uses[mesh.cells.firstUse[c]]]]];
   double volume = 0;
-  for (std::uint32_t i = mesh.cells.firstUse[c]; i < mesh.cells.firstUse[c + 1]; ++i)
+  for (std::uint32_t i = mesh.cells.firstUse[c]; i < mesh.cells.endUse[c]; ++i)
   {
     const std::uint32_t f = mesh.cells.uses[i];
     Vector area{};
     const Vector mean = forEachStarTriangle(
-      mesh.faces.start[f + 1] - mesh.faces.start[f],
+      mesh.faces.stop[f] - mesh.faces.start[f],
       [&](std::size_t k) -> const Vector& {
         return mesh.nodes.at[mesh.faces.corners[mesh.faces.start[f] + k]];
       },
@@ -436,31 +362,52 @@ void write(const NodeMesh& mesh, Nodes& nodes, WallMesh& wall)
   }
 }
 
+std::vector<MovedHexahedron> hexahedraOf(const NodeMesh& mesh, const Boxes& boxes)
+{
+  std::vector<MovedHexahedron> hexahedra;
+  for (std::uint32_t c = 0; c < mesh.cells.changing; ++c)
+  {
+    if (const std::uint32_t box = mesh.cells.box[c]; box != None)
+    {
+      CellGeometry geometry = mesh.cells.measures[c];
+      geometry.centre = minus(geometry.centre, minus(boxes.lowOf(box), mesh.origin));
+      hexahedra.push_back({ box, geometry });
+    }
+  }
+  return hexahedra;
 }
 
-std::vector<std::uint32_t> optimiseNodes(const Boxes& boxes, const Sides& sides,
-  const std::vector<Slab>& slabs, double featureAngle, const WallLayerSpec* layers, Nodes& nodes,
-  WallMesh& wall, Execution& execution)
+}
+
+Optimised optimiseNodes(const Boxes& boxes, const Sides& sides, const std::vector<Slab>& slabs,
+  double featureAngle, const WallLayerSpec* layers, NodesMove move, Nodes& nodes, WallMesh& wall,
+  Execution& execution)
 {
+  Optimised result;
+  result.edits.resize(slabs.size());
   std::vector<std::vector<std::uint32_t>> changed(slabs.size());
+  std::vector<std::vector<MovedHexahedron>> hexahedra(slabs.size());
   execution.forEach(slabs.size(), 1, [&](std::size_t s, std::size_t) {
     const auto count = static_cast<double>(slabs.size());
     Execution alone = execution.alone(double(s) / count, double(s + 1) / count);
     NodeMesh mesh = nodeMesh(boxes, sides, nodes, wall, slabs[s]);
-    if (Optimiser(mesh, featureAngle, layers).run(alone))
+    Optimiser optimiser(mesh, featureAngle, layers);
+    if (optimiser.run(move, alone))
     {
+      result.edits[s] = std::move(optimiser.edits());
       write(mesh, nodes, wall);
       const auto end = mesh.cells.number.begin() + std::ptrdiff_t(mesh.cells.changing);
       std::copy_if(mesh.cells.number.begin(), end, std::back_inserter(changed[s]),
         [](std::uint32_t c) { return c != None; });
+      hexahedra[s] = hexahedraOf(mesh, boxes);
     }
   });
-  std::vector<std::uint32_t> all;
-  for (const std::vector<std::uint32_t>& ofSlab : changed)
+  for (std::size_t s = 0; s < slabs.size(); ++s)
   {
-    all.insert(all.end(), ofSlab.begin(), ofSlab.end());
+    result.changed.insert(result.changed.end(), changed[s].begin(), changed[s].end());
+    result.hexahedra.insert(result.hexahedra.end(), hexahedra[s].begin(), hexahedra[s].end());
   }
-  return all;
+  return result;
 }
 
 }

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "Optimisation/NodeMesh.h"
+#include "Optimisation/WorstFaces.h"
 #include "Surface/WallLayerSpec.h"
 
 namespace cartesian
@@ -17,8 +18,28 @@ namespace cartesian
 // Moves nodes in the free layers of each slab; gives the cells around them their new volumes. The slabs must not touch.
 // Returns the cells of polyhedral boxes that changed. `featureAngle` in degrees: edges of the boundary that turn by more
 // stay. `layers`: that some walls will have, or null.
-std::vector<std::uint32_t> optimiseNodes(const Boxes& boxes, const Sides& sides,
-  const std::vector<Slab>& slabs, double featureAngle, const WallLayerSpec* layers, Nodes& nodes,
-  WallMesh& wall, Execution& execution);
+// A hexahedron whose corners may have moved.
+struct MovedHexahedron
+{
+  std::uint32_t box;
+  CellGeometry geometry; // from the lower corner of its box
+};
+
+struct Optimised
+{
+  std::vector<std::uint32_t> changed; // cells of polyhedral boxes
+  std::vector<MovedHexahedron> hexahedra;
+  std::vector<std::vector<FaceEdit>> edits; // of each slab
+};
+
+enum class NodesMove
+{
+  All,        // together, then those of poor faces one by one
+  AtPoorFaces // one by one
+};
+
+Optimised optimiseNodes(const Boxes& boxes, const Sides& sides, const std::vector<Slab>& slabs,
+  double featureAngle, const WallLayerSpec* layers, NodesMove move, Nodes& nodes, WallMesh& wall,
+  Execution& execution);
 
 }

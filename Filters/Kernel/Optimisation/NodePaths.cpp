@@ -38,8 +38,7 @@ void NodePaths::listUses(const NodeMesh& mesh)
   const auto forEachUse = [&](auto&& visit) {
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
     {
-      for (std::uint32_t i = mesh.faces.start[f]; mesh.isWall(f) && i < mesh.faces.start[f + 1];
-           ++i)
+      for (std::uint32_t i = mesh.faces.start[f]; mesh.isWall(f) && i < mesh.faces.stop[f]; ++i)
       {
         if (mesh.nodes.mayMove[mesh.faces.corners[i]])
         {
@@ -59,7 +58,7 @@ void NodePaths::listUses(const NodeMesh& mesh)
   std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
   forEachUse([&](std::size_t f, std::uint32_t i) {
     const std::uint32_t begin = mesh.faces.start[f];
-    const std::uint32_t end = mesh.faces.start[f + 1];
+    const std::uint32_t end = mesh.faces.stop[f];
     const FaceGeometry face = measureFace(end - begin,
       [&](std::size_t k) -> const Vector& { return mesh.nodes.at[mesh.faces.corners[begin + k]]; });
     const bool isInterface = mesh.isInterface(f);

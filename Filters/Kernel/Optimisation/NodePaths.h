@@ -19,6 +19,17 @@ struct NodePath
 
   Kind kind = Kind::Fixed;
   Vector direction{}; // of the line, or normal to the plane
+
+  // What is left of a way along the line, or in the plane.
+  Vector along(const Vector& way) const
+  {
+    if (kind == Kind::Free)
+    {
+      return way;
+    }
+    const Vector part = scaled(direction, dot(way, direction));
+    return kind == Kind::Line ? part : minus(way, part);
+  }
 };
 
 // What nodes may do, as the mesh is now.

@@ -147,6 +147,11 @@ NeighbourCell CellComplex::placeAndVolume(CellKey key, const Point& origin) cons
     return { plus(minus(low, origin), place.centre), place.volume };
   }
   const Box box = whole_.boxes.box(boxOfHexahedron(key));
+  const auto moved = whole_.movedHexahedra.find(boxOfHexahedron(key));
+  if (moved != whole_.movedHexahedra.end())
+  {
+    return { plus(minus(box.low, origin), moved->second.centre), moved->second.volume };
+  }
   return { plus(minus(box.low, origin), scaled(minus(box.high, box.low), 0.5)), volumeOfBox(key) };
 }
 

@@ -151,6 +151,9 @@ public:
   // Makes each group of faces of an opened cell, seen so, one.
   void join(CellKey key, const CellView& view, const JoinedFaces& joined);
 
+  // Gives a face of free cells other corners, as the cell below has it; without any, it goes.
+  void reform(std::uint32_t face, const std::vector<std::uint32_t>& ring);
+
   // That most of its patches belonged to, or NoBoundary.
   std::int32_t boundaryOfCell(CellKey key) const;
 

@@ -507,6 +507,33 @@ void CellComplex::merge(CellKey small, CellKey into)
   to.place = measuredPlace(into);
 }
 
+void CellComplex::reform(std::uint32_t face, const std::vector<std::uint32_t>& ring)
+{
+  changed_ = true;
+  std::vector<CellKey> cells;
+  for (const CellKey key : cellsOf(face))
+  {
+    if (key != None)
+    {
+      open(key);
+      opened(key)->change(now_);
+      cells.push_back(key);
+    }
+  }
+  if (ring.empty())
+  {
+    for (const CellKey key : cells)
+    {
+      removeFace(key, face);
+    }
+  }
+  else
+  {
+    made(own(face)).nodes = ring;
+  }
+  remeasure(cells);
+}
+
 std::optional<std::int32_t> CellComplex::onlyWallOf(CellKey key) const
 {
   std::optional<std::int32_t> wall;

@@ -86,20 +86,43 @@ public:
     execution_.stage("Improving", 0.7, 1);
     merger_.bendInvalid(true);
     improve();
+    if (!exact_ && task_.spec.splitConcave)
+    {
+      cutInvalid();
+      improve();
+    }
     joinWalls();
     return result();
   }
 
-  // Where nodes have moved; then what nothing has saved goes: small cells first, parts of others, at last
-  // whole cells. Each time what is exposed may be saved again.
-  Shaping removeRefused()
+  // Where nodes have moved.
+  Shaping mendRefused()
   {
-    execution_.stage("Improving", 0, 0.4);
+    execution_.stage("Improving", 0, 1);
     improve();
     removeTips();
     removeSmall();
     cedeFlat();
     cutInvalid();
+    improve();
+    if (merger_.refused(isLast_).empty())
+    {
+      finish();
+    }
+    else
+    {
+      shaping_.isAnyRefused = true;
+    }
+    return result();
+  }
+
+  // What nothing has saved goes: small cells first, parts of others, at last whole cells. Each time what is exposed may
+  // be saved again.
+  Shaping removeRefused()
+  {
+    execution_.stage("Improving", 0, 0.4);
+    improve();
+    removeSmall();
     improve();
     for (std::size_t pass = 0; pass < LargestShares.size(); ++pass)
     {
@@ -124,16 +147,21 @@ public:
       removeSmall();
       improve();
     }
+    finish();
+    return result();
+  }
+
+private:
+  void finish()
+  {
     removeTips();
     joinWalls();
     if (complex_.hasRegions())
     {
       cutInvalid();
     }
-    return result();
   }
 
-private:
   void cutInvalid()
   {
     shaping_.cellsSplit += splitInvalid(complex_, merger_.refused(isLast_), execution_);
@@ -306,18 +334,121 @@ struct Shares
 constexpr std::array<Shares, ShapingStages> SharesOfStages{ { { 0.35, 0.5, 0.2 },
   { 0.45, 0.6, 0.8 } } };
 
-void optimise(
-  ShapedWall& whole, const std::vector<Slab>& slabs, const ShapingTask& task, Execution& execution)
+// One stage: its slabs, step by step.
+class Stage
 {
-  for (const std::uint32_t cell : optimiseNodes(whole.boxes, whole.sides, slabs, task.featureAngle,
-         task.layers, whole.nodes, whole.mesh, execution))
+public:
+  Stage(ShapedWall& whole, std::vector<Slab> slabs, const ShapingTask& task, bool isLast,
+    Execution& execution)
+    : whole_(whole)
+    , slabs_(std::move(slabs))
+    , task_(task)
+    , exact_(isExact(whole.patches))
+    , isLast_(isLast)
+    , execution_(execution)
+    , edits_(slabs_.size())
   {
-    whole.known.atFault[cell] = IsAtFault::Unknown;
   }
-  const std::vector<Point>& at = whole.nodes.at;
-  std::sort(whole.nodes.ofCuts.begin(), whole.nodes.ofCuts.end(),
-    [&](std::uint32_t a, std::uint32_t b) { return at[a] < at[b]; });
-}
+
+  Shaping run(const Shares& shares)
+  {
+    const bool removes = task_.spec.splitConcave && task_.spec.refusedCellRatio > 0 && !exact_;
+    shape(shares.shaping, [](Shaper& shaper) { return shaper.run(); });
+    optimise(shares.optimisation, NodesMove::All);
+    if (removes)
+    {
+      shape(shares.removal, [](Shaper& shaper) { return shaper.mendRefused(); });
+      keepFailing();
+      optimise(shares.optimisation, NodesMove::AtPoorFaces);
+      shape(shares.removal, [](Shaper& shaper) { return shaper.removeRefused(); });
+    }
+    else
+    {
+      shape(shares.removal, [](Shaper&) { return Shaping(); }); // for the edits of faces alone
+    }
+    return sum_;
+  }
+
+private:
+  template <class Shape>
+  void shape(double share, Shape&& shape)
+  {
+    if (slabs_.empty())
+    {
+      return;
+    }
+    execution_.nextLoop(0.02);
+    whole_.measure({ slabs_.front().layers.begin, slabs_.back().layers.end }, execution_);
+    std::vector<std::unique_ptr<CellComplex>> complexes(slabs_.size());
+    std::vector<Shaping> shapings(slabs_.size());
+    execution_.nextLoop(share);
+    execution_.forEach(slabs_.size(), 1, [&](std::size_t s, std::size_t) {
+      Execution alone =
+        execution_.alone(double(s) / double(slabs_.size()), double(s + 1) / double(slabs_.size()));
+      complexes[s] = std::make_unique<CellComplex>(whole_, slabs_[s]);
+      for (const FaceEdit& edit : edits_[s])
+      {
+        complexes[s]->reform(edit.face, edit.ring);
+      }
+      Shaper shaper(*complexes[s], task_, exact_, isLast_, alone);
+      shapings[s] = shape(shaper);
+    });
+    sum_ = std::accumulate(shapings.begin(), shapings.end(), sum_);
+    fails_.clear();
+    std::transform(shapings.begin(), shapings.end(), std::back_inserter(fails_),
+      [](const Shaping& shaping) { return shaping.isAnyRefused; });
+    writeBack(whole_, complexes, execution_);
+    edits_.assign(slabs_.size(), {});
+  }
+
+  void optimise(double share, NodesMove move)
+  {
+    if (slabs_.empty() || !task_.spec.optimiseNodes || exact_)
+    {
+      return;
+    }
+    execution_.nextLoop(share);
+    Optimised optimised = optimiseNodes(whole_.boxes, whole_.sides, slabs_, task_.featureAngle,
+      task_.layers, move, whole_.nodes, whole_.mesh, execution_);
+    for (const std::uint32_t cell : optimised.changed)
+    {
+      whole_.known.atFault[cell] = IsAtFault::Unknown;
+    }
+    for (const MovedHexahedron& moved : optimised.hexahedra)
+    {
+      whole_.movedHexahedra[moved.box] = { moved.geometry.centre, moved.geometry.volume };
+    }
+    const std::vector<Point>& at = whole_.nodes.at;
+    std::sort(whole_.nodes.ofCuts.begin(), whole_.nodes.ofCuts.end(),
+      [&](std::uint32_t a, std::uint32_t b) { return at[a] < at[b]; });
+    edits_ = std::move(optimised.edits);
+  }
+
+  // The slabs with cells that solvers refuse; the others are done.
+  void keepFailing()
+  {
+    std::vector<Slab> failing;
+    for (std::size_t s = 0; s < slabs_.size(); ++s)
+    {
+      if (fails_[s])
+      {
+        failing.push_back(slabs_[s]);
+      }
+    }
+    slabs_ = std::move(failing);
+    edits_.assign(slabs_.size(), {});
+  }
+
+  ShapedWall& whole_;
+  std::vector<Slab> slabs_; // still to be worked on
+  const ShapingTask& task_;
+  bool exact_;
+  bool isLast_;
+  Execution& execution_;
+  std::vector<std::vector<FaceEdit>> edits_; // of each slab, to be made
+  std::vector<bool> fails_;                  // whether it has cells that solvers refuse
+  Shaping sum_;
+};
 
 }
 
@@ -338,7 +469,6 @@ bool shapesCells(const SmallCellSpec& small, const ShapingSpec& spec)
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,
   WallMesh& mesh, const ShapingTask& task, Execution& execution)
 {
-  const bool exact = isExact(patches);
   const std::uint32_t all = boxes.allLayers().end;
   ShapedWall whole(boxes, patches, sides, nodes, mesh, task.featureAngle);
   Shaping sum;
@@ -346,37 +476,7 @@ Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nod
   for (const std::vector<Slab>& slabs : slabsFor(layersOfShapedCells(boxes.core, all), all))
   {
     const Shares& shares = SharesOfStages[stage++];
-    const bool isLast = stage == ShapingStages;
-    if (slabs.empty())
-    {
-      continue;
-    }
-    const auto inSlabs = [&](double share, auto&& shape) {
-      execution.nextLoop(0.02);
-      whole.measure({ slabs.front().layers.begin, slabs.back().layers.end }, execution);
-      std::vector<std::unique_ptr<CellComplex>> complexes(slabs.size());
-      std::vector<Shaping> shapings(slabs.size());
-      execution.nextLoop(share);
-      execution.forEach(slabs.size(), 1, [&](std::size_t s, std::size_t) {
-        const auto count = static_cast<double>(slabs.size());
-        Execution alone = execution.alone(double(s) / count, double(s + 1) / count);
-        complexes[s] = std::make_unique<CellComplex>(whole, slabs[s]);
-        Shaper shaper(*complexes[s], task, exact, isLast, alone);
-        shapings[s] = shape(shaper);
-      });
-      sum = std::accumulate(shapings.begin(), shapings.end(), sum);
-      writeBack(whole, complexes, execution);
-    };
-    inSlabs(shares.shaping, [](Shaper& shaper) { return shaper.run(); });
-    if (task.spec.optimiseNodes && !exact)
-    {
-      execution.nextLoop(shares.optimisation);
-      optimise(whole, slabs, task, execution);
-    }
-    if (task.spec.splitConcave && task.spec.refusedCellRatio > 0 && !exact)
-    {
-      inSlabs(shares.removal, [](Shaper& shaper) { return shaper.removeRefused(); });
-    }
+    sum = sum + Stage(whole, slabs, task, stage == ShapingStages, execution).run(shares);
   }
   return sum;
 }

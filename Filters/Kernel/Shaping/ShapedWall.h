@@ -6,6 +6,8 @@
 #include "Parts/Slabs.h"
 #include "Shaping/CellView.h"
 
+#include <unordered_map>
+
 namespace cartesian
 {
 
@@ -47,7 +49,8 @@ struct ShapedWall
   double featureCosine;
 
   KnownCells known; // of polyhedral boxes, as they were
-  Sights sights;    // likewise; those of hexahedra too
+  std::unordered_map<std::uint32_t, NeighbourCell> movedHexahedra; // by box, from its lower corner
+  Sights sights; // likewise; those of hexahedra too
 
   // Fills what is not known of the cells in these layers, before any slab changes.
   void measure(Layers layers, Execution& execution);

@@ -2,6 +2,7 @@
 // What the nodes at the wall move in: which may, all that changes with them, and what that costs.
 #include "Optimisation/MeshEnergy.h"
 #include "Optimisation/MovingCells.h"
+#include "Optimisation/WorstFaces.h"
 #include "Support/Pipeline.h"
 
 #include <gtest/gtest.h>
@@ -77,13 +78,13 @@ TEST(NodeMesh, HasNodesByPlaceAndEachFaceOnce)
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
   {
     std::vector<std::uint32_t> ring(mesh.faces.corners.begin() + mesh.faces.start[f],
-      mesh.faces.corners.begin() + mesh.faces.start[f + 1]);
+      mesh.faces.corners.begin() + mesh.faces.stop[f]);
     std::sort(ring.begin(), ring.end());
     EXPECT_TRUE(rings.insert(ring).second);
   }
   for (std::uint32_t c = 0; c < mesh.cells.changing; ++c)
   {
-    for (std::uint32_t u = mesh.cells.firstUse[c]; u < mesh.cells.firstUse[c + 1]; ++u)
+    for (std::uint32_t u = mesh.cells.firstUse[c]; u < mesh.cells.endUse[c]; ++u)
     {
       const auto& cells = mesh.faces.cells[mesh.cells.uses[u]];
       EXPECT_EQ(std::count(cells.begin(), cells.end(), c), 1);
@@ -163,6 +164,55 @@ TEST(MeshEnergy, FallsAgainstItsGradient)
     }
   }
   EXPECT_LT(sum(), before);
+}
+
+// Faces are mended one by one; none of that costs more than it gains, and the mesh stays closed.
+TEST(WorstFaces, FallInCostAndKeepTheirVolume)
+{
+  for (const Soup& soup : { octahedron(1).turned(), bumpySphere(3, 12) })
+  {
+    NodeMesh mesh = Whole(soup, 8).mesh();
+    const double feature = std::cos(radians(30));
+    const NodePaths paths(mesh, feature);
+    const LayerPrisms none = addPrisms(mesh, nullptr);
+    const std::vector<Vector> places = mesh.nodes.at;
+    const std::vector<double> edges = mesh.edgesAtFaces();
+    MeshEnergy energy(mesh, none, edges, std::vector<std::uint8_t>(mesh.faces.size(), 1));
+    energy.evaluate();
+    energy.keepStars();
+    energy.keepLimits(energy.ofFaces(), 15);
+    const auto sum = [&] {
+      double all = 0;
+      for (std::uint32_t c = 0; c < mesh.cells.changing; ++c)
+      {
+        for (std::uint32_t u = mesh.cells.firstUse[c]; u < mesh.cells.endUse[c]; ++u)
+        {
+          all += energy.ofFaces()[mesh.cells.uses[u]].limits;
+        }
+      }
+      return all;
+    };
+    const double before = sum();
+    const double volume = volumeOf(mesh);
+    Execution execution;
+    const std::vector<FaceEdit> edits =
+      mendWorstFaces({ mesh, paths, none, places, edges, feature }, energy, execution);
+    EXPECT_LT(sum(), before);
+    EXPECT_NEAR(volumeOf(mesh), volume, 3e-3 * volume);
+    EXPECT_TRUE(std::is_sorted(edits.begin(), edits.end(),
+      [](const FaceEdit& a, const FaceEdit& b) { return a.face < b.face; }));
+    FaceEdits whole(mesh);
+    for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
+    {
+      const auto isGone = std::find_if(edits.begin(), edits.end(), [&](const FaceEdit& edit) {
+        return edit.face == mesh.faces.number[f] && edit.ring.empty();
+      });
+      if (isGone == edits.end())
+      {
+        EXPECT_GE(mesh.faces.stop[f] - mesh.faces.start[f], 3U);
+      }
+    }
+  }
 }
 
 }
