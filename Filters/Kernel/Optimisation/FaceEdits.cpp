@@ -243,25 +243,22 @@ void FaceEdits::setRing(std::uint32_t f, const Numbers& ring)
 bool FaceEdits::collapse(std::uint32_t from, std::uint32_t into, const Surroundings& around)
 {
   keep(around);
-  for (const std::uint32_t f : faces_)
-  {
+  return std::all_of(faces_.begin(), faces_.end(), [&](std::uint32_t f) {
     copyRing(f, ring_);
     std::replace(ring_.begin(), ring_.end(), from, into);
     removeSpikes(ring_);
     if (ring_.size() < 3)
     {
       remove(f);
+      return true;
     }
-    else if (std::count(ring_.begin(), ring_.end(), into) > 1)
+    if (std::count(ring_.begin(), ring_.end(), into) > 1)
     {
       return false;
     }
-    else
-    {
-      setRing(f, ring_);
-    }
-  }
-  return true;
+    setRing(f, ring_);
+    return true;
+  });
 }
 
 bool FaceEdits::join(std::uint32_t f, std::uint32_t g, const Surroundings& around)

@@ -3,9 +3,9 @@
 //
 // What cutting and merging leave is correct but irregular: centres of faces lie aside of the line between the
 // cells' centres, weights are small. An energy (FaceEnergy.h) sums this up. In each of a fixed number of rounds all
-// nodes of wall cells take a step against its gradient at the same time, and take back what did not help them; in the
-// end, what made a face worse than it was is taken back. So the result is the same for any number of threads and parts
-// of a mesh. Like the smoothing of other meshers, but with one objective, and never along anything but the surface.
+// nodes of wall cells take a step against its gradient at the same time, and take back what did not help them; then the
+// faces that are still poor are mended one by one (WorstFaces.h). The result is the same for any number of threads and
+// parts of a mesh. Like the smoothing of other meshers, but with one objective, and never along anything but the surface.
 #pragma once
 
 #include "Optimisation/NodeMesh.h"
@@ -15,9 +15,6 @@
 namespace cartesian
 {
 
-// Moves nodes in the free layers of each slab; gives the cells around them their new volumes. The slabs must not touch.
-// Returns the cells of polyhedral boxes that changed. `featureAngle` in degrees: edges of the boundary that turn by more
-// stay. `layers`: that some walls will have, or null.
 // A hexahedron whose corners may have moved.
 struct MovedHexahedron
 {
@@ -29,7 +26,7 @@ struct Optimised
 {
   std::vector<std::uint32_t> changed; // cells of polyhedral boxes
   std::vector<MovedHexahedron> hexahedra;
-  std::vector<std::vector<FaceEdit>> edits; // of each slab
+  std::vector<std::vector<FaceEdit>> edits; // of each slab, to be made in the wall mesh
 };
 
 enum class NodesMove
@@ -38,6 +35,8 @@ enum class NodesMove
   AtPoorFaces // one by one
 };
 
+// Moves nodes in the free layers of each slab; gives the cells around them their new volumes. The slabs must not touch.
+// `featureAngle` in degrees: edges of the boundary that turn by more stay. `layers`: that some walls will have, or null.
 Optimised optimiseNodes(const Boxes& boxes, const Sides& sides, const std::vector<Slab>& slabs,
   double featureAngle, const WallLayerSpec* layers, NodesMove move, Nodes& nodes, WallMesh& wall,
   Execution& execution);

@@ -362,7 +362,7 @@ public:
       optimise(shares.optimisation, NodesMove::AtPoorFaces);
       shape(shares.removal, [](Shaper& shaper) { return shaper.removeRefused(); });
     }
-    else
+    else if (!exact_)
     {
       shape(shares.removal, [](Shaper&) { return Shaping(); }); // for the edits of faces alone
     }
