@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Optimisation/FaceEdits.h"
 
+#include "Acceptance/CellFaults.h"
 #include "Base/Sorting.h"
 
 #include <algorithm>
@@ -11,9 +12,6 @@ namespace cartesian
 
 namespace
 {
-
-// Solvers refuse cells with fewer faces.
-constexpr std::uint32_t LeastFacesOfCell = 4;
 
 // Without corners twice in a row, and without edges there and back.
 void removeSpikes(std::vector<std::uint32_t>& ring)
@@ -345,7 +343,7 @@ bool FaceEdits::isSound()
 // Whether each edge of a cell is between two faces, which have others too.
 bool FaceEdits::isClosed(std::uint32_t c)
 {
-  if (m_.cells.endUse[c] - m_.cells.firstUse[c] < LeastFacesOfCell)
+  if (m_.cells.endUse[c] - m_.cells.firstUse[c] < LeastFaces)
   {
     return false;
   }

@@ -27,9 +27,6 @@ constexpr double StepOfShortestEdge = 0.2;
 constexpr double Longer = 1.3;
 constexpr double Shorter = 0.5;
 
-// No node goes farther than this part of the box's edge.
-constexpr double FarthestWay = 0.5;
-
 // FaceEnergy::limits up to which a face may become worse than it was: a skewness of 3.1. What more it does is too dear.
 constexpr double FairLimits = 15;
 
@@ -272,9 +269,7 @@ private:
     }
     node.step = std::min(node.step, StepOfShortestEdge * std::sqrt(node.shortest));
     const Vector to = plus(m_.nodes.at[node.at], scaled(down, node.step / length));
-    const Vector& from = before_[node.at];
-    if (isInGrid(to) && norm(minus(to, from)) <= FarthestWay * node.edge &&
-      paths_.allows(node.at, from, to, node.edge))
+    if (paths_.allows(node.at, before_[node.at], to, node.edge))
     {
       m_.nodes.at[node.at] = to;
     }
@@ -282,18 +277,6 @@ private:
     {
       node.step *= Shorter;
     }
-  }
-
-  bool isInGrid(const Vector& at) const
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      if (!(at[axis] > m_.ends[0][axis] && at[axis] < m_.ends[1][axis]))
-      {
-        return false;
-      }
-    }
-    return true;
   }
 
   void takeBackSteps()

@@ -9,6 +9,9 @@ namespace cartesian
 namespace
 {
 
+// How far nodes go, as a part of the box's edge.
+constexpr double FarthestWay = 0.5;
+
 // How far nodes may leave the surface, and its edges, as parts of the box's edge.
 constexpr double MostFromSurface = 0.01;
 constexpr double MostFromEdge = 0.004;
@@ -19,7 +22,8 @@ constexpr double LeastCosineOfLine = 0.966;
 }
 
 NodePaths::NodePaths(const NodeMesh& mesh, double leastCosine)
-  : paths_(mesh.nodes.at.size())
+  : ends_(mesh.ends)
+  , paths_(mesh.nodes.at.size())
   , start_(mesh.nodes.at.size() + 1)
   , legsOf_(mesh.nodes.at.size(), None)
 {
@@ -158,6 +162,15 @@ NodePath NodePaths::pathOf(const NodeMesh& mesh, std::uint32_t node, double leas
 bool NodePaths::allows(std::size_t node, const Vector& from, const Vector& to, double edge) const
 {
   const Vector way = minus(to, from);
+  bool isInGrid = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    isInGrid = isInGrid && to[axis] > ends_[0][axis] && to[axis] < ends_[1][axis];
+  }
+  if (!isInGrid || norm(way) > FarthestWay * edge)
+  {
+    return false;
+  }
   if (paths_[node].kind == NodePath::Kind::Line)
   {
     const auto& legs = legs_[legsOf_[node]];

@@ -41,8 +41,8 @@ public:
 
   const NodePath& operator[](std::size_t node) const { return paths_[node]; }
 
-  // Whether a node that was at `from` in the beginning and is at `to` shows the same surface: it has not left the planes of
-  // its walls, or its edge, by more than a small part of `edge`.
+  // Whether a node that was at `from` in the beginning may be at `to`: in the grid, not too far away, and where it shows
+  // the same surface: it has not left the planes of its walls, or its edge, by more than a small part of `edge`.
   bool allows(std::size_t node, const Vector& from, const Vector& to, double edge) const;
 
 private:
@@ -75,6 +75,7 @@ private:
 
   NodePath pathOf(const NodeMesh& mesh, std::uint32_t node, double leastCosine);
 
+  std::array<Vector, 2> ends_; // of the grid
   std::vector<NodePath> paths_;
   std::vector<std::uint32_t> start_; // of the uses of each node, and the end
   std::vector<Use> uses_;

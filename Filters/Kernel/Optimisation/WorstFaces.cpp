@@ -30,10 +30,9 @@ constexpr std::size_t MostFacesAround = 300;
 // What has changed is looked at again, so often at most.
 constexpr int MostSweeps = 3;
 
-// Steps, and how far a node goes in all, as parts of the box's edge.
+// Of a node that moves: the longest step, as a part of the box's edge.
 constexpr double LongestStep = 0.1;
 constexpr double Shorter = 0.4;
-constexpr double FarthestWay = 0.5;
 constexpr int MostSteps = 6;
 
 // The least gain, as a part of the objective.
@@ -227,23 +226,9 @@ private:
     }
   }
 
-  bool isInGrid(const Vector& at) const
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      if (!(at[axis] > m_.ends[0][axis] && at[axis] < m_.ends[1][axis]))
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
   bool mayBeAt(std::uint32_t n, const Vector& to) const
   {
-    const Vector& start = task_.before[n];
-    return isInGrid(to) && norm(minus(to, start)) <= FarthestWay * edgeOf_[n] &&
-      task_.paths.allows(n, start, to, edgeOf_[n]);
+    return task_.paths.allows(n, task_.before[n], to, edgeOf_[n]);
   }
 
   void setFaces(const NumberLists::List& faces)
