@@ -3,7 +3,7 @@
 // (Verdict.h). What the steps of shaping differ by has a name, and stands in one table.
 #pragma once
 
-#include "Acceptance/Limits.h"
+#include "Acceptance/FaceEnergy.h"
 #include "Acceptance/Verdict.h"
 
 #include <algorithm>
@@ -70,6 +70,39 @@ struct AcceptedCut
   static constexpr double AspectOfInvalid = Refused::AspectRatio;
   static constexpr double MostGiven = 0.5; // of its box: all parts but the largest
 };
+
+// An edit of faces, or a node that moves, where the worst are mended (Optimisation/WorstFaces.h): the objective (FaceEnergy.h)
+// of all that it changes falls by a part of itself. What faces have to be like is asked of those alone that were.
+struct AcceptedEdit
+{
+  static constexpr double LeastGain = 0.01;
+
+  // What a part of the box that an edit adds to the mesh, or takes from it, costs: a thousandth as much as a face that is
+  // just fair.
+  static constexpr double CostOfVolume = 1000;
+
+  static constexpr double LeastStar = 0.05; // a face's smallest triangle, by the mean one
+  static constexpr double LeastArea = 1e-4; // by the square of the box's edge
+
+  // No face of the wall turns by more than 15 degrees, nor comes farther from where the middle of one that it replaces
+  // was, as a part of the box's edge.
+  static constexpr double WallCosine = 0.966;
+  static constexpr double FarthestFromWall = 0.02;
+};
+
+// FaceEnergy::limits from which on a face is mended: a skewness of 1.8. With layers, many of whose faces are a bit off, it
+// is one of 3.1. And from which on all nodes of its cells are moved.
+struct PoorFace
+{
+  static constexpr double Limits = 1.5;
+  static constexpr double LimitsWithLayers = 15;
+  static constexpr double LimitsOfFailing = limitsAtSkewness(cartesian::Limits::Skewness);
+};
+
+inline double acceptedBelow(double objective)
+{
+  return (1 - AcceptedEdit::LeastGain) * objective;
+}
 
 // By how much costs fall.
 inline double gain(const Verdict& before, const Verdict& after)

@@ -46,6 +46,14 @@ struct CellFaults
   CellFaults invalid() const;
 };
 
+// Whether checkMesh says that the mesh fails, not merely that it is hard on solvers.
+inline bool failsCheckMesh(const CellFaults& faults)
+{
+  return faults.counts[CellFaults::WronglyOriented] + faults.counts[CellFaults::BoundarySkewness] +
+    faults.counts[CellFaults::InnerSkewness] >
+    0;
+}
+
 // Counts the faults of a cell's faces; neighbours[f] lies across face f. Faces whose `counted` is 0
 // are left out (another cell counts them); if it is empty, all count.
 CellFaults faultsOf(const Polyhedron& cell, const CellShape& shape,

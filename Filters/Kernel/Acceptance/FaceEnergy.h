@@ -3,6 +3,7 @@
 // changes with the face and with the cells on its two sides.
 #pragma once
 
+#include "Acceptance/Limits.h"
 #include "Polyhedra/CellGeometry.h"
 
 namespace cartesian
@@ -31,15 +32,31 @@ struct FaceEnergy
   double all = 0;
 };
 
-// `ring`: for the face's reach, to which OpenFOAM's skewness is relative; `edge`: of the cells' boxes. The area points from the cell below to the one above. Adds to the gradients.
+// Where derivatives are added to; `above` null: a boundary face.
+struct Gradients
+{
+  FaceGradient* face;
+  CellGradient* below;
+  CellGradient* above;
+};
+
+// `ring`: for the face's reach, to which OpenFOAM's skewness is relative; `edge`: of the cells' boxes. The area points
+// from the cell below to the one above. `gradients` null: the energy alone.
 FaceEnergy energyOfInnerFace(const FaceGeometry& face, const Ring& ring, double edge,
-  const CellGeometry& below, const CellGeometry& above, FaceGradient& ofFace, CellGradient& ofBelow,
-  CellGradient& ofAbove);
+  const CellGeometry& below, const CellGeometry& above, const Gradients* gradients);
 
 FaceEnergy energyOfBoundaryFace(const FaceGeometry& face, const Ring& ring, double edge,
-  const CellGeometry& cell, FaceGradient& ofFace, CellGradient& ofCell);
+  const CellGeometry& cell, const Gradients* gradients);
 
-// Of a cell with this share of its box's volume; `byShare`: its derivative.
-double energyOfShare(double share, double& byShare);
+// Of a cell with this share of its box's volume, and the derivative.
+double energyOfShare(double share);
+double derivativeOfShare(double share);
+
+// FaceEnergy::limits of a face that has this skewness and no other flaw.
+constexpr double limitsAtSkewness(double skewness)
+{
+  const double square = (skewness / Fair::Skewness) * (skewness / Fair::Skewness);
+  return square * square;
+}
 
 }

@@ -5,6 +5,7 @@
 #include "Cells/Cells.h"
 #include "Cells/Fragments.h"
 #include "Cells/Interfaces.h"
+#include "Cells/OverlappingCells.h"
 #include "Collapse/EdgeCollapse.h"
 #include "Collapse/StandOff.h"
 #include "Collapse/WarpedHexahedra.h"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 namespace cartesian
 {
@@ -352,6 +354,32 @@ private:
   const bool turnedMatter_;
 };
 
+// Returns nothing for one beyond the core: another part tells it.
+std::optional<RemovedCell> remove(Assembly& a, std::uint32_t c)
+{
+  Cell& cell = a.wall.cells[c];
+  cell.removed = true;
+  if (!a.boxes.isCore(a.boxes.packed[cell.box]))
+  {
+    return std::nullopt;
+  }
+  const Box box = a.boxes.box(cell.box);
+  const Vector size = minus(box.high, box.low);
+  return RemovedCell{ cell.box, cell.volumeFraction * size[0] * size[1] * size[2] };
+}
+
+// Nothing can be computed on cells that overlap, however exactly they show the surface.
+void removeOverlapping(Assembly& a)
+{
+  for (const std::uint32_t c : overlappingCells(a.boxes, a.nodes.at.size(), a.wall))
+  {
+    if (const auto removed = remove(a, c))
+    {
+      a.shaping.refused.push_back(*removed);
+    }
+  }
+}
+
 // Fragments would leave a solver without a pressure: they go, unless the surface is to stay exactly.
 void removeFragments(Assembly& a, const Options& options, Execution& execution)
 {
@@ -361,20 +389,13 @@ void removeFragments(Assembly& a, const Options& options, Execution& execution)
   {
     for (const std::uint32_t c : part.cells)
     {
-      Cell& cell = a.wall.cells[c];
-      const bool isCore = a.boxes.isCore(a.boxes.packed[cell.box]);
       if (!removes || !part.isFragment)
       {
-        a.separate.isolatedCells += isCore ? 1 : 0;
-        continue;
+        a.separate.isolatedCells += a.boxes.isCore(a.boxes.packed[a.wall.cells[c].box]) ? 1 : 0;
       }
-      cell.removed = true;
-      if (isCore)
+      else if (const auto removed = remove(a, c))
       {
-        const Box box = a.boxes.box(cell.box);
-        const Vector size = minus(box.high, box.low);
-        a.separate.fragments.push_back(
-          { cell.box, cell.volumeFraction * size[0] * size[1] * size[2] });
+        a.separate.fragments.push_back(*removed);
       }
     }
   }
@@ -433,6 +454,7 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
     a.shaping = shapeCells(a.boxes, a.patches, a.sides, a.nodes, a.wall,
       { options.smallCells, options.shaping, options.patches.featureAngle, layers }, execution);
   }
+  removeOverlapping(a);
   removeFragments(a, options, execution);
   a.nodes.warped = warpedHexahedra(a.boxes, a.sides, a.nodes, execution);
   execution.stage("Numbering", AfterShaping, AfterNumbering);

@@ -175,6 +175,17 @@ std::string describeLeftOut(const Assembly& a, const std::map<std::int32_t, std:
     places(a.boxes, boxes);
 }
 
+std::string describeKept(const Assembly& a)
+{
+  const std::vector<std::uint32_t>& kept = a.shaping.kept;
+  return kept.empty() ? ""
+                      : "checkMesh will fail: " + counted(kept.size(), "cell has", "cells have") +
+      " a skewness over 4 or a face turned over, and to mend that would change the wall more. A "
+      "smaller "
+      "Cell Size or a larger Refinement Depth there helps:" +
+      places(a.boxes, kept);
+}
+
 std::string describeNothing(const Assembly& assembly, const Options& options)
 {
   const WallMesh& wall = assembly.wall;
@@ -278,6 +289,8 @@ std::string describeFlaws(
   }
   const std::string leftOut = describeLeftOut(assembly, names);
   text += leftOut.empty() ? "" : lineBreak(text) + leftOut;
+  const std::string kept = describeKept(assembly);
+  text += kept.empty() ? "" : lineBreak(text) + kept;
   return text;
 }
 

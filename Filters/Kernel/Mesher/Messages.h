@@ -18,7 +18,7 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
 std::string describeOverhang(const PreparedSurface& prepared);
 
 // Boxes whose patches were made anew, and those that are left out; cells that are left out, whatever the reason, if they
-// are more than a thousandth of the volume. `names`: of boundaries.
+// are more than a thousandth of the volume; cells that stay although solvers may refuse them. `names`: of boundaries.
 std::string describeFlaws(
   const Assembly& assembly, const std::map<std::int32_t, std::string>& names = {});
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Optimisation/FaceEdits.h"
 
-#include "Acceptance/CellFaults.h"
 #include "Base/Sorting.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace cartesian
 {
@@ -41,21 +39,6 @@ void removeSpikes(std::vector<std::uint32_t>& ring)
 
 }
 
-bool FaceEdits::Side::operator<(const Side& other) const
-{
-  return std::tie(low, high, isUp, face) < std::tie(other.low, other.high, other.isUp, other.face);
-}
-
-bool FaceEdits::Side::hasSameEdge(const Side& other) const
-{
-  return low == other.low && high == other.high;
-}
-
-bool FaceEdits::Side::isOpposite(const Side& other) const
-{
-  return hasSameEdge(other) && isUp != other.isUp;
-}
-
 void NumberLists::set(std::size_t i, const std::vector<std::uint32_t>& numbers)
 {
   if (numbers.size() > size_[i])
@@ -69,6 +52,7 @@ void NumberLists::set(std::size_t i, const std::vector<std::uint32_t>& numbers)
 
 FaceEdits::FaceEdits(NodeMesh& mesh)
   : m_(mesh)
+  , closed_(mesh)
   , isEdited_(mesh.faces.size())
   , isGone_(mesh.faces.size())
 {
@@ -136,63 +120,63 @@ bool FaceEdits::areBetweenTheSame(std::uint32_t f, std::uint32_t g) const
 
 void FaceEdits::keep(const Surroundings& around)
 {
-  faces_ = around.faces;
-  cells_ = around.cells;
-  remaining_ = around.faces;
-  corners_ = m_.faces.corners.size();
-  kept_.clear();
-  rings_.clear();
-  for (const std::uint32_t f : faces_)
+  now_.faces = around.faces;
+  now_.cells = around.cells;
+  now_.remaining = around.faces;
+  now_.corners = m_.faces.corners.size();
+  now_.kept.clear();
+  now_.rings.clear();
+  for (const std::uint32_t f : now_.faces)
   {
-    rings_.push_back(kept(m_.faces.corners, m_.faces.start[f], m_.faces.stop[f]));
+    now_.rings.push_back(kept(m_.faces.corners, m_.faces.start[f], m_.faces.stop[f]));
   }
-  cornersKept_ = kept_.size();
-  uses_.clear();
-  for (const std::uint32_t c : cells_)
+  now_.cornersKept = now_.kept.size();
+  now_.uses.clear();
+  for (const std::uint32_t c : now_.cells)
   {
-    uses_.push_back(kept(m_.cells.uses, m_.cells.firstUse[c], m_.cells.endUse[c]));
+    now_.uses.push_back(kept(m_.cells.uses, m_.cells.firstUse[c], m_.cells.endUse[c]));
   }
 }
 
 FaceEdits::Range FaceEdits::kept(const Numbers& from, std::uint32_t begin, std::uint32_t end)
 {
-  const Range range{ begin, end, kept_.size() };
-  kept_.insert(kept_.end(), from.begin() + begin, from.begin() + end);
+  const Range range{ begin, end, now_.kept.size() };
+  now_.kept.insert(now_.kept.end(), from.begin() + begin, from.begin() + end);
   return range;
 }
 
 void FaceEdits::putBack(const Range& range, Numbers& into) const
 {
-  const auto first = kept_.begin() + std::ptrdiff_t(range.kept);
+  const auto first = now_.kept.begin() + std::ptrdiff_t(range.kept);
   std::copy(first, first + (range.end - range.begin), into.begin() + range.begin);
 }
 
 void FaceEdits::putBack()
 {
-  m_.faces.corners.resize(corners_);
-  for (std::size_t i = 0; i < faces_.size(); ++i)
+  m_.faces.corners.resize(now_.corners);
+  for (std::size_t i = 0; i < now_.faces.size(); ++i)
   {
-    m_.faces.start[faces_[i]] = rings_[i].begin;
-    m_.faces.stop[faces_[i]] = rings_[i].end;
-    putBack(rings_[i], m_.faces.corners);
-    isGone_[faces_[i]] = 0;
+    m_.faces.start[now_.faces[i]] = now_.rings[i].begin;
+    m_.faces.stop[now_.faces[i]] = now_.rings[i].end;
+    putBack(now_.rings[i], m_.faces.corners);
+    isGone_[now_.faces[i]] = 0;
   }
-  for (std::size_t i = 0; i < cells_.size(); ++i)
+  for (std::size_t i = 0; i < now_.cells.size(); ++i)
   {
-    m_.cells.endUse[cells_[i]] = uses_[i].end;
-    putBack(uses_[i], m_.cells.uses);
+    m_.cells.endUse[now_.cells[i]] = now_.uses[i].end;
+    putBack(now_.uses[i], m_.cells.uses);
   }
 }
 
 void FaceEdits::commit()
 {
-  for (const std::uint32_t f : faces_)
+  for (const std::uint32_t f : now_.faces)
   {
     isEdited_[f] = 1;
   }
   // Corners that were lose faces, those that are get some.
-  ring_.assign(kept_.begin(), kept_.begin() + std::ptrdiff_t(cornersKept_));
-  for (const std::uint32_t f : remaining_)
+  ring_.assign(now_.kept.begin(), now_.kept.begin() + std::ptrdiff_t(now_.cornersKept));
+  for (const std::uint32_t f : now_.remaining)
   {
     m_.forEachCorner(f, [&](std::uint32_t node) { ring_.push_back(node); });
   }
@@ -201,7 +185,7 @@ void FaceEdits::commit()
   {
     const NumberLists::List faces = facesOf_[node];
     other_.assign(faces.begin(), faces.end());
-    other_.insert(other_.end(), remaining_.begin(), remaining_.end());
+    other_.insert(other_.end(), now_.remaining.begin(), now_.remaining.end());
     other_.erase(std::remove_if(other_.begin(), other_.end(),
                    [&](std::uint32_t f) { return isGone_[f] || !hasCorner(f, node); }),
       other_.end());
@@ -213,7 +197,8 @@ void FaceEdits::commit()
 void FaceEdits::remove(std::uint32_t f)
 {
   isGone_[f] = 1;
-  remaining_.erase(std::remove(remaining_.begin(), remaining_.end(), f), remaining_.end());
+  now_.remaining.erase(
+    std::remove(now_.remaining.begin(), now_.remaining.end(), f), now_.remaining.end());
   for (const std::uint32_t c : m_.faces.cells[f])
   {
     if (c < m_.cells.changing)
@@ -229,7 +214,7 @@ void FaceEdits::remove(std::uint32_t f)
 void FaceEdits::setRing(std::uint32_t f, const Numbers& ring)
 {
   const auto size = static_cast<std::uint32_t>(ring.size());
-  if (size > sizeOf(f))
+  if (size > m_.faces.sizeOf(f))
   {
     m_.faces.start[f] = static_cast<std::uint32_t>(m_.faces.corners.size());
     m_.faces.corners.resize(m_.faces.corners.size() + size);
@@ -241,7 +226,7 @@ void FaceEdits::setRing(std::uint32_t f, const Numbers& ring)
 bool FaceEdits::collapse(std::uint32_t from, std::uint32_t into, const Surroundings& around)
 {
   keep(around);
-  return std::all_of(faces_.begin(), faces_.end(), [&](std::uint32_t f) {
+  return std::all_of(now_.faces.begin(), now_.faces.end(), [&](std::uint32_t f) {
     copyRing(f, ring_);
     std::replace(ring_.begin(), ring_.end(), from, into);
     removeSpikes(ring_);
@@ -303,18 +288,18 @@ bool FaceEdits::traceUnion()
     return std::find(edges_.begin(), edges_.end(),
              std::array<std::uint32_t, 2>{ edge[1], edge[0] }) != edges_.end();
   };
-  pairs_.clear();
-  std::copy_if(edges_.begin(), edges_.end(), std::back_inserter(pairs_),
+  outer_.clear();
+  std::copy_if(edges_.begin(), edges_.end(), std::back_inserter(outer_),
     [&](const auto& edge) { return !isInner(edge); });
-  if (pairs_.size() < 3 || pairs_.size() == edges_.size())
+  if (outer_.size() < 3 || outer_.size() == edges_.size())
   {
     return false;
   }
-  for (std::uint32_t at = pairs_.front()[0]; ring_.size() < pairs_.size();)
+  for (std::uint32_t at = outer_.front()[0]; ring_.size() < outer_.size();)
   {
     const auto next =
-      std::find_if(pairs_.begin(), pairs_.end(), [&](const auto& edge) { return edge[0] == at; });
-    if (next == pairs_.end() || std::find(ring_.begin(), ring_.end(), at) != ring_.end())
+      std::find_if(outer_.begin(), outer_.end(), [&](const auto& edge) { return edge[0] == at; });
+    if (next == outer_.end() || std::find(ring_.begin(), ring_.end(), at) != ring_.end())
     {
       return false;
     }
@@ -336,59 +321,10 @@ bool FaceEdits::areOnlyOf(std::uint32_t node, std::uint32_t f, std::uint32_t g) 
 
 bool FaceEdits::isSound()
 {
-  return std::all_of(cells_.begin(), cells_.end(), [&](std::uint32_t c) { return isClosed(c); }) &&
-    std::none_of(remaining_.begin(), remaining_.end(), [&](std::uint32_t f) { return hasTwin(f); });
-}
-
-// Whether each edge of a cell is between two faces, which have others too.
-bool FaceEdits::isClosed(std::uint32_t c)
-{
-  if (m_.cells.endUse[c] - m_.cells.firstUse[c] < LeastFaces)
-  {
-    return false;
-  }
-  sides_.clear();
-  for (std::uint32_t u = m_.cells.firstUse[c]; u < m_.cells.endUse[c]; ++u)
-  {
-    const std::uint32_t f = m_.cells.uses[u];
-    const bool turned = m_.faces.cells[f][0] != c;
-    std::uint32_t from = m_.faces.corners[m_.faces.stop[f] - 1];
-    m_.forEachCorner(f, [&](std::uint32_t to) {
-      sides_.push_back({ std::min(from, to), std::max(from, to), (from < to) != turned, f });
-      from = to;
-    });
-  }
-  std::sort(sides_.begin(), sides_.end());
-  pairs_.clear();
-  for (std::size_t i = 0; i < sides_.size(); i += 2)
-  {
-    if (i + 1 == sides_.size() || !sides_[i].isOpposite(sides_[i + 1]) ||
-      (i + 2 < sides_.size() && sides_[i].hasSameEdge(sides_[i + 2])))
-    {
-      return false;
-    }
-    pairs_.push_back({ std::min(sides_[i].face, sides_[i + 1].face),
-      std::max(sides_[i].face, sides_[i + 1].face) });
-  }
-  return !areFoldedTogether();
-}
-
-// Whether two of the faces that share an edge share all edges of one of them: nothing is between.
-bool FaceEdits::areFoldedTogether()
-{
-  std::sort(pairs_.begin(), pairs_.end());
-  for (auto begin = pairs_.begin(); begin != pairs_.end();)
-  {
-    const auto end =
-      std::find_if(begin, pairs_.end(), [&](const auto& pair) { return pair != *begin; });
-    const auto shared = static_cast<std::size_t>(end - begin);
-    if (shared >= std::min(sizeOf((*begin)[0]), sizeOf((*begin)[1])))
-    {
-      return true;
-    }
-    begin = end;
-  }
-  return false;
+  return std::all_of(now_.cells.begin(), now_.cells.end(),
+           [&](std::uint32_t c) { return closed_.isClosed(c); }) &&
+    std::none_of(
+      now_.remaining.begin(), now_.remaining.end(), [&](std::uint32_t f) { return hasTwin(f); });
 }
 
 // Whether another face has the same nodes, or, where that is not known, may have.
@@ -399,7 +335,7 @@ bool FaceEdits::hasTwin(std::uint32_t f)
   const auto node = std::find_if(
     ring_.begin(), ring_.end(), [&](std::uint32_t n) { return m_.nodes.mayMove[n] != 0; });
   const auto isTwin = [&](std::uint32_t g) {
-    if (g == f || isGone_[g] || sizeOf(g) != ring_.size())
+    if (g == f || isGone_[g] || m_.faces.sizeOf(g) != ring_.size())
     {
       return false;
     }
@@ -409,7 +345,7 @@ bool FaceEdits::hasTwin(std::uint32_t f)
   };
   return node == ring_.end() ||
     std::any_of(facesOf_[*node].begin(), facesOf_[*node].end(), isTwin) ||
-    std::any_of(remaining_.begin(), remaining_.end(), isTwin);
+    std::any_of(now_.remaining.begin(), now_.remaining.end(), isTwin);
 }
 
 std::vector<FaceEdit> FaceEdits::edits() const

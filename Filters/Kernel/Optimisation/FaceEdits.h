@@ -3,7 +3,7 @@
 // edit is tried out in place, then committed or put back. The faces of cells stay closed, and no two have the same nodes.
 #pragma once
 
-#include "Optimisation/NodeMesh.h"
+#include "Optimisation/ClosedCells.h"
 
 namespace cartesian
 {
@@ -85,7 +85,7 @@ public:
   void putBack();
 
   // What remains of the faces of the edit, in order.
-  const std::vector<std::uint32_t>& remaining() const { return remaining_; }
+  const std::vector<std::uint32_t>& remaining() const { return now_.remaining; }
 
   // Whether all cells of the edit are closed, and no face has the nodes of another.
   bool isSound();
@@ -104,20 +104,6 @@ private:
     std::size_t kept; // the first of its numbers in kept_
   };
 
-  // An edge of a cell, by one of its faces.
-  struct Side
-  {
-    std::uint32_t low;
-    std::uint32_t high;
-    bool isUp;
-    std::uint32_t face;
-
-    bool operator<(const Side& other) const;
-    bool isOpposite(const Side& other) const;
-    bool hasSameEdge(const Side& other) const;
-  };
-
-  std::size_t sizeOf(std::uint32_t f) const { return m_.faces.stop[f] - m_.faces.start[f]; }
   void copyRing(std::uint32_t f, Numbers& ring) const;
   Range kept(const Numbers& from, std::uint32_t begin, std::uint32_t end);
   void putBack(const Range& range, Numbers& into) const;
@@ -127,31 +113,33 @@ private:
   void listEdges(std::uint32_t f, bool turned);
   bool traceUnion();
   bool areOnlyOf(std::uint32_t node, std::uint32_t f, std::uint32_t g) const;
-  bool isClosed(std::uint32_t c);
-  bool areFoldedTogether();
   bool hasTwin(std::uint32_t f);
 
+  // The present edit, and how all was before it.
+  struct Present
+  {
+    Numbers faces;
+    Numbers cells;
+    Numbers remaining;
+    std::vector<Range> rings; // of faces
+    std::vector<Range> uses;  // of cells
+    Numbers kept;             // of both, corners first
+    std::size_t cornersKept = 0;
+    std::size_t corners = 0; // how many there were
+  };
+
   NodeMesh& m_;
+  ClosedCells closed_;
   NumberLists facesOf_; // of nodes
   std::vector<std::uint8_t> isEdited_;
   std::vector<std::uint8_t> isGone_;
-
-  // Of the present edit:
-  Numbers faces_;
-  Numbers cells_;
-  Numbers remaining_;
-  std::vector<Range> rings_; // of faces
-  std::vector<Range> uses_;  // of cells
-  Numbers kept_;             // of both, corners first
-  std::size_t cornersKept_ = 0;
-  std::size_t corners_ = 0; // how many there were
+  Present now_;
 
   // Kept for their memory:
   Numbers ring_;
   Numbers other_;
   std::vector<std::array<std::uint32_t, 2>> edges_;
-  std::vector<std::array<std::uint32_t, 2>> pairs_;
-  std::vector<Side> sides_;
+  std::vector<std::array<std::uint32_t, 2>> outer_;
 };
 
 template <class ForEach>

@@ -2,6 +2,7 @@
 #include "Optimisation/MeshEnergy.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace cartesian
 {
@@ -25,13 +26,13 @@ MeshEnergy::MeshEnergy(NodeMesh& mesh, const LayerPrisms& prisms, const std::vec
   , prisms_(prisms)
   , isMoving_(std::move(isMoving))
   , edges_(edges)
-  , faces_(mesh.faces.size())
-  , stars_(mesh.faces.size())
-  , energies_(mesh.faces.size())
-  , byFaces_(mesh.faces.size())
-  , byCells_(mesh.cells.measures.size())
-  , energyOfCell_(mesh.cells.changing)
 {
+  faces_.measures.resize(mesh.faces.size());
+  faces_.stars.resize(mesh.faces.size());
+  faces_.energies.resize(mesh.faces.size());
+  faces_.derivatives.resize(mesh.faces.size());
+  cells_.derivatives.resize(mesh.cells.measures.size());
+  cells_.energies.resize(mesh.cells.changing);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
   {
     if (!isMoving_[f])
@@ -40,6 +41,8 @@ MeshEnergy::MeshEnergy(NodeMesh& mesh, const LayerPrisms& prisms, const std::vec
     }
   }
 }
+
+// --- of all
 
 void MeshEnergy::evaluate()
 {
@@ -54,34 +57,45 @@ void MeshEnergy::evaluate()
   {
     m_.cells.measures[c] = measureOf(c);
   }
-  std::fill(byFaces_.begin(), byFaces_.end(), FaceGradient{});
-  std::fill(byCells_.begin(), byCells_.end(), CellGradient{});
-  std::fill(energyOfCell_.begin(), energyOfCell_.end(), 0);
+  std::fill(faces_.derivatives.begin(), faces_.derivatives.end(), FaceGradient{});
+  std::fill(cells_.derivatives.begin(), cells_.derivatives.end(), CellGradient{});
+  std::fill(cells_.energies.begin(), cells_.energies.end(), 0);
   for (std::size_t f = 0; f < m_.faces.size(); ++f)
   {
-    evaluateFace(f);
+    evaluateFace(f, true);
     for (const std::uint32_t c : m_.faces.cells[f])
     {
       if (c < m_.cells.changing)
       {
-        energyOfCell_[c] += energies_[f].all;
+        cells_.energies[c] += faces_.energies[f].all;
       }
     }
   }
   for (std::uint32_t c = 0; c < prisms_.firstCell; ++c)
   {
-    energyOfCell_[c] += energyOfSize(c);
+    cells_.energies[c] += energyOfSize(c);
+    differentiateSize(c);
   }
 }
 
-double MeshEnergy::energyOfSize(std::uint32_t c)
+void MeshEnergy::differentiate()
 {
-  double byShare = 0;
-  const double energy =
-    energyOfShare(m_.cells.measures[c].volume / m_.cells.volumeOfBox[c], byShare);
-  byCells_[c].volume += byShare / m_.cells.volumeOfBox[c];
-  return energy;
+  for (std::uint32_t c = 0; c < m_.cells.changing; ++c)
+  {
+    passOn(c);
+  }
 }
+
+void MeshEnergy::keepLimits(const std::vector<FaceEnergy>& limits, double fair)
+{
+  for (std::size_t f = 0; f < limits.size(); ++f)
+  {
+    faces_.mostLimits.push_back(std::max(fair, limits[f].limits));
+    faces_.energies[f].all += costOfWorse(f);
+  }
+}
+
+// --- of some
 
 void MeshEnergy::measure(const std::vector<std::uint32_t>& faces)
 {
@@ -91,33 +105,17 @@ void MeshEnergy::measure(const std::vector<std::uint32_t>& faces)
   }
 }
 
-void MeshEnergy::keepLimits(const std::vector<FaceEnergy>& limits, double fair)
+double MeshEnergy::sizesOf(const std::vector<std::uint32_t>& cells) const
 {
-  for (std::size_t f = 0; f < limits.size(); ++f)
-  {
-    mostLimits_.push_back(std::max(fair, limits[f].limits));
-    energies_[f].all += costOfWorse(f);
-  }
+  return std::accumulate(cells.begin(), cells.end(), 0.0,
+    [&](double sum, std::uint32_t c) { return sum + energyOfSize(c); });
 }
 
-double MeshEnergy::costOfWorse(std::size_t f) const
+double MeshEnergy::known(const Surroundings& around) const
 {
-  return mostLimits_.empty() ? 0
-                             : CostOfWorse * std::max(0.0, energies_[f].limits - mostLimits_[f]);
-}
-
-double MeshEnergy::known(const Surroundings& around)
-{
-  double sum = 0;
-  for (const std::uint32_t c : around.cells)
-  {
-    sum += c < prisms_.firstCell ? energyOfSize(c) : 0;
-  }
-  for (const std::uint32_t f : around.facesOfCells)
-  {
-    sum += energies_[f].all;
-  }
-  return sum;
+  return std::accumulate(around.facesOfCells.begin(), around.facesOfCells.end(),
+    sizesOf(around.cells),
+    [&](double sum, std::uint32_t f) { return sum + faces_.energies[f].all; });
 }
 
 double MeshEnergy::evaluate(const Surroundings& around, double most)
@@ -126,25 +124,32 @@ double MeshEnergy::evaluate(const Surroundings& around, double most)
   for (const std::uint32_t c : around.cells)
   {
     m_.cells.measures[c] = measureOf(c);
-    byCells_[c] = {};
   }
-  double sum = 0;
-  for (const std::uint32_t c : around.cells)
-  {
-    sum += c < prisms_.firstCell ? energyOfSize(c) : 0;
-  }
+  double sum = sizesOf(around.cells);
   for (std::size_t i = 0; i < around.facesOfCells.size() && sum <= most; ++i)
   {
     const std::uint32_t f = around.facesOfCells[i];
-    byFaces_[f] = {};
-    evaluateFace(f);
-    sum += energies_[f].all;
+    evaluateFace(f, false);
+    sum += faces_.energies[f].all;
   }
   return sum;
 }
 
 Vector MeshEnergy::derivative(const Surroundings& around, std::uint32_t node)
 {
+  for (const std::uint32_t f : around.facesOfCells)
+  {
+    faces_.derivatives[f] = {};
+  }
+  for (const std::uint32_t c : around.cells)
+  {
+    cells_.derivatives[c] = {};
+    differentiateSize(c);
+  }
+  for (const std::uint32_t f : around.facesOfCells)
+  {
+    evaluateFace(f, true);
+  }
   for (const std::uint32_t c : around.cells)
   {
     passOn(c);
@@ -172,8 +177,8 @@ void MeshEnergy::keep(const Surroundings& around, Kept& kept) const
   kept.energies.clear();
   for (const std::uint32_t f : around.faces)
   {
-    kept.faces.push_back(faces_[f]);
-    kept.stars.push_back(stars_[f]);
+    kept.faces.push_back(faces_.measures[f]);
+    kept.stars.push_back(faces_.stars[f]);
   }
   for (const std::uint32_t c : around.cells)
   {
@@ -181,7 +186,7 @@ void MeshEnergy::keep(const Surroundings& around, Kept& kept) const
   }
   for (const std::uint32_t f : around.facesOfCells)
   {
-    kept.energies.push_back(energies_[f]);
+    kept.energies.push_back(faces_.energies[f]);
   }
 }
 
@@ -189,8 +194,8 @@ void MeshEnergy::putBack(const Surroundings& around, const Kept& kept)
 {
   for (std::size_t i = 0; i < around.faces.size(); ++i)
   {
-    faces_[around.faces[i]] = kept.faces[i];
-    stars_[around.faces[i]] = kept.stars[i];
+    faces_.measures[around.faces[i]] = kept.faces[i];
+    faces_.stars[around.faces[i]] = kept.stars[i];
   }
   for (std::size_t i = 0; i < around.cells.size(); ++i)
   {
@@ -198,81 +203,108 @@ void MeshEnergy::putBack(const Surroundings& around, const Kept& kept)
   }
   for (std::size_t i = 0; i < around.facesOfCells.size(); ++i)
   {
-    energies_[around.facesOfCells[i]] = kept.energies[i];
+    faces_.energies[around.facesOfCells[i]] = kept.energies[i];
   }
 }
+
+// --- of one
 
 void MeshEnergy::measureFace(std::size_t f)
 {
   triangles_.clear();
-  faces_[f] = cartesian::measureFace(
-    cornersOf(f), [&](std::size_t i) -> const Vector& { return corner(f, i); },
+  faces_.measures[f] = cartesian::measureFace(
+    m_.faces.sizeOf(f), [&](std::size_t i) -> const Vector& { return corner(f, i); },
     [&](const Vector& area) { triangles_.push_back(area); });
   StarShare share;
   for (const Vector& triangle : triangles_)
   {
-    share.add(dot(triangle, faces_[f].area));
+    share.add(dot(triangle, faces_.measures[f].area));
   }
-  stars_[f] = share.smallest(cornersOf(f), faces_[f].area);
+  faces_.stars[f] = share.smallest(m_.faces.sizeOf(f), faces_.measures[f].area);
 }
 
 CellGeometry MeshEnergy::measureOf(std::uint32_t c) const
 {
   const std::uint32_t* const begin = m_.cells.uses.data() + m_.cells.firstUse[c];
   return measureCell(m_.cells.endUse[c] - m_.cells.firstUse[c], [&](std::size_t i) {
-    FaceGeometry face = faces_[begin[i]];
+    FaceGeometry face = faces_.measures[begin[i]];
     face.area = m_.faces.cells[begin[i]][0] == c ? face.area : scaled(face.area, -1);
     return face;
   });
 }
 
-void MeshEnergy::evaluateFace(std::size_t f)
+void MeshEnergy::evaluateFace(std::size_t f, bool differentiates)
 {
   if (!prisms_.counts[f])
   {
     return;
   }
-  const auto& cells = m_.faces.cells[f];
-  const Ring ring{ m_.nodes.at.data(), m_.faces.corners.data() + m_.faces.start[f], cornersOf(f) };
-  energies_[f] = m_.isWall(f)
-    ? energyOfWall(f, ring)
-    : energyOfInnerFace(faces_[f], ring, edges_[f], m_.cells.measures[cells[0]],
-        m_.cells.measures[cells[1]], byFaces_[f], byCells_[cells[0]], byCells_[cells[1]]);
-  energies_[f].all += costOfWorse(f) + (isFolded(f) ? OfFoldedFace : 0);
+  const auto& [below, above] = m_.faces.cells[f];
+  const Ring ring{ m_.nodes.at.data(), m_.faces.corners.data() + m_.faces.start[f],
+    m_.faces.sizeOf(f) };
+  const Gradients gradients{ &faces_.derivatives[f], &cells_.derivatives[below],
+    above == None ? nullptr : &cells_.derivatives[above] };
+  FaceEnergy& energy = faces_.energies[f];
+  energy = m_.isWall(f)
+    ? energyOfWall(f, ring, differentiates)
+    : energyOfInnerFace(faces_.measures[f], ring, edges_[f], m_.cells.measures[below],
+        m_.cells.measures[above], differentiates ? &gradients : nullptr);
+  energy.all += costOfWorse(f) + (isFolded(f) ? OfFoldedFace : 0);
 }
 
 // Between two regions it is a boundary face for the solvers of both.
-FaceEnergy MeshEnergy::energyOfWall(std::size_t f, const Ring& ring)
+FaceEnergy MeshEnergy::energyOfWall(std::size_t f, const Ring& ring, bool differentiates)
 {
-  const auto& cells = m_.faces.cells[f];
-  FaceEnergy energy = energyOfBoundaryFace(
-    faces_[f], ring, edges_[f], m_.cells.measures[cells[0]], byFaces_[f], byCells_[cells[0]]);
-  if (cells[1] != None)
+  const auto& [below, above] = m_.faces.cells[f];
+  const auto energyFrom = [&](std::uint32_t c, const FaceGeometry& face, FaceGradient& ofFace) {
+    const Gradients gradients{ &ofFace, &cells_.derivatives[c], nullptr };
+    return energyOfBoundaryFace(
+      face, ring, edges_[f], m_.cells.measures[c], differentiates ? &gradients : nullptr);
+  };
+  FaceEnergy energy = energyFrom(below, faces_.measures[f], faces_.derivatives[f]);
+  if (above != None)
   {
-    FaceGeometry turned = faces_[f];
+    FaceGeometry turned = faces_.measures[f];
     turned.area = scaled(turned.area, -1);
     FaceGradient ofTurned;
-    const FaceEnergy other = energyOfBoundaryFace(
-      turned, ring, edges_[f], m_.cells.measures[cells[1]], ofTurned, byCells_[cells[1]]);
+    const FaceEnergy other = energyFrom(above, turned, ofTurned);
     energy.limits += other.limits;
     energy.all += other.all;
-    byFaces_[f].centre = plus(byFaces_[f].centre, ofTurned.centre);
-    byFaces_[f].area = minus(byFaces_[f].area, ofTurned.area);
+    FaceGradient& ofFace = faces_.derivatives[f];
+    ofFace.centre = plus(ofFace.centre, ofTurned.centre);
+    ofFace.area = minus(ofFace.area, ofTurned.area);
   }
   return energy;
 }
 
-bool MeshEnergy::isFolded(std::size_t f) const
+double MeshEnergy::energyOfSize(std::uint32_t c) const
 {
-  return isMoving_[f] && !leastStars_.empty() && stars_[f] < std::min(LeastOfStar, leastStars_[f]);
+  return c < prisms_.firstCell
+    ? energyOfShare(m_.cells.measures[c].volume / m_.cells.volumeOfBox[c])
+    : 0;
 }
 
-void MeshEnergy::differentiate()
+void MeshEnergy::differentiateSize(std::uint32_t c)
 {
-  for (std::uint32_t c = 0; c < m_.cells.changing; ++c)
+  if (c < prisms_.firstCell)
   {
-    passOn(c);
+    cells_.derivatives[c].volume +=
+      derivativeOfShare(m_.cells.measures[c].volume / m_.cells.volumeOfBox[c]) /
+      m_.cells.volumeOfBox[c];
   }
+}
+
+double MeshEnergy::costOfWorse(std::size_t f) const
+{
+  return faces_.mostLimits.empty()
+    ? 0
+    : CostOfWorse * std::max(0.0, faces_.energies[f].limits - faces_.mostLimits[f]);
+}
+
+bool MeshEnergy::isFolded(std::size_t f) const
+{
+  return isMoving_[f] && !faces_.leastStars.empty() &&
+    faces_.stars[f] < std::min(LeastOfStar, faces_.leastStars[f]);
 }
 
 // From a cell to its faces: its centre is that of the pyramids over the faces, around the mean of their centres.
@@ -283,24 +315,25 @@ void MeshEnergy::passOn(std::uint32_t c)
   Vector mean{};
   for (std::size_t i = 0; i < size; ++i)
   {
-    mean = plus(mean, faces_[begin[i]].centre);
+    mean = plus(mean, faces_.measures[begin[i]].centre);
   }
   mean = scaled(mean, 1.0 / static_cast<double>(size));
   const double volume = std::max(m_.cells.measures[c].volume, Tiny);
   const Vector centre = minus(m_.cells.measures[c].centre, mean);
-  const CellGradient& own = byCells_[c];
+  const CellGradient& own = cells_.derivatives[c];
   for (std::size_t i = 0; i < size; ++i)
   {
     const std::uint32_t f = begin[i];
     const double sign = m_.faces.cells[f][0] == c ? 1 : -1;
-    const Vector height = minus(faces_[f].centre, mean);
-    const double pyramid = sign * dot(height, faces_[f].area) / 3;
+    const Vector height = minus(faces_.measures[f].centre, mean);
+    const double pyramid = sign * dot(height, faces_.measures[f].area) / 3;
     const double byPyramid =
       dot(minus(scaled(height, 0.75), centre), own.centre) / volume + own.volume;
-    byFaces_[f].centre = plus(byFaces_[f].centre,
-      plus(
-        scaled(own.centre, 0.75 * pyramid / volume), scaled(faces_[f].area, sign * byPyramid / 3)));
-    byFaces_[f].area = plus(byFaces_[f].area, scaled(height, sign * byPyramid / 3));
+    faces_.derivatives[f].centre = plus(faces_.derivatives[f].centre,
+      plus(scaled(own.centre, 0.75 * pyramid / volume),
+        scaled(faces_.measures[f].area, sign * byPyramid / 3)));
+    faces_.derivatives[f].area =
+      plus(faces_.derivatives[f].area, scaled(height, sign * byPyramid / 3));
   }
 }
 

@@ -17,7 +17,7 @@ public:
   MeshEnergy(NodeMesh& mesh, const LayerPrisms& prisms, const std::vector<double>& edges,
     std::vector<std::uint8_t> isMoving);
 
-  // As all nodes are now: measures and energies.
+  // As all nodes are now: measures, energies, and their derivatives by measures.
   void evaluate();
 
   // Some faces alone.
@@ -28,9 +28,9 @@ public:
   double evaluate(const Surroundings& around, double most);
 
   // The same sum, of what was evaluated last.
-  double known(const Surroundings& around);
+  double known(const Surroundings& around) const;
 
-  // The derivative of that sum by the place of a node, and of the prism on it: once after each evaluation.
+  // The derivative of that sum by the place of a node, and of the prism on it.
   Vector derivative(const Surroundings& around, std::uint32_t node);
 
   // What evaluate() changes, to be put back.
@@ -48,14 +48,20 @@ public:
   void keepLimits(const std::vector<FaceEnergy>& limits, double fair);
 
   // From now on a face is folded if its star is worse than now, and bad.
-  void keepStars() { leastStars_ = stars_; }
+  void keepStars() { faces_.leastStars = faces_.stars; }
 
   // Of faces; cells' energies are the sums of their faces', and what their own size costs.
-  const std::vector<FaceEnergy>& ofFaces() const { return energies_; }
-  double ofCell(std::uint32_t c) const { return c < energyOfCell_.size() ? energyOfCell_[c] : 0; }
+  const std::vector<FaceEnergy>& ofFaces() const { return faces_.energies; }
+  double ofCell(std::uint32_t c) const
+  {
+    return c < cells_.energies.size() ? cells_.energies[c] : 0;
+  }
 
-  const FaceGeometry& measures(std::size_t f) const { return faces_[f]; }
-  double star(std::size_t f) const { return stars_[f]; } // its smallest triangle, by the mean one
+  const FaceGeometry& measures(std::size_t f) const { return faces_.measures[f]; }
+  double star(std::size_t f) const
+  {
+    return faces_.stars[f];
+  } // its smallest triangle, by the mean one
 
   bool isMoving(std::size_t f) const { return isMoving_[f] != 0; }
   bool isFolded(std::size_t f) const;
@@ -72,28 +78,39 @@ private:
   {
     return m_.nodes.at[m_.faces.corners[m_.faces.start[f] + i]];
   }
-  std::size_t cornersOf(std::size_t f) const { return m_.faces.stop[f] - m_.faces.start[f]; }
 
   void measureFace(std::size_t f);
   CellGeometry measureOf(std::uint32_t c) const;
-  void evaluateFace(std::size_t f);
-  FaceEnergy energyOfWall(std::size_t f, const Ring& ring);
-  void passOn(std::uint32_t c);
-  double energyOfSize(std::uint32_t c);
+  double energyOfSize(std::uint32_t c) const;
+  void differentiateSize(std::uint32_t c);
+  double sizesOf(const std::vector<std::uint32_t>& cells) const;
   double costOfWorse(std::size_t f) const;
+  void evaluateFace(std::size_t f, bool differentiates);
+  FaceEnergy energyOfWall(std::size_t f, const Ring& ring, bool differentiates);
+  void passOn(std::uint32_t c);
+
+  struct OfFaces
+  {
+    std::vector<FaceGeometry> measures;
+    std::vector<double> stars;      // smallest triangles of stars
+    std::vector<double> leastStars; // ... before
+    std::vector<double> mostLimits; // beyond which they cost more
+    std::vector<FaceEnergy> energies;
+    std::vector<FaceGradient> derivatives;
+  };
+
+  struct OfCells
+  {
+    std::vector<CellGradient> derivatives;
+    std::vector<double> energies;
+  };
 
   NodeMesh& m_;
   const LayerPrisms& prisms_;
   const std::vector<std::uint8_t> isMoving_;
   const std::vector<double>& edges_;
-  std::vector<FaceGeometry> faces_;
-  std::vector<double> stars_;      // smallest triangles of stars
-  std::vector<double> leastStars_; // ... before
-  std::vector<double> mostLimits_; // of faces, beyond which they cost more
-  std::vector<FaceEnergy> energies_;
-  std::vector<FaceGradient> byFaces_;
-  std::vector<CellGradient> byCells_;
-  std::vector<double> energyOfCell_;
+  OfFaces faces_;
+  OfCells cells_;
   std::vector<Vector> triangles_; // areas, of a face's star
 };
 
@@ -101,10 +118,10 @@ private:
 template <class Add>
 void MeshEnergy::forEachDerivative(std::size_t f, Add&& add) const
 {
-  const FaceGeometry& face = faces_[f];
+  const FaceGeometry& face = faces_.measures[f];
   const Vector normal = unit(face.area);
   const double size = std::max(norm(face.area), Tiny);
-  const std::size_t count = cornersOf(f);
+  const std::size_t count = m_.faces.sizeOf(f);
   Vector ofMean{};
   Vector mean{};
   for (std::size_t i = 0; i < count; ++i)
@@ -112,7 +129,7 @@ void MeshEnergy::forEachDerivative(std::size_t f, Add&& add) const
     mean = plus(mean, corner(f, i));
   }
   mean = scaled(mean, 1.0 / static_cast<double>(count));
-  const FaceGradient& own = byFaces_[f];
+  const FaceGradient& own = faces_.derivatives[f];
   const Vector fromCentre = minus(mean, face.centre);
   for (std::size_t i = 0; i < count; ++i)
   {

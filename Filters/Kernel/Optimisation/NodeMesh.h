@@ -44,6 +44,7 @@ struct NodeMesh
     }
 
     std::size_t size() const { return cells.size(); }
+    std::size_t sizeOf(std::size_t f) const { return stop[f] - start[f]; } // its corners
   };
 
   // First those with a node that may move, whose faces are all here; then their neighbours, which keep their measures.

@@ -148,10 +148,28 @@ public:
       improve();
     }
     finish();
+    listKept();
     return result();
   }
 
 private:
+  void listKept()
+  {
+    MeasuredCell cell;
+    for (const CellKey key : merger_.refused(isLast_))
+    {
+      complex_.lookAround(key, cell);
+      if (failsCheckMesh(faultsOf(cell.shape, cell.measures, cell.beyond)))
+      {
+        shaping_.isAnyRefused = true;
+        if (complex_.counts(key) > 0)
+        {
+          shaping_.kept.push_back(complex_.boxOf(key));
+        }
+      }
+    }
+  }
+
   void finish()
   {
     removeTips();
@@ -331,6 +349,9 @@ struct Shares
   double removal;
 };
 
+// What the first has exposed, the second may mend.
+constexpr int RemovalPasses = 2;
+
 constexpr std::array<Shares, ShapingStages> SharesOfStages{ { { 0.35, 0.5, 0.2 },
   { 0.45, 0.6, 0.8 } } };
 
@@ -359,8 +380,13 @@ public:
     {
       shape(shares.removal, [](Shaper& shaper) { return shaper.mendRefused(); });
       keepFailing();
-      optimise(shares.optimisation, NodesMove::AtPoorFaces);
-      shape(shares.removal, [](Shaper& shaper) { return shaper.removeRefused(); });
+      for (int pass = 0; pass < RemovalPasses; ++pass)
+      {
+        sum_.kept.clear();
+        optimise(shares.optimisation, NodesMove::AtPoorFaces);
+        shape(shares.removal, [](Shaper& shaper) { return shaper.removeRefused(); });
+        keepFailing();
+      }
     }
     else if (!exact_)
     {
@@ -458,6 +484,7 @@ Shaping operator+(Shaping sum, const Shaping& other)
   sum.cellsMerged += other.cellsMerged;
   sum.cellsSimplified += other.cellsSimplified;
   sum.refused.insert(sum.refused.end(), other.refused.begin(), other.refused.end());
+  sum.kept.insert(sum.kept.end(), other.kept.begin(), other.kept.end());
   return sum;
 }
 

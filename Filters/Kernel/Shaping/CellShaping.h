@@ -20,7 +20,9 @@ struct Shaping
   std::size_t cellsSimplified =
     0; // solvers refused them: faces are one, at any angle: the paper's IP patches
   std::vector<RemovedCell> refused; // and removed
-  bool isAnyRefused = false;        // and still there, of a slab
+  std::vector<std::uint32_t>
+    kept;                    // boxes of cells that stay, in the end, though checkMesh fails on them
+  bool isAnyRefused = false; // and still there, of a slab
 };
 
 Shaping operator+(Shaping sum, const Shaping& other);

@@ -126,7 +126,7 @@ constexpr const char* ProjectedCentres = "ProjectedCentres"; // angles as other 
 constexpr const char* RefusedCells = "RefusedCellsRemoved";  // as a part of those that stay
 const std::vector<KnownFailure> KnownFailures{
   { "BumpySphere", LostVolume, { 0.25, 0, 0 } },
-  { "Flat", LostVolume, { 0.4, 0.092, 0.045 } },
+  { "Flat", LostVolume, { 0.4, 0.092, 0.046 } },
   { "BumpySphere", WrongArea, { 0.3, 0, 0 } },
   { "Flat", WrongArea, { 1, 0.71, 0.095 } },
   { "BumpySphere", RefusedCells, { 0.1, 0, 0 } },
