@@ -22,16 +22,16 @@ constexpr double Slope = 0.8; // of parts, from node to node of a face: layers e
 
 // A cell that had less of its volume than this part hardly had any to compare with.
 constexpr double LeastFormer = 1e-3;
-
 class LayerMaker
 {
 public:
   LayerMaker(const OutputMesh& mesh, const std::vector<double>& points, std::vector<double> heights,
-    LayeredWall& wall, Execution& execution)
+    LayeredWall& wall, const FlowDomainSides& sides, Execution& execution)
     : mesh_(mesh)
     , before_(points)
     , heights_(std::move(heights))
     , wall_(wall)
+    , sides_(sides)
     , execution_(execution)
     , near_(findNearCells(mesh, wall, Rings))
     , motion_(near_, wall, points)
@@ -72,7 +72,8 @@ private:
       if (const Vector& way = motion_.way(i); way != Vector{})
       {
         const double* const at = &before_[3 * static_cast<std::size_t>(p)];
-        result_.stacks.moved.push_back({ p, plus(Vector{ at[0], at[1], at[2] }, way) });
+        const Vector from{ at[0], at[1], at[2] };
+        result_.stacks.moved.push_back({ p, plus(from, sides_.within(from, way)) });
       }
     }
   }
@@ -246,6 +247,7 @@ private:
   const std::vector<double>& before_; // points of the mesh
   const std::vector<double> heights_;
   LayeredWall& wall_;
+  const FlowDomainSides& sides_;
   Execution& execution_;
   const NearCells near_;
   NodeMotion motion_;
@@ -265,8 +267,10 @@ BoundaryLayers addLayers(
   mesh.writePoints(points.data(), execution);
   LayeredWall wall = findLayeredWall(mesh, points, spec, execution);
   spreadWays(wall);
-  keepFromOpposite(wall, surface, execution);
-  BoundaryLayers layers = LayerMaker(mesh, points, heightsOfLayers(spec), wall, execution).run();
+  const FlowDomainSides sides(mesh.boxes(), surface);
+  keepFromOpposite(wall, surface, sides, execution);
+  BoundaryLayers layers =
+    LayerMaker(mesh, points, heightsOfLayers(spec), wall, sides, execution).run();
   layers.spec = spec;
   return layers;
 }

@@ -205,7 +205,8 @@ LayeredWall findLayeredWall(const OutputMesh& mesh, const std::vector<double>& p
   return WallFinder(mesh, spec).run(points, execution);
 }
 
-void keepFromOpposite(LayeredWall& wall, const Surface& surface, Execution& execution)
+void keepFromOpposite(
+  LayeredWall& wall, const Surface& surface, const FlowDomainSides& sides, Execution& execution)
 {
   const TriangleTree tree(surface, execution);
   const Lattice& lattice = surface.lattice;
@@ -216,9 +217,12 @@ void keepFromOpposite(LayeredWall& wall, const Surface& surface, Execution& exec
       {
         continue;
       }
+      wall.way[n] = sides.along(wall.place[n], wall.way[n]);
       const Vector from = scaled(minus(wall.place[n], lattice.origin()), 1 / lattice.step());
       const Vector along = scaled(wall.way[n], 1 / PartOfTheWay / lattice.step());
       const Vector to = plus(from, along);
+      wall.parts[n] = std::min(
+        wall.parts[n], sides.leavesAt(wall.place[n], scaled(wall.way[n], 1 / PartOfTheWay)));
       Vector low = from;
       Vector high = from;
       for (std::size_t axis = 0; axis < 3; ++axis)

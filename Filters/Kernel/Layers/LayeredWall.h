@@ -2,6 +2,7 @@
 // The boundary of a mesh that gets layers: which of its nodes go where.
 #pragma once
 
+#include "Layers/FlowDomainSides.h"
 #include "Mesh/OutputMesh.h"
 #include "Surface/WallLayerSpec.h"
 
@@ -73,7 +74,9 @@ struct LayeredWall
 LayeredWall findLayeredWall(const OutputMesh& mesh, const std::vector<double>& points,
   const WallLayerSpec& spec, Execution& execution);
 
-// Lowers the parts of nodes until layers take at most a third of the way to the wall that lies opposite.
-void keepFromOpposite(LayeredWall& wall, const Surface& surface, Execution& execution);
+// Lowers the parts of nodes until layers take at most a third of the way to what lies opposite: the surface, or a side
+// of the flow domain.
+void keepFromOpposite(
+  LayeredWall& wall, const Surface& surface, const FlowDomainSides& sides, Execution& execution);
 
 }

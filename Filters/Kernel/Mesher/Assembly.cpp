@@ -368,7 +368,8 @@ std::optional<RemovedCell> remove(Assembly& a, std::uint32_t c)
   return RemovedCell{ cell.box, cell.volumeFraction * size[0] * size[1] * size[2] };
 }
 
-// Nothing can be computed on cells that overlap, however exactly they show the surface.
+// Nothing can be computed on cells that overlap, however exactly they show the surface. Where shaping has made some after
+// all, what lies beside them cannot be mended any more: that is told.
 void removeOverlapping(Assembly& a)
 {
   for (const std::uint32_t c : overlappingCells(a.boxes, a.nodes.at.size(), a.wall))
@@ -447,14 +448,23 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   }
   a.inner = InnerFaces();
   a.patches.forgetPolygons();
+  removeOverlapping(a);
   makeInterfaces(a.patches.walls, a.wall);
   if (shapesCells(options))
   {
     execution.stage("Shaping of cells", AfterShortEdges, AfterShaping);
     a.shaping = shapeCells(a.boxes, a.patches, a.sides, a.nodes, a.wall,
-      { options.smallCells, options.shaping, options.patches.featureAngle, layers }, execution);
+      { options.smallCells, options.shaping, options.patches.featureAngle, layers,
+        options.domain.isOutside() },
+      execution);
   }
-  removeOverlapping(a);
+  for (const std::uint32_t c : overlappingCells(a.boxes, a.nodes.at.size(), a.wall))
+  {
+    if (a.boxes.isCore(a.boxes.packed[a.wall.cells[c].box]))
+    {
+      a.overlapping.push_back(a.wall.cells[c].box);
+    }
+  }
   removeFragments(a, options, execution);
   a.nodes.warped = warpedHexahedra(a.boxes, a.sides, a.nodes, execution);
   execution.stage("Numbering", AfterShaping, AfterNumbering);

@@ -33,7 +33,8 @@ struct Assembly
   std::vector<std::uint32_t> rebuilt; // boxes whose patches were made anew, in order
   Shaping shaping;
   SeparateParts separate;
-  double relaxation = 1; // of sizes, for the cell budget
+  std::vector<std::uint32_t> overlapping; // boxes of cells that overlap others, once shaped
+  double relaxation = 1;                  // of sizes, for the cell budget
   std::unique_ptr<OutputMesh> mesh;
   std::unique_ptr<BoundaryLayers> layers; // on the mesh, or null
 };

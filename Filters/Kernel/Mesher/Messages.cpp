@@ -177,13 +177,22 @@ std::string describeLeftOut(const Assembly& a, const std::map<std::int32_t, std:
 
 std::string describeKept(const Assembly& a)
 {
-  const std::vector<std::uint32_t>& kept = a.shaping.kept;
-  return kept.empty() ? ""
-                      : "checkMesh will fail: " + counted(kept.size(), "cell has", "cells have") +
+  std::string text;
+  if (const std::vector<std::uint32_t>& kept = a.shaping.kept; !kept.empty())
+  {
+    text = "checkMesh will fail: " + counted(kept.size(), "cell has", "cells have") +
       " a skewness over 4 or a face turned over, and to mend that would change the wall more. A "
-      "smaller "
-      "Cell Size or a larger Refinement Depth there helps:" +
+      "smaller Cell Size or a larger Refinement Depth there helps:" +
       places(a.boxes, kept);
+  }
+  if (const std::vector<std::uint32_t>& overlapping = a.overlapping; !overlapping.empty())
+  {
+    text += std::string(lineBreak(text)) + "No case can be written: " +
+      counted(overlapping.size(), "cell overlaps another,", "cells overlap others,") +
+      " as the surface passes through itself. Mend it there, or choose another Cell Size:" +
+      places(a.boxes, overlapping);
+  }
+  return text;
 }
 
 std::string describeNothing(const Assembly& assembly, const Options& options)

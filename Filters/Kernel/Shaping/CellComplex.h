@@ -116,6 +116,7 @@ public:
     return whole_.boxes.isCore(whole_.boxes.packed[boxOf(key)]) ? 1 : 0;
   }
 
+  const Boxes& boxes() const { return whole_.boxes; }
   std::uint32_t boxOf(CellKey key) const;
   bool isAlive(CellKey key) const; // neither removed nor merged
 
@@ -289,6 +290,7 @@ private:
 
   std::int32_t boundaryOf(std::uint32_t face) const;
   void reachAsFarAs(CellKey small, CellKey into);
+  void setNodes(std::uint32_t face, std::vector<std::uint32_t> nodes);
   void removeFace(CellKey key, std::uint32_t face);
   void dropTwins(std::vector<FaceUse>& faces, std::size_t ofSmall);
 

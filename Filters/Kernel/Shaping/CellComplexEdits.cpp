@@ -748,6 +748,22 @@ void CellComplex::removeFace(CellKey key, std::uint32_t face)
   opened(key)->change(now_);
 }
 
+// A hexahedron one of whose sides is not whole any more has to have faces of its own.
+void CellComplex::setNodes(std::uint32_t face, std::vector<std::uint32_t> nodes)
+{
+  MadeFace& whole = made(face);
+  const bool isSame = nodes.size() == whole.nodes.size() &&
+    std::is_permutation(nodes.begin(), nodes.end(), whole.nodes.begin());
+  for (const CellKey key : whole.cells)
+  {
+    if (key != None && !isSame)
+    {
+      opened(key)->change(now_);
+    }
+  }
+  whole.nodes = std::move(nodes);
+}
+
 void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joined)
 {
   std::vector<CellKey> touched;
@@ -771,7 +787,7 @@ void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joi
     {
       std::reverse(nodes.begin(), nodes.end());
     }
-    made(own(renamed(use.face))).nodes = std::move(nodes);
+    setNodes(own(renamed(use.face)), std::move(nodes));
     opened(key)->change(now_);
     for (const std::uint32_t member : group.members)
     {

@@ -201,13 +201,28 @@ private:
   }
 
   // What is small, and strains solvers, and cannot be merged; and what no face connects with others, in which no solver
-  // can fix the pressure. What is as thin as the body there stays.
+  // can fix the pressure. What is as thin as the body there stays; a film on a side of a flow domain does not,
+  // as below a wheel on the ground.
   void removeSmall()
   {
     removeSmaller(1, [&](CellKey key) {
       return complex_.neighbours(key).empty() ||
+        (task_.isAround && complex_.share(key) < LargestFilm && isAtEndOfGrid(key)) ||
         (merger_.isFailing(key) && keepsWall(complex_, key) && !isThinThere(key));
     });
+  }
+
+  bool isAtEndOfGrid(CellKey key) const
+  {
+    const Boxes& boxes = complex_.boxes();
+    const Box box = boxes.box(complex_.boxOf(key));
+    bool isAtEnd = false;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      isAtEnd = isAtEnd || box.low[axis] == boxes.planes[axis].front() ||
+        box.high[axis] == boxes.planes[axis].back();
+    }
+    return isAtEnd;
   }
 
   // Whether the body is as thin as the cell: there is no larger one beside it.
@@ -319,6 +334,7 @@ private:
 
   // Of its box.
   static constexpr double Sliver = 1e-9;
+  static constexpr double LargestFilm = 1e-3;
 
   // Up to this part of its box a cell may go to another region.
   static constexpr double LargestCeded = 0.1;

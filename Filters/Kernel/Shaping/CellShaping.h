@@ -36,6 +36,7 @@ struct ShapingTask
   const ShapingSpec& spec;
   double featureAngle;         // degrees; edges of the wall that turn by more stay
   const WallLayerSpec* layers; // that some walls will have, or null
+  bool isAround;               // the space around bodies is meshed, in a box
 };
 
 Shaping shapeCells(const Boxes& boxes, const Patches& patches, Sides& sides, Nodes& nodes,

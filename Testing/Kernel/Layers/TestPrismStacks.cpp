@@ -471,6 +471,40 @@ TEST(PrismStacks, FollowTheBoxesBesideThem)
   }
 }
 
+// Where a body is nearly on the ground there is room for no layer: none goes through the ground.
+TEST(PrismStacks, StayInTheFlowDomain)
+{
+  TestOptions options;
+  options.layers.count = 3;
+  options.domain.domain = Domain::Outside;
+  options.domain.boxFrom = BoxSource::Bounds;
+  options.refinement = depth(2);
+  const auto lowest = [](const std::vector<double>& points) {
+    double z = points[2];
+    for (std::size_t i = 2; i < points.size(); i += 3)
+    {
+      z = std::min(z, points[i]);
+    }
+    return z;
+  };
+  for (const Soup& soup : { sphere(8, 1), cube().turned(), torus(12, 1, 0.4) })
+  {
+    for (const double gap : { 0.0, 0.003, 0.006, 0.01, 0.02, 0.03 })
+    {
+      SCOPED_TRACE(gap);
+      const auto low = soup.low();
+      const auto high = soup.high();
+      options.domain.bounds = { { low[0] - 0.5, low[1] - 0.5, low[2] - gap },
+        { high[0] + 0.5, high[1] + 0.5, high[2] + 0.5 } };
+      options.grid = cellsAlongLongest(soup, 8);
+      const Layered layered = meshWithLayers(soup, options);
+      const double ground = lowest(layered.plain.points) - 1e-9;
+      EXPECT_GE(lowest(layered.mesh.points), ground);
+      EXPECT_GE(lowest(layered.stacks().points), ground);
+    }
+  }
+}
+
 // Walls that come together leave ever less room for layers.
 TEST(PrismStacks, AreNoFilms)
 {
