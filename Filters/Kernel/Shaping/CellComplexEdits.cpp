@@ -751,17 +751,21 @@ void CellComplex::removeFace(CellKey key, std::uint32_t face)
 // A hexahedron one of whose sides is not whole any more has to have faces of its own.
 void CellComplex::setNodes(std::uint32_t face, std::vector<std::uint32_t> nodes)
 {
-  MadeFace& whole = made(face);
-  const bool isSame = nodes.size() == whole.nodes.size() &&
-    std::is_permutation(nodes.begin(), nodes.end(), whole.nodes.begin());
-  for (const CellKey key : whole.cells)
+  const std::vector<std::uint32_t>& before = made(face).nodes;
+  if (nodes.size() != before.size() ||
+    !std::is_permutation(nodes.begin(), nodes.end(), before.begin()))
   {
-    if (key != None && !isSame)
+    const auto cells = made(face).cells; // opening one may make faces
+    for (const CellKey key : cells)
     {
-      opened(key)->change(now_);
+      if (key != None)
+      {
+        open(key);
+        opened(key)->change(now_);
+      }
     }
   }
-  whole.nodes = std::move(nodes);
+  made(face).nodes = std::move(nodes);
 }
 
 void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joined)
