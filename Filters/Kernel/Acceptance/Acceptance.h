@@ -90,12 +90,11 @@ struct AcceptedEdit
   static constexpr double FarthestFromWall = 0.02;
 };
 
-// FaceEnergy::limits from which on a face is mended: a skewness of 1.8. With layers, many of whose faces are a bit off, it
-// is one of 3.1. And from which on all nodes of its cells are moved.
+// FaceEnergy::limits from which on a face is mended: a skewness of 1.8; and from which on all nodes of its cells are
+// moved.
 struct PoorFace
 {
   static constexpr double Limits = 1.5;
-  static constexpr double LimitsWithLayers = 15;
   static constexpr double LimitsOfFailing = limitsAtSkewness(cartesian::Limits::Skewness);
 };
 

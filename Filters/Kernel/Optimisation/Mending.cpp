@@ -19,11 +19,6 @@ Mending::Mending(const MendingTask& what, MeshEnergy& objective)
   {
     mesh.forEachCorner(f, [&](std::uint32_t n) { edgeOf[n] = std::min(edgeOf[n], task.edges[f]); });
   }
-  for (std::size_t i = 0; i < task.prisms.below.size(); ++i)
-  {
-    topOf.resize(mesh.nodes.at.size(), None);
-    topOf[task.prisms.below[i]] = static_cast<std::uint32_t>(task.prisms.firstNode + i);
-  }
 }
 
 }

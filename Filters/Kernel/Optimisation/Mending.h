@@ -15,7 +15,6 @@ struct MendingTask
 {
   NodeMesh& mesh;
   const NodePaths& paths;
-  const LayerPrisms& prisms;         // where there are any, only nodes move
   const std::vector<Vector>& before; // where nodes were in the beginning
   const std::vector<double>& edges;  // of boxes, of each face
   double featureCosine;              // faces of the wall that turn by more are not joined
@@ -60,15 +59,9 @@ struct Mending
 
   Mending(const MendingTask& what, MeshEnergy& objective);
 
-  bool hasPrisms() const { return !topOf.empty(); }
-
-  // The node on top of the prism on a node, or None.
-  std::uint32_t top(std::uint32_t node) const { return topOf.empty() ? None : topOf[node]; }
-
   bool isMovable(std::uint32_t node) const
   {
-    return node < task.prisms.firstNode && mesh.nodes.mayMove[node] &&
-      task.paths[node].kind != NodePath::Kind::Fixed;
+    return mesh.nodes.mayMove[node] && task.paths[node].kind != NodePath::Kind::Fixed;
   }
 
   bool mayBeAt(std::uint32_t node, const Vector& to) const
@@ -81,8 +74,7 @@ struct Mending
   MeshEnergy& energy;
   FaceEdits faces;
   CellChanges changes;
-  std::vector<double> edgeOf;       // of the smallest box around each node
-  std::vector<std::uint32_t> topOf; // of each node; empty: there are no prisms
+  std::vector<double> edgeOf; // of the smallest box around each node
 };
 
 }

@@ -2,7 +2,6 @@
 #include "Optimisation/NodeMoves.h"
 
 #include "Acceptance/Acceptance.h"
-#include "Base/Sorting.h"
 
 namespace cartesian
 {
@@ -50,12 +49,6 @@ void NodeMoves::lookAround(std::uint32_t node)
 {
   const NumberLists::List faces = m_.faces.facesOf(node);
   around_.faces.assign(faces.begin(), faces.end());
-  if (const std::uint32_t top = m_.top(node); top != None)
-  {
-    const NumberLists::List others = m_.faces.facesOf(top);
-    around_.faces.insert(around_.faces.end(), others.begin(), others.end());
-    around_.faces = sortedUnique(std::move(around_.faces));
-  }
   m_.faces.lookAround(around_);
 }
 
@@ -90,10 +83,6 @@ bool NodeMoves::stepDown(std::uint32_t node, double& step, double& now)
 void NodeMoves::put(std::uint32_t node, const Vector& at)
 {
   m_.mesh.nodes.at[node] = at;
-  if (const std::uint32_t top = m_.top(node); top != None)
-  {
-    m_.mesh.nodes.at[top] = plus(at, m_.task.prisms.offset[top - m_.task.prisms.firstNode]);
-  }
 }
 
 }

@@ -43,19 +43,20 @@ public:
     , movingOf_(listMoving())
     , energy_(mesh, prisms_, edges_, listFaces())
   {
+    if (movesAny())
+    {
+      evaluate();
+      energy_.keepStars();
+      first_ = energy_.ofFaces();
+    }
   }
 
-  bool run(NodesMove move, Execution& execution)
+  bool movesAny() const { return !moving_.empty(); }
+
+  // All nodes together.
+  void move(Execution& execution)
   {
-    if (moving_.empty())
-    {
-      return false;
-    }
-    prisms_.follow(m_.nodes.at);
-    energy_.evaluate();
-    energy_.keepStars();
-    const std::vector<FaceEnergy> first = energy_.ofFaces();
-    for (int round = 0; move == NodesMove::All && round < Rounds; ++round)
+    for (int round = 0; round < Rounds; ++round)
     {
       execution.reach(double(round) / (Rounds + 1));
       differentiate();
@@ -63,23 +64,20 @@ public:
       step();
       evaluate();
     }
-    if (move == NodesMove::All)
-    {
-      takeBackSteps();
-    }
+    takeBackSteps();
     for (const Moving& node : moving_)
     {
       m_.nodes.at[node.at] = rounded(m_.nodes.at[node.at]);
     }
-    evaluate();
-    energy_.keepLimits(first, FairLimits);
-    edits_ =
-      mendWorstFaces({ m_, paths_, prisms_, before_, edges_, featureCosine_ }, energy_, execution);
-    return true;
   }
 
-  // Of the wall mesh, once run.
-  std::vector<FaceEdit>& edits() { return edits_; }
+  // Face by face. Returns the edits, to be made in the wall mesh.
+  std::vector<FaceEdit> mend(Execution& execution)
+  {
+    evaluate();
+    energy_.keepLimits(first_, FairLimits);
+    return mendWorstFaces({ m_, paths_, before_, edges_, featureCosine_ }, energy_, execution);
+  }
 
 private:
   struct Moving
@@ -300,7 +298,7 @@ private:
   const std::vector<std::uint32_t> movingOf_; // of each node, or None
   std::vector<std::uint32_t> facesOf_;        // of moving nodes
   MeshEnergy energy_;
-  std::vector<FaceEdit> edits_;
+  std::vector<FaceEnergy> first_; // of the faces, before anything moves
 };
 
 // Enclosed by the star triangles of a cell's faces.
@@ -345,6 +343,18 @@ void write(const NodeMesh& mesh, Nodes& nodes, WallMesh& wall)
   }
 }
 
+// All nodes, for the cells and for the layers that will stand on the wall. What is poor still is mended without layers.
+void moveWithPrisms(NodeMesh mesh, double featureAngle, const WallLayerSpec& layers, Nodes& nodes,
+  WallMesh& wall, Execution& execution)
+{
+  Optimiser optimiser(mesh, featureAngle, &layers);
+  if (optimiser.movesAny())
+  {
+    optimiser.move(execution);
+    write(mesh, nodes, wall);
+  }
+}
+
 std::vector<MovedHexahedron> hexahedraOf(const NodeMesh& mesh, const Boxes& boxes)
 {
   std::vector<MovedHexahedron> hexahedra;
@@ -373,11 +383,20 @@ Optimised optimiseNodes(const Boxes& boxes, const Sides& sides, const std::vecto
   execution.forEach(slabs.size(), 1, [&](std::size_t s, std::size_t) {
     const auto count = static_cast<double>(slabs.size());
     Execution alone = execution.alone(double(s) / count, double(s + 1) / count);
-    NodeMesh mesh = nodeMesh(boxes, sides, nodes, wall, slabs[s]);
-    Optimiser optimiser(mesh, featureAngle, layers);
-    if (optimiser.run(move, alone))
+    if (layers && move == NodesMove::All)
     {
-      result.edits[s] = std::move(optimiser.edits());
+      moveWithPrisms(
+        nodeMesh(boxes, sides, nodes, wall, slabs[s]), featureAngle, *layers, nodes, wall, alone);
+    }
+    NodeMesh mesh = nodeMesh(boxes, sides, nodes, wall, slabs[s]);
+    Optimiser optimiser(mesh, featureAngle, nullptr);
+    if (optimiser.movesAny())
+    {
+      if (move == NodesMove::All && !layers)
+      {
+        optimiser.move(alone);
+      }
+      result.edits[s] = optimiser.mend(alone);
       write(mesh, nodes, wall);
       const auto end = mesh.cells.number.begin() + std::ptrdiff_t(mesh.cells.changing);
       std::copy_if(mesh.cells.number.begin(), end, std::back_inserter(changed[s]),

@@ -52,9 +52,7 @@ public:
 private:
   bool isPoor(std::uint32_t f) const
   {
-    return m_.energy.ofFaces()[f].limits >
-      (m_.hasPrisms() ? PoorFace::LimitsWithLayers : PoorFace::Limits) ||
-      m_.energy.isFolded(f);
+    return m_.energy.ofFaces()[f].limits > PoorFace::Limits || m_.energy.isFolded(f);
   }
 
   bool isFailing(std::uint32_t f) const
@@ -86,11 +84,8 @@ private:
     nodes_.clear();
     m_.mesh.forEachCorner(f, [&](std::uint32_t node) { nodes_.push_back(node); });
     bool gains = moveAll();
-    if (!m_.hasPrisms())
-    {
-      gains = (isPoor(f) && edits_.editBest(f)) || gains;
-      gains = (!m_.faces.isGone(f) && isFailing(f) && moveCellsOf(f)) || gains;
-    }
+    gains = (isPoor(f) && edits_.editBest(f)) || gains;
+    gains = (!m_.faces.isGone(f) && isFailing(f) && moveCellsOf(f)) || gains;
     return gains;
   }
 

@@ -196,7 +196,7 @@ TEST(WorstFaces, FallInCostAndKeepTheirVolume)
     const double volume = volumeOf(mesh);
     Execution execution;
     const std::vector<FaceEdit> edits =
-      mendWorstFaces({ mesh, paths, none, places, edges, feature }, energy, execution);
+      mendWorstFaces({ mesh, paths, places, edges, feature }, energy, execution);
     EXPECT_LT(sum(), before);
     EXPECT_NEAR(volumeOf(mesh), volume, 3e-3 * volume);
     EXPECT_TRUE(std::is_sorted(edits.begin(), edits.end(),
