@@ -7,6 +7,7 @@
 #include "FilterOptions.h"
 #include "GhostCells.h"
 #include "LayerWarning.h"
+#include "MeshCut.h"
 #include "MeshToVTK.h"
 #include "Mesher/CellBudget.h"
 #include "Mesher/Mesher.h"
@@ -48,6 +49,17 @@ struct vtkCartesianMesher::Task
   std::vector<cartesian::Layers> pieces;
   std::vector<cartesian::Id> cells; // of each piece made so far
   std::vector<cartesian::Id> points;
+};
+
+// A mesh of which pieces are cut.
+struct vtkCartesianMesher::WholeMesh
+{
+  vtkMTimeType time = 0;
+  vtkNew<vtkUnstructuredGrid> mesh;
+  vtkNew<vtkPolyData> boundary;
+  vtkNew<vtkPolyData> defects;
+  vtkNew<vtkPolyData> interfaces;
+  std::vector<cartesian::Layers> pieces;
 };
 
 // One piece, before it is written.
@@ -128,6 +140,7 @@ void vtkCartesianMesher::AddBoundaryOptions(
 {
   const cartesian::BoundarySettings boundaries = this->Boundaries();
   options.layers.boundaries = cartesian::boundaryLayers(boundaries, surface.names());
+  options.layers.regions = cartesian::layerRegions(this->LayerRegions, surface.regionNames());
   options.smallCells.boundaryRatios =
     cartesian::boundaryRatios(boundaries, surface.names(), options.smallCells.handling);
 }
@@ -159,21 +172,6 @@ void vtkCartesianMesher::AddBaffles(Task& task)
   }
 }
 
-void vtkCartesianMesher::RequireOnePieceIfNeeded(const Piece& piece) const
-{
-  if (piece.count == 1 || !this->NeedsOnePiece())
-  {
-    return;
-  }
-  const std::string why = this->Layers > 0 ? "Layers is " + std::to_string(this->Layers) +
-      ", but a mesh in pieces or on several ranks has no layers: set it to 0"
-    : this->CellBudget > 0 ? "Cell Budget is " + std::to_string(this->CellBudget) +
-      ", but the cells of pieces, or of several ranks, are not counted together: set it to 0"
-                           : "There are Keep Points, but what is connected is not known of pieces "
-                             "or on several ranks: give none";
-  throw cartesian::Error(cartesian::Fault::BadParameter, why + ", or InPieces off.");
-}
-
 void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
   const cartesian::Processes& processes, vtkInformationVector** input, vtkInformationVector* output,
   cartesian::Execution& execution)
@@ -195,7 +193,6 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
   }
   task.surface = std::make_unique<cartesian::SurfaceFromVTK>(this->ReadWithSides(surface));
   task.types = cartesian::boundaryTypes(this->Boundaries(), task.surface->names());
-  this->RequireOnePieceIfNeeded(piece);
   this->AddBaffles(task);
   task.options = this->MakeOptions();
   this->AddBoundaryOptions(*task.surface, task.options);
@@ -266,7 +263,11 @@ int vtkCartesianMesher::RequestData(
   }
   const cartesian::Processes processes(piece.number, piece.count);
   this->IsSilent = processes.areSeveral() && piece.number > 0;
-  if (processes.areSeveral())
+  if (piece.count > 1 && this->NeedsWholeMesh())
+  {
+    this->RequestCutPiece(piece, processes, input, output);
+  }
+  else if (processes.areSeveral())
   {
     this->RequestPieceOfProcess(piece, processes, input, output);
   }
@@ -278,8 +279,8 @@ int vtkCartesianMesher::RequestData(
   return 1;
 }
 
-void vtkCartesianMesher::RequestPieceAlone(
-  Piece& piece, vtkInformationVector** input, vtkInformationVector* output)
+// Of the filter and its inputs.
+vtkMTimeType vtkCartesianMesher::TimeWith(vtkInformationVector** input)
 {
   vtkMTimeType time = this->GetMTime();
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
@@ -290,6 +291,83 @@ void vtkCartesianMesher::RequestPieceAlone(
       time = std::max(time, data ? data->GetMTime() : 0);
     }
   }
+  return time;
+}
+
+// Each process makes all of it: the same everywhere.
+bool vtkCartesianMesher::MakeWholeMesh(
+  WholeMesh& whole, int pieces, const cartesian::Processes& processes, vtkInformationVector** input)
+{
+  vtkNew<vtkInformationVector> outputs;
+  for (vtkDataObject* data : std::initializer_list<vtkDataObject*>{
+         whole.mesh, whole.boundary, whole.defects, whole.interfaces })
+  {
+    vtkNew<vtkInformation> info;
+    info->Set(vtkDataObject::DATA_OBJECT(), data);
+    outputs->Append(info);
+  }
+  Task task;
+  Piece all;
+  this->HasOtherFailed = [&] { return processes.hasOtherFailed(); };
+  const bool isDone = this->Run(0, 1, [&](cartesian::Execution& execution) {
+    this->Begin(task, all, processes, input, outputs, execution);
+    Make(task, all, execution);
+    this->Write(task, all, {}, outputs, execution);
+    whole.pieces = task.decomposition->split(
+      task.decomposition->estimateLayers(execution), static_cast<std::size_t>(pieces));
+  });
+  this->HasOtherFailed = nullptr;
+  if (!isDone)
+  {
+    processes.tellFailure();
+  }
+  const unsigned long code = CodeOfAll(
+    processes.gather({ isDone ? 0.0 : static_cast<double>(this->GetErrorCode()) }), processes);
+  if (code != vtkErrorCode::NoError)
+  {
+    this->ErrorCode = code;
+  }
+  return code == vtkErrorCode::NoError;
+}
+
+void vtkCartesianMesher::RequestCutPiece(const Piece& piece, const cartesian::Processes& processes,
+  vtkInformationVector** input, vtkInformationVector* output)
+{
+  const vtkMTimeType time = this->TimeWith(input);
+  std::unique_ptr<WholeMesh> whole = std::move(this->KeptWhole);
+  const bool isSame = whole && !processes.areSeveral() && whole->time == time &&
+    whole->pieces.size() == static_cast<std::size_t>(piece.count);
+  if (!isSame)
+  {
+    whole = std::make_unique<WholeMesh>();
+    whole->time = time;
+    if (!this->MakeWholeMesh(*whole, piece.count, processes, input))
+    {
+      return;
+    }
+  }
+  vtkUnstructuredGrid* const mesh = vtkUnstructuredGrid::GetData(output, 0);
+  cartesian::cutPiece({ whole->mesh, whole->boundary, whole->interfaces }, whole->pieces,
+    static_cast<std::size_t>(piece.number), processes,
+    { mesh, vtkPolyData::GetData(output, 1), vtkPolyData::GetData(output, 3) });
+  if (piece.number == 0)
+  {
+    vtkPolyData::GetData(output, 2)->ShallowCopy(whole->defects);
+  }
+  if (piece.ghostLevels > 0 && processes.areSeveral())
+  {
+    cartesian::addGhostCells(mesh, piece.ghostLevels, processes);
+  }
+  if (piece.number + 1 < piece.count && !processes.areSeveral())
+  {
+    this->KeptWhole = std::move(whole);
+  }
+}
+
+void vtkCartesianMesher::RequestPieceAlone(
+  Piece& piece, vtkInformationVector** input, vtkInformationVector* output)
+{
+  const vtkMTimeType time = this->TimeWith(input);
   const bool isSame = this->Kept && this->Kept->time == time &&
     this->Kept->pieces.size() == static_cast<std::size_t>(piece.count);
   std::unique_ptr<Task> task = isSame ? std::move(this->Kept) : std::make_unique<Task>();
@@ -398,8 +476,8 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
     { task.surface->names(), task.types, task.surface->regionNames() }, place, mesh,
     vtkPolyData::GetData(output, 1), vtkPolyData::GetData(output, 3), execution);
   cartesian::addCellsLeftOut(*piece.assembly, vtkPolyData::GetData(output, 2));
-  const bool wasSilent = this->IsSilent; // these flaws are of this piece only
-  this->IsSilent = false;
+  const bool wasSilent = this->IsSilent; // flaws of a piece are told by its own process
+  this->IsSilent = wasSilent && place.isWhole;
   const std::string flaws = cartesian::describeFlaws(*piece.assembly, task.surface->names());
   this->Warn(flaws.empty() ? "" : flaws + HowToSee);
   if (piece.assembly->layers)
@@ -419,7 +497,7 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
 
 int vtkCartesianMesher::EstimateNumberOfPieces()
 {
-  if (!this->InPieces || this->NeedsOnePiece())
+  if (!this->InPieces || this->NeedsWholeMesh())
   {
     return 1;
   }
@@ -449,6 +527,7 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LayerExpansionRatio: " << this->LayerExpansionRatio << "\n";
   os << indent << "FirstLayerThickness: " << this->FirstLayerThickness << "\n";
   os << indent << "LayersThickness: " << this->LayersThickness << "\n";
+  PrintColumn(os, indent, "LayerRegions", this->LayerRegions);
   PrintColumn(os, indent, "BoundaryLayersThickness", this->BoundaryLayers);
   PrintColumn(os, indent, "BoundaryDepths", this->BoundaryDepths);
   PrintColumn(os, indent, "BoundaryMergedNames", this->BoundaryMergedNames);

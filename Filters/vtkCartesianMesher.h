@@ -92,6 +92,18 @@ public:
 
   ///@{
   /**
+   * The names of the regions that have layers, on their boundary and on their side of interfaces; none, the default:
+   * all regions.
+   */
+  void SetNumberOfLayerRegions(int number) { this->Resize(this->LayerRegions, number); }
+  void SetLayerRegion(int row, const char* name)
+  {
+    this->SetRow(this->LayerRegions, row, std::string(name ? name : ""));
+  }
+  ///@}
+
+  ///@{
+  /**
    * How thick all layers together are on the boundaries of the table of names (SetBoundaryName), whatever their
    * type, in units of the surface. 0: they have none; negative: as if they were not in the table. As many as
    * names, or none.
@@ -322,6 +334,7 @@ protected:
   double LayerExpansionRatio = 1.2;
   double FirstLayerThickness = 0;
   double LayersThickness = 0;
+  std::vector<std::string> LayerRegions;
   std::vector<double> BoundaryLayers;
   std::vector<int> BoundaryDepths;
   std::vector<std::string> BoundaryMergedNames;
@@ -346,6 +359,7 @@ private:
 
   struct Task;
   struct Piece;
+  struct WholeMesh;
 
   // As the user gave them; and as they are where boundaries have merged.
   cartesian::BoundarySettings GivenBoundaries() const;
@@ -353,8 +367,8 @@ private:
 
   void AddTypesOfSides(Task& task) const;
   void AddBaffles(Task& task);
-  void RequireOnePieceIfNeeded(const Piece& piece) const;
-  bool NeedsOnePiece() const
+  // What can only be made of a whole mesh: then pieces are cut out of one.
+  bool NeedsWholeMesh() const
   {
     return this->Layers > 0 || this->CellBudget > 0 || !this->KeepPoints.empty();
   }
@@ -367,10 +381,16 @@ private:
     const std::vector<std::vector<double>>& counts, const cartesian::Processes& processes);
   void RequestPieceOfProcess(Piece& piece, const cartesian::Processes& processes,
     vtkInformationVector** input, vtkInformationVector* output);
+  void RequestCutPiece(const Piece& piece, const cartesian::Processes& processes,
+    vtkInformationVector** input, vtkInformationVector* output);
+  bool MakeWholeMesh(WholeMesh& whole, int pieces, const cartesian::Processes& processes,
+    vtkInformationVector** input);
+  vtkMTimeType TimeWith(vtkInformationVector** input);
   void Write(const Task& task, const Piece& piece, const cartesian::MeshPiece& place,
     vtkInformationVector* output, cartesian::Execution& execution);
 
   std::unique_ptr<Task> Kept; // from piece to piece, where this process makes all
+  std::unique_ptr<WholeMesh> KeptWhole;
 };
 
 #endif

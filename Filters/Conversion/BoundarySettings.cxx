@@ -4,6 +4,7 @@
 #include "Base/Error.h"
 #include "NamePatterns.h"
 #include "OpenFoam/FoamBoundary.h"
+#include "Surface/Walls.h"
 
 #include <algorithm>
 
@@ -208,6 +209,29 @@ std::map<std::int32_t, int> boundaryDepths(
     }
   }
   return depths;
+}
+
+std::vector<std::int32_t> layerRegions(
+  const std::vector<std::string>& asked, const std::vector<std::string>& regions)
+{
+  std::vector<std::int32_t> found;
+  for (const std::string& name : asked)
+  {
+    const auto at = std::find(regions.begin(), regions.end(), name);
+    if (at == regions.end())
+    {
+      std::string known;
+      for (const std::string& region : regions)
+      {
+        known += (known.empty() ? "" : ", ") + region;
+      }
+      throw Error(Fault::BadParameter,
+        "Layer Regions has \"" + name + "\", which is no region: " +
+          (known.empty() ? "there is only one, without a name." : "there are " + known + "."));
+    }
+    found.push_back(FirstRegion + static_cast<std::int32_t>(at - regions.begin()));
+  }
+  return found;
 }
 
 std::vector<WallLayerSpec::OfBoundary> boundaryLayers(

@@ -52,6 +52,10 @@ std::vector<BoundaryRatio> boundaryRatios(
 std::map<std::int32_t, int> boundaryDepths(
   const BoundarySettings& settings, const BoundaryNames& names);
 
+// The numbers of regions (Walls.h) by name. Throws Error (BadParameter): there is none of a name.
+std::vector<std::int32_t> layerRegions(
+  const std::vector<std::string>& asked, const std::vector<std::string>& regions);
+
 // Boundaries whose layers are unlike the others': the rows with a thickness, then those that are no walls, by type or
 // else by name. Throws what boundaryTypes does; fewer or more thicknesses than names.
 std::vector<WallLayerSpec::OfBoundary> boundaryLayers(

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <set>
 #include <vector>
 
 namespace cartesian
@@ -28,18 +29,38 @@ struct BareWall
   double coverage;
 };
 
+// Where faces were to have layers.
+std::set<std::int32_t> askedOf(const LayeredBoundary& layered)
+{
+  std::set<std::int32_t> asked;
+  for (std::size_t i = 0; i < layered.faces.size(); ++i)
+  {
+    if (layered.asked[i] > 0)
+    {
+      asked.insert(layered.faces[i].boundary);
+    }
+  }
+  for (const LayeredInterface& face : layered.interfaces)
+  {
+    if (face.asked > 0)
+    {
+      asked.insert(face.boundary);
+    }
+  }
+  return asked;
+}
+
 // Those with the least coverage first.
 std::vector<BareWall> bareWalls(const BoundaryLayers& layers, vtkDataObject* mesh)
 {
   std::vector<BareWall> bare;
   vtkDataArray* coverages = mesh->GetFieldData()->GetArray("BoundaryLayerCoverages");
-  vtkDataArray* faces = mesh->GetFieldData()->GetArray("BoundaryFaceCounts");
+  const std::set<std::int32_t> asked = askedOf(layers.boundary);
   vtkIdType i = 0;
   for (const auto& [boundary, name] : boundaryNames(mesh))
   {
     const double coverage = coverages->GetComponent(i, 0);
-    if (layers.spec.hasLayers(boundary) && faces->GetComponent(i, 0) > 0 &&
-      coverage < LeastCoverage)
+    if (asked.count(boundary) > 0 && coverage < LeastCoverage)
     {
       bare.push_back({ name, coverage });
     }

@@ -59,6 +59,41 @@ void appendLayers(const OutputMesh& mesh, const PrismStacks& stacks, const CellA
     mesh.connectivitySize() + stacks.offsets.back();
 }
 
+// Cells at interfaces with layers have points of their own there. `regions`: of each cell of the mesh.
+void setCopies(const OutputMesh& mesh, const BoundaryLayers& layers, const int* regions,
+  const CellArrays& arrays)
+{
+  std::map<std::pair<int, Id>, Id> copyOf;
+  std::vector<bool> isCopied(static_cast<std::size_t>(mesh.pointCount()));
+  for (const PointCopy& copy : layers.copies)
+  {
+    copyOf[{ copy.region, copy.point }] = copy.copy;
+    isCopied[static_cast<std::size_t>(copy.point)] = true;
+  }
+  const auto set = [&](Id cell, Id& point) {
+    if (isCopied[static_cast<std::size_t>(point)])
+    {
+      const auto found = copyOf.find({ regions[cell], point });
+      point = found == copyOf.end() ? point : found->second;
+    }
+  };
+  for (Id cell = 0; cell < mesh.cellCount() && !copyOf.empty(); ++cell)
+  {
+    std::for_each(arrays.connectivity + arrays.offsets[cell],
+      arrays.connectivity + arrays.offsets[cell + 1], [&](Id& point) { set(cell, point); });
+    if (arrays.types[cell] == arrays.polyhedron)
+    {
+      Id* at = arrays.faceStream + arrays.faceStart[cell];
+      for (Id faces = *at++; faces > 0; --faces)
+      {
+        const Id size = *at++;
+        std::for_each(at, at + size, [&](Id& point) { set(cell, point); });
+        at += size;
+      }
+    }
+  }
+}
+
 void setCells(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution& execution)
 {
   const OutputMesh& mesh = *assembly.mesh;
@@ -83,6 +118,8 @@ void setCells(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution& ex
   if (stacks)
   {
     appendLayers(mesh, *stacks, arrays);
+    auto* regions = vtkIntArray::SafeDownCast(grid->GetCellData()->GetArray("Region"));
+    setCopies(mesh, *assembly.layers, regions->GetPointer(0), arrays);
   }
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);
@@ -102,7 +139,7 @@ void setLayers(const OutputMesh& mesh, const BoundaryLayers& layers, vtkUnstruct
   }
   vtkNew<vtkUnsignedCharArray> layer;
   layer->SetName("Layer");
-  layer->SetNumberOfValues(grid->GetNumberOfCells());
+  layer->SetNumberOfValues(number->GetNumberOfTuples());
   layer->FillValue(0);
   for (std::size_t i = 0; i < stacks.cells(); ++i)
   {
@@ -113,8 +150,12 @@ void setLayers(const OutputMesh& mesh, const BoundaryLayers& layers, vtkUnstruct
       data->GetArray(name)->SetTuple(cell, below, data->GetArray(name));
     }
     data->GetArray("VolumeFraction")->SetComponent(cell, 0, 1);
-    number->SetValue(cell, cell);
+    number->SetValue(cell, layers.numbers[static_cast<std::size_t>(cell)]);
     layer->SetValue(cell, stacks.layer[i]);
+  }
+  for (vtkIdType cell = 0; cell < mesh.cellCount(); ++cell)
+  {
+    number->SetValue(cell, layers.numbers[static_cast<std::size_t>(number->GetValue(cell))]);
   }
   data->AddArray(layer);
   for (const ChangedCell& cell : layers.changed)
@@ -128,7 +169,7 @@ void setLayers(const OutputMesh& mesh, const BoundaryLayers& layers, vtkUnstruct
 void setCellData(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution& execution)
 {
   const OutputMesh& mesh = *assembly.mesh;
-  const Id cellCount = grid->GetNumberOfCells();
+  const Id cellCount = mesh.cellCount() + static_cast<Id>(layerCells(assembly));
   vtkNew<vtkIdTypeArray> number;
   number->SetName(CellId);
   number->SetNumberOfTuples(cellCount);
@@ -201,8 +242,8 @@ void setMesh(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution& exe
     }
   }
   grid->SetPoints(points);
-  setCells(assembly, grid, execution);
   setCellData(assembly, grid, execution);
+  setCells(assembly, grid, execution);
 }
 
 // What solvers that keep to the paper take from the mesher: the vector area (equation 1) and centre of
@@ -331,11 +372,11 @@ public:
     {
       Vector area;
       areas->GetTypedTuple(static_cast<vtkIdType>(i), area.data());
-      add(ofBoundary_[faces_[i].boundary], i, norm(area));
-      if (layers_.spec.hasLayers(faces_[i].boundary))
-      {
-        add(ofWalls_, i, norm(area));
-      }
+      add(faces_[i].boundary, norm(area), layers_.boundary.asked[i], thickness_[i]);
+    }
+    for (const LayeredInterface& face : layers_.boundary.interfaces)
+    {
+      add(face.boundary, face.area, face.asked, face.thickness);
     }
   }
 
@@ -368,12 +409,15 @@ private:
     double mean() const { return area > 0 ? volume / area : 0; }
   };
 
-  void add(Sums& sums, std::size_t face, double area) const
+  // Where none are asked for there is nothing to report.
+  void add(std::int32_t boundary, double area, double asked, double thickness)
   {
-    sums.area += area;
-    const double asked = layers_.boundary.asked[face];
-    sums.covered += asked > 0 && thickness_[face] >= LeastOfAsked * asked ? area : 0;
-    sums.volume += area * thickness_[face];
+    for (Sums* sums : { &ofBoundary_[boundary], &ofWalls_ })
+    {
+      sums->area += asked > 0 ? area : 0;
+      sums->covered += asked > 0 && thickness >= LeastOfAsked * asked ? area : 0;
+      sums->volume += area * thickness;
+    }
   }
 
   const BoundaryLayers& layers_;
@@ -496,9 +540,30 @@ void setRegions(const Assembly& assembly, const std::vector<std::string>& names,
   {
     regionOf[static_cast<std::size_t>(numbers->GetValue(cell))] = regions->GetValue(cell);
   }
-  const std::vector<BoundaryFace>& faces = assembly.mesh->boundary();
+  const std::vector<BoundaryFace>& faces = boundaryOf(assembly);
   boundary->GetCellData()->AddArray(arrayOf<vtkIntArray>("Region", faces.size(),
     [&](std::size_t i) { return regionOf[static_cast<std::size_t>(faces[i].cell)]; }));
+}
+
+// Behind and in front of each face between two regions; with layers, those of their stacks.
+std::vector<std::array<Id, 2>> cellsAtInterfaces(const Assembly& assembly)
+{
+  const OutputMesh& mesh = *assembly.mesh;
+  std::vector<std::array<Id, 2>> cells;
+  for (std::size_t i = 0; i < mesh.interfaces().size(); ++i)
+  {
+    cells.push_back({ mesh.interfaces()[i].cell, mesh.inFrontOfInterfaces()[i] });
+  }
+  if (assembly.layers)
+  {
+    for (const LayeredInterface& face : assembly.layers->boundary.interfaces)
+    {
+      const auto wall = static_cast<std::size_t>(mesh.interfaces()[face.face].boundary);
+      const bool isInFront = assembly.patches.walls.all[wall].front == face.region;
+      cells[face.face][isInFront ? 1 : 0] = face.cell;
+    }
+  }
+  return cells;
 }
 
 void setInterfaces(const Assembly& assembly, const std::vector<std::string>& names,
@@ -538,10 +603,11 @@ void setInterfaces(const Assembly& assembly, const std::vector<std::string>& nam
     "OwnerBoundaryId", faces.size(), [&](std::size_t i) { return wallOf(i).boundary; }));
   data->AddArray(arrayOf<vtkIntArray>(
     "NeighbourBoundaryId", faces.size(), [&](std::size_t i) { return wallOf(i).boundaryInFront; }));
+  const std::vector<std::array<Id, 2>> cells = cellsAtInterfaces(assembly);
+  data->AddArray(
+    arrayOf<vtkIdTypeArray>("OwnerCell", faces.size(), [&](std::size_t i) { return cells[i][0]; }));
   data->AddArray(arrayOf<vtkIdTypeArray>(
-    "OwnerCell", faces.size(), [&](std::size_t i) { return faces[i].cell; }));
-  data->AddArray(arrayOf<vtkIdTypeArray>(
-    "NeighbourCell", faces.size(), [&](std::size_t i) { return from.inFrontOfInterfaces()[i]; }));
+    "NeighbourCell", faces.size(), [&](std::size_t i) { return cells[i][1]; }));
 }
 
 }

@@ -32,7 +32,7 @@ def write_block(folder, low, high, cells):
 def write_case(folder, low, high, cells, inside, level=0, regions=(), features=False, layers=None):
     """For constant/triSurface/surface.stl. `inside`: a point in each part to mesh; `regions`: the names of
     the file's solids, if these shall be patches; `features`: whether to snap to surface.eMesh beside it,
-    which surfaceFeatureExtract writes; `layers`: how many on all walls, their ratio, and the height of the first."""
+    which surfaceFeatureExtract writes; `layers`: how many on all but inlets and outlets, their ratio, and the height of the first."""
     write_block(folder, low, high, cells)
     foam.write(folder, "system/controlDict", f"""
         application snappyHexMesh; startFrom startTime; startTime 0; stopAt endTime; endTime 1; deltaT 1;
@@ -51,6 +51,8 @@ def write_case(folder, low, high, cells, inside, level=0, regions=(), features=F
     explicit = """nFeatureSnapIter 10; implicitFeatureSnap false; explicitFeatureSnap true;
         multiRegionFeatureSnap true;""" if features else ""
     count, ratio, first = layers or (0, 1, 0)
+    walls = [name for name in regions if not name.startswith(("inlet", "outlet"))] if regions else ['".*"']
+    thick = " ".join(f"{wall} {{ nSurfaceLayers {count}; }}" for wall in walls)
     foam.write(folder, "system/snappyHexMeshDict", f"""
         castellatedMesh true; snap true; addLayers {str(count > 0).lower()};
         geometry {{ surface.stl {{ type triSurfaceMesh; name surface; {named} }} }}
@@ -65,7 +67,7 @@ def write_case(folder, low, high, cells, inside, level=0, regions=(), features=F
         snapControls {{ nSmoothPatch 3; tolerance 2.0; nSolveIter 30; nRelaxIter 5; {explicit} }}
         addLayersControls
         {{
-            relativeSizes false; layers {{ ".*" {{ nSurfaceLayers {count}; }} }} expansionRatio {ratio};
+            relativeSizes false; layers {{ {thick} }} expansionRatio {ratio};
             firstLayerThickness {first}; minThickness {0.2 * first}; {LAYERS}
         }}
         meshQualityControls {{ {QUALITY} }}

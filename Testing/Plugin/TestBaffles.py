@@ -87,7 +87,7 @@ assert "\nMesh OK." in text, text
 # What ends inside, and where else baffles cannot be, is refused.
 for surface, properties, words in (
         (duct(top=0.5), {}, "ends within it near"),
-        (duct(), {"Layers": 3}, "with several regions or baffles there are no layers"),
+        (duct(), {"Layers": 3}, "with baffles there are no layers"),
         (duct(), {"Domain": "Outside"}, "there are no baffles yet")):
     with Messages() as said:
         refused = mesher(surface, **properties)

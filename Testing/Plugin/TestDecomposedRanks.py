@@ -1,5 +1,5 @@
 """Each rank writes its piece of a decomposed case; together they are the mesh that the ranks write whole. So are those of
-several regions."""
+several regions, and those with layers."""
 
 import pathlib
 import tempfile
@@ -25,6 +25,10 @@ with tempfile.TemporaryDirectory() as temporary:
     decomposed.check(again, whole, ranks)
     assert not (again / "processor0" / "constant" / "polyMesh.old").exists()
     print([piece.files.cells for piece in pieces], "cells")
+
+    mesher.Layers = 2
+    whole = foam.Files(foam.save(mesher, pathlib.Path(temporary) / "layered"))
+    decomposed.check(foam.save(mesher, pathlib.Path(temporary) / "layers", Pieces=ranks), whole, ranks)
 
     mesh = simple.OutputPort(slab(0.25, "Exact Fit"), "Mesh")
     whole = foam.save(mesh, pathlib.Path(temporary) / "slab")

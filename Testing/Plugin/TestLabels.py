@@ -15,7 +15,7 @@ patches = {"PatchMethod": "Automatic", "FeatureAngle": 30.0, "MergeAngle": 10.0,
 cells = {"CollapseRatio": 0.1, "SmallCells": "Merge", "MergeRatio": 0.3, "SmallCellRatio": 0.001,
          "SplitConcaveCells": 1, "TrueVolume": 1, "OptimiseNodes": 1, "RefusedCellRatio": 4}
 layers = {"Layers": 0, "LayerExpansionRatio": 1.2, "FirstLayerThickness": 0.0, "LayersThickness": 0.0,
-          "CellBudget": 0, "BoundaryLayersThickness": [],
+          "LayerRegions": [], "CellBudget": 0, "BoundaryLayersThickness": [],
           "BoundaryDepths": [], "BoundaryMergedNames": []}
 settings = {"BoundaryNames": [], "BoundaryTypes": [], "BoundarySmallCellRatios": []}
 threads = {"NumberOfThreads": 0}

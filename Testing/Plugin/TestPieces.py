@@ -20,7 +20,7 @@ EXHAUST = DATA / "kcl_exhaust_header_lumens.stl"
 CELL_SIZE, DEPTH, PIECES = 13.0, 1, 3
 
 
-def mesher(size=CELL_SIZE, depth=DEPTH, gaps=4):
+def mesher(size=CELL_SIZE, depth=DEPTH, gaps=4, layers=0):
     reader = vtkSTLReader()
     reader.SetFileName(str(EXHAUST))
     reader.ScalarTagsOn()
@@ -31,6 +31,7 @@ def mesher(size=CELL_SIZE, depth=DEPTH, gaps=4):
     mesher.SetCurvatureAngle(10 * gaps)
     mesher.SetCellsAcrossGaps(gaps)
     mesher.SetLargestDepth(2)
+    mesher.SetLayers(layers)
     return mesher
 
 
@@ -51,18 +52,20 @@ def ids(boundary):
         for name in ("OwnerCell", "BoundaryId")))
 
 
-alone = mesher()
-alone.Update()
-whole, faces = alone.GetOutputDataObject(0), alone.GetOutputDataObject(1)
-
-for order in (0, 1, 2), (2, 0, 1):
-    filter = mesher()
+for order, layers in ((0, 1, 2), 0), ((2, 0, 1), 0), ((0, 1, 2), 2):
+    alone = mesher(layers=layers)
+    alone.Update()
+    whole, faces = alone.GetOutputDataObject(0), alone.GetOutputDataObject(1)
+    filter = mesher(layers=layers)
     made = dict((number, piece(filter, number)) for number in order)
     parts = [made[number] for number in range(PIECES)]
     pieces.assert_union(whole, [mesh for mesh, _ in parts])
     for mine, expected in zip(zip(*(ids(boundary) for _, boundary in parts)), ids(faces)):
         assert np.array_equal(np.concatenate(mine), expected)
 
+alone = mesher()
+alone.Update()
+whole = alone.GetOutputDataObject(0)
 with tempfile.TemporaryDirectory() as folder:
     folder = pathlib.Path(folder)
     writer = vtkXMLPUnstructuredGridWriter()

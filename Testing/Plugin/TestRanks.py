@@ -20,8 +20,9 @@ RANKS = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
 assert RANKS > 1
 
 
-def on_one_rank(source, size, depth, regions=0):
+def on_one_rank(source, size, depth, regions=0, layers=0):
     mesher = vtkCartesianMesher()
+    mesher.SetLayers(layers)
     mesher.SetRegionsFrom(regions)
     mesher.SetInputConnection(source.GetOutputPort())
     mesher.SetCellSize(size)
@@ -83,6 +84,10 @@ for source, alone, size in ((read("kcl_exhaust_header_lumens.stl"), stl, 10.0),
     faces.UpdatePipeline()
     found = faces.GetDataInformation().GetNumberOfCells()
     assert found == boundary_faces(mesher), f"Boundary alone: {found} faces"
+
+# Layers: each rank makes the whole mesh, and keeps its part.
+assert_same(simple.CartesianMesher(Input=read("kcl_exhaust_header_lumens.stl"), CellSize=10, Layers=2),
+            on_one_rank(stl, 10.0, 0, layers=2))
 
 # Several regions: a ball in a box.
 block = simple.Triangulate(Input=simple.Box(XLength=0.7, YLength=0.8, ZLength=2))

@@ -46,11 +46,12 @@ struct Failing
   static constexpr double InnerCosine = 0.27;   // 74.3
 };
 
-// Of the sides between two stacks of layers.
+// Of the sides between two stacks of layers, and of cells in these.
 struct LayerLimits
 {
   static constexpr double InnerAngle = 89.9; // of a face whose pyramid has no volume
   static constexpr double FaceWeight = 0.02;
+  static constexpr double ThirdDirection = 3e-3; // a prism's base may be 300 times as long as wide
 };
 
 // What snappyHexMesh's cells have, about.

@@ -41,12 +41,13 @@ double shortestSide(const Box& box, double undivided)
 
 }
 
-std::vector<double> usualThicknesses(const OutputMesh& mesh, const WallLayerSpec& spec)
+std::vector<double> usualThicknesses(
+  const OutputMesh& mesh, const std::vector<BoundaryFace>& faces, const WallLayerSpec& spec)
 {
   const Boxes& boxes = mesh.boxes();
   const double undivided = shortestSide(boxes.planes);
   std::vector<double> thicknesses;
-  for (const BoundaryFace& face : mesh.boundary())
+  for (const BoundaryFace& face : faces)
   {
     const double side = shortestSide(boxes.box(mesh.boxOf(face.cell)), undivided);
     thicknesses.push_back(totalThickness(spec, side * boxes.lattice.step()));

@@ -8,7 +8,8 @@
 namespace cartesian
 {
 
-// At each boundary face, in user units, where its boundary has no thickness of its own.
-std::vector<double> usualThicknesses(const OutputMesh& mesh, const WallLayerSpec& spec);
+// At each face, in user units, where its boundary has no thickness of its own.
+std::vector<double> usualThicknesses(
+  const OutputMesh& mesh, const std::vector<BoundaryFace>& faces, const WallLayerSpec& spec);
 
 }

@@ -2,9 +2,11 @@
 #include "Layers/BoundaryLayers.h"
 
 #include "Layers/LayerFaults.h"
+#include "Layers/LayerNumbers.h"
 #include "Layers/NodeMotion.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace cartesian
 {
@@ -14,10 +16,11 @@ namespace
 
 constexpr int Rings = 4;           // of cells whose points follow the wall
 constexpr double LeastMove = 1e-3; // of the longest way: others change no measure much
-constexpr double Thinned = 0.5;
-constexpr int ThinningRounds = 20;    // afterwards layers at fault end at once
-constexpr double LeastPart = 0.2;     // thinner ones end
-constexpr double LeastOfAsked = 0.05; // of the thickness of a stack: thinner ones are left out
+constexpr double Thinned = 0.72;
+constexpr int ThinningRounds = 20; // afterwards layers at fault end at once
+constexpr double LeastPart = 0.2;  // thinner ones end
+constexpr double LeastOfAsked =
+  0.12;                       // of the thickness of a stack: on thinner ones solvers diverge
 constexpr double Slope = 0.8; // of parts, from node to node of a face: layers end over two columns
 
 // A cell that had less of its volume than this part hardly had any to compare with.
@@ -25,7 +28,7 @@ constexpr double LeastFormer = 1e-3;
 class LayerMaker
 {
 public:
-  LayerMaker(const OutputMesh& mesh, const std::vector<double>& points, std::vector<double> heights,
+  LayerMaker(const OutputMesh& mesh, const std::vector<double>& points, LayerHeights heights,
     LayeredWall& wall, const FlowDomainSides& sides, Execution& execution)
     : mesh_(mesh)
     , before_(points)
@@ -58,6 +61,7 @@ public:
     }
     result_.boundary = boundaryOf(mesh_, wall_, heights_);
     listChanged();
+    result_.copies = shareNodes(mesh_, wall_, result_.stacks, result_.boundary);
     return std::move(result_);
   }
 
@@ -245,7 +249,7 @@ private:
 
   const OutputMesh& mesh_;
   const std::vector<double>& before_; // points of the mesh
-  const std::vector<double> heights_;
+  const LayerHeights heights_;
   LayeredWall& wall_;
   const FlowDomainSides& sides_;
   Execution& execution_;
@@ -258,6 +262,18 @@ private:
   BoundaryLayers result_;
 };
 
+void append(const OutputMesh& mesh, BoundaryLayers& layers, BoundaryLayers more)
+{
+  for (PointCopy& copy : more.copies)
+  {
+    copy.copy += static_cast<Id>(layers.stacks.nodeOfPoint.size());
+    layers.copies.push_back(copy);
+  }
+  append(mesh, layers.stacks, layers.boundary, more.boundary);
+  append(mesh, layers.stacks, more.stacks);
+  layers.changed.insert(layers.changed.end(), more.changed.begin(), more.changed.end());
+}
+
 }
 
 BoundaryLayers addLayers(
@@ -265,14 +281,28 @@ BoundaryLayers addLayers(
 {
   std::vector<double> points(3 * static_cast<std::size_t>(mesh.pointCount()));
   mesh.writePoints(points.data(), execution);
-  LayeredWall wall = findLayeredWall(mesh, points, spec, execution);
-  spreadWays(wall);
   const FlowDomainSides sides(mesh.boxes(), surface);
-  keepFromOpposite(wall, surface, sides, execution);
-  BoundaryLayers layers =
-    LayerMaker(mesh, points, heightsOfLayers(spec), wall, sides, execution).run();
-  layers.spec = spec;
-  return layers;
+  std::optional<BoundaryLayers> layers;
+  for (LayerRegion& region : layerRegions(mesh, surface.walls, execution))
+  {
+    LayeredWall wall = findLayeredWall(std::move(region), mesh, points, spec, execution);
+    spreadWays(wall);
+    keepFromOpposite(wall, surface, sides, execution);
+    BoundaryLayers more =
+      LayerMaker(mesh, points, LayerHeights(spec), wall, sides, execution).run();
+    if (layers)
+    {
+      append(mesh, *layers, std::move(more));
+    }
+    else
+    {
+      layers = std::move(more);
+    }
+  }
+  layers->numbers = numbersWithLayers(mesh, layers->stacks);
+  renumber(layers->boundary, layers->numbers);
+  layers->spec = spec;
+  return std::move(*layers);
 }
 
 }

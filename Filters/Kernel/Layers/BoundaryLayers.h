@@ -4,11 +4,14 @@
 //
 // Where solvers would refuse a face or a cell that they accepted before, or one of the layers, these become thinner
 // or end. In each round the mesh near the wall is measured (QualityMeasures.h). The nodes of each face at fault, or those
-// nearest to it, have half as much of the layers as before, in the end none; at once if the fault is between two
+// nearest to it, have less of the layers than before, in the end none; at once if the fault is between two
 // stacks, as these cannot mend by being thinner. With layers nowhere the mesh is what it was: so there is an end.
+//
+// Each region has its layers as if there were no other one: on its boundary, and on its side of interfaces. These stay
+// as they are, their faces the same for both sides (SharedNodes.h).
 #pragma once
 
-#include "Layers/PrismStacks.h"
+#include "Layers/SharedNodes.h"
 
 namespace cartesian
 {
@@ -25,6 +28,8 @@ struct BoundaryLayers
   PrismStacks stacks;
   LayeredBoundary boundary;
   std::vector<ChangedCell> changed; // cells whose points moved
+  std::vector<PointCopy> copies;    // on interfaces
+  std::vector<Id> numbers;          // of all cells (LayerNumbers.h)
 };
 
 // `surface`: the one that was meshed.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Layers/LayerFaults.h"
 
+#include "Polyhedra/CellGeometry.h"
 #include "Quality/QualityMeasures.h"
 
 #include <algorithm>
@@ -28,6 +29,22 @@ void addPolyhedron(CellFaces& cells, const Id* stream)
     cells.firstCorner.push_back(cells.corners.size());
   }
   cells.firstFace.push_back(cells.faceCount());
+}
+
+// What is left of a stack above one node may have hardly any third direction, where a prism has that of the face below it,
+// however thin it is.
+bool isFlat(const CellFaces& cells, std::size_t cell, const std::vector<double>& points)
+{
+  AreaSpread spread;
+  for (std::size_t f = cells.firstFace[cell]; f < cells.firstFace[cell + 1]; ++f)
+  {
+    const std::size_t first = cells.firstCorner[f];
+    spread.add(measureFace(cells.firstCorner[f + 1] - first, [&](std::size_t i) {
+      const double* const at = &points[3 * std::size_t(cells.corners[first + i])];
+      return Vector{ at[0], at[1], at[2] };
+    }).area);
+  }
+  return spread.third() < LayerLimits::ThirdDirection;
 }
 
 }
@@ -230,12 +247,14 @@ std::vector<LayerFault> LayerFaults::find(const PrismStacks& stacks,
     const bool isOfMesh = number < near_.cells.cellCount();
     const bool isNew = faults.cell[c] && !(isOfMesh && cellWasAtFault_[number]);
     const bool isLong = faults.isLong[c] && !(isOfMesh && cellWasLong_[number]);
-    if (selected.hasChanged[c] && (isNew || isLong))
+    const bool hasNoThird =
+      !isOfMesh && selected.hasChanged[c] && isFlat(selected.cells, c, points);
+    if (selected.hasChanged[c] && (isNew || isLong || hasNoThird))
     {
       LayerFault fault;
       selected.addPointsOfCell(c, fault.points);
       fault.around = isOfMesh ? fault.points : fault.around;
-      fault.mendsThinner = isNew;
+      fault.mendsThinner = isNew && !hasNoThird;
       found.push_back(std::move(fault));
     }
   }

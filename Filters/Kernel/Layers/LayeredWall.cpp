@@ -23,16 +23,16 @@ constexpr std::size_t NodesAChunk = 256;
 class WallFinder
 {
 public:
-  WallFinder(const OutputMesh& mesh, const WallLayerSpec& spec)
+  WallFinder(LayerRegion region, const OutputMesh& mesh, const WallLayerSpec& spec)
     : mesh_(mesh)
     , spec_(spec)
   {
+    wall_.of = std::move(region);
   }
 
   LayeredWall run(const std::vector<double>& points, Execution& execution)
   {
-    wall_.faces = mesh_.boundaryMesh(execution);
-    for (const Id point : wall_.faces.meshPoint)
+    for (const Id point : wall_.of.mesh.meshPoint)
     {
       const double* const at = &points[3 * static_cast<std::size_t>(point)];
       wall_.place.push_back({ at[0], at[1], at[2] });
@@ -47,19 +47,21 @@ public:
     }
     findWays(execution);
     endAtOddEdges();
+    endAtInterfaces();
     return std::move(wall_);
   }
 
 private:
   void findLayered()
   {
-    wall_.layered.resize(mesh_.boundary().size());
+    wall_.layered.resize(wall_.of.faces.size());
     wall_.isOnWall.assign(wall_.nodes(), 0);
     wall_.usual.assign(wall_.nodes(), 0);
-    const std::vector<double> usual = usualThicknesses(mesh_, spec_);
+    const std::vector<double> usual = usualThicknesses(mesh_, wall_.of.faces, spec_);
     for (std::size_t f = 0; f < wall_.layered.size(); ++f)
     {
-      wall_.asked.push_back(spec_.thicknessAt(mesh_.boundary()[f].boundary, usual[f]));
+      wall_.asked.push_back(
+        spec_.isIn(wall_.of.region) ? spec_.thicknessAt(wall_.of.boundary[f], usual[f]) : 0);
       wall_.layered[f] = wall_.asked[f] > 0;
       for (std::size_t i = 0; wall_.layered[f] && i < wall_.corners(f); ++i)
       {
@@ -156,6 +158,18 @@ private:
     }
   }
 
+  // The cells beyond an interface without layers stay as they are, and so do its edges.
+  void endAtInterfaces()
+  {
+    for (std::size_t f = wall_.of.boundaryFaces(); f < wall_.layered.size(); ++f)
+    {
+      for (std::size_t i = 0; !wall_.layered[f] && i < wall_.corners(f); ++i)
+      {
+        wall_.parts[wall_.node(f, i)] = 0;
+      }
+    }
+  }
+
   const OutputMesh& mesh_;
   const WallLayerSpec& spec_;
   std::vector<std::vector<Facet>> facets_; // around each node, of walls with layers
@@ -163,13 +177,28 @@ private:
   LayeredWall wall_;
 };
 
-// Where a ray leaves through a triangle, in its own length; more than 1: it does not.
-double leavesAt(const Vector& from, const Vector& along, const Corners& c)
+// Whether a triangle bounds a region, and which way its normal points.
+struct Facing
+{
+  bool outwards;
+  bool inwards;
+};
+
+Facing facing(const Surface& surface, std::uint32_t triangle, std::int32_t region)
+{
+  const std::int32_t boundary = surface.boundary[triangle];
+  return surface.walls.any()
+    ? Facing{ surface.walls.behind(boundary) == region, surface.walls.front(boundary) == region }
+    : Facing{ true, false };
+}
+
+// Where a ray leaves a region through a triangle, in its own length; more than 1: it does not.
+double leavesAt(const Vector& from, const Vector& along, const Corners& c, const Facing& facing)
 {
   constexpr double Rounding = 1e-9;
   const LineMeeting m = meetLine(c, from, along);
-  const bool meets = m.leaves && m.second >= -Rounding && m.third >= -Rounding &&
-    m.second + m.third <= 1 + Rounding && m.distance > 0;
+  const bool meets = (m.leaves ? facing.outwards : facing.inwards) && m.second >= -Rounding &&
+    m.third >= -Rounding && m.second + m.third <= 1 + Rounding && m.distance > 0;
   return meets ? m.distance : 2;
 }
 
@@ -194,15 +223,15 @@ double LayeredWall::thickness(std::size_t face) const
   for (std::size_t i = 0; i < size; ++i)
   {
     const std::size_t n = node(face, i);
-    sum += dot(minus(place[n], at(n, 1)), unit(geometry.area));
+    sum += dot(minus(place[n], at(n, parts[n])), unit(geometry.area));
   }
   return sum / static_cast<double>(size);
 }
 
-LayeredWall findLayeredWall(const OutputMesh& mesh, const std::vector<double>& points,
-  const WallLayerSpec& spec, Execution& execution)
+LayeredWall findLayeredWall(LayerRegion region, const OutputMesh& mesh,
+  const std::vector<double>& points, const WallLayerSpec& spec, Execution& execution)
 {
-  return WallFinder(mesh, spec).run(points, execution);
+  return WallFinder(std::move(region), mesh, spec).run(points, execution);
 }
 
 void keepFromOpposite(
@@ -231,7 +260,8 @@ void keepFromOpposite(
         high[axis] = std::max(from[axis], to[axis]);
       }
       tree.forEachWithin(low, high, [&](std::uint32_t t) {
-        wall.parts[n] = std::min(wall.parts[n], leavesAt(from, along, surface.corners(t)));
+        wall.parts[n] = std::min(wall.parts[n],
+          leavesAt(from, along, surface.corners(t), facing(surface, t, wall.of.region)));
       });
     }
   });

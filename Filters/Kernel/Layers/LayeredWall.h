@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The boundary of a mesh that gets layers: which of its nodes go where.
+// The boundary of a region that gets layers: which of its nodes go where.
 #pragma once
 
 #include "Layers/FlowDomainSides.h"
-#include "Mesh/OutputMesh.h"
+#include "Layers/LayerRegion.h"
 #include "Surface/WallLayerSpec.h"
 
 namespace cartesian
@@ -11,13 +11,13 @@ namespace cartesian
 
 struct LayeredWall
 {
-  BoundaryMesh faces;                // of the mesh without layers
+  LayerRegion of;                    // without layers
   std::vector<std::uint8_t> layered; // of each face
   std::vector<double> asked; // thickness of all layers on each face, in user units; 0: it has none
   std::vector<double>
     usual; // of each node, where boundaries have no thickness of their own; the most of its faces
   std::vector<std::uint8_t>
-    isOnWall;                // of each node, an index in faces.meshPoint: it is of a layered face
+    isOnWall;                // of each node, an index in of.mesh.meshPoint: it is of a layered face
   std::vector<Vector> place; // of each node, in user units
 
   // Of each node on the wall, the way inwards through all layers, to where the planes of the faces around it meet
@@ -33,7 +33,7 @@ struct LayeredWall
   // Of its way, how much layers take; the mesh's point moves to there. 0: it has none.
   std::vector<double> parts;
 
-  // Of each face's corners, as in faces.corners, the face beyond the edge from there to the next corner, and that
+  // Of each face's corners, as in of.mesh.corners, the face beyond the edge from there to the next corner, and that
   // face's corner from which the edge goes back; itself where there are not two faces at an edge.
   std::vector<std::size_t> beyond;
   std::vector<std::size_t> opposite;
@@ -41,28 +41,28 @@ struct LayeredWall
   std::size_t nodes() const { return place.size(); }
   std::size_t corners(std::size_t face) const
   {
-    return static_cast<std::size_t>(faces.start[face + 1] - faces.start[face]);
+    return static_cast<std::size_t>(of.mesh.start[face + 1] - of.mesh.start[face]);
   }
   std::size_t corner(std::size_t face, std::size_t i) const
   {
-    return static_cast<std::size_t>(faces.start[face]) + i % corners(face);
+    return static_cast<std::size_t>(of.mesh.start[face]) + i % corners(face);
   }
   std::size_t cornerAfter(std::size_t face, std::size_t corner) const
   {
-    const bool isLast = corner + 1 == static_cast<std::size_t>(faces.start[face + 1]);
-    return isLast ? static_cast<std::size_t>(faces.start[face]) : corner + 1;
+    const bool isLast = corner + 1 == static_cast<std::size_t>(of.mesh.start[face + 1]);
+    return isLast ? static_cast<std::size_t>(of.mesh.start[face]) : corner + 1;
   }
   std::size_t node(std::size_t face, std::size_t i) const
   {
-    return static_cast<std::size_t>(faces.corners[corner(face, i)]);
+    return static_cast<std::size_t>(of.mesh.corners[corner(face, i)]);
   }
 
   std::size_t faceBeyond(std::size_t face, std::size_t i) const { return beyond[corner(face, i)]; }
 
-  // Where 0 is the wall and 1 the mesh below the layers.
+  // `height`: a part of the way.
   Vector at(std::size_t node, double height) const
   {
-    return plus(place[node], scaled(way[node], height * parts[node]));
+    return plus(place[node], scaled(way[node], height));
   }
   bool hasStack(std::size_t face) const;
 
@@ -71,8 +71,8 @@ struct LayeredWall
 };
 
 // `points`: of the mesh.
-LayeredWall findLayeredWall(const OutputMesh& mesh, const std::vector<double>& points,
-  const WallLayerSpec& spec, Execution& execution);
+LayeredWall findLayeredWall(LayerRegion region, const OutputMesh& mesh,
+  const std::vector<double>& points, const WallLayerSpec& spec, Execution& execution);
 
 // Lowers the parts of nodes until layers take at most a third of the way to what lies opposite: the surface, or a side
 // of the flow domain.

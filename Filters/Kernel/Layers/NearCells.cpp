@@ -16,6 +16,7 @@ class NearFinder
 public:
   NearFinder(const OutputMesh& mesh, const LayeredWall& wall)
     : mesh_(mesh)
+    , isElsewhere_(wall.of.isElsewhere)
     , isNear_(static_cast<std::size_t>(mesh.cellCount()))
     , points_(static_cast<std::size_t>(mesh.pointCount()))
   {
@@ -25,9 +26,13 @@ public:
     {
       if (wall.isOnWall[n])
       {
-        const auto point = static_cast<std::size_t>(wall.faces.meshPoint[n]);
+        const auto point = static_cast<std::size_t>(wall.of.mesh.meshPoint[n]);
         near_.wallNode[point] = static_cast<std::uint32_t>(n);
         near_.origin[point] = static_cast<std::uint32_t>(n);
+      }
+      else if (!wall.of.isShared.empty() && wall.of.isShared[n])
+      {
+        shared_.push_back(static_cast<std::size_t>(wall.of.mesh.meshPoint[n]));
       }
     }
   }
@@ -46,18 +51,22 @@ public:
     forEachOther([&](const CellOfMesh& cell) {
       forEachPoint(cell, [&](std::size_t p) { near_.mayMove[p] = 0; });
     });
+    for (const std::size_t p : shared_)
+    {
+      near_.mayMove[p] = 0;
+    }
     addRing();
     listCells();
     return std::move(near_);
   }
 
 private:
-  // Calls visit(cell) for those that are not near so far.
+  // Calls visit(cell) for those of the region that are not near so far.
   template <class Visitor>
   void forEachOther(Visitor&& visit) const
   {
     mesh_.forEachCell([&](const CellOfMesh& cell) {
-      if (!isNear_[cell.place])
+      if (!isNear_[cell.place] && (isElsewhere_.empty() || !isElsewhere_[cell.place]))
       {
         visit(cell);
       }
@@ -103,6 +112,9 @@ private:
   }
 
   const OutputMesh& mesh_;
+  const std::vector<std::uint8_t>& isElsewhere_;
+  std::vector<std::size_t>
+    shared_; // points that cells of other regions have, too, and that are not on the wall
   std::vector<bool> isNear_; // of each cell, so far
   const std::size_t points_;
   NearCells near_;

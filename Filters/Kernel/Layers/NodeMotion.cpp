@@ -104,7 +104,7 @@ void NodeMotion::makeField(const NearCells& near, const std::vector<double>& poi
   std::vector<const std::vector<Vector>*> fixed(count, nullptr);
   for (std::uint32_t n = 0; n < wall_.nodes(); ++n)
   {
-    const auto point = static_cast<std::size_t>(wall_.faces.meshPoint[n]);
+    const auto point = static_cast<std::size_t>(wall_.of.mesh.meshPoint[n]);
     if (near.mayMove[point])
     {
       fixed[indexOf[point]] = &wall_.fixed[n];

@@ -2,6 +2,7 @@
 #include "Layers/PrismStacks.h"
 
 #include "Layers/StackSides.h"
+#include "Polyhedra/CellGeometry.h"
 
 #include <algorithm>
 
@@ -32,7 +33,7 @@ public:
   // So many layers above the mesh.
   Id above(const LayeredWall& wall, std::size_t n, std::size_t k) const
   {
-    return k == 0 || first_[n] < 0 ? wall.faces.meshPoint[n] : first_[n] + static_cast<Id>(k) - 1;
+    return k == 0 || first_[n] < 0 ? wall.of.mesh.meshPoint[n] : first_[n] + static_cast<Id>(k) - 1;
   }
 
 private:
@@ -66,12 +67,11 @@ void listSide(const LayeredWall& wall, const Columns& columns, std::size_t f, st
 class Stacker
 {
 public:
-  Stacker(const OutputMesh& mesh, const LayeredWall& wall, const std::vector<double>& heights)
-    : mesh_(mesh)
-    , wall_(wall)
+  Stacker(const OutputMesh& mesh, const LayeredWall& wall, const LayerHeights& heights)
+    : wall_(wall)
     , heights_(heights)
-    , columns_(mesh, wall, heights.size() - 1)
-    , sides_(mesh, wall, heights)
+    , columns_(mesh, wall, heights.layers())
+    , sides_(wall, heights)
   {
   }
 
@@ -100,10 +100,10 @@ private:
       {
         continue;
       }
-      result_.moved.push_back({ wall_.faces.meshPoint[n], wall_.at(n, 1) });
+      result_.moved.push_back({ wall_.of.mesh.meshPoint[n], wall_.at(n, wall_.parts[n]) });
       for (std::size_t k = 1; k <= columns_.layers(); ++k)
       {
-        const Vector at = wall_.at(n, heights_[columns_.layers() - k]);
+        const Vector at = wall_.at(n, heights_.at(wall_.parts[n], columns_.layers() - k));
         result_.points.insert(result_.points.end(), at.begin(), at.end());
         result_.nodeOfPoint.push_back(n);
       }
@@ -144,12 +144,11 @@ private:
       }
     });
     result_.layer.push_back(static_cast<unsigned char>(columns_.layers() - k));
-    result_.below.push_back(mesh_.boundary()[f].cell);
+    result_.below.push_back(wall_.of.faces[f].cell);
   }
 
-  const OutputMesh& mesh_;
   const LayeredWall& wall_;
-  const std::vector<double>& heights_; // above the wall, as parts of all
+  const LayerHeights& heights_;
   const Columns columns_;
   const StackSides sides_;
   std::vector<Id> side_;
@@ -159,12 +158,11 @@ private:
 class BoundaryLister
 {
 public:
-  BoundaryLister(
-    const OutputMesh& mesh, const LayeredWall& wall, const std::vector<double>& heights)
+  BoundaryLister(const OutputMesh& mesh, const LayeredWall& wall, const LayerHeights& heights)
     : mesh_(mesh)
     , wall_(wall)
-    , columns_(mesh, wall, heights.size() - 1)
-    , sides_(mesh, wall, heights)
+    , columns_(mesh, wall, heights.layers())
+    , sides_(wall, heights)
   {
   }
 
@@ -179,11 +177,21 @@ public:
         addOf(f, k, cell++);
       }
     }
-    listPoints();
+    result_.mesh.start.push_back(static_cast<Id>(result_.mesh.corners.size()));
+    numberPoints(result_.mesh);
     return std::move(result_);
   }
 
 private:
+  void addInterface(std::size_t f, Id cell, double thickness)
+  {
+    const FaceGeometry geometry = measureFace(wall_.corners(f),
+      [&](std::size_t i) -> const Vector& { return wall_.place[wall_.node(f, i)]; });
+    result_.interfaces.push_back(
+      { wall_.of.ofInterface[f - wall_.of.boundaryFaces()], wall_.of.region, cell,
+        wall_.of.boundary[f], norm(geometry.area), wall_.asked[f], thickness });
+  }
+
   void add(const BoundaryFace& face, const std::vector<Id>& points, double asked, double thickness)
   {
     result_.faces.push_back(face);
@@ -208,18 +216,31 @@ private:
   {
     for (std::size_t f = 0; f < wall_.layered.size(); ++f)
     {
-      if (!wall_.hasStack(f))
+      if (wall_.hasStack(f))
       {
-        add(mesh_.boundary()[f], pointsOf(f, 0), wall_.asked[f], 0);
+        continue;
+      }
+      if (wall_.of.isInterface(f))
+      {
+        addInterface(f, wall_.of.faces[f].cell, 0);
+      }
+      else
+      {
+        add(wall_.of.faces[f], pointsOf(f, 0), wall_.asked[f], 0);
       }
     }
   }
 
   void addOf(std::size_t f, std::size_t k, Id cell)
   {
-    if (k + 1 == columns_.layers())
+    const bool isAtWall = k + 1 == columns_.layers();
+    if (isAtWall && wall_.of.isInterface(f))
     {
-      const BoundaryFace& base = mesh_.boundary()[f];
+      addInterface(f, cell, wall_.thickness(f));
+    }
+    else if (isAtWall)
+    {
+      const BoundaryFace& base = wall_.of.faces[f];
       add({ cell, base.index, base.boundary, BoundaryFace::Kind::Patch },
         pointsOf(f, columns_.layers()), wall_.asked[f], wall_.thickness(f));
     }
@@ -228,26 +249,10 @@ private:
       listSide(wall_, columns_, f, k, i, n, side_);
       if (!wall_.layered[other] && !side_.empty())
       {
-        const BoundaryFace& there = mesh_.boundary()[other];
+        const BoundaryFace& there = wall_.of.faces[other];
         add({ cell, there.index, there.boundary, BoundaryFace::Kind::Patch }, side_, 0, 0);
       }
     });
-  }
-
-  // Corners are the mesh's points so far.
-  void listPoints()
-  {
-    BoundaryMesh& mesh = result_.mesh;
-    mesh.start.push_back(static_cast<Id>(mesh.corners.size()));
-    mesh.meshPoint = mesh.corners;
-    std::sort(mesh.meshPoint.begin(), mesh.meshPoint.end());
-    mesh.meshPoint.erase(
-      std::unique(mesh.meshPoint.begin(), mesh.meshPoint.end()), mesh.meshPoint.end());
-    for (Id& corner : mesh.corners)
-    {
-      corner = std::lower_bound(mesh.meshPoint.begin(), mesh.meshPoint.end(), corner) -
-        mesh.meshPoint.begin();
-    }
   }
 
   const OutputMesh& mesh_;
@@ -260,14 +265,27 @@ private:
 
 }
 
+void numberPoints(BoundaryMesh& mesh)
+{
+  mesh.meshPoint = mesh.corners;
+  std::sort(mesh.meshPoint.begin(), mesh.meshPoint.end());
+  mesh.meshPoint.erase(
+    std::unique(mesh.meshPoint.begin(), mesh.meshPoint.end()), mesh.meshPoint.end());
+  for (Id& corner : mesh.corners)
+  {
+    corner = std::lower_bound(mesh.meshPoint.begin(), mesh.meshPoint.end(), corner) -
+      mesh.meshPoint.begin();
+  }
+}
+
 PrismStacks stackPrisms(
-  const OutputMesh& mesh, const LayeredWall& wall, const std::vector<double>& heights)
+  const OutputMesh& mesh, const LayeredWall& wall, const LayerHeights& heights)
 {
   return Stacker(mesh, wall, heights).run();
 }
 
 LayeredBoundary boundaryOf(
-  const OutputMesh& mesh, const LayeredWall& wall, const std::vector<double>& heights)
+  const OutputMesh& mesh, const LayeredWall& wall, const LayerHeights& heights)
 {
   return BoundaryLister(mesh, wall, heights).run();
 }

@@ -6,6 +6,7 @@
 // none above it: its prisms become wedges there, and a face all of whose nodes are such has no stack.
 #pragma once
 
+#include "Layers/LayerHeights.h"
 #include "Layers/LayeredWall.h"
 
 namespace cartesian
@@ -35,6 +36,18 @@ struct PrismStacks
   std::size_t stackOf(std::size_t cell) const { return (cell + layer[cell]) / layer[0]; }
 };
 
+// A face between two regions, as one of them has it with its stacks.
+struct LayeredInterface
+{
+  std::size_t face;      // of OutputMesh::interfaces()
+  std::int32_t region;   // the one that has it so
+  Id cell;               // there
+  std::int32_t boundary; // the user's, on this side
+  double area;
+  double asked; // as in LayeredBoundary
+  double thickness;
+};
+
 // The boundary of the mesh with its stacks: faces without stacks, then those of each stack's cells.
 struct LayeredBoundary
 {
@@ -42,13 +55,16 @@ struct LayeredBoundary
   std::vector<BoundaryFace> faces;
   std::vector<double> asked;     // thickness of all layers on each, in user units; 0: none
   std::vector<double> thickness; // of the stack below each, along its normal; 0: none
+  std::vector<LayeredInterface> interfaces;
 };
 
-// `heights`: of the layers' ends above the wall, as parts of all: 0, ..., 1.
+// Of faces whose corners are the mesh's points so far.
+void numberPoints(BoundaryMesh& mesh);
+
 PrismStacks stackPrisms(
-  const OutputMesh& mesh, const LayeredWall& wall, const std::vector<double>& heights);
+  const OutputMesh& mesh, const LayeredWall& wall, const LayerHeights& heights);
 
 LayeredBoundary boundaryOf(
-  const OutputMesh& mesh, const LayeredWall& wall, const std::vector<double>& heights);
+  const OutputMesh& mesh, const LayeredWall& wall, const LayerHeights& heights);
 
 }

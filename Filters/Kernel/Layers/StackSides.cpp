@@ -15,12 +15,10 @@ constexpr double MostSag = 0.5;
 
 }
 
-StackSides::StackSides(
-  const OutputMesh& mesh, const LayeredWall& wall, const std::vector<double>& heights)
-  : mesh_(mesh)
-  , wall_(wall)
+StackSides::StackSides(const LayeredWall& wall, const LayerHeights& heights)
+  : wall_(wall)
   , heights_(heights)
-  , inner_((heights.size() - 1) * wall.beyond.size())
+  , inner_(heights.layers() * wall.beyond.size())
 {
   for (std::size_t f = 0; f < wall.layered.size(); ++f)
   {
@@ -43,7 +41,7 @@ bool StackSides::leadAlike(std::size_t face, std::size_t i) const
   }
   if (!wall_.layered[a] && !wall_.layered[b])
   {
-    return mesh_.boundary()[a].boundary == mesh_.boundary()[b].boundary;
+    return wall_.of.boundary[a] == wall_.of.boundary[b];
   }
   return a == b &&
     wall_.opposite[wall_.corner(face, before)] ==
@@ -69,7 +67,7 @@ void StackSides::divideFace(std::size_t face)
     const std::size_t other = wall_.faceBeyond(face, i);
     if (run.edges > 1 && (!wall_.layered[other] || other > face))
     {
-      for (std::size_t k = 0; k + 1 < heights_.size(); ++k)
+      for (std::size_t k = 0; k < heights_.layers(); ++k)
       {
         divide(run, k);
       }
@@ -128,14 +126,16 @@ bool StackSides::isStraight(const Run& part, std::size_t k) const
 // Of the layer, where it is thinnest between the ends.
 double StackSides::thicknessOf(const Run& part, std::size_t k) const
 {
-  const std::size_t layers = heights_.size() - 1;
+  const std::size_t end = heights_.layers() - k;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < part.edges; ++i)
   {
     const std::size_t n = wall_.node(part.face, part.first + i);
-    least = std::min(least, norm(wall_.way[n]) * wall_.parts[n]);
+    const double taken = wall_.parts[n];
+    least =
+      std::min(least, norm(wall_.way[n]) * (heights_.at(taken, end) - heights_.at(taken, end - 1)));
   }
-  return least * (heights_[layers - k] - heights_[layers - k - 1]);
+  return least;
 }
 
 }

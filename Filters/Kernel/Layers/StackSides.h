@@ -6,6 +6,7 @@
 // edge of large cells are skew.
 #pragma once
 
+#include "Layers/LayerHeights.h"
 #include "Layers/LayeredWall.h"
 
 namespace cartesian
@@ -14,8 +15,8 @@ namespace cartesian
 class StackSides
 {
 public:
-  // Borrows the wall. `heights`: as in PrismStacks.h.
-  StackSides(const OutputMesh& mesh, const LayeredWall& wall, const std::vector<double>& heights);
+  // Borrows the wall.
+  StackSides(const LayeredWall& wall, const LayerHeights& heights);
 
   // Calls visit(i, n) for the sides over a face, in the k-th layer above the mesh: each is over the edges from corner i
   // of the face to corner i + n.
@@ -59,9 +60,8 @@ private:
     return inner_[k * wall_.beyond.size() + wall_.corner(face, i)];
   }
 
-  const OutputMesh& mesh_;
   const LayeredWall& wall_;
-  const std::vector<double>& heights_;
+  const LayerHeights& heights_;
   std::vector<std::uint8_t> inner_; // of each layer's corners: it is within a side, not at its end
 };
 

@@ -124,6 +124,7 @@ public:
   void writeCellData(const CellData& data, Execution& execution) const;
 
   // Faces as in boundary().
+  BoundaryMesh meshOf(const std::vector<BoundaryFace>& faces, Execution& execution) const;
   BoundaryMesh boundaryMesh(Execution& execution) const { return meshOf(boundary_, execution); }
 
   // The faces between two regions, as those of the cell of the region behind; BoundaryFace::boundary is the
@@ -209,7 +210,6 @@ private:
   void writeRow(std::size_t row, const CellArrays& arrays, CellPoints& points) const;
   void writeFaces(std::size_t cell, Id* stream, CellPoints& points) const;
   void listInterfaces();
-  BoundaryMesh meshOf(const std::vector<BoundaryFace>& faces, Execution& execution) const;
   RawVector<std::uint32_t> numberPointsOf(
     const std::vector<BoundaryFace>& faces, std::vector<Id>& points, Execution& execution) const;
 

@@ -16,14 +16,37 @@ namespace cartesian
 namespace
 {
 
-void requireOneRegion(const Surface& surface, const WallLayerSpec& layers)
+void requireNoBaffles(const Walls& walls, const WallLayerSpec& layers)
 {
-  if (surface.walls.any())
+  for (std::size_t wall = 0; wall < walls.all.size(); ++wall)
   {
-    throw Error(Fault::BadParameter,
-      "Layers is " + std::to_string(layers.count) +
-        ", but with several regions or baffles there are no layers: set it to 0.");
+    if (walls.isBaffle(static_cast<std::int32_t>(wall)))
+    {
+      throw Error(Fault::BadParameter,
+        "Layers is " + std::to_string(layers.count) +
+          ", but with baffles there are no layers: set it to 0.");
+    }
   }
+}
+
+// As shaping sees them: of walls instead of boundaries. It makes no room at interfaces.
+WallLayerSpec forWalls(WallLayerSpec layers, const Walls& walls)
+{
+  if (!walls.any())
+  {
+    return layers;
+  }
+  std::vector<WallLayerSpec::OfBoundary> ofWalls;
+  for (std::size_t wall = 0; wall < walls.all.size(); ++wall)
+  {
+    const Wall& own = walls.all[wall];
+    if (own.isInterface() || !layers.isIn(own.behind) || !layers.hasLayers(own.boundary))
+    {
+      ofWalls.push_back({ static_cast<std::int32_t>(wall), 0 });
+    }
+  }
+  layers.boundaries = std::move(ofWalls);
+  return layers;
 }
 
 // Of one of some parts that have as much each, and as much in each of the grid's layers.
@@ -164,7 +187,7 @@ PreparedSurface prepareSurface(
   if (options.layers.count > 0)
   {
     requireValid(options.layers);
-    requireOneRegion(prepared.surface, options.layers);
+    requireNoBaffles(prepared.surface.walls, options.layers);
   }
   stepAside(prepared.surface, prepared.planes);
   return prepared;
@@ -211,8 +234,9 @@ std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   {
     layers.boundaries.push_back({ end, 0 });
   }
+  const WallLayerSpec ofWalls = forWalls(layers, prepared.surface.walls);
   auto assembly =
-    assemble(std::move(boxes), std::move(patches), options, execution, &layers, parts);
+    assemble(std::move(boxes), std::move(patches), options, execution, &ofWalls, parts);
   execution.stage("Layers", AfterNumbering, AfterLayers);
   assembly->layers = std::make_unique<BoundaryLayers>(
     addLayers(*assembly->mesh, prepared.surface, layers, execution));

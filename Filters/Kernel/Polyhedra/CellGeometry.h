@@ -32,6 +32,33 @@ struct FaceGeometry
   Vector area;   // sum of the star triangles' area vectors (equation 1), positive counter-clockwise
 };
 
+// How the areas of a cell's faces spread over three directions: solvers invert the sum of their squares, by their lengths,
+// to make a velocity of fluxes (OpenFOAM's fvc::reconstruct).
+class AreaSpread
+{
+public:
+  void add(const Vector& area)
+  {
+    const double size = norm(area) + Tiny;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      sum_[axis] = plus(sum_[axis], scaled(area, area[axis] / size));
+    }
+  }
+
+  // The smallest eigenvalue of the sum by the next larger one, about: 1 for a cube, 0 where no face has a third direction.
+  double third() const
+  {
+    const double trace = sum_[0][0] + sum_[1][1] + sum_[2][2];
+    const double minors =
+      cross(sum_[1], sum_[2])[0] + cross(sum_[2], sum_[0])[1] + cross(sum_[0], sum_[1])[2];
+    return 3 * dot(sum_[0], cross(sum_[1], sum_[2])) * trace / std::max(minors * minors, Tiny);
+  }
+
+private:
+  std::array<Vector, 3> sum_{};
+};
+
 // Calls visit(p, q, area) for the star triangles around the mean of a face's corners, corner(0) to
 // corner(size - 1): two corners relative to the mean, and the triangle's area vector. Returns the
 // mean.

@@ -40,6 +40,11 @@ double WallLayerSpec::thicknessAt(std::int32_t boundary, double usual) const
   return own == boundaries.end() ? usual : own->thickness;
 }
 
+bool WallLayerSpec::isIn(std::int32_t region) const
+{
+  return regions.empty() || std::find(regions.begin(), regions.end(), region) != regions.end();
+}
+
 void requireValid(const WallLayerSpec& spec)
 {
   requireInRange(WallLayerSpec::Counts, spec.count, "Layers");

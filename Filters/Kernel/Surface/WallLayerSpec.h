@@ -32,8 +32,11 @@ struct WallLayerSpec
   };
   std::vector<OfBoundary> boundaries;
 
+  std::vector<std::int32_t> regions; // with layers; none: all (Walls.h)
+
   // Of all layers on a boundary. `usual`: on others.
   double thicknessAt(std::int32_t boundary, double usual) const;
+  bool isIn(std::int32_t region) const;
   bool hasLayers(std::int32_t boundary) const { return thicknessAt(boundary, 1) > 0; }
 };
 

@@ -28,7 +28,8 @@ struct WithWall
   {
     mesh.writePoints(points.data(), execution);
     options.layers.count = 1; // from here on: the mesh is made as if there were none
-    wall = findLayeredWall(mesh, points, options.layers, execution);
+    wall = findLayeredWall(layerRegions(mesh, assembly->patches.walls, execution).front(), mesh,
+      points, options.layers, execution);
     near = findNearCells(mesh, wall, Rings);
   }
 
@@ -129,7 +130,7 @@ struct Expected
       {
         continue;
       }
-      const std::vector<int> own = distancesFrom(index(wall.faces.meshPoint[n]), written, points);
+      const std::vector<int> own = distancesFrom(index(wall.of.mesh.meshPoint[n]), written, points);
       for (std::size_t p = 0; p < points; ++p)
       {
         origin[p] = own[p] < distance[p] ? static_cast<std::uint32_t>(n) : origin[p];

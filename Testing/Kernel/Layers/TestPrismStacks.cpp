@@ -267,7 +267,7 @@ void expectFilled(const Soup& soup, TestOptions options, double cells, const Cov
 // Slivers of Exact Fit, which nothing merges here, end the layers of the faces around them.
 TEST(PrismStacks, FillASphere)
 {
-  expectFilled(sphere(8, 1), fiveLayers(0.005), 20, { 0.55, 0.15 });
+  expectFilled(sphere(8, 1), fiveLayers(0.005), 20, { 0.49, 0.15 });
 }
 
 TEST(PrismStacks, FillATurnedCube)
@@ -365,10 +365,10 @@ Coverage leastCoverage(const std::string& shape)
     { "Needle", { 0, 0 } },
     { "Flat", { 0, 0 } },
     { "Comb", { 0.95, 0.35 } }, // teeth and gaps are half as wide as boxes
-    { "CombTurned", { 0.25, 0.05 } },
+    { "CombTurned", { 0.14, 0.028 } },
     { "TwoSpheres", { 0.95, 0.7 } }, // a ball of three boxes
     { "StarPolyhedron", { 0.7, 0.25 } },
-    { "BumpySphere", { 0.82, 0.45 } },
+    { "BumpySphere", { 0.8, 0.45 } },
     { "Tiny", { 0.7, 0.3 } },
   };
   const auto named = OfNarrowOnes.find(shape);
@@ -429,8 +429,10 @@ TEST(PrismStacks, AreTheSameForThreads)
 Box boxAt(const Layered& layered, const BoundaryFace& face)
 {
   const OutputMesh& mesh = *layered.assembly->mesh;
-  const Id above = face.cell - mesh.cellCount();
-  const Id cell = above < 0 ? face.cell : layered.stacks().below[static_cast<std::size_t>(above)];
+  const std::vector<Id>& numbers = layered.assembly->layers->numbers;
+  const Id own = std::find(numbers.begin(), numbers.end(), face.cell) - numbers.begin();
+  const Id above = own - mesh.cellCount();
+  const Id cell = above < 0 ? own : layered.stacks().below[static_cast<std::size_t>(above)];
   return layered.assembly->boxes.box(mesh.boxOf(cell));
 }
 
@@ -516,7 +518,7 @@ TEST(PrismStacks, AreNoFilms)
   soup.boundary.assign(soup.triangles.size(), 0);
   TestOptions options;
   options.layers.count = 3;
-  options.layers.thickness = 0.1;
+  options.layers.thickness = 0.02;
   options.grid = cellsAlongLongest(soup, 40);
   const Layered layered = meshWithLayers(soup, options);
   const LayeredBoundary& boundary = layered.assembly->layers->boundary;
@@ -524,8 +526,8 @@ TEST(PrismStacks, AreNoFilms)
   for (std::size_t f = 0; f < boundary.faces.size(); ++f)
   {
     const double part = boundary.thickness[f] / boundary.asked[f];
-    thin += part > 0 && part < 0.2;
-    EXPECT_TRUE(!(part > 0) || part >= 0.05) << part;
+    thin += part > 0 && part < 1;
+    EXPECT_TRUE(!(part > 0) || part >= 0.12) << part;
   }
   EXPECT_GT(thin, 0U);
 }

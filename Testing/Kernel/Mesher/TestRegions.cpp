@@ -43,6 +43,22 @@ void expectRegions(const MeshArrays& mesh, const Expected& expected, double part
   }
 }
 
+// Layers are a part of their region, on either side of interfaces, and change no wall.
+void expectWithLayers(const Soup& soup, const GridSpec& grid, TestOptions options,
+  const Expected& expected, double part)
+{
+  options.grid = grid;
+  options.layers.count = 2;
+  options.memoryLimit = PlentyOfMemory;
+  Execution execution(options.threads);
+  const auto assembly = mesh(soup.view(), options, execution);
+  const MeshArrays plain = arraysOf(*assembly->mesh, assembly->boxes, execution);
+  const MeshArrays layered = withLayers(plain, *assembly->layers);
+  EXPECT_GT(layered.types.size(), plain.types.size());
+  EXPECT_TRUE(isValid(layered, true));
+  expectRegions(layered, expected, part);
+}
+
 // By Exact Fit: with cells as they are, then with cells that solvers accept.
 void expectExactly(const Soup& soup, const Expected& expected, double contactTolerance = 0)
 {
@@ -65,6 +81,10 @@ void expectExactly(const Soup& soup, const Expected& expected, double contactTol
       const Meshed shaped = meshOf(soup, grid, options);
       EXPECT_TRUE(isValid(shaped.mesh, true));
       expectRegions(shaped.mesh, expected, 1e-9);
+      if (cells == 3.7)
+      {
+        expectWithLayers(soup, grid, options, expected, 1e-9);
+      }
     }
   }
 }
@@ -83,6 +103,10 @@ void expectNearly(const Soup& soup, const Expected& expected, double slack)
       const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, cells), options);
       EXPECT_TRUE(isValid(meshed.mesh, true));
       expectRegions(meshed.mesh, expected, slack);
+      if (cells == 8.0)
+      {
+        expectWithLayers(soup, cellsAlongLongest(soup, cells), options, expected, slack);
+      }
     }
   }
 }

@@ -3,6 +3,7 @@
 #include "Surface/LineCrossings.h"
 
 #include <algorithm>
+#include <map>
 #include <tuple>
 
 namespace cartesian
@@ -129,8 +130,43 @@ TestOptions asTheyAre(double smallCellRatio, const RefinementSpec& refinement, i
   return options;
 }
 
+namespace
+{
+
+// Cells of a region have points of their own on interfaces.
+void copyPoints(MeshArrays& mesh, const std::vector<PointCopy>& copies)
+{
+  std::map<std::pair<std::int32_t, Id>, Id> copyOf;
+  for (const PointCopy& copy : copies)
+  {
+    copyOf[{ copy.region, copy.point }] = copy.copy;
+  }
+  for (std::size_t c = 0; c < mesh.types.size() && !copyOf.empty(); ++c)
+  {
+    const auto set = [&](Id& point) {
+      const auto found = copyOf.find({ mesh.region[c], point });
+      point = found == copyOf.end() ? point : found->second;
+    };
+    std::for_each(mesh.connectivity.begin() + mesh.offsets[c],
+      mesh.connectivity.begin() + mesh.offsets[c + 1], set);
+    if (mesh.types[c] == MeshArrays::Polyhedron)
+    {
+      auto at = mesh.faceStream.begin() + mesh.faceStart[c];
+      for (Id faces = *at++; faces > 0; --faces)
+      {
+        const Id size = *at++;
+        std::for_each(at, at + size, set);
+        at += size;
+      }
+    }
+  }
+}
+
+}
+
 MeshArrays withLayers(MeshArrays mesh, const BoundaryLayers& layers)
 {
+  copyPoints(mesh, layers.copies);
   const PrismStacks& stacks = layers.stacks;
   for (const MovedPoint& moved : stacks.moved)
   {
@@ -167,9 +203,14 @@ MeshArrays withLayers(MeshArrays mesh, const BoundaryLayers& layers)
   }
   mesh.boundaryCell.clear();
   mesh.boundaryIndex.clear();
+  std::vector<Id> cellOf(layers.numbers.size());
+  for (std::size_t c = 0; c < cellOf.size(); ++c)
+  {
+    cellOf[static_cast<std::size_t>(layers.numbers[c])] = static_cast<Id>(c);
+  }
   for (const BoundaryFace& face : layers.boundary.faces)
   {
-    mesh.boundaryCell.push_back(face.cell);
+    mesh.boundaryCell.push_back(cellOf[static_cast<std::size_t>(face.cell)]);
     mesh.boundaryIndex.push_back(face.boundary);
   }
   return mesh;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the layers of a stack end above the wall.
+#pragma once
+
+#include "Surface/WallLayerSpec.h"
+
+namespace cartesian
+{
+
+// A stack with less room than was asked keeps the height of its first layer as long as it can, since y+ follows from
+// that: its layers grow more slowly. Where one of them would be thinner than half of what was asked, or there is not
+// even room for layers of equal heights, all become thinner.
+class LayerHeights
+{
+public:
+  // At least one layer.
+  explicit LayerHeights(const WallLayerSpec& spec);
+
+  std::size_t layers() const { return full_.size() - 1; }
+
+  // The end of the k-th layer, from the wall on, of a stack that takes a part (0 to 1) of its way; as a part of the way.
+  double at(double part, std::size_t k) const;
+
+private:
+  // Where layers as high as the first become a part t as high as they should: the end of the k-th.
+  double blend(double t, std::size_t k) const;
+
+  std::vector<double> full_; // of all layers, as parts of the way: 0, ..., 1
+  double
+    grown_; // of the height that layers gain over the first, where the last has half of what was asked
+  double kept_; // the least part of the way with a first layer as asked
+};
+
+}
