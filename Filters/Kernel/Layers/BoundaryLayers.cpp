@@ -204,12 +204,34 @@ private:
     return changed;
   }
 
+  // Stacks taper off beside stacks that do not: where there are none of these there are no layers.
+  bool leaveOutIslands()
+  {
+    std::vector<std::uint8_t> isKept(wall_.nodes());
+    for (std::size_t f = 0; f < wall_.layered.size(); ++f)
+    {
+      const bool isFull = wall_.hasStack(f) && !wall_.tapers(f);
+      for (std::size_t i = 0; isFull && i < wall_.corners(f); ++i)
+      {
+        isKept[wall_.node(f, i)] = 1;
+      }
+    }
+    bool changed = false;
+    for (std::size_t n = 0; n < wall_.nodes(); ++n)
+    {
+      changed = changed || (wall_.parts[n] > 0 && !isKept[n]);
+      wall_.parts[n] = isKept[n] ? wall_.parts[n] : 0;
+    }
+    return changed;
+  }
+
   // Until no part is higher than the slope allows: the same whatever the order.
   void smooth()
   {
     for (bool changed = true; changed;)
     {
       changed = leaveOutFilms();
+      changed = leaveOutIslands() || changed;
       for (std::size_t f = 0; f < wall_.layered.size(); ++f)
       {
         double least = 1;

@@ -2,7 +2,7 @@
 #include "Layers/LayerFaults.h"
 
 #include "Polyhedra/CellGeometry.h"
-#include "Quality/QualityMeasures.h"
+#include "Quality/CorrectionGain.h"
 
 #include <algorithm>
 
@@ -81,7 +81,7 @@ LayerFaults::LayerFaults(
     faceWasAtFault_[faults.list.face[f]] = faults.face[f];
   }
   cellWasAtFault_ = std::move(faults.cell);
-  cellWasLong_ = std::move(faults.isLong);
+  cellWasOdd_ = std::move(faults.isOdd);
 }
 
 LayerFaults::Faults LayerFaults::measure(
@@ -98,10 +98,13 @@ LayerFaults::Faults LayerFaults::measure(
   faults.weight.assign(quality.faces[FaceWeight].begin(),
     quality.faces[FaceWeight].begin() + static_cast<std::ptrdiff_t>(faults.list.neighbour.size()));
   faults.volume = quality.cells[Volume];
-  for (const std::uint32_t failures : quality.cellFailures)
+  const std::vector<double> gains = correctionGains(faults.list, quality);
+  for (std::size_t c = 0; c < gains.size(); ++c)
   {
+    const std::uint32_t failures = quality.cellFailures[c];
     faults.cell.push_back((failures & OfCells) != 0);
-    faults.isLong.push_back((failures & 1U << AspectRatio) != 0);
+    faults.isOdd.push_back(
+      (failures & 1U << AspectRatio) != 0 || !(gains[c] < LayerLimits::CorrectionGain));
   }
   return faults;
 }
@@ -194,7 +197,7 @@ LayerFault LayerFaults::ofFace(
     selected.addPointsOfCell(other, fault.around);
   }
   fault.mendsThinner =
-    std::min(c, d) < ofMesh || stacks.stackOf(c - ofMesh) == stacks.stackOf(d - ofMesh);
+    std::min(c, d) < ofMesh || stacks.face[c - ofMesh] == stacks.face[d - ofMesh];
   return fault;
 }
 
@@ -209,7 +212,7 @@ std::optional<LayerFault> LayerFaults::ofSlice(
   const std::uint32_t d = selected.number[other];
   if (!(faults.weight[f] < LayerLimits::FaceWeight) ||
     !(selected.hasChanged[owner] || selected.hasChanged[other]) || std::min(c, d) < ofMesh ||
-    stacks.stackOf(c - ofMesh) == stacks.stackOf(d - ofMesh))
+    stacks.face[c - ofMesh] == stacks.face[d - ofMesh])
   {
     return std::nullopt;
   }
@@ -246,10 +249,10 @@ std::vector<LayerFault> LayerFaults::find(const PrismStacks& stacks,
     const std::uint32_t number = selected.number[c];
     const bool isOfMesh = number < near_.cells.cellCount();
     const bool isNew = faults.cell[c] && !(isOfMesh && cellWasAtFault_[number]);
-    const bool isLong = faults.isLong[c] && !(isOfMesh && cellWasLong_[number]);
+    const bool isOdd = faults.isOdd[c] && !(isOfMesh && cellWasOdd_[number]);
     const bool hasNoThird =
       !isOfMesh && selected.hasChanged[c] && isFlat(selected.cells, c, points);
-    if (selected.hasChanged[c] && (isNew || isLong || hasNoThird))
+    if (selected.hasChanged[c] && (isNew || isOdd || hasNoThird))
     {
       LayerFault fault;
       selected.addPointsOfCell(c, fault.points);

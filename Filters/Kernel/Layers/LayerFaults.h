@@ -38,7 +38,7 @@ private:
     std::vector<double> volume;     // of each cell
     std::vector<std::uint8_t> cell;
     std::vector<std::uint8_t>
-      isLong; // cells at fault for their aspect ratio: if they are thinner it is larger
+      isOdd; // cells at fault for their aspect ratio or gain, which a thinner one mends hardly
   };
   struct Selection;
 
@@ -54,7 +54,7 @@ private:
   const NearCells& near_;
   std::vector<std::uint8_t> faceWasAtFault_; // of the near cells, as the owner has it
   std::vector<std::uint8_t> cellWasAtFault_;
-  std::vector<std::uint8_t> cellWasLong_;
+  std::vector<std::uint8_t> cellWasOdd_;
 };
 
 }

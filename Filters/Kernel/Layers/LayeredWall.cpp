@@ -214,6 +214,22 @@ bool LayeredWall::hasStack(std::size_t face) const
   return layered[face] && any;
 }
 
+bool LayeredWall::tapers(std::size_t face) const
+{
+  bool any = false;
+  for (std::size_t i = 0; i < corners(face); ++i)
+  {
+    any = any || parts[node(face, i)] == 0;
+  }
+  return any && hasStack(face);
+}
+
+bool LayeredWall::isWhole(std::size_t face, std::size_t i) const
+{
+  const std::size_t other = faceBeyond(face, i);
+  return tapers(face) && (!layered[other] || tapers(other));
+}
+
 double LayeredWall::thickness(std::size_t face) const
 {
   const std::size_t size = corners(face);

@@ -12,55 +12,135 @@ namespace cartesian
 namespace
 {
 
-// The points above a node are numbered one after the other, from the mesh to the wall.
+// Marks the nodes of stacks that have all layers.
+std::vector<std::uint8_t> nodesOfSlices(const LayeredWall& wall)
+{
+  std::vector<std::uint8_t> isOfSlices(wall.nodes());
+  for (std::size_t f = 0; f < wall.layered.size(); ++f)
+  {
+    for (std::size_t i = 0; wall.hasStack(f) && !wall.tapers(f) && i < wall.corners(f); ++i)
+    {
+      isOfSlices[wall.node(f, i)] = 1;
+    }
+  }
+  return isOfSlices;
+}
+
+// The points above a node are numbered one after the other, from the mesh to the wall; where all stacks around it taper
+// there is only the one at the wall.
 class Columns
 {
 public:
   Columns(const OutputMesh& mesh, const LayeredWall& wall, std::size_t layers)
-    : layers_(layers)
+    : wall_(wall)
+    , layers_(layers)
+    , isOfSlices_(nodesOfSlices(wall))
     , first_(wall.nodes())
   {
     Id next = mesh.pointCount();
     for (std::size_t n = 0; n < wall.nodes(); ++n)
     {
       first_[n] = wall.parts[n] > 0 ? next : -1;
-      next += wall.parts[n] > 0 ? static_cast<Id>(layers) : 0;
+      next += static_cast<Id>(countAbove(n));
     }
   }
 
   std::size_t layers() const { return layers_; }
-
-  // So many layers above the mesh.
-  Id above(const LayeredWall& wall, std::size_t n, std::size_t k) const
+  std::size_t countAbove(std::size_t n) const
   {
-    return k == 0 || first_[n] < 0 ? wall.of.mesh.meshPoint[n] : first_[n] + static_cast<Id>(k) - 1;
+    return wall_.parts[n] == 0 ? 0 : isOfSlices_[n] ? layers_ : 1;
   }
 
+  // So many layers above the mesh; at a node without those between, none or all.
+  Id above(std::size_t n, std::size_t k) const
+  {
+    return k == 0 || first_[n] < 0 ? wall_.of.mesh.meshPoint[n]
+      : isOfSlices_[n]             ? first_[n] + static_cast<Id>(k) - 1
+                                   : first_[n];
+  }
+
+  // The cells of a face's stack.
+  std::size_t cells(std::size_t f) const
+  {
+    return !wall_.hasStack(f) ? 0 : wall_.tapers(f) ? 1 : layers_;
+  }
+
+  // Where the k-th of them ends.
+  std::size_t end(std::size_t f, std::size_t k) const { return wall_.tapers(f) ? layers_ : k + 1; }
+
 private:
+  const LayeredWall& wall_;
   const std::size_t layers_;
+  const std::vector<std::uint8_t> isOfSlices_;
   std::vector<Id> first_; // of each node, or -1
 };
 
-// Lists the points of the side over n edges of a face from corner i on, in the k-th layer; none if it has no area.
-void listSide(const LayeredWall& wall, const Columns& columns, std::size_t f, std::size_t k,
-  std::size_t i, std::size_t n, std::vector<Id>& points)
+// So many edges of a face from corner `first` on.
+struct Edges
+{
+  std::size_t face;
+  std::size_t first;
+  std::size_t count;
+};
+
+// Lists the points of the side over edges, from layer k to `end`; none if it has no area.
+void listSide(const LayeredWall& wall, const Columns& columns, const Edges& edges, std::size_t k,
+  std::size_t end, std::vector<Id>& points)
 {
   points.clear();
-  for (std::size_t c = i; c <= i + n; ++c)
-  {
-    points.push_back(columns.above(wall, wall.node(f, c), k));
-  }
-  for (std::size_t c = i + n + 1; c-- > i;)
-  {
-    const Id point = columns.above(wall, wall.node(f, c), k + 1);
-    if (point != points[c - i])
+  const auto add = [&](Id point) {
+    if (points.empty() || (point != points.back() && point != points.front()))
     {
       points.push_back(point);
     }
+  };
+  const std::size_t last = edges.first + edges.count;
+  for (std::size_t c = edges.first; c <= last; ++c)
+  {
+    add(columns.above(wall.node(edges.face, c), k));
+  }
+  for (std::size_t j = k + 1; j < end; ++j)
+  {
+    add(columns.above(wall.node(edges.face, last), j));
+  }
+  for (std::size_t c = last + 1; c-- > edges.first;)
+  {
+    const Id point = columns.above(wall.node(edges.face, c), end);
+    if (point != points[c - edges.first])
+    {
+      add(point);
+    }
+  }
+  for (std::size_t j = end - 1; j > k; --j)
+  {
+    add(columns.above(wall.node(edges.face, edges.first), j));
   }
   if (points.size() < 3)
   {
     points.clear();
+  }
+}
+
+// Calls visit(edges, points) for all sides of the k-th cell of a face's stack.
+template <class Visitor>
+void forEachSide(const LayeredWall& wall, const Columns& columns, const StackSides& sides,
+  std::size_t f, std::size_t k, Visitor&& visit)
+{
+  std::vector<Id> points;
+  for (std::size_t j = k; j < columns.end(f, k); ++j)
+  {
+    sides.forEach(f, j, [&](std::size_t i, std::size_t n) {
+      const bool isWhole = wall.isWhole(f, i);
+      if (isWhole && j > k)
+      {
+        return;
+      }
+      listSide(wall, columns, { f, i, n }, j, isWhole ? columns.layers() : j + 1, points);
+      if (!points.empty())
+      {
+        visit(i, points);
+      }
+    });
   }
 }
 
@@ -80,7 +160,7 @@ public:
     placePoints();
     for (std::size_t f = 0; f < wall_.layered.size(); ++f)
     {
-      for (std::size_t k = 0; wall_.hasStack(f) && k < columns_.layers(); ++k)
+      for (std::size_t k = 0; k < columns_.cells(f); ++k)
       {
         addCell(f, k);
       }
@@ -90,8 +170,6 @@ public:
   }
 
 private:
-  Id above(std::size_t n, std::size_t k) const { return columns_.above(wall_, n, k); }
-
   void placePoints()
   {
     for (std::size_t n = 0; n < wall_.nodes(); ++n)
@@ -101,7 +179,8 @@ private:
         continue;
       }
       result_.moved.push_back({ wall_.of.mesh.meshPoint[n], wall_.at(n, wall_.parts[n]) });
-      for (std::size_t k = 1; k <= columns_.layers(); ++k)
+      for (std::size_t k = columns_.layers() + 1 - columns_.countAbove(n); k <= columns_.layers();
+           ++k)
       {
         const Vector at = wall_.at(n, heights_.at(wall_.parts[n], columns_.layers() - k));
         result_.points.insert(result_.points.end(), at.begin(), at.end());
@@ -116,34 +195,42 @@ private:
     result_.offsets.push_back(static_cast<Id>(result_.connectivity.size()));
     result_.faceStart.push_back(static_cast<Id>(stream.size()));
     const std::size_t count = stream.size();
+    const std::size_t end = columns_.end(f, k);
     const std::size_t corners = wall_.corners(f);
     stream.push_back(2);
     stream.push_back(static_cast<Id>(corners));
     for (std::size_t i = 0; i < corners; ++i)
     {
-      stream.push_back(above(wall_.node(f, corners - 1 - i), k));
+      stream.push_back(columns_.above(wall_.node(f, corners - 1 - i), k));
       result_.connectivity.push_back(stream.back());
     }
     stream.push_back(static_cast<Id>(corners));
     for (std::size_t i = 0; i < corners; ++i)
     {
       const std::size_t n = wall_.node(f, i);
-      stream.push_back(above(n, k + 1));
-      if (stream.back() != above(n, k))
+      stream.push_back(columns_.above(n, end));
+      if (stream.back() != columns_.above(n, k))
       {
         result_.connectivity.push_back(stream.back());
       }
     }
-    sides_.forEach(f, k, [&](std::size_t i, std::size_t n) {
-      listSide(wall_, columns_, f, k, i, n, side_);
-      if (!side_.empty())
-      {
+    forEachSide(
+      wall_, columns_, sides_, f, k, [&](std::size_t /*i*/, const std::vector<Id>& points) {
         ++stream[count];
-        stream.push_back(static_cast<Id>(side_.size()));
-        stream.insert(stream.end(), side_.begin(), side_.end());
+        stream.push_back(static_cast<Id>(points.size()));
+        stream.insert(stream.end(), points.begin(), points.end());
+      });
+    for (std::size_t i = 0; end > k + 1 && i < corners; ++i)
+    {
+      const std::size_t n = wall_.node(f, i);
+      for (std::size_t j = k + 1; columns_.countAbove(n) > 1 && j < end; ++j)
+      {
+        result_.connectivity.push_back(columns_.above(n, j));
       }
-    });
-    result_.layer.push_back(static_cast<unsigned char>(columns_.layers() - k));
+    }
+    result_.layer.push_back(static_cast<unsigned char>(columns_.layers() + 1 - end));
+    result_.face.push_back(f);
+    result_.tapers.push_back(wall_.tapers(f));
     result_.below.push_back(wall_.of.faces[f].cell);
   }
 
@@ -151,7 +238,6 @@ private:
   const LayerHeights& heights_;
   const Columns columns_;
   const StackSides sides_;
-  std::vector<Id> side_;
   PrismStacks result_;
 };
 
@@ -172,7 +258,7 @@ public:
     Id cell = mesh_.cellCount();
     for (std::size_t f = 0; f < wall_.layered.size(); ++f)
     {
-      for (std::size_t k = 0; wall_.hasStack(f) && k < columns_.layers(); ++k)
+      for (std::size_t k = 0; k < columns_.cells(f); ++k)
       {
         addOf(f, k, cell++);
       }
@@ -183,20 +269,22 @@ public:
   }
 
 private:
-  void addInterface(std::size_t f, Id cell, double thickness)
+  void addInterface(std::size_t f, Id cell, double thickness, int layers)
   {
     const FaceGeometry geometry = measureFace(wall_.corners(f),
       [&](std::size_t i) -> const Vector& { return wall_.place[wall_.node(f, i)]; });
     result_.interfaces.push_back(
       { wall_.of.ofInterface[f - wall_.of.boundaryFaces()], wall_.of.region, cell,
-        wall_.of.boundary[f], norm(geometry.area), wall_.asked[f], thickness });
+        wall_.of.boundary[f], norm(geometry.area), wall_.asked[f], thickness, layers });
   }
 
-  void add(const BoundaryFace& face, const std::vector<Id>& points, double asked, double thickness)
+  void add(const BoundaryFace& face, const std::vector<Id>& points, double asked, double thickness,
+    int layers)
   {
     result_.faces.push_back(face);
     result_.asked.push_back(asked);
     result_.thickness.push_back(thickness);
+    result_.layers.push_back(layers);
     std::vector<Id>& corners = result_.mesh.corners;
     result_.mesh.start.push_back(static_cast<Id>(corners.size())); // the end comes last
     corners.insert(corners.end(), points.begin(), points.end());
@@ -207,7 +295,7 @@ private:
     std::vector<Id> points;
     for (std::size_t i = 0; i < wall_.corners(f); ++i)
     {
-      points.push_back(columns_.above(wall_, wall_.node(f, i), k));
+      points.push_back(columns_.above(wall_.node(f, i), k));
     }
     return points;
   }
@@ -222,35 +310,35 @@ private:
       }
       if (wall_.of.isInterface(f))
       {
-        addInterface(f, wall_.of.faces[f].cell, 0);
+        addInterface(f, wall_.of.faces[f].cell, 0, 0);
       }
       else
       {
-        add(wall_.of.faces[f], pointsOf(f, 0), wall_.asked[f], 0);
+        add(wall_.of.faces[f], pointsOf(f, 0), wall_.asked[f], 0, 0);
       }
     }
   }
 
   void addOf(std::size_t f, std::size_t k, Id cell)
   {
-    const bool isAtWall = k + 1 == columns_.layers();
+    const bool isAtWall = columns_.end(f, k) == columns_.layers();
+    const auto layers = static_cast<int>(columns_.cells(f));
     if (isAtWall && wall_.of.isInterface(f))
     {
-      addInterface(f, cell, wall_.thickness(f));
+      addInterface(f, cell, wall_.thickness(f), layers);
     }
     else if (isAtWall)
     {
       const BoundaryFace& base = wall_.of.faces[f];
       add({ cell, base.index, base.boundary, BoundaryFace::Kind::Patch },
-        pointsOf(f, columns_.layers()), wall_.asked[f], wall_.thickness(f));
+        pointsOf(f, columns_.layers()), wall_.asked[f], wall_.thickness(f), layers);
     }
-    sides_.forEach(f, k, [&](std::size_t i, std::size_t n) {
+    forEachSide(wall_, columns_, sides_, f, k, [&](std::size_t i, const std::vector<Id>& points) {
       const std::size_t other = wall_.faceBeyond(f, i);
-      listSide(wall_, columns_, f, k, i, n, side_);
-      if (!wall_.layered[other] && !side_.empty())
+      if (!wall_.layered[other])
       {
         const BoundaryFace& there = wall_.of.faces[other];
-        add({ cell, there.index, there.boundary, BoundaryFace::Kind::Patch }, side_, 0, 0);
+        add({ cell, there.index, there.boundary, BoundaryFace::Kind::Patch }, points, 0, 0, 0);
       }
     });
   }
@@ -259,7 +347,6 @@ private:
   const LayeredWall& wall_;
   const Columns columns_;
   const StackSides sides_;
-  std::vector<Id> side_;
   LayeredBoundary result_;
 };
 

@@ -3,7 +3,8 @@
 //
 // Points of the layers are on the line from a node to its place on the wall. Faces with a common edge share the
 // side faces above it (StackSides.h). Towards boundaries without layers the side faces are boundary. A node without layers has
-// none above it: its prisms become wedges there, and a face all of whose nodes are such has no stack.
+// none above it: a stack tapers to there and is one cell, as slices of a wedge are so skew that solvers diverge on them.
+// A face all of whose nodes are such has no stack.
 #pragma once
 
 #include "Layers/LayerHeights.h"
@@ -30,10 +31,11 @@ struct PrismStacks
   std::vector<Id> faceStart;        // of each cell in faceStream
   std::vector<Id> faceStream;       // as CellArrays::faceStream
   std::vector<unsigned char> layer; // of each cell, 1 at the wall
+  std::vector<std::size_t> face;    // of each cell, that of the wall under its stack
+  std::vector<std::uint8_t> tapers; // of each cell
   std::vector<Id> below;            // of each cell, the number of the mesh's cell under its stack
 
   std::size_t cells() const { return layer.size(); }
-  std::size_t stackOf(std::size_t cell) const { return (cell + layer[cell]) / layer[0]; }
 };
 
 // A face between two regions, as one of them has it with its stacks.
@@ -46,6 +48,7 @@ struct LayeredInterface
   double area;
   double asked; // as in LayeredBoundary
   double thickness;
+  int layers;
 };
 
 // The boundary of the mesh with its stacks: faces without stacks, then those of each stack's cells.
@@ -55,6 +58,7 @@ struct LayeredBoundary
   std::vector<BoundaryFace> faces;
   std::vector<double> asked;     // thickness of all layers on each, in user units; 0: none
   std::vector<double> thickness; // of the stack below each, along its normal; 0: none
+  std::vector<int> layers;       // of the stack below each: one where it tapers; 0: none
   std::vector<LayeredInterface> interfaces;
 };
 

@@ -114,6 +114,8 @@ void append(const OutputMesh& mesh, PrismStacks& stacks, const PrismStacks& more
   add(stacks.faceStart, next.faceStart);
   add(stacks.faceStream, next.faceStream);
   add(stacks.layer, next.layer);
+  add(stacks.face, next.face);
+  add(stacks.tapers, next.tapers);
   add(stacks.below, next.below);
 }
 
@@ -147,6 +149,7 @@ void append(const OutputMesh& mesh, const PrismStacks& before, LayeredBoundary& 
   }
   boundary.asked.insert(boundary.asked.end(), more.asked.begin(), more.asked.end());
   boundary.thickness.insert(boundary.thickness.end(), more.thickness.begin(), more.thickness.end());
+  boundary.layers.insert(boundary.layers.end(), more.layers.begin(), more.layers.end());
 }
 
 }

@@ -123,17 +123,19 @@ bool StackSides::isStraight(const Run& part, std::size_t k) const
   return isStraight;
 }
 
-// Of the layer, where it is thinnest between the ends.
+// Of the layer, or of all where they have one side, where it is thinnest between the ends.
 double StackSides::thicknessOf(const Run& part, std::size_t k) const
 {
-  const std::size_t end = heights_.layers() - k;
+  const bool isWhole = wall_.isWhole(part.face, part.first);
+  const std::size_t begin = isWhole ? 0 : heights_.layers() - k - 1;
+  const std::size_t end = isWhole ? heights_.layers() : heights_.layers() - k;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < part.edges; ++i)
   {
     const std::size_t n = wall_.node(part.face, part.first + i);
     const double taken = wall_.parts[n];
     least =
-      std::min(least, norm(wall_.way[n]) * (heights_.at(taken, end) - heights_.at(taken, end - 1)));
+      std::min(least, norm(wall_.way[n]) * (heights_.at(taken, end) - heights_.at(taken, begin)));
   }
   return least;
 }

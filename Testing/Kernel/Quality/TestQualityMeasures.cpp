@@ -1,4 +1,5 @@
 // Measures of single cells and of few, against what can be worked out by hand.
+#include "Quality/CorrectionGain.h"
 #include "Quality/QualityMeasures.h"
 
 #include <gtest/gtest.h>
@@ -113,6 +114,36 @@ std::vector<Polyhedron> cubes(int n)
 Polyhedron corner(double length)
 {
   return prism({ { 0, 0 }, { length, 0 }, { length, 1 }, { 1, 1 }, { 1, length }, { 0, length } });
+}
+
+TEST(CorrectionGain, IsNothingWhereFacesAreNormalToTheLinesBetweenCells)
+{
+  const Measured grid = measure(cubes(3));
+  for (const double gain : correctionGains(grid.faces, grid.quality))
+  {
+    EXPECT_NEAR(gain, 0, Close);
+  }
+}
+
+// Of a cube with a cube beside it, and one above that leans over by twice its height: the line to the latter is as far
+// from the normal of the face as it is long, and the cube's gradient answers with a half of its value, across and along.
+TEST(CorrectionGain, FollowsFromTheLineBetweenCells)
+{
+  Polyhedron leaning = cubeAt(0, 0, 1);
+  for (Polygon& face : leaning)
+  {
+    for (Vector& corner : face)
+    {
+      corner[0] += 2 * (corner[2] - 1);
+    }
+  }
+  const Measured cells = measure({ cubeAt(0, 0, 0), cubeAt(1, 0, 0), leaning });
+  const std::vector<double> gains = correctionGains(cells.faces, cells.quality);
+  const double length = 1.0 / 6;                                    // volume by area of a cube
+  const double above = (length + 1 / (4 + 2 * std::sqrt(5.0))) / 2; // of the face between
+  EXPECT_NEAR(gains[0], above / 4 / (above + length), Close);
+  EXPECT_NEAR(gains[1], 0, Close);
+  EXPECT_NEAR(gains[2], 0, Close);
 }
 
 TEST(QualityMeasures, ACubeAlone)
