@@ -12,51 +12,30 @@ namespace cartesian
 namespace
 {
 
-// Marks the nodes of stacks that have all layers.
-std::vector<std::uint8_t> nodesOfSlices(const LayeredWall& wall)
-{
-  std::vector<std::uint8_t> isOfSlices(wall.nodes());
-  for (std::size_t f = 0; f < wall.layered.size(); ++f)
-  {
-    for (std::size_t i = 0; wall.hasStack(f) && !wall.tapers(f) && i < wall.corners(f); ++i)
-    {
-      isOfSlices[wall.node(f, i)] = 1;
-    }
-  }
-  return isOfSlices;
-}
-
-// The points above a node are numbered one after the other, from the mesh to the wall; where all stacks around it taper
-// there is only the one at the wall.
+// The points above a node are numbered one after the other, from the mesh to the wall.
 class Columns
 {
 public:
   Columns(const OutputMesh& mesh, const LayeredWall& wall, std::size_t layers)
     : wall_(wall)
     , layers_(layers)
-    , isOfSlices_(nodesOfSlices(wall))
     , first_(wall.nodes())
   {
     Id next = mesh.pointCount();
     for (std::size_t n = 0; n < wall.nodes(); ++n)
     {
       first_[n] = wall.parts[n] > 0 ? next : -1;
-      next += static_cast<Id>(countAbove(n));
+      next += wall.parts[n] > 0 ? static_cast<Id>(layers) : 0;
     }
   }
 
   std::size_t layers() const { return layers_; }
-  std::size_t countAbove(std::size_t n) const
-  {
-    return wall_.parts[n] == 0 ? 0 : isOfSlices_[n] ? layers_ : 1;
-  }
 
-  // So many layers above the mesh; at a node without those between, none or all.
+  // So many layers above the mesh.
   Id above(std::size_t n, std::size_t k) const
   {
     return k == 0 || first_[n] < 0 ? wall_.of.mesh.meshPoint[n]
-      : isOfSlices_[n]             ? first_[n] + static_cast<Id>(k) - 1
-                                   : first_[n];
+                                   : first_[n] + static_cast<Id>(k) - 1;
   }
 
   // The cells of a face's stack.
@@ -71,7 +50,6 @@ public:
 private:
   const LayeredWall& wall_;
   const std::size_t layers_;
-  const std::vector<std::uint8_t> isOfSlices_;
   std::vector<Id> first_; // of each node, or -1
 };
 
@@ -179,8 +157,7 @@ private:
         continue;
       }
       result_.moved.push_back({ wall_.of.mesh.meshPoint[n], wall_.at(n, wall_.parts[n]) });
-      for (std::size_t k = columns_.layers() + 1 - columns_.countAbove(n); k <= columns_.layers();
-           ++k)
+      for (std::size_t k = 1; k <= columns_.layers(); ++k)
       {
         const Vector at = wall_.at(n, heights_.at(wall_.parts[n], columns_.layers() - k));
         result_.points.insert(result_.points.end(), at.begin(), at.end());
@@ -209,9 +186,9 @@ private:
     {
       const std::size_t n = wall_.node(f, i);
       stream.push_back(columns_.above(n, end));
-      if (stream.back() != columns_.above(n, k))
+      for (std::size_t j = k + 1; wall_.parts[n] > 0 && j <= end; ++j)
       {
-        result_.connectivity.push_back(stream.back());
+        result_.connectivity.push_back(columns_.above(n, j));
       }
     }
     forEachSide(
@@ -220,14 +197,6 @@ private:
         stream.push_back(static_cast<Id>(points.size()));
         stream.insert(stream.end(), points.begin(), points.end());
       });
-    for (std::size_t i = 0; end > k + 1 && i < corners; ++i)
-    {
-      const std::size_t n = wall_.node(f, i);
-      for (std::size_t j = k + 1; columns_.countAbove(n) > 1 && j < end; ++j)
-      {
-        result_.connectivity.push_back(columns_.above(n, j));
-      }
-    }
     result_.layer.push_back(static_cast<unsigned char>(columns_.layers() + 1 - end));
     result_.face.push_back(f);
     result_.tapers.push_back(wall_.tapers(f));

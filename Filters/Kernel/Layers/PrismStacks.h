@@ -4,7 +4,7 @@
 // Points of the layers are on the line from a node to its place on the wall. Faces with a common edge share the
 // side faces above it (StackSides.h). Towards boundaries without layers the side faces are boundary. A node without layers has
 // none above it: a stack tapers to there and is one cell, as slices of a wedge are so skew that solvers diverge on them.
-// A face all of whose nodes are such has no stack.
+// A face all of whose nodes are such has no stack. Nodes with layers are of a stack that does not taper.
 #pragma once
 
 #include "Layers/LayerHeights.h"
