@@ -12,7 +12,7 @@ namespace cartesian
 namespace
 {
 
-constexpr std::uint32_t OfCells = 1U << Volume | 1U << Openness | 1U << OpenEdges;
+constexpr std::uint32_t OfCells = 1U << Volume | 1U << Openness;
 constexpr std::uint32_t OfFaces = 1U << BoundaryAngle | 1U << NonOrthogonality | 1U << Skewness;
 constexpr int PointsOfAFace = 3; // at least
 
@@ -89,7 +89,8 @@ LayerFaults::Faults LayerFaults::measure(
 {
   Faults faults;
   faults.list = listFaces(cells, points.size() / 3, Clashes::AreBoundary, execution);
-  const Quality quality = measureQuality(points.data(), cells, faults.list, execution);
+  const Quality quality =
+    measureQuality(points.data(), cells, faults.list, execution, standardLimits(), SlowMeasures);
   for (std::size_t f = 0; f < faults.list.face.size(); ++f)
   {
     faults.face.push_back((quality.faceFailures[f] & OfFaces) != 0 ||

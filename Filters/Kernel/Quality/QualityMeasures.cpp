@@ -51,13 +51,14 @@ class Meter
 {
 public:
   Meter(const double* points, const CellFaces& cells, const FaceList& list, Execution& execution,
-    const QualityLimits& limits)
+    const QualityLimits& limits, std::uint32_t leftOut)
     : points_(points)
     , cells_(cells)
     , list_(list)
     , of_(list, cells.cellCount())
     , execution_(execution)
     , limits_(limits)
+    , leftOut_(leftOut)
   {
     quality_.cellGeometry.resize(cells.cellCount());
     quality_.faceGeometry.resize(list.owner.size());
@@ -109,6 +110,7 @@ public:
   }
 
 private:
+  bool isWanted(Measure measure) const { return (leftOut_ >> measure & 1U) == 0; }
   bool isInner(std::size_t face) const { return face < list_.neighbour.size(); }
   std::size_t owner(std::size_t face) const { return list_.owner[face]; }
   std::size_t neighbour(std::size_t face) const { return list_.neighbour[face]; }
@@ -147,7 +149,7 @@ private:
     const FaceGeometry& geometry = quality_.faceGeometry[face];
     const double sign = owner(face) == cell ? 1 : -1;
     double worst = MeasureSpecs[TetQuality].best;
-    for (std::size_t i = 0; i < sizeOf(face); ++i)
+    for (std::size_t i = 0; isWanted(TetQuality) && i < sizeOf(face); ++i)
     {
       const Vector a = minus(position(corners(face)[i]), geometry.centre);
       const Vector b =
@@ -171,6 +173,15 @@ private:
     const double radius = norm(towards) / (2 * std::abs(sixfold));
     const double regular = 8 / (9 * std::sqrt(3.0)) * radius * radius * radius;
     return sixfold / 6 / regular;
+  }
+
+  double starOf(std::size_t face) const
+  {
+    return isWanted(StarTriangulation)
+      ? smallestOfStar(
+          sizeOf(face), [&](std::size_t i) { return position(corners(face)[i]); },
+          quality_.faceGeometry[face].area)
+      : MeasureSpecs[StarTriangulation].best;
   }
 
   // Distance of the line along `d` from the owner's centre to the centre of the face, divided by the extent
@@ -197,9 +208,7 @@ private:
   void measureFaceBetween(std::size_t face)
   {
     const FaceGeometry& geometry = quality_.faceGeometry[face];
-    setFace(face, StarTriangulation,
-      smallestOfStar(
-        sizeOf(face), [&](std::size_t i) { return position(corners(face)[i]); }, geometry.area));
+    setFace(face, StarTriangulation, starOf(face));
     const double ownerAngle = angleIn(owner(face), face);
     const double ownerTet = tetQualityIn(owner(face), face);
     if (!isInner(face))
@@ -333,6 +342,12 @@ private:
 
   void setEdges(std::size_t cell, CellEdges& edges)
   {
+    if (!isWanted(OpenEdges) && !isWanted(Concavity))
+    {
+      setCell(cell, OpenEdges, MeasureSpecs[OpenEdges].best);
+      setCell(cell, Concavity, MeasureSpecs[Concavity].best);
+      return;
+    }
     edges.clear();
     forEachFace(cell, [&](std::size_t face) {
       const bool owned = owner(face) == cell;
@@ -368,15 +383,16 @@ private:
   FacesOfCells of_;
   Execution& execution_;
   const QualityLimits limits_;
+  const std::uint32_t leftOut_; // bits of measures
   Quality quality_;
 };
 
 }
 
 Quality measureQuality(const double* points, const CellFaces& cells, const FaceList& faces,
-  Execution& execution, const QualityLimits& limits)
+  Execution& execution, const QualityLimits& limits, std::uint32_t leftOut)
 {
-  return Meter(points, cells, faces, execution, limits).run();
+  return Meter(points, cells, faces, execution, limits, leftOut).run();
 }
 
 namespace

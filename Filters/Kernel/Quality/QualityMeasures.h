@@ -113,9 +113,14 @@ struct Quality
   std::vector<FaceGeometry> faceGeometry;
 };
 
-// `points`: x, y, z of each, any unit. `faces`: those of `cells`, as listFaces gives them.
+// The measures of tetrahedra, stars and edges, which take longest.
+constexpr std::uint32_t SlowMeasures =
+  1U << TetQuality | 1U << StarTriangulation | 1U << OpenEdges | 1U << Concavity;
+
+// `points`: x, y, z of each, any unit. `faces`: those of `cells`, as listFaces gives them. `leftOut`: bits of
+// SlowMeasures, whose values are the best then.
 Quality measureQuality(const double* points, const CellFaces& cells, const FaceList& faces,
-  Execution& execution, const QualityLimits& limits = standardLimits());
+  Execution& execution, const QualityLimits& limits = standardLimits(), std::uint32_t leftOut = 0);
 
 // One of the numbers that sum up a mesh, and how those of its pieces combine.
 struct SummaryValue

@@ -20,6 +20,8 @@ using Polyhedron = std::vector<Polygon>; // outward faces
 
 struct Measured
 {
+  std::vector<double> points;
+  CellFaces cells;
   FaceList faces;
   Quality quality;
   std::map<std::string, double> summary;
@@ -60,6 +62,8 @@ Measured measure(const std::vector<Polyhedron>& cells, int threads = 1)
   Measured result;
   result.faces = listFaces(cellFaces, numbers.size(), Clashes::AreBoundary, execution);
   result.quality = measureQuality(points.data(), cellFaces, result.faces, execution);
+  result.points = std::move(points);
+  result.cells = std::move(cellFaces);
   for (const SummaryValue& entry : summarise(result.quality, result.faces))
   {
     result.summary[entry.name] = entry.value;
@@ -114,6 +118,20 @@ std::vector<Polyhedron> cubes(int n)
 Polyhedron corner(double length)
 {
   return prism({ { 0, 0 }, { length, 0 }, { length, 1 }, { 1, 1 }, { 1, length }, { 0, length } });
+}
+
+TEST(QualityMeasures, AreTheSameWithoutSlowOnes)
+{
+  const Measured all = measure(cubes(2));
+  Execution execution(1);
+  const Quality few = measureQuality(
+    all.points.data(), all.cells, all.faces, execution, standardLimits(), SlowMeasures);
+  for (std::size_t m = 0; m < MeasureCount; ++m)
+  {
+    const bool isSlow = (SlowMeasures >> m & 1U) != 0;
+    const std::vector<double> best(few.cells[m].size(), MeasureSpecs[m].best);
+    EXPECT_EQ(few.cells[m], isSlow ? best : all.quality.cells[m]) << MeasureSpecs[m].name;
+  }
 }
 
 TEST(CorrectionGain, IsNothingWhereFacesAreNormalToTheLinesBetweenCells)
