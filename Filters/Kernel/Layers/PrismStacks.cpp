@@ -99,7 +99,7 @@ void listSide(const LayeredWall& wall, const Columns& columns, const Edges& edge
   }
 }
 
-// Calls visit(edges, points) for all sides of the k-th cell of a face's stack.
+// Calls visit(i, points) for all sides of the k-th cell of a face's stack, each over edges from corner i on.
 template <class Visitor>
 void forEachSide(const LayeredWall& wall, const Columns& columns, const StackSides& sides,
   std::size_t f, std::size_t k, Visitor&& visit)

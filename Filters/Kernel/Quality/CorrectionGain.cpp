@@ -27,8 +27,6 @@ double gainOf(const Answer& answer, double volume)
     std::abs(fixed) / ((answer.matrix + answer.fixed) * volume + Tiny));
 }
 
-}
-
 // A cell's volume by its area: what flows answer to a pressure is about in proportion to it.
 std::vector<double> lengthsOf(const FaceList& faces, const Quality& quality)
 {
@@ -47,6 +45,8 @@ std::vector<double> lengthsOf(const FaceList& faces, const Quality& quality)
     area[c] = std::abs(quality.cellGeometry[c].volume) / (area[c] + Tiny);
   }
   return area;
+}
+
 }
 
 std::vector<double> correctionGains(const FaceList& faces, const Quality& quality)
