@@ -510,8 +510,8 @@ void vtkCartesianBoxer::Inspect(const cartesian::PreparedSurface& prepared,
     return;
   }
   const cartesian::SurfaceDefects found = cartesian::findDefects(
-    prepared.surface, prepared.trianglesGiven, prepared.repair, prepared.planes, execution);
-  const std::vector<vtkIdType> cells = cartesian::cellsOf(prepared.surface, surface.cells());
+    prepared.inspected(), prepared.trianglesGiven, prepared.repair, prepared.planes, execution);
+  const std::vector<vtkIdType> cells = cartesian::cellsOf(prepared.inspected(), surface.cells());
   cartesian::toVTK(found, cells, defects);
   this->Warn(cartesian::describe(found, cells));
 }

@@ -24,6 +24,9 @@ public:
     std::iota(parent_.begin(), parent_.end(), 0);
   }
 
+  // The next number, as a set of its own.
+  void add() { parent_.push_back(static_cast<std::uint32_t>(parent_.size())); }
+
   // The lowest number of the set that holds x.
   std::uint32_t find(std::uint32_t x)
   {

@@ -39,6 +39,9 @@ struct PreparedSurface
   std::vector<KeepPoint> keepPoints;
   bool isEnclosed = false; // the surface must enclose the space around each
   MemoryLimit memoryLimit;
+
+  // The user's triangles, repaired, as they are told of.
+  const Surface& inspected() const { return repair.crossing ? *repair.crossing : surface; }
 };
 
 // Scaling, Dual Levels, check and repair of the surface. `parts`: how many the mesh is made in, each of which

@@ -81,8 +81,8 @@ std::string describeLeaks(const PreparedSurface& prepared)
     {
       text += "\n  hole " + number(hole.width * prepared.surface.lattice.step()) + " wide, of " +
         std::to_string(hole.rim.size()) + " edges, from " +
-        positionOf(prepared.surface, hole.rim[0]) + " to " +
-        positionOf(prepared.surface, hole.rim[hole.rim.size() / 2]);
+        positionOf(prepared.inspected(), hole.rim[0]) + " to " +
+        positionOf(prepared.inspected(), hole.rim[hole.rim.size() / 2]);
     }
   }
   return text;
@@ -93,7 +93,7 @@ std::string describeVanished(
   const PreparedSurface& prepared, const std::map<std::int32_t, std::string>& names)
 {
   constexpr std::size_t MostNames = 30;
-  const Surface& surface = prepared.surface;
+  const Surface& surface = prepared.inspected();
   std::map<std::int32_t, std::size_t> left;
   for (std::size_t t = 0; t < prepared.trianglesGiven; ++t)
   {
@@ -235,9 +235,9 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
   for (const SurfaceCheck::FlawedEdge& place : check.places)
   {
     text += std::string("\n  ") + place.what + " edge from " +
-      positionOf(prepared.surface, place.edge[0]) + " to " +
-      positionOf(prepared.surface, place.edge[1]) + " of cell " +
-      std::to_string(cells[prepared.surface.given[place.triangle]]);
+      positionOf(prepared.inspected(), place.edge[0]) + " to " +
+      positionOf(prepared.inspected(), place.edge[1]) + " of cell " +
+      std::to_string(cells[prepared.inspected().given[place.triangle]]);
   }
   if (!repair.duplicates.empty())
   {

@@ -106,6 +106,15 @@ const std::vector<std::string>& foamTypes()
 std::string foamWord(const std::string& name)
 {
   std::string word = name;
+  if (word.size() > LongestWord)
+  {
+    std::size_t end = LongestWord;
+    while (end > 0 && (static_cast<unsigned char>(word[end]) & 0xc0) == 0x80)
+    {
+      --end; // not within a character of UTF-8
+    }
+    word.resize(end);
+  }
   std::replace_if(
     word.begin(), word.end(),
     [](unsigned char c) { return c < 128 && !std::isalnum(c) && !std::strchr("_-.:", c); }, '_');

@@ -36,7 +36,11 @@ struct FoamPatch
 // The types of patches that need no further entries.
 const std::vector<std::string>& foamTypes();
 
-// The name with each character that OpenFOAM does not allow in words replaced by an underscore.
+// OpenFOAM reads words of up to 1,023 characters; this leaves room for numbers that tell equal ones apart.
+constexpr std::size_t LongestWord = 1000;
+
+// The name with each character that OpenFOAM does not allow in words replaced by an underscore, cut off after
+// LongestWord.
 std::string foamWord(const std::string& name);
 
 // Whether flow passes through a boundary of which only the name is known: it begins with inlet, outlet or

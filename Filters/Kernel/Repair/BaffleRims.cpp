@@ -403,7 +403,8 @@ private:
           division.addEdge(edge[0], edge[1]);
         }
       }
-      parts.insert(parts.end(), division.triangles().begin(), division.triangles().end());
+      const std::vector<Triple>& made = division.finish();
+      parts.insert(parts.end(), made.begin(), made.end());
     });
   }
 
@@ -432,7 +433,8 @@ private:
       {
         division.divideEdge(i, paths[i]);
       }
-      parts.insert(parts.end(), division.triangles().begin(), division.triangles().end());
+      const std::vector<Triple>& made = division.finish();
+      parts.insert(parts.end(), made.begin(), made.end());
     });
     sheets_.vertices = surface_.vertices;
   }

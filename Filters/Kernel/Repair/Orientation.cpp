@@ -105,11 +105,14 @@ void turn(Surface& surface, std::size_t triangle)
 class Verdict
 {
 public:
-  Verdict(const Surface& surface, const Sheets& sheets, const Votes& votes)
+  Verdict(const Surface& surface, const Sheets& sheets, const Votes& votes,
+    const std::vector<TrianglePair>& pairs)
     : sheets_(sheets)
     , votes_(votes)
     , unturned_(surface.triangles.size())
     , volume_(surface.triangles.size())
+    , size_(surface.triangles.size())
+    , isBody_(surface.triangles.size())
   {
     const Point base = surface.corners(0)[0];
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
@@ -119,7 +122,9 @@ public:
       unturned_[sheets.of(t)] += direction;
       volume_[sheets.of(t)] +=
         direction * dot(minus(c[0], base), cross(minus(c[1], c[0]), minus(c[2], c[0])));
+      ++size_[sheets.of(t)];
     }
+    findBodies(pairs);
   }
 
   // A tie between the votes on a sheet that does not pass through others.
@@ -139,8 +144,43 @@ public:
   }
 
 private:
+  // 1 if a closed sheet was given with its normals outward, -1 inward, 0 if neither.
+  int givenWay(std::uint32_t sheet) const
+  {
+    const long long size = size_[sheet];
+    const long long way = unturned_[sheet];
+    return !sheets_.closed(sheet) || std::abs(way) != size || volume_[sheet] == 0
+      ? 0
+      : ((volume_[sheet] > 0) == (way > 0) ? 1 : -1);
+  }
+
+  // Closed sheets that cross others which were given alike.
+  void findBodies(const std::vector<TrianglePair>& pairs)
+  {
+    std::vector<std::uint8_t> crossesUnlike(isBody_.size());
+    for (const TrianglePair& pair : pairs)
+    {
+      const std::uint32_t a = sheets_.of(pair.first);
+      const std::uint32_t b = sheets_.of(pair.second);
+      if (a != b && pair.contact == Contact::Crossing)
+      {
+        const bool alike = givenWay(a) != 0 && givenWay(a) == givenWay(b);
+        (alike ? isBody_ : crossesUnlike)[a] = 1;
+        (alike ? isBody_ : crossesUnlike)[b] = 1;
+      }
+    }
+    for (std::size_t s = 0; s < isBody_.size(); ++s)
+    {
+      isBody_[s] = isBody_[s] != 0 && crossesUnlike[s] == 0 ? 1 : 0;
+    }
+  }
+
   bool passesThroughOthers(std::uint32_t sheet) const
   {
+    if (isBody_[sheet] != 0)
+    {
+      return true;
+    }
     const long long fewer = std::min(votes_.outward[sheet], votes_.inward[sheet]);
     return sheets_.closed(sheet) && fewer > 0 &&
       VotesPerDissent * fewer >= votes_.outward[sheet] + votes_.inward[sheet];
@@ -149,13 +189,15 @@ private:
   const Sheets& sheets_;
   const Votes& votes_;
   std::vector<long long>
-    unturned_;                 // triangles that face as the sheet's first minus those that do not
-  std::vector<double> volume_; // six times, with all triangles facing as the first
+    unturned_;                  // triangles that face as the sheet's first minus those that do not
+  std::vector<double> volume_;  // six times, with all triangles facing as the first
+  std::vector<long long> size_; // triangles
+  std::vector<std::uint8_t> isBody_; // by itself
 };
 
 }
 
-void orient(Surface& surface, Execution& execution)
+void orient(Surface& surface, const TrianglePairs& pairs, Execution& execution)
 {
   const std::size_t count = surface.triangles.size();
   const Sheets sheets(surface, SurfaceEdges(surface, execution));
@@ -165,7 +207,7 @@ void orient(Surface& surface, Execution& execution)
   {
     vote(surface, sheets, along, lines[static_cast<std::size_t>(along)], votes, execution);
   }
-  const Verdict verdict(surface, sheets, votes);
+  const Verdict verdict(surface, sheets, votes, pairs.pairs);
   for (std::size_t t = 0; t < count; ++t)
   {
     if (sheets.turned(t) != verdict.turns(sheets.of(t)))

@@ -13,8 +13,9 @@
 // crosses the surface an odd number of times (through a hole) has no vote, nor have crossings at
 // the same level of the lattice.
 //
-// A closed sheet with at least a quarter of its votes on either side passes through other sheets
-// and is a body by itself. With fewer, the majority decides: a cavity may reach through a wall. A
+// A closed sheet that crosses others, all of which were given with their normals on the same side as its own, or
+// with at least a quarter of its votes on either side, is a body by itself. Otherwise the majority decides: a cavity
+// may reach through a wall. A
 // sheet with a tie keeps the direction in which most of its triangles were given; but if the
 // surface then encloses a negative volume, all such sheets are turned over.
 //
@@ -23,11 +24,12 @@
 // majority.
 #pragma once
 
-#include "Surface/Surface.h"
+#include "Repair/TrianglePairs.h"
 
 namespace cartesian
 {
 
-void orient(Surface& surface, Execution& execution);
+// `pairs`: of triangles that cross.
+void orient(Surface& surface, const TrianglePairs& pairs, Execution& execution);
 
 }

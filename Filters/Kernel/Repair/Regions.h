@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The walls between several regions, out of their surfaces.
 //
-// Each region has closed surfaces of its own, which may touch those of others: along the same triangles,
-// along others in the same plane (Imprint.h), or within a tolerance (Contacts.h). A region may lie in another; where several regions are, the
-// first of them is. What is left are triangles between two regions, or between one and outside, each once:
-// the only surface that all later steps know, so that both regions have the same faces there.
+// Each region has closed surfaces of its own, which may touch or cross those of others (Arrangement.h), or touch them
+// within a tolerance (Contacts.h). A region may lie in another; where several regions are, the first of them is. What
+// is left are triangles between two regions, or between one and outside, each once: the only surface that all later
+// steps know, so that both regions have the same faces there.
 #pragma once
 
 #include "Base/Range.h"
@@ -29,8 +29,8 @@ struct RegionSpec
 };
 
 // Fills Surface::walls; boundary indices then are those of walls. Returns what the tolerance closed.
-// Throws Error (FlawedSurface): a region's surface is not closed, or passes through another's, or nothing is
-// left of it; a baffle does not divide its region.
+// Throws Error (FlawedSurface): a region's surface is not closed, or it is not sure what is on which side of it, or
+// nothing is left of it; a baffle does not divide its region.
 std::vector<ClosedContact> separateRegions(
   Surface& surface, const Meshlines& planes, const RegionSpec& spec, Execution& execution);
 

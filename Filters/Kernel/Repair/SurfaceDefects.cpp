@@ -213,15 +213,19 @@ private:
     }
     addPartners(DefectKind::FoldedTriangle, folded);
 
-    const TrianglePairs found = findPairs(given_, execution_);
+    const TrianglePairs& found = repair_.pairs;
     result_.notCompared = found.givenUp.size();
     if (!found.givenUp.empty())
     {
-      result_.notComparedAt = positionOf(given_.triangles[found.givenUp[0]][0]);
+      result_.notComparedAt = positionOf(surface_.triangles[found.givenUp[0]][0]);
     }
     std::vector<Partner> overlapped;
     for (const TrianglePair& pair : found.pairs)
     {
+      if (pair.second >= given_.triangles.size())
+      {
+        continue; // it closes a hole
+      }
       if (pair.contact == Contact::Crossing)
       {
         std::array<Vector, 2> ends =
@@ -376,11 +380,11 @@ SurfaceDefects listContacts(const std::vector<ClosedContact>& contacts, const La
 
 std::string describe(const SurfaceDefects& defects, const std::vector<long long>& cells)
 {
-  const std::pair<DefectKind, const char*> kinds[] = {
+  const std::array<std::pair<DefectKind, const char*>, 3> kinds = { {
     { DefectKind::FoldedTriangle, " triangles are folded back onto a neighbour." },
     { DefectKind::OverlappedTriangle, " triangles overlap others in the same plane." },
     { DefectKind::Intersection, " pairs of triangles intersect." },
-  };
+  } };
   std::string text;
   for (const auto& [kind, words] : kinds)
   {

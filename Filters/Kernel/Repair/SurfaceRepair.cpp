@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/SurfaceRepair.h"
 
+#include "Repair/Arrangement.h"
 #include "Repair/Orientation.h"
+#include "Repair/WallsOfBodies.h"
 #include "Surface/Components.h"
 
 #include <algorithm>
@@ -77,7 +79,7 @@ std::size_t SurfaceRepair::leaks() const
     std::count_if(holes.begin(), holes.end(), [](const Hole& hole) { return hole.leak; }));
 }
 
-SurfaceRepair repair(Surface& surface, const Meshlines& planes, Execution& execution)
+SurfaceRepair closeAndOrient(Surface& surface, const Meshlines& planes, Execution& execution)
 {
   SurfaceRepair result;
   {
@@ -85,14 +87,16 @@ SurfaceRepair repair(Surface& surface, const Meshlines& planes, Execution& execu
     result.duplicates = dropDuplicates(surface, edges, findDuplicates(surface, edges));
   }
   const std::vector<std::array<std::uint32_t, 3>> given = surface.triangles;
-  orient(surface, execution);
+  result.pairs = findPairs(surface, execution);
+  orient(surface, result.pairs, execution);
   const SurfaceEdges edges(surface, execution);
   result.check = check(edges, execution);
   if (!result.check.closed())
   {
     result.loose = dropLoose(surface, edges);
     result.holes = closeHoles(surface, SurfaceEdges(surface, execution), planes, execution);
-    orient(surface, execution);
+    result.pairs = findPairs(surface, execution);
+    orient(surface, result.pairs, execution);
     findUnoriented(surface, SurfaceEdges(surface, execution));
   }
   else if (!result.check.oriented())
@@ -100,6 +104,24 @@ SurfaceRepair repair(Surface& surface, const Meshlines& planes, Execution& execu
     findUnoriented(surface, edges);
   }
   result.turned = turnedSince(given, surface);
+  return result;
+}
+
+SurfaceRepair repair(Surface& surface, const Meshlines& planes, Execution& execution)
+{
+  SurfaceRepair result = closeAndOrient(surface, planes, execution);
+  if (result.pairs.pairs.empty() || !surface.byParity.empty() || !isFinelyPlaced(surface))
+  {
+    return result;
+  }
+  Surface arranged = surface;
+  arranged.region.assign(surface.triangles.size(), FirstRegion);
+  arrange(arranged, execution);
+  if (unite(arranged, execution))
+  {
+    result.crossing = std::make_shared<const Surface>(std::move(surface));
+    surface = std::move(arranged);
+  }
   return result;
 }
 

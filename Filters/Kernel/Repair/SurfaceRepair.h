@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Repairs a surface before it is meshed (steps 4 and 6): drops duplicate and loose triangles,
-// orients the others and closes holes.
+// orients the others, closes holes, and makes bodies that cross or touch one.
 #pragma once
 
 #include "Repair/Duplicates.h"
 #include "Repair/Holes.h"
 #include "Repair/SurfaceCheck.h"
+#include "Repair/TrianglePairs.h"
+
+#include <memory>
 
 namespace cartesian
 {
@@ -19,6 +22,9 @@ struct SurfaceRepair
   std::vector<DroppedTriangle>
     loose;                 // triangles that share no edge with another: they enclose nothing
   std::vector<Hole> holes; // in order of their lowest vertices
+  TrianglePairs pairs;     // that cross or overlap, with those that close holes
+  std::shared_ptr<const Surface>
+    crossing; // what the lists above are of; none: the surface, as it is now
 
   std::size_t leaks() const;
 };
@@ -27,6 +33,10 @@ struct SurfaceRepair
 // even number of times (Surface::byParity). Triangles keep their numbers: dropped ones collapse
 // into a point, those that close holes are appended. A flawless surface whose normals point outward
 // stays as it is.
+SurfaceRepair closeAndOrient(Surface& surface, const Meshlines& planes, Execution& execution);
+
+// Does that, and cuts triangles that cross or overlap along each other (Arrangement.h): what lies in the surface's
+// inside on both sides goes, so that bodies of which one winds around a place are one.
 SurfaceRepair repair(Surface& surface, const Meshlines& planes, Execution& execution);
 
 }

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Divides one triangle along points and edges in it, exactly, in the plane that it covers most of.
+// Divides one triangle along points and edges in it, in the plane that it covers most of. All decisions are exact.
+//
+// The result is the constrained Delaunay triangulation there; of points on one circle, the lowest has all the
+// diagonals. So what lies between edges is divided alike in every triangle of the same plane that has the same edges.
 #pragma once
 
 #include "Lattice/Plane.h"
@@ -7,6 +10,8 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace cartesian
@@ -17,46 +22,66 @@ class TriangleDivision
 public:
   using Triple = std::array<std::uint32_t, 3>;
 
-  // `vertices`: all places, by number; `axis`: along which they are seen, so that the triangle has an area.
-  TriangleDivision(const std::vector<Point>& vertices, const Triple& triangle, int axis);
+  // `vertices`: all places, by number; `axis`: along which they are seen, so that the triangle has an area;
+  // `reach`: edges run through points that are nearer to them, in levels.
+  TriangleDivision(
+    const std::vector<Point>& vertices, const Triple& triangle, int axis, double reach = 0);
 
-  // Puts points on the edge that starts at the i-th corner, in their order from there.
+  // Puts points on the edge that starts at the i-th corner, in their order from there. Before all else.
   void divideEdge(std::size_t i, const std::vector<std::uint32_t>& points);
 
   // Puts a point into the triangle, unless it is there.
   void addPoint(std::uint32_t point);
 
-  // Lets an edge run between two points that are there, through others that lie on it. Does nothing where both
-  // are on the same edge of the triangle.
+  // Lets an edge run between two points, through others that lie on it. Does nothing where one of them is not there,
+  // or both are on the same edge of the triangle, or where it would cross an edge that was added before.
   void addEdge(std::uint32_t from, std::uint32_t to);
 
-  const std::vector<Triple>& triangles() const { return triangles_; }
+  // Once all is there.
+  const std::vector<Triple>& finish();
 
 private:
-  struct EdgeAt
-  {
-    std::size_t triangle;
-    std::size_t corner; // the edge runs from there to the next
-  };
+  using Edge = std::array<std::uint32_t, 2>;
 
-  PlanePoint at(std::uint32_t point) const;
+  static std::uint64_t keyOf(std::uint32_t from, std::uint32_t to)
+  {
+    return (static_cast<std::uint64_t>(from) << 32) | to;
+  }
+  static std::uint64_t keyOfEither(std::uint32_t p, std::uint32_t q)
+  {
+    return p < q ? keyOf(p, q) : keyOf(q, p);
+  }
+
+  PlanePoint at(std::uint32_t point) const { return flatten(vertices_[point], axis_); }
   int turnOf(std::uint32_t p, std::uint32_t q, std::uint32_t r) const;
+  bool hasPoint(std::uint32_t point) const;
   bool hasEdge(std::uint32_t from, std::uint32_t to) const;
-  bool find(std::uint32_t from, std::uint32_t to, EdgeAt& at) const;
+  bool isFixed(std::uint32_t p, std::uint32_t q) const
+  {
+    return fixed_.count(keyOfEither(p, q)) != 0;
+  }
+  void set(std::size_t triangle, const Triple& corners);
+  std::uint32_t across(std::uint32_t from, std::uint32_t to) const;
+  void divideAt(std::uint32_t from, std::uint32_t to, std::uint32_t point);
   bool areOnOneEdge(std::uint32_t p, std::uint32_t q) const;
   std::uint32_t pointBetween(std::uint32_t from, std::uint32_t to) const;
+  bool findAcross(std::uint32_t from, std::uint32_t to, std::deque<Edge>& crossing) const;
   bool crosses(std::uint32_t p, std::uint32_t q, std::uint32_t from, std::uint32_t to) const;
-  std::deque<std::array<std::uint32_t, 2>> edgesAcross(std::uint32_t from, std::uint32_t to) const;
-  bool flip(std::array<std::uint32_t, 2>& edge);
+  bool flip(Edge& edge);
+  bool isBetterFlipped(std::uint32_t from, std::uint32_t to) const;
 
   static constexpr std::uint32_t None = ~0u;
 
   const std::vector<Point>& vertices_;
   int axis_;
+  double reach_;
   int way_ = 1; // 1 if the triangle is counter-clockwise as it is seen
   std::vector<Triple> triangles_;
-  std::array<std::vector<std::uint32_t>, 3> onEdge_; // with both ends
+  std::unordered_map<std::uint64_t, std::uint32_t> triangleAt_; // by an edge as it runs around it
+  std::unordered_set<std::uint64_t> fixed_;                     // edges that were added
+  std::array<std::vector<std::uint32_t>, 3> onEdge_;            // with both ends
   std::vector<std::uint32_t> points_;
+  std::unordered_set<std::uint32_t> isPoint_;
 };
 
 }

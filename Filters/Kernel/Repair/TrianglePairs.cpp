@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/TrianglePairs.h"
 
+#include "Repair/TrianglePlane.h"
 #include "Repair/TriangleTree.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace cartesian
@@ -22,83 +21,12 @@ constexpr std::size_t FirstTests = 64;
 // In all, or FirstTests of each triangle where that is more.
 constexpr std::size_t MostTests = 10000000;
 
-int signOf(Wide x)
-{
-  return (x > 0) - (x < 0);
-}
-
-Wide difference(Level a, Level b)
-{
-  return static_cast<Wide>(static_cast<std::int64_t>(a) - static_cast<std::int64_t>(b));
-}
-
-// The plane of a triangle, in double precision and, where that does not suffice, exactly.
-class TrianglePlane
-{
-public:
-  explicit TrianglePlane(const Corners& t)
-    : corners_(t)
-  {
-    const Vector u = minus(t[1], t[0]);
-    const Vector v = minus(t[2], t[0]);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const std::size_t b = (axis + 1) % 3;
-      const std::size_t c = (axis + 2) % 3;
-      normal_[axis] = u[b] * v[c] - u[c] * v[b];
-      size_[axis] = std::abs(u[b] * v[c]) + std::abs(u[c] * v[b]);
-    }
-  }
-
-  // 1 if a point lies on the side that the normal points to, -1 on the other, 0 on the plane.
-  int sideOf(const Point& p) const
-  {
-    // The differences are exact; six more operations round.
-    constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
-    const Vector d = minus(p, corners_[0]);
-    const double height = dot(normal_, d);
-    const double size =
-      size_[0] * std::abs(d[0]) + size_[1] * std::abs(d[1]) + size_[2] * std::abs(d[2]);
-    if (std::abs(height) > rounding * size)
-    {
-      return height > 0 ? 1 : -1;
-    }
-    return signOf(exactHeight(p));
-  }
-
-  // A point's height above the plane, times twice the triangle's area.
-  Wide exactHeight(const Point& p) const
-  {
-    const std::array<Wide, 3> normal = exactNormal(corners_);
-    Wide height = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      height += normal[axis] * difference(p[axis], corners_[0][axis]);
-    }
-    return height;
-  }
-
-private:
-  const Corners& corners_;
-  Vector normal_;
-  Vector size_; // sum of the magnitudes of the normal's terms
-};
-
-int orientation(const Point& a, const Point& b, const Point& c, const Point& d)
-{
-  const Corners t = { a, b, c };
-  return TrianglePlane(t).sideOf(d);
-}
-
 using CornerSides = std::array<int, 3>; // of a triangle's corners relative to a plane
 
 // The orientation of the triangle abc projected along `axis`.
-int turn(const Point& a, const Point& b, const Point& c, int axis)
+int turnAlong(const Point& a, const Point& b, const Point& c, int axis)
 {
-  const int u = (axis + 1) % 3;
-  const int v = (axis + 2) % 3;
-  return signOf(difference(b[u], a[u]) * difference(c[v], a[v]) -
-    difference(b[v], a[v]) * difference(c[u], a[u]));
+  return sign(turn(flatten(a, axis), flatten(b, axis), flatten(c, axis)));
 }
 
 // Whether an edge of `a` separates it from `b`; both lie in one plane.
@@ -108,9 +36,9 @@ bool separates(const Corners& a, const Corners& b, int axis)
   {
     const Point& p = a[i];
     const Point& q = a[(i + 1) % 3];
-    const int inner = turn(p, q, a[(i + 2) % 3], axis);
-    if (turn(p, q, b[0], axis) * inner <= 0 && turn(p, q, b[1], axis) * inner <= 0 &&
-      turn(p, q, b[2], axis) * inner <= 0)
+    const int inner = turnAlong(p, q, a[(i + 2) % 3], axis);
+    if (turnAlong(p, q, b[0], axis) * inner <= 0 && turnAlong(p, q, b[1], axis) * inner <= 0 &&
+      turnAlong(p, q, b[2], axis) * inner <= 0)
     {
       return true;
     }
@@ -126,6 +54,21 @@ bool overlap(const Corners& a, const Corners& b)
   {
     ++axis;
   }
+  return !separates(a, b, axis) && !separates(b, a, axis);
+}
+
+// Whether the corners of one are nearly in the plane of the other, and they overlap as seen along an axis.
+bool overlapNearly(const Corners& a, const Corners& b, double distance)
+{
+  const auto isIn = [&](const Corners& t, const TrianglePlane& plane) {
+    return plane.distanceTo(t[0]) <= distance && plane.distanceTo(t[1]) <= distance &&
+      plane.distanceTo(t[2]) <= distance;
+  };
+  if (!isIn(a, TrianglePlane(b)) && !isIn(b, TrianglePlane(a)))
+  {
+    return false;
+  }
+  const int axis = axisAcross(a);
   return !separates(a, b, axis) && !separates(b, a, axis);
 }
 
@@ -219,6 +162,20 @@ std::vector<Vector> meetPlane(const Corners& t, const Corners& other)
   return places;
 }
 
+Contact contactOf(
+  const Surface& surface, const NearlyFlat* nearly, std::uint32_t a, std::uint32_t b)
+{
+  if (nearly && !nearly->isNew.empty() && nearly->isNew[a] == 0 && nearly->isNew[b] == 0)
+  {
+    return Contact::Apart;
+  }
+  const Contact contact = contactOf(surface, a, b);
+  return nearly && contact != Contact::Overlap && nearly->body[a] != nearly->body[b] &&
+      overlapNearly(surface.corners(a), surface.corners(b), nearly->distance)
+    ? Contact::Overlap
+    : contact;
+}
+
 struct PairSearch
 {
   std::vector<TrianglePair> pairs;
@@ -234,7 +191,7 @@ struct PairSearch
 };
 
 // Compares the triangles at some places of the tree with at most `most` neighbours each.
-PairSearch search(const Surface& surface, const TriangleTree& tree,
+PairSearch search(const Surface& surface, const NearlyFlat* nearly, const TriangleTree& tree,
   const std::vector<std::size_t>& places, std::size_t most, Execution& execution)
 {
   const std::size_t grain = std::max<std::size_t>(1, TestsAChunk / most);
@@ -253,7 +210,7 @@ PairSearch search(const Surface& surface, const TriangleTree& tree,
           return false;
         }
         ++seen;
-        const Contact contact = contactOf(surface, t, other);
+        const Contact contact = contactOf(surface, nearly, t, other);
         if (contact != Contact::Apart)
         {
           part.pairs.push_back({ std::min(t, other), std::max(t, other), contact });
@@ -272,6 +229,84 @@ PairSearch search(const Surface& surface, const TriangleTree& tree,
   {
     all.add(part);
   }
+  return all;
+}
+
+TrianglePairs findAll(const Surface& surface, const NearlyFlat* nearly, Execution& execution)
+{
+  const TriangleTree tree(surface, execution);
+  std::vector<std::size_t> places(tree.size());
+  std::iota(places.begin(), places.end(), 0);
+  execution.nextLoop(0.7);
+  PairSearch found = search(surface, nearly, tree, places, FirstTests, execution);
+  if (!found.unfinished.empty())
+  {
+    // Around the pole of a sphere all triangles are neighbours: the tests that others need not are theirs.
+    const std::size_t left = std::max(MostTests, FirstTests * tree.size()) - found.tests;
+    places = std::move(found.unfinished);
+    found.unfinished.clear();
+    execution.nextLoop(0.7);
+    found.add(
+      search(surface, nearly, tree, places, std::max(FirstTests, left / places.size()), execution));
+  }
+  // Those that were compared in both searches are there twice.
+  std::sort(found.pairs.begin(), found.pairs.end());
+  const auto same = [](const TrianglePair& a, const TrianglePair& b) { return !(a < b); };
+  found.pairs.erase(std::unique(found.pairs.begin(), found.pairs.end(), same), found.pairs.end());
+  TrianglePairs all{ std::move(found.pairs), {} };
+  for (const std::size_t place : found.unfinished)
+  {
+    all.givenUp.push_back(tree.triangle(place));
+  }
+  std::sort(all.givenUp.begin(), all.givenUp.end());
+  return all;
+}
+
+// Those of which one at least is new.
+TrianglePairs findNew(const Surface& surface, const NearlyFlat& nearly, Execution& execution)
+{
+  const TriangleTree tree(surface, execution);
+  std::vector<std::uint32_t> triangles;
+  for (std::size_t place = 0; place < tree.size(); ++place)
+  {
+    if (nearly.isNew[tree.triangle(place)] != 0)
+    {
+      triangles.push_back(tree.triangle(place));
+    }
+  }
+  constexpr std::size_t grain = TestsAChunk / FirstTests;
+  std::vector<std::vector<TrianglePair>> parts(chunks(triangles.size(), grain));
+  execution.nextLoop(0.7);
+  execution.forEach(triangles.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const std::uint32_t t = triangles[i];
+      const Corners c = surface.corners(t);
+      Vector low = toVector(c[0]);
+      Vector high = low;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        low[axis] = std::min({ c[0][axis], c[1][axis], c[2][axis] }) - nearly.distance;
+        high[axis] = std::max({ c[0][axis], c[1][axis], c[2][axis] }) + nearly.distance;
+      }
+      tree.forEachWithin(low, high, [&](std::uint32_t other) {
+        if (other != t && (other > t || nearly.isNew[other] == 0))
+        {
+          const Contact contact = contactOf(surface, &nearly, t, other);
+          if (contact != Contact::Apart)
+          {
+            parts[begin / grain].push_back({ std::min(t, other), std::max(t, other), contact });
+          }
+        }
+      });
+    }
+  });
+  TrianglePairs all;
+  for (const std::vector<TrianglePair>& part : parts)
+  {
+    all.pairs.insert(all.pairs.end(), part.begin(), part.end());
+  }
+  std::sort(all.pairs.begin(), all.pairs.end());
   return all;
 }
 
@@ -314,31 +349,18 @@ std::array<Vector, 2> sharedSegment(const Corners& a, const Corners& b)
 
 TrianglePairs findPairs(const Surface& surface, Execution& execution)
 {
-  const TriangleTree tree(surface, execution);
-  std::vector<std::size_t> places(tree.size());
-  std::iota(places.begin(), places.end(), 0);
-  execution.nextLoop(0.7);
-  PairSearch found = search(surface, tree, places, FirstTests, execution);
-  if (!found.unfinished.empty())
-  {
-    // Around the pole of a sphere all triangles are neighbours: the tests that others need not are theirs.
-    const std::size_t left = std::max(MostTests, FirstTests * tree.size()) - found.tests;
-    places = std::move(found.unfinished);
-    found.unfinished.clear();
-    execution.nextLoop(0.7);
-    found.add(search(surface, tree, places, std::max(FirstTests, left / places.size()), execution));
-  }
-  // Those that were compared in both searches are there twice.
-  std::sort(found.pairs.begin(), found.pairs.end());
-  const auto same = [](const TrianglePair& a, const TrianglePair& b) { return !(a < b); };
-  found.pairs.erase(std::unique(found.pairs.begin(), found.pairs.end(), same), found.pairs.end());
-  TrianglePairs all{ std::move(found.pairs), {} };
-  for (const std::size_t place : found.unfinished)
-  {
-    all.givenUp.push_back(tree.triangle(place));
-  }
-  std::sort(all.givenUp.begin(), all.givenUp.end());
-  return all;
+  return findAll(surface, nullptr, execution);
+}
+
+TrianglePairs findPairs(const Surface& surface, const NearlyFlat& nearly, Execution& execution)
+{
+  // To look at all triangles, each at larger ones only, is faster where many are new.
+  constexpr std::size_t many = 8; // one in so many
+  const auto news =
+    static_cast<std::size_t>(std::count(nearly.isNew.begin(), nearly.isNew.end(), 1));
+  return many * news > nearly.isNew.size() || nearly.isNew.empty()
+    ? findAll(surface, &nearly, execution)
+    : findNew(surface, nearly, execution);
 }
 
 }

@@ -46,4 +46,15 @@ struct TrianglePairs
 // with as many as are left for each. The rest is given up.
 TrianglePairs findPairs(const Surface& surface, Execution& execution);
 
+// Then those of different bodies also overlap where one is so near the other's plane, as faces in one plane are that
+// the lattice rounded.
+struct NearlyFlat
+{
+  std::vector<std::uint32_t> body; // of each triangle
+  double distance;                 // levels
+  std::vector<std::uint8_t>
+    isNew; // of each triangle: pairs of others are not looked for; empty: all are new
+};
+TrianglePairs findPairs(const Surface& surface, const NearlyFlat& nearly, Execution& execution);
+
 }

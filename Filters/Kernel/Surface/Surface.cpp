@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace cartesian
@@ -153,6 +154,26 @@ void addTriangles(const SurfaceView& view, const std::vector<std::uint32_t>& ver
   }
 }
 
+// Half the distance between neighbouring numbers of the file, where all its coordinates are in single precision, as in
+// STL; 0 otherwise.
+double roundingOf(const SurfaceView& view, const std::vector<bool>& used)
+{
+  double largest = 0;
+  for (std::size_t i = 0; i < 3 * view.pointCount; ++i)
+  {
+    const double x = view.points[i];
+    if (used[i / 3])
+    {
+      if (static_cast<double>(static_cast<float>(x)) != x)
+      {
+        return 0;
+      }
+      largest = std::max(largest, std::abs(x));
+    }
+  }
+  return largest * double(std::numeric_limits<float>::epsilon()) / 2;
+}
+
 }
 
 Bounds boundsOf(const SurfaceView& view)
@@ -208,6 +229,7 @@ Surface onLattice(const SurfaceView& view, const Lattice& lattice, Execution& ex
 
   Surface surface;
   surface.lattice = lattice;
+  surface.rounding = std::max(1.0, roundingOf(view, used) / lattice.step());
   const std::vector<std::uint32_t> vertex = mergePoints(points, surface, execution);
   addTriangles(view, vertex, surface, execution);
   return surface;

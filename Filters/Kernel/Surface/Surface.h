@@ -34,6 +34,7 @@ Bounds boundsOf(const SurfaceView& view);
 struct Surface
 {
   Lattice lattice;
+  double rounding = 1;         // how far off the file's precision puts vertices, in levels
   std::vector<Point> vertices; // distinct
   std::vector<std::array<std::uint32_t, 3>>
     triangles;                        // oriented either way until orient() (Orientation.h)

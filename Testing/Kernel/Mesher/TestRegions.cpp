@@ -465,12 +465,27 @@ TEST(Regions, MustBeClosed)
   expectRefusal(soup, "The surface of region 2 is not closed at (");
 }
 
-TEST(Regions, MustNotPassThroughEachOther)
+TEST(Regions, ThatPassThroughEachOtherGiveWayToTheFirst)
 {
   Soup soup;
   soup.addRegion(cube());
   soup.addRegion(box({ 0.5, 0.25, 0.25 }, { 2, 0.75, 0.75 }));
-  expectRefusal(soup, "The surfaces of regions 1 and 2 pass through each other near (");
+  expectExactly(soup,
+    { { { 1, 1 }, { 2, 0.25 } },
+      { { { 0, 1 }, 6 - 0.25 }, { { 0, 2 }, 0.25 + 4 * 0.5 }, { { 1, 2 }, 0.25 } } });
+}
+
+// Turned, so that no walls lie in planes of the grid: a plate, a block in a corner of it, and a bar through both.
+TEST(Regions, ThreeThatCross)
+{
+  Soup soup;
+  soup.addRegion(box({ 0, 0, 0 }, { 2, 2, 0.5 }));
+  soup.addRegion(box({ 1, 1, -0.5 }, { 2.5, 2.5, 1 }));
+  soup.addRegion(box({ 1.5, 1.5, -1 }, { 1.75, 1.75, 2 }));
+  expectExactly(soup.turned(),
+    { { { 1, 2 }, { 2, 3.375 - 0.5 }, { 3, 0.0625 * 1.5 } },
+      { { { 0, 1 }, 9 }, { { 0, 2 }, 12.375 }, { { 0, 3 }, 1.625 }, { { 1, 2 }, 3 },
+        { { 2, 3 }, 0.125 } } });
 }
 
 TEST(Regions, TheFirstKeepsTheVolume)

@@ -136,4 +136,7 @@ TEST_F(PolyMesh, WordsHaveNoBracketsAndDoNotStartAsNumbers)
   EXPECT_EQ(foamWord("1"), "_1");
   EXPECT_EQ(foamWord("-x"), "_-x");
   EXPECT_EQ(foamWord(""), "_");
+  EXPECT_EQ(foamWord(std::string(2000, 'x')), std::string(LongestWord, 'x'));
+  EXPECT_EQ(
+    foamWord(std::string(LongestWord - 1, 'x') + "\u00e9"), std::string(LongestWord - 1, 'x'));
 }

@@ -47,7 +47,7 @@ std::vector<Triangle> directed(const Surface& surface)
 
 Surface surfaceOf(const Soup& soup)
 {
-  return prepare(soup, cellsAlongLongest(soup, 2)).surface;
+  return prepare(soup, cellsAlongLongest(soup, 2)).inspected();
 }
 
 }

@@ -20,12 +20,13 @@ SurfaceDefects defectsOf(const Soup& soup, const GridSpec& grid, int threads = 1
   const PreparedSurface prepared = prepare(soup, grid);
   Execution execution(threads);
   SurfaceDefects defects = findDefects(
-    prepared.surface, prepared.trianglesGiven, prepared.repair, prepared.planes, execution);
+    prepared.inspected(), prepared.trianglesGiven, prepared.repair, prepared.planes, execution);
   for (Defect& defect : defects.defects) // as the soup numbers them
   {
     for (std::uint32_t* const triangle : { &defect.triangle, &defect.other })
     {
-      *triangle = *triangle == SurfaceDefects::None ? *triangle : prepared.surface.given[*triangle];
+      *triangle =
+        *triangle == SurfaceDefects::None ? *triangle : prepared.inspected().given[*triangle];
     }
   }
   return defects;

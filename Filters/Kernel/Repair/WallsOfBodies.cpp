@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Repair/WallsOfBodies.h"
+
+#include "Repair/Spaces.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// In Surface::given, of a triangle that closes a hole.
+constexpr std::uint32_t ClosesAHole = ~0u;
+
+class WallFinder
+{
+public:
+  WallFinder(const Surface& surface, std::int32_t regions)
+    : surface_(surface)
+    , regions_(regions)
+  {
+  }
+
+  Surface run(std::vector<std::uint32_t>& crossing, Execution& execution)
+  {
+    Surface result;
+    result.lattice = surface_.lattice;
+    result.vertices = surface_.vertices;
+    const std::vector<Piece> pieces = piecesOf(surface_);
+    const Spaces spaces = findSpaces(surface_, pieces, regions_, execution);
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+    {
+      addWall(pieces[p],
+        { regionOf(spaces.turns[spaces.beside[p][0]]),
+          regionOf(spaces.turns[spaces.beside[p][1]]) },
+        result);
+    }
+    crossing.clear();
+    for (const std::uint32_t p : spaces.contradictions)
+    {
+      crossing.push_back(pieces[p].triangles[0]);
+    }
+    return result;
+  }
+
+private:
+  // The first one that winds around a space.
+  std::int32_t regionOf(const std::vector<std::int32_t>& turns) const
+  {
+    for (std::int32_t r = FirstRegion; r <= regions_; ++r)
+    {
+      if (turns[static_cast<std::size_t>(r)] > 0)
+      {
+        return r;
+      }
+    }
+    return OutsideRegion;
+  }
+
+  // `region`: behind the piece and in front.
+  void addWall(const Piece& piece, std::array<std::int32_t, 2> region, Surface& result)
+  {
+    if (region[0] == region[1])
+    {
+      return;
+    }
+    std::array<std::uint32_t, 3> vertices = piece.vertices;
+    if (region[0] == OutsideRegion || (region[1] != OutsideRegion && region[1] < region[0]))
+    {
+      std::swap(region[0], region[1]);
+      std::swap(vertices[1], vertices[2]);
+    }
+    const std::uint32_t source = sourceOf(piece, vertices, region[0]);
+    std::swap(vertices[1], vertices[2]);
+    const Wall wall{ region[0], region[1], surface_.boundary[source],
+      region[1] == OutsideRegion ? NoBoundary
+                                 : surface_.boundary[sourceOf(piece, vertices, region[1])] };
+    std::swap(vertices[1], vertices[2]);
+    result.triangles.push_back(vertices);
+    result.boundary.push_back(numberOf(wall, result));
+    result.given.push_back(source < surface_.given.size() ? surface_.given[source] : ClosesAHole);
+  }
+
+  // The triangle whose boundary a region has there: its own that points out of it, its own, or any other's.
+  std::uint32_t sourceOf(
+    const Piece& piece, const std::array<std::uint32_t, 3>& outward, std::int32_t region) const
+  {
+    return *std::min_element(
+      piece.triangles.begin(), piece.triangles.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const auto rank = [&](std::uint32_t t) {
+          return std::make_tuple(surface_.region[t] != region,
+            !faceAlike(surface_.triangles[t], outward), surface_.boundary[t], t);
+        };
+        return rank(a) < rank(b);
+      });
+  }
+
+  std::int32_t numberOf(const Wall& wall, Surface& result)
+  {
+    const auto [at, isNew] = numbers_.emplace(
+      std::make_tuple(wall.behind, wall.front, wall.boundary, wall.boundaryInFront),
+      static_cast<std::int32_t>(result.walls.all.size()));
+    if (isNew)
+    {
+      result.walls.all.push_back(wall);
+    }
+    return at->second;
+  }
+
+  const Surface& surface_;
+  std::int32_t regions_;
+  std::map<std::tuple<std::int32_t, std::int32_t, std::int32_t, std::int32_t>, std::int32_t>
+    numbers_; // of walls
+};
+
+// Puts vertices in order of their places, and triangles in order of vertices, as onLattice() does; those that close
+// holes stay the last.
+void sortByPlace(Surface& surface)
+{
+  std::vector<std::uint32_t> order(surface.vertices.size());
+  std::vector<std::uint32_t> place(order.size());
+  std::iota(order.begin(), order.end(), 0);
+  const std::vector<Point> at = surface.vertices;
+  std::sort(
+    order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return at[a] < at[b]; });
+  for (std::uint32_t i = 0; i < order.size(); ++i)
+  {
+    place[order[i]] = i;
+    surface.vertices[i] = at[order[i]];
+  }
+  for (auto& t : surface.triangles)
+  {
+    t = { place[t[0]], place[t[1]], place[t[2]] };
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  }
+  const Surface given = surface;
+  std::vector<std::uint32_t> triangles(given.triangles.size());
+  std::iota(triangles.begin(), triangles.end(), 0);
+  std::sort(triangles.begin(), triangles.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::make_tuple(given.given[a] == ClosesAHole, given.triangles[a]) <
+      std::make_tuple(given.given[b] == ClosesAHole, given.triangles[b]);
+  });
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    surface.triangles[i] = given.triangles[triangles[i]];
+    surface.boundary[i] = given.boundary[triangles[i]];
+    surface.given[i] = given.given[triangles[i]];
+  }
+  while (!surface.given.empty() && surface.given.back() == ClosesAHole)
+  {
+    surface.given.pop_back();
+  }
+}
+
+}
+
+Surface wallsOf(const Surface& arranged, std::int32_t regions, std::vector<std::uint32_t>& crossing,
+  Execution& execution)
+{
+  Surface walls = WallFinder(arranged, regions).run(crossing, execution);
+  sortByPlace(walls);
+  return walls;
+}
+
+bool unite(Surface& surface, Execution& execution)
+{
+  std::vector<std::uint32_t> crossing;
+  Surface walls = wallsOf(surface, FirstRegion, crossing, execution);
+  if (!crossing.empty() || walls.triangles.empty())
+  {
+    return false;
+  }
+  for (std::int32_t& boundary : walls.boundary)
+  {
+    boundary = walls.walls.boundary(boundary);
+  }
+  surface.triangles.swap(walls.triangles);
+  surface.vertices.swap(walls.vertices);
+  surface.boundary.swap(walls.boundary);
+  surface.given.swap(walls.given);
+  surface.region.clear();
+  return true;
+}
+
+}
