@@ -17,10 +17,6 @@ namespace cartesian
 namespace
 {
 
-// Pieces of a connected part that are tried before one is found through which a line passes that meets no other
-// triangle at the same level.
-constexpr std::size_t MostTried = 256;
-
 using Triple = std::array<std::uint32_t, 3>;
 
 Triple sorted(Triple v)
