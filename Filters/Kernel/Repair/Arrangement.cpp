@@ -2,6 +2,7 @@
 #include "Repair/Arrangement.h"
 
 #include "Base/DisjointSets.h"
+#include "Repair/Snapping.h"
 #include "Repair/TriangleDivision.h"
 #include "Repair/TrianglePairs.h"
 #include "Repair/TrianglePlane.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <unordered_map>
 
 namespace cartesian
 {
@@ -37,120 +37,6 @@ bool has(const Triple& triangle, std::uint32_t v)
 {
   return v == triangle[0] || v == triangle[1] || v == triangle[2];
 }
-
-// How exactly things are placed, in levels, of which the longest side of the domain has more than 2^30.
-struct Placing
-{
-  // Faces of one plane are no further apart: the file rounds both, and so does the lattice.
-  double together;
-
-  // A new vertex so near to another, or to an edge, is that one or on that. What is thinner has no reliable sides once it
-  // is rounded, and edges that run along each other meet in places that differ by many roundings.
-  double snap;
-
-  // Faces of one plane are no further apart once their vertices are snapped.
-  double snappedTogether() const { return 3 * snap; }
-};
-
-Placing placingOf(const Surface& surface)
-{
-  constexpr double roundings = 3;
-  constexpr double snapped = 64;
-  return { roundings * surface.rounding, std::max(snapped, 4 * roundings * surface.rounding) };
-}
-
-// Finds vertices by their places.
-class VertexIndex
-{
-public:
-  VertexIndex(std::vector<Point>& vertices, double snap)
-    : vertices_(vertices)
-    , snap_(snap)
-    , given_(vertices.size())
-  {
-    while (static_cast<double>(1U << cellBits_) < snap)
-    {
-      ++cellBits_;
-    }
-    cells_.reserve(2 * vertices.size());
-    for (std::uint32_t v = 0; v < vertices.size(); ++v)
-    {
-      add(v);
-    }
-  }
-
-  // The nearest vertex within the snap distance, the first of equally near ones; otherwise a new one.
-  std::uint32_t at(const Point& place)
-  {
-    auto best = static_cast<std::uint32_t>(vertices_.size());
-    double least = snap_;
-    for (int i = 0; i < 27; ++i)
-    {
-      const auto cell = cells_.find(keyOf(place, { i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1 }));
-      for (std::uint32_t v = cell == cells_.end() ? None : cell->second; v != None; v = next_[v])
-      {
-        const double distance = norm(minus(vertices_[v], place));
-        if (distance < least || (distance == least && v < best))
-        {
-          least = distance;
-          best = v;
-        }
-      }
-    }
-    if (best == vertices_.size())
-    {
-      vertices_.push_back(place);
-      add(best);
-    }
-    return same_.find(best);
-  }
-
-  // Makes two vertices that are an edge apart one, if that edge is short and one of them is new.
-  bool merge(std::uint32_t p, std::uint32_t q)
-  {
-    const bool merges =
-      p != q && std::max(p, q) >= given_ && norm(minus(vertices_[p], vertices_[q])) < 2 * snap_;
-    if (merges)
-    {
-      same_.unite(p, q);
-    }
-    return merges;
-  }
-
-  std::uint32_t vertexFor(std::uint32_t v) { return same_.find(v); }
-
-private:
-  static constexpr std::uint32_t None = ~0u;
-
-  std::uint64_t keyOf(const Point& p, const std::array<int, 3>& aside = { 0, 0, 0 }) const
-  {
-    std::uint64_t key = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const std::uint64_t cell =
-        (p[axis] >> cellBits_) + static_cast<std::uint64_t>(aside[axis] + 1);
-      key = (key ^ cell) * 0x9e3779b97f4a7c15u;
-      key ^= key >> 29;
-    }
-    return key;
-  }
-
-  void add(std::uint32_t v)
-  {
-    same_.add();
-    const auto [first, isNew] = cells_.emplace(keyOf(vertices_[v]), v);
-    next_.push_back(isNew ? None : first->second);
-    first->second = v;
-  }
-
-  std::vector<Point>& vertices_;
-  double snap_;           // levels
-  unsigned cellBits_ = 0; // cells are no smaller than that
-  std::size_t given_;     // what follows is new
-  DisjointSets same_;
-  std::unordered_map<std::uint64_t, std::uint32_t> cells_; // the last vertex in a cell
-  std::vector<std::uint32_t> next_;                        // of each vertex, another in its cell
-};
 
 // Whether a triangle is one of those given, or a piece: made before pairs were last searched for, or since.
 enum class Made : std::uint8_t

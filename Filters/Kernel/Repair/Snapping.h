@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What an arrangement (Arrangement.h) takes to be at one place: as near as the file's precision tells apart.
+#pragma once
+
+#include "Base/DisjointSets.h"
+#include "Surface/Surface.h"
+
+#include <unordered_map>
+
+namespace cartesian
+{
+
+// How exactly things are placed, in levels, of which the longest side of the domain has more than 2^30.
+struct Placing
+{
+  // Faces of one plane are no further apart: the file rounds both, and so does the lattice.
+  double together;
+
+  // A new vertex so near to another, or to an edge, is that one or on that. What is thinner has no reliable sides once it
+  // is rounded, and edges that run along each other meet in places that differ by many roundings.
+  double snap;
+
+  // Faces of one plane are no further apart once their vertices are snapped.
+  double snappedTogether() const { return 3 * snap; }
+};
+
+Placing placingOf(const Surface& surface);
+
+// Finds vertices by their places, and makes new ones.
+class VertexIndex
+{
+public:
+  // Borrows the vertices, which are given ones; `snap`: levels.
+  VertexIndex(std::vector<Point>& vertices, double snap);
+
+  // The nearest vertex within the snap distance, the first of equally near ones; otherwise a new one.
+  std::uint32_t at(const Point& place);
+
+  // Makes two vertices that are an edge apart one, if that edge is short and one of them is new.
+  bool merge(std::uint32_t p, std::uint32_t q);
+
+  // What a vertex has become.
+  std::uint32_t vertexFor(std::uint32_t v) { return same_.find(v); }
+
+private:
+  static constexpr std::uint32_t None = ~0u;
+
+  std::uint64_t keyOf(const Point& p, const std::array<int, 3>& aside = { 0, 0, 0 }) const;
+  void add(std::uint32_t v);
+
+  std::vector<Point>& vertices_;
+  double snap_;           // levels
+  unsigned cellBits_ = 0; // cells are no smaller than that
+  std::size_t given_;     // what follows is new
+  DisjointSets same_;
+  std::unordered_map<std::uint64_t, std::uint32_t> cells_; // the last vertex in a cell
+  std::vector<std::uint32_t> next_;                        // of each vertex, another in its cell
+};
+
+}
