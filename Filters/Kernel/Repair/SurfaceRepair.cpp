@@ -3,6 +3,7 @@
 
 #include "Repair/Arrangement.h"
 #include "Repair/Orientation.h"
+#include "Repair/ThinSheets.h"
 #include "Repair/WallsOfBodies.h"
 #include "Surface/Components.h"
 
@@ -109,6 +110,10 @@ SurfaceRepair closeAndOrient(Surface& surface, const Meshlines& planes, Executio
 
 SurfaceRepair repair(Surface& surface, const Meshlines& planes, Execution& execution)
 {
+  if (std::getenv("CARTESIAN_SHEETS"))
+  {
+    std::printf("%zu pairs of sheets\n", giveSidesToSheets(surface, execution));
+  }
   SurfaceRepair result = closeAndOrient(surface, planes, execution);
   if (result.pairs.pairs.empty() || !surface.byParity.empty() || !isFinelyPlaced(surface))
   {
