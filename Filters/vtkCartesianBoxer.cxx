@@ -456,6 +456,7 @@ cartesian::Options vtkCartesianBoxer::MakeOptions()
   options.grid.meshlines = this->Meshlines;
   options.memoryLimit = this->MemoryLimit;
   options.contactTolerance = this->ContactTolerance;
+  options.sheets = static_cast<cartesian::ThinSheets>(this->Sheets);
   return options;
 }
 
@@ -510,7 +511,7 @@ void vtkCartesianBoxer::Inspect(const cartesian::PreparedSurface& prepared,
     return;
   }
   const cartesian::SurfaceDefects found = cartesian::findDefects(
-    prepared.inspected(), prepared.trianglesGiven, prepared.repair, prepared.planes, execution);
+    prepared.inspected(), prepared.trianglesGiven(), prepared.repair, prepared.planes, execution);
   const std::vector<vtkIdType> cells = cartesian::cellsOf(prepared.inspected(), surface.cells());
   cartesian::toVTK(found, cells, defects);
   this->Warn(cartesian::describe(found, cells));

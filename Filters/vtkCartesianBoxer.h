@@ -364,6 +364,7 @@ protected:
   int RegionsFrom = 0;
   std::string RegionArray;
   double ContactTolerance = 0;
+  int Sheets = 0;
 
 private:
   vtkCartesianBoxer(const vtkCartesianBoxer&) = delete;

@@ -535,4 +535,5 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RegionsFrom: " << this->RegionsFrom << "\n";
   os << indent << "RegionArray: " << this->RegionArray << "\n";
   os << indent << "ContactTolerance: " << this->ContactTolerance << "\n";
+  os << indent << "Sheets: " << this->Sheets << "\n";
 }

@@ -299,6 +299,17 @@ public:
 
   ///@{
   /**
+   * What becomes of sheets without thickness, whose triangles are there twice: 0, the default, each side is a wall;
+   * 1: they are left out.
+   */
+  vtkSetClampMacro(Sheets, int, 0, 1);
+  vtkGetMacro(Sheets, int);
+  void SetSheetsToKeep() { this->SetSheets(0); }
+  void SetSheetsToLeaveOut() { this->SetSheets(1); }
+  ///@}
+
+  ///@{
+  /**
    * Whether each rank makes a piece of the mesh; off: the first rank makes all of it. Default: on.
    */
   vtkSetMacro(InPieces, bool);

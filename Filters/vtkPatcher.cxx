@@ -79,7 +79,7 @@ int vtkPatcher::RequestData(
     const cartesian::Boxes boxes = cartesian::boxesFromVTK(vtkUnstructuredGrid::GetData(input[1]));
     checkPlace(cartesian::boundsOf(source.view()), boxes.lattice);
     cartesian::Surface surface = cartesian::onLattice(source.view(), boxes.lattice, execution);
-    cartesian::repair(surface, boxes.planes, execution);
+    cartesian::repair(surface, boxes.planes, {}, execution);
     const cartesian::Shoeboxes shoeboxes =
       cartesian::fillShoeboxes(surface, boxes.planes, execution);
     execution.stage("Patches", cartesian::AfterBoxes, 1);

@@ -16,19 +16,6 @@ namespace cartesian
 namespace
 {
 
-void requireNoBaffles(const Walls& walls, const WallLayerSpec& layers)
-{
-  for (std::size_t wall = 0; wall < walls.all.size(); ++wall)
-  {
-    if (walls.isBaffle(static_cast<std::int32_t>(wall)))
-    {
-      throw Error(Fault::BadParameter,
-        "Layers is " + std::to_string(layers.count) +
-          ", but with baffles there are no layers: set it to 0.");
-    }
-  }
-}
-
 // As shaping sees them: of walls instead of boundaries. It makes no room at interfaces.
 WallLayerSpec forWalls(WallLayerSpec layers, const Walls& walls)
 {
@@ -90,17 +77,9 @@ Bounds united(Bounds a, const Bounds& b)
   return a;
 }
 
-void requireOneRegion(
-  const SurfaceView& view, const DomainSpec& domain, const std::vector<Baffle>& baffles)
+void requireOneRegion(const SurfaceView& view, const DomainSpec& domain)
 {
   const std::string name = domain.isOutside() ? "Outside" : "Around Points";
-  if (!baffles.empty() && (domain.domain != Domain::Inside || !domain.keepPoints.empty()))
-  {
-    throw Error(Fault::BadParameter,
-      (domain.domain == Domain::Inside ? "There are Keep Points" : "Domain is " + name) +
-        ", where there are no baffles yet: give them another Boundary Type, or mesh all that is "
-        "inside.");
-  }
   if (view.region && domain.domain != Domain::Inside)
   {
     throw Error(Fault::BadParameter,
@@ -112,6 +91,68 @@ void requireOneRegion(
     throw Error(Fault::BadParameter,
       "Keep Points are for one region: give none, or set Regions From to One.");
   }
+}
+
+// Whether baffles may divide regions into parts (Baffles.h): what else is done there knows of no parts.
+bool mayDivide(const Options& options)
+{
+  return options.domain.domain == Domain::Inside && options.domain.keepPoints.empty() &&
+    options.layers.count == 0;
+}
+
+MeshedSide meshedOf(const DomainSpec& domain)
+{
+  return domain.isOutside() ? MeshedSide::Outside
+                            : (domain.domain == Domain::Inside ? MeshedSide::Inside : MeshedSide::Unknown);
+}
+
+void separate(PreparedSurface& prepared, const SurfaceView& view, const Options& options,
+  Execution& execution)
+{
+  Surface& surface = prepared.surface;
+  RegionSpec spec;
+  spec.names = view.regionNames ? *view.regionNames : std::vector<std::string>();
+  spec.contactTolerance = options.contactTolerance;
+  spec.sheets = options.sheets;
+  if (!options.baffles.empty() && mayDivide(options))
+  {
+    spec.baffles = options.baffles;
+    surface.region.resize(surface.triangles.size(), FirstRegion);
+    if (auto contacts = separateRegions(surface, prepared.planes, spec, execution))
+    {
+      prepared.contacts = std::move(*contacts);
+      return;
+    }
+    spec.baffles.clear();
+  }
+  if (!view.region)
+  {
+    surface.region.clear();
+  }
+  if (!options.baffles.empty())
+  {
+    const double tolerance = options.contactTolerance / surface.lattice.step();
+    doubleBaffles(surface, options.baffles, tolerance, execution);
+  }
+  if (view.region)
+  {
+    prepared.contacts = separateRegions(surface, prepared.planes, spec, execution).value();
+    return;
+  }
+  prepared.repair =
+    repair(surface, prepared.planes, { options.sheets, meshedOf(options.domain) }, execution);
+}
+
+std::map<std::int32_t, std::size_t> countsOf(const std::vector<std::int32_t>& boundaries)
+{
+  std::map<std::int32_t, std::size_t> counts;
+  for (auto next = boundaries.begin(); next != boundaries.end();)
+  {
+    const auto begin = next;
+    next = std::find_if(begin, boundaries.end(), [&](std::int32_t other) { return other != *begin; });
+    counts[*begin] += static_cast<std::size_t>(next - begin);
+  }
+  return counts;
 }
 
 // Turns the surface so that what is to be meshed is inside.
@@ -160,7 +201,7 @@ PreparedSurface prepareSurface(
   const Lattice lattice(united(domainOf(grid, meshed), prepared.bounds));
   prepared.planes = onLattice(grid, meshed, lattice);
   prepared.surface = onLattice(view, lattice, execution);
-  requireOneRegion(view, options.domain, options.baffles);
+  requireOneRegion(view, options.domain);
   if (isOutside)
   {
     prepared.surface.around = Winding{ 1, false };
@@ -169,25 +210,12 @@ PreparedSurface prepareSurface(
   checkMemory(ofAPart(estimateMesh(prepared.surface, prepared.planes), parts,
                 prepared.planes[2].size() - 1, execution.threads()),
     prepared.memoryLimit);
-  prepared.trianglesGiven = prepared.surface.triangles.size();
-  if (view.region || !options.baffles.empty())
-  {
-    RegionSpec regions;
-    regions.baffles = options.baffles;
-    prepared.surface.region.resize(prepared.surface.triangles.size(), FirstRegion);
-    regions.names = view.regionNames ? *view.regionNames : std::vector<std::string>();
-    regions.contactTolerance = options.contactTolerance;
-    prepared.contacts = separateRegions(prepared.surface, prepared.planes, regions, execution);
-  }
-  else
-  {
-    prepared.repair = repair(prepared.surface, prepared.planes, execution);
-  }
+  prepared.boundariesGiven = countsOf(prepared.surface.boundary);
+  separate(prepared, view, options, execution);
   chooseDomain(options.domain, prepared);
   if (options.layers.count > 0)
   {
     requireValid(options.layers);
-    requireNoBaffles(prepared.surface.walls, options.layers);
   }
   stepAside(prepared.surface, prepared.planes);
   return prepared;

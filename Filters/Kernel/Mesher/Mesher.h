@@ -18,6 +18,7 @@
 #include "Repair/SurfaceRepair.h"
 #include "Surface/KeepPoints.h"
 
+#include <map>
 #include <memory>
 #include <string>
 
@@ -31,7 +32,7 @@ std::unique_ptr<Assembly> mesh(
 struct PreparedSurface
 {
   Surface surface;
-  std::size_t trianglesGiven; // what follows closes holes
+  std::map<std::int32_t, std::size_t> boundariesGiven; // how many of the user's triangles each has
   SurfaceRepair repair;
   std::vector<ClosedContact> contacts; // of several regions
   Meshlines planes;
@@ -42,6 +43,9 @@ struct PreparedSurface
 
   // The user's triangles, repaired, as they are told of.
   const Surface& inspected() const { return repair.crossing ? *repair.crossing : surface; }
+
+  // Of these the user's; what follows closes holes.
+  std::size_t trianglesGiven() const { return inspected().given.size(); }
 };
 
 // Scaling, Dual Levels, check and repair of the surface. `parts`: how many the mesh is made in, each of which

@@ -2,10 +2,12 @@
 #include "Mesher/Messages.h"
 
 #include "Mesher/CellsLeftOut.h"
+#include "Surface/SurfaceEdges.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 namespace cartesian
 {
@@ -88,37 +90,68 @@ std::string describeLeaks(const PreparedSurface& prepared)
   return text;
 }
 
-// Boundaries all of whose triangles are duplicates that are left out, as text to append.
+// Of walls, on either side, or of the triangles of one region.
+std::set<std::int32_t> boundariesOf(const Surface& surface)
+{
+  std::set<std::int32_t> boundaries;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    if (!namesAVertexTwice(surface.triangles[t]))
+    {
+      boundaries.insert(surface.walls.boundary(surface.boundary[t]));
+      if (surface.walls.any())
+      {
+        boundaries.insert(surface.walls.boundaryInFront(surface.boundary[t]));
+      }
+    }
+  }
+  return boundaries;
+}
+
+std::string listOf(const std::vector<std::int32_t>& boundaries,
+  const std::map<std::int32_t, std::string>& names, const std::string& reason)
+{
+  constexpr std::size_t MostNames = 30;
+  if (boundaries.empty())
+  {
+    return "";
+  }
+  std::string list;
+  for (std::size_t i = 0; i < std::min(boundaries.size(), MostNames); ++i)
+  {
+    const auto name = names.find(boundaries[i]);
+    list += (i == 0 ? "" : ", ") +
+      (name == names.end() ? std::to_string(boundaries[i]) : name->second);
+  }
+  return "Nothing is left of " + counted(boundaries.size(), "boundary", "boundaries") + ", " +
+    reason + ": " + list + (boundaries.size() > MostNames ? ", ..." : "") + ".";
+}
+
+// Boundaries that bound nothing of what is meshed, and why.
 std::string describeVanished(
   const PreparedSurface& prepared, const std::map<std::int32_t, std::string>& names)
 {
-  constexpr std::size_t MostNames = 30;
-  const Surface& surface = prepared.inspected();
-  std::map<std::int32_t, std::size_t> left;
-  for (std::size_t t = 0; t < prepared.trianglesGiven; ++t)
-  {
-    ++left[surface.boundary[t]];
-  }
+  const std::set<std::int32_t> left = boundariesOf(prepared.surface);
+  std::map<std::int32_t, std::size_t> duplicates;
   for (const DroppedTriangle& dropped : prepared.repair.duplicates)
   {
-    --left[surface.boundary[dropped.triangle]];
+    ++duplicates[prepared.inspected().boundary[dropped.triangle]];
   }
-  std::string list;
-  std::size_t vanished = 0;
-  for (const auto& [boundary, triangles] : left)
+  std::vector<std::int32_t> doubled;
+  std::vector<std::int32_t> covered;
+  for (const auto& [boundary, triangles] : prepared.boundariesGiven)
   {
-    if (triangles == 0 && vanished++ < MostNames)
+    if (left.count(boundary) == 0)
     {
-      const auto name = names.find(boundary);
-      list += (list.empty() ? "" : ", ") +
-        (name == names.end() ? std::to_string(boundary) : name->second);
+      (duplicates[boundary] == triangles ? doubled : covered).push_back(boundary);
     }
   }
-  return vanished == 0 ? ""
-                       : "\nNothing is left of " + counted(vanished, "boundary", "boundaries") +
-      ", all of whose triangles are duplicates (walls without thickness, such as a sheet with two "
-      "sides, cannot be meshed: give them some): " +
-      list + (vanished > MostNames ? ", ..." : "") + ".";
+  const std::string first = listOf(doubled, names,
+    "all of whose triangles are there twice, as in a body written twice, between bodies that "
+    "touch, or, where Sheets is Leave Out, in a sheet");
+  const std::string second = listOf(covered, names,
+    "which lie within other bodies, on their walls, or beside what is meshed");
+  return first + (first.empty() || second.empty() ? "" : "\n") + second;
 }
 
 // How many of them each boundary has, those with most first.
@@ -243,7 +276,11 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
   {
     text += lineBreak(text) +
       counted(repair.duplicates.size(), "duplicate triangle is", "duplicate triangles are") +
-      " left out." + describeVanished(prepared, names);
+      " left out.";
+  }
+  if (const std::string vanished = describeVanished(prepared, names); !vanished.empty())
+  {
+    text += lineBreak(text) + vanished;
   }
   if (!repair.loose.empty())
   {

@@ -11,6 +11,7 @@
 #include "Parts/Slabs.h"
 #include "Patches/PatchSpec.h"
 #include "Repair/Baffles.h"
+#include "Repair/ThinSheets.h"
 #include "Shaping/ShapingSpec.h"
 #include "Surface/FlowDomain.h"
 #include "Surface/WallLayerSpec.h"
@@ -33,6 +34,7 @@ struct Options
 
   RegionSource regionsFrom = RegionSource::One;
   double contactTolerance = 0; // user units (Regions.h)
+  ThinSheets sheets = ThinSheets::Keep;
   std::vector<Baffle> baffles;
   DomainSpec domain;
   GridSpec grid;

@@ -71,7 +71,7 @@ public:
     }
   }
 
-  LooseEdge run(Execution& execution)
+  bool run(Execution& execution)
   {
     listRims(execution);
     const std::set<std::int32_t> regions(sheets_.region.begin(), sheets_.region.end());
@@ -79,18 +79,18 @@ public:
     {
       attach(region);
     }
+    bool end = true;
     for (const RimEdge& edge : rims_)
     {
       if (!follow(edge))
       {
-        const auto from = toVector(surface_.vertices[edge.from]);
-        const auto to = toVector(surface_.vertices[edge.to]);
-        return { true, edge.triangle, scaled(plus(from, to), 0.5) };
+        paths_.erase({ edge.from, edge.to });
+        end = false;
       }
     }
     divideWalls();
     divideSheets();
-    return {};
+    return end;
   }
 
 private:
@@ -453,7 +453,7 @@ private:
 
 }
 
-LooseEdge joinRims(Surface& surface, Surface& sheets, double tolerance, Execution& execution)
+bool joinRims(Surface& surface, Surface& sheets, double tolerance, Execution& execution)
 {
   return RimJoiner(surface, sheets, tolerance).run(execution);
 }

@@ -64,7 +64,7 @@ public:
   {
   }
 
-  // Appends the surfaces of the parts, numbered from `first`, and returns how many there are.
+  // Appends the surfaces of the parts, numbered from `first`, and returns how many there are. 0: one can go around a sheet.
   std::int32_t run(
     const std::vector<Baffle>& baffles, std::int32_t first, Surface& result, Execution& execution)
   {
@@ -72,7 +72,10 @@ public:
       .forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
         connect(lower, begin, end);
       });
-    requireDivided();
+    if (!isDivided())
+    {
+      return 0;
+    }
     numberParts();
     for (std::uint32_t t = 0; t < both_.triangles.size(); ++t)
     {
@@ -177,17 +180,16 @@ private:
     }
   }
 
-  void requireDivided()
+  bool isDivided()
   {
     for (auto t = static_cast<std::uint32_t>(walls_); t < both_.triangles.size(); ++t)
     {
       if (sides_.find(behind(t)) == sides_.find(front(t)))
       {
-        refuse(t,
-          "does not divide it: one can go around it. Only baffles that reach from wall to wall "
-          "can be meshed; let it end at walls, or make it a body with some thickness. It lies");
+        return false;
       }
     }
+    return true;
   }
 
   // Those with sheets around them; then cavities are put into them, and other bodies into the first.
@@ -281,7 +283,7 @@ Surface takeBaffles(Surface& surface, const std::vector<Baffle>& baffles)
   return sheets;
 }
 
-RegionParts divideByBaffles(Surface& surface, Surface sheets, const std::vector<Baffle>& baffles,
+std::optional<RegionParts> divideByBaffles(Surface& surface, Surface sheets, const std::vector<Baffle>& baffles,
   std::int32_t regions, double tolerance, const std::vector<std::string>& names,
   Execution& execution)
 {
@@ -289,14 +291,9 @@ RegionParts divideByBaffles(Surface& surface, Surface sheets, const std::vector<
     const auto n = static_cast<std::size_t>(region - FirstRegion);
     return n < names.size() ? "\"" + names[n] + "\"" : std::to_string(region);
   };
-  const LooseEdge loose = joinRims(surface, sheets, tolerance, execution);
-  if (loose.any)
+  if (!joinRims(surface, sheets, tolerance, execution))
   {
-    throw Error(Fault::FlawedSurface,
-      "A baffle in region " + nameOf(sheets.region[loose.triangle]) + " ends within it near " +
-        placeOf(surface, loose.middle) +
-        ": only baffles that reach from wall to wall can be meshed. Let it end at walls (a larger "
-        "Contact Tolerance closes gaps), or make it a body with some thickness.");
+    return std::nullopt;
   }
   Surface result;
   result.lattice = surface.lattice;
@@ -328,6 +325,10 @@ RegionParts divideByBaffles(Surface& surface, Surface sheets, const std::vector<
     if (isDivided)
     {
       count = RegionDivider(both, walls, nameOf(region)).run(baffles, first, result, execution);
+      if (count == 0)
+      {
+        return std::nullopt;
+      }
     }
     for (std::size_t t = 0; !isDivided && t < walls; ++t)
     {
@@ -338,6 +339,28 @@ RegionParts divideByBaffles(Surface& surface, Surface sheets, const std::vector<
   }
   surface = std::move(result);
   return parts;
+}
+
+void doubleBaffles(
+  Surface& surface, const std::vector<Baffle>& baffles, double tolerance, Execution& execution)
+{
+  const bool hasRegions = !surface.region.empty();
+  surface.region.resize(surface.triangles.size(), FirstRegion);
+  Surface sheets = takeBaffles(surface, baffles);
+  joinRims(surface, sheets, tolerance, execution);
+  surface.isOfSheet.assign(surface.triangles.size(), 0);
+  for (std::size_t t = 0; t < sheets.triangles.size(); ++t)
+  {
+    append(sheets, t, surface);
+    surface.boundary.back() = baffleOf(sheets.boundary[t], baffles)->back;
+    append(sheets, t, surface);
+    std::swap(surface.triangles.back()[1], surface.triangles.back()[2]);
+  }
+  if (!hasRegions)
+  {
+    surface.region.clear();
+  }
+  surface.isOfSheet.resize(surface.triangles.size(), 1);
 }
 
 }

@@ -4,7 +4,8 @@
 // A sheet that reaches from wall to wall divides its region into parts. For all steps up to the mesh that is
 // written, the parts are regions of their own, and the sheet is the wall between them (Walls.h): so its faces
 // are the same for the cells on both sides, and everything that holds between regions holds here. Walls::given
-// tells which region a part is of.
+// tells which region a part is of. Where one ends elsewhere, all get two sides as sheets do that are there twice
+// (ThinSheets.h).
 //
 // The rim of a sheet need not have the edges of the walls: its corners go to the nearest places of the walls, and
 // the triangles on both sides are divided along each other where the sheet's plane meets them.
@@ -12,6 +13,7 @@
 
 #include "Surface/Surface.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,10 +37,15 @@ struct RegionParts
 };
 
 // `surface`: of all regions, each closed and oriented; Surface::region are parts then. `sheets`: from takeBaffles().
-// `tolerance`: how far from walls rims may end, in levels. `names`: of regions, for messages. Throws Error
-// (FlawedSurface): a sheet ends within its region or does not divide it, lies outside of it or on a wall.
-RegionParts divideByBaffles(Surface& surface, Surface sheets, const std::vector<Baffle>& baffles,
+// `tolerance`: how far from walls rims may end, in levels. `names`: of regions, for messages. Nothing: a sheet ends within
+// its region, or one can go around it. Throws Error (FlawedSurface): a sheet lies outside of its region or on a wall.
+std::optional<RegionParts> divideByBaffles(Surface& surface, Surface sheets, const std::vector<Baffle>& baffles,
   std::int32_t regions, double tolerance, const std::vector<std::string>& names,
   Execution& execution);
+
+// Makes baffles, which may end anywhere, sheets that are there twice (Surface::isOfSheet): in a surface that need not be
+// closed yet, of one region or several. `tolerance`: as above.
+void doubleBaffles(
+  Surface& surface, const std::vector<Baffle>& baffles, double tolerance, Execution& execution);
 
 }

@@ -23,14 +23,14 @@ std::string nameOf(std::int32_t region, const std::vector<std::string>& names)
 
 // The surface of one region, oriented.
 Surface surfaceOf(const Surface& all, std::int32_t region, const Meshlines& planes,
-  const std::vector<std::string>& names, Execution& execution)
+  const RegionSpec& spec, Execution& execution)
 {
   Surface own;
   own.lattice = all.lattice;
   own.vertices = all.vertices;
   for (std::size_t t = 0; t < all.triangles.size(); ++t)
   {
-    if (all.region[t] == region)
+    if (all.region[t] == region && !namesAVertexTwice(all.triangles[t]))
     {
       own.triangles.push_back(all.triangles[t]);
       own.boundary.push_back(all.boundary[t]);
@@ -38,12 +38,12 @@ Surface surfaceOf(const Surface& all, std::int32_t region, const Meshlines& plan
       own.region.push_back(region);
     }
   }
-  const std::string name = "The surface of region " + nameOf(region, names);
+  const std::string name = "The surface of region " + nameOf(region, spec.names);
   if (own.triangles.empty())
   {
     throw Error(Fault::FlawedSurface, name + " has no triangles.");
   }
-  const SurfaceRepair repaired = closeAndOrient(own, planes, execution);
+  const SurfaceRepair repaired = closeAndOrient(own, planes, { ThinSheets::LeaveOut }, execution);
   if (!repaired.check.oriented())
   {
     const auto& flaw = repaired.check.places.front();
@@ -54,17 +54,52 @@ Surface surfaceOf(const Surface& all, std::int32_t region, const Meshlines& plan
   return own;
 }
 
+void append(const Surface& from, std::size_t t, Surface& to)
+{
+  to.triangles.push_back(from.triangles[t]);
+  to.boundary.push_back(from.boundary[t]);
+  to.given.push_back(from.given[t]);
+  to.region.push_back(from.region[t]);
+}
+
 void append(const Surface& from, Surface& to)
 {
   for (std::size_t t = 0; t < from.triangles.size(); ++t)
   {
     if (!namesAVertexTwice(from.triangles[t]))
     {
-      to.triangles.push_back(from.triangles[t]);
-      to.boundary.push_back(from.boundary[t]);
-      to.given.push_back(from.given[t]);
-      to.region.push_back(from.region[t]);
+      append(from, t, to);
     }
+  }
+}
+
+// The sheets of all regions, out of their surfaces.
+Surface takeSheets(Surface& all, ThinSheets handling, Execution& execution)
+{
+  Surface sheets;
+  const SurfaceEdges edges(all, execution);
+  for (const SheetPair& pair : findSheets(all, handling, edges, findDuplicates(all, edges)))
+  {
+    if (all.region[pair[0]] != all.region[pair[1]])
+    {
+      continue;
+    }
+    for (const std::uint32_t t : pair)
+    {
+      append(all, t, sheets);
+      all.triangles[t].fill(0);
+    }
+  }
+  return sheets;
+}
+
+// `regions`: that there are besides.
+void appendSheets(const Surface& sheets, std::int32_t regions, Surface& all)
+{
+  for (std::size_t t = 0; t < sheets.triangles.size(); ++t)
+  {
+    append(sheets, t, all);
+    all.region.back() = regionOfSheets(sheets.region[t], regions);
   }
 }
 
@@ -82,37 +117,46 @@ std::vector<std::string> namesOfParts(
 
 }
 
-std::vector<ClosedContact> separateRegions(
+std::optional<std::vector<ClosedContact>> separateRegions(
   Surface& surface, const Meshlines& planes, const RegionSpec& spec, Execution& execution)
 {
   requireInRange(RegionSpec::ContactTolerances, spec.contactTolerance, "Contact Tolerance");
   std::vector<std::string> names = spec.names;
   std::int32_t regions = *std::max_element(surface.region.begin(), surface.region.end());
-  const Surface sheets = takeBaffles(surface, spec.baffles);
+  Surface given = surface;
+  const Surface sheets = takeBaffles(given, spec.baffles);
+  const Surface found = takeSheets(given, spec.sheets, execution);
   Surface all;
   all.lattice = surface.lattice;
   all.rounding = surface.rounding;
   all.vertices = surface.vertices;
   for (std::int32_t region = FirstRegion; region <= regions; ++region)
   {
-    append(surfaceOf(surface, region, planes, names, execution), all);
+    append(surfaceOf(given, region, planes, spec, execution), all);
   }
   std::vector<ClosedContact> closed;
   if (spec.contactTolerance > 0)
   {
     closed = closeContacts(all, regions, spec.contactTolerance / surface.lattice.step(), execution);
   }
-  std::vector<std::int32_t> given;
+  std::vector<std::int32_t> regionsOfParts;
   if (!sheets.triangles.empty())
   {
     const double tolerance = spec.contactTolerance / surface.lattice.step();
-    given = divideByBaffles(all, sheets, spec.baffles, regions, tolerance, names, execution).given;
-    regions = static_cast<std::int32_t>(given.size());
-    names = namesOfParts(given, names);
+    const std::optional<RegionParts> parts =
+      divideByBaffles(all, sheets, spec.baffles, regions, tolerance, names, execution);
+    if (!parts)
+    {
+      return std::nullopt;
+    }
+    regionsOfParts = parts->given;
+    regions = static_cast<std::int32_t>(regionsOfParts.size());
+    names = namesOfParts(regionsOfParts, names);
   }
+  appendSheets(found, regions, all);
   arrange(all, execution);
   std::vector<std::uint32_t> crossing;
-  Surface walls = wallsOf(all, regions, crossing, execution);
+  Surface walls = wallsOf(all, { regions, regionsOfParts }, crossing, execution);
   if (!crossing.empty())
   {
     throw Error(Fault::FlawedSurface,
@@ -128,7 +172,7 @@ std::vector<ClosedContact> separateRegions(
   surface.given.swap(walls.given);
   surface.region.clear();
   surface.walls = std::move(walls.walls);
-  surface.walls.given = given;
+  surface.walls.given = regionsOfParts;
   for (std::int32_t region = FirstRegion; region <= regions; ++region)
   {
     const auto isOf = [&](

@@ -11,7 +11,9 @@
 #include "Lattice/Meshlines.h"
 #include "Repair/Baffles.h"
 #include "Repair/Contacts.h"
+#include "Repair/ThinSheets.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,12 +28,14 @@ struct RegionSpec
   std::vector<std::string> names; // for messages
   double contactTolerance = 0;    // user units
   std::vector<Baffle> baffles;
+  ThinSheets sheets = ThinSheets::Keep;
 };
 
-// Fills Surface::walls; boundary indices then are those of walls. Returns what the tolerance closed.
+// Fills Surface::walls; boundary indices then are those of walls. Returns what the tolerance closed; or nothing, and leaves
+// the surface, where the baffles do not divide their regions (Baffles.h).
 // Throws Error (FlawedSurface): a region's surface is not closed, or it is not sure what is on which side of it, or
-// nothing is left of it; a baffle does not divide its region.
-std::vector<ClosedContact> separateRegions(
+// nothing is left of it.
+std::optional<std::vector<ClosedContact>> separateRegions(
   Surface& surface, const Meshlines& planes, const RegionSpec& spec, Execution& execution);
 
 }

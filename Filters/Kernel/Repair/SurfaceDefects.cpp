@@ -48,8 +48,13 @@ bool folded(const Vector& a, const Vector& b)
   return product > 0 && dot(a, b) > least * std::sqrt(product);
 }
 
-std::vector<Fold> findFolds(const Surface& surface, const SurfaceEdges& edges, Execution& execution)
+// Not the two sides of a sheet.
+std::vector<Fold> findFolds(const Surface& surface, const SurfaceEdges& edges,
+  Execution& execution)
 {
+  const auto isSheet = [&](const EdgeUse& use) {
+    return use.triangle() < surface.isOfSheet.size() && surface.isOfSheet[use.triangle()] != 0;
+  };
   std::vector<std::vector<Fold>> parts(edges.chunkCount());
   edges.forEach(execution,
     [&](std::size_t chunk, std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
@@ -58,7 +63,8 @@ std::vector<Fold> findFolds(const Surface& surface, const SurfaceEdges& edges, E
         // Comparing the next few is enough, even at an edge of many triangles.
         for (const EdgeUse* b = a + 1; b != end && b != a + 3; ++b)
         {
-          if (folded(across(surface, lower, *a), across(surface, lower, *b)))
+          if (folded(across(surface, lower, *a), across(surface, lower, *b)) &&
+            !(isSheet(*a) && isSheet(*b)))
           {
             parts[chunk].push_back(
               { std::min(a->triangle(), b->triangle()), std::max(a->triangle(), b->triangle()) });

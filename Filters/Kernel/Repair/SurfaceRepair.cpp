@@ -3,9 +3,8 @@
 
 #include "Repair/Arrangement.h"
 #include "Repair/Orientation.h"
-#include "Repair/ThinSheets.h"
-#include "Repair/WallsOfBodies.h"
 #include "Surface/Components.h"
+#include "Surface/Places.h"
 
 #include <algorithm>
 
@@ -49,6 +48,24 @@ std::size_t turnedSince(
   return turned;
 }
 
+// Shells of sheets as they were oriented out of them before, or all into them where their surroundings are meshed. So what
+// lies in a shell is not, and what lies on either side of it is as it was.
+void turnSheets(const std::vector<std::array<std::uint32_t, 3>>& before, MeshedSide meshed, Surface& surface)
+{
+  for (std::size_t t = 0; meshed != MeshedSide::Unknown && t < surface.isOfSheet.size(); ++t)
+  {
+    auto& triangle = surface.triangles[t];
+    if (surface.isOfSheet[t] != 0 && !namesAVertexTwice(triangle))
+    {
+      triangle = before[t];
+      if (meshed == MeshedSide::Inside)
+      {
+        std::swap(triangle[1], triangle[2]);
+      }
+    }
+  }
+}
+
 // Marks the components with an edge that more triangles use in one direction than in the other.
 void findUnoriented(Surface& surface, const SurfaceEdges& edges)
 {
@@ -72,6 +89,44 @@ void findUnoriented(Surface& surface, const SurfaceEdges& edges)
   }
 }
 
+// As Spaces.h takes them: bodies, and sheets as a body without volume.
+Surface withFlatSheets(const Surface& surface, const std::vector<DroppedTriangle>& sheets)
+{
+  Surface result = surface;
+  result.isOfSheet.clear();
+  result.region.assign(surface.triangles.size(), FirstRegion);
+  for (const DroppedTriangle& sheet : sheets)
+  {
+    result.triangles[sheet.triangle] = sheet.vertices;
+    result.region[sheet.triangle] = regionOfSheets(FirstRegion, FirstRegion);
+  }
+  // What their division has added goes; what closes holes comes last, and has no number.
+  std::size_t kept = 0;
+  std::size_t given = 0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const bool isAdded = t < surface.isOfSheet.size() && surface.isOfSheet[t] != 0 &&
+      result.region[t] == FirstRegion;
+    if (!isAdded)
+    {
+      result.triangles[kept] = result.triangles[t];
+      result.boundary[kept] = result.boundary[t];
+      result.region[kept] = result.region[t];
+      if (t < surface.given.size())
+      {
+        result.given[kept] = result.given[t];
+        ++given;
+      }
+      ++kept;
+    }
+  }
+  result.triangles.resize(kept);
+  result.boundary.resize(kept);
+  result.region.resize(kept);
+  result.given.resize(given);
+  return result;
+}
+
 }
 
 std::size_t SurfaceRepair::leaks() const
@@ -80,16 +135,34 @@ std::size_t SurfaceRepair::leaks() const
     std::count_if(holes.begin(), holes.end(), [](const Hole& hole) { return hole.leak; }));
 }
 
-SurfaceRepair closeAndOrient(Surface& surface, const Meshlines& planes, Execution& execution)
+SurfaceRepair closeAndOrient(
+  Surface& surface, const Meshlines& planes, const RepairSpec& spec, Execution& execution)
 {
   SurfaceRepair result;
   {
     const SurfaceEdges edges(surface, execution);
-    result.duplicates = dropDuplicates(surface, edges, findDuplicates(surface, edges));
+    const Duplicates duplicates = findDuplicates(surface, edges);
+    const std::vector<SheetPair> kept = findSheets(surface, spec.sheets, edges, duplicates);
+    if (kept.empty())
+    {
+      result.duplicates = dropDuplicates(surface, edges, duplicates);
+    }
+    else
+    {
+      for (const SheetPair& pair : kept)
+      {
+        result.sheets.push_back({ pair[0], surface.triangles[pair[0]] });
+        result.sheets.push_back({ pair[1], surface.triangles[pair[1]] });
+      }
+      giveSides(surface, edges, kept);
+      const SurfaceEdges others(surface, execution);
+      result.duplicates = dropDuplicates(surface, others, findDuplicates(surface, others));
+    }
   }
   const std::vector<std::array<std::uint32_t, 3>> given = surface.triangles;
   result.pairs = findPairs(surface, execution);
   orient(surface, result.pairs, execution);
+  turnSheets(given, spec.meshed, surface);
   const SurfaceEdges edges(surface, execution);
   result.check = check(edges, execution);
   if (!result.check.closed())
@@ -98,6 +171,7 @@ SurfaceRepair closeAndOrient(Surface& surface, const Meshlines& planes, Executio
     result.holes = closeHoles(surface, SurfaceEdges(surface, execution), planes, execution);
     result.pairs = findPairs(surface, execution);
     orient(surface, result.pairs, execution);
+    turnSheets(given, spec.meshed, surface);
     findUnoriented(surface, SurfaceEdges(surface, execution));
   }
   else if (!result.check.oriented())
@@ -108,21 +182,17 @@ SurfaceRepair closeAndOrient(Surface& surface, const Meshlines& planes, Executio
   return result;
 }
 
-SurfaceRepair repair(Surface& surface, const Meshlines& planes, Execution& execution)
+SurfaceRepair repair(Surface& surface, const Meshlines& planes, const RepairSpec& spec, Execution& execution)
 {
-  if (std::getenv("CARTESIAN_SHEETS"))
-  {
-    std::printf("%zu pairs of sheets\n", giveSidesToSheets(surface, execution));
-  }
-  SurfaceRepair result = closeAndOrient(surface, planes, execution);
-  if (result.pairs.pairs.empty() || !surface.byParity.empty() || !isFinelyPlaced(surface))
+  SurfaceRepair result = closeAndOrient(surface, planes, spec, execution);
+  if ((result.pairs.pairs.empty() && result.sheets.empty()) || !surface.byParity.empty() ||
+    !isFinelyPlaced(surface))
   {
     return result;
   }
-  Surface arranged = surface;
-  arranged.region.assign(surface.triangles.size(), FirstRegion);
+  Surface arranged = withFlatSheets(surface, result.sheets);
   arrange(arranged, execution);
-  if (unite(arranged, execution))
+  if (unite(arranged, spec.meshed, execution))
   {
     result.crossing = std::make_shared<const Surface>(std::move(surface));
     surface = std::move(arranged);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Repairs a surface before it is meshed (steps 4 and 6): drops duplicate and loose triangles,
-// orients the others, closes holes, and makes bodies that cross or touch one.
+// gives sheets two sides, orients what is left, closes holes, and makes bodies that cross or touch one.
 #pragma once
 
 #include "Repair/Duplicates.h"
 #include "Repair/Holes.h"
 #include "Repair/SurfaceCheck.h"
+#include "Repair/ThinSheets.h"
 #include "Repair/TrianglePairs.h"
+#include "Repair/WallsOfBodies.h"
 
 #include <memory>
 
@@ -15,6 +17,7 @@ namespace cartesian
 
 struct SurfaceRepair
 {
+  std::vector<DroppedTriangle> sheets; // triangles of sheets, as they were before they got sides
   std::vector<DroppedTriangle>
     duplicates;           // triangles that were there before, or a wall between bodies
   std::size_t turned = 0; // triangles that faced the other way than the domain's end
@@ -29,14 +32,22 @@ struct SurfaceRepair
   std::size_t leaks() const;
 };
 
+struct RepairSpec
+{
+  ThinSheets sheets = ThinSheets::Keep;
+  MeshedSide meshed = MeshedSide::Inside;
+};
+
 // Afterwards every line enters each component as often as it leaves it, or at least crosses it an
 // even number of times (Surface::byParity). Triangles keep their numbers: dropped ones collapse
 // into a point, those that close holes are appended. A flawless surface whose normals point outward
 // stays as it is.
-SurfaceRepair closeAndOrient(Surface& surface, const Meshlines& planes, Execution& execution);
+SurfaceRepair closeAndOrient(
+  Surface& surface, const Meshlines& planes, const RepairSpec& spec, Execution& execution);
 
 // Does that, and cuts triangles that cross or overlap along each other (Arrangement.h): what lies in the surface's
 // inside on both sides goes, so that bodies of which one winds around a place are one.
-SurfaceRepair repair(Surface& surface, const Meshlines& planes, Execution& execution);
+SurfaceRepair repair(
+  Surface& surface, const Meshlines& planes, const RepairSpec& spec, Execution& execution);
 
 }

@@ -3,10 +3,11 @@
 
 #include "Base/DisjointSets.h"
 #include "Lattice/Vector.h"
-#include "Repair/Duplicates.h"
+#include "Repair/Snapping.h"
 
 #include <algorithm>
-#include <map>
+#include <limits>
+#include <unordered_map>
 
 namespace cartesian
 {
@@ -14,17 +15,19 @@ namespace cartesian
 namespace
 {
 
-// Of each side from the sheet, in levels: enough that rounding does not turn triangles over.
-constexpr double HalfThickness = 64;
-
 using Triple = std::array<std::uint32_t, 3>;
-using Ends = std::array<std::uint32_t, 2>; // of an edge, the lower first
 
 constexpr std::uint32_t None = ~0u;
 
-Ends endsOf(std::uint32_t p, std::uint32_t q)
+// At the lattice's ends a sheet stands on one side only.
+Level levelAt(double place)
 {
-  return { std::min(p, q), std::max(p, q) };
+  return oddLevel(std::clamp(place, 1., static_cast<double>(std::numeric_limits<Level>::max())));
+}
+
+std::uint64_t keyOf(std::uint32_t p, std::uint32_t q)
+{
+  return std::uint64_t(std::min(p, q)) << 32 | std::max(p, q);
 }
 
 // Whether the corners ascend, up to rotation.
@@ -33,175 +36,176 @@ bool ascends(const Triple& v)
   return (v[0] < v[1]) + (v[1] < v[2]) + (v[2] < v[0]) == 2;
 }
 
+std::vector<std::uint32_t> pairsOfTriangles(
+  const Surface& surface, const std::vector<SheetPair>& pairs)
+{
+  std::vector<std::uint32_t> result(surface.triangles.size(), None);
+  for (std::uint32_t p = 0; p < pairs.size(); ++p)
+  {
+    result[pairs[p][0]] = result[pairs[p][1]] = p;
+  }
+  return result;
+}
+
+// What uses an edge: pairs, in order of their triangles, and other triangles.
+struct Uses
+{
+  std::vector<std::uint32_t> pairs;
+  std::size_t others = 0;
+
+  bool areInside() const { return pairs.size() == 2 && others == 0; }
+};
+
+// Calls visit(lower, upper, uses) for each edge of a pair.
+template <class Visitor>
+void forEachEdge(
+  const SurfaceEdges& edges, const std::vector<std::uint32_t>& pairOf, Visitor&& visit)
+{
+  Uses uses;
+  edges.forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+    uses.pairs.clear();
+    uses.others = 0;
+    for (const EdgeUse* use = begin; use != end; ++use)
+    {
+      const std::uint32_t pair = pairOf[use->triangle()];
+      uses.others += pair == None ? 1 : 0;
+      if (pair != None && std::find(uses.pairs.begin(), uses.pairs.end(), pair) == uses.pairs.end())
+      {
+        uses.pairs.push_back(pair);
+      }
+    }
+    if (!uses.pairs.empty())
+    {
+      visit(lower, begin->upper, uses);
+    }
+  });
+}
+
 class SheetDivider
 {
 public:
-  SheetDivider(Surface& surface, Execution& execution)
+  SheetDivider(
+    Surface& surface, const SurfaceEdges& edges, const std::vector<SheetPair>& sheets)
     : surface_(surface)
+    , sheets_(sheets)
+    , halfThickness_(placingOf(surface).snap)
+    , neighbours_(sheets.size())
+    , isOnRim_(surface.vertices.size())
+    , normal_(surface.vertices.size())
+    , sides_(surface.vertices.size(), { None, None })
   {
-    const SurfaceEdges edges(surface, execution);
-    listPairs(findDuplicates(surface, edges));
-    if (!pairs_.empty())
-    {
-      connect(edges);
-      orientPairs();
-    }
+    std::transform(sheets.begin(), sheets.end(), std::back_inserter(fronts_),
+      [&](const SheetPair& pair) { return surface.triangles[pair[0]]; });
+    forEachEdge(edges, pairsOfTriangles(surface, sheets),
+      [&](std::uint32_t lower, std::uint32_t upper, const Uses& uses) {
+        connect(lower, upper, uses);
+      });
+    orient();
+    findNormals();
   }
 
-  std::size_t run()
+  void run()
   {
-    findNormals();
-    std::size_t count = 0;
-    const std::size_t pairs = pairs_.size();
-    for (std::uint32_t p = 0; p < pairs; ++p)
+    surface_.isOfSheet.assign(surface_.triangles.size(), 0);
+    for (std::uint32_t p = 0; p < sheets_.size(); ++p)
     {
-      if (isSheet(p))
-      {
-        ++count;
-        divide(p);
-      }
+      divide(p);
     }
-    return count;
   }
 
 private:
-  struct Pair
-  {
-    std::array<std::uint32_t, 2> triangles;
-    Triple front; // as its sheet faces
-  };
-
   struct Neighbour
   {
     std::uint32_t pair;
-    bool turned; // as it is given, it faces the other way
+    bool isTurned; // as it is given, it faces the other way
   };
 
-  // The vertices that take the place of one on the sheet, on either side.
+  // The vertices in front of a place of the sheet, and behind it.
   using Sides = std::array<std::uint32_t, 2>;
 
-  void listPairs(const Duplicates& duplicates)
+  // An edge within a sheet, that may need a vertex in its middle.
+  struct Edge
   {
-    pairOf_.assign(surface_.triangles.size(), None);
-    for (std::size_t g = 0; g < duplicates.groups(); ++g)
-    {
-      const std::size_t begin = duplicates.start[g];
-      if (duplicates.start[g + 1] - begin == 2)
-      {
-        const std::uint32_t a = duplicates.triangles[begin];
-        const std::uint32_t b = duplicates.triangles[begin + 1];
-        pairOf_[a] = pairOf_[b] = static_cast<std::uint32_t>(pairs_.size());
-        pairs_.push_back({ { std::min(a, b), std::max(a, b) }, surface_.triangles[std::min(a, b)] });
-      }
-    }
-  }
+    Vector normal{};
+    Sides middle{ None, None };
+  };
 
-  // Across edges of two pairs and nothing else. All others are rims.
-  void connect(const SurfaceEdges& edges)
+  void connect(std::uint32_t lower, std::uint32_t upper, const Uses& uses)
   {
-    sets_.reset(pairs_.size());
-    isFree_.assign(pairs_.size(), 0);
-    neighbours_.resize(pairs_.size());
-    std::vector<std::uint8_t> isOnRim(surface_.vertices.size());
-    std::vector<std::uint32_t> here;
-    edges.forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
-      here.clear();
-      std::size_t others = 0;
-      for (const EdgeUse* use = begin; use != end; ++use)
-      {
-        const std::uint32_t pair = pairOf_[use->triangle()];
-        others += pair == None ? 1 : 0;
-        if (pair != None && std::find(here.begin(), here.end(), pair) == here.end())
-        {
-          here.push_back(pair);
-        }
-      }
-      if (here.size() == 2 && others == 0)
-      {
-        const bool turned = runsUp(here[0], lower, begin->upper) == runsUp(here[1], lower, begin->upper);
-        neighbours_[here[0]].push_back({ here[1], turned });
-        neighbours_[here[1]].push_back({ here[0], turned });
-        sets_.unite(here[0], here[1]);
-        inner_.insert({ { lower, begin->upper }, {} });
-        return;
-      }
-      isOnRim[lower] = isOnRim[begin->upper] = 1;
-      if (here.size() == 1 && others == 0)
-      {
-        isFree_[here[0]] = 1;
-      }
-    });
-    isOnRim_.swap(isOnRim);
-    for (std::uint32_t p = 0; p < pairs_.size(); ++p)
+    if (!uses.areInside())
     {
-      isFree_[sets_.find(p)] |= isFree_[p];
+      isOnRim_[lower] = isOnRim_[upper] = 1;
+      return;
     }
+    const auto& [one, other] = std::tie(uses.pairs[0], uses.pairs[1]);
+    const bool isTurned = runsUp(one, lower, upper) == runsUp(other, lower, upper);
+    neighbours_[one].push_back({ other, isTurned });
+    neighbours_[other].push_back({ one, isTurned });
+    inner_[keyOf(lower, upper)] = {};
   }
-
-  bool isSheet(std::uint32_t pair) { return isFree_[sets_.find(pair)] != 0; }
 
   bool runsUp(std::uint32_t pair, std::uint32_t lower, std::uint32_t upper) const
   {
-    const Triple& v = pairs_[pair].front;
+    const Triple& v = fronts_[pair];
     const auto at = static_cast<std::size_t>(std::find(v.begin(), v.end(), lower) - v.begin());
     return v[(at + 1) % 3] == upper;
   }
 
-  void orientPairs()
+  // From the first pair of each sheet on. One with a single side, such as a Moebius strip, gets a fold somewhere.
+  void orient()
   {
-    std::vector<std::uint8_t> isKnown(pairs_.size());
+    std::vector<std::uint8_t> isKnown(sheets_.size());
+    std::vector<std::uint8_t> isTurned(sheets_.size());
     std::vector<std::uint32_t> next;
-    for (std::uint32_t first = 0; first < pairs_.size(); ++first)
+    for (std::uint32_t first = 0; first < sheets_.size(); ++first)
     {
-      if (isKnown[first] != 0)
-      {
-        continue;
-      }
+      next.assign(isKnown[first] ? 0 : 1, first);
       isKnown[first] = 1;
-      next.assign(1, first);
       while (!next.empty())
       {
         const std::uint32_t p = next.back();
         next.pop_back();
         for (const Neighbour& n : neighbours_[p])
         {
-          if (isKnown[n.pair] == 0)
+          if (!isKnown[n.pair])
           {
             isKnown[n.pair] = 1;
-            const bool isTurned = pairs_[p].front != surface_.triangles[pairs_[p].triangles[0]];
-            if (isTurned != n.turned)
-            {
-              std::swap(pairs_[n.pair].front[1], pairs_[n.pair].front[2]);
-            }
+            isTurned[n.pair] = isTurned[p] != (n.isTurned ? 1 : 0);
             next.push_back(n.pair);
           }
         }
+      }
+    }
+    for (std::uint32_t p = 0; p < sheets_.size(); ++p)
+    {
+      if (isTurned[p])
+      {
+        std::swap(fronts_[p][1], fronts_[p][2]);
       }
     }
   }
 
   void findNormals()
   {
-    normal_.assign(surface_.vertices.size(), Vector{});
-    for (std::uint32_t p = 0; p < pairs_.size(); ++p)
+    for (const Triple& v : fronts_)
     {
-      const Vector normal = normalOf(pairs_[p].front);
-      const Triple& v = pairs_[p].front;
+      const Vector normal = normalOf(v);
       for (std::size_t i = 0; i < 3; ++i)
       {
         normal_[v[i]] = plus(normal_[v[i]], normal);
-        if (const auto edge = inner_.find(endsOf(v[i], v[(i + 1) % 3])); edge != inner_.end())
+        if (const auto edge = inner_.find(keyOf(v[i], v[(i + 1) % 3])); edge != inner_.end())
         {
-          edge->second = plus(edge->second, unit(normal));
+          edge->second.normal = plus(edge->second.normal, unit(normal));
         }
       }
     }
   }
 
+  Vector placeOf(std::uint32_t v) const { return toVector(surface_.vertices[v]); }
+
   Vector normalOf(const Triple& v) const
   {
-    const auto at = [&](std::uint32_t n) { return surface_.vertices[n]; };
-    return cross(minus(at(v[1]), at(v[0])), minus(at(v[2]), at(v[0])));
+    return cross(minus(placeOf(v[1]), placeOf(v[0])), minus(placeOf(v[2]), placeOf(v[0])));
   }
 
   Sides sidesAt(const Vector& place, const Vector& normal)
@@ -209,85 +213,76 @@ private:
     Sides sides{};
     for (const std::size_t side : { 0, 1 })
     {
-      const Vector p = plus(place, scaled(unit(normal), side == 0 ? HalfThickness : -HalfThickness));
+      const Vector p =
+        plus(place, scaled(unit(normal), side == 0 ? halfThickness_ : -halfThickness_));
       sides[side] = static_cast<std::uint32_t>(surface_.vertices.size());
-      surface_.vertices.push_back({ oddLevel(p[0]), oddLevel(p[1]), oddLevel(p[2]) });
+      surface_.vertices.push_back({ levelAt(p[0]), levelAt(p[1]), levelAt(p[2]) });
     }
     return sides;
   }
 
   Sides ofVertex(std::uint32_t v)
   {
-    if (isOnRim_[v] != 0)
+    if (isOnRim_[v])
     {
       return { v, v };
     }
-    const auto [known, isNew] = ofVertex_.emplace(v, Sides{});
-    if (isNew)
+    if (sides_[v][0] == None)
     {
-      known->second = sidesAt(toVector(surface_.vertices[v]), normal_[v]);
+      sides_[v] = sidesAt(placeOf(v), normal_[v]);
     }
-    return known->second;
+    return sides_[v];
   }
 
-  // Of the middle of an edge that runs from rim to rim.
-  Sides ofEdge(const Ends& edge, const Vector& normal)
+  // An edge that runs from rim to rim would be one of both sides.
+  void addMiddle(std::uint32_t from, std::uint32_t to, std::vector<Sides>& corners)
   {
-    const auto [known, isNew] = ofEdge_.emplace(edge, Sides{});
-    if (isNew)
+    const auto edge = inner_.find(keyOf(from, to));
+    if (!isOnRim_[from] || !isOnRim_[to] || edge == inner_.end())
     {
-      known->second = sidesAt(scaled(plus(toVector(surface_.vertices[edge[0]]),
-                                       toVector(surface_.vertices[edge[1]])),
-                                0.5),
-        normal);
+      return;
     }
-    return known->second;
+    if (edge->second.middle[0] == None)
+    {
+      edge->second.middle =
+        sidesAt(scaled(plus(placeOf(from), placeOf(to)), 0.5), edge->second.normal);
+    }
+    corners.push_back(edge->second.middle);
   }
 
   void divide(std::uint32_t p)
   {
-    const Triple front = pairs_[p].front;
+    const Triple& front = fronts_[p];
     std::vector<Sides> corners;
-    bool isOnRims = true;
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const std::uint32_t from = front[i];
-      const std::uint32_t to = front[(i + 1) % 3];
-      corners.push_back(ofVertex(from));
-      isOnRims = isOnRims && isOnRim_[from] != 0;
-      const auto inner = inner_.find(endsOf(from, to));
-      if (isOnRim_[from] != 0 && isOnRim_[to] != 0 && inner != inner_.end())
-      {
-        corners.push_back(ofEdge(inner->first, inner->second));
-      }
+      corners.push_back(ofVertex(front[i]));
+      addMiddle(front[i], front[(i + 1) % 3], corners);
     }
+    const bool isOnRims = std::all_of(
+      front.begin(), front.end(), [&](std::uint32_t v) { return isOnRim_[v] != 0; });
+    if (!isOnRims && corners.size() == 3)
+    {
+      write(p, { { corners[0], corners[1], corners[2] } });
+      return;
+    }
+    const Vector middle =
+      scaled(plus(plus(placeOf(front[0]), placeOf(front[1])), placeOf(front[2])), 1. / 3);
+    const Sides apex = sidesAt(middle, normalOf(front));
     std::vector<std::array<Sides, 3>> parts;
-    if (corners.size() == 3 && !isOnRims)
+    for (std::size_t i = 0; i < corners.size(); ++i)
     {
-      parts.push_back({ corners[0], corners[1], corners[2] });
-    }
-    else
-    {
-      Vector middle{};
-      for (const std::uint32_t v : front)
-      {
-        middle = plus(middle, scaled(toVector(surface_.vertices[v]), 1. / 3));
-      }
-      const Sides apex = sidesAt(middle, normalOf(front));
-      for (std::size_t i = 0; i < corners.size(); ++i)
-      {
-        parts.push_back({ corners[i], corners[(i + 1) % corners.size()], apex });
-      }
+      parts.push_back({ corners[i], corners[(i + 1) % corners.size()], apex });
     }
     write(p, parts);
   }
 
   void write(std::uint32_t p, const std::vector<std::array<Sides, 3>>& parts)
   {
-    // The one that faces as the front does, if just one of both does, keeps its boundary there.
-    std::array<std::uint32_t, 2> source = pairs_[p].triangles;
-    if (ascends(surface_.triangles[source[0]]) != ascends(pairs_[p].front) &&
-      ascends(surface_.triangles[source[1]]) == ascends(pairs_[p].front))
+    SheetPair source = sheets_[p];
+    const bool faces = ascends(fronts_[p]);
+    if (ascends(surface_.triangles[source[0]]) != faces &&
+      ascends(surface_.triangles[source[1]]) == faces)
     {
       std::swap(source[0], source[1]);
     }
@@ -303,37 +298,90 @@ private:
         if (i == 0)
         {
           surface_.triangles[source[side]] = t;
-          continue;
+          surface_.isOfSheet[source[side]] = 1;
         }
-        surface_.triangles.push_back(t);
-        surface_.boundary.push_back(surface_.boundary[source[side]]);
-        surface_.given.push_back(surface_.given[source[side]]);
-        if (!surface_.region.empty())
+        else
         {
-          surface_.region.push_back(surface_.region[source[side]]);
+          append(t, source[side]);
         }
       }
     }
   }
 
+  void append(const Triple& t, std::uint32_t like)
+  {
+    surface_.triangles.push_back(t);
+    surface_.isOfSheet.push_back(1);
+    surface_.boundary.push_back(surface_.boundary[like]);
+    surface_.given.push_back(surface_.given[like]);
+    if (!surface_.region.empty())
+    {
+      surface_.region.push_back(surface_.region[like]);
+    }
+  }
+
   Surface& surface_;
-  std::vector<Pair> pairs_;
-  std::vector<std::uint32_t> pairOf_; // of triangles
+  const std::vector<SheetPair>& sheets_;
+  double halfThickness_;       // levels: what is thinner may be taken for one
+  std::vector<Triple> fronts_; // of the pairs, as their sheets face
   std::vector<std::vector<Neighbour>> neighbours_;
-  DisjointSets sets_;                 // of pairs: sheets
-  std::vector<std::uint8_t> isFree_;  // of pairs, and of sheets: has an edge that nothing else uses
   std::vector<std::uint8_t> isOnRim_; // of vertices
-  std::map<Ends, Vector> inner_;      // edges within sheets, with their normals
-  std::vector<Vector> normal_;        // of vertices
-  std::map<std::uint32_t, Sides> ofVertex_;
-  std::map<Ends, Sides> ofEdge_;
+  std::vector<Vector> normal_;        // likewise
+  std::vector<Sides> sides_;          // likewise, where they are known
+  std::unordered_map<std::uint64_t, Edge> inner_;
 };
 
 }
 
-std::size_t giveSidesToSheets(Surface& surface, Execution& execution)
+std::vector<SheetPair> findSheets(const Surface& surface, ThinSheets sheets,
+  const SurfaceEdges& edges, const Duplicates& duplicates)
 {
-  return SheetDivider(surface, execution).run();
+  const auto isKnown = [&](const SheetPair& pair) {
+    return pair[1] < surface.isOfSheet.size() && surface.isOfSheet[pair[0]] != 0 &&
+      surface.isOfSheet[pair[1]] != 0;
+  };
+  std::vector<SheetPair> pairs;
+  for (std::size_t g = 0; g < duplicates.groups(); ++g)
+  {
+    const std::size_t begin = duplicates.start[g];
+    if (duplicates.start[g + 1] - begin == 2)
+    {
+      pairs.push_back({ duplicates.triangles[begin], duplicates.triangles[begin + 1] });
+    }
+  }
+  DisjointSets connected(pairs.size());
+  std::vector<std::uint8_t> isFree(pairs.size());
+  forEachEdge(edges, pairsOfTriangles(surface, pairs),
+    [&](std::uint32_t, std::uint32_t, const Uses& uses) {
+      if (uses.areInside())
+      {
+        connected.unite(uses.pairs[0], uses.pairs[1]);
+      }
+      if (uses.pairs.size() == 1 && uses.others == 0)
+      {
+        isFree[uses.pairs[0]] = 1;
+      }
+    });
+  std::vector<std::uint8_t> ends(pairs.size());
+  for (std::uint32_t p = 0; p < pairs.size(); ++p)
+  {
+    ends[connected.find(p)] |= isFree[p];
+  }
+  std::vector<SheetPair> found;
+  for (std::uint32_t p = 0; p < pairs.size(); ++p)
+  {
+    if (isKnown(pairs[p]) || (sheets == ThinSheets::Keep && ends[connected.find(p)]))
+    {
+      found.push_back(pairs[p]);
+    }
+  }
+  return found;
+}
+
+void giveSides(
+  Surface& surface, const SurfaceEdges& edges, const std::vector<SheetPair>& sheets)
+{
+  SheetDivider(surface, edges, sheets).run();
 }
 
 }

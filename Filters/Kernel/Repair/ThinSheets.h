@@ -1,18 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sheets without thickness, whose triangles are there twice (a front and a back, such as a fairing), get two sides.
+// Sheets without thickness, whose triangles are there twice, such as a fairing or a guide vane: they get a little, so that
+// each side is a wall of its own, wherever the sheet ends.
 //
-// Between the sides is next to nothing, some levels of the lattice: that is outside. The rims stay where they are, in
-// free space or at other walls, so a sheet may end anywhere. All later steps see a thin closed body.
+// The two triangles of a pair move apart, each in the direction that the sheet faces on its side; along its rims the
+// sheet has no thickness. So what is made is a closed shell, and all later steps take it for a body.
 #pragma once
 
-#include "Surface/Surface.h"
+#include "Repair/Duplicates.h"
 
 namespace cartesian
 {
 
-// A sheet is a connected part of duplicates, in pairs, at least one edge of which no other triangle uses. The first
-// triangle of each pair becomes the side that the sheet's lowest triangle faces, the second one the other; where all
-// corners are on rims, further triangles are appended. Returns the number of pairs.
-std::size_t giveSidesToSheets(Surface& surface, Execution& execution);
+enum class ThinSheets
+{
+  Keep = 0,
+  LeaveOut = 1
+};
+
+// Two triangles with the same vertices.
+using SheetPair = std::array<std::uint32_t, 2>;
+
+// The pairs among duplicates that are known to be of sheets (Surface::isOfSheet), and, where these are kept, those that
+// are connected with an edge that nothing else uses. Others are a body that was written twice, or a wall between two
+// bodies.
+std::vector<SheetPair> findSheets(const Surface& surface, ThinSheets sheets,
+  const SurfaceEdges& edges, const Duplicates& duplicates);
+
+// `sheets`: pairs that are sheets, `edges`: of the surface before. A sheet goes on across edges that two of these pairs
+// use and nothing else; all other edges are rims, whose vertices stay. Triangles keep their numbers; where one has to be
+// divided, further pieces are appended (Surface::given). The side that a triangle faces has its boundary. Marks the
+// triangles (Surface::isOfSheet), and orients them out of the shells.
+void giveSides(
+  Surface& surface, const SurfaceEdges& edges, const std::vector<SheetPair>& sheets);
 
 }

@@ -2,6 +2,7 @@
 #include "Repair/WallsOfBodies.h"
 
 #include "Repair/Spaces.h"
+#include "Repair/ThinSheets.h"
 
 #include <algorithm>
 #include <map>
@@ -20,9 +21,9 @@ constexpr std::uint32_t ClosesAHole = ~0u;
 class WallFinder
 {
 public:
-  WallFinder(const Surface& surface, std::int32_t regions)
+  WallFinder(const Surface& surface, const Bodies& bodies)
     : surface_(surface)
-    , regions_(regions)
+    , bodies_(bodies)
   {
   }
 
@@ -32,7 +33,9 @@ public:
     result.lattice = surface_.lattice;
     result.vertices = surface_.vertices;
     const std::vector<Piece> pieces = piecesOf(surface_);
-    const Spaces spaces = findSpaces(surface_, pieces, regions_, execution);
+    const std::int32_t last =
+      std::max(bodies_.regions, *std::max_element(surface_.region.begin(), surface_.region.end()));
+    const Spaces spaces = findSpaces(surface_, pieces, last, execution);
     for (std::size_t p = 0; p < pieces.size(); ++p)
     {
       addWall(pieces[p],
@@ -52,7 +55,7 @@ private:
   // The first one that winds around a space.
   std::int32_t regionOf(const std::vector<std::int32_t>& turns) const
   {
-    for (std::int32_t r = FirstRegion; r <= regions_; ++r)
+    for (std::int32_t r = FirstRegion; r <= bodies_.regions; ++r)
     {
       if (turns[static_cast<std::size_t>(r)] > 0)
       {
@@ -67,6 +70,7 @@ private:
   {
     if (region[0] == region[1])
     {
+      addSheet(piece, region[0], result);
       return;
     }
     std::array<std::uint32_t, 3> vertices = piece.vertices;
@@ -81,9 +85,46 @@ private:
       region[1] == OutsideRegion ? NoBoundary
                                  : surface_.boundary[sourceOf(piece, vertices, region[1])] };
     std::swap(vertices[1], vertices[2]);
+    add(vertices, wall, source, result);
+    result.isOfSheet.push_back(0);
+  }
+
+  void add(const std::array<std::uint32_t, 3>& vertices, const Wall& wall, std::uint32_t source,
+    Surface& result)
+  {
     result.triangles.push_back(vertices);
     result.boundary.push_back(numberOf(wall, result));
     result.given.push_back(source < surface_.given.size() ? surface_.given[source] : ClosesAHole);
+  }
+
+  // In both directions, where it is in a space that is meshed.
+  void addSheet(const Piece& piece, std::int32_t region, Surface& result)
+  {
+    const std::int32_t sheets = surface_.region[piece.triangles.back()];
+    if (sheets <= bodies_.regions || !isMeshed(region, sheets - bodies_.regions))
+    {
+      return;
+    }
+    std::array<std::uint32_t, 3> vertices = piece.vertices;
+    for (int direction = 0; direction < 2; ++direction)
+    {
+      const std::uint32_t source = sourceOf(piece, vertices, sheets);
+      add(vertices, { region, OutsideRegion, surface_.boundary[source], NoBoundary }, source, result);
+      result.isOfSheet.push_back(1);
+      std::swap(vertices[1], vertices[2]);
+    }
+  }
+
+  bool isMeshed(std::int32_t region, std::int32_t given) const
+  {
+    if (region == OutsideRegion)
+    {
+      return bodies_.meshed != MeshedSide::Inside;
+    }
+    const std::int32_t own = bodies_.given.empty()
+      ? region
+      : bodies_.given[static_cast<std::size_t>(region - FirstRegion)];
+    return bodies_.meshed != MeshedSide::Outside && own == given;
   }
 
   // The triangle whose boundary a region has there: its own that points out of it, its own, or any other's.
@@ -113,7 +154,7 @@ private:
   }
 
   const Surface& surface_;
-  std::int32_t regions_;
+  const Bodies& bodies_;
   std::map<std::tuple<std::int32_t, std::int32_t, std::int32_t, std::int32_t>, std::int32_t>
     numbers_; // of walls
 };
@@ -150,6 +191,7 @@ void sortByPlace(Surface& surface)
     surface.triangles[i] = given.triangles[triangles[i]];
     surface.boundary[i] = given.boundary[triangles[i]];
     surface.given[i] = given.given[triangles[i]];
+    surface.isOfSheet[i] = given.isOfSheet[triangles[i]];
   }
   while (!surface.given.empty() && surface.given.back() == ClosesAHole)
   {
@@ -157,20 +199,41 @@ void sortByPlace(Surface& surface)
   }
 }
 
+// Shells of sheets lie in what is meshed as what is not, and outside of it as bodies.
+void giveSidesToSheets(Surface& walls, Execution& execution)
+{
+  const SurfaceEdges edges(walls, execution);
+  const std::vector<SheetPair> sheets =
+    findSheets(walls, ThinSheets::LeaveOut, edges, findDuplicates(walls, edges));
+  giveSides(walls, edges, sheets);
+  for (std::size_t t = 0; t < walls.isOfSheet.size(); ++t)
+  {
+    if (walls.isOfSheet[t] != 0 && walls.walls.behind(walls.boundary[t]) != OutsideRegion)
+    {
+      std::swap(walls.triangles[t][1], walls.triangles[t][2]);
+    }
+  }
 }
 
-Surface wallsOf(const Surface& arranged, std::int32_t regions, std::vector<std::uint32_t>& crossing,
+}
+
+Surface wallsOf(const Surface& arranged, const Bodies& bodies, std::vector<std::uint32_t>& crossing,
   Execution& execution)
 {
-  Surface walls = WallFinder(arranged, regions).run(crossing, execution);
+  Surface walls = WallFinder(arranged, bodies).run(crossing, execution);
+  walls.rounding = arranged.rounding;
   sortByPlace(walls);
+  if (std::find(walls.isOfSheet.begin(), walls.isOfSheet.end(), 1) != walls.isOfSheet.end())
+  {
+    giveSidesToSheets(walls, execution);
+  }
   return walls;
 }
 
-bool unite(Surface& surface, Execution& execution)
+bool unite(Surface& surface, MeshedSide meshed, Execution& execution)
 {
   std::vector<std::uint32_t> crossing;
-  Surface walls = wallsOf(surface, FirstRegion, crossing, execution);
+  Surface walls = wallsOf(surface, { FirstRegion, {}, meshed }, crossing, execution);
   if (!crossing.empty() || walls.triangles.empty())
   {
     return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The walls of bodies, each once: what lies between two regions, or between one and outside.
+// The walls of bodies, each once: what lies between two regions, or between one and outside; and the sheets in them.
 #pragma once
 
 #include "Surface/Surface.h"
@@ -7,15 +7,37 @@
 namespace cartesian
 {
 
-// `arranged`: of all regions (Surface::region, from FirstRegion to `regions`), each closed and oriented, which cross
-// nowhere (Arrangement.h). Where several regions are, the first of them is; bodies of one region are one. Boundary
-// indices of the result are those of its walls. Triangles with the same region on both sides are left out.
+// What is meshed of one region, as far as it is known yet.
+enum class MeshedSide
+{
+  Inside,
+  Outside,
+  Unknown
+};
+
+struct Bodies
+{
+  std::int32_t regions;            // from FirstRegion on
+  std::vector<std::int32_t> given; // as Walls::given: sheets are of the user's regions
+  MeshedSide meshed = MeshedSide::Inside;
+};
+
+// In Surface::region, of sheets in a region of the user's, where there are so many regions.
+constexpr std::int32_t regionOfSheets(std::int32_t region, std::int32_t regions)
+{
+  return regions + region;
+}
+
+// `arranged`: of all regions, each closed and oriented, which cross nowhere (Arrangement.h), and sheets, whose triangles
+// are there in both directions. Where several regions are, the first of them is; bodies of one region are one. Boundary
+// indices of the result are those of its walls. Of triangles with the same space on both sides, those of sheets that are
+// in their region get sides (ThinSheets.h), or, where it is not meshed, those outside; others are left out.
 // `crossing`: triangles of `arranged` that still cross others, so that what is beside them is not sure.
-Surface wallsOf(const Surface& arranged, std::int32_t regions, std::vector<std::uint32_t>& crossing,
+Surface wallsOf(const Surface& arranged, const Bodies& bodies, std::vector<std::uint32_t>& crossing,
   Execution& execution);
 
-// Makes bodies of one region, which are arranged likewise, one: takes out what is in another of them, or between two that touch. Does nothing and
-// returns false where some still cross, or nothing is left.
-bool unite(Surface& surface, Execution& execution);
+// Makes bodies of one region, which are arranged likewise, one: takes out what is in another of them, or between two that
+// touch. Does nothing and returns false where some still cross, or nothing is left.
+bool unite(Surface& surface, MeshedSide meshed, Execution& execution);
 
 }

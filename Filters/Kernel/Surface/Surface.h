@@ -45,6 +45,7 @@ struct Surface
   EndBoundaries ends = NoEnds;      // where the grid cuts the domain
   std::vector<std::uint32_t>
     given; // of each triangle, its number in the view; none: it closes a hole
+  std::vector<std::uint8_t> isOfSheet; // of the first triangles, 1: of a sheet (ThinSheets.h)
   std::vector<std::uint8_t>
     byParity; // of each triangle; 1: no consistent orientation (Winding.h); empty: all 0
 

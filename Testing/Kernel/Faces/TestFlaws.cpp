@@ -279,8 +279,8 @@ TEST(Flaws, AreDescribedWithPlaces)
   EXPECT_EQ(describeFlaws(prepare(cube(), cellsOf(0.3)), cells, {}), "");
 }
 
-// A sheet with two sides, each a boundary, as cars have them.
-TEST(Flaws, BoundariesWithoutThicknessAreNamed)
+// A sheet with two sides, each a boundary, as cars have them, outside of what is meshed; or left out.
+TEST(Flaws, BoundariesOfWhichNothingIsLeftAreNamed)
 {
   Soup soup = cube();
   for (const std::int32_t boundary : { 7, 8 })
@@ -291,9 +291,18 @@ TEST(Flaws, BoundariesWithoutThicknessAreNamed)
     side.boundary = { boundary, boundary };
     soup.add(boundary == 7 ? side : side.flipped());
   }
-  const std::string text = describeFlaws(prepare(soup, cellsOf(0.3)),
-    std::vector<Id>(soup.triangles.size()), { { 7, "fairing" }, { 5, "cube" } });
-  EXPECT_NE(text.find("Nothing is left of 2 boundaries"), std::string::npos) << text;
+  const std::vector<Id> cells(soup.triangles.size());
+  const std::map<std::int32_t, std::string> names{ { 7, "fairing" }, { 5, "cube" } };
+  EXPECT_EQ(describeFlaws(prepare(soup, cellsOf(0.3)), cells, names),
+    "Nothing is left of 2 boundaries, which lie within other bodies, on their walls, or beside what is meshed: "
+    "fairing, 8.");
+  Execution execution;
+  Options options;
+  options.grid = cellsOf(0.3);
+  options.sheets = ThinSheets::LeaveOut;
+  const std::string text =
+    describeFlaws(prepareSurface(soup.view(), options, execution), cells, names);
+  EXPECT_NE(text.find("Nothing is left of 2 boundaries, all of whose"), std::string::npos) << text;
   EXPECT_NE(text.find(": fairing, 8."), std::string::npos) << text;
 
   // Written twice, a body stays.

@@ -117,7 +117,7 @@ TEST(Arrangement, RegionsGiveWayByTheirOrder)
     arrange(surface, execution);
     std::vector<std::uint32_t> crossing;
     const Surface walls =
-      wallsOf(surface, static_cast<std::int32_t>(bodies.size()), crossing, execution);
+      wallsOf(surface, { static_cast<std::int32_t>(bodies.size()), {} }, crossing, execution);
     EXPECT_TRUE(crossing.empty());
     std::map<int, double> volumes = volumesByRegion(walls);
     for (std::size_t n = 1; n <= bodies.size(); ++n)
@@ -168,14 +168,14 @@ void expectBoxes(unsigned seed, bool turned)
   arrange(surface, execution);
   std::vector<std::uint32_t> crossing;
   Surface united = surface;
-  std::map<int, double> volumes = volumesByRegion(wallsOf(surface, boxes, crossing, execution));
+  std::map<int, double> volumes = volumesByRegion(wallsOf(surface, { boxes, {} }, crossing, execution));
   EXPECT_TRUE(crossing.empty());
   for (int n = 1; n <= boxes; ++n)
   {
     EXPECT_NEAR(volumes[n], double(std::count(owner.begin(), owner.end(), n)), 3e-7) << n;
   }
   united.region.assign(united.triangles.size(), FirstRegion);
-  EXPECT_TRUE(unite(united, execution));
+  EXPECT_TRUE(unite(united, MeshedSide::Inside, execution));
   EXPECT_NEAR(volumeOf(united),
     double(owner.end() - owner.begin() - std::count(owner.begin(), owner.end(), 0)), 3e-7);
 }
@@ -213,7 +213,7 @@ TEST(Arrangement, OfManyBodiesHasNothingThatCrosses)
   const std::size_t triangles = surface.triangles.size();
   arrange(surface, execution);
   EXPECT_GT(surface.triangles.size(), 10 * triangles);
-  ASSERT_TRUE(unite(surface, execution));
+  ASSERT_TRUE(unite(surface, MeshedSide::Inside, execution));
   EXPECT_TRUE(findPairs(surface, execution).pairs.empty());
   const SurfaceCheck checked = check(SurfaceEdges(surface, execution), execution);
   EXPECT_TRUE(checked.oriented());

@@ -20,7 +20,7 @@ SurfaceDefects defectsOf(const Soup& soup, const GridSpec& grid, int threads = 1
   const PreparedSurface prepared = prepare(soup, grid);
   Execution execution(threads);
   SurfaceDefects defects = findDefects(
-    prepared.inspected(), prepared.trianglesGiven, prepared.repair, prepared.planes, execution);
+    prepared.inspected(), prepared.trianglesGiven(), prepared.repair, prepared.planes, execution);
   for (Defect& defect : defects.defects) // as the soup numbers them
   {
     for (std::uint32_t* const triangle : { &defect.triangle, &defect.other })

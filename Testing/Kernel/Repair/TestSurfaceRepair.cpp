@@ -265,7 +265,7 @@ TEST(Holes, TakeTheBoundaryAroundThem)
   soup.boundary.erase(soup.boundary.begin() + 4); // one of two triangles of boundary 2
   const PreparedSurface prepared = prepare(soup, cellsOf(5));
   ASSERT_EQ(prepared.surface.triangles.size(), 12U);
-  ASSERT_EQ(prepared.trianglesGiven, 11U);
+  ASSERT_EQ(prepared.trianglesGiven(), 11U);
   const std::int32_t boundary = prepared.surface.boundary.back();
   EXPECT_TRUE(std::count(soup.boundary.begin(), soup.boundary.end(), boundary));
 }

@@ -294,8 +294,7 @@ PreparedSurface prepareOnLevels(const Soup& soup, const Meshlines& planes)
   prepared.bounds = boundsOf(soup.view());
   prepared.planes = planes;
   prepared.surface = onLattice(soup.view(), Lattice({ 0, 0, 0 }, 1), execution);
-  prepared.trianglesGiven = prepared.surface.triangles.size();
-  prepared.repair = repair(prepared.surface, planes, execution);
+  prepared.repair = repair(prepared.surface, planes, {}, execution);
   prepared.memoryLimit = { 1e11 };
   return prepared;
 }
