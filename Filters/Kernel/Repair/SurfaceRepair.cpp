@@ -143,7 +143,8 @@ SurfaceRepair closeAndOrient(
     const SurfaceEdges edges(surface, execution);
     const Duplicates duplicates = findDuplicates(surface, edges);
     const std::vector<SheetPair> kept = findSheets(surface, spec.sheets, edges, duplicates);
-    if (kept.empty())
+    const bool areAll = 2 * kept.size() == surface.triangles.size(); // around nothing
+    if (kept.empty() || (areAll && spec.meshed == MeshedSide::Inside))
     {
       result.duplicates = dropDuplicates(surface, edges, duplicates);
     }

@@ -3,6 +3,7 @@
 
 #include "Base/DisjointSets.h"
 #include "Lattice/Vector.h"
+#include "Repair/Arrangement.h"
 #include "Repair/Snapping.h"
 
 #include <algorithm>
@@ -336,6 +337,8 @@ private:
 std::vector<SheetPair> findSheets(const Surface& surface, ThinSheets sheets,
   const SurfaceEdges& edges, const Duplicates& duplicates)
 {
+  // What thickness would show in is left out.
+  const bool keeps = sheets == ThinSheets::Keep && isFinelyPlaced(surface);
   const auto isKnown = [&](const SheetPair& pair) {
     return pair[1] < surface.isOfSheet.size() && surface.isOfSheet[pair[0]] != 0 &&
       surface.isOfSheet[pair[1]] != 0;
@@ -370,7 +373,7 @@ std::vector<SheetPair> findSheets(const Surface& surface, ThinSheets sheets,
   std::vector<SheetPair> found;
   for (std::uint32_t p = 0; p < pairs.size(); ++p)
   {
-    if (isKnown(pairs[p]) || (sheets == ThinSheets::Keep && ends[connected.find(p)]))
+    if (isKnown(pairs[p]) || (keeps && ends[connected.find(p)]))
     {
       found.push_back(pairs[p]);
     }
