@@ -143,7 +143,9 @@ SurfaceRepair closeAndOrient(
     const SurfaceEdges edges(surface, execution);
     const Duplicates duplicates = findDuplicates(surface, edges);
     const std::vector<SheetPair> kept = findSheets(surface, spec.sheets, edges, duplicates);
-    const bool areAll = 2 * kept.size() == surface.triangles.size(); // around nothing
+    const auto all = std::count_if(surface.triangles.begin(), surface.triangles.end(),
+      [](const auto& triangle) { return !namesAVertexTwice(triangle); });
+    const bool areAll = 2 * kept.size() == static_cast<std::size_t>(all); // around nothing
     if (kept.empty() || (areAll && spec.meshed == MeshedSide::Inside))
     {
       result.duplicates = dropDuplicates(surface, edges, duplicates);
