@@ -47,6 +47,8 @@ NormalCone around(const NormalCone& a, const NormalCone& b)
 void BoxPolygons::begin(const Box& box, const std::vector<Point>& points, double shortestEdge)
 {
   shortest = shortestEdge;
+  const Vector size = minus(box.high, box.low);
+  shortestSide = std::min({ size[0], size[1], size[2] });
   at.clear();
   planes.clear();
   for (const Point& p : points)

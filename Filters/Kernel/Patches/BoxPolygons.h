@@ -50,7 +50,8 @@ struct BoxPolygons
   std::vector<std::vector<std::uint32_t>> of; // polygons of each point, dead ones too
   std::vector<Polygon> polygons;
   std::vector<std::uint32_t> corners;
-  double shortest = 0; // edge length that a mesh may have, levels
+  double shortest = 0;     // edge length that a mesh may have, levels
+  double shortestSide = 0; // of the box, levels
 
   void begin(const Box& box, const std::vector<Point>& points, double shortestEdge);
 

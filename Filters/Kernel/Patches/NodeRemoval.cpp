@@ -25,6 +25,7 @@ NodeRemoval::NodeRemoval(const Surface& surface, const PatchSpec& spec, BoxPolyg
   , mergeRadius_(spec.mergeAngle * Degree / 2)
   , featureAngle_(spec.featureAngle * Degree)
   , featureCosine_(std::cos(featureAngle_))
+  , alongEdges_(box)
 {
 }
 
@@ -56,6 +57,7 @@ void NodeRemoval::removeInner()
       }
     }
   }
+  alongEdges_.run(features_, box_.shortestSide, mergeRadius_);
   // Edges that are still too short collapse.
   box_.listEdges(edges_);
   for (const PolygonEdge& edge : edges_)
@@ -89,6 +91,7 @@ void NodeRemoval::markFeatures()
     }
   }
   box_.listEdges(edges_);
+  features_.clear();
   for (std::size_t i = 0; i < edges_.size();)
   {
     const std::size_t end = endOfEqual(edges_, i);
@@ -96,6 +99,7 @@ void NodeRemoval::markFeatures()
       isFeature(box_.polygons[edges_[i].polygon], box_.polygons[edges_[i + 1].polygon]))
     {
       feature_[edges_[i].lower] = feature_[edges_[i].upper] = 1;
+      features_.push_back(edges_[i]);
     }
     i = end;
   }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Lattice/MarchingCubes.h"
-#include "Patches/BoxPolygons.h"
+#include "Patches/EdgeNodeRemoval.h"
 #include "Patches/PatchSpec.h"
 #include "Patches/SideTying.h"
 
@@ -19,7 +19,7 @@ public:
   // Removes the points that tying has dropped.
   void removeTied(const SideTying& tying);
 
-  // Removes nodes inside the box where the surface turns by no more than Merge Angle.
+  // Removes nodes inside the box where the surface turns by no more than Merge Angle, and along its edges.
   void removeInner();
 
 private:
@@ -47,6 +47,8 @@ private:
   std::vector<std::uint32_t> sorted_;
   std::vector<LoopNode> nodes_; // of the loop
   LoopTriangulation triangulation_;
+  std::vector<PolygonEdge> features_; // of which each is once
+  EdgeNodeRemoval alongEdges_;
 };
 
 }

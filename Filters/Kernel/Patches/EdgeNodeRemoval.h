@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Removal of nodes along sharp edges of the surface, and along borders between its boundaries (section 6, A2).
+//
+// Where a box is larger than the triangles, an edge has many nodes in it, and each would be a corner of cells. Those that
+// are near to the chord beside them go, and the polygons on both sides of the edge are made anew.
+#pragma once
+
+#include "Lattice/MarchingCubes.h"
+#include "Patches/BoxPolygons.h"
+
+namespace cartesian
+{
+
+// Keeps its storage from box to box.
+class EdgeNodeRemoval
+{
+public:
+  explicit EdgeNodeRemoval(BoxPolygons& box)
+    : box_(box)
+  {
+  }
+
+  // `features`: edges of polygons, in order of their lower ends; `shortestSide`: of the box. Removes nodes inside the box
+  // on two of these, the nearest to its chord first, where polygons on either side turn by no more than `turn` radians.
+  void run(const std::vector<PolygonEdge>& features, double shortestSide, double turn);
+
+private:
+  // A node on an edge that goes on there, or not.
+  struct Link
+  {
+    std::array<std::uint32_t, 2> next{ None, None };
+    std::array<double, 2> off{}; // how far what was removed is from the chords to these
+    int edges = 0;
+  };
+
+  // What takes the place of the polygons on one side of the edge.
+  struct Sector
+  {
+    std::vector<std::uint32_t> fan; // polygons
+    std::vector<std::uint32_t> loop;
+    std::vector<LoopTriangulation::Triangle> triangles; // of the loop
+    Vector axis{};
+  };
+
+  static constexpr std::uint32_t None = ~std::uint32_t(0);
+
+  void listLinks(const std::vector<PolygonEdge>& features);
+  double offWithout(std::uint32_t node) const;
+  bool remove(std::uint32_t node);
+  bool gather(std::uint32_t node, std::uint32_t from, std::uint32_t to, Sector& sector);
+  bool triangulate(Sector& sector);
+  bool isFree(std::uint32_t node, std::uint32_t p, std::uint32_t q) const;
+  void replace(const Sector& sector);
+  void relink(std::uint32_t node);
+
+  BoxPolygons& box_;
+  double turn_ = 0;
+  std::vector<Link> links_; // of points
+  std::array<Sector, 2> sectors_;
+  std::vector<LoopNode> nodes_; // of a loop
+  LoopTriangulation triangulation_;
+};
+
+}
