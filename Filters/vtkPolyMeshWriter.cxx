@@ -2,8 +2,10 @@
 #include "vtkPolyMeshWriter.h"
 
 #include "Base/Error.h"
+#include "BoundaryOfFaces.h"
 #include "FoamFromVTK.h"
 #include "FoamPieceStore.h"
+#include "OpenFoam/FoamBoundary.h"
 #include "OpenFoam/FoamPieceRegions.h"
 #include "Processes.h"
 
@@ -158,6 +160,7 @@ vtkTypeBool vtkPolyMeshWriter::ProcessRequest(
 void vtkPolyMeshWriter::WriteData()
 {
   auto* own = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
+  this->WarnOfLongNames(own);
   if (this->Pieces == 1 || !this->HasFileName())
   {
     this->Superclass::WriteData();
@@ -183,6 +186,10 @@ void vtkPolyMeshWriter::TryToAdd(vtkUnstructuredGrid* grid, int number)
 void vtkPolyMeshWriter::WritePiece(vtkUnstructuredGrid* piece, int number)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
+  if (number == 0)
+  {
+    this->WarnOfLongNames(piece);
+  }
   this->TryToAdd(piece, number);
 }
 
@@ -377,6 +384,23 @@ void vtkPolyMeshWriter::WarnOfKept(const std::vector<std::filesystem::path>& kep
   {
     vtkWarningMacro(
       "What was in the case and does not belong to the new mesh is now in " << path.string());
+  }
+}
+
+void vtkPolyMeshWriter::WarnOfLongNames(vtkUnstructuredGrid* grid)
+{
+  if (!grid)
+  {
+    return;
+  }
+  for (const auto& [boundary, name] : cartesian::readBoundaryTexts(grid, "BoundaryNames"))
+  {
+    if (name.size() > cartesian::LongestWord)
+    {
+      vtkWarningMacro("The name of boundary "
+        << boundary << " has " << name.size() << " characters, of which OpenFOAM can read no more than 1023: its patch has the first "
+        << cartesian::LongestWord << " of them. It begins with \"" << name.substr(0, 40) << "\".");
+    }
   }
 }
 

@@ -146,6 +146,7 @@ private:
 
   void CheckDecomposition(int processes);
   void WarnOfKept(const std::vector<std::filesystem::path>& kept);
+  void WarnOfLongNames(vtkUnstructuredGrid* grid);
 
   struct PiecesSoFar;
   std::unique_ptr<PiecesSoFar> SoFar;

@@ -9,7 +9,7 @@ from cartesianmesher.vtkCartesianMesherFilters import vtkPolyMeshWriter
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkStringArray
-from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_TETRA, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_TETRA, vtkFieldData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 import foam
@@ -262,6 +262,22 @@ for grid, part in ((curved, "Tessellate"), (clipped, "such as Clip"), (empty, "n
     said, code = write(grid, folder)
     assert part in said and code == BAD_MESH, said
 assert {path: path.read_bytes() for path in poly_mesh.iterdir()} == before
+
+# A name that OpenFOAM could not read is cut off, and that is told.
+long = vtkUnstructuredGrid()
+long.ShallowCopy(named)
+texts = vtkStringArray()
+texts.SetName("BoundaryNames")
+given = named.GetFieldData().GetAbstractArray("BoundaryNames")
+for i in range(given.GetNumberOfValues()):
+    texts.InsertNextValue("x" * 1200 if i == 0 else given.GetValue(i))
+long.SetFieldData(vtkFieldData())
+long.GetFieldData().ShallowCopy(named.GetFieldData())
+long.GetFieldData().AddArray(texts)
+long_names = next(cases)
+said, code = write(long, long_names)
+assert "has 1200 characters" in said and code == 0, said
+assert "x" * 1000 in foam.Files(long_names).patches
 said, code = write(named, None)
 assert "file name" in said and code == NO_FILE_NAME, said
 said, code = write(named, folder / "case.foam")

@@ -25,7 +25,7 @@ NodeRemoval::NodeRemoval(const Surface& surface, const PatchSpec& spec, BoxPolyg
   , mergeRadius_(spec.mergeAngle * Degree / 2)
   , featureAngle_(spec.featureAngle * Degree)
   , featureCosine_(std::cos(featureAngle_))
-  , alongEdges_(box)
+  , alongRims_(box)
 {
 }
 
@@ -57,7 +57,7 @@ void NodeRemoval::removeInner()
       }
     }
   }
-  alongEdges_.run(features_, box_.shortestSide, mergeRadius_);
+  alongRims_.run(rims_, mergeRadius_);
   // Edges that are still too short collapse.
   box_.listEdges(edges_);
   for (const PolygonEdge& edge : edges_)
@@ -76,6 +76,12 @@ bool NodeRemoval::isFeature(const Polygon& p, const Polygon& q) const
     dot(p.cone.axis, q.cone.axis) < featureCosine_;
 }
 
+bool NodeRemoval::isOfSheet(std::uint32_t polygon) const
+{
+  const std::uint32_t triangle = box_.polygons[polygon].triangle;
+  return triangle < surface_.isOfSheet.size() && surface_.isOfSheet[triangle] != 0;
+}
+
 // Marks the ends of sharp edges, of borders between boundaries, and of edges that do not have exactly
 // two polygons.
 void NodeRemoval::markFeatures()
@@ -91,7 +97,7 @@ void NodeRemoval::markFeatures()
     }
   }
   box_.listEdges(edges_);
-  features_.clear();
+  rims_.clear();
   for (std::size_t i = 0; i < edges_.size();)
   {
     const std::size_t end = endOfEqual(edges_, i);
@@ -99,7 +105,10 @@ void NodeRemoval::markFeatures()
       isFeature(box_.polygons[edges_[i].polygon], box_.polygons[edges_[i + 1].polygon]))
     {
       feature_[edges_[i].lower] = feature_[edges_[i].upper] = 1;
-      features_.push_back(edges_[i]);
+      if (end - i == 2 && isOfSheet(edges_[i].polygon) && isOfSheet(edges_[i + 1].polygon))
+      {
+        rims_.push_back(edges_[i]);
+      }
     }
     i = end;
   }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Lattice/MarchingCubes.h"
-#include "Patches/EdgeNodeRemoval.h"
+#include "Patches/RimNodeRemoval.h"
 #include "Patches/PatchSpec.h"
 #include "Patches/SideTying.h"
 
@@ -19,12 +19,13 @@ public:
   // Removes the points that tying has dropped.
   void removeTied(const SideTying& tying);
 
-  // Removes nodes inside the box where the surface turns by no more than Merge Angle, and along its edges.
+  // Removes nodes inside the box where the surface turns by no more than Merge Angle, and along the rims of sheets.
   void removeInner();
 
 private:
   void markFeatures();
   bool isFeature(const Polygon& p, const Polygon& q) const;
+  bool isOfSheet(std::uint32_t polygon) const;
   std::uint32_t neighbourOf(std::uint32_t node, std::uint32_t polygon, bool next) const;
   void startFan(std::uint32_t node);
   bool gatherFan(std::uint32_t node);
@@ -47,8 +48,8 @@ private:
   std::vector<std::uint32_t> sorted_;
   std::vector<LoopNode> nodes_; // of the loop
   LoopTriangulation triangulation_;
-  std::vector<PolygonEdge> features_; // of which each is once
-  EdgeNodeRemoval alongEdges_;
+  std::vector<PolygonEdge> rims_; // each once
+  RimNodeRemoval alongRims_;
 };
 
 }

@@ -170,6 +170,7 @@ std::optional<std::vector<ClosedContact>> separateRegions(
   surface.triangles.swap(walls.triangles);
   surface.boundary.swap(walls.boundary);
   surface.given.swap(walls.given);
+  surface.isOfSheet.swap(walls.isOfSheet);
   surface.region.clear();
   surface.walls = std::move(walls.walls);
   surface.walls.given = regionsOfParts;

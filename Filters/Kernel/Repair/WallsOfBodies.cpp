@@ -246,6 +246,7 @@ bool unite(Surface& surface, MeshedSide meshed, Execution& execution)
   surface.vertices.swap(walls.vertices);
   surface.boundary.swap(walls.boundary);
   surface.given.swap(walls.given);
+  surface.isOfSheet.swap(walls.isOfSheet);
   surface.region.clear();
   return true;
 }

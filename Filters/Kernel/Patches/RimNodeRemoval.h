@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Removal of nodes along sharp edges of the surface, and along borders between its boundaries (section 6, A2).
+// Removal of nodes along the rims of sheets (ThinSheets.h, and section 6, A2).
 //
-// Where a box is larger than the triangles, an edge has many nodes in it, and each would be a corner of cells. Those that
-// are near to the chord beside them go, and the polygons on both sides of the edge are made anew.
+// Where a box is larger than the triangles, a rim has many nodes in it, and at each a cell would have to be cut once more,
+// as it cannot reach around the rim. Those that are near to the chord beside them go, and the polygons on both sides of
+// the sheet are made anew.
 #pragma once
 
 #include "Lattice/MarchingCubes.h"
@@ -12,20 +13,20 @@ namespace cartesian
 {
 
 // Keeps its storage from box to box.
-class EdgeNodeRemoval
+class RimNodeRemoval
 {
 public:
-  explicit EdgeNodeRemoval(BoxPolygons& box)
+  explicit RimNodeRemoval(BoxPolygons& box)
     : box_(box)
   {
   }
 
-  // `features`: edges of polygons, in order of their lower ends; `shortestSide`: of the box. Removes nodes inside the box
-  // on two of these, the nearest to its chord first, where polygons on either side turn by no more than `turn` radians.
-  void run(const std::vector<PolygonEdge>& features, double shortestSide, double turn);
+  // `rims`: edges of polygons, each once. Removes nodes inside the box on two of these, the nearest to its chord first,
+  // where polygons on either side turn by no more than `turn` radians.
+  void run(const std::vector<PolygonEdge>& rims, double turn);
 
 private:
-  // A node on an edge that goes on there, or not.
+  // A node on a rim that goes on there, or not.
   struct Link
   {
     std::array<std::uint32_t, 2> next{ None, None };
@@ -33,7 +34,7 @@ private:
     int edges = 0;
   };
 
-  // What takes the place of the polygons on one side of the edge.
+  // What takes the place of the polygons on one side of the sheet.
   struct Sector
   {
     std::vector<std::uint32_t> fan; // polygons
@@ -44,7 +45,7 @@ private:
 
   static constexpr std::uint32_t None = ~std::uint32_t(0);
 
-  void listLinks(const std::vector<PolygonEdge>& features);
+  void listLinks(const std::vector<PolygonEdge>& rims);
   double offWithout(std::uint32_t node) const;
   bool remove(std::uint32_t node);
   bool gather(std::uint32_t node, std::uint32_t from, std::uint32_t to, Sector& sector);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Patches/EdgeNodeRemoval.h"
+#include "Patches/RimNodeRemoval.h"
 
 #include <algorithm>
 
@@ -9,8 +9,8 @@ namespace cartesian
 namespace
 {
 
-// How far an edge of the surface may leave its place, as a part of the box's shortest side (as in NodePaths.cpp).
-constexpr double MostFromEdge = 0.004;
+// How far a rim may leave its place, as a part of the box's shortest side.
+constexpr double MostFromRim = 0.01;
 
 double distanceFromChord(const Vector& at, const Vector& from, const Vector& to)
 {
@@ -22,15 +22,14 @@ double distanceFromChord(const Vector& at, const Vector& from, const Vector& to)
 
 }
 
-void EdgeNodeRemoval::run(
-  const std::vector<PolygonEdge>& features, double shortestSide, double turn)
+void RimNodeRemoval::run(const std::vector<PolygonEdge>& rims, double turn)
 {
   turn_ = turn;
-  listLinks(features);
+  listLinks(rims);
   for (;;)
   {
     std::uint32_t best = None;
-    double least = MostFromEdge * shortestSide;
+    double least = MostFromRim * box_.shortestSide;
     for (std::uint32_t node = 0; node < links_.size(); ++node)
     {
       if (const double off = offWithout(node); off <= least)
@@ -51,10 +50,10 @@ void EdgeNodeRemoval::run(
   }
 }
 
-void EdgeNodeRemoval::listLinks(const std::vector<PolygonEdge>& features)
+void RimNodeRemoval::listLinks(const std::vector<PolygonEdge>& rims)
 {
   links_.assign(box_.at.size(), {});
-  for (const PolygonEdge& edge : features)
+  for (const PolygonEdge& edge : rims)
   {
     for (const auto& [node, other] :
       { std::pair{ edge.lower, edge.upper }, { edge.upper, edge.lower } })
@@ -69,8 +68,8 @@ void EdgeNodeRemoval::listLinks(const std::vector<PolygonEdge>& features)
   }
 }
 
-// How far the edge, as it was, would be from its chord there; more than anything where the node has to stay.
-double EdgeNodeRemoval::offWithout(std::uint32_t node) const
+// How far the rim, as it was, would be from its chord there; more than anything where the node has to stay.
+double RimNodeRemoval::offWithout(std::uint32_t node) const
 {
   const Link& link = links_[node];
   if (link.edges != 2 || box_.planes[node] != 0 || link.next[0] == link.next[1])
@@ -81,7 +80,7 @@ double EdgeNodeRemoval::offWithout(std::uint32_t node) const
     std::max(link.off[0], link.off[1]);
 }
 
-bool EdgeNodeRemoval::remove(std::uint32_t node)
+bool RimNodeRemoval::remove(std::uint32_t node)
 {
   const auto [p, q] = links_[node].next;
   if (!gather(node, p, q, sectors_[0]) || !gather(node, q, p, sectors_[1]) ||
@@ -95,7 +94,7 @@ bool EdgeNodeRemoval::remove(std::uint32_t node)
 }
 
 // The polygons around a node from the edge to one node on to that to another, counter-clockwise.
-bool EdgeNodeRemoval::gather(
+bool RimNodeRemoval::gather(
   std::uint32_t node, std::uint32_t from, std::uint32_t to, Sector& sector)
 {
   sector.fan.clear();
@@ -129,7 +128,7 @@ bool EdgeNodeRemoval::gather(
 }
 
 // Whether there is no edge yet between two nodes, but of what becomes nothing.
-bool EdgeNodeRemoval::isFree(std::uint32_t node, std::uint32_t p, std::uint32_t q) const
+bool RimNodeRemoval::isFree(std::uint32_t node, std::uint32_t p, std::uint32_t q) const
 {
   const auto isOfFan = [&](std::uint32_t polygon) {
     return std::any_of(sectors_.begin(), sectors_.end(), [&](const Sector& sector) {
@@ -151,7 +150,7 @@ bool EdgeNodeRemoval::isFree(std::uint32_t node, std::uint32_t p, std::uint32_t 
   });
 }
 
-bool EdgeNodeRemoval::triangulate(Sector& sector)
+bool RimNodeRemoval::triangulate(Sector& sector)
 {
   NormalCone cone{ { 0, 0, 0 }, 0 };
   for (const std::uint32_t p : sector.fan)
@@ -182,7 +181,7 @@ bool EdgeNodeRemoval::triangulate(Sector& sector)
   });
 }
 
-void EdgeNodeRemoval::replace(const Sector& sector)
+void RimNodeRemoval::replace(const Sector& sector)
 {
   const Polygon like = box_.polygons[*std::max_element(
     sector.fan.begin(), sector.fan.end(), [&](std::uint32_t p, std::uint32_t q) {
@@ -202,7 +201,7 @@ void EdgeNodeRemoval::replace(const Sector& sector)
   }
 }
 
-void EdgeNodeRemoval::relink(std::uint32_t node)
+void RimNodeRemoval::relink(std::uint32_t node)
 {
   const Link gone = links_[node];
   const double off = offWithout(node);
