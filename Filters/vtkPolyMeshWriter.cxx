@@ -398,7 +398,8 @@ void vtkPolyMeshWriter::WarnOfLongNames(vtkUnstructuredGrid* grid)
     if (name.size() > cartesian::LongestWord)
     {
       vtkWarningMacro("The name of boundary "
-        << boundary << " has " << name.size() << " characters, of which OpenFOAM can read no more than 1023: its patch has the first "
+        << boundary << " has " << name.size()
+        << " characters, of which OpenFOAM can read no more than 1023: its patch has the first "
         << cartesian::LongestWord << " of them. It begins with \"" << name.substr(0, 40) << "\".");
     }
   }

@@ -102,12 +102,13 @@ bool mayDivide(const Options& options)
 
 MeshedSide meshedOf(const DomainSpec& domain)
 {
-  return domain.isOutside() ? MeshedSide::Outside
-                            : (domain.domain == Domain::Inside ? MeshedSide::Inside : MeshedSide::Unknown);
+  return domain.isOutside()
+    ? MeshedSide::Outside
+    : (domain.domain == Domain::Inside ? MeshedSide::Inside : MeshedSide::Unknown);
 }
 
-void separate(PreparedSurface& prepared, const SurfaceView& view, const Options& options,
-  Execution& execution)
+void separate(
+  PreparedSurface& prepared, const SurfaceView& view, const Options& options, Execution& execution)
 {
   Surface& surface = prepared.surface;
   RegionSpec spec;
@@ -149,7 +150,8 @@ std::map<std::int32_t, std::size_t> countsOf(const std::vector<std::int32_t>& bo
   for (auto next = boundaries.begin(); next != boundaries.end();)
   {
     const auto begin = next;
-    next = std::find_if(begin, boundaries.end(), [&](std::int32_t other) { return other != *begin; });
+    next =
+      std::find_if(begin, boundaries.end(), [&](std::int32_t other) { return other != *begin; });
     counts[*begin] += static_cast<std::size_t>(next - begin);
   }
   return counts;

@@ -120,8 +120,8 @@ std::string listOf(const std::vector<std::int32_t>& boundaries,
   for (std::size_t i = 0; i < std::min(boundaries.size(), MostNames); ++i)
   {
     const auto name = names.find(boundaries[i]);
-    list += (i == 0 ? "" : ", ") +
-      (name == names.end() ? std::to_string(boundaries[i]) : name->second);
+    list +=
+      (i == 0 ? "" : ", ") + (name == names.end() ? std::to_string(boundaries[i]) : name->second);
   }
   return "Nothing is left of " + counted(boundaries.size(), "boundary", "boundaries") + ", " +
     reason + ": " + list + (boundaries.size() > MostNames ? ", ..." : "") + ".";
@@ -149,8 +149,8 @@ std::string describeVanished(
   const std::string first = listOf(doubled, names,
     "all of whose triangles are there twice, as in a body written twice, between bodies that "
     "touch, or, where Sheets is Leave Out, in a sheet");
-  const std::string second = listOf(covered, names,
-    "which lie within other bodies, on their walls, or beside what is meshed");
+  const std::string second = listOf(
+    covered, names, "which lie within other bodies, on their walls, or beside what is meshed");
   return first + (first.empty() || second.empty() ? "" : "\n") + second;
 }
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "Lattice/MarchingCubes.h"
-#include "Patches/RimNodeRemoval.h"
 #include "Patches/PatchSpec.h"
+#include "Patches/RimNodeRemoval.h"
 #include "Patches/SideTying.h"
 
 namespace cartesian

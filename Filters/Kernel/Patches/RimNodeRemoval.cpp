@@ -83,8 +83,8 @@ double RimNodeRemoval::offWithout(std::uint32_t node) const
 bool RimNodeRemoval::remove(std::uint32_t node)
 {
   const auto [p, q] = links_[node].next;
-  if (!gather(node, p, q, sectors_[0]) || !gather(node, q, p, sectors_[1]) ||
-    !isFree(node, p, q) || !triangulate(sectors_[0]) || !triangulate(sectors_[1]))
+  if (!gather(node, p, q, sectors_[0]) || !gather(node, q, p, sectors_[1]) || !isFree(node, p, q) ||
+    !triangulate(sectors_[0]) || !triangulate(sectors_[1]))
   {
     return false;
   }
@@ -174,8 +174,8 @@ bool RimNodeRemoval::triangulate(Sector& sector)
   }
   sector.triangles = triangulation_.triangulate(nodes_);
   return std::all_of(sector.triangles.begin(), sector.triangles.end(), [&](const auto& t) {
-    const Vector normal = unit(
-      cross(minus(nodes_[t[1]].at, nodes_[t[0]].at), minus(nodes_[t[2]].at, nodes_[t[0]].at)));
+    const Vector normal =
+      unit(cross(minus(nodes_[t[1]].at, nodes_[t[0]].at), minus(nodes_[t[2]].at, nodes_[t[0]].at)));
     const bool inSide = (nodes_[t[0]].planes & nodes_[t[1]].planes & nodes_[t[2]].planes) != 0;
     return dot(normal, normal) != 0 && angleBetween(normal, cone.axis) <= turn_ && !inSide;
   });
@@ -193,8 +193,7 @@ void RimNodeRemoval::replace(const Sector& sector)
   }
   for (const auto& t : sector.triangles)
   {
-    const std::array<std::uint32_t, 3> c{ sector.loop[t[0]], sector.loop[t[1]],
-      sector.loop[t[2]] };
+    const std::array<std::uint32_t, 3> c{ sector.loop[t[0]], sector.loop[t[1]], sector.loop[t[2]] };
     const Vector normal =
       unit(cross(minus(box_.at[c[1]], box_.at[c[0]]), minus(box_.at[c[2]], box_.at[c[0]])));
     box_.append(c.data(), c.data() + 3, like, { normal, 0 });

@@ -283,9 +283,9 @@ Surface takeBaffles(Surface& surface, const std::vector<Baffle>& baffles)
   return sheets;
 }
 
-std::optional<RegionParts> divideByBaffles(Surface& surface, Surface sheets, const std::vector<Baffle>& baffles,
-  std::int32_t regions, double tolerance, const std::vector<std::string>& names,
-  Execution& execution)
+std::optional<RegionParts> divideByBaffles(Surface& surface, Surface sheets,
+  const std::vector<Baffle>& baffles, std::int32_t regions, double tolerance,
+  const std::vector<std::string>& names, Execution& execution)
 {
   const auto nameOf = [&](std::int32_t region) {
     const auto n = static_cast<std::size_t>(region - FirstRegion);

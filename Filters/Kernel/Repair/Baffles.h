@@ -39,9 +39,9 @@ struct RegionParts
 // `surface`: of all regions, each closed and oriented; Surface::region are parts then. `sheets`: from takeBaffles().
 // `tolerance`: how far from walls rims may end, in levels. `names`: of regions, for messages. Nothing: a sheet ends within
 // its region, or one can go around it. Throws Error (FlawedSurface): a sheet lies outside of its region or on a wall.
-std::optional<RegionParts> divideByBaffles(Surface& surface, Surface sheets, const std::vector<Baffle>& baffles,
-  std::int32_t regions, double tolerance, const std::vector<std::string>& names,
-  Execution& execution);
+std::optional<RegionParts> divideByBaffles(Surface& surface, Surface sheets,
+  const std::vector<Baffle>& baffles, std::int32_t regions, double tolerance,
+  const std::vector<std::string>& names, Execution& execution);
 
 // Makes baffles, which may end anywhere, sheets that are there twice (Surface::isOfSheet): in a surface that need not be
 // closed yet, of one region or several. `tolerance`: as above.

@@ -49,8 +49,7 @@ bool folded(const Vector& a, const Vector& b)
 }
 
 // Not the two sides of a sheet.
-std::vector<Fold> findFolds(const Surface& surface, const SurfaceEdges& edges,
-  Execution& execution)
+std::vector<Fold> findFolds(const Surface& surface, const SurfaceEdges& edges, Execution& execution)
 {
   const auto isSheet = [&](const EdgeUse& use) {
     return use.triangle() < surface.isOfSheet.size() && surface.isOfSheet[use.triangle()] != 0;

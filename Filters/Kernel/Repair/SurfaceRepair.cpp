@@ -35,7 +35,7 @@ std::vector<DroppedTriangle> dropLoose(Surface& surface, const SurfaceEdges& edg
   return dropped;
 }
 
-// Of the triangles that are not dropped.
+// Of the triangles that are not dropped, nor of sheets.
 std::size_t turnedSince(
   const std::vector<std::array<std::uint32_t, 3>>& before, const Surface& surface)
 {
@@ -43,14 +43,17 @@ std::size_t turnedSince(
   for (std::size_t t = 0; t < before.size(); ++t)
   {
     const auto& now = surface.triangles[t];
-    turned += now[1] != now[2] && now[1] == before[t][2] && now[2] == before[t][1] ? 1 : 0;
+    const bool isSheet = t < surface.isOfSheet.size() && surface.isOfSheet[t] != 0;
+    turned +=
+      !isSheet && now[1] != now[2] && now[1] == before[t][2] && now[2] == before[t][1] ? 1 : 0;
   }
   return turned;
 }
 
 // Shells of sheets as they were oriented out of them before, or all into them where their surroundings are meshed. So what
 // lies in a shell is not, and what lies on either side of it is as it was.
-void turnSheets(const std::vector<std::array<std::uint32_t, 3>>& before, MeshedSide meshed, Surface& surface)
+void turnSheets(
+  const std::vector<std::array<std::uint32_t, 3>>& before, MeshedSide meshed, Surface& surface)
 {
   for (std::size_t t = 0; meshed != MeshedSide::Unknown && t < surface.isOfSheet.size(); ++t)
   {
@@ -105,8 +108,8 @@ Surface withFlatSheets(const Surface& surface, const std::vector<DroppedTriangle
   std::size_t given = 0;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
-    const bool isAdded = t < surface.isOfSheet.size() && surface.isOfSheet[t] != 0 &&
-      result.region[t] == FirstRegion;
+    const bool isAdded =
+      t < surface.isOfSheet.size() && surface.isOfSheet[t] != 0 && result.region[t] == FirstRegion;
     if (!isAdded)
     {
       result.triangles[kept] = result.triangles[t];
@@ -185,7 +188,8 @@ SurfaceRepair closeAndOrient(
   return result;
 }
 
-SurfaceRepair repair(Surface& surface, const Meshlines& planes, const RepairSpec& spec, Execution& execution)
+SurfaceRepair repair(
+  Surface& surface, const Meshlines& planes, const RepairSpec& spec, Execution& execution)
 {
   SurfaceRepair result = closeAndOrient(surface, planes, spec, execution);
   if ((result.pairs.pairs.empty() && result.sheets.empty()) || !surface.byParity.empty() ||

@@ -85,8 +85,7 @@ void forEachEdge(
 class SheetDivider
 {
 public:
-  SheetDivider(
-    Surface& surface, const SurfaceEdges& edges, const std::vector<SheetPair>& sheets)
+  SheetDivider(Surface& surface, const SurfaceEdges& edges, const std::vector<SheetPair>& sheets)
     : surface_(surface)
     , sheets_(sheets)
     , halfThickness_(placingOf(surface).snap)
@@ -138,7 +137,8 @@ private:
       isOnRim_[lower] = isOnRim_[upper] = 1;
       return;
     }
-    const auto& [one, other] = std::tie(uses.pairs[0], uses.pairs[1]);
+    const std::uint32_t one = uses.pairs[0];
+    const std::uint32_t other = uses.pairs[1];
     const bool isTurned = runsUp(one, lower, upper) == runsUp(other, lower, upper);
     neighbours_[one].push_back({ other, isTurned });
     neighbours_[other].push_back({ one, isTurned });
@@ -260,8 +260,8 @@ private:
       corners.push_back(ofVertex(front[i]));
       addMiddle(front[i], front[(i + 1) % 3], corners);
     }
-    const bool isOnRims = std::all_of(
-      front.begin(), front.end(), [&](std::uint32_t v) { return isOnRim_[v] != 0; });
+    const bool isOnRims =
+      std::all_of(front.begin(), front.end(), [&](std::uint32_t v) { return isOnRim_[v] != 0; });
     if (!isOnRims && corners.size() == 3)
     {
       write(p, { { corners[0], corners[1], corners[2] } });
@@ -354,8 +354,8 @@ std::vector<SheetPair> findSheets(const Surface& surface, ThinSheets sheets,
   }
   DisjointSets connected(pairs.size());
   std::vector<std::uint8_t> isFree(pairs.size());
-  forEachEdge(edges, pairsOfTriangles(surface, pairs),
-    [&](std::uint32_t, std::uint32_t, const Uses& uses) {
+  forEachEdge(
+    edges, pairsOfTriangles(surface, pairs), [&](std::uint32_t, std::uint32_t, const Uses& uses) {
       if (uses.areInside())
       {
         connected.unite(uses.pairs[0], uses.pairs[1]);
@@ -381,8 +381,7 @@ std::vector<SheetPair> findSheets(const Surface& surface, ThinSheets sheets,
   return found;
 }
 
-void giveSides(
-  Surface& surface, const SurfaceEdges& edges, const std::vector<SheetPair>& sheets)
+void giveSides(Surface& surface, const SurfaceEdges& edges, const std::vector<SheetPair>& sheets)
 {
   SheetDivider(surface, edges, sheets).run();
 }

@@ -30,7 +30,6 @@ std::vector<SheetPair> findSheets(const Surface& surface, ThinSheets sheets,
 // use and nothing else; all other edges are rims, whose vertices stay. Triangles keep their numbers; where one has to be
 // divided, further pieces are appended (Surface::given). The side that a triangle faces has its boundary. Marks the
 // triangles (Surface::isOfSheet), and orients them out of the shells.
-void giveSides(
-  Surface& surface, const SurfaceEdges& edges, const std::vector<SheetPair>& sheets);
+void giveSides(Surface& surface, const SurfaceEdges& edges, const std::vector<SheetPair>& sheets);
 
 }

@@ -109,7 +109,8 @@ private:
     for (int direction = 0; direction < 2; ++direction)
     {
       const std::uint32_t source = sourceOf(piece, vertices, sheets);
-      add(vertices, { region, OutsideRegion, surface_.boundary[source], NoBoundary }, source, result);
+      add(
+        vertices, { region, OutsideRegion, surface_.boundary[source], NoBoundary }, source, result);
       result.isOfSheet.push_back(1);
       std::swap(vertices[1], vertices[2]);
     }

@@ -294,7 +294,8 @@ TEST(Flaws, BoundariesOfWhichNothingIsLeftAreNamed)
   const std::vector<Id> cells(soup.triangles.size());
   const std::map<std::int32_t, std::string> names{ { 7, "fairing" }, { 5, "cube" } };
   EXPECT_EQ(describeFlaws(prepare(soup, cellsOf(0.3)), cells, names),
-    "Nothing is left of 2 boundaries, which lie within other bodies, on their walls, or beside what is meshed: "
+    "Nothing is left of 2 boundaries, which lie within other bodies, on their walls, or beside "
+    "what is meshed: "
     "fairing, 8.");
   Execution execution;
   Options options;

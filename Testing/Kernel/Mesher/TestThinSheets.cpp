@@ -1,7 +1,7 @@
 // Sheets whose triangles are there twice: each side is a wall with the sheet's area, wherever it ends, and nothing else
 // changes.
-#include "Support/MeshChecker.h"
 #include "Repair/SurfaceDefects.h"
+#include "Support/MeshChecker.h"
 
 #include <gtest/gtest.h>
 
@@ -116,10 +116,9 @@ TEST(ThinSheets, Bend)
 {
   constexpr int Strips = 8;
   Soup soup = duct();
-  addSheet(soup, Strips,
-    [](double u, double v) {
-      return Vector{ 1 + 0.4 * std::sin(u), 0.2 + 0.6 * v, 0.1 + 0.4 * std::cos(u) };
-    });
+  addSheet(soup, Strips, [](double u, double v) {
+    return Vector{ 1 + 0.4 * std::sin(u), 0.2 + 0.6 * v, 0.1 + 0.4 * std::cos(u) };
+  });
   expectSheets(soup, 3, 0.6 * Strips * 0.8 * std::sin(0.5 / Strips));
 }
 

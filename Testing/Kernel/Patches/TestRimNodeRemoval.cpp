@@ -10,7 +10,7 @@ using namespace cartesian;
 namespace
 {
 
-constexpr Level Size = 10000; // of the box
+constexpr Level Size = 10000;      // of the box
 constexpr std::uint32_t Front = 5; // apexes
 constexpr std::uint32_t Back = 6;
 

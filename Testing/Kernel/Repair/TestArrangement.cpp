@@ -168,7 +168,8 @@ void expectBoxes(unsigned seed, bool turned)
   arrange(surface, execution);
   std::vector<std::uint32_t> crossing;
   Surface united = surface;
-  std::map<int, double> volumes = volumesByRegion(wallsOf(surface, { boxes, {} }, crossing, execution));
+  std::map<int, double> volumes =
+    volumesByRegion(wallsOf(surface, { boxes, {} }, crossing, execution));
   EXPECT_TRUE(crossing.empty());
   for (int n = 1; n <= boxes; ++n)
   {
