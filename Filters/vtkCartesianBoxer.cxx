@@ -521,6 +521,7 @@ cartesian::RefinementSpec vtkCartesianBoxer::MakeSpec(const cartesian::BoundaryN
 {
   cartesian::RefinementSpec spec;
   spec.depth = this->RefinementDepth;
+  spec.transitionLayers = this->TransitionLayers;
   spec.sizing.curvatureAngle = this->CurvatureAngle;
   spec.sizing.featureDepth = this->FeatureDepth;
   spec.sizing.cellsAcrossGaps = this->CellsAcrossGaps;
@@ -658,6 +659,7 @@ void vtkCartesianBoxer::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "BoundaryArray: " << this->BoundaryArray << "\n";
   os << indent << "RefinementDepth: " << this->RefinementDepth << "\n";
+  os << indent << "TransitionLayers: " << this->TransitionLayers << "\n";
   PrintTable(os, indent, "RefinementBlocks", this->RefinementBlocks);
   PrintTable(os, indent, "BoundaryRefinements", this->BoundaryRefinements);
   os << indent << "RefinedBoundaries:\n";

@@ -148,6 +148,15 @@ public:
 
   ///@{
   /**
+   * How many boxes of a level there are at least between one and boxes that are twice as large, as snappyHexMesh's
+   * nCellsBetweenLevels: 1 to 10. Default: 1.
+   */
+  vtkSetMacro(TransitionLayers, int);
+  vtkGetMacro(TransitionLayers, int);
+  ///@}
+
+  ///@{
+  /**
    * Blocks of global boxes with depths of their own; later ones win. First and last box along each
    * axis (whole numbers from 0, both included), allowed depth (where the surface passes), forced
    * depth (everywhere in the block), 0 to 6.
@@ -344,6 +353,7 @@ protected:
   std::array<std::vector<double>, 3> Meshlines;
   std::string BoundaryArray;
   int RefinementDepth = 0;
+  int TransitionLayers = 1;
   std::vector<std::array<double, 8>> RefinementBlocks;
   std::vector<std::array<double, 4>> BoundaryRefinements;
   vtkNew<vtkDataArraySelection> RefinedBoundaries;

@@ -34,8 +34,8 @@ void forEachAcross(const Boxes& boxes, const PackedBox& box, int axis, bool uppe
   }
 }
 
-// The axes along which a neighbour is finer than `level` and the box coarser.
-unsigned axesAlongWhichTooCoarse(const Boxes& boxes, const PackedBox& box, int level)
+// The axes along which a neighbour is too fine for the box.
+unsigned axesAlongWhichTooCoarse(const Boxes& boxes, const PackedBox& box, const BalancePass& pass)
 {
   unsigned result = 0;
   for (int axis = 0; axis < 3; ++axis)
@@ -45,7 +45,8 @@ unsigned axesAlongWhichTooCoarse(const Boxes& boxes, const PackedBox& box, int l
       forEachAcross(boxes, box, axis, upper, [&](const PackedBox& other) {
         for (unsigned along = 0; along < 3; ++along)
         {
-          const bool tooCoarse = box.level[along] < level && other.level[along] > level;
+          const bool tooCoarse =
+            box.level[along] < pass.level && other.level[along] >= pass.touching;
           result |= unsigned(tooCoarse) << along;
         }
       });
@@ -56,14 +57,14 @@ unsigned axesAlongWhichTooCoarse(const Boxes& boxes, const PackedBox& box, int l
 
 }
 
-std::uint8_t axesToHalve(const Boxes& boxes, const PackedBox& box, int level)
+std::uint8_t axesToHalve(const Boxes& boxes, const PackedBox& box, const BalancePass& pass)
 {
-  if (boxes.globalOf(box).nearDepth <= level ||
-    std::min({ box.level[0], box.level[1], box.level[2] }) >= level)
+  if (boxes.globalOf(box).nearDepth < pass.touching ||
+    std::min({ box.level[0], box.level[1], box.level[2] }) >= pass.level)
   {
     return 0; // no neighbour is finer, or this box is fine enough
   }
-  const unsigned wanted = axesAlongWhichTooCoarse(boxes, box, level);
+  const unsigned wanted = axesAlongWhichTooCoarse(boxes, box, pass);
   unsigned result = 0;
   int fewest = 2;
   for (unsigned axis = 0; axis < 3; ++axis)
@@ -75,7 +76,7 @@ std::uint8_t axesToHalve(const Boxes& boxes, const PackedBox& box, int level)
     int unfinished = 0;
     for (const bool upper : { false, true })
     {
-      unfinished += axesAlongWhichTooCoarse(boxes, halfOf(box, axis, upper), level) != 0 ? 1 : 0;
+      unfinished += axesAlongWhichTooCoarse(boxes, halfOf(box, axis, upper), pass) != 0 ? 1 : 0;
     }
     result = unfinished < fewest ? 0 : result;
     fewest = std::min(fewest, unfinished);

@@ -9,6 +9,9 @@
 // levels finer than n, so its effect on a box depends only on the boxes that touched it before the
 // pass, not on the order of visits; and the effect of all passes depends only on boxes at most
 // balanceReach() global boxes away.
+//
+// Before the pass of a level, that of the next finer one may grow (RefinementSpec::transitionLayers): boxes that touch
+// boxes of it become as fine, layer by layer.
 #pragma once
 
 #include "Boxes/Boxes.h"
@@ -16,17 +19,33 @@
 namespace cartesian
 {
 
-// How many global boxes away a box of this depth may cause others to be halved.
-constexpr std::uint32_t balanceReach(int depth)
+// How many global boxes away a box of this depth may cause others to be halved: each pass reaches another one.
+constexpr std::uint32_t balanceReach(int depth, int transitionLayers)
 {
-  return depth > 1 ? static_cast<std::uint32_t>(depth) - 1 : 0;
+  return depth > 0 ? static_cast<std::uint32_t>(depth * transitionLayers - 1) : 0;
 }
 
-// The axes (bit 1 << axis) along which a box must be halved next in the pass of this level; its
+// Boxes coarser than `level` are halved where they touch one of level `touching` or finer. What a pass does: balance
+// a level, or let it grow.
+struct BalancePass
+{
+  int level;
+  int touching;
+};
+constexpr BalancePass balanceOf(int level)
+{
+  return { level, level + 1 };
+}
+constexpr BalancePass growthOf(int level)
+{
+  return { level, level };
+}
+
+// The axes (bit 1 << axis) along which a box must be halved next in a pass; its
 // parts may have to be halved further. Of the axes along which neighbours are too fine these are
 // the ones that leave the fewest halves to be halved further, all of them if several do: thus a box
 // before a wall of fine ones is first halved towards it, whichever axis that is. `boxes`: before
 // the pass; `box` may be a part of one of them.
-std::uint8_t axesToHalve(const Boxes& boxes, const PackedBox& box, int level);
+std::uint8_t axesToHalve(const Boxes& boxes, const PackedBox& box, const BalancePass& pass);
 
 }

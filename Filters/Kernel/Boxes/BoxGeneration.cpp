@@ -46,10 +46,18 @@ public:
     {
       findDepths();
       divide();
-      for (int level = refinement_.deepest() - 1; level > 0; --level)
+      for (int level = refinement_.deepest(); level > 0; --level)
       {
-        flatten();
-        balance(level);
+        for (int layer = 1; layer < refinement_.transitionLayers(); ++layer)
+        {
+          flatten();
+          balance(growthOf(level));
+        }
+        if (level > 1)
+        {
+          flatten();
+          balance(balanceOf(level - 1));
+        }
       }
     }
     leaveOutAllBut(kept);
@@ -317,8 +325,8 @@ private:
     return { static_cast<std::uint32_t>(g), part.offset, part.level, part.corners, part.status };
   }
 
-  // One pass of balancing (Balance.h).
-  void balance(int level)
+  // One pass (Balance.h).
+  void balance(const BalancePass& pass)
   {
     forEachGlobal([&](std::size_t g) {
       const std::uint32_t first = boxes_.globals[g].firstBox;
@@ -328,7 +336,7 @@ private:
       for (std::uint32_t b = first; b < end; ++b)
       {
         const PackedBox& box = boxes_.packed[b];
-        changed |= balance(g, { box.offset, box.level, box.status, box.corners }, level, parts);
+        changed |= balance(g, { box.offset, box.level, box.status, box.corners }, pass, parts);
       }
       if (changed)
       {
@@ -338,9 +346,10 @@ private:
   }
 
   // Appends what a pass makes of a box, without parts that are outside; true if it was halved.
-  bool balance(std::size_t g, const LocalBox& box, int level, std::vector<LocalBox>& parts) const
+  bool balance(
+    std::size_t g, const LocalBox& box, const BalancePass& pass, std::vector<LocalBox>& parts) const
   {
-    const unsigned axes = axesToHalve(boxes_, packed(g, box), level);
+    const unsigned axes = axesToHalve(boxes_, packed(g, box), pass);
     if (axes == 0)
     {
       parts.push_back(box);
@@ -355,7 +364,7 @@ private:
       const LocalBox part = partOf(g, box, axes, upper);
       if (part.status != BoxStatus::Outside)
       {
-        balance(g, part, level, parts);
+        balance(g, part, pass, parts);
       }
     }
     return true;
@@ -424,7 +433,8 @@ Boxes generateBoxes(const Surface& surface, const Meshlines& planes, const Shoeb
   Execution& execution)
 {
   const auto end = static_cast<std::uint32_t>(planes[2].size() - 1);
-  const Layers layers = kept.grown(balanceReach(refinement.deepest()), end);
+  const Layers layers =
+    kept.grown(balanceReach(refinement.deepest(), refinement.transitionLayers()), end);
   return BoxGenerator(surface, planes, shoeboxes, refinement, statuses, core, layers, execution)
     .generate(kept);
 }

@@ -74,10 +74,13 @@ Refinement::Refinement(const RefinementSpec& spec, const Surface& surface,
   : depth_(spec.depth)
   , sizing_(spec.sizing)
   , octants_(planes)
+  , transitionLayers_(spec.transitionLayers)
   , any_(spec.depth > 0 || !spec.blocks.empty() || !spec.boundaries.empty() ||
       !spec.regions.empty() || spec.sizing.any())
 {
   checkDepth(spec.depth, "Refinement Depth");
+  requireInRange(
+    RefinementSpec::AllTransitionLayers, double(spec.transitionLayers), "Transition Layers");
   deepest_ = spec.depth;
   addBlocks(spec, planes);
   for (std::size_t n = 0; n < spec.boundaries.size(); ++n)

@@ -44,6 +44,7 @@ struct BoundaryRefinement
 struct RefinementSpec
 {
   static constexpr Range AllDepths{ 0, DeepestLevel };
+  static constexpr Range AllTransitionLayers{ 1, 10 };
 
   void addUnlessThere(const BoundaryRefinement& row); // of that boundary
 
@@ -52,6 +53,9 @@ struct RefinementSpec
   std::vector<BoundaryRefinement> boundaries; // never make boxes coarser, as section 4.6 ends
   std::vector<RefinementRegion> regions;      // never make boxes coarser
   SizingSpec sizing;                          // never makes boxes coarser
+
+  // Between boxes of one level and those that are twice as large: at least so many of the level, across sides.
+  int transitionLayers = 1;
 };
 
 struct Depths
@@ -94,6 +98,8 @@ public:
   // The most times that a box is halved along an axis.
   int deepest() const { return deepest_; }
 
+  int transitionLayers() const { return transitionLayers_; }
+
   // A message about rows of tables that extend beyond the grid, or empty.
   const std::string& warnings() const { return warnings_; }
 
@@ -116,6 +122,7 @@ private:
   std::vector<RefinedBoundary> boundaries_;
   std::vector<std::unique_ptr<RefinedRegion>> regions_;
   Octants octants_;
+  int transitionLayers_;
   bool any_;
   int deepest_ = 0;
   int deepestWithoutSizes_ = 0;

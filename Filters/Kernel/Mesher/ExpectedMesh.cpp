@@ -19,6 +19,10 @@ namespace cartesian
 namespace
 {
 
+// Boxes that a layer of transition adds for each that the surface would pass through at its level: 2.5 around a sphere,
+// 3.9 around a motorbike.
+constexpr double OfTransitionLayer = 3;
+
 constexpr std::array<double, 4> BoxesAlongLongest = { 25, 50, 100, 200 };
 
 // Significant digits of those sizes.
@@ -77,7 +81,7 @@ public:
   double longest() const { return meshed_.longest; }
 
   // With the depths of boundaries, but without blocks, regions and sizes.
-  Counts boxes(const GridSpec& grid, int depth) const
+  Counts boxes(const GridSpec& grid, int depth, int transitionLayers) const
   {
     std::array<double, 3> box;
     for (std::size_t axis = 0; axis < box.size(); ++axis)
@@ -95,6 +99,11 @@ public:
       boxes.intersected += intersected;
       boxes.atLayers += part.hasLayers ? intersected : 0;
       boxes.all += expectedBoxesAlong(part.shadows, box, own);
+      for (int level = 1; level <= own; ++level)
+      {
+        boxes.all += OfTransitionLayer * (transitionLayers - 1) *
+          expectedIntersected(part.shadows, box, level);
+      }
     }
     boxes.all += expectedInside(meshed_, box);
     return boxes;
@@ -168,7 +177,8 @@ Counts boxesOfGrid(const SurfaceView& surface, Options options, Execution& execu
 ExpectedMesh expected(
   const Areas& areas, const SurfaceView& surface, const Options& options, Execution& execution)
 {
-  Counts boxes = areas.boxes(options.grid, options.refinement.depth);
+  Counts boxes =
+    areas.boxes(options.grid, options.refinement.depth, options.refinement.transitionLayers);
   if (asksForPlaces(options.refinement) && boxes.all < MostLookedAt)
   {
     const Counts looked = boxesOfGrid(surface, options, execution);

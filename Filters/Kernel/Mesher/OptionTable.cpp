@@ -42,6 +42,8 @@ std::vector<NamedOption> optionTable()
     choice("Side Names", d.domain.sideNames, { "Axes", "Flow" }),
     { "Cell Size", d.grid.cellSize, GridSpec::CellSizes, Length },
     { "Refinement Depth", double(d.refinement.depth), RefinementSpec::AllDepths, "" },
+    { "Transition Layers", double(d.refinement.transitionLayers),
+      RefinementSpec::AllTransitionLayers, "" },
     { "Refined Boundary Depth", double(BoundaryRefinement{}.depth), RefinementSpec::AllDepths, "" },
     { "Region Depth", double(RefinementRegion{}.depth), RefinementSpec::AllDepths, "" },
     { "Curvature Angle", d.refinement.sizing.curvatureAngle, SizingSpec::CurvatureAngles, Degrees },

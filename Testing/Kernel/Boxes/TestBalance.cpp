@@ -75,7 +75,7 @@ bool isFinished(const Boxes& boxes)
     bool finished = true;
     for (int level = 0; level <= DeepestLevel; ++level)
     {
-      finished = finished && axesToHalve(boxes, box, level) == 0;
+      finished = finished && axesToHalve(boxes, box, balanceOf(level)) == 0;
     }
     return finished;
   });
@@ -245,9 +245,88 @@ TEST(Balance, ReachesAsFarAsPartsExpectIt)
     const Boxes whole = towerOf(spec).boxes();
     EXPECT_LE(largestDifference(whole), 1);
     EXPECT_EQ(depthOfLayer(whole, layer), DeepestLevel);
-    const std::uint32_t reach = balanceReach(DeepestLevel);
+    const std::uint32_t reach = balanceReach(DeepestLevel, 1);
     EXPECT_EQ(depthOfLayer(whole, upward ? layer + reach : layer - reach), 1);
     expectPartsAgree(spec, whole);
+  }
+}
+
+// Between what is finer than a level and what is coarser.
+int fewestLayers(const Boxes& boxes, int level, std::size_t along)
+{
+  std::vector<Box> left;
+  std::vector<Box> reached;
+  for (std::size_t b = 0; b < boxes.packed.size(); ++b)
+  {
+    const Box box = boxes.box(b);
+    (box.level[along] > level ? reached : left).push_back(box);
+  }
+  const auto touch = [](const Box& a, const Box& b) {
+    bool any = false;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      any = any || shareASide(a, b, axis) || shareASide(b, a, axis);
+    }
+    return any;
+  };
+  for (int layer = 0; !reached.empty(); ++layer)
+  {
+    std::vector<Box> next;
+    std::vector<Box> others;
+    for (const Box& box : left)
+    {
+      const bool isNext = std::any_of(
+        reached.begin(), reached.end(), [&](const Box& other) { return touch(box, other); });
+      (isNext ? next : others).push_back(box);
+    }
+    if (std::any_of(
+          next.begin(), next.end(), [&](const Box& box) { return box.level[along] < level; }))
+    {
+      return layer;
+    }
+    left.swap(others);
+    reached.swap(next);
+  }
+  return std::numeric_limits<int>::max(); // none is coarser
+}
+
+TEST(Balance, TransitionLayersAreBetweenLevels)
+{
+  std::mt19937 random(3);
+  bool isAnyWithFew = false;
+  for (unsigned n = 0; n < repeats(3); ++n)
+  {
+    SCOPED_TRACE("case " + std::to_string(n));
+    RandomSpec refinement = randomSpec(random);
+    for (const int layers : { 1, 2, 4 })
+    {
+      refinement.spec.transitionLayers = layers;
+      const Boxes boxes = Boxing(bumpySphere(n, 6), unevenGrid(), refinement.spec).boxes();
+      EXPECT_LE(largestDifference(boxes), 1);
+      EXPECT_TRUE(isFinished(boxes));
+      for (int level = 1; level < deepestOf(boxes); ++level)
+      {
+        for (const std::size_t along : { 0u, 1u, 2u })
+        {
+          const int fewest = fewestLayers(boxes, level, along);
+          EXPECT_GE(fewest, layers) << "level " << level << ", axis " << along;
+          isAnyWithFew = isAnyWithFew || (layers == 1 && fewest == 1);
+        }
+      }
+    }
+  }
+  EXPECT_TRUE(isAnyWithFew);
+}
+
+TEST(Balance, TransitionLayersAreTheSameInParts)
+{
+  for (const bool upward : { false, true })
+  {
+    const Soup ball = sphere(1, 0.002).moved({ 0.46, 0, upward ? 9.964 : 10.036 });
+    RefinementSpec spec;
+    spec.transitionLayers = 3;
+    spec.regions.push_back({ ball.view(), 3 });
+    expectPartsAgree(spec, towerOf(spec).boxes());
   }
 }
 

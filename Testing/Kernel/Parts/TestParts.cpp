@@ -323,7 +323,7 @@ TEST(Parts, AreTheWholeMeshFarFromADeepPlace)
       &mesh.level[3 * c], &mesh.level[3 * c] + 3, [](unsigned char level) { return level > 0; });
     farthest = std::max(farthest, divided ? mesh.globalBox[3 * c + 2] : 0);
   }
-  ASSERT_EQ(farthest, 2 + int(balanceReach(DeepestLevel)));
+  ASSERT_EQ(farthest, 2 + int(balanceReach(DeepestLevel, 1)));
   expectUnion(soup, grid, options);
 }
 
