@@ -66,6 +66,14 @@ std::uint8_t axesToHalve(const Boxes& boxes, const PackedBox& box, const Balance
   }
   const unsigned wanted = axesAlongWhichTooCoarse(boxes, box, pass);
   unsigned result = 0;
+  if (wanted != 0 && pass.isGrowth())
+  {
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      result |= unsigned(box.level[axis] < pass.level) << axis;
+    }
+    return static_cast<std::uint8_t>(result);
+  }
   int fewest = 2;
   for (unsigned axis = 0; axis < 3; ++axis)
   {

@@ -11,7 +11,7 @@
 // balanceReach() global boxes away.
 //
 // Before the pass of a level, that of the next finer one may grow (RefinementSpec::transitionLayers): boxes that touch
-// boxes of it become as fine, layer by layer.
+// boxes of it become as fine along all axes, layer by layer: long boxes there would be hard on solvers.
 #pragma once
 
 #include "Boxes/Boxes.h"
@@ -31,6 +31,8 @@ struct BalancePass
 {
   int level;
   int touching;
+
+  bool isGrowth() const { return touching == level; }
 };
 constexpr BalancePass balanceOf(int level)
 {
@@ -42,7 +44,7 @@ constexpr BalancePass growthOf(int level)
 }
 
 // The axes (bit 1 << axis) along which a box must be halved next in a pass; its
-// parts may have to be halved further. Of the axes along which neighbours are too fine these are
+// parts may have to be halved further. To balance, of the axes along which neighbours are too fine these are
 // the ones that leave the fewest halves to be halved further, all of them if several do: thus a box
 // before a wall of fine ones is first halved towards it, whichever axis that is. `boxes`: before
 // the pass; `box` may be a part of one of them.

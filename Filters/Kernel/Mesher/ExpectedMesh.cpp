@@ -19,9 +19,9 @@ namespace cartesian
 namespace
 {
 
-// Boxes that a layer of transition adds for each that the surface would pass through at its level: 2.5 around a sphere,
-// 3.9 around a motorbike.
-constexpr double OfTransitionLayer = 3;
+// Boxes that a layer of transition adds for each that the surface would pass through at its level: 3.8 around a sphere,
+// 4.8 around a motorbike.
+constexpr double OfTransitionLayer = 4;
 
 constexpr std::array<double, 4> BoxesAlongLongest = { 25, 50, 100, 200 };
 
