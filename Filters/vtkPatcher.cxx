@@ -60,7 +60,7 @@ int vtkPatcher::FillInputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
-int vtkPatcher::FillOutputPortInformation(int, vtkInformation* info)
+int vtkPatcher::FillOutputPortInformation(int /*port*/, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
   return 1;

@@ -62,9 +62,11 @@ public:
   {
     Execution one;
     intersected_ = intersectedBoxes(boxes_, one);
-    patches_.boxStart.assign(intersected_.size() + 1, 0);
-    patches_.reason.assign(intersected_.size(), PatchReason::MarchingCubes);
-    patches_.missing.assign(intersected_.size(), 0);
+    // New vectors: GCC 14 takes the size that assign() would keep for one beyond all memory, and warns.
+    const std::size_t boxes = intersected_.size();
+    patches_.boxStart = std::vector<std::size_t>(boxes + 1, 0);
+    patches_.reason = std::vector<PatchReason>(boxes, PatchReason::MarchingCubes);
+    patches_.missing.assign(boxes, 0);
     readPoints();
     auto polygon = vtk::TakeSmartPointer(input_->GetPolys()->NewIterator());
     for (polygon->GoToFirstCell(); !polygon->IsDoneWithTraversal(); polygon->GoToNextCell())
