@@ -2,6 +2,7 @@
 #include "vtkCartesianBoxer.h"
 
 #include "Base/Error.h"
+#include "Boxes/FlowRefinement.h"
 #include "BoxesVTK.h"
 #include "DefectsToVTK.h"
 #include "ExpectedTable.h"
@@ -15,7 +16,6 @@
 #include "SurfaceBlocks.h"
 #include "SurfaceFromVTK.h"
 
-#include "vtkBoundingBox.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -111,6 +111,34 @@ std::vector<vtkCartesianBoxer::RegionSurface> vtkCartesianBoxer::RegionSurfaces(
     region.depth = this->RefinementShapeDepths[row];
   }
   return regions;
+}
+
+bool vtkCartesianBoxer::RefinesFlow(const cartesian::DomainSpec& domain) const
+{
+  return domain.isOutside() && this->RefinementDepth == 0 && domain.boxesAlong > 0;
+}
+
+void vtkCartesianBoxer::AddFlowRefinement(const cartesian::SurfaceFromVTK& source,
+  cartesian::Options& options, std::vector<RegionSurface>& regions) const
+{
+  if (!this->RefinesFlow(options.domain))
+  {
+    return;
+  }
+  const cartesian::FlowRefinement flow =
+    cartesian::flowRefinement(options.domain, options.grid, cartesian::boundsOf(source.view()));
+  options.refinement.depth = flow.depth;
+  if (!regions.empty())
+  {
+    return;
+  }
+  for (const cartesian::FlowZone& zone : flow.zones)
+  {
+    const auto& [low, high] = zone.box;
+    const auto shape =
+      cartesian::shapeInBox("box", low, { high[0] - low[0], high[1] - low[1], high[2] - low[2] });
+    regions.push_back({ std::make_unique<cartesian::SurfaceFromVTK>(shape, ""), zone.depth });
+  }
 }
 
 vtkCartesianBoxer::vtkCartesianBoxer()
@@ -372,9 +400,8 @@ int vtkCartesianBoxer::RequestInformation(
   return 1;
 }
 
-const char* vtkCartesianBoxer::GetSurfaceSize()
+vtkBoundingBox vtkCartesianBoxer::BoundsOfInput()
 {
-  this->SurfaceSize.clear();
   vtkBoundingBox box;
   // Not read yet, or no surface: the work itself will say so.
   cartesian::reportErrors(
@@ -386,6 +413,13 @@ const char* vtkCartesianBoxer::GetSurfaceSize()
       }
     },
     [](unsigned long, const std::string&) {});
+  return box;
+}
+
+const char* vtkCartesianBoxer::GetSurfaceSize()
+{
+  this->SurfaceSize.clear();
+  const vtkBoundingBox box = this->BoundsOfInput();
   if (box.IsValid())
   {
     this->SurfaceSize =
@@ -428,7 +462,7 @@ vtkCartesianBoxer::Asked vtkCartesianBoxer::Ask(const cartesian::SurfaceFromVTK&
 {
   Asked asked{ this->RegionSurfaces(this->OptionalRegions()), this->MakeOptions() };
   this->AddBoundaryOptions(surface, asked.options);
-  this->AddRefinement(surface.names(), asked.regions,
+  this->AddRefinement(surface, asked.regions,
     this->ReadSizes(this->GetInputDataObject(0, 0), surface, this->GetInputDataObject(2, 0)),
     asked.options);
   return asked;
@@ -456,7 +490,7 @@ cartesian::Options vtkCartesianBoxer::MakeOptions()
   options.grid.meshlines = this->Meshlines;
   options.memoryLimit = this->MemoryLimit;
   options.contactTolerance = this->ContactTolerance;
-  options.sheets = static_cast<cartesian::ThinSheets>(this->Sheets);
+  options.sheets = static_cast<cartesian::SheetHandling>(this->Sheets);
   return options;
 }
 
@@ -585,11 +619,11 @@ cartesian::AskedSizes vtkCartesianBoxer::ReadSizes(
                : cartesian::sizesOnSurface(this->SizeArray, surface, source.cells());
 }
 
-void vtkCartesianBoxer::AddRefinement(const cartesian::BoundaryNames& names,
-  const std::vector<RegionSurface>& regions, cartesian::AskedSizes sizes,
-  cartesian::Options& options)
+void vtkCartesianBoxer::AddRefinement(const cartesian::SurfaceFromVTK& source,
+  std::vector<RegionSurface>& regions, cartesian::AskedSizes sizes, cartesian::Options& options)
 {
-  options.refinement = this->MakeSpec(names);
+  options.refinement = this->MakeSpec(source.names());
+  this->AddFlowRefinement(source, options, regions);
   options.refinement.sizing.sizes = std::move(sizes.boxes);
   options.refinement.sizing.sizeOfTriangle = std::move(sizes.ofTriangles);
   for (const RegionSurface& region : regions)
@@ -611,14 +645,14 @@ std::unique_ptr<cartesian::Decomposition> vtkCartesianBoxer::Divide(
         " with one number each: choose another, or none.");
   }
   this->ListBoundaries(source); // after Load State, this is the first that is seen of the surface
-  const std::vector<RegionSurface> surfaces = this->RegionSurfaces(regions);
+  std::vector<RegionSurface> surfaces = this->RegionSurfaces(regions);
   for (const RegionSurface& region : surfaces)
   {
     const std::string undivided = region.surface->describeUndivided();
     this->Warn(undivided.empty() ? "" : "Of a refinement region: " + undivided);
   }
   cartesian::Options options = this->MakeOptions();
-  this->AddRefinement(source.names(), surfaces, std::move(sizes), options);
+  this->AddRefinement(source, surfaces, std::move(sizes), options);
   auto decomposition = cartesian::decompose(prepared, options, execution);
   for (const std::string& warning :
     { cartesian::describeOverhang(prepared), decomposition->warnings() })

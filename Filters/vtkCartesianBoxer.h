@@ -31,6 +31,7 @@
 #include "vtkCartesianAlgorithm.h"
 #include "vtkCartesianMesherFiltersModule.h" // for the export macro
 
+#include "vtkBoundingBox.h"        // for vtkBoundingBox
 #include "vtkDataArraySelection.h" // for vtkDataArraySelection
 #include "vtkNew.h"                // for vtkNew
 #include "vtkSmartPointer.h"       // for vtkSmartPointer
@@ -49,6 +50,7 @@ namespace cartesian
 {
 struct AskedSizes;
 class Decomposition;
+struct DomainSpec;
 class Execution;
 struct ExpectedRow;
 struct Options;
@@ -149,7 +151,7 @@ public:
   ///@{
   /**
    * How many boxes of a level there are at least between one and boxes that are twice as large, as snappyHexMesh's
-   * nCellsBetweenLevels: 1 to 10. Default: 1.
+   * nCellsBetweenLevels: 1 to 10. 0, the default: 3 where vtkCartesianMesher meshes what is outside, else 1.
    */
   vtkSetMacro(TransitionLayers, int);
   vtkGetMacro(TransitionLayers, int);
@@ -345,6 +347,16 @@ protected:
   void UpdateOptionalInputs();
 
   /**
+   * Of the surface as it is now; not valid without one.
+   */
+  vtkBoundingBox BoundsOfInput();
+
+  /**
+   * Whether boxes around bodies have the sizes of FlowRefinement.h, as the user asks for no others.
+   */
+  bool RefinesFlow(const cartesian::DomainSpec& domain) const;
+
+  /**
    * The inputs of port 1, as they are now.
    */
   std::vector<vtkSmartPointer<vtkDataObject>> OptionalRegions();
@@ -353,7 +365,7 @@ protected:
   std::array<std::vector<double>, 3> Meshlines;
   std::string BoundaryArray;
   int RefinementDepth = 0;
-  int TransitionLayers = 1;
+  int TransitionLayers = 0;
   std::vector<std::array<double, 8>> RefinementBlocks;
   std::vector<std::array<double, 4>> BoundaryRefinements;
   vtkNew<vtkDataArraySelection> RefinedBoundaries;
@@ -394,9 +406,10 @@ private:
   struct RegionSurface;
   std::vector<RegionSurface> RegionSurfaces(
     const std::vector<vtkSmartPointer<vtkDataObject>>& given) const;
-  void AddRefinement(const std::map<std::int32_t, std::string>& names,
-    const std::vector<RegionSurface>& regions, cartesian::AskedSizes sizes,
-    cartesian::Options& options);
+  void AddFlowRefinement(const cartesian::SurfaceFromVTK& source, cartesian::Options& options,
+    std::vector<RegionSurface>& regions) const;
+  void AddRefinement(const cartesian::SurfaceFromVTK& source, std::vector<RegionSurface>& regions,
+    cartesian::AskedSizes sizes, cartesian::Options& options);
 
   // What the properties and the inputs, as they are, say about the surface.
   struct Asked;

@@ -4,6 +4,8 @@
 #include "Base/Error.h"
 #include "BoundarySettings.h"
 #include "DefectsToVTK.h"
+#include "ExpectedTable.h"
+#include "FieldData.h"
 #include "FilterOptions.h"
 #include "GhostCells.h"
 #include "LayerWarning.h"
@@ -13,6 +15,7 @@
 #include "Mesher/Mesher.h"
 #include "Mesher/Messages.h"
 #include "Parts/Decomposition.h"
+#include "ReportErrors.h"
 #include "SizesFromVTK.h"
 #include "SurfaceFromVTK.h"
 
@@ -106,6 +109,33 @@ cartesian::Options vtkCartesianMesher::MakeOptions()
     options.baffles.push_back({ boundary, back });
   }
   return options;
+}
+
+vtkStringArray* vtkCartesianMesher::GetFlowZones()
+{
+  this->FlowZones->Initialize();
+  const vtkBoundingBox box = this->BoundsOfInput();
+  const cartesian::Options options = this->MakeOptions();
+  if (!box.IsValid() || !this->RefinesFlow(options.domain))
+  {
+    return this->FlowZones;
+  }
+  cartesian::Bounds surface{};
+  box.GetMinPoint(surface.low.data());
+  box.GetMaxPoint(surface.high.data());
+  // What is out of range the work itself will say.
+  cartesian::reportErrors(
+    [&] {
+      cartesian::FlowRefinement flow =
+        cartesian::flowRefinement(options.domain, options.grid, surface);
+      if (!this->RefinementShapes.empty() || this->GetNumberOfInputConnections(1) > 0)
+      {
+        flow.zones.clear();
+      }
+      cartesian::toVTK(flow, this->FlowZones);
+    },
+    [](unsigned long, const std::string&) {});
+  return this->FlowZones;
 }
 
 cartesian::BoundarySettings vtkCartesianMesher::GivenBoundaries() const
@@ -472,6 +502,10 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(output, 0);
   cartesian::setRepairs(task.prepared.repair, mesh);
   cartesian::setRepairs(task.prepared.repair, vtkPolyData::GetData(output, 1));
+  if (task.options.domain.isOutside())
+  {
+    cartesian::setVector(mesh, "FlowDirection", cartesian::unitAlong(task.options.domain.flow));
+  }
   cartesian::toVTK(*piece.assembly,
     { task.surface->names(), task.types, task.surface->regionNames() }, place, mesh,
     vtkPolyData::GetData(output, 1), vtkPolyData::GetData(output, 3), execution);

@@ -27,6 +27,8 @@
 #include "vtkCartesianMesherFiltersModule.h" // for the export macro
 #include "vtkCartesianProperties.h"          // for vtkPatchPropertiesMacro
 
+#include "vtkStringArray.h" // for vtkStringArray
+
 #include <cstdint> // for std::int32_t
 #include <memory>  // for std::unique_ptr
 #include <utility> // for std::pair
@@ -279,7 +281,7 @@ public:
 
   ///@{
   /**
-   * What the sides of the box are called: 0, the default, xMin to zMax; 1, by FlowDirection: inlet, outlet, ground,
+   * What the sides of the box are called: 0, xMin to zMax; 1, the default, by FlowDirection: inlet, outlet, ground,
    * symmetry (of a half), and sides, which are one boundary.
    */
   vtkSetClampMacro(SideNames, int, 0, 1);
@@ -287,6 +289,22 @@ public:
   void SetSideNamesToAxes() { this->SetSideNames(0); }
   void SetSideNamesToFlow() { this->SetSideNames(1); }
   ///@}
+
+  ///@{
+  /**
+   * Outside, while RefinementDepth is 0: boxes that the surface passes through are halved until at least so many fit along
+   * its longest side, or 6 times; and, without refinement shapes and regions, those around it and in its wake, once and
+   * twice less. 0 to 1000, default 60; 0: no such refinement.
+   */
+  vtkSetMacro(BoxesAlongBody, int);
+  vtkGetMacro(BoxesAlongBody, int);
+  ///@}
+
+  /**
+   * What that refinement is for the surface as it is now, in rows of four texts: where, the depth, and two corners of the
+   * zone; the first row says so. Empty where there is none.
+   */
+  vtkStringArray* GetFlowZones();
 
   ///@{
   /**
@@ -362,7 +380,9 @@ protected:
   double LengthsBeside = 3;
   int Ground = 0;
   int Half = 0;
-  int SideNames = 0;
+  int SideNames = 1;
+  int BoxesAlongBody = 60;
+  vtkNew<vtkStringArray> FlowZones;
 
 private:
   vtkCartesianMesher(const vtkCartesianMesher&) = delete;

@@ -7,9 +7,13 @@
 #include "FoamPieceStore.h"
 #include "OpenFoam/FoamBoundary.h"
 #include "OpenFoam/FoamPieceRegions.h"
+#include "OpenFoam/FrontalArea.h"
+#include "OpenFoam/SolverSetup.h"
 #include "Processes.h"
 
+#include "vtkDataArray.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
@@ -102,10 +106,37 @@ void Join(std::vector<cartesian::RegionLabels>& regions,
   }
 }
 
+void Enlarge(std::vector<double>& points, double scale)
+{
+  for (double& coordinate : points)
+  {
+    coordinate *= scale;
+  }
+}
+
+// Of a mesh around bodies.
+std::optional<cartesian::FlowAround> FlowOf(vtkUnstructuredGrid* grid)
+{
+  vtkDataArray* const direction = grid->GetFieldData()->GetArray("FlowDirection");
+  if (!direction || direction->GetNumberOfComponents() != 3 || direction->GetNumberOfTuples() != 1)
+  {
+    return {};
+  }
+  cartesian::FlowAround flow;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double along = direction->GetComponent(0, axis);
+    flow.direction = along == 0 ? flow.direction : 2 * axis + (along < 0 ? 1 : 0);
+  }
+  return flow;
+}
+
 // As one mesh or, if there are labels of regions, one for each that has cells.
 void WriteMeshes(cartesian::CompletePiece&& piece,
-  const std::vector<cartesian::RegionLabels>& regions, cartesian::PolyMeshFiles& files)
+  const std::vector<cartesian::RegionLabels>& regions, double scale,
+  cartesian::PolyMeshFiles& files)
 {
+  Enlarge(piece.mesh.points, scale);
   if (regions.empty())
   {
     piece.mesh.zones = cartesian::zonesOf(piece.regions);
@@ -195,6 +226,7 @@ void vtkPolyMeshWriter::WritePiece(vtkUnstructuredGrid* piece, int number)
 
 void vtkPolyMeshWriter::CheckDecomposition(int processes)
 {
+  this->CheckScale();
   if (!this->ZoneRegions.empty() || this->ZoneBorders == CyclicAMI)
   {
     throw cartesian::Error(cartesian::Fault::BadParameter,
@@ -264,13 +296,14 @@ void vtkPolyMeshWriter::FinishPieces(vtkUnstructuredGrid* grid)
   {
     written.emplace_back(file.parent_path(), FormatOf(this->FileType),
       cartesian::FoamPlace{ static_cast<int>(i), this->Pieces });
-    WriteMeshes(load(i), regions, written.back());
+    WriteMeshes(load(i), regions, this->Scale, written.back());
   }
   for (cartesian::PolyMeshFiles& files : written)
   {
     this->WarnOfKept(files.replace());
   }
   cartesian::createMarker(file);
+  this->WriteSolverCase(written.front(), nullptr, grid);
 }
 
 void vtkPolyMeshWriter::WriteOwnPiece(vtkUnstructuredGrid* grid)
@@ -313,21 +346,24 @@ void vtkPolyMeshWriter::WriteOwnPiece(vtkUnstructuredGrid* grid)
     {
       Join(regions, cartesian::regionLabels(numbers));
     }
-    WriteMeshes(std::move(complete), regions, files);
+    WriteMeshes(std::move(complete), regions, this->Scale, files);
   });
   OnAll(processes, [&] {
     this->WarnOfKept(files.replace());
     if (processes.ownNumber() == 0)
     {
       cartesian::createMarker(file);
+      this->WriteSolverCase(files, nullptr, grid);
     }
   });
 }
 
 void vtkPolyMeshWriter::WriteMesh(cartesian::WholeMesh& whole)
 {
+  this->CheckScale();
   const std::filesystem::path file = this->FileName;
   cartesian::PolyMeshFiles files(file.parent_path(), FormatOf(this->FileType));
+  Enlarge(whole.mesh.points, this->Scale);
   const cartesian::FoamRegions& regions = whole.regions;
   if (regions.names.empty() && !this->ZoneRegions.empty())
   {
@@ -354,6 +390,53 @@ void vtkPolyMeshWriter::WriteMesh(cartesian::WholeMesh& whole)
   }
   this->WarnOfKept(files.replace());
   cartesian::createMarker(file);
+  this->WriteSolverCase(files, &whole.mesh, vtkUnstructuredGrid::SafeDownCast(this->GetInput()));
+}
+
+void vtkPolyMeshWriter::WriteSolverCase(const cartesian::PolyMeshFiles& files,
+  const cartesian::FoamMesh* whole, vtkUnstructuredGrid* grid)
+{
+  cartesian::SolverSetup setup;
+  setup.solver = static_cast<cartesian::Solver>(this->SolverSetup);
+  if (setup.solver == cartesian::Solver::None)
+  {
+    return;
+  }
+  setup.turbulence = static_cast<cartesian::Turbulence>(this->Turbulence);
+  setup.speed = this->Speed;
+  setup.viscosity = this->Viscosity;
+  setup.temperature = this->InletTemperature;
+  setup.iterations = this->Iterations;
+  setup.overwrites = this->OverwriteSetup;
+  const std::vector<cartesian::MeshOfCase> meshes = files.meshes();
+  std::optional<cartesian::FlowAround> flow = FlowOf(grid);
+  if (flow && whole)
+  {
+    const cartesian::BodySize size = cartesian::sizeOfBodies(*whole,
+      cartesian::namesOf(meshes.front(), cartesian::PatchRole::Wall, flow), flow->direction / 2);
+    flow->up = cartesian::flatAxisOf(
+      *whole, cartesian::namesOf(meshes.front(), cartesian::PatchRole::Ground, flow))
+                 .value_or(flow->up);
+    flow->length = size.length;
+    flow->frontalArea = size.frontalArea;
+  }
+  const auto kept = cartesian::writeSolverCase(
+    std::filesystem::path(this->FileName).parent_path(), setup, meshes, flow, this->Pieces);
+  if (!kept.empty())
+  {
+    vtkWarningMacro("Of Solver Setup, "
+      << kept.size() << " files are there and stay as they are, such as " << kept.front().string()
+      << ": turn Overwrite Setup on to replace them.");
+  }
+}
+
+void vtkPolyMeshWriter::CheckScale() const
+{
+  if (!(this->Scale > 0))
+  {
+    throw cartesian::Error(cartesian::Fault::BadParameter,
+      "Scale is " + cartesian::number(this->Scale) + ": it must be more than 0.");
+  }
 }
 
 void vtkPolyMeshWriter::AddZoneRegion(const std::string& name)
@@ -413,4 +496,12 @@ void vtkPolyMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ZoneRegions: " << this->ZoneRegions.size() << "\n";
   os << indent << "ZoneBorders: " << this->ZoneBorders << "\n";
   os << indent << "Pieces: " << this->Pieces << "\n";
+  os << indent << "Scale: " << this->Scale << "\n";
+  os << indent << "SolverSetup: " << this->SolverSetup << "\n";
+  os << indent << "Turbulence: " << this->Turbulence << "\n";
+  os << indent << "Speed: " << this->Speed << "\n";
+  os << indent << "Viscosity: " << this->Viscosity << "\n";
+  os << indent << "InletTemperature: " << this->InletTemperature << "\n";
+  os << indent << "Iterations: " << this->Iterations << "\n";
+  os << indent << "OverwriteSetup: " << this->OverwriteSetup << "\n";
 }

@@ -30,6 +30,9 @@
  * after the other, and has no more than one in memory. The input has the global ids of vtkCartesianMesher.
  * Of several regions all are meshes, processor<N>/constant/<region>/polyMesh, or all are zones.
  *
+ * Around bodies, the set-up for a solver takes the flow's direction from the field data array FlowDirection (three
+ * components) of vtkCartesianMesher.
+ *
  * @sa vtkCartesianMesher vtkOpenFOAMReader
  */
 #ifndef vtkPolyMeshWriter_h
@@ -43,6 +46,12 @@
 #include <vector>     // for lists of files
 
 class vtkUnstructuredGrid;
+
+namespace cartesian
+{
+struct FoamMesh;
+class PolyMeshFiles;
+}
 
 class VTKCARTESIANMESHERFILTERS_EXPORT vtkPolyMeshWriter : public vtkWholeMeshWriter
 {
@@ -111,6 +120,53 @@ public:
   vtkGetMacro(Pieces, int);
   ///@}
 
+  ///@{
+  /**
+   * What coordinates are multiplied by: the metres that a unit of the surface is, as OpenFOAM counts in metres. More
+   * than 0, default 1.
+   */
+  vtkSetMacro(Scale, double);
+  vtkGetMacro(Scale, double);
+  ///@}
+
+  enum SolverSetups
+  {
+    None = 0,
+    Incompressible = 1,
+    ConjugateHeat = 2
+  };
+
+  ///@{
+  /**
+   * What is written for a solver beside the mesh (Kernel/OpenFoam/SolverSetup.h): nothing, the default; for
+   * simpleFoam; or, of several regions, for chtMultiRegionSimpleFoam. Error BadParameter: no boundary is an inlet or an
+   * outlet.
+   */
+  vtkSetClampMacro(SolverSetup, int, None, ConjugateHeat);
+  vtkGetMacro(SolverSetup, int);
+  ///@}
+
+  ///@{
+  /**
+   * Of that set-up: 0, the default, for kOmegaSST, 1 for laminar flow; the speed at inlets (m/s, default 10); the
+   * kinematic viscosity (m2/s, default 1.5e-5); the temperature of what flows in (K, default 350); how many iterations
+   * the solver makes (default 500); and whether files that are there are overwritten, which else stay (default off).
+   */
+  vtkSetClampMacro(Turbulence, int, 0, 1);
+  vtkGetMacro(Turbulence, int);
+  vtkSetMacro(Speed, double);
+  vtkGetMacro(Speed, double);
+  vtkSetMacro(Viscosity, double);
+  vtkGetMacro(Viscosity, double);
+  vtkSetMacro(InletTemperature, double);
+  vtkGetMacro(InletTemperature, double);
+  vtkSetMacro(Iterations, int);
+  vtkGetMacro(Iterations, int);
+  vtkSetMacro(OverwriteSetup, bool);
+  vtkGetMacro(OverwriteSetup, bool);
+  vtkBooleanMacro(OverwriteSetup, bool);
+  ///@}
+
   /**
    * Writes piece `number` of `Pieces`, in order from 0; the case is there after the last. For callers that make
    * the pieces themselves, on one process.
@@ -131,6 +187,14 @@ protected:
   std::vector<std::string> ZoneRegions;
   int ZoneBorders = FaceZones;
   int Pieces = 1;
+  double Scale = 1;
+  int SolverSetup = None;
+  int Turbulence = 0;
+  double Speed = 10;
+  double Viscosity = 1.5e-5;
+  double InletTemperature = 350;
+  int Iterations = 500;
+  bool OverwriteSetup = false;
 
 private:
   vtkPolyMeshWriter(const vtkPolyMeshWriter&) = delete;
@@ -145,6 +209,9 @@ private:
   void FinishPieces(vtkUnstructuredGrid* grid);
 
   void CheckDecomposition(int processes);
+  void CheckScale() const;
+  void WriteSolverCase(const cartesian::PolyMeshFiles& files, const cartesian::FoamMesh* whole,
+    vtkUnstructuredGrid* grid);
   void WarnOfKept(const std::vector<std::filesystem::path>& kept);
   void WarnOfLongNames(vtkUnstructuredGrid* grid);
 

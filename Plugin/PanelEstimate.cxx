@@ -103,7 +103,11 @@ public:
   void Begin(vtkSMProxy* source, vtkPVXMLElement* hint)
   {
     this->Source = source;
-    this->Property = hint->GetAttribute("property");
+    this->Properties = { hint->GetAttribute("property") };
+    if (const char* also = hint->GetAttribute("also"))
+    {
+      this->Properties.emplace_back(also);
+    }
     this->Command = hint->GetAttribute("command");
     forEachProperty(source, [this](const char* /*name*/, vtkSMProperty* changing) {
       changing->AddObserver(vtkCommand::UncheckedPropertyModifiedEvent, this);
@@ -136,7 +140,10 @@ public:
     }
     else if (applied == this->Applied) // taken back; ParaView itself asks after Apply
     {
-      source->UpdatePropertyInformation(source->GetProperty(this->Property.c_str()));
+      for (const std::string& property : this->Properties)
+      {
+        source->UpdatePropertyInformation(source->GetProperty(property.c_str()));
+      }
     }
   }
 
@@ -155,13 +162,16 @@ private:
     command << vtkClientServerStream::Invoke << VTKOBJECT(other) << this->Command
             << vtkClientServerStream::End;
     other->GetSession()->ExecuteStream(other->GetLocation(), command);
-    vtkSMProperty* estimate = other->GetProperty(this->Property.c_str());
-    other->UpdatePropertyInformation(estimate);
-    source->GetProperty(this->Property.c_str())->Copy(estimate);
+    for (const std::string& property : this->Properties)
+    {
+      vtkSMProperty* estimate = other->GetProperty(property.c_str());
+      other->UpdatePropertyInformation(estimate);
+      source->GetProperty(property.c_str())->Copy(estimate);
+    }
   }
 
   vtkWeakPointer<vtkSMProxy> Source;
-  std::string Property;
+  std::vector<std::string> Properties; // that say what is expected
   std::string Command;
   std::string Typed;   // the values that the property is of; empty: those that were applied
   std::string Applied; // those that were when the last ones were typed

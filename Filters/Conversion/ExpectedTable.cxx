@@ -74,6 +74,27 @@ void toVTK(const std::vector<ExpectedRow>& rows, vtkStringArray* table)
   }
 }
 
+void toVTK(const FlowRefinement& flow, vtkStringArray* table)
+{
+  const auto add = [&](const std::array<std::string, 4>& row) {
+    for (const std::string& text : row)
+    {
+      table->InsertNextValue(text);
+    }
+  };
+  const auto place = [](const std::array<double, 3>& at) {
+    return inText(at[0], Length) + ", " + inText(at[1], Length) + ", " + inText(at[2], Length);
+  };
+  add({ "Where", "Depth", "From", "To" });
+  add({ "at the surface", std::to_string(flow.depth), "", "" });
+  const char* where = "around it";
+  for (const FlowZone& zone : flow.zones)
+  {
+    add({ where, std::to_string(zone.depth), place(zone.box.low), place(zone.box.high) });
+    where = "in its wake";
+  }
+}
+
 std::string describeLengths(const std::array<double, 3>& lengths)
 {
   constexpr const char* Times = " \u00d7 ";

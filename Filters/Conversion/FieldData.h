@@ -9,6 +9,7 @@
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 
+#include <array>
 #include <vector>
 
 namespace cartesian
@@ -22,6 +23,15 @@ inline void setField(vtkDataObject* data, const char* name, const std::vector<do
   {
     array->InsertNextValue(value);
   }
+  data->GetFieldData()->AddArray(array);
+}
+
+inline void setVector(vtkDataObject* data, const char* name, const std::array<double, 3>& value)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->InsertNextTuple(value.data());
   data->GetFieldData()->AddArray(array);
 }
 

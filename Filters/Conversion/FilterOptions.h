@@ -23,6 +23,7 @@ void setDomainOptions(Filter* filter, Options& options)
   domain.ground = static_cast<DomainSide>(filter->GetGround());
   domain.half = static_cast<Half>(filter->GetHalf());
   domain.sideNames = static_cast<SideNames>(filter->GetSideNames());
+  domain.boxesAlong = filter->GetBoxesAlongBody();
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     domain.bounds.low[axis] = filter->GetDomainBounds()[2 * axis];
@@ -55,6 +56,7 @@ void printDomainProperties(Filter* filter, ostream& os, vtkIndent indent)
   os << indent << "Ground: " << filter->GetGround() << "\n";
   os << indent << "Half: " << filter->GetHalf() << "\n";
   os << indent << "SideNames: " << filter->GetSideNames() << "\n";
+  os << indent << "BoxesAlongBody: " << filter->GetBoxesAlongBody() << "\n";
 }
 
 template <class Filter>

@@ -211,9 +211,9 @@ def collections(name):
         for key, functions, row in _groups(prototype) if row]
 
 
-def parameters(name):
-    """All other parameters of that filter, in the order of its panel's groups."""
-    prototype = _prototype("filters", name)
+def parameters(name, group="filters"):
+    """All other parameters of that filter, or of another group's proxy, in the order of its panel's groups."""
+    prototype = _prototype(group, name)
     tables = {name: key for key, functions, row in _groups(prototype) for name in functions if not row}
     columns = {name for _, functions, row in _groups(prototype) for name in functions if row}
     found = {}
@@ -223,7 +223,7 @@ def parameters(name):
     while not properties.IsAtEnd():
         property = properties.GetProperty()
         if not property.IsA("vtkSMInputProperty") and not property.GetInformationOnly() and \
-                properties.GetKey() not in columns:
+                not property.GetIsInternal() and properties.GetKey() not in columns:
             found[properties.GetKey()] = _parameter(property, tables.get(properties.GetKey(), ""))
         properties.Next()
     return [found.pop(name) for name in tables if name in found] + list(found.values())

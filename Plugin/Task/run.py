@@ -181,7 +181,7 @@ def write(mesher, task):
                     data = mesher.SMProxy.GetClientSideObject().GetOutputDataObject(port)
                     writing.write_whole(data, port, file)
                 else:
-                    writing.save(mesher, port, file, task.pieces)
+                    writing.save(mesher, port, file, task.pieces, task.case)
 
 
 def write_pieces(listener, task, pieces):
@@ -192,7 +192,7 @@ def write_pieces(listener, task, pieces):
         for port, kind in enumerate(KINDS):
             for file in getattr(task, kind):
                 stack.enter_context(outputs_of(task, kind, file))
-                opened = writing.case_pieces(file, pieces) if file.suffix == writing.CASE \
+                opened = writing.case_pieces(file, pieces, task.case) if file.suffix == writing.CASE \
                     else writing.replacing_pieces(file)
                 outputs.append((port, kind, stack.enter_context(opened)))
         for piece in range(pieces):
@@ -276,7 +276,7 @@ def statistics(mesher, listener, seconds, fields):
             for number, value in zip(rows[0], values):
                 boundaries[number][key] = value
         for name, values in arrays.items():
-            if len(values) == 1:
+            if len(values) == 1 and not isinstance(values[0], str):  # texts of an OBJ file, such as MaterialLibraries
                 mesh[name] = mesh.get(name, 0) + values[0]
     return {
         "error_code": listener.algorithm.GetErrorCode(),

@@ -30,6 +30,9 @@
     boundary = "header.vtp"
     defects = "defects.vtp"    # of the surface; of all of it, so not of a mesh in pieces
     statistics = "header.json"
+
+    [case]                     # of .foam files: the properties of their writer
+    solver_setup = "Incompressible"
 """
 
 import bisect
@@ -40,7 +43,7 @@ import tomllib
 
 from parameters import BadValue, collections, parameters, shown
 
-MESHER, REGION = "CartesianMesher", "RefinementRegion"
+MESHER, REGION, CASE_WRITER = "CartesianMesher", "RefinementRegion", "PolyMeshWriter"
 FILE_KEYS = {"surface": {"file"}, "refinement": {"size_field"}}  # beside the properties, by table
 
 
@@ -74,6 +77,7 @@ class Task:
     defects: list
     statistics: list
     pieces: int
+    case: dict  # properties of the cases' writer
     reader: object  # knows lines
 
     def error(self, where, what):
@@ -246,6 +250,11 @@ def outputs(reader, content, inputs):
     return files | {"pieces": pieces}
 
 
+def case_parameters():
+    """Those of the cases' writer, but for what [output] says."""
+    return [parameter for parameter in parameters(CASE_WRITER, "writers") if parameter.name not in ("FileName", "Pieces")]
+
+
 def read_task(path):
     """The task in a file, checked as far as can be without its surface. Throws TaskError."""
     reader = _Reader(pathlib.Path(path))
@@ -253,7 +262,7 @@ def read_task(path):
     tables = {}
     for parameter in mesher:
         tables.setdefault(parameter.table, []).append(parameter)
-    content = reader.table(reader.content, (), {*tables, "surface", "regions", "output",
+    content = reader.table(reader.content, (), {*tables, "surface", "regions", "output", "case",
         *(of.key for of in rows)})
 
     properties = {}
@@ -261,6 +270,9 @@ def read_task(path):
         known = {parameter.key for parameter in of} | FILE_KEYS.get(name, set())
         table = reader.table(content.get(name, {}), (name,), known)
         properties |= reader.values(table, (name,), of)
+    of_case = case_parameters()
+    table = reader.table(content.get("case", {}), ("case",), {parameter.key for parameter in of_case})
+    case = reader.values(table, ("case",), of_case)
     defaults = {parameter.key: properties.get(parameter.name, parameter.default) for parameter in mesher}
     for of in rows:
         properties |= reader.collection(content.get(of.key, []), of, defaults)
@@ -276,4 +288,4 @@ def read_task(path):
         size_field = reader.file(size_field, ("refinement", "size_field"), True)
     inputs = [reader.path, *surfaces, *([size_field] if size_field else []), *(region.file for region in regions if region.file)]
     return Task(path=reader.path, surfaces=surfaces, properties=properties, regions=regions, size_field=size_field,
-        reader=reader, **outputs(reader, content.get("output", {}), inputs))
+        case=case, reader=reader, **outputs(reader, content.get("output", {}), inputs))

@@ -4,7 +4,7 @@ import json
 import textwrap
 
 from parameters import collections, parameters
-from task import MESHER, REGION
+from task import MESHER, REGION, case_parameters
 
 HEAD = """\
 # A task for cartesian-mesher. All keys but surface.file may be left out; the values below are the
@@ -37,6 +37,11 @@ OUTPUT = """
 # statistics = "statistics.json\""""
 
 
+CASE = """
+# Of cases of OpenFOAM, .foam.
+[case]"""
+
+
 def value(parameter):
     """Its default in TOML; JSON writes numbers, texts, lists and truth alike."""
     return json.dumps(parameter.default)
@@ -67,4 +72,4 @@ def template():
     for collection in collections(MESHER):
         parts += [ROWS, f"# [[{collection.key}]]", *[entry(column, "# ") for column in collection.columns]]
     parts += [REGIONS, "# [[regions]]", *[entry(parameter, "# ") for parameter in parameters(REGION)]]
-    return "\n".join([*parts, OUTPUT])
+    return "\n".join([*parts, OUTPUT, CASE, *[entry(parameter) for parameter in case_parameters()]])

@@ -105,13 +105,19 @@ def replacing_pieces(file):
 
 
 @contextlib.contextmanager
-def case_pieces(file, pieces):
+def case_pieces(file, pieces, properties):
     """The writer of a decomposed case, which takes one piece after the other and keeps them until the last."""
-    writer = vtkPolyMeshWriter()
-    writer.SetFileName(str(file.absolute()))
-    writer.SetPieces(pieces)
-    writer.SetRegionsAs(writer.Zones)
-    yield writer
+    # simple.CreateWriter would make all of the mesh first.
+    writer = servermanager._getPyProxy(servermanager.CreateProxy("writers", "PolyMeshWriter"))
+    for name, value in ({"FileName": str(file.absolute())} | of_pieces(pieces) | properties).items():
+        setattr(writer, name, value)
+    writer.UpdateVTKObjects()
+    yield writer.SMProxy.GetClientSideObject()
+
+
+def of_pieces(pieces):
+    """Properties of a case's writer."""
+    return {"Pieces": pieces, "RegionsAs": "Zones"} if pieces > 1 else {}
 
 
 def write_text(file, text):
@@ -170,12 +176,11 @@ def run(writer):
         raise NotWritten(f"could not be written: {vtkErrorCode.GetStringFromErrorCode(code)}") from None
 
 
-def save(mesher, port, file, pieces):
-    """By the writer that ParaView has for such files; a case in pieces."""
+def save(mesher, port, file, pieces, case):
+    """By the writer that ParaView has for such files; a case in pieces, with these properties of its writer."""
     if file.suffix == CASE:
         with failures():
-            save_as(mesher, port, file.absolute(),
-                **{"Pieces": pieces, "RegionsAs": "Zones"} if pieces > 1 else {})
+            save_as(mesher, port, file.absolute(), **of_pieces(pieces) | case)
         return
     if file.suffix not in PIECE_WRITERS[port]:
         with replacing(file) as new:

@@ -8,6 +8,7 @@ import tempfile
 
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersCore import vtkCellCenters
 
 import foam
 from pipeline import Messages, error_code
@@ -43,8 +44,8 @@ def expect(mesher, expected):
 # A cube on the ground, with the flow towards -y: 8 lengths along y, 5 high, 6 wide.
 cube = simple.Triangulate(Input=simple.Box())
 mesher = simple.CartesianMesher(Input=cube, Domain="Outside", FlowDirection="Minus Y",
-    LengthsBefore=2, LengthsBehind=5, LengthsBeside=2.5, Ground="zMin", CellSize=0.4,
-    PatchMethod="Exact Fit")
+    LengthsBefore=2, LengthsBehind=5, LengthsBeside=2.5, Ground="zMin", CellSize=0.4, BoxesAlongBody=0,
+    SideNames="Axes", PatchMethod="Exact Fit")
 expect(mesher, {"xMin": 28, "xMax": 28, "yMin": 21, "yMax": 21, "zMin": 47, "zMax": 48,
     "boundary_0": 5})
 mesher.SideNames = "Flow"
@@ -71,6 +72,43 @@ mesher.BoxFrom = "Bounds"
 mesher.DomainBounds = [-2, 2, -2, 2, 0, 2]
 expect(mesher, {"zMin": 15, "zMax": 16, "boundary_0": 3})
 
+# With nothing but a surface: at least 60 boxes along the longest side, at most twice as large ones around it, four times
+# in the wake; with an explicit depth, or with shapes, what these say. The domain is 5.5 long, a box far away 0.11.
+def levels(**options):
+    """Of cells, (middle, how often their boxes are halved)."""
+    tunnel = simple.CartesianMesher(Input=simple.Triangulate(Input=simple.Sphere(ThetaResolution=32, PhiResolution=16)),
+        Domain="Outside", LengthsBefore=1.5, LengthsBehind=3, LengthsBeside=1.5, **options)
+    tunnel.UpdatePipeline()
+    data = tunnel.GetClientSideObject().GetOutputDataObject(0)
+    assert list(data.GetFieldData().GetArray("FlowDirection").GetTuple(0)) == [1, 0, 0]
+    level = vtk_to_numpy(data.GetCellData().GetArray("Level")).min(axis=1)
+    centers = vtkCellCenters()
+    centers.SetInputDataObject(data)
+    centers.Update()
+    return list(zip(vtk_to_numpy(centers.GetOutput().GetPoints().GetData()).tolist(), level.tolist()))
+
+
+automatic = levels()
+assert {depth for at, depth in automatic if math.dist(at, (0, 0, 0)) < 0.52} == {3}
+assert {depth for at, depth in automatic if max(map(abs, at)) < 0.74} == {2, 3}
+assert min(depth for at, depth in automatic if 0 < at[0] < 2.4 and max(map(abs, at[1:])) < 0.7) == 1
+assert min(depth for _, depth in automatic) == 0
+assert max(depth for _, depth in levels(RefinementDepth=1)) == 1
+shapes = {"RefinementShapes": ["box"], "RefinementPositions": [1, 1, 1], "RefinementLengths": [0.1, 0.1, 0.1],
+          "RefinementShapeDepths": [1]}
+assert min(depth for at, depth in levels(**shapes) if 1.5 < at[0] < 2.4 and max(map(abs, at[1:])) < 0.7) == 0
+
+# The panel tells of these zones.
+block = simple.Triangulate(Input=simple.Box(XLength=4, YLength=2))
+block.UpdatePipeline()
+zones = simple.CartesianMesher(Input=block, Domain="Outside", Ground="zMin", LengthsBefore=1, LengthsBehind=3,
+    LengthsBeside=1, CellSize=1)
+assert list(zones.FlowZones) == ["Where", "Depth", "From", "To", "at the surface", "4", "", "",
+    "around it", "3", "-3, -2, -0.5", "3, 2, 1.5", "in its wake", "2", "-3, -2, -0.5", "10, 2, 1.5"], list(zones.FlowZones)
+zones.RefinementDepth = 1
+zones.UpdatePipelineInformation()
+assert list(zones.FlowZones) == [], list(zones.FlowZones)
+
 # The same by a task file, as an OpenFOAM case.
 with tempfile.TemporaryDirectory() as folder:
     folder = pathlib.Path(folder)
@@ -82,6 +120,8 @@ file = "cube.stl"
 domain = "Outside"
 ground = "zMin"
 half = "Across Y"
+side_names = "Axes"
+boxes_along_body = 8
 [grid]
 cell_size = 0.5
 [output]
@@ -98,7 +138,7 @@ mesh = "case/case.foam"
 # A gap between a body and the floor, across which boxes have to fit: 0.1 high.
 above = simple.CartesianMesher(Input=cube, Domain="Outside", BoxFrom="Bounds",
     DomainBounds=[-2, 2, -2, 2, -0.6, 1.5], CellSize=0.2, CellsAcrossGaps=4, LargestDepth=4,
-    PatchMethod="Exact Fit")
+    SideNames="Axes", BoxesAlongBody=0, TransitionLayers=1, PatchMethod="Exact Fit")
 expect(above, {"zMin": 16, "boundary_0": 6})
 boxes = above.GetClientSideObject().GetOutputDataObject(0)
 level = vtk_to_numpy(boxes.GetCellData().GetArray("Level")).min(axis=1)
@@ -110,7 +150,7 @@ assert level[inGap].min() >= 3 and level.min() == 0, level[inGap].min()
 # A hollow cube: the air around it, or in it, alone. On the surface, or in pieces: refused.
 hollow = simple.AppendGeometry(Input=[cube, simple.Triangulate(Input=simple.Box(XLength=0.6, YLength=0.6, ZLength=0.6))])
 kept = simple.CartesianMesher(Input=hollow, Domain="Outside", LengthsBefore=1, LengthsBehind=1, LengthsBeside=1,
-    CellSize=0.4, PatchMethod="Exact Fit")
+    CellSize=0.4, SideNames="Axes", BoxesAlongBody=0, PatchMethod="Exact Fit")
 expect(kept, {"xMin": 9, "boundary_0": 6 + 6 * 0.36})
 kept.KeepPoints = [1, 0, 0]
 expect(kept, {"xMin": 9, "boundary_0": 6})

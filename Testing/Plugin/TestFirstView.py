@@ -63,12 +63,12 @@ assert names(display.LookupTable) == {name: name for name in expected | {f"bound
 assert list(display.LookupTable.IndexedColors)[:len(first)] == first
 
 # The body in a flow domain is seen through its sides.
-display = shown(simple.CartesianMesher(Input=producer(octahedron()), Domain="Outside", CellSize=0.5))
+display = shown(simple.CartesianMesher(Input=producer(octahedron()), Domain="Outside", SideNames="Axes", CellSize=0.5))
 opacity = dict(zip(names(display.LookupTable), display.LookupTable.IndexedOpacities))
 sides = {f"{axis}{end}" for axis in "xyz" for end in ("Min", "Max")}
 assert display.LookupTable.EnableOpacityMapping == 1
 assert {name for name in opacity if opacity[name] < 1} == sides, opacity
-display = shown(simple.CartesianMesher(Input=producer(octahedron()), Domain="Outside", SideNames="Flow", CellSize=0.5))
+display = shown(simple.CartesianMesher(Input=producer(octahedron()), Domain="Outside", CellSize=0.5))
 opacity = dict(zip(names(display.LookupTable), display.LookupTable.IndexedOpacities))
 assert {name for name in opacity if opacity[name] < 1} == sides | {"inlet", "outlet", "sides"}, opacity
 

@@ -4,7 +4,7 @@ saved states depend on them and on the defaults."""
 from paraview import simple
 
 grid = {"CellSize": 0.0, "MeshlinesX": [], "MeshlinesY": [], "MeshlinesZ": []}
-refinement = {"RefinementDepth": 0, "TransitionLayers": 1, "RefinementBlocks": [], "BoundaryRefinement": [],
+refinement = {"RefinementDepth": 0, "TransitionLayers": 0, "RefinementBlocks": [], "BoundaryRefinement": [],
               "RefinedBoundaries": [], "RefinedBoundaryDepth": 1, "RegionDepth": 1,
               "CurvatureAngle": 0.0, "CellsAcrossGaps": 0, "LargestDepth": 3, "FeatureDepth": 0,
               "SizeArray": "", "RefinementShapes": [], "RefinementPositions": [], "RefinementLengths": [],
@@ -24,7 +24,7 @@ pieces = {"InPieces": 1}
 regions = {"RegionsFrom": "One", "RegionArray": "", "ContactTolerance": 0.0, "Sheets": "Keep"}
 domain = {"Domain": "Inside", "BoxFrom": "Surface", "DomainBounds": [0, 1, 0, 1, 0, 1],
           "FlowDirection": "Plus X", "LengthsBefore": 3, "LengthsBehind": 5, "LengthsBeside": 3,
-          "Ground": "None", "Half": "None", "SideNames": "Axes", "KeepPoints": []}
+          "Ground": "None", "Half": "None", "SideNames": "Flow", "BoxesAlongBody": 60, "KeepPoints": []}
 
 surface = simple.Sphere()
 cube = simple.Box()
@@ -82,9 +82,11 @@ for proxy, names in (
 
 writer = simple.CreateWriter("case.foam", mesher)
 assert writer.GetXMLLabel() == "OpenFOAM Mesh Writer", writer.GetXMLLabel()
-assert sorted(writer.ListProperties()) == ["FileName", "FileType", "Input", "NamesOfRegions", "Pieces", "RegionsAs", "ZoneBorders",
-                                             "ZoneRegions"]
-assert writer.FileType == "Binary" and writer.RegionsAs == "Meshes"
+case = {"FileType": "Binary", "RegionsAs": "Meshes", "ZoneRegions": [], "ZoneBorders": "Face Zones", "Pieces": 1, "Scale": 1,
+        "SolverSetup": "None", "Turbulence": "kOmegaSST", "Speed": 10, "Viscosity": 1.5e-5, "InletTemperature": 350,
+        "Iterations": 500, "OverwriteSetup": 0}
+assert sorted(writer.ListProperties()) == sorted(["FileName", "Input", "NamesOfRegions", *case])
+assert {name: writer.GetPropertyValue(name) for name in case} == case
 for suffix, label in (("cgns", "CGNS Mesh"), ("msh", "Fluent Mesh"), ("case", "EnSight Mesh"), ("vtm", "Region Blocks"),
                       ("vtpc", "Region Blocks")):
     writer = simple.CreateWriter(f"mesh.{suffix}", mesher)

@@ -69,7 +69,7 @@ expect_layers(simple.CartesianMesher(Input=sphere, CellSize=SIZE, **layers), [0]
 
 # On a body in a flow domain, but not on the sides of the domain.
 expect_layers(simple.CartesianMesher(Input=sphere, CellSize=SIZE, Domain="Outside", LengthsBefore=0.15,
-    LengthsBehind=0.15, LengthsBeside=0.15, **layers), [0])
+    LengthsBehind=0.15, LengthsBeside=0.15, BoxesAlongBody=0, **layers), [0])
 
 # Boundaries have layers of their own thickness, whatever their type.
 thicknesses = {"inlet cold": 0.01, "hot": -1, "side": 0.03}

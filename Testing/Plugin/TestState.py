@@ -1,6 +1,7 @@
 """Saved states, as XML and as Python, keep every property and give the same mesh again."""
 
 import pathlib
+import re
 import tempfile
 
 from paraview import simple, smstate, smtrace
@@ -61,6 +62,19 @@ with tempfile.TemporaryDirectory() as folder:
     mesher = simple.FindSource("CartesianMesher")
     assert list(mesher.BoundaryDepths) == list(mesher.BoundaryLayersThickness) == [-1, -1], list(mesher.BoundaryDepths)
     assert list(mesher.BoundaryMergedNames) == ["", ""] and list(mesher.RefinementShapeDepths) == [], list(mesher.BoundaryMergedNames)
+
+
+    # A state from before properties were there keeps the mesh that it had.
+    simple.ResetSession()
+    text = state.read_text()
+    for name in "SideNames", "BoxesAlongBody", "TransitionLayers":
+        text, found = re.subn(rf'<Property name="{name}".*?</Property>', "", text, flags=re.S)
+        assert found >= 1, name
+    state.write_text(text)
+    simple.LoadState(str(state))
+    mesher = simple.FindSource("CartesianMesher")
+    assert (mesher.SideNames, mesher.BoxesAlongBody, mesher.TransitionLayers) == ("Axes", 0, 1), mesher.SideNames
+    assert simple.FindSource("CartesianBoxer").TransitionLayers == 1
 
     simple.ResetSession()
     exec(compile(script.read_text(), script, "exec"), {})

@@ -22,7 +22,7 @@ from pipeline import DATA, assert_identical, octahedron, output, polydata
 PROGRAM = sys.argv[2]
 sys.path.insert(0, str(pathlib.Path(sys.argv[1]) / "Plugin" / "Task"))
 from parameters import collections, key_of, names, parameters  # noqa: E402
-from task import MESHER, REGION, TaskError, lines_of, read_task  # noqa: E402
+from task import MESHER, REGION, TaskError, case_parameters, lines_of, read_task  # noqa: E402
 from template import template  # noqa: E402
 RUN = importlib.util.spec_from_file_location("run",
     pathlib.Path(PROGRAM).parents[1] / "share" / "cartesianmesher" / "run.py")
@@ -86,7 +86,7 @@ def read(name, reader=simple.XMLUnstructuredGridReader):
 # back, it is what a new filter has.
 mesher = simple.CartesianMesher(Input=simple.Sphere())
 assert set(names(MESHER)) == \
-    set(mesher.ListProperties()) - {"Input", "RefinementRegions", "SizeField", "RefinedBoundaryInfo", "LegendInfo", "ExpectedBoxes", "SurfaceSize"}
+    set(mesher.ListProperties()) - {"Input", "RefinementRegions", "SizeField", "RefinedBoundaryInfo", "LegendInfo", "ExpectedBoxes", "SurfaceSize", "FlowZones"}
 region = simple.RefinementRegion(Input=simple.Sphere())
 assert {parameter.name for parameter in parameters(REGION)} == set(region.ListProperties()) - {"Input"}
 for parameter in parameters(MESHER):
@@ -101,11 +101,13 @@ for collection in collections(MESHER):
 
 full = tomllib.loads(start("--template"))
 assert {(table, key) for table in full for key in full[table]} == \
-    {(parameter.table, parameter.key) for parameter in parameters(MESHER)} | {("surface", "file")}
+    {(parameter.table, parameter.key) for parameter in parameters(MESHER)} | {("surface", "file")} \
+    | {("case", parameter.key) for parameter in case_parameters()}
 (folder / "surface.stl").symlink_to(EXHAUST)
 (folder / "full.toml").write_text(template())
 task = read_task(folder / "full.toml")
 assert task.properties == {parameter.name: parameter.default for parameter in parameters(MESHER)}
+assert task.case == {parameter.name: parameter.default for parameter in case_parameters()}
 assert key_of("Blend to depth - 1") == "blend_to_depth_1"
 
 # A task gives the mesh that the filter gives, bit for bit, on any number of ranks.

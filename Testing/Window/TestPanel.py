@@ -7,7 +7,7 @@ import pathlib
 import sys
 from xml.sax.saxutils import quoteattr
 
-from events import PROPERTIES, apply, event, macro, meshing_menu, number, open_file, script
+from events import PROPERTIES, apply, choose, event, macro, meshing_menu, number, open_file, script
 from paraview import servermanager, simple  # noqa: F401: connects
 from window import Screen
 
@@ -65,10 +65,6 @@ told = " ".join(expected.GetDocumentation().GetDescription().split())
 
 def whole(text):
     return int(text.replace(",", ""))
-
-
-def choose(property, text):
-    return event(f"{PROPERTIES}/{property}/ComboBox", "set_string", text)
 
 
 def layers(count):

@@ -44,6 +44,10 @@ def number(property, value):
     return event(f"{PROPERTIES}/{property}/DoubleLineEdit0", "set_string", value)
 
 
+def choose(property, text):
+    return event(f"{PROPERTIES}/{property}/ComboBox", "set_string", text)
+
+
 def table_row(property, row, values):
     """Adds a row to a table and types its values."""
     list = f"{PROPERTIES}/{property}/ScalarValueList"

@@ -74,7 +74,7 @@ Refinement::Refinement(const RefinementSpec& spec, const Surface& surface,
   : depth_(spec.depth)
   , sizing_(spec.sizing)
   , octants_(planes)
-  , transitionLayers_(spec.transitionLayers)
+  , transitionLayers_(std::max(1, spec.transitionLayers))
   , any_(spec.depth > 0 || !spec.blocks.empty() || !spec.boundaries.empty() ||
       !spec.regions.empty() || spec.sizing.any())
 {

@@ -44,7 +44,7 @@ struct BoundaryRefinement
 struct RefinementSpec
 {
   static constexpr Range AllDepths{ 0, DeepestLevel };
-  static constexpr Range AllTransitionLayers{ 1, 10 };
+  static constexpr Range AllTransitionLayers{ 0, 10 };
 
   void addUnlessThere(const BoundaryRefinement& row); // of that boundary
 
@@ -54,8 +54,9 @@ struct RefinementSpec
   std::vector<RefinementRegion> regions;      // never make boxes coarser
   SizingSpec sizing;                          // never makes boxes coarser
 
-  // Between boxes of one level and those that are twice as large: at least so many of the level, across sides.
-  int transitionLayers = 1;
+  // Between boxes of one level and those that are twice as large: at least so many of the level, across sides. 0: 1, or
+  // what the domain wants (Options.h).
+  int transitionLayers = 0;
 };
 
 struct Depths

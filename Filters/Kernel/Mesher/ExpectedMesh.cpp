@@ -177,8 +177,7 @@ Counts boxesOfGrid(const SurfaceView& surface, Options options, Execution& execu
 ExpectedMesh expected(
   const Areas& areas, const SurfaceView& surface, const Options& options, Execution& execution)
 {
-  Counts boxes =
-    areas.boxes(options.grid, options.refinement.depth, options.refinement.transitionLayers);
+  Counts boxes = areas.boxes(options.grid, options.refinement.depth, transitionLayersOf(options));
   if (asksForPlaces(options.refinement) && boxes.all < MostLookedAt)
   {
     const Counts looked = boxesOfGrid(surface, options, execution);

@@ -107,6 +107,7 @@ MeshedSide meshedOf(const DomainSpec& domain)
     : (domain.domain == Domain::Inside ? MeshedSide::Inside : MeshedSide::Unknown);
 }
 
+// Repairs the surface: as regions if there are several or baffles divide the only one, else as one.
 void separate(
   PreparedSurface& prepared, const SurfaceView& view, const Options& options, Execution& execution)
 {
@@ -229,6 +230,7 @@ std::unique_ptr<Decomposition> decompose(
   execution.stage("Boxes", AfterSurface, AfterBoxes);
   RefinementSpec refinement = options.refinement;
   refinement.sizing.featureAngle = options.patches.featureAngle;
+  refinement.transitionLayers = transitionLayersOf(options);
   return std::make_unique<Decomposition>(prepared.surface, prepared.planes, refinement,
     prepared.memoryLimit, laterStepsOf(options), execution);
 }

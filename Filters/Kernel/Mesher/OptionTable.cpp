@@ -40,6 +40,7 @@ std::vector<NamedOption> optionTable()
     choice("Ground", d.domain.ground, { "None", "xMin", "xMax", "yMin", "yMax", "zMin", "zMax" }),
     choice("Half", d.domain.half, { "None", "Across X", "Across Y", "Across Z" }),
     choice("Side Names", d.domain.sideNames, { "Axes", "Flow" }),
+    { "Boxes Along Body", double(d.domain.boxesAlong), DomainSpec::BoxesAlong, "" },
     { "Cell Size", d.grid.cellSize, GridSpec::CellSizes, Length },
     { "Refinement Depth", double(d.refinement.depth), RefinementSpec::AllDepths, "" },
     { "Transition Layers", double(d.refinement.transitionLayers),

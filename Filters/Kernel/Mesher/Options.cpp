@@ -41,6 +41,13 @@ MemoryLimit memoryLimitOf(const Options& options, int threads)
     options.layers.count, threads };
 }
 
+int transitionLayersOf(const Options& options)
+{
+  constexpr int Outside = 3;
+  const int asked = options.refinement.transitionLayers;
+  return asked > 0 ? asked : (options.domain.isOutside() ? Outside : 1);
+}
+
 bool shapesCells(const Options& options)
 {
   return shapesCells(options.smallCells, options.shaping);

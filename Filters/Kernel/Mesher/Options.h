@@ -34,7 +34,7 @@ struct Options
 
   RegionSource regionsFrom = RegionSource::One;
   double contactTolerance = 0; // user units (Regions.h)
-  ThinSheets sheets = ThinSheets::Keep;
+  SheetHandling sheets = SheetHandling::Keep;
   std::vector<Baffle> baffles;
   DomainSpec domain;
   GridSpec grid;
@@ -59,6 +59,9 @@ MemoryLimit memoryLimitOf(const Options& options, int threads);
 
 // How far the cells of a part depend on others.
 LaterSteps laterStepsOf(const Options& options);
+
+// Boxes that double beside a wall blur what leaves it, so outside there are 3 layers between, unless the user says otherwise.
+int transitionLayersOf(const Options& options);
 
 // Whether nodes move off the surface (StandOff.h).
 bool standsOff(const Options& options);

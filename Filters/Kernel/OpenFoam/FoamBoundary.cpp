@@ -187,20 +187,18 @@ bool FoamBoundary::hasNamesOf(const std::vector<FoamPatch>& patches) const
     [](const Patch& a, const FoamPatch& b) { return a.name == b.name; });
 }
 
-bool FoamBoundary::hasOpening(const std::vector<FoamPatch>& patches) const
+std::vector<FoamPatch> FoamBoundary::typed(const std::vector<FoamPatch>& patches) const
 {
-  for (std::size_t i = 0; i < patches_.size(); ++i)
+  std::vector<FoamPatch> result = patches;
+  for (std::size_t i = 0; i < result.size(); ++i)
   {
     const Place place = findEntry(patches_[i].entries, "type");
-    const std::string type = patches[i].type.empty()
-      ? patches_[i].entries.substr(place.at, place.length)
-      : patches[i].type;
-    if (type == "patch" || type.rfind("cyclic", 0) == 0)
+    if (result[i].type.empty())
     {
-      return true;
+      result[i].type = patches_[i].entries.substr(place.at, place.length);
     }
   }
-  return false;
+  return result;
 }
 
 std::string FoamBoundary::text(const std::vector<FoamPatch>& patches, std::size_t start) const

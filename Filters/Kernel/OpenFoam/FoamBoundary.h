@@ -74,8 +74,8 @@ public:
 
   bool hasNamesOf(const std::vector<FoamPatch>& patches) const;
 
-  // Whether anything may flow through a patch.
-  bool hasOpening(const std::vector<FoamPatch>& patches) const;
+  // The same patches with the types that they have in the file.
+  std::vector<FoamPatch> typed(const std::vector<FoamPatch>& patches) const;
 
   // The file's list of patches, with faces numbered from `start`. Entries stay as they are, except for the
   // numbers of faces, and for the type where `patches` have one.

@@ -2,6 +2,7 @@
 #include "OpenFoam/PolyMeshFiles.h"
 
 #include "Base/Error.h"
+#include "OpenFoam/LeastSystem.h"
 
 #include <algorithm>
 #include <array>
@@ -16,9 +17,13 @@ namespace cartesian
 namespace
 {
 
-bool isFluid(const std::string& region, bool hasOpening)
+// By its name, or if anything may flow through a patch.
+bool isFluid(const std::string& region, const std::vector<FoamPatch>& patches)
 {
   const auto begins = [&](const char* with) { return region.rfind(with, 0) == 0; };
+  const bool hasOpening = std::any_of(patches.begin(), patches.end(), [](const FoamPatch& patch) {
+    return patch.type == "patch" || patch.type.rfind("cyclic", 0) == 0;
+  });
   return begins("fluid") || (hasOpening && !begins("solid"));
 }
 
@@ -32,26 +37,6 @@ constexpr const char* Zones = "cellZones";
 constexpr const char* FaceZones = "faceZones";
 constexpr std::array<const char*, 4> Addressing = { "pointProcAddressing", "faceProcAddressing",
   "cellProcAddressing", "boundaryProcAddressing" };
-
-struct SystemFile
-{
-  const char* name;
-  const char* text;
-};
-
-// With OpenFOAM's own 6 digits (transformPoints: 10), what its programs write anew loses the points' digits:
-// the smallest faces become none.
-constexpr std::array<SystemFile, 3> SystemFiles = { {
-  { "controlDict",
-    "application     potentialFoam;\nstartFrom       startTime;\nstartTime       0;\n"
-    "stopAt          endTime;\nendTime         1;\ndeltaT          1;\n"
-    "writeControl    timeStep;\nwriteInterval   1;\nwritePrecision  17;\n" },
-  { "fvSchemes",
-    "ddtSchemes { default steadyState; }\ngradSchemes { default Gauss linear; }\n"
-    "divSchemes { default none; }\nlaplacianSchemes { default Gauss linear corrected; }\n"
-    "interpolationSchemes { default linear; }\nsnGradSchemes { default corrected; }\n" },
-  { "fvSolution", "solvers { }\n" },
-} };
 
 // Whether the folder holds a mesh that we wrote, with these patches.
 bool isReplaceable(const fs::path& polyMesh, const std::vector<FoamPatch>& patches)
@@ -155,33 +140,13 @@ void writeFiles(const FoamMesh& mesh, const FoamBoundary& boundary, const Folder
   }
 }
 
-// Those of a region are what a mesh needs, not a run.
-void writeSystem(const fs::path& folder, const std::string& region)
-{
-  const fs::path place = folder / "system" / region;
-  fs::create_directories(place);
-  for (const SystemFile& missing : SystemFiles)
-  {
-    const bool isOfCase = std::string(missing.name) == "controlDict";
-    if ((region.empty() || !isOfCase) && !fs::exists(place / missing.name))
-    {
-      FoamFile file(place / missing.name, FoamFormat::Ascii,
-        { "dictionary", (fs::path("system") / region).lexically_normal().string(), {} });
-      file.text(std::string("// The least that checkMesh wants: adapt it to your solver.\n\n") +
-        missing.text);
-      file.close();
-    }
-  }
-}
-
-// OpenFOAM 1912 wants to read how many processes there are.
 void writeDecomposition(const fs::path& folder, int pieces)
 {
   const fs::path path = folder / "system" / "decomposeParDict";
   if (!fs::exists(path))
   {
     FoamFile file(path, FoamFormat::Ascii, { "dictionary", "system", {} });
-    file.text("numberOfSubdomains " + std::to_string(pieces) + ";\nmethod          scotch;\n");
+    file.text(decompositionOf(pieces));
     file.close();
   }
 }
@@ -305,17 +270,16 @@ void PolyMeshFiles::write(const FoamMesh& mesh, const std::string& region)
     const FoamBoundary boundary =
       replaces ? FoamBoundary(polyMesh / "boundary") : FoamBoundary(mesh.patches);
     writeFiles(mesh, boundary, { unfinished(polyMesh), location.string(), format_ });
-    written_.push_back(
-      { polyMesh, replaces, region, isFluid(region, boundary.hasOpening(mesh.patches)) });
+    written_.push_back({ polyMesh, replaces, region, boundary.typed(mesh.patches) });
   });
 }
 
 void PolyMeshFiles::writeSystemOf(const std::string& region) const
 {
-  writeSystem(case_, {});
+  writeLeastSystem(case_, {});
   if (!region.empty())
   {
-    writeSystem(case_, region);
+    writeLeastSystem(case_, region);
   }
   if (place_.pieces > 1)
   {
@@ -343,6 +307,17 @@ std::vector<std::filesystem::path> PolyMeshFiles::replace()
   return kept;
 }
 
+std::vector<MeshOfCase> PolyMeshFiles::meshes() const
+{
+  std::vector<MeshOfCase> result;
+  for (const Written& written : written_)
+  {
+    const bool flows = written.region.empty() || isFluid(written.region, written.patches);
+    result.push_back({ written.region, flows, written.patches });
+  }
+  return result;
+}
+
 void PolyMeshFiles::writeRegionProperties(std::vector<std::filesystem::path>& kept) const
 {
   std::string fluid;
@@ -350,7 +325,7 @@ void PolyMeshFiles::writeRegionProperties(std::vector<std::filesystem::path>& ke
   std::set<std::string> regions;
   for (const Written& written : written_)
   {
-    (written.isFluid ? fluid : solid) += " " + written.region;
+    (isFluid(written.region, written.patches) ? fluid : solid) += " " + written.region;
     regions.insert(written.region);
   }
   const fs::path path = case_ / "constant" / "regionProperties";

@@ -4,6 +4,7 @@
 
 #include "OpenFoam/FoamBoundary.h"
 #include "OpenFoam/FoamFile.h"
+#include "OpenFoam/SolverSetup.h"
 #include "Quality/FaceList.h"
 
 #include <optional>
@@ -86,13 +87,16 @@ public:
   // that names all regions stays as it is, another is renamed. Returns what was renamed.
   std::vector<std::filesystem::path> replace();
 
+  // What was written so far, for SolverSetup.h.
+  std::vector<MeshOfCase> meshes() const;
+
 private:
   struct Written
   {
     std::filesystem::path polyMesh;
     bool replaces; // a mesh that we wrote, of the same patches
     std::string region;
-    bool isFluid;
+    std::vector<FoamPatch> patches; // each with its type
   };
 
   void writeSystemOf(const std::string& region) const;

@@ -79,7 +79,7 @@ bool NodeRemoval::isFeature(const Polygon& p, const Polygon& q) const
 bool NodeRemoval::isOfSheet(std::uint32_t polygon) const
 {
   const std::uint32_t triangle = box_.polygons[polygon].triangle;
-  return triangle < surface_.isOfSheet.size() && surface_.isOfSheet[triangle] != 0;
+  return surface_.isOfSheet(triangle);
 }
 
 // Marks the ends of sharp edges, of borders between boundaries, and of edges that do not have exactly

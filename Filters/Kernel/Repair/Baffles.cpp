@@ -27,14 +27,6 @@ const Baffle* baffleOf(std::int32_t boundary, const std::vector<Baffle>& baffles
   return found == baffles.end() ? nullptr : &*found;
 }
 
-void append(const Surface& from, std::size_t t, Surface& to)
-{
-  to.triangles.push_back(from.triangles[t]);
-  to.boundary.push_back(from.boundary[t]);
-  to.given.push_back(from.given[t]);
-  to.region.push_back(from.region[t]);
-}
-
 // 1: d lies left of the plane through a, b and c, as one looks from a to b with c to the right; -1: right of it.
 int sideOf(const Point& a, const Point& b, const Point& c, const Point& d)
 {
@@ -80,11 +72,11 @@ public:
     for (std::uint32_t t = 0; t < both_.triangles.size(); ++t)
     {
       const bool isSheet = t >= walls_;
-      append(both_, t, result);
+      result.append(both_, t);
       result.region.back() = first + partOf(behind(t));
       if (isSheet)
       {
-        append(both_, t, result);
+        result.append(both_, t);
         std::swap(result.triangles.back()[1], result.triangles.back()[2]);
         result.boundary.back() = baffleOf(both_.boundary[t], baffles)->back;
         result.region.back() = first + partOf(front(t));
@@ -272,7 +264,7 @@ Surface takeBaffles(Surface& surface, const std::vector<Baffle>& baffles)
   Surface sheets;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
-    append(surface, t, baffleOf(surface.boundary[t], baffles) ? sheets : walls);
+    (baffleOf(surface.boundary[t], baffles) ? sheets : walls).append(surface, t);
   }
   sheets.lattice = surface.lattice;
   sheets.vertices = surface.vertices;
@@ -308,7 +300,7 @@ std::optional<RegionParts> divideByBaffles(Surface& surface, Surface sheets,
     {
       if (surface.region[t] == region)
       {
-        append(surface, t, both);
+        both.append(surface, t);
       }
     }
     const std::size_t walls = both.triangles.size();
@@ -316,7 +308,7 @@ std::optional<RegionParts> divideByBaffles(Surface& surface, Surface sheets,
     {
       if (sheets.region[t] == region)
       {
-        append(sheets, t, both);
+        both.append(sheets, t);
       }
     }
     const bool isDivided = walls < both.triangles.size();
@@ -332,7 +324,7 @@ std::optional<RegionParts> divideByBaffles(Surface& surface, Surface sheets,
     }
     for (std::size_t t = 0; !isDivided && t < walls; ++t)
     {
-      append(both, t, result);
+      result.append(both, t);
       result.region.back() = first;
     }
     parts.given.insert(parts.given.end(), static_cast<std::size_t>(count), region);
@@ -348,19 +340,19 @@ void doubleBaffles(
   surface.region.resize(surface.triangles.size(), FirstRegion);
   Surface sheets = takeBaffles(surface, baffles);
   joinRims(surface, sheets, tolerance, execution);
-  surface.isOfSheet.assign(surface.triangles.size(), 0);
+  surface.ofSheet.assign(surface.triangles.size(), 0);
   for (std::size_t t = 0; t < sheets.triangles.size(); ++t)
   {
-    append(sheets, t, surface);
+    surface.append(sheets, t);
     surface.boundary.back() = baffleOf(sheets.boundary[t], baffles)->back;
-    append(sheets, t, surface);
+    surface.append(sheets, t);
     std::swap(surface.triangles.back()[1], surface.triangles.back()[2]);
   }
   if (!hasRegions)
   {
     surface.region.clear();
   }
-  surface.isOfSheet.resize(surface.triangles.size(), 1);
+  surface.ofSheet.resize(surface.triangles.size(), 1);
 }
 
 }

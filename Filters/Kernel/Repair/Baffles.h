@@ -43,7 +43,7 @@ std::optional<RegionParts> divideByBaffles(Surface& surface, Surface sheets,
   const std::vector<Baffle>& baffles, std::int32_t regions, double tolerance,
   const std::vector<std::string>& names, Execution& execution);
 
-// Makes baffles, which may end anywhere, sheets that are there twice (Surface::isOfSheet): in a surface that need not be
+// Makes baffles, which may end anywhere, sheets that are there twice (Surface::ofSheet): in a surface that need not be
 // closed yet, of one region or several. `tolerance`: as above.
 void doubleBaffles(
   Surface& surface, const std::vector<Baffle>& baffles, double tolerance, Execution& execution);

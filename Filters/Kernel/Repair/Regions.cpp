@@ -43,7 +43,8 @@ Surface surfaceOf(const Surface& all, std::int32_t region, const Meshlines& plan
   {
     throw Error(Fault::FlawedSurface, name + " has no triangles.");
   }
-  const SurfaceRepair repaired = closeAndOrient(own, planes, { ThinSheets::LeaveOut }, execution);
+  const SurfaceRepair repaired =
+    closeAndOrient(own, planes, { SheetHandling::LeaveOut }, execution);
   if (!repaired.check.oriented())
   {
     const auto& flaw = repaired.check.places.front();
@@ -54,27 +55,19 @@ Surface surfaceOf(const Surface& all, std::int32_t region, const Meshlines& plan
   return own;
 }
 
-void append(const Surface& from, std::size_t t, Surface& to)
-{
-  to.triangles.push_back(from.triangles[t]);
-  to.boundary.push_back(from.boundary[t]);
-  to.given.push_back(from.given[t]);
-  to.region.push_back(from.region[t]);
-}
-
 void append(const Surface& from, Surface& to)
 {
   for (std::size_t t = 0; t < from.triangles.size(); ++t)
   {
     if (!namesAVertexTwice(from.triangles[t]))
     {
-      append(from, t, to);
+      to.append(from, t);
     }
   }
 }
 
 // The sheets of all regions, out of their surfaces.
-Surface takeSheets(Surface& all, ThinSheets handling, Execution& execution)
+Surface takeSheets(Surface& all, SheetHandling handling, Execution& execution)
 {
   Surface sheets;
   const SurfaceEdges edges(all, execution);
@@ -86,7 +79,7 @@ Surface takeSheets(Surface& all, ThinSheets handling, Execution& execution)
     }
     for (const std::uint32_t t : pair)
     {
-      append(all, t, sheets);
+      sheets.append(all, t);
       all.triangles[t].fill(0);
     }
   }
@@ -98,7 +91,7 @@ void appendSheets(const Surface& sheets, std::int32_t regions, Surface& all)
 {
   for (std::size_t t = 0; t < sheets.triangles.size(); ++t)
   {
-    append(sheets, t, all);
+    all.append(sheets, t);
     all.region.back() = regionOfSheets(sheets.region[t], regions);
   }
 }
@@ -170,7 +163,7 @@ std::optional<std::vector<ClosedContact>> separateRegions(
   surface.triangles.swap(walls.triangles);
   surface.boundary.swap(walls.boundary);
   surface.given.swap(walls.given);
-  surface.isOfSheet.swap(walls.isOfSheet);
+  surface.ofSheet.swap(walls.ofSheet);
   surface.region.clear();
   surface.walls = std::move(walls.walls);
   surface.walls.given = regionsOfParts;

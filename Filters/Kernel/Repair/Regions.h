@@ -28,7 +28,7 @@ struct RegionSpec
   std::vector<std::string> names; // for messages
   double contactTolerance = 0;    // user units
   std::vector<Baffle> baffles;
-  ThinSheets sheets = ThinSheets::Keep;
+  SheetHandling sheets = SheetHandling::Keep;
 };
 
 // Fills Surface::walls; boundary indices then are those of walls. Returns what the tolerance closed; or nothing, and leaves

@@ -51,9 +51,7 @@ bool folded(const Vector& a, const Vector& b)
 // Not the two sides of a sheet.
 std::vector<Fold> findFolds(const Surface& surface, const SurfaceEdges& edges, Execution& execution)
 {
-  const auto isSheet = [&](const EdgeUse& use) {
-    return use.triangle() < surface.isOfSheet.size() && surface.isOfSheet[use.triangle()] != 0;
-  };
+  const auto isSheet = [&](const EdgeUse& use) { return surface.isOfSheet(use.triangle()); };
   std::vector<std::vector<Fold>> parts(edges.chunkCount());
   edges.forEach(execution,
     [&](std::size_t chunk, std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {

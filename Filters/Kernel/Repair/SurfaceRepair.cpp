@@ -43,9 +43,10 @@ std::size_t turnedSince(
   for (std::size_t t = 0; t < before.size(); ++t)
   {
     const auto& now = surface.triangles[t];
-    const bool isSheet = t < surface.isOfSheet.size() && surface.isOfSheet[t] != 0;
     turned +=
-      !isSheet && now[1] != now[2] && now[1] == before[t][2] && now[2] == before[t][1] ? 1 : 0;
+      !surface.isOfSheet(t) && now[1] != now[2] && now[1] == before[t][2] && now[2] == before[t][1]
+      ? 1
+      : 0;
   }
   return turned;
 }
@@ -55,10 +56,10 @@ std::size_t turnedSince(
 void turnSheets(
   const std::vector<std::array<std::uint32_t, 3>>& before, MeshedSide meshed, Surface& surface)
 {
-  for (std::size_t t = 0; meshed != MeshedSide::Unknown && t < surface.isOfSheet.size(); ++t)
+  for (std::size_t t = 0; meshed != MeshedSide::Unknown && t < surface.ofSheet.size(); ++t)
   {
     auto& triangle = surface.triangles[t];
-    if (surface.isOfSheet[t] != 0 && !namesAVertexTwice(triangle))
+    if (surface.ofSheet[t] != 0 && !namesAVertexTwice(triangle))
     {
       triangle = before[t];
       if (meshed == MeshedSide::Inside)
@@ -92,11 +93,36 @@ void findUnoriented(Surface& surface, const SurfaceEdges& edges)
   }
 }
 
+// Drops what is there twice, but for sheets, which get sides.
+void handleDuplicates(
+  Surface& surface, const RepairSpec& spec, SurfaceRepair& result, Execution& execution)
+{
+  const SurfaceEdges edges(surface, execution);
+  const Duplicates duplicates = findDuplicates(surface, edges);
+  const std::vector<SheetPair> kept = findSheets(surface, spec.sheets, edges, duplicates);
+  const auto all = std::count_if(surface.triangles.begin(), surface.triangles.end(),
+    [](const auto& triangle) { return !namesAVertexTwice(triangle); });
+  const bool areAll = 2 * kept.size() == static_cast<std::size_t>(all); // around nothing
+  if (kept.empty() || (areAll && spec.meshed == MeshedSide::Inside))
+  {
+    result.duplicates = dropDuplicates(surface, edges, duplicates);
+    return;
+  }
+  for (const SheetPair& pair : kept)
+  {
+    result.sheets.push_back({ pair[0], surface.triangles[pair[0]] });
+    result.sheets.push_back({ pair[1], surface.triangles[pair[1]] });
+  }
+  giveSides(surface, edges, kept);
+  const SurfaceEdges others(surface, execution);
+  result.duplicates = dropDuplicates(surface, others, findDuplicates(surface, others));
+}
+
 // As Spaces.h takes them: bodies, and sheets as a body without volume.
 Surface withFlatSheets(const Surface& surface, const std::vector<DroppedTriangle>& sheets)
 {
   Surface result = surface;
-  result.isOfSheet.clear();
+  result.ofSheet.clear();
   result.region.assign(surface.triangles.size(), FirstRegion);
   for (const DroppedTriangle& sheet : sheets)
   {
@@ -108,9 +134,7 @@ Surface withFlatSheets(const Surface& surface, const std::vector<DroppedTriangle
   std::size_t given = 0;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
-    const bool isAdded =
-      t < surface.isOfSheet.size() && surface.isOfSheet[t] != 0 && result.region[t] == FirstRegion;
-    if (!isAdded)
+    if (!surface.isOfSheet(t) || result.region[t] != FirstRegion)
     {
       result.triangles[kept] = result.triangles[t];
       result.boundary[kept] = result.boundary[t];
@@ -142,29 +166,7 @@ SurfaceRepair closeAndOrient(
   Surface& surface, const Meshlines& planes, const RepairSpec& spec, Execution& execution)
 {
   SurfaceRepair result;
-  {
-    const SurfaceEdges edges(surface, execution);
-    const Duplicates duplicates = findDuplicates(surface, edges);
-    const std::vector<SheetPair> kept = findSheets(surface, spec.sheets, edges, duplicates);
-    const auto all = std::count_if(surface.triangles.begin(), surface.triangles.end(),
-      [](const auto& triangle) { return !namesAVertexTwice(triangle); });
-    const bool areAll = 2 * kept.size() == static_cast<std::size_t>(all); // around nothing
-    if (kept.empty() || (areAll && spec.meshed == MeshedSide::Inside))
-    {
-      result.duplicates = dropDuplicates(surface, edges, duplicates);
-    }
-    else
-    {
-      for (const SheetPair& pair : kept)
-      {
-        result.sheets.push_back({ pair[0], surface.triangles[pair[0]] });
-        result.sheets.push_back({ pair[1], surface.triangles[pair[1]] });
-      }
-      giveSides(surface, edges, kept);
-      const SurfaceEdges others(surface, execution);
-      result.duplicates = dropDuplicates(surface, others, findDuplicates(surface, others));
-    }
-  }
+  handleDuplicates(surface, spec, result, execution);
   const std::vector<std::array<std::uint32_t, 3>> given = surface.triangles;
   result.pairs = findPairs(surface, execution);
   orient(surface, result.pairs, execution);

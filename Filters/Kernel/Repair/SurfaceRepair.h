@@ -34,7 +34,7 @@ struct SurfaceRepair
 
 struct RepairSpec
 {
-  ThinSheets sheets = ThinSheets::Keep;
+  SheetHandling sheets = SheetHandling::Keep;
   MeshedSide meshed = MeshedSide::Inside;
 };
 

@@ -106,7 +106,7 @@ public:
 
   void run()
   {
-    surface_.isOfSheet.assign(surface_.triangles.size(), 0);
+    surface_.ofSheet.assign(surface_.triangles.size(), 0);
     for (std::uint32_t p = 0; p < sheets_.size(); ++p)
     {
       divide(p);
@@ -299,7 +299,7 @@ private:
         if (i == 0)
         {
           surface_.triangles[source[side]] = t;
-          surface_.isOfSheet[source[side]] = 1;
+          surface_.ofSheet[source[side]] = 1;
         }
         else
         {
@@ -312,7 +312,7 @@ private:
   void append(const Triple& t, std::uint32_t like)
   {
     surface_.triangles.push_back(t);
-    surface_.isOfSheet.push_back(1);
+    surface_.ofSheet.push_back(1);
     surface_.boundary.push_back(surface_.boundary[like]);
     surface_.given.push_back(surface_.given[like]);
     if (!surface_.region.empty())
@@ -334,14 +334,13 @@ private:
 
 }
 
-std::vector<SheetPair> findSheets(const Surface& surface, ThinSheets sheets,
+std::vector<SheetPair> findSheets(const Surface& surface, SheetHandling sheets,
   const SurfaceEdges& edges, const Duplicates& duplicates)
 {
   // What thickness would show in is left out.
-  const bool keeps = sheets == ThinSheets::Keep && isFinelyPlaced(surface);
+  const bool keeps = sheets == SheetHandling::Keep && isFinelyPlaced(surface);
   const auto isKnown = [&](const SheetPair& pair) {
-    return pair[1] < surface.isOfSheet.size() && surface.isOfSheet[pair[0]] != 0 &&
-      surface.isOfSheet[pair[1]] != 0;
+    return surface.isOfSheet(pair[0]) && surface.isOfSheet(pair[1]);
   };
   std::vector<SheetPair> pairs;
   for (std::size_t g = 0; g < duplicates.groups(); ++g)

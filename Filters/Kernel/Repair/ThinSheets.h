@@ -11,7 +11,7 @@
 namespace cartesian
 {
 
-enum class ThinSheets
+enum class SheetHandling
 {
   Keep = 0,
   LeaveOut = 1
@@ -20,16 +20,16 @@ enum class ThinSheets
 // Two triangles with the same vertices.
 using SheetPair = std::array<std::uint32_t, 2>;
 
-// The pairs among duplicates that are known to be of sheets (Surface::isOfSheet), and, where these are kept, those that
+// The pairs among duplicates that are known to be of sheets (Surface::ofSheet), and, where these are kept, those that
 // are connected with an edge that nothing else uses. Others are a body that was written twice, or a wall between two
 // bodies.
-std::vector<SheetPair> findSheets(const Surface& surface, ThinSheets sheets,
+std::vector<SheetPair> findSheets(const Surface& surface, SheetHandling sheets,
   const SurfaceEdges& edges, const Duplicates& duplicates);
 
 // `sheets`: pairs that are sheets, `edges`: of the surface before. A sheet goes on across edges that two of these pairs
 // use and nothing else; all other edges are rims, whose vertices stay. Triangles keep their numbers; where one has to be
 // divided, further pieces are appended (Surface::given). The side that a triangle faces has its boundary. Marks the
-// triangles (Surface::isOfSheet), and orients them out of the shells.
+// triangles (Surface::ofSheet), and orients them out of the shells.
 void giveSides(Surface& surface, const SurfaceEdges& edges, const std::vector<SheetPair>& sheets);
 
 }

@@ -86,7 +86,7 @@ private:
                                  : surface_.boundary[sourceOf(piece, vertices, region[1])] };
     std::swap(vertices[1], vertices[2]);
     add(vertices, wall, source, result);
-    result.isOfSheet.push_back(0);
+    result.ofSheet.push_back(0);
   }
 
   void add(const std::array<std::uint32_t, 3>& vertices, const Wall& wall, std::uint32_t source,
@@ -111,7 +111,7 @@ private:
       const std::uint32_t source = sourceOf(piece, vertices, sheets);
       add(
         vertices, { region, OutsideRegion, surface_.boundary[source], NoBoundary }, source, result);
-      result.isOfSheet.push_back(1);
+      result.ofSheet.push_back(1);
       std::swap(vertices[1], vertices[2]);
     }
   }
@@ -192,7 +192,7 @@ void sortByPlace(Surface& surface)
     surface.triangles[i] = given.triangles[triangles[i]];
     surface.boundary[i] = given.boundary[triangles[i]];
     surface.given[i] = given.given[triangles[i]];
-    surface.isOfSheet[i] = given.isOfSheet[triangles[i]];
+    surface.ofSheet[i] = given.ofSheet[triangles[i]];
   }
   while (!surface.given.empty() && surface.given.back() == ClosesAHole)
   {
@@ -205,11 +205,11 @@ void giveSidesToSheets(Surface& walls, Execution& execution)
 {
   const SurfaceEdges edges(walls, execution);
   const std::vector<SheetPair> sheets =
-    findSheets(walls, ThinSheets::LeaveOut, edges, findDuplicates(walls, edges));
+    findSheets(walls, SheetHandling::LeaveOut, edges, findDuplicates(walls, edges));
   giveSides(walls, edges, sheets);
-  for (std::size_t t = 0; t < walls.isOfSheet.size(); ++t)
+  for (std::size_t t = 0; t < walls.ofSheet.size(); ++t)
   {
-    if (walls.isOfSheet[t] != 0 && walls.walls.behind(walls.boundary[t]) != OutsideRegion)
+    if (walls.ofSheet[t] != 0 && walls.walls.behind(walls.boundary[t]) != OutsideRegion)
     {
       std::swap(walls.triangles[t][1], walls.triangles[t][2]);
     }
@@ -224,7 +224,7 @@ Surface wallsOf(const Surface& arranged, const Bodies& bodies, std::vector<std::
   Surface walls = WallFinder(arranged, bodies).run(crossing, execution);
   walls.rounding = arranged.rounding;
   sortByPlace(walls);
-  if (std::find(walls.isOfSheet.begin(), walls.isOfSheet.end(), 1) != walls.isOfSheet.end())
+  if (std::find(walls.ofSheet.begin(), walls.ofSheet.end(), 1) != walls.ofSheet.end())
   {
     giveSidesToSheets(walls, execution);
   }
@@ -247,7 +247,7 @@ bool unite(Surface& surface, MeshedSide meshed, Execution& execution)
   surface.vertices.swap(walls.vertices);
   surface.boundary.swap(walls.boundary);
   surface.given.swap(walls.given);
-  surface.isOfSheet.swap(walls.isOfSheet);
+  surface.ofSheet.swap(walls.ofSheet);
   surface.region.clear();
   return true;
 }

@@ -63,6 +63,13 @@ void checkBox(const Bounds& box, const Bounds& surface)
 
 }
 
+std::array<double, 3> unitAlong(FlowDirection flow)
+{
+  std::array<double, 3> unit{};
+  unit[static_cast<std::size_t>(flow) / 2] = static_cast<std::size_t>(flow) % 2 == 0 ? 1 : -1;
+  return unit;
+}
+
 Bounds boxAround(const DomainSpec& spec, const Bounds& surface)
 {
   Bounds box = spec.boxFrom == BoxSource::Bounds ? spec.bounds : lengthsAround(spec, surface);

@@ -68,6 +68,7 @@ enum class SideNames : std::uint8_t
 struct DomainSpec
 {
   static constexpr Range Lengths{ 0 };
+  static constexpr Range BoxesAlong{ 0, 1000 };
 
   Domain domain = Domain::Inside;
   BoxSource boxFrom = BoxSource::Surface;
@@ -77,7 +78,9 @@ struct DomainSpec
   double beside = 3;
   DomainSide ground = DomainSide::NoSide; // there the box ends with the surface
   Half half = Half::Whole;
-  SideNames sideNames = SideNames::Axes;
+  SideNames sideNames = SideNames::Flow;
+  int boxesAlong =
+    60; // the bodies' longest side, where no depth is asked for; 0: any number (FlowRefinement.h)
   Bounds bounds{};              // user units
   EndBoundaries sides = NoEnds; // boundaries of the box's sides
 
@@ -86,6 +89,8 @@ struct DomainSpec
 
   bool isOutside() const { return domain == Domain::Outside; }
 };
+
+std::array<double, 3> unitAlong(FlowDirection flow);
 
 // The box around a surface with these bounds. Throws Error: BadParameter.
 Bounds boxAround(const DomainSpec& spec, const Bounds& surface);

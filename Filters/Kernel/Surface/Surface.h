@@ -45,7 +45,7 @@ struct Surface
   EndBoundaries ends = NoEnds;      // where the grid cuts the domain
   std::vector<std::uint32_t>
     given; // of each triangle, its number in the view; none: it closes a hole
-  std::vector<std::uint8_t> isOfSheet; // of the first triangles, 1: of a sheet (ThinSheets.h)
+  std::vector<std::uint8_t> ofSheet; // of the first triangles, 1: of a sheet (ThinSheets.h)
   std::vector<std::uint8_t>
     byParity; // of each triangle; 1: no consistent orientation (Winding.h); empty: all 0
 
@@ -53,6 +53,21 @@ struct Surface
   {
     const auto& t = triangles[triangle];
     return { vertices[t[0]], vertices[t[1]], vertices[t[2]] };
+  }
+
+  // Whether a triangle is known to be of a sheet.
+  bool isOfSheet(std::size_t triangle) const
+  {
+    return triangle < ofSheet.size() && ofSheet[triangle] != 0;
+  }
+
+  // With a triangle of another surface of the same vertices, which has a number in the view and a region.
+  void append(const Surface& from, std::size_t triangle)
+  {
+    triangles.push_back(from.triangles[triangle]);
+    boundary.push_back(from.boundary[triangle]);
+    given.push_back(from.given[triangle]);
+    region.push_back(from.region[triangle]);
   }
 
   // How the winding changes on a path that crosses a triangle; `up`: its normal points along the

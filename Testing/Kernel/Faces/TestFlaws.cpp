@@ -300,7 +300,7 @@ TEST(Flaws, BoundariesOfWhichNothingIsLeftAreNamed)
   Execution execution;
   Options options;
   options.grid = cellsOf(0.3);
-  options.sheets = ThinSheets::LeaveOut;
+  options.sheets = SheetHandling::LeaveOut;
   const std::string text =
     describeFlaws(prepareSurface(soup.view(), options, execution), cells, names);
   EXPECT_NE(text.find("Nothing is left of 2 boundaries, all of whose"), std::string::npos) << text;

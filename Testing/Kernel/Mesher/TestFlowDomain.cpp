@@ -188,6 +188,7 @@ TEST(FlowDomain, SidesAreNamedByAxesOrByTheFlow)
   DomainSpec spec;
   spec.flow = FlowDirection::MinusY;
   spec.ground = DomainSide::ZMin;
+  spec.sideNames = SideNames::Axes;
   EXPECT_EQ(namesOfSides(spec), (Names{ "xMin", "xMax", "yMin", "yMax", "zMin", "zMax" }));
   spec.sideNames = SideNames::Flow;
   EXPECT_EQ(namesOfSides(spec), (Names{ "sides", "sides", "outlet", "inlet", "ground", "sides" }));

@@ -184,7 +184,7 @@ TEST(ThinSheets, AreLeftOut)
   Soup soup = alone;
   addSheet(soup, 2, plane({ 1, 0.2, 0.2 }, { 1, 0, 0.6 }, { 0, 0.5, 0 }));
   TestOptions options = asTheyAre();
-  options.sheets = ThinSheets::LeaveOut;
+  options.sheets = SheetHandling::LeaveOut;
   const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 11.3), options);
   EXPECT_TRUE(isValid(meshed.mesh, true));
   EXPECT_TRUE(fills(meshed.mesh, alone));
@@ -213,6 +213,6 @@ TEST(ThinSheets, AreNoDefects)
   const SurfaceDefects defects = findDefects(
     prepared.inspected(), prepared.trianglesGiven(), prepared.repair, prepared.planes, execution);
   EXPECT_TRUE(defects.defects.empty());
-  const std::vector<std::uint8_t>& isOfSheet = prepared.inspected().isOfSheet;
-  EXPECT_EQ(std::count(isOfSheet.begin(), isOfSheet.end(), 0), 12);
+  const std::vector<std::uint8_t>& ofSheet = prepared.inspected().ofSheet;
+  EXPECT_EQ(std::count(ofSheet.begin(), ofSheet.end(), 0), 12);
 }

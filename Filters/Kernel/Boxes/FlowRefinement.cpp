@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Boxes/FlowRefinement.h"
+
+#include "Base/Error.h"
+#include "Boxes/Boxes.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// In lengths of the bodies' longest side: how far the zones reach beyond them, and the wake behind them.
+constexpr double Margin = 0.25;
+constexpr double WakeLength = 2;
+
+Bounds common(Bounds a, const Bounds& b)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    a.low[axis] = std::max(a.low[axis], b.low[axis]);
+    a.high[axis] = std::min(a.high[axis], b.high[axis]);
+  }
+  return a;
+}
+
+Bounds grown(Bounds box, double by)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    box.low[axis] -= by;
+    box.high[axis] += by;
+  }
+  return box;
+}
+
+// The longest edge of a box of the grid that reaches into `body`.
+double largestBox(const GridSpec& grid, const Bounds& body)
+{
+  double largest = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const std::vector<double>& lines = grid.meshlines[axis];
+    for (std::size_t i = 0; i + 1 < lines.size(); ++i)
+    {
+      if (lines[i] < body.high[axis] && lines[i + 1] > body.low[axis])
+      {
+        largest = std::max(largest, lines[i + 1] - lines[i]);
+      }
+    }
+  }
+  return largest;
+}
+
+}
+
+FlowRefinement flowRefinement(const DomainSpec& domain, const GridSpec& grid, const Bounds& surface)
+{
+  requireInRange(DomainSpec::BoxesAlong, domain.boxesAlong, "Boxes Along Body");
+  const Bounds box = boxAround(domain, surface);
+  const Bounds body = common(surface, box);
+  const double length = body.longest();
+  FlowRefinement result;
+  for (double size = largestBox(fittedTo(box, grid), body);
+       size * domain.boxesAlong > length && result.depth < DeepestLevel; size /= 2)
+  {
+    ++result.depth;
+  }
+  const Bounds around = grown(body, Margin * length);
+  Bounds wake = around;
+  const auto flow = static_cast<std::size_t>(domain.flow);
+  (flow % 2 == 0 ? wake.high : wake.low)[flow / 2] +=
+    (flow % 2 == 0 ? 1 : -1) * (WakeLength - Margin) * length;
+  for (const FlowZone& zone :
+    { FlowZone{ around, result.depth - 1 }, FlowZone{ wake, result.depth - 2 } })
+  {
+    if (zone.depth > 0)
+    {
+      result.zones.push_back({ common(zone.box, box), zone.depth });
+    }
+  }
+  return result;
+}
+
+}

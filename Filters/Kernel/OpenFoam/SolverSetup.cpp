@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenFoam/SolverSetup.h"
+
+#include "Base/Error.h"
+#include "OpenFoam/FlowCase.h"
+#include "OpenFoam/HeatCase.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::array<const char*, 6> Sides{ "xMin", "xMax", "yMin", "yMax", "zMin", "zMax" };
+
+// Of the box around bodies, where sides are called by axes; else 6.
+int sideCalled(const std::string& name)
+{
+  return static_cast<int>(std::find(Sides.begin(), Sides.end(), name) - Sides.begin());
+}
+
+PatchRole roleOfSide(int side, const FlowAround& around)
+{
+  return side == around.direction    ? PatchRole::Inlet
+    : side == (around.direction ^ 1) ? PatchRole::Outlet
+                                     : PatchRole::Slip;
+}
+
+void requireEnds(const MeshOfCase& mesh, const std::optional<FlowAround>& around)
+{
+  const std::string of = mesh.region.empty() ? "" : " of region " + mesh.region;
+  for (const auto& [role, name] :
+    { std::pair(PatchRole::Inlet, "inlet"), std::pair(PatchRole::Outlet, "outlet") })
+  {
+    if (namesOf(mesh, role, around).empty())
+    {
+      throw Error(Fault::BadParameter,
+        std::string("Solver Setup: no boundary") + of + " is an " + name +
+          ". The mesh is written, the set-up is not: give a boundary a name that begins with " +
+          name + ", such as by Boundary Merged Names, or set Solver Setup to None.");
+    }
+  }
+}
+
+void requireInRange(const SolverSetup& setup)
+{
+  requireInRange(SolverSetup::Speeds, setup.speed, "Speed");
+  requireInRange(SolverSetup::Viscosities, setup.viscosity, "Viscosity");
+  requireInRange(SolverSetup::Temperatures, setup.temperature, "Inlet Temperature");
+  requireInRange(SolverSetup::AllIterations, setup.iterations, "Iterations");
+}
+
+}
+
+PatchRole roleOf(const FoamPatch& patch, const std::optional<FlowAround>& around)
+{
+  const int side = around ? sideCalled(patch.name) : 6;
+  if (patch.type == "mappedWall")
+  {
+    return PatchRole::Coupled;
+  }
+  if (patch.type == "wall")
+  {
+    return around && (side < 6 || patch.name == "ground") ? PatchRole::Ground : PatchRole::Wall;
+  }
+  if (patch.type != "patch")
+  {
+    return PatchRole::Constraint;
+  }
+  if (side < 6)
+  {
+    return roleOfSide(side, *around);
+  }
+  const BoundaryKind kind = kindOf(patch);
+  return kind == BoundaryKind::Inlet  ? PatchRole::Inlet
+    : around && patch.name == "sides" ? PatchRole::Slip
+                                      : PatchRole::Outlet;
+}
+
+std::vector<std::string> namesOf(
+  const MeshOfCase& mesh, PatchRole role, const std::optional<FlowAround>& around)
+{
+  std::vector<std::string> names;
+  for (const FoamPatch& patch : mesh.patches)
+  {
+    if (roleOf(patch, around) == role)
+    {
+      names.push_back(patch.name);
+    }
+  }
+  return names;
+}
+
+std::vector<std::filesystem::path> writeSolverCase(const std::filesystem::path& folder,
+  const SolverSetup& setup, const std::vector<MeshOfCase>& meshes,
+  const std::optional<FlowAround>& around, int pieces)
+{
+  requireInRange(setup);
+  const bool areRegions = !meshes.empty() && !meshes.front().region.empty();
+  if (setup.solver == Solver::None || meshes.empty())
+  {
+    return {};
+  }
+  if (areRegions != (setup.solver == Solver::ConjugateHeat))
+  {
+    throw Error(Fault::BadParameter,
+      areRegions ? "Solver Setup is Incompressible, for one mesh, but there are several regions. "
+                   "The meshes are "
+                   "written, the set-up is not: choose Conjugate Heat, or Regions As Zones."
+                 : "Solver Setup is Conjugate Heat, for several regions, but there is one. The "
+                   "mesh is written, the "
+                   "set-up is not: choose Incompressible, or set Regions From.");
+  }
+  for (const MeshOfCase& mesh : meshes)
+  {
+    if (mesh.isFluid)
+    {
+      requireEnds(mesh, around);
+    }
+  }
+  CaseFiles files(folder, setup.overwrites, pieces);
+  if (areRegions)
+  {
+    writeHeatCase(setup, meshes, pieces, files);
+  }
+  else
+  {
+    writeFlowCase(setup, meshes.front(), around, pieces, files);
+  }
+  return files.kept();
+}
+
+}

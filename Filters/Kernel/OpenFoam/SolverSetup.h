@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a solver needs beside the mesh: start and boundary conditions, properties, schemes and a script that runs it.
+#pragma once
+
+#include "Base/Range.h"
+#include "OpenFoam/FoamBoundary.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cartesian
+{
+
+enum class Solver : std::uint8_t
+{
+  None = 0,
+  Incompressible = 1, // simpleFoam
+  ConjugateHeat = 2,  // chtMultiRegionSimpleFoam
+};
+
+enum class Turbulence : std::uint8_t
+{
+  KOmegaSST = 0,
+  Laminar = 1,
+};
+
+// All in SI units.
+struct SolverSetup
+{
+  static constexpr Range Speeds{ 0 };
+  static constexpr Range Viscosities{ 0 };
+  static constexpr Range Temperatures{ 0 };
+  static constexpr Range AllIterations{ 1, 2147483647 };
+
+  Solver solver = Solver::None;
+  Turbulence turbulence = Turbulence::KOmegaSST;
+  double speed = 10;         // at inlets, m/s
+  double viscosity = 1.5e-5; // kinematic, m2/s
+  double temperature = 350;  // of what flows in, K
+  int iterations = 500;
+  bool overwrites = false; // files that are there
+};
+
+// A mesh of the case as it was written.
+struct MeshOfCase
+{
+  std::string region; // empty: the case has one mesh
+  bool isFluid = true;
+  std::vector<FoamPatch> patches; // each has a type
+};
+
+// The flow around bodies in a box (Surface/FlowDomain.h).
+struct FlowAround
+{
+  int direction = 0; // 0 to 5 for plus x, minus x, plus y, ...
+  int up = 2;        // the axis of lift; where it is the flow's, the next one
+
+  // Of the bodies along the flow, m, and of their shadow, m2 (FrontalArea.h); 0: not known, as of a decomposed case.
+  double length = 0;
+  double frontalArea = 0;
+};
+
+// What a patch is to the flow.
+enum class PatchRole : std::uint8_t
+{
+  Wall,
+  Ground, // moves with the flow far away
+  Inlet,
+  Outlet,
+  Slip,      // a side of the box around bodies
+  Coupled,   // to another region
+  Constraint // of its type: symmetry, cyclic, processor, ...
+};
+
+PatchRole roleOf(const FoamPatch& patch, const std::optional<FlowAround>& around);
+
+// The names of the patches that have this role.
+std::vector<std::string> namesOf(
+  const MeshOfCase& mesh, PatchRole role, const std::optional<FlowAround>& around);
+
+// Writes 0, constant, system and Allrun into the folder of a case, or of a case in `pieces`, processor0/0 and so on.
+// Files that are there stay, but for those of system that only checkMesh needs (PolyMeshFiles.h), unless the set-up
+// overwrites; returns those that stayed. Throws Error: BadParameter (a number out of range, no inlet, no outlet, regions
+// where there should be one or the other way round), CannotWrite.
+std::vector<std::filesystem::path> writeSolverCase(const std::filesystem::path& folder,
+  const SolverSetup& setup, const std::vector<MeshOfCase>& meshes,
+  const std::optional<FlowAround>& around, int pieces);
+
+}

@@ -1,0 +1,206 @@
+// What a solver needs beside the mesh; TestSolverSetup.py runs the solvers.
+
+#include "Base/Error.h"
+#include "OpenFoam/FrontalArea.h"
+#include "OpenFoam/LeastSystem.h"
+#include "OpenFoam/SolverSetup.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+using namespace cartesian;
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+FoamPatch patch(const std::string& name, const std::string& type)
+{
+  return { name, 1, type };
+}
+
+// An empty folder of each test's own.
+class SolverCase : public testing::Test
+{
+protected:
+  SolverCase()
+    : folder(fs::path(testing::TempDir()) /
+        testing::UnitTest::GetInstance()->current_test_info()->name())
+  {
+    fs::remove_all(folder);
+    writeLeastSystem(folder, {});
+  }
+  ~SolverCase() override { fs::remove_all(folder); }
+
+  std::string read(const fs::path& name) const
+  {
+    std::ifstream file(folder / name);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+
+  fs::path folder;
+  SolverSetup setup = { Solver::Incompressible };
+  std::vector<MeshOfCase> duct = { { {}, true,
+    { patch("inlet", "patch"), patch("outlet_1", "patch"), patch("vent", "patch"),
+      patch("wall", "wall"), patch("middle", "symmetryPlane") } } };
+};
+
+// Cubes of edge 1 with the low corner at x, y, z, one patch each.
+FoamMesh cubes(const std::vector<std::array<double, 3>>& corners)
+{
+  FoamMesh mesh;
+  mesh.start = { 0 };
+  mesh.cellCount = corners.size();
+  for (std::size_t cube = 0; cube < corners.size(); ++cube)
+  {
+    for (std::uint32_t corner = 0; corner < 8; ++corner)
+    {
+      for (std::uint32_t axis = 0; axis < 3; ++axis)
+      {
+        mesh.points.push_back(corners[cube][axis] + (corner >> axis & 1U));
+      }
+    }
+    for (const std::array<std::uint32_t, 4>& face :
+      { std::array{ 0U, 4U, 6U, 2U }, std::array{ 1U, 3U, 7U, 5U }, std::array{ 0U, 1U, 5U, 4U },
+        std::array{ 2U, 6U, 7U, 3U }, std::array{ 0U, 2U, 3U, 1U }, std::array{ 4U, 5U, 7U, 6U } })
+    {
+      for (const std::uint32_t corner : face)
+      {
+        mesh.corners.push_back(corner + static_cast<std::uint32_t>(8 * cube));
+      }
+      mesh.start.push_back(mesh.corners.size());
+      mesh.owner.push_back(static_cast<std::uint32_t>(cube));
+    }
+    mesh.patches.push_back({ "cube" + std::to_string(cube), 6 });
+  }
+  return mesh;
+}
+
+}
+
+TEST_F(SolverCase, PatchesHaveTheirRolesByTypeAndName)
+{
+  const auto expect = [](const FoamPatch& of, PatchRole inDuct, PatchRole around) {
+    FlowAround flow;
+    flow.direction = 3; // minus y
+    EXPECT_EQ(roleOf(of, {}), inDuct) << of.name;
+    EXPECT_EQ(roleOf(of, flow), around) << of.name;
+  };
+  using Role = PatchRole;
+  expect(patch("Inlet_2", "patch"), Role::Inlet, Role::Inlet);
+  expect(patch("outlet", "patch"), Role::Outlet, Role::Outlet);
+  expect(patch("vent", "patch"), Role::Outlet, Role::Outlet);
+  expect(patch("inlet", "wall"), Role::Wall, Role::Wall);
+  expect(patch("ground", "wall"), Role::Wall, Role::Ground);
+  expect(patch("zMin", "wall"), Role::Wall, Role::Ground);
+  expect(patch("sides", "patch"), Role::Outlet, Role::Slip);
+  expect(patch("yMax", "patch"), Role::Outlet, Role::Inlet);
+  expect(patch("yMin", "patch"), Role::Outlet, Role::Outlet);
+  expect(patch("xMin", "patch"), Role::Outlet, Role::Slip);
+  expect(patch("inlet", "symmetryPlane"), Role::Constraint, Role::Constraint);
+  expect(patch("a_to_b", "mappedWall"), Role::Coupled, Role::Coupled);
+}
+
+TEST_F(SolverCase, EachFieldHasEachPatch)
+{
+  EXPECT_TRUE(writeSolverCase(folder, setup, duct, {}, 1).empty());
+  for (const char* field : { "U", "p", "k", "omega", "nut" })
+  {
+    const std::string text = read(fs::path("0") / field);
+    for (const FoamPatch& of : duct.front().patches)
+    {
+      EXPECT_NE(text.find("    " + of.name + " { type "), std::string::npos) << field << of.name;
+    }
+    EXPECT_NE(text.find("middle { type symmetryPlane; }"), std::string::npos) << field;
+  }
+  EXPECT_NE(read("0/U").find("inlet { type surfaceNormalFixedValue; refValue uniform -10; }"),
+    std::string::npos);
+  setup.turbulence = Turbulence::Laminar;
+  fs::remove_all(folder);
+  writeSolverCase(folder, setup, duct, {}, 3);
+  EXPECT_FALSE(fs::exists(folder / "processor0/0/k"));
+  EXPECT_NE(read("processor2/0/U").find("\"procBoundary.*\" { type processor;"), std::string::npos);
+}
+
+TEST_F(SolverCase, FlowAroundBodiesGoesWhereItShould)
+{
+  duct.front().patches = { patch("inlet", "patch"), patch("outlet", "patch"),
+    patch("ground", "wall"), patch("sides", "patch"), patch("car", "wall") };
+  FlowAround flow;
+  flow.direction = 3;
+  setup.speed = 20;
+  writeSolverCase(folder, setup, duct, flow, 1);
+  const std::string velocity = read("0/U");
+  for (const char* name : { "inlet", "ground" })
+  {
+    EXPECT_NE(velocity.find(std::string(name) + " { type fixedValue; value uniform (0 -20 0); }"),
+      std::string::npos)
+      << velocity;
+  }
+  const std::string control = read("system/controlDict");
+  EXPECT_NE(control.find("patches (car);"), std::string::npos) << control;
+  EXPECT_NE(control.find("dragDir (0 -1 0);"), std::string::npos);
+  EXPECT_NE(control.find("liftDir (0 0 1);"), std::string::npos);
+}
+
+TEST_F(SolverCase, WhatIsThereStays)
+{
+  std::ofstream(folder / "system/fvSchemes") << "mine";
+  EXPECT_EQ(writeSolverCase(folder, setup, duct, {}, 1),
+    std::vector<fs::path>{ folder / "system/fvSchemes" });
+  EXPECT_EQ(read("system/fvSchemes"), "mine");
+  EXPECT_NE(read("system/controlDict").find("simpleFoam"), std::string::npos);
+  setup.speed = 5;
+  EXPECT_EQ(writeSolverCase(folder, setup, duct, {}, 1).size(), 11);
+  EXPECT_NE(read("0/U").find("-10"), std::string::npos);
+  setup.overwrites = true;
+  EXPECT_TRUE(writeSolverCase(folder, setup, duct, {}, 1).empty());
+  EXPECT_NE(read("0/U").find("-5"), std::string::npos);
+  EXPECT_NE(read("system/fvSchemes"), "mine");
+}
+
+TEST_F(SolverCase, WhatCannotRunIsRefused)
+{
+  const auto expectRefusal = [&](const std::string& words) {
+    try
+    {
+      writeSolverCase(folder, setup, duct, {}, 1);
+      ADD_FAILURE() << "nothing was thrown";
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(error.fault, Fault::BadParameter);
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+    EXPECT_FALSE(fs::exists(folder / "0"));
+  };
+  setup.solver = Solver::ConjugateHeat;
+  expectRefusal("set Regions From");
+  setup.solver = Solver::Incompressible;
+  duct.front().region = "gas";
+  expectRefusal("choose Conjugate Heat");
+  duct.front().region.clear();
+  setup.viscosity = -1;
+  expectRefusal("Viscosity is -1");
+  setup.viscosity = 1;
+  duct.front().patches[0].name = "in";
+  expectRefusal("is an inlet");
+}
+
+TEST(BodySize, IsThatOfTheShadow)
+{
+  // The second is behind the first along x, half of it aside; the third is far away.
+  const FoamMesh mesh = cubes({ { 0, 0, 0 }, { 3, 0.5, 0 }, { 0, 9, 9 } });
+  const BodySize size = sizeOfBodies(mesh, { "cube0", "cube1" }, 0);
+  EXPECT_EQ(size.length, 4);
+  EXPECT_NEAR(size.frontalArea, 1.5, 0.002);
+  EXPECT_NEAR(sizeOfBodies(mesh, { "cube0", "cube1" }, 1).frontalArea, 2, 0.002);
+  EXPECT_EQ(sizeOfBodies(mesh, { "none" }, 1).frontalArea, 0);
+  EXPECT_FALSE(flatAxisOf(mesh, { "none" }));
+  EXPECT_EQ(flatAxisOf(mesh, { "cube0", "cube2" }), 0);
+}

@@ -1,0 +1,120 @@
+"""Solver Setup: from a surface to a solver that runs, by Allrun, with nothing written by hand. Through a duct, around a
+body on the ground, in gas and solid, whole and in pieces; from Python and from a task file."""
+
+import math
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+from paraview import simple
+
+import foam
+from pipeline import Messages
+from slab import box
+
+PROGRAM = sys.argv[2]
+temporary = tempfile.TemporaryDirectory()
+root = pathlib.Path(temporary.name)
+
+
+SAID = ""
+
+
+def expect(value, expected, tolerance):
+    assert value is None or math.isclose(value, expected, rel_tol=tolerance), value
+
+
+def ran(folder):
+    """The first residuals of pressure, iteration by iteration."""
+    global SAID
+    SAID = foam.run(folder, "./Allrun")
+    log = (folder / "log.simpleFoam").read_text()
+    return [float(residual) for residual in re.findall(r"Solving for p, Initial residual = ([^,]+)", log)]
+
+
+def last(folder, function, column=1):
+    """Of what a function object has written; none with an OpenFOAM that has none."""
+    if SAID.count("without function objects"):
+        return None
+    file = next((folder / "postProcessing" / function / "0").iterdir())
+    return float(file.read_text().splitlines()[-1].split()[column].strip("()"))
+
+
+# A duct of 3 x 1 x 1 mm.
+duct = simple.CartesianMesher(Input=box([0, 0, 0], [3, 1, 1], ("inlet", "outlet")), BoundaryArray="Wall", CellSize=0.2)
+case = foam.save(duct, root / "duct", SolverSetup="Incompressible", Scale=0.001, Speed=2, Iterations=60)
+residuals = ran(case)
+assert len(residuals) == 60 and residuals[-1] < 1e-3 * residuals[0], residuals
+expect(last(case, "flux_inlet"), -2e-6, 1e-5)
+expect(last(case, "flux_outlet"), 2e-6, 1e-4)
+assert (last(case, "pressure_inlet") or 1) > 0
+
+# What is there stays, unless told; and checkMesh's few files are no set-up.
+velocity = case / "0" / "U"
+with Messages() as said:
+    foam.save(duct, case, SolverSetup="Incompressible", Speed=3)
+assert "11 files are there and stay" in str(said) and "refValue uniform -2;" in velocity.read_text(), str(said)
+with Messages() as said:
+    foam.save(duct, case, SolverSetup="Incompressible", Speed=3, OverwriteSetup=1)
+assert "stay" not in str(said) and "refValue uniform -3;" in velocity.read_text(), str(said)
+
+# In two pieces, laminar.
+case = foam.save(duct, root / "pieces", SolverSetup="Incompressible", Turbulence="Laminar", Viscosity=0.01,
+                 Speed=1, Iterations=30, Pieces=2)
+(case / "Allrun").write_text((case / "Allrun").read_text().replace("mpirun", " ".join(foam.MPIRUN)))
+residuals = ran(case)
+assert len(residuals) == 30 and residuals[-1] < 0.01 * residuals[0], residuals
+expect(last(case, "flux_outlet"), 1, 1e-3)
+
+# Around a cube on the ground, by a task file: nothing but the surface, the domain and the set-up.
+simple.SaveData(str(root / "cube.stl"), proxy=simple.Triangulate(Input=simple.Box()))
+(root / "task.toml").write_text("""
+[surface]
+file = "cube.stl"
+[domain]
+domain = "Outside"
+ground = "zMin"
+boxes_along_body = 12
+lengths_before = 2
+lengths_behind = 3
+lengths_beside = 1.5
+[case]
+solver_setup = "Incompressible"
+iterations = 60
+[output]
+mesh = "cube/case.foam"
+""")
+subprocess.run([PROGRAM, str(root / "task.toml")], check=True, capture_output=True)
+case = root / "cube"
+control = (case / "system/controlDict").read_text()
+area, length = (float(re.search(name + r" (\S+);", control)[1]) for name in ("Aref", "lRef"))
+assert abs(area - 1) < 0.01 and abs(length - 1) < 1e-6, (area, length)
+residuals = ran(case)
+assert residuals[-1] < 0.1 * residuals[0], residuals
+# Cubes on the ground are measured to have about 1.
+assert 0.6 < (last(case, "forceCoeffs") or 1) < 1.6, last(case, "forceCoeffs")
+
+# Gas of 600 K over a solid that is cooled by air of 293 K.
+both = simple.GroupDatasets(BlockNames=["gas", "solid"], Input=[
+    box([0, 0, 0], [3, 1, 1], ("inlet", "outlet")), box([0, 1, 0], [3, 2, 1], ("end_1", "end_2"))])
+regions = simple.CartesianMesher(Input=both, RegionsFrom="Blocks", BoundaryArray="Wall", CellSize=0.2)
+for pieces, flow in (1, {}), (2, {"Turbulence": "Laminar", "Viscosity": 0.01}):
+    case = foam.save(regions, root / f"heat{pieces}", SolverSetup="Conjugate Heat", Scale=0.1, InletTemperature=600,
+                     Iterations=100, Pieces=pieces, **flow)
+    for script in case / "Allrun", case / "flow/gas/Allrun":
+        script.write_text(script.read_text().replace("mpirun", " ".join(foam.MPIRUN)))
+    foam.run(case, "./Allrun")
+    log = (case / "log.chtMultiRegionSimpleFoam").read_text()
+    ranges = [tuple(map(float, found)) for found in re.findall(r"Min/max T:(\S+) (\S+)", log)]
+    (coldest, hottest), (least, most) = ranges[-2:]
+    assert len(ranges) == 200 and hottest < 600.1, ranges[-2:]
+    assert 293 < least < most < hottest and coldest > least - 1, ranges[-2:]
+
+# What cannot run is refused; the mesh is there.
+closed = simple.CartesianMesher(Input=simple.Triangulate(Input=simple.Box()), CellSize=0.5)
+with Messages() as said:
+    foam.save(closed, root / "closed", SolverSetup="Incompressible")
+assert "no boundary is an inlet" in str(said), str(said)
+assert (root / "closed/constant/polyMesh/points").exists() and not (root / "closed/0").exists()
