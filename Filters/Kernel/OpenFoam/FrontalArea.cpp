@@ -155,8 +155,8 @@ std::optional<int> flatAxisOf(const FoamMesh& mesh, const std::vector<std::strin
   std::array<double, 3> lengths;
   std::transform(
     bounds.high.begin(), bounds.high.end(), bounds.low.begin(), lengths.begin(), std::minus<>());
-  const auto least = std::min_element(lengths.begin(), lengths.end());
-  return *least >= 0 ? std::optional<int>(static_cast<int>(least - lengths.begin())) : std::nullopt;
+  const double* const least = std::min_element(lengths.data(), lengths.data() + lengths.size());
+  return *least >= 0 ? std::optional<int>(static_cast<int>(least - lengths.data())) : std::nullopt;
 }
 
 }
