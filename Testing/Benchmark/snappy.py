@@ -19,21 +19,27 @@ LAYERS = """
     minMedialAxisAngle 90; nBufferCellsNoExtrude 0; nLayerIter 50;"""
 
 
-def write_block(folder, low, high, cells):
-    """The background: a box of equal cells."""
+# Of the block, by its corners: low and high x, y, z.
+SIDES = "(0 4 7 3)", "(1 2 6 5)", "(0 1 5 4)", "(3 7 6 2)", "(0 3 2 1)", "(4 5 6 7)"
+
+
+def write_block(folder, low, high, cells, sides=()):
+    """The background: a box of equal cells. `sides`: names of its sides, or none."""
     corners = "".join(f"({x} {y} {z})\n" for z in (low[2], high[2])
         for x, y in ((low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1])))
+    boundary = "".join(f"{name} {{ type patch; faces ({' '.join(face for of, face in zip(sides, SIDES) if of == name)}); }}\n"
+        for name in dict.fromkeys(sides))
     foam.write(folder, "system/blockMeshDict", f"""
         vertices ({corners});
         blocks (hex (0 1 2 3 4 5 6 7) ({cells[0]} {cells[1]} {cells[2]}) simpleGrading (1 1 1));
-        boundary ();""")
+        boundary ({boundary});""")
 
 
-def write_case(folder, low, high, cells, inside, level=0, regions=(), features=False, layers=None):
+def write_case(folder, low, high, cells, inside, level=0, regions=(), features=False, layers=None, sides=()):
     """For constant/triSurface/surface.stl. `inside`: a point in each part to mesh; `regions`: the names of
     the file's solids, if these shall be patches; `features`: whether to snap to surface.eMesh beside it,
     which surfaceFeatureExtract writes; `layers`: how many on all but inlets and outlets, their ratio, and the height of the first."""
-    write_block(folder, low, high, cells)
+    write_block(folder, low, high, cells, sides)
     foam.write(folder, "system/controlDict", f"""
         application snappyHexMesh; startFrom startTime; startTime 0; stopAt endTime; endTime 1; deltaT 1;
         writeControl timeStep; writeInterval 1; writePrecision 17;

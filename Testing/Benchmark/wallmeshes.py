@@ -31,11 +31,11 @@ class Meshed:
 
 def make(mesher, surface, size, depth, folder, properties=None, layers=None, outside=False):
     """A Meshed; AssertionError if there is no mesh. `layers`: how many, their ratio, the first one's height. `outside`:
-    around the surface, in a box."""
+    around the surface, in a box; or (low, high), in that one, whose sides are inlet (low x), outlet and sides."""
     if mesher == OURS:
         named = dict(zip(("Layers", "LayerExpansionRatio", "FirstLayerThickness"), layers or ()))
         if outside:
-            low, high = box_around(surface)
+            low, high = box_around(surface) if outside is True else map(np.array, outside)
             named |= {"Domain": "Outside", "BoxFrom": "Bounds", "DomainBounds": np.stack([low, high], axis=1).ravel().tolist()}
         return make_ours(surface, size, depth, folder, named | (properties or {}))
     return make_theirs(surface, size, depth, folder, layers, outside)
@@ -72,13 +72,14 @@ def make_ours(surface, size, depth, folder, properties):
 def make_theirs(surface, size, depth, folder, layers, outside):
     path = pathlib.Path(folder) / "constant" / "triSurface" / "surface.stl"
     surface.write(path)
-    low, high = box_around(surface) if outside else surface.bounds()
-    cells = ((high - low) / size).astype(int) + 2
-    low = low - size / 2
+    isBox = isinstance(outside, tuple)
+    low, high = map(np.array, outside) if isBox else box_around(surface) if outside else surface.bounds()
+    cells = np.ceil((high - low) / size - 1e-6).astype(int) if isBox else ((high - low) / size).astype(int) + 2
+    low, high = (low, high) if isBox else (low - size / 2, low - size / 2 + size * cells)
     inside = [(low + 0.37 * size).tolist()] if outside else surface.points_inside(size)
     names = surface.names if len(surface.names) > 1 else []
-    snappy.write_case(folder, low.tolist(), (low + size * cells).tolist(), cells.tolist(),
-        inside, depth, names, features=True, layers=layers)
+    snappy.write_case(folder, low.tolist(), high.tolist(), cells.tolist(), inside, depth, names, features=True, layers=layers,
+        sides=("inlet", "outlet", *["sides"] * 4) if isBox else ())
     foam.run(folder, "blockMesh")
     foam.run(folder, "surfaceFeatureExtract")
     begin = children_time()

@@ -24,18 +24,19 @@ MOVED = "moved by a third of a box"
 
 
 class Case:
-    """`sizes`: of boxes, from coarse to fine. `measured(files, turn)` gives {figure: value} of a mesh of the surface turned by
-    `turn`, a matrix; one called "cells" is added. `ideal`: {figure: what it should be}, where that is not 0."""
+    """`sizes`: of boxes, from coarse to fine. `measured(files, turn)` gives {figure: value}, errors that should be 0, of a mesh of
+    the surface turned by `turn`, a matrix. `depth`: of refinement at the surface; `outside`: as wallmeshes.make has it, and
+    then nothing is turned."""
 
-    def __init__(self, name, title, text, surface, sizes, measured, ideal=None):
-        self.name, self.title, self.text, self.surface, self.sizes, self.measured, self.ideal = \
-            name, title, text, surface, sizes, measured, ideal or {}
+    def __init__(self, name, title, text, surface, sizes, measured, **mesh):
+        self.name, self.title, self.text, self.surface, self.sizes, self.measured = name, title, text, surface, sizes, measured
+        self.depth, self.outside = mesh.get("depth", 0), mesh.get("outside", False)
 
     def jobs(self, quick):
         for mesher in MESHERS:
             for size in self.sizes[:-1] if quick else self.sizes:
                 yield mesher, size, AS_IT_IS
-            if not quick:
+            if not quick and not self.outside:
                 for variant in *TURNS, *([MOVED] if mesher == OURS else []):
                     yield mesher, self.sizes[len(self.sizes) // 2], variant
 
@@ -44,7 +45,8 @@ class Case:
         surface = turned(self.surface, turn)
         began = seconds_used()
         with tempfile.TemporaryDirectory() as folder:
-            meshed = make(mesher, surface, size, 0, folder, grid_moved(surface, size) if variant == MOVED else None)
+            meshed = make(mesher, surface, size, self.depth, folder, grid_moved(surface, size) if variant == MOVED else None,
+                          outside=self.outside)
             files = foam.Files(folder)
             figures = self.measured(files, turn)
             return {"mesher": mesher, "size": size, "variant": variant, "cells": int(files.cells), "figures": figures,
@@ -88,7 +90,7 @@ def run(case):
             continue
         known.append(case.row(*job))
         print(f"{case.name}: {', '.join(map(str, job))}: {known[-1]['cells']} cells, {known[-1]['figures']}", flush=True)
-        path.write_text(json.dumps({"title": case.title, "text": case.text, "ideal": case.ideal, "rows": known}, indent=1) + "\n")
+        path.write_text(json.dumps({"title": case.title, "text": case.text, "rows": known}, indent=1) + "\n")
     return known
 
 

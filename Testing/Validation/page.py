@@ -11,8 +11,12 @@ HEAD = """# Validation
 
 What a solver gets from these meshes, beside snappyHexMesh's of the same boxes, against references that are not ours. `Testing/Validation/run.sh`
 makes this page; each row is one mesh, with default options. Commit {commit}, {date}; {minutes:.0f} minutes of one core for meshes and
-solvers. Errors are relative: 0.01 is 1 %. Meshes are also made of the geometry turned, and with the grid moved by a third of a box: a mesher must not care where its grid lies.
+solvers. Errors are relative, 0.01 is 1 %, and of all walls without layers. Meshes are also made of the geometry turned, and with the grid moved by a third of a box: a mesher must not care where its grid lies.
 """
+
+
+def shown(value):
+    return str(value) if isinstance(value, int) else f"{value:.2g}"
 
 
 def table(case):
@@ -21,8 +25,8 @@ def table(case):
     yield "| Mesh | Box | Geometry | Cells | " + " | ".join(figures) + " |"
     yield "|---|---|---|---|" + "---|" * len(figures)
     for row in sorted(case["rows"], key=lambda row: (row["variant"] != "as it is", row["variant"], -row["size"], row["mesher"])):
-        yield (f"| {row['mesher']} | {row['size']:g} | {row['variant']} | {row['cells']:,} | "
-               + " | ".join(f"{row['figures'][figure]:.2g}" for figure in figures) + " |")
+        yield (f"| {row['mesher']} | {row['size']:.3g} | {row['variant']} | {row['cells']:,} | "
+               + " | ".join(shown(row["figures"][figure]) for figure in figures) + " |")
     yield ""
 
 

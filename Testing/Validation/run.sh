@@ -13,7 +13,7 @@ if [ "${1:-}" = --quick ]; then
 fi
 results=${1:-$here/../../build/validation}
 [ $# -eq 0 ] || shift
-[ $# -gt 0 ] || set -- shell made pipe
+[ $# -gt 0 ] || set -- shell made pipe cylinder
 for plugins in "$here"/../../build/release/lib/paraview-*/plugins; do
   export PV_PLUGIN_PATH="$plugins"
 done
