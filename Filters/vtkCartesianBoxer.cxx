@@ -118,6 +118,14 @@ bool vtkCartesianBoxer::RefinesFlow(const cartesian::DomainSpec& domain) const
   return domain.isOutside() && this->RefinementDepth == 0 && domain.boxesAlong > 0;
 }
 
+cartesian::FlowRefinement vtkCartesianBoxer::FlowOf(
+  const cartesian::SurfaceFromVTK& source, const cartesian::Options& options) const
+{
+  return this->RefinesFlow(options.domain)
+    ? cartesian::flowRefinement(options.domain, options.grid, cartesian::boundsOf(source.view()))
+    : cartesian::FlowRefinement();
+}
+
 void vtkCartesianBoxer::AddFlowRefinement(const cartesian::SurfaceFromVTK& source,
   cartesian::Options& options, std::vector<RegionSurface>& regions) const
 {
@@ -125,8 +133,7 @@ void vtkCartesianBoxer::AddFlowRefinement(const cartesian::SurfaceFromVTK& sourc
   {
     return;
   }
-  const cartesian::FlowRefinement flow =
-    cartesian::flowRefinement(options.domain, options.grid, cartesian::boundsOf(source.view()));
+  const cartesian::FlowRefinement flow = this->FlowOf(source, options);
   options.refinement.depth = flow.depth;
   if (!regions.empty())
   {
@@ -654,8 +661,9 @@ std::unique_ptr<cartesian::Decomposition> vtkCartesianBoxer::Divide(
   cartesian::Options options = this->MakeOptions();
   this->AddRefinement(source, surfaces, std::move(sizes), options);
   auto decomposition = cartesian::decompose(prepared, options, execution);
-  for (const std::string& warning :
-    { cartesian::describeOverhang(prepared), decomposition->warnings() })
+  for (const std::string& warning : { cartesian::describeOverhang(prepared),
+         cartesian::describeShortfall(options.domain, this->FlowOf(source, options)),
+         decomposition->warnings() })
   {
     this->Warn(warning);
   }

@@ -53,6 +53,7 @@ class Decomposition;
 struct DomainSpec;
 class Execution;
 struct ExpectedRow;
+struct FlowRefinement;
 struct Options;
 struct PreparedSurface;
 struct RefinementSpec;
@@ -406,6 +407,9 @@ private:
   struct RegionSurface;
   std::vector<RegionSurface> RegionSurfaces(
     const std::vector<vtkSmartPointer<vtkDataObject>>& given) const;
+  // Nothing, where the user asks for other boxes.
+  cartesian::FlowRefinement FlowOf(
+    const cartesian::SurfaceFromVTK& source, const cartesian::Options& options) const;
   void AddFlowRefinement(const cartesian::SurfaceFromVTK& source, cartesian::Options& options,
     std::vector<RegionSurface>& regions) const;
   void AddRefinement(const cartesian::SurfaceFromVTK& source, std::vector<RegionSurface>& regions,

@@ -226,7 +226,7 @@ void vtkPolyMeshWriter::WritePiece(vtkUnstructuredGrid* piece, int number)
 
 void vtkPolyMeshWriter::CheckDecomposition(int processes)
 {
-  this->CheckScale();
+  this->CheckNumbers();
   if (!this->ZoneRegions.empty() || this->ZoneBorders == CyclicAMI)
   {
     throw cartesian::Error(cartesian::Fault::BadParameter,
@@ -298,6 +298,7 @@ void vtkPolyMeshWriter::FinishPieces(vtkUnstructuredGrid* grid)
       cartesian::FoamPlace{ static_cast<int>(i), this->Pieces });
     WriteMeshes(load(i), regions, this->Scale, written.back());
   }
+  cartesian::requireSuitable(this->MakeSetup(), written.front().meshes(), FlowOf(grid));
   for (cartesian::PolyMeshFiles& files : written)
   {
     this->WarnOfKept(files.replace());
@@ -347,6 +348,7 @@ void vtkPolyMeshWriter::WriteOwnPiece(vtkUnstructuredGrid* grid)
       Join(regions, cartesian::regionLabels(numbers));
     }
     WriteMeshes(std::move(complete), regions, this->Scale, files);
+    cartesian::requireSuitable(this->MakeSetup(), files.meshes(), FlowOf(grid));
   });
   OnAll(processes, [&] {
     this->WarnOfKept(files.replace());
@@ -360,7 +362,7 @@ void vtkPolyMeshWriter::WriteOwnPiece(vtkUnstructuredGrid* grid)
 
 void vtkPolyMeshWriter::WriteMesh(cartesian::WholeMesh& whole)
 {
-  this->CheckScale();
+  this->CheckNumbers();
   const std::filesystem::path file = this->FileName;
   cartesian::PolyMeshFiles files(file.parent_path(), FormatOf(this->FileType));
   Enlarge(whole.mesh.points, this->Scale);
@@ -388,26 +390,33 @@ void vtkPolyMeshWriter::WriteMesh(cartesian::WholeMesh& whole)
         meshes.size() == 1 ? std::string() : regions.names[region]);
     }
   }
+  auto* const grid = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
+  cartesian::requireSuitable(this->MakeSetup(), files.meshes(), FlowOf(grid));
   this->WarnOfKept(files.replace());
   cartesian::createMarker(file);
-  this->WriteSolverCase(files, &whole.mesh, vtkUnstructuredGrid::SafeDownCast(this->GetInput()));
+  this->WriteSolverCase(files, &whole.mesh, grid);
 }
 
-void vtkPolyMeshWriter::WriteSolverCase(const cartesian::PolyMeshFiles& files,
-  const cartesian::FoamMesh* whole, vtkUnstructuredGrid* grid)
+cartesian::SolverSetup vtkPolyMeshWriter::MakeSetup() const
 {
   cartesian::SolverSetup setup;
   setup.solver = static_cast<cartesian::Solver>(this->SolverSetup);
-  if (setup.solver == cartesian::Solver::None)
-  {
-    return;
-  }
   setup.turbulence = static_cast<cartesian::Turbulence>(this->Turbulence);
   setup.speed = this->Speed;
   setup.viscosity = this->Viscosity;
   setup.temperature = this->InletTemperature;
   setup.iterations = this->Iterations;
   setup.overwrites = this->OverwriteSetup;
+  return setup;
+}
+
+void vtkPolyMeshWriter::WriteSolverCase(const cartesian::PolyMeshFiles& files,
+  const cartesian::FoamMesh* whole, vtkUnstructuredGrid* grid)
+{
+  if (this->SolverSetup == None)
+  {
+    return;
+  }
   const std::vector<cartesian::MeshOfCase> meshes = files.meshes();
   std::optional<cartesian::FlowAround> flow = FlowOf(grid);
   if (flow && whole)
@@ -420,8 +429,8 @@ void vtkPolyMeshWriter::WriteSolverCase(const cartesian::PolyMeshFiles& files,
     flow->length = size.length;
     flow->frontalArea = size.frontalArea;
   }
-  const auto kept = cartesian::writeSolverCase(
-    std::filesystem::path(this->FileName).parent_path(), setup, meshes, flow, this->Pieces);
+  const auto kept = cartesian::writeSolverCase(std::filesystem::path(this->FileName).parent_path(),
+    this->MakeSetup(), meshes, flow, this->Pieces);
   if (!kept.empty())
   {
     vtkWarningMacro("Of Solver Setup, "
@@ -430,12 +439,12 @@ void vtkPolyMeshWriter::WriteSolverCase(const cartesian::PolyMeshFiles& files,
   }
 }
 
-void vtkPolyMeshWriter::CheckScale() const
+void vtkPolyMeshWriter::CheckNumbers() const
 {
-  if (!(this->Scale > 0))
+  cartesian::requireInRange(cartesian::moreThan(0), this->Scale, "Scale");
+  if (this->SolverSetup != None)
   {
-    throw cartesian::Error(cartesian::Fault::BadParameter,
-      "Scale is " + cartesian::number(this->Scale) + ": it must be more than 0.");
+    cartesian::requireInRange(this->MakeSetup());
   }
 }
 

@@ -51,6 +51,7 @@ namespace cartesian
 {
 struct FoamMesh;
 class PolyMeshFiles;
+struct SolverSetup;
 }
 
 class VTKCARTESIANMESHERFILTERS_EXPORT vtkPolyMeshWriter : public vtkWholeMeshWriter
@@ -139,8 +140,8 @@ public:
   ///@{
   /**
    * What is written for a solver beside the mesh (Kernel/OpenFoam/SolverSetup.h): nothing, the default; for
-   * simpleFoam; or, of several regions, for chtMultiRegionSimpleFoam. Error BadParameter: no boundary is an inlet or an
-   * outlet.
+   * simpleFoam; or, of several regions, for chtMultiRegionSimpleFoam. Error BadParameter, with nothing written: no
+   * boundary is an inlet or an outlet.
    */
   vtkSetClampMacro(SolverSetup, int, None, ConjugateHeat);
   vtkGetMacro(SolverSetup, int);
@@ -148,9 +149,10 @@ public:
 
   ///@{
   /**
-   * Of that set-up: 0, the default, for kOmegaSST, 1 for laminar flow; the speed at inlets (m/s, default 10); the
-   * kinematic viscosity (m2/s, default 1.5e-5); the temperature of what flows in (K, default 350); how many iterations
-   * the solver makes (default 500); and whether files that are there are overwritten, which else stay (default off).
+   * Of that set-up: 0, the default, for kOmegaSST, 1 for laminar flow; the speed at inlets (m/s, more than 0,
+   * default 10); the kinematic viscosity (m2/s, more than 0, default 1.5e-5); the temperature of what flows in (K, default
+   * 350); how many iterations the solver makes (default 500); and whether files that are there are overwritten, which else
+   * stay (default off).
    */
   vtkSetClampMacro(Turbulence, int, 0, 1);
   vtkGetMacro(Turbulence, int);
@@ -209,7 +211,8 @@ private:
   void FinishPieces(vtkUnstructuredGrid* grid);
 
   void CheckDecomposition(int processes);
-  void CheckScale() const;
+  void CheckNumbers() const;
+  cartesian::SolverSetup MakeSetup() const;
   void WriteSolverCase(const cartesian::PolyMeshFiles& files, const cartesian::FoamMesh* whole,
     vtkUnstructuredGrid* grid);
   void WarnOfKept(const std::vector<std::filesystem::path>& kept);

@@ -45,6 +45,7 @@ class Parameter:
     choices: list  # texts of which a value must be one, or empty
     least: float
     most: float
+    with_least: bool  # whether `least` itself is allowed
     default: object
     documentation: str
 
@@ -99,7 +100,7 @@ class Parameter:
                 whole and isinstance(value, float) and not value.is_integer()):
             raise BadValue(f"{where}{shown(value)} is no {'whole ' if whole else ''}number")
         least, most = self.limits()
-        if not least <= value <= most:
+        if not least <= value <= most or value == least and not self.with_least:
             raise BadValue(f"{where}{shown(value)} is out of range: {self.range()}")
         try:
             return self.kind(value)
@@ -113,7 +114,8 @@ class Parameter:
 
     def range(self):
         least, most = self.limits()
-        ends = (f"{least:.10g} or more" if math.isfinite(least) else "",
+        above = f"{least:.10g} or more" if self.with_least else f"more than {least:.10g}"
+        ends = (above if math.isfinite(least) else "",
             f"at most {most:.10g}" if math.isfinite(most) else "")
         return " and ".join(end for end in ends if end)
 
@@ -142,6 +144,11 @@ def _columns(property):
     labels = hints and hints.FindNestedElementByName("ShowComponentLabels")
     return [key_of(labels.GetNestedElement(i).GetAttribute("label"))
         for i in range(labels.GetNumberOfNestedElements())] if labels else []
+
+
+def _has_hint(property, name):
+    hints = property.GetHints()
+    return bool(hints and hints.FindNestedElementByName(name))
 
 
 def _range(property):
@@ -180,6 +187,7 @@ def _parameter(property, table):
     least, most = _range(property)
     return Parameter(name=label.replace(" ", ""), table=table, key=key_of(label), kind=kind,
         count=count, rows=rows, columns=_columns(property) if count > 1 else [], choices=texts, least=least, most=most,
+        with_least=not _has_hint(property, "MoreThanMinimum"),
         default=elements if rows or count > 1 else elements[0],
         documentation=" ".join(property.GetDocumentation().GetDescription().split()))
 

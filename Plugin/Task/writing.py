@@ -108,7 +108,7 @@ def replacing_pieces(file):
 def case_pieces(file, pieces, properties):
     """The writer of a decomposed case, which takes one piece after the other and keeps them until the last."""
     # simple.CreateWriter would make all of the mesh first.
-    writer = servermanager._getPyProxy(servermanager.CreateProxy("writers", "PolyMeshWriter"))
+    writer = servermanager.writers.OpenFOAMMeshWriter()
     for name, value in ({"FileName": str(file.absolute())} | of_pieces(pieces) | properties).items():
         setattr(writer, name, value)
     writer.UpdateVTKObjects()

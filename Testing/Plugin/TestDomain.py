@@ -147,6 +147,17 @@ middles = [[sum(boxes.GetCell(cell).GetBounds()[i:i + 2]) / 2 for i in (0, 2, 4)
 inGap = [abs(x) < 0.45 and abs(y) < 0.45 and z < -0.5 for x, y, z in middles]
 assert level[inGap].min() >= 3 and level.min() == 0, level[inGap].min()
 
+# More boxes along the body than halving gives: told, with what to do.
+few = simple.CartesianMesher(Input=cube, Domain="Outside", LengthsBefore=0.1, LengthsBehind=0.1, LengthsBeside=0.1,
+    CellSize=1.3, BoxesAlongBody=60)
+with Messages() as said:
+    few.UpdatePipeline()
+assert "Boxes Along Body is 60, but only" in str(said) and "Choose a Cell Size of" in str(said), said
+few.CellSize = 0.5
+with Messages() as said:
+    few.UpdatePipeline()
+assert "Boxes Along Body" not in str(said), said
+
 # A hollow cube: the air around it, or in it, alone. On the surface, or in pieces: refused.
 hollow = simple.AppendGeometry(Input=[cube, simple.Triangulate(Input=simple.Box(XLength=0.6, YLength=0.6, ZLength=0.6))])
 kept = simple.CartesianMesher(Input=hollow, Domain="Outside", LengthsBefore=1, LengthsBehind=1, LengthsBeside=1,

@@ -112,9 +112,42 @@ for pieces, flow in (1, {}), (2, {"Turbulence": "Laminar", "Viscosity": 0.01}):
     assert len(ranges) == 200 and hottest < 600.1, ranges[-2:]
     assert 293 < least < most < hottest and coldest > least - 1, ranges[-2:]
 
-# What cannot run is refused; the mesh is there.
+# What cannot run is refused before anything is written; what is there stays.
 closed = simple.CartesianMesher(Input=simple.Triangulate(Input=simple.Box()), CellSize=0.5)
-with Messages() as said:
-    foam.save(closed, root / "closed", SolverSetup="Incompressible")
-assert "no boundary is an inlet" in str(said), str(said)
-assert (root / "closed/constant/polyMesh/points").exists() and not (root / "closed/0").exists()
+
+
+def expect_refusal(proxy, folder, *words, **properties):
+    with Messages() as said:
+        simple.SaveData(str(folder / "case.foam"), proxy, **{"SolverSetup": "Incompressible"} | properties)
+    for word in words:
+        assert word in str(said), str(said)
+
+
+for pieces in 1, 2:
+    (root / "closed").mkdir(exist_ok=True)
+    expect_refusal(closed, root / "closed", "no boundary is an inlet", "Nothing is written", Pieces=pieces)
+    assert not list((root / "closed").iterdir()), list((root / "closed").iterdir())
+    expect_refusal(duct, root / "closed", "Speed is 0: it must be more than 0.", Speed=0, Pieces=pieces)
+    expect_refusal(duct, root / "closed", "Viscosity is 0: it must be more than 0.", Viscosity=0, Pieces=pieces)
+    expect_refusal(duct, root / "closed", "Scale is 0: it must be more than 0.", Scale=0, Pieces=pieces)
+    assert not list((root / "closed").iterdir()), list((root / "closed").iterdir())
+expect_refusal(closed, root / "duct", "no boundary is an inlet")
+assert "inlet" in (root / "duct/constant/polyMesh/boundary").read_text()
+assert not list((root / "duct/constant").glob("polyMesh.*"))
+
+# A task says so at once, by line and key; or when it has the boundaries, and leaves no mesh.
+simple.SaveData(str(root / "closed.stl"), proxy=simple.Triangulate(Input=simple.Box()))
+FILES = '[surface]\nfile = "closed.stl"\n[output]\nmesh = "refused/case.foam"\n[case]\nsolver_setup = "Incompressible"\n'
+for text, *words in (("speed = 0", ":7: case.speed", "out of range: more than 0"),
+                     ("viscosity = 0.0", ":7: case.viscosity", "out of range: more than 0"),
+                     ("scale = 0", ":7: case.scale", "out of range: more than 0"),
+                     ("", ":4: output.mesh", "no boundary is an inlet")):
+    (root / "refused.toml").write_text(FILES + text + "\n")
+    done = subprocess.run([PROGRAM, str(root / "refused.toml")], capture_output=True, text=True)
+    assert done.returncode == 2 and all(word in done.stderr for word in words), done
+    assert not list((root / "refused").glob("*")), list((root / "refused").glob("*"))
+
+# A file where a folder has to be.
+(root / "way").mkdir()
+(root / "way/0").write_text("mine")
+expect_refusal(duct, root / "way", "way/0", "choose another folder")

@@ -2,6 +2,8 @@
 // Files of text and numbers, and files that take their names when they are complete.
 #pragma once
 
+#include "Base/Error.h"
+
 #include <array>
 #include <charconv>
 #include <cstddef>
@@ -81,5 +83,20 @@ private:
 // Where that fails, what was there stays, and nothing else. Throws Error (CannotWrite), and what `write` does.
 void replaceFiles(const std::vector<std::filesystem::path>& paths,
   const std::function<void(const std::vector<std::filesystem::path>& unfinished)>& write);
+
+// Does `work`; what the file system refuses becomes an Error (CannotWrite).
+template <class Work>
+void reportingFailures(Work&& work)
+{
+  try
+  {
+    work();
+  }
+  catch (const std::filesystem::filesystem_error& error)
+  {
+    throw Error(
+      Fault::CannotWrite, std::string(error.what()) + ": choose another folder, or make room.");
+  }
+}
 
 }

@@ -63,9 +63,11 @@ FlowRefinement flowRefinement(const DomainSpec& domain, const GridSpec& grid, co
   const Bounds body = common(surface, box);
   const double length = body.longest();
   FlowRefinement result;
-  for (double size = largestBox(fittedTo(box, grid), body);
-       size * domain.boxesAlong > length && result.depth < DeepestLevel; size /= 2)
+  result.length = length;
+  result.size = largestBox(fittedTo(box, grid), body);
+  while (!result.hasAlong(domain.boxesAlong) && result.depth < DeepestLevel)
   {
+    result.size /= 2;
     ++result.depth;
   }
   const Bounds around = grown(body, Margin * length);

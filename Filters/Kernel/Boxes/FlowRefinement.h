@@ -21,6 +21,12 @@ struct FlowRefinement
 {
   int depth = 0;               // along the bodies, 0 to DeepestLevel
   std::vector<FlowZone> zones; // around the bodies, and from there into the wake
+
+  // User units.
+  double length = 0; // the bodies' longest side
+  double size = 0;   // the longest edge of boxes along it
+
+  bool hasAlong(int boxes) const { return size * boxes <= length; }
 };
 
 // Along the bodies' longest side there are at least DomainSpec::boxesAlong boxes, if DeepestLevel allows for them; around

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesher/Messages.h"
 
+#include "Boxes/Boxes.h"
 #include "Mesher/CellsLeftOut.h"
 #include "Surface/SurfaceEdges.h"
 
@@ -313,6 +314,19 @@ std::string describeOverhang(const PreparedSurface& prepared)
     }
   }
   return text;
+}
+
+std::string describeShortfall(const DomainSpec& domain, const FlowRefinement& flow)
+{
+  if (flow.hasAlong(domain.boxesAlong))
+  {
+    return {};
+  }
+  const double least = flow.length / domain.boxesAlong; // the size that is asked for
+  return "Boxes Along Body is " + std::to_string(domain.boxesAlong) + ", but only " +
+    number(std::floor(flow.length / flow.size)) + " fit along the surface: boxes are halved " +
+    std::to_string(DeepestLevel) + " times at most. Choose a Cell Size of " +
+    number(least * (1 << DeepestLevel)) + " or less, or nearer Meshlines.";
 }
 
 std::string describeFlaws(

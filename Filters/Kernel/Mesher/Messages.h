@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Base/Error.h"
+#include "Boxes/FlowRefinement.h"
 #include "Mesher/Mesher.h"
 
 #include <map>
@@ -16,6 +17,9 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
 
 // Where the surface reaches beyond the meshlines, unless it is what a box around it cuts off.
 std::string describeOverhang(const PreparedSurface& prepared);
+
+// Where there are fewer boxes along bodies than the user asks for.
+std::string describeShortfall(const DomainSpec& domain, const FlowRefinement& flow);
 
 // Boxes whose patches were made anew, and those that are left out; cells that are left out, whatever the reason, if they
 // are more than a thousandth of the volume; cells that stay although solvers may refuse them. `names`: of boundaries.

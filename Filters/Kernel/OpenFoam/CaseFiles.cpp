@@ -53,7 +53,9 @@ void CaseFiles::field(const MeshOfCase& mesh, const FieldOfCase& field,
   {
     if (patch.type != "processor")
     {
-      text += "    " + patch.name + " { " + condition(patch) + " }\n";
+      const bool isConstraint = roleOf(patch, {}) == PatchRole::Constraint;
+      text += "    " + patch.name + " { " +
+        (isConstraint ? "type " + patch.type + ";" : condition(patch)) + " }\n";
     }
   }
   if (pieces_ > 1)

@@ -27,7 +27,8 @@ public:
   void dictionary(const std::filesystem::path& path, const std::string& text,
     const char* className = "dictionary");
 
-  // The start of a region's field, in each piece. `condition`: a patch's entries, such as "type zeroGradient;".
+  // The start of a region's field, in each piece. `condition`: a patch's entries, such as "type zeroGradient;"; a patch of
+  // a constraint type, such as symmetry, has that type alone.
   void field(const MeshOfCase& mesh, const FieldOfCase& field,
     const std::function<std::string(const FoamPatch&)>& condition);
 

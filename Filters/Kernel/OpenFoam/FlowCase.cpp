@@ -2,6 +2,8 @@
 #include "OpenFoam/FlowCase.h"
 
 #include "Base/Error.h"
+#include "OpenFoam/RunFiles.h"
+#include "OpenFoam/Schemes.h"
 
 #include <cmath>
 
@@ -12,28 +14,17 @@ namespace
 {
 
 // Second order, with what keeps it bounded in cells cut by walls.
-constexpr const char* Schemes = R"(ddtSchemes { default steadyState; }
-gradSchemes
-{
-    default         Gauss linear;
-    grad(U)         cellLimited Gauss linear 1;
+constexpr const char* Gradients = R"(    grad(U)         cellLimited Gauss linear 1;
     grad(k)         $grad(U);
     grad(omega)     $grad(U);
-}
-divSchemes
-{
-    default         none;
-    div(phi,U)      bounded Gauss linearUpwindV grad(U);
+)";
+constexpr const char* Divergences = R"(    div(phi,U)      bounded Gauss linearUpwindV grad(U);
     div(phi,k)      bounded Gauss limitedLinear 1;
     div(phi,omega)  bounded Gauss limitedLinear 1;
     div((nuEff*dev2(T(grad(U))))) Gauss linear;
     div(div(phi,U)) Gauss linear;
-}
-laplacianSchemes { default Gauss linear limited corrected 0.5; }
-interpolationSchemes { default linear; }
-snGradSchemes { default limited corrected 0.5; }
-wallDist { method meshWave; }
 )";
+constexpr double Correction = 0.5; // Schemes::correction
 
 constexpr const char* Solution = R"foam(solvers
 {
@@ -145,13 +136,12 @@ void writePressure(
         return valued("fixedValue", "0");
       case PatchRole::Slip:
         return std::string("type slip;");
-      case PatchRole::Constraint:
-        return "type " + patch.type + ";";
       default:
         return std::string("type zeroGradient;");
     }
   });
 }
+
 // What flows in: its turbulence is weak around bodies and stronger in ducts, with eddies ten times as viscous as the
 // fluid.
 struct InletTurbulence
@@ -187,8 +177,6 @@ void writeVelocity(const SolverSetup& setup, const MeshOfCase& mesh,
         return valued("fixedValue", flow);
       case PatchRole::Slip:
         return std::string("type slip;");
-      case PatchRole::Constraint:
-        return "type " + patch.type + ";";
       default:
         return std::string("type noSlip;");
     }
@@ -213,8 +201,6 @@ void writeTurbulence(const SolverSetup& setup, const MeshOfCase& mesh,
             : valued(elsewhere, value);
         case PatchRole::Slip:
           return elsewhere.empty() ? std::string("type slip;") : valued(elsewhere, value);
-        case PatchRole::Constraint:
-          return "type " + patch.type + ";";
         default:
           return valued(wall, value);
       }
@@ -235,47 +221,6 @@ std::string turbulenceProperties(const SolverSetup& setup)
       "    printCoeffs     off;\n}\n";
 }
 
-std::string controlOf(
-  const std::string& application, const SolverSetup& setup, const std::string& functions)
-{
-  const std::string last = std::to_string(setup.iterations);
-  return "application     " + application +
-    ";\nstartFrom       startTime;\nstartTime       0;\nstopAt          endTime;\nendTime        "
-    " " +
-    last + ";\ndeltaT          1;\nwriteControl    timeStep;\nwriteInterval   " + last +
-    ";\npurgeWrite      2;\nwriteFormat     ascii;\nwritePrecision  12;\n"
-    "runTimeModifiable true;\n\nfunctions\n{\n" +
-    functions + "}\n";
-}
-
-std::string scriptOf(const std::string& commands, int pieces)
-{
-  const std::string parallel = "mpirun -n " + std::to_string(pieces) + " \"$@\" -parallel";
-  return R"foam(#!/bin/sh
-# Runs the case; what each program says is in its log.
-set -eu
-cd "$(dirname "$0")"
-export WM_PROJECT_DIR="${WM_PROJECT_DIR:-/usr/share/openfoam}" # where Debian has it
-start()
-{
-  )foam" +
-    (pieces > 1 ? parallel : "\"$@\"") + R"foam( > "log.$1" 2>&1
-}
-run()
-{
-  echo "$1"
-  start "$@" && return
-  if grep -q 'IOstream "sha1"' "log.$1"; then
-    echo "$1 without function objects, of which the OpenFOAM of Debian 13 dies"
-    start "$@" -noFunctionObjects && return
-  fi
-  tail "log.$1"
-  exit 1
-}
-)foam" +
-    commands;
-}
-
 void writeFlowCase(const SolverSetup& setup, const MeshOfCase& mesh,
   const std::optional<FlowAround>& around, int pieces, CaseFiles& files)
 {
@@ -292,7 +237,7 @@ void writeFlowCase(const SolverSetup& setup, const MeshOfCase& mesh,
   files.dictionary("system/controlDict",
     controlOf("simpleFoam", setup,
       around ? forcesOn(namesOf(mesh, PatchRole::Wall, around), setup, *around) : endsOf(mesh)));
-  files.dictionary("system/fvSchemes", Schemes);
+  files.dictionary("system/fvSchemes", schemesOf({ Gradients, Divergences, Correction }));
   files.dictionary("system/fvSolution", Solution);
   // Debian's potentialFoam finds the flux, but a wrong velocity in small cells (see the guide's page openfoam).
   const std::string places = pieces > 1 ? "processor*/0" : "0";
@@ -304,4 +249,5 @@ void writeFlowCase(const SolverSetup& setup, const MeshOfCase& mesh,
         places + "; do mv \"$start/../U.rest\" \"$start/U\"; done\nrun simpleFoam\n",
       pieces));
 }
+
 }

@@ -4,6 +4,8 @@
 #include "Base/Error.h"
 #include "OpenFoam/FlowCase.h"
 #include "OpenFoam/LeastSystem.h"
+#include "OpenFoam/RunFiles.h"
+#include "OpenFoam/Schemes.h"
 
 #include <utility>
 #include <vector>
@@ -17,29 +19,17 @@ namespace
 constexpr double Pressure = 1e5;     // Pa
 constexpr double Surroundings = 293; // K
 constexpr double TurbulentPrandtl = 0.85;
-constexpr double AirDensity = 1.2; // kg/m3
+constexpr double AirDensity = 1.2;  // kg/m3
+constexpr double Correction = 0.33; // Schemes::correction
 
 // The flow is there: heat is carried by it.
-constexpr const char* FluidSchemes = R"(ddtSchemes { default steadyState; }
-gradSchemes
-{
-    default         Gauss linear;
-    grad(h)         cellLimited Gauss linear 1;
-}
-divSchemes
-{
-    default         none;
-    div(phi,h)      bounded Gauss linearUpwind grad(h);
+constexpr const char* Gradients = "    grad(h)         cellLimited Gauss linear 1;\n";
+constexpr const char* Divergences = R"(    div(phi,h)      bounded Gauss linearUpwind grad(h);
     div(phi,K)      bounded Gauss linear;
     div(phi,U)      bounded Gauss linear;
     div(phi,k)      bounded Gauss linear;
     div(phi,omega)  bounded Gauss linear;
     div(((rho*nuEff)*dev2(T(grad(U))))) Gauss linear;
-}
-laplacianSchemes { default Gauss linear limited corrected 0.33; }
-interpolationSchemes { default linear; }
-snGradSchemes { default limited corrected 0.33; }
-wallDist { method meshWave; }
 )";
 
 constexpr const char* FluidSolution = R"foam(solvers
@@ -59,14 +49,6 @@ SIMPLE
 }
 relaxationFactors { equations { h 0.95; } }
 )foam";
-
-constexpr const char* SolidSchemes = R"(ddtSchemes { default steadyState; }
-gradSchemes { default Gauss linear; }
-divSchemes { default none; }
-laplacianSchemes { default Gauss linear limited corrected 0.33; }
-interpolationSchemes { default linear; }
-snGradSchemes { default limited corrected 0.33; }
-)";
 
 constexpr const char* SolidSolution = R"(solvers
 {
@@ -142,8 +124,6 @@ void writeTemperature(const SolverSetup& setup, const MeshOfCase& mesh, CaseFile
     {
       case PatchRole::Coupled:
         return coupled(mesh.isFluid, start);
-      case PatchRole::Constraint:
-        return "type " + patch.type + ";";
       case PatchRole::Inlet:
         return valued("fixedValue", value);
       case PatchRole::Outlet:
@@ -157,22 +137,17 @@ void writeTemperature(const SolverSetup& setup, const MeshOfCase& mesh, CaseFile
   });
 }
 
-std::string everywhere(const FoamPatch& patch, const std::string& condition)
-{
-  return roleOf(patch, {}) == PatchRole::Constraint ? "type " + patch.type + ";" : condition;
-}
-
 void writePressures(const MeshOfCase& mesh, CaseFiles& files)
 {
   const std::string value = number(Pressure);
   const char* const dimensions = "[1 -1 -2 0 0 0 0]";
   files.field(mesh, { "p", false, dimensions, value },
-    [&](const FoamPatch& patch) { return everywhere(patch, valued("calculated", value)); });
+    [&](const FoamPatch&) { return valued("calculated", value); });
   if (mesh.isFluid)
   {
     files.field(mesh, { "p_rgh", false, dimensions, value }, [&](const FoamPatch& patch) {
-      return everywhere(patch,
-        valued(roleOf(patch, {}) == PatchRole::Outlet ? "fixedValue" : "fixedFluxPressure", value));
+      return valued(
+        roleOf(patch, {}) == PatchRole::Outlet ? "fixedValue" : "fixedFluxPressure", value);
     });
   }
 }
@@ -253,7 +228,9 @@ void writeHeatCase(
     files.dictionary(constant / "thermophysicalProperties", mesh.isFluid ? air(setup) : Steel);
     files.dictionary(
       constant / "radiationProperties", "radiation       off;\nradiationModel  none;\n");
-    files.dictionary(system / "fvSchemes", mesh.isFluid ? FluidSchemes : SolidSchemes);
+    files.dictionary(system / "fvSchemes",
+      schemesOf(mesh.isFluid ? Schemes{ Gradients, Divergences, Correction }
+                             : Schemes{ {}, {}, Correction }));
     files.dictionary(system / "fvSolution", mesh.isFluid ? FluidSolution : SolidSolution);
     if (mesh.isFluid)
     {

@@ -210,20 +210,6 @@ bool namesAll(const fs::path& file, const std::set<std::string>& regions)
   return std::includes(found.begin(), found.end(), regions.begin(), regions.end());
 }
 
-template <class Action>
-void reportingFailures(Action&& act)
-{
-  try
-  {
-    act();
-  }
-  catch (const fs::filesystem_error& error)
-  {
-    throw Error(
-      Fault::CannotWrite, std::string(error.what()) + ": choose another folder, or make room.");
-  }
-}
-
 }
 
 FoamMesh foamMesh(std::vector<double> points, const CellFaces& cells, const FaceList& faces,
@@ -255,13 +241,23 @@ PolyMeshFiles::PolyMeshFiles(std::filesystem::path folder, FoamFormat format, Fo
 {
 }
 
+PolyMeshFiles::~PolyMeshFiles()
+{
+  for (const Written& written : written_)
+  {
+    std::error_code ignored;
+    fs::remove_all(unfinished(written.polyMesh), ignored);
+    fs::path folder = written.polyMesh.parent_path();
+    while (folder != case_ && fs::remove(folder, ignored)) // if it is empty
+    {
+      folder = folder.parent_path();
+    }
+  }
+}
+
 void PolyMeshFiles::write(const FoamMesh& mesh, const std::string& region)
 {
   reportingFailures([&] {
-    if (place_.piece == 0)
-    {
-      writeSystemOf(region);
-    }
     const fs::path location = fs::path("constant") / region / "polyMesh";
     const fs::path polyMesh = folder_ / location;
     const bool replaces = fs::exists(polyMesh) && isReplaceable(polyMesh, mesh.patches);
@@ -269,8 +265,8 @@ void PolyMeshFiles::write(const FoamMesh& mesh, const std::string& region)
     fs::create_directories(unfinished(polyMesh));
     const FoamBoundary boundary =
       replaces ? FoamBoundary(polyMesh / "boundary") : FoamBoundary(mesh.patches);
-    writeFiles(mesh, boundary, { unfinished(polyMesh), location.string(), format_ });
     written_.push_back({ polyMesh, replaces, region, boundary.typed(mesh.patches) });
+    writeFiles(mesh, boundary, { unfinished(polyMesh), location.string(), format_ });
   });
 }
 
@@ -293,6 +289,10 @@ std::vector<std::filesystem::path> PolyMeshFiles::replace()
   reportingFailures([&] {
     for (const Written& written : written_)
     {
+      if (place_.piece == 0)
+      {
+        writeSystemOf(written.region);
+      }
       // The old mesh goes when the new one is there: whenever the program is killed, there is one of them.
       const fs::path old = setAside(written.polyMesh);
       fs::rename(unfinished(written.polyMesh), written.polyMesh);

@@ -78,6 +78,11 @@ class PolyMeshFiles
 {
 public:
   PolyMeshFiles(std::filesystem::path folder, FoamFormat format, FoamPlace place = {});
+  PolyMeshFiles(PolyMeshFiles&&) = default;
+  PolyMeshFiles& operator=(PolyMeshFiles&&) = delete;
+
+  // Removes what was written and not put in its place, and the folders within the case that are empty then.
+  ~PolyMeshFiles();
 
   // `region`: an OpenFOAM word; empty: the case has one mesh. Writes beside what is there.
   void write(const FoamMesh& mesh, const std::string& region = {});
@@ -87,7 +92,7 @@ public:
   // that names all regions stays as it is, another is renamed. Returns what was renamed.
   std::vector<std::filesystem::path> replace();
 
-  // What was written so far, for SolverSetup.h.
+  // What was written so far, in its place or not, for SolverSetup.h.
   std::vector<MeshOfCase> meshes() const;
 
 private:

@@ -2,6 +2,7 @@
 #include "OpenFoam/SolverSetup.h"
 
 #include "Base/Error.h"
+#include "Base/OutputFile.h"
 #include "OpenFoam/FlowCase.h"
 #include "OpenFoam/HeatCase.h"
 
@@ -39,18 +40,15 @@ void requireEnds(const MeshOfCase& mesh, const std::optional<FlowAround>& around
     {
       throw Error(Fault::BadParameter,
         std::string("Solver Setup: no boundary") + of + " is an " + name +
-          ". The mesh is written, the set-up is not: give a boundary a name that begins with " +
-          name + ", such as by Boundary Merged Names, or set Solver Setup to None.");
+          ". Nothing is written: give a boundary a name that begins with " + name +
+          ", such as by Boundary Merged Names, or set Solver Setup to None.");
     }
   }
 }
 
-void requireInRange(const SolverSetup& setup)
+bool areRegions(const std::vector<MeshOfCase>& meshes)
 {
-  requireInRange(SolverSetup::Speeds, setup.speed, "Speed");
-  requireInRange(SolverSetup::Viscosities, setup.viscosity, "Viscosity");
-  requireInRange(SolverSetup::Temperatures, setup.temperature, "Inlet Temperature");
-  requireInRange(SolverSetup::AllIterations, setup.iterations, "Iterations");
+  return !meshes.empty() && !meshes.front().region.empty();
 }
 
 }
@@ -94,25 +92,29 @@ std::vector<std::string> namesOf(
   return names;
 }
 
-std::vector<std::filesystem::path> writeSolverCase(const std::filesystem::path& folder,
-  const SolverSetup& setup, const std::vector<MeshOfCase>& meshes,
-  const std::optional<FlowAround>& around, int pieces)
+void requireInRange(const SolverSetup& setup)
 {
-  requireInRange(setup);
-  const bool areRegions = !meshes.empty() && !meshes.front().region.empty();
+  requireInRange(SolverSetup::Speeds, setup.speed, "Speed");
+  requireInRange(SolverSetup::Viscosities, setup.viscosity, "Viscosity");
+  requireInRange(SolverSetup::Temperatures, setup.temperature, "Inlet Temperature");
+  requireInRange(SolverSetup::AllIterations, setup.iterations, "Iterations");
+}
+
+void requireSuitable(const SolverSetup& setup, const std::vector<MeshOfCase>& meshes,
+  const std::optional<FlowAround>& around)
+{
   if (setup.solver == Solver::None || meshes.empty())
   {
-    return {};
+    return;
   }
-  if (areRegions != (setup.solver == Solver::ConjugateHeat))
+  if (areRegions(meshes) != (setup.solver == Solver::ConjugateHeat))
   {
     throw Error(Fault::BadParameter,
-      areRegions ? "Solver Setup is Incompressible, for one mesh, but there are several regions. "
-                   "The meshes are "
-                   "written, the set-up is not: choose Conjugate Heat, or Regions As Zones."
-                 : "Solver Setup is Conjugate Heat, for several regions, but there is one. The "
-                   "mesh is written, the "
-                   "set-up is not: choose Incompressible, or set Regions From.");
+      areRegions(meshes)
+        ? "Solver Setup is Incompressible, for one mesh, but there are several regions. Nothing is "
+          "written: choose Conjugate Heat, or Regions As Zones."
+        : "Solver Setup is Conjugate Heat, for several regions, but there is one. Nothing is "
+          "written: choose Incompressible, or set Regions From.");
   }
   for (const MeshOfCase& mesh : meshes)
   {
@@ -121,15 +123,29 @@ std::vector<std::filesystem::path> writeSolverCase(const std::filesystem::path& 
       requireEnds(mesh, around);
     }
   }
+}
+
+std::vector<std::filesystem::path> writeSolverCase(const std::filesystem::path& folder,
+  const SolverSetup& setup, const std::vector<MeshOfCase>& meshes,
+  const std::optional<FlowAround>& around, int pieces)
+{
+  requireInRange(setup);
+  requireSuitable(setup, meshes, around);
+  if (setup.solver == Solver::None || meshes.empty())
+  {
+    return {};
+  }
   CaseFiles files(folder, setup.overwrites, pieces);
-  if (areRegions)
-  {
-    writeHeatCase(setup, meshes, pieces, files);
-  }
-  else
-  {
-    writeFlowCase(setup, meshes.front(), around, pieces, files);
-  }
+  reportingFailures([&] {
+    if (areRegions(meshes))
+    {
+      writeHeatCase(setup, meshes, pieces, files);
+    }
+    else
+    {
+      writeFlowCase(setup, meshes.front(), around, pieces, files);
+    }
+  });
   return files.kept();
 }
 

@@ -31,8 +31,8 @@ enum class Turbulence : std::uint8_t
 // All in SI units.
 struct SolverSetup
 {
-  static constexpr Range Speeds{ 0 };
-  static constexpr Range Viscosities{ 0 };
+  static constexpr Range Speeds = moreThan(0); // turbulence and coefficients are in parts of it
+  static constexpr Range Viscosities = moreThan(0);
   static constexpr Range Temperatures{ 0 };
   static constexpr Range AllIterations{ 1, 2147483647 };
 
@@ -82,10 +82,17 @@ PatchRole roleOf(const FoamPatch& patch, const std::optional<FlowAround>& around
 std::vector<std::string> namesOf(
   const MeshOfCase& mesh, PatchRole role, const std::optional<FlowAround>& around);
 
+// Throws Error (BadParameter) where a number is out of range.
+void requireInRange(const SolverSetup& setup);
+
+// Throws Error (BadParameter) where the meshes do not suit the solver: no inlet, no outlet, regions where there should be
+// one or the other way round.
+void requireSuitable(const SolverSetup& setup, const std::vector<MeshOfCase>& meshes,
+  const std::optional<FlowAround>& around);
+
 // Writes 0, constant, system and Allrun into the folder of a case, or of a case in `pieces`, processor0/0 and so on.
 // Files that are there stay, but for those of system that only checkMesh needs (PolyMeshFiles.h), unless the set-up
-// overwrites; returns those that stayed. Throws Error: BadParameter (a number out of range, no inlet, no outlet, regions
-// where there should be one or the other way round), CannotWrite.
+// overwrites; returns those that stayed. Throws Error: BadParameter (requireInRange, requireSuitable), CannotWrite.
 std::vector<std::filesystem::path> writeSolverCase(const std::filesystem::path& folder,
   const SolverSetup& setup, const std::vector<MeshOfCase>& meshes,
   const std::optional<FlowAround>& around, int pieces);

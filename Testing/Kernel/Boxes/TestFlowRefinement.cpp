@@ -53,6 +53,20 @@ TEST(FlowRefinement, HalvesUntilThereAreEnoughBoxesAlongTheBody)
   EXPECT_THROW(flowRefinement(spec, boxesOf(1), Body), Error);
 }
 
+TEST(FlowRefinement, TellsHowManyBoxesItReaches)
+{
+  DomainSpec spec = domain();
+  for (const auto& [boxes, isEnough] : { std::pair(0, true), std::pair(60, true),
+         std::pair(256, true), std::pair(257, false), std::pair(1000, false) })
+  {
+    spec.boxesAlong = boxes;
+    const FlowRefinement flow = flowRefinement(spec, boxesOf(1), Body);
+    EXPECT_EQ(flow.hasAlong(boxes), isEnough) << boxes;
+    EXPECT_EQ(flow.length, 4);
+    EXPECT_EQ(flow.size, 1. / (1 << flow.depth));
+  }
+}
+
 TEST(FlowRefinement, ZonesAreAroundTheBodyAndInItsWake)
 {
   DomainSpec spec = domain();

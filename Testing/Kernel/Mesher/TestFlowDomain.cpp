@@ -1,5 +1,6 @@
 // Domain Outside: the box without the bodies, exactly, with its sides as boundaries.
 #include "Base/Error.h"
+#include "Mesher/Messages.h"
 #include "Support/MeshChecker.h"
 
 #include <gtest/gtest.h>
@@ -195,4 +196,17 @@ TEST(FlowDomain, SidesAreNamedByAxesOrByTheFlow)
   spec.half = Half::AcrossX;
   EXPECT_EQ(
     namesOfSides(spec), (Names{ "symmetry", "sides", "outlet", "inlet", "ground", "sides" }));
+}
+
+TEST(FlowDomain, TooFewBoxesAlongABodyAreTold)
+{
+  DomainSpec domain;
+  domain.domain = Domain::Outside;
+  domain.boxesAlong = 1000;
+  const Bounds body{ { 0, 0, 0 }, { 4, 2, 1 } };
+  EXPECT_EQ(describeShortfall(domain, flowRefinement(domain, cellsOf(1), body)),
+    "Boxes Along Body is 1000, but only 256 fit along the surface: boxes are halved 6 times at "
+    "most. "
+    "Choose a Cell Size of 0.256 or less, or nearer Meshlines.");
+  EXPECT_EQ(describeShortfall(domain, flowRefinement(domain, cellsOf(0.256), body)), "");
 }

@@ -32,8 +32,7 @@ protected:
   ~PolyMesh() override { fs::remove_all(folder); }
 
   // A tetrahedron of two patches.
-  fs::path write(FoamFormat format, const std::string& first = "a",
-    const std::vector<double>& points = { 0, 0, 0, 0.1, 0, 0, 0, 1e-9, 0, 0, 0, 1 }) const
+  static FoamMesh tetrahedron(const std::string& first, const std::vector<double>& points)
   {
     CellFaces cells;
     cells.firstFace = { 0, 4 };
@@ -42,8 +41,14 @@ protected:
     FaceList faces;
     faces.face = { 0, 1, 2, 3 };
     faces.owner = { 0, 0, 0, 0 };
+    return foamMesh(points, cells, faces, { { first, 1 }, { "wall", 3 } });
+  }
+
+  fs::path write(FoamFormat format, const std::string& first = "a",
+    const std::vector<double>& points = { 0, 0, 0, 0.1, 0, 0, 0, 1e-9, 0, 0, 0, 1 }) const
+  {
     PolyMeshFiles files(folder, format);
-    files.write(foamMesh(points, cells, faces, { { first, 1 }, { "wall", 3 } }));
+    files.write(tetrahedron(first, points));
     const std::vector<fs::path> kept = files.replace();
     return kept.empty() ? fs::path() : kept.front();
   }
@@ -113,6 +118,21 @@ TEST_F(PolyMesh, AMeshOfOtherPatchesIsKept)
   EXPECT_EQ(write(FoamFormat::Ascii, "b"), folder / "constant" / "polyMesh.old");
   EXPECT_EQ(write(FoamFormat::Ascii, "c"), folder / "constant" / "polyMesh.old2");
   EXPECT_FALSE(fs::exists(folder / "constant" / "polyMesh.unfinished"));
+}
+
+TEST_F(PolyMesh, WhatIsNotPutInItsPlaceLeavesNothing)
+{
+  const FoamMesh mesh = tetrahedron("a", std::vector<double>(12));
+  {
+    PolyMeshFiles files(folder, FoamFormat::Ascii, { 1, 2 });
+    files.write(mesh, "gas");
+    EXPECT_EQ(files.meshes().front().region, "gas");
+  }
+  EXPECT_TRUE(fs::is_empty(folder));
+  write(FoamFormat::Ascii);
+  PolyMeshFiles(folder, FoamFormat::Ascii).write(mesh);
+  EXPECT_FALSE(fs::exists(folder / "constant/polyMesh.unfinished"));
+  EXPECT_EQ(read("points"), "4\n(\n(0 0 0)\n(0.1 0 0)\n(0 1e-09 0)\n(0 0 1)\n)\n");
 }
 
 TEST_F(PolyMesh, AFileInTheWayIsAnError)

@@ -185,11 +185,42 @@ TEST_F(SolverCase, WhatCannotRunIsRefused)
   duct.front().region = "gas";
   expectRefusal("choose Conjugate Heat");
   duct.front().region.clear();
-  setup.viscosity = -1;
-  expectRefusal("Viscosity is -1");
+  for (const double viscosity : { -1., 0. })
+  {
+    setup.viscosity = viscosity;
+    expectRefusal("Viscosity is " + number(viscosity) + ": it must be more than 0.");
+  }
   setup.viscosity = 1;
+  setup.speed = 0;
+  expectRefusal("Speed is 0: it must be more than 0.");
+  setup.speed = 1;
   duct.front().patches[0].name = "in";
   expectRefusal("is an inlet");
+}
+
+// Conjugate Heat is the flow's set-up, too: its turbulence has a time scale by the speed.
+TEST_F(SolverCase, HeatNeedsAFlow)
+{
+  setup.solver = Solver::ConjugateHeat;
+  setup.speed = 0;
+  duct.front().region = "gas";
+  EXPECT_THROW(writeSolverCase(folder, setup, duct, {}, 1), Error);
+}
+
+TEST_F(SolverCase, AFileInTheWayIsAnErrorThatSaysWhatToDo)
+{
+  std::ofstream(folder / "0") << "mine";
+  try
+  {
+    writeSolverCase(folder, setup, duct, {}, 1);
+    ADD_FAILURE() << "no error";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.fault, Fault::CannotWrite);
+    EXPECT_NE(std::string(error.what()).find("choose another folder"), std::string::npos)
+      << error.what();
+  }
 }
 
 TEST(BodySize, IsThatOfTheShadow)
