@@ -35,10 +35,13 @@ def write_block(folder, low, high, cells, sides=()):
         boundary ({boundary});""")
 
 
-def write_case(folder, low, high, cells, inside, level=0, regions=(), features=False, layers=None, sides=()):
+def write_case(folder, low, high, cells, inside, level=0, regions=(), features=False, layers=None, sides=(), fine=(), between=1,
+               zone=None):
     """For constant/triSurface/surface.stl. `inside`: a point in each part to mesh; `regions`: the names of
     the file's solids, if these shall be patches; `features`: whether to snap to surface.eMesh beside it,
-    which surfaceFeatureExtract writes; `layers`: how many on all but inlets and outlets, their ratio, and the height of the first."""
+    which surfaceFeatureExtract writes; `layers`: how many on all but inlets, outlets and symmetry planes, their ratio, and the height
+    of the first; `fine`: the regions that have the level, if not all; `between`: cells of one size before the next; `zone`: a box
+    (low, high) and its level."""
     write_block(folder, low, high, cells, sides)
     foam.write(folder, "system/controlDict", f"""
         application snappyHexMesh; startFrom startTime; startTime 0; stopAt endTime; endTime 1; deltaT 1;
@@ -52,22 +55,26 @@ def write_case(folder, low, high, cells, inside, level=0, regions=(), features=F
     points = [f"({p[0]!r} {p[1]!r} {p[2]!r})" for p in inside]
     where = f"locationInMesh {points[0]};" if len(points) == 1 else \
         f"locationsInMesh ({' '.join(f'({point} none)' for point in points)});"
-    edges = f'{{ file "surface.eMesh"; level {level}; }}' if features else ""
+    edges = f'{{ file "surface.eMesh"; level {0 if fine else level}; }}' if features else ""
     named = f"regions {{ {' '.join(f'{name} {{ name {name}; }}' for name in regions)} }}" if regions else ""
     explicit = """nFeatureSnapIter 10; implicitFeatureSnap false; explicitFeatureSnap true;
         multiRegionFeatureSnap true;""" if features else ""
     count, ratio, first = layers or (0, 1, 0)
-    walls = [name for name in regions if not name.startswith(("inlet", "outlet"))] if regions else ['".*"']
+    walls = [name for name in regions if not name.startswith(("inlet", "outlet", "symmetry"))] if regions else ['"surface.*"']
+    refined = f"level (0 0); regions {{ {' '.join(f'{name} {{ level ({level} {level}); }}' for name in fine)} }}" if fine else \
+        f"level ({level} {level});"
+    box = "zone { type searchableBox; min (%r %r %r); max (%r %r %r); }" % (*zone[0], *zone[1]) if zone else ""
+    boxed = f"zone {{ mode inside; levels ((1e15 {zone[2]})); }}" if zone else ""
     thick = " ".join(f"{wall} {{ nSurfaceLayers {count}; }}" for wall in walls)
     foam.write(folder, "system/snappyHexMeshDict", f"""
         castellatedMesh true; snap true; addLayers {str(count > 0).lower()};
-        geometry {{ surface.stl {{ type triSurfaceMesh; name surface; {named} }} }}
+        geometry {{ surface.stl {{ type triSurfaceMesh; name surface; {named} }} {box} }}
         castellatedMeshControls
         {{
             maxLocalCells 100000000; maxGlobalCells 100000000; minRefinementCells 10;
-            nCellsBetweenLevels 1; resolveFeatureAngle 30; allowFreeStandingZoneFaces true;
-            features ({edges}); refinementRegions {{}}
-            refinementSurfaces {{ surface {{ level ({level} {level}); }} }}
+            nCellsBetweenLevels {between}; resolveFeatureAngle 30; allowFreeStandingZoneFaces true;
+            features ({edges}); refinementRegions {{ {boxed} }}
+            refinementSurfaces {{ surface {{ {refined} }} }}
             {where}
         }}
         snapControls {{ nSmoothPatch 3; tolerance 2.0; nSolveIter 30; nRelaxIter 5; {explicit} }}

@@ -29,16 +29,26 @@ class Meshed:
         self.mesh = Mesh(folder)
 
 
-def make(mesher, surface, size, depth, folder, properties=None, layers=None, outside=False):
+def make(mesher, surface, size, depth, folder, properties=None, layers=None, outside=False, fine=(), between=(0, 1), ground=False,
+         zone=None):
     """A Meshed; AssertionError if there is no mesh. `layers`: how many, their ratio, the first one's height. `outside`:
-    around the surface, in a box; or (low, high), in that one, whose sides are inlet (low x), outlet and sides."""
+    around the surface, in a box; or (low, high), in that one, whose sides are inlet (low x), outlet and sides, and with
+    `ground` the one below ground. `fine`: of which solids boxes are refined to `depth`, if not of all; `between`: our
+    Transition Layers, each of which is a pair of boxes or nearly so, and their nCellsBetweenLevels; `zone`: a box (low, high) and its depth."""
     if mesher == OURS:
         named = dict(zip(("Layers", "LayerExpansionRatio", "FirstLayerThickness"), layers or ()))
         if outside:
             low, high = box_around(surface) if outside is True else map(np.array, outside)
             named |= {"Domain": "Outside", "BoxFrom": "Bounds", "DomainBounds": np.stack([low, high], axis=1).ravel().tolist()}
-        return make_ours(surface, size, depth, folder, named | (properties or {}))
-    return make_theirs(surface, size, depth, folder, layers, outside)
+        if fine:
+            named["BoundaryRefinement"] = [entry for name in fine for entry in (surface.names.index(name), depth, 0, 0)]
+        named |= {"RefinementDepth": 0 if fine else depth, "TransitionLayers": between[0], "Ground": "zMin" if ground else "None"}
+        if zone:
+            low, high = map(np.array, zone[:2])
+            named |= {"RefinementShapes": ["box"], "RefinementPositions": low.tolist(),
+                      "RefinementLengths": (high - low).tolist(), "RefinementShapeDepths": [zone[2]]}
+        return make_ours(surface, size, folder, named | (properties or {}))
+    return make_theirs(surface, size, depth, folder, layers, outside, fine, between[1], ground, zone)
 
 
 def box_around(surface):
@@ -47,13 +57,12 @@ def box_around(surface):
     return low - margin, high + margin
 
 
-def make_ours(surface, size, depth, folder, properties):
+def make_ours(surface, size, folder, properties):
     path = pathlib.Path(folder) / "constant" / "triSurface" / "surface.stl"
     surface.write(path)
     reader = simple.NamedSTLReader(FileName=str(path))
     reader.UpdatePipeline()
-    mesher = simple.CartesianMesher(Input=reader, CellSize=size, RefinementDepth=depth,
-                                    NumberOfThreads=1, **properties)
+    mesher = simple.CartesianMesher(Input=reader, CellSize=size, NumberOfThreads=1, **properties)
     mesher.UpdateVTKObjects()
     filter = mesher.SMProxy.GetClientSideObject()
     begin = time.process_time()
@@ -69,7 +78,7 @@ def make_ours(surface, size, depth, folder, properties):
     return Meshed(folder, size ** 3 / 2.0 ** level, seconds)
 
 
-def make_theirs(surface, size, depth, folder, layers, outside):
+def make_theirs(surface, size, depth, folder, layers, outside, fine, between, ground, zone):
     path = pathlib.Path(folder) / "constant" / "triSurface" / "surface.stl"
     surface.write(path)
     isBox = isinstance(outside, tuple)
@@ -79,7 +88,8 @@ def make_theirs(surface, size, depth, folder, layers, outside):
     inside = [(low + 0.37 * size).tolist()] if outside else surface.points_inside(size)
     names = surface.names if len(surface.names) > 1 else []
     snappy.write_case(folder, low.tolist(), high.tolist(), cells.tolist(), inside, depth, names, features=True, layers=layers,
-        sides=("inlet", "outlet", *["sides"] * 4) if isBox else ())
+        fine=fine, between=between, zone=zone,
+        sides=("inlet", "outlet", "sides", "sides", "ground" if ground else "sides", "sides") if isBox else ())
     foam.run(folder, "blockMesh")
     foam.run(folder, "surfaceFeatureExtract")
     begin = children_time()

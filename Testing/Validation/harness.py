@@ -21,36 +21,52 @@ AS_IT_IS = "as it is"
 # About z, and then by the same angle about x: no wall stays along the grid.
 TURNS = {"turned by 17": 17, "turned by 45": 45}
 MOVED = "moved by a third of a box"
+LAYERED = "with layers"
+LAYERS = 3, 1.3, 0.15  # how many, each by the one below it, and the first by the box at the wall
 
 
 class Case:
-    """`sizes`: of boxes, from coarse to fine. `measured(files, turn)` gives {figure: value}, errors that should be 0, of a mesh of
-    the surface turned by `turn`, a matrix. `depth`: of refinement at the surface; `outside`: as wallmeshes.make has it, and
-    then nothing is turned."""
+    """`sizes`: of boxes, from coarse to fine. `measured(files, turn)` gives {figure: value} of a mesh of the surface turned by
+    `turn`, a matrix. `kind`, of the figures: errors, which should be 0; values, which have a limit; or costs. `layers`: whether
+    there are meshes with layers, too. `domain`: a body and the box around it, (low, high), that are meshed where nothing is
+    turned or moved: there snappyHexMesh's background would be that box, too. `mesh`: what wallmeshes.make takes besides; what
+    stands on ground is not turned."""
 
-    def __init__(self, name, title, text, surface, sizes, measured, **mesh):
+    def __init__(self, name, title, text, surface, sizes, measured, layers=True, kind="errors", domain=None, **mesh):
         self.name, self.title, self.text, self.surface, self.sizes, self.measured = name, title, text, surface, sizes, measured
-        self.depth, self.outside = mesh.get("depth", 0), mesh.get("outside", False)
+        self.layers, self.kind, self.domain, self.mesh = layers, kind, domain, {"depth": 0} | mesh
 
     def jobs(self, quick):
-        for mesher in MESHERS:
-            for size in self.sizes[:-1] if quick else self.sizes:
-                yield mesher, size, AS_IT_IS
-            if not quick and not self.outside:
-                for variant in *TURNS, *([MOVED] if mesher == OURS else []):
-                    yield mesher, self.sizes[len(self.sizes) // 2], variant
+        """What is wanted most comes first."""
+        sizes = self.sizes[:-1] if quick else self.sizes
+        yield from ((mesher, size, AS_IT_IS) for size in sizes for mesher in MESHERS)
+        if self.layers and not quick:
+            yield from ((mesher, size, LAYERED) for size in sizes for mesher in MESHERS)
+        if not quick and "ground" not in self.mesh:
+            middle = self.sizes[(len(self.sizes) - 1) // 2]
+            yield from ((mesher, middle, variant) for variant in TURNS for mesher in MESHERS)
+            yield OURS, middle, MOVED
 
     def row(self, mesher, size, variant):
         turn = rotation(TURNS.get(variant, 0))
-        surface = turned(self.surface, turn)
+        surface, domain = turned(self.surface, turn), {}
+        if self.domain and variant in (AS_IT_IS, LAYERED):
+            surface, domain = self.domain[0], {"outside": self.domain[1], "fine": ()}
         began = seconds_used()
         with tempfile.TemporaryDirectory() as folder:
-            meshed = make(mesher, surface, size, self.depth, folder, grid_moved(surface, size) if variant == MOVED else None,
-                          outside=self.outside)
+            meshed = make(mesher, surface, size, folder=folder, properties=grid_moved(surface, size) if variant == MOVED else None,
+                          layers=self.layers_at(size) if variant == LAYERED else None, **self.mesh | domain)
             files = foam.Files(folder)
-            figures = self.measured(files, turn)
+            try:
+                figures = self.measured(files, turn)
+            except (AssertionError, OSError) as error:  # the solver died, and its case stays in the table
+                figures = {"failed": str(error).strip().splitlines()[-1][:80]}
             return {"mesher": mesher, "size": size, "variant": variant, "cells": int(files.cells), "figures": figures,
                     "seconds of the mesh": round(meshed.seconds, 2), "seconds": round(seconds_used() - began, 2)}
+
+    def layers_at(self, size):
+        count, ratio, first = LAYERS
+        return count, ratio, first * size / 2 ** self.mesh["depth"]
 
 
 def seconds_used():
@@ -90,12 +106,12 @@ def run(case):
             continue
         known.append(case.row(*job))
         print(f"{case.name}: {', '.join(map(str, job))}: {known[-1]['cells']} cells, {known[-1]['figures']}", flush=True)
-        path.write_text(json.dumps({"title": case.title, "text": case.text, "rows": known}, indent=1) + "\n")
+        path.write_text(json.dumps({"title": case.title, "text": case.text, "kind": case.kind, "rows": known}, indent=1) + "\n")
     return known
 
 
 def order(rows, figure, mesher=OURS):
     """How fast it falls with the size of boxes, between the coarsest and the finest as the geometry is."""
     of = sorted((row["size"], abs(row["figures"][figure])) for row in rows
-                if row["mesher"] == mesher and row["variant"] == AS_IT_IS)
+                if row["mesher"] == mesher and row["variant"] == AS_IT_IS and figure in row["figures"])
     return np.log(of[-1][1] / of[0][1]) / np.log(of[-1][0] / of[0][0]) if len(of) > 1 else float("nan")

@@ -26,7 +26,7 @@ def surface():
 CASE = harness.Case("shell", "Conduction between concentric spheres",
     "Spheres of radius 0.4 and 1 with the temperatures of a point source; laplacianFoam. Errors by the span of temperatures and "
     "the mean gradient at the walls.",
-    surface(), (0.2, 0.1, 0.05), lambda files, turn: errors(files, temperature, gradient))
+    surface(), (0.14, 0.07, 0.035), lambda files, turn: errors(files, temperature, gradient))
 
 if __name__ == "__main__":
     print("order of the mean error:", harness.order(harness.run(CASE), "mean error"))
