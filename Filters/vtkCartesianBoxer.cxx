@@ -55,7 +55,8 @@ int WholeNumber(double value, const std::string& where)
   if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max())
   {
     throw cartesian::Error(cartesian::Fault::BadParameter,
-      "In " + where + ", " + std::to_string(value) + " is no whole number.");
+      "In " + where + ", " + std::to_string(value) +
+        " is not a whole number: give whole numbers only.");
   }
   return static_cast<int>(value);
 }
@@ -98,9 +99,8 @@ std::vector<vtkCartesianBoxer::RegionSurface> vtkCartesianBoxer::RegionSurfaces(
     this->RefinementShapeDepths.size() != rows)
   {
     throw cartesian::Error(cartesian::Fault::BadParameter,
-      "There must be as many Refinement Positions, Refinement Lengths and Refinement Shape Depths "
-      "as "
-      "Refinement Shapes.");
+      "Refinement Positions, Refinement Lengths and Refinement Shape Depths must each have as many "
+      "rows as Refinement Shapes.");
   }
   for (std::size_t row = 0; row < rows; ++row)
   {
@@ -253,7 +253,8 @@ void vtkCartesianBoxer::SetNumberOfMeshlines(int axis, int number)
 {
   if (axis < 0 || axis > 2 || number < 0)
   {
-    vtkErrorMacro("There is no axis " << axis << " with " << number << " meshlines.");
+    vtkErrorMacro("Axis " << axis << " cannot have " << number
+                          << " meshlines: axes are 0 to 2, numbers 0 or more.");
     return;
   }
   auto& lines = this->Meshlines[axis];
@@ -647,16 +648,16 @@ std::unique_ptr<cartesian::Decomposition> vtkCartesianBoxer::Divide(
   if (!this->SizeArray.empty() && !sizes.isThere)
   {
     throw cartesian::Error(cartesian::Fault::MissingArray,
-      "Size Array \"" + this->SizeArray + "\" is no point or cell array of the " +
+      "Size Array \"" + this->SizeArray + "\" is not a point or cell array of the " +
         (this->GetNumberOfInputConnections(2) > 0 ? "Size Field" : "surface") +
-        " with one number each: choose another, or none.");
+        " with one number per point or cell: choose another, or none.");
   }
   this->ListBoundaries(source); // after Load State, this is the first that is seen of the surface
   std::vector<RegionSurface> surfaces = this->RegionSurfaces(regions);
   for (const RegionSurface& region : surfaces)
   {
     const std::string undivided = region.surface->describeUndivided();
-    this->Warn(undivided.empty() ? "" : "Of a refinement region: " + undivided);
+    this->Warn(undivided.empty() ? "" : "In a refinement region: " + undivided);
   }
   cartesian::Options options = this->MakeOptions();
   this->AddRefinement(source, surfaces, std::move(sizes), options);

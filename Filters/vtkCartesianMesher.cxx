@@ -35,8 +35,8 @@ vtkStandardNewMacro(vtkCartesianMesher);
 namespace
 {
 
-constexpr const char* HowToSee = "\nTo see them in a view, show the output Defects; Zoom to Data, "
-                                 "or Find Data and Zoom to Selection for one, go there.";
+constexpr const char* HowToSee = "\nTo see these places, show the output Defects and use Zoom to "
+                                 "Data; for one of them, Find Data and Zoom to Selection.";
 
 }
 

@@ -147,7 +147,7 @@ public:
   ///@{
   /**
    * How many cells the mesh may have, to 5 %: beyond that CurvatureAngle, the boxes that CellsAcrossGaps asks for and
-   * the sizes of the SizeArray are enlarged by one factor until the cells fit, which takes a second mesh at most times.
+   * the sizes of the SizeArray are enlarged by one factor until the cells fit, which usually needs a second meshing pass.
    * 0, the default: any number. Then the mesh is made in one piece, on one rank.
    */
   vtkSetClampMacro(CellBudget, int, 0, VTK_INT_MAX);
@@ -157,7 +157,7 @@ public:
   ///@{
   /**
    * Each region needs a closed surface. Regions may touch, in common planes or along the same triangles,
-   * or lie in one another; where several are, the first is. Cells of two regions share the faces between.
+   * or lie in one another; where they overlap, the first listed wins. Cells of two regions share the faces between.
    */
   vtkSetClampMacro(RegionsFrom, int, One, Array);
   vtkGetMacro(RegionsFrom, int);

@@ -105,7 +105,7 @@ protected:                                                                      
  * and borders between boundaries stay.
  *
  * OptimiseNodes, default on: where small cells merge or concave ones are split, and the patches are not exact, nodes of
- * the cells at the surface move to where solvers are at ease with the faces around them; those of the surface along it.
+ * the cells at the surface move until the faces around them are within preferred quality limits; those of the surface along it.
  * Faces that are still poor are mended one by one: nodes move alone, near nodes become one, faces are joined.
  *
  * RefusedCellRatio, 0 (none) or more, default 4: where concave cells are split and the patches are not

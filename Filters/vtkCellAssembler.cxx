@@ -80,9 +80,8 @@ int vtkCellAssembler::RequestData(
           [](const auto& type) { return type.second == cartesian::BaffleType; }))
     {
       throw cartesian::Error(cartesian::Fault::BadParameter,
-        "Boundary Types has \"baffle\", which Cartesian Mesher alone knows: use it instead of "
-        "three "
-        "steps.");
+        "Boundary Types has \"baffle\", which only Cartesian Mesher supports: use it instead of "
+        "the three steps.");
     }
     cartesian::Options options;
     options.patches.featureAngle = FeatureAngleOf(patchData, options.patches.featureAngle);

@@ -46,13 +46,13 @@ constexpr std::array<Told, 14> WhatWasDone{ {
   { "LooseTrianglesLeftOut", "Triangles that touch no other left out" },
   { "HolesClosed", "Holes in the surface closed" },
   { "LeaksClosed", "Holes wider than a box closed" },
-  { "BoxesRebuilt", "Boxes made anew, as the surface does not close there" },
-  { "BoxesFlawed", "Boxes left out, as they do not close" },
+  { "BoxesRebuilt", "Boxes rebuilt because the surface does not close there" },
+  { "BoxesFlawed", "Boxes left out because they do not close" },
   { "SmallCellsMerged", "Small cells merged" },
   { "SmallCellsRemoved", "Small cells left out" },
-  { "RefusedCellsRemoved", "Cells left out that solvers would refuse" },
-  { "FragmentCellsRemoved", "Cells left out that the grid cuts off" },
-  { "IsolatedCells", "Cells that few or no others are connected with" },
+  { "RefusedCellsRemoved", "Failing cells left out (solvers would reject them)" },
+  { "FragmentCellsRemoved", "Cells left out because the grid cuts them off" },
+  { "IsolatedCells", "Cells connected to few or no others" },
   { "PartsLeftOut", "Parts without a Keep Point left out" },
   { "VoidsInsideCells", "Closed pieces of surface inside one cell" },
 } };
@@ -127,14 +127,14 @@ constexpr std::array<Told, 12> WhatFails{ {
   { "Openness", "faces that do not close it" },
   { "OpenEdges", "open edges" },
   { "BoundaryAngle", "a boundary face that is turned over" },
-  { "InnerAngle", "an inner face that leans by 75 degrees or more" },
+  { "InnerAngle", "an inner face tilted by 75 degrees or more" },
   { "Skewness", "very skew" },
   { "NonOrthogonality", "very non-orthogonal, for limited schemes" },
   { "AspectRatio", "very long" },
   { "FaceWeight", "a neighbour much nearer to a face (weight)" },
-  { "VolumeRatio", "a neighbour of much other volume" },
-  { "Determinant", "inner faces in less than three directions" },
-  { "StarTriangulation", "a face that is no star" },
+  { "VolumeRatio", "a neighbour of very different volume" },
+  { "Determinant", "inner faces in fewer than three directions" },
+  { "StarTriangulation", "a face that is not star-shaped" },
 } };
 
 // Whether OpenFOAM's checkMesh fails for a cell's value of a measure; it only warns of others.
@@ -199,7 +199,7 @@ void TellVerdict(vtkUnstructuredGrid* mesh, std::ostream& text)
     return;
   }
   text << (refused == 0 ? "OpenFOAM accepts all cells\n"
-                        : "OpenFOAM's checkMesh refuses " + Cells(refused) + "\n");
+                        : "OpenFOAM's checkMesh fails on " + Cells(refused) + "\n");
   bool any = false;
   for (const Told& told : WhatFails)
   {
@@ -209,7 +209,7 @@ void TellVerdict(vtkUnstructuredGrid* mesh, std::ostream& text)
       any = true;
     }
   }
-  text << (any ? "  The output Worst Cells shows them, by Measure\n" : "");
+  text << (any ? "  To see them, show the output Worst Cells and choose a Measure\n" : "");
 }
 
 void TellWorst(vtkUnstructuredGrid* mesh, std::ostream& text)
@@ -297,8 +297,8 @@ void TellWhatWasDone(vtkDataObject* mesh, std::ostream& text)
   }
   if (const double relaxed = Field(mesh, "SizesRelaxed"); relaxed > 0)
   {
-    text << "Sizes asked for are " << cartesian::number(Percent * relaxed)
-         << " % larger, for the Cell Budget\n";
+    text << "Requested sizes are enlarged by " << cartesian::number(Percent * relaxed)
+         << " % to meet the Cell Budget\n";
   }
 }
 

@@ -74,9 +74,10 @@ vtkSmartPointer<vtkIntArray> LabelsOf(const Groups& groups, vtkPolyData* surface
   if (faces != surface->GetNumberOfPolys())
   {
     throw cartesian::Error(cartesian::Fault::MissingArray,
-      "The file has " + std::to_string(faces) + " lines of faces, of which " +
+      "The file has " + std::to_string(faces) + " face lines, but " +
         std::to_string(surface->GetNumberOfPolys()) +
-        " could be read: their groups are unknown. Use ParaView's Wavefront OBJ Reader instead.");
+        " faces could be read: their groups are unknown. Use ParaView's Wavefront OBJ Reader "
+        "instead.");
   }
   auto labels = vtkSmartPointer<vtkIntArray>::New();
   labels->SetName(cartesian::BoundaryIdArray);

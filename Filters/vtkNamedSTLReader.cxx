@@ -158,8 +158,9 @@ std::string FaultOf(const std::string& file, const Solids& solids)
 {
   if (const std::uint32_t count = solids.names.empty() ? AbsurdCount(file.c_str()) : 0)
   {
-    return file + " says that it has " + std::to_string(count) +
-      " triangles, many more than its length allows: it is broken, or no STL.";
+    return file + " claims to have " + std::to_string(count) +
+      " triangles, far more than its size allows: it is damaged, or not an STL file. Export it "
+      "again.";
   }
   if (solids.tooLong > 0)
   {
@@ -242,8 +243,8 @@ int vtkNamedSTLReader::ReadWithoutNames(vtkPolyData* surface)
   if (!CopyWithoutNames(this->GetFileName(), copy))
   {
     this->SetErrorCode(vtkErrorCode::OutOfDiskSpaceError);
-    vtkErrorMacro("There is no room for a temporary copy of " << this->GetFileName()
-                                                              << ", without names of solids.");
+    vtkErrorMacro("Cannot write a temporary copy of "
+      << this->GetFileName() << " without solid names: free space in the temporary folder.");
     return 0;
   }
   std::string errors;

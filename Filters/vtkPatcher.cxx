@@ -21,7 +21,7 @@ namespace
 [[noreturn]] void throwMisplaced()
 {
   throw cartesian::Error(cartesian::Fault::MissingArray,
-    "The surface does not lie in the boxes: connect the one that they were made for.");
+    "The surface does not lie in the boxes: connect the surface that the boxes were made for.");
 }
 
 // Levels of the lattice are no more than 32 bits hold.

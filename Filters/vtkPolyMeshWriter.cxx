@@ -70,7 +70,7 @@ void OnAll(const cartesian::Processes& processes, Work&& work)
   if (failures[0] > 0)
   {
     throw cartesian::Error(cartesian::Fault::BadMesh,
-      "Another rank cannot write its piece, for the reason that it gives.");
+      "Another rank cannot write its piece: see the error message of that rank.");
   }
 }
 
@@ -230,8 +230,8 @@ void vtkPolyMeshWriter::CheckDecomposition(int processes)
   if (!this->ZoneRegions.empty() || this->ZoneBorders == CyclicAMI)
   {
     throw cartesian::Error(cartesian::Fault::BadParameter,
-      "In a decomposed case all regions are meshes, or all are zones: leave Zone Regions empty and "
-      "Zone Borders Face Zones, or write it whole and run decomposePar.");
+      "In a decomposed case, either all regions are meshes or all are zones: leave Zone Regions "
+      "empty and Zone Borders at Face Zones, or write the case whole and run decomposePar.");
   }
   if (processes > 1 && this->Pieces != processes)
   {
@@ -245,8 +245,8 @@ void vtkPolyMeshWriter::CheckDecomposition(int processes)
   if (std::filesystem::exists(next))
   {
     throw cartesian::Error(cartesian::Fault::CannotWrite,
-      next.string() + " is there, of a case in more pieces than the " +
-        std::to_string(this->Pieces) + " to write: remove the old ones.");
+      next.string() + " exists, left from a case with more pieces than the " +
+        std::to_string(this->Pieces) + " to write: remove the old folders.");
   }
 }
 
@@ -260,8 +260,8 @@ void vtkPolyMeshWriter::AddPiece(vtkUnstructuredGrid* grid, int number)
   if (!this->SoFar || this->SoFar->pieces.size() != static_cast<std::size_t>(number))
   {
     throw cartesian::Error(cartesian::Fault::BadParameter,
-      "Pieces are written in order from 0, and number " + std::to_string(number) +
-        " is not the next.");
+      "Pieces must be written in order from 0: number " + std::to_string(number) +
+        " is not the next one.");
   }
   std::filesystem::path file =
     cartesian::folderOfProcess(std::filesystem::path(this->FileName).parent_path(), number);
@@ -369,8 +369,8 @@ void vtkPolyMeshWriter::WriteMesh(cartesian::WholeMesh& whole)
   const cartesian::FoamRegions& regions = whole.regions;
   if (regions.names.empty() && !this->ZoneRegions.empty())
   {
-    throw cartesian::Error(
-      cartesian::Fault::BadParameter, "Zone Regions: all cells are of one region. Leave it empty.");
+    throw cartesian::Error(cartesian::Fault::BadParameter,
+      "Zone Regions: the mesh has only one region. Leave Zone Regions empty.");
   }
   if (regions.names.empty())
   {
@@ -433,9 +433,9 @@ void vtkPolyMeshWriter::WriteSolverCase(const cartesian::PolyMeshFiles& files,
     this->MakeSetup(), meshes, flow, this->Pieces);
   if (!kept.empty())
   {
-    vtkWarningMacro("Of Solver Setup, "
-      << kept.size() << " files are there and stay as they are, such as " << kept.front().string()
-      << ": turn Overwrite Setup on to replace them.");
+    vtkWarningMacro("Solver Setup: " << kept.size() << " files already exist and are kept, such as "
+                                     << kept.front().string()
+                                     << ". Turn on Overwrite Setup to replace them.");
   }
 }
 
@@ -474,8 +474,8 @@ void vtkPolyMeshWriter::WarnOfKept(const std::vector<std::filesystem::path>& kep
 {
   for (const std::filesystem::path& path : kept)
   {
-    vtkWarningMacro(
-      "What was in the case and does not belong to the new mesh is now in " << path.string());
+    vtkWarningMacro("Old files of the case that do not belong to the new mesh are now in "
+      << path.string() << ". Remove them if you do not need them.");
   }
 }
 
@@ -491,8 +491,9 @@ void vtkPolyMeshWriter::WarnOfLongNames(vtkUnstructuredGrid* grid)
     {
       vtkWarningMacro("The name of boundary "
         << boundary << " has " << name.size()
-        << " characters, of which OpenFOAM can read no more than 1023: its patch has the first "
-        << cartesian::LongestWord << " of them. It begins with \"" << name.substr(0, 40) << "\".");
+        << " characters, but OpenFOAM reads at most 1023: its patch is named by the first "
+        << cartesian::LongestWord << ". Shorten the name, which begins with \""
+        << name.substr(0, 40) << "\".");
     }
   }
 }

@@ -57,7 +57,7 @@ int vtkRefinementRegion::RequestData(
   {
     this->SetErrorCode(vtkCartesianAlgorithm::BadParameter);
     vtkErrorMacro("The region has no volume: a box needs a positive Length along all three axes, a "
-                  "sphere a positive Radius, the shape Input a surface as input.");
+                  "sphere a positive Radius, and Shape Input a surface as input.");
   }
   vtkNew<vtkIntArray> depth;
   depth->SetName(cartesian::RegionDepthField);

@@ -117,7 +117,8 @@ void vtkRegionBlocksWriter::WriteGrid(vtkUnstructuredGrid* grid)
 {
   if (grid->GetNumberOfCells() == 0)
   {
-    throw cartesian::Error(cartesian::Fault::BadMesh, "There are no cells to write.");
+    throw cartesian::Error(
+      cartesian::Fault::BadMesh, "There are no cells to write: connect a mesh.");
   }
   const Blocks blocks = BlocksOf(grid);
   this->UpdateProgress(0.5);
@@ -128,6 +129,7 @@ void vtkRegionBlocksWriter::WriteGrid(vtkUnstructuredGrid* grid)
                                       : WriteMultiBlock(blocks, this->FileName);
   if (!isWritten)
   {
-    throw cartesian::Error(cartesian::Fault::CannotWrite, name + " cannot be written.");
+    throw cartesian::Error(cartesian::Fault::CannotWrite,
+      "Cannot write " + name + ": choose another folder, or free disk space.");
   }
 }

@@ -44,8 +44,8 @@ std::int32_t boundaryCalled(
     return NoBoundary;
   }
   throw Error(Fault::BadParameter,
-    property + " has \"" + name + "\", which is no boundary of the surface. There are " + known +
-      ".");
+    property + " has \"" + name + "\", which is not a boundary of the surface. Choose from " +
+      known + ".");
 }
 
 BoundaryNames boundaryNames(vtkDataObject* data)
@@ -61,7 +61,7 @@ BoundaryNames boundaryNames(vtkDataObject* data)
   {
     throw Error(Fault::MissingArray,
       std::string("The field data ") + Ids + " and " + Names +
-        " must both be there, numbers and as many names, or neither.");
+        " must have the same number of values: give both, or neither.");
   }
   BoundaryNames result;
   for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)

@@ -27,7 +27,8 @@ void requireOneForEachName(
   {
     if (std::count(rows.begin(), rows.end(), name) > 1)
     {
-      throw Error(Fault::BadParameter, "Boundary Names has \"" + name + "\" twice.");
+      throw Error(
+        Fault::BadParameter, "Boundary Names has \"" + name + "\" twice: remove one of them.");
     }
   }
 }
@@ -88,7 +89,7 @@ void checkType(const std::string& type)
     }
     known += std::string(", ") + BaffleType;
     throw Error(
-      Fault::BadParameter, "Boundary Types has \"" + type + "\", which is none of " + known + ".");
+      Fault::BadParameter, "Boundary Types has \"" + type + "\": choose one of " + known + ".");
   }
 }
 
@@ -226,8 +227,9 @@ std::vector<std::int32_t> layerRegions(
         known += (known.empty() ? "" : ", ") + region;
       }
       throw Error(Fault::BadParameter,
-        "Layer Regions has \"" + name + "\", which is no region: " +
-          (known.empty() ? "there is only one, without a name." : "there are " + known + "."));
+        "Layer Regions has \"" + name + "\", which is not a region: " +
+          (known.empty() ? "there is only one, without a name. Leave Layer Regions empty."
+                         : "choose from " + known + "."));
     }
     found.push_back(FirstRegion + static_cast<std::int32_t>(at - regions.begin()));
   }

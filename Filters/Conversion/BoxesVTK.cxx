@@ -85,8 +85,8 @@ std::array<std::uint32_t, 3> readTriple(
     if (!(value >= 0 && value <= most[static_cast<std::size_t>(axis)]))
     {
       throw Error(Fault::MissingArray,
-        "Box " + std::to_string(cell) + " has the " + array->GetName() + " " + number(value) +
-          ", which Cartesian Boxer did not write.");
+        "Box " + std::to_string(cell) + " has " + array->GetName() + " " + number(value) +
+          ", which Cartesian Boxer did not write: connect its output unchanged.");
     }
     result[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(value);
   }
@@ -140,7 +140,7 @@ public:
     {
       throw Error(Fault::MissingArray,
         "Box " + std::to_string(cell) +
-          " is out of order: connect the output of Cartesian Boxer as it is.");
+          " is out of order: connect the output of Cartesian Boxer unchanged.");
     }
     before_ = order;
     if (boxes.globals.empty() || boxes.globals.back().index != global.index)
@@ -165,7 +165,7 @@ private:
       {
         throw Error(Fault::MissingArray,
           "Level and Offset of box " + std::to_string(boxes.packed.size()) +
-            " do not fit together: connect the output of Cartesian Boxer.");
+            " are inconsistent: connect the output of Cartesian Boxer unchanged.");
       }
       global.depth = std::max(global.depth, box.level[axis]);
     }
@@ -193,13 +193,14 @@ Meshlines readPlanes(vtkUnstructuredGrid* grid)
       {
         throw Error(Fault::MissingArray,
           std::string("Field data array \"") + PlaneNames[axis] +
-            "\" is not what Cartesian Boxer wrote.");
+            "\" is not what Cartesian Boxer wrote: connect its output unchanged.");
       }
     }
     if (planes[axis].size() < 2)
     {
       throw Error(Fault::MissingArray,
-        std::string("Field data array \"") + PlaneNames[axis] + "\" has fewer than two planes.");
+        std::string("Field data array \"") + PlaneNames[axis] +
+          "\" has fewer than two planes: connect the output of Cartesian Boxer unchanged.");
     }
   }
   return planes;
@@ -226,7 +227,7 @@ void readMoved(vtkUnstructuredGrid* grid, Meshlines& planes)
       {
         throw Error(Fault::MissingArray,
           std::string("Field data array \"") + MovedNames[axis] +
-            "\" is not what Cartesian Boxer wrote.");
+            "\" is not what Cartesian Boxer wrote: connect its output unchanged.");
       }
       planes.moved[axis].push_back(
         { static_cast<std::int64_t>(fine), static_cast<Level>(values[i + 1]) });

@@ -31,7 +31,7 @@ void check(int code)
   {
     throw Error(Fault::CannotWrite,
       std::string("The CGNS file cannot be written (") + cg_get_error() +
-        "): choose another folder, or make room.");
+        "): choose another folder, or free disk space.");
   }
 }
 

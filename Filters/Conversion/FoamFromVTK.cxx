@@ -151,9 +151,8 @@ std::size_t firstCellOf(vtkUnstructuredGrid* grid, const GridFaces& faces)
     if (!ids || ids->GetValue(faces.cellOf[c]) != first + static_cast<vtkIdType>(c))
     {
       throw Error(Fault::BadMesh,
-        "The cells of this piece do not follow each other: to write a decomposed case, save the "
-        "mesh of "
-        "Cartesian Mesher itself.");
+        "The cells of this piece are not numbered consecutively: to write a decomposed case, save "
+        "the output of Cartesian Mesher itself.");
     }
   }
   return static_cast<std::size_t>(first);
@@ -165,9 +164,8 @@ std::vector<std::int32_t> pointNumbers(vtkUnstructuredGrid* grid, const GridFace
   if (!ids)
   {
     throw Error(Fault::BadMesh,
-      "The points have no global ids: to write a decomposed case, save the mesh of Cartesian "
-      "Mesher "
-      "itself.");
+      "The points have no global ids: to write a decomposed case, save the output of Cartesian "
+      "Mesher itself.");
   }
   std::vector<std::int32_t> numbers;
   numbers.reserve(faces.pointOf.size());
@@ -207,7 +205,7 @@ FoamPiece foamPiece(vtkUnstructuredGrid* grid, Execution& execution)
   if (grid->GetNumberOfCells() == 0)
   {
     throw Error(Fault::BadMesh,
-      "A piece of the mesh has no cells, which OpenFOAM does not take: write fewer pieces.");
+      "A piece of the mesh has no cells, which OpenFOAM does not accept: write fewer pieces.");
   }
   GridFaces faces(grid);
   turnOutward(faces.cells, faces.points, execution);
@@ -216,8 +214,8 @@ FoamPiece foamPiece(vtkUnstructuredGrid* grid, Execution& execution)
   if (readBoundaryOfFaces(grid, faces, list, boundaryOf) != BoundaryKnowledge::All)
   {
     throw Error(Fault::BadMesh,
-      "Cells were changed since the mesh was made: to write a decomposed case, save the mesh of "
-      "Cartesian Mesher itself.");
+      "Cells were changed after meshing: to write a decomposed case, save the output of Cartesian "
+      "Mesher itself.");
   }
   const auto [boundaries, counts] = sortByBoundary(boundaryOf, list);
   FoamPiece piece{ {}, pointNumbers(grid, faces), firstCellOf(grid, faces), {},

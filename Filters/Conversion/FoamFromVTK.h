@@ -38,9 +38,8 @@ struct WholeMesh
 };
 
 constexpr const char* LostBoundaries =
-  "Cells were cut or put together since the mesh was made, so that its boundaries are lost: there "
-  "is one "
-  "patch. To have them all, save the mesh of Cartesian Mesher itself.";
+  "Cells were cut or merged after meshing, so the mesh has lost its boundaries: all boundary faces "
+  "are written as one patch. To keep the boundaries, save the output of Cartesian Mesher itself.";
 
 // Throws Error (BadMesh): cells overlap, or too many to number.
 WholeMesh wholeMesh(vtkUnstructuredGrid* grid, Execution& execution);

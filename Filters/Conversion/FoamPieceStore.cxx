@@ -30,8 +30,8 @@ void forEachVector(Piece& piece, Visitor&& visit)
 [[noreturn]] void fail(const std::filesystem::path& file)
 {
   throw Error(Fault::CannotWrite,
-    "Cannot keep a piece of the mesh in " + file.string() + " (" + std::strerror(errno) +
-      "): choose another folder, or make room.");
+    "Cannot store a piece of the mesh in " + file.string() + " (" + std::strerror(errno) +
+      "): choose another folder, or free disk space.");
 }
 
 }

@@ -92,7 +92,8 @@ void checkPoints(vtkUnstructuredGrid* grid)
 {
   if (grid->GetNumberOfPoints() >= std::numeric_limits<std::uint32_t>::max())
   {
-    throw Error(Fault::BadMesh, "The mesh has more points than can be numbered in 32 bits.");
+    throw Error(
+      Fault::BadMesh, "The mesh has more points than can be numbered in 32 bits: make it coarser.");
   }
 }
 
@@ -152,7 +153,8 @@ GridFaces::GridFaces(vtkUnstructuredGrid* grid)
   }
   if (cellOf.empty())
   {
-    throw Error(Fault::BadMesh, "There are no cells with a volume to write.");
+    throw Error(
+      Fault::BadMesh, "There are no cells with a volume to write: connect a volume mesh.");
   }
   readPoints(grid);
 }

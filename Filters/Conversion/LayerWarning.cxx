@@ -89,7 +89,7 @@ std::string describeBareWalls(const BoundaryLayers& layers, vtkDataObject* mesh)
   {
     return {};
   }
-  std::string text = "Layers are at least half as thick as asked on less than " +
+  std::string text = "Layers reach half the requested thickness on less than " +
     rounded(LeastCoverage) + " of the area of ";
   const char* separator = "";
   for (std::size_t i = 0; i < std::min(bare.size(), MostNamed); ++i)
@@ -99,7 +99,7 @@ std::string describeBareWalls(const BoundaryLayers& layers, vtkDataObject* mesh)
   }
   const std::size_t more = bare.size() - std::min(bare.size(), MostNamed);
   return text + (more == 0 ? "" : " and " + std::to_string(more) + " more boundaries") +
-    ". Smaller boxes or thinner layers help there.";
+    ". Use smaller boxes or thinner layers there.";
 }
 
 }

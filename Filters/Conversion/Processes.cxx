@@ -111,9 +111,9 @@ vtkSmartPointer<vtkDataObject> unite(const std::vector<vtkSmartPointer<vtkDataOb
     if (leaves.back().size() != leaves.front().size())
     {
       throw Error(Fault::EmptySurface,
-        "The surface has " + std::to_string(leaves.front().size()) + " blocks on the first rank, " +
-          std::to_string(leaves.back().size()) +
-          " on another: connect one with the same blocks on all.");
+        "The surface has " + std::to_string(leaves.front().size()) +
+          " blocks on the first rank, but " + std::to_string(leaves.back().size()) +
+          " on another: connect a surface with the same blocks on all ranks.");
     }
   }
   vtkSmartPointer<vtkDataObject> whole;

@@ -42,8 +42,8 @@ vtkSmartPointer<vtkPolyDataAlgorithm> shapeOfUnitSize(const std::string& shape)
     return cylinder;
   }
   throw Error(Fault::BadParameter,
-    "\"" + shape +
-      "\" is none of Refinement Shapes: box, sphere, cylinderX, cylinderY, cylinderZ.");
+    "Refinement Shapes has \"" + shape +
+      "\": choose one of box, sphere, cylinderX, cylinderY, cylinderZ.");
 }
 
 }
@@ -55,7 +55,7 @@ vtkSmartPointer<vtkPolyData> shapeInBox(const std::string& shape,
   if (!(*std::min_element(lengths.begin(), lengths.end()) > 0))
   {
     throw Error(
-      Fault::BadParameter, "One of Refinement Lengths is not more than 0: a shape needs a volume.");
+      Fault::BadParameter, "All Refinement Lengths must be more than 0: a shape needs a volume.");
   }
   vtkNew<vtkTransform> place;
   place->Translate(

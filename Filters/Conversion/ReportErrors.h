@@ -40,8 +40,8 @@ bool reportErrors(Work&& work, Report&& report)
   catch (const std::bad_alloc&)
   {
     report(errorCode(Fault::OutOfMemory),
-      "Out of memory. Use a larger cell size, or set a lower memory limit to be told before the "
-      "work begins.");
+      "Out of memory: choose a larger Cell Size, or set a lower Memory Limit to be warned before "
+      "meshing starts.");
   }
   catch (const std::exception& error)
   {

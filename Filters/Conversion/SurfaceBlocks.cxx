@@ -95,7 +95,7 @@ void collect(
   {
     throw Error(Fault::EmptySurface,
       (name.empty() ? "The input" : "Block \"" + name + "\"") + " is a " + data->GetClassName() +
-        ", no surface: take its surface (Extract Surface), or take it out (Extract Block).");
+        ", not a surface: apply Extract Surface to it, or leave it out with Extract Block.");
   }
 }
 

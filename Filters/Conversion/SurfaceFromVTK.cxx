@@ -135,7 +135,8 @@ std::int32_t boundaryNumber(vtkDataArray* array, vtkIdType cell, vtkIdType userC
   {
     throw Error(Fault::MissingArray,
       std::string("Boundary Array \"") + array->GetName() + "\" holds " + number(value) +
-        " at cell " + std::to_string(userCell) + ", which is no boundary number.");
+        " at cell " + std::to_string(userCell) +
+        ", which is not a valid boundary number: correct it, or choose another array.");
   }
   return static_cast<std::int32_t>(std::lround(value));
 }
@@ -232,8 +233,8 @@ void SurfaceFromVTK::readTriangles(vtkPolyData* block)
   if (pointsBefore + static_cast<std::size_t>(block->GetNumberOfPoints()) >=
     std::numeric_limits<std::uint32_t>::max())
   {
-    throw Error(
-      Fault::BadParameter, "The surface has more points than can be numbered in 32 bits.");
+    throw Error(Fault::BadParameter,
+      "The surface has more points than can be numbered in 32 bits: coarsen it.");
   }
   vtkSmartPointer<vtkPolyData> surface = block;
   vtkIdTypeArray* ids = nullptr;
@@ -304,12 +305,18 @@ void SurfaceFromVTK::findUndivided(vtkPolyData* block)
 
 std::string SurfaceFromVTK::describeUndivided() const
 {
-  return undivided_.empty() ? ""
-                            : std::to_string(undivided_.size()) +
-      " polygons, the first of them cell " + std::to_string(undivided_.front()) +
-      ", cross or touch themselves, and are left out at least in part: correct them, or divide "
-      "them into "
-      "triangles.";
+  if (undivided_.empty())
+  {
+    return "";
+  }
+  const std::string first = std::to_string(undivided_.front());
+  return undivided_.size() == 1
+    ? "1 polygon, cell " + first +
+      ", crosses or touches itself and is left out at least in part: correct it, or divide it into "
+      "triangles."
+    : std::to_string(undivided_.size()) + " polygons, the first of them cell " + first +
+      ", cross or touch themselves and are left out at least in part: correct them, or divide them "
+      "into triangles.";
 }
 
 void SurfaceFromVTK::readBoundaries(vtkPolyData* block, const std::string& name)
@@ -322,8 +329,8 @@ void SurfaceFromVTK::readBoundaries(vtkPolyData* block, const std::string& name)
   {
     throw Error(Fault::MissingArray,
       "Boundary Array \"" + name +
-        "\" is no cell array of the surface with one number or string a cell: choose another, or "
-        "none.");
+        "\" is not a cell array of the surface with one number or string per cell: choose another, "
+        "or none.");
   }
   for (std::size_t t = boundary_.size(); t < cells_.size(); ++t)
   {
@@ -371,8 +378,8 @@ void SurfaceFromVTK::readRegions(vtkPolyData* block, const std::string& name)
   {
     throw Error(Fault::MissingArray,
       "Region Array \"" + name +
-        "\" is no cell array of the surface with one number or string a cell: choose another, or "
-        "another way to tell regions.");
+        "\" is not a cell array of the surface with one number or string per cell: choose another, "
+        "or set Regions From to One or Blocks.");
   }
   auto* strings = vtkStringArray::SafeDownCast(array);
   std::map<std::string, std::int32_t> known;

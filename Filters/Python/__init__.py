@@ -128,11 +128,11 @@ def _set(mesher, name, value):
     elif name == "refinement_regions":
         for region in value if isinstance(value, (list, tuple)) else [value]:
             if not _is_data(region):
-                raise TypeError(f"{name}: {region!r} is no vtkPolyData")
+                raise TypeError(f"{name}: {region!r} is not a vtkPolyData")
             mesher.AddInputDataObject(1, region)
     elif name == "size_field":
         if not _is_data(value):
-            raise TypeError(f"{name}: {value!r} is no vtkDataSet")
+            raise TypeError(f"{name}: {value!r} is not a vtkDataSet")
         mesher.SetInputDataObject(2, value)
     else:
         raise TypeError(f"There is no option {name!r}. Options are {', '.join(OPTIONS)}.")
@@ -142,7 +142,7 @@ def _set_one(mesher, name, setter, value):
     choices = _CHOICES.get(setter)
     if choices:
         if value not in choices:
-            raise ValueError(f"{name}: {value!r} is none of {', '.join(map(repr, choices))}")
+            raise ValueError(f"{name}: {value!r} is not one of {', '.join(map(repr, choices))}")
         getattr(mesher, f"Set{setter}To{choices[value]}")()
         return
     try:
@@ -153,7 +153,7 @@ def _set_one(mesher, name, setter, value):
 
 def _set_rows(mesher, name, rows):
     if not isinstance(rows, _SEQUENCES):
-        raise TypeError(f"{name}: {rows!r} is no sequence of rows")
+        raise TypeError(f"{name}: {rows!r} is not a sequence of rows")
     resize, put = (getattr(mesher, setter) for setter in _ROWS[name])
     resize(len(rows))
     for i, row in enumerate(rows):
@@ -161,7 +161,7 @@ def _set_rows(mesher, name, rows):
             put(i, *(row if isinstance(row, _SEQUENCES) else (row,)))
         except TypeError:
             raise TypeError(f"{name}: row {i}, {row!r}, does not have the right number and types of values. "
-                            f"They are those of vtkCartesianMesher.{_ROWS[name][1]}, after the row's number.") from None
+                            f"They must be those of vtkCartesianMesher.{_ROWS[name][1]}, after the row's number.") from None
 
 
 def _is_data(value):
@@ -171,17 +171,17 @@ def _is_data(value):
 def _surface(surface, faces):
     if faces is None:
         if not _is_data(surface):
-            raise TypeError(f"The surface is a {type(surface).__name__}: neither a vtkPolyData nor, with faces, "
-                            "an array of points.")
+            raise TypeError(f"The surface is a {type(surface).__name__}: give a vtkPolyData or, with faces, an "
+                            "array of points.")
         return surface
     if _is_data(surface):
-        raise TypeError(f"faces: they belong to an array of points; a {type(surface).__name__} has its own")
+        raise TypeError(f"faces: they are for an array of points; a {type(surface).__name__} has its own")
     points = _array("points", surface, np.floating)
     triangles = _array("faces", faces, np.integer)
     if not np.isfinite(points).all():
         raise ValueError(f"points: point {int(np.argmin(np.isfinite(points).all(axis=1)))} is not finite")
     if triangles.size and not 0 <= triangles.min() <= triangles.max() < len(points):
-        raise ValueError(f"faces: they name points {triangles.min()} to {triangles.max()}, and there are {len(points)}")
+        raise ValueError(f"faces: they refer to points {triangles.min()} to {triangles.max()}, but there are only {len(points)}")
     return _polydata(points.astype(np.float64), triangles.astype(np.int64))
 
 
@@ -189,12 +189,12 @@ def _array(what, array, kind):
     try:
         array = np.asarray(array)
     except ValueError:
-        raise ValueError(f"{what}: their rows differ in length: each has three numbers") from None
+        raise ValueError(f"{what}: rows differ in length: each must have three numbers") from None
     if array.ndim != 2 or array.shape[1] != 3:
-        raise ValueError(f"{what}: their shape is {array.shape}, not (n, 3)")
+        raise ValueError(f"{what}: the shape is {array.shape}, not (n, 3)")
     wanted = kind if kind is np.integer else np.number
     if not np.issubdtype(array.dtype, wanted) or np.issubdtype(array.dtype, np.complexfloating):
-        raise TypeError(f"{what}: their type is {array.dtype}, not {'integers' if kind is np.integer else 'numbers'}")
+        raise TypeError(f"{what}: the type is {array.dtype}, not {'integers' if kind is np.integer else 'numbers'}")
     return array
 
 

@@ -80,13 +80,13 @@ class Parameter:
     def _one(self, value, where):
         if self.choices:
             if value not in self.choices:
-                raise BadValue(f"{where}{shown(value)} is none of {', '.join(map(repr, self.choices))}")
+                raise BadValue(f"{where}{shown(value)} is not one of {', '.join(map(repr, self.choices))}")
             return value
         if self.kind is str:
             if not isinstance(value, str):
-                raise BadValue(f"{where}{shown(value)} is no text")
+                raise BadValue(f"{where}{shown(value)} is not a text")
             if "\0" in value:
-                raise BadValue(f"{where}{shown(value)} has the character NUL, which no name can have")
+                raise BadValue(f"{where}{shown(value)} contains the character NUL, which names cannot have")
             return value
         if self.kind is bool:
             if value not in (True, False):
@@ -98,14 +98,14 @@ class Parameter:
         whole = self.kind is int
         if not isinstance(value, (int, float)) or value != value or (
                 whole and isinstance(value, float) and not value.is_integer()):
-            raise BadValue(f"{where}{shown(value)} is no {'whole ' if whole else ''}number")
+            raise BadValue(f"{where}{shown(value)} is not a {'whole ' if whole else ''}number")
         least, most = self.limits()
         if not least <= value <= most or value == least and not self.with_least:
             raise BadValue(f"{where}{shown(value)} is out of range: {self.range()}")
         try:
             return self.kind(value)
         except OverflowError:
-            raise BadValue(f"{where}{shown(value)} is more than a number can be") from None
+            raise BadValue(f"{where}{shown(value)} is too large for a number") from None
 
     def limits(self):
         if self.kind is int:

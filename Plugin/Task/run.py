@@ -88,10 +88,10 @@ def opened(file, fail, kinds=SURFACES):
     except RuntimeError:  # that is how ParaView says that no reader takes the file
         reader = None
     if reader is None:
-        raise fail(f"ParaView cannot read {file}: it is broken, or of an unknown kind")
+        raise fail(f"ParaView cannot read {file}: it is damaged, or of an unknown type")
     kind = reader.SMProxy.GetOutputPort(0).GetDataClassName()
     if kinds and kind not in kinds:
-        raise fail(f"{file} is no surface: ParaView reads it as {kind}")
+        raise fail(f"{file} is not a surface: ParaView reads it as {kind}")
     return reader
 
 
@@ -246,7 +246,7 @@ def decomposed_pieces(task, ranks):
         for file in getattr(task, kind):
             if file.suffix not in suffixes:
                 raise task.error(("output", kind), f"{file} cannot be written in pieces" +
-                    (f", only {' and '.join(suffixes)}" if suffixes else ""))
+                    (f", only {' and '.join(suffixes)} can" if suffixes else ""))
     return task.pieces if ranks == 1 else 1
 
 
@@ -340,15 +340,15 @@ def check(task):
 
 def main(arguments):
     parser = argparse.ArgumentParser(prog="cartesian-mesher",
-        description="Meshes the inside of a closed surface as a task file says.",
+        description="Meshes the inside of a closed surface as specified in a task file.",
         epilog="Exit codes: 0 success; 2 refused, the messages say why; 3 a mesh, but with warnings; "
-            f"{STOPPED} stopped by Ctrl-C; 1 a fault of the program.")
+            f"{STOPPED} stopped by Ctrl-C; 1 an internal error.")
     parser.add_argument("task", nargs="?", type=pathlib.Path, help="a task file (TOML)")
     parser.add_argument("--version", action="version", version=f"cartesian-mesher {VERSION}")
     parser.add_argument("--quiet", action="store_true", help="print warnings and errors only")
-    parser.add_argument("--check", action="store_true", help="check task and surface and estimate the number of boxes, do not mesh")
+    parser.add_argument("--check", action="store_true", help="check the task and the surface and estimate the number of boxes, without meshing")
     parser.add_argument("--template", action="store_true",
-        help="print a task file with all keys, their defaults and what they mean")
+        help="print a task file with all keys, their defaults and their meaning")
     options = parser.parse_args(arguments)
     if options.template:
         print(template())

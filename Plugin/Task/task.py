@@ -129,11 +129,11 @@ class _Reader:
         try:
             self.content = tomllib.loads(text)
         except tomllib.TOMLDecodeError as error:
-            raise TaskError(f"{path}: is no TOML: {error}") from None
+            raise TaskError(f"{path}: is not valid TOML: {error}") from None
         except RecursionError as error:
-            raise self.unreadable(text, error, "lists in lists in lists, too many to be read") from None
+            raise self.unreadable(text, error, "lists are nested too deeply to be read") from None
         except ValueError as error:
-            raise self.unreadable(text, error, "a number of more digits than can be read") from None
+            raise self.unreadable(text, error, "a number has more digits than can be read") from None
 
     def unreadable(self, text, error, what):
         """The line and its key, where TOML itself does not tell them."""
@@ -156,7 +156,7 @@ class _Reader:
             self.fail(where, "must be a table")
         for key in content:
             if key not in known:
-                self.fail(where + (key,), f"is not known; there are {', '.join(sorted(known))}")
+                self.fail(where + (key,), f"is not a known key; choose from {', '.join(sorted(known))}")
         return content
 
     def values(self, content, where, of):
@@ -201,7 +201,7 @@ class _Reader:
 
     def file(self, name, where, exist):
         if "\0" in name:
-            self.fail(where, f"{shown(name)} has the character NUL, which no file name can have")
+            self.fail(where, f"{shown(name)} contains the character NUL, which file names cannot have")
         file = self.path.parent / name
         try:
             if exist and not file.is_file():
@@ -223,7 +223,7 @@ class _Reader:
             return Region(None, properties)
         for key in content:
             if key not in ("file", "depth"):
-                self.fail(where + (key,), "a file has no shape of its own: choose one or the other")
+                self.fail(where + (key,), "cannot be combined with file: give a file or a shape")
         return Region(self.files(content["file"], where + ("file",), exist=True)[0], properties)
 
 
@@ -238,15 +238,15 @@ def outputs(reader, content, inputs):
     reader.table(content, ("output",), {*kinds, "pieces"})
     pieces = content.get("pieces", 1)
     if type(pieces) is not int or pieces < 1:
-        reader.fail(("output", "pieces"), f"{shown(pieces)} is no whole number above 0")
+        reader.fail(("output", "pieces"), f"{shown(pieces)} is not a whole number above 0")
     files = {kind: reader.files(content.get(kind, []), ("output", kind), exist=False) for kind in kinds}
-    taken = {file.resolve(): "is read by the task" for file in inputs}
+    taken = {file.resolve(): "is an input of the task" for file in inputs}
     for kind in kinds:
         for file in files[kind]:
             for target in targets_of(file):
                 if target.resolve() in taken:
                     reader.fail(("output", kind), f"{target} {taken[target.resolve()]}: choose another name")
-                taken[target.resolve()] = "is written already"
+                taken[target.resolve()] = "is already an output"
     return files | {"pieces": pieces}
 
 

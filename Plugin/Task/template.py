@@ -7,38 +7,39 @@ from parameters import collections, parameters
 from task import MESHER, REGION, case_parameters
 
 HEAD = """\
-# A task for cartesian-mesher. All keys but surface.file may be left out; the values below are the
-# defaults. Files are looked for next to this one. Where a boundary is asked for, its number or its
-# "name" will do."""
+# A task for cartesian-mesher. All keys but surface.file are optional; the values below are the
+# defaults. Paths of files are relative to this one. A boundary may be given by its number or by its
+# "name"."""
 
 SURFACE_FILE = """
-# A closed surface, in any format that ParaView opens; or a list of files: each is a boundary, and
-# is called as its file is.
+# A closed surface, in any format that ParaView opens; or a list of files: each is a boundary with
+# the name of its file.
 file = "surface.stl\""""
 
 SIZE_FIELD = """
-# Data of any kind, such as a solution on an earlier mesh, that have the size_array.
+# Data of any kind, such as a solution on an earlier mesh, with the size_array.
 # size_field = "before.vtu\""""
 
 REGIONS = """
-# Boxes and spheres to refine in, each a table [[regions]] of its own; or a closed surface's file and
-# a depth."""
+# Refinement zones: boxes and spheres, each in a table [[regions]] of its own; or the file of a closed
+# surface and a depth."""
 
 ROWS = """
-# Any number of tables of this kind, each with the first key; what is left out is as elsewhere."""
+# Any number of tables of this kind, each with the first key; other keys default to the general
+# settings."""
 
 OUTPUT = """
-# What to write; each a file or a list of them.
+# What to write: a file for each key, or a list of files.
 [output]
 # mesh = ["mesh.vtu", "case/case.foam"]
-# pieces = 1               # of the case: more for a decomposed one; on several ranks as many as these
+# pieces = 1               # of the case: more for a decomposed case; on several ranks, as many as ranks
 # boundary = "boundary.vtp"
 # defects = "defects.vtp"
 # statistics = "statistics.json\""""
 
 
 CASE = """
-# Of cases of OpenFOAM, .foam.
+# For OpenFOAM cases, .foam.
 [case]"""
 
 

@@ -84,7 +84,7 @@ def replacing_pieces(file):
     with failures():
         target = file.resolve()
         if target.exists() and not target.is_file():
-            raise NotWritten("is no file that could be replaced")
+            raise NotWritten("is not a file that can be replaced")
         old = target.read_text(errors="replace") if target.is_file() else ""
         # ParaView takes what follows the first dot of a name for its extension.
         stem = f"{target.stem}_{file.suffix[1:]}".replace(".", "_")
@@ -199,10 +199,10 @@ def check_pieces(file, cells):
             text.seek(max(0, text.seek(0, os.SEEK_END) - len(END)))
             whole = text.read().endswith(END)
         if not whole:
-            raise NotWritten(f"could not be written: the rank of {piece.name} has failed, perhaps for want of room")
+            raise NotWritten(f"could not be written: the rank of {piece.name} has failed, perhaps because the disk is full")
         cells -= sum(map(int, re.findall(rb'NumberOf(?:Cells|Verts|Lines|Strips|Polys)="(\d+)"', head)))
     if cells != 0:
-        raise NotWritten("could not be written: a rank has failed before it wrote its piece")
+        raise NotWritten("could not be written: a rank failed before it wrote its piece")
 
 
 def save_as(mesher, port, file, **properties):

@@ -83,7 +83,7 @@ for option in cartesianmesher.OPTIONS:
 
 assert_raises(TypeError, "no option 'cellsize'", points, faces, cellsize=1)
 assert_raises(TypeError, "cell_size", points, faces, cell_size="large")
-assert_raises(ValueError, "'round' is none of", points, faces, patch_method="round")
+assert_raises(ValueError, "'round' is not one of", points, faces, patch_method="round")
 assert_raises(TypeError, "refinement_blocks: row 1", points, faces, refinement_blocks=[(0, 1, 0, 1, 0, 1, 2, 1), (0, 1)])
 assert_raises(TypeError, "meshlines_x", points, faces, meshlines_x=3)
 assert_raises(TypeError, "boundary_names: 'inlet'", points, faces, boundary_names="inlet")

@@ -298,11 +298,11 @@ for port in 0, 1:
     assert_identical("with ratios, in three steps", output(in_steps, port), output(cut(SmallCellRatio=0.2, **SETTINGS), port))
 
 for wrong, part in (
-    ({"BoundaryNames": ["nobody"]}, "There are wall_1, inlet_1"),
+    ({"BoundaryNames": ["nobody"]}, "Choose from wall_1, inlet_1"),
     ({"BoundaryNames": ["wall_1", "inlet_1", "wall_1"]}, '"wall_1" twice'),
     ({"BoundaryNames": ["wall_1"], "BoundarySmallCellRatios": [1]}, "from 0 to less than 1"),
     ({"BoundaryNames": ["wall_1"], "BoundarySmallCellRatios": [0.1, 0.2]}, "one for each name"),
-    ({"BoundaryNames": ["wall_1"], "BoundaryTypes": ["cyclic"]}, "none of automatic, patch, wall"),
+    ({"BoundaryNames": ["wall_1"], "BoundaryTypes": ["cyclic"]}, "choose one of automatic, patch, wall"),
     ({"BoundaryTypes": ["wall"]}, "one for each name"),
 ):
     with Messages() as said:
@@ -343,8 +343,8 @@ for name in "inflow", "wall_2":
     assert output(refined(BoundaryNames=["inlet*", "outlet_1"], BoundaryMergedNames=["inflow", "wall_2"],
         RefinedBoundaries=[name])).GetNumberOfCells() > 0
 for wrong, part in (
-    ({"BoundaryNames": ["nobody*"], "BoundaryTypes": ["wall"]}, '"nobody*", which is no boundary'),
-    ({"BoundaryNames": ["nobody*"], "BoundaryMergedNames": ["one"]}, '"nobody*", which is no boundary'),
+    ({"BoundaryNames": ["nobody*"], "BoundaryTypes": ["wall"]}, '"nobody*", which is not a boundary'),
+    ({"BoundaryNames": ["nobody*"], "BoundaryMergedNames": ["one"]}, '"nobody*", which is not a boundary'),
     ({"BoundaryNames": ["inlet*"], "BoundaryMergedNames": []}, ""),
     ({"BoundaryNames": ["inlet*"], "BoundaryMergedNames": ["one", "two"]}, "one for each name"),
     ({"BoundaryNames": ["inlet*"], "BoundaryDepths": [7]}, "0 to 6"),

@@ -59,12 +59,12 @@ with tempfile.TemporaryDirectory() as temporary:
     assert len(again.owner) == len(whole.owner)
     assert abs(again.volumes().sum() / whole.volumes().sum() - 1) < 1e-12
 
-    refused(case, "processor2 is there", mesher, Pieces=2)
+    refused(case, "processor2 exists", mesher, Pieces=2)
     empty = folder / "empty"
     empty.mkdir()
     refused(empty, "has no cells", mesher, Pieces=1000)
     some = simple.Threshold(Input=mesher, Scalars=["CELLS", "VolumeFraction"], LowerThreshold=0.9, UpperThreshold=9)
-    refused(empty, "do not follow each other", some, Pieces=2)
+    refused(empty, "are not numbered consecutively", some, Pieces=2)
 
     task = folder / "task.toml"
     command = [sys.argv[2], "--quiet", task.name]

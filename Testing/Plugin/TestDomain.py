@@ -170,7 +170,7 @@ assert left_out.GetValue(0) == 1, left_out.GetValue(0)
 kept.Domain = "Around Points"
 kept.KeepPoints = [0.1, 0.1, 0.1]
 expect(kept, {"boundary_0": 6 * 0.36})
-for points, words in (([0, 0, -0.5], "lies on the surface"), ([9, 0, 0], "outside of the grid")):
+for points, words in (([0, 0, -0.5], "lies on the surface"), ([9, 0, 0], "outside the grid")):
     kept.KeepPoints = points
     with Messages() as said:
         kept.UpdatePipeline()

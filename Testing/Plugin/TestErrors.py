@@ -60,7 +60,7 @@ refused(producer(polydata(points, [(0, 1), (1, 2)])), EMPTY_SURFACE, "no triangl
 refused(producer(polydata([(1, 2, 3)] * 3, [(0, 1, 2)])), EMPTY_SURFACE, "coincide")
 # ... but something else: one error, of our own.
 for wrong, name in (simple.Wavelet(), "vtkImageData"), (simple.CartesianMesher(Input=surface), "vtkUnstructuredGrid"):
-    refused(wrong, EMPTY_SURFACE, f"The input is a {name}, no surface", "Extract Surface")
+    refused(wrong, EMPTY_SURFACE, f"The input is a {name}, not a surface", "Extract Surface")
 with Messages() as said:
     output(simple.CartesianMesher(Input=simple.Wavelet()))
 assert str(said).count("ERROR") == 1, said
@@ -98,7 +98,7 @@ for bad in [3, 4], [-9, -1]:
     refused(surface, BAD_MESHLINES, "Meshlines X", "miss the surface", "between -1", MeshlinesX=bad)
 refused(surface, BAD_MESHLINES, "along X are closer than", MeshlinesX=[0, 1e-12])
 # The surface reaches beyond the meshlines: a warning, not an error.
-cut_off = partial(surface, "Meshlines X", "cut the mesh off", MeshlinesX=[-0.5, 0, 0.5],
+cut_off = partial(surface, "Meshlines X", "the mesh is cut off", MeshlinesX=[-0.5, 0, 0.5],
     PatchMethod="Exact Fit")
 assert abs(cut_off.volume - 7 / 6) < 1e-8, cut_off.volume
 assert sorted(cut_off.areas) == [-1, 0]
@@ -142,7 +142,7 @@ for name, turned, volume in (
 ):
     mesh = partial(producer(turned), CellSize=0.2, PatchMethod="Exact Fit", SmallCellRatio=0)
     assert abs(mesh.volume - volume) < 1e-8, f"{name}: volume {mesh.volume}"
-partial(read("tm_not_convex.obj"), "12 edges of more than two triangles", "non-manifold edge")
+partial(read("tm_not_convex.obj"), "12 edges shared by more than two triangles", "non-manifold edge")
 refused(producer(polydata(points, triangles[:1])), FLAWED_SURFACE, "nothing to mesh", "3 open edges")
 refused(producer(polydata(points, [(0, 1, 2), (0, 2, 1)])), FLAWED_SURFACE, "encloses no volume")
 refused(producer(polydata(points, [(0, 1, 1)])), FLAWED_SURFACE, "encloses no volume")
@@ -159,7 +159,7 @@ assert_identical("polygons", output(simple.CartesianMesher(Input=box)),
 floor = [(0, 0, 0), (3, 0, 0), (3, 2, 0), (0, 2, 0)]
 roof = [(x, y, 1) for x, y, _ in floor]
 walls = [(0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
-crossing = "1 polygons, the first of them cell 4, cross or touch themselves"
+crossing = "1 polygon, cell 4, crosses or touches itself"
 for name, top, parts in (
     ("bow tie", (4, 6, 5, 7), [crossing]),
     ("touches itself", (4, 5, 6, 7, 4, 8, 9, 10, 8), [crossing]),
@@ -171,14 +171,14 @@ for name, top, parts in (
     mesher = simple.CartesianMesher(Input=producer(box_of), CellSize=0.5)
     with Messages() as said:
         output(mesher)
-    assert all(part in str(said) for part in parts) and ("cross or touch" in str(said)) == bool(parts), (name, str(said))
+    assert all(part in str(said) for part in parts) and ("touches itself" in str(said)) == bool(parts), (name, str(said))
     assert error_code(mesher) == 0, name
     # The same as the surface of a region.
     region = simple.RefinementRegion(Input=producer(box_of), Shape="Input", Depth=1)
     mesher = simple.CartesianMesher(Input=box, RefinementRegions=[region], CellSize=0.5)
     with Messages() as said:
         output(mesher)
-    assert all("Of a refinement region: " + part in str(said) for part in parts), (name, str(said))
+    assert all("In a refinement region: " + part in str(said) for part in parts), (name, str(said))
 
 # What vtkGhostType hides is not there: the rest is meshed as if it were alone.
 pair = merged(octahedron(), octahedron(1, (5, 0, 0)))

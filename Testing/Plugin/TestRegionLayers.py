@@ -69,4 +69,4 @@ check(mesher(LayerRegions=["solid"]), [2])
 
 with Messages() as said:
     mesher(LayerRegions=["air"]).UpdatePipeline()
-assert '"air", which is no region: there are gas, solid.' in str(said), str(said)
+assert '"air", which is not a region: choose from gas, solid.' in str(said), str(said)

@@ -101,7 +101,7 @@ for wrong, words in (mesher(), "of the surface"), (mesher(SizeField=image), "of 
     with Messages() as said:
         wrong.UpdatePipeline()
     assert error_code(wrong) == MISSING_ARRAY, error_code(wrong)
-    assert 'Size Array "Wanted" is no point or cell array ' + words in str(said), said
+    assert 'Size Array "Wanted" is not a point or cell array ' + words in str(said), said
 
 # A budget: fewer cells, and a message about it; in pieces, too.
 varied = with_array(simple.PointSource(NumberOfPoints=400, Radius=0.5), "Point Data", "0.03 + 0.2 * abs(coordsX)")

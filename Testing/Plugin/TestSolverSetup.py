@@ -55,10 +55,10 @@ assert (last(case, "pressure_inlet") or 1) > 0
 velocity = case / "0" / "U"
 with Messages() as said:
     foam.save(duct, case, SolverSetup="Incompressible", Speed=3)
-assert "11 files are there and stay" in str(said) and "refValue uniform -2;" in velocity.read_text(), str(said)
+assert "11 files already exist and are kept" in str(said) and "refValue uniform -2;" in velocity.read_text(), str(said)
 with Messages() as said:
     foam.save(duct, case, SolverSetup="Incompressible", Speed=3, OverwriteSetup=1)
-assert "stay" not in str(said) and "refValue uniform -3;" in velocity.read_text(), str(said)
+assert "already exist" not in str(said) and "refValue uniform -3;" in velocity.read_text(), str(said)
 
 # In two pieces, laminar.
 case = foam.save(duct, root / "pieces", SolverSetup="Incompressible", Turbulence="Laminar", Viscosity=0.01,

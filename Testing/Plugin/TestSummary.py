@@ -69,7 +69,7 @@ for point in points:
 for corners in (0, 1, 2, 3), (4, 6, 5, 7):
     tetrahedra.InsertNextCell(VTK_TETRA, 4, corners)
 told = output(simple.MeshSummary(Input=producer(tetrahedra))).GetColumnByName("Text").GetValue(0)
-assert told.splitlines()[2:4] == ["OpenFOAM's checkMesh refuses 1 cell", "  1 cell: no volume"], told
+assert told.splitlines()[2:4] == ["OpenFOAM's checkMesh fails on 1 cell", "  1 cell: no volume"], told
 
 # Of many boundaries the ten largest, and of layers how many there are.
 ball = output(simple.Sphere(ThetaResolution=24, PhiResolution=24))

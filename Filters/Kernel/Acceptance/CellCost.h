@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How good a cell is for a finite-volume solver, as one number: what shaping makes smaller.
 //
-// Every term is 1 or less where solvers are at ease and grows steeply beyond, so that the sum is ruled
+// Every term is 1 or less within preferred quality limits and grows steeply beyond, so that the sum is ruled
 // by what is worst: skewness, non-orthogonality, weight and volume ratio of faces as OpenFOAM's
 // checkMesh defines them, the angles of section 3, and the cell's volume by that of its box.
 #pragma once

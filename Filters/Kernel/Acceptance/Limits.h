@@ -62,7 +62,7 @@ struct Balanced
   static constexpr double VolumeRatio = 0.02;
 };
 
-// Where a measure costs 1: up to there solvers are at ease.
+// Where a measure costs 1: the preferred quality limits.
 struct Fair
 {
   static constexpr double Skewness = 1.6;

@@ -24,7 +24,7 @@ void OutputFile::close()
   {
     throw Error(Fault::CannotWrite,
       "Cannot write " + path_.string() + " (" + std::strerror(errno) +
-        "): choose another folder, or make room.");
+        "): choose another folder, or free disk space.");
   }
 }
 

@@ -94,8 +94,8 @@ void reportingFailures(Work&& work)
   }
   catch (const std::filesystem::filesystem_error& error)
   {
-    throw Error(
-      Fault::CannotWrite, std::string(error.what()) + ": choose another folder, or make room.");
+    throw Error(Fault::CannotWrite,
+      std::string(error.what()) + ": choose another folder, or free disk space.");
   }
 }
 

@@ -105,7 +105,8 @@ private:
     const std::size_t count = scan(boxes_.rowStart);
     if (count >= None)
     {
-      throw Error(Fault::TooManyBoxes, "The mesh has more boxes than can be numbered in 32 bits.");
+      throw Error(Fault::TooManyBoxes,
+        "The mesh has more boxes than can be numbered in 32 bits: choose a larger Cell Size.");
     }
     boxes_.globals.resize(count + 1);
     boxes_.globals.back() = { { 0, 0, 0 }, 0, None, 0, 0 };
@@ -144,7 +145,9 @@ private:
         {
           throw Error(Fault::BadParameter,
             "Global box " + std::to_string(at[0]) + ", " + std::to_string(at[1]) + ", " +
-              std::to_string(at[2]) + " is too thin to be divided on this lattice.");
+              std::to_string(at[2]) +
+              " is too thin to be divided on this lattice: choose a larger Cell Size, or refine "
+              "less there.");
         }
       }
     });

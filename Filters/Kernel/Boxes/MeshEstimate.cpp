@@ -237,7 +237,7 @@ void checkMemory(double boxes, double bytes, const MemoryLimit& limit)
     std::array<char, 300> text;
     std::snprintf(text.data(), text.size(),
       "The mesh would have about %.4g boxes and take about %.4g GiB, more than the Memory Limit of "
-      "%.4g GiB: choose a larger Cell Size, less refinement, or raise the limit.",
+      "%.4g GiB: choose a larger Cell Size or less refinement, or raise the limit.",
       boxes, bytes / GiB, limit.bytes / GiB);
     throw Error(Fault::TooManyBoxes, text.data());
   }

@@ -44,7 +44,7 @@ Surface closedSurface(const RefinementRegion& region, const Lattice& lattice, Ex
   {
     throw Error(Fault::FlawedSurface,
       "The surface of Refinement Regions has " + std::to_string(surfaceCheck.openEdges) +
-        " open edges: connect closed surfaces.");
+        " open edges: connect closed surfaces only.");
   }
   return closed;
 }

@@ -176,7 +176,8 @@ void Refinement::addBoundary(const BoundaryRefinement& row, std::size_t number,
   checkDepth(row.depth, "The depth in " + name);
   if (row.blendLayers < 0)
   {
-    throw Error(Fault::BadParameter, "The blending distance in " + name + " is negative.");
+    throw Error(Fault::BadParameter,
+      "The blending distance in " + name + " is negative: it must be 0 or more.");
   }
   const auto isRefined = [&](std::int32_t boundary) {
     return surface.walls.isOf(boundary, row.boundary);
@@ -184,7 +185,8 @@ void Refinement::addBoundary(const BoundaryRefinement& row, std::size_t number,
   if (std::none_of(surface.boundary.begin(), surface.boundary.end(), isRefined))
   {
     throw Error(Fault::BadParameter,
-      "The surface has no boundary " + std::to_string(row.boundary) + ", named in " + name + ".");
+      "The surface has no boundary " + std::to_string(row.boundary) + ", which " + name +
+        " names: correct the number, or remove the row.");
   }
   RefinedBoundary boundary{ row.depth, emptySet(planes), {}, row.depth - (row.blendBelow ? 1 : 0) };
   const std::size_t rowsAlongY = planes[1].size() - 1;

@@ -338,8 +338,7 @@ WallMesh assembleCells(const Boxes& boxes, const Patches& patches, const Sides& 
     boxes.packed.size() > FirstOfCuts - FirstHexahedron)
   {
     throw Error(Fault::TooManyBoxes,
-      "The mesh has more boxes, or more faces at the boundary, than can be numbered: choose larger "
-      "cells.");
+      "The mesh has more boxes or boundary faces than can be numbered: choose a larger Cell Size.");
   }
   const std::size_t count = sides.polyhedral.size();
   std::vector<CellChunk> ofChunk(chunks(count, BoxesAChunk));

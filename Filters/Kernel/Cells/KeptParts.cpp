@@ -58,8 +58,8 @@ public:
         {
           throw Error(Fault::BadParameter,
             point.name +
-              " lies outside of everything: the surface does not enclose the space around "
-              "it. Move it, or set Domain to Outside for a box around the surface.");
+              " lies in open space: the surface does not enclose the space around it. Move the "
+              "point, or set Domain to Outside to mesh a box around the surface.");
         }
       }
     }
@@ -232,8 +232,8 @@ private:
     }
     throw Error(Fault::BadParameter,
       point.name +
-        " lies so near to the surface that no cell contains it: move it further from the "
-        "surface, or choose a smaller Cell Size.");
+        " lies so close to the surface that no cell contains it: move it away from the surface, "
+        "or choose a smaller Cell Size.");
   }
 
   // By the crossings of the cell's faces with a line along x.

@@ -73,7 +73,7 @@ void checkMeshlines(const std::vector<double>& lines, int axis, const Bounds& su
     throw Error(Fault::BadMeshlines,
       name + " run from " + number(lines.front()) + " to " + number(lines.back()) +
         " and miss the surface, which lies between " + number(surface.low[axis]) + " and " +
-        number(surface.high[axis]) + ".");
+        number(surface.high[axis]) + ". Give positions that enclose part of it.");
   }
 }
 
@@ -186,8 +186,9 @@ Meshlines onLattice(const GridSpec& spec, const Bounds& surface, const Lattice& 
     {
       throw Error(lines.empty() ? Fault::BadCellSize : Fault::BadMeshlines,
         std::string("Two meshlines along ") + AxisName[axis] + " are closer than the lattice's " +
-          "step of " + number(2 * lattice.step()) + " around " +
-          number(lattice.position(axis, *twice)) + ": space them wider.");
+          "step of " + number(2 * lattice.step()) + " near " +
+          number(lattice.position(axis, *twice)) +
+          (lines.empty() ? ": choose a larger Cell Size." : ": space them farther apart."));
     }
   }
   return planes;

@@ -151,7 +151,8 @@ Error flawBetweenRegions(const Assembly& a, const BoxFlags& flawed)
   };
   return { Fault::FlawedSurface,
     "The walls of the regions do not close in the box around (" + place(0) + ", " + place(1) +
-      ", " + place(2) + "): with several regions, their surfaces must not intersect themselves." };
+      ", " + place(2) +
+      "): with several regions, no surface may intersect itself. Repair it there." };
 }
 
 // The same, by walls instead of boundaries.

@@ -158,16 +158,16 @@ std::string describeBudget(const Assembly& assembly, const Options& options)
   std::string text;
   if (assembly.relaxation > 1)
   {
-    text = "Curvature Angle, the size of boxes in gaps (Cells Across Gaps) and the sizes of the "
-           "Size Array were "
-           "multiplied by " +
-      number(assembly.relaxation) + ", as far as they are used: " + has;
+    text = "To meet the Cell Budget, Curvature Angle, the box size in gaps (Cells Across Gaps) and "
+           "the sizes of the Size Array, where used, were multiplied by " +
+      number(assembly.relaxation) + ": " + has;
   }
   if (cells > options.cellBudget * (1 + BudgetTolerance))
   {
     text += std::string(text.empty() ? "" : " ") +
-      "The Cell Budget cannot be kept by relaxing these: " + has +
-      " Choose a larger Cell Size or a smaller Refinement Depth.";
+      "The Cell Budget cannot be met by relaxing Curvature Angle, Cells Across Gaps and the Size "
+      "Array alone: " +
+      has + " Choose a larger Cell Size or a smaller Refinement Depth.";
   }
   return text;
 }

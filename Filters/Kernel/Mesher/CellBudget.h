@@ -12,7 +12,7 @@ namespace cartesian
 // A mesh may have more cells than the budget, or fewer where sizes are relaxed, by this part of it.
 constexpr double BudgetTolerance = 0.05;
 
-// The whole mesh, with the sizes of `decomposition` as relaxed as the budget needs. How many cells become of boxes is not
+// The whole mesh, with the sizes of `decomposition` as relaxed as the budget needs. The final cell count is not
 // known before: the mesh is made anew, at most twice, if there are too many or too few. Where even without those
 // sizes there are too many, that mesh. Throws what meshPart() throws.
 std::unique_ptr<Assembly> meshWithinBudget(const PreparedSurface& prepared,

@@ -15,7 +15,7 @@ struct CellLeftOut
   double volume;         // in levels
 };
 
-// Of the core, in order of boxes; slivers, which have no volume, are none.
+// Of the core, in order of boxes; slivers, which have no volume, do not count.
 std::vector<CellLeftOut> cellsLeftOut(const Assembly& assembly);
 
 // Their volume as cut, in user units cubed, and as a part of what the mesh would have with them: 0 to 1.

@@ -84,12 +84,12 @@ void requireOneRegion(const SurfaceView& view, const DomainSpec& domain)
   {
     throw Error(Fault::BadParameter,
       "Domain is " + name +
-        ", where there is one region: set Regions From to One, or Domain to Inside.");
+        ", which allows only one region: set Regions From to One, or Domain to Inside.");
   }
   if (view.region && !domain.keepPoints.empty())
   {
     throw Error(Fault::BadParameter,
-      "Keep Points are for one region: give none, or set Regions From to One.");
+      "Keep Points work with one region only: remove them, or set Regions From to One.");
   }
 }
 

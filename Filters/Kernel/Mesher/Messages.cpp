@@ -73,10 +73,12 @@ std::string describeLeaks(const PreparedSurface& prepared)
   {
     return "";
   }
+  const std::string ofBoundary = " of boundary " + std::to_string(NoBoundary);
   std::string text = "\n" +
-    counted(leaks, "hole is wider than a box; a lid closes it",
-      "holes are wider than a box; lids close them") +
-    ", of boundary " + std::to_string(NoBoundary) + ":";
+    (leaks == 1 ? "1 hole is wider than a box and is closed by a lid" + ofBoundary +
+          ". If it should be closed otherwise, close it in the surface:"
+                : std::to_string(leaks) + " holes are wider than a box and are closed by lids" +
+          ofBoundary + ". If they should be closed otherwise, close them in the surface:");
   std::size_t places = 0;
   for (const Hole& hole : holes)
   {
@@ -124,8 +126,9 @@ std::string listOf(const std::vector<std::int32_t>& boundaries,
     list +=
       (i == 0 ? "" : ", ") + (name == names.end() ? std::to_string(boundaries[i]) : name->second);
   }
-  return "Nothing is left of " + counted(boundaries.size(), "boundary", "boundaries") + ", " +
-    reason + ": " + list + (boundaries.size() > MostNames ? ", ..." : "") + ".";
+  return counted(boundaries.size(), "boundary has", "boundaries have") + " no faces in the mesh (" +
+    reason + "): " + list + (boundaries.size() > MostNames ? ", ..." : "") +
+    ". Correct the surface if faces are expected there.";
 }
 
 // Boundaries that bound nothing of what is meshed, and why.
@@ -148,10 +151,10 @@ std::string describeVanished(
     }
   }
   const std::string first = listOf(doubled, names,
-    "all of whose triangles are there twice, as in a body written twice, between bodies that "
-    "touch, or, where Sheets is Leave Out, in a sheet");
-  const std::string second = listOf(
-    covered, names, "which lie within other bodies, on their walls, or beside what is meshed");
+    "all triangles are duplicates, as in a body written twice, between touching bodies or, if "
+    "Sheets is Leave Out, in a sheet");
+  const std::string second =
+    listOf(covered, names, "inside other bodies, on their walls, or outside the meshed space");
   return first + (first.empty() || second.empty() ? "" : "\n") + second;
 }
 
@@ -174,7 +177,7 @@ std::string countsByBoundary(
     const auto name = names.find(order[i].first);
     text += name == names.end()
       ? ""
-      : (text.empty() ? " Beside " : ", ") + name->second + ": " + std::to_string(order[i].second);
+      : (text.empty() ? " Next to " : ", ") + name->second + ": " + std::to_string(order[i].second);
   }
   return text + (text.empty() ? "" : ".");
 }
@@ -201,11 +204,11 @@ std::string describeLeftOut(const Assembly& a, const std::map<std::int32_t, std:
   const std::size_t fragments = a.separate.fragments.size();
   return counted(cells.size(), "cell is", "cells are") + " left out, " +
     number(std::round(share * Percent * 100) / 100) + " % of the volume: " +
-    std::to_string(cells.size() - std::min(cells.size(), refused + fragments)) + " too small, " +
-    std::to_string(refused) + " that solvers would refuse and nothing mends, " +
-    std::to_string(fragments) + " that the grid cuts off from the rest." +
-    countsByBoundary(cells, names) +
-    " A smaller Cell Size or a larger Refinement Depth keeps them. The largest:" +
+    std::to_string(cells.size() - std::min(cells.size(), refused + fragments)) +
+    " too small to keep, " + std::to_string(refused) +
+    " failing (solvers would reject them) and beyond repair, " + std::to_string(fragments) +
+    " cut off from the rest by the grid." + countsByBoundary(cells, names) +
+    " To keep them, use a smaller Cell Size or a larger Refinement Depth. The largest:" +
     places(a.boxes, boxes);
 }
 
@@ -215,15 +218,15 @@ std::string describeKept(const Assembly& a)
   if (const std::vector<std::uint32_t>& kept = a.shaping.kept; !kept.empty())
   {
     text = "checkMesh will fail: " + counted(kept.size(), "cell has", "cells have") +
-      " a skewness over 4 or a face turned over, and to mend that would change the wall more. A "
-      "smaller Cell Size or a larger Refinement Depth there helps:" +
+      " a skewness above 4 or an inverted face, and repairing that would change the wall too much. "
+      "Use a smaller Cell Size or a larger Refinement Depth there:" +
       places(a.boxes, kept);
   }
   if (const std::vector<std::uint32_t>& overlapping = a.overlapping; !overlapping.empty())
   {
     text += std::string(lineBreak(text)) + "No case can be written: " +
-      counted(overlapping.size(), "cell overlaps another,", "cells overlap others,") +
-      " as the surface passes through itself. Mend it there, or choose another Cell Size:" +
+      counted(overlapping.size(), "cell overlaps another", "cells overlap others") +
+      " because the surface intersects itself. Repair it there, or choose another Cell Size:" +
       places(a.boxes, overlapping);
   }
   return text;
@@ -236,19 +239,21 @@ std::string describeNothing(const Assembly& assembly, const Options& options)
     wall.cells.begin(), wall.cells.end() - 1, [](const Cell& cell) { return cell.sliver; });
   if (onlySlivers)
   {
-    return "There is nothing to mesh: the surface encloses no volume, or is open everywhere." +
-      describeFlaws(assembly);
+    const std::string flaws = describeFlaws(assembly);
+    return "There is nothing to mesh: the surface encloses no volume, or is open everywhere. "
+           "Connect a closed surface." +
+      (flaws.empty() ? "" : "\n" + flaws);
   }
   const std::string all = "There is nothing left to mesh: all " + std::to_string(wall.size()) +
     " cells are smaller than " +
     (options.smallCells.handling == SmallCells::Merge
         ? "a tenth of Merge Ratio (" + number(options.shaping.strandedRatio())
         : "Small Cell Ratio (" + number(options.smallCells.ratio)) +
-    " of their boxes)";
+    " of the volume of their boxes)";
   return assembly.shaping.refused.empty() ? all + ". Choose a smaller ratio or a smaller Cell Size."
                                           : all +
-      ", or of a shape that solvers refuse. Choose a smaller Cell Size, or a Refused Cell Ratio of "
-      "0 to keep them.";
+      ", or are failing cells, which solvers would reject. Choose a smaller Cell Size, or set "
+      "Refused Cell Ratio to 0 to keep them.";
 }
 
 }
@@ -262,7 +267,7 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
   if (!check.places.empty())
   {
     text = "The surface has " + counted(check.openEdges, "open edge", "open edges") + ", " +
-      counted(check.nonManifoldEdges, "edge", "edges") + " of more than two triangles and " +
+      counted(check.nonManifoldEdges, "edge", "edges") + " shared by more than two triangles and " +
       counted(
         check.inconsistentEdges, "inconsistently oriented edge:", "inconsistently oriented edges:");
   }
@@ -273,6 +278,7 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
       positionOf(prepared.inspected(), place.edge[1]) + " of cell " +
       std::to_string(cells[prepared.inspected().given[place.triangle]]);
   }
+  text += text.empty() ? "" : "\nRepair the surface there if the mesh shows flaws.";
   if (!repair.duplicates.empty())
   {
     text += lineBreak(text) +
@@ -286,8 +292,8 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
   if (!repair.loose.empty())
   {
     text += lineBreak(text) +
-      counted(repair.loose.size(), "triangle shares no edge with others, and is left out.",
-        "triangles share no edge with others, and are left out.");
+      counted(repair.loose.size(), "triangle shares no edge with others and is left out.",
+        "triangles share no edge with others and are left out.");
   }
   if (const std::size_t closed = repair.holes.size() - repair.leaks())
   {
@@ -309,8 +315,8 @@ std::string describeOverhang(const PreparedSurface& prepared)
     if (lattice.vertex(axis, prepared.bounds.low[axis]) < planes.front() ||
       lattice.vertex(axis, prepared.bounds.high[axis]) > planes.back())
     {
-      text += std::string(text.empty() ? "" : " ") + "The surface reaches beyond the Meshlines " +
-        "XYZ"[axis] + ", which cut the mesh off there.";
+      text += std::string(text.empty() ? "" : " ") + "The surface extends beyond Meshlines " +
+        "XYZ"[axis] + ": the mesh is cut off there. Extend them to mesh all of it.";
     }
   }
   return text;
@@ -324,9 +330,10 @@ std::string describeShortfall(const DomainSpec& domain, const FlowRefinement& fl
   }
   const double least = flow.length / domain.boxesAlong; // the size that is asked for
   return "Boxes Along Body is " + std::to_string(domain.boxesAlong) + ", but only " +
-    number(std::floor(flow.length / flow.size)) + " fit along the surface: boxes are halved " +
-    std::to_string(DeepestLevel) + " times at most. Choose a Cell Size of " +
-    number(least * (1 << DeepestLevel)) + " or less, or nearer Meshlines.";
+    number(std::floor(flow.length / flow.size)) +
+    " fit along the surface: boxes can be halved at most " + std::to_string(DeepestLevel) +
+    " times. Choose a Cell Size of " + number(least * (1 << DeepestLevel)) +
+    " or less, or closer Meshlines.";
 }
 
 std::string describeFlaws(
@@ -337,14 +344,16 @@ std::string describeFlaws(
   if (!rebuilt.empty())
   {
     text = "The surface does not close in or next to " + counted(rebuilt.size(), "box", "boxes") +
-      " (parts cross or overlap); Marching Cubes made patches from the statuses there:" +
+      " (parts cross or overlap). Marching Cubes rebuilt the patches there from the inside/outside "
+      "status of box corners. Repair the surface there if the mesh shows flaws:" +
       places(assembly.boxes, rebuilt);
   }
   if (const std::vector<std::uint32_t> flawed = flawedBoxes(assembly); !flawed.empty())
   {
     text += lineBreak(text) +
-      counted(flawed.size(), "box does not close even so and is left out of the mesh:",
-        "boxes do not close even so; they are left out of the mesh:") +
+      counted(flawed.size(),
+        "box still does not close and is left out of the mesh. Repair the surface there:",
+        "boxes still do not close and are left out of the mesh. Repair the surface there:") +
       places(assembly.boxes, flawed);
   }
   const std::string leftOut = describeLeftOut(assembly, names);

@@ -127,9 +127,8 @@ private:
   {
     throw Error(Fault::BadMesh,
       "A face of cell " + std::to_string(at(place).owner) +
-        " is also a face of a cell of another piece that lies on the same side of it: cells "
-        "overlap. "
-        "Write the mesh as it was before it was changed.");
+        " is also a face of a cell of another piece on the same side: cells overlap. Write the "
+        "mesh as it was before it was changed.");
   }
 
   const std::vector<FoamOutline>& outlines_;
@@ -144,8 +143,7 @@ void checkOrder(const std::vector<FoamOutline>& outlines)
     {
       throw Error(Fault::BadMesh,
         "The cells are not numbered in the order of the pieces: to write a decomposed case, save "
-        "the "
-        "mesh of Cartesian Mesher itself.");
+        "the output of Cartesian Mesher itself.");
     }
     cells += outline.cells;
   }

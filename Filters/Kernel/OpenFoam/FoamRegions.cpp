@@ -493,8 +493,8 @@ FoamZoning zonesOfNames(
   {
     throw Error(Fault::BadParameter,
       "Zone Regions: " + regions.names[static_cast<std::size_t>(alone - isPlaced.begin())] +
-        " touches no region that is not a zone too: leave out the region in whose mesh it is to "
-        "be.");
+        " touches only regions that are zones themselves: remove from Zone Regions the region "
+        "whose mesh should contain it.");
   }
   return zoning;
 }

@@ -228,7 +228,7 @@ FoamMesh foamMesh(std::vector<double> points, const CellFaces& cells, const Face
   if (mesh.corners.size() > std::numeric_limits<std::int32_t>::max())
   {
     throw Error(Fault::BadMesh,
-      "The mesh has more corners of faces than OpenFOAM can number in 32 bits: make it coarser.");
+      "The mesh has more face corners than OpenFOAM can number in 32 bits: make it coarser.");
   }
   return mesh;
 }

@@ -41,7 +41,7 @@ void requireEnds(const MeshOfCase& mesh, const std::optional<FlowAround>& around
       throw Error(Fault::BadParameter,
         std::string("Solver Setup: no boundary") + of + " is an " + name +
           ". Nothing is written: give a boundary a name that begins with " + name +
-          ", such as by Boundary Merged Names, or set Solver Setup to None.");
+          ", for example in Boundary Merged Names, or set Solver Setup to None.");
     }
   }
 }
@@ -111,10 +111,10 @@ void requireSuitable(const SolverSetup& setup, const std::vector<MeshOfCase>& me
   {
     throw Error(Fault::BadParameter,
       areRegions(meshes)
-        ? "Solver Setup is Incompressible, for one mesh, but there are several regions. Nothing is "
-          "written: choose Conjugate Heat, or Regions As Zones."
-        : "Solver Setup is Conjugate Heat, for several regions, but there is one. Nothing is "
-          "written: choose Incompressible, or set Regions From.");
+        ? "Solver Setup is Incompressible, which needs a single mesh, but there are several "
+          "regions. Nothing is written: choose Conjugate Heat, or set Regions As to Zones."
+        : "Solver Setup is Conjugate Heat, which needs several regions, but there is only one. "
+          "Nothing is written: choose Incompressible, or set Regions From.");
   }
   for (const MeshOfCase& mesh : meshes)
   {

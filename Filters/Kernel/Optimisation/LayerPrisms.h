@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Boundary faces that boundary layers will stand on: a prism on each, so that nodes move to where solvers are at ease
+// Boundary faces that boundary layers will stand on: a prism on each, so that nodes move to within preferred quality limits
 // with the faces between layers too. Its height is a part of the box's, as that of layers matters little here: what is
 // wrong with a stack of prisms, is wrong with the polygon below.
 #pragma once

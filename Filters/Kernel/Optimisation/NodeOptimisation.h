@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Nodes along the wall move until solvers are at ease with the faces around them.
+// Nodes along the wall move until the faces around them are within preferred quality limits.
 //
 // What cutting and merging leave is correct but irregular: centres of faces lie aside of the line between the
 // cells' centres, weights are small. An energy (FaceEnergy.h) sums this up. In each of a fixed number of rounds all

@@ -126,8 +126,8 @@ void checkSpec(const PatchSpec& spec, const Surface& surface)
   if (surface.walls.any() && spec.method == PatchMethod::MarchingCubes)
   {
     throw Error(Fault::BadParameter,
-      "Marching Cubes alone cannot show where several regions meet: choose Automatic or Exact "
-      "Fit.");
+      "Patch Method Marching Cubes cannot represent where several regions meet: choose Automatic "
+      "or Exact Fit.");
   }
 }
 

@@ -195,9 +195,9 @@ void refuseClashes(const CellFaces& cells, const std::vector<std::uint32_t>& nei
   const auto cell = next - cells.firstFace.begin() - 1;
   throw Error(Fault::BadMesh,
     "Face " + std::to_string(face - *(next - 1)) + " of cell " + std::to_string(cell) +
-      " is also a face of another cell that lies on the same side of it: cells overlap, or the "
-      "faces of one do not all point out of it. Filters that cut polyhedra, such as Clip, make "
-      "such cells: write the mesh as it was before.");
+      " is also a face of another cell on the same side: cells overlap, or not all faces of one "
+      "point outwards. Filters that cut polyhedra, such as Clip, make such cells: write the mesh "
+      "as it was before the filter.");
 }
 
 // Where the inner and the boundary faces of a cell begin in a FaceList.
@@ -284,7 +284,8 @@ FaceList listFaces(
 {
   if (std::max({ cells.cellCount(), cells.faceCount(), pointCount }) >= Clash)
   {
-    throw Error(Fault::BadMesh, "The mesh has more faces than can be numbered in 32 bits.");
+    throw Error(
+      Fault::BadMesh, "The mesh has more faces than can be numbered in 32 bits: make it coarser.");
   }
   std::vector<std::uint32_t> neighbours = Matcher(cells).neighbours(pointCount, execution);
   if (clashes == Clashes::Refused)

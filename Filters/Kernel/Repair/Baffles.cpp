@@ -97,7 +97,7 @@ private:
   {
     throw Error(Fault::FlawedSurface,
       "A baffle in region " + name_ + " " + what + " near " + placeOf(both_, middleOf(both_, t)) +
-        ".");
+        ". Shift it a little there, or divide it into other triangles.");
   }
 
   const Point& apexOf(std::uint32_t t, std::uint32_t a, std::uint32_t b) const

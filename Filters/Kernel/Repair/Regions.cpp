@@ -41,7 +41,8 @@ Surface surfaceOf(const Surface& all, std::int32_t region, const Meshlines& plan
   const std::string name = "The surface of region " + nameOf(region, spec.names);
   if (own.triangles.empty())
   {
-    throw Error(Fault::FlawedSurface, name + " has no triangles.");
+    throw Error(
+      Fault::FlawedSurface, name + " has no triangles: give it a closed surface, or leave it out.");
   }
   const SurfaceRepair repaired =
     closeAndOrient(own, planes, { SheetHandling::LeaveOut }, execution);
@@ -50,7 +51,7 @@ Surface surfaceOf(const Surface& all, std::int32_t region, const Meshlines& plan
     const auto& flaw = repaired.check.places.front();
     throw Error(Fault::FlawedSurface,
       name + " is not closed at " + placeOf(own, middleOf(own, flaw.triangle)) +
-        ": with several regions, each needs a closed surface. Close it.");
+        ": with several regions, each needs a closed surface. Close it there.");
   }
   return own;
 }
@@ -154,10 +155,10 @@ std::optional<std::vector<ClosedContact>> separateRegions(
   {
     throw Error(Fault::FlawedSurface,
       "The surface of region " + nameOf(all.region[crossing[0]], names) +
-        " passes through others or itself near " + placeOf(all, middleOf(all, crossing[0])) +
-        " in many faces that are nearly in one plane, and what is on which side is not sure there. "
-        "Choose a Contact Tolerance that is larger than what is between walls that ought to touch, "
-        "or cut one out of the other.");
+        " intersects others or itself near " + placeOf(all, middleOf(all, crossing[0])) +
+        " in many nearly coplanar faces, so it is uncertain what lies on which side. Choose a "
+        "Contact Tolerance larger than the gap between walls that should touch, or cut one body "
+        "out of the other.");
   }
   std::swap(surface.vertices, walls.vertices);
   surface.triangles.swap(walls.triangles);
@@ -175,7 +176,7 @@ std::optional<std::vector<ClosedContact>> separateRegions(
     {
       throw Error(Fault::FlawedSurface,
         "Nothing is left of region " + nameOf(region, names) +
-          ": it lies in those before it. Put it before them, or leave it out.");
+          ": it lies inside regions listed before it. List it before them, or leave it out.");
     }
   }
   return closed;

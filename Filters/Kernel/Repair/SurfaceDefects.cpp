@@ -397,14 +397,14 @@ std::string describe(const SurfaceDefects& defects, const std::vector<long long>
       text += kind == DefectKind::OverlappedTriangle ? listOverlapped(defects, cells) : "";
     }
   }
+  text += text.empty() ? "" : "\nRepair the surface if the mesh shows flaws there.";
   if (defects.notCompared > 0)
   {
     const Vector& at = defects.notComparedAt;
     text += (text.empty() ? "" : "\n") + std::to_string(defects.notCompared) +
       " triangles, such as one at (" + number(at[0]) + ", " + number(at[1]) + ", " + number(at[2]) +
       "), have too many others nearby to be checked for intersections: they are long and thin, or "
-      "far larger "
-      "than others. Divide them, if the mesh shows flaws there.";
+      "far larger than others. Subdivide them if the mesh shows flaws there.";
   }
   return text;
 }

@@ -14,8 +14,8 @@ namespace cartesian
 namespace
 {
 
-// What a part of the box that joined boundary faces add or take costs: a hundredth about as much as a face at
-// which solvers are not at ease.
+// What a part of the box that joined boundary faces add or take costs: about a hundredth as much as a face
+// that is just beyond preferred quality limits.
 constexpr double CostOfVolume = 1000;
 
 // Cosines of angles at which faces are joined: those that solvers refuse; that strain them (107 degrees).

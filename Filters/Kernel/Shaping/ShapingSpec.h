@@ -19,7 +19,7 @@ struct ShapingSpec
   // where cells merge.
   double strandedRatio() const { return mergeRatio / 10; }
 
-  // Whether nodes at the wall move to where solvers are at ease (NodeOptimisation.h); not with Exact Fit.
+  // Whether nodes at the wall move to within preferred quality limits (NodeOptimisation.h); not with Exact Fit.
   bool optimiseNodes = true;
 
   // Whether nodes of curved walls move off the surface, so that the mesh has its volume (StandOff.h); not with Exact Fit,

@@ -56,7 +56,8 @@ void checkBox(const Bounds& box, const Bounds& surface)
     {
       throw Error(Fault::BadParameter,
         "The box of the domain runs from " + ends + " and misses the surface, which lies between " +
-          number(surface.low[axis]) + " and " + number(surface.high[axis]) + ".");
+          number(surface.low[axis]) + " and " + number(surface.high[axis]) +
+          ". Choose bounds that contain part of it.");
     }
   }
 }

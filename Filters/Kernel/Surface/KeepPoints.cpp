@@ -27,14 +27,15 @@ void requireWithin(const KeepPoint& point, const std::array<double, 3>& place,
   {
     if (!std::isfinite(place[axis]))
     {
-      throw Error(Fault::BadCoordinate, point.name + " is no place: give three finite numbers.");
+      throw Error(
+        Fault::BadCoordinate, point.name + " is not a valid point: give three finite numbers.");
     }
     const double low = lattice.position(static_cast<int>(axis), planes[axis].front());
     const double high = lattice.position(static_cast<int>(axis), planes[axis].back());
     if (place[axis] < low || place[axis] >= high)
     {
       throw Error(Fault::BadParameter,
-        point.name + " lies outside of the grid, which runs from " + number(low) + " to " +
+        point.name + " lies outside the grid, which runs from " + number(low) + " to " +
           number(high) + " along " + "xyz"[axis] + ": move it into the space to be meshed.");
     }
   }
@@ -93,8 +94,8 @@ void requireInside(const std::vector<KeepPoint>& points, const char* domain)
     if (!point.winding.inside())
     {
       throw Error(Fault::BadParameter,
-        point.name + " lies outside of what is meshed with Domain " + domain +
-          ": move it, or set Domain to Around Points.");
+        point.name + " lies outside the space that Domain " + domain +
+          " meshes: move it, or set Domain to Around Points.");
     }
   }
 }
@@ -115,8 +116,9 @@ bool areOutside(const std::vector<KeepPoint>& points)
       const std::string& in = isOutside ? point.name : points[0].name;
       const std::string& out = isOutside ? points[0].name : point.name;
       throw Error(Fault::BadParameter,
-        in + " lies in a body and " + out +
-          " outside of all: one mesh has cells on one side of the surface only.");
+        in + " lies inside a body and " + out +
+          " outside all bodies: one mesh has cells on one side of the surface only. Remove one of "
+          "the two.");
     }
   }
   return isOutside;

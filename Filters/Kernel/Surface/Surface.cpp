@@ -44,7 +44,7 @@ void checkTriangle(const SurfaceView& view, std::size_t triangle)
       throw Error(Fault::BadParameter,
         "Cell " + std::to_string(cellOf(view, triangle)) + " of the surface refers to point " +
           std::to_string(id) + ", but the surface has " + std::to_string(view.pointCount) +
-          " points.");
+          " points. Correct or remove the cell.");
     }
     const double* p = view.points + 3 * std::size_t(id);
     for (int axis = 0; axis < 3; ++axis)
@@ -197,13 +197,14 @@ Bounds boundsOf(const SurfaceView& view)
   }
   if (bounds.longest() == 0)
   {
-    throw Error(Fault::EmptySurface, "All points of the surface coincide: nothing to mesh.");
+    throw Error(
+      Fault::EmptySurface, "All points of the surface coincide: connect a closed surface.");
   }
   if (bounds.longest() < ShortestSurface)
   {
     throw Error(Fault::BadCoordinate,
       "The surface is only " + number(bounds.longest()) +
-        " long: volumes of cells would vanish in double precision. Scale it up.");
+        " long: cell volumes would vanish in double precision. Scale it up.");
   }
   return bounds;
 }

@@ -294,16 +294,16 @@ TEST(Flaws, BoundariesOfWhichNothingIsLeftAreNamed)
   const std::vector<Id> cells(soup.triangles.size());
   const std::map<std::int32_t, std::string> names{ { 7, "fairing" }, { 5, "cube" } };
   EXPECT_EQ(describeFlaws(prepare(soup, cellsOf(0.3)), cells, names),
-    "Nothing is left of 2 boundaries, which lie within other bodies, on their walls, or beside "
-    "what is meshed: "
-    "fairing, 8.");
+    "2 boundaries have no faces in the mesh (inside other bodies, on their walls, or outside the "
+    "meshed space): fairing, 8. Correct the surface if faces are expected there.");
   Execution execution;
   Options options;
   options.grid = cellsOf(0.3);
   options.sheets = SheetHandling::LeaveOut;
   const std::string text =
     describeFlaws(prepareSurface(soup.view(), options, execution), cells, names);
-  EXPECT_NE(text.find("Nothing is left of 2 boundaries, all of whose"), std::string::npos) << text;
+  EXPECT_NE(text.find("2 boundaries have no faces in the mesh (all triangles"), std::string::npos)
+    << text;
   EXPECT_NE(text.find(": fairing, 8."), std::string::npos) << text;
 
   // Written twice, a body stays.

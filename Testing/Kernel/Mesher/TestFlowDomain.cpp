@@ -205,8 +205,7 @@ TEST(FlowDomain, TooFewBoxesAlongABodyAreTold)
   domain.boxesAlong = 1000;
   const Bounds body{ { 0, 0, 0 }, { 4, 2, 1 } };
   EXPECT_EQ(describeShortfall(domain, flowRefinement(domain, cellsOf(1), body)),
-    "Boxes Along Body is 1000, but only 256 fit along the surface: boxes are halved 6 times at "
-    "most. "
-    "Choose a Cell Size of 0.256 or less, or nearer Meshlines.");
+    "Boxes Along Body is 1000, but only 256 fit along the surface: boxes can be halved at most 6 "
+    "times. Choose a Cell Size of 0.256 or less, or closer Meshlines.");
   EXPECT_EQ(describeShortfall(domain, flowRefinement(domain, cellsOf(0.256), body)), "");
 }

@@ -177,15 +177,15 @@ TEST(KeepPoints, PointsThatAreInNoPartAreRefused)
 {
   const Soup body = cube();
   expectRefusal(body, inside(-1, 2, 0.31, { { 0.5, 0.5, 0.5 }, { 1.5, 0.5, 0.5 } }),
-    "Row 1 of Keep Points, (1.5, 0.5, 0.5), lies outside of what is meshed");
+    "Row 1 of Keep Points, (1.5, 0.5, 0.5), lies outside the space that Domain Inside meshes");
   expectRefusal(body, inside(-1, 2, 0.31, { { 0.5, 1, 0.25 } }), "lies on the surface");
   expectRefusal(body, inside(-1, 2, 0.31, { { 1, 1, 1 } }), "lies on the surface");
-  expectRefusal(body, inside(-1, 2, 0.31, { { 7, 0, 0 } }), "lies outside of the grid");
+  expectRefusal(body, inside(-1, 2, 0.31, { { 7, 0, 0 } }), "lies outside the grid");
   TestOptions around = inside(-1, 2, 0.31, { { -0.5, 0.5, 0.5 } });
   around.domain.domain = Domain::AroundPoints;
-  expectRefusal(body, around, "lies outside of everything");
+  expectRefusal(body, around, "lies in open space");
   const Soup two = Soup(cube()).addRegion(cube().moved({ 1, 0, 0 }));
-  expectRefusal(two, inside(-1, 3, 0.31, { { 0.5, 0.5, 0.5 } }), "for one region");
+  expectRefusal(two, inside(-1, 3, 0.31, { { 0.5, 0.5, 0.5 } }), "with one region only");
   // A step of the lattice further in is inside.
   const double next = 0x1p-30;
   EXPECT_NEAR(

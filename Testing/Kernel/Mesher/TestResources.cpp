@@ -110,7 +110,7 @@ TEST(Resources, ARingInOneBox)
   }
   catch (const Error& error)
   {
-    EXPECT_NE(std::string(error.what()).find("Refused Cell Ratio of 0"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("Refused Cell Ratio to 0"), std::string::npos)
       << error.what();
   }
   options.shaping.refusedCellRatio = 0;
