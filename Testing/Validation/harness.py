@@ -57,16 +57,21 @@ class Case:
             meshed = make(mesher, surface, size, folder=folder, properties=grid_moved(surface, size) if variant == MOVED else None,
                           layers=self.layers_at(size) if variant == LAYERED else None, **self.mesh | domain)
             files = foam.Files(folder)
-            try:
-                figures = self.measured(files, turn)
-            except (AssertionError, OSError) as error:  # the solver died, and its case stays in the table
-                figures = {"failed": str(error).strip().splitlines()[-1][:80]}
+            figures = tried(lambda: self.measured(files, turn))
             return {"mesher": mesher, "size": size, "variant": variant, "cells": int(files.cells), "figures": figures,
                     "seconds of the mesh": round(meshed.seconds, 2), "seconds": round(seconds_used() - began, 2)}
 
     def layers_at(self, size):
         count, ratio, first = LAYERS
         return count, ratio, first * size / 2 ** self.mesh["depth"]
+
+
+def tried(measured):
+    """The figures, or which program has died: such a mesh stays in the table."""
+    try:
+        return measured()
+    except (AssertionError, OSError) as error:
+        return {"failed": str(error).strip().partition("\n")[0].rstrip(":")}
 
 
 def seconds_used():

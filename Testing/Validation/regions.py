@@ -46,10 +46,7 @@ class Case(harness.Case):
                 theirs(surface, size, folder, self.places @ turn.T)
             seconds = harness.seconds_used() - began
             parts = [foam.Files(folder, region) for region in REGIONS]
-            try:
-                figures = self.errors(pathlib.Path(folder), parts, turn)
-            except (AssertionError, OSError):
-                figures = {"failed": "chtMultiRegionSimpleFoam died"}
+            figures = harness.tried(lambda: self.errors(pathlib.Path(folder), parts, turn))
         return {"mesher": mesher, "size": size, "variant": variant, "cells": int(sum(part.cells for part in parts)), "figures": figures,
                 "seconds of the mesh": round(seconds, 2), "seconds": round(harness.seconds_used() - began, 2)}
 
