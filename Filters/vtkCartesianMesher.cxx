@@ -99,6 +99,8 @@ cartesian::Options vtkCartesianMesher::MakeOptions()
   cartesian::setDomainOptions(this, options);
   cartesian::setPatchOptions(this, options);
   cartesian::setCellOptions(this, options);
+  options.contactTolerance = this->ContactTolerance;
+  options.sheets = static_cast<cartesian::SheetHandling>(this->Sheets);
   options.cellBudget = this->CellBudget;
   options.layers.count = this->Layers;
   options.layers.ratio = this->LayerExpansionRatio;
@@ -151,18 +153,10 @@ cartesian::BoundarySettings vtkCartesianMesher::Boundaries() const
 
 cartesian::SurfaceFromVTK vtkCartesianMesher::Read(vtkDataObject* data) const
 {
-  cartesian::SurfaceFromVTK surface = this->Superclass::Read(data);
+  cartesian::SurfaceFromVTK surface(data, this->BoundaryArray,
+    static_cast<cartesian::RegionSource>(this->RegionsFrom), this->RegionArray);
   surface.rename(cartesian::mergedNames(this->GivenBoundaries(), surface.names()));
   return surface;
-}
-
-void vtkCartesianMesher::AddBoundaryDepths(
-  const cartesian::BoundaryNames& names, cartesian::RefinementSpec& spec) const
-{
-  for (const auto& [boundary, depth] : cartesian::boundaryDepths(this->Boundaries(), names))
-  {
-    spec.addUnlessThere({ boundary, depth, 0, false });
-  }
 }
 
 void vtkCartesianMesher::AddBoundaryOptions(
@@ -563,7 +557,6 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LayersThickness: " << this->LayersThickness << "\n";
   PrintColumn(os, indent, "LayerRegions", this->LayerRegions);
   PrintColumn(os, indent, "BoundaryLayersThickness", this->BoundaryLayers);
-  PrintColumn(os, indent, "BoundaryDepths", this->BoundaryDepths);
   PrintColumn(os, indent, "BoundaryMergedNames", this->BoundaryMergedNames);
   cartesian::printDomainProperties(this, os, indent);
   os << indent << "RegionsFrom: " << this->RegionsFrom << "\n";

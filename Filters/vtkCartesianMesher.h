@@ -9,8 +9,8 @@
  * vtkSurfaceInspector; none with several regions. Port 3 "Interfaces" (vtkPolyData): the faces between
  * two regions, with the arrays that Conversion/MeshToVTK.h lists.
  *
- * vtkCartesianBoxer, vtkPatcher and vtkCellAssembler in one, with the same result bit for bit: the
- * boxer's properties are inherited, those shared with the other two are in vtkCartesianProperties.h.
+ * vtkCartesianBoxer, vtkPatcher and vtkCellAssembler in one, with the same result bit for bit: the properties of
+ * the grid are inherited, those shared with the other two are in vtkCartesianProperties.h.
  *
  * Asked for a piece of the mesh, by its rank or by a writer that streams, it makes that piece only: a
  * slab of the grid. Pieces have global ids (cells: CellId, points: GlobalPointIds); together they are
@@ -23,7 +23,7 @@
 #ifndef vtkCartesianMesher_h
 #define vtkCartesianMesher_h
 
-#include "vtkCartesianBoxer.h"
+#include "vtkCartesianGridAlgorithm.h"
 #include "vtkCartesianMesherFiltersModule.h" // for the export macro
 #include "vtkCartesianProperties.h"          // for vtkPatchPropertiesMacro
 
@@ -41,11 +41,11 @@ struct MeshPiece;
 class Processes;
 }
 
-class VTKCARTESIANMESHERFILTERS_EXPORT vtkCartesianMesher : public vtkCartesianBoxer
+class VTKCARTESIANMESHERFILTERS_EXPORT vtkCartesianMesher : public vtkCartesianGridAlgorithm
 {
 public:
   static vtkCartesianMesher* New();
-  vtkTypeMacro(vtkCartesianMesher, vtkCartesianBoxer);
+  vtkTypeMacro(vtkCartesianMesher, vtkCartesianGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   vtkPatchPropertiesMacro();
@@ -118,15 +118,6 @@ public:
   {
     this->SetRow(this->BoundaryLayers, row, thickness);
   }
-  ///@}
-
-  ///@{
-  /**
-   * To which depth global boxes that those boundaries pass through are refined (0 to 6), without blending, unless a
-   * row of SetBoundaryRefinement says how; negative: as if they were not in the table. As many as names, or none.
-   */
-  void SetNumberOfBoundaryDepths(int number) { this->Resize(this->BoundaryDepths, number); }
-  void SetBoundaryDepth(int row, int depth) { this->SetRow(this->BoundaryDepths, row, depth); }
   ///@}
 
   ///@{
@@ -354,18 +345,20 @@ protected:
   cartesian::Options MakeOptions() override;
   void AddBoundaryOptions(
     const cartesian::SurfaceFromVTK& surface, cartesian::Options& options) override;
-  void AddBoundaryDepths(const std::map<std::int32_t, std::string>& names,
-    cartesian::RefinementSpec& spec) const override;
+  cartesian::BoundarySettings Boundaries() const override;
   cartesian::SurfaceFromVTK Read(vtkDataObject* data) const override;
 
   bool InPieces = true;
+  int RegionsFrom = One;
+  std::string RegionArray;
+  double ContactTolerance = 0;
+  int Sheets = 0;
   int Layers = 0;
   double LayerExpansionRatio = 1.2;
   double FirstLayerThickness = 0;
   double LayersThickness = 0;
   std::vector<std::string> LayerRegions;
   std::vector<double> BoundaryLayers;
-  std::vector<int> BoundaryDepths;
   std::vector<std::string> BoundaryMergedNames;
   std::vector<std::pair<std::int32_t, std::int32_t>>
     Baffles; // their boundaries, and those of their backs
@@ -392,9 +385,8 @@ private:
   struct Piece;
   struct WholeMesh;
 
-  // As the user gave them; and as they are where boundaries have merged.
+  // As the user gave them: Boundaries() are those of a surface whose boundaries have merged.
   cartesian::BoundarySettings GivenBoundaries() const;
-  cartesian::BoundarySettings Boundaries() const;
 
   void AddTypesOfSides(Task& task) const;
   void AddBaffles(Task& task);

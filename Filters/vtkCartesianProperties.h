@@ -159,13 +159,10 @@ protected:                                                                      
   double RefusedCellRatio = 4
 
 /**
- * What is special about boundaries, by name, a row each: the type that vtkPolyMeshWriter gives the patch
- * (automatic, patch, wall, symmetry, symmetryPlane, empty), and what stands for SmallCellRatio in cells
- * whose patches are mostly of it (section 4.10). As many types and ratios as names, or none.
- * "no_surface" is where there is no patch. For subclasses of vtkCartesianAlgorithm: vtkCellAssembler,
- * vtkCartesianMesher.
+ * The table of boundaries: names, or patterns for several, with * for any text and ? for any character, which all of
+ * its columns belong to. vtkCartesianGridAlgorithm, vtkCellAssembler.
  */
-#define vtkBoundarySettingsMacro()                                                                 \
+#define vtkBoundaryNamesMacro()                                                                    \
 public:                                                                                            \
   void SetNumberOfBoundaryNames(int number)                                                        \
   {                                                                                                \
@@ -175,6 +172,18 @@ public:                                                                         
   {                                                                                                \
     this->SetRow(this->BoundaryNames, row, std::string(name ? name : ""));                         \
   }                                                                                                \
+                                                                                                   \
+protected:                                                                                         \
+  std::vector<std::string> BoundaryNames
+
+/**
+ * Columns of the table of boundaries: the type that vtkPolyMeshWriter gives the patch
+ * (automatic, patch, wall, symmetry, symmetryPlane, empty), and what stands for SmallCellRatio in cells
+ * whose patches are mostly of it (section 4.10). As many types and ratios as names, or none.
+ * "no_surface" is where there is no patch. vtkCellAssembler, vtkCartesianMesher.
+ */
+#define vtkBoundarySettingsMacro()                                                                 \
+public:                                                                                            \
   void SetNumberOfBoundaryTypes(int number)                                                        \
   {                                                                                                \
     this->Resize(this->BoundaryTypes, number);                                                     \
@@ -195,11 +204,9 @@ public:                                                                         
 protected:                                                                                         \
   void PrintBoundarySettings(ostream& os, vtkIndent indent)                                        \
   {                                                                                                \
-    this->PrintColumn(os, indent, "BoundaryNames", this->BoundaryNames);                           \
     this->PrintColumn(os, indent, "BoundaryTypes", this->BoundaryTypes);                           \
     this->PrintColumn(os, indent, "BoundarySmallCellRatios", this->BoundaryRatios);                \
   }                                                                                                \
-  std::vector<std::string> BoundaryNames;                                                          \
   std::vector<std::string> BoundaryTypes;                                                          \
   std::vector<double> BoundaryRatios
 

@@ -102,5 +102,6 @@ void vtkCellAssembler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   cartesian::printCellProperties(this, os, indent);
+  PrintColumn(os, indent, "BoundaryNames", this->BoundaryNames);
   this->PrintBoundarySettings(os, indent);
 }

@@ -52,6 +52,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   vtkCellPropertiesMacro();
+  vtkBoundaryNamesMacro();
   vtkBoundarySettingsMacro();
 
 protected:

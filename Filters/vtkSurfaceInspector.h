@@ -38,14 +38,14 @@
 #ifndef vtkSurfaceInspector_h
 #define vtkSurfaceInspector_h
 
-#include "vtkCartesianBoxer.h"
+#include "vtkCartesianGridAlgorithm.h"
 #include "vtkCartesianMesherFiltersModule.h" // for the export macro
 
-class VTKCARTESIANMESHERFILTERS_EXPORT vtkSurfaceInspector : public vtkCartesianBoxer
+class VTKCARTESIANMESHERFILTERS_EXPORT vtkSurfaceInspector : public vtkCartesianGridAlgorithm
 {
 public:
   static vtkSurfaceInspector* New();
-  vtkTypeMacro(vtkSurfaceInspector, vtkCartesianBoxer);
+  vtkTypeMacro(vtkSurfaceInspector, vtkCartesianGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
 protected:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OlderStates.h"
 
+#include "PanelRows.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkPVXMLElement.h"
@@ -12,8 +14,11 @@
 #include "vtkSMProxyManager.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <string>
+#include <vector>
 
 namespace cartesian
 {
@@ -34,6 +39,48 @@ bool has(vtkPVXMLElement* proxy, const char* property)
   return false;
 }
 
+// As rows of the table of boundaries, where the user sees them. A row of a boundary's own would replace those with
+// patterns: then they stay as they are, and the filter warns.
+void moveRefinedBoundaries(vtkSMProxy* proxy)
+{
+  if (!proxy->GetProperty("RefinedBoundaries"))
+  {
+    return;
+  }
+  vtkSMPropertyHelper chosen(proxy, "RefinedBoundaries");
+  vtkSMPropertyHelper names(proxy, "BoundaryNames");
+  std::vector<std::string> rows;
+  for (unsigned int i = 0; i < names.GetNumberOfElements(); ++i)
+  {
+    rows.emplace_back(names.GetAsString(i));
+    if (rows.back().find_first_of("*?") != std::string::npos)
+    {
+      return;
+    }
+  }
+  const int depth = vtkSMPropertyHelper(proxy, "RefinedBoundaryDepth").GetAsInt();
+  for (unsigned int i = 0; i + 1 < chosen.GetNumberOfElements(); i += 2)
+  {
+    if (std::atoi(chosen.GetAsString(i + 1)) == 0)
+    {
+      continue;
+    }
+    const auto row = static_cast<unsigned int>(
+      std::find(rows.begin(), rows.end(), chosen.GetAsString(i)) - rows.begin());
+    if (row == rows.size())
+    {
+      rows.emplace_back(chosen.GetAsString(i));
+      names.Set(row, rows.back().c_str());
+    }
+    completeTables(proxy);
+    if (vtkSMPropertyHelper depths(proxy, "BoundaryDepths"); depths.GetAsInt(row) < 0)
+    {
+      depths.Set(row, depth);
+    }
+  }
+  chosen.RemoveAllValues();
+}
+
 void complete(vtkSMProxy* proxy, vtkPVXMLElement* inState)
 {
   vtkSmartPointer<vtkSMPropertyIterator> properties;
@@ -47,6 +94,7 @@ void complete(vtkSMProxy* proxy, vtkPVXMLElement* inState)
       vtkSMPropertyHelper(properties->GetProperty()).Set(std::atoi(hint->GetAttribute("value")));
     }
   }
+  moveRefinedBoundaries(proxy);
   proxy->UpdateVTKObjects();
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// States that were saved before a property was there.
+// States that were saved before a property was there, or before another took its place.
 #pragma once
 
 namespace cartesian
 {
 
 // From now on, properties that a state lacks get the value of their hint OlderStates, where they have one, instead of
-// their default: so the state keeps its mesh.
+// their default: so the state keeps its mesh. Refined Boundaries become rows of the table of boundaries.
 void completeOlderStates();
 
 }

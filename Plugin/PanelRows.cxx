@@ -30,13 +30,13 @@ unsigned int rowsOf(vtkSMVectorProperty* column)
     static_cast<unsigned int>(column->GetNumberOfElementsPerCommand());
 }
 
-// `usual`: the property of a new row.
+// So that there are as many; `usual`: the property of a new row.
 void addRows(vtkSMVectorProperty* column, vtkSMProperty* usual, unsigned int rows)
 {
   const vtkSMPropertyHelper from(usual);
   vtkSMPropertyHelper to(column);
   const unsigned int width = from.GetNumberOfElements();
-  for (unsigned int i = 0; i < rows * width; ++i)
+  for (unsigned int i = rowsOf(column) * width; i < rows * width; ++i)
   {
     if (vtkSMStringVectorProperty::SafeDownCast(column))
     {
@@ -59,21 +59,24 @@ void complete(vtkSMPropertyGroup* table, vtkSMProxy* row)
   for (unsigned int i = 0; i < table->GetNumberOfProperties(); ++i)
   {
     vtkSMVectorProperty* column = columnOf(table, i);
-    if (rowsOf(column) == 0)
-    {
-      addRows(column, row->GetProperty(table->GetFunction(column)), rows);
-    }
+    addRows(column, row->GetProperty(table->GetFunction(column)), rows);
   }
 }
 
-void completeTables(vtkSMProxy* source, const std::string& /*group*/)
+void completeOnLoading(vtkSMProxy* source, const std::string& /*group*/)
 {
-  vtkSMSessionProxyManager* proxies = source->GetSessionProxyManager();
   vtkPVXMLElement* hints = source->GetHints();
-  if (!hints || !hints->FindNestedElementByName("CompleteRows") || !proxies->GetInLoadXMLState())
+  if (hints && hints->FindNestedElementByName("CompleteRows") &&
+    source->GetSessionProxyManager()->GetInLoadXMLState())
   {
-    return;
+    completeTables(source);
   }
+}
+
+}
+
+void completeTables(vtkSMProxy* source)
+{
   for (std::size_t i = 0; i < source->GetNumberOfPropertyGroups(); ++i)
   {
     vtkSMPropertyGroup* group = source->GetPropertyGroup(i);
@@ -82,17 +85,16 @@ void completeTables(vtkSMProxy* source, const std::string& /*group*/)
       : nullptr;
     if (row)
     {
-      complete(
-        group, proxies->GetPrototypeProxy(row->GetAttribute("group"), row->GetAttribute("name")));
+      complete(group,
+        source->GetSessionProxyManager()->GetPrototypeProxy(
+          row->GetAttribute("group"), row->GetAttribute("name")));
     }
   }
 }
 
-}
-
 void completeRowsOfStates()
 {
-  onRegistered<completeTables>();
+  onRegistered<completeOnLoading>();
 }
 
 }

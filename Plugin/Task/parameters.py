@@ -47,6 +47,7 @@ class Parameter:
     most: float
     with_least: bool  # whether `least` itself is allowed
     default: object
+    deprecated: bool  # older tasks have it; no panel and no template shows it
     documentation: str
 
     def check(self, value):
@@ -189,6 +190,7 @@ def _parameter(property, table):
         count=count, rows=rows, columns=_columns(property) if count > 1 else [], choices=texts, least=least, most=most,
         with_least=not _has_hint(property, "MoreThanMinimum"),
         default=elements if rows or count > 1 else elements[0],
+        deprecated=property.GetPanelVisibility() == "never",
         documentation=" ".join(property.GetDocumentation().GetDescription().split()))
 
 
@@ -205,7 +207,8 @@ def _groups(prototype):
         hint = group.GetPanelWidget() == "PropertyCollection" and \
             group.GetHints().FindNestedElementByName("PropertyCollectionWidgetPrototype")
         row = _prototype(hint.GetAttribute("group"), hint.GetAttribute("name")) if hint else None
-        yield (key_of(group.GetXMLLabel()),
+        table = group.GetHints() and group.GetHints().FindNestedElementByName("TaskTable")
+        yield (table.GetAttribute("name") if table else key_of(group.GetXMLLabel()),
             {prototype.GetPropertyName(member): group.GetFunction(member) for member in members}, row)
 
 

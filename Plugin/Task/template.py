@@ -62,6 +62,8 @@ def template():
     parts = [HEAD]
     tables = {}
     for parameter in parameters(MESHER):
+        if parameter.deprecated:
+            continue
         tables.setdefault(parameter.table, []).append(parameter)
     for name, of in tables.items():
         parts.append(f"\n[{name}]")

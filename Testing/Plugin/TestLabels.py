@@ -8,7 +8,7 @@ refinement = {"RefinementDepth": 0, "TransitionLayers": 0, "RefinementBlocks": [
               "RefinedBoundaries": [], "RefinedBoundaryDepth": 1, "RegionDepth": 1,
               "CurvatureAngle": 0.0, "CellsAcrossGaps": 0, "LargestDepth": 3, "FeatureDepth": 0,
               "SizeArray": "", "RefinementShapes": [], "RefinementPositions": [], "RefinementLengths": [],
-              "RefinementShapeDepths": []}
+              "RefinementShapeDepths": [], "BoundaryNames": [], "BoundaryDepths": []}
 boundaries = {"BoundaryArray": "Automatic"}
 patches = {"PatchMethod": "Automatic", "FeatureAngle": 30.0, "MergeAngle": 10.0,
            "Tying": "Keep Nodes"}
@@ -16,7 +16,7 @@ cells = {"CollapseRatio": 0.1, "SmallCells": "Merge", "MergeRatio": 0.3, "SmallC
          "SplitConcaveCells": 1, "TrueVolume": 1, "OptimiseNodes": 1, "RefusedCellRatio": 4}
 layers = {"Layers": 0, "LayerExpansionRatio": 1.2, "FirstLayerThickness": 0.0, "LayersThickness": 0.0,
           "LayerRegions": [], "CellBudget": 0, "BoundaryLayersThickness": [],
-          "BoundaryDepths": [], "BoundaryMergedNames": []}
+          "BoundaryMergedNames": []}
 settings = {"BoundaryNames": [], "BoundaryTypes": [], "BoundarySmallCellRatios": []}
 threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}

@@ -76,6 +76,24 @@ with tempfile.TemporaryDirectory() as folder:
     assert (mesher.SideNames, mesher.BoxesAlongBody, mesher.TransitionLayers) == ("Axes", 0, 1), mesher.SideNames
     assert simple.FindSource("CartesianBoxer").TransitionLayers == 1
 
+    # Refined Boundaries become rows of the table of boundaries, unless it has patterns.
+    for names, depths, rows in (
+            (["boundary_3", "boundary_1"], [1, -1], {"boundary_3": 1, "boundary_1": 2, "boundary_2": 2}),
+            ([], [], {"boundary_1": 2, "boundary_2": 2}),
+            (["boundary_3*"], [1], {"boundary_3*": 1})):
+        simple.ResetSession()
+        older = output(simple.CartesianMesher(registrationName="older", Input=read("kcl_exhaust_header_lumens.stl"), CellSize=20,
+            BoundaryArray="STLSolidLabeling", BoundaryNames=names, BoundaryDepths=depths,
+            RefinedBoundaries=["boundary_1", "boundary_2"], RefinedBoundaryDepth=2))
+        simple.SaveState(str(state))
+        simple.ResetSession()
+        simple.LoadState(str(state))
+        mesher = simple.FindSource("older")
+        assert dict(zip(mesher.BoundaryNames, mesher.BoundaryDepths)) == rows, list(mesher.BoundaryNames)
+        assert len(mesher.BoundaryTypes) == len(rows), "the panel shows no rows where columns differ in length"
+        assert list(mesher.RefinedBoundaries) == (["boundary_1", "boundary_2"] if "boundary_3*" in rows else [])
+        assert_identical("with Refined Boundaries", output(mesher), older)
+
     simple.ResetSession()
     exec(compile(script.read_text(), script, "exec"), {})
     check(mesh)

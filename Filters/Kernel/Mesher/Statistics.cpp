@@ -24,11 +24,6 @@ struct Counts
   double boxesIntersected = 0;
   double byMarchingCubes = 0;
   double byExactFit = 0;
-  double edgeCrossedTwice = 0;
-  double closedPolyline = 0;
-  double sharpFeature = 0;
-  double severalBoundaries = 0;
-  double notDiscs = 0;
   double boxesRebuilt = 0;
   double boxesFlawed = 0;
   double patches = 0;
@@ -59,7 +54,7 @@ struct Row
   double Counts::*count;
 };
 
-constexpr std::array<Row, 35> Table{ {
+constexpr std::array<Row, 30> Table{ {
   { "Cells", "cells of the mesh", &Counts::cells },
   { "Hexahedra", "cells that are whole boxes without hanging nodes", &Counts::hexahedra },
   { "Polyhedra", "all other cells", &Counts::polyhedra },
@@ -69,14 +64,6 @@ constexpr std::array<Row, 35> Table{ {
   { "BoxesIntersected", "boxes that it passes through", &Counts::boxesIntersected },
   { "BoxesByMarchingCubes", "... with patches by Marching Cubes", &Counts::byMarchingCubes },
   { "BoxesByExactFit", "... with patches by Exact Fit", &Counts::byExactFit },
-  { "BoxesEdgeCrossedTwice", "Exact Fit: the surface crosses an edge more than once",
-    &Counts::edgeCrossedTwice },
-  { "BoxesClosedPolyline", "Exact Fit: the surface meets a side in a closed polyline",
-    &Counts::closedPolyline },
-  { "BoxesSharpFeature", "Exact Fit: a sharp feature passes through", &Counts::sharpFeature },
-  { "BoxesSeveralBoundaries", "Exact Fit: there are several boundaries",
-    &Counts::severalBoundaries },
-  { "BoxesNotDiscs", "Exact Fit: the surface in the box is no set of discs", &Counts::notDiscs },
   { "BoxesRebuilt", "boxes whose patches were made anew, as the surface does not close there",
     &Counts::boxesRebuilt },
   { "BoxesFlawed", "boxes left out, as they do not close even so", &Counts::boxesFlawed },
@@ -157,7 +144,6 @@ private:
   void countBoxes()
   {
     double polyhedral = 0;
-    std::array<double, PatchReasons> because{};
     for (std::size_t n = 0; n < a_.sides.polyhedral.size(); ++n)
     {
       if (!isCore(a_.sides.polyhedral[n]))
@@ -168,23 +154,14 @@ private:
       if (const std::uint32_t box = a_.sides.patchBox[n]; box != None)
       {
         ++n_.boxesIntersected;
-        ++because[static_cast<std::size_t>(a_.patches.reason[box])];
+        n_.byMarchingCubes += a_.patches.reason[box] == PatchReason::MarchingCubes;
         n_.patches += static_cast<double>(a_.patches.boxStart[box + 1] - a_.patches.boxStart[box]);
       }
     }
     const double boxes = last_ - first_;
-    const auto boxesBecause = [&](PatchReason reason) {
-      return because[static_cast<std::size_t>(reason)];
-    };
     n_.hexahedra = boxes - polyhedral;
     n_.boxesInside = boxes - n_.boxesIntersected;
-    n_.byMarchingCubes = boxesBecause(PatchReason::MarchingCubes);
     n_.byExactFit = n_.boxesIntersected - n_.byMarchingCubes;
-    n_.edgeCrossedTwice = boxesBecause(PatchReason::EdgeCrossedTwice);
-    n_.closedPolyline = boxesBecause(PatchReason::ClosedPolyline);
-    n_.sharpFeature = boxesBecause(PatchReason::SharpFeature);
-    n_.severalBoundaries = boxesBecause(PatchReason::SeveralBoundaries);
-    n_.notDiscs = boxesBecause(PatchReason::NotDiscs);
     n_.boxesRebuilt = static_cast<double>(rebuiltBoxes(a_).size());
     n_.boxesFlawed = static_cast<double>(flawedBoxes(a_).size());
   }

@@ -1,10 +1,12 @@
 // Automatic patches: Marching Cubes and Exact Fit side by side, tied and simplified (4.7, 4.8, A2).
 #include "Base/Error.h"
+#include "Patches/PatchChoice.h"
 #include "Support/Effort.h"
 #include "Support/MeshChecker.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -210,6 +212,11 @@ TEST_P(PatchesBy, AnyMethodAreWatertightAndGiveValidCells)
 
 INSTANTIATE_TEST_SUITE_P(Clean, PatchesBy, ::testing::ValuesIn(cleanShapes()), nameOf);
 
+std::ptrdiff_t boxesBecause(const Meshed& meshed, PatchReason reason)
+{
+  return std::count(meshed.patches.reason.begin(), meshed.patches.reason.end(), reason);
+}
+
 TEST_P(SharpShape, IsKeptAsItIs)
 {
   const Soup& soup = GetParam().soup;
@@ -219,7 +226,7 @@ TEST_P(SharpShape, IsKeptAsItIs)
       meshOf(soup, cellsAlongLongest(soup, 11.3), by(PatchMethod::Automatic, levels));
     EXPECT_TRUE(isValid(meshed.mesh));
     EXPECT_NEAR(volumeOf(meshed.mesh), soup.volume(), 1e-6 * soup.volume());
-    EXPECT_GT(meshed.statistics.at("BoxesSharpFeature"), 0);
+    EXPECT_GT(boxesBecause(meshed, PatchReason::SharpFeature), 0);
     EXPECT_GT(meshed.statistics.at("BoxesByMarchingCubes"), 0);
   }
 }
@@ -257,30 +264,31 @@ TEST(PatchChoice, NamesTheCondition)
   {
     lines = { -3, -2, -1, 0, 1, 2, 3 };
   }
-  const auto count = [&](const Soup& soup, const char* name) {
-    return meshOf(soup, grid, by(PatchMethod::Automatic)).statistics.at(name);
+  const auto count = [&](const Soup& soup, PatchReason reason) {
+    return boxesBecause(meshOf(soup, grid, by(PatchMethod::Automatic)), reason);
   };
   // A thin plate crosses edges twice.
   const Soup plate = box({ -1.5, -1.5, 0.2 }, { 1.5, 1.5, 0.4 });
-  EXPECT_EQ(count(plate, "BoxesEdgeCrossedTwice"), 16);
+  EXPECT_EQ(count(plate, PatchReason::EdgeCrossedTwice), 16);
   // A ball of 0.3 in the middle of a side between two boxes.
   const Soup ball = sphere(8, 0.3).moved({ 0.5, 0.5, 0 });
-  EXPECT_EQ(count(ball, "BoxesClosedPolyline"), 2);
-  EXPECT_EQ(count(ball, "BoxesEdgeCrossedTwice"), 0);
+  EXPECT_EQ(count(ball, PatchReason::ClosedPolyline), 2);
+  EXPECT_EQ(count(ball, PatchReason::EdgeCrossedTwice), 0);
   // ... in the middle of a box.
-  EXPECT_EQ(count(sphere(8, 0.3).moved({ 0.5, 0.5, 0.5 }), "BoxesNotDiscs") +
-      count(sphere(8, 0.3).moved({ 0.5, 0.5, 0.5 }), "BoxesSharpFeature"),
+  EXPECT_EQ(count(sphere(8, 0.3).moved({ 0.5, 0.5, 0.5 }), PatchReason::NotDiscs) +
+      count(sphere(8, 0.3).moved({ 0.5, 0.5, 0.5 }), PatchReason::SharpFeature),
     1);
   // A cube: 12 edges through four boxes each, and eight corners.
   Soup block = box({ -2.5, -2.5, -2.5 }, { 2.5, 2.5, 2.5 });
   block.boundary.clear();
-  EXPECT_EQ(count(block, "BoxesSharpFeature"), 12 * 4 + 8);
-  EXPECT_EQ(count(block, "BoxesByMarchingCubes"), 6 * 16);
+  EXPECT_EQ(count(block, PatchReason::SharpFeature), 12 * 4 + 8);
+  EXPECT_EQ(count(block, PatchReason::MarchingCubes), 6 * 16);
   // The same cube, one face divided into two boundaries: they meet along the face's diagonal.
   block.boundary.assign(block.triangles.size(), 0);
   block.boundary[0] = 1;
-  EXPECT_GE(count(block, "BoxesSeveralBoundaries"), 4);
-  EXPECT_EQ(count(block, "BoxesSeveralBoundaries") + count(block, "BoxesByMarchingCubes"), 6 * 16);
+  EXPECT_GE(count(block, PatchReason::SeveralBoundaries), 4);
+  EXPECT_EQ(count(block, PatchReason::SeveralBoundaries) + count(block, PatchReason::MarchingCubes),
+    6 * 16);
 }
 
 TEST(FoldedGeometry, DisappearsInMarchingCubesBoxes)
