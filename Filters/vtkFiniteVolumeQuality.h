@@ -33,8 +33,8 @@
  * | Concavity         |              | none   |      | degrees beyond 180 inside the cell at its most concave edge; faces in one plane are not concave |
  *
  * Field data of both: Cells, FailingCells, ConcaveCells (Concavity of a degree or more),
- * TotalVolume, BoundaryArea, and for each array above <Name>Failures (a number of cells) and
- * Max<Name> or Min<Name>, the worst of all cells.
+ * TotalVolume, BoundaryArea, and for each array above its name with Failures (a number of cells)
+ * and with Max or Min before it, the worst of all cells.
  *
  * Cells of less than three dimensions have NaN and no failures. On several processes each measures
  * its own part of the mesh and asks for a layer of ghost cells, which count as neighbours only;

@@ -12,23 +12,23 @@
  * Patches: the boundaries of a mesh of vtkCartesianMesher or vtkCellAssembler, which carries them in
  * the cell array CellId and the field data array BoundaryOfFaces through all filters that leave
  * cells as they are. A patch has the name that the field data arrays BoundaryNames (strings) and
- * BoundaryIds (numbers) give its boundary, else boundary_<id>; faces without a boundary are in
+ * BoundaryIds (numbers) give its boundary, else boundary_(id); faces without a boundary are in
  * the patch no_surface. A grid from elsewhere has one patch, boundary. A patch has the type that the
  * field data array BoundaryTypes (strings, beside BoundaryIds) gives its boundary; where that is
  * empty or missing, the type that a mesh being replaced has there, else patch where the name starts with inlet,
  * outlet or cyclic, else wall.
  *
  * Where the field data array RegionNames and the cell array Region tell that cells are of several regions,
- * `RegionsAs` says what these become: Meshes (the default), one for each, constant/<region>/polyMesh, with
- * patches <region>_to_<other> of type mappedWall, and constant/regionProperties; or Zones, one mesh in which
+ * `RegionsAs` says what these become: Meshes (the default), one for each, constant/(region)/polyMesh, with
+ * patches (region)_to_(other) of type mappedWall, and constant/regionProperties; or Zones, one mesh in which
  * each is a cellZone. Of the former, `ZoneRegions` are cellZones of another one's mesh, in a faceZone or between
  * cyclicAMI patches (`ZoneBorders`).
  *
  * With several `Pieces`, the case is decomposed, as decomposePar would make it of that mesh: each piece is in
- * processor<N>/constant/polyMesh, with processor patches and the addressing files, which number the mesh that is
+ * processor(N)/constant/polyMesh, with processor patches and the addressing files, which number the mesh that is
  * written otherwise. Several processes write a piece each; a single one asks its input for one piece
  * after the other, and has no more than one in memory. The input has the global ids of vtkCartesianMesher.
- * Of several regions all are meshes, processor<N>/constant/<region>/polyMesh, or all are zones.
+ * Of several regions all are meshes, processor(N)/constant/(region)/polyMesh, or all are zones.
  *
  * Around bodies, the set-up for a solver takes the flow's direction from the field data array FlowDirection (three
  * components) of vtkCartesianMesher.
@@ -72,10 +72,13 @@ public:
   void SetFileTypeToBinary() { this->SetFileType(VTK_BINARY); }
   ///@}
 
+  /**
+   * What several regions can become.
+   */
   enum RegionKind
   {
-    Meshes = 0,
-    Zones = 1
+    Meshes = 0, // one each
+    Zones = 1   // cellZones of one mesh
   };
 
   ///@{
@@ -97,10 +100,13 @@ public:
   std::string GetZoneRegion(int i);
   ///@}
 
+  /**
+   * What can be between a zone and other cells of its mesh.
+   */
   enum ZoneBorder
   {
-    FaceZones = 0,
-    CyclicAMI = 1
+    FaceZones = 0, // inner faces
+    CyclicAMI = 1  // two patches
   };
 
   ///@{
@@ -130,11 +136,14 @@ public:
   vtkGetMacro(Scale, double);
   ///@}
 
+  /**
+   * Solvers that a case can be set up for.
+   */
   enum SolverSetups
   {
     None = 0,
-    Incompressible = 1,
-    ConjugateHeat = 2
+    Incompressible = 1, // simpleFoam
+    ConjugateHeat = 2   // chtMultiRegionSimpleFoam
   };
 
   ///@{

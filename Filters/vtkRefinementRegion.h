@@ -27,6 +27,9 @@ public:
   vtkTypeMacro(vtkRefinementRegion, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * What the refinement zone is.
+   */
   enum Shapes
   {
     Box = 0,

@@ -9,6 +9,7 @@ themselves are in cartesianmesher.vtkCartesianMesherFilters.
 """
 
 import re
+import textwrap
 import warnings
 
 import numpy as np
@@ -16,6 +17,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
+from ._options import HELP, OPTIONS as _OPTIONS
 from .vtkCartesianMesherFilters import vtkCartesianAlgorithm, vtkCartesianMesher
 
 
@@ -36,56 +38,25 @@ _ERRORS = {
 }
 globals().update({error.__name__: error for error in _ERRORS.values()})
 
-# Setters of one value are found; these are none, and others take rows.
-_NOT_OPTIONS = "InPieces", "Meshline", "NumberOfMeshlines", "RefinedBoundaryArrayStatus"
 _SEQUENCES = list, tuple, np.ndarray
-_ROWS = {
-    "meshlines_x": ("SetNumberOfMeshlinesX", "SetMeshlineX"),
-    "meshlines_y": ("SetNumberOfMeshlinesY", "SetMeshlineY"),
-    "meshlines_z": ("SetNumberOfMeshlinesZ", "SetMeshlineZ"),
-    "refinement_blocks": ("SetNumberOfRefinementBlocks", "SetRefinementBlock"),
-    "boundary_refinement": ("SetNumberOfBoundaryRefinements", "SetBoundaryRefinement"),
-    "keep_points": ("SetNumberOfKeepPoints", "SetKeepPoint"),
-    "boundary_names": ("SetNumberOfBoundaryNames", "SetBoundaryName"),
-    "boundary_types": ("SetNumberOfBoundaryTypes", "SetBoundaryType"),
-    "boundary_layers_thickness": ("SetNumberOfBoundaryLayersThicknesses", "SetBoundaryLayersThickness"),
-    "boundary_small_cell_ratios": ("SetNumberOfBoundarySmallCellRatios", "SetBoundarySmallCellRatio"),
-}
-
-
-def _snake(name):
-    return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
-
-
-def _own(pattern):
-    """What this module's classes add to VTK's whose names match, in the order of the alphabet."""
-    return sorted(match[1] for name in dir(vtkCartesianMesher) if (match := re.fullmatch(pattern, name))
-        and not hasattr(vtkCartesianAlgorithm.__bases__[0], name))
-
-
-_SINGLE = {_snake(name): name for name in _own("Get(.*)") if hasattr(vtkCartesianMesher, "Set" + name)
-           and name not in _NOT_OPTIONS}
-_CHOICES = {}
-for _name in _SINGLE.values():
-    for _choice in _own(f"Set{_name}To(.*)"):
-        _CHOICES.setdefault(_name, {})[_snake(_choice).replace("_", " ")] = _choice
-OPTIONS = sorted([*_SINGLE, *_ROWS, "refined_boundaries", "refinement_regions", "size_field"])
+OPTIONS = sorted(name for name, option in _OPTIONS.items() if not option.get("hidden"))
 
 
 def mesh(surface, faces=None, **options):
     """The mesh of a closed surface, as a vtkUnstructuredGrid.
 
-    `surface`: a vtkPolyData, or any mesh that is one, such as PyVista's; or an array of points, n x 3, with
-    `faces`, an array of triangles, m x 3, that number them from 0. Options that are left out have the
-    defaults of ParaView's panel:
+    `surface`: a vtkPolyData, or any mesh that is one, such as PyVista's; or an array of points,
+    n x 3, with `faces`, an array of triangles, m x 3, that number them from 0. Options that are left
+    out have the defaults of ParaView's panel.
 
-    {options}
+    Options are called like the panel's labels, which the texts below use: Cell Size is cell_size,
+    the choice Exact Fit is "exact fit". Lists are sequences: boundary_names=["inlet"], and of rows
+    refinement_blocks=[(0, 5, 0, 5, 0, 1, 2, 1)].
 
-    Rows are sequences: refinement_blocks=[(0, 5, 0, 5, 0, 1, 2, 1)], boundary_names=["inlet"].
-    refinement_regions are closed surfaces, vtkPolyData each; size_field is a vtkDataSet with size_array. A choice is a text: {choices}.
+    Raises TypeError and ValueError for arguments that are no surface and no options, and an Error
+    with the name of what went wrong.
 
-    Raises TypeError and ValueError for arguments that are no surface and no options, and an Error with the
-    name of what went wrong.
+{options}
     """
     mesher = vtkCartesianMesher()
     mesher.SetInputDataObject(_surface(surface, faces))
@@ -101,8 +72,7 @@ def mesh(surface, faces=None, **options):
     return mesher.GetOutput()
 
 
-mesh.__doc__ = mesh.__doc__.format(options=",\n    ".join(OPTIONS), choices="; ".join(
-    f"{_snake(name)}: {', '.join(choices)}" for name, choices in sorted(_CHOICES.items())))
+mesh.__doc__ = mesh.__doc__.format(options=textwrap.indent(HELP, "    "))
 
 
 def _listener(messages, event):
@@ -118,50 +88,47 @@ def _listener(messages, event):
 
 
 def _set(mesher, name, value):
-    if name in _SINGLE:
-        _set_one(mesher, name, _SINGLE[name], value)
-    elif name in _ROWS:
-        _set_rows(mesher, name, value)
+    option = _OPTIONS.get(name)
+    if option is None:
+        raise TypeError(f"There is no option {name!r}. Options are {', '.join(OPTIONS)}.")
+    if "port" in option:
+        _set_input(mesher, name, option, value)
     elif name == "refined_boundaries":
         for boundary in [value] if isinstance(value, str) else value:
             mesher.SetRefinedBoundaryArrayStatus(boundary, 1)
-    elif name == "refinement_regions":
-        for region in value if isinstance(value, (list, tuple)) else [value]:
-            if not _is_data(region):
-                raise TypeError(f"{name}: {region!r} is not a vtkPolyData")
-            mesher.AddInputDataObject(1, region)
-    elif name == "size_field":
-        if not _is_data(value):
-            raise TypeError(f"{name}: {value!r} is not a vtkDataSet")
-        mesher.SetInputDataObject(2, value)
+    elif "resize" in option:
+        _set_rows(mesher, name, option, value)
     else:
-        raise TypeError(f"There is no option {name!r}. Options are {', '.join(OPTIONS)}.")
+        _set_one(mesher, name, option, value)
 
 
-def _set_one(mesher, name, setter, value):
-    choices = _CHOICES.get(setter)
-    if choices:
-        if value not in choices:
-            raise ValueError(f"{name}: {value!r} is not one of {', '.join(map(repr, choices))}")
-        getattr(mesher, f"Set{setter}To{choices[value]}")()
-        return
+def _set_input(mesher, name, option, value):
+    for data in value if option["several"] and isinstance(value, (list, tuple)) else [value]:
+        if not _is_data(data):
+            raise TypeError(f"{name}: {data!r} is not a {option['kind']}")
+        mesher.AddInputDataObject(option["port"], data)
+
+
+def _set_one(mesher, name, option, value):
+    choices = option.get("choices")
+    if choices and value not in choices:
+        raise ValueError(f"{name}: {value!r} is not one of {', '.join(map(repr, choices))}")
     try:
-        getattr(mesher, "Set" + setter)(value)
+        getattr(mesher, option["set"])(choices[value] if choices else value)
     except TypeError as error:
         raise TypeError(f"{name}: {value!r}: {error}") from None
 
 
-def _set_rows(mesher, name, rows):
+def _set_rows(mesher, name, option, rows):
     if not isinstance(rows, _SEQUENCES):
         raise TypeError(f"{name}: {rows!r} is not a sequence of rows")
-    resize, put = (getattr(mesher, setter) for setter in _ROWS[name])
-    resize(len(rows))
+    getattr(mesher, option["resize"])(len(rows))
     for i, row in enumerate(rows):
         try:
-            put(i, *(row if isinstance(row, _SEQUENCES) else (row,)))
+            getattr(mesher, option["set"])(i, *(row if isinstance(row, _SEQUENCES) else (row,)))
         except TypeError:
             raise TypeError(f"{name}: row {i}, {row!r}, does not have the right number and types of values. "
-                            f"They must be those of vtkCartesianMesher.{_ROWS[name][1]}, after the row's number.") from None
+                            f"They must be those of vtkCartesianMesher.{option['set']}, after the row's number.") from None
 
 
 def _is_data(value):

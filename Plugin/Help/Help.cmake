@@ -33,9 +33,9 @@ set(help_folder "${CMAKE_CURRENT_BINARY_DIR}/help")
 file(GLOB pages CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/*.md" "${CMAKE_CURRENT_LIST_DIR}/*.png")
 add_custom_command(
   OUTPUT "${help_folder}/index.html"
-  COMMAND Python3::Interpreter -B "${converter}" pages "${CMARK_GFM}"
-    "${CMAKE_CURRENT_BINARY_DIR}/CartesianMesher.xml" "${help_folder}"
-  DEPENDS "${converter}" ${pages} "${CMAKE_CURRENT_BINARY_DIR}/CartesianMesher.xml"
+  COMMAND Python3::Interpreter -B "${converter}" pages "${CMARK_GFM}" "${help_folder}"
+  DEPENDS "${converter}" "${CMAKE_CURRENT_LIST_DIR}/../Properties/reference.py" ${pages}
+    "${CMAKE_CURRENT_BINARY_DIR}/CartesianMesher.xml"
   COMMENT "Converting the help pages"
   VERBATIM)
 

@@ -1,10 +1,10 @@
 """The pages in this folder as HTML for ParaView's Help.
 
     convert.py contents                  prints Qt Help's table of contents
-    convert.py pages CMARK XML FOLDER    writes all pages, and the pictures they show, into FOLDER
+    convert.py pages CMARK FOLDER        writes all pages, and the pictures they show, into FOLDER
 
 CMARK is cmark-gfm, GitHub's own converter. A page that is called as a proxy in XML, group.name.md, ends with
-the documentation of its properties. README.md becomes index.html. ParaView shows the
+its properties: what they are, defaults, ranges and units. README.md becomes index.html. ParaView shows the
 HTML in a QTextBrowser, which knows little CSS.
 """
 
@@ -14,11 +14,11 @@ import shutil
 import struct
 import subprocess
 import sys
-import textwrap
-from xml.etree import ElementTree
 from xml.sax.saxutils import quoteattr
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "Properties"))
+from reference import panel, proxies  # noqa: E402
 WIDEST = 700  # of a picture, in pixels
 
 PAGE = """<!DOCTYPE html>
@@ -56,35 +56,33 @@ def contents():
     return "\n".join(['<toc><section title="CartesianMesher" ref="index.html">', *lines, "</section></section></toc>"])
 
 
-def paragraphs(element):
-    """The text of an element's Documentation, as Markdown."""
-    return textwrap.dedent(element.findtext("Documentation", "").strip("\n")).strip()
+NOUNS = {int: ("whole number", "whole numbers"), float: ("number", "numbers"), str: ("text", "texts"),
+    bool: ("switch", "switches"), "choice": ("choice", "choices")}
 
 
-def properties(proxy):
+def written(value):
+    """A value as the panel shows it."""
+    if isinstance(value, list):
+        return ", ".join(map(written, value)) or "none"
+    if isinstance(value, bool):
+        return "on" if value else "off"
+    return re.sub("e-0", "e-", f"{value:g}") if isinstance(value, float) else str(value) or "none"
+
+
+def paragraph(property):
+    choices = [False, True] if property.kind is bool else None
+    facts = " ".join(f"{what}: {text}." for what, text in property.facts(NOUNS, written, choices).items())
+    advanced = " (advanced)" if property.is_advanced else ""
+    return f"**{property.label}**{advanced}: {property.documentation()}\\\n*{facts}*"
+
+
+def properties(proxy, known):
     """The panel of a proxy, group by group, as Markdown."""
-    groups = {}  # the properties' names by the groups' labels
-    for group in proxy.iter("PropertyGroup"):
-        groups.setdefault(group.get("label"), []).extend(part.get("name") for part in group.iter("Property"))
-    shown = {child.get("name"): child for child in proxy
-        if child.tag.endswith("Property") and child.find("Documentation") is not None
-        and child.get("panel_visibility") != "never"}
-    grouped = {name for names in groups.values() for name in names}
-    parts = [("", [name for name in shown if name not in grouped]), *groups.items()]
-    lines = ["## Properties"] if shown else []
-    for label, names in parts:
-        lines += [f"### {label}"] * bool(label)
-        for name in names:
-            if name in shown:
-                advanced = " (advanced)" if shown[name].get("panel_visibility") == "advanced" else ""
-                lines.append(f"**{shown[name].get('label', name)}**{advanced}: {paragraphs(shown[name])}")
-    return "\n\n".join(lines)
-
-
-def proxies(xml):
-    """{group.name: its element}"""
-    return {f"{group.get('name')}.{proxy.get('name')}": proxy
-        for group in ElementTree.parse(xml).getroot() for proxy in group}
+    lines = []
+    for label, members in panel(proxy, known).items():
+        lines += [f"### {label}"] * bool(label and members)
+        lines += map(paragraph, members)
+    return "\n\n".join(["## Properties", *lines] if lines else [])
 
 
 def png_width(path):
@@ -115,14 +113,14 @@ def for_help(html, folder):
     return html.replace("<table>", '<table border="1" cellspacing="0" cellpadding="4">')
 
 
-def convert(cmark, xml, folder):
+def convert(cmark, folder):
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    known = proxies(xml)
+    known = proxies()
     for page in sorted(HERE.glob("*.md")):
         text = page.read_text()
         if page.stem in known:
-            text += "\n" + properties(known[page.stem])
+            text += "\n" + properties(known[page.stem], known)
         html = subprocess.run([cmark, "--unsafe", "-e", "table"], input=text, check=True, capture_output=True, text=True).stdout
         (folder / html_name(page.name)).write_text(PAGE.format(title=title(text), body=for_help(html, folder)))
 
@@ -131,4 +129,4 @@ if __name__ == "__main__":
     if sys.argv[1] == "contents":
         print(contents())
     else:
-        convert(*sys.argv[2:4], pathlib.Path(sys.argv[4]))
+        convert(sys.argv[2], pathlib.Path(sys.argv[3]))

@@ -1,6 +1,7 @@
 """cartesianmesher.mesh: of polydata and of arrays alike, with options, and exceptions for what is wrong."""
 
 import pathlib
+import re
 import sys
 import warnings
 
@@ -11,6 +12,14 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkSTLReader
+
+REPOSITORY = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(REPOSITORY / "Plugin" / "Properties"))
+from reference import every, proxies  # noqa: E402
+
+# What the panel lets one set, but for the surface, and what only ranks need.
+PROPERTIES = [property for property in every(proxies()["filters.CartesianMesher"])
+    if not property.is_hidden and not property.is_information and property.name not in ("Input", "InPieces")]
 
 
 class Wrapped(vtkPolyData):
@@ -26,7 +35,7 @@ def triangulated(source):
 
 def header():
     reader = vtkSTLReader()
-    reader.SetFileName(str(pathlib.Path(sys.argv[1]) / "Data" / "kcl_exhaust_header_lumens.stl"))
+    reader.SetFileName(str(REPOSITORY / "Data" / "kcl_exhaust_header_lumens.stl"))
     return reader
 
 
@@ -61,6 +70,39 @@ def assert_alike(surface, cell_size):
         assert contents(cartesianmesher.mesh(*arguments, cell_size=cell_size)) == contents(mesh), arguments
 
 
+def words(text):
+    return " ".join(text.replace("**", "").split())
+
+
+def assert_help():
+    """What can be set in the panel is an option; its help has a line of facts, then all that the panel says."""
+    for property in PROPERTIES:
+        name = re.sub(r" ?([A-Z])", r"_\1", property.label).lower().lstrip("_")
+        assert name in cartesianmesher.OPTIONS, f"{property.label} is no option"
+        entry = re.search(rf"^    {name}: \w.*?(?=\n\n)", cartesianmesher.mesh.__doc__, re.M | re.S)
+        assert entry, f"{name} is not in the help"
+        text = words(entry[0])
+        assert ". Default: " in text, f"the help does not say the default of {name}"
+        assert property.is_input or re.search(r"\. (Range|Choices): ", text), f"the help does not say what {name} may be"
+        assert text.endswith(words(property.documentation())), f"the help does not say what {name} is"
+    assert len(cartesianmesher.OPTIONS) == len(PROPERTIES), "there are options that are not in the panel"
+    widest = max(map(len, cartesianmesher.mesh.__doc__.splitlines()))
+    assert widest <= 101 and "**" not in cartesianmesher.mesh.__doc__, widest
+
+
+def assert_defaults():
+    """The panel and the help have those of the filter."""
+    mesher = cartesianmesher.vtkCartesianMesher()
+    for property in PROPERTIES:
+        if property.is_input or property.has_rows:
+            continue
+        value = getattr(mesher, property.element.get("command").replace("Set", "Get", 1))()
+        value = list(value) if isinstance(value, tuple) else value
+        expected = property.default()
+        expected = property.choices().get(expected) if property.choices() else expected
+        assert value == expected or value == "" and expected == "Automatic", f"{property.name}: {value}, not {expected}"
+
+
 warnings.simplefilter("ignore")
 ball = vtkSphereSource()
 ball.SetThetaResolution(30)
@@ -78,8 +120,19 @@ for options in ({"refinement_depth": 1}, {"patch_method": "exact fit"}, {"small_
         {"meshlines_x": [-0.6, 0, 0.1, 0.6]}, {"refinement_blocks": [(0, 1, 0, 1, 0, 1, 2, 1)]},
         {"refinement_regions": ball.GetOutput()}, {"boundary_refinement": [(0, 1, 0, 0)]}):
     assert contents(cartesianmesher.mesh(points, faces, cell_size=0.2, **options)) != contents(coarse), options
-for option in cartesianmesher.OPTIONS:
-    assert option in cartesianmesher.mesh.__doc__
+
+# Of several lists, which say one thing together.
+for options in ({"refinement_shapes": ["sphere"], "refinement_positions": [(0, 0, 0)], "refinement_lengths": [(0.4, 0.4, 0.4)],
+        "refinement_shape_depths": [1]}, {"boundary_names": ["*"], "boundary_depths": [1]},
+        {"layers": 2, "boundary_names": ["*"], "boundary_layers_thickness": [0.01]}):
+    assert contents(cartesianmesher.mesh(points, faces, cell_size=0.2, **options)) != contents(coarse), options
+renamed = cartesianmesher.mesh(points, faces, cell_size=0.2, boundary_names=["boundary_0"], boundary_merged_names=["ball"])
+assert renamed.GetFieldData().GetAbstractArray("BoundaryNames").GetValue(0) == "ball"
+refined = cartesianmesher.mesh(points, faces, cell_size=0.2, refined_boundaries="boundary_0", refined_boundary_depth=1)
+assert contents(refined) == contents(cartesianmesher.mesh(points, faces, cell_size=0.2, boundary_names=["*"], boundary_depths=[1]))
+
+assert_help()
+assert_defaults()
 
 assert_raises(TypeError, "no option 'cellsize'", points, faces, cellsize=1)
 assert_raises(TypeError, "cell_size", points, faces, cell_size="large")

@@ -1,5 +1,6 @@
-"""The pages in ParaView's Help: one for each filter, reader and writer, with all properties of its panel, under the
-name that the ? button opens; their links, anchors and pictures, and the table of contents, lead somewhere."""
+"""The pages in ParaView's Help: one for each filter, reader and writer, under the name that the ? button opens, with all
+properties of its panel, their defaults, ranges and units; links, anchors and pictures, and the table of contents, lead
+somewhere."""
 
 import pathlib
 import re
@@ -10,7 +11,7 @@ import zlib
 from pages import HELP, REPOSITORY
 
 sys.path.insert(0, str(HELP))
-from convert import contents, html_name, proxies  # noqa: E402
+from convert import contents, html_name, panel, proxies  # noqa: E402
 
 BUILT = pathlib.Path(sys.argv[2]).parents[1] / "Plugin"
 
@@ -33,16 +34,37 @@ pages = {name: data.decode() for name, data in files.items() if name.endswith(".
 ours = {html_name(page.name) for page in HELP.glob("*.md")}
 assert ours <= set(pages), f"not in the Help: {ours - set(pages)}"
 
-for name, proxy in proxies(BUILT / "CartesianMesher.xml").items():
+# Labels of numbers that have a unit.
+OF_UNITS = r"Size|Meshlines|Points|Bounds|Lengths?|Thickness|Tolerance|Positions?|Center|Radius|Rotation|Angle|Orthogonality|Speed|" \
+    "Viscosity|Temperature|Memory"
+
+known = proxies()
+
+
+def check_property(property, page, where):
+    """On the page, a line below the documentation says what the property may be."""
+    found = re.search(rf"<strong>{property.label}</strong>(?:(?!<p>).)*?<em>(Type: .*?)</em>", page, re.S)
+    assert found, f"{property.label} is not in {where}"
+    facts = dict(re.findall(r"(Type|Default|Range|Choices|Unit): (.+?)\.(?= [A-Z]|$)", found[1]))
+    if property.is_information:
+        return
+    assert "Default" in facts, f"{where} does not say the default of {property.label}"
+    if property.is_input:
+        return
+    assert "Range" in facts or "Choices" in facts, f"{where} does not say what {property.label} may be"
+    if property.kind is float and re.search(rf"\b({OF_UNITS})\b", property.label):
+        assert "Unit" in facts, f"{where} does not say the unit of {property.label}"
+
+
+for name, proxy in known.items():
     if name.startswith("misc."):
         continue
     assert f"{name}.html" in ours, f"{proxy.get('label')} has no page in {HELP.relative_to(REPOSITORY)}"
     page = pages[f"{name}.html"]
     assert f"{proxy.get('label')}</h1>" in page, f"{name}.html is not our page"
-    for property in proxy:
-        if property.get("label") and property.find("Documentation") is not None and \
-                property.get("panel_visibility") != "never":
-            assert f"<strong>{property.get('label')}</strong>" in page, f"{property.get('label')} is not in {name}.html"
+    for members in panel(proxy, known).values():
+        for property in members:
+            check_property(property, page, f"{name}.html")
 
 
 def check(target, where):
