@@ -27,7 +27,7 @@
 
 vtkStandardNewMacro(vtkPolyMeshWriter);
 
-// What one process has written of the pieces that it makes one after the other.
+// What one process has written of the pieces that it makes one by one.
 struct vtkPolyMeshWriter::PiecesSoFar
 {
   std::vector<cartesian::FoamPieceStore> pieces;

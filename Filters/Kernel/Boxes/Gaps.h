@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Where boxes must be divided because walls face each other.
+// SPDX-License-Identifier: BSD-3-Clause Boxes to be divided because walls face each other.
 #pragma once
 
 #include "Boxes/Octants.h"

@@ -156,7 +156,7 @@ private:
     }
   }
 
-  // At an interface, whatever its size: another region's cell would lose its neighbour. But for what lies flat
+  // At an interface, whatever its size: another region's cell would lose its neighbour. Except if it lies flat
   // between another region and outside: that region's cell ends there.
   bool mustStay(const Shell& shell, bool isSliver) const
   {

@@ -309,7 +309,7 @@ private:
     std::swap(slots_[merge.stays].next, slots_[merge.goes].next);
   }
 
-  // Takes back the merges that moved a corner of a bad face, until there is no such face.
+  // Reverts the merges that moved a corner of a bad face, until there is no such face.
   void takeBackBadMerges()
   {
     std::vector<std::uint32_t> mergeAt(slots_.size(), None);

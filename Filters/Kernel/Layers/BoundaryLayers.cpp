@@ -125,7 +125,7 @@ private:
     return hasMoved;
   }
 
-  // Whether there are any; what mends them.
+  // Whether there are any; the remedy.
   bool mendFaults(bool all, double factor)
   {
     std::vector<double> points = pointsNow();
@@ -175,7 +175,7 @@ private:
     return changed;
   }
 
-  // There are no layers at the fault: its cells become what they were without any.
+  // Removes the layers at the fault: its cells are then as before.
   bool leaveAlone(const LayerFault& fault)
   {
     bool changed = lower(fault.around, 0);

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Vectors at the nodes of a graph, as smooth as what is known of them allows.
+// SPDX-License-Identifier: BSD-3-Clause Vectors at the nodes of a graph, as smooth as the known values allow.
 #pragma once
 
 #include "Lattice/Vector.h"

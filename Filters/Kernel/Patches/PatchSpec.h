@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the user chooses about patches (sections 4.7, 4.8, A2).
+// User options for patches (sections 4.7, 4.8, A2).
 #pragma once
 
 #include "Base/Range.h"
@@ -16,8 +16,7 @@ enum class PatchMethod : std::uint8_t
   MarchingCubes = 2, // everywhere, for comparison
 };
 
-// What happens to the nodes between the ends of a polyline that an Exact Fit box shares with a Marching
-// Cubes box.
+// Treatment of the nodes between the ends of a polyline that an Exact Fit box shares with a Marching Cubes box.
 enum class Tying : std::uint8_t
 {
   KeepNodes = 0, // the Marching Cubes box takes them over

@@ -33,7 +33,7 @@ struct FaceList
   std::vector<std::uint32_t> neighbour; // of the inner faces, which come first
 };
 
-// What to do with faces that have the same corners in the same order, or belong to more than two cells.
+// Treatment of faces that have the same corners in the same order, or belong to more than two cells.
 enum class Clashes
 {
   Refused,     // Error (BadMesh)

@@ -220,7 +220,7 @@ private:
     }
   }
 
-  // Two that lie in one plane, or nearly.
+  // Two that are coplanar, or nearly.
   void meetFlat(std::uint32_t s, std::uint32_t t)
   {
     const int axis = axisAcross(surface_.corners(s));

@@ -13,7 +13,7 @@
 namespace cartesian
 {
 
-// Faces of different bodies that are nearly in one plane, by the precision of the file, are taken to be in one.
+// Faces of different bodies that are nearly coplanar, by the precision of the file, are taken to be in one.
 //
 // Surface::triangles, boundary, given and region are of the pieces then; triangles that close holes (without an entry
 // in Surface::given) stay the last ones. Triangles without an area are left out. Where snapping keeps bending faces,

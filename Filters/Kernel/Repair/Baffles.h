@@ -4,7 +4,7 @@
 // A sheet that reaches from wall to wall divides its region into parts. For all steps up to the mesh that is
 // written, the parts are regions of their own, and the sheet is the wall between them (Walls.h): so its faces
 // are the same for the cells on both sides, and everything that holds between regions holds here. Walls::given
-// tells which region a part is of. Where one ends elsewhere, all get two sides as sheets do that are there twice
+// tells which region a part is of. Where one ends elsewhere, all get two sides as sheets do that are present twice
 // (ThinSheets.h).
 //
 // The rim of a sheet need not have the edges of the walls: its corners go to the nearest places of the walls, and
@@ -43,7 +43,7 @@ std::optional<RegionParts> divideByBaffles(Surface& surface, Surface sheets,
   const std::vector<Baffle>& baffles, std::int32_t regions, double tolerance,
   const std::vector<std::string>& names, Execution& execution);
 
-// Makes baffles, which may end anywhere, sheets that are there twice (Surface::ofSheet): in a surface that need not be
+// Makes baffles, which may end anywhere, sheets that are present twice (Surface::ofSheet): in a surface that need not be
 // closed yet, of one region or several. `tolerance`: as above.
 void doubleBaffles(
   Surface& surface, const std::vector<Baffle>& baffles, double tolerance, Execution& execution);

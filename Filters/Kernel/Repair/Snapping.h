@@ -13,14 +13,14 @@ namespace cartesian
 // How exactly things are placed, in levels, of which the longest side of the domain has more than 2^30.
 struct Placing
 {
-  // Faces of one plane are no further apart: the file rounds both, and so does the lattice.
+  // Coplanar faces are no further apart: the file rounds both, and so does the lattice.
   double together;
 
   // A new vertex so near to another, or to an edge, is that one or on that. What is thinner has no reliable sides once it
   // is rounded, and edges that run along each other meet in places that differ by many roundings.
   double snap;
 
-  // Faces of one plane are no further apart once their vertices are snapped.
+  // Coplanar faces are no further apart once their vertices are snapped.
   double snappedTogether() const { return 3 * snap; }
 };
 

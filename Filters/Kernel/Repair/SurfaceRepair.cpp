@@ -93,7 +93,7 @@ void findUnoriented(Surface& surface, const SurfaceEdges& edges)
   }
 }
 
-// Drops what is there twice, but for sheets, which get sides.
+// Drops what is present twice, but for sheets, which get sides.
 void handleDuplicates(
   Surface& surface, const RepairSpec& spec, SurfaceRepair& result, Execution& execution)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sheets without thickness, whose triangles are there twice, such as a fairing or a guide vane: they get a little, so that
+// Sheets without thickness, whose triangles are present twice, such as a fairing or a guide vane: they get a little, so that
 // each side is a wall of its own, wherever the sheet ends.
 //
 // The two triangles of a pair move apart, each in the direction that the sheet faces on its side; along its rims the

@@ -12,11 +12,11 @@ enum class Contact
 {
   Apart,    // share at most single points and a common edge
   Crossing, // share a line segment
-  Overlap,  // lie in one plane and share an area
+  Overlap,  // are coplanar and share an area
 };
 
 // Of two triangles that have an area. Decided by the signs of determinants of lattice points; if
-// they are all zero, both triangles lie in one plane. Triangles with a common edge can overlap, but
+// they are all zero, both triangles are coplanar. Triangles with a common edge can overlap, but
 // not cross.
 Contact contactOf(const Surface& surface, std::uint32_t a, std::uint32_t b);
 
@@ -46,7 +46,7 @@ struct TrianglePairs
 // with as many as are left for each. The rest is given up.
 TrianglePairs findPairs(const Surface& surface, Execution& execution);
 
-// Then those of different bodies also overlap where one is so near the other's plane, as faces in one plane are that
+// Then those of different bodies also overlap where one is so near the other's plane, as coplanar faces are that
 // the lattice rounded.
 struct NearlyFlat
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Between two regions no cell can be removed, as that would leave a hole: what nothing mends there goes to the
+// Between two regions no cell can be removed, as that would leave a hole: what nothing repairs there goes to the
 // other region, which takes its place (as what is outside does at a boundary, section 4.10). Only what is thin does:
 // the interface, its edges and corners stay where they were, but for a small part of a box.
 #pragma once

@@ -57,10 +57,10 @@ double costAround(const MeasuredCell& cell, CellKey butFor, double most)
   return cost;
 }
 
-// One with fewer faces that solvers refuse is better than one that gains more.
+// One with fewer failing faces is better than one that gains more.
 bool isBetter(const CellUnion& a, const CellUnion& b)
 {
-  // Equal but for rounding is equal: sums depend on the order of the surface's triangles.
+  // Equal up to rounding counts as equal: sums depend on the order of the surface's triangles.
   const bool gainsMore = static_cast<float>(a.gain) > static_cast<float>(b.gain);
   return !b.of ||
     (a.verdict.refused != b.verdict.refused ? a.verdict.refused < b.verdict.refused : gainsMore);
@@ -166,7 +166,7 @@ void CellMerger::run(std::vector<CellKey> keys, Look&& look)
   for (int round = 0; round < MostRounds && !keys.empty(); ++round)
   {
     const std::uint32_t mark = cells_.mark();
-    std::vector<std::pair<float, CellKey>> candidates; // equal but for rounding is equal
+    std::vector<std::pair<float, CellKey>> candidates; // equal up to rounding counts as equal
     for (const CellKey key : keys)
     {
       execution_.poll();
@@ -311,7 +311,7 @@ UnionView& CellMerger::viewOf(std::size_t place, const std::vector<CellKey>& key
   return view;
 }
 
-// What solvers refuse, or are strained by, or is very small, and finds nothing better as it is.
+// What fails, or are strained by, or is very small, and finds nothing better as it is.
 void CellMerger::simplifyBest(
   CellKey key, const Verdict& own, std::size_t mostNeighbours, const Acceptance& acceptance)
 {

@@ -18,7 +18,7 @@ struct MergeSpec
   JoinSpec joins; // which faces of the result become one
 
   bool merges = true;
-  bool simplifies = true; // cells that solvers refuse, by joining faces at any angle
+  bool simplifies = true; // failing cells, by joining faces at any angle
 };
 
 // One cell after the other, the smallest or poorest first, within a slab: each joins the neighbour with which
@@ -44,16 +44,16 @@ public:
   // One cell, if it is poor; returns false where solvers refuse it and nothing helps.
   bool improve(CellKey key);
 
-  // Whether cells with faces turned over may become simpler: one with a face bent around others cannot be cut any more.
+  // Whether cells with faces inverted may become simpler: one with a face bent around others cannot be cut any more.
   void bendInvalid(bool bends) { bendsInvalid_ = bends; }
 
-  // Whether solvers refuse a face of it, or are strained by how small it is.
+  // Whether one of its faces fails, or are strained by how small it is.
   bool isFailing(CellKey key);
 
   // The slab's cells; also those that it only touches, if nobody looks at them later.
   std::vector<CellKey> lookedAfter(bool looksAtOthers) const;
 
-  // Those of which solvers refuse a face.
+  // Those with a failing face.
   std::vector<CellKey> refused(bool looksAtOthers);
 
   std::size_t merged() const { return merged_; }         // cells that are gone

@@ -185,7 +185,7 @@ private:
     shaping_.cellsSplit += splitInvalid(complex_, merger_.refused(isLast_), execution_);
   }
 
-  // Where layers will stand.
+  // Where layers are requested.
   void joinWalls()
   {
     if (task_.layers && !exact_)
@@ -308,7 +308,7 @@ private:
     }
   }
 
-  // Parts of refused cells; not again where nothing near by has changed since `triedAt`.
+  // Parts of failing cells; not again where nothing near by has changed since `triedAt`.
   void transfer(std::vector<CellKey> keys, LeftOver leftOver, std::uint32_t& triedAt)
   {
     const auto isTried = [&](CellKey key) { return !complex_.hasChangedNear(key, triedAt); };
@@ -365,7 +365,7 @@ struct Shares
   double removal;
 };
 
-// What the first has exposed, the second may mend.
+// What the first has exposed, the second may repair.
 constexpr int RemovalPasses = 2;
 
 constexpr std::array<Shares, ShapingStages> SharesOfStages{ { { 0.35, 0.5, 0.2 },
@@ -466,7 +466,7 @@ private:
     edits_ = std::move(optimised.edits);
   }
 
-  // The slabs with cells that solvers refuse; the others are done.
+  // The slabs with failing cells; the others are done.
   void keepFailing()
   {
     std::vector<Slab> failing;
@@ -488,7 +488,7 @@ private:
   bool isLast_;
   Execution& execution_;
   std::vector<std::vector<FaceEdit>> edits_; // of each slab, to be made
-  std::vector<bool> fails_;                  // whether it has cells that solvers refuse
+  std::vector<bool> fails_;                  // whether it has failing cells
   Shaping sum_;
 };
 

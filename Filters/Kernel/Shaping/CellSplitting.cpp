@@ -83,7 +83,7 @@ private:
 
   std::vector<std::pair<float, CellKey>> worstFirst(const std::vector<CellKey>& failing) const
   {
-    std::vector<std::pair<float, CellKey>> order; // equal but for rounding is equal
+    std::vector<std::pair<float, CellKey>> order; // equal up to rounding counts as equal
     MeasuredCell cell;
     for (const CellKey key : failing)
     {

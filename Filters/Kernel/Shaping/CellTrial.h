@@ -15,7 +15,7 @@ void takeOut(
 // Of a cell as it is; leaves there what was looked at.
 Verdict verdictOf(const CellComplex& cells, CellKey key, MeasuredCell& cell);
 
-// Looks at cells, one after the other; keeps its memory.
+// Looks at cells, one by one; keeps its memory.
 struct CellTrial
 {
   explicit CellTrial(const CellComplex& cells)

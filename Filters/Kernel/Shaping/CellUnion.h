@@ -37,7 +37,7 @@ struct CellUnion
   double gain = 0; // by how much the sum of all costs falls
 };
 
-// Looks at unions, one after the other; keeps its memory.
+// Looks at unions, one by one; keeps its memory.
 class UnionTrial
 {
 public:

@@ -12,7 +12,7 @@
 namespace cartesian
 {
 
-// What cuts would make of a cell, one after the other; keeps its memory.
+// What cuts would make of a cell, one by one; keeps its memory.
 class CutParts
 {
 public:

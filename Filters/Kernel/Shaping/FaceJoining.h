@@ -15,7 +15,7 @@ bool hasEdgeFrom(const Ring& ring, std::uint32_t from, std::uint32_t to);
 // Two polygons that share a chain of edges as one; false where they share several or meet elsewhere too.
 bool joinRings(const Ring& first, const Ring& second, std::vector<std::uint32_t>& joined);
 
-// Faces of a view that become one, or that are divided anew. All others stay.
+// Faces of a view that become one, or that are re-divided. All others stay.
 struct JoinedFaces
 {
   struct Group

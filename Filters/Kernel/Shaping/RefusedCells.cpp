@@ -25,7 +25,7 @@ struct Candidate
 
   bool operator<(const Candidate& other) const
   {
-    const auto a = static_cast<float>(volume); // equal but for rounding is equal
+    const auto a = static_cast<float>(volume); // equal up to rounding counts as equal
     const auto b = static_cast<float>(other.volume);
     return a != b ? a < b : key < other.key;
   }
@@ -41,7 +41,7 @@ public:
   {
   }
 
-  // For each refused face of a cell, finds the smaller of its two cells that may go.
+  // For each failing face of a cell, finds the smaller of its two cells that may go.
   void lookAt(CellKey key)
   {
     cells_.lookAround(key, cell_);

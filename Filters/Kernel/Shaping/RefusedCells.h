@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The last resort where neither a cut, nor a merge, nor an IP patch mends a cell (section 4.11): it is
+// The last resort where neither a cut, nor a merge, nor an IP patch repairs a cell (section 4.11): it is
 // removed as a small cell is (4.10).
 #pragma once
 
@@ -13,7 +13,7 @@
 namespace cartesian
 {
 
-// Below this part of its box a cell, or a part of one, is removed though it is valid, where solvers refuse a face of it.
+// Below this part of its box a cell, or a part of one, is removed though it is valid, where one of its faces fails.
 constexpr double LargestRefused = 0.1;
 
 // Of these cells, in order: those that solvers refuse (CellFaults.h). Of an inner face that is turned over, the cell goes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the user chooses about the shape of cells (sections 4.10, 4.11).
+// User options for the shape of cells (sections 4.10, 4.11).
 #pragma once
 
 #include "Base/Range.h"
@@ -28,7 +28,7 @@ struct ShapingSpec
 
   bool splitConcave = true; // cells that fail an angle condition of section 3
 
-  // Where cells are split: what solvers refuse and nothing mends is removed, up to as many volumes of
+  // Where cells are split: what fails and nothing repairs is removed, up to as many volumes of
   // its box; 0: none.
   double refusedCellRatio = 4;
 };

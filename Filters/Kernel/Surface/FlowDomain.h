@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which side of the surface is meshed: what it encloses, or the space around it, in a box.
 //
-// Outside, the surface is turned inside out, and winds around what is far from it once: a point in no body
+// Outside, the surface is inverted, and winds around what is far from it once: a point in no body
 // is inside (Winding.h), in the union of bodies it is not, and no triangles of the box are needed. Where the
 // grid ends the box does; bodies that reach beyond are cut off there exactly.
 #pragma once

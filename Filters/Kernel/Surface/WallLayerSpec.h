@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the user chooses about boundary layers.
+// User options for boundary layers.
 #pragma once
 
 #include "Base/Range.h"
