@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// States that were saved before a property was there.
+// SPDX-License-Identifier: BSD-3-Clause States that were saved before a property existed.
 #pragma once
 
 namespace cartesian

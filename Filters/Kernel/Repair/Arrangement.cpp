@@ -46,7 +46,7 @@ enum class Made : std::uint8_t
   SinceSearch = 2,
 };
 
-// What divides a triangle.
+// The points and edges that divide a triangle.
 struct Marks
 {
   std::vector<std::uint32_t> points; // inside
@@ -220,7 +220,7 @@ private:
     }
   }
 
-  // Two that are coplanar, or nearly.
+  // Two coplanar, or nearly coplanar, triangles.
   void meetFlat(std::uint32_t s, std::uint32_t t)
   {
     const int axis = axisAcross(surface_.corners(s));
@@ -304,7 +304,7 @@ private:
       const Ends f = endsOf(c[i], c[(i + 1) % 3]);
       if (areCrossing(e, f, axis))
       {
-        // The same vertex, whichever is asked about first.
+        // The same vertex, whichever comes first.
         const Ends& a = std::min(e, f);
         const Ends& b = std::max(e, f);
         const std::uint32_t v =

@@ -432,7 +432,7 @@ private:
     return parts;
   }
 
-  // The later region loses its side and gets the other; what is left of both is divided at the rims.
+  // The later region's side is replaced by the other; the rest of both is divided at the rims.
   void exchange(const Group& group, const std::vector<Rim>& rims)
   {
     const Moves moves = movesOf(rims);

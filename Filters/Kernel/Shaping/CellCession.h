@@ -1,7 +1,6 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Between two regions no cell can be removed, as that would leave a hole: what nothing repairs there goes to the
-// other region, which takes its place (as what is outside does at a boundary, section 4.10). Only what is thin does:
-// the interface, its edges and corners stay where they were, but for a small part of a box.
+// SPDX-License-Identifier: BSD-3-Clause Between two regions no cell can be removed, as that would leave a hole: a
+// cell that cannot be repaired goes to the other region (as to the outside at a boundary, section 4.10). Only thin
+// cells do: the interface, its edges and corners move by a small part of a box at most.
 #pragma once
 
 #include "Shaping/CellMerging.h"

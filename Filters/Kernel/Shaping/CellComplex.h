@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cells that can be cut and joined (sections 4.10 and 4.11), in one slab (Slabs.h).
 //
-// Cells and faces are copied when they change for the first time ("opened"): what nobody touches
-// costs nothing. A hexahedron that gets a node or another face becomes a polyhedron.
+// Cells and faces are copied when they change for the first time ("opened"): untouched ones cost nothing. A
+// hexahedron that gets a node or another face becomes a polyhedron.
 //
 // Slabs of one stage may change at the same time. All that they write in common is which cells are
 // below and above a face as it was (WallFaces::cells): a slab writes those of
@@ -23,7 +23,7 @@
 namespace cartesian
 {
 
-// A cell and what is beyond each of its faces.
+// A cell and its neighbours beyond each face.
 struct MeasuredCell
 {
   Polyhedron shape; // without nodes in common; the origin is the lower corner of its box
@@ -67,7 +67,7 @@ public:
   template <class Is>
   bool anyBeyond(CellKey key, Is&& is) const;
 
-  // The acting cells that are alive and free, but for untouched hexahedra, in order.
+  // The acting cells that are alive and free, except untouched hexahedra, in order.
   std::vector<CellKey> polyhedra() const;
 
   // Of these, those at fault.
@@ -136,7 +136,7 @@ public:
   // Cuts an opened cell. The first part keeps its key. Appends the keys of all parts.
   void cut(CellKey key, const CellView& view, const CellCut& cut, std::vector<CellKey>& parts);
 
-  // Gives the small cell's faces to the other but for those between them, which vanish.
+  // Gives the small cell's faces to the other except those between them, which vanish.
   void merge(CellKey small, CellKey into);
 
   // Its inner faces become boundary faces of its neighbours (4.10).
@@ -158,8 +158,8 @@ public:
   // That most of its patches belonged to, or NoBoundary.
   std::int32_t boundaryOfCell(CellKey key) const;
 
-  // Whether one of its faces is a boundary face now, and none is another region's too: what goes there leaves
-  // a hole.
+  // Whether one of its faces is a boundary face now, and none is shared with another region: removing a cell there
+  // leaves a hole.
   bool isAtBoundary(CellKey key) const;
 
   // Of its boundary faces as they are now, by boundary; square levels.
@@ -178,7 +178,7 @@ public:
   // As isAnyAtFault (CellFaults.h): known beforehand for cells as they were.
   bool isAtFault(CellKey key) const;
 
-  // Whether solvers accept all its faces by what is known beforehand; else only a look around tells.
+  // Whether all its faces pass by what is known beforehand; else its neighbours must be examined.
   bool isSurelyAccepted(CellKey key) const;
 
   // Whether all its inner faces surely cost little (CellCost.h), and its boundary faces are plain.

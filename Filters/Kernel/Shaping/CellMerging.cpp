@@ -28,7 +28,7 @@ constexpr double MostOfJoins = 500;
 // Where no face of the result costs more, no other neighbour is tried.
 constexpr double FairCost = 1;
 
-// What a cell that is gone costs, by its share of its box: it resolved something.
+// The cost of a lost cell, by its share of its box: it resolved something.
 constexpr double CostOfCell = 10;
 
 // Cells of a fine box that are smaller than this part of a neighbour join it in groups, up to this share of
@@ -42,7 +42,7 @@ constexpr double LeastShare = 0.11;
 // No cell grows beyond this part of its box.
 constexpr double MostShare = 1.6;
 
-// Where nothing narrower helps, faces of a cell that solvers refuse are joined up to these angles, in degrees.
+// If nothing narrower helps, faces of a failing cell are joined up to these angles, in degrees.
 constexpr double WideBoundaryAngle = 60;
 constexpr double WideInnerAngle = 90;
 
@@ -137,7 +137,7 @@ std::vector<CellKey> CellMerger::lookedAfter(bool looksAtOthers) const
   return all;
 }
 
-// Only what has changed since, or was refused then, is looked at again.
+// Only cells that have changed since, or failed then, are examined again.
 std::vector<CellKey> CellMerger::refused(bool looksAtOthers)
 {
   std::vector<CellKey> keys = lookedAfter(looksAtOthers);
@@ -311,7 +311,7 @@ UnionView& CellMerger::viewOf(std::size_t place, const std::vector<CellKey>& key
   return view;
 }
 
-// What fails, or are strained by, or is very small, and finds nothing better as it is.
+// Cells that fail, strain solvers or are very small, and for which nothing better is found.
 void CellMerger::simplifyBest(
   CellKey key, const Verdict& own, std::size_t mostNeighbours, const Acceptance& acceptance)
 {

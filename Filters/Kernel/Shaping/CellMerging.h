@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Small cells, poor ones, and those that solvers refuse, become a part of a neighbour (section 4.10, but
-// the volume is kept) or simpler (4.11, IP patches).
+// SPDX-License-Identifier: BSD-3-Clause Merges small, poor and failing cells with a neighbour (section 4.10, but the
+// volume is kept) or simplifies them (4.11, IP patches).
 #pragma once
 
 #include "Base/Execution.h"
@@ -41,13 +40,13 @@ public:
   // Cells with a face that costs more than PoorCost. Looks at all cells, the next time at what has changed.
   void improve();
 
-  // One cell, if it is poor; returns false where solvers refuse it and nothing helps.
+  // One cell, if it is poor; returns false if it fails and nothing helps.
   bool improve(CellKey key);
 
-  // Whether cells with faces inverted may become simpler: one with a face bent around others cannot be cut any more.
+  // Whether cells with inverted faces may be simplified: one with a face bent around others cannot be cut any more.
   void bendInvalid(bool bends) { bendsInvalid_ = bends; }
 
-  // Whether one of its faces fails, or are strained by how small it is.
+  // Whether one of its faces fails, or it is so small that it strains solvers.
   bool isFailing(CellKey key);
 
   // The slab's cells; also those that it only touches, if nobody looks at them later.

@@ -26,7 +26,7 @@ namespace
 constexpr double MergeJoinAngle = 3;
 constexpr double InnerJoinAngle = 20;
 
-// Cells between regions cannot go where a merge turns out to be refused: larger ones are not merged.
+// Cells between regions cannot be removed if a merge fails later: larger ones are not merged.
 constexpr double LargestMergedBetweenRegions = 0.15;
 
 MergeSpec mergeSpecOf(const ShapingSpec& spec, bool merges, bool exact, bool hasRegions)
@@ -43,7 +43,7 @@ MergeSpec mergeSpecOf(const ShapingSpec& spec, bool merges, bool exact, bool has
   return merging;
 }
 
-// What is done to the cells of one slab.
+// Shapes the cells of one slab.
 class Shaper
 {
 public:
@@ -116,8 +116,8 @@ public:
     return result();
   }
 
-  // What nothing has saved goes: small cells first, parts of others, at last whole cells. Each time what is exposed may
-  // be saved again.
+  // Cells that could not be repaired are removed: small ones first, then parts of others, finally whole cells. Each
+  // time exposed cells may be repaired again.
   Shaping removeRefused()
   {
     execution_.stage("Improving", 0, 0.4);
@@ -200,8 +200,8 @@ private:
     removeSmaller(Sliver, [](CellKey) { return true; });
   }
 
-  // What is small, and strains solvers, and cannot be merged; and what no face connects with others, in which no solver
-  // can fix the pressure. What is as thin as the body there stays; a film on a side of a flow domain does not,
+  // Small cells that strain solvers and cannot be merged; and cells that no face connects with others, where a solver
+  // cannot determine the pressure. Cells as thin as the body there stay; a film on a side of a flow domain does not,
   // as below a wheel on the ground.
   void removeSmall()
   {
@@ -290,7 +290,7 @@ private:
       splitCells(complex_, complex_.polyhedraAtFault(), least, execution_).cellsSplit;
   }
 
-  // What a transfer has changed may help its neighbours.
+  // A transfer may help its neighbours.
   void improve()
   {
     for (int pass = 0; !exact_ && pass < Passes; ++pass)
@@ -339,7 +339,7 @@ private:
   // Up to this part of its box a cell may go to another region.
   static constexpr double LargestCeded = 0.1;
 
-  // Below this part of their box tips go.
+  // Below this part of their box tips are removed.
   static constexpr double LargestTip = 0.05;
 
   static constexpr std::array<double, 8> LargestShares{ 0.025, 0.1, 0.25, 0.25, 1, 1, 1, 1 };
@@ -352,7 +352,7 @@ private:
   Execution& execution_;
   MergeSpec mergeSpec_;
   CellMerger merger_;
-  std::uint32_t transferredAt_ = 0; // all that was refused has been tried since
+  std::uint32_t transferredAt_ = 0; // all failing cells have been tried since
   std::uint32_t givenAwayAt_ = 0;   // likewise
   Shaping shaping_;
 };
@@ -365,7 +365,7 @@ struct Shares
   double removal;
 };
 
-// What the first has exposed, the second may repair.
+// The second may repair what the first has exposed.
 constexpr int RemovalPasses = 2;
 
 constexpr std::array<Shares, ShapingStages> SharesOfStages{ { { 0.35, 0.5, 0.2 },

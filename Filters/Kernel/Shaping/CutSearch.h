@@ -12,7 +12,7 @@
 namespace cartesian
 {
 
-// What cuts would make of a cell, one by one; keeps its memory.
+// Tries cuts of a cell one by one; keeps its memory.
 class CutParts
 {
 public:
@@ -48,13 +48,13 @@ private:
   std::vector<std::uint8_t> counts_; // a face between two parts once
 };
 
-// What would be at fault after a cut, or nothing where it must not be made.
+// The faults after a cut, or nothing if it must not be made.
 using Judge = std::function<std::optional<CellFaults>(const CellCut&)>;
 
 struct FoundCuts
 {
   std::vector<CellCut> helpful; // the fittest last
-  // Where there is none, one along the worst concave edge that does no harm.
+  // If there is none, one along the worst concave edge that does no harm.
   std::optional<CellCut> harmless;
 };
 

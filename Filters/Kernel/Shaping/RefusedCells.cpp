@@ -14,7 +14,8 @@ namespace cartesian
 namespace
 {
 
-// Of the area of a box's side: the wall of further boundaries that may go with a cell, and the change of all its wall's.
+// Parts of the area of a box's side: the wall of further boundaries that may be removed with a cell, and the change
+// of its total wall area.
 constexpr double LargestOfOthers = 0.02;
 constexpr double LargestChange = 0.2;
 
@@ -41,7 +42,7 @@ public:
   {
   }
 
-  // For each failing face of a cell, finds the smaller of its two cells that may go.
+  // For each failing face of a cell, finds the smaller of its two cells that may be removed.
   void lookAt(CellKey key)
   {
     cells_.lookAround(key, cell_);
@@ -84,7 +85,7 @@ public:
   const std::set<Candidate>& candidates() const { return candidates_; }
 
 private:
-  // The cell on whose side the face's pyramid is turned over: without the other it would be as bad.
+  // The cell on whose side the face's pyramid is inverted: without the other it would be as bad.
   void lookAtTurnedOver(const Candidate& own, std::size_t f)
   {
     const bool ofOwn = isTurnedOver(cell_.measures, f, {});

@@ -12,7 +12,7 @@
 namespace cartesian
 {
 
-// A cell that may change, with faces of its own.
+// A cell that may change, with its own faces.
 struct OpenCell
 {
   static constexpr std::array<std::uint8_t, 2> NoReach{ 0, 0 };

@@ -115,8 +115,8 @@ private:
     return false;
   }
 
-  // Whether solvers accept a cell with boundary faces towards those that are gone, which become one with others
-  // where that helps, and nothing is worse than it was, or than of those that are gone.
+  // Whether a cell passes with boundary faces towards the removed ones, joined with others if that helps, and nothing
+  // is worse than it was, or than in the removed ones.
   bool isFairWithout(CellKey other, const std::vector<CellKey>& gone, Verdict before)
   {
     if (!cells_.isFree(other))

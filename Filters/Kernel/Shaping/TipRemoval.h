@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Tips and slivers of the domain that hold next to nothing and that no neighbour can take in: what closes them
-// takes the place of their patches, as the paper's IP patches do (section 4.11).
+// SPDX-License-Identifier: BSD-3-Clause Removes tips and slivers of almost no volume that no neighbour can absorb:
+// the faces that close them replace their patches, like the paper's IP patches (section 4.11).
 #pragma once
 
 #include "Cells/SmallCellSpec.h"

@@ -104,7 +104,7 @@ std::vector<Id> cellsOf(const Surface& surface, const std::vector<Id>& cells)
 // In square and cubic user units.
 double areaOf(const Surface& surface);
 
-// What all regions enclose together; where parts overlap, each counts. Of one inverted: negative.
+// What all regions enclose together; where parts overlap, each counts. Of one turned inside out: negative.
 double volumeOf(const Surface& surface);
 
 }
