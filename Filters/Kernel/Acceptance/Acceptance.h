@@ -41,7 +41,7 @@ struct Accepted
   static constexpr double Failed = 1e3; // a cost of what fails (CellCost.h)
   static constexpr double Any = -Never; // gain
 
-  // Cells that become one, or simpler: small ones, poor ones (CellMerging).
+  // Merged or simplified cells: small ones, poor ones (CellMerging).
   static constexpr Acceptance SmallMerge{ MayRefuse::FewerOrNone, LeastGain, Failed, true };
   static constexpr Acceptance PoorMerge{ MayRefuse::FewerOrNone, 0.3, Failed, true };
 
@@ -115,7 +115,7 @@ inline bool keepsVolume(const Acceptance& acceptance, double before, double afte
     (after >= acceptance.leastVolume * before && after <= acceptance.mostVolume * before);
 }
 
-// Asked of each cell where an edit changes several.
+// Required of each cell if an edit changes several.
 inline bool keepsShape(const Acceptance& acceptance, const Verdict& before, const Verdict& after)
 {
   return after.faces >= acceptance.leastFaces &&

@@ -23,7 +23,7 @@ struct CellGradient
 
 struct FaceEnergy
 {
-  // A sum over measures, each 1 where solvers begin to mind: skewness, non-orthogonality, interpolation weight,
+  // A sum over measures, each 1 at the preferred quality limits: skewness, non-orthogonality, interpolation weight,
   // ratio of volumes, angle of section 3.
   double limits = 0;
 

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Files of text and numbers, and files that take their names when they are complete.
+// SPDX-License-Identifier: BSD-3-Clause Files of text and numbers, and files that are renamed when complete.
 #pragma once
 
 #include "Base/Error.h"

@@ -17,7 +17,7 @@ namespace
 // Bytes. What several stages take, with the arrays that VTK holds, measured on one to 16 threads; the peak of a
 // mesh is that of one of these stages.
 constexpr double OfAnyMesh = 4.3e6;
-constexpr double OfAThread = 8e4; // but for the first
+constexpr double OfAThread = 8e4; // except the first
 constexpr double OfATriangle = 115;
 
 // Of each box, of each that is intersected, of those that are shaped at once, and of each corner of a patch.

@@ -21,8 +21,8 @@ constexpr double LeastOverlap = 1e-6;
 // Of edges: planes are on even levels, and step aside.
 constexpr double Rounding = 1e-6;
 
-// Something that asks for a size, by its number among the triangles or the boxes of the field, and a global box
-// that it may overlap.
+// A prescribed size, by its number among the triangles or the boxes of the field, and a global box that it may
+// overlap.
 struct Wish
 {
   std::uint64_t global;

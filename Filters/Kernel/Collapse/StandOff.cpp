@@ -197,7 +197,7 @@ public:
   {
   }
 
-  // Finds those that turn by more, or of whose stars a triangle is turned over now.
+  // Finds those that turn by more, or whose star now has an inverted triangle.
   void findBent(Execution& execution)
   {
     bent_.assign(start_.size() - 1, 0);

@@ -68,7 +68,7 @@ struct LayeredWall
   // Whether its stack has no height at one of its nodes.
   bool tapers(std::size_t face) const;
 
-  // Whether all layers have one side in common over an edge: neither side of it has layers to tell apart.
+  // Whether all layers have one common side over an edge: neither side of it has layers that differ.
   bool isWhole(std::size_t face, std::size_t i) const;
 
   // Of all layers on a face: the mean of its nodes, along the normal of the wall.

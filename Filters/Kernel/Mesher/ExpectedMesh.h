@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// About how large a mesh will be, for several sizes of boxes, before anything is meshed.
+// SPDX-License-Identifier: BSD-3-Clause Estimates the size of a mesh, for several box sizes, before meshing.
 #pragma once
 
 #include "Base/Execution.h"

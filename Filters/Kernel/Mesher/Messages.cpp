@@ -328,7 +328,7 @@ std::string describeShortfall(const DomainSpec& domain, const FlowRefinement& fl
   {
     return {};
   }
-  const double least = flow.length / domain.boxesAlong; // the size that is asked for
+  const double least = flow.length / domain.boxesAlong; // the requested size
   return "Boxes Along Body is " + std::to_string(domain.boxesAlong) + ", but only " +
     number(std::floor(flow.length / flow.size)) +
     " fit along the surface: boxes can be halved at most " + std::to_string(DeepestLevel) +

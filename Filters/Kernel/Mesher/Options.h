@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// All that the user chooses about a mesh: each option with its default, range and unit once, here or in
-// its group. The panel's names for them are in OptionTable.h.
+// SPDX-License-Identifier: BSD-3-Clause All user options: each with its default, range and unit once, here or in its
+// group. The panel's names for them are in OptionTable.h.
 #pragma once
 
 #include "Boxes/MeshEstimate.h"
@@ -24,7 +23,7 @@ enum class RegionSource : std::uint8_t
 {
   One = 0,    // there is one region
   Blocks = 1, // each block of the surface is one
-  Array = 2,  // a cell array tells
+  Array = 2,  // by a cell array
 };
 
 struct Options

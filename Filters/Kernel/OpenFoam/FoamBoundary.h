@@ -36,7 +36,7 @@ struct FoamPatch
 // The types of patches that need no further entries.
 const std::vector<std::string>& foamTypes();
 
-// OpenFOAM reads words of up to 1,023 characters; this leaves room for numbers that tell equal ones apart.
+// OpenFOAM reads words of up to 1,023 characters; this leaves room for numbers that make equal ones unique.
 constexpr std::size_t LongestWord = 1000;
 
 // The name with each character that OpenFOAM does not allow in words replaced by an underscore, cut off after

@@ -161,7 +161,7 @@ private:
   }
 
   // The last face is a boundary face of its mesh, whatever it is in the mesh of all regions: its corners begin where
-  // they do when a face of that is turned over.
+  // they do when a face of that is reversed.
   void turnToOwner()
   {
     std::int32_t& label = mesh_.addressing->faces.back();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The objective (FaceEnergy.h) of a node mesh's faces and cells as its nodes are now, and its derivatives by the places of nodes.
+// The objective (FaceEnergy.h) of a node mesh's faces and cells for its current nodes, and its derivatives by the places
+// of nodes.
 #pragma once
 
 #include "Acceptance/FaceEnergy.h"

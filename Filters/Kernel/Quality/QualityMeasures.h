@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// How good a mesh is for finite-volume solvers: the conditions of section 3, and what OpenFOAM 1912
-// checks (checkMesh), with its definitions and limits.
+// SPDX-License-Identifier: BSD-3-Clause The quality of a mesh for finite-volume solvers: the conditions of section 3,
+// and those of checkMesh (OpenFOAM 1912), with its definitions and limits.
 #pragma once
 
 #include "Acceptance/Limits.h"

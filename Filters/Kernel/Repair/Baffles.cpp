@@ -210,7 +210,7 @@ private:
     }
   }
 
-  // The part in which a shell without sheets lies, as a line from it to the end of the grid tells.
+  // The part in which a shell without sheets lies, found by a line from it to the end of the grid.
   std::int32_t partAround(std::uint32_t shell)
   {
     const Point& start = both_.vertices[both_.triangles[shell][0]];

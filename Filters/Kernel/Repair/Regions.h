@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The walls between several regions, out of their surfaces.
 //
-// Each region has closed surfaces of its own, which may touch or cross those of others (Arrangement.h), or touch them
+// Each region has its own closed surfaces, which may touch or cross those of others (Arrangement.h), or touch them
 // within a tolerance (Contacts.h). A region may lie in another; where regions overlap, the first listed wins. The
 // result is triangles between two regions, or between one and outside, each once: the only surface in all later
 // steps, so that both regions share the faces there.

@@ -10,7 +10,7 @@
 namespace cartesian
 {
 
-// How exactly things are placed, in levels, of which the longest side of the domain has more than 2^30.
+// Precision of places, in levels, of which the longest side of the domain has more than 2^30.
 struct Placing
 {
   // Faces within this distance are coplanar: the file rounds both, and so does the lattice.
@@ -39,7 +39,7 @@ public:
   // Makes two vertices that are an edge apart one, if that edge is short and one of them is new.
   bool merge(std::uint32_t p, std::uint32_t q);
 
-  // What a vertex has become.
+  // The vertex that a vertex was merged with.
   std::uint32_t vertexFor(std::uint32_t v) { return same_.find(v); }
 
 private:

@@ -46,7 +46,7 @@ constexpr double MostShare = 1.6;
 constexpr double WideBoundaryAngle = 60;
 constexpr double WideInnerAngle = 90;
 
-// Of its faces but for those towards a cell; ends where that is more than `most`.
+// Of its faces except those towards a cell; ends where that is more than `most`.
 double costAround(const MeasuredCell& cell, CellKey butFor, double most)
 {
   double cost = 0;

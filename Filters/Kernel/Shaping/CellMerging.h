@@ -63,7 +63,7 @@ private:
   struct Neighbour
   {
     CellKey key;
-    std::optional<Verdict> verdict; // but for its faces towards that cell
+    std::optional<Verdict> verdict; // without its faces towards that cell
   };
 
   // When something was done last: all has been looked at since. 0: never.

@@ -28,7 +28,7 @@ public:
 
   double largestAspect() const; // a sixth of the area by volume^(2/3)
 
-  // What is at fault of all parts; of one, if nothing is beyond the cut.
+  // The faults of all parts; of one, if nothing is beyond the cut.
   CellFaults faults();
   CellFaults faultsAlone(std::size_t part) const;
 
