@@ -27,8 +27,8 @@ private:
 
   std::vector<double> full_; // of all layers, as parts of the way: 0, ..., 1
   double
-    grown_; // of the height that layers gain over the first, where the last has half of what was asked
-  double kept_; // the least part of the way with a first layer as asked
+    grown_; // of the height that layers gain over the first, where the last has half the requested thickness
+  double kept_; // the least part of the way with a first layer as requested
 };
 
 }

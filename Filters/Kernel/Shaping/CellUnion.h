@@ -24,7 +24,7 @@ struct UnionView
   CellView view;
   CellShape shape;
   std::optional<Verdict> verdict; // of all faces, before any is joined
-  std::optional<Joined> joined;   // as asked for last
+  std::optional<Joined> joined;   // as last requested
   FaceJoiner joiner;
 };
 
