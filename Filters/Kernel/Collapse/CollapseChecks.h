@@ -23,7 +23,7 @@ public:
   // thickness where the first becomes the second.
   bool keepsWalls(std::uint32_t slot, std::uint32_t to);
 
-  // How the surface bends at a node: the smallest cosine between the normals of patches there; 2 where there
+  // The curvature of the surface at a node: the smallest cosine between the normals of patches there; 2 where there
   // is none.
   double bendAt(std::uint32_t slot);
 

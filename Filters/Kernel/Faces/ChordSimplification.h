@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Chords of a side made fewer where they show more detail than boxes of this size can (4.11, IP patches:
-// the polylines on the sides of a box are what its patches are made from).
+// SPDX-License-Identifier: BSD-3-Clause Reduces the chords of a side where they show more detail than boxes of this
+// size can resolve (4.11, IP patches: the polylines on the sides of a box are what its patches are made from).
 #pragma once
 
 #include "Faces/SideChords.h"

@@ -9,8 +9,8 @@
 namespace cartesian
 {
 
-// Each unknown value is the mean of its neighbours', weighted, with 0 in place of what is not linked; the part of it
-// along its fixed normals stays what it was.
+// Each unknown value is the weighted mean of its neighbours', with 0 in place of what is not linked; its component
+// along its fixed normals is kept.
 class HarmonicField
 {
 public:

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// The points near a wall follow its nodes when these move inwards, the less the farther they are: no cell is squeezed
-// more than others.
+// SPDX-License-Identifier: BSD-3-Clause The points near a wall follow its nodes when these move inwards, less with
+// distance, so that no cell is squeezed more than others.
 #pragma once
 
 #include "Layers/HarmonicField.h"

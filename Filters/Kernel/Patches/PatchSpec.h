@@ -30,7 +30,7 @@ struct PatchSpec
 
   PatchMethod method = PatchMethod::Automatic;
   double featureAngle = 30; // degrees: edges of the surface that turn by more are kept
-  double mergeAngle = 10;   // degrees: how far the normals of what becomes one patch may differ
+  double mergeAngle = 10;   // degrees: how far normals within one patch may differ
   Tying tying = Tying::KeepNodes;
 };
 

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Tying of Patches (section 4.8): what the patches of two boxes share on the side between them.
+// SPDX-License-Identifier: BSD-3-Clause Tying of Patches (section 4.8): the common lines of two boxes' patches on the
+// side between them.
 //
 // On each part of a side that two boxes share, the surface leaves polylines. Both boxes see the same ones, and the
 // result depends only on them and on the methods of the two boxes. So each box ties them separately, in any order,

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Where walls of two regions nearly touch, makes them one.
+// SPDX-License-Identifier: BSD-3-Clause Merges walls of two regions where they nearly touch.
 //
 // A *sheet* is a part of a region's surface without sharp edges, such as the inside of a pipe. Where sheets of a
 // later region and of an earlier one face each other everywhere within a tolerance, the later region's is replaced by

@@ -11,8 +11,8 @@ namespace cartesian
 // Below this part of its box a cell between two regions is a wall without thickness.
 constexpr double FlatCell = 1e-6;
 
-// Whether a cell joined one of the region beyond its faces. Only where solvers accept what comes of it, and accept of
-// its neighbours what they did before; and only if it has no face at the boundary.
+// Whether a cell joined one of the region beyond its faces. Only if the result passes, its neighbours pass as before,
+// and it has no face at the boundary.
 bool cede(CellComplex& cells, CellKey key, CellMerger& merger);
 
 // Of these, in order: those smaller than `largest` volumes of their box. Whether any did.

@@ -1,12 +1,12 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Cells that can be cut and joined (sections 4.10 and 4.11), in one slab (Slabs.h).
+// SPDX-License-Identifier: BSD-3-Clause Cells that can be cut and joined (sections 4.10 and 4.11), in one slab
+// (Slabs.h).
 //
 // Cells and faces are copied when they change for the first time ("opened"): untouched ones cost nothing. A
 // hexahedron that gets a node or another face becomes a polyhedron.
 //
-// Slabs of one stage may change at the same time. All that they write in common is which cells are
-// below and above a face as it was (WallFaces::cells): a slab writes those of
-// its free cells, and reads those of cells that touch one; so it is with sights.
+// Slabs of one stage may change at the same time. The only shared data that they write are the cells below and above
+// an original face (WallFaces::cells): a slab writes those of its free cells, and reads those of cells that touch
+// one; likewise for sights.
 #pragma once
 
 #include "Base/EdgeTable.h"
@@ -120,7 +120,7 @@ public:
   std::uint32_t boxOf(CellKey key) const;
   bool isAlive(CellKey key) const; // neither removed nor merged
 
-  // Hexahedra that nobody has opened do not.
+  // Hexahedra that have not been opened do not.
   bool hasFaces(CellKey key) const { return isOfWall(key) || opened(key) != nullptr; }
 
   void open(CellKey key);
@@ -142,14 +142,14 @@ public:
   // Its inner faces become boundary faces of its neighbours (4.10).
   void remove(CellKey key);
 
-  // Whether a cell near this one has a face with these nodes already: with another, it would enclose
-  // nothing. Of a cell that is not free only those around these nodes are looked at.
+  // Whether a cell near this one has a face with these nodes already: with another, it would enclose nothing. Of a
+  // cell that is not free only those around these nodes are examined.
   bool hasFaceNear(CellKey key, std::vector<std::uint32_t> nodes) const;
 
-  // Whether one that several faces of a cell, seen so, would make is there already.
+  // Whether the union of several faces of a cell, as seen from it, already exists.
   bool hasFacesNear(CellKey key, const CellView& view, const JoinedFaces& joined) const;
 
-  // Makes each group of faces of an opened cell, seen so, one.
+  // Joins each group of faces of an opened cell, as seen from it.
   void join(CellKey key, const CellView& view, const JoinedFaces& joined);
 
   // Gives a face of free cells other corners, as the cell below has it; without any, it goes.
@@ -198,7 +198,7 @@ private:
     const std::uint32_t* first;
     std::size_t size;
   };
-  // What reading works with, kept for its memory.
+  // Scratch space for reading, kept for its memory.
   struct Scratch
   {
     struct Outer

@@ -49,7 +49,7 @@ public:
   // Whether one of its faces fails, or it is so small that it strains solvers.
   bool isFailing(CellKey key);
 
-  // The slab's cells; also those that it only touches, if nobody looks at them later.
+  // The slab's cells; also those that it only touches, if they are not examined later.
   std::vector<CellKey> lookedAfter(bool looksAtOthers) const;
 
   // Those with a failing face.
@@ -66,7 +66,7 @@ private:
     std::optional<Verdict> verdict; // without its faces towards that cell
   };
 
-  // When something was done last: all has been looked at since. 0: never.
+  // When something was done last: all have been examined since. 0: never.
   struct Marks
   {
     std::uint32_t merged = 0;

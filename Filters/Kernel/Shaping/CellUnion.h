@@ -58,8 +58,8 @@ public:
   // few faces, keep too little of its volume, or its faces cost more than `most` before any is joined.
   void tryOut(CellUnion& cells, const JoinSpec& joins, double most = Never);
 
-  // Of the union tried out last: as long as a face fails or strains solvers, joins the costliest one with the
-  // neighbour that helps most: the first at any angle, the second up to a bit more than a right angle.
+  // Of the last union tried: as long as a face fails or strains solvers, joins the costliest one with the neighbour
+  // that helps most: the first at any angle, the second up to a bit more than a right angle.
   void simplify(CellUnion& cells);
 
   // That can be merged: no two of its faces have the same nodes, nor a face near by.

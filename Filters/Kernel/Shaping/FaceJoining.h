@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Neighbouring faces of a cell that can be one: between the same two cells, or of one boundary, with
-// normals close to each other; none with a fixed cell beyond.
+// SPDX-License-Identifier: BSD-3-Clause Neighbouring faces of a cell that can be joined: between the same two cells,
+// or in one boundary, with similar normals; none with a fixed cell beyond.
 #pragma once
 
 #include "Shaping/CellView.h"

@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// What shaping has changed in one slab (Slabs.h), over the wall mesh as it was: cells, faces and nodes. CellComplex works
-// with it; at the end of a stage all slabs' changes become the wall mesh (writeBack).
+// SPDX-License-Identifier: BSD-3-Clause Changes of shaping in one slab (Slabs.h) relative to the original wall mesh:
+// cells, faces and nodes. CellComplex works with it; at the end of a stage all slabs' changes become the wall mesh
+// (writeBack).
 #pragma once
 
 #include "Polyhedra/Polyhedron.h"
