@@ -15,7 +15,7 @@ namespace
 
 constexpr std::size_t BoxesAChunk = 512;
 
-// Shaping adds about half as many faces as there are. What it does not fill costs no memory.
+// Shaping adds about half as many faces. Unused space costs no memory.
 constexpr std::size_t WithShapedFaces = 2;
 
 // The cells of a chunk of boxes.

@@ -20,9 +20,8 @@ constexpr std::size_t BoxesAChunk = 1024;
 // In a chain of short edges, one collapses in each round.
 constexpr int MostRounds = 8;
 
-// Along surfaces that bend, edges collapse up to so many times the spec's ratio, but no longer ones than
-// this part of their box. There a merged cell would keep a small face of its own beside its neighbour's; on
-// planes both become one.
+// Along surfaces that bend, edges collapse up to so many times the spec's ratio, but no longer ones than this part of
+// their box. There a merged cell would keep a separate small face beside its neighbour's; on planes both become one.
 constexpr double TimesRatio = 5;
 constexpr double LongestRatio = 0.5;
 
@@ -387,7 +386,7 @@ private:
     merge.edge = None;
   }
 
-  // Writes faces and places of nodes as they are now.
+  // Writes the current faces and node positions.
   void rewrite()
   {
     const auto whatIsLeft = [&](const std::uint32_t* begin, const std::uint32_t* end,

@@ -209,7 +209,7 @@ public:
     });
   }
 
-  // Their corners go back.
+  // Moves their corners back.
   void takeBack()
   {
     for (std::size_t f = 0; f < bent_.size(); ++f)

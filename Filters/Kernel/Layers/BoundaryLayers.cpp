@@ -204,7 +204,7 @@ private:
     return changed;
   }
 
-  // Stacks taper off beside stacks that do not: where there are none of these there are no layers.
+  // Stacks taper off next to stacks that do not: without any of these there are no layers.
   bool leaveOutIslands()
   {
     std::vector<std::uint8_t> isKept(wall_.nodes());

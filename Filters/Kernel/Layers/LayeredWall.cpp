@@ -158,7 +158,7 @@ private:
     }
   }
 
-  // The cells beyond an interface without layers stay as they are, and so do its edges.
+  // The cells beyond an interface without layers do not change, nor do its edges.
   void endAtInterfaces()
   {
     for (std::size_t f = wall_.of.boundaryFaces(); f < wall_.layered.size(); ++f)

@@ -57,7 +57,7 @@ struct Counts
   double atLayers = 0; // those of the intersected where the wall has layers
 };
 
-// What is known without a grid: areas of the surface, and of each boundary.
+// Known without a grid: areas of the surface, and of each boundary.
 class Areas
 {
 public:
@@ -117,7 +117,7 @@ private:
     bool hasLayers;
   };
 
-  // What is meshed, as if it were inside.
+  // The meshed space, as if it were inside.
   static SurfaceSize meshedSize(const SurfaceView& view, const DomainSpec& domain)
   {
     SurfaceSize size = sizeOf(view);

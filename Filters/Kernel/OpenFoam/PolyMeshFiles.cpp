@@ -163,7 +163,7 @@ fs::path freeName(const fs::path& path)
   return name;
 }
 
-// Renames what is old, if there is any; the new name, or an empty one.
+// Renames the old file, if any; returns the new name, or an empty one.
 fs::path setAside(const fs::path& path)
 {
   if (!fs::exists(path))
@@ -293,7 +293,7 @@ std::vector<std::filesystem::path> PolyMeshFiles::replace()
       {
         writeSystemOf(written.region);
       }
-      // The old mesh goes when the new one is there: whenever the program is killed, there is one of them.
+      // The old mesh is removed once the new one is in place: whenever the program is killed, one of them exists.
       const fs::path old = setAside(written.polyMesh);
       fs::rename(unfinished(written.polyMesh), written.polyMesh);
       kept.push_back(written.replaces ? withoutMesh(old) : old);

@@ -234,7 +234,7 @@ private:
     return sum;
   }
 
-  // Each node along its path. One whose last step did not help goes back and waits.
+  // Each node along its path. A node whose last step did not help moves back and waits.
   void step()
   {
     for (std::size_t n = 0; n < moving_.size(); ++n)

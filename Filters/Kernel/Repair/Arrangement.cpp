@@ -18,8 +18,8 @@ namespace cartesian
 namespace
 {
 
-// Where three triangles meet in a point, one round puts edges where the next has to look. More than a few are
-// needed only where rounding keeps bending what is nearly parallel.
+// Where three triangles meet in a point, one round puts edges where the next has to look. More than a few are needed
+// only where rounding keeps bending nearly parallel triangles.
 constexpr int MostRounds = 16;
 
 // Rounds end where they leave as much to do as there was, beyond a few.
@@ -88,8 +88,9 @@ public:
     divide();
   }
 
-  // A triangle without an area, or a piece thinner than the snap distance, runs back along its longest edge: the others
-  // there get its third corner, and it goes. Returns whether there was any. `withGiven`: looks at those, too.
+  // A triangle without an area, or a piece thinner than the snap distance, runs back along its longest edge: the
+  // others there get its third corner, and it goes. Returns whether there was any. `withGiven`: also examines the
+  // given ones.
   bool fold(bool withGiven)
   {
     mergeClose();

@@ -240,7 +240,7 @@ private:
     return known[along] = addVertex(plus(from, scaled(way, along)));
   }
 
-  // Where a path along the walls goes on from a place.
+  // The continuation of a path along the walls from a place.
   struct Step
   {
     double forward = 0; // cosine

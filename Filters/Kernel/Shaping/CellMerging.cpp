@@ -14,7 +14,7 @@ namespace cartesian
 namespace
 {
 
-// One merge may make another possible next to it: looked at again as often.
+// One merge may make another possible next to it: examined again this often.
 constexpr int MostRounds = 4;
 
 // As many neighbours are tried, those that share most area.
@@ -264,7 +264,7 @@ Verdict CellMerger::verdictOf(CellKey key, const CellKey* begin, const CellKey* 
   return evaluateCell(cell.shape, cell.measures, cell.beyond, cells_.share(key), scratch_.counts);
 }
 
-// Of the cell that verdictOf has looked at last. Returns whether there was a better one.
+// Of the cell last examined by verdictOf. Returns whether there was a better one.
 bool CellMerger::mergeBest(
   CellKey key, const Verdict& own, std::size_t mostNeighbours, const Acceptance& acceptance)
 {

@@ -194,7 +194,7 @@ private:
     }
   }
 
-  // Walls beside a meshline: merged, they would stick out of their neighbour.
+  // Walls next to a meshline: if merged, they would stick out of their neighbour.
   void removeSlivers()
   {
     removeSmaller(Sliver, [](CellKey) { return true; });
@@ -329,14 +329,14 @@ private:
 
   static constexpr int Passes = 2;
 
-  // Of its box: a cell that one beside it could have been merged with.
+  // Of its box: a cell that its neighbour could have been merged with.
   static constexpr double LeastOfHost = 0.15;
 
   // Of its box.
   static constexpr double Sliver = 1e-9;
   static constexpr double LargestFilm = 1e-3;
 
-  // Up to this part of its box a cell may go to another region.
+  // Up to this part of its box a cell may move to another region.
   static constexpr double LargestCeded = 0.1;
 
   // Below this part of their box tips are removed.

@@ -78,7 +78,7 @@ public:
   }
 
 private:
-  // Each round does half of what is left, about.
+  // Each round does about half of the rest.
   static double doneBefore(int round) { return 1 - std::ldexp(1.0, -round); }
 
   std::vector<std::pair<float, CellKey>> worstFirst(const std::vector<CellKey>& failing) const

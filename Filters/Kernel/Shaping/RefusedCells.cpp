@@ -106,7 +106,7 @@ private:
       keepsWall(cells_, candidate.key);
   }
 
-  // Asked for each face of a cell, and to know it all of its faces are looked at: once only.
+  // Needed for each face of a cell, and takes all of its faces: computed only once.
   double limitOf(CellKey key)
   {
     const auto [known, isNew] = limitOf_.try_emplace(key, 0);
