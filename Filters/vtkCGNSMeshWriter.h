@@ -4,10 +4,10 @@
  * @brief writes an unstructured grid as a CGNS file of polyhedra with named boundaries
  *
  * Input, several processes and errors: see vtkWholeMeshWriter. The file has one base, Base. Each region is a zone
- * (one called Zone, if there are none) of the sections Faces (NGON_n) and Cells (NFACE_n). Each boundary is a
- * family of its name, with a FamilyBC of type BCWall, BCSymmetryPlane, BCInflow, BCOutflow or BCGeneral, by its type
- * or, without one, by its name; the zones' boundary conditions of that name are FamilySpecified, on
- * FaceCenter. Regions are connected by Abutting1to1, face by face.
+ * (without regions: one zone called Zone) with the sections Faces (NGON_n) and Cells (NFACE_n). Each boundary is a
+ * family with its name and a FamilyBC of type BCWall, BCSymmetryPlane, BCInflow, BCOutflow or BCGeneral, by its type
+ * or, without one, by its name; the zones' boundary conditions of that name are FamilySpecified, on FaceCenter.
+ * Regions are connected face by face (Abutting1to1).
  *
  * @sa vtkPolyMeshWriter
  */

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkCartesianAlgorithm
- * @brief what the filters of the Cartesian mesher have in common
+ * @brief base of the filters of the Cartesian mesher
  *
  * Results do not depend on the number of threads.
  *
- * On an error a filter says what is wrong, where and what to do (vtkErrorMacro), sets an
- * `ErrorCode` (vtkAlgorithm::GetErrorCode) from the list below, and gives an empty output. Without an
- * error the code is 0, also where warnings tell of flaws that the output has.
+ * On an error a filter says what is wrong, where and what to do (vtkErrorMacro), sets an `ErrorCode`
+ * (vtkAlgorithm::GetErrorCode) from the list below, and gives an empty output. Without an error the code is 0, even
+ * if warnings report flaws.
  *
  * @sa vtkCartesianBoxer vtkPatcher vtkCellAssembler vtkCartesianMesher
  */
@@ -34,28 +34,28 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * What GetErrorCode() says after an update that went wrong; from vtkErrorCode::UserError on.
+   * Values of GetErrorCode() after a failed update; from vtkErrorCode::UserError on.
    */
   enum ErrorCodes
   {
     EmptySurface = 40001,  ///< the input is missing or has no triangles
     BadCoordinate = 40002, ///< a coordinate is NaN, infinite or too large
-    BadCellSize = 40003,   ///< the cell size is negative, NaN or too small
-    BadMeshlines = 40004,  ///< meshlines do not increase, are too few, or miss the surface
-    TooManyBoxes = 40005,  ///< the estimated memory exceeds the limit
-    MissingArray = 40006,  ///< an array is not there, or has the wrong length or type
+    BadCellSize = 40003,  ///< the cell size is negative, NaN, or too small or large for the surface
+    BadMeshlines = 40004, ///< meshlines do not increase, are too few, or miss the surface
+    TooManyBoxes = 40005, ///< the estimated memory exceeds the limit
+    MissingArray = 40006, ///< an array is missing, or has the wrong length or type
     FlawedSurface = 40007, ///< so flawed that there is nothing to mesh
     BadParameter = 40008,  ///< another property is out of its range
     Stopped = 40009,       ///< by the user
     OutOfMemory = 40010,   ///< there was less memory than estimated
-    BadMesh = 40011,       ///< cells to write overlap, are turned inside out, or too many
+    BadMesh = 40011,       ///< cells to write overlap, are inverted, or too many
     CannotWrite = 40012    ///< a file cannot be written
   };
 
   ///@{
   /**
-   * What a legend needs to know, boundaries in order of their ids: each value that the cells of an output have of an array of strings, as
-   * "array/value", and each region as "Region/number/name". The status is 1. Measured once an update.
+   * Entries of legends, boundaries in order of their ids: each value of a string array on the cells of an output, as
+   * "array/value", and each region as "Region/number/name". The status is 1. Collected once per update.
    */
   int GetNumberOfLegendArrays();
   const char* GetLegendArrayName(int i);
@@ -75,16 +75,15 @@ protected:
   ~vtkCartesianAlgorithm() override = default;
 
   /**
-   * Calls `work` with this filter's threads, progress and abort flag, and turns what it throws
-   * into an error message and an error code. True if nothing was thrown. The work is the part from
-   * `begin` to `end` of the whole task (Kernel/Mesher/Stages.h); the filter's progress never goes back.
+   * Calls `work` with this filter's threads, progress and abort flag, and turns exceptions into an error message and
+   * an error code. True if nothing was thrown. The work is the part from `begin` to `end` of the whole task
+   * (Kernel/Mesher/Stages.h); the filter's progress never decreases.
    */
   bool Run(double begin, double end, const std::function<void(cartesian::Execution&)>& work);
 
   /**
-   * A warning, if there is a text: of flaws of the surface, for example, that the mesh survives. The
-   * error code is that of a refusal. It is told once the filter has finished, or before an error: ParaView's
-   * window shows no more progress after a warning.
+   * A warning, unless the text is empty: for example of surface flaws that do not prevent meshing. It is printed when
+   * the filter has finished, or before an error: ParaView's window shows no more progress after a warning.
    */
   void Warn(const std::string& text);
 
@@ -93,40 +92,40 @@ protected:
 
   /**
    * An input port for a vtkPolyData, or many in a vtkMultiBlockDataSet, a vtkPartitionedDataSet or a
-   * vtkPartitionedDataSetCollection. It takes anything: one error of our own says that other data are
-   * no surface, instead of several by VTK and no code.
+   * vtkPartitionedDataSetCollection. It accepts anything: other data give one error of our own instead of several by
+   * VTK without a code.
    */
   static void AcceptAnything(vtkInformation* info);
 
   /**
-   * The first process asks for all of its inputs, whole: it makes the mesh alone.
+   * The first process requests all of its inputs, whole: it makes the mesh alone.
    */
   int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
   /**
-   * Asks for all inputs, whole.
+   * Requests all inputs, whole.
    */
   int AskForWholeInputs(vtkInformationVector** input);
 
   /**
-   * Asks for one more layer of ghost cells in a piece of the first input, if it has several.
+   * Requests one more layer of ghost cells for a piece of the first input, if it has several.
    */
   static int AskForNeighbours(vtkInformationVector** input);
 
   /**
-   * The output that was asked for: only that one knows its piece.
+   * The requested output: only that one knows its piece.
    */
   static vtkInformation* AskedOutput(vtkInformation* request, vtkInformationVector* output);
 
   /**
-   * True on all processes but the first: they give an empty output.
+   * True on all processes except the first: they give an empty output.
    */
   static bool IsLeftToFirstProcess(vtkInformation* request, vtkInformationVector* output);
 
   ///@{
   /**
-   * For properties that are tables: new rows are empty; a row that is not there is an error.
+   * For properties that are tables: new rows are empty; a missing row is an error.
    */
   template <class Row>
   void Resize(std::vector<Row>& table, int number)
@@ -165,16 +164,16 @@ protected:
   ///@}
 
   int NumberOfThreads = 0;
-  bool IsSilent = false;                // the first process says what all would
+  bool IsSilent = false;                // the first process prints for all
   bool IsWaitedFor = false;             // by other processes: too late to stop
   std::function<bool()> HasOtherFailed; // of the processes; null: there are no others
 
 private:
   void TellWarnings();
 
-  std::vector<std::string> Warnings; // not told yet
+  std::vector<std::string> Warnings; // not printed yet
   std::vector<std::string> Legend;
-  vtkMTimeType LegendTime = 0; // of the outputs it is of
+  vtkMTimeType LegendTime = 0; // of the outputs it describes
 
   vtkCartesianAlgorithm(const vtkCartesianAlgorithm&) = delete;
   void operator=(const vtkCartesianAlgorithm&) = delete;

@@ -15,20 +15,20 @@
 #include <vector> // for std::vector
 
 /**
- * How patches are made: vtkPatcher, vtkCartesianMesher.
+ * Properties of patches: vtkPatcher, vtkCartesianMesher.
  *
  * PatchMethod, one of PatchMethods, default Automatic: Automatic is Marching Cubes where it is safe and
  * Exact Fit elsewhere; ExactFit the surface itself, cut at the sides of the boxes; MarchingCubes
  * everywhere, for comparison: sharp edges are chamfered, details are lost.
  *
- * FeatureAngle, degrees, 0 to 180, default 30: edges at which the surface turns by more are kept.
+ * FeatureAngle, degrees, 0 to 180, default 30: edges at which the surface turns by more than this are kept.
  *
- * MergeAngle, degrees, 0 to 90, default 10: how far the normals of what becomes one patch may differ.
- * Exact Fit as a patch method merges nothing.
+ * MergeAngle, degrees, 0 to 90, default 10: how far normals within one patch may differ. With Patch Method Exact Fit
+ * nothing is merged.
  *
- * Tying, one of Tyings, default KeepNodes: what becomes of the nodes that a box by Exact Fit has on a side
- * where its neighbour is by Marching Cubes. KeepNodes: the neighbour takes them over; MoveNodes: they
- * move onto the neighbour's straight line (equation 5).
+ * Tying, one of Tyings, default KeepNodes: how an Exact Fit box's nodes on a side shared with a Marching Cubes box
+ * are treated. KeepNodes: the neighbour adopts them; MoveNodes: they move onto the neighbour's straight line
+ * (equation 5).
  */
 #define vtkPatchPropertiesMacro()                                                                  \
 public:                                                                                            \
@@ -79,39 +79,37 @@ protected:                                                                      
   int Tying = KeepNodes
 
 /**
- * What becomes of cells: vtkCellAssembler, vtkCartesianMesher.
+ * Properties of cells: vtkCellAssembler, vtkCartesianMesher.
  *
- * CollapseRatio, 0 (none) to 0.3, default 0.1: edges shorter than this fraction of their box collapse,
- * so that hardly any small cell is left (4.10). Corners of boxes move onto the surface; nodes of the
- * surface move along it only. Where a smooth surface bends, edges up to five times as long, at most half
- * a box, do so too.
+ * CollapseRatio, 0 (none) to 0.3, default 0.1: edges shorter than this fraction of their box collapse, so that hardly
+ * any small cells remain (4.10). Corners of boxes move onto the surface; surface nodes move along it only. On curved
+ * smooth surfaces, edges up to five times as long, at most half a box, collapse too.
  *
- * SmallCells, one of SmallCellsModes, default Merge (4.10). Remove: they are left out; their inner faces
- * become boundary faces of their neighbours. Merge: they become a part of the neighbour across the
- * largest area; the volume is kept.
+ * SmallCells, one of SmallCellsModes, default Merge (4.10). Remove: they are left out; their inner faces become
+ * boundary faces of their neighbours. Merge: they are merged into a neighbour; the volume is kept.
  *
- * MergeRatio, 0 (none) to less than 1, default 0.3: with Merge, cells smaller than this fraction of
- * their box are merged; those that strain solvers and that no neighbour can take are left out below a
- * tenth of it, but for what is as thin as the body there. With several regions, 0.15 at most.
+ * MergeRatio, 0 (none) to less than 1, default 0.3: with Merge, cells smaller than this fraction of their box are
+ * merged; those that strain solvers and that no neighbour can absorb are left out if smaller than a tenth of it,
+ * unless the body is as thin as the cell there. With several regions, 0.15 at most.
  *
- * SmallCellRatio, 0 (none but those without volume) to less than 1, default 0.001: with Remove, cells
- * smaller than this fraction of their box are left out.
+ * SmallCellRatio, 0 (only cells without volume) to less than 1, default 0.001: with Remove, cells smaller than this
+ * fraction of their box are left out.
  *
  * SplitConcaveCells, default on: cells that fail an angle condition of section 3 are cut along their
  * concave edges (4.11).
  *
  * TrueVolume, default on: where small cells merge or concave ones are split, and Patch Method is Automatic, nodes of
- * curved walls move off the surface by as much as lets the mesh enclose what the surface does; sharp edges, flat walls
- * and borders between boundaries stay.
+ * curved walls move off the surface so that the mesh encloses the surface's volume; sharp edges, flat walls and
+ * borders between boundaries stay.
  *
- * OptimiseNodes, default on: where small cells merge or concave ones are split, and the patches are not exact, nodes of
- * the cells at the surface move until the faces around them are within preferred quality limits; those of the surface along it.
- * Faces that are still poor are mended one by one: nodes move alone, near nodes become one, faces are joined.
+ * OptimiseNodes, default on: where small cells merge or concave ones are split, and the patches are not exact, nodes
+ * of the cells at the surface move until the faces around them are within preferred quality limits; surface nodes
+ * move along it. Faces that are still poor are repaired one by one: single nodes move, close nodes merge, faces are
+ * joined.
  *
- * RefusedCellRatio, 0 (none) or more, default 4: where concave cells are split and the patches are not
- * exact, cells with a face turned over that nothing mends are left out, up to as many volumes of their
- * box; others that solvers would refuse (section 3, checkMesh), up to a tenth of it. Boundaries with a
- * small cell ratio of their own keep larger ones.
+ * RefusedCellRatio, 0 (none) or more, default 4: where concave cells are split and the patches are not exact, cells
+ * with an inverted face that cannot be repaired are left out, up to this many box volumes; other failing cells
+ * (section 3, checkMesh), up to a tenth of their box. Boundaries with their own small cell ratio keep larger ones.
  */
 #define vtkCellPropertiesMacro()                                                                   \
 public:                                                                                            \
@@ -177,10 +175,10 @@ protected:                                                                      
   std::vector<std::string> BoundaryNames
 
 /**
- * Columns of the table of boundaries: the type that vtkPolyMeshWriter gives the patch
- * (automatic, patch, wall, symmetry, symmetryPlane, empty), and what stands for SmallCellRatio in cells
- * whose patches are mostly of it (section 4.10). As many types and ratios as names, or none.
- * "no_surface" is where there is no patch. vtkCellAssembler, vtkCartesianMesher.
+ * Columns of the table of boundaries: the type that vtkPolyMeshWriter gives the patch (automatic, patch, wall, symmetry,
+ * symmetryPlane, empty), and the ratio that replaces SmallCellRatio in cells whose patches are mostly on this boundary
+ * (section 4.10). As many types and ratios as names, or none. "no_surface" stands for faces without a patch.
+ * vtkCellAssembler, vtkCartesianMesher.
  */
 #define vtkBoundarySettingsMacro()                                                                 \
 public:                                                                                            \

@@ -18,7 +18,7 @@
 namespace
 {
 
-// The angle that the patches were made with; `otherwise` for patches that do not tell.
+// The feature angle of the patches; `otherwise` if they have none.
 double FeatureAngleOf(vtkPolyData* patches, double otherwise)
 {
   if (!patches->GetFieldData()->HasArray(cartesian::FeatureAngleField))

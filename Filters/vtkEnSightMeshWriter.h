@@ -4,9 +4,9 @@
  * @brief writes an unstructured grid as EnSight Gold files of polyhedra with named boundaries
  *
  * Input, several processes and errors: see vtkWholeMeshWriter. The format is the binary one of the chapter "EnSight
- * Gold Case File Format" of EnSight's user manual: the .case file that is named, and the geometry beside it, .geo.
- * Each region is a part of polyhedra (nfaced), each boundary a part of polygons (nsided) with its name. Points have
- * the same ids in all parts. Coordinates are numbers of 32 bits, as in all files of that format.
+ * Gold Case File Format" of EnSight's user manual: the named .case file, and the geometry beside it, .geo. Each
+ * region is a part of polyhedra (nfaced), each boundary a part of polygons (nsided) with its name. Points have the
+ * same ids in all parts. Coordinates have 32 bits, as in all files of that format.
  *
  * @sa vtkPolyMeshWriter vtkCGNSMeshWriter
  */

@@ -136,7 +136,7 @@ int vtkFiniteVolumeQuality::RequestData(
   vtkUnstructuredGrid* grid = vtkUnstructuredGrid::GetData(input[0]);
   vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(output, 0);
   vtkPolyData* faces = vtkPolyData::GetData(output, 1);
-  // Made of nothing, to begin with: processes that fail must take part in the sums.
+  // Empty at first: processes that fail must take part in the sums.
   std::vector<cartesian::SummaryValue> summary = cartesian::summarise({}, {});
   cartesian::QualityLimits limits = cartesian::standardLimits();
   limits[cartesian::Openness] = this->OpennessLimit;

@@ -3,10 +3,10 @@
  * @class vtkFluentMeshWriter
  * @brief writes an unstructured grid as a Fluent mesh (.msh) of polyhedra with named boundaries
  *
- * Input, several processes and errors: see vtkWholeMeshWriter. The format is the ASCII one of the appendix "Mesh
- * File Format" of ANSYS Fluent's user's guide. Each region is a zone of cells, each boundary a zone of faces with its
- * name, of type wall, symmetry, velocity-inlet or pressure-outlet, by its type or, without one, by its name.
- * Coordinates read back as the same numbers.
+ * Input, several processes and errors: see vtkWholeMeshWriter. The format is the ASCII one of the appendix "Mesh File
+ * Format" of ANSYS Fluent's user's guide. Each region is a cell zone, each boundary a face zone with its name, of
+ * type wall, symmetry, velocity-inlet or pressure-outlet, by its type or, without one, by its name. Coordinates are
+ * written without loss.
  *
  * @sa vtkPolyMeshWriter vtkCGNSMeshWriter
  */

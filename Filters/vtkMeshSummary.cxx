@@ -121,7 +121,7 @@ bool WorstPlace(vtkUnstructuredGrid* mesh, const cartesian::MeasureSpec& spec, P
   return !std::isnan(worst[0]);
 }
 
-// What fails, in words, the worst for a solver first.
+// Failures in words, the worst for a solver first.
 constexpr std::array<Told, 12> WhatFails{ {
   { "Volume", "no volume" },
   { "Openness", "faces that do not close it" },

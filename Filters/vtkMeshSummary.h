@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMeshSummary
- * @brief what a mesh is, at a glance, and its worst cells
+ * @brief summarises a mesh, and shows its worst cells
  *
  * Input: any unstructured grid of linear cells. Outputs: port 0 "Summary" (vtkTable with the string array Text, one
- * value), which ParaView shows in the view; port 1 "Worst Cells" (vtkUnstructuredGrid): the NumberOfWorstCells cells
- * that are worst by Measure, with all arrays of the input, the measures of vtkFiniteVolumeQuality, and Rank (int,
- * from 1, the worst).
+ * value), which ParaView shows in the view; port 1 "Worst Cells" (vtkUnstructuredGrid): the NumberOfWorstCells worst
+ * cells by Measure, with all arrays of the input, the measures of vtkFiniteVolumeQuality, and Rank (int, 1 being the
+ * worst).
  *
- * The text has the numbers of cells and points, the volume, the worst value of each measure and where that is, how
- * many cells fail; and of a mesh of ours its boundaries and regions, and what was relaxed, merged, left out and
- * made anew, as far as there is any. On several processes, which measure their own parts, each has the worst cells of its
- * part, and the first one the text of all.
+ * The text has the numbers of cells and points, the volume, the worst value of each measure and its place, and how
+ * many cells fail; for meshes of vtkCartesianMesher also boundaries and regions, and what was relaxed, merged, left
+ * out and rebuilt, if anything. On several processes each has the worst cells of its part, and the first has the text
+ * for all.
  *
  * Errors: BadMesh (cells with curved edges, or too many points).
  *
@@ -32,8 +32,8 @@ public:
 
   ///@{
   /**
-   * What the worst cells are chosen by: a measure of vtkFiniteVolumeQuality in the order of its table, from 0, Volume,
-   * to 13, Concavity; default 7, Skewness.
+   * The measure that defines the worst cells, in the order of the table of vtkFiniteVolumeQuality, from 0, Volume, to
+   * 13, Concavity; default 7, Skewness.
    */
   vtkSetClampMacro(Measure, int, 0, 13);
   vtkGetMacro(Measure, int);
@@ -41,7 +41,7 @@ public:
 
   ///@{
   /**
-   * How many worst cells there are; 0 or more, default 10.
+   * Number of worst cells; 0 or more, default 10.
    */
   vtkSetClampMacro(NumberOfWorstCells, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfWorstCells, int);

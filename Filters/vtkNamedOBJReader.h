@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNamedOBJReader
- * @brief reads an OBJ file that names its groups
+ * @brief reads an OBJ file with named groups
  *
- * Output: what vtkOBJReader gives, the cell array BoundaryId (int): the group of each face, and field data
- * BoundaryIds (int) and BoundaryNames (string): the numbers that occur and their names. Groups of one
- * name are one boundary; so are those without one and faces before the first group, "unnamed".
+ * Output: that of vtkOBJReader, with the cell array BoundaryId (int), the group of each face, and field data
+ * BoundaryIds (int) and BoundaryNames (string), the numbers that occur and their names. Groups with the same name are
+ * one boundary; those without a name and faces before the first group are the boundary "unnamed".
  *
  * @sa vtkCartesianMesher vtkNamedSTLReader
  */

@@ -129,8 +129,8 @@ Solids ReadSolids(const char* file, std::size_t most)
   return solids;
 }
 
-// The number of triangles that a binary file names, where it is so far beyond those that it holds that
-// vtkSTLReader would ask for more memory than there is; else 0.
+// The number of triangles in a binary file's header, if it exceeds the file's contents so far that vtkSTLReader would
+// request more memory than there is; else 0.
 std::uint32_t AbsurdCount(const char* file)
 {
   constexpr std::size_t HeaderBytes = 80;
@@ -170,7 +170,7 @@ std::string FaultOf(const std::string& file, const Solids& solids)
   return {};
 }
 
-// A file of its own name in the folder for temporary files, for as long as this lives.
+// A uniquely named temporary file that exists as long as this object.
 class TemporaryFile
 {
 public:
@@ -214,7 +214,7 @@ bool CopyWithoutNames(const char* file, const TemporaryFile& copy)
   return copy.exists() && output.flush();
 }
 
-// Takes what a reader says of a file's copy, to be said of the file.
+// Turns a reader's message about a file's copy into one about the file.
 void Keep(vtkObject* /*reader*/, unsigned long /*event*/, void* kept, void* text)
 {
   *static_cast<std::string*>(kept) += static_cast<const char*>(text);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNamedSTLReader
- * @brief reads an STL file that names its solids
+ * @brief reads an STL file with named solids
  *
- * Output: what vtkSTLReader gives, the solids numbered in the cell array STLSolidLabeling, and field
- * data BoundaryIds (int) and BoundaryNames (string): the numbers that occur and their names. Solids
- * of one name are one boundary; so are those without one, "unnamed". Names are UTF-8; bytes that are
- * not, in the file, are taken for Latin-1.
+ * Output: that of vtkSTLReader, with the solids numbered in the cell array STLSolidLabeling, and field data
+ * BoundaryIds (int) and BoundaryNames (string), the numbers that occur and their names. Solids with the same name are
+ * one boundary; those without a name are the boundary "unnamed". Names are UTF-8; other bytes in the file are read as
+ * Latin-1.
  *
  * @sa vtkCartesianMesher
  */
@@ -26,9 +26,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * 1 if the file is ASCII STL and at least one of its first two solids has a name, or a name that
-   * vtkSTLReader does not read (not ASCII, or long), or if the file is so broken that vtkSTLReader would end
-   * the program; else 0.
+   * 1 if the file is ASCII STL and at least one of its first two solids has a name, or a name that vtkSTLReader does
+   * not read (not ASCII, or long), or if the file is so broken that vtkSTLReader would terminate the program; else 0.
    */
   static int CanReadFile(const char* name);
 

@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkPatcher
- * @brief makes patches of a surface (the boundary faces of a mesh), each of which lies in one box
+ * @brief cuts a surface into patches (the boundary faces of a mesh), each in one box
  *
  * Inputs: port 0 a closed surface (vtkPolyData), port 1 the boxes of vtkCartesianBoxer
  * (vtkUnstructuredGrid). Output: the patches (vtkPolyData), a watertight surface.
  *
- * Cell arrays of the output: BoundaryId (int: the boundary that a patch belongs to), BoxId (its
- * box's cell in the grid of boxes), SurfaceCell (the cell of the surface that it is, or comes nearest
- * to, a part of), PatchReason (unsigned char: why its box has patches like this: 0 Marching Cubes; Exact
- * Fit because 1 an edge of the box is crossed more than once, 2 the surface meets a side in a closed
- * polyline, 3 a sharp feature passes through or the surface turns within the box by more than twice
- * Feature Angle, 4 there are several boundaries, 5 the surface in the box is no set of discs, 6 Patch
- * Method says so), EnclosedVolume (double: of the connected piece of the surface that it belongs to; with
- * it Cell Assembler tells a small body from a fragment that the grid cuts off), StandOff
- * (double: how far the patches of its box would have to move outwards to enclose what the surface encloses there; Cell
- * Assembler does that). Field data, for vtkCellAssembler: FeatureAngle (double), SurfaceVolume
- * (double: what the surface encloses of the domain; 0: not known). Sections 4.7, 4.8 and A2 of
- * the paper.
+ * Cell arrays of the output: BoundaryId (int: the boundary that a patch belongs to), BoxId (its box's cell in the
+ * grid of boxes), SurfaceCell (the cell of the surface that it is part of, or closest to), PatchReason (unsigned
+ * char: the method of its box: 0 Marching Cubes; Exact Fit because 1 an edge of the box is crossed more than once, 2
+ * the surface meets a side in a closed polyline, 3 a sharp feature passes through or the surface turns within the box
+ * by more than twice Feature Angle, 4 there are several boundaries, 5 the surface in the box is not a set of discs, 6
+ * of Patch Method), EnclosedVolume (double: of the connected piece of the surface that it belongs to; Cell Assembler
+ * uses it to tell small bodies from fragments that the grid cuts off), StandOff (double: how far the patches of its
+ * box would have to move outwards to enclose the surface's volume there; Cell Assembler moves them). Field data, for
+ * vtkCellAssembler: FeatureAngle (double), SurfaceVolume (double: the part of the domain that the surface encloses;
+ * 0: not known). Sections 4.7, 4.8 and A2 of the paper.
  *
  * Errors: EmptySurface, BadCoordinate, MissingArray (no Boundary Array of that name, or boxes that
  * Cartesian Boxer did not make, or not for this surface), BadParameter (an angle).
@@ -45,8 +43,8 @@ public:
 public:
   ///@{
   /**
-   * Cell array of the surface that numbers its boundaries. Empty, the default: the one that a
-   * reader made for the solids that an STL file names, if there is one, else one boundary.
+   * Cell array of the surface that numbers its boundaries. Empty, the default: the one that a reader made for the
+   * named solids of an STL file, if any, else one boundary.
    */
   vtkSetMacro(BoundaryArray, std::string);
   vtkGetMacro(BoundaryArray, std::string);

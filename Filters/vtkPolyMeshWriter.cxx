@@ -27,7 +27,7 @@
 
 vtkStandardNewMacro(vtkPolyMeshWriter);
 
-// What one process has written of the pieces that it makes one after the other.
+// The pieces that one process has written so far.
 struct vtkPolyMeshWriter::PiecesSoFar
 {
   std::vector<cartesian::FoamPieceStore> pieces;
@@ -49,7 +49,7 @@ int CountProcesses()
   return processes ? processes->GetNumberOfProcesses() : 1;
 }
 
-// What one process cannot do, none does: the others need not wait for it.
+// If one process fails, all stop: the others need not wait for it.
 template <class Work>
 void OnAll(const cartesian::Processes& processes, Work&& work)
 {
@@ -261,7 +261,7 @@ void vtkPolyMeshWriter::AddPiece(vtkUnstructuredGrid* grid, int number)
   {
     throw cartesian::Error(cartesian::Fault::BadParameter,
       "Pieces must be written in order from 0: number " + std::to_string(number) +
-        " is not the next one.");
+        " is not the next one. Write all pieces again.");
   }
   std::filesystem::path file =
     cartesian::folderOfProcess(std::filesystem::path(this->FileName).parent_path(), number);

@@ -5,32 +5,31 @@
  *
  * Input, several processes and errors: see vtkWholeMeshWriter.
  *
- * `FileName` (case.foam) is created empty if it is not there; its folder is the case. What is
- * written into it, and what becomes of a mesh that was there, says Kernel/OpenFoam/PolyMeshFiles.h: faces in
- * upper triangular order, no file of anybody else's is lost.
+ * `FileName` (case.foam) is created empty if missing; its folder is the case. Kernel/OpenFoam/PolyMeshFiles.h
+ * describes what is written into it and how an existing mesh is treated: faces are in upper triangular order, and no
+ * foreign file is lost.
  *
- * Patches: the boundaries of a mesh of vtkCartesianMesher or vtkCellAssembler, which carries them in
- * the cell array CellId and the field data array BoundaryOfFaces through all filters that leave
- * cells as they are. A patch has the name that the field data arrays BoundaryNames (strings) and
- * BoundaryIds (numbers) give its boundary, else boundary_(id); faces without a boundary are in
- * the patch no_surface. A grid from elsewhere has one patch, boundary. A patch has the type that the
- * field data array BoundaryTypes (strings, beside BoundaryIds) gives its boundary; where that is
- * empty or missing, the type that a mesh being replaced has there, else patch where the name starts with inlet,
- * outlet or cyclic, else wall.
+ * Patches: the boundaries of a mesh of vtkCartesianMesher or vtkCellAssembler, which pass in the cell array CellId
+ * and the field data array BoundaryOfFaces through all filters that do not change cells. A patch has the name that
+ * the field data arrays BoundaryNames (strings) and BoundaryIds (numbers) give its boundary, else boundary_(id);
+ * faces without a boundary are in the patch no_surface. Any other grid has one patch, boundary. A patch has the type
+ * that the field data array BoundaryTypes (strings, one for each of BoundaryIds) gives its boundary; where that is
+ * empty or missing, the type in the mesh that is replaced, else patch if the name starts with inlet, outlet or
+ * cyclic, else wall.
  *
- * Where the field data array RegionNames and the cell array Region tell that cells are of several regions,
- * `RegionsAs` says what these become: Meshes (the default), one for each, constant/(region)/polyMesh, with
- * patches (region)_to_(other) of type mappedWall, and constant/regionProperties; or Zones, one mesh in which
- * each is a cellZone. Of the former, `ZoneRegions` are cellZones of another one's mesh, in a faceZone or between
- * cyclicAMI patches (`ZoneBorders`).
+ * If the field data array RegionNames and the cell array Region define several regions, `RegionsAs` selects how they
+ * are written: Meshes (the default), one for each, constant/(region)/polyMesh, with patches (region)_to_(other) of
+ * type mappedWall, and constant/regionProperties; or Zones, one mesh in which each is a cellZone. With Meshes,
+ * `ZoneRegions` are cellZones in another region's mesh, within a faceZone or between cyclicAMI patches
+ * (`ZoneBorders`).
  *
- * With several `Pieces`, the case is decomposed, as decomposePar would make it of that mesh: each piece is in
- * processor(N)/constant/polyMesh, with processor patches and the addressing files, which number the mesh that is
- * written otherwise. Several processes write a piece each; a single one asks its input for one piece
- * after the other, and has no more than one in memory. The input has the global ids of vtkCartesianMesher.
- * Of several regions all are meshes, processor(N)/constant/(region)/polyMesh, or all are zones.
+ * With several `Pieces`, the case is decomposed, as decomposePar would do: each piece is in
+ * processor(N)/constant/polyMesh, with processor patches and the addressing files, which refer to the undecomposed
+ * mesh. Several processes write a piece each; a single one requests the pieces from its input one by one, and holds
+ * no more than one in memory. The input has the global ids of vtkCartesianMesher. Several regions are all meshes,
+ * processor(N)/constant/(region)/polyMesh, or all zones.
  *
- * Around bodies, the set-up for a solver takes the flow's direction from the field data array FlowDirection (three
+ * Around bodies, the solver set-up takes the flow direction from the field data array FlowDirection (three
  * components) of vtkCartesianMesher.
  *
  * @sa vtkCartesianMesher vtkOpenFOAMReader
@@ -63,8 +62,7 @@ public:
 
   ///@{
   /**
-   * VTK_ASCII (1) or VTK_BINARY (2, the default): how points and faces are written. Both read back
-   * equal.
+   * VTK_ASCII (1) or VTK_BINARY (2, the default): how points and faces are written. Both are lossless.
    */
   vtkSetClampMacro(FileType, int, VTK_ASCII, VTK_BINARY);
   vtkGetMacro(FileType, int);
@@ -83,7 +81,7 @@ public:
 
   ///@{
   /**
-   * What several regions become.
+   * How several regions are written.
    */
   vtkSetClampMacro(RegionsAs, int, Meshes, Zones);
   vtkGetMacro(RegionsAs, int);
@@ -91,8 +89,8 @@ public:
 
   ///@{
   /**
-   * Names of regions that are cellZones of a mesh, as porous media and rotating parts are, where the others are
-   * meshes: of the first other region that they touch. None by default.
+   * Names of regions that are cellZones, such as porous media and rotating parts, where the others are meshes: in the
+   * mesh of the first other region that they touch. None by default.
    */
   void AddZoneRegion(const std::string& name);
   void ClearZoneRegions();
@@ -111,8 +109,8 @@ public:
 
   ///@{
   /**
-   * What is between a zone and other cells of its mesh: inner faces in a faceZone (the default), or two patches of
-   * type cyclicAMI with points of their own.
+   * What lies between a zone and other cells of its mesh: inner faces in a faceZone (the default), or two patches of
+   * type cyclicAMI with separate points.
    */
   vtkSetClampMacro(ZoneBorders, int, FaceZones, CyclicAMI);
   vtkGetMacro(ZoneBorders, int);
@@ -120,8 +118,7 @@ public:
 
   ///@{
   /**
-   * Of how many pieces the case is: 1, the default, for a mesh that is whole. On several processes, else as many
-   * as these.
+   * Number of pieces of the case: 1, the default, for an undecomposed case. On several processes, 1 or their number.
    */
   vtkSetClampMacro(Pieces, int, 1, VTK_INT_MAX);
   vtkGetMacro(Pieces, int);
@@ -129,8 +126,7 @@ public:
 
   ///@{
   /**
-   * What coordinates are multiplied by: the metres that a unit of the surface is, as OpenFOAM counts in metres. More
-   * than 0, default 1.
+   * Factor for coordinates: the length of a surface unit in metres, which OpenFOAM expects. More than 0, default 1.
    */
   vtkSetMacro(Scale, double);
   vtkGetMacro(Scale, double);
@@ -148,9 +144,9 @@ public:
 
   ///@{
   /**
-   * What is written for a solver beside the mesh (Kernel/OpenFoam/SolverSetup.h): nothing, the default; for
-   * simpleFoam; or, of several regions, for chtMultiRegionSimpleFoam. Error BadParameter, with nothing written: no
-   * boundary is an inlet or an outlet.
+   * Solver files written beside the mesh (Kernel/OpenFoam/SolverSetup.h): none, the default; for simpleFoam; or, with
+   * several regions, for chtMultiRegionSimpleFoam. Error BadParameter, with nothing written, if no boundary is an
+   * inlet or an outlet.
    */
   vtkSetClampMacro(SolverSetup, int, None, ConjugateHeat);
   vtkGetMacro(SolverSetup, int);
@@ -158,10 +154,10 @@ public:
 
   ///@{
   /**
-   * Of that set-up: 0, the default, for kOmegaSST, 1 for laminar flow; the speed at inlets (m/s, more than 0,
-   * default 10); the kinematic viscosity (m2/s, more than 0, default 1.5e-5); the temperature of what flows in (K, default
-   * 350); how many iterations the solver makes (default 500); and whether files that are there are overwritten, which else
-   * stay (default off).
+   * Options of that set-up: 0, the default, for kOmegaSST, 1 for laminar flow; the speed at inlets (m/s, more than 0,
+   * default 10); the kinematic viscosity (m2/s, more than 0, default 1.5e-5); the inlet temperature (K, default 350);
+   * the number of solver iterations (default 500); and whether existing files are overwritten or kept (default:
+   * kept).
    */
   vtkSetClampMacro(Turbulence, int, 0, 1);
   vtkGetMacro(Turbulence, int);
@@ -179,7 +175,7 @@ public:
   ///@}
 
   /**
-   * Writes piece `number` of `Pieces`, in order from 0; the case is there after the last. For callers that make
+   * Writes piece `number` of `Pieces`, in order from 0; the case is complete after the last. For callers that make
    * the pieces themselves, on one process.
    */
   void WritePiece(vtkUnstructuredGrid* piece, int number);
@@ -212,7 +208,7 @@ private:
   void operator=(const vtkPolyMeshWriter&) = delete;
 
   /**
-   * Of a decomposed case: the piece of this process, or piece `number` of its only process.
+   * In a decomposed case: the piece of this process, or piece `number` of its only process.
    */
   void WriteOwnPiece(vtkUnstructuredGrid* grid);
   void AddPiece(vtkUnstructuredGrid* grid, int number);

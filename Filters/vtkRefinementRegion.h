@@ -7,8 +7,7 @@
  * (int, one number), for input port 1 of vtkCartesianMesher and vtkCartesianBoxer. Section 4.6 of
  * the paper has blocks of global boxes only.
  *
- * Input, optional, is the shape or is not looked at: ParaView takes the first size of a box or a
- * sphere from it.
+ * Input, optional, is the shape or ignored: ParaView takes the initial size of a box or a sphere from it.
  *
  * Errors: BadParameter (a length or a radius that is not positive, no surface as input).
  *
@@ -50,8 +49,8 @@ public:
 
   ///@{
   /**
-   * Of a box: the corner that it is turned about, the turns about the axes in degrees (z first, then
-   * x, then y, as ParaView's box widget does), the lengths of its sides. Default: the unit cube.
+   * Of a box: the corner that it is rotated about, the rotations about the axes in degrees (z first, then x, then y,
+   * as in ParaView's box widget), the lengths of its sides. Default: the unit cube.
    */
   vtkSetVector3Macro(Position, double);
   vtkGetVector3Macro(Position, double);
@@ -73,7 +72,7 @@ public:
 
   ///@{
   /**
-   * How often boxes in or at the region are halved along each axis: 0 to 6, default 1.
+   * Refinement level of boxes in or at the region: 0 to 6, default 1.
    */
   vtkSetClampMacro(Depth, int, 0, 6);
   vtkGetMacro(Depth, int);

@@ -4,9 +4,9 @@
  * @brief writes an unstructured grid as VTK files with one block for each region
  *
  * Input, several processes and errors: see vtkWholeMeshWriter. A file whose name ends with .vtpc is a
- * vtkPartitionedDataSetCollection, any other a vtkMultiBlockDataSet (.vtm); blocks, in a folder beside it, have the cells
- * of one region (cell array Region) with all their arrays, and its name (field data RegionNames). A mesh without
- * regions is one block. Interfaces have the same points on both sides, bit by bit.
+ * vtkPartitionedDataSetCollection, any other a vtkMultiBlockDataSet (.vtm); blocks, in a folder beside it, have the
+ * cells of one region (cell array Region) with all their arrays, and its name (field data RegionNames). A mesh
+ * without regions is one block. Interfaces have the same points on both sides, bit for bit.
  *
  * @sa vtkPolyMeshWriter vtkCGNSMeshWriter
  */

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkWholeMeshWriter
- * @brief base of writers that want every face of a mesh once, with its boundary
+ * @brief base of writers that need every face of a mesh once, with its boundary
  *
- * Input: a vtkUnstructuredGrid of cells with a volume, polyhedra included; cells of lower dimension
- * and ghost cells are left out. Cells need not be turned right side out, but the faces of each must
- * agree with each other.
+ * Input: a vtkUnstructuredGrid of cells with a volume, polyhedra included; cells of lower dimension and ghost cells
+ * are left out. Cells may be inside out, but the faces of each must be oriented consistently.
  *
- * On several processes the first gathers the pieces and writes them; points of the same coordinates
- * are then one.
+ * On several processes the first gathers the pieces and writes them, with coincident points merged.
  *
- * Errors (GetErrorCode): vtkErrorCode::NoFileNameError; BadMesh, CannotWrite, OutOfMemory of
- * vtkCartesianAlgorithm. Then what was there before is as it was.
+ * Errors (GetErrorCode): vtkErrorCode::NoFileNameError; BadMesh, CannotWrite, OutOfMemory of vtkCartesianAlgorithm.
+ * Existing files are then unchanged.
  *
  * @sa vtkPolyMeshWriter vtkCGNSMeshWriter vtkEnSightMeshWriter vtkFluentMeshWriter
  */
@@ -55,8 +53,8 @@ protected:
   void WriteData() override;
 
   /**
-   * Writes the whole mesh, on one process; may throw cartesian::Error. WriteGrid finds its faces, and leaves them
-   * to WriteMesh, which need not leave anything of them: a subclass has one of the two.
+   * Writes the whole mesh, on one process; may throw cartesian::Error. WriteGrid finds its faces and passes them to
+   * WriteMesh, which may consume them: a subclass overrides one of the two.
    */
   virtual void WriteGrid(vtkUnstructuredGrid* grid);
   virtual void WriteMesh(cartesian::WholeMesh& /*whole*/) {}
@@ -64,7 +62,7 @@ protected:
   bool HasFileName() const { return this->FileName && *this->FileName; }
 
   /**
-   * Runs the action; what it throws becomes the error code. Returns whether it threw nothing.
+   * Runs the action; an exception becomes the error code. Returns whether it threw nothing.
    */
   bool Try(const std::function<void()>& action);
 

@@ -67,7 +67,7 @@ std::string inWords(const std::string& name)
   return words;
 }
 
-// What the sides of the box are called, where a source meshes what is around bodies.
+// The names of the sides of the box, if a source meshes the space around bodies.
 std::set<std::string> sidesOf(vtkSMProxy* source)
 {
   if (!source->GetProperty("Domain") || vtkSMPropertyHelper(source, "Domain").GetAsInt() != 1)

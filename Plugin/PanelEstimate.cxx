@@ -171,7 +171,7 @@ private:
   }
 
   vtkWeakPointer<vtkSMProxy> Source;
-  std::vector<std::string> Properties; // that say what is expected
+  std::vector<std::string> Properties; // that show the estimate
   std::string Command;
   std::string Typed;   // the values that the property is of; empty: those that were applied
   std::string Applied; // those that were when the last ones were typed

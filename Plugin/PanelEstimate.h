@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Estimates in the panel that follow what is typed, before it is applied.
+// Estimates in the panel that follow edits before they are applied.
 #pragma once
 
 namespace cartesian
@@ -11,7 +11,7 @@ namespace cartesian
 //
 //   <Estimate property="ExpectedBoxes" command="ExpectCellSizeAlone"/>
 //
-// Scripts, which have no such values, see what the applied ones give.
+// Scripts, which have no such values, get estimates for the applied ones.
 void watchPanels();
 
 }

@@ -33,7 +33,7 @@ void requireOneForEachName(
   }
 }
 
-// The row that counts for each boundary of which there is one.
+// The row that counts for each boundary that has one.
 std::map<std::int32_t, std::size_t> rowsOfBoundaries(
   const std::vector<std::string>& rows, const BoundaryNames& names)
 {

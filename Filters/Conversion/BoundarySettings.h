@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the user says about boundaries by name: the rows of the table Boundaries.
+// Settings of boundaries by name: the rows of the table Boundaries.
 #pragma once
 
 #include "BoundaryNames.h"
@@ -19,7 +19,7 @@ constexpr const char* BaffleType = "baffle";
 
 struct BoundarySettings
 {
-  // Of one boundary each, or of all those that a pattern with * (any text) or ? (any character) is of and that no row has
+  // Each for one boundary, or for all that match a pattern with * (any text) or ? (any character) and that no row has
   // by name; of several patterns the first counts.
   std::vector<std::string> names; // each once
   std::vector<std::string>
@@ -29,8 +29,7 @@ struct BoundarySettings
   std::vector<double>
     layers; // how thick all layers are, for each name; negative: as elsewhere; or empty
   std::vector<int> depths; // of refinement, for each name; negative: as elsewhere; or empty
-  std::vector<std::string>
-    mergedNames; // what they become, for each name; empty: as they are; or empty
+  std::vector<std::string> mergedNames; // the new name for each name; empty: unchanged; or empty
 };
 
 // The new names of boundaries that merge.
@@ -39,12 +38,12 @@ BoundaryNames mergedNames(const BoundarySettings& settings, const BoundaryNames&
 // The rows of boundaries that have merged, each with their new name; of several rows of one name the first counts.
 BoundarySettings merged(const BoundarySettings& settings);
 
-// The R of boundaries that something flows through, where small cells are removed (section 4.10): of type patch,
-// or without a type, but of a name that says so (isOpening). There nothing that has a volume is left out.
+// The R of openings, where small cells are removed (section 4.10): of type patch, or without a type but with an
+// opening's name (isOpening). There nothing that has a volume is left out.
 constexpr double OpeningRatio = 1e-100;
 
 // Types (without AutomaticType), ratios and depths by the numbers of the boundaries. They throw Error (BadParameter):
-// a name that is unknown or there twice, an unknown type, fewer or more of them than names.
+// a name that is unknown or present twice, an unknown type, fewer or more of them than names.
 std::map<std::int32_t, std::string> boundaryTypes(
   const BoundarySettings& settings, const BoundaryNames& names);
 std::vector<BoundaryRatio> boundaryRatios(
@@ -52,12 +51,12 @@ std::vector<BoundaryRatio> boundaryRatios(
 std::map<std::int32_t, int> boundaryDepths(
   const BoundarySettings& settings, const BoundaryNames& names);
 
-// The numbers of regions (Walls.h) by name. Throws Error (BadParameter): there is none of a name.
+// The numbers of regions (Walls.h) by name. Throws Error (BadParameter) if there is none of a name.
 std::vector<std::int32_t> layerRegions(
   const std::vector<std::string>& asked, const std::vector<std::string>& regions);
 
-// Boundaries whose layers are unlike the others': the rows with a thickness, then those that are no walls, by type or
-// else by name. Throws what boundaryTypes does; fewer or more thicknesses than names.
+// Boundaries with their own layers: the rows with a thickness, then those that do not count as walls, by type or else
+// by name. Throws what boundaryTypes does; fewer or more thicknesses than names.
 std::vector<WallLayerSpec::OfBoundary> boundaryLayers(
   const BoundarySettings& settings, const BoundaryNames& names);
 

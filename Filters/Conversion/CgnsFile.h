@@ -13,9 +13,9 @@ struct CgnsZone
   FoamMesh mesh;
 };
 
-// Writes a file beside `path`, which takes its name when it is complete. Each patch is a family with a
-// boundary condition, and one that samples another zone's a 1-to-1 connection. Names of more than 32 bytes, the
-// most that CGNS has, are cut short, and differ. Throws Error (CannotWrite).
+// Writes a file beside `path`, which takes its name when it is complete. Each patch is a family with a boundary
+// condition, and one that samples another zone's a 1-to-1 connection. Names of more than 32 bytes, CGNS's limit, are
+// cut and kept unique. Throws Error (CannotWrite).
 void writeCgns(const std::vector<CgnsZone>& zones, const std::filesystem::path& path);
 
 }

@@ -21,12 +21,12 @@ namespace cartesian
 void toVTK(
   const SurfaceDefects& defects, const std::vector<vtkIdType>& surfaceCells, vtkPolyData* output);
 
-// What was repaired, as numbers in field data: TrianglesTurned, DuplicatesLeftOut, LooseTrianglesLeftOut, HolesClosed,
-// LeaksClosed; each only where it is not 0.
+// What was repaired, as numbers in field data: TrianglesTurned, DuplicatesLeftOut, LooseTrianglesLeftOut,
+// HolesClosed, LeaksClosed; each only if it is not 0.
 void setRepairs(const SurfaceRepair& repair, vtkDataObject* output);
 
-// Adds the cells that the mesh lacks, as solvers would refuse them or the grid has cut them off: the six sides of the
-// box of each, of kind CellLeftOut.
+// Adds the cells left out of the mesh because they failed or the grid cut them off: the six sides of the box of each,
+// of kind CellLeftOut.
 void addCellsLeftOut(const Assembly& assembly, vtkPolyData* output);
 
 }

@@ -14,12 +14,12 @@ class vtkStringArray;
 namespace cartesian
 {
 
-// Appends four texts a row: the size of boxes, after an arrow where it is asked for, boxes, cells and memory. The first
-// row says what the columns are.
+// Appends four texts a row: the size of boxes, after an arrow for the requested one, boxes, cells and memory. The
+// first row has the column titles.
 void toVTK(const std::vector<ExpectedRow>& rows, vtkStringArray* table);
 
-// Appends four texts a row: where boxes are halved, how often, and the corners of that zone. The first row says what the
-// columns are.
+// Appends four texts a row: where boxes are refined, the level, and the corners of that zone. The first row has the
+// column titles.
 void toVTK(const FlowRefinement& flow, vtkStringArray* table);
 
 // Along x, y and z.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a mesh says of its boundaries and regions, in OpenFOAM's terms (vtkPolyMeshWriter.h).
+// A mesh's boundaries and regions, in OpenFOAM's terms (vtkPolyMeshWriter.h).
 #pragma once
 
 #include "GridFaces.h"
@@ -15,8 +15,7 @@ namespace cartesian
 std::vector<FoamPatch> patchesOf(vtkUnstructuredGrid* grid,
   const std::vector<vtkIdType>& boundaries, const std::vector<std::size_t>& counts);
 
-// Sorts the boundary faces by the boundaries they are of, NoBoundary last. Returns the boundaries and how many
-// faces each has.
+// Sorts the boundary faces by boundary, NoBoundary last. Returns the boundaries and their numbers of faces.
 std::pair<std::vector<vtkIdType>, std::vector<std::size_t>> sortByBoundary(
   const std::vector<vtkIdType>& boundaryOf, FaceList& list);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A piece of a mesh in a file, while the others are made: memory then holds one of them.
+// A piece of a mesh in a file while the others are made, so that memory holds only one.
 #pragma once
 
 #include "OpenFoam/FoamPieces.h"

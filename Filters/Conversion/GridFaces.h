@@ -39,9 +39,9 @@ private:
 // have no faces. Throws Error (BadMesh): a cell with curved edges, too many points.
 CellFaces facesOfCells(vtkUnstructuredGrid* grid);
 
-// The cells that have a volume and are no ghosts, in order of their CellId (BoundaryOfFaces.h) if they have
-// one: neighbours have numbers close to each other, as solvers like it, which the grid's order, with
-// hexahedra first, does not give. And the points that they use, renumbered in order.
+// The cells that have a volume and are not ghosts, in order of their CellId (BoundaryOfFaces.h) if they have one:
+// neighbours then have close numbers, which solvers prefer and the grid's order, with hexahedra first, does not give.
+// And the points that they use, renumbered in order.
 struct GridFaces
 {
   CellFaces cells;
@@ -49,7 +49,7 @@ struct GridFaces
   std::vector<vtkIdType> cellOf;  // number of each cell in the grid
   std::vector<vtkIdType> pointOf; // the same of each point
 
-  // Throws Error (BadMesh): a cell with curved edges, nothing left, too many.
+  // Throws Error (BadMesh): a cell with curved edges, no cells, or too many.
   explicit GridFaces(vtkUnstructuredGrid* grid);
 
 private:

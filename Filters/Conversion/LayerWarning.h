@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the user is told about boundary layers that are not there.
+// The warning about missing boundary layers.
 #pragma once
 
 #include "Layers/BoundaryLayers.h"

@@ -65,7 +65,7 @@ private:
     }
   }
 
-  // Two outputs may tell of the same.
+  // Two outputs may list the same.
   void add(const std::string& entry)
   {
     if (known_.insert(entry).second)

@@ -126,7 +126,7 @@ void setCells(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution& ex
   cartesian::setCells(grid, types, cells, faceStart, faceStream);
 }
 
-// Layers are of the box below them, and have the layer's number; other cells 0.
+// Layer cells belong to the box below them and have the layer's number; other cells have 0.
 void setLayers(const OutputMesh& mesh, const BoundaryLayers& layers, vtkUnstructuredGrid* grid)
 {
   const PrismStacks& stacks = layers.stacks;
@@ -246,8 +246,8 @@ void setMesh(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution& exe
   setCells(assembly, grid, execution);
 }
 
-// What solvers that keep to the paper take from the mesher: the vector area (equation 1) and centre of
-// each face, and which are IP patches (4.11).
+// Data for solvers that follow the paper: the area vector (equation 1) and centre of each face, and which faces are
+// IP patches (4.11).
 void setFaceGeometry(const std::vector<BoundaryFace>& all, const BoundaryMesh& faces,
   vtkPolyData* boundary, Execution& execution)
 {
@@ -353,8 +353,8 @@ void setBoundary(
   setFaceGeometry(all, faces, boundary, execution);
 }
 
-// Of each boundary face, how thick its layers are and how many; of each boundary and of all walls with layers, the
-// share of the area that has all of them, half as thick as asked or more, and the mean thickness.
+// For each boundary face, thickness and number of its layers; for each boundary and all walls with layers, the
+// fraction of the area with at least half the requested thickness, and the mean thickness.
 class LayerReport
 {
 public:
@@ -410,7 +410,7 @@ private:
     double mean() const { return area > 0 ? volume / area : 0; }
   };
 
-  // Where none are asked for there is nothing to report.
+  // If none are requested there is nothing to report.
   void add(std::int32_t boundary, double area, double asked, double thickness, int layers)
   {
     for (Sums* sums : { &ofBoundary_[boundary], &ofWalls_ })

@@ -12,10 +12,10 @@ class vtkUnstructuredGrid;
 namespace cartesian
 {
 
-// Takes the cells that are no ghosts, in order of their CellId if all pieces have that array. Points with the
-// same coordinates, or the same global ids, become one, in order of the ids. Thus the pieces that Cartesian
-// Mesher makes become the mesh that one process would make, including the boundary of each face
-// (BoundaryOfFaces.h). Pieces may be null, empty or no grids.
+// Takes the cells that are not ghosts, in order of their CellId if all pieces have that array. Points with the same
+// coordinates, or the same global ids, are merged, in order of the ids. Thus the pieces of Cartesian Mesher become
+// the mesh that one process would make, including the boundary of each face (BoundaryOfFaces.h). Pieces may be null,
+// empty or not grids.
 vtkSmartPointer<vtkUnstructuredGrid> unitePieces(
   const std::vector<vtkSmartPointer<vtkDataObject>>& pieces);
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The kernel's patches as a vtkPolyData, and back.
 //
-// Cell arrays: BoundaryId (int), BoxId (id type: the box's cell in the grid of boxes), SurfaceCell (id
-// type: the cell of the surface that the patch is part of), PatchReason (unsigned char: why its box has these
-// patches; the codes of PatchReason in PatchChoice.h), EnclosedVolume (double, cubic user units: of the
-// connected piece of surface that it comes from), StandOff (double, user units: how far the patches of its box would have
-// to move outwards to enclose what the surface encloses there). Field data: FeatureAngle (double: from which angle
-// on an edge was a sharp feature), SurfaceVolume (double, cubic user units: what the surface encloses of the domain; 0:
-// not known).
+// Cell arrays: BoundaryId (int), BoxId (id type: the box's cell in the grid of boxes), SurfaceCell (id type: the cell
+// of the surface that the patch is part of), PatchReason (unsigned char: the reason for its box's method; the codes
+// of PatchReason in PatchChoice.h), EnclosedVolume (double, cubic user units: of the connected piece of surface that
+// it comes from), StandOff (double, user units: how far the patches of its box would have to move outwards to enclose
+// the surface's volume there). Field data: FeatureAngle (double: the angle above which an edge is a sharp feature),
+// SurfaceVolume (double, cubic user units: the part of the domain that the surface encloses; 0: not known).
 #pragma once
 
 #include "Patches/Patches.h"

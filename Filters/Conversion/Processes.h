@@ -22,8 +22,8 @@ public:
   // This process alone.
   Processes() = default;
 
-  // The processes of the global controller, if each is asked for the piece of its own number. Then all of
-  // them must call the functions below, equally often.
+  // The processes of the global controller, if each is asked for the piece with its number. Then all of them must
+  // call the functions below, equally often.
   Processes(int piece, int pieces);
 
   bool areSeveral() const { return controller_ != nullptr; }

@@ -19,8 +19,8 @@ constexpr unsigned long errorCode(Fault fault)
   return vtkErrorCode::UserError + static_cast<unsigned long>(fault);
 }
 
-// Calls `work`; true if it threw nothing. Else calls report(error code, message); there is no message
-// where the user has stopped the work. What nobody foresaw is vtkErrorCode::UnknownError.
+// Calls `work`; true if it threw nothing. Else calls report(error code, message); the message is empty if the user
+// stopped the work. Unexpected exceptions are vtkErrorCode::UnknownError.
 template <class Work, class Report>
 bool reportErrors(Work&& work, Report&& report)
 {

@@ -23,7 +23,7 @@ namespace cartesian
 namespace
 {
 
-// 0: it asks for nothing.
+// 0: no effect.
 double sizeAt(vtkDataArray* array, vtkIdType i)
 {
   const double value = array->GetComponent(i, 0);
@@ -107,7 +107,7 @@ void addPoint(vtkDataSet* data, vtkIdType point, double size, std::vector<Wanted
   }
 }
 
-// Many points may be one cell, such as a cloud: each asks for itself.
+// Many points may be one cell, such as a cloud: each prescribes its own size.
 bool isCloud(int type)
 {
   return type == VTK_VERTEX || type == VTK_POLY_VERTEX;

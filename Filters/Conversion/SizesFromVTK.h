@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sizes that a point or cell array asks boxes to have.
+// Box sizes prescribed by a point or cell array.
 #pragma once
 
 #include "Boxes/SizingSpec.h"
@@ -21,13 +21,13 @@ struct AskedSizes
   std::vector<double> ofTriangles; // of the surface, or empty
 };
 
-// What an array of the surface asks for; `cells`: of its triangles (SurfaceFromVTK.h). A cell has the least value of its
-// points. Values that are not positive and finite ask for nothing.
+// Sizes prescribed by an array of the surface; `cells`: of its triangles (SurfaceFromVTK.h). A cell has the least
+// value of its points. Values that are not positive and finite have no effect.
 AskedSizes sizesOnSurface(
   const std::string& array, vtkDataObject* surface, const std::vector<vtkIdType>& cells);
 
-// The same of a data set of any kind, or blocks of them: each cell asks in its bounding box; points of clouds, which may be one
-// cell or none, each where it is.
+// The same for a data set of any kind, or blocks of them: each cell prescribes its bounding box; each point of a
+// cloud, which may be one cell or none, its own place.
 AskedSizes sizesInField(const std::string& array, vtkDataObject* field);
 
 }

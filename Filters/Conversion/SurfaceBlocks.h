@@ -24,7 +24,7 @@ struct SurfaceBlock
 
 // All surfaces with polygons: a vtkPolyData itself, or those in a vtkMultiBlockDataSet, vtkPartitionedDataSet
 // or vtkPartitionedDataSetCollection, in order. A nested block without a name has the name of its parent.
-// Throws Error (EmptySurface): there is none, or a block is of another kind.
+// Throws Error (EmptySurface) if there is none, or a block is of another kind.
 std::vector<SurfaceBlock> surfaceBlocks(vtkDataObject* input);
 
 }

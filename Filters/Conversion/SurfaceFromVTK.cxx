@@ -141,7 +141,7 @@ std::int32_t boundaryNumber(vtkDataArray* array, vtkIdType cell, vtkIdType userC
   return static_cast<std::int32_t>(std::lround(value));
 }
 
-// Blocks are called like the files that they were read from.
+// Blocks have the names of their files.
 std::string withoutSuffix(const std::string& name)
 {
   for (const char* suffix : { ".stl", ".obj", ".ply", ".vtp", ".vtk" })

@@ -59,15 +59,15 @@ public:
   // The names of all boundaries that triangles have: from strings, blocks, or the input's field data.
   const BoundaryNames& names() const { return names_; }
 
-  // Makes the sides of a box around the surface boundaries too, those of one name one boundary. Those of the surface
-  // with these names go on there.
+  // Adds the sides of a box around the surface as boundaries; equal names are one boundary, and boundaries of the
+  // surface with these names are continued there.
   void addSides(const std::array<std::string, 6>& names);
   const EndBoundaries& sides() const { return sides_; }
 
   // Gives boundaries other names. Those of one name become one, also with one that has the name already.
   void rename(const BoundaryNames& given);
 
-  // Makes the back of a boundary one too: NAME_back, which may be there. Returns its number.
+  // Adds the back of a boundary as a boundary, NAME_back, unless it exists. Returns its number.
   std::int32_t addBack(std::int32_t boundary);
 
   // In order; empty if there is one.

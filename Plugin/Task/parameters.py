@@ -1,4 +1,4 @@
-"""What a filter can be told, as its server-manager XML has it: the panel and the task files share
+"""Properties of a filter, from its server-manager XML: the panel and the task files share
 names, defaults, ranges and documentation, because both read them there."""
 
 import dataclasses
@@ -21,11 +21,11 @@ LONGEST_SHOWN = 60  # characters of a value in a message
 
 
 class BadValue(Exception):
-    """A value that a parameter cannot have; says what it may be."""
+    """A value that a parameter cannot have; says which are allowed."""
 
 
 def shown(value):
-    """A value as Python writes it, but never a page of it."""
+    """A value as Python writes it, shortened if long."""
     try:
         text = repr(value)
     except ValueError:  # whole numbers of more than 4300 digits
@@ -51,7 +51,7 @@ class Parameter:
     documentation: str
 
     def check(self, value):
-        """`value` as the property takes it: a number, a text, or a list of them in one row."""
+        """`value` in the property's form: a number, a text, or a list of them in one row."""
         if self.rows:
             if not isinstance(value, list):
                 raise BadValue(f"must be a list{' of rows' if self.count > 1 else ''}")
@@ -123,7 +123,7 @@ class Parameter:
 
 @dataclasses.dataclass
 class Collection:
-    """Lists that the panel shows as one table: value by value what a task file has in tables [[key]]."""
+    """Lists that the panel shows as one table, and a task file has in tables [[key]]."""
     key: str
     columns: list  # parameters; the first, a name, is never left out
 
@@ -213,7 +213,7 @@ def _groups(prototype):
 
 
 def collections(name):
-    """All tables of the filter with that XML name that are several lists to Python."""
+    """All tables of the filter with that XML name that are several lists in Python."""
     prototype = _prototype("filters", name)
     return [Collection(key, [
                 dataclasses.replace(_parameter(row.GetProperty(function), key),
@@ -241,6 +241,6 @@ def parameters(name, group="filters"):
 
 
 def names(name):
-    """What all of them are called in Python."""
+    """Their names in Python."""
     return [parameter.name for parameter in parameters(name)] + \
         [column.name for collection in collections(name) for column in collection.columns]

@@ -1,4 +1,4 @@
-"""Runs task files: what cartesian-mesher starts under pvpython or, within mpirun, under pvbatch."""
+"""Runs task files: started by cartesian-mesher under pvpython or, within mpirun, under pvbatch."""
 
 import signal
 
@@ -30,13 +30,13 @@ from template import template
 
 VERSION = (pathlib.Path(__file__).parent / "version.txt").read_text().strip()
 
-# Exit codes; FAULT is one of the program.
+# Exit codes; FAULT is an internal error.
 SUCCESS, FAULT, REFUSED, WARNINGS = 0, 1, 2, 3
 STOPPED = 128 + signal.SIGINT
 
 
 class Listener:
-    """Prints what a filter says while it works, and keeps it; stops it on Ctrl-C."""
+    """Prints and keeps a filter's messages while it works; stops it on Ctrl-C."""
 
     def __init__(self, filter, quiet):
         self.warnings, self.errors, self.stage, self.quiet = [], [], "", quiet
@@ -58,7 +58,7 @@ class Listener:
         self.keep("error:", message(text), self.errors)
 
     def keep(self, kind, text, texts):
-        """Once, if several steps say the same; in one piece, as ranks write at the same time."""
+        """Once, if several steps print the same; in one piece, as ranks write at the same time."""
         if text not in texts:
             texts.append(text)
             print(f"{kind} {printable(text)}", file=sys.stderr)
@@ -85,10 +85,10 @@ def opened(file, fail, kinds=SURFACES):
     """The source of a surface, or of other data, in a file."""
     try:
         reader = simple.OpenDataFile(str(file.resolve()))
-    except RuntimeError:  # that is how ParaView says that no reader takes the file
+    except RuntimeError:  # ParaView's way to say that no reader accepts the file
         reader = None
     if reader is None:
-        raise fail(f"ParaView cannot read {file}: it is damaged, or of an unknown type")
+        raise fail(f"ParaView cannot read {file}: it is damaged, or of an unknown type; open it in ParaView to see why, or save it as STL")
     kind = reader.SMProxy.GetOutputPort(0).GetDataClassName()
     if kinds and kind not in kinds:
         raise fail(f"{file} is not a surface: ParaView reads it as {kind}")
@@ -96,7 +96,7 @@ def opened(file, fail, kinds=SURFACES):
 
 
 def surface(task, files, *where):
-    """A source of all files; several are blocks that have the files' names."""
+    """A source of all files; several are blocks named after the files."""
     readers = [opened(file, lambda what: task.error(where, what)) for file in files]
     if len(readers) == 1:
         return readers[0]
@@ -114,7 +114,7 @@ def boundary_numbers(mesher):
 
 
 def set_properties(mesher, task):
-    """Sets all but what names boundaries, looks those up, sets the rest."""
+    """Sets all properties except those with names of boundaries, looks these up, sets the rest."""
     named = {parameter.name: parameter for parameter in parameters(MESHER)
         if "boundary" in parameter.columns}
     for name, value in task.properties.items():
@@ -145,7 +145,7 @@ def build(task):
         mesher.SizeField = opened(task.size_field,
             lambda what: task.error(("refinement", "size_field"), what), kinds=())
     set_properties(mesher, task)
-    # One file of VTK's holds the whole mesh: then the first rank has to have it.
+    # A VTK file holds the whole mesh: then the first rank must have it.
     if any(file.suffix in writing.WRITERS[port] for port, kind in enumerate(KINDS)
             for file in getattr(task, kind)):
         mesher.InPieces = 0
@@ -158,7 +158,7 @@ KINDS = "mesh", "boundary", "defects"
 
 @contextlib.contextmanager
 def outputs_of(task, kind, file):
-    """Says of which key an output is that cannot be written."""
+    """Names the key of an output that cannot be written."""
     try:
         yield
     except writing.NotWritten as error:
@@ -166,7 +166,7 @@ def outputs_of(task, kind, file):
 
 
 def create_folders(task):
-    """Before the work: not to learn after hours that there is no place for the mesh."""
+    """Before the work, so that a run of hours does not end without a place for the mesh."""
     for kind in *KINDS, "statistics":
         for file in getattr(task, kind):
             with outputs_of(task, kind, file):
@@ -185,7 +185,7 @@ def write(mesher, task):
 
 
 def write_pieces(listener, task, pieces):
-    """Makes and writes one piece after the other; the fields of each, or of none if one failed."""
+    """Makes and writes the pieces one by one; the fields of each, or of none if one failed."""
     fields = []
     with contextlib.suppress(NoMesh), contextlib.ExitStack() as stack:
         outputs = []
@@ -209,7 +209,7 @@ def write_pieces(listener, task, pieces):
 
 
 class NoMesh(Exception):
-    """One of the pieces could not be made: what there is of the others is thrown away."""
+    """One of the pieces could not be made: the others are discarded."""
 
 
 def make_piece(algorithm, piece, pieces):
@@ -223,8 +223,7 @@ def make_piece(algorithm, piece, pieces):
 
 
 def pieces_needed(mesher, task):
-    """In how many pieces to make the mesh, one after the other: those of the case, or to keep to the memory
-    limit."""
+    """The number of pieces to make one by one: that of the case, or what the memory limit requires."""
     ranks = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
     if task.pieces > 1:
         return decomposed_pieces(task, ranks)
@@ -237,7 +236,7 @@ def pieces_needed(mesher, task):
 
 
 def decomposed_pieces(task, ranks):
-    """How many this rank makes of a case that the task wants in pieces."""
+    """The number of pieces that this rank makes of a decomposed case."""
     if ranks > 1 and ranks != task.pieces:
         raise task.error(("output", "pieces"), f"{task.pieces} on {ranks} ranks, each of which writes one: "
             f"set it to 1 or {ranks}")
@@ -259,14 +258,14 @@ def field_arrays(algorithm):
 
 
 def statistics(mesher, listener, seconds, fields):
-    """What a mesh is like, for people and programs. `fields`: of each piece of it."""
+    """A summary of a mesh, for people and programs. `fields`: of each piece of it."""
     mesh, boundaries = {}, {}
     for arrays in fields:
         rows = [arrays.pop(name, []) for name in
             ("BoundaryIds", "BoundaryNames", "BoundaryTypes", "BoundaryFaceCounts", "BoundaryAreas")]
         of_layers = {key: arrays.pop(name) for key, name in (("layer_coverage", "BoundaryLayerCoverages"),
             ("layer_thickness", "BoundaryLayerThicknesses")) if name in arrays}
-        # Types are there where the user gave some; counts and areas, where there is a mesh.
+        # Types exist if the user gave some; counts and areas, if there is a mesh.
         for number, name, type, faces, area in itertools.zip_longest(*rows):
             row = boundaries.setdefault(number,
                 {"number": number, "name": name, "type": type or "", "faces": 0, "area": 0})
@@ -329,7 +328,7 @@ def run(task, quiet):
 
 
 def check(task):
-    """Says how large a mesh would be; returns the exit code."""
+    """Prints the expected size of a mesh; returns the exit code."""
     mesher = build(task)
     listener = Listener(mesher, quiet=True)
     boxes, cells, bytes_taken = listener.algorithm.EstimateSize()

@@ -1,4 +1,4 @@
-"""Task files (section 6, step 1): TOML that says what to mesh, how, and what to write.
+"""Task files (section 6, step 1): TOML that defines what to mesh, how, and what to write.
 
     [surface]
     file = "header.stl"        # any that ParaView opens; or a list: each a boundary, called as its file
@@ -48,12 +48,12 @@ FILE_KEYS = {"surface": {"file"}, "refinement": {"size_field"}}  # beside the pr
 
 
 def printable(text):
-    """What a terminal, or a stream of VTK's, cannot take is written as Python escapes it."""
+    """Characters that a terminal or VTK stream cannot take are escaped as in Python."""
     return "".join(c if c.isprintable() or c == "\n" else repr(c)[1:-1] for c in text)
 
 
 class TaskError(Exception):
-    """What is wrong with a task file, and in what line."""
+    """What is wrong with a task file, and in which line."""
 
     def __init__(self, text):
         super().__init__(printable(text))
@@ -81,7 +81,7 @@ class Task:
     reader: object  # knows lines
 
     def error(self, where, what):
-        """What has come to light later than when the task was read, at a path of keys."""
+        """An error found after the task was read, at a path of keys."""
         return self.reader.error(where, what)
 
 
@@ -107,7 +107,7 @@ def split_key(text):
 
 
 def failing_line(text, failure):
-    """The first line up to which a text cannot be read for that reason."""
+    """The first line up to which a text is unreadable for that reason."""
     def fails(count):
         try:
             tomllib.loads("\n".join(lines[:count]))
@@ -228,12 +228,12 @@ class _Reader:
 
 
 def targets_of(file):
-    """What is written for an output: the file, and the folder of its blocks."""
+    """The paths written for an output: the file, and the folder of its blocks."""
     return (file, file.with_suffix("")) if file.suffix in (".vtm", ".vtpc") else (file,)
 
 
 def outputs(reader, content, inputs):
-    """Files to write, by kind, none twice and none that is read; and in how many pieces."""
+    """Files to write, by kind, none twice and none that is read; and the number of pieces."""
     kinds = ("mesh", "boundary", "defects", "statistics")
     reader.table(content, ("output",), {*kinds, "pieces"})
     pieces = content.get("pieces", 1)
@@ -251,7 +251,7 @@ def outputs(reader, content, inputs):
 
 
 def case_parameters():
-    """Those of the cases' writer, but for what [output] says."""
+    """Those of the case writer, except the keys of [output]."""
     return [parameter for parameter in parameters(CASE_WRITER, "writers") if parameter.name not in ("FileName", "Pieces")]
 
 

@@ -1,4 +1,4 @@
-"""A task file that says all that there is to say: every key with its default and documentation."""
+"""The complete task file: every key with its default and documentation."""
 
 import json
 import textwrap
@@ -44,7 +44,7 @@ CASE = """
 
 
 def value(parameter):
-    """Its default in TOML; JSON writes numbers, texts, lists and truth alike."""
+    """Its default in TOML; JSON writes numbers, texts, lists and booleans alike."""
     return json.dumps(parameter.default)
 
 

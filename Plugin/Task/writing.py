@@ -1,4 +1,4 @@
-"""Writes files so that whenever the program is killed, what has their names is wholly old or wholly new:
+"""Writes files so that whenever the program is killed, each is either entirely old or entirely new:
 new ones are written beside, and take the name at once. Where one file names many, as .pvtu does, those of
 the new one are in a folder that the old one does not name."""
 
@@ -18,7 +18,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWrit
 WRITERS = ({".vtu": vtkXMLUnstructuredGridWriter}, {".vtp": vtkXMLPolyDataWriter},
            {".vtp": vtkXMLPolyDataWriter})
 PIECE_WRITERS = ({".pvtu": vtkXMLPUnstructuredGridWriter}, {".pvtp": vtkXMLPPolyDataWriter}, {})
-# What files of VTK's end with.
+# File extensions of VTK.
 END = b"</VTKFile>\n"
 # A case is a folder of files, which its writer swaps itself.
 CASE = ".foam"
@@ -30,7 +30,7 @@ class NotWritten(Exception):
 
 @contextlib.contextmanager
 def failures():
-    """What VTK calls errors, and the system, become one exception."""
+    """Turns errors of VTK and of the system into one exception."""
     said = []
     def hear(window, event, text):
         said.append(text.partition("): ")[2].partition("\n")[0] or text)
@@ -44,7 +44,7 @@ def failures():
     finally:
         window.RemoveObserver(observer)
     if said:
-        # The pipeline says no more than that an algorithm failed.
+        # The pipeline only says that an algorithm failed.
         why = next((f": {text}" for text in said if not text.startswith("Algorithm ")), "")
         raise NotWritten("could not be written" + why)
 
@@ -56,8 +56,7 @@ def created(folder):
 
 @contextlib.contextmanager
 def replacing(file):
-    """The name to write to; what is there in the end takes the place of `file`, last of all that a writer
-    has put beside it."""
+    """The name to write to; the result replaces `file`, after everything that a writer has put beside it."""
     with failures():
         target = file.resolve()
         if target.exists() and not target.is_file():  # a device
@@ -80,7 +79,7 @@ def replacing(file):
 
 @contextlib.contextmanager
 def replacing_pieces(file):
-    """The same for a file that names pieces; the call that is given takes them back."""
+    """The same for a file that names pieces; the given call removes them again."""
     with failures():
         target = file.resolve()
         if target.exists() and not target.is_file():
@@ -106,7 +105,7 @@ def replacing_pieces(file):
 
 @contextlib.contextmanager
 def case_pieces(file, pieces, properties):
-    """The writer of a decomposed case, which takes one piece after the other and keeps them until the last."""
+    """The writer of a decomposed case, which takes the pieces one by one and keeps them until the last."""
     # simple.CreateWriter would make all of the mesh first.
     writer = servermanager.writers.OpenFOAMMeshWriter()
     for name, value in ({"FileName": str(file.absolute())} | of_pieces(pieces) | properties).items():
@@ -172,7 +171,7 @@ def run(writer):
         code = writer.GetErrorCode()
         if code == vtkErrorCode.NoError:
             raise
-        # It tells more than what the pipeline says.
+        # It says more than the pipeline.
         raise NotWritten(f"could not be written: {vtkErrorCode.GetStringFromErrorCode(code)}") from None
 
 
@@ -192,7 +191,7 @@ def save(mesher, port, file, pieces, case):
 
 
 def check_pieces(file, cells):
-    """Whether there are as many cells as all ranks have: of another rank's failure this one hears nothing."""
+    """Whether there are as many cells as all ranks have: this rank is not told of another's failure."""
     for piece in (file.parent / name for name in re.findall('Source="([^"]*)"', file.read_text())):
         with piece.open("rb") as text:
             head = next((line for line in text if b"<Piece " in line), b"")
@@ -208,5 +207,5 @@ def check_pieces(file, cells):
 def save_as(mesher, port, file, **properties):
     try:
         simple.SaveData(str(file), proxy=servermanager.OutputPort(mesher, port), **properties)
-    except AttributeError:  # that is how ParaView says that it has no writer
+    except AttributeError:  # ParaView's way to say that it has no writer
         raise NotWritten(f"ParaView has no writer for {file.suffix or 'no extension'}") from None

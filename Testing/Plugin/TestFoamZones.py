@@ -108,7 +108,7 @@ for case in whole, fan:
 
 # What cannot be is refused.
 for properties, words in (
-        ({"ZoneRegions": ["rotor"]}, "the mesh has no region rotor. It has porous, air, casing."),
+        ({"ZoneRegions": ["rotor"]}, "the mesh has no region rotor. Choose from porous, air, casing."),
         ({"ZoneRegions": ["porous", "air", "casing"]}, "touches only regions that are zones themselves"),
         ({"ZoneRegions": ["porous"], "RegionsAs": "Meshes", "Pieces": 2}, "In a decomposed case")):
     case = pathlib.Path(temporary.name) / "refused"

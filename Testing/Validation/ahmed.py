@@ -58,8 +58,8 @@ def measured(files, _):
 
 
 CASE = harness.Case("ahmed", "Ahmed's body, slant 25 degrees",
-    "The half at 40 m/s, above ground that stands still; boxes of 0.2 m, halved five times at the surface, four times around it and in the near "
-    "wake; kOmegaSST. Measured: 0.299 at this speed (Lienhart and others), 0.285 at 60 m/s (Ahmed).",
+    "Half the body at 40 m/s, above a stationary ground; boxes of 0.2 m, halved five times at the surface, four times around it and "
+    "in the near wake; kOmegaSST. Measured: 0.299 at this speed (Lienhart and others), 0.285 at 60 m/s (Ahmed).",
     body(), (0.2 * 4 / 3, 0.2), measured, layers=False, kind="values", depth=5, between=(3, 3), ground=True, outside=((-2.0, 0.0, 0.0), (4.4, 1.6, 1.6)),
     zone=((-0.1, 0.0, 0.0), (1.6, 0.3, 0.45), 4))
 

@@ -73,9 +73,9 @@ def beyond(at, shear, sizes):
 
 
 CASE = harness.Case("backstep", "Turbulent flow over a backward-facing step",
-    "Driver and Seegmiller's, Reynolds number of the step 36,000, as OpenFOAM's tutorial backwardFacingStep2D has it, k-omega SST with "
-    "blended wall functions; simpleFoam. Boxes at the step are halved twice, with eight of a size between. Length to where the flow "
-    "reattaches, in steps, less the measured 6.26 (+- 0.1).",
+    "Driver and Seegmiller's, Reynolds number 36,000 based on step height, as in OpenFOAM's tutorial backwardFacingStep2D, k-omega "
+    "SST with blended wall functions; simpleFoam. Boxes at the step are halved twice, with eight transition layers. Reattachment "
+    "length in step heights, minus the measured 6.26 (+- 0.1).",
     surface(), (STEP, STEP * 0.8, STEP * 0.6), measured, depth=2, fine=("step",), between=(4, 8))
 
 if __name__ == "__main__":

@@ -44,7 +44,8 @@ def fitted(at, values, place, reach):
 
 
 CASE = harness.Case("cavity", "Lid-driven cavity, Reynolds number 100",
-    "Size 1, turned by 30 degrees about z; simpleFoam. Velocities on the centrelines by the lid's, less Marchi, Suero and Araki's.",
+    "Size 1, rotated by 30 degrees about z; simpleFoam. Velocities on the centrelines relative to the lid's, minus Marchi, Suero and "
+    "Araki's.",
     prism("cavity", [(CORNERS @ TILT.T, ["wall", "wall", "lid", "wall"])], 0, DEPTH), (0.08, 0.045, 0.025), measured)
 
 if __name__ == "__main__":

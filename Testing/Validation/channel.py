@@ -24,8 +24,8 @@ def measured(files, turn):
 
 
 CASE = harness.Case("channel", "Laminar flow between parallel walls",
-    "Height 1, length 4, Reynolds number 10; simpleFoam. Fall of pressure and shear at the walls in the middle half, against "
-    "Poiseuille's. A grid of N boxes across loses 2 / N^2 of the pressure on either mesh.",
+    "Height 1, length 4, Reynolds number 10; simpleFoam. Pressure drop and wall shear in the middle half, against Poiseuille's. A "
+    "grid of N boxes across loses 2 / N^2 of the pressure on either mesh.",
     prism("channel", [(CORNERS, ["wall", "outlet", "wall", "inlet"])], 0, DEPTH), (0.15, 0.075, 0.0375), measured)
 
 if __name__ == "__main__":

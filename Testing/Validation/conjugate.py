@@ -10,7 +10,7 @@ from wallsurfaces import Surface, from_proxy
 
 CONDUCTIVITIES = np.array([1.0, 10.0])
 HOLE, MIDDLE, RADIUS = 0.4, 0.7, 1.0
-WHAT = "chtMultiRegionSimpleFoam, corrections for non-orthogonality limited by 0.5 (without, it dies on most of ours). Errors of temperatures by their span, of the heat flow through the interface, and the mean of its faces'."
+WHAT = "chtMultiRegionSimpleFoam, non-orthogonal corrections limited by 0.5 (without, it diverges on most of ours). Errors of temperature relative to its range, of the heat flow through the interface, and the mean over its faces."
 
 
 def joined(name, inner, outer, interface):
@@ -47,7 +47,7 @@ def slab():
 SLANT = harness.rotation(30)
 AHEAD = SLANT[:, 0]
 SLAB = Case("slab", "Two solids: a slab",
-    f"Conductivity 1 and width 1, then 10 and width 2, temperatures linear across it; turned by 30 degrees about two axes; {WHAT}",
+    f"Conductivity 1 and width 1, then 10 and width 2, temperatures linear across it; rotated by 30 degrees about two axes; {WHAT}",
     harness.turned(slab(), SLANT), (0.2, 0.1, 0.05),
     places=np.array([(0.52, 0.02, 0.03), (2.02, 0.02, 0.03)]) @ SLANT.T, conductivities=CONDUCTIVITIES,
     temperatures=[lambda p, k=k: (1 - p @ AHEAD) / k for k in CONDUCTIVITIES], flow=lambda p: np.broadcast_to(AHEAD, p.shape))

@@ -34,9 +34,9 @@ def loop(radius):
     return circle(radius, 360, equal_area=True)
 
 
-CASE = harness.Case("couette", "Laminar flow between cylinders, of which the inner one turns",
-    "Radii 0.5 and 1, Reynolds number of the gap 25; simpleFoam, with pressure given nowhere. Torque on either cylinder, and the mean "
-    "error of the velocity around by that of the inner cylinder.",
+CASE = harness.Case("couette", "Laminar flow between cylinders, the inner one rotating",
+    "Radii 0.5 and 1, gap Reynolds number 25; simpleFoam, with no prescribed pressure. Torque on each cylinder, and the "
+    "mean error of the tangential velocity relative to that of the inner cylinder.",
     prism("gap", [(loop(OUTER), "outer"), (loop(INNER)[::-1], "inner")], 0, DEPTH), (0.12, 0.06, 0.03), measured)
 
 if __name__ == "__main__":

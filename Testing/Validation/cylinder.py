@@ -43,8 +43,8 @@ def measured(files, turn):
 
 
 CASE = harness.Case("cylinder", "DFG 3D-1Z: a cylinder across a channel, Reynolds number 20",
-    "A channel of 2.5 x 0.41 x 0.41 with a cylinder of diameter 0.1 across it; boxes at the cylinder are halved twice, with three of a size "
-    "between; simpleFoam. Drag against 6.18533; lift less 0.009401.",
+    "A channel of 2.5 x 0.41 x 0.41 with a cylinder of diameter 0.1 across it; boxes at the cylinder are halved twice, with three "
+    "transition layers; simpleFoam. Drag against 6.18533; lift minus 0.009401.",
     channel(), (HEIGHT / 16, HEIGHT / 24, HEIGHT / 36), measured, depth=2, fine=("cylinder",), between=(3, 3),
     domain=(body(), ((0.0, 0.0, 0.0), (LENGTH, HEIGHT, HEIGHT))))
 

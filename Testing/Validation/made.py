@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A Poisson problem with a made solution in several surfaces: what walls do to orders."""
+"""A Poisson problem with a manufactured solution in several surfaces: what walls do to orders."""
 
 import numpy as np
 from paraview import simple
@@ -24,9 +24,9 @@ def gradient(p):
 
 def case(name, where, surface, length, sizes):
     """`length`: of the solution's waves."""
-    return harness.Case(name, f"A made solution in {where[0]}",
-        f"e^x cos(1.41 y) e^z, with lengths in {length:g}, in {' '.join(where)}; laplacianFoam. Errors by the span of temperatures and "
-        "the mean gradient at the walls.",
+    return harness.Case(name, f"Manufactured solution in {where[0]}",
+        f"e^x cos(1.41 y) e^z, lengths in units of {length:g}, in {' '.join(where)}; laplacianFoam. Errors relative to the temperature range "
+        "and the mean wall gradient.",
         surface, sizes, lambda files, turn: errors(files, lambda p: temperature(p / length), lambda p: gradient(p / length) / length))
 
 
@@ -38,7 +38,7 @@ def cube():
 CASE = case("made", ("the first duct", "of the exhaust header (37 mm wide, 390 long)"), load("runner_1"), 100.0, (8.0, 4.0, 2.0))
 CASES = (CASE, case("sphere", ("a sphere", "of diameter 1"), sphere(), 0.5, (0.1, 0.05, 0.025)),
     case("torus", ("a torus", "1 wide and 0.25 thick"), torus(), 0.5, (0.05, 0.025, 0.0125)),
-    case("cube", ("a cube", "of side 1 that is along nothing of the grid"), cube(), 0.5, (0.1, 0.05, 0.025)))
+    case("cube", ("a cube", "of side 1 at an angle to the grid"), cube(), 0.5, (0.1, 0.05, 0.025)))
 
 if __name__ == "__main__":
     for case in CASES:

@@ -29,8 +29,9 @@ def measured(files, _):
 
 
 CASE = harness.Case("motorbike", "A motorbike and its rider",
-    "OpenFOAM's tutorial motorBike, 20 m/s: boxes of a metre, halved five times at the surface, four times in the tutorial's zone; "
-    f"kOmegaSST; no reference but the other mesher. Forces in N for a density of 1 kg/m3, the mean of the last quarter of {ITERATIONS} iterations.",
+    "OpenFOAM's tutorial motorBike, 20 m/s: boxes of one metre, halved five times at the surface, four times in the tutorial's zone; "
+    f"kOmegaSST; no reference except the other mesher. Forces in N for a density of 1 kg/m3, mean of the last quarter of {ITERATIONS} "
+    "iterations.",
     bike(), (4 / 3, 1.0), measured, layers=False, kind="values", depth=5, between=(3, 3), ground=True, outside=((-5.0, -4.0, 0.0), (15.0, 4.0, 8.0)),
     zone=((-1.0, -0.7, 0.0), (8.0, 0.7, 2.5), 4))
 

@@ -18,42 +18,45 @@ AS_IT_IS, LAYERED = "as it is", "with layers"
 
 HEAD = """# Validation
 
-What a solver gets from these meshes, beside snappyHexMesh's with boxes of the same size, against references that are not ours.
-`Testing/Validation/run.sh` measures it all again and writes this page: commit {commit}, {date}, {hours:.1f} hours of one core. Meshes are
-made with default options; *with layers* there are three, the first 0.15 of a box high, each 1.3 times as high as the one below it. Geometry is also turned by 17 and
-by 45 degrees about two axes, and our grid moved by a third of a box: a mesher must not care where its grid lies. Errors are
-relative unless the text says otherwise: 0.01 is 1 %. In each pair the first figure is ours, the second snappyHexMesh's; - where there is none.
+Solver results on these meshes and on snappyHexMesh's with boxes of the same size, against independent references.
+`Testing/Validation/run.sh` measures everything again and writes this page: commit {commit}, {date}, {hours:.1f} hours of one core. Meshes are
+made with default options; *with layers* means three layers, the first 0.15 of a box high, each 1.3 times as high as the one below it.
+Geometry is also rotated by 17 and by 45 degrees about two axes, and our grid shifted by a third of a box: results should not depend on
+the position of the grid. Errors are
+relative unless stated otherwise: 0.01 is 1 %. In each pair the first figure is ours, the second snappyHexMesh's; - means none.
 
-![Errors by the size of boxes](validation.png)
+![Errors by box size](validation.png)
 
-| Case | Figure | Finest mesh | Order | Spread over turns and shifts |
+| Case | Figure | Finest mesh | Order | Spread over rotations and shifts |
 |---|---|---|---|---|
 {summary}
 
-The order is that between the coarsest and the finest mesh; the limit Richardson's, of second order, where figures are values; the spread that of the figure at one size, where the geometry is turned or the grid moved.
+The order is between the coarsest and the finest mesh; the limit is Richardson's, of second order, where figures are values; the spread is that
+of the figure at one size over rotations of the geometry and shifts of the grid.
 
-What is known of the poor figures, and what is only suspected:
+Known and suspected causes of poor figures:
 
-- Torque, shear and gradients at curved walls: a second-order solver takes the difference between a cell and its wall, which is of first order
-  there. Layers make that small.
-- Our errors of gradients at walls are up to twice snappyHexMesh's in the duct, the sphere and the torus. In the duct, with temperatures given at
-  faces' centres, most of that was in cells with several faces at the wall; for the rest the same is suspected.
-- The largest explicit time step is half of snappyHexMesh's in the duct and the cow. In the cow it is that of few wedges at sharp edges; the duct was
-  not looked into.
-- The duct at 2 mm with layers: a column of prisms fills a notch of one neighbour, which leaves its gradient by leastSquares nearly undetermined, and
+- Torque, shear and gradients at curved walls: a second-order solver takes the difference between a cell and its wall, which is first order
+  there. Layers make that error small.
+- Our wall gradient errors are up to twice snappyHexMesh's in the duct, the sphere and the torus. In the duct, with temperatures prescribed at
+  face centres, most of that was in cells with several wall faces; the same is suspected for the rest.
+- The largest explicit time step is half of snappyHexMesh's in the duct and the cow. In the cow a few wedges at sharp edges limit it; the duct was
+  not investigated.
+- The duct at 2 mm with layers: a stack of prisms fills a notch in one neighbour, which leaves its leastSquares gradient nearly undetermined, and
   corrections grow. With Gauss linear gradients it converges.
-- Two solids: with `corrected` the solver died on 7 of 12 of our meshes and on none of snappyHexMesh's, so both are given with `limited 0.5`.
-  Suspected are cells of less than a thousandth of their box at interfaces, where temperatures ran away first.
-- The header's ducts: OpenFOAM's fall of pressure is about twice Code_Saturne's on the same mesh, and falls with the size of boxes on meshes of either
-  mesher. Why is not known; wall functions are suspected. (Laminar flow agreed within 0.5 %.)
+- Two solids: with `corrected` the solver diverged on 7 of 12 of our meshes and on none of snappyHexMesh's, so both are run with `limited 0.5`.
+  Cells of less than a thousandth of their box at interfaces are suspected: temperatures diverged there first.
+- The header's ducts: OpenFOAM's pressure drop is about twice Code_Saturne's on the same mesh, and decreases with the box size on meshes of either
+  mesher. The reason is not known; wall functions are suspected. (Laminar flow agreed within 0.5 %.)
 
-Choices that were made after first results had been seen:
+Choices made after seeing first results:
 
 - Concentric spheres: boxes of 0.2, 0.1 and 0.05 gave us an order of 1.4 (snappyHexMesh 2.1). At 0.2 the inner radius is two boxes and the error small by
-  chance, so sizes became 0.14, 0.07 and 0.035.
-- Made solutions: gradients were Gauss linear and temperatures at faces' centres; in the duct our order was 1.8 then.
-- The backward-facing step: with the tutorial's k and omega at the inlet lengths were 0.9 to 2.1 steps too long on meshes of either mesher; k 0.3 and omega
-  2000 replaced them, and the residuals at which it stops were changed. The tutorial's own mesh was not run, so nothing ranks meshers here.
+  chance, so sizes were changed to 0.14, 0.07 and 0.035.
+- Manufactured solutions: gradients were Gauss linear and temperatures at face centres; in the duct our order was 1.8 then.
+- The backward-facing step: with the tutorial's k and omega at the inlet, reattachment lengths were 0.9 to 2.1 steps too long on meshes of either mesher;
+  k 0.3 and omega 2000 replaced them, and the residuals at which it stops were changed. The tutorial's own mesh was not run, so this case does not rank
+  meshers.
 """
 
 

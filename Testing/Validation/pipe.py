@@ -23,8 +23,8 @@ def measured(files, turn):
 
 
 CASE = harness.Case("pipe", "Laminar flow through a pipe",
-    "Radius 15, along (1, 0.6, 0.35), Reynolds number 10; simpleFoam. Fall of pressure and shear at the wall in the middle half, "
-    "against Poiseuille's.",
+    "Radius 15, along (1, 0.6, 0.35), Reynolds number 10; simpleFoam. Pressure drop and wall shear in the middle half, against "
+    "Poiseuille's.",
     tilted_pipe(level=False), (5.0, 2.5, 1.25), measured)
 
 if __name__ == "__main__":

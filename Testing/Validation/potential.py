@@ -46,9 +46,9 @@ def space():
 
 
 CASE = harness.Case("potential", "Potential flow around a sphere",
-    "A sphere of radius 0.5 in a cube of 3 with the exact potential on its sides; boxes at the sphere are halved once, with three of a "
-    "size between; laplacianFoam. Mean errors of the potential, by its span, and of velocities, of all cells and of those at the sphere; "
-    "the largest speed of a cell against 1.5.",
+    "A sphere of radius 0.5 in a cube of side 3 with the exact potential on its sides; boxes at the sphere are halved once, with "
+    "three transition layers; laplacianFoam. Mean errors of the potential, relative to its range, and of velocity, over all cells and "
+    "over those at the sphere; the largest cell speed against 1.5.",
     space(), (0.25, 0.125, 0.0625), measured, depth=1, fine=("sphere",), between=(3, 3), domain=(sphere(), (3 * (-REACH,), 3 * (REACH,))))
 
 if __name__ == "__main__":

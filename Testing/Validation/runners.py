@@ -148,8 +148,8 @@ def setup(files):
 
 
 CASE = Header("runners", "Air through the exhaust header's ducts",
-    "Four ducts 37 mm wide, 20 m/s of air, standard k-epsilon with wall functions, second order for velocities; the fall of pressure in "
-    "each duct in Pa for a density of 1 kg/m3. The reference of each solver is the other.",
+    "Four ducts 37 mm wide, air at 20 m/s, standard k-epsilon with wall functions, second order for velocity; the pressure drop in "
+    "each duct in Pa for a density of 1 kg/m3. Each solver is the reference for the other.",
     load(str(HEADER)), (6.0, 4.5, 3.5), openfoam, layers=False, kind="values")
 
 if __name__ == "__main__":

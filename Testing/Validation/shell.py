@@ -24,8 +24,8 @@ def surface():
 
 
 CASE = harness.Case("shell", "Conduction between concentric spheres",
-    "Spheres of radius 0.4 and 1 with the temperatures of a point source; laplacianFoam. Errors by the span of temperatures and "
-    "the mean gradient at the walls.",
+    "Spheres of radius 0.4 and 1 with the temperatures of a point source; laplacianFoam. Errors relative to the temperature range and "
+    "the mean wall gradient.",
     surface(), (0.14, 0.07, 0.035), lambda files, turn: errors(files, temperature, gradient))
 
 if __name__ == "__main__":

@@ -26,8 +26,8 @@ def measured(files, length, turn):
 def case(name, where, surface, length, sizes):
     """`length`: of the waves that multigrid begins with."""
     return harness.Case(f"timestep_{name}", f"Explicit time step and iterations: {where}",
-        "The largest time step with Courant number 0.9 in all cells, for speed 1 along (1, 1, 1); and GAMG's iterations with GaussSeidel "
-        "to 1e-6 of the residual, laplacianFoam with zero gradient on walls, as of pressure.",
+        "The largest time step with a Courant number of at most 0.9, for speed 1 along (1, 1, 1); and GAMG iterations with GaussSeidel to "
+        "1e-6 of the residual, laplacianFoam with zero gradient on walls, as for pressure.",
         surface, sizes, lambda files, turn: measured(files, length, turn), kind="costs")
 
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether an edit of the mesh is accepted: one function decides, by what solvers make of the cells before and after
-// (Verdict.h). What the steps of shaping differ by has a name, and stands in one table.
+// Whether an edit of the mesh is accepted: one function compares the quality of the cells before and after (Verdict.h).
+// What differs between steps of shaping has a name, and stands in one table.
 #pragma once
 
 #include "Acceptance/FaceEnergy.h"
@@ -11,7 +11,7 @@
 namespace cartesian
 {
 
-// How many faces solvers may refuse afterwards.
+// How many faces may fail afterwards.
 enum class MayRefuse
 {
   NoFace,
@@ -23,7 +23,7 @@ struct Acceptance
 {
   MayRefuse refused;
   double leastGain = -Never;  // costs have to fall by more; a cost of Never is never accepted
-  double mostWorst = Never;   // nothing costs more than this, unless something did:
+  double mostWorst = Never;   // nothing may cost more than this, unless something did:
   bool worstFalls = false;    // ... then less than that
   std::size_t leastFaces = 0; // of a cell
   double leastVolume = 0;     // as a part of what it was; 0: volumes are not compared
@@ -42,20 +42,20 @@ struct Accepted
   static constexpr double Failed = 1e3; // a cost of what fails (CellCost.h)
   static constexpr double Any = -Never; // gain
 
-  // Cells that become one, or simpler: small ones, poor ones (CellMerging).
+  // Merged or simplified cells: small ones, poor ones (CellMerging).
   static constexpr Acceptance SmallMerge{ MayRefuse::FewerOrNone, LeastGain, Failed, true };
   static constexpr Acceptance PoorMerge{ MayRefuse::FewerOrNone, 0.3, Failed, true };
 
-  // Joined faces: of a union (CellUnion), between regions (InterfaceMending), where layers will stand (WallJoining).
+  // Joined faces: of a union (CellUnion), between regions (InterfaceMending), where layers are requested (WallJoining).
   static constexpr Acceptance Join{ MayRefuse::AsMany, Any, Never, false, LeastFaces, 0.8, 1.25 };
   static constexpr Acceptance Mend{ MayRefuse::AsMany, 0.3, Never, false, LeastFaces, 0.8, 1.25 };
   static constexpr Acceptance Wall{ MayRefuse::AsMany, Any, Never, false, LeastFaces, 0.8, 1.2 };
 
-  // Cells beside one that is removed: beside a tip (TipRemoval), or what must stay as it is (RefusedCells).
+  // Cells next to a removed one: next to a tip (TipRemoval), or ones that must not change (RefusedCells).
   static constexpr Acceptance TipRemoval{ MayRefuse::NoFace, Any, StrainedCost };
   static constexpr Acceptance Removal{ MayRefuse::NoFace };
 
-  // Cells beside one that goes to another region, and that cell itself (CellCession).
+  // Cells next to one that goes to another region, and that cell itself (CellCession).
   static constexpr Acceptance LeftBehind{ MayRefuse::AsMany };
   static constexpr Acceptance Ceded{ MayRefuse::NoFace };
 };
@@ -71,13 +71,14 @@ struct AcceptedCut
   static constexpr double MostGiven = 0.5; // of its box: all parts but the largest
 };
 
-// An edit of faces, or a node that moves, where the worst are mended (Optimisation/WorstFaces.h): the objective (FaceEnergy.h)
-// of all that it changes falls by a part of itself. What faces have to be like is asked of those alone that were.
+// An edit of faces, or a node that moves, where the worst are repaired (Optimisation/WorstFaces.h): the objective
+// (FaceEnergy.h) of everything that it changes falls by a fraction of itself. Requirements on faces hold only for
+// those that met them before.
 struct AcceptedEdit
 {
   static constexpr double LeastGain = 0.01;
 
-  // What a part of the box that an edit adds to the mesh, or takes from it, costs: a thousandth as much as a face that is
+  // The cost of volume that an edit adds to the mesh or removes: for a thousandth of the box, that of a face that is
   // just fair.
   static constexpr double CostOfVolume = 1000;
 
@@ -90,7 +91,7 @@ struct AcceptedEdit
   static constexpr double FarthestFromWall = 0.02;
 };
 
-// FaceEnergy::limits from which on a face is mended: a skewness of 1.8; and from which on all nodes of its cells are
+// FaceEnergy::limits from which on a face is repaired: a skewness of 1.8; and from which on all nodes of its cells are
 // moved.
 struct PoorFace
 {
@@ -115,7 +116,7 @@ inline bool keepsVolume(const Acceptance& acceptance, double before, double afte
     (after >= acceptance.leastVolume * before && after <= acceptance.mostVolume * before);
 }
 
-// Asked of each cell where an edit changes several.
+// Required of each cell if an edit changes several.
 inline bool keepsShape(const Acceptance& acceptance, const Verdict& before, const Verdict& after)
 {
   return after.faces >= acceptance.leastFaces &&

@@ -25,7 +25,7 @@ constexpr double NegligibleShare = 1e-4;
 
 constexpr double CostOfFailure = 1e3;
 
-// Nothing that a merge mends may outweigh that: the most that any other measure costs.
+// No gain from a merge may outweigh this: the most that any other measure costs.
 constexpr double MostCost = 100;
 
 constexpr double square(double x)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How good a cell is for a finite-volume solver, as one number: what shaping makes smaller.
+// The quality of a cell for finite-volume solvers, as one number that shaping minimises.
 //
-// Every term is 1 or less within preferred quality limits and grows steeply beyond, so that the sum is ruled
-// by what is worst: skewness, non-orthogonality, weight and volume ratio of faces as OpenFOAM's
-// checkMesh defines them, the angles of section 3, and the cell's volume by that of its box.
+// Every term is 1 or less within preferred quality limits and grows steeply beyond, so that the worst term dominates
+// the sum: skewness, non-orthogonality, weight and volume ratio of faces as OpenFOAM's checkMesh defines them, the
+// angles of section 3, and the cell's volume by that of its box.
 #pragma once
 
 #include "Acceptance/CellFaults.h"
@@ -18,17 +18,17 @@ double costOfFace(
 // Faces of a smaller area are negligible: they join any neighbour, of another boundary too.
 double negligibleArea(const CellShape& shape);
 
-// What a negligible face costs besides: it is worth mending.
+// Extra cost of a negligible face: it is worth repairing.
 constexpr double CostOfNegligible = 4;
 
 // Of the cell itself. `share`: its volume as a part of its box's.
 double costOfShare(double share);
 
-// From here on a face or a cell is worth mending.
+// Above this a face or a cell is worth repairing.
 constexpr double PoorCost = 5;
 
-// Of the cell as its inner faces lie: high where there is a direction that hardly any of them faces. Pressure
-// and velocity along it are at the mercy of rounding there.
+// Cost of the cell by the directions of its inner faces: high if hardly any of them faces some direction. Pressure
+// and velocity along it are dominated by rounding.
 double costOfDeterminant(const Polyhedron& cell, const CellShape& shape);
 
 // Whether none of its boundary faces costs more than PoorCost, nor its determinant, and no face is negligible.

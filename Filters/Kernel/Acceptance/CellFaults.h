@@ -9,7 +9,7 @@
 namespace cartesian
 {
 
-// Solvers refuse cells with fewer faces.
+// Cells with fewer faces fail.
 constexpr std::size_t LeastFaces = 4;
 
 // The cell on the other side of an inner face.
@@ -38,15 +38,15 @@ struct CellFaults
   std::array<int, Kinds> counts{};
   double area = 0; // of the faces with a wrong angle or skewness
 
-  // How many, with each kind weighted by how hard it is to repair later.
+  // Their number, with each kind weighted by how hard it is to repair later.
   int weight() const;
   CellFaults& operator+=(const CellFaults& other);
 
-  // Those alone that checkMesh refuses: wrong angles and skewness.
+  // Only those that checkMesh reports: wrong angles and skewness.
   CellFaults invalid() const;
 };
 
-// Whether checkMesh says that the mesh fails, not merely that it is hard on solvers.
+// Whether checkMesh fails the mesh, not merely warns about it.
 inline bool failsCheckMesh(const CellFaults& faults)
 {
   return faults.counts[CellFaults::WronglyOriented] + faults.counts[CellFaults::BoundarySkewness] +
@@ -59,17 +59,17 @@ inline bool failsCheckMesh(const CellFaults& faults)
 CellFaults faultsOf(const Polyhedron& cell, const CellShape& shape,
   const std::vector<NeighbourCell>& neighbours, const std::vector<std::uint8_t>& counted = {});
 
-// Whether a face violates section 3, or checkMesh refuses it, with the centres of `shape`.
+// Whether a face violates section 3 or checkMesh, with the centres of `shape`.
 bool isRefused(
   const Polyhedron& cell, const CellShape& shape, std::size_t face, const NeighbourCell& neighbour);
 
 // Whether the centres, or the volumes, of an inner face's two cells are so unequal that solvers are strained.
 bool isUnbalanced(const CellShape& shape, std::size_t face, const NeighbourCell& neighbour);
 
-// Whether it is turned over as seen from one of its cells: then that cell is invalid, not merely poor.
+// Whether it is inverted as seen from one of its cells: then that cell is invalid, not merely poor.
 bool isTurnedOver(const CellShape& shape, std::size_t face, const NeighbourCell& neighbour);
 
-// Which faces of a cell solvers refuse with either of the two centres that they compute.
+// Which faces of a cell fail with either of the two centres that solvers compute.
 struct Refusal
 {
   bool isRefused(std::size_t face);
@@ -90,8 +90,8 @@ struct CentreOffset
 // `area`: the face's, out of the cell.
 CentreOffset centreOffsetOf(const Vector& centre, const Vector& faceCentre, const Vector& area);
 
-// Sufficient for an inner face to be neither refused nor doubtful, given where the centres of its
-// two cells lie: the line between the centres meets the face's plane between their projections.
+// Sufficient for an inner face to be neither failing nor doubtful, given the centres of its two cells: the line
+// between the centres meets the face's plane between their projections.
 bool isSurelyAccepted(const CentreOffset& one, const CentreOffset& other);
 
 // Whether an inner face seen so from its two cells costs little, surely (CellCost.h): no weight below a

@@ -10,13 +10,13 @@ namespace cartesian
 namespace
 {
 
-// Weights of what accuracy asks for. A gradient at a wall has nothing beyond to balance it.
+// Weights of the part for accuracy. A gradient at a wall has nothing beyond to balance it.
 constexpr double WeightOfBoundary = 80;
 constexpr double WeightOfInner = 1;
 constexpr double WeightOfSlope = 0.3;
 
-// Beyond these parts of the distance of the centres (of the box's edge at boundaries) a measure grows no steeper: a cell
-// turned inside out is to find its way back.
+// Beyond these parts of the distance of the centres (of the box's edge at boundaries) a measure grows no steeper, so
+// that an inverted cell can recover.
 constexpr double LeastAcross = 0.15;
 constexpr double LeastHeight = 0.02;
 constexpr double LeastRatio = 1e-3;
@@ -41,7 +41,7 @@ void add(Vector& sum, const Vector& v, double factor)
   sum[2] += factor * v[2];
 }
 
-// Of a measure, and of what accuracy asks for besides.
+// Of a measure, and of the additional part for accuracy.
 void add(FaceEnergy& energy, double measure, double more = 0)
 {
   energy.limits += measure;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a solver suffers from a face: the energy that nodes at the wall minimise (NodeOptimisation.h), and how it
-// changes with the face and with the cells on its two sides.
+// The objective of a face, which nodes at the wall minimise (NodeOptimisation.h), and its derivatives by the face and
+// by the cells on its two sides.
 #pragma once
 
 #include "Acceptance/Limits.h"
@@ -9,7 +9,7 @@
 namespace cartesian
 {
 
-// The derivatives of an energy by what is measured of a face, and of a cell.
+// The derivatives of an objective by the measures of a face and of a cell.
 struct FaceGradient
 {
   Vector centre{};
@@ -24,11 +24,11 @@ struct CellGradient
 
 struct FaceEnergy
 {
-  // A sum over measures, each 1 where solvers begin to mind: skewness, non-orthogonality, interpolation weight,
+  // A sum over measures, each 1 at the preferred quality limits: skewness, non-orthogonality, interpolation weight,
   // ratio of volumes, angle of section 3.
   double limits = 0;
 
-  // ... and what accuracy asks for: the square of the distance by which a flux misses its place.
+  // ... and the part for accuracy: the square of the distance by which a flux misses its place.
   double all = 0;
 };
 
@@ -41,7 +41,7 @@ struct Gradients
 };
 
 // `ring`: for the face's reach, to which OpenFOAM's skewness is relative; `edge`: of the cells' boxes. The area points
-// from the cell below to the one above. `gradients` null: the energy alone.
+// from the cell below to the one above. `gradients` null: the objective alone.
 FaceEnergy energyOfInnerFace(const FaceGeometry& face, const Ring& ring, double edge,
   const CellGeometry& below, const CellGeometry& above, const Gradients* gradients);
 

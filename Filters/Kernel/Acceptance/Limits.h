@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one table of what solvers accept of a face or a cell, and of how near to that shaping goes. Cosines and tangents are
-// of the angles in the comments. The paper's section 3 asks for the angles, OpenFOAM's checkMesh (1912) for the rest.
+// The single table of quality limits for faces and cells, and of the margins that shaping keeps. Cosines and tangents
+// are of the angles in the comments. The angles are from the paper's section 3, the rest from OpenFOAM's checkMesh
+// (1912).
 #pragma once
 
 namespace cartesian
 {
 
-// What checkMesh and section 3 refuse: at or beyond these. Degrees; ratios.
+// Limits of checkMesh and section 3: failing at or beyond these. Degrees; ratios.
 struct Limits
 {
   static constexpr double BoundaryAngle = 90;
@@ -22,7 +23,7 @@ struct Limits
   static constexpr double TetQuality = 1e-30;
 };
 
-// What shaping refuses, stricter by a sixth of a degree than section 3: solvers do not agree on the centre of a warped
+// Limits for shaping, stricter by a sixth of a degree than section 3: solvers do not agree on the centre of a warped
 // face.
 struct Refused
 {
@@ -55,7 +56,7 @@ struct LayerLimits
   static constexpr double ThirdDirection = 3e-3; // a prism's base may be 300 times as long as wide
 };
 
-// What snappyHexMesh's cells have, about.
+// About those of snappyHexMesh's cells.
 struct Balanced
 {
   static constexpr double FaceWeight = 0.08;

@@ -11,7 +11,7 @@ namespace cartesian
 namespace
 {
 
-// Below this cost no face is refused.
+// Below this cost no face fails.
 constexpr double AcceptedCost = 0.4;
 
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What solvers make of a cell, or of several, as they are or as an edit would leave them: Acceptance.h compares two.
+// The quality of one or several cells, as they are or after an edit: Acceptance.h compares two.
 #pragma once
 
 #include "Acceptance/CellFaults.h"
@@ -16,9 +16,9 @@ struct Verdict
 {
   double cost = 0;          // the objective: the sum of all costs (CellCost.h)
   double worst = 0;         // the largest of these
-  std::size_t refused = 0;  // faces that solvers refuse, or may refuse (CellFaults.h)
-  std::size_t invalid = 0;  // of these, those that are turned over
-  std::uint32_t toMend = 0; // of a cell's refused faces, or else of all, the one that costs most
+  std::size_t refused = 0;  // faces that fail, or may fail (CellFaults.h)
+  std::size_t invalid = 0;  // of these, the inverted ones
+  std::uint32_t toMend = 0; // of a cell's failing faces, or else of all, the one that costs most
   std::size_t faces = std::numeric_limits<std::size_t>::max(); // of the cell with the fewest
   double volume = 0;
   double costBeyond = 0; // by how much the costs of cells of other regions rise
@@ -33,8 +33,8 @@ Verdict evaluate(const Polyhedron& cell, const CellShape& shape,
   const std::vector<NeighbourCell>& beyond, const std::vector<std::uint8_t>& counts = {},
   double most = Never);
 
-// ... and of itself: its volume, `share` of its box's, and its determinant cost too. Too few faces count as one more that
-// is refused.
+// ... and of itself: its volume, `share` of its box's, and its determinant cost too. Too few faces count as one more
+// failure.
 Verdict evaluateCell(const Polyhedron& cell, const CellShape& shape,
   const std::vector<NeighbourCell>& beyond, double share,
   const std::vector<std::uint8_t>& counts = {});

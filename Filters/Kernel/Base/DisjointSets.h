@@ -17,14 +17,14 @@ class DisjointSets
 public:
   explicit DisjointSets(std::size_t size = 0) { reset(size); }
 
-  // Each number becomes a set of its own. Keeps the storage.
+  // Each number becomes a separate set. Keeps the storage.
   void reset(std::size_t size)
   {
     parent_.resize(size);
     std::iota(parent_.begin(), parent_.end(), 0);
   }
 
-  // The next number, as a set of its own.
+  // The next number, as a separate set.
   void add() { parent_.push_back(static_cast<std::uint32_t>(parent_.size())); }
 
   // The lowest number of the set that holds x.

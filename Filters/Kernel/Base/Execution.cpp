@@ -107,8 +107,7 @@ void Execution::advance(double fractionOfLoop)
   reported_ = std::max(reported_, std::min(fraction, 1.0));
 }
 
-// What runs alone has read the clock before it asks: to count its calls again would make silences eight times
-// as long.
+// Single-threaded work has read the clock before: counting its calls again would make gaps eight times as long.
 Execution Execution::alone(double begin, double end)
 {
   return Execution(1, [this, begin, end](double fraction, const char*) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files of text and numbers, and files that take their names when they are complete.
+// Files of text and numbers, and files that are renamed when complete.
 #pragma once
 
 #include "Base/Error.h"
@@ -79,12 +79,12 @@ private:
   std::string buffer_;
 };
 
-// Has files written under other names beside `paths`, whose names they take in this order when all are complete.
-// Where that fails, what was there stays, and nothing else. Throws Error (CannotWrite), and what `write` does.
+// Has files written under other names beside `paths`, whose names they take in this order when all are complete. If
+// that fails, only the old files remain. Throws Error (CannotWrite), and what `write` does.
 void replaceFiles(const std::vector<std::filesystem::path>& paths,
   const std::function<void(const std::vector<std::filesystem::path>& unfinished)>& write);
 
-// Does `work`; what the file system refuses becomes an Error (CannotWrite).
+// Does `work`; errors of the file system become an Error (CannotWrite).
 template <class Work>
 void reportingFailures(Work&& work)
 {

@@ -10,8 +10,8 @@
 // pass, not on the order of visits; and the effect of all passes depends only on boxes at most
 // balanceReach() global boxes away.
 //
-// Before the pass of a level, that of the next finer one may grow (RefinementSpec::transitionLayers): boxes that touch
-// boxes of it become as fine along all axes, layer by layer: long boxes there would be hard on solvers.
+// Before the pass of a level, that of the next finer one may grow (RefinementSpec::transitionLayers): boxes that
+// touch boxes of it become as fine along all axes, layer by layer: long boxes there would trouble solvers.
 #pragma once
 
 #include "Boxes/Boxes.h"

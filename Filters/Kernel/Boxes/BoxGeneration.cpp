@@ -153,7 +153,7 @@ private:
     });
   }
 
-  // What the division of global boxes needs, one after the other.
+  // What the division of a global box needs.
   struct DivisionScratch
   {
     FewestBoxes search;

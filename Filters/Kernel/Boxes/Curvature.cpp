@@ -12,7 +12,7 @@ namespace cartesian
 namespace
 {
 
-// What is in an octant.
+// The contents of an octant.
 struct Content
 {
   std::vector<std::uint32_t> triangles; // ascending

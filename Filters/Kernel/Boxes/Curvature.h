@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where boxes must be divided because the surface bends in them, or a sharp edge passes through.
+// Boxes to be divided because the surface curves in them, or a sharp edge passes through.
 #pragma once
 
 #include "Boxes/Octants.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Refinement for the flow around bodies, where the user asks for a number of boxes along them and for nothing else.
+// Refinement for the flow around bodies, if the user only specifies the number of boxes along them.
 #pragma once
 
 #include "Lattice/Meshlines.h"

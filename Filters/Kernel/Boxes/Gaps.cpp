@@ -152,7 +152,7 @@ private:
     }
   }
 
-  // Or may have, for all that is known.
+  // Or may have, as far as is known.
   bool hasTwoSides(std::uint32_t t) const
   {
     return surface_.walls.any() || (!surface_.byParity.empty() && surface_.byParity[t] != 0);
@@ -194,8 +194,7 @@ private:
     return level;
   }
 
-  // How far it is from a place on triangle `t` to a wall that faces it; infinite where that is so far that
-  // enough boxes fit between.
+  // The distance from a place on triangle `t` to a wall that faces it; infinite if enough boxes fit between.
   double distanceAcross(std::uint32_t t, const Vector& start, const Vector& direction) const
   {
     const double most = spec_.cellsAcrossGaps * sizeAround(start);
@@ -232,7 +231,7 @@ private:
     }
   }
 
-  // What a line meets first.
+  // The first triangle that a line meets.
   struct Met
   {
     double distance;

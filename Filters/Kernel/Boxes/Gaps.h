@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where boxes must be divided because walls face each other.
+// Boxes to be divided because walls face each other.
 #pragma once
 
 #include "Boxes/Octants.h"

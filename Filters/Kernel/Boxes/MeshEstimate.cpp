@@ -17,7 +17,7 @@ namespace
 // Bytes. What several stages take, with the arrays that VTK holds, measured on one to 16 threads; the peak of a
 // mesh is that of one of these stages.
 constexpr double OfAnyMesh = 4.3e6;
-constexpr double OfAThread = 8e4; // but for the first
+constexpr double OfAThread = 8e4; // except the first
 constexpr double OfATriangle = 115;
 
 // Of each box, of each that is intersected, of those that are shaped at once, and of each corner of a patch.
@@ -45,7 +45,7 @@ constexpr double BoxesBesideUnits = 0.4;
 constexpr double MostUnits = 0.7;
 constexpr double MostLayersOfUnits = 2;
 
-// Exact patches have so many corners for each piece of a triangle and for each box.
+// Corners of exact patches for each piece of a triangle and for each box.
 constexpr double CornersOfAPiece = 3.3;
 constexpr double CornersOfAnExactBox = 2.5;
 constexpr double CornersOfABox = 5; // of other patches
@@ -156,8 +156,7 @@ MeshEstimate estimateBox(BoxStatus status, const Depths& depths, const TriangleR
   MeshEstimate without = wholly(depths.allowed, depths.forced);
   if (depths.sized > 0)
   {
-    // Octants that the surface asks for, those that they are in among them; the rest of those are empty or
-    // inside.
+    // Octants that the surface requires, and those that contain them; the rest of the latter are empty or inside.
     const auto units = std::max(without.intersected, double(depths.octants));
     without = { without.inside + units, status == BoxStatus::Intersected ? units : 0,
       piecesIn(units, passing) };

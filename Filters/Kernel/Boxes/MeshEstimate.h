@@ -15,7 +15,7 @@ struct MemoryLimit
 {
   double bytes; // for a mesh, or each part of it
 
-  // What decides how much it takes.
+  // What determines the memory.
   bool exact = false; // all patches are exact
   bool shapes = true; // cells are shaped
   int layers = 0;     // of prisms at walls
@@ -25,7 +25,7 @@ struct MemoryLimit
 struct PatchCorners
 {
   double all = 0;
-  double kept = 0; // but for most of those of detail that becomes simpler
+  double kept = 0; // except most of those of simplified detail
 };
 
 struct MeshEstimate
@@ -44,7 +44,7 @@ struct MeshEstimate
   // Where the corners of all patches are counted.
   double bytes(const MemoryLimit& limit, const PatchCorners& corners) const;
 
-  // But for the triangles, which all parts of a mesh have in common, and what is done at once.
+  // Except for the triangles, which all parts of a mesh share, and what is in work at the same time.
   void add(const MeshEstimate& part);
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Looks into every box of a grid through which the surface passes, for octants.
+// Searches every box of a grid through which the surface passes for octants.
 #pragma once
 
 #include "Base/Execution.h"
@@ -9,8 +9,8 @@
 namespace cartesian
 {
 
-// Which layers along z are looked at: all, or for an estimate, `each` at a time and then none of the `every` - 1 times as
-// many before the next.
+// Which layers along z are examined: all, or for an estimate, `each` at a time and then none of the `every` - 1 times
+// as many before the next.
 struct LayersLookedAt
 {
   std::size_t each = 1;

@@ -14,7 +14,7 @@ struct Octant
   int level = 0;                           // 0 to DeepestLevel
   std::array<std::uint32_t, 3> position{}; // in its global box, below 2^level
 
-  // The half of each axis that bit 0 to 2 of `which` tells.
+  // The half of each axis given by bits 0 to 2 of `which`.
   Octant part(unsigned which) const;
 };
 

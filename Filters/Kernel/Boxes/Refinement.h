@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Types of Refinement (section 4.6): how deeply global boxes may, and must, be divided.
 //
-// Depth, blocks and boundaries tell it of whole global boxes, as in the paper. Regions tell it of
-// boxes: where a region's border passes through a global box, only the boxes that it touches must
-// reach its depth; the others are divided as if it were not there, and for balance. So do depths that the
-// surface itself asks for (SizingSpec.h).
+// Depth, blocks and boundaries refine whole global boxes, as in the paper. Regions refine boxes: where a region's
+// border passes through a global box, only the boxes that it touches must reach its depth; the others are divided as
+// if it were absent, and for balance. The same holds for depths that the surface itself requires (SizingSpec.h).
 #pragma once
 
 #include "Base/Range.h"
@@ -54,8 +53,8 @@ struct RefinementSpec
   std::vector<RefinementRegion> regions;      // never make boxes coarser
   SizingSpec sizing;                          // never makes boxes coarser
 
-  // Between boxes of one level and those that are twice as large: at least so many of the level, across sides. 0: 1, or
-  // what the domain wants (Options.h).
+  // The least number of boxes of one level, across sides, before those twice as large. 0: 1, or the domain's default
+  // (Options.h).
   int transitionLayers = 0;
 };
 
@@ -64,8 +63,8 @@ struct Depths
   int allowed = 0;         // where the surface passes
   int forced = 0;          // everywhere; at most `allowed`
   int touched = 0;         // where regions touch that do so in part only; 0, or more than `forced`
-  int sized = 0;           // the most that the surface asks for anywhere; 0, or more than `forced`
-  std::size_t octants = 0; // that it asks for
+  int sized = 0;           // the most that the surface requires anywhere; 0, or more than `forced`
+  std::size_t octants = 0; // that it requires
 
   int deepest() const { return std::max({ allowed, touched, sized }); }
 
@@ -82,7 +81,7 @@ public:
   Refinement(const RefinementSpec& spec, const Surface& surface, const Shoeboxes& shoeboxes,
     const Meshlines& planes, Execution& execution);
 
-  // Makes what the surface or a field asks for larger by a factor than the specification has it, but for feature depths.
+  // Enlarges the sizes required by the surface or a field by a factor, except for feature depths.
   void relax(double factor, const Surface& surface, const Shoeboxes& shoeboxes,
     const Meshlines& planes, Execution& execution);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Depths that the surface itself asks for, by its shape.
+// Refinement required by the shape of the surface, or by a field.
 #pragma once
 
 #include "Base/Range.h"
@@ -10,7 +10,7 @@
 namespace cartesian
 {
 
-// A box whose content asks for boxes no larger than a size; in user units.
+// A box in which no box may be larger than a size; in user units.
 struct WantedSize
 {
   std::array<double, 3> low;
@@ -23,7 +23,7 @@ struct SizingSpec
   static constexpr Range CurvatureAngles{ 0, 180 };
   static constexpr Range GapCells{ 0, 64 };
 
-  // Degrees: boxes are divided until the surface turns by no more in each, but for sharp edges; 0: never.
+  // Degrees: boxes are divided until the surface turns by no more than this in each, except at sharp edges; 0: never.
   double curvatureAngle = 0;
   int featureDepth = 0;       // of boxes that a sharp edge passes through, 0 to DeepestLevel
   double cellsAcrossGaps = 0; // boxes from wall to wall where two face each other; 0: any number
@@ -32,7 +32,7 @@ struct SizingSpec
   int largestDepth = 3;               // where angle, gaps and sizes end, 0 to DeepestLevel
   double featureAngle = 30;           // degrees: edges at which the surface turns by more are sharp
 
-  // For estimates: angle, edges and gaps ask in one of so many layers of global boxes only.
+  // For estimates: angle, edges and gaps are examined only in one of so many layers of global boxes.
   std::size_t everyLayer = 1;
 
   bool any() const

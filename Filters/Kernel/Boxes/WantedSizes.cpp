@@ -14,15 +14,15 @@ namespace
 
 constexpr std::size_t GlobalsAChunk = 64;
 
-// Planes of the mesh that a field is of may be those of this one, but for rounding: what is thinner than this part
+// Planes of the mesh that a field is of may be those of this one, except for rounding: what is thinner than this part
 // of a box overlaps it no more than its neighbour.
 constexpr double LeastOverlap = 1e-6;
 
 // Of edges: planes are on even levels, and step aside.
 constexpr double Rounding = 1e-6;
 
-// Something that asks for a size, by its number among the triangles or the boxes of the field, and a global box
-// that it may overlap.
+// A prescribed size, by its number among the triangles or the boxes of the field, and a global box that it may
+// overlap.
 struct Wish
 {
   std::uint64_t global;
@@ -227,7 +227,7 @@ private:
       static_cast<std::uint32_t>(number / alongX / alongY) } };
   }
 
-  // What asks for boxes smaller than the octant, and overlaps it.
+  // Prescribed sizes that are smaller than the octant and overlap it.
   void addIfSmaller(
     std::uint32_t asker, const Octant& octant, std::vector<std::uint32_t>& content) const
   {
@@ -238,7 +238,7 @@ private:
     }
   }
 
-  // What is in an octant asks for smaller ones.
+  // The contents of an octant require smaller ones.
   void divide(const Octant& octant, Contents& ofLevel, std::vector<Octants::Key>& found) const
   {
     const std::vector<std::uint32_t>& here = ofLevel[static_cast<std::size_t>(octant.level)];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where boxes must be divided because a field asks for smaller ones.
+// Boxes to be divided because a field requires smaller ones.
 #pragma once
 
 #include "Boxes/Octants.h"
@@ -9,7 +9,7 @@
 namespace cartesian
 {
 
-// Appends octants that overlap what asks for a size (SizingSpec::sizes, sizeOfTriangle): no edge of theirs is longer
+// Appends octants that overlap a prescribed size (SizingSpec::sizes, sizeOfTriangle): none of their edges is longer
 // than the least of these sizes, or they have the largest depth.
 void addWantedSizes(const SizingSpec& spec, const Surface& surface, const Shoeboxes& shoeboxes,
   const Meshlines& planes, Octants& octants, Execution& execution);

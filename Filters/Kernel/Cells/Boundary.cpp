@@ -113,7 +113,7 @@ private:
     return { numbers_.ofCell[cell], there.boundary, there.box };
   }
 
-  // Of a face that what is gone exposes: of the patches in its box, the nearest one's.
+  // The boundary of a face exposed by a removed cell: that of the nearest patch in its box.
   std::int32_t boundaryOf(const OtherSide& gone, std::size_t face) const
   {
     const Patches& patches = parts_.patches;
@@ -219,7 +219,7 @@ private:
     }
   }
 
-  // A face between two regions of which one has lost its cell there, or of a baffle; or one that shaping made.
+  // A face between two regions one of which has lost its cell there, or of a baffle; or one that shaping made.
   void exposeOther(std::size_t f, std::vector<BoundaryFace>& faces) const
   {
     const OtherSide below = sideOf(f, 0);

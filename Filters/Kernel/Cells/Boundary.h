@@ -40,7 +40,7 @@ struct BoundaryFace
   {
     Patch,       // a polygon of the patches
     Inner,       // a face of a side, or between two regions
-    TurnedInner, // ... turned over
+    TurnedInner, // ... reversed
     Shaped,      // a face that shaping made
     TurnedShaped,
     BoxSide, // of a hexahedron: 6 * box + (low x, high x, low y, high y, low z, high z)

@@ -115,8 +115,8 @@ std::size_t BoxVolumes::fillVoids(const BoxFaces& faces)
   return voids;
 }
 
-// Two patches of one volume with the same corners in opposite order are a wall without thickness inside
-// it. They bound nothing, so both go; all their edges have other faces too.
+// Two patches of one volume with the same corners in opposite order are a wall without thickness inside it. They
+// bound nothing, so both are dropped; all their edges have other faces too.
 std::size_t BoxVolumes::dropFolds(const BoxFaces& faces)
 {
   if (!faces.hasSharedEdges())

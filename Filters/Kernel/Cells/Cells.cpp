@@ -15,7 +15,7 @@ namespace
 
 constexpr std::size_t BoxesAChunk = 512;
 
-// Shaping adds about half as many faces as there are. What it does not fill costs no memory.
+// Shaping adds about half as many faces. Unused space costs no memory.
 constexpr std::size_t WithShapedFaces = 2;
 
 // The cells of a chunk of boxes.
@@ -156,7 +156,7 @@ private:
     }
   }
 
-  // At an interface, whatever its size: another region's cell would lose its neighbour. But for what lies flat
+  // At an interface, whatever its size: another region's cell would lose its neighbour. Except if it lies flat
   // between another region and outside: that region's cell ends there.
   bool mustStay(const Shell& shell, bool isSliver) const
   {

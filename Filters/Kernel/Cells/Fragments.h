@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Small parts of a mesh that no face connects with the rest: bodies of the size of a few boxes, and what the grid
-// has cut off from a larger body. In such a fragment a solver cannot fix the pressure.
+// Small parts of a mesh that no face connects with the rest: bodies of the size of a few boxes, and fragments that the
+// grid has cut off from a larger body. In a fragment a solver cannot determine the pressure.
 #pragma once
 
 #include "Cells/WallMesh.h"

@@ -22,12 +22,12 @@ struct KeptParts
   std::vector<std::uint8_t> droppedPatches; // 1: bounds what is left out
 };
 
-// Cells, hexahedra among them, that faces connect are a part; it stays if a point is in it. The boxes must
-// be those of the whole grid, with one region. Throws Error (BadParameter): no cell has a point in it, or a part reaches there.
+// Cells connected by faces, hexahedra included, are a part; it stays if a point is in it. The boxes must be those of
+// the whole grid, with one region. Throws Error (BadParameter): no cell has a point in it, or a part reaches there.
 KeptParts findKeptParts(const PartsToKeep& which, const Boxes& boxes, const Patches& patches,
   const Sides& sides, const Nodes& nodes, const WallMesh& wall);
 
-// Boxes and patches as they are for a surface without the other parts.
+// Boxes and patches as for a surface without the other parts.
 void keepOnly(const KeptParts& parts, Boxes& boxes, Patches& patches, Execution& execution);
 
 }

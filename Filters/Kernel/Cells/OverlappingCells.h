@@ -8,7 +8,7 @@
 namespace cartesian
 {
 
-// Cells of the wall mesh that have to go for none to overlap, in order: where two faces have the same nodes, the smaller
+// Cells of the wall mesh to remove so that none overlap, in order: where two faces have the same nodes, the smaller
 // one of two cells on the same side. `nodes`: how many there are. Cells that are removed do not count.
 std::vector<std::uint32_t> overlappingCells(
   const Boxes& boxes, std::size_t nodes, const WallMesh& wall);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the user chooses about small cells (section 4.10).
+// User options for small cells (section 4.10).
 #pragma once
 
 #include "Base/Range.h"
@@ -16,7 +16,7 @@ enum class SmallCells : std::uint8_t
   Merge = 1,  // they become part of a neighbour
 };
 
-// An R of its own for a boundary: it applies to cells most of whose patches belong to it.
+// A boundary's own R: it applies to cells most of whose patches belong to it.
 struct BoundaryRatio
 {
   std::int32_t boundary;

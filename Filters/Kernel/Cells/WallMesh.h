@@ -27,8 +27,8 @@ constexpr std::uint32_t boxOfHexahedron(CellKey key)
   return key - FirstHexahedron;
 }
 
-// A face of a cell. The cell below a face, outside of which its corners are counter-clockwise, has it as it is; the cell
-// above has it turned over.
+// A face of a cell. The corners are counter-clockwise from outside the cell below; the cell above has the face
+// reversed.
 struct FaceUse
 {
   std::uint32_t face : 31;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which nodes may move where, and which may merge, so that no face turns over or leaves the surface.
+// Which nodes may move where, and which may merge, so that no face is inverted or leaves the surface.
 #pragma once
 
 #include "Collapse/EdgeCollapse.h"
@@ -23,7 +23,7 @@ public:
   // thickness where the first becomes the second.
   bool keepsWalls(std::uint32_t slot, std::uint32_t to);
 
-  // How the surface bends at a node: the smallest cosine between the normals of patches there; 2 where there
+  // The curvature of the surface at a node: the smallest cosine between the normals of patches there; 2 where there
   // is none.
   double bendAt(std::uint32_t slot);
 
@@ -71,8 +71,8 @@ private:
   double distanceFromBorders(std::uint32_t slot, const Point& to);
   bool isGood(std::uint32_t face) const;
 
-  // Between two regions (Walls.h): what becomes flat there must stay a cell, as nothing else is between
-  // its neighbours.
+  // Between two regions (Walls.h): a cell that becomes flat there must stay, as nothing else lies between its
+  // neighbours.
   bool isInterface(std::uint32_t face) const
   {
     return merging_.isPatch(face) && patches_.walls.isInterface(patches_.boundary[face]);

@@ -20,9 +20,8 @@ constexpr std::size_t BoxesAChunk = 1024;
 // In a chain of short edges, one collapses in each round.
 constexpr int MostRounds = 8;
 
-// Along surfaces that bend, edges collapse up to so many times the spec's ratio, but no longer ones than
-// this part of their box. There a merged cell would keep a small face of its own beside its neighbour's; on
-// planes both become one.
+// Along surfaces that bend, edges collapse up to so many times the spec's ratio, but no longer ones than this part of
+// their box. There a merged cell would keep a separate small face beside its neighbour's; on planes both become one.
 constexpr double TimesRatio = 5;
 constexpr double LongestRatio = 0.5;
 
@@ -309,7 +308,7 @@ private:
     std::swap(slots_[merge.stays].next, slots_[merge.goes].next);
   }
 
-  // Takes back the merges that moved a corner of a bad face, until there is no such face.
+  // Reverts the merges that moved a corner of a bad face, until there is no such face.
   void takeBackBadMerges()
   {
     std::vector<std::uint32_t> mergeAt(slots_.size(), None);
@@ -387,7 +386,7 @@ private:
     merge.edge = None;
   }
 
-  // Writes faces and places of nodes as they are now.
+  // Writes the current faces and node positions.
   void rewrite()
   {
     const auto whatIsLeft = [&](const std::uint32_t* begin, const std::uint32_t* end,

@@ -15,8 +15,8 @@ namespace cartesian
 
 struct EdgeCollapseSpec
 {
-  // As in CollapseSpec.h: edges shorter than this part of their box's shortest edge collapse, unless a face
-  // would turn over.
+  // As in CollapseSpec.h: edges shorter than this part of their box's shortest edge collapse, unless a face would be
+  // inverted.
   double ratio;
 
   // In degrees. Nodes at which faces meet at a larger angle, or several boundaries meet, lie on an edge of

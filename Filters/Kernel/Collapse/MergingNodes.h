@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Nodes at short edges, what they have become part of so far, and the faces around them.
+// Nodes at short edges, the nodes that they were merged with so far, and the faces around them.
 #pragma once
 
 #include "Base/Sorting.h"

@@ -27,8 +27,8 @@ struct PolyhedralFaces
   const InnerFaces& inner;
 };
 
-// Lists the edges shorter than `ratio` times their unit, each once and in order of nodes. Omits edges between two grid nodes, and those of boxes for which stays(n) holds,
-// n being the index among the polyhedral boxes.
+// Lists the edges shorter than `ratio` times their unit, each once and in order of nodes. Omits edges between two grid
+// nodes, and those of boxes for which stays(n) holds, n being the index among the polyhedral boxes.
 std::vector<ShortEdge> listShortEdges(const PolyhedralFaces& faces, double ratio,
   const std::function<bool(std::size_t)>& stays, Execution& execution);
 

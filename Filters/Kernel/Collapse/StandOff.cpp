@@ -14,11 +14,11 @@ namespace
 
 constexpr std::size_t FacesAChunk = 4096;
 
-// Parts of the box's shortest edge. What is nearer is flat but for rounding; nothing goes farther.
+// Parts of the box's shortest edge. Anything nearer is flat up to rounding; nothing moves farther.
 constexpr double LeastOff = 4e-6;
 constexpr double MostOff = 0.1;
 
-// By how much an edge of a patch may turn, as a tangent; and how far a node may go along another edge.
+// By how much an edge of a patch may turn, as a tangent; and how far a node may move along another edge.
 constexpr double MostTurn = 0.12;
 constexpr double MostOfEdge = 0.3;
 
@@ -197,7 +197,7 @@ public:
   {
   }
 
-  // Finds those that turn by more, or of whose stars a triangle is turned over now.
+  // Finds those that turn by more, or whose star now has an inverted triangle.
   void findBent(Execution& execution)
   {
     bent_.assign(start_.size() - 1, 0);
@@ -209,7 +209,7 @@ public:
     });
   }
 
-  // Their corners go back.
+  // Moves their corners back.
   void takeBack()
   {
     for (std::size_t f = 0; f < bent_.size(); ++f)

@@ -19,7 +19,7 @@
 namespace cartesian
 {
 
-// What flawed boxes give up, even where it closes.
+// What flawed boxes lose, even where it closes.
 enum class GivenUp : std::uint8_t
 {
   Detail, // boxes that close: sides between two of them get simplified chords (ChordSimplification.h)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Chords of a side made fewer where they show more detail than boxes of this size can (4.11, IP patches:
-// the polylines on the sides of a box are what its patches are made from).
+// Reduces the chords of a side where they show more detail than boxes of this size can resolve (4.11, IP patches: the
+// polylines on the sides of a box are what its patches are made from).
 #pragma once
 
 #include "Faces/SideChords.h"
@@ -8,14 +8,14 @@
 namespace cartesian
 {
 
-// Nodes that lie this near to the polyline without them go; by the side's shorter edge.
+// Nodes this close to the polyline without them are dropped; relative to the side's shorter edge.
 constexpr double ChordTolerance = 0.1;
 
-// Closed polylines narrower than this go altogether: a finger that no box can show.
+// Closed polylines narrower than this are dropped: a finger too thin for the boxes.
 constexpr double NarrowestLoop = 0.15;
 
-// Keeps the nodes on the border of the side, and those where not just one chord comes and one leaves.
-// Simplified chords do not cross each other; where they would, all stay as they are.
+// Keeps the nodes on the border of the side, and those where not just one chord comes and one leaves. Simplified
+// chords do not cross each other; where they would, none is simplified.
 class ChordSimplifier
 {
 public:

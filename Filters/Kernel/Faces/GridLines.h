@@ -71,7 +71,7 @@ public:
   // Status of a grid node near flawed boxes: 0 outside, 1 inside.
   int status(std::uint32_t node) const { return status_[node]; }
 
-  // What becomes of the line between two nodes, or null: it keeps its crossings.
+  // The change of the line between two nodes, or null: it keeps its crossings.
   const NewLine* find(std::uint32_t low, std::uint32_t high) const;
 
   // The index of the grid node that follows border[i], or the border's size.

@@ -238,8 +238,8 @@ private:
     return twice <= 2 * length && -twice <= 2 * length;
   }
 
-  // Joins each hole to the smallest loop around it. A thin loop that rounding turned over has none around
-  // it, and is a face by itself. Returns false for thicker ones, which the surface turns over.
+  // Joins each hole to the smallest loop around it. A thin loop that rounding inverted has none around it, and is a
+  // separate face. Returns false for thicker ones, which the surface inverts.
   bool joinHolesToLoops()
   {
     if (holes_.empty())

@@ -144,8 +144,8 @@ std::uint32_t SideChords::patchBoxOf(const Side& side, bool& isLow) const
   return n == None ? None : sides_.patchBox[n];
 }
 
-// Faces of the side run along these edges in the opposite direction to the patch. For the upper box, or
-// where the region is in front of the patch, the face is turned over.
+// Faces of the side run along these edges in the opposite direction to the patch. For the upper box, or where the
+// region is in front of the patch, the face is reversed.
 void SideChords::find(
   std::size_t s, const Rectangle& r, std::vector<SideEdge>& chords, std::int32_t region) const
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What bounds the inside region of a common side (section 4.9): chords, which are edges of patches, and
-// the border of the side, with the status of its corners.
+// The boundary of the inside region of a common side (section 4.9): chords, which are edges of patches, and the border
+// of the side, with the status of its corners.
 #pragma once
 
 #include "Boxes/Sides.h"

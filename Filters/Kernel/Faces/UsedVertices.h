@@ -12,7 +12,7 @@ namespace cartesian
 enum class NodeRole : std::uint8_t
 {
   Unused,
-  Plain,  // it is no vertex of the global mesh, or that is not known yet
+  Plain,  // it is not a vertex of the global mesh, or not known to be
   Vertex, // it is a vertex of the global mesh
 };
 

@@ -18,7 +18,7 @@ namespace
 constexpr int Points = 1; // the number of the zone of points
 constexpr std::size_t MostBytes = 80;
 
-// What Fluent calls a zone of faces, and its number.
+// Fluent's name and number for a type of face zone.
 struct Kind
 {
   const char* name;

@@ -11,9 +11,9 @@
 namespace cartesian
 {
 
-// Each region is a zone of cells (one called "cells", if there are none), fluid or, where there are several and this one
-// has walls and symmetry planes only, solid. Inner faces are a zone "interior" for each; faces between two regions
-// one of type wall, <region>_to_<other>. Each patch is a zone of its name, by its kind wall, symmetry,
+// Each region is a zone of cells (one called "cells", if there are none), fluid or, where there are several and this
+// one has walls and symmetry planes only, solid. Inner faces are a zone "interior" for each; faces between two
+// regions one of type wall, <region>_to_<other>. Each patch is a zone with its name, by its kind wall, symmetry,
 // velocity-inlet or pressure-outlet (which other openings are too); one of several regions is divided,
 // <patch>_<region>, as faces of a zone are of one zone of cells. Characters in names that Fluent does not allow
 // become underscores. Throws Error (CannotWrite).

@@ -21,7 +21,7 @@ public:
   // Of this name: cut short if it is too long, with a number at its end where that is taken.
   std::string take(const std::string& name);
 
-  // The one that was taken for this name, whenever it is asked for.
+  // The unique name for this name, always the same.
   const std::string& of(const std::string& name);
 
   // No other gets a name that these have.

@@ -16,9 +16,8 @@ struct Fragment
   // Three, and one for each of six planes.
   static constexpr int MostCorners = 9;
 
-  // side[i] tells what the side from corner i to corner i + 1 lies on: edge 0, 1 or 2 of the
-  // triangle, or a plane perpendicular to the axis side[i] - FirstPlane, on whose level both
-  // corners are.
+  // side[i] is what the side from corner i to corner i + 1 lies on: edge 0, 1 or 2 of the triangle, or a plane
+  // perpendicular to the axis side[i] - FirstPlane, on whose level both corners are.
   static constexpr std::uint8_t FirstPlane = 3;
 
   int size = 0;

@@ -15,7 +15,7 @@ struct LineMeeting
   double distance;
   double second; // weights of these corners
   double third;
-  bool leaves; // goes the way of the triangle's normal
+  bool leaves; // in the direction of the triangle's normal
 };
 
 inline LineMeeting meetLine(const Corners& c, const Vector& start, const Vector& direction)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How thick all layers together are to be at each place: a length, or a part of the box there.
+// The requested total thickness of layers at each place: a length, or a part of the box there.
 #pragma once
 
 #include "Mesh/OutputMesh.h"
@@ -8,7 +8,7 @@
 namespace cartesian
 {
 
-// At each face, in user units, where its boundary has no thickness of its own.
+// At each face, in user units, if its boundary does not have its own thickness.
 std::vector<double> usualThicknesses(
   const OutputMesh& mesh, const std::vector<BoundaryFace>& faces, const WallLayerSpec& spec);
 

@@ -125,7 +125,7 @@ private:
     return hasMoved;
   }
 
-  // Whether there are any; what mends them.
+  // Whether there are any; the remedy.
   bool mendFaults(bool all, double factor)
   {
     std::vector<double> points = pointsNow();
@@ -175,7 +175,7 @@ private:
     return changed;
   }
 
-  // There are no layers at the fault: its cells become what they were without any.
+  // Removes the layers at the fault: its cells are then as before.
   bool leaveAlone(const LayerFault& fault)
   {
     bool changed = lower(fault.around, 0);
@@ -204,7 +204,7 @@ private:
     return changed;
   }
 
-  // Stacks taper off beside stacks that do not: where there are none of these there are no layers.
+  // Stacks taper off next to stacks that do not: without any of these there are no layers.
   bool leaveOutIslands()
   {
     std::vector<std::uint8_t> isKept(wall_.nodes());

@@ -2,13 +2,13 @@
 // Boundary layers on a finished mesh: its wall nodes move inwards, the points near them follow (NodeMotion.h), and
 // stacks of prisms fill the gap (PrismStacks.h).
 //
-// Where solvers would refuse a face or a cell that they accepted before, or one of the layers, these become thinner
-// or end. In each round the mesh near the wall is measured (QualityMeasures.h). The nodes of each face at fault, or those
-// nearest to it, have less of the layers than before, in the end none; at once if the fault is between two
-// stacks, as these cannot mend by being thinner. With layers nowhere the mesh is what it was: so there is an end.
+// Where a face or a cell fails that passed before, or one of the layers does, these become thinner or end. In each
+// round the mesh near the wall is measured (QualityMeasures.h). Layers at the nodes of each failing face, or at those
+// nearest to it, become thinner, and finally end; immediately if the fault is between two stacks, where thinner
+// layers do not help. Without layers the mesh is unchanged, so this terminates.
 //
-// Each region has its layers as if there were no other one: on its boundary, and on its side of interfaces. These stay
-// as they are, their faces the same for both sides (SharedNodes.h).
+// Each region has its layers as if it were the only one: on its boundary, and on its side of interfaces. These do not
+// change, and both sides share their faces (SharedNodes.h).
 #pragma once
 
 #include "Layers/SharedNodes.h"

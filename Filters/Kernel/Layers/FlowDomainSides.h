@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sides of a flow domain, which no point of a mesh with layers goes through.
+// The sides of a flow domain, which no point moves through when layers are made.
 #pragma once
 
 #include "Boxes/Boxes.h"
@@ -14,7 +14,7 @@ namespace cartesian
 class FlowDomainSides
 {
 public:
-  // The ends of the grid, where the domain is the space around the surface; elsewhere there are none.
+  // The ends of the grid, if the domain is the space around the surface; otherwise none.
   FlowDomainSides(const Boxes& boxes, const Surface& surface);
 
   // A way from a point on a side does not lead out there.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Vectors at the nodes of a graph, as smooth as what is known of them allows.
+// Vectors at the nodes of a graph, as smooth as the known values allow.
 #pragma once
 
 #include "Lattice/Vector.h"
@@ -10,8 +10,8 @@
 namespace cartesian
 {
 
-// Each unknown value is the mean of its neighbours', weighted, with 0 in place of what is not linked; the part of it
-// along its fixed normals stays what it was.
+// Each unknown value is the weighted mean of its neighbours', with 0 in place of what is not linked; its component
+// along its fixed normals is kept.
 class HarmonicField
 {
 public:

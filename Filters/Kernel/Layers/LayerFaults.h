@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What solvers refuse of a mesh with layers and accepted, or had not to accept, without them; and thin slices beside
-// thick stacks, which nobody refuses, but which make solvers slow or diverge.
+// Faces and cells that fail in a mesh with layers and passed, or were absent, without them; and thin slices beside
+// thick stacks, which pass every check but make solvers slow or diverge.
 #pragma once
 
 #include "Layers/NearCells.h"
@@ -29,7 +29,7 @@ public:
     const std::vector<std::uint8_t>& hasMoved, Execution& execution) const;
 
 private:
-  // What measureQuality says of some cells.
+  // The results of measureQuality for some cells.
   struct Faults
   {
     FaceList list;
@@ -38,7 +38,7 @@ private:
     std::vector<double> volume;     // of each cell
     std::vector<std::uint8_t> cell;
     std::vector<std::uint8_t>
-      isOdd; // cells at fault for their aspect ratio or gain, which a thinner one mends hardly
+      isOdd; // cells at fault for their aspect ratio or gain, for which thinner layers hardly help
   };
   struct Selection;
 

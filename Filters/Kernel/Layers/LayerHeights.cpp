@@ -9,7 +9,7 @@ namespace cartesian
 namespace
 {
 
-constexpr double LeastOfALayer = 0.5; // of what was asked
+constexpr double LeastOfALayer = 0.5; // of the requested one
 
 }
 

@@ -7,9 +7,9 @@
 namespace cartesian
 {
 
-// A stack with less room than was asked keeps the height of its first layer as long as it can, since y+ follows from
-// that: its layers grow more slowly. Where one of them would be thinner than half of what was asked, or there is not
-// even room for layers of equal heights, all become thinner.
+// A stack with less room than requested keeps the height of its first layer as long as possible, since that sets y+:
+// its layers grow more slowly. If one of them would be thinner than half the requested thickness, or there is not
+// even room for layers of equal height, all become thinner.
 class LayerHeights
 {
 public:
@@ -18,7 +18,7 @@ public:
 
   std::size_t layers() const { return full_.size() - 1; }
 
-  // The end of the k-th layer, from the wall on, of a stack that takes a part (0 to 1) of its way; as a part of the way.
+  // The end of the k-th layer, from the wall, of a stack that takes a part (0 to 1) of its way; as a part of the way.
   double at(double part, std::size_t k) const;
 
 private:
@@ -27,8 +27,8 @@ private:
 
   std::vector<double> full_; // of all layers, as parts of the way: 0, ..., 1
   double
-    grown_; // of the height that layers gain over the first, where the last has half of what was asked
-  double kept_; // the least part of the way with a first layer as asked
+    grown_; // of the height that layers gain over the first, where the last has half the requested thickness
+  double kept_; // the least part of the way with a first layer as requested
 };
 
 }

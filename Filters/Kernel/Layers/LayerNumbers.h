@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The numbers of cells in a mesh with layers: those of a stack follow the cell below it, so that what is coupled is near
-// in a solver's matrix, and the cells of a part of the grid have numbers in a row.
+// The numbers of cells in a mesh with layers: those of a stack follow the cell below it, so that coupled cells are
+// close in a solver's matrix, and the cells of a part of the grid have consecutive numbers.
 #pragma once
 
 #include "Layers/PrismStacks.h"

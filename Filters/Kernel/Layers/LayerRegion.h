@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What layers see of one region of a mesh; of a mesh of one region, all.
+// One region of a mesh as layers see it; with a single region, the whole mesh.
 #pragma once
 
 #include "Mesh/OutputMesh.h"

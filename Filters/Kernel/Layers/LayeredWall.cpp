@@ -16,7 +16,7 @@ namespace
 {
 
 constexpr double PartOfTheWay = 1.0 / 3; // to what lies opposite
-constexpr double SinOfOnePlane = 0.1;    // normals that differ by less tell the same
+constexpr double SinOfOnePlane = 0.1;    // normals that differ by less count as equal
 constexpr double SinOfSharpEdge = 0.7;   // ... about the way of a node
 constexpr std::size_t NodesAChunk = 256;
 
@@ -142,7 +142,7 @@ private:
     });
   }
 
-  // Edges of other than two faces tell no neighbour: their nodes can have no layers.
+  // Edges of other than two faces have no unique neighbour: their nodes cannot have layers.
   void endAtOddEdges()
   {
     for (std::size_t f = 0; f < wall_.layered.size(); ++f)
@@ -158,7 +158,7 @@ private:
     }
   }
 
-  // The cells beyond an interface without layers stay as they are, and so do its edges.
+  // The cells beyond an interface without layers do not change, nor do its edges.
   void endAtInterfaces()
   {
     for (std::size_t f = wall_.of.boundaryFaces(); f < wall_.layered.size(); ++f)

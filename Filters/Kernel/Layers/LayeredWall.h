@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The boundary of a region that gets layers: which of its nodes go where.
+// The boundary of a region that gets layers, and where its nodes move.
 #pragma once
 
 #include "Layers/FlowDomainSides.h"
@@ -15,7 +15,7 @@ struct LayeredWall
   std::vector<std::uint8_t> layered; // of each face
   std::vector<double> asked; // thickness of all layers on each face, in user units; 0: it has none
   std::vector<double>
-    usual; // of each node, where boundaries have no thickness of their own; the most of its faces
+    usual; // of each node, where boundaries do not have their own thickness; the most of its faces
   std::vector<std::uint8_t>
     isOnWall;                // of each node, an index in of.mesh.meshPoint: it is of a layered face
   std::vector<Vector> place; // of each node, in user units
@@ -30,7 +30,7 @@ struct LayeredWall
   // ... of each node on the wall, those across which its way is certain: others come from nodes beside it.
   std::vector<std::vector<Vector>> across;
 
-  // Of its way, how much layers take; the mesh's point moves to there. 0: it has none.
+  // The part of its way that layers take; the mesh's point moves there. 0: it has none.
   std::vector<double> parts;
 
   // Of each face's corners, as in of.mesh.corners, the face beyond the edge from there to the next corner, and that
@@ -69,7 +69,7 @@ struct LayeredWall
   // Whether its stack has no height at one of its nodes.
   bool tapers(std::size_t face) const;
 
-  // Whether all layers have one side in common over an edge: neither side of it has layers to tell apart.
+  // Whether all layers have one common side over an edge: neither side of it has layers that differ.
   bool isWhole(std::size_t face, std::size_t i) const;
 
   // Of all layers on a face: the mean of its nodes, along the normal of the wall.

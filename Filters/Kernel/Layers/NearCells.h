@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cells of a mesh near the walls that get layers: all that layers change.
+// The cells near walls that get layers: the only ones that layers change.
 #pragma once
 
 #include "Layers/LayeredWall.h"

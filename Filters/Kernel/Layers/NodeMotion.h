@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The points near a wall follow its nodes when these move inwards, the less the farther they are: no cell is squeezed
-// more than others.
+// The points near a wall follow its nodes when these move inwards, less with distance, so that no cell is squeezed more
+// than others.
 #pragma once
 
 #include "Layers/HarmonicField.h"
@@ -9,8 +9,8 @@
 namespace cartesian
 {
 
-// Spreads the ways of the wall's nodes along it: what the planes around a node do not tell about its way comes from
-// nodes beside it, and fades away over some thicknesses. So nodes near a sharp edge make room for those on it.
+// Spreads the displacements of wall nodes along the wall: components that the planes around a node do not determine
+// come from neighbouring nodes, and fade over some thicknesses. So nodes near a sharp edge make room for those on it.
 void spreadWays(LayeredWall& wall);
 
 // The ways of points are harmonic on the graph of the mesh's edges, whose weights are the reciprocals of their

@@ -12,7 +12,7 @@ namespace cartesian
 namespace
 {
 
-// The points above a node are numbered one after the other, from the mesh to the wall.
+// The points above a node are numbered consecutively, from the mesh to the wall.
 class Columns
 {
 public:

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The boundary layers of a mesh: a stack of prisms on each boundary face of a layered wall.
 //
-// Points of the layers are on the line from a node to its place on the wall. Faces with a common edge share the
-// side faces above it (StackSides.h). Towards boundaries without layers the side faces are boundary. A node without layers has
-// none above it: a stack tapers to there and is one cell, as slices of a wedge are so skew that solvers diverge on them.
-// A face all of whose nodes are such has no stack. Nodes with layers are of a stack that does not taper.
+// Points of the layers are on the line from a node to its place on the wall. Faces with a common edge share the side
+// faces above it (StackSides.h). Towards boundaries without layers the side faces are boundary. A node without layers
+// has none above it: a stack tapers to there and is one cell, as slices of a wedge are so skew that solvers diverge
+// on them. A face with only such nodes has no stack. Nodes with layers belong to a stack that does not taper.
 #pragma once
 
 #include "Layers/LayerHeights.h"

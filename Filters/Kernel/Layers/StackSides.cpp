@@ -48,7 +48,7 @@ bool StackSides::leadAlike(std::size_t face, std::size_t i) const
     wall_.cornerAfter(a, wall_.opposite[wall_.corner(face, i)]);
 }
 
-// Two faces with stacks have the same sides between them: the first of them tells.
+// Two faces with stacks share the sides between them: the first one determines them.
 void StackSides::divideFace(std::size_t face)
 {
   const std::size_t corners = wall_.corners(face);

@@ -138,7 +138,7 @@ void simplifyDetail(Assembly& a, Execution& execution)
   }
 }
 
-// Where several regions meet, patches cannot be made anew from corners alone.
+// Where several regions meet, patches cannot be rebuilt from corners alone.
 Error flawBetweenRegions(const Assembly& a, const BoxFlags& flawed)
 {
   const auto n =
@@ -203,7 +203,7 @@ BoxFlags rebuildFlawed(Assembly& a, BoxFlags flawed, Execution& execution)
   {
     if (all[n] != 0)
     {
-      a.rebuilt.push_back(a.sides.polyhedral[n]); // shaping may number polyhedral boxes anew
+      a.rebuilt.push_back(a.sides.polyhedral[n]); // shaping may renumber polyhedral boxes
     }
   }
   return flawed;
@@ -259,9 +259,9 @@ BoxFlags findTurned(const Assembly& a, const WallMesh& wall)
   return turned;
 }
 
-// Collapses short edges, first between the seams, then across them (EdgeCollapse.h), and makes the cells.
-// Boxes whose faces then do not close, or whose cells turned over, keep their edges in another attempt;
-// what changes for that changes nothing beyond the seams.
+// Collapses short edges, first between the seams, then across them (EdgeCollapse.h), and makes the cells. Boxes whose
+// faces then do not close, or whose cells are inverted, keep their edges in another attempt; this changes nothing
+// beyond the seams.
 class CollapseAttempts
 {
 public:
@@ -304,7 +304,7 @@ private:
     return flawed == flawed_;
   }
 
-  // False: there are boxes with cells turned over that will keep their edges.
+  // False: there are boxes with inverted cells that will keep their edges.
   bool keepsTurned(EdgeCollapseSpec& edges, const WallMesh& wall) const
   {
     const BoxFlags before = edges.keeps;
@@ -350,12 +350,12 @@ private:
   EdgeCollapseSpec between_;
   EdgeCollapseSpec across_;
 
-  // Whether a cell that turned over cannot just be left out: the mesh would be too large, or a hole would be
-  // between two regions.
+  // Whether an inverted cell cannot just be left out: the mesh would be too large, or have a hole between two
+  // regions.
   const bool turnedMatter_;
 };
 
-// Returns nothing for one beyond the core: another part tells it.
+// Returns nothing for one beyond the core: another part reports it.
 std::optional<RemovedCell> remove(Assembly& a, std::uint32_t c)
 {
   Cell& cell = a.wall.cells[c];
@@ -369,8 +369,8 @@ std::optional<RemovedCell> remove(Assembly& a, std::uint32_t c)
   return RemovedCell{ cell.box, cell.volumeFraction * size[0] * size[1] * size[2] };
 }
 
-// Nothing can be computed on cells that overlap, however exactly they show the surface. Where shaping has made some after
-// all, what lies beside them cannot be mended any more: that is told.
+// Solvers cannot use overlapping cells, however exactly they represent the surface. If shaping has made some
+// nevertheless, their neighbours cannot be repaired any more: a warning says so.
 void removeOverlapping(Assembly& a)
 {
   for (const std::uint32_t c : overlappingCells(a.boxes, a.nodes.at.size(), a.wall))
@@ -382,7 +382,7 @@ void removeOverlapping(Assembly& a)
   }
 }
 
-// Fragments would leave a solver without a pressure: they go, unless the surface is to stay exactly.
+// A solver cannot determine the pressure in fragments: they are removed, unless the surface must stay exact.
 void removeFragments(Assembly& a, const Options& options, Execution& execution)
 {
   const bool removes = shapesCells(options) && options.smallCells.handling == SmallCells::Merge &&

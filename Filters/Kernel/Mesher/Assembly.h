@@ -21,7 +21,7 @@ struct SeparateParts
   std::size_t isolatedCells = 0;      // cells of the core in those that stay
 };
 
-// What the steps have made of a part of the grid, or of all of it. `mesh` refers to the others.
+// The results of the steps for a part of the grid, or all of it. `mesh` refers to the others.
 struct Assembly
 {
   Boxes boxes;
@@ -30,7 +30,7 @@ struct Assembly
   Nodes nodes;
   InnerFaces inner; // until cells are assembled of them and the patches
   WallMesh wall;
-  std::vector<std::uint32_t> rebuilt; // boxes whose patches were made anew, in order
+  std::vector<std::uint32_t> rebuilt; // boxes whose patches were rebuilt, in order
   Shaping shaping;
   SeparateParts separate;
   std::vector<std::uint32_t> overlapping; // boxes of cells that overlap others, once shaped
@@ -44,10 +44,10 @@ struct Assembly
 std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& given,
   Execution& execution, const WallLayerSpec* layers = nullptr, const PartsToKeep& parts = {});
 
-// Boxes of the core whose patches were made anew (BoxRebuilding.h).
+// Boxes of the core whose patches were rebuilt (BoxRebuilding.h).
 std::vector<std::uint32_t> rebuiltBoxes(const Assembly& assembly);
 
-// Intersected boxes of the core that have no cells: neither their patches close nor those made anew.
+// Intersected boxes of the core without cells: neither their patches nor the rebuilt ones close.
 std::vector<std::uint32_t> flawedBoxes(const Assembly& assembly);
 
 }

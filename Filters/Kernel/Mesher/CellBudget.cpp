@@ -13,8 +13,8 @@ namespace cartesian
 namespace
 {
 
-// Of cells that become of boxes which the surface passes through, where short edges collapse; measured from 0.5 to 0.9,
-// the most on thin bodies.
+// Cells per box that the surface passes through, where short edges collapse; measured from 0.5 to 0.9, the most on
+// thin bodies.
 constexpr double CellsOfCutBoxes = 0.7;
 
 // Boxes are fitted more closely than the cells have to.
@@ -24,7 +24,7 @@ constexpr double MostRelaxed = 1e3;
 constexpr int MostSteps = 12;
 constexpr int MostMeshes = 3;
 
-// More boxes than so many times the budget are not made, only estimated.
+// Beyond this multiple of the budget boxes are not made, only estimated.
 constexpr double FarTooMany = 4;
 
 double cellsOf(const Assembly& assembly)
@@ -33,7 +33,7 @@ double cellsOf(const Assembly& assembly)
     (assembly.layers ? static_cast<double>(assembly.layers->stacks.cells()) : 0);
 }
 
-// How many cells there will be when sizes are relaxed by a factor: each is found out once.
+// The number of cells when sizes are relaxed by a factor: each is computed once.
 class Forecast
 {
 public:
@@ -57,7 +57,7 @@ public:
   // A mesh was made with this factor.
   void learn(double factor, double cells) { scale_ = cells / known_.at(factor); }
 
-  // The least factor, but for the tolerance, with which the cells fit. Where many sizes change at once, the number of
+  // The least factor, within the tolerance, with which the cells fit. Where many sizes change at once, the number of
   // cells jumps: past the jump, if the budget allows it and is nearer there.
   double factorThatFits()
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells that the mesh lacks, whatever removed them: small ones (section 4.10), those that solvers would refuse (4.11),
-// and those that the grid cuts off.
+// Cells left out of the mesh, for whatever reason: small ones (section 4.10), failing ones (4.11), and those that the
+// grid cuts off.
 #pragma once
 
 #include "Mesher/Mesher.h"

@@ -28,10 +28,10 @@ constexpr std::array<double, 4> BoxesAlongLongest = { 25, 50, 100, 200 };
 // Significant digits of those sizes.
 constexpr int DigitsOfSizes = 3;
 
-// More boxes than these take seconds to look at: only areas tell how many there are.
+// More boxes than these take seconds to examine: their number is estimated from areas.
 constexpr double MostLookedAt = 2e6;
 
-// What asks for sizes is looked for in about so many layers of the grid.
+// Prescribed sizes are searched for in about this many layers of the grid.
 constexpr std::size_t LayersLookedFor = 6;
 
 // Of the boxes that refinement adds by the estimate of memory, which is on the safe side: measured from 0.6 to 0.9.
@@ -57,7 +57,7 @@ struct Counts
   double atLayers = 0; // those of the intersected where the wall has layers
 };
 
-// What is known without a grid: areas of the surface, and of each boundary.
+// Known without a grid: areas of the surface, and of each boundary.
 class Areas
 {
 public:
@@ -117,7 +117,7 @@ private:
     bool hasLayers;
   };
 
-  // What is meshed, as if it were inside.
+  // The meshed space, as if it were inside.
   static SurfaceSize meshedSize(const SurfaceView& view, const DomainSpec& domain)
   {
     SurfaceSize size = sizeOf(view);
@@ -147,7 +147,7 @@ bool asksForPlaces(const RefinementSpec& spec)
       [](const BoundaryRefinement& row) { return row.blendLayers > 0; });
 }
 
-// Of a grid each global box of which is looked at; where sizes are asked for, of some layers.
+// From every global box of a grid; if sizes are prescribed, of some layers.
 Counts boxesOfGrid(const SurfaceView& surface, Options options, Execution& execution)
 {
   const PreparedSurface prepared = prepareSurface(surface, options, execution);

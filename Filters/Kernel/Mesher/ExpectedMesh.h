@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// About how large a mesh will be, for several sizes of boxes, before anything is meshed.
+// Estimates the size of a mesh, for several box sizes, before meshing.
 #pragma once
 
 #include "Base/Execution.h"
@@ -19,9 +19,9 @@ struct ExpectedMesh
   double bytes = 0; // that are taken at the peak
 };
 
-// Of the grid and with all refinement and layers that the options ask for. Where only areas of the surface matter, they
-// tell; else each box of the grid is looked at, or some of its layers, unless there are far too many. Throws Error:
-// EmptySurface, BadCoordinate, BadParameter, FlawedSurface (of a region).
+// For the grid with all refinement and layers in the options. If only areas of the surface matter, they suffice; else
+// each box of the grid is examined, or some of its layers, unless there are far too many. Throws Error: EmptySurface,
+// BadCoordinate, BadParameter, FlawedSurface (of a region).
 ExpectedMesh expectedMesh(const SurfaceView& surface, const Options& options, Execution& execution);
 
 struct ExpectedRow

@@ -47,8 +47,7 @@ MeshEstimate ofAPart(MeshEstimate estimate, int parts, std::size_t layers, int t
   return estimate;
 }
 
-// Patches of a box that has more corners show detail that becomes simpler, but for about as many, where the user did
-// not choose the exact surface.
+// In a box with more corners, detail is simplified down to about this many, unless the user chose the exact surface.
 PatchCorners cornersOf(const Patches& patches)
 {
   constexpr double MostKept = 32;
@@ -93,7 +92,7 @@ void requireOneRegion(const SurfaceView& view, const DomainSpec& domain)
   }
 }
 
-// Whether baffles may divide regions into parts (Baffles.h): what else is done there knows of no parts.
+// Whether baffles may divide regions into parts (Baffles.h): the other options do not support parts.
 bool mayDivide(const Options& options)
 {
   return options.domain.domain == Domain::Inside && options.domain.keepPoints.empty() &&
@@ -158,7 +157,7 @@ std::map<std::int32_t, std::size_t> countsOf(const std::vector<std::int32_t>& bo
   return counts;
 }
 
-// Turns the surface so that what is to be meshed is inside.
+// Orients the surface so that the meshed side is inside.
 void chooseDomain(const DomainSpec& domain, PreparedSurface& prepared)
 {
   Surface& surface = prepared.surface;
@@ -253,7 +252,7 @@ std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   const MemoryLimit& limit = prepared.memoryLimit;
   checkMemory(estimate, limit);
   Patches patches = makePatches(prepared, decomposition, boxes, options, execution);
-  // How much there is in boxes with other than exact patches is known only here.
+  // The content of boxes with other than exact patches is known only here.
   checkMemory(estimate.boxes(), estimate.bytes(limit, cornersOf(patches)), limit);
   if (options.layers.count == 0)
   {

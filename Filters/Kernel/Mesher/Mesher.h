@@ -25,7 +25,7 @@
 namespace cartesian
 {
 
-// The mesh of all that the surface encloses. Throws Error: what the steps below throw.
+// The mesh of everything that the surface encloses. Throws Error: what the steps below throw.
 std::unique_ptr<Assembly> mesh(
   const SurfaceView& surface, const Options& options, Execution& execution);
 
@@ -41,7 +41,7 @@ struct PreparedSurface
   bool isEnclosed = false; // the surface must enclose the space around each
   MemoryLimit memoryLimit;
 
-  // The user's triangles, repaired, as they are told of.
+  // The user's triangles, repaired, for messages.
   const Surface& inspected() const { return repair.crossing ? *repair.crossing : surface; }
 
   // Of these the user's; what follows closes holes.

@@ -16,10 +16,10 @@ namespace cartesian
 namespace
 {
 
-// What is left out of a mesh beyond this part of its volume is told.
+// A warning is given if more than this part of a mesh's volume is left out.
 constexpr double LargestLossUntold = 1e-3;
 
-// Planes step aside by a few levels: what is next to 0 is written as 0.
+// Planes are shifted by a few levels: values next to 0 are written as 0.
 std::string position(const Lattice& lattice, const Point& p)
 {
   std::string text;
@@ -131,7 +131,7 @@ std::string listOf(const std::vector<std::int32_t>& boundaries,
     ". Correct the surface if faces are expected there.";
 }
 
-// Boundaries that bound nothing of what is meshed, and why.
+// Boundaries without a face in the mesh, and why.
 std::string describeVanished(
   const PreparedSurface& prepared, const std::map<std::int32_t, std::string>& names)
 {
@@ -328,7 +328,7 @@ std::string describeShortfall(const DomainSpec& domain, const FlowRefinement& fl
   {
     return {};
   }
-  const double least = flow.length / domain.boxesAlong; // the size that is asked for
+  const double least = flow.length / domain.boxesAlong; // the requested size
   return "Boxes Along Body is " + std::to_string(domain.boxesAlong) + ", but only " +
     number(std::floor(flow.length / flow.size)) +
     " fit along the surface: boxes can be halved at most " + std::to_string(DeepestLevel) +

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The options that are one number, by the names that the panel gives them. Tests compare the plugin's
-// XML, the filters' initial values and the template of task files with it.
+// The options that are one number, by their names in the panel. Tests compare the plugin's XML, the filters' initial
+// values and the template of task files with it.
 #pragma once
 
 #include "Base/Range.h"

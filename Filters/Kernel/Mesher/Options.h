@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All that the user chooses about a mesh: each option with its default, range and unit once, here or in
-// its group. The panel's names for them are in OptionTable.h.
+// All user options: each with its default, range and unit once, here or in its group. The panel's names for them are in
+// OptionTable.h.
 #pragma once
 
 #include "Boxes/MeshEstimate.h"
@@ -24,7 +24,7 @@ enum class RegionSource : std::uint8_t
 {
   One = 0,    // there is one region
   Blocks = 1, // each block of the surface is one
-  Array = 2,  // a cell array tells
+  Array = 2,  // by a cell array
 };
 
 struct Options
@@ -45,8 +45,8 @@ struct Options
   ShapingSpec shaping;
   WallLayerSpec layers;
 
-  // Cells that the mesh may have: what refinement.sizing asks for, but its feature depth, is relaxed until they fit
-  // (CellBudget.h); 0: any number.
+  // The most cells: refinement.sizing, except its feature depth, is relaxed until they fit (CellBudget.h); 0: any
+  // number.
   double cellBudget = 0;
 
   // GiB that the mesh, or each part of it, may need by an estimate; 0: three quarters of this
@@ -54,13 +54,14 @@ struct Options
   double memoryLimit = 0;
 };
 
-// What a mesh may take; without a limit where this machine does not tell how much memory it has.
+// The memory that a mesh may take; unlimited if this machine's memory is unknown.
 MemoryLimit memoryLimitOf(const Options& options, int threads);
 
 // How far the cells of a part depend on others.
 LaterSteps laterStepsOf(const Options& options);
 
-// Boxes that double beside a wall blur what leaves it, so outside there are 3 layers between, unless the user says otherwise.
+// Boxes that double in size right at a wall smear separating flow, so outside there are 3 layers between, unless the
+// user says otherwise.
 int transitionLayersOf(const Options& options);
 
 // Whether nodes move off the surface (StandOff.h).

@@ -21,7 +21,7 @@ constexpr double AfterShaping = 0.616;
 constexpr double AfterNumbering = 0.651;
 constexpr double AfterLayers = 0.951;
 
-// Leaves out of the progress the stages that the options do not ask for; before the first stage.
+// Excludes from the progress the stages that the options do not need; before the first stage.
 inline void planStages(const Options& options, Execution& execution)
 {
   execution.leaveOut(options.collapse.ratio > 0 ? AfterShortEdges : AfterCells,

@@ -166,7 +166,7 @@ private:
     n_.boxesFlawed = static_cast<double>(flawedBoxes(a_).size());
   }
 
-  // Small and refused ones are all marked as removed: countChanges() takes them apart.
+  // Small and failing ones are all marked as removed: countChanges() separates them.
   void countCells()
   {
     const WallMesh& wall = a_.wall;

@@ -45,7 +45,7 @@ public:
     kept_.insert(kept_.end(), kept.begin(), kept.end());
   }
 
-  // Files that were there, and stay.
+  // Existing files that are kept.
   const std::vector<std::filesystem::path>& kept() const { return kept_; }
 
 private:

@@ -142,8 +142,7 @@ void writePressure(
   });
 }
 
-// What flows in: its turbulence is weak around bodies and stronger in ducts, with eddies ten times as viscous as the
-// fluid.
+// Inflow: turbulence is weak around bodies and stronger in ducts, with a viscosity ratio of ten.
 struct InletTurbulence
 {
   double k;     // m2/s2
@@ -158,7 +157,7 @@ InletTurbulence inletTurbulence(const SolverSetup& setup, bool isAround)
   return { k, k / (Viscosities * setup.viscosity) };
 }
 
-// It starts at rest: potentialFoam's velocity, through walls, is a hard start for thin cells.
+// It starts at rest: potentialFoam's velocity passes through walls, a bad start for thin cells.
 void writeVelocity(const SolverSetup& setup, const MeshOfCase& mesh,
   const std::optional<FlowAround>& around, CaseFiles& files)
 {

@@ -25,10 +25,10 @@ struct FoamProcesses
 
 struct FoamPatch
 {
-  std::string name;       // an OpenFOAM word (foamWord), different from all others
-  std::size_t count;      // number of faces; none only in a piece
-  std::string type = {};  // one of foamTypes(); empty: as the existing file says, else by name
-  FoamSample sample = {}; // a new patch that has one is a mappedWall
+  std::string name;             // an OpenFOAM word (foamWord), different from all others
+  std::size_t count;            // number of faces; none only in a piece
+  std::string type = {};        // one of foamTypes(); empty: as in the existing file, else by name
+  FoamSample sample = {};       // a new patch that has one is a mappedWall
   FoamProcesses processes = {}; // a new patch that has them is a processor
   std::string partner = {};     // a new patch that has one is a cyclicAMI with that patch
 };
@@ -36,21 +36,21 @@ struct FoamPatch
 // The types of patches that need no further entries.
 const std::vector<std::string>& foamTypes();
 
-// OpenFOAM reads words of up to 1,023 characters; this leaves room for numbers that tell equal ones apart.
+// OpenFOAM reads words of up to 1,023 characters; this leaves room for numbers that make equal ones unique.
 constexpr std::size_t LongestWord = 1000;
 
 // The name with each character that OpenFOAM does not allow in words replaced by an underscore, cut off after
 // LongestWord.
 std::string foamWord(const std::string& name);
 
-// Whether flow passes through a boundary of which only the name is known: it begins with inlet, outlet or
-// cyclic, in whatever letters. All others are walls.
+// Whether flow passes through a boundary, by its name: it begins with inlet, outlet or cyclic, in any case. All
+// others are walls.
 bool isOpening(const std::string& name);
 
 // Whether a name begins with symmetry, in upper or lower case.
 bool isSymmetry(const std::string& name);
 
-// What a boundary is to solvers other than OpenFOAM's: by its type or, without one, by its name.
+// The kind of a boundary for solvers other than OpenFOAM's: by its type or, without one, by its name.
 enum class BoundaryKind
 {
   Wall,
@@ -66,7 +66,7 @@ BoundaryKind kindOf(const FoamPatch& patch);
 class FoamBoundary
 {
 public:
-  // Patches without a type have that of their names.
+  // Patches without a type get the one that follows from their names.
   explicit FoamBoundary(const std::vector<FoamPatch>& patches);
 
   // Reads a file. There are no patches if it holds anything but patches with plain entries.

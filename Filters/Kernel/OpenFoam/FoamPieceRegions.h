@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Each region of a mesh in pieces as a mesh of its own in pieces: what decomposePar would make of the meshes that
-// meshOfRegion makes of the whole (FoamRegions.h).
+// Each region of a mesh in pieces as a separate mesh in pieces: what decomposePar would make of the results of
+// meshOfRegion for the whole (FoamRegions.h).
 //
 //   CompletePiece --labelsOfRegions--> RegionLabels, those of all pieces joined by `add`
 //   CompletePiece, RegionLabels --pieceOfRegion--> FoamMesh

@@ -310,7 +310,7 @@ private:
     }
   }
 
-  // Counted from one, negative if the whole mesh has the face turned over.
+  // Counted from one, negative if the whole mesh has the face reversed.
   void addNumber(std::size_t number, bool isTurned)
   {
     const auto label = static_cast<std::int32_t>(number + 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A mesh in pieces, each of which a process of OpenFOAM takes: what decomposePar would make of the whole mesh.
-// Nobody needs that: each piece needs itself, and the outlines of all.
+// A mesh in pieces, one for each OpenFOAM process: what decomposePar would make of the whole mesh. No process needs
+// that: each piece needs itself, and the outlines of all.
 //
 //   FoamPiece --outlineOf--> FoamOutline, of all pieces --numberFaces--> FaceNumbers
 //   FoamPiece, FaceNumbers --completed--> CompletePiece
@@ -27,7 +27,7 @@ struct FoamPiece
   FoamRegions regions = {}; // of the whole mesh, and of the cells; no names: there is one
 };
 
-// What all pieces must know of one.
+// What all pieces must know about one.
 struct FoamOutline
 {
   struct OpenFace

@@ -161,7 +161,7 @@ private:
   }
 
   // The last face is a boundary face of its mesh, whatever it is in the mesh of all regions: its corners begin where
-  // they do when a face of that is turned over.
+  // they do when a face of that is reversed.
   void turnToOwner()
   {
     std::int32_t& label = mesh_.addressing->faces.back();
@@ -443,7 +443,8 @@ std::vector<bool> regionsOfNames(const FoamRegions& regions, const std::vector<s
     if (found == regions.names.end())
     {
       throw Error(Fault::BadParameter,
-        "Zone Regions: the mesh has no region " + name + ". It has " + listed(regions.names) + ".");
+        "Zone Regions: the mesh has no region " + name + ". Choose from " + listed(regions.names) +
+          ".");
     }
     isNamed[static_cast<std::size_t>(found - regions.names.begin())] = true;
   }

@@ -20,7 +20,7 @@ struct FoamRegions
 enum class ZoneBorder
 {
   Faces, // inner faces, in a faceZone
-  Pair   // two patches of type cyclicAMI, each with points of its own: one side may move
+  Pair   // two patches of type cyclicAMI with separate points: one side may move
 };
 
 // Which regions are zones of which mesh.
@@ -31,7 +31,7 @@ struct FoamZoning
   ZoneBorder border = ZoneBorder::Faces;
 };
 
-// Each region a mesh of its own.
+// Each region a separate mesh.
 FoamZoning separateMeshes(const FoamRegions& regions);
 
 // All regions are zones of one mesh.

@@ -22,7 +22,7 @@ constexpr double TurbulentPrandtl = 0.85;
 constexpr double AirDensity = 1.2;  // kg/m3
 constexpr double Correction = 0.33; // Schemes::correction
 
-// The flow is there: heat is carried by it.
+// The flow is known: it carries the heat.
 constexpr const char* Gradients = "    grad(h)         cellLimited Gauss linear 1;\n";
 constexpr const char* Divergences = R"(    div(phi,h)      bounded Gauss linearUpwind grad(h);
     div(phi,K)      bounded Gauss linear;
@@ -152,7 +152,7 @@ void writePressures(const MeshOfCase& mesh, CaseFiles& files)
   }
 }
 
-// What chtMultiRegionSimpleFoam takes from the flow that simpleFoam has found: it is of unit density.
+// Converts simpleFoam's flow, of unit density, for chtMultiRegionSimpleFoam.
 constexpr const char* Conversion = R"foam(
 # convert FIELD FACTOR DIMENSIONS NEW_FIELD, of a place: of ascii fields.
 convert()
@@ -168,7 +168,7 @@ convert()
 }
 )foam";
 
-// Runs the flow of a fluid region as a case of its own, then gives it to the case.
+// Runs the flow of a fluid region as a separate case, then passes the result to the main one.
 constexpr const char* FlowOfRegion = R"foam(
 # The flow of @region: as the density is constant, it does not depend on temperatures.
 for place in @places; do

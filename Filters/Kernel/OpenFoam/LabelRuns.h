@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A set of labels, such as those of a region's faces, as runs of consecutive ones: few where a mesh is numbered box
-// after box. It tells the number that each label has in the set.
+// after box. It gives the number of each label in the set.
 #pragma once
 
 #include <cstddef>

@@ -12,7 +12,7 @@ namespace cartesian
 // are missing. Throws Error: CannotWrite.
 void writeLeastSystem(const std::filesystem::path& folder, const std::string& region);
 
-// decomposeParDict: OpenFOAM 1912 wants to read how many processes there are.
+// decomposeParDict: OpenFOAM 1912 reads the number of processes from it.
 std::string decompositionOf(int pieces);
 
 // Whether a file is as writeLeastSystem() has written it.

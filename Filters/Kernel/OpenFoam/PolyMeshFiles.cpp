@@ -163,7 +163,7 @@ fs::path freeName(const fs::path& path)
   return name;
 }
 
-// Renames what is old, if there is any; the new name, or an empty one.
+// Renames the old file, if any; returns the new name, or an empty one.
 fs::path setAside(const fs::path& path)
 {
   if (!fs::exists(path))
@@ -293,7 +293,7 @@ std::vector<std::filesystem::path> PolyMeshFiles::replace()
       {
         writeSystemOf(written.region);
       }
-      // The old mesh goes when the new one is there: whenever the program is killed, there is one of them.
+      // The old mesh is removed once the new one is in place: whenever the program is killed, one of them exists.
       const fs::path old = setAside(written.polyMesh);
       fs::rename(unfinished(written.polyMesh), written.polyMesh);
       kept.push_back(written.replaces ? withoutMesh(old) : old);
@@ -336,8 +336,8 @@ void PolyMeshFiles::writeRegionProperties(std::vector<std::filesystem::path>& ke
   }
   kept.push_back(setAside(path));
   FoamFile file(path, FoamFormat::Ascii, { "dictionary", "constant", {} });
-  file.text(
-    "// fluid: what is called so, or has a patch that is no wall.\n\nregions\n(\n    fluid (" +
+  file.text("// fluid: regions whose names begin with fluid, or with a patch that is not a "
+            "wall.\n\nregions\n(\n    fluid (" +
     fluid + " )\n    solid (" + solid + " )\n);\n");
   file.close();
 }

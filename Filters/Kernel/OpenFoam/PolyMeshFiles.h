@@ -30,8 +30,7 @@ struct FoamFaceZone
 struct FoamAddressing
 {
   std::vector<std::int32_t> points;
-  std::vector<std::int32_t>
-    faces; // from one; negative where the whole mesh has the face turned over
+  std::vector<std::int32_t> faces; // from one; negative where the whole mesh has the face reversed
   std::vector<std::int32_t> cells;
   std::vector<std::int32_t> patches; // -1: between two processes
 };
@@ -61,12 +60,11 @@ struct FoamPlace
   int pieces = 1;
 };
 
-// Writes meshes of a case: that of `folder`/constant/polyMesh, or one for each region, constant/<region>/polyMesh.
-// A piece's are in `folder`/processor0, processor1, ... instead; what is said of regions stays in `folder`.
-// Each has points, faces, owner, neighbour, boundary and, if it has them, cellZones, faceZones, pointProcAddressing,
-// faceProcAddressing, cellProcAddressing, boundaryProcAddressing; beside them are the
-// files system/controlDict, fvSchemes, fvSolution and, of pieces, decomposeParDict that checkMesh needs, if they are
-// missing.
+// Writes meshes of a case: that of `folder`/constant/polyMesh, or one for each region, constant/<region>/polyMesh. A
+// piece's are in `folder`/processor0, processor1, ... instead; the list of regions stays in `folder`. Each has
+// points, faces, owner, neighbour, boundary and, if it has them, cellZones, faceZones, pointProcAddressing,
+// faceProcAddressing, cellProcAddressing, boundaryProcAddressing; beside them are the files system/controlDict,
+// fvSchemes, fvSolution and, of pieces, decomposeParDict that checkMesh needs, if they are missing.
 //
 // If this class wrote an existing polyMesh for patches of the same names, that is replaced once all the new
 // ones are complete. The entries of its patches, which the user may have edited, are kept except for the
@@ -87,9 +85,9 @@ public:
   // `region`: an OpenFOAM word; empty: the case has one mesh. Writes beside what is there.
   void write(const FoamMesh& mesh, const std::string& region = {});
 
-  // Puts all that was written in its place. Of regions, writes constant/regionProperties too, where each is
-  // fluid or solid as its name begins, else fluid if it has a patch which is no wall, as chtMultiRegionFoam asks; one
-  // that names all regions stays as it is, another is renamed. Returns what was renamed.
+  // Moves everything written into place. Of regions, writes constant/regionProperties too, where each is fluid or
+  // solid as its name begins, else fluid if it has a patch that is not a wall, as chtMultiRegionFoam requires; one
+  // that names all regions is kept, any other is renamed. Returns what was renamed.
   std::vector<std::filesystem::path> replace();
 
   // What was written so far, in its place or not, for SolverSetup.h.

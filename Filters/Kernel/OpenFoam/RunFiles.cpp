@@ -21,7 +21,7 @@ std::string scriptOf(const std::string& commands, int pieces)
 {
   const std::string parallel = "mpirun -n " + std::to_string(pieces) + " \"$@\" -parallel";
   return R"foam(#!/bin/sh
-# Runs the case; what each program says is in its log.
+# Runs the case; each program writes its own log.
 set -eu
 cd "$(dirname "$0")"
 export WM_PROJECT_DIR="${WM_PROJECT_DIR:-/usr/share/openfoam}" # where Debian has it

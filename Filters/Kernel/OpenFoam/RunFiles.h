@@ -13,7 +13,7 @@ namespace cartesian
 std::string controlOf(
   const std::string& application, const SolverSetup& setup, const std::string& functions);
 
-// A script that runs these commands, each to a log of its own, with -parallel if there are several pieces.
+// A script that runs these commands, each with its own log, with -parallel if there are several pieces.
 std::string scriptOf(const std::string& commands, int pieces);
 
 }

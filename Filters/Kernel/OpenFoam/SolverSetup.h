@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a solver needs beside the mesh: start and boundary conditions, properties, schemes and a script that runs it.
+// Everything that a solver needs besides the mesh: initial and boundary conditions, properties, schemes and a script
+// that runs it.
 #pragma once
 
 #include "Base/Range.h"
@@ -64,7 +65,7 @@ struct FlowAround
   double frontalArea = 0;
 };
 
-// What a patch is to the flow.
+// The role of a patch in the flow.
 enum class PatchRole : std::uint8_t
 {
   Wall,
@@ -85,14 +86,14 @@ std::vector<std::string> namesOf(
 // Throws Error (BadParameter) where a number is out of range.
 void requireInRange(const SolverSetup& setup);
 
-// Throws Error (BadParameter) where the meshes do not suit the solver: no inlet, no outlet, regions where there should be
-// one or the other way round.
+// Throws Error (BadParameter) if the meshes do not suit the solver: no inlet, no outlet, several regions instead of
+// one or vice versa.
 void requireSuitable(const SolverSetup& setup, const std::vector<MeshOfCase>& meshes,
   const std::optional<FlowAround>& around);
 
 // Writes 0, constant, system and Allrun into the folder of a case, or of a case in `pieces`, processor0/0 and so on.
-// Files that are there stay, but for those of system that only checkMesh needs (PolyMeshFiles.h), unless the set-up
-// overwrites; returns those that stayed. Throws Error: BadParameter (requireInRange, requireSuitable), CannotWrite.
+// Existing files are kept, except those in system that only checkMesh needs (PolyMeshFiles.h), unless the set-up
+// overwrites; returns the kept ones. Throws Error: BadParameter (requireInRange, requireSuitable), CannotWrite.
 std::vector<std::filesystem::path> writeSolverCase(const std::filesystem::path& folder,
   const SolverSetup& setup, const std::vector<MeshOfCase>& meshes,
   const std::optional<FlowAround>& around, int pieces);

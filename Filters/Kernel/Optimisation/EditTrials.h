@@ -15,7 +15,7 @@ public:
   {
   }
 
-  // Whether there was any with a gain.
+  // Whether any had a gain.
   bool editBest(std::uint32_t face);
 
 private:

@@ -15,7 +15,7 @@ struct FaceEdit
   std::vector<std::uint32_t> ring; // nodes, as the cell below has it; empty: it is gone
 };
 
-// What an edit, or a node that moves, changes: faces, the cells beside them, and all faces of these. Each in order.
+// What an edit or a node motion changes: faces, the cells beside them, and all faces of these. Each in order.
 struct Surroundings
 {
   std::vector<std::uint32_t> faces;
@@ -74,8 +74,9 @@ public:
   // Whether two faces have the same cell or cells, and belong to the same boundary.
   bool areBetweenTheSame(std::uint32_t f, std::uint32_t g) const;
 
-  // Puts one node in place of another in all of its faces; those without an area go. `around`: the faces of `from`, and
-  // what is around them. False: the result is no mesh. Either way commit() or putBack() has to follow.
+  // Replaces one node by another in all of its faces; those without an area are removed. `around`: the faces of
+  // `from`, and what is around them. False: the result is not a valid mesh. Either way commit() or putBack() has to
+  // follow.
   bool collapse(std::uint32_t from, std::uint32_t into, const Surroundings& around);
 
   // The first becomes the union of both. `around`: both. Otherwise the same.

@@ -15,7 +15,7 @@ constexpr double LongestCollapsed = 0.4;
 // Faces inside are joined up to 45 degrees.
 constexpr double InnerCosine = 0.707;
 
-// Nodes of the wall go only along a face of it: elsewhere two walls would meet.
+// Wall nodes merge only along a wall face: elsewhere two walls would meet.
 bool mayCollapse(const Mending& m, std::uint32_t from, std::uint32_t into)
 {
   const NumberLists::List faces = m.faces.facesOf(from);

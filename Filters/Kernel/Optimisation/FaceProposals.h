@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What could be done to a poor face besides moving its nodes.
+// Possible edits of a poor face besides moving its nodes.
 #pragma once
 
 #include "Optimisation/Mending.h"
@@ -19,7 +19,7 @@ struct ProposedEdit
   std::uint32_t other;
 };
 
-// Nodes near to each other become one, and faces of one cell to the same neighbour or of the same boundary. In an order
+// Merging of close nodes, and of faces of one cell towards the same neighbour or in the same boundary. In an order
 // that follows from that of the face's corners and of its cell's faces.
 void proposeEdits(const Mending& mending, std::uint32_t face, std::vector<ProposedEdit>& edits);
 

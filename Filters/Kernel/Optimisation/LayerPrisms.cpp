@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr double Height = 0.4;        // of the box's edge
-constexpr double SinOfOnePlane = 0.1; // normals that differ by less tell the same
+constexpr double SinOfOnePlane = 0.1; // normals that differ by less count as equal
 
 struct EdgeOfFace
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Boundary faces that boundary layers will stand on: a prism on each, so that nodes move to within preferred quality limits
-// with the faces between layers too. Its height is a part of the box's, as that of layers matters little here: what is
-// wrong with a stack of prisms, is wrong with the polygon below.
+// Boundary faces with requested layers: a prism on each, so that nodes also bring the faces between layers within
+// preferred quality limits. Its height is a part of the box's, as that of layers matters little here: faults of a stack
+// of prisms are those of the polygon below.
 #pragma once
 
 #include "Optimisation/NodeMesh.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the loop over the worst faces (WorstFaces.h) and its proposers have in common: the mesh, its objective, and what
-// has changed since when.
+// Shared data of the loop over the worst faces (WorstFaces.h) and its proposers: the mesh, its objective, and what has
+// changed since when.
 #pragma once
 
 #include "Optimisation/FaceEdits.h"
@@ -10,7 +10,7 @@
 namespace cartesian
 {
 
-// What is mended; borrowed.
+// The mesh to repair; borrowed.
 struct MendingTask
 {
   NodeMesh& mesh;
@@ -54,7 +54,7 @@ private:
 
 struct Mending
 {
-  // What changes more faces is left as it is: the time for an edit grows with them.
+  // Edits that change more faces are not made: their time grows with the number.
   static constexpr std::size_t MostFacesAround = 300;
 
   Mending(const MendingTask& what, MeshEnergy& objective);

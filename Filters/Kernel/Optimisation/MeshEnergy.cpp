@@ -15,7 +15,7 @@ constexpr double LeastOfStar = 0.02;
 
 constexpr double OfFoldedFace = 1e9;
 
-// What limits beyond those that were kept cost besides.
+// Extra cost of violating limits that were met before.
 constexpr double CostOfWorse = 10;
 
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The energy (FaceEnergy.h) of a node mesh's faces and cells as its nodes are now, and its derivatives by the places of nodes.
+// The objective (FaceEnergy.h) of a node mesh's faces and cells for its current nodes, and its derivatives by the places
+// of nodes.
 #pragma once
 
 #include "Acceptance/FaceEnergy.h"
@@ -17,13 +18,13 @@ public:
   MeshEnergy(NodeMesh& mesh, const LayerPrisms& prisms, const std::vector<double>& edges,
     std::vector<std::uint8_t> isMoving);
 
-  // As all nodes are now: measures, energies, and their derivatives by measures.
+  // For the current nodes: measures, objectives, and their derivatives by measures.
   void evaluate();
 
   // Some faces alone.
   void measure(const std::vector<std::uint32_t>& faces);
 
-  // Measures of faces and the cells beside them, and the energies of all faces of these; returns the sum. Where that is
+  // Measures of faces and the cells beside them, and the objectives of all faces of these; returns the sum. Where that is
   // more than `most`, not all are looked at.
   double evaluate(const Surroundings& around, double most);
 
@@ -50,7 +51,7 @@ public:
   // From now on a face is folded if its star is worse than now, and bad.
   void keepStars() { faces_.leastStars = faces_.stars; }
 
-  // Of faces; cells' energies are the sums of their faces', and what their own size costs.
+  // Of faces; the objective of a cell is the sum of its faces' and the cost of its own size.
   const std::vector<FaceEnergy>& ofFaces() const { return faces_.energies; }
   double ofCell(std::uint32_t c) const
   {

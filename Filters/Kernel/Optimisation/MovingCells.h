@@ -9,7 +9,7 @@
 namespace cartesian
 {
 
-// Nodes of wall cells of which all cells may change move, but for those at the ends of the grid.
+// Nodes of wall cells move if all their cells may change, except at the ends of the grid.
 class MovingCells
 {
 public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A node moves along its path as long as the objective of all that it changes falls.
+// Moves a node along its path as long as the objective of everything that it changes falls.
 #pragma once
 
 #include "Optimisation/Mending.h"
@@ -12,7 +12,7 @@ class NodeMoves
 public:
   explicit NodeMoves(Mending& mending);
 
-  // Whether the node has moved. Nothing is done where nothing around it has changed since it was looked at last.
+  // Whether the node has moved. Nothing is done if nothing around it has changed since it was last examined.
   bool move(std::uint32_t node);
 
 private:

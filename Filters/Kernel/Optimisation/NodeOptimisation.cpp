@@ -17,7 +17,7 @@ namespace cartesian
 namespace
 {
 
-// More of them help smooth walls no more, and what they leave is mended face by face (WorstFaces.h).
+// More rounds do not improve smooth walls, and remaining poor faces are repaired one by one (WorstFaces.h).
 constexpr int Rounds = 4;
 
 // Steps, as parts of the box's edge, and of the node's shortest edge: two nodes that move towards each other do not meet.
@@ -27,7 +27,8 @@ constexpr double StepOfShortestEdge = 0.2;
 constexpr double Longer = 1.3;
 constexpr double Shorter = 0.5;
 
-// FaceEnergy::limits up to which a face may become worse than it was: a skewness of 3.1. What more it does is too dear.
+// FaceEnergy::limits up to which a face may become worse than it was: a skewness of 3.1. Anything worse is too
+// costly.
 constexpr double FairLimits = 15;
 
 class Optimiser
@@ -233,7 +234,7 @@ private:
     return sum;
   }
 
-  // Each node along its path. One whose last step did not help goes back and waits.
+  // Each node along its path. A node whose last step did not help moves back and waits.
   void step()
   {
     for (std::size_t n = 0; n < moving_.size(); ++n)
@@ -343,7 +344,8 @@ void write(const NodeMesh& mesh, Nodes& nodes, WallMesh& wall)
   }
 }
 
-// All nodes, for the cells and for the layers that will stand on the wall. What is poor still is mended without layers.
+// All nodes, for the cells and for the layers requested on the wall. Faces that are still poor are repaired without
+// layers.
 void moveWithPrisms(NodeMesh mesh, double featureAngle, const WallLayerSpec& layers, Nodes& nodes,
   WallMesh& wall, Execution& execution)
 {

@@ -9,7 +9,7 @@ namespace cartesian
 namespace
 {
 
-// How far nodes go, as a part of the box's edge.
+// How far nodes may move, as a part of the box's edge.
 constexpr double FarthestWay = 0.5;
 
 // How far nodes may leave the surface, and its edges, as parts of the box's edge.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where nodes along the wall may go: those inside anywhere, those of the surface along it; its edges and corners stay.
+// Where nodes along the wall may move: inner ones anywhere, surface nodes along the surface; its edges and corners
+// stay.
 #pragma once
 
 #include "Optimisation/NodeMesh.h"
@@ -32,7 +33,7 @@ struct NodePath
   }
 };
 
-// What nodes may do, as the mesh is now.
+// Allowed motions of nodes in the current mesh.
 class NodePaths
 {
 public:

@@ -14,7 +14,7 @@ namespace cartesian
 namespace
 {
 
-// What has changed is looked at again, so often at most.
+// Changed faces are examined again, at most this often.
 constexpr int MostSweeps = 3;
 
 class Mender

@@ -32,7 +32,7 @@ public:
   const Shoeboxes& shoeboxes() const { return shoeboxes_; }
   Shoeboxes takeShoeboxes() { return std::move(shoeboxes_); }
 
-  // Makes the sizes that the surface or a field asks for larger by a factor; that of the last call counts.
+  // Enlarges the sizes required by the surface or a field by a factor; that of the last call counts.
   void relax(double factor, Execution& execution);
 
   // A message about rows of the specification that extend beyond the grid, or empty.

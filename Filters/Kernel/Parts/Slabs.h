@@ -37,9 +37,9 @@ bool straddlesStages(Layers layers, std::uint32_t allLayers);
 constexpr std::uint32_t HaloOfCells = 1;
 constexpr std::uint32_t HaloOfShapedCells = HaloOfCells + MostLayersOfACell - 1;
 
-// A small part of the mesh that stands alone (Cells/Fragments.h) can only go where all parts of a grid that may
-// see it know its neighbours: it extends over so many layers at most, and into none beside a plane where it costs
-// least to divide the grid.
+// A small isolated part of the mesh (Cells/Fragments.h) can only be removed if all parts of a grid that may see it
+// know its neighbours: it extends over at most this many layers, and into none beside a plane where it costs least to
+// divide the grid.
 constexpr std::uint32_t MostLayersOfAFragment = 3;
 bool isBesideDivide(std::uint32_t layer, std::uint32_t allLayers);
 

@@ -55,7 +55,7 @@ struct BoxPolygons
 
   void begin(const Box& box, const std::vector<Point>& points, double shortestEdge);
 
-  // Appends a polygon that is like another but for its corners and its cone.
+  // Appends a polygon like another except for its corners and its cone.
   void append(const std::uint32_t* begin, const std::uint32_t* end, const Polygon& like,
     const NormalCone& cone);
 

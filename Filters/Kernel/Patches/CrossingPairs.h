@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Crossings on the edges of boxes that cancel each other, where all boxes are patched by Marching Cubes.
 //
-// Marching Cubes knows no edge that is crossed more than once. On each line between two corners of boxes,
-// neighbouring crossings in opposite directions cancel each other. Polylines then continue from one to
-// the other, in all boxes around the line.
+// Marching Cubes cannot handle edges that are crossed more than once. On each line between two corners of boxes,
+// neighbouring crossings in opposite directions cancel each other. Polylines then continue from one to the other, in
+// all boxes around the line.
 #pragma once
 
 #include "Patches/BoxSurface.h"

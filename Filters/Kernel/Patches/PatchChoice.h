@@ -8,7 +8,7 @@
 namespace cartesian
 {
 
-// Why a box has the patches that it has. Where several conditions for Exact Fit hold, the first counts.
+// The reason for a box's method. If several conditions for Exact Fit hold, the first counts.
 enum class PatchReason : std::uint8_t
 {
   MarchingCubes = 0,     // no condition for Exact Fit holds

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the user chooses about patches (sections 4.7, 4.8, A2).
+// User options for patches (sections 4.7, 4.8, A2).
 #pragma once
 
 #include "Base/Range.h"
@@ -16,8 +16,7 @@ enum class PatchMethod : std::uint8_t
   MarchingCubes = 2, // everywhere, for comparison
 };
 
-// What happens to the nodes between the ends of a polyline that an Exact Fit box shares with a Marching
-// Cubes box.
+// Treatment of the nodes between the ends of a polyline that an Exact Fit box shares with a Marching Cubes box.
 enum class Tying : std::uint8_t
 {
   KeepNodes = 0, // the Marching Cubes box takes them over
@@ -31,7 +30,7 @@ struct PatchSpec
 
   PatchMethod method = PatchMethod::Automatic;
   double featureAngle = 30; // degrees: edges of the surface that turn by more are kept
-  double mergeAngle = 10;   // degrees: how far the normals of what becomes one patch may differ
+  double mergeAngle = 10;   // degrees: how far normals within one patch may differ
   Tying tying = Tying::KeepNodes;
 };
 

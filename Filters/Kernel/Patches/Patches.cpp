@@ -261,7 +261,7 @@ private:
     return patches;
   }
 
-  // Exact Fit misses next to nothing.
+  // Exact Fit misses almost no volume.
   void findMissing(Patches& patches) const
   {
     patches.missing.resize(intersected_.size());

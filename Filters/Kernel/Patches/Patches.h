@@ -24,11 +24,12 @@ struct Patches
   std::vector<std::size_t> boxStart; // first polygon of the n-th intersected box, and the end
   std::vector<PatchReason> reason;   // of the n-th intersected box
 
-  // Of the n-th intersected box: what the surface encloses there and the patches do not (VolumeGap.h), by their area;
-  // levels. Empty: not known.
+  // Of the n-th intersected box: the volume that the surface encloses there and the patches do not (VolumeGap.h), by
+  // their area; levels. Empty: not known.
   std::vector<float> missing;
 
-  // What the surface encloses of the domain, in cubic user units; 0: not known, or told by the part with the lowest layer.
+  // The part of the domain that the surface encloses, in cubic user units; 0: not known, or given by the part with
+  // the lowest layer.
   double surfaceVolume = 0;
 
   std::size_t size() const { return triangle.size(); }

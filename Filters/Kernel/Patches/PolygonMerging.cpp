@@ -175,7 +175,7 @@ void PolygonMerging::removeSpikes()
   }
 }
 
-// Whether no corner is concave, and no star triangle turned over.
+// Whether no corner is concave, and no star triangle inverted.
 bool PolygonMerging::isConvex(const std::vector<std::uint32_t>& ring, double mostConcave) const
 {
   const Vector normal = unit(box_.areaVector(ring.data(), ring.data() + ring.size()));

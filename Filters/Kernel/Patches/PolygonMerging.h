@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Polygons of a box become fewer, convex ones (section 6, A2).
+// Merges polygons of a box into fewer, convex ones (section 6, A2).
 #pragma once
 
 #include "Lattice/MarchingCubes.h"

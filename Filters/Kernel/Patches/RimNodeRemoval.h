@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Removal of nodes along the rims of sheets (ThinSheets.h, and section 6, A2).
 //
-// Where a box is larger than the triangles, a rim has many nodes in it, and at each a cell would have to be cut once more,
-// as it cannot reach around the rim. Those that are near to the chord beside them go, and the polygons on both sides of
-// the sheet are made anew.
+// Where a box is larger than the triangles, a rim has many nodes in it, and at each a cell would have to be cut once
+// more, as it cannot reach around the rim. Those close to the chord beside them are removed, and the polygons on both
+// sides of the sheet are rebuilt.
 #pragma once
 
 #include "Lattice/MarchingCubes.h"
@@ -34,7 +34,7 @@ private:
     int edges = 0;
   };
 
-  // What takes the place of the polygons on one side of the sheet.
+  // The replacement of the polygons on one side of the sheet.
   struct Sector
   {
     std::vector<std::uint32_t> fan; // polygons

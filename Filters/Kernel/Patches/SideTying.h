@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tying of Patches (section 4.8): what the patches of two boxes share on the side between them.
+// Tying of Patches (section 4.8): the common lines of two boxes' patches on the side between them.
 //
-// On each part of a side that two boxes share, the surface leaves polylines. Both boxes see the same
-// ones, and what becomes of them depends only on them and on the methods of the two boxes. So each box
-// ties them by itself, in any order, and both agree.
+// On each part of a side that two boxes share, the surface leaves polylines. Both boxes see the same ones, and the
+// result depends only on them and on the methods of the two boxes. So each box ties them separately, in any order,
+// and both agree.
 // - Between two Marching Cubes boxes only the ends of a polyline stay: crossings on edges of boxes. The
 //   loop of a coarse box thus runs through the crossings on the lines between its finer neighbours.
 // - Where one or both are Exact Fit boxes, nodes that the polyline does not need are dropped (A2): those

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How much of what the surface encloses in a box its patches do not: those of Marching Cubes are chords of the surface,
-// which lie inside of it where it is convex (a polygon of n chords lacks 6.6 / n^2 of its circle).
+// The volume that the surface encloses in a box and its patches do not: those of Marching Cubes are chords of the
+// surface, which lie inside of it where it is convex (a polygon of n chords lacks 6.6 / n^2 of its circle).
 #pragma once
 
 #include "Patches/BoxSurface.h"

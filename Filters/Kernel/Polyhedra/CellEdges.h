@@ -10,7 +10,7 @@
 namespace cartesian
 {
 
-// Takes one cell after the other; keeps its storage.
+// Takes cells one by one; keeps its storage.
 class CellEdges
 {
 public:

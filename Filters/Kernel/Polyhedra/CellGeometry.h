@@ -32,8 +32,8 @@ struct FaceGeometry
   Vector area;   // sum of the star triangles' area vectors (equation 1), positive counter-clockwise
 };
 
-// How the areas of a cell's faces spread over three directions: solvers invert the sum of their squares, by their lengths,
-// to make a velocity of fluxes (OpenFOAM's fvc::reconstruct).
+// How the areas of a cell's faces spread over three directions: solvers invert the sum of their squares, divided by
+// their lengths, to reconstruct velocity from fluxes (OpenFOAM's fvc::reconstruct).
 class AreaSpread
 {
 public:
@@ -82,7 +82,7 @@ Vector forEachStarTriangle(std::size_t size, Corner&& corner, Visitor&& visit)
   return mean;
 }
 
-// Calls visit(area) for the triangles of its star, but for a triangle's.
+// Calls visit(area) for the triangles of its star, unless it is a triangle.
 template <class Corner, class Visitor>
 FaceGeometry measureFace(std::size_t size, Corner&& corner, Visitor&& visit)
 {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the planes around a corner meet when they move inwards: the way of a node of a wall to the inner end of its
-// layers.
+// Where the planes around a corner meet when they move inwards: the inner end of the layers at a wall node.
 #pragma once
 
 #include "Lattice/Vector.h"

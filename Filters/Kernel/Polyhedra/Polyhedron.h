@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One cell by itself, and its geometric measures.
+// A single cell and its geometric measures.
 #pragma once
 
 #include "Base/RawVector.h"
@@ -11,7 +11,7 @@
 namespace cartesian
 {
 
-// Nodes are in levels from an origin of its own; faces are counter-clockwise from outside.
+// Nodes are in levels from the cell's own origin; faces are counter-clockwise from outside.
 struct Polyhedron
 {
   RawVector<Vector> nodes; // whole numbers

@@ -39,7 +39,7 @@ struct CellCut
   };
   static constexpr std::uint32_t NoSource = ~std::uint32_t(0);
 
-  // The corners of a face, one after the other.
+  // The corners of a face, in order.
   struct FaceCorners
   {
     const std::uint32_t* first;

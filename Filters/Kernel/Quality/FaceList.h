@@ -21,9 +21,8 @@ struct CellFaces
   std::size_t faceCount() const { return firstCorner.size() - 1; }
 };
 
-// Turns over all faces of cells with negative volume. Afterwards corners run counter-clockwise from outside
-// the cell, provided that the faces of each cell were consistently oriented.
-// `points`: three coordinates each.
+// Reverses all faces of cells with negative volume. Afterwards corners run counter-clockwise from outside the cell,
+// provided that the faces of each cell were consistently oriented. `points`: three coordinates each.
 void turnOutward(CellFaces& cells, const std::vector<double>& points, Execution& execution);
 
 struct FaceList
@@ -33,17 +32,16 @@ struct FaceList
   std::vector<std::uint32_t> neighbour; // of the inner faces, which come first
 };
 
-// What to do with faces that have the same corners in the same order, or belong to more than two cells.
+// Treatment of faces that have the same corners in the same order, or belong to more than two cells.
 enum class Clashes
 {
   Refused,     // Error (BadMesh)
   AreBoundary, // of each of their cells
 };
 
-// Lists the inner faces in upper triangular order (by owner, the lower of the two cells, then by neighbour),
-// then the boundary faces by cell and by face of the cell. Two cells share a face if each has it with the
-// same corners in opposite order. Throws Error (BadMesh): clashes that are refused, or too many cells, faces
-// or points.
+// Lists the inner faces in upper triangular order (by owner, the lower of the two cells, then by neighbour), then the
+// boundary faces by cell and by face of the cell. Two cells share a face if each has it with the same corners in
+// opposite order. Throws Error (BadMesh): clashes that are errors, or too many cells, faces or points.
 FaceList listFaces(
   const CellFaces& cells, std::size_t pointCount, Clashes clashes, Execution& execution);
 

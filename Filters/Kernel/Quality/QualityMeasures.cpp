@@ -365,8 +365,8 @@ private:
     setCell(cell, Concavity, result.concavity);
   }
 
-  // The normal of a warped face at one of its edges: that of the triangle with the face centre, unless the
-  // triangle is turned over or a mere sliver.
+  // The normal of a warped face at one of its edges: that of the triangle with the face centre, unless the triangle
+  // is inverted or a mere sliver.
   Vector normalAt(std::size_t face, std::uint32_t from, std::uint32_t to) const
   {
     constexpr double Sliver = 1e-6; // of the face's area

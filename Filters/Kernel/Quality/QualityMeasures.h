@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How good a mesh is for finite-volume solvers: the conditions of section 3, and what OpenFOAM 1912
-// checks (checkMesh), with its definitions and limits.
+// The quality of a mesh for finite-volume solvers: the conditions of section 3, and those of checkMesh (OpenFOAM 1912),
+// with its definitions and limits.
 #pragma once
 
 #include "Acceptance/Limits.h"
@@ -45,7 +45,7 @@ struct MeasureSpec
 
 constexpr double NoLimit = std::numeric_limits<double>::infinity();
 
-// Bit n of Failures tells whether the n-th measure fails.
+// Bit n of Failures is set if the n-th measure fails.
 constexpr std::array<MeasureSpec, MeasureCount> MeasureSpecs{ {
   // user units cubed
   { "Volume", false, false, 0, NoLimit },
@@ -77,7 +77,7 @@ constexpr std::array<MeasureSpec, MeasureCount> MeasureSpecs{ {
 } };
 
 // Degrees. Cells with less Concavity count as convex, such as those with neighbouring facets of a smooth
-// surface, or with several faces in one plane.
+// surface, or with several coplanar faces.
 constexpr double ConcaveFrom = 1;
 
 // By measure: MeasureSpec::limit, or the user's.

@@ -18,8 +18,8 @@ namespace cartesian
 namespace
 {
 
-// Where three triangles meet in a point, one round puts edges where the next has to look. More than a few are
-// needed only where rounding keeps bending what is nearly parallel.
+// Where three triangles meet in a point, one round puts edges where the next has to look. More than a few are needed
+// only where rounding keeps bending nearly parallel triangles.
 constexpr int MostRounds = 16;
 
 // Rounds end where they leave as much to do as there was, beyond a few.
@@ -46,7 +46,7 @@ enum class Made : std::uint8_t
   SinceSearch = 2,
 };
 
-// What divides a triangle.
+// The points and edges that divide a triangle.
 struct Marks
 {
   std::vector<std::uint32_t> points; // inside
@@ -88,8 +88,9 @@ public:
     divide();
   }
 
-  // A triangle without an area, or a piece thinner than the snap distance, runs back along its longest edge: the others
-  // there get its third corner, and it goes. Returns whether there was any. `withGiven`: looks at those, too.
+  // A triangle without an area, or a piece thinner than the snap distance, runs back along its longest edge: the
+  // others there get its third corner, and it goes. Returns whether there was any. `withGiven`: also examines the
+  // given ones.
   bool fold(bool withGiven)
   {
     mergeClose();
@@ -220,7 +221,7 @@ private:
     }
   }
 
-  // Two that lie in one plane, or nearly.
+  // Two coplanar, or nearly coplanar, triangles.
   void meetFlat(std::uint32_t s, std::uint32_t t)
   {
     const int axis = axisAcross(surface_.corners(s));
@@ -304,7 +305,7 @@ private:
       const Ends f = endsOf(c[i], c[(i + 1) % 3]);
       if (areCrossing(e, f, axis))
       {
-        // The same vertex, whichever is asked about first.
+        // The same vertex, whichever comes first.
         const Ends& a = std::min(e, f);
         const Ends& b = std::max(e, f);
         const std::uint32_t v =

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cuts the triangles of bodies along each other wherever they cross or overlap, so that afterwards two triangles
-// share a corner, an edge or all of their corners, or nothing.
+// Cuts the triangles of bodies along each other wherever they cross or overlap, so that two triangles then share a
+// corner, an edge, all of their corners, or nothing.
 //
 // What crosses what is decided exactly, by signs of determinants. The places where edges pass through triangles are
-// rounded to the lattice; what this bends by less than a level may cross anew, so it goes on in rounds until nothing
-// does (iterated snap rounding, as CGAL's autorefinement of triangle soups has it). All triangles at an edge get the
-// same vertices on it: what was closed stays closed.
+// rounded to the lattice; triangles bent by less than a level may cross again, so this is repeated in rounds until
+// none do (iterated snap rounding, as CGAL's autorefinement of triangle soups has it). All triangles at an edge get
+// the same vertices on it: closed surfaces stay closed.
 #pragma once
 
 #include "Surface/Surface.h"
@@ -13,15 +13,15 @@
 namespace cartesian
 {
 
-// Faces of different bodies that are nearly in one plane, by the precision of the file, are taken to be in one.
+// Faces of different bodies that are nearly coplanar, by the precision of the file, are treated as coplanar.
 //
 // Surface::triangles, boundary, given and region are of the pieces then; triangles that close holes (without an entry
-// in Surface::given) stay the last ones. Triangles without an area are left out. Where snapping keeps bending faces,
-// some may still cross: Spaces tells.
+// in Surface::given) stay the last ones. Triangles without an area are left out. If snapping keeps bending faces,
+// some may still cross: Spaces detects this.
 void arrange(Surface& surface, Execution& execution);
 
-// Whether the surface is large beside what snapping moves: beside its distance from the origin in single precision, and
-// on the lattice.
+// Whether the surface is large compared with the snap distance: relative to its distance from the origin in single
+// precision, and on the lattice.
 bool isFinelyPlaced(const Surface& surface);
 
 }

@@ -109,7 +109,7 @@ private:
     std::vector<std::uint32_t> triangles; // that it lies in, or on the border of
   };
 
-  // What divides a triangle.
+  // The points and edges that divide a triangle.
   struct Marks
   {
     std::vector<std::uint32_t> points;
@@ -190,7 +190,7 @@ private:
     return place;
   }
 
-  // The place of a triangle nearest to another; a vertex that is not the surface's goes there.
+  // The place on a triangle nearest to another; a vertex that is not the surface's moves there.
   Place placeAt(std::uint32_t t, const Vector& at, std::uint32_t vertex)
   {
     const Triple& c = surface_.triangles[t];
@@ -240,7 +240,7 @@ private:
     return known[along] = addVertex(plus(from, scaled(way, along)));
   }
 
-  // Where a path along the walls goes on from a place.
+  // The continuation of a path along the walls from a place.
   struct Step
   {
     double forward = 0; // cosine

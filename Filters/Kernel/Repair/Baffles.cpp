@@ -56,7 +56,8 @@ public:
   {
   }
 
-  // Appends the surfaces of the parts, numbered from `first`, and returns how many there are. 0: one can go around a sheet.
+  // Appends the surfaces of the parts, numbered from `first`, and returns their number. 0: a sheet does not divide
+  // the region.
   std::int32_t run(
     const std::vector<Baffle>& baffles, std::int32_t first, Surface& result, Execution& execution)
   {
@@ -210,7 +211,7 @@ private:
     }
   }
 
-  // The part in which a shell without sheets lies, as a line from it to the end of the grid tells.
+  // The part in which a shell without sheets lies, found by a line from it to the end of the grid.
   std::int32_t partAround(std::uint32_t shell)
   {
     const Point& start = both_.vertices[both_.triangles[shell][0]];

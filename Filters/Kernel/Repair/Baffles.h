@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Baffles: open sheets in a region, each side of which becomes a boundary.
 //
-// A sheet that reaches from wall to wall divides its region into parts. For all steps up to the mesh that is
-// written, the parts are regions of their own, and the sheet is the wall between them (Walls.h): so its faces
-// are the same for the cells on both sides, and everything that holds between regions holds here. Walls::given
-// tells which region a part is of. Where one ends elsewhere, all get two sides as sheets do that are there twice
-// (ThinSheets.h).
+// A sheet that reaches from wall to wall divides its region into parts. In all steps before output the parts are
+// separate regions, and the sheet is the wall between them (Walls.h): so the cells on both sides share its faces, and
+// everything that holds between regions holds here. Walls::given has the region of each part. If one ends elsewhere,
+// all get two sides like sheets present twice (ThinSheets.h).
 //
-// The rim of a sheet need not have the edges of the walls: its corners go to the nearest places of the walls, and
+// The rim of a sheet need not have the edges of the walls: its corners move to the nearest places on the walls, and
 // the triangles on both sides are divided along each other where the sheet's plane meets them.
 #pragma once
 
@@ -29,7 +28,7 @@ struct Baffle
 // Takes the triangles of baffles out of a surface.
 Surface takeBaffles(Surface& surface, const std::vector<Baffle>& baffles);
 
-// What regions are divided into.
+// The parts of regions.
 struct RegionParts
 {
   std::vector<std::int32_t>
@@ -37,13 +36,14 @@ struct RegionParts
 };
 
 // `surface`: of all regions, each closed and oriented; Surface::region are parts then. `sheets`: from takeBaffles().
-// `tolerance`: how far from walls rims may end, in levels. `names`: of regions, for messages. Nothing: a sheet ends within
-// its region, or one can go around it. Throws Error (FlawedSurface): a sheet lies outside of its region or on a wall.
+// `tolerance`: how far from walls rims may end, in levels. `names`: of regions, for messages. Returns nothing if a
+// sheet ends within its region or does not divide it. Throws Error (FlawedSurface): a sheet lies outside its region
+// or on a wall.
 std::optional<RegionParts> divideByBaffles(Surface& surface, Surface sheets,
   const std::vector<Baffle>& baffles, std::int32_t regions, double tolerance,
   const std::vector<std::string>& names, Execution& execution);
 
-// Makes baffles, which may end anywhere, sheets that are there twice (Surface::ofSheet): in a surface that need not be
+// Turns baffles, which may end anywhere, into sheets present twice (Surface::ofSheet): in a surface that need not be
 // closed yet, of one region or several. `tolerance`: as above.
 void doubleBaffles(
   Surface& surface, const std::vector<Baffle>& baffles, double tolerance, Execution& execution);

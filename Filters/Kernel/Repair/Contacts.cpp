@@ -432,7 +432,7 @@ private:
     return parts;
   }
 
-  // The later region loses its side and gets the other; what is left of both is divided at the rims.
+  // The later region's side is replaced by the other; the rest of both is divided at the rims.
   void exchange(const Group& group, const std::vector<Rim>& rims)
   {
     const Moves moves = movesOf(rims);
@@ -525,7 +525,7 @@ private:
       c.begin(), c.end(), [&](std::uint32_t v) { return v != edge[0] && v != edge[1]; });
   }
 
-  // Whether a vertex lies on an edge but for a few levels.
+  // Whether a vertex lies on an edge up to a few levels.
   bool liesAlong(const std::array<std::uint32_t, 2>& edge, std::uint32_t vertex) const
   {
     const Vector way = minus(surface_.vertices[edge[1]], surface_.vertices[edge[0]]);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where walls of two regions nearly touch, makes them one.
+// Merges walls of two regions where they nearly touch.
 //
-// A *sheet* is a part of a region's surface without sharp edges, such as the inside of a pipe. Where sheets of
-// a later region and of an earlier one face each other within a tolerance all over, the later region loses
-// its own and gets the triangles of the earlier one, turned over. So nothing of the earlier region moves, the
-// common wall has the same triangles from both sides without any imprint, however curved it is and however
-// the two were divided, and neither slivers nor rounding can come between them.
+// A *sheet* is a part of a region's surface without sharp edges, such as the inside of a pipe. Where sheets of a
+// later region and of an earlier one face each other everywhere within a tolerance, the later region's is replaced by
+// the triangles of the earlier one, reversed. So nothing of the earlier region moves, the common wall has the same
+// triangles from both sides without imprinting, however curved it is and however the two were triangulated, and
+// neither slivers nor rounding can come between them.
 //
-// Only at the rims are both surfaces touched: the corners of the later region's rim go to the nearest places
-// of the earlier one's, where edges are divided, so that what is left of the later surface closes there.
+// Only at the rims are both surfaces touched: the corners of the later region's rim move to the nearest places of the
+// earlier one's, where edges are divided, so that the rest of the later surface closes there.
 #pragma once
 
 #include "Lattice/Vector.h"

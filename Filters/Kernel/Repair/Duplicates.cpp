@@ -20,7 +20,7 @@ std::uint32_t thirdVertex(const Surface& surface, std::uint32_t lower, const Edg
   return v[0] ^ v[1] ^ v[2] ^ lower ^ use.upper;
 }
 
-// Connected groups, and what their edges say about them.
+// Connected groups, and the votes of their edges.
 class ConnectedGroups
 {
 public:

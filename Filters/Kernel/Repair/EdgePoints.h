@@ -14,7 +14,7 @@ namespace cartesian
 // By the ends of an edge, the lower first; then by how far along from there, as a part of the edge or in levels.
 using EdgePoints = std::map<std::array<std::uint32_t, 2>, std::map<double, std::uint32_t>>;
 
-// The new vertices on an edge, in the direction asked for.
+// The new vertices on an edge, in the requested direction.
 inline std::vector<std::uint32_t> pointsOn(
   const EdgePoints& onEdge, std::uint32_t from, std::uint32_t to)
 {

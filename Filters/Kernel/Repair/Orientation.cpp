@@ -101,7 +101,7 @@ void turn(Surface& surface, std::size_t triangle)
   std::swap(surface.triangles[triangle][1], surface.triangles[triangle][2]);
 }
 
-// Decides which sheets have to be turned over.
+// Decides which sheets must be reversed.
 class Verdict
 {
 public:
@@ -133,7 +133,7 @@ public:
     return votes_.outward[sheet] == votes_.inward[sheet] && !passesThroughOthers(sheet);
   }
 
-  // Whether the sheet's first triangle has to be turned.
+  // Whether the sheet's first triangle must be reversed.
   bool turns(std::uint32_t sheet) const
   {
     if (passesThroughOthers(sheet))

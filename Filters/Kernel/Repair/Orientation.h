@@ -13,11 +13,10 @@
 // crosses the surface an odd number of times (through a hole) has no vote, nor have crossings at
 // the same level of the lattice.
 //
-// A closed sheet that crosses others, all of which were given with their normals on the same side as its own, or
-// with at least a quarter of its votes on either side, is a body by itself. Otherwise the majority decides: a cavity
-// may reach through a wall. A
-// sheet with a tie keeps the direction in which most of its triangles were given; but if the
-// surface then encloses a negative volume, all such sheets are turned over.
+// A closed sheet that crosses others, all of which were given with their normals on the same side as its own, or with
+// at least a quarter of its votes on either side, is a separate body. Otherwise the majority decides: a cavity may
+// reach through a wall. A sheet with a tie keeps the direction in which most of its triangles were given; but if the
+// surface then encloses a negative volume, all such sheets are reversed.
 //
 // Triangles that already point the right way stay as they are; the others exchange their last two
 // corners. The result does not depend on the order of the triangles, except for sheets without a

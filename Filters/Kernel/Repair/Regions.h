@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The walls between several regions, out of their surfaces.
 //
-// Each region has closed surfaces of its own, which may touch or cross those of others (Arrangement.h), or touch them
-// within a tolerance (Contacts.h). A region may lie in another; where several regions are, the first of them is. What
-// is left are triangles between two regions, or between one and outside, each once: the only surface that all later
-// steps know, so that both regions have the same faces there.
+// Each region has its own closed surfaces, which may touch or cross those of others (Arrangement.h), or touch them
+// within a tolerance (Contacts.h). A region may lie in another; where regions overlap, the first listed wins. The
+// result is triangles between two regions, or between one and outside, each once: the only surface in all later
+// steps, so that both regions share the faces there.
 #pragma once
 
 #include "Base/Range.h"
@@ -20,7 +20,7 @@
 namespace cartesian
 {
 
-// What regions are called, and how far apart their walls may be that become one.
+// The names of regions, and the distance within which their walls are merged.
 struct RegionSpec
 {
   static constexpr Range ContactTolerances{ 0 };
@@ -31,10 +31,9 @@ struct RegionSpec
   SheetHandling sheets = SheetHandling::Keep;
 };
 
-// Fills Surface::walls; boundary indices then are those of walls. Returns what the tolerance closed; or nothing, and leaves
-// the surface, where the baffles do not divide their regions (Baffles.h).
-// Throws Error (FlawedSurface): a region's surface is not closed, or it is not sure what is on which side of it, or
-// nothing is left of it.
+// Fills Surface::walls; boundary indices then are those of walls. Returns what the tolerance closed; or nothing,
+// without changing the surface, if the baffles do not divide their regions (Baffles.h). Throws Error (FlawedSurface):
+// a region's surface is not closed, or its sides are ambiguous, or nothing is left of it.
 std::optional<std::vector<ClosedContact>> separateRegions(
   Surface& surface, const Meshlines& planes, const RegionSpec& spec, Execution& execution);
 

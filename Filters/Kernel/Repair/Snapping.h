@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What an arrangement (Arrangement.h) takes to be at one place: as near as the file's precision tells apart.
+// What an arrangement (Arrangement.h) treats as coincident: anything closer than the file's precision.
 #pragma once
 
 #include "Base/DisjointSets.h"
@@ -10,17 +10,17 @@
 namespace cartesian
 {
 
-// How exactly things are placed, in levels, of which the longest side of the domain has more than 2^30.
+// Precision of places, in levels, of which the longest side of the domain has more than 2^30.
 struct Placing
 {
-  // Faces of one plane are no further apart: the file rounds both, and so does the lattice.
+  // Faces within this distance are coplanar: the file rounds both, and so does the lattice.
   double together;
 
-  // A new vertex so near to another, or to an edge, is that one or on that. What is thinner has no reliable sides once it
-  // is rounded, and edges that run along each other meet in places that differ by many roundings.
+  // A new vertex this close to another, or to an edge, is merged with it or lies on it. Anything thinner has no
+  // reliable sides once rounded, and edges that run along each other meet in places that differ by many roundings.
   double snap;
 
-  // Faces of one plane are no further apart once their vertices are snapped.
+  // The same once their vertices are snapped.
   double snappedTogether() const { return 3 * snap; }
 };
 
@@ -39,7 +39,7 @@ public:
   // Makes two vertices that are an edge apart one, if that edge is short and one of them is new.
   bool merge(std::uint32_t p, std::uint32_t q);
 
-  // What a vertex has become.
+  // The vertex that a vertex was merged with.
   std::uint32_t vertexFor(std::uint32_t v) { return same_.find(v); }
 
 private:

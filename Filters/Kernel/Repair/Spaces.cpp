@@ -249,7 +249,7 @@ private:
     return any;
   }
 
-  // Unless the spaces beside a piece are known, looks how bodies wind around one of them, and goes on from there.
+  // Unless the spaces beside a piece are known, finds how bodies wind around one of them, and continues from there.
   void startFrom(std::uint32_t piece, const TriangleTree& tree)
   {
     const std::uint32_t first = spaces_.beside[piece][0];

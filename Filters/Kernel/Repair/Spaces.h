@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The spaces that triangles divide the whole space into, where they cross nowhere.
+// The spaces into which triangles that do not cross divide the whole space.
 //
 // Around each edge, what is between two neighbouring triangles is one space: so the sides of triangles are joined
 // edge by edge. Neighbours are found by exact orientation, and how closed bodies wind around a space follows from any

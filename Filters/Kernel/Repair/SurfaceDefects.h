@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lists what is wrong with a surface, and where, for the user to inspect (step 4).
+// Lists the defects of a surface, with places, for the user to inspect (step 4).
 #pragma once
 
 #include "Lattice/Vector.h"

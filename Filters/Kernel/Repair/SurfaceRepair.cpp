@@ -93,7 +93,7 @@ void findUnoriented(Surface& surface, const SurfaceEdges& edges)
   }
 }
 
-// Drops what is there twice, but for sheets, which get sides.
+// Drops duplicates, except sheets, which get sides.
 void handleDuplicates(
   Surface& surface, const RepairSpec& spec, SurfaceRepair& result, Execution& execution)
 {
@@ -129,7 +129,7 @@ Surface withFlatSheets(const Surface& surface, const std::vector<DroppedTriangle
     result.triangles[sheet.triangle] = sheet.vertices;
     result.region[sheet.triangle] = regionOfSheets(FirstRegion, FirstRegion);
   }
-  // What their division has added goes; what closes holes comes last, and has no number.
+  // Triangles added by the division are dropped; those that close holes come last, and have no number.
   std::size_t kept = 0;
   std::size_t given = 0;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Repairs a surface before it is meshed (steps 4 and 6): drops duplicate and loose triangles,
-// gives sheets two sides, orients what is left, closes holes, and makes bodies that cross or touch one.
+// Repairs a surface before it is meshed (steps 4 and 6): drops duplicate and loose triangles, gives sheets two sides,
+// orients the rest, closes holes, and unites bodies that cross or touch.
 #pragma once
 
 #include "Repair/Duplicates.h"
@@ -18,8 +18,7 @@ namespace cartesian
 struct SurfaceRepair
 {
   std::vector<DroppedTriangle> sheets; // triangles of sheets, as they were before they got sides
-  std::vector<DroppedTriangle>
-    duplicates;           // triangles that were there before, or a wall between bodies
+  std::vector<DroppedTriangle> duplicates; // triangles already present, or a wall between bodies
   std::size_t turned = 0; // triangles that faced the other way than the domain's end
   SurfaceCheck check;     // oriented, without duplicates, before holes are closed
   std::vector<DroppedTriangle>
@@ -45,8 +44,8 @@ struct RepairSpec
 SurfaceRepair closeAndOrient(
   Surface& surface, const Meshlines& planes, const RepairSpec& spec, Execution& execution);
 
-// Does that, and cuts triangles that cross or overlap along each other (Arrangement.h): what lies in the surface's
-// inside on both sides goes, so that bodies of which one winds around a place are one.
+// Does that, and cuts triangles that cross or overlap along each other (Arrangement.h): triangles with the inside on
+// both sides are dropped, so that bodies are united.
 SurfaceRepair repair(
   Surface& surface, const Meshlines& planes, const RepairSpec& spec, Execution& execution);
 

@@ -337,7 +337,7 @@ private:
 std::vector<SheetPair> findSheets(const Surface& surface, SheetHandling sheets,
   const SurfaceEdges& edges, const Duplicates& duplicates)
 {
-  // What thickness would show in is left out.
+  // Triangles in which the thickness would show are left out.
   const bool keeps = sheets == SheetHandling::Keep && isFinelyPlaced(surface);
   const auto isKnown = [&](const SheetPair& pair) {
     return surface.isOfSheet(pair[0]) && surface.isOfSheet(pair[1]);

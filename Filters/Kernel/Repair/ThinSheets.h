@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sheets without thickness, whose triangles are there twice, such as a fairing or a guide vane: they get a little, so that
-// each side is a wall of its own, wherever the sheet ends.
+// Zero-thickness sheets, whose triangles are present twice, such as a fairing or a guide vane, get a small thickness,
+// so that each side is a separate wall, wherever the sheet ends.
 //
 // The two triangles of a pair move apart, each in the direction that the sheet faces on its side; along its rims the
-// sheet has no thickness. So what is made is a closed shell, and all later steps take it for a body.
+// sheet has no thickness. The result is a closed shell, which all later steps treat as a body.
 #pragma once
 
 #include "Repair/Duplicates.h"
@@ -20,9 +20,8 @@ enum class SheetHandling
 // Two triangles with the same vertices.
 using SheetPair = std::array<std::uint32_t, 2>;
 
-// The pairs among duplicates that are known to be of sheets (Surface::ofSheet), and, where these are kept, those that
-// are connected with an edge that nothing else uses. Others are a body that was written twice, or a wall between two
-// bodies.
+// The pairs among duplicates that are known to be of sheets (Surface::ofSheet), and, if sheets are kept, those that
+// are connected with an edge that nothing else uses. Others are a body written twice, or a wall between two bodies.
 std::vector<SheetPair> findSheets(const Surface& surface, SheetHandling sheets,
   const SurfaceEdges& edges, const Duplicates& duplicates);
 

@@ -2,7 +2,7 @@
 // Divides one triangle along points and edges in it, in the plane that it covers most of. All decisions are exact.
 //
 // The result is the constrained Delaunay triangulation there; of points on one circle, the lowest has all the
-// diagonals. So what lies between edges is divided alike in every triangle of the same plane that has the same edges.
+// diagonals. So the area between edges is divided alike in all coplanar triangles with the same edges.
 #pragma once
 
 #include "Lattice/Plane.h"
@@ -30,7 +30,7 @@ public:
   // Puts points on the edge that starts at the i-th corner, in their order from there. Before all else.
   void divideEdge(std::size_t i, const std::vector<std::uint32_t>& points);
 
-  // Puts a point into the triangle, unless it is there.
+  // Adds a point to the triangle, unless it is present.
   void addPoint(std::uint32_t point);
 
   // Lets an edge run between two points, through others that lie on it. Does nothing where one of them is not there,

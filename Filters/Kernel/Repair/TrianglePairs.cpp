@@ -29,7 +29,7 @@ int turnAlong(const Point& a, const Point& b, const Point& c, int axis)
   return sign(turn(flatten(a, axis), flatten(b, axis), flatten(c, axis)));
 }
 
-// Whether an edge of `a` separates it from `b`; both lie in one plane.
+// Whether an edge of `a` separates it from `b`; the two are coplanar.
 bool separates(const Corners& a, const Corners& b, int axis)
 {
   for (int i = 0; i < 3; ++i)
@@ -249,7 +249,7 @@ TrianglePairs findAll(const Surface& surface, const NearlyFlat* nearly, Executio
     found.add(
       search(surface, nearly, tree, places, std::max(FirstTests, left / places.size()), execution));
   }
-  // Those that were compared in both searches are there twice.
+  // Pairs compared in both searches occur twice.
   std::sort(found.pairs.begin(), found.pairs.end());
   const auto same = [](const TrianglePair& a, const TrianglePair& b) { return !(a < b); };
   found.pairs.erase(std::unique(found.pairs.begin(), found.pairs.end(), same), found.pairs.end());

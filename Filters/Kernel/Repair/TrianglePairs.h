@@ -12,12 +12,11 @@ enum class Contact
 {
   Apart,    // share at most single points and a common edge
   Crossing, // share a line segment
-  Overlap,  // lie in one plane and share an area
+  Overlap,  // are coplanar and share an area
 };
 
-// Of two triangles that have an area. Decided by the signs of determinants of lattice points; if
-// they are all zero, both triangles lie in one plane. Triangles with a common edge can overlap, but
-// not cross.
+// Of two triangles that have an area. Decided by the signs of determinants of lattice points; if they are all zero,
+// the triangles are coplanar. Triangles with a common edge can overlap, but not cross.
 Contact contactOf(const Surface& surface, std::uint32_t a, std::uint32_t b);
 
 // The ends of the segment that two crossing triangles share, in levels.
@@ -41,12 +40,12 @@ struct TrianglePairs
   std::vector<std::uint32_t> givenUp; // triangles with too many neighbours, in order
 };
 
-// All pairs of triangles (that have an area) which cross or overlap. In all, 10 million pairs are compared,
-// or 64 of each triangle where that is more: each with 64 larger ones nearby, then those with more neighbours,
-// with as many as are left for each. The rest is given up.
+// All pairs of triangles (that have an area) which cross or overlap. In all, 10 million pairs are compared, or 64 per
+// triangle if that is more: each with 64 larger ones nearby, then those with more neighbours, with as many as are
+// left for each. The rest is not compared.
 TrianglePairs findPairs(const Surface& surface, Execution& execution);
 
-// Then those of different bodies also overlap where one is so near the other's plane, as faces in one plane are that
+// Then those of different bodies also overlap where one is so near the other's plane, as coplanar faces are that
 // the lattice rounded.
 struct NearlyFlat
 {

@@ -200,7 +200,7 @@ void sortByPlace(Surface& surface)
   }
 }
 
-// Shells of sheets lie in what is meshed as what is not, and outside of it as bodies.
+// Shells of sheets are holes in the meshed space, and bodies outside it.
 void giveSidesToSheets(Surface& walls, Execution& execution)
 {
   const SurfaceEdges edges(walls, execution);

@@ -7,7 +7,7 @@
 namespace cartesian
 {
 
-// What is meshed of one region, as far as it is known yet.
+// The meshed part of one region, as far as known.
 enum class MeshedSide
 {
   Inside,
@@ -28,16 +28,17 @@ constexpr std::int32_t regionOfSheets(std::int32_t region, std::int32_t regions)
   return regions + region;
 }
 
-// `arranged`: of all regions, each closed and oriented, which cross nowhere (Arrangement.h), and sheets, whose triangles
-// are there in both directions. Where several regions are, the first of them is; bodies of one region are one. Boundary
-// indices of the result are those of its walls. Of triangles with the same space on both sides, those of sheets that are
-// in their region get sides (ThinSheets.h), or, where it is not meshed, those outside; others are left out.
-// `crossing`: triangles of `arranged` that still cross others, so that what is beside them is not sure.
+// `arranged`: of all regions, each closed and oriented, which cross nowhere (Arrangement.h), and sheets, whose
+// triangles are there in both directions. Where regions overlap, the first listed wins; bodies of one region are
+// united. Boundary indices of the result are those of its walls. Of triangles with the same space on both sides,
+// those of sheets that are in their region get sides (ThinSheets.h), or, where it is not meshed, those outside;
+// others are left out. `crossing`: triangles of `arranged` that still cross others, so that what is beside them is
+// not sure.
 Surface wallsOf(const Surface& arranged, const Bodies& bodies, std::vector<std::uint32_t>& crossing,
   Execution& execution);
 
-// Makes bodies of one region, which are arranged likewise, one: takes out what is in another of them, or between two that
-// touch. Does nothing and returns false where some still cross, or nothing is left.
+// Unites bodies of one region, arranged likewise: removes triangles inside another body, or between two that touch.
+// Does nothing and returns false where some still cross, or nothing is left.
 bool unite(Surface& surface, MeshedSide meshed, Execution& execution);
 
 }

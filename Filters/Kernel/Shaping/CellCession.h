@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Between two regions no cell can be removed, as that would leave a hole: what nothing mends there goes to the
-// other region, which takes its place (as what is outside does at a boundary, section 4.10). Only what is thin does:
-// the interface, its edges and corners stay where they were, but for a small part of a box.
+// Between two regions no cell can be removed, as that would leave a hole: a cell that cannot be repaired goes to the
+// other region (as to the outside at a boundary, section 4.10). Only thin cells do: the interface, its edges and
+// corners move by a small part of a box at most.
 #pragma once
 
 #include "Shaping/CellMerging.h"
@@ -12,8 +12,8 @@ namespace cartesian
 // Below this part of its box a cell between two regions is a wall without thickness.
 constexpr double FlatCell = 1e-6;
 
-// Whether a cell joined one of the region beyond its faces. Only where solvers accept what comes of it, and accept of
-// its neighbours what they did before; and only if it has no face at the boundary.
+// Whether a cell joined one of the region beyond its faces. Only if the result passes, its neighbours pass as before,
+// and it has no face at the boundary.
 bool cede(CellComplex& cells, CellKey key, CellMerger& merger);
 
 // Of these, in order: those smaller than `largest` volumes of their box. Whether any did.

@@ -254,7 +254,7 @@ std::vector<std::pair<CellKey, double>> neighboursOf(const MeasuredCell& cell)
     }
   }
   std::sort(result.begin(), result.end(), [](const auto& x, const auto& y) {
-    const auto a = static_cast<float>(x.second); // equal but for rounding is equal
+    const auto a = static_cast<float>(x.second); // equal up to rounding counts as equal
     const auto b = static_cast<float>(y.second);
     return a != b ? a > b : x.first < y.first;
   });

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cells that can be cut and joined (sections 4.10 and 4.11), in one slab (Slabs.h).
 //
-// Cells and faces are copied when they change for the first time ("opened"): what nobody touches
-// costs nothing. A hexahedron that gets a node or another face becomes a polyhedron.
+// Cells and faces are copied when they change for the first time ("opened"): untouched ones cost nothing. A
+// hexahedron that gets a node or another face becomes a polyhedron.
 //
-// Slabs of one stage may change at the same time. All that they write in common is which cells are
-// below and above a face as it was (WallFaces::cells): a slab writes those of
-// its free cells, and reads those of cells that touch one; so it is with sights.
+// Slabs of one stage may change at the same time. The only shared data that they write are the cells below and above
+// an original face (WallFaces::cells): a slab writes those of its free cells, and reads those of cells that touch
+// one; likewise for sights.
 #pragma once
 
 #include "Base/EdgeTable.h"
@@ -23,7 +23,7 @@
 namespace cartesian
 {
 
-// A cell and what is beyond each of its faces.
+// A cell and its neighbours beyond each face.
 struct MeasuredCell
 {
   Polyhedron shape; // without nodes in common; the origin is the lower corner of its box
@@ -67,7 +67,7 @@ public:
   template <class Is>
   bool anyBeyond(CellKey key, Is&& is) const;
 
-  // The acting cells that are alive and free, but for untouched hexahedra, in order.
+  // The acting cells that are alive and free, except untouched hexahedra, in order.
   std::vector<CellKey> polyhedra() const;
 
   // Of these, those at fault.
@@ -120,7 +120,7 @@ public:
   std::uint32_t boxOf(CellKey key) const;
   bool isAlive(CellKey key) const; // neither removed nor merged
 
-  // Hexahedra that nobody has opened do not.
+  // Hexahedra that have not been opened do not.
   bool hasFaces(CellKey key) const { return isOfWall(key) || opened(key) != nullptr; }
 
   void open(CellKey key);
@@ -136,20 +136,20 @@ public:
   // Cuts an opened cell. The first part keeps its key. Appends the keys of all parts.
   void cut(CellKey key, const CellView& view, const CellCut& cut, std::vector<CellKey>& parts);
 
-  // Gives the small cell's faces to the other but for those between them, which vanish.
+  // Gives the small cell's faces to the other except those between them, which vanish.
   void merge(CellKey small, CellKey into);
 
   // Its inner faces become boundary faces of its neighbours (4.10).
   void remove(CellKey key);
 
-  // Whether a cell near this one has a face with these nodes already: with another, it would enclose
-  // nothing. Of a cell that is not free only those around these nodes are looked at.
+  // Whether a cell near this one has a face with these nodes already: with another, it would enclose nothing. Of a
+  // cell that is not free only those around these nodes are examined.
   bool hasFaceNear(CellKey key, std::vector<std::uint32_t> nodes) const;
 
-  // Whether one that several faces of a cell, seen so, would make is there already.
+  // Whether the union of several faces of a cell, as seen from it, already exists.
   bool hasFacesNear(CellKey key, const CellView& view, const JoinedFaces& joined) const;
 
-  // Makes each group of faces of an opened cell, seen so, one.
+  // Joins each group of faces of an opened cell, as seen from it.
   void join(CellKey key, const CellView& view, const JoinedFaces& joined);
 
   // Gives a face of free cells other corners, as the cell below has it; without any, it goes.
@@ -158,8 +158,8 @@ public:
   // That most of its patches belonged to, or NoBoundary.
   std::int32_t boundaryOfCell(CellKey key) const;
 
-  // Whether one of its faces is a boundary face now, and none is another region's too: what goes there leaves
-  // a hole.
+  // Whether one of its faces is a boundary face now, and none is shared with another region: removing a cell there
+  // leaves a hole.
   bool isAtBoundary(CellKey key) const;
 
   // Of its boundary faces as they are now, by boundary; square levels.
@@ -178,7 +178,7 @@ public:
   // As isAnyAtFault (CellFaults.h): known beforehand for cells as they were.
   bool isAtFault(CellKey key) const;
 
-  // Whether solvers accept all its faces by what is known beforehand; else only a look around tells.
+  // Whether all its faces pass by what is known beforehand; else its neighbours must be examined.
   bool isSurelyAccepted(CellKey key) const;
 
   // Whether all its inner faces surely cost little (CellCost.h), and its boundary faces are plain.
@@ -198,7 +198,7 @@ private:
     const std::uint32_t* first;
     std::size_t size;
   };
-  // What reading works with, kept for its memory.
+  // Scratch space for reading, kept for its memory.
   struct Scratch
   {
     struct Outer

@@ -383,7 +383,7 @@ void CellComplex::cut(
   remeasure(touched);
 }
 
-// What changes a face that is not flat moves volume from one of its cells to the other.
+// Changing a face that is not flat moves volume from one of its cells to the other.
 void CellComplex::remeasure(std::vector<CellKey>& keys)
 {
   std::sort(keys.begin(), keys.end());
@@ -774,7 +774,7 @@ void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joi
   for (const JoinedFaces::Group& group : joined.groups)
   {
     changed_ = true;
-    // What removed cells have exposed takes the boundary of the wall beside it.
+    // Faces exposed by removed cells take the boundary of the adjacent wall.
     const auto isWall = [&](std::uint32_t f) {
       return view.across[f] == None && across(view.faces[f]) == None;
     };

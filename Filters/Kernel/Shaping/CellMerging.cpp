@@ -14,7 +14,7 @@ namespace cartesian
 namespace
 {
 
-// One merge may make another possible next to it: looked at again as often.
+// One merge may make another possible next to it: examined again this often.
 constexpr int MostRounds = 4;
 
 // As many neighbours are tried, those that share most area.
@@ -28,7 +28,7 @@ constexpr double MostOfJoins = 500;
 // Where no face of the result costs more, no other neighbour is tried.
 constexpr double FairCost = 1;
 
-// What a cell that is gone costs, by its share of its box: it resolved something.
+// The cost of a lost cell, by its share of its box: it resolved something.
 constexpr double CostOfCell = 10;
 
 // Cells of a fine box that are smaller than this part of a neighbour join it in groups, up to this share of
@@ -42,11 +42,11 @@ constexpr double LeastShare = 0.11;
 // No cell grows beyond this part of its box.
 constexpr double MostShare = 1.6;
 
-// Where nothing narrower helps, faces of a cell that solvers refuse are joined up to these angles, in degrees.
+// If nothing narrower helps, faces of a failing cell are joined up to these angles, in degrees.
 constexpr double WideBoundaryAngle = 60;
 constexpr double WideInnerAngle = 90;
 
-// Of its faces but for those towards a cell; ends where that is more than `most`.
+// Of its faces except those towards a cell; ends where that is more than `most`.
 double costAround(const MeasuredCell& cell, CellKey butFor, double most)
 {
   double cost = 0;
@@ -57,10 +57,10 @@ double costAround(const MeasuredCell& cell, CellKey butFor, double most)
   return cost;
 }
 
-// One with fewer faces that solvers refuse is better than one that gains more.
+// One with fewer failing faces is better than one that gains more.
 bool isBetter(const CellUnion& a, const CellUnion& b)
 {
-  // Equal but for rounding is equal: sums depend on the order of the surface's triangles.
+  // Equal up to rounding counts as equal: sums depend on the order of the surface's triangles.
   const bool gainsMore = static_cast<float>(a.gain) > static_cast<float>(b.gain);
   return !b.of ||
     (a.verdict.refused != b.verdict.refused ? a.verdict.refused < b.verdict.refused : gainsMore);
@@ -137,7 +137,7 @@ std::vector<CellKey> CellMerger::lookedAfter(bool looksAtOthers) const
   return all;
 }
 
-// Only what has changed since, or was refused then, is looked at again.
+// Only cells that have changed since, or failed then, are examined again.
 std::vector<CellKey> CellMerger::refused(bool looksAtOthers)
 {
   std::vector<CellKey> keys = lookedAfter(looksAtOthers);
@@ -166,7 +166,7 @@ void CellMerger::run(std::vector<CellKey> keys, Look&& look)
   for (int round = 0; round < MostRounds && !keys.empty(); ++round)
   {
     const std::uint32_t mark = cells_.mark();
-    std::vector<std::pair<float, CellKey>> candidates; // equal but for rounding is equal
+    std::vector<std::pair<float, CellKey>> candidates; // equal up to rounding counts as equal
     for (const CellKey key : keys)
     {
       execution_.poll();
@@ -264,7 +264,7 @@ Verdict CellMerger::verdictOf(CellKey key, const CellKey* begin, const CellKey* 
   return evaluateCell(cell.shape, cell.measures, cell.beyond, cells_.share(key), scratch_.counts);
 }
 
-// Of the cell that verdictOf has looked at last. Returns whether there was a better one.
+// Of the cell last examined by verdictOf. Returns whether there was a better one.
 bool CellMerger::mergeBest(
   CellKey key, const Verdict& own, std::size_t mostNeighbours, const Acceptance& acceptance)
 {
@@ -311,7 +311,7 @@ UnionView& CellMerger::viewOf(std::size_t place, const std::vector<CellKey>& key
   return view;
 }
 
-// What solvers refuse, or are strained by, or is very small, and finds nothing better as it is.
+// Cells that fail, strain solvers or are very small, and for which nothing better is found.
 void CellMerger::simplifyBest(
   CellKey key, const Verdict& own, std::size_t mostNeighbours, const Acceptance& acceptance)
 {

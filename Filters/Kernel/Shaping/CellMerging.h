@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Small cells, poor ones, and those that solvers refuse, become a part of a neighbour (section 4.10, but
-// the volume is kept) or simpler (4.11, IP patches).
+// Merges small, poor and failing cells with a neighbour (section 4.10, but the volume is kept) or simplifies them
+// (4.11, IP patches).
 #pragma once
 
 #include "Base/Execution.h"
@@ -18,7 +18,7 @@ struct MergeSpec
   JoinSpec joins; // which faces of the result become one
 
   bool merges = true;
-  bool simplifies = true; // cells that solvers refuse, by joining faces at any angle
+  bool simplifies = true; // failing cells, by joining faces at any angle
 };
 
 // One cell after the other, the smallest or poorest first, within a slab: each joins the neighbour with which
@@ -41,19 +41,19 @@ public:
   // Cells with a face that costs more than PoorCost. Looks at all cells, the next time at what has changed.
   void improve();
 
-  // One cell, if it is poor; returns false where solvers refuse it and nothing helps.
+  // One cell, if it is poor; returns false if it fails and nothing helps.
   bool improve(CellKey key);
 
-  // Whether cells with faces turned over may become simpler: one with a face bent around others cannot be cut any more.
+  // Whether cells with inverted faces may be simplified: one with a face bent around others cannot be cut any more.
   void bendInvalid(bool bends) { bendsInvalid_ = bends; }
 
-  // Whether solvers refuse a face of it, or are strained by how small it is.
+  // Whether one of its faces fails, or it is so small that it strains solvers.
   bool isFailing(CellKey key);
 
-  // The slab's cells; also those that it only touches, if nobody looks at them later.
+  // The slab's cells; also those that it only touches, if they are not examined later.
   std::vector<CellKey> lookedAfter(bool looksAtOthers) const;
 
-  // Those of which solvers refuse a face.
+  // Those with a failing face.
   std::vector<CellKey> refused(bool looksAtOthers);
 
   std::size_t merged() const { return merged_; }         // cells that are gone
@@ -64,10 +64,10 @@ private:
   struct Neighbour
   {
     CellKey key;
-    std::optional<Verdict> verdict; // but for its faces towards that cell
+    std::optional<Verdict> verdict; // without its faces towards that cell
   };
 
-  // When something was done last: all has been looked at since. 0: never.
+  // When something was done last: all have been examined since. 0: never.
   struct Marks
   {
     std::uint32_t merged = 0;

@@ -26,7 +26,7 @@ namespace
 constexpr double MergeJoinAngle = 3;
 constexpr double InnerJoinAngle = 20;
 
-// Cells between regions cannot go where a merge turns out to be refused: larger ones are not merged.
+// Cells between regions cannot be removed if a merge fails later: larger ones are not merged.
 constexpr double LargestMergedBetweenRegions = 0.15;
 
 MergeSpec mergeSpecOf(const ShapingSpec& spec, bool merges, bool exact, bool hasRegions)
@@ -43,7 +43,7 @@ MergeSpec mergeSpecOf(const ShapingSpec& spec, bool merges, bool exact, bool has
   return merging;
 }
 
-// What is done to the cells of one slab.
+// Shapes the cells of one slab.
 class Shaper
 {
 public:
@@ -116,8 +116,8 @@ public:
     return result();
   }
 
-  // What nothing has saved goes: small cells first, parts of others, at last whole cells. Each time what is exposed may
-  // be saved again.
+  // Cells that could not be repaired are removed: small ones first, then parts of others, finally whole cells. Each
+  // time exposed cells may be repaired again.
   Shaping removeRefused()
   {
     execution_.stage("Improving", 0, 0.4);
@@ -185,7 +185,7 @@ private:
     shaping_.cellsSplit += splitInvalid(complex_, merger_.refused(isLast_), execution_);
   }
 
-  // Where layers will stand.
+  // Where layers are requested.
   void joinWalls()
   {
     if (task_.layers && !exact_)
@@ -194,14 +194,14 @@ private:
     }
   }
 
-  // Walls beside a meshline: merged, they would stick out of their neighbour.
+  // Walls next to a meshline: if merged, they would stick out of their neighbour.
   void removeSlivers()
   {
     removeSmaller(Sliver, [](CellKey) { return true; });
   }
 
-  // What is small, and strains solvers, and cannot be merged; and what no face connects with others, in which no solver
-  // can fix the pressure. What is as thin as the body there stays; a film on a side of a flow domain does not,
+  // Small cells that strain solvers and cannot be merged; and cells that no face connects with others, where a solver
+  // cannot determine the pressure. Cells as thin as the body there stay; a film on a side of a flow domain does not,
   // as below a wheel on the ground.
   void removeSmall()
   {
@@ -290,7 +290,7 @@ private:
       splitCells(complex_, complex_.polyhedraAtFault(), least, execution_).cellsSplit;
   }
 
-  // What a transfer has changed may help its neighbours.
+  // A transfer may help its neighbours.
   void improve()
   {
     for (int pass = 0; !exact_ && pass < Passes; ++pass)
@@ -308,7 +308,7 @@ private:
     }
   }
 
-  // Parts of refused cells; not again where nothing near by has changed since `triedAt`.
+  // Parts of failing cells; not again where nothing near by has changed since `triedAt`.
   void transfer(std::vector<CellKey> keys, LeftOver leftOver, std::uint32_t& triedAt)
   {
     const auto isTried = [&](CellKey key) { return !complex_.hasChangedNear(key, triedAt); };
@@ -329,17 +329,17 @@ private:
 
   static constexpr int Passes = 2;
 
-  // Of its box: a cell that one beside it could have been merged with.
+  // Of its box: a cell that its neighbour could have been merged with.
   static constexpr double LeastOfHost = 0.15;
 
   // Of its box.
   static constexpr double Sliver = 1e-9;
   static constexpr double LargestFilm = 1e-3;
 
-  // Up to this part of its box a cell may go to another region.
+  // Up to this part of its box a cell may move to another region.
   static constexpr double LargestCeded = 0.1;
 
-  // Below this part of their box tips go.
+  // Below this part of their box tips are removed.
   static constexpr double LargestTip = 0.05;
 
   static constexpr std::array<double, 8> LargestShares{ 0.025, 0.1, 0.25, 0.25, 1, 1, 1, 1 };
@@ -352,7 +352,7 @@ private:
   Execution& execution_;
   MergeSpec mergeSpec_;
   CellMerger merger_;
-  std::uint32_t transferredAt_ = 0; // all that was refused has been tried since
+  std::uint32_t transferredAt_ = 0; // all failing cells have been tried since
   std::uint32_t givenAwayAt_ = 0;   // likewise
   Shaping shaping_;
 };
@@ -365,7 +365,7 @@ struct Shares
   double removal;
 };
 
-// What the first has exposed, the second may mend.
+// The second may repair what the first has exposed.
 constexpr int RemovalPasses = 2;
 
 constexpr std::array<Shares, ShapingStages> SharesOfStages{ { { 0.35, 0.5, 0.2 },
@@ -466,7 +466,7 @@ private:
     edits_ = std::move(optimised.edits);
   }
 
-  // The slabs with cells that solvers refuse; the others are done.
+  // The slabs with failing cells; the others are done.
   void keepFailing()
   {
     std::vector<Slab> failing;
@@ -488,7 +488,7 @@ private:
   bool isLast_;
   Execution& execution_;
   std::vector<std::vector<FaceEdit>> edits_; // of each slab, to be made
-  std::vector<bool> fails_;                  // whether it has cells that solvers refuse
+  std::vector<bool> fails_;                  // whether it has failing cells
   Shaping sum_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells made fit for solvers (sections 3, 4.10, 4.11): concave ones are split, small ones merged.
-// Slab by slab (Slabs.h): those of the core, and around it what a point of theirs may belong to.
+// Improves cells for solvers (sections 3, 4.10, 4.11): concave ones are split, small ones merged. Slab by slab
+// (Slabs.h): those of the core, and around it what a point of theirs may belong to.
 #pragma once
 
 #include "Cells/SmallCellSpec.h"
@@ -18,7 +18,7 @@ struct Shaping
   std::size_t cellsSplit = 0; // cuts
   std::size_t cellsMerged = 0;
   std::size_t cellsSimplified =
-    0; // solvers refused them: faces are one, at any angle: the paper's IP patches
+    0; // they failed: faces are joined at any angle: the paper's IP patches
   std::vector<RemovedCell> refused; // and removed
   std::vector<std::uint32_t>
     kept;                    // boxes of cells that stay, in the end, though checkMesh fails on them
@@ -34,7 +34,7 @@ struct ShapingTask
 {
   const SmallCellSpec& small;
   const ShapingSpec& spec;
-  double featureAngle;         // degrees; edges of the wall that turn by more stay
+  double featureAngle;         // degrees; edges of the wall that turn by more than this stay
   const WallLayerSpec* layers; // that some walls will have, or null
   bool isAround;               // the space around bodies is meshed, in a box
 };

@@ -78,12 +78,12 @@ public:
   }
 
 private:
-  // Each round does half of what is left, about.
+  // Each round does about half of the rest.
   static double doneBefore(int round) { return 1 - std::ldexp(1.0, -round); }
 
   std::vector<std::pair<float, CellKey>> worstFirst(const std::vector<CellKey>& failing) const
   {
-    std::vector<std::pair<float, CellKey>> order; // equal but for rounding is equal
+    std::vector<std::pair<float, CellKey>> order; // equal up to rounding counts as equal
     MeasuredCell cell;
     for (const CellKey key : failing)
     {

@@ -14,9 +14,9 @@ struct Splitting
   std::size_t cellsSplit = 0; // that there were before
 };
 
-// Cells are cut one after the other, those with most at fault first; again all that changed, until
-// none finds a cut. So the result depends on the cells only. `failing`: cells that fail a condition,
-// in order. No part becomes smaller than `leastFraction` of its box.
+// Cells are cut one by one, the worst first; changed ones again, until no cut is found. So the result depends on the
+// cells only. `failing`: cells that fail a condition, in order. No part becomes smaller than `leastFraction` of its
+// box.
 Splitting splitCells(
   CellComplex& cells, std::vector<CellKey> failing, double leastFraction, Execution& execution);
 

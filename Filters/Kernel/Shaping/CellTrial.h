@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A cell taken out of the whole, and what solvers make of it (Verdict.h): as it is, and with some of its faces joined.
+// A cell taken out of the mesh, and its quality (Verdict.h): as it is, and with some of its faces joined.
 #pragma once
 
 #include "Acceptance/Acceptance.h"
@@ -8,14 +8,14 @@
 namespace cartesian
 {
 
-// Several cells as one, with what is beyond, and measured.
+// Several cells as one, measured, with their neighbours.
 void takeOut(
   const CellComplex& cells, const std::vector<CellKey>& keys, CellView& view, CellShape& shape);
 
-// Of a cell as it is; leaves there what was looked at.
+// Of a cell as it is; leaves the result there.
 Verdict verdictOf(const CellComplex& cells, CellKey key, MeasuredCell& cell);
 
-// Looks at cells, one after the other; keeps its memory.
+// Examines cells one by one; keeps its memory.
 struct CellTrial
 {
   explicit CellTrial(const CellComplex& cells)

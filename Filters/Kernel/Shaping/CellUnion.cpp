@@ -14,11 +14,11 @@ namespace cartesian
 namespace
 {
 
-// What a part of the box that joined boundary faces add or take costs: about a hundredth as much as a face
-// that is just beyond preferred quality limits.
+// The cost of volume that joined boundary faces add or remove: for a hundredth of the box, about that of a face just
+// beyond preferred quality limits.
 constexpr double CostOfVolume = 1000;
 
-// Cosines of angles at which faces are joined: those that solvers refuse; that strain them (107 degrees).
+// Cosines of angles at which faces are joined: failing ones; those that strain solvers (107 degrees).
 constexpr double AnyAngle = -1;
 constexpr double CosineOfStrained = -0.3;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One cell, or several as one, with some of its faces joined: what that would cost, and the paper's IP
-// patches (section 4.11) where solvers would refuse it.
+// One cell, or several as one, with some of its faces joined: the cost, and the paper's IP patches (section 4.11) if it
+// fails.
 #pragma once
 
 #include "Shaping/CellTrial.h"
@@ -10,7 +10,7 @@
 namespace cartesian
 {
 
-// Cells as one, taken out of the whole, and what is known of them.
+// Cells as one, taken out of the mesh, with their measures.
 struct UnionView
 {
   // As far as `spec` allows.
@@ -25,7 +25,7 @@ struct UnionView
   CellView view;
   CellShape shape;
   std::optional<Verdict> verdict; // of all faces, before any is joined
-  std::optional<Joined> joined;   // as asked for last
+  std::optional<Joined> joined;   // as last requested
   FaceJoiner joiner;
 };
 
@@ -37,7 +37,7 @@ struct CellUnion
   double gain = 0; // by how much the sum of all costs falls
 };
 
-// Looks at unions, one after the other; keeps its memory.
+// Examines unions one by one; keeps its memory.
 class UnionTrial
 {
 public:
@@ -48,7 +48,7 @@ public:
   {
   }
 
-  // Walls of what is looked at from now on are joined across edges that turn by less: at first, than Feature Angle.
+  // From now on walls are joined across edges that turn by less than this; initially Feature Angle.
   void joinAcross(double leastCosine) { leastCosine_ = leastCosine; }
 
   // Takes its cells, which have faces, out of the whole.
@@ -59,9 +59,8 @@ public:
   // few faces, keep too little of its volume, or its faces cost more than `most` before any is joined.
   void tryOut(CellUnion& cells, const JoinSpec& joins, double most = Never);
 
-  // Of the union tried out last: as long as solvers refuse a face, or are strained by one, joins that which
-  // costs most with the neighbour that helps most: the first at any angle, the second up to a bit more
-  // than a right angle.
+  // Of the last union tried: as long as a face fails or strains solvers, joins the costliest one with the neighbour
+  // that helps most: the first at any angle, the second up to a bit more than a right angle.
   void simplify(CellUnion& cells);
 
   // That can be merged: no two of its faces have the same nodes, nor a face near by.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One cell, or several as one, taken out of the whole to be looked at and tried on.
+// One cell, or several as one, taken out of the mesh for trials.
 #pragma once
 
 #include "Acceptance/CellFaults.h"

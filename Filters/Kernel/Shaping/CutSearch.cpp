@@ -112,7 +112,7 @@ std::vector<ConcaveEdge> concaveEdges(const Polyhedron& cell, const CellShape& s
     edges.push_back(e);
   }
   std::sort(edges.begin(), edges.end(), [](const ConcaveEdge& x, const ConcaveEdge& y) {
-    const auto a = static_cast<float>(x.bend); // equal but for rounding is equal
+    const auto a = static_cast<float>(x.bend); // equal up to rounding counts as equal
     const auto b = static_cast<float>(y.bend);
     return a != b ? a > b : std::make_pair(x.from, x.to) < std::make_pair(y.from, y.to);
   });
@@ -223,7 +223,7 @@ private:
         faces.push_back(face);
       }
     }
-    // Equal but for rounding is equal.
+    // Equal up to rounding counts as equal.
     const auto areaOf = [&](std::size_t face) { return float(norm(shape_.faces[face].area)); };
     std::stable_sort(faces.begin(), faces.end(),
       [&](std::size_t f, std::size_t g) { return areaOf(f) > areaOf(g); });

@@ -12,7 +12,7 @@
 namespace cartesian
 {
 
-// What cuts would make of a cell, one after the other; keeps its memory.
+// Tries cuts of a cell one by one; keeps its memory.
 class CutParts
 {
 public:
@@ -28,7 +28,7 @@ public:
 
   double largestAspect() const; // a sixth of the area by volume^(2/3)
 
-  // What is at fault of all parts; of one, if nothing is beyond the cut.
+  // The faults of all parts; of one, if nothing is beyond the cut.
   CellFaults faults();
   CellFaults faultsAlone(std::size_t part) const;
 
@@ -48,13 +48,13 @@ private:
   std::vector<std::uint8_t> counts_; // a face between two parts once
 };
 
-// What would be at fault after a cut, or nothing where it must not be made.
+// The faults after a cut, or nothing if it must not be made.
 using Judge = std::function<std::optional<CellFaults>(const CellCut&)>;
 
 struct FoundCuts
 {
   std::vector<CellCut> helpful; // the fittest last
-  // Where there is none, one along the worst concave edge that does no harm.
+  // If there is none, one along the worst concave edge that does no harm.
   std::optional<CellCut> harmless;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Neighbouring faces of a cell that can be one: between the same two cells, or of one boundary, with
-// normals close to each other; none with a fixed cell beyond.
+// Neighbouring faces of a cell that can be joined: between the same two cells, or in one boundary, with similar
+// normals; none with a fixed cell beyond.
 #pragma once
 
 #include "Shaping/CellView.h"
@@ -15,7 +15,7 @@ bool hasEdgeFrom(const Ring& ring, std::uint32_t from, std::uint32_t to);
 // Two polygons that share a chain of edges as one; false where they share several or meet elsewhere too.
 bool joinRings(const Ring& first, const Ring& second, std::vector<std::uint32_t>& joined);
 
-// Faces of a view that become one, or that are divided anew. All others stay.
+// Faces of a view that are joined or re-divided. All others stay.
 struct JoinedFaces
 {
   struct Group
@@ -66,7 +66,7 @@ public:
   {
   }
 
-  // Across edges of the wall that turn by more nothing is joined, whatever is asked for.
+  // Across edges of the wall that turn by more than this nothing is joined in any case.
   void joinAcross(double featureCosine) { featureCosine_ = featureCosine; }
 
   // What the others are about; `shape`: the view's. Both must stay as they are.

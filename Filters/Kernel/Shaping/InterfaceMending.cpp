@@ -68,7 +68,7 @@ private:
     return cell.view.across[f] != None && cell.view.shape.isBoundary[f] && !cell.view.fixed[f];
   }
 
-  // The face joins one beside it: what is beyond goes from the one cell there to the other.
+  // The face joins an adjacent one: the cell beyond loses it to its neighbour.
   bool moveEdgeOf(std::uint32_t f)
   {
     const CellView& view = own_.view;

@@ -97,7 +97,7 @@ private:
   std::vector<NeighbourCell> beyond_; // of each face, in another region
 };
 
-// A cell that has been removed is in nobody's way.
+// A removed cell does not obstruct anything.
 std::vector<CellKey> touchedBy(
   CellComplex& cells, CellKey key, const CellView& view, const CellCut& cut)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Removing a cell that solvers refuse would leave a step in the wall, or a hole between two regions: where nothing
-// else mends it, it is cut into parts that are poor perhaps, but valid.
+// Removing a failing cell would leave a step in the wall, or a hole between two regions: if nothing else repairs it, it
+// is cut into parts that may be poor, but are valid.
 #pragma once
 
 #include "Base/Execution.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of a cell for which solvers refuse it is cut off and joins another cell (sections 4.10 and 4.11):
-// where neither a cut that keeps both parts helps, nor a merge of the whole cell.
+// Cuts off the part of a cell that makes it fail, and joins it to another cell (sections 4.10 and 4.11), if neither a
+// cut that keeps both parts helps, nor a merge of the whole cell.
 #pragma once
 
 #include "Shaping/CellMerging.h"
@@ -9,7 +9,7 @@
 namespace cartesian
 {
 
-// What becomes of a part that no other cell can take so that solvers accept it.
+// Treatment of a part that no other cell can take without failing.
 enum class LeftOver : std::uint8_t
 {
   ComesBack,

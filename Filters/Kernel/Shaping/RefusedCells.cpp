@@ -14,7 +14,8 @@ namespace cartesian
 namespace
 {
 
-// Of the area of a box's side: the wall of further boundaries that may go with a cell, and the change of all its wall's.
+// Parts of the area of a box's side: the wall of further boundaries that may be removed with a cell, and the change
+// of its total wall area.
 constexpr double LargestOfOthers = 0.02;
 constexpr double LargestChange = 0.2;
 
@@ -25,7 +26,7 @@ struct Candidate
 
   bool operator<(const Candidate& other) const
   {
-    const auto a = static_cast<float>(volume); // equal but for rounding is equal
+    const auto a = static_cast<float>(volume); // equal up to rounding counts as equal
     const auto b = static_cast<float>(other.volume);
     return a != b ? a < b : key < other.key;
   }
@@ -41,7 +42,7 @@ public:
   {
   }
 
-  // For each refused face of a cell, finds the smaller of its two cells that may go.
+  // For each failing face of a cell, finds the smaller of its two cells that may be removed.
   void lookAt(CellKey key)
   {
     cells_.lookAround(key, cell_);
@@ -84,7 +85,7 @@ public:
   const std::set<Candidate>& candidates() const { return candidates_; }
 
 private:
-  // The cell on whose side the face's pyramid is turned over: without the other it would be as bad.
+  // The cell on whose side the face's pyramid is inverted: without the other it would be as bad.
   void lookAtTurnedOver(const Candidate& own, std::size_t f)
   {
     const bool ofOwn = isTurnedOver(cell_.measures, f, {});
@@ -105,7 +106,7 @@ private:
       keepsWall(cells_, candidate.key);
   }
 
-  // Asked for each face of a cell, and to know it all of its faces are looked at: once only.
+  // Needed for each face of a cell, and takes all of its faces: computed only once.
   double limitOf(CellKey key)
   {
     const auto [known, isNew] = limitOf_.try_emplace(key, 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The last resort where neither a cut, nor a merge, nor an IP patch mends a cell (section 4.11): it is
-// removed as a small cell is (4.10).
+// The last resort if neither a cut, nor a merge, nor an IP patch repairs a cell (section 4.11): it is removed like a
+// small cell (4.10).
 #pragma once
 
 #include "Base/Execution.h"
@@ -13,21 +13,21 @@
 namespace cartesian
 {
 
-// Below this part of its box a cell, or a part of one, is removed though it is valid, where solvers refuse a face of it.
+// Below this part of its box a cell, or a part of one, is removed though it is valid, where one of its faces fails.
 constexpr double LargestRefused = 0.1;
 
-// Of these cells, in order: those that solvers refuse (CellFaults.h). Of an inner face that is turned over, the cell goes
-// as seen from which it is; of another one's two the smaller, if it is below LargestRefused and keepsWall. Only cells with
-// a boundary face go, smaller than `largest` volumes of their box, or than R where their boundary has its own; of
-// neighbours only one, the smallest, as that may be enough. Appends what was removed.
+// Of these cells, in order: the failing ones (CellFaults.h). For an inverted inner face, the cell from which it is
+// seen inverted is removed; for others the smaller of the two, if it is below LargestRefused and keepsWall. Only
+// cells with a boundary face go, smaller than `largest` volumes of their box, or than R where their boundary has its
+// own; of neighbours only one, the smallest, as that may be enough. Appends what was removed.
 void removeRefused(CellComplex& cells, const std::vector<CellKey>& keys, const SmallCellSpec& small,
   double largest, Execution& execution, std::vector<RemovedCell>& removed);
 
-// Whether a cell may go: none that the slab must leave as it is would be refused for want of it.
+// Whether a cell may be removed: no cell that the slab must not change would fail without it.
 bool sparesOthers(const CellComplex& cells, CellKey key);
 
-// Whether a cell may go without taking wall from all boundaries but one, and what is exposed is about as large as the
-// wall that goes.
+// Whether a cell may be removed without taking wall from more than one boundary, and the exposed area is about that
+// of the removed wall.
 bool keepsWall(const CellComplex& cells, CellKey key);
 
 // Cells of one kind side by side, each in one group, in the order of their first.

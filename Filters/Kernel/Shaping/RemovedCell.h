@@ -6,7 +6,7 @@
 namespace cartesian
 {
 
-// A cell of the core, or a part of one, that solvers would refuse, and that is left out.
+// A failing cell of the core, or a part of one, that is left out.
 struct RemovedCell
 {
   std::uint32_t box;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the slabs of one stage of shaping have in common (CellShaping.h), and what is known of all cells
-// before any changes: most never do, and are measured once.
+// Data shared by the slabs of one stage of shaping (CellShaping.h), and measures of all cells before any change: most
+// never do, and are measured once.
 #pragma once
 
 #include "Parts/Slabs.h"
@@ -18,7 +18,7 @@ enum class IsAtFault : std::uint8_t
   Yes
 };
 
-// What is known of each cell, as it was.
+// Measures of each cell before changes.
 struct KnownCells
 {
   std::vector<IsAtFault> atFault;    // Unknown: so is the rest
@@ -34,7 +34,7 @@ struct KnownCells
 // Of faces of sides and those after them (WallFaces), from the cells below and above.
 using Sights = std::vector<std::array<CentreOffset, 2>>;
 
-// What the slabs of one stage have in common.
+// Data shared by the slabs of one stage.
 struct ShapedWall
 {
   // `featureAngle` in degrees: edges of the wall that turn by more stay.
@@ -52,7 +52,7 @@ struct ShapedWall
   std::unordered_map<std::uint32_t, NeighbourCell> movedHexahedra; // by box, from its lower corner
   Sights sights; // likewise; those of hexahedra too
 
-  // Fills what is not known of the cells in these layers, before any slab changes.
+  // Measures the cells in these layers that are not measured yet, before any slab changes.
   void measure(Layers layers, Execution& execution);
 
   // The cells of polyhedral boxes in these layers: begin and end.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the user chooses about the shape of cells (sections 4.10, 4.11).
+// User options for the shape of cells (sections 4.10, 4.11).
 #pragma once
 
 #include "Base/Range.h"
@@ -15,7 +15,7 @@ struct ShapingSpec
   // Where small cells merge, those below this part of their box's volume do.
   double mergeRatio = 0.3;
 
-  // Those that no neighbour can take in, and that strain solvers, are removed below this part of their box: R (4.10)
+  // Those that no neighbour can absorb, and that strain solvers, are removed below this part of their box: R (4.10)
   // where cells merge.
   double strandedRatio() const { return mergeRatio / 10; }
 
@@ -28,8 +28,8 @@ struct ShapingSpec
 
   bool splitConcave = true; // cells that fail an angle condition of section 3
 
-  // Where cells are split: what solvers refuse and nothing mends is removed, up to as many volumes of
-  // its box; 0: none.
+  // Where cells are split: failing cells that cannot be repaired are removed, up to this many volumes of their box;
+  // 0: none.
   double refusedCellRatio = 4;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What shaping has changed in one slab (Slabs.h), over the wall mesh as it was: cells, faces and nodes. CellComplex works
-// with it; at the end of a stage all slabs' changes become the wall mesh (writeBack).
+// Changes of shaping in one slab (Slabs.h) relative to the original wall mesh: cells, faces and nodes. CellComplex
+// works with it; at the end of a stage all slabs' changes become the wall mesh (writeBack).
 #pragma once
 
 #include "Polyhedra/Polyhedron.h"
@@ -12,7 +12,7 @@
 namespace cartesian
 {
 
-// A cell that may change, with faces of its own.
+// A cell that may change, with its own faces.
 struct OpenCell
 {
   static constexpr std::array<std::uint8_t, 2> NoReach{ 0, 0 };

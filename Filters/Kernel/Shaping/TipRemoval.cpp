@@ -27,7 +27,7 @@ constexpr double LargestLedge = 0.02;
 // Cells with a poor determinant are tips up to a size that is larger by this factor.
 constexpr double LargerOfPoorDeterminant = 2;
 
-// Tips side by side that hold more than as many of the largest are no tip.
+// Adjacent tips that hold more than this many of the largest are not a tip.
 constexpr double MostSideBySide = 2;
 
 class TipSearch
@@ -74,7 +74,7 @@ public:
   }
 
 private:
-  // Whether what is exposed leans from all patches that it replaces.
+  // Whether the exposed faces lean away from all patches that they replace.
   bool leavesStep(CellKey key) const
   {
     std::vector<Vector> normals;
@@ -115,8 +115,8 @@ private:
     return false;
   }
 
-  // Whether solvers accept a cell with boundary faces towards those that are gone, which become one with others
-  // where that helps, and nothing is worse than it was, or than of those that are gone.
+  // Whether a cell passes with boundary faces towards the removed ones, joined with others if that helps, and nothing
+  // is worse than it was, or than in the removed ones.
   bool isFairWithout(CellKey other, const std::vector<CellKey>& gone, Verdict before)
   {
     if (!cells_.isFree(other))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tips and slivers of the domain that hold next to nothing and that no neighbour can take in: what closes them
-// takes the place of their patches, as the paper's IP patches do (section 4.11).
+// Removes tips and slivers of almost no volume that no neighbour can absorb: the faces that close them replace their
+// patches, like the paper's IP patches (section 4.11).
 #pragma once
 
 #include "Cells/SmallCellSpec.h"
@@ -9,10 +9,10 @@
 namespace cartesian
 {
 
-// Removes, in order, those of these cells that are smaller than `largest` volumes of their box (or than R where
-// their boundary has its own), where that leaves no step: what it exposes faces the way that a patch of the cell
-// does, and, as far as `joins` allows as one face with its neighbours, is no worse for solvers than what was there.
-// Tips side by side go together, or else one of them.
+// Removes, in order, those of these cells that are smaller than `largest` volumes of their box (or than R where their
+// boundary has its own), if that leaves no step: exposed faces point in the direction of a patch of the cell, and,
+// joined with their neighbours as far as `joins` allows, are no worse for solvers than before. Adjacent tips are
+// removed together, or else one of them.
 void removeTips(CellComplex& cells, const std::vector<CellKey>& keys, const SmallCellSpec& small,
   double largest, const JoinSpec& joins);
 

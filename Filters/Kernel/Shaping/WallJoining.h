@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Boundary faces of one cell on which boundary layers could not stand side by side become one, and small ones join
-// larger ones, as thin prisms between thick ones are poor cells for solvers.
+// Joins boundary faces of one cell that leave no room for layers side by side, and small ones with larger ones, as thin
+// prisms between thick ones are poor cells for solvers.
 #pragma once
 
 #include "Shaping/CellUnion.h"
@@ -11,8 +11,8 @@
 namespace cartesian
 {
 
-// Of these cells, in order: where solvers would refuse the face between prisms on two of their faces, or one of these
-// is small, and where they accept the cell with one face as they did before.
+// Of these cells, in order: if the face between prisms on two of their faces would fail, or one of these is small,
+// and the cell passes with the joined face as before.
 void joinWalls(CellComplex& cells, const std::vector<CellKey>& keys, const WallLayerSpec& layers,
   Execution& execution);
 

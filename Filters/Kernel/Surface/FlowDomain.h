@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which side of the surface is meshed: what it encloses, or the space around it, in a box.
 //
-// Outside, the surface is turned inside out, and winds around what is far from it once: a point in no body
-// is inside (Winding.h), in the union of bodies it is not, and no triangles of the box are needed. Where the
-// grid ends the box does; bodies that reach beyond are cut off there exactly.
+// Outside, the surface is turned inside out, so that its winding far away is one: a point in no body is inside
+// (Winding.h), in the union of bodies it is not, and no triangles of the box are needed. The box ends where the grid
+// does; bodies that reach beyond are cut off there exactly.
 #pragma once
 
 #include "Lattice/Meshlines.h"
@@ -58,7 +58,7 @@ enum class Half : std::uint8_t
   AcrossZ = 3,
 };
 
-// What the sides of the box are called.
+// The names of the sides of the box.
 enum class SideNames : std::uint8_t
 {
   Axes = 0, // xMin, xMax, yMin, ...
@@ -80,7 +80,7 @@ struct DomainSpec
   Half half = Half::Whole;
   SideNames sideNames = SideNames::Flow;
   int boxesAlong =
-    60; // the bodies' longest side, where no depth is asked for; 0: any number (FlowRefinement.h)
+    60; // the bodies' longest side, if no depth is specified; 0: any number (FlowRefinement.h)
   Bounds bounds{};              // user units
   EndBoundaries sides = NoEnds; // boundaries of the box's sides
 
@@ -98,7 +98,7 @@ Bounds boxAround(const DomainSpec& spec, const Bounds& surface);
 // Of the sides in the order of DomainSide. Sides of the same name are one boundary.
 std::array<std::string, 6> namesOfSides(const DomainSpec& spec);
 
-// Makes the surface, which is oriented, the boundary of what is around it.
+// Turns the oriented surface into the boundary of the space around it.
 void turnInsideOut(Surface& surface);
 
 }

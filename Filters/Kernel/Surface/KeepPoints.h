@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points that tell which connected parts of the domain are meshed.
+// Points that select the connected parts of the domain to mesh.
 #pragma once
 
 #include "Lattice/Meshlines.h"
@@ -24,8 +24,8 @@ std::vector<KeepPoint> onLattice(const std::vector<std::array<double, 3>>& place
 // Throws Error (BadParameter) where the surface, as it is oriented, does not enclose one of the points.
 void requireInside(const std::vector<KeepPoint>& points, const char* domain);
 
-// Whether the points lie outside of all bodies, so that the surface must be turned inside out for them. Throws
-// Error (BadParameter): there are none, or some lie inside and others outside.
+// Whether the points lie outside of all bodies, so that the surface must be turned inside out for them. Throws Error
+// (BadParameter): there are none, or some lie inside and others outside.
 bool areOutside(const std::vector<KeepPoint>& points);
 
 }

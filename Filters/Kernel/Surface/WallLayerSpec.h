@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the user chooses about boundary layers.
+// User options for boundary layers.
 #pragma once
 
 #include "Base/Range.h"
@@ -43,7 +43,7 @@ struct WallLayerSpec
 // Throws Error: BadParameter.
 void requireValid(const WallLayerSpec& spec);
 
-// Of all layers, in user units, but for `boundaries`. `box`: the shortest side of the box there.
+// Of all layers, in user units, except on `boundaries`. `box`: the shortest side of the box there.
 double totalThickness(const WallLayerSpec& spec, double box);
 
 // The height above the wall at which each layer ends, as a part of the total: 0, ..., 1.

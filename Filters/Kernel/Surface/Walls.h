@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What lies on either side of a surface's triangles where they bound several regions.
+// The regions on either side of a surface's triangles, if there are several.
 #pragma once
 
 #include <array>
@@ -33,9 +33,9 @@ struct Wall
   bool isInterface() const { return front != OutsideRegion; }
 };
 
-// Of a surface with several regions, whose boundary indices are indices of walls up to the mesh that is
-// written; empty: there is one region, and boundary indices are the user's. So what keeps a border between
-// boundaries also keeps one between regions.
+// Of a surface with several regions, whose boundary indices are indices of walls up to the mesh that is written;
+// empty: there is one region, and boundary indices are the user's. So everything that preserves borders between
+// boundaries also preserves those between regions.
 struct Walls
 {
   std::vector<Wall> all;
