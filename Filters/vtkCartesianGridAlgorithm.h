@@ -70,8 +70,8 @@ public:
 public:
   ///@{
   /**
-   * Length of a box's edges, in the surface's units; 0, the default, means 1/50 of the longest
-   * side of the surface's bounding box. Meshlines win over it in their direction.
+   * Edge length of a box, in units of the surface; 0, the default, means 1/50 of the longest side of the
+   * surface's bounding box. Meshlines override it along their axis.
    */
   vtkSetMacro(CellSize, double);
   vtkGetMacro(CellSize, double);
@@ -79,8 +79,8 @@ public:
 
   ///@{
   /**
-   * Positions of the planes between boxes across x, y and z, in the surface's units: none (the
-   * default, CellSize applies), or two or more that increase.
+   * Positions of the planes between boxes along x, y and z, in units of the surface: none (the default, CellSize
+   * applies), or at least two, increasing.
    */
   void SetNumberOfMeshlinesX(int number) { this->SetNumberOfMeshlines(0, number); }
   void SetNumberOfMeshlinesY(int number) { this->SetNumberOfMeshlines(1, number); }
@@ -102,23 +102,22 @@ public:
 
   ///@{
   /**
-   * Cell array of the surface that numbers its boundaries, or names them. Empty, the default: the
-   * blocks of the surface, or the solids that an STL file names, if there are several, else one
-   * boundary.
+   * Cell array of the surface with the number or name of each triangle's boundary. Default: empty, which means
+   * the blocks of the surface, or the named solids of an STL file, if there are several, otherwise one boundary.
    */
   vtkSetMacro(BoundaryArray, std::string);
   vtkGetMacro(BoundaryArray, std::string);
   ///@}
 
   /**
-   * Updates the surface and gives `result` field data: the numbers (BoundaryIds) and the names
-   * (BoundaryNames) of its boundaries. On an error it stays as it is.
+   * Updates the surface and adds field data to `result`: the numbers (BoundaryIds) and names (BoundaryNames) of
+   * its boundaries. On an error, `result` is unchanged.
    */
   void DescribeBoundaries(vtkDataObject* result);
 
   /**
-   * Updates the surface and estimates, in a fraction of the time that the mesh takes, how large it will be:
-   * the number of boxes, of cells, and the bytes of memory that it takes. All 0 on an error.
+   * Updates the surface and estimates, in a fraction of the meshing time, the size of the mesh: boxes, cells,
+   * and bytes of memory. All 0 on an error.
    */
   double* EstimateSize() VTK_SIZEHINT(3);
 
@@ -128,22 +127,22 @@ public:
   const char* GetSurfaceSize();
 
   /**
-   * For the inputs as they are now, rows of four texts: what the columns are called; then the size of boxes, and about
-   * how many boxes and cells there will be, and how much memory they take. The sizes are CellSize, in a row that begins
-   * with an arrow, and the longest side by 25, 50, 100 and 200. Empty without a surface, or if the mesh would be
-   * refused.
+   * For the current inputs, rows of four texts: the headings; then the box size and estimates of boxes, cells
+   * and memory. The sizes are CellSize, in a row that begins with an arrow, and 1/25, 1/50, 1/100 and 1/200 of
+   * the longest side. Empty without a surface, or if meshing would end in an error.
    */
   vtkStringArray* GetExpectedBoxes();
 
   /**
-   * Until something changes, GetExpectedBoxes() gives the row of CellSize alone, which takes a fraction of the time.
+   * Until something changes, GetExpectedBoxes() gives only the row of CellSize, which takes a fraction of the
+   * time.
    */
   void ExpectCellSizeAlone();
 
   ///@{
   /**
-   * How often global boxes that the surface passes through may be halved along each axis, unless
-   * a block or a boundary says otherwise: 0, the default, to 6.
+   * Refinement level at the surface: how many times boxes that it passes through may be halved along each axis,
+   * unless a block or a boundary overrides it: 0 (the default) to 6.
    */
   vtkSetMacro(RefinementDepth, int);
   vtkGetMacro(RefinementDepth, int);
@@ -151,8 +150,8 @@ public:
 
   ///@{
   /**
-   * How many boxes of a level there are at least between one and boxes that are twice as large, as snappyHexMesh's
-   * nCellsBetweenLevels: 1 to 10. 0, the default: 3 where vtkCartesianMesher meshes what is outside, else 1.
+   * Minimum number of boxes of one size between a smaller size and the next larger one (snappyHexMesh's
+   * nCellsBetweenLevels): 1 to 10. 0, the default: 3 with vtkCartesianMesher's Domain Outside, otherwise 1.
    */
   vtkSetMacro(TransitionLayers, int);
   vtkGetMacro(TransitionLayers, int);
@@ -160,9 +159,9 @@ public:
 
   ///@{
   /**
-   * Blocks of global boxes with depths of their own; later ones win. First and last box along each
-   * axis (whole numbers from 0, both included), allowed depth (where the surface passes), forced
-   * depth (everywhere in the block), 0 to 6.
+   * Blocks of boxes with refinement levels of their own; later rows override earlier ones. First and last box
+   * along each axis (whole numbers from 0, both included), the level allowed where the surface passes, and the
+   * level forced everywhere in the block, 0 to 6 (section 4.6).
    */
   void SetNumberOfRefinementBlocks(int number);
   void SetRefinementBlock(int row, double firstI, double lastI, double firstJ, double lastJ,
@@ -171,9 +170,9 @@ public:
 
   ///@{
   /**
-   * Depth along boundaries, applied after blocks: the boundary, the depth of global boxes that it
-   * passes through (0 to 6), the number of layers at each forced depth (0: no blending), 1 for
-   * blending from depth - 1 on, else 0.
+   * Refinement along boundaries, applied after blocks: the number of the boundary, the level of boxes that it
+   * passes through (0 to 6), the blending distance (layers of boxes at each forced level; 0: no blending), and 1
+   * if blending starts one level lower, otherwise 0.
    */
   void SetNumberOfBoundaryRefinements(int number);
   void SetBoundaryRefinement(
@@ -182,9 +181,9 @@ public:
 
   ///@{
   /**
-   * Shapes, a row each, in which boxes are halved as in closed surfaces on input port 1: "box", "sphere", "cylinderX",
-   * "cylinderY" or "cylinderZ", which fills a box given by its low corner and its lengths (more than 0; units of the
-   * surface); and the depth, 0 to 6.
+   * Refinement zones like the closed surfaces on input port 1, one per row: "box", "sphere", "cylinderX",
+   * "cylinderY" or "cylinderZ", which fills the box given by its lower corner and its lengths (more than 0;
+   * units of the surface); and the refinement level, 0 to 6.
    */
   void SetNumberOfRefinementShapes(int number);
   void SetRefinementShape(int row, const char* shape);
@@ -197,7 +196,7 @@ public:
   ///@}
 
   /**
-   * Takes all connections of input port 1 away.
+   * Removes all connections of input port 1.
    */
   void RemoveAllRefinementRegions() { this->RemoveAllInputConnections(1); }
 
@@ -223,8 +222,8 @@ public:
 
   ///@{
   /**
-   * Depth, allowed and forced, of global boxes in or at closed surfaces on input port 1 that have
-   * none of their own (field data RegionDepth); 0 to 6, default 1. Applied last; only ever refines.
+   * Refinement level of boxes inside or touching closed surfaces on input port 1 that have none of their own
+   * (field data RegionDepth); 0 to 6, default 1. Applied last; only ever refines.
    */
   vtkSetMacro(RegionDepth, int);
   vtkGetMacro(RegionDepth, int);
@@ -232,11 +231,11 @@ public:
 
   ///@{
   /**
-   * Depths that the surface asks for by its shape; they only ever refine. Boxes are divided until the surface
-   * turns by at most CurvatureAngle in each (degrees, 0 to 180; 0, the default: never), but for sharp edges;
-   * boxes at sharp edges to FeatureDepth (0 to 6, default 0); and until CellsAcrossGaps of them (0 to 64,
-   * default 0) fit between walls that face each other. Angle and gaps end at LargestDepth (0 to 6, default
-   * 3). Edges are sharp beyond 30 degrees; in vtkCartesianMesher, beyond FeatureAngle.
+   * Refinement by the shape of the surface; it only ever refines. Boxes are halved until the surface turns by at
+   * most CurvatureAngle in each (degrees, 0 to 180; default 0, off), sharp edges excepted; boxes at sharp edges
+   * to level FeatureDepth (0 to 6, default 0); and until CellsAcrossGaps of them (0 to 64, default 0, off) fit
+   * between walls that face each other. LargestDepth (0 to 6, default 3) limits angle and gaps. Edges are sharp
+   * beyond 30 degrees; in vtkCartesianMesher, beyond FeatureAngle.
    */
   vtkSetMacro(CurvatureAngle, double);
   vtkGetMacro(CurvatureAngle, double);
@@ -250,9 +249,9 @@ public:
 
   ///@{
   /**
-   * A point or cell array, of the data on input port 2 if there are any, else of the surface, that says how long
-   * the edges of boxes may be where it is, in the surface's units: boxes are divided until they are as small, or to
-   * LargestDepth. Values that are not positive ask for nothing. Empty, the default: none.
+   * Name of a point or cell array, of the data on input port 2 if connected, otherwise of the surface, that
+   * limits the edge length of boxes, in units of the surface: boxes are halved until none is longer, or to
+   * LargestDepth. Values that are not positive are ignored. Default: empty, none.
    */
   vtkSetMacro(SizeArray, std::string);
   vtkGetMacro(SizeArray, std::string);
@@ -261,8 +260,8 @@ public:
 
   ///@{
   /**
-   * Memory that the mesh may need by an estimate made first, in GiB; beyond it the filter refuses
-   * with TooManyBoxes. 0, the default, means three quarters of this machine's memory.
+   * Memory that the mesh may need, in GiB, by an estimate made before meshing; beyond it, the error is
+   * TooManyBoxes. 0, the default, means three quarters of this machine's memory.
    */
   vtkSetClampMacro(MemoryLimit, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(MemoryLimit, double);
@@ -273,20 +272,20 @@ protected:
   ~vtkCartesianGridAlgorithm() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+
   /**
-   * What the properties say; refinement, which takes the surface's boundaries, and small cell ratios of
-   * boundaries are left out.
+   * The options that the properties set, except refinement and what depends on the surface's boundaries.
    */
   virtual cartesian::Options MakeOptions();
 
   /**
-   * Adds what the properties say about the surface's boundaries, but for refinement.
+   * Adds the options that depend on the surface's boundaries, except refinement.
    */
   virtual void AddBoundaryOptions(
     const cartesian::SurfaceFromVTK& surface, cartesian::Options& options);
 
   /**
-   * The table of boundaries, as the surface that Read() gives has them.
+   * The table of boundaries, with the names that the surface from Read() has.
    */
   virtual cartesian::BoundarySettings Boundaries() const;
 
@@ -296,27 +295,26 @@ protected:
   virtual cartesian::SurfaceFromVTK Read(vtkDataObject* surface) const;
 
   /**
-   * The same with the sides of the box that is around it, if what is outside is meshed.
+   * The same, with the sides of the box around it if the outside is meshed.
    */
   cartesian::SurfaceFromVTK ReadWithSides(vtkDataObject* data);
 
   /**
-   * The surface on the lattice, checked; flaws are reported. `parts`: in how many parts the mesh is
-   * made, none of which may take more than the memory allowed.
+   * The surface on the lattice, checked; flaws are reported. `parts`: number of parts in which the mesh is
+   * made; none may need more memory than allowed.
    */
   cartesian::PreparedSurface Prepare(
     const cartesian::SurfaceFromVTK& surface, cartesian::Execution& execution, int parts = 1);
 
   /**
-   * All defects of the surface into `defects`; what the mesh may suffer from is reported.
+   * Lists all defects of the surface in `defects`; those that may affect the mesh are reported.
    */
   void Inspect(const cartesian::PreparedSurface& prepared, const cartesian::SurfaceFromVTK& surface,
     vtkPolyData* defects, cartesian::Execution& execution);
 
   /**
-   * How the grid is divided; rows of tables that reach beyond it are reported. `source` is what
-   * `prepared` was made from and is borrowed, `regions` what Regions() gives, `sizes` what
-   * ReadSizes() does.
+   * Divides the grid; table rows that extend beyond it are reported. `source`, from which `prepared` was made, is
+   * borrowed; `regions` are from Regions(), `sizes` from ReadSizes().
    */
   std::unique_ptr<cartesian::Decomposition> Divide(const cartesian::SurfaceFromVTK& source,
     const cartesian::PreparedSurface& prepared,
@@ -324,7 +322,7 @@ protected:
     cartesian::Execution& execution);
 
   /**
-   * What the SizeArray asks for: `field` is the input of port 2, or null.
+   * The sizes in the SizeArray; `field` is the input of port 2, or null.
    */
   cartesian::AskedSizes ReadSizes(
     vtkDataObject* surface, const cartesian::SurfaceFromVTK& source, vtkDataObject* field) const;
@@ -335,23 +333,23 @@ protected:
   static std::vector<vtkSmartPointer<vtkDataObject>> Regions(vtkInformationVector* input);
 
   /**
-   * The surface, brought up to date, or null; and all other inputs.
+   * Update the surface, which may be null, and all other inputs.
    */
   vtkDataObject* UpdatedSurface();
   void UpdateOptionalInputs();
 
   /**
-   * Of the surface as it is now; not valid without one.
+   * Bounds of the current surface; invalid without one.
    */
   vtkBoundingBox BoundsOfInput();
 
   /**
-   * Whether boxes around bodies have the sizes of FlowRefinement.h, as the user asks for no others.
+   * Whether box sizes around bodies are those of FlowRefinement.h, because the user sets no others.
    */
   bool RefinesFlow(const cartesian::DomainSpec& domain) const;
 
   /**
-   * The inputs of port 1, as they are now.
+   * The current inputs of port 1.
    */
   std::vector<vtkSmartPointer<vtkDataObject>> OptionalRegions();
 
@@ -388,11 +386,11 @@ private:
     const cartesian::SurfaceView&, const cartesian::Options&, cartesian::Execution&);
   void Expect(Estimate* estimate);
 
-  // A closed surface around a region to refine, with its own depth or RegionDepth; of the given ones and the shapes.
+  // A closed surface around a refinement zone, with its own level or RegionDepth: given ones, then the shapes.
   struct RegionSurface;
   std::vector<RegionSurface> RegionSurfaces(
     const std::vector<vtkSmartPointer<vtkDataObject>>& given) const;
-  // Nothing, where the user asks for other boxes.
+  // Empty if the user sets other box sizes.
   cartesian::FlowRefinement FlowOf(
     const cartesian::SurfaceFromVTK& source, const cartesian::Options& options) const;
   void AddFlowRefinement(const cartesian::SurfaceFromVTK& source, cartesian::Options& options,
@@ -400,7 +398,7 @@ private:
   void AddRefinement(const cartesian::SurfaceFromVTK& source, std::vector<RegionSurface>& regions,
     cartesian::AskedSizes sizes, cartesian::Options& options);
 
-  // What the properties and the inputs, as they are, say about the surface.
+  // Options of the current properties and inputs for the surface.
   struct Asked;
   Asked Ask(const cartesian::SurfaceFromVTK& surface);
 

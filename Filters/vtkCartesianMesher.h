@@ -4,19 +4,18 @@
  * @brief meshes the inside of a closed surface
  *
  * Input: a closed surface (vtkPolyData). Outputs: port 0 "Mesh" (vtkUnstructuredGrid), port 1
- * "Boundary" (vtkPolyData), the faces of the mesh that only one cell has; their arrays are those of
- * vtkCellAssembler, the errors those of all three filters. Port 2 "Defects" (vtkPolyData): see
+ * "Boundary" (vtkPolyData), the faces that belong to only one cell; arrays as in vtkCellAssembler, errors as in all
+ * three filters. Port 2 "Defects" (vtkPolyData): see
  * vtkSurfaceInspector; none with several regions. Port 3 "Interfaces" (vtkPolyData): the faces between
  * two regions, with the arrays that Conversion/MeshToVTK.h lists.
  *
  * vtkCartesianBoxer, vtkPatcher and vtkCellAssembler in one, with the same result bit for bit: the properties of
  * the grid are inherited, those shared with the other two are in vtkCartesianProperties.h.
  *
- * Asked for a piece of the mesh, by its rank or by a writer that streams, it makes that piece only: a
- * slab of the grid. Pieces have global ids (cells: CellId, points: GlobalPointIds); together they are
- * the whole mesh, bit for bit. Defects come with piece 0. Every rank has the whole surface,
- * which may come whole or distributed; ghost cells, where asked for, are vtkGhostCellsGenerator's.
- * With InPieces off, piece 0 is the whole mesh.
+ * If a piece is requested, by a rank or a streaming writer, only that piece is made: a slab of the grid. Pieces have
+ * global ids (cells: CellId, points: GlobalPointIds); together they are the whole mesh, bit for bit. Defects come with
+ * piece 0. Every rank holds the whole surface, which may arrive whole or distributed; requested ghost cells come from
+ * vtkGhostCellsGenerator. With InPieces off, piece 0 is the whole mesh.
  *
  * @sa vtkCartesianBoxer vtkPatcher vtkCellAssembler vtkSurfaceInspector
  */
@@ -54,7 +53,7 @@ public:
 
 public:
   /**
-   * What tells the regions of the mesh apart; One by default.
+   * What defines the regions of the mesh; default One.
    */
   enum RegionSources
   {
@@ -65,9 +64,9 @@ public:
 
   ///@{
   /**
-   * Boundary layers: how many prisms are stacked on each boundary face of a wall; 0, the default: none. A
-   * boundary is a wall unless its type is patch, symmetry, symmetryPlane or empty, or, without a type, its
-   * name begins with inlet, outlet, cyclic or symmetry.
+   * Boundary layers: number of prisms stacked on each wall face; default 0, none. A boundary is a wall unless
+   * its type is patch, symmetry, symmetryPlane or empty, or, without a type, its name begins with inlet, outlet,
+   * cyclic or symmetry.
    */
   vtkSetMacro(Layers, int);
   vtkGetMacro(Layers, int);
@@ -75,7 +74,7 @@ public:
 
   ///@{
   /**
-   * Each layer's thickness divided by that of the one nearer to the wall: 1 to 3, default 1.2.
+   * Ratio of the thickness of each layer to that of the layer below it: 1 to 3, default 1.2.
    */
   vtkSetMacro(LayerExpansionRatio, double);
   vtkGetMacro(LayerExpansionRatio, double);
@@ -83,8 +82,8 @@ public:
 
   ///@{
   /**
-   * The thickness of the layer at the wall, or else of all together, in units of the surface. Both 0, the
-   * default: all together are a third of the box at that place.
+   * Thickness of the layer at the wall, or else of all layers together, in units of the surface. Both 0, the
+   * default: the total is a third of the local box size.
    */
   vtkSetMacro(FirstLayerThickness, double);
   vtkGetMacro(FirstLayerThickness, double);
@@ -94,8 +93,8 @@ public:
 
   ///@{
   /**
-   * The names of the regions that have layers, on their boundary and on their side of interfaces; none, the default:
-   * all regions.
+   * Names of the regions with layers, on their boundary and on their side of interfaces; default: none, which
+   * means all regions.
    */
   void SetNumberOfLayerRegions(int number) { this->Resize(this->LayerRegions, number); }
   void SetLayerRegion(int row, const char* name)
@@ -106,9 +105,8 @@ public:
 
   ///@{
   /**
-   * How thick all layers together are on the boundaries of the table of names (SetBoundaryName), whatever their
-   * type, in units of the surface. 0: they have none; negative: as if they were not in the table. As many as
-   * names, or none.
+   * Total thickness of the layers on the boundaries in the table of names (SetBoundaryName), whatever their
+   * type, in units of the surface. 0: no layers; negative: the general setting. As many as names, or none.
    */
   void SetNumberOfBoundaryLayersThicknesses(int number)
   {
@@ -122,8 +120,8 @@ public:
 
   ///@{
   /**
-   * What those boundaries are called in the mesh: all that a row is of become one boundary, with any other of that
-   * name. Empty: they keep their names. As many as names, or none.
+   * Name of those boundaries in the mesh: all that a row applies to, and any other with that name, are merged
+   * into one boundary. Empty: they keep their names. As many as names, or none.
    */
   void SetNumberOfBoundaryMergedNames(int number)
   {
@@ -137,9 +135,10 @@ public:
 
   ///@{
   /**
-   * How many cells the mesh may have, to 5 %: beyond that CurvatureAngle, the boxes that CellsAcrossGaps asks for and
-   * the sizes of the SizeArray are enlarged by one factor until the cells fit, which usually needs a second meshing pass.
-   * 0, the default: any number. Then the mesh is made in one piece, on one rank.
+   * Maximum number of cells, to within 5 %: if there would be more, CurvatureAngle, the box size in gaps
+   * (CellsAcrossGaps) and the sizes of the SizeArray are enlarged by one factor until the cells fit, which
+   * usually needs a second meshing pass. Default 0: no limit. With a budget, each piece or rank makes the whole
+   * mesh and keeps its part.
    */
   vtkSetClampMacro(CellBudget, int, 0, VTK_INT_MAX);
   vtkGetMacro(CellBudget, int);
@@ -147,8 +146,9 @@ public:
 
   ///@{
   /**
-   * Each region needs a closed surface. Regions may touch, in common planes or along the same triangles,
-   * or lie in one another; where they overlap, the first listed wins. Cells of two regions share the faces between.
+   * Each region needs a closed surface. Regions may touch, in common planes or along the same triangles, or lie
+   * inside one another; where they overlap, the first listed wins. Interfaces are conformal: cells of two
+   * regions share faces.
    */
   vtkSetClampMacro(RegionsFrom, int, One, Array);
   vtkGetMacro(RegionsFrom, int);
@@ -159,14 +159,15 @@ public:
 
   ///@{
   /**
-   * Cell array of the surface that numbers or names the regions, in the order in which they first appear.
+   * Cell array of the surface with the number or name of each triangle's region; regions are listed in the order
+   * in which they first appear.
    */
   vtkSetMacro(RegionArray, std::string);
   vtkGetMacro(RegionArray, std::string);
   ///@}
 
   /**
-   * What is meshed; Inside by default.
+   * What is meshed; default Inside.
    */
   enum Domains
   {
@@ -178,8 +179,8 @@ public:
 
   ///@{
   /**
-   * Outside, the sides of the box are boundaries: xMin, xMax, yMin, yMax, zMin, zMax. Bodies that reach beyond
-   * are cut off there. Meshlines win over the box in their direction.
+   * With Outside, the sides of the box are boundaries (see SideNames). Bodies that extend beyond the box are cut
+   * off there. Meshlines override the box along their axis.
    */
   vtkSetClampMacro(Domain, int, Inside, AroundPoints);
   vtkGetMacro(Domain, int);
@@ -190,9 +191,9 @@ public:
 
   ///@{
   /**
-   * Points in the surface's units: connected parts of the domain that contain none of them are left out. None,
-   * the default: all parts stay. Then the mesh is made in one piece, on one rank. BadParameter: a point lies on
-   * the surface, or outside of the domain.
+   * Points, in units of the surface: connected parts of the domain that contain none of them are left out.
+   * Default: none, and all parts stay. With points, each piece or rank makes the whole mesh and keeps its part.
+   * BadParameter: a point lies on the surface or outside the domain.
    */
   void SetNumberOfKeepPoints(int number) { this->Resize(this->KeepPoints, number); }
   void SetKeepPoint(int row, double x, double y, double z)
@@ -204,7 +205,7 @@ public:
 
   ///@{
   /**
-   * Where the box comes from: 0, the default: from the surface; 1: from DomainBounds.
+   * What defines the box: 0, the default, the surface; 1 DomainBounds.
    */
   vtkSetClampMacro(BoxFrom, int, 0, 1);
   vtkGetMacro(BoxFrom, int);
@@ -214,7 +215,7 @@ public:
 
   ///@{
   /**
-   * Low and high x, y and z of the box, in the surface's units.
+   * Minimum and maximum x, y and z of the box, in units of the surface.
    */
   vtkSetVector6Macro(DomainBounds, double);
   vtkGetVector6Macro(DomainBounds, double);
@@ -222,8 +223,9 @@ public:
 
   ///@{
   /**
-   * Where the flow goes: 0 to 5 for plus x (the default), minus x, plus y, ...; and how far the box from the
-   * surface reaches before, behind and beside it: times its longest side; 0 or more, default 3, 5, 3.
+   * Flow direction: 0 to 5 for plus x (the default), minus x, plus y, ...; and the distance from the surface to
+   * the inlet, the outlet and the sides of the box, as multiples of the longest side of the surface's bounding
+   * box; 0 or more, default 3, 5, 3.
    */
   vtkSetClampMacro(FlowDirection, int, 0, 5);
   vtkGetMacro(FlowDirection, int);
@@ -243,8 +245,8 @@ public:
 
   ///@{
   /**
-   * The side of the box that ends with the surface, which so stands on it: 0, the default, for none; 1 to 6 for
-   * low x, high x, low y, ... It is a wall, the other sides are patches, unless BoundaryTypes say otherwise.
+   * Side of the box on which the body stands: 0, the default, none; 1 to 6 low x, high x, low y, ... It is a
+   * wall, the other sides are patches, unless the table of boundaries sets their types.
    */
   vtkSetClampMacro(Ground, int, 0, 6);
   vtkGetMacro(Ground, int);
@@ -259,8 +261,9 @@ public:
 
   ///@{
   /**
-   * The axis, 1 to 3, below whose middle, of the surface, nothing is meshed; the side there is a symmetryPlane
-   * unless BoundaryTypes say otherwise. 0, the default, for none.
+   * Half model: the axis (1 to 3) across which only the upper half is meshed, from the middle of the surface's
+   * bounding box; the side there is a symmetryPlane unless the table of boundaries sets its type. Default 0:
+   * none.
    */
   vtkSetClampMacro(Half, int, 0, 3);
   vtkGetMacro(Half, int);
@@ -272,8 +275,8 @@ public:
 
   ///@{
   /**
-   * What the sides of the box are called: 0, xMin to zMax; 1, the default, by FlowDirection: inlet, outlet, ground,
-   * symmetry (of a half), and sides, which are one boundary.
+   * Names of the box sides: 0, xMin to zMax; 1, the default, by FlowDirection: inlet, outlet, ground, symmetry
+   * (of a half model), and all others together as sides.
    */
   vtkSetClampMacro(SideNames, int, 0, 1);
   vtkGetMacro(SideNames, int);
@@ -283,24 +286,24 @@ public:
 
   ///@{
   /**
-   * Outside, while RefinementDepth is 0: boxes that the surface passes through are halved until at least so many fit along
-   * its longest side, or 6 times; and, without refinement shapes and regions, those around it and in its wake, once and
-   * twice less. 0 to 1000, default 60; 0: no such refinement.
+   * With Outside and RefinementDepth 0: boxes that the surface passes through are halved until at least this
+   * many fit along its longest side, at most 6 times; without refinement zones of the user's, boxes around the
+   * body are one level coarser and those in its wake two. 0 to 1000, default 60; 0: no such refinement.
    */
   vtkSetMacro(BoxesAlongBody, int);
   vtkGetMacro(BoxesAlongBody, int);
   ///@}
 
   /**
-   * What that refinement is for the surface as it is now, in rows of four texts: where, the depth, and two corners of the
-   * zone; the first row says so. Empty where there is none.
+   * That refinement for the current surface, in rows of four texts: the place, the refinement level, and two
+   * corners of the zone; the first row has the headings. Empty if there is none.
    */
   vtkStringArray* GetFlowZones();
 
   ///@{
   /**
-   * Walls of two regions that face each other at most this far apart become one: that of the earlier region.
-   * In units of the surface; 0, the default: only what touches does.
+   * Walls of two regions that face each other at most this far apart become one wall, that of the region listed
+   * first. In units of the surface; default 0: only walls that touch become one.
    */
   vtkSetMacro(ContactTolerance, double);
   vtkGetMacro(ContactTolerance, double);
@@ -308,8 +311,8 @@ public:
 
   ///@{
   /**
-   * What becomes of sheets without thickness, whose triangles are there twice: 0, the default, each side is a wall;
-   * 1: they are left out.
+   * Sheets without thickness, whose triangles the surface has twice: 0, the default, each side is a wall; 1,
+   * they are ignored.
    */
   vtkSetClampMacro(Sheets, int, 0, 1);
   vtkGetMacro(Sheets, int);
@@ -319,7 +322,7 @@ public:
 
   ///@{
   /**
-   * Whether each rank makes a piece of the mesh; off: the first rank makes all of it. Default: on.
+   * Whether each rank makes a piece of the mesh; if off, the first rank makes all of it. Default: on.
    */
   vtkSetMacro(InPieces, bool);
   vtkGetMacro(InPieces, bool);
@@ -327,8 +330,9 @@ public:
   ///@}
 
   /**
-   * In how many pieces the mesh has to be made, one after the other, so that none takes more than
-   * MemoryLimit by an estimate; 1 where it cannot be made in pieces. 0 after an error, such as TooManyBoxes where none is small enough.
+   * Number of pieces in which the mesh has to be made, one after the other, so that none needs more than
+   * MemoryLimit by an estimate; 1 if it cannot be made in pieces. 0 after an error, such as TooManyBoxes if no
+   * piece is small enough.
    */
   int EstimateNumberOfPieces();
 
