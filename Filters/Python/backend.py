@@ -5,8 +5,8 @@ import sys
 MISSING = """
 CartesianMesher is built by scikit-build-core, which this Python does not have.
 - Debian 13 and later: apt install python3-scikit-build-core
-- Debian 12 has no such package. Build the module without pip (cmake --workflow --preset vtk), or install
-  ParaView's package (cartesianmesher_*.deb): see Plugin/Help/install.md.
+- Debian 12 has no such package. Build the module without pip (cmake --preset vtk && cmake --build --preset vtk), or
+  install ParaView's package (cartesianmesher_*.deb): see Plugin/Help/install.md.
 """
 
 try:
