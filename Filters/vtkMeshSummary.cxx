@@ -41,7 +41,7 @@ struct Told
   const char* text;
 };
 constexpr std::array<Told, 14> WhatWasDone{ {
-  { "TrianglesTurned", "Triangles of the surface turned over" },
+  { "TrianglesTurned", "Triangles of the surface reoriented" },
   { "DuplicatesLeftOut", "Duplicate triangles left out" },
   { "LooseTrianglesLeftOut", "Triangles that touch no other left out" },
   { "HolesClosed", "Holes in the surface closed" },
@@ -126,7 +126,7 @@ constexpr std::array<Told, 12> WhatFails{ {
   { "Volume", "no volume" },
   { "Openness", "faces that do not close it" },
   { "OpenEdges", "open edges" },
-  { "BoundaryAngle", "a boundary face that is turned over" },
+  { "BoundaryAngle", "an inverted boundary face" },
   { "InnerAngle", "an inner face tilted by 75 degrees or more" },
   { "Skewness", "very skew" },
   { "NonOrthogonality", "very non-orthogonal, for limited schemes" },

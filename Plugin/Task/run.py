@@ -340,7 +340,7 @@ def check(task):
 def main(arguments):
     parser = argparse.ArgumentParser(prog="cartesian-mesher",
         description="Meshes the inside of a closed surface as specified in a task file.",
-        epilog="Exit codes: 0 success; 2 refused, the messages say why; 3 a mesh, but with warnings; "
+        epilog="Exit codes: 0 success; 2 no mesh, the messages say why; 3 a mesh, but with warnings; "
             f"{STOPPED} stopped by Ctrl-C; 1 an internal error.")
     parser.add_argument("task", nargs="?", type=pathlib.Path, help="a task file (TOML)")
     parser.add_argument("--version", action="version", version=f"cartesian-mesher {VERSION}")

@@ -93,9 +93,9 @@ triangles = [(0, 1, 2), (1, 3, 2), (3, 4, 2), (4, 0, 2), (1, 0, 5), (3, 5, 1), (
 flawed = simple.CartesianMesher(Input=producer(polydata([whole.GetPoint(i) for i in range(6)], triangles)), CellSize=0.2)
 with Messages():
     told = output(simple.MeshSummary(Input=flawed)).GetColumnByName("Text").GetValue(0)
-for line in "Triangles of the surface turned over: 1", "Duplicate triangles left out: 1", "Holes wider than a box closed: 1":
+for line in "Triangles of the surface reoriented: 1", "Duplicate triangles left out: 1", "Holes wider than a box closed: 1":
     assert f"\n{line}\n" in told, told
-assert "turned over" not in text and "closed:" not in text
+assert "reoriented" not in text and "closed:" not in text
 # ParaView colours by strings in categories, with the strings as its legend.
 boundary, defects = (output(flawed, port).GetCellData() for port in (1, 2))
 names = {boundary.GetArray("BoundaryId").GetValue(i): boundary.GetAbstractArray("BoundaryName").GetValue(i)
