@@ -433,9 +433,9 @@ void vtkPolyMeshWriter::WriteSolverCase(const cartesian::PolyMeshFiles& files,
     this->MakeSetup(), meshes, flow, this->Pieces);
   if (!kept.empty())
   {
-    vtkWarningMacro("Solver Setup: " << kept.size() << " files already exist and are kept, such as "
-                                     << kept.front().string()
-                                     << ". Turn on Overwrite Setup to replace them.");
+    vtkWarningMacro("Solver Setup: existing files are kept, "
+      << kept.size() << " in all, such as " << kept.front().string()
+      << ". Turn on Overwrite Setup to replace them.");
   }
 }
 

@@ -59,12 +59,14 @@ void moveRefinedBoundaries(vtkSMProxy* proxy)
     }
   }
   const int depth = vtkSMPropertyHelper(proxy, "RefinedBoundaryDepth").GetAsInt();
+  bool isMoved = false;
   for (unsigned int i = 0; i + 1 < chosen.GetNumberOfElements(); i += 2)
   {
     if (std::atoi(chosen.GetAsString(i + 1)) == 0)
     {
       continue;
     }
+    isMoved = true;
     const auto row = static_cast<unsigned int>(
       std::find(rows.begin(), rows.end(), chosen.GetAsString(i)) - rows.begin());
     if (row == rows.size())
@@ -79,6 +81,11 @@ void moveRefinedBoundaries(vtkSMProxy* proxy)
     }
   }
   chosen.RemoveAllValues();
+  if (isMoved)
+  {
+    vtkGenericWarningMacro("Refined Boundaries, which is deprecated, became rows of the table "
+                           "Boundaries: save the state again.");
+  }
 }
 
 void complete(vtkSMProxy* proxy, vtkPVXMLElement* inState)

@@ -6,7 +6,7 @@ import tempfile
 
 from paraview import simple, smstate, smtrace
 
-from pipeline import assert_identical, output, read
+from pipeline import Messages, assert_identical, output, read
 
 GRID = {"CellSize": 9.5, "MeshlinesX": [-30, 0, 40.25, 200], "MeshlinesY": [],
         "MeshlinesZ": [-300, -100.5, 20]}
@@ -87,8 +87,10 @@ with tempfile.TemporaryDirectory() as folder:
             RefinedBoundaries=["boundary_1", "boundary_2"], RefinedBoundaryDepth=2))
         simple.SaveState(str(state))
         simple.ResetSession()
-        simple.LoadState(str(state))
+        with Messages() as said:
+            simple.LoadState(str(state))
         mesher = simple.FindSource("older")
+        assert ("rows of the table Boundaries" in str(said)) == ("boundary_3*" not in rows), said
         assert dict(zip(mesher.BoundaryNames, mesher.BoundaryDepths)) == rows, list(mesher.BoundaryNames)
         assert len(mesher.BoundaryTypes) == len(rows), "the panel shows no rows where columns differ in length"
         assert list(mesher.RefinedBoundaries) == (["boundary_1", "boundary_2"] if "boundary_3*" in rows else [])
