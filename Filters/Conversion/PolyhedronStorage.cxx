@@ -36,7 +36,8 @@ void rotateLists(vtkCellArray* lists, vtkIdType first, vtkIdType middle, vtkIdTy
   std::vector<vtkIdType> offset(static_cast<std::size_t>(end - first) + 1);
   for (vtkIdType cell = first; cell <= end; ++cell)
   {
-    offset[static_cast<std::size_t>(cell - first)] = lists->GetOffset(cell);
+    offset[static_cast<std::size_t>(cell - first)] =
+      static_cast<vtkIdType>(lists->GetOffsetsArray()->GetComponent(cell, 0));
   }
   const vtkIdType before = offset[static_cast<std::size_t>(middle - first)];
   rotateTuples(lists->GetConnectivityArray(), offset.front(), before, offset.back());
