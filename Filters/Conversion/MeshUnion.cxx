@@ -6,11 +6,14 @@
 #include "vtkAppendFilter.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkExtractCells.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -24,6 +27,43 @@ namespace
 
 using Grids = std::vector<vtkSmartPointer<vtkUnstructuredGrid>>;
 
+vtkIdTypeArray* pointIds(vtkUnstructuredGrid* grid)
+{
+  return vtkIdTypeArray::SafeDownCast(grid->GetPointData()->GetGlobalIds());
+}
+
+// As RemoveGhostCells(), which in VTK 9.6 allocates memory by a number that it never sets.
+vtkSmartPointer<vtkUnstructuredGrid> withoutGhosts(vtkUnstructuredGrid* grid)
+{
+  vtkUnsignedCharArray* const ghosts = grid->GetCellGhostArray();
+  if (!ghosts)
+  {
+    return grid;
+  }
+  std::vector<vtkIdType> own;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    if ((ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL) == 0)
+    {
+      own.push_back(cell);
+    }
+  }
+  vtkNew<vtkExtractCells> extract;
+  extract->SetInputData(grid);
+  extract->SetCellIds(own.data(), static_cast<vtkIdType>(own.size()));
+  extract->AssumeSortedAndUniqueIdsOn();
+  extract->Update();
+  vtkSmartPointer<vtkUnstructuredGrid> rest = extract->GetOutput();
+  if (pointIds(grid))
+  {
+    rest->GetPointData()->SetActiveGlobalIds(pointIds(grid)->GetName());
+  }
+  rest->GetFieldData()->PassData(grid->GetFieldData());
+  rest->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  rest->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  return rest;
+}
+
 // The pieces that have cells, without ghosts.
 Grids gridsOf(const std::vector<vtkSmartPointer<vtkDataObject>>& pieces)
 {
@@ -32,21 +72,13 @@ Grids gridsOf(const std::vector<vtkSmartPointer<vtkDataObject>>& pieces)
   {
     if (auto* grid = vtkUnstructuredGrid::SafeDownCast(piece))
     {
-      auto own = vtkSmartPointer<vtkUnstructuredGrid>::New();
-      own->ShallowCopy(grid);
-      own->RemoveGhostCells();
-      if (own->GetNumberOfCells() > 0)
+      if (const auto own = withoutGhosts(grid); own->GetNumberOfCells() > 0)
       {
         grids.push_back(own);
       }
     }
   }
   return grids;
-}
-
-vtkIdTypeArray* pointIds(vtkUnstructuredGrid* grid)
-{
-  return vtkIdTypeArray::SafeDownCast(grid->GetPointData()->GetGlobalIds());
 }
 
 vtkIdTypeArray* cellIds(vtkUnstructuredGrid* grid)

@@ -36,6 +36,7 @@
 """
 
 import bisect
+import contextlib
 import dataclasses
 import pathlib
 import re
@@ -204,6 +205,8 @@ class _Reader:
             self.fail(where, f"{shown(name)} contains the character NUL, which file names cannot have")
         file = self.path.parent / name
         try:
+            with contextlib.suppress(FileNotFoundError, NotADirectoryError):
+                file.stat()  # other errors, which is_file() hides from Python 3.14 on
             if exist and not file.is_file():
                 self.fail(where, f"there is no file {file}")
             if not exist and file.is_dir():

@@ -160,8 +160,9 @@ floor = [(0, 0, 0), (3, 0, 0), (3, 2, 0), (0, 2, 0)]
 roof = [(x, y, 1) for x, y, _ in floor]
 walls = [(0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
 crossing = "1 polygon, cell 4, crosses or touches itself"
+divided = simple.GetParaViewVersion() >= 6  # VTK 9.6 makes triangles of a bow tie, which then fold
 for name, top, parts in (
-    ("bow tie", (4, 6, 5, 7), [crossing]),
+    ("bow tie", (4, 6, 5, 7), ["4 open edges", "folded back"] if divided else [crossing]),
     ("touches itself", (4, 5, 6, 7, 4, 8, 9, 10, 8), [crossing]),
     ("concave", (4, 8, 5, 6, 7), []),
     ("doubled corner", (4, 5, 5, 6, 7), []),
@@ -171,14 +172,14 @@ for name, top, parts in (
     mesher = simple.CartesianMesher(Input=producer(box_of), CellSize=0.5)
     with Messages() as said:
         output(mesher)
-    assert all(part in str(said) for part in parts) and ("touches itself" in str(said)) == bool(parts), (name, str(said))
+    assert all(part in str(said) for part in parts) and ("touches itself" in str(said)) == (crossing in parts), (name, str(said))
     assert error_code(mesher) == 0, name
     # The same as the surface of a region.
     region = simple.RefinementRegion(Input=producer(box_of), Shape="Input", Depth=1)
     mesher = simple.CartesianMesher(Input=box, RefinementRegions=[region], CellSize=0.5)
     with Messages() as said:
         output(mesher)
-    assert all("In a refinement region: " + part in str(said) for part in parts), (name, str(said))
+    assert crossing not in parts or "In a refinement region: " + crossing in str(said), (name, str(said))
 
 # What vtkGhostType hides is not there: the rest is meshed as if it were alone.
 pair = merged(octahedron(), octahedron(1, (5, 0, 0)))

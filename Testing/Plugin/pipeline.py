@@ -33,7 +33,11 @@ def output(proxy, port=0):
 
 def redistributes(folder):
     """Whether ParaView's Redistribute DataSet keeps all cells: it sends them as appended XML, of which ParaView 5.11 reads
-    a part only since a security fix of libexpat (2.5.0-1+deb12u2), of any data. Tried on hexahedra in this folder."""
+    a part only since a security fix of libexpat (2.5.0-1+deb12u2), of any data. Tried on hexahedra in this folder. VTK 9.6's
+    filter aborts: a point of these meshes is outside of all its blocks."""
+    if simple.GetParaViewVersion() >= 6:
+        print("Redistribute DataSet aborts on this system: nothing is redistributed")
+        return False
     writer = vtkXMLUnstructuredGridWriter()
     writer.SetFileName(f"{folder}/appended.vtu")
     writer.SetInputDataObject(output(simple.AppendDatasets(Input=simple.Wavelet())))
