@@ -83,8 +83,9 @@ void moveRefinedBoundaries(vtkSMProxy* proxy)
   chosen.RemoveAllValues();
   if (isMoved)
   {
-    vtkGenericWarningMacro("Refined Boundaries, which is deprecated, became rows of the table "
-                           "Boundaries: save the state again.");
+    vtkWarningWithObjectMacro(proxy,
+      "Refined Boundaries, which is deprecated, became rows of the table "
+      "Boundaries: save the state again.");
   }
 }
 

@@ -305,9 +305,9 @@ def contents():
 
 
 MESHES = "mesh.vtu", "mesh.pvtu", "mesh.vtk", "mesh.foam"
-# VTK's writer of pieces may crash when one cannot be written (seen once, in vtkXMLUnstructuredDataWriter's
+# VTK's writer of pieces may crash when one cannot be written (seen twice, in vtkXMLUnstructuredDataWriter's
 # DeletePositionArrays): even then what was there stays.
-ENDS = {"mesh.pvtu": (REFUSED, -signal.SIGSEGV)}
+ENDS = {"mesh.pvtu": (REFUSED, -signal.SIGSEGV, -signal.SIGABRT)}
 here(OLD + f"mesh = {[f'kept/{mesh}' for mesh in MESHES]}\n", "--quiet", code=SUCCESS)
 before = contents()
 for mesh in MESHES:
