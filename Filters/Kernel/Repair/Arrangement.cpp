@@ -88,7 +88,7 @@ public:
     divide();
   }
 
-  // A triangle without an area, or a piece thinner than the snap distance, runs back along its longest edge: the
+  // A triangle without an area, or a piece thinner than the reach, runs back along its longest edge: the
   // others there get its third corner, and it goes. Returns whether there was any. `withGiven`: also examines the
   // given ones.
   bool fold(bool withGiven)
@@ -388,7 +388,7 @@ private:
       {
         const Ends edge = endsOf(c[i], c[(i + 1) % 3]);
         place =
-          way * turnOf(c[i], c[(i + 1) % 3], v, axis) <= 0 || distance(v, edge) < placing_.snap
+          way * turnOf(c[i], c[(i + 1) % 3], v, axis) <= 0 || distance(v, edge) < placing_.reach
           ? Place{ i, false }
           : place;
       }
@@ -528,7 +528,7 @@ private:
     {
       const auto [low, high] =
         std::minmax(surface_.vertices[edge[0]][axis], surface_.vertices[edge[1]][axis]);
-      is = is && place[axis] >= low - placing_.snap && place[axis] <= high + placing_.snap;
+      is = is && place[axis] >= low - placing_.reach && place[axis] <= high + placing_.reach;
     }
     return is;
   }
@@ -559,7 +559,7 @@ private:
     }
   }
 
-  // Whether a vertex is in a triangle or at its border, to the snap distance.
+  // Whether a vertex is in a triangle or at its border, within the reach.
   bool isWithin(std::uint32_t v, std::uint32_t t) const
   {
     const Triple& c = surface_.triangles[t];
@@ -570,7 +570,7 @@ private:
     {
       const std::uint32_t p = c[i];
       const std::uint32_t q = c[(i + 1) % 3];
-      is = is && (way * turnOf(p, q, v, axis) >= 0 || distance(v, endsOf(p, q)) < placing_.snap);
+      is = is && (way * turnOf(p, q, v, axis) >= 0 || distance(v, endsOf(p, q)) < placing_.reach);
     }
     return is;
   }
@@ -635,7 +635,7 @@ private:
     }
     const double longest =
       std::max({ norm(minus(c[0], c[1])), norm(minus(c[1], c[2])), norm(minus(c[2], c[0])) });
-    return norm(cross(minus(c[1], c[0]), minus(c[2], c[0]))) < placing_.snap * longest;
+    return norm(cross(minus(c[1], c[0]), minus(c[2], c[0]))) < placing_.reach * longest;
   }
 
   void divide()
@@ -682,7 +682,7 @@ private:
       return { c };
     }
     TriangleDivision division(
-      surface_.vertices, c, std::max(0, axisAcross(surface_.corners(t))), placing_.snap);
+      surface_.vertices, c, std::max(0, axisAcross(surface_.corners(t))), placing_.reach);
     for (std::size_t i = 0; i < 3; ++i)
     {
       division.divideEdge(i, pointsOn(c[i], c[(i + 1) % 3]));
@@ -765,9 +765,13 @@ std::vector<std::uint32_t> bodiesOf(const Surface& surface, Execution& execution
 
 }
 
-bool isFinelyPlaced(const Surface& surface)
+namespace
 {
-  constexpr double least = 1 << 13; // times as long as the snap distance
+
+// Whether the surface is large compared with a distance.
+bool isLarge(const Surface& surface, double distance)
+{
+  constexpr double least = 1 << 13; // times as long
   double longest = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -775,13 +779,25 @@ bool isFinelyPlaced(const Surface& surface)
       [&](const Point& p, const Point& q) { return p[axis] < q[axis]; });
     longest = low == high ? longest : std::max(longest, double((*high)[axis]) - (*low)[axis]);
   }
-  return longest >= least * placingOf(surface).snap;
+  return longest >= least * distance;
+}
+
+}
+
+bool isFinelyPlaced(const Surface& surface)
+{
+  return isLarge(surface, placingOf(surface).snap);
+}
+
+bool canBeArranged(const Surface& surface)
+{
+  return isLarge(surface, placingOf(surface).reach);
 }
 
 void arrange(Surface& surface, Execution& execution)
 {
   const Placing placing = placingOf(surface);
-  VertexIndex index(surface.vertices, placing.snap);
+  VertexIndex index(surface.vertices, placing.reach);
   std::vector<Made> made;
   std::vector<std::uint32_t> body = bodiesOf(surface, execution);
   std::vector<TrianglePair> pairs =
@@ -803,8 +819,7 @@ void arrange(Surface& surface, Execution& execution)
       isNew[t] = made[t] == Made::SinceSearch ? 1 : 0;
       made[t] = made[t] == Made::Given ? Made::Given : Made::Before;
     }
-    pairs = differing(
-      surface, findPairs(surface, { body, placing.snappedTogether(), isNew }, execution).pairs);
+    pairs = differing(surface, findPairs(surface, { body, placing.reach, isNew }, execution).pairs);
   }
 }
 

@@ -20,8 +20,11 @@ namespace cartesian
 // some may still cross: Spaces detects this.
 void arrange(Surface& surface, Execution& execution);
 
-// Whether the surface is large compared with the snap distance: relative to its distance from the origin in single
-// precision, and on the lattice.
+// Whether the surface is large compared with the thickness of sheets (Snapping.h): relative to its distance from the
+// origin in single precision, and on the lattice.
 bool isFinelyPlaced(const Surface& surface);
+
+// The same compared with what an arrangement moves.
+bool canBeArranged(const Surface& surface);
 
 }

@@ -12,15 +12,16 @@ Placing placingOf(const Surface& surface)
 {
   constexpr double roundings = 3;
   constexpr double snapped = 64;
-  return { roundings * surface.rounding, std::max(snapped, 4 * roundings * surface.rounding) };
+  const double together = roundings * surface.rounding;
+  return { together, std::max(snapped, together), std::max(snapped, 4 * together) };
 }
 
-VertexIndex::VertexIndex(std::vector<Point>& vertices, double snap)
+VertexIndex::VertexIndex(std::vector<Point>& vertices, double reach)
   : vertices_(vertices)
-  , snap_(snap)
+  , reach_(reach)
   , given_(vertices.size())
 {
-  while (static_cast<double>(1U << cellBits_) < snap)
+  while (static_cast<double>(1U << cellBits_) < reach)
   {
     ++cellBits_;
   }
@@ -34,7 +35,7 @@ VertexIndex::VertexIndex(std::vector<Point>& vertices, double snap)
 std::uint32_t VertexIndex::at(const Point& place)
 {
   auto best = static_cast<std::uint32_t>(vertices_.size());
-  double least = snap_;
+  double least = reach_;
   for (int i = 0; i < 27; ++i)
   {
     const auto cell = cells_.find(keyOf(place, { i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1 }));
@@ -59,7 +60,7 @@ std::uint32_t VertexIndex::at(const Point& place)
 bool VertexIndex::merge(std::uint32_t p, std::uint32_t q)
 {
   const bool merges =
-    p != q && std::max(p, q) >= given_ && norm(minus(vertices_[p], vertices_[q])) < 2 * snap_;
+    p != q && std::max(p, q) >= given_ && norm(minus(vertices_[p], vertices_[q])) < 2 * reach_;
   if (merges)
   {
     same_.unite(p, q);

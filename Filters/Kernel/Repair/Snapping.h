@@ -16,12 +16,13 @@ struct Placing
   // Faces within this distance are coplanar: the file rounds both, and so does the lattice.
   double together;
 
-  // A new vertex this close to another, or to an edge, is merged with it or lies on it. Anything thinner has no
-  // reliable sides once rounded, and edges that run along each other meet in places that differ by many roundings.
-  double snap;
+  // A new vertex this close to another, or to an edge, is merged with it or lies on it; pieces of faces that are so
+  // moved are coplanar within this distance. Not more: bodies further apart than that are given so.
+  double reach;
 
-  // The same once their vertices are snapped.
-  double snappedTogether() const { return 3 * snap; }
+  // Edges that run along each other meet in places that differ by many roundings: a sheet of twice this thickness
+  // has reliable sides.
+  double snap;
 };
 
 Placing placingOf(const Surface& surface);
@@ -30,10 +31,10 @@ Placing placingOf(const Surface& surface);
 class VertexIndex
 {
 public:
-  // Borrows the vertices, which are given ones; `snap`: levels.
-  VertexIndex(std::vector<Point>& vertices, double snap);
+  // Borrows the vertices, which are given ones; `reach`: levels.
+  VertexIndex(std::vector<Point>& vertices, double reach);
 
-  // The nearest vertex within the snap distance, the first of equally near ones; otherwise a new one.
+  // The nearest vertex within the reach, the first of equally near ones; otherwise a new one.
   std::uint32_t at(const Point& place);
 
   // Makes two vertices that are an edge apart one, if that edge is short and one of them is new.
@@ -49,7 +50,7 @@ private:
   void add(std::uint32_t v);
 
   std::vector<Point>& vertices_;
-  double snap_;           // levels
+  double reach_;          // levels
   unsigned cellBits_ = 0; // cells are no smaller than that
   std::size_t given_;     // what follows is new
   DisjointSets same_;

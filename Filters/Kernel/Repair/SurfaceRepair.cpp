@@ -195,7 +195,7 @@ SurfaceRepair repair(
 {
   SurfaceRepair result = closeAndOrient(surface, planes, spec, execution);
   if ((result.pairs.pairs.empty() && result.sheets.empty()) || !surface.byParity.empty() ||
-    !isFinelyPlaced(surface))
+    !canBeArranged(surface))
   {
     return result;
   }

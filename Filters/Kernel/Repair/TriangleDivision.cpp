@@ -54,6 +54,11 @@ int inCircle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, cons
   return sum.signOfSum();
 }
 
+Wide squaredDistance(const PlanePoint& p, const PlanePoint& q)
+{
+  return static_cast<Wide>(q.a - p.a) * (q.a - p.a) + static_cast<Wide>(q.b - p.b) * (q.b - p.b);
+}
+
 }
 
 TriangleDivision::TriangleDivision(
@@ -62,26 +67,30 @@ TriangleDivision::TriangleDivision(
   , axis_(axis)
   , reach_(reach)
   , triangles_(1)
-  , points_(triangle.begin(), triangle.end())
-  , isPoint_(triangle.begin(), triangle.end())
 {
-  set(0, triangle);
-  way_ = turnOf(triangle[0], triangle[1], triangle[2]);
   for (std::size_t i = 0; i < 3; ++i)
   {
-    onEdge_[i] = { triangle[i], triangle[(i + 1) % 3] };
+    edgesOf_[add(triangle[i])] = static_cast<std::uint8_t>((1U << i) | (1U << (i + 2) % 3));
   }
+  set(0, { 0, 1, 2 });
+  way_ = turnOf(0, 1, 2);
+}
+
+std::uint32_t TriangleDivision::add(std::uint32_t vertex)
+{
+  const auto point = static_cast<std::uint32_t>(points_.size());
+  points_.push_back(vertex);
+  at_.push_back(flatten(vertices_[vertex], axis_));
+  edgesOf_.push_back(0);
+  besides_.push_back(None);
+  numberOf_.emplace(vertex, point);
+  return point;
 }
 
 // 1 if the points turn as the triangle's corners do.
 int TriangleDivision::turnOf(std::uint32_t p, std::uint32_t q, std::uint32_t r) const
 {
-  return way_ * sign(turn(at(p), at(q), at(r)));
-}
-
-bool TriangleDivision::hasPoint(std::uint32_t point) const
-{
-  return isPoint_.count(point) != 0;
+  return way_ * sign(turn(at_[p], at_[q], at_[r]));
 }
 
 bool TriangleDivision::hasEdge(std::uint32_t from, std::uint32_t to) const
@@ -106,7 +115,9 @@ void TriangleDivision::set(std::size_t triangle, const Triple& corners)
   triangles_[triangle] = corners;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    triangleAt_[keyOf(corners[i], corners[(i + 1) % 3])] = static_cast<std::uint32_t>(triangle);
+    const std::uint32_t next = corners[(i + 1) % 3];
+    triangleAt_[keyOf(corners[i], next)] = static_cast<std::uint32_t>(triangle);
+    besides_[corners[i]] = next;
   }
 }
 
@@ -126,156 +137,270 @@ void TriangleDivision::divideAt(std::uint32_t from, std::uint32_t to, std::uint3
   set(triangles_.size() - 1, { point, to, apex });
 }
 
-void TriangleDivision::divideEdge(std::size_t i, const std::vector<std::uint32_t>& points)
+void TriangleDivision::divideEdge(std::size_t i, const std::vector<std::uint32_t>& vertices)
 {
-  std::uint32_t from = onEdge_[i].front();
-  const std::uint32_t to = onEdge_[i].back();
-  for (const std::uint32_t point : points)
+  auto from = static_cast<std::uint32_t>(i);
+  const auto to = static_cast<std::uint32_t>((i + 1) % 3);
+  for (const std::uint32_t vertex : vertices)
   {
+    // One that is a corner, or on another edge, gets another point: what is between them is left out in the end.
+    const std::uint32_t point = add(vertex);
     divideAt(from, to, point);
-    onEdge_[i].insert(onEdge_[i].end() - 1, point);
-    points_.push_back(point);
-    isPoint_.insert(point);
+    edgesOf_[numberOf_.at(vertex)] |= static_cast<std::uint8_t>(1U << i);
     from = point;
   }
 }
 
-void TriangleDivision::addPoint(std::uint32_t point)
+// Whether a place is in a triangle with an area, and not on the border.
+bool TriangleDivision::isIn(std::uint32_t triangle, const PlanePoint& place) const
 {
-  if (hasPoint(point))
+  const Triple& t = triangles_[triangle];
+  bool is = true;
+  bool isAside = false;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const std::uint32_t p = t[i];
+    const std::uint32_t q = t[(i + 1) % 3];
+    const int side = way_ * sign(turn(at_[p], at_[q], place));
+    is = is && (side > 0 || (side == 0 && triangleAt_.count(keyOf(q, p)) != 0));
+    isAside = isAside || side > 0;
+  }
+  return is && isAside;
+}
+
+// The triangle in which a place is, or None: walks there from the last one. Where rounding has turned triangles over,
+// that may lead nowhere: then looks at all.
+std::uint32_t TriangleDivision::triangleAround(const PlanePoint& place) const
+{
+  auto t = static_cast<std::uint32_t>(triangles_.size() - 1);
+  for (std::size_t left = triangles_.size(); left > 0; --left)
+  {
+    std::uint32_t next = t;
+    for (std::size_t i = 0; i < 3 && next == t; ++i)
+    {
+      const std::uint32_t p = triangles_[t][i];
+      const std::uint32_t q = triangles_[t][(i + 1) % 3];
+      if (way_ * sign(turn(at_[p], at_[q], place)) < 0)
+      {
+        const auto beyond = triangleAt_.find(keyOf(q, p));
+        next = beyond != triangleAt_.end() ? beyond->second : None;
+      }
+    }
+    if (next == t && isIn(t, place))
+    {
+      return t;
+    }
+    if (next == t || next == None)
+    {
+      break;
+    }
+    t = next;
+  }
+  for (t = 0; t < triangles_.size(); ++t)
+  {
+    if (isIn(t, place))
+    {
+      return t;
+    }
+  }
+  return None;
+}
+
+void TriangleDivision::addPoint(std::uint32_t vertex)
+{
+  if (numberOf_.count(vertex) != 0)
   {
     return;
   }
-  for (std::size_t t = 0; t < triangles_.size(); ++t)
+  const std::uint32_t triangle = triangleAround(flatten(vertices_[vertex], axis_));
+  if (triangle != None)
   {
-    const Triple whole = triangles_[t];
-    std::array<int, 3> side;
-    for (std::size_t i = 0; i < 3; ++i)
+    addInside(triangle, add(vertex));
+  }
+}
+
+void TriangleDivision::addInside(std::uint32_t triangle, std::uint32_t point)
+{
+  const Triple whole = triangles_[triangle];
+  std::deque<Edge> around;
+  bool isFirst = true;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const std::uint32_t from = whole[i];
+    const std::uint32_t to = whole[(i + 1) % 3];
+    if (turnOf(from, to, point) > 0)
     {
-      side[i] = turnOf(whole[i], whole[(i + 1) % 3], point);
-    }
-    if (*std::min_element(side.begin(), side.end()) < 0)
-    {
+      if (!isFirst)
+      {
+        triangles_.emplace_back();
+      }
+      set(isFirst ? triangle : triangles_.size() - 1, { from, to, point });
+      isFirst = false;
+      around.push_back({ from, to });
       continue;
     }
     // On an edge, the triangle beyond it is divided too.
-    bool isFirst = true;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const std::uint32_t from = whole[i];
-      const std::uint32_t to = whole[(i + 1) % 3];
-      if (side[i] > 0)
-      {
-        if (!isFirst)
-        {
-          triangles_.emplace_back();
-        }
-        set(isFirst ? t : triangles_.size() - 1, { from, to, point });
-        isFirst = false;
-      }
-      else
-      {
-        triangleAt_.erase(keyOf(from, to));
-        divideAt(to, from, point);
-      }
-    }
-    points_.push_back(point);
-    isPoint_.insert(point);
-    return;
+    triangleAt_.erase(keyOf(from, to));
+    const std::uint32_t apex = across(to, from);
+    around.push_back({ to, apex });
+    around.push_back({ apex, from });
+    divideAt(to, from, point);
   }
+  improve(around, MostFlips * around.size());
 }
 
-bool TriangleDivision::areOnOneEdge(std::uint32_t p, std::uint32_t q) const
-{
-  return std::any_of(onEdge_.begin(), onEdge_.end(), [&](const std::vector<std::uint32_t>& edge) {
-    return std::find(edge.begin(), edge.end(), p) != edge.end() &&
-      std::find(edge.begin(), edge.end(), q) != edge.end();
-  });
-}
-
-// The first point from there on the line between two others, within the reach; or None.
+// The first point from there on the line between two others, within the reach; or None. Both ends are nearer to it
+// than to each other, by their exact places: so edges come to an end.
 std::uint32_t TriangleDivision::pointBetween(std::uint32_t from, std::uint32_t to) const
 {
-  const PlanePoint p = at(from);
-  const PlanePoint q = at(to);
+  const PlanePoint p = at_[from];
+  const PlanePoint q = at_[to];
   const auto x = static_cast<double>(q.a - p.a);
   const auto y = static_cast<double>(q.b - p.b);
   const double length = std::hypot(x, y);
+  const Wide whole = squaredDistance(p, q);
   std::uint32_t first = None;
   double least = length - reach_;
-  for (const std::uint32_t point : points_)
-  {
-    const PlanePoint r = at(point);
+  tree_->forEachNear(p, q, reach_, [&](std::uint32_t point) {
+    const PlanePoint r = at_[point];
+    if (squaredDistance(p, r) >= whole || squaredDistance(r, q) >= whole)
+    {
+      return;
+    }
     const double along =
       (static_cast<double>(r.a - p.a) * x + static_cast<double>(r.b - p.b) * y) / length;
-    if (point == from || point == to || along <= reach_ || along >= least)
-    {
-      continue;
-    }
+    const bool isSooner = along < least || (along == least && point < first && first != None);
     const Wide area = turn(p, q, r);
-    if (area == 0 || std::abs(static_cast<double>(area)) < reach_ * length)
+    if (along > reach_ && isSooner &&
+      (area == 0 || std::abs(static_cast<double>(area)) < reach_ * length) &&
+      numberOf_.at(points_[point]) == point)
     {
       first = point;
       least = along;
     }
-  }
+  });
   return first;
 }
 
 void TriangleDivision::addEdge(std::uint32_t from, std::uint32_t to)
 {
-  if (from == to || !hasPoint(from) || !hasPoint(to) || areOnOneEdge(from, to))
+  const auto first = numberOf_.find(from);
+  const auto last = numberOf_.find(to);
+  if (first == numberOf_.end() || last == numberOf_.end())
   {
     return;
   }
-  if (!hasEdge(from, to))
+  if (!tree_)
   {
-    if (const std::uint32_t between = pointBetween(from, to); between != None)
+    tree_ = std::make_unique<PointTree>(at_);
+  }
+  std::uint32_t here = first->second;
+  std::vector<std::uint32_t> ahead{ last->second };
+  while (!ahead.empty())
+  {
+    const std::uint32_t next = ahead.back();
+    if (here != next && !areOnOneEdge(here, next))
     {
-      addEdge(from, between);
-      addEdge(between, to);
-      return;
-    }
-    std::deque<Edge> crossing;
-    if (!findAcross(from, to, crossing))
-    {
-      return;
-    }
-    // Those that cannot be flipped yet wait for others (Sloan 1993).
-    for (std::size_t left = MostFlips * crossing.size(); !crossing.empty() && left > 0; --left)
-    {
-      Edge edge = crossing.front();
-      crossing.pop_front();
-      if (!flip(edge) || crosses(edge[0], edge[1], from, to))
+      const std::uint32_t between = hasEdge(here, next) ? None : pointBetween(here, next);
+      if (between != None)
       {
-        crossing.push_back(edge);
+        ahead.push_back(between);
+        continue;
       }
+      if (hasEdge(here, next) || addPiece(here, next))
+      {
+        fixed_.insert(keyOfEither(here, next));
+      }
+    }
+    here = next;
+    ahead.pop_back();
+  }
+}
+
+// Lets an edge run between two points with none between them; false if it would cross one that has to stay.
+bool TriangleDivision::addPiece(std::uint32_t from, std::uint32_t to)
+{
+  std::deque<Edge> crossing;
+  if (!findAcross(from, to, crossing))
+  {
+    return false;
+  }
+  // Those that cannot be flipped yet wait for others (Sloan 1993).
+  std::deque<Edge> flipped;
+  for (std::size_t left = MostFlips * crossing.size(); !crossing.empty() && left > 0; --left)
+  {
+    Edge edge = crossing.front();
+    crossing.pop_front();
+    if (!flip(edge) || crosses(edge[0], edge[1], from, to))
+    {
+      crossing.push_back(edge);
+    }
+    else if (keyOfEither(edge[0], edge[1]) != keyOfEither(from, to))
+    {
+      flipped.push_back(edge);
     }
   }
   fixed_.insert(keyOfEither(from, to));
+  improve(flipped, MostFlips * flipped.size());
+  return true;
 }
 
-// The edges that lie across a new one; false if one of them has to stay.
+// The edge across which one leaves a point's triangles on the line between two others, to the right end first; or
+// none.
+TriangleDivision::Edge TriangleDivision::firstAcross(
+  std::uint32_t at, std::uint32_t from, std::uint32_t to) const
+{
+  for (const bool isBack : { false, true })
+  {
+    std::uint32_t p = besides_[at];
+    for (std::size_t left = triangles_.size(); left > 0 && p != None; --left)
+    {
+      const std::uint32_t q = isBack ? across(p, at) : across(at, p);
+      const Edge edge = isBack ? Edge{ q, p } : Edge{ p, q };
+      if (q != None && turnOf(from, to, edge[0]) < 0 && turnOf(from, to, edge[1]) > 0 &&
+        turnOf(at, edge[0], edge[1]) > 0)
+      {
+        return edge;
+      }
+      p = q != besides_[at] ? q : None;
+    }
+  }
+  return { None, None };
+}
+
+// The edges that lie across a new one; false if one of them has to stay, or rounding has turned triangles over.
 bool TriangleDivision::findAcross(
   std::uint32_t from, std::uint32_t to, std::deque<Edge>& crossing) const
 {
-  for (const Triple& t : triangles_)
+  std::uint32_t at = from;
+  Edge edge = firstAcross(at, from, to);
+  for (std::size_t left = triangles_.size(); left > 0 && edge[0] != None; --left)
   {
-    for (std::size_t i = 0; i < 3; ++i)
+    if (isFixed(edge[0], edge[1]))
     {
-      const std::uint32_t p = t[i];
-      const std::uint32_t q = t[(i + 1) % 3];
-      if (p < q && crosses(p, q, from, to))
-      {
-        if (isFixed(p, q))
-        {
-          return false;
-        }
-        crossing.push_back({ p, q });
-      }
+      return false;
+    }
+    crossing.push_back(edge);
+    at = across(edge[1], edge[0]);
+    if (at == to)
+    {
+      return true;
+    }
+    if (at == None)
+    {
+      return false;
+    }
+    const int side = turnOf(from, to, at);
+    if (side == 0)
+    {
+      edge = firstAcross(at, from, to);
+    }
+    else
+    {
+      edge[side > 0 ? 1 : 0] = at;
     }
   }
-  return true;
+  return false;
 }
 
 bool TriangleDivision::crosses(
@@ -291,7 +416,7 @@ bool TriangleDivision::flip(Edge& edge)
   const auto [p, q] = edge;
   const std::uint32_t r = across(p, q);
   const std::uint32_t s = across(q, p);
-  if (r == None || s == None || turnOf(r, p, s) <= 0 || turnOf(s, q, r) <= 0)
+  if (r == None || s == None || turnOf(r, p, s) <= 0 || turnOf(s, q, r) <= 0 || hasEdge(r, s))
   {
     return false;
   }
@@ -314,14 +439,36 @@ bool TriangleDivision::isBetterFlipped(std::uint32_t from, std::uint32_t to) con
   {
     return false;
   }
-  const int in = way_ * inCircle(at(from), at(to), at(r), at(s));
+  const int in = way_ * inCircle(at_[from], at_[to], at_[r], at_[s]);
   const auto lower = [&](std::uint32_t p, std::uint32_t q) {
-    return std::min(vertices_[p], vertices_[q]);
+    return std::min(vertices_[points_[p]], vertices_[points_[q]]);
   };
   return in > 0 || (in == 0 && lower(r, s) < lower(from, to));
 }
 
-const std::vector<TriangleDivision::Triple>& TriangleDivision::finish()
+// Flips edges, and those around them in turn, as long as that makes the division better, but not more than so many.
+void TriangleDivision::improve(std::deque<Edge>& edges, std::size_t most)
+{
+  for (; !edges.empty() && most > 0; --most)
+  {
+    Edge edge = edges.front();
+    edges.pop_front();
+    const Edge was = edge;
+    if (!isBetterFlipped(edge[0], edge[1]) || !flip(edge))
+    {
+      continue;
+    }
+    for (const std::uint32_t p : was)
+    {
+      for (const std::uint32_t q : edge)
+      {
+        edges.push_back({ p, q });
+      }
+    }
+  }
+}
+
+std::vector<TriangleDivision::Triple> TriangleDivision::finish()
 {
   std::deque<Edge> edges;
   for (const Triple& t : triangles_)
@@ -334,25 +481,14 @@ const std::vector<TriangleDivision::Triple>& TriangleDivision::finish()
       }
     }
   }
-  for (std::size_t left = MostFlips * edges.size(); !edges.empty() && left > 0; --left)
+  improve(edges, MostFlips * edges.size());
+  std::vector<Triple> result;
+  result.reserve(triangles_.size());
+  for (const Triple& t : triangles_)
   {
-    Edge edge = edges.front();
-    edges.pop_front();
-    if (!isBetterFlipped(edge[0], edge[1]))
-    {
-      continue;
-    }
-    const Edge was = edge;
-    flip(edge);
-    for (const std::uint32_t p : was)
-    {
-      for (const std::uint32_t q : edge)
-      {
-        edges.push_back({ p, q });
-      }
-    }
+    result.push_back({ points_[t[0]], points_[t[1]], points_[t[2]] });
   }
-  return triangles_;
+  return result;
 }
 
 }
