@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/SurfaceRepair.h"
 
-#include "Repair/Arrangement.h"
 #include "Repair/Orientation.h"
+#include "Repair/UnitedBodies.h"
 #include "Surface/Components.h"
-#include "Surface/Places.h"
 
 #include <algorithm>
 
@@ -118,42 +117,6 @@ void handleDuplicates(
   result.duplicates = dropDuplicates(surface, others, findDuplicates(surface, others));
 }
 
-// As Spaces.h takes them: bodies, and sheets as a body without volume.
-Surface withFlatSheets(const Surface& surface, const std::vector<DroppedTriangle>& sheets)
-{
-  Surface result = surface;
-  result.ofSheet.clear();
-  result.region.assign(surface.triangles.size(), FirstRegion);
-  for (const DroppedTriangle& sheet : sheets)
-  {
-    result.triangles[sheet.triangle] = sheet.vertices;
-    result.region[sheet.triangle] = regionOfSheets(FirstRegion, FirstRegion);
-  }
-  // Triangles added by the division are dropped; those that close holes come last, and have no number.
-  std::size_t kept = 0;
-  std::size_t given = 0;
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-  {
-    if (!surface.isOfSheet(t) || result.region[t] != FirstRegion)
-    {
-      result.triangles[kept] = result.triangles[t];
-      result.boundary[kept] = result.boundary[t];
-      result.region[kept] = result.region[t];
-      if (t < surface.given.size())
-      {
-        result.given[kept] = result.given[t];
-        ++given;
-      }
-      ++kept;
-    }
-  }
-  result.triangles.resize(kept);
-  result.boundary.resize(kept);
-  result.region.resize(kept);
-  result.given.resize(given);
-  return result;
-}
-
 }
 
 std::size_t SurfaceRepair::leaks() const
@@ -194,17 +157,16 @@ SurfaceRepair repair(
   Surface& surface, const Meshlines& planes, const RepairSpec& spec, Execution& execution)
 {
   SurfaceRepair result = closeAndOrient(surface, planes, spec, execution);
-  if ((result.pairs.pairs.empty() && result.sheets.empty()) || !surface.byParity.empty() ||
-    !canBeArranged(surface))
+  if (result.pairs.pairs.empty() && result.sheets.empty())
   {
     return result;
   }
-  Surface arranged = withFlatSheets(surface, result.sheets);
-  arrange(arranged, execution);
-  if (unite(arranged, spec.meshed, execution))
+  UnitedBodies united = uniteBodies(surface, result.sheets, spec.meshed, execution);
+  result.crossing = std::move(united.before);
+  result.refused = std::move(united.refused);
+  if (result.crossing && !result.crossing->byParity.empty())
   {
-    result.crossing = std::make_shared<const Surface>(std::move(surface));
-    surface = std::move(arranged);
+    findUnoriented(surface, SurfaceEdges(surface, execution));
   }
   return result;
 }

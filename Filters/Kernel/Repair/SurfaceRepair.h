@@ -26,7 +26,8 @@ struct SurfaceRepair
   std::vector<Hole> holes; // in order of their lowest vertices
   TrianglePairs pairs;     // that cross or overlap, with those that close holes
   std::shared_ptr<const Surface>
-    crossing; // what the lists above are of; none: the surface, as it is now
+    crossing;                  // what the lists above are of; none: the surface, as it is now
+  std::vector<Vector> refused; // where bodies cross that could not be united, levels
 
   std::size_t leaks() const;
 };

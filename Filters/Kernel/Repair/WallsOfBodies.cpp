@@ -15,9 +15,6 @@ namespace cartesian
 namespace
 {
 
-// In Surface::given, of a triangle that closes a hole.
-constexpr std::uint32_t ClosesAHole = ~0u;
-
 class WallFinder
 {
 public:
@@ -57,7 +54,7 @@ private:
   {
     for (std::int32_t r = FirstRegion; r <= bodies_.regions; ++r)
     {
-      if (turns[static_cast<std::size_t>(r)] > 0)
+      if (turns[static_cast<std::size_t>(r)] + bodies_.around > 0)
       {
         return r;
       }
@@ -160,8 +157,24 @@ private:
     numbers_; // of walls
 };
 
-// Puts vertices in order of their places, and triangles in order of vertices, as onLattice() does; those that close
-// holes stay the last.
+// Shells of sheets are holes in the meshed space, and bodies outside it.
+void giveSidesToSheets(Surface& walls, Execution& execution)
+{
+  const SurfaceEdges edges(walls, execution);
+  const std::vector<SheetPair> sheets =
+    findSheets(walls, SheetHandling::LeaveOut, edges, findDuplicates(walls, edges));
+  giveSides(walls, edges, sheets);
+  for (std::size_t t = 0; t < walls.ofSheet.size(); ++t)
+  {
+    if (walls.ofSheet[t] != 0 && walls.walls.behind(walls.boundary[t]) != OutsideRegion)
+    {
+      std::swap(walls.triangles[t][1], walls.triangles[t][2]);
+    }
+  }
+}
+
+}
+
 void sortByPlace(Surface& surface)
 {
   std::vector<std::uint32_t> order(surface.vertices.size());
@@ -200,24 +213,6 @@ void sortByPlace(Surface& surface)
   }
 }
 
-// Shells of sheets are holes in the meshed space, and bodies outside it.
-void giveSidesToSheets(Surface& walls, Execution& execution)
-{
-  const SurfaceEdges edges(walls, execution);
-  const std::vector<SheetPair> sheets =
-    findSheets(walls, SheetHandling::LeaveOut, edges, findDuplicates(walls, edges));
-  giveSides(walls, edges, sheets);
-  for (std::size_t t = 0; t < walls.ofSheet.size(); ++t)
-  {
-    if (walls.ofSheet[t] != 0 && walls.walls.behind(walls.boundary[t]) != OutsideRegion)
-    {
-      std::swap(walls.triangles[t][1], walls.triangles[t][2]);
-    }
-  }
-}
-
-}
-
 Surface wallsOf(const Surface& arranged, const Bodies& bodies, std::vector<std::uint32_t>& crossing,
   Execution& execution)
 {
@@ -231,10 +226,10 @@ Surface wallsOf(const Surface& arranged, const Bodies& bodies, std::vector<std::
   return walls;
 }
 
-bool unite(Surface& surface, MeshedSide meshed, Execution& execution)
+bool unite(Surface& surface, const Bodies& bodies, std::vector<std::uint32_t>& crossing,
+  Execution& execution)
 {
-  std::vector<std::uint32_t> crossing;
-  Surface walls = wallsOf(surface, { FirstRegion, {}, meshed }, crossing, execution);
+  Surface walls = wallsOf(surface, bodies, crossing, execution);
   if (!crossing.empty() || walls.triangles.empty())
   {
     return false;

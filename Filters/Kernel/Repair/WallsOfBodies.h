@@ -20,6 +20,7 @@ struct Bodies
   std::int32_t regions;            // from FirstRegion on
   std::vector<std::int32_t> given; // as Walls::given: sheets are of the user's regions
   MeshedSide meshed = MeshedSide::Inside;
+  std::int32_t around = 0; // how often other bodies of the only region wind around all of them
 };
 
 // In Surface::region, of sheets in a region of the user's, where there are so many regions.
@@ -38,7 +39,15 @@ Surface wallsOf(const Surface& arranged, const Bodies& bodies, std::vector<std::
   Execution& execution);
 
 // Unites bodies of one region, arranged likewise: removes triangles inside another body, or between two that touch.
-// Does nothing and returns false where some still cross, or nothing is left.
-bool unite(Surface& surface, MeshedSide meshed, Execution& execution);
+// Does nothing and returns false where some still cross (`crossing`), or nothing is left.
+bool unite(Surface& surface, const Bodies& bodies, std::vector<std::uint32_t>& crossing,
+  Execution& execution);
+
+// In Surface::given, of a triangle that closes a hole.
+constexpr std::uint32_t ClosesAHole = ~0u;
+
+// Puts vertices in order of their places, and triangles in order of vertices, as onLattice() does; those that close
+// holes become the last, without an entry in Surface::given.
+void sortByPlace(Surface& surface);
 
 }

@@ -176,7 +176,7 @@ void expectBoxes(unsigned seed, bool turned)
     EXPECT_NEAR(volumes[n], double(std::count(owner.begin(), owner.end(), n)), 3e-7) << n;
   }
   united.region.assign(united.triangles.size(), FirstRegion);
-  EXPECT_TRUE(unite(united, MeshedSide::Inside, execution));
+  EXPECT_TRUE(unite(united, { FirstRegion, {} }, crossing, execution));
   EXPECT_NEAR(volumeOf(united),
     double(owner.end() - owner.begin() - std::count(owner.begin(), owner.end(), 0)), 3e-7);
 }
@@ -214,7 +214,8 @@ TEST(Arrangement, OfManyBodiesHasNothingThatCrosses)
   const std::size_t triangles = surface.triangles.size();
   arrange(surface, execution);
   EXPECT_GT(surface.triangles.size(), 10 * triangles);
-  ASSERT_TRUE(unite(surface, MeshedSide::Inside, execution));
+  std::vector<std::uint32_t> crossing;
+  ASSERT_TRUE(unite(surface, { FirstRegion, {} }, crossing, execution));
   EXPECT_TRUE(findPairs(surface, execution).pairs.empty());
   const SurfaceCheck checked = check(SurfaceEdges(surface, execution), execution);
   EXPECT_TRUE(checked.oriented());

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Repair/UnitedBodies.h"
+
+#include "Repair/Arrangement.h"
+#include "Repair/Snapping.h"
+#include "Repair/TrianglePairs.h"
+#include "Repair/TriangleTree.h"
+#include "Surface/Components.h"
+#include "Surface/LineCrossings.h"
+#include "Surface/Places.h"
+
+#include <map>
+#include <optional>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// As Spaces.h takes them: bodies, and sheets as a body without volume.
+Surface withFlatSheets(const Surface& surface, const std::vector<DroppedTriangle>& sheets)
+{
+  Surface result = surface;
+  result.ofSheet.clear();
+  result.byParity.clear();
+  result.region.assign(surface.triangles.size(), FirstRegion);
+  for (const DroppedTriangle& sheet : sheets)
+  {
+    result.triangles[sheet.triangle] = sheet.vertices;
+    result.region[sheet.triangle] = regionOfSheets(FirstRegion, FirstRegion);
+  }
+  // Triangles added by the division are dropped; those that close holes come last, and have no number.
+  std::size_t kept = 0;
+  std::size_t given = 0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    if (!surface.isOfSheet(t) || result.region[t] != FirstRegion)
+    {
+      result.triangles[kept] = result.triangles[t];
+      result.boundary[kept] = result.boundary[t];
+      result.region[kept] = result.region[t];
+      if (t < surface.given.size())
+      {
+        result.given[kept] = result.given[t];
+        ++given;
+      }
+      ++kept;
+    }
+  }
+  result.triangles.resize(kept);
+  result.boundary.resize(kept);
+  result.region.resize(kept);
+  result.given.resize(given);
+  return result;
+}
+
+// Some triangles of a surface, in order, with the vertices that they use.
+Surface partOf(const Surface& surface, const std::vector<std::uint32_t>& triangles)
+{
+  Surface part;
+  part.lattice = surface.lattice;
+  part.rounding = surface.rounding;
+  std::map<std::uint32_t, std::uint32_t> number;
+  for (const std::uint32_t t : triangles)
+  {
+    for (const std::uint32_t v : surface.triangles[t])
+    {
+      number.emplace(v, 0);
+    }
+  }
+  for (auto& [v, n] : number)
+  {
+    n = static_cast<std::uint32_t>(part.vertices.size());
+    part.vertices.push_back(surface.vertices[v]);
+  }
+  for (const std::uint32_t t : triangles)
+  {
+    const auto& c = surface.triangles[t];
+    part.triangles.push_back({ number.at(c[0]), number.at(c[1]), number.at(c[2]) });
+    part.boundary.push_back(surface.boundary[t]);
+    part.region.push_back(surface.region[t]);
+    if (t < surface.given.size())
+    {
+      part.given.push_back(surface.given[t]);
+    }
+  }
+  return part;
+}
+
+// Joins surfaces. Where vertices of two are at the same place, they are the same.
+class SurfaceJoin
+{
+public:
+  explicit SurfaceJoin(const Surface& like)
+    : like_(like)
+  {
+  }
+
+  void add(const Surface& from, std::size_t triangle)
+  {
+    std::array<std::uint32_t, 3> vertices{};
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const Point& place = from.vertices[from.triangles[triangle][i]];
+      vertices[i] =
+        number_.emplace(place, static_cast<std::uint32_t>(vertices_.size())).first->second;
+      if (vertices[i] == vertices_.size())
+      {
+        vertices_.push_back(place);
+      }
+    }
+    triangles_.push_back(vertices);
+    boundary_.push_back(from.boundary[triangle]);
+    given_.push_back(triangle < from.given.size() ? from.given[triangle] : ClosesAHole);
+    ofSheet_.push_back(from.isOfSheet(triangle) ? 1 : 0);
+  }
+
+  Surface finish()
+  {
+    Surface result = like_;
+    result.vertices.swap(vertices_);
+    result.triangles.swap(triangles_);
+    result.boundary.swap(boundary_);
+    result.given.swap(given_);
+    result.ofSheet.swap(ofSheet_);
+    result.byParity.clear();
+    sortByPlace(result);
+    return result;
+  }
+
+private:
+  const Surface& like_;
+  std::map<Point, std::uint32_t> number_;
+  std::vector<Point> vertices_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
+  std::vector<std::int32_t> boundary_;
+  std::vector<std::uint32_t> given_;
+  std::vector<std::uint8_t> ofSheet_;
+};
+
+struct Trial
+{
+  bool isUnited = false;
+  std::optional<Vector> crossing; // where what is beside triangles is not sure, levels
+};
+
+Trial tryToUnite(Surface& surface, const Bodies& bodies, Execution& execution)
+{
+  if (!canBeArranged(surface))
+  {
+    return {};
+  }
+  Surface arranged = surface;
+  arrange(arranged, execution);
+  std::vector<std::uint32_t> crossing;
+  Surface united = arranged;
+  if (unite(united, bodies, crossing, execution))
+  {
+    surface = std::move(united);
+    return { true, std::nullopt };
+  }
+  return crossing.empty() ? Trial{} : Trial{ false, middleOf(arranged, crossing[0]) };
+}
+
+class GroupUniter
+{
+public:
+  GroupUniter(const Surface& surface, const Surface& flat,
+    const std::vector<DroppedTriangle>& sheets, Execution& execution)
+    : surface_(surface)
+    , flat_(flat)
+    , groups_(connectedComponents(surface))
+    , tree_(surface, execution)
+  {
+    for (const DroppedTriangle& sheet : sheets)
+    {
+      for (const std::uint32_t v : sheet.vertices)
+      {
+        groups_.unite(v, surface.triangles[sheet.triangle][0]);
+      }
+    }
+    joinWhereTheyMeet(execution);
+  }
+
+  // Replaces the surface by one of its groups united, and of the others; false where there are only such.
+  bool run(Surface& result, std::vector<Vector>& refused, MeshedSide meshed, Execution& execution)
+  {
+    SurfaceJoin join(surface_);
+    std::vector<std::uint8_t> isDone(surface_.vertices.size()); // by the groups' roots
+    for (const auto& [root, triangles] : trianglesOfGroups())
+    {
+      Surface part = partOf(flat_, triangles);
+      const Trial trial = uniteGroup(part, { FirstRegion, {}, meshed, around(root) }, execution);
+      if (trial.crossing)
+      {
+        refused.push_back(*trial.crossing);
+      }
+      isDone[root] = trial.isUnited ? 1 : 0;
+      for (std::size_t t = 0; trial.isUnited && t < part.triangles.size(); ++t)
+      {
+        join.add(part, t);
+      }
+    }
+    if (std::find(isDone.begin(), isDone.end(), 1) == isDone.end())
+    {
+      return false;
+    }
+    for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
+    {
+      const auto& vertices = surface_.triangles[t];
+      if (!namesAVertexTwice(vertices) && isDone[groups_.find(vertices[0])] == 0)
+      {
+        join.add(surface_, t);
+      }
+    }
+    result = join.finish();
+    return true;
+  }
+
+private:
+  // By the file's precision, or else by that of the lattice: nearly coplanar faces are then taken as they are given.
+  static Trial uniteGroup(Surface& part, const Bodies& bodies, Execution& execution)
+  {
+    Trial trial = tryToUnite(part, bodies, execution);
+    if (!trial.isUnited && part.rounding > 1)
+    {
+      part.rounding = 1;
+      trial = tryToUnite(part, bodies, execution);
+    }
+    return trial;
+  }
+
+  void joinWhereTheyMeet(Execution& execution)
+  {
+    NearlyFlat nearly{ {}, placingOf(flat_).together, {} };
+    for (const auto& t : flat_.triangles)
+    {
+      nearly.body.push_back(groups_.find(t[0]));
+    }
+    meets_.resize(flat_.vertices.size());
+    const std::vector<TrianglePair> pairs = findPairs(flat_, nearly, execution).pairs;
+    for (const TrianglePair& pair : pairs)
+    {
+      groups_.unite(flat_.triangles[pair.first][0], flat_.triangles[pair.second][0]);
+    }
+    for (const TrianglePair& pair : pairs)
+    {
+      meets_[groups_.find(flat_.triangles[pair.first][0])] = 1;
+    }
+  }
+
+  // Of groups of bodies that cross or touch and are oriented.
+  std::map<std::uint32_t, std::vector<std::uint32_t>> trianglesOfGroups()
+  {
+    std::vector<std::uint8_t> isOriented(flat_.vertices.size(), 1);
+    for (std::size_t t = 0; t < surface_.byParity.size(); ++t)
+    {
+      if (surface_.byParity[t] != 0)
+      {
+        isOriented[groups_.find(surface_.triangles[t][0])] = 0;
+      }
+    }
+    std::map<std::uint32_t, std::vector<std::uint32_t>> groups;
+    for (std::uint32_t t = 0; t < flat_.triangles.size(); ++t)
+    {
+      const std::uint32_t root = groups_.find(flat_.triangles[t][0]);
+      if (meets_[root] != 0 && isOriented[root] != 0 && !namesAVertexTwice(flat_.triangles[t]))
+      {
+        groups[root].push_back(t);
+      }
+    }
+    return groups;
+  }
+
+  // How often the other groups wind around one, by the line to one of its vertices.
+  std::int32_t around(std::uint32_t root)
+  {
+    const RowAxes& axes = RowsAlong[0];
+    const Point& place = surface_.vertices[root];
+    const auto beside = [&](int axis) {
+      return static_cast<Level>(place[static_cast<std::size_t>(axis)] / 2 * 2);
+    };
+    const std::vector<Level> middles{ beside(axes.middle) };
+    const std::vector<Level> outers{ beside(axes.outer) };
+    Vector low{};
+    low[static_cast<std::size_t>(axes.middle)] = middles[0];
+    low[static_cast<std::size_t>(axes.outer)] = outers[0];
+    Vector high = low;
+    high[0] = place[0];
+    Winding winding;
+    tree_.forEachWithin(low, high, [&](std::uint32_t t) {
+      if (groups_.find(surface_.triangles[t][0]) == root)
+      {
+        return;
+      }
+      forEachLineCrossing(surface_.corners(t), axes, middles, outers,
+        [&](std::size_t, std::size_t, const Point& p, bool up) {
+          if (p[0] < place[0])
+          {
+            winding.add(surface_.crossing(t, up));
+          }
+        });
+    });
+    return winding.turns + (winding.odd ? 1 : 0);
+  }
+
+  const Surface& surface_;
+  const Surface& flat_;
+  DisjointSets groups_;             // of vertices
+  std::vector<std::uint8_t> meets_; // of the groups' roots: whether bodies cross or touch
+  TriangleTree tree_;
+};
+
+}
+
+UnitedBodies uniteBodies(Surface& surface, const std::vector<DroppedTriangle>& sheets,
+  MeshedSide meshed, Execution& execution)
+{
+  auto before = std::make_shared<Surface>(std::move(surface));
+  const Surface flat = withFlatSheets(*before, sheets);
+  if (before->byParity.empty())
+  {
+    surface = flat;
+    if (tryToUnite(surface, { FirstRegion, {}, meshed }, execution).isUnited)
+    {
+      return { before, {} };
+    }
+  }
+  UnitedBodies united;
+  if (GroupUniter(*before, flat, sheets, execution).run(surface, united.refused, meshed, execution))
+  {
+    united.before = before;
+  }
+  else
+  {
+    surface = std::move(*before);
+  }
+  return united;
+}
+
+}
