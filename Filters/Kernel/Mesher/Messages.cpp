@@ -3,6 +3,7 @@
 
 #include "Boxes/Boxes.h"
 #include "Mesher/CellsLeftOut.h"
+#include "Surface/Places.h"
 #include "Surface/SurfaceEdges.h"
 
 #include <algorithm>
@@ -91,6 +92,26 @@ std::string describeLeaks(const PreparedSurface& prepared)
     }
   }
   return text;
+}
+
+std::string describeRefused(const PreparedSurface& prepared)
+{
+  constexpr std::size_t MostPlaces = 5;
+  const std::vector<Vector>& refused = prepared.repair.refused;
+  if (refused.empty())
+  {
+    return "";
+  }
+  std::string text = counted(refused.size(), "group of bodies that cross or touch was not united",
+                       "groups of bodies that cross or touch were not united") +
+    ": in nearly coplanar faces it is uncertain what lies on which side. Unite them beforehand, "
+    "move them apart, or "
+    "let them overlap by more, if the mesh shows flaws near";
+  for (std::size_t i = 0; i < std::min(refused.size(), MostPlaces); ++i)
+  {
+    text += (i > 0 ? ", " : " ") + placeOf(prepared.surface, refused[i]);
+  }
+  return text + (refused.size() > MostPlaces ? ", ..." : ".");
 }
 
 // Of walls, on either side, or of the triangles of one region.
@@ -294,6 +315,10 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
     text += lineBreak(text) +
       counted(repair.loose.size(), "triangle shares no edge with others and is left out.",
         "triangles share no edge with others and are left out.");
+  }
+  if (const std::string refused = describeRefused(prepared); !refused.empty())
+  {
+    text += lineBreak(text) + refused;
   }
   if (const std::size_t closed = repair.holes.size() - repair.leaks())
   {

@@ -89,9 +89,9 @@ public:
   }
 
   // A triangle without an area, or a piece thinner than the reach, runs back along its longest edge: the
-  // others there get its third corner, and it goes. Returns whether there was any. `withGiven`: also examines the
+  // others there get its third corner, and it goes. Returns how many there were. `withGiven`: also examines the
   // given ones.
-  bool fold(bool withGiven)
+  std::size_t fold(bool withGiven)
   {
     mergeClose();
     std::vector<std::uint32_t> flat;
@@ -122,7 +122,7 @@ public:
       c[2] = c[1];
     }
     divide();
-    return !flat.empty();
+    return flat.size();
   }
 
 private:
@@ -782,6 +782,19 @@ bool isLarge(const Surface& surface, double distance)
   return longest >= least * distance;
 }
 
+// Folding divides others, which may be thin then: it goes on as long as it leaves fewer.
+void foldAll(Surface& surface, VertexIndex& index, std::vector<Made>& made,
+  std::vector<std::uint32_t>& body, bool withGiven)
+{
+  std::size_t before = surface.triangles.size() + 1;
+  for (std::size_t thin = before - 1; thin > 0 && thin < before;)
+  {
+    before = thin;
+    thin = Arranger(surface, index, made, body).fold(withGiven);
+    withGiven = false;
+  }
+}
+
 }
 
 bool isFinelyPlaced(const Surface& surface)
@@ -803,16 +816,15 @@ void arrange(Surface& surface, Execution& execution)
   std::vector<TrianglePair> pairs =
     differing(surface, findPairs(surface, { body, placing.together, {} }, execution).pairs);
   std::size_t before = pairs.size() + 1;
-  for (int round = 0;
-       round < MostRounds && !pairs.empty() && (pairs.size() < before || pairs.size() < FewPairs);
+  bool isStuck = false; // the last round changed nothing
+  for (int round = 0; round < MostRounds && !pairs.empty() && !isStuck &&
+       (pairs.size() < before || pairs.size() < FewPairs);
        ++round)
   {
     before = pairs.size();
+    const std::array<std::size_t, 2> sizes{ surface.triangles.size(), surface.vertices.size() };
     Arranger(surface, index, made, body).cut(pairs);
-    for (int i = 0;
-         i < MostRounds && Arranger(surface, index, made, body).fold(round == 0 && i == 0); ++i)
-    {
-    }
+    foldAll(surface, index, made, body, round == 0);
     std::vector<std::uint8_t> isNew(made.size());
     for (std::size_t t = 0; t < made.size(); ++t)
     {
@@ -820,6 +832,8 @@ void arrange(Surface& surface, Execution& execution)
       made[t] = made[t] == Made::Given ? Made::Given : Made::Before;
     }
     pairs = differing(surface, findPairs(surface, { body, placing.reach, isNew }, execution).pairs);
+    isStuck = pairs.size() == before &&
+      sizes == std::array<std::size_t, 2>{ surface.triangles.size(), surface.vertices.size() };
   }
 }
 

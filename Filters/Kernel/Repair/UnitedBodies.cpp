@@ -183,15 +183,25 @@ public:
     joinWhereTheyMeet(execution);
   }
 
-  // Replaces the surface by one of its groups united, and of the others; false where there are only such.
-  bool run(Surface& result, std::vector<Vector>& refused, MeshedSide meshed, Execution& execution)
+  // Replaces the surface by one of its groups united, and of the others; false where there are only such. `whole`: of
+  // an attempt to unite all groups at once.
+  bool run(Surface& result, const std::optional<Trial>& whole, std::vector<Vector>& refused,
+    MeshedSide meshed, Execution& execution)
   {
     SurfaceJoin join(surface_);
     std::vector<std::uint8_t> isDone(surface_.vertices.size()); // by the groups' roots
-    for (const auto& [root, triangles] : trianglesOfGroups())
+    const auto groups = trianglesOfGroups();
+    for (const auto& [root, triangles] : groups)
     {
       Surface part = partOf(flat_, triangles);
-      const Trial trial = uniteGroup(part, { FirstRegion, {}, meshed, around(root) }, execution);
+      const Bodies bodies{ FirstRegion, {}, meshed, around(root) };
+      Trial trial = whole && groups.size() == 1 ? *whole : tryToUnite(part, bodies, execution);
+      if (!trial.isUnited && part.rounding > 1)
+      {
+        // By the precision of the lattice: nearly coplanar faces are then taken as they are given.
+        part.rounding = 1;
+        trial = tryToUnite(part, bodies, execution);
+      }
       if (trial.crossing)
       {
         refused.push_back(*trial.crossing);
@@ -219,18 +229,6 @@ public:
   }
 
 private:
-  // By the file's precision, or else by that of the lattice: nearly coplanar faces are then taken as they are given.
-  static Trial uniteGroup(Surface& part, const Bodies& bodies, Execution& execution)
-  {
-    Trial trial = tryToUnite(part, bodies, execution);
-    if (!trial.isUnited && part.rounding > 1)
-    {
-      part.rounding = 1;
-      trial = tryToUnite(part, bodies, execution);
-    }
-    return trial;
-  }
-
   void joinWhereTheyMeet(Execution& execution)
   {
     NearlyFlat nearly{ {}, placingOf(flat_).together, {} };
@@ -319,16 +317,19 @@ UnitedBodies uniteBodies(Surface& surface, const std::vector<DroppedTriangle>& s
 {
   auto before = std::make_shared<Surface>(std::move(surface));
   const Surface flat = withFlatSheets(*before, sheets);
+  std::optional<Trial> whole;
   if (before->byParity.empty())
   {
     surface = flat;
-    if (tryToUnite(surface, { FirstRegion, {}, meshed }, execution).isUnited)
+    whole = tryToUnite(surface, { FirstRegion, {}, meshed }, execution);
+    if (whole->isUnited)
     {
       return { before, {} };
     }
   }
   UnitedBodies united;
-  if (GroupUniter(*before, flat, sheets, execution).run(surface, united.refused, meshed, execution))
+  if (GroupUniter(*before, flat, sheets, execution)
+        .run(surface, whole, united.refused, meshed, execution))
   {
     united.before = before;
   }
