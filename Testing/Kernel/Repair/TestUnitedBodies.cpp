@@ -4,7 +4,6 @@
 
 #include "Repair/SurfaceCheck.h"
 #include "Support/ConvexBodies.h"
-#include "Support/Effort.h"
 #include "Support/Pipeline.h"
 
 #include <gtest/gtest.h>
@@ -83,8 +82,12 @@ TEST(UnitedBodies, CubesNearlyInOnePlace)
           }
           const double volume = std::pow(size, 3);
           EXPECT_NEAR(volumeOf(prepared.surface), (2 - common) * volume, 1e-6 * volume);
-          EXPECT_NEAR(areaOf(prepared.surface),
-            (6 + 4 * by * (along[0] + along[1] + along[2])) * size * size, 1e-5 * size * size);
+          if (by > 5e-7) // else faces lie in each other, and which are left is by chance
+          {
+            const double steps = along[0] + along[1] + along[2];
+            EXPECT_NEAR(
+              areaOf(prepared.surface), (6 + 4 * by * steps) * size * size, 1e-5 * size * size);
+          }
           expectClosed(prepared.surface);
         }
       }
@@ -117,14 +120,14 @@ Village village(unsigned seed, const Vector& place, double size)
   };
   const auto put = [&](const Soup& soup) { return inSinglePrecision(soup.moved(place)); };
   Village result;
-  result.hill = put(sphere(6, 1).scaled({ size / 2, size / 2, size / 12 }));
+  result.hill = put(octahedron(1).scaled({ size / 2, size / 2, size / 12 }));
   constexpr int Fields = 4;
   for (int n = 0; n < Fields * Fields; ++n)
   {
     const double field = 0.6 * size / Fields;
     const Vector at{ (n % Fields + 0.5) * field - 0.3 * size,
-      (n / Fields + 0.5) * field - 0.3 * size, size / 20 };
-    const Vector half{ field * between(0.05, 0.3), field * between(0.05, 0.3), size / 30 };
+      (n / Fields + 0.5) * field - 0.3 * size, size / 50 };
+    const Vector half{ field * between(0.05, 0.3), field * between(0.05, 0.3), size / 20 };
     Soup house = box(scaled(half, -1), half).turned(2, between(0, 90));
     house.boundary.clear();
     result.houses.push_back(put(house.moved(at)));
@@ -149,13 +152,16 @@ TEST(UnitedBodies, HousesOnAHillFarFromTheOrigin)
         const PreparedSurface prepared = prepare(soup, cellsAlongLongest(soup, 5));
         EXPECT_TRUE(prepared.repair.refused.empty());
         expectClosed(prepared.surface);
-        const auto atOrigin = [&](const Soup& body) { return body.moved({ -0.3 * far, -far, 0 }); };
-        const Soup hill = atOrigin(scene.hill);
+        const auto scaledDown = [&](const Soup& body) {
+          return body.moved({ -0.3 * far, -far, 0 }).scaled(1 / size);
+        };
+        const Soup hill = scaledDown(scene.hill);
         double volume = hill.volume();
         for (const Soup& house : scene.houses)
         {
-          volume += volumeOfUnion({ hill, atOrigin(house) }) - hill.volume();
+          volume += volumeOfUnion({ hill, scaledDown(house) }) - hill.volume();
         }
+        volume *= std::pow(size, 3);
         EXPECT_NEAR(volumeOf(prepared.surface), volume, boundOf(soup));
       }
     }
