@@ -163,6 +163,12 @@ private:
     std::vector<std::uint32_t> points; // vertices: the ends, and others on it
   };
 
+  struct PointsOnEdge
+  {
+    std::vector<std::uint32_t> points;
+    bool areSorted = false; // from the lower end
+  };
+
   void compare(const TrianglePair& pair)
   {
     shared_.clear();
@@ -364,10 +370,11 @@ private:
     {
       return;
     }
-    std::vector<std::uint32_t>& points = onEdge_[edge];
-    if (std::find(points.begin(), points.end(), v) == points.end())
+    PointsOnEdge& known = onEdge_[edge];
+    if (std::find(known.points.begin(), known.points.end(), v) == known.points.end())
     {
-      points.push_back(v);
+      known.points.push_back(v);
+      known.areSorted = false;
       hasPoints_[edge[0]] = 1;
     }
   }
@@ -542,19 +549,19 @@ private:
       std::vector<std::uint32_t> points = pointsOn(c[i], c[(i + 1) % 3]);
       points.insert(points.begin(), c[i]);
       points.push_back(c[(i + 1) % 3]);
-      for (std::size_t k = 0; k + 1 < points.size(); ++k)
+      bool wasWithin = false;
+      for (std::size_t k = 0; k < points.size(); ++k)
       {
-        if (isWithin(points[k], t) && isWithin(points[k + 1], t))
+        const bool is = isWithin(points[k], t);
+        if (is && wasWithin)
         {
-          marks_[t].edges.push_back(endsOf(points[k], points[k + 1]));
+          marks_[t].edges.push_back(endsOf(points[k - 1], points[k]));
         }
-      }
-      for (const std::uint32_t v : points)
-      {
-        if (isWithin(v, t))
+        if (is)
         {
-          put(v, t, Place{ -1, true });
+          put(points[k], t, Place{ -1, true });
         }
+        wasWithin = is;
       }
     }
   }
@@ -563,9 +570,20 @@ private:
   bool isWithin(std::uint32_t v, std::uint32_t t) const
   {
     const Triple& c = surface_.triangles[t];
-    const int axis = axisAcross(surface_.corners(t));
-    const int way = turnOf(c[0], c[1], c[2], axis);
+    const Corners corners = surface_.corners(t);
     bool is = true;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const double level = surface_.vertices[v][i];
+      const auto [low, high] = std::minmax({ corners[0][i], corners[1][i], corners[2][i] });
+      is = is && level > low - placing_.reach && level < high + placing_.reach;
+    }
+    if (!is)
+    {
+      return false;
+    }
+    const int axis = axisAcross(corners);
+    const int way = turnOf(c[0], c[1], c[2], axis);
     for (std::size_t i = 0; i < 3; ++i)
     {
       const std::uint32_t p = c[i];
@@ -576,7 +594,7 @@ private:
   }
 
   // Points of an edge, from `from` on.
-  std::vector<std::uint32_t> pointsOn(std::uint32_t from, std::uint32_t to) const
+  std::vector<std::uint32_t> pointsOn(std::uint32_t from, std::uint32_t to)
   {
     const Ends edge = endsOf(from, to);
     if (edge[0] >= hasPoints_.size() || hasPoints_[edge[0]] == 0)
@@ -588,13 +606,22 @@ private:
     {
       return {};
     }
-    std::vector<std::uint32_t> points = found->second;
-    const auto along = [&](std::uint32_t v) {
-      const Vector way = minus(surface_.vertices[v], surface_.vertices[from]);
-      return dot(way, minus(surface_.vertices[to], surface_.vertices[from]));
-    };
-    std::sort(points.begin(), points.end(),
-      [&](std::uint32_t a, std::uint32_t b) { return along(a) < along(b); });
+    PointsOnEdge& known = found->second;
+    if (!known.areSorted)
+    {
+      const Vector way = minus(surface_.vertices[edge[1]], surface_.vertices[edge[0]]);
+      const auto place = [&](std::uint32_t v) {
+        return std::make_pair(dot(minus(surface_.vertices[v], surface_.vertices[edge[0]]), way), v);
+      };
+      std::sort(known.points.begin(), known.points.end(),
+        [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
+      known.areSorted = true;
+    }
+    std::vector<std::uint32_t> points = known.points;
+    if (from != edge[0])
+    {
+      std::reverse(points.begin(), points.end());
+    }
     return points;
   }
 
@@ -674,7 +701,7 @@ private:
     body_.swap(body);
   }
 
-  std::vector<Triple> partsOf(std::uint32_t t) const
+  std::vector<Triple> partsOf(std::uint32_t t)
   {
     const Triple& c = surface_.triangles[t];
     if (!isTouched(t))
@@ -707,7 +734,7 @@ private:
   Placing placing_;
   VertexIndex& index_;
   std::vector<std::uint32_t> shared_;
-  std::map<Ends, std::vector<std::uint32_t>> onEdge_;
+  std::map<Ends, PointsOnEdge> onEdge_;
   std::vector<std::uint8_t> hasPoints_;  // whether an edge from a vertex, its lower one, has points
   std::map<std::uint32_t, Marks> marks_; // of triangles
   std::vector<Ends> overlapping_;        // pairs of triangles

@@ -260,4 +260,56 @@ TEST(UnitedBodies, FlatOrnamentsTakeLittleTime)
   }
 }
 
+// What has no inside stays as it is; others are united all the same, in a room too.
+TEST(UnitedBodies, OneGroupDoesNotKeepOthersApart)
+{
+  for (const double size : { 1.0, 0.01, 300.0 })
+  {
+    for (int way = 0; way < 4; ++way)
+    {
+      SCOPED_TRACE(testing::Message() << size << " way " << way);
+      Soup soup = kleinBottle(12);
+      const std::size_t bottle = soup.triangles.size();
+      const double aside = 2 * soup.longest();
+      const auto crossing = [&](const Vector& by) {
+        Soup boxes = box({ 0, 0, 0 }, { 1, 1, 1 });
+        boxes.add(box({ 0.5, 0.25, 0.25 }, { 2, 0.75, 0.75 }));
+        return boxes.moved(by);
+      };
+      soup.add(crossing({ aside, 0, 0 }));
+      soup.add(box({ -1, aside, -1 }, { 4, aside + 3, 3 }));
+      soup.add(crossing({ 0, aside + 1, 0 }).flipped());
+      soup.boundary.clear();
+      soup = turnedIn(soup.scaled(size), way);
+
+      Execution execution;
+      Bounds bounds = boundsOf(soup.view());
+      Surface surface = onLattice(soup.view(), Lattice(bounds), execution);
+      surface.byParity.resize(surface.triangles.size());
+      for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+      {
+        surface.byParity[t] = surface.given[t] < bottle ? 1 : 0;
+      }
+      const double before = volumeOf(surface);
+      const UnitedBodies united = uniteBodies(surface, {}, MeshedSide::Inside, execution);
+      ASSERT_TRUE(united.before);
+      EXPECT_TRUE(united.refused.empty());
+      // The part of two boxes that is common counted twice, once out of a body, once into the room.
+      EXPECT_NEAR(volumeOf(surface), before, 1e-6 * std::pow(size, 3));
+      double area = 0;
+      for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+      {
+        const Corners corners = surface.corners(t);
+        area += surface.given[t] < bottle
+          ? 0
+          : norm(cross(minus(corners[1], corners[0]), minus(corners[2], corners[0]))) / 2;
+      }
+      const double boxes =
+        6 + 4 * 0.5; // four sides of the second, 1 long and 0.5 wide, come to those of the first
+      EXPECT_NEAR(area * std::pow(surface.lattice.step(), 2),
+        (2 * boxes + 2 * (5 * 3 + 3 * 4 + 4 * 5)) * size * size, 1e-5 * size * size);
+    }
+  }
+}
+
 }
