@@ -153,6 +153,12 @@ Trial tryToUnite(Surface& surface, const Bodies& bodies, Execution& execution)
   }
   Surface arranged = surface;
   arrange(arranged, execution);
+  // Cut along each other, bodies keep their volumes, but for how far new vertices are from where they should be.
+  const double moved = placingOf(surface).reach * surface.lattice.step() * areaOf(surface);
+  if (std::abs(volumeOf(arranged) - volumeOf(surface)) > moved)
+  {
+    return { false, middleOf(surface, 0) };
+  }
   std::vector<std::uint32_t> crossing;
   Surface united = arranged;
   if (unite(united, bodies, crossing, execution))
