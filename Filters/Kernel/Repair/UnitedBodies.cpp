@@ -153,7 +153,7 @@ Trial tryToUnite(Surface& surface, const Bodies& bodies, Execution& execution)
   }
   Surface arranged = surface;
   arrange(arranged, execution);
-  // Cut along each other, bodies keep their volumes, but for how far new vertices are from where they should be.
+  // Cut along each other, bodies keep their volumes, to within how far vertices are moved.
   const double moved = placingOf(surface).reach * surface.lattice.step() * areaOf(surface);
   if (std::abs(volumeOf(arranged) - volumeOf(surface)) > moved)
   {
