@@ -5,6 +5,7 @@
 #include "Lattice/Plane.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <vector>
 

@@ -280,25 +280,19 @@ private:
   // How often the other groups wind around one, by the line to one of its vertices.
   std::int32_t around(std::uint32_t root)
   {
-    const RowAxes& axes = RowsAlong[0];
     const Point& place = surface_.vertices[root];
-    const auto beside = [&](int axis) {
-      return static_cast<Level>(place[static_cast<std::size_t>(axis)] / 2 * 2);
-    };
-    const std::vector<Level> middles{ beside(axes.middle) };
-    const std::vector<Level> outers{ beside(axes.outer) };
-    Vector low{};
-    low[static_cast<std::size_t>(axes.middle)] = middles[0];
-    low[static_cast<std::size_t>(axes.outer)] = outers[0];
-    Vector high = low;
-    high[0] = place[0];
+    const Level y = place[1] / 2 * 2;
+    const Level z = place[2] / 2 * 2;
+    const Vector low{ 0, double(y), double(z) };
+    const Vector high{ double(place[0]), double(y), double(z) };
     Winding winding;
     tree_.forEachWithin(low, high, [&](std::uint32_t t) {
       if (groups_.find(surface_.triangles[t][0]) == root)
       {
         return;
       }
-      forEachLineCrossing(surface_.corners(t), axes, middles, outers,
+      const Corners corners = surface_.corners(t);
+      forEachLineCrossing(corners, RowsAlong[0], { y }, { z },
         [&](std::size_t, std::size_t, const Point& p, bool up) {
           if (p[0] < place[0])
           {
