@@ -98,24 +98,48 @@ bool IsLongName(const std::string& begin)
     (keyword == "solid" || keyword == "endsolid");
 }
 
+// Signs of a file whose words are not where vtkSTLReader looks for them.
+class OddWords
+{
+public:
+  void addLine(const std::string& line) { isOdd_ = isOdd_ || line.find('\r') < line.size() - 1; }
+
+  void addKeyword(const std::string& keyword)
+  {
+    isOdd_ = isOdd_ || keyword == "end";
+    isEnded_ = keyword != "solid" && (isEnded_ || keyword == "endsolid");
+    if (keyword == "endloop" || keyword == "endfacet")
+    {
+      ends_.insert(keyword);
+    }
+  }
+
+  bool found() const { return isOdd_; }
+  bool foundAtEnd() const { return isOdd_ || !isEnded_ || ends_.size() < 2; }
+
+private:
+  bool isOdd_ = false;
+  bool isEnded_ = true; // the last solid
+  std::set<std::string> ends_;
+};
+
 Solids ReadSolids(const char* file, std::size_t most)
 {
   Solids solids;
   vtksys::ifstream stream(file, std::ios::binary);
   std::string line;
   std::size_t number = 0;
-  std::set<std::string> ends;
-  bool isEnded = true;
+  OddWords odd;
   for (bool isText = false; solids.names.size() < most;)
   {
     ++number;
     if (!GetLine(stream, line))
     {
       solids.tooLong = IsLongName(line) ? number : 0;
-      solids.isDialect = solids.isDialect || !isEnded || ends.size() < 2;
-      break;
+      solids.isDialect = odd.foundAtEnd();
+      return solids;
     }
-    solids.isDialect = solids.isDialect || line.find('\r') < line.size() - 1;
+    odd.addLine(line);
     const int first = std::tolower(line[std::min(line.find_first_not_of(Blanks), line.size())]);
     if (isText && first != 's' && first != 'e')
     {
@@ -131,13 +155,8 @@ Solids ReadSolids(const char* file, std::size_t most)
     {
       return {};
     }
-    isEnded = !isSolid && (isEnded || keyword == "endsolid");
-    solids.isDialect = solids.isDialect || keyword == "end";
+    odd.addKeyword(keyword);
     isText = !solids.names.empty();
-    if (keyword == "endloop" || keyword == "endfacet")
-    {
-      ends.insert(keyword);
-    }
     if (isSolid)
     {
       solids.names.push_back(cartesian::toUtf8(name));
@@ -148,6 +167,7 @@ Solids ReadSolids(const char* file, std::size_t most)
         solids.suitVTK && line.size() <= LongestLineOfVTK && cartesian::isAscii(line);
     }
   }
+  solids.isDialect = odd.found();
   return solids;
 }
 
@@ -422,6 +442,37 @@ FileKind KindOf(const char* file, const Solids& solids)
   return kind;
 }
 
+using CopyFile = std::function<bool(const std::string& to)>;
+
+// How to make a copy that vtkSTLReader reads; empty if it reads the file itself.
+CopyFile CopierOf(const char* file, const FileKind& kind, const Solids& solids)
+{
+  if (kind.binary)
+  {
+    return BeginsWithSolid(file)
+      ? [=](const std::string& to) { return CopyWithoutHeader(file, to); }
+      : CopyFile();
+  }
+  if (kind.dialect)
+  {
+    return [&](const std::string& to) { return kind.dialect->writeTo(to); };
+  }
+  return solids.suitVTK ? CopyFile()
+                        : [=](const std::string& to) { return CopyWithoutNames(file, to); };
+}
+
+// Of a binary file that is cut off; else nothing.
+std::string DescribeMissing(const std::string& file, const std::optional<BinaryFile>& binary)
+{
+  if (!binary || binary->claimed <= binary->held)
+  {
+    return {};
+  }
+  return file + " is cut off: its header says " + std::to_string(binary->claimed) +
+    " triangles, but there are " + std::to_string(binary->held) +
+    ". Export or copy it again, or the surface lacks the others.";
+}
+
 // Turns a reader's message about a file's copy into one about the file.
 void Keep(vtkObject* /*reader*/, unsigned long /*event*/, void* kept, void* text)
 {
@@ -481,40 +532,41 @@ int vtkNamedSTLReader::ReadCopy(
   return 1;
 }
 
+int vtkNamedSTLReader::Refuse(unsigned long code, const std::string& why)
+{
+  this->SetErrorCode(code);
+  vtkErrorMacro(<< why);
+  return 0;
+}
+
 int vtkNamedSTLReader::RequestData(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
   const char* file = this->GetFileName();
-  Solids solids = file ? ReadSolids(file, std::numeric_limits<std::size_t>::max()) : Solids();
-  const FileKind kind = file ? KindOf(file, solids) : FileKind();
-  const auto& [dialect, binary] = kind;
-  if (binary || dialect)
+  if (!file)
+  {
+    return this->Superclass::RequestData(request, input, output);
+  }
+  Solids solids = ReadSolids(file, std::numeric_limits<std::size_t>::max());
+  const FileKind kind = KindOf(file, solids);
+  if (kind.binary || kind.dialect)
   {
     solids = {};
-    solids.names = dialect ? dialect->names : solids.names;
+    solids.names = kind.dialect ? kind.dialect->names : solids.names;
   }
-  const std::string fault = file ? FaultOf(file, solids, binary) : std::string();
+  const std::string fault = FaultOf(file, solids, kind.binary);
   if (!fault.empty())
   {
-    this->SetErrorCode(vtkErrorCode::FileFormatError);
-    vtkErrorMacro(<< fault);
-    return 0;
+    return this->Refuse(vtkErrorCode::FileFormatError, fault);
   }
-  if (binary && binary->claimed > binary->held)
+  if (const std::string missing = DescribeMissing(file, kind.binary); !missing.empty())
   {
-    vtkWarningMacro(<< file << " is cut off: its header says " << binary->claimed
-                    << " triangles, but there are " << binary->held
-                    << ". Export or copy it again, or the surface lacks the others.");
+    vtkWarningMacro(<< missing);
   }
   vtkPolyData* surface = vtkPolyData::GetData(output);
-  const auto withoutHeader = [&](const std::string& copy) { return CopyWithoutHeader(file, copy); };
-  const auto inUsualWords = [&](const std::string& copy) { return kind.dialect->writeTo(copy); };
-  const auto withoutNames = [&](const std::string& copy) { return CopyWithoutNames(file, copy); };
-  const bool isHidden = binary && BeginsWithSolid(file);
-  if (!(isHidden            ? this->ReadCopy(withoutHeader, surface)
-          : dialect         ? this->ReadCopy(inUsualWords, surface)
-          : !solids.suitVTK ? this->ReadCopy(withoutNames, surface)
-                            : this->Superclass::RequestData(request, input, output)))
+  const CopyFile copy = CopierOf(file, kind, solids);
+  if (!(copy ? this->ReadCopy(copy, surface)
+             : this->Superclass::RequestData(request, input, output)))
   {
     return 0;
   }
@@ -526,10 +578,8 @@ int vtkNamedSTLReader::RequestData(
       cartesian::setBoundaryNames(surface, cartesian::uniteNames(solids.names, labels));
     }
   };
-  cartesian::reportErrors(nameSolids, [this](unsigned long code, const std::string& message) {
-    this->SetErrorCode(code);
-    vtkErrorMacro(<< message);
-  });
+  cartesian::reportErrors(nameSolids,
+    [this](unsigned long code, const std::string& message) { this->Refuse(code, message); });
   return 1;
 }
 

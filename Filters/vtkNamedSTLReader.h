@@ -43,6 +43,11 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
+  /**
+   * Says why with an error; 0.
+   */
+  int Refuse(unsigned long code, const std::string& why);
+
   int ReadCopy(const std::function<bool(const std::string&)>& write, vtkPolyData* surface);
 
   vtkNamedSTLReader(const vtkNamedSTLReader&) = delete;
