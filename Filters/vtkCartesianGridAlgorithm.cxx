@@ -295,6 +295,10 @@ void vtkCartesianGridAlgorithm::UpdateOptionalInputs()
 std::vector<vtkSmartPointer<vtkDataObject>> vtkCartesianGridAlgorithm::OptionalRegions()
 {
   std::vector<vtkSmartPointer<vtkDataObject>> regions;
+  if (this->GetNumberOfInputPorts() == 1)
+  {
+    return regions; // Surface Inspector has only a surface
+  }
   regions.reserve(static_cast<std::size_t>(this->GetNumberOfInputConnections(1)));
   for (int i = 0; i < this->GetNumberOfInputConnections(1); ++i)
   {
@@ -408,9 +412,10 @@ vtkCartesianGridAlgorithm::Asked vtkCartesianGridAlgorithm::Ask(
 {
   Asked asked{ this->RegionSurfaces(this->OptionalRegions()), this->MakeOptions() };
   this->AddBoundaryOptions(surface, asked.options);
+  vtkDataObject* const sizes =
+    this->GetNumberOfInputPorts() > 2 ? this->GetInputDataObject(2, 0) : nullptr;
   this->AddRefinement(surface, asked.regions,
-    this->ReadSizes(this->GetInputDataObject(0, 0), surface, this->GetInputDataObject(2, 0)),
-    asked.options);
+    this->ReadSizes(this->GetInputDataObject(0, 0), surface, sizes), asked.options);
   return asked;
 }
 

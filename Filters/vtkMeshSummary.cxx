@@ -243,6 +243,21 @@ std::string InPercent(double share)
   return cartesian::number(std::floor(10 * Percent * share) / 10) + " %";
 }
 
+// Those without layers because none were to be there: by type, name or row.
+void TellBoundariesWithoutLayers(vtkDataObject* mesh, vtkStringArray* names, std::ostream& text)
+{
+  const char* separator = "No layers asked on ";
+  for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
+  {
+    if (Field(mesh, "BoundaryLayersAsked", i) == 0 && Field(mesh, "BoundaryAreas", i) > 0)
+    {
+      text << separator << names->GetValue(i);
+      separator = ", ";
+    }
+  }
+  text << (separator[0] == ',' ? "\n" : "");
+}
+
 // The largest ones.
 void TellBoundaries(vtkDataObject* mesh, std::ostream& text)
 {
@@ -270,9 +285,10 @@ void TellBoundaries(vtkDataObject* mesh, std::ostream& text)
   {
     text << "  and " << order.size() - Most << " more\n";
   }
-  if (hasLayers)
+  if (hasLayers && names)
   {
     text << "Layers on " << InPercent(Field(mesh, "LayerCoverage")) << " of the walls\n";
+    TellBoundariesWithoutLayers(mesh, names, text);
   }
 }
 

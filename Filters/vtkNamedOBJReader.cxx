@@ -14,6 +14,7 @@
 
 #include "vtksys/FStream.hxx"
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -22,15 +23,15 @@
 namespace
 {
 
-// Groups that have faces, in order of the file; vtkOBJReader only counts them.
+// Groups that have faces, in order of the file, or objects; vtkOBJReader only counts them.
 struct Groups
 {
   std::vector<std::string> names;
   std::vector<int> ofFace; // index of its name
 };
 
-// Stops after `most` groups.
-Groups ReadGroups(const char* file, std::size_t most)
+// Of lines with this keyword, g or o. Stops after `most` groups.
+Groups ReadParts(const char* file, std::size_t most, const std::string& part)
 {
   Groups groups;
   vtksys::ifstream stream(file, std::ios::binary);
@@ -42,7 +43,7 @@ Groups ReadGroups(const char* file, std::size_t most)
     std::istringstream words(line);
     std::string keyword;
     words >> keyword >> std::ws;
-    if (keyword == "g")
+    if (keyword == part)
     {
       std::string next;
       std::getline(words, next);
@@ -65,6 +66,19 @@ Groups ReadGroups(const char* file, std::size_t most)
     }
   }
   return groups;
+}
+
+bool HaveNames(const Groups& groups)
+{
+  return std::any_of(groups.names.begin(), groups.names.end(),
+    [](const std::string& name) { return !name.empty(); });
+}
+
+// Groups, or objects in a file in which no group has a name.
+Groups ReadGroups(const char* file, std::size_t most)
+{
+  Groups groups = ReadParts(file, most, "g");
+  return HaveNames(groups) ? groups : ReadParts(file, most, "o");
 }
 
 // The cell array of the faces' groups; a vtkPolyData has vertices and lines before them.
@@ -97,7 +111,7 @@ vtkStandardNewMacro(vtkNamedOBJReader);
 
 int vtkNamedOBJReader::CanReadFile(const char* name)
 {
-  return ReadGroups(name, 2).names.size() == 2;
+  return HaveNames(ReadGroups(name, 2)) ? 1 : 0;
 }
 
 int vtkNamedOBJReader::RequestData(

@@ -5,7 +5,8 @@
  *
  * Output: that of vtkOBJReader, with the cell array BoundaryId (int), the group of each face, and field data
  * BoundaryIds (int) and BoundaryNames (string), the numbers that occur and their names. Groups with the same name are
- * one boundary; those without a name and faces before the first group are the boundary "unnamed".
+ * one boundary; those without a name and faces before the first group are the boundary "unnamed". If no group has a
+ * name, objects take their place.
  *
  * @sa vtkCartesianMesher vtkNamedSTLReader
  */
@@ -23,7 +24,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * 1 if the file has faces in at least two groups of different names, else 0.
+   * 1 if the file has faces in a group or, without such groups, in an object with a name, else 0.
    */
   static int CanReadFile(const char* name);
 

@@ -16,6 +16,9 @@
 #include "vtkCartesianMesherFiltersModule.h" // for the export macro
 #include "vtkSTLReader.h"
 
+#include <functional> // for ways to copy
+#include <string>     // for names of files
+
 class vtkPolyData;
 
 class VTKCARTESIANMESHERFILTERS_EXPORT vtkNamedSTLReader : public vtkSTLReader
@@ -26,8 +29,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * 1 if the file is ASCII STL and at least one of its first two solids has a name, or a name that vtkSTLReader does
-   * not read (not ASCII, or long), or if the file is so broken that vtkSTLReader would terminate the program; else 0.
+   * 1 if the file is ASCII STL and at least one of its first two solids has a name; or if vtkSTLReader would not read it,
+   * because of a name (not ASCII, or long), because words are not in the lines where it looks for them, or because the
+   * header of a binary file begins with "solid"; or if a binary file holds fewer triangles than its header says; else 0.
    */
   static int CanReadFile(const char* name);
 
@@ -39,7 +43,12 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
-  int ReadWithoutNames(vtkPolyData* surface);
+  /**
+   * Says why with an error; 0.
+   */
+  int Refuse(unsigned long code, const std::string& why);
+
+  int ReadCopy(const std::function<bool(const std::string&)>& write, vtkPolyData* surface);
 
   vtkNamedSTLReader(const vtkNamedSTLReader&) = delete;
   void operator=(const vtkNamedSTLReader&) = delete;

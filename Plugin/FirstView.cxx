@@ -9,11 +9,10 @@
 #include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMOutputPort.h"
-#include "vtkSMParaViewPipelineController.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
-#include "vtkSmartPointer.h"
+#include "vtkSMTransferFunctionManager.h"
 
 #include <algorithm>
 #include <array>
@@ -119,26 +118,33 @@ std::vector<Category> categoriesOf(vtkSMProxy* source, const std::string& array)
   return categories;
 }
 
-// As vtkSMTransferFunctionManager names them, which finds those that are here already.
+// As vtkSMTransferFunctionManager names them.
 constexpr const char* ColoursGroup = "lookup_tables";
-constexpr const char* ColoursType = "PVLookupTable";
 
-vtkSMProxy* foundColours(const std::string& array, vtkSMSessionProxyManager* proxies)
+std::string nameOfColours(const char* array)
 {
-  return proxies->GetProxy(ColoursGroup, (array + "." + ColoursType).c_str());
+  return std::string(array) + ".PVLookupTable";
 }
 
-vtkSmartPointer<vtkSMProxy> coloursOf(const std::string& array, vtkSMSessionProxyManager* proxies)
+vtkSMProxy* coloursOf(const std::string& array, vtkSMSessionProxyManager* proxies)
 {
-  vtkSmartPointer<vtkSMProxy> colours = foundColours(array, proxies);
-  if (!colours)
+  return vtkNew<vtkSMTransferFunctionManager>()->GetColorTransferFunction(array.c_str(), proxies);
+}
+
+// The window's editor of colours does not survive those without an opacity function, as older states have them.
+void completeColours(vtkSMProxy* colours)
+{
+  vtkSMSessionProxyManager* proxies = colours->GetSessionProxyManager();
+  const char* name = proxies->GetProxyName(ColoursGroup, colours);
+  const auto* array = std::find_if(std::begin(Arrays), std::end(Arrays),
+    [&](const char* known) { return name && nameOfColours(known) == name; });
+  vtkSMPropertyHelper opacity(colours, "ScalarOpacityFunction");
+  if (array != std::end(Arrays) && !opacity.GetAsProxy())
   {
-    colours.TakeReference(proxies->NewProxy(ColoursGroup, ColoursType));
-    vtkNew<vtkSMParaViewPipelineController> controller;
-    controller->InitializeProxy(colours);
-    controller->RegisterColorTransferFunctionProxy(colours, (array + "." + ColoursType).c_str());
+    opacity.Set(
+      vtkNew<vtkSMTransferFunctionManager>()->GetOpacityTransferFunction(*array, proxies));
+    colours->UpdateVTKObjects();
   }
-  return colours;
 }
 
 // Two meshes share the colours of an array: those that are not there yet are added, and names are the last ones.
@@ -277,9 +283,10 @@ void prepareLegend(vtkSMProxy* legend)
 {
   vtkSMProxy* colours = vtkSMPropertyHelper(legend, "LookupTable", true).GetAsProxy();
   vtkSMSessionProxyManager* proxies = legend->GetSessionProxyManager();
-  const bool isOurs = colours &&
-    std::any_of(std::begin(Arrays), std::end(Arrays),
-      [&](const char* array) { return foundColours(array, proxies) == colours; });
+  const bool isOurs =
+    colours && std::any_of(std::begin(Arrays), std::end(Arrays), [&](const char* array) {
+      return proxies->GetProxy(ColoursGroup, nameOfColours(array).c_str()) == colours;
+    });
   const unsigned int names =
     isOurs ? vtkSMPropertyHelper(colours, "Annotations").GetNumberOfElements() / 2 : 0;
   if (names > MostLargeNames)
@@ -295,6 +302,10 @@ void prepareNew(vtkSMProxy* proxy, const std::string& group)
 {
   if (proxy->GetSessionProxyManager()->GetInLoadXMLState())
   {
+    if (group == ColoursGroup)
+    {
+      completeColours(proxy);
+    }
     return;
   }
   if (group == "representations")

@@ -23,8 +23,12 @@ namespace cartesian
 
 CellFaceReader::CellFaceReader(vtkUnstructuredGrid* grid)
   : grid_(grid)
-  , points_(vtk::TakeSmartPointer(grid->GetCells()->NewIterator()))
 {
+  // A grid of a filter that has failed has none.
+  if (vtkCellArray* const cells = grid->GetCells())
+  {
+    points_.TakeReference(cells->NewIterator());
+  }
 }
 
 const vtkIdType* CellFaceReader::read(vtkIdType cell)

@@ -388,13 +388,16 @@ public:
     setField(output, "MeanLayerThickness", { ofWalls_.mean() });
     std::vector<double> coverages;
     std::vector<double> means;
+    std::vector<double> asked;
     for (const auto& named : names)
     {
+      asked.push_back(ofBoundary_[named.first].area > 0 ? 1 : 0);
       coverages.push_back(ofBoundary_[named.first].coverage());
       means.push_back(ofBoundary_[named.first].mean());
     }
     setField(output, "BoundaryLayerCoverages", coverages);
     setField(output, "BoundaryLayerThicknesses", means);
+    setField(output, "BoundaryLayersAsked", asked);
   }
 
 private:

@@ -264,7 +264,7 @@ def statistics(mesher, listener, seconds, fields):
         rows = [arrays.pop(name, []) for name in
             ("BoundaryIds", "BoundaryNames", "BoundaryTypes", "BoundaryFaceCounts", "BoundaryAreas")]
         of_layers = {key: arrays.pop(name) for key, name in (("layer_coverage", "BoundaryLayerCoverages"),
-            ("layer_thickness", "BoundaryLayerThicknesses")) if name in arrays}
+            ("layer_thickness", "BoundaryLayerThicknesses"), ("layers_asked", "BoundaryLayersAsked")) if name in arrays}
         # Types exist if the user gave some; counts and areas, if there is a mesh.
         for number, name, type, faces, area in itertools.zip_longest(*rows):
             row = boundaries.setdefault(number,
@@ -273,7 +273,7 @@ def statistics(mesher, listener, seconds, fields):
             row["area"] += area or 0
         for key, values in of_layers.items():
             for number, value in zip(rows[0], values):
-                boundaries[number][key] = value
+                boundaries[number][key] = max(value, boundaries[number].get(key, 0)) if key == "layers_asked" else value
         for name, values in arrays.items():
             if len(values) == 1 and not isinstance(values[0], str):  # texts of an OBJ file, such as MaterialLibraries
                 mesh[name] = mesh.get(name, 0) + values[0]
@@ -297,6 +297,9 @@ def report(summary):
         print(f"{name:32} {value}")
     for row in summary["boundaries"]:
         print(f"boundary {row['number']:3}  {printable(row['name']):24} {row['faces']:9} faces, area {row['area']:.9g}")
+    bare = [printable(row["name"]) for row in summary["boundaries"] if row.get("layers_asked") == 0 and row["faces"] > 0]
+    if bare:
+        print("no layers asked on", ", ".join(bare))
 
 
 def run(task, quiet):

@@ -171,8 +171,8 @@ class _Reader:
                     self.fail(where + (parameter.key,), error)
         return found
 
-    def collection(self, content, of, defaults):
-        """{name in Python: list} of tables [[key]]; what one leaves out is in `defaults`, by key."""
+    def collection(self, content, of):
+        """{name in Python: list} of tables [[key]]; what one leaves out is as without it, which the columns' defaults say."""
         first, *others = of.columns
         rows = []
         for i, table in enumerate(self.tables(content, of.key)):
@@ -180,7 +180,7 @@ class _Reader:
             self.table(table, where, {column.key for column in of.columns})
             if first.key not in table:
                 self.fail(where, f"needs the key {first.key}")
-            rows.append({column.name: defaults.get(column.key, column.default) for column in others}
+            rows.append({column.name: column.default for column in others}
                 | self.values(table, where, of.columns))
         values = {column.name: [row[column.name] for row in rows] for column in of.columns} if rows else {}
         return {column.name: sum(values[column.name], []) if column.count > 1 else values[column.name]
@@ -276,9 +276,8 @@ def read_task(path):
     of_case = case_parameters()
     table = reader.table(content.get("case", {}), ("case",), {parameter.key for parameter in of_case})
     case = reader.values(table, ("case",), of_case)
-    defaults = {parameter.key: properties.get(parameter.name, parameter.default) for parameter in mesher}
     for of in rows:
-        properties |= reader.collection(content.get(of.key, []), of, defaults)
+        properties |= reader.collection(content.get(of.key, []), of)
     if "file" not in content.get("surface", {}):
         reader.fail(("surface",), "needs the key file: a surface to mesh")
     surfaces = reader.files(content["surface"]["file"], ("surface", "file"), exist=True)

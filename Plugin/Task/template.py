@@ -25,8 +25,8 @@ REGIONS = """
 # surface and a depth."""
 
 ROWS = """
-# Any number of tables of this kind, each with the first key; other keys default to the general
-# settings."""
+# Any number of tables of this kind, each with the first key; what other keys leave out is as without
+# the table."""
 
 OUTPUT = """
 # What to write: a file for each key, or a list of files.

@@ -79,7 +79,8 @@ def replacing(file):
 
 @contextlib.contextmanager
 def replacing_pieces(file):
-    """The same for a file that names pieces; the given call removes them again."""
+    """The same for a file that names pieces; the given call removes them again. What the mesher says while it makes them is no
+    failure: Python's stderr goes the way of VTK's errors."""
     with failures():
         target = file.resolve()
         if target.exists() and not target.is_file():
@@ -92,15 +93,15 @@ def replacing_pieces(file):
             folders.reverse()
         new = folders[0].with_name(folders[0].name + file.suffix)
         shutil.rmtree(folders[0], ignore_errors=True)
-        try:
-            with failures():
-                yield new
+    try:
+        yield new
+        with failures():
             os.replace(new, target)
-        except BaseException:
-            new.unlink(missing_ok=True)
-            shutil.rmtree(folders[0], ignore_errors=True)
-            raise
-        shutil.rmtree(folders[1], ignore_errors=True)
+    except BaseException:
+        new.unlink(missing_ok=True)
+        shutil.rmtree(folders[0], ignore_errors=True)
+        raise
+    shutil.rmtree(folders[1], ignore_errors=True)
 
 
 @contextlib.contextmanager
@@ -116,7 +117,7 @@ def case_pieces(file, pieces, properties):
 
 def of_pieces(pieces):
     """Properties of a case's writer."""
-    return {"Pieces": pieces, "RegionsAs": "Zones"} if pieces > 1 else {}
+    return {"Pieces": pieces} if pieces > 1 else {}
 
 
 def write_text(file, text):
@@ -185,7 +186,7 @@ def save(mesher, port, file, pieces, case):
         with replacing(file) as new:
             save_as(mesher, port, new)
         return
-    with replacing_pieces(file) as new:
+    with replacing_pieces(file) as new, failures():
         save_as(mesher, port, new, DataMode="Binary")  # as in write_whole
         check_pieces(new, servermanager.OutputPort(mesher, port).GetDataInformation().GetNumberOfCells())
 

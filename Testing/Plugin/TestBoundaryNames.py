@@ -3,6 +3,7 @@ surface's field data. Names, numbers of faces and areas are on the mesh and its 
 
 import math
 import pathlib
+import re
 import struct
 import tempfile
 
@@ -157,9 +158,12 @@ with tempfile.TemporaryDirectory() as folder:
         "g", "f", "  g in let ", "f", "g wall", "f"))
     assert several.GetXMLName() == "NamedOBJReader"
     check(several, {0: ("unnamed", 2), 1: ("in let", 3), 2: ("wall", 3)})
-    for lines in (["f"] * 8, ["g one"] + ["f"] * 8, ["g one", "f", "g one"] + ["f"] * 7):
+    for lines in (["f"] * 8, ["g"] + ["f"] * 8):
         assert simple.OpenDataFile(groups(*lines)).GetXMLName() != "NamedOBJReader", lines
-    check(simple.NamedOBJReader(FileName=groups("g one", *["f"] * 8)), {0: ("one", 8)})
+    check(simple.OpenDataFile(groups("g one", "f", "g one", *["f"] * 7)), {0: ("one", 8)})
+    # Objects, unless groups have names.
+    check(simple.OpenDataFile(groups("o in let", *["f"] * 3, "o rest", *["f"] * 5)), {0: ("in let", 3), 1: ("rest", 5)})
+    check(simple.OpenDataFile(groups("o a", "g one", *["f"] * 3, "o b", *["f"] * 5)), {0: ("one", 8)})
 
 # Names in an STL file. Its own reader is the one that opens it, but only where there are names.
 facets = ["facet normal 0 0 0\nouter loop\n" + "".join("vertex %g %g %g\n" % points[i] for i in face)
@@ -186,10 +190,20 @@ with tempfile.TemporaryDirectory() as folder:
     reader = simple.OpenDataFile(several)
     assert reader.GetXMLName() == "NamedSTLReader"
     check(reader, {0: ("in let", 6), 1: ("unnamed", 2), 2: ("empty", 0)})
-    for solids in [("one", facets)], [("", facets[:3]), ("", facets[3:])]:
+    for solids in [("", facets)], [("Visualization Toolkit generated SLA File", facets)], [("", facets[:3]), ("", facets[3:])]:
         assert simple.OpenDataFile(write(path, *solids)).GetXMLName() == "stlreader"
-    # Asked to, it reads such a file all the same.
-    check(simple.NamedSTLReader(FileName=write(path, ("one", facets))), {0: ("one", 8)})
+    # One solid has its name too.
+    path = pathlib.Path(folder) / "duct.stl"
+    check(simple.OpenDataFile(write(path, ("duct", facets))), {0: ("duct", 8)})
+
+    # Words in other lines than vtkSTLReader expects, or left out.
+    usual = pathlib.Path(write(path, ("in let", facets[:3]), ("wall", facets[3:]))).read_text()
+    for number, text in enumerate((usual.replace("endloop", "end loop").replace("endfacet", "end facet"), usual.replace("\n", " "),
+            usual.replace("\n", "\r"), usual.replace("\n", "\r\n"), usual.replace("endsolid wall\n", ""),
+            re.sub("endsolid.*\n", "", usual), re.sub("end(loop|facet)\n", "", usual), usual.upper().replace("IN LET", "in let").replace("WALL", "wall"))):
+        path = pathlib.Path(folder) / f"dialect{number}.stl"
+        path.write_text(text, newline="")
+        check(simple.OpenDataFile(str(path)), {0: ("in let", 3), 1: ("wall", 5)})
 
     # Names of any characters and length: in UTF-8, in Latin-1, in neither.
     plain = output(simple.OpenDataFile(write(path, ("one", facets[:3]), ("two", facets[3:]))))
@@ -224,13 +238,17 @@ with tempfile.TemporaryDirectory() as folder:
         line = 1 if number == 0 else 2 + 7 * 3 + 1
         assert f"Line {line} of {path} has more than 65535 characters" in str(said), str(said)[:500]
     # A binary file may begin with "solid", and with anything.
-    for number, head in enumerate((b"solid binary", b"solid a\nsolid b\nfacet", bytes([200]) * 80)):
+    for number, head in enumerate((b"solid binary", b"solid a\nsolid b\nfacet", b"solid COLOR=\x80\xff\x01\xff", bytes([200]) * 80)):
         path = pathlib.Path(folder) / f"binary{number}.stl"
         facet = b"".join(struct.pack("<12fH", 0, 0, 0, *(x for i in face for x in points[i]), 0) for face in triangles)
         path.write_bytes(head.ljust(80, b" ") + struct.pack("<I", 8) + facet)
-        reader = simple.OpenDataFile(str(path))
-        assert reader.GetXMLName() == "stlreader", path
-        assert output(reader).GetNumberOfCells() == 8
+        assert output(simple.OpenDataFile(str(path))).GetNumberOfCells() == 8
+        # One that is cut off is told.
+        path = path.with_name(f"cut{number}.stl")
+        path.write_bytes(head.ljust(80, b" ") + struct.pack("<I", 8) + facet[:5 * 50 + 20])
+        with Messages() as said:
+            assert output(simple.OpenDataFile(str(path))).GetNumberOfCells() == 5
+        assert "its header says 8 triangles, but there are 5" in str(said), said
 exhaust = simple.OpenDataFile(read("kcl_exhaust_header_lumens.stl").FileNames[0])
 assert list(names(output(simple.CartesianMesher(Input=exhaust, CellSize=30))).values()) == [
     f"{kind}_{i}" for i in range(1, 5) for kind in ("wall", "inlet", "outlet")]

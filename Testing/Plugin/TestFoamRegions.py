@@ -4,6 +4,8 @@ gets its exact temperature."""
 
 import pathlib
 import re
+import subprocess
+import sys
 import tempfile
 
 import numpy as np
@@ -163,6 +165,18 @@ for region in "gas", "solid":
     assert (pieces[0].files.cells == 0) == (region == "gas")
     text = foam.run_parallel(case, 3, "checkMesh", "-region", region)
     assert "\nMesh OK." in text and "Coupled point location match (average 0) OK" in text, text
+
+# By a task file the same.
+folder = pathlib.Path(temporary.name) / "task"
+folder.mkdir()
+for name, part in zip(("gas", "solid"), rod.Input):
+    simple.SaveData(str(folder / f"{name}.stl"), proxy=part)
+TASK = '[surface]\nfile = ["gas.stl", "solid.stl"]\n[domain]\nregions_from = "Blocks"\n[grid]\ncell_size = 0.13\n[output]\n'
+for output in 'mesh = "whole/case.foam"', 'mesh = "case/case.foam"\npieces = 3':
+    (folder / "task.toml").write_text(TASK + output)
+    subprocess.run([sys.argv[2], "--quiet", folder / "task.toml"], check=True)
+for region in "gas", "solid":
+    decomposed.check(folder / "case", foam.Files(folder / "whole", region), 3, region)
 
 # In pieces of one mesh with zones, OpenFOAM splits that on all ranks into the meshes that are written whole.
 case = foam.save(simple.OutputPort(mesher, "Mesh"), temporary.name + "/split", Pieces=3, RegionsAs="Zones")

@@ -8,7 +8,7 @@ import foam
 import numpy as np
 from measure import faces_of_polydata, points_of
 from paraview import simple
-from pipeline import output, read
+from pipeline import Messages, output, read
 from polyhedra import keep_polyhedra
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -97,3 +97,9 @@ assert (np.abs(areas - faces.sums(triangles)).max(axis=1) < 1e-9 * lengths**2).a
 own_centres = faces.sums(weights * (points + following + middles) / 3) / faces.sums(weights)
 assert (np.abs(centres - own_centres).max(axis=1) < 1e-9 * lengths).all()
 print(int(joined.sum()), "IP patches of", len(joined), "boundary faces")
+
+# A mesher that has refused its surface has no cells to measure.
+box = simple.Triangulate(Input=simple.Box())
+refused = simple.CartesianMesher(Input=box, CellSize=-1)
+with Messages():
+    assert output(simple.FiniteVolumeQuality(Input=simple.OutputPort(refused, 0))).GetNumberOfCells() == 0

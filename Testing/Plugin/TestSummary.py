@@ -78,7 +78,8 @@ label.SetName("Label")
 for i in range(ball.GetNumberOfCells()):
     label.InsertNextValue(i % 13)
 ball.GetCellData().AddArray(label)
-layered = simple.CartesianMesher(Input=producer(ball), BoundaryArray="Label", CellSize=0.1, Layers=2)
+layered = simple.CartesianMesher(Input=producer(ball), BoundaryArray="Label", CellSize=0.1, Layers=2,
+    BoundaryNames=["boundary_3", "boundary_5"], BoundaryTypes=["patch", "automatic"], BoundaryLayersThickness=[-1, 0])
 told = output(simple.MeshSummary(Input=layered)).GetColumnByName("Text").GetValue(0)
 coverage = output(layered).GetFieldData().GetArray("LayerCoverage").GetValue(0)
 lines = told.splitlines()
@@ -86,6 +87,7 @@ listed = [float(re.search(r": area (\S+?)(,|$)", line)[1]) for line in lines[lin
 areas = sorted(vtk_to_numpy(output(layered).GetFieldData().GetArray("BoundaryAreas")), reverse=True)
 assert np.allclose(listed, areas[:10], rtol=1e-5), told
 assert "  and 3 more" in lines and f"Layers on {np.floor(1000 * coverage) / 10:.6g} % of the walls" in lines, told
+assert "No layers asked on boundary_3, boundary_5" in lines, told
 
 # What was repaired: one triangle is missing, one is there twice, one is turned over.
 whole = octahedron()

@@ -153,7 +153,7 @@ regions = [simple.RefinementRegion(Input=source, Shape="Sphere", Center=[70, 200
            simple.RefinementRegion(Input=source, Position=[0, 0, -100], Length=[40, 50, 60])]
 mesher = simple.CartesianMesher(Input=source, CellSize=24, MeshlinesZ=[-400, -150.5, -100, -50, 0, 400],
     BoundaryRefinement=[1, 2, 1, 1, 2, 1, 0, 0], RefinementRegions=regions, SmallCells="Remove", SmallCellRatio=0.001, RefusedCellRatio=0,
-    BoundaryNames=["inlet_2", "outlet_1"], BoundaryTypes=["automatic", "wall"], BoundarySmallCellRatios=[0.02, 0.001])
+    BoundaryNames=["inlet_2", "outlet_1"], BoundaryTypes=["automatic", "wall"], BoundarySmallCellRatios=[0.02, -1])
 expected = output(mesher)
 assert expected.GetNumberOfCells() > 500
 said = run(TASK)
@@ -167,7 +167,7 @@ statistics = json.loads((folder / "out" / "statistics.json").read_text())
 assert statistics["mesh"]["Cells"] == expected.GetNumberOfCells()
 assert [row["name"] for row in statistics["boundaries"]][:3] == ["wall_1", "inlet_1", "outlet_1"]
 assert [row["type"] for row in statistics["boundaries"]][:3] == ["", "", "wall"]
-assert statistics["parameters"]["BoundarySmallCellRatios"] == [0.02, 0.001]
+assert statistics["parameters"]["BoundarySmallCellRatios"] == [0.02, -1]
 assert statistics["parameters"]["BoundaryRefinement"] == [1, 2, 1, 1, 2, 1, 0, 0]
 assert not statistics["errors"] and not statistics["warnings"] and statistics["error_code"] == 0
 alone = (folder / "out" / "mesh.vtu").read_bytes()
@@ -196,11 +196,44 @@ here(FILES + '[[regions]]\nfile = ["roof.stl"]\n')
 here(FILES + '[output]\nstatistics = "s.json"\nmesh = "m.vtu"\n', code=SUCCESS)
 assert [row["name"] for row in json.loads((folder / "s.json").read_text())["boundaries"]] == ["roof", "floor"]
 
+# What a row leaves out is as without it. Boundaries on which no layers are asked are listed.
+cube = output(simple.Triangulate(Input=simple.Box()))
+corners = [cube.GetPoint(i) for i in range(cube.GetNumberOfPoints())]
+sides = [[cube.GetCell(i).GetPointId(j) for j in range(3)] for i in range(cube.GetNumberOfCells())]
+for name, part in ("end", sides[:2]), ("rest", sides[2:]):
+    writer = vtkSTLWriter()
+    writer.SetFileName(str(folder / f"{name}.stl"))
+    writer.SetInputData(polydata(corners, part))
+    writer.Write()
+LAYERS = """
+[surface]
+file = ["end.stl", "rest.stl"]
+[grid]
+cell_size = 0.2
+[layers]
+layers = 2
+[output]
+mesh = "m.vtu"
+statistics = "s.json"
+[[boundaries]]
+name = "end"
+"""
+for row, ends in ("", [1, 1]), ('type = "wall"', [1, 1]), ("depth = 0", [1, 1]), ("layers_thickness = 0", [0, 1]), ('type = "patch"', [0, 1]):
+    said = run(LAYERS + row)
+    assert ("no layers asked on end\n" in said) == (ends[0] == 0), said
+    made = json.loads((folder / "s.json").read_text())
+    assert [made["mesh"]["LayerCoverage"], *(boundary["layer_coverage"] for boundary in made["boundaries"])] == [1, *ends], made
+    assert [boundary["layers_asked"] for boundary in made["boundaries"]] == ends, made
+    assert made["parameters"]["BoundarySmallCellRatios"] == [-1]
+
 # A mesh with warnings.
 said = here('[surface]\nfile = "roof.stl"\n[grid]\ncell_size = 0.1\n[output]\nstatistics = "s.json"\n', code=WARNINGS)
 assert "warning: The surface has 4 open edges" in said, said
 statistics = json.loads((folder / "s.json").read_text())
 assert statistics["error_code"] == 0 and "open edges" in statistics["warnings"][0]
+# In pieces too, where it is said while files are open.
+run('[surface]\nfile = "roof.stl"\n[grid]\ncell_size = 0.1\n[output]\nmesh = "w.pvtu"\npieces = 2\n', code=WARNINGS)
+assert (folder / "w.pvtu").exists()
 said = here(FILES + "[grid]\nmeshlines_x = [-0.5, 0, 0.5]\n", code=WARNINGS)
 assert "warning: The surface extends beyond Meshlines X" in said, said
 

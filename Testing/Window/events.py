@@ -88,3 +88,8 @@ def redo():
 
 def macro(name):
     return event("pqClientMainWindow/menubar/menu_Macros", "activate", name)
+
+
+def colour_by(array):
+    """In the toolbar, of what is selected."""
+    return event("pqClientMainWindow/variableToolbar/displayColor/Variables", "set_string", array)
