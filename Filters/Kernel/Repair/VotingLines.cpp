@@ -77,7 +77,8 @@ public:
     }
     for (std::size_t s = 0; s < best_.size(); ++s)
     {
-      addLines(triangles.data() + start[s], triangles.data() + start[s + 1]);
+      addLines(static_cast<std::uint32_t>(s), triangles.data() + start[s],
+        triangles.data() + start[s + 1]);
     }
   }
 
@@ -102,7 +103,7 @@ private:
     return best;
   }
 
-  void addLines(std::uint32_t* begin, std::uint32_t* end)
+  void addLines(std::uint32_t sheet, std::uint32_t* begin, std::uint32_t* end)
   {
     const auto size = static_cast<std::size_t>(end - begin);
     const std::size_t wanted =
@@ -122,6 +123,7 @@ private:
           line.rank = static_cast<std::size_t>(t - begin);
           line.area = best_[*t].area;
           line.triangle = sorted(*t);
+          line.sheet = sheet;
           lines_[axis].push_back(line);
         }
       }
