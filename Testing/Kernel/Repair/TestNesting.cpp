@@ -18,7 +18,8 @@ constexpr double Rounding = 1e-6; // of single precision, relative
 Soup rounded(const Soup& soup)
 {
   return soup.each([](const Vector& p) {
-    return Vector{ double(float(p[0])), double(float(p[1])), double(float(p[2])) };
+    const volatile float q[] = { float(p[0]), float(p[1]), float(p[2]) };
+    return Vector{ q[0], q[1], q[2] };
   });
 }
 
