@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Joins the rims of sheets whose triangles are there twice to the walls that they end on, so that what a sheet divides
+// Joins the rims of sheets whose triangles are present twice to the walls that they end on, so that what a sheet divides
 // stays divided: a file rounds a rim that does not have the walls' vertices, and so it ends beside them.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What axis-parallel lines through a surface tell of its sheets: which way they face, and which closed ones lie in
+// What axis-parallel lines through a surface say about its sheets: which way they face, and which closed ones lie in
 // which.
 //
 // Before its odd crossings with a surface a line is outside, before its even ones inside. A line that crosses the
