@@ -232,6 +232,30 @@ private:
                         : ofSide(pair, front ? 0 : 1) + at(fronts_[pair], v);
   }
 
+  // What stands around an edge: the numbers of pairs and of walls.
+  std::array<std::size_t, 2> collect(
+    std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end, EdgeFan& fan) const
+  {
+    std::array<std::size_t, 2> counts{ 0, 0 };
+    fan.start(lower, begin->upper);
+    for (const EdgeUse* use = begin; use != end; ++use)
+    {
+      const std::uint32_t t = use->triangle();
+      const std::uint32_t pair = pairOf_[t];
+      if (pair == None)
+      {
+        fan.add(t, surface_.triangles[t], use->down());
+        ++counts[1];
+      }
+      else if (sheets_[pair][0] == t)
+      {
+        fan.add(t, fronts_[pair], !runsUp(pair, lower, begin->upper));
+        ++counts[0];
+      }
+    }
+    return counts;
+  }
+
   // Corners at one place are the same where they bound one space: going around each edge, what lies between two
   // neighbours is one. At rims that are not open both sides of a sheet are the same, too.
   void joinCorners(const SurfaceEdges& edges)
@@ -247,35 +271,19 @@ private:
       {
         return;
       }
-      std::size_t pairs = 0;
-      std::size_t walls = 0;
-      fan.start(lower, begin->upper);
-      for (const EdgeUse* use = begin; use != end; ++use)
-      {
-        const std::uint32_t t = use->triangle();
-        const std::uint32_t pair = pairOf_[t];
-        if (pair == None)
-        {
-          fan.add(t, surface_.triangles[t], use->down());
-          ++walls;
-        }
-        else if (sheets_[pair][0] == t)
-        {
-          fan.add(t, fronts_[pair], !runsUp(pair, lower, begin->upper));
-          ++pairs;
-        }
-      }
+      const auto [pairs, walls] = collect(lower, begin, end, fan);
       const bool isRim = pairs > 0 && (pairs != 2 || walls > 0);
       const bool isOpen = isRim && !meshed_.empty() && (walls > 0 || pairs % 2 == 1);
-      fan.forEachSpace([&](const EdgeFan::Blade& one, const EdgeFan::Blade& next) {
+      fan.forEachSpace([&, joinsSides = isRim && !isOpen, opens = isOpen](
+                         const EdgeFan::Blade& one, const EdgeFan::Blade& next) {
         for (const std::uint32_t v : { lower, begin->upper })
         {
-          if (!isOpen || isMeshed(one.triangle, !one.down) || isMeshed(next.triangle, next.down))
+          if (!opens || isMeshed(one.triangle, !one.down) || isMeshed(next.triangle, next.down))
           {
             corners_.unite(
               cornerOf(one.triangle, !one.down, v), cornerOf(next.triangle, next.down, v));
           }
-          if (isRim && !isOpen)
+          if (joinsSides)
           {
             corners_.unite(cornerOf(one.triangle, true, v), cornerOf(one.triangle, false, v));
           }

@@ -108,11 +108,11 @@ private:
     const auto size = static_cast<std::size_t>(end - begin);
     const std::size_t wanted =
       std::min(size, std::clamp(size / PartOfTriangles, FewestTriangles, MostTriangles));
-    std::uint32_t* const last = begin + wanted;
-    std::partial_sort(begin, last, end, [&](std::uint32_t a, std::uint32_t b) {
+    std::uint32_t* const wantedEnd = begin + wanted;
+    std::partial_sort(begin, wantedEnd, end, [&](std::uint32_t a, std::uint32_t b) {
       return best_[a].area != best_[b].area ? best_[a].area > best_[b].area : sorted(a) < sorted(b);
     });
-    for (const std::uint32_t* t = begin; t != last; ++t)
+    for (const std::uint32_t* t = begin; t != wantedEnd; ++t)
     {
       for (std::size_t corner = 0; best_[*t].area > 0 && corner < 3; ++corner)
       {
