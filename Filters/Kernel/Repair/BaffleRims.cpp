@@ -22,10 +22,9 @@ using Ends = std::array<std::uint32_t, 2>; // of an edge, the lower first
 // Corners this near to a vertex or an edge are on it: what single precision leaves.
 constexpr double SnapLevels = 4096;
 
-// A path along the walls follows an edge of the rim where it leads towards its end within this angle, and stays
-// this near to it, by its length: cosine of 45 degrees.
+// A path along the walls follows an edge of the rim where it leads towards its end within this angle: cosine of 45
+// degrees.
 constexpr double LeastForward = 0.7;
-constexpr double LargestSagitta = 0.25;
 
 constexpr std::size_t MostSteps = 1 << 16;
 
@@ -57,10 +56,11 @@ int axisOf(const Corners& corners)
 class RimJoiner
 {
 public:
-  RimJoiner(Surface& surface, Surface& sheets, double tolerance)
+  RimJoiner(Surface& surface, Surface& sheets, const RimSpec& spec)
     : surface_(surface)
     , sheets_(sheets)
-    , tolerance_(std::max(tolerance, SnapLevels))
+    , tolerance_(std::max(spec.tolerance, SnapLevels))
+    , sagitta_(spec.sagitta)
   {
     for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
     {
@@ -71,7 +71,7 @@ public:
     }
   }
 
-  bool run(Execution& execution)
+  JoinedRims run(Execution& execution)
   {
     listRims(execution);
     const std::set<std::int32_t> regions(sheets_.region.begin(), sheets_.region.end());
@@ -79,18 +79,19 @@ public:
     {
       attach(region);
     }
-    bool end = true;
+    JoinedRims result;
+    result.any = !places_.empty();
     for (const RimEdge& edge : rims_)
     {
       if (!follow(edge))
       {
         paths_.erase({ edge.from, edge.to });
-        end = false;
+        result.all = false;
       }
     }
     divideWalls();
     divideSheets();
-    return end;
+    return result;
   }
 
 private:
@@ -254,6 +255,7 @@ private:
     Vector from;
     Vector to;
     Vector normal; // of the sheet
+    double sagitta;
 
     double heightOf(const Vector& at) const { return dot(minus(at, from), normal); }
 
@@ -262,7 +264,7 @@ private:
       const Vector whole = minus(to, from);
       const double along = std::clamp(dot(minus(at, from), whole) / dot(whole, whole), 0., 1.);
       return norm(minus(at, plus(from, scaled(whole, along)))) <
-        std::max(LargestSagitta * norm(whole), SnapLevels);
+        std::max(sagitta * norm(whole), SnapLevels);
     }
   };
 
@@ -322,7 +324,7 @@ private:
     }
     const Place& end = to->second;
     Way way{ toVector(surface_.vertices[from->second.vertex]),
-      toVector(surface_.vertices[end.vertex]), {} };
+      toVector(surface_.vertices[end.vertex]), {}, sagitta_ };
     const Corners sheet{ surface_.vertices[sheets_.triangles[edge.triangle][0]],
       surface_.vertices[sheets_.triangles[edge.triangle][1]],
       surface_.vertices[sheets_.triangles[edge.triangle][2]] };
@@ -442,6 +444,7 @@ private:
   Surface& surface_;
   Surface& sheets_;
   double tolerance_;
+  double sagitta_;
   std::map<std::uint32_t, std::vector<std::uint32_t>> trianglesAt_; // of vertices
   std::vector<RimEdge> rims_;
   std::map<std::uint32_t, Place> places_; // of corners of rims
@@ -453,9 +456,9 @@ private:
 
 }
 
-bool joinRims(Surface& surface, Surface& sheets, double tolerance, Execution& execution)
+JoinedRims joinRims(Surface& surface, Surface& sheets, const RimSpec& spec, Execution& execution)
 {
-  return RimJoiner(surface, sheets, tolerance).run(execution);
+  return RimJoiner(surface, sheets, spec).run(execution);
 }
 
 }

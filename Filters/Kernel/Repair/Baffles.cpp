@@ -20,6 +20,9 @@ namespace
 
 constexpr std::uint32_t None = ~0u;
 
+// Rims follow curved walls.
+constexpr double LargestSagitta = 0.25;
+
 const Baffle* baffleOf(std::int32_t boundary, const std::vector<Baffle>& baffles)
 {
   const auto found = std::find_if(
@@ -284,7 +287,7 @@ std::optional<RegionParts> divideByBaffles(Surface& surface, Surface sheets,
     const auto n = static_cast<std::size_t>(region - FirstRegion);
     return n < names.size() ? "\"" + names[n] + "\"" : std::to_string(region);
   };
-  if (!joinRims(surface, sheets, tolerance, execution))
+  if (!joinRims(surface, sheets, { tolerance, LargestSagitta }, execution).all)
   {
     return std::nullopt;
   }
@@ -340,7 +343,7 @@ void doubleBaffles(
   const bool hasRegions = !surface.region.empty();
   surface.region.resize(surface.triangles.size(), FirstRegion);
   Surface sheets = takeBaffles(surface, baffles);
-  joinRims(surface, sheets, tolerance, execution);
+  joinRims(surface, sheets, { tolerance, LargestSagitta }, execution);
   surface.ofSheet.assign(surface.triangles.size(), 0);
   for (std::size_t t = 0; t < sheets.triangles.size(); ++t)
   {

@@ -2,7 +2,7 @@
 #include "Repair/Orientation.h"
 
 #include "Lattice/Vector.h"
-#include "Repair/LineGrid.h"
+#include "Repair/Nesting.h"
 
 #include <algorithm>
 
@@ -12,89 +12,8 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t TrianglesAChunk = 2048;
-
-// A closed sheet with at least one vote in so many on either side passes through other sheets.
+// A closed sheet with at least one vote in so many on either side passes through itself.
 constexpr long long VotesPerDissent = 4;
-
-// The votes on each sheet.
-struct Votes
-{
-  std::vector<long long> outward; // that its first triangle's normal points outward
-  std::vector<long long> inward;
-
-  explicit Votes(std::size_t sheets)
-    : outward(sheets)
-    , inward(sheets)
-  {
-  }
-};
-
-// A triangle's crossing with a line.
-struct VotingCrossing
-{
-  std::uint32_t line;
-  Level level;
-  std::uint32_t triangle;
-  bool up; // the normal's direction along the line
-
-  bool operator<(const VotingCrossing& other) const
-  {
-    return level != other.level ? level < other.level : triangle < other.triangle;
-  }
-};
-
-// Of the crossings of one line.
-void countVotes(
-  const VotingCrossing* begin, const VotingCrossing* end, const Sheets& sheets, Votes& votes)
-{
-  if ((end - begin) % 2 == 1)
-  {
-    return; // it passes through a hole
-  }
-  for (const VotingCrossing* vote = begin; vote != end; ++vote)
-  {
-    if ((vote != begin && vote[-1].level == vote->level) ||
-      (vote + 1 != end && vote[1].level == vote->level))
-    {
-      continue;
-    }
-    const bool entering = (vote - begin) % 2 == 0;
-    const bool outward = entering != vote->up;
-    auto& counts = outward != sheets.turned(vote->triangle) ? votes.outward : votes.inward;
-    ++counts[sheets.of(vote->triangle)];
-  }
-}
-
-void vote(const Surface& surface, const Sheets& sheets, int along, std::vector<VotingLine>& lines,
-  Votes& votes, Execution& execution)
-{
-  if (lines.empty())
-  {
-    return;
-  }
-  const LineGrid grid(surface, along, lines);
-  const std::size_t count = surface.triangles.size();
-  std::vector<std::vector<VotingCrossing>> found(chunks(count, TrianglesAChunk));
-  execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t)
-    {
-      const Corners corners = surface.corners(t);
-      grid.forEachLine(corners, [&](std::uint32_t line) {
-        const Point p = crossLine(corners, along, grid.at(line));
-        found[begin / TrianglesAChunk].push_back(
-          { line, p[static_cast<std::size_t>(along)], static_cast<std::uint32_t>(t),
-            exactNormal(corners)[static_cast<std::size_t>(along)] > 0 });
-      });
-    }
-  });
-  const Buckets<VotingCrossing> crossings = sortIntoBuckets(
-    found, lines.size(), [](const VotingCrossing& v) { return v.line; }, execution);
-  for (std::size_t line = 0; line < lines.size(); ++line)
-  {
-    countVotes(crossings.begin(line), crossings.end(line), sheets, votes);
-  }
-}
 
 void turn(Surface& surface, std::size_t triangle)
 {
@@ -105,94 +24,81 @@ void turn(Surface& surface, std::size_t triangle)
 class Verdict
 {
 public:
-  Verdict(const Surface& surface, const Sheets& sheets, const Votes& votes,
-    const std::vector<TrianglePair>& pairs)
+  Verdict(const Surface& surface, const Sheets& sheets, const std::vector<TrianglePair>& pairs,
+    Execution& execution)
     : sheets_(sheets)
-    , votes_(votes)
+    , votes_(voteOnSheets(surface, sheets, execution))
     , unturned_(surface.triangles.size())
-    , volume_(surface.triangles.size())
-    , size_(surface.triangles.size())
-    , isBody_(surface.triangles.size())
   {
+    shapes_.volume.resize(unturned_.size());
+    std::vector<long long> size(unturned_.size());
     const Point base = surface.corners(0)[0];
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     {
       const int direction = sheets.turned(t) ? -1 : 1;
       const Corners c = surface.corners(t);
       unturned_[sheets.of(t)] += direction;
-      volume_[sheets.of(t)] +=
+      shapes_.volume[sheets.of(t)] +=
         direction * dot(minus(c[0], base), cross(minus(c[1], c[0]), minus(c[2], c[0])));
-      ++size_[sheets.of(t)];
+      ++size[sheets.of(t)];
     }
-    findBodies(pairs);
+    for (std::uint32_t s = 0; s < unturned_.size(); ++s)
+    {
+      shapes_.givenWay.push_back(givenWay(s, size[s]));
+    }
+    depth_ = depthsOf(shapes_, votes_, SheetCrossings(surface, sheets, pairs, shapes_.volume));
   }
 
-  // A tie between the votes on a sheet that does not pass through others.
+  // A tie between the votes on a sheet that does not pass through itself.
   bool isUndecided(std::uint32_t sheet) const
   {
-    return votes_.outward[sheet] == votes_.inward[sheet] && !passesThroughOthers(sheet);
+    return votesOn(sheet).isTie() && !passesThroughItself(sheet);
   }
 
   // Whether the sheet's first triangle must be reversed.
   bool turns(std::uint32_t sheet) const
   {
-    if (passesThroughOthers(sheet))
+    if (isUndecided(sheet))
     {
-      return volume_[sheet] < 0;
+      return unturned_[sheet] < 0;
     }
-    return isUndecided(sheet) ? unturned_[sheet] < 0 : votes_.outward[sheet] < votes_.inward[sheet];
+    const bool facesIn =
+      passesThroughItself(sheet) ? shapes_.volume[sheet] < 0 : !votesOn(sheet).isOutward();
+    return facesIn != (depth_[sheet] % 2 == 1);
   }
 
 private:
-  // 1 if a closed sheet was given with its normals outward, -1 inward, 0 if neither.
-  int givenWay(std::uint32_t sheet) const
+  int givenWay(std::uint32_t sheet, long long size) const
   {
-    const long long size = size_[sheet];
     const long long way = unturned_[sheet];
-    return !sheets_.closed(sheet) || std::abs(way) != size || volume_[sheet] == 0
+    const double volume = shapes_.volume[sheet];
+    return !sheets_.closed(sheet) || std::abs(way) != size || volume == 0
       ? 0
-      : ((volume_[sheet] > 0) == (way > 0) ? 1 : -1);
+      : ((volume > 0) == (way > 0) ? 1 : -1);
   }
 
-  // Closed sheets that cross others which were given alike.
-  void findBodies(const std::vector<TrianglePair>& pairs)
+  bool isNested(std::uint32_t sheet) const { return votes_.samples[sheet] > 0; }
+
+  // By itself where its depth is known.
+  const SheetVotes::OfFacing& votesOn(std::uint32_t sheet) const
   {
-    std::vector<std::uint8_t> crossesUnlike(isBody_.size());
-    for (const TrianglePair& pair : pairs)
-    {
-      const std::uint32_t a = sheets_.of(pair.first);
-      const std::uint32_t b = sheets_.of(pair.second);
-      if (a != b && pair.contact == Contact::Crossing)
-      {
-        const bool alike = givenWay(a) != 0 && givenWay(a) == givenWay(b);
-        (alike ? isBody_ : crossesUnlike)[a] = 1;
-        (alike ? isBody_ : crossesUnlike)[b] = 1;
-      }
-    }
-    for (std::size_t s = 0; s < isBody_.size(); ++s)
-    {
-      isBody_[s] = isBody_[s] != 0 && crossesUnlike[s] == 0 ? 1 : 0;
-    }
+    return isNested(sheet) ? votes_.alone[sheet] : votes_.amongAll[sheet];
   }
 
-  bool passesThroughOthers(std::uint32_t sheet) const
+  bool passesThroughItself(std::uint32_t sheet) const
   {
-    if (isBody_[sheet] != 0)
-    {
-      return true;
-    }
-    const long long fewer = std::min(votes_.outward[sheet], votes_.inward[sheet]);
+    const SheetVotes::OfFacing& votes = votesOn(sheet);
+    const long long fewer = std::min(votes.outward, votes.inward);
     return sheets_.closed(sheet) && fewer > 0 &&
-      VotesPerDissent * fewer >= votes_.outward[sheet] + votes_.inward[sheet];
+      VotesPerDissent * fewer >= votes.outward + votes.inward;
   }
 
   const Sheets& sheets_;
-  const Votes& votes_;
+  const SheetVotes votes_;
+  SheetShapes shapes_;
+  std::vector<int> depth_;
   std::vector<long long>
-    unturned_;                  // triangles that face as the sheet's first minus those that do not
-  std::vector<double> volume_;  // six times, with all triangles facing as the first
-  std::vector<long long> size_; // triangles
-  std::vector<std::uint8_t> isBody_; // by itself
+    unturned_; // triangles that face as the sheet's first minus those that do not
 };
 
 }
@@ -201,13 +107,7 @@ void orient(Surface& surface, const TrianglePairs& pairs, Execution& execution)
 {
   const std::size_t count = surface.triangles.size();
   const Sheets sheets(surface, SurfaceEdges(surface, execution));
-  Votes votes(count);
-  std::array<std::vector<VotingLine>, 3> lines = findVotingLines(surface, sheets, execution);
-  for (int along = 0; along < 3; ++along)
-  {
-    vote(surface, sheets, along, lines[static_cast<std::size_t>(along)], votes, execution);
-  }
-  const Verdict verdict(surface, sheets, votes, pairs.pairs);
+  const Verdict verdict(surface, sheets, pairs.pairs, execution);
   for (std::size_t t = 0; t < count; ++t)
   {
     if (sheets.turned(t) != verdict.turns(sheets.of(t)))

@@ -3,19 +3,17 @@
 //
 // The rule: shells that do not intersect alternate, however they were oriented: a shell inside a
 // shell is a cavity, a shell inside that one is a body again. Bodies that overlap are one body
-// (Winding.h).
+// (Winding.h), also within a cavity (Nesting.h).
 //
 // Triangles connected across edges of exactly two triangles form a sheet and get one direction,
 // whatever edges with more triangles bound it. Sheets that close only together, at such edges, keep
 // their relative direction if all triangles around were given consistently. The direction of a
-// sheet is put to the vote of axis-parallel lines through some of its largest triangles: before its
-// odd crossings with the surface a line is outside, before its even ones inside. A line that
-// crosses the surface an odd number of times (through a hole) has no vote, nor have crossings at
-// the same level of the lattice.
+// sheet is put to the vote of axis-parallel lines (SheetVotes.h). A closed one faces outward by
+// its own crossings with them, or inward where it lies an odd number of shells deep; one with at
+// least a quarter of its votes on either side passes through itself, and faces so that its volume
+// is positive. One that is not closed is judged by the crossings with all sheets.
 //
-// A closed sheet that crosses others, all of which were given with their normals on the same side as its own, or with
-// at least a quarter of its votes on either side, is a separate body. Otherwise the majority decides: a cavity may
-// reach through a wall. A sheet with a tie keeps the direction in which most of its triangles were given; but if the
+// A sheet with a tie keeps the direction in which most of its triangles were given; but if the
 // surface then encloses a negative volume, all such sheets are reversed.
 //
 // Triangles that already point the right way stay as they are; the others exchange their last two

@@ -3,6 +3,7 @@
 
 #include "Base/Error.h"
 #include "Repair/Arrangement.h"
+#include "Repair/SheetRims.h"
 #include "Repair/SurfaceRepair.h"
 #include "Repair/WallsOfBodies.h"
 #include "Surface/Places.h"
@@ -67,17 +68,27 @@ void append(const Surface& from, Surface& to)
   }
 }
 
+std::vector<SheetPair> sheetsOf(const Surface& all, SheetHandling handling, Execution& execution)
+{
+  const SurfaceEdges edges(all, execution);
+  std::vector<SheetPair> sheets = findSheets(all, handling, edges, findDuplicates(all, edges));
+  sheets.erase(std::remove_if(sheets.begin(), sheets.end(),
+                 [&](const SheetPair& pair) { return all.region[pair[0]] != all.region[pair[1]]; }),
+    sheets.end());
+  return sheets;
+}
+
 // The sheets of all regions, out of their surfaces.
 Surface takeSheets(Surface& all, SheetHandling handling, Execution& execution)
 {
-  Surface sheets;
-  const SurfaceEdges edges(all, execution);
-  for (const SheetPair& pair : findSheets(all, handling, edges, findDuplicates(all, edges)))
+  std::vector<SheetPair> found = sheetsOf(all, handling, execution);
+  if (!found.empty() && joinRimsOfSheets(all, found, execution))
   {
-    if (all.region[pair[0]] != all.region[pair[1]])
-    {
-      continue;
-    }
+    found = sheetsOf(all, handling, execution);
+  }
+  Surface sheets;
+  for (const SheetPair& pair : found)
+  {
     for (const std::uint32_t t : pair)
     {
       sheets.append(all, t);
@@ -123,7 +134,7 @@ std::optional<std::vector<ClosedContact>> separateRegions(
   Surface all;
   all.lattice = surface.lattice;
   all.rounding = surface.rounding;
-  all.vertices = surface.vertices;
+  all.vertices = given.vertices;
   for (std::int32_t region = FirstRegion; region <= regions; ++region)
   {
     append(surfaceOf(given, region, planes, spec, execution), all);

@@ -2,7 +2,7 @@
 #include "Repair/Spaces.h"
 
 #include "Base/DisjointSets.h"
-#include "Repair/TrianglePlane.h"
+#include "Repair/EdgeFan.h"
 #include "Repair/TriangleTree.h"
 #include "Surface/LineCrossings.h"
 #include "Surface/Places.h"
@@ -30,81 +30,6 @@ std::uint32_t sideOf(std::uint32_t piece, bool front)
 {
   return 2 * piece + (front ? 1 : 0);
 }
-
-// The pieces at one edge, in the order in which they stand around it.
-class Fan
-{
-public:
-  explicit Fan(const std::vector<Point>& vertices)
-    : vertices_(vertices)
-  {
-  }
-
-  struct Blade
-  {
-    std::uint32_t piece;
-    std::uint32_t apex;
-    bool down; // it runs from the upper end of the edge to the lower
-    int half;  // from the first: 0 there, 1 before half a turn, 2 there, 3 beyond
-  };
-
-  std::vector<Blade>& around(
-    std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end, const std::vector<Piece>& pieces)
-  {
-    blades_.clear();
-    lower_ = lower;
-    upper_ = begin->upper;
-    for (const EdgeUse* use = begin; use != end; ++use)
-    {
-      const Triple& v = pieces[use->triangle()].vertices;
-      blades_.push_back(
-        { use->triangle(), v[0] ^ v[1] ^ v[2] ^ lower ^ use->upper, use->down(), 0 });
-    }
-    if (blades_.size() > 2)
-    {
-      const std::uint32_t first = blades_.front().apex;
-      for (Blade& blade : blades_)
-      {
-        const int turn = turnTo(first, blade.apex);
-        blade.half = turn > 0 ? 1 : (turn < 0 ? 3 : (isAlong(first, blade.apex) ? 0 : 2));
-      }
-      std::sort(blades_.begin(), blades_.end(), [&](const Blade& a, const Blade& b) {
-        const int turn = a.half != b.half ? b.half - a.half : turnTo(a.apex, b.apex);
-        return turn != 0 ? turn > 0 : a.piece < b.piece;
-      });
-    }
-    return blades_;
-  }
-
-private:
-  // 1 if the half plane of apex b is reached from that of a by less than half a turn to the left, seen against the
-  // edge's direction.
-  int turnTo(std::uint32_t a, std::uint32_t b) const
-  {
-    return orientation(vertices_[lower_], vertices_[upper_], vertices_[a], vertices_[b]);
-  }
-
-  // Whether two apexes in one plane with the edge are on the same side of it.
-  bool isAlong(std::uint32_t a, std::uint32_t b) const
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const auto at = [&](std::uint32_t v) { return flatten(vertices_[v], axis); };
-      const int x = sign(turn(at(lower_), at(upper_), at(a)));
-      const int y = sign(turn(at(lower_), at(upper_), at(b)));
-      if (x != 0 && y != 0)
-      {
-        return x == y;
-      }
-    }
-    return true;
-  }
-
-  const std::vector<Point>& vertices_;
-  std::uint32_t lower_ = 0;
-  std::uint32_t upper_ = 0;
-  std::vector<Blade> blades_;
-};
 
 class SpaceFinder
 {
@@ -150,16 +75,17 @@ private:
       flat.triangles.push_back(piece.vertices);
     }
     sides_.reset(2 * pieces_.size());
-    Fan fan(surface_.vertices);
+    EdgeFan fan(surface_.vertices);
     SurfaceEdges(flat, execution)
       .forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
-        const std::vector<Fan::Blade>& blades = fan.around(lower, begin, end, pieces_);
-        for (std::size_t i = 0; i < blades.size(); ++i)
+        fan.start(lower, begin->upper);
+        for (const EdgeUse* use = begin; use != end; ++use)
         {
-          // A piece that runs up the edge has its front to the left.
-          const Fan::Blade& next = blades[(i + 1) % blades.size()];
-          sides_.unite(sideOf(blades[i].piece, !blades[i].down), sideOf(next.piece, next.down));
+          fan.add(use->triangle(), pieces_[use->triangle()].vertices, use->down());
         }
+        fan.forEachSpace([&](const EdgeFan::Blade& one, const EdgeFan::Blade& next) {
+          sides_.unite(sideOf(one.triangle, !one.down), sideOf(next.triangle, next.down));
+        });
       });
   }
 

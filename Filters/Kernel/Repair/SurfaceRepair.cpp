@@ -2,6 +2,7 @@
 #include "Repair/SurfaceRepair.h"
 
 #include "Repair/Orientation.h"
+#include "Repair/SheetRims.h"
 #include "Repair/UnitedBodies.h"
 #include "Surface/Components.h"
 
@@ -92,6 +93,20 @@ void findUnoriented(Surface& surface, const SurfaceEdges& edges)
   }
 }
 
+// Gives sheets sides, and drops other duplicates.
+void keepSheets(Surface& surface, const SurfaceEdges& edges, const std::vector<SheetPair>& sheets,
+  SurfaceRepair& result, Execution& execution)
+{
+  for (const SheetPair& pair : sheets)
+  {
+    result.sheets.push_back({ pair[0], surface.triangles[pair[0]] });
+    result.sheets.push_back({ pair[1], surface.triangles[pair[1]] });
+  }
+  giveSides(surface, edges, sheets);
+  const SurfaceEdges others(surface, execution);
+  result.duplicates = dropDuplicates(surface, others, findDuplicates(surface, others));
+}
+
 // Drops duplicates, except sheets, which get sides.
 void handleDuplicates(
   Surface& surface, const RepairSpec& spec, SurfaceRepair& result, Execution& execution)
@@ -107,14 +122,14 @@ void handleDuplicates(
     result.duplicates = dropDuplicates(surface, edges, duplicates);
     return;
   }
-  for (const SheetPair& pair : kept)
+  if (!joinRimsOfSheets(surface, kept, execution))
   {
-    result.sheets.push_back({ pair[0], surface.triangles[pair[0]] });
-    result.sheets.push_back({ pair[1], surface.triangles[pair[1]] });
+    keepSheets(surface, edges, kept, result, execution);
+    return;
   }
-  giveSides(surface, edges, kept);
-  const SurfaceEdges others(surface, execution);
-  result.duplicates = dropDuplicates(surface, others, findDuplicates(surface, others));
+  const SurfaceEdges joined(surface, execution);
+  keepSheets(surface, joined,
+    findSheets(surface, spec.sheets, joined, findDuplicates(surface, joined)), result, execution);
 }
 
 }

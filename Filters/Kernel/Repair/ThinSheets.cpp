@@ -4,6 +4,7 @@
 #include "Base/DisjointSets.h"
 #include "Lattice/Vector.h"
 #include "Repair/Arrangement.h"
+#include "Repair/EdgeFan.h"
 #include "Repair/Snapping.h"
 
 #include <algorithm>
@@ -19,6 +20,11 @@ namespace
 using Triple = std::array<std::uint32_t, 3>;
 
 constexpr std::uint32_t None = ~0u;
+
+// Sines: of the angle between walls that are not one bent wall, and between the normal of a sheet and that of a wall along
+// which its sides still move apart.
+constexpr double LeastTurn = 0.5;
+constexpr double LeastWay = 0.1;
 
 // At the lattice's ends a sheet stands on one side only.
 Level levelAt(double place)
@@ -85,23 +91,25 @@ void forEachEdge(
 class SheetDivider
 {
 public:
-  SheetDivider(Surface& surface, const SurfaceEdges& edges, const std::vector<SheetPair>& sheets)
+  SheetDivider(Surface& surface, const SurfaceEdges& edges, const std::vector<SheetPair>& sheets,
+    const MeshedSides& meshed)
     : surface_(surface)
     , sheets_(sheets)
+    , meshed_(meshed)
+    , pairOf_(pairsOfTriangles(surface, sheets))
     , halfThickness_(placingOf(surface).snap)
     , neighbours_(sheets.size())
-    , isOnRim_(surface.vertices.size())
-    , normal_(surface.vertices.size())
-    , sides_(surface.vertices.size(), { None, None })
+    , corners_(3 * (2 * sheets.size() + surface.triangles.size()))
   {
     std::transform(sheets.begin(), sheets.end(), std::back_inserter(fronts_),
       [&](const SheetPair& pair) { return surface.triangles[pair[0]]; });
-    forEachEdge(edges, pairsOfTriangles(surface, sheets),
-      [&](std::uint32_t lower, std::uint32_t upper, const Uses& uses) {
-        connect(lower, upper, uses);
-      });
+    forEachEdge(edges, pairOf_, [&](std::uint32_t lower, std::uint32_t upper, const Uses& uses) {
+      connect(lower, upper, uses);
+    });
     orient();
+    joinCorners(edges);
     findNormals();
+    keepInWalls();
   }
 
   void run()
@@ -110,6 +118,14 @@ public:
     for (std::uint32_t p = 0; p < sheets_.size(); ++p)
     {
       divide(p);
+    }
+    for (std::uint32_t t = 0; t < pairOf_.size() && !meshed_.empty(); ++t)
+    {
+      for (std::uint32_t i = 0; i < 3 && pairOf_[t] == None; ++i)
+      {
+        std::uint32_t& v = surface_.triangles[t][i];
+        v = vertexOf(ofWall(t) + i, v);
+      }
     }
   }
 
@@ -123,6 +139,13 @@ private:
   // The vertices in front of a place of the sheet, and behind it.
   using Sides = std::array<std::uint32_t, 2>;
 
+  // Where corners of sheets move to, as far as known.
+  struct Place
+  {
+    Vector normal{};
+    std::uint32_t vertex = None;
+  };
+
   // An edge within a sheet, that may need a vertex in its middle.
   struct Edge
   {
@@ -134,7 +157,6 @@ private:
   {
     if (!uses.areInside())
     {
-      isOnRim_[lower] = isOnRim_[upper] = 1;
       return;
     }
     const std::uint32_t one = uses.pairs[0];
@@ -186,20 +208,155 @@ private:
     }
   }
 
+  // Numbers of the first corners of sides. Walls have one, which all around them share.
+  static std::uint32_t ofSide(std::uint32_t pair, std::size_t side)
+  {
+    return 3 * (2 * pair + static_cast<std::uint32_t>(side));
+  }
+  std::uint32_t ofWall(std::uint32_t t) const
+  {
+    return 3 * (2 * static_cast<std::uint32_t>(sheets_.size()) + t);
+  }
+
+  static std::uint32_t at(const Triple& triangle, std::uint32_t v)
+  {
+    return static_cast<std::uint32_t>(
+      std::find(triangle.begin(), triangle.end(), v) - triangle.begin());
+  }
+
+  // A triangle's corner that bounds a space around an edge, in front of it or behind it.
+  std::uint32_t cornerOf(std::uint32_t t, bool front, std::uint32_t v) const
+  {
+    const std::uint32_t pair = pairOf_[t];
+    return pair == None ? ofWall(t) + at(surface_.triangles[t], v)
+                        : ofSide(pair, front ? 0 : 1) + at(fronts_[pair], v);
+  }
+
+  // What stands around an edge: the numbers of pairs and of walls.
+  std::array<std::size_t, 2> collect(
+    std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end, EdgeFan& fan) const
+  {
+    std::array<std::size_t, 2> counts{ 0, 0 };
+    fan.start(lower, begin->upper);
+    for (const EdgeUse* use = begin; use != end; ++use)
+    {
+      const std::uint32_t t = use->triangle();
+      const std::uint32_t pair = pairOf_[t];
+      if (pair == None)
+      {
+        fan.add(t, surface_.triangles[t], use->down());
+        ++counts[1];
+      }
+      else if (sheets_[pair][0] == t)
+      {
+        fan.add(t, fronts_[pair], !runsUp(pair, lower, begin->upper));
+        ++counts[0];
+      }
+    }
+    return counts;
+  }
+
+  // Corners at one place are the same where they bound one space: going around each edge, what lies between two
+  // neighbours is one. At rims that are not open both sides of a sheet are the same, too.
+  void joinCorners(const SurfaceEdges& edges)
+  {
+    std::vector<std::uint8_t> isOfSheets(surface_.vertices.size());
+    for (const Triple& front : fronts_)
+    {
+      isOfSheets[front[0]] = isOfSheets[front[1]] = isOfSheets[front[2]] = 1;
+    }
+    EdgeFan fan(surface_.vertices);
+    edges.forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+      if (isOfSheets[lower] == 0 && isOfSheets[begin->upper] == 0)
+      {
+        return;
+      }
+      const auto [pairs, walls] = collect(lower, begin, end, fan);
+      const bool isRim = pairs > 0 && (pairs != 2 || walls > 0);
+      const bool isOpen = isRim && !meshed_.empty() && (walls > 0 || pairs % 2 == 1);
+      fan.forEachSpace([&, joinsSides = isRim && !isOpen, opens = isOpen](
+                         const EdgeFan::Blade& one, const EdgeFan::Blade& next) {
+        for (const std::uint32_t v : { lower, begin->upper })
+        {
+          if (!opens || isMeshed(one.triangle, !one.down) || isMeshed(next.triangle, next.down))
+          {
+            corners_.unite(
+              cornerOf(one.triangle, !one.down, v), cornerOf(next.triangle, next.down, v));
+          }
+          if (joinsSides)
+          {
+            corners_.unite(cornerOf(one.triangle, true, v), cornerOf(one.triangle, false, v));
+          }
+        }
+      });
+    });
+  }
+
+  bool isMeshed(std::uint32_t t, bool front) const
+  {
+    return pairOf_[t] != None || meshed_[t][front ? 1 : 0] != 0;
+  }
+
   void findNormals()
   {
-    for (const Triple& v : fronts_)
+    for (std::uint32_t p = 0; p < fronts_.size(); ++p)
     {
+      const Triple& v = fronts_[p];
       const Vector normal = normalOf(v);
-      for (std::size_t i = 0; i < 3; ++i)
+      for (std::uint32_t i = 0; i < 3; ++i)
       {
-        normal_[v[i]] = plus(normal_[v[i]], normal);
+        const std::uint32_t front = corners_.find(ofSide(p, 0) + i);
+        const std::uint32_t back = corners_.find(ofSide(p, 1) + i);
+        places_[front].normal = plus(places_[front].normal, normal);
+        places_[back].normal = plus(places_[back].normal, scaled(normal, -1));
+        if (front == back)
+        {
+          places_[front].vertex = v[i];
+        }
         if (const auto edge = inner_.find(keyOf(v[i], v[(i + 1) % 3])); edge != inner_.end())
         {
           edge->second.normal = plus(edge->second.normal, unit(normal));
         }
       }
     }
+  }
+
+  // Corners that walls bound too stay in these, all but those that differ by less than a feature does from the first
+  // ones; where there is no way to go, corners stay.
+  void keepInWalls()
+  {
+    std::unordered_map<std::uint32_t, std::vector<Vector>> across; // of walls, by their corners
+    for (std::uint32_t t = 0; t < pairOf_.size() && !meshed_.empty(); ++t)
+    {
+      for (std::uint32_t i = 0; i < 3 && pairOf_[t] == None; ++i)
+      {
+        const std::uint32_t corner = corners_.find(ofWall(t) + i);
+        const auto place = places_.find(corner);
+        if (place == places_.end() || place->second.vertex != None)
+        {
+          continue;
+        }
+        std::vector<Vector>& taken = across[corner];
+        const Vector normal = without(unit(normalOf(surface_.triangles[t])), taken);
+        if (norm(normal) > LeastTurn)
+        {
+          taken.push_back(unit(normal));
+          const Vector left = without(unit(place->second.normal), { unit(normal) });
+          const bool isLeft = norm(left) > LeastWay && taken.size() < 3;
+          place->second.normal = left;
+          place->second.vertex = isLeft ? None : surface_.triangles[t][i];
+        }
+      }
+    }
+  }
+
+  static Vector without(Vector vector, const std::vector<Vector>& directions)
+  {
+    for (const Vector& direction : directions)
+    {
+      vector = minus(vector, scaled(direction, dot(vector, direction)));
+    }
+    return vector;
   }
 
   Vector placeOf(std::uint32_t v) const { return toVector(surface_.vertices[v]); }
@@ -209,37 +366,45 @@ private:
     return cross(minus(placeOf(v[1]), placeOf(v[0])), minus(placeOf(v[2]), placeOf(v[0])));
   }
 
+  std::uint32_t vertexAt(const Vector& place, const Vector& normal)
+  {
+    const Vector p = plus(place, scaled(unit(normal), halfThickness_));
+    surface_.vertices.push_back({ levelAt(p[0]), levelAt(p[1]), levelAt(p[2]) });
+    return static_cast<std::uint32_t>(surface_.vertices.size() - 1);
+  }
+
   Sides sidesAt(const Vector& place, const Vector& normal)
   {
-    Sides sides{};
-    for (const std::size_t side : { 0, 1 })
-    {
-      const Vector p =
-        plus(place, scaled(unit(normal), side == 0 ? halfThickness_ : -halfThickness_));
-      sides[side] = static_cast<std::uint32_t>(surface_.vertices.size());
-      surface_.vertices.push_back({ levelAt(p[0]), levelAt(p[1]), levelAt(p[2]) });
-    }
-    return sides;
+    const std::uint32_t front = vertexAt(place, normal);
+    return { front, vertexAt(place, scaled(normal, -1)) };
   }
 
-  Sides ofVertex(std::uint32_t v)
+  // At a corner that was given at a vertex.
+  std::uint32_t vertexOf(std::uint32_t corner, std::uint32_t given)
   {
-    if (isOnRim_[v])
+    const auto found = places_.find(corners_.find(corner));
+    if (found == places_.end())
     {
-      return { v, v };
+      return given;
     }
-    if (sides_[v][0] == None)
-    {
-      sides_[v] = sidesAt(placeOf(v), normal_[v]);
-    }
-    return sides_[v];
+    std::uint32_t& vertex = found->second.vertex;
+    vertex = vertex == None ? vertexAt(placeOf(given), found->second.normal) : vertex;
+    return vertex;
   }
 
-  // An edge that runs from rim to rim would be one of both sides.
-  void addMiddle(std::uint32_t from, std::uint32_t to, std::vector<Sides>& corners)
+  Sides ofCorner(std::uint32_t p, std::uint32_t i)
   {
+    const std::uint32_t front = vertexOf(ofSide(p, 0) + i, fronts_[p][i]);
+    return { front, vertexOf(ofSide(p, 1) + i, fronts_[p][i]) };
+  }
+
+  // An edge whose ends are those of both sides would be one of both too.
+  void addMiddle(std::uint32_t p, std::uint32_t i, std::vector<Sides>& corners)
+  {
+    const std::uint32_t from = fronts_[p][i];
+    const std::uint32_t to = fronts_[p][(i + 1) % 3];
     const auto edge = inner_.find(keyOf(from, to));
-    if (!isOnRim_[from] || !isOnRim_[to] || edge == inner_.end())
+    if (!isJoined(p, i) || !isJoined(p, (i + 1) % 3) || edge == inner_.end())
     {
       return;
     }
@@ -251,18 +416,25 @@ private:
     corners.push_back(edge->second.middle);
   }
 
+  // Whether both sides meet at a corner.
+  bool isJoined(std::uint32_t p, std::uint32_t i)
+  {
+    const std::uint32_t v = fronts_[p][i];
+    return places_.at(corners_.find(ofSide(p, 0) + i)).vertex == v &&
+      places_.at(corners_.find(ofSide(p, 1) + i)).vertex == v;
+  }
+
   void divide(std::uint32_t p)
   {
     const Triple& front = fronts_[p];
     std::vector<Sides> corners;
-    for (std::size_t i = 0; i < 3; ++i)
+    for (std::uint32_t i = 0; i < 3; ++i)
     {
-      corners.push_back(ofVertex(front[i]));
-      addMiddle(front[i], front[(i + 1) % 3], corners);
+      corners.push_back(ofCorner(p, i));
+      addMiddle(p, i, corners);
     }
-    const bool isOnRims =
-      std::all_of(front.begin(), front.end(), [&](std::uint32_t v) { return isOnRim_[v] != 0; });
-    if (!isOnRims && corners.size() == 3)
+    const bool isFlat = isJoined(p, 0) && isJoined(p, 1) && isJoined(p, 2);
+    if (!isFlat && corners.size() == 3)
     {
       write(p, { { corners[0], corners[1], corners[2] } });
       return;
@@ -323,12 +495,13 @@ private:
 
   Surface& surface_;
   const std::vector<SheetPair>& sheets_;
-  double halfThickness_;       // levels: what is thinner may be taken for one
-  std::vector<Triple> fronts_; // of the pairs, as their sheets face
+  const MeshedSides& meshed_;
+  std::vector<std::uint32_t> pairOf_; // of triangles
+  double halfThickness_;              // levels: what is thinner may be taken for one
+  std::vector<Triple> fronts_;        // of the pairs, as their sheets face
   std::vector<std::vector<Neighbour>> neighbours_;
-  std::vector<std::uint8_t> isOnRim_; // of vertices
-  std::vector<Vector> normal_;        // likewise
-  std::vector<Sides> sides_;          // likewise, where they are known
+  DisjointSets corners_;
+  std::unordered_map<std::uint32_t, Place> places_; // of corners of sheets
   std::unordered_map<std::uint64_t, Edge> inner_;
 };
 
@@ -380,9 +553,10 @@ std::vector<SheetPair> findSheets(const Surface& surface, SheetHandling sheets,
   return found;
 }
 
-void giveSides(Surface& surface, const SurfaceEdges& edges, const std::vector<SheetPair>& sheets)
+void giveSides(Surface& surface, const SurfaceEdges& edges, const std::vector<SheetPair>& sheets,
+  const MeshedSides& meshed)
 {
-  SheetDivider(surface, edges, sheets).run();
+  SheetDivider(surface, edges, sheets, meshed).run();
 }
 
 }

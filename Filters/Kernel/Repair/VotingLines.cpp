@@ -77,7 +77,8 @@ public:
     }
     for (std::size_t s = 0; s < best_.size(); ++s)
     {
-      addLines(triangles.data() + start[s], triangles.data() + start[s + 1]);
+      addLines(static_cast<std::uint32_t>(s), triangles.data() + start[s],
+        triangles.data() + start[s + 1]);
     }
   }
 
@@ -102,16 +103,16 @@ private:
     return best;
   }
 
-  void addLines(std::uint32_t* begin, std::uint32_t* end)
+  void addLines(std::uint32_t sheet, std::uint32_t* begin, std::uint32_t* end)
   {
     const auto size = static_cast<std::size_t>(end - begin);
     const std::size_t wanted =
       std::min(size, std::clamp(size / PartOfTriangles, FewestTriangles, MostTriangles));
-    std::uint32_t* const last = begin + wanted;
-    std::partial_sort(begin, last, end, [&](std::uint32_t a, std::uint32_t b) {
+    std::uint32_t* const wantedEnd = begin + wanted;
+    std::partial_sort(begin, wantedEnd, end, [&](std::uint32_t a, std::uint32_t b) {
       return best_[a].area != best_[b].area ? best_[a].area > best_[b].area : sorted(a) < sorted(b);
     });
-    for (const std::uint32_t* t = begin; t != last; ++t)
+    for (const std::uint32_t* t = begin; t != wantedEnd; ++t)
     {
       for (std::size_t corner = 0; best_[*t].area > 0 && corner < 3; ++corner)
       {
@@ -122,6 +123,7 @@ private:
           line.rank = static_cast<std::size_t>(t - begin);
           line.area = best_[*t].area;
           line.triangle = sorted(*t);
+          line.sheet = sheet;
           lines_[axis].push_back(line);
         }
       }

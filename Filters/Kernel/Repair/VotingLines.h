@@ -15,6 +15,7 @@ struct VotingLine
   Level outer;
   std::size_t rank;                      // of the triangle in its sheet: 0 for the largest
   Wide area;                             // twice the triangle's area, projected along the line
+  std::uint32_t sheet;                   // that the triangle is of
   std::array<std::uint32_t, 3> triangle; // its vertices, sorted
 
   bool operator<(const VotingLine& other) const

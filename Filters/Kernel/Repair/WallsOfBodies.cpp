@@ -158,12 +158,21 @@ private:
 };
 
 // Shells of sheets are holes in the meshed space, and bodies outside it.
-void giveSidesToSheets(Surface& walls, Execution& execution)
+void giveSidesToSheets(Surface& walls, MeshedSide side, Execution& execution)
 {
+  MeshedSides meshed;
+  for (const std::int32_t boundary : walls.boundary)
+  {
+    const auto isMeshed = [&](std::int32_t region) -> std::uint8_t {
+      return (region == OutsideRegion) == (side == MeshedSide::Outside) ? 1 : 0;
+    };
+    meshed.push_back(
+      { isMeshed(walls.walls.behind(boundary)), isMeshed(walls.walls.front(boundary)) });
+  }
   const SurfaceEdges edges(walls, execution);
   const std::vector<SheetPair> sheets =
     findSheets(walls, SheetHandling::LeaveOut, edges, findDuplicates(walls, edges));
-  giveSides(walls, edges, sheets);
+  giveSides(walls, edges, sheets, meshed);
   for (std::size_t t = 0; t < walls.ofSheet.size(); ++t)
   {
     if (walls.ofSheet[t] != 0 && walls.walls.behind(walls.boundary[t]) != OutsideRegion)
@@ -221,7 +230,7 @@ Surface wallsOf(const Surface& arranged, const Bodies& bodies, std::vector<std::
   sortByPlace(walls);
   if (std::find(walls.ofSheet.begin(), walls.ofSheet.end(), 1) != walls.ofSheet.end())
   {
-    giveSidesToSheets(walls, execution);
+    giveSidesToSheets(walls, bodies.meshed, execution);
   }
   return walls;
 }

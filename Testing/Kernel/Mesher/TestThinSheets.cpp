@@ -1,5 +1,6 @@
 // Sheets whose triangles are there twice: each side is a wall with the sheet's area, wherever it ends, and nothing else
 // changes.
+#include "Base/DisjointSets.h"
 #include "Repair/SurfaceDefects.h"
 #include "Support/MeshChecker.h"
 
@@ -15,6 +16,10 @@ constexpr std::int32_t Back = 21;
 
 // How thick sheets become is seen in areas and volumes no more than so, in a box of 3 x 1 x 1.
 constexpr double Thin = 1e-6;
+
+// What single precision and the thickness leave, and what patches that are simplified do.
+constexpr double Rounded = 5e-6;
+constexpr double Simplified = 1e-2;
 
 using Place = std::function<Vector(double u, double v)>;
 
@@ -76,6 +81,73 @@ void expectSheets(const Soup& soup, double volume, double area, const TestOption
     std::map<std::int32_t, double> areas = areasByBoundary(meshed.mesh);
     EXPECT_NEAR(areas[Front], area, Thin);
     EXPECT_NEAR(areas[Back], area, Thin);
+  }
+}
+
+// Of cells that faces connect, ascending.
+std::vector<double> volumesOfParts(MeshArrays mesh)
+{
+  std::map<std::vector<Id>, std::size_t> cellOf; // by a face's points
+  DisjointSets parts(mesh.cells());
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
+  {
+    for (std::vector<Id> face : facesOf(mesh, cell))
+    {
+      std::sort(face.begin(), face.end());
+      const auto [other, isNew] = cellOf.emplace(face, cell);
+      if (!isNew)
+      {
+        parts.unite(static_cast<std::uint32_t>(cell), static_cast<std::uint32_t>(other->second));
+      }
+    }
+  }
+  for (std::uint32_t cell = 0; cell < mesh.cells(); ++cell)
+  {
+    mesh.region[cell] = static_cast<int>(parts.find(cell));
+  }
+  std::vector<double> volumes;
+  for (const auto& [part, volume] : volumesByRegion(mesh))
+  {
+    volumes.push_back(volume);
+  }
+  std::sort(volumes.begin(), volumes.end());
+  return volumes;
+}
+
+// What a file in single precision has.
+Soup rounded(const Soup& soup)
+{
+  return soup.each([](const Vector& p) {
+    const volatile float q[] = { float(p[0]), float(p[1]), float(p[2]) };
+    return Vector{ q[0], q[1], q[2] };
+  });
+}
+
+// Turned, in three sizes. `tolerance`: of volumes and areas, relative.
+void expectParts(const Soup& soup, const std::vector<double>& volumes, double area,
+  const TestOptions& options, double tolerance)
+{
+  int turn = 0;
+  for (const Soup& turned :
+    { soup, soup.turned(2, 17), soup.turned(), soup.turned(0, 45).turned(1, 30) })
+  {
+    ++turn;
+    for (const double size : { 0.001, 1., 1000. })
+    {
+      SCOPED_TRACE("turn " + std::to_string(turn) + ", size " + std::to_string(size));
+      const Soup scaled = rounded(turned.scaled(size));
+      const Meshed meshed = meshOf(scaled, cellsAlongLongest(scaled, 4.3), options);
+      EXPECT_TRUE(isValid(meshed.mesh, true));
+      const std::vector<double> parts = volumesOfParts(meshed.mesh);
+      EXPECT_EQ(parts.size(), volumes.size());
+      for (std::size_t i = 0; i < std::min(parts.size(), volumes.size()); ++i)
+      {
+        EXPECT_NEAR(parts[i] / (size * size * size), volumes[i], tolerance);
+      }
+      std::map<std::int32_t, double> areas = areasByBoundary(meshed.mesh);
+      EXPECT_NEAR(areas[Front] / (size * size), area, tolerance);
+      EXPECT_NEAR(areas[Back] / (size * size), area, tolerance);
+    }
   }
 }
 
@@ -215,4 +287,25 @@ TEST(ThinSheets, AreNoDefects)
   EXPECT_TRUE(defects.defects.empty());
   const std::vector<std::uint8_t>& ofSheet = prepared.inspected().ofSheet;
   EXPECT_EQ(std::count(ofSheet.begin(), ofSheet.end(), 0), 12);
+}
+
+// From wall to wall, with rims that the file rounds: each part is on one side.
+TEST(ThinSheets, DivideTheirRegion)
+{
+  Soup fine = cube();
+  addSheet(fine, 3, plane({ 0.43, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }));
+  expectParts(fine, { 0.43, 0.57 }, 1, asTheyAre(), Rounded);
+  Soup coarse = cube();
+  addSheet(coarse, 1, plane({ 0.43, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }));
+  expectParts(coarse, { 0.43, 0.57 }, 1, {}, Simplified);
+  Soup diagonal = cube();
+  addSheet(diagonal, 1, plane({ 0, 1, 0 }, { 1, -1, 0 }, { 0, 0, 1 }));
+  expectParts(diagonal, { 0.5, 0.5 }, std::sqrt(2.0), asTheyAre(), Rounded);
+}
+
+TEST(ThinSheets, DivideNothingThatTheyOnlyStandIn)
+{
+  Soup soup = cube();
+  addSheet(soup, 2, plane({ 0.43, 0, 0 }, { 0.1, 1, 0 }, { 0, 0, 0.8 }));
+  expectParts(soup, { 1 }, 0.8 * std::sqrt(1.01), asTheyAre(), Rounded);
 }
