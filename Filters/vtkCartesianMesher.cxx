@@ -9,6 +9,7 @@
 #include "FilterOptions.h"
 #include "GhostCells.h"
 #include "LayerWarning.h"
+#include "MeshCheck.h"
 #include "MeshCut.h"
 #include "MeshToVTK.h"
 #include "Mesher/CellBudget.h"
@@ -506,8 +507,14 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   cartesian::addCellsLeftOut(*piece.assembly, vtkPolyData::GetData(output, 2));
   const bool wasSilent = this->IsSilent; // flaws of a piece are told by its own process
   this->IsSilent = wasSilent && place.isWhole;
-  const std::string flaws = cartesian::describeFlaws(*piece.assembly, task.surface->names());
+  const cartesian::MeshCheck check = cartesian::checkMesh(mesh,
+    piece.assembly->layers ? cartesian::Checked::All : cartesian::Checked::AtWalls, execution);
+  cartesian::addFailingCells(mesh, check.failing, vtkPolyData::GetData(output, 2));
+  std::string flaws = cartesian::describeFlaws(*piece.assembly, task.surface->names());
+  const std::string failures = cartesian::describeFailures(check, mesh);
+  flaws += (flaws.empty() || failures.empty() ? "" : "\n") + failures;
   this->Warn(flaws.empty() ? "" : flaws + HowToSee);
+  cartesian::setFindings(cartesian::sum(check, place.processes), mesh);
   if (piece.assembly->layers)
   {
     this->Warn(cartesian::describeBareWalls(*piece.assembly->layers, mesh));

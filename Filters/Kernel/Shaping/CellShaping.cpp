@@ -148,12 +148,13 @@ public:
       improve();
     }
     finish();
-    listKept();
+    noteRefused();
     return result();
   }
 
 private:
-  void listKept()
+  // For the slabs of the next stage.
+  void noteRefused()
   {
     MeasuredCell cell;
     for (const CellKey key : merger_.refused(isLast_))
@@ -162,10 +163,7 @@ private:
       if (failsCheckMesh(faultsOf(cell.shape, cell.measures, cell.beyond)))
       {
         shaping_.isAnyRefused = true;
-        if (complex_.counts(key) > 0)
-        {
-          shaping_.kept.push_back(complex_.boxOf(key));
-        }
+        break;
       }
     }
   }
@@ -398,7 +396,6 @@ public:
       keepFailing();
       for (int pass = 0; pass < RemovalPasses; ++pass)
       {
-        sum_.kept.clear();
         optimise(shares.optimisation, NodesMove::AtPoorFaces);
         shape(shares.removal, [](Shaper& shaper) { return shaper.removeRefused(); });
         keepFailing();
@@ -500,7 +497,6 @@ Shaping operator+(Shaping sum, const Shaping& other)
   sum.cellsMerged += other.cellsMerged;
   sum.cellsSimplified += other.cellsSimplified;
   sum.refused.insert(sum.refused.end(), other.refused.begin(), other.refused.end());
-  sum.kept.insert(sum.kept.end(), other.kept.begin(), other.kept.end());
   return sum;
 }
 
