@@ -3,12 +3,13 @@
 
 #include "BoundaryOfFaces.h"
 #include "FieldData.h"
-#include "FoamFromVTK.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkPoints.h"
+#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -61,6 +62,21 @@ std::vector<vtkIdType> cellsAtWalls(vtkUnstructuredGrid* grid)
   return cells;
 }
 
+// Of those that Region numbers; one that is empty if there are no several.
+std::vector<std::string> regionNames(vtkUnstructuredGrid* grid)
+{
+  auto* names = vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray("RegionNames"));
+  vtkDataArray* const regions = grid->GetCellData()->GetArray("Region");
+  std::vector<std::string> result;
+  for (vtkIdType i = 0; names && regions && i < names->GetNumberOfValues(); ++i)
+  {
+    result.push_back(names->GetValue(i));
+  }
+  const bool areKnown = result.size() > 1 && regions->GetRange(0)[0] >= FirstRegion &&
+    regions->GetRange(0)[1] < FirstRegion + static_cast<double>(result.size());
+  return areKnown ? result : std::vector<std::string>(1);
+}
+
 // Opens the faces between regions.
 void separate(const CellFaces& cells, const std::vector<std::uint32_t>& regionOf, FaceList& list)
 {
@@ -97,14 +113,13 @@ public:
     : grid_(grid)
     , cellOf_(which == Checked::All ? allCells(grid) : cellsAtWalls(grid))
     , cells_(facesOfCells(grid, cellOf_))
-    , regions_(regionsOf(grid, cellOf_, RegionsAsked::WithCells))
   {
   }
 
   MeshCheck run(Execution& execution)
   {
-    CheckedCells checked{ regions_.ofCell, ghosts() };
-    checked.regionOf.resize(cellOf_.size(), 0);
+    MeshCheck result{ regionNames(grid_), {}, {} };
+    const CheckedCells checked{ regionsOfCells(result.regions.size()), ghosts() };
     FaceList list = listFaces(cells_, static_cast<std::size_t>(grid_->GetNumberOfPoints()),
       Clashes::AreBoundary, execution);
     std::vector<vtkIdType> boundary;
@@ -114,8 +129,7 @@ public:
     std::vector<double> copy;
     SolverCheck found =
       checkForSolver(coordinates(grid_, copy), cells_, list, checked, isSeen, execution);
-    MeshCheck result{ regions_.names, std::move(found.ofRegions), {} };
-    result.regions.resize(std::max<std::size_t>(1, result.regions.size()));
+    result.ofRegions = std::move(found.ofRegions);
     result.ofRegions.resize(result.regions.size());
     for (const std::uint32_t cell : found.failing)
     {
@@ -125,6 +139,17 @@ public:
   }
 
 private:
+  std::vector<std::uint32_t> regionsOfCells(std::size_t count) const
+  {
+    std::vector<std::uint32_t> ofCells(cellOf_.size());
+    vtkDataArray* const regions = grid_->GetCellData()->GetArray("Region");
+    for (std::size_t i = 0; count > 1 && i < cellOf_.size(); ++i)
+    {
+      ofCells[i] = static_cast<std::uint32_t>(regions->GetComponent(cellOf_[i], 0)) - FirstRegion;
+    }
+    return ofCells;
+  }
+
   std::vector<unsigned char> ghosts() const
   {
     std::vector<unsigned char> isGhost;
@@ -160,7 +185,6 @@ private:
   vtkUnstructuredGrid* grid_;
   std::vector<vtkIdType> cellOf_;
   CellFaces cells_;
-  FoamRegions regions_;
 };
 
 std::string inWords(const Findings& findings)

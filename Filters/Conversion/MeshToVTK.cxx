@@ -524,6 +524,9 @@ void setRegions(const Assembly& assembly, const std::vector<std::string>& names,
   const Processes& processes, vtkUnstructuredGrid* mesh, vtkPolyData* boundary)
 {
   const std::vector<double> volumes = processes.sum(regionVolumes(assembly));
+  std::vector<double> parts(
+    assembly.separate.ofRegions.begin(), assembly.separate.ofRegions.end());
+  parts.resize(volumes.size());
   vtkNew<vtkStringArray> regionNames;
   regionNames->SetName("RegionNames");
   for (std::size_t n = 0; n < volumes.size(); ++n)
@@ -534,6 +537,7 @@ void setRegions(const Assembly& assembly, const std::vector<std::string>& names,
   {
     output->GetFieldData()->AddArray(regionNames);
     setField(output, "RegionVolumes", volumes);
+    setField(output, "RegionParts", parts);
   }
   auto* numbers = vtkIdTypeArray::SafeDownCast(mesh->GetCellData()->GetArray(CellId));
   auto* regions = vtkIntArray::SafeDownCast(mesh->GetCellData()->GetArray("Region"));

@@ -58,17 +58,16 @@ def compare(mesh, warnings, folder):
         said = foam.CheckMesh(folder, *(["-region", region] if region else []))
         index = 0
         if region:
-            used = sorted(set(vtk_to_numpy(mesh.GetCellData().GetArray("Region"))))
-            index = [names.GetValue(n - 1) for n in used].index(region)
+            index = [names.GetValue(n) for n in range(names.GetNumberOfValues())].index(region)
         for name, pattern in COUNTS.items():
             found = re.search(pattern, said.text)
             theirs = int(found[1]) if found else 0
-            ours = (field(mesh, f"Region{name}") if region else field(mesh, name))[index]
+            ours = field(mesh, f"Region{name}" if region else name)[index]
             if ours != theirs:
                 faults.append(f"{region} {name} {ours}, checkMesh {theirs}")
         parts = re.search(r"Number of regions: (\d+)", said.text)
         theirs = int(parts[1]) if parts else 1
-        ours = (field(mesh, "RegionParts") if region else field(mesh, "Parts"))[index]
+        ours = field(mesh, "RegionParts" if region else "Parts")[index]
         if ours != theirs:
             faults.append(f"{region} Parts {ours}, checkMesh {theirs}")
         fails += not said.ok

@@ -3,6 +3,7 @@
 
 #include "Base/Error.h"
 #include "Cells/Cells.h"
+#include "Cells/ConnectedCells.h"
 #include "Cells/Fragments.h"
 #include "Cells/Interfaces.h"
 #include "Cells/OverlappingCells.h"
@@ -403,11 +404,15 @@ void removeFragments(Assembly& a, const Options& options, Execution& execution)
   }
 }
 
-void requireCells(const Assembly& a, const Options& options)
+bool isWhole(const Assembly& a)
 {
   const Layers all = a.boxes.allLayers();
-  const bool isWhole = a.boxes.core.begin == all.begin && a.boxes.core.end == all.end;
-  if (isWhole && a.mesh->cellCount() == 0)
+  return a.boxes.core.begin == all.begin && a.boxes.core.end == all.end;
+}
+
+void requireCells(const Assembly& a, const Options& options)
+{
+  if (isWhole(a) && a.mesh->cellCount() == 0)
   {
     throw nothingToMesh(a, options);
   }
@@ -467,6 +472,10 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
     }
   }
   removeFragments(a, options, execution);
+  if (isWhole(a))
+  {
+    a.separate.ofRegions = countParts(a.boxes, a.patches.walls, a.sides, a.wall);
+  }
   a.nodes.warped = warpedHexahedra(a.boxes, a.sides, a.nodes, execution);
   execution.stage("Numbering", AfterShaping, AfterNumbering);
   a.mesh = std::make_unique<OutputMesh>(
