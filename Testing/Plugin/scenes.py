@@ -115,20 +115,20 @@ def with_doubled_sheet(random, parts):
 
 def nested(random, parts):
     by = turn(random)
+    if random.random() < 0.3:  # of two bodies that overlap the first wins
+        parts.add(body(random), "third", "third", 0.3 * turn(random), random.uniform(-0.8, 0.8, 3))
     parts.add(body(random), "inner", "fluid", 0.45 * turn(random), random.uniform(-0.1, 0.1, 3))
     parts.add(box([-1, -1, -1], [1, 1, 1]), "outer", "solid", by)
-    if random.random() < 0.3:
-        parts.add(body(random), "third", "third", 0.3 * turn(random), random.uniform(-0.8, 0.8, 3))
     return {"RegionsFrom": "Array", "RegionArray": "Part"}
 
 
 def side_by_side(random, parts):
     by = turn(random) if random.random() < 0.7 else np.eye(3)
     cut = random.uniform(-0.9, 0.9)
-    parts.add(box([-1, -1, -1], [cut, 1, 1]), "left", "left", by)
-    parts.add(box([cut, -random.uniform(0.5, 1), -1], [1, 1, random.uniform(0.2, 1)]), "right", "right", by)
     if random.random() < 0.4:
         parts.add(body(random), "ball", "ball", 0.5 * turn(random))
+    parts.add(box([-1, -1, -1], [cut, 1, 1]), "left", "left", by)
+    parts.add(box([cut, -random.uniform(0.5, 1), -1], [1, 1, random.uniform(0.2, 1)]), "right", "right", by)
     return {"RegionsFrom": "Array", "RegionArray": "Part"}
 
 

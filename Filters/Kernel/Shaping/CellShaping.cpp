@@ -4,6 +4,7 @@
 #include "Optimisation/NodeOptimisation.h"
 #include "Shaping/CellCession.h"
 #include "Shaping/CellSplitting.h"
+#include "Shaping/FewFaces.h"
 #include "Shaping/InterfaceMending.h"
 #include "Shaping/InvalidCells.h"
 #include "Shaping/PartTransfer.h"
@@ -41,6 +42,12 @@ MergeSpec mergeSpecOf(const ShapingSpec& spec, bool merges, bool exact, bool has
     merging.joins = { std::cos(radians(MergeJoinAngle)), std::cos(radians(InnerJoinAngle)) };
   }
   return merging;
+}
+
+// Whether cells that fail are mended once more, and removed, after all have been shaped.
+bool removesLater(const ShapingSpec& spec, bool exact)
+{
+  return spec.splitConcave && spec.refusedCellRatio > 0 && !exact;
 }
 
 // Shapes the cells of one slab.
@@ -90,6 +97,10 @@ public:
     {
       cutInvalid();
       improve();
+    }
+    if (!removesLater(task_.spec, exact_))
+    {
+      mergeFewFaced();
     }
     joinWalls();
     return result();
@@ -168,9 +179,16 @@ private:
     }
   }
 
+  void mergeFewFaced()
+  {
+    shaping_.cellsMerged +=
+      cartesian::mergeFewFaced(complex_, merger_.lookedAfter(isLast_), execution_);
+  }
+
   void finish()
   {
     removeTips();
+    mergeFewFaced();
     joinWalls();
     if (complex_.hasRegions())
     {
@@ -387,7 +405,7 @@ public:
 
   Shaping run(const Shares& shares)
   {
-    const bool removes = task_.spec.splitConcave && task_.spec.refusedCellRatio > 0 && !exact_;
+    const bool removes = removesLater(task_.spec, exact_);
     shape(shares.shaping, [](Shaper& shaper) { return shaper.run(); });
     optimise(shares.optimisation, NodesMove::All);
     if (removes)
