@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/CellShaping.h"
 
+#include "Cells/FlatBorders.h"
 #include "Optimisation/NodeOptimisation.h"
 #include "Shaping/CellCession.h"
 #include "Shaping/CellSplitting.h"
@@ -213,7 +214,7 @@ private:
   // Walls next to a meshline: if merged, they would stick out of their neighbour.
   void removeSlivers()
   {
-    removeSmaller(Sliver, [](CellKey) { return true; });
+    removeSmaller(LeastOfThick, [](CellKey) { return true; });
   }
 
   // Small cells that strain solvers and cannot be merged; and cells that no face connects with others, where a solver
@@ -349,7 +350,6 @@ private:
   static constexpr double LeastOfHost = 0.15;
 
   // Of its box.
-  static constexpr double Sliver = 1e-9;
   static constexpr double LargestFilm = 1e-3;
 
   // Up to this part of its box a cell may move to another region.

@@ -420,9 +420,8 @@ bool FaceJoiner::join(Part g, Part h)
     std::swap(g, h);
   }
   const std::uint32_t one = firstMember(g);
-  const std::uint32_t other = firstMember(h);
-  if ((!isNegligiblePart(h) && !isInner(one) && view_->boundary[one] != view_->boundary[other]) ||
-    !joinRings(ringOf(g), ringOf(h), ring_) || hasTwin(ring_) ||
+  if ((!isNegligiblePart(h) && isBorderBetween(g, h)) || !joinRings(ringOf(g), ringOf(h), ring_) ||
+    hasTwin(ring_) ||
     !(isNegligiblePart(h) ? fitsWithNegligible() : fitsTogether(g, h, leastCosine(one))))
   {
     return false;
@@ -485,10 +484,17 @@ FaceJoiner::Part FaceJoiner::makeGroup(Part part)
   return partOf_[part] = faces() + static_cast<Part>(joined_.groups.size() - 1);
 }
 
+// Whether they are of different boundaries. Where one is negligible, a part may lose it, but none may grow.
+bool FaceJoiner::isBorderBetween(Part g, Part h) const
+{
+  const std::uint32_t one = firstMember(g);
+  return !isInner(one) && view_->boundary[one] != view_->boundary[firstMember(h)];
+}
+
 // Divides two parts anew, so that the smaller of both is as large as can be; false where nothing is better.
 bool FaceJoiner::recut(Part g, Part h)
 {
-  if (!joinRings(ringOf(g), ringOf(h), ring_) || ring_.size() < 4 ||
+  if (isBorderBetween(g, h) || !joinRings(ringOf(g), ringOf(h), ring_) || ring_.size() < 4 ||
     ring_.size() > MostCornersRecut)
   {
     return false;
