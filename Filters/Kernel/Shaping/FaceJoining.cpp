@@ -355,9 +355,9 @@ bool FaceJoiner::mayFit(std::uint32_t f, std::uint32_t g) const
   }
   if (isNegligible(f) || isNegligible(g))
   {
-    return true;
+    return !isBorderInPlane(f, g);
   }
-  if (!isInner(f) && view_->boundary[f] != view_->boundary[g])
+  if (isBorderBetween(f, g))
   {
     return false;
   }
@@ -420,8 +420,9 @@ bool FaceJoiner::join(Part g, Part h)
     std::swap(g, h);
   }
   const std::uint32_t one = firstMember(g);
-  if ((!isNegligiblePart(h) && isBorderBetween(g, h)) || !joinRings(ringOf(g), ringOf(h), ring_) ||
-    hasTwin(ring_) ||
+  const std::uint32_t other = firstMember(h);
+  if ((isNegligiblePart(h) ? isBorderInPlane(one, other) : isBorderBetween(one, other)) ||
+    !joinRings(ringOf(g), ringOf(h), ring_) || hasTwin(ring_) ||
     !(isNegligiblePart(h) ? fitsWithNegligible() : fitsTogether(g, h, leastCosine(one))))
   {
     return false;
@@ -484,18 +485,23 @@ FaceJoiner::Part FaceJoiner::makeGroup(Part part)
   return partOf_[part] = faces() + static_cast<Part>(joined_.groups.size() - 1);
 }
 
-// Whether they are of different boundaries. Where one is negligible, a part may lose it, but none may grow.
-bool FaceJoiner::isBorderBetween(Part g, Part h) const
+// Whether they are of different boundaries.
+bool FaceJoiner::isBorderBetween(std::uint32_t f, std::uint32_t g) const
 {
-  const std::uint32_t one = firstMember(g);
-  return !isInner(one) && view_->boundary[one] != view_->boundary[firstMember(h)];
+  return !isInner(f) && view_->boundary[f] != view_->boundary[g];
+}
+
+// ... in one plane, where nothing else tells them apart: however small, each keeps its area.
+bool FaceJoiner::isBorderInPlane(std::uint32_t f, std::uint32_t g) const
+{
+  return isBorderBetween(f, g) && dot(planes_[f].normal, planes_[g].normal) > NearlyFlat;
 }
 
 // Divides two parts anew, so that the smaller of both is as large as can be; false where nothing is better.
 bool FaceJoiner::recut(Part g, Part h)
 {
-  if (isBorderBetween(g, h) || !joinRings(ringOf(g), ringOf(h), ring_) || ring_.size() < 4 ||
-    ring_.size() > MostCornersRecut)
+  if (isBorderBetween(firstMember(g), firstMember(h)) || !joinRings(ringOf(g), ringOf(h), ring_) ||
+    ring_.size() < 4 || ring_.size() > MostCornersRecut)
   {
     return false;
   }

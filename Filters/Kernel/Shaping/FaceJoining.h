@@ -124,7 +124,8 @@ private:
   bool fitsTogether(Part g, Part h, double leastCosine) const;
   bool fitsWithNegligible() const;
   Part makeGroup(Part part);
-  bool isBorderBetween(Part g, Part h) const;
+  bool isBorderBetween(std::uint32_t f, std::uint32_t g) const;
+  bool isBorderInPlane(std::uint32_t f, std::uint32_t g) const;
   bool recut(Part g, Part h);
   double smallerOf(const std::array<std::vector<std::uint32_t>, 2>& parts, double leastCosine,
     double largest) const;
