@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCellAssembler.h"
 
+#include "AreaWarning.h"
 #include "BoundaryNames.h"
 #include "BoundarySettings.h"
 #include "BoxesVTK.h"
@@ -100,6 +101,7 @@ int vtkCellAssembler::RequestData(
     cartesian::setFindings(check, mesh);
     this->Warn(cartesian::describeFlaws(*assembly, names));
     this->Warn(cartesian::describeFailures(check, mesh));
+    this->Warn(cartesian::describeNoSurface(mesh));
   });
   return 1;
 }
