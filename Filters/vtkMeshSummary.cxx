@@ -160,6 +160,7 @@ void TellFindings(const cartesian::MeshCheck& check, std::ostream& text)
 {
   vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
   const bool isAlone = !processes || processes->GetNumberOfProcesses() == 1;
+  bool any = false;
   for (std::size_t r = 0; r < (isAlone ? check.regions.size() : 1); ++r)
   {
     const std::string name = isAlone ? check.regions[r] : "";
@@ -170,6 +171,8 @@ void TellFindings(const cartesian::MeshCheck& check, std::ostream& text)
       const double count = Sum(static_cast<double>(findings[f]));
       if (count > 0)
       {
+        text << (any ? "" : "What checkMesh counts:\n");
+        any = true;
         text << "  " << (name.empty() ? "" : name + ": ") << cartesian::number(count) << " "
              << (count == 1 ? spec.one : spec.several) << "\n";
       }
@@ -186,7 +189,6 @@ void TellVerdict(vtkUnstructuredGrid* mesh, const cartesian::MeshCheck& check, s
   }
   text << (refused == 0 ? "OpenFOAM accepts all cells\n"
                         : "OpenFOAM's checkMesh fails on " + Cells(refused) + "\n");
-  TellFindings(check, text);
   bool any = false;
   for (const Told& told : WhatFails)
   {
@@ -197,6 +199,7 @@ void TellVerdict(vtkUnstructuredGrid* mesh, const cartesian::MeshCheck& check, s
     }
   }
   text << (any ? "  To see them, show the output Worst Cells and choose a Measure\n" : "");
+  TellFindings(check, text);
 }
 
 void TellWorst(vtkUnstructuredGrid* mesh, std::ostream& text)

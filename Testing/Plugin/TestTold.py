@@ -103,7 +103,7 @@ def try_scene(number, folder):
 
 def main():
     chosen = [int(text) for text in sys.argv[4:]]
-    numbers = range(chosen[0], chosen[0] + chosen[1]) if chosen else (0, 2, 3, 4, 5, 8, 11)
+    numbers = range(chosen[0], chosen[0] + chosen[1]) if chosen else [*range(0, 24), 145, 193]
     results = []
     for number in numbers:
         with tempfile.TemporaryDirectory() as folder:
