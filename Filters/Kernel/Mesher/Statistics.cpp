@@ -38,7 +38,6 @@ struct Counts
   double fragmentCellsRemoved = 0;
   double partsLeftOut = 0;
   double isolatedCells = 0;
-  double parts = 0;
   double sizesRelaxed = 0;
   double voids = 0;
   double folds = 0;
@@ -55,7 +54,7 @@ struct Row
   double Counts::*count;
 };
 
-constexpr std::array<Row, 31> Table{ {
+constexpr std::array<Row, 30> Table{ {
   { "Cells", "cells of the mesh", &Counts::cells },
   { "Hexahedra", "cells that are whole boxes without hanging nodes", &Counts::hexahedra },
   { "Polyhedra", "all other cells", &Counts::polyhedra },
@@ -88,8 +87,6 @@ constexpr std::array<Row, 31> Table{ {
     &Counts::partsLeftOut },
   { "IsolatedCells", "cells in parts of at most 16 that no face connects with the rest",
     &Counts::isolatedCells },
-  { "Parts", "parts of the regions that no face connects; of pieces, 0: not known",
-    &Counts::parts },
   { "SizesRelaxed", "fraction by which requested sizes were enlarged for the Cell Budget",
     &Counts::sizesRelaxed },
   { "VoidsInsideCells", "closed pieces of surface inside one cell, which become voids in it",
@@ -203,8 +200,6 @@ private:
     n_.sizesRelaxed = a_.relaxation - 1;
     n_.partsLeftOut = static_cast<double>(a_.separate.leftOut);
     n_.isolatedCells = static_cast<double>(a_.separate.isolatedCells);
-    n_.parts = static_cast<double>(
-      std::accumulate(a_.separate.ofRegions.begin(), a_.separate.ofRegions.end(), std::size_t(0)));
   }
 
   const Assembly& a_;

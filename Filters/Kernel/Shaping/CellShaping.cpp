@@ -130,7 +130,7 @@ public:
 
   // Cells that could not be repaired are removed: small ones first, then parts of others, finally whole cells. Each
   // time exposed cells may be repaired again.
-  Shaping removeRefused()
+  Shaping removeRefused(bool isLastPass)
   {
     execution_.stage("Improving", 0, 0.4);
     improve();
@@ -160,6 +160,10 @@ public:
       improve();
     }
     finish();
+    if (isLastPass)
+    {
+      mergeFewFaced();
+    }
     noteRefused();
     return result();
   }
@@ -189,7 +193,6 @@ private:
   void finish()
   {
     removeTips();
-    mergeFewFaced();
     joinWalls();
     if (complex_.hasRegions())
     {
@@ -415,7 +418,8 @@ public:
       for (int pass = 0; pass < RemovalPasses; ++pass)
       {
         optimise(shares.optimisation, NodesMove::AtPoorFaces);
-        shape(shares.removal, [](Shaper& shaper) { return shaper.removeRefused(); });
+        shape(shares.removal,
+          [pass](Shaper& shaper) { return shaper.removeRefused(pass + 1 == RemovalPasses); });
         keepFailing();
       }
     }

@@ -62,7 +62,7 @@ bool mergeBeyondWall(CellComplex& cells, CellKey key)
 
 bool removeAtBoundary(CellComplex& cells, CellKey key)
 {
-  const bool mayGo = cells.isAtBoundary(key);
+  const bool mayGo = cells.isAtBoundary(key) && !cells.neighbours(key).empty();
   if (mayGo)
   {
     cells.remove(key);

@@ -10,7 +10,7 @@ namespace cartesian
 
 // Each of these that is one joins a neighbour of its region, whatever that costs, that with which it shares most area
 // first; or, if it has none, one of the region beyond its only wall, to which it then belongs; or is removed, where it
-// is at the boundary alone. Returns how many have gone.
+// is at the boundary alone; one without neighbours stays, as it may be all that there is. Returns how many have gone.
 std::size_t mergeFewFaced(
   CellComplex& cells, const std::vector<CellKey>& keys, Execution& execution);
 
