@@ -774,10 +774,9 @@ void CellComplex::join(CellKey key, const CellView& view, const JoinedFaces& joi
   for (const JoinedFaces::Group& group : joined.groups)
   {
     changed_ = true;
-    // Faces exposed by removed cells take the boundary of the adjacent wall, but not of negligible ones of another.
+    // Faces exposed by removed cells take the boundary of the adjacent wall.
     const auto isWall = [&](std::uint32_t f) {
-      return view.across[f] == None && across(view.faces[f]) == None &&
-        view.boundary[f] == view.boundary[group.members.front()];
+      return view.across[f] == None && across(view.faces[f]) == None;
     };
     const auto wall = std::find_if(group.members.begin(), group.members.end(), isWall);
     const std::uint32_t first = wall == group.members.end() ? group.members.front() : *wall;

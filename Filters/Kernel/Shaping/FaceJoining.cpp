@@ -355,9 +355,9 @@ bool FaceJoiner::mayFit(std::uint32_t f, std::uint32_t g) const
   }
   if (isNegligible(f) || isNegligible(g))
   {
-    return !isBorderInPlane(f, g);
+    return true;
   }
-  if (isBorderBetween(f, g))
+  if (!isInner(f) && view_->boundary[f] != view_->boundary[g])
   {
     return false;
   }
@@ -421,7 +421,7 @@ bool FaceJoiner::join(Part g, Part h)
   }
   const std::uint32_t one = firstMember(g);
   const std::uint32_t other = firstMember(h);
-  if ((isNegligiblePart(h) ? isBorderInPlane(one, other) : isBorderBetween(one, other)) ||
+  if ((!isNegligiblePart(h) && !isInner(one) && view_->boundary[one] != view_->boundary[other]) ||
     !joinRings(ringOf(g), ringOf(h), ring_) || hasTwin(ring_) ||
     !(isNegligiblePart(h) ? fitsWithNegligible() : fitsTogether(g, h, leastCosine(one))))
   {
@@ -485,23 +485,18 @@ FaceJoiner::Part FaceJoiner::makeGroup(Part part)
   return partOf_[part] = faces() + static_cast<Part>(joined_.groups.size() - 1);
 }
 
-// Whether they are of different boundaries.
-bool FaceJoiner::isBorderBetween(std::uint32_t f, std::uint32_t g) const
+// Whether they are of different boundaries. Where one is negligible, a part may lose it, but none may grow.
+bool FaceJoiner::isBorderBetween(Part g, Part h) const
 {
-  return !isInner(f) && view_->boundary[f] != view_->boundary[g];
-}
-
-// ... in one plane, where nothing else tells them apart: however small, each keeps its area.
-bool FaceJoiner::isBorderInPlane(std::uint32_t f, std::uint32_t g) const
-{
-  return isBorderBetween(f, g) && dot(planes_[f].normal, planes_[g].normal) > NearlyFlat;
+  const std::uint32_t one = firstMember(g);
+  return !isInner(one) && view_->boundary[one] != view_->boundary[firstMember(h)];
 }
 
 // Divides two parts anew, so that the smaller of both is as large as can be; false where nothing is better.
 bool FaceJoiner::recut(Part g, Part h)
 {
-  if (isBorderBetween(firstMember(g), firstMember(h)) || !joinRings(ringOf(g), ringOf(h), ring_) ||
-    ring_.size() < 4 || ring_.size() > MostCornersRecut)
+  if (isBorderBetween(g, h) || !joinRings(ringOf(g), ringOf(h), ring_) || ring_.size() < 4 ||
+    ring_.size() > MostCornersRecut)
   {
     return false;
   }

@@ -124,8 +124,7 @@ private:
   bool fitsTogether(Part g, Part h, double leastCosine) const;
   bool fitsWithNegligible() const;
   Part makeGroup(Part part);
-  bool isBorderBetween(std::uint32_t f, std::uint32_t g) const;
-  bool isBorderInPlane(std::uint32_t f, std::uint32_t g) const;
+  bool isBorderBetween(Part g, Part h) const;
   bool recut(Part g, Part h);
   double smallerOf(const std::array<std::vector<std::uint32_t>, 2>& parts, double leastCosine,
     double largest) const;
