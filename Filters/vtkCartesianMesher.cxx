@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCartesianMesher.h"
 
+#include "AreaWarning.h"
 #include "Base/Error.h"
 #include "BoundarySettings.h"
 #include "DefectsToVTK.h"
@@ -9,11 +10,13 @@
 #include "FilterOptions.h"
 #include "GhostCells.h"
 #include "LayerWarning.h"
+#include "MeshCheck.h"
 #include "MeshCut.h"
 #include "MeshToVTK.h"
 #include "Mesher/CellBudget.h"
 #include "Mesher/Mesher.h"
 #include "Mesher/Messages.h"
+#include "Mesher/VolumeLoss.h"
 #include "Parts/Decomposition.h"
 #include "ReportErrors.h"
 #include "SizesFromVTK.h"
@@ -506,8 +509,19 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   cartesian::addCellsLeftOut(*piece.assembly, vtkPolyData::GetData(output, 2));
   const bool wasSilent = this->IsSilent; // flaws of a piece are told by its own process
   this->IsSilent = wasSilent && place.isWhole;
-  const std::string flaws = cartesian::describeFlaws(*piece.assembly, task.surface->names());
+  const cartesian::MeshCheck check = cartesian::checkMesh(mesh,
+    piece.assembly->layers ? cartesian::Checked::All : cartesian::Checked::AtWalls, execution);
+  cartesian::addFailingCells(mesh, check.failing, vtkPolyData::GetData(output, 2));
+  std::string flaws = cartesian::describeFlaws(*piece.assembly, task.surface->names());
+  const std::string failures = cartesian::describeFailures(check, mesh);
+  flaws += (flaws.empty() || failures.empty() ? "" : "\n") + failures;
   this->Warn(flaws.empty() ? "" : flaws + HowToSee);
+  cartesian::setFindings(cartesian::sum(check, place.processes), mesh);
+  this->Warn(cartesian::describeNoSurface(mesh));
+  if (place.isWhole)
+  {
+    this->WarnOfLosses(task, piece, mesh, execution);
+  }
   if (piece.assembly->layers)
   {
     this->Warn(cartesian::describeBareWalls(*piece.assembly->layers, mesh));
@@ -520,6 +534,20 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   if (piece.ghostLevels > 0 && place.processes.areSeveral())
   {
     cartesian::addGhostCells(mesh, piece.ghostLevels, place.processes);
+  }
+}
+
+// Of volume and of areas.
+void vtkCartesianMesher::WarnOfLosses(
+  const Task& task, const Piece& piece, vtkUnstructuredGrid* mesh, cartesian::Execution& execution)
+{
+  const cartesian::Assembly& assembly = *piece.assembly;
+  this->Warn(cartesian::describe(
+    cartesian::findVolumeLoss(task.prepared, assembly, execution), task.surface->regionNames()));
+  if (assembly.separate.leftOut == 0)
+  {
+    this->Warn(cartesian::describeWrongAreas(
+      task.prepared.surface, assembly.boxes.planes, task.surface->names(), mesh));
   }
 }
 

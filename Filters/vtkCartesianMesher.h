@@ -40,6 +40,8 @@ struct MeshPiece;
 class Processes;
 }
 
+class vtkUnstructuredGrid;
+
 class VTKCARTESIANMESHERFILTERS_EXPORT vtkCartesianMesher : public vtkCartesianGridAlgorithm
 {
 public:
@@ -415,6 +417,8 @@ private:
   vtkMTimeType TimeWith(vtkInformationVector** input);
   void Write(const Task& task, const Piece& piece, const cartesian::MeshPiece& place,
     vtkInformationVector* output, cartesian::Execution& execution);
+  void WarnOfLosses(const Task& task, const Piece& piece, vtkUnstructuredGrid* mesh,
+    cartesian::Execution& execution);
 
   std::unique_ptr<Task> Kept; // from piece to piece, where this process makes all
   std::unique_ptr<WholeMesh> KeptWhole;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCellAssembler.h"
 
+#include "AreaWarning.h"
 #include "BoundaryNames.h"
 #include "BoundarySettings.h"
 #include "BoxesVTK.h"
 #include "FieldData.h"
 #include "FilterOptions.h"
+#include "MeshCheck.h"
 #include "MeshToVTK.h"
 #include "Mesher/Messages.h"
 #include "PatchesVTK.h"
@@ -93,7 +95,13 @@ int vtkCellAssembler::RequestData(
       cartesian::assemble(std::move(boxes), std::move(patches), options, execution);
     cartesian::toVTK(*assembly, { names, types, {} }, {}, vtkUnstructuredGrid::GetData(output, 0),
       vtkPolyData::GetData(output, 1), nullptr, execution);
+    vtkUnstructuredGrid* const mesh = vtkUnstructuredGrid::GetData(output, 0);
+    const cartesian::MeshCheck check =
+      cartesian::checkMesh(mesh, cartesian::Checked::AtWalls, execution);
+    cartesian::setFindings(check, mesh);
     this->Warn(cartesian::describeFlaws(*assembly, names));
+    this->Warn(cartesian::describeFailures(check, mesh));
+    this->Warn(cartesian::describeNoSurface(mesh));
   });
   return 1;
 }

@@ -2,6 +2,7 @@
 #include "vtkMeshSummary.h"
 
 #include "Base/Error.h"
+#include "MeshCheck.h"
 #include "Quality/QualityMeasures.h"
 #include "vtkFiniteVolumeQuality.h"
 
@@ -137,53 +138,16 @@ constexpr std::array<Told, 12> WhatFails{ {
   { "StarTriangulation", "a face that is not star-shaped" },
 } };
 
-// Whether OpenFOAM's checkMesh fails for a cell's value of a measure; it only warns of others.
-bool IsRefused(std::size_t measure, double value)
-{
-  constexpr double TurnedOver = 90; // degrees
-  const cartesian::MeasureSpec& spec = cartesian::MeasureSpecs[measure];
-  switch (measure)
-  {
-    case cartesian::Volume:
-    case cartesian::Openness:
-    case cartesian::OpenEdges:
-    case cartesian::Skewness:
-    case cartesian::AspectRatio:
-      return spec.largeIsWorse ? value >= spec.limit : value <= spec.limit;
-    case cartesian::BoundaryAngle:
-    case cartesian::InnerAngle:
-    case cartesian::NonOrthogonality:
-      return value >= TurnedOver;
-    default:
-      return false;
-  }
-}
-
 // Of all processes, each of which must call this.
-double RefusedCells(vtkUnstructuredGrid* mesh)
+double Sum(double mine)
 {
-  vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
-  std::vector<char> isRefused(static_cast<std::size_t>(mesh->GetNumberOfCells()));
-  for (std::size_t m = 0; m < cartesian::MeasureSpecs.size(); ++m)
-  {
-    vtkDataArray* values = mesh->GetCellData()->GetArray(cartesian::MeasureSpecs[m].name);
-    for (vtkIdType cell = 0; values && cell < values->GetNumberOfTuples(); ++cell)
-    {
-      if (!(ghosts && ghosts->GetValue(cell) != 0) && IsRefused(m, values->GetComponent(cell, 0)))
-      {
-        isRefused[static_cast<std::size_t>(cell)] = 1;
-      }
-    }
-  }
-  auto count = static_cast<double>(std::count(isRefused.begin(), isRefused.end(), 1));
   vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
+  double sum = mine;
   if (processes && processes->GetNumberOfProcesses() > 1)
   {
-    double sum = 0;
-    processes->AllReduce(&count, &sum, 1, vtkCommunicator::SUM_OP);
-    count = sum;
+    processes->AllReduce(&mine, &sum, 1, vtkCommunicator::SUM_OP);
   }
-  return count;
+  return sum;
 }
 
 std::string Cells(double number)
@@ -191,9 +155,34 @@ std::string Cells(double number)
   return cartesian::number(number) + (number == 1 ? " cell" : " cells");
 }
 
-void TellVerdict(vtkUnstructuredGrid* mesh, std::ostream& text)
+// What checkMesh counts, by region; over several processes, which need not know the same regions, of all together.
+void TellFindings(const cartesian::MeshCheck& check, std::ostream& text)
 {
-  const double refused = RefusedCells(mesh);
+  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
+  const bool isAlone = !processes || processes->GetNumberOfProcesses() == 1;
+  bool any = false;
+  for (std::size_t r = 0; r < (isAlone ? check.regions.size() : 1); ++r)
+  {
+    const std::string name = isAlone ? check.regions[r] : "";
+    const cartesian::Findings findings = isAlone ? check.ofRegions[r] : check.sum();
+    for (std::size_t f = 0; f < cartesian::FindingCount; ++f)
+    {
+      const cartesian::FindingSpec& spec = cartesian::FindingSpecs[f];
+      const double count = Sum(static_cast<double>(findings[f]));
+      if (count > 0)
+      {
+        text << (any ? "" : "What checkMesh counts:\n");
+        any = true;
+        text << "  " << (name.empty() ? "" : name + ": ") << cartesian::number(count) << " "
+             << (count == 1 ? spec.one : spec.several) << "\n";
+      }
+    }
+  }
+}
+
+void TellVerdict(vtkUnstructuredGrid* mesh, const cartesian::MeshCheck& check, std::ostream& text)
+{
+  const double refused = Sum(static_cast<double>(check.failing.size()));
   if (Field(mesh, "Cells") == 0) // it could not be measured
   {
     return;
@@ -210,6 +199,7 @@ void TellVerdict(vtkUnstructuredGrid* mesh, std::ostream& text)
     }
   }
   text << (any ? "  To see them, show the output Worst Cells and choose a Measure\n" : "");
+  TellFindings(check, text);
 }
 
 void TellWorst(vtkUnstructuredGrid* mesh, std::ostream& text)
@@ -232,8 +222,10 @@ void TellRegions(vtkDataObject* mesh, std::ostream& text)
   auto* names = vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray("RegionNames"));
   for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
   {
+    const double parts = Field(mesh, "RegionParts", i);
     text << (i == 0 ? "Regions:\n" : "") << "  " << names->GetValue(i) << ": volume "
-         << cartesian::number(Field(mesh, "RegionVolumes", i)) << "\n";
+         << cartesian::number(Field(mesh, "RegionVolumes", i))
+         << (parts > 1 ? ", in " + cartesian::number(parts) + " parts" : "") << "\n";
   }
 }
 
@@ -319,7 +311,7 @@ void TellWhatWasDone(vtkDataObject* mesh, std::ostream& text)
 }
 
 // `mesh`: with the measures, on all processes.
-std::string Summary(vtkUnstructuredGrid* mesh)
+std::string Summary(vtkUnstructuredGrid* mesh, const cartesian::MeshCheck& check)
 {
   std::ostringstream text;
   text.precision(12);
@@ -331,7 +323,7 @@ std::string Summary(vtkUnstructuredGrid* mesh)
   }
   text << "\nVolume " << cartesian::number(Field(mesh, "TotalVolume")) << ", boundary "
        << cartesian::number(Field(mesh, "BoundaryArea")) << "\n";
-  TellVerdict(mesh, text);
+  TellVerdict(mesh, check, text);
   TellRegions(mesh, text);
   TellBoundaries(mesh, text);
   TellWhatWasDone(mesh, text);
@@ -400,7 +392,11 @@ int vtkMeshSummary::RequestData(
   quality->Update();
   this->ErrorCode = quality->GetErrorCode();
   auto* mesh = vtkUnstructuredGrid::SafeDownCast(quality->GetOutputDataObject(0));
-  const std::string text = Summary(mesh);
+  vtkNew<vtkUnstructuredGrid> none;
+  cartesian::Execution execution(this->NumberOfThreads);
+  const std::string text = Summary(mesh,
+    cartesian::checkMesh(
+      this->ErrorCode == 0 ? mesh : none.Get(), cartesian::Checked::All, execution));
   vtkNew<vtkStringArray> texts;
   texts->SetName("Text");
   texts->InsertNextValue(text);

@@ -24,10 +24,11 @@
  * 12 closed contact, only from vtkCartesianMesher: a wall replaced by that of another region (triangle)
  * 13 cell left out, only from vtkCartesianMesher: it fails the quality limits, or the grid cuts it off from the rest
  *    (the six sides of its box; Volume is the cell's)
+ * 14 failing cell, only from vtkCartesianMesher: OpenFOAM's checkMesh fails on it (its faces)
  *
  * Field data: the number of each kind, OpenEdges, NonManifoldEdges, InconsistentEdges, DegenerateTriangles,
  * DuplicateTriangles, FoldedTriangles, OverlappedTriangles, Intersections, TrianglesOfSmallComponents,
- * Holes, Leaks, TrianglesOfClosedContacts, CellsLeftOut; Components (pieces without a common vertex);
+ * Holes, Leaks, TrianglesOfClosedContacts, CellsLeftOut, FailingCells; Components (pieces without a common vertex);
  * TrianglesNotCompared (triangles with more than 512 larger ones nearby; 64 in surfaces of half a million). At most a
  * million of each kind are listed.
  *

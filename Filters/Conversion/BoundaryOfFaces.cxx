@@ -197,71 +197,10 @@ void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execut
   mesh->GetFieldData()->AddArray(array);
 }
 
-namespace
+BoundaryKnowledge readBoundaryOfFaces(vtkUnstructuredGrid* grid, const CellFaces& cells,
+  const std::vector<vtkIdType>& cellOf, FaceList& list, std::vector<vtkIdType>& boundary)
 {
-
-// The face of another cell with the same corners, seen from there.
-std::size_t faceBeyond(const CellFaces& cells, std::size_t face, std::uint32_t cell)
-{
-  const auto cornersOf = [&](std::size_t f) {
-    std::vector<std::uint32_t> corners(
-      cells.corners.begin() + static_cast<std::ptrdiff_t>(cells.firstCorner[f]),
-      cells.corners.begin() + static_cast<std::ptrdiff_t>(cells.firstCorner[f + 1]));
-    std::sort(corners.begin(), corners.end());
-    return corners;
-  };
-  const std::vector<std::uint32_t> corners = cornersOf(face);
-  std::size_t other = cells.firstFace[cell];
-  while (other < cells.firstFace[cell + 1] && cornersOf(other) != corners)
-  {
-    ++other;
-  }
-  return other;
-}
-
-// Inner faces with a boundary are those of baffles: they become boundary faces of both cells.
-void openBaffles(const CellFaces& cells, const std::vector<std::size_t>& baffles, FaceList& list)
-{
-  if (baffles.empty())
-  {
-    return;
-  }
-  std::vector<std::array<std::uint32_t, 2>> outer; // cells and faces
-  for (std::size_t i = list.neighbour.size(); i < list.face.size(); ++i)
-  {
-    outer.push_back({ list.owner[i], list.face[i] });
-  }
-  FaceList opened;
-  auto next = baffles.begin();
-  for (std::size_t i = 0; i < list.neighbour.size(); ++i)
-  {
-    if (next != baffles.end() && *next == i)
-    {
-      ++next;
-      outer.push_back({ list.owner[i], list.face[i] });
-      outer.push_back({ list.neighbour[i],
-        static_cast<std::uint32_t>(faceBeyond(cells, list.face[i], list.neighbour[i])) });
-      continue;
-    }
-    opened.face.push_back(list.face[i]);
-    opened.owner.push_back(list.owner[i]);
-    opened.neighbour.push_back(list.neighbour[i]);
-  }
-  std::sort(outer.begin(), outer.end());
-  for (const auto& [cell, face] : outer)
-  {
-    opened.face.push_back(face);
-    opened.owner.push_back(cell);
-  }
-  list = std::move(opened);
-}
-
-}
-
-BoundaryKnowledge readBoundaryOfFaces(vtkUnstructuredGrid* grid, const GridFaces& faces,
-  FaceList& list, std::vector<vtkIdType>& boundary)
-{
-  boundary.assign(list.face.size() - list.neighbour.size(), NoBoundary);
+  boundary.assign(list.face.size() - list.neighbour.size(), UnknownBoundary);
   vtkIdTypeArray* ids = cellIdsOf(grid);
   vtkIdTypeArray* array = rowsOf(grid);
   if (!ids || !array)
@@ -269,8 +208,8 @@ BoundaryKnowledge readBoundaryOfFaces(vtkUnstructuredGrid* grid, const GridFaces
     return BoundaryKnowledge::Nothing;
   }
   const auto find = [&](Rows& rows, std::uint32_t cell, std::size_t face, bool& again) {
-    return rows.find(ids->GetValue(faces.cellOf[cell]),
-      static_cast<vtkIdType>(face - faces.cells.firstFace[cell]), again);
+    return rows.find(
+      ids->GetValue(cellOf[cell]), static_cast<vtkIdType>(face - cells.firstFace[cell]), again);
   };
   std::vector<std::size_t> baffles;
   Rows tried(array);
@@ -279,7 +218,7 @@ BoundaryKnowledge readBoundaryOfFaces(vtkUnstructuredGrid* grid, const GridFaces
     bool again = false;
     if (find(tried, list.owner[i], list.face[i], again) >= 0)
     {
-      const std::size_t beyond = faceBeyond(faces.cells, list.face[i], list.neighbour[i]);
+      const std::size_t beyond = faceBeyond(cells, list.face[i], list.neighbour[i]);
       if (find(tried, list.neighbour[i], beyond, again) < 0)
       {
         return BoundaryKnowledge::Unfit;
@@ -287,9 +226,9 @@ BoundaryKnowledge readBoundaryOfFaces(vtkUnstructuredGrid* grid, const GridFaces
       baffles.push_back(i);
     }
   }
-  openBaffles(faces.cells, baffles, list);
+  openFaces(cells, baffles, list);
   const std::size_t inner = list.neighbour.size();
-  boundary.assign(list.face.size() - inner, NoBoundary);
+  boundary.assign(list.face.size() - inner, UnknownBoundary);
   Rows rows(array);
   for (std::size_t i = inner; i < list.face.size(); ++i)
   {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "GridFaces.h"
+#include "Surface/Walls.h"
 
 #include <map>
 #include <string>
@@ -32,10 +33,13 @@ enum class BoundaryKnowledge
   All      // each boundary face is known, or was an inner face before
 };
 
-// Gives the boundary of each boundary face of `list`, or NoBoundary where it is unknown. Faces of baffles are
-// boundary faces of both their cells then.
-BoundaryKnowledge readBoundaryOfFaces(vtkUnstructuredGrid* grid, const GridFaces& faces,
-  FaceList& list, std::vector<vtkIdType>& boundary);
+// Of faces that the mesh's boundary did not have.
+constexpr vtkIdType UnknownBoundary = NoBoundary - 1;
+
+// Gives the boundary of each boundary face of `list`, or UnknownBoundary. Faces of baffles are boundary faces of both
+// their cells then. `cellOf`: the number in the grid of each of the `cells`.
+BoundaryKnowledge readBoundaryOfFaces(vtkUnstructuredGrid* grid, const CellFaces& cells,
+  const std::vector<vtkIdType>& cellOf, FaceList& list, std::vector<vtkIdType>& boundary);
 
 // The strings of the field data array `name` (BoundaryNames, BoundaryTypes), by the numbers in BoundaryIds
 // (if that is missing: 0, 1, 2, ...).

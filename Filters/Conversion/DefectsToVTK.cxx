@@ -2,6 +2,7 @@
 #include "DefectsToVTK.h"
 
 #include "FieldData.h"
+#include "GridFaces.h"
 
 #include "Boxes/Sides.h"
 
@@ -14,6 +15,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <array>
@@ -42,6 +44,7 @@ constexpr std::array<std::pair<DefectKind, const char*>, 12> CountNames = { {
 } };
 
 constexpr const char* CellsLeftOut = "CellsLeftOut";
+constexpr const char* FailingCells = "FailingCells";
 
 const char* nameOf(DefectKind kind)
 {
@@ -135,27 +138,28 @@ private:
 class CellAdder
 {
 public:
-  CellAdder(const Boxes& boxes, vtkPolyData* output)
-    : boxes_(boxes)
+  CellAdder(DefectKind kind, const char* name, vtkPolyData* output)
+    : kind_(static_cast<int>(kind))
+    , name_(name)
     , points_(output->GetPoints())
     , polygons_(output->GetPolys())
     , data_(output->GetCellData())
   {
   }
 
-  void add(const RemovedCell& cell)
+  void addBox(const Boxes& boxes, const RemovedCell& cell)
   {
-    const Box box = boxes_.box(cell.box);
+    const Box box = boxes.box(cell.box);
     const vtkIdType first = points_->GetNumberOfPoints();
     for (unsigned corner = 0; corner < 8; ++corner)
     {
       const auto at = [&](int axis) {
         const Point& end = (corner >> axis & 1u) != 0 ? box.high : box.low;
-        return boxes_.lattice.position(axis, end[static_cast<std::size_t>(axis)]);
+        return boxes.lattice.position(axis, end[static_cast<std::size_t>(axis)]);
       };
       points_->InsertNextPoint(at(0), at(1), at(2));
     }
-    const double volume = cell.volume * std::pow(boxes_.lattice.step(), 3);
+    const double volume = cell.volume * std::pow(boxes.lattice.step(), 3);
     for (int side = 0; side < 6; ++side)
     {
       polygons_->InsertNextCell(4);
@@ -163,24 +167,55 @@ public:
       {
         polygons_->InsertCellPoint(first + static_cast<vtkIdType>(corner));
       }
-      append("DefectKind", static_cast<int>(DefectKind::CellLeftOut));
-      vtkStringArray::SafeDownCast(data_->GetAbstractArray("DefectName"))
-        ->InsertNextValue(CellsLeftOut);
-      append("SurfaceCell", -1);
-      append("OtherCell", -1);
-      append("Width", 0);
-      append("Volume", volume);
+      describe(volume);
+    }
+  }
+
+  // `stream`: as CellFaceReader gives it.
+  void addFaces(vtkUnstructuredGrid* mesh, const vtkIdType* stream)
+  {
+    for (vtkIdType faces = *stream++; faces > 0; --faces)
+    {
+      const vtkIdType corners = *stream++;
+      polygons_->InsertNextCell(static_cast<int>(corners));
+      for (vtkIdType i = 0; i < corners; ++i)
+      {
+        polygons_->InsertCellPoint(points_->InsertNextPoint(mesh->GetPoint(*stream++)));
+      }
+      describe(0);
     }
   }
 
 private:
+  void describe(double volume)
+  {
+    append("DefectKind", kind_);
+    vtkStringArray::SafeDownCast(data_->GetAbstractArray("DefectName"))->InsertNextValue(name_);
+    append("SurfaceCell", -1);
+    append("OtherCell", -1);
+    append("Width", 0);
+    append("Volume", volume);
+  }
+
   void append(const char* array, double value) { data_->GetArray(array)->InsertNextTuple1(value); }
 
-  const Boxes& boxes_;
+  const int kind_;
+  const char* const name_;
   vtkPoints* points_;
   vtkCellArray* polygons_;
   vtkCellData* data_;
 };
+
+// Whether there are arrays to add `count` cells to: made here, if need be.
+bool isToAdd(std::size_t count, vtkPolyData* output)
+{
+  const bool isThere = output->GetCellData()->HasArray("DefectKind") != 0;
+  if (!isThere && count > 0)
+  {
+    toVTK({}, {}, output);
+  }
+  return isThere || count > 0;
+}
 
 }
 
@@ -195,6 +230,7 @@ void toVTK(
   setField(output, "Components", { static_cast<double>(defects.components) });
   setField(output, "TrianglesNotCompared", { static_cast<double>(defects.notCompared) });
   setField(output, CellsLeftOut, { 0 }); // so far: addCellsLeftOut()
+  setField(output, FailingCells, { 0 });
 }
 
 void setRepairs(const SurfaceRepair& repair, vtkDataObject* output)
@@ -219,23 +255,35 @@ void setRepairs(const SurfaceRepair& repair, vtkDataObject* output)
 void addCellsLeftOut(const Assembly& assembly, vtkPolyData* output)
 {
   const std::size_t count = assembly.shaping.refused.size() + assembly.separate.fragments.size();
-  if (!output->GetCellData()->HasArray("DefectKind"))
+  if (!isToAdd(count, output))
   {
-    if (count == 0)
-    {
-      return;
-    }
-    toVTK({}, {}, output);
+    return;
   }
-  CellAdder adder(assembly.boxes, output);
+  CellAdder adder(DefectKind::CellLeftOut, CellsLeftOut, output);
   for (const auto* cells : { &assembly.shaping.refused, &assembly.separate.fragments })
   {
     for (const RemovedCell& cell : *cells)
     {
-      adder.add(cell);
+      adder.addBox(assembly.boxes, cell);
     }
   }
   setField(output, CellsLeftOut, { static_cast<double>(count) });
+}
+
+void addFailingCells(
+  vtkUnstructuredGrid* mesh, const std::vector<vtkIdType>& cells, vtkPolyData* output)
+{
+  if (!isToAdd(cells.size(), output))
+  {
+    return;
+  }
+  CellAdder adder(DefectKind::FailingCell, FailingCells, output);
+  for (const vtkIdType cell : cells)
+  {
+    CellFaceReader reader(mesh);
+    adder.addFaces(mesh, reader.read(cell));
+  }
+  setField(output, FailingCells, { static_cast<double>(cells.size()) });
 }
 
 }

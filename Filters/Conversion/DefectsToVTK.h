@@ -13,6 +13,7 @@
 
 class vtkDataObject;
 class vtkPolyData;
+class vtkUnstructuredGrid;
 
 namespace cartesian
 {
@@ -28,5 +29,9 @@ void setRepairs(const SurfaceRepair& repair, vtkDataObject* output);
 // Adds the cells left out of the mesh because they failed or the grid cut them off: the six sides of the box of each,
 // of kind CellLeftOut.
 void addCellsLeftOut(const Assembly& assembly, vtkPolyData* output);
+
+// Adds the faces of each of these cells of the mesh, of kind FailingCell.
+void addFailingCells(
+  vtkUnstructuredGrid* mesh, const std::vector<vtkIdType>& cells, vtkPolyData* output);
 
 }

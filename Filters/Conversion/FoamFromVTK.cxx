@@ -92,7 +92,8 @@ std::pair<std::vector<vtkIdType>, std::vector<std::size_t>> sortByBoundary(
   return { std::move(boundaries), std::move(counts) };
 }
 
-FoamRegions regionsOf(vtkUnstructuredGrid* grid, const GridFaces& faces, RegionsAsked asked)
+FoamRegions regionsOf(
+  vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& cells, RegionsAsked asked)
 {
   auto* names = vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray("RegionNames"));
   auto* regions = vtkIntArray::SafeDownCast(grid->GetCellData()->GetArray("Region"));
@@ -102,9 +103,9 @@ FoamRegions regionsOf(vtkUnstructuredGrid* grid, const GridFaces& faces, Regions
   {
     number[i] = 0;
   }
-  for (std::size_t cell = 0; names && regions && cell < faces.cellOf.size(); ++cell)
+  for (std::size_t i = 0; names && regions && i < cells.size(); ++i)
   {
-    number[regions->GetValue(faces.cellOf[cell])] = 0;
+    number[regions->GetValue(cells[i])] = 0;
   }
   if (!regions || number.size() < 2 || number.begin()->first < 1 ||
     number.rbegin()->first > names->GetNumberOfValues())
@@ -118,7 +119,7 @@ FoamRegions regionsOf(vtkUnstructuredGrid* grid, const GridFaces& faces, Regions
     index = static_cast<std::uint32_t>(result.names.size());
     result.names.push_back(takeWord(names->GetValue(region - 1), region, taken));
   }
-  for (const vtkIdType cell : faces.cellOf)
+  for (const vtkIdType cell : cells)
   {
     result.ofCell.push_back(number[regions->GetValue(cell)]);
   }
@@ -176,6 +177,16 @@ std::vector<std::int32_t> pointNumbers(vtkUnstructuredGrid* grid, const GridFace
   return numbers;
 }
 
+// Faces that were not in the mesh's boundary have none.
+BoundaryKnowledge readBoundaries(vtkUnstructuredGrid* grid, const GridFaces& faces, FaceList& list,
+  std::vector<vtkIdType>& boundary)
+{
+  const BoundaryKnowledge known =
+    readBoundaryOfFaces(grid, faces.cells, faces.cellOf, list, boundary);
+  std::replace(boundary.begin(), boundary.end(), UnknownBoundary, vtkIdType(NoBoundary));
+  return known;
+}
+
 }
 
 WholeMesh wholeMesh(vtkUnstructuredGrid* grid, Execution& execution)
@@ -184,7 +195,7 @@ WholeMesh wholeMesh(vtkUnstructuredGrid* grid, Execution& execution)
   turnOutward(faces.cells, faces.points, execution);
   FaceList list = listFaces(faces.cells, faces.points.size() / 3, Clashes::Refused, execution);
   std::vector<vtkIdType> boundaryOf;
-  const BoundaryKnowledge known = readBoundaryOfFaces(grid, faces, list, boundaryOf);
+  const BoundaryKnowledge known = readBoundaries(grid, faces, list, boundaryOf);
   std::vector<FoamPatch> patches;
   if (known == BoundaryKnowledge::All)
   {
@@ -195,7 +206,7 @@ WholeMesh wholeMesh(vtkUnstructuredGrid* grid, Execution& execution)
   {
     patches.push_back({ "boundary", boundaryOf.size() });
   }
-  FoamRegions regions = regionsOf(grid, faces, RegionsAsked::WithCells);
+  FoamRegions regions = regionsOf(grid, faces.cellOf, RegionsAsked::WithCells);
   return { foamMesh(std::move(faces.points), faces.cells, list, std::move(patches)),
     std::move(regions), known == BoundaryKnowledge::Unfit };
 }
@@ -211,7 +222,7 @@ FoamPiece foamPiece(vtkUnstructuredGrid* grid, Execution& execution)
   turnOutward(faces.cells, faces.points, execution);
   FaceList list = listFaces(faces.cells, faces.points.size() / 3, Clashes::Refused, execution);
   std::vector<vtkIdType> boundaryOf;
-  if (readBoundaryOfFaces(grid, faces, list, boundaryOf) != BoundaryKnowledge::All)
+  if (readBoundaries(grid, faces, list, boundaryOf) != BoundaryKnowledge::All)
   {
     throw Error(Fault::BadMesh,
       "Cells were changed after meshing: to write a decomposed case, save the output of Cartesian "
@@ -219,7 +230,7 @@ FoamPiece foamPiece(vtkUnstructuredGrid* grid, Execution& execution)
   }
   const auto [boundaries, counts] = sortByBoundary(boundaryOf, list);
   FoamPiece piece{ {}, pointNumbers(grid, faces), firstCellOf(grid, faces), {},
-    regionsOf(grid, faces, RegionsAsked::AllOfTheMesh) };
+    regionsOf(grid, faces.cellOf, RegionsAsked::AllOfTheMesh) };
   for (std::size_t i = 0; i < boundaries.size() && boundaries[i] != NoBoundary; ++i)
   {
     piece.boundaries.emplace_back(static_cast<std::int32_t>(boundaries[i]), counts[i]);

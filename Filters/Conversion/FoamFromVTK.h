@@ -25,7 +25,9 @@ enum class RegionsAsked
   AllOfTheMesh, // those of other pieces too; none, if there is one
 };
 
-FoamRegions regionsOf(vtkUnstructuredGrid* grid, const GridFaces& faces, RegionsAsked asked);
+// Of some cells of the grid.
+FoamRegions regionsOf(
+  vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& cells, RegionsAsked asked);
 
 std::vector<FoamZone> zonesOf(const FoamRegions& regions);
 

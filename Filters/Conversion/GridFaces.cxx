@@ -137,10 +137,17 @@ void finish(CellFaces& cells)
 
 CellFaces facesOfCells(vtkUnstructuredGrid* grid)
 {
+  std::vector<vtkIdType> all(static_cast<std::size_t>(grid->GetNumberOfCells()));
+  std::iota(all.begin(), all.end(), vtkIdType(0));
+  return facesOfCells(grid, all);
+}
+
+CellFaces facesOfCells(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& which)
+{
   checkPoints(grid);
   CellFaces cells;
   CellFaceReader reader(grid);
-  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  for (const vtkIdType c : which)
   {
     append(reader.read(c), cells);
   }

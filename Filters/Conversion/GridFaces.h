@@ -39,6 +39,9 @@ private:
 // have no faces. Throws Error (BadMesh): a cell with curved edges, too many points.
 CellFaces facesOfCells(vtkUnstructuredGrid* grid);
 
+// Of some of them, in this order.
+CellFaces facesOfCells(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& which);
+
 // The cells that have a volume and are not ghosts, in order of their CellId (BoundaryOfFaces.h) if they have one:
 // neighbours then have close numbers, which solvers prefer and the grid's order, with hexahedra first, does not give.
 // And the points that they use, renumbered in order.

@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 namespace cartesian
 {
@@ -220,6 +221,17 @@ void setStatistics(const Assembly& assembly, const Processes& processes, vtkUnst
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     setField(grid, statistics[i].name, { values[i] });
+  }
+}
+
+// Of a piece they are not known.
+void setParts(const Assembly& assembly, vtkUnstructuredGrid* grid)
+{
+  const std::vector<std::size_t>& parts = assembly.separate.ofRegions;
+  if (!parts.empty())
+  {
+    setField(grid, "Parts",
+      { static_cast<double>(std::accumulate(parts.begin(), parts.end(), std::size_t(0))) });
   }
 }
 
@@ -527,6 +539,8 @@ void setRegions(const Assembly& assembly, const std::vector<std::string>& names,
   const Processes& processes, vtkUnstructuredGrid* mesh, vtkPolyData* boundary)
 {
   const std::vector<double> volumes = processes.sum(regionVolumes(assembly));
+  std::vector<double> parts(assembly.separate.ofRegions.begin(), assembly.separate.ofRegions.end());
+  parts.resize(volumes.size());
   vtkNew<vtkStringArray> regionNames;
   regionNames->SetName("RegionNames");
   for (std::size_t n = 0; n < volumes.size(); ++n)
@@ -537,6 +551,7 @@ void setRegions(const Assembly& assembly, const std::vector<std::string>& names,
   {
     output->GetFieldData()->AddArray(regionNames);
     setField(output, "RegionVolumes", volumes);
+    setField(output, "RegionParts", parts);
   }
   auto* numbers = vtkIdTypeArray::SafeDownCast(mesh->GetCellData()->GetArray(CellId));
   auto* regions = vtkIntArray::SafeDownCast(mesh->GetCellData()->GetArray("Region"));
@@ -623,6 +638,7 @@ void toVTK(const Assembly& assembly, const BoundaryTexts& texts, const MeshPiece
   execution.stage("Writing the mesh", AfterLayers, 1);
   setMesh(assembly, mesh, execution);
   setStatistics(assembly, piece.processes, mesh);
+  setParts(assembly, mesh);
   setBoundary(assembly, mesh, boundary, execution);
   setBoundaryOfFaces(mesh, boundary, execution);
   describeBoundaries(assembly, texts, piece.processes, boundary, mesh);

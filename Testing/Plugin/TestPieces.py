@@ -108,6 +108,7 @@ with tempfile.TemporaryDirectory() as folder:
     pieces.assert_union(whole, [pieces.load(file) for file in many[1]])
     for name in "VolumeLeftOut", "MeshVolume":  # sums, in another order
         assert np.isclose(*(summary["mesh"].pop(name) for summary in summaries), rtol=1e-12)
+    assert [summary["mesh"].pop("Parts", 0) for summary in summaries].count(0) == 1  # of pieces it is not known
     assert summaries[0]["mesh"] == summaries[1]["mesh"]
     for one, other in zip(summaries[0]["boundaries"], summaries[1]["boundaries"]):
         assert one["faces"] == other["faces"] and np.isclose(one["area"], other["area"], rtol=1e-12)

@@ -25,6 +25,10 @@ struct WallAreas
 
 using FlatWalls = std::map<Level, WallAreas>;
 
+// Corners this near to the first or the last plane, as a part of the surface's longest side, were meant to lie on it:
+// the noise of coordinates where a surface was cut by hand, and half the thickness that a sheet gets.
+constexpr double EndTolerance = 4e-6;
+
 // Walls that run along a plane, which is so many smallest parts of boxes from the first meshline.
 struct WallsAlong
 {
@@ -150,6 +154,110 @@ void endInWalls(std::vector<Level>& lines, const FlatWalls& walls)
   }
 }
 
+// The level of a corner as seen from one end of the grid: 0 on the plane there, more towards the middle.
+class SeenFromEnd
+{
+public:
+  SeenFromEnd(const Surface& surface, const std::vector<Level>& lines, std::size_t axis, bool upper)
+    : surface_(surface)
+    , axis_(axis)
+    , plane_(upper ? lines.back() : lines.front())
+    , sign_(upper ? -1 : 1)
+  {
+  }
+
+  double height(const Point& p) const { return sign_ * (double(p[axis_]) - plane_); }
+
+  // Twice the area of walls all of whose corners are within a distance of the plane: of those with the domain between
+  // them and the plane, less that of the others.
+  double wallsWithin(double distance) const
+  {
+    double sum = 0;
+    for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
+    {
+      const Corners c = surface_.corners(t);
+      const bool oriented = surface_.byParity.empty() || surface_.byParity[t] == 0;
+      sum += oriented &&
+          std::all_of(
+            c.begin(), c.end(), [&](const Point& p) { return std::abs(height(p)) <= distance; })
+        ? sign_ * projectedArea(c, axis_)
+        : 0;
+    }
+    return sum;
+  }
+
+  // Of the highest corner that no gap of this size separates from the plane; 0: there is none.
+  double top(double gap) const
+  {
+    std::vector<double> heights;
+    for (const auto& triangle : surface_.triangles)
+    {
+      for (const std::uint32_t vertex : triangle)
+      {
+        const double h = height(surface_.vertices[vertex]);
+        if (h > 0 && h <= MostGaps * gap)
+        {
+          heights.push_back(h);
+        }
+      }
+    }
+    std::sort(heights.begin(), heights.end());
+    double highest = 0;
+    for (const double h : heights)
+    {
+      highest = h <= highest + gap ? h : highest;
+    }
+    return highest;
+  }
+
+private:
+  static constexpr double MostGaps = 4;
+
+  const Surface& surface_;
+  const std::size_t axis_;
+  const Level plane_;
+  const double sign_;
+};
+
+// Past corners that were meant to lie on the plane: else a film of the domain stays between, whose walls, or what is
+// left where it is removed, lie across the end. Not past a wall with the domain on its other side, which ends it there.
+void endPastCorners(
+  const Surface& surface, std::vector<Level>& lines, std::size_t axis, double near)
+{
+  const double most = LargestStep * (double(lines[1]) - lines[0]) / double(FinePerBox);
+  const double gap = std::min(near, most);
+  for (const bool upper : { false, true })
+  {
+    const SeenFromEnd end(surface, lines, axis, upper);
+    const double top = end.top(gap);
+    if (top > 0 && end.wallsWithin(top) >= 0)
+    {
+      const auto step = static_cast<Level>(top + 1); // corners are on odd levels
+      (upper ? lines.back() : lines.front()) += upper ? Level(0) - step : step;
+    }
+  }
+}
+
+double longestSide(const Surface& surface)
+{
+  double longest = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    Level low = std::numeric_limits<Level>::max();
+    Level high = 0;
+    for (const auto& triangle : surface.triangles)
+    {
+      for (const std::uint32_t vertex : triangle)
+      {
+        low = std::min(low, surface.vertices[vertex][axis]);
+        high = std::max(high, surface.vertices[vertex][axis]);
+      }
+    }
+    longest = std::max(longest, double(high) - low);
+  }
+  return longest;
+}
+
 void stepMeshlines(const FlatWalls& walls, Meshlines& planes, std::size_t axis, double rounding)
 {
   std::vector<Level>& lines = planes[axis];
@@ -185,6 +293,7 @@ void stepPlanesBetween(const FlatWalls& walls, Meshlines& planes, std::size_t ax
 
 void stepAside(const Surface& surface, Meshlines& planes)
 {
+  const double longest = surface.around.inside() ? longestSide(surface) : 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const FlatWalls walls = flatWalls(surface, axis);
@@ -193,6 +302,7 @@ void stepAside(const Surface& surface, Meshlines& planes)
     if (surface.around.inside())
     {
       endInWalls(planes[axis], walls);
+      endPastCorners(surface, planes[axis], axis, EndTolerance * longest);
     }
     stepPlanesBetween(walls, planes, axis, rounding);
   }

@@ -15,7 +15,8 @@ namespace cartesian
 
 // Each meshline, and each plane that may divide boxes, moves past the walls that it would run along, or stays:
 // whichever leaves the smallest area of walls with a flange. In external domains so do the first and the last
-// meshline, towards the middle: a body that stands on the ground then stands in it. The surface is oriented.
+// meshline, towards the middle: a body that stands on the ground then stands in it, and one that was cut there ends
+// there, though its corners are not quite on the plane. The surface is oriented.
 void stepAside(const Surface& surface, Meshlines& planes);
 
 }

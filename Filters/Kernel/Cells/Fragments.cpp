@@ -40,7 +40,8 @@ public:
     {
       if (isLarge_[c] == 0 && !wall_.cells[c].removed && collect(c))
       {
-        parts.push_back({ part_, volume() < LargestFragment * enclosed() });
+        parts.push_back(
+          { part_, !patches_.walls.any() && volume() < LargestFragment * enclosed() });
       }
       for (const std::uint32_t cell : part_) // each is looked at once
       {
@@ -60,7 +61,8 @@ private:
     return std::any_of(use + std::ptrdiff_t(wall_.cells[c].firstUse),
       use + std::ptrdiff_t(wall_.cells[c + 1].firstUse), [&](const FaceUse& face) {
         const CellKey other = wall_.faces.beyond(face);
-        return other != None && visit(other);
+        return other != None && !wall_.isInterface(face.face) &&
+          !patches_.walls.isBaffle(wall_.faces.boundary[face.face]) && visit(other);
       });
   }
 
@@ -164,8 +166,7 @@ private:
 std::vector<SmallPart> findSmallParts(const Boxes& boxes, const Patches& patches,
   const Sides& sides, const WallMesh& wall, Execution& execution)
 {
-  return patches.walls.any() ? std::vector<SmallPart>{}
-                             : Search(boxes, patches, sides, wall).run(execution);
+  return Search(boxes, patches, sides, wall).run(execution);
 }
 
 }

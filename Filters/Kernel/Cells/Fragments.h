@@ -20,7 +20,8 @@ struct SmallPart
   bool isFragment;
 };
 
-// In order of their first cells. With several regions: none.
+// In order of their first cells; with several regions, parts of one, of which none is a fragment: without it there
+// would be a hole between two.
 std::vector<SmallPart> findSmallParts(const Boxes& boxes, const Patches& patches,
   const Sides& sides, const WallMesh& wall, Execution& execution);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/KeptParts.h"
 
-#include "Base/DisjointSets.h"
 #include "Base/Error.h"
+#include "Cells/ConnectedCells.h"
 #include "Surface/LineCrossings.h"
 
 #include <algorithm>
@@ -37,10 +37,9 @@ public:
     , sides_(sides)
     , nodes_(nodes)
     , wall_(wall)
-    , parts_(boxes.packed.size() + wall.size())
+    , parts_(unitedHexahedra(boxes, sides, wall))
     , isKept_(boxes.packed.size() + wall.size())
   {
-    uniteHexahedra();
     uniteAcrossSides();
   }
 
@@ -129,23 +128,6 @@ private:
   bool isHexahedron(std::uint32_t box) const
   {
     return box != None && sides_.polyhedralOrdinal(box) == None;
-  }
-
-  void uniteHexahedra()
-  {
-    for (std::uint32_t b = 0; b < boxes_.packed.size(); ++b)
-    {
-      for (int axis = 0; isHexahedron(b) && axis < 3; ++axis)
-      {
-        for (const std::uint32_t other : facing(boxes_, boxes_.packed[b], axis, true))
-        {
-          if (isHexahedron(other))
-          {
-            parts_.unite(b, other);
-          }
-        }
-      }
-    }
   }
 
   // Calls visit(face, below, above) for all faces of sides: their elements, or None.

@@ -3,6 +3,8 @@
 
 #include "Base/Error.h"
 #include "Cells/Cells.h"
+#include "Cells/ConnectedCells.h"
+#include "Cells/FlatBorders.h"
 #include "Cells/Fragments.h"
 #include "Cells/Interfaces.h"
 #include "Cells/OverlappingCells.h"
@@ -259,6 +261,23 @@ BoxFlags findTurned(const Assembly& a, const WallMesh& wall)
   return turned;
 }
 
+// Boxes where a cell became flat at a wall on which two boundaries meet: without it their border is lost, with the areas
+// on either side.
+BoxFlags findLostBorders(const Assembly& a, const WallMesh& wall)
+{
+  BoxFlags lost(a.sides.polyhedral.size());
+  for (std::size_t n = 0; n < lost.size(); ++n)
+  {
+    for (std::size_t c = wall.boxStart[n]; c < wall.boxStart[n + 1]; ++c)
+    {
+      const Cell& cell = wall.cells[c];
+      lost[n] = lost[n] ||
+        ((cell.sliver || cell.volumeFraction < LeastOfThick) && hasBorderInPlane(a.nodes, wall, c));
+    }
+  }
+  return lost;
+}
+
 // Collapses short edges, first between the seams, then across them (EdgeCollapse.h), and makes the cells. Boxes whose
 // faces then do not close, or whose cells are inverted, keep their edges in another attempt; this changes nothing
 // beyond the seams.
@@ -312,6 +331,16 @@ private:
     return edges.keeps == before;
   }
 
+  // False: there are boxes that would lose a border between boundaries, and will keep their edges.
+  bool keepsBorders(const WallMesh& wall)
+  {
+    const BoxFlags before = between_.keeps;
+    const BoxFlags lost = findLostBorders(a_, wall);
+    unite(between_.keeps, lost);
+    unite(across_.keeps, lost);
+    return between_.keeps == before;
+  }
+
   bool collapseBetweenSeams()
   {
     if (collapse(between_) == 0)
@@ -330,11 +359,12 @@ private:
   {
     const std::size_t collapsed = collapse(across_);
     a_.wall = makeCells(a_, options_, execution_);
+    bool done = keepsBorders(a_.wall);
     if (collapsed == 0)
     {
-      return true;
+      return done;
     }
-    bool done = keepsFlawed(across_, a_.wall.flawed);
+    done = keepsFlawed(across_, a_.wall.flawed) && done;
     if (turnedMatter_)
     {
       done = keepsTurned(across_, a_.wall) && done;
@@ -403,11 +433,15 @@ void removeFragments(Assembly& a, const Options& options, Execution& execution)
   }
 }
 
-void requireCells(const Assembly& a, const Options& options)
+bool isWhole(const Assembly& a)
 {
   const Layers all = a.boxes.allLayers();
-  const bool isWhole = a.boxes.core.begin == all.begin && a.boxes.core.end == all.end;
-  if (isWhole && a.mesh->cellCount() == 0)
+  return a.boxes.core.begin == all.begin && a.boxes.core.end == all.end;
+}
+
+void requireCells(const Assembly& a, const Options& options)
+{
+  if (isWhole(a) && a.mesh->cellCount() == 0)
   {
     throw nothingToMesh(a, options);
   }
@@ -467,6 +501,10 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
     }
   }
   removeFragments(a, options, execution);
+  if (isWhole(a))
+  {
+    a.separate.ofRegions = countParts(a.boxes, a.patches.walls, a.sides, a.wall);
+  }
   a.nodes.warped = warpedHexahedra(a.boxes, a.sides, a.nodes, execution);
   execution.stage("Numbering", AfterShaping, AfterNumbering);
   a.mesh = std::make_unique<OutputMesh>(

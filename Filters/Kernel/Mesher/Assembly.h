@@ -19,6 +19,8 @@ struct SeparateParts
   std::size_t leftOut = 0;            // without a point to keep
   std::vector<RemovedCell> fragments; // cells of the core that went with small parts
   std::size_t isolatedCells = 0;      // cells of the core in those that stay
+  std::vector<std::size_t>
+    ofRegions; // how many there are in each (ConnectedCells.h); of the whole mesh only
 };
 
 // The results of the steps for a part of the grid, or all of it. `mesh` refers to the others.

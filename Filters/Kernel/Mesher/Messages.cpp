@@ -233,24 +233,14 @@ std::string describeLeftOut(const Assembly& a, const std::map<std::int32_t, std:
     places(a.boxes, boxes);
 }
 
-std::string describeKept(const Assembly& a)
+std::string describeOverlapping(const Assembly& a)
 {
-  std::string text;
-  if (const std::vector<std::uint32_t>& kept = a.shaping.kept; !kept.empty())
-  {
-    text = "checkMesh will fail: " + counted(kept.size(), "cell has", "cells have") +
-      " a skewness above 4 or an inverted face, and repairing that would change the wall too much. "
-      "Use a smaller Cell Size or a larger Refinement Depth there:" +
-      places(a.boxes, kept);
-  }
-  if (const std::vector<std::uint32_t>& overlapping = a.overlapping; !overlapping.empty())
-  {
-    text += std::string(lineBreak(text)) + "No case can be written: " +
+  const std::vector<std::uint32_t>& overlapping = a.overlapping;
+  return overlapping.empty() ? ""
+                             : "No case can be written: " +
       counted(overlapping.size(), "cell overlaps another", "cells overlap others") +
       " because the surface intersects itself. Repair it there, or choose another Cell Size:" +
       places(a.boxes, overlapping);
-  }
-  return text;
 }
 
 std::string describeNothing(const Assembly& assembly, const Options& options)
@@ -383,8 +373,8 @@ std::string describeFlaws(
   }
   const std::string leftOut = describeLeftOut(assembly, names);
   text += leftOut.empty() ? "" : lineBreak(text) + leftOut;
-  const std::string kept = describeKept(assembly);
-  text += kept.empty() ? "" : lineBreak(text) + kept;
+  const std::string overlapping = describeOverlapping(assembly);
+  text += overlapping.empty() ? "" : lineBreak(text) + overlapping;
   return text;
 }
 

@@ -22,7 +22,7 @@ std::string describeOverhang(const PreparedSurface& prepared);
 std::string describeShortfall(const DomainSpec& domain, const FlowRefinement& flow);
 
 // Boxes whose patches were rebuilt, and those that are left out; cells that are left out, whatever the reason, if
-// they are more than a thousandth of the volume; failing cells that stay. `names`: of boundaries.
+// they are more than a thousandth of the volume; cells that overlap. `names`: of boundaries.
 std::string describeFlaws(
   const Assembly& assembly, const std::map<std::int32_t, std::string>& names = {});
 

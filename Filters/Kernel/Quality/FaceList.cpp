@@ -322,6 +322,60 @@ FaceList listFaces(
   return list;
 }
 
+std::size_t faceBeyond(const CellFaces& cells, std::size_t face, std::uint32_t cell)
+{
+  const auto cornersOf = [&](std::size_t f) {
+    std::vector<std::uint32_t> corners(
+      cells.corners.begin() + static_cast<std::ptrdiff_t>(cells.firstCorner[f]),
+      cells.corners.begin() + static_cast<std::ptrdiff_t>(cells.firstCorner[f + 1]));
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  };
+  const std::vector<std::uint32_t> corners = cornersOf(face);
+  std::size_t other = cells.firstFace[cell];
+  while (other < cells.firstFace[cell + 1] && cornersOf(other) != corners)
+  {
+    ++other;
+  }
+  return other;
+}
+
+void openFaces(const CellFaces& cells, const std::vector<std::size_t>& inner, FaceList& list)
+{
+  if (inner.empty())
+  {
+    return;
+  }
+  std::vector<std::array<std::uint32_t, 2>> outer; // cells and faces
+  for (std::size_t i = list.neighbour.size(); i < list.face.size(); ++i)
+  {
+    outer.push_back({ list.owner[i], list.face[i] });
+  }
+  FaceList opened;
+  auto next = inner.begin();
+  for (std::size_t i = 0; i < list.neighbour.size(); ++i)
+  {
+    if (next != inner.end() && *next == i)
+    {
+      ++next;
+      outer.push_back({ list.owner[i], list.face[i] });
+      outer.push_back({ list.neighbour[i],
+        static_cast<std::uint32_t>(faceBeyond(cells, list.face[i], list.neighbour[i])) });
+      continue;
+    }
+    opened.face.push_back(list.face[i]);
+    opened.owner.push_back(list.owner[i]);
+    opened.neighbour.push_back(list.neighbour[i]);
+  }
+  std::sort(outer.begin(), outer.end());
+  for (const auto& [cell, face] : outer)
+  {
+    opened.face.push_back(face);
+    opened.owner.push_back(cell);
+  }
+  list = std::move(opened);
+}
+
 std::vector<std::size_t> sortByPatch(
   FaceList& list, const std::vector<std::uint32_t>& patch, std::size_t patchCount)
 {

@@ -45,6 +45,12 @@ enum class Clashes
 FaceList listFaces(
   const CellFaces& cells, std::size_t pointCount, Clashes clashes, Execution& execution);
 
+// Makes inner faces, given in order, boundary faces of both their cells.
+void openFaces(const CellFaces& cells, const std::vector<std::size_t>& inner, FaceList& list);
+
+// The face of another cell with the same corners: past the cell's last if there is none.
+std::size_t faceBeyond(const CellFaces& cells, std::size_t face, std::uint32_t cell);
+
 // Sorts the boundary faces by patch, and keeps the order of those of one patch. `patch`: of each boundary
 // face, below `patchCount`. Returns the number of faces of each patch.
 std::vector<std::size_t> sortByPatch(

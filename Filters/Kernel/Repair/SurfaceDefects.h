@@ -26,6 +26,7 @@ enum class DefectKind
   ClosedContact =
     12,             // faced another region's wall within the tolerance, and is that now; triangles
   CellLeftOut = 13, // of the mesh, not of the surface (Assembly.h); the sides of its box
+  FailingCell = 14, // of the mesh, as solvers reject it (SolverCheck.h); its faces
 };
 constexpr std::size_t DefectKinds = 13; // of the surface; from 1
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaping/CellShaping.h"
 
+#include "Cells/FlatBorders.h"
 #include "Optimisation/NodeOptimisation.h"
 #include "Shaping/CellCession.h"
 #include "Shaping/CellSplitting.h"
+#include "Shaping/FewFaces.h"
 #include "Shaping/InterfaceMending.h"
 #include "Shaping/InvalidCells.h"
 #include "Shaping/PartTransfer.h"
@@ -41,6 +43,12 @@ MergeSpec mergeSpecOf(const ShapingSpec& spec, bool merges, bool exact, bool has
     merging.joins = { std::cos(radians(MergeJoinAngle)), std::cos(radians(InnerJoinAngle)) };
   }
   return merging;
+}
+
+// Whether cells that fail are mended once more, and removed, after all have been shaped.
+bool removesLater(const ShapingSpec& spec, bool exact)
+{
+  return spec.splitConcave && spec.refusedCellRatio > 0 && !exact;
 }
 
 // Shapes the cells of one slab.
@@ -91,6 +99,10 @@ public:
       cutInvalid();
       improve();
     }
+    if (!removesLater(task_.spec, exact_))
+    {
+      mergeFewFaced();
+    }
     joinWalls();
     return result();
   }
@@ -118,7 +130,7 @@ public:
 
   // Cells that could not be repaired are removed: small ones first, then parts of others, finally whole cells. Each
   // time exposed cells may be repaired again.
-  Shaping removeRefused()
+  Shaping removeRefused(bool isLastPass)
   {
     execution_.stage("Improving", 0, 0.4);
     improve();
@@ -148,12 +160,17 @@ public:
       improve();
     }
     finish();
-    listKept();
+    if (isLastPass)
+    {
+      mergeFewFaced();
+    }
+    noteRefused();
     return result();
   }
 
 private:
-  void listKept()
+  // For the slabs of the next stage.
+  void noteRefused()
   {
     MeasuredCell cell;
     for (const CellKey key : merger_.refused(isLast_))
@@ -162,12 +179,15 @@ private:
       if (failsCheckMesh(faultsOf(cell.shape, cell.measures, cell.beyond)))
       {
         shaping_.isAnyRefused = true;
-        if (complex_.counts(key) > 0)
-        {
-          shaping_.kept.push_back(complex_.boxOf(key));
-        }
+        break;
       }
     }
+  }
+
+  void mergeFewFaced()
+  {
+    shaping_.cellsMerged +=
+      cartesian::mergeFewFaced(complex_, merger_.lookedAfter(isLast_), execution_);
   }
 
   void finish()
@@ -197,7 +217,7 @@ private:
   // Walls next to a meshline: if merged, they would stick out of their neighbour.
   void removeSlivers()
   {
-    removeSmaller(Sliver, [](CellKey) { return true; });
+    removeSmaller(LeastOfThick, [](CellKey) { return true; });
   }
 
   // Small cells that strain solvers and cannot be merged; and cells that no face connects with others, where a solver
@@ -333,7 +353,6 @@ private:
   static constexpr double LeastOfHost = 0.15;
 
   // Of its box.
-  static constexpr double Sliver = 1e-9;
   static constexpr double LargestFilm = 1e-3;
 
   // Up to this part of its box a cell may move to another region.
@@ -389,7 +408,7 @@ public:
 
   Shaping run(const Shares& shares)
   {
-    const bool removes = task_.spec.splitConcave && task_.spec.refusedCellRatio > 0 && !exact_;
+    const bool removes = removesLater(task_.spec, exact_);
     shape(shares.shaping, [](Shaper& shaper) { return shaper.run(); });
     optimise(shares.optimisation, NodesMove::All);
     if (removes)
@@ -398,9 +417,9 @@ public:
       keepFailing();
       for (int pass = 0; pass < RemovalPasses; ++pass)
       {
-        sum_.kept.clear();
         optimise(shares.optimisation, NodesMove::AtPoorFaces);
-        shape(shares.removal, [](Shaper& shaper) { return shaper.removeRefused(); });
+        shape(shares.removal,
+          [pass](Shaper& shaper) { return shaper.removeRefused(pass + 1 == RemovalPasses); });
         keepFailing();
       }
     }
@@ -500,7 +519,6 @@ Shaping operator+(Shaping sum, const Shaping& other)
   sum.cellsMerged += other.cellsMerged;
   sum.cellsSimplified += other.cellsSimplified;
   sum.refused.insert(sum.refused.end(), other.refused.begin(), other.refused.end());
-  sum.kept.insert(sum.kept.end(), other.kept.begin(), other.kept.end());
   return sum;
 }
 

@@ -20,9 +20,7 @@ struct Shaping
   std::size_t cellsSimplified =
     0; // they failed: faces are joined at any angle: the paper's IP patches
   std::vector<RemovedCell> refused; // and removed
-  std::vector<std::uint32_t>
-    kept;                    // boxes of cells that stay, in the end, though checkMesh fails on them
-  bool isAnyRefused = false; // and still there, of a slab
+  bool isAnyRefused = false;        // and still there, of a slab
 };
 
 Shaping operator+(Shaping sum, const Shaping& other);

@@ -485,10 +485,17 @@ FaceJoiner::Part FaceJoiner::makeGroup(Part part)
   return partOf_[part] = faces() + static_cast<Part>(joined_.groups.size() - 1);
 }
 
+// Whether they are of different boundaries. Where one is negligible, a part may lose it, but none may grow.
+bool FaceJoiner::isBorderBetween(Part g, Part h) const
+{
+  const std::uint32_t one = firstMember(g);
+  return !isInner(one) && view_->boundary[one] != view_->boundary[firstMember(h)];
+}
+
 // Divides two parts anew, so that the smaller of both is as large as can be; false where nothing is better.
 bool FaceJoiner::recut(Part g, Part h)
 {
-  if (!joinRings(ringOf(g), ringOf(h), ring_) || ring_.size() < 4 ||
+  if (isBorderBetween(g, h) || !joinRings(ringOf(g), ringOf(h), ring_) || ring_.size() < 4 ||
     ring_.size() > MostCornersRecut)
   {
     return false;

@@ -124,6 +124,7 @@ private:
   bool fitsTogether(Part g, Part h, double leastCosine) const;
   bool fitsWithNegligible() const;
   Part makeGroup(Part part);
+  bool isBorderBetween(Part g, Part h) const;
   bool recut(Part g, Part h);
   double smallerOf(const std::array<std::vector<std::uint32_t>, 2>& parts, double leastCosine,
     double largest) const;

@@ -1,5 +1,4 @@
 // What the mesh lacks is known, and told where it is more than a thousandth of the volume.
-#include "Acceptance/Limits.h"
 #include "Mesher/CellsLeftOut.h"
 #include "Mesher/Messages.h"
 #include "Support/MeshChecker.h"
@@ -41,24 +40,6 @@ TEST_P(CellsLeftOut, AreToldWhereTheyMatter)
     EXPECT_NEAR(share * (volume + left), left, 1e-6 * volume);
     EXPECT_EQ(left == 0, cellsLeftOut(assembly).empty());
     EXPECT_EQ(describeFlaws(assembly).find("left out") != std::string::npos, share > 1e-3);
-  });
-}
-
-TEST_P(CellsLeftOut, OnesThatStayThoughCheckMeshFailsAreTold)
-{
-  forEachMesh(GetParam().soup, [](const Assembly& assembly, const MeshArrays& arrays) {
-    const Quality quality = qualityOf(arrays);
-    const auto failing = [&](Measure measure, double limit) {
-      const std::vector<double>& values = quality.cells[measure];
-      return static_cast<std::size_t>(
-        std::count_if(values.begin(), values.end(), [&](double v) { return v > limit; }));
-    };
-    const std::size_t skewed = failing(Skewness, Limits::Skewness);
-    const std::vector<std::uint32_t>& kept = assembly.shaping.kept;
-    EXPECT_LE(kept.size(), skewed + failing(BoundaryAngle, 90) + failing(InnerAngle, 90));
-    EXPECT_TRUE(skewed == 0 || !kept.empty());
-    EXPECT_EQ(
-      describeFlaws(assembly).find("checkMesh will fail") != std::string::npos, !kept.empty());
   });
 }
 

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What OpenFOAM's checkMesh (1912), without options, finds in the mesh of each region: counted as it does, on the faces
+// that it sees, where those between two regions, and those of baffles, are boundary faces of both their cells.
+#pragma once
+
+#include "Quality/QualityMeasures.h"
+
+namespace cartesian
+{
+
+enum Finding : std::uint32_t
+{
+  SkewFaces,
+  InvertedFaces,
+  NonOrthogonalFaces,
+  FacesWithoutArea,
+  OpenCells,
+  CellsWithoutVolume,
+  LongCells,
+  CellsOfFewFaces,
+  SteepFaces, // the only one that is no failure
+  FindingCount
+};
+
+struct FindingSpec
+{
+  const char* name; // of the field data array
+  const char* one;
+  const char* several;
+  bool isFailure;
+};
+
+constexpr std::array<FindingSpec, FindingCount> FindingSpecs{ {
+  { "SkewFaces", "face has a skewness above 4", "faces have a skewness above 4", true },
+  { "InvertedFaces", "face is inverted", "faces are inverted", true },
+  { "NonOrthogonalFaces", "face has a non-orthogonality of 90 degrees or more",
+    "faces have a non-orthogonality of 90 degrees or more", true },
+  { "FacesWithoutArea", "face has no area", "faces have no area", true },
+  { "OpenCells", "cell is not closed", "cells are not closed", true },
+  { "CellsWithoutVolume", "cell has no volume", "cells have no volume", true },
+  { "LongCells", "cell has an aspect ratio above 1000", "cells have an aspect ratio above 1000",
+    true },
+  { "CellsOfFewFaces", "cell has fewer than four faces", "cells have fewer than four faces", true },
+  { "SteepFaces", "face has a non-orthogonality above 70 degrees",
+    "faces have a non-orthogonality above 70 degrees", false },
+} };
+
+using Findings = std::array<std::size_t, FindingCount>;
+
+// Of those that are failures.
+std::size_t failuresIn(const Findings& findings);
+
+struct SolverCheck
+{
+  std::vector<Findings> ofRegions;
+  std::vector<std::uint32_t> failing; // cells, in order: themselves, or with a face that fails
+};
+
+// What is looked at.
+struct CheckedCells
+{
+  std::vector<std::uint32_t> regionOf; // of each cell, from 0
+  std::vector<unsigned char>
+    isElsewhere{}; // ghosts: counted by others, with the faces that they own; or none
+};
+
+// `faces`: of `cells`, those between regions opened (openFaces). `isSeen`: of each boundary face; those with cells beyond
+// that are not here are not.
+SolverCheck checkForSolver(const double* points, const CellFaces& cells, const FaceList& faces,
+  const CheckedCells& checked, const std::vector<bool>& isSeen, Execution& execution);
+
+}

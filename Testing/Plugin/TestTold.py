@@ -1,0 +1,119 @@
+"""What the mesher tells of a mesh is what OpenFOAM's checkMesh finds in the case written of it, region by region, in
+random scenes (scenes.py); and no cell has fewer than four faces. With a first number and a count: those scenes, to be
+looked for more."""
+
+import pathlib
+import re
+import sys
+import tempfile
+
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import foam
+import scenes
+from pipeline import Messages, error_code, output, producer
+
+# Ours and how checkMesh words it.
+COUNTS = {
+    "SkewFaces": r", (\d+) highly skew faces",
+    "InvertedFaces": r"Error in face pyramids: (\d+) faces",
+    "NonOrthogonalFaces": r"non-orthogonality errors: (\d+)",
+    "SteepFaces": r"severely non-orthogonal \(> 70 degrees\) faces: (\d+)",
+    "OpenCells": r"Open cells found, max cell openness: \S+ number of open cells (\d+)",
+    "CellsWithoutVolume": r"Number of negative volume cells: (\d+)",
+    "LongCells": r"High aspect ratio cells found, Max aspect ratio: \S+ number of cells (\d+)",
+    "CellsOfFewFaces": r"Illegal cells .*number of cells: (\d+)",
+}
+CLOSE = 1e-6  # to a limit: a value counts on either side
+
+LIMITS = {"Skewness": 4, "NonOrthogonality": 70, "AspectRatio": 1000}
+
+
+def field(data, name):
+    array = data.GetFieldData().GetArray(name)
+    return None if array is None else [int(array.GetValue(i)) for i in range(array.GetNumberOfValues())]
+
+
+def is_close(mesh):
+    """Whether a value is at its limit."""
+    faces = output(simple.FiniteVolumeQuality(Input=producer(mesh)), 1).GetCellData()
+    return any(np.any(np.abs(vtk_to_numpy(faces.GetArray(name)) / limit - 1) < CLOSE)
+               for name, limit in LIMITS.items() if faces.GetArray(name))
+
+
+def regions_of(folder):
+    """Folders of meshes in a case."""
+    constant = pathlib.Path(folder) / "constant"
+    return sorted(path.parent.name for path in constant.glob("*/polyMesh")) or [""]
+
+
+def compare(mesh, warnings, folder):
+    """What differs, in words."""
+    faults = []
+    names = mesh.GetFieldData().GetAbstractArray("RegionNames")
+    fails = 0
+    for region in regions_of(folder):
+        said = foam.CheckMesh(folder, *(["-region", region] if region else []))
+        index = 0
+        if region:
+            index = [names.GetValue(n) for n in range(names.GetNumberOfValues())].index(region)
+        for name, pattern in COUNTS.items():
+            found = re.search(pattern, said.text)
+            theirs = int(found[1]) if found else 0
+            ours = field(mesh, f"Region{name}" if region else name)[index]
+            if ours != theirs:
+                faults.append(f"{region} {name} {ours}, checkMesh {theirs}")
+        parts = re.search(r"Number of regions: (\d+)", said.text)
+        theirs = int(parts[1]) if parts else 1
+        ours = field(mesh, "RegionParts" if region else "Parts")[index]
+        if ours != theirs:
+            faults.append(f"{region} Parts {ours}, checkMesh {theirs}")
+        fails += not said.ok
+        if "Illegal cells" in said.text:
+            faults.append(f"{region} has cells of fewer than four faces")
+        if not said.ok and not any("checkMesh will fail" in text for text in [warnings]):
+            faults.append(f"{region} fails without a word: {said.failures}")
+    if fails == 0 and "checkMesh will fail" in warnings:
+        faults.append("said to fail, but is OK")
+    return faults
+
+
+def try_scene(number, folder):
+    surface, properties = scenes.make(number)
+    with Messages() as said:
+        mesher = simple.CartesianMesher(Input=producer(surface), **properties)
+        mesh = output(mesher)
+        defects = output(mesher, 2)
+    what = f"scene {number}: {surface.GetNumberOfCells()} triangles {properties}"
+    if error_code(mesher) != 0:
+        return "refused", what, str(said).strip()[-300:]
+    foam.save(simple.OutputPort(mesher, "Mesh"), folder)
+    faults = compare(mesh, str(said), folder)
+    failing = field(defects, "FailingCells") or [0]
+    if ("checkMesh will fail" in str(said)) != (failing[0] > 0):
+        faults.append(f"Defects has {failing[0]} cells")
+    if faults and is_close(mesh):
+        faults = []
+    for proxy in (mesher,):
+        simple.Delete(proxy)
+    return "differs" if faults else "agrees", what, "; ".join(faults)
+
+
+def main():
+    chosen = [int(text) for text in sys.argv[4:]]
+    numbers = range(chosen[0], chosen[0] + chosen[1]) if chosen else [*range(0, 24), 145, 193]
+    results = []
+    for number in numbers:
+        with tempfile.TemporaryDirectory() as folder:
+            result, what, why = try_scene(number, folder)
+        results.append(result)
+        if result != "agrees":
+            print(result, what, why, flush=True)
+    counts = {result: results.count(result) for result in sorted(set(results))}
+    print(counts)
+    assert "differs" not in counts and 2 * counts.get("refused", 0) <= len(results), counts
+
+
+main()
