@@ -45,7 +45,7 @@ MergeSpec mergeSpecOf(const ShapingSpec& spec, bool merges, bool exact, bool has
   return merging;
 }
 
-// Whether cells that fail are mended once more, and removed, after all have been shaped.
+// Whether failing cells are repaired again, and removed, in a later stage.
 bool removesLater(const ShapingSpec& spec, bool exact)
 {
   return spec.splitConcave && spec.refusedCellRatio > 0 && !exact;
