@@ -25,6 +25,11 @@ constexpr int MostRounds = 16;
 // Rounds end where they leave as much to do as there was, beyond a few.
 constexpr std::size_t FewPairs = 100;
 
+// No surface that was seen has so many pieces by its triangles, but strips with two rims of thousands of edges in one plane:
+// the search for pairs among these would take minutes.
+constexpr std::size_t PiecesByTriangle = 6;
+constexpr std::size_t FewPieces = 20000;
+
 using Ends = std::array<std::uint32_t, 2>; // of an edge, the lower first
 using Triple = std::array<std::uint32_t, 3>;
 
@@ -834,8 +839,9 @@ bool canBeArranged(const Surface& surface)
   return isLarge(surface, placingOf(surface).reach);
 }
 
-void arrange(Surface& surface, Execution& execution)
+bool arrange(Surface& surface, Execution& execution)
 {
+  const std::size_t most = PiecesByTriangle * surface.triangles.size() + FewPieces;
   const Placing placing = placingOf(surface);
   VertexIndex index(surface.vertices, placing.reach);
   std::vector<Made> made;
@@ -851,6 +857,10 @@ void arrange(Surface& surface, Execution& execution)
     before = pairs.size();
     const std::array<std::size_t, 2> sizes{ surface.triangles.size(), surface.vertices.size() };
     Arranger(surface, index, made, body).cut(pairs);
+    if (surface.triangles.size() > most)
+    {
+      return false;
+    }
     foldAll(surface, index, made, body, round == 0);
     std::vector<std::uint8_t> isNew(made.size());
     for (std::size_t t = 0; t < made.size(); ++t)
@@ -862,6 +872,7 @@ void arrange(Surface& surface, Execution& execution)
     isStuck = pairs.size() == before &&
       sizes == std::array<std::size_t, 2>{ surface.triangles.size(), surface.vertices.size() };
   }
+  return true;
 }
 
 }

@@ -17,8 +17,9 @@ namespace cartesian
 //
 // Surface::triangles, boundary, given and region are of the pieces then; triangles that close holes (without an entry
 // in Surface::given) stay the last ones. Triangles without an area are left out. If snapping keeps bending faces,
-// some may still cross: Spaces detects this.
-void arrange(Surface& surface, Execution& execution);
+// some may still cross: Spaces detects this. False, with the work left unfinished, where the triangles fall into too many
+// pieces.
+bool arrange(Surface& surface, Execution& execution);
 
 // Whether the surface is large compared with the thickness of sheets (Snapping.h): relative to its distance from the
 // origin in single precision, and on the lattice.

@@ -11,6 +11,10 @@ namespace cartesian
 namespace
 {
 
+// Of the samples of what lies in something, at least one in so many lies there clearly: bodies that are nearly the same
+// touch nearly everywhere, and neither lies in the other.
+constexpr long long SamplesByInside = 4;
+
 class NestingFinder
 {
 public:
@@ -65,7 +69,8 @@ private:
       return false;
     }
     const auto& [inside, unknown] = found->second;
-    return ofParts * inside > part * (votes_.samples[sheet] - unknown);
+    return SamplesByInside * inside > votes_.samples[sheet] &&
+      ofParts * inside > part * (votes_.samples[sheet] - unknown);
   }
 
   bool areGivenAlike(std::uint32_t a, std::uint32_t b) const

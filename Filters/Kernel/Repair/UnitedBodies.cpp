@@ -143,6 +143,7 @@ struct Trial
 {
   bool isUnited = false;
   std::optional<Vector> crossing; // where what is beside triangles is not sure, levels
+  bool isGivenUp = false;         // another attempt would take as long
 };
 
 Trial tryToUnite(Surface& surface, const Bodies& bodies, Execution& execution)
@@ -152,21 +153,24 @@ Trial tryToUnite(Surface& surface, const Bodies& bodies, Execution& execution)
     return {};
   }
   Surface arranged = surface;
-  arrange(arranged, execution);
+  if (!arrange(arranged, execution))
+  {
+    return { false, middleOf(surface, 0), true };
+  }
   // Cut along each other, bodies keep their volumes, to within how far vertices are moved.
   const double moved = placingOf(surface).reach * surface.lattice.step() * areaOf(surface);
   if (std::abs(volumeOf(arranged) - volumeOf(surface)) > moved)
   {
-    return { false, middleOf(surface, 0) };
+    return { false, middleOf(surface, 0), false };
   }
   std::vector<std::uint32_t> crossing;
   Surface united = arranged;
   if (unite(united, bodies, crossing, execution))
   {
     surface = std::move(united);
-    return { true, std::nullopt };
+    return { true, std::nullopt, false };
   }
-  return crossing.empty() ? Trial{} : Trial{ false, middleOf(arranged, crossing[0]) };
+  return crossing.empty() ? Trial{} : Trial{ false, middleOf(arranged, crossing[0]), false };
 }
 
 class GroupUniter
@@ -202,7 +206,7 @@ public:
       Surface part = partOf(flat_, triangles);
       const Bodies bodies{ FirstRegion, {}, meshed, around(root) };
       Trial trial = whole && groups.size() == 1 ? *whole : tryToUnite(part, bodies, execution);
-      if (!trial.isUnited && part.rounding > 1)
+      if (!trial.isUnited && !trial.isGivenUp && part.rounding > 1)
       {
         // By the precision of the lattice: nearly coplanar faces are then taken as they are given.
         part.rounding = 1;
