@@ -485,11 +485,15 @@ FaceJoiner::Part FaceJoiner::makeGroup(Part part)
   return partOf_[part] = faces() + static_cast<Part>(joined_.groups.size() - 1);
 }
 
-// Whether they are of different boundaries. Where one is negligible, a part may lose it, but none may grow.
+// Whether they are of different boundaries in one plane. Where one is negligible, a part may lose it, but none may grow.
 bool FaceJoiner::isBorderBetween(Part g, Part h) const
 {
+  const auto normalOf = [&](Part part) {
+    return isFace(part) ? planes_[part].normal : unit(groupOf(part).shape.area);
+  };
   const std::uint32_t one = firstMember(g);
-  return !isInner(one) && view_->boundary[one] != view_->boundary[firstMember(h)];
+  return !isInner(one) && view_->boundary[one] != view_->boundary[firstMember(h)] &&
+    dot(normalOf(g), normalOf(h)) >= NearlyFlat;
 }
 
 // Divides two parts anew, so that the smaller of both is as large as can be; false where nothing is better.
