@@ -135,6 +135,7 @@ patch_method = "Exact Fit"
 [output]
 mesh = "mesh.vtu"
 """)
-    subprocess.run([PROGRAM, str(folder / "task.toml")], check=True, capture_output=True)
+    # Boxes this coarse lose more than 1 % of the volume between bodies, which is a warning.
+    assert subprocess.run([PROGRAM, str(folder / "task.toml")], capture_output=True).returncode in (0, 3)
     mesh = simple.XMLUnstructuredGridReader(FileName=[str(folder / "mesh.vtu")])
     assert output(mesh).GetNumberOfCells() == whole
