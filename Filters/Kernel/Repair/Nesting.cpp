@@ -90,8 +90,8 @@ private:
     }
     if (!crossings_.cross(sheet, other))
     {
-      return isMostlyIn(
-        sheet, other, 3, 4); // or they differ by little more than the file's precision
+      // Others differ by little more than the file's precision.
+      return isMostlyIn(sheet, other, 3, 4);
     }
     const bool isKnown = shapes_.givenWay[sheet] != 0 && shapes_.givenWay[other] != 0;
     return !areGivenAlike(sheet, other) &&
