@@ -68,7 +68,11 @@ std::vector<std::string> regionNames(vtkUnstructuredGrid* grid)
   auto* names = vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray("RegionNames"));
   vtkDataArray* const regions = grid->GetCellData()->GetArray("Region");
   std::vector<std::string> result;
-  for (vtkIdType i = 0; names && regions && i < names->GetNumberOfValues(); ++i)
+  if (!names || !regions)
+  {
+    return std::vector<std::string>(1);
+  }
+  for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
   {
     result.push_back(names->GetValue(i));
   }

@@ -83,20 +83,23 @@ private:
     const auto [least, most] = std::minmax_element(polygon.begin(), polygon.end(),
       [axis](const Vector& a, const Vector& b) { return a[axis] < b[axis]; });
     const auto tileAt = [&](double x) { return std::floor(x / size_[axis]); };
-    const double first = tileAt((*least)[axis]);
-    const double last = std::min(tileAt((*most)[axis]), static_cast<double>(along_));
-    for (double t = std::max(first, axis == 0 ? -1.0 : 0.0); t <= last; ++t)
+    const auto first = static_cast<std::int64_t>(std::max(tileAt((*least)[axis]), -2.0));
+    const auto end = static_cast<std::int64_t>(along_);
+    const auto last =
+      static_cast<std::int64_t>(std::min(tileAt((*most)[axis]), static_cast<double>(along_)));
+    for (std::int64_t t = std::max<std::int64_t>(first, axis == 0 ? -1 : 0); t <= last; ++t)
     {
-      if (t == static_cast<double>(along_) && axis != 0)
+      if (t == end && axis != 0)
       {
         break;
       }
+      const auto place = static_cast<double>(t);
       Polygon part = polygon;
-      part = first < t ? cutOff(part, axis, t * size_[axis], true) : part;
-      part = t < last ? cutOff(part, axis, (t + 1) * size_[axis], false) : part;
+      part = first < t ? cutOff(part, axis, place * size_[axis], true) : part;
+      part = t < last ? cutOff(part, axis, (place + 1) * size_[axis], false) : part;
       if (axis == 0)
       {
-        count(part, t, tile);
+        count(part, place, tile);
         continue;
       }
       tile[axis] = static_cast<std::size_t>(t);
