@@ -109,6 +109,9 @@ cartesian::Options vtkCartesianMesher::MakeOptions()
   options.layers.ratio = this->LayerExpansionRatio;
   options.layers.firstThickness = this->FirstLayerThickness;
   options.layers.thickness = this->LayersThickness;
+  options.layers.lastByBox = this->LastLayer;
+  options.layers.flow = { this->TargetYPlus, this->FlowSpeed, this->FlowViscosity,
+    this->FlowLength };
   for (const auto& [boundary, back] : this->Baffles)
   {
     options.baffles.push_back({ boundary, back });
@@ -141,6 +144,26 @@ vtkStringArray* vtkCartesianMesher::GetFlowZones()
     },
     [](unsigned long, const std::string&) {});
   return this->FlowZones;
+}
+
+vtkStringArray* vtkCartesianMesher::GetExpectedLayers()
+{
+  this->ExpectedLayers->Initialize();
+  const vtkBoundingBox bounds = this->BoundsOfInput();
+  const cartesian::Options options = this->MakeOptions();
+  if (!bounds.IsValid() || !options.layers.any())
+  {
+    return this->ExpectedLayers;
+  }
+  // What is out of range the work itself will say.
+  cartesian::reportErrors(
+    [&] {
+      cartesian::requireValid(options.layers);
+      const auto [layers, box] = cartesian::expectedLayers(options, bounds.GetMaxLength());
+      cartesian::toVTK(layers, cartesian::totalThickness(layers, box), this->ExpectedLayers);
+    },
+    [](unsigned long, const std::string&) {});
+  return this->ExpectedLayers;
 }
 
 cartesian::BoundarySettings vtkCartesianMesher::GivenBoundaries() const
@@ -524,7 +547,10 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   }
   if (piece.assembly->layers)
   {
+    cartesian::addEndedLayers(
+      *piece.assembly->layers, vtkPolyData::GetData(output, 1), vtkPolyData::GetData(output, 2));
     this->Warn(cartesian::describeBareWalls(*piece.assembly->layers, mesh));
+    this->Warn(cartesian::describeJumps(*piece.assembly->layers, mesh));
   }
   if (task.options.cellBudget > 0)
   {

@@ -66,7 +66,8 @@ public:
 
   ///@{
   /**
-   * Boundary layers: number of prisms stacked on each wall face; default 0, none. A boundary is a wall unless
+   * Boundary layers: number of prisms stacked on each wall face; default 0, none. -1, automatic: as many as lead from
+   * the First Layer Thickness, at the Layer Expansion Ratio, to the Last Layer, at most 50. A boundary is a wall unless
    * its type is patch, symmetry, symmetryPlane or empty, or, without a type, its name begins with inlet, outlet,
    * cyclic or symmetry.
    */
@@ -91,6 +92,31 @@ public:
   vtkGetMacro(FirstLayerThickness, double);
   vtkSetMacro(LayersThickness, double);
   vtkGetMacro(LayersThickness, double);
+  ///@}
+
+  ///@{
+  /**
+   * With an automatic number of layers: the thickness of the last one by the box beside it; 0.01 to 1, default 0.1.
+   */
+  vtkSetMacro(LastLayer, double);
+  vtkGetMacro(LastLayer, double);
+  ///@}
+
+  ///@{
+  /**
+   * Without thicknesses: the layer at the wall is twice as thick as the distance at which y+ has this value, in the
+   * turbulent boundary layer of a flat plate (Kernel/Surface/WallFlow.h); default 0, not given. Speed, kinematic viscosity
+   * and length of the flow are in units of the surface and seconds; more than 0; default 10, 1.5e-5 and 0, the longest side
+   * of the surface.
+   */
+  vtkSetMacro(TargetYPlus, double);
+  vtkGetMacro(TargetYPlus, double);
+  vtkSetMacro(FlowSpeed, double);
+  vtkGetMacro(FlowSpeed, double);
+  vtkSetMacro(FlowViscosity, double);
+  vtkGetMacro(FlowViscosity, double);
+  vtkSetMacro(FlowLength, double);
+  vtkGetMacro(FlowLength, double);
   ///@}
 
   ///@{
@@ -302,6 +328,12 @@ public:
    */
   vtkStringArray* GetFlowZones();
 
+  /**
+   * Of the layers that are asked for: the thickness of the first one, their number and their total thickness, for boxes of
+   * the largest depth that boundaries ask for; empty without layers.
+   */
+  vtkStringArray* GetExpectedLayers();
+
   ///@{
   /**
    * Walls of two regions that face each other at most this far apart become one wall, that of the region listed
@@ -363,6 +395,11 @@ protected:
   double LayerExpansionRatio = 1.2;
   double FirstLayerThickness = 0;
   double LayersThickness = 0;
+  double LastLayer = 0.1;
+  double TargetYPlus = 0;
+  double FlowSpeed = 10;
+  double FlowViscosity = 1.5e-5;
+  double FlowLength = 0;
   std::vector<std::string> LayerRegions;
   std::vector<double> BoundaryLayers;
   std::vector<std::string> BoundaryMergedNames;
@@ -382,6 +419,7 @@ protected:
   int SideNames = 1;
   int BoxesAlongBody = 60;
   vtkNew<vtkStringArray> FlowZones;
+  vtkNew<vtkStringArray> ExpectedLayers;
 
 private:
   vtkCartesianMesher(const vtkCartesianMesher&) = delete;

@@ -192,7 +192,12 @@ void TellVerdict(vtkUnstructuredGrid* mesh, const cartesian::MeshCheck& check, s
   bool any = false;
   for (const Told& told : WhatFails)
   {
-    if (const double failing = Field(mesh, std::string(told.field) + "Failures"); failing > 0)
+    // Long prisms are good cells.
+    const double good = std::string(told.field) == "AspectRatio"
+      ? Sum(static_cast<double>(check.sum()[cartesian::LongLayers]))
+      : 0;
+    if (const double failing = Field(mesh, std::string(told.field) + "Failures") - good;
+        failing > 0)
     {
       text << "  " << Cells(failing) << ": " << told.text << "\n";
       any = true;
@@ -269,7 +274,12 @@ void TellBoundaries(vtkDataObject* mesh, std::ostream& text)
     text << (i == 0 ? "Boundaries:\n" : "") << "  " << names->GetValue(n) << ": area "
          << cartesian::number(areaOf(n))
          << (hasLayers && coverage > 0 ? ", layers on " + InPercent(coverage) + ", " +
-                  cartesian::number(Field(mesh, "BoundaryLayerThicknesses", n)) + " thick"
+                  cartesian::number(Field(mesh, "BoundaryLayerThicknesses", n)) +
+                  " thick, whole stacks on " + InPercent(Field(mesh, "BoundaryWholeStacks", n)) +
+                  ", the last layer 1:" +
+                  cartesian::number(
+                    std::round(1 / std::max(1e-9, Field(mesh, "BoundaryLastLayerRatios", n)))) +
+                  " of the cell beside it"
                                        : "")
          << "\n";
   }

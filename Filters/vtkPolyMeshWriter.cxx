@@ -397,13 +397,21 @@ void vtkPolyMeshWriter::WriteMesh(cartesian::WholeMesh& whole)
   this->WriteSolverCase(files, &whole.mesh, grid);
 }
 
-cartesian::SolverSetup vtkPolyMeshWriter::MakeSetup() const
+// Without a speed or viscosity: those that the mesh's layers were made for, if they were.
+cartesian::SolverSetup vtkPolyMeshWriter::MakeSetup()
 {
+  const auto ofMesh = [&](const char* name, double scale, double initial) {
+    vtkDataObject* mesh = this->GetInput();
+    vtkDataArray* array = mesh ? mesh->GetFieldData()->GetArray(name) : nullptr;
+    return array ? array->GetComponent(0, 0) * scale : initial;
+  };
   cartesian::SolverSetup setup;
   setup.solver = static_cast<cartesian::Solver>(this->SolverSetup);
   setup.turbulence = static_cast<cartesian::Turbulence>(this->Turbulence);
-  setup.speed = this->Speed;
-  setup.viscosity = this->Viscosity;
+  setup.speed = this->Speed == 0 ? ofMesh("FlowSpeed", this->Scale, setup.speed) : this->Speed;
+  setup.viscosity = this->Viscosity == 0
+    ? ofMesh("FlowViscosity", this->Scale * this->Scale, setup.viscosity)
+    : this->Viscosity;
   setup.temperature = this->InletTemperature;
   setup.iterations = this->Iterations;
   setup.overwrites = this->OverwriteSetup;
@@ -439,7 +447,7 @@ void vtkPolyMeshWriter::WriteSolverCase(const cartesian::PolyMeshFiles& files,
   }
 }
 
-void vtkPolyMeshWriter::CheckNumbers() const
+void vtkPolyMeshWriter::CheckNumbers()
 {
   cartesian::requireInRange(cartesian::moreThan(0), this->Scale, "Scale");
   if (this->SolverSetup != None)

@@ -154,8 +154,9 @@ public:
 
   ///@{
   /**
-   * Options of that set-up: 0, the default, for kOmegaSST, 1 for laminar flow; the speed at inlets (m/s, more than 0,
-   * default 10); the kinematic viscosity (m2/s, more than 0, default 1.5e-5); the inlet temperature (K, default 350);
+   * Options of that set-up: 0, the default, for kOmegaSST, 1 for laminar flow; the speed at inlets (m/s) and
+   * the kinematic viscosity (m2/s), where 0, the default, means those that the mesh's layers were made for (Target Y
+   * Plus), else 10 and 1.5e-5; the inlet temperature (K, default 350);
    * the number of solver iterations (default 500); and whether existing files are overwritten or kept (default:
    * kept).
    */
@@ -197,8 +198,8 @@ protected:
   double Scale = 1;
   int SolverSetup = None;
   int Turbulence = 0;
-  double Speed = 10;
-  double Viscosity = 1.5e-5;
+  double Speed = 0;
+  double Viscosity = 0;
   double InletTemperature = 350;
   int Iterations = 500;
   bool OverwriteSetup = false;
@@ -216,8 +217,8 @@ private:
   void FinishPieces(vtkUnstructuredGrid* grid);
 
   void CheckDecomposition(int processes);
-  void CheckNumbers() const;
-  cartesian::SolverSetup MakeSetup() const;
+  void CheckNumbers();
+  cartesian::SolverSetup MakeSetup();
   void WriteSolverCase(const cartesian::PolyMeshFiles& files, const cartesian::FoamMesh* whole,
     vtkUnstructuredGrid* grid);
   void WarnOfKept(const std::vector<std::filesystem::path>& kept);

@@ -25,6 +25,8 @@
  * 13 cell left out, only from vtkCartesianMesher: it fails the quality limits, or the grid cuts it off from the rest
  *    (the six sides of its box; Volume is the cell's)
  * 14 failing cell, only from vtkCartesianMesher: OpenFOAM's checkMesh fails on it (its faces)
+ * 15 to 17 wall face without a whole stack of layers, only from vtkCartesianMesher: in a gap; at a corner that leaves no way
+ *    inwards; where a cell or face would fail
  *
  * Field data: the number of each kind, OpenEdges, NonManifoldEdges, InconsistentEdges, DegenerateTriangles,
  * DuplicateTriangles, FoldedTriangles, OverlappedTriangles, Intersections, TrianglesOfSmallComponents,

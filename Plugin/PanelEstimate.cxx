@@ -21,6 +21,7 @@
 #include "vtkWeakPointer.h"
 
 #include <functional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -104,9 +105,11 @@ public:
   {
     this->Source = source;
     this->Properties = { hint->GetAttribute("property") };
-    if (const char* also = hint->GetAttribute("also"))
+    const char* also = hint->GetAttribute("also");
+    std::istringstream others(also ? also : "");
+    for (std::string name; others >> name;)
     {
-      this->Properties.emplace_back(also);
+      this->Properties.push_back(name);
     }
     this->Command = hint->GetAttribute("command");
     forEachProperty(source, [this](const char* /*name*/, vtkSMProperty* changing) {

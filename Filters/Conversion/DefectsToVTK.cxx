@@ -9,6 +9,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -45,6 +46,11 @@ constexpr std::array<std::pair<DefectKind, const char*>, 12> CountNames = { {
 
 constexpr const char* CellsLeftOut = "CellsLeftOut";
 constexpr const char* FailingCells = "FailingCells";
+constexpr std::array<std::pair<DefectKind, const char*>, 3> LayerNames = { {
+  { DefectKind::LayersEndInGap, "LayersEndInGap" },
+  { DefectKind::LayersEndAtCorner, "LayersEndAtCorner" },
+  { DefectKind::LayersEndAtFault, "LayersEndAtFault" },
+} };
 
 const char* nameOf(DefectKind kind)
 {
@@ -186,6 +192,19 @@ public:
     }
   }
 
+  // Of another grid.
+  void addFace(vtkPolyData* faces, vtkIdType face)
+  {
+    vtkNew<vtkIdList> corners;
+    faces->GetCellPoints(face, corners);
+    polygons_->InsertNextCell(static_cast<int>(corners->GetNumberOfIds()));
+    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
+    {
+      polygons_->InsertCellPoint(points_->InsertNextPoint(faces->GetPoint(corners->GetId(i))));
+    }
+    describe(0);
+  }
+
 private:
   void describe(double volume)
   {
@@ -284,6 +303,33 @@ void addFailingCells(
     adder.addFaces(mesh, reader.read(cell));
   }
   setField(output, FailingCells, { static_cast<double>(cells.size()) });
+}
+
+void addEndedLayers(const BoundaryLayers& layers, vtkPolyData* boundary, vtkPolyData* output)
+{
+  std::array<std::vector<vtkIdType>, LayerNames.size()> ended;
+  const std::vector<StackMeasure>& stacks = layers.boundary.stacks;
+  for (std::size_t f = 0; f < stacks.size(); ++f)
+  {
+    if (stacks[f].asked > 0 && !stacks[f].isWhole)
+    {
+      const LayerEnd end = stacks[f].end == LayerEnd::Nowhere ? LayerEnd::Fault : stacks[f].end;
+      ended[static_cast<std::size_t>(end) - 1].push_back(static_cast<vtkIdType>(f));
+    }
+  }
+  for (std::size_t i = 0; i < ended.size(); ++i)
+  {
+    if (!isToAdd(ended[i].size(), output))
+    {
+      continue;
+    }
+    CellAdder adder(LayerNames[i].first, LayerNames[i].second, output);
+    for (const vtkIdType face : ended[i])
+    {
+      adder.addFace(boundary, face);
+    }
+    setField(output, LayerNames[i].second, { static_cast<double>(ended[i].size()) });
+  }
 }
 
 }

@@ -34,4 +34,8 @@ void addCellsLeftOut(const Assembly& assembly, vtkPolyData* output);
 void addFailingCells(
   vtkUnstructuredGrid* mesh, const std::vector<vtkIdType>& cells, vtkPolyData* output);
 
+// Adds the wall faces without a whole stack of layers, of kinds LayersEnd... `boundary`: the faces of the layered boundary, in
+// order.
+void addEndedLayers(const BoundaryLayers& layers, vtkPolyData* boundary, vtkPolyData* output);
+
 }

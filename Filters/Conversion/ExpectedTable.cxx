@@ -95,6 +95,17 @@ void toVTK(const FlowRefinement& flow, vtkStringArray* table)
   }
 }
 
+void toVTK(const WallLayerSpec& layers, double total, vtkStringArray* table)
+{
+  for (const char* column : { "First layer", "Layers", "Together" })
+  {
+    table->InsertNextValue(column);
+  }
+  table->InsertNextValue(inText(total * heightsOfLayers(layers)[1], Length));
+  table->InsertNextValue(std::to_string(layers.count));
+  table->InsertNextValue(inText(total, Length));
+}
+
 std::string describeLengths(const std::array<double, 3>& lengths)
 {
   constexpr const char* Times = " \u00d7 ";

@@ -22,6 +22,7 @@ namespace
 
 constexpr double LeastCoverage = 0.9; // less is told
 constexpr std::size_t MostNamed = 10;
+constexpr double LeastRatio = 1. / 20; // of volumes: below it, simpleFoam has died
 
 struct BareWall
 {
@@ -35,14 +36,14 @@ std::set<std::int32_t> askedOf(const LayeredBoundary& layered)
   std::set<std::int32_t> asked;
   for (std::size_t i = 0; i < layered.faces.size(); ++i)
   {
-    if (layered.asked[i] > 0)
+    if (layered.stacks[i].asked > 0)
     {
       asked.insert(layered.faces[i].boundary);
     }
   }
   for (const LayeredInterface& face : layered.interfaces)
   {
-    if (face.asked > 0)
+    if (face.stack.asked > 0)
     {
       asked.insert(face.boundary);
     }
@@ -99,7 +100,38 @@ std::string describeBareWalls(const BoundaryLayers& layers, vtkDataObject* mesh)
   }
   const std::size_t more = bare.size() - std::min(bare.size(), MostNamed);
   return text + (more == 0 ? "" : " and " + std::to_string(more) + " more boundaries") +
-    ". Use smaller boxes or thinner layers there.";
+    ". The output Boundary has LayersMade and LayerThickness: use smaller boxes where layers end, "
+    "or, where they are "
+    "thick, thinner layers.";
+}
+
+std::string describeJumps(const BoundaryLayers& layers, vtkDataObject* mesh)
+{
+  vtkDataArray* ratios = mesh->GetFieldData()->GetArray("BoundaryLastLayerRatios");
+  std::string text;
+  std::size_t named = 0;
+  vtkIdType i = 0;
+  for (const auto& [boundary, name] : boundaryNames(mesh))
+  {
+    const double ratio = ratios->GetComponent(i++, 0);
+    if (ratio > 0 && ratio < LeastRatio && named++ < MostNamed)
+    {
+      text += (text.empty() ? "" : ", ") + name + " (1:" + number(std::round(1 / ratio)) + ")";
+    }
+  }
+  if (text.empty())
+  {
+    return text;
+  }
+  text = "The cells beside the last layer are more than " + number(1 / LeastRatio) +
+    " times as large as that on " + text + ", where solvers may diverge. ";
+  const int most = WallLayerSpec::MostLayers;
+  return text +
+    (layers.wanted <= most ? std::to_string(layers.wanted) +
+          " Layers would lead to a tenth of a box; -1 finds that number."
+                           : std::to_string(layers.wanted) +
+          " layers would lead to a tenth of a box, but at most " + std::to_string(most) +
+          " are made: use smaller boxes, a thicker first layer or a larger Layer Expansion Ratio.");
 }
 
 }

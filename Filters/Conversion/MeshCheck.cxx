@@ -123,7 +123,7 @@ public:
   MeshCheck run(Execution& execution)
   {
     MeshCheck result{ regionNames(grid_), {}, {} };
-    const CheckedCells checked{ regionsOfCells(result.regions.size()), ghosts() };
+    const CheckedCells checked{ regionsOfCells(result.regions.size()), ghosts(), layers() };
     FaceList list = listFaces(cells_, static_cast<std::size_t>(grid_->GetNumberOfPoints()),
       Clashes::AreBoundary, execution);
     std::vector<vtkIdType> boundary;
@@ -165,6 +165,20 @@ private:
       }
     }
     return isGhost;
+  }
+
+  // Whether each is one of a stack of layers.
+  std::vector<unsigned char> layers() const
+  {
+    std::vector<unsigned char> isLayer;
+    if (vtkDataArray* const layer = grid_->GetCellData()->GetArray("Layer"))
+    {
+      for (const vtkIdType cell : cellOf_)
+      {
+        isLayer.push_back(layer->GetComponent(cell, 0) > 0 ? 1 : 0);
+      }
+    }
+    return isLayer;
   }
 
   // Boundary faces of the mesh, and those between regions, which this opens; the others have cells beyond that are

@@ -366,30 +366,30 @@ void setBoundary(
 }
 
 // For each boundary face, thickness and number of its layers; for each boundary and all walls with layers, the
-// fraction of the area with at least half the requested thickness, and the mean thickness.
+// fractions of the area with at least half the requested thickness and with whole stacks, the mean thickness, and the
+// median of the last layer's volume by that of the cell beside it.
 class LayerReport
 {
 public:
   LayerReport(const BoundaryLayers& layers, vtkPolyData* boundary)
     : layers_(layers)
     , faces_(layers.boundary.faces)
-    , thickness_(layers.boundary.thickness)
+    , stacks_(layers.boundary.stacks)
   {
-    const auto made = [&](std::size_t i) { return layers_.boundary.layers[i]; };
+    const auto made = [&](std::size_t i) { return stacks_[i].layers; };
     boundary->GetCellData()->AddArray(arrayOf<vtkDoubleArray>(
-      "LayerThickness", faces_.size(), [&](std::size_t i) { return thickness_[i]; }));
+      "LayerThickness", faces_.size(), [&](std::size_t i) { return stacks_[i].thickness; }));
     boundary->GetCellData()->AddArray(arrayOf<vtkIntArray>("LayersMade", faces_.size(), made));
     auto* areas = vtkDoubleArray::SafeDownCast(boundary->GetCellData()->GetArray("FaceArea"));
     for (std::size_t i = 0; i < faces_.size(); ++i)
     {
       Vector area;
       areas->GetTypedTuple(static_cast<vtkIdType>(i), area.data());
-      add(faces_[i].boundary, norm(area), layers_.boundary.asked[i], thickness_[i],
-        layers_.boundary.layers[i]);
+      add(faces_[i].boundary, norm(area), stacks_[i]);
     }
     for (const LayeredInterface& face : layers_.boundary.interfaces)
     {
-      add(face.boundary, face.area, face.asked, face.thickness, face.layers);
+      add(face.boundary, face.area, face.stack);
     }
   }
 
@@ -397,17 +397,31 @@ public:
   void write(const BoundaryNames& names, vtkDataObject* output)
   {
     setField(output, "LayerCoverage", { ofWalls_.coverage() });
+    setField(output, "WholeStacks", { ofWalls_.wholeShare() });
+    setField(output, "LayersOfAStack", { static_cast<double>(layers_.spec.count) });
+    if (const WallFlow& flow = layers_.spec.flow; flow.targetYPlus > 0)
+    {
+      setField(output, "FlowSpeed", { flow.speed });
+      setField(output, "FlowViscosity", { flow.viscosity });
+    }
+    setField(output, "LastLayerRatio", { ofWalls_.lastByCell() });
     setField(output, "MeanLayerThickness", { ofWalls_.mean() });
     std::vector<double> coverages;
+    std::vector<double> wholes;
+    std::vector<double> lasts;
     std::vector<double> means;
     std::vector<double> asked;
     for (const auto& named : names)
     {
       asked.push_back(ofBoundary_[named.first].area > 0 ? 1 : 0);
       coverages.push_back(ofBoundary_[named.first].coverage());
+      wholes.push_back(ofBoundary_[named.first].wholeShare());
+      lasts.push_back(ofBoundary_[named.first].lastByCell());
       means.push_back(ofBoundary_[named.first].mean());
     }
     setField(output, "BoundaryLayerCoverages", coverages);
+    setField(output, "BoundaryWholeStacks", wholes);
+    setField(output, "BoundaryLastLayerRatios", lasts);
     setField(output, "BoundaryLayerThicknesses", means);
     setField(output, "BoundaryLayersAsked", asked);
   }
@@ -419,27 +433,56 @@ private:
   {
     double area = 0;
     double covered = 0;
+    double whole = 0;
     double volume = 0;
+    std::vector<std::pair<double, double>> lasts{}; // ratio, area
 
     double coverage() const { return area > 0 ? covered / area : 0; }
+    double wholeShare() const { return area > 0 ? whole / area : 0; }
     double mean() const { return area > 0 ? volume / area : 0; }
+
+    // That of half the area; 0: there is none.
+    double lastByCell()
+    {
+      std::sort(lasts.begin(), lasts.end());
+      double left = 0;
+      for (const auto& last : lasts)
+      {
+        left += last.second / 2;
+      }
+      for (const auto& last : lasts)
+      {
+        left -= last.second;
+        if (left <= 0)
+        {
+          return last.first;
+        }
+      }
+      return 0;
+    }
   };
 
   // If none are requested there is nothing to report.
-  void add(std::int32_t boundary, double area, double asked, double thickness, int layers)
+  void add(std::int32_t boundary, double area, const StackMeasure& stack)
   {
     for (Sums* sums : { &ofBoundary_[boundary], &ofWalls_ })
     {
-      sums->area += asked > 0 ? area : 0;
-      const bool isCovered = layers == layers_.spec.count && thickness >= LeastOfAsked * asked;
-      sums->covered += asked > 0 && isCovered ? area : 0;
-      sums->volume += area * thickness;
+      sums->area += stack.asked > 0 ? area : 0;
+      const bool isCovered =
+        stack.layers == layers_.spec.count && stack.thickness >= LeastOfAsked * stack.asked;
+      sums->covered += stack.asked > 0 && isCovered ? area : 0;
+      sums->whole += stack.isWhole ? area : 0;
+      sums->volume += area * stack.thickness;
+      if (stack.lastByCell > 0)
+      {
+        sums->lasts.emplace_back(stack.lastByCell, area);
+      }
     }
   }
 
   const BoundaryLayers& layers_;
   const std::vector<BoundaryFace>& faces_;
-  const std::vector<double>& thickness_;
+  const std::vector<StackMeasure>& stacks_;
   std::map<std::int32_t, Sums> ofBoundary_;
   Sums ofWalls_;
 };

@@ -264,7 +264,8 @@ def statistics(mesher, listener, seconds, fields):
         rows = [arrays.pop(name, []) for name in
             ("BoundaryIds", "BoundaryNames", "BoundaryTypes", "BoundaryFaceCounts", "BoundaryAreas")]
         of_layers = {key: arrays.pop(name) for key, name in (("layer_coverage", "BoundaryLayerCoverages"),
-            ("layer_thickness", "BoundaryLayerThicknesses"), ("layers_asked", "BoundaryLayersAsked")) if name in arrays}
+            ("layer_thickness", "BoundaryLayerThicknesses"), ("layers_asked", "BoundaryLayersAsked"),
+            ("whole_stacks", "BoundaryWholeStacks"), ("last_layer_ratio", "BoundaryLastLayerRatios")) if name in arrays}
         # Types exist if the user gave some; counts and areas, if there is a mesh.
         for number, name, type, faces, area in itertools.zip_longest(*rows):
             row = boundaries.setdefault(number,
@@ -297,6 +298,8 @@ def report(summary):
         print(f"{name:32} {value}")
     for row in summary["boundaries"]:
         print(f"boundary {row['number']:3}  {printable(row['name']):24} {row['faces']:9} faces, area {row['area']:.9g}")
+    if summary["mesh"].get("LongLayers", 0) > 0:
+        print("checkMesh will count", summary["mesh"]["LongLayers"], "layers of an aspect ratio above 1000, which do no harm")
     bare = [printable(row["name"]) for row in summary["boundaries"] if row.get("layers_asked") == 0 and row["faces"] > 0]
     if bare:
         print("no layers asked on", ", ".join(bare))

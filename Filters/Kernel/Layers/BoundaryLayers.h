@@ -25,6 +25,8 @@ struct ChangedCell
 struct BoundaryLayers
 {
   WallLayerSpec spec;
+  int wanted =
+    0; // layers that would lead to the last one's usual part of a box (layersTo), may be too many
   PrismStacks stacks;
   LayeredBoundary boundary;
   std::vector<ChangedCell> changed; // cells whose points moved

@@ -82,6 +82,7 @@ LayerFaults::LayerFaults(
   }
   cellWasAtFault_ = std::move(faults.cell);
   cellWasOdd_ = std::move(faults.isOdd);
+  cellWasLong_ = std::move(faults.isLong);
 }
 
 LayerFaults::Faults LayerFaults::measure(
@@ -104,8 +105,8 @@ LayerFaults::Faults LayerFaults::measure(
   {
     const std::uint32_t failures = quality.cellFailures[c];
     faults.cell.push_back((failures & OfCells) != 0);
-    faults.isOdd.push_back(
-      (failures & 1U << AspectRatio) != 0 || !(gains[c] < LayerLimits::CorrectionGain));
+    faults.isOdd.push_back(!(gains[c] < LayerLimits::CorrectionGain));
+    faults.isLong.push_back((failures & 1U << AspectRatio) != 0);
   }
   return faults;
 }
@@ -197,8 +198,10 @@ LayerFault LayerFaults::ofFace(
     selected.addPointsOfCell(owner, fault.around);
     selected.addPointsOfCell(other, fault.around);
   }
-  fault.mendsThinner =
+  const bool areOfOneStack =
     std::min(c, d) < ofMesh || stacks.face[c - ofMesh] == stacks.face[d - ofMesh];
+  fault.mendsThinner =
+    areOfOneStack && !(std::max(c, d) >= ofMesh && stacks.isFlat[std::max(c, d) - ofMesh]);
   return fault;
 }
 
@@ -250,7 +253,8 @@ std::vector<LayerFault> LayerFaults::find(const PrismStacks& stacks,
     const std::uint32_t number = selected.number[c];
     const bool isOfMesh = number < near_.cells.cellCount();
     const bool isNew = faults.cell[c] && !(isOfMesh && cellWasAtFault_[number]);
-    const bool isOdd = faults.isOdd[c] && !(isOfMesh && cellWasOdd_[number]);
+    const bool isOdd = (faults.isOdd[c] && !(isOfMesh && cellWasOdd_[number])) ||
+      (isOfMesh && faults.isLong[c] && !cellWasLong_[number]);
     const bool hasNoThird =
       !isOfMesh && selected.hasChanged[c] && isFlat(selected.cells, c, points);
     if (selected.hasChanged[c] && (isNew || isOdd || hasNoThird))

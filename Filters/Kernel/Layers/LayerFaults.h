@@ -38,7 +38,8 @@ private:
     std::vector<double> volume;     // of each cell
     std::vector<std::uint8_t> cell;
     std::vector<std::uint8_t>
-      isOdd; // cells at fault for their aspect ratio or gain, for which thinner layers hardly help
+      isOdd; // cells at fault for their gain, for which thinner layers hardly help
+    std::vector<std::uint8_t> isLong; // ... for their aspect ratio, at which prisms are good
   };
   struct Selection;
 
@@ -55,6 +56,7 @@ private:
   std::vector<std::uint8_t> faceWasAtFault_; // of the near cells, as the owner has it
   std::vector<std::uint8_t> cellWasAtFault_;
   std::vector<std::uint8_t> cellWasOdd_;
+  std::vector<std::uint8_t> cellWasLong_;
 };
 
 }

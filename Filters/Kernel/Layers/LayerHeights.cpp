@@ -27,8 +27,12 @@ double LayerHeights::blend(double t, std::size_t k) const
   return t * full_[k] + (1 - t) * double(k) * full_[1];
 }
 
-double LayerHeights::at(double part, std::size_t k) const
+double LayerHeights::at(double part, std::size_t k, bool isFlat) const
 {
+  if (isFlat)
+  {
+    return part * full_[k];
+  }
   if (part >= kept_)
   {
     const double t = kept_ < 1 ? grown_ + (part - kept_) / (1 - kept_) * (1 - grown_) : 1;

@@ -10,6 +10,10 @@ namespace cartesian
 // A stack with less room than requested keeps the height of its first layer as long as possible, since that sets y+:
 // its layers grow more slowly. If one of them would be thinner than half the requested thickness, or there is not
 // even room for layers of equal height, all become thinner.
+//
+// In flat stacks all layers become thinner alike. Where the room differs from node to node, the centre of each prism lies
+// aside by the same part of its face then; otherwise the line between two centres would hardly cross the face between
+// them, which is far wider than the prisms are high. A first layer that is thinner than requested does no harm there.
 class LayerHeights
 {
 public:
@@ -19,7 +23,7 @@ public:
   std::size_t layers() const { return full_.size() - 1; }
 
   // The end of the k-th layer, from the wall, of a stack that takes a part (0 to 1) of its way; as a part of the way.
-  double at(double part, std::size_t k) const;
+  double at(double part, std::size_t k, bool isFlat) const;
 
 private:
   // Where layers as high as the first become a part t as high as they should: the end of the k-th.

@@ -50,9 +50,7 @@ void renumber(LayeredBoundary& boundary, const std::vector<Id>& numbers)
   for (const std::size_t f : order)
   {
     sorted.faces.push_back(boundary.faces[f]);
-    sorted.asked.push_back(boundary.asked[f]);
-    sorted.thickness.push_back(boundary.thickness[f]);
-    sorted.layers.push_back(boundary.layers[f]);
+    sorted.stacks.push_back(boundary.stacks[f]);
     std::vector<Id>& corners = sorted.mesh.corners;
     sorted.mesh.start.push_back(static_cast<Id>(corners.size())); // the end comes last
     corners.insert(corners.end(), boundary.mesh.corners.begin() + boundary.mesh.start[f],

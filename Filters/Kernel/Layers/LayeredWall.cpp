@@ -2,7 +2,7 @@
 #include "Layers/LayeredWall.h"
 
 #include "Lattice/LineMeeting.h"
-#include "Layers/AskedThickness.h"
+#include "Layers/BoxSides.h"
 #include "Polyhedra/CellGeometry.h"
 #include "Polyhedra/OffsetPlanes.h"
 #include "Repair/TriangleTree.h"
@@ -18,6 +18,7 @@ namespace
 constexpr double PartOfTheWay = 1.0 / 3; // to what lies opposite
 constexpr double SinOfOnePlane = 0.1;    // normals that differ by less count as equal
 constexpr double SinOfSharpEdge = 0.7;   // ... about the way of a node
+constexpr double FlatByBox = 0.03;       // height of a first layer
 constexpr std::size_t NodesAChunk = 256;
 
 class WallFinder
@@ -57,17 +58,21 @@ private:
     wall_.layered.resize(wall_.of.faces.size());
     wall_.isOnWall.assign(wall_.nodes(), 0);
     wall_.usual.assign(wall_.nodes(), 0);
-    const std::vector<double> usual = usualThicknesses(mesh_, wall_.of.faces, spec_);
+    wall_.isFlat.assign(wall_.nodes(), 1);
+    const std::vector<double> sides = boxSides(mesh_, wall_.of.faces);
+    const double first = heightsOfLayers(spec_)[1];
     for (std::size_t f = 0; f < wall_.layered.size(); ++f)
     {
+      const double usual = totalThickness(spec_, sides[f]);
       wall_.asked.push_back(
-        spec_.isIn(wall_.of.region) ? spec_.thicknessAt(wall_.of.boundary[f], usual[f]) : 0);
+        spec_.isIn(wall_.of.region) ? spec_.thicknessAt(wall_.of.boundary[f], usual) : 0);
       wall_.layered[f] = wall_.asked[f] > 0;
       for (std::size_t i = 0; wall_.layered[f] && i < wall_.corners(f); ++i)
       {
         const std::size_t n = wall_.node(f, i);
         wall_.isOnWall[n] = 1;
-        wall_.usual[n] = std::max(wall_.usual[n], usual[f]);
+        wall_.usual[n] = std::max(wall_.usual[n], usual);
+        wall_.isFlat[n] = wall_.isFlat[n] && first * wall_.asked[f] < FlatByBox * sides[f];
       }
     }
   }
@@ -125,6 +130,7 @@ private:
     wall_.fixed.resize(wall_.nodes());
     wall_.across.resize(wall_.nodes());
     wall_.parts.assign(wall_.nodes(), 0);
+    wall_.ends.assign(wall_.nodes(), LayerEnd::Nowhere);
     execution.forEach(wall_.nodes(), NodesAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n)
       {
@@ -137,6 +143,7 @@ private:
           all.insert(all.end(), facets_[n].begin(), facets_[n].end());
           wall_.across[n] = independentNormals(all, SinOfSharpEdge);
           wall_.parts[n] = norm(wall_.way[n]) > 0 ? 1 : 0;
+          wall_.ends[n] = wall_.parts[n] > 0 ? LayerEnd::Nowhere : LayerEnd::Corner;
         }
       }
     });
@@ -151,8 +158,11 @@ private:
       {
         if (wall_.faceBeyond(f, i) == f)
         {
-          wall_.parts[wall_.node(f, i)] = 0;
-          wall_.parts[wall_.node(f, i + 1)] = 0;
+          for (const std::size_t n : { wall_.node(f, i), wall_.node(f, i + 1) })
+          {
+            wall_.parts[n] = 0;
+            wall_.ends[n] = LayerEnd::Corner;
+          }
         }
       }
     }
@@ -166,6 +176,7 @@ private:
       for (std::size_t i = 0; !wall_.layered[f] && i < wall_.corners(f); ++i)
       {
         wall_.parts[wall_.node(f, i)] = 0;
+        wall_.ends[wall_.node(f, i)] = LayerEnd::Corner;
       }
     }
   }
@@ -224,24 +235,30 @@ bool LayeredWall::tapers(std::size_t face) const
   return any && hasStack(face);
 }
 
+bool LayeredWall::isFlatFace(std::size_t face) const
+{
+  bool all = true;
+  for (std::size_t i = 0; i < corners(face); ++i)
+  {
+    all = all && isFlat[node(face, i)];
+  }
+  return all;
+}
+
+LayerEnd LayeredWall::endOn(std::size_t face) const
+{
+  LayerEnd end = LayerEnd::Nowhere;
+  for (std::size_t i = 0; i < corners(face); ++i)
+  {
+    end = std::max(end, ends[node(face, i)]);
+  }
+  return end;
+}
+
 bool LayeredWall::isWhole(std::size_t face, std::size_t i) const
 {
   const std::size_t other = faceBeyond(face, i);
   return tapers(face) && (!layered[other] || tapers(other));
-}
-
-double LayeredWall::thickness(std::size_t face) const
-{
-  const std::size_t size = corners(face);
-  const FaceGeometry geometry =
-    measureFace(size, [&](std::size_t i) -> const Vector& { return place[node(face, i)]; });
-  double sum = 0;
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    const std::size_t n = node(face, i);
-    sum += dot(minus(place[n], at(n, parts[n])), unit(geometry.area));
-  }
-  return sum / static_cast<double>(size);
 }
 
 LayeredWall findLayeredWall(LayerRegion region, const OutputMesh& mesh,
@@ -279,6 +296,7 @@ void keepFromOpposite(
         wall.parts[n] = std::min(wall.parts[n],
           leavesAt(from, along, surface.corners(t), facing(surface, t, wall.of.region)));
       });
+      wall.ends[n] = wall.parts[n] < 1 ? LayerEnd::Gap : wall.ends[n];
     }
   });
 }

@@ -4,10 +4,20 @@
 
 #include "Layers/FlowDomainSides.h"
 #include "Layers/LayerRegion.h"
+#include "Polyhedra/CellGeometry.h"
 #include "Surface/WallLayerSpec.h"
 
 namespace cartesian
 {
+
+// Why layers are thinner at a node than requested, or end there.
+enum class LayerEnd : std::uint8_t
+{
+  Nowhere = 0,
+  Gap = 1,    // something lies opposite
+  Corner = 2, // the wall leaves no way inwards, or has no unique neighbour there
+  Fault = 3,  // of a cell or face that would fail with them
+};
 
 struct LayeredWall
 {
@@ -17,7 +27,9 @@ struct LayeredWall
   std::vector<double>
     usual; // of each node, where boundaries do not have their own thickness; the most of its faces
   std::vector<std::uint8_t>
-    isOnWall;                // of each node, an index in of.mesh.meshPoint: it is of a layered face
+    isOnWall; // of each node, an index in of.mesh.meshPoint: it is of a layered face
+  std::vector<std::uint8_t>
+    isFlat; // of each node: on all of its layered faces the first layer is low, by the box beside it
   std::vector<Vector> place; // of each node, in user units
 
   // Of each node on the wall, the way inwards through all layers, to where the planes of the faces around it meet
@@ -32,6 +44,8 @@ struct LayeredWall
 
   // The part of its way that layers take; the mesh's point moves there. 0: it has none.
   std::vector<double> parts;
+
+  std::vector<LayerEnd> ends; // of each node
 
   // Of each face's corners, as in of.mesh.corners, the face beyond the edge from there to the next corner, and that
   // face's corner from which the edge goes back; itself where there are not two faces at an edge.
@@ -69,12 +83,46 @@ struct LayeredWall
   // Whether its stack has no height at one of its nodes.
   bool tapers(std::size_t face) const;
 
+  bool isFlatFace(std::size_t face) const;
+
+  // The most certain reason of its nodes.
+  LayerEnd endOn(std::size_t face) const;
+
   // Whether all layers have one common side over an edge: neither side of it has layers that differ.
   bool isWhole(std::size_t face, std::size_t i) const;
 
-  // Of all layers on a face: the mean of its nodes, along the normal of the wall.
-  double thickness(std::size_t face) const;
+  double area(std::size_t face) const
+  {
+    return norm(measureFace(corners(face), [&](std::size_t i) -> const Vector& {
+      return place[node(face, i)];
+    }).area);
+  }
+
+  // Of parts of the ways on a face, partOf(node): the mean of its nodes, along the normal of the wall.
+  template <class PartOf>
+  double heightOn(std::size_t face, PartOf&& partOf) const;
+
+  // Of all layers on a face.
+  double thickness(std::size_t face) const
+  {
+    return heightOn(face, [&](std::size_t n) { return parts[n]; });
+  }
 };
+
+template <class PartOf>
+double LayeredWall::heightOn(std::size_t face, PartOf&& partOf) const
+{
+  const std::size_t size = corners(face);
+  const Vector normal = unit(
+    measureFace(size, [&](std::size_t i) -> const Vector& { return place[node(face, i)]; }).area);
+  double sum = 0;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const std::size_t n = node(face, i);
+    sum -= partOf(n) * dot(way[n], normal);
+  }
+  return sum / static_cast<double>(size);
+}
 
 // `points`: of the mesh.
 LayeredWall findLayeredWall(LayerRegion region, const OutputMesh& mesh,

@@ -12,6 +12,8 @@ namespace cartesian
 namespace
 {
 
+constexpr double FirstWithin = 0.05;
+
 // The points above a node are numbered consecutively, from the mesh to the wall.
 class Columns
 {
@@ -159,7 +161,8 @@ private:
       result_.moved.push_back({ wall_.of.mesh.meshPoint[n], wall_.at(n, wall_.parts[n]) });
       for (std::size_t k = 1; k <= columns_.layers(); ++k)
       {
-        const Vector at = wall_.at(n, heights_.at(wall_.parts[n], columns_.layers() - k));
+        const Vector at =
+          wall_.at(n, heights_.at(wall_.parts[n], columns_.layers() - k, wall_.isFlat[n]));
         result_.points.insert(result_.points.end(), at.begin(), at.end());
         result_.nodeOfPoint.push_back(n);
       }
@@ -200,6 +203,7 @@ private:
     result_.layer.push_back(static_cast<unsigned char>(columns_.layers() + 1 - end));
     result_.face.push_back(f);
     result_.tapers.push_back(wall_.tapers(f));
+    result_.isFlat.push_back(wall_.isFlatFace(f));
     result_.below.push_back(wall_.of.faces[f].cell);
   }
 
@@ -213,11 +217,14 @@ private:
 class BoundaryLister
 {
 public:
-  BoundaryLister(const OutputMesh& mesh, const LayeredWall& wall, const LayerHeights& heights)
+  BoundaryLister(const OutputMesh& mesh, const LayeredWall& wall, const LayerHeights& heights,
+    const std::vector<double>& lastByCell)
     : mesh_(mesh)
     , wall_(wall)
+    , heights_(heights)
     , columns_(mesh, wall, heights.layers())
     , sides_(wall, heights)
+    , lastByCell_(lastByCell)
   {
   }
 
@@ -238,22 +245,36 @@ public:
   }
 
 private:
-  void addInterface(std::size_t f, Id cell, double thickness, int layers)
+  void addInterface(std::size_t f, Id cell)
   {
     const FaceGeometry geometry = measureFace(wall_.corners(f),
       [&](std::size_t i) -> const Vector& { return wall_.place[wall_.node(f, i)]; });
-    result_.interfaces.push_back(
-      { wall_.of.ofInterface[f - wall_.of.boundaryFaces()], wall_.of.region, cell,
-        wall_.of.boundary[f], norm(geometry.area), wall_.asked[f], thickness, layers });
+    result_.interfaces.push_back({ wall_.of.ofInterface[f - wall_.of.boundaryFaces()],
+      wall_.of.region, cell, wall_.of.boundary[f], norm(geometry.area), measureOf(f) });
   }
 
-  void add(const BoundaryFace& face, const std::vector<Id>& points, double asked, double thickness,
-    int layers)
+  StackMeasure measureOf(std::size_t f) const
+  {
+    StackMeasure measure;
+    measure.asked = wall_.asked[f];
+    measure.layers = static_cast<int>(columns_.cells(f));
+    measure.end = wall_.endOn(f);
+    if (measure.layers > 0)
+    {
+      measure.thickness = wall_.thickness(f);
+      const double first = wall_.heightOn(
+        f, [&](std::size_t n) { return heights_.at(wall_.parts[n], 1, wall_.isFlat[n]); });
+      const double asked = measure.asked * heights_.at(1, 1, true);
+      measure.lastByCell = lastByCell_[f];
+      measure.isWhole = !wall_.tapers(f) && std::abs(first - asked) <= FirstWithin * asked;
+    }
+    return measure;
+  }
+
+  void add(const BoundaryFace& face, const std::vector<Id>& points, const StackMeasure& stack)
   {
     result_.faces.push_back(face);
-    result_.asked.push_back(asked);
-    result_.thickness.push_back(thickness);
-    result_.layers.push_back(layers);
+    result_.stacks.push_back(stack);
     std::vector<Id>& corners = result_.mesh.corners;
     result_.mesh.start.push_back(static_cast<Id>(corners.size())); // the end comes last
     corners.insert(corners.end(), points.begin(), points.end());
@@ -279,11 +300,11 @@ private:
       }
       if (wall_.of.isInterface(f))
       {
-        addInterface(f, wall_.of.faces[f].cell, 0, 0);
+        addInterface(f, wall_.of.faces[f].cell);
       }
       else
       {
-        add(wall_.of.faces[f], pointsOf(f, 0), wall_.asked[f], 0, 0);
+        add(wall_.of.faces[f], pointsOf(f, 0), measureOf(f));
       }
     }
   }
@@ -291,31 +312,32 @@ private:
   void addOf(std::size_t f, std::size_t k, Id cell)
   {
     const bool isAtWall = columns_.end(f, k) == columns_.layers();
-    const auto layers = static_cast<int>(columns_.cells(f));
     if (isAtWall && wall_.of.isInterface(f))
     {
-      addInterface(f, cell, wall_.thickness(f), layers);
+      addInterface(f, cell);
     }
     else if (isAtWall)
     {
       const BoundaryFace& base = wall_.of.faces[f];
       add({ cell, base.index, base.boundary, BoundaryFace::Kind::Patch },
-        pointsOf(f, columns_.layers()), wall_.asked[f], wall_.thickness(f), layers);
+        pointsOf(f, columns_.layers()), measureOf(f));
     }
     forEachSide(wall_, columns_, sides_, f, k, [&](std::size_t i, const std::vector<Id>& points) {
       const std::size_t other = wall_.faceBeyond(f, i);
       if (!wall_.layered[other])
       {
         const BoundaryFace& there = wall_.of.faces[other];
-        add({ cell, there.index, there.boundary, BoundaryFace::Kind::Patch }, points, 0, 0, 0);
+        add({ cell, there.index, there.boundary, BoundaryFace::Kind::Patch }, points, {});
       }
     });
   }
 
   const OutputMesh& mesh_;
   const LayeredWall& wall_;
+  const LayerHeights& heights_;
   const Columns columns_;
   const StackSides sides_;
+  const std::vector<double>& lastByCell_;
   LayeredBoundary result_;
 };
 
@@ -340,10 +362,10 @@ PrismStacks stackPrisms(
   return Stacker(mesh, wall, heights).run();
 }
 
-LayeredBoundary boundaryOf(
-  const OutputMesh& mesh, const LayeredWall& wall, const LayerHeights& heights)
+LayeredBoundary boundaryOf(const OutputMesh& mesh, const LayeredWall& wall,
+  const LayerHeights& heights, const std::vector<double>& lastByCell)
 {
-  return BoundaryLister(mesh, wall, heights).run();
+  return BoundaryLister(mesh, wall, heights, lastByCell).run();
 }
 
 }

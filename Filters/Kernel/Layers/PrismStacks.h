@@ -33,9 +33,21 @@ struct PrismStacks
   std::vector<unsigned char> layer; // of each cell, 1 at the wall
   std::vector<std::size_t> face;    // of each cell, that of the wall under its stack
   std::vector<std::uint8_t> tapers; // of each cell
+  std::vector<std::uint8_t> isFlat; // of each cell, its stack (LayeredWall)
   std::vector<Id> below;            // of each cell, the number of the mesh's cell under its stack
 
   std::size_t cells() const { return layer.size(); }
+};
+
+// What a stack on a face is like.
+struct StackMeasure
+{
+  double asked = 0;                 // thickness of all layers, in user units; 0: none
+  double thickness = 0;             // of the stack, along the wall's normal; 0: none
+  int layers = 0;                   // one where it tapers; 0: none
+  LayerEnd end = LayerEnd::Nowhere; // why it is not whole; Nowhere: because of a stack beside it
+  bool isWhole = false;  // all layers, and the first as high as requested, within FirstWithin of it
+  double lastByCell = 0; // volume of the last layer by that of the cell beside it; 0: not known
 };
 
 // A face between two regions, as one of them has it with its stacks.
@@ -46,9 +58,7 @@ struct LayeredInterface
   Id cell;               // there
   std::int32_t boundary; // the user's, on this side
   double area;
-  double asked; // as in LayeredBoundary
-  double thickness;
-  int layers;
+  StackMeasure stack;
 };
 
 // The boundary of the mesh with its stacks: faces without stacks, then those of each stack's cells.
@@ -56,9 +66,7 @@ struct LayeredBoundary
 {
   BoundaryMesh mesh;
   std::vector<BoundaryFace> faces;
-  std::vector<double> asked;     // thickness of all layers on each, in user units; 0: none
-  std::vector<double> thickness; // of the stack below each, along its normal; 0: none
-  std::vector<int> layers;       // of the stack below each: one where it tapers; 0: none
+  std::vector<StackMeasure> stacks; // of each
   std::vector<LayeredInterface> interfaces;
 };
 
@@ -68,7 +76,8 @@ void numberPoints(BoundaryMesh& mesh);
 PrismStacks stackPrisms(
   const OutputMesh& mesh, const LayeredWall& wall, const LayerHeights& heights);
 
-LayeredBoundary boundaryOf(
-  const OutputMesh& mesh, const LayeredWall& wall, const LayerHeights& heights);
+// `lastByCell`: StackMeasure::lastByCell of each face of the wall.
+LayeredBoundary boundaryOf(const OutputMesh& mesh, const LayeredWall& wall,
+  const LayerHeights& heights, const std::vector<double>& lastByCell);
 
 }

@@ -147,9 +147,7 @@ void append(const OutputMesh& mesh, const PrismStacks& before, LayeredBoundary& 
     shift(face.cell, mesh.cellCount(), cells);
     boundary.interfaces.push_back(face);
   }
-  boundary.asked.insert(boundary.asked.end(), more.asked.begin(), more.asked.end());
-  boundary.thickness.insert(boundary.thickness.end(), more.thickness.begin(), more.thickness.end());
-  boundary.layers.insert(boundary.layers.end(), more.layers.begin(), more.layers.end());
+  boundary.stacks.insert(boundary.stacks.end(), more.stacks.begin(), more.stacks.end());
 }
 
 }

@@ -13,6 +13,10 @@ namespace
 // How far edges under one side may be from the straight line, by its height: its middle sees all of it.
 constexpr double MostSag = 0.5;
 
+// Sides lower than this part of their length are straighter in proportion: the centre of a long strip that bends a little
+// is far from its middle.
+constexpr double LowByLength = 0.02;
+
 }
 
 StackSides::StackSides(const LayeredWall& wall, const LayerHeights& heights)
@@ -113,7 +117,9 @@ bool StackSides::isStraight(const Run& part, std::size_t k) const
     return false; // the cell would have three faces: it, the base and the top
   }
   const Vector chord = unit(minus(at(part.edges), at(0)));
-  const double most = MostSag * thicknessOf(part, k);
+  const double height = thicknessOf(part, k);
+  const double length = norm(minus(at(part.edges), at(0)));
+  const double most = MostSag * height * std::min(1.0, height / (LowByLength * length));
   bool isStraight = dot(minus(at(1), at(0)), chord) > 0;
   for (std::size_t i = 1; i < part.edges; ++i)
   {
@@ -134,8 +140,9 @@ double StackSides::thicknessOf(const Run& part, std::size_t k) const
   {
     const std::size_t n = wall_.node(part.face, part.first + i);
     const double taken = wall_.parts[n];
-    least =
-      std::min(least, norm(wall_.way[n]) * (heights_.at(taken, end) - heights_.at(taken, begin)));
+    least = std::min(least,
+      norm(wall_.way[n]) *
+        (heights_.at(taken, end, wall_.isFlat[n]) - heights_.at(taken, begin, wall_.isFlat[n])));
   }
   return least;
 }

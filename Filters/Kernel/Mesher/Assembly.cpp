@@ -13,6 +13,7 @@
 #include "Collapse/WarpedHexahedra.h"
 #include "Faces/BoxRebuilding.h"
 #include "Lattice/Vector.h"
+#include "Layers/WarpedWalls.h"
 #include "Mesher/Messages.h"
 #include "Mesher/Stages.h"
 #include "Patches/VolumeGap.h"
@@ -501,6 +502,10 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
     }
   }
   removeFragments(a, options, execution);
+  if (layers)
+  {
+    divideWarpedWalls(a.boxes, a.nodes, a.patches.walls, *layers, a.wall);
+  }
   if (isWhole(a))
   {
     a.separate.ofRegions = countParts(a.boxes, a.patches.walls, a.sides, a.wall);

@@ -74,7 +74,7 @@ public:
     {
       const auto own = depths.find(boundary);
       boundaries_.push_back({ shadows, own == depths.end() ? 0 : own->second,
-        options.layers.count > 0 && options.layers.hasLayers(boundary) });
+        options.layers.any() && options.layers.hasLayers(boundary) });
     }
   }
 
@@ -186,13 +186,14 @@ ExpectedMesh expected(
     boxes.intersected += added;
     boxes.all += OfAddedBoxes * std::max(0.0, looked.all - boxes.all);
   }
+  const WallLayerSpec layers = expectedLayers(options, boundsOf(surface).longest()).spec;
   ExpectedMesh mesh;
   mesh.size = options.grid.cellSize;
   mesh.boxes = std::max(1.0, std::round(boxes.all));
   const bool merges = options.smallCells.handling == SmallCells::Merge;
   mesh.cells = std::max(1.0,
     std::round(boxes.all - (merges ? CellsMerged : 0) * boxes.intersected +
-      options.layers.count * CellsOfALayer * boxes.atLayers));
+      layers.count * CellsOfALayer * boxes.atLayers));
   MeshEstimate estimate =
     estimateOf(mesh.boxes, boxes.intersected, static_cast<double>(surface.triangleCount));
   estimate.atOnce =
@@ -207,6 +208,17 @@ double sizeOrDefault(const Options& options, const Areas& areas)
                                    : rounded(areas.longest() / DefaultCellsAlongLongest);
 }
 
+}
+
+ExpectedLayers expectedLayers(const Options& options, double longestSide)
+{
+  int depth = options.refinement.depth;
+  for (const BoundaryRefinement& row : options.refinement.boundaries)
+  {
+    depth = std::max(depth, row.depth);
+  }
+  const double box = std::ldexp(options.grid.cellSize, -depth);
+  return { withNumber(forFlow(options.layers, longestSide), box), box };
 }
 
 ExpectedMesh expectedMesh(const SurfaceView& surface, const Options& options, Execution& execution)

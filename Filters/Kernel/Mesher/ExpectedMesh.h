@@ -19,6 +19,15 @@ struct ExpectedMesh
   double bytes = 0; // that are taken at the peak
 };
 
+// With their number and first thickness, beside boxes of the largest depth that boundaries ask for. `longestSide`: of the
+// surface, in user units.
+struct ExpectedLayers
+{
+  WallLayerSpec spec;
+  double box; // beside them
+};
+ExpectedLayers expectedLayers(const Options& options, double longestSide);
+
 // For the grid with all refinement and layers in the options. If only areas of the surface matter, they suffice; else
 // each box of the grid is examined, or some of its layers, unless there are far too many. Throws Error: EmptySurface,
 // BadCoordinate, BadParameter, FlawedSurface (of a region).

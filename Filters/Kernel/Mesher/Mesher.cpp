@@ -4,6 +4,7 @@
 #include "Base/Error.h"
 #include "Boxes/MeshEstimate.h"
 #include "Boxes/PlanesAside.h"
+#include "Layers/BoxSides.h"
 #include "Patches/Patches.h"
 #include "Repair/Regions.h"
 
@@ -96,7 +97,7 @@ void requireOneRegion(const SurfaceView& view, const DomainSpec& domain)
 bool mayDivide(const Options& options)
 {
   return options.domain.domain == Domain::Inside && options.domain.keepPoints.empty() &&
-    options.layers.count == 0;
+    !options.layers.any();
 }
 
 MeshedSide meshedOf(const DomainSpec& domain)
@@ -215,7 +216,7 @@ PreparedSurface prepareSurface(
   prepared.boundariesGiven = countsOf(prepared.surface.boundary);
   separate(prepared, view, options, execution);
   chooseDomain(options.domain, prepared);
-  if (options.layers.count > 0)
+  if (options.layers.any())
   {
     requireValid(options.layers);
   }
@@ -254,12 +255,13 @@ std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   Patches patches = makePatches(prepared, decomposition, boxes, options, execution);
   // The content of boxes with other than exact patches is known only here.
   checkMemory(estimate.boxes(), estimate.bytes(limit, cornersOf(patches)), limit);
-  if (options.layers.count == 0)
+  if (!options.layers.any())
   {
     return assemble(std::move(boxes), std::move(patches), options, execution, nullptr, parts);
   }
   // The sides of a flow domain have none.
-  WallLayerSpec layers = options.layers;
+  const double side = usualBoxSide(boxes, patches, options.layers, execution);
+  WallLayerSpec layers = withNumber(forFlow(options.layers, prepared.bounds.longest()), side);
   const EndBoundaries& ends = prepared.surface.ends;
   for (const std::int32_t end : ends)
   {
@@ -271,6 +273,7 @@ std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   execution.stage("Layers", AfterNumbering, AfterLayers);
   assembly->layers = std::make_unique<BoundaryLayers>(
     addLayers(*assembly->mesh, prepared.surface, layers, execution));
+  assembly->layers->wanted = layersTo(layers, side);
   return assembly;
 }
 

@@ -38,7 +38,7 @@ MemoryLimit memoryLimitOf(const Options& options, int threads)
   const double bytes =
     options.memoryLimit > 0 ? options.memoryLimit * BytesOfAGiB : ShareOfMemory * machineMemory();
   return { bytes, options.patches.method == PatchMethod::ExactFit, shapesCells(options),
-    options.layers.count, threads };
+    options.layers.any() ? 1 : 0, threads };
 }
 
 int transitionLayersOf(const Options& options)

@@ -26,7 +26,7 @@ inline void planStages(const Options& options, Execution& execution)
 {
   execution.leaveOut(options.collapse.ratio > 0 ? AfterShortEdges : AfterCells,
     shapesCells(options) ? AfterShortEdges : AfterShaping);
-  if (options.layers.count == 0)
+  if (!options.layers.any())
   {
     execution.leaveOut(AfterNumbering, AfterLayers);
   }

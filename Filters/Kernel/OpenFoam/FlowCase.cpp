@@ -126,6 +126,13 @@ std::string endsOf(const MeshOfCase& mesh)
   return text;
 }
 
+// At walls, whenever fields are written.
+std::string wallDistance()
+{
+  return "    yPlus\n    {\n" + entryOf("type", "yPlus") +
+    entryOf("libs", "(fieldFunctionObjects)") + entryOf("writeControl", "writeTime") + "    }\n";
+}
+
 void writePressure(
   const MeshOfCase& mesh, const std::optional<FlowAround>& around, CaseFiles& files)
 {
@@ -235,7 +242,8 @@ void writeFlowCase(const SolverSetup& setup, const MeshOfCase& mesh,
   files.dictionary("constant/turbulenceProperties", turbulenceProperties(setup));
   files.dictionary("system/controlDict",
     controlOf("simpleFoam", setup,
-      around ? forcesOn(namesOf(mesh, PatchRole::Wall, around), setup, *around) : endsOf(mesh)));
+      (around ? forcesOn(namesOf(mesh, PatchRole::Wall, around), setup, *around) : endsOf(mesh)) +
+        (setup.turbulence == Turbulence::Laminar ? "" : wallDistance())));
   files.dictionary("system/fvSchemes", schemesOf({ Gradients, Divergences, Correction }));
   files.dictionary("system/fvSolution", Solution);
   // Debian's potentialFoam finds the flux, but a wrong velocity in small cells (see the guide's page openfoam).

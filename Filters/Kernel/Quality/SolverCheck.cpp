@@ -114,11 +114,12 @@ private:
     {
       return;
     }
+    const bool isLayer = !checked_.isLayer.empty() && checked_.isLayer[c] != 0;
     const std::array<std::pair<Finding, bool>, 4> found{ {
       { CellsOfFewFaces, size < FewestFaces },
       { OpenCells, quality_.cells[Openness][c] > Limits::Openness },
       { CellsWithoutVolume, quality_.cells[Volume][c] < Tiny },
-      { LongCells, quality_.cells[AspectRatio][c] > Limits::AspectRatio },
+      { isLayer ? LongLayers : LongCells, quality_.cells[AspectRatio][c] > Limits::AspectRatio },
     } };
     for (const auto& [what, isThere] : found)
     {

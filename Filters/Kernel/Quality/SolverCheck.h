@@ -18,7 +18,8 @@ enum Finding : std::uint32_t
   CellsWithoutVolume,
   LongCells,
   CellsOfFewFaces,
-  SteepFaces, // the only one that is no failure
+  SteepFaces, // no failure, like what follows
+  LongLayers, // checkMesh counts them among long cells
   FindingCount
 };
 
@@ -43,6 +44,8 @@ constexpr std::array<FindingSpec, FindingCount> FindingSpecs{ {
   { "CellsOfFewFaces", "cell has fewer than four faces", "cells have fewer than four faces", true },
   { "SteepFaces", "face has a non-orthogonality above 70 degrees",
     "faces have a non-orthogonality above 70 degrees", false },
+  { "LongLayers", "cell of the layers has an aspect ratio above 1000, which does no harm",
+    "cells of the layers have an aspect ratio above 1000, which does no harm", false },
 } };
 
 using Findings = std::array<std::size_t, FindingCount>;
@@ -62,6 +65,7 @@ struct CheckedCells
   std::vector<std::uint32_t> regionOf; // of each cell, from 0
   std::vector<unsigned char>
     isElsewhere{}; // ghosts: counted by others, with the faces that they own; or none
+  std::vector<unsigned char> isLayer{}; // prisms, which are good at any aspect ratio; or none
 };
 
 // `faces`: of `cells`, those between regions opened (openFaces). `isSeen`: of each boundary face; those with cells beyond

@@ -27,6 +27,10 @@ enum class DefectKind
     12,             // faced another region's wall within the tolerance, and is that now; triangles
   CellLeftOut = 13, // of the mesh, not of the surface (Assembly.h); the sides of its box
   FailingCell = 14, // of the mesh, as solvers reject it (SolverCheck.h); its faces
+  LayersEndInGap =
+    15, // a wall face without a whole stack of layers (LayeredWall.h): something lies opposite
+  LayersEndAtCorner = 16, // ... the wall leaves no way inwards
+  LayersEndAtFault = 17,  // ... a cell or face would fail there, or at the stack beside it
 };
 constexpr std::size_t DefectKinds = 13; // of the surface; from 1
 

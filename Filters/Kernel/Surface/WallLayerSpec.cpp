@@ -4,6 +4,7 @@
 #include "Surface/Surface.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cartesian
 {
@@ -49,12 +50,52 @@ void requireValid(const WallLayerSpec& spec)
 {
   requireInRange(WallLayerSpec::Counts, spec.count, "Layers");
   requireInRange(WallLayerSpec::Ratios, spec.ratio, "Layer Expansion Ratio");
+  requireInRange(WallLayerSpec::LastLayers, spec.lastByBox, "Last Layer");
   requireInRange(WallLayerSpec::Thicknesses, spec.firstThickness, "First Layer Thickness");
   requireInRange(WallLayerSpec::Thicknesses, spec.thickness, "Layers Thickness");
   for (const WallLayerSpec::OfBoundary& one : spec.boundaries)
   {
     requireInRange(WallLayerSpec::Thicknesses, one.thickness, "Boundary Layers Thickness");
   }
+  requireValid(spec.flow);
+  if (spec.count == WallLayerSpec::Automatic &&
+    ((spec.firstThickness == 0 && spec.flow.targetYPlus == 0) || spec.ratio == 1))
+  {
+    throw Error(Fault::BadParameter,
+      "An automatic number of Layers leads from First Layer Thickness to Last Layer at the Layer "
+      "Expansion Ratio: set "
+      "First Layer Thickness or Target Y Plus, and a ratio above 1; or give the number of Layers.");
+  }
+}
+
+WallLayerSpec forFlow(WallLayerSpec spec, double longestSide)
+{
+  if (spec.flow.targetYPlus > 0 && spec.firstThickness == 0 && spec.thickness == 0)
+  {
+    spec.firstThickness = firstThicknessFor(spec.flow, longestSide);
+  }
+  return spec;
+}
+
+int layersTo(const WallLayerSpec& spec, double box)
+{
+  constexpr double Rounding = 1e-9;
+  const double first = spec.firstThickness > 0
+    ? spec.firstThickness
+    : totalThickness(spec, box) * heightsOfLayers(spec)[1];
+  const double times = spec.lastByBox * box / first;
+  return spec.ratio == 1 || times <= 1
+    ? 1
+    : 1 + static_cast<int>(std::floor(std::log(times) / std::log(spec.ratio) + Rounding));
+}
+
+WallLayerSpec withNumber(WallLayerSpec spec, double box)
+{
+  if (spec.count == WallLayerSpec::Automatic)
+  {
+    spec.count = std::min(layersTo(spec, box), WallLayerSpec::MostLayers);
+  }
+  return spec;
 }
 
 double totalThickness(const WallLayerSpec& spec, double box)

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Layers/WarpedWalls.h"
+
+#include "Layers/BoxSides.h"
+#include "Layers/FaceDivision.h"
+#include "Polyhedra/CellGeometry.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// How far a face's centre may lie off the mean of its corners, by the height of the first layer.
+constexpr double MostOff = 0.1;
+
+// How far its corners may lie off its plane, by the height of all layers.
+constexpr double MostWarp = 0.3;
+
+class WallDivider
+{
+public:
+  WallDivider(const Boxes& boxes, const Nodes& nodes, const Walls& walls,
+    const WallLayerSpec& layers, WallMesh& mesh)
+    : boxes_(boxes)
+    , nodes_(nodes)
+    , walls_(walls)
+    , layers_(layers)
+    , sides_(boxes)
+    , firstPart_(heightsOfLayers(layers)[1])
+    , mesh_(mesh)
+    , parts_(mesh.faces.size(), { 0, 0 })
+  {
+  }
+
+  void run()
+  {
+    const auto count = static_cast<std::uint32_t>(mesh_.faces.size());
+    listEdges();
+    bool any = false;
+    for (std::uint32_t f = 0; f < count; ++f)
+    {
+      any = divide(f) || any;
+    }
+    if (any)
+    {
+      listUses();
+    }
+  }
+
+private:
+  // The cell of the wall mesh that stays behind a face of the wall; or None.
+  CellKey cellOf(std::uint32_t f) const
+  {
+    const auto& cells = mesh_.faces.cells[f];
+    const CellKey cell = cells[cells[0] == None ? 1 : 0];
+    return cell >= FirstHexahedron || mesh_.cells[cell].removed ? CellKey(None) : cell;
+  }
+
+  // The height of all layers on a face of a cell, in levels: the lower one of both sides; 0: none.
+  double heightOn(std::uint32_t f, CellKey cell) const
+  {
+    const std::int32_t wall = mesh_.faces.boundary[f];
+    const double step = boxes_.lattice.step();
+    const double usual =
+      totalThickness(layers_, sides_.shortestSide(boxes_.box(mesh_.cells[cell].box)) * step);
+    const double behind =
+      layers_.isIn(walls_.behind(wall)) ? layers_.thicknessAt(walls_.boundary(wall), usual) : 0;
+    const double front = walls_.isInterface(wall) && layers_.isIn(walls_.front(wall))
+      ? layers_.thicknessAt(walls_.boundaryInFront(wall), usual)
+      : 0;
+    return (behind > 0 && front > 0 ? std::min(behind, front) : std::max(behind, front)) / step;
+  }
+
+  bool divide(std::uint32_t f)
+  {
+    WallFaces& faces = mesh_.faces;
+    const CellKey cell = cellOf(f);
+    if (faces.start[f + 1] - faces.start[f] <= 3 || cell == None || faces.boundary[f] == NoBoundary)
+    {
+      return false;
+    }
+    const double height = heightOn(f, cell);
+    if (height <= 0)
+    {
+      return false;
+    }
+    const FaceUse use(f, faces.cells[f][0] == None); // as the cell has it
+    findCorners(use);
+    const std::vector<FaceDivision::Part>& parts = division_.divide(
+      corners_, centreOf(cell), { MostOff * firstPart_ * height, MostWarp * height });
+    if (parts.size() == 1 || meetsOthers(parts))
+    {
+      return false;
+    }
+    forEachDiagonal(parts, [&](std::uint64_t key) { diagonals_.insert(key); });
+    replace(use, parts);
+    return true;
+  }
+
+  static std::uint64_t keyOf(std::uint32_t p, std::uint32_t q)
+  {
+    return (static_cast<std::uint64_t>(std::min(p, q)) << 32) | std::max(p, q);
+  }
+
+  // Of all faces that cells have.
+  void listEdges()
+  {
+    const WallFaces& faces = mesh_.faces;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+    {
+      const bool isThere = faces.cells[f][0] != None || faces.cells[f][1] != None;
+      const std::size_t end = faces.start[f + 1];
+      for (std::size_t i = faces.start[f]; isThere && i < end; ++i)
+      {
+        edges_.push_back(
+          keyOf(faces.corners[i], faces.corners[i + 1 < end ? i + 1 : faces.start[f]]));
+      }
+    }
+    std::sort(edges_.begin(), edges_.end());
+    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+  }
+
+  // Whether a diagonal is an edge of other faces: more than two would meet there, or two be the same.
+  bool meetsOthers(const std::vector<FaceDivision::Part>& parts) const
+  {
+    bool meets = false;
+    forEachDiagonal(parts, [&](std::uint64_t key) {
+      meets = meets || std::binary_search(edges_.begin(), edges_.end(), key) ||
+        diagonals_.count(key) != 0;
+    });
+    return meets;
+  }
+
+  template <class Visitor>
+  void forEachDiagonal(const std::vector<FaceDivision::Part>& parts, Visitor&& visit) const
+  {
+    for (const FaceDivision::Part& part : parts)
+    {
+      for (std::size_t i = 0; i < part.size(); ++i)
+      {
+        const std::uint32_t from = part[i];
+        const std::uint32_t to = part[(i + 1) % part.size()];
+        if (to != (from + 1) % ring_.size())
+        {
+          visit(keyOf(ring_[from], ring_[to]));
+        }
+      }
+    }
+  }
+
+  // From the first of its nodes.
+  void findCorners(const FaceUse& use)
+  {
+    ring_.clear();
+    mesh_.faces.forEachNode(use, [&](std::uint32_t node) { ring_.push_back(node); });
+    base_ = nodes_.at[ring_[0]];
+    corners_.clear();
+    for (const std::uint32_t node : ring_)
+    {
+      corners_.push_back(minus(nodes_.at[node], base_));
+    }
+  }
+
+  // From there, too.
+  Vector centreOf(CellKey cell)
+  {
+    ofCell_.clear();
+    std::vector<Vector> places;
+    mesh_.forEachUse(cell, [&](const FaceUse& use) {
+      places.clear();
+      mesh_.faces.forEachNode(
+        use, [&](std::uint32_t node) { places.push_back(minus(nodes_.at[node], base_)); });
+      ofCell_.push_back(
+        measureFace(places.size(), [&](std::size_t i) -> const Vector& { return places[i]; }));
+    });
+    return measureCell(ofCell_.size(), [&](std::size_t i) -> const FaceGeometry& {
+      return ofCell_[i];
+    }).centre;
+  }
+
+  // The face stays in the list, without cells.
+  void replace(const FaceUse& use, const std::vector<FaceDivision::Part>& parts)
+  {
+    WallFaces& faces = mesh_.faces;
+    const std::array<CellKey, 2> cells = faces.cells[use.face];
+    parts_[use.face][0] = static_cast<std::uint32_t>(faces.size());
+    for (const FaceDivision::Part& part : parts)
+    {
+      const auto first = static_cast<std::ptrdiff_t>(faces.corners.size());
+      for (const std::uint32_t corner : part)
+      {
+        faces.corners.push_back(ring_[corner]);
+      }
+      if (use.turned)
+      {
+        std::reverse(faces.corners.begin() + first, faces.corners.end());
+      }
+      faces.add(cells, faces.boundary[use.face]);
+    }
+    parts_[use.face][1] = static_cast<std::uint32_t>(faces.size());
+    faces.cells[use.face] = { None, None };
+  }
+
+  // Of the cells, with the parts of divided faces.
+  void listUses()
+  {
+    std::vector<FaceUse> uses;
+    uses.reserve(mesh_.uses.size());
+    for (std::size_t c = 0; c < mesh_.cells.size(); ++c)
+    {
+      const std::size_t first = mesh_.cells[c].firstUse;
+      const std::size_t end = c + 1 < mesh_.cells.size() ? mesh_.cells[c + 1].firstUse : first;
+      mesh_.cells[c].firstUse = uses.size();
+      for (std::size_t u = first; u < end; ++u)
+      {
+        const FaceUse use = mesh_.uses[u];
+        const auto [part, last] = parts_[use.face];
+        if (part == last)
+        {
+          uses.push_back(use);
+        }
+        for (std::uint32_t p = part; p < last; ++p)
+        {
+          uses.emplace_back(p, use.turned != 0);
+        }
+      }
+    }
+    mesh_.uses.swap(uses);
+  }
+
+  const Boxes& boxes_;
+  const Nodes& nodes_;
+  const Walls& walls_;
+  const WallLayerSpec& layers_;
+  const BoxSides sides_;
+  const double firstPart_; // of all layers, the first one's height
+  WallMesh& mesh_;
+  std::vector<std::array<std::uint32_t, 2>> parts_; // of each face that there was, begin and end
+  FaceDivision division_;
+  std::vector<std::uint64_t> edges_; // sorted
+  std::unordered_set<std::uint64_t> diagonals_;
+  std::vector<std::uint32_t> ring_; // of the face that is looked at
+  Point base_{};
+  std::vector<Vector> corners_;
+  std::vector<FaceGeometry> ofCell_;
+};
+
+}
+
+void divideWarpedWalls(const Boxes& boxes, const Nodes& nodes, const Walls& walls,
+  const WallLayerSpec& layers, WallMesh& mesh)
+{
+  if (layers.count > 0)
+  {
+    WallDivider(boxes, nodes, walls, layers, mesh).run();
+  }
+}
+
+}
