@@ -24,25 +24,6 @@ vtkStandardNewMacro(vtkFiniteVolumeQuality);
 namespace
 {
 
-// x, y, z of each point, as doubles: the grid's own array, or a copy of it in `copy`.
-const double* Coordinates(vtkUnstructuredGrid* grid, std::vector<double>& copy)
-{
-  if (!grid->GetPoints())
-  {
-    return nullptr;
-  }
-  if (auto* doubles = vtkDoubleArray::SafeDownCast(grid->GetPoints()->GetData()))
-  {
-    return doubles->GetPointer(0);
-  }
-  copy.resize(3 * static_cast<std::size_t>(grid->GetNumberOfPoints()));
-  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
-  {
-    grid->GetPoint(p, copy.data() + 3 * p);
-  }
-  return copy.data();
-}
-
 template <class Array, class Value>
 void AddArray(vtkCellData* data, const char* name, const std::vector<Value>& values)
 {
@@ -156,8 +137,8 @@ int vtkFiniteVolumeQuality::RequestData(
         cartesian::Clashes::AreBoundary, execution);
     execution.stage("Quality measures", 0.5, 1);
     std::vector<double> copy;
-    const cartesian::Quality quality =
-      cartesian::measureQuality(Coordinates(grid, copy), cells, list, execution, limits);
+    const cartesian::Quality quality = cartesian::measureQuality(
+      cartesian::coordinatesOf(grid, copy), cells, list, execution, limits);
     mesh->ShallowCopy(grid);
     SetMeasures(quality.cells, quality.cellFailures, mesh->GetCellData());
     SetFaces(cells, list, grid, faces);

@@ -9,6 +9,7 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
 #include "vtkHexahedron.h"
 #include "vtkIdTypeArray.h"
 #include "vtkUnsignedCharArray.h"
@@ -20,6 +21,24 @@
 
 namespace cartesian
 {
+
+const double* coordinatesOf(vtkUnstructuredGrid* grid, std::vector<double>& copy)
+{
+  if (!grid->GetPoints())
+  {
+    return nullptr;
+  }
+  if (auto* doubles = vtkDoubleArray::SafeDownCast(grid->GetPoints()->GetData()))
+  {
+    return doubles->GetPointer(0);
+  }
+  copy.resize(3 * static_cast<std::size_t>(grid->GetNumberOfPoints()));
+  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+  {
+    grid->GetPoint(p, copy.data() + 3 * p);
+  }
+  return copy.data();
+}
 
 CellFaceReader::CellFaceReader(vtkUnstructuredGrid* grid)
   : grid_(grid)

@@ -15,6 +15,9 @@ class vtkUnstructuredGrid;
 namespace cartesian
 {
 
+// x, y, z of each point, as doubles: the grid's own array, or a copy of it in `copy`; null: it has no points.
+const double* coordinatesOf(vtkUnstructuredGrid* grid, std::vector<double>& copy);
+
 // The faces of one cell after the other, in VTK's order.
 class CellFaceReader
 {

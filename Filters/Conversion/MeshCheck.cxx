@@ -95,20 +95,6 @@ void separate(const CellFaces& cells, const std::vector<std::uint32_t>& regionOf
   openFaces(cells, between, list);
 }
 
-const double* coordinates(vtkUnstructuredGrid* grid, std::vector<double>& copy)
-{
-  if (auto* doubles = vtkDoubleArray::SafeDownCast(grid->GetPoints()->GetData()))
-  {
-    return doubles->GetPointer(0);
-  }
-  copy.resize(3 * static_cast<std::size_t>(grid->GetNumberOfPoints()));
-  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
-  {
-    grid->GetPoint(p, copy.data() + 3 * p);
-  }
-  return copy.data();
-}
-
 // The rest of checkMesh().
 class Checker
 {
@@ -132,7 +118,7 @@ public:
     const std::vector<bool> isSeen = seenFaces(checked.regionOf, boundary, isKnown, list);
     std::vector<double> copy;
     SolverCheck found =
-      checkForSolver(coordinates(grid_, copy), cells_, list, checked, isSeen, execution);
+      checkForSolver(coordinatesOf(grid_, copy), cells_, list, checked, isSeen, execution);
     result.ofRegions = std::move(found.ofRegions);
     result.ofRegions.resize(result.regions.size());
     for (const std::uint32_t cell : found.failing)
