@@ -63,8 +63,8 @@ FaceGeometry geometryOf(const std::vector<Vector>& corners, const Part& ring)
 
 }
 
-const std::vector<Part>& FaceDivision::divide(
-  const std::vector<Vector>& corners, const Vector& cell, const FlatEnough& flat)
+const std::vector<Part>& FaceDivision::divide(const std::vector<Vector>& corners,
+  const Vector& cell, const FlatEnough& flat, const std::vector<Diagonal>& barred)
 {
   corners_ = &corners;
   cell_ = cell;
@@ -72,7 +72,7 @@ const std::vector<Part>& FaceDivision::divide(
   Part whole(corners.size());
   std::iota(whole.begin(), whole.end(), 0);
   normal_ = unit(geometryOf(corners, whole).area);
-  if (excessOf(whole, flat) <= 1 || !triangulate())
+  if (excessOf(whole, flat) <= 1 || !triangulate(barred))
   {
     parts_.push_back(whole);
     return parts_;
@@ -129,7 +129,7 @@ double FaceDivision::costOf(const Part& triangle) const
 }
 
 // Finds the triangulation of least cost; false: each has a triangle that is refused.
-bool FaceDivision::triangulate()
+bool FaceDivision::triangulate(const std::vector<Diagonal>& barred)
 {
   const std::size_t size = corners_->size();
   cost_.assign(size * size, 0);
@@ -140,7 +140,9 @@ bool FaceDivision::triangulate()
     {
       const std::size_t k = i + span;
       double& least = cost_[i * size + k] = Refused;
-      for (std::size_t j = i + 1; j < k; ++j)
+      const Diagonal chord{ static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k) };
+      const bool isBarred = std::find(barred.begin(), barred.end(), chord) != barred.end();
+      for (std::size_t j = i + 1; j < k && !isBarred; ++j)
       {
         const double sides = cost_[i * size + j] + cost_[j * size + k];
         const double cost = sides < least ? sides +

@@ -5,6 +5,7 @@
 
 #include "Lattice/Vector.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -22,17 +23,18 @@ class FaceDivision
 {
 public:
   using Part = std::vector<std::uint32_t>; // corners, by their places in the polygon
+  using Diagonal = std::array<std::uint32_t, 2>;
 
   // The polygon itself, if it is flat enough or cannot be divided: each part faces the centre of the cell below, and as the
-  // polygon does. `corners`: counter-clockwise from outside the cell.
-  const std::vector<Part>& divide(
-    const std::vector<Vector>& corners, const Vector& cell, const FlatEnough& flat);
+  // polygon does. `corners`: counter-clockwise from outside the cell. `barred`: diagonals between corners, the lower first.
+  const std::vector<Part>& divide(const std::vector<Vector>& corners, const Vector& cell,
+    const FlatEnough& flat, const std::vector<Diagonal>& barred = {});
 
 private:
   double excessOf(const Part& ring, const FlatEnough& flat) const;
   bool faces(const Part& ring) const;
   double costOf(const Part& triangle) const;
-  bool triangulate();
+  bool triangulate(const std::vector<Diagonal>& barred);
   void listTriangles(std::size_t i, std::size_t k);
   void joinFlat(const FlatEnough& flat);
   bool joinFlattest(const FlatEnough& flat);

@@ -90,9 +90,10 @@ private:
     }
     const FaceUse use(f, faces.cells[f][0] == None); // as the cell has it
     findCorners(use);
+    barEdges();
     const std::vector<FaceDivision::Part>& parts = division_.divide(
-      corners_, centreOf(cell), { MostOff * firstPart_ * height, MostWarp * height });
-    if (parts.size() == 1 || meetsOthers(parts))
+      corners_, centreOf(cell), { MostOff * firstPart_ * height, MostWarp * height }, barred_);
+    if (parts.size() == 1)
     {
       return false;
     }
@@ -124,15 +125,23 @@ private:
     edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
   }
 
-  // Whether a diagonal is an edge of other faces: more than two would meet there, or two be the same.
-  bool meetsOthers(const std::vector<FaceDivision::Part>& parts) const
+  // No diagonal may be an edge of other faces: more than two would meet there, or two be the same.
+  void barEdges()
   {
-    bool meets = false;
-    forEachDiagonal(parts, [&](std::uint64_t key) {
-      meets = meets || std::binary_search(edges_.begin(), edges_.end(), key) ||
-        diagonals_.count(key) != 0;
-    });
-    return meets;
+    barred_.clear();
+    for (std::uint32_t i = 0; i < ring_.size(); ++i)
+    {
+      for (std::uint32_t k = i + 2; k < ring_.size(); ++k)
+      {
+        const std::uint64_t key = keyOf(ring_[i], ring_[k]);
+        const bool isSide = i == 0 && k + 1 == ring_.size();
+        if (!isSide &&
+          (std::binary_search(edges_.begin(), edges_.end(), key) || diagonals_.count(key) != 0))
+        {
+          barred_.push_back({ i, k });
+        }
+      }
+    }
   }
 
   template <class Visitor>
@@ -246,6 +255,7 @@ private:
   std::vector<std::uint32_t> ring_; // of the face that is looked at
   Point base_{};
   std::vector<Vector> corners_;
+  std::vector<FaceDivision::Diagonal> barred_;
   std::vector<FaceGeometry> ofCell_;
 };
 
