@@ -313,3 +313,24 @@ TEST(Pipeline, BoundaryOfFacesNamesEachFaceOnce)
       (cell == rows->GetTypedComponent(r - 1, 0) && face > rows->GetTypedComponent(r - 1, 1)));
   }
 }
+
+// The share that users need at y+ 1. Slivers that were removed expose a third of such a wall.
+TEST(Pipeline, ThinLayersOnARoundWallAreWhole)
+{
+  constexpr double Box = 1.0 / 40;
+  for (const double first : { 1e-2, 1e-3, 1e-4 })
+  {
+    vtkNew<vtkSphereSource> source;
+    source->SetThetaResolution(64);
+    source->SetPhiResolution(64);
+    vtkNew<vtkCartesianMesher> mesher;
+    mesher->SetInputConnection(source->GetOutputPort());
+    mesher->SetCellSize(Box);
+    mesher->SetLayers(12);
+    mesher->SetFirstLayerThickness(first * Box);
+    mesher->Update();
+    vtkDataArray* const whole = mesh(mesher)->GetFieldData()->GetArray("WholeStacks");
+    ASSERT_NE(whole, nullptr);
+    EXPECT_GE(whole->GetTuple1(0), 0.97) << first;
+  }
+}

@@ -52,18 +52,23 @@ public:
   }
 
 private:
-  // The cell of the wall mesh that stays behind a face of the wall; or None.
-  CellKey cellOf(std::uint32_t f) const
+  // Whether a cell of the wall mesh has the face on that side.
+  bool isSeenFrom(std::uint32_t f, std::size_t side) const
   {
-    const auto& cells = mesh_.faces.cells[f];
-    const CellKey cell = cells[cells[0] == None ? 1 : 0];
-    return cell >= FirstHexahedron || mesh_.cells[cell].removed ? CellKey(None) : cell;
+    const CellKey cell = mesh_.faces.cells[f][side];
+    return cell < FirstHexahedron && !mesh_.cells[cell].removed;
+  }
+
+  // That of the face; or, where a removed cell exposes it, of that cell. Others have none.
+  std::int32_t wallOf(std::uint32_t f, std::size_t side) const
+  {
+    const CellKey other = mesh_.faces.cells[f][1 - side];
+    return mesh_.isRemoved(other) ? mesh_.cells[other].boundary : mesh_.faces.boundary[f];
   }
 
   // The height of all layers on a face of a cell, in levels: the lower one of both sides; 0: none.
-  double heightOn(std::uint32_t f, CellKey cell) const
+  double heightOn(std::int32_t wall, CellKey cell) const
   {
-    const std::int32_t wall = mesh_.faces.boundary[f];
     const double step = boxes_.lattice.step();
     const double usual =
       totalThickness(layers_, sides_.shortestSide(boxes_.box(mesh_.cells[cell].box)) * step);
@@ -78,17 +83,19 @@ private:
   bool divide(std::uint32_t f)
   {
     WallFaces& faces = mesh_.faces;
-    const CellKey cell = cellOf(f);
-    if (faces.start[f + 1] - faces.start[f] <= 3 || cell == None || faces.boundary[f] == NoBoundary)
+    const std::size_t side = isSeenFrom(f, 0) ? 0 : 1;
+    if (faces.start[f + 1] - faces.start[f] <= 3 || !isSeenFrom(f, side) ||
+      wallOf(f, side) == NoBoundary)
     {
       return false;
     }
-    const double height = heightOn(f, cell);
+    const CellKey cell = faces.cells[f][side];
+    const double height = heightOn(wallOf(f, side), cell);
     if (height <= 0)
     {
       return false;
     }
-    const FaceUse use(f, faces.cells[f][0] == None); // as the cell has it
+    const FaceUse use(f, side == 1); // as the cell has it
     findCorners(use);
     barEdges();
     const std::vector<FaceDivision::Part>& parts = division_.divide(

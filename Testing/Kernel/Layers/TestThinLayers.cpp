@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -202,6 +203,24 @@ TEST(FaceDivision, JoinsWhatIsFlatTogether)
       EXPECT_NEAR(dot(normal, minus(corners[i], corners[part[0]])), 0, 1e-9);
     }
   }
+}
+
+// Other faces have them as edges.
+TEST(FaceDivision, LeavesOutBarredDiagonals)
+{
+  FaceDivision division;
+  const std::vector<Vector> saddle = polygon({ 0.01, -0.01, 0.01, -0.01 });
+  for (const FaceDivision::Diagonal& barred : { FaceDivision::Diagonal{ 0, 2 }, { 1, 3 } })
+  {
+    const auto& parts = division.divide(saddle, Below, { 1e-3, 1e-3 }, { barred });
+    ASSERT_EQ(parts.size(), 2U);
+    for (const FaceDivision::Part& part : parts)
+    {
+      EXPECT_TRUE(std::find(part.begin(), part.end(), barred[0]) == part.end() ||
+        std::find(part.begin(), part.end(), barred[1]) == part.end());
+    }
+  }
+  EXPECT_EQ(division.divide(saddle, Below, { 1e-3, 1e-3 }, { { 0, 2 }, { 1, 3 } }).size(), 1U);
 }
 
 // The parts' areas add up to the polygon's, and each faces as it does.
