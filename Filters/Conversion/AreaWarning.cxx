@@ -44,6 +44,12 @@ bool isInGrid(const Corners& corners, const Meshlines& planes)
   });
 }
 
+// Sides of a flow domain continue the surface's boundaries of their names.
+bool isContinued(std::int32_t boundary, const EndBoundaries& sides)
+{
+  return std::find(sides.begin(), sides.end(), boundary) != sides.end();
+}
+
 // By the user's number; those on both sides of a wall are none.
 std::map<std::int32_t, FlatBoundary> boundariesOf(const Surface& surface, const Meshlines& planes)
 {
@@ -112,7 +118,7 @@ std::string describeWrongAreas(
     const double area = areaOf(mesh, id);
     const double error = area / boundary.area - 1;
     if (!boundary.isFlat || !boundary.isInGrid || area == 0 || std::abs(error) <= LargestUntold ||
-      id == NoBoundary || told++ >= MostNamed)
+      id == NoBoundary || isContinued(id, surface.ends) || told++ >= MostNamed)
     {
       continue;
     }

@@ -8,10 +8,12 @@ import tempfile
 
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkFiltersCore import vtkCellCenters
 
 import foam
-from pipeline import Messages, error_code
+import scenes
+from pipeline import Messages, error_code, polydata, producer
 
 PROGRAM = sys.argv[2]
 SIDES = ["xMin", "xMax", "yMin", "yMax", "zMin", "zMax"]
@@ -71,6 +73,20 @@ mesher.Ground = "None"
 mesher.BoxFrom = "Bounds"
 mesher.DomainBounds = [-2, 2, -2, 2, 0, 2]
 expect(mesher, {"zMin": 15, "zMax": 16, "boundary_0": 3})
+
+# A side continues the surface's boundary of its name: its area is not compared with the surface's.
+corners, triangles = scenes.box([-0.5] * 3, [0.5] * 3)
+body = polydata(corners, triangles)
+names = vtkStringArray()
+names.SetName("Name")
+for triangle in triangles:
+    names.InsertNextValue("inlet" if all(corners[i][0] < 0 for i in triangle) else "body")
+body.GetCellData().AddArray(names)
+with Messages() as said:
+    expect(simple.CartesianMesher(Input=producer(body), BoundaryArray="Name", Domain="Outside", BoxFrom="Bounds",
+        DomainBounds=[-2, 2, -2, 2, -2, 2], CellSize=0.4, BoxesAlongBody=0, PatchMethod="Exact Fit"),
+        {"inlet": 16 + 1, "outlet": 16, "sides": 4 * 16, "body": 5})
+assert "area" not in str(said), said
 
 # With nothing but a surface: at least 60 boxes along the longest side, at most twice as large ones around it, four times
 # in the wake; with an explicit depth, or with shapes, what these say. The domain is 5.5 long, a box far away 0.11.

@@ -16,14 +16,17 @@ PROXIES = {proxy.get("name") for group in ElementTree.fromstring(re.sub("@[A-Za-
     (REPOSITORY / "Plugin" / "CartesianMesher.xml.in").read_text())) for proxy in group.iter("SourceProxy")}
 NAMED = "BoundaryName", "DefectName", "Region"  # arrays whose values have names
 
-# A cube of two named solids, with a triangle missing and another there twice; and two regions.
+# A cube of two named solids, with a triangle missing and another there twice; two regions; and flow around a body whose
+# boundaries are those of its surface and the domain's sides.
 BUILD = """
 from paraview import simple
 flawed = simple.NamedSTLReader(FileName="{folder}/flawed.stl")
+flawed.UpdatePipeline() # a region takes its size from what has been read; ParaView 6.1 has no size until then
 simple.NamedOBJReader(FileName="{folder}/square.obj")
 boxes = [simple.Triangulate(Input=simple.Box(Center=[i, 0, 0])) for i in range(2)]
 simple.CartesianMesher(Input=simple.GroupDatasets(Input=boxes), CellSize=0.5, RegionsFrom="Blocks")
 mesher = simple.CartesianMesher(Input=flawed, CellSize=0.5)
+simple.CartesianMesher(Input=flawed, CellSize=0.5, Domain="Outside", LengthsBefore=1, LengthsBehind=1, LengthsBeside=1, BoxesAlongBody=0)
 boxer = simple.CartesianBoxer(Input=flawed, CellSize=0.5)
 simple.CellAssembler(Input=boxer, Patches=simple.Patcher(Input=flawed, Boxes=boxer))
 simple.SurfaceInspector(Input=flawed)
