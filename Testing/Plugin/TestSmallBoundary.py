@@ -1,6 +1,6 @@
 """A round vent in the floor of a room keeps its area in boxes of one to five of its radii, at turns and in places where
-collapses, motions of nodes and removed cells took from it, and at three sizes. Where boxes are much larger, it is told by
-how much its area is wrong."""
+collapses, motions of nodes and removed cells took from it, and at three sizes. Where it does not, it is told by how much
+it is wrong."""
 
 import re
 
