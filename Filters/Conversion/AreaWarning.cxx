@@ -88,11 +88,11 @@ double areaOf(vtkDataObject* mesh, std::int32_t boundary)
   return 0;
 }
 
-// With two digits.
+// With three digits.
 std::string brief(double x)
 {
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.2g", x);
+  std::snprintf(text.data(), text.size(), "%.3g", x);
   return text.data();
 }
 
@@ -115,10 +115,14 @@ std::string describeWrongAreas(
   std::size_t told = 0;
   for (const auto& [id, boundary] : boundariesOf(surface, planes))
   {
+    if (!boundary.isFlat || !boundary.isInGrid || boundary.area == 0 || id == NoBoundary ||
+      isContinued(id, surface.ends))
+    {
+      continue;
+    }
     const double area = areaOf(mesh, id);
     const double error = area / boundary.area - 1;
-    if (!boundary.isFlat || !boundary.isInGrid || area == 0 || std::abs(error) <= LargestUntold ||
-      id == NoBoundary || isContinued(id, surface.ends) || told++ >= MostNamed)
+    if (std::abs(error) <= LargestUntold || told++ >= MostNamed)
     {
       continue;
     }

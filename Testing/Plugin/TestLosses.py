@@ -41,6 +41,26 @@ for scale in 0.01, 1, 100:
               for number, kind in re.findall(r"\n  (\S+) (less|more) from \(", said)]
     assert places and min(abs(p) for p in places) > 1e-4, said
 
+# Thin bodies: told if more than 1 % is missing or too much, and where, however evenly.
+random = np.random.default_rng(1)
+over = 0
+for thickness in 0.3, 0.6, 0.9, 1.2:  # in boxes
+    half = 0.04 * thickness
+    points, triangles = scenes.round_body(8, 14, [0.5, 0.45, 0.4])
+    inner, _ = scenes.round_body(8, 14, [0.5 - 2 * half, 0.45 - 2 * half, 0.4 - 2 * half])
+    shell = points + inner, triangles + [tuple(len(points) + i for i in t[::-1]) for t in triangles]
+    for body in shell, scenes.box([-0.5, -0.4, -half], [0.5, 0.4, half]), scenes.prism(5, 0.5, 2 * half, 0.7):
+        for method in "Automatic", "Marching Cubes":
+            mesh, said = told(producer(polydata(np.array(body[0]) @ scenes.turn(random).T, body[1])), CellSize=0.08,
+                              PatchMethod=method)
+            share = 100 * (1 - field(mesh, "MeshVolume")[0] / field(mesh, "SurfaceVolume")[0])
+            found = re.search(r"The mesh holds (\S+) % (less|more) than .*there:\n  \S+ (less|more) from \(", said)
+            assert bool(found) == (abs(share) > 1), (thickness, method, share, said)
+            if found:
+                over += 1
+                assert abs(float(found[1]) - abs(share)) < 0.02 and (found[2] == "less") == (share > 0), (share, said)
+assert over >= 8, over
+
 # As the surface is: nothing to say, however it is cut off.
 sphere = simple.Sphere(ThetaResolution=24, PhiResolution=16)
 around = {"Domain": "Outside", "CellSize": 0.5, "RefinementDepth": 2}

@@ -30,7 +30,14 @@ COUNTS = {
 }
 CLOSE = 1e-6  # to a limit: a value counts on either side
 
-LIMITS = {"Skewness": 4, "NonOrthogonality": 70, "AspectRatio": 1000}
+# What is counted beyond which limit: on faces (output 1 of Finite Volume Quality) or in cells (0).
+LIMITS = {
+    "SkewFaces": (1, "Skewness", 4),
+    "NonOrthogonalFaces": (1, "NonOrthogonality", 90),
+    "SteepFaces": (1, "NonOrthogonality", 70),
+    "OpenCells": (0, "Openness", 1e-6),
+    "LongCells": (0, "AspectRatio", 1000),
+}
 
 
 def field(data, name):
@@ -38,11 +45,15 @@ def field(data, name):
     return None if array is None else [int(array.GetValue(i)) for i in range(array.GetNumberOfValues())]
 
 
-def is_close(mesh):
-    """Whether a value is at its limit."""
-    faces = output(simple.FiniteVolumeQuality(Input=producer(mesh)), 1).GetCellData()
-    return any(np.any(np.abs(vtk_to_numpy(faces.GetArray(name)) / limit - 1) < CLOSE)
-               for name, limit in LIMITS.items() if faces.GetArray(name))
+def is_close(mesh, index, name):
+    """Whether a value that a region's count depends on is at its limit."""
+    if name not in LIMITS:
+        return False
+    port, measure, limit = LIMITS[name]
+    part = simple.Threshold(Input=producer(mesh), Scalars=["CELLS", "Region"], ThresholdMethod="Between",
+                            LowerThreshold=index + 1, UpperThreshold=index + 1)
+    values = vtk_to_numpy(output(simple.FiniteVolumeQuality(Input=part), port).GetCellData().GetArray(measure))
+    return bool(np.any(np.abs(values / limit - 1) < CLOSE))
 
 
 def regions_of(folder):
@@ -55,7 +66,7 @@ def compare(mesh, warnings, folder):
     """What differs, in words."""
     faults = []
     names = mesh.GetFieldData().GetAbstractArray("RegionNames")
-    fails = 0
+    fails = uncertain = 0
     for region in regions_of(folder):
         said = foam.CheckMesh(folder, *(["-region", region] if region else []))
         index = 0
@@ -65,7 +76,9 @@ def compare(mesh, warnings, folder):
             found = re.search(pattern, said.text)
             theirs = int(found[1]) if found else 0
             ours = sum(field(mesh, f"Region{of}" if region else of)[index] for of in (name, ALSO.get(name)) if of)
-            if ours != theirs:
+            if ours != theirs and is_close(mesh, index, name):
+                uncertain += 1
+            elif ours != theirs:
                 faults.append(f"{region} {name} {ours}, checkMesh {theirs}")
         parts = re.search(r"Number of regions: (\d+)", said.text)
         theirs = int(parts[1]) if parts else 1
@@ -77,15 +90,16 @@ def compare(mesh, warnings, folder):
         fails += not said.ok and not only_long
         if "Illegal cells" in said.text:
             faults.append(f"{region} has cells of fewer than four faces")
-        if not said.ok and not only_long and "checkMesh will fail" not in warnings:
+        if not said.ok and not only_long and not uncertain and "checkMesh will fail" not in warnings:
             faults.append(f"{region} fails without a word: {said.failures}")
-    if fails == 0 and "checkMesh will fail" in warnings:
+    if fails == 0 and not uncertain and "checkMesh will fail" in warnings:
         faults.append("said to fail, but is OK")
     return faults
 
 
-def try_scene(number, folder):
+def try_scene(number, **others):
     surface, properties = scenes.make(number)
+    properties.update(others)
     with Messages() as said:
         mesher = simple.CartesianMesher(Input=producer(surface), **properties)
         mesh = output(mesher)
@@ -93,25 +107,25 @@ def try_scene(number, folder):
     what = f"scene {number}: {surface.GetNumberOfCells()} triangles {properties}"
     if error_code(mesher) != 0:
         return "refused", what, str(said).strip()[-300:]
-    foam.save(simple.OutputPort(mesher, "Mesh"), folder)
-    faults = compare(mesh, str(said), folder)
+    with tempfile.TemporaryDirectory() as folder:
+        foam.save(simple.OutputPort(mesher, "Mesh"), folder)
+        faults = compare(mesh, str(said), folder)
     failing = field(defects, "FailingCells") or [0]
     if ("checkMesh will fail" in str(said)) != (failing[0] > 0):
         faults.append(f"Defects has {failing[0]} cells")
-    if faults and is_close(mesh):
-        faults = []
-    for proxy in (mesher,):
-        simple.Delete(proxy)
+    simple.Delete(mesher)
     return "differs" if faults else "agrees", what, "; ".join(faults)
 
 
 def main():
     chosen = [int(text) for text in sys.argv[4:]]
     numbers = range(chosen[0], chosen[0] + chosen[1]) if chosen else [*range(0, 24), 145, 193]
+    tries = [(number, {}) for number in numbers]
+    if not chosen:  # as they are, cells of few faces come out
+        tries += [(number, dict(SmallCells="Remove", SmallCellRatio=0.0, SplitConcaveCells=0)) for number in (24, 36, 56)]
     results = []
-    for number in numbers:
-        with tempfile.TemporaryDirectory() as folder:
-            result, what, why = try_scene(number, folder)
+    for number, others in tries:
+        result, what, why = try_scene(number, **others)
         results.append(result)
         if result != "agrees":
             print(result, what, why, flush=True)

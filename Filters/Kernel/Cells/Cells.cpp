@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/Cells.h"
+#include "Acceptance/CellFaults.h"
 
 #include "Base/Error.h"
 #include "Base/Sorting.h"
@@ -147,7 +148,8 @@ private:
       cell.removed = !mustStay(shell, cell.sliver) &&
         (cell.sliver ||
           (spec.handling == SmallCells::Remove &&
-            cell.volumeFraction < ratioOf(spec, cell.boundary, spec.ratio)));
+            (shell.faces.size() < LeastFaces ||
+              cell.volumeFraction < ratioOf(spec, cell.boundary, spec.ratio))));
       chunk.cells.push_back(cell);
       for (const std::uint32_t f : shell.faces)
       {

@@ -3,6 +3,8 @@
 
 #include "Polyhedra/CellGeometry.h"
 
+#include <algorithm>
+
 namespace cartesian
 {
 
@@ -14,29 +16,36 @@ constexpr double OnePlane = 5;
 
 }
 
-bool hasBorderInPlane(const Nodes& nodes, const WallMesh& wall, std::size_t cell)
+bool haveBorderInPlane(const std::vector<BoundaryAndNormal>& patches)
 {
   const double least = std::cos(radians(OnePlane));
-  std::vector<std::pair<std::int32_t, Vector>> normals; // by boundary
   bool any = false;
+  for (auto one = patches.begin(); !any && one != patches.end(); ++one)
+  {
+    any = std::any_of(patches.begin(), one, [&](const BoundaryAndNormal& other) {
+      return other.boundary != one->boundary && dot(other.normal, one->normal) > least;
+    });
+  }
+  return any;
+}
+
+bool hasBorderInPlane(const Nodes& nodes, const WallMesh& wall, std::size_t cell)
+{
+  std::vector<BoundaryAndNormal> patches;
   wall.forEachUse(cell, [&](const FaceUse& use) {
-    if (any || !wall.faces.isPatch(use.face))
+    if (!wall.faces.isPatch(use.face))
     {
       return;
     }
     std::vector<Vector> corners;
     wall.faces.forEachNode(
       use, [&](std::uint32_t node) { corners.push_back(toVector(nodes.at[node])); });
-    const Vector normal = unit(
-      measureFace(corners.size(), [&](std::size_t i) -> const Vector& { return corners[i]; }).area);
-    const std::int32_t boundary = wall.faces.boundary[use.face];
-    for (const auto& [other, ofOther] : normals)
-    {
-      any = any || (other != boundary && dot(ofOther, normal) > least);
-    }
-    normals.emplace_back(boundary, normal);
+    patches.push_back({ wall.faces.boundary[use.face],
+      unit(measureFace(corners.size(), [&](std::size_t i) -> const Vector& {
+        return corners[i];
+      }).area) });
   });
-  return any;
+  return haveBorderInPlane(patches);
 }
 
 }

@@ -10,6 +10,16 @@ namespace cartesian
 // A cell below this part of its box's volume has no thickness: it is left out.
 constexpr double LeastOfThick = 1e-9;
 
+// Of a patch.
+struct BoundaryAndNormal
+{
+  std::int32_t boundary;
+  Vector normal;
+};
+
+// Whether two of these, of different boundaries, lie in one plane.
+bool haveBorderInPlane(const std::vector<BoundaryAndNormal>& patches);
+
 // Whether two patches of a cell, of different boundaries, lie in one plane.
 bool hasBorderInPlane(const Nodes& nodes, const WallMesh& wall, std::size_t cell);
 

@@ -15,7 +15,7 @@ namespace
 constexpr double LargestUntold = 0.01; // of what a region encloses
 constexpr std::size_t TilesAlong = 8;  // of the grid, in which places are looked for
 constexpr std::size_t MostPlaces = 3;
-constexpr double LeastOfPlace = 0.05; // of what is missing
+constexpr double LeastOfPlace = 0.2; // of what is missing in the first
 
 using Polygon = std::vector<Vector>;
 
@@ -281,12 +281,10 @@ private:
     addMesh(region, ofMesh);
     const Vector& size = ofMesh.sizeOfTile();
     const double tile = boxAround() > 0 ? size[0] * size[1] * size[2] : 0;
-    double all = 0;
     std::vector<VolumeLoss::Place>& places = loss.places.back();
     for (std::size_t t = 0; t < ofMesh.count(); ++t)
     {
       const double missing = tile + ofSurface[t] - ofMesh[t];
-      all += std::abs(missing);
       Vector low;
       Vector high;
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -302,7 +300,7 @@ private:
     std::stable_sort(places.begin(), places.end(),
       [](const auto& x, const auto& y) { return std::abs(x.missing) > std::abs(y.missing); });
     places.resize(std::min(places.size(), MostPlaces));
-    while (!places.empty() && std::abs(places.back().missing) <= LeastOfPlace * inUnits(all))
+    while (std::abs(places.back().missing) < LeastOfPlace * std::abs(places.front().missing))
     {
       places.pop_back();
     }

@@ -19,6 +19,11 @@ constexpr double MostFromEdge = 0.004;
 // An edge of the surface that turns by more at a node has a corner there: cosine of 15 degrees.
 constexpr double LeastCosineOfLine = 0.966;
 
+// A border between boundaries in a plane alone shows how large they are: where its radius of curvature is less than this
+// many of the box's edges, all its corners stay.
+constexpr double TightRadius = 1.5;
+constexpr double LeastCosineInPlane = 0.99996; // of normals: half a degree
+
 }
 
 NodePaths::NodePaths(const NodeMesh& mesh, double leastCosine)
@@ -60,6 +65,7 @@ void NodePaths::listUses(const NodeMesh& mesh)
   }
   uses_.resize(start_.back());
   std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
+  const std::vector<double> edges = mesh.edgesAtFaces();
   forEachUse([&](std::size_t f, std::uint32_t i) {
     const std::uint32_t begin = mesh.faces.start[f];
     const std::uint32_t end = mesh.faces.stop[f];
@@ -68,12 +74,12 @@ void NodePaths::listUses(const NodeMesh& mesh)
     const bool isInterface = mesh.isInterface(f);
     const Use use{ mesh.faces.corners[i > begin ? i - 1 : end - 1],
       mesh.faces.corners[i + 1 < end ? i + 1 : begin], unit(face.area), mesh.faces.boundary[f],
-      mesh.cells.region[mesh.faces.cells[f][0]], isInterface };
+      mesh.cells.region[mesh.faces.cells[f][0]], isInterface, edges[f] };
     uses_[next[mesh.faces.corners[i]]++] = use;
     if (isInterface)
     {
       uses_[next[mesh.faces.corners[i]]++] = { use.after, use.before, scaled(use.normal, -1),
-        use.boundary, mesh.cells.region[mesh.faces.cells[f][1]], true };
+        use.boundary, mesh.cells.region[mesh.faces.cells[f][1]], true, edges[f] };
     }
   });
   for (std::size_t n = 0; n < mesh.nodes.at.size(); ++n)
@@ -104,6 +110,8 @@ NodePaths::Sheet NodePaths::sheetOf(const Use* begin, const Use* end, double lea
     sheet.isSmooth = sheet.isSmooth && std::all_of(begin, use, [&](const Use& o) {
       return dot(o.normal, use->normal) >= leastCosine;
     });
+    sheet.isFlat = sheet.isFlat && dot(begin->normal, use->normal) >= LeastCosineInPlane;
+    sheet.edge = std::min(sheet.edge, use->edge);
     sheet.isInterface = sheet.isInterface && use->isInterface;
   }
   return sheet;
@@ -115,6 +123,15 @@ bool NodePaths::areTheSame(const Sheet& a, const Sheet& b)
     (a.sharp.empty() && b.sharp.empty()
         ? a.isInterface && b.isInterface
         : std::is_permutation(a.sharp.begin(), a.sharp.end(), b.sharp.begin(), b.sharp.end()));
+}
+
+bool NodePaths::hasCorner(const Sheet& sheet, const Vector& ahead, const Vector& back)
+{
+  const Vector one = unit(ahead);
+  const Vector other = unit(back);
+  return dot(one, other) > -LeastCosineOfLine ||
+    (sheet.isFlat &&
+      (norm(ahead) + norm(back)) / 2 < norm(cross(one, other)) * TightRadius * sheet.edge);
 }
 
 NodePath NodePaths::pathOf(const NodeMesh& mesh, std::uint32_t node, double leastCosine)
@@ -148,15 +165,15 @@ NodePath NodePaths::pathOf(const NodeMesh& mesh, std::uint32_t node, double leas
   {
     return {};
   }
-  const Vector ahead = unit(minus(mesh.nodes.at[sheet.sharp[0]], mesh.nodes.at[node]));
-  const Vector back = unit(minus(mesh.nodes.at[sheet.sharp[1]], mesh.nodes.at[node]));
-  if (dot(ahead, back) > -LeastCosineOfLine)
+  const Vector ahead = minus(mesh.nodes.at[sheet.sharp[0]], mesh.nodes.at[node]);
+  const Vector back = minus(mesh.nodes.at[sheet.sharp[1]], mesh.nodes.at[node]);
+  if (hasCorner(sheet, ahead, back))
   {
     return {};
   }
   legsOf_[node] = static_cast<std::uint32_t>(legs_.size());
-  legs_.push_back({ ahead, back });
-  return { NodePath::Kind::Line, unit(minus(ahead, back)) };
+  legs_.push_back({ unit(ahead), unit(back) });
+  return { NodePath::Kind::Line, unit(minus(unit(ahead), unit(back))) };
 }
 
 bool NodePaths::allows(std::size_t node, const Vector& from, const Vector& to, double edge) const

@@ -5,6 +5,8 @@
 
 #include "Optimisation/NodeMesh.h"
 
+#include <limits>
+
 namespace cartesian
 {
 
@@ -56,6 +58,7 @@ private:
     std::int32_t boundary;
     std::int32_t region;
     bool isInterface;
+    double edge; // of the smaller box at the face
   };
 
   // All walls of one region at a node.
@@ -63,9 +66,11 @@ private:
   {
     bool closes = true; // each edge at the node is between two of them
     bool isSmooth = true;
+    bool isFlat = true;
     bool isInterface = true;          // all of it
     std::vector<std::uint32_t> sharp; // the other ends of edges and borders at the node
     Vector mean{};                    // of the normals
+    double edge = std::numeric_limits<double>::infinity(); // of the smallest box around it
   };
 
   void listUses(const NodeMesh& mesh);
@@ -73,6 +78,9 @@ private:
 
   // Whether two regions have the same sheet between them, or theirs meet in the same edges.
   static bool areTheSame(const Sheet& a, const Sheet& b);
+
+  // Whether the line to both next nodes on it has one at a node; from there.
+  static bool hasCorner(const Sheet& sheet, const Vector& ahead, const Vector& back);
 
   NodePath pathOf(const NodeMesh& mesh, std::uint32_t node, double leastCosine);
 

@@ -2,6 +2,7 @@
 #include "Shaping/RefusedCells.h"
 
 #include "Acceptance/Acceptance.h"
+#include "Cells/FlatBorders.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,9 @@ namespace
 // of its total wall area.
 constexpr double LargestOfOthers = 0.02;
 constexpr double LargestChange = 0.2;
+
+// ... both where two boundaries meet in a plane.
+constexpr double LargestAtBorder = 0.0005;
 
 struct Candidate
 {
@@ -125,6 +129,23 @@ private:
   std::unordered_map<CellKey, double> limitOf_; // 0: it stays
 };
 
+bool hasBorderInPlane(const CellComplex& cells, CellKey key)
+{
+  CellView view;
+  CellShape shape;
+  cells.view({ key }, view);
+  measure(view.shape, shape);
+  std::vector<BoundaryAndNormal> patches;
+  for (std::size_t f = 0; f < view.across.size(); ++f)
+  {
+    if (view.across[f] == None)
+    {
+      patches.push_back({ view.boundary[f], unit(shape.faces[f].area) });
+    }
+  }
+  return haveBorderInPlane(patches);
+}
+
 bool isAcceptedWithout(const CellComplex& cells, CellKey other, CellKey gone)
 {
   MeasuredCell cell;
@@ -157,7 +178,8 @@ bool keepsWall(const CellComplex& cells, CellKey key)
 {
   double gone = 0;
   double ofMain = 0;
-  for (const auto& [boundary, area] : cells.wallAreas(key))
+  const std::map<std::int32_t, double> areas = cells.wallAreas(key);
+  for (const auto& [boundary, area] : areas)
   {
     gone += area;
     ofMain = std::max(ofMain, area);
@@ -168,7 +190,9 @@ bool keepsWall(const CellComplex& cells, CellKey key)
     exposed += area;
   }
   const double side = std::pow(cells.volumeOfBox(key), 2.0 / 3);
-  return gone - ofMain < LargestOfOthers * side && std::abs(exposed - gone) < LargestChange * side;
+  const bool isAtBorder = areas.size() > 1 && hasBorderInPlane(cells, key);
+  return gone - ofMain < (isAtBorder ? LargestAtBorder : LargestOfOthers) * side &&
+    std::abs(exposed - gone) < (isAtBorder ? LargestAtBorder : LargestChange) * side;
 }
 
 std::vector<std::vector<CellKey>> sideBySide(
