@@ -25,10 +25,10 @@ constexpr int MostRounds = 16;
 // Rounds end where they leave as much to do as there was, beyond a few.
 constexpr std::size_t FewPairs = 100;
 
-// No surface that was seen has so many pieces by its triangles, but strips with two rims of thousands of edges in one plane:
-// the search for pairs among these would take minutes.
+// Only slivers with rims of thousands of edges in one plane have more pieces: the search for pairs among these would take
+// minutes. Grilles have many by their triangles: one of 40 by 40 bars 100 times as many.
 constexpr std::size_t PiecesByTriangle = 6;
-constexpr std::size_t FewPieces = 20000;
+constexpr std::size_t FewPieces = 100000;
 
 using Ends = std::array<std::uint32_t, 2>; // of an edge, the lower first
 using Triple = std::array<std::uint32_t, 3>;
