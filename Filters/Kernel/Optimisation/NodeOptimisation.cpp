@@ -10,6 +10,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <tuple>
 
 namespace cartesian
 {
@@ -323,15 +324,73 @@ double volumeOf(const NodeMesh& mesh, std::uint32_t c)
   return volume;
 }
 
-// Gives the mesh the places of a slab's nodes, and the volumes of its cells.
-void write(const NodeMesh& mesh, Nodes& nodes, WallMesh& wall)
+// Of a node of a NodeMesh, on the lattice.
+struct NodePlace
 {
-  for (std::size_t n = 0; n < mesh.nodes.at.size(); ++n)
+  Point at;
+  std::uint32_t node;
+
+  bool operator<(const NodePlace& other) const
   {
+    return std::tie(at, node) < std::tie(other.at, other.node);
+  }
+};
+
+std::vector<NodePlace> roundedPlaces(const NodeMesh& mesh, const Nodes& nodes)
+{
+  std::vector<NodePlace> places;
+  places.reserve(mesh.nodes.at.size());
+  for (std::uint32_t n = 0; n < mesh.nodes.at.size(); ++n)
+  {
+    if (mesh.nodes.number[n] == None)
+    {
+      continue;
+    }
+    Point at = nodes.at[mesh.nodes.number[n]];
     for (std::size_t axis = 0; mesh.nodes.mayMove[n] && axis < 3; ++axis)
     {
-      nodes.at[mesh.nodes.number[n]][axis] =
-        static_cast<Level>(mesh.nodes.at[n][axis] + mesh.origin[axis]);
+      at[axis] = static_cast<Level>(mesh.nodes.at[n][axis] + mesh.origin[axis]);
+    }
+    places.push_back({ at, n });
+  }
+  return places;
+}
+
+// Nodes that came to be at one place go back to where they were, each to its own.
+void keepApart(const Nodes& nodes, NodeMesh& mesh, std::vector<NodePlace>& places)
+{
+  for (bool isAnyBack = true; isAnyBack;)
+  {
+    isAnyBack = false;
+    std::sort(places.begin(), places.end());
+    for (std::size_t begin = 0, end = 0; begin < places.size(); begin = end)
+    {
+      while (end < places.size() && areSame(places[end].at, places[begin].at))
+      {
+        ++end;
+      }
+      for (std::size_t i = begin; end - begin > 1 && i < end; ++i)
+      {
+        auto& [at, n] = places[i];
+        const Point& before = nodes.at[mesh.nodes.number[n]];
+        isAnyBack = isAnyBack || !areSame(at, before);
+        at = before;
+        mesh.nodes.at[n] = minus(before, mesh.origin);
+      }
+    }
+  }
+}
+
+// Gives the mesh the places of a slab's nodes, and the volumes of its cells.
+void write(NodeMesh& mesh, Nodes& nodes, WallMesh& wall)
+{
+  std::vector<NodePlace> places = roundedPlaces(mesh, nodes);
+  keepApart(nodes, mesh, places);
+  for (const auto& [at, n] : places)
+  {
+    if (mesh.nodes.mayMove[n])
+    {
+      nodes.at[mesh.nodes.number[n]] = at;
     }
   }
   for (std::uint32_t c = 0; c < mesh.cells.changing; ++c)

@@ -25,10 +25,10 @@ constexpr int MostRounds = 16;
 // Rounds end where they leave as much to do as there was, beyond a few.
 constexpr std::size_t FewPairs = 100;
 
-// No surface that was seen has so many pieces by its triangles, but strips with two rims of thousands of edges in one plane:
-// the search for pairs among these would take minutes.
+// Only slivers with rims of thousands of edges in one plane have more pieces: the search for pairs among these would take
+// minutes. Grilles have many by their triangles: one of 40 by 40 bars 100 times as many.
 constexpr std::size_t PiecesByTriangle = 6;
-constexpr std::size_t FewPieces = 20000;
+constexpr std::size_t FewPieces = 100000;
 
 using Ends = std::array<std::uint32_t, 2>; // of an edge, the lower first
 using Triple = std::array<std::uint32_t, 3>;
@@ -73,12 +73,17 @@ public:
   {
   }
 
-  // Cuts triangles along each other.
-  void cut(const std::vector<TrianglePair>& pairs)
+  // Cuts triangles along each other. False where that makes more pieces than so many, seen as soon as there are as many
+  // points on edges: where slivers cross slivers, there would be millions.
+  bool cut(const std::vector<TrianglePair>& pairs, std::size_t most)
   {
     for (const TrianglePair& pair : pairs)
     {
       compare(pair);
+      if (pointsOnEdges_ > most)
+      {
+        return false;
+      }
     }
     for (const auto& [s, t] : overlapping_)
     {
@@ -91,6 +96,7 @@ public:
       markSegment(segment);
     }
     divide();
+    return surface_.triangles.size() <= most;
   }
 
   // A triangle without an area, or a piece thinner than the reach, runs back along its longest edge: the
@@ -380,6 +386,7 @@ private:
     {
       known.points.push_back(v);
       known.areSorted = false;
+      ++pointsOnEdges_;
       hasPoints_[edge[0]] = 1;
     }
   }
@@ -740,6 +747,7 @@ private:
   VertexIndex& index_;
   std::vector<std::uint32_t> shared_;
   std::map<Ends, PointsOnEdge> onEdge_;
+  std::size_t pointsOnEdges_ = 0;
   std::vector<std::uint8_t> hasPoints_;  // whether an edge from a vertex, its lower one, has points
   std::map<std::uint32_t, Marks> marks_; // of triangles
   std::vector<Ends> overlapping_;        // pairs of triangles
@@ -856,8 +864,7 @@ bool arrange(Surface& surface, Execution& execution)
   {
     before = pairs.size();
     const std::array<std::size_t, 2> sizes{ surface.triangles.size(), surface.vertices.size() };
-    Arranger(surface, index, made, body).cut(pairs);
-    if (surface.triangles.size() > most)
+    if (!Arranger(surface, index, made, body).cut(pairs, most))
     {
       return false;
     }

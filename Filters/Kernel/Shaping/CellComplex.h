@@ -274,6 +274,8 @@ private:
     const std::vector<CellKey>& touched, const CellView& view, const CellCut& cut) const;
   bool meetsFace(const CellView& view, const CellCut& cut) const;
   bool losesStar(const FaceUse& use, CellKey key, const CellView& view, const CellCut& cut) const;
+  std::uint32_t nodeAt(const Point& place, const std::vector<std::uint32_t>& inOrder) const;
+  const std::vector<std::uint32_t>& nodesInOrder();
   std::uint32_t addNode(const Point& place);
   std::vector<std::uint32_t> insertNodes(
     CellKey key, const CellView& view, const CellCut& cut, std::vector<CellKey>& touched);
@@ -299,8 +301,9 @@ private:
   OpenCells open_;
   MadeFaces madeFaces_;
   MadeNodes madeNodes_;
-  std::vector<CellKey> acting_;            // alive and free, as they were
-  std::array<std::uint32_t, 2> freeBoxes_; // begin and end
+  std::vector<std::uint32_t> nodesInOrder_; // once a cut needs them
+  std::vector<CellKey> acting_;             // alive and free, as they were
+  std::array<std::uint32_t, 2> freeBoxes_;  // begin and end
   CellKey nextKey_ = FirstOfCuts;
   std::uint32_t now_ = 0;
   bool changed_ = false;

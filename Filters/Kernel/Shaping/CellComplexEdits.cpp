@@ -2,6 +2,7 @@
 #include "Shaping/CellComplex.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace cartesian
 {
@@ -266,21 +267,64 @@ bool CellComplex::losesStar(
   return !isStar(ringOf(face, 0), unit(shape.faces[0].area));
 }
 
-// Cells that touch in an edge only have the same points on it.
+// Of nodes in the order of their places, the one there, or None.
+std::uint32_t CellComplex::nodeAt(
+  const Point& place, const std::vector<std::uint32_t>& inOrder) const
+{
+  const auto found = std::lower_bound(inOrder.begin(), inOrder.end(), place,
+    [&](std::uint32_t node, const Point& p) { return whole_.nodes.at[node] < p; });
+  return found != inOrder.end() && whole_.nodes.at[*found] == place ? *found : None;
+}
+
+// Those of the cells that the slab sees, as they were, in the order of their places.
+const std::vector<std::uint32_t>& CellComplex::nodesInOrder()
+{
+  if (!nodesInOrder_.empty())
+  {
+    return nodesInOrder_;
+  }
+  std::vector<bool> isUsed(whole_.nodes.at.size());
+  const auto [first, last] = whole_.cellsIn(slab_.layers);
+  for (CellKey key = first; key < last; ++key)
+  {
+    if (!whole_.mesh.isRemoved(key))
+    {
+      whole_.mesh.forEachNodeOf(key, [&](std::uint32_t node) { isUsed[node] = true; });
+    }
+  }
+  for (std::uint32_t node = 0; node < isUsed.size(); ++node)
+  {
+    if (isUsed[node])
+    {
+      nodesInOrder_.push_back(node);
+    }
+  }
+  std::sort(nodesInOrder_.begin(), nodesInOrder_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::tie(whole_.nodes.at[a], a) < std::tie(whole_.nodes.at[b], b);
+  });
+  return nodesInOrder_;
+}
+
+// No two nodes are at one place: cells that touch in an edge only have the same points on it, and where walls
+// touch, the point of one may be a node of the other.
 std::uint32_t CellComplex::addNode(const Point& place)
 {
-  const auto given = std::lower_bound(whole_.nodes.ofCuts.begin(), whole_.nodes.ofCuts.end(), place,
-    [&](std::uint32_t node, const Point& p) { return whole_.nodes.at[node] < p; });
-  if (given != whole_.nodes.ofCuts.end() && whole_.nodes.at[*given] == place)
+  if (const std::uint32_t given = nodeAt(place, whole_.nodes.ofCuts); given != None)
   {
-    return *given;
+    return given;
   }
-  const auto [at, isNew] = madeNodes_.ofCuts.emplace(place, nextNode());
-  if (isNew)
+  if (const auto made = madeNodes_.ofCuts.find(place); made != madeNodes_.ofCuts.end())
   {
-    madeNodes_.at.push_back(place);
+    return made->second;
   }
-  return at->second;
+  if (const std::uint32_t given = nodeAt(place, nodesInOrder()); given != None)
+  {
+    return given;
+  }
+  const std::uint32_t node = nextNode();
+  madeNodes_.ofCuts.emplace(place, node);
+  madeNodes_.at.push_back(place);
+  return node;
 }
 
 // Also where other cells have the edges that they are on. Returns the nodes of the view and of the cut.

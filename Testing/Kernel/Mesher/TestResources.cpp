@@ -44,6 +44,16 @@ TEST(Fuzz, RandomBytes)
   expectValidMeshes(0, repeats(300));
 }
 
+// On few levels the point of a cut fell on a node of a cell that only touches there (the first two), and a node that moves
+// on another (the last).
+TEST(Fuzz, NoTwoNodesAtOnePlace)
+{
+  for (const unsigned seed : { 44546U, 200069U, 202414U })
+  {
+    expectValidMeshes(seed, 1);
+  }
+}
+
 // For .ci/full.
 TEST(Fuzz, DISABLED_AHundredThousandRandomBytes)
 {

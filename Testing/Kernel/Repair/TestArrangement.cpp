@@ -236,6 +236,32 @@ TEST(Arrangement, ABoltInAPlateIsUnitedWithIt)
   }
 }
 
+// Two fans of a thousand slivers each in one plane: a quarter of a million places where they cross.
+TEST(Arrangement, SliversAcrossSliversAreGivenUpBeforeTheyAreCut)
+{
+  constexpr std::uint32_t count = 1000;
+  const auto fanAround = [&](const Vector& centre) {
+    Soup fan;
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      const double angle = 2 * Pi * i / count;
+      fan.points.push_back({ std::cos(angle), std::sin(angle), 0 });
+      fan.triangles.push_back({ i, (i + 1) % count, count });
+    }
+    fan.points.push_back(centre);
+    return fan;
+  };
+  Soup soup = fanAround({ 0, 0, 0 });
+  soup.add(fanAround({ 0.4, 0.1, 0 }).scaled(0.9));
+  soup.points.push_back({ 0, 0, 1 }); // the lattice is of a space
+  Surface surface = onLatticeOf(soup);
+  surface.region.assign(surface.triangles.size(), FirstRegion);
+  const auto given = surface.triangles;
+  Execution execution;
+  EXPECT_FALSE(arrange(surface, execution));
+  EXPECT_EQ(surface.triangles, given);
+}
+
 // By Exact Fit: inside their union, outside of it, and as regions in which the earlier one keeps the volume.
 TEST(Arrangement, MeshesOfBodiesThatCrossHaveTheirVolumes)
 {
