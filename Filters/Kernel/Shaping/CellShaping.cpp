@@ -120,6 +120,7 @@ public:
     if (merger_.refused(isLast_).empty())
     {
       finish();
+      mergeFewFaced();
     }
     else
     {
@@ -160,11 +161,11 @@ public:
       improve();
     }
     finish();
-    if (isLastPass)
+    noteRefused();
+    if (isLastPass || !shaping_.isAnyRefused) // then no pass follows
     {
       mergeFewFaced();
     }
-    noteRefused();
     return result();
   }
 
