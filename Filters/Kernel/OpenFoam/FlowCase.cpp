@@ -215,7 +215,8 @@ void writeTurbulence(const SolverSetup& setup, const MeshOfCase& mesh,
   };
   put("k", "[0 2 -2 0 0 0 0]", inlet.k, "kqRWallFunction", "");
   put("omega", "[0 0 -1 0 0 0 0]", inlet.omega, "omegaWallFunction", "");
-  put("nut", "[0 2 -1 0 0 0 0]", inlet.k / inlet.omega, "nutkWallFunction", "calculated");
+  // By the wall's friction, at any y+: nutkWallFunction's y+ is of k, a tenth of that where walls are resolved.
+  put("nut", "[0 2 -1 0 0 0 0]", inlet.k / inlet.omega, "nutUSpaldingWallFunction", "calculated");
 }
 
 }

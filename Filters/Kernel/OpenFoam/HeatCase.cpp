@@ -164,7 +164,7 @@ convert()
     $1 == ")" { inside = 0 }
     inside && NF == 1 && $1 != "(" { printf "%.12g\n", by * $1; next }
     NF > 1 && $(NF - 1) == "uniform" { $NF = sprintf("%.12g;", by * $NF) }
-    { sub("nutkWallFunction", "calculated"); print }' "$flow/$1" > "$start/$4"
+    { sub("nutUSpaldingWallFunction", "calculated"); print }' "$flow/$1" > "$start/$4"
 }
 )foam";
 
