@@ -66,7 +66,9 @@ def truck():
 def cases():
     from wallsurfaces import HEADER, load
     outside = {"Domain": "Outside", "BoxFrom": "Bounds"}
-    yield "section", section(), 0.25, 0.25 / 32, ["aerofoil"], {"BoundaryRefinement": lambda names: (names.index("aerofoil"), 5, 0, 0)}
+    yield "section", section(), 0.25, 0.25 / 32, ["aerofoil"], {
+        "BoundaryRefinement": lambda names: (names.index("aerofoil"), 5, 0, 0),
+        "BoundaryNames": ["symmetry*"], "BoundaryTypes": ["symmetry"]}
     yield "ahmed half", ahmed.body(), 0.2, 0.2 / 16, ["body"], outside | {
         "DomainBounds": (-2.0, 4.4, 0.0, 1.6, 0.0, 1.6), "RefinementDepth": 4, "TransitionLayers": 3, "Ground": "zMin"}
     yield "hull", hull(), 0.25, 0.25 / 16, ["hull"], outside | {
