@@ -23,7 +23,7 @@ RATIO = 1.2
 
 
 def meshed(case, folder, properties):
-    """Seconds of CPU; the case is in the folder."""
+    """Seconds of CPU, and layers of a stack; the case is in the folder."""
     _, surface, size, _, _, named = case
     path = pathlib.Path(folder) / "surface.stl"
     surface.write(path)
@@ -35,10 +35,12 @@ def meshed(case, folder, properties):
     begin = time.process_time()
     filter.Update()
     seconds = time.process_time() - begin
+    layers = filter.GetOutputDataObject(0).GetFieldData().GetArray("LayersOfAStack")
+    layers = int(layers.GetTuple1(0)) if layers else 0
     foam.save(mesher, folder)
     for proxy in mesher, reader:
         simple.Delete(proxy)
-    return seconds
+    return seconds, layers
 
 
 def walls_of(mesh, case):
@@ -80,11 +82,11 @@ def main():
                     folder.mkdir(parents=True, exist_ok=True)
                     height = float(first) * case[3]
                     named = {"Layers": int(layers) if layers != "auto" else -1, "LayerExpansionRatio": RATIO, "FirstLayerThickness": height}
-                    seconds = meshed(case, folder, named if layers != "0" else {})
+                    seconds, made = meshed(case, folder, named if layers != "0" else {})
                     mesh = Mesh(folder)
                     walls = walls_of(mesh, case)
-                    share = whole(mesh, walls, int(layers), height) if layers not in ("0", "auto") else float("nan")
-                    print(f"{case[0]:12} {layers:>4} layers, first {first:>5}: {mesh.cells:8} cells {seconds:6.1f} s "
+                    share = whole(mesh, walls, made, height) if made else float("nan")
+                    print(f"{case[0]:12} {made:4} layers, first {first:>5}: {mesh.cells:8} cells {seconds:6.1f} s "
                           f"{1e6 * seconds / mesh.cells:6.1f} us/cell  whole {share:.4f}  {' | '.join(check(folder))}", flush=True)
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/Cells.h"
-#include "Acceptance/CellFaults.h"
 
+#include "Acceptance/CellFaults.h"
 #include "Base/Error.h"
 #include "Base/Sorting.h"
 #include "Cells/BoxVolumes.h"
