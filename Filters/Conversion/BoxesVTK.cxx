@@ -12,6 +12,7 @@
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnsignedShortArray.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace cartesian
@@ -93,11 +94,10 @@ std::array<std::uint32_t, 3> readTriple(
   return result;
 }
 
-// Boxes come in order of the rows of their global boxes, of the global boxes, and of the offsets in them.
-std::array<std::uint32_t, 6> orderOf(const GlobalBox& global, const PackedBox& box)
+// Boxes come in order of the rows of their global boxes, and of the global boxes.
+std::array<std::uint32_t, 3> orderOf(const GlobalBox& global)
 {
-  return { global.index[2], global.index[1], global.index[0], box.offset[2], box.offset[1],
-    box.offset[0] };
+  return { global.index[2], global.index[1], global.index[0] };
 }
 
 class BoxReader
@@ -130,13 +130,13 @@ public:
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       box.level[axis] = static_cast<std::uint8_t>(level[axis]);
-      box.offset[axis] = static_cast<std::uint8_t>(offset[axis]);
+      box.offset[axis] = static_cast<std::uint16_t>(offset[axis]);
     }
     box.status = status_->GetComponent(cell, 0) == 1 ? BoxStatus::Inside : BoxStatus::Intersected;
     box.corners = static_cast<std::uint8_t>(corners_->GetComponent(cell, 0));
 
-    const auto order = orderOf(global, box);
-    if (cell > 0 && !(before_ < order))
+    const auto order = orderOf(global);
+    if (cell > 0 && order < before_)
     {
       throw Error(Fault::MissingArray,
         "Box " + std::to_string(cell) +
@@ -176,7 +176,7 @@ private:
   vtkDataArray* offset_;
   vtkDataArray* status_;
   vtkDataArray* corners_;
-  std::array<std::uint32_t, 6> before_{};
+  std::array<std::uint32_t, 3> before_{};
 };
 
 Meshlines readPlanes(vtkUnstructuredGrid* grid)
@@ -273,7 +273,7 @@ void setCellData(const Boxes& boxes, vtkCellData* data)
   const auto count = static_cast<vtkIdType>(boxes.packed.size());
   const auto global = newTriples<vtkIntArray>("GlobalBox", { "I", "J", "K" }, count);
   const auto level = newTriples<vtkUnsignedCharArray>("Level", { "X", "Y", "Z" }, count);
-  const auto offset = newTriples<vtkUnsignedCharArray>("Offset", { "X", "Y", "Z" }, count);
+  const auto offset = newTriples<vtkUnsignedShortArray>("Offset", { "X", "Y", "Z" }, count);
   vtkNew<vtkUnsignedCharArray> status;
   status->SetName("Status");
   status->SetNumberOfTuples(count);
@@ -340,7 +340,12 @@ Boxes boxesFromVTK(vtkUnstructuredGrid* grid)
   scan(boxes.rowStart);
   boxes.globals.push_back(
     { { 0, 0, 0 }, static_cast<std::uint32_t>(boxes.packed.size()), None, 0, 0 });
-  boxes.listUnits();
+  Execution execution;
+  if (!boxes.plantTree(execution))
+  {
+    throw Error(Fault::MissingArray,
+      "Boxes overlap: connect the output of Cartesian Boxer unchanged.");
+  }
   return boxes;
 }
 

@@ -224,6 +224,30 @@ void printMemory(int threads)
   print(sphere(200), 40, 0);
 }
 
+// One and the same sphere in boxes of the same size at the surface, which are global boxes halved more and more often.
+void printDepths(int threads)
+{
+  constexpr double BoxesAcross = 96;
+  const Triangles ball = sphere(100);
+  std::printf("%-10s%7s%10s%10s%10s%12s%12s%12s%12s%12s%12s\n", "sphere", "depth", "boxes", "cut",
+    "cells", "boxes s", "patches s", "sides s", "faces s", "grid s", "peak MB");
+  for (int depth = 0; depth <= 10; ++depth)
+  {
+    const Figures f =
+      measureGrid(ball, 2 / BoxesAcross * std::pow(2, depth), depth, threads);
+    std::printf("%17d%10.0f%10.0f%10.0f", depth, f.boxes, f.intersected, f.cells);
+    double grid = 0;
+    for (const char* stage : { "Boxes", "Patches", "Common sides of boxes", "Inner faces" })
+    {
+      const double seconds = f.secondsOf(stage);
+      grid += std::strcmp(stage, "Patches") == 0 ? 0 : seconds;
+      std::printf("%12.3f", seconds);
+    }
+    std::printf("%12.3f%12.1f\n", grid, f.peak / MB);
+    std::fflush(stdout);
+  }
+}
+
 // The leaves of an octree that divides whatever the surface passes through to the same depth: the
 // units that boxes are made of, joined only eight at a time.
 double octreeLeaves(const Boxes& boxes, const GlobalBox& global, const FinePoint& low, int level)
@@ -326,6 +350,10 @@ int main(int count, char** arguments)
     if (asked("growth"))
     {
       printGrowth(threads.front());
+    }
+    if (asked("depth"))
+    {
+      printDepths(threads.front());
     }
     if (asked("refinement"))
     {

@@ -1,5 +1,8 @@
 #include "Run.h"
 
+#include "Faces/InnerFaces.h"
+#include "Mesher/Assembly.h"
+#include "Mesher/Stages.h"
 #include "Mesher/Statistics.h"
 
 #include <algorithm>
@@ -11,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <malloc.h>
+#include <numeric>
 
 namespace cartesian
 {
@@ -272,6 +276,41 @@ Figures measure(
     figures.cut = std::strcmp(statistic.name, "Polyhedra") == 0 ? statistic.value : figures.cut;
   }
   figures.cells = static_cast<double>(assembly->mesh->cellCount());
+  figures.peak = memory.peak();
+  return figures;
+}
+
+double Figures::secondsOf(const std::string& stage) const
+{
+  return std::accumulate(stages.begin(), stages.end(), 0.0,
+    [&](double sum, const Stage& s) { return sum + (s.name == stage ? s.seconds : 0); });
+}
+
+Figures measureGrid(const Triangles& surface, double cellSize, int depth, int threads)
+{
+  Memory memory;
+  Execution execution(threads, [&](double, const char* stage) { return memory(stage); });
+  Options options;
+  options.grid.cellSize = cellSize;
+  options.refinement.depth = depth;
+  options.memoryLimit = PlentyOfMemory;
+  const PreparedSurface prepared = prepareSurface(surface.view(), options, execution);
+  const auto decomposition = decompose(prepared, options, execution);
+  const Boxes boxes = decomposition->boxes(decomposition->allLayers(), execution);
+  const Patches patches = makePatches(prepared, *decomposition, boxes, options, execution);
+  execution.stage("Common sides of boxes", AfterPatches, AfterSides);
+  const Sides sides = findSides(boxes, execution);
+  const Nodes nodes = findNodes(boxes, patches, sides, execution);
+  execution.stage("Inner faces", AfterSides, AfterInnerFaces);
+  const InnerFaces faces = generateInnerFaces(boxes, patches, sides, nodes, execution);
+  memory.close();
+  Figures figures;
+  for (const auto& [stage, time] : execution.seconds())
+  {
+    figures.stages.push_back({ stage, time, memory.peak(stage) });
+  }
+  figures.boxes = static_cast<double>(boxes.packed.size());
+  figures.intersected = static_cast<double>(patches.boxStart.size() - 1);
   figures.peak = memory.peak();
   return figures;
 }

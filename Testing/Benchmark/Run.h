@@ -47,6 +47,10 @@ struct Figures
     double peak;
   };
   std::vector<Stage> stages;
+  double boxes = 0;
+  double intersected = 0;
+
+  double secondsOf(const std::string& stage) const;
 };
 
 // Bytes that the mesh is said to take.
@@ -61,5 +65,8 @@ Estimates estimate(
 
 Figures measure(
   const Triangles& surface, double cellSize, int depth, PatchMethod method, int threads);
+
+// The grid alone, as far as inner faces.
+Figures measureGrid(const Triangles& surface, double cellSize, int depth, int threads);
 
 }

@@ -14,15 +14,23 @@
 // touch boxes of it become as fine along all axes, layer by layer: long boxes there would trouble solvers.
 #pragma once
 
-#include "Boxes/Boxes.h"
+#include "Boxes/LocalBox.h"
 
 namespace cartesian
 {
 
-// How many global boxes away a box of this depth may cause others to be halved: each pass reaches another one.
+// The most by which the levels of a box differ: it is at most 2^MostLevelsApart times as long as wide. A box that would
+// become longer is halved along its longest sides, too.
+constexpr int MostLevelsApart = 3;
+
+// How many global boxes away a box of this depth may cause others to be halved. Each pass reaches one box further, which
+// has the level of the pass in one direction: a global box in the first three passes, half one in the next, and so on.
 constexpr std::uint32_t balanceReach(int depth, int transitionLayers)
 {
-  return depth > 0 ? static_cast<std::uint32_t>(depth * transitionLayers - 1) : 0;
+  const int passes = depth < MostLevelsApart + 1 ? depth : MostLevelsApart + 1;
+  return depth > 0
+    ? static_cast<std::uint32_t>(passes * transitionLayers - (depth == passes ? 1 : 0))
+    : 0;
 }
 
 // Boxes coarser than `level` are halved where they touch one of level `touching` or finer. What a pass does: balance
@@ -43,11 +51,37 @@ constexpr BalancePass growthOf(int level)
   return { level, level };
 }
 
+// A box of the fine grid, or a part of one.
+struct BoxToBalance
+{
+  FinePoint low;
+  std::array<std::uint8_t, 3> level;
+
+  std::int64_t size(int axis) const { return FinePerBox >> level[static_cast<std::size_t>(axis)]; }
+  BoxToBalance half(unsigned axis, bool upper) const
+  {
+    BoxToBalance result = *this;
+    ++result.level[axis];
+    result.low[axis] += upper ? result.size(static_cast<int>(axis)) : 0;
+    return result;
+  }
+};
+
+// The boxes before the pass.
+class LevelsAround
+{
+public:
+  virtual ~LevelsAround() = default;
+
+  // The levels of the box at a place, or null. `size` receives that of a cube around it, fine, that divides
+  // the grid evenly and within which the answer is the same.
+  virtual const std::array<std::uint8_t, 3>* at(const FinePoint& fine, std::int64_t& size) const = 0;
+};
+
 // The axes (bit 1 << axis) along which a box must be halved next in a pass; its
 // parts may have to be halved further. To balance, of the axes along which neighbours are too fine these are
 // the ones that leave the fewest halves to be halved further, all of them if several do: thus a box
-// before a wall of fine ones is first halved towards it, whichever axis that is. `boxes`: before
-// the pass; `box` may be a part of one of them.
-std::uint8_t axesToHalve(const Boxes& boxes, const PackedBox& box, const BalancePass& pass);
+// before a wall of fine ones is first halved towards it, whichever axis that is.
+unsigned axesToHalve(const LevelsAround& boxes, const BoxToBalance& box, const BalancePass& pass);
 
 }

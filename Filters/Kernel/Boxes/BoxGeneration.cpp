@@ -3,8 +3,7 @@
 
 #include "Base/Error.h"
 #include "Boxes/Balance.h"
-#include "Boxes/FewestBoxes.h"
-#include "Boxes/UnitStatuses.h"
+#include "Boxes/BlockDivision.h"
 
 #include <algorithm>
 
@@ -16,8 +15,36 @@ namespace
 
 constexpr std::size_t RowsAChunk = 16;
 constexpr std::size_t GlobalsAChunk = 64;
+constexpr std::size_t BlocksAChunk = 4;
 
-// Divides global boxes; undivided ones keep an empty list of parts.
+// The boxes before a pass, as a box in this global box sees them.
+class BlocksBefore : public LevelsAround
+{
+public:
+  BlocksBefore(const Blocks& blocks, std::uint32_t near)
+    : blocks_(blocks)
+    , near_(near)
+  {
+  }
+
+  const std::array<std::uint8_t, 3>* at(const FinePoint& fine, std::int64_t& size) const override
+  {
+    return blocks_.levelsAt(fine, near_, size);
+  }
+
+private:
+  const Blocks& blocks_;
+  std::uint32_t near_;
+};
+
+// Where the final boxes of a block are.
+struct BlockPlace
+{
+  std::uint32_t firstBox;
+  std::uint32_t firstWord; // in Boxes::tree
+  std::uint32_t firstNode; // its number
+};
+
 class BoxGenerator
 {
 public:
@@ -42,30 +69,25 @@ public:
   Boxes generate(Layers kept)
   {
     listGlobals();
+    Blocks blocks(boxes_, execution_);
     if (refinement_.any())
     {
-      findDepths();
-      divide();
+      addRoots(blocks);
+      BlockDivision(surface_, boxes_, shoeboxes_, execution_).divide(blocks);
       for (int level = refinement_.deepest(); level > 0; --level)
       {
         for (int layer = 1; layer < refinement_.transitionLayers(); ++layer)
         {
-          flatten();
-          balance(growthOf(level));
+          balance(blocks, growthOf(level));
         }
         if (level > 1)
         {
-          flatten();
-          balance(balanceOf(level - 1));
+          balance(blocks, balanceOf(level - 1));
         }
       }
     }
-    leaveOutAllBut(kept);
-    flatten();
-    if (surface_.walls.any())
-    {
-      findRegions();
-    }
+    const std::size_t first = leaveOutAllBut(kept);
+    flatten(blocks, first);
     return std::move(boxes_);
   }
 
@@ -120,9 +142,59 @@ private:
     });
   }
 
-  TriangleRange trianglesOf(const GlobalBox& global) const
+  void requireDivisible(const std::array<std::uint32_t, 3>& at, const Depths& depths) const
   {
-    return shoeboxes_.triangles(boxes_.row(global.index[1], global.index[2]), global.index[0]);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const Level size = planes_[axis][at[axis] + 1] - planes_[axis][at[axis]];
+      if (depths.deepest() > 0 && size < 2 * FinePerBox)
+      {
+        throw Error(Fault::BadParameter,
+          "Global box " + std::to_string(at[0]) + ", " + std::to_string(at[1]) + ", " +
+            std::to_string(at[2]) +
+            " is too thin to be divided on this lattice: choose a larger Cell Size, or refine "
+            "less there.");
+      }
+    }
+  }
+
+  void addRoots(Blocks& blocks)
+  {
+    std::vector<std::vector<Block>> found(chunks(statusOf_.size(), GlobalsAChunk));
+    execution_.forEach(statusOf_.size(), GlobalsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t g = begin; g < end; ++g)
+      {
+        const auto& at = boxes_.globals[g].index;
+        const Depths depths = refinement_.at(at[0], at[1], at[2]);
+        requireDivisible(at, depths);
+        const bool isCut = statusOf_[g] == BoxStatus::Intersected;
+        if (depths.inPart() || depths.forced > 0 || (isCut && depths.allowed > 0))
+        {
+          found[begin / GlobalsAChunk].push_back(rootOf(static_cast<std::uint32_t>(g), depths));
+        }
+      }
+    });
+    for (std::vector<Block>& chunk : found)
+    {
+      for (Block& root : chunk)
+      {
+        blocks.addRoot(std::move(root));
+      }
+    }
+  }
+
+  Block rootOf(std::uint32_t g, const Depths& depths) const
+  {
+    const bool isCut = statusOf_[g] == BoxStatus::Intersected;
+    Block root;
+    root.global = g;
+    root.status = statusOf_[g];
+    root.allowed = depths.allowed;
+    root.forcing = refinement_.forcingOf(boxes_.globals[g].index, depths);
+    root.low = statuses_.lowCorner(boxes_.globals[g].index);
+    const int forced = std::max({ depths.forced, depths.touched, depths.sized });
+    root.bits = BoxTree::bitsFor(isCut ? std::max(forced, depths.allowed) : forced, 0);
+    return root;
   }
 
   std::uint8_t cornersOf(std::size_t g) const
@@ -131,156 +203,278 @@ private:
     return statuses_.corners(at[0], at[1], at[2], statusOf_[g]);
   }
 
-  void findDepths()
+  LocalBox undivided(std::size_t g) const
   {
-    depths_.resize(statusOf_.size());
-    parts_.resize(statusOf_.size());
-    forEachGlobal([&](std::size_t g) {
-      const auto& at = boxes_.globals[g].index;
-      depths_[g] = refinement_.at(at[0], at[1], at[2]);
-      for (std::size_t axis = 0; axis < 3; ++axis)
+    return { { 0, 0, 0 }, { 0, 0, 0 }, statusOf_[g], cornersOf(g) };
+  }
+
+  // One pass (Balance.h).
+  void balance(Blocks& blocks, const BalancePass& pass)
+  {
+    std::vector<std::vector<LocalBox>> halved = halvedBoxes(blocks, pass);
+    std::vector<Block> added = halvedGlobals(blocks, pass);
+    std::vector<std::uint32_t> changed;
+    for (std::uint32_t b = 0; b < halved.size(); ++b)
+    {
+      if (!halved[b].empty())
       {
-        const Level size = planes_[axis][at[axis] + 1] - planes_[axis][at[axis]];
-        if (depths_[g].deepest() > 0 && size < 2 * FinePerBox)
+        blocks[b].boxes.swap(halved[b]);
+        changed.push_back(b);
+      }
+    }
+    for (Block& root : added)
+    {
+      changed.push_back(blocks.addRoot(std::move(root)));
+    }
+    if (!changed.empty())
+    {
+      blocks.update(changed);
+    }
+  }
+
+  // Of each block that changes, the boxes after the pass.
+  std::vector<std::vector<LocalBox>> halvedBoxes(const Blocks& blocks, const BalancePass& pass) const
+  {
+    std::vector<std::vector<LocalBox>> boxes(blocks.size());
+    execution_.forEach(blocks.size(), BlocksAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t b = begin; b < end; ++b)
+      {
+        const Block& block = blocks[b];
+        const bool mayHalve = block.coarsest < pass.level && block.nearDepth >= pass.touching;
+        bool changes = false;
+        for (std::size_t i = 0; mayHalve && i < block.boxes.size(); ++i)
         {
-          throw Error(Fault::BadParameter,
-            "Global box " + std::to_string(at[0]) + ", " + std::to_string(at[1]) + ", " +
-              std::to_string(at[2]) +
-              " is too thin to be divided on this lattice: choose a larger Cell Size, or refine "
-              "less there.");
+          changes |= balance(blocks, block, block.boxes[i], pass, boxes[b]);
+        }
+        if (!changes)
+        {
+          boxes[b].clear();
         }
       }
     });
+    return boxes;
   }
 
-  // What the division of a global box needs.
-  struct DivisionScratch
+  // Blocks for global boxes without one that change.
+  std::vector<Block> halvedGlobals(const Blocks& blocks, const BalancePass& pass) const
   {
-    FewestBoxes search;
-    UnitStatuses statuses;
-    UnitStatuses ofRegion;
-    std::vector<BoxStatus> units;
-    std::vector<std::uint8_t> forced;
-  };
-
-  void divide()
-  {
-    execution_.nextLoop(0.8);
+    std::vector<std::vector<Block>> found(chunks(statusOf_.size(), GlobalsAChunk));
     execution_.forEach(statusOf_.size(), GlobalsAChunk, [&](std::size_t begin, std::size_t end) {
-      DivisionScratch scratch;
       for (std::size_t g = begin; g < end; ++g)
       {
-        const bool intersected = statusOf_[g] == BoxStatus::Intersected;
-        if (depths_[g].inPart() || (intersected && depths_[g].allowed > 0))
+        if (blocks.rootOf(g) != None || blocks.nearDepthOf(g) < pass.touching)
         {
-          divideByUnits(g, scratch);
+          continue;
         }
-        else if (depths_[g].forced > 0)
+        Block root = rootOf(static_cast<std::uint32_t>(g), Depths());
+        if (balance(blocks, root, undivided(g), pass, root.boxes))
         {
-          divideEvenly(depths_[g].forced, parts_[g]);
+          root.bits = BoxTree::bitsFor(pass.level, 0);
+          found[begin / GlobalsAChunk].push_back(std::move(root));
         }
       }
     });
+    std::vector<Block> all;
+    for (std::vector<Block>& chunk : found)
+    {
+      std::move(chunk.begin(), chunk.end(), std::back_inserter(all));
+    }
+    return all;
   }
 
-  void divideByUnits(std::size_t g, DivisionScratch& scratch)
+  // Appends what a pass makes of a box of a block, without parts that are outside; true if it was halved.
+  bool balance(const Blocks& blocks, const Block& block, const LocalBox& box,
+    const BalancePass& pass, std::vector<LocalBox>& parts) const
   {
-    const GlobalBox& global = boxes_.globals[g];
-    const Depths& depths = depths_[g];
-    refinement_.forcedOfUnits(global.index, depths, scratch.ofRegion, scratch.forced);
-    if (statusOf_[g] != BoxStatus::Intersected)
+    const auto& index = boxes_.globals[block.global].index;
+    BoxToBalance placed{ {}, box.level };
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      scratch.units.assign(scratch.forced.size(), statusOf_[g]);
-      scratch.search.search(depths.deepest(), depths.allowed, scratch.units, scratch.forced);
-      scratch.search.collect(parts_[g]);
-      return;
+      placed.low[axis] = index[axis] * FinePerBox + box.offset[axis];
     }
-    scratch.statuses.compute(surface_, trianglesOf(global), planes_, global.index, depths.deepest(),
-      statuses_.lowCorner(global.index));
-    scratch.search.search(
-      depths.deepest(), depths.allowed, scratch.statuses.units(), scratch.forced);
-    scratch.search.collect(parts_[g]);
-    for (LocalBox& box : parts_[g])
+    const unsigned axes = axesToHalve(BlocksBefore(blocks, block.global), placed, pass);
+    if (axes == 0)
     {
-      box.corners = scratch.statuses.corners(box.offset, box.level);
+      parts.push_back(box);
+      return false;
     }
-  }
-
-  static void divideEvenly(int depth, std::vector<LocalBox>& parts)
-  {
-    const auto level = static_cast<std::uint8_t>(depth);
-    const std::int64_t step = FinePerBox >> depth;
-    for (std::int64_t z = 0; z < FinePerBox; z += step)
+    for (unsigned upper = 0; upper < 8; ++upper)
     {
-      for (std::int64_t y = 0; y < FinePerBox; y += step)
+      if ((upper & ~axes) != 0)
       {
-        for (std::int64_t x = 0; x < FinePerBox; x += step)
-        {
-          parts.push_back({ { static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y),
-                              static_cast<std::uint8_t>(z) },
-            { level, level, level }, BoxStatus::Inside, AllCorners });
-        }
+        continue; // not halved along one of these axes
+      }
+      const LocalBox part = partOf(block, box, axes, upper);
+      if (part.status != BoxStatus::Outside)
+      {
+        balance(blocks, block, part, pass, parts);
+      }
+    }
+    return true;
+  }
+
+  // The part of a box that is halved along these axes on the upper sides of some of them.
+  LocalBox partOf(const Block& block, const LocalBox& whole, unsigned axes, unsigned upper) const
+  {
+    LocalBox part = whole;
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      if ((axes >> axis & 1) != 0)
+      {
+        part = halfOf(part, axis, (upper >> axis & 1) != 0);
+      }
+    }
+    if (whole.status == BoxStatus::Intersected)
+    {
+      findStatus(block, part);
+    }
+    return part;
+  }
+
+  static PackedBox packed(std::size_t g, const LocalBox& part)
+  {
+    return { static_cast<std::uint32_t>(g), part.offset, part.level, part.corners, part.status };
+  }
+
+  Winding windingAt(const Block& block, const Point& point) const
+  {
+    const auto& at = boxes_.globals[block.global].index;
+    Point corner;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      corner[axis] = planeAt(planes_, axis, at[axis], block.cube.offset[axis]);
+    }
+    return cartesian::windingAt(
+      surface_, trianglesOf(block, boxes_, shoeboxes_), corner, block.low, point);
+  }
+
+  void findStatus(const Block& block, LocalBox& part) const
+  {
+    const Box box = boxes_.placed(packed(block.global, part));
+    unsigned bits = 0;
+    for (unsigned c = 0; c < 8; ++c)
+    {
+      bits |= static_cast<unsigned>(windingAt(block, cornerOf(box, c)).inside()) << c;
+    }
+    part.corners = static_cast<std::uint8_t>(bits);
+    part.status = (bits & 1) != 0 ? BoxStatus::Inside : BoxStatus::Outside;
+    const TriangleRange triangles = trianglesOf(block, boxes_, shoeboxes_);
+    for (const std::uint32_t* t = triangles.first; t != triangles.second; ++t)
+    {
+      if (clip(surface_.corners(*t), box.low, box.high).size > 0)
+      {
+        part.status = BoxStatus::Intersected;
+        return;
       }
     }
   }
 
-  void leaveOutAllBut(Layers kept)
+  // Returns how many global boxes before the others are left out.
+  std::size_t leaveOutAllBut(Layers kept)
   {
     const std::size_t first = boxes_.rowStart[boxes_.row(0, kept.begin)];
     const std::size_t end = boxes_.rowStart[boxes_.row(0, kept.end)];
     const auto slice = [&](auto& ofGlobals) {
-      if (!ofGlobals.empty())
-      {
-        ofGlobals.erase(ofGlobals.begin() + std::ptrdiff_t(end), ofGlobals.end());
-        ofGlobals.erase(ofGlobals.begin(), ofGlobals.begin() + std::ptrdiff_t(first));
-      }
+      ofGlobals.erase(ofGlobals.begin() + std::ptrdiff_t(end), ofGlobals.end());
+      ofGlobals.erase(ofGlobals.begin(), ofGlobals.begin() + std::ptrdiff_t(first));
     };
     slice(boxes_.globals);
     boxes_.globals.push_back({ { 0, 0, 0 }, 0, None, 0, 0 });
     slice(statusOf_);
-    slice(parts_);
     for (std::size_t& start : boxes_.rowStart)
     {
       start = std::clamp(start, first, end) - first;
     }
+    return first;
   }
 
-  // Lists the parts of all global boxes in boxes_.
-  void flatten()
+  // Lists all boxes: those of a block follow each other. `first`: how many global boxes were left out before them.
+  void flatten(Blocks& blocks, std::size_t first)
   {
-    std::uint32_t next = 0;
-    for (std::size_t g = 0; g < parts_.size(); ++g)
+    const std::vector<BlockPlace> places = placesOf(blocks, first);
+    if (surface_.walls.any())
     {
-      boxes_.globals[g].firstBox = next;
-      next += static_cast<std::uint32_t>(isDivided(g) ? parts_[g].size() : 1);
+      boxes_.regions.resize(boxes_.packed.size());
     }
-    boxes_.globals.back().firstBox = parts_.empty() ? std::uint32_t(statusOf_.size()) : next;
-    boxes_.packed.resize(boxes_.globals.back().firstBox);
-    forEachGlobal([&](std::size_t g) { flatten(g); });
-    if (!parts_.empty())
-    {
-      boxes_.listUnits();
-    }
-  }
-
-  // The regions of all corners of all boxes.
-  void findRegions()
-  {
-    boxes_.regions.resize(boxes_.packed.size());
     forEachGlobal([&](std::size_t g) {
-      for (std::uint32_t b = boxes_.globals[g].firstBox; b < boxes_.globals[g + 1].firstBox; ++b)
+      GlobalBox& global = boxes_.globals[g];
+      const std::uint32_t root = blocks.rootOf(first + g);
+      if (root == None)
       {
-        for (unsigned corner = 0; corner < 8; ++corner)
-        {
-          boxes_.regions[b][corner] = regionAt(g, boxes_.box(b), corner);
-        }
+        writeBox(global.firstBox, packed(g, undivided(g)), nullptr);
+        return;
       }
+      global.depth = blocks[root].depth;
+      global.node = places[root].firstWord;
+      blocks.forEachBelow(root, [&](std::uint32_t b) { writeBlock(blocks[b], g, places, b); });
     });
+    boxes_.findNearDepths(execution_);
   }
 
-  std::int32_t regionAt(std::size_t g, const Box& box, unsigned corner) const
+  // By block. Sizes the lists.
+  std::vector<BlockPlace> placesOf(const Blocks& blocks, std::size_t first)
   {
-    const auto& at = boxes_.globals[g].index;
+    std::vector<BlockPlace> places(blocks.size());
+    std::size_t boxes = 0;
+    std::size_t words = 0;
+    std::uint32_t nodes = 0;
+    for (std::size_t g = 0; g < statusOf_.size(); ++g)
+    {
+      boxes_.globals[g].firstBox = static_cast<std::uint32_t>(boxes);
+      const std::uint32_t root = blocks.rootOf(first + g);
+      if (root == None)
+      {
+        ++boxes;
+        continue;
+      }
+      blocks.forEachBelow(root, [&](std::uint32_t b) {
+        places[b] = { static_cast<std::uint32_t>(boxes), static_cast<std::uint32_t>(words), nodes };
+        boxes += blocks[b].boxes.size();
+        words += blocks[b].tree.size();
+        nodes += blocks[b].tree.nodes();
+      });
+    }
+    if (std::max(boxes, words) >= BoxTree::OtherTree)
+    {
+      throw Error(Fault::TooManyBoxes,
+        "The mesh has more boxes than can be numbered in 30 bits: choose a larger Cell Size, or "
+        "refine less.");
+    }
+    boxes_.globals.back().firstBox = static_cast<std::uint32_t>(boxes);
+    boxes_.packed.resize(boxes);
+    boxes_.tree.allocate(words, nodes);
+    return places;
+  }
+
+  // `g`: the number of its global box now.
+  void writeBlock(
+    Block& block, std::size_t g, const std::vector<BlockPlace>& places, std::uint32_t number)
+  {
+    const BlockPlace& place = places[number];
+    boxes_.tree.place(block.tree, place.firstWord, place.firstNode, place.firstBox,
+      [&](std::uint32_t child) { return places[child].firstWord; });
+    block.global = static_cast<std::uint32_t>(g);
+    for (std::size_t i = 0; i < block.boxes.size(); ++i)
+    {
+      writeBox(place.firstBox + i, packed(g, block.boxes[i]), &block);
+    }
+    block.boxes = {};
+    block.tree = {};
+    block.triangles = {};
+  }
+
+  void writeBox(std::size_t b, const PackedBox& box, const Block* block)
+  {
+    boxes_.packed[b] = box;
+    for (unsigned corner = 0; corner < 8 && !boxes_.regions.empty(); ++corner)
+    {
+      boxes_.regions[b][corner] = regionAt(box, block, corner);
+    }
+  }
+
+  std::int32_t regionAt(const PackedBox& box, const Block* block, unsigned corner) const
+  {
+    const auto& at = boxes_.globals[box.global].index;
     std::array<std::uint32_t, 3> vertex = at;
     bool isVertex = true; // of the global mesh
     for (unsigned axis = 0; axis < 3; ++axis)
@@ -294,126 +488,7 @@ private:
     {
       return statuses_.lowCorner(vertex).region();
     }
-    const Point low = { planes_[0][at[0]], planes_[1][at[1]], planes_[2][at[2]] };
-    return windingAt(
-      surface_, trianglesOf(boxes_.globals[g]), low, statuses_.lowCorner(at), cornerOf(box, corner))
-      .region();
-  }
-
-  bool isDivided(std::size_t g) const { return !parts_.empty() && !parts_[g].empty(); }
-
-  void flatten(std::size_t g)
-  {
-    GlobalBox& global = boxes_.globals[g];
-    global.firstBox = parts_.empty() ? std::uint32_t(g) : global.firstBox;
-    std::uint32_t next = global.firstBox;
-    if (!isDivided(g))
-    {
-      boxes_.packed[next] = packed(g, { { 0, 0, 0 }, { 0, 0, 0 }, statusOf_[g], cornersOf(g) });
-      return;
-    }
-    std::sort(parts_[g].begin(), parts_[g].end(), [](const LocalBox& a, const LocalBox& b) {
-      return std::lexicographical_compare(
-        a.offset.rbegin(), a.offset.rend(), b.offset.rbegin(), b.offset.rend());
-    });
-    for (const LocalBox& part : parts_[g])
-    {
-      global.depth = std::max({ global.depth, part.level[0], part.level[1], part.level[2] });
-      boxes_.packed[next++] = packed(g, part);
-    }
-  }
-
-  static PackedBox packed(std::size_t g, const LocalBox& part)
-  {
-    return { static_cast<std::uint32_t>(g), part.offset, part.level, part.corners, part.status };
-  }
-
-  // One pass (Balance.h).
-  void balance(const BalancePass& pass)
-  {
-    forEachGlobal([&](std::size_t g) {
-      const std::uint32_t first = boxes_.globals[g].firstBox;
-      const std::uint32_t end = boxes_.globals[g + 1].firstBox;
-      std::vector<LocalBox> parts;
-      bool changed = false;
-      for (std::uint32_t b = first; b < end; ++b)
-      {
-        const PackedBox& box = boxes_.packed[b];
-        changed |= balance(g, { box.offset, box.level, box.status, box.corners }, pass, parts);
-      }
-      if (changed)
-      {
-        parts_[g].swap(parts);
-      }
-    });
-  }
-
-  // Appends what a pass makes of a box, without parts that are outside; true if it was halved.
-  bool balance(
-    std::size_t g, const LocalBox& box, const BalancePass& pass, std::vector<LocalBox>& parts) const
-  {
-    const unsigned axes = axesToHalve(boxes_, packed(g, box), pass);
-    if (axes == 0)
-    {
-      parts.push_back(box);
-      return false;
-    }
-    for (unsigned upper = 0; upper < 8; ++upper)
-    {
-      if ((upper & ~axes) != 0)
-      {
-        continue; // not halved along one of these axes
-      }
-      const LocalBox part = partOf(g, box, axes, upper);
-      if (part.status != BoxStatus::Outside)
-      {
-        balance(g, part, pass, parts);
-      }
-    }
-    return true;
-  }
-
-  // The part of a box that is halved along these axes on the upper sides of some of them.
-  LocalBox partOf(std::size_t g, const LocalBox& whole, unsigned axes, unsigned upper) const
-  {
-    LocalBox part = whole;
-    for (unsigned axis = 0; axis < 3; ++axis)
-    {
-      if ((axes >> axis & 1) != 0)
-      {
-        part = halfOf(part, axis, (upper >> axis & 1) != 0);
-      }
-    }
-    if (whole.status == BoxStatus::Intersected)
-    {
-      findStatus(g, part);
-    }
-    return part;
-  }
-
-  void findStatus(std::size_t g, LocalBox& part) const
-  {
-    const Box box = boxes_.placed(packed(g, part));
-    const TriangleRange triangles = trianglesOf(boxes_.globals[g]);
-    const auto& at = boxes_.globals[g].index;
-    const Point corner = { planes_[0][at[0]], planes_[1][at[1]], planes_[2][at[2]] };
-    const Winding low = statuses_.lowCorner(at);
-    unsigned bits = 0;
-    for (unsigned c = 0; c < 8; ++c)
-    {
-      const bool in = windingAt(surface_, triangles, corner, low, cornerOf(box, c)).inside();
-      bits |= static_cast<unsigned>(in) << c;
-    }
-    part.corners = static_cast<std::uint8_t>(bits);
-    part.status = (bits & 1) != 0 ? BoxStatus::Inside : BoxStatus::Outside;
-    for (const std::uint32_t* t = triangles.first; t != triangles.second; ++t)
-    {
-      if (clip(surface_.corners(*t), box.low, box.high).size > 0)
-      {
-        part.status = BoxStatus::Intersected;
-        return;
-      }
-    }
+    return windingAt(*block, cornerOf(boxes_.placed(box), corner)).region();
   }
 
   const Surface& surface_;
@@ -425,8 +500,6 @@ private:
   Execution& execution_;
   Boxes boxes_;
   RawVector<BoxStatus> statusOf_; // of global boxes
-  std::vector<Depths> depths_;
-  std::vector<std::vector<LocalBox>> parts_; // of divided global boxes
 };
 
 }

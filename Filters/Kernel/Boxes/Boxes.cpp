@@ -2,23 +2,10 @@
 #include "Boxes/Boxes.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace cartesian
 {
-
-namespace
-{
-
-std::uint32_t unitIndex(const GlobalBox& global, const std::array<std::int64_t, 3>& offset)
-{
-  const int shift = DeepestLevel - global.depth;
-  const std::int64_t x = offset[0] >> shift;
-  const std::int64_t y = offset[1] >> shift;
-  const std::int64_t z = offset[2] >> shift;
-  return static_cast<std::uint32_t>(x | y << global.depth | z << 2 * global.depth);
-}
-
-}
 
 std::uint32_t Boxes::globalAt(std::int64_t i, std::int64_t j, std::int64_t k) const
 {
@@ -50,85 +37,133 @@ std::uint32_t Boxes::globalAt(std::int64_t i, std::int64_t j, std::int64_t k) co
                                               : None;
 }
 
-std::uint32_t Boxes::boxAt(const FinePoint& fine, std::uint32_t near, std::int64_t& step) const
+std::uint32_t Boxes::globalAt(const FinePoint& fine, std::uint32_t near) const
 {
   const FinePoint at = { fine[0] >> DeepestLevel, fine[1] >> DeepestLevel,
     fine[2] >> DeepestLevel };
   const auto& guess = globals[near].index;
   const bool hit = guess[0] == at[0] && guess[1] == at[1] && guess[2] == at[2];
-  const std::uint32_t g = hit ? near : globalAt(at[0], at[1], at[2]);
+  return hit ? near : globalAt(at[0], at[1], at[2]);
+}
+
+std::uint32_t Boxes::boxAt(const FinePoint& fine, std::uint32_t near, std::int64_t& step) const
+{
+  const std::uint32_t g = globalAt(fine, near);
   step = FinePerBox;
-  if (g == None || globals[g].firstUnit == None)
+  if (g == None || globals[g].node == None)
   {
     return g == None ? None : globals[g].firstBox;
   }
-  step = FinePerBox >> globals[g].depth;
-  constexpr std::int64_t Mask = FinePerBox - 1;
-  return units[globals[g].firstUnit +
-    unitIndex(globals[g], { fine[0] & Mask, fine[1] & Mask, fine[2] & Mask })];
+  return tree.boxAt(fine, globals[g].node, 0, step);
 }
 
-void Boxes::listUnits()
+bool Boxes::plantTree(Execution& execution)
 {
-  std::size_t size = 0;
-  for (std::size_t g = 0; g + 1 < globals.size(); ++g)
-  {
-    globals[g].firstUnit = globals[g].depth == 0 ? None : static_cast<std::uint32_t>(size);
-    size += globals[g].depth == 0 ? 0 : std::size_t(1) << 3 * globals[g].depth;
-  }
-  units.assign(size, None);
-  findNearDepths();
-  for (std::uint32_t b = 0; b < packed.size(); ++b)
-  {
-    const PackedBox& box = packed[b];
-    const GlobalBox& global = globalOf(box);
-    if (global.depth == 0)
+  constexpr std::size_t GlobalsAChunk = 16;
+  const std::size_t count = globals.size() - 1;
+  std::vector<BoxTree> trees(chunks(count, GlobalsAChunk));
+  std::atomic<bool> isFree{ true };
+  execution.forEach(count, GlobalsAChunk, [&](std::size_t begin, std::size_t end) {
+    BoxTree& chunk = trees[begin / GlobalsAChunk];
+    std::vector<std::uint32_t> numbers;
+    for (std::size_t g = begin; g < end; ++g)
     {
-      continue;
-    }
-    const std::int64_t unit = FinePerBox >> global.depth;
-    for (std::int64_t z = 0; z < fineSize(box, 2); z += unit)
-    {
-      for (std::int64_t y = 0; y < fineSize(box, 1); y += unit)
+      GlobalBox& global = globals[g];
+      global.depth = 0;
+      numbers.clear();
+      for (std::uint32_t b = global.firstBox; b < globals[g + 1].firstBox; ++b)
       {
-        for (std::int64_t x = 0; x < fineSize(box, 0); x += unit)
-        {
-          units[global.firstUnit +
-            unitIndex(global, { box.offset[0] + x, box.offset[1] + y, box.offset[2] + z })] = b;
-        }
+        const auto& level = packed[b].level;
+        global.depth = std::max({ global.depth, level[0], level[1], level[2] });
+        numbers.push_back(b);
+      }
+      global.node = global.depth == 0 ? None : chunk.size();
+      if (global.depth == 0 ? numbers.size() != 1
+                            : !chunk.add(Cube{}, BoxTree::bitsFor(global.depth, 0), packed.data(), numbers))
+      {
+        isFree = false;
       }
     }
+  });
+  std::size_t words = 0;
+  std::uint32_t nodes = 0;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> before;
+  for (const BoxTree& chunk : trees)
+  {
+    before.emplace_back(static_cast<std::uint32_t>(words), nodes);
+    words += chunk.size();
+    nodes += chunk.nodes();
+  }
+  tree.allocate(words, nodes);
+  execution.forEach(count, GlobalsAChunk, [&](std::size_t begin, std::size_t end) {
+    const std::size_t chunk = begin / GlobalsAChunk;
+    const auto [firstWord, firstNode] = before[chunk];
+    for (std::size_t g = begin; g < end; ++g)
+    {
+      globals[g].node += globals[g].node == None ? 0 : firstWord;
+    }
+    tree.place(trees[chunk], firstWord, firstNode, 0, [](std::uint32_t other) { return other; });
+  });
+  findNearDepths(execution);
+  return isFree;
+}
+
+void Boxes::findNearDepths(Execution& execution)
+{
+  const std::vector<std::uint8_t> depths =
+    largestAround(*this, [&](std::size_t g) { return globals[g].depth; }, execution);
+  for (std::size_t g = 0; g < depths.size(); ++g)
+  {
+    globals[g].nearDepth = depths[g];
   }
 }
 
-void Boxes::findNearDepths()
+std::vector<std::uint8_t> largestAround(const Boxes& boxes,
+  const std::function<std::uint8_t(std::size_t)>& depthOf, Execution& execution)
 {
-  for (GlobalBox& global : globals)
-  {
-    global.nearDepth = 0;
-  }
-  for (std::size_t g = 0; g + 1 < globals.size(); ++g)
-  {
-    if (globals[g].depth == 0)
+  constexpr std::size_t RowsAChunk = 64;
+  const std::size_t rows = boxes.rowStart.size() - 1;
+  const auto nj = static_cast<std::int64_t>(boxes.planes[1].size()) - 1;
+  const auto nk = static_cast<std::int64_t>(boxes.planes[2].size()) - 1;
+  const auto forEachOfRow = [&](std::size_t row, auto&& visit) {
+    for (std::size_t g = boxes.rowStart[row]; g < boxes.rowStart[row + 1]; ++g)
     {
-      continue;
+      visit(g);
     }
-    const auto at = globals[g].index;
-    for (std::int64_t k = -1; k <= 1; ++k)
+  };
+  std::vector<std::uint8_t> result(boxes.rowStart.back(), 0);
+  std::vector<std::uint8_t> ofRow(rows, 0);
+  execution.forEach(rows, RowsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row)
     {
-      for (std::int64_t j = -1; j <= 1; ++j)
+      forEachOfRow(row, [&](std::size_t g) { ofRow[row] = std::max(ofRow[row], depthOf(g)); });
+    }
+  });
+  execution.forEach(rows, RowsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row)
+    {
+      const auto j = static_cast<std::int64_t>(row) % nj;
+      const auto k = static_cast<std::int64_t>(row) / nj;
+      for (std::int64_t n = 0; n < 9; ++n)
       {
-        for (std::int64_t i = -1; i <= 1; ++i)
+        const std::int64_t y = j + n % 3 - 1;
+        const std::int64_t z = k + n / 3 - 1;
+        if (y < 0 || z < 0 || y >= nj || z >= nk || ofRow[boxes.row(std::size_t(y), std::size_t(z))] == 0)
         {
-          const std::uint32_t near = globalAt(at[0] + i, at[1] + j, at[2] + k);
-          if (near != None)
+          continue;
+        }
+        forEachOfRow(row, [&](std::size_t g) {
+          const std::int64_t i = boxes.globals[g].index[0];
+          for (std::int64_t x = i - 1; x <= i + 1; ++x)
           {
-            globals[near].nearDepth = std::max(globals[near].nearDepth, globals[g].depth);
+            const std::uint32_t near = boxes.globalAt(x, y, z);
+            result[g] = std::max(result[g], near == None ? std::uint8_t(0) : depthOf(near));
           }
-        }
+        });
       }
     }
-  }
+  });
+  return result;
 }
 
 std::array<std::uint32_t, 4> facing(const Boxes& boxes, const PackedBox& box, int axis, bool upper)

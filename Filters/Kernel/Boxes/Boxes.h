@@ -9,6 +9,7 @@
 
 #include "Base/Execution.h"
 #include "Base/RawVector.h"
+#include "Boxes/BoxTree.h"
 #include "Lattice/Meshlines.h"
 #include "Surface/Walls.h"
 
@@ -20,40 +21,15 @@
 namespace cartesian
 {
 
-constexpr std::uint32_t None = ~std::uint32_t(0);
-
-enum class BoxStatus : std::uint8_t
-{
-  Outside = 0, // never kept
-  Inside = 1,
-  Intersected = 2, // a triangle passes through it
-};
-
-// The most halvings in one direction. They define the fine grid: positions count the smallest
-// possible parts of global boxes, from the first meshline on.
-constexpr int DeepestLevel = 6;
-constexpr std::int64_t FinePerBox = 1 << DeepestLevel;
-using FinePoint = std::array<std::int64_t, 3>;
-
 // A box in compact form, as there are about as many as the mesh has cells.
 struct PackedBox
 {
-  std::uint32_t global;               // index in Boxes::globals
-  std::array<std::uint8_t, 3> offset; // of the low corner in its global box, fine
-  std::array<std::uint8_t, 3> level;  // halvings along x, y, z; its size is FinePerBox >> level
-  std::uint8_t corners;               // bit x + 2 y + 4 z: that corner is inside
+  std::uint32_t global; // index in Boxes::globals
+  Offset offset;
+  std::array<std::uint8_t, 3> level; // halvings along x, y, z; its size is FinePerBox >> level
+  std::uint8_t corners;              // bit x + 2 y + 4 z: that corner is inside
   BoxStatus status;
 };
-
-// The lower or upper half of a box that has an offset and levels as PackedBox has; all else stays.
-template <class BoxInGlobal>
-BoxInGlobal halfOf(BoxInGlobal box, unsigned axis, bool upper)
-{
-  ++box.level[axis];
-  box.offset[axis] =
-    static_cast<std::uint8_t>(box.offset[axis] + (upper ? FinePerBox >> box.level[axis] : 0));
-  return box;
-}
 
 // A box with its position.
 struct Box : PackedBox
@@ -61,8 +37,6 @@ struct Box : PackedBox
   Point low;
   Point high;
 };
-
-constexpr std::uint8_t AllCorners = 0xff;
 
 using CornerRegions = std::array<std::int32_t, 8>;
 
@@ -76,8 +50,8 @@ struct GlobalBox
 {
   std::array<std::uint32_t, 3> index; // I, J, K
   std::uint32_t firstBox;             // in Boxes::packed; its boxes end where the next one's begin
-  std::uint32_t firstUnit;            // in Boxes::units, or None: undivided
-  std::uint8_t depth;                 // it has 2^depth units along each of x, y and z
+  std::uint32_t node;                 // in Boxes::tree, or None: undivided
+  std::uint8_t depth;                 // the largest level of its boxes
   std::uint8_t nearDepth; // the largest depth of it and its 26 neighbours; 0: no hanging nodes
 };
 
@@ -108,8 +82,7 @@ struct Boxes
     globals; // by rows along x (J + K * boxes along y), then by I; with a sentinel at the end
   std::vector<std::size_t> rowStart; // first global box of each row, and the end
   RawVector<PackedBox> packed;       // by global box
-  std::vector<std::uint32_t>
-    units; // the box that contains each unit of divided global boxes, or None
+  BoxTree tree;                       // of divided global boxes
   std::vector<CornerRegions> regions; // of each box; empty: one region
   EndBoundaries ends = NoEnds;        // boundaries where the grid cuts the domain
 
@@ -150,16 +123,19 @@ struct Boxes
   // The global box (i, j, k), or None if it is not kept.
   std::uint32_t globalAt(std::int64_t i, std::int64_t j, std::int64_t k) const;
 
+  // The global box around a place of the fine grid, or None. `near`: a guess.
+  std::uint32_t globalAt(const FinePoint& fine, std::uint32_t near) const;
+
   // The box that contains the fine cell with this low corner, or None. `step` receives the size of
   // the unit or global box there, within which the answer is the same. `near`: a guess of the
   // global box.
   std::uint32_t boxAt(const FinePoint& fine, std::uint32_t near, std::int64_t& step) const;
 
-  // Fills `units`, GlobalBox::firstUnit and nearDepth from the boxes and GlobalBox::depth.
-  void listUnits();
+  // Fills `tree`, GlobalBox::node, depth and nearDepth from the boxes. Returns whether no two overlap.
+  bool plantTree(Execution& execution);
 
-private:
-  void findNearDepths();
+  // Fills GlobalBox::nearDepth from the depths.
+  void findNearDepths(Execution& execution);
 };
 
 // The level of a plane of the fine grid, `part` fine steps (0 to FinePerBox) from meshline i towards
@@ -222,6 +198,10 @@ inline Point Boxes::lowOf(std::size_t b) const
   return { planeAt(planes, 0, at[0], box.offset[0]), planeAt(planes, 1, at[1], box.offset[1]),
     planeAt(planes, 2, at[2], box.offset[2]) };
 }
+
+// For each global box the largest depthOf(g) of it and its 26 neighbours.
+std::vector<std::uint8_t> largestAround(const Boxes& boxes,
+  const std::function<std::uint8_t(std::size_t)>& depthOf, Execution& execution);
 
 // The boxes across a side of `box` at its four quarters: (low, low), (high, low), (low, high),
 // (high, high) along the two other axes in cyclic order. If boxes are balanced, each quarter

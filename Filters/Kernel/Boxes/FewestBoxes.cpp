@@ -27,7 +27,7 @@ FewestBoxes::DyadicBox FewestBoxes::half(const DyadicBox& box, int axis, int whi
 
 std::size_t FewestBoxes::index(const DyadicBox& box) const
 {
-  const std::size_t along = (std::size_t(2) << depth_) - 1;
+  const std::size_t along = (std::size_t(2) << bits_) - 1;
   std::size_t result = 0;
   for (int axis = 2; axis >= 0; --axis)
   {
@@ -41,7 +41,7 @@ bool FewestBoxes::isLeaf(const DyadicBox& box) const
 {
   const auto& [x, y, z] = box.level;
   const Content& content = content_[index(box)];
-  const int least = std::min({ x, y, z });
+  const int least = cube_.level + std::min({ x, y, z });
   const bool intersected = (content.statuses & bit(BoxStatus::Intersected)) != 0;
   return least >= content.forced &&
     (intersected ? least >= allowed_ : content.statuses == bit(BoxStatus::Inside));
@@ -53,7 +53,7 @@ int FewestBoxes::cheapestSplit(const DyadicBox& box, std::uint32_t& cost) const
   cost = std::numeric_limits<std::uint32_t>::max();
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (box.level[axis] < depth_)
+    if (box.level[axis] < bits_)
     {
       const std::uint32_t sum = cost_[index(half(box, axis, 0))] + cost_[index(half(box, axis, 1))];
       if (sum < cost)
@@ -71,7 +71,7 @@ void FewestBoxes::evaluate(const DyadicBox& box)
   const std::size_t here = index(box);
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (box.level[axis] < depth_)
+    if (box.level[axis] < bits_)
     {
       const Content& lower = content_[index(half(box, axis, 0))];
       const Content& upper = content_[index(half(box, axis, 1))];
@@ -84,7 +84,7 @@ void FewestBoxes::evaluate(const DyadicBox& box)
   {
     cost_[here] = 0;
   }
-  else if (isLeaf(box))
+  else if (isLeaf(box) || isUnit(box))
   {
     cost_[here] = 1;
   }
@@ -111,26 +111,27 @@ void FewestBoxes::forEachDyadicBox(const std::array<int, 3>& level, Visitor&& vi
   }
 }
 
-std::uint32_t FewestBoxes::search(int depth, int allowed, const std::vector<BoxStatus>& units,
-  const std::vector<std::uint8_t>& forced)
+std::uint32_t FewestBoxes::search(const Cube& cube, int bits, int allowed,
+  const std::vector<BoxStatus>& units, const std::vector<std::uint8_t>& forced)
 {
-  depth_ = depth;
+  cube_ = cube;
+  bits_ = bits;
   allowed_ = allowed;
-  const std::size_t along = (std::size_t(2) << depth) - 1;
+  const std::size_t along = (std::size_t(2) << bits) - 1;
   cost_.resize(along * along * along);
   content_.resize(cost_.size());
   std::size_t unit = 0;
-  forEachDyadicBox({ depth, depth, depth }, [&](const DyadicBox& box) {
+  forEachDyadicBox({ bits, bits, bits }, [&](const DyadicBox& box) {
     content_[index(box)] = { bit(units[unit]), forced[unit] };
     ++unit;
   });
   // Halves are deeper than the whole, so from the units up.
   std::array<int, 3> level{};
-  for (level[2] = depth; level[2] >= 0; --level[2])
+  for (level[2] = bits; level[2] >= 0; --level[2])
   {
-    for (level[1] = depth; level[1] >= 0; --level[1])
+    for (level[1] = bits; level[1] >= 0; --level[1])
     {
-      for (level[0] = depth; level[0] >= 0; --level[0])
+      for (level[0] = bits; level[0] >= 0; --level[0])
       {
         forEachDyadicBox(level, [&](const DyadicBox& box) { evaluate(box); });
       }
@@ -139,12 +140,13 @@ std::uint32_t FewestBoxes::search(int depth, int allowed, const std::vector<BoxS
   return cost_[index(whole())];
 }
 
-void FewestBoxes::collect(std::vector<LocalBox>& boxes) const
+void FewestBoxes::collect(std::vector<LocalBox>& boxes, std::vector<std::uint32_t>& units) const
 {
-  collect(whole(), boxes);
+  collect(whole(), boxes, units);
 }
 
-void FewestBoxes::collect(const DyadicBox& box, std::vector<LocalBox>& boxes) const
+void FewestBoxes::collect(
+  const DyadicBox& box, std::vector<LocalBox>& boxes, std::vector<std::uint32_t>& units) const
 {
   const std::uint8_t content = content_[index(box)].statuses;
   if (content == bit(BoxStatus::Outside))
@@ -154,21 +156,28 @@ void FewestBoxes::collect(const DyadicBox& box, std::vector<LocalBox>& boxes) co
   if (isLeaf(box))
   {
     LocalBox leaf;
-    for (int axis = 0; axis < 3; ++axis)
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      leaf.level[axis] = static_cast<std::uint8_t>(box.level[axis]);
-      leaf.offset[axis] =
-        static_cast<std::uint8_t>(box.position[axis] * (FinePerBox >> box.level[axis]));
+      const int level = cube_.level + box.level[axis];
+      leaf.level[axis] = static_cast<std::uint8_t>(level);
+      leaf.offset[axis] = static_cast<std::uint16_t>(
+        cube_.offset[axis] + box.position[axis] * (FinePerBox >> level));
     }
     leaf.status = content == bit(BoxStatus::Inside) ? BoxStatus::Inside : BoxStatus::Intersected;
     leaf.corners = AllCorners;
     boxes.push_back(leaf);
     return;
   }
+  if (isUnit(box))
+  {
+    const auto& [x, y, z] = box.position;
+    units.push_back(static_cast<std::uint32_t>(x | y << bits_ | z << 2 * bits_));
+    return;
+  }
   std::uint32_t cost = 0;
   const int axis = cheapestSplit(box, cost);
-  collect(half(box, axis, 0), boxes);
-  collect(half(box, axis, 1), boxes);
+  collect(half(box, axis, 0), boxes, units);
+  collect(half(box, axis, 1), boxes, units);
 }
 
 }

@@ -1,41 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the fewest boxes that cover a global box (section 4.5), by dynamic programming over all
-// splits.
+// Finds the fewest boxes that cover a block (section 4.5), by dynamic programming over all splits.
 //
 // The search considers all dyadic boxes: each has a level and a position along each axis. Its cost
 // is 0 if all its units are outside; 1 if its levels are at least the forced depth of all its units
-// and these are all inside, or some intersected and its levels at least the allowed depth too; else
-// that of its cheapest split into two halves along x, y or z. There are (2^(depth + 1) - 1)^3 such
-// boxes, each evaluated once with three additions: 27, 343, 3375, 29,791, 250,047 and 2,048,383 for
-// depths 1 to 6. The search is exact among the covers that repeated splitting can make; it does not
+// and these are all inside, or some intersected and its levels at least the allowed depth too; 1 for
+// a unit that must be divided further, by a block of its own; else that of its cheapest split into
+// two halves along x, y or z. There are (2^(bits + 1) - 1)^3 such boxes, each evaluated once with
+// three additions: 27, 343 and 3375. The search is exact among the covers that repeated splitting can make; it does not
 // find those that no plane splits (five boxes that wind around a corner). Of equally cheap splits,
 // the one along the lowest axis is taken.
 #pragma once
 
-#include "Boxes/Boxes.h"
+#include "Boxes/LocalBox.h"
+
+#include <vector>
 
 namespace cartesian
 {
 
-// A box within its global box.
-struct LocalBox
-{
-  std::array<std::uint8_t, 3> offset; // fine
-  std::array<std::uint8_t, 3> level;
-  BoxStatus status;
-  std::uint8_t corners; // as in Box
-};
-
 class FewestBoxes
 {
 public:
-  // `units`, `forced`: status and forced depth of each unit, x fastest; `allowed`: the depth where
-  // units are intersected, if their forced depth is not larger. Returns the number of boxes.
-  std::uint32_t search(int depth, int allowed, const std::vector<BoxStatus>& units,
+  // In a cube with 2^bits units along each axis. `units`, `forced`: status and forced depth of each unit, x
+  // fastest; `allowed`: the depth where units are intersected, if their forced depth is not larger. Returns
+  // the number of boxes and of units to divide further.
+  std::uint32_t search(const Cube& cube, int bits, int allowed, const std::vector<BoxStatus>& units,
     const std::vector<std::uint8_t>& forced);
 
-  // Appends the boxes that the last search found. The caller has to set their corners.
-  void collect(std::vector<LocalBox>& boxes) const;
+  // Appends the boxes that the last search found, whose corners the caller has to set, and the units to
+  // divide further.
+  void collect(std::vector<LocalBox>& boxes, std::vector<std::uint32_t>& units) const;
 
 private:
   struct DyadicBox
@@ -58,9 +52,15 @@ private:
   void evaluate(const DyadicBox& box);
   bool isLeaf(const DyadicBox& box) const;
   int cheapestSplit(const DyadicBox& box, std::uint32_t& cost) const;
-  void collect(const DyadicBox& box, std::vector<LocalBox>& boxes) const;
+  bool isUnit(const DyadicBox& box) const
+  {
+    return box.level[0] == bits_ && box.level[1] == bits_ && box.level[2] == bits_;
+  }
+  void collect(const DyadicBox& box, std::vector<LocalBox>& boxes,
+    std::vector<std::uint32_t>& units) const;
 
-  int depth_ = 0;
+  Cube cube_;
+  int bits_ = 0;
   int allowed_ = 0;
   std::vector<std::uint32_t> cost_; // of each dyadic box
   std::vector<Content> content_;    // of each dyadic box

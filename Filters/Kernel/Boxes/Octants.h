@@ -24,8 +24,12 @@ Point highOf(const Octant& octant, const Meshlines& planes);
 class Octants
 {
 public:
-  // First the number of the global box, then level and position.
-  using Key = std::pair<std::uint64_t, std::uint32_t>;
+  // First the number of the global box, then the place in it along a Morton curve and the level: an octant comes
+  // before those in it, and these are contiguous.
+  using Key = std::pair<std::uint64_t, std::uint64_t>;
+
+  // Those in a cube.
+  using Range = std::pair<std::vector<Key>::const_iterator, std::vector<Key>::const_iterator>;
 
   explicit Octants(const Meshlines& planes)
     : across_{ planes[0].size() - 1, planes[1].size() - 1 }
@@ -40,18 +44,20 @@ public:
 
   // The largest level; 0 if there are none.
   int deepest() const;
-  int deepestIn(const std::array<std::uint32_t, 3>& global) const;
-  std::size_t countIn(const std::array<std::uint32_t, 3>& global) const;
+  static int deepestIn(const Range& range);
 
-  // Raises the forced depths of the units in octants of a global box, which has 2^unitDepth of them along each
-  // axis, x fastest, to the octants' levels.
-  void raise(const std::array<std::uint32_t, 3>& global, int unitDepth,
-    std::vector<std::uint8_t>& forced) const;
+  // Those that are smaller than a cube and in it.
+  Range in(const std::array<std::uint32_t, 3>& global) const;
+  static Range in(const Range& ofGlobal, const Cube& cube);
+
+  // Raises the forced depth of each unit of a cube, which has 2^bits of them along each axis, x fastest, to the
+  // deepest level of an octant that is in the unit or contains it. `range`: of the cube.
+  static void raise(
+    const Range& range, const Cube& cube, int bits, std::vector<std::uint8_t>& forced);
 
 private:
-  using Range = std::pair<std::vector<Key>::const_iterator, std::vector<Key>::const_iterator>;
   void leaveOutTwins();
-  Range rangeOf(const std::array<std::uint32_t, 3>& global) const;
+  std::uint64_t numberOf(const std::array<std::uint32_t, 3>& global) const;
 
   std::array<std::uint64_t, 2> across_; // global boxes along x and y
   std::vector<Key> keys_;               // ascending

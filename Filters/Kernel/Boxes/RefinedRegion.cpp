@@ -134,25 +134,34 @@ BoxStatus RefinedRegion::status(std::int64_t i, std::int64_t j, std::int64_t k) 
   return whole ? BoxStatus::Inside : BoxStatus::Intersected;
 }
 
-void RefinedRegion::raise(const std::array<std::uint32_t, 3>& index, int unitDepth,
-  UnitStatuses& scratch, std::vector<std::uint8_t>& forced) const
+RefinedRegion::Part RefinedRegion::in(const std::array<std::uint32_t, 3>& index) const
 {
-  scratch.compute(surface_, trianglesOf(index[0], index[1], index[2]), planes_, index, depth_,
-    statuses_.lowCorner(index));
+  const TriangleRange triangles = trianglesOf(index[0], index[1], index[2]);
+  return { this, { triangles.first, triangles.second }, statuses_.lowCorner(index) };
+}
+
+void RefinedRegion::raise(const Part& part, const std::array<std::uint32_t, 3>& index,
+  const Cube& cube, int bits, UnitStatuses& statuses, std::vector<std::uint8_t>& forced) const
+{
+  const int finest = std::min(depth_ - cube.level, bits);
+  statuses.compute(surface_,
+    { part.triangles.data(), part.triangles.data() + part.triangles.size() }, planes_, index, cube,
+    finest, part.low);
   // Of each level from the deepest up: whether the region touches the boxes of that level.
   std::vector<bool> touched;
-  for (const BoxStatus status : scratch.units())
+  for (const BoxStatus status : statuses.units())
   {
     touched.push_back(status != BoxStatus::Outside);
   }
-  for (int level = depth_; level > 0; --level)
+  for (int level = finest; level > 0; --level)
   {
+    const auto depth = static_cast<std::uint8_t>(level == finest ? depth_ : cube.level + level);
     std::vector<bool> coarser(std::size_t(1) << 3 * (level - 1));
-    forEachCube(unitDepth, [&](std::size_t unit, const std::array<std::size_t, 3>& at) {
-      if (touched[cubeAround(at, unitDepth, level)])
+    forEachCube(bits, [&](std::size_t unit, const std::array<std::size_t, 3>& at) {
+      if (touched[cubeAround(at, bits, level)])
       {
-        forced[unit] = std::max(forced[unit], static_cast<std::uint8_t>(level));
-        coarser[cubeAround(at, unitDepth, level - 1)] = true;
+        forced[unit] = std::max(forced[unit], depth);
+        coarser[cubeAround(at, bits, level - 1)] = true;
       }
     });
     touched.swap(coarser);

@@ -35,12 +35,21 @@ public:
   // Of a global box by the region: intersected where only some of its boxes may touch it.
   BoxStatus status(std::int64_t i, std::int64_t j, std::int64_t k) const;
 
-  // Raises the forced depths of the units that the region touches to its depth, if they are of this
-  // depth; those of the others to the deepest level whose box around them the region touches. So
-  // boxes shrink towards the region in all directions; else its neighbours would be thin slabs. The
-  // global box is intersected and has 2^unitDepth units along each axis, x fastest.
-  void raise(const std::array<std::uint32_t, 3>& index, int unitDepth, UnitStatuses& scratch,
-    std::vector<std::uint8_t>& forced) const;
+  // The region's border in a global box, or in a part of it.
+  struct Part
+  {
+    const RefinedRegion* region;
+    std::vector<std::uint32_t> triangles; // of the region's surface
+    Winding low;                          // around the cube's low corner
+  };
+  Part in(const std::array<std::uint32_t, 3>& index) const;
+
+  // Raises the forced depths of the units that the region touches to its depth; those of the others to the deepest
+  // level whose box around them the region touches. So boxes shrink towards the region in all directions; else its
+  // neighbours would be thin slabs. `part`: in a cube with 2^bits units along each axis, x fastest; the region is
+  // deeper than the cube. `statuses` receives those of the units by the region, or of its boxes if they are larger.
+  void raise(const Part& part, const std::array<std::uint32_t, 3>& index, const Cube& cube, int bits,
+    UnitStatuses& statuses, std::vector<std::uint8_t>& forced) const;
 
 private:
   RefinedRegion(const RefinementRegion& region, const Lattice& ofGrid, const Lattice& own,

@@ -253,30 +253,72 @@ Depths Refinement::at(std::int64_t i, std::int64_t j, std::int64_t k) const
   }
   const std::array<std::uint32_t, 3> global = { static_cast<std::uint32_t>(i),
     static_cast<std::uint32_t>(j), static_cast<std::uint32_t>(k) };
-  depths.sized = octants_.deepestIn(global);
-  depths.octants = octants_.countIn(global);
+  const Octants::Range octants = octants_.in(global);
+  depths.sized = Octants::deepestIn(octants);
+  depths.octants = static_cast<std::size_t>(octants.second - octants.first);
   depths.touched = depths.touched > depths.forced ? depths.touched : 0;
   depths.sized = depths.sized > depths.forced ? depths.sized : 0;
   depths.allowed = std::max(depths.allowed, depths.forced);
   return depths;
 }
 
-void Refinement::forcedOfUnits(const std::array<std::uint32_t, 3>& index, const Depths& depths,
-  UnitStatuses& scratch, std::vector<std::uint8_t>& forced) const
+Forcing Refinement::forcingOf(
+  const std::array<std::uint32_t, 3>& index, const Depths& depths) const
 {
-  forced.assign(std::size_t(1) << 3 * depths.deepest(), static_cast<std::uint8_t>(depths.forced));
+  Forcing forcing{ depths.forced, {}, {} };
   for (const auto& region : regions_)
   {
     if (depths.touched > 0 && region->depth() > depths.forced &&
       region->status(index[0], index[1], index[2]) == BoxStatus::Intersected)
     {
-      region->raise(index, depths.deepest(), scratch, forced);
+      forcing.regions.push_back(region->in(index));
     }
   }
   if (depths.sized > 0)
   {
-    octants_.raise(index, depths.deepest(), forced);
+    forcing.octants = octants_.in(index);
   }
+  return forcing;
+}
+
+void Refinement::forcedOfUnits(const Forcing& forcing, const std::array<std::uint32_t, 3>& index,
+  const Cube& cube, int bits, ForcingScratch& scratch, std::vector<std::uint8_t>& forced)
+{
+  forced.assign(std::size_t(1) << 3 * bits, static_cast<std::uint8_t>(forcing.least));
+  scratch.ofRegions.resize(std::max(scratch.ofRegions.size(), forcing.regions.size()));
+  for (std::size_t i = 0; i < forcing.regions.size(); ++i)
+  {
+    const RefinedRegion::Part& part = forcing.regions[i];
+    part.region->raise(part, index, cube, bits, scratch.ofRegions[i], forced);
+    scratch.ofRegions[i].sortPassing();
+  }
+  Octants::raise(forcing.octants, cube, bits, forced);
+}
+
+Forcing Refinement::forcingOfUnit(
+  const Forcing& forcing, const Cube& cube, int bits, std::size_t unit, ForcingScratch& scratch)
+{
+  const Cube part = cube.part(bits, unit);
+  Forcing result{ forcing.least, {}, Octants::in(forcing.octants, part) };
+  for (std::size_t i = 0; i < forcing.regions.size(); ++i)
+  {
+    const RefinedRegion& region = *forcing.regions[i].region;
+    if (region.depth() <= part.level)
+    {
+      continue; // its boxes are no smaller
+    }
+    const BoxStatus status = scratch.ofRegions[i].units()[unit];
+    if (status == BoxStatus::Inside)
+    {
+      result.least = std::max(result.least, region.depth());
+    }
+    else if (status == BoxStatus::Intersected)
+    {
+      result.regions.push_back({ &region, scratch.ofRegions[i].trianglesIn(unit),
+        scratch.ofRegions[i].lowOf(unit) });
+    }
+  }
+  return result;
 }
 
 }

@@ -72,6 +72,20 @@ struct Depths
   bool inPart() const { return touched > 0 || sized > 0; }
 };
 
+// What requires depths in a global box, or a part of it, apart from the surface that passes there.
+struct Forcing
+{
+  int least = 0; // everywhere
+  std::vector<RefinedRegion::Part> regions;
+  Octants::Range octants;
+};
+
+// What is found with the forced depths of units.
+struct ForcingScratch
+{
+  std::vector<UnitStatuses> ofRegions;
+};
+
 // Evaluates a specification in the paper's order: default, blocks, boundaries; then regions and sizes.
 class Refinement
 {
@@ -87,10 +101,16 @@ public:
 
   Depths at(std::int64_t i, std::int64_t j, std::int64_t k) const;
 
-  // The forced depth of each unit of a global box, x fastest. `depths`: of this global box, which
-  // has 2^depths.deepest() units along each axis. `scratch` keeps its storage.
-  void forcedOfUnits(const std::array<std::uint32_t, 3>& index, const Depths& depths,
-    UnitStatuses& scratch, std::vector<std::uint8_t>& forced) const;
+  // `depths`: of this global box.
+  Forcing forcingOf(const std::array<std::uint32_t, 3>& index, const Depths& depths) const;
+
+  // The largest forced depth in each unit of a cube in a global box: 2^bits along each axis, x fastest.
+  static void forcedOfUnits(const Forcing& forcing, const std::array<std::uint32_t, 3>& index,
+    const Cube& cube, int bits, ForcingScratch& scratch, std::vector<std::uint8_t>& forced);
+
+  // Of one of these units.
+  static Forcing forcingOfUnit(
+    const Forcing& forcing, const Cube& cube, int bits, std::size_t unit, ForcingScratch& scratch);
 
   // Whether any box is divided.
   bool any() const { return any_; }

@@ -123,7 +123,7 @@ BoxKind kindOf(const Boxes& boxes, const PackedBox& box, std::vector<std::int64_
   {
     return BoxKind::Intersected;
   }
-  if (boxes.units.empty()) // no box is divided
+  if (boxes.tree.empty()) // no box is divided
   {
     return BoxKind::Hexahedron;
   }

@@ -22,24 +22,17 @@ void forEachTriangle(const TriangleRange& triangles, Visitor&& visit)
 
 std::size_t UnitStatuses::vertex(std::size_t x, std::size_t y, std::size_t z) const
 {
-  const std::size_t n = (std::size_t(1) << depth_) + 1;
+  const std::size_t n = (std::size_t(1) << bits_) + 1;
   return x + n * (y + n * z);
 }
 
 void UnitStatuses::compute(const Surface& surface, const TriangleRange& triangles,
-  const Meshlines& planes, const std::array<std::uint32_t, 3>& index, int depth, const Winding& low)
+  const Meshlines& planes, const std::array<std::uint32_t, 3>& index, const Cube& cube, int bits,
+  const Winding& low)
 {
-  depth_ = depth;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    planes_[axis].clear();
-    for (std::int64_t part = 0; part <= 1 << depth; ++part)
-    {
-      planes_[axis].push_back(
-        planeAt(planes, axis, index[axis] * FinePerBox + part * (FinePerBox >> depth)));
-    }
-    inner_[axis].assign(planes_[axis].begin() + 1, planes_[axis].end() - 1);
-  }
+  cube_ = cube;
+  bits_ = bits;
+  planes_.set(planes, index, cube, bits);
   findVertices(surface, triangles, low);
   findUnits(surface, triangles);
 }
@@ -96,41 +89,51 @@ void UnitStatuses::findVertices(
 
 void UnitStatuses::findUnits(const Surface& surface, const TriangleRange& triangles)
 {
-  const std::size_t n = planes_[0].size() - 1;
-  units_.assign(n * n * n, BoxStatus::Outside);
-  for (std::size_t z = 0; z < n; ++z)
+  units_.resize(std::size_t(1) << 3 * bits_);
+  for (std::size_t unit = 0; unit < units_.size(); ++unit)
   {
-    for (std::size_t y = 0; y < n; ++y)
-    {
-      for (std::size_t x = 0; x < n; ++x)
-      {
-        units_[x + n * (y + n * z)] =
-          vertices_[vertex(x, y, z)].inside() ? BoxStatus::Inside : BoxStatus::Outside;
-      }
-    }
+    units_[unit] = lowOf(unit).inside() ? BoxStatus::Inside : BoxStatus::Outside;
   }
-  const Point low = { planes_[0].front(), planes_[1].front(), planes_[2].front() };
-  const Point high = { planes_[0].back(), planes_[1].back(), planes_[2].back() };
+  passing_.clear();
   forEachTriangle(triangles, [&](std::uint32_t t) {
-    const Corners corners = surface.corners(t);
-    forEachSlice(corners, clip(corners, low, high), 2, inner_[2],
-      [&](std::int64_t below, const Fragment& slice) {
-        const auto z = static_cast<std::size_t>(below + 1);
-        forEachSlice(corners, slice, 1, inner_[1], [&](std::int64_t under, const Fragment& piece) {
-          const auto y = static_cast<std::size_t>(under + 1);
-          const auto [least, most] = rangeOf(piece, 0);
-          const auto last = static_cast<std::size_t>(intervalOf(inner_[0], most) + 1);
-          for (auto x = static_cast<std::size_t>(intervalOf(inner_[0], least) + 1); x <= last; ++x)
-          {
-            units_[x + n * (y + n * z)] = BoxStatus::Intersected;
-          }
-        });
-      });
+    planes_.forEachUnit(surface.corners(t), [&](std::size_t unit) {
+      units_[unit] = BoxStatus::Intersected;
+      passing_.emplace_back(static_cast<std::uint32_t>(unit), t);
+    });
   });
 }
 
-std::uint8_t UnitStatuses::corners(
-  const std::array<std::uint8_t, 3>& fineOffset, const std::array<std::uint8_t, 3>& level) const
+const Winding& UnitStatuses::lowOf(std::size_t unit) const
+{
+  const std::size_t mask = (std::size_t(1) << bits_) - 1;
+  return vertices_[vertex(unit & mask, unit >> bits_ & mask, unit >> 2 * bits_)];
+}
+
+void UnitStatuses::sortPassing()
+{
+  // Ascending by triangle already, as one of them may be met twice in a unit.
+  std::stable_sort(passing_.begin(), passing_.end(),
+    [](const auto& a, const auto& b) { return a.first < b.first; });
+}
+
+std::vector<std::uint32_t> UnitStatuses::trianglesIn(std::size_t unit) const
+{
+  const auto less = [](const auto& a, const auto& b) { return a.first < b.first; };
+  const auto [begin, end] = std::equal_range(passing_.begin(), passing_.end(),
+    std::pair<std::uint32_t, std::uint32_t>(static_cast<std::uint32_t>(unit), 0), less);
+  std::vector<std::uint32_t> triangles;
+  triangles.reserve(static_cast<std::size_t>(end - begin));
+  for (auto passing = begin; passing != end; ++passing)
+  {
+    if (triangles.empty() || triangles.back() != passing->second)
+    {
+      triangles.push_back(passing->second);
+    }
+  }
+  return triangles;
+}
+
+std::uint8_t UnitStatuses::corners(const LocalBox& box) const
 {
   unsigned bits = 0;
   for (unsigned corner = 0; corner < 8; ++corner)
@@ -138,9 +141,10 @@ std::uint8_t UnitStatuses::corners(
     std::array<std::size_t, 3> at;
     for (unsigned axis = 0; axis < 3; ++axis)
     {
-      const std::int64_t size = FinePerBox >> level[axis];
-      const std::int64_t fine = fineOffset[axis] + (corner >> axis & 1) * size;
-      at[axis] = static_cast<std::size_t>(fine >> (DeepestLevel - depth_));
+      const std::int64_t size = FinePerBox >> box.level[axis];
+      const std::int64_t fine =
+        box.offset[axis] - cube_.offset[axis] + (corner >> axis & 1) * size;
+      at[axis] = static_cast<std::size_t>(fine >> (DeepestLevel - cube_.level - bits_));
     }
     bits |= static_cast<unsigned>(vertices_[vertex(at[0], at[1], at[2])].inside()) << corner;
   }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In/out statuses within one global box (section 4.5): of its units and of their vertices.
+// In/out statuses within a global box or a part of it (section 4.5): of its units and of their vertices.
 #pragma once
 
 #include "Boxes/Boxes.h"
 #include "Boxes/Shoeboxes.h"
+#include "Boxes/UnitPlanes.h"
 
 namespace cartesian
 {
@@ -11,27 +12,35 @@ namespace cartesian
 class UnitStatuses
 {
 public:
-  // `index`: of the global box; `low`: the winding around its low corner. Keeps its storage.
+  // Of a cube in the global box `index`, with 2^bits units along each axis. `triangles`: those that pass through the
+  // cube; `low`: the winding around its low corner. Keeps its storage.
   void compute(const Surface& surface, const TriangleRange& triangles, const Meshlines& planes,
-    const std::array<std::uint32_t, 3>& index, int depth, const Winding& low);
+    const std::array<std::uint32_t, 3>& index, const Cube& cube, int bits, const Winding& low);
 
   // Statuses of the units, x fastest.
   const std::vector<BoxStatus>& units() const { return units_; }
 
+  // The triangles that pass through a unit, ascending, once they are sorted.
+  void sortPassing();
+  std::vector<std::uint32_t> trianglesIn(std::size_t unit) const;
+
+  // The winding around the low corner of a unit.
+  const Winding& lowOf(std::size_t unit) const;
+
   // The bits of the corners of a box that consists of units, as in Box::corners.
-  std::uint8_t corners(
-    const std::array<std::uint8_t, 3>& fineOffset, const std::array<std::uint8_t, 3>& level) const;
+  std::uint8_t corners(const LocalBox& box) const;
 
 private:
   std::size_t vertex(std::size_t x, std::size_t y, std::size_t z) const;
   void findVertices(const Surface& surface, const TriangleRange& triangles, const Winding& low);
   void findUnits(const Surface& surface, const TriangleRange& triangles);
 
-  int depth_ = 0;
-  Meshlines planes_; // of the units, both ends included
-  Meshlines inner_;  // without the ends
+  Cube cube_;
+  int bits_ = 0;
+  UnitPlanes planes_;
   std::vector<Winding> vertices_;
   std::vector<BoxStatus> units_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> passing_; // unit, triangle
 };
 
 // The winding around one point `at` of a global box, given the winding `low` around its low corner.

@@ -289,7 +289,7 @@ private:
   std::vector<std::uint8_t> isKept_; // of the elements that stand for parts
 };
 
-void keepBoxes(const KeptParts& kept, Boxes& boxes)
+void keepBoxes(const KeptParts& kept, Boxes& boxes, Execution& execution)
 {
   RawVector<PackedBox> packed;
   RawVector<GlobalBox> globals;
@@ -323,7 +323,7 @@ void keepBoxes(const KeptParts& kept, Boxes& boxes)
   boxes.packed = std::move(packed);
   boxes.globals = std::move(globals);
   boxes.rowStart = std::move(rowStart);
-  boxes.listUnits();
+  boxes.plantTree(execution);
 }
 
 // `intersected`: the boxes that patches.boxStart is about, by their old numbers.
@@ -396,7 +396,7 @@ KeptParts findKeptParts(const PartsToKeep& which, const Boxes& boxes, const Patc
 void keepOnly(const KeptParts& parts, Boxes& boxes, Patches& patches, Execution& execution)
 {
   keepPatches(parts, intersectedBoxes(boxes, execution), patches);
-  keepBoxes(parts, boxes);
+  keepBoxes(parts, boxes, execution);
 }
 
 }

@@ -24,7 +24,7 @@ private:
   struct List
   {
     std::uint32_t global = None;
-    std::array<std::uint8_t, 3> offset{};
+    Offset offset{};
     std::vector<std::uint32_t> triangles;
 
     TriangleRange range() const

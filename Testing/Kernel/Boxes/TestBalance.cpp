@@ -68,17 +68,49 @@ int largestDifference(const Boxes& boxes)
   return result;
 }
 
+class FinalLevels : public LevelsAround
+{
+public:
+  explicit FinalLevels(const Boxes& boxes)
+    : boxes_(boxes)
+  {
+  }
+
+  const std::array<std::uint8_t, 3>* at(const FinePoint& fine, std::int64_t& size) const override
+  {
+    const std::uint32_t box = boxes_.boxAt(fine, 0, size);
+    return box == None ? nullptr : &boxes_.packed[box].level;
+  }
+
+private:
+  const Boxes& boxes_;
+};
+
 // Whether no pass would halve a box any further.
 bool isFinished(const Boxes& boxes)
 {
+  const FinalLevels levels(boxes);
   return std::all_of(boxes.packed.begin(), boxes.packed.end(), [&](const PackedBox& box) {
     bool finished = true;
     for (int level = 0; level <= DeepestLevel; ++level)
     {
-      finished = finished && axesToHalve(boxes, box, balanceOf(level)) == 0;
+      finished =
+        finished && axesToHalve(levels, { boxes.fineLow(box), box.level }, balanceOf(level)) == 0;
     }
     return finished;
   });
+}
+
+// Of the levels of a box.
+int mostLevelsApart(const Boxes& boxes)
+{
+  int result = 0;
+  for (const PackedBox& box : boxes.packed)
+  {
+    const auto [least, most] = std::minmax({ box.level[0], box.level[1], box.level[2] });
+    result = std::max(result, most - least);
+  }
+  return result;
 }
 
 int deepestOf(const Boxes& boxes)
@@ -177,6 +209,7 @@ TEST(Balance, HoldsInEachDirectionForAnyRefinement)
     const RandomSpec refinement = randomSpec(random);
     const Boxes boxes = Boxing(soup, unevenGrid(), refinement.spec).boxes();
     EXPECT_LE(largestDifference(boxes), 1);
+    EXPECT_LE(mostLevelsApart(boxes), MostLevelsApart);
     EXPECT_TRUE(isFinished(boxes));
     deepest = std::max(deepest, deepestOf(boxes));
   }
@@ -232,8 +265,7 @@ void expectPartsAgree(const RefinementSpec& refinement, const Boxes& whole)
   }
 }
 
-// Around this tiny region at the wall, boxes are short across one axis and long along another, so
-// that each pass reaches another global box: as many as balanceReach() says.
+// Around this tiny region at the wall, boxes are short across one axis and long along another.
 TEST(Balance, ReachesAsFarAsPartsExpectIt)
 {
   for (const bool upward : { false, true })
@@ -245,8 +277,8 @@ TEST(Balance, ReachesAsFarAsPartsExpectIt)
     const Boxes whole = towerOf(spec).boxes();
     EXPECT_LE(largestDifference(whole), 1);
     EXPECT_EQ(depthOfLayer(whole, layer), DeepestLevel);
-    const std::uint32_t reach = balanceReach(DeepestLevel, 1);
-    EXPECT_EQ(depthOfLayer(whole, upward ? layer + reach : layer - reach), 1);
+    const std::uint32_t beyond = balanceReach(DeepestLevel, 1) + 1;
+    EXPECT_EQ(depthOfLayer(whole, upward ? layer + beyond : layer - beyond), 0);
     expectPartsAgree(spec, whole);
   }
 }

@@ -202,11 +202,13 @@ TEST(FewestBoxes, AreAsFewAsBruteForceFinds)
   {
     const Case asked = randomCase(1 + n % 2, random);
     const std::uint32_t found =
-      search.search(asked.depth, asked.allowed, asked.units, asked.forced);
+      search.search(Cube{}, asked.depth, asked.allowed, asked.units, asked.forced);
     ASSERT_EQ(found, BruteForce(asked).fewest()) << "case " << n;
     std::vector<LocalBox> boxes;
-    search.collect(boxes);
+    std::vector<std::uint32_t> toDivide;
+    search.collect(boxes, toDivide);
     ASSERT_EQ(boxes.size(), found);
+    ASSERT_TRUE(toDivide.empty());
     expectCover(boxes, asked);
   }
 }
@@ -219,9 +221,65 @@ TEST(FewestBoxes, CoverDeepBoxesExactly)
   {
     const Case asked = randomCase(depth, random);
     std::vector<LocalBox> boxes;
-    ASSERT_GT(search.search(depth, asked.allowed, asked.units, asked.forced), 0u);
-    search.collect(boxes);
+    std::vector<std::uint32_t> toDivide;
+    ASSERT_GT(search.search(Cube{}, depth, asked.allowed, asked.units, asked.forced), 0u);
+    search.collect(boxes, toDivide);
+    ASSERT_TRUE(toDivide.empty());
     expectCover(boxes, asked);
+  }
+}
+
+// Of a block in a global box, units that must be deeper than they are become blocks, each of its own.
+TEST(FewestBoxes, LeaveDeeperUnitsToOtherBlocks)
+{
+  std::mt19937 random(3);
+  FewestBoxes search;
+  for (int n = 0; n < 100; ++n)
+  {
+    const Cube cube{ { FinePerBox / 2, 0, FinePerBox / 4 }, 2 };
+    Case asked = randomCase(2, random);
+    for (std::uint8_t& forced : asked.forced)
+    {
+      forced = static_cast<std::uint8_t>(forced + random() % 4);
+    }
+    const int allowed = static_cast<int>(2 + random() % 4);
+    const std::uint32_t found = search.search(cube, 2, allowed, asked.units, asked.forced);
+    std::vector<LocalBox> boxes;
+    std::vector<std::uint32_t> toDivide;
+    search.collect(boxes, toDivide);
+    ASSERT_EQ(boxes.size() + toDivide.size(), found);
+    std::vector<int> covered(asked.units.size());
+    for (const std::uint32_t unit : toDivide)
+    {
+      ++covered[unit];
+      ASSERT_NE(asked.units[unit], BoxStatus::Outside);
+      ASSERT_TRUE(asked.forced[unit] > 4 ||
+        (allowed > 4 && asked.units[unit] == BoxStatus::Intersected));
+    }
+    for (const LocalBox& box : boxes)
+    {
+      const int least = std::min({ box.level[0], box.level[1], box.level[2] });
+      const int most = std::max({ box.level[0], box.level[1], box.level[2] });
+      ASSERT_TRUE(least >= 2 && most <= 4);
+      for (std::size_t unit = 0; unit < covered.size(); ++unit)
+      {
+        const Offset at = cube.part(2, unit).offset;
+        bool in = true;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          in = in && at[axis] >= box.offset[axis] &&
+            at[axis] < box.offset[axis] + (FinePerBox >> box.level[axis]);
+        }
+        covered[unit] += in ? 1 : 0;
+        ASSERT_TRUE(!in || least >= asked.forced[unit]);
+        ASSERT_TRUE(!in || asked.units[unit] != BoxStatus::Intersected || least >= allowed);
+      }
+    }
+    for (std::size_t unit = 0; unit < covered.size(); ++unit)
+    {
+      ASSERT_LE(covered[unit], 1);
+      ASSERT_TRUE(covered[unit] == 1 || asked.units[unit] == BoxStatus::Outside);
+    }
   }
 }
 
@@ -234,9 +292,10 @@ TEST(FewestBoxes, SplitInOneDirectionOnly)
     units[u] = u % 2 == 0 ? BoxStatus::Inside : BoxStatus::Outside;
   }
   FewestBoxes search;
-  ASSERT_EQ(search.search(1, 1, units, std::vector<std::uint8_t>(8, 0)), 1u);
+  ASSERT_EQ(search.search(Cube{}, 1, 1, units, std::vector<std::uint8_t>(8, 0)), 1u);
   std::vector<LocalBox> boxes;
-  search.collect(boxes);
+  std::vector<std::uint32_t> toDivide;
+  search.collect(boxes, toDivide);
   EXPECT_EQ(boxes[0].level, (std::array<std::uint8_t, 3>{ 1, 0, 0 }));
 }
 
