@@ -141,7 +141,7 @@ private:
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         const Level size = planes_[axis][at[axis] + 1] - planes_[axis][at[axis]];
-        if (depths_[g].deepest() > 0 && size < 2 * FinePerBox)
+        if (depths_[g].deepest() > 0 && size < Level(2) << refinement_.deepest())
         {
           throw Error(Fault::BadParameter,
             "Global box " + std::to_string(at[0]) + ", " + std::to_string(at[1]) + ", " +
@@ -216,8 +216,8 @@ private:
       {
         for (std::int64_t x = 0; x < FinePerBox; x += step)
         {
-          parts.push_back({ { static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y),
-                              static_cast<std::uint8_t>(z) },
+          parts.push_back({ { static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
+                              static_cast<std::uint16_t>(z) },
             { level, level, level }, BoxStatus::Inside, AllCorners });
         }
       }

@@ -31,17 +31,20 @@ enum class BoxStatus : std::uint8_t
 
 // The most halvings in one direction. They define the fine grid: positions count the smallest
 // possible parts of global boxes, from the first meshline on.
-constexpr int DeepestLevel = 6;
+constexpr int DeepestLevel = 12;
 constexpr std::int64_t FinePerBox = 1 << DeepestLevel;
+
+// The most that users can ask for: deeper boxes are not searched for yet.
+constexpr int DeepestSearched = 6;
 using FinePoint = std::array<std::int64_t, 3>;
 
 // A box in compact form, as there are about as many as the mesh has cells.
 struct PackedBox
 {
-  std::uint32_t global;               // index in Boxes::globals
-  std::array<std::uint8_t, 3> offset; // of the low corner in its global box, fine
-  std::array<std::uint8_t, 3> level;  // halvings along x, y, z; its size is FinePerBox >> level
-  std::uint8_t corners;               // bit x + 2 y + 4 z: that corner is inside
+  std::uint32_t global;                // index in Boxes::globals
+  std::array<std::uint16_t, 3> offset; // of the low corner in its global box, fine
+  std::array<std::uint8_t, 3> level;   // halvings along x, y, z; its size is FinePerBox >> level
+  std::uint8_t corners;                // bit x + 2 y + 4 z: that corner is inside
   BoxStatus status;
 };
 
@@ -51,7 +54,7 @@ BoxInGlobal halfOf(BoxInGlobal box, unsigned axis, bool upper)
 {
   ++box.level[axis];
   box.offset[axis] =
-    static_cast<std::uint8_t>(box.offset[axis] + (upper ? FinePerBox >> box.level[axis] : 0));
+    static_cast<std::uint16_t>(box.offset[axis] + (upper ? FinePerBox >> box.level[axis] : 0));
   return box;
 }
 

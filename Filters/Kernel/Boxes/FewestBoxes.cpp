@@ -158,7 +158,7 @@ void FewestBoxes::collect(const DyadicBox& box, std::vector<LocalBox>& boxes) co
     {
       leaf.level[axis] = static_cast<std::uint8_t>(box.level[axis]);
       leaf.offset[axis] =
-        static_cast<std::uint8_t>(box.position[axis] * (FinePerBox >> box.level[axis]));
+        static_cast<std::uint16_t>(box.position[axis] * (FinePerBox >> box.level[axis]));
     }
     leaf.status = content == bit(BoxStatus::Inside) ? BoxStatus::Inside : BoxStatus::Intersected;
     leaf.corners = AllCorners;

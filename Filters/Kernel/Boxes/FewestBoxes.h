@@ -20,7 +20,7 @@ namespace cartesian
 // A box within its global box.
 struct LocalBox
 {
-  std::array<std::uint8_t, 3> offset; // fine
+  std::array<std::uint16_t, 3> offset; // fine
   std::array<std::uint8_t, 3> level;
   BoxStatus status;
   std::uint8_t corners; // as in Box

@@ -65,7 +65,7 @@ FlowRefinement flowRefinement(const DomainSpec& domain, const GridSpec& grid, co
   FlowRefinement result;
   result.length = length;
   result.size = largestBox(fittedTo(box, grid), body);
-  while (!result.hasAlong(domain.boxesAlong) && result.depth < DeepestLevel)
+  while (!result.hasAlong(domain.boxesAlong) && result.depth < DeepestSearched)
   {
     result.size /= 2;
     ++result.depth;

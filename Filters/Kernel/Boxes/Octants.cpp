@@ -8,7 +8,7 @@ namespace
 {
 
 // Of one coordinate of a position; the level is above the three.
-constexpr unsigned Bits = DeepestLevel;
+constexpr unsigned Bits = DeepestSearched;
 constexpr std::uint32_t Mask = (1U << Bits) - 1;
 
 int levelOf(const Octants::Key& key)

@@ -42,7 +42,7 @@ struct BoundaryRefinement
 
 struct RefinementSpec
 {
-  static constexpr Range AllDepths{ 0, DeepestLevel };
+  static constexpr Range AllDepths{ 0, DeepestSearched };
   static constexpr Range AllTransitionLayers{ 0, 10 };
 
   void addUnlessThere(const BoundaryRefinement& row); // of that boundary

@@ -130,7 +130,7 @@ void UnitStatuses::findUnits(const Surface& surface, const TriangleRange& triang
 }
 
 std::uint8_t UnitStatuses::corners(
-  const std::array<std::uint8_t, 3>& fineOffset, const std::array<std::uint8_t, 3>& level) const
+  const std::array<std::uint16_t, 3>& fineOffset, const std::array<std::uint8_t, 3>& level) const
 {
   unsigned bits = 0;
   for (unsigned corner = 0; corner < 8; ++corner)

@@ -20,7 +20,7 @@ public:
 
   // The bits of the corners of a box that consists of units, as in Box::corners.
   std::uint8_t corners(
-    const std::array<std::uint8_t, 3>& fineOffset, const std::array<std::uint8_t, 3>& level) const;
+    const std::array<std::uint16_t, 3>& fineOffset, const std::array<std::uint8_t, 3>& level) const;
 
 private:
   std::size_t vertex(std::size_t x, std::size_t y, std::size_t z) const;

@@ -346,8 +346,8 @@ std::string describeShortfall(const DomainSpec& domain, const FlowRefinement& fl
   const double least = flow.length / domain.boxesAlong; // the requested size
   return "Boxes Along Body is " + std::to_string(domain.boxesAlong) + ", but only " +
     number(std::floor(flow.length / flow.size)) +
-    " fit along the surface: boxes can be halved at most " + std::to_string(DeepestLevel) +
-    " times. Choose a Cell Size of " + number(least * (1 << DeepestLevel)) +
+    " fit along the surface: boxes can be halved at most " + std::to_string(DeepestSearched) +
+    " times. Choose a Cell Size of " + number(least * (1 << DeepestSearched)) +
     " or less, or closer Meshlines.";
 }
 

@@ -24,7 +24,7 @@ private:
   struct List
   {
     std::uint32_t global = None;
-    std::array<std::uint8_t, 3> offset{};
+    std::array<std::uint16_t, 3> offset{};
     std::vector<std::uint32_t> triangles;
 
     TriangleRange range() const

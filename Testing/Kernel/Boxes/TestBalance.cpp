@@ -73,7 +73,7 @@ bool isFinished(const Boxes& boxes)
 {
   return std::all_of(boxes.packed.begin(), boxes.packed.end(), [&](const PackedBox& box) {
     bool finished = true;
-    for (int level = 0; level <= DeepestLevel; ++level)
+    for (int level = 0; level <= DeepestSearched; ++level)
     {
       finished = finished && axesToHalve(boxes, box, balanceOf(level)) == 0;
     }
@@ -241,11 +241,11 @@ TEST(Balance, ReachesAsFarAsPartsExpectIt)
     const std::uint32_t layer = upward ? 3 : 16;
     const Soup ball = sphere(1, 0.002).moved({ 0.46, 0, layer + (upward ? 0.964 : 0.036) });
     RefinementSpec spec;
-    spec.regions.push_back({ ball.view(), DeepestLevel });
+    spec.regions.push_back({ ball.view(), DeepestSearched });
     const Boxes whole = towerOf(spec).boxes();
     EXPECT_LE(largestDifference(whole), 1);
-    EXPECT_EQ(depthOfLayer(whole, layer), DeepestLevel);
-    const std::uint32_t reach = balanceReach(DeepestLevel, 1);
+    EXPECT_EQ(depthOfLayer(whole, layer), DeepestSearched);
+    const std::uint32_t reach = balanceReach(DeepestSearched, 1);
     EXPECT_EQ(depthOfLayer(whole, upward ? layer + reach : layer - reach), 1);
     expectPartsAgree(spec, whole);
   }
@@ -388,10 +388,11 @@ TEST(Balance, HalvesTowardsAWallFirst)
     block.last[axis] = 0;
     spec.blocks.push_back(block);
     const Boxes boxes = Boxing(cube(), cellsOf(1. / 3), spec).boxes();
-    std::map<std::array<std::int64_t, 2>, int> count; // by the position and level along the axis
+    std::map<std::array<std::int64_t, 2>, int>
+      count; // by the position, in 1/64, and level along the axis
     for (const PackedBox& box : boxes.packed)
     {
-      ++count[{ boxes.fineLow(box)[axis], box.level[axis] }];
+      ++count[{ boxes.fineLow(box)[axis] / (FinePerBox / 64), box.level[axis] }];
     }
     const std::map<std::array<std::int64_t, 2>, int> expected = { { { 0, 3 }, 576 },
       { { 8, 3 }, 576 }, { { 16, 3 }, 576 }, { { 24, 3 }, 576 }, { { 32, 3 }, 576 },

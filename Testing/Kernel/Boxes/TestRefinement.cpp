@@ -418,7 +418,7 @@ void expectFault(const RefinementSpec& spec, Fault fault, const std::string& wor
 TEST(Refinement, ErrorsNameWhatIsWrong)
 {
   RefinementSpec spec;
-  spec.depth = DeepestLevel + 1;
+  spec.depth = DeepestSearched + 1;
   expectFault(spec, Fault::BadParameter, "Refinement Depth is 7");
   spec = {};
   spec.blocks.push_back({ { 0, 3, 0 }, { 1, 2, 1 }, 1, 0 });

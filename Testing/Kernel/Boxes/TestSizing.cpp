@@ -71,7 +71,7 @@ TEST(Sizing, NoBoxSeesTheSurfaceTurnFurther)
   {
     const Meshed meshed = boxed(soup, 0.5, sizing);
     const Boxes& boxes = meshed.boxed.boxes;
-    std::array<int, DeepestLevel + 1> count{};
+    std::array<int, DeepestSearched + 1> count{};
     for (std::size_t b = 0; b < boxes.packed.size(); ++b)
     {
       const Box box = boxes.box(b);
@@ -314,7 +314,7 @@ TEST(Sizing, BoxesAreAsSmallAsAFieldAsks)
   const Soup soup = cube();
   const Meshed meshed = boxed(soup, CellSize, sizing);
   const Boxes& boxes = meshed.boxed.boxes;
-  std::array<int, DeepestLevel + 1> count{};
+  std::array<int, DeepestSearched + 1> count{};
   for (std::size_t b = 0; b < boxes.packed.size(); ++b)
   {
     const Box box = boxes.box(b);

@@ -166,12 +166,12 @@ TEST(Errors, MemoryLimitOfRefinement)
   const PreparedSurface prepared = prepare(cube(), cellsOf(0.1), 0.1);
   EXPECT_NO_THROW(boxSurface(prepared, depth(1), execution));
   expectError(Fault::TooManyBoxes, { "Memory Limit" },
-    [&] { boxSurface(prepared, depth(DeepestLevel), execution); });
+    [&] { boxSurface(prepared, depth(DeepestSearched), execution); });
 }
 
 TEST(Errors, BadDepth)
 {
-  for (const int bad : { -1, DeepestLevel + 1 })
+  for (const int bad : { -1, DeepestSearched + 1 })
   {
     expectError(Fault::BadParameter, { "Depth", std::to_string(bad) },
       [&] { meshOf(cube(), cellsOf(0.3), asTheyAre(0, depth(bad))); });

@@ -314,7 +314,7 @@ TEST(Parts, AreTheWholeMeshFarFromADeepPlace)
   grid.meshlines[0] = grid.meshlines[1] = { -0.9, 0.1, 1.1 };
   TestOptions options = asTheyAre();
   const Soup ball = sphere(1, 0.002).moved({ 0.46, 0, 2.964 });
-  options.refinement.regions.push_back({ ball.view(), DeepestLevel });
+  options.refinement.regions.push_back({ ball.view(), DeepestSearched });
   const MeshArrays mesh = meshOf(soup, grid, options).mesh;
   int farthest = 0;
   for (std::size_t c = 0; c < mesh.cells(); ++c)
@@ -323,7 +323,7 @@ TEST(Parts, AreTheWholeMeshFarFromADeepPlace)
       &mesh.level[3 * c], &mesh.level[3 * c] + 3, [](unsigned char level) { return level > 0; });
     farthest = std::max(farthest, divided ? mesh.globalBox[3 * c + 2] : 0);
   }
-  ASSERT_EQ(farthest, 2 + int(balanceReach(DeepestLevel, 1)));
+  ASSERT_EQ(farthest, 2 + int(balanceReach(DeepestSearched, 1)));
   expectUnion(soup, grid, options);
 }
 
