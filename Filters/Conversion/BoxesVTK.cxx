@@ -23,6 +23,7 @@ namespace
 
 constexpr const char* LatticeOrigin = "LatticeOrigin";
 constexpr const char* LatticeStep = "LatticeStep";
+constexpr const char* PartsPerBox = "PartsPerBox";
 constexpr std::array<const char*, 3> PlaneNames = { "PlanesX", "PlanesY", "PlanesZ" };
 constexpr std::array<const char*, 3> MovedNames = { "MovedPlanesX", "MovedPlanesY",
   "MovedPlanesZ" };
@@ -103,8 +104,10 @@ std::array<std::uint32_t, 3> orderOf(const GlobalBox& global)
 class BoxReader
 {
 public:
-  explicit BoxReader(vtkUnstructuredGrid* grid)
-    : global_(cellArray(grid, "GlobalBox", 3))
+  // `step`: the unit of offsets in the file, fine.
+  BoxReader(vtkUnstructuredGrid* grid, std::int64_t step)
+    : step_(step)
+    , global_(cellArray(grid, "GlobalBox", 3))
     , level_(cellArray(grid, "Level", 3))
     , offset_(cellArray(grid, "Offset", 3))
     , status_(cellArray(grid, "Status", 1))
@@ -122,15 +125,15 @@ public:
     }
     const GlobalBox global{ readTriple(global_, cell, last),
       static_cast<std::uint32_t>(boxes.packed.size()), None, 0, 0 };
-    const double deepest = DeepestLevel;
-    const double widest = FinePerBox - 1;
+    const double deepest = boxes.planes.planeLevel;
+    const double widest = double(FinePerBox / step_) - 1;
     const auto level = readTriple(level_, cell, { deepest, deepest, deepest });
     const auto offset = readTriple(offset_, cell, { widest, widest, widest });
     PackedBox box;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       box.level[axis] = static_cast<std::uint8_t>(level[axis]);
-      box.offset[axis] = static_cast<std::uint16_t>(offset[axis]);
+      box.offset[axis] = static_cast<std::uint16_t>(offset[axis] * step_);
     }
     box.status = status_->GetComponent(cell, 0) == 1 ? BoxStatus::Inside : BoxStatus::Intersected;
     box.corners = static_cast<std::uint8_t>(corners_->GetComponent(cell, 0));
@@ -171,6 +174,7 @@ private:
     }
   }
 
+  const std::int64_t step_;
   vtkDataArray* global_;
   vtkDataArray* level_;
   vtkDataArray* offset_;
@@ -206,32 +210,55 @@ Meshlines readPlanes(vtkUnstructuredGrid* grid)
   return planes;
 }
 
-bool isBetween(const Meshlines& planes, std::size_t axis, double level, double fine)
+// How often the unit of offsets and of moved planes halves global boxes. Boxes of earlier versions do not say.
+int readPlaneLevel(vtkUnstructuredGrid* grid)
 {
-  return level > planeAt(planes, axis, std::int64_t(fine) - 1) &&
-    level < planeAt(planes, axis, std::int64_t(fine) + 1) && onPlane(static_cast<Level>(level));
+  if (!grid->GetFieldData()->HasArray(PartsPerBox))
+  {
+    return LeastPlaneLevel;
+  }
+  const double parts = getField(grid, PartsPerBox, 1)[0];
+  for (int level = LeastPlaneLevel; level <= DeepestLevel; ++level)
+  {
+    if (parts == 1 << level)
+    {
+      return level;
+    }
+  }
+  throw Error(Fault::MissingArray,
+    std::string("Field data array \"") + PartsPerBox + "\" is " + number(parts) +
+      ", which Cartesian Boxer did not write: connect its output unchanged.");
 }
 
-void readMoved(vtkUnstructuredGrid* grid, Meshlines& planes)
+bool isBetween(
+  const Meshlines& planes, std::size_t axis, double level, std::int64_t fine, std::int64_t step)
+{
+  return level > planeAt(planes, axis, fine - step) && level < planeAt(planes, axis, fine + step) &&
+    onPlane(static_cast<Level>(level));
+}
+
+// `step`: their unit in the file, fine.
+void readMoved(vtkUnstructuredGrid* grid, std::int64_t step, Meshlines& planes)
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const std::vector<double> values = getField(grid, MovedNames[axis], 0);
-    const double end = double(planes[axis].size() - 1) * double(FinePerBox);
+    const double end = double(planes[axis].size() - 1) * double(FinePerBox / step);
     double before = 0;
     for (std::size_t i = 0; i < values.size(); i += 2)
     {
-      const double fine = values[i];
-      if (i + 1 == values.size() || !(fine > before && fine < end) ||
-        !isBetween(planes, axis, values[i + 1], fine))
+      const double part = values[i];
+      const bool isInside = part > before && part < end;
+      const std::int64_t fine = isInside ? static_cast<std::int64_t>(part) * step : step;
+      if (i + 1 == values.size() || !isInside ||
+        !isBetween(planes, axis, values[i + 1], fine, step))
       {
         throw Error(Fault::MissingArray,
           std::string("Field data array \"") + MovedNames[axis] +
             "\" is not what Cartesian Boxer wrote: connect its output unchanged.");
       }
-      planes.moved[axis].push_back(
-        { static_cast<std::int64_t>(fine), static_cast<Level>(values[i + 1]) });
-      before = fine;
+      planes.moved[axis].push_back({ fine, static_cast<Level>(values[i + 1]) });
+      before = part;
     }
   }
 }
@@ -274,6 +301,7 @@ void setCellData(const Boxes& boxes, vtkCellData* data)
   const auto global = newTriples<vtkIntArray>("GlobalBox", { "I", "J", "K" }, count);
   const auto level = newTriples<vtkUnsignedCharArray>("Level", { "X", "Y", "Z" }, count);
   const auto offset = newTriples<vtkUnsignedShortArray>("Offset", { "X", "Y", "Z" }, count);
+  const std::int64_t step = FinePerBox / boxes.planes.partsPerBox();
   vtkNew<vtkUnsignedCharArray> status;
   status->SetName("Status");
   status->SetNumberOfTuples(count);
@@ -288,7 +316,7 @@ void setCellData(const Boxes& boxes, vtkCellData* data)
       const auto a = static_cast<std::size_t>(axis);
       global->SetTypedComponent(i, axis, static_cast<int>(boxes.globalOf(box).index[a]));
       level->SetTypedComponent(i, axis, box.level[a]);
-      offset->SetTypedComponent(i, axis, box.offset[a]);
+      offset->SetTypedComponent(i, axis, static_cast<unsigned short>(box.offset[a] / step));
     }
     status->SetValue(i, static_cast<unsigned char>(box.status));
     cornerStatus->SetValue(i, box.corners);
@@ -309,13 +337,15 @@ void toVTK(const Boxes& boxes, vtkUnstructuredGrid* grid)
   setField(grid, LatticeOrigin,
     { boxes.lattice.origin()[0], boxes.lattice.origin()[1], boxes.lattice.origin()[2] });
   setField(grid, LatticeStep, { boxes.lattice.step() });
+  const std::int64_t parts = boxes.planes.partsPerBox();
+  setField(grid, PartsPerBox, { static_cast<double>(parts) });
   for (std::size_t a = 0; a < 3; ++a)
   {
     setField(grid, PlaneNames[a], { boxes.planes[a].begin(), boxes.planes[a].end() });
     std::vector<double> moved;
     for (const MovedPlane& plane : boxes.planes.moved[a])
     {
-      moved.push_back(static_cast<double>(plane.fine));
+      moved.push_back(static_cast<double>(plane.fine / (FinePerBox / parts)));
       moved.push_back(plane.level);
     }
     setField(grid, MovedNames[a], moved);
@@ -328,10 +358,12 @@ Boxes boxesFromVTK(vtkUnstructuredGrid* grid)
   const std::vector<double> origin = getField(grid, LatticeOrigin, 3);
   boxes.lattice = Lattice({ origin[0], origin[1], origin[2] }, getField(grid, LatticeStep, 1)[0]);
   boxes.planes = readPlanes(grid);
-  readMoved(grid, boxes.planes);
+  boxes.planes.planeLevel = readPlaneLevel(grid);
+  const std::int64_t step = FinePerBox / boxes.planes.partsPerBox();
+  readMoved(grid, step, boxes.planes);
   boxes.core = boxes.allLayers();
 
-  BoxReader reader(grid);
+  BoxReader reader(grid, step);
   boxes.rowStart.assign((boxes.planes[1].size() - 1) * (boxes.planes[2].size() - 1) + 1, 0);
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
@@ -351,8 +383,8 @@ Boxes boxesFromVTK(vtkUnstructuredGrid* grid)
 
 void removeBoxFields(vtkDataObject* data)
 {
-  for (const char* name : { LatticeOrigin, LatticeStep, PlaneNames[0], PlaneNames[1], PlaneNames[2],
-         MovedNames[0], MovedNames[1], MovedNames[2] })
+  for (const char* name : { LatticeOrigin, LatticeStep, PartsPerBox, PlaneNames[0], PlaneNames[1],
+         PlaneNames[2], MovedNames[0], MovedNames[1], MovedNames[2] })
   {
     data->GetFieldData()->RemoveArray(name);
   }

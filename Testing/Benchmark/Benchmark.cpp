@@ -252,13 +252,15 @@ void printDepths(int threads)
 // units that boxes are made of, joined only eight at a time.
 double octreeLeaves(const Boxes& boxes, const GlobalBox& global, const FinePoint& low, int level)
 {
-  const std::int64_t size = FinePerBox >> level;
+  const std::int64_t unit = FinePerBox >> global.depth;
+  const std::int64_t size = std::int64_t(1) << (global.depth - level); // in units
   std::int64_t step = 0;
   bool kept = false;
   bool divided = false;
   for (std::int64_t i = 0; i < size * size * size; ++i)
   {
-    const FinePoint at = { low[0] + i % size, low[1] + i / size % size, low[2] + i / size / size };
+    const FinePoint at = { low[0] + unit * (i % size), low[1] + unit * (i / size % size),
+      low[2] + unit * (i / size / size) };
     const std::uint32_t b = boxes.boxAt(at, boxes.packed[global.firstBox].global, step);
     kept = kept || b != None;
     divided = divided || b == None || boxes.packed[b].status == BoxStatus::Intersected;
@@ -270,7 +272,7 @@ double octreeLeaves(const Boxes& boxes, const GlobalBox& global, const FinePoint
   double leaves = 0;
   for (std::int64_t octant = 0; octant < 8; ++octant)
   {
-    const std::int64_t half = size / 2;
+    const std::int64_t half = unit * size / 2;
     leaves += octreeLeaves(boxes, global,
       { low[0] + (octant & 1) * half, low[1] + (octant >> 1 & 1) * half,
         low[2] + (octant >> 2) * half },

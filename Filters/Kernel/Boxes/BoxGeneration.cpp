@@ -147,7 +147,7 @@ private:
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const Level size = planes_[axis][at[axis] + 1] - planes_[axis][at[axis]];
-      if (depths.deepest() > 0 && size < 2 * FinePerBox)
+      if (depths.deepest() > 0 && size < Level(2) << refinement_.deepest())
       {
         throw Error(Fault::BadParameter,
           "Global box " + std::to_string(at[0]) + ", " + std::to_string(at[1]) + ", " +

@@ -13,7 +13,7 @@ constexpr std::uint32_t None = ~std::uint32_t(0);
 
 // The most halvings in one direction. They define the fine grid: positions count the smallest
 // possible parts of global boxes, from the first meshline on.
-constexpr int DeepestLevel = 6;
+constexpr int DeepestLevel = 12;
 constexpr std::int64_t FinePerBox = 1 << DeepestLevel;
 using FinePoint = std::array<std::int64_t, 3>;
 

@@ -29,7 +29,7 @@ using FlatWalls = std::map<Level, WallAreas>;
 // the noise of coordinates where a surface was cut by hand, and half the thickness that a sheet gets.
 constexpr double EndTolerance = 4e-6;
 
-// Walls that run along a plane, which is so many smallest parts of boxes from the first meshline.
+// Walls that run along a plane of the fine grid.
 struct WallsAlong
 {
   std::int64_t fine;
@@ -93,7 +93,7 @@ std::vector<WallsAlong> wallsAlong(const FlatWalls& walls, const Meshlines& plan
     const std::int64_t part = std::lround((double(level) - lines[i]) / spacing * double(parts));
     const std::int64_t fine = (std::int64_t(i) * parts + part) * (FinePerBox / parts);
     const double distance = std::abs(double(planeAt(planes, axis, fine)) - level);
-    const double most = std::max(1.0, LargestStep * spacing / double(FinePerBox));
+    const double most = std::max(1.0, LargestStep * spacing / double(planes.partsPerBox()));
     if (distance > std::min(rounding, most) || (parts > 1 && fine % FinePerBox == 0))
     {
       continue;
@@ -221,10 +221,10 @@ private:
 
 // Past corners that were meant to lie on the plane: else a film of the domain stays between, whose walls, or what is
 // left where it is removed, lie across the end. Not past a wall with the domain on its other side, which ends it there.
-void endPastCorners(
-  const Surface& surface, std::vector<Level>& lines, std::size_t axis, double near)
+void endPastCorners(const Surface& surface, Meshlines& planes, std::size_t axis, double near)
 {
-  const double most = LargestStep * (double(lines[1]) - lines[0]) / double(FinePerBox);
+  std::vector<Level>& lines = planes[axis];
+  const double most = LargestStep * (double(lines[1]) - lines[0]) / double(planes.partsPerBox());
   const double gap = std::min(near, most);
   for (const bool upper : { false, true })
   {
@@ -277,12 +277,13 @@ void stepMeshlines(const FlatWalls& walls, Meshlines& planes, std::size_t axis, 
 
 void stepPlanesBetween(const FlatWalls& walls, Meshlines& planes, std::size_t axis, double rounding)
 {
-  for (const WallsAlong& along : wallsAlong(walls, planes, axis, rounding, FinePerBox))
+  const std::int64_t step = FinePerBox / planes.partsPerBox();
+  for (const WallsAlong& along : wallsAlong(walls, planes, axis, rounding, planes.partsPerBox()))
   {
     const Level plane = planeAt(planes, axis, along.fine);
     const Level best = bestPlane(along.walls, plane);
-    if (best != plane && best > planeAt(planes, axis, along.fine - 1) &&
-      best < planeAt(planes, axis, along.fine + 1))
+    if (best != plane && best > planeAt(planes, axis, along.fine - step) &&
+      best < planeAt(planes, axis, along.fine + step))
     {
       planes.moved[axis].push_back({ along.fine, best });
     }
@@ -302,7 +303,7 @@ void stepAside(const Surface& surface, Meshlines& planes)
     if (surface.around.inside())
     {
       endInWalls(planes[axis], walls);
-      endPastCorners(surface, planes[axis], axis, EndTolerance * longest);
+      endPastCorners(surface, planes, axis, EndTolerance * longest);
     }
     stepPlanesBetween(walls, planes, axis, rounding);
   }

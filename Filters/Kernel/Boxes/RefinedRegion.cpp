@@ -118,7 +118,7 @@ bool RefinedRegion::isTooThin(std::int64_t i, std::int64_t j, std::int64_t k) co
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const auto low = static_cast<std::size_t>(at[axis]);
-    result = result || planes_[axis][low + 1] - planes_[axis][low] < 2 * FinePerBox;
+    result = result || planes_[axis][low + 1] - planes_[axis][low] < Level(2) << depth_;
   }
   return result;
 }

@@ -19,14 +19,14 @@ void checkDepth(int depth, const std::string& what)
   requireInRange(RefinementSpec::AllDepths, depth, what);
 }
 
-// On the lattice, as deeply as boxes may be.
-void requireDivisible(const Meshlines& planes)
+// On the lattice.
+void requireDivisible(const Meshlines& planes, int depth)
 {
   for (const std::vector<Level>& ofAxis : planes)
   {
     for (std::size_t i = 0; i + 1 < ofAxis.size(); ++i)
     {
-      if (ofAxis[i + 1] - ofAxis[i] < 2 * FinePerBox)
+      if (ofAxis[i + 1] - ofAxis[i] < Level(2) << depth)
       {
         throw Error(Fault::BadParameter,
           "Some boxes are too thin to be divided on this lattice: set Curvature Angle, Feature "
@@ -116,7 +116,7 @@ void Refinement::addSizes(const SizingSpec& spec, const Surface& surface,
   {
     return;
   }
-  requireDivisible(planes);
+  requireDivisible(planes, spec.deepest());
   if (spec.curvatureAngle > 0 || spec.featureDepth > 0)
   {
     addBends(spec, surface, shoeboxes, planes, octants_, execution);

@@ -57,8 +57,6 @@ void forEachPart(const Boxes& boxes, std::uint32_t b, int axis, bool upper, Visi
   const std::array<std::uint32_t, 4> across = facing(boxes, box, axis, upper);
   FinePoint corner = boxes.fineLow(box);
   corner[axis] += upper ? Boxes::fineSize(box, axis) : 0;
-  const std::int64_t halfU = Boxes::fineSize(box, u) / 2;
-  const std::int64_t halfV = Boxes::fineSize(box, v) / 2;
   std::array<bool, 4> done{};
   for (unsigned quarter = 0; quarter < 4; ++quarter)
   {
@@ -82,12 +80,12 @@ void forEachPart(const Boxes& boxes, std::uint32_t b, int axis, bool upper, Visi
     side.high = upper ? across[quarter] : b;
     side.axis = static_cast<std::uint8_t>(axis);
     FinePoint low = corner;
-    low[u] += left ? 0 : halfU;
-    low[v] += lower ? 0 : halfV;
+    low[u] += left ? 0 : Boxes::fineSize(box, u) / 2;
+    low[v] += lower ? 0 : Boxes::fineSize(box, v) / 2;
     side.corner = { static_cast<std::uint32_t>(low[0]), static_cast<std::uint32_t>(low[1]),
       static_cast<std::uint32_t>(low[2]) };
-    side.size[0] = static_cast<std::uint8_t>(wide ? Boxes::fineSize(box, u) : halfU);
-    side.size[1] = static_cast<std::uint8_t>(tall ? Boxes::fineSize(box, v) : halfV);
+    side.level[0] = static_cast<std::uint8_t>(box.level[u] + (wide ? 0 : 1));
+    side.level[1] = static_cast<std::uint8_t>(box.level[v] + (tall ? 0 : 1));
     visit(across[quarter], side);
   }
 }

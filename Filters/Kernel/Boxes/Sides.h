@@ -14,8 +14,11 @@ struct Side
   std::uint32_t low;                   // box below the plane, or None
   std::uint32_t high;                  // box above, or None
   std::array<std::uint32_t, 3> corner; // the rectangle's lowest corner, fine
-  std::array<std::uint8_t, 2> size;    // fine, along the two other axes in cyclic order
+  std::array<std::uint8_t, 2> level;   // of its size along the two other axes in cyclic order
   std::uint8_t axis;
+
+  // Fine, along the first or second of these.
+  std::int64_t size(std::size_t along) const { return FinePerBox >> level[along]; }
 };
 
 // A side of a box, and which of the side's two boxes that is.

@@ -4,6 +4,7 @@
 
 #include "Base/Range.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -40,6 +41,13 @@ struct SizingSpec
     return curvatureAngle > 0 || featureDepth > 0 || cellsAcrossGaps > 0 || asksForSizes();
   }
   bool asksForSizes() const { return !sizes.empty() || !sizeOfTriangle.empty(); }
+
+  // The most times that a box may be halved for all this.
+  int deepest() const
+  {
+    const bool byDepth = curvatureAngle > 0 || cellsAcrossGaps > 0 || asksForSizes();
+    return std::max(featureDepth, byDepth ? largestDepth : 0);
+  }
 };
 
 }

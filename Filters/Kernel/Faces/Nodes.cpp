@@ -48,13 +48,13 @@ public:
     const std::size_t u = (side.axis + 1u) % 3;
     const std::size_t v = (side.axis + 2u) % 3;
     FinePoint corner{ side.corner[0], side.corner[1], side.corner[2] };
-    addLine(corner, u, side.size[0], true, global, border);
-    corner[u] += side.size[0];
-    addLine(corner, v, side.size[1], true, global, border);
-    corner[v] += side.size[1];
-    addLine(corner, u, side.size[0], false, global, border);
-    corner[u] -= side.size[0];
-    addLine(corner, v, side.size[1], false, global, border);
+    addLine(corner, u, side.size(0), true, global, border);
+    corner[u] += side.size(0);
+    addLine(corner, v, side.size(1), true, global, border);
+    corner[v] += side.size(1);
+    addLine(corner, u, side.size(0), false, global, border);
+    corner[u] -= side.size(0);
+    addLine(corner, v, side.size(1), false, global, border);
   }
 
 private:

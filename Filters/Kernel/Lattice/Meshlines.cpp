@@ -23,8 +23,8 @@ constexpr double LargestCell = 1000;
 // Memory for each row of boxes along x, even an empty one: its start in several lists.
 constexpr double BytesOfARow = 40;
 
-// More lines in a direction would not fit in memory with any surface.
-constexpr double MostLines = 1e8;
+// In a direction: with more, positions in the fine grid (Boxes/Boxes.h) would not fit in 32 bits.
+constexpr double MostCells = (1 << 20) - 1;
 
 constexpr std::array<const char*, 3> AxisName = { "X", "Y", "Z" };
 
@@ -68,6 +68,12 @@ void checkMeshlines(const std::vector<double>& lines, int axis, const Bounds& su
           (i > 0 ? " after " + number(lines[i - 1]) : "") + ".");
     }
   }
+  if (double(lines.size()) - 1 > MostCells)
+  {
+    throw Error(Fault::TooManyBoxes,
+      name + " make " + number(double(lines.size()) - 1) + " boxes, but there may be at most " +
+        number(MostCells) + ": give fewer positions, and refine between them.");
+  }
   if (lines.back() <= surface.low[axis] || lines.front() >= surface.high[axis])
   {
     throw Error(Fault::BadMeshlines,
@@ -81,11 +87,11 @@ void checkMeshlines(const std::vector<double>& lines, int axis, const Bounds& su
 double requireLines(double size, double extent, int axis)
 {
   const double count = cellCount(size, extent);
-  if (count > MostLines)
+  if (count > MostCells)
   {
     throw Error(Fault::TooManyBoxes,
       "Cell Size " + number(size) + " makes " + number(count) + " cells along " + AxisName[axis] +
-        ": choose a larger one.");
+        ", but there may be at most " + number(MostCells) + ": choose a larger one, and refine.");
   }
   return count;
 }

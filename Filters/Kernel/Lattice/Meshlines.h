@@ -29,11 +29,19 @@ struct MovedPlane
   Level level;
 };
 
+// Planes between meshlines are at least as fine, so that the patches of shallow grids do not depend on the depth.
+constexpr int LeastPlaneLevel = 6;
+
 // Even levels of the planes along x, y and z: strictly increasing, at least two in each direction.
 struct Meshlines
 {
   std::array<std::vector<Level>, 3> lines;
   std::array<std::vector<MovedPlane>, 3> moved = {}; // in order (PlanesAside.h)
+
+  // Of the planes that may divide boxes: how often they halve the space between meshlines.
+  int planeLevel = LeastPlaneLevel;
+
+  std::int64_t partsPerBox() const { return std::int64_t(1) << planeLevel; }
 
   const std::vector<Level>& operator[](std::size_t axis) const { return lines[axis]; }
   std::vector<Level>& operator[](std::size_t axis) { return lines[axis]; }

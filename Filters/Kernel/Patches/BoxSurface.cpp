@@ -157,7 +157,7 @@ void SurfaceCutter::cut(
   keepUsedPoints(result);
 }
 
-// Moves a coordinate that is on no plane away from the planes of the fine grid. All boxes that have the
+// Moves a coordinate that is on no plane away from the planes that may divide boxes. All boxes that have the
 // point move it in the same way, whatever their sizes.
 std::uint32_t SurfaceCutter::addPoint(const Point& exact)
 {
@@ -166,6 +166,7 @@ std::uint32_t SurfaceCutter::addPoint(const Point& exact)
     return points_.add(exact);
   }
   Point p = exact;
+  const auto parts = static_cast<std::uint64_t>(boxes_.planes.partsPerBox());
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     if (onPlane(p[axis]))
@@ -174,21 +175,21 @@ std::uint32_t SurfaceCutter::addPoint(const Point& exact)
     }
     const Interval& interval = intervals_[axis];
     const std::uint64_t width = interval.high - interval.low;
-    const std::uint64_t scaled = std::uint64_t(p[axis] - interval.low) * FinePerBox;
-    const std::uint64_t fine = scaled / width;
+    const std::uint64_t scaled = std::uint64_t(p[axis] - interval.low) * parts;
+    const std::uint64_t part = scaled / width;
     const std::uint64_t rest = scaled % width;
-    const std::uint64_t enough = (std::uint64_t(interval.clearance) + 4) * FinePerBox;
+    const std::uint64_t enough = (std::uint64_t(interval.clearance) + 4) * parts;
     if (rest > enough && width - rest > enough)
     {
       continue; // far from both, however they are rounded
     }
-    const std::int64_t first = std::int64_t(boxes_.globalOf(*box_).index[axis]) * FinePerBox;
-    for (const std::uint64_t k : { fine, fine + 1 })
+    const std::uint32_t i = boxes_.globalOf(*box_).index[axis];
+    for (const std::uint64_t k : { part, part + 1 })
     {
-      const Level plane = planeAt(boxes_.planes, axis, first + std::int64_t(k));
+      const Level plane =
+        planeAt(boxes_.planes, axis, i, static_cast<std::int64_t>(k * (FinePerBox / parts)));
       const Level distance = p[axis] > plane ? p[axis] - plane : plane - p[axis];
-      if (distance < interval.clearance &&
-        4 * std::uint64_t(interval.clearance) * FinePerBox < width)
+      if (distance < interval.clearance && 4 * std::uint64_t(interval.clearance) * parts < width)
       {
         p[axis] = p[axis] > plane ? plane + interval.clearance : plane - interval.clearance;
       }

@@ -420,10 +420,11 @@ TEST(Balance, HalvesTowardsAWallFirst)
     block.last[axis] = 0;
     spec.blocks.push_back(block);
     const Boxes boxes = Boxing(cube(), cellsOf(1. / 3), spec).boxes();
-    std::map<std::array<std::int64_t, 2>, int> count; // by the position and level along the axis
+    std::map<std::array<std::int64_t, 2>, int>
+      count; // by the position, in 1/64, and level along the axis
     for (const PackedBox& box : boxes.packed)
     {
-      ++count[{ boxes.fineLow(box)[axis], box.level[axis] }];
+      ++count[{ boxes.fineLow(box)[axis] / (FinePerBox / 64), box.level[axis] }];
     }
     const std::map<std::array<std::int64_t, 2>, int> expected = { { { 0, 3 }, 576 },
       { { 8, 3 }, 576 }, { { 16, 3 }, 576 }, { { 24, 3 }, 576 }, { { 32, 3 }, 576 },

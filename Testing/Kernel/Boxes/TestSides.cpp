@@ -18,7 +18,7 @@ std::array<std::int64_t, 6> coveredBy(const Sides& sides, std::size_t n)
     const SideOfBox use = sides.ofBox[i];
     const Side& side = sides.common[use.side];
     EXPECT_EQ(use.upper != 0 ? side.low : side.high, sides.polyhedral[n]);
-    covered[2u * side.axis + use.upper] += std::int64_t(side.size[0]) * side.size[1];
+    covered[2u * side.axis + use.upper] += side.size(0) * side.size(1);
   }
   return covered;
 }
@@ -72,6 +72,6 @@ TEST(Sides, AreTheSameForAnyNumberOfThreads)
     EXPECT_EQ(sides.common[s].low, same.common[s].low);
     EXPECT_EQ(sides.common[s].high, same.common[s].high);
     EXPECT_EQ(sides.common[s].corner, same.common[s].corner);
-    EXPECT_EQ(sides.common[s].size, same.common[s].size);
+    EXPECT_EQ(sides.common[s].level, same.common[s].level);
   }
 }
