@@ -5,18 +5,45 @@
 #include "ReportErrors.h"
 #include "StopRequests.h"
 
+#include "Base/Recording.h"
+
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <fstream>
 #include <utility>
 
 static_assert(
   cartesian::errorCode(cartesian::Fault::EmptySurface) == vtkCartesianAlgorithm::EmptySurface);
 static_assert(
   cartesian::errorCode(cartesian::Fault::CannotWrite) == vtkCartesianAlgorithm::CannotWrite);
+
+namespace
+{
+
+// Does the work, recorded if the environment asks for it (Benchmark scaling).
+void recordIfAsked(
+  cartesian::Execution& execution, const std::function<void(cartesian::Execution&)>& work)
+{
+  const char* const file = std::getenv(cartesian::Recording::Variable);
+  if (!file)
+  {
+    work(execution);
+    return;
+  }
+  cartesian::Recording recording;
+  execution.record(recording);
+  work(execution);
+  recording.end();
+  std::ofstream stream(file, std::ios::app);
+  recording.write(stream);
+}
+
+}
 
 bool vtkCartesianAlgorithm::Run(
   double begin, double end, const std::function<void(cartesian::Execution&)>& work)
@@ -31,7 +58,7 @@ bool vtkCartesianAlgorithm::Run(
       return this->IsWaitedFor || !stops;
     };
     cartesian::Execution execution(this->NumberOfThreads, monitor, begin, end);
-    work(execution);
+    recordIfAsked(execution, work);
   };
   return cartesian::reportErrors(runIt, [this](unsigned long code, const std::string& message) {
     this->ErrorCode = code;

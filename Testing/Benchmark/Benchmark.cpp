@@ -5,9 +5,14 @@
 // for each method and two sizes; growth: against the number of cells, of
 // triangles, and the depth, with exponents, on the first number of threads; refinement: how many
 // boxes it takes against an isotropic octree; memory: what is estimated for 40 meshes against what they take, on the
-// first number of threads. By default all.
+// first number of threads. By default all of these.
+//
+// Benchmark scaling [FILE.stl... | TASK.toml...]: what 1 to 128 threads would speed up, by the processor time of each chunk
+// on one thread (Scaling.h): of surfaces in cells of a 60th of their length, and of tasks of cartesian-mesher; by default
+// of a sphere in cells of an 80th.
 #include "Base/Error.h"
 #include "Run.h"
+#include "Scaling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -338,6 +343,11 @@ int main(int count, char** arguments)
   }
   try
   {
+    if (count > 1 && std::strcmp(arguments[1], "scaling") == 0)
+    {
+      printScaling({ arguments + 2, arguments + count });
+      return 0;
+    }
     if (asked("stages"))
     {
       for (const Triangles& surface : surfaces(files))

@@ -91,6 +91,16 @@ private:
   std::map<std::string, double> peaks_;
 };
 
+Options optionsOf(double cellSize, int depth, PatchMethod method)
+{
+  Options options;
+  options.grid.cellSize = cellSize;
+  options.refinement.depth = depth;
+  options.patches.method = method;
+  options.memoryLimit = PlentyOfMemory;
+  return options;
+}
+
 // The mesh in arrays such as VTK's; how many bytes they take.
 double write(const OutputMesh& mesh, Execution& execution)
 {
@@ -118,6 +128,60 @@ double write(const OutputMesh& mesh, Execution& execution)
   };
   return bytes(points, offsets, connectivity, types, faceStart, faceStream, globalBox, level,
     region, fraction, number, boundary.start, boundary.corners, boundary.meshPoint);
+}
+
+// STL files that are not ASCII: a head, the number of triangles, and as many bytes for each.
+constexpr std::size_t StlHead = 84;
+constexpr std::size_t StlTriangle = 50;
+
+bool isBinary(const std::filesystem::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  std::uint32_t count = 0;
+  file.seekg(StlHead - sizeof(count));
+  file.read(reinterpret_cast<char*>(&count), sizeof(count));
+  return file && std::filesystem::file_size(path) == StlHead + StlTriangle * count;
+}
+
+// As vtkSTLReader reads them: in single precision.
+void readAscii(std::istream& file, Triangles& surface)
+{
+  std::array<std::array<double, 3>, 3> triangle;
+  std::size_t corner = 0;
+  for (std::string word; file >> word;)
+  {
+    if (word == "vertex")
+    {
+      for (double& x : triangle[corner])
+      {
+        float single = 0;
+        file >> single;
+        x = single;
+      }
+      if (++corner == 3)
+      {
+        surface.add(triangle);
+        corner = 0;
+      }
+    }
+  }
+}
+
+void readBinary(std::istream& file, Triangles& surface)
+{
+  file.seekg(StlHead);
+  std::array<char, StlTriangle> bytes;
+  while (file.read(bytes.data(), bytes.size()))
+  {
+    std::array<float, 12> numbers; // of the normal, then of the corners
+    std::memcpy(numbers.data(), bytes.data(), sizeof(numbers));
+    std::array<std::array<double, 3>, 3> triangle;
+    for (std::size_t i = 0; i < 9; ++i)
+    {
+      triangle[i / 3][i % 3] = numbers[3 + i];
+    }
+    surface.add(triangle);
+  }
 }
 
 }
@@ -182,32 +246,21 @@ Triangles sphere(int rings)
 
 Triangles readStl(const std::string& name)
 {
-  std::ifstream file(std::filesystem::path(DATA_FOLDER) / name);
+  const std::filesystem::path path = std::filesystem::path(DATA_FOLDER) / name;
+  std::ifstream file(path, std::ios::binary);
   Triangles surface;
-  surface.name = std::filesystem::path(name).filename();
-  std::array<std::array<double, 3>, 3> triangle;
-  std::size_t corner = 0;
-  for (std::string word; file >> word;)
+  surface.name = path.filename();
+  if (isBinary(path))
   {
-    if (word == "vertex")
-    {
-      for (double& x : triangle[corner])
-      {
-        // As vtkSTLReader reads them: in single precision.
-        float single = 0;
-        file >> single;
-        x = single;
-      }
-      if (++corner == 3)
-      {
-        surface.add(triangle);
-        corner = 0;
-      }
-    }
+    readBinary(file, surface);
+  }
+  else
+  {
+    readAscii(file, surface);
   }
   if (surface.size() == 0)
   {
-    std::fprintf(stderr, "There are no triangles in " DATA_FOLDER "/%s.\n", name.c_str());
+    std::fprintf(stderr, "There are no triangles in %s.\n", path.c_str());
     std::exit(1);
   }
   return surface;
@@ -233,11 +286,7 @@ Estimates estimate(
   const Triangles& surface, double cellSize, int depth, PatchMethod method, int threads)
 {
   Execution execution(threads);
-  Options options;
-  options.grid.cellSize = cellSize;
-  options.refinement.depth = depth;
-  options.patches.method = method;
-  options.memoryLimit = PlentyOfMemory;
+  const Options options = optionsOf(cellSize, depth, method);
   const PreparedSurface prepared = prepareSurface(surface.view(), options, execution);
   const auto decomposition = decompose(prepared, options, execution);
   const Layers all = decomposition->allLayers();
@@ -254,11 +303,7 @@ Figures measure(
 {
   Memory memory;
   Execution execution(threads, [&](double, const char* stage) { return memory(stage); });
-  Options options;
-  options.grid.cellSize = cellSize;
-  options.refinement.depth = depth;
-  options.patches.method = method;
-  options.memoryLimit = PlentyOfMemory;
+  const Options options = optionsOf(cellSize, depth, method);
   const std::clock_t began = std::clock();
   const auto assembly = mesh(surface.view(), options, execution);
   execution.stage("Writing the mesh", AfterLayers, 1);
@@ -313,6 +358,19 @@ Figures measureGrid(const Triangles& surface, double cellSize, int depth, int th
   figures.intersected = static_cast<double>(patches.boxStart.size() - 1);
   figures.peak = memory.peak();
   return figures;
+}
+
+Recording record(const Triangles& surface, double cellSize)
+{
+  Execution execution;
+  Recording recording;
+  execution.record(recording);
+  const auto assembly =
+    mesh(surface.view(), optionsOf(cellSize, 0, PatchMethod::Automatic), execution);
+  execution.stage("Writing the mesh", AfterLayers, 1);
+  write(*assembly->mesh, execution);
+  recording.end();
+  return recording;
 }
 
 }

@@ -4,6 +4,7 @@
 // Linux forgets a peak when told so; where it does not, peaks are those since the beginning.
 #pragma once
 
+#include "Base/Recording.h"
 #include "Mesher/Mesher.h"
 
 #include <map>
@@ -25,7 +26,7 @@ struct Triangles
 };
 
 Triangles sphere(int rings);                // 4 rings (rings - 1) triangles, of radius 1
-Triangles readStl(const std::string& name); // ASCII; a path, from the folder Data
+Triangles readStl(const std::string& name); // a path, from the folder Data
 
 constexpr double PlentyOfMemory = 1000; // GiB
 
@@ -68,5 +69,8 @@ Figures measure(
 
 // The grid alone, as far as inner faces.
 Figures measureGrid(const Triangles& surface, double cellSize, int depth, int threads);
+
+// Automatic patches, depth 0.
+Recording record(const Triangles& surface, double cellSize);
 
 }

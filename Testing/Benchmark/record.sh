@@ -9,12 +9,13 @@ set -eu
 cd "$(dirname "$(readlink -f "$0")")/../.."
 surfaces=${SURFACES:-$(pwd)/../shared/surfaces}
 scans="vtk_lucy.ply vtk_turbineblade.ply elmer_femur.ply"
+motorbike=/usr/share/doc/openfoam-examples/examples/resources/geometry/motorBike.obj.gz
 bin=build/release/bin
 for plugins in build/release/lib/paraview-*/plugins; do
   export PV_PLUGIN_PATH="$PWD/$plugins"
 done
 
-tables="growth stages surfaces memory boxes compare fidelity tying merging quality scans walls conduction examples-header
+tables="growth stages surfaces scaling memory boxes compare fidelity tying merging quality scans walls conduction examples-header
   examples-jacket adaptation pieces"
 
 # As ASCII STL, for Benchmark: the scans, or why there are none.
@@ -48,6 +49,15 @@ do_table() {
     growth | memory) $bin/Benchmark "$1" 1 ;;
     stages) $bin/Benchmark stages 1 2 ;;
     boxes) $bin/Benchmark refinement ;;
+    scaling)
+      mkdir -p build/scaling
+      gunzip -c "$motorbike" > build/scaling/motorBike.obj
+      cp Testing/Benchmark/motorBike.toml build/scaling
+      $bin/Benchmark scaling
+      $bin/Benchmark scaling build/scaling/motorBike.toml
+      head=$surfaces/wallaby_cylinder_head_r80.stl
+      [ ! -e "$head" ] || $bin/Benchmark scaling "$head"
+      ;;
     surfaces)
       # shellcheck disable=SC2046 # a list of words
       set -- $(scans_as_stl 2> build/scans.txt)

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Execution.h"
 
+#include "Base/Recording.h"
+
 #include <algorithm>
 #include <chrono>
+#include <cxxabi.h>
 #include <exception>
-#include <new>
+#include <mutex>
 #include <numeric>
-#include <system_error>
 
 namespace cartesian
 {
@@ -26,29 +28,6 @@ double now()
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// Threads that run beside the caller's, as many of `most` as the system can start: work that is cut
-// into chunks gets done by fewer.
-template <class Work>
-std::vector<std::thread> startThreads(std::size_t most, const Work& work)
-{
-  std::vector<std::thread> threads;
-  threads.reserve(most);
-  try
-  {
-    while (threads.size() < most)
-    {
-      threads.emplace_back(work);
-    }
-  }
-  catch (const std::system_error&) // too many threads, or no memory for a stack
-  {
-  }
-  catch (const std::bad_alloc&)
-  {
-  }
-  return threads;
-}
-
 }
 
 Execution::Execution(int threads, Monitor monitor, double begin, double end)
@@ -56,6 +35,12 @@ Execution::Execution(int threads, Monitor monitor, double begin, double end)
   , monitor_(std::move(monitor))
   , work_{ begin, end }
 {
+}
+
+void Execution::record(Recording& recording)
+{
+  recording_ = &recording;
+  threads_ = 1;
 }
 
 void Execution::leaveOut(double begin, double end)
@@ -82,6 +67,10 @@ void Execution::stage(const char* name, double begin, double end)
   seconds_.emplace_back(name, 0.0);
   started_ = time;
   stage_ = name;
+  if (recording_)
+  {
+    recording_->stage(name);
+  }
   loop_ = { begin, begin };
   stageEnd_ = end;
   share_ = 0;
@@ -167,31 +156,42 @@ void Execution::ask()
 }
 
 // Polls while other threads have chunks of their own to finish, however long they take.
-void Execution::waitFor(
-  std::mutex& mutex, std::condition_variable& ended, const std::size_t& running)
+void Execution::waitForHelpers()
 {
-  std::unique_lock<std::mutex> lock(mutex);
-  while (!ended.wait_for(
-    lock, std::chrono::duration<double>(LongestSilence), [&] { return running == 0; }))
+  while (!helpers_.haveEnded(LongestSilence))
   {
-    lock.unlock();
     if (!isHelper())
     {
       askIfTime(true);
     }
-    lock.lock();
   }
 }
 
 void Execution::forEach(std::size_t count, std::size_t grain,
   const std::function<void(std::size_t begin, std::size_t end)>& work)
 {
+  if (!recording_)
+  {
+    run(count, grain, work);
+    return;
+  }
+  recording_->beginLoop();
+  int status = 0;
+  extern std::vector<std::pair<std::size_t, std::string>> DUMP;
+  DUMP.push_back({ 0, abi::__cxa_demangle(work.target_type().name(), nullptr, nullptr, &status) });
+  run(count, grain, [&](std::size_t begin, std::size_t end) {
+    work(begin, end);
+    recording_->endTask();
+  });
+}
+
+void Execution::run(std::size_t count, std::size_t grain,
+  const std::function<void(std::size_t begin, std::size_t end)>& work)
+{
   std::atomic<std::size_t> next{ 0 };
   std::atomic<bool> failed{ false };
   std::exception_ptr failure;
   std::mutex mutex;
-  std::condition_variable ended;
-  std::size_t running = 0; // helpers
 
   const auto attempt = [&](auto&& part) {
     try
@@ -226,23 +226,16 @@ void Execution::forEach(std::size_t count, std::size_t grain,
 
   loop_ = { loop_.end, loop_.end + share_ * (stageEnd_ - loop_.end) };
   share_ = 0;
+  const std::function<void()> help = [&] { attempt([&] { loop(false); }); };
   const std::size_t most = std::min<std::size_t>(threads_, chunks(count, grain));
-  running = most > 0 ? most - 1 : 0;
-  std::vector<std::thread> helpers = startThreads(running, [&] {
-    attempt([&] { loop(false); });
-    const std::lock_guard<std::mutex> lock(mutex);
-    --running;
-    ended.notify_one();
-  });
+  if (most > 1)
   {
-    const std::lock_guard<std::mutex> lock(mutex);
-    running -= most > 0 ? most - 1 - helpers.size() : 0; // those that could not be started
+    helpers_.begin(most - 1, help);
   }
   attempt([&] { loop(true); });
-  attempt([&] { waitFor(mutex, ended, running); });
-  for (std::thread& helper : helpers)
+  attempt([&] { waitForHelpers(); });
+  while (!helpers_.haveEnded(LongestSilence)) // once stopped
   {
-    helper.join();
   }
   if (failure)
   {

@@ -5,11 +5,11 @@
 // number of threads. Only the calling thread reports progress and asks whether to continue.
 #pragma once
 
+#include "Base/HelperThreads.h"
+
 #include <atomic>
-#include <condition_variable>
 #include <cstddef>
 #include <functional>
-#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -18,6 +18,8 @@
 
 namespace cartesian
 {
+
+class Recording;
 
 // Thrown from a stage that the user stopped.
 struct Stopped : std::runtime_error
@@ -42,6 +44,9 @@ public:
   explicit Execution(int threads = 1, Monitor monitor = nullptr, double begin = 0, double end = 1);
 
   int threads() const { return threads_; }
+
+  // From now on all work is done on one thread, and recorded.
+  void record(Recording& recording);
 
   // Declares that the part of the whole from `begin` to `end` takes no time: parts that do not overlap.
   void leaveOut(double begin, double end);
@@ -86,9 +91,13 @@ private:
   void askIfTime(bool readsClock);
   void advance(double fractionOfLoop);
   void ask();
-  void waitFor(std::mutex& mutex, std::condition_variable& ended, const std::size_t& running);
+  void waitForHelpers();
+  void run(std::size_t count, std::size_t grain,
+    const std::function<void(std::size_t begin, std::size_t end)>& work);
 
   int threads_;
+  HelperThreads helpers_;
+  Recording* recording_ = nullptr;
   std::thread::id owner_ = std::this_thread::get_id();
   std::atomic<bool> stopped_{ false };
   Monitor monitor_;

@@ -302,15 +302,18 @@ public:
 
   void run()
   {
-    execution_.stage("Short edges", AfterCells, AfterShortEdges);
+    beginStage();
     while (!collapseBetweenSeams() || !collapseAcrossSeams())
     {
       a_.patches = before_;
       makeInnerFaces(a_, execution_);
+      beginStage();
     }
   }
 
 private:
+  void beginStage() { execution_.stage("Short edges", AfterCells, AfterShortEdges); }
+
   std::size_t collapse(const EdgeCollapseSpec& edges)
   {
     return collapseShortEdges(

@@ -105,6 +105,29 @@ TEST(Execution, MakesDoWithTheThreadsThatStart)
   EXPECT_EQ(threadsUsed(20), 8U);
 }
 
+TEST(Execution, ThreadsAreStartedOnce)
+{
+  static std::atomic<int> seen{
+    0
+  }; // by what only a new thread has not counted yet: ids are used again
+  Execution execution(3);
+  std::mutex mutex;
+  std::condition_variable came;
+  for (int loop = 0; loop < 20; ++loop)
+  {
+    std::size_t inLoop = 0;
+    execution.forEach(3, 1, [&](std::size_t, std::size_t) {
+      thread_local const int number = ++seen;
+      std::unique_lock<std::mutex> lock(mutex);
+      inLoop += number > 0 ? 1 : 0;
+      came.notify_all();
+      came.wait_for(lock, std::chrono::seconds(30), [&] { return inLoop == 3; });
+    });
+    EXPECT_EQ(inLoop, 3U);
+  }
+  EXPECT_EQ(seen, 3);
+}
+
 TEST(Execution, ProgressNeverFallsAndIsReportedByTheCaller)
 {
   const std::thread::id caller = std::this_thread::get_id();
