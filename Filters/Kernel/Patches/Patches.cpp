@@ -151,10 +151,11 @@ public:
   Patches generate(const Shoeboxes& shoeboxes)
   {
     const std::size_t count = intersected_.size();
+    const NodeTriangles ofNodes(surface_, boxes_, shoeboxes, execution_);
     std::vector<SurfacePieces> pieces(chunks(count, BoxesAChunk));
     execution_.nextLoop(0.42);
     execution_.forEach(count, BoxesAChunk, [&](std::size_t begin, std::size_t end) {
-      cut(shoeboxes, begin, end, pieces[begin / BoxesAChunk]);
+      cut(ofNodes, begin, end, pieces[begin / BoxesAChunk]);
     });
     std::vector<PatchChunk> ofChunk(pieces.size());
     execution_.nextLoop(0.95);
@@ -178,20 +179,18 @@ public:
 
 private:
   // Cuts the surface in the intersected boxes [begin, end), and chooses the method for each.
-  void cut(const Shoeboxes& shoeboxes, std::size_t begin, std::size_t end, SurfacePieces& pieces)
+  void cut(const NodeTriangles& ofNodes, std::size_t begin, std::size_t end, SurfacePieces& pieces)
   {
     SurfaceCutter cutter(
       surface_, features_, boxes_, spec_.method == PatchMethod::ExactFit ? nullptr : &clearance_);
     PatchChooser chooser(surface_, features_, spec_.featureAngle);
-    NearTriangles near(surface_, boxes_);
+    NearTriangles near(surface_, boxes_, ofNodes);
     BoxSurface piece;
     for (std::size_t n = begin; n < end; ++n)
     {
       execution_.poll();
       const Box box = boxes_.box(intersected_[n]);
-      const auto& global = boxes_.globalOf(box).index;
-      const auto [first, last] =
-        near.of(box, shoeboxes.triangles(boxes_.row(global[1], global[2]), global[0]));
+      const auto [first, last] = near.of(box);
       cutter.cut(box, first, last, piece);
       PatchReason& reason = reasons_[intersected_[n]];
       if (spec_.method != PatchMethod::MarchingCubes)
