@@ -27,54 +27,59 @@ FewestBoxes::DyadicBox FewestBoxes::half(const DyadicBox& box, int axis, int whi
 
 std::size_t FewestBoxes::index(const DyadicBox& box) const
 {
-  const std::size_t along = (std::size_t(2) << bits_) - 1;
   std::size_t result = 0;
-  for (int axis = 2; axis >= 0; --axis)
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const int level = box.level[axis];
-    result = result * along + static_cast<std::size_t>((1 << level) - 1 + box.position[axis]);
+    const int before = (1 << box.level[axis]) - 1; // larger boxes
+    result += stride_[axis] * static_cast<std::size_t>(before + box.position[axis]);
   }
   return result;
 }
 
-bool FewestBoxes::isLeaf(const DyadicBox& box) const
+std::size_t FewestBoxes::lowerHalf(
+  const DyadicBox& box, std::size_t here, std::size_t axis) const
+{
+  return here + stride_[axis] * static_cast<std::size_t>((1 << box.level[axis]) + box.position[axis]);
+}
+
+bool FewestBoxes::isLeaf(const DyadicBox& box, std::size_t here) const
 {
   const auto& [x, y, z] = box.level;
-  const Content& content = content_[index(box)];
+  const Content& content = content_[here];
   const int least = cube_.level + std::min({ x, y, z });
   const bool intersected = (content.statuses & bit(BoxStatus::Intersected)) != 0;
   return least >= content.forced &&
     (intersected ? least >= allowed_ : content.statuses == bit(BoxStatus::Inside));
 }
 
-int FewestBoxes::cheapestSplit(const DyadicBox& box, std::uint32_t& cost) const
+int FewestBoxes::cheapestSplit(const DyadicBox& box, std::size_t here, std::uint32_t& cost) const
 {
   int best = -1;
   cost = std::numeric_limits<std::uint32_t>::max();
-  for (int axis = 0; axis < 3; ++axis)
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
     if (box.level[axis] < bits_)
     {
-      const std::uint32_t sum = cost_[index(half(box, axis, 0))] + cost_[index(half(box, axis, 1))];
+      const std::size_t lower = lowerHalf(box, here, axis);
+      const std::uint32_t sum = cost_[lower] + cost_[lower + stride_[axis]];
       if (sum < cost)
       {
         cost = sum;
-        best = axis;
+        best = static_cast<int>(axis);
       }
     }
   }
   return best;
 }
 
-void FewestBoxes::evaluate(const DyadicBox& box)
+void FewestBoxes::evaluate(const DyadicBox& box, std::size_t here)
 {
-  const std::size_t here = index(box);
-  for (int axis = 0; axis < 3; ++axis)
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
     if (box.level[axis] < bits_)
     {
-      const Content& lower = content_[index(half(box, axis, 0))];
-      const Content& upper = content_[index(half(box, axis, 1))];
+      const Content& lower = content_[lowerHalf(box, here, axis)];
+      const Content& upper = content_[lowerHalf(box, here, axis) + stride_[axis]];
       content_[here] = { static_cast<std::uint8_t>(lower.statuses | upper.statuses),
         std::max(lower.forced, upper.forced) };
       break;
@@ -84,28 +89,30 @@ void FewestBoxes::evaluate(const DyadicBox& box)
   {
     cost_[here] = 0;
   }
-  else if (isLeaf(box) || isUnit(box))
+  else if (isLeaf(box, here) || isUnit(box))
   {
     cost_[here] = 1;
   }
   else
   {
-    cheapestSplit(box, cost_[here]);
+    cheapestSplit(box, here, cost_[here]);
   }
 }
 
-// Calls visit(box) for the dyadic boxes of these levels, x fastest.
+// Calls visit(box, index) for the dyadic boxes of these levels, x fastest.
 template <class Visitor>
-void FewestBoxes::forEachDyadicBox(const std::array<int, 3>& level, Visitor&& visit)
+void FewestBoxes::forEachDyadicBox(const std::array<int, 3>& level, Visitor&& visit) const
 {
   DyadicBox box{ level, {} };
   for (box.position[2] = 0; box.position[2] < 1 << level[2]; ++box.position[2])
   {
     for (box.position[1] = 0; box.position[1] < 1 << level[1]; ++box.position[1])
     {
-      for (box.position[0] = 0; box.position[0] < 1 << level[0]; ++box.position[0])
+      box.position[0] = 0;
+      std::size_t here = index(box);
+      for (; box.position[0] < 1 << level[0]; ++box.position[0])
       {
-        visit(box);
+        visit(box, here++);
       }
     }
   }
@@ -118,11 +125,12 @@ std::uint32_t FewestBoxes::search(const Cube& cube, int bits, int allowed,
   bits_ = bits;
   allowed_ = allowed;
   const std::size_t along = (std::size_t(2) << bits) - 1;
+  stride_ = { 1, along, along * along };
   cost_.resize(along * along * along);
   content_.resize(cost_.size());
   std::size_t unit = 0;
-  forEachDyadicBox({ bits, bits, bits }, [&](const DyadicBox& box) {
-    content_[index(box)] = { bit(units[unit]), forced[unit] };
+  forEachDyadicBox({ bits, bits, bits }, [&](const DyadicBox&, std::size_t here) {
+    content_[here] = { bit(units[unit]), forced[unit] };
     ++unit;
   });
   // Halves are deeper than the whole, so from the units up.
@@ -133,7 +141,7 @@ std::uint32_t FewestBoxes::search(const Cube& cube, int bits, int allowed,
     {
       for (level[0] = bits; level[0] >= 0; --level[0])
       {
-        forEachDyadicBox(level, [&](const DyadicBox& box) { evaluate(box); });
+        forEachDyadicBox(level, [&](const DyadicBox& box, std::size_t here) { evaluate(box, here); });
       }
     }
   }
@@ -148,12 +156,13 @@ void FewestBoxes::collect(std::vector<LocalBox>& boxes, std::vector<std::uint32_
 void FewestBoxes::collect(
   const DyadicBox& box, std::vector<LocalBox>& boxes, std::vector<std::uint32_t>& units) const
 {
-  const std::uint8_t content = content_[index(box)].statuses;
+  const std::size_t here = index(box);
+  const std::uint8_t content = content_[here].statuses;
   if (content == bit(BoxStatus::Outside))
   {
     return;
   }
-  if (isLeaf(box))
+  if (isLeaf(box, here))
   {
     LocalBox leaf;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -175,7 +184,7 @@ void FewestBoxes::collect(
     return;
   }
   std::uint32_t cost = 0;
-  const int axis = cheapestSplit(box, cost);
+  const int axis = cheapestSplit(box, here, cost);
   collect(half(box, axis, 0), boxes, units);
   collect(half(box, axis, 1), boxes, units);
 }

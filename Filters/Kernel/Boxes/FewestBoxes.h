@@ -45,13 +45,15 @@ private:
   };
 
   template <class Visitor>
-  static void forEachDyadicBox(const std::array<int, 3>& level, Visitor&& visit);
+  void forEachDyadicBox(const std::array<int, 3>& level, Visitor&& visit) const;
   static DyadicBox whole() { return { { 0, 0, 0 }, { 0, 0, 0 } }; }
   static DyadicBox half(const DyadicBox& box, int axis, int which);
   std::size_t index(const DyadicBox& box) const;
-  void evaluate(const DyadicBox& box);
-  bool isLeaf(const DyadicBox& box) const;
-  int cheapestSplit(const DyadicBox& box, std::uint32_t& cost) const;
+  // The index of the lower half of the box at `here`; the upper one follows a stride later.
+  std::size_t lowerHalf(const DyadicBox& box, std::size_t here, std::size_t axis) const;
+  void evaluate(const DyadicBox& box, std::size_t here);
+  bool isLeaf(const DyadicBox& box, std::size_t here) const;
+  int cheapestSplit(const DyadicBox& box, std::size_t here, std::uint32_t& cost) const;
   bool isUnit(const DyadicBox& box) const
   {
     return box.level[0] == bits_ && box.level[1] == bits_ && box.level[2] == bits_;
@@ -62,6 +64,7 @@ private:
   Cube cube_;
   int bits_ = 0;
   int allowed_ = 0;
+  std::array<std::size_t, 3> stride_{}; // between neighbours along each axis
   std::vector<std::uint32_t> cost_; // of each dyadic box
   std::vector<Content> content_;    // of each dyadic box
 };

@@ -232,6 +232,10 @@ void hangingNodes(const Boxes& boxes, int axis, const FinePoint& from, std::int6
   std::uint32_t near, std::vector<std::int64_t>& positions)
 {
   positions.clear();
+  if (length <= FinePerBox >> boxes.globals[near].nearDepth)
+  {
+    return; // no box near here is shorter
+  }
   const int a = (axis + 1) % 3;
   const int b = (axis + 2) % 3;
   const std::int64_t end = from[axis] + length;
