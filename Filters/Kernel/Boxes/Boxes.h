@@ -38,6 +38,13 @@ constexpr std::int64_t FinePerBox = 1 << DeepestLevel;
 constexpr int DeepestSearched = 6;
 using FinePoint = std::array<std::int64_t, 3>;
 
+// The least width in levels of a global box that is halved so often. Where boxes are that small, the lattice must still
+// resolve the surface in them: patches of the deepest are as good as others with 2^10 levels along each side.
+constexpr Level leastWidth(int depth)
+{
+  return Level(depth > LeastPlaneLevel ? 1024 : 2) << depth;
+}
+
 // A box in compact form, as there are about as many as the mesh has cells.
 struct PackedBox
 {

@@ -47,6 +47,9 @@ struct RefinementSpec
 
   void addUnlessThere(const BoundaryRefinement& row); // of that boundary
 
+  // The largest depth that is asked for anywhere, right or not.
+  int deepest() const;
+
   int depth = 0; // of all boxes without another specification, 0 to DeepestLevel
   std::vector<RefinementBlock> blocks;        // the last one wins
   std::vector<BoundaryRefinement> boundaries; // never make boxes coarser, as section 4.6 ends
@@ -72,6 +75,12 @@ struct Depths
   bool inPart() const { return touched > 0 || sized > 0; }
 };
 
+struct TouchedPart
+{
+  int depth;
+  double share; // of the global box
+};
+
 // Evaluates a specification in the paper's order: default, blocks, boundaries; then regions and sizes.
 class Refinement
 {
@@ -86,6 +95,9 @@ public:
     const Meshlines& planes, Execution& execution);
 
   Depths at(std::int64_t i, std::int64_t j, std::int64_t k) const;
+
+  // By depth, ascending: about which part of a global box regions touch that do so in part only.
+  std::vector<TouchedPart> touchedParts(std::int64_t i, std::int64_t j, std::int64_t k) const;
 
   // The forced depth of each unit of a global box, x fastest. `depths`: of this global box, which
   // has 2^depths.deepest() units along each axis. `scratch` keeps its storage.

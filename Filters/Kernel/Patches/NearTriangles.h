@@ -34,7 +34,10 @@ private:
   };
   using ByLevel = std::array<List, DeepestLevel + 1>;
 
-  void fill(List& list, const Box& box, std::size_t axis, const TriangleRange& from) const;
+  // Of those of `all` that reach the box of this level along the axis that holds the given one.
+  TriangleRange listOf(
+    ByLevel& lists, const Box& box, std::size_t axis, int level, const TriangleRange& all);
+  void fill(List& list, std::size_t axis, int level, const TriangleRange& from) const;
 
   const Surface& surface_;
   const Boxes& boxes_;

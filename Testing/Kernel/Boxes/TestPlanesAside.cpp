@@ -20,7 +20,7 @@ Meshlines planesBeside(double low, double high, const std::vector<Level>& along)
   const Meshlines given{ { across, across, along } };
   const PreparedSurface prepared = prepareOnLevels(box({ 11, 11, low }, { 101, 101, high }), given);
   Meshlines planes = given;
-  stepAside(prepared.surface, planes);
+  stepAside(prepared.surface, 0, planes);
   return planes;
 }
 
