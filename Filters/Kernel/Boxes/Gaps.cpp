@@ -96,14 +96,14 @@ public:
 
   std::vector<std::vector<Octants::Key>> find(Execution& execution) const
   {
-    std::vector<std::vector<Octants::Key>> found = findOctants<NoScratch>(fine_, finePlanes_,
-      { std::size_t(1) << finer_, spec_.everyLayer }, execution,
-      [&](const std::array<std::uint32_t, 3>& box, const TriangleRange& triangles, NoScratch&,
-        std::vector<Octants::Key>& mine) {
-        const auto before = static_cast<std::ptrdiff_t>(mine.size());
-        lookFrom({ box[0], box[1], box[2] }, triangles, mine);
-        leaveOutTwins(mine, before);
-      });
+    std::vector<std::vector<Octants::Key>> found =
+      findOctants<NoScratch>(fine_, finePlanes_, execution,
+        [&](const std::array<std::uint32_t, 3>& box, const TriangleRange& triangles, NoScratch&,
+          std::vector<Octants::Key>& mine) {
+          const auto before = static_cast<std::ptrdiff_t>(mine.size());
+          lookFrom({ box[0], box[1], box[2] }, triangles, mine);
+          leaveOutTwins(mine, before);
+        });
     for (std::vector<Octants::Key>& keys : found)
     {
       leaveOutTwins(keys, 0);
