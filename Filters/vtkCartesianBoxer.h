@@ -7,7 +7,7 @@
  * (vtkUnstructuredGrid of voxels; sections 4.1 to 4.6 of the paper).
  *
  * Cell arrays of the output: GlobalBox (int, components I, J, K), Level and Offset (how often
- * halved along x, y, z, and where in the global box, in 1/64 of it), Status (1 inside, 2 intersected by
+ * halved along x, y, z, and where in the global box, in parts of which the field data PartsPerBox tells the number), Status (1 inside, 2 intersected by
  * the surface), CornerStatus (bit x + 2 y + 4 z: that corner is inside). Field data: LatticeOrigin,
  * LatticeStep, PlanesX, PlanesY, PlanesZ (see Conversion/BoxesVTK.h).
  *

@@ -161,7 +161,7 @@ public:
   /**
    * Blocks of boxes with refinement levels of their own; later rows override earlier ones. First and last box
    * along each axis (whole numbers from 0, both included), the level allowed where the surface passes, and the
-   * level forced everywhere in the block, 0 to 6 (section 4.6).
+   * level forced everywhere in the block, 0 to 12 (section 4.6).
    */
   void SetNumberOfRefinementBlocks(int number);
   void SetRefinementBlock(int row, double firstI, double lastI, double firstJ, double lastJ,
@@ -171,7 +171,7 @@ public:
   ///@{
   /**
    * Refinement along boundaries, applied after blocks: the number of the boundary, the level of boxes that it
-   * passes through (0 to 6), the blending distance (layers of boxes at each forced level; 0: no blending), and 1
+   * passes through (0 to 12), the blending distance (layers of boxes at each forced level; 0: no blending), and 1
    * if blending starts one level lower, otherwise 0.
    */
   void SetNumberOfBoundaryRefinements(int number);
@@ -183,7 +183,7 @@ public:
   /**
    * Refinement zones like the closed surfaces on input port 1, one per row: "box", "sphere", "cylinderX",
    * "cylinderY" or "cylinderZ", which fills the box given by its lower corner and its lengths (more than 0;
-   * units of the surface); and the refinement level, 0 to 6.
+   * units of the surface); and the refinement level, 0 to 12.
    */
   void SetNumberOfRefinementShapes(int number);
   void SetRefinementShape(int row, const char* shape);
@@ -202,7 +202,7 @@ public:
 
   ///@{
   /**
-   * Refinement level (0 to 6) of global boxes that the boundaries in the table of names pass through, without blending, unless a row of
+   * Refinement level (0 to 12) of global boxes that the boundaries in the table of names pass through, without blending, unless a row of
    * SetBoundaryRefinement sets it; negative: as if they were not in the table.
    */
   void SetNumberOfBoundaryDepths(int number) { this->Resize(this->BoundaryDepths, number); }
@@ -211,7 +211,7 @@ public:
 
   ///@{
   /**
-   * Deprecated since 0.1.0: boundaries by name that are refined to RefinedBoundaryDepth (0 to 6, default 1) unless a
+   * Deprecated since 0.1.0: boundaries by name that are refined to RefinedBoundaryDepth (0 to 12, default 1) unless a
    * row says otherwise. BoundaryNames and BoundaryDepths replace it; a warning says so.
    */
   void SetRefinedBoundaryArrayStatus(const char* name, int chosen);
@@ -223,7 +223,7 @@ public:
   ///@{
   /**
    * Refinement level of boxes inside or touching closed surfaces on input port 1 that have none of their own
-   * (field data RegionDepth); 0 to 6, default 1. Applied last; only ever refines.
+   * (field data RegionDepth); 0 to 12, default 1. Applied last; only ever refines.
    */
   vtkSetMacro(RegionDepth, int);
   vtkGetMacro(RegionDepth, int);
@@ -233,8 +233,8 @@ public:
   /**
    * Refinement by the shape of the surface; it only ever refines. Boxes are halved until the surface turns by at
    * most CurvatureAngle in each (degrees, 0 to 180; default 0, off), sharp edges excepted; boxes at sharp edges
-   * to level FeatureDepth (0 to 6, default 0); and until CellsAcrossGaps of them (0 to 64, default 0, off) fit
-   * between walls that face each other. LargestDepth (0 to 6, default 3) limits angle and gaps. Edges are sharp
+   * to level FeatureDepth (0 to 12, default 0); and until CellsAcrossGaps of them (0 to 124, default 0, off) fit
+   * between walls that face each other. LargestDepth (0 to 12, default 3) limits angle and gaps. Edges are sharp
    * beyond 30 degrees; in vtkCartesianMesher, beyond FeatureAngle.
    */
   vtkSetMacro(CurvatureAngle, double);

@@ -315,7 +315,7 @@ public:
   ///@{
   /**
    * With Outside and RefinementDepth 0: boxes that the surface passes through are halved until at least this
-   * many fit along its longest side, at most 6 times; without refinement zones of the user's, boxes around the
+   * many fit along its longest side, at most 12 times; without refinement zones of the user's, boxes around the
    * body are one level coarser and those in its wake two. 0 to 1000, default 60; 0: no such refinement.
    */
   vtkSetMacro(BoxesAlongBody, int);

@@ -72,7 +72,7 @@ public:
 
   ///@{
   /**
-   * Refinement level of boxes in or at the region: 0 to 6, default 1.
+   * Refinement level of boxes in or at the region: 0 to 12, default 1.
    */
   vtkSetClampMacro(Depth, int, 0, 6);
   vtkGetMacro(Depth, int);

@@ -13,7 +13,9 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
@@ -202,6 +204,50 @@ TEST(Pipeline, EveryFilterReportsProgress)
     }
     EXPECT_LT(observer.reports()[2].progress, 0.2) << filter->GetClassName();
     filter->RemoveAllObservers();
+  }
+}
+
+// Their offsets were bytes, in 1/64 of a global box, and nothing said so.
+TEST(Pipeline, BoxesOfEarlierVersionsAreRead)
+{
+  const auto source = sphere();
+  vtkNew<vtkCartesianBoxer> boxer;
+  boxer->SetInputConnection(source->GetOutputPort());
+  boxer->SetCellSize(0.3);
+  boxer->SetRefinementDepth(2);
+  boxer->Update();
+  auto* boxes = vtkUnstructuredGrid::SafeDownCast(boxer->GetOutputDataObject(0));
+  vtkNew<vtkUnstructuredGrid> earlier;
+  earlier->ShallowCopy(boxes);
+  vtkNew<vtkUnsignedCharArray> offsets;
+  offsets->DeepCopy(boxes->GetCellData()->GetArray("Offset"));
+  offsets->SetName("Offset");
+  earlier->GetCellData()->AddArray(offsets);
+  ASSERT_TRUE(earlier->GetFieldData()->HasArray("PartsPerBox"));
+  earlier->GetFieldData()->RemoveArray("PartsPerBox");
+  ASSERT_EQ(earlier->GetCellData()->GetArray("Offset")->GetDataType(), VTK_UNSIGNED_CHAR);
+
+  std::vector<vtkSmartPointer<vtkUnstructuredGrid>> meshes;
+  for (vtkUnstructuredGrid* given : { boxes, earlier.Get() })
+  {
+    vtkNew<vtkPatcher> patcher;
+    patcher->SetInputConnection(0, source->GetOutputPort());
+    patcher->SetInputDataObject(1, given);
+    vtkNew<vtkCellAssembler> assembler;
+    assembler->SetInputDataObject(0, given);
+    assembler->SetInputConnection(1, patcher->GetOutputPort());
+    assembler->Update();
+    meshes.push_back(vtkUnstructuredGrid::SafeDownCast(assembler->GetOutputDataObject(0)));
+  }
+  ASSERT_GT(meshes[0]->GetNumberOfCells(), 100);
+  ASSERT_EQ(meshes[1]->GetNumberOfCells(), meshes[0]->GetNumberOfCells());
+  ASSERT_EQ(meshes[1]->GetNumberOfPoints(), meshes[0]->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < meshes[0]->GetNumberOfPoints(); ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ASSERT_EQ(meshes[1]->GetPoint(i)[axis], meshes[0]->GetPoint(i)[axis]);
+    }
   }
 }
 

@@ -366,7 +366,7 @@ for wrong, part in (
     ({"BoundaryNames": ["nobody*"], "BoundaryMergedNames": ["one"]}, '"nobody*", which is not a boundary'),
     ({"BoundaryNames": ["inlet*"], "BoundaryMergedNames": []}, ""),
     ({"BoundaryNames": ["inlet*"], "BoundaryMergedNames": ["one", "two"]}, "one for each name"),
-    ({"BoundaryNames": ["inlet*"], "BoundaryDepths": [7]}, "0 to 6"),
+    ({"BoundaryNames": ["inlet*"], "BoundaryDepths": [13]}, "0 to 12"),
     ({"BoundaryNames": ["inlet_1"], "BoundaryMergedNames": ["in"], "RefinedBoundaries": ["inlet_1"]}, "inlet_1"),
 ):
     with Messages() as said:

@@ -7,7 +7,7 @@ import tempfile
 
 from cartesianmesher.vtkCartesianMesherFilters import vtkCartesianMesher
 from paraview import simple
-from vtkmodules.vtkCommonCore import vtkIntArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkPolyData
 
 import measure
@@ -241,6 +241,15 @@ for name in "LatticeOrigin", "LatticeStep", "PlanesX", "PlanesY", "PlanesZ":
     bare = without(boxer, name, "FieldData")
     assembled(bare, patcher, MISSING_ARRAY, f'"{name}"', "Cartesian Boxer")
     check(simple.Patcher(Input=surface, Boxes=bare), MISSING_ARRAY, f'"{name}"')
+# Another unit of offsets, and deeper boxes than it has.
+for parts in 32, 100, 2**13:
+    copy = output(boxer).NewInstance()
+    copy.ShallowCopy(output(boxer))
+    unit = vtkDoubleArray()
+    unit.SetName("PartsPerBox")
+    unit.InsertNextValue(parts)
+    copy.GetFieldData().AddArray(unit)
+    assembled(producer(copy), patcher, MISSING_ARRAY, '"PartsPerBox"', str(parts), "Cartesian Boxer")
 # Some boxes taken away.
 for status in 1, 2:
     some = simple.Threshold(Input=boxer, Scalars=["CELLS", "Status"], LowerThreshold=status,

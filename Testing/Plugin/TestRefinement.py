@@ -92,7 +92,7 @@ def refused(words, **properties):
 
 refused("no boundary 3", BoundaryRefinement=[3, 1, 0, 0])
 refused("runs backward", RefinementBlocks=[4, 2, 0, 3, 0, 1, 1, 1])
-refused("must be from 0 to 6", RefinementBlocks=[0, 2, 0, 3, 0, 1, 9, 0])
+refused("must be from 0 to 12", RefinementBlocks=[0, 2, 0, 3, 0, 1, 13, 0])
 refused("is not a whole number", RefinementBlocks=[0, 2.5, 0, 3, 0, 1, 1, 0])
 
 mesher = simple.CartesianMesher(Input=spot, RefinementBlocks=[0, 2, 0, 3, 45, 99, 1, 1])

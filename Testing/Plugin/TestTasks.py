@@ -254,7 +254,7 @@ for text, *parts in (
     (FILES + "[grid]\nmeshlines_x = 3\n", "task.toml:4: grid.meshlines_x", "must be a list"),
     (FILES + "grid.cell_size = true\n[mesh]\n", "task.toml:4: mesh", "not a known key", "refinement"),
     (FILES + "[refinement]\nrefinement_depth = 1.5\n", ":4: refinement.refinement_depth", "not a whole number"),
-    (FILES + "[refinement]\nrefinement_depth = 7\n", ":4: refinement.refinement_depth", "at most 6"),
+    (FILES + "[refinement]\nrefinement_depth = 13\n", ":4: refinement.refinement_depth", "at most 12"),
     (FILES + "[refinement]\nrefinement_blocks = [[1, 2, 3]]\n", ":4:", "row 0: must have 8 values", "i_first"),
     (FILES + "[refinement]\nboundary_refinement = [{ boundary = 1 }]\n", ":4:", "depth is missing"),
     (FILES + "[refinement]\nboundary_refinement = [{ boundry = 1 }]\n", ":4:", "there is no boundry"),

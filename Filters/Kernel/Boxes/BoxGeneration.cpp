@@ -61,6 +61,7 @@ public:
   {
     boxes_.lattice = surface.lattice;
     boxes_.planes = planes;
+    boxes_.planes.planeLevel = std::max(planes.planeLevel, refinement.deepest());
     boxes_.core = core;
     boxes_.ends = surface.ends;
   }
@@ -147,13 +148,16 @@ private:
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const Level size = planes_[axis][at[axis] + 1] - planes_[axis][at[axis]];
-      if (depths.deepest() > 0 && size < Level(2) << refinement_.deepest())
+      const Level least =
+        std::max(leastWidth(depths.deepest()), Level(2) << refinement_.deepest());
+      if (depths.deepest() > 0 && size < least)
       {
         throw Error(Fault::BadParameter,
           "Global box " + std::to_string(at[0]) + ", " + std::to_string(at[1]) + ", " +
-            std::to_string(at[2]) +
-            " is too thin to be divided on this lattice: choose a larger Cell Size, or refine "
-            "less there.");
+            std::to_string(at[2]) + " is too thin to be divided on this lattice, which has " +
+            number(LevelsOfTheDomain) +
+            " levels along the whole grid: choose a larger Cell Size, refine less, or make the "
+            "domain smaller.");
       }
     }
   }

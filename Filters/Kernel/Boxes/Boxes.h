@@ -21,6 +21,13 @@
 namespace cartesian
 {
 
+// The least width in levels of a global box that is halved so often. Where boxes are that small, the lattice must still
+// resolve the surface in them: patches of the deepest are as good as others with 2^10 levels along each side.
+constexpr Level leastWidth(int depth)
+{
+  return Level(depth > LeastPlaneLevel ? 1024 : 2) << depth;
+}
+
 // A box in compact form, as there are about as many as the mesh has cells.
 struct PackedBox
 {

@@ -230,10 +230,9 @@ void addBends(const SizingSpec& spec, const Surface& surface, const Shoeboxes& s
   const Meshlines& planes, Octants& octants, Execution& execution)
 {
   const Bends bends(spec, surface, planes, octants, execution);
-  std::vector<std::vector<Octants::Key>> found =
-    findOctants<Scratch>(shoeboxes, planes, { 1, spec.everyLayer }, execution,
-      [&](const std::array<std::uint32_t, 3>& box, const TriangleRange& triangles, Scratch& scratch,
-        std::vector<Octants::Key>& mine) { bends.find({ box }, triangles, scratch, mine); });
+  std::vector<std::vector<Octants::Key>> found = findOctants<Scratch>(shoeboxes, planes, execution,
+    [&](const std::array<std::uint32_t, 3>& box, const TriangleRange& triangles, Scratch& scratch,
+      std::vector<Octants::Key>& mine) { bends.find({ box }, triangles, scratch, mine); });
   octants.add(found);
 }
 

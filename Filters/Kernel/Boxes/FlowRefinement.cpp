@@ -5,6 +5,7 @@
 #include "Boxes/Boxes.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cartesian
 {
@@ -15,6 +16,18 @@ namespace
 // In lengths of the bodies' longest side: how far the zones reach beyond them, and the wake behind them.
 constexpr double Margin = 0.25;
 constexpr double WakeLength = 2;
+
+// Boxes around the bodies are as large again as along them, and in the wake once more. But a zone is a box: finer ones
+// than these would fill it with far more boxes than the wall has, and Transition Layers lie between. A zone of this depth,
+// or with so many boxes along the bodies, is fine enough.
+struct FineEnough
+{
+  int depth;
+  int boxesAlong;
+};
+
+constexpr FineEnough AroundBodies{ 5, 60 };
+constexpr FineEnough InTheWake{ 4, 30 };
 
 Bounds common(Bounds a, const Bounds& b)
 {
@@ -54,6 +67,17 @@ double largestBox(const GridSpec& grid, const Bounds& body)
   return largest;
 }
 
+// `largest`: the longest edge of undivided boxes along the bodies.
+int fineEnough(const FineEnough& zone, double largest, double length)
+{
+  int depth = zone.depth;
+  while (depth < DeepestLevel && std::ldexp(largest, -depth) * zone.boxesAlong > length)
+  {
+    ++depth;
+  }
+  return depth;
+}
+
 }
 
 FlowRefinement flowRefinement(const DomainSpec& domain, const GridSpec& grid, const Bounds& surface)
@@ -64,7 +88,8 @@ FlowRefinement flowRefinement(const DomainSpec& domain, const GridSpec& grid, co
   const double length = body.longest();
   FlowRefinement result;
   result.length = length;
-  result.size = largestBox(fittedTo(box, grid), body);
+  const double largest = largestBox(fittedTo(box, grid), body);
+  result.size = largest;
   while (!result.hasAlong(domain.boxesAlong) && result.depth < DeepestLevel)
   {
     result.size /= 2;
@@ -76,7 +101,8 @@ FlowRefinement flowRefinement(const DomainSpec& domain, const GridSpec& grid, co
   (flow % 2 == 0 ? wake.high : wake.low)[flow / 2] +=
     (flow % 2 == 0 ? 1 : -1) * (WakeLength - Margin) * length;
   for (const FlowZone& zone :
-    { FlowZone{ around, result.depth - 1 }, FlowZone{ wake, result.depth - 2 } })
+    { FlowZone{ around, std::min(result.depth - 1, fineEnough(AroundBodies, largest, length)) },
+      FlowZone{ wake, std::min(result.depth - 2, fineEnough(InTheWake, largest, length)) } })
   {
     if (zone.depth > 0)
     {

@@ -30,7 +30,8 @@ struct FlowRefinement
 };
 
 // Along the bodies' longest side there are at least DomainSpec::boxesAlong boxes, if DeepestLevel allows for them; around
-// them boxes are at most twice as large as along them, in the wake four times. `surface`: the bounds of the bodies, user
+// them boxes are at most twice as large as along them, in the wake four times, unless 1/60 and 1/30 of that side is
+// fine enough (FlowRefinement.cpp). `surface`: the bounds of the bodies, user
 // units. Throws Error: BadParameter, BadCellSize, TooManyBoxes (boxAround, fittedTo).
 FlowRefinement flowRefinement(
   const DomainSpec& domain, const GridSpec& grid, const Bounds& surface);

@@ -14,8 +14,11 @@ namespace
 
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 
-// Lines are followed through a grid so many levels finer than the boxes.
-constexpr int MostLevelsFiner = 2;
+// Lines are followed through a grid so many levels finer than the boxes; for deep boxes through one at most so many
+// levels coarser than the deepest, if it has no more rows than these.
+constexpr int LevelsFiner = 2;
+constexpr int LevelsCoarser = 4;
+constexpr double MostRows = 4e6;
 
 // Of the angle between a line and the normal of the wall that it meets.
 constexpr double LeastCosine = 0.5;
@@ -23,8 +26,20 @@ constexpr double LeastCosine = 0.5;
 // Levels from a wall within which a line meets nothing: that is the wall itself.
 constexpr double OwnWall = 2;
 
-// Along each side of a piece of the surface, at most so many lines start.
-constexpr double MostSamples = 64;
+// Along each side of a piece of the surface, at most so many lines start, or two for each of the deepest boxes that
+// the piece may be long.
+constexpr int MostSamples = 64;
+
+int levelsFiner(int largestDepth, const Meshlines& planes)
+{
+  const double rows = double(planes[1].size() - 1) * double(planes[2].size() - 1);
+  int finer = std::min(largestDepth, LevelsFiner);
+  while (finer < largestDepth - LevelsCoarser && std::ldexp(rows, 2 * (finer + 1)) <= MostRows)
+  {
+    ++finer;
+  }
+  return finer;
+}
 
 Meshlines dividedBy(int level, const Meshlines& planes)
 {
@@ -72,7 +87,8 @@ public:
     , surface_(surface)
     , planes_(planes)
     , octants_(octants)
-    , finer_(std::min(spec.largestDepth, MostLevelsFiner))
+    , finer_(levelsFiner(spec.largestDepth, planes))
+    , mostSamples_(std::max(MostSamples, 2 << (spec.largestDepth - finer_)))
     , finePlanes_(dividedBy(finer_, planes))
     , fine_(fillShoeboxes(surface, finePlanes_, execution))
   {
@@ -80,14 +96,14 @@ public:
 
   std::vector<std::vector<Octants::Key>> find(Execution& execution) const
   {
-    std::vector<std::vector<Octants::Key>> found = findOctants<NoScratch>(fine_, finePlanes_,
-      { std::size_t(1) << finer_, spec_.everyLayer }, execution,
-      [&](const std::array<std::uint32_t, 3>& box, const TriangleRange& triangles, NoScratch&,
-        std::vector<Octants::Key>& mine) {
-        const auto before = static_cast<std::ptrdiff_t>(mine.size());
-        lookFrom({ box[0], box[1], box[2] }, triangles, mine);
-        leaveOutTwins(mine, before);
-      });
+    std::vector<std::vector<Octants::Key>> found =
+      findOctants<NoScratch>(fine_, finePlanes_, execution,
+        [&](const std::array<std::uint32_t, 3>& box, const TriangleRange& triangles, NoScratch&,
+          std::vector<Octants::Key>& mine) {
+          const auto before = static_cast<std::ptrdiff_t>(mine.size());
+          lookFrom({ box[0], box[1], box[2] }, triangles, mine);
+          leaveOutTwins(mine, before);
+        });
     for (std::vector<Octants::Key>& keys : found)
     {
       leaveOutTwins(keys, 0);
@@ -332,7 +348,7 @@ private:
 
   // Calls visit(place) with places of a piece of a triangle that are about `spacing` apart.
   template <class Visitor>
-  static void forEachSample(const Fragment& fragment, double spacing, Visitor&& visit)
+  void forEachSample(const Fragment& fragment, double spacing, Visitor&& visit) const
   {
     const Vector a = toVector(fragment.corner[0]);
     if (const auto [middle, reach] = middleOf(fragment); reach < spacing / 2)
@@ -345,7 +361,7 @@ private:
       const Vector b = toVector(fragment.corner[i]);
       const Vector c = toVector(fragment.corner[i + 1]);
       const double longest = std::max({ norm(minus(b, a)), norm(minus(c, b)), norm(minus(a, c)) });
-      const auto n = static_cast<int>(std::clamp(std::ceil(longest / spacing), 1., MostSamples));
+      const auto n = static_cast<int>(std::clamp(std::ceil(longest / spacing), 1., mostSamples_));
       for (int row = 0; row < n; ++row)
       {
         for (int column = 0; column <= row; ++column)
@@ -364,6 +380,7 @@ private:
   const Meshlines& planes_;
   const Octants& octants_;
   const int finer_;
+  const double mostSamples_;
   const Meshlines finePlanes_;
   const Shoeboxes fine_;
 };

@@ -131,7 +131,8 @@ std::vector<float> areasInBoxes(
   return areas;
 }
 
-MeshEstimate estimateBox(BoxStatus status, const Depths& depths, const TriangleRange& triangles,
+MeshEstimate estimateBox(BoxStatus status, const Depths& depths,
+  const std::vector<TouchedPart>& touched, const TriangleRange& triangles,
   const std::vector<float>& areas)
 {
   const auto passing = static_cast<double>(triangles.second - triangles.first);
@@ -153,22 +154,24 @@ MeshEstimate estimateBox(BoxStatus status, const Depths& depths, const TriangleR
     const double beside = allowed == 0 ? 0 : BoxesBesideUnits * layer;
     return { std::max(forcedBoxes - units, beside), units, piecesIn(units, passing) };
   };
-  MeshEstimate without = wholly(depths.allowed, depths.forced);
+  MeshEstimate result = wholly(depths.allowed, depths.forced);
   if (depths.sized > 0)
   {
     // Octants that the surface requires, and those that contain them; the rest of the latter are empty or inside.
-    const auto units = std::max(without.intersected, double(depths.octants));
-    without = { without.inside + units, status == BoxStatus::Intersected ? units : 0,
+    const auto units = std::max(result.intersected, double(depths.octants));
+    result = { result.inside + units, status == BoxStatus::Intersected ? units : 0,
       piecesIn(units, passing) };
   }
-  if (depths.touched == 0)
+  for (const auto& [depth, share] : touched)
   {
-    return without;
+    const MeshEstimate with = wholly(std::max(depths.allowed, depth), depth);
+    const auto mixed = [part = share](double without, double within) {
+      return without + part * std::max(0.0, within - without);
+    };
+    result = { mixed(result.inside, with.inside), mixed(result.intersected, with.intersected),
+      mixed(result.pieces, with.pieces) };
   }
-  // Where regions' borders pass, they touch half of the global boxes, more or less.
-  const MeshEstimate with = wholly(depths.deepest(), depths.touched);
-  return { (without.inside + with.inside) / 2, (without.intersected + with.intersected) / 2,
-    (without.pieces + with.pieces) / 2 };
+  return result;
 }
 
 MeshEstimate estimateOf(double boxes, double intersected, double triangles)

@@ -60,8 +60,9 @@ std::vector<float> areasInBoxes(
   const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes);
 
 // Of one global box that is inside or intersected, and of the triangles that pass through it. `areas`: of all
-// triangles (above); may be empty if the box is not divided.
-MeshEstimate estimateBox(BoxStatus status, const Depths& depths, const TriangleRange& triangles,
+// triangles (above); may be empty if the box is not divided. `touched`: where depths.touched says that there are parts.
+MeshEstimate estimateBox(BoxStatus status, const Depths& depths,
+  const std::vector<TouchedPart>& touched, const TriangleRange& triangles,
   const std::vector<float>& areas);
 
 // Of boxes that are made, for each layer of the grid.

@@ -9,21 +9,11 @@
 namespace cartesian
 {
 
-// Which layers along z are examined: all, or for an estimate, `each` at a time and then none of the `every` - 1 times
-// as many before the next.
-struct LayersLookedAt
-{
-  std::size_t each = 1;
-  std::size_t every = 1;
-
-  bool has(std::size_t layer) const { return layer / each % every == every / 2; }
-};
-
 // Calls look(box, triangles, scratch, found), in which `box` is I, J, K in the grid of `planes`, the shoeboxes'
 // own. The lists are in the order of the boxes, for any number of threads.
 template <class Scratch, class Look>
-std::vector<std::vector<Octants::Key>> findOctants(const Shoeboxes& shoeboxes,
-  const Meshlines& planes, const LayersLookedAt& layers, Execution& execution, const Look& look)
+std::vector<std::vector<Octants::Key>> findOctants(
+  const Shoeboxes& shoeboxes, const Meshlines& planes, Execution& execution, const Look& look)
 {
   constexpr std::size_t RowsAChunk = 16;
   const std::size_t rows = shoeboxes.rowStart.size() - 1;
@@ -33,10 +23,6 @@ std::vector<std::vector<Octants::Key>> findOctants(const Shoeboxes& shoeboxes,
     Scratch scratch;
     for (std::size_t row = begin; row < end; ++row)
     {
-      if (!layers.has(row / rowsAlongY))
-      {
-        continue;
-      }
       for (std::size_t b = shoeboxes.rowStart[row]; b < shoeboxes.rowStart[row + 1]; ++b)
       {
         const std::uint32_t* const all = shoeboxes.triangle.data();

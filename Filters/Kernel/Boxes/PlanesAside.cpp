@@ -292,8 +292,9 @@ void stepPlanesBetween(const FlatWalls& walls, Meshlines& planes, std::size_t ax
 
 }
 
-void stepAside(const Surface& surface, Meshlines& planes)
+void stepAside(const Surface& surface, int depth, Meshlines& planes)
 {
+  planes.planeLevel = std::clamp(depth, LeastPlaneLevel, DeepestLevel);
   const double longest = surface.around.inside() ? longestSide(surface) : 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {

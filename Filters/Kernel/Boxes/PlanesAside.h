@@ -17,6 +17,7 @@ namespace cartesian
 // whichever leaves the smallest area of walls with a flange. In external domains so do the first and the last
 // meshline, towards the middle: a body that stands on the ground then stands in it, and one that was cut there ends
 // there, though its corners are not quite on the plane. The surface is oriented.
-void stepAside(const Surface& surface, Meshlines& planes);
+// `depth`: the largest that is asked for; it becomes the level of the planes.
+void stepAside(const Surface& surface, int depth, Meshlines& planes);
 
 }

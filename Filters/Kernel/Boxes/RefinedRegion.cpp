@@ -4,6 +4,8 @@
 #include "Base/Error.h"
 #include "Repair/SurfaceCheck.h"
 
+#include <cmath>
+
 namespace cartesian
 {
 
@@ -94,6 +96,15 @@ RefinedRegion::RefinedRegion(const RefinementRegion& region, const Lattice& ofGr
       static_cast<std::int64_t>(planes[1].size()) - 1,
       static_cast<std::int64_t>(planes[2].size()) - 1)
 {
+  low_ = high_ = surface_.vertices.front();
+  for (const Point& p : surface_.vertices)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      low_[axis] = std::min(low_[axis], p[axis]);
+      high_[axis] = std::max(high_[axis], p[axis]);
+    }
+  }
   for (std::uint32_t k = 0; k + 1 < planes[2].size(); ++k)
   {
     for (std::uint32_t j = 0; j + 1 < planes[1].size(); ++j)
@@ -118,9 +129,27 @@ bool RefinedRegion::isTooThin(std::int64_t i, std::int64_t j, std::int64_t k) co
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const auto low = static_cast<std::size_t>(at[axis]);
-    result = result || planes_[axis][low + 1] - planes_[axis][low] < Level(2) << depth_;
+    result = result || planes_[axis][low + 1] - planes_[axis][low] < leastWidth(depth_);
   }
   return result;
+}
+
+// Most borders pass through the middle of a global box; but a region may be far smaller.
+double RefinedRegion::shareOf(std::int64_t i, std::int64_t j, std::int64_t k) const
+{
+  constexpr double OfABorder = 0.5;
+  const std::array<std::int64_t, 3> at = { i, j, k };
+  double share = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto n = static_cast<std::size_t>(at[axis]);
+    const double low = planes_[axis][n];
+    const double width = planes_[axis][n + 1] - low;
+    const double common =
+      std::min(low + width, double(high_[axis])) - std::max(low, double(low_[axis]));
+    share *= std::min(1.0, std::max(0.0, common) / width + std::ldexp(1, -depth_));
+  }
+  return std::min(OfABorder, share);
 }
 
 BoxStatus RefinedRegion::status(std::int64_t i, std::int64_t j, std::int64_t k) const

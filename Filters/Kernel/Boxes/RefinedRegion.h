@@ -35,6 +35,9 @@ public:
   // Of a global box by the region: intersected where only some of its boxes may touch it.
   BoxStatus status(std::int64_t i, std::int64_t j, std::int64_t k) const;
 
+  // About the part of a global box that it touches where it is intersected, in boxes of its depth.
+  double shareOf(std::int64_t i, std::int64_t j, std::int64_t k) const;
+
   // The region's border in a global box, or in a part of it.
   struct Part
   {
@@ -64,6 +67,8 @@ private:
   Shoeboxes shoeboxes_;
   GlobalStatuses statuses_;
   GlobalBoxSet touched_; // global boxes inside or intersected
+  Point low_;            // of the surface
+  Point high_;
 };
 
 }

@@ -26,11 +26,13 @@ void requireDivisible(const Meshlines& planes, int depth)
   {
     for (std::size_t i = 0; i + 1 < ofAxis.size(); ++i)
     {
-      if (ofAxis[i + 1] - ofAxis[i] < Level(2) << depth)
+      if (ofAxis[i + 1] - ofAxis[i] < leastWidth(depth))
       {
         throw Error(Fault::BadParameter,
-          "Some boxes are too thin to be divided on this lattice: set Curvature Angle, Feature "
-          "Depth and Cells Across Gaps to 0 and give no Size Array, or choose a larger Cell Size.");
+          "Some boxes are too thin to be halved " + std::to_string(depth) +
+            " times on this lattice, as Largest Depth or Feature Depth allow: choose a smaller "
+            "one, a larger Cell "
+            "Size or a smaller domain.");
       }
     }
   }
@@ -67,6 +69,24 @@ void RefinementSpec::addUnlessThere(const BoundaryRefinement& row)
   {
     boundaries.push_back(row);
   }
+}
+
+int RefinementSpec::deepest() const
+{
+  int result = std::max(depth, sizing.deepest());
+  for (const RefinementBlock& block : blocks)
+  {
+    result = std::max({ result, block.allowed, block.forced });
+  }
+  for (const BoundaryRefinement& row : boundaries)
+  {
+    result = std::max(result, row.depth);
+  }
+  for (const RefinementRegion& region : regions)
+  {
+    result = std::max(result, region.depth);
+  }
+  return result;
 }
 
 Refinement::Refinement(const RefinementSpec& spec, const Surface& surface,
@@ -260,6 +280,22 @@ Depths Refinement::at(std::int64_t i, std::int64_t j, std::int64_t k) const
   depths.sized = depths.sized > depths.forced ? depths.sized : 0;
   depths.allowed = std::max(depths.allowed, depths.forced);
   return depths;
+}
+
+std::vector<TouchedPart> Refinement::touchedParts(
+  std::int64_t i, std::int64_t j, std::int64_t k) const
+{
+  std::vector<TouchedPart> parts;
+  for (const auto& region : regions_)
+  {
+    if (region->status(i, j, k) == BoxStatus::Intersected)
+    {
+      parts.push_back({ region->depth(), region->shareOf(i, j, k) });
+    }
+  }
+  std::sort(parts.begin(), parts.end(),
+    [](const TouchedPart& a, const TouchedPart& b) { return a.depth < b.depth; });
+  return parts;
 }
 
 Forcing Refinement::forcingOf(

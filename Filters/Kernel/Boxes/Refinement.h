@@ -47,6 +47,9 @@ struct RefinementSpec
 
   void addUnlessThere(const BoundaryRefinement& row); // of that boundary
 
+  // The largest depth that is asked for anywhere, right or not.
+  int deepest() const;
+
   int depth = 0; // of all boxes without another specification, 0 to DeepestLevel
   std::vector<RefinementBlock> blocks;        // the last one wins
   std::vector<BoundaryRefinement> boundaries; // never make boxes coarser, as section 4.6 ends
@@ -70,6 +73,12 @@ struct Depths
 
   // Whether some units must be deeper than others.
   bool inPart() const { return touched > 0 || sized > 0; }
+};
+
+struct TouchedPart
+{
+  int depth;
+  double share; // of the global box
 };
 
 // What requires depths in a global box, or a part of it, apart from the surface that passes there.
@@ -100,6 +109,9 @@ public:
     const Meshlines& planes, Execution& execution);
 
   Depths at(std::int64_t i, std::int64_t j, std::int64_t k) const;
+
+  // By depth, ascending: about which part of a global box regions touch that do so in part only.
+  std::vector<TouchedPart> touchedParts(std::int64_t i, std::int64_t j, std::int64_t k) const;
 
   // `depths`: of this global box.
   Forcing forcingOf(const std::array<std::uint32_t, 3>& index, const Depths& depths) const;

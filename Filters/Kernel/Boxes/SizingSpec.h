@@ -33,9 +33,6 @@ struct SizingSpec
   int largestDepth = 3;               // where angle, gaps and sizes end, 0 to DeepestLevel
   double featureAngle = 30;           // degrees: edges at which the surface turns by more are sharp
 
-  // For estimates: angle, edges and gaps are examined only in one of so many layers of global boxes.
-  std::size_t everyLayer = 1;
-
   bool any() const
   {
     return curvatureAngle > 0 || featureDepth > 0 || cellsAcrossGaps > 0 || asksForSizes();

@@ -31,8 +31,10 @@ constexpr int DigitsOfSizes = 3;
 // More boxes than these take seconds to examine: their number is estimated from areas.
 constexpr double MostLookedAt = 2e6;
 
-// Prescribed sizes are searched for in about this many layers of the grid.
-constexpr std::size_t LayersLookedFor = 6;
+// That many halvings for sizes are always looked at. A level has at most so many times the boxes of the one before, as
+// it is at surfaces.
+constexpr int FirstDepthLookedAt = 4;
+constexpr double MostGrowth = 4;
 
 // Of the boxes that refinement adds by the estimate of memory, which is on the safe side: measured from 0.6 to 0.9.
 constexpr double OfAddedBoxes = 0.7;
@@ -147,30 +149,37 @@ bool asksForPlaces(const RefinementSpec& spec)
       [](const BoundaryRefinement& row) { return row.blendLayers > 0; });
 }
 
-// From every global box of a grid; if sizes are prescribed, of some layers.
-Counts boxesOfGrid(const SurfaceView& surface, Options options, Execution& execution)
+// From every global box of a grid.
+Counts boxesOfGrid(
+  const PreparedSurface& prepared, const Options& options, int depthOfSizes, Execution& execution)
+{
+  Options limited = options;
+  SizingSpec& sizing = limited.refinement.sizing;
+  sizing.largestDepth = std::min(sizing.largestDepth, depthOfSizes);
+  sizing.featureDepth = std::min(sizing.featureDepth, depthOfSizes);
+  const auto decomposition = decompose(prepared, limited, execution);
+  const MeshEstimate all =
+    decomposition->together(decomposition->estimateLayers(execution), decomposition->allLayers());
+  return { all.boxes(), all.intersected };
+}
+
+// Where sizes ask for deep boxes, they are only searched for as deeply as there are not too many; each level beyond
+// grows as the last one did.
+Counts boxesOfGrid(const SurfaceView& surface, const Options& options, Execution& execution)
 {
   const PreparedSurface prepared = prepareSurface(surface, options, execution);
-  SizingSpec sizing = std::exchange(options.refinement.sizing, {});
-  const auto withoutSizes = decompose(prepared, options, execution);
-  const std::vector<MeshEstimate> without = withoutSizes->estimateLayers(execution);
-  const MeshEstimate all = withoutSizes->together(without, withoutSizes->allLayers());
-  Counts boxes{ all.boxes(), all.intersected };
-  if (sizing.any())
+  const int deepest = options.refinement.sizing.deepest();
+  int depth = std::min(deepest, FirstDepthLookedAt);
+  Counts boxes = boxesOfGrid(prepared, options, depth, execution);
+  Counts before = boxes;
+  double growth = MostGrowth;
+  for (; depth < deepest && boxes.all < MostLookedAt && growth > 1; ++depth)
   {
-    const std::size_t every = (without.size() + LayersLookedFor - 1) / LayersLookedFor;
-    sizing.everyLayer = every;
-    options.refinement.sizing = std::move(sizing);
-    const auto withSizes = decompose(prepared, options, execution);
-    const std::vector<MeshEstimate> with = withSizes->estimateLayers(execution);
-    for (std::size_t k = every / 2; k < with.size(); k += every)
-    {
-      const auto times = static_cast<double>(every);
-      boxes.all += (with[k].boxes() - without[k].boxes()) * times;
-      boxes.intersected += (with[k].intersected - without[k].intersected) * times;
-    }
+    before = std::exchange(boxes, boxesOfGrid(prepared, options, depth + 1, execution));
+    growth = std::clamp(boxes.all / std::max(1.0, before.all), 1., MostGrowth);
   }
-  return boxes;
+  const double beyond = std::pow(growth, deepest - depth);
+  return { boxes.all * beyond, boxes.intersected * beyond };
 }
 
 // Of options that say how large boxes are.

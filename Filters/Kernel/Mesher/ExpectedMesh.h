@@ -29,7 +29,7 @@ struct ExpectedLayers
 ExpectedLayers expectedLayers(const Options& options, double longestSide);
 
 // For the grid with all refinement and layers in the options. If only areas of the surface matter, they suffice; else
-// each box of the grid is examined, or some of its layers, unless there are far too many. Throws Error: EmptySurface,
+// each box of the grid is examined, unless there are far too many. Throws Error: EmptySurface,
 // BadCoordinate, BadParameter, FlawedSurface (of a region).
 ExpectedMesh expectedMesh(const SurfaceView& surface, const Options& options, Execution& execution);
 

@@ -86,7 +86,9 @@ std::vector<MeshEstimate> Decomposition::estimateLayers(Execution& execution) co
     {
       statuses_.forEachBox(j, k, [&](std::uint32_t i, BoxStatus status) {
         const Depths depths = refinement_.any() ? refinement_.at(i, j, k) : Depths();
-        sum.add(estimateBox(status, depths, shoeboxes_.triangles(firstRow + j, i), areas));
+        const std::vector<TouchedPart> touched =
+          depths.touched > 0 ? refinement_.touchedParts(i, j, k) : std::vector<TouchedPart>();
+        sum.add(estimateBox(status, depths, touched, shoeboxes_.triangles(firstRow + j, i), areas));
       });
     }
   });

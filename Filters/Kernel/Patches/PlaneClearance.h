@@ -3,6 +3,7 @@
 //
 // Dual Levels only keep them one level away. Where the surface passes a corner or an edge of a box, that
 // leaves edges as short as one level; solvers want none shorter than a millionth of the box.
+// Neighbours of other sizes must move a common point alike: the clearance is that of the smallest boxes.
 #pragma once
 
 #include "Boxes/Boxes.h"
@@ -16,7 +17,7 @@ namespace cartesian
 class PlaneClearance
 {
 public:
-  // 2^-19 of a global box, but at most 2^-10 of the surface's extent, so that no body is lost.
+  // 2^-13 of the smallest boxes, but at most 2^-10 of the surface's extent, so that no body is lost.
   PlaneClearance(const Surface& surface, const Boxes& boxes)
     : planes_(boxes.planes)
   {
@@ -40,10 +41,12 @@ public:
   Level of(std::size_t axis, std::uint32_t index) const
   {
     const Level width = planes_[axis][index + 1] - planes_[axis][index];
-    return std::min(width >> 19, most_[axis]) | 1;
+    return std::min(width >> (BitsOfBox + planes_.planeLevel), most_[axis]) | 1;
   }
 
 private:
+  static constexpr int BitsOfBox = 13;
+
   const Meshlines& planes_;
   std::array<Level, 3> most_{};
 };

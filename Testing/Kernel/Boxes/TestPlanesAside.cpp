@@ -14,13 +14,13 @@ namespace
 
 // The planes after they stepped aside from a box between the levels 11 and 101 along x and y, and those
 // given along z.
-Meshlines planesBeside(double low, double high, const std::vector<Level>& along)
+Meshlines planesBeside(double low, double high, const std::vector<Level>& along, int depth = 0)
 {
   const std::vector<Level> across{ 0, along.back() };
   const Meshlines given{ { across, across, along } };
   const PreparedSurface prepared = prepareOnLevels(box({ 11, 11, low }, { 101, 101, high }), given);
   Meshlines planes = given;
-  stepAside(prepared.surface, planes);
+  stepAside(prepared.surface, depth, planes);
   return planes;
 }
 
@@ -61,6 +61,19 @@ TEST(PlanesAside, APlaneThatDividesABoxStepsToo)
   EXPECT_EQ(halfBeside(6399, 10001), 6398U);
   EXPECT_EQ(halfBeside(11, 6399), 6400U);
   EXPECT_EQ(halfBeside(11, 6501), 6400U); // far from the wall
+}
+
+// The wall runs along the first of the planes that divide the space between two meshlines into 512.
+TEST(PlanesAside, PlanesOfDeepBoxesStepToo)
+{
+  constexpr std::int64_t Step = FinePerBox / 512;
+  for (const int depth : { 0, 6, 8, 9, 12 })
+  {
+    const Meshlines planes = planesBeside(11, 1001, { 0, 512000 }, depth);
+    EXPECT_EQ(planes.planeLevel, std::max(6, depth));
+    EXPECT_EQ(planeAt(planes, 2, Step), depth < 9 ? 1000U : 1002U) << depth;
+    EXPECT_EQ(planeAt(planes, 2, 2 * Step), 2000U);
+  }
 }
 
 // 0.6 in single precision is 2.4e-8 more: a flange of 25 levels here.

@@ -419,7 +419,7 @@ TEST(Refinement, ErrorsNameWhatIsWrong)
 {
   RefinementSpec spec;
   spec.depth = DeepestLevel + 1;
-  expectFault(spec, Fault::BadParameter, "Refinement Depth is 7");
+  expectFault(spec, Fault::BadParameter, "Refinement Depth is 13");
   spec = {};
   spec.blocks.push_back({ { 0, 3, 0 }, { 1, 2, 1 }, 1, 0 });
   expectFault(spec, Fault::BadParameter, "J from 3 to 2");

@@ -153,6 +153,20 @@ TEST(Errors, MeshlinesCloserThanTheLattice)
     meshlinesY({ 0, 0.5, std::nextafter(0.5, 1), 1 }));
 }
 
+// In the fine grid, their positions would not fit in 32 bits.
+TEST(Errors, TooManyMeshlines)
+{
+  std::vector<double> lines((1 << 20) + 1);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    lines[i] = double(i) / double(1 << 20);
+  }
+  expectRefusal(
+    Fault::TooManyBoxes, { "Meshlines Y", "1.04858e+06", "fewer" }, cube(), meshlinesY(lines));
+  expectRefusal(Fault::TooManyBoxes, { "along X", "larger" }, box({ 0, 0, 0 }, { 1, 1e-6, 1e-6 }),
+    cellsOf(9e-7));
+}
+
 TEST(Errors, MemoryLimit)
 {
   expectError(Fault::TooManyBoxes, { "Memory Limit", "boxes" },

@@ -1,8 +1,12 @@
 // How large a mesh will be, against how large it is.
 #include "Mesher/ExpectedMesh.h"
+
+#include "Boxes/MeshEstimate.h"
 #include "Support/MeshChecker.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace cartesian;
 
@@ -82,4 +86,34 @@ TEST(ExpectedMesh, BoundariesWithoutLayersHaveNone)
   }
   EXPECT_GT(with, 2 * without);
   EXPECT_EQ(expectedMesh(soup.view(), options, execution).cells, without);
+}
+
+// The sharp edges lie along the ends: in few of the layers, or in one.
+TEST(ExpectedMesh, KnowsWhereSizesAskForBoxes)
+{
+  for (const double size : { 1.0, 0.5, 0.25, 0.125 })
+  {
+    const Soup soup = box({ 0, 0, 0 }, { 1, 1, 2 });
+    TestOptions options = sized(size);
+    options.refinement.sizing.featureDepth = 4;
+    Execution execution(1);
+    const double expected = expectedMesh(soup.view(), options, execution).cells;
+    EXPECT_NEAR(std::log2(expected / madeOf(soup, options)), 0, 1) << size;
+  }
+}
+
+// A region of a thousandth of a global box takes few boxes, however deep they are.
+TEST(ExpectedMesh, SmallRegionsTakeFewBoxes)
+{
+  Depths depths;
+  for (const int depth : { 3, 6, 9, 12 })
+  {
+    depths.touched = depth;
+    const double share = 1000 * std::pow(8, -depth);
+    const MeshEstimate small =
+      estimateBox(BoxStatus::Inside, depths, { { depth, std::min(0.5, share) } }, {}, {});
+    EXPECT_LE(small.boxes(), 1001) << depth;
+    const MeshEstimate half = estimateBox(BoxStatus::Inside, depths, { { depth, 0.5 } }, {}, {});
+    EXPECT_NEAR(half.boxes() / std::pow(8, depth), 0.5, 1e-3) << depth;
+  }
 }

@@ -203,9 +203,32 @@ TEST(FlowDomain, TooFewBoxesAlongABodyAreTold)
   DomainSpec domain;
   domain.domain = Domain::Outside;
   domain.boxesAlong = 1000;
+  domain.boxFrom = BoxSource::Bounds;
+  domain.bounds = { { -4096, -4096, -4096 }, { 4096, 4096, 4096 } };
   const Bounds body{ { 0, 0, 0 }, { 4, 2, 1 } };
-  EXPECT_EQ(describeShortfall(domain, flowRefinement(domain, cellsOf(1), body)),
-    "Boxes Along Body is 1000, but only 256 fit along the surface: boxes can be halved at most 6 "
-    "times. Choose a Cell Size of 0.256 or less, or closer Meshlines.");
-  EXPECT_EQ(describeShortfall(domain, flowRefinement(domain, cellsOf(0.256), body)), "");
+  EXPECT_EQ(describeShortfall(domain, flowRefinement(domain, cellsOf(64), body)),
+    "Boxes Along Body is 1000, but only 256 fit along the surface: boxes can be halved at most 12 "
+    "times. Choose a Cell Size of 16.384 or less, or closer Meshlines.");
+  EXPECT_EQ(describeShortfall(domain, flowRefinement(domain, cellsOf(16), body)), "");
+}
+
+// At the wall boxes may be far smaller, but not in zones, which they would fill.
+TEST(FlowDomain, ZonesAreNoFinerThanTheFlowNeeds)
+{
+  DomainSpec domain;
+  domain.domain = Domain::Outside;
+  domain.boxFrom = BoxSource::Bounds;
+  domain.bounds = { { -20, -10, 0 }, { 40, 10, 14 } };
+  const Bounds body{ { 0, -1, 0 }, { 4.5, 1, 1.5 } };
+  const std::vector<std::array<int, 4>> expected = { { 18, 3, 2, 1 }, { 60, 5, 4, 3 },
+    { 144, 6, 5, 4 }, { 288, 7, 5, 4 }, { 1000, 9, 5, 4 } };
+  for (const auto& [along, depth, around, wake] : expected)
+  {
+    domain.boxesAlong = along;
+    const FlowRefinement flow = flowRefinement(domain, cellsOf(2), body);
+    EXPECT_EQ(flow.depth, depth) << along;
+    ASSERT_EQ(flow.zones.size(), 2U);
+    EXPECT_EQ(flow.zones[0].depth, around) << along;
+    EXPECT_EQ(flow.zones[1].depth, wake) << along;
+  }
 }

@@ -2,6 +2,8 @@
 #include "Support/Effort.h"
 #include "Support/Pipeline.h"
 
+#include "Patches/PlaneClearance.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -130,5 +132,22 @@ TEST(Patches, OfClosedSoupsAreWatertight)
       all.push_back(static_cast<Level>(2 * i));
     }
     expectWatertight(patchesOf(prepareOnLevels(soup, { { all, all, all } }), {}));
+  }
+}
+
+// 2^-13 of the smallest boxes, which are 2^-6 of global boxes or less.
+TEST(Patches, KeepClearOfPlanesByAShareOfTheSmallestBoxes)
+{
+  constexpr Level Width = 1U << 30;
+  Surface surface;
+  surface.vertices = { { 1, 1, 1 }, { 2 * Width - 1, 2 * Width - 1, 2 * Width - 1 } };
+  Boxes boxes;
+  boxes.planes.lines.fill({ 0, Width, 2 * Width });
+  EXPECT_EQ(PlaneClearance(surface, boxes).of(0, 1), (Width >> 19) + 1);
+  for (int level = 6; level <= DeepestLevel; ++level)
+  {
+    boxes.planes.planeLevel = level;
+    const Level smallest = Width >> level;
+    EXPECT_EQ(PlaneClearance(surface, boxes).of(0, 1), (smallest >> 13) + 1);
   }
 }
