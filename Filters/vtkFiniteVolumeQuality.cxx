@@ -24,8 +24,8 @@ vtkStandardNewMacro(vtkFiniteVolumeQuality);
 namespace
 {
 
-template <class Array, class Value>
-void AddArray(vtkCellData* data, const char* name, const std::vector<Value>& values)
+template <class Array, class Values>
+void AddArray(vtkCellData* data, const char* name, const Values& values)
 {
   vtkNew<Array> array;
   array->SetName(name);
@@ -34,7 +34,7 @@ void AddArray(vtkCellData* data, const char* name, const std::vector<Value>& val
   data->AddArray(array);
 }
 
-void SetMeasures(const std::array<std::vector<double>, cartesian::MeasureCount>& measures,
+void SetMeasures(const std::array<cartesian::RawVector<double>, cartesian::MeasureCount>& measures,
   const std::vector<std::uint32_t>& failures, vtkCellData* data)
 {
   AddArray<vtkUnsignedIntArray>(data, "Failures", failures);

@@ -297,9 +297,9 @@ void addFailingCells(
     return;
   }
   CellAdder adder(DefectKind::FailingCell, FailingCells, output);
+  CellFaceReader reader(mesh);
   for (const vtkIdType cell : cells)
   {
-    CellFaceReader reader(mesh);
     adder.addFaces(mesh, reader.read(cell));
   }
   setField(output, FailingCells, { static_cast<double>(cells.size()) });

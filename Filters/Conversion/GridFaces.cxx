@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace cartesian
 {
@@ -132,6 +133,8 @@ std::vector<vtkIdType> cellsInOrder(vtkUnstructuredGrid* grid)
   return cells;
 }
 
+constexpr std::size_t CellsAChunk = 1024;
+
 // Appends a cell as CellFaceReader gives it; null: a cell without faces.
 void append(const vtkIdType* stream, CellFaces& cells)
 {
@@ -152,26 +155,67 @@ void finish(CellFaces& cells)
   cells.firstCorner.push_back(cells.corners.size());
 }
 
+// Of parts that are not finished, and are emptied.
+CellFaces joined(std::vector<CellFaces>& parts, Execution& execution)
+{
+  struct Place
+  {
+    std::size_t cell = 0;
+    std::size_t face = 0;
+    std::size_t corner = 0;
+  };
+  std::vector<Place> places{ {} };
+  for (const CellFaces& part : parts)
+  {
+    const Place& last = places.back();
+    places.push_back({ last.cell + part.firstFace.size(), last.face + part.firstCorner.size(),
+      last.corner + part.corners.size() });
+  }
+  CellFaces all;
+  all.firstFace.resize(places.back().cell);
+  all.firstCorner.resize(places.back().face);
+  all.corners.resize(places.back().corner);
+  execution.forEach(parts.size(), 1, [&](std::size_t i, std::size_t) {
+    const CellFaces part = std::move(parts[i]);
+    const Place& at = places[i];
+    std::transform(part.firstFace.begin(), part.firstFace.end(), all.firstFace.data() + at.cell,
+      [&](std::size_t face) { return face + at.face; });
+    std::transform(part.firstCorner.begin(), part.firstCorner.end(),
+      all.firstCorner.data() + at.face, [&](std::size_t corner) { return corner + at.corner; });
+    std::copy(part.corners.begin(), part.corners.end(), all.corners.data() + at.corner);
+  });
+  finish(all);
+  return all;
+}
+
 }
 
 CellFaces facesOfCells(vtkUnstructuredGrid* grid)
 {
-  std::vector<vtkIdType> all(static_cast<std::size_t>(grid->GetNumberOfCells()));
-  std::iota(all.begin(), all.end(), vtkIdType(0));
-  return facesOfCells(grid, all);
-}
-
-CellFaces facesOfCells(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& which)
-{
   checkPoints(grid);
   CellFaces cells;
   CellFaceReader reader(grid);
-  for (const vtkIdType c : which)
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
   {
     append(reader.read(c), cells);
   }
   finish(cells);
   return cells;
+}
+
+CellFaces facesOfCells(
+  vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& which, Execution& execution)
+{
+  checkPoints(grid);
+  std::vector<CellFaces> parts(chunks(which.size(), CellsAChunk));
+  execution.forEach(which.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    CellFaceReader reader(grid);
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      append(reader.read(which[i]), parts[begin / CellsAChunk]);
+    }
+  });
+  return joined(parts, execution);
 }
 
 GridFaces::GridFaces(vtkUnstructuredGrid* grid)

@@ -43,7 +43,8 @@ private:
 CellFaces facesOfCells(vtkUnstructuredGrid* grid);
 
 // Of some of them, in this order.
-CellFaces facesOfCells(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& which);
+CellFaces facesOfCells(
+  vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& which, Execution& execution);
 
 // The cells that have a volume and are not ghosts, in order of their CellId (BoundaryOfFaces.h) if they have one:
 // neighbours then have close numbers, which solvers prefer and the grid's order, with hexahedra first, does not give.

@@ -99,10 +99,10 @@ void separate(const CellFaces& cells, const std::vector<std::uint32_t>& regionOf
 class Checker
 {
 public:
-  Checker(vtkUnstructuredGrid* grid, Checked which)
+  Checker(vtkUnstructuredGrid* grid, Checked which, Execution& execution)
     : grid_(grid)
     , cellOf_(which == Checked::All ? allCells(grid) : cellsAtWalls(grid))
-    , cells_(facesOfCells(grid, cellOf_))
+    , cells_(facesOfCells(grid, cellOf_, execution))
   {
   }
 
@@ -221,7 +221,7 @@ Findings MeshCheck::sum() const
 MeshCheck checkMesh(vtkUnstructuredGrid* grid, Checked which, Execution& execution)
 {
   return grid->GetNumberOfCells() == 0 ? MeshCheck{ { "" }, { Findings{} }, {} }
-                                       : Checker(grid, which).run(execution);
+                                       : Checker(grid, which, execution).run(execution);
 }
 
 MeshCheck sum(MeshCheck check, const Processes& processes)

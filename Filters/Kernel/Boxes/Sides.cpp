@@ -12,6 +12,7 @@ namespace
 {
 
 constexpr std::size_t BoxesAChunk = 512;
+constexpr std::size_t SidesAChunk = 1 << 12;
 
 bool hasHangingNodes(const Boxes& boxes, const PackedBox& box, std::vector<std::int64_t>& scratch)
 {
@@ -198,31 +199,25 @@ void classify(const Boxes& boxes, Sides& result, Execution& execution)
 
 void listSidesOfBoxes(Sides& result, Execution& execution)
 {
-  result.boxStart.assign(result.polyhedral.size() + 1, 0);
-  const auto forEachSide = [&](auto&& visit) {
-    for (std::uint32_t s = 0; s < result.common.size(); ++s)
-    {
-      if (s % BoxesAChunk == 0)
+  Buckets<SideOfBox> ofBox = fillBuckets<SideOfBox>(
+    result.common.size(), SidesAChunk, result.polyhedral.size(),
+    [&](std::size_t begin, std::size_t end, auto&& add) {
+      for (auto s = static_cast<std::uint32_t>(begin); s < end; ++s)
       {
-        execution.poll();
-      }
-      for (const bool upper : { true, false })
-      {
-        const Side& side = result.common[s];
-        const std::uint32_t n = result.polyhedralOrdinal(upper ? side.low : side.high);
-        if (n != None)
+        for (const bool upper : { true, false })
         {
-          visit(n, s, upper);
+          const Side& side = result.common[s];
+          const std::uint32_t n = result.polyhedralOrdinal(upper ? side.low : side.high);
+          if (n != None)
+          {
+            add(n, SideOfBox(s, upper));
+          }
         }
       }
-    }
-  };
-  forEachSide([&](std::uint32_t n, std::uint32_t, bool) { ++result.boxStart[n]; });
-  result.ofBox.resize(scan(result.boxStart));
-  std::vector<std::size_t> next(result.boxStart.begin(), result.boxStart.end() - 1);
-  forEachSide([&](std::uint32_t n, std::uint32_t s, bool upper) {
-    result.ofBox[next[n]++] = { s, upper };
-  });
+    },
+    execution);
+  result.boxStart = std::move(ofBox.start);
+  result.ofBox = std::move(ofBox.items);
 }
 
 }

@@ -30,6 +30,8 @@ struct SideOfBox
     , upper(up ? 1 : 0)
   {
   }
+
+  bool operator<(const SideOfBox& other) const { return side < other.side; }
 };
 
 // Boxes that the surface intersects or that have hanging nodes become polyhedra. Their sides are

@@ -23,7 +23,7 @@ struct OtherSide
   std::uint32_t box = None;           // ... or the nearest in this box, if it has several
 };
 
-constexpr std::size_t ItemsAChunk = 4096;
+constexpr std::size_t ItemsAChunk = 1024;
 
 // Calls list(i, faces) for the items from `first` to `end`; returns the faces in the order of items.
 template <class List>

@@ -14,7 +14,7 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t BoxesAChunk = 512;
+constexpr std::size_t BoxesAChunk = 128;
 
 // Shaping adds about half as many faces. Unused space costs no memory.
 constexpr std::size_t WithShapedFaces = 2;

@@ -13,6 +13,9 @@ namespace cartesian
 namespace
 {
 
+constexpr std::size_t FacesAChunk = 4096;
+constexpr std::size_t NodesAChunk = 4096;
+
 class Search
 {
 public:
@@ -22,24 +25,34 @@ public:
   {
   }
 
-  std::vector<std::uint32_t> run(std::size_t nodes)
+  std::vector<std::uint32_t> run(std::size_t nodes, Execution& execution) const
   {
-    std::vector<std::uint32_t> last(nodes, None); // face with this lowest node
-    std::vector<std::uint32_t> before(wall_.faces.size(), None);
-    for (std::uint32_t f = 0; f < wall_.faces.size(); ++f)
-    {
-      if (!isThere(f))
+    const Buckets<std::uint32_t> facesAt = fillBuckets<std::uint32_t>(
+      wall_.faces.size(), FacesAChunk, nodes, // by their lowest node
+      [&](std::size_t first, std::size_t last, auto&& add) {
+        for (auto f = static_cast<std::uint32_t>(first); f < last; ++f)
+        {
+          if (isThere(f))
+          {
+            add(*std::min_element(begin(f), end(f)), f);
+          }
+        }
+      },
+      execution);
+    std::vector<std::vector<std::uint32_t>> found(chunks(nodes, NodesAChunk));
+    execution.forEach(nodes, NodesAChunk, [&](std::size_t first, std::size_t last) {
+      for (std::size_t node = first; node < last; ++node)
       {
-        continue;
+        for (const std::uint32_t* f = facesAt.begin(node); f != facesAt.end(node); ++f)
+        {
+          for (const std::uint32_t* g = facesAt.begin(node); g != f; ++g)
+          {
+            compare(*f, *g, found[first / NodesAChunk]);
+          }
+        }
       }
-      const std::uint32_t lowest = *std::min_element(begin(f), end(f));
-      for (std::uint32_t other = last[lowest]; other != None; other = before[other])
-      {
-        compare(f, other);
-      }
-      before[f] = std::exchange(last[lowest], f);
-    }
-    return sortedUnique(std::move(found_));
+    });
+    return sortedUnique(concatenated(found));
   }
 
 private:
@@ -57,7 +70,7 @@ private:
     return begin(f) != end(f) && (isCell(below) || isCell(above));
   }
 
-  void compare(std::uint32_t f, std::uint32_t g)
+  void compare(std::uint32_t f, std::uint32_t g, std::vector<std::uint32_t>& found) const
   {
     if (!std::is_permutation(begin(f), end(f), begin(g), end(g)))
     {
@@ -70,7 +83,7 @@ private:
       const CellKey other = wall_.faces.cells[g][side ^ turned];
       if (isCell(one) && isCell(other) && !(isHexahedron(one) && isHexahedron(other)))
       {
-        found_.push_back(isSmaller(one, other) ? one : other);
+        found.push_back(isSmaller(one, other) ? one : other);
       }
     }
   }
@@ -97,15 +110,14 @@ private:
 
   const Boxes& boxes_;
   const WallMesh& wall_;
-  std::vector<std::uint32_t> found_;
 };
 
 }
 
 std::vector<std::uint32_t> overlappingCells(
-  const Boxes& boxes, std::size_t nodes, const WallMesh& wall)
+  const Boxes& boxes, std::size_t nodes, const WallMesh& wall, Execution& execution)
 {
-  return Search(boxes, wall).run(nodes);
+  return Search(boxes, wall).run(nodes, execution);
 }
 
 }

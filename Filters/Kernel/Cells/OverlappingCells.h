@@ -11,6 +11,6 @@ namespace cartesian
 // Cells of the wall mesh to remove so that none overlap, in order: where two faces have the same nodes, the smaller
 // one of two cells on the same side. `nodes`: how many there are. Cells that are removed do not count.
 std::vector<std::uint32_t> overlappingCells(
-  const Boxes& boxes, std::size_t nodes, const WallMesh& wall);
+  const Boxes& boxes, std::size_t nodes, const WallMesh& wall, Execution& execution);
 
 }

@@ -14,8 +14,10 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t EdgesAChunk = 1024;
-constexpr std::size_t BoxesAChunk = 1024;
+constexpr std::size_t EdgesAChunk = 256;
+constexpr std::size_t MergesAChunk = 256;
+constexpr std::size_t SlotsAChunk = 1 << 14;
+constexpr std::size_t BoxesAChunk = 512;
 
 // In a chain of short edges, one collapses in each round.
 constexpr int MostRounds = 8;
@@ -77,7 +79,7 @@ public:
     }
     banEdgesThatStay();
     choices_.resize(edges_.size());
-    isNew_.assign(slots_.size(), 1);
+    setNew(1);
     std::size_t gone = 0;
     for (int round = 0; round < MostRounds; ++round)
     {
@@ -234,22 +236,49 @@ private:
       swapRings(merge);
     }
     takeBackBadMerges();
-    isNew_.assign(slots_.size(), 0);
-    for (const Merge& merge : merges_)
-    {
-      markAround(merge.stays);
-    }
-    for (std::uint32_t slot = 0; slot < slots_.size(); ++slot)
-    {
-      slots_[slot].into = slots_.standing(slot);
-    }
+    setNew(0);
+    execution_.forEach(merges_.size(), MergesAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t m = begin; m < end; ++m)
+      {
+        markAround(merges_[m].stays);
+      }
+    });
+    shortenWays();
     return tried;
+  }
+
+  // Each slot leads to the one that stands for it.
+  void shortenWays()
+  {
+    RawVector<std::uint32_t> standing(slots_.size());
+    execution_.forEach(slots_.size(), SlotsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t slot = begin; slot < end; ++slot)
+      {
+        standing[slot] = slots_.standing(static_cast<std::uint32_t>(slot));
+      }
+    });
+    execution_.forEach(slots_.size(), SlotsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t slot = begin; slot < end; ++slot)
+      {
+        slots_[slot].into = standing[slot];
+      }
+    });
+  }
+
+  void setNew(std::uint8_t isNew)
+  {
+    isNew_ = std::vector<std::atomic<std::uint8_t>>(slots_.size());
+    for (std::size_t slot = 0; isNew != 0 && slot < isNew_.size(); ++slot)
+    {
+      isNew_[slot].store(isNew, std::memory_order_relaxed);
+    }
   }
 
   // What is decided of a slot follows from the faces there, and the places of their corners.
   void markAround(std::uint32_t slot)
   {
-    slots_.forEachSlotAround(slot, [&](std::uint32_t near) { isNew_[near] = 1; });
+    slots_.forEachSlotAround(
+      slot, [&](std::uint32_t near) { isNew_[near].store(1, std::memory_order_relaxed); });
   }
 
   // By length, then by place, so that the order of nodes does not matter.
@@ -317,7 +346,7 @@ private:
       mergeAt[merges_[m].stays] = m;
     }
     std::vector<std::uint8_t> bad(merges_.size());
-    isNew_.assign(slots_.size(), 1);
+    setNew(1);
     for (bool any = true; any;)
     {
       bad.assign(merges_.size(), 0);
@@ -335,7 +364,7 @@ private:
         }
       });
       any = false;
-      isNew_.assign(slots_.size(), 0);
+      setNew(0);
       for (const auto& ofChunk : found)
       {
         for (const std::uint32_t m : ofChunk)
@@ -432,10 +461,11 @@ private:
   double straight_; // cosines
   double bent_;
   double sharp_;
-  std::vector<ShortEdge> edges_;    // their ends are nodes at first, then slots
-  std::vector<Choice> choices_;     // of each edge
-  std::vector<std::uint8_t> isNew_; // of slots: 1 where faces have changed since the last look
-  std::vector<Merge> merges_;       // of this round
+  std::vector<ShortEdge> edges_; // their ends are nodes at first, then slots
+  std::vector<Choice> choices_;  // of each edge
+  std::vector<std::atomic<std::uint8_t>>
+    isNew_;                   // of slots: 1 where faces have changed since the last look
+  std::vector<Merge> merges_; // of this round
 };
 
 }

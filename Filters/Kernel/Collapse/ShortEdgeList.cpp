@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Collapse/ShortEdgeList.h"
 
+#include "Base/Sorting.h"
 #include "Lattice/Vector.h"
 
 #include <algorithm>
@@ -35,14 +36,12 @@ public:
         execution.poll();
         listEdgesOf(n, edges);
       }
-      unite(edges, execution);
+      std::sort(edges.begin(), edges.end());
+      leaveOutRepeated(edges);
     });
-    std::vector<ShortEdge> all;
-    for (const auto& part : parts)
-    {
-      all.insert(all.end(), part.begin(), part.end());
-    }
-    unite(all, execution);
+    std::vector<ShortEdge> all = concatenated(parts);
+    sortAll(all, execution);
+    leaveOutRepeated(all);
     return all;
   }
 
@@ -117,16 +116,12 @@ private:
     }
   }
 
-  // Exact patches may have tens of millions.
-  static void unite(std::vector<ShortEdge>& edges, Execution& execution)
+  // Keeps the one with the smallest unit.
+  static void leaveOutRepeated(std::vector<ShortEdge>& sorted)
   {
-    std::sort(edges.begin(), edges.end(), [&](const ShortEdge& x, const ShortEdge& y) {
-      execution.poll();
-      return x.a != y.a ? x.a < y.a : (x.b != y.b ? x.b < y.b : x.unit < y.unit);
-    });
-    edges.erase(std::unique(edges.begin(), edges.end(),
-                  [](const ShortEdge& x, const ShortEdge& y) { return x.a == y.a && x.b == y.b; }),
-      edges.end());
+    sorted.erase(std::unique(sorted.begin(), sorted.end(),
+                   [](const ShortEdge& x, const ShortEdge& y) { return x.a == y.a && x.b == y.b; }),
+      sorted.end());
   }
 
   const PolyhedralFaces& faces_;

@@ -16,6 +16,11 @@ struct ShortEdge
   std::uint32_t b;
   float unit;          // shortest edge of the smallest box around it
   bool banned = false; // it must not collapse
+
+  bool operator<(const ShortEdge& other) const
+  {
+    return a != other.a ? a < other.a : (b != other.b ? b < other.b : unit < other.unit);
+  }
 };
 
 struct PolyhedralFaces

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Collapse/StandOff.h"
 
+#include "Base/Sorting.h"
 #include "Polyhedra/CellGeometry.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t FacesAChunk = 4096;
+constexpr std::size_t FacesAChunk = 1024;
 
 // Parts of the box's shortest edge. Anything nearer is flat up to rounding; nothing moves farther.
 constexpr double LeastOff = 4e-6;
@@ -51,8 +52,15 @@ public:
   {
   }
 
-  void lookAt(const std::vector<std::uint32_t>& intersected)
+  void lookAt(const std::vector<std::uint32_t>& intersected, Execution& execution)
   {
+    areas_.resize(patches_.size());
+    execution.forEach(patches_.size(), FacesAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = begin; p < end; ++p)
+      {
+        areas_[p] = areaOf(p);
+      }
+    });
     for (std::size_t n = 0; n < intersected.size(); ++n)
     {
       const Box box = boxes_.box(intersected[n]);
@@ -63,9 +71,16 @@ public:
         note(p, heightOf(n, edge), patches_.reason[n] == PatchReason::MarchingCubes);
       }
     }
-    for (std::size_t p = 0; p < patches_.size(); ++p)
+    std::vector<std::vector<std::uint32_t>> sharp(chunks(patches_.size(), FacesAChunk));
+    execution.forEach(patches_.size(), FacesAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = begin; p < end; ++p)
+      {
+        findSharp(p, sharp[begin / FacesAChunk]);
+      }
+    });
+    for (const std::uint32_t node : concatenated(sharp))
     {
-      findSharp(p);
+      nodes_[node].stays = true;
     }
   }
 
@@ -97,10 +112,18 @@ public:
     }
   }
 
-  std::vector<Point> moved() const
+  std::vector<Point> moved(Execution& execution) const
   {
     std::vector<Point> to = at_;
-    for (std::size_t i = 0; i < to.size(); ++i)
+    execution.forEach(
+      to.size(), FacesAChunk, [&](std::size_t begin, std::size_t end) { move(begin, end, to); });
+    return to;
+  }
+
+private:
+  void move(std::size_t begin, std::size_t end, std::vector<Point>& to) const
+  {
+    for (std::size_t i = begin; i < end; ++i)
     {
       const Vector way = scaled(unit(nodes_[i].normal), nodes_[i].height);
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -113,10 +136,8 @@ public:
         }
       }
     }
-    return to;
   }
 
-private:
   double heightOf(std::size_t n, double edge) const
   {
     const double height = patches_.missing.empty() ? 0 : patches_.missing[n];
@@ -126,7 +147,7 @@ private:
 
   void note(std::size_t p, double height, bool isChords)
   {
-    const Vector area = areaOf(p);
+    const Vector& area = areas_[p];
     for (std::size_t c = patches_.start[p]; c < patches_.start[p + 1]; ++c)
     {
       WallNode& node = nodes_[patches_.corners[c]];
@@ -142,13 +163,17 @@ private:
     }
   }
 
-  void findSharp(std::size_t p)
+  // Appends the nodes where the wall turns sharply from a patch.
+  void findSharp(std::size_t p, std::vector<std::uint32_t>& sharp) const
   {
-    const Vector normal = unit(areaOf(p));
+    const Vector normal = unit(areas_[p]);
     for (std::size_t c = patches_.start[p]; c < patches_.start[p + 1]; ++c)
     {
-      WallNode& node = nodes_[patches_.corners[c]];
-      node.stays = node.stays || dot(unit(node.normal), normal) < leastCosine_;
+      const std::uint32_t node = patches_.corners[c];
+      if (!nodes_[node].stays && dot(unit(nodes_[node].normal), normal) < leastCosine_)
+      {
+        sharp.push_back(node);
+      }
     }
   }
 
@@ -179,6 +204,7 @@ private:
   const double leastCosine_;
   const std::vector<Point>& at_;
   std::vector<WallNode> nodes_;
+  RawVector<Vector> areas_; // of patches
 };
 
 // Patches, or inner faces.
@@ -259,9 +285,9 @@ bool standOff(const Boxes& boxes, const Patches& patches, const InnerFaces& inne
   double featureAngle, Nodes& nodes, Execution& execution)
 {
   Mover mover(boxes, patches, inner, featureAngle, nodes);
-  mover.lookAt(intersectedBoxes(boxes, execution));
+  mover.lookAt(intersectedBoxes(boxes, execution), execution);
   mover.smooth();
-  std::vector<Point> to = mover.moved();
+  std::vector<Point> to = mover.moved(execution);
   MovedFaces ofWall(patches.start, patches.corners, LeastCosine, nodes.at, to);
   MovedFaces ofInside(inner.start, inner.nodes, LeastCosineInside, nodes.at, to);
   ofWall.findBent(execution);

@@ -14,8 +14,8 @@ namespace
 // How far a chord between two crossings of one line bends into the side, as a part of the side's width.
 constexpr int BendPart = 8;
 
-constexpr std::size_t SidesAChunk = 256;
-constexpr std::size_t BoxesAChunk = 64;
+constexpr std::size_t SidesAChunk = 64;
+constexpr std::size_t BoxesAChunk = 8;
 
 // A crossing on the border of a side.
 struct RingCrossing

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Faces/GridLines.h"
 
+#include "Base/Sorting.h"
+
 #include <algorithm>
+#include <atomic>
 
 namespace cartesian
 {
@@ -9,7 +12,8 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t SidesAChunk = 256;
+constexpr std::size_t SidesAChunk = 64;
+constexpr std::size_t ManySides = 4096; // in a chunk, of all
 
 }
 
@@ -24,7 +28,7 @@ void SideView::look(
 
 void GridLines::judge(bool keepsSeveral, NewPoints& points, Execution& execution)
 {
-  findNearSides();
+  findNearSides(execution);
   lookAtLines(execution);
   inferStatuses();
   sideChanges_.assign(sides_.common.size(), 0);
@@ -66,26 +70,35 @@ void GridLines::forEachBorderNode(std::uint32_t s, Visitor&& visit) const
   }
 }
 
-void GridLines::findNearSides()
+void GridLines::findNearSides(Execution& execution)
 {
-  std::vector<std::uint8_t> near(nodes_.at.size());
-  const auto count = static_cast<std::uint32_t>(sides_.common.size());
-  for (std::uint32_t s = 0; s < count; ++s)
-  {
-    if (isOfFlawed(s))
+  std::vector<std::atomic<std::uint8_t>> near(nodes_.at.size());
+  const std::size_t count = sides_.common.size();
+  execution.forEach(count, ManySides, [&](std::size_t begin, std::size_t end) {
+    for (auto s = static_cast<std::uint32_t>(begin); s < end; ++s)
     {
-      forEachBorderNode(s, [&](std::uint32_t node) { near[node] = 1; });
+      if (isOfFlawed(s))
+      {
+        forEachBorderNode(
+          s, [&](std::uint32_t node) { near[node].store(1, std::memory_order_relaxed); });
+      }
     }
-  }
-  for (std::uint32_t s = 0; s < count; ++s)
-  {
-    bool touches = false;
-    forEachBorderNode(s, [&](std::uint32_t node) { touches = touches || near[node] != 0; });
-    if (touches)
+  });
+  std::vector<std::vector<std::uint32_t>> parts(chunks(count, ManySides));
+  execution.forEach(count, ManySides, [&](std::size_t begin, std::size_t end) {
+    for (auto s = static_cast<std::uint32_t>(begin); s < end; ++s)
     {
-      nearSides_.push_back(s);
+      bool touches = false;
+      forEachBorderNode(s, [&](std::uint32_t node) {
+        touches = touches || near[node].load(std::memory_order_relaxed) != 0;
+      });
+      if (touches)
+      {
+        parts[begin / ManySides].push_back(s);
+      }
     }
-  }
+  });
+  nearSides_ = concatenated(parts);
 }
 
 std::size_t GridLines::nextGridNode(const std::vector<BorderNode>& border, std::size_t i) const
@@ -124,7 +137,7 @@ void GridLines::lookAtLines(Execution& execution)
       sights_.push_back(sight);
     }
   }
-  std::sort(sights_.begin(), sights_.end());
+  sortAll(sights_, execution);
 }
 
 void GridLines::lookAround(std::uint32_t s, SideView& view, SeenLines& seen) const

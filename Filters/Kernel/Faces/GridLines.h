@@ -108,7 +108,7 @@ private:
   }
   template <class Visitor>
   void forEachBorderNode(std::uint32_t side, Visitor&& visit) const;
-  void findNearSides();
+  void findNearSides(Execution& execution);
   void lookAtLines(Execution& execution);
   void lookAround(std::uint32_t side, SideView& view, SeenLines& seen) const;
   static void addSight(std::uint32_t side, const std::vector<BorderNode>& border, std::size_t i,

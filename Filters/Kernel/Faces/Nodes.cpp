@@ -11,7 +11,7 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t BoxesAChunk = 512;
+constexpr std::size_t BoxesAChunk = 128;
 
 // Grid nodes of a chunk of boxes, numbered in the chunk: one use for each point.
 class ChunkNodes

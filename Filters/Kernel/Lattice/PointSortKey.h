@@ -11,6 +11,7 @@ namespace cartesian
 class PointSortKey
 {
 public:
+  PointSortKey() = default;
   PointSortKey(const Point& p, std::uint32_t number)
     : xy_(std::uint64_t(p[0]) << 32 | p[1])
     , zAndNumber_(std::uint64_t(p[2]) << 32 | number)

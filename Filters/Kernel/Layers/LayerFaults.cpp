@@ -99,7 +99,7 @@ LayerFaults::Faults LayerFaults::measure(
   }
   faults.weight.assign(quality.faces[FaceWeight].begin(),
     quality.faces[FaceWeight].begin() + static_cast<std::ptrdiff_t>(faults.list.neighbour.size()));
-  faults.volume = quality.cells[Volume];
+  faults.volume.assign(quality.cells[Volume].begin(), quality.cells[Volume].end());
   const std::vector<double> gains = correctionGains(faults.list, quality);
   for (std::size_t c = 0; c < gains.size(); ++c)
   {

@@ -11,7 +11,7 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t CellsAChunk = 1024;
+constexpr std::size_t CellsAChunk = 256;
 
 // Checks one cell after the other. Keeps its storage.
 class Inspector

@@ -12,9 +12,9 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t RowsAChunk = 16;
-constexpr std::size_t CellsAChunk = 1024;
-constexpr std::size_t PointsAChunk = 1 << 15;
+constexpr std::size_t RowsAChunk = 2; // few rows of deeply divided boxes have most of the cells
+constexpr std::size_t CellsAChunk = 512;
+constexpr std::size_t PointsAChunk = 1 << 13;
 
 constexpr std::array<std::array<std::size_t, 4>, 6> SidesOfHexahedron{ { { 0, 4, 7, 3 },
   { 1, 2, 6, 5 }, { 0, 1, 5, 4 }, { 3, 7, 6, 2 }, { 0, 3, 2, 1 }, { 4, 5, 6, 7 } } };
@@ -299,15 +299,18 @@ void OutputMesh::writeCellData(const CellData& data, Execution& execution) const
         }
       }
     });
-  for (const WarpedHexahedron& hexahedron : parts_.nodes.warped)
-  {
-    const std::uint32_t number = numbers_.ofBox[hexahedron.box];
-    if (parts_.sides.polyhedralOrdinal(hexahedron.box) == None && CellNumbers::isHere(number))
+  const auto& warped = parts_.nodes.warped;
+  execution.forEach(warped.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
     {
-      write(hexahedraBefore(hexahedron.box), number, hexahedron.box, boxes.regionOf(hexahedron.box),
-        hexahedron.volumeFraction);
+      const std::uint32_t box = warped[i].box;
+      const std::uint32_t number = numbers_.ofBox[box];
+      if (parts_.sides.polyhedralOrdinal(box) == None && CellNumbers::isHere(number))
+      {
+        write(hexahedraBefore(box), number, box, boxes.regionOf(box), warped[i].volumeFraction);
+      }
     }
-  }
+  });
   const std::vector<Cell>& cells = parts_.wall.cells;
   const std::size_t first = numbers_.coreBegin;
   execution.forEach(numbers_.coreEnd - first, CellsAChunk, [&](std::size_t begin, std::size_t end) {

@@ -302,15 +302,18 @@ public:
 
   void run()
   {
-    execution_.stage("Short edges", AfterCells, AfterShortEdges);
+    beginStage();
     while (!collapseBetweenSeams() || !collapseAcrossSeams())
     {
       a_.patches = before_;
       makeInnerFaces(a_, execution_);
+      beginStage();
     }
   }
 
 private:
+  void beginStage() { execution_.stage("Short edges", AfterCells, AfterShortEdges); }
+
   std::size_t collapse(const EdgeCollapseSpec& edges)
   {
     return collapseShortEdges(
@@ -402,9 +405,9 @@ std::optional<RemovedCell> remove(Assembly& a, std::uint32_t c)
 
 // Solvers cannot use overlapping cells, however exactly they represent the surface. If shaping has made some
 // nevertheless, their neighbours cannot be repaired any more: a warning says so.
-void removeOverlapping(Assembly& a)
+void removeOverlapping(Assembly& a, Execution& execution)
 {
-  for (const std::uint32_t c : overlappingCells(a.boxes, a.nodes.at.size(), a.wall))
+  for (const std::uint32_t c : overlappingCells(a.boxes, a.nodes.at.size(), a.wall, execution))
   {
     if (const auto removed = remove(a, c))
     {
@@ -484,7 +487,7 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   }
   a.inner = InnerFaces();
   a.patches.forgetPolygons();
-  removeOverlapping(a);
+  removeOverlapping(a, execution);
   makeInterfaces(a.patches.walls, a.wall);
   if (shapesCells(options))
   {
@@ -494,7 +497,7 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
         options.domain.isOutside() },
       execution);
   }
-  for (const std::uint32_t c : overlappingCells(a.boxes, a.nodes.at.size(), a.wall))
+  for (const std::uint32_t c : overlappingCells(a.boxes, a.nodes.at.size(), a.wall, execution))
   {
     if (a.boxes.isCore(a.boxes.packed[a.wall.cells[c].box]))
     {

@@ -196,7 +196,7 @@ PreparedSurface prepareSurface(
   execution.stage("Scaling and Dual Levels", 0, AfterSurface);
   PreparedSurface prepared;
   prepared.memoryLimit = memoryLimitOf(options, execution.threads());
-  prepared.bounds = boundsOf(view);
+  prepared.bounds = boundsOf(view, execution);
   const bool isOutside = options.domain.isOutside();
   const Bounds meshed = isOutside ? boxAround(options.domain, prepared.bounds) : prepared.bounds;
   checkGrid(options.grid, meshed, prepared.memoryLimit.bytes);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace cartesian
 {
@@ -15,6 +16,7 @@ namespace
 constexpr double LargestUntold = 0.01; // of what a region encloses
 constexpr std::size_t TilesAlong = 8;  // of the grid, in which places are looked for
 constexpr std::size_t MostPlaces = 3;
+constexpr std::size_t FacesAChunk = 2048;
 constexpr double LeastOfPlace = 0.2; // of what is missing in the first
 
 using Polygon = std::vector<Vector>;
@@ -53,6 +55,20 @@ public:
   }
 
   void add(const Polygon& polygon) { divide(polygon, 2, {}); }
+
+  // The same tiles with nothing in them.
+  Tiles empty() const
+  {
+    Tiles tiles = *this;
+    std::fill(tiles.volumes_.begin(), tiles.volumes_.end(), 0.0);
+    return tiles;
+  }
+
+  void add(const Tiles& others)
+  {
+    std::transform(
+      volumes_.begin(), volumes_.end(), others.volumes_.begin(), volumes_.begin(), std::plus<>());
+  }
 
   double sum() const
   {
@@ -174,12 +190,28 @@ private:
   // The space around bodies is inside of the box.
   double boxAround() const { return surface_.around.inside() ? size_[0] * size_[1] * size_[2] : 0; }
 
+  // Calls add(item, tiles) for some items, chunk by chunk.
+  template <class Add>
+  void addAll(std::size_t count, Tiles& tiles, Add&& add) const
+  {
+    std::vector<Tiles> parts(chunks(count, FacesAChunk), tiles.empty());
+    execution_.forEach(count, FacesAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        add(i, parts[begin / FacesAChunk]);
+      }
+    });
+    for (const Tiles& part : parts)
+    {
+      tiles.add(part);
+    }
+  }
+
   // All that bounds a region.
   void addSurface(std::int32_t region, Tiles& tiles) const
   {
     const Walls& walls = surface_.walls;
-    for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
-    {
+    addAll(surface_.triangles.size(), tiles, [&](std::size_t t, Tiles& part) {
       const std::int32_t wall = surface_.boundary[t];
       const std::int32_t behind = walls.givenOf(walls.behind(wall));
       const std::int32_t front = walls.givenOf(walls.front(wall));
@@ -192,9 +224,9 @@ private:
         {
           std::swap(c[1], c[2]);
         }
-        tiles.add({ relative(c[0]), relative(c[1]), relative(c[2]) });
+        part.add({ relative(c[0]), relative(c[1]), relative(c[2]) });
       }
-    }
+    });
   }
 
   Vector relative(const Point& p) const
@@ -243,8 +275,7 @@ private:
   {
     std::vector<double> xyz(3 * static_cast<std::size_t>(a_.mesh->pointCount()));
     a_.mesh->writePoints(xyz.data(), execution_);
-    for (std::size_t f = 0; f + 1 < faces.start.size(); ++f)
-    {
+    addAll(faces.start.size() - 1, tiles, [&](std::size_t f, Tiles& part) {
       const int side = sideOf(f);
       Polygon corners;
       for (auto i = faces.start[f]; side != 0 && i < faces.start[f + 1]; ++i)
@@ -255,9 +286,9 @@ private:
       }
       for (std::size_t i = 1; i + 1 < corners.size(); ++i)
       {
-        tiles.add({ corners[0], corners[side > 0 ? i : i + 1], corners[side > 0 ? i + 1 : i] });
+        part.add({ corners[0], corners[side > 0 ? i : i + 1], corners[side > 0 ? i + 1 : i] });
       }
-    }
+    });
   }
 
   Vector relative(const double* at) const

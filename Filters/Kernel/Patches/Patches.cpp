@@ -13,7 +13,7 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t BoxesAChunk = 512;
+constexpr std::size_t BoxesAChunk = 128;
 
 // The surface in the boxes of a chunk, one box after the other.
 class SurfacePieces
@@ -251,13 +251,15 @@ private:
     });
     patches.points.swap(numbering.points);
     patches.walls = surface_.walls;
-    patches.enclosed = enclosedVolumes(surface_);
+    patches.enclosed = enclosedVolumes(surface_, execution_);
     patches.surfaceVolume = boxes_.core.contains(0) ? surfaceVolume() : 0;
-    patches.reason.reserve(intersected_.size());
-    for (const std::uint32_t box : intersected_)
-    {
-      patches.reason.push_back(reasons_[box]);
-    }
+    patches.reason.resize(intersected_.size());
+    execution_.forEach(intersected_.size(), BoxesAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        patches.reason[n] = reasons_[intersected_[n]];
+      }
+    });
     return patches;
   }
 

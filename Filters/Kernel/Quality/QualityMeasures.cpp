@@ -13,38 +13,46 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t ItemsAChunk = 1024;
+constexpr std::size_t ItemsAChunk = 512;
 
 // A cell whose area across one axis is below this part of that across another has no area there.
 constexpr double RoundingOfAreas = 1e-12;
 
 // The faces of each cell, beginning with those that it owns.
-struct FacesOfCells
+class FacesOfCells
 {
-  std::vector<std::size_t> start;
-  std::vector<std::size_t> faces;
-
-  FacesOfCells(const FaceList& list, std::size_t cells)
-    : start(cells + 1)
-    , faces(list.owner.size() + list.neighbour.size())
+public:
+  FacesOfCells(const FaceList& list, std::size_t cells, Execution& execution)
   {
-    for (const auto* side : { &list.owner, &list.neighbour })
-    {
-      for (const std::uint32_t cell : *side)
-      {
-        ++start[cell];
-      }
-    }
-    scan(start);
-    std::vector<std::size_t> next = start;
-    for (const auto* side : { &list.owner, &list.neighbour })
-    {
-      for (std::size_t f = 0; f < side->size(); ++f)
-      {
-        faces[next[(*side)[f]]++] = f;
-      }
-    }
+    const std::size_t owners = list.owner.size();
+    faces_ = fillBuckets<std::size_t>(
+      owners + list.neighbour.size(), ItemsAChunk, cells,
+      [&](std::size_t begin, std::size_t end, auto&& add) {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          if (i < owners)
+          {
+            add(list.owner[i], i);
+          }
+          else
+          {
+            add(list.neighbour[i - owners], (i - owners) | OfNeighbour);
+          }
+        }
+      },
+      execution);
   }
+
+  std::size_t size(std::size_t cell) const { return faces_.start[cell + 1] - faces_.start[cell]; }
+  std::size_t at(std::size_t cell, std::size_t i) const
+  {
+    return faces_.items[faces_.start[cell] + i] & ~OfNeighbour;
+  }
+
+private:
+  static constexpr std::size_t OfNeighbour = std::size_t(1) << 63U;
+
+  Buckets<std::size_t> faces_;
 };
 
 class Meter
@@ -55,7 +63,7 @@ public:
     : points_(points)
     , cells_(cells)
     , list_(list)
-    , of_(list, cells.cellCount())
+    , of_(list, cells.cellCount(), execution)
     , execution_(execution)
     , limits_(limits)
     , leftOut_(leftOut)
@@ -87,8 +95,8 @@ public:
     execution_.forEach(cells, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c)
       {
-        quality_.cellGeometry[c] = measureCell(of_.start[c + 1] - of_.start[c],
-          [&](std::size_t i) { return outward(c, of_.faces[of_.start[c] + i]); });
+        quality_.cellGeometry[c] =
+          measureCell(of_.size(c), [&](std::size_t i) { return outward(c, of_.at(c, i)); });
       }
     });
     execution_.nextLoop(0.4);
@@ -248,7 +256,7 @@ private:
 
   void measureCellOf(std::size_t cell, CellEdges& edges)
   {
-    if (of_.start[cell] == of_.start[cell + 1])
+    if (of_.size(cell) == 0)
     {
       for (auto& values : quality_.cells)
       {
@@ -264,9 +272,9 @@ private:
   template <class Visitor>
   void forEachFace(std::size_t cell, Visitor&& visit) const
   {
-    for (std::size_t i = of_.start[cell]; i < of_.start[cell + 1]; ++i)
+    for (std::size_t i = 0; i < of_.size(cell); ++i)
     {
-      visit(of_.faces[i]);
+      visit(of_.at(cell, i));
     }
   }
 
@@ -458,7 +466,7 @@ private:
   void addWorst(std::size_t measure)
   {
     const MeasureSpec& spec = MeasureSpecs[measure];
-    const std::vector<double>& values = quality_.cells[measure];
+    const RawVector<double>& values = quality_.cells[measure];
     double worst = spec.best;
     for (std::size_t c = 0; c < values.size(); ++c)
     {

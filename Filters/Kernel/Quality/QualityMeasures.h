@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Acceptance/Limits.h"
+#include "Base/RawVector.h"
 #include "Polyhedra/CellGeometry.h"
 #include "Quality/FaceList.h"
 
@@ -105,12 +106,12 @@ struct Quality
 {
   // By measure. Faces have the measures that are `ofFaces`, with the worse value of their two cells. Cells
   // without faces have NaN and no failures.
-  std::array<std::vector<double>, MeasureCount> cells;
-  std::array<std::vector<double>, MeasureCount> faces;
+  std::array<RawVector<double>, MeasureCount> cells;
+  std::array<RawVector<double>, MeasureCount> faces;
   std::vector<std::uint32_t> cellFailures; // bits: 1 << measure
   std::vector<std::uint32_t> faceFailures; // in the order of the FaceList
-  std::vector<CellGeometry> cellGeometry;
-  std::vector<FaceGeometry> faceGeometry;
+  RawVector<CellGeometry> cellGeometry;
+  RawVector<FaceGeometry> faceGeometry;
 };
 
 // The measures of tetrahedra, stars and edges, which take longest.

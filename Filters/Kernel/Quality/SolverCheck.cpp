@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Quality/SolverCheck.h"
 
+#include "Base/Sorting.h"
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace cartesian
@@ -12,6 +15,7 @@ namespace
 {
 
 constexpr std::size_t FewestFaces = 4;
+constexpr std::size_t ItemsAChunk = 4096;
 
 // OpenFOAM's, whatever the unit of length: of a pyramid's volume and of a face's area.
 constexpr double InvertedBelow = -1e-15;
@@ -28,31 +32,29 @@ public:
     , checked_(checked)
     , isSeen_(isSeen)
     , quality_(quality)
-    , isFailing_(cells.cellCount())
   {
     const auto last = std::max_element(checked.regionOf.begin(), checked.regionOf.end());
     result_.ofRegions.resize(last == checked.regionOf.end() ? 1 : *last + 1);
   }
 
-  SolverCheck run() &&
+  void lookAtFaces(std::size_t begin, std::size_t end)
   {
-    for (std::size_t f = 0; f < faces_.owner.size(); ++f)
+    for (std::size_t f = begin; f < end; ++f)
     {
       lookAtFace(f);
     }
-    for (std::uint32_t c = 0; c < cells_.cellCount(); ++c)
-    {
-      lookAtCell(c);
-    }
-    for (std::uint32_t c = 0; c < cells_.cellCount(); ++c)
-    {
-      if (isFailing_[c])
-      {
-        result_.failing.push_back(c);
-      }
-    }
-    return std::move(result_);
   }
+
+  void lookAtCells(std::size_t begin, std::size_t end)
+  {
+    for (std::size_t c = begin; c < end; ++c)
+    {
+      lookAtCell(static_cast<std::uint32_t>(c));
+    }
+  }
+
+  // May list cells several times.
+  const SolverCheck& result() const { return result_; }
 
 private:
   bool isHere(std::uint32_t cell) const
@@ -63,7 +65,10 @@ private:
   void add(Finding what, std::uint32_t cell, std::size_t count = 1)
   {
     result_.ofRegions[checked_.regionOf[cell]][what] += count;
-    isFailing_[cell] = isFailing_[cell] || FindingSpecs[what].isFailure;
+    if (FindingSpecs[what].isFailure)
+    {
+      result_.failing.push_back(cell);
+    }
   }
 
   void lookAtFace(std::size_t f)
@@ -89,13 +94,16 @@ private:
     if ((f < inner || isSeen_[f - inner]) && quality_.faces[Skewness][f] > Limits::Skewness)
     {
       add(SkewFaces, owner);
-      isFailing_[f < inner ? faces_.neighbour[f] : owner] = true;
+      result_.failing.push_back(f < inner ? faces_.neighbour[f] : owner);
     }
     if (f < inner && quality_.faces[NonOrthogonality][f] > Limits::NonOrthogonality)
     {
       const bool isError = std::cos(radians(quality_.faces[NonOrthogonality][f])) <= TurnedOver;
       add(isError ? NonOrthogonalFaces : SteepFaces, owner);
-      isFailing_[faces_.neighbour[f]] = isFailing_[faces_.neighbour[f]] || isError;
+      if (isError)
+      {
+        result_.failing.push_back(faces_.neighbour[f]);
+      }
     }
   }
 
@@ -135,9 +143,24 @@ private:
   const CheckedCells& checked_;
   const std::vector<bool>& isSeen_;
   const Quality& quality_;
-  std::vector<bool> isFailing_;
   SolverCheck result_;
 };
+
+SolverCheck sumOf(const std::vector<Counter>& counters, SolverCheck sum)
+{
+  for (const Counter& counter : counters)
+  {
+    const SolverCheck& part = counter.result();
+    for (std::size_t r = 0; r < part.ofRegions.size(); ++r)
+    {
+      std::transform(part.ofRegions[r].begin(), part.ofRegions[r].end(), sum.ofRegions[r].begin(),
+        sum.ofRegions[r].begin(), std::plus<>());
+    }
+    sum.failing.insert(sum.failing.end(), part.failing.begin(), part.failing.end());
+  }
+  sum.failing = sortedUnique(std::move(sum.failing));
+  return sum;
+}
 
 }
 
@@ -156,7 +179,16 @@ SolverCheck checkForSolver(const double* points, const CellFaces& cells, const F
 {
   const Quality quality =
     measureQuality(points, cells, faces, execution, standardLimits(), SlowMeasures);
-  return Counter(cells, faces, checked, isSeen, quality).run();
+  const Counter none(cells, faces, checked, isSeen, quality);
+  const std::size_t ofFaces = chunks(faces.owner.size(), ItemsAChunk);
+  std::vector<Counter> counters(ofFaces + chunks(cells.cellCount(), ItemsAChunk), none);
+  execution.forEach(faces.owner.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+    counters[begin / ItemsAChunk].lookAtFaces(begin, end);
+  });
+  execution.forEach(cells.cellCount(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+    counters[ofFaces + begin / ItemsAChunk].lookAtCells(begin, end);
+  });
+  return sumOf(counters, none.result());
 }
 
 }

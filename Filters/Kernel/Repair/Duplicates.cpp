@@ -133,43 +133,59 @@ ConnectedGroups connectGroups(
   return connected;
 }
 
+// Adds the groups of the triangles at an edge that have no lower vertex than it, nor a lower one beside its lower one.
+void addGroups(const Surface& surface, std::uint32_t lower, const EdgeUse* begin,
+  const EdgeUse* end, Duplicates& result)
+{
+  if (end - begin < 2)
+  {
+    return;
+  }
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> found; // third vertex, triangle
+  for (const EdgeUse* use = begin; use != end; ++use)
+  {
+    const std::uint32_t third = thirdVertex(surface, lower, *use);
+    if (third > use->upper) // once for each triangle
+    {
+      found.emplace_back(third, use->triangle());
+    }
+  }
+  std::sort(found.begin(), found.end());
+  for (std::size_t i = 0, next = 0; i < found.size(); i = next)
+  {
+    while (next < found.size() && found[next].first == found[i].first)
+    {
+      ++next;
+    }
+    if (next > i + 1)
+    {
+      result.start.push_back(result.triangles.size());
+      for (std::size_t t = i; t < next; ++t)
+      {
+        result.triangles.push_back(found[t].second);
+      }
+    }
+  }
 }
 
-Duplicates findDuplicates(const Surface& surface, const SurfaceEdges& edges)
+}
+
+Duplicates findDuplicates(const Surface& surface, const SurfaceEdges& edges, Execution& execution)
 {
+  std::vector<Duplicates> parts(edges.chunkCount());
+  edges.forEach(execution,
+    [&](std::size_t chunk, std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+      addGroups(surface, lower, begin, end, parts[chunk]);
+    });
   Duplicates result;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> found; // third vertex, triangle
-  edges.forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
-    if (end - begin < 2)
+  for (const Duplicates& part : parts)
+  {
+    for (const std::size_t start : part.start)
     {
-      return;
+      result.start.push_back(result.triangles.size() + start);
     }
-    found.clear();
-    for (const EdgeUse* use = begin; use != end; ++use)
-    {
-      const std::uint32_t third = thirdVertex(surface, lower, *use);
-      if (third > use->upper) // once for each triangle
-      {
-        found.emplace_back(third, use->triangle());
-      }
-    }
-    std::sort(found.begin(), found.end());
-    for (std::size_t i = 0, next = 0; i < found.size(); i = next)
-    {
-      while (next < found.size() && found[next].first == found[i].first)
-      {
-        ++next;
-      }
-      if (next > i + 1)
-      {
-        result.start.push_back(result.triangles.size());
-        for (std::size_t t = i; t < next; ++t)
-        {
-          result.triangles.push_back(found[t].second);
-        }
-      }
-    }
-  });
+    result.triangles.insert(result.triangles.end(), part.triangles.begin(), part.triangles.end());
+  }
   result.start.push_back(result.triangles.size());
   return result;
 }

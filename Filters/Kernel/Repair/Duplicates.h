@@ -23,7 +23,7 @@ struct DroppedTriangle
   std::array<std::uint32_t, 3> vertices;
 };
 
-Duplicates findDuplicates(const Surface& surface, const SurfaceEdges& edges);
+Duplicates findDuplicates(const Surface& surface, const SurfaceEdges& edges, Execution& execution);
 
 // Drops duplicates by collapsing them into their first vertex. Connected groups are treated alike:
 // - One triangle of each group stays if most of their edges need it to be closed (a triangle

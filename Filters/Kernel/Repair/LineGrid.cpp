@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace cartesian
 {
@@ -17,11 +18,14 @@ namespace
 constexpr double MostTests = 5e6;
 constexpr double LeastReduction = 1.25; // of the number of lines in one step
 
+constexpr std::size_t TrianglesAChunk = 4096;
+
 constexpr double MostGridCells = 1024; // in each direction
 
 }
 
-LineGrid::LineGrid(const Surface& surface, int along, std::vector<VotingLine>& lines)
+LineGrid::LineGrid(
+  const Surface& surface, int along, std::vector<VotingLine>& lines, Execution& execution)
   : axes_(RowsAlong[static_cast<std::size_t>(along)])
   , lines_(lines)
 {
@@ -38,7 +42,7 @@ LineGrid::LineGrid(const Surface& surface, int along, std::vector<VotingLine>& l
     size_[i] = std::max(bounds.high[i] - bounds.low[i], 1.0);
   }
   double excess = 1;
-  while (fileLines(), excess = tests(surface) / MostTests, excess > 1)
+  while (fileLines(), excess = tests(surface, execution) / MostTests, excess > 1)
   {
     lines_.resize(static_cast<std::size_t>(
       static_cast<double>(lines_.size()) / std::max(excess, LeastReduction)));
@@ -89,7 +93,7 @@ void LineGrid::fileLines()
 }
 
 // How many lines and cells all triangles together would be tested against.
-double LineGrid::tests(const Surface& surface) const
+double LineGrid::tests(const Surface& surface, Execution& execution) const
 {
   // Summed-area table: the lines in all cells left of and below each corner of a cell.
   const std::size_t corners = cells_ + 1;
@@ -103,17 +107,21 @@ double LineGrid::tests(const Surface& surface) const
       below[at + corners + 1] = here + below[at + corners] + below[at + 1] - below[at];
     }
   }
-  std::size_t sum = 0;
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-  {
-    const CellRange range = rangeOf(surface.corners(t));
-    const std::size_t low = range.first[1] * corners;
-    const std::size_t high = range.end[1] * corners;
-    sum += (range.end[0] - range.first[0]) * (range.end[1] - range.first[1]) +
-      below[range.end[0] + high] - below[range.first[0] + high] - below[range.end[0] + low] +
-      below[range.first[0] + low];
-  }
-  return static_cast<double>(sum);
+  const std::size_t count = surface.triangles.size();
+  std::vector<std::size_t> sums(chunks(count, TrianglesAChunk));
+  execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
+    {
+      const CellRange range = rangeOf(surface.corners(t));
+      const std::size_t low = range.first[1] * corners;
+      const std::size_t high = range.end[1] * corners;
+      sums[begin / TrianglesAChunk] +=
+        (range.end[0] - range.first[0]) * (range.end[1] - range.first[1]) +
+        below[range.end[0] + high] - below[range.first[0] + high] - below[range.end[0] + low] +
+        below[range.first[0] + low];
+    }
+  });
+  return static_cast<double>(std::accumulate(sums.begin(), sums.end(), std::size_t(0)));
 }
 
 }

@@ -14,7 +14,7 @@ class LineGrid
 public:
   // Borrows `lines`, sorts them, and drops the last ones if the surface's triangles would have to
   // be tested against too many.
-  LineGrid(const Surface& surface, int along, std::vector<VotingLine>& lines);
+  LineGrid(const Surface& surface, int along, std::vector<VotingLine>& lines, Execution& execution);
 
   // Calls visit(line) with the numbers of the lines that cross a triangle.
   template <class Visitor>
@@ -62,7 +62,7 @@ private:
   std::size_t cellAt(std::size_t direction, double level) const;
   CellRange rangeOf(const Corners& c) const;
   void fileLines();
-  double tests(const Surface& surface) const;
+  double tests(const Surface& surface, Execution& execution) const;
 
   const RowAxes axes_;
   std::vector<VotingLine>& lines_;

@@ -15,9 +15,26 @@ namespace
 // A closed sheet with at least one vote in so many on either side passes through itself.
 constexpr long long VotesPerDissent = 4;
 
+constexpr std::size_t TrianglesAChunk = 4096;
+
 void turn(Surface& surface, std::size_t triangle)
 {
   std::swap(surface.triangles[triangle][1], surface.triangles[triangle][2]);
+}
+
+// Six times the volume between each triangle and the surface's first corner.
+std::vector<double> volumesBelow(const Surface& surface, Execution& execution)
+{
+  const Point base = surface.corners(0)[0];
+  std::vector<double> volume(surface.triangles.size());
+  execution.forEach(volume.size(), TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
+    {
+      const Corners c = surface.corners(t);
+      volume[t] = dot(minus(c[0], base), cross(minus(c[1], c[0]), minus(c[2], c[0])));
+    }
+  });
+  return volume;
 }
 
 // Decides which sheets must be reversed.
@@ -32,14 +49,12 @@ public:
   {
     shapes_.volume.resize(unturned_.size());
     std::vector<long long> size(unturned_.size());
-    const Point base = surface.corners(0)[0];
+    const std::vector<double> volume = volumesBelow(surface, execution);
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     {
       const int direction = sheets.turned(t) ? -1 : 1;
-      const Corners c = surface.corners(t);
       unturned_[sheets.of(t)] += direction;
-      shapes_.volume[sheets.of(t)] +=
-        direction * dot(minus(c[0], base), cross(minus(c[1], c[0]), minus(c[2], c[0])));
+      shapes_.volume[sheets.of(t)] += direction * volume[t];
       ++size[sheets.of(t)];
     }
     for (std::uint32_t s = 0; s < unturned_.size(); ++s)
@@ -106,7 +121,7 @@ private:
 void orient(Surface& surface, const TrianglePairs& pairs, Execution& execution)
 {
   const std::size_t count = surface.triangles.size();
-  const Sheets sheets(surface, SurfaceEdges(surface, execution));
+  const Sheets sheets(surface, SurfaceEdges(surface, execution), execution);
   const Verdict verdict(surface, sheets, pairs.pairs, execution);
   for (std::size_t t = 0; t < count; ++t)
   {

@@ -71,7 +71,8 @@ void append(const Surface& from, Surface& to)
 std::vector<SheetPair> sheetsOf(const Surface& all, SheetHandling handling, Execution& execution)
 {
   const SurfaceEdges edges(all, execution);
-  std::vector<SheetPair> sheets = findSheets(all, handling, edges, findDuplicates(all, edges));
+  std::vector<SheetPair> sheets =
+    findSheets(all, handling, edges, findDuplicates(all, edges, execution));
   sheets.erase(std::remove_if(sheets.begin(), sheets.end(),
                  [&](const SheetPair& pair) { return all.region[pair[0]] != all.region[pair[1]]; }),
     sheets.end());

@@ -48,7 +48,7 @@ public:
     {
       return;
     }
-    const LineGrid grid(surface_, along, lines);
+    const LineGrid grid(surface_, along, lines, execution);
     const std::size_t count = surface_.triangles.size();
     std::vector<std::vector<VotingCrossing>> found(chunks(count, TrianglesAChunk));
     execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {

@@ -9,7 +9,7 @@
 namespace cartesian
 {
 
-Sheets::Sheets(const Surface& surface, const SurfaceEdges& edges)
+Sheets::Sheets(const Surface& surface, const SurfaceEdges& edges, Execution& execution)
   : parent_(surface.triangles.size())
   , turned_(surface.triangles.size())
   , open_(surface.triangles.size())
@@ -26,13 +26,28 @@ Sheets::Sheets(const Surface& surface, const SurfaceEdges& edges)
   {
     find(static_cast<std::uint32_t>(t));
   }
-  edges.forEach([&](std::uint32_t, const EdgeUse* begin, const EdgeUse* end) {
-    for (const EdgeUse* use = begin; use != end; ++use)
-    {
-      const std::uint32_t sheet = of(use->triangle());
-      open_[sheet] = open_[sheet] | (netUse(sheet, begin, end) != 0 ? 1 : 0);
-    }
-  });
+  findOpen(edges, execution);
+}
+
+// Once each triangle's parent is its root.
+void Sheets::findOpen(const SurfaceEdges& edges, Execution& execution)
+{
+  std::vector<std::vector<std::uint32_t>> parts(edges.chunkCount());
+  edges.forEach(
+    execution, [&](std::size_t chunk, std::uint32_t, const EdgeUse* begin, const EdgeUse* end) {
+      for (const EdgeUse* use = begin; use != end; ++use)
+      {
+        const std::uint32_t sheet = of(use->triangle());
+        if (netUse(sheet, begin, end) != 0)
+        {
+          parts[chunk].push_back(sheet);
+        }
+      }
+    });
+  for (const std::uint32_t sheet : concatenated(parts))
+  {
+    open_[sheet] = 1;
+  }
 }
 
 // Joins sheets that close only together, in components whose triangles were all given with consistent

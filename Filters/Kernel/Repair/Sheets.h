@@ -12,7 +12,7 @@ namespace cartesian
 class Sheets
 {
 public:
-  Sheets(const Surface& surface, const SurfaceEdges& edges);
+  Sheets(const Surface& surface, const SurfaceEdges& edges, Execution& execution);
 
   // The sheet's number: that of its first triangle.
   std::uint32_t of(std::size_t triangle) const { return parent_[triangle]; }
@@ -22,6 +22,7 @@ public:
   bool turned(std::size_t triangle) const { return turned_[triangle] != 0; }
 
 private:
+  void findOpen(const SurfaceEdges& edges, Execution& execution);
   void joinAsGiven(const Surface& surface, const SurfaceEdges& edges);
   int netUse(std::uint32_t sheet, const EdgeUse* begin, const EdgeUse* end);
   std::uint32_t find(std::uint32_t t);

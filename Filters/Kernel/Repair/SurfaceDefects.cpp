@@ -17,6 +17,8 @@ namespace
 // Overlapped triangles in a message.
 constexpr std::size_t MostNamed = 20;
 
+constexpr std::size_t TrianglesAChunk = 2048;
+
 using Triangle = std::array<std::uint32_t, 3>;
 
 // Two triangles at an edge with almost no angle between them.
@@ -69,11 +71,7 @@ std::vector<Fold> findFolds(const Surface& surface, const SurfaceEdges& edges, E
         }
       }
     });
-  std::vector<Fold> folds;
-  for (const auto& part : parts)
-  {
-    folds.insert(folds.end(), part.begin(), part.end());
-  }
+  std::vector<Fold> folds = concatenated(parts);
   std::sort(folds.begin(), folds.end());
   return folds;
 }
@@ -164,27 +162,51 @@ private:
     add(kind, triangle, other, true, positionsOf(given_.triangles[triangle]));
   }
 
+  struct FlawedEdge
+  {
+    DefectKind kind;
+    std::uint32_t lower;
+    const EdgeUse* begin;
+    const EdgeUse* end;
+  };
+
   void listEdges(const SurfaceEdges& edges)
   {
-    edges.forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
-      const std::array<Vector, 2> ends = { positionOf(lower), positionOf(begin->upper) };
-      const auto uses = end - begin;
-      const std::ptrdiff_t down =
-        std::count_if(begin, end, [](const EdgeUse& use) { return use.down(); });
-      const std::uint32_t other = uses > 1 ? begin[1].triangle() : None;
-      if (uses % 2 == 1)
+    std::vector<std::vector<FlawedEdge>> parts(edges.chunkCount());
+    edges.forEach(execution_,
+      [&](std::size_t chunk, std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+        const auto uses = end - begin;
+        const auto down = std::count_if(begin, end, [](const EdgeUse& use) { return use.down(); });
+        if (uses != 2 || down != 1)
+        {
+          const DefectKind kind = uses % 2 == 1
+            ? DefectKind::OpenEdge
+            : (2 * down != uses ? DefectKind::InconsistentEdge : DefectKind::NonManifoldEdge);
+          parts[chunk].push_back({ kind, lower, begin, end });
+        }
+      });
+    for (const FlawedEdge& edge : concatenated(parts))
+    {
+      add(edge.kind, edge.begin->triangle(),
+        edge.end - edge.begin > 1 ? edge.begin[1].triangle() : None, false,
+        std::array<Vector, 2>{ positionOf(edge.lower), positionOf(edge.begin->upper) });
+    }
+  }
+
+  std::vector<std::uint32_t> listDegenerate() const
+  {
+    const std::size_t count = given_.triangles.size();
+    std::vector<std::vector<std::uint32_t>> parts(chunks(count, TrianglesAChunk));
+    execution_.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t)
       {
-        add(DefectKind::OpenEdge, begin->triangle(), other, false, ends);
-      }
-      else if (2 * down != uses)
-      {
-        add(DefectKind::InconsistentEdge, begin->triangle(), other, false, ends);
-      }
-      else if (uses > 2)
-      {
-        add(DefectKind::NonManifoldEdge, begin->triangle(), other, false, ends);
+        if (exactNormal(given_.corners(t)) == std::array<Wide, 3>{ 0, 0, 0 })
+        {
+          parts[begin / TrianglesAChunk].push_back(static_cast<std::uint32_t>(t));
+        }
       }
     });
+    return concatenated(parts);
   }
 
   void listTriangles()
@@ -195,13 +217,11 @@ private:
       dropped[d.triangle] = true;
       add(DefectKind::DuplicateTriangle, d.triangle, None, true, positionsOf(d.vertices));
     }
-    for (std::size_t t = 0; t < dropped.size(); ++t)
+    for (const std::uint32_t t : listDegenerate())
     {
-      const std::array<Wide, 3> normal = exactNormal(given_.corners(t));
-      if (!dropped[t] && normal[0] == 0 && normal[1] == 0 && normal[2] == 0)
+      if (!dropped[t])
       {
-        add(DefectKind::DegenerateTriangle, static_cast<std::uint32_t>(t), None, false,
-          around(given_.triangles[t]));
+        add(DefectKind::DegenerateTriangle, t, None, false, around(given_.triangles[t]));
       }
     }
   }

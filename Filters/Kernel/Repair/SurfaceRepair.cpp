@@ -104,7 +104,7 @@ void keepSheets(Surface& surface, const SurfaceEdges& edges, const std::vector<S
   }
   giveSides(surface, edges, sheets);
   const SurfaceEdges others(surface, execution);
-  result.duplicates = dropDuplicates(surface, others, findDuplicates(surface, others));
+  result.duplicates = dropDuplicates(surface, others, findDuplicates(surface, others, execution));
 }
 
 // Drops duplicates, except sheets, which get sides.
@@ -112,7 +112,7 @@ void handleDuplicates(
   Surface& surface, const RepairSpec& spec, SurfaceRepair& result, Execution& execution)
 {
   const SurfaceEdges edges(surface, execution);
-  const Duplicates duplicates = findDuplicates(surface, edges);
+  const Duplicates duplicates = findDuplicates(surface, edges, execution);
   const std::vector<SheetPair> kept = findSheets(surface, spec.sheets, edges, duplicates);
   const auto all = std::count_if(surface.triangles.begin(), surface.triangles.end(),
     [](const auto& triangle) { return !namesAVertexTwice(triangle); });
@@ -129,7 +129,8 @@ void handleDuplicates(
   }
   const SurfaceEdges joined(surface, execution);
   keepSheets(surface, joined,
-    findSheets(surface, spec.sheets, joined, findDuplicates(surface, joined)), result, execution);
+    findSheets(surface, spec.sheets, joined, findDuplicates(surface, joined, execution)), result,
+    execution);
 }
 
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/TriangleTree.h"
 
+#include "Base/Sorting.h"
+
 #include <algorithm>
 
 namespace cartesian
@@ -9,7 +11,7 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t NodesAChunk = 1 << 14;
+constexpr std::size_t NodesAChunk = 1 << 12;
 
 // The upper 21 bits of a level, with two zeros between consecutive bits.
 std::uint64_t spread(std::uint64_t level)
@@ -41,25 +43,34 @@ struct CurvePlace
   }
 };
 
-// The triangles that have an area, along the curve.
-std::vector<CurvePlace> sortAlongCurve(const Surface& surface)
+std::uint64_t codeOf(const Corners& c)
 {
-  std::vector<CurvePlace> places;
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  std::uint64_t code = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const Corners c = surface.corners(t);
-    if (hasArea(c))
-    {
-      std::uint64_t code = 0;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        const auto [least, most] = std::minmax({ c[0][axis], c[1][axis], c[2][axis] });
-        code |= spread((std::uint64_t(least) + most) / 2) << axis;
-      }
-      places.push_back({ code, static_cast<std::uint32_t>(t) });
-    }
+    const auto [least, most] = std::minmax({ c[0][axis], c[1][axis], c[2][axis] });
+    code |= spread((std::uint64_t(least) + most) / 2) << axis;
   }
-  std::sort(places.begin(), places.end());
+  return code;
+}
+
+// The triangles that have an area, along the curve.
+std::vector<CurvePlace> sortAlongCurve(const Surface& surface, Execution& execution)
+{
+  const std::size_t count = surface.triangles.size();
+  std::vector<std::vector<CurvePlace>> parts(chunks(count, NodesAChunk));
+  execution.forEach(count, NodesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
+    {
+      const Corners corners = surface.corners(t);
+      if (hasArea(corners))
+      {
+        parts[begin / NodesAChunk].push_back({ codeOf(corners), static_cast<std::uint32_t>(t) });
+      }
+    }
+  });
+  std::vector<CurvePlace> places = concatenated(parts);
+  sortAll(places, execution);
   return places;
 }
 
@@ -67,7 +78,7 @@ std::vector<CurvePlace> sortAlongCurve(const Surface& surface)
 
 TriangleTree::TriangleTree(const Surface& surface, Execution& execution)
 {
-  const std::vector<CurvePlace> places = sortAlongCurve(surface);
+  const std::vector<CurvePlace> places = sortAlongCurve(surface, execution);
   levels_.emplace_back(places.size());
   order_.resize(places.size());
   execution.forEach(places.size(), NodesAChunk, [&](std::size_t begin, std::size_t end) {
@@ -79,7 +90,7 @@ TriangleTree::TriangleTree(const Surface& surface, Execution& execution)
   });
   while (levels_.back().size() > 1)
   {
-    addLevel();
+    addLevel(execution);
   }
 }
 
@@ -96,24 +107,26 @@ TriangleTree::TreeNode TriangleTree::leafOf(const Corners& c)
   return leaf;
 }
 
-void TriangleTree::addLevel()
+void TriangleTree::addLevel(Execution& execution)
 {
   const std::vector<TreeNode>& below = levels_.back();
   std::vector<TreeNode> above((below.size() + 1) / 2);
-  for (std::size_t i = 0; i < above.size(); ++i)
-  {
-    above[i] = below[2 * i];
-    if (2 * i + 1 < below.size())
+  execution.forEach(above.size(), NodesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
     {
-      const TreeNode& other = below[2 * i + 1];
-      for (std::size_t axis = 0; axis < 3; ++axis)
+      above[i] = below[2 * i];
+      if (2 * i + 1 < below.size())
       {
-        above[i].low[axis] = std::min(above[i].low[axis], other.low[axis]);
-        above[i].high[axis] = std::max(above[i].high[axis], other.high[axis]);
+        const TreeNode& other = below[2 * i + 1];
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          above[i].low[axis] = std::min(above[i].low[axis], other.low[axis]);
+          above[i].high[axis] = std::max(above[i].high[axis], other.high[axis]);
+        }
+        above[i].size = std::max(above[i].size, other.size);
       }
-      above[i].size = std::max(above[i].size, other.size);
     }
-  }
+  });
   levels_.push_back(std::move(above));
 }
 

@@ -101,7 +101,7 @@ private:
   };
 
   static TreeNode leafOf(const Corners& c);
-  void addLevel();
+  void addLevel(Execution& execution);
 
   std::vector<std::uint32_t> order_;          // triangles along the curve
   std::vector<std::vector<TreeNode>> levels_; // from the triangles up to the root

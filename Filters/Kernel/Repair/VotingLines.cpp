@@ -14,6 +14,11 @@ namespace
 {
 
 constexpr std::size_t TrianglesAChunk = 2048;
+constexpr std::size_t SheetsAChunk = 4096;
+
+// Sheets of more triangles are sorted on all threads.
+constexpr std::size_t LargeSheet = 1 << 14;
+constexpr std::size_t SortedAChunk = 1 << 13;
 
 // How many triangles of a sheet lines are laid through, as a part of all and at least and at most:
 // enough to outvote lines that pass through flaws of the surface.
@@ -63,28 +68,38 @@ public:
         best_[t] = largestProjection(t);
       }
     });
-    std::vector<std::size_t> start(best_.size() + 1);
-    for (std::size_t t = 0; t < best_.size(); ++t)
+    Buckets<std::uint32_t> ofSheet = fillBuckets<std::uint32_t>(
+      best_.size(), TrianglesAChunk, best_.size(),
+      [&](std::size_t begin, std::size_t end, auto&& add) {
+        for (std::size_t t = begin; t < end; ++t)
+        {
+          add(sheets.of(t), static_cast<std::uint32_t>(t));
+        }
+      },
+      execution);
+    sortLarge(ofSheet, execution);
+    std::vector<Lines> parts(chunks(best_.size(), SheetsAChunk));
+    execution.forEach(best_.size(), SheetsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t s = begin; s < end; ++s)
+      {
+        addLines(static_cast<std::uint32_t>(s), ofSheet.items.data() + ofSheet.start[s],
+          ofSheet.items.data() + ofSheet.start[s + 1], parts[begin / SheetsAChunk]);
+      }
+    });
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      ++start[sheets.of(t)];
-    }
-    scan(start);
-    std::vector<std::uint32_t> triangles(best_.size());
-    std::vector<std::size_t> next(start.begin(), start.end() - 1);
-    for (std::size_t t = 0; t < best_.size(); ++t)
-    {
-      triangles[next[sheets.of(t)]++] = static_cast<std::uint32_t>(t);
-    }
-    for (std::size_t s = 0; s < best_.size(); ++s)
-    {
-      addLines(static_cast<std::uint32_t>(s), triangles.data() + start[s],
-        triangles.data() + start[s + 1]);
+      for (const Lines& part : parts)
+      {
+        lines_[axis].insert(lines_[axis].end(), part[axis].begin(), part[axis].end());
+      }
     }
   }
 
   std::array<std::vector<VotingLine>, 3> takeLines() { return std::move(lines_); }
 
 private:
+  using Lines = std::array<std::vector<VotingLine>, 3>;
+
   struct Projection
   {
     Wide area = 0;
@@ -103,15 +118,49 @@ private:
     return best;
   }
 
-  void addLines(std::uint32_t sheet, std::uint32_t* begin, std::uint32_t* end)
+  static std::size_t wantedOf(std::size_t size)
+  {
+    return std::min(size, std::clamp(size / PartOfTriangles, FewestTriangles, MostTriangles));
+  }
+
+  bool isLarger(std::uint32_t a, std::uint32_t b) const
+  {
+    return best_[a].area != best_[b].area ? best_[a].area > best_[b].area : sorted(a) < sorted(b);
+  }
+
+  // Puts the wanted triangles of sheets of many first, found among those of each chunk.
+  void sortLarge(Buckets<std::uint32_t>& ofSheet, Execution& execution) const
+  {
+    const auto compare = [&](std::uint32_t a, std::uint32_t b) { return isLarger(a, b); };
+    for (std::size_t s = 0; s < best_.size(); ++s)
+    {
+      const std::size_t size = ofSheet.start[s + 1] - ofSheet.start[s];
+      if (size <= LargeSheet)
+      {
+        continue;
+      }
+      std::uint32_t* const triangles = ofSheet.items.data() + ofSheet.start[s];
+      std::vector<std::vector<std::uint32_t>> parts(chunks(size, SortedAChunk));
+      execution.forEach(size, SortedAChunk, [&](std::size_t begin, std::size_t end) {
+        const std::size_t kept = std::min(wantedOf(size), end - begin);
+        std::partial_sort(triangles + begin, triangles + begin + kept, triangles + end, compare);
+        parts[begin / SortedAChunk].assign(triangles + begin, triangles + begin + kept);
+      });
+      std::vector<std::uint32_t> all = concatenated(parts);
+      std::sort(all.begin(), all.end(), compare);
+      std::copy_n(all.begin(), wantedOf(size), triangles);
+    }
+  }
+
+  void addLines(std::uint32_t sheet, std::uint32_t* begin, std::uint32_t* end, Lines& lines) const
   {
     const auto size = static_cast<std::size_t>(end - begin);
-    const std::size_t wanted =
-      std::min(size, std::clamp(size / PartOfTriangles, FewestTriangles, MostTriangles));
-    std::uint32_t* const wantedEnd = begin + wanted;
-    std::partial_sort(begin, wantedEnd, end, [&](std::uint32_t a, std::uint32_t b) {
-      return best_[a].area != best_[b].area ? best_[a].area > best_[b].area : sorted(a) < sorted(b);
-    });
+    std::uint32_t* const wantedEnd = begin + wantedOf(size);
+    if (size <= LargeSheet)
+    {
+      std::partial_sort(
+        begin, wantedEnd, end, [&](std::uint32_t a, std::uint32_t b) { return isLarger(a, b); });
+    }
     for (const std::uint32_t* t = begin; t != wantedEnd; ++t)
     {
       for (std::size_t corner = 0; best_[*t].area > 0 && corner < 3; ++corner)
@@ -124,7 +173,7 @@ private:
           line.area = best_[*t].area;
           line.triangle = sorted(*t);
           line.sheet = sheet;
-          lines_[axis].push_back(line);
+          lines[axis].push_back(line);
         }
       }
     }

@@ -171,7 +171,7 @@ void giveSidesToSheets(Surface& walls, MeshedSide side, Execution& execution)
   }
   const SurfaceEdges edges(walls, execution);
   const std::vector<SheetPair> sheets =
-    findSheets(walls, SheetHandling::LeaveOut, edges, findDuplicates(walls, edges));
+    findSheets(walls, SheetHandling::LeaveOut, edges, findDuplicates(walls, edges, execution));
   giveSides(walls, edges, sheets, meshed);
   for (std::size_t t = 0; t < walls.ofSheet.size(); ++t)
   {

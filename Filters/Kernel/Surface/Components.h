@@ -21,6 +21,6 @@ inline DisjointSets connectedComponents(const Surface& surface)
 }
 
 // Of each triangle: the volume that its component encloses, in cubic levels; of a cavity too it is positive.
-std::vector<float> enclosedVolumes(const Surface& surface);
+std::vector<float> enclosedVolumes(const Surface& surface, Execution& execution);
 
 }

@@ -11,7 +11,7 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t TrianglesAChunk = 1 << 13;
+constexpr std::size_t TrianglesAChunk = 1 << 11;
 
 // A folded triangle is at most as thick as this part of its longest edge.
 constexpr double ThickestFold = 0.02;

@@ -2,11 +2,14 @@
 #include "Surface/Surface.h"
 
 #include "Base/Error.h"
+#include "Base/Sorting.h"
 #include "Lattice/PointSortKey.h"
 #include "Lattice/Vector.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <tuple>
 
@@ -16,7 +19,8 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t VerticesAChunk = 1 << 14;
+constexpr std::size_t VerticesAChunk = 1 << 12;
+constexpr std::size_t TrianglesAChunk = 1 << 12;
 
 // Volumes must stay finite in double precision; those of small parts of small cells, and squares of the areas
 // of their faces, must not vanish.
@@ -60,37 +64,41 @@ void checkTriangle(const SurfaceView& view, std::size_t triangle)
   }
 }
 
-// Sorts what may take seconds, and can be stopped in between.
-template <class T>
-void sortPolling(std::vector<T>& items, Execution& execution)
-{
-  std::sort(items.begin(), items.end(), [&](const T& a, const T& b) {
-    execution.poll();
-    return a < b;
-  });
-}
-
 // Merges points that share all three levels: fills `surface.vertices` and returns the vertex of
 // each point.
-std::vector<std::uint32_t> mergePoints(
-  const std::vector<Point>& points, Surface& surface, Execution& execution)
+RawVector<std::uint32_t> mergePoints(
+  const RawVector<Point>& points, Surface& surface, Execution& execution)
 {
-  std::vector<PointSortKey> order;
-  order.reserve(points.size());
-  for (std::uint32_t id = 0; id < points.size(); ++id)
-  {
-    order.emplace_back(points[id], id);
-  }
-  sortPolling(order, execution);
-  std::vector<std::uint32_t> vertex(points.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    if (i == 0 || !order[i].isAt(order[i - 1]))
+  const std::size_t count = points.size();
+  RawVector<PointSortKey> order(count);
+  execution.forEach(count, VerticesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t id = begin; id < end; ++id)
     {
-      surface.vertices.push_back(order[i].point());
+      order[id] = { points[id], static_cast<std::uint32_t>(id) };
     }
-    vertex[order[i].number()] = static_cast<std::uint32_t>(surface.vertices.size() - 1);
-  }
+  });
+  sortAll(order, execution);
+  const auto isNew = [&](std::size_t i) { return i == 0 || !order[i].isAt(order[i - 1]); };
+  std::vector<std::uint32_t> first(chunks(count, VerticesAChunk) + 1);
+  execution.forEach(count, VerticesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      first[begin / VerticesAChunk] += isNew(i) ? 1 : 0;
+    }
+  });
+  surface.vertices.resize(scan(first));
+  RawVector<std::uint32_t> vertex(count);
+  execution.forEach(count, VerticesAChunk, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t next = first[begin / VerticesAChunk];
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      if (isNew(i))
+      {
+        surface.vertices[next++] = order[i].point();
+      }
+      vertex[order[i].number()] = next - 1;
+    }
+  });
   return vertex;
 }
 
@@ -112,7 +120,7 @@ struct OrderedTriangle
 };
 
 OrderedTriangle orderedTriangle(
-  const SurfaceView& view, std::size_t triangle, const std::vector<std::uint32_t>& vertex)
+  const SurfaceView& view, std::size_t triangle, const RawVector<std::uint32_t>& vertex)
 {
   OrderedTriangle t{};
   for (std::size_t corner = 0; corner < 3; ++corner)
@@ -129,62 +137,77 @@ OrderedTriangle orderedTriangle(
   return t;
 }
 
-void addTriangles(const SurfaceView& view, const std::vector<std::uint32_t>& vertex,
-  Surface& surface, Execution& execution)
+void addTriangles(const SurfaceView& view, const RawVector<std::uint32_t>& vertex, Surface& surface,
+  Execution& execution)
 {
-  std::vector<OrderedTriangle> order;
-  order.reserve(view.triangleCount);
-  for (std::size_t t = 0; t < view.triangleCount; ++t)
-  {
-    order.push_back(orderedTriangle(view, t, vertex));
-  }
-  sortPolling(order, execution);
-  surface.triangles.reserve(order.size());
-  surface.boundary.reserve(order.size());
-  surface.given.reserve(order.size());
-  for (const OrderedTriangle& t : order)
-  {
-    surface.triangles.push_back(t.vertices);
-    surface.boundary.push_back(t.boundary);
-    if (view.region)
+  const std::size_t count = view.triangleCount;
+  RawVector<OrderedTriangle> order(count);
+  execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
     {
-      surface.region.push_back(t.region);
+      order[t] = orderedTriangle(view, t, vertex);
     }
-    surface.given.push_back(t.given);
-  }
+  });
+  sortAll(order, execution);
+  surface.triangles.resize(count);
+  surface.boundary.resize(count);
+  surface.given.resize(count);
+  surface.region.resize(view.region ? count : 0);
+  execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
+    {
+      surface.triangles[t] = order[t].vertices;
+      surface.boundary[t] = order[t].boundary;
+      if (view.region)
+      {
+        surface.region[t] = order[t].region;
+      }
+      surface.given[t] = order[t].given;
+    }
+  });
+}
+
+using Flags = std::vector<std::atomic<std::uint8_t>>;
+
+Flags findUsed(const SurfaceView& view, Execution& execution)
+{
+  Flags used(view.pointCount);
+  execution.forEach(
+    3 * view.triangleCount, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        used[view.triangles[i]].store(1, std::memory_order_relaxed);
+      }
+    });
+  return used;
 }
 
 // Half the distance between neighbouring numbers of the file, where all its coordinates are in single precision, as in
 // STL; 0 otherwise.
-double roundingOf(const SurfaceView& view, const std::vector<bool>& used)
+double roundingOf(const SurfaceView& view, const Flags& used, Execution& execution)
 {
-  double largest = 0;
-  for (std::size_t i = 0; i < 3 * view.pointCount; ++i)
-  {
-    const double x = view.points[i];
-    if (used[i / 3])
+  constexpr double NotSingle = std::numeric_limits<double>::infinity();
+  std::vector<double> largest(chunks(view.pointCount, VerticesAChunk));
+  execution.forEach(view.pointCount, VerticesAChunk, [&](std::size_t begin, std::size_t end) {
+    double most = 0;
+    for (std::size_t i = 3 * begin; i < 3 * end; ++i)
     {
-      if (static_cast<double>(static_cast<float>(x)) != x)
+      const double x = view.points[i];
+      if (used[i / 3] != 0)
       {
-        return 0;
+        most = std::max(most, double(static_cast<float>(x)) == x ? std::abs(x) : NotSingle);
       }
-      largest = std::max(largest, std::abs(x));
     }
-  }
-  return largest * double(std::numeric_limits<float>::epsilon()) / 2;
+    largest[begin / VerticesAChunk] = most;
+  });
+  const double most = largest.empty() ? 0 : *std::max_element(largest.begin(), largest.end());
+  return most == NotSingle ? 0 : most * double(std::numeric_limits<float>::epsilon()) / 2;
 }
 
-}
-
-Bounds boundsOf(const SurfaceView& view)
+Bounds boundsOf(const SurfaceView& view, std::size_t begin, std::size_t end)
 {
-  if (view.triangleCount == 0)
-  {
-    throw Error(
-      Fault::EmptySurface, "The surface has no triangles: connect a closed triangulated surface.");
-  }
   Bounds bounds = Bounds::none();
-  for (std::size_t t = 0; t < view.triangleCount; ++t)
+  for (std::size_t t = begin; t < end; ++t)
   {
     checkTriangle(view, t);
     for (int corner = 0; corner < 3; ++corner)
@@ -195,6 +218,56 @@ Bounds boundsOf(const SurfaceView& view)
       }
     }
   }
+  return bounds;
+}
+
+// Throws the error of the first flawed triangle, whichever thread finds one first.
+Bounds boundsOfTriangles(const SurfaceView& view, Execution& execution)
+{
+  std::vector<Bounds> parts(chunks(view.triangleCount, TrianglesAChunk));
+  std::vector<std::exception_ptr> flaws(parts.size());
+  execution.forEach(view.triangleCount, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
+    try
+    {
+      parts[begin / TrianglesAChunk] = boundsOf(view, begin, end);
+    }
+    catch (const Error&)
+    {
+      flaws[begin / TrianglesAChunk] = std::current_exception();
+    }
+  });
+  Bounds bounds = Bounds::none();
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    if (flaws[i])
+    {
+      std::rethrow_exception(flaws[i]);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      bounds.include(axis, parts[i].low[axis]);
+      bounds.include(axis, parts[i].high[axis]);
+    }
+  }
+  return bounds;
+}
+
+}
+
+Bounds boundsOf(const SurfaceView& view)
+{
+  Execution alone;
+  return boundsOf(view, alone);
+}
+
+Bounds boundsOf(const SurfaceView& view, Execution& execution)
+{
+  if (view.triangleCount == 0)
+  {
+    throw Error(
+      Fault::EmptySurface, "The surface has no triangles: connect a closed triangulated surface.");
+  }
+  const Bounds bounds = boundsOfTriangles(view, execution);
   if (bounds.longest() == 0)
   {
     throw Error(
@@ -212,16 +285,13 @@ Bounds boundsOf(const SurfaceView& view)
 Surface onLattice(const SurfaceView& view, const Lattice& lattice, Execution& execution)
 {
   // Unused points may have any coordinates, even NaN: they stay at the corner of the lattice.
-  std::vector<bool> used(view.pointCount);
-  for (std::size_t i = 0; i < 3 * view.triangleCount; ++i)
-  {
-    used[view.triangles[i]] = true;
-  }
-  std::vector<Point> points(view.pointCount);
+  const Flags used = findUsed(view, execution);
+  RawVector<Point> points(view.pointCount);
   execution.forEach(view.pointCount, VerticesAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
     {
-      for (int axis = 0; used[i] && axis < 3; ++axis)
+      points[i] = {};
+      for (int axis = 0; used[i] != 0 && axis < 3; ++axis)
       {
         points[i][axis] = lattice.vertex(axis, view.points[3 * i + axis]);
       }
@@ -230,8 +300,8 @@ Surface onLattice(const SurfaceView& view, const Lattice& lattice, Execution& ex
 
   Surface surface;
   surface.lattice = lattice;
-  surface.rounding = std::max(1.0, roundingOf(view, used) / lattice.step());
-  const std::vector<std::uint32_t> vertex = mergePoints(points, surface, execution);
+  surface.rounding = std::max(1.0, roundingOf(view, used, execution) / lattice.step());
+  const RawVector<std::uint32_t> vertex = mergePoints(points, surface, execution);
   addTriangles(view, vertex, surface, execution);
   return surface;
 }

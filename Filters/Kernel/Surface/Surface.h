@@ -29,7 +29,8 @@ struct SurfaceView
 
 // The bounds of all points that triangles use. Throws Error: EmptySurface, BadCoordinate (with the
 // point's id), BadParameter (a triangle refers to a point that does not exist).
-Bounds boundsOf(const SurfaceView& view);
+Bounds boundsOf(const SurfaceView& view, Execution& execution);
+Bounds boundsOf(const SurfaceView& view); // on one thread
 
 struct Surface
 {

@@ -2,6 +2,7 @@
 // The edges of a surface, each with the triangles that use it.
 #pragma once
 
+#include "Base/Sorting.h"
 #include "Surface/Surface.h"
 
 namespace cartesian
@@ -51,15 +52,15 @@ public:
   std::size_t chunkCount() const { return chunks(vertices(), VerticesAChunk); }
 
 private:
-  static constexpr std::size_t VerticesAChunk = 1 << 13;
+  static constexpr std::size_t VerticesAChunk = 1 << 11;
 
   template <class Visitor>
   void forEachFrom(std::size_t first, std::size_t last, Visitor&& visit) const
   {
     for (std::size_t v = first; v < last; ++v)
     {
-      const EdgeUse* use = uses_.data() + start_[v];
-      const EdgeUse* const end = uses_.data() + start_[v + 1];
+      const EdgeUse* use = uses_.begin(v);
+      const EdgeUse* const end = uses_.end(v);
       while (use != end)
       {
         const EdgeUse* const begin = use;
@@ -72,10 +73,9 @@ private:
     }
   }
 
-  std::size_t vertices() const { return start_.size() - 1; }
+  std::size_t vertices() const { return uses_.start.size() - 1; }
 
-  std::vector<std::size_t> start_; // of each lower vertex, and the end
-  std::vector<EdgeUse> uses_;
+  Buckets<EdgeUse> uses_; // of each lower vertex
 };
 
 inline bool namesAVertexTwice(const std::array<std::uint32_t, 3>& triangle)

@@ -83,3 +83,62 @@ TEST(ObjectPool, ReturnsReleasedStorage)
   EXPECT_EQ(pool.acquire().data(), storage);
   EXPECT_TRUE(pool.acquire().empty());
 }
+
+// Of few and of many items, all different, of few values, or in order.
+TEST(Sorting, AllThreadsSortAsOne)
+{
+  std::mt19937 random(5);
+  for (const int threads : { 1, 3 })
+  {
+    Execution execution(threads);
+    for (const std::size_t size : { 0U, 1U, 5000U, 100000U })
+    {
+      for (const std::uint32_t values : { 2U, 1000U, ~0U })
+      {
+        std::vector<std::uint32_t> items(size);
+        std::generate(items.begin(), items.end(),
+          [&] { return static_cast<std::uint32_t>(random() % values); });
+        std::vector<std::uint32_t> expected = items;
+        std::sort(expected.begin(), expected.end());
+        for (int repeat = 0; repeat < 2; ++repeat)
+        {
+          sortAll(items, execution);
+          EXPECT_EQ(items, expected);
+        }
+      }
+    }
+  }
+}
+
+// Of items in several buckets each, some of which are empty and one is large.
+TEST(Sorting, BucketsAreSorted)
+{
+  constexpr std::size_t Things = 50000;
+  constexpr std::size_t Number = 7;
+  const auto visit = [](std::size_t begin, std::size_t end, auto&& add) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      add(3, i * 7919 % Things);
+      if (i % 5 == 0)
+      {
+        add(6, i);
+      }
+    }
+  };
+  for (const int threads : { 1, 4 })
+  {
+    Execution execution(threads);
+    const Buckets<std::size_t> buckets =
+      fillBuckets<std::size_t>(Things, 100, Number, visit, execution);
+    ASSERT_EQ(buckets.start.size(), Number + 1);
+    for (std::size_t b = 0; b < Number; ++b)
+    {
+      const std::size_t size = b == 3 ? Things : (b == 6 ? Things / 5 : 0);
+      ASSERT_EQ(buckets.end(b) - buckets.begin(b), static_cast<std::ptrdiff_t>(size));
+      for (std::size_t i = 0; i < size; ++i)
+      {
+        ASSERT_EQ(buckets.begin(b)[i], b == 3 ? i : 5 * i);
+      }
+    }
+  }
+}

@@ -20,7 +20,9 @@ class OverlappingCells : public ::testing::Test
 protected:
   std::vector<std::uint32_t> found() const
   {
-    return overlappingCells(assembly_->boxes, assembly_->nodes.at.size(), assembly_->wall);
+    Execution execution(2);
+    return overlappingCells(
+      assembly_->boxes, assembly_->nodes.at.size(), assembly_->wall, execution);
   }
 
   // The first face between two cells of the wall that are not equally large.

@@ -197,7 +197,7 @@ double meshVolume(const Layered& layered)
 
 std::size_t countFailing(const Quality& quality, Measure measure)
 {
-  const std::vector<double>& values = quality.cells[measure];
+  const auto& values = quality.cells[measure];
   return static_cast<std::size_t>(std::count_if(
     values.begin(), values.end(), [&](double value) { return fails(measure, value); }));
 }
@@ -402,7 +402,7 @@ TEST_P(LayersOnShapes, AreAcceptedAndTakeNothingAway)
       << MeasureSpecs[measure].name;
   }
   const auto sum = [](const Quality& of) {
-    const std::vector<double>& volumes = of.cells[Volume];
+    const auto& volumes = of.cells[Volume];
     return std::accumulate(volumes.begin(), volumes.end(), 0.0);
   };
   EXPECT_NEAR(sum(quality) / sum(before), 1, 1e-9);

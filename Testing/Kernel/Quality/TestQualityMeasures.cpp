@@ -129,7 +129,7 @@ TEST(QualityMeasures, AreTheSameWithoutSlowOnes)
   for (std::size_t m = 0; m < MeasureCount; ++m)
   {
     const bool isSlow = (SlowMeasures >> m & 1U) != 0;
-    const std::vector<double> best(few.cells[m].size(), MeasureSpecs[m].best);
+    const RawVector<double> best(few.cells[m].size(), MeasureSpecs[m].best);
     EXPECT_EQ(few.cells[m], isSlow ? best : all.quality.cells[m]) << MeasureSpecs[m].name;
   }
 }

@@ -190,7 +190,7 @@ Failures failuresOf(const Meshed& meshed, const NamedShape& shape, MeshKind kind
   for (const Measure measure : { BoundaryAngle, InnerAngle, StarTriangulation, NonOrthogonality,
          Skewness, FaceWeight, VolumeRatio, Determinant })
   {
-    const std::vector<double>& values = quality.cells[measure];
+    const auto& values = quality.cells[measure];
     const auto failing = std::count_if(
       values.begin(), values.end(), [&](double value) { return fails(measure, value); });
     failures[MeasureSpecs[measure].name] = static_cast<double>(failing) / cells;
