@@ -101,34 +101,56 @@ Options optionsOf(double cellSize, int depth, PatchMethod method)
   return options;
 }
 
-// The mesh in arrays such as VTK's; how many bytes they take.
-double write(const OutputMesh& mesh, Execution& execution)
+// The mesh in arrays such as VTK's.
+class WrittenMesh
 {
-  const auto cells = static_cast<std::size_t>(mesh.cellCount());
-  RawVector<double> points(3 * static_cast<std::size_t>(mesh.pointCount()));
-  RawVector<Id> offsets(cells + 1);
-  RawVector<Id> connectivity(static_cast<std::size_t>(mesh.connectivitySize()));
-  RawVector<unsigned char> types(cells);
-  RawVector<Id> faceStart(cells);
-  RawVector<Id> faceStream(static_cast<std::size_t>(mesh.faceStreamSize()));
-  RawVector<Id> number(cells);
-  RawVector<int> globalBox(3 * cells);
-  RawVector<unsigned char> level(3 * cells);
-  RawVector<int> region(cells);
-  RawVector<double> fraction(cells);
-  mesh.writePoints(points.data(), execution);
-  mesh.writeCells({ offsets.data(), connectivity.data(), types.data(), faceStart.data(),
-                    faceStream.data(), 12, 42 },
-    execution);
-  mesh.writeCellData(
-    { number.data(), globalBox.data(), level.data(), region.data(), fraction.data() }, execution);
-  const BoundaryMesh boundary = mesh.boundaryMesh(execution);
-  const auto bytes = [](const auto&... arrays) {
-    return (0.0 + ... + static_cast<double>(arrays.size() * sizeof(arrays[0])));
-  };
-  return bytes(points, offsets, connectivity, types, faceStart, faceStream, globalBox, level,
-    region, fraction, number, boundary.start, boundary.corners, boundary.meshPoint);
-}
+public:
+  WrittenMesh(const OutputMesh& mesh, Execution& execution)
+    : points_(3 * static_cast<std::size_t>(mesh.pointCount()))
+    , offsets_(static_cast<std::size_t>(mesh.cellCount()) + 1)
+    , connectivity_(static_cast<std::size_t>(mesh.connectivitySize()))
+    , types_(static_cast<std::size_t>(mesh.cellCount()))
+    , faceStart_(types_.size())
+    , faceStream_(static_cast<std::size_t>(mesh.faceStreamSize()))
+    , number_(types_.size())
+    , globalBox_(3 * types_.size())
+    , level_(3 * types_.size())
+    , region_(types_.size())
+    , fraction_(types_.size())
+  {
+    mesh.writePoints(points_.data(), execution);
+    mesh.writeCells({ offsets_.data(), connectivity_.data(), types_.data(), faceStart_.data(),
+                      faceStream_.data(), 12, 42 },
+      execution);
+    mesh.writeCellData(
+      { number_.data(), globalBox_.data(), level_.data(), region_.data(), fraction_.data() },
+      execution);
+    boundary_ = mesh.boundaryMesh(execution);
+  }
+
+  double bytes() const
+  {
+    const auto sum = [](const auto&... arrays) {
+      return (0.0 + ... + static_cast<double>(arrays.size() * sizeof(arrays[0])));
+    };
+    return sum(points_, offsets_, connectivity_, types_, faceStart_, faceStream_, globalBox_,
+      level_, region_, fraction_, number_, boundary_.start, boundary_.corners, boundary_.meshPoint);
+  }
+
+private:
+  RawVector<double> points_;
+  RawVector<Id> offsets_;
+  RawVector<Id> connectivity_;
+  RawVector<unsigned char> types_;
+  RawVector<Id> faceStart_;
+  RawVector<Id> faceStream_;
+  RawVector<Id> number_;
+  RawVector<int> globalBox_;
+  RawVector<unsigned char> level_;
+  RawVector<int> region_;
+  RawVector<double> fraction_;
+  BoundaryMesh boundary_;
+};
 
 // STL files that are not ASCII: a head, the number of triangles, and as many bytes for each.
 constexpr std::size_t StlHead = 84;
@@ -308,7 +330,7 @@ Figures measure(
   const auto assembly = mesh(surface.view(), options, execution);
   execution.stage("Writing the mesh", AfterLayers, 1);
   Figures figures;
-  figures.output = write(*assembly->mesh, execution);
+  figures.output = WrittenMesh(*assembly->mesh, execution).bytes();
   figures.processor = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
   memory.close();
   for (const auto& [stage, time] : execution.seconds())
@@ -368,7 +390,7 @@ Recording record(const Triangles& surface, double cellSize)
   const auto assembly =
     mesh(surface.view(), optionsOf(cellSize, 0, PatchMethod::Automatic), execution);
   execution.stage("Writing the mesh", AfterLayers, 1);
-  write(*assembly->mesh, execution);
+  const WrittenMesh written(*assembly->mesh, execution);
   recording.end();
   return recording;
 }

@@ -8,7 +8,7 @@ namespace
 {
 
 constexpr std::size_t TrianglesAChunk = 2048;
-constexpr std::size_t RowsAChunk = 64;
+constexpr std::size_t RowsAChunk = 2; // few rows of large boxes may have most of the surface
 
 // The boxes [first, last] of a row that a triangle passes through.
 struct RowSpan

@@ -137,7 +137,7 @@ void GridLines::lookAtLines(Execution& execution)
       sights_.push_back(sight);
     }
   }
-  std::sort(sights_.begin(), sights_.end());
+  sortAll(sights_, execution);
 }
 
 void GridLines::lookAround(std::uint32_t s, SideView& view, SeenLines& seen) const

@@ -7,7 +7,7 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t RowsAChunk = 64;
+constexpr std::size_t RowsAChunk = 8;
 
 // Marks the used vertices of one row.
 class RowMarks

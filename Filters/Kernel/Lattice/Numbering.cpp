@@ -7,7 +7,7 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t RowsAChunk = 64;
+constexpr std::size_t RowsAChunk = 4;
 
 template <class Visitor>
 void forEachDistinct(const PointUse* begin, const PointUse* end, Visitor&& visit)

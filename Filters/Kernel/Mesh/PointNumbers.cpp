@@ -10,8 +10,8 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t RowsAChunk = 64;
-constexpr std::size_t ItemsAChunk = 4096;
+constexpr std::size_t RowsAChunk = 4;
+constexpr std::size_t ItemsAChunk = 1024;
 
 // Finds the rows of points that come row by row, or nearly so.
 class RowFinder

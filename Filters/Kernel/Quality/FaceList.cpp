@@ -14,7 +14,7 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t CellsAChunk = 4096;
+constexpr std::size_t CellsAChunk = 1024;
 constexpr std::size_t BucketsAChunk = 1024;
 
 // In place of a neighbour.
