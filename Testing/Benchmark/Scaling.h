@@ -1,4 +1,4 @@
-// What threads would speed up: from the processor time of each chunk on one thread follows the time on many, on machines
+// Speed-up by threads: from the processor time of each chunk on one thread follows the time on many, on machines
 // that have fewer, and other work to do.
 //
 // Not considered: that threads share caches and memory, and what it takes to wake them (microseconds a loop).

@@ -195,7 +195,11 @@ double roundingOf(const SurfaceView& view, const Flags& used, Execution& executi
       const double x = view.points[i];
       if (used[i / 3] != 0)
       {
-        most = std::max(most, double(static_cast<float>(x)) == x ? std::abs(x) : NotSingle);
+        if (static_cast<double>(static_cast<float>(x)) != x)
+        {
+          most = NotSingle;
+        }
+        most = std::max(most, std::abs(x));
       }
     }
     largest[begin / VerticesAChunk] = most;
