@@ -375,8 +375,8 @@ Boxes boxesFromVTK(vtkUnstructuredGrid* grid)
   Execution execution;
   if (!boxes.plantTree(execution))
   {
-    throw Error(Fault::MissingArray,
-      "Boxes overlap: connect the output of Cartesian Boxer unchanged.");
+    throw Error(
+      Fault::MissingArray, "Boxes overlap: connect the output of Cartesian Boxer unchanged.");
   }
   return boxes;
 }

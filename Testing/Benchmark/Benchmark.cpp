@@ -238,8 +238,7 @@ void printDepths(int threads)
     "cells", "boxes s", "patches s", "sides s", "faces s", "grid s", "peak MB");
   for (int depth = 0; depth <= 10; ++depth)
   {
-    const Figures f =
-      measureGrid(ball, 2 / BoxesAcross * std::pow(2, depth), depth, threads);
+    const Figures f = measureGrid(ball, 2 / BoxesAcross * std::pow(2, depth), depth, threads);
     std::printf("%17d%10.0f%10.0f%10.0f", depth, f.boxes, f.intersected, f.cells);
     double grid = 0;
     for (const char* stage : { "Boxes", "Patches", "Common sides of boxes", "Inner faces" })

@@ -52,8 +52,7 @@ unsigned axesAlongWhichTooCoarse(
       forEachAcross(boxes, box, axis, upper, [&](const std::array<std::uint8_t, 3>& other) {
         for (unsigned along = 0; along < 3; ++along)
         {
-          const bool tooCoarse =
-            box.level[along] < pass.level && other[along] >= pass.touching;
+          const bool tooCoarse = box.level[along] < pass.level && other[along] >= pass.touching;
           result |= unsigned(tooCoarse) << along;
         }
       });

@@ -75,7 +75,8 @@ public:
 
   // The levels of the box at a place, or null. `size` receives that of a cube around it, fine, that divides
   // the grid evenly and within which the answer is the same.
-  virtual const std::array<std::uint8_t, 3>* at(const FinePoint& fine, std::int64_t& size) const = 0;
+  virtual const std::array<std::uint8_t, 3>* at(
+    const FinePoint& fine, std::int64_t& size) const = 0;
 };
 
 // The axes (bit 1 << axis) along which a box must be halved next in a pass; its

@@ -46,8 +46,8 @@ struct BlockDivision::Scratch
   std::vector<std::uint32_t> toDivide; // units
 };
 
-BlockDivision::BlockDivision(const Surface& surface, const Boxes& globals,
-  const Shoeboxes& shoeboxes, Execution& execution)
+BlockDivision::BlockDivision(
+  const Surface& surface, const Boxes& globals, const Shoeboxes& shoeboxes, Execution& execution)
   : surface_(surface)
   , globals_(globals)
   , shoeboxes_(shoeboxes)
@@ -133,8 +133,8 @@ Block BlockDivision::childOf(const Block& block, std::uint32_t unit, Scratch& sc
   child.cube = block.cube.part(block.bits, unit);
   child.allowed = block.allowed;
   child.status = block.status;
-  child.forcing = Refinement::forcingOfUnit(
-    block.forcing, block.cube, block.bits, unit, scratch.forcing);
+  child.forcing =
+    Refinement::forcingOfUnit(block.forcing, block.cube, block.bits, unit, scratch.forcing);
   int deepest = scratch.forced.empty() ? block.forcing.least : scratch.forced[unit];
   if (block.status == BoxStatus::Intersected)
   {

@@ -19,8 +19,8 @@ class BlockDivision
 {
 public:
   // Borrows all arguments.
-  BlockDivision(const Surface& surface, const Boxes& globals, const Shoeboxes& shoeboxes,
-    Execution& execution);
+  BlockDivision(
+    const Surface& surface, const Boxes& globals, const Shoeboxes& shoeboxes, Execution& execution);
 
   // Divides the blocks, which are roots, and all below them.
   void divide(Blocks& blocks) const;

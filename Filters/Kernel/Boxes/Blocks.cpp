@@ -95,7 +95,8 @@ void Blocks::update(const std::vector<std::uint32_t>& changed)
 void Blocks::findNearDepths()
 {
   nearDepths_ = largestAround(
-    globals_, [&](std::size_t g) { return roots_[g] == None ? std::uint8_t(0) : blocks_[roots_[g]].depth; },
+    globals_,
+    [&](std::size_t g) { return roots_[g] == None ? std::uint8_t(0) : blocks_[roots_[g]].depth; },
     execution_);
   execution_.forEach(blocks_.size(), BlocksAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b)

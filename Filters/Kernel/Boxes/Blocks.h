@@ -21,14 +21,16 @@ struct Block
   int allowed = 0;  // the depth where the surface passes
   Forcing forcing;  // until its boxes are found
   Winding low;      // around its low corner
-  std::vector<std::uint32_t> triangles; // that pass through it, ascending, if it is not a global box
-  std::vector<LocalBox> boxes;          // by z, then y, then x
-  BoxTree tree;                         // of these boxes; child blocks are other trees
-  std::uint32_t firstChild = 0;         // in order of their units
+  std::vector<std::uint32_t>
+    triangles;                  // that pass through it, ascending, if it is not a global box
+  std::vector<LocalBox> boxes;  // by z, then y, then x
+  BoxTree tree;                 // of these boxes; child blocks are other trees
+  std::uint32_t firstChild = 0; // in order of their units
   std::uint32_t children = 0;
-  std::uint8_t coarsest = 0;  // the least level of its boxes
-  std::uint8_t depth = 0;     // the largest level of its boxes and of those below
-  std::uint8_t nearDepth = 0; // no less than that of the block and its 26 neighbours of the same size
+  std::uint8_t coarsest = 0; // the least level of its boxes
+  std::uint8_t depth = 0;    // the largest level of its boxes and of those below
+  std::uint8_t nearDepth =
+    0; // no less than that of the block and its 26 neighbours of the same size
 };
 
 // The boxes of a grid by block. Global boxes without a block are one box.
@@ -72,7 +74,8 @@ public:
   }
 
 private:
-  std::uint8_t depthOf(std::uint32_t global, const std::array<std::int64_t, 3>& low, int level) const;
+  std::uint8_t depthOf(
+    std::uint32_t global, const std::array<std::int64_t, 3>& low, int level) const;
   void findNearDepth(Block& block) const;
   void findNearDepths();
 

@@ -148,8 +148,7 @@ private:
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const Level size = planes_[axis][at[axis] + 1] - planes_[axis][at[axis]];
-      const Level least =
-        std::max(leastWidth(depths.deepest()), Level(2) << refinement_.deepest());
+      const Level least = std::max(leastWidth(depths.deepest()), Level(2) << refinement_.deepest());
       if (depths.deepest() > 0 && size < least)
       {
         throw Error(Fault::BadParameter,
@@ -237,7 +236,8 @@ private:
   }
 
   // Of each block that changes, the boxes after the pass.
-  std::vector<std::vector<LocalBox>> halvedBoxes(const Blocks& blocks, const BalancePass& pass) const
+  std::vector<std::vector<LocalBox>> halvedBoxes(
+    const Blocks& blocks, const BalancePass& pass) const
   {
     std::vector<std::vector<LocalBox>> boxes(blocks.size());
     execution_.forEach(blocks.size(), BlocksAChunk, [&](std::size_t begin, std::size_t end) {

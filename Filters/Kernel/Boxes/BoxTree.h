@@ -14,7 +14,7 @@
 namespace cartesian
 {
 
-// Nodes are stored one after the other: first the node's bits and number, then what is in each of its
+// Nodes follow each other: first a node's bits and number, then the content of each of its
 // units, x fastest.
 class BoxTree
 {
@@ -26,7 +26,10 @@ public:
   static constexpr std::uint32_t OtherTree = 1U << 30;
 
   static bool isNode(std::uint32_t content) { return content != None && (content & NodeBit) != 0; }
-  static bool isOtherTree(std::uint32_t content) { return isNode(content) && (content & OtherTree) != 0; }
+  static bool isOtherTree(std::uint32_t content)
+  {
+    return isNode(content) && (content & OtherTree) != 0;
+  }
   static std::uint32_t treeAt(std::uint32_t content) { return content & ~(NodeBit | OtherTree); }
   static std::uint32_t nodeAt(std::uint32_t content) { return content & ~NodeBit; }
 
@@ -81,8 +84,8 @@ public:
   // Appends a node, with those below it, for the boxes in a cube: those of `boxes` with these numbers.
   // Returns whether no two of them overlap there.
   template <class BoxInGlobal>
-  bool add(const Cube& cube, int bits, const BoxInGlobal* boxes,
-    const std::vector<std::uint32_t>& numbers)
+  bool add(
+    const Cube& cube, int bits, const BoxInGlobal* boxes, const std::vector<std::uint32_t>& numbers)
   {
     const std::uint32_t node = addEmpty(bits);
     bool isFree = true;

@@ -78,8 +78,9 @@ bool Boxes::plantTree(Execution& execution)
         numbers.push_back(b);
       }
       global.node = global.depth == 0 ? None : chunk.size();
-      if (global.depth == 0 ? numbers.size() != 1
-                            : !chunk.add(Cube{}, BoxTree::bitsFor(global.depth, 0), packed.data(), numbers))
+      if (global.depth == 0
+          ? numbers.size() != 1
+          : !chunk.add(Cube{}, BoxTree::bitsFor(global.depth, 0), packed.data(), numbers))
       {
         isFree = false;
       }
@@ -110,16 +111,16 @@ bool Boxes::plantTree(Execution& execution)
 
 void Boxes::findNearDepths(Execution& execution)
 {
-  const std::vector<std::uint8_t> depths =
-    largestAround(*this, [&](std::size_t g) { return globals[g].depth; }, execution);
+  const std::vector<std::uint8_t> depths = largestAround(
+    *this, [&](std::size_t g) { return globals[g].depth; }, execution);
   for (std::size_t g = 0; g < depths.size(); ++g)
   {
     globals[g].nearDepth = depths[g];
   }
 }
 
-std::vector<std::uint8_t> largestAround(const Boxes& boxes,
-  const std::function<std::uint8_t(std::size_t)>& depthOf, Execution& execution)
+std::vector<std::uint8_t> largestAround(
+  const Boxes& boxes, const std::function<std::uint8_t(std::size_t)>& depthOf, Execution& execution)
 {
   constexpr std::size_t RowsAChunk = 64;
   const std::size_t rows = boxes.rowStart.size() - 1;
@@ -148,7 +149,8 @@ std::vector<std::uint8_t> largestAround(const Boxes& boxes,
       {
         const std::int64_t y = j + n % 3 - 1;
         const std::int64_t z = k + n / 3 - 1;
-        if (y < 0 || z < 0 || y >= nj || z >= nk || ofRow[boxes.row(std::size_t(y), std::size_t(z))] == 0)
+        if (y < 0 || z < 0 || y >= nj || z >= nk ||
+          ofRow[boxes.row(std::size_t(y), std::size_t(z))] == 0)
         {
           continue;
         }

@@ -87,8 +87,8 @@ struct Boxes
   Layers core; // the layers for which cells are made; all layers of a whole grid
   RawVector<GlobalBox>
     globals; // by rows along x (J + K * boxes along y), then by I; with a sentinel at the end
-  std::vector<std::size_t> rowStart; // first global box of each row, and the end
-  RawVector<PackedBox> packed;       // by global box
+  std::vector<std::size_t> rowStart;  // first global box of each row, and the end
+  RawVector<PackedBox> packed;        // by global box
   BoxTree tree;                       // of divided global boxes
   std::vector<CornerRegions> regions; // of each box; empty: one region
   EndBoundaries ends = NoEnds;        // boundaries where the grid cuts the domain

@@ -36,10 +36,10 @@ std::size_t FewestBoxes::index(const DyadicBox& box) const
   return result;
 }
 
-std::size_t FewestBoxes::lowerHalf(
-  const DyadicBox& box, std::size_t here, std::size_t axis) const
+std::size_t FewestBoxes::lowerHalf(const DyadicBox& box, std::size_t here, std::size_t axis) const
 {
-  return here + stride_[axis] * static_cast<std::size_t>((1 << box.level[axis]) + box.position[axis]);
+  return here +
+    stride_[axis] * static_cast<std::size_t>((1 << box.level[axis]) + box.position[axis]);
 }
 
 bool FewestBoxes::isLeaf(const DyadicBox& box, std::size_t here) const
@@ -141,7 +141,8 @@ std::uint32_t FewestBoxes::search(const Cube& cube, int bits, int allowed,
     {
       for (level[0] = bits; level[0] >= 0; --level[0])
       {
-        forEachDyadicBox(level, [&](const DyadicBox& box, std::size_t here) { evaluate(box, here); });
+        forEachDyadicBox(
+          level, [&](const DyadicBox& box, std::size_t here) { evaluate(box, here); });
       }
     }
   }
@@ -169,8 +170,8 @@ void FewestBoxes::collect(
     {
       const int level = cube_.level + box.level[axis];
       leaf.level[axis] = static_cast<std::uint8_t>(level);
-      leaf.offset[axis] = static_cast<std::uint16_t>(
-        cube_.offset[axis] + box.position[axis] * (FinePerBox >> level));
+      leaf.offset[axis] =
+        static_cast<std::uint16_t>(cube_.offset[axis] + box.position[axis] * (FinePerBox >> level));
     }
     leaf.status = content == bit(BoxStatus::Inside) ? BoxStatus::Inside : BoxStatus::Intersected;
     leaf.corners = AllCorners;

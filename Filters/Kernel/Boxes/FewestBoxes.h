@@ -58,15 +58,15 @@ private:
   {
     return box.level[0] == bits_ && box.level[1] == bits_ && box.level[2] == bits_;
   }
-  void collect(const DyadicBox& box, std::vector<LocalBox>& boxes,
-    std::vector<std::uint32_t>& units) const;
+  void collect(
+    const DyadicBox& box, std::vector<LocalBox>& boxes, std::vector<std::uint32_t>& units) const;
 
   Cube cube_;
   int bits_ = 0;
   int allowed_ = 0;
   std::array<std::size_t, 3> stride_{}; // between neighbours along each axis
-  std::vector<std::uint32_t> cost_; // of each dyadic box
-  std::vector<Content> content_;    // of each dyadic box
+  std::vector<std::uint32_t> cost_;     // of each dyadic box
+  std::vector<Content> content_;        // of each dyadic box
 };
 
 }

@@ -6,8 +6,8 @@
 namespace cartesian
 {
 
-NodeTriangles::NodeTriangles(const Surface& surface, const Boxes& boxes,
-  const Shoeboxes& shoeboxes, Execution& execution)
+NodeTriangles::NodeTriangles(
+  const Surface& surface, const Boxes& boxes, const Shoeboxes& shoeboxes, Execution& execution)
   : boxes_(boxes)
   , shoeboxes_(shoeboxes)
   , lists_(boxes.tree.nodes())
@@ -111,7 +111,8 @@ NodeTriangles::Near NodeTriangles::of(const PackedBox& box) const
     const int bits = boxes_.tree.bitsOf(node);
     const int shift = DeepestLevel - level - bits;
     const std::uint32_t content = boxes_.tree.content(node,
-      BoxTree::unitAt({ box.offset[0] >> shift, box.offset[1] >> shift, box.offset[2] >> shift }, bits));
+      BoxTree::unitAt(
+        { box.offset[0] >> shift, box.offset[1] >> shift, box.offset[2] >> shift }, bits));
     if (level + bits > coarsest || !BoxTree::isNode(content))
     {
       break;

@@ -12,8 +12,8 @@ class NodeTriangles
 {
 public:
   // Borrows `boxes` and `shoeboxes`.
-  NodeTriangles(const Surface& surface, const Boxes& boxes, const Shoeboxes& shoeboxes,
-    Execution& execution);
+  NodeTriangles(
+    const Surface& surface, const Boxes& boxes, const Shoeboxes& shoeboxes, Execution& execution);
 
   struct Near
   {
@@ -41,7 +41,8 @@ private:
 
   const Boxes& boxes_;
   const Shoeboxes& shoeboxes_;
-  std::vector<std::vector<std::uint32_t>> lists_; // by the number of the node; of global boxes empty
+  std::vector<std::vector<std::uint32_t>>
+    lists_; // by the number of the node; of global boxes empty
 };
 
 }

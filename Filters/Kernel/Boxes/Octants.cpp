@@ -182,9 +182,8 @@ void Octants::raise(
       {
         const auto row =
           forced.begin() + static_cast<std::ptrdiff_t>(low[0] + (y << bits) + (z << 2 * bits));
-        std::transform(row, row + static_cast<std::ptrdiff_t>(size), row, [&](std::uint8_t depth) {
-          return std::max(depth, static_cast<std::uint8_t>(level));
-        });
+        std::transform(row, row + static_cast<std::ptrdiff_t>(size), row,
+          [&](std::uint8_t depth) { return std::max(depth, static_cast<std::uint8_t>(level)); });
       }
     }
   }

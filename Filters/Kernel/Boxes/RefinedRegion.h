@@ -51,8 +51,8 @@ public:
   // level whose box around them the region touches. So boxes shrink towards the region in all directions; else its
   // neighbours would be thin slabs. `part`: in a cube with 2^bits units along each axis, x fastest; the region is
   // deeper than the cube. `statuses` receives those of the units by the region, or of its boxes if they are larger.
-  void raise(const Part& part, const std::array<std::uint32_t, 3>& index, const Cube& cube, int bits,
-    UnitStatuses& statuses, std::vector<std::uint8_t>& forced) const;
+  void raise(const Part& part, const std::array<std::uint32_t, 3>& index, const Cube& cube,
+    int bits, UnitStatuses& statuses, std::vector<std::uint8_t>& forced) const;
 
 private:
   RefinedRegion(const RefinementRegion& region, const Lattice& ofGrid, const Lattice& own,

@@ -298,8 +298,7 @@ std::vector<TouchedPart> Refinement::touchedParts(
   return parts;
 }
 
-Forcing Refinement::forcingOf(
-  const std::array<std::uint32_t, 3>& index, const Depths& depths) const
+Forcing Refinement::forcingOf(const std::array<std::uint32_t, 3>& index, const Depths& depths) const
 {
   Forcing forcing{ depths.forced, {}, {} };
   for (const auto& region : regions_)
@@ -350,8 +349,8 @@ Forcing Refinement::forcingOfUnit(
     }
     else if (status == BoxStatus::Intersected)
     {
-      result.regions.push_back({ &region, scratch.ofRegions[i].trianglesIn(unit),
-        scratch.ofRegions[i].lowOf(unit) });
+      result.regions.push_back(
+        { &region, scratch.ofRegions[i].trianglesIn(unit), scratch.ofRegions[i].lowOf(unit) });
     }
   }
   return result;

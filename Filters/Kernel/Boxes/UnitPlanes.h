@@ -12,7 +12,8 @@ class UnitPlanes
 {
 public:
   // Of a cube in the global box `index`, with 2^bits units along each axis. Keeps its storage.
-  void set(const Meshlines& planes, const std::array<std::uint32_t, 3>& index, const Cube& cube, int bits);
+  void set(
+    const Meshlines& planes, const std::array<std::uint32_t, 3>& index, const Cube& cube, int bits);
 
   // Both ends included.
   const std::vector<Level>& operator[](std::size_t axis) const { return planes_[axis]; }

@@ -142,8 +142,7 @@ std::uint8_t UnitStatuses::corners(const LocalBox& box) const
     for (unsigned axis = 0; axis < 3; ++axis)
     {
       const std::int64_t size = FinePerBox >> box.level[axis];
-      const std::int64_t fine =
-        box.offset[axis] - cube_.offset[axis] + (corner >> axis & 1) * size;
+      const std::int64_t fine = box.offset[axis] - cube_.offset[axis] + (corner >> axis & 1) * size;
       at[axis] = static_cast<std::size_t>(fine >> (DeepestLevel - cube_.level - bits_));
     }
     bits |= static_cast<unsigned>(vertices_[vertex(at[0], at[1], at[2])].inside()) << corner;

@@ -32,8 +32,8 @@ TriangleRange NearTriangles::of(const Box& box)
   return row.range();
 }
 
-void NearTriangles::fill(List& list, const Box& box, std::uint32_t node, std::size_t axis,
-  const TriangleRange& from) const
+void NearTriangles::fill(
+  List& list, const Box& box, std::uint32_t node, std::size_t axis, const TriangleRange& from) const
 {
   list.node = node;
   list.offset = box.offset;

@@ -253,8 +253,8 @@ TEST(FewestBoxes, LeaveDeeperUnitsToOtherBlocks)
     {
       ++covered[unit];
       ASSERT_NE(asked.units[unit], BoxStatus::Outside);
-      ASSERT_TRUE(asked.forced[unit] > 4 ||
-        (allowed > 4 && asked.units[unit] == BoxStatus::Intersected));
+      ASSERT_TRUE(
+        asked.forced[unit] > 4 || (allowed > 4 && asked.units[unit] == BoxStatus::Intersected));
     }
     for (const LocalBox& box : boxes)
     {

@@ -44,7 +44,7 @@ TEST(FlowRefinement, HalvesUntilThereAreEnoughBoxesAlongTheBody)
   DomainSpec spec = domain();
   for (const auto& [boxes, depth] :
     { std::pair(0, 0), std::pair(4, 0), std::pair(5, 1), std::pair(8, 1), std::pair(60, 4),
-      std::pair(64, 4), std::pair(65, 5), std::pair(1000, 6) })
+      std::pair(64, 4), std::pair(65, 5), std::pair(1000, 8) })
   {
     spec.boxesAlong = boxes;
     EXPECT_EQ(flowRefinement(spec, boxesOf(1), Body).depth, depth) << boxes;
@@ -56,14 +56,16 @@ TEST(FlowRefinement, HalvesUntilThereAreEnoughBoxesAlongTheBody)
 TEST(FlowRefinement, TellsHowManyBoxesItReaches)
 {
   DomainSpec spec = domain();
+  spec.boxFrom = BoxSource::Bounds;
+  spec.bounds = { { -4096, -4096, -4096 }, { 4096, 4096, 4096 } };
   for (const auto& [boxes, isEnough] : { std::pair(0, true), std::pair(60, true),
          std::pair(256, true), std::pair(257, false), std::pair(1000, false) })
   {
     spec.boxesAlong = boxes;
-    const FlowRefinement flow = flowRefinement(spec, boxesOf(1), Body);
+    const FlowRefinement flow = flowRefinement(spec, boxesOf(64), Body);
     EXPECT_EQ(flow.hasAlong(boxes), isEnough) << boxes;
     EXPECT_EQ(flow.length, 4);
-    EXPECT_EQ(flow.size, 1. / (1 << flow.depth));
+    EXPECT_EQ(flow.size, 64. / (1 << flow.depth));
   }
 }
 

@@ -243,8 +243,8 @@ TEST(Sizing, ErrorsNameTheOption)
   sizing.cellsAcrossGaps = -1;
   expectFault(sizing, "Cells Across Gaps is -1");
   sizing = {};
-  sizing.featureDepth = 7;
-  expectFault(sizing, "Feature Depth is 7");
+  sizing.featureDepth = DeepestLevel + 1;
+  expectFault(sizing, "Feature Depth is 13");
   sizing = {};
   sizing.largestDepth = -2;
   expectFault(sizing, "Largest Depth is -2");
