@@ -230,16 +230,17 @@ void printMemory(int threads)
 }
 
 // One and the same sphere in boxes of the same size at the surface, which are global boxes halved more and more often.
-void printDepths(int threads)
+void printDepths()
 {
   constexpr double BoxesAcross = 96;
   const Triangles ball = sphere(100);
-  std::printf("%-10s%7s%10s%10s%10s%12s%12s%12s%12s%12s%12s\n", "sphere", "depth", "boxes", "cut",
-    "cells", "boxes s", "patches s", "sides s", "faces s", "grid s", "peak MB");
+  std::printf("%-10s%7s%10s%10s%12s%12s%12s%12s%12s%12s%16s%12s\n", "sphere", "depth", "boxes",
+    "cut", "polyhedral", "boxes s", "patches s", "sides s", "faces s", "grid s", "us/polyhedral",
+    "peak MB");
   for (int depth = 0; depth <= 10; ++depth)
   {
-    const Figures f = measureGrid(ball, 2 / BoxesAcross * std::pow(2, depth), depth, threads);
-    std::printf("%17d%10.0f%10.0f%10.0f", depth, f.boxes, f.intersected, f.cells);
+    const Figures f = measureGrid(ball, 2 / BoxesAcross * std::pow(2, depth), depth);
+    std::printf("%17d%10.0f%10.0f%12.0f", depth, f.boxes, f.intersected, f.polyhedral);
     double grid = 0;
     for (const char* stage : { "Boxes", "Patches", "Common sides of boxes", "Inner faces" })
     {
@@ -247,7 +248,7 @@ void printDepths(int threads)
       grid += std::strcmp(stage, "Patches") == 0 ? 0 : seconds;
       std::printf("%12.3f", seconds);
     }
-    std::printf("%12.3f%12.1f\n", grid, f.peak / MB);
+    std::printf("%12.3f%16.2f%12.1f\n", grid, Microseconds * grid / f.polyhedral, f.peak / MB);
     std::fflush(stdout);
   }
 }
@@ -364,7 +365,7 @@ int main(int count, char** arguments)
     }
     if (asked("depth"))
     {
-      printDepths(threads.front());
+      printDepths();
     }
     if (asked("refinement"))
     {

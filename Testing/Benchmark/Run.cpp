@@ -353,14 +353,13 @@ double Figures::secondsOf(const std::string& stage) const
     [&](double sum, const Stage& s) { return sum + (s.name == stage ? s.seconds : 0); });
 }
 
-Figures measureGrid(const Triangles& surface, double cellSize, int depth, int threads)
+Figures measureGrid(const Triangles& surface, double cellSize, int depth)
 {
   Memory memory;
-  Execution execution(threads, [&](double, const char* stage) { return memory(stage); });
-  Options options;
-  options.grid.cellSize = cellSize;
-  options.refinement.depth = depth;
-  options.memoryLimit = PlentyOfMemory;
+  Execution execution(1, [&](double, const char* stage) { return memory(stage); });
+  Recording recording;
+  execution.record(recording);
+  const Options options = optionsOf(cellSize, depth, PatchMethod::Automatic);
   const PreparedSurface prepared = prepareSurface(surface.view(), options, execution);
   const auto decomposition = decompose(prepared, options, execution);
   const Boxes boxes = decomposition->boxes(decomposition->allLayers(), execution);
@@ -370,14 +369,17 @@ Figures measureGrid(const Triangles& surface, double cellSize, int depth, int th
   const Nodes nodes = findNodes(boxes, patches, sides, execution);
   execution.stage("Inner faces", AfterSides, AfterInnerFaces);
   const InnerFaces faces = generateInnerFaces(boxes, patches, sides, nodes, execution);
+  recording.end();
   memory.close();
   Figures figures;
-  for (const auto& [stage, time] : execution.seconds())
+  for (const Recording::Step& step : recording.steps())
   {
-    figures.stages.push_back({ stage, time, memory.peak(stage) });
+    figures.stages.push_back({ recording.stages()[step.stage],
+      std::accumulate(step.tasks.begin(), step.tasks.end(), 0.0), 0 });
   }
   figures.boxes = static_cast<double>(boxes.packed.size());
   figures.intersected = static_cast<double>(patches.boxStart.size() - 1);
+  figures.polyhedral = static_cast<double>(sides.polyhedral.size());
   figures.peak = memory.peak();
   return figures;
 }

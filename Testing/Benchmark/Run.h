@@ -50,6 +50,7 @@ struct Figures
   std::vector<Stage> stages;
   double boxes = 0;
   double intersected = 0;
+  double polyhedral = 0; // intersected, or with hanging nodes
 
   double secondsOf(const std::string& stage) const;
 };
@@ -67,8 +68,8 @@ Estimates estimate(
 Figures measure(
   const Triangles& surface, double cellSize, int depth, PatchMethod method, int threads);
 
-// The grid alone, as far as inner faces.
-Figures measureGrid(const Triangles& surface, double cellSize, int depth, int threads);
+// The grid alone, as far as inner faces: of stages, the processor's seconds.
+Figures measureGrid(const Triangles& surface, double cellSize, int depth);
 
 // Automatic patches, depth 0.
 Recording record(const Triangles& surface, double cellSize);

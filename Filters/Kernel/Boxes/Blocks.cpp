@@ -56,8 +56,19 @@ Blocks::Blocks(const Boxes& globals, Execution& execution)
 {
 }
 
+FinePoint Blocks::placeOf(const Block& block) const
+{
+  FinePoint place;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    place[axis] = globals_.globals[block.global].index[axis] * FinePerBox + block.cube.offset[axis];
+  }
+  return place;
+}
+
 std::uint32_t Blocks::addRoot(Block&& root)
 {
+  root.place = placeOf(root);
   const auto number = static_cast<std::uint32_t>(blocks_.size());
   roots_[root.global] = number;
   blocks_.push_back(std::move(root));
@@ -68,6 +79,11 @@ void Blocks::addChildren(std::uint32_t parent, std::vector<Block>&& children)
 {
   blocks_[parent].firstChild = static_cast<std::uint32_t>(blocks_.size());
   blocks_[parent].children = static_cast<std::uint32_t>(children.size());
+  for (Block& child : children)
+  {
+    child.parent = parent;
+    child.place = placeOf(child);
+  }
   std::move(children.begin(), children.end(), std::back_inserter(blocks_));
 }
 
@@ -171,18 +187,41 @@ std::uint8_t Blocks::depthOf(
   }
 }
 
-const std::array<std::uint8_t, 3>* Blocks::levelsAt(
-  const FinePoint& fine, std::uint32_t near, std::int64_t& size) const
+// The smallest of a block and those that it is in that contains a place, else the root there, or null.
+const Block* Blocks::blockAround(const FinePoint& fine, const Block& near) const
 {
-  const std::uint32_t g = globals_.globalAt(fine, near);
-  size = FinePerBox;
-  if (g == None || roots_[g] == None)
+  const Block* block = &near;
+  for (;;)
   {
-    return g == None ? nullptr : &Undivided;
+    const auto offset = [&](std::size_t axis) {
+      return static_cast<std::uint64_t>(fine[axis] - block->place[axis]);
+    };
+    // Offsets below 0 are very large.
+    if ((offset(0) | offset(1) | offset(2)) < static_cast<std::uint64_t>(block->cube.size()))
+    {
+      return block;
+    }
+    if (block->parent == None)
+    {
+      break;
+    }
+    block = &blocks_[block->parent];
   }
-  const Block* block = &blocks_[roots_[g]];
+  const std::uint32_t g = globals_.globalAt(fine, near.global);
+  return g == None || roots_[g] == None ? nullptr : &blocks_[roots_[g]];
+}
+
+const std::array<std::uint8_t, 3>* Blocks::levelsAt(
+  const FinePoint& fine, const Block& near, std::int64_t& size) const
+{
+  const Block* block = blockAround(fine, near);
+  if (block == nullptr)
+  {
+    size = FinePerBox;
+    return globals_.globalAt(fine, near.global) == None ? nullptr : &Undivided;
+  }
   std::uint32_t node = 0;
-  int shift = DeepestLevel;
+  int shift = DeepestLevel - block->cube.level;
   for (;;)
   {
     const int bits = block->tree.bitsOf(node);

@@ -9,11 +9,15 @@
 #include "Boxes/Boxes.h"
 #include "Boxes/Refinement.h"
 
+#include <limits>
+
 namespace cartesian
 {
 
 struct Block
 {
+  static constexpr std::int64_t Nowhere = std::numeric_limits<std::int64_t>::min() / 2;
+
   std::uint32_t global; // number of the global box
   Cube cube;
   int bits;         // 2^bits units along each axis
@@ -22,9 +26,12 @@ struct Block
   Forcing forcing;  // until its boxes are found
   Winding low;      // around its low corner
   std::vector<std::uint32_t>
-    triangles;                  // that pass through it, ascending, if it is not a global box
-  std::vector<LocalBox> boxes;  // by z, then y, then x
-  BoxTree tree;                 // of these boxes; child blocks are other trees
+    triangles;                 // that pass through it, ascending, if it is not a global box
+  std::vector<LocalBox> boxes; // by z, then y, then x
+  BoxTree tree;                // of these boxes; child blocks are other trees
+  FinePoint place{ Nowhere, Nowhere,
+    Nowhere }; // of the low corner in the fine grid, once it is added
+  std::uint32_t parent = None;
   std::uint32_t firstChild = 0; // in order of their units
   std::uint32_t children = 0;
   std::uint8_t coarsest = 0; // the least level of its boxes
@@ -57,10 +64,10 @@ public:
   // The largest level of a global box and its 26 neighbours.
   std::uint8_t nearDepthOf(std::size_t global) const { return nearDepths_[global]; }
 
-  // The levels of the box at a place of the fine grid, or null. `near`: a guess of the global box; `size`
-  // receives that of the unit there, fine.
+  // The levels of the box at a place of the fine grid, or null. `near`: a block near it, or one that is not there
+  // yet; `size` receives that of the unit there, fine.
   const std::array<std::uint8_t, 3>* levelsAt(
-    const FinePoint& fine, std::uint32_t near, std::int64_t& size) const;
+    const FinePoint& fine, const Block& near, std::int64_t& size) const;
 
   // Calls visit(block) for a block and those below it, each before its children.
   template <class Visitor>
@@ -74,6 +81,8 @@ public:
   }
 
 private:
+  FinePoint placeOf(const Block& block) const;
+  const Block* blockAround(const FinePoint& fine, const Block& near) const;
   std::uint8_t depthOf(
     std::uint32_t global, const std::array<std::int64_t, 3>& low, int level) const;
   void findNearDepth(Block& block) const;

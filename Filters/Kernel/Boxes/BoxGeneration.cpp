@@ -17,11 +17,11 @@ constexpr std::size_t RowsAChunk = 16;
 constexpr std::size_t GlobalsAChunk = 64;
 constexpr std::size_t BlocksAChunk = 4;
 
-// The boxes before a pass, as a box in this global box sees them.
+// The boxes before a pass, as a box in this block sees them.
 class BlocksBefore : public LevelsAround
 {
 public:
-  BlocksBefore(const Blocks& blocks, std::uint32_t near)
+  BlocksBefore(const Blocks& blocks, const Block& near)
     : blocks_(blocks)
     , near_(near)
   {
@@ -34,7 +34,7 @@ public:
 
 private:
   const Blocks& blocks_;
-  std::uint32_t near_;
+  const Block& near_;
 };
 
 // Where the final boxes of a block are.
@@ -296,7 +296,7 @@ private:
     {
       placed.low[axis] = index[axis] * FinePerBox + box.offset[axis];
     }
-    const unsigned axes = axesToHalve(BlocksBefore(blocks, block.global), placed, pass);
+    const unsigned axes = axesToHalve(BlocksBefore(blocks, block), placed, pass);
     if (axes == 0)
     {
       parts.push_back(box);

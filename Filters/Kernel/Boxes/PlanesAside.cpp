@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Boxes/PlanesAside.h"
 
+#include "Base/Sorting.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 
 namespace cartesian
 {
 
 namespace
 {
+
+constexpr std::size_t TrianglesAChunk = 4096;
 
 // A wall farther from a plane than this part of the way to the next one that may divide boxes does not run
 // along it.
@@ -47,19 +52,37 @@ double projectedArea(const Corners& c, std::size_t axis)
   return along(1, u) * along(2, v) - along(1, v) * along(2, u);
 }
 
-FlatWalls flatWalls(const Surface& surface, std::size_t axis)
+// The corners of the oriented triangles for which is(corners), in order.
+template <class Predicate>
+std::vector<Corners> trianglesThatAre(
+  const Surface& surface, Execution& execution, const Predicate& is)
+{
+  const std::size_t count = surface.triangles.size();
+  std::vector<std::vector<Corners>> parts(chunks(count, TrianglesAChunk));
+  execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
+    {
+      const Corners c = surface.corners(t);
+      const bool oriented = surface.byParity.empty() || surface.byParity[t] == 0;
+      if (oriented && is(c))
+      {
+        parts[begin / TrianglesAChunk].push_back(c);
+      }
+    }
+  });
+  return concatenated(parts);
+}
+
+FlatWalls flatWalls(const Surface& surface, std::size_t axis, Execution& execution)
 {
   FlatWalls walls;
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  for (const Corners& c : trianglesThatAre(surface, execution, [&](const Corners& corners) {
+         return corners[1][axis] == corners[0][axis] && corners[2][axis] == corners[0][axis];
+       }))
   {
-    const Corners c = surface.corners(t);
-    const Level level = c[0][axis];
-    const bool oriented = surface.byParity.empty() || surface.byParity[t] == 0;
-    if (oriented && c[1][axis] == level && c[2][axis] == level)
-    {
-      const double area = projectedArea(c, axis);
-      (area > 0 ? walls[level].domainBelow : walls[level].domainAbove) += std::abs(area);
-    }
+    const double area = projectedArea(c, axis);
+    WallAreas& ofLevel = walls[c[0][axis]];
+    (area > 0 ? ofLevel.domainBelow : ofLevel.domainAbove) += std::abs(area);
   }
   return walls;
 }
@@ -170,37 +193,35 @@ public:
 
   // Twice the area of walls all of whose corners are within a distance of the plane: of those with the domain between
   // them and the plane, less that of the others.
-  double wallsWithin(double distance) const
+  double wallsWithin(double distance, Execution& execution) const
   {
-    double sum = 0;
-    for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
-    {
-      const Corners c = surface_.corners(t);
-      const bool oriented = surface_.byParity.empty() || surface_.byParity[t] == 0;
-      sum += oriented &&
-          std::all_of(
-            c.begin(), c.end(), [&](const Point& p) { return std::abs(height(p)) <= distance; })
-        ? sign_ * projectedArea(c, axis_)
-        : 0;
-    }
-    return sum;
+    const std::vector<Corners> near = trianglesThatAre(surface_, execution, [&](const Corners& c) {
+      return std::all_of(
+        c.begin(), c.end(), [&](const Point& p) { return std::abs(height(p)) <= distance; });
+    });
+    return std::accumulate(near.begin(), near.end(), 0.0,
+      [&](double sum, const Corners& c) { return sum + sign_ * projectedArea(c, axis_); });
   }
 
   // Of the highest corner that no gap of this size separates from the plane; 0: there is none.
-  double top(double gap) const
+  double top(double gap, Execution& execution) const
   {
-    std::vector<double> heights;
-    for (const auto& triangle : surface_.triangles)
-    {
-      for (const std::uint32_t vertex : triangle)
+    const std::size_t count = surface_.triangles.size();
+    std::vector<std::vector<double>> parts(chunks(count, TrianglesAChunk));
+    execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t)
       {
-        const double h = height(surface_.vertices[vertex]);
-        if (h > 0 && h <= MostGaps * gap)
+        for (const std::uint32_t vertex : surface_.triangles[t])
         {
-          heights.push_back(h);
+          const double h = height(surface_.vertices[vertex]);
+          if (h > 0 && h <= MostGaps * gap)
+          {
+            parts[begin / TrianglesAChunk].push_back(h);
+          }
         }
       }
-    }
+    });
+    std::vector<double> heights = concatenated(parts);
     std::sort(heights.begin(), heights.end());
     double highest = 0;
     for (const double h : heights)
@@ -221,7 +242,8 @@ private:
 
 // Past corners that were meant to lie on the plane: else a film of the domain stays between, whose walls, or what is
 // left where it is removed, lie across the end. Not past a wall with the domain on its other side, which ends it there.
-void endPastCorners(const Surface& surface, Meshlines& planes, std::size_t axis, double near)
+void endPastCorners(
+  const Surface& surface, Meshlines& planes, std::size_t axis, double near, Execution& execution)
 {
   std::vector<Level>& lines = planes[axis];
   const double most = LargestStep * (double(lines[1]) - lines[0]) / double(planes.partsPerBox());
@@ -229,8 +251,8 @@ void endPastCorners(const Surface& surface, Meshlines& planes, std::size_t axis,
   for (const bool upper : { false, true })
   {
     const SeenFromEnd end(surface, lines, axis, upper);
-    const double top = end.top(gap);
-    if (top > 0 && end.wallsWithin(top) >= 0)
+    const double top = end.top(gap, execution);
+    if (top > 0 && end.wallsWithin(top, execution) >= 0)
     {
       const auto step = static_cast<Level>(top + 1); // corners are on odd levels
       (upper ? lines.back() : lines.front()) += upper ? Level(0) - step : step;
@@ -238,20 +260,38 @@ void endPastCorners(const Surface& surface, Meshlines& planes, std::size_t axis,
   }
 }
 
-double longestSide(const Surface& surface)
+double longestSide(const Surface& surface, Execution& execution)
 {
+  struct Range
+  {
+    Point low{ ~Level(0), ~Level(0), ~Level(0) };
+    Point high{};
+  };
+  const std::size_t count = surface.triangles.size();
+  std::vector<Range> ranges(chunks(count, TrianglesAChunk));
+  execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
+    Range& range = ranges[begin / TrianglesAChunk];
+    for (std::size_t t = begin; t < end; ++t)
+    {
+      for (const Point& p : surface.corners(t))
+      {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          range.low[axis] = std::min(range.low[axis], p[axis]);
+          range.high[axis] = std::max(range.high[axis], p[axis]);
+        }
+      }
+    }
+  });
   double longest = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    Level low = std::numeric_limits<Level>::max();
+    Level low = ~Level(0);
     Level high = 0;
-    for (const auto& triangle : surface.triangles)
+    for (const Range& range : ranges)
     {
-      for (const std::uint32_t vertex : triangle)
-      {
-        low = std::min(low, surface.vertices[vertex][axis]);
-        high = std::max(high, surface.vertices[vertex][axis]);
-      }
+      low = std::min(low, range.low[axis]);
+      high = std::max(high, range.high[axis]);
     }
     longest = std::max(longest, double(high) - low);
   }
@@ -292,19 +332,19 @@ void stepPlanesBetween(const FlatWalls& walls, Meshlines& planes, std::size_t ax
 
 }
 
-void stepAside(const Surface& surface, int depth, Meshlines& planes)
+void stepAside(const Surface& surface, int depth, Meshlines& planes, Execution& execution)
 {
   planes.planeLevel = std::clamp(depth, LeastPlaneLevel, DeepestLevel);
-  const double longest = surface.around.inside() ? longestSide(surface) : 0;
+  const double longest = surface.around.inside() ? longestSide(surface, execution) : 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const FlatWalls walls = flatWalls(surface, axis);
+    const FlatWalls walls = flatWalls(surface, axis, execution);
     const double rounding = roundingOf(surface, planes, axis);
     stepMeshlines(walls, planes, axis, rounding);
     if (surface.around.inside())
     {
       endInWalls(planes[axis], walls);
-      endPastCorners(surface, planes, axis, EndTolerance * longest);
+      endPastCorners(surface, planes, axis, EndTolerance * longest, execution);
     }
     stepPlanesBetween(walls, planes, axis, rounding);
   }

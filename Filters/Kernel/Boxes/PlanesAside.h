@@ -7,6 +7,7 @@
 // and CAD models prefer round numbers, so this is common.
 #pragma once
 
+#include "Base/Execution.h"
 #include "Boxes/Boxes.h"
 #include "Surface/Surface.h"
 
@@ -18,6 +19,6 @@ namespace cartesian
 // meshline, towards the middle: a body that stands on the ground then stands in it, and one that was cut there ends
 // there, though its corners are not quite on the plane. The surface is oriented.
 // `depth`: the largest that is asked for; it becomes the level of the planes.
-void stepAside(const Surface& surface, int depth, Meshlines& planes);
+void stepAside(const Surface& surface, int depth, Meshlines& planes, Execution& execution);
 
 }

@@ -220,7 +220,7 @@ PreparedSurface prepareSurface(
   {
     requireValid(options.layers);
   }
-  stepAside(prepared.surface, options.refinement.deepest(), prepared.planes);
+  stepAside(prepared.surface, options.refinement.deepest(), prepared.planes, execution);
   return prepared;
 }
 

@@ -20,7 +20,8 @@ Meshlines planesBeside(double low, double high, const std::vector<Level>& along,
   const Meshlines given{ { across, across, along } };
   const PreparedSurface prepared = prepareOnLevels(box({ 11, 11, low }, { 101, 101, high }), given);
   Meshlines planes = given;
-  stepAside(prepared.surface, depth, planes);
+  Execution execution;
+  stepAside(prepared.surface, depth, planes, execution);
   return planes;
 }
 
