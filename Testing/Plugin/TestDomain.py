@@ -164,8 +164,8 @@ inGap = [abs(x) < 0.45 and abs(y) < 0.45 and z < -0.5 for x, y, z in middles]
 assert level[inGap].min() >= 3 and level.min() == 0, level[inGap].min()
 
 # More boxes along the body than halving gives: told, with what to do.
-few = simple.CartesianMesher(Input=cube, Domain="Outside", LengthsBefore=0.1, LengthsBehind=0.1, LengthsBeside=0.1,
-    CellSize=1.3, BoxesAlongBody=60)
+few = simple.CartesianMesher(Input=cube, Domain="Outside", BoxFrom="Bounds", DomainBounds=[-800, 800] * 3, CellSize=800,
+    BoxesAlongBody=60)
 with Messages() as said:
     few.UpdatePipeline()
 assert "Boxes Along Body is 60, but only" in str(said) and "Choose a Cell Size of" in str(said), said
