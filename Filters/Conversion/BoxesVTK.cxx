@@ -126,7 +126,8 @@ public:
     const GlobalBox global{ readTriple(global_, cell, last),
       static_cast<std::uint32_t>(boxes.packed.size()), None, 0, 0 };
     const double deepest = boxes.planes.planeLevel;
-    const double widest = double(FinePerBox / step_) - 1;
+    const std::int64_t parts = FinePerBox / step_;
+    const auto widest = static_cast<double>(parts - 1);
     const auto level = readTriple(level_, cell, { deepest, deepest, deepest });
     const auto offset = readTriple(offset_, cell, { widest, widest, widest });
     PackedBox box;
@@ -240,10 +241,11 @@ bool isBetween(
 // `step`: their unit in the file, fine.
 void readMoved(vtkUnstructuredGrid* grid, std::int64_t step, Meshlines& planes)
 {
+  const std::int64_t parts = FinePerBox / step;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const std::vector<double> values = getField(grid, MovedNames[axis], 0);
-    const double end = double(planes[axis].size() - 1) * double(FinePerBox / step);
+    const double end = double(planes[axis].size() - 1) * double(parts);
     double before = 0;
     for (std::size_t i = 0; i < values.size(); i += 2)
     {
@@ -338,6 +340,7 @@ void toVTK(const Boxes& boxes, vtkUnstructuredGrid* grid)
     { boxes.lattice.origin()[0], boxes.lattice.origin()[1], boxes.lattice.origin()[2] });
   setField(grid, LatticeStep, { boxes.lattice.step() });
   const std::int64_t parts = boxes.planes.partsPerBox();
+  const std::int64_t step = FinePerBox / parts;
   setField(grid, PartsPerBox, { static_cast<double>(parts) });
   for (std::size_t a = 0; a < 3; ++a)
   {
@@ -345,7 +348,8 @@ void toVTK(const Boxes& boxes, vtkUnstructuredGrid* grid)
     std::vector<double> moved;
     for (const MovedPlane& plane : boxes.planes.moved[a])
     {
-      moved.push_back(static_cast<double>(plane.fine / (FinePerBox / parts)));
+      const std::int64_t part = plane.fine / step;
+      moved.push_back(static_cast<double>(part));
       moved.push_back(plane.level);
     }
     setField(grid, MovedNames[a], moved);

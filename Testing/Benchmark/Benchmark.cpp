@@ -7,6 +7,8 @@
 // boxes it takes against an isotropic octree; memory: what is estimated for 40 meshes against what they take, on the
 // first number of threads. By default all of these.
 //
+// Benchmark depth: what the grid takes of the processor if boxes of one size at a sphere are halved 0 to 10 times.
+//
 // Benchmark scaling [FILE.stl... | TASK.toml...]: what 1 to 128 threads would speed up, by the processor time of each chunk
 // on one thread (Scaling.h): of surfaces in cells of a 60th of their length, and of tasks of cartesian-mesher; by default
 // of a sphere in cells of an 80th.
@@ -363,7 +365,7 @@ int main(int count, char** arguments)
     {
       printGrowth(threads.front());
     }
-    if (asked("depth"))
+    if (count > 1 && asked("depth"))
     {
       printDepths();
     }

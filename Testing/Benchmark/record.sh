@@ -15,7 +15,7 @@ for plugins in build/release/lib/paraview-*/plugins; do
   export PV_PLUGIN_PATH="$PWD/$plugins"
 done
 
-tables="growth stages surfaces scaling memory boxes compare fidelity tying merging quality scans walls conduction examples-header
+tables="growth stages surfaces scaling depth memory boxes compare fidelity tying merging quality scans walls conduction examples-header
   examples-jacket adaptation pieces"
 
 # As ASCII STL, for Benchmark: the scans, or why there are none.
@@ -49,6 +49,7 @@ do_table() {
     growth | memory) $bin/Benchmark "$1" 1 ;;
     stages) $bin/Benchmark stages 1 2 ;;
     boxes) $bin/Benchmark refinement ;;
+    depth) $bin/Benchmark depth ;;
     scaling)
       mkdir -p build/scaling
       gunzip -c "$motorbike" > build/scaling/motorBike.obj

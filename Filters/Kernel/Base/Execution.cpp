@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cxxabi.h>
 #include <exception>
 #include <mutex>
 #include <numeric>
@@ -176,9 +175,6 @@ void Execution::forEach(std::size_t count, std::size_t grain,
     return;
   }
   recording_->beginLoop();
-  int status = 0;
-  extern std::vector<std::pair<std::size_t, std::string>> DUMP;
-  DUMP.push_back({ 0, abi::__cxa_demangle(work.target_type().name(), nullptr, nullptr, &status) });
   run(count, grain, [&](std::size_t begin, std::size_t end) {
     work(begin, end);
     recording_->endTask();

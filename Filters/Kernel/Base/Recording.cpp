@@ -2,13 +2,9 @@
 #include "Base/Recording.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <functional>
 #include <istream>
-#include <map>
 #include <ostream>
 #include <sstream>
 
@@ -42,7 +38,6 @@ void Recording::stage(const std::string& name)
   stages_.push_back(name);
 }
 
-std::vector<std::pair<std::size_t, std::string>> DUMP;
 void Recording::beginLoop()
 {
   endStep();
@@ -57,42 +52,6 @@ void Recording::endTask()
 void Recording::end()
 {
   endStep();
-  if (std::getenv("STEPDUMP"))
-  {
-    std::map<std::string, std::array<double, 4>> by;
-    std::size_t d = 0;
-    std::string name;
-    for (std::size_t i = 0; i < steps_.size(); ++i)
-    {
-      const Step& s = steps_[i];
-      double sum = 0;
-      for (double t : s.tasks)
-        sum += t;
-      std::string key = stages_[s.stage] + " | ";
-      if (s.isLoop)
-        name = DUMP[d++].second;
-      else
-      {
-        name = d < DUMP.size() ? DUMP[d].second : "end";
-      }
-      auto& v = by[key + (s.isLoop ? "L " : "S before ") + name];
-      v[0] += sum;
-      v[1] += secondsOn(16, s.tasks) - sum / 16;
-      v[2] += 1;
-      v[3] += double(s.tasks.size());
-    }
-    std::vector<std::pair<double, std::string>> order;
-    for (auto& [k, v] : by)
-      order.push_back({ -v[1], k });
-    std::sort(order.begin(), order.end());
-    for (auto& [l, k] : order)
-    {
-      auto& v = by[k];
-      if (v[1] > 2e-4)
-        std::fprintf(stderr, "%8.4f lost %8.4f s %6.0f steps %6.0f tasks  %s\n", v[1], v[0], v[2],
-          v[3], k.c_str());
-    }
-  }
 }
 
 double Recording::lap()
