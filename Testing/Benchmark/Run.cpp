@@ -317,7 +317,7 @@ Estimates estimate(
     return decomposition->together(ofLayers, all).bytes(prepared.memoryLimit);
   };
   return { bytes(decomposition->estimateLayers(execution)),
-    bytes(estimateLayers(decomposition->shoeboxes(), boxes)) };
+    bytes(estimateLayers(decomposition->shoeboxes(), boxes, execution)) };
 }
 
 Figures measure(

@@ -51,8 +51,6 @@ void findLevels(Block& block)
 Blocks::Blocks(const Boxes& globals, Execution& execution)
   : globals_(globals)
   , execution_(execution)
-  , roots_(globals.globals.size() - 1, None)
-  , nearDepths_(roots_.size(), 0)
 {
 }
 
@@ -70,6 +68,10 @@ std::uint32_t Blocks::addRoot(Block&& root)
 {
   root.place = placeOf(root);
   const auto number = static_cast<std::uint32_t>(blocks_.size());
+  if (roots_.empty())
+  {
+    roots_.assign(globals_.globals.size() - 1, None);
+  }
   roots_[root.global] = number;
   blocks_.push_back(std::move(root));
   return number;
@@ -112,7 +114,7 @@ void Blocks::findNearDepths()
 {
   nearDepths_ = largestAround(
     globals_,
-    [&](std::size_t g) { return roots_[g] == None ? std::uint8_t(0) : blocks_[roots_[g]].depth; },
+    [&](std::size_t g) { return rootOf(g) == None ? std::uint8_t(0) : blocks_[roots_[g]].depth; },
     execution_);
   execution_.forEach(blocks_.size(), BlocksAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b)
@@ -158,7 +160,7 @@ void Blocks::findNearDepth(Block& block) const
 std::uint8_t Blocks::depthOf(
   std::uint32_t global, const std::array<std::int64_t, 3>& low, int level) const
 {
-  if (roots_[global] == None)
+  if (rootOf(global) == None)
   {
     return 0;
   }
@@ -208,7 +210,7 @@ const Block* Blocks::blockAround(const FinePoint& fine, const Block& near) const
     block = &blocks_[block->parent];
   }
   const std::uint32_t g = globals_.globalAt(fine, near.global);
-  return g == None || roots_[g] == None ? nullptr : &blocks_[roots_[g]];
+  return g == None || rootOf(g) == None ? nullptr : &blocks_[roots_[g]];
 }
 
 const std::array<std::uint8_t, 3>* Blocks::levelsAt(

@@ -51,7 +51,7 @@ public:
   const Block& operator[](std::size_t b) const { return blocks_[b]; }
 
   // Of a global box, or None.
-  std::uint32_t rootOf(std::size_t global) const { return roots_[global]; }
+  std::uint32_t rootOf(std::size_t global) const { return roots_.empty() ? None : roots_[global]; }
 
   // Adds a block for a global box; returns its number.
   std::uint32_t addRoot(Block&& root);
@@ -62,7 +62,10 @@ public:
   // Sorts the boxes of these blocks, which have changed; finds trees and depths.
   void update(const std::vector<std::uint32_t>& changed);
   // The largest level of a global box and its 26 neighbours.
-  std::uint8_t nearDepthOf(std::size_t global) const { return nearDepths_[global]; }
+  std::uint8_t nearDepthOf(std::size_t global) const
+  {
+    return nearDepths_.empty() ? std::uint8_t(0) : nearDepths_[global];
+  }
 
   // The levels of the box at a place of the fine grid, or null. `near`: a block near it, or one that is not there
   // yet; `size` receives that of the unit there, fine.
@@ -90,7 +93,7 @@ private:
 
   const Boxes& globals_;
   Execution& execution_;
-  std::vector<std::uint32_t> roots_;     // of global boxes
+  std::vector<std::uint32_t> roots_;     // of global boxes; empty: there are no blocks
   std::vector<std::uint8_t> nearDepths_; // of global boxes
   std::vector<Block> blocks_;
 };

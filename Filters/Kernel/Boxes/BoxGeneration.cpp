@@ -15,6 +15,7 @@ namespace
 
 constexpr std::size_t RowsAChunk = 16;
 constexpr std::size_t GlobalsAChunk = 64;
+constexpr std::size_t CountedAChunk = 1024;
 constexpr std::size_t BlocksAChunk = 4;
 
 // The boxes before a pass, as a box in this block sees them.
@@ -412,41 +413,75 @@ private:
       global.node = places[root].firstWord;
       blocks.forEachBelow(root, [&](std::uint32_t b) { writeBlock(blocks[b], g, places, b); });
     });
-    boxes_.findNearDepths(execution_);
+    if (!boxes_.tree.empty())
+    {
+      boxes_.findNearDepths(execution_);
+    }
   }
+
+  // What chunks of global boxes hold.
+  struct Sizes
+  {
+    std::size_t boxes = 0;
+    std::size_t words = 0; // of trees
+    std::uint32_t nodes = 0;
+
+    void add(const Block& block)
+    {
+      boxes += block.boxes.size();
+      words += block.tree.size();
+      nodes += block.tree.nodes();
+    }
+  };
 
   // By block. Sizes the lists.
   std::vector<BlockPlace> placesOf(const Blocks& blocks, std::size_t first)
   {
-    std::vector<BlockPlace> places(blocks.size());
-    std::size_t boxes = 0;
-    std::size_t words = 0;
-    std::uint32_t nodes = 0;
-    for (std::size_t g = 0; g < statusOf_.size(); ++g)
-    {
-      boxes_.globals[g].firstBox = static_cast<std::uint32_t>(boxes);
-      const std::uint32_t root = blocks.rootOf(first + g);
-      if (root == None)
+    const auto forEachOfChunk = [&](std::size_t begin, std::size_t end, Sizes& sizes,
+                                  const auto& visit) {
+      for (std::size_t g = begin; g < end; ++g)
       {
-        ++boxes;
-        continue;
+        boxes_.globals[g].firstBox = static_cast<std::uint32_t>(sizes.boxes);
+        const std::uint32_t root = blocks.rootOf(first + g);
+        sizes.boxes += root == None ? 1 : 0;
+        if (root != None)
+        {
+          blocks.forEachBelow(root, [&](std::uint32_t b) {
+            visit(b);
+            sizes.add(blocks[b]);
+          });
+        }
       }
-      blocks.forEachBelow(root, [&](std::uint32_t b) {
-        places[b] = { static_cast<std::uint32_t>(boxes), static_cast<std::uint32_t>(words), nodes };
-        boxes += blocks[b].boxes.size();
-        words += blocks[b].tree.size();
-        nodes += blocks[b].tree.nodes();
-      });
+    };
+    const std::size_t count = statusOf_.size();
+    std::vector<Sizes> before(chunks(count, CountedAChunk) + 1);
+    execution_.forEach(count, CountedAChunk, [&](std::size_t begin, std::size_t end) {
+      forEachOfChunk(begin, end, before[begin / CountedAChunk + 1], [](std::uint32_t) {});
+    });
+    for (std::size_t i = 1; i < before.size(); ++i)
+    {
+      before[i].boxes += before[i - 1].boxes;
+      before[i].words += before[i - 1].words;
+      before[i].nodes += before[i - 1].nodes;
     }
-    if (std::max(boxes, words) >= BoxTree::OtherTree)
+    const Sizes& all = before.back();
+    if (std::max(all.boxes, all.words) >= BoxTree::OtherTree)
     {
       throw Error(Fault::TooManyBoxes,
         "The mesh has more boxes than can be numbered in 30 bits: choose a larger Cell Size, or "
         "refine less.");
     }
-    boxes_.globals.back().firstBox = static_cast<std::uint32_t>(boxes);
-    boxes_.packed.resize(boxes);
-    boxes_.tree.allocate(words, nodes);
+    std::vector<BlockPlace> places(blocks.size());
+    execution_.forEach(count, CountedAChunk, [&](std::size_t begin, std::size_t end) {
+      Sizes next = before[begin / CountedAChunk];
+      forEachOfChunk(begin, end, next, [&](std::uint32_t b) {
+        places[b] = { static_cast<std::uint32_t>(next.boxes),
+          static_cast<std::uint32_t>(next.words), next.nodes };
+      });
+    });
+    boxes_.globals.back().firstBox = static_cast<std::uint32_t>(all.boxes);
+    boxes_.packed.resize(all.boxes);
+    boxes_.tree.allocate(all.words, all.nodes);
     return places;
   }
 
@@ -488,7 +523,7 @@ private:
       isVertex = isVertex && fine % FinePerBox == 0;
       vertex[axis] += fine == FinePerBox ? 1 : 0;
     }
-    if (isVertex)
+    if (isVertex || block == nullptr)
     {
       return statuses_.lowCorner(vertex).region();
     }

@@ -208,21 +208,26 @@ MeshEstimate estimateMesh(const Surface& surface, const Meshlines& planes)
     inside + intersected, intersected, static_cast<double>(surface.triangles.size()));
 }
 
-std::vector<MeshEstimate> estimateLayers(const Shoeboxes& shoeboxes, const Boxes& boxes)
+std::vector<MeshEstimate> estimateLayers(
+  const Shoeboxes& shoeboxes, const Boxes& boxes, Execution& execution)
 {
   std::vector<MeshEstimate> layers(boxes.allLayers().end);
-  for (std::size_t g = 0; g + 1 < boxes.globals.size(); ++g)
-  {
-    const GlobalBox& global = boxes.globals[g];
-    const auto begin = boxes.packed.begin() + global.firstBox;
-    const auto end = boxes.packed.begin() + boxes.globals[g + 1].firstBox;
-    const auto intersected = static_cast<double>(std::count_if(
-      begin, end, [](const PackedBox& box) { return box.status == BoxStatus::Intersected; }));
-    const TriangleRange triangles =
-      shoeboxes.triangles(boxes.row(global.index[1], global.index[2]), global.index[0]);
-    layers[global.index[2]].add({ static_cast<double>(end - begin) - intersected, intersected,
-      piecesIn(intersected, static_cast<double>(triangles.second - triangles.first)) });
-  }
+  execution.forEach(layers.size(), 1, [&](std::size_t k, std::size_t) {
+    const std::size_t last = boxes.rowStart[boxes.row(0, k + 1)];
+    for (std::size_t g = boxes.rowStart[boxes.row(0, k)]; g < last; ++g)
+    {
+      const GlobalBox& global = boxes.globals[g];
+      const auto begin = boxes.packed.begin() + global.firstBox;
+      const auto end = boxes.packed.begin() + boxes.globals[g + 1].firstBox;
+      const auto intersected = static_cast<double>(std::count_if(
+        begin, end, [](const PackedBox& box) { return box.status == BoxStatus::Intersected; }));
+      const TriangleRange triangles = intersected == 0
+        ? TriangleRange{ nullptr, nullptr }
+        : shoeboxes.triangles(boxes.row(global.index[1], global.index[2]), global.index[0]);
+      layers[k].add({ static_cast<double>(end - begin) - intersected, intersected,
+        piecesIn(intersected, static_cast<double>(triangles.second - triangles.first)) });
+    }
+  });
   return layers;
 }
 

@@ -66,7 +66,8 @@ MeshEstimate estimateBox(BoxStatus status, const Depths& depths,
   const std::vector<float>& areas);
 
 // Of boxes that are made, for each layer of the grid.
-std::vector<MeshEstimate> estimateLayers(const Shoeboxes& shoeboxes, const Boxes& boxes);
+std::vector<MeshEstimate> estimateLayers(
+  const Shoeboxes& shoeboxes, const Boxes& boxes, Execution& execution);
 
 // Throws Error (TooManyBoxes) if the estimate exceeds the limit.
 void checkMemory(const MeshEstimate& estimate, const MemoryLimit& limit);

@@ -249,7 +249,7 @@ std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   const PartsToKeep parts{ prepared.keepPoints, prepared.isEnclosed };
   Boxes boxes = decomposition.boxes(core, execution);
   const MeshEstimate estimate = decomposition.together(
-    estimateLayers(decomposition.shoeboxes(), boxes), decomposition.allLayers());
+    estimateLayers(decomposition.shoeboxes(), boxes, execution), decomposition.allLayers());
   const MemoryLimit& limit = prepared.memoryLimit;
   checkMemory(estimate, limit);
   Patches patches = makePatches(prepared, decomposition, boxes, options, execution);

@@ -236,7 +236,7 @@ TEST(Resources, MemoryIsEstimated)
     const Layers all = decomposition->allLayers();
     const Boxes boxes = decomposition->boxes(all, execution);
     const double estimated =
-      decomposition->together(estimateLayers(decomposition->shoeboxes(), boxes), all)
+      decomposition->together(estimateLayers(decomposition->shoeboxes(), boxes, execution), all)
         .bytes(prepared.memoryLimit);
     EXPECT_GT(estimated, 1e6 * c.taken) << c.file << ", depth " << c.depth;
     EXPECT_LT(estimated, 2e6 * c.taken) << c.file << ", depth " << c.depth;
