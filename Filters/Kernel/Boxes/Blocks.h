@@ -20,24 +20,21 @@ struct Block
 
   std::uint32_t global; // number of the global box
   Cube cube;
-  int bits;         // 2^bits units along each axis
-  BoxStatus status; // of the whole cube
-  int allowed = 0;  // the depth where the surface passes
-  Forcing forcing;  // until its boxes are found
-  Winding low;      // around its low corner
-  std::vector<std::uint32_t>
-    triangles;                 // that pass through it, ascending, if it is not a global box
-  std::vector<LocalBox> boxes; // by z, then y, then x
-  BoxTree tree;                // of these boxes; child blocks are other trees
-  FinePoint place{ Nowhere, Nowhere,
-    Nowhere }; // of the low corner in the fine grid, once it is added
+  int bits;                             // 2^bits units along each axis
+  BoxStatus status;                     // of the whole cube
+  int allowed = 0;                      // the depth where the surface passes
+  Forcing forcing;                      // until its boxes are found
+  Winding low;                          // around its low corner
+  std::vector<std::uint32_t> triangles; // that pass through it, if it is a part of a global box
+  std::vector<LocalBox> boxes;          // by z, then y, then x
+  BoxTree tree;                         // of these boxes; child blocks are other trees
+  FinePoint place{ Nowhere, Nowhere, Nowhere }; // of its low corner, once it is added
   std::uint32_t parent = None;
   std::uint32_t firstChild = 0; // in order of their units
   std::uint32_t children = 0;
-  std::uint8_t coarsest = 0; // the least level of its boxes
-  std::uint8_t depth = 0;    // the largest level of its boxes and of those below
-  std::uint8_t nearDepth =
-    0; // no less than that of the block and its 26 neighbours of the same size
+  std::uint8_t coarsest = 0;  // the least level of its boxes
+  std::uint8_t depth = 0;     // the largest level of its boxes and of those below
+  std::uint8_t nearDepth = 0; // no less than of it and its 26 neighbours of this size
 };
 
 // The boxes of a grid by block. Global boxes without a block are one box.
@@ -61,6 +58,7 @@ public:
 
   // Sorts the boxes of these blocks, which have changed; finds trees and depths.
   void update(const std::vector<std::uint32_t>& changed);
+
   // The largest level of a global box and its 26 neighbours.
   std::uint8_t nearDepthOf(std::size_t global) const
   {

@@ -10,8 +10,11 @@ namespace cartesian
 
 // Statuses come from the surface's crossings along x: every edge of the surface has an even number
 // of triangles (SurfaceRepair.h). Global boxes that are intersected are divided, to the depth
-// allowed there, into the fewest boxes that cover what is inside or intersected. The forced depth
-// divides these and inside boxes further. Then boxes are balanced (Balance.h).
+// allowed there, into the fewest boxes that cover what is inside or intersected: tier by tier, if
+// they are halved more than three times (BlockDivision.h). The forced depth divides these and inside
+// boxes further. Then boxes are balanced (Balance.h).
+//
+// Boxes come in order of their global boxes, in these of their blocks (Blocks.h), and in a block by z, y, x.
 //
 // Returns the balanced boxes of the layers `kept`. Cells will be made for those of `core`, which
 // depend on the others (Parts/Decomposition.h). Throws Error: BadParameter (a box is too thin to be divided),
