@@ -77,7 +77,7 @@ plain = output(simple.CartesianBoxer(Input=spot, CellSize=0.1)).GetNumberOfCells
 assert all(plain < counts["sphere"] <= counts[name] < counts["box"] for name in counts if name.startswith("c")), counts
 with Messages() as text:
     for wrong in shape("cone"), shape("box", RefinementLengths=[1, 0, 1]), shape("box", RefinementShapeDepths=[]), \
-            shape("box", RefinementShapeDepths=[7]):
+            shape("box", RefinementShapeDepths=[13]):
         assert output(wrong).GetNumberOfCells() == 0 and error_code(wrong) == BAD_PARAMETER
 
 
