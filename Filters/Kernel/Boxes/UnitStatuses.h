@@ -20,8 +20,10 @@ public:
   // Statuses of the units, x fastest.
   const std::vector<BoxStatus>& units() const { return units_; }
 
-  // The triangles that pass through a unit, ascending, once they are sorted.
+  // To be called once before trianglesIn().
   void sortPassing();
+
+  // The triangles that pass through a unit, ascending.
   std::vector<std::uint32_t> trianglesIn(std::size_t unit) const;
 
   // The winding around the low corner of a unit.
@@ -43,7 +45,8 @@ private:
   std::vector<std::pair<std::uint32_t, std::uint32_t>> passing_; // unit, triangle
 };
 
-// The winding around one point `at` of a global box, given the winding `low` around its low corner.
+// The winding around one point `at` of a global box or a part of it, given the winding `low` around its low corner;
+// `triangles`: those that pass through it.
 // All levels of both points are even.
 Winding windingAt(const Surface& surface, const TriangleRange& triangles, const Point& corner,
   const Winding& low, const Point& at);
