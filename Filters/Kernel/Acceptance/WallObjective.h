@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What edits of the wall improve: one number for each face and each cell, the smaller the better, of the measures that
+// solvers depend on (section 3, OpenFOAM's checkMesh), and a charge for what the wall loses.
+//
+// Formulas take doubles, or numbers with their gradient (Gradient.h). Lengths in any unit. Terms grow without bounds, but
+// their sum saturates: no measure is worth any fidelity.
+#pragma once
+
+#include "Acceptance/Gradient.h"
+#include "Acceptance/Limits.h"
+#include "Acceptance/Skewness.h"
+
+namespace cartesian
+{
+
+// Where a term begins to cost, or costs 1.
+struct Wanted
+{
+  static constexpr double Skewness = 1.2;
+  static constexpr double Slope = 0.4; // square of the tangent of the non-orthogonality: 32 degrees
+  static constexpr double FaceWeight = 0.25;
+  static constexpr double VolumeRatio = 0.2;
+  static constexpr double InnerCosine = Fair::InnerCosine;
+  static constexpr double BoundarySlope = Fair::BoundarySlope;
+  static constexpr double Star = 0.15; // a face's smallest triangle, by the mean one
+  static constexpr double Warp = 0.1;  // 1 - a face's area by the sum of its triangles'
+  static constexpr double Turn =
+    0.034; // 1 - the cosine between a wall and what it stands for: 15 degrees
+  static constexpr double Share = 0.35; // of its box's volume
+  static constexpr double LargeShare = 1.6;
+  static constexpr double Determinant = 0.04;
+};
+
+// How costs of an edit are weighed.
+struct ObjectiveSpec
+{
+  double saturation = 15; // sums beyond this count by their logarithm; 0: all counts
+  double failing = 20;    // of a face or cell beyond the limits of solvers
+  double volume = 1000;   // of a box's volume that the mesh loses or gains
+  double distance = 0.01; // in boxes: of a wall that moves by so much, a half
+  double sharpEdge = 200; // of a box's edge's length of a sharp edge that goes
+  double mostMoved = 0.2; // in boxes: no wall moves farther in one edit
+};
+
+// Both walls and cells closer to the limits than this have failed: solvers do not agree on the centre of a face.
+struct FailsBeyond
+{
+  static constexpr double BoundaryCosine = 0.05; // 87 degrees
+  static constexpr double InnerCosine = 0.265;   // 74.6
+  static constexpr double Slope = 7.5;           // 70
+  static constexpr double Warp = 0.6;
+};
+
+template <class Number>
+struct FaceMeasures
+{
+  VectorOf<Number> centre;
+  VectorOf<Number> area;
+  Number star; // the smallest triangle around the mean of the corners, by the mean one; at most 1
+  Number warp; // 1 - the area by the sum of the triangles'
+};
+
+template <class Number>
+struct CellMeasures
+{
+  VectorOf<Number> centre;
+  Number volume;
+};
+
+template <class Number>
+struct Cost
+{
+  Number value;
+  bool fails;
+};
+
+// Of a polygon with corner(0) to corner(size - 1).
+template <class Number, class Corner>
+FaceMeasures<Number> measuresOfFace(std::size_t size, Corner&& corner)
+{
+  const VectorOf<Number> origin = corner(0);
+  if (size == 3)
+  {
+    const VectorOf<Number> p = minus(corner(1), origin);
+    const VectorOf<Number> q = minus(corner(2), origin);
+    return { plus(origin, scaled(plus(p, q), 1.0 / 3)), scaled(cross(p, q), 0.5), Number(1),
+      Number(0) };
+  }
+  VectorOf<Number> mean{};
+  for (std::size_t i = 1; i < size; ++i)
+  {
+    mean = plus(mean, minus(corner(i), origin));
+  }
+  mean = plus(origin, scaled(mean, 1.0 / double(size)));
+  VectorOf<Number> area{};
+  VectorOf<Number> moment{};
+  Number sum(0);
+  const auto forEachTriangle = [&](auto&& visit) {
+    VectorOf<Number> p = minus(corner(size - 1), mean);
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      const VectorOf<Number> q = minus(corner(i), mean);
+      visit(p, q, scaled(cross(p, q), 0.5));
+      p = q;
+    }
+  };
+  forEachTriangle([&](const auto& p, const auto& q, const auto& triangle) {
+    const Number part = norm(triangle);
+    area = plus(area, triangle);
+    moment = plus(moment, scaled(plus(p, q), part * (1.0 / 3)));
+    sum += part;
+  });
+  if (!(valueOf(sum) > Tiny))
+  {
+    return { mean, area, Number(-1), Number(1) };
+  }
+  const Number square = dot(area, area);
+  Number least(square);
+  bool isFirst = true;
+  forEachTriangle([&](const auto&, const auto&, const auto& triangle) {
+    const Number product = dot(triangle, area);
+    if (isFirst || product < least)
+    {
+      least = product;
+      isFirst = false;
+    }
+  });
+  FaceMeasures<Number> measures{ plus(mean, scaled(moment, Number(1) / sum)), area, Number(-1),
+    Number(1) };
+  if (valueOf(square) > Tiny)
+  {
+    using std::sqrt;
+    const Number star = least * double(size) / square;
+    measures.star = star > Number(1) ? Number(1) : star;
+    measures.warp = Number(1) - sqrt(square) / sum;
+  }
+  return measures;
+}
+
+// A cell of faces with outward areas: visit(each) calls each(centre, area) for all of them, twice.
+template <class Number, class ForEachFace>
+CellMeasures<Number> measuresOfCell(std::size_t size, ForEachFace&& forEachFace)
+{
+  VectorOf<Number> mean{};
+  forEachFace(
+    [&](const VectorOf<Number>& centre, const VectorOf<Number>&) { mean = plus(mean, centre); });
+  mean = scaled(mean, 1.0 / double(size));
+  VectorOf<Number> moment{};
+  Number volume(0);
+  forEachFace([&](const VectorOf<Number>& centre, const VectorOf<Number>& area) {
+    const VectorOf<Number> height = minus(centre, mean);
+    const Number product = dot(area, height);
+    volume += product * (1.0 / 3);
+    moment = plus(moment, scaled(height, product * 0.25));
+  });
+  return { std::abs(valueOf(volume)) < Tiny ? mean : plus(mean, scaled(moment, Number(1) / volume)),
+    volume };
+}
+
+// The sum of squares of a cell's inner faces, of which checkMesh takes the determinant.
+template <class Number>
+class DeterminantOfCell
+{
+public:
+  void add(const VectorOf<Number>& area)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      sum_[axis] = plus(sum_[axis], scaled(area, area[axis]));
+    }
+    size_ += norm(area);
+    ++count_;
+  }
+
+  // 1 for a cube, 0 where no inner face has a third direction.
+  Number value() const
+  {
+    if (count_ == 0 || !(valueOf(size_) > Tiny))
+    {
+      return Number(0);
+    }
+    const Number mean = size_ * (1.0 / count_);
+    const Number square = mean * mean;
+    return dot(sum_[0], cross(sum_[1], sum_[2])) / (square * square * square * 8.0);
+  }
+
+private:
+  std::array<VectorOf<Number>, 3> sum_{};
+  Number size_ = Number(0);
+  int count_ = 0;
+};
+
+template <class Number>
+Number squareOf(const Number& x)
+{
+  return x * x;
+}
+
+// max(x, 0)
+template <class Number>
+Number excess(const Number& x)
+{
+  return x > Number(0) ? x : Number(0);
+}
+
+template <class Number>
+Number atLeast(const Number& x, double least)
+{
+  return x > Number(least) ? x : Number(least);
+}
+
+template <class Number>
+Number larger(const Number& x, const Number& y)
+{
+  return x < y ? y : x;
+}
+
+template <class Number>
+Number smaller(const Number& x, const Number& y)
+{
+  return x < y ? x : y;
+}
+
+// What a face costs.
+template <class Number>
+class FaceCost
+{
+public:
+  FaceCost(const FaceMeasures<Number>& face, const ObjectiveSpec& spec)
+    : face_(face)
+    , spec_(spec)
+    , area_(atLeast(norm(face.area), Tiny))
+    , normal_(scaled(face.area, Number(1) / area_))
+    , fails_(face.star < Number(0) || face.warp > Number(FailsBeyond::Warp))
+  {
+    addShape();
+  }
+
+  // Between two cells. `corner`, `size`: as of measuresOfFace.
+  template <class Corner>
+  void addInner(const CellMeasures<Number>& below, const CellMeasures<Number>& above,
+    std::size_t size, Corner&& corner)
+  {
+    const VectorOf<Number> toAbove = minus(above.centre, below.centre);
+    const VectorOf<Number> toFace = minus(face_.centre, below.centre);
+    const VectorOf<Number> onwards = minus(above.centre, face_.centre);
+    const Number distance = atLeast(norm(toAbove), Tiny);
+    const Number whole = dot(toAbove, normal_);
+    const Number near = dot(toFace, normal_);
+    const Number far = dot(onwards, normal_);
+    cost_ += (excess(distance * LeastHeight - whole) + excess(distance * LeastPart - near) +
+               excess(distance * LeastPart - far)) *
+      CostOfInversion / distance;
+    const Number across = larger(whole, distance * LeastHeight);
+    const Number nearer = larger(near, distance * LeastPart);
+    const Number farther = larger(far, distance * LeastPart);
+    const Number slope = excess(squareOf(distance / across) - 1.0);
+    const Number weight = smaller(nearer, farther) / across;
+    const Number ratio =
+      smaller(below.volume, above.volume) / atLeast(larger(below.volume, above.volume), Tiny);
+    cost_ += squareOf(slope * (1 / Wanted::Slope));
+    cost_ += squareOf(excess(Number(Wanted::FaceWeight) / weight - 1.0));
+    cost_ += squareOf(excess(Number(Wanted::VolumeRatio) / atLeast(ratio, LeastRatio) - 1.0));
+    const Number steepest =
+      larger(dot(toFace, toFace) / squareOf(nearer), dot(onwards, onwards) / squareOf(farther));
+    cost_ += squareOf(squareOf(Number(Wanted::InnerCosine)) * steepest);
+    const VectorOf<Number> aside = minus(toFace, scaled(toAbove, nearer / across));
+    addSkewness(aside, distance * ShareOfDistance, size, corner);
+    fails_ = fails_ || valueOf(slope) > FailsBeyond::Slope ||
+      valueOf(near) < FailsBeyond::InnerCosine * valueOf(norm(toFace)) ||
+      valueOf(far) < FailsBeyond::InnerCosine * valueOf(norm(onwards)) ||
+      !(valueOf(weight) > Limits::FaceWeight) || !(valueOf(ratio) > Limits::VolumeRatio);
+  }
+
+  // Of a wall. `edge`: the length of a box's edge there; `original`: the area of what the surface has there, or zero.
+  template <class Corner>
+  void addWall(const CellMeasures<Number>& below, double edge, const Vector& original,
+    std::size_t size, Corner&& corner)
+  {
+    const VectorOf<Number> toFace = minus(face_.centre, below.centre);
+    const Number height = dot(toFace, normal_);
+    const double least = LeastPart * edge;
+    const Number tall = atLeast(height, least);
+    cost_ += excess(Number(least) - height) * (CostOfInversion / edge);
+    const VectorOf<Number> aside = minus(toFace, scaled(normal_, height));
+    const Number square = dot(aside, aside);
+    cost_ += squareOf(square / squareOf(tall) * (1 / Wanted::BoundarySlope));
+    addSkewness(aside, tall * ShareOfHeight, size, corner);
+    fails_ = fails_ || valueOf(height) < FailsBeyond::BoundaryCosine * valueOf(norm(toFace));
+    if (const double length = norm(original); length > NegligibleArea * edge * edge)
+    {
+      const Number cosine =
+        (normal_[0] * original[0] + normal_[1] * original[1] + normal_[2] * original[2]) *
+        (1 / length);
+      const Number turn = (Number(1) - cosine) * (1 / Wanted::Turn);
+      cost_ += squareOf(turn) * smaller(Number(1), area_ * (LargeWall / (edge * edge)));
+    }
+  }
+
+  Cost<Number> cost() const
+  {
+    using std::log1p;
+    const Number sum =
+      spec_.saturation > 0 ? log1p(cost_ * (1 / spec_.saturation)) * spec_.saturation : cost_;
+    return { fails_ ? sum + spec_.failing : sum, fails_ };
+  }
+
+private:
+  static constexpr double LeastHeight = 0.15; // of the distance between centres
+  static constexpr double LeastPart = 0.02;   // of that, or of a box's edge
+  static constexpr double LeastRatio = 1e-3;
+  static constexpr double CostOfInversion = 1e4;
+  static constexpr double NegligibleArea = 1e-9; // of a box's side
+  static constexpr double LargeWall = 4; // smaller ones than 1/4 of a box's side may turn more
+
+  // Where the foot is nearer than this to the centre, by the distance, skewness costs nothing.
+  static constexpr double NoSkewness = 0.4;
+
+  void addShape()
+  {
+    if (valueOf(face_.star) < Wanted::Star)
+    {
+      cost_ += squareOf((Number(Wanted::Star) - face_.star) * (1 / Wanted::Star)) * 2.0;
+      if (valueOf(face_.star) < 0)
+      {
+        cost_ += squareOf(smaller(Number(1), -face_.star)) * 200.0 + Number(60);
+      }
+    }
+    cost_ += squareOf(face_.warp * (1 / Wanted::Warp));
+  }
+
+  // `least`: the reach that counts at least (Skewness.h).
+  template <class Corner>
+  void addSkewness(
+    const VectorOf<Number>& aside, const Number& least, std::size_t size, Corner&& corner)
+  {
+    const Number square = dot(aside, aside);
+    if (!(valueOf(square) > squareOf(NoSkewness * valueOf(least))))
+    {
+      return;
+    }
+    using std::abs;
+    using std::sqrt;
+    Number reach = least * sqrt(square);
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      reach = larger(reach, abs(dot(minus(VectorOf<Number>(corner(i)), face_.centre), aside)));
+    }
+    const Number skewness = square / reach;
+    cost_ += squareOf(squareOf(skewness * (1 / Wanted::Skewness)));
+    fails_ = fails_ || !(valueOf(skewness) < Limits::Skewness);
+  }
+
+  const FaceMeasures<Number>& face_;
+  const ObjectiveSpec& spec_;
+  Number cost_ = Number(0);
+  Number area_;
+  VectorOf<Number> normal_;
+  bool fails_;
+};
+
+// What a cell costs: `share`, its volume by its box's; `determinant`, of its inner faces.
+template <class Number>
+Cost<Number> costOfCell(const Number& share, const Number& determinant, const ObjectiveSpec& spec)
+{
+  constexpr double LeastShare = 0.003;
+  constexpr double CostOfShare = 1e4;
+  constexpr double CostOfLarge = 4;
+  constexpr double LeastDeterminant = 1e-3;
+  Number cost = squareOf(excess(Number(Wanted::Share) / atLeast(share, LeastShare) - 1.0));
+  cost += excess(Number(LeastShare) - share) * CostOfShare;
+  cost += squareOf(excess(share * (1 / Wanted::LargeShare) - 1.0)) * CostOfLarge;
+  const Number flat =
+    excess(Number(Wanted::Determinant) / atLeast(determinant, LeastDeterminant) - 1.0);
+  using std::log1p;
+  cost += log1p(flat) * 4.0;
+  const bool fails = !(valueOf(determinant) > Limits::Determinant);
+  return { fails ? cost + spec.failing : cost, fails };
+}
+
+}

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Editing/EditMeasures.h"
+
+#include "Editing/FixedList.h"
+
+namespace cartesian
+{
+
+namespace
+{
+
+double volumeBehind(const EditMesh& mesh, std::uint32_t f)
+{
+  const std::size_t size = mesh.face(f).corners.size;
+  Vector mean{};
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    mean = plus(mean, mesh.corner(f, i));
+  }
+  mean = scaled(mean, 1.0 / double(size));
+  double volume = 0;
+  Vector p = mesh.corner(f, size - 1);
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const Vector& q = mesh.corner(f, i);
+    volume += dot(mean, cross(p, q));
+    p = q;
+  }
+  return volume / 6;
+}
+
+// Of the measures around one node, with their gradients by its place.
+class GradientOfNode
+{
+public:
+  GradientOfNode(const EditMesh& mesh, std::uint32_t node, const ObjectiveSpec& spec)
+    : mesh_(mesh)
+    , node_(node)
+    , spec_(spec)
+  {
+  }
+
+  // The sum of what costs of the faces of all cells that have the node, and of these cells.
+  Vector sum()
+  {
+    for (const std::uint32_t f : mesh_.facesAround(node_))
+    {
+      if (!faces_.add({ f, measuresOf(f) }))
+      {
+        return {};
+      }
+      for (const std::uint32_t c : { mesh_.face(f).below, mesh_.face(f).above })
+      {
+        if (c != None && !find(cells_, c))
+        {
+          cells_.add({ c, {} });
+        }
+      }
+    }
+    for (auto& [c, measures] : cells_)
+    {
+      measures = measuresOfCell(c);
+      addCostOfCell(c, measures);
+    }
+    for (std::size_t i = 0; i < cells_.size(); ++i)
+    {
+      for (const std::uint32_t f : mesh_.facesOf(cells_[i].first))
+      {
+        const std::uint32_t other = mesh_.beyond(f, cells_[i].first);
+        const bool isCounted = other != None && find(cells_, other) && other < cells_[i].first;
+        if (!isCounted)
+        {
+          addCostOfFace(f);
+        }
+      }
+    }
+    return sum_;
+  }
+
+private:
+  using Face = FaceMeasures<WithGradient>;
+  using Cell = CellMeasures<WithGradient>;
+
+  template <class List>
+  static auto find(const List& list, std::uint32_t i) -> const decltype(list[0].second)*
+  {
+    for (const auto& entry : list)
+    {
+      if (entry.first == i)
+      {
+        return &entry.second;
+      }
+    }
+    return nullptr;
+  }
+
+  static GradientVector constant(const Vector& v) { return { v[0], v[1], v[2] }; }
+
+  GradientVector corner(std::uint32_t f, std::size_t i) const
+  {
+    const std::uint32_t n = mesh_.cornersOf(f)[i];
+    GradientVector at = constant(mesh_.node(n).at);
+    for (std::size_t axis = 0; n == node_ && axis < 3; ++axis)
+    {
+      at[axis].slope[axis] = 1;
+    }
+    return at;
+  }
+
+  Face measuresOf(std::uint32_t f) const
+  {
+    return measuresOfFace<WithGradient>(
+      mesh_.face(f).corners.size, [&](std::size_t i) { return corner(f, i); });
+  }
+
+  Face measuresHeld(std::uint32_t f) const
+  {
+    const Face* known = find(faces_, f);
+    const EditFace& face = mesh_.face(f);
+    return known ? *known
+                 : Face{ constant(face.centre), constant(face.area), WithGradient(face.star),
+                     WithGradient(face.warp) };
+  }
+
+  Cell measuresOfCell(std::uint32_t c) const
+  {
+    if (mesh_.isGhost(c))
+    {
+      return { constant(mesh_.cell(c).centre), WithGradient(mesh_.cell(c).volume) };
+    }
+    const Items faces = mesh_.facesOf(c);
+    return cartesian::measuresOfCell<WithGradient>(faces.size(), [&](auto&& visit) {
+      for (const std::uint32_t f : faces)
+      {
+        const Face face = measuresHeld(f);
+        visit(face.centre, mesh_.face(f).below == c ? face.area : scaled(face.area, -1.0));
+      }
+    });
+  }
+
+  void addCostOfCell(std::uint32_t c, const Cell& measures)
+  {
+    if (mesh_.isGhost(c))
+    {
+      return;
+    }
+    DeterminantOfCell<WithGradient> determinant;
+    for (const std::uint32_t f : mesh_.facesOf(c))
+    {
+      if (!mesh_.isWall(f))
+      {
+        determinant.add(measuresHeld(f).area);
+      }
+    }
+    sum_ = plus(sum_,
+      cartesian::costOfCell(measures.volume * (1 / mesh_.cell(c).box), determinant.value(), spec_)
+        .value.slope);
+  }
+
+  void addCostOfFace(std::uint32_t f)
+  {
+    const EditFace& face = mesh_.face(f);
+    const Face measures = measuresHeld(f);
+    FaceCost<WithGradient> cost(measures, spec_);
+    const auto at = [&](std::size_t i) { return corner(f, i); };
+    const Cell below = cellHeld(face.below);
+    if (face.above == None)
+    {
+      cost.addWall(below, mesh_.cell(face.below).edge, face.original, face.corners.size, at);
+    }
+    else
+    {
+      cost.addInner(below, cellHeld(face.above), face.corners.size, at);
+    }
+    sum_ = plus(sum_, cost.cost().value.slope);
+  }
+
+  Cell cellHeld(std::uint32_t c) const
+  {
+    const Cell* known = find(cells_, c);
+    const EditCell& cell = mesh_.cell(c);
+    return known ? *known : Cell{ constant(cell.centre), WithGradient(cell.volume) };
+  }
+
+  static constexpr std::size_t MostFaces = 96;
+  static constexpr std::size_t MostCells = 64;
+
+  const EditMesh& mesh_;
+  std::uint32_t node_;
+  const ObjectiveSpec& spec_;
+  FixedList<std::pair<std::uint32_t, Face>, MostFaces> faces_;
+  FixedList<std::pair<std::uint32_t, Cell>, MostCells> cells_;
+  Vector sum_{};
+};
+
+}
+
+void measureFace(EditMesh& mesh, std::uint32_t f)
+{
+  EditFace& face = mesh.rawFace(f);
+  const FaceMeasures<double> measures = measuresOfFace<double>(
+    face.corners.size, [&](std::size_t i) -> const Vector& { return mesh.corner(f, i); });
+  face.centre = measures.centre;
+  face.area = measures.area;
+  face.star = static_cast<float>(measures.star);
+  face.warp = static_cast<float>(measures.warp);
+  if (mesh.isWall(f))
+  {
+    const double behind = volumeBehind(mesh, f);
+    mesh.ledger.volume += behind - face.behind;
+    face.behind = behind;
+  }
+}
+
+void measureCell(EditMesh& mesh, std::uint32_t c)
+{
+  const Items faces = mesh.facesOf(c);
+  const CellMeasures<double> measures = measuresOfCell<double>(faces.size(), [&](auto&& visit) {
+    for (const std::uint32_t f : faces)
+    {
+      const EditFace& face = mesh.face(f);
+      visit(face.centre, face.below == c ? face.area : scaled(face.area, -1));
+    }
+  });
+  EditCell& cell = mesh.rawCell(c);
+  cell.centre = measures.centre;
+  cell.volume = measures.volume;
+}
+
+Cost<double> costOfFace(const EditMesh& mesh, std::uint32_t f, const ObjectiveSpec& spec)
+{
+  const EditFace& face = mesh.face(f);
+  const FaceMeasures<double> measures{ face.centre, face.area, face.star, face.warp };
+  FaceCost<double> cost(measures, spec);
+  const auto corner = [&](std::size_t i) -> const Vector& { return mesh.corner(f, i); };
+  const EditCell& below = mesh.cell(face.below);
+  if (face.above == None)
+  {
+    cost.addWall(
+      { below.centre, below.volume }, below.edge, face.original, face.corners.size, corner);
+  }
+  else
+  {
+    const EditCell& above = mesh.cell(face.above);
+    cost.addInner(
+      { below.centre, below.volume }, { above.centre, above.volume }, face.corners.size, corner);
+  }
+  return cost.cost();
+}
+
+Cost<double> costOfCell(const EditMesh& mesh, std::uint32_t c, const ObjectiveSpec& spec)
+{
+  DeterminantOfCell<double> determinant;
+  for (const std::uint32_t f : mesh.facesOf(c))
+  {
+    if (!mesh.isWall(f))
+    {
+      determinant.add(mesh.face(f).area);
+    }
+  }
+  const EditCell& cell = mesh.cell(c);
+  return costOfCell(cell.volume / cell.box, determinant.value(), spec);
+}
+
+void measureAll(EditMesh& mesh, const ObjectiveSpec& spec)
+{
+  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
+  {
+    if (!mesh.face(f).gone)
+    {
+      measureFace(mesh, f);
+    }
+  }
+  for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
+  {
+    if (!mesh.cell(c).gone && !mesh.isGhost(c))
+    {
+      measureCell(mesh, c);
+    }
+  }
+  costAll(mesh, spec);
+}
+
+void costAll(EditMesh& mesh, const ObjectiveSpec& spec)
+{
+  for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
+  {
+    EditCell& cell = mesh.rawCell(c);
+    if (!cell.gone && cell.state != CellState::Ghost)
+    {
+      const Cost<double> cost = costOfCell(mesh, c, spec);
+      cell.cost = cost.value;
+      cell.fails = cost.fails;
+    }
+  }
+  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
+  {
+    EditFace& face = mesh.rawFace(f);
+    if (!face.gone)
+    {
+      const Cost<double> cost = costOfFace(mesh, f, spec);
+      face.cost = cost.value;
+      face.fails = cost.fails;
+    }
+  }
+  mesh.ledger = Ledger();
+}
+
+Vector gradientAt(const EditMesh& mesh, std::uint32_t node, const ObjectiveSpec& spec)
+{
+  return GradientOfNode(mesh, node, spec).sum();
+}
+
+}

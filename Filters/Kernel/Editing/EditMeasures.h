@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Measures of the editable mesh (WallObjective.h), and what a node's place means for them.
+#pragma once
+
+#include "Acceptance/WallObjective.h"
+#include "Editing/EditMesh.h"
+
+namespace cartesian
+{
+
+// Centre, area, star and warp of a face, and the volume behind a wall, which the ledger follows.
+void measureFace(EditMesh& mesh, std::uint32_t f);
+
+// Centre and volume of a cell, of its faces' measures.
+void measureCell(EditMesh& mesh, std::uint32_t c);
+
+// Of a face or cell as measured.
+Cost<double> costOfFace(const EditMesh& mesh, std::uint32_t f, const ObjectiveSpec& spec);
+Cost<double> costOfCell(const EditMesh& mesh, std::uint32_t c, const ObjectiveSpec& spec);
+
+// Everything, where no edit is under way; then again what costs only, for another specification.
+void measureAll(EditMesh& mesh, const ObjectiveSpec& spec);
+void costAll(EditMesh& mesh, const ObjectiveSpec& spec);
+
+// How the objective changes with the place of a node: by its coordinates. Nothing is changed.
+Vector gradientAt(const EditMesh& mesh, std::uint32_t node, const ObjectiveSpec& spec);
+
+}

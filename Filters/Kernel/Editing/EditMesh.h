@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The cells at the wall as one mesh that is edited in place (sections 4.10 and 4.11): nodes, faces, cells, and which
+// of them touch. A journal keeps what records were before they changed: any edit is undone bit for bit.
+//
+// Corners of faces and faces of nodes and cells are lists in one arena, never changed but written anew behind the
+// others: to undo, the records get their old lists back, and the arena is cut.
+//
+// Lengths are in units of a power of two of lattice levels (EditMesh::unit), from an origin of its own: both are exact.
+#pragma once
+
+#include "Boxes/LocalBox.h"
+#include "Lattice/Vector.h"
+
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace cartesian
+{
+
+// In order of rank: of two nodes that become one, that with the higher kind stays where it is.
+enum class NodeKind : std::uint8_t
+{
+  Free,      // inside the mesh
+  OnSurface, // of the wall
+  OnEdge,    // a sharp edge of the wall, or a border between boundaries
+  Corner     // where such edges end or meet
+};
+
+// What may happen to a cell.
+enum class CellState : std::uint8_t
+{
+  Free,
+  Frozen, // it has its faces, but nothing of it may change
+  Ghost   // only its centre and volume are here, and those of its faces that others have
+};
+
+// Of items in the arena.
+struct ItemList
+{
+  std::uint32_t first = 0;
+  std::uint32_t size = 0;
+};
+
+struct EditNode
+{
+  Vector at{};
+  Vector along{};    // OnSurface: the wall's normal; OnEdge: the edge's direction
+  Vector home{};     // where it lay on the surface when its direction was found
+  float leash = 0;   // how far it may move from there along the wall
+  float strayed = 0; // how far the wall may have moved at it, by simplification
+  ItemList faces;
+  std::uint32_t epoch = 0;
+  std::uint32_t number = None; // in Nodes; None: made here
+  NodeKind kind = NodeKind::Free;
+  std::uint8_t held =
+    0; // bits: 1 << axis: it stays on its plane across x, y, z (the ends of a domain); 7: fixed
+  bool atWall = false;
+  bool gone = false;
+};
+
+// All axes: a node that stays where it is.
+constexpr std::uint8_t HeldFast = 7;
+
+// Where a wall is made of a face inside, its nodes may move so far along it, in boxes.
+constexpr float LeashOfNewWalls = 0.1F;
+
+// The corners are counter-clockwise as seen from above, from outside the cell below.
+struct EditFace
+{
+  Vector centre{};
+  Vector area{}; // positive out of the cell below
+  Vector
+    original{}; // of a wall: the area of what the surface had there (unchanged by edits, except joins)
+  double cost = 0;
+  double behind = 0; // of a wall: the volume between it and the origin
+  double debt = 0;   // of a wall: the volume that the mesh should have more there
+  float star = 1;    // the smallest triangle around the mean of the corners, by the mean one
+  float warp = 0;    // 1 - its area by the sum of these triangles'
+  float strayed = 0; // as of nodes
+  ItemList corners;
+  std::uint32_t below = None;
+  std::uint32_t above = None; // or None: a wall
+  std::int32_t wall = -1;     // Walls.h: of a wall, or between two regions
+  std::uint32_t epoch = 0;
+  std::uint32_t number = None; // in WallFaces; None: made here
+  bool gone = false;
+  bool fails = false; // limits of solvers (WallObjective.h)
+};
+
+struct EditCell
+{
+  Vector centre{};
+  double volume = 0;
+  double box = 1;  // the volume of its box
+  double edge = 1; // ... and that of a cube's edge
+  double cost = 0;
+  ItemList faces;
+  std::uint32_t epoch = 0;
+  std::uint32_t number = None; // a CellKey, or None: made here
+  std::uint32_t home = None;   // its box (Boxes)
+  std::int32_t wall = 0;       // of its largest part of the surface
+  std::int32_t region = 0;
+  CellState state = CellState::Free;
+  bool gone = false;
+  bool fails = false;
+};
+
+// What edits since the last commit have changed.
+struct Ledger
+{
+  double cost = 0;     // of all faces and cells
+  double volume = 0;   // behind the walls
+  double fidelity = 0; // charges for what the wall lost
+  int failures = 0;    // failing faces and cells
+};
+
+// Items of a list in the arena; no longer valid once the mesh changes.
+struct Items
+{
+  const std::uint32_t* first;
+  const std::uint32_t* last;
+
+  const std::uint32_t* begin() const { return first; }
+  const std::uint32_t* end() const { return last; }
+  std::size_t size() const { return static_cast<std::size_t>(last - first); }
+  std::uint32_t operator[](std::size_t i) const { return first[i]; }
+};
+
+// Numbers, each once, until they are cleared.
+class MarkedSet
+{
+public:
+  void add(std::uint32_t i)
+  {
+    if (i >= marks_.size())
+    {
+      marks_.resize(i + i / 2 + 64, 0);
+    }
+    if (marks_[i] == 0)
+    {
+      marks_[i] = 1;
+      items_.push_back(i);
+    }
+  }
+  bool contains(std::uint32_t i) const { return i < marks_.size() && marks_[i] != 0; }
+  std::size_t size() const { return items_.size(); }
+  std::uint32_t operator[](std::size_t i) const { return items_[i]; }
+  std::vector<std::uint32_t>::const_iterator begin() const { return items_.begin(); }
+  std::vector<std::uint32_t>::const_iterator end() const { return items_.end(); }
+  void clear()
+  {
+    for (const std::uint32_t i : items_)
+    {
+      marks_[i] = 0;
+    }
+    items_.clear();
+  }
+
+private:
+  std::vector<std::uint8_t> marks_;
+  std::vector<std::uint32_t> items_;
+};
+
+// What has to be measured again, and tested.
+struct Unsettled
+{
+  MarkedSet faces;  // of other corners, or with a corner that moved
+  MarkedSet cells;  // with such a face
+  MarkedSet shapes; // cells with other faces, or with a face of other corners
+
+  void clear()
+  {
+    faces.clear();
+    cells.clear();
+    shapes.clear();
+  }
+};
+
+class EditMesh
+{
+public:
+  // --- reading
+
+  std::size_t nodeCount() const { return nodes_.size(); }
+  std::size_t faceCount() const { return faces_.size(); }
+  std::size_t cellCount() const { return cells_.size(); }
+  const EditNode& node(std::uint32_t i) const { return nodes_[i]; }
+  const EditFace& face(std::uint32_t i) const { return faces_[i]; }
+  const EditCell& cell(std::uint32_t i) const { return cells_[i]; }
+
+  Items cornersOf(std::uint32_t f) const { return itemsOf(faces_[f].corners); }
+  Items facesOf(std::uint32_t c) const { return itemsOf(cells_[c].faces); }
+  Items facesAround(std::uint32_t n) const { return itemsOf(nodes_[n].faces); }
+
+  const Vector& corner(std::uint32_t f, std::size_t i) const
+  {
+    return nodes_[arena_[faces_[f].corners.first + i]].at;
+  }
+
+  // The cell on the other side of a cell's face, or None.
+  std::uint32_t beyond(std::uint32_t f, std::uint32_t c) const
+  {
+    return faces_[f].below == c ? faces_[f].above : faces_[f].below;
+  }
+  bool isWall(std::uint32_t f) const { return faces_[f].above == None; }
+  bool isGhost(std::uint32_t c) const { return cells_[c].state == CellState::Ghost; }
+
+  // Whether a cell is there and may change.
+  bool isFree(std::uint32_t c) const
+  {
+    return !cells_[c].gone && cells_[c].state == CellState::Free;
+  }
+
+  // --- building: before the first mark
+
+  std::uint32_t addNode(const EditNode& node);
+  std::uint32_t addCell(const EditCell& cell);
+  std::uint32_t addFace(EditFace face, const std::uint32_t* corners, std::size_t size);
+
+  // Lists the faces of cells and nodes, once all are there; marks nodes at walls.
+  void connect();
+
+  // For the first measures, and to set what the journal does not have to know.
+  EditNode& rawNode(std::uint32_t i) { return nodes_[i]; }
+  EditFace& rawFace(std::uint32_t i) { return faces_[i]; }
+  EditCell& rawCell(std::uint32_t i) { return cells_[i]; }
+
+  // --- the journal
+
+  struct Mark
+  {
+    std::size_t nodeRecords, faceRecords, cellRecords;
+    std::size_t nodes, faces, cells, arena;
+    Ledger ledger;
+    std::uint32_t epoch;
+  };
+
+  // Marks nest: the inner is undone or kept before the outer. Where one is set, nothing is unsettled.
+  Mark mark();
+  void undo(const Mark& mark);
+
+  // Goes on after an inner mark whose changes are kept.
+  void keep(const Mark& inner);
+
+  // All changes stay; without marks.
+  void commit();
+
+  // What nodes, faces and cells were at the marks: number and record, the oldest first.
+  template <class Record>
+  using Records = std::vector<std::pair<std::uint32_t, Record>>;
+  const Records<EditNode>& nodeRecords() const { return nodeRecords_; }
+  const Records<EditFace>& faceRecords() const { return faceRecords_; }
+  const Records<EditCell>& cellRecords() const { return cellRecords_; }
+
+  // --- changing
+
+  EditNode& changeNode(std::uint32_t i) { return change(nodes_, nodeRecords_, i); }
+  EditFace& changeFace(std::uint32_t i) { return change(faces_, faceRecords_, i); }
+  EditCell& changeCell(std::uint32_t i) { return change(cells_, cellRecords_, i); }
+
+  // New ones, with their places in the lists of corners and cells.
+  std::uint32_t makeNode(EditNode node);
+  std::uint32_t makeFace(EditFace face, const std::uint32_t* corners, std::size_t size);
+  std::uint32_t makeCell(EditCell cell);
+
+  // Gives a face other corners; the lists of nodes follow.
+  void setCorners(std::uint32_t f, const std::uint32_t* corners, std::size_t size);
+
+  // Gives a cell these faces; those know it already.
+  void setFaces(std::uint32_t c, const std::uint32_t* faces, std::size_t size);
+  void addFaceTo(std::uint32_t c, std::uint32_t f);
+
+  // Makes a face one of another cell, on the same side. That cell's list does not follow.
+  void giveFace(std::uint32_t f, std::uint32_t from, std::uint32_t to);
+
+  // Takes a face from its nodes and, unless `cellsFollow` is false, cells. A node without faces goes.
+  void removeFace(std::uint32_t f, bool cellsFollow = true);
+  void removeCell(std::uint32_t c);
+
+  void moveNode(std::uint32_t n, const Vector& to);
+
+  double level = 1; // the length of a lattice level: a power of two
+  Ledger ledger;
+  Unsettled unsettled;
+
+  // Nodes seen in a search of its own: a new stamp begins another.
+  std::uint32_t newStamp() { return ++stamp_; }
+  bool stampNode(std::uint32_t n, std::uint32_t stamp);
+
+private:
+  Items itemsOf(const ItemList& list) const
+  {
+    const std::uint32_t* first = arena_.data() + list.first;
+    return { first, first + list.size };
+  }
+
+  template <class Record>
+  Record& change(std::vector<Record>& all, Records<Record>& records, std::uint32_t i)
+  {
+    Record& record = all[i];
+    if (marks_ > 0 && record.epoch != epoch_)
+    {
+      records.emplace_back(i, record);
+      record.epoch = epoch_;
+    }
+    return record;
+  }
+
+  ItemList store(const std::uint32_t* items, std::size_t size);
+  ItemList without(const ItemList& list, std::uint32_t item);
+  ItemList with(const ItemList& list, std::uint32_t item);
+
+  std::vector<EditNode> nodes_;
+  std::vector<EditFace> faces_;
+  std::vector<EditCell> cells_;
+  std::vector<std::uint32_t> arena_;
+  Records<EditNode> nodeRecords_;
+  Records<EditFace> faceRecords_;
+  Records<EditCell> cellRecords_;
+  std::vector<std::uint32_t> nodeStamps_;
+  std::uint32_t stamp_ = 0;
+  std::uint32_t epoch_ = 1;
+  std::uint32_t epochs_ = 1;
+  int marks_ = 0; // how many are set
+};
+
+}

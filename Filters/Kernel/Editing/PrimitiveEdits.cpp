@@ -1,0 +1,462 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Editing/PrimitiveEdits.h"
+
+#include "Editing/FixedList.h"
+
+namespace cartesian
+{
+
+namespace
+{
+
+// Faces with more corners, and cells and nodes with more faces, are not edited.
+constexpr std::size_t Most = 256;
+using Few = FixedList<std::uint32_t, Most>;
+
+bool copy(Items items, Few& list)
+{
+  if (items.size() > Most)
+  {
+    return false;
+  }
+  list.resize(items.size());
+  std::copy(items.begin(), items.end(), list.begin());
+  return true;
+}
+
+bool isFrozen(const EditMesh& mesh, std::uint32_t c)
+{
+  return c != None && mesh.cell(c).state != CellState::Free;
+}
+
+bool touchesFrozen(const EditMesh& mesh, std::uint32_t f)
+{
+  return isFrozen(mesh, mesh.face(f).below) || isFrozen(mesh, mesh.face(f).above);
+}
+
+bool haveSameCorners(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
+{
+  const Items corners = mesh.cornersOf(f);
+  const Items others = mesh.cornersOf(g);
+  return corners.size() == others.size() &&
+    std::all_of(corners.begin(), corners.end(),
+      [&](std::uint32_t n) { return placeOf(others, n) < others.size(); });
+}
+
+void touch(EditMesh& mesh, std::uint32_t c)
+{
+  mesh.unsettled.cells.add(c);
+  mesh.unsettled.shapes.add(c);
+}
+
+// A cell between two faces of the same corners goes: one face is left of two, between what was beyond them, or none.
+bool dropFlat(EditMesh& mesh, std::uint32_t c)
+{
+  const Items faces = mesh.facesOf(c);
+  if (faces.size() != 2)
+  {
+    return faces.size() > 2;
+  }
+  std::uint32_t stays = faces[0];
+  std::uint32_t goes = faces[1];
+  if (!haveSameCorners(mesh, stays, goes))
+  {
+    return false;
+  }
+  if (mesh.isWall(stays))
+  {
+    std::swap(stays, goes);
+  }
+  const std::uint32_t x = mesh.beyond(stays, c);
+  const std::uint32_t y = mesh.beyond(goes, c);
+  if (isFrozen(mesh, x) || isFrozen(mesh, y))
+  {
+    return false;
+  }
+  if (x == y) // nothing, or one cell on both sides: then its wall has closed
+  {
+    mesh.removeFace(stays);
+    mesh.removeFace(goes);
+    mesh.removeCell(c);
+    return x == None || dropFlat(mesh, x);
+  }
+  const EditFace wall = mesh.face(goes);
+  mesh.removeFace(goes);
+  if (y == None)
+  {
+    makeWall(mesh, stays, c, wall.wall);
+    EditFace& face = mesh.changeFace(stays);
+    face.original = wall.original;
+    face.debt = wall.debt;
+    face.strayed = wall.strayed;
+  }
+  else
+  {
+    mesh.giveFace(stays, c, y);
+    mesh.addFaceTo(y, stays);
+    mesh.unsettled.faces.add(stays);
+  }
+  touch(mesh, x);
+  mesh.removeCell(c);
+  return true;
+}
+
+// Takes u out of the corners of its faces, for v. Faces of two corners are left as `flat`.
+bool replaceNode(EditMesh& mesh, std::uint32_t u, std::uint32_t v, const Few& faces, Few& flat)
+{
+  for (const std::uint32_t f : faces)
+  {
+    Few ring;
+    if (touchesFrozen(mesh, f) || !copy(mesh.cornersOf(f), ring))
+    {
+      return false;
+    }
+    const bool hasBoth = ring.contains(v);
+    std::uint32_t* end = ring.end();
+    if (hasBoth)
+    {
+      end = std::remove(ring.begin(), ring.end(), u);
+    }
+    else
+    {
+      std::replace(ring.begin(), ring.end(), u, v);
+    }
+    ring.resize(static_cast<std::size_t>(end - ring.begin()));
+    mesh.setCorners(f, ring.data(), ring.size());
+    if (ring.size() < 3)
+    {
+      flat.add(f);
+    }
+  }
+  return true;
+}
+
+// Whether u and v follow each other in every face that has both.
+bool isEdgeEverywhere(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
+{
+  for (const std::uint32_t f : mesh.facesAround(u))
+  {
+    const Items ring = mesh.cornersOf(f);
+    const std::size_t i = placeOf(ring, u);
+    const std::size_t j = placeOf(ring, v);
+    const std::size_t apart = i < j ? j - i : i - j;
+    if (j < ring.size() && apart != 1 && apart != ring.size() - 1)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The corners of two faces around what they share: one row of edges from a[first] on.
+struct SharedRow
+{
+  std::size_t first = 0;
+  std::size_t edges = 0;
+};
+
+// False: they share none, several rows, or all.
+bool findSharedRow(const Few& a, const Few& b, SharedRow& row)
+{
+  const auto isShared = [&](std::size_t i) {
+    const std::uint32_t from = a[i];
+    const std::uint32_t to = a[(i + 1) % a.size()];
+    for (std::size_t j = 0; j < b.size(); ++j)
+    {
+      if (b[j] == to)
+      {
+        return b[(j + 1) % b.size()] == from;
+      }
+    }
+    return false;
+  };
+  std::size_t rows = 0;
+  bool before = isShared(a.size() - 1);
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    const bool is = isShared(i);
+    if (is && !before)
+    {
+      row.first = i;
+      ++rows;
+    }
+    row.edges += is ? 1 : 0;
+    before = is;
+  }
+  return rows == 1 && row.edges < b.size();
+}
+
+// The corners of the union; false: it would meet itself.
+bool traceUnion(const Few& a, const Few& b, const SharedRow& row, Few& ring)
+{
+  const std::uint32_t from = a[row.first];
+  const std::uint32_t to = a[(row.first + row.edges) % a.size()];
+  for (std::size_t i = 0; i <= a.size() - row.edges; ++i)
+  {
+    ring.add(a[(row.first + row.edges + i) % a.size()]);
+  }
+  const auto start = static_cast<std::size_t>(std::find(b.begin(), b.end(), from) - b.begin());
+  for (std::size_t j = (start + 1) % b.size(); b[j] != to; j = (j + 1) % b.size())
+  {
+    if (!ring.add(b[j]))
+    {
+      return false;
+    }
+  }
+  if (ring.size() < 3 || ring.size() != a.size() + b.size() - 2 * row.edges)
+  {
+    return false;
+  }
+  Few sorted = ring;
+  std::sort(sorted.begin(), sorted.end());
+  return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+}
+
+}
+
+std::size_t placeOf(Items corners, std::uint32_t n)
+{
+  return static_cast<std::size_t>(std::find(corners.begin(), corners.end(), n) - corners.begin());
+}
+
+Vector onLattice(const EditMesh& mesh, const Vector& place, std::uint8_t held)
+{
+  Vector rounded = place;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if ((held >> axis & 1) == 0)
+    {
+      rounded[axis] = (2 * std::floor(place[axis] / mesh.level / 2) + 1) * mesh.level;
+    }
+  }
+  return rounded;
+}
+
+bool collapseEdge(EditMesh& mesh, std::uint32_t u, std::uint32_t v, const Vector& at)
+{
+  Few faces;
+  Few flat;
+  if (u == v || mesh.node(u).gone || mesh.node(v).gone || !copy(mesh.facesAround(u), faces) ||
+    !isEdgeEverywhere(mesh, u, v) || !replaceNode(mesh, u, v, faces, flat))
+  {
+    return false;
+  }
+  for (const std::uint32_t f : flat)
+  {
+    const std::array<std::uint32_t, 2> cells{ mesh.face(f).below, mesh.face(f).above };
+    mesh.removeFace(f);
+    for (const std::uint32_t c : cells)
+    {
+      if (c != None && !mesh.cell(c).gone && !dropFlat(mesh, c))
+      {
+        return false;
+      }
+    }
+  }
+  if (mesh.node(v).gone)
+  {
+    return false;
+  }
+  if (at != mesh.node(v).at)
+  {
+    for (const std::uint32_t f : mesh.facesAround(v))
+    {
+      if (touchesFrozen(mesh, f))
+      {
+        return false;
+      }
+    }
+    mesh.moveNode(v, at);
+  }
+  return true;
+}
+
+bool joinFaces(EditMesh& mesh, std::uint32_t f, std::uint32_t g)
+{
+  const EditFace x = mesh.face(f);
+  const EditFace y = mesh.face(g);
+  const bool isSame = x.below == y.below && x.above == y.above;
+  const bool isTurned = x.below == y.above && x.above == y.below;
+  if (f == g || x.gone || y.gone || (!isSame && !isTurned) || x.wall != y.wall ||
+    touchesFrozen(mesh, f))
+  {
+    return false;
+  }
+  Few a;
+  Few b;
+  Few ring;
+  SharedRow row;
+  if (!copy(mesh.cornersOf(f), a) || !copy(mesh.cornersOf(g), b))
+  {
+    return false;
+  }
+  if (isTurned)
+  {
+    std::reverse(b.begin(), b.end());
+  }
+  if (!findSharedRow(a, b, row) || !traceUnion(a, b, row, ring))
+  {
+    return false;
+  }
+  for (std::size_t i = 1; i < row.edges; ++i)
+  {
+    if (mesh.node(a[(row.first + i) % a.size()]).faces.size != 2)
+    {
+      return false;
+    }
+  }
+  mesh.removeFace(g);
+  mesh.setCorners(f, ring.data(), ring.size());
+  EditFace& face = mesh.changeFace(f);
+  face.original = isSame ? plus(x.original, y.original) : minus(x.original, y.original);
+  face.debt = x.debt + y.debt;
+  face.strayed = std::max(x.strayed, y.strayed);
+  return true;
+}
+
+std::uint32_t splitFace(EditMesh& mesh, std::uint32_t f, std::size_t i, std::size_t j)
+{
+  Few ring;
+  if (touchesFrozen(mesh, f) || !copy(mesh.cornersOf(f), ring))
+  {
+    return None;
+  }
+  if (i > j)
+  {
+    std::swap(i, j);
+  }
+  const std::size_t size = ring.size();
+  if (j - i < 2 || size - (j - i) < 2)
+  {
+    return None;
+  }
+  Few kept;
+  Few cut;
+  for (std::size_t k = i; k <= j; ++k)
+  {
+    kept.add(ring[k]);
+  }
+  for (std::size_t k = j; k <= i + size; ++k)
+  {
+    cut.add(ring[k % size]);
+  }
+  EditFace made = mesh.face(f);
+  const double part = 0.5; // of the debt, until both are measured
+  made.cost = 0;
+  made.behind = 0;
+  made.fails = false;
+  made.number = None;
+  made.debt *= part;
+  mesh.setCorners(f, kept.data(), kept.size());
+  mesh.changeFace(f).debt *= part;
+  return mesh.makeFace(made, cut.data(), cut.size());
+}
+
+bool mergeCells(EditMesh& mesh, std::uint32_t a, std::uint32_t b)
+{
+  Few ofB;
+  Few kept;
+  if (a == b || !mesh.isFree(a) || !mesh.isFree(b) || mesh.cell(a).region != mesh.cell(b).region ||
+    !copy(mesh.facesOf(b), ofB))
+  {
+    return false;
+  }
+  bool areNeighbours = false;
+  for (const std::uint32_t f : ofB)
+  {
+    if (mesh.beyond(f, b) == a)
+    {
+      mesh.removeFace(f, false);
+      areNeighbours = true;
+    }
+  }
+  for (const std::uint32_t c : { a, b })
+  {
+    for (const std::uint32_t f : mesh.facesOf(c))
+    {
+      if (!mesh.face(f).gone && !kept.add(f))
+      {
+        return false;
+      }
+    }
+  }
+  if (!areNeighbours)
+  {
+    return false;
+  }
+  for (const std::uint32_t f : ofB)
+  {
+    if (!mesh.face(f).gone)
+    {
+      mesh.giveFace(f, b, a);
+    }
+  }
+  mesh.removeCell(b);
+  mesh.setFaces(a, kept.data(), kept.size());
+  return true;
+}
+
+void makeWall(EditMesh& mesh, std::uint32_t f, std::uint32_t without, std::int32_t wall)
+{
+  EditFace& face = mesh.changeFace(f);
+  if (face.below == without)
+  {
+    Few ring;
+    copy(mesh.cornersOf(f), ring);
+    std::reverse(ring.begin(), ring.end());
+    face.below = face.above;
+    face.above = None;
+    mesh.setCorners(f, ring.data(), ring.size());
+  }
+  face.above = None;
+  face.wall = wall;
+  face.behind = 0;
+  face.original = Vector{};
+  face.debt = 0;
+  mesh.unsettled.faces.add(f);
+  mesh.unsettled.shapes.add(face.below);
+  for (const std::uint32_t n : mesh.cornersOf(f))
+  {
+    mesh.changeNode(n).atWall = true;
+  }
+}
+
+bool removeCell(EditMesh& mesh, std::uint32_t c)
+{
+  Few faces;
+  if (!mesh.isFree(c) || !copy(mesh.facesOf(c), faces))
+  {
+    return false;
+  }
+  const std::int32_t wall = mesh.cell(c).wall;
+  mesh.removeCell(c);
+  for (const std::uint32_t f : faces)
+  {
+    if (mesh.isWall(f))
+    {
+      mesh.removeFace(f, false);
+      continue;
+    }
+    const std::uint32_t x = mesh.beyond(f, c);
+    if (isFrozen(mesh, x))
+    {
+      return false;
+    }
+    const Vector outward = scaled(mesh.face(f).area, mesh.face(f).below == x ? 1 : -1);
+    makeWall(mesh, f, c, wall);
+    for (const std::uint32_t n : mesh.cornersOf(f))
+    {
+      EditNode& node = mesh.changeNode(n);
+      if (node.kind == NodeKind::Free)
+      {
+        node.kind = NodeKind::OnSurface;
+        node.along = unit(outward);
+        node.home = node.at;
+        node.leash = LeashOfNewWalls * static_cast<float>(mesh.cell(x).edge);
+      }
+    }
+  }
+  return true;
+}
+
+}
