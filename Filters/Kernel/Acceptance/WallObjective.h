@@ -71,7 +71,8 @@ template <class Number>
 struct Cost
 {
   Number value;
-  bool fails;
+  bool fails;   // section 3, or checkMesh
+  bool strains; // solvers run, but slowly: unequal neighbours, cells with no third direction
 };
 
 // Of a polygon with corner(0) to corner(size - 1).
@@ -268,7 +269,8 @@ public:
     addSkewness(aside, distance * ShareOfDistance, size, corner);
     fails_ = fails_ || valueOf(slope) > FailsBeyond::Slope ||
       valueOf(near) < FailsBeyond::InnerCosine * valueOf(norm(toFace)) ||
-      valueOf(far) < FailsBeyond::InnerCosine * valueOf(norm(onwards)) ||
+      valueOf(far) < FailsBeyond::InnerCosine * valueOf(norm(onwards));
+    strains_ =
       !(valueOf(weight) > Limits::FaceWeight) || !(valueOf(ratio) > Limits::VolumeRatio);
   }
 
@@ -302,7 +304,7 @@ public:
     using std::log1p;
     const Number sum =
       spec_.saturation > 0 ? log1p(cost_ * (1 / spec_.saturation)) * spec_.saturation : cost_;
-    return { fails_ ? sum + spec_.failing : sum, fails_ };
+    return { fails_ ? sum + spec_.failing : sum, fails_, strains_ };
   }
 
 private:
@@ -357,11 +359,12 @@ private:
   Number area_;
   VectorOf<Number> normal_;
   bool fails_;
+  bool strains_ = false;
 };
 
 // What a cell costs: `share`, its volume by its box's; `determinant`, of its inner faces.
 template <class Number>
-Cost<Number> costOfCell(const Number& share, const Number& determinant, const ObjectiveSpec& spec)
+Cost<Number> costOfCell(const Number& share, const Number& determinant)
 {
   constexpr double LeastShare = 0.003;
   constexpr double CostOfShare = 1e4;
@@ -374,8 +377,7 @@ Cost<Number> costOfCell(const Number& share, const Number& determinant, const Ob
     excess(Number(Wanted::Determinant) / atLeast(determinant, LeastDeterminant) - 1.0);
   using std::log1p;
   cost += log1p(flat) * 4.0;
-  const bool fails = !(valueOf(determinant) > Limits::Determinant);
-  return { fails ? cost + spec.failing : cost, fails };
+  return { cost, false, !(valueOf(determinant) > Limits::Determinant) };
 }
 
 }

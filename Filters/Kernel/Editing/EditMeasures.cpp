@@ -153,7 +153,7 @@ private:
       }
     }
     sum_ = plus(sum_,
-      cartesian::costOfCell(measures.volume * (1 / mesh_.cell(c).box), determinant.value(), spec_)
+      cartesian::costOfCell(measures.volume * (1 / mesh_.cell(c).box), determinant.value())
         .value.slope);
   }
 
@@ -248,7 +248,7 @@ Cost<double> costOfFace(const EditMesh& mesh, std::uint32_t f, const ObjectiveSp
   return cost.cost();
 }
 
-Cost<double> costOfCell(const EditMesh& mesh, std::uint32_t c, const ObjectiveSpec& spec)
+Cost<double> costOfCell(const EditMesh& mesh, std::uint32_t c)
 {
   DeterminantOfCell<double> determinant;
   for (const std::uint32_t f : mesh.facesOf(c))
@@ -259,7 +259,7 @@ Cost<double> costOfCell(const EditMesh& mesh, std::uint32_t c, const ObjectiveSp
     }
   }
   const EditCell& cell = mesh.cell(c);
-  return costOfCell(cell.volume / cell.box, determinant.value(), spec);
+  return costOfCell(cell.volume / cell.box, determinant.value());
 }
 
 void measureAll(EditMesh& mesh, const ObjectiveSpec& spec)
@@ -288,9 +288,9 @@ void costAll(EditMesh& mesh, const ObjectiveSpec& spec)
     EditCell& cell = mesh.rawCell(c);
     if (!cell.gone && cell.state != CellState::Ghost)
     {
-      const Cost<double> cost = costOfCell(mesh, c, spec);
+      const Cost<double> cost = costOfCell(mesh, c);
       cell.cost = cost.value;
-      cell.fails = cost.fails;
+      cell.strains = cost.strains;
     }
   }
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
@@ -301,6 +301,7 @@ void costAll(EditMesh& mesh, const ObjectiveSpec& spec)
       const Cost<double> cost = costOfFace(mesh, f, spec);
       face.cost = cost.value;
       face.fails = cost.fails;
+      face.strains = cost.strains;
     }
   }
   mesh.ledger = Ledger();

@@ -16,7 +16,7 @@ void measureCell(EditMesh& mesh, std::uint32_t c);
 
 // Of a face or cell as measured.
 Cost<double> costOfFace(const EditMesh& mesh, std::uint32_t f, const ObjectiveSpec& spec);
-Cost<double> costOfCell(const EditMesh& mesh, std::uint32_t c, const ObjectiveSpec& spec);
+Cost<double> costOfCell(const EditMesh& mesh, std::uint32_t c);
 
 // Everything, where no edit is under way; then again what costs only, for another specification.
 void measureAll(EditMesh& mesh, const ObjectiveSpec& spec);

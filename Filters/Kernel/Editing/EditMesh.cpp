@@ -266,7 +266,9 @@ void EditMesh::removeFace(std::uint32_t f, bool cellsFollow)
   EditFace& face = changeFace(f);
   ledger.cost -= face.cost;
   ledger.failures -= face.fails ? 1 : 0;
+  ledger.strains -= face.strains ? 1 : 0;
   face.fails = false;
+  face.strains = false;
   face.cost = 0;
   if (isWall(f))
   {
@@ -295,8 +297,8 @@ void EditMesh::removeCell(std::uint32_t c)
 {
   EditCell& cell = changeCell(c);
   ledger.cost -= cell.cost;
-  ledger.failures -= cell.fails ? 1 : 0;
-  cell.fails = false;
+  ledger.strains -= cell.strains ? 1 : 0;
+  cell.strains = false;
   cell.cost = 0;
   cell.gone = true;
   cell.faces.size = 0;

@@ -87,6 +87,7 @@ struct EditFace
   std::uint32_t number = None; // in WallFaces; None: made here
   bool gone = false;
   bool fails = false; // limits of solvers (WallObjective.h)
+  bool strains = false;
 };
 
 struct EditCell
@@ -104,7 +105,7 @@ struct EditCell
   std::int32_t region = 0;
   CellState state = CellState::Free;
   bool gone = false;
-  bool fails = false;
+  bool strains = false; // solvers (WallObjective.h)
 };
 
 // What edits since the last commit have changed.
@@ -113,7 +114,8 @@ struct Ledger
   double cost = 0;     // of all faces and cells
   double volume = 0;   // behind the walls
   double fidelity = 0; // charges for what the wall lost
-  int failures = 0;    // failing faces and cells
+  int failures = 0;    // failing faces
+  int strains = 0;     // faces and cells that strain solvers
 };
 
 // Items of a list in the arena; no longer valid once the mesh changes.
@@ -289,13 +291,14 @@ public:
   std::uint32_t newStamp() { return ++stamp_; }
   bool stampNode(std::uint32_t n, std::uint32_t stamp);
 
-private:
+  // Also of a record in the journal.
   Items itemsOf(const ItemList& list) const
   {
     const std::uint32_t* first = arena_.data() + list.first;
     return { first, first + list.size };
   }
 
+private:
   template <class Record>
   Record& change(std::vector<Record>& all, Records<Record>& records, std::uint32_t i)
   {

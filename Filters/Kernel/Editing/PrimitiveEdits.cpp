@@ -345,6 +345,7 @@ std::uint32_t splitFace(EditMesh& mesh, std::uint32_t f, std::size_t i, std::siz
   made.cost = 0;
   made.behind = 0;
   made.fails = false;
+  made.strains = false;
   made.number = None;
   made.debt *= part;
   mesh.setCorners(f, kept.data(), kept.size());

@@ -1,0 +1,538 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Editing/CellCut.h"
+
+#include "Editing/PrimitiveEdits.h"
+#include "Editing/WallEdges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t MostFaces = 256;
+constexpr std::size_t MostEdges = 2048;
+constexpr std::size_t MostOfSection = 128;
+
+// A crossing nearer to an end of its edge than this part of it falls on that end.
+constexpr double NearEnd = 0.15;
+
+// Nodes on walls that turn by less than this between them are on the surface: 26 degrees.
+constexpr double SmoothCosine = 0.9;
+
+// In boxes.
+constexpr double LeashOfCuts = 0.2;
+
+// On which side of the plane nodes are: their distance, 0 on it.
+class PlaneSides
+{
+public:
+  // False: there are too many. Nodes made later have higher numbers.
+  bool add(std::uint32_t node, double distance) { return nodes_.add({ node, distance }); }
+
+  void sort()
+  {
+    std::sort(nodes_.begin(), nodes_.end());
+    nodes_.resize(
+      static_cast<std::size_t>(std::unique(nodes_.begin(), nodes_.end()) - nodes_.begin()));
+  }
+
+  double& at(std::uint32_t node)
+  {
+    return std::lower_bound(nodes_.begin(), nodes_.end(), std::make_pair(node, -HUGE_VAL))->second;
+  }
+
+private:
+  FixedList<std::pair<std::uint32_t, double>, 1024> nodes_;
+};
+
+class CellCutter
+{
+public:
+  CellCutter(EditMesh& mesh, std::uint32_t cell, const CutPlane& plane)
+    : mesh_(mesh)
+    , cell_(cell)
+    , plane_(plane)
+  {
+  }
+
+  bool run(CutParts& parts)
+  {
+    return classify() && pinToNodes() && divideEdges() && divideFaces() && listEdges() &&
+      traceSection() && makeParts(parts);
+  }
+
+private:
+  // An edge of the cell's faces, as seen from outside.
+  struct Edge
+  {
+    std::uint32_t from;
+    std::uint32_t to;
+    std::uint32_t face; // index in faces_
+
+    bool operator<(const Edge& other) const
+    {
+      return std::tie(from, to, face) < std::tie(other.from, other.to, other.face);
+    }
+  };
+
+  // Where a face passes from one side to the other: corners on the plane, from one to another in the ring.
+  struct Passage
+  {
+    double along; // the line in which the planes of the face and the cut meet
+    std::size_t first;
+    std::size_t last;
+
+    bool operator<(const Passage& other) const { return along < other.along; }
+  };
+
+  bool classify()
+  {
+    const Items faces = mesh_.facesOf(cell_);
+    if (faces.size() > MostFaces)
+    {
+      return false;
+    }
+    for (const std::uint32_t f : faces)
+    {
+      faces_.add(f);
+      for (const std::uint32_t n : mesh_.cornersOf(f))
+      {
+        const double distance = dot(minus(mesh_.node(n).at, plane_.through), plane_.normal);
+        if (!sides_.add(n, std::abs(distance) < plane_.tolerance ? 0 : distance))
+        {
+          return false;
+        }
+      }
+    }
+    sides_.sort();
+    return true;
+  }
+
+  template <class Visitor>
+  void forEachCrossedEdge(Visitor&& visit)
+  {
+    for (const std::uint32_t f : faces_)
+    {
+      for (std::size_t i = 0; i < mesh_.face(f).corners.size; ++i)
+      {
+        const Items ring = mesh_.cornersOf(f);
+        const std::uint32_t a = ring[i];
+        const std::uint32_t b = ring[(i + 1) % ring.size()];
+        if (sides_.at(a) * sides_.at(b) < 0)
+        {
+          visit(a, b);
+        }
+      }
+    }
+  }
+
+  bool pinToNodes()
+  {
+    forEachCrossedEdge([&](std::uint32_t a, std::uint32_t b) {
+      const double t = sides_.at(a) / (sides_.at(a) - sides_.at(b));
+      const double length = norm(minus(mesh_.node(a).at, mesh_.node(b).at));
+      if (t < NearEnd || t * length < plane_.tolerance)
+      {
+        sides_.at(a) = 0;
+      }
+      else if (t > 1 - NearEnd || (1 - t) * length < plane_.tolerance)
+      {
+        sides_.at(b) = 0;
+      }
+    });
+    return true;
+  }
+
+  bool divideEdges()
+  {
+    bool isPossible = true;
+    forEachCrossedEdge(
+      [&](std::uint32_t a, std::uint32_t b) { isPossible = isPossible && divideEdge(a, b); });
+    return isPossible;
+  }
+
+  // Puts a node into all faces that have the edge.
+  bool divideEdge(std::uint32_t a, std::uint32_t b)
+  {
+    const double t = sides_.at(a) / (sides_.at(a) - sides_.at(b));
+    const std::uint32_t made = mesh_.makeNode(nodeBetween(a, b, t));
+    if (!sides_.add(made, 0))
+    {
+      return false;
+    }
+    FixedList<std::uint32_t, MostFaces> around;
+    for (const std::uint32_t f : mesh_.facesAround(a))
+    {
+      around.add(f);
+    }
+    FixedList<std::uint32_t, MostFaces> divided;
+    for (const std::uint32_t f : around)
+    {
+      const Items ring = mesh_.cornersOf(f);
+      divided.clear();
+      bool hasEdge = false;
+      for (std::size_t i = 0; i < ring.size(); ++i)
+      {
+        const std::uint32_t p = ring[i];
+        const std::uint32_t q = ring[(i + 1) % ring.size()];
+        divided.add(p);
+        if ((p == a && q == b) || (p == b && q == a))
+        {
+          divided.add(made);
+          hasEdge = true;
+        }
+      }
+      if (hasEdge)
+      {
+        mesh_.setCorners(f, divided.data(), divided.size());
+      }
+    }
+    return true;
+  }
+
+  EditNode nodeBetween(std::uint32_t a, std::uint32_t b, double t) const
+  {
+    const EditNode& from = mesh_.node(a);
+    const EditNode& to = mesh_.node(b);
+    EditNode made;
+    made.held = from.held & to.held;
+    Vector at = plus(from.at, scaled(minus(to.at, from.at), t));
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      at[axis] = (made.held >> axis & 1) != 0 ? from.at[axis] : at[axis];
+    }
+    made.at = onLattice(mesh_, at, made.held);
+    made.home = made.at;
+    made.leash = static_cast<float>(LeashOfCuts * mesh_.cell(cell_).edge);
+    placeOnWall(a, b, made);
+    return made;
+  }
+
+  void placeOnWall(std::uint32_t a, std::uint32_t b, EditNode& made) const
+  {
+    FixedList<std::uint32_t, 4> walls;
+    for (const std::uint32_t f : mesh_.facesAround(a))
+    {
+      const Items ring = mesh_.cornersOf(f);
+      const std::size_t j = placeOf(ring, b);
+      if (mesh_.isWall(f) && j < ring.size() &&
+        (ring[(j + 1) % ring.size()] == a || ring[(j + ring.size() - 1) % ring.size()] == a))
+      {
+        walls.add(f);
+      }
+    }
+    if (walls.empty())
+    {
+      return;
+    }
+    made.atWall = true;
+    if (walls.size() != 2)
+    {
+      made.kind = NodeKind::Corner;
+      return;
+    }
+    const Vector one = unit(mesh_.face(walls[0]).area);
+    const Vector other = unit(mesh_.face(walls[1]).area);
+    const bool isSmooth =
+      mesh_.face(walls[0]).wall == mesh_.face(walls[1]).wall && dot(one, other) > SmoothCosine;
+    made.kind = isSmooth ? NodeKind::OnSurface : NodeKind::OnEdge;
+    made.along = unit(isSmooth ? plus(one, other) : minus(mesh_.node(b).at, mesh_.node(a).at));
+  }
+
+  // 1: it has corners in front of the plane, 2: behind it.
+  unsigned sidesOf(std::uint32_t f)
+  {
+    unsigned sides = 0;
+    for (const std::uint32_t n : mesh_.cornersOf(f))
+    {
+      const double s = sides_.at(n);
+      sides |= s > 0 ? 1U : s < 0 ? 2U : 0U;
+    }
+    return sides;
+  }
+
+  bool divideFaces()
+  {
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+    {
+      while (sidesOf(faces_[i]) == 3)
+      {
+        const std::uint32_t made = divideFace(faces_[i]);
+        if (made == None || !faces_.add(made))
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  // Along one chord between two neighbouring passages. Returns the new face, or None.
+  std::uint32_t divideFace(std::uint32_t f)
+  {
+    FixedList<Passage, 64> passages;
+    listPassages(f, passages);
+    if (passages.size() < 2 || passages.size() % 2 != 0)
+    {
+      return None;
+    }
+    std::sort(passages.begin(), passages.end());
+    const auto [i, j] = nearestEnds(f, passages[0], passages[1]);
+    return splitFace(mesh_, f, i, j);
+  }
+
+  void listPassages(std::uint32_t f, FixedList<Passage, 64>& passages)
+  {
+    const Vector line = cross(mesh_.face(f).area, plane_.normal);
+    const Items ring = mesh_.cornersOf(f);
+    const std::size_t size = ring.size();
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      const double before = sides_.at(ring[(i + size - 1) % size]);
+      if (sides_.at(ring[i]) != 0 || before == 0)
+      {
+        continue;
+      }
+      std::size_t last = i;
+      while (sides_.at(ring[(last + 1) % size]) == 0)
+      {
+        last = (last + 1) % size;
+      }
+      if (before * sides_.at(ring[(last + 1) % size]) < 0)
+      {
+        passages.add({ dot(mesh_.node(ring[i]).at, line), i, last });
+      }
+    }
+  }
+
+  std::pair<std::size_t, std::size_t> nearestEnds(
+    std::uint32_t f, const Passage& one, const Passage& other) const
+  {
+    std::pair<std::size_t, std::size_t> best{ one.first, other.first };
+    double least = HUGE_VAL;
+    for (const std::size_t i : { one.first, one.last })
+    {
+      for (const std::size_t j : { other.first, other.last })
+      {
+        const Vector between = minus(mesh_.corner(f, i), mesh_.corner(f, j));
+        if (const double square = dot(between, between); square < least)
+        {
+          least = square;
+          best = { i, j };
+        }
+      }
+    }
+    return best;
+  }
+
+  // Of all faces, each of which is on one side now; a face in the plane is on the side of the cell.
+  bool listEdges()
+  {
+    for (std::uint32_t i = 0; i < faces_.size(); ++i)
+    {
+      const std::uint32_t f = faces_[i];
+      const Items ring = mesh_.cornersOf(f);
+      const bool isOutward = mesh_.face(f).below == cell_;
+      const unsigned sides = sidesOf(f);
+      const bool facesAlong = dot(mesh_.face(f).area, plane_.normal) > 0;
+      inFront_.add(sides == 0 ? facesAlong != isOutward : sides == 1);
+      for (std::size_t k = 0; k < ring.size(); ++k)
+      {
+        const std::uint32_t p = ring[k];
+        const std::uint32_t q = ring[(k + 1) % ring.size()];
+        if (!edges_.add(isOutward ? Edge{ p, q, i } : Edge{ q, p, i }))
+        {
+          return false;
+        }
+      }
+    }
+    std::sort(edges_.begin(), edges_.end());
+    return true;
+  }
+
+  // The face on the other side of an edge, or None.
+  std::uint32_t across(const Edge& edge) const
+  {
+    const Edge* found =
+      std::lower_bound(edges_.begin(), edges_.end(), Edge{ edge.to, edge.from, 0 });
+    return found != edges_.end() && found->from == edge.to && found->to == edge.from ? found->face
+                                                                                     : None;
+  }
+
+  // The edges between faces in front of the plane and behind it, in rings.
+  bool traceSection()
+  {
+    for (const Edge& edge : edges_)
+    {
+      const std::uint32_t other = across(edge);
+      if (other == None)
+      {
+        return false;
+      }
+      if (inFront_[edge.face] && !inFront_[other] && !section_.add(edge))
+      {
+        return false;
+      }
+    }
+    for (std::size_t i = 0; i + 1 < section_.size(); ++i) // sorted by where they begin
+    {
+      if (section_[i].from == section_[i + 1].from)
+      {
+        return false;
+      }
+    }
+    return section_.size() >= 3;
+  }
+
+  std::size_t groupOf(std::size_t face) const
+  {
+    while (group_[face] != face)
+    {
+      face = group_[face];
+    }
+    return face;
+  }
+
+  // Faces of the same part have one group: the lowest of them.
+  void groupFaces()
+  {
+    group_.resize(faces_.size());
+    std::iota(group_.begin(), group_.end(), std::size_t(0));
+    for (const Edge& edge : edges_)
+    {
+      const std::uint32_t other = across(edge);
+      if (inFront_[edge.face] == inFront_[other])
+      {
+        const std::size_t one = groupOf(edge.face);
+        const std::size_t two = groupOf(other);
+        group_[std::max(one, two)] = std::min(one, two);
+      }
+    }
+  }
+
+  bool makeParts(CutParts& parts)
+  {
+    groupFaces();
+    FixedList<std::uint32_t, MostFaces> cellOf; // of groups
+    cellOf.resize(faces_.size());
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+    {
+      if (groupOf(i) == i)
+      {
+        cellOf[i] = parts.empty() ? cell_ : makePart();
+        if (!parts.add(cellOf[i]))
+        {
+          return false;
+        }
+      }
+    }
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+    {
+      if (const std::uint32_t to = cellOf[groupOf(i)]; to != cell_)
+      {
+        mesh_.giveFace(faces_[i], cell_, to);
+      }
+    }
+    for (const std::uint32_t part : parts)
+    {
+      FixedList<std::uint32_t, MostFaces> ofPart;
+      for (std::size_t i = 0; i < faces_.size(); ++i)
+      {
+        if (cellOf[groupOf(i)] == part)
+        {
+          ofPart.add(faces_[i]);
+        }
+      }
+      mesh_.setFaces(part, ofPart.data(), ofPart.size());
+    }
+    return parts.size() >= 2 && makeSection(cellOf);
+  }
+
+  std::uint32_t makePart()
+  {
+    EditCell made = mesh_.cell(cell_);
+    made.number = None;
+    made.cost = 0;
+    made.strains = false;
+    return mesh_.makeCell(made);
+  }
+
+  // A face for each ring, from the part behind to that in front.
+  bool makeSection(const FixedList<std::uint32_t, MostFaces>& cellOf)
+  {
+    FixedList<bool, MostOfSection> isDone;
+    isDone.resize(section_.size());
+    std::fill(isDone.begin(), isDone.end(), false);
+    for (std::size_t i = 0; i < section_.size(); ++i)
+    {
+      if (isDone[i])
+      {
+        continue;
+      }
+      FixedList<std::uint32_t, MostOfSection> ring;
+      std::size_t at = i;
+      do
+      {
+        isDone[at] = true;
+        ring.add(section_[at].from);
+        at = nextInSection(at);
+      } while (at != None && at != i && !isDone[at]);
+      if (at != i || ring.size() < 3 || !(areaOf(ring) > 0))
+      {
+        return false;
+      }
+      EditFace made;
+      made.below = cellOf[groupOf(across(section_[i]))];
+      made.above = cellOf[groupOf(section_[i].face)];
+      mesh_.makeFace(made, ring.data(), ring.size());
+    }
+    return true;
+  }
+
+  std::size_t nextInSection(std::size_t i) const
+  {
+    const Edge* found =
+      std::lower_bound(section_.begin(), section_.end(), Edge{ section_[i].to, 0, 0 });
+    return found != section_.end() && found->from == section_[i].to
+      ? static_cast<std::size_t>(found - section_.begin())
+      : None;
+  }
+
+  // As seen from in front of the plane; negative around a hole.
+  double areaOf(const FixedList<std::uint32_t, MostOfSection>& ring) const
+  {
+    double area = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      const Vector p = minus(mesh_.node(ring[i]).at, plane_.through);
+      const Vector q = minus(mesh_.node(ring[(i + 1) % ring.size()]).at, plane_.through);
+      area += dot(cross(p, q), plane_.normal);
+    }
+    return area;
+  }
+
+  EditMesh& mesh_;
+  const std::uint32_t cell_;
+  const CutPlane& plane_;
+  PlaneSides sides_;
+  FixedList<std::uint32_t, MostFaces> faces_;
+  FixedList<bool, MostFaces> inFront_; // of the plane
+  FixedList<Edge, MostEdges> edges_;
+  FixedList<Edge, MostOfSection> section_;
+  FixedList<std::size_t, MostFaces> group_;
+};
+
+}
+
+bool cutCell(EditMesh& mesh, std::uint32_t c, const CutPlane& plane, CutParts& parts)
+{
+  return mesh.isFree(c) && CellCutter(mesh, c, plane).run(parts);
+}
+
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cuts a cell by a plane (section 4.11): any section of one polygon or several, through faces of any shape.
+#pragma once
+
+#include "Editing/EditMesh.h"
+#include "Editing/FixedList.h"
+
+namespace cartesian
+{
+
+struct CutPlane
+{
+  Vector through;
+  Vector normal;    // of length 1
+  double tolerance; // nodes as near as this lie on it
+};
+
+using CutParts = FixedList<std::uint32_t, 16>;
+
+// The first part stays cell c. As PrimitiveEdits.h: false, where a section would touch itself or have a hole, or there
+// is none.
+bool cutCell(EditMesh& mesh, std::uint32_t c, const CutPlane& plane, CutParts& parts);
+
+}

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Editing/EditDecision.h"
+
+#include "Editing/EditMeasures.h"
+#include "Editing/PrimitiveEdits.h"
+#include "Editing/WallEdges.h"
+
+#include <cmath>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr double LeastShare = 1e-9; // of its box, of any cell
+constexpr std::size_t LeastFacesOfCell = 4;
+
+// For a node where more than two sharp edges meet, and that goes.
+constexpr double ChargeOfCorner = 3;
+
+// A wall that moves so far costs (d / distance)^2 / 2, both in boxes.
+double chargeOfDistance(double distance, const ObjectiveSpec& spec)
+{
+  const double share = distance / spec.distance;
+  return share * share / 2;
+}
+
+// Each edge of a closed cell without holes belongs to two of its faces: Euler's formula.
+bool isClosed(EditMesh& mesh, std::uint32_t c)
+{
+  const Items faces = mesh.facesOf(c);
+  if (faces.size() < LeastFacesOfCell)
+  {
+    return false;
+  }
+  const std::uint32_t stamp = mesh.newStamp();
+  std::size_t corners = 0;
+  std::size_t nodes = 0;
+  for (const std::uint32_t f : faces)
+  {
+    const Items ring = mesh.cornersOf(f);
+    corners += ring.size();
+    for (const std::uint32_t n : ring)
+    {
+      nodes += mesh.stampNode(n, stamp) ? 1 : 0;
+    }
+  }
+  return corners % 2 == 0 && nodes + faces.size() == corners / 2 + 2;
+}
+
+bool hasTwin(const EditMesh& mesh, std::uint32_t f)
+{
+  const Items ring = mesh.cornersOf(f);
+  std::uint32_t least = ring[0];
+  for (const std::uint32_t n : ring)
+  {
+    least = mesh.node(n).faces.size < mesh.node(least).faces.size ? n : least;
+  }
+  for (const std::uint32_t g : mesh.facesAround(least))
+  {
+    const Items other = mesh.cornersOf(g);
+    if (g != f && other.size() == ring.size() &&
+      std::all_of(ring.begin(), ring.end(),
+        [&](std::uint32_t n) { return placeOf(other, n) < other.size(); }))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Measures faces of other corners; their cells are unsettled too.
+bool settleFaces(EditMesh& mesh)
+{
+  for (std::size_t i = 0; i < mesh.unsettled.faces.size(); ++i)
+  {
+    const std::uint32_t f = mesh.unsettled.faces[i];
+    if (mesh.face(f).gone)
+    {
+      continue;
+    }
+    if (mesh.face(f).corners.size < 3)
+    {
+      return false;
+    }
+    mesh.changeFace(f);
+    measureFace(mesh, f);
+    for (const std::uint32_t c : { mesh.face(f).below, mesh.face(f).above })
+    {
+      if (c != None)
+      {
+        if (mesh.cell(c).state != CellState::Free)
+        {
+          return false;
+        }
+        mesh.unsettled.cells.add(c);
+      }
+    }
+  }
+  return true;
+}
+
+bool areShapesValid(EditMesh& mesh)
+{
+  for (const std::uint32_t c : mesh.unsettled.shapes)
+  {
+    if (mesh.isFree(c) && !isClosed(mesh, c))
+    {
+      return false;
+    }
+  }
+  if (mesh.unsettled.shapes.size() == 0)
+  {
+    return true;
+  }
+  for (const std::uint32_t f : mesh.unsettled.faces)
+  {
+    if (!mesh.face(f).gone && hasTwin(mesh, f))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool settleCells(EditMesh& mesh)
+{
+  for (const std::uint32_t c : mesh.unsettled.cells)
+  {
+    if (!mesh.isFree(c))
+    {
+      continue;
+    }
+    EditCell& cell = mesh.changeCell(c);
+    measureCell(mesh, c);
+    if (!(cell.volume > LeastShare * cell.box))
+    {
+      return false;
+    }
+    const Cost<double> cost = costOfCell(mesh, c);
+    mesh.ledger.cost += cost.value - cell.cost;
+    mesh.ledger.strains += int(cost.strains) - int(cell.strains);
+    cell.cost = cost.value;
+    cell.strains = cost.strains;
+  }
+  return true;
+}
+
+// All faces of the unsettled cells, those that changed themselves first: they decide most trials.
+class FacesToSettle
+{
+public:
+  bool collect(const EditMesh& mesh)
+  {
+    for (const bool isChanged : { true, false })
+    {
+      for (const std::uint32_t c : mesh.unsettled.cells)
+      {
+        if (!mesh.isFree(c))
+        {
+          continue;
+        }
+        for (const std::uint32_t f : mesh.facesOf(c))
+        {
+          const std::uint32_t other = mesh.beyond(f, c);
+          const bool isSeen = other != None && other < c && mesh.unsettled.cells.contains(other) &&
+            mesh.isFree(other);
+          if (!isSeen && mesh.unsettled.faces.contains(f) == isChanged)
+          {
+            left_ += mesh.face(f).cost;
+            if (!faces_.add(f))
+            {
+              return false;
+            }
+          }
+        }
+      }
+    }
+    return true;
+  }
+
+  bool settle(EditMesh& mesh, const ObjectiveSpec& spec, double most)
+  {
+    for (const std::uint32_t f : faces_)
+    {
+      EditFace& face = mesh.changeFace(f);
+      const Cost<double> cost = costOfFace(mesh, f, spec);
+      mesh.ledger.cost += cost.value - face.cost;
+      mesh.ledger.failures += int(cost.fails) - int(face.fails);
+      mesh.ledger.strains += int(cost.strains) - int(face.strains);
+      left_ -= face.cost;
+      face.cost = cost.value;
+      face.fails = cost.fails;
+      face.strains = cost.strains;
+      if (mesh.ledger.cost - left_ > most)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+private:
+  FixedList<std::uint32_t, 1024> faces_;
+  double left_ = 0; // what those cost that are not settled yet
+};
+
+// A node on a sharp edge moves along it, and its edge may not leave `at` far behind; false: not at all.
+bool mayLeaveEdge(const EditMesh& mesh, const EditRules& rules, std::uint32_t u, std::uint32_t v,
+  const Vector& at, bool isSharp, double& charge)
+{
+  const SharpEnds ends = sharpEndsAt(mesh, u);
+  if (ends.size() < 2)
+  {
+    return ends.empty() || isSharp;
+  }
+  if (!isSharp)
+  {
+    return false;
+  }
+  const double edge = mesh.cell(mesh.face(mesh.facesAround(u)[0]).below).edge;
+  double worst = 0;
+  for (const std::uint32_t end : ends)
+  {
+    if (end != v)
+    {
+      worst = std::max(worst, distanceToSegment(mesh.node(u).at, at, mesh.node(end).at) / edge);
+    }
+  }
+  charge += 2 * chargeOfDistance(worst, rules.spec) + (ends.size() > 2 ? ChargeOfCorner : 0);
+  return worst <= rules.spec.mostMoved;
+}
+
+}
+
+bool settle(EditMesh& mesh, const ObjectiveSpec& spec, double most)
+{
+  FacesToSettle faces;
+  const bool isValid = settleFaces(mesh) && areShapesValid(mesh) && settleCells(mesh) &&
+    faces.collect(mesh) && faces.settle(mesh, spec, most);
+  mesh.unsettled.clear();
+  return isValid;
+}
+
+bool settleShapes(EditMesh& mesh)
+{
+  return settleFaces(mesh) && areShapesValid(mesh);
+}
+
+double gainOf(const EditMesh& mesh, const ObjectiveSpec& spec, double box)
+{
+  const Ledger& ledger = mesh.ledger;
+  return -ledger.cost - spec.volume * std::abs(ledger.volume) / box - ledger.fidelity;
+}
+
+bool mayCollapse(const EditMesh& mesh, const EditRules& rules, std::uint32_t u, std::uint32_t v,
+  const Vector& at, double& charge)
+{
+  const EditNode& from = mesh.node(u);
+  const EditNode& to = mesh.node(v);
+  const bool moves = at != to.at;
+  if (from.gone || to.gone || (from.atWall && !to.atWall) || (from.held & ~to.held) != 0 ||
+    (moves && to.held != from.held) || (moves && to.held == HeldFast))
+  {
+    return false;
+  }
+  if (moves && to.kind == NodeKind::Corner)
+  {
+    return false;
+  }
+  if (!from.atWall)
+  {
+    return true;
+  }
+  const WallEdge edge = wallEdgeOf(mesh, u, v);
+  if (!edge.isWall || (from.kind == NodeKind::Corner && !rules.mayLoseFeatures))
+  {
+    return false;
+  }
+  return from.kind < NodeKind::OnEdge || mayLeaveEdge(mesh, rules, u, v, at, edge.isSharp, charge);
+}
+
+bool mayMove(const EditMesh& mesh, std::uint32_t n, const Vector& to)
+{
+  const EditNode& node = mesh.node(n);
+  return node.held != HeldFast && node.kind != NodeKind::Corner &&
+    (node.kind == NodeKind::Free || norm(minus(to, node.home)) <= double(node.leash));
+}
+
+bool mayJoin(
+  const EditMesh& mesh, const EditRules& rules, std::uint32_t f, std::uint32_t g, double& charge)
+{
+  if (const double sharpness = sharpnessBetween(mesh, f, g); sharpness > 0)
+  {
+    const double edge = mesh.cell(mesh.face(f).below).edge;
+    charge += rules.spec.sharpEdge * sharpness * sharedLength(mesh, f, g) / edge;
+    return rules.mayLoseFeatures;
+  }
+  return true;
+}
+
+double decide(const EditMesh& mesh, const EditRules& rules, const EditMesh::Mark& mark, double box,
+  double least)
+{
+  const Ledger& ledger = mesh.ledger;
+  if (ledger.failures > 0 || (ledger.failures == 0 && ledger.strains > 0))
+  {
+    return Refused;
+  }
+  const double gain = gainOf(mesh, rules.spec, box);
+  if (!(gain > least))
+  {
+    return Refused;
+  }
+  const double distance = distanceOfWalls(mesh, mark) / std::cbrt(box);
+  const double net = gain - chargeOfDistance(distance, rules.spec);
+  return distance <= rules.spec.mostMoved && net > least ? net : Refused;
+}
+
+}

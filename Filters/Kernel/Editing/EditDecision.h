@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// May this edit be made? Decided here, and nowhere else.
+//
+// The mesh must stay one: cells closed, faces not folded, no two faces alike. No more faces or cells than before may
+// fail the limits of solvers. The wall may not move farther than ObjectiveSpec::mostMoved, sharp edges and corners stay
+// but for a charge. What remains is a matter of cost (WallObjective.h): the gain has to be large enough.
+#pragma once
+
+#include "Acceptance/WallObjective.h"
+#include "Editing/EditMesh.h"
+
+namespace cartesian
+{
+
+constexpr double Refused = -std::numeric_limits<double>::infinity();
+constexpr double AnyCost = std::numeric_limits<double>::infinity();
+
+struct EditRules
+{
+  ObjectiveSpec spec;
+  bool mayLoseFeatures = true; // corners and sharp edges, for their charge
+};
+
+// Measures what edits left unsettled, and tests it. False: the mesh would not be valid, or costs `most` more than before
+// at least. Nothing is unsettled afterwards.
+bool settle(EditMesh& mesh, const ObjectiveSpec& spec, double most = AnyCost);
+
+// The same without costs: those are not valid afterwards. What is unsettled stays listed, to be looked at.
+bool settleShapes(EditMesh& mesh);
+
+// By how much the objective falls with the edits since the last commit; `box`: the volume of a box there.
+double gainOf(const EditMesh& mesh, const ObjectiveSpec& spec, double box);
+
+// Whether node u may become v, at `at`; `charge` for what a sharp edge loses; see NodeKind.
+bool mayCollapse(const EditMesh& mesh, const EditRules& rules, std::uint32_t u, std::uint32_t v,
+  const Vector& at, double& charge);
+
+// Whether a node may move there: on its surface or edge, not too far from where that was known.
+bool mayMove(const EditMesh& mesh, std::uint32_t n, const Vector& to);
+
+// Whether two faces may become one; `charge` for a sharp edge between them.
+bool mayJoin(
+  const EditMesh& mesh, const EditRules& rules, std::uint32_t f, std::uint32_t g, double& charge);
+
+// The gain of settled edits since the mark, or Refused: not more than `least`.
+double decide(const EditMesh& mesh, const EditRules& rules, const EditMesh::Mark& mark, double box,
+  double least);
+
+}

@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Editing/EditLoop.h"
+
+#include "Editing/NodeMoves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <queue>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr double LeastGain = 0.05;       // of an item's cost, by an edit
+constexpr double LeastGainOfMove = 0.15; // ... by a node that moves
+constexpr double NoMoveBeyond = 0.3; // nodes are not tried where another edit gains so much of it
+constexpr double Retried =
+  0.05; // an item that failed is tried again where its cost changed by this part
+constexpr double QuietFace =
+  0.3; // of a cell, faces that cost less of leastCost have no nodes that move
+constexpr std::size_t NodesOfCell = 8;
+constexpr std::size_t ItemsAPoll = 256;
+
+// Failed proposals, by what they were and the versions of the cells that they look at. A later one may push one out.
+class FailedProposals
+{
+public:
+  FailedProposals()
+    : entries_(Size)
+  {
+  }
+
+  // Whether it has failed; else it is noted as if it had.
+  bool contains(const Proposal& proposal, std::uint32_t version)
+  {
+    const std::uint64_t key = keyOf(proposal);
+    Entry& entry = entries_[key >> Shift];
+    const bool isKnown = entry.key == key && entry.version == version;
+    entry = { key, version };
+    return isKnown;
+  }
+
+private:
+  struct Entry
+  {
+    std::uint64_t key = 0;
+    std::uint32_t version = 0;
+  };
+
+  static constexpr std::size_t Size = std::size_t(1) << 16;
+  static constexpr unsigned Shift = 64 - 16;
+
+  static std::uint64_t keyOf(const Proposal& proposal)
+  {
+    constexpr std::uint64_t Odd = 0x9E3779B97F4A7C15U;
+    std::uint64_t key = static_cast<std::uint64_t>(proposal.kind) + 1;
+    const auto mix = [&](std::uint64_t part) { key = (key ^ part) * Odd + (key >> 29); };
+    mix(proposal.a);
+    mix(proposal.b);
+    mix(proposal.c);
+    for (const Vector* v : { &proposal.at, &proposal.normal })
+    {
+      for (const double x : *v)
+      {
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, &x, sizeof(bits));
+        mix(bits);
+      }
+    }
+    return key;
+  }
+
+  std::vector<Entry> entries_;
+};
+
+// A face or a cell that costs too much.
+struct Item
+{
+  double cost;
+  bool isCell;
+  std::uint32_t number;
+
+  // The last of a queue is the most expensive, then the face, then that with the lower number.
+  bool operator<(const Item& other) const
+  {
+    return std::make_tuple(cost, other.isCell, other.number) <
+      std::make_tuple(other.cost, isCell, number);
+  }
+};
+
+class EditLoop
+{
+public:
+  EditLoop(EditMesh& mesh, const LoopSpec& spec)
+    : mesh_(mesh)
+    , spec_(spec)
+    , trials_(mesh, spec.rules)
+  {
+  }
+
+  LoopCounts run(const std::function<void()>& poll)
+  {
+    for (std::uint32_t f = 0; f < mesh_.faceCount(); ++f)
+    {
+      push({ 0, false, f });
+    }
+    for (std::uint32_t c = 0; c < mesh_.cellCount(); ++c)
+    {
+      push({ 0, true, c });
+    }
+    while (!queue_.empty())
+    {
+      const Item item = queue_.top();
+      queue_.pop();
+      if (isOver(item))
+      {
+        continue;
+      }
+      if (++counts_.items % ItemsAPoll == 0)
+      {
+        poll();
+      }
+      improve(item);
+    }
+    return counts_;
+  }
+
+private:
+  double costOf(const Item& item) const
+  {
+    if (item.isCell)
+    {
+      return mesh_.isFree(item.number) ? mesh_.cell(item.number).cost : 0;
+    }
+    const EditFace& face = mesh_.face(item.number);
+    const bool isFree =
+      !face.gone && (mesh_.isFree(face.below) || (face.above != None && mesh_.isFree(face.above)));
+    return isFree ? face.cost : 0;
+  }
+
+  void push(Item item)
+  {
+    item.cost = costOf(item);
+    if (item.cost > spec_.leastCost)
+    {
+      queue_.push(item);
+    }
+  }
+
+  float& failedAt(const Item& item)
+  {
+    std::vector<float>& all = item.isCell ? failedCells_ : failedFaces_;
+    if (item.number >= all.size())
+    {
+      all.resize(item.number + item.number / 8 + 64, 0.F);
+    }
+    return all[item.number];
+  }
+
+  // It costs something else now, or did not get better when it cost about as much.
+  bool isOver(const Item& item)
+  {
+    return costOf(item) != item.cost ||
+      std::abs(double(failedAt(item)) - item.cost) < Retried * item.cost;
+  }
+
+  void improve(const Item& item)
+  {
+    const std::uint32_t c = item.isCell ? item.number : mesh_.face(item.number).below;
+    trials_.setBox(c);
+    Proposal best{};
+    double gained = bestProposal(item, best);
+    if (!(gained >= NoMoveBeyond * item.cost))
+    {
+      const double least = std::max(gained, LeastGainOfMove * item.cost);
+      gained = std::max(gained,
+        bestMove(mesh_, trials_, spec_.rules.spec, spec_.search, nodesOf(item), mesh_.cell(c).edge,
+          least, best));
+    }
+    if (gained > Refused)
+    {
+      make(best);
+    }
+    else
+    {
+      failedAt(item) = static_cast<float>(item.cost);
+    }
+  }
+
+  double bestProposal(const Item& item, Proposal& best)
+  {
+    proposals_.clear();
+    item.isCell ? proposeForCell(mesh_, spec_.search, item.number, proposals_)
+                : proposeForFace(mesh_, spec_.search, item.number, proposals_);
+    const double least = LeastGain * std::max(item.cost, 1.0);
+    double gained = Refused;
+    for (const Proposal& proposal : proposals_)
+    {
+      if (failed_.contains(proposal, versionOf(proposal)))
+      {
+        continue;
+      }
+      ++counts_.tried[std::size_t(proposal.kind)];
+      const double gain = trials_.gain(proposal, std::max(least, gained));
+      if (gain > gained)
+      {
+        gained = gain;
+        best = proposal;
+        if (gained > spec_.search.enough * item.cost)
+        {
+          break;
+        }
+      }
+    }
+    return gained;
+  }
+
+  FixedList<std::uint32_t, 16> nodesOf(const Item& item) const
+  {
+    FixedList<std::uint32_t, 16> nodes;
+    if (!item.isCell)
+    {
+      for (const std::uint32_t n : mesh_.cornersOf(item.number))
+      {
+        nodes.add(n);
+      }
+      return nodes;
+    }
+    for (const std::uint32_t f : mesh_.facesOf(item.number))
+    {
+      if (mesh_.face(f).cost < QuietFace * spec_.leastCost && !mesh_.isWall(f))
+      {
+        continue;
+      }
+      for (const std::uint32_t n : mesh_.cornersOf(f))
+      {
+        if (nodes.size() < NodesOfCell && !nodes.contains(n))
+        {
+          nodes.add(n);
+        }
+      }
+    }
+    return nodes;
+  }
+
+  void make(const Proposal& proposal)
+  {
+    const std::size_t faces = mesh_.faceCount();
+    const std::size_t cells = mesh_.cellCount();
+    if (!trials_.make(proposal, 0))
+    {
+      return; // it gained in its trial: never here
+    }
+    ++counts_.made[std::size_t(proposal.kind)];
+    passOnDebts(mesh_, faces);
+    collectChanged(faces, cells);
+    mesh_.commit();
+    for (const std::uint32_t f : changedFaces_)
+    {
+      raiseVersion(mesh_.face(f).below);
+      raiseVersion(mesh_.face(f).above);
+      if (proposal.kind != EditKind::Move)
+      {
+        failedAt({ 0, false, f }) = 0;
+      }
+      push({ 0, false, f });
+    }
+    for (const std::uint32_t c : changedCells_)
+    {
+      push({ 0, true, c });
+    }
+  }
+
+  void collectChanged(std::size_t firstFace, std::size_t firstCell)
+  {
+    changedFaces_.clear();
+    changedCells_.clear();
+    for (const auto& record : mesh_.faceRecords())
+    {
+      changedFaces_.push_back(record.first);
+    }
+    for (const auto& record : mesh_.cellRecords())
+    {
+      changedCells_.push_back(record.first);
+    }
+    for (auto f = static_cast<std::uint32_t>(firstFace); f < mesh_.faceCount(); ++f)
+    {
+      changedFaces_.push_back(f);
+    }
+    for (auto c = static_cast<std::uint32_t>(firstCell); c < mesh_.cellCount(); ++c)
+    {
+      changedCells_.push_back(c);
+    }
+    for (std::vector<std::uint32_t>* all : { &changedFaces_, &changedCells_ })
+    {
+      std::sort(all->begin(), all->end());
+      all->erase(std::unique(all->begin(), all->end()), all->end());
+    }
+  }
+
+  void raiseVersion(std::uint32_t c)
+  {
+    if (c == None)
+    {
+      return;
+    }
+    if (c >= versions_.size())
+    {
+      versions_.resize(c + c / 8 + 64, 0);
+    }
+    ++versions_[c];
+  }
+
+  std::uint32_t versionOfCell(std::uint32_t c) const
+  {
+    return c < versions_.size() ? versions_[c] : 0;
+  }
+
+  std::uint32_t versionOfFace(std::uint32_t f) const
+  {
+    return versionOfCell(mesh_.face(f).below) + versionOfCell(mesh_.face(f).above);
+  }
+
+  std::uint32_t versionOfNode(std::uint32_t n) const
+  {
+    std::uint32_t sum = 0;
+    for (const std::uint32_t f : mesh_.facesAround(n))
+    {
+      sum += versionOfFace(f);
+    }
+    return sum;
+  }
+
+  // Grows whenever a cell changes that the proposal looks at.
+  std::uint32_t versionOf(const Proposal& proposal) const
+  {
+    switch (proposal.kind)
+    {
+      case EditKind::Merge:
+        return versionOfCell(proposal.a) + versionOfCell(proposal.b);
+      case EditKind::Remove:
+      case EditKind::Cut:
+        return versionOfCell(proposal.a);
+      case EditKind::Join:
+      case EditKind::SplitFace:
+        return versionOfFace(proposal.a);
+      default:
+        return versionOfNode(proposal.a) + versionOfNode(proposal.b);
+    }
+  }
+
+  EditMesh& mesh_;
+  const LoopSpec& spec_;
+  EditTrials trials_;
+  std::priority_queue<Item> queue_;
+  FailedProposals failed_;
+  Proposals proposals_;
+  std::vector<float> failedFaces_; // their cost when nothing helped
+  std::vector<float> failedCells_;
+  std::vector<std::uint32_t> versions_; // of cells
+  std::vector<std::uint32_t> changedFaces_;
+  std::vector<std::uint32_t> changedCells_;
+  LoopCounts counts_;
+};
+
+}
+
+LoopCounts improve(EditMesh& mesh, const LoopSpec& spec, const std::function<void()>& poll)
+{
+  return EditLoop(mesh, spec).run(poll);
+}
+
+void passOnDebts(EditMesh& mesh, std::size_t firstMade)
+{
+  double total = -mesh.ledger.volume;
+  FixedList<std::uint32_t, 256> seen;
+  FixedList<std::uint32_t, 256> walls;
+  double area = 0;
+  const auto take = [&](std::uint32_t f) {
+    if (walls.add(f))
+    {
+      area += norm(mesh.face(f).area);
+    }
+  };
+  const auto isWall = [](const EditFace& face) { return !face.gone && face.above == None; };
+  for (const auto& [f, was] : mesh.faceRecords())
+  {
+    const EditFace& is = mesh.face(f);
+    const bool hasMoved =
+      isWall(was) != isWall(is) || was.corners.first != is.corners.first || was.centre != is.centre;
+    if (seen.contains(f) || !seen.add(f) || !hasMoved)
+    {
+      continue;
+    }
+    total += isWall(was) ? was.debt : 0;
+    if (isWall(is))
+    {
+      take(f);
+    }
+  }
+  for (auto f = static_cast<std::uint32_t>(firstMade); f < mesh.faceCount(); ++f)
+  {
+    if (isWall(mesh.face(f)))
+    {
+      take(f);
+    }
+  }
+  for (const std::uint32_t f : walls)
+  {
+    mesh.changeFace(f).debt = area > 0 ? total * norm(mesh.face(f).area) / area : 0;
+  }
+}
+
+}

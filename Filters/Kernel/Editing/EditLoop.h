@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Improves the faces and cells that cost most, one by one: of the proposals for each, that which gains most, or enough,
+// is made; then what it changed is looked at again.
+#pragma once
+
+#include "Editing/EditTrials.h"
+
+#include <functional>
+
+namespace cartesian
+{
+
+struct LoopSpec
+{
+  EditRules rules;
+  SearchSpec search;
+  double leastCost = 1.5; // of what is looked at
+};
+
+struct LoopCounts
+{
+  std::size_t items = 0;
+  std::array<std::size_t, 7> tried{}; // by EditKind
+  std::array<std::size_t, 7> made{};
+};
+
+// `poll`: called now and then; may throw. Whole cells, measured with the same objective (costAll).
+LoopCounts improve(EditMesh& mesh, const LoopSpec& spec, const std::function<void()>& poll);
+
+// After edits are made and before they are committed: what walls lost of the volume becomes the debt of those now there.
+// `firstMade`: the number of faces before.
+void passOnDebts(EditMesh& mesh, std::size_t firstMade);
+
+}

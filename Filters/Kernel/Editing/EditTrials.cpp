@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Editing/EditTrials.h"
+
+#include "Editing/CellCut.h"
+#include "Editing/PrimitiveEdits.h"
+#include "Editing/WallEdges.h"
+
+#include <cmath>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr double LeastGainOfMore = 1e-3; // of an edit that follows another
+constexpr int MostRounds = 8;            // of those
+constexpr double PartToMerge = 0.6;      // of its box: smaller parts of a cut go to a neighbour
+constexpr std::size_t NeighboursOfPart = 3;
+constexpr double CutTolerance = 0.03; // in boxes
+
+template <std::size_t Capacity>
+FixedList<std::uint32_t, Capacity> copyOf(Items items)
+{
+  FixedList<std::uint32_t, Capacity> list;
+  for (const std::uint32_t item : items)
+  {
+    list.add(item);
+  }
+  return list;
+}
+
+// Whether all faces around a node have it between the same two others.
+bool isBetween(const EditMesh& mesh, std::uint32_t n, std::uint32_t p, std::uint32_t q)
+{
+  for (const std::uint32_t f : mesh.facesAround(n))
+  {
+    const Items ring = mesh.cornersOf(f);
+    const std::size_t i = placeOf(ring, n);
+    const std::uint32_t x = ring[(i + ring.size() - 1) % ring.size()];
+    const std::uint32_t y = ring[(i + 1) % ring.size()];
+    if (!(x == p && y == q) && !(x == q && y == p))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+}
+
+template <class Edit>
+bool EditTrials::alsoMake(Edit&& edit)
+{
+  const double before = gainOf(mesh_, rules_.spec, box_);
+  const double most = most_;
+  const EditMesh::Mark mark = mesh_.mark();
+  most_ = -before - mesh_.ledger.fidelity;
+  const bool isMade =
+    edit() && settle() && gainOf(mesh_, rules_.spec, box_) > before + LeastGainOfMore;
+  isMade ? mesh_.keep(mark) : mesh_.undo(mark);
+  most_ = most;
+  return isMade;
+}
+
+template <class Edit>
+bool EditTrials::withoutLimit(Edit&& edit)
+{
+  const double most = most_;
+  most_ = AnyCost;
+  const bool isMade = edit();
+  most_ = most;
+  return isMade;
+}
+
+double EditTrials::gain(const Proposal& proposal, double least)
+{
+  const EditMesh::Mark mark = mesh_.mark();
+  most_ = -least;
+  const double gained = apply(proposal) ? decide(mesh_, rules_, mark, box_, least) : Refused;
+  mesh_.undo(mark);
+  most_ = AnyCost;
+  return gained;
+}
+
+bool EditTrials::make(const Proposal& proposal, double least)
+{
+  const EditMesh::Mark mark = mesh_.mark();
+  most_ = -least;
+  const bool isMade = apply(proposal) && decide(mesh_, rules_, mark, box_, least) > Refused;
+  most_ = AnyCost;
+  if (!isMade)
+  {
+    mesh_.undo(mark);
+  }
+  return isMade;
+}
+
+bool EditTrials::apply(const Proposal& proposal)
+{
+  switch (proposal.kind)
+  {
+    case EditKind::Collapse:
+      return collapse(proposal.a, proposal.b, proposal.at) && settle();
+    case EditKind::Join:
+      return withoutLimit([&] {
+        if (!join(proposal.a, proposal.b) || !settle())
+        {
+          return false;
+        }
+        dissolveNodes(proposal.a);
+        return true;
+      });
+    case EditKind::Merge:
+      return withoutLimit([&] { return merge(proposal.a, proposal.b); });
+    case EditKind::Remove:
+      return withoutLimit([&] { return remove(proposal.a); });
+    case EditKind::Move:
+      if (!mayMove(mesh_, proposal.a, proposal.at))
+      {
+        return false;
+      }
+      mesh_.moveNode(proposal.a, proposal.at);
+      return settle();
+    case EditKind::SplitFace:
+      return splitFace(mesh_, proposal.a, proposal.b, proposal.c) != None && settle();
+    case EditKind::Cut:
+      return withoutLimit([&] { return cut(proposal); });
+  }
+  return false;
+}
+
+bool EditTrials::collapse(std::uint32_t u, std::uint32_t v, const Vector& at)
+{
+  double charge = 0;
+  if (!mayCollapse(mesh_, rules_, u, v, at, charge) || !collapseEdge(mesh_, u, v, at))
+  {
+    return false;
+  }
+  mesh_.ledger.fidelity += charge;
+  return true;
+}
+
+bool EditTrials::join(std::uint32_t f, std::uint32_t g)
+{
+  double charge = 0;
+  if (!mayJoin(mesh_, rules_, f, g, charge) || !joinFaces(mesh_, f, g))
+  {
+    return false;
+  }
+  mesh_.ledger.fidelity += charge;
+  return true;
+}
+
+bool EditTrials::merge(std::uint32_t a, std::uint32_t b)
+{
+  const Faces ofB = copyOf<128>(mesh_.facesOf(b));
+  if (!mergeCells(mesh_, a, b) || !settle())
+  {
+    return false;
+  }
+  joinFacesOf(a, ofB);
+  return true;
+}
+
+bool EditTrials::remove(std::uint32_t c)
+{
+  const Neighbours neighbours = largestNeighbours(mesh_, c);
+  if (!removeCell(mesh_, c) || !settle())
+  {
+    return false;
+  }
+  for (const std::uint32_t neighbour : neighbours)
+  {
+    if (!mesh_.cell(neighbour).gone)
+    {
+      joinFacesOf(neighbour, copyOf<128>(mesh_.facesOf(neighbour)));
+    }
+  }
+  return true;
+}
+
+bool EditTrials::cut(const Proposal& proposal)
+{
+  CutParts parts;
+  const CutPlane plane{ proposal.at, proposal.normal, CutTolerance * mesh_.cell(proposal.a).edge };
+  if (!cutCell(mesh_, proposal.a, plane, parts) || !settle())
+  {
+    return false;
+  }
+  for (std::size_t i = parts.size(); i-- > 0;)
+  {
+    mergePart(parts[i], parts);
+  }
+  return true;
+}
+
+// A small part of a cut becomes part of a cell that is none.
+void EditTrials::mergePart(std::uint32_t part, const CutParts& parts)
+{
+  if (mesh_.cell(part).gone || mesh_.cell(part).volume > PartToMerge * mesh_.cell(part).box)
+  {
+    return;
+  }
+  std::size_t tried = 0;
+  for (const std::uint32_t neighbour : largestNeighbours(mesh_, part))
+  {
+    if (parts.contains(neighbour) || tried++ == NeighboursOfPart)
+    {
+      continue;
+    }
+    if (alsoMake([&] { return withoutLimit([&] { return merge(neighbour, part); }); }))
+    {
+      return;
+    }
+  }
+}
+
+// Joins each of these faces of a cell with others, where they lie between the same two cells and that gains.
+void EditTrials::joinFacesOf(std::uint32_t c, const Faces& which)
+{
+  for (int round = 0; round < MostRounds && !mesh_.cell(c).gone && joinOneOf(c, which); ++round)
+  {
+  }
+}
+
+bool EditTrials::joinOneOf(std::uint32_t c, const Faces& which)
+{
+  const Faces faces = copyOf<128>(mesh_.facesOf(c));
+  for (const std::uint32_t f : faces)
+  {
+    if (!which.contains(f))
+    {
+      continue;
+    }
+    for (const std::uint32_t g : faces)
+    {
+      const bool isSecond = which.contains(g) && g <= f;
+      if (g == f || isSecond || !couldJoin(mesh_, f, g, c))
+      {
+        continue;
+      }
+      if (alsoMake([&] { return join(g, f); }))
+      {
+        dissolveNodes(g);
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+void EditTrials::dissolveNodes(std::uint32_t f)
+{
+  for (int round = 0; round < MostRounds && !mesh_.face(f).gone && dissolveNode(f); ++round)
+  {
+  }
+}
+
+// A node that only lies between two others, as seen from all faces, goes where that gains.
+bool EditTrials::dissolveNode(std::uint32_t f)
+{
+  for (std::size_t i = 0; i < mesh_.face(f).corners.size; ++i)
+  {
+    const Items ring = mesh_.cornersOf(f);
+    const std::uint32_t n = ring[i];
+    const std::uint32_t p = ring[(i + ring.size() - 1) % ring.size()];
+    const std::uint32_t q = ring[(i + 1) % ring.size()];
+    if (!isBetween(mesh_, n, p, q))
+    {
+      continue;
+    }
+    const std::uint32_t to = mesh_.node(p).atWall || !mesh_.node(q).atWall ? p : q;
+    if (alsoMake([&] { return collapse(n, to, mesh_.node(to).at); }))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+}

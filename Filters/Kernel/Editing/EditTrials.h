@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Makes proposals, with what follows of them: faces between the same two cells are joined, nodes between two edges go,
+// small parts of a cut go to a neighbour, each where that gains too. What does not pay is undone.
+#pragma once
+
+#include "Editing/Proposals.h"
+
+namespace cartesian
+{
+
+class EditTrials
+{
+public:
+  EditTrials(EditMesh& mesh, const EditRules& rules)
+    : mesh_(mesh)
+    , rules_(rules)
+  {
+  }
+
+  // In which volumes are measured: those of the cell's box.
+  void setBox(std::uint32_t cell) { box_ = mesh_.cell(cell).box; }
+
+  // What a proposal gains, or Refused: not more than `least`. The mesh stays as it is.
+  double gain(const Proposal& proposal, double least);
+
+  // Makes it; the journal has what changed. False: it does not gain more than `least`, and is undone.
+  bool make(const Proposal& proposal, double least);
+
+private:
+  bool apply(const Proposal& proposal);
+  bool collapse(std::uint32_t u, std::uint32_t v, const Vector& at);
+  bool join(std::uint32_t f, std::uint32_t g);
+  bool merge(std::uint32_t a, std::uint32_t b);
+  bool remove(std::uint32_t c);
+  bool cut(const Proposal& proposal);
+  void mergePart(std::uint32_t part, const FixedList<std::uint32_t, 16>& parts);
+  bool settle() { return cartesian::settle(mesh_, rules_.spec, most_); }
+
+  // Makes a further edit if it gains by itself.
+  template <class Edit>
+  bool alsoMake(Edit&& edit);
+
+  // Whatever it costs for now, since more follows.
+  template <class Edit>
+  bool withoutLimit(Edit&& edit);
+
+  using Faces = FixedList<std::uint32_t, 128>;
+  void joinFacesOf(std::uint32_t c, const Faces& which);
+  bool joinOneOf(std::uint32_t c, const Faces& which);
+  void dissolveNodes(std::uint32_t f);
+  bool dissolveNode(std::uint32_t f);
+
+  EditMesh& mesh_;
+  const EditRules& rules_;
+  double box_ = 1;
+  double most_ = AnyCost; // that edits may cost while they are made
+};
+
+}

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Editing/NodeMoves.h"
+
+#include "Editing/EditMeasures.h"
+#include "Editing/PrimitiveEdits.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// In boxes: where the slope would not gain enough over this length, no step is tried.
+constexpr double LongestStep = 0.25;
+constexpr double FirstStep = 0.1;
+constexpr double Longer = 2;
+constexpr double Shorter = 0.35;
+constexpr int MostSteps = 4;
+
+struct Descent
+{
+  double slope; // the gain by length
+  std::uint32_t node;
+  Vector direction; // of length 1
+};
+
+// Where the node may go: not across its surface, off its edge or the planes that hold it.
+Vector allowed(const EditNode& node, const Vector& wanted)
+{
+  Vector way = wanted;
+  if (node.kind == NodeKind::OnSurface)
+  {
+    way = minus(way, scaled(node.along, dot(way, node.along)));
+  }
+  if (node.kind == NodeKind::OnEdge)
+  {
+    way = scaled(node.along, dot(way, node.along));
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if ((node.held >> axis & 1) != 0)
+    {
+      way[axis] = 0;
+    }
+  }
+  return way;
+}
+
+double search(const EditMesh& mesh, EditTrials& trials, const Descent& descent, double edge,
+  double least, Proposal& best)
+{
+  const EditNode node = mesh.node(descent.node);
+  double gained = Refused;
+  double step = FirstStep * edge;
+  bool grows = false;
+  for (int i = 0; i < MostSteps; ++i)
+  {
+    const Proposal move{ EditKind::Move, descent.node, 0, 0,
+      onLattice(mesh, plus(node.at, scaled(descent.direction, step)), node.held) };
+    const double gain = trials.gain(move, std::max(gained, least));
+    if (gain > Refused)
+    {
+      gained = gain;
+      best = move;
+      if (i > 0 && !grows)
+      {
+        break;
+      }
+      grows = true;
+      step *= Longer;
+    }
+    else if (grows)
+    {
+      break;
+    }
+    else
+    {
+      step *= Shorter;
+    }
+  }
+  return gained;
+}
+
+}
+
+double bestMove(EditMesh& mesh, EditTrials& trials, const ObjectiveSpec& spec,
+  const SearchSpec& searchSpec, const FixedList<std::uint32_t, 16>& nodes, double edge,
+  double least, Proposal& best)
+{
+  FixedList<Descent, 16> descents;
+  for (const std::uint32_t n : nodes)
+  {
+    const EditNode& node = mesh.node(n);
+    if (node.gone || node.held == HeldFast || node.kind == NodeKind::Corner)
+    {
+      continue;
+    }
+    const Vector way = allowed(node, scaled(gradientAt(mesh, n, spec), -1));
+    if (const double slope = norm(way); slope * LongestStep * edge > least)
+    {
+      descents.add({ slope, n, scaled(way, 1 / slope) });
+    }
+  }
+  std::sort(descents.begin(), descents.end(), [](const Descent& x, const Descent& y) {
+    return x.slope != y.slope ? x.slope > y.slope : x.node < y.node;
+  });
+  double gained = Refused;
+  for (std::size_t i = 0; i < std::min(descents.size(), searchSpec.nodes); ++i)
+  {
+    const double gain = search(mesh, trials, descents[i], edge, std::max(gained, least), best);
+    gained = std::max(gained, gain);
+  }
+  return gained;
+}
+
+}

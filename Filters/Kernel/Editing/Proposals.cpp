@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Editing/Proposals.h"
+
+#include "Editing/PrimitiveEdits.h"
+#include "Editing/WallEdges.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr double SmallShare = 0.5;  // of its box: such a cell has one more neighbour to merge with
+constexpr double LargestMerged = 2; // boxes, together
+constexpr double JoinCosine = 0.5;  // 60 degrees: walls that turn by more are not joined
+constexpr double ShortEdge = 0.05;  // in boxes: to its middle alone
+constexpr double ShortEdgeOfCell = 0.35; // in boxes
+constexpr double CostOfCuts = 3;         // walls that cost more have their cell cut
+constexpr double ReentrantCosine = 0.94; // 20 degrees
+constexpr double LeastReentrant = 0.01;  // in boxes: how far the one wall is in front of the other
+constexpr double FlatWarp = 0.05;
+constexpr std::size_t MostCornersToSplit = 12;
+constexpr std::size_t MostFacesToCut = 100;
+
+double edgeAt(const EditMesh& mesh, std::uint32_t f)
+{
+  return mesh.cell(mesh.face(f).below).edge;
+}
+
+double shareOf(const EditMesh& mesh, std::uint32_t c)
+{
+  return mesh.cell(c).volume / mesh.cell(c).box;
+}
+
+void proposeMerges(const EditMesh& mesh, std::uint32_t c, std::size_t most, Proposals& proposals)
+{
+  if (!mesh.isFree(c))
+  {
+    return;
+  }
+  const Neighbours neighbours = largestNeighbours(mesh, c);
+  for (std::size_t i = 0; i < std::min(most, neighbours.size()); ++i)
+  {
+    std::uint32_t into = neighbours[i];
+    std::uint32_t from = c;
+    if (std::make_tuple(mesh.facesOf(into).size(), from) <
+      std::make_tuple(mesh.facesOf(from).size(), into))
+    {
+      std::swap(into, from);
+    }
+    if (mesh.cell(into).region == mesh.cell(from).region &&
+      shareOf(mesh, into) + shareOf(mesh, from) < LargestMerged)
+    {
+      proposals.push_back({ EditKind::Merge, into, from });
+    }
+  }
+}
+
+void proposeCollapse(const EditMesh& mesh, const SearchSpec& search, double edge, std::uint32_t u,
+  std::uint32_t v, Proposals& proposals)
+{
+  const EditNode& a = mesh.node(u);
+  const EditNode& b = mesh.node(v);
+  const double length = norm(minus(a.at, b.at));
+  if (length > search.longestEdge * edge)
+  {
+    return;
+  }
+  if (a.kind == b.kind && a.kind != NodeKind::Corner && a.held == b.held)
+  {
+    proposals.push_back({ EditKind::Collapse, std::min(u, v), std::max(u, v), 0,
+      onLattice(mesh, scaled(plus(a.at, b.at), 0.5), a.held) });
+    if (length < ShortEdge * edge)
+    {
+      return;
+    }
+  }
+  if (!(a.atWall && !b.atWall))
+  {
+    proposals.push_back({ EditKind::Collapse, u, v, 0, b.at });
+  }
+  if (!(b.atWall && !a.atWall))
+  {
+    proposals.push_back({ EditKind::Collapse, v, u, 0, a.at });
+  }
+}
+
+void proposeShortEdges(
+  const EditMesh& mesh, const SearchSpec& search, std::uint32_t f, Proposals& proposals)
+{
+  const Items ring = mesh.cornersOf(f);
+  FixedList<std::pair<double, std::size_t>, 64> edges;
+  const double edge = edgeAt(mesh, f);
+  for (std::size_t i = 0; i < ring.size(); ++i)
+  {
+    const double length =
+      norm(minus(mesh.node(ring[i]).at, mesh.node(ring[(i + 1) % ring.size()]).at));
+    if (length < search.longestEdge * edge)
+    {
+      edges.add({ length, i });
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t k = 0; k < std::min(search.edges, edges.size()); ++k)
+  {
+    const std::size_t i = edges[k].second;
+    proposeCollapse(mesh, search, edge, ring[i], ring[(i + 1) % ring.size()], proposals);
+  }
+}
+
+void proposeJoins(const EditMesh& mesh, std::uint32_t f, Proposals& proposals)
+{
+  const std::uint32_t c = mesh.face(f).below;
+  for (const std::uint32_t g : mesh.facesOf(c))
+  {
+    if (g != f && couldJoin(mesh, f, g, c))
+    {
+      proposals.push_back({ EditKind::Join, f, g });
+    }
+  }
+}
+
+void proposeRemoval(
+  const EditMesh& mesh, const SearchSpec& search, std::uint32_t c, Proposals& proposals)
+{
+  const Items faces = mesh.facesOf(c);
+  if (mesh.isFree(c) && shareOf(mesh, c) < search.removedShare &&
+    std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) { return mesh.isWall(f); }))
+  {
+    proposals.push_back({ EditKind::Remove, c });
+  }
+}
+
+// Whether a part of a face, from corner i to corner j, is star-shaped about its mean.
+bool isPartStar(const EditMesh& mesh, std::uint32_t f, std::size_t i, std::size_t j)
+{
+  const std::size_t size = mesh.face(f).corners.size;
+  const std::size_t count = (j + size - i) % size + 1;
+  const Vector normal = unit(mesh.face(f).area);
+  const auto at = [&](std::size_t k) -> const Vector& {
+    return mesh.corner(f, (i + k % count) % size);
+  };
+  Vector mean{};
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    mean = plus(mean, scaled(at(k), 1.0 / double(count)));
+  }
+  double sum = 0;
+  double least = AnyCost;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const double area = dot(cross(minus(at(k), mean), minus(at(k + 1), mean)), normal);
+    sum += area;
+    least = std::min(least, area);
+  }
+  constexpr double LeastArea = 1e-4; // of a box's side
+  constexpr double LeastStar = 0.05;
+  const double edge = edgeAt(mesh, f);
+  return sum > LeastArea * edge * edge && least > LeastStar * sum / double(count);
+}
+
+void proposeSplits(const EditMesh& mesh, std::uint32_t f, Proposals& proposals)
+{
+  const EditFace& face = mesh.face(f);
+  const std::size_t size = face.corners.size;
+  if (size < 5 || size > MostCornersToSplit || (face.star >= Wanted::Star && face.warp <= FlatWarp))
+  {
+    return;
+  }
+  for (std::uint32_t i = 0; i < size; ++i)
+  {
+    for (std::uint32_t j = i + 2; j < size; ++j)
+    {
+      if (!(i == 0 && j + 1 == size) && isPartStar(mesh, f, i, j) && isPartStar(mesh, f, j, i))
+      {
+        proposals.push_back({ EditKind::SplitFace, f, i, j });
+      }
+    }
+  }
+}
+
+// An edge of a cell at which its wall bends inwards.
+struct ReentrantEdge
+{
+  double weight;
+  Vector middle;
+  Vector one; // the normals of the walls
+  Vector other;
+};
+
+using ReentrantEdges = FixedList<ReentrantEdge, 64>;
+
+void addReentrant(const EditMesh& mesh, std::uint32_t f, std::uint32_t g, ReentrantEdges& edges)
+{
+  const Vector one = unit(mesh.face(f).area);
+  const Vector other = unit(mesh.face(g).area);
+  if (dot(one, other) > ReentrantCosine ||
+    dot(one, minus(mesh.face(g).centre, mesh.face(f).centre)) < LeastReentrant * edgeAt(mesh, f))
+  {
+    return;
+  }
+  const Items a = mesh.cornersOf(f);
+  const Items b = mesh.cornersOf(g);
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    const std::uint32_t p = a[i];
+    const std::uint32_t q = a[(i + 1) % a.size()];
+    const std::size_t j = placeOf(b, q);
+    if (j < b.size() && b[(j + 1) % b.size()] == p)
+    {
+      const Vector& from = mesh.node(p).at;
+      const Vector& to = mesh.node(q).at;
+      edges.add(
+        { (1 - dot(one, other)) * norm(minus(to, from)), scaled(plus(from, to), 0.5), one, other });
+    }
+  }
+}
+
+void proposeCuts(
+  const EditMesh& mesh, const SearchSpec& search, std::uint32_t c, Proposals& proposals)
+{
+  const Items faces = mesh.facesOf(c);
+  if (!mesh.isFree(c) || faces.size() > MostFacesToCut)
+  {
+    return;
+  }
+  ReentrantEdges edges;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    for (std::size_t j = i + 1; j < faces.size() && mesh.isWall(faces[i]); ++j)
+    {
+      if (mesh.isWall(faces[j]))
+      {
+        addReentrant(mesh, faces[i], faces[j], edges);
+      }
+    }
+  }
+  std::stable_sort(edges.begin(), edges.end(),
+    [](const ReentrantEdge& x, const ReentrantEdge& y) { return x.weight > y.weight; });
+  for (std::size_t k = 0; k < std::min(search.cuts, edges.size()); ++k)
+  {
+    const ReentrantEdge& edge = edges[k];
+    proposals.push_back({ EditKind::Cut, c, 0, 0, edge.middle, unit(minus(edge.one, edge.other)) });
+    if (search.cutsAlongFaces)
+    {
+      proposals.push_back({ EditKind::Cut, c, 0, 0, edge.middle, edge.one });
+      proposals.push_back({ EditKind::Cut, c, 0, 0, edge.middle, edge.other });
+    }
+  }
+}
+
+// Edits of other kinds, and of lower numbers, come first; each once.
+void arrange(Proposals& proposals)
+{
+  const auto key = [](
+                     const Proposal& p) { return std::tie(p.kind, p.a, p.b, p.c, p.at, p.normal); };
+  std::sort(proposals.begin(), proposals.end(),
+    [&](const Proposal& x, const Proposal& y) { return key(x) < key(y); });
+  proposals.erase(std::unique(proposals.begin(), proposals.end(),
+                    [&](const Proposal& x, const Proposal& y) { return key(x) == key(y); }),
+    proposals.end());
+}
+
+}
+
+Neighbours largestNeighbours(const EditMesh& mesh, std::uint32_t c, std::uint32_t except)
+{
+  FixedList<std::pair<double, std::uint32_t>, 64> found;
+  for (const std::uint32_t f : mesh.facesOf(c))
+  {
+    const std::uint32_t other = mesh.beyond(f, c);
+    if (other == None || other == except || !mesh.isFree(other))
+    {
+      continue;
+    }
+    auto* known = std::find_if(
+      found.begin(), found.end(), [&](const auto& entry) { return entry.second == other; });
+    if (known != found.end())
+    {
+      known->first -= norm(mesh.face(f).area);
+    }
+    else
+    {
+      found.add({ -norm(mesh.face(f).area), other });
+    }
+  }
+  std::sort(found.begin(), found.end());
+  Neighbours neighbours;
+  for (const auto& [area, other] : found)
+  {
+    neighbours.add(other);
+  }
+  return neighbours;
+}
+
+bool couldJoin(const EditMesh& mesh, std::uint32_t f, std::uint32_t g, std::uint32_t c)
+{
+  return mesh.beyond(f, c) == mesh.beyond(g, c) && mesh.face(f).wall == mesh.face(g).wall &&
+    (!mesh.isWall(f) || dot(unit(mesh.face(f).area), unit(mesh.face(g).area)) >= JoinCosine) &&
+    areAdjacent(mesh, f, g);
+}
+
+void proposeForFace(
+  const EditMesh& mesh, const SearchSpec& search, std::uint32_t f, Proposals& proposals)
+{
+  const EditFace& face = mesh.face(f);
+  for (const std::uint32_t c : { face.below, face.above })
+  {
+    if (c != None)
+    {
+      const bool isSmall = shareOf(mesh, c) < SmallShare;
+      proposeMerges(mesh, c, search.neighbours - (isSmall ? 0 : 1), proposals);
+      proposeRemoval(mesh, search, c, proposals);
+    }
+  }
+  proposeJoins(mesh, f, proposals);
+  proposeShortEdges(mesh, search, f, proposals);
+  if (face.cost > CostOfCuts && mesh.isWall(f))
+  {
+    proposeCuts(mesh, search, face.below, proposals);
+  }
+  proposeSplits(mesh, f, proposals);
+  arrange(proposals);
+}
+
+void proposeForCell(
+  const EditMesh& mesh, const SearchSpec& search, std::uint32_t c, Proposals& proposals)
+{
+  constexpr std::size_t AllNeighbours = 6;
+  proposeMerges(mesh, c, AllNeighbours, proposals);
+  proposeRemoval(mesh, search, c, proposals);
+  const double edge = mesh.cell(c).edge;
+  for (const std::uint32_t f : mesh.facesOf(c))
+  {
+    const Items ring = mesh.cornersOf(f);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      const std::uint32_t u = ring[i];
+      const std::uint32_t v = ring[(i + 1) % ring.size()];
+      if (u < v && norm(minus(mesh.node(u).at, mesh.node(v).at)) < ShortEdgeOfCell * edge)
+      {
+        proposeCollapse(mesh, search, edge, u, v, proposals);
+      }
+    }
+  }
+  arrange(proposals);
+}
+
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Short edges at the wall collapse, the shortest first (section 6, A3): of their ends, that of the higher kind stays.
+#pragma once
+
+#include "Editing/EditLoop.h"
+
+namespace cartesian
+{
+
+// Those shorter than a part of a box's edge go wherever the mesh stays one. Costs are not looked at.
+void weldEdges(EditMesh& mesh, double length, const std::function<void()>& poll);
+
+struct SnapSpec
+{
+  double length = 0.3; // in boxes
+  double slack = 0.3;  // how much costs may rise by one edge
+};
+
+// Those go that the rules allow. Costs are valid before and afterwards.
+void snapEdges(
+  EditMesh& mesh, const EditRules& rules, const SnapSpec& spec, const std::function<void()>& poll);
+
+}

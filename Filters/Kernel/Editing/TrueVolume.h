@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Facets cut off what a curved surface encloses, and edits what they move: each wall knows that debt. Nodes of smooth
+// walls move along their normals until it is paid, but for those where a face would become poor.
+#pragma once
+
+#include "Acceptance/WallObjective.h"
+#include "Editing/EditMesh.h"
+
+namespace cartesian
+{
+
+// Of a whole mesh, with valid costs, which it leaves valid; debts are what is left of them.
+void payDebts(EditMesh& mesh, const ObjectiveSpec& spec);
+
+}

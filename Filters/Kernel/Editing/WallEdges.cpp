@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Editing/WallEdges.h"
+
+#include "Editing/PrimitiveEdits.h"
+#include "Polyhedra/CellGeometry.h"
+
+#include <cmath>
+#include <limits>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr double SharpCosine =
+  0.906307787036650; // 25 degrees: a little below the feature angle's default
+
+// Between these, an edge of two wall faces is partly sharp.
+constexpr double BluntCosine = 0.94;
+constexpr double SharpFully = 0.84;
+
+bool isEdgeAt(Items ring, std::size_t i, std::uint32_t v)
+{
+  return ring[(i + 1) % ring.size()] == v || ring[(i + ring.size() - 1) % ring.size()] == v;
+}
+
+// p is nearest to corner a, b or c, to the edge between two of them, or to the inside: at a + s (b - a) + t (c - a).
+std::array<double, 2> nearestOfTriangle(
+  const Vector& p, const Vector& a, const Vector& b, const Vector& c)
+{
+  const Vector ab = minus(b, a);
+  const Vector ac = minus(c, a);
+  const Vector ap = minus(p, a);
+  const double d1 = dot(ab, ap);
+  const double d2 = dot(ac, ap);
+  if (d1 <= 0 && d2 <= 0)
+  {
+    return { 0, 0 };
+  }
+  const Vector bp = minus(p, b);
+  const double d3 = dot(ab, bp);
+  const double d4 = dot(ac, bp);
+  if (d3 >= 0 && d4 <= d3)
+  {
+    return { 1, 0 };
+  }
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0)
+  {
+    return { d1 / (d1 - d3 + Tiny), 0 };
+  }
+  const Vector cp = minus(p, c);
+  const double d5 = dot(ab, cp);
+  const double d6 = dot(ac, cp);
+  if (d6 >= 0 && d5 <= d6)
+  {
+    return { 0, 1 };
+  }
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0)
+  {
+    return { 0, d2 / (d2 - d6 + Tiny) };
+  }
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 >= d3 && d5 >= d6)
+  {
+    const double t = (d4 - d3) / ((d4 - d3) + (d5 - d6) + Tiny);
+    return { 1 - t, t };
+  }
+  const double sum = va + vb + vc + Tiny;
+  return { vb / sum, vc / sum };
+}
+
+// The square of the distance to the triangles around a face's centre, up to `enough`.
+template <class Corner>
+double squareToStar(
+  const Vector& p, const Vector& centre, std::size_t size, Corner&& corner, double enough)
+{
+  if (size == 3)
+  {
+    return squareToTriangle(p, corner(0), corner(1), corner(2));
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < size && least > enough; ++i)
+  {
+    least = std::min(least, squareToTriangle(p, centre, corner(i), corner((i + 1) % size)));
+  }
+  return least;
+}
+
+// What changed of the wall since a mark.
+class ChangedWalls
+{
+public:
+  ChangedWalls(const EditMesh& mesh, const EditMesh::Mark& mark)
+    : mesh_(mesh)
+  {
+    collectFaces(mark);
+    if (hasChanged_)
+    {
+      collectNodes(mark);
+    }
+  }
+
+  double distance() const
+  {
+    if (!hasChanged_)
+    {
+      return 0;
+    }
+    if (now_.empty())
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+    double worst = 0;
+    for (const Vector& p : points_)
+    {
+      worst = std::max(worst, squareTo(p, worst));
+    }
+    for (const std::uint32_t f : now_)
+    {
+      worst = std::max(worst, before_.empty() ? 0 : squareToBefore(mesh_.face(f).centre, worst));
+    }
+    return std::sqrt(worst);
+  }
+
+private:
+  static bool isWall(const EditFace& face) { return !face.gone && face.above == None; }
+
+  // The oldest record of each face counts: later ones are of edits within this one.
+  void collectFaces(const EditMesh::Mark& mark)
+  {
+    const auto& records = mesh_.faceRecords();
+    FixedList<std::uint32_t, Most> seen;
+    for (std::size_t i = mark.faceRecords; i < records.size(); ++i)
+    {
+      const auto& [f, was] = records[i];
+      if (f >= mark.faces || seen.contains(f))
+      {
+        continue;
+      }
+      seen.add(f);
+      const EditFace& is = mesh_.face(f);
+      const bool hasMoved = isWall(was) != isWall(is) || was.corners.first != is.corners.first ||
+        was.centre != is.centre;
+      if ((!isWall(was) && !isWall(is)) || !hasMoved)
+      {
+        continue;
+      }
+      hasChanged_ = true;
+      if (isWall(is))
+      {
+        now_.add(f);
+      }
+      if (isWall(was))
+      {
+        points_.add(was.centre);
+        before_.add(i);
+      }
+    }
+    for (auto f = static_cast<std::uint32_t>(mark.faces); f < mesh_.faceCount(); ++f)
+    {
+      if (isWall(mesh_.face(f)))
+      {
+        now_.add(f);
+      }
+    }
+  }
+
+  void collectNodes(const EditMesh::Mark& mark)
+  {
+    const auto& records = mesh_.nodeRecords();
+    for (std::size_t i = mark.nodeRecords; i < records.size(); ++i)
+    {
+      const auto& [n, was] = records[i];
+      if (was.atWall && !was.gone && n < mark.nodes &&
+        (mesh_.node(n).gone || mesh_.node(n).at != was.at))
+      {
+        points_.add(was.at);
+      }
+    }
+  }
+
+  double squareTo(const Vector& p, double enough) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < now_.size() && least > enough; ++k)
+    {
+      const std::uint32_t f = now_[k];
+      least = std::min(least,
+        squareToStar(
+          p, mesh_.face(f).centre, mesh_.face(f).corners.size,
+          [&](std::size_t i) -> const Vector& { return mesh_.corner(f, i); }, enough));
+    }
+    return least;
+  }
+
+  // Corners are where they are now: those that moved are among `points_`.
+  double squareToBefore(const Vector& p, double enough) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < before_.size() && least > enough; ++k)
+    {
+      const EditFace& was = mesh_.faceRecords()[before_[k]].second;
+      const Items corners = mesh_.itemsOf(was.corners);
+      least = std::min(least,
+        squareToStar(
+          p, was.centre, corners.size(),
+          [&](std::size_t i) -> const Vector& { return mesh_.node(corners[i]).at; }, enough));
+    }
+    return least;
+  }
+
+  static constexpr std::size_t Most = 256;
+
+  const EditMesh& mesh_;
+  FixedList<std::uint32_t, Most> now_;
+  FixedList<std::size_t, Most> before_; // records
+  FixedList<Vector, Most> points_;
+  bool hasChanged_ = false;
+};
+
+}
+
+WallEdge wallEdgeOf(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
+{
+  std::array<const EditFace*, 2> sides{};
+  std::size_t count = 0;
+  for (const std::uint32_t f : mesh.facesAround(u))
+  {
+    if (!mesh.isWall(f))
+    {
+      continue;
+    }
+    const Items ring = mesh.cornersOf(f);
+    if (isEdgeAt(ring, placeOf(ring, u), v))
+    {
+      sides[std::min<std::size_t>(count, 1)] = &mesh.face(f);
+      ++count;
+    }
+  }
+  const bool isSmooth = count == 2 && sides[0]->wall == sides[1]->wall &&
+    dot(unit(sides[0]->area), unit(sides[1]->area)) >= SharpCosine;
+  return { count > 0, !isSmooth };
+}
+
+SharpEnds sharpEndsAt(const EditMesh& mesh, std::uint32_t u)
+{
+  SharpEnds ends;
+  for (const std::uint32_t f : mesh.facesAround(u))
+  {
+    if (mesh.isWall(f))
+    {
+      const Items ring = mesh.cornersOf(f);
+      const std::uint32_t v = ring[(placeOf(ring, u) + 1) % ring.size()];
+      if (wallEdgeOf(mesh, u, v).isSharp)
+      {
+        ends.add(v);
+      }
+    }
+  }
+  return ends;
+}
+
+double sharedLength(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
+{
+  const Items a = mesh.cornersOf(f);
+  const Items b = mesh.cornersOf(g);
+  double length = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    const std::uint32_t p = a[i];
+    const std::uint32_t q = a[(i + 1) % a.size()];
+    const std::size_t j = placeOf(b, q);
+    if (j < b.size() && b[(j + 1) % b.size()] == p)
+    {
+      length += norm(minus(mesh.node(p).at, mesh.node(q).at));
+    }
+  }
+  return length;
+}
+
+double sharpnessBetween(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
+{
+  if (!mesh.isWall(f))
+  {
+    return 0;
+  }
+  const double cosine = dot(unit(mesh.face(f).area), unit(mesh.face(g).area));
+  return std::clamp((BluntCosine - cosine) / (BluntCosine - SharpFully), 0.0, 1.0);
+}
+
+bool areAdjacent(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
+{
+  const Items b = mesh.cornersOf(g);
+  int shared = 0;
+  for (const std::uint32_t n : mesh.cornersOf(f))
+  {
+    shared += placeOf(b, n) < b.size() ? 1 : 0;
+  }
+  return shared >= 2;
+}
+
+double distanceToSegment(const Vector& p, const Vector& a, const Vector& b)
+{
+  const Vector ab = minus(b, a);
+  const double square = dot(ab, ab);
+  const double t = square > 0 ? std::clamp(dot(minus(p, a), ab) / square, 0.0, 1.0) : 0;
+  return norm(minus(p, plus(a, scaled(ab, t))));
+}
+
+double squareToTriangle(const Vector& p, const Vector& a, const Vector& b, const Vector& c)
+{
+  const auto [s, t] = nearestOfTriangle(p, a, b, c);
+  const Vector away = minus(minus(p, a), plus(scaled(minus(b, a), s), scaled(minus(c, a), t)));
+  return dot(away, away);
+}
+
+double distanceToFace(const EditMesh& mesh, const Vector& p, std::uint32_t f)
+{
+  return std::sqrt(squareToStar(
+    p, mesh.face(f).centre, mesh.face(f).corners.size,
+    [&](std::size_t i) -> const Vector& { return mesh.corner(f, i); }, 0));
+}
+
+double distanceOfWalls(const EditMesh& mesh, const EditMesh::Mark& mark)
+{
+  return ChangedWalls(mesh, mark).distance();
+}
+
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Edges of the wall: which of them are sharp, and how far the wall is from what it was.
+#pragma once
+
+#include "Editing/EditMesh.h"
+#include "Editing/FixedList.h"
+
+namespace cartesian
+{
+
+// An edge between two nodes, as the faces of walls have it.
+struct WallEdge
+{
+  bool isWall = false;
+  bool isSharp = false; // the wall turns there, ends, or has a border between boundaries
+};
+
+WallEdge wallEdgeOf(const EditMesh& mesh, std::uint32_t u, std::uint32_t v);
+
+// The other ends of the sharp edges at a node.
+using SharpEnds = FixedList<std::uint32_t, 16>;
+SharpEnds sharpEndsAt(const EditMesh& mesh, std::uint32_t u);
+
+// The length of what two faces share, edges of the one that the other has in reverse.
+double sharedLength(const EditMesh& mesh, std::uint32_t f, std::uint32_t g);
+
+// How much two wall faces turn at what they share: 0 where by less than 20 degrees, 1 from 33 degrees on.
+double sharpnessBetween(const EditMesh& mesh, std::uint32_t f, std::uint32_t g);
+
+// Whether they have two corners in common.
+bool areAdjacent(const EditMesh& mesh, std::uint32_t f, std::uint32_t g);
+
+double distanceToSegment(const Vector& p, const Vector& a, const Vector& b);
+double squareToTriangle(const Vector& p, const Vector& a, const Vector& b, const Vector& c);
+double distanceToFace(const EditMesh& mesh, const Vector& p, std::uint32_t f);
+
+// The largest distance between the walls that changed since the mark, as they were and as they are: from nodes and
+// centres of the one to faces of the other, both ways. Nothing left of them: infinite.
+double distanceOfWalls(const EditMesh& mesh, const EditMesh::Mark& mark);
+
+}

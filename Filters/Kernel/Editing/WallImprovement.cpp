@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Editing/WallImprovement.h"
+
+#include "Editing/EditLoop.h"
+#include "Editing/EditMeasures.h"
+#include "Editing/ShortEdges.h"
+#include "Editing/TrueVolume.h"
+#include "Editing/WallSimplification.h"
+
+namespace cartesian
+{
+
+namespace
+{
+
+// For what still fails: a wider search, costs count in full, and walls may move farther.
+LoopSpec thoroughLoop()
+{
+  LoopSpec spec;
+  spec.rules.spec.saturation = 0;
+  spec.rules.spec.distance = 0.03;
+  spec.rules.spec.sharpEdge = 50;
+  spec.rules.spec.mostMoved = 0.25;
+  spec.search.edges = 9;
+  spec.search.neighbours = 4;
+  spec.search.nodes = 4;
+  spec.search.cuts = 4;
+  spec.search.cutsAlongFaces = true;
+  spec.search.enough = 0.9;
+  spec.leastCost = 4;
+  return spec;
+}
+
+}
+
+void improveWall(EditMesh& mesh, const std::function<void()>& poll)
+{
+  const LoopSpec general;
+  const LoopSpec thorough = thoroughLoop();
+  simplifyWalls(mesh, SimplificationSpec(), poll);
+  measureAll(mesh, general.rules.spec);
+  snapEdges(mesh, general.rules, SnapSpec(), poll);
+  payDebts(mesh, general.rules.spec);
+  improve(mesh, general, poll);
+  costAll(mesh, thorough.rules.spec);
+  improve(mesh, thorough, poll);
+  payDebts(mesh, thorough.rules.spec);
+}
+
+}

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Editing/WallSimplification.h"
+
+#include "Editing/EditDecision.h"
+#include "Editing/EditLoop.h"
+#include "Editing/PrimitiveEdits.h"
+#include "Editing/Proposals.h"
+#include "Editing/ShortEdges.h"
+#include "Editing/WallEdges.h"
+
+#include <algorithm>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr int Rounds = 2;
+constexpr double MostOfSharpEdge =
+  0.15;                             // in boxes: of a sharp edge between two walls that become one
+constexpr double LeastCosine = 0.3; // between them, unless one is small:
+constexpr double SmallWall = 1e-3;  // of a box's side
+constexpr double LeastStar = 0.15;  // of walls that were joined
+constexpr double MostWarp = 0.15;
+constexpr double LeastStarBetween = 0.05; // of faces that lost a node
+constexpr double MostWarpBetween = 0.2;
+constexpr std::size_t MostTried = 3; // of a wall's neighbours
+constexpr std::size_t MostFacesOfNode = 12;
+constexpr std::size_t Capacity = 128;
+
+using Walls = FixedList<std::pair<double, std::uint32_t>, Capacity>;
+
+class WallSimplifier
+{
+public:
+  WallSimplifier(EditMesh& mesh, const SimplificationSpec& spec)
+    : mesh_(mesh)
+    , spec_(spec)
+  {
+  }
+
+  void joinWallsOf(std::uint32_t c)
+  {
+    while (joinOne(c))
+    {
+    }
+  }
+
+  // A node between two others, as seen from all its faces.
+  void removeBetween(std::uint32_t n)
+  {
+    std::uint32_t p = None;
+    std::uint32_t q = None;
+    if (!isBetween(n, p, q))
+    {
+      return;
+    }
+    const EditNode& node = mesh_.node(n);
+    const double strayed = distanceToSegment(node.at, mesh_.node(p).at, mesh_.node(q).at) +
+      double(std::max({ node.strayed, mesh_.node(p).strayed, mesh_.node(q).strayed }));
+    if (strayed > spec_.tolerance * edgeAt(n) || (node.held & ~mesh_.node(p).held) != 0)
+    {
+      return;
+    }
+    const EditMesh::Mark mark = mesh_.mark();
+    const std::size_t faces = mesh_.faceCount();
+    bool isMade = collapseEdge(mesh_, n, p, mesh_.node(p).at);
+    if (isMade)
+    {
+      mesh_.changeNode(p).strayed = static_cast<float>(strayed);
+      mesh_.changeNode(q).strayed = static_cast<float>(strayed);
+      isMade = areSound(LeastStarBetween, MostWarpBetween);
+    }
+    finish(mark, isMade, faces);
+  }
+
+private:
+  double edgeAt(std::uint32_t n) const
+  {
+    return mesh_.cell(mesh_.face(mesh_.facesAround(n)[0]).below).edge;
+  }
+
+  void finish(const EditMesh::Mark& mark, bool isMade, std::size_t faces)
+  {
+    if (isMade)
+    {
+      passOnDebts(mesh_, faces);
+      mesh_.commit();
+    }
+    else
+    {
+      mesh_.undo(mark);
+    }
+  }
+
+  // What changed: faces star-shaped and flat enough, cells closed.
+  bool areSound(double leastStar, double mostWarp)
+  {
+    return settleShapes(mesh_) &&
+      std::all_of(mesh_.unsettled.faces.begin(), mesh_.unsettled.faces.end(), [&](std::uint32_t f) {
+        const EditFace& face = mesh_.face(f);
+        return face.gone || (face.star > leastStar && face.warp < mostWarp);
+      });
+  }
+
+  bool joinOne(std::uint32_t c)
+  {
+    Walls walls;
+    for (const std::uint32_t f : mesh_.facesOf(c))
+    {
+      if (mesh_.isWall(f))
+      {
+        walls.add({ norm(mesh_.face(f).area), f });
+      }
+    }
+    std::sort(walls.begin(), walls.end());
+    for (const auto& [area, f] : walls)
+    {
+      if (joinWithNeighbour(c, f, area, walls))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // With the wall that has most nearly the same normal.
+  bool joinWithNeighbour(std::uint32_t c, std::uint32_t f, double area, const Walls& walls)
+  {
+    const Vector normal = unit(mesh_.face(f).area);
+    const double edge = mesh_.cell(c).edge;
+    Walls others;
+    for (const auto& [itsArea, g] : walls)
+    {
+      if (g == f || mesh_.face(g).wall != mesh_.face(f).wall || !areAdjacent(mesh_, f, g))
+      {
+        continue;
+      }
+      const double cosine = dot(normal, unit(mesh_.face(g).area));
+      if (cosine > LeastCosine || area < SmallWall * edge * edge)
+      {
+        others.add({ -cosine, g });
+      }
+    }
+    std::sort(others.begin(), others.end());
+    for (std::size_t i = 0; i < std::min(others.size(), MostTried); ++i)
+    {
+      if (join(others[i].second, f, edge))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool join(std::uint32_t f, std::uint32_t g, double edge)
+  {
+    if (sharpnessBetween(mesh_, f, g) * sharedLength(mesh_, f, g) > MostOfSharpEdge * edge)
+    {
+      return false;
+    }
+    FixedList<Vector, 16> points;
+    points.add(mesh_.face(f).centre);
+    points.add(mesh_.face(g).centre);
+    const Items other = mesh_.cornersOf(g);
+    Vector middle{};
+    double shared = 0;
+    for (const std::uint32_t n : mesh_.cornersOf(f))
+    {
+      if (placeOf(other, n) < other.size())
+      {
+        points.add(mesh_.node(n).at);
+        middle = plus(middle, mesh_.node(n).at);
+        ++shared;
+      }
+    }
+    points.add(scaled(middle, 1 / shared));
+    const std::size_t faces = mesh_.faceCount();
+    const EditMesh::Mark mark = mesh_.mark();
+    bool isMade = joinFaces(mesh_, f, g) && areSound(LeastStar, MostWarp);
+    if (isMade)
+    {
+      double farthest = 0;
+      for (const Vector& p : points)
+      {
+        farthest = std::max(farthest, distanceToFace(mesh_, p, f));
+      }
+      const double strayed = double(mesh_.face(f).strayed) + farthest;
+      mesh_.changeFace(f).strayed = static_cast<float>(strayed);
+      isMade = strayed < spec_.tolerance * edge;
+    }
+    finish(mark, isMade, faces);
+    return isMade;
+  }
+
+  bool isBetween(std::uint32_t n, std::uint32_t& p, std::uint32_t& q) const
+  {
+    const EditNode& node = mesh_.node(n);
+    if (node.gone || !node.atWall || node.faces.size > MostFacesOfNode ||
+      node.kind == NodeKind::Corner)
+    {
+      return false;
+    }
+    for (const std::uint32_t f : mesh_.facesAround(n))
+    {
+      const Items ring = mesh_.cornersOf(f);
+      const std::size_t i = placeOf(ring, n);
+      const std::uint32_t x = ring[(i + ring.size() - 1) % ring.size()];
+      const std::uint32_t y = ring[(i + 1) % ring.size()];
+      if (p == None)
+      {
+        p = x;
+        q = y;
+      }
+      const bool isSame = (x == p && y == q) || (x == q && y == p);
+      if (!isSame || ring.size() <= 3)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  EditMesh& mesh_;
+  const SimplificationSpec& spec_;
+};
+
+}
+
+void simplifyWalls(
+  EditMesh& mesh, const SimplificationSpec& spec, const std::function<void()>& poll)
+{
+  weldEdges(mesh, spec.weld, poll);
+  WallSimplifier simplifier(mesh, spec);
+  for (int round = 0; round < Rounds; ++round)
+  {
+    for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
+    {
+      if (mesh.isFree(c))
+      {
+        simplifier.joinWallsOf(c);
+      }
+    }
+    poll();
+    for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
+    {
+      simplifier.removeBetween(n);
+    }
+    poll();
+  }
+}
+
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Geometric only, before quality is looked at: edges of next to no length go, walls of a cell that are nearly in one plane
+// become one, nodes between two edges go, where the wall moves less than a tolerance, all that happens to it together.
+#pragma once
+
+#include "Editing/EditMesh.h"
+
+#include <functional>
+
+namespace cartesian
+{
+
+struct SimplificationSpec
+{
+  double weld = 0.01;      // in boxes: shorter edges have their ends made one
+  double tolerance = 0.04; // in boxes: how far the wall may move
+};
+
+// A whole mesh, with faces measured. Costs are not valid afterwards.
+void simplifyWalls(
+  EditMesh& mesh, const SimplificationSpec& spec, const std::function<void()>& poll);
+
+}
