@@ -32,8 +32,19 @@ constexpr double LeashOfCuts = 0.2;
 class PlaneSides
 {
 public:
-  // False: there are too many. Nodes made later have higher numbers.
+  // False: there are too many.
   bool add(std::uint32_t node, double distance) { return nodes_.add({ node, distance }); }
+
+  // Once they are sorted.
+  bool insert(std::uint32_t node, double distance)
+  {
+    const bool isAdded = add(node, distance);
+    for (std::size_t i = nodes_.size() - 1; i > 0 && nodes_[i] < nodes_[i - 1]; --i)
+    {
+      std::swap(nodes_[i], nodes_[i - 1]);
+    }
+    return isAdded;
+  }
 
   void sort()
   {
@@ -162,7 +173,7 @@ private:
   {
     const double t = sides_.at(a) / (sides_.at(a) - sides_.at(b));
     const std::uint32_t made = mesh_.makeNode(nodeBetween(a, b, t));
-    if (!sides_.add(made, 0))
+    if (made == None || !sides_.insert(made, 0))
     {
       return false;
     }
@@ -426,7 +437,7 @@ private:
       if (groupOf(i) == i)
       {
         cellOf[i] = parts.empty() ? cell_ : makePart();
-        if (!parts.add(cellOf[i]))
+        if (cellOf[i] == None || !parts.add(cellOf[i]))
         {
           return false;
         }
@@ -490,7 +501,10 @@ private:
       EditFace made;
       made.below = cellOf[groupOf(across(section_[i]))];
       made.above = cellOf[groupOf(section_[i].face)];
-      mesh_.makeFace(made, ring.data(), ring.size());
+      if (mesh_.makeFace(made, ring.data(), ring.size()) == None)
+      {
+        return false;
+      }
     }
     return true;
   }

@@ -90,7 +90,7 @@ bool settleFaces(EditMesh& mesh)
     {
       if (c != None)
       {
-        if (mesh.cell(c).state != CellState::Free)
+        if (!mesh.isFree(c))
         {
           return false;
         }

@@ -248,15 +248,13 @@ private:
 
   void make(const Proposal& proposal)
   {
-    const std::size_t faces = mesh_.faceCount();
-    const std::size_t cells = mesh_.cellCount();
     if (!trials_.make(proposal, 0))
     {
       return; // it gained in its trial: never here
     }
     ++counts_.made[std::size_t(proposal.kind)];
-    passOnDebts(mesh_, faces);
-    collectChanged(faces, cells);
+    passOnDebts(mesh_);
+    collectChanged();
     mesh_.commit();
     for (const std::uint32_t f : changedFaces_)
     {
@@ -274,7 +272,7 @@ private:
     }
   }
 
-  void collectChanged(std::size_t firstFace, std::size_t firstCell)
+  void collectChanged()
   {
     changedFaces_.clear();
     changedCells_.clear();
@@ -285,14 +283,6 @@ private:
     for (const auto& record : mesh_.cellRecords())
     {
       changedCells_.push_back(record.first);
-    }
-    for (auto f = static_cast<std::uint32_t>(firstFace); f < mesh_.faceCount(); ++f)
-    {
-      changedFaces_.push_back(f);
-    }
-    for (auto c = static_cast<std::uint32_t>(firstCell); c < mesh_.cellCount(); ++c)
-    {
-      changedCells_.push_back(c);
     }
     for (std::vector<std::uint32_t>* all : { &changedFaces_, &changedCells_ })
     {
@@ -373,7 +363,7 @@ LoopCounts improve(EditMesh& mesh, const LoopSpec& spec, const std::function<voi
   return EditLoop(mesh, spec).run(poll);
 }
 
-void passOnDebts(EditMesh& mesh, std::size_t firstMade)
+void passOnDebts(EditMesh& mesh)
 {
   double total = -mesh.ledger.volume;
   FixedList<std::uint32_t, 256> seen;
@@ -397,13 +387,6 @@ void passOnDebts(EditMesh& mesh, std::size_t firstMade)
     }
     total += isWall(was) ? was.debt : 0;
     if (isWall(is))
-    {
-      take(f);
-    }
-  }
-  for (auto f = static_cast<std::uint32_t>(firstMade); f < mesh.faceCount(); ++f)
-  {
-    if (isWall(mesh.face(f)))
     {
       take(f);
     }

@@ -28,7 +28,6 @@ struct LoopCounts
 LoopCounts improve(EditMesh& mesh, const LoopSpec& spec, const std::function<void()>& poll);
 
 // After edits are made and before they are committed: what walls lost of the volume becomes the debt of those now there.
-// `firstMade`: the number of faces before.
-void passOnDebts(EditMesh& mesh, std::size_t firstMade);
+void passOnDebts(EditMesh& mesh);
 
 }

@@ -2,6 +2,7 @@
 #include "Editing/EditMesh.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace cartesian
 {
@@ -9,96 +10,173 @@ namespace cartesian
 namespace
 {
 
+constexpr std::size_t RecordsAChunk = 4096;
+
 template <class Record>
-void restore(
-  std::vector<Record>& all, EditMesh::Records<Record>& records, std::size_t count, std::size_t size)
+void restore(std::vector<Record>& all, EditMesh::Records<Record>& records, std::size_t count)
 {
   for (; records.size() > count; records.pop_back())
   {
-    if (records.back().first < size)
-    {
-      all[records.back().first] = records.back().second;
-    }
+    all[records.back().first] = records.back().second;
   }
-  all.resize(size);
 }
 
+// So that no other editor takes them for records of its own epoch.
 template <class Record>
-void openLists(std::vector<Record>& all, std::uint32_t& next)
+void forget(std::vector<Record>& all, EditMesh::Records<Record>& records)
 {
-  for (Record& record : all)
+  for (const auto& record : records)
   {
-    record.faces.first = next;
-    next += record.faces.size;
-    record.faces.size = 0;
+    all[record.first].epoch = 0;
   }
+  records.clear();
 }
 
-}
-
-// --- building
-
-std::uint32_t EditMesh::addNode(const EditNode& node)
+ItemList& listOf(EditNode& node)
 {
-  nodes_.push_back(node);
-  return static_cast<std::uint32_t>(nodes_.size() - 1);
+  return node.faces;
 }
-
-std::uint32_t EditMesh::addCell(const EditCell& cell)
+ItemList& listOf(EditFace& face)
 {
-  cells_.push_back(cell);
-  return static_cast<std::uint32_t>(cells_.size() - 1);
+  return face.corners;
 }
-
-std::uint32_t EditMesh::addFace(EditFace face, const std::uint32_t* corners, std::size_t size)
+ItemList& listOf(EditCell& cell)
 {
-  face.corners = store(corners, size);
-  faces_.push_back(face);
-  return static_cast<std::uint32_t>(faces_.size() - 1);
+  return cell.faces;
 }
 
-void EditMesh::connect()
+// Copies the lists of all records behind those that are in an arena already.
+template <class Record>
+void copyLists(std::vector<Record>& all, const std::vector<std::vector<std::uint32_t>>& arenas,
+  std::vector<std::uint32_t>& to, Execution& execution)
+{
+  std::vector<std::size_t> start(chunks(all.size(), RecordsAChunk) + 1, 0);
+  execution.forEach(all.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
+    std::size_t size = 0;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      size += all[i].gone ? 0 : listOf(all[i]).size;
+    }
+    start[begin / RecordsAChunk + 1] = size;
+  });
+  start[0] = to.size();
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  to.resize(start.back());
+  execution.forEach(all.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
+    std::size_t at = start[begin / RecordsAChunk];
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      ItemList& list = listOf(all[i]);
+      list.size = all[i].gone ? std::uint16_t(0) : list.size;
+      const std::uint32_t* from = arenas[list.arena].data() + list.first;
+      std::copy_n(from, list.size, to.begin() + static_cast<std::ptrdiff_t>(at));
+      list.first = static_cast<std::uint32_t>(at);
+      list.arena = 0;
+      at += list.size;
+    }
+  });
+}
+
+}
+
+// --- the mesh
+
+void EditStore::connect()
 {
   const auto forEachOwner = [&](const EditFace& face, auto&& visit) {
     for (const std::uint32_t c : { face.below, face.above })
     {
       if (c != None)
       {
-        visit(cells_[c].faces);
+        visit(cells[c].faces);
       }
     }
-    for (const std::uint32_t n : itemsOf(face.corners))
+    const std::uint32_t* corners = arenas[0].data() + face.corners.first;
+    for (std::size_t i = 0; i < face.corners.size; ++i)
     {
-      visit(nodes_[n].faces);
+      visit(nodes[corners[i]].faces);
     }
   };
-  for (const EditFace& face : faces_)
+  for (const EditFace& face : faces)
   {
     forEachOwner(face, [](ItemList& list) { ++list.size; });
   }
-  auto next = static_cast<std::uint32_t>(arena_.size());
-  openLists(cells_, next);
-  openLists(nodes_, next);
-  arena_.resize(next);
-  for (std::uint32_t f = 0; f < faces_.size(); ++f)
+  auto next = static_cast<std::uint32_t>(arenas[0].size());
+  const auto open = [&](ItemList& list) {
+    const std::uint32_t size = list.size;
+    list = { next, 0, 0 };
+    next += size;
+  };
+  for (EditCell& cell : cells)
   {
-    forEachOwner(faces_[f], [&](ItemList& list) { arena_[list.first + list.size++] = f; });
-    if (isWall(f))
+    open(cell.faces);
+  }
+  for (EditNode& node : nodes)
+  {
+    open(node.faces);
+  }
+  arenas[0].resize(next);
+  for (std::uint32_t f = 0; f < faces.size(); ++f)
+  {
+    forEachOwner(faces[f], [&](ItemList& list) { arenas[0][list.first + list.size++] = f; });
+    const std::uint32_t* corners = arenas[0].data() + faces[f].corners.first;
+    for (std::size_t i = 0; faces[f].above == None && i < faces[f].corners.size; ++i)
     {
-      for (const std::uint32_t n : cornersOf(f))
-      {
-        nodes_[n].atWall = true;
-      }
+      nodes[corners[i]].atWall = true;
     }
   }
+}
+
+void EditStore::compact(Execution& execution)
+{
+  std::vector<std::uint32_t> whole;
+  whole.reserve(arenas[0].size());
+  copyLists(nodes, arenas, whole, execution);
+  copyLists(faces, arenas, whole, execution);
+  copyLists(cells, arenas, whole, execution);
+  arenas.resize(1);
+  arenas[0] = std::move(whole);
+}
+
+EditMesh::EditMesh()
+  : own_(std::make_unique<EditStore>())
+  , store_(own_.get())
+{
+}
+
+EditMesh::EditMesh(EditStore& store, std::uint32_t zone, std::uint16_t arena, FreeSlots slots)
+  : store_(&store)
+  , zone_(zone)
+  , arena_(arena)
+  , slots_(std::move(slots))
+{
+}
+
+std::uint32_t EditMesh::addNode(const EditNode& node)
+{
+  store_->nodes.push_back(node);
+  return static_cast<std::uint32_t>(nodeCount() - 1);
+}
+
+std::uint32_t EditMesh::addCell(const EditCell& cell)
+{
+  store_->cells.push_back(cell);
+  return static_cast<std::uint32_t>(cellCount() - 1);
+}
+
+std::uint32_t EditMesh::addFace(EditFace face, const std::uint32_t* corners, std::size_t size)
+{
+  face.corners = store(corners, size);
+  store_->faces.push_back(face);
+  return static_cast<std::uint32_t>(faceCount() - 1);
 }
 
 // --- the journal
 
 EditMesh::Mark EditMesh::mark()
 {
-  const Mark mark{ nodeRecords_.size(), faceRecords_.size(), cellRecords_.size(), nodes_.size(),
-    faces_.size(), cells_.size(), arena_.size(), ledger, epoch_ };
+  const Mark mark{ nodeRecords_.size(), faceRecords_.size(), cellRecords_.size(), slots_.nodes.used,
+    slots_.faces.used, slots_.cells.used, arena().size(), ledger, epoch_ };
   epoch_ = ++epochs_;
   ++marks_;
   return mark;
@@ -106,10 +184,13 @@ EditMesh::Mark EditMesh::mark()
 
 void EditMesh::undo(const Mark& mark)
 {
-  restore(nodes_, nodeRecords_, mark.nodeRecords, mark.nodes);
-  restore(faces_, faceRecords_, mark.faceRecords, mark.faces);
-  restore(cells_, cellRecords_, mark.cellRecords, mark.cells);
-  arena_.resize(mark.arena);
+  restore(store_->nodes, nodeRecords_, mark.nodeRecords);
+  restore(store_->faces, faceRecords_, mark.faceRecords);
+  restore(store_->cells, cellRecords_, mark.cellRecords);
+  slots_.nodes.used = mark.nodes;
+  slots_.faces.used = mark.faces;
+  slots_.cells.used = mark.cells;
+  arena().resize(mark.arena);
   ledger = mark.ledger;
   unsettled.clear();
   keep(mark);
@@ -123,9 +204,9 @@ void EditMesh::keep(const Mark& inner)
 
 void EditMesh::commit()
 {
-  nodeRecords_.clear();
-  faceRecords_.clear();
-  cellRecords_.clear();
+  forget(store_->nodes, nodeRecords_);
+  forget(store_->faces, faceRecords_);
+  forget(store_->cells, cellRecords_);
   ledger = Ledger();
   unsettled.clear();
   marks_ = 0;
@@ -135,62 +216,100 @@ void EditMesh::commit()
 
 ItemList EditMesh::store(const std::uint32_t* items, std::size_t size)
 {
-  const auto first = static_cast<std::uint32_t>(arena_.size());
-  arena_.insert(arena_.end(), items, items + size);
-  return { first, static_cast<std::uint32_t>(size) };
+  std::vector<std::uint32_t>& to = arena();
+  const auto first = static_cast<std::uint32_t>(to.size());
+  to.insert(to.end(), items, items + size);
+  return { first, static_cast<std::uint16_t>(size), arena_ };
 }
 
 ItemList EditMesh::without(const ItemList& list, std::uint32_t item)
 {
-  const auto first = static_cast<std::uint32_t>(arena_.size());
-  arena_.resize(arena_.size() + list.size);
-  std::uint32_t* to = arena_.data() + first;
-  const std::uint32_t* from = arena_.data() + list.first;
-  for (std::uint32_t i = 0; i < list.size; ++i)
-  {
-    if (from[i] != item)
-    {
-      *to++ = from[i];
-    }
-  }
-  const auto end = static_cast<std::uint32_t>(to - arena_.data());
-  arena_.resize(end);
-  return { first, end - first };
+  std::vector<std::uint32_t>& all = arena();
+  const std::size_t first = all.size();
+  all.resize(first + list.size);
+  const Items items = itemsOf(list);
+  const auto end = std::remove_copy(
+    items.begin(), items.end(), all.begin() + static_cast<std::ptrdiff_t>(first), item);
+  all.erase(end, all.end());
+  return { static_cast<std::uint32_t>(first), static_cast<std::uint16_t>(all.size() - first),
+    arena_ };
 }
 
 ItemList EditMesh::with(const ItemList& list, std::uint32_t item)
 {
-  const auto first = static_cast<std::uint32_t>(arena_.size());
-  arena_.resize(arena_.size() + list.size + 1);
-  std::copy_n(arena_.data() + list.first, list.size, arena_.data() + first);
-  arena_.back() = item;
-  return { first, list.size + 1 };
+  std::vector<std::uint32_t>& all = arena();
+  const std::size_t first = all.size();
+  all.resize(first + list.size + 1);
+  const Items items = itemsOf(list);
+  std::copy(items.begin(), items.end(), all.begin() + static_cast<std::ptrdiff_t>(first));
+  all.back() = item;
+  return { static_cast<std::uint32_t>(first), static_cast<std::uint16_t>(list.size + 1), arena_ };
 }
 
 // --- changing
 
-std::uint32_t EditMesh::makeNode(EditNode node)
+template <class Record>
+std::uint32_t EditMesh::takeSlot(std::vector<Record>& all, Slots& slots)
 {
-  node.epoch = epoch_;
-  return addNode(node);
+  if (slots.used == slots.numbers.size())
+  {
+    if (!own_)
+    {
+      return None;
+    }
+    slots.numbers.push_back(static_cast<std::uint32_t>(all.size()));
+    all.emplace_back().gone = true;
+  }
+  return slots.numbers[slots.used++];
 }
 
-std::uint32_t EditMesh::makeCell(EditCell cell)
+std::uint32_t EditMesh::makeNode(const EditNode& node)
 {
-  cell.epoch = epoch_;
-  const std::uint32_t c = addCell(cell);
-  unsettled.cells.add(c);
-  unsettled.shapes.add(c);
+  const std::uint32_t n = takeSlot(store_->nodes, slots_.nodes);
+  if (n != None)
+  {
+    EditNode& made = changeNode(n);
+    const std::uint32_t epoch = made.epoch;
+    made = node;
+    made.epoch = epoch;
+    made.faces.size = 0;
+  }
+  return n;
+}
+
+std::uint32_t EditMesh::makeCell(const EditCell& cell)
+{
+  const std::uint32_t c = takeSlot(store_->cells, slots_.cells);
+  if (c != None)
+  {
+    EditCell& made = changeCell(c);
+    const std::uint32_t epoch = made.epoch;
+    made = cell;
+    made.epoch = epoch;
+    made.zone = zone_;
+    made.faces.size = 0;
+    unsettled.cells.add(c);
+    unsettled.shapes.add(c);
+  }
   return c;
 }
 
-std::uint32_t EditMesh::makeFace(EditFace face, const std::uint32_t* corners, std::size_t size)
+std::uint32_t EditMesh::makeFace(
+  const EditFace& face, const std::uint32_t* corners, std::size_t size)
 {
-  face.epoch = epoch_;
-  const std::uint32_t f = addFace(face, corners, size);
-  for (const std::uint32_t n : Items{ corners, corners + size })
+  const std::uint32_t f = takeSlot(store_->faces, slots_.faces);
+  if (f == None)
   {
-    EditNode& node = changeNode(n);
+    return None;
+  }
+  EditFace& made = changeFace(f);
+  const std::uint32_t epoch = made.epoch;
+  made = face;
+  made.epoch = epoch;
+  made.corners = store(corners, size);
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    EditNode& node = changeNode(corners[i]);
     node.faces = with(node.faces, f);
   }
   for (const std::uint32_t c : { face.below, face.above })
@@ -215,7 +334,7 @@ void EditMesh::setCorners(std::uint32_t f, const std::uint32_t* corners, std::si
   };
   for (std::uint32_t i = 0; i < old.size; ++i)
   {
-    if (const std::uint32_t n = arena_[old.first + i]; !isIn(n, face.corners))
+    if (const std::uint32_t n = itemsOf(old)[i]; !isIn(n, face.corners))
     {
       EditNode& node = changeNode(n);
       node.faces = without(node.faces, f);
@@ -224,7 +343,7 @@ void EditMesh::setCorners(std::uint32_t f, const std::uint32_t* corners, std::si
   }
   for (std::uint32_t i = 0; i < face.corners.size; ++i)
   {
-    if (const std::uint32_t n = arena_[face.corners.first + i]; !isIn(n, old))
+    if (const std::uint32_t n = itemsOf(face.corners)[i]; !isIn(n, old))
     {
       EditNode& node = changeNode(n);
       node.faces = with(node.faces, f);
@@ -277,16 +396,16 @@ void EditMesh::removeFace(std::uint32_t f, bool cellsFollow)
   face.gone = true;
   for (std::uint32_t i = 0; i < face.corners.size; ++i)
   {
-    EditNode& node = changeNode(arena_[face.corners.first + i]);
+    EditNode& node = changeNode(itemsOf(face.corners)[i]);
     node.faces = without(node.faces, f);
     node.gone = node.faces.size == 0;
   }
   for (const std::uint32_t c : { face.below, face.above })
   {
-    if (cellsFollow && c != None && !cells_[c].gone)
+    if (cellsFollow && c != None && !cell(c).gone)
     {
-      EditCell& cell = changeCell(c);
-      cell.faces = without(cell.faces, f);
+      EditCell& its = changeCell(c);
+      its.faces = without(its.faces, f);
       unsettled.cells.add(c);
       unsettled.shapes.add(c);
     }
@@ -311,17 +430,6 @@ void EditMesh::moveNode(std::uint32_t n, const Vector& to)
   {
     unsettled.faces.add(f);
   }
-}
-
-bool EditMesh::stampNode(std::uint32_t n, std::uint32_t stamp)
-{
-  if (n >= nodeStamps_.size())
-  {
-    nodeStamps_.resize(nodes_.size() + nodes_.size() / 8 + 64, 0);
-  }
-  const bool isNew = nodeStamps_[n] != stamp;
-  nodeStamps_[n] = stamp;
-  return isNew;
 }
 
 }

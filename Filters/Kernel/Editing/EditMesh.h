@@ -8,11 +8,15 @@
 // Lengths are in units of a power of two of lattice levels (EditMesh::unit), from an origin of its own: both are exact.
 #pragma once
 
+#include "Base/Execution.h"
 #include "Boxes/LocalBox.h"
 #include "Lattice/Vector.h"
 
+#include <algorithm>
 #include <cstdint>
-#include <limits>
+#include <cstdlib>
+#include <memory>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -28,19 +32,18 @@ enum class NodeKind : std::uint8_t
   Corner     // where such edges end or meet
 };
 
-// What may happen to a cell.
 enum class CellState : std::uint8_t
 {
-  Free,
-  Frozen, // it has its faces, but nothing of it may change
-  Ghost   // only its centre and volume are here, and those of its faces that others have
+  Free, // to change
+  Ghost // only its centre and volume are here, and those of its faces that others have
 };
 
-// Of items in the arena.
+// Of items in one of the arenas.
 struct ItemList
 {
   std::uint32_t first = 0;
-  std::uint32_t size = 0;
+  std::uint16_t size = 0;
+  std::uint16_t arena = 0;
 };
 
 struct EditNode
@@ -103,6 +106,7 @@ struct EditCell
   std::uint32_t home = None;   // its box (Boxes)
   std::int32_t wall = 0;       // of its largest part of the surface
   std::int32_t region = 0;
+  std::uint32_t zone = 0; // which editor may change it (EditMesh::zone), or None
   CellState state = CellState::Free;
   bool gone = false;
   bool strains = false; // solvers (WallObjective.h)
@@ -130,23 +134,58 @@ struct Items
   std::uint32_t operator[](std::size_t i) const { return first[i]; }
 };
 
+// Zeroes by number, of which only the pages that are written take memory: each editor has some for the whole mesh.
+template <class T>
+class Zeroes
+{
+public:
+  T& operator[](std::uint32_t i)
+  {
+    if (i >= size_)
+    {
+      grow(i);
+    }
+    return at_.get()[i];
+  }
+  T at(std::uint32_t i) const { return i < size_ ? at_.get()[i] : T(0); }
+
+private:
+  struct Free
+  {
+    void operator()(T* at) const { std::free(at); }
+  };
+  using Array = std::unique_ptr<T, Free>;
+
+  void grow(std::uint32_t i)
+  {
+    const std::size_t size = std::size_t(i) + i / 2 + 1024;
+    Array grown(static_cast<T*>(std::calloc(size, sizeof(T))));
+    if (!grown)
+    {
+      throw std::bad_alloc();
+    }
+    std::copy_n(at_.get(), size_, grown.get());
+    at_ = std::move(grown);
+    size_ = size;
+  }
+
+  Array at_;
+  std::size_t size_ = 0;
+};
+
 // Numbers, each once, until they are cleared.
 class MarkedSet
 {
 public:
   void add(std::uint32_t i)
   {
-    if (i >= marks_.size())
+    if (std::uint8_t& mark = marks_[i]; mark == 0)
     {
-      marks_.resize(i + i / 2 + 64, 0);
-    }
-    if (marks_[i] == 0)
-    {
-      marks_[i] = 1;
+      mark = 1;
       items_.push_back(i);
     }
   }
-  bool contains(std::uint32_t i) const { return i < marks_.size() && marks_[i] != 0; }
+  bool contains(std::uint32_t i) const { return marks_.at(i) != 0; }
   std::size_t size() const { return items_.size(); }
   std::uint32_t operator[](std::size_t i) const { return items_[i]; }
   std::vector<std::uint32_t>::const_iterator begin() const { return items_.begin(); }
@@ -161,7 +200,7 @@ public:
   }
 
 private:
-  std::vector<std::uint8_t> marks_;
+  Zeroes<std::uint8_t> marks_;
   std::vector<std::uint32_t> items_;
 };
 
@@ -180,61 +219,107 @@ struct Unsettled
   }
 };
 
+// The mesh itself, which several editors may change at the same time: each in a zone of its own (EditZones.h).
+struct EditStore
+{
+  std::vector<EditNode> nodes;
+  std::vector<EditFace> faces;
+  std::vector<EditCell> cells;
+  std::vector<std::vector<std::uint32_t>> arenas{
+    {}
+  };                // the first, which only compact() changes; each editor's
+  double level = 1; // the length of a lattice level: a power of two
+
+  // Lists the faces of cells and nodes, once all faces are there; marks nodes at walls.
+  void connect();
+
+  // Puts all lists into the first arena, in the order of nodes, faces and cells; the others go.
+  void compact(Execution& execution);
+};
+
+// Numbers of records that are gone, for what is made: the first are taken first.
+struct Slots
+{
+  std::vector<std::uint32_t> numbers;
+  std::size_t used = 0;
+};
+
+struct FreeSlots
+{
+  Slots nodes;
+  Slots faces;
+  Slots cells;
+};
+
+// An editor: of the whole mesh, or of one zone.
 class EditMesh
 {
 public:
+  // Of a mesh of its own.
+  EditMesh();
+
+  // Of a zone; what it makes has these numbers, and its lists are in this arena.
+  EditMesh(EditStore& store, std::uint32_t zone, std::uint16_t arena, FreeSlots slots);
+
   // --- reading
 
-  std::size_t nodeCount() const { return nodes_.size(); }
-  std::size_t faceCount() const { return faces_.size(); }
-  std::size_t cellCount() const { return cells_.size(); }
-  const EditNode& node(std::uint32_t i) const { return nodes_[i]; }
-  const EditFace& face(std::uint32_t i) const { return faces_[i]; }
-  const EditCell& cell(std::uint32_t i) const { return cells_[i]; }
+  std::size_t nodeCount() const { return store_->nodes.size(); }
+  std::size_t faceCount() const { return store_->faces.size(); }
+  std::size_t cellCount() const { return store_->cells.size(); }
+  const EditNode& node(std::uint32_t i) const { return store_->nodes[i]; }
+  const EditFace& face(std::uint32_t i) const { return store_->faces[i]; }
+  const EditCell& cell(std::uint32_t i) const { return store_->cells[i]; }
+  double level() const { return store_->level; }
 
-  Items cornersOf(std::uint32_t f) const { return itemsOf(faces_[f].corners); }
-  Items facesOf(std::uint32_t c) const { return itemsOf(cells_[c].faces); }
-  Items facesAround(std::uint32_t n) const { return itemsOf(nodes_[n].faces); }
+  Items cornersOf(std::uint32_t f) const { return itemsOf(face(f).corners); }
+  Items facesOf(std::uint32_t c) const { return itemsOf(cell(c).faces); }
+  Items facesAround(std::uint32_t n) const { return itemsOf(node(n).faces); }
 
   const Vector& corner(std::uint32_t f, std::size_t i) const
   {
-    return nodes_[arena_[faces_[f].corners.first + i]].at;
+    return node(itemsOf(face(f).corners)[i]).at;
   }
 
   // The cell on the other side of a cell's face, or None.
   std::uint32_t beyond(std::uint32_t f, std::uint32_t c) const
   {
-    return faces_[f].below == c ? faces_[f].above : faces_[f].below;
+    return face(f).below == c ? face(f).above : face(f).below;
   }
-  bool isWall(std::uint32_t f) const { return faces_[f].above == None; }
-  bool isGhost(std::uint32_t c) const { return cells_[c].state == CellState::Ghost; }
+  bool isWall(std::uint32_t f) const { return face(f).above == None; }
+  bool isGhost(std::uint32_t c) const { return cell(c).state == CellState::Ghost; }
 
-  // Whether a cell is there and may change.
+  // Whether a cell is there, and this editor may change it.
   bool isFree(std::uint32_t c) const
   {
-    return !cells_[c].gone && cells_[c].state == CellState::Free;
+    return !cell(c).gone && cell(c).zone == zone_ && cell(c).state == CellState::Free;
   }
 
-  // --- building: before the first mark
+  // Also of a record in the journal.
+  Items itemsOf(const ItemList& list) const
+  {
+    const std::uint32_t* first = store_->arenas[list.arena].data() + list.first;
+    return { first, first + list.size };
+  }
+
+  // --- building: before the first mark, of a mesh of its own
 
   std::uint32_t addNode(const EditNode& node);
   std::uint32_t addCell(const EditCell& cell);
   std::uint32_t addFace(EditFace face, const std::uint32_t* corners, std::size_t size);
+  void connect() { store_->connect(); }
+  EditStore& store() { return *store_; }
 
-  // Lists the faces of cells and nodes, once all are there; marks nodes at walls.
-  void connect();
-
-  // For the first measures, and to set what the journal does not have to know.
-  EditNode& rawNode(std::uint32_t i) { return nodes_[i]; }
-  EditFace& rawFace(std::uint32_t i) { return faces_[i]; }
-  EditCell& rawCell(std::uint32_t i) { return cells_[i]; }
+  // For measures, and to set what the journal does not have to know.
+  EditNode& rawNode(std::uint32_t i) { return store_->nodes[i]; }
+  EditFace& rawFace(std::uint32_t i) { return store_->faces[i]; }
+  EditCell& rawCell(std::uint32_t i) { return store_->cells[i]; }
 
   // --- the journal
 
   struct Mark
   {
     std::size_t nodeRecords, faceRecords, cellRecords;
-    std::size_t nodes, faces, cells, arena;
+    std::size_t nodes, faces, cells, arena; // used slots; the arena's size
     Ledger ledger;
     std::uint32_t epoch;
   };
@@ -249,7 +334,7 @@ public:
   // All changes stay; without marks.
   void commit();
 
-  // What nodes, faces and cells were at the marks: number and record, the oldest first.
+  // What nodes, faces and cells were at the marks: number and record, the oldest first. Those made since were gone.
   template <class Record>
   using Records = std::vector<std::pair<std::uint32_t, Record>>;
   const Records<EditNode>& nodeRecords() const { return nodeRecords_; }
@@ -258,14 +343,14 @@ public:
 
   // --- changing
 
-  EditNode& changeNode(std::uint32_t i) { return change(nodes_, nodeRecords_, i); }
-  EditFace& changeFace(std::uint32_t i) { return change(faces_, faceRecords_, i); }
-  EditCell& changeCell(std::uint32_t i) { return change(cells_, cellRecords_, i); }
+  EditNode& changeNode(std::uint32_t i) { return change(store_->nodes, nodeRecords_, i); }
+  EditFace& changeFace(std::uint32_t i) { return change(store_->faces, faceRecords_, i); }
+  EditCell& changeCell(std::uint32_t i) { return change(store_->cells, cellRecords_, i); }
 
-  // New ones, with their places in the lists of corners and cells.
-  std::uint32_t makeNode(EditNode node);
-  std::uint32_t makeFace(EditFace face, const std::uint32_t* corners, std::size_t size);
-  std::uint32_t makeCell(EditCell cell);
+  // New ones, with their places in the lists of corners and cells; None: there is no slot for them any more.
+  std::uint32_t makeNode(const EditNode& node);
+  std::uint32_t makeFace(const EditFace& face, const std::uint32_t* corners, std::size_t size);
+  std::uint32_t makeCell(const EditCell& cell);
 
   // Gives a face other corners; the lists of nodes follow.
   void setCorners(std::uint32_t f, const std::uint32_t* corners, std::size_t size);
@@ -283,20 +368,21 @@ public:
 
   void moveNode(std::uint32_t n, const Vector& to);
 
-  double level = 1; // the length of a lattice level: a power of two
   Ledger ledger;
   Unsettled unsettled;
 
-  // Nodes seen in a search of its own: a new stamp begins another.
+  // Nodes seen in a search of its own: a new stamp begins another. Whether this one is seen for the first time.
   std::uint32_t newStamp() { return ++stamp_; }
-  bool stampNode(std::uint32_t n, std::uint32_t stamp);
-
-  // Also of a record in the journal.
-  Items itemsOf(const ItemList& list) const
+  bool stampNode(std::uint32_t n, std::uint32_t stamp)
   {
-    const std::uint32_t* first = arena_.data() + list.first;
-    return { first, first + list.size };
+    std::uint32_t& last = nodeStamps_[n];
+    const bool isNew = last != stamp;
+    last = stamp;
+    return isNew;
   }
+
+  // With those that are used.
+  FreeSlots takeSlots() { return std::move(slots_); }
 
 private:
   template <class Record>
@@ -311,18 +397,23 @@ private:
     return record;
   }
 
+  template <class Record>
+  std::uint32_t takeSlot(std::vector<Record>& all, Slots& slots);
+
+  std::vector<std::uint32_t>& arena() { return store_->arenas[arena_]; }
   ItemList store(const std::uint32_t* items, std::size_t size);
   ItemList without(const ItemList& list, std::uint32_t item);
   ItemList with(const ItemList& list, std::uint32_t item);
 
-  std::vector<EditNode> nodes_;
-  std::vector<EditFace> faces_;
-  std::vector<EditCell> cells_;
-  std::vector<std::uint32_t> arena_;
+  std::unique_ptr<EditStore> own_;
+  EditStore* store_;
+  std::uint32_t zone_ = 0;
+  std::uint16_t arena_ = 0;
+  FreeSlots slots_;
   Records<EditNode> nodeRecords_;
   Records<EditFace> faceRecords_;
   Records<EditCell> cellRecords_;
-  std::vector<std::uint32_t> nodeStamps_;
+  Zeroes<std::uint32_t> nodeStamps_;
   std::uint32_t stamp_ = 0;
   std::uint32_t epoch_ = 1;
   std::uint32_t epochs_ = 1;

@@ -26,7 +26,7 @@ bool copy(Items items, Few& list)
 
 bool isFrozen(const EditMesh& mesh, std::uint32_t c)
 {
-  return c != None && mesh.cell(c).state != CellState::Free;
+  return c != None && !mesh.isFree(c);
 }
 
 bool touchesFrozen(const EditMesh& mesh, std::uint32_t f)
@@ -226,7 +226,7 @@ Vector onLattice(const EditMesh& mesh, const Vector& place, std::uint8_t held)
   {
     if ((held >> axis & 1) == 0)
     {
-      rounded[axis] = (2 * std::floor(place[axis] / mesh.level / 2) + 1) * mesh.level;
+      rounded[axis] = (2 * std::floor(place[axis] / mesh.level() / 2) + 1) * mesh.level();
     }
   }
   return rounded;

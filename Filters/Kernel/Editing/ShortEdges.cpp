@@ -132,11 +132,10 @@ void weldEdges(EditMesh& mesh, double length, const std::function<void()>& poll)
     {
       continue;
     }
-    const std::size_t faces = mesh.faceCount();
     const EditMesh::Mark mark = mesh.mark();
     if (collapseEdge(mesh, u, v, mesh.node(v).at) && settleShapes(mesh))
     {
-      passOnDebts(mesh, faces);
+      passOnDebts(mesh);
       mesh.commit();
     }
     else
@@ -165,10 +164,9 @@ void snapEdges(
     trials.setBox(mesh.face(mesh.facesAround(edge.u)[0]).below);
     for (const Proposal& way : waysToCollapse(mesh, edge.u, edge.v))
     {
-      const std::size_t faces = mesh.faceCount();
       if (trials.make(way, -spec.slack))
       {
-        passOnDebts(mesh, faces);
+        passOnDebts(mesh);
         mesh.commit();
         break;
       }

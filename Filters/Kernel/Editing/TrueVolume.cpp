@@ -31,7 +31,7 @@ public:
   {
     for (std::uint32_t f = 0; f < mesh_.faceCount(); ++f)
     {
-      if (isWall(f) && mesh_.cell(mesh_.face(f).below).state == CellState::Free)
+      if (isWall(f) && mesh_.isFree(mesh_.face(f).below))
       {
         walls_.push_back(f);
         debts_.push_back(mesh_.face(f).debt);

@@ -136,7 +136,7 @@ private:
     for (std::size_t i = mark.faceRecords; i < records.size(); ++i)
     {
       const auto& [f, was] = records[i];
-      if (f >= mark.faces || seen.contains(f))
+      if (seen.contains(f))
       {
         continue;
       }
@@ -159,13 +159,6 @@ private:
         before_.add(i);
       }
     }
-    for (auto f = static_cast<std::uint32_t>(mark.faces); f < mesh_.faceCount(); ++f)
-    {
-      if (isWall(mesh_.face(f)))
-      {
-        now_.add(f);
-      }
-    }
   }
 
   void collectNodes(const EditMesh::Mark& mark)
@@ -174,8 +167,7 @@ private:
     for (std::size_t i = mark.nodeRecords; i < records.size(); ++i)
     {
       const auto& [n, was] = records[i];
-      if (was.atWall && !was.gone && n < mark.nodes &&
-        (mesh_.node(n).gone || mesh_.node(n).at != was.at))
+      if (was.atWall && !was.gone && (mesh_.node(n).gone || mesh_.node(n).at != was.at))
       {
         points_.add(was.at);
       }

@@ -64,7 +64,6 @@ public:
       return;
     }
     const EditMesh::Mark mark = mesh_.mark();
-    const std::size_t faces = mesh_.faceCount();
     bool isMade = collapseEdge(mesh_, n, p, mesh_.node(p).at);
     if (isMade)
     {
@@ -72,7 +71,7 @@ public:
       mesh_.changeNode(q).strayed = static_cast<float>(strayed);
       isMade = areSound(LeastStarBetween, MostWarpBetween);
     }
-    finish(mark, isMade, faces);
+    finish(mark, isMade);
   }
 
 private:
@@ -81,11 +80,11 @@ private:
     return mesh_.cell(mesh_.face(mesh_.facesAround(n)[0]).below).edge;
   }
 
-  void finish(const EditMesh::Mark& mark, bool isMade, std::size_t faces)
+  void finish(const EditMesh::Mark& mark, bool isMade)
   {
     if (isMade)
     {
-      passOnDebts(mesh_, faces);
+      passOnDebts(mesh_);
       mesh_.commit();
     }
     else
@@ -176,7 +175,6 @@ private:
       }
     }
     points.add(scaled(middle, 1 / shared));
-    const std::size_t faces = mesh_.faceCount();
     const EditMesh::Mark mark = mesh_.mark();
     bool isMade = joinFaces(mesh_, f, g) && areSound(LeastStar, MostWarp);
     if (isMade)
@@ -190,7 +188,7 @@ private:
       mesh_.changeFace(f).strayed = static_cast<float>(strayed);
       isMade = strayed < spec_.tolerance * edge;
     }
-    finish(mark, isMade, faces);
+    finish(mark, isMade);
     return isMade;
   }
 
