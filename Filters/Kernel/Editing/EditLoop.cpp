@@ -94,23 +94,25 @@ struct Item
 class EditLoop
 {
 public:
-  EditLoop(EditMesh& mesh, const LoopSpec& spec)
-    : mesh_(mesh)
+  EditLoop(const ZoneTask& task, const LoopSpec& spec)
+    : task_(task)
+    , mesh_(task.mesh)
     , spec_(spec)
-    , trials_(mesh, spec.rules)
+    , trials_(task.mesh, spec.rules)
   {
+    for (const std::uint32_t c : task.cells)
+    {
+      isHere_[c] = 1;
+    }
   }
 
   LoopCounts run(const std::function<void()>& poll)
   {
-    for (std::uint32_t f = 0; f < mesh_.faceCount(); ++f)
-    {
-      push({ 0, false, f });
-    }
-    for (std::uint32_t c = 0; c < mesh_.cellCount(); ++c)
+    for (const std::uint32_t c : task_.cells)
     {
       push({ 0, true, c });
     }
+    task_.forEachFace([&](std::uint32_t f) { push({ 0, false, f }); });
     while (!queue_.empty())
     {
       const Item item = queue_.top();
@@ -163,7 +165,8 @@ private:
   // It costs something else now, or did not get better when it cost about as much.
   bool isOver(const Item& item)
   {
-    return costOf(item) != item.cost ||
+    const std::uint32_t c = item.isCell ? item.number : mesh_.face(item.number).below;
+    return costOf(item) != item.cost || task_.comesLater(c, isHere_.at(c) != 0) ||
       std::abs(double(failedAt(item)) - item.cost) < Retried * item.cost;
   }
 
@@ -342,9 +345,11 @@ private:
     }
   }
 
+  const ZoneTask& task_;
   EditMesh& mesh_;
   const LoopSpec& spec_;
   EditTrials trials_;
+  Zeroes<std::uint8_t> isHere_; // cells of the task
   std::priority_queue<Item> queue_;
   FailedProposals failed_;
   Proposals proposals_;
@@ -358,9 +363,9 @@ private:
 
 }
 
-LoopCounts improve(EditMesh& mesh, const LoopSpec& spec, const std::function<void()>& poll)
+LoopCounts improve(const ZoneTask& task, const LoopSpec& spec, const std::function<void()>& poll)
 {
-  return EditLoop(mesh, spec).run(poll);
+  return EditLoop(task, spec).run(poll);
 }
 
 void passOnDebts(EditMesh& mesh)

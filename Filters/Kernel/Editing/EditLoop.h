@@ -4,8 +4,7 @@
 #pragma once
 
 #include "Editing/EditTrials.h"
-
-#include <functional>
+#include "Editing/EditZones.h"
 
 namespace cartesian
 {
@@ -24,8 +23,8 @@ struct LoopCounts
   std::array<std::size_t, 7> made{};
 };
 
-// `poll`: called now and then; may throw. Whole cells, measured with the same objective (costAll).
-LoopCounts improve(EditMesh& mesh, const LoopSpec& spec, const std::function<void()>& poll);
+// Costs are of the same objective (costAll). `poll`: called now and then; may throw.
+LoopCounts improve(const ZoneTask& task, const LoopSpec& spec, const std::function<void()>& poll);
 
 // After edits are made and before they are committed: what walls lost of the volume becomes the debt of those now there.
 void passOnDebts(EditMesh& mesh);

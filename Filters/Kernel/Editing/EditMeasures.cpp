@@ -9,6 +9,8 @@ namespace cartesian
 namespace
 {
 
+constexpr std::size_t RecordsAChunk = 1024;
+
 double volumeBehind(const EditMesh& mesh, std::uint32_t f)
 {
   const std::size_t size = mesh.face(f).corners.size;
@@ -262,49 +264,57 @@ Cost<double> costOfCell(const EditMesh& mesh, std::uint32_t c)
   return costOfCell(cell.volume / cell.box, determinant.value());
 }
 
-void measureAll(EditMesh& mesh, const ObjectiveSpec& spec)
+void measureAll(EditStore& store, Execution& execution)
 {
-  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
-  {
-    if (!mesh.face(f).gone)
+  execution.forEach(store.faces.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
+    EditMesh mesh(store, 0, 0, {});
+    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
     {
-      measureFace(mesh, f);
+      if (!mesh.face(i).gone)
+      {
+        measureFace(mesh, i);
+      }
     }
-  }
-  for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
-  {
-    if (!mesh.cell(c).gone && !mesh.isGhost(c))
+  });
+  execution.forEach(store.cells.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
+    EditMesh mesh(store, 0, 0, {});
+    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
     {
-      measureCell(mesh, c);
+      if (mesh.isFree(i))
+      {
+        measureCell(mesh, i);
+      }
     }
-  }
-  costAll(mesh, spec);
+  });
 }
 
-void costAll(EditMesh& mesh, const ObjectiveSpec& spec)
+void costAll(EditStore& store, const ObjectiveSpec& spec, Execution& execution)
 {
-  for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
-  {
-    EditCell& cell = mesh.rawCell(c);
-    if (!cell.gone && cell.state != CellState::Ghost)
+  execution.forEach(store.cells.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
+    const EditMesh mesh(store, 0, 0, {});
+    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
     {
-      const Cost<double> cost = costOfCell(mesh, c);
-      cell.cost = cost.value;
-      cell.strains = cost.strains;
+      if (mesh.isFree(i))
+      {
+        const Cost<double> cost = costOfCell(mesh, i);
+        store.cells[i].cost = cost.value;
+        store.cells[i].strains = cost.strains;
+      }
     }
-  }
-  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
-  {
-    EditFace& face = mesh.rawFace(f);
-    if (!face.gone)
+  });
+  execution.forEach(store.faces.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
+    const EditMesh mesh(store, 0, 0, {});
+    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
     {
-      const Cost<double> cost = costOfFace(mesh, f, spec);
-      face.cost = cost.value;
-      face.fails = cost.fails;
-      face.strains = cost.strains;
+      if (!mesh.face(i).gone)
+      {
+        const Cost<double> cost = costOfFace(mesh, i, spec);
+        store.faces[i].cost = cost.value;
+        store.faces[i].fails = cost.fails;
+        store.faces[i].strains = cost.strains;
+      }
     }
-  }
-  mesh.ledger = Ledger();
+  });
 }
 
 Vector gradientAt(const EditMesh& mesh, std::uint32_t node, const ObjectiveSpec& spec)

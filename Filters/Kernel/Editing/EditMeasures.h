@@ -18,9 +18,9 @@ void measureCell(EditMesh& mesh, std::uint32_t c);
 Cost<double> costOfFace(const EditMesh& mesh, std::uint32_t f, const ObjectiveSpec& spec);
 Cost<double> costOfCell(const EditMesh& mesh, std::uint32_t c);
 
-// Everything, where no edit is under way; then again what costs only, for another specification.
-void measureAll(EditMesh& mesh, const ObjectiveSpec& spec);
-void costAll(EditMesh& mesh, const ObjectiveSpec& spec);
+// Everything, where no edit is under way; then what that costs, for a specification.
+void measureAll(EditStore& store, Execution& execution);
+void costAll(EditStore& store, const ObjectiveSpec& spec, Execution& execution);
 
 // How the objective changes with the place of a node: by its coordinates. Nothing is changed.
 Vector gradientAt(const EditMesh& mesh, std::uint32_t node, const ObjectiveSpec& spec);

@@ -39,15 +39,11 @@ double edgeAt(const EditMesh& mesh, std::uint32_t n)
   return mesh.cell(mesh.face(mesh.facesAround(n)[0]).below).edge;
 }
 
-std::vector<ShortEdge> listShortEdges(const EditMesh& mesh, double length, bool atWallOnly)
+std::vector<ShortEdge> listShortEdges(const ZoneTask& task, double length, bool atWallOnly)
 {
+  const EditMesh& mesh = task.mesh;
   std::vector<ShortEdge> edges;
-  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
-  {
-    if (mesh.face(f).gone)
-    {
-      continue;
-    }
+  task.forEachFace([&](std::uint32_t f) {
     const Items ring = mesh.cornersOf(f);
     const double box = mesh.cell(mesh.face(f).below).edge;
     for (std::size_t i = 0; i < ring.size(); ++i)
@@ -60,7 +56,7 @@ std::vector<ShortEdge> listShortEdges(const EditMesh& mesh, double length, bool 
         edges.push_back({ static_cast<float>(share), u, v });
       }
     }
-  }
+  });
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
@@ -109,10 +105,11 @@ FixedList<Proposal, 3> waysToCollapse(const EditMesh& mesh, std::uint32_t u, std
 
 }
 
-void weldEdges(EditMesh& mesh, double length, const std::function<void()>& poll)
+void weldEdges(const ZoneTask& task, double length, const std::function<void()>& poll)
 {
+  EditMesh& mesh = task.mesh;
   std::size_t count = 0;
-  for (const ShortEdge& edge : listShortEdges(mesh, length, false))
+  for (const ShortEdge& edge : listShortEdges(task, length, false))
   {
     std::uint32_t u = edge.u;
     std::uint32_t v = edge.v;
@@ -145,12 +142,13 @@ void weldEdges(EditMesh& mesh, double length, const std::function<void()>& poll)
   }
 }
 
-void snapEdges(
-  EditMesh& mesh, const EditRules& rules, const SnapSpec& spec, const std::function<void()>& poll)
+void snapEdges(const ZoneTask& task, const EditRules& rules, const SnapSpec& spec,
+  const std::function<void()>& poll)
 {
+  EditMesh& mesh = task.mesh;
   EditTrials trials(mesh, rules);
   std::size_t count = 0;
-  for (const ShortEdge& edge : listShortEdges(mesh, spec.length, true))
+  for (const ShortEdge& edge : listShortEdges(task, spec.length, true))
   {
     if (++count % EdgesAPoll == 0)
     {

@@ -8,7 +8,7 @@ namespace cartesian
 {
 
 // Those shorter than a part of a box's edge go wherever the mesh stays one. Costs are not looked at.
-void weldEdges(EditMesh& mesh, double length, const std::function<void()>& poll);
+void weldEdges(const ZoneTask& task, double length, const std::function<void()>& poll);
 
 struct SnapSpec
 {
@@ -17,7 +17,7 @@ struct SnapSpec
 };
 
 // Those go that the rules allow. Costs are valid before and afterwards.
-void snapEdges(
-  EditMesh& mesh, const EditRules& rules, const SnapSpec& spec, const std::function<void()>& poll);
+void snapEdges(const ZoneTask& task, const EditRules& rules, const SnapSpec& spec,
+  const std::function<void()>& poll);
 
 }

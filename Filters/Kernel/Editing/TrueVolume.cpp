@@ -19,121 +19,76 @@ constexpr double MostCost = 3;     // that a face may cost more than before
 constexpr int RoundsOfHalving = 2; // then nodes of poor faces go back, and those of their cells
 constexpr int Rounds = 5;
 
+constexpr std::size_t ItemsAChunk = 1024;
+
 class TrueVolume
 {
 public:
-  TrueVolume(EditMesh& mesh, const ObjectiveSpec& spec)
-    : mesh_(mesh)
+  TrueVolume(EditStore& store, const ObjectiveSpec& spec, Execution& execution)
+    : store_(store)
+    , mesh_(store, 0, 0, {})
     , spec_(spec)
-    , heights_(mesh.nodeCount(), 0)
-    , before_(mesh.nodeCount())
-    , normals_(mesh.nodeCount())
+    , execution_(execution)
+    , nodes_(store.nodes.size())
   {
-    for (std::uint32_t f = 0; f < mesh_.faceCount(); ++f)
-    {
-      if (isWall(f) && mesh_.isFree(mesh_.face(f).below))
-      {
-        walls_.push_back(f);
-        debts_.push_back(mesh_.face(f).debt);
-      }
-    }
-    for (const std::uint32_t f : walls_)
-    {
-      for (const std::uint32_t n : mesh_.cornersOf(f))
-      {
-        if (mayMove(n))
-        {
-          nodes_.push_back(n);
-        }
-      }
-    }
-    std::sort(nodes_.begin(), nodes_.end());
-    nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+    forEach(nodes_.size(), [&](std::uint32_t n) {
+      nodes_[n].mayMove = mayMove(n);
+      nodes_[n].before = mesh_.node(n).at;
+      nodes_[n].normal = nodes_[n].mayMove ? normalAt(n) : Vector{};
+    });
   }
 
   void run()
   {
     findHeights();
-    for (const std::uint32_t n : nodes_)
-    {
-      before_[n] = mesh_.node(n).at;
-      normals_[n] = normalAt(n);
-    }
-    for (const std::uint32_t n : nodes_)
-    {
-      place(n);
-    }
-    measure();
+    forEach(nodes_.size(), [&](std::uint32_t n) { place(n); });
+    measureAll(store_, execution_);
     for (int round = 0; round < Rounds && takeBack(round); ++round)
     {
-      measure();
+      measureAll(store_, execution_);
     }
     settle();
   }
 
 private:
-  bool isWall(std::uint32_t f) const { return !mesh_.face(f).gone && mesh_.isWall(f); }
+  struct Mover
+  {
+    Vector before{}; // where the node was
+    Vector normal{}; // of its walls, there
+    double height = 0;
+    double rise = 0; // in this step
+    bool mayMove = false;
+  };
+
+  template <class Visitor>
+  void forEach(std::size_t count, Visitor&& visit)
+  {
+    execution_.forEach(count, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
+      {
+        visit(i);
+      }
+    });
+  }
+
+  bool isWall(std::uint32_t f) const
+  {
+    return !mesh_.face(f).gone && mesh_.isWall(f) && mesh_.isFree(mesh_.face(f).below);
+  }
 
   // Smooth walls only, and nothing that another cell than free ones has.
   bool mayMove(std::uint32_t n) const
   {
     const EditNode& node = mesh_.node(n);
+    if (node.gone || !node.atWall || node.kind != NodeKind::OnSurface || node.held != 0)
+    {
+      return false;
+    }
     const Items faces = mesh_.facesAround(n);
-    return !node.gone && node.atWall && node.kind == NodeKind::OnSurface && node.held == 0 &&
-      std::all_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
-        const EditFace& face = mesh_.face(f);
-        return mesh_.isFree(face.below) && (face.above == None || mesh_.isFree(face.above));
-      });
-  }
-
-  double edgeAt(std::uint32_t n) const
-  {
-    return mesh_.cell(mesh_.face(mesh_.facesAround(n)[0]).below).edge;
-  }
-
-  // Each step, nodes rise by the mean of what the walls around them still owe.
-  void findHeights()
-  {
-    std::vector<double> owed(mesh_.faceCount(), 0);
-    for (std::size_t i = 0; i < walls_.size(); ++i)
-    {
-      owed[walls_[i]] = debts_[i];
-    }
-    std::vector<double> rise(mesh_.nodeCount(), 0);
-    for (int step = 0; step < Steps; ++step)
-    {
-      for (const std::uint32_t n : nodes_)
-      {
-        double debt = 0;
-        double area = 0;
-        for (const std::uint32_t f : mesh_.facesAround(n))
-        {
-          if (isWall(f))
-          {
-            debt += owed[f];
-            area += norm(mesh_.face(f).area);
-          }
-        }
-        const double most = MostMoved * edgeAt(n);
-        const double height = std::clamp(heights_[n] + (area > 0 ? debt / area : 0), -most, most);
-        rise[n] = height - heights_[n];
-        heights_[n] = height;
-      }
-      for (const std::uint32_t f : walls_)
-      {
-        owed[f] -= norm(mesh_.face(f).area) * meanOfCorners(f, rise);
-      }
-    }
-  }
-
-  double meanOfCorners(std::uint32_t f, const std::vector<double>& values) const
-  {
-    double sum = 0;
-    for (const std::uint32_t n : mesh_.cornersOf(f))
-    {
-      sum += values[n];
-    }
-    return sum / double(mesh_.face(f).corners.size);
+    return std::all_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
+      const EditFace& face = mesh_.face(f);
+      return mesh_.isFree(face.below) && (face.above == None || mesh_.isFree(face.above));
+    });
   }
 
   Vector normalAt(std::uint32_t n) const
@@ -146,76 +101,118 @@ private:
     return unit(sum);
   }
 
-  void place(std::uint32_t n)
+  double edgeAt(std::uint32_t n) const
   {
-    EditNode& node = mesh_.rawNode(n);
-    if (std::abs(heights_[n]) < LeastMoved * edgeAt(n))
-    {
-      heights_[n] = 0;
-      node.at = before_[n];
-      return;
-    }
-    node.at = onLattice(mesh_, plus(before_[n], scaled(normals_[n], heights_[n])), node.held);
+    return mesh_.cell(mesh_.face(mesh_.facesAround(n)[0]).below).edge;
   }
 
-  void measure()
+  // Each step, nodes rise by the mean of what the walls around them still owe.
+  void findHeights()
   {
-    for (std::uint32_t f = 0; f < mesh_.faceCount(); ++f)
+    std::vector<double> owed(store_.faces.size(), 0);
+    forEach(owed.size(), [&](std::uint32_t f) { owed[f] = isWall(f) ? mesh_.face(f).debt : 0; });
+    for (int step = 0; step < Steps; ++step)
     {
-      if (!mesh_.face(f).gone)
+      forEach(nodes_.size(), [&](std::uint32_t n) {
+        if (nodes_[n].mayMove)
+        {
+          raise(n, owed);
+        }
+      });
+      forEach(owed.size(), [&](std::uint32_t f) {
+        if (isWall(f))
+        {
+          owed[f] -= norm(mesh_.face(f).area) * meanOfCorners(f, &Mover::rise);
+        }
+      });
+    }
+  }
+
+  void raise(std::uint32_t n, const std::vector<double>& owed)
+  {
+    double debt = 0;
+    double area = 0;
+    for (const std::uint32_t f : mesh_.facesAround(n))
+    {
+      if (isWall(f))
       {
-        measureFace(mesh_, f);
+        debt += owed[f];
+        area += norm(mesh_.face(f).area);
       }
     }
-    for (std::uint32_t c = 0; c < mesh_.cellCount(); ++c)
+    Mover& node = nodes_[n];
+    const double most = MostMoved * edgeAt(n);
+    const double height = std::clamp(node.height + (area > 0 ? debt / area : 0), -most, most);
+    node.rise = height - node.height;
+    node.height = height;
+  }
+
+  double meanOfCorners(std::uint32_t f, double Mover::*value) const
+  {
+    double sum = 0;
+    for (const std::uint32_t n : mesh_.cornersOf(f))
     {
-      if (!mesh_.cell(c).gone && !mesh_.isGhost(c))
-      {
-        measureCell(mesh_, c);
-      }
+      sum += nodes_[n].*value;
     }
+    return sum / double(mesh_.face(f).corners.size);
+  }
+
+  void place(std::uint32_t n)
+  {
+    Mover& mover = nodes_[n];
+    if (!mover.mayMove)
+    {
+      return;
+    }
+    EditNode& node = store_.nodes[n];
+    if (std::abs(mover.height) < LeastMoved * edgeAt(n))
+    {
+      mover.height = 0;
+      node.at = mover.before;
+      return;
+    }
+    node.at = onLattice(mesh_, plus(mover.before, scaled(mover.normal, mover.height)), node.held);
+  }
+
+  bool isWorse(std::uint32_t f) const
+  {
+    const EditFace& face = mesh_.face(f);
+    const Cost<double> cost = costOfFace(mesh_, f, spec_);
+    return (cost.fails && !face.fails) || cost.value > face.cost + MostCost;
   }
 
   // Halves what nodes of faces that became poor have moved; later takes it back. False: there are none.
   bool takeBack(int round)
   {
-    std::vector<std::uint8_t> isPoor(mesh_.nodeCount(), 0);
-    const auto add = [&](std::uint32_t f) {
-      for (const std::uint32_t n : mesh_.cornersOf(f))
-      {
-        isPoor[n] = 1;
-      }
-    };
-    bool isAny = false;
-    for (std::uint32_t f = 0; f < mesh_.faceCount(); ++f)
+    std::vector<std::uint8_t> isPoor(store_.faces.size(), 0);
+    forEach(isPoor.size(),
+      [&](std::uint32_t f) { isPoor[f] = !mesh_.face(f).gone && isWorse(f) ? 1 : 0; });
+    if (std::find(isPoor.begin(), isPoor.end(), 1) == isPoor.end())
     {
-      const EditFace& face = mesh_.face(f);
-      if (face.gone)
-      {
-        continue;
-      }
-      const Cost<double> cost = costOfFace(mesh_, f, spec_);
-      if ((!cost.fails || face.fails) && cost.value <= face.cost + MostCost)
-      {
-        continue;
-      }
-      isAny = true;
-      add(f);
-      for (const std::uint32_t c : { face.below, face.above })
-      {
-        if (round >= RoundsOfHalving && c != None && !mesh_.isGhost(c))
-        {
-          const Items faces = mesh_.facesOf(c);
-          std::for_each(faces.begin(), faces.end(), add);
-        }
-      }
+      return false;
     }
-    for (const std::uint32_t n : nodes_)
-    {
-      if (isPoor[n] != 0)
+    forEach(nodes_.size(), [&](std::uint32_t n) {
+      if (nodes_[n].mayMove && isAnyPoor(n, isPoor, round >= RoundsOfHalving))
       {
-        heights_[n] = round < RoundsOfHalving ? heights_[n] / 2 : 0;
+        nodes_[n].height = round < RoundsOfHalving ? nodes_[n].height / 2 : 0;
         place(n);
+      }
+    });
+    return true;
+  }
+
+  // Of the faces around a node, or also of their cells.
+  bool isAnyPoor(std::uint32_t n, const std::vector<std::uint8_t>& isPoor, bool ofCells) const
+  {
+    const auto is = [&](std::uint32_t f) { return isPoor[f] != 0; };
+    const Items faces = mesh_.facesAround(n);
+    bool isAny = std::any_of(faces.begin(), faces.end(), is);
+    for (std::size_t i = 0; ofCells && i < faces.size() && !isAny; ++i)
+    {
+      for (const std::uint32_t c : { mesh_.face(faces[i]).below, mesh_.face(faces[i]).above })
+      {
+        const Items others = c == None ? faces : mesh_.facesOf(c);
+        isAny = isAny || std::any_of(others.begin(), others.end(), is);
       }
     }
     return isAny;
@@ -223,34 +220,31 @@ private:
 
   void settle()
   {
-    for (const std::uint32_t f : walls_)
-    {
-      EditFace& face = mesh_.rawFace(f);
-      face.debt -= norm(face.area) * meanOfCorners(f, heights_);
-    }
-    for (const std::uint32_t n : nodes_)
-    {
-      EditNode& node = mesh_.rawNode(n);
-      node.home = heights_[n] != 0 ? node.at : node.home;
-    }
-    costAll(mesh_, spec_);
+    forEach(store_.faces.size(), [&](std::uint32_t f) {
+      if (isWall(f))
+      {
+        store_.faces[f].debt -= norm(mesh_.face(f).area) * meanOfCorners(f, &Mover::height);
+      }
+    });
+    forEach(nodes_.size(), [&](std::uint32_t n) {
+      EditNode& node = store_.nodes[n];
+      node.home = nodes_[n].height != 0 ? node.at : node.home;
+    });
+    costAll(store_, spec_, execution_);
   }
 
-  EditMesh& mesh_;
+  EditStore& store_;
+  const EditMesh mesh_; // to read from
   const ObjectiveSpec& spec_;
-  std::vector<std::uint32_t> walls_; // of free cells
-  std::vector<double> debts_;        // of these
-  std::vector<std::uint32_t> nodes_; // that may move
-  std::vector<double> heights_;      // of all nodes, along their normals
-  std::vector<Vector> before_;       // where nodes were
-  std::vector<Vector> normals_;      // of their walls, there
+  Execution& execution_;
+  std::vector<Mover> nodes_;
 };
 
 }
 
-void payDebts(EditMesh& mesh, const ObjectiveSpec& spec)
+void payDebts(EditStore& store, const ObjectiveSpec& spec, Execution& execution)
 {
-  TrueVolume(mesh, spec).run();
+  TrueVolume(store, spec, execution).run();
 }
 
 }

@@ -9,7 +9,7 @@
 namespace cartesian
 {
 
-// Of a whole mesh, with valid costs, which it leaves valid; debts are what is left of them.
-void payDebts(EditMesh& mesh, const ObjectiveSpec& spec);
+// Costs are valid before and afterwards; debts are what is left of them.
+void payDebts(EditStore& store, const ObjectiveSpec& spec, Execution& execution);
 
 }

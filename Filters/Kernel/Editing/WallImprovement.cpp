@@ -3,6 +3,7 @@
 
 #include "Editing/EditLoop.h"
 #include "Editing/EditMeasures.h"
+#include "Editing/EditZones.h"
 #include "Editing/ShortEdges.h"
 #include "Editing/TrueVolume.h"
 #include "Editing/WallSimplification.h"
@@ -33,18 +34,22 @@ LoopSpec thoroughLoop()
 
 }
 
-void improveWall(EditMesh& mesh, const std::function<void()>& poll)
+void improveWall(EditStore& store, Execution& execution)
 {
   const LoopSpec general;
   const LoopSpec thorough = thoroughLoop();
-  simplifyWalls(mesh, SimplificationSpec(), poll);
-  measureAll(mesh, general.rules.spec);
-  snapEdges(mesh, general.rules, SnapSpec(), poll);
-  payDebts(mesh, general.rules.spec);
-  improve(mesh, general, poll);
-  costAll(mesh, thorough.rules.spec);
-  improve(mesh, thorough, poll);
-  payDebts(mesh, thorough.rules.spec);
+  const auto poll = [&] { execution.poll(); };
+  editInZones(store, execution,
+    [&](const ZoneTask& task) { simplifyWalls(task, SimplificationSpec(), poll); });
+  measureAll(store, execution);
+  costAll(store, general.rules.spec, execution);
+  editInZones(store, execution,
+    [&](const ZoneTask& task) { snapEdges(task, general.rules, SnapSpec(), poll); });
+  payDebts(store, general.rules.spec, execution);
+  editInZones(store, execution, [&](const ZoneTask& task) { improve(task, general, poll); });
+  costAll(store, thorough.rules.spec, execution);
+  editInZones(store, execution, [&](const ZoneTask& task) { improve(task, thorough, poll); });
+  payDebts(store, thorough.rules.spec, execution);
 }
 
 }

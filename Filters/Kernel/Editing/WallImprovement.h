@@ -5,12 +5,9 @@
 
 #include "Editing/EditMesh.h"
 
-#include <functional>
-
 namespace cartesian
 {
 
-// `poll`: called now and then; may throw.
-void improveWall(EditMesh& mesh, const std::function<void()>& poll);
+void improveWall(EditStore& store, Execution& execution);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/WallSimplification.h"
 
+#include "Base/Sorting.h"
 #include "Editing/EditDecision.h"
 #include "Editing/EditLoop.h"
 #include "Editing/PrimitiveEdits.h"
@@ -227,13 +228,20 @@ private:
 }
 
 void simplifyWalls(
-  EditMesh& mesh, const SimplificationSpec& spec, const std::function<void()>& poll)
+  const ZoneTask& task, const SimplificationSpec& spec, const std::function<void()>& poll)
 {
-  weldEdges(mesh, spec.weld, poll);
+  weldEdges(task, spec.weld, poll);
+  EditMesh& mesh = task.mesh;
+  std::vector<std::uint32_t> nodes;
+  task.forEachFace([&](std::uint32_t f) {
+    const Items ring = mesh.cornersOf(f);
+    nodes.insert(nodes.end(), ring.begin(), ring.end());
+  });
+  nodes = sortedUnique(std::move(nodes));
   WallSimplifier simplifier(mesh, spec);
   for (int round = 0; round < Rounds; ++round)
   {
-    for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
+    for (const std::uint32_t c : task.cells)
     {
       if (mesh.isFree(c))
       {
@@ -241,7 +249,7 @@ void simplifyWalls(
       }
     }
     poll();
-    for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
+    for (const std::uint32_t n : nodes)
     {
       simplifier.removeBetween(n);
     }

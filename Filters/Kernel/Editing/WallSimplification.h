@@ -3,9 +3,7 @@
 // become one, nodes between two edges go, where the wall moves less than a tolerance, all that happens to it together.
 #pragma once
 
-#include "Editing/EditMesh.h"
-
-#include <functional>
+#include "Editing/EditZones.h"
 
 namespace cartesian
 {
@@ -16,8 +14,8 @@ struct SimplificationSpec
   double tolerance = 0.04; // in boxes: how far the wall may move
 };
 
-// A whole mesh, with faces measured. Costs are not valid afterwards.
+// Faces are measured. Costs are not valid afterwards.
 void simplifyWalls(
-  EditMesh& mesh, const SimplificationSpec& spec, const std::function<void()>& poll);
+  const ZoneTask& task, const SimplificationSpec& spec, const std::function<void()>& poll);
 
 }

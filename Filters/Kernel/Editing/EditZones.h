@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Edits on all threads, with the same bits on any number of them: cells are divided into zones, each of which has an editor
+// of its own at the same time as the others.
+//
+// A zone is a range of the cells along a curve that fills space. Cells that share a node with two zones are fixed, and no
+// cell near them is looked at yet: in the next round zones end elsewhere. What is left after some rounds lies in small groups
+// far from each other: these are the last zones. Thus every cell is looked at once, with all its surroundings free.
+#pragma once
+
+#include "Editing/EditMesh.h"
+
+#include <functional>
+
+namespace cartesian
+{
+
+// What an editor looks at.
+struct ZoneTask
+{
+  EditMesh& mesh;
+  const std::vector<std::uint32_t>& cells; // to be looked at, in order
+  const std::vector<std::uint8_t>&
+    isOver; // of all cells before this round: looked at in an earlier one
+
+  // Calls visit(face) for the faces of these cells, those between two of them twice.
+  template <class Visitor>
+  void forEachFace(Visitor&& visit) const
+  {
+    for (const std::uint32_t c : cells)
+    {
+      for (std::size_t i = 0; !mesh.cell(c).gone && i < mesh.cell(c).faces.size; ++i)
+      {
+        visit(mesh.facesOf(c)[i]);
+      }
+    }
+  }
+
+  // Whether a later round looks at a cell. `isHere`: of `cells`.
+  bool comesLater(std::uint32_t c, bool isHere) const
+  {
+    return !isHere && c < isOver.size() && isOver[c] == 0;
+  }
+};
+
+// Calls work for each zone of each round. All cells belong to zone 0 before and afterwards, and all lists to the first arena.
+void editInZones(
+  EditStore& store, Execution& execution, const std::function<void(const ZoneTask&)>& work);
+
+}
