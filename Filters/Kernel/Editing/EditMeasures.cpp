@@ -31,6 +31,23 @@ double volumeBehind(const EditMesh& mesh, std::uint32_t f)
   return volume / 6;
 }
 
+void setCostOfCell(EditMesh& mesh, std::uint32_t c)
+{
+  const Cost<double> cost = costOfCell(mesh, c);
+  EditCell& cell = mesh.rawCell(c);
+  cell.cost = cost.value;
+  cell.strains = cost.strains;
+}
+
+void setCostOfFace(EditMesh& mesh, std::uint32_t f, const ObjectiveSpec& spec)
+{
+  const Cost<double> cost = costOfFace(mesh, f, spec);
+  EditFace& face = mesh.rawFace(f);
+  face.cost = cost.value;
+  face.fails = cost.fails;
+  face.strains = cost.strains;
+}
+
 // Of the measures around one node, with their gradients by its place.
 class GradientOfNode
 {
@@ -291,30 +308,55 @@ void measureAll(EditStore& store, Execution& execution)
 void costAll(EditStore& store, const ObjectiveSpec& spec, Execution& execution)
 {
   execution.forEach(store.cells.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
-    const EditMesh mesh(store, 0, 0, {});
-    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
+    EditMesh mesh(store, 0, 0, {});
+    for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c)
     {
-      if (mesh.isFree(i))
+      if (mesh.isFree(c))
       {
-        const Cost<double> cost = costOfCell(mesh, i);
-        store.cells[i].cost = cost.value;
-        store.cells[i].strains = cost.strains;
+        setCostOfCell(mesh, c);
       }
     }
   });
   execution.forEach(store.faces.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
-    const EditMesh mesh(store, 0, 0, {});
-    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
+    EditMesh mesh(store, 0, 0, {});
+    for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f)
     {
-      if (!mesh.face(i).gone)
+      if (!mesh.face(f).gone)
       {
-        const Cost<double> cost = costOfFace(mesh, i, spec);
-        store.faces[i].cost = cost.value;
-        store.faces[i].fails = cost.fails;
-        store.faces[i].strains = cost.strains;
+        setCostOfFace(mesh, f, spec);
       }
     }
   });
+}
+
+void listChanged(const EditMesh& mesh, std::vector<std::uint32_t>& cells)
+{
+  for (const auto& record : mesh.faceRecords())
+  {
+    for (const std::uint32_t c : { mesh.face(record.first).below, mesh.face(record.first).above })
+    {
+      if (c != None)
+      {
+        cells.push_back(c);
+      }
+    }
+  }
+}
+
+void costCells(EditMesh& mesh, Items cells, const ObjectiveSpec& spec)
+{
+  for (const std::uint32_t c : cells)
+  {
+    if (!mesh.isFree(c))
+    {
+      continue;
+    }
+    setCostOfCell(mesh, c);
+    for (const std::uint32_t f : mesh.facesOf(c))
+    {
+      setCostOfFace(mesh, f, spec);
+    }
+  }
 }
 
 Vector gradientAt(const EditMesh& mesh, std::uint32_t node, const ObjectiveSpec& spec)

@@ -22,6 +22,12 @@ Cost<double> costOfCell(const EditMesh& mesh, std::uint32_t c);
 void measureAll(EditStore& store, Execution& execution);
 void costAll(EditStore& store, const ObjectiveSpec& spec, Execution& execution);
 
+// The cells beside faces that changed since the last commit; they are appended.
+void listChanged(const EditMesh& mesh, std::vector<std::uint32_t>& cells);
+
+// ... of cells that are there and may change, and of their faces.
+void costCells(EditMesh& mesh, Items cells, const ObjectiveSpec& spec);
+
 // How the objective changes with the place of a node: by its coordinates. Nothing is changed.
 Vector gradientAt(const EditMesh& mesh, std::uint32_t node, const ObjectiveSpec& spec);
 

@@ -381,6 +381,13 @@ public:
     return isNew;
   }
 
+  // Cells made by this editor, with those that are gone again.
+  Items madeCells() const
+  {
+    const std::uint32_t* first = slots_.cells.numbers.data();
+    return { first, first + slots_.cells.used };
+  }
+
   // With those that are used.
   FreeSlots takeSlots() { return std::move(slots_); }
 

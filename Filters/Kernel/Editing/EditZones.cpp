@@ -273,7 +273,8 @@ private:
         Zone& zone = zones_[z];
         EditMesh editor(store_, static_cast<std::uint32_t>(z), static_cast<std::uint16_t>(z + 1),
           std::move(zone.slots));
-        work_({ editor, zone.cells, isOver_ });
+        const Items all{ order_.data() + zone.begin, order_.data() + zone.end };
+        work_({ editor, zone.cells, all, isOver_ });
         zone.slots = editor.takeSlots();
       }
     });
@@ -296,41 +297,48 @@ private:
   // Cells that share a node with another zone belong to none.
   void fix()
   {
-    isFixed_.assign(store_.cells.size(), 0);
-    execution_.forEach(zones_.size(), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t z = begin; z < end; ++z)
+    std::vector<std::uint8_t> isBetween(store_.nodes.size()); // of nodes
+    execution_.forEach(store_.nodes.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
       {
-        for (std::size_t i = zones_[z].begin; i < zones_[z].end; ++i)
-        {
-          isFixed_[order_[i]] = touchesAnother(order_[i]) ? 1 : 0;
-        }
+        isBetween[n] = !store_.nodes[n].gone && isBetweenZones(store_.nodes[n]) ? 1 : 0;
       }
     });
-    execution_.forEach(store_.cells.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t c = begin; c < end; ++c)
+    isFixed_.assign(store_.cells.size(), 0);
+    execution_.forEach(order_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
       {
-        store_.cells[c].zone = isFixed_[c] != 0 ? None : store_.cells[c].zone;
+        EditCell& cell = store_.cells[order_[i]];
+        for (const std::uint32_t f : listOf(cell.faces))
+        {
+          for (const std::uint32_t n : listOf(store_.faces[f].corners))
+          {
+            isFixed_[order_[i]] |= isBetween[n];
+          }
+        }
+        cell.zone = isFixed_[order_[i]] != 0 ? None : cell.zone;
       }
     });
   }
 
-  bool touchesAnother(std::uint32_t c) const
+  bool isBetweenZones(const EditNode& node) const
   {
-    const std::uint32_t zone = store_.cells[c].zone;
-    for (const std::uint32_t f : listOf(store_.cells[c].faces))
+    std::uint32_t zone = None;
+    bool isFirst = true;
+    for (const std::uint32_t f : listOf(node.faces))
     {
-      for (const std::uint32_t n : listOf(store_.faces[f].corners))
+      for (const std::uint32_t c : { store_.faces[f].below, store_.faces[f].above })
       {
-        for (const std::uint32_t g : listOf(store_.nodes[n].faces))
+        if (c == None || !isEditable(c))
         {
-          for (const std::uint32_t other : { store_.faces[g].below, store_.faces[g].above })
-          {
-            if (other != None && isEditable(other) && store_.cells[other].zone != zone)
-            {
-              return true;
-            }
-          }
+          continue;
         }
+        if (!isFirst && store_.cells[c].zone != zone)
+        {
+          return true;
+        }
+        zone = store_.cells[c].zone;
+        isFirst = false;
       }
     }
     return false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/ShortEdges.h"
 
+#include "Editing/EditMeasures.h"
 #include "Editing/PrimitiveEdits.h"
 
 #include <algorithm>
@@ -105,7 +106,8 @@ FixedList<Proposal, 3> waysToCollapse(const EditMesh& mesh, std::uint32_t u, std
 
 }
 
-void weldEdges(const ZoneTask& task, double length, const std::function<void()>& poll)
+void weldEdges(const ZoneTask& task, double length, const std::function<void()>& poll,
+  std::vector<std::uint32_t>& changed)
 {
   EditMesh& mesh = task.mesh;
   std::size_t count = 0;
@@ -133,6 +135,7 @@ void weldEdges(const ZoneTask& task, double length, const std::function<void()>&
     if (collapseEdge(mesh, u, v, mesh.node(v).at) && settleShapes(mesh))
     {
       passOnDebts(mesh);
+      listChanged(mesh, changed);
       mesh.commit();
     }
     else

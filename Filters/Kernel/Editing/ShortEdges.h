@@ -7,8 +7,10 @@
 namespace cartesian
 {
 
-// Those shorter than a part of a box's edge go wherever the mesh stays one. Costs are not looked at.
-void weldEdges(const ZoneTask& task, double length, const std::function<void()>& poll);
+// Those shorter than a part of a box's edge go wherever the mesh stays one. Costs are not looked at; cells that changed are
+// appended to `changed`.
+void weldEdges(const ZoneTask& task, double length, const std::function<void()>& poll,
+  std::vector<std::uint32_t>& changed);
 
 struct SnapSpec
 {

@@ -32,6 +32,29 @@ LoopSpec thoroughLoop()
   return spec;
 }
 
+// From here on a face may cost thoroughLoop()'s leastCost, with costs in full.
+constexpr double MuchCost = 3.5;
+
+void costZone(const ZoneTask& task, const ObjectiveSpec& spec)
+{
+  costCells(task.mesh, task.zone, spec);
+  costCells(task.mesh, task.mesh.madeCells(), spec);
+}
+
+// Where any face needs it; costs are as before afterwards.
+void improveFailing(const ZoneTask& task, const LoopSpec& thorough, const ObjectiveSpec& usual,
+  const std::function<void()>& poll)
+{
+  bool isAny = false;
+  task.forEachFace([&](std::uint32_t f) { isAny = isAny || task.mesh.face(f).cost > MuchCost; });
+  if (isAny)
+  {
+    costZone(task, thorough.rules.spec);
+    improve(task, thorough, poll);
+    costZone(task, usual);
+  }
+}
+
 }
 
 void improveWall(EditStore& store, Execution& execution)
@@ -39,17 +62,18 @@ void improveWall(EditStore& store, Execution& execution)
   const LoopSpec general;
   const LoopSpec thorough = thoroughLoop();
   const auto poll = [&] { execution.poll(); };
-  editInZones(store, execution,
-    [&](const ZoneTask& task) { simplifyWalls(task, SimplificationSpec(), poll); });
   measureAll(store, execution);
   costAll(store, general.rules.spec, execution);
-  editInZones(store, execution,
-    [&](const ZoneTask& task) { snapEdges(task, general.rules, SnapSpec(), poll); });
+  editInZones(store, execution, [&](const ZoneTask& task) {
+    simplifyWalls(task, SimplificationSpec(), general.rules.spec, poll);
+    snapEdges(task, general.rules, SnapSpec(), poll);
+  });
   payDebts(store, general.rules.spec, execution);
-  editInZones(store, execution, [&](const ZoneTask& task) { improve(task, general, poll); });
-  costAll(store, thorough.rules.spec, execution);
-  editInZones(store, execution, [&](const ZoneTask& task) { improve(task, thorough, poll); });
-  payDebts(store, thorough.rules.spec, execution);
+  editInZones(store, execution, [&](const ZoneTask& task) {
+    improve(task, general, poll);
+    improveFailing(task, thorough, general.rules.spec, poll);
+  });
+  payDebts(store, general.rules.spec, execution);
 }
 
 }

@@ -4,6 +4,7 @@
 #include "Base/Sorting.h"
 #include "Editing/EditDecision.h"
 #include "Editing/EditLoop.h"
+#include "Editing/EditMeasures.h"
 #include "Editing/PrimitiveEdits.h"
 #include "Editing/Proposals.h"
 #include "Editing/ShortEdges.h"
@@ -35,9 +36,11 @@ using Walls = FixedList<std::pair<double, std::uint32_t>, Capacity>;
 class WallSimplifier
 {
 public:
-  WallSimplifier(EditMesh& mesh, const SimplificationSpec& spec)
+  WallSimplifier(
+    EditMesh& mesh, const SimplificationSpec& spec, std::vector<std::uint32_t>& changed)
     : mesh_(mesh)
     , spec_(spec)
+    , changed_(changed)
   {
   }
 
@@ -86,6 +89,7 @@ private:
     if (isMade)
     {
       passOnDebts(mesh_);
+      listChanged(mesh_, changed_);
       mesh_.commit();
     }
     else
@@ -223,22 +227,24 @@ private:
 
   EditMesh& mesh_;
   const SimplificationSpec& spec_;
+  std::vector<std::uint32_t>& changed_; // cells
 };
 
 }
 
-void simplifyWalls(
-  const ZoneTask& task, const SimplificationSpec& spec, const std::function<void()>& poll)
+void simplifyWalls(const ZoneTask& task, const SimplificationSpec& spec,
+  const ObjectiveSpec& objective, const std::function<void()>& poll)
 {
-  weldEdges(task, spec.weld, poll);
   EditMesh& mesh = task.mesh;
+  std::vector<std::uint32_t> changed;
+  weldEdges(task, spec.weld, poll, changed);
   std::vector<std::uint32_t> nodes;
   task.forEachFace([&](std::uint32_t f) {
     const Items ring = mesh.cornersOf(f);
     nodes.insert(nodes.end(), ring.begin(), ring.end());
   });
   nodes = sortedUnique(std::move(nodes));
-  WallSimplifier simplifier(mesh, spec);
+  WallSimplifier simplifier(mesh, spec, changed);
   for (int round = 0; round < Rounds; ++round)
   {
     for (const std::uint32_t c : task.cells)
@@ -255,6 +261,15 @@ void simplifyWalls(
     }
     poll();
   }
+  changed = sortedUnique(std::move(changed));
+  for (const std::uint32_t c : changed)
+  {
+    if (mesh.isFree(c))
+    {
+      measureCell(mesh, c);
+    }
+  }
+  costCells(mesh, { changed.data(), changed.data() + changed.size() }, objective);
 }
 
 }

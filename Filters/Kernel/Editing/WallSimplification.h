@@ -3,6 +3,7 @@
 // become one, nodes between two edges go, where the wall moves less than a tolerance, all that happens to it together.
 #pragma once
 
+#include "Acceptance/WallObjective.h"
 #include "Editing/EditZones.h"
 
 namespace cartesian
@@ -14,8 +15,8 @@ struct SimplificationSpec
   double tolerance = 0.04; // in boxes: how far the wall may move
 };
 
-// Faces are measured. Costs are not valid afterwards.
-void simplifyWalls(
-  const ZoneTask& task, const SimplificationSpec& spec, const std::function<void()>& poll);
+// Costs are valid before and afterwards.
+void simplifyWalls(const ZoneTask& task, const SimplificationSpec& spec,
+  const ObjectiveSpec& objective, const std::function<void()>& poll);
 
 }
