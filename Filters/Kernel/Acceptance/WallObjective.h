@@ -71,7 +71,7 @@ template <class Number>
 struct Cost
 {
   Number value;
-  bool fails;   // section 3, or checkMesh
+  int fails;    // section 3, or checkMesh; 2: inverted, as seen from one of its cells
   bool strains; // solvers run, but slowly: unequal neighbours, cells with no third direction
 };
 
@@ -270,6 +270,7 @@ public:
     fails_ = fails_ || valueOf(slope) > FailsBeyond::Slope ||
       valueOf(near) < FailsBeyond::InnerCosine * valueOf(norm(toFace)) ||
       valueOf(far) < FailsBeyond::InnerCosine * valueOf(norm(onwards));
+    isInverted_ = valueOf(near) < 0 || valueOf(far) < 0;
     strains_ =
       !(valueOf(weight) > Limits::FaceWeight) || !(valueOf(ratio) > Limits::VolumeRatio);
   }
@@ -289,6 +290,7 @@ public:
     cost_ += squareOf(square / squareOf(tall) * (1 / Wanted::BoundarySlope));
     addSkewness(aside, tall * ShareOfHeight, size, corner);
     fails_ = fails_ || valueOf(height) < FailsBeyond::BoundaryCosine * valueOf(norm(toFace));
+    isInverted_ = valueOf(height) < 0;
     if (const double length = norm(original); length > NegligibleArea * edge * edge)
     {
       const Number cosine =
@@ -304,7 +306,7 @@ public:
     using std::log1p;
     const Number sum =
       spec_.saturation > 0 ? log1p(cost_ * (1 / spec_.saturation)) * spec_.saturation : cost_;
-    return { fails_ ? sum + spec_.failing : sum, fails_, strains_ };
+    return { fails_ ? sum + spec_.failing : sum, isInverted_ ? 2 : fails_ ? 1 : 0, strains_ };
   }
 
 private:
@@ -359,6 +361,7 @@ private:
   Number area_;
   VectorOf<Number> normal_;
   bool fails_;
+  bool isInverted_ = false;
   bool strains_ = false;
 };
 
@@ -377,7 +380,7 @@ Cost<Number> costOfCell(const Number& share, const Number& determinant)
     excess(Number(Wanted::Determinant) / atLeast(determinant, LeastDeterminant) - 1.0);
   using std::log1p;
   cost += log1p(flat) * 4.0;
-  return { cost, false, !(valueOf(determinant) > Limits::Determinant) };
+  return { cost, 0, !(valueOf(determinant) > Limits::Determinant) };
 }
 
 }

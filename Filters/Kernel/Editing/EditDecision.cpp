@@ -187,11 +187,11 @@ public:
       EditFace& face = mesh.changeFace(f);
       const Cost<double> cost = costOfFace(mesh, f, spec);
       mesh.ledger.cost += cost.value - face.cost;
-      mesh.ledger.failures += int(cost.fails) - int(face.fails);
+      mesh.ledger.failures += cost.fails - int(face.fails);
       mesh.ledger.strains += int(cost.strains) - int(face.strains);
       left_ -= face.cost;
       face.cost = cost.value;
-      face.fails = cost.fails;
+      face.fails = static_cast<std::uint8_t>(cost.fails);
       face.strains = cost.strains;
       if (mesh.ledger.cost - left_ > most)
       {

@@ -44,7 +44,7 @@ void setCostOfFace(EditMesh& mesh, std::uint32_t f, const ObjectiveSpec& spec)
   const Cost<double> cost = costOfFace(mesh, f, spec);
   EditFace& face = mesh.rawFace(f);
   face.cost = cost.value;
-  face.fails = cost.fails;
+  face.fails = static_cast<std::uint8_t>(cost.fails);
   face.strains = cost.strains;
 }
 

@@ -384,9 +384,9 @@ void EditMesh::removeFace(std::uint32_t f, bool cellsFollow)
 {
   EditFace& face = changeFace(f);
   ledger.cost -= face.cost;
-  ledger.failures -= face.fails ? 1 : 0;
+  ledger.failures -= face.fails;
   ledger.strains -= face.strains ? 1 : 0;
-  face.fails = false;
+  face.fails = 0;
   face.strains = false;
   face.cost = 0;
   if (isWall(f))

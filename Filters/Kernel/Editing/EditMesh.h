@@ -89,7 +89,7 @@ struct EditFace
   std::uint32_t epoch = 0;
   std::uint32_t number = None; // in WallFaces; None: made here
   bool gone = false;
-  bool fails = false; // limits of solvers (WallObjective.h)
+  std::uint8_t fails = 0; // limits of solvers (WallObjective.h)
   bool strains = false;
 };
 
@@ -118,7 +118,7 @@ struct Ledger
   double cost = 0;     // of all faces and cells
   double volume = 0;   // behind the walls
   double fidelity = 0; // charges for what the wall lost
-  int failures = 0;    // failing faces
+  int failures = 0;    // of faces: the sum of EditFace::fails
   int strains = 0;     // faces and cells that strain solvers
 };
 

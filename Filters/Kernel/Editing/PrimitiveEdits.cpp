@@ -344,7 +344,7 @@ std::uint32_t splitFace(EditMesh& mesh, std::uint32_t f, std::size_t i, std::siz
   const double part = 0.5; // of the debt, until both are measured
   made.cost = 0;
   made.behind = 0;
-  made.fails = false;
+  made.fails = 0;
   made.strains = false;
   made.number = None;
   made.debt *= part;

@@ -178,7 +178,7 @@ private:
   {
     const EditFace& face = mesh_.face(f);
     const Cost<double> cost = costOfFace(mesh_, f, spec_);
-    return (cost.fails && !face.fails) || cost.value > face.cost + MostCost;
+    return cost.fails > int(face.fails) || cost.value > face.cost + MostCost;
   }
 
   // Halves what nodes of faces that became poor have moved; later takes it back. False: there are none.
