@@ -56,6 +56,7 @@ struct Zone
   std::size_t begin; // in the order of cells
   std::size_t end;
   std::vector<std::uint32_t> cells; // to be looked at
+  std::size_t costly = 0;           // how many faces of theirs cost much
   FreeSlots slots;
 };
 
@@ -115,7 +116,7 @@ private:
     order_.resize(places.size());
     for (std::size_t z = 0; z < count; ++z)
     {
-      zones_.push_back({ places.size() * z / count, places.size() * (z + 1) / count, {}, {} });
+      zones_.push_back({ places.size() * z / count, places.size() * (z + 1) / count, {}, 0, {} });
     }
     execution_.forEach(count, 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t z = begin; z < end; ++z)
@@ -226,7 +227,7 @@ private:
     {
       if (i == 0 || byGroup[i][0] != byGroup[i - 1][0])
       {
-        zones_.push_back({ i, i, {}, {} });
+        zones_.push_back({ i, i, {}, 0, {} });
       }
       zones_.back().end = i + 1;
       store_.cells[byGroup[i][1]].zone = static_cast<std::uint32_t>(zones_.size() - 1);
@@ -358,8 +359,22 @@ private:
         }
         std::copy_if(first, last, std::back_inserter(zones_[z].cells),
           [&](std::uint32_t c) { return isFixed_[c] == 0 && isOver_[c] == 0; });
+        zones_[z].costly = countCostly(zones_[z].cells);
       }
     });
+  }
+
+  std::size_t countCostly(const std::vector<std::uint32_t>& cells) const
+  {
+    std::size_t count = 0;
+    for (const std::uint32_t c : cells)
+    {
+      for (const std::uint32_t f : listOf(store_.cells[c].faces))
+      {
+        count += store_.faces[f].cost > CostlyFrom ? 1 : 0;
+      }
+    }
+    return count;
   }
 
   void extendMargin(std::uint32_t c, int ring, std::uint32_t zone)
@@ -395,9 +410,9 @@ private:
     for (Zone& zone : zones_)
     {
       const std::size_t cells = zone.cells.size();
-      give(store_.nodes, spareNodes_, LeastSlots + cells / 4, zone.slots.nodes);
-      give(store_.faces, spareFaces_, LeastSlots + cells / 3, zone.slots.faces);
-      give(store_.cells, spareCells_, LeastSlots + cells / 8, zone.slots.cells);
+      give(store_.nodes, spareNodes_, LeastSlots + cells / 16 + 4 * zone.costly, zone.slots.nodes);
+      give(store_.faces, spareFaces_, LeastSlots + cells / 16 + 6 * zone.costly, zone.slots.faces);
+      give(store_.cells, spareCells_, LeastSlots + 2 * zone.costly, zone.slots.cells);
     }
   }
 
@@ -416,6 +431,7 @@ private:
   }
 
   static constexpr std::size_t LeastSlots = 64;
+  static constexpr double CostlyFrom = 3;
 
   EditStore& store_;
   Execution& execution_;

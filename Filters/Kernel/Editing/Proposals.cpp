@@ -252,6 +252,27 @@ void proposeCuts(
   }
 }
 
+void proposeCutsOfFailing(
+  const EditMesh& mesh, const SearchSpec& search, std::uint32_t f, Proposals& proposals)
+{
+  const EditFace& face = mesh.face(f);
+  for (const std::uint32_t c : { face.below, face.above })
+  {
+    if (c == None || !mesh.isFree(c))
+    {
+      continue;
+    }
+    proposeCuts(mesh, search, c, proposals);
+    proposals.push_back({ EditKind::Cut, c, 0, 0, face.centre, unit(face.area) });
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      Vector normal{};
+      normal[axis] = 1;
+      proposals.push_back({ EditKind::Cut, c, 0, 0, mesh.cell(c).centre, normal });
+    }
+  }
+}
+
 // Edits of other kinds, and of lower numbers, come first; each once.
 void arrange(Proposals& proposals)
 {
@@ -321,6 +342,10 @@ void proposeForFace(
   if (face.cost > CostOfCuts && mesh.isWall(f))
   {
     proposeCuts(mesh, search, face.below, proposals);
+  }
+  if (search.cutsFailing && face.fails > 0)
+  {
+    proposeCutsOfFailing(mesh, search, f, proposals);
   }
   proposeSplits(mesh, f, proposals);
   arrange(proposals);

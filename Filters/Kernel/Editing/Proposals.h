@@ -34,15 +34,15 @@ struct Proposal
 // How far a search goes.
 struct SearchSpec
 {
-  std::size_t edges = 3;      // the shortest of a face
-  std::size_t neighbours = 2; // of a cell, by the area between them
-  std::size_t cuts = 2;       // re-entrant edges of a cell
-  std::size_t nodes = 3;      // that move, by their gradients
-  bool cutsAlongFaces =
-    false;                  // in the planes of the walls beside an edge too, not only between them
-  double enough = 0.4;      // the first proposal that gains so much of an item's cost is taken
-  double longestEdge = 0.5; // in boxes: that may collapse
-  double removedShare = 0.05; // of its box: a cell below may be removed
+  std::size_t edges = 3;       // the shortest of a face
+  std::size_t neighbours = 2;  // of a cell, by the area between them
+  std::size_t cuts = 2;        // re-entrant edges of a cell
+  std::size_t nodes = 3;       // that move, by their gradients
+  bool cutsAlongFaces = false; // in the planes of the walls beside an edge too
+  bool cutsFailing = false;    // in the plane of a failing face, through the middle of its cells
+  double enough = 0.4;         // the first proposal that gains so much of an item's cost is taken
+  double longestEdge = 0.5;    // in boxes: that may collapse
+  double removedShare = 0.05;  // of its box: a cell below may be removed
 };
 
 using Proposals = std::vector<Proposal>;

@@ -27,6 +27,7 @@ LoopSpec thoroughLoop()
   spec.search.nodes = 4;
   spec.search.cuts = 4;
   spec.search.cutsAlongFaces = true;
+  spec.search.cutsFailing = true;
   spec.search.enough = 0.9;
   spec.leastCost = 4;
   return spec;
