@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/EditableWall.h"
+#include "Polyhedra/CellGeometry.h"
 
 #include <algorithm>
 #include <tuple>
@@ -332,13 +333,11 @@ private:
   void writeCell(std::uint32_t c)
   {
     const EditCell& edited = mesh_.cell(c);
-    const Box box = boxes_.box(edited.home);
-    const Vector size = scaled(minus(box.high, box.low), mesh_.level);
     Cell cell{};
     cell.box = edited.home;
     cell.boundary = edited.wall;
     cell.region = edited.region;
-    cell.volumeFraction = edited.volume / (size[0] * size[1] * size[2]);
+    cell.volumeFraction = shareOf(c);
     cell.firstUse = wall_.uses.size();
     cell.reach = reachOf(c);
     wall_.cells.push_back(cell);
@@ -349,6 +348,24 @@ private:
       wall_.uses.emplace_back(
         faceNumbers_[f], isAbove != (!isMade && edited_.opened.turned[f] != 0));
     }
+  }
+
+  // Of its box's volume: as its faces' triangles enclose it, unlike EditCell's, which is a solver's.
+  double shareOf(std::uint32_t c) const
+  {
+    const Box box = boxes_.box(mesh_.cell(c).home);
+    const Vector low = edited_.inside(box.low);
+    const Vector size = minus(edited_.inside(box.high), low);
+    double volume = 0;
+    for (const std::uint32_t f : mesh_.facesOf(c))
+    {
+      Vector area{};
+      const Vector mean = forEachStarTriangle(
+        mesh_.face(f).corners.size, [&](std::size_t i) { return mesh_.corner(f, i); },
+        [&](const Vector&, const Vector&, const Vector& part) { area = plus(area, part); });
+      volume += dot(minus(mean, low), area) * (mesh_.face(f).below == c ? 1 : -1) / 3;
+    }
+    return volume / (size[0] * size[1] * size[2]);
   }
 
   // The layers of global boxes that a cell's nodes are in, below and above its own.

@@ -162,12 +162,27 @@ private:
     }
     const std::size_t begin = corners_.size();
     wall_.faces.forEachNode(use, [&](std::uint32_t node) { corners_.push_back(node); });
-    std::int32_t boundary = wall_.faces.boundary[use.face];
-    if (other != None && !isBetween)
+    const std::int32_t wall = isBetween ? wall_.faces.boundary[use.face] : wallBeyond(use, other);
+    close(begin, use.face, isBetween ? other : CellKey(None), wall, use.turned != 0);
+  }
+
+  // Of a face without a cell beyond.
+  std::int32_t wallBeyond(const FaceUse& use, CellKey removed) const
+  {
+    const WallFaces& faces = wall_.faces;
+    if (removed != None)
     {
-      boundary = wall_.cells[other].boundary;
+      const Cell& there = wall_.cells[removed];
+      return exposedWall(parts_, use.face, there.box, there.boundary);
     }
-    close(begin, use.face, isBetween ? other : CellKey(None), boundary, use.turned != 0);
+    std::uint32_t box = None;
+    if (faces.originOf(use.face) == FaceOrigin::Side)
+    {
+      const auto next = std::upper_bound(faces.sideStart.begin(), faces.sideStart.end(), use.face);
+      const auto s = static_cast<std::size_t>(next - faces.sideStart.begin()) - 1;
+      box = use.turned ? parts_.sides.common[s].low : parts_.sides.common[s].high;
+    }
+    return exposedWall(parts_, use.face, box, faces.boundary[use.face]);
   }
 
   // Of a hexahedron: no polyhedron has a face there.

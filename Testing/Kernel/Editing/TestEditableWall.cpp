@@ -1,6 +1,6 @@
 // The mesh at the wall as one that can be edited, and back.
-#include "Editing/EditableWall.h"
 #include "Editing/EditMeasures.h"
+#include "Editing/EditableWall.h"
 #include "Editing/PrimitiveEdits.h"
 #include "Support/MeshChecker.h"
 
@@ -66,7 +66,8 @@ std::vector<Case> cases()
   all.push_back({ "Curved", torus(12, 1, 0.4), atBoundary });
   all.push_back({ "Around", ball, around(plain(0.31, 1)) });
   all.push_back({ "Half", ball, around(plain(0.31, 1), Half::AcrossY) });
-  all.push_back({ "HalfTurned", cube().turned().scaled(0.5), around(plain(0.2, 0), Half::AcrossX) });
+  all.push_back(
+    { "HalfTurned", cube().turned().scaled(0.5), around(plain(0.2, 0), Half::AcrossX) });
   all.push_back({ "SmallCells", ball.turned(), plain(0.23, 0, 0.2) });
   all.push_back({ "SmallCellsBelow", ball.turned(), plain(0.43, 2, 0.2) });
   Soup regions;
@@ -120,8 +121,7 @@ bool isClosed(const EditMesh& mesh, std::uint32_t c)
     const Items corners = mesh.cornersOf(f);
     for (std::size_t i = 0; i < corners.size(); ++i)
     {
-      std::pair<std::uint32_t, std::uint32_t> edge{ corners[i],
-        corners[(i + 1) % corners.size()] };
+      std::pair<std::uint32_t, std::uint32_t> edge{ corners[i], corners[(i + 1) % corners.size()] };
       if (mesh.face(f).below != c)
       {
         std::swap(edge.first, edge.second);
@@ -187,6 +187,7 @@ TEST_P(EditableWallOf, AllIsWritten)
   }
   close(edited, *a);
   const MeshArrays after = written(*a);
+  EXPECT_TRUE(isValid(before));
   EXPECT_TRUE(isValid(after));
   EXPECT_EQ(after.cells(), before.cells());
   EXPECT_EQ(after.points.size(), before.points.size());
@@ -206,7 +207,7 @@ TEST_P(EditableWallOf, AllIsWritten)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EditableWallOf, ::testing::ValuesIn(cases()),
-  [](const auto& of) { return of.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+  All, EditableWallOf, ::testing::ValuesIn(cases()), [](const auto& of) { return of.param.name; });
 
 }
