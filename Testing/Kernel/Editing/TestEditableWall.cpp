@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <map>
+#include <random>
+#include <tuple>
 
 namespace cartesian
 {
@@ -135,6 +137,84 @@ bool isClosed(const EditMesh& mesh, std::uint32_t c)
   });
 }
 
+// Of two cells each; returns how many are gone.
+std::size_t mergeSome(EditableWall& edited)
+{
+  EditMesh& mesh = edited.mesh;
+  std::mt19937 random(1);
+  std::size_t merged = 0;
+  const auto isSimple = [&](
+                          std::uint32_t c) { return mesh.isFree(c) && mesh.facesOf(c).size() < 20; };
+  for (std::uint32_t f = 0; f < edited.opened.cellsOf.size();
+       f += 1 + static_cast<std::uint32_t>(random() % 7))
+  {
+    const EditFace face = mesh.face(f);
+    if (face.gone || face.above == None || !isSimple(face.below) || !isSimple(face.above))
+    {
+      continue;
+    }
+    const EditMesh::Mark mark = mesh.mark();
+    if (mergeCells(mesh, face.below, face.above) && isClosed(mesh, face.below))
+    {
+      mesh.commit();
+      ++merged;
+    }
+    else
+    {
+      mesh.undo(mark);
+    }
+  }
+  return merged;
+}
+
+// Nodes inside, and in sides, but not of small cells.
+void moveSome(EditMesh& mesh)
+{
+  constexpr double Little = 0.01;
+  std::mt19937 random(1);
+  const auto isLarge = [&](std::uint32_t c) {
+    return c == None || mesh.cell(c).volume > 0.99 * mesh.cell(c).box;
+  };
+  for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
+  {
+    const EditNode& node = mesh.node(n);
+    const bool isInSide = node.held != 0 && node.kind == NodeKind::OnSurface;
+    const Items faces = mesh.facesAround(n);
+    if (!node.gone && random() % 4 == 0 && (isInSide || !node.atWall) &&
+      std::all_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
+        return isLarge(mesh.face(f).below) && isLarge(mesh.face(f).above);
+      }))
+    {
+      Vector to = node.at;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        to[axis] += (node.held >> axis & 1) != 0 ? 0 : Little;
+      }
+      mesh.moveNode(n, onLattice(mesh, to, node.held));
+    }
+  }
+  mesh.commit();
+}
+
+// The same surface, in another order.
+Soup reversed(Soup soup)
+{
+  const auto count = static_cast<std::uint32_t>(soup.points.size());
+  std::reverse(soup.points.begin(), soup.points.end());
+  for (auto& [a, b, c] : soup.triangles)
+  {
+    a = count - 1 - a;
+    b = count - 1 - b;
+    c = count - 1 - c;
+    std::swap(a, b);
+    std::swap(b, c);
+  }
+  std::reverse(soup.triangles.begin(), soup.triangles.end());
+  std::reverse(soup.boundary.begin(), soup.boundary.end());
+  std::reverse(soup.region.begin(), soup.region.end());
+  return soup;
+}
+
 }
 
 TEST_P(EditableWallOf, CellsAreClosed)
@@ -204,6 +284,112 @@ TEST_P(EditableWallOf, AllIsWritten)
   for (const auto& [boundary, area] : areasBefore)
   {
     EXPECT_NEAR(areas.at(boundary), area, 1e-9 * (1 + area)) << boundary;
+  }
+}
+
+// Inner cells merge, nodes move: what is written is valid.
+TEST_P(EditableWallOf, EditsAreWritten)
+{
+  const auto a = assembledOf(GetParam());
+  const MeshArrays before = written(*a);
+  EditableWall edited = openWall(partsOf(*a), FeatureAngle);
+  const std::size_t merged = mergeSome(edited);
+  EXPECT_GT(merged, 0u);
+  moveSome(edited.mesh);
+  close(edited, *a);
+  const MeshArrays after = written(*a);
+  EXPECT_TRUE(isValid(after, true));
+  EXPECT_EQ(after.cells() + merged, before.cells());
+  EXPECT_NEAR(volumeOf(after), volumeOf(before), 1e-9 * volumeOf(before));
+  const auto areas = areasByBoundary(after);
+  for (const auto& [boundary, area] : areasByBoundary(before))
+  {
+    EXPECT_NEAR(areas.at(boundary), area, 1e-9 * (1 + area)) << boundary;
+  }
+}
+
+// Nodes of sides slide in them; those of cells that are not edited stay.
+TEST_P(EditableWallOf, NodesAreHeld)
+{
+  const auto a = assembledOf(GetParam());
+  const EditableWall edited = openWall(partsOf(*a), FeatureAngle);
+  const EditMesh& mesh = edited.mesh;
+  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
+  {
+    const EditFace& face = mesh.face(f);
+    for (const std::uint32_t n : mesh.cornersOf(f))
+    {
+      const std::uint8_t held = mesh.node(n).held;
+      if (face.above != None && mesh.isGhost(face.above))
+      {
+        EXPECT_EQ(held, HeldFast);
+      }
+      else if (isWallOfEnd(face.wall))
+      {
+        const auto axis = static_cast<std::size_t>(wallOfEnd(0) - face.wall) / 2;
+        const auto& planes = a->boxes.planes[axis];
+        const Level level = edited.placeOf(n)[axis];
+        EXPECT_TRUE(held >> axis & 1);
+        EXPECT_TRUE(level == planes.front() || level == planes.back());
+      }
+    }
+  }
+}
+
+TEST(EditableWall, KindsOfNodesOfACube)
+{
+  const auto a = assembledOf(Case{ "", cube().turned(), plain(0.23, 0) });
+  const EditableWall edited = openWall(partsOf(*a), FeatureAngle);
+  std::map<NodeKind, int> kinds;
+  for (std::uint32_t n = 0; n < edited.mesh.nodeCount(); ++n)
+  {
+    const EditNode& node = edited.mesh.node(n);
+    ++kinds[node.kind];
+    EXPECT_EQ(node.kind == NodeKind::Free, !node.atWall);
+    if (node.kind == NodeKind::OnSurface)
+    {
+      EXPECT_NEAR(norm(node.along), 1, 1e-9);
+      EXPECT_GT(node.leash, 0.3F);
+    }
+  }
+  EXPECT_EQ(kinds[NodeKind::Corner], 8);
+  EXPECT_GT(kinds[NodeKind::OnEdge], 12);
+}
+
+TEST(EditableWall, IsTheSameForAnyOrder)
+{
+  for (const Case& one : cases())
+  {
+    SCOPED_TRACE(one.name);
+    const auto a = assembledOf(one);
+    const auto b = assembledOf(Case{ "", reversed(one.soup), one.options });
+    const EditableWall x = openWall(partsOf(*a), FeatureAngle);
+    const EditableWall y = openWall(partsOf(*b), FeatureAngle);
+    ASSERT_EQ(x.opened.corners, y.opened.corners);
+    ASSERT_EQ(x.opened.start, y.opened.start);
+    ASSERT_EQ(x.opened.cellsOf, y.opened.cellsOf);
+    ASSERT_EQ(x.mesh.nodeCount(), y.mesh.nodeCount());
+    ASSERT_EQ(x.mesh.cellCount(), y.mesh.cellCount());
+    for (std::uint32_t n = 0; n < x.mesh.nodeCount(); ++n)
+    {
+      const EditNode& p = x.mesh.node(n);
+      const EditNode& q = y.mesh.node(n);
+      ASSERT_EQ(std::tie(p.at, p.kind, p.along, p.leash, p.held, p.atWall),
+        std::tie(q.at, q.kind, q.along, q.leash, q.held, q.atWall));
+    }
+    for (std::uint32_t f = 0; f < x.mesh.faceCount(); ++f)
+    {
+      const EditFace& p = x.mesh.face(f);
+      const EditFace& q = y.mesh.face(f);
+      ASSERT_EQ(std::tie(p.area, p.debt, p.wall, p.cost), std::tie(q.area, q.debt, q.wall, q.cost));
+    }
+    for (std::uint32_t c = 0; c < x.mesh.cellCount(); ++c)
+    {
+      const EditCell& p = x.mesh.cell(c);
+      const EditCell& q = y.mesh.cell(c);
+      ASSERT_EQ(std::tie(p.home, p.volume, p.wall, p.region, p.cost),
+        std::tie(q.home, q.volume, q.wall, q.region, q.cost));
+    }
   }
 }
 
