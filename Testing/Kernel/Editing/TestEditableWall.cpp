@@ -1,5 +1,4 @@
 // The mesh at the wall as one that can be edited, and back.
-#include "Editing/EditMeasures.h"
 #include "Editing/EditableWall.h"
 #include "Editing/PrimitiveEdits.h"
 #include "Support/MeshChecker.h"
@@ -143,8 +142,9 @@ std::size_t mergeSome(EditableWall& edited)
   EditMesh& mesh = edited.mesh;
   std::mt19937 random(1);
   std::size_t merged = 0;
-  const auto isSimple = [&](
-                          std::uint32_t c) { return mesh.isFree(c) && mesh.facesOf(c).size() < 20; };
+  const auto isSimple = [&](std::uint32_t c) {
+    return mesh.isFree(c) && mesh.facesOf(c).size() < 20;
+  };
   for (std::uint32_t f = 0; f < edited.opened.cellsOf.size();
        f += 1 + static_cast<std::uint32_t>(random() % 7))
   {
@@ -293,9 +293,9 @@ TEST_P(EditableWallOf, EditsAreWritten)
   const auto a = assembledOf(GetParam());
   const MeshArrays before = written(*a);
   EditableWall edited = openWall(partsOf(*a), FeatureAngle);
+  moveSome(edited.mesh);
   const std::size_t merged = mergeSome(edited);
   EXPECT_GT(merged, 0u);
-  moveSome(edited.mesh);
   close(edited, *a);
   const MeshArrays after = written(*a);
   EXPECT_TRUE(isValid(after, true));
