@@ -49,6 +49,7 @@ public:
     addNodes();
     addFaces();
     mesh_.connect();
+    freeze();
     measure();
     findNodeKinds(mesh_, featureAngle);
   }
@@ -358,6 +359,36 @@ private:
       }
     }
     return HeldFast;
+  }
+
+  // Cells that touch themselves along an edge, where the surface does, stay as they are.
+  void freeze()
+  {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges; // of a cell, counter-clockwise
+    for (std::uint32_t c = 0; c < result_.opened.cells; ++c)
+    {
+      if (isHexahedron(mesh_.cell(c).number))
+      {
+        continue;
+      }
+      edges.clear();
+      for (const std::uint32_t f : mesh_.facesOf(c))
+      {
+        const Items corners = mesh_.cornersOf(f);
+        const bool turned = mesh_.face(f).above == c;
+        std::uint32_t from = corners[corners.size() - 1];
+        for (const std::uint32_t to : corners)
+        {
+          edges.emplace_back(turned ? to : from, turned ? from : to);
+          from = to;
+        }
+      }
+      std::sort(edges.begin(), edges.end());
+      if (std::adjacent_find(edges.begin(), edges.end()) != edges.end())
+      {
+        mesh_.rawCell(c).state = CellState::Frozen;
+      }
+    }
   }
 
   // --- measures
