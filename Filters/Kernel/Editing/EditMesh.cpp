@@ -38,6 +38,15 @@ void openLists(std::vector<Record>& all, std::uint32_t& next)
 
 // --- building
 
+// Lists of the faces of nodes and cells take nearly twice the room of the corners.
+void EditMesh::reserve(std::size_t nodes, std::size_t faces, std::size_t cells, std::size_t corners)
+{
+  nodes_.reserve(nodes);
+  faces_.reserve(faces);
+  cells_.reserve(cells);
+  arena_.reserve(2 * corners + 2 * faces);
+}
+
 std::uint32_t EditMesh::addNode(const EditNode& node)
 {
   nodes_.push_back(node);

@@ -215,6 +215,7 @@ public:
 
   // --- building: before the first mark
 
+  void reserve(std::size_t nodes, std::size_t faces, std::size_t cells, std::size_t corners);
   std::uint32_t addNode(const EditNode& node);
   std::uint32_t addCell(const EditCell& cell);
   std::uint32_t addFace(EditFace face, const std::uint32_t* corners, std::size_t size);

@@ -263,6 +263,7 @@ private:
       }
     }
     std::sort(places.begin(), places.end());
+    mesh_.reserve(places.size(), faces_.size(), mesh_.cellCount(), corners_.size());
     for (std::size_t i = 0; i < places.size(); ++i)
     {
       assert(i == 0 || !places[i].isAt(places[i - 1]));

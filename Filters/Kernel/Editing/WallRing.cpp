@@ -103,7 +103,7 @@ private:
   // All that touch a cell at a wall are in global boxes around its own.
   void chooseUndivided()
   {
-    std::vector<std::uint32_t> around;
+    std::vector<std::uint8_t> seen(boxes_.globals.size());
     for (const std::uint32_t seed : seeds_)
     {
       const auto& at = boxes_.globalOf(boxes_.packed[seed]).index;
@@ -111,26 +111,26 @@ private:
       {
         const std::uint32_t global = boxes_.globalAt(std::int64_t(at[0]) + i % 3 - 1,
           std::int64_t(at[1]) + i / 3 % 3 - 1, std::int64_t(at[2]) + i / 9 - 1);
-        if (global != None && sides_.ordinal[boxes_.globals[global].firstBox] == None)
+        if (global != None && seen[global] == 0)
         {
-          around.push_back(boxes_.globals[global].firstBox);
+          seen[global] = 1;
+          chooseUndivided(boxes_.globals[global].firstBox);
         }
       }
     }
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
-    for (const std::uint32_t box : around)
+  }
+
+  void chooseUndivided(std::uint32_t box)
+  {
+    bool touches = false;
+    for (unsigned corner = 0; sides_.ordinal[box] == None && corner < 8 && !touches; ++corner)
     {
-      bool touches = false;
-      for (unsigned corner = 0; corner < 8 && !touches; ++corner)
-      {
-        const std::uint32_t node = nodeOfCorner(boxes_, sides_, parts_.nodes, box, corner);
-        touches = node != None && marked_[node] != 0;
-      }
-      if (touches)
-      {
-        keys_.push_back(keyOfHexahedron(box));
-      }
+      const std::uint32_t node = nodeOfCorner(boxes_, sides_, parts_.nodes, box, corner);
+      touches = node != None && marked_[node] != 0;
+    }
+    if (touches)
+    {
+      keys_.push_back(keyOfHexahedron(box));
     }
   }
 
