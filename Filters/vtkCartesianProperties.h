@@ -143,6 +143,9 @@ public:                                                                         
   vtkSetMacro(OptimiseNodes, bool);                                                                \
   vtkGetMacro(OptimiseNodes, bool);                                                                \
   vtkBooleanMacro(OptimiseNodes, bool);                                                            \
+  vtkSetMacro(EditInPlace, bool);                                                                  \
+  vtkGetMacro(EditInPlace, bool);                                                                  \
+  vtkBooleanMacro(EditInPlace, bool);                                                              \
   vtkSetMacro(RefusedCellRatio, double);                                                           \
   vtkGetMacro(RefusedCellRatio, double);                                                           \
                                                                                                    \
@@ -154,6 +157,7 @@ protected:                                                                      
   bool SplitConcaveCells = true;                                                                   \
   bool TrueVolume = true;                                                                          \
   bool OptimiseNodes = true;                                                                       \
+  bool EditInPlace = false; /* hidden while it is built */                                         \
   double RefusedCellRatio = 4
 
 /**

@@ -45,6 +45,33 @@ std::vector<BoundaryFace> facesOfEach(
   return all;
 }
 
+// The mean of a face's nodes, in levels.
+Vector middleOf(const MeshParts& parts, std::size_t face)
+{
+  Vector sum{};
+  double count = 0;
+  parts.wall.faces.forEachNode({ face, false }, [&](std::uint32_t node) {
+    sum = plus(sum, minus(parts.nodes.at[node], Point{}));
+    ++count;
+  });
+  return scaled(sum, 1 / count);
+}
+
+// From a patch to a place.
+double distanceOf(const MeshParts& parts, std::size_t patch, const Vector& place)
+{
+  const WallFaces& faces = parts.wall.faces;
+  const auto corner = [&](std::size_t i) { return parts.nodes.at[faces.corners[i]]; };
+  const std::size_t first = faces.start[patch];
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = first + 1; i + 1 < faces.start[patch + 1]; ++i)
+  {
+    const Corners triangle{ corner(first), corner(i), corner(i + 1) };
+    nearest = std::min(nearest, norm(minus(nearestPlace(triangle, place), place)));
+  }
+  return nearest;
+}
+
 class Collector
 {
 public:
@@ -113,60 +140,9 @@ private:
     return { numbers_.ofCell[cell], there.boundary, there.box };
   }
 
-  // The boundary of a face exposed by a removed cell: that of the nearest patch in its box.
-  std::int32_t boundaryOf(const OtherSide& gone, std::size_t face) const
+  std::int32_t wallOf(const OtherSide& gone, std::size_t face) const
   {
-    const Patches& patches = parts_.patches;
-    const std::uint32_t n = parts_.sides.polyhedralOrdinal(gone.box);
-    const std::uint32_t of = n == None ? None : parts_.sides.patchBox[n];
-    const std::size_t first = of == None ? 0 : patches.boxStart[of];
-    const std::size_t end = of == None ? 0 : patches.boxStart[of + 1];
-    const auto ofBox = patches.boundary.begin();
-    if (std::adjacent_find(ofBox + std::ptrdiff_t(first), ofBox + std::ptrdiff_t(end),
-          std::not_equal_to<>()) == ofBox + std::ptrdiff_t(end))
-    {
-      return gone.boundary;
-    }
-    const Vector place = middleOf(face);
-    std::pair<double, std::int32_t> nearest{ std::numeric_limits<double>::infinity(),
-      gone.boundary };
-    for (std::size_t p = first; p < end; ++p)
-    {
-      if (patches.walls.isInterface(patches.boundary[p]))
-      {
-        continue;
-      }
-      const double distance = distanceOf(p, place);
-      nearest = distance < nearest.first ? std::pair(distance, patches.boundary[p]) : nearest;
-    }
-    return nearest.second;
-  }
-
-  // The mean of its nodes, in levels.
-  Vector middleOf(std::size_t face) const
-  {
-    Vector sum{};
-    double count = 0;
-    parts_.wall.faces.forEachNode({ face, false }, [&](std::uint32_t node) {
-      sum = plus(sum, minus(parts_.nodes.at[node], Point{}));
-      ++count;
-    });
-    return scaled(sum, 1 / count);
-  }
-
-  // From a patch to a place.
-  double distanceOf(std::size_t patch, const Vector& place) const
-  {
-    const WallFaces& faces = parts_.wall.faces;
-    const auto corner = [&](std::size_t i) { return parts_.nodes.at[faces.corners[i]]; };
-    const std::size_t first = faces.start[patch];
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = first + 1; i + 1 < faces.start[patch + 1]; ++i)
-    {
-      const Corners triangle{ corner(first), corner(i), corner(i + 1) };
-      nearest = std::min(nearest, norm(minus(nearestPlace(triangle, place), place)));
-    }
-    return nearest;
+    return exposedWall(parts_, face, gone.box, gone.boundary);
   }
 
   void add(std::uint32_t cell, const FaceUse& use, std::int32_t boundary,
@@ -181,11 +157,11 @@ private:
     const Walls& walls = parts_.patches.walls;
     if (CellNumbers::isHere(below.cell) && above.cell == None)
     {
-      add(below.cell, { face, false }, walls.boundary(boundaryOf(above, face)), faces);
+      add(below.cell, { face, false }, walls.boundary(wallOf(above, face)), faces);
     }
     if (below.cell == None && CellNumbers::isHere(above.cell))
     {
-      add(above.cell, { face, true }, walls.boundary(boundaryOf(below, face)), faces);
+      add(above.cell, { face, true }, walls.boundary(wallOf(below, face)), faces);
     }
   }
 
@@ -385,6 +361,34 @@ BoundaryFace::Kind kindOf(const WallFaces& faces, const FaceUse& use)
     default:
       return use.turned ? Kind::TurnedInner : Kind::Inner;
   }
+}
+
+std::int32_t exposedWall(
+  const MeshParts& parts, std::size_t face, std::uint32_t box, std::int32_t otherwise)
+{
+  const Patches& patches = parts.patches;
+  const std::uint32_t n = parts.sides.polyhedralOrdinal(box);
+  const std::uint32_t of = n == None ? None : parts.sides.patchBox[n];
+  const std::size_t first = of == None ? 0 : patches.boxStart[of];
+  const std::size_t end = of == None ? 0 : patches.boxStart[of + 1];
+  const auto ofBox = patches.boundary.begin();
+  if (std::adjacent_find(ofBox + std::ptrdiff_t(first), ofBox + std::ptrdiff_t(end),
+        std::not_equal_to<>()) == ofBox + std::ptrdiff_t(end))
+  {
+    return otherwise;
+  }
+  const Vector place = middleOf(parts, face);
+  std::pair<double, std::int32_t> nearest{ std::numeric_limits<double>::infinity(), otherwise };
+  for (std::size_t p = first; p < end; ++p)
+  {
+    if (patches.walls.isInterface(patches.boundary[p]))
+    {
+      continue;
+    }
+    const double distance = distanceOf(parts, p, place);
+    nearest = distance < nearest.first ? std::pair(distance, patches.boundary[p]) : nearest;
+  }
+  return nearest.second;
 }
 
 CellNumbers numberCells(const MeshParts& parts, Execution& execution)

@@ -65,6 +65,11 @@ struct BoundaryFace
 // The kind of a face of the wall.
 BoundaryFace::Kind kindOf(const WallFaces& faces, const FaceUse& use);
 
+// The wall (Walls.h) of a face that is exposed, as there is no cell beyond it: that of the nearest patch in the box there,
+// if that has several.
+std::int32_t exposedWall(
+  const MeshParts& parts, std::size_t face, std::uint32_t box, std::int32_t otherwise);
+
 // Lists the boundary faces, in order of their cells.
 std::vector<BoundaryFace> collectBoundary(
   const MeshParts& parts, const CellNumbers& numbers, Execution& execution);

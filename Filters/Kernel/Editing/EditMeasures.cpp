@@ -297,7 +297,7 @@ void measureAll(EditStore& store, Execution& execution)
     EditMesh mesh(store, 0, 0, {});
     for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
     {
-      if (mesh.isFree(i))
+      if (!mesh.cell(i).gone && !mesh.isGhost(i))
       {
         measureCell(mesh, i);
       }

@@ -152,6 +152,15 @@ EditMesh::EditMesh(EditStore& store, std::uint32_t zone, std::uint16_t arena, Fr
 {
 }
 
+// Lists of the faces of nodes and cells take nearly twice the room of the corners.
+void EditMesh::reserve(std::size_t nodes, std::size_t faces, std::size_t cells, std::size_t corners)
+{
+  store_->nodes.reserve(nodes);
+  store_->faces.reserve(faces);
+  store_->cells.reserve(cells);
+  store_->arenas[0].reserve(2 * corners + 2 * faces);
+}
+
 std::uint32_t EditMesh::addNode(const EditNode& node)
 {
   store_->nodes.push_back(node);

@@ -34,8 +34,9 @@ enum class NodeKind : std::uint8_t
 
 enum class CellState : std::uint8_t
 {
-  Free, // to change
-  Ghost // only its centre and volume are here, and those of its faces that others have
+  Free,   // to change
+  Frozen, // it has its faces, but nothing of it may change
+  Ghost   // only its centre and volume are here, and those of its faces that others have
 };
 
 // Of items in one of the arenas.
@@ -303,6 +304,7 @@ public:
 
   // --- building: before the first mark, of a mesh of its own
 
+  void reserve(std::size_t nodes, std::size_t faces, std::size_t cells, std::size_t corners);
   std::uint32_t addNode(const EditNode& node);
   std::uint32_t addCell(const EditCell& cell);
   std::uint32_t addFace(EditFace face, const std::uint32_t* corners, std::size_t size);

@@ -11,6 +11,8 @@
 #include "Collapse/EdgeCollapse.h"
 #include "Collapse/StandOff.h"
 #include "Collapse/WarpedHexahedra.h"
+#include "Editing/EditableWall.h"
+#include "Editing/WallImprovement.h"
 #include "Faces/BoxRebuilding.h"
 #include "Lattice/Vector.h"
 #include "Layers/WarpedWalls.h"
@@ -437,6 +439,14 @@ void removeFragments(Assembly& a, const Options& options, Execution& execution)
   }
 }
 
+void editInPlace(Assembly& a, const Options& options, Execution& execution)
+{
+  EditableWall wall = openWall({ a.boxes, a.patches, a.sides, a.nodes, a.wall },
+    options.patches.featureAngle, execution);
+  improveWall(wall.mesh.store(), execution);
+  closeWall(wall, a.boxes, a.sides, a.nodes, a.wall, execution);
+}
+
 bool isWhole(const Assembly& a)
 {
   const Layers all = a.boxes.allLayers();
@@ -472,7 +482,8 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   simplifyDetail(a, execution);
   const BoxFlags flawed =
     keepParts(a, rebuildFlawed(a, makeFaces(a, execution), execution), parts, options, execution);
-  if (options.collapse.ratio > 0)
+  const bool inPlace = options.shaping.editsInPlace;
+  if (options.collapse.ratio > 0 && !inPlace)
   {
     CollapseAttempts(a, flawed, options, execution).run();
   }
@@ -480,7 +491,7 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   {
     a.wall = makeCells(a, options, execution);
   }
-  if (standsOff(options) &&
+  if (standsOff(options) && !inPlace &&
     standOff(a.boxes, a.patches, a.inner, options.patches.featureAngle, a.nodes, execution))
   {
     a.wall = makeCells(a, options, execution);
@@ -489,7 +500,12 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   a.patches.forgetPolygons();
   removeOverlapping(a, execution);
   makeInterfaces(a.patches.walls, a.wall);
-  if (shapesCells(options))
+  if (inPlace)
+  {
+    execution.stage("Shaping of cells", AfterShortEdges, AfterShaping);
+    editInPlace(a, options, execution);
+  }
+  else if (shapesCells(options))
   {
     execution.stage("Shaping of cells", AfterShortEdges, AfterShaping);
     a.shaping = shapeCells(a.boxes, a.patches, a.sides, a.nodes, a.wall,

@@ -31,6 +31,9 @@ struct ShapingSpec
   // Where cells are split: failing cells that cannot be repaired are removed, up to this many volumes of their box;
   // 0: none.
   double refusedCellRatio = 4;
+
+  // Whether one mesh is edited in place instead of all that (Editing/EditableWall.h): hidden while it is built.
+  bool editsInPlace = false;
 };
 
 }

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The cells at the wall as an EditMesh, and back: those of intersected boxes and others with a wall, and one ring of
+// cells around them. What lies beyond is there as ghosts, whose nodes are held.
+//
+// Nothing depends on how the input is ordered: cells are in the order of their boxes, several in a box in that of their
+// nodes' places; nodes in the order of their places; faces in that of the cell below, then of their corners, the first of
+// which is the lowest.
+#pragma once
+
+#include "Cells/Boundary.h"
+#include "Editing/EditMesh.h"
+
+namespace cartesian
+{
+
+// EditFace::wall of what lies on an end of the grid (0: low x, 1: high x, low y, ...): neither an index of Walls nor
+// NoBoundary.
+constexpr std::int32_t wallOfEnd(std::size_t side)
+{
+  return NoBoundary - 1 - static_cast<std::int32_t>(side);
+}
+constexpr bool isWallOfEnd(std::int32_t wall)
+{
+  return wall < NoBoundary;
+}
+
+// What the mesh was when it was opened: cells before the ghosts, and the corners of faces.
+struct AsOpened
+{
+  std::uint32_t nodes = 0;
+  std::uint32_t cells = 0;
+  std::vector<std::uint32_t> start{ 0 }; // first corner of each face, and the end
+  std::vector<std::uint32_t> corners;
+  std::vector<std::array<std::uint32_t, 2>> cellsOf; // below and above each face, or None
+  std::vector<std::uint8_t> turned;   // 1: the face has the cell below that WallFaces has above
+  std::vector<VertexNode> onVertices; // nodes on vertices of the global mesh that are not in Nodes
+};
+
+struct EditableWall
+{
+  EditMesh mesh;
+  Point origin{};
+  AsOpened opened;
+
+  Vector inside(const Point& place) const { return scaled(minus(place, origin), mesh.level()); }
+  Point placeOf(std::uint32_t node) const;
+};
+
+// `featureAngle` in degrees: edges of the wall that turn by more are sharp.
+EditableWall openWall(const MeshParts& parts, double featureAngle, Execution& execution);
+
+// Writes what changed. Hexahedra that did become polyhedra; all else keeps its numbers.
+void closeWall(const EditableWall& edited, const Boxes& boxes, Sides& sides, Nodes& nodes,
+  WallMesh& wall, Execution& execution);
+
+}

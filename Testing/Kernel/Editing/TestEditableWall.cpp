@@ -1,0 +1,402 @@
+// The mesh at the wall as one that can be edited, and back.
+#include "Editing/EditableWall.h"
+#include "Editing/PrimitiveEdits.h"
+#include "Support/MeshChecker.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+#include <set>
+#include <tuple>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr double FeatureAngle = 30;
+constexpr int FirstSide = 10;
+
+struct Case
+{
+  std::string name;
+  Soup soup;
+  TestOptions options;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Case& one)
+{
+  return stream << one.name;
+}
+
+TestOptions plain(double size, int levels, double smallCells = 0)
+{
+  TestOptions options = asTheyAre(smallCells, depth(levels));
+  options.grid = cellsOf(size);
+  options.memoryLimit = PlentyOfMemory;
+  return options;
+}
+
+TestOptions around(TestOptions options, Half half = Half::Whole)
+{
+  options.domain.domain = Domain::Outside;
+  options.domain.boxFrom = BoxSource::Bounds;
+  options.domain.bounds = { { -1, -1, -1 }, { 2, 2, 2 } };
+  options.domain.half = half;
+  for (std::size_t side = 0; side < 6; ++side)
+  {
+    options.domain.sides[side] = FirstSide + static_cast<int>(side);
+  }
+  return options;
+}
+
+std::vector<Case> cases()
+{
+  std::vector<Case> all;
+  const Soup ball = sphere(6, 0.7);
+  for (int levels = 0; levels <= 3; ++levels)
+  {
+    const std::string name = std::to_string(levels);
+    all.push_back({ "Ball" + name, ball, plain(0.31, levels) });
+    all.push_back({ "Cube" + name, cube().turned(), plain(0.43, levels) });
+  }
+  TestOptions atBoundary = plain(0.4, 0);
+  atBoundary.refinement.sizing.curvatureAngle = 20;
+  all.push_back({ "Curved", torus(12, 1, 0.4), atBoundary });
+  all.push_back({ "Around", ball, around(plain(0.31, 1)) });
+  all.push_back({ "Half", ball, around(plain(0.31, 1), Half::AcrossY) });
+  all.push_back(
+    { "HalfTurned", cube().turned().scaled(0.5), around(plain(0.2, 0), Half::AcrossX) });
+  all.push_back({ "SmallCells", ball.turned(), plain(0.23, 0, 0.2) });
+  all.push_back({ "SmallCellsBelow", ball.turned(), plain(0.43, 2, 0.2) });
+  Soup regions;
+  regions.addRegion(box({ 0, 0, 0 }, { 1, 1, 1 })).addRegion(box({ 1, 0, 0 }, { 2, 1, 1 }));
+  all.push_back({ "Regions", regions.turned(), plain(0.31, 1) });
+  all.push_back({ "Voids", nestedSpheres(), plain(nestedSpheres().longest() / 7, 0) });
+  all.push_back({ "Comb", comb(4), plain(comb(4).longest() / 9, 1) });
+  for (Case& one : all)
+  {
+    one.options.regionsFrom = one.soup.region.empty() ? RegionSource::One : RegionSource::Blocks;
+  }
+  return all;
+}
+
+std::unique_ptr<Assembly> assembledOf(const Case& one)
+{
+  Execution execution;
+  const PreparedSurface prepared = prepareSurface(one.soup.view(), one.options, execution);
+  const auto decomposition = decompose(prepared, one.options, execution);
+  return meshPart(prepared, *decomposition, decomposition->allLayers(), one.options, execution);
+}
+
+MeshParts partsOf(const Assembly& a)
+{
+  return { a.boxes, a.patches, a.sides, a.nodes, a.wall };
+}
+
+MeshArrays written(Assembly& a)
+{
+  Execution execution;
+  a.mesh = std::make_unique<OutputMesh>(partsOf(a), execution);
+  return arraysOf(*a.mesh, a.boxes, execution);
+}
+
+void close(const EditableWall& edited, Assembly& a)
+{
+  Execution execution;
+  closeWall(edited, a.boxes, a.sides, a.nodes, a.wall, execution);
+}
+
+class EditableWallOf : public ::testing::TestWithParam<Case>
+{
+};
+
+// Each edge once in both directions.
+bool isClosed(const EditMesh& mesh, std::uint32_t c)
+{
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  for (const std::uint32_t f : mesh.facesOf(c))
+  {
+    const Items corners = mesh.cornersOf(f);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      std::pair<std::uint32_t, std::uint32_t> edge{ corners[i], corners[(i + 1) % corners.size()] };
+      if (mesh.face(f).below != c)
+      {
+        std::swap(edge.first, edge.second);
+      }
+      ++edges[edge];
+    }
+  }
+  return std::all_of(edges.begin(), edges.end(), [&](const auto& entry) {
+    const auto back = edges.find({ entry.first.second, entry.first.first });
+    return entry.second == 1 && back != edges.end() && back->second == 1;
+  });
+}
+
+// Of two cells each; returns how many are gone.
+std::size_t mergeSome(EditableWall& edited)
+{
+  EditMesh& mesh = edited.mesh;
+  std::mt19937 random(1);
+  std::size_t merged = 0;
+  const auto isSimple = [&](std::uint32_t c) {
+    return mesh.isFree(c) && mesh.facesOf(c).size() < 20;
+  };
+  for (std::uint32_t f = 0; f < edited.opened.cellsOf.size();
+       f += 1 + static_cast<std::uint32_t>(random() % 7))
+  {
+    const EditFace face = mesh.face(f);
+    if (face.gone || face.above == None || !isSimple(face.below) || !isSimple(face.above))
+    {
+      continue;
+    }
+    const EditMesh::Mark mark = mesh.mark();
+    if (mergeCells(mesh, face.below, face.above) && isClosed(mesh, face.below))
+    {
+      mesh.commit();
+      ++merged;
+    }
+    else
+    {
+      mesh.undo(mark);
+    }
+  }
+  return merged;
+}
+
+// Nodes inside, and in sides, but not of small cells.
+void moveSome(EditMesh& mesh)
+{
+  constexpr double Little = 0.01;
+  std::mt19937 random(1);
+  const auto isLarge = [&](std::uint32_t c) {
+    return c == None || mesh.cell(c).volume > 0.99 * mesh.cell(c).box;
+  };
+  for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
+  {
+    const EditNode& node = mesh.node(n);
+    const bool isInSide = node.held != 0 && node.kind == NodeKind::OnSurface;
+    const Items faces = mesh.facesAround(n);
+    if (!node.gone && random() % 4 == 0 && (isInSide || !node.atWall) &&
+      std::all_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
+        return isLarge(mesh.face(f).below) && isLarge(mesh.face(f).above);
+      }))
+    {
+      Vector to = node.at;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        to[axis] += (node.held >> axis & 1) != 0 ? 0 : Little;
+      }
+      mesh.moveNode(n, onLattice(mesh, to, node.held));
+    }
+  }
+  mesh.commit();
+}
+
+// The same surface, in another order.
+Soup reversed(Soup soup)
+{
+  const auto count = static_cast<std::uint32_t>(soup.points.size());
+  std::reverse(soup.points.begin(), soup.points.end());
+  for (auto& [a, b, c] : soup.triangles)
+  {
+    a = count - 1 - a;
+    b = count - 1 - b;
+    c = count - 1 - c;
+    std::swap(a, b);
+    std::swap(b, c);
+  }
+  std::reverse(soup.triangles.begin(), soup.triangles.end());
+  std::reverse(soup.boundary.begin(), soup.boundary.end());
+  std::reverse(soup.region.begin(), soup.region.end());
+  return soup;
+}
+
+}
+
+TEST_P(EditableWallOf, CellsAreClosed)
+{
+  const auto a = assembledOf(GetParam());
+  const EditableWall edited = openWall(partsOf(*a), FeatureAngle);
+  const EditMesh& mesh = edited.mesh;
+  ASSERT_GT(edited.opened.cells, 0u);
+  double sum = 0;
+  for (std::uint32_t c = 0; c < edited.opened.cells; ++c)
+  {
+    EXPECT_EQ(isClosed(mesh, c), mesh.isFree(c)) << c;
+    sum += mesh.cell(c).volume;
+    const CellKey key = mesh.cell(c).number;
+    EXPECT_NEAR(mesh.cell(c).volume / mesh.cell(c).box,
+      isHexahedron(key) ? 1 : a->wall.cells[key].volumeFraction, 1e-9);
+  }
+  EXPECT_GT(sum, 0);
+  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
+  {
+    EXPECT_FALSE(mesh.isGhost(mesh.face(f).below));
+    const Items corners = mesh.cornersOf(f);
+    const std::set<std::uint32_t> nodes(corners.begin(), corners.end());
+    EXPECT_TRUE(nodes.size() == corners.size() || !mesh.isFree(mesh.face(f).below)) << f;
+  }
+}
+
+TEST_P(EditableWallOf, NoEditsChangeNothing)
+{
+  const auto a = assembledOf(GetParam());
+  const MeshArrays before = written(*a);
+  close(openWall(partsOf(*a), FeatureAngle), *a);
+  EXPECT_TRUE(written(*a) == before);
+}
+
+// Faces that begin at another corner are new ones, of cells that have changed.
+TEST_P(EditableWallOf, AllIsWritten)
+{
+  const auto a = assembledOf(GetParam());
+  const MeshArrays before = written(*a);
+  EditableWall edited = openWall(partsOf(*a), FeatureAngle);
+  for (std::uint32_t f = 0; f < edited.mesh.faceCount(); ++f)
+  {
+    const Items corners = edited.mesh.cornersOf(f);
+    const std::uint32_t above = edited.mesh.face(f).above;
+    if (above == None || !edited.mesh.isGhost(above))
+    {
+      std::vector<std::uint32_t> turned(corners.begin(), corners.end());
+      std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+      edited.mesh.setCorners(f, turned.data(), turned.size());
+    }
+  }
+  close(edited, *a);
+  const MeshArrays after = written(*a);
+  EXPECT_TRUE(isValid(before));
+  EXPECT_TRUE(isValid(after));
+  EXPECT_EQ(after.cells(), before.cells());
+  EXPECT_EQ(after.points.size(), before.points.size());
+  EXPECT_EQ(after.globalBox, before.globalBox);
+  EXPECT_EQ(after.region, before.region);
+  EXPECT_EQ(after.boundaryIndex.size(), before.boundaryIndex.size());
+  for (std::size_t c = 0; c < before.cells(); ++c)
+  {
+    ASSERT_NEAR(after.volumeFraction[c], before.volumeFraction[c], 1e-9) << c;
+  }
+  const auto areas = areasByBoundary(after);
+  const auto areasBefore = areasByBoundary(before);
+  ASSERT_EQ(areas.size(), areasBefore.size());
+  for (const auto& [boundary, area] : areasBefore)
+  {
+    EXPECT_NEAR(areas.at(boundary), area, 1e-9 * (1 + area)) << boundary;
+  }
+}
+
+// Inner cells merge, nodes move: what is written is valid.
+TEST_P(EditableWallOf, EditsAreWritten)
+{
+  const auto a = assembledOf(GetParam());
+  const MeshArrays before = written(*a);
+  EditableWall edited = openWall(partsOf(*a), FeatureAngle);
+  moveSome(edited.mesh);
+  const std::size_t merged = mergeSome(edited);
+  EXPECT_GT(merged, 0u);
+  close(edited, *a);
+  const MeshArrays after = written(*a);
+  EXPECT_TRUE(isValid(after, true));
+  EXPECT_EQ(after.cells() + merged, before.cells());
+  EXPECT_NEAR(volumeOf(after), volumeOf(before), 1e-9 * volumeOf(before));
+  const auto areas = areasByBoundary(after);
+  for (const auto& [boundary, area] : areasByBoundary(before))
+  {
+    EXPECT_NEAR(areas.at(boundary), area, 1e-9 * (1 + area)) << boundary;
+  }
+}
+
+// Nodes of sides slide in them; those of cells that are not edited stay.
+TEST_P(EditableWallOf, NodesAreHeld)
+{
+  const auto a = assembledOf(GetParam());
+  const EditableWall edited = openWall(partsOf(*a), FeatureAngle);
+  const EditMesh& mesh = edited.mesh;
+  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
+  {
+    const EditFace& face = mesh.face(f);
+    for (const std::uint32_t n : mesh.cornersOf(f))
+    {
+      const std::uint8_t held = mesh.node(n).held;
+      if (face.above != None && mesh.isGhost(face.above))
+      {
+        EXPECT_EQ(held, HeldFast);
+      }
+      else if (isWallOfEnd(face.wall))
+      {
+        const auto axis = static_cast<std::size_t>(wallOfEnd(0) - face.wall) / 2;
+        const auto& planes = a->boxes.planes[axis];
+        const Level level = edited.placeOf(n)[axis];
+        EXPECT_TRUE(held >> axis & 1);
+        EXPECT_TRUE(level == planes.front() || level == planes.back());
+      }
+    }
+  }
+}
+
+TEST(EditableWall, KindsOfNodesOfACube)
+{
+  const auto a = assembledOf(Case{ "", cube().turned(), plain(0.23, 0) });
+  const EditableWall edited = openWall(partsOf(*a), FeatureAngle);
+  std::map<NodeKind, int> kinds;
+  for (std::uint32_t n = 0; n < edited.mesh.nodeCount(); ++n)
+  {
+    const EditNode& node = edited.mesh.node(n);
+    ++kinds[node.kind];
+    EXPECT_EQ(node.kind == NodeKind::Free, !node.atWall);
+    if (node.kind == NodeKind::OnSurface)
+    {
+      EXPECT_NEAR(norm(node.along), 1, 1e-9);
+      EXPECT_GT(node.leash, 0.3F);
+    }
+  }
+  EXPECT_EQ(kinds[NodeKind::Corner], 8);
+  EXPECT_GT(kinds[NodeKind::OnEdge], 12);
+}
+
+TEST(EditableWall, IsTheSameForAnyOrder)
+{
+  for (const Case& one : cases())
+  {
+    SCOPED_TRACE(one.name);
+    const auto a = assembledOf(one);
+    const auto b = assembledOf(Case{ "", reversed(one.soup), one.options });
+    const EditableWall x = openWall(partsOf(*a), FeatureAngle);
+    const EditableWall y = openWall(partsOf(*b), FeatureAngle);
+    ASSERT_EQ(x.opened.corners, y.opened.corners);
+    ASSERT_EQ(x.opened.start, y.opened.start);
+    ASSERT_EQ(x.opened.cellsOf, y.opened.cellsOf);
+    ASSERT_EQ(x.mesh.nodeCount(), y.mesh.nodeCount());
+    ASSERT_EQ(x.mesh.cellCount(), y.mesh.cellCount());
+    for (std::uint32_t n = 0; n < x.mesh.nodeCount(); ++n)
+    {
+      const EditNode& p = x.mesh.node(n);
+      const EditNode& q = y.mesh.node(n);
+      ASSERT_EQ(std::tie(p.at, p.kind, p.along, p.leash, p.held, p.atWall),
+        std::tie(q.at, q.kind, q.along, q.leash, q.held, q.atWall));
+    }
+    for (std::uint32_t f = 0; f < x.mesh.faceCount(); ++f)
+    {
+      const EditFace& p = x.mesh.face(f);
+      const EditFace& q = y.mesh.face(f);
+      ASSERT_EQ(std::tie(p.area, p.debt, p.wall, p.cost), std::tie(q.area, q.debt, q.wall, q.cost));
+    }
+    for (std::uint32_t c = 0; c < x.mesh.cellCount(); ++c)
+    {
+      const EditCell& p = x.mesh.cell(c);
+      const EditCell& q = y.mesh.cell(c);
+      ASSERT_EQ(std::tie(p.home, p.volume, p.wall, p.region, p.cost),
+        std::tie(q.home, q.volume, q.wall, q.region, q.cost));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  All, EditableWallOf, ::testing::ValuesIn(cases()), [](const auto& of) { return of.param.name; });
+
+}
