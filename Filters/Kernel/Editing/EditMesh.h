@@ -223,6 +223,8 @@ struct Unsettled
 // The mesh itself, which several editors may change at the same time: each in a zone of its own (EditZones.h).
 struct EditStore
 {
+  static constexpr double Beyond = 1e30;
+
   std::vector<EditNode> nodes;
   std::vector<EditFace> faces;
   std::vector<EditCell> cells;
@@ -230,6 +232,10 @@ struct EditStore
     {}
   };                // the first, which only compact() changes; each editor's
   double level = 1; // the length of a lattice level: a power of two
+
+  // The ends of the grid, which nothing leaves.
+  Vector low{ -Beyond, -Beyond, -Beyond };
+  Vector high{ Beyond, Beyond, Beyond };
 
   // Lists the faces of cells and nodes, once all faces are there; marks nodes at walls.
   void connect();
@@ -271,6 +277,8 @@ public:
   const EditFace& face(std::uint32_t i) const { return store_->faces[i]; }
   const EditCell& cell(std::uint32_t i) const { return store_->cells[i]; }
   double level() const { return store_->level; }
+  const Vector& low() const { return store_->low; }
+  const Vector& high() const { return store_->high; }
 
   Items cornersOf(std::uint32_t f) const { return itemsOf(face(f).corners); }
   Items facesOf(std::uint32_t c) const { return itemsOf(cell(c).faces); }

@@ -226,7 +226,9 @@ Vector onLattice(const EditMesh& mesh, const Vector& place, std::uint8_t held)
   {
     if ((held >> axis & 1) == 0)
     {
-      rounded[axis] = (2 * std::floor(place[axis] / mesh.level() / 2) + 1) * mesh.level();
+      const double at = (2 * std::floor(place[axis] / mesh.level() / 2) + 1) * mesh.level();
+      rounded[axis] =
+        std::clamp(at, mesh.low()[axis] + mesh.level(), mesh.high()[axis] - mesh.level());
     }
   }
   return rounded;

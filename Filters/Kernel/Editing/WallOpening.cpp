@@ -83,6 +83,13 @@ private:
       least = least > 0 ? std::min(least, edge) : edge;
     }
     mesh_.store().level = least > 0 ? std::ldexp(1.0, -std::ilogb(least)) : 1;
+    Point end = result_.origin;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      end[axis] = parts_.boxes.planes[axis].back();
+    }
+    mesh_.store().low = Vector{};
+    mesh_.store().high = result_.inside(end);
   }
 
   static double edgeOf(const Box& box)
