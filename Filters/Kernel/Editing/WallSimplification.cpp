@@ -63,7 +63,8 @@ public:
     const EditNode& node = mesh_.node(n);
     const double strayed = distanceToSegment(node.at, mesh_.node(p).at, mesh_.node(q).at) +
       double(std::max({ node.strayed, mesh_.node(p).strayed, mesh_.node(q).strayed }));
-    if (strayed > spec_.tolerance * edgeAt(n) || (node.held & ~mesh_.node(p).held) != 0)
+    const double tolerance = node.kind >= NodeKind::OnEdge ? spec_.ofEdges : spec_.tolerance;
+    if (strayed > tolerance * edgeAt(n) || (node.held & ~mesh_.node(p).held) != 0)
     {
       return;
     }

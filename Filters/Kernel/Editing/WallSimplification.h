@@ -13,6 +13,7 @@ struct SimplificationSpec
 {
   double weld = 0.01;      // in boxes: shorter edges have their ends made one
   double tolerance = 0.04; // in boxes: how far the wall may move
+  double ofEdges = 0.002;  // ... at a sharp edge or border: there areas of flat walls depend on it
 };
 
 // Costs are valid before and afterwards.
