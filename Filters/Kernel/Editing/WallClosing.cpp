@@ -16,19 +16,18 @@ constexpr std::size_t CellsAChunk = 1024;
 class Closing
 {
 public:
-  Closing(const EditableWall& edited, const Boxes& boxes, Sides& sides, Nodes& nodes,
-    WallMesh& wall, Execution& execution)
+  Closing(
+    const EditableWall& edited, const Boxes& boxes, Sides& sides, Nodes& nodes, WallMesh& wall)
     : edited_(edited)
     , mesh_(edited.mesh)
     , boxes_(boxes)
     , sides_(sides)
     , nodes_(nodes)
     , wall_(wall)
-    , execution_(execution)
   {
   }
 
-  void run()
+  void run(Execution& execution)
   {
     findMoved();
     findChanged();
@@ -36,11 +35,19 @@ public:
     writeNodes();
     writeFaces();
     writeCells(before);
-    findCellsOfFaces();
+    findCellsOfFaces(execution);
     listSidesOfHexahedra();
   }
 
 private:
+  // Of the nodes and faces of cells that changed, in Nodes and WallFaces.
+  struct NewNumbers
+  {
+    std::vector<std::uint32_t> nodes;
+    std::vector<std::uint32_t> faces;
+    std::uint32_t firstMade = 0; // of faces
+  };
+
   // --- what changed
 
   void findMoved()
@@ -162,10 +169,10 @@ private:
         used[n] = 1;
       }
     });
-    nodeNumbers_.assign(mesh_.nodeCount(), None);
+    numbers_.nodes.assign(mesh_.nodeCount(), None);
     for (std::uint32_t n = 0; n < mesh_.nodeCount(); ++n)
     {
-      std::uint32_t& number = nodeNumbers_[n];
+      std::uint32_t& number = numbers_.nodes[n];
       number = mesh_.node(n).number;
       if (number != None && moved_[n])
       {
@@ -185,7 +192,7 @@ private:
     {
       if (used[vertex.node])
       {
-        vertex.node = nodeNumbers_[vertex.node];
+        vertex.node = numbers_.nodes[vertex.node];
         nodes_.moreVertices.push_back(vertex);
       }
     }
@@ -198,8 +205,8 @@ private:
   {
     std::vector<std::uint8_t> used(mesh_.faceCount());
     forEachWrittenFace([&](std::uint32_t f) { used[f] = 1; });
-    faceNumbers_.assign(mesh_.faceCount(), None);
-    firstMade_ = static_cast<std::uint32_t>(wall_.faces.size());
+    numbers_.faces.assign(mesh_.faceCount(), None);
+    numbers_.firstMade = static_cast<std::uint32_t>(wall_.faces.size());
     for (std::uint32_t f = 0; f < mesh_.faceCount(); ++f)
     {
       const EditFace& face = mesh_.face(f);
@@ -209,13 +216,13 @@ private:
       }
       if (face.number != None && isAsOpened(f))
       {
-        faceNumbers_[f] = face.number;
+        numbers_.faces[f] = face.number;
         continue;
       }
-      faceNumbers_[f] = static_cast<std::uint32_t>(wall_.faces.size());
+      numbers_.faces[f] = static_cast<std::uint32_t>(wall_.faces.size());
       for (const std::uint32_t n : mesh_.cornersOf(f))
       {
-        wall_.faces.corners.push_back(nodeNumbers_[n]);
+        wall_.faces.corners.push_back(numbers_.nodes[n]);
       }
       wall_.faces.add({ keyBeyond(face.below), keyBeyond(face.above) }, boundaryOf(face));
     }
@@ -344,9 +351,9 @@ private:
     for (const std::uint32_t f : mesh_.facesOf(c))
     {
       const bool isAbove = mesh_.face(f).above == c;
-      const bool isMade = faceNumbers_[f] >= firstMade_;
+      const bool isMade = numbers_.faces[f] >= numbers_.firstMade;
       wall_.uses.emplace_back(
-        faceNumbers_[f], isAbove != (!isMade && edited_.opened.turned[f] != 0));
+        numbers_.faces[f], isAbove != (!isMade && edited_.opened.turned[f] != 0));
     }
   }
 
@@ -403,10 +410,10 @@ private:
     return isHexahedron(key) && sides_.polyhedralOrdinal(boxOfHexahedron(key)) == None;
   }
 
-  void findCellsOfFaces()
+  void findCellsOfFaces(Execution& execution)
   {
     WallFaces& faces = wall_.faces;
-    execution_.forEach(faces.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    execution.forEach(faces.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f)
       {
         for (CellKey& key : faces.cells[f])
@@ -415,7 +422,7 @@ private:
         }
       }
     });
-    execution_.forEach(wall_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    execution.forEach(wall_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c)
       {
         wall_.forEachUse(c,
@@ -428,7 +435,7 @@ private:
   void listSidesOfHexahedra()
   {
     const WallFaces& faces = wall_.faces;
-    for (std::uint32_t f = firstMade_; f < faces.size(); ++f)
+    for (std::uint32_t f = numbers_.firstMade; f < faces.size(); ++f)
     {
       for (const CellKey key : faces.cells[f])
       {
@@ -469,14 +476,11 @@ private:
   Sides& sides_;
   Nodes& nodes_;
   WallMesh& wall_;
-  Execution& execution_;
   std::vector<std::uint8_t> moved_;     // nodes
   std::vector<std::uint8_t> rewritten_; // cells of the wall mesh that changed or went
   std::vector<std::uint32_t> written_;  // cells that changed, in the order of boxes
   std::vector<std::uint32_t> promoted_; // boxes of hexahedra that changed, in order
-  std::vector<std::uint32_t> nodeNumbers_;
-  std::vector<std::uint32_t> faceNumbers_; // of those of cells that changed
-  std::uint32_t firstMade_ = 0;
+  NewNumbers numbers_;
 };
 
 }
@@ -484,7 +488,7 @@ private:
 void closeWall(const EditableWall& edited, const Boxes& boxes, Sides& sides, Nodes& nodes,
   WallMesh& wall, Execution& execution)
 {
-  Closing(edited, boxes, sides, nodes, wall, execution).run();
+  Closing(edited, boxes, sides, nodes, wall).run(execution);
 }
 
 }

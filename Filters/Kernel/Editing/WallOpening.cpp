@@ -23,7 +23,6 @@ class Opening
 public:
   Opening(const MeshParts& parts, EditableWall& result, Execution& execution)
     : parts_(parts)
-    , wall_(parts.wall)
     , result_(result)
     , mesh_(result.mesh)
     , execution_(execution)
@@ -41,11 +40,7 @@ public:
       addCell(key, CellState::Free);
     }
     result_.opened.cells = static_cast<std::uint32_t>(mesh_.cellCount());
-    for (const CellKey key : keys_)
-    {
-      listFaces(key);
-      endOfCell_.push_back(faces_.size());
-    }
+    std::for_each(keys_.begin(), keys_.end(), [&](CellKey key) { listFaces(key); });
     addGhosts();
     addNodes();
     addFaces();
@@ -56,15 +51,23 @@ public:
   }
 
 private:
-  // A face with the cell to which it is listed below.
+  // A face as the cell below has it.
   struct Listed
   {
     std::size_t begin; // in corners_
     std::size_t end;
     std::uint32_t number; // in WallFaces, or None
-    CellKey above;        // or None
+    CellKey below;
+    CellKey above; // or None
     std::int32_t wall;
     bool turned;
+  };
+
+  // Vertices of the global mesh that are not in Nodes: numbered behind those.
+  struct NewVertices
+  {
+    std::vector<VertexNode> all;
+    std::unordered_map<std::uint64_t, std::uint32_t> numbers;
   };
 
   // --- cells
@@ -79,7 +82,7 @@ private:
     double least = 0;
     for (const CellKey key : keys_)
     {
-      const double edge = edgeOf(parts_.boxes.box(boxOf(wall_, key)));
+      const double edge = edgeOf(parts_.boxes.box(boxOf(parts_.wall, key)));
       least = least > 0 ? std::min(least, edge) : edge;
     }
     mesh_.store().level = least > 0 ? std::ldexp(1.0, -std::ilogb(least)) : 1;
@@ -103,11 +106,11 @@ private:
     return isHexahedron(key) ? ofHexahedron_[boxOfHexahedron(key)] : ofCell_[key];
   }
 
-  bool isThere(CellKey key) const { return key != None && !wall_.isRemoved(key); }
+  bool isThere(CellKey key) const { return key != None && !parts_.wall.isRemoved(key); }
 
   void addCell(CellKey key, CellState state)
   {
-    const std::uint32_t box = boxOf(wall_, key);
+    const std::uint32_t box = boxOf(parts_.wall, key);
     const Box at = parts_.boxes.box(box);
     const Vector low = result_.inside(at.low);
     const Vector high = result_.inside(at.high);
@@ -120,8 +123,8 @@ private:
     cell.number = key;
     cell.home = box;
     cell.state = state;
-    cell.wall = isHexahedron(key) ? NoBoundary : wall_.cells[key].boundary;
-    cell.region = isHexahedron(key) ? parts_.boxes.regionOf(box) : wall_.cells[key].region;
+    cell.wall = isHexahedron(key) ? NoBoundary : parts_.wall.cells[key].boundary;
+    cell.region = isHexahedron(key) ? parts_.boxes.regionOf(box) : parts_.wall.cells[key].region;
     numberOf(key) = mesh_.addCell(cell);
   }
 
@@ -129,7 +132,7 @@ private:
   void addGhosts()
   {
     std::sort(ghosts_.begin(), ghosts_.end(),
-      [&](CellKey a, CellKey b) { return boxOf(wall_, a) < boxOf(wall_, b); });
+      [&](CellKey a, CellKey b) { return boxOf(parts_.wall, a) < boxOf(parts_.wall, b); });
     ghosts_.erase(std::unique(ghosts_.begin(), ghosts_.end()), ghosts_.end());
     for (const CellKey key : ghosts_)
     {
@@ -143,15 +146,15 @@ private:
   {
     if (!isHexahedron(key))
     {
-      wall_.forEachUse(key, [&](const FaceUse& use) { listFace(use); });
+      parts_.wall.forEachUse(key, [&](const FaceUse& use) { listFace(key, use); });
       return;
     }
     for (unsigned side = 0; side < 6; ++side)
     {
-      lookBeside(parts_.boxes, parts_.sides, wall_, boxOfHexahedron(key), side, beside_);
+      lookBeside(parts_.boxes, parts_.sides, parts_.wall, boxOfHexahedron(key), side, beside_);
       for (const FaceUse& use : beside_.faces)
       {
-        listFace(use);
+        listFace(key, use);
       }
       if (beside_.faces.empty())
       {
@@ -161,27 +164,28 @@ private:
   }
 
   // Where both its cells are opened, it is listed to that below.
-  void listFace(const FaceUse& use)
+  void listFace(CellKey key, const FaceUse& use)
   {
-    const CellKey other = wall_.faces.beyond(use);
+    const CellKey other = parts_.wall.faces.beyond(use);
     const bool isBetween = isThere(other);
     if (isBetween && use.turned && numberOf(other) != None)
     {
       return;
     }
     const std::size_t begin = corners_.size();
-    wall_.faces.forEachNode(use, [&](std::uint32_t node) { corners_.push_back(node); });
-    const std::int32_t wall = isBetween ? wall_.faces.boundary[use.face] : wallBeyond(use, other);
-    close(begin, use.face, isBetween ? other : CellKey(None), wall, use.turned != 0);
+    parts_.wall.faces.forEachNode(use, [&](std::uint32_t node) { corners_.push_back(node); });
+    const std::int32_t wall =
+      isBetween ? parts_.wall.faces.boundary[use.face] : wallBeyond(use, other);
+    close({ begin, 0, use.face, key, isBetween ? other : CellKey(None), wall, use.turned != 0 });
   }
 
   // Of a face without a cell beyond.
   std::int32_t wallBeyond(const FaceUse& use, CellKey removed) const
   {
-    const WallFaces& faces = wall_.faces;
+    const WallFaces& faces = parts_.wall.faces;
     if (removed != None)
     {
-      const Cell& there = wall_.cells[removed];
+      const Cell& there = parts_.wall.cells[removed];
       return exposedWall(parts_, use.face, there.box, there.boundary);
     }
     std::uint32_t box = None;
@@ -210,16 +214,17 @@ private:
     {
       corners_.push_back(cornerNode(box, ring[upper ? i : 3 - i]));
     }
-    close(begin, None, other, NoBoundary, false);
+    close({ begin, 0, None, keyOfHexahedron(box), other, NoBoundary, false });
   }
 
-  void close(std::size_t begin, std::uint32_t number, CellKey above, std::int32_t wall, bool turned)
+  void close(Listed face)
   {
-    if (above != None && numberOf(above) == None)
+    if (face.above != None && numberOf(face.above) == None)
     {
-      ghosts_.push_back(above);
+      ghosts_.push_back(face.above);
     }
-    faces_.push_back({ begin, corners_.size(), number, above, wall, turned });
+    face.end = corners_.size();
+    faces_.push_back(face);
   }
 
   // In Nodes, or behind those: a vertex of the global mesh that is not there.
@@ -233,11 +238,12 @@ private:
     VertexNode vertex = vertexAt(parts_.boxes, box, corner);
     const auto& planes = parts_.boxes.planes;
     const std::uint64_t row = vertex.j + vertex.k * std::uint64_t(planes[1].size());
-    vertex.node = static_cast<std::uint32_t>(parts_.nodes.at.size() + vertices_.size());
-    const auto [known, isNew] = ofVertex_.emplace(vertex.i + row * planes[0].size(), vertex.node);
+    vertex.node = static_cast<std::uint32_t>(parts_.nodes.at.size() + vertices_.all.size());
+    const auto [known, isNew] =
+      vertices_.numbers.emplace(vertex.i + row * planes[0].size(), vertex.node);
     if (isNew)
     {
-      vertices_.push_back(vertex);
+      vertices_.all.push_back(vertex);
     }
     return known->second;
   }
@@ -249,7 +255,7 @@ private:
     {
       return parts_.nodes.at[node];
     }
-    const VertexNode& vertex = vertices_[node - known];
+    const VertexNode& vertex = vertices_.all[node - known];
     const auto& planes = parts_.boxes.planes;
     return { planes[0][vertex.i], planes[1][vertex.j], planes[2][vertex.k] };
   }
@@ -260,7 +266,7 @@ private:
   void addNodes()
   {
     const std::size_t known = parts_.nodes.at.size();
-    std::vector<std::uint32_t> numbers(known + vertices_.size(), None);
+    std::vector<std::uint32_t> numbers(known + vertices_.all.size(), None);
     std::vector<PointSortKey> places;
     for (const std::uint32_t node : corners_)
     {
@@ -272,12 +278,11 @@ private:
     }
     std::sort(places.begin(), places.end());
     mesh_.reserve(places.size(), faces_.size(), mesh_.cellCount(), corners_.size());
-    for (std::size_t i = 0; i < places.size(); ++i)
+    for (const PointSortKey& place : places)
     {
-      assert(i == 0 || !places[i].isAt(places[i - 1]));
-      const std::uint32_t from = places[i].number();
+      const std::uint32_t from = place.number();
       EditNode node;
-      node.at = result_.inside(places[i].point());
+      node.at = result_.inside(place.point());
       node.home = node.at;
       node.number = from < known ? from : std::uint32_t(None);
       numbers[from] = mesh_.addNode(node);
@@ -286,7 +291,7 @@ private:
     {
       corner = numbers[corner];
     }
-    for (VertexNode vertex : vertices_)
+    for (VertexNode vertex : vertices_.all)
     {
       vertex.node = numbers[vertex.node];
       result_.opened.onVertices.push_back(vertex);
@@ -304,26 +309,25 @@ private:
       std::rotate(corner(face.begin), std::min_element(corner(face.begin), corner(face.end)),
         corner(face.end));
     }
-    std::size_t first = 0;
-    for (std::uint32_t c = 0; c < endOfCell_.size(); ++c)
+    for (auto begin = faces_.begin(); begin != faces_.end();)
     {
-      const auto begin = faces_.begin() + std::ptrdiff_t(first);
-      const auto end = faces_.begin() + std::ptrdiff_t(endOfCell_[c]);
+      const auto end = std::find_if(
+        begin, faces_.end(), [&](const Listed& face) { return face.below != begin->below; });
       std::sort(begin, end, [&](const Listed& x, const Listed& y) {
         return std::lexicographical_compare(
           corner(x.begin), corner(x.end), corner(y.begin), corner(y.end));
       });
-      std::for_each(begin, end, [&](const Listed& face) { addFace(c, face); });
-      first = endOfCell_[c];
+      std::for_each(begin, end, [&](const Listed& face) { addFace(face); });
+      begin = end;
     }
   }
 
-  void addFace(std::uint32_t below, const Listed& listed)
+  void addFace(const Listed& listed)
   {
     const std::uint32_t* const corners = corners_.data() + listed.begin;
     const std::size_t size = listed.end - listed.begin;
     EditFace face;
-    face.below = below;
+    face.below = numberOf(listed.below);
     face.above = listed.above == None ? None : numberOf(listed.above);
     face.number = listed.number;
     face.wall = listed.wall;
@@ -429,7 +433,6 @@ private:
   }
 
   const MeshParts& parts_;
-  const WallMesh& wall_;
   EditableWall& result_;
   EditMesh& mesh_;
   Execution& execution_;
@@ -438,10 +441,8 @@ private:
   std::vector<std::uint32_t> ofHexahedron_; // ... of hexahedra, by box
   std::vector<CellKey> ghosts_;
   std::vector<Listed> faces_;
-  std::vector<std::size_t> endOfCell_; // of each cell's faces
   std::vector<std::uint32_t> corners_;
-  std::vector<VertexNode> vertices_;
-  std::unordered_map<std::uint64_t, std::uint32_t> ofVertex_;
+  NewVertices vertices_;
   BesideHexahedron beside_;
 };
 

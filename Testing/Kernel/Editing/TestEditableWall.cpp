@@ -60,8 +60,8 @@ std::vector<Case> cases()
   for (int levels = 0; levels <= 3; ++levels)
   {
     const std::string name = std::to_string(levels);
-    all.push_back({ "Ball" + name, ball, plain(0.31, levels) });
-    all.push_back({ "Cube" + name, cube().turned(), plain(0.43, levels) });
+    all.push_back({ "Ball" + name, ball, plain(levels > 1 ? 0.9 : 0.31, levels) });
+    all.push_back({ "Cube" + name, cube().turned(), plain(levels > 1 ? 0.8 : 0.43, levels) });
   }
   TestOptions atBoundary = plain(0.4, 0);
   atBoundary.refinement.sizing.curvatureAngle = 20;
@@ -234,6 +234,10 @@ TEST_P(EditableWallOf, CellsAreClosed)
       isHexahedron(key) ? 1 : a->wall.cells[key].volumeFraction, 1e-9);
   }
   EXPECT_GT(sum, 0);
+  for (std::uint32_t n = 1; n < mesh.nodeCount(); ++n)
+  {
+    ASSERT_LT(edited.placeOf(n - 1), edited.placeOf(n));
+  }
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
   {
     EXPECT_FALSE(mesh.isGhost(mesh.face(f).below));
@@ -337,6 +341,20 @@ TEST_P(EditableWallOf, NodesAreHeld)
       }
     }
   }
+}
+
+// With the option, and nothing that is edited, cells are as they are assembled.
+TEST(EditableWall, TakesTheOptionsPlace)
+{
+  TestOptions inPlace;
+  inPlace.smallCells.handling = SmallCells::Remove;
+  inPlace.shaping.editsInPlace = true;
+  TestOptions none;
+  none.smallCells = inPlace.smallCells;
+  none.collapse.ratio = 0;
+  none.shaping.splitConcave = false;
+  const Soup ball = sphere(6, 0.7);
+  EXPECT_TRUE(meshOf(ball, cellsOf(0.21), inPlace).mesh == meshOf(ball, cellsOf(0.21), none).mesh);
 }
 
 TEST(EditableWall, KindsOfNodesOfACube)
