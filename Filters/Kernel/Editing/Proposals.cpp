@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/Proposals.h"
 
+#include "Editing/EdgeArea.h"
 #include "Editing/PrimitiveEdits.h"
 #include "Editing/WallEdges.h"
 
@@ -72,7 +73,8 @@ void proposeCollapse(const EditMesh& mesh, const SearchSpec& search, double edge
   if (a.kind == b.kind && a.kind != NodeKind::Corner && a.held == b.held)
   {
     proposals.push_back({ EditKind::Collapse, std::min(u, v), std::max(u, v), 0,
-      onLattice(mesh, scaled(plus(a.at, b.at), 0.5), a.held) });
+      placeKeepingArea(mesh, std::min(u, v), std::max(u, v),
+        onLattice(mesh, scaled(plus(a.at, b.at), 0.5), a.held)) });
     if (length < ShortEdge * edge)
     {
       return;
@@ -80,11 +82,11 @@ void proposeCollapse(const EditMesh& mesh, const SearchSpec& search, double edge
   }
   if (!(a.atWall && !b.atWall))
   {
-    proposals.push_back({ EditKind::Collapse, u, v, 0, b.at });
+    proposals.push_back({ EditKind::Collapse, u, v, 0, placeKeepingArea(mesh, u, v, b.at) });
   }
   if (!(b.atWall && !a.atWall))
   {
-    proposals.push_back({ EditKind::Collapse, v, u, 0, a.at });
+    proposals.push_back({ EditKind::Collapse, v, u, 0, placeKeepingArea(mesh, v, u, a.at) });
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/ShortEdges.h"
 
+#include "Editing/EdgeArea.h"
 #include "Editing/EditMeasures.h"
 #include "Editing/PrimitiveEdits.h"
 
@@ -90,16 +91,16 @@ FixedList<Proposal, 3> waysToCollapse(const EditMesh& mesh, std::uint32_t u, std
   FixedList<Proposal, 3> ways;
   if (rankOf(a) == rankOf(b) && a.kind != NodeKind::Corner && a.held == b.held)
   {
-    ways.add(
-      { EditKind::Collapse, u, v, 0, onLattice(mesh, scaled(plus(a.at, b.at), 0.5), a.held) });
+    ways.add({ EditKind::Collapse, u, v, 0,
+      placeKeepingArea(mesh, u, v, onLattice(mesh, scaled(plus(a.at, b.at), 0.5), a.held)) });
   }
   if (rankOf(a) <= rankOf(b))
   {
-    ways.add({ EditKind::Collapse, u, v, 0, b.at });
+    ways.add({ EditKind::Collapse, u, v, 0, placeKeepingArea(mesh, u, v, b.at) });
   }
   if (rankOf(b) <= rankOf(a))
   {
-    ways.add({ EditKind::Collapse, v, u, 0, a.at });
+    ways.add({ EditKind::Collapse, v, u, 0, placeKeepingArea(mesh, v, u, a.at) });
   }
   return ways;
 }

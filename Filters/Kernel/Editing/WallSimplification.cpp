@@ -2,6 +2,7 @@
 #include "Editing/WallSimplification.h"
 
 #include "Base/Sorting.h"
+#include "Editing/EdgeArea.h"
 #include "Editing/EditDecision.h"
 #include "Editing/EditLoop.h"
 #include "Editing/EditMeasures.h"
@@ -69,7 +70,7 @@ public:
       return;
     }
     const EditMesh::Mark mark = mesh_.mark();
-    bool isMade = collapseEdge(mesh_, n, p, mesh_.node(p).at);
+    bool isMade = collapseEdge(mesh_, n, p, placeKeepingArea(mesh_, n, p, mesh_.node(p).at));
     if (isMade)
     {
       mesh_.changeNode(p).strayed = static_cast<float>(strayed);
