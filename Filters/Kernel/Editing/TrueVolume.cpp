@@ -223,7 +223,7 @@ private:
     forEach(store_.faces.size(), [&](std::uint32_t f) {
       if (isWall(f))
       {
-        store_.faces[f].debt -= norm(mesh_.face(f).area) * meanOfCorners(f, &Mover::height);
+        store_.faces[f].debt -= sweptBy(f);
       }
     });
     forEach(nodes_.size(), [&](std::uint32_t n) {
@@ -231,6 +231,37 @@ private:
       node.home = nodes_[n].height != 0 ? node.at : node.home;
     });
     costAll(store_, spec_, execution_);
+  }
+
+  // The volume that a wall has passed over, as the triangles around the mean of its corners enclose it. Their areas are
+  // of second degree in time: Simpson's rule is exact.
+  double sweptBy(std::uint32_t f) const
+  {
+    const Items ring = mesh_.cornersOf(f);
+    const auto at = [&](std::uint32_t n, double time) {
+      return plus(scaled(nodes_[n].before, 1 - time), scaled(mesh_.node(n).at, time));
+    };
+    const auto moved = [&](std::uint32_t n) { return minus(mesh_.node(n).at, nodes_[n].before); };
+    const double share = 1 / double(ring.size());
+    double volume = 0;
+    for (const auto& [time, weight] : { std::pair{ 0.0, 1.0 }, { 0.5, 4.0 }, { 1.0, 1.0 } })
+    {
+      Vector mean{};
+      Vector meanMoved{};
+      for (const std::uint32_t n : ring)
+      {
+        mean = plus(mean, scaled(at(n, time), share));
+        meanMoved = plus(meanMoved, scaled(moved(n), share));
+      }
+      for (std::size_t i = 0; i < ring.size(); ++i)
+      {
+        const std::uint32_t p = ring[i];
+        const std::uint32_t q = ring[(i + 1) % ring.size()];
+        const Vector area = cross(minus(at(p, time), mean), minus(at(q, time), mean));
+        volume += weight * dot(plus(plus(moved(p), moved(q)), meanMoved), area);
+      }
+    }
+    return volume / 36; // 6 of the rule, 3 of the mean, 2 of areas
   }
 
   EditStore& store_;
