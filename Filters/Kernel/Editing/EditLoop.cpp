@@ -339,6 +339,7 @@ private:
         return versionOfCell(proposal.a);
       case EditKind::Join:
       case EditKind::SplitFace:
+      case EditKind::Flatten:
         return versionOfFace(proposal.a);
       default:
         return versionOfNode(proposal.a) + versionOfNode(proposal.b);

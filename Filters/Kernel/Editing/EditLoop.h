@@ -19,8 +19,8 @@ struct LoopSpec
 struct LoopCounts
 {
   std::size_t items = 0;
-  std::array<std::size_t, 7> tried{}; // by EditKind
-  std::array<std::size_t, 7> made{};
+  std::array<std::size_t, 8> tried{}; // by EditKind
+  std::array<std::size_t, 8> made{};
 };
 
 // Costs are of the same objective (costAll). `poll`: called now and then; may throw.

@@ -17,6 +17,8 @@ constexpr double LeastGainOfMore = 1e-3; // of an edit that follows another
 constexpr int MostRounds = 8;            // of those
 constexpr double PartToMerge = 0.6;      // of its box: smaller parts of a cut go to a neighbour
 constexpr std::size_t NeighboursOfPart = 3;
+constexpr double SmallWall = 0.15; // of a box's side: what is flattened
+constexpr std::size_t MostFaces = 128;
 constexpr double CutTolerance = 0.03; // in boxes
 
 template <std::size_t Capacity>
@@ -124,6 +126,8 @@ bool EditTrials::apply(const Proposal& proposal)
       return settle();
     case EditKind::SplitFace:
       return splitFace(mesh_, proposal.a, proposal.b, proposal.c) != None && settle();
+    case EditKind::Flatten:
+      return withoutLimit([&] { return flatten(proposal.a); });
     case EditKind::Cut:
       return withoutLimit([&] { return cut(proposal); });
   }
@@ -154,7 +158,7 @@ bool EditTrials::join(std::uint32_t f, std::uint32_t g)
 
 bool EditTrials::merge(std::uint32_t a, std::uint32_t b)
 {
-  const Faces ofB = copyOf<128>(mesh_.facesOf(b));
+  const Faces ofB = copyOf<MostFaces>(mesh_.facesOf(b));
   if (!mergeCells(mesh_, a, b) || !settle())
   {
     return false;
@@ -174,7 +178,7 @@ bool EditTrials::remove(std::uint32_t c)
   {
     if (!mesh_.cell(neighbour).gone)
     {
-      joinFacesOf(neighbour, copyOf<128>(mesh_.facesOf(neighbour)));
+      joinFacesOf(neighbour, copyOf<MostFaces>(mesh_.facesOf(neighbour)));
     }
   }
   return true;
@@ -192,6 +196,33 @@ bool EditTrials::cut(const Proposal& proposal)
   {
     mergePart(parts[i], parts);
   }
+  return true;
+}
+
+// The paper's IP patches (4.11): detail that is smaller than its box goes.
+bool EditTrials::flatten(std::uint32_t f)
+{
+  const std::uint32_t c = mesh_.face(f).below;
+  const double small = SmallWall * mesh_.cell(c).edge * mesh_.cell(c).edge;
+  std::size_t joined = 0;
+  for (bool isAny = true; isAny;)
+  {
+    isAny = false;
+    for (const std::uint32_t g : copyOf<MostFaces>(mesh_.facesOf(c)))
+    {
+      if (g != f && !mesh_.face(g).gone && mesh_.isWall(g) && areAdjacent(mesh_, f, g) &&
+        norm(mesh_.face(g).area) < small && join(f, g))
+      {
+        isAny = true;
+        ++joined;
+      }
+    }
+  }
+  if (joined == 0 || !settle())
+  {
+    return false;
+  }
+  dissolveNodes(f);
   return true;
 }
 
@@ -226,7 +257,7 @@ void EditTrials::joinFacesOf(std::uint32_t c, const Faces& which)
 
 bool EditTrials::joinOneOf(std::uint32_t c, const Faces& which)
 {
-  const Faces faces = copyOf<128>(mesh_.facesOf(c));
+  const Faces faces = copyOf<MostFaces>(mesh_.facesOf(c));
   for (const std::uint32_t f : faces)
   {
     if (!which.contains(f))

@@ -33,6 +33,7 @@ private:
   bool merge(std::uint32_t a, std::uint32_t b);
   bool remove(std::uint32_t c);
   bool cut(const Proposal& proposal);
+  bool flatten(std::uint32_t f);
   void mergePart(std::uint32_t part, const FixedList<std::uint32_t, 16>& parts);
   bool settle() { return cartesian::settle(mesh_, rules_.spec, most_); }
 

@@ -258,6 +258,10 @@ void proposeCutsOfFailing(
   const EditMesh& mesh, const SearchSpec& search, std::uint32_t f, Proposals& proposals)
 {
   const EditFace& face = mesh.face(f);
+  if (mesh.isWall(f))
+  {
+    proposals.push_back({ EditKind::Flatten, f });
+  }
   for (const std::uint32_t c : { face.below, face.above })
   {
     if (c == None || !mesh.isFree(c))

@@ -18,6 +18,7 @@ enum class EditKind : std::uint8_t
   Remove,    // cell a goes
   Move,      // node a to `at`
   SplitFace, // face a between corners b and c
+  Flatten,   // wall a and the small walls around it, of the same cell, become one
   Cut        // cell a by the plane through `at`, across `normal`
 };
 
