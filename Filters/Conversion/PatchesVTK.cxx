@@ -98,6 +98,7 @@ private:
       patches_.points.push_back(
         { lattice.level(0, x[0]), lattice.level(1, x[1]), lattice.level(2, x[2]) });
     }
+    patches_.kinds.assign(patches_.points.size(), PointKind::OnSurface);
   }
 
   void goToBoxOf(vtkIdType id)

@@ -28,6 +28,7 @@ bool mayMeet(const Corners& c, const Box& box)
 void BoxSurface::clear()
 {
   points.clear();
+  kinds.clear();
   sizes.clear();
   corners.clear();
   triangles.clear();
@@ -135,6 +136,7 @@ void SurfaceCutter::cut(
 {
   result.clear();
   points_.clear();
+  kinds_.clear();
   segments_.clear();
   box_ = &box;
   lines_.find(boxes_, box);
@@ -198,6 +200,30 @@ std::uint32_t SurfaceCutter::addPoint(const Point& exact)
   return points_.add(p);
 }
 
+// A corner of a fragment lies between two of its sides: on an edge of the triangle if either side is one, in a vertex if
+// both are.
+void SurfaceCutter::raiseKind(
+  std::uint32_t corner, std::uint32_t triangle, std::uint8_t sideBefore, std::uint8_t side)
+{
+  const bool onEdge = side < Fragment::FirstPlane;
+  const bool onEdgeBefore = sideBefore < Fragment::FirstPlane;
+  PointKind kind = PointKind::OnSurface;
+  if (onEdge && onEdgeBefore)
+  {
+    kind = features_.ofVertex[surface_.triangles[triangle][side]];
+  }
+  else if ((onEdge && features_.isFeature(triangle, side)) ||
+    (onEdgeBefore && features_.isFeature(triangle, sideBefore)))
+  {
+    kind = PointKind::OnEdge;
+  }
+  if (kind != PointKind::OnSurface)
+  {
+    kinds_.resize(std::max(kinds_.size(), corner + std::size_t(1)), PointKind::OnSurface);
+    raise(kinds_[corner], kind);
+  }
+}
+
 // Rounding may make corners of a thin fragment coincide; it then falls into simple loops, or vanishes.
 void SurfaceCutter::addPolygons(
   const Corners& corners, const Fragment& fragment, std::uint32_t triangle, BoxSurface& result)
@@ -217,9 +243,15 @@ void SurfaceCutter::addPolygons(
       result.sharp = true;
     }
   };
+  const bool touchesFeature = features_.touchesFeature(triangle);
   for (int i = 0; i < fragment.size; ++i)
   {
     const std::uint32_t corner = addPoint(fragment.corner[std::size_t(i)]);
+    if (touchesFeature)
+    {
+      raiseKind(corner, triangle, fragment.side[std::size_t(i > 0 ? i : fragment.size) - 1],
+        fragment.side[std::size_t(i)]);
+    }
     if (i > 0)
     {
       addSegmentTo(corner, i - 1);
@@ -305,11 +337,13 @@ void SurfaceCutter::keepNetSegments(BoxSurface& result)
 void SurfaceCutter::keepUsedPoints(BoxSurface& result)
 {
   next_.assign(points_.points().size(), None);
+  kinds_.resize(points_.points().size(), PointKind::OnSurface);
   const auto use = [&](std::uint32_t& local) {
     if (next_[local] == None)
     {
       next_[local] = static_cast<std::uint32_t>(result.points.size());
       result.points.push_back(points_.points()[local]);
+      result.kinds.push_back(kinds_[local]);
     }
     local = next_[local];
   };

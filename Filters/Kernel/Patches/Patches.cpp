@@ -26,6 +26,7 @@ public:
     const std::size_t corners = withPolygons ? piece.corners.size() : 0;
     counts_.push_back({ piece.points.size(), polygons, corners, piece.segments.size() });
     insert(all_.points, piece.points, piece.points.size());
+    insert(all_.kinds, piece.kinds, piece.kinds.size());
     insert(all_.sizes, piece.sizes, polygons);
     insert(all_.triangles, piece.triangles, polygons);
     insert(all_.corners, piece.corners, corners);
@@ -40,6 +41,7 @@ public:
       to.assign(from.begin() + std::ptrdiff_t(begin), from.begin() + std::ptrdiff_t(begin + count));
     };
     copy(all_.points, at_.points, n.points, piece.points);
+    copy(all_.kinds, at_.points, n.points, piece.kinds);
     copy(all_.sizes, at_.polygons, n.polygons, piece.sizes);
     copy(all_.triangles, at_.polygons, n.polygons, piece.triangles);
     copy(all_.corners, at_.corners, n.corners, piece.corners);
@@ -116,6 +118,20 @@ void copyChunk(const PatchChunk& chunk, std::size_t index, const Offsets& offset
   for (const std::uint32_t slot : chunk.corners)
   {
     patches.corners[corner++] = numbering.ofSlot[offsets.slot[index] + slot];
+  }
+}
+
+// A point is of the highest kind that it has in any box.
+void findKinds(const std::vector<PatchChunk>& ofChunk, const Offsets& offsets,
+  const Numbering& numbering, Patches& patches)
+{
+  patches.kinds.assign(numbering.points.size(), PointKind::OnSurface);
+  for (std::size_t i = 0; i < ofChunk.size(); ++i)
+  {
+    for (const PatchChunk::Feature& feature : ofChunk[i].features)
+    {
+      raise(patches.kinds[numbering.ofSlot[offsets.slot[i] + feature.slot]], feature.kind);
+    }
   }
 }
 
@@ -248,6 +264,7 @@ private:
     execution_.forEach(ofChunk.size(), 1, [&](std::size_t i, std::size_t) {
       copyChunk(ofChunk[i], i, offsets, numbering, surface_, patches);
     });
+    findKinds(ofChunk, offsets, numbering, patches);
     patches.points.swap(numbering.points);
     patches.walls = surface_.walls;
     patches.enclosed = enclosedVolumes(surface_, execution_);

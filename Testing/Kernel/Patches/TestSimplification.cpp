@@ -22,7 +22,8 @@ std::vector<std::size_t> simplified(const std::function<Level(int, int)>& height
   Simplification simplification(prepared.surface, boxed.boxes, clearance, spec);
   const Box box = boxed.boxes.box(0);
   const Level step = (box.high[0] - box.low[0]) / 4;
-  std::vector<Point> points;
+  BoxSurface piece;
+  std::vector<Point>& points = piece.points;
   for (int j = 0; j <= 4; ++j)
   {
     for (int i = 0; i <= 4; ++i)
@@ -31,7 +32,8 @@ std::vector<std::size_t> simplified(const std::function<Level(int, int)>& height
         box.low[2] + step + height(i, j) * (step / 2) });
     }
   }
-  simplification.begin(box, points);
+  piece.kinds.assign(points.size(), PointKind::OnSurface);
+  simplification.begin(box, piece);
   const auto add = [&](const std::array<std::uint32_t, 3>& t) {
     const Vector normal =
       unit(cross(minus(points[t[1]], points[t[0]]), minus(points[t[2]], points[t[0]])));
