@@ -46,7 +46,7 @@ struct PolygonEdge
 struct BoxPolygons
 {
   std::vector<Vector> at;                     // each point, from the box's low corner
-  std::vector<PointKind> kinds;               // of points
+  std::vector<PointKind> kinds;               // of points, or empty (BoxSurface)
   std::vector<unsigned> planes;               // of the box, that each point lies on (planesOf)
   std::vector<std::vector<std::uint32_t>> of; // polygons of each point, dead ones too
   std::vector<Polygon> polygons;

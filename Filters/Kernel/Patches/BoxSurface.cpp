@@ -23,6 +23,20 @@ bool mayMeet(const Corners& c, const Box& box)
   return true;
 }
 
+// A corner of a fragment between an edge of the triangle and a plane is on that edge, one between two edges in a vertex.
+PointKind kindOfCorner(const Fragment& fragment, int i, const Features& features,
+  std::uint32_t triangle, const Surface& surface)
+{
+  const unsigned side = fragment.side[std::size_t(i)];
+  const unsigned before = fragment.side[std::size_t(i > 0 ? i : fragment.size) - 1];
+  if (std::max(side, before) < Fragment::FirstPlane)
+  {
+    return features.ofVertex[surface.triangles[triangle][side]];
+  }
+  const unsigned lines = features.lines(triangle); // planes have no bits there
+  return ((lines >> side | lines >> before) & 1) != 0 ? PointKind::OnEdge : PointKind::OnSurface;
+}
+
 }
 
 void BoxSurface::clear()
@@ -200,28 +214,13 @@ std::uint32_t SurfaceCutter::addPoint(const Point& exact)
   return points_.add(p);
 }
 
-// A corner of a fragment lies between two of its sides: on an edge of the triangle if either side is one, in a vertex if
-// both are.
-void SurfaceCutter::raiseKind(
-  std::uint32_t corner, std::uint32_t triangle, std::uint8_t sideBefore, std::uint8_t side)
+void SurfaceCutter::raiseKind(std::uint32_t point, PointKind kind)
 {
-  const bool onEdge = side < Fragment::FirstPlane;
-  const bool onEdgeBefore = sideBefore < Fragment::FirstPlane;
-  PointKind kind = PointKind::OnSurface;
-  if (onEdge && onEdgeBefore)
+  if (point >= kinds_.size())
   {
-    kind = features_.ofVertex[surface_.triangles[triangle][side]];
+    kinds_.resize(points_.points().size(), PointKind::OnSurface);
   }
-  else if ((onEdge && features_.isFeature(triangle, side)) ||
-    (onEdgeBefore && features_.isFeature(triangle, sideBefore)))
-  {
-    kind = PointKind::OnEdge;
-  }
-  if (kind != PointKind::OnSurface)
-  {
-    kinds_.resize(std::max(kinds_.size(), corner + std::size_t(1)), PointKind::OnSurface);
-    raise(kinds_[corner], kind);
-  }
+  raise(kinds_[point], kind);
 }
 
 // Rounding may make corners of a thin fragment coincide; it then falls into simple loops, or vanishes.
@@ -249,8 +248,11 @@ void SurfaceCutter::addPolygons(
     const std::uint32_t corner = addPoint(fragment.corner[std::size_t(i)]);
     if (touchesFeature)
     {
-      raiseKind(corner, triangle, fragment.side[std::size_t(i > 0 ? i : fragment.size) - 1],
-        fragment.side[std::size_t(i)]);
+      const PointKind kind = kindOfCorner(fragment, i, features_, triangle, surface_);
+      if (kind != PointKind::OnSurface)
+      {
+        raiseKind(corner, kind);
+      }
     }
     if (i > 0)
     {
@@ -337,13 +339,11 @@ void SurfaceCutter::keepNetSegments(BoxSurface& result)
 void SurfaceCutter::keepUsedPoints(BoxSurface& result)
 {
   next_.assign(points_.points().size(), None);
-  kinds_.resize(points_.points().size(), PointKind::OnSurface);
   const auto use = [&](std::uint32_t& local) {
     if (next_[local] == None)
     {
       next_[local] = static_cast<std::uint32_t>(result.points.size());
       result.points.push_back(points_.points()[local]);
-      result.kinds.push_back(kinds_[local]);
     }
     local = next_[local];
   };
@@ -355,6 +355,14 @@ void SurfaceCutter::keepUsedPoints(BoxSurface& result)
   {
     use(segment.from);
     use(segment.to);
+  }
+  result.kinds.assign(kinds_.empty() ? 0 : result.points.size(), PointKind::OnSurface);
+  for (std::size_t i = 0; i < kinds_.size(); ++i)
+  {
+    if (next_[i] != None)
+    {
+      result.kinds[next_[i]] = kinds_[i];
+    }
   }
 }
 

@@ -26,7 +26,7 @@ struct Segment
 struct BoxSurface
 {
   std::vector<Point> points;
-  std::vector<PointKind> kinds;     // of points
+  std::vector<PointKind> kinds;     // of points, or empty: all are merely on the surface
   std::vector<std::uint32_t> sizes; // of polygons
   std::vector<std::uint32_t> corners;
   std::vector<std::uint32_t> triangles; // of each polygon
@@ -104,8 +104,7 @@ public:
 private:
   void addPolygons(
     const Corners& corners, const Fragment& fragment, std::uint32_t triangle, BoxSurface& result);
-  void raiseKind(
-    std::uint32_t corner, std::uint32_t triangle, std::uint8_t sideBefore, std::uint8_t side);
+  void raiseKind(std::uint32_t point, PointKind kind);
   void addSegment(std::uint32_t from, std::uint32_t to, std::uint32_t triangle, std::uint8_t side);
   void keepNetSegments(BoxSurface& result);
   void keepUsedPoints(BoxSurface& result);

@@ -141,7 +141,7 @@ void PatchBuilder::giveSlots(const PackedBox& box, const std::vector<Point>& poi
       const auto& global = boxes_.globalOf(box).index;
       chunk_.uses.push_back(
         { p, rowOfPoint(p, boxes_.planes, global[1], global[2]), slot_[local] });
-      if (kinds[local] != PointKind::OnSurface)
+      if (!kinds.empty() && kinds[local] != PointKind::OnSurface)
       {
         chunk_.features.push_back({ slot_[local], kinds[local] });
       }

@@ -24,7 +24,8 @@ public:
   {
     const std::size_t polygons = withPolygons ? piece.sizes.size() : 0;
     const std::size_t corners = withPolygons ? piece.corners.size() : 0;
-    counts_.push_back({ piece.points.size(), polygons, corners, piece.segments.size() });
+    counts_.push_back(
+      { piece.points.size(), piece.kinds.size(), polygons, corners, piece.segments.size() });
     insert(all_.points, piece.points, piece.points.size());
     insert(all_.kinds, piece.kinds, piece.kinds.size());
     insert(all_.sizes, piece.sizes, polygons);
@@ -41,19 +42,20 @@ public:
       to.assign(from.begin() + std::ptrdiff_t(begin), from.begin() + std::ptrdiff_t(begin + count));
     };
     copy(all_.points, at_.points, n.points, piece.points);
-    copy(all_.kinds, at_.points, n.points, piece.kinds);
+    copy(all_.kinds, at_.kinds, n.kinds, piece.kinds);
     copy(all_.sizes, at_.polygons, n.polygons, piece.sizes);
     copy(all_.triangles, at_.polygons, n.polygons, piece.triangles);
     copy(all_.corners, at_.corners, n.corners, piece.corners);
     copy(all_.segments, at_.segments, n.segments, piece.segments);
-    at_ = { at_.points + n.points, at_.polygons + n.polygons, at_.corners + n.corners,
-      at_.segments + n.segments };
+    at_ = { at_.points + n.points, at_.kinds + n.kinds, at_.polygons + n.polygons,
+      at_.corners + n.corners, at_.segments + n.segments };
   }
 
 private:
   struct PieceSizes
   {
     std::size_t points;
+    std::size_t kinds;
     std::size_t polygons;
     std::size_t corners;
     std::size_t segments;

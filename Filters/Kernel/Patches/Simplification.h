@@ -36,7 +36,7 @@ public:
   // See PolygonMerging.h.
   void merge() { merging_.merge(); }
 
-  // Of all points: those onto which others collapsed are of the highest kind of all these.
+  // Of points, or empty (BoxSurface): those onto which others collapsed are of the highest kind of all these.
   const std::vector<PointKind>& kinds() const { return box_.kinds; }
 
   // Calls visit(first corner, last, triangle) for all polygons.

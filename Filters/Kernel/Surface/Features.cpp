@@ -205,10 +205,11 @@ private:
   {
     for (std::size_t t = begin; t < end; ++t)
     {
+      const unsigned lines = result_.lines(t);
       const auto& v = surface_.triangles[t];
-      for (unsigned i = 0; i < 3; ++i)
+      for (unsigned i = 0; lines >> i != 0; ++i)
       {
-        if (result_.isFeature(t, i) && !namesAVertexTwice(v))
+        if ((lines >> i & 1) != 0 && !namesAVertexTwice(v))
         {
           ends.push_back({ v[i], v[(i + 1) % 3] });
           ends.push_back({ v[(i + 1) % 3], v[i] });
@@ -223,6 +224,10 @@ private:
     std::size_t count = 0;
     for (const EdgeEnd* edge = begin; edge != end; ++edge)
     {
+      if (edge != begin && edge->other == edge[-1].other)
+      {
+        continue;
+      }
       const Vector way =
         unit(minus(surface_.vertices[edge->other], surface_.vertices[edge->vertex]));
       if (std::any_of(ways.begin(), ways.begin() + std::ptrdiff_t(count),
@@ -255,9 +260,9 @@ private:
     for (std::size_t t = begin; t < end; ++t)
     {
       const auto& v = surface_.triangles[t];
-      if (!namesAVertexTwice(v) && std::any_of(v.begin(), v.end(), [&](std::uint32_t vertex) {
-            return result_.ofVertex[vertex] != PointKind::OnSurface;
-          }))
+      const PointKind most =
+        std::max({ result_.ofVertex[v[0]], result_.ofVertex[v[1]], result_.ofVertex[v[2]] });
+      if (most != PointKind::OnSurface && !namesAVertexTwice(v))
       {
         result_.edges[t] = static_cast<std::uint8_t>(result_.edges[t] | 128u);
       }

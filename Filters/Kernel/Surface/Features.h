@@ -28,10 +28,10 @@ struct Features
 
   bool isFold(std::size_t triangle) const { return (edges[triangle] >> 6 & 1) != 0; }
 
-  // Whether that edge is sharp or a border.
-  bool isFeature(std::size_t triangle, unsigned edge) const
+  // Bits 0 to 2: whether that edge is sharp or a border.
+  unsigned lines(std::size_t triangle) const
   {
-    return ((edges[triangle] | edges[triangle] >> 3) >> edge & 1) != 0;
+    return (edges[triangle] | edges[triangle] >> 3) & 7u;
   }
 
   // Else no part of the triangle is more than on the surface.
@@ -40,7 +40,8 @@ struct Features
   // Whether a sharp edge or a border of this triangle ends in one of its corners.
   bool endsIn(std::size_t triangle, unsigned corner) const
   {
-    return isFeature(triangle, corner) || isFeature(triangle, (corner + 2) % 3);
+    const unsigned any = lines(triangle);
+    return (any >> corner & 1) != 0 || (any >> (corner + 2) % 3 & 1) != 0;
   }
 };
 

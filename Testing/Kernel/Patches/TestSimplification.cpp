@@ -32,7 +32,6 @@ std::vector<std::size_t> simplified(const std::function<Level(int, int)>& height
         box.low[2] + step + height(i, j) * (step / 2) });
     }
   }
-  piece.kinds.assign(points.size(), PointKind::OnSurface);
   simplification.begin(box, piece);
   const auto add = [&](const std::array<std::uint32_t, 3>& t) {
     const Vector normal =
