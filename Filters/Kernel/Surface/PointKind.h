@@ -18,8 +18,6 @@ enum class PointKind : std::uint8_t
     3, // where such edges end, where more than two meet, or where two turn by more than the feature angle
 };
 
-constexpr std::uint8_t PointKinds = 4;
-
 inline void raise(PointKind& kind, PointKind other)
 {
   kind = std::max(kind, other);
