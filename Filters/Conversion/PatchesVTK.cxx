@@ -11,6 +11,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -36,6 +37,17 @@ vtkDataArray* cellArray(vtkPolyData* input, const char* name)
   return array;
 }
 
+vtkDataArray* pointKinds(vtkPolyData* input)
+{
+  vtkDataArray* array = input->GetPointData()->GetArray("PointKind");
+  if (!array || array->GetNumberOfComponents() != 1)
+  {
+    throw Error(Fault::MissingArray,
+      "The patches have no point array \"PointKind\": connect the output of Patcher.");
+  }
+  return array;
+}
+
 [[noreturn]] void throwMismatch(vtkIdType patch)
 {
   throw Error(Fault::MissingArray,
@@ -55,6 +67,7 @@ public:
     , reason_(cellArray(input, "PatchReason"))
     , enclosed_(cellArray(input, "EnclosedVolume"))
     , missing_(cellArray(input, "StandOff"))
+    , kind_(pointKinds(input))
   {
   }
 
@@ -97,7 +110,16 @@ private:
       input_->GetPoint(i, x.data());
       patches_.points.push_back(
         { lattice.level(0, x[0]), lattice.level(1, x[1]), lattice.level(2, x[2]) });
+      patches_.kinds.push_back(kindOf(i));
     }
+  }
+
+  PointKind kindOf(vtkIdType point) const
+  {
+    const double code = kind_->GetComponent(point, 0);
+    return code == double(PointKind::Corner) ? PointKind::Corner
+      : code == double(PointKind::OnEdge)    ? PointKind::OnEdge
+                                             : PointKind::OnSurface;
   }
 
   void goToBoxOf(vtkIdType id)
@@ -151,6 +173,7 @@ private:
   vtkDataArray* reason_;
   vtkDataArray* enclosed_; // cubic user units
   vtkDataArray* missing_;  // user units
+  vtkDataArray* kind_;     // of points
   const double cubicStep_ = std::pow(boxes_.lattice.step(), 3);
   std::vector<std::uint32_t> intersected_;
   std::size_t n_ = 0; // the intersected box at hand
@@ -224,7 +247,14 @@ void toVTK(const Patches& patches, const Boxes& boxes, const std::vector<vtkIdTy
       box->GetPointer(0) + patches.boxStart[n + 1], static_cast<vtkIdType>(intersected[n]));
   }
 
+  vtkNew<vtkUnsignedCharArray> kind;
+  kind->SetName("PointKind");
+  kind->SetNumberOfValues(static_cast<vtkIdType>(patches.kinds.size()));
+  std::transform(patches.kinds.begin(), patches.kinds.end(), kind->GetPointer(0),
+    [](PointKind k) { return static_cast<unsigned char>(k); });
+
   output->SetPoints(points);
+  output->GetPointData()->AddArray(kind);
   output->SetPolys(polygons);
   output->GetCellData()->AddArray(boundary);
   output->GetCellData()->AddArray(box);

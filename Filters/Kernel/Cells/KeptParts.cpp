@@ -365,6 +365,7 @@ void keepPatches(
     {
       newPoint[i] = static_cast<std::uint32_t>(result.points.size());
       result.points.push_back(patches.points[i]);
+      result.kinds.push_back(patches.kinds[i]);
     }
   }
   for (std::uint32_t& corner : result.corners)

@@ -445,6 +445,7 @@ private:
     for (const MergingNodes::Slot& slot : slots_)
     {
       nodes_.at[slot.node] = slots_[slot.into].at;
+      raise(nodes_.kinds[slots_[slot.into].node], nodes_.kinds[slot.node]);
     }
   }
 

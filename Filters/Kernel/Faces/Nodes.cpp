@@ -187,6 +187,9 @@ Nodes findNodes(
   nodes.at.reserve(patches.points.size() + numbering.points.size());
   nodes.at = patches.points;
   nodes.at.insert(nodes.at.end(), numbering.points.begin(), numbering.points.end());
+  nodes.kinds.reserve(nodes.at.size());
+  nodes.kinds = patches.kinds;
+  nodes.kinds.resize(nodes.at.size(), PointKind::OffSurface);
   nodes.grid.swap(numbering.points);
   nodes.rowStart.swap(numbering.rowStart);
   return nodes;

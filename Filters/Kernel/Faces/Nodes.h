@@ -43,6 +43,7 @@ struct WarpedHexahedron
 struct Nodes
 {
   std::vector<Point> at;
+  RawVector<PointKind> kinds; // of all but those that shaping adds
   std::size_t patchPoints = 0;
   std::vector<Point> grid; // where grid nodes were before edges collapsed (EdgeCollapse.h)
   std::vector<std::size_t> rowStart; // first grid node of each row of points (Numbering.h), from 0

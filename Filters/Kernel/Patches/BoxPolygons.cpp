@@ -44,12 +44,14 @@ NormalCone around(const NormalCone& a, const NormalCone& b)
     spread };
 }
 
-void BoxPolygons::begin(const Box& box, const std::vector<Point>& points, double shortestEdge)
+void BoxPolygons::begin(const Box& box, const BoxSurface& piece, double shortestEdge)
 {
+  const std::vector<Point>& points = piece.points;
   shortest = shortestEdge;
   const Vector size = minus(box.high, box.low);
   shortestSide = std::min({ size[0], size[1], size[2] });
   at.clear();
+  kinds = piece.kinds;
   planes.clear();
   for (const Point& p : points)
   {

@@ -46,6 +46,7 @@ struct PolygonEdge
 struct BoxPolygons
 {
   std::vector<Vector> at;                     // each point, from the box's low corner
+  std::vector<PointKind> kinds;               // of points, or empty (BoxSurface)
   std::vector<unsigned> planes;               // of the box, that each point lies on (planesOf)
   std::vector<std::vector<std::uint32_t>> of; // polygons of each point, dead ones too
   std::vector<Polygon> polygons;
@@ -53,7 +54,7 @@ struct BoxPolygons
   double shortest = 0;     // edge length that a mesh may have, levels
   double shortestSide = 0; // of the box, levels
 
-  void begin(const Box& box, const std::vector<Point>& points, double shortestEdge);
+  void begin(const Box& box, const BoxSurface& piece, double shortestEdge);
 
   // Appends a polygon like another except for its corners and its cone.
   void append(const std::uint32_t* begin, const std::uint32_t* end, const Polygon& like,

@@ -23,11 +23,26 @@ bool mayMeet(const Corners& c, const Box& box)
   return true;
 }
 
+// A corner of a fragment between an edge of the triangle and a plane is on that edge, one between two edges in a vertex.
+PointKind kindOfCorner(const Fragment& fragment, int i, const Features& features,
+  std::uint32_t triangle, const Surface& surface)
+{
+  const unsigned side = fragment.side[std::size_t(i)];
+  const unsigned before = fragment.side[std::size_t(i > 0 ? i : fragment.size) - 1];
+  if (std::max(side, before) < Fragment::FirstPlane)
+  {
+    return features.ofVertex[surface.triangles[triangle][side]];
+  }
+  const unsigned lines = features.lines(triangle); // planes have no bits there
+  return ((lines >> side | lines >> before) & 1) != 0 ? PointKind::OnEdge : PointKind::OnSurface;
+}
+
 }
 
 void BoxSurface::clear()
 {
   points.clear();
+  kinds.clear();
   sizes.clear();
   corners.clear();
   triangles.clear();
@@ -135,6 +150,7 @@ void SurfaceCutter::cut(
 {
   result.clear();
   points_.clear();
+  kinds_.clear();
   segments_.clear();
   box_ = &box;
   lines_.find(boxes_, box);
@@ -198,6 +214,15 @@ std::uint32_t SurfaceCutter::addPoint(const Point& exact)
   return points_.add(p);
 }
 
+void SurfaceCutter::raiseKind(std::uint32_t point, PointKind kind)
+{
+  if (point >= kinds_.size())
+  {
+    kinds_.resize(points_.points().size(), PointKind::OnSurface);
+  }
+  raise(kinds_[point], kind);
+}
+
 // Rounding may make corners of a thin fragment coincide; it then falls into simple loops, or vanishes.
 void SurfaceCutter::addPolygons(
   const Corners& corners, const Fragment& fragment, std::uint32_t triangle, BoxSurface& result)
@@ -217,9 +242,18 @@ void SurfaceCutter::addPolygons(
       result.sharp = true;
     }
   };
+  const bool touchesFeature = features_.touchesFeature(triangle);
   for (int i = 0; i < fragment.size; ++i)
   {
     const std::uint32_t corner = addPoint(fragment.corner[std::size_t(i)]);
+    if (touchesFeature)
+    {
+      const PointKind kind = kindOfCorner(fragment, i, features_, triangle, surface_);
+      if (kind != PointKind::OnSurface)
+      {
+        raiseKind(corner, kind);
+      }
+    }
     if (i > 0)
     {
       addSegmentTo(corner, i - 1);
@@ -321,6 +355,14 @@ void SurfaceCutter::keepUsedPoints(BoxSurface& result)
   {
     use(segment.from);
     use(segment.to);
+  }
+  result.kinds.assign(kinds_.empty() ? 0 : result.points.size(), PointKind::OnSurface);
+  for (std::size_t i = 0; i < kinds_.size(); ++i)
+  {
+    if (next_[i] != None)
+    {
+      result.kinds[next_[i]] = kinds_[i];
+    }
   }
 }
 

@@ -26,6 +26,7 @@ struct Segment
 struct BoxSurface
 {
   std::vector<Point> points;
+  std::vector<PointKind> kinds;     // of points, or empty: all are merely on the surface
   std::vector<std::uint32_t> sizes; // of polygons
   std::vector<std::uint32_t> corners;
   std::vector<std::uint32_t> triangles; // of each polygon
@@ -103,6 +104,7 @@ public:
 private:
   void addPolygons(
     const Corners& corners, const Fragment& fragment, std::uint32_t triangle, BoxSurface& result);
+  void raiseKind(std::uint32_t point, PointKind kind);
   void addSegment(std::uint32_t from, std::uint32_t to, std::uint32_t triangle, std::uint8_t side);
   void keepNetSegments(BoxSurface& result);
   void keepUsedPoints(BoxSurface& result);
@@ -124,6 +126,7 @@ private:
   std::array<Interval, 3> intervals_{};
   SideLines lines_;
   LocalPoints points_;
+  std::vector<PointKind> kinds_; // of the first points; the others are no more than on the surface
   std::vector<Segment> segments_;
   std::vector<std::uint32_t> walk_;
   std::vector<std::uint32_t> next_;

@@ -266,6 +266,10 @@ bool NodeRemoval::fits(const LoopTriangulation::Triangle& t, const Vector& axis)
 // Where a node cannot be removed, its polygons take another node instead.
 void NodeRemoval::collapse(std::uint32_t node, std::uint32_t onto)
 {
+  if (!box_.kinds.empty())
+  {
+    raise(box_.kinds[onto], box_.kinds[node]);
+  }
   const std::size_t count = box_.of[node].size();
   for (std::size_t i = 0; i < count; ++i)
   {

@@ -20,7 +20,8 @@ void PatchBuilder::addBox(std::uint32_t b, BoxSurface& piece)
 {
   const std::size_t before = chunk_.sizes.size();
   const std::size_t firstCorner = chunk_.corners.size();
-  if (reasons_[b] == PatchReason::ExactFitChosen)
+  const bool isExact = reasons_[b] == PatchReason::ExactFitChosen;
+  if (isExact)
   {
     copyPolygons(piece);
   }
@@ -28,7 +29,7 @@ void PatchBuilder::addBox(std::uint32_t b, BoxSurface& piece)
   {
     tying_.tie(b, piece);
     const Box box = boxes_.box(b);
-    simplification_.begin(box, piece.points);
+    simplification_.begin(box, piece);
     if (reasons_[b] == PatchReason::MarchingCubes)
     {
       addTriangles(box, piece);
@@ -42,7 +43,8 @@ void PatchBuilder::addBox(std::uint32_t b, BoxSurface& piece)
                               std::uint32_t triangle) { addPolygon(begin, end, triangle); });
   }
   chunk_.polygonsOfBox.push_back(static_cast<std::uint32_t>(chunk_.sizes.size() - before));
-  giveSlots(boxes_.packed[b], piece.points, firstCorner);
+  giveSlots(
+    boxes_.packed[b], piece.points, isExact ? piece.kinds : simplification_.kinds(), firstCorner);
 }
 
 void PatchBuilder::addPolygon(
@@ -125,8 +127,8 @@ std::uint32_t PatchBuilder::mostAlike(
 }
 
 // Turns the indices of points in the box into slots; points that no polygon kept get none.
-void PatchBuilder::giveSlots(
-  const PackedBox& box, const std::vector<Point>& points, std::size_t firstCorner)
+void PatchBuilder::giveSlots(const PackedBox& box, const std::vector<Point>& points,
+  const std::vector<PointKind>& kinds, std::size_t firstCorner)
 {
   slot_.assign(points.size(), None);
   for (std::size_t c = firstCorner; c < chunk_.corners.size(); ++c)
@@ -139,6 +141,10 @@ void PatchBuilder::giveSlots(
       const auto& global = boxes_.globalOf(box).index;
       chunk_.uses.push_back(
         { p, rowOfPoint(p, boxes_.planes, global[1], global[2]), slot_[local] });
+      if (!kinds.empty() && kinds[local] != PointKind::OnSurface)
+      {
+        chunk_.features.push_back({ slot_[local], kinds[local] });
+      }
     }
     chunk_.corners[c] = slot_[local];
   }

@@ -11,7 +11,15 @@ namespace cartesian
 // The polygons of a chunk of boxes. Corners are slots: points of this chunk, one for each box and place.
 struct PatchChunk
 {
+  // A point that is more than on the surface.
+  struct Feature
+  {
+    std::uint32_t slot;
+    PointKind kind;
+  };
+
   std::vector<PointUse> uses;
+  std::vector<Feature> features;
   std::vector<std::uint32_t> sizes;
   std::vector<std::uint32_t> corners;
   std::vector<std::uint32_t> triangles;
@@ -37,7 +45,8 @@ private:
   void listLoopNodes(const Box& box, const BoxSurface& piece);
   void addTriangles(const Box& box, const BoxSurface& piece);
   std::uint32_t mostAlike(const std::array<std::uint32_t, 3>& points, const Vector& normal) const;
-  void giveSlots(const PackedBox& box, const std::vector<Point>& points, std::size_t firstCorner);
+  void giveSlots(const PackedBox& box, const std::vector<Point>& points,
+    const std::vector<PointKind>& kinds, std::size_t firstCorner);
 
   const Features& features_;
   const Boxes& boxes_;

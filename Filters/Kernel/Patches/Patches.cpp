@@ -24,8 +24,10 @@ public:
   {
     const std::size_t polygons = withPolygons ? piece.sizes.size() : 0;
     const std::size_t corners = withPolygons ? piece.corners.size() : 0;
-    counts_.push_back({ piece.points.size(), polygons, corners, piece.segments.size() });
+    counts_.push_back(
+      { piece.points.size(), piece.kinds.size(), polygons, corners, piece.segments.size() });
     insert(all_.points, piece.points, piece.points.size());
+    insert(all_.kinds, piece.kinds, piece.kinds.size());
     insert(all_.sizes, piece.sizes, polygons);
     insert(all_.triangles, piece.triangles, polygons);
     insert(all_.corners, piece.corners, corners);
@@ -40,18 +42,20 @@ public:
       to.assign(from.begin() + std::ptrdiff_t(begin), from.begin() + std::ptrdiff_t(begin + count));
     };
     copy(all_.points, at_.points, n.points, piece.points);
+    copy(all_.kinds, at_.kinds, n.kinds, piece.kinds);
     copy(all_.sizes, at_.polygons, n.polygons, piece.sizes);
     copy(all_.triangles, at_.polygons, n.polygons, piece.triangles);
     copy(all_.corners, at_.corners, n.corners, piece.corners);
     copy(all_.segments, at_.segments, n.segments, piece.segments);
-    at_ = { at_.points + n.points, at_.polygons + n.polygons, at_.corners + n.corners,
-      at_.segments + n.segments };
+    at_ = { at_.points + n.points, at_.kinds + n.kinds, at_.polygons + n.polygons,
+      at_.corners + n.corners, at_.segments + n.segments };
   }
 
 private:
   struct PieceSizes
   {
     std::size_t points;
+    std::size_t kinds;
     std::size_t polygons;
     std::size_t corners;
     std::size_t segments;
@@ -116,6 +120,20 @@ void copyChunk(const PatchChunk& chunk, std::size_t index, const Offsets& offset
   for (const std::uint32_t slot : chunk.corners)
   {
     patches.corners[corner++] = numbering.ofSlot[offsets.slot[index] + slot];
+  }
+}
+
+// A point is of the highest kind that it has in any box.
+void findKinds(const std::vector<PatchChunk>& ofChunk, const Offsets& offsets,
+  const Numbering& numbering, Patches& patches)
+{
+  patches.kinds.assign(numbering.points.size(), PointKind::OnSurface);
+  for (std::size_t i = 0; i < ofChunk.size(); ++i)
+  {
+    for (const PatchChunk::Feature& feature : ofChunk[i].features)
+    {
+      raise(patches.kinds[numbering.ofSlot[offsets.slot[i] + feature.slot]], feature.kind);
+    }
   }
 }
 
@@ -248,6 +266,7 @@ private:
     execution_.forEach(ofChunk.size(), 1, [&](std::size_t i, std::size_t) {
       copyChunk(ofChunk[i], i, offsets, numbering, surface_, patches);
     });
+    findKinds(ofChunk, offsets, numbering, patches);
     patches.points.swap(numbering.points);
     patches.walls = surface_.walls;
     patches.enclosed = enclosedVolumes(surface_, execution_);

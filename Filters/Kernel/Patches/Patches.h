@@ -15,6 +15,7 @@ namespace cartesian
 struct Patches
 {
   std::vector<Point> points;         // each once
+  RawVector<PointKind> kinds;        // of points, without OffSurface
   RawVector<std::size_t> start;      // first corner of each polygon, and the end
   RawVector<std::uint32_t> corners;  // ids of points
   RawVector<std::uint32_t> triangle; // of the surface, from which each polygon comes
@@ -38,6 +39,7 @@ struct Patches
   void forgetPolygons()
   {
     std::vector<Point>().swap(points);
+    RawVector<PointKind>().swap(kinds);
     RawVector<std::size_t>().swap(start);
     RawVector<std::uint32_t>().swap(corners);
   }

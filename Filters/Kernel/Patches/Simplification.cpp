@@ -15,12 +15,12 @@ Simplification::Simplification(const Surface& surface, const Boxes& boxes,
 {
 }
 
-void Simplification::begin(const Box& box, const std::vector<Point>& points)
+void Simplification::begin(const Box& box, const BoxSurface& piece)
 {
   const auto& global = boxes_.globalOf(box).index;
   const Level shortest = std::min(
     { clearance_.of(0, global[0]), clearance_.of(1, global[1]), clearance_.of(2, global[2]) });
-  box_.begin(box, points, static_cast<double>(shortest));
+  box_.begin(box, piece, static_cast<double>(shortest));
 }
 
 void Simplification::add(const std::uint32_t* begin, const std::uint32_t* end,

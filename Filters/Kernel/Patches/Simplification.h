@@ -23,7 +23,7 @@ public:
   Simplification& operator=(const Simplification&) = delete;
 
   // Starts with another box.
-  void begin(const Box& box, const std::vector<Point>& points);
+  void begin(const Box& box, const BoxSurface& piece);
 
   // Adds a polygon, whose corners are indices of points; `normal` of length 1, or 0 where it has no area.
   void add(const std::uint32_t* begin, const std::uint32_t* end, std::uint32_t triangle,
@@ -35,6 +35,9 @@ public:
 
   // See PolygonMerging.h.
   void merge() { merging_.merge(); }
+
+  // Of points, or empty (BoxSurface): those onto which others collapsed are of the highest kind of all these.
+  const std::vector<PointKind>& kinds() const { return box_.kinds; }
 
   // Calls visit(first corner, last, triangle) for all polygons.
   template <class Visitor>

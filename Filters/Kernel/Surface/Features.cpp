@@ -13,7 +13,8 @@ namespace
 
 constexpr std::size_t TrianglesAChunk = 1 << 11;
 
-// A folded triangle is at most as thick as this part of its longest edge.
+// A folded triangle is at most as thick as this part of its longest edge. If both of its long edges are sharp, they are one
+// line nevertheless.
 constexpr double ThickestFold = 0.02;
 
 constexpr std::uint32_t None = ~std::uint32_t(0);
@@ -153,6 +154,127 @@ private:
   std::vector<Neighbours> neighbours_;
 };
 
+// A sharp edge or border, listed at both of its ends; from each of its triangles.
+struct EdgeEnd
+{
+  std::uint32_t vertex;
+  std::uint32_t other;
+
+  bool operator<(const EdgeEnd& end) const { return other < end.other; }
+};
+
+// Finds where sharp edges and borders end and meet. Triangles that name a vertex twice have none.
+class VertexKinds
+{
+public:
+  VertexKinds(const Surface& surface, double featureAngle, Features& result, Execution& execution)
+    : surface_(surface)
+    , result_(result)
+    , leastCosine_(std::cos(radians(featureAngle)))
+    , execution_(execution)
+  {
+  }
+
+  void find()
+  {
+    const std::size_t count = surface_.triangles.size();
+    std::vector<std::vector<EdgeEnd>> ends(chunks(count, TrianglesAChunk));
+    execution_.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
+      listEnds(begin, end, ends[begin / TrianglesAChunk]);
+    });
+    result_.ofVertex.assign(surface_.vertices.size(), PointKind::OnSurface);
+    if (std::all_of(ends.begin(), ends.end(), [](const auto& ofChunk) { return ofChunk.empty(); }))
+    {
+      return;
+    }
+    const Buckets<EdgeEnd> at = sortIntoBuckets(
+      ends, surface_.vertices.size(), [](const EdgeEnd& end) { return end.vertex; }, execution_);
+    execution_.forEach(
+      surface_.vertices.size(), TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v)
+        {
+          result_.ofVertex[v] = kindOf(at.begin(v), at.end(v));
+        }
+      });
+    execution_.forEach(count, TrianglesAChunk,
+      [&](std::size_t begin, std::size_t end) { markTriangles(begin, end); });
+  }
+
+private:
+  void listEnds(std::size_t begin, std::size_t end, std::vector<EdgeEnd>& ends) const
+  {
+    for (std::size_t t = begin; t < end; ++t)
+    {
+      const unsigned lines = result_.lines(t);
+      const auto& v = surface_.triangles[t];
+      for (unsigned i = 0; lines >> i != 0; ++i)
+      {
+        if ((lines >> i & 1) != 0 && !namesAVertexTwice(v))
+        {
+          ends.push_back({ v[i], v[(i + 1) % 3] });
+          ends.push_back({ v[(i + 1) % 3], v[i] });
+        }
+      }
+    }
+  }
+
+  PointKind kindOf(const EdgeEnd* begin, const EdgeEnd* end) const
+  {
+    std::array<Vector, 2> ways{};
+    std::size_t count = 0;
+    for (const EdgeEnd* edge = begin; edge != end; ++edge)
+    {
+      if (edge != begin && edge->other == edge[-1].other)
+      {
+        continue;
+      }
+      const Vector way =
+        unit(minus(surface_.vertices[edge->other], surface_.vertices[edge->vertex]));
+      if (std::any_of(ways.begin(), ways.begin() + std::ptrdiff_t(count),
+            [&](const Vector& known) { return isSameWay(way, known); }))
+      {
+        continue;
+      }
+      if (count == 2)
+      {
+        return PointKind::Corner;
+      }
+      ways[count++] = way;
+    }
+    if (count == 0)
+    {
+      return PointKind::OnSurface;
+    }
+    return count == 1 || -dot(ways[0], ways[1]) < leastCosine_ ? PointKind::Corner
+                                                               : PointKind::OnEdge;
+  }
+
+  static bool isSameWay(const Vector& a, const Vector& b)
+  {
+    const Vector sine = cross(a, b);
+    return dot(a, b) > 0 && dot(sine, sine) <= ThickestFold * ThickestFold;
+  }
+
+  void markTriangles(std::size_t begin, std::size_t end)
+  {
+    for (std::size_t t = begin; t < end; ++t)
+    {
+      const auto& v = surface_.triangles[t];
+      const PointKind most =
+        std::max({ result_.ofVertex[v[0]], result_.ofVertex[v[1]], result_.ofVertex[v[2]] });
+      if (most != PointKind::OnSurface && !namesAVertexTwice(v))
+      {
+        result_.edges[t] = static_cast<std::uint8_t>(result_.edges[t] | 128u);
+      }
+    }
+  }
+
+  const Surface& surface_;
+  Features& result_;
+  double leastCosine_;
+  Execution& execution_;
+};
+
 }
 
 Features findFeatures(const Surface& surface, double featureAngle, Execution& execution)
@@ -171,6 +293,7 @@ Features findFeatures(const Surface& surface, double featureAngle, Execution& ex
     });
   execution.forEach(count, TrianglesAChunk,
     [&](std::size_t begin, std::size_t end) { finder.markEdges(begin, end); });
+  VertexKinds(surface, featureAngle, result, execution).find();
   return result;
 }
 

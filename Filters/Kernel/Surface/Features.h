@@ -7,6 +7,7 @@
 #pragma once
 
 #include "Lattice/Vector.h"
+#include "Surface/PointKind.h"
 #include "Surface/Surface.h"
 
 namespace cartesian
@@ -15,9 +16,10 @@ namespace cartesian
 struct Features
 {
   // Bits of each triangle. Bit i: its edge from corner i to the next is sharp. Bit 3 + i: that edge
-  // is a border between boundaries. Bit 6: the triangle is folded geometry.
+  // is a border between boundaries. Bit 6: the triangle is folded geometry. Bit 7: a corner of it is on such an edge.
   std::vector<std::uint8_t> edges;
-  std::vector<Vector> normal; // unit normal of each triangle; zero if it has no area
+  std::vector<Vector> normal;      // unit normal of each triangle; zero if it has no area
+  std::vector<PointKind> ofVertex; // of each vertex of the surface
 
   bool isSharp(std::size_t triangle, unsigned edge) const
   {
@@ -26,10 +28,19 @@ struct Features
 
   bool isFold(std::size_t triangle) const { return (edges[triangle] >> 6 & 1) != 0; }
 
+  // Bits 0 to 2: whether that edge is sharp or a border.
+  unsigned lines(std::size_t triangle) const
+  {
+    return (edges[triangle] | edges[triangle] >> 3) & 7u;
+  }
+
+  // Else no part of the triangle is more than on the surface.
+  bool touchesFeature(std::size_t triangle) const { return edges[triangle] >> 7 != 0; }
+
   // Whether a sharp edge or a border of this triangle ends in one of its corners.
   bool endsIn(std::size_t triangle, unsigned corner) const
   {
-    const unsigned any = edges[triangle] | edges[triangle] >> 3;
+    const unsigned any = lines(triangle);
     return (any >> corner & 1) != 0 || (any >> (corner + 2) % 3 & 1) != 0;
   }
 };

@@ -28,6 +28,8 @@ TEST(BoxRebuilding, ClosesWhatItRebuilds)
       rebuildFlawedBoxes(boxes, patches, sides, nodes, inner, flawed, givenUp, execution);
     EXPECT_EQ(rebuilt.boxes[flawed.size() / 2], 1);
     const Patches& after = rebuilt.patches;
+    EXPECT_EQ(after.kinds.size(), after.points.size());
+    EXPECT_TRUE(std::equal(patches.kinds.begin(), patches.kinds.end(), after.kinds.begin()));
     const Nodes nodesAfter = findNodes(boxes, after, sides, execution);
     const InnerFaces innerAfter = generateInnerFaces(boxes, after, sides, nodesAfter, execution);
     const auto open = findFlawed(boxes, after, sides, nodesAfter, innerAfter, execution);

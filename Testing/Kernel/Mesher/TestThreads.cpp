@@ -20,6 +20,7 @@ void expectSameWith(const Soup& soup, const GridSpec& grid, TestOptions options)
     const Meshed other = meshOf(soup, grid, options);
     EXPECT_TRUE(one.mesh == other.mesh);
     EXPECT_EQ(one.patches.points, other.patches.points);
+    EXPECT_EQ(one.patches.kinds, other.patches.kinds);
     EXPECT_EQ(one.patches.corners, other.patches.corners);
     EXPECT_EQ(one.patches.triangle, other.patches.triangle);
     EXPECT_EQ(one.flawedBoxes, other.flawedBoxes);

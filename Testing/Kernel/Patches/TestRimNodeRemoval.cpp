@@ -20,7 +20,8 @@ class Sheet
 public:
   explicit Sheet(const std::array<Level, 3>& off)
   {
-    std::vector<Point> points;
+    BoxSurface piece;
+    std::vector<Point>& points = piece.points;
     for (Level i = 0; i < 5; ++i)
     {
       const Level x = i == 0 ? 0 : (i == 4 ? Size : i * Size / 4 + 1);
@@ -30,7 +31,7 @@ public:
     points.push_back({ 4001, 0, 4999 });
     Box box{};
     box.high = { Size, Size, Size };
-    polygons_.begin(box, points, 1);
+    polygons_.begin(box, piece, 1);
     for (std::uint32_t i = 0; i < 4; ++i)
     {
       add({ i + 1, i, Front }, { 0, 0, 1 });

@@ -322,6 +322,8 @@ Patches patchesOf(const Assembly& a)
   const std::size_t corners = faces.start[count];
   patches.points.assign(
     a.nodes.at.begin(), a.nodes.at.begin() + std::ptrdiff_t(a.nodes.patchPoints));
+  patches.kinds.assign(
+    a.nodes.kinds.begin(), a.nodes.kinds.begin() + std::ptrdiff_t(a.nodes.patchPoints));
   patches.start.assign(faces.start.begin(), faces.start.begin() + std::ptrdiff_t(count + 1));
   patches.corners.assign(faces.corners.begin(), faces.corners.begin() + std::ptrdiff_t(corners));
   return patches;
