@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/EditDecision.h"
 
+#include "Editing/CellClosure.h"
 #include "Editing/EditMeasures.h"
 #include "Editing/PrimitiveEdits.h"
 #include "Editing/WallEdges.h"
@@ -14,7 +15,6 @@ namespace
 {
 
 constexpr double LeastShare = 1e-9; // of its box, of any cell
-constexpr std::size_t LeastFacesOfCell = 4;
 
 // For a node where more than two sharp edges meet, and that goes.
 constexpr double ChargeOfCorner = 3;
@@ -24,29 +24,6 @@ double chargeOfDistance(double distance, const ObjectiveSpec& spec)
 {
   const double share = distance / spec.distance;
   return share * share / 2;
-}
-
-// Each edge of a closed cell without holes belongs to two of its faces: Euler's formula.
-bool isClosed(EditMesh& mesh, std::uint32_t c)
-{
-  const Items faces = mesh.facesOf(c);
-  if (faces.size() < LeastFacesOfCell)
-  {
-    return false;
-  }
-  const std::uint32_t stamp = mesh.newStamp();
-  std::size_t corners = 0;
-  std::size_t nodes = 0;
-  for (const std::uint32_t f : faces)
-  {
-    const Items ring = mesh.cornersOf(f);
-    corners += ring.size();
-    for (const std::uint32_t n : ring)
-    {
-      nodes += mesh.stampNode(n, stamp) ? 1 : 0;
-    }
-  }
-  return corners % 2 == 0 && nodes + faces.size() == corners / 2 + 2;
 }
 
 bool hasTwin(const EditMesh& mesh, std::uint32_t f)

@@ -257,6 +257,10 @@ bool collapseEdge(EditMesh& mesh, std::uint32_t u, std::uint32_t v, const Vector
   {
     return false;
   }
+  if (mesh.node(u).atWall && !mesh.node(v).atWall)
+  {
+    mesh.changeNode(v).atWall = true;
+  }
   if (at != mesh.node(v).at)
   {
     for (const std::uint32_t f : mesh.facesAround(v))
