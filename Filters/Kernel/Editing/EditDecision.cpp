@@ -183,6 +183,19 @@ private:
   double left_ = 0; // what those cost that are not settled yet
 };
 
+// Whether a place is on the planes that hold a node.
+bool isOnPlanesOf(const EditNode& node, const Vector& at)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if ((node.held >> axis & 1) != 0 && at[axis] != node.at[axis])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 // A node on a sharp edge moves along it, and its edge may not leave `at` far behind; false: not at all.
 bool mayLeaveEdge(const EditMesh& mesh, const EditRules& rules, std::uint32_t u, std::uint32_t v,
   const Vector& at, bool isSharp, double& charge)
@@ -238,7 +251,7 @@ bool mayCollapse(const EditMesh& mesh, const EditRules& rules, std::uint32_t u, 
   const EditNode& to = mesh.node(v);
   const bool moves = at != to.at;
   if (from.gone || to.gone || (from.atWall && !to.atWall) || (from.held & ~to.held) != 0 ||
-    (moves && to.held != from.held) || (moves && to.held == HeldFast))
+    (moves && to.held != from.held) || !isOnPlanesOf(from, at) || !isOnPlanesOf(to, at))
   {
     return false;
   }
@@ -261,7 +274,7 @@ bool mayCollapse(const EditMesh& mesh, const EditRules& rules, std::uint32_t u, 
 bool mayMove(const EditMesh& mesh, std::uint32_t n, const Vector& to)
 {
   const EditNode& node = mesh.node(n);
-  return node.held != HeldFast && node.kind != NodeKind::Corner &&
+  return isOnPlanesOf(node, to) && node.kind != NodeKind::Corner &&
     (node.kind == NodeKind::Free || norm(minus(to, node.home)) <= double(node.leash));
 }
 
