@@ -24,7 +24,7 @@ public:
     {
       ++bits_;
     }
-    std::fill_n(edges_.begin(), std::size_t(1) << bits_, Edge());
+    std::fill_n(edges_.begin(), std::size_t(1) << bits_, Edge{ 0, 0, 0 });
     std::iota(group_.begin(), group_.begin() + static_cast<std::ptrdiff_t>(faces), 0U);
   }
 
@@ -55,9 +55,9 @@ public:
 private:
   struct Edge
   {
-    std::uint64_t key = 0;
-    std::uint32_t face = 0; // the first
-    unsigned ways = 0;      // bits: from the lower node to the higher, back; 0: no edge
+    std::uint64_t key;
+    std::uint32_t face; // the first
+    unsigned ways;      // bits: from the lower node to the higher, back; 0: no edge
   };
 
   Edge& find(std::uint64_t key)

@@ -24,7 +24,7 @@ std::vector<TestBox> blockOfBoxes(int x, int y, int z, int size = 1);
 // A box of two units across, and four of one beside it: its side has five faces' corners in the middle of its edges.
 std::vector<TestBox> hangingBoxes();
 
-// Eight around a hole along z.
+// Ten around a hole along z, one beside the next.
 std::vector<TestBox> ringOfBoxes();
 
 struct TestMeshSpec

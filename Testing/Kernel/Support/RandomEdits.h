@@ -1,4 +1,4 @@
-// Primitive edits at random, for the tests.
+// Primitive edits at random, for the tests, of a mesh that has any cells.
 #pragma once
 
 #include "Editing/CellCut.h"
@@ -70,8 +70,7 @@ private:
   Vector near(std::uint32_t n)
   {
     const EditNode& node = mesh_.node(n);
-    return onLattice(
-      mesh_, plus(node.at, scaled({ part(), part(), part() }, 0.2)), node.held);
+    return onLattice(mesh_, plus(node.at, scaled({ part(), part(), part() }, 0.2)), node.held);
   }
 
   bool cut(std::uint32_t c)
