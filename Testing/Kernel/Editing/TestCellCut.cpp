@@ -17,7 +17,7 @@ constexpr double Tolerance = 0.03;
 std::size_t cut(
   EditMesh& mesh, std::uint32_t c, const Vector& through, const Vector& normal, CutParts& parts)
 {
-  const EditMesh before = mesh;
+  const EditMesh before = copyOf(mesh);
   const double volume = volumeOf(mesh, c);
   const EditMesh::Mark mark = mesh.mark();
   parts.clear();

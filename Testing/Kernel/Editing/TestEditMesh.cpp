@@ -82,14 +82,14 @@ TEST(EditMesh, HasAnyOfTheseCells)
 TEST(EditMesh, MarksNest)
 {
   const EditMesh first = meshOfBoxes(blockOfBoxes(2, 2, 2));
-  EditMesh mesh = first;
+  EditMesh mesh = copyOf(first);
   const EditMesh::Mark outer = mesh.mark();
   ASSERT_TRUE(mergeCells(mesh, 0, 1) && settle(mesh, ObjectiveSpec()));
-  const EditMesh merged = mesh;
+  const EditMesh merged = copyOf(mesh);
   const EditMesh::Mark inner = mesh.mark();
   mesh.moveNode(nodeAt(mesh, { 1, 1, 1 }), { 1.25, 1, 1 });
   ASSERT_TRUE(settle(mesh, ObjectiveSpec()));
-  const EditMesh moved = mesh;
+  const EditMesh moved = copyOf(mesh);
   const EditMesh::Mark innermost = mesh.mark();
   ASSERT_TRUE(mergeCells(mesh, 2, 3) && settle(mesh, ObjectiveSpec()));
   mesh.undo(innermost);
@@ -103,7 +103,7 @@ TEST(EditMesh, MarksNest)
 TEST(EditMesh, WhatIsKeptIsUndoneWithTheOuterMark)
 {
   const EditMesh first = meshOfBoxes(blockOfBoxes(3, 2, 2));
-  EditMesh mesh = first;
+  EditMesh mesh = copyOf(first);
   const EditMesh::Mark outer = mesh.mark();
   for (const std::uint32_t c : { 0U, 4U, 8U })
   {
@@ -150,7 +150,7 @@ TEST(EditMesh, UndoesRandomEditsInAnyNest)
     {
       if (marks.size() < 5)
       {
-        EditMesh now = mesh;
+        EditMesh now = copyOf(mesh);
         marks.emplace_back(mesh.mark(), std::move(now));
       }
       const bool isValid =
@@ -182,7 +182,7 @@ TEST(CellClosure, IsThatOfOneShell)
   EXPECT_TRUE(isClosed(one, 0));
   EditMesh box = meshOfBoxes(blockOfBoxes(1, 1, 1));
   EXPECT_TRUE(isClosed(box, 0));
-  EditMesh open = box;
+  EditMesh open = copyOf(box);
   open.removeFace(0);
   EXPECT_FALSE(isClosed(open, 0));
 }

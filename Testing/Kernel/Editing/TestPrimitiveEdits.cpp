@@ -17,10 +17,10 @@ using Edit = std::function<bool(EditMesh&)>;
 // Made, undone, made again, within another mark too; leaves it made. Whether it could be.
 bool makeAndUndo(EditMesh& mesh, const Edit& edit)
 {
-  const EditMesh before = mesh;
+  const EditMesh before = copyOf(mesh);
   const EditMesh::Mark mark = mesh.mark();
   const bool isMade = edit(mesh) && settle(mesh, ObjectiveSpec());
-  const EditMesh after = mesh;
+  const EditMesh after = copyOf(mesh);
   mesh.undo(mark);
   EXPECT_EQ(differenceOf(mesh, before), "");
   EXPECT_EQ(mesh.unsettled.faces.size() + mesh.unsettled.cells.size(), 0);
@@ -119,7 +119,7 @@ TEST(CollapseEdge, RefusesWhatIsNoEdgeOfAFace)
 TEST(CollapseEdge, TakesFlatCellsAway)
 {
   EditMesh mesh = block(3, 1, 1);
-  const EditMesh before = mesh;
+  const EditMesh before = copyOf(mesh);
   ASSERT_TRUE(makeAndUndo(mesh, [](EditMesh& m) {
     return collapseAt(m, { 1, 0, 0 }, { 2, 0, 0 }) && collapseAt(m, { 1, 1, 0 }, { 2, 1, 0 }) &&
       collapseAt(m, { 1, 0, 1 }, { 2, 0, 1 }) && collapseAt(m, { 1, 1, 1 }, { 2, 1, 1 });

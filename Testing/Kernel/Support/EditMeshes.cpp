@@ -1,9 +1,8 @@
 #include "Support/EditMeshes.h"
 
-#include "Acceptance/WallObjective.h"
-#include "Editing/EditDecision.h"
 #include "Editing/EditMeasures.h"
 #include "Editing/WallEdges.h"
+#include "Editing/WallImprovement.h"
 
 #include <algorithm>
 #include <cstring>
@@ -488,9 +487,53 @@ EditMesh meshOfBoxes(const std::vector<TestBox>& boxes, const TestMeshSpec& spec
   return MeshOfBoxes(boxes, spec).make();
 }
 
+EditMesh copyOf(const EditMesh& mesh)
+{
+  return mesh;
+}
+
+void measureAgain(EditMesh& mesh, const ObjectiveSpec& spec)
+{
+  measureAll(mesh, spec);
+}
+
+void costAgain(EditMesh& mesh, const ObjectiveSpec& spec)
+{
+  costAll(mesh, spec);
+}
+
+void runLoop(EditMesh& mesh, const LoopSpec& spec)
+{
+  improve(mesh, spec, [] {});
+}
+
+void improveWhole(EditMesh& mesh)
+{
+  improveWall(mesh, [] {});
+}
+
+void scaleBy(EditMesh& mesh, double factor)
+{
+  mesh.level *= factor;
+  for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
+  {
+    mesh.rawNode(n).at = scaled(mesh.node(n).at, factor);
+  }
+  for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
+  {
+    mesh.rawCell(c).edge *= factor;
+    mesh.rawCell(c).box *= factor * factor * factor;
+  }
+  settleWalls(mesh);
+  for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
+  {
+    mesh.rawNode(n).leash *= static_cast<float>(factor);
+  }
+}
+
 void settleWalls(EditMesh& mesh)
 {
-  measureAll(mesh, ObjectiveSpec());
+  measureAgain(mesh);
   for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
   {
     if (!mesh.node(n).gone)
@@ -503,7 +546,7 @@ void settleWalls(EditMesh& mesh)
     EditFace& face = mesh.rawFace(f);
     face.original = mesh.isWall(f) ? face.area : Vector{};
   }
-  costAll(mesh, ObjectiveSpec());
+  costAgain(mesh, ObjectiveSpec());
 }
 
 EditMesh wedge()
@@ -702,7 +745,7 @@ std::string differenceOf(const EditMesh& mesh, const EditMesh& other, bool sameI
   if (mesh.nodeCount() != other.nodeCount() || mesh.faceCount() != other.faceCount() ||
     mesh.cellCount() != other.cellCount())
   {
-    return "other counts";
+    return "counts";
   }
   for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
   {

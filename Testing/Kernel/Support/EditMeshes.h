@@ -1,7 +1,7 @@
 // Editable meshes of a few cells, made by hand, and what must hold of any.
 #pragma once
 
-#include "Editing/EditMesh.h"
+#include "Editing/EditLoop.h"
 #include "Editing/PrimitiveEdits.h"
 
 #include <functional>
@@ -37,6 +37,19 @@ struct TestMeshSpec
 // regions, wall 6. A side must have neighbours everywhere or nowhere. Nodes know what they are from the walls' sharp
 // edges. All is measured.
 EditMesh meshOfBoxes(const std::vector<TestBox>& boxes, const TestMeshSpec& spec = {});
+
+EditMesh copyOf(const EditMesh& mesh);
+
+// All measures and costs again; costs only.
+void measureAgain(EditMesh& mesh, const ObjectiveSpec& spec = {});
+void costAgain(EditMesh& mesh, const ObjectiveSpec& spec);
+
+// The loop, for all cells; all steps.
+void runLoop(EditMesh& mesh, const LoopSpec& spec);
+void improveWhole(EditMesh& mesh);
+
+// All lengths times a power of two.
+void scaleBy(EditMesh& mesh, double factor);
 
 // What nodes are, from the walls; original areas and homes are as of now; then costs.
 void settleWalls(EditMesh& mesh);
