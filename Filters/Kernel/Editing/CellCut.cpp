@@ -55,11 +55,20 @@ public:
 
   double& at(std::uint32_t node)
   {
-    return std::lower_bound(nodes_.begin(), nodes_.end(), std::make_pair(node, -HUGE_VAL))->second;
+    return std::lower_bound(nodes_.begin(), nodes_.end(), Side{ node, 0 })->distance;
   }
 
 private:
-  FixedList<std::pair<std::uint32_t, double>, 1024> nodes_;
+  struct Side
+  {
+    std::uint32_t node;
+    double distance;
+
+    bool operator<(const Side& other) const { return node < other.node; }
+    bool operator==(const Side& other) const { return node == other.node; }
+  };
+
+  FixedList<Side, 1024> nodes_;
 };
 
 class CellCutter
@@ -212,11 +221,14 @@ private:
     const EditNode& from = mesh_.node(a);
     const EditNode& to = mesh_.node(b);
     EditNode made;
-    made.held = from.held & to.held;
     Vector at = plus(from.at, scaled(minus(to.at, from.at), t));
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      at[axis] = (made.held >> axis & 1) != 0 ? from.at[axis] : at[axis];
+      if (((from.held & to.held) >> axis & 1) != 0 && from.at[axis] == to.at[axis]) // one plane
+      {
+        made.held = static_cast<std::uint8_t>(made.held | 1U << axis);
+        at[axis] = from.at[axis];
+      }
     }
     made.at = onLattice(mesh_, at, made.held);
     made.home = made.at;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/EditDecision.h"
 
+#include "Editing/CellClosure.h"
 #include "Editing/EditMeasures.h"
 #include "Editing/PrimitiveEdits.h"
 #include "Editing/WallEdges.h"
@@ -14,7 +15,6 @@ namespace
 {
 
 constexpr double LeastShare = 1e-9; // of its box, of any cell
-constexpr std::size_t LeastFacesOfCell = 4;
 
 // For a node where more than two sharp edges meet, and that goes.
 constexpr double ChargeOfCorner = 3;
@@ -24,29 +24,6 @@ double chargeOfDistance(double distance, const ObjectiveSpec& spec)
 {
   const double share = distance / spec.distance;
   return share * share / 2;
-}
-
-// Each edge of a closed cell without holes belongs to two of its faces: Euler's formula.
-bool isClosed(EditMesh& mesh, std::uint32_t c)
-{
-  const Items faces = mesh.facesOf(c);
-  if (faces.size() < LeastFacesOfCell)
-  {
-    return false;
-  }
-  const std::uint32_t stamp = mesh.newStamp();
-  std::size_t corners = 0;
-  std::size_t nodes = 0;
-  for (const std::uint32_t f : faces)
-  {
-    const Items ring = mesh.cornersOf(f);
-    corners += ring.size();
-    for (const std::uint32_t n : ring)
-    {
-      nodes += mesh.stampNode(n, stamp) ? 1 : 0;
-    }
-  }
-  return corners % 2 == 0 && nodes + faces.size() == corners / 2 + 2;
 }
 
 bool hasTwin(const EditMesh& mesh, std::uint32_t f)
@@ -206,6 +183,19 @@ private:
   double left_ = 0; // what those cost that are not settled yet
 };
 
+// Whether a place is on the planes that hold a node.
+bool isOnPlanesOf(const EditNode& node, const Vector& at)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if ((node.held >> axis & 1) != 0 && at[axis] != node.at[axis])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 // A node on a sharp edge moves along it, and its edge may not leave `at` far behind; false: not at all.
 bool mayLeaveEdge(const EditMesh& mesh, const EditRules& rules, std::uint32_t u, std::uint32_t v,
   const Vector& at, bool isSharp, double& charge)
@@ -261,7 +251,7 @@ bool mayCollapse(const EditMesh& mesh, const EditRules& rules, std::uint32_t u, 
   const EditNode& to = mesh.node(v);
   const bool moves = at != to.at;
   if (from.gone || to.gone || (from.atWall && !to.atWall) || (from.held & ~to.held) != 0 ||
-    (moves && to.held != from.held) || (moves && to.held == HeldFast))
+    (moves && to.held != from.held) || !isOnPlanesOf(from, at) || !isOnPlanesOf(to, at))
   {
     return false;
   }
@@ -284,7 +274,7 @@ bool mayCollapse(const EditMesh& mesh, const EditRules& rules, std::uint32_t u, 
 bool mayMove(const EditMesh& mesh, std::uint32_t n, const Vector& to)
 {
   const EditNode& node = mesh.node(n);
-  return node.held != HeldFast && node.kind != NodeKind::Corner &&
+  return isOnPlanesOf(node, to) && node.kind != NodeKind::Corner &&
     (node.kind == NodeKind::Free || norm(minus(to, node.home)) <= double(node.leash));
 }
 

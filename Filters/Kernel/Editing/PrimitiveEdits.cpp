@@ -95,6 +95,9 @@ bool dropFlat(EditMesh& mesh, std::uint32_t c)
     mesh.giveFace(stays, c, y);
     mesh.addFaceTo(y, stays);
     mesh.unsettled.faces.add(stays);
+    const bool isBorder = mesh.cell(x).region != mesh.cell(y).region;
+    EditFace& face = mesh.changeFace(stays);
+    face.wall = isBorder ? std::max(face.wall, wall.wall) : -1;
   }
   touch(mesh, x);
   mesh.removeCell(c);
@@ -258,6 +261,10 @@ bool collapseEdge(EditMesh& mesh, std::uint32_t u, std::uint32_t v, const Vector
   if (mesh.node(v).gone)
   {
     return false;
+  }
+  if (mesh.node(u).atWall && !mesh.node(v).atWall)
+  {
+    mesh.changeNode(v).atWall = true;
   }
   if (at != mesh.node(v).at)
   {

@@ -221,7 +221,7 @@ Soup reversed(Soup soup)
 TEST_P(EditableWallOf, CellsAreClosed)
 {
   const auto a = assembledOf(GetParam());
-  const EditableWall edited = openWall(partsOf(*a), FeatureAngle);
+  const EditableWall edited = openWall(partsOf(*a), FeatureAngle, execution);
   const EditMesh& mesh = edited.mesh;
   ASSERT_GT(edited.opened.cells, 0u);
   double sum = 0;
@@ -251,7 +251,7 @@ TEST_P(EditableWallOf, NoEditsChangeNothing)
 {
   const auto a = assembledOf(GetParam());
   const MeshArrays before = written(*a);
-  close(openWall(partsOf(*a), FeatureAngle), *a);
+  close(openWall(partsOf(*a), FeatureAngle, execution), *a);
   EXPECT_TRUE(written(*a) == before);
 }
 
@@ -260,7 +260,7 @@ TEST_P(EditableWallOf, AllIsWritten)
 {
   const auto a = assembledOf(GetParam());
   const MeshArrays before = written(*a);
-  EditableWall edited = openWall(partsOf(*a), FeatureAngle);
+  EditableWall edited = openWall(partsOf(*a), FeatureAngle, execution);
   for (std::uint32_t f = 0; f < edited.mesh.faceCount(); ++f)
   {
     const Items corners = edited.mesh.cornersOf(f);
@@ -299,7 +299,7 @@ TEST_P(EditableWallOf, EditsAreWritten)
 {
   const auto a = assembledOf(GetParam());
   const MeshArrays before = written(*a);
-  EditableWall edited = openWall(partsOf(*a), FeatureAngle);
+  EditableWall edited = openWall(partsOf(*a), FeatureAngle, execution);
   moveSome(edited.mesh);
   const std::size_t merged = mergeSome(edited);
   EXPECT_GT(merged, 0u);
@@ -319,7 +319,7 @@ TEST_P(EditableWallOf, EditsAreWritten)
 TEST_P(EditableWallOf, NodesAreHeld)
 {
   const auto a = assembledOf(GetParam());
-  const EditableWall edited = openWall(partsOf(*a), FeatureAngle);
+  const EditableWall edited = openWall(partsOf(*a), FeatureAngle, execution);
   const EditMesh& mesh = edited.mesh;
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
   {
@@ -360,7 +360,7 @@ TEST(EditableWall, TakesTheOptionsPlace)
 TEST(EditableWall, KindsOfNodesOfACube)
 {
   const auto a = assembledOf(Case{ "", cube().turned(), plain(0.23, 0) });
-  const EditableWall edited = openWall(partsOf(*a), FeatureAngle);
+  const EditableWall edited = openWall(partsOf(*a), FeatureAngle, execution);
   std::map<NodeKind, int> kinds;
   for (std::uint32_t n = 0; n < edited.mesh.nodeCount(); ++n)
   {
@@ -384,7 +384,7 @@ TEST(EditableWall, IsTheSameForAnyOrder)
     SCOPED_TRACE(one.name);
     const auto a = assembledOf(one);
     const auto b = assembledOf(Case{ "", reversed(one.soup), one.options });
-    const EditableWall x = openWall(partsOf(*a), FeatureAngle);
+    const EditableWall x = openWall(partsOf(*a), FeatureAngle, execution);
     const EditableWall y = openWall(partsOf(*b), FeatureAngle);
     ASSERT_EQ(x.opened.corners, y.opened.corners);
     ASSERT_EQ(x.opened.start, y.opened.start);

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether the faces of a cell close it.
+#pragma once
+
+#include "Editing/EditMesh.h"
+
+namespace cartesian
+{
+
+// Each edge is one of two faces, in opposite directions; all faces are one shell, which nowhere touches itself and has no
+// handle: then Euler's formula holds. False also of cells with more faces or corners than edits look at.
+bool isClosed(EditMesh& mesh, std::uint32_t c);
+
+}

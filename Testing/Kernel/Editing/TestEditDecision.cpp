@@ -1,0 +1,247 @@
+// Which edits may be made.
+#include "Editing/EditDecision.h"
+#include "Support/EditMeshes.h"
+
+#include <gtest/gtest.h>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// Of 3 x 3 x 3 boxes; nodes by where they are.
+class Collapses
+{
+public:
+  explicit Collapses(EditMesh mesh)
+    : mesh_(std::move(mesh))
+  {
+  }
+
+  bool may(const Vector& u, const Vector& v) { return may(u, v, v); }
+  bool may(const Vector& u, const Vector& v, const Vector& at)
+  {
+    charge = 0;
+    return mayCollapse(mesh_, rules, nodeAt(mesh_, u), nodeAt(mesh_, v), at, charge);
+  }
+  EditNode& node(const Vector& at) { return mesh_.rawNode(nodeAt(mesh_, at)); }
+
+  EditRules rules;
+  double charge = 0;
+
+private:
+  EditMesh mesh_;
+};
+
+EditMesh block(std::uint8_t held = 0)
+{
+  TestMeshSpec spec;
+  spec.held = held;
+  return meshOfBoxes(blockOfBoxes(3, 3, 3), spec);
+}
+
+}
+
+TEST(MayCollapse, TowardsHigherKindsOnly)
+{
+  Collapses of(block());
+  const Vector corner{ 0, 0, 0 };
+  const Vector edge{ 1, 0, 0 };
+  const Vector surface{ 1, 1, 0 };
+  const Vector inside{ 1, 1, 1 };
+  for (const bool mayLose : { true, false })
+  {
+    of.rules.mayLoseFeatures = mayLose;
+    EXPECT_TRUE(of.may(inside, surface));
+    EXPECT_FALSE(of.may(surface, inside));
+    EXPECT_TRUE(of.may(surface, edge));
+    EXPECT_FALSE(of.may(edge, surface));
+    EXPECT_TRUE(of.may(edge, corner)); // along the edge
+    EXPECT_EQ(of.charge, 0);
+    EXPECT_TRUE(of.may(edge, { 2, 0, 0 }));
+    EXPECT_EQ(of.charge, 0);
+    EXPECT_FALSE(of.may(corner, edge)); // the edges beside it would move by half a box and more
+    EXPECT_TRUE(of.may(surface, { 2, 1, 0 }));
+    EXPECT_TRUE(of.may(inside, { 2, 1, 1 }));
+  }
+}
+
+TEST(MayCollapse, CornersStayWhereTheyAre)
+{
+  Collapses of(block());
+  EXPECT_FALSE(of.may({ 1, 0, 0 }, { 0, 0, 0 }, { 0.5, 0, 0 }));
+  EXPECT_TRUE(of.may({ 1, 0, 0 }, { 2, 0, 0 }, { 1.5, 0, 0 }));
+  EXPECT_TRUE(of.may({ 1, 1, 1 }, { 1, 1, 2 }, { 1, 1, 1.5 }));
+}
+
+// From one wall to another through the inside.
+TEST(MayCollapse, NotThroughTheInside)
+{
+  Collapses of(meshOfBoxes(blockOfBoxes(3, 3, 1)));
+  EXPECT_FALSE(of.may({ 1, 1, 0 }, { 1, 1, 1 }));
+}
+
+TEST(MayCollapse, HeldNodesStayOnTheirPlanes)
+{
+  Collapses of(block(4));
+  EXPECT_TRUE(of.may({ 1, 1, 1 }, { 1, 1, 0 }));
+  EXPECT_TRUE(of.may({ 1, 1, 0 }, { 2, 1, 0 }));
+  EXPECT_TRUE(of.may({ 1, 1, 0 }, { 2, 1, 0 }, { 1.5, 1, 0 }));
+  EXPECT_FALSE(of.may({ 1, 1, 0 }, { 2, 1, 0 }, { 1.5, 1, 0.25 }));
+  EXPECT_FALSE(of.may({ 1, 1, 1 }, { 1, 1, 0 }, { 1, 1, 0.5 }));
+  of.node({ 1, 0, 0 }).held = 6; // on two planes, then also at the inner end of an edge
+  EXPECT_FALSE(of.may({ 1, 0, 0 }, { 1, 1, 0 }));
+  EXPECT_FALSE(of.may({ 1, 0, 0 }, { 2, 0, 0 }));
+}
+
+// A domain of one box between two planes that hold: each node on its own.
+TEST(MayCollapse, NotFromOnePlaneToTheOther)
+{
+  TestMeshSpec spec;
+  spec.held = 4;
+  Collapses of(meshOfBoxes(blockOfBoxes(3, 3, 1), spec));
+  for (const Vector& at : { Vector{ 1, 1, 0 }, Vector{ 1, 1, 1 } }) // as if no wall were there
+  {
+    of.node(at).kind = NodeKind::Free;
+    of.node(at).atWall = false;
+  }
+  EXPECT_FALSE(of.may({ 1, 1, 0 }, { 1, 1, 1 }));
+  EXPECT_FALSE(of.may({ 1, 1, 0 }, { 1, 1, 1 }, { 1, 1, 0.5 }));
+}
+
+TEST(MayCollapse, NodesHeldFastStay)
+{
+  Collapses of(block());
+  of.node({ 1, 1, 1 }).held = HeldFast;
+  EXPECT_FALSE(of.may({ 1, 1, 1 }, { 2, 1, 1 }));
+  EXPECT_TRUE(of.may({ 2, 1, 1 }, { 1, 1, 1 }));
+  EXPECT_FALSE(of.may({ 2, 1, 1 }, { 1, 1, 1 }, { 1.5, 1, 1 }));
+  of.node({ 2, 1, 1 }).held = HeldFast;
+  EXPECT_FALSE(of.may({ 2, 1, 1 }, { 1, 1, 1 }));
+}
+
+// Off the edge by a little: for a charge.
+TEST(MayCollapse, ChargesForAnEdgeThatMoves)
+{
+  for (const double off : { 0.0625, 0.125, 0.5 })
+  {
+    Collapses of(meshOfBoxes(blockOfBoxes(3, 1, 1), { [&](const Vector& p) {
+      return Vector{ p[0], p[1], p[0] == 1 && p[2] == 0 && p[1] == 0 ? p[2] - off : p[2] };
+    } }));
+    of.node({ 1, 0, -off }).kind = NodeKind::OnEdge;
+    const bool may = of.may({ 1, 0, -off }, { 2, 0, 0 });
+    EXPECT_EQ(may, off < of.rules.spec.mostMoved);
+    EXPECT_GT(of.charge, 0);
+  }
+}
+
+TEST(MayMove, AlongTheLeashOnly)
+{
+  EditMesh mesh = block();
+  const std::uint32_t surface = nodeAt(mesh, { 1, 1, 0 });
+  mesh.rawNode(surface).leash = 0.25F;
+  EXPECT_TRUE(mayMove(mesh, surface, { 1.25, 1, 0 }));
+  EXPECT_FALSE(mayMove(mesh, surface, { 1.26, 1, 0 }));
+  mesh.rawNode(surface).home = { 1.125, 1, 0 };
+  EXPECT_TRUE(mayMove(mesh, surface, { 1.26, 1, 0 }));
+  EXPECT_TRUE(mayMove(mesh, nodeAt(mesh, { 1, 1, 1 }), { 1.75, 1, 1 }));
+  EXPECT_FALSE(mayMove(mesh, nodeAt(mesh, { 0, 0, 0 }), { 0.01, 0, 0 }));
+}
+
+TEST(MayMove, HeldNodesStayOnTheirPlanes)
+{
+  EditMesh mesh = block(4);
+  const std::uint32_t n = nodeAt(mesh, { 1, 1, 0 });
+  EXPECT_TRUE(mayMove(mesh, n, { 1.125, 1, 0 }));
+  EXPECT_FALSE(mayMove(mesh, n, { 1.125, 1, 0.01 }));
+  const std::uint32_t inside = nodeAt(mesh, { 1, 1, 1 });
+  mesh.rawNode(inside).held = HeldFast;
+  EXPECT_FALSE(mayMove(mesh, inside, { 1.125, 1, 1 }));
+}
+
+TEST(MayJoin, ChargesForSharpEdges)
+{
+  EditRules rules;
+  for (const double depth : { 0.0, 0.125, 0.5 }) // turns of 0, 14 and 53 degrees
+  {
+    EditMesh mesh = dentedCell(depth);
+    std::vector<std::uint32_t> upper;
+    for (const std::uint32_t f : mesh.facesOf(0))
+    {
+      if (mesh.face(f).wall == 5)
+      {
+        upper.push_back(f);
+      }
+    }
+    ASSERT_EQ(upper.size(), 2);
+    double charge = 0;
+    rules.mayLoseFeatures = true;
+    EXPECT_TRUE(mayJoin(mesh, rules, upper[0], upper[1], charge));
+    EXPECT_EQ(charge > 0, depth == 0.5);
+    rules.mayLoseFeatures = false;
+    EXPECT_EQ(mayJoin(mesh, rules, upper[0], upper[1], charge), depth < 0.5);
+  }
+}
+
+// What gains is decided by the objective; not what fails, nor a wall that moves far.
+TEST(Decide, ByTheGain)
+{
+  EditMesh mesh = meshOfBoxes(blockOfBoxes(3, 3, 3), { [](const Vector& p) {
+    return p == Vector{ 1, 1, 1 } ? Vector{ 1.25, 1.25, 1.25 } : p;
+  } });
+  const EditRules rules;
+  const EditMesh::Mark mark = mesh.mark();
+  mesh.moveNode(nodeAt(mesh, { 1.25, 1.25, 1.25 }), { 1, 1, 1 });
+  ASSERT_TRUE(settle(mesh, rules.spec));
+  const double gain = decide(mesh, rules, mark, 1, 0);
+  EXPECT_DOUBLE_EQ(gain, -mesh.ledger.cost);
+  EXPECT_GT(gain, 0);
+  EXPECT_EQ(decide(mesh, rules, mark, 1, 2 * gain), -std::numeric_limits<double>::infinity());
+}
+
+TEST(Decide, RefusesWhatFails)
+{
+  EditMesh mesh = block();
+  const EditRules rules;
+  const EditMesh::Mark mark = mesh.mark();
+  mesh.moveNode(nodeAt(mesh, { 1, 1, 1 }), { 2.5, 2.5, 1.5 });
+  if (settle(mesh, rules.spec))
+  {
+    EXPECT_GT(mesh.ledger.failures, 0);
+    EXPECT_EQ(decide(mesh, rules, mark, 1, -1e9), -std::numeric_limits<double>::infinity());
+  }
+}
+
+TEST(Decide, RefusesWallsThatMoveFar)
+{
+  for (const double height : { 0.0625, 0.375 })
+  {
+    EditMesh mesh = block();
+    const EditRules rules;
+    const EditMesh::Mark mark = mesh.mark();
+    mesh.moveNode(nodeAt(mesh, { 1, 1, 0 }), { 1, 1, -height });
+    ASSERT_TRUE(settle(mesh, rules.spec));
+    EXPECT_NEAR(mesh.ledger.volume, 4 * height / 4, 1e-12); // fans about the means of corners
+    EXPECT_EQ(mesh.ledger.failures, 0);
+    EXPECT_EQ(decide(mesh, rules, mark, 1, -1e9) > -1e9, height < rules.spec.mostMoved);
+  }
+}
+
+// The limit of costs ends a trial early; what remains is undone.
+TEST(Settle, StopsWhereItCostsTooMuch)
+{
+  EditMesh mesh = block();
+  const EditMesh before = copyOf(mesh);
+  for (const double most : { 0.01, 100.0 })
+  {
+    const EditMesh::Mark mark = mesh.mark();
+    mesh.moveNode(nodeAt(mesh, { 1, 1, 1 }), { 1.5, 1.5, 1.5 });
+    EXPECT_EQ(settle(mesh, ObjectiveSpec(), most), most > 1);
+    EXPECT_EQ(mesh.unsettled.faces.size(), 0);
+    mesh.undo(mark);
+    EXPECT_EQ(differenceOf(mesh, before), "");
+  }
+}
+
+}

@@ -1,0 +1,149 @@
+// A million edits at random: the mesh stays one, and all that is counted along the way is right.
+#include "Editing/EditDecision.h"
+#include "Support/EditMeshes.h"
+#include "Support/Effort.h"
+#include "Support/RandomEdits.h"
+
+#include <gtest/gtest.h>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// What was committed, by the ledger.
+struct Totals
+{
+  double cost = 0;
+  double volume = 0;
+  int failures = 0;
+  int strains = 0;
+
+  static Totals of(const EditMesh& mesh)
+  {
+    Totals totals{ sumOfCosts(mesh), volumeBehindWalls(mesh) };
+    for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
+    {
+      totals.failures += mesh.face(f).gone ? 0 : int(mesh.face(f).fails);
+      totals.strains += !mesh.face(f).gone && mesh.face(f).strains ? 1 : 0;
+    }
+    for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
+    {
+      totals.strains += !mesh.cell(c).gone && mesh.cell(c).strains ? 1 : 0;
+    }
+    return totals;
+  }
+
+  void add(const Ledger& ledger)
+  {
+    cost += ledger.cost;
+    volume += ledger.volume;
+    failures += ledger.failures;
+    strains += ledger.strains;
+  }
+};
+
+void expectTheSame(const EditMesh& mesh, const Totals& totals)
+{
+  EditMesh fresh = copyOf(mesh);
+  measureAgain(fresh);
+  for (const Totals& counted : { Totals::of(mesh), totals })
+  {
+    const Totals now = Totals::of(fresh);
+    EXPECT_NEAR(counted.cost, now.cost, 1e-9 * (1 + now.cost));
+    EXPECT_NEAR(counted.volume, now.volume, 1e-12 * (1 + std::abs(now.volume)));
+    EXPECT_EQ(counted.failures, now.failures);
+    EXPECT_EQ(counted.strains, now.strains);
+  }
+  EXPECT_NEAR(volumeOf(mesh), volumeBehindWalls(mesh), 1e-12 * (1 + volumeOf(mesh)));
+}
+
+// Edits one mesh until few cells are left of it; returns how many were made.
+class Editor
+{
+public:
+  explicit Editor(unsigned seed)
+    : random_(seed)
+  {
+  }
+
+  void run(unsigned edits)
+  {
+    unsigned made = 0;
+    while (made < edits && !testing::Test::HasFailure())
+    {
+      EditMesh mesh = randomMesh(random_);
+      if (const std::string fault = faultOf(mesh); !fault.empty())
+      {
+        continue; // nodes were moved too far
+      }
+      Totals totals = Totals::of(mesh);
+      for (unsigned i = 0; i < EditsOfMesh && countEditable(mesh) > 1; ++i)
+      {
+        editOnce(mesh, totals);
+        if (++made % EditsACheck == 0)
+        {
+          ASSERT_EQ(faultOf(mesh), "") << made;
+          expectTheSame(mesh, totals);
+        }
+      }
+    }
+    for (const unsigned count : committed_)
+    {
+      EXPECT_GT(count, edits / 1000);
+    }
+  }
+
+private:
+  static constexpr unsigned EditsOfMesh = 4000;
+  static constexpr unsigned EditsACheck = 1000;
+  static constexpr unsigned UndosACheck = 64;
+
+  // Cuts take longest.
+  static constexpr std::array<int, 17> OftenAs{ 0, 0, 0, 1, 1, 1, 1, 2, 2, 3, 3, 4, 5, 6, 6, 6, 6 };
+
+  static std::size_t countEditable(const EditMesh& mesh)
+  {
+    std::size_t count = 0;
+    for (std::uint32_t c = 0; c < mesh.cellCount() && count < 2; ++c)
+    {
+      count += mesh.isFree(c) ? 1 : 0;
+    }
+    return count;
+  }
+
+  void editOnce(EditMesh& mesh, Totals& totals)
+  {
+    const bool isChecked = ++count_ % UndosACheck == 0;
+    const EditMesh before = isChecked ? copyOf(mesh) : EditMesh();
+    const int kind = OftenAs[random_() % OftenAs.size()];
+    const EditMesh::Mark mark = mesh.mark();
+    const bool isValid = RandomEdits(mesh, random_).make(kind) && settle(mesh, ObjectiveSpec());
+    if (isValid && random_() % 4 == 0)
+    {
+      totals.add(mesh.ledger);
+      mesh.commit();
+      ++committed_[std::size_t(kind)];
+      return;
+    }
+    mesh.undo(mark);
+    if (isChecked)
+    {
+      ASSERT_EQ(differenceOf(mesh, before), "") << "edit of kind " << kind;
+    }
+  }
+
+  std::mt19937 random_;
+  unsigned count_ = 0;
+  std::array<unsigned, RandomEdits::Kinds> committed_{};
+};
+
+}
+
+TEST(RandomEdits, KeepTheMeshOne)
+{
+  Editor(1).run(repeats(1000000));
+}
+
+}

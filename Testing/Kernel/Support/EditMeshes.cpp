@@ -1,0 +1,782 @@
+#include "Support/EditMeshes.h"
+
+#include "Editing/EditMeasures.h"
+#include "Editing/WallEdges.h"
+#include "Editing/WallImprovement.h"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <set>
+
+namespace cartesian
+{
+
+namespace
+{
+
+using Place = std::array<int, 3>;
+
+// A rectangle across an axis, at one height of it.
+struct Rectangle
+{
+  std::size_t axis;
+  Place low;
+  Place high;
+  std::uint32_t below;
+  std::uint32_t above;
+  std::int32_t wall;
+
+  Place corner(bool first, bool second) const
+  {
+    Place place = low;
+    const std::size_t u = (axis + 1) % 3;
+    const std::size_t v = (axis + 2) % 3;
+    place[u] = first ? high[u] : low[u];
+    place[v] = second ? high[v] : low[v];
+    return place;
+  }
+
+  // Counter-clockwise from the upper side.
+  std::array<Place, 4> corners() const
+  {
+    return { corner(false, false), corner(true, false), corner(true, true), corner(false, true) };
+  }
+};
+
+class MeshOfBoxes
+{
+public:
+  MeshOfBoxes(const std::vector<TestBox>& boxes, const TestMeshSpec& spec)
+    : boxes_(boxes)
+    , spec_(spec)
+  {
+  }
+
+  EditMesh make() &&
+  {
+    for (std::uint32_t i = 0; i < boxes_.size(); ++i)
+    {
+      addCell(boxes_[i]);
+      addSides(i);
+    }
+    addNodes();
+    addFaces();
+    mesh_.level = std::ldexp(1.0, -46);
+    mesh_.connect();
+    settleWalls(mesh_);
+    return std::move(mesh_);
+  }
+
+private:
+  void addCell(const TestBox& box)
+  {
+    EditCell cell;
+    cell.region = box.region;
+    cell.edge = box.high[0] - box.low[0];
+    cell.box = cell.edge * cell.edge * cell.edge;
+    cell.number = static_cast<std::uint32_t>(mesh_.cellCount());
+    mesh_.addCell(cell);
+  }
+
+  void addSides(std::uint32_t i)
+  {
+    const TestBox& box = boxes_[i];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      for (const bool isUpper : { false, true })
+      {
+        bool isCovered = false;
+        for (std::uint32_t j = 0; j < boxes_.size(); ++j)
+        {
+          Rectangle shared{ axis, box.low, box.high, isUpper ? i : j, isUpper ? j : i, -1 };
+          const TestBox& other = boxes_[j];
+          if (j == i || !clip(shared, box, other, isUpper))
+          {
+            continue;
+          }
+          isCovered = true;
+          shared.wall = box.region != other.region ? 6 : -1;
+          if (isUpper)
+          {
+            rectangles_.push_back(shared);
+          }
+        }
+        if (!isCovered)
+        {
+          Rectangle side{ axis, box.low, box.high, i, None,
+            static_cast<std::int32_t>(2 * axis) + (isUpper ? 1 : 0) };
+          (isUpper ? side.low : side.high)[axis] = (isUpper ? side.high : side.low)[axis];
+          rectangles_.push_back(side);
+        }
+      }
+    }
+  }
+
+  static bool clip(Rectangle& shared, const TestBox& box, const TestBox& other, bool isUpper)
+  {
+    const int height = isUpper ? box.high[shared.axis] : box.low[shared.axis];
+    if ((isUpper ? other.low : other.high)[shared.axis] != height)
+    {
+      return false;
+    }
+    bool overlaps = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      shared.low[axis] = std::max(box.low[axis], other.low[axis]);
+      shared.high[axis] = std::min(box.high[axis], other.high[axis]);
+      overlaps = overlaps && (axis == shared.axis || shared.low[axis] < shared.high[axis]);
+    }
+    return overlaps;
+  }
+
+  void addNodes()
+  {
+    std::array<int, 3> low = boxes_[0].low;
+    std::array<int, 3> high = boxes_[0].high;
+    for (const TestBox& box : boxes_)
+    {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        low[axis] = std::min(low[axis], box.low[axis]);
+        high[axis] = std::max(high[axis], box.high[axis]);
+      }
+    }
+    for (const Rectangle& rectangle : rectangles_)
+    {
+      for (const Place& place : rectangle.corners())
+      {
+        nodes_[place] = None;
+      }
+    }
+    for (auto& [place, number] : nodes_)
+    {
+      EditNode node;
+      const Vector at{ double(place[0]), double(place[1]), double(place[2]) };
+      node.at = spec_.place ? spec_.place(at) : at;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        if ((spec_.held >> axis & 1) != 0 &&
+          (place[axis] == low[axis] || place[axis] == high[axis]))
+        {
+          node.held = static_cast<std::uint8_t>(node.held | 1U << axis);
+          node.at[axis] = place[axis];
+        }
+      }
+      node.number = static_cast<std::uint32_t>(mesh_.nodeCount());
+      number = mesh_.addNode(node);
+    }
+  }
+
+  void addFaces()
+  {
+    for (const Rectangle& rectangle : rectangles_)
+    {
+      std::vector<std::uint32_t> ring;
+      const std::array<Place, 4> corners = rectangle.corners();
+      for (std::size_t i = 0; i < 4; ++i)
+      {
+        addEdge(corners[i], corners[(i + 1) % 4], ring);
+      }
+      if (rectangle.wall >= 0 && rectangle.wall < 6 && rectangle.wall % 2 == 0)
+      {
+        std::reverse(ring.begin(), ring.end());
+      }
+      EditFace face;
+      face.below = rectangle.below;
+      face.above = rectangle.above;
+      face.wall = rectangle.wall;
+      face.number = static_cast<std::uint32_t>(mesh_.faceCount());
+      mesh_.addFace(face, ring.data(), ring.size());
+    }
+  }
+
+  // All nodes on it but the last.
+  void addEdge(const Place& from, const Place& to, std::vector<std::uint32_t>& ring) const
+  {
+    for (Place place = from; place != to;)
+    {
+      if (const auto known = nodes_.find(place); known != nodes_.end())
+      {
+        ring.push_back(known->second);
+      }
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        place[axis] += (place[axis] < to[axis] ? 1 : 0) - (place[axis] > to[axis] ? 1 : 0);
+      }
+    }
+  }
+
+  const std::vector<TestBox>& boxes_;
+  const TestMeshSpec& spec_;
+  std::vector<Rectangle> rectangles_;
+  std::map<Place, std::uint32_t> nodes_;
+  EditMesh mesh_;
+};
+
+Vector meanOfCorners(const EditMesh& mesh, std::uint32_t f)
+{
+  Vector mean{};
+  for (const std::uint32_t n : mesh.cornersOf(f))
+  {
+    mean = plus(mean, mesh.node(n).at);
+  }
+  return scaled(mean, 1.0 / double(mesh.face(f).corners.size));
+}
+
+double volumeUnder(const EditMesh& mesh, std::uint32_t f)
+{
+  const Vector mean = meanOfCorners(mesh, f);
+  const std::size_t size = mesh.face(f).corners.size;
+  double volume = 0;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    volume += dot(mean, cross(mesh.corner(f, i), mesh.corner(f, (i + 1) % size)));
+  }
+  return volume / 6;
+}
+
+void classify(EditMesh& mesh, std::uint32_t n)
+{
+  EditNode& node = mesh.rawNode(n);
+  Vector normal{};
+  for (const std::uint32_t f : mesh.facesAround(n))
+  {
+    normal = mesh.isWall(f) ? plus(normal, mesh.face(f).area) : normal;
+  }
+  const SharpEnds ends = sharpEndsAt(mesh, n);
+  node.kind = NodeKind::Free;
+  node.home = node.at;
+  node.leash = 0.2F;
+  if (!node.atWall)
+  {
+    return;
+  }
+  node.kind = ends.empty() ? NodeKind::OnSurface
+    : ends.size() == 2     ? NodeKind::OnEdge
+                           : NodeKind::Corner;
+  node.along =
+    unit(ends.size() == 2 ? minus(mesh.node(ends[1]).at, mesh.node(ends[0]).at) : normal);
+}
+
+std::string at(const char* what, std::uint32_t i)
+{
+  return std::string(what) + " " + std::to_string(i);
+}
+
+bool areConnected(const EditMesh& mesh, std::uint32_t c)
+{
+  std::map<std::set<std::uint32_t>, std::vector<std::uint32_t>> edges;
+  for (const std::uint32_t f : mesh.facesOf(c))
+  {
+    const Items ring = mesh.cornersOf(f);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      edges[{ ring[i], ring[(i + 1) % ring.size()] }].push_back(f);
+    }
+  }
+  std::set<std::uint32_t> seen{ mesh.facesOf(c)[0] };
+  for (std::size_t before = 0; before != seen.size();)
+  {
+    before = seen.size();
+    for (const auto& [edge, faces] : edges)
+    {
+      if (std::any_of(
+            faces.begin(), faces.end(), [&](std::uint32_t f) { return seen.count(f) != 0; }))
+      {
+        seen.insert(faces.begin(), faces.end());
+      }
+    }
+  }
+  return seen.size() == mesh.facesOf(c).size();
+}
+
+std::string faultOfCell(const EditMesh& mesh, std::uint32_t c)
+{
+  const Items faces = mesh.facesOf(c);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const std::uint32_t f : faces)
+  {
+    if (mesh.face(f).gone || (mesh.face(f).below != c && mesh.face(f).above != c))
+    {
+      return at("a strange face in cell", c);
+    }
+    const Items ring = mesh.cornersOf(f);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      const std::uint32_t p = ring[i];
+      const std::uint32_t q = ring[(i + 1) % ring.size()];
+      edges.push_back(mesh.face(f).below == c ? std::make_pair(p, q) : std::make_pair(q, p));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    const auto [p, q] = edges[i];
+    if (p == q || (i > 0 && edges[i - 1] == edges[i]) ||
+      !std::binary_search(edges.begin(), edges.end(), std::make_pair(q, p)))
+    {
+      return at("cell not closed:", c);
+    }
+  }
+  return !areConnected(mesh, c)  ? at("cell of several shells:", c)
+    : !(mesh.cell(c).volume > 0) ? at("no volume: cell", c)
+                                 : "";
+}
+
+std::string faultOfFace(const EditMesh& mesh, std::uint32_t f)
+{
+  const EditFace& face = mesh.face(f);
+  for (const std::uint32_t c : { face.below, face.above })
+  {
+    if (c != None &&
+      (mesh.cell(c).gone || std::count(mesh.facesOf(c).begin(), mesh.facesOf(c).end(), f) != 1))
+    {
+      return at("a cell does not know face", f);
+    }
+  }
+  for (const std::uint32_t n : mesh.cornersOf(f))
+  {
+    if (mesh.node(n).gone ||
+      std::count(mesh.facesAround(n).begin(), mesh.facesAround(n).end(), f) != 1)
+    {
+      return at("a node does not know face", f);
+    }
+    if (mesh.isWall(f) && !mesh.node(n).atWall)
+    {
+      return at("a node off the wall in face", f);
+    }
+  }
+  const bool isBorder =
+    face.above != None && mesh.cell(face.below).region != mesh.cell(face.above).region;
+  if (face.below == face.above || (face.wall >= 0) != (mesh.isWall(f) || isBorder))
+  {
+    return at("no wall where it should be, or one inside: face", f);
+  }
+  return "";
+}
+
+std::string faultOfNode(const EditMesh& mesh, std::uint32_t n)
+{
+  const Items faces = mesh.facesAround(n);
+  for (const std::uint32_t f : faces)
+  {
+    const Items ring = mesh.cornersOf(f);
+    if (mesh.face(f).gone || std::count(ring.begin(), ring.end(), n) != 1)
+    {
+      return at("a strange face at node", n);
+    }
+  }
+  return mesh.node(n).gone != (faces.size() == 0) ? at("gone or not: node", n) : "";
+}
+
+std::string twinIn(const EditMesh& mesh)
+{
+  std::set<std::vector<std::uint32_t>> known;
+  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
+  {
+    const Items ring = mesh.cornersOf(f);
+    std::vector<std::uint32_t> corners(ring.begin(), ring.end());
+    std::sort(corners.begin(), corners.end());
+    if (!mesh.face(f).gone && !known.insert(corners).second)
+    {
+      return at("a twin of face", f);
+    }
+  }
+  return "";
+}
+
+// --- comparison
+
+template <class T>
+bool isSame(const T& a, const T& b)
+{
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+
+template <class... Pairs>
+bool areSame(const Pairs&... pairs)
+{
+  return (isSame(pairs.first, pairs.second) && ...);
+}
+
+template <class T>
+std::pair<T, T> both(const T& a, const T& b)
+{
+  return { a, b };
+}
+
+bool isSameNode(const EditNode& a, const EditNode& b)
+{
+  return areSame(both(a.at, b.at), both(a.along, b.along), both(a.home, b.home),
+    both(a.leash, b.leash), both(a.strayed, b.strayed), both(a.number, b.number),
+    both(a.kind, b.kind), both(a.held, b.held), both(a.atWall, b.atWall), both(a.gone, b.gone));
+}
+
+bool isSameFace(const EditFace& a, const EditFace& b)
+{
+  return areSame(both(a.centre, b.centre), both(a.area, b.area), both(a.original, b.original),
+    both(a.cost, b.cost), both(a.behind, b.behind), both(a.debt, b.debt), both(a.star, b.star),
+    both(a.warp, b.warp), both(a.strayed, b.strayed), both(a.below, b.below),
+    both(a.above, b.above), both(a.wall, b.wall), both(a.number, b.number), both(a.gone, b.gone),
+    both(a.fails, b.fails), both(a.strains, b.strains));
+}
+
+bool isSameCell(const EditCell& a, const EditCell& b)
+{
+  return areSame(both(a.centre, b.centre), both(a.volume, b.volume), both(a.box, b.box),
+    both(a.edge, b.edge), both(a.cost, b.cost), both(a.number, b.number), both(a.home, b.home),
+    both(a.wall, b.wall), both(a.region, b.region), both(a.state, b.state), both(a.gone, b.gone),
+    both(a.strains, b.strains));
+}
+
+bool isSameList(
+  const EditMesh& mesh, const ItemList& a, const EditMesh& other, const ItemList& b, bool sameItems)
+{
+  const Items items = mesh.itemsOf(a);
+  const Items others = other.itemsOf(b);
+  return items.size() == others.size() && (sameItems || a.first == b.first) &&
+    std::equal(items.begin(), items.end(), others.begin());
+}
+
+}
+
+std::vector<TestBox> blockOfBoxes(int x, int y, int z, int size)
+{
+  std::vector<TestBox> boxes;
+  for (int i = 0; i < x; ++i)
+  {
+    for (int j = 0; j < y; ++j)
+    {
+      for (int k = 0; k < z; ++k)
+      {
+        boxes.push_back(
+          { { size * i, size * j, size * k }, { size * (i + 1), size * (j + 1), size * (k + 1) } });
+      }
+    }
+  }
+  return boxes;
+}
+
+std::vector<TestBox> hangingBoxes()
+{
+  std::vector<TestBox> boxes{ { { 0, 0, 0 }, { 2, 2, 2 } } };
+  for (const int y : { 0, 1 })
+  {
+    for (const int z : { 0, 1 })
+    {
+      boxes.push_back({ { 2, y, z }, { 3, y + 1, z + 1 } });
+    }
+  }
+  return boxes;
+}
+
+std::vector<TestBox> ringOfBoxes()
+{
+  std::vector<TestBox> boxes;
+  for (const auto& [x, y] : { std::pair{ 0, 0 }, { 0, 1 }, { 0, 2 }, { 1, 2 }, { 2, 2 }, { 3, 2 },
+         { 3, 1 }, { 3, 0 }, { 2, 0 }, { 1, 0 } })
+  {
+    boxes.push_back({ { x, y, 0 }, { x + 1, y + 1, 1 } });
+  }
+  return boxes;
+}
+
+EditMesh meshOfBoxes(const std::vector<TestBox>& boxes, const TestMeshSpec& spec)
+{
+  return MeshOfBoxes(boxes, spec).make();
+}
+
+EditMesh copyOf(const EditMesh& mesh)
+{
+  return mesh;
+}
+
+void measureAgain(EditMesh& mesh, const ObjectiveSpec& spec)
+{
+  measureAll(mesh, spec);
+}
+
+void costAgain(EditMesh& mesh, const ObjectiveSpec& spec)
+{
+  costAll(mesh, spec);
+}
+
+void runLoop(EditMesh& mesh, const LoopSpec& spec)
+{
+  improve(mesh, spec, [] {});
+}
+
+void improveWhole(EditMesh& mesh)
+{
+  improveWall(mesh, [] {});
+}
+
+void scaleBy(EditMesh& mesh, double factor)
+{
+  mesh.level *= factor;
+  for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
+  {
+    mesh.rawNode(n).at = scaled(mesh.node(n).at, factor);
+  }
+  for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
+  {
+    mesh.rawCell(c).edge *= factor;
+    mesh.rawCell(c).box *= factor * factor * factor;
+  }
+  settleWalls(mesh);
+  for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
+  {
+    mesh.rawNode(n).leash *= static_cast<float>(factor);
+  }
+}
+
+void settleWalls(EditMesh& mesh)
+{
+  measureAgain(mesh);
+  for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
+  {
+    if (!mesh.node(n).gone)
+    {
+      classify(mesh, n);
+    }
+  }
+  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
+  {
+    EditFace& face = mesh.rawFace(f);
+    face.original = mesh.isWall(f) ? face.area : Vector{};
+  }
+  costAgain(mesh, ObjectiveSpec());
+}
+
+EditMesh wedge()
+{
+  EditMesh mesh = meshOfBoxes(blockOfBoxes(1, 1, 1));
+  for (const double y : { 0.0, 1.0 })
+  {
+    const Vector to{ 0, y, 0 };
+    collapseEdge(mesh, nodeAt(mesh, { 0, y, 1 }), nodeAt(mesh, to), to);
+  }
+  mesh.commit();
+  settleWalls(mesh);
+  return mesh;
+}
+
+EditMesh dentedCell(double depth)
+{
+  EditMesh mesh = meshOfBoxes(blockOfBoxes(2, 1, 1), { [&](const Vector& p) {
+    return Vector{ p[0], p[1], p[0] == 1 && p[2] == 1 ? 1 - depth : p[2] };
+  } });
+  mergeCells(mesh, 0, 1);
+  mesh.commit();
+  settleWalls(mesh);
+  return mesh;
+}
+
+EditMesh cellOfBoxes(const std::vector<TestBox>& boxes)
+{
+  EditMesh mesh = meshOfBoxes(boxes);
+  for (bool isAny = true; isAny;)
+  {
+    isAny = false;
+    for (std::uint32_t c = 1; c < mesh.cellCount(); ++c)
+    {
+      isAny =
+        (!mesh.cell(c).gone && faceBetween(mesh, 0, c) != None && mergeCells(mesh, 0, c)) || isAny;
+    }
+  }
+  mesh.commit();
+  settleWalls(mesh);
+  return mesh;
+}
+
+EditMesh randomMesh(std::mt19937& random, double moved)
+{
+  const auto upTo = [&](int most) { return std::uniform_int_distribution<int>(0, most)(random); };
+  const std::vector<TestBox> whole = blockOfBoxes(1 + upTo(2), 1 + upTo(2), 1 + upTo(2), 2);
+  const bool hasRegions = upTo(3) == 0;
+  std::vector<TestBox> boxes;
+  for (TestBox box : whole)
+  {
+    box.region = hasRegions && box.low[0] >= 2 ? 1 : 0;
+    if (upTo(5) != 0)
+    {
+      boxes.push_back(box);
+      continue;
+    }
+    for (const TestBox& part : blockOfBoxes(2, 2, 2))
+    {
+      TestBox moving = part;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        moving.low[axis] += box.low[axis];
+        moving.high[axis] += box.low[axis];
+      }
+      moving.region = box.region;
+      boxes.push_back(moving);
+    }
+  }
+  TestMeshSpec spec;
+  spec.held = static_cast<std::uint8_t>(upTo(3) == 0 ? 1 << upTo(2) : 0);
+  std::uniform_real_distribution<double> by(-moved, moved);
+  spec.place = [&](const Vector& p) {
+    Vector at = p;
+    for (double& x : at)
+    {
+      x += std::round(by(random) * 1024) / 1024;
+    }
+    return at;
+  };
+  return meshOfBoxes(boxes, spec);
+}
+
+std::uint32_t nodeAt(const EditMesh& mesh, const Vector& place)
+{
+  for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
+  {
+    if (!mesh.node(n).gone && mesh.node(n).at == place)
+    {
+      return n;
+    }
+  }
+  return None;
+}
+
+std::uint32_t wallOf(const EditMesh& mesh, std::uint32_t cell, std::int32_t wall)
+{
+  const Items faces = mesh.facesOf(cell);
+  const std::uint32_t* found = std::find_if(faces.begin(), faces.end(),
+    [&](std::uint32_t f) { return mesh.isWall(f) && mesh.face(f).wall == wall; });
+  return found == faces.end() ? None : *found;
+}
+
+std::uint32_t faceBetween(const EditMesh& mesh, std::uint32_t a, std::uint32_t b)
+{
+  const Items faces = mesh.facesOf(a);
+  const std::uint32_t* found = std::find_if(
+    faces.begin(), faces.end(), [&](std::uint32_t f) { return mesh.beyond(f, a) == b; });
+  return found == faces.end() ? None : *found;
+}
+
+std::size_t countCells(const EditMesh& mesh)
+{
+  std::size_t count = 0;
+  for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
+  {
+    count += mesh.cell(c).gone ? 0 : 1;
+  }
+  return count;
+}
+
+std::size_t countFaces(const EditMesh& mesh)
+{
+  std::size_t count = 0;
+  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
+  {
+    count += mesh.face(f).gone ? 0 : 1;
+  }
+  return count;
+}
+
+double volumeOf(const EditMesh& mesh, std::uint32_t cell)
+{
+  double volume = 0;
+  for (const std::uint32_t f : mesh.facesOf(cell))
+  {
+    volume += volumeUnder(mesh, f) * (mesh.face(f).below == cell ? 1 : -1);
+  }
+  return volume;
+}
+
+double volumeOf(const EditMesh& mesh)
+{
+  double volume = 0;
+  for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
+  {
+    volume += mesh.cell(c).gone ? 0 : volumeOf(mesh, c);
+  }
+  return volume;
+}
+
+double volumeBehindWalls(const EditMesh& mesh)
+{
+  double volume = 0;
+  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
+  {
+    volume += !mesh.face(f).gone && mesh.isWall(f) ? mesh.face(f).behind : 0;
+  }
+  return volume;
+}
+
+double sumOfCosts(const EditMesh& mesh)
+{
+  double sum = 0;
+  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
+  {
+    sum += mesh.face(f).gone ? 0 : mesh.face(f).cost;
+  }
+  for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
+  {
+    sum += mesh.cell(c).gone ? 0 : mesh.cell(c).cost;
+  }
+  return sum;
+}
+
+std::string faultOf(const EditMesh& mesh)
+{
+  std::string fault;
+  for (std::uint32_t f = 0; f < mesh.faceCount() && fault.empty(); ++f)
+  {
+    fault = mesh.face(f).gone ? "" : faultOfFace(mesh, f);
+  }
+  for (std::uint32_t n = 0; n < mesh.nodeCount() && fault.empty(); ++n)
+  {
+    fault = faultOfNode(mesh, n);
+  }
+  for (std::uint32_t c = 0; c < mesh.cellCount() && fault.empty(); ++c)
+  {
+    fault = mesh.cell(c).gone ? "" : faultOfCell(mesh, c);
+  }
+  return fault.empty() ? twinIn(mesh) : fault;
+}
+
+std::string differenceOf(const EditMesh& mesh, const EditMesh& other, bool sameItems)
+{
+  if (mesh.nodeCount() != other.nodeCount() || mesh.faceCount() != other.faceCount() ||
+    mesh.cellCount() != other.cellCount())
+  {
+    return "counts";
+  }
+  for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
+  {
+    if (!isSameNode(mesh.node(n), other.node(n)) ||
+      !isSameList(mesh, mesh.node(n).faces, other, other.node(n).faces, sameItems))
+    {
+      return at("node", n);
+    }
+  }
+  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
+  {
+    if (!isSameFace(mesh.face(f), other.face(f)) ||
+      !isSameList(mesh, mesh.face(f).corners, other, other.face(f).corners, sameItems))
+    {
+      return at("face", f);
+    }
+  }
+  for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
+  {
+    if (!isSameCell(mesh.cell(c), other.cell(c)) ||
+      !isSameList(mesh, mesh.cell(c).faces, other, other.cell(c).faces, sameItems))
+    {
+      return at("cell", c);
+    }
+  }
+  const Ledger& a = mesh.ledger;
+  const Ledger& b = other.ledger;
+  return areSame(both(a.cost, b.cost), both(a.volume, b.volume), both(a.fidelity, b.fidelity),
+           both(a.failures, b.failures), both(a.strains, b.strains))
+    ? ""
+    : "ledger";
+}
+
+}
