@@ -34,7 +34,8 @@ public:
   {
   }
 
-  void find(std::uint32_t n)
+  // `known`: what the surface's features say of it (PointKind.h).
+  void find(std::uint32_t n, PointKind known)
   {
     list(n);
     EditNode& node = mesh_.rawNode(n);
@@ -45,7 +46,9 @@ public:
       return;
     }
     node.along = unit(mean());
-    if (isSheet && (sharp_.empty() || (sharp_.size() == 1 && isFlat(node.along))))
+    if (isSheet &&
+      (sharp_.empty() || (sharp_.size() == 1 && isFlat(node.along)) ||
+        known == PointKind::OnSurface))
     {
       node.kind = NodeKind::OnSurface;
       node.leash = static_cast<float>(leash(node.along) * edge_);
@@ -56,7 +59,9 @@ public:
     {
       const Vector a = unit(minus(mesh_.node(sharp_[0]).at, node.at));
       const Vector b = unit(minus(mesh_.node(sharp_[1]).at, node.at));
-      node.kind = dot(a, b) < StraightCosine ? NodeKind::OnEdge : NodeKind::Corner;
+      const bool isStraight =
+        known == PointKind::OffSurface ? dot(a, b) < StraightCosine : known == PointKind::OnEdge;
+      node.kind = isStraight ? NodeKind::OnEdge : NodeKind::Corner;
       node.along = unit(minus(a, b));
     }
   }
@@ -201,14 +206,15 @@ private:
 
 }
 
-void findNodeKinds(EditMesh& mesh, double featureAngle)
+void findNodeKinds(EditMesh& mesh, const RawVector<PointKind>& known, double featureAngle)
 {
   KindOfNode kind(mesh, featureAngle);
   for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
   {
     if (mesh.node(n).atWall)
     {
-      kind.find(n);
+      const std::uint32_t number = mesh.node(n).number;
+      kind.find(n, number < known.size() ? known[number] : PointKind::OffSurface);
     }
   }
 }

@@ -47,7 +47,7 @@ public:
     mesh_.connect();
     freeze();
     measure();
-    findNodeKinds(mesh_, featureAngle);
+    findNodeKinds(mesh_, parts_.nodes.kinds, featureAngle);
   }
 
 private:
