@@ -99,7 +99,7 @@ private:
 
 }
 
-bool isClosed(EditMesh& mesh, std::uint32_t c)
+bool isClosedByCount(EditMesh& mesh, std::uint32_t c)
 {
   const Items faces = mesh.facesOf(c);
   std::size_t corners = 0;
@@ -114,10 +114,21 @@ bool isClosed(EditMesh& mesh, std::uint32_t c)
       nodes += mesh.stampNode(n, stamp) ? 1 : 0;
     }
   }
-  if (faces.size() < LeastFaces || faces.size() > MostFaces || corners > MostCorners ||
-    corners % 2 != 0 || nodes + faces.size() != corners / 2 + 2)
+  return faces.size() >= LeastFaces && faces.size() <= MostFaces && corners <= MostCorners &&
+    corners % 2 == 0 && nodes + faces.size() == corners / 2 + 2;
+}
+
+bool isClosed(EditMesh& mesh, std::uint32_t c)
+{
+  if (!isClosedByCount(mesh, c))
   {
     return false;
+  }
+  const Items faces = mesh.facesOf(c);
+  std::size_t corners = 0;
+  for (const std::uint32_t f : faces)
+  {
+    corners += mesh.face(f).corners.size;
   }
   Shell shell(faces.size(), corners);
   for (std::uint32_t i = 0; i < faces.size(); ++i)

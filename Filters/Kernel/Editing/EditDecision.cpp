@@ -78,7 +78,8 @@ bool settleFaces(EditMesh& mesh)
   return true;
 }
 
-bool areShapesValid(EditMesh& mesh)
+template <class IsClosed>
+bool areShapesValid(EditMesh& mesh, IsClosed&& isClosed)
 {
   for (const std::uint32_t c : mesh.unsettled.shapes)
   {
@@ -227,15 +228,28 @@ bool mayLeaveEdge(const EditMesh& mesh, const EditRules& rules, std::uint32_t u,
 bool settle(EditMesh& mesh, const ObjectiveSpec& spec, double most)
 {
   FacesToSettle faces;
-  const bool isValid = settleFaces(mesh) && areShapesValid(mesh) && settleCells(mesh) &&
-    faces.collect(mesh) && faces.settle(mesh, spec, most);
+  const bool isValid = settleFaces(mesh) && areShapesValid(mesh, isClosedByCount) &&
+    settleCells(mesh) && faces.collect(mesh) && faces.settle(mesh, spec, most);
   mesh.unsettled.clear();
   return isValid;
 }
 
 bool settleShapes(EditMesh& mesh)
 {
-  return settleFaces(mesh) && areShapesValid(mesh);
+  return settleFaces(mesh) && areShapesValid(mesh, isClosed);
+}
+
+bool areAllClosed(EditMesh& mesh, const EditMesh::Mark& mark)
+{
+  for (std::size_t i = mark.cellRecords; i < mesh.cellRecords().size(); ++i)
+  {
+    const std::uint32_t c = mesh.cellRecords()[i].first;
+    if (mesh.isFree(c) && !isClosed(mesh, c))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 double gainOf(const EditMesh& mesh, const ObjectiveSpec& spec, double box)

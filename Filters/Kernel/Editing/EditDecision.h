@@ -28,6 +28,9 @@ bool settle(EditMesh& mesh, const ObjectiveSpec& spec, double most = AnyCost);
 // The same without costs: those are not valid afterwards. What is unsettled stays listed, to be looked at.
 bool settleShapes(EditMesh& mesh);
 
+// Whether the cells that changed since the mark are closed in full: settle() only counts.
+bool areAllClosed(EditMesh& mesh, const EditMesh::Mark& mark);
+
 // By how much the objective falls with the edits since the last commit; `box`: the volume of a box there.
 double gainOf(const EditMesh& mesh, const ObjectiveSpec& spec, double box);
 

@@ -183,11 +183,7 @@ private:
         bestMove(mesh_, trials_, spec_.rules.spec, spec_.search, nodesOf(item), mesh_.cell(c).edge,
           least, best));
     }
-    if (gained > Refused)
-    {
-      make(best);
-    }
-    else
+    if (!(gained > Refused) || !make(best)) // or a cell would not close
     {
       failedAt(item) = static_cast<float>(item.cost);
     }
@@ -249,11 +245,11 @@ private:
     return nodes;
   }
 
-  void make(const Proposal& proposal)
+  bool make(const Proposal& proposal)
   {
     if (!trials_.make(proposal, 0))
     {
-      return; // it gained in its trial: never here
+      return false;
     }
     ++counts_.made[std::size_t(proposal.kind)];
     passOnDebts(mesh_);
@@ -273,6 +269,7 @@ private:
     {
       push({ 0, true, c });
     }
+    return true;
   }
 
   void collectChanged()

@@ -89,7 +89,8 @@ bool EditTrials::make(const Proposal& proposal, double least)
 {
   const EditMesh::Mark mark = mesh_.mark();
   most_ = -least;
-  const bool isMade = apply(proposal) && decide(mesh_, rules_, mark, box_, least) > Refused;
+  const bool isMade = apply(proposal) && decide(mesh_, rules_, mark, box_, least) > Refused &&
+    (proposal.kind == EditKind::Move || areAllClosed(mesh_, mark));
   most_ = AnyCost;
   if (!isMade)
   {

@@ -6,6 +6,7 @@
 #include "Editing/WallEdges.h"
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 
 namespace cartesian
@@ -24,6 +25,7 @@ constexpr double ReentrantCosine = 0.94; // 20 degrees
 constexpr double LeastReentrant = 0.01;  // in boxes: how far the one wall is in front of the other
 constexpr double FlatWarp = 0.05;
 constexpr std::size_t MostCornersToSplit = 12;
+constexpr std::size_t BestChords = 2;
 constexpr std::size_t MostFacesToCut = 100;
 
 double edgeAt(const EditMesh& mesh, std::uint32_t f)
@@ -136,8 +138,16 @@ void proposeRemoval(
   }
 }
 
-// Whether a part of a face, from corner i to corner j, is star-shaped about its mean.
-bool isPartStar(const EditMesh& mesh, std::uint32_t f, std::size_t i, std::size_t j)
+// A way to divide a face: the smaller star of its parts.
+struct Chord
+{
+  double star = 0;
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+};
+
+// Of a part of a face, from corner i to corner j: the smallest triangle around its mean, by the mean one; 0 if too small.
+double starOfPart(const EditMesh& mesh, std::uint32_t f, std::size_t i, std::size_t j)
 {
   const std::size_t size = mesh.face(f).corners.size;
   const std::size_t count = (j + size - i) % size + 1;
@@ -161,7 +171,8 @@ bool isPartStar(const EditMesh& mesh, std::uint32_t f, std::size_t i, std::size_
   constexpr double LeastArea = 1e-4; // of a box's side
   constexpr double LeastStar = 0.05;
   const double edge = edgeAt(mesh, f);
-  return sum > LeastArea * edge * edge && least > LeastStar * sum / double(count);
+  const double star = least * double(count) / sum;
+  return sum > LeastArea * edge * edge && star > LeastStar ? star : 0;
 }
 
 void proposeSplits(const EditMesh& mesh, std::uint32_t f, Proposals& proposals)
@@ -172,14 +183,30 @@ void proposeSplits(const EditMesh& mesh, std::uint32_t f, Proposals& proposals)
   {
     return;
   }
+  std::array<Chord, BestChords> best;
   for (std::uint32_t i = 0; i < size; ++i)
   {
     for (std::uint32_t j = i + 2; j < size; ++j)
     {
-      if (!(i == 0 && j + 1 == size) && isPartStar(mesh, f, i, j) && isPartStar(mesh, f, j, i))
+      if (i == 0 && j + 1 == size)
       {
-        proposals.push_back({ EditKind::SplitFace, f, i, j });
+        continue;
       }
+      Chord chord{ std::min(starOfPart(mesh, f, i, j), starOfPart(mesh, f, j, i)), i, j };
+      for (Chord& known : best)
+      {
+        if (chord.star > known.star)
+        {
+          std::swap(chord, known);
+        }
+      }
+    }
+  }
+  for (const Chord& chord : best)
+  {
+    if (chord.star > 0)
+    {
+      proposals.push_back({ EditKind::SplitFace, f, chord.from, chord.to });
     }
   }
 }

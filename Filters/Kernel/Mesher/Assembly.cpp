@@ -439,10 +439,18 @@ void removeFragments(Assembly& a, const Options& options, Execution& execution)
   }
 }
 
+// One region without layers, in the usual setting; all else is still edited as before.
+bool mayEditInPlace(const Assembly& a, const Options& options, const WallLayerSpec* layers)
+{
+  return options.shaping.editsInPlace && options.collapse.ratio > 0 &&
+    options.smallCells.handling == SmallCells::Merge && options.shaping.splitConcave &&
+    !isExact(a.patches) && !a.patches.walls.any() && !layers;
+}
+
 void editInPlace(Assembly& a, const Options& options, Execution& execution)
 {
-  EditableWall wall = openWall({ a.boxes, a.patches, a.sides, a.nodes, a.wall },
-    options.patches.featureAngle, execution);
+  EditableWall wall = openWall(
+    { a.boxes, a.patches, a.sides, a.nodes, a.wall }, options.patches.featureAngle, execution);
   improveWall(wall.mesh.store(), execution);
   closeWall(wall, a.boxes, a.sides, a.nodes, a.wall, execution);
 }
@@ -482,7 +490,7 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   simplifyDetail(a, execution);
   const BoxFlags flawed =
     keepParts(a, rebuildFlawed(a, makeFaces(a, execution), execution), parts, options, execution);
-  const bool inPlace = options.shaping.editsInPlace;
+  const bool inPlace = mayEditInPlace(a, options, layers);
   if (options.collapse.ratio > 0 && !inPlace)
   {
     CollapseAttempts(a, flawed, options, execution).run();
