@@ -62,7 +62,7 @@ public:
     }
     addNodes();
     addFaces();
-    mesh_.level = std::ldexp(1.0, -46);
+    mesh_.store().level = std::ldexp(1.0, -46);
     mesh_.connect();
     settleWalls(mesh_);
     return std::move(mesh_);
@@ -406,14 +406,14 @@ std::pair<T, T> both(const T& a, const T& b)
   return { a, b };
 }
 
-bool isSameNode(const EditNode& a, const EditNode& b)
+bool isSameRecord(const EditNode& a, const EditNode& b)
 {
   return areSame(both(a.at, b.at), both(a.along, b.along), both(a.home, b.home),
     both(a.leash, b.leash), both(a.strayed, b.strayed), both(a.number, b.number),
     both(a.kind, b.kind), both(a.held, b.held), both(a.atWall, b.atWall), both(a.gone, b.gone));
 }
 
-bool isSameFace(const EditFace& a, const EditFace& b)
+bool isSameRecord(const EditFace& a, const EditFace& b)
 {
   return areSame(both(a.centre, b.centre), both(a.area, b.area), both(a.original, b.original),
     both(a.cost, b.cost), both(a.behind, b.behind), both(a.debt, b.debt), both(a.star, b.star),
@@ -422,7 +422,7 @@ bool isSameFace(const EditFace& a, const EditFace& b)
     both(a.fails, b.fails), both(a.strains, b.strains));
 }
 
-bool isSameCell(const EditCell& a, const EditCell& b)
+bool isSameRecord(const EditCell& a, const EditCell& b)
 {
   return areSame(both(a.centre, b.centre), both(a.volume, b.volume), both(a.box, b.box),
     both(a.edge, b.edge), both(a.cost, b.cost), both(a.number, b.number), both(a.home, b.home),
@@ -430,13 +430,40 @@ bool isSameCell(const EditCell& a, const EditCell& b)
     both(a.strains, b.strains));
 }
 
-bool isSameList(
-  const EditMesh& mesh, const ItemList& a, const EditMesh& other, const ItemList& b, bool sameItems)
+bool isSameList(const EditMesh& mesh, const ItemList& a, const EditMesh& other, const ItemList& b)
 {
   const Items items = mesh.itemsOf(a);
   const Items others = other.itemsOf(b);
-  return items.size() == others.size() && (sameItems || a.first == b.first) &&
+  return a.first == b.first && items.size() == others.size() &&
     std::equal(items.begin(), items.end(), others.begin());
+}
+
+// A record that only one of them has is of what was made, and is gone again.
+template <class Record, class List>
+std::string differenceIn(const EditMesh& mesh, const std::vector<Record>& all,
+  const EditMesh& other, const std::vector<Record>& others, const char* what, List&& list)
+{
+  for (std::uint32_t i = 0; i < std::max(all.size(), others.size()); ++i)
+  {
+    if (i >= std::min(all.size(), others.size()))
+    {
+      if (!(i < all.size() ? all : others)[i].gone)
+      {
+        return at(what, i);
+      }
+    }
+    else if (!isSameRecord(all[i], others[i]) ||
+      !isSameList(mesh, list(all[i]), other, list(others[i])))
+    {
+      return at(what, i);
+    }
+  }
+  return "";
+}
+
+const EditStore& storeOf(const EditMesh& mesh)
+{
+  return const_cast<EditMesh&>(mesh).store(); // there is none for reading
 }
 
 }
@@ -489,32 +516,49 @@ EditMesh meshOfBoxes(const std::vector<TestBox>& boxes, const TestMeshSpec& spec
 
 EditMesh copyOf(const EditMesh& mesh)
 {
-  return mesh;
+  EditMesh copy;
+  copy.store() = storeOf(mesh);
+  copy.ledger = mesh.ledger;
+  return copy;
 }
 
 void measureAgain(EditMesh& mesh, const ObjectiveSpec& spec)
 {
-  measureAll(mesh, spec);
+  Execution execution;
+  measureAll(mesh.store(), execution);
+  costAgain(mesh, spec);
 }
 
 void costAgain(EditMesh& mesh, const ObjectiveSpec& spec)
 {
-  costAll(mesh, spec);
+  Execution execution;
+  costAll(mesh.store(), spec, execution);
+  mesh.ledger = Ledger();
 }
 
 void runLoop(EditMesh& mesh, const LoopSpec& spec)
 {
-  improve(mesh, spec, [] {});
+  std::vector<std::uint32_t> cells;
+  for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
+  {
+    if (!mesh.cell(c).gone)
+    {
+      cells.push_back(c);
+    }
+  }
+  const Items zone{ cells.data(), cells.data() + cells.size() };
+  improve({ mesh, cells, zone, std::vector<std::uint8_t>(mesh.cellCount(), 0) }, spec, [] {});
 }
 
 void improveWhole(EditMesh& mesh)
 {
-  improveWall(mesh, [] {});
+  Execution execution;
+  improveWall(mesh.store(), execution);
 }
 
 void scaleBy(EditMesh& mesh, double factor)
 {
-  mesh.level *= factor;
+  mesh.store().level *= factor;
   for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
   {
     mesh.rawNode(n).at = scaled(mesh.node(n).at, factor);
@@ -740,35 +784,20 @@ std::string faultOf(const EditMesh& mesh)
   return fault.empty() ? twinIn(mesh) : fault;
 }
 
-std::string differenceOf(const EditMesh& mesh, const EditMesh& other, bool sameItems)
+std::string differenceOf(const EditMesh& mesh, const EditMesh& other)
 {
-  if (mesh.nodeCount() != other.nodeCount() || mesh.faceCount() != other.faceCount() ||
-    mesh.cellCount() != other.cellCount())
+  const EditStore& one = storeOf(mesh);
+  const EditStore& two = storeOf(other);
+  const auto facesOf = [](const auto& record) { return record.faces; };
+  const auto cornersOf = [](const EditFace& face) { return face.corners; };
+  for (const std::string& difference :
+    { differenceIn(mesh, one.nodes, other, two.nodes, "node", facesOf),
+      differenceIn(mesh, one.faces, other, two.faces, "face", cornersOf),
+      differenceIn(mesh, one.cells, other, two.cells, "cell", facesOf) })
   {
-    return "counts";
-  }
-  for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
-  {
-    if (!isSameNode(mesh.node(n), other.node(n)) ||
-      !isSameList(mesh, mesh.node(n).faces, other, other.node(n).faces, sameItems))
+    if (!difference.empty())
     {
-      return at("node", n);
-    }
-  }
-  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
-  {
-    if (!isSameFace(mesh.face(f), other.face(f)) ||
-      !isSameList(mesh, mesh.face(f).corners, other, other.face(f).corners, sameItems))
-    {
-      return at("face", f);
-    }
-  }
-  for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
-  {
-    if (!isSameCell(mesh.cell(c), other.cell(c)) ||
-      !isSameList(mesh, mesh.cell(c).faces, other, other.cell(c).faces, sameItems))
-    {
-      return at("cell", c);
+      return difference;
     }
   }
   const Ledger& a = mesh.ledger;
