@@ -184,18 +184,19 @@ std::uint32_t EditMesh::addFace(EditFace face, const std::uint32_t* corners, std
 
 EditMesh::Mark EditMesh::mark()
 {
-  const Mark mark{ nodeRecords_.size(), faceRecords_.size(), cellRecords_.size(), slots_.nodes.used,
-    slots_.faces.used, slots_.cells.used, arena().size(), ledger, epoch_ };
-  epoch_ = ++epochs_;
-  ++marks_;
+  const Mark mark{ journal_.nodes.size(), journal_.faces.size(), journal_.cells.size(),
+    slots_.nodes.used, slots_.faces.used, slots_.cells.used, arena().size(), ledger,
+    journal_.epoch };
+  journal_.epoch = ++journal_.epochs;
+  ++journal_.marks;
   return mark;
 }
 
 void EditMesh::undo(const Mark& mark)
 {
-  restore(store_->nodes, nodeRecords_, mark.nodeRecords);
-  restore(store_->faces, faceRecords_, mark.faceRecords);
-  restore(store_->cells, cellRecords_, mark.cellRecords);
+  restore(store_->nodes, journal_.nodes, mark.nodeRecords);
+  restore(store_->faces, journal_.faces, mark.faceRecords);
+  restore(store_->cells, journal_.cells, mark.cellRecords);
   slots_.nodes.used = mark.nodes;
   slots_.faces.used = mark.faces;
   slots_.cells.used = mark.cells;
@@ -207,18 +208,18 @@ void EditMesh::undo(const Mark& mark)
 
 void EditMesh::keep(const Mark& inner)
 {
-  epoch_ = inner.epoch;
-  --marks_;
+  journal_.epoch = inner.epoch;
+  --journal_.marks;
 }
 
 void EditMesh::commit()
 {
-  forget(store_->nodes, nodeRecords_);
-  forget(store_->faces, faceRecords_);
-  forget(store_->cells, cellRecords_);
+  forget(store_->nodes, journal_.nodes);
+  forget(store_->faces, journal_.faces);
+  forget(store_->cells, journal_.cells);
   ledger = Ledger();
   unsettled.clear();
-  marks_ = 0;
+  journal_.marks = 0;
 }
 
 // --- lists
