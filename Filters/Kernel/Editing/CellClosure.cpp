@@ -46,7 +46,10 @@ public:
     }
     edge.ways |= way;
     --open_;
-    connect(edge.face, face);
+    if (pieces_ > 1)
+    {
+      connect(edge.face, face);
+    }
     return true;
   }
 
@@ -103,23 +106,17 @@ bool isClosed(EditMesh& mesh, std::uint32_t c)
 {
   const Items faces = mesh.facesOf(c);
   std::size_t corners = 0;
-  std::size_t nodes = 0;
-  const std::uint32_t stamp = mesh.newStamp();
   for (const std::uint32_t f : faces)
   {
-    const Items ring = mesh.cornersOf(f);
-    corners += ring.size();
-    for (const std::uint32_t n : ring)
-    {
-      nodes += mesh.stampNode(n, stamp) ? 1 : 0;
-    }
+    corners += mesh.face(f).corners.size;
   }
-  if (faces.size() < LeastFaces || faces.size() > MostFaces || corners > MostCorners ||
-    corners % 2 != 0 || nodes + faces.size() != corners / 2 + 2)
+  if (faces.size() < LeastFaces || faces.size() > MostFaces || corners > MostCorners)
   {
     return false;
   }
   Shell shell(faces.size(), corners);
+  std::size_t nodes = 0;
+  const std::uint32_t stamp = mesh.newStamp();
   for (std::uint32_t i = 0; i < faces.size(); ++i)
   {
     const Items ring = mesh.cornersOf(faces[i]);
@@ -131,10 +128,11 @@ bool isClosed(EditMesh& mesh, std::uint32_t c)
       {
         return false;
       }
+      nodes += mesh.stampNode(n, stamp) ? 1 : 0;
       last = n;
     }
   }
-  return shell.isWhole();
+  return shell.isWhole() && nodes + faces.size() == corners / 2 + 2;
 }
 
 }

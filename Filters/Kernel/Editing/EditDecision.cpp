@@ -80,25 +80,12 @@ bool settleFaces(EditMesh& mesh)
 
 bool areShapesValid(EditMesh& mesh)
 {
-  for (const std::uint32_t c : mesh.unsettled.shapes)
-  {
-    if (mesh.isFree(c) && !isClosed(mesh, c))
-    {
-      return false;
-    }
-  }
-  if (mesh.unsettled.shapes.size() == 0)
-  {
-    return true;
-  }
-  for (const std::uint32_t f : mesh.unsettled.faces)
-  {
-    if (!mesh.face(f).gone && hasTwin(mesh, f))
-    {
-      return false;
-    }
-  }
-  return true;
+  const Unsettled& unsettled = mesh.unsettled;
+  return unsettled.shapes.size() == 0 ||
+    (std::all_of(unsettled.shapes.begin(), unsettled.shapes.end(),
+       [&](std::uint32_t c) { return !mesh.isFree(c) || isClosed(mesh, c); }) &&
+      std::none_of(unsettled.faces.begin(), unsettled.faces.end(),
+        [&](std::uint32_t f) { return !mesh.face(f).gone && hasTwin(mesh, f); }));
 }
 
 bool settleCells(EditMesh& mesh)
@@ -305,7 +292,11 @@ double decide(const EditMesh& mesh, const EditRules& rules, const EditMesh::Mark
   }
   const double distance = distanceOfWalls(mesh, mark) / std::cbrt(box);
   const double net = gain - chargeOfDistance(distance, rules.spec);
-  return distance <= rules.spec.mostMoved && net > least ? net : Refused;
+  if (distance > rules.spec.mostMoved || !(net > least))
+  {
+    return Refused;
+  }
+  return net;
 }
 
 }

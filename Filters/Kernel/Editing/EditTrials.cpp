@@ -35,18 +35,14 @@ FixedList<std::uint32_t, Capacity> copyOf(Items items)
 // Whether all faces around a node have it between the same two others.
 bool isBetween(const EditMesh& mesh, std::uint32_t n, std::uint32_t p, std::uint32_t q)
 {
-  for (const std::uint32_t f : mesh.facesAround(n))
-  {
+  const Items faces = mesh.facesAround(n);
+  return std::all_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
     const Items ring = mesh.cornersOf(f);
     const std::size_t i = placeOf(ring, n);
     const std::uint32_t x = ring[(i + ring.size() - 1) % ring.size()];
     const std::uint32_t y = ring[(i + 1) % ring.size()];
-    if (!(x == p && y == q) && !(x == q && y == p))
-    {
-      return false;
-    }
-  }
-  return true;
+    return (x == p && y == q) || (x == q && y == p);
+  });
 }
 
 }
