@@ -81,35 +81,39 @@ private:
 
   void addSides(std::uint32_t i)
   {
-    const TestBox& box = boxes_[i];
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       for (const bool isUpper : { false, true })
       {
-        bool isCovered = false;
-        for (std::uint32_t j = 0; j < boxes_.size(); ++j)
-        {
-          Rectangle shared{ axis, box.low, box.high, isUpper ? i : j, isUpper ? j : i, -1 };
-          const TestBox& other = boxes_[j];
-          if (j == i || !clip(shared, box, other, isUpper))
-          {
-            continue;
-          }
-          isCovered = true;
-          shared.wall = box.region != other.region ? 6 : -1;
-          if (isUpper)
-          {
-            rectangles_.push_back(shared);
-          }
-        }
-        if (!isCovered)
-        {
-          Rectangle side{ axis, box.low, box.high, i, None,
-            static_cast<std::int32_t>(2 * axis) + (isUpper ? 1 : 0) };
-          (isUpper ? side.low : side.high)[axis] = (isUpper ? side.high : side.low)[axis];
-          rectangles_.push_back(side);
-        }
+        addSide(i, axis, isUpper);
       }
+    }
+  }
+
+  // Faces between two boxes are those of the lower one's upper side.
+  void addSide(std::uint32_t i, std::size_t axis, bool isUpper)
+  {
+    const TestBox& box = boxes_[i];
+    bool isCovered = false;
+    for (std::uint32_t j = 0; j < boxes_.size(); ++j)
+    {
+      Rectangle shared{ axis, box.low, box.high, i, j, box.region != boxes_[j].region ? 6 : -1 };
+      if (j == i || !clip(shared, box, boxes_[j], isUpper))
+      {
+        continue;
+      }
+      isCovered = true;
+      if (isUpper)
+      {
+        rectangles_.push_back(shared);
+      }
+    }
+    if (!isCovered)
+    {
+      Rectangle side{ axis, box.low, box.high, i, None,
+        static_cast<std::int32_t>(2 * axis) + (isUpper ? 1 : 0) };
+      (isUpper ? side.low : side.high)[axis] = (isUpper ? side.high : side.low)[axis];
+      rectangles_.push_back(side);
     }
   }
 
@@ -388,10 +392,11 @@ std::string twinIn(const EditMesh& mesh)
 
 // --- comparison
 
+// To the bit: zeroes have signs.
 template <class T>
 bool isSame(const T& a, const T& b)
 {
-  return std::memcmp(&a, &b, sizeof(T)) == 0;
+  return std::memcmp(&a, &b, sizeof(T)) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
 }
 
 template <class... Pairs>
