@@ -23,6 +23,7 @@ set(heavy
   PatchMethods[.]Threads
   PrismStacks[.]AreComplete PrismStacks[.]AreNoFilms PrismStacks[.]AreTheSame PrismStacks[.]DifferOn
   PrismStacks[.]FillASphere PrismStacks[.]FollowTheBoxes PrismStacks[.]Slide
+  RandomEdits[.]KeepTheMeshOne
   Refinement[.]Random Refinement[.]SameMesh
   Regions[.]AClosedWall Regions[.]AreValid Regions[.]CloseAnyGap Regions[.]Curved Regions[.]EndFlush
   Regions[.]LieInEachOther Regions[.]MayBe Regions[.]MayLie Regions[.]MayTouchAPlane Regions[.]MeetAlong

@@ -75,24 +75,38 @@ struct Cost
   bool strains; // solvers run, but slowly: unequal neighbours, cells with no third direction
 };
 
-// Of a polygon with corner(0) to corner(size - 1).
+// The mean of a polygon's corners, corner(0) to corner(size - 1).
 template <class Number, class Corner>
-FaceMeasures<Number> measuresOfFace(std::size_t size, Corner&& corner)
+VectorOf<Number> meanOfCorners(std::size_t size, Corner&& corner)
 {
   const VectorOf<Number> origin = corner(0);
-  if (size == 3)
-  {
-    const VectorOf<Number> p = minus(corner(1), origin);
-    const VectorOf<Number> q = minus(corner(2), origin);
-    return { plus(origin, scaled(plus(p, q), 1.0 / 3)), scaled(cross(p, q), 0.5), Number(1),
-      Number(0) };
-  }
   VectorOf<Number> mean{};
   for (std::size_t i = 1; i < size; ++i)
   {
     mean = plus(mean, minus(corner(i), origin));
   }
-  mean = plus(origin, scaled(mean, 1.0 / double(size)));
+  return plus(origin, scaled(mean, 1.0 / double(size)));
+}
+
+template <class Number, class Corner>
+FaceMeasures<Number> measuresOfTriangle(Corner&& corner)
+{
+  const VectorOf<Number> origin = corner(0);
+  const VectorOf<Number> p = minus(corner(1), origin);
+  const VectorOf<Number> q = minus(corner(2), origin);
+  return { plus(origin, scaled(plus(p, q), 1.0 / 3)), scaled(cross(p, q), 0.5), Number(1),
+    Number(0) };
+}
+
+// Of a polygon with corner(0) to corner(size - 1).
+template <class Number, class Corner>
+FaceMeasures<Number> measuresOfFace(std::size_t size, Corner&& corner)
+{
+  if (size == 3)
+  {
+    return measuresOfTriangle<Number>(corner);
+  }
+  const VectorOf<Number> mean = meanOfCorners<Number>(size, corner);
   VectorOf<Number> area{};
   VectorOf<Number> moment{};
   Number sum(0);
@@ -271,8 +285,7 @@ public:
       valueOf(near) < FailsBeyond::InnerCosine * valueOf(norm(toFace)) ||
       valueOf(far) < FailsBeyond::InnerCosine * valueOf(norm(onwards));
     isInverted_ = valueOf(near) < 0 || valueOf(far) < 0;
-    strains_ =
-      !(valueOf(weight) > Limits::FaceWeight) || !(valueOf(ratio) > Limits::VolumeRatio);
+    strains_ = !(valueOf(weight) > Limits::FaceWeight) || !(valueOf(ratio) > Limits::VolumeRatio);
   }
 
   // Of a wall. `edge`: the length of a box's edge there; `original`: the area of what the surface has there, or zero.

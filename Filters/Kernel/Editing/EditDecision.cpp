@@ -81,25 +81,12 @@ bool settleFaces(EditMesh& mesh)
 template <class IsClosed>
 bool areShapesValid(EditMesh& mesh, IsClosed&& isClosed)
 {
-  for (const std::uint32_t c : mesh.unsettled.shapes)
-  {
-    if (mesh.isFree(c) && !isClosed(mesh, c))
-    {
-      return false;
-    }
-  }
-  if (mesh.unsettled.shapes.size() == 0)
-  {
-    return true;
-  }
-  for (const std::uint32_t f : mesh.unsettled.faces)
-  {
-    if (!mesh.face(f).gone && hasTwin(mesh, f))
-    {
-      return false;
-    }
-  }
-  return true;
+  const Unsettled& unsettled = mesh.unsettled;
+  return unsettled.shapes.size() == 0 ||
+    (std::all_of(unsettled.shapes.begin(), unsettled.shapes.end(),
+       [&](std::uint32_t c) { return !mesh.isFree(c) || isClosed(mesh, c); }) &&
+      std::none_of(unsettled.faces.begin(), unsettled.faces.end(),
+        [&](std::uint32_t f) { return !mesh.face(f).gone && hasTwin(mesh, f); }));
 }
 
 bool settleCells(EditMesh& mesh)
@@ -310,16 +297,20 @@ double decide(const EditMesh& mesh, const EditRules& rules, const EditMesh::Mark
   const Ledger& ledger = mesh.ledger;
   if (ledger.failures > 0 || (ledger.failures == 0 && ledger.strains > 0))
   {
-    return Refused;
+    return NoGain;
   }
   const double gain = gainOf(mesh, rules.spec, box);
   if (!(gain > least))
   {
-    return Refused;
+    return NoGain;
   }
   const double distance = distanceOfWalls(mesh, mark) / std::cbrt(box);
   const double net = gain - chargeOfDistance(distance, rules.spec);
-  return distance <= rules.spec.mostMoved && net > least ? net : Refused;
+  if (distance > rules.spec.mostMoved || !(net > least))
+  {
+    return NoGain;
+  }
+  return net;
 }
 
 }

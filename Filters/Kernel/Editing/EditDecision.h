@@ -12,7 +12,7 @@
 namespace cartesian
 {
 
-constexpr double Refused = -std::numeric_limits<double>::infinity();
+constexpr double NoGain = -std::numeric_limits<double>::infinity();
 constexpr double AnyCost = std::numeric_limits<double>::infinity();
 
 struct EditRules
@@ -45,7 +45,7 @@ bool mayMove(const EditMesh& mesh, std::uint32_t n, const Vector& to);
 bool mayJoin(
   const EditMesh& mesh, const EditRules& rules, std::uint32_t f, std::uint32_t g, double& charge);
 
-// The gain of settled edits since the mark, or Refused: not more than `least`.
+// The gain of settled edits since the mark, or NoGain: not more than `least`.
 double decide(const EditMesh& mesh, const EditRules& rules, const EditMesh::Mark& mark, double box,
   double least);
 

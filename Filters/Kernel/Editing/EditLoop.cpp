@@ -183,7 +183,7 @@ private:
         bestMove(mesh_, trials_, spec_.rules.spec, spec_.search, nodesOf(item), mesh_.cell(c).edge,
           least, best));
     }
-    if (!(gained > Refused) || !make(best)) // or a cell would not close
+    if (!(gained > NoGain) || !make(best)) // or a cell would not close
     {
       failedAt(item) = static_cast<float>(item.cost);
     }
@@ -195,7 +195,7 @@ private:
     item.isCell ? proposeForCell(mesh_, spec_.search, item.number, proposals_)
                 : proposeForFace(mesh_, spec_.search, item.number, proposals_);
     const double least = LeastGain * std::max(item.cost, 1.0);
-    double gained = Refused;
+    double gained = NoGain;
     for (const Proposal& proposal : proposals_)
     {
       if (failed_.contains(proposal, versionOf(proposal)))
@@ -346,7 +346,7 @@ private:
   const ZoneTask& task_;
   EditMesh& mesh_;
   const LoopSpec& spec_;
-  EditTrials trials_;
+  ProposalTrials trials_;
   Zeroes<std::uint8_t> isHere_; // cells of the task
   std::priority_queue<Item> queue_;
   FailedProposals failed_;

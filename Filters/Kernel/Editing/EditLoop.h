@@ -3,8 +3,8 @@
 // is made; then what it changed is looked at again.
 #pragma once
 
-#include "Editing/EditTrials.h"
 #include "Editing/EditZones.h"
+#include "Editing/ProposalTrials.h"
 
 namespace cartesian
 {

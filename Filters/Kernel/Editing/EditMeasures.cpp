@@ -81,12 +81,12 @@ public:
       measures = measuresOfCell(c);
       addCostOfCell(c, measures);
     }
-    for (std::size_t i = 0; i < cells_.size(); ++i)
+    for (const auto& [c, measures] : cells_)
     {
-      for (const std::uint32_t f : mesh_.facesOf(cells_[i].first))
+      for (const std::uint32_t f : mesh_.facesOf(c))
       {
-        const std::uint32_t other = mesh_.beyond(f, cells_[i].first);
-        const bool isCounted = other != None && find(cells_, other) && other < cells_[i].first;
+        const std::uint32_t other = mesh_.beyond(f, c);
+        const bool isCounted = other != None && find(cells_, other) && other < c;
         if (!isCounted)
         {
           addCostOfFace(f);

@@ -142,6 +142,7 @@ EditMesh::EditMesh()
   : own_(std::make_unique<EditStore>())
   , store_(own_.get())
 {
+  refresh();
 }
 
 EditMesh::EditMesh(EditStore& store, std::uint32_t zone, std::uint16_t arena, FreeSlots slots)
@@ -150,6 +151,7 @@ EditMesh::EditMesh(EditStore& store, std::uint32_t zone, std::uint16_t arena, Fr
   , arena_(arena)
   , slots_(std::move(slots))
 {
+  refresh();
 }
 
 // Lists of the faces of nodes and cells take nearly twice the room of the corners.
@@ -159,17 +161,20 @@ void EditMesh::reserve(std::size_t nodes, std::size_t faces, std::size_t cells, 
   store_->faces.reserve(faces);
   store_->cells.reserve(cells);
   store_->arenas[0].reserve(2 * corners + 2 * faces);
+  refresh();
 }
 
 std::uint32_t EditMesh::addNode(const EditNode& node)
 {
   store_->nodes.push_back(node);
+  refresh();
   return static_cast<std::uint32_t>(nodeCount() - 1);
 }
 
 std::uint32_t EditMesh::addCell(const EditCell& cell)
 {
   store_->cells.push_back(cell);
+  refresh();
   return static_cast<std::uint32_t>(cellCount() - 1);
 }
 
@@ -177,6 +182,7 @@ std::uint32_t EditMesh::addFace(EditFace face, const std::uint32_t* corners, std
 {
   face.corners = store(corners, size);
   store_->faces.push_back(face);
+  refresh();
   return static_cast<std::uint32_t>(faceCount() - 1);
 }
 
@@ -184,18 +190,19 @@ std::uint32_t EditMesh::addFace(EditFace face, const std::uint32_t* corners, std
 
 EditMesh::Mark EditMesh::mark()
 {
-  const Mark mark{ nodeRecords_.size(), faceRecords_.size(), cellRecords_.size(), slots_.nodes.used,
-    slots_.faces.used, slots_.cells.used, arena().size(), ledger, epoch_ };
-  epoch_ = ++epochs_;
-  ++marks_;
+  const Mark mark{ journal_.nodes.size(), journal_.faces.size(), journal_.cells.size(),
+    slots_.nodes.used, slots_.faces.used, slots_.cells.used, arena().size(), ledger,
+    journal_.epoch };
+  journal_.epoch = ++journal_.epochs;
+  ++journal_.marks;
   return mark;
 }
 
 void EditMesh::undo(const Mark& mark)
 {
-  restore(store_->nodes, nodeRecords_, mark.nodeRecords);
-  restore(store_->faces, faceRecords_, mark.faceRecords);
-  restore(store_->cells, cellRecords_, mark.cellRecords);
+  restore(store_->nodes, journal_.nodes, mark.nodeRecords);
+  restore(store_->faces, journal_.faces, mark.faceRecords);
+  restore(store_->cells, journal_.cells, mark.cellRecords);
   slots_.nodes.used = mark.nodes;
   slots_.faces.used = mark.faces;
   slots_.cells.used = mark.cells;
@@ -207,18 +214,18 @@ void EditMesh::undo(const Mark& mark)
 
 void EditMesh::keep(const Mark& inner)
 {
-  epoch_ = inner.epoch;
-  --marks_;
+  journal_.epoch = inner.epoch;
+  --journal_.marks;
 }
 
 void EditMesh::commit()
 {
-  forget(store_->nodes, nodeRecords_);
-  forget(store_->faces, faceRecords_);
-  forget(store_->cells, cellRecords_);
+  forget(store_->nodes, journal_.nodes);
+  forget(store_->faces, journal_.faces);
+  forget(store_->cells, journal_.cells);
   ledger = Ledger();
   unsettled.clear();
-  marks_ = 0;
+  journal_.marks = 0;
 }
 
 // --- lists
@@ -268,6 +275,7 @@ std::uint32_t EditMesh::takeSlot(std::vector<Record>& all, Slots& slots)
     }
     slots.numbers.push_back(static_cast<std::uint32_t>(all.size()));
     all.emplace_back().gone = true;
+    refresh();
   }
   return slots.numbers[slots.used++];
 }

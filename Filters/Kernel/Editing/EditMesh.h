@@ -70,19 +70,30 @@ constexpr std::uint8_t HeldFast = 7;
 // Where a wall is made of a face inside, its nodes may move so far along it, in boxes.
 constexpr float LeashOfNewWalls = 0.1F;
 
-// The corners are counter-clockwise as seen from above, from outside the cell below.
-struct EditFace
+// As measured (WallObjective.h).
+struct FaceShape
 {
   Vector centre{};
-  Vector area{}; // positive out of the cell below
-  Vector
-    original{}; // of a wall: the area of what the surface had there (unchanged by edits, except joins)
-  double cost = 0;
-  double behind = 0; // of a wall: the volume between it and the origin
-  double debt = 0;   // of a wall: the volume that the mesh should have more there
-  float star = 1;    // the smallest triangle around the mean of the corners, by the mean one
-  float warp = 0;    // 1 - its area by the sum of these triangles'
+  Vector area{};  // positive out of the cell below
+  float star = 1; // the smallest triangle around the mean of the corners, by the mean one
+  float warp = 0; // 1 - its area by the sum of these triangles'
+};
+
+// What a wall stands for.
+struct WallPart
+{
+  Vector original{}; // the area of what the surface had there (unchanged by edits, except joins)
+  double behind = 0; // the volume between it and the origin
+  double debt = 0;   // the volume that the mesh should have more there
   float strayed = 0; // as of nodes
+};
+
+// The corners are counter-clockwise as seen from above, from outside the cell below.
+struct EditFace
+  : FaceShape
+  , WallPart
+{
+  double cost = 0;
   ItemList corners;
   std::uint32_t below = None;
   std::uint32_t above = None; // or None: a wall
@@ -94,19 +105,24 @@ struct EditFace
   bool strains = false;
 };
 
-struct EditCell
+// Where a cell is from.
+struct CellOrigin
 {
-  Vector centre{};
-  double volume = 0;
-  double box = 1;  // the volume of its box
-  double edge = 1; // ... and that of a cube's edge
-  double cost = 0;
-  ItemList faces;
-  std::uint32_t epoch = 0;
+  double box = 1;              // the volume of its box
+  double edge = 1;             // ... and that of a cube's edge
   std::uint32_t number = None; // a CellKey, or None: made here
   std::uint32_t home = None;   // its box (Boxes)
   std::int32_t wall = 0;       // of its largest part of the surface
   std::int32_t region = 0;
+};
+
+struct EditCell : CellOrigin
+{
+  Vector centre{};
+  double volume = 0;
+  double cost = 0;
+  ItemList faces;
+  std::uint32_t epoch = 0;
   std::uint32_t zone = 0; // which editor may change it (EditMesh::zone), or None
   CellState state = CellState::Free;
   bool gone = false;
@@ -273,9 +289,9 @@ public:
   std::size_t nodeCount() const { return store_->nodes.size(); }
   std::size_t faceCount() const { return store_->faces.size(); }
   std::size_t cellCount() const { return store_->cells.size(); }
-  const EditNode& node(std::uint32_t i) const { return store_->nodes[i]; }
-  const EditFace& face(std::uint32_t i) const { return store_->faces[i]; }
-  const EditCell& cell(std::uint32_t i) const { return store_->cells[i]; }
+  const EditNode& node(std::uint32_t i) const { return at_.nodes[i]; }
+  const EditFace& face(std::uint32_t i) const { return at_.faces[i]; }
+  const EditCell& cell(std::uint32_t i) const { return at_.cells[i]; }
   double level() const { return store_->level; }
   const Vector& low() const { return store_->low; }
   const Vector& high() const { return store_->high; }
@@ -306,8 +322,8 @@ public:
   // Also of a record in the journal.
   Items itemsOf(const ItemList& list) const
   {
-    const std::uint32_t* first = store_->arenas[list.arena].data() + list.first;
-    return { first, first + list.size };
+    const std::uint32_t* base = list.arena == arena_ ? at_.arena->data() : at_.lists;
+    return { base + list.first, base + list.first + list.size };
   }
 
   // --- building: before the first mark, of a mesh of its own
@@ -316,13 +332,24 @@ public:
   std::uint32_t addNode(const EditNode& node);
   std::uint32_t addCell(const EditCell& cell);
   std::uint32_t addFace(EditFace face, const std::uint32_t* corners, std::size_t size);
-  void connect() { store_->connect(); }
+  void connect()
+  {
+    store_->connect();
+    refresh();
+  }
   EditStore& store() { return *store_; }
 
+  // To be called where others have changed the store.
+  void refresh()
+  {
+    at_ = { store_->nodes.data(), store_->faces.data(), store_->cells.data(),
+      store_->arenas[0].data(), &store_->arenas[arena_] };
+  }
+
   // For measures, and to set what the journal does not have to know.
-  EditNode& rawNode(std::uint32_t i) { return store_->nodes[i]; }
-  EditFace& rawFace(std::uint32_t i) { return store_->faces[i]; }
-  EditCell& rawCell(std::uint32_t i) { return store_->cells[i]; }
+  EditNode& rawNode(std::uint32_t i) { return at_.nodes[i]; }
+  EditFace& rawFace(std::uint32_t i) { return at_.faces[i]; }
+  EditCell& rawCell(std::uint32_t i) { return at_.cells[i]; }
 
   // --- the journal
 
@@ -347,15 +374,15 @@ public:
   // What nodes, faces and cells were at the marks: number and record, the oldest first. Those made since were gone.
   template <class Record>
   using Records = std::vector<std::pair<std::uint32_t, Record>>;
-  const Records<EditNode>& nodeRecords() const { return nodeRecords_; }
-  const Records<EditFace>& faceRecords() const { return faceRecords_; }
-  const Records<EditCell>& cellRecords() const { return cellRecords_; }
+  const Records<EditNode>& nodeRecords() const { return journal_.nodes; }
+  const Records<EditFace>& faceRecords() const { return journal_.faces; }
+  const Records<EditCell>& cellRecords() const { return journal_.cells; }
 
   // --- changing
 
-  EditNode& changeNode(std::uint32_t i) { return change(store_->nodes, nodeRecords_, i); }
-  EditFace& changeFace(std::uint32_t i) { return change(store_->faces, faceRecords_, i); }
-  EditCell& changeCell(std::uint32_t i) { return change(store_->cells, cellRecords_, i); }
+  EditNode& changeNode(std::uint32_t i) { return change(at_.nodes, journal_.nodes, i); }
+  EditFace& changeFace(std::uint32_t i) { return change(at_.faces, journal_.faces, i); }
+  EditCell& changeCell(std::uint32_t i) { return change(at_.cells, journal_.cells, i); }
 
   // New ones, with their places in the lists of corners and cells; None: there is no slot for them any more.
   std::uint32_t makeNode(const EditNode& node);
@@ -382,10 +409,10 @@ public:
   Unsettled unsettled;
 
   // Nodes seen in a search of its own: a new stamp begins another. Whether this one is seen for the first time.
-  std::uint32_t newStamp() { return ++stamp_; }
+  std::uint32_t newStamp() { return ++stamps_.last; }
   bool stampNode(std::uint32_t n, std::uint32_t stamp)
   {
-    std::uint32_t& last = nodeStamps_[n];
+    std::uint32_t& last = stamps_.ofNodes[n];
     const bool isNew = last != stamp;
     last = stamp;
     return isNew;
@@ -402,14 +429,30 @@ public:
   FreeSlots takeSlots() { return std::move(slots_); }
 
 private:
+  struct Journal
+  {
+    Records<EditNode> nodes;
+    Records<EditFace> faces;
+    Records<EditCell> cells;
+    std::uint32_t epoch = 1; // since the last mark that is set
+    std::uint32_t epochs = 1;
+    int marks = 0; // how many are set
+  };
+
+  struct Stamps
+  {
+    Zeroes<std::uint32_t> ofNodes;
+    std::uint32_t last = 0;
+  };
+
   template <class Record>
-  Record& change(std::vector<Record>& all, Records<Record>& records, std::uint32_t i)
+  Record& change(Record* all, Records<Record>& records, std::uint32_t i)
   {
     Record& record = all[i];
-    if (marks_ > 0 && record.epoch != epoch_)
+    if (journal_.marks > 0 && record.epoch != journal_.epoch)
     {
       records.emplace_back(i, record);
-      record.epoch = epoch_;
+      record.epoch = journal_.epoch;
     }
     return record;
   }
@@ -417,24 +460,29 @@ private:
   template <class Record>
   std::uint32_t takeSlot(std::vector<Record>& all, Slots& slots);
 
-  std::vector<std::uint32_t>& arena() { return store_->arenas[arena_]; }
+  std::vector<std::uint32_t>& arena() { return *at_.arena; }
   ItemList store(const std::uint32_t* items, std::size_t size);
   ItemList without(const ItemList& list, std::uint32_t item);
   ItemList with(const ItemList& list, std::uint32_t item);
 
+  // Where all that is, which is read so often.
+  struct Places
+  {
+    EditNode* nodes;
+    EditFace* faces;
+    EditCell* cells;
+    const std::uint32_t* lists; // the first arena
+    std::vector<std::uint32_t>* arena;
+  };
+
   std::unique_ptr<EditStore> own_;
   EditStore* store_;
+  Places at_{};
   std::uint32_t zone_ = 0;
   std::uint16_t arena_ = 0;
   FreeSlots slots_;
-  Records<EditNode> nodeRecords_;
-  Records<EditFace> faceRecords_;
-  Records<EditCell> cellRecords_;
-  Zeroes<std::uint32_t> nodeStamps_;
-  std::uint32_t stamp_ = 0;
-  std::uint32_t epoch_ = 1;
-  std::uint32_t epochs_ = 1;
-  int marks_ = 0; // how many are set
+  Journal journal_;
+  Stamps stamps_;
 };
 
 }

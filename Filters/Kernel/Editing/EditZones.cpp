@@ -218,6 +218,7 @@ private:
       });
     }
     std::vector<std::array<std::uint32_t, 2>> byGroup;
+    byGroup.reserve(members.size());
     for (const std::uint32_t c : members)
     {
       byGroup.push_back({ groups.find(c), c });

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <new>
+#include <type_traits>
 
 namespace cartesian
 {
@@ -20,7 +22,7 @@ public:
     {
       return false;
     }
-    at_[size_++] = value;
+    new (items() + size_++) T(value);
     return true;
   }
 
@@ -30,20 +32,26 @@ public:
   void pop() { --size_; }
   void resize(std::size_t size) { size_ = std::min(size, Capacity); }
 
-  T& operator[](std::size_t i) { return at_[i]; }
-  const T& operator[](std::size_t i) const { return at_[i]; }
-  T& back() { return at_[size_ - 1]; }
-  T* data() { return at_.data(); }
-  const T* data() const { return at_.data(); }
-  T* begin() { return at_.data(); }
-  T* end() { return at_.data() + size_; }
-  const T* begin() const { return at_.data(); }
-  const T* end() const { return at_.data() + size_; }
+  T& operator[](std::size_t i) { return items()[i]; }
+  const T& operator[](std::size_t i) const { return items()[i]; }
+  T& back() { return items()[size_ - 1]; }
+  T* data() { return items(); }
+  const T* data() const { return items(); }
+  T* begin() { return items(); }
+  T* end() { return items() + size_; }
+  const T* begin() const { return items(); }
+  const T* end() const { return items() + size_; }
 
   bool contains(const T& value) const { return std::find(begin(), end(), value) != end(); }
 
 private:
-  std::array<T, Capacity> at_;
+  static_assert(std::is_trivially_copy_constructible_v<T> && std::is_trivially_destructible_v<T>);
+
+  T* items() { return reinterpret_cast<T*>(room_.data()); }
+  const T* items() const { return reinterpret_cast<const T*>(room_.data()); }
+
+  alignas(T) std::array<std::byte,
+    Capacity * sizeof(T)> room_; // uninitialised: that would take longer than most uses
   std::size_t size_ = 0;
 };
 

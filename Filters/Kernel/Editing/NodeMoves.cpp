@@ -48,11 +48,11 @@ Vector allowed(const EditNode& node, const Vector& wanted)
   return way;
 }
 
-double search(const EditMesh& mesh, EditTrials& trials, const Descent& descent, double edge,
+double search(const EditMesh& mesh, ProposalTrials& trials, const Descent& descent, double edge,
   double least, Proposal& best)
 {
   const EditNode node = mesh.node(descent.node);
-  double gained = Refused;
+  double gained = NoGain;
   double step = FirstStep * edge;
   bool grows = false;
   for (int i = 0; i < MostSteps; ++i)
@@ -60,7 +60,7 @@ double search(const EditMesh& mesh, EditTrials& trials, const Descent& descent, 
     const Proposal move{ EditKind::Move, descent.node, 0, 0,
       onLattice(mesh, plus(node.at, scaled(descent.direction, step)), node.held) };
     const double gain = trials.gain(move, std::max(gained, least));
-    if (gain > Refused)
+    if (gain > NoGain)
     {
       gained = gain;
       best = move;
@@ -85,7 +85,7 @@ double search(const EditMesh& mesh, EditTrials& trials, const Descent& descent, 
 
 }
 
-double bestMove(EditMesh& mesh, EditTrials& trials, const ObjectiveSpec& spec,
+double bestMove(EditMesh& mesh, ProposalTrials& trials, const ObjectiveSpec& spec,
   const SearchSpec& searchSpec, const FixedList<std::uint32_t, 16>& nodes, double edge,
   double least, Proposal& best)
 {
@@ -106,7 +106,7 @@ double bestMove(EditMesh& mesh, EditTrials& trials, const ObjectiveSpec& spec,
   std::sort(descents.begin(), descents.end(), [](const Descent& x, const Descent& y) {
     return x.slope != y.slope ? x.slope > y.slope : x.node < y.node;
   });
-  double gained = Refused;
+  double gained = NoGain;
   for (std::size_t i = 0; i < std::min(descents.size(), searchSpec.nodes); ++i)
   {
     const double gain = search(mesh, trials, descents[i], edge, std::max(gained, least), best);

@@ -2,14 +2,14 @@
 // Moves of nodes that might help: against the gradient of the objective, as far as their kind allows.
 #pragma once
 
-#include "Editing/EditTrials.h"
+#include "Editing/ProposalTrials.h"
 
 namespace cartesian
 {
 
-// Of these nodes, that with the most to gain first; with it what it gains, if that is more than `least`, else Refused.
+// Of these nodes, that with the most to gain first; with it what it gains, if that is more than `least`, else NoGain.
 // `edge`: the length of a box's edge there.
-double bestMove(EditMesh& mesh, EditTrials& trials, const ObjectiveSpec& spec,
+double bestMove(EditMesh& mesh, ProposalTrials& trials, const ObjectiveSpec& spec,
   const SearchSpec& search, const FixedList<std::uint32_t, 16>& nodes, double edge, double least,
   Proposal& best);
 

@@ -137,18 +137,14 @@ bool replaceNode(EditMesh& mesh, std::uint32_t u, std::uint32_t v, const Few& fa
 // Whether u and v follow each other in every face that has both.
 bool isEdgeEverywhere(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
 {
-  for (const std::uint32_t f : mesh.facesAround(u))
-  {
+  const Items faces = mesh.facesAround(u);
+  return std::all_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
     const Items ring = mesh.cornersOf(f);
     const std::size_t i = placeOf(ring, u);
     const std::size_t j = placeOf(ring, v);
     const std::size_t apart = i < j ? j - i : i - j;
-    if (j < ring.size() && apart != 1 && apart != ring.size() - 1)
-    {
-      return false;
-    }
-  }
-  return true;
+    return j == ring.size() || apart == 1 || apart == ring.size() - 1;
+  });
 }
 
 // The corners of two faces around what they share: one row of edges from a[first] on.

@@ -71,16 +71,12 @@ int rankOf(const EditNode& node)
 
 bool isEdge(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
 {
-  for (const std::uint32_t f : mesh.facesAround(u))
-  {
+  const Items faces = mesh.facesAround(u);
+  return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
     const Items ring = mesh.cornersOf(f);
     const std::size_t i = placeOf(ring, u);
-    if (ring[(i + 1) % ring.size()] == v || ring[(i + ring.size() - 1) % ring.size()] == v)
-    {
-      return true;
-    }
-  }
-  return false;
+    return ring[(i + 1) % ring.size()] == v || ring[(i + ring.size() - 1) % ring.size()] == v;
+  });
 }
 
 // Where to: to the middle between equals, to either, to the higher kind.
@@ -150,7 +146,7 @@ void snapEdges(const ZoneTask& task, const EditRules& rules, const SnapSpec& spe
   const std::function<void()>& poll)
 {
   EditMesh& mesh = task.mesh;
-  EditTrials trials(mesh, rules);
+  ProposalTrials trials(mesh, rules);
   std::size_t count = 0;
   for (const ShortEdge& edge : listShortEdges(task, spec.length, true))
   {

@@ -58,8 +58,9 @@ void improveFailing(const ZoneTask& task, const LoopSpec& thorough, const Object
 
 }
 
-void improveWall(EditStore& store, Execution& execution)
+void improveWall(EditMesh& mesh, Execution& execution)
 {
+  EditStore& store = mesh.store();
   const LoopSpec general;
   const LoopSpec thorough = thoroughLoop();
   const auto poll = [&] { execution.poll(); };
@@ -75,6 +76,7 @@ void improveWall(EditStore& store, Execution& execution)
     improveFailing(task, thorough, general.rules.spec, poll);
   });
   payDebts(store, general.rules.spec, execution);
+  mesh.refresh();
 }
 
 }

@@ -8,6 +8,6 @@
 namespace cartesian
 {
 
-void improveWall(EditStore& store, Execution& execution);
+void improveWall(EditMesh& mesh, Execution& execution);
 
 }

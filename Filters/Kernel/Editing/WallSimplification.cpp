@@ -121,14 +121,8 @@ private:
       }
     }
     std::sort(walls.begin(), walls.end());
-    for (const auto& [area, f] : walls)
-    {
-      if (joinWithNeighbour(c, f, area, walls))
-      {
-        return true;
-      }
-    }
-    return false;
+    return std::any_of(walls.begin(), walls.end(),
+      [&](const auto& wall) { return joinWithNeighbour(c, wall.second, wall.first, walls); });
   }
 
   // With the wall that has most nearly the same normal.

@@ -451,7 +451,7 @@ void editInPlace(Assembly& a, const Options& options, Execution& execution)
 {
   EditableWall wall = openWall(
     { a.boxes, a.patches, a.sides, a.nodes, a.wall }, options.patches.featureAngle, execution);
-  improveWall(wall.mesh.store(), execution);
+  improveWall(wall.mesh, execution);
   closeWall(wall, a.boxes, a.sides, a.nodes, a.wall, execution);
 }
 

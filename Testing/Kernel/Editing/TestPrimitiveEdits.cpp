@@ -358,13 +358,14 @@ TEST(MoveNode, MayNotTurnACellInsideOut)
   }));
 }
 
-// Nothing of a frozen cell or a ghost changes.
+// Nothing of a ghost changes, or of a cell that no editor has.
 TEST(PrimitiveEdits, StayWithinFreeCells)
 {
-  for (const CellState state : { CellState::Frozen, CellState::Ghost })
+  for (const bool isGhost : { false, true })
   {
     EditMesh mesh = block(3, 1, 1);
-    mesh.rawCell(1).state = state;
+    mesh.rawCell(1).state = isGhost ? CellState::Ghost : CellState::Free;
+    mesh.rawCell(1).zone = isGhost ? 0 : None;
     const std::vector<Edit> edits{ [](EditMesh& m) {
                                     return collapseAt(m, { 1, 0, 0 }, { 0, 0, 0 });
                                   },
@@ -401,7 +402,7 @@ TEST(PrimitiveEdits, StayWithinFreeCells)
 TEST(OnLattice, IsOnOddLevelsButWhereHeld)
 {
   EditMesh mesh;
-  mesh.level = 0.25;
+  mesh.store().level = 0.25;
   EXPECT_EQ(onLattice(mesh, { 1, 1.2, -0.1 }, 0), (Vector{ 1.25, 1.25, -0.25 }));
   EXPECT_EQ(onLattice(mesh, { 1, 1.2, -0.1 }, 5), (Vector{ 1, 1.25, -0.1 }));
   EXPECT_EQ(onLattice(mesh, { 1, 1.2, -0.1 }, HeldFast), (Vector{ 1, 1.2, -0.1 }));

@@ -44,22 +44,25 @@ struct Totals
   }
 };
 
+void expectNear(const Totals& counted, const Totals& now)
+{
+  EXPECT_NEAR(counted.cost, now.cost, 1e-9 * (1 + now.cost));
+  EXPECT_NEAR(counted.volume, now.volume, 1e-12 * (1 + std::abs(now.volume)));
+  EXPECT_EQ(counted.failures, now.failures);
+  EXPECT_EQ(counted.strains, now.strains);
+}
+
 void expectTheSame(const EditMesh& mesh, const Totals& totals)
 {
   EditMesh fresh = copyOf(mesh);
   measureAgain(fresh);
-  for (const Totals& counted : { Totals::of(mesh), totals })
-  {
-    const Totals now = Totals::of(fresh);
-    EXPECT_NEAR(counted.cost, now.cost, 1e-9 * (1 + now.cost));
-    EXPECT_NEAR(counted.volume, now.volume, 1e-12 * (1 + std::abs(now.volume)));
-    EXPECT_EQ(counted.failures, now.failures);
-    EXPECT_EQ(counted.strains, now.strains);
-  }
+  const Totals now = Totals::of(fresh);
+  expectNear(Totals::of(mesh), now);
+  expectNear(totals, now);
   EXPECT_NEAR(volumeOf(mesh), volumeBehindWalls(mesh), 1e-12 * (1 + volumeOf(mesh)));
 }
 
-// Edits one mesh until few cells are left of it; returns how many were made.
+// Edits one mesh after another, each until hardly a cell is left of it.
 class Editor
 {
 public:
@@ -70,23 +73,12 @@ public:
 
   void run(unsigned edits)
   {
-    unsigned made = 0;
-    while (made < edits && !testing::Test::HasFailure())
+    while (count_ < edits && !testing::Test::HasFailure())
     {
       EditMesh mesh = randomMesh(random_);
-      if (const std::string fault = faultOf(mesh); !fault.empty())
+      if (faultOf(mesh).empty()) // or nodes were moved too far
       {
-        continue; // nodes were moved too far
-      }
-      Totals totals = Totals::of(mesh);
-      for (unsigned i = 0; i < EditsOfMesh && countEditable(mesh) > 1; ++i)
-      {
-        editOnce(mesh, totals);
-        if (++made % EditsACheck == 0)
-        {
-          ASSERT_EQ(faultOf(mesh), "") << made;
-          expectTheSame(mesh, totals);
-        }
+        edit(mesh);
       }
     }
     for (const unsigned count : committed_)
@@ -111,6 +103,20 @@ private:
       count += mesh.isFree(c) ? 1 : 0;
     }
     return count;
+  }
+
+  void edit(EditMesh& mesh)
+  {
+    Totals totals = Totals::of(mesh);
+    for (unsigned i = 0; i < EditsOfMesh && countEditable(mesh) > 1; ++i)
+    {
+      editOnce(mesh, totals);
+      if (count_ % EditsACheck == 0)
+      {
+        ASSERT_EQ(faultOf(mesh), "") << count_;
+        expectTheSame(mesh, totals);
+      }
+    }
   }
 
   void editOnce(EditMesh& mesh, Totals& totals)

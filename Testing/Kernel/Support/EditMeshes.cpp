@@ -62,7 +62,7 @@ public:
     }
     addNodes();
     addFaces();
-    mesh_.level = std::ldexp(1.0, -46);
+    mesh_.store().level = std::ldexp(1.0, -46);
     mesh_.connect();
     settleWalls(mesh_);
     return std::move(mesh_);
@@ -81,35 +81,39 @@ private:
 
   void addSides(std::uint32_t i)
   {
-    const TestBox& box = boxes_[i];
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       for (const bool isUpper : { false, true })
       {
-        bool isCovered = false;
-        for (std::uint32_t j = 0; j < boxes_.size(); ++j)
-        {
-          Rectangle shared{ axis, box.low, box.high, isUpper ? i : j, isUpper ? j : i, -1 };
-          const TestBox& other = boxes_[j];
-          if (j == i || !clip(shared, box, other, isUpper))
-          {
-            continue;
-          }
-          isCovered = true;
-          shared.wall = box.region != other.region ? 6 : -1;
-          if (isUpper)
-          {
-            rectangles_.push_back(shared);
-          }
-        }
-        if (!isCovered)
-        {
-          Rectangle side{ axis, box.low, box.high, i, None,
-            static_cast<std::int32_t>(2 * axis) + (isUpper ? 1 : 0) };
-          (isUpper ? side.low : side.high)[axis] = (isUpper ? side.high : side.low)[axis];
-          rectangles_.push_back(side);
-        }
+        addSide(i, axis, isUpper);
       }
+    }
+  }
+
+  // Faces between two boxes are those of the lower one's upper side.
+  void addSide(std::uint32_t i, std::size_t axis, bool isUpper)
+  {
+    const TestBox& box = boxes_[i];
+    bool isCovered = false;
+    for (std::uint32_t j = 0; j < boxes_.size(); ++j)
+    {
+      Rectangle shared{ axis, box.low, box.high, i, j, box.region != boxes_[j].region ? 6 : -1 };
+      if (j == i || !clip(shared, box, boxes_[j], isUpper))
+      {
+        continue;
+      }
+      isCovered = true;
+      if (isUpper)
+      {
+        rectangles_.push_back(shared);
+      }
+    }
+    if (!isCovered)
+    {
+      Rectangle side{ axis, box.low, box.high, i, None,
+        static_cast<std::int32_t>(2 * axis) + (isUpper ? 1 : 0) };
+      (isUpper ? side.low : side.high)[axis] = (isUpper ? side.high : side.low)[axis];
+      rectangles_.push_back(side);
     }
   }
 
@@ -388,10 +392,11 @@ std::string twinIn(const EditMesh& mesh)
 
 // --- comparison
 
+// To the bit: zeroes have signs.
 template <class T>
 bool isSame(const T& a, const T& b)
 {
-  return std::memcmp(&a, &b, sizeof(T)) == 0;
+  return std::memcmp(&a, &b, sizeof(T)) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
 }
 
 template <class... Pairs>
@@ -406,14 +411,14 @@ std::pair<T, T> both(const T& a, const T& b)
   return { a, b };
 }
 
-bool isSameNode(const EditNode& a, const EditNode& b)
+bool isSameRecord(const EditNode& a, const EditNode& b)
 {
   return areSame(both(a.at, b.at), both(a.along, b.along), both(a.home, b.home),
     both(a.leash, b.leash), both(a.strayed, b.strayed), both(a.number, b.number),
     both(a.kind, b.kind), both(a.held, b.held), both(a.atWall, b.atWall), both(a.gone, b.gone));
 }
 
-bool isSameFace(const EditFace& a, const EditFace& b)
+bool isSameRecord(const EditFace& a, const EditFace& b)
 {
   return areSame(both(a.centre, b.centre), both(a.area, b.area), both(a.original, b.original),
     both(a.cost, b.cost), both(a.behind, b.behind), both(a.debt, b.debt), both(a.star, b.star),
@@ -422,7 +427,7 @@ bool isSameFace(const EditFace& a, const EditFace& b)
     both(a.fails, b.fails), both(a.strains, b.strains));
 }
 
-bool isSameCell(const EditCell& a, const EditCell& b)
+bool isSameRecord(const EditCell& a, const EditCell& b)
 {
   return areSame(both(a.centre, b.centre), both(a.volume, b.volume), both(a.box, b.box),
     both(a.edge, b.edge), both(a.cost, b.cost), both(a.number, b.number), both(a.home, b.home),
@@ -430,13 +435,40 @@ bool isSameCell(const EditCell& a, const EditCell& b)
     both(a.strains, b.strains));
 }
 
-bool isSameList(
-  const EditMesh& mesh, const ItemList& a, const EditMesh& other, const ItemList& b, bool sameItems)
+bool isSameList(const EditMesh& mesh, const ItemList& a, const EditMesh& other, const ItemList& b)
 {
   const Items items = mesh.itemsOf(a);
   const Items others = other.itemsOf(b);
-  return items.size() == others.size() && (sameItems || a.first == b.first) &&
+  return a.first == b.first && items.size() == others.size() &&
     std::equal(items.begin(), items.end(), others.begin());
+}
+
+// A record that only one of them has is of what was made, and is gone again.
+template <class Record, class List>
+std::string differenceIn(const EditMesh& mesh, const std::vector<Record>& all,
+  const EditMesh& other, const std::vector<Record>& others, const char* what, List&& list)
+{
+  for (std::uint32_t i = 0; i < std::max(all.size(), others.size()); ++i)
+  {
+    if (i >= std::min(all.size(), others.size()))
+    {
+      if (!(i < all.size() ? all : others)[i].gone)
+      {
+        return at(what, i);
+      }
+    }
+    else if (!isSameRecord(all[i], others[i]) ||
+      !isSameList(mesh, list(all[i]), other, list(others[i])))
+    {
+      return at(what, i);
+    }
+  }
+  return "";
+}
+
+const EditStore& storeOf(const EditMesh& mesh)
+{
+  return const_cast<EditMesh&>(mesh).store(); // there is none for reading
 }
 
 }
@@ -489,32 +521,49 @@ EditMesh meshOfBoxes(const std::vector<TestBox>& boxes, const TestMeshSpec& spec
 
 EditMesh copyOf(const EditMesh& mesh)
 {
-  return mesh;
+  EditMesh copy;
+  copy.store() = storeOf(mesh);
+  copy.ledger = mesh.ledger;
+  return copy;
 }
 
 void measureAgain(EditMesh& mesh, const ObjectiveSpec& spec)
 {
-  measureAll(mesh, spec);
+  Execution execution;
+  measureAll(mesh.store(), execution);
+  costAgain(mesh, spec);
 }
 
 void costAgain(EditMesh& mesh, const ObjectiveSpec& spec)
 {
-  costAll(mesh, spec);
+  Execution execution;
+  costAll(mesh.store(), spec, execution);
+  mesh.ledger = Ledger();
 }
 
 void runLoop(EditMesh& mesh, const LoopSpec& spec)
 {
-  improve(mesh, spec, [] {});
+  std::vector<std::uint32_t> cells;
+  for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
+  {
+    if (!mesh.cell(c).gone)
+    {
+      cells.push_back(c);
+    }
+  }
+  const Items zone{ cells.data(), cells.data() + cells.size() };
+  improve({ mesh, cells, zone, std::vector<std::uint8_t>(mesh.cellCount(), 0) }, spec, [] {});
 }
 
 void improveWhole(EditMesh& mesh)
 {
-  improveWall(mesh, [] {});
+  Execution execution;
+  improveWall(mesh.store(), execution);
 }
 
 void scaleBy(EditMesh& mesh, double factor)
 {
-  mesh.level *= factor;
+  mesh.store().level *= factor;
   for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
   {
     mesh.rawNode(n).at = scaled(mesh.node(n).at, factor);
@@ -740,35 +789,20 @@ std::string faultOf(const EditMesh& mesh)
   return fault.empty() ? twinIn(mesh) : fault;
 }
 
-std::string differenceOf(const EditMesh& mesh, const EditMesh& other, bool sameItems)
+std::string differenceOf(const EditMesh& mesh, const EditMesh& other)
 {
-  if (mesh.nodeCount() != other.nodeCount() || mesh.faceCount() != other.faceCount() ||
-    mesh.cellCount() != other.cellCount())
+  const EditStore& one = storeOf(mesh);
+  const EditStore& two = storeOf(other);
+  const auto facesOf = [](const auto& record) { return record.faces; };
+  const auto cornersOf = [](const EditFace& face) { return face.corners; };
+  for (const std::string& difference :
+    { differenceIn(mesh, one.nodes, other, two.nodes, "node", facesOf),
+      differenceIn(mesh, one.faces, other, two.faces, "face", cornersOf),
+      differenceIn(mesh, one.cells, other, two.cells, "cell", facesOf) })
   {
-    return "counts";
-  }
-  for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
-  {
-    if (!isSameNode(mesh.node(n), other.node(n)) ||
-      !isSameList(mesh, mesh.node(n).faces, other, other.node(n).faces, sameItems))
+    if (!difference.empty())
     {
-      return at("node", n);
-    }
-  }
-  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
-  {
-    if (!isSameFace(mesh.face(f), other.face(f)) ||
-      !isSameList(mesh, mesh.face(f).corners, other, other.face(f).corners, sameItems))
-    {
-      return at("face", f);
-    }
-  }
-  for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
-  {
-    if (!isSameCell(mesh.cell(c), other.cell(c)) ||
-      !isSameList(mesh, mesh.cell(c).faces, other, other.cell(c).faces, sameItems))
-    {
-      return at("cell", c);
+      return difference;
     }
   }
   const Ledger& a = mesh.ledger;

@@ -83,8 +83,7 @@ double sumOfCosts(const EditMesh& mesh);
 // regions meet, and nowhere else inside.
 std::string faultOf(const EditMesh& mesh);
 
-// The first difference between two meshes, to the bit, or nothing. Where items lie in the arena does not matter if
-// `sameItems`.
-std::string differenceOf(const EditMesh& mesh, const EditMesh& other, bool sameItems = false);
+// The first difference between two meshes, to the bit, with where lists lie in the arena, or nothing.
+std::string differenceOf(const EditMesh& mesh, const EditMesh& other);
 
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Editing/EditTrials.h"
+#include "Editing/ProposalTrials.h"
 
 #include "Editing/CellCut.h"
 #include "Editing/PrimitiveEdits.h"
@@ -35,24 +35,20 @@ FixedList<std::uint32_t, Capacity> copyOf(Items items)
 // Whether all faces around a node have it between the same two others.
 bool isBetween(const EditMesh& mesh, std::uint32_t n, std::uint32_t p, std::uint32_t q)
 {
-  for (const std::uint32_t f : mesh.facesAround(n))
-  {
+  const Items faces = mesh.facesAround(n);
+  return std::all_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
     const Items ring = mesh.cornersOf(f);
     const std::size_t i = placeOf(ring, n);
     const std::uint32_t x = ring[(i + ring.size() - 1) % ring.size()];
     const std::uint32_t y = ring[(i + 1) % ring.size()];
-    if (!(x == p && y == q) && !(x == q && y == p))
-    {
-      return false;
-    }
-  }
-  return true;
+    return (x == p && y == q) || (x == q && y == p);
+  });
 }
 
 }
 
 template <class Edit>
-bool EditTrials::alsoMake(Edit&& edit)
+bool ProposalTrials::alsoMake(Edit&& edit)
 {
   const double before = gainOf(mesh_, rules_.spec, box_);
   const double most = most_;
@@ -66,7 +62,7 @@ bool EditTrials::alsoMake(Edit&& edit)
 }
 
 template <class Edit>
-bool EditTrials::withoutLimit(Edit&& edit)
+bool ProposalTrials::withoutLimit(Edit&& edit)
 {
   const double most = most_;
   most_ = AnyCost;
@@ -75,21 +71,21 @@ bool EditTrials::withoutLimit(Edit&& edit)
   return isMade;
 }
 
-double EditTrials::gain(const Proposal& proposal, double least)
+double ProposalTrials::gain(const Proposal& proposal, double least)
 {
   const EditMesh::Mark mark = mesh_.mark();
   most_ = -least;
-  const double gained = apply(proposal) ? decide(mesh_, rules_, mark, box_, least) : Refused;
+  const double gained = apply(proposal) ? decide(mesh_, rules_, mark, box_, least) : NoGain;
   mesh_.undo(mark);
   most_ = AnyCost;
   return gained;
 }
 
-bool EditTrials::make(const Proposal& proposal, double least)
+bool ProposalTrials::make(const Proposal& proposal, double least)
 {
   const EditMesh::Mark mark = mesh_.mark();
   most_ = -least;
-  const bool isMade = apply(proposal) && decide(mesh_, rules_, mark, box_, least) > Refused &&
+  const bool isMade = apply(proposal) && decide(mesh_, rules_, mark, box_, least) > NoGain &&
     (proposal.kind == EditKind::Move || areAllClosed(mesh_, mark));
   most_ = AnyCost;
   if (!isMade)
@@ -99,7 +95,7 @@ bool EditTrials::make(const Proposal& proposal, double least)
   return isMade;
 }
 
-bool EditTrials::apply(const Proposal& proposal)
+bool ProposalTrials::apply(const Proposal& proposal)
 {
   switch (proposal.kind)
   {
@@ -135,7 +131,7 @@ bool EditTrials::apply(const Proposal& proposal)
   return false;
 }
 
-bool EditTrials::collapse(std::uint32_t u, std::uint32_t v, const Vector& at)
+bool ProposalTrials::collapse(std::uint32_t u, std::uint32_t v, const Vector& at)
 {
   double charge = 0;
   if (!mayCollapse(mesh_, rules_, u, v, at, charge) || !collapseEdge(mesh_, u, v, at))
@@ -146,7 +142,7 @@ bool EditTrials::collapse(std::uint32_t u, std::uint32_t v, const Vector& at)
   return true;
 }
 
-bool EditTrials::join(std::uint32_t f, std::uint32_t g)
+bool ProposalTrials::join(std::uint32_t f, std::uint32_t g)
 {
   double charge = 0;
   if (!mayJoin(mesh_, rules_, f, g, charge) || !joinFaces(mesh_, f, g))
@@ -157,7 +153,7 @@ bool EditTrials::join(std::uint32_t f, std::uint32_t g)
   return true;
 }
 
-bool EditTrials::merge(std::uint32_t a, std::uint32_t b)
+bool ProposalTrials::merge(std::uint32_t a, std::uint32_t b)
 {
   const Faces ofB = copyOf<MostFaces>(mesh_.facesOf(b));
   if (!mergeCells(mesh_, a, b) || !settle())
@@ -168,7 +164,7 @@ bool EditTrials::merge(std::uint32_t a, std::uint32_t b)
   return true;
 }
 
-bool EditTrials::remove(std::uint32_t c)
+bool ProposalTrials::remove(std::uint32_t c)
 {
   const Neighbours neighbours = largestNeighbours(mesh_, c);
   if (!removeCell(mesh_, c) || !settle())
@@ -185,7 +181,7 @@ bool EditTrials::remove(std::uint32_t c)
   return true;
 }
 
-bool EditTrials::cut(const Proposal& proposal)
+bool ProposalTrials::cut(const Proposal& proposal)
 {
   CutParts parts;
   const CutPlane plane{ proposal.at, proposal.normal, CutTolerance * mesh_.cell(proposal.a).edge };
@@ -201,7 +197,7 @@ bool EditTrials::cut(const Proposal& proposal)
 }
 
 // The paper's IP patches (4.11): detail that is smaller than its box goes.
-bool EditTrials::flatten(std::uint32_t f)
+bool ProposalTrials::flatten(std::uint32_t f)
 {
   const std::uint32_t c = mesh_.face(f).below;
   const double small = SmallWall * mesh_.cell(c).edge * mesh_.cell(c).edge;
@@ -228,7 +224,7 @@ bool EditTrials::flatten(std::uint32_t f)
 }
 
 // A small part of a cut becomes part of a cell that is none.
-void EditTrials::mergePart(std::uint32_t part, const CutParts& parts)
+void ProposalTrials::mergePart(std::uint32_t part, const CutParts& parts)
 {
   if (mesh_.cell(part).gone || mesh_.cell(part).volume > PartToMerge * mesh_.cell(part).box)
   {
@@ -249,14 +245,14 @@ void EditTrials::mergePart(std::uint32_t part, const CutParts& parts)
 }
 
 // Joins each of these faces of a cell with others, where they lie between the same two cells and that gains.
-void EditTrials::joinFacesOf(std::uint32_t c, const Faces& which)
+void ProposalTrials::joinFacesOf(std::uint32_t c, const Faces& which)
 {
   for (int round = 0; round < MostRounds && !mesh_.cell(c).gone && joinOneOf(c, which); ++round)
   {
   }
 }
 
-bool EditTrials::joinOneOf(std::uint32_t c, const Faces& which)
+bool ProposalTrials::joinOneOf(std::uint32_t c, const Faces& which)
 {
   const Faces faces = copyOf<MostFaces>(mesh_.facesOf(c));
   for (const std::uint32_t f : faces)
@@ -282,7 +278,7 @@ bool EditTrials::joinOneOf(std::uint32_t c, const Faces& which)
   return false;
 }
 
-void EditTrials::dissolveNodes(std::uint32_t f)
+void ProposalTrials::dissolveNodes(std::uint32_t f)
 {
   for (int round = 0; round < MostRounds && !mesh_.face(f).gone && dissolveNode(f); ++round)
   {
@@ -290,7 +286,7 @@ void EditTrials::dissolveNodes(std::uint32_t f)
 }
 
 // A node that only lies between two others, as seen from all faces, goes where that gains.
-bool EditTrials::dissolveNode(std::uint32_t f)
+bool ProposalTrials::dissolveNode(std::uint32_t f)
 {
   for (std::size_t i = 0; i < mesh_.face(f).corners.size; ++i)
   {

@@ -8,10 +8,10 @@
 namespace cartesian
 {
 
-class EditTrials
+class ProposalTrials
 {
 public:
-  EditTrials(EditMesh& mesh, const EditRules& rules)
+  ProposalTrials(EditMesh& mesh, const EditRules& rules)
     : mesh_(mesh)
     , rules_(rules)
   {
@@ -20,7 +20,7 @@ public:
   // In which volumes are measured: those of the cell's box.
   void setBox(std::uint32_t cell) { box_ = mesh_.cell(cell).box; }
 
-  // What a proposal gains, or Refused: not more than `least`. The mesh stays as it is.
+  // What a proposal gains, or NoGain: not more than `least`. The mesh stays as it is.
   double gain(const Proposal& proposal, double least);
 
   // Makes it; the journal has what changed. False: it does not gain more than `least`, and is undone.
