@@ -59,39 +59,28 @@ public:
   {
   }
 
-  // The sum of what costs of the faces of all cells that have the node, and of these cells.
-  Vector sum()
+  // The sum of what costs of the faces of all cells that have the node, and of these cells; of those that cost `least`.
+  Vector sum(double least)
   {
+    if (!listCells() || !collect(least))
+    {
+      return {};
+    }
     for (const std::uint32_t f : mesh_.facesAround(node_))
     {
-      if (!faces_.add({ f, measuresOf(f) }))
-      {
-        return {};
-      }
-      for (const std::uint32_t c : { mesh_.face(f).below, mesh_.face(f).above })
-      {
-        if (c != None && !find(cells_, c))
-        {
-          cells_.add({ c, {} });
-        }
-      }
+      faces_.add({ f, measuresOf(f) });
     }
     for (auto& [c, measures] : cells_)
     {
       measures = measuresOfCell(c);
-      addCostOfCell(c, measures);
-    }
-    for (const auto& [c, measures] : cells_)
-    {
-      for (const std::uint32_t f : mesh_.facesOf(c))
+      if (mesh_.cell(c).cost > least)
       {
-        const std::uint32_t other = mesh_.beyond(f, c);
-        const bool isCounted = other != None && find(cells_, other) && other < c;
-        if (!isCounted)
-        {
-          addCostOfFace(f);
-        }
+        addCostOfCell(c, measures);
       }
+    }
+    for (const std::uint32_t f : costly_)
+    {
+      addCostOfFace(f);
     }
     return sum_;
   }
@@ -111,6 +100,43 @@ private:
       }
     }
     return nullptr;
+  }
+
+  // False: there are too many.
+  bool listCells()
+  {
+    const Items faces = mesh_.facesAround(node_);
+    for (const std::uint32_t f : faces)
+    {
+      for (const std::uint32_t c : { mesh_.face(f).below, mesh_.face(f).above })
+      {
+        if (c != None && !find(cells_, c) && !cells_.add({ c, {} }))
+        {
+          return false;
+        }
+      }
+    }
+    return faces.size() <= MostFaces;
+  }
+
+  // False: there is nothing that costs so much.
+  bool collect(double least)
+  {
+    bool isAny = false;
+    for (const auto& [c, measures] : cells_)
+    {
+      isAny = isAny || mesh_.cell(c).cost > least;
+      for (const std::uint32_t f : mesh_.facesOf(c))
+      {
+        const std::uint32_t other = mesh_.beyond(f, c);
+        const bool isCounted = other != None && other < c && find(cells_, other);
+        if (!isCounted && mesh_.face(f).cost > least)
+        {
+          isAny = costly_.add(f) || isAny;
+        }
+      }
+    }
+    return isAny;
   }
 
   static GradientVector constant(const Vector& v) { return { v[0], v[1], v[2] }; }
@@ -209,6 +235,7 @@ private:
   const ObjectiveSpec& spec_;
   FixedList<std::pair<std::uint32_t, Face>, MostFaces> faces_;
   FixedList<std::pair<std::uint32_t, Cell>, MostCells> cells_;
+  FixedList<std::uint32_t, 512> costly_; // faces
   Vector sum_{};
 };
 
@@ -359,9 +386,9 @@ void costCells(EditMesh& mesh, Items cells, const ObjectiveSpec& spec)
   }
 }
 
-Vector gradientAt(const EditMesh& mesh, std::uint32_t node, const ObjectiveSpec& spec)
+Vector gradientAt(const EditMesh& mesh, std::uint32_t node, const ObjectiveSpec& spec, double least)
 {
-  return GradientOfNode(mesh, node, spec).sum();
+  return GradientOfNode(mesh, node, spec).sum(least);
 }
 
 }

@@ -28,7 +28,9 @@ void listChanged(const EditMesh& mesh, std::vector<std::uint32_t>& cells);
 // ... of cells that are there and may change, and of their faces.
 void costCells(EditMesh& mesh, Items cells, const ObjectiveSpec& spec);
 
-// How the objective changes with the place of a node: by its coordinates. Nothing is changed.
-Vector gradientAt(const EditMesh& mesh, std::uint32_t node, const ObjectiveSpec& spec);
+// How the objective changes with the place of a node: by its coordinates. Nothing is changed. What costs no more than
+// `least` is left out: the less it costs, the less it changes.
+Vector gradientAt(
+  const EditMesh& mesh, std::uint32_t node, const ObjectiveSpec& spec, double least = -1);
 
 }

@@ -14,6 +14,7 @@ namespace
 
 // In boxes: where the slope would not gain enough over this length, no step is tried.
 constexpr double LongestStep = 0.25;
+constexpr double LittleCost = 0.1; // what costs less is not looked at for directions
 constexpr double FirstStep = 0.1;
 constexpr double Longer = 2;
 constexpr double Shorter = 0.35;
@@ -97,7 +98,7 @@ double bestMove(EditMesh& mesh, ProposalTrials& trials, const ObjectiveSpec& spe
     {
       continue;
     }
-    const Vector way = allowed(node, scaled(gradientAt(mesh, n, spec), -1));
+    const Vector way = allowed(node, scaled(gradientAt(mesh, n, spec, LittleCost), -1));
     if (const double slope = norm(way); slope * LongestStep * edge > least)
     {
       descents.add({ slope, n, scaled(way, 1 / slope) });

@@ -41,11 +41,12 @@ public:
   void run()
   {
     findHeights();
+    findNear();
     forEach(nodes_.size(), [&](std::uint32_t n) { place(n); });
-    measureAll(store_, execution_);
+    measure();
     for (int round = 0; round < Rounds && takeBack(round); ++round)
     {
-      measureAll(store_, execution_);
+      measure();
     }
     settle();
   }
@@ -174,6 +175,40 @@ private:
     node.at = onLattice(mesh_, plus(mover.before, scaled(mover.normal, mover.height)), node.held);
   }
 
+  // What nodes have that may move: nothing else has changed.
+  void measure()
+  {
+    forEach(store_.faces.size(), [&](std::uint32_t f) {
+      if (isNear_[f] != 0)
+      {
+        EditMesh mesh(store_, 0, 0, {});
+        measureFace(mesh, f);
+      }
+    });
+    forEach(store_.cells.size(), [&](std::uint32_t c) {
+      const Items faces = mesh_.facesOf(c);
+      if (mesh_.isFree(c) &&
+        std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) { return isNear_[f] != 0; }))
+      {
+        EditMesh mesh(store_, 0, 0, {});
+        measureCell(mesh, c);
+      }
+    });
+  }
+
+  void findNear()
+  {
+    isNear_.assign(store_.faces.size(), 0);
+    forEach(isNear_.size(), [&](std::uint32_t f) {
+      const Items ring = mesh_.cornersOf(f);
+      isNear_[f] = !mesh_.face(f).gone &&
+          std::any_of(
+            ring.begin(), ring.end(), [&](std::uint32_t n) { return nodes_[n].height != 0; })
+        ? 1
+        : 0;
+    });
+  }
+
   bool isWorse(std::uint32_t f) const
   {
     const EditFace& face = mesh_.face(f);
@@ -269,6 +304,7 @@ private:
   const ObjectiveSpec& spec_;
   Execution& execution_;
   std::vector<Mover> nodes_;
+  std::vector<std::uint8_t> isNear_; // faces: with a node that moves
 };
 
 }
