@@ -146,7 +146,8 @@ private:
   void push(Item item)
   {
     item.cost = costOf(item);
-    if (item.cost > spec_.leastCost)
+    const bool isWanted = !spec_.failingOnly || (!item.isCell && mesh_.face(item.number).fails > 0);
+    if (isWanted && item.cost > spec_.leastCost)
     {
       queue_.push(item);
     }

@@ -13,7 +13,8 @@ struct LoopSpec
 {
   EditRules rules;
   SearchSpec search;
-  double leastCost = 1.5; // of what is looked at
+  double leastCost = 1.5;   // of what is looked at
+  bool failingOnly = false; // of that, faces that fail
 };
 
 struct LoopCounts

@@ -33,6 +33,20 @@ LoopSpec thoroughLoop()
   return spec;
 }
 
+// For faces that fail even then: what is left of the wall there may give way, last of all whole cells.
+LoopSpec lastLoop()
+{
+  LoopSpec spec = thoroughLoop();
+  spec.rules.spec.volume = 50;
+  spec.rules.spec.distance = 0.2;
+  spec.rules.spec.sharpEdge = 5;
+  spec.rules.spec.mostMoved = 1;
+  spec.search.removedShare = 1;
+  spec.search.neighbours = 6;
+  spec.failingOnly = true;
+  return spec;
+}
+
 // From here on a face may cost thoroughLoop()'s leastCost, with costs in full.
 constexpr double MuchCost = 3.5;
 
@@ -43,15 +57,17 @@ void costZone(const ZoneTask& task, const ObjectiveSpec& spec)
 }
 
 // Where any face needs it; costs are as before afterwards.
-void improveFailing(const ZoneTask& task, const LoopSpec& thorough, const ObjectiveSpec& usual,
-  const std::function<void()>& poll)
+void improveFailing(
+  const ZoneTask& task, const ObjectiveSpec& usual, const std::function<void()>& poll)
 {
   bool isAny = false;
   task.forEachFace([&](std::uint32_t f) { isAny = isAny || task.mesh.face(f).cost > MuchCost; });
   if (isAny)
   {
+    const LoopSpec thorough = thoroughLoop();
     costZone(task, thorough.rules.spec);
     improve(task, thorough, poll);
+    improve(task, lastLoop(), poll);
     costZone(task, usual);
   }
 }
@@ -62,7 +78,6 @@ void improveWall(EditMesh& mesh, Execution& execution)
 {
   EditStore& store = mesh.store();
   const LoopSpec general;
-  const LoopSpec thorough = thoroughLoop();
   const auto poll = [&] { execution.poll(); };
   measureAll(store, execution);
   costAll(store, general.rules.spec, execution);
@@ -73,7 +88,7 @@ void improveWall(EditMesh& mesh, Execution& execution)
   payDebts(store, general.rules.spec, execution);
   editInZones(store, execution, [&](const ZoneTask& task) {
     improve(task, general, poll);
-    improveFailing(task, thorough, general.rules.spec, poll);
+    improveFailing(task, general.rules.spec, poll);
   });
   payDebts(store, general.rules.spec, execution);
   mesh.refresh();
