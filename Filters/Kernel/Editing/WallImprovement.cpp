@@ -37,10 +37,10 @@ LoopSpec thoroughLoop()
 LoopSpec lastLoop()
 {
   LoopSpec spec = thoroughLoop();
-  spec.rules.spec.volume = 50;
-  spec.rules.spec.distance = 0.2;
-  spec.rules.spec.sharpEdge = 5;
-  spec.rules.spec.mostMoved = 1;
+  spec.rules.spec.volume = 200;
+  spec.rules.spec.distance = 0.1;
+  spec.rules.spec.sharpEdge = 20;
+  spec.rules.spec.mostMoved = 0.4;
   spec.search.removedShare = 1;
   spec.search.neighbours = 6;
   spec.failingOnly = true;

@@ -20,6 +20,8 @@ namespace
 constexpr double FeatureAngle = 30;
 constexpr int FirstSide = 10;
 
+Execution alone;
+
 struct Case
 {
   std::string name;
@@ -221,7 +223,7 @@ Soup reversed(Soup soup)
 TEST_P(EditableWallOf, CellsAreClosed)
 {
   const auto a = assembledOf(GetParam());
-  const EditableWall edited = openWall(partsOf(*a), FeatureAngle, execution);
+  const EditableWall edited = openWall(partsOf(*a), FeatureAngle, alone);
   const EditMesh& mesh = edited.mesh;
   ASSERT_GT(edited.opened.cells, 0u);
   double sum = 0;
@@ -251,7 +253,7 @@ TEST_P(EditableWallOf, NoEditsChangeNothing)
 {
   const auto a = assembledOf(GetParam());
   const MeshArrays before = written(*a);
-  close(openWall(partsOf(*a), FeatureAngle, execution), *a);
+  close(openWall(partsOf(*a), FeatureAngle, alone), *a);
   EXPECT_TRUE(written(*a) == before);
 }
 
@@ -260,7 +262,7 @@ TEST_P(EditableWallOf, AllIsWritten)
 {
   const auto a = assembledOf(GetParam());
   const MeshArrays before = written(*a);
-  EditableWall edited = openWall(partsOf(*a), FeatureAngle, execution);
+  EditableWall edited = openWall(partsOf(*a), FeatureAngle, alone);
   for (std::uint32_t f = 0; f < edited.mesh.faceCount(); ++f)
   {
     const Items corners = edited.mesh.cornersOf(f);
@@ -299,7 +301,7 @@ TEST_P(EditableWallOf, EditsAreWritten)
 {
   const auto a = assembledOf(GetParam());
   const MeshArrays before = written(*a);
-  EditableWall edited = openWall(partsOf(*a), FeatureAngle, execution);
+  EditableWall edited = openWall(partsOf(*a), FeatureAngle, alone);
   moveSome(edited.mesh);
   const std::size_t merged = mergeSome(edited);
   EXPECT_GT(merged, 0u);
@@ -319,7 +321,7 @@ TEST_P(EditableWallOf, EditsAreWritten)
 TEST_P(EditableWallOf, NodesAreHeld)
 {
   const auto a = assembledOf(GetParam());
-  const EditableWall edited = openWall(partsOf(*a), FeatureAngle, execution);
+  const EditableWall edited = openWall(partsOf(*a), FeatureAngle, alone);
   const EditMesh& mesh = edited.mesh;
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
   {
@@ -343,24 +345,33 @@ TEST_P(EditableWallOf, NodesAreHeld)
   }
 }
 
-// With the option, and nothing that is edited, cells are as they are assembled.
-TEST(EditableWall, TakesTheOptionsPlace)
+// The paper's setting, Exact Fit and several regions are edited as without the option.
+TEST(EditableWall, IsNotForAllSettings)
 {
-  TestOptions inPlace;
-  inPlace.smallCells.handling = SmallCells::Remove;
-  inPlace.shaping.editsInPlace = true;
-  TestOptions none;
-  none.smallCells = inPlace.smallCells;
-  none.collapse.ratio = 0;
-  none.shaping.splitConcave = false;
+  const auto changesNothing = [](const Soup& soup, double size, TestOptions options) {
+    const Meshed without = meshOf(soup, cellsOf(size), options);
+    options.shaping.editsInPlace = true;
+    return meshOf(soup, cellsOf(size), options).mesh == without.mesh;
+  };
   const Soup ball = sphere(6, 0.7);
-  EXPECT_TRUE(meshOf(ball, cellsOf(0.21), inPlace).mesh == meshOf(ball, cellsOf(0.21), none).mesh);
+  TestOptions paper;
+  paper.smallCells.handling = SmallCells::Remove;
+  EXPECT_TRUE(changesNothing(ball, 0.21, paper));
+  paper.collapse.ratio = 0;
+  EXPECT_TRUE(changesNothing(ball, 0.21, paper));
+  TestOptions exact;
+  exact.patches = exactFit();
+  EXPECT_TRUE(changesNothing(cube().turned(), 0.31, exact));
+  Soup regions;
+  regions.addRegion(box({ 0, 0, 0 }, { 1, 1, 1 })).addRegion(box({ 1, 0, 0 }, { 2, 1, 1 }));
+  EXPECT_TRUE(changesNothing(regions.turned(), 0.31, TestOptions()));
+  EXPECT_FALSE(changesNothing(ball, 0.21, TestOptions()));
 }
 
 TEST(EditableWall, KindsOfNodesOfACube)
 {
   const auto a = assembledOf(Case{ "", cube().turned(), plain(0.23, 0) });
-  const EditableWall edited = openWall(partsOf(*a), FeatureAngle, execution);
+  const EditableWall edited = openWall(partsOf(*a), FeatureAngle, alone);
   std::map<NodeKind, int> kinds;
   for (std::uint32_t n = 0; n < edited.mesh.nodeCount(); ++n)
   {
@@ -384,8 +395,8 @@ TEST(EditableWall, IsTheSameForAnyOrder)
     SCOPED_TRACE(one.name);
     const auto a = assembledOf(one);
     const auto b = assembledOf(Case{ "", reversed(one.soup), one.options });
-    const EditableWall x = openWall(partsOf(*a), FeatureAngle, execution);
-    const EditableWall y = openWall(partsOf(*b), FeatureAngle);
+    const EditableWall x = openWall(partsOf(*a), FeatureAngle, alone);
+    const EditableWall y = openWall(partsOf(*b), FeatureAngle, alone);
     ASSERT_EQ(x.opened.corners, y.opened.corners);
     ASSERT_EQ(x.opened.start, y.opened.start);
     ASSERT_EQ(x.opened.cellsOf, y.opened.cellsOf);

@@ -50,7 +50,7 @@ public:
     cells.firstFace.push_back(cells.firstCorner.size());
     cells.firstCorner.push_back(cells.corners.size());
     Execution execution;
-    const FaceList list = listFaces(cells, mesh.nodeCount(), Clashes::NoGain, execution);
+    const FaceList list = listFaces(cells, mesh.nodeCount(), Clashes::Refused, execution);
     quality = measureQuality(points.data(), cells, list, execution);
     for (std::size_t i = 0; i < list.face.size(); ++i)
     {

@@ -1,0 +1,161 @@
+// The wall as a whole, from raw cells to the mesh.
+#include "Editing/EditLoop.h"
+#include "Editing/EditMeasures.h"
+#include "Editing/EditableWall.h"
+#include "Editing/ShortEdges.h"
+#include "Editing/TrueVolume.h"
+#include "Editing/WallSimplification.h"
+#include "Support/MeshChecker.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// Patches keep off the planes of boxes (PlaneClearance.h), by some millionths of a box.
+constexpr double OffPlanes = 1e-5;
+
+struct Case
+{
+  std::string name;
+  Soup soup;
+  double size;
+  int levels;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Case& one)
+{
+  return stream << one.name;
+}
+
+Meshed meshInPlace(const Case& one)
+{
+  TestOptions options;
+  options.refinement = depth(one.levels);
+  options.memoryLimit = PlentyOfMemory;
+  options.shaping.editsInPlace = true;
+  return meshOf(one.soup, cellsOf(one.size), options);
+}
+
+std::vector<Case> planeCases()
+{
+  std::vector<Case> all;
+  for (int levels = 0; levels <= 2; ++levels)
+  {
+    const std::string name = std::to_string(levels);
+    const double size = 0.13 * (1 << levels);
+    all.push_back({ "Cube" + name, cube(), size, levels });
+    all.push_back({ "CubeTurned" + name, cube().turned(), size, levels });
+    all.push_back({ "BoxTurned" + name, box({ 0, 0, 0 }, { 2, 1, 1.5 }).turned(), size, levels });
+  }
+  return all;
+}
+
+std::vector<Case> smoothCases()
+{
+  std::vector<Case> all;
+  for (int levels = 0; levels <= 2; ++levels)
+  {
+    const std::string name = std::to_string(levels);
+    const double size = 0.13 * (1 << levels);
+    all.push_back({ "Ball" + name, sphere(24, 1), size, levels });
+    all.push_back({ "BallTurned" + name, sphere(24, 1).turned(), size, levels });
+    all.push_back({ "Torus" + name, torus(48, 1, 0.4).turned(), size, levels });
+  }
+  return all;
+}
+
+class PlaneWallsOf : public ::testing::TestWithParam<Case>
+{
+};
+
+class SmoothWallsOf : public ::testing::TestWithParam<Case>
+{
+};
+
+std::uint32_t bit(Measure measure)
+{
+  return 1U << measure;
+}
+
+// Of what solvers cannot do with.
+int failingCells(const MeshArrays& mesh)
+{
+  const std::uint32_t hard = bit(Volume) | bit(Openness) | bit(OpenEdges) | bit(BoundaryAngle) |
+    bit(InnerAngle) | bit(StarTriangulation) | bit(Skewness) | bit(NonOrthogonality);
+  int count = 0;
+  for (const std::uint32_t failures : qualityOf(mesh).cellFailures)
+  {
+    count += (failures & hard) != 0 ? 1 : 0;
+  }
+  return count;
+}
+
+TEST_P(PlaneWallsOf, KeepVolumeAndAreas)
+{
+  const MeshArrays mesh = meshInPlace(GetParam()).mesh;
+  EXPECT_TRUE(isValid(mesh, true));
+  EXPECT_EQ(failingCells(mesh), 0);
+  const double volume = GetParam().soup.volume();
+  EXPECT_NEAR(volumeOf(mesh), volume, OffPlanes * volume);
+  const auto areas = areasByBoundary(mesh);
+  for (const auto& [boundary, area] : areasByBoundary(GetParam().soup))
+  {
+    EXPECT_NEAR(areas.at(boundary), area, OffPlanes * area) << boundary;
+  }
+}
+
+TEST_P(SmoothWallsOf, AreGoodForSolvers)
+{
+  const MeshArrays mesh = meshInPlace(GetParam()).mesh;
+  EXPECT_TRUE(isValid(mesh, true));
+  EXPECT_EQ(failingCells(mesh), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(WallImprovement, PlaneWallsOf, ::testing::ValuesIn(planeCases()),
+  [](const auto& one) { return one.param.name; });
+INSTANTIATE_TEST_SUITE_P(WallImprovement, SmoothWallsOf, ::testing::ValuesIn(smoothCases()),
+  [](const auto& one) { return one.param.name; });
+
+// What walls have lost and what they owe is always the same together.
+TEST(WallImprovement, DebtsAreWhatTheVolumeLacks)
+{
+  const TestOptions options = asTheyAre();
+  const Soup soup = torus(48, 1, 0.4).turned();
+  Execution execution(1);
+  const auto a = assembledOf(soup, cellsOf(0.13), options, execution);
+  EditableWall wall =
+    openWall({ a->boxes, a->patches, a->sides, a->nodes, a->wall }, 30, execution);
+  EditStore& store = wall.mesh.store();
+  const auto together = [&] {
+    wall.mesh.refresh();
+    double sum = 0;
+    for (const EditFace& face : store.faces)
+    {
+      sum += face.gone || face.above != None ? 0 : face.behind + face.debt;
+    }
+    return sum;
+  };
+  const LoopSpec spec;
+  const auto poll = [] {};
+  costAll(store, spec.rules.spec, execution);
+  const double before = together();
+  editInZones(store, execution, [&](const ZoneTask& task) {
+    simplifyWalls(task, SimplificationSpec(), spec.rules.spec, poll);
+    snapEdges(task, spec.rules, SnapSpec(), poll);
+  });
+  EXPECT_NEAR(together(), before, 1e-9 * before);
+  payDebts(store, spec.rules.spec, execution);
+  EXPECT_NEAR(together(), before, 1e-9 * before);
+  editInZones(store, execution, [&](const ZoneTask& task) { improve(task, spec, poll); });
+  EXPECT_NEAR(together(), before, 1e-9 * before);
+}
+
+}
+
+}
