@@ -131,6 +131,20 @@ public:
   }
 
 private:
+  // What items cost when nothing helped.
+  struct FailedAt
+  {
+    std::vector<float> faces;
+    std::vector<float> cells;
+  };
+
+  // By the edit that was made last.
+  struct Changed
+  {
+    std::vector<std::uint32_t> faces;
+    std::vector<std::uint32_t> cells;
+  };
+
   double costOf(const Item& item) const
   {
     if (item.isCell)
@@ -155,7 +169,7 @@ private:
 
   float& failedAt(const Item& item)
   {
-    std::vector<float>& all = item.isCell ? failedCells_ : failedFaces_;
+    std::vector<float>& all = item.isCell ? failedAt_.cells : failedAt_.faces;
     if (item.number >= all.size())
     {
       all.resize(item.number + item.number / 8 + 64, 0.F);
@@ -256,7 +270,7 @@ private:
     passOnDebts(mesh_);
     collectChanged();
     mesh_.commit();
-    for (const std::uint32_t f : changedFaces_)
+    for (const std::uint32_t f : changed_.faces)
     {
       raiseVersion(mesh_.face(f).below);
       raiseVersion(mesh_.face(f).above);
@@ -266,7 +280,7 @@ private:
       }
       push({ 0, false, f });
     }
-    for (const std::uint32_t c : changedCells_)
+    for (const std::uint32_t c : changed_.cells)
     {
       push({ 0, true, c });
     }
@@ -275,17 +289,17 @@ private:
 
   void collectChanged()
   {
-    changedFaces_.clear();
-    changedCells_.clear();
+    changed_.faces.clear();
+    changed_.cells.clear();
     for (const auto& record : mesh_.faceRecords())
     {
-      changedFaces_.push_back(record.first);
+      changed_.faces.push_back(record.first);
     }
     for (const auto& record : mesh_.cellRecords())
     {
-      changedCells_.push_back(record.first);
+      changed_.cells.push_back(record.first);
     }
-    for (std::vector<std::uint32_t>* all : { &changedFaces_, &changedCells_ })
+    for (std::vector<std::uint32_t>* all : { &changed_.faces, &changed_.cells })
     {
       std::sort(all->begin(), all->end());
       all->erase(std::unique(all->begin(), all->end()), all->end());
@@ -352,11 +366,9 @@ private:
   std::priority_queue<Item> queue_;
   FailedProposals failed_;
   Proposals proposals_;
-  std::vector<float> failedFaces_; // their cost when nothing helped
-  std::vector<float> failedCells_;
+  FailedAt failedAt_;
   std::vector<std::uint32_t> versions_; // of cells
-  std::vector<std::uint32_t> changedFaces_;
-  std::vector<std::uint32_t> changedCells_;
+  Changed changed_;
   LoopCounts counts_;
 };
 
