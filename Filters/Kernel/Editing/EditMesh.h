@@ -9,6 +9,7 @@
 #pragma once
 
 #include "Base/Execution.h"
+#include "Base/RawVector.h"
 #include "Boxes/LocalBox.h"
 #include "Lattice/Vector.h"
 
@@ -46,6 +47,9 @@ struct ItemList
   std::uint16_t size = 0;
   std::uint16_t arena = 0;
 };
+
+// Throws if it does not fit.
+ItemList listAt(std::size_t first, std::size_t size, std::uint16_t arena);
 
 struct EditNode
 {
@@ -220,15 +224,38 @@ struct Unsettled
   }
 };
 
+// Leaves new records unset: all threads write them.
+template <class Record>
+struct UnsetAllocator : RawAllocator<Record>
+{
+  template <class U>
+  struct rebind // NOLINT(readability-identifier-naming): the standard's name
+  {
+    using other = UnsetAllocator<U>;
+  };
+
+  template <class U, class... Arguments>
+  void construct(U* at, Arguments&&... arguments)
+  {
+    if constexpr (sizeof...(Arguments) > 0)
+    {
+      ::new (static_cast<void*>(at)) U{ std::forward<Arguments>(arguments)... };
+    }
+  }
+};
+
+template <class Record>
+using RecordVector = std::vector<Record, UnsetAllocator<Record>>;
+
 // The mesh itself, which several editors may change at the same time: each in a zone of its own (EditZones.h).
 struct EditStore
 {
   static constexpr double Beyond = 1e30;
 
-  std::vector<EditNode> nodes;
-  std::vector<EditFace> faces;
-  std::vector<EditCell> cells;
-  std::vector<std::vector<std::uint32_t>> arenas{
+  RecordVector<EditNode> nodes;
+  RecordVector<EditFace> faces;
+  RecordVector<EditCell> cells;
+  std::vector<RawVector<std::uint32_t>> arenas{
     {}
   };                // the first, which only compact() changes; each editor's
   double level = 1; // the length of a lattice level: a power of two
@@ -238,7 +265,7 @@ struct EditStore
   Vector high{ Beyond, Beyond, Beyond };
 
   // Lists the faces of cells and nodes, once all faces are there; marks nodes at walls.
-  void connect();
+  void connect(Execution& execution);
 
   // Puts all lists into the first arena, in the order of nodes, faces and cells; the others go.
   void compact(Execution& execution);
@@ -312,11 +339,10 @@ public:
 
   // --- building: before the first mark, of a mesh of its own
 
-  void reserve(std::size_t nodes, std::size_t faces, std::size_t cells, std::size_t corners);
   std::uint32_t addNode(const EditNode& node);
   std::uint32_t addCell(const EditCell& cell);
   std::uint32_t addFace(EditFace face, const std::uint32_t* corners, std::size_t size);
-  void connect() { store_->connect(); }
+  void connect();
   EditStore& store() { return *store_; }
 
   // For measures, and to set what the journal does not have to know.
@@ -403,7 +429,7 @@ public:
 
 private:
   template <class Record>
-  Record& change(std::vector<Record>& all, Records<Record>& records, std::uint32_t i)
+  Record& change(RecordVector<Record>& all, Records<Record>& records, std::uint32_t i)
   {
     Record& record = all[i];
     if (marks_ > 0 && record.epoch != epoch_)
@@ -415,9 +441,9 @@ private:
   }
 
   template <class Record>
-  std::uint32_t takeSlot(std::vector<Record>& all, Slots& slots);
+  std::uint32_t takeSlot(RecordVector<Record>& all, Slots& slots);
 
-  std::vector<std::uint32_t>& arena() { return store_->arenas[arena_]; }
+  RawVector<std::uint32_t>& arena() { return store_->arenas[arena_]; }
   ItemList store(const std::uint32_t* items, std::size_t size);
   ItemList without(const ItemList& list, std::uint32_t item);
   ItemList with(const ItemList& list, std::uint32_t item);

@@ -16,6 +16,8 @@ constexpr double MostLeash = 0.4;       // in boxes
 constexpr double Sagitta = 0.012; // in boxes: how far a node may leave the surface on its leash
 constexpr double LeastSine = 1e-3;
 
+constexpr std::size_t NodesAChunk = 1024;
+
 // A face of the wall at a node.
 struct Use
 {
@@ -201,16 +203,19 @@ private:
 
 }
 
-void findNodeKinds(EditMesh& mesh, double featureAngle)
+void findNodeKinds(EditStore& store, double featureAngle, Execution& execution)
 {
-  KindOfNode kind(mesh, featureAngle);
-  for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
-  {
-    if (mesh.node(n).atWall)
+  execution.forEach(store.nodes.size(), NodesAChunk, [&](std::size_t begin, std::size_t end) {
+    EditMesh mesh(store, 0, 0, {});
+    KindOfNode kind(mesh, featureAngle);
+    for (auto n = static_cast<std::uint32_t>(begin); n < end; ++n)
     {
-      kind.find(n);
+      if (mesh.node(n).atWall)
+      {
+        kind.find(n);
+      }
     }
-  }
+  });
 }
 
 }

@@ -9,6 +9,6 @@ namespace cartesian
 
 // Of all nodes at walls and between regions, once faces are measured: EditNode's kind, along, home and leash. Edges at
 // which two boundaries meet, or by which the wall turns by more than `featureAngle` (degrees), are sharp.
-void findNodeKinds(EditMesh& mesh, double featureAngle);
+void findNodeKinds(EditStore& store, double featureAngle, Execution& execution);
 
 }

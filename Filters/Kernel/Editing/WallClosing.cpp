@@ -70,7 +70,7 @@ private:
 
   bool hasCornersAsOpened(std::uint32_t f) const
   {
-    const std::vector<std::uint32_t>& start = edited_.opened.start;
+    const auto& start = edited_.opened.start;
     const Items corners = mesh_.cornersOf(f);
     const auto before = edited_.opened.corners.begin();
     return std::equal(corners.begin(), corners.end(), before + std::ptrdiff_t(start[f]),

@@ -441,9 +441,14 @@ void removeFragments(Assembly& a, const Options& options, Execution& execution)
 
 void editInPlace(Assembly& a, const Options& options, Execution& execution)
 {
-  EditableWall wall = openWall({ a.boxes, a.patches, a.sides, a.nodes, a.wall },
-    options.patches.featureAngle, execution);
+  constexpr double AfterOpening = 0.9 * AfterShortEdges + 0.1 * AfterShaping;
+  constexpr double AfterEdits = 0.05 * AfterShortEdges + 0.95 * AfterShaping;
+  execution.stage("Opening of the wall", AfterShortEdges, AfterOpening);
+  EditableWall wall = openWall(
+    { a.boxes, a.patches, a.sides, a.nodes, a.wall }, options.patches.featureAngle, execution);
+  execution.stage("Edits of the wall", AfterOpening, AfterEdits);
   improveWall(wall.mesh.store(), execution);
+  execution.stage("Closing of the wall", AfterEdits, AfterShaping);
   closeWall(wall, a.boxes, a.sides, a.nodes, a.wall, execution);
 }
 
@@ -502,7 +507,6 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   makeInterfaces(a.patches.walls, a.wall);
   if (inPlace)
   {
-    execution.stage("Shaping of cells", AfterShortEdges, AfterShaping);
     editInPlace(a, options, execution);
   }
   else if (shapesCells(options))

@@ -104,6 +104,12 @@ MeshArrays written(Assembly& a)
   return arraysOf(*a.mesh, a.boxes, execution);
 }
 
+EditableWall opened(const Assembly& a)
+{
+  Execution execution;
+  return openWall(partsOf(a), FeatureAngle, execution);
+}
+
 void close(const EditableWall& edited, Assembly& a)
 {
   Execution execution;
@@ -221,7 +227,7 @@ Soup reversed(Soup soup)
 TEST_P(EditableWallOf, CellsAreClosed)
 {
   const auto a = assembledOf(GetParam());
-  const EditableWall edited = openWall(partsOf(*a), FeatureAngle);
+  const EditableWall edited = opened(*a);
   const EditMesh& mesh = edited.mesh;
   ASSERT_GT(edited.opened.cells, 0u);
   double sum = 0;
@@ -251,7 +257,7 @@ TEST_P(EditableWallOf, NoEditsChangeNothing)
 {
   const auto a = assembledOf(GetParam());
   const MeshArrays before = written(*a);
-  close(openWall(partsOf(*a), FeatureAngle), *a);
+  close(opened(*a), *a);
   EXPECT_TRUE(written(*a) == before);
 }
 
@@ -260,7 +266,7 @@ TEST_P(EditableWallOf, AllIsWritten)
 {
   const auto a = assembledOf(GetParam());
   const MeshArrays before = written(*a);
-  EditableWall edited = openWall(partsOf(*a), FeatureAngle);
+  EditableWall edited = opened(*a);
   for (std::uint32_t f = 0; f < edited.mesh.faceCount(); ++f)
   {
     const Items corners = edited.mesh.cornersOf(f);
@@ -299,7 +305,7 @@ TEST_P(EditableWallOf, EditsAreWritten)
 {
   const auto a = assembledOf(GetParam());
   const MeshArrays before = written(*a);
-  EditableWall edited = openWall(partsOf(*a), FeatureAngle);
+  EditableWall edited = opened(*a);
   moveSome(edited.mesh);
   const std::size_t merged = mergeSome(edited);
   EXPECT_GT(merged, 0u);
@@ -319,7 +325,7 @@ TEST_P(EditableWallOf, EditsAreWritten)
 TEST_P(EditableWallOf, NodesAreHeld)
 {
   const auto a = assembledOf(GetParam());
-  const EditableWall edited = openWall(partsOf(*a), FeatureAngle);
+  const EditableWall edited = opened(*a);
   const EditMesh& mesh = edited.mesh;
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
   {
@@ -360,7 +366,7 @@ TEST(EditableWall, TakesTheOptionsPlace)
 TEST(EditableWall, KindsOfNodesOfACube)
 {
   const auto a = assembledOf(Case{ "", cube().turned(), plain(0.23, 0) });
-  const EditableWall edited = openWall(partsOf(*a), FeatureAngle);
+  const EditableWall edited = opened(*a);
   std::map<NodeKind, int> kinds;
   for (std::uint32_t n = 0; n < edited.mesh.nodeCount(); ++n)
   {
@@ -384,8 +390,8 @@ TEST(EditableWall, IsTheSameForAnyOrder)
     SCOPED_TRACE(one.name);
     const auto a = assembledOf(one);
     const auto b = assembledOf(Case{ "", reversed(one.soup), one.options });
-    const EditableWall x = openWall(partsOf(*a), FeatureAngle);
-    const EditableWall y = openWall(partsOf(*b), FeatureAngle);
+    const EditableWall x = opened(*a);
+    const EditableWall y = opened(*b);
     ASSERT_EQ(x.opened.corners, y.opened.corners);
     ASSERT_EQ(x.opened.start, y.opened.start);
     ASSERT_EQ(x.opened.cellsOf, y.opened.cellsOf);
