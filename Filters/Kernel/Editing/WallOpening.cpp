@@ -546,6 +546,9 @@ private:
 
   void hold()
   {
+    result_.opened.facesOf.resize(result_.opened.cells);
+    forEach(result_.opened.cells,
+      [&](std::uint32_t c) { result_.opened.facesOf[c] = store_.cells[c].faces.size; });
     forEach(store_.nodes.size(), [&](std::uint32_t n) {
       EditNode& node = store_.nodes[n];
       for (const std::uint32_t f : result_.mesh.facesAround(n))
