@@ -5,7 +5,9 @@
 #include "Base/Sorting.h"
 
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <numeric>
 
 namespace cartesian
 {
@@ -14,8 +16,9 @@ namespace
 {
 
 constexpr std::size_t LeastCellsAZone = 3072;
-constexpr std::size_t MostZones = 60000; // each has an arena of its own
-constexpr std::size_t CellsAChunk = 4096;
+constexpr std::size_t MostArenas = 1 << 16; // each zone has one of its own
+constexpr std::size_t MostZones = MostArenas - 1;
+constexpr std::size_t ItemsAChunk = 1024;
 
 // Cells next to fixed ones by so many faces are looked at in a later round: edits reach no farther, as a rule.
 constexpr int Margin = 3;
@@ -68,27 +71,29 @@ public:
     : store_(store)
     , execution_(execution)
     , work_(work)
-    , isOver_(store.cells.size())
+    , isOver_(store.cells.size(), 0)
   {
-    for (std::size_t c = 0; c < isOver_.size(); ++c)
-    {
-      isOver_[c] = isEditable(c) ? 0 : 1;
-    }
+    listLeft();
+    findBounds();
   }
 
   void run()
   {
     for (const Vector& shift : Shifts)
     {
-      divideByCurve(shift);
-      look(Margin);
+      if (!left_.empty())
+      {
+        divideByCurve(shift);
+        look(Margin);
+      }
     }
-    divideByGroups();
-    look(0);
-    for (EditCell& cell : store_.cells)
+    if (!left_.empty())
     {
-      cell.zone = 0;
+      divideByGroups();
+      look(0);
     }
+    setZones(0);
+    store_.compact(execution_);
   }
 
 private:
@@ -97,132 +102,164 @@ private:
     return !store_.cells[c].gone && store_.cells[c].state == CellState::Free;
   }
 
-  bool isAnyLeft() const { return std::find(isOver_.begin(), isOver_.end(), 0) != isOver_.end(); }
-
-  // --- zones
-
-  void divideByCurve(const Vector& shift)
+  template <class Visitor>
+  void forEach(std::size_t count, Visitor&& visit)
   {
-    zones_.clear();
-    order_.clear();
-    if (!isAnyLeft())
-    {
-      return;
-    }
-    RawVector<PlaceOnCurve> places = placesOnCurve(shift);
-    sortAll(places, execution_);
-    const std::size_t count =
-      std::max<std::size_t>(1, std::min(places.size() / LeastCellsAZone, MostZones));
-    order_.resize(places.size());
-    for (std::size_t z = 0; z < count; ++z)
-    {
-      zones_.push_back({ places.size() * z / count, places.size() * (z + 1) / count, {}, 0, {} });
-    }
-    execution_.forEach(count, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t z = begin; z < end; ++z)
+    execution_.forEach(count, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
       {
-        for (std::size_t i = zones_[z].begin; i < zones_[z].end; ++i)
-        {
-          order_[i] = places[i].cell;
-          store_.cells[places[i].cell].zone = static_cast<std::uint32_t>(z);
-        }
-        std::sort(order_.begin() + static_cast<std::ptrdiff_t>(zones_[z].begin),
-          order_.begin() + static_cast<std::ptrdiff_t>(zones_[z].end));
+        visit(static_cast<std::uint32_t>(i));
       }
     });
   }
 
-  RawVector<PlaceOnCurve> placesOnCurve(const Vector& shift) const
+  // What visit(i, found) finds, in order.
+  template <class Item, class Visitor>
+  std::vector<Item> find(std::size_t count, Visitor&& visit)
   {
-    Vector low{ HUGE_VAL, HUGE_VAL, HUGE_VAL };
-    Vector high = scaled(low, -1);
-    std::size_t count = 0;
-    for (std::size_t c = 0; c < store_.cells.size(); ++c)
-    {
-      for (std::size_t axis = 0; isEditable(c) && axis < 3; ++axis)
+    std::vector<std::vector<Item>> ofChunks(chunks(count, ItemsAChunk));
+    forEach(count, [&](std::uint32_t i) { visit(i, ofChunks[i / ItemsAChunk]); });
+    return concatenated(ofChunks);
+  }
+
+  void setZones(std::uint32_t zone)
+  {
+    forEach(store_.cells.size(), [&](std::uint32_t c) { store_.cells[c].zone = zone; });
+  }
+
+  // Cells that no zone has looked at; those made in a zone were looked at there.
+  void listLeft()
+  {
+    isOver_.resize(store_.cells.size(), 1);
+    left_ = find<std::uint32_t>(isOver_.size(), [&](std::uint32_t c, auto& found) {
+      if (isOver_[c] == 0 && isEditable(c))
       {
-        low[axis] = std::min(low[axis], store_.cells[c].centre[axis]);
-        high[axis] = std::max(high[axis], store_.cells[c].centre[axis]);
+        found.push_back(c);
       }
-      count += isEditable(c) ? 1 : 0;
-    }
-    const Vector size = minus(high, low);
-    const double extent = std::max({ size[0], size[1], size[2], 1e-9 });
-    RawVector<PlaceOnCurve> places;
-    places.reserve(count);
-    for (std::size_t c = 0; c < store_.cells.size(); ++c)
-    {
-      if (isEditable(c))
+      else
       {
-        std::uint64_t key = 0;
-        for (std::size_t axis = 0; axis < 3; ++axis)
+        isOver_[c] = 1;
+      }
+    });
+  }
+
+  // --- zones
+
+  void findBounds()
+  {
+    using Bounds = std::array<Vector, 2>;
+    constexpr Bounds Nowhere{ Vector{ HUGE_VAL, HUGE_VAL, HUGE_VAL },
+      Vector{ -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
+    std::vector<Bounds> ofChunks(chunks(left_.size(), ItemsAChunk) + 1, Nowhere);
+    const auto extend = [](Bounds& bounds, const Vector& low, const Vector& high) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        bounds[0][axis] = std::min(bounds[0][axis], low[axis]);
+        bounds[1][axis] = std::max(bounds[1][axis], high[axis]);
+      }
+    };
+    forEach(left_.size(), [&](std::uint32_t i) {
+      const Vector& centre = store_.cells[left_[i]].centre;
+      extend(ofChunks[i / ItemsAChunk], centre, centre);
+    });
+    for (const Bounds& bounds : ofChunks)
+    {
+      extend(ofChunks.back(), bounds[0], bounds[1]);
+    }
+    low_ = ofChunks.back()[0];
+    const Vector size = minus(ofChunks.back()[1], low_);
+    extent_ = std::max({ size[0], size[1], size[2], 1e-9 });
+  }
+
+  void divideByCurve(const Vector& shift)
+  {
+    std::vector<PlaceOnCurve> places =
+      find<PlaceOnCurve>(store_.cells.size(), [&](std::uint32_t c, auto& found) {
+        if (isEditable(c))
         {
-          constexpr double Steps = 1 << 20;
-          const double along = (store_.cells[c].centre[axis] - low[axis]) / extent + shift[axis];
-          key |= spread(static_cast<std::uint64_t>(along * Steps)) << axis;
+          found.push_back({ keyOf(store_.cells[c].centre, shift), c });
         }
-        places.push_back({ key, static_cast<std::uint32_t>(c) });
-      }
+      });
+    sortAll(places, execution_);
+    const std::size_t count =
+      std::max<std::size_t>(1, std::min(places.size() / LeastCellsAZone, MostZones));
+    order_.resize(places.size());
+    zones_.clear();
+    for (std::size_t z = 0; z < count; ++z)
+    {
+      zones_.push_back({ places.size() * z / count, places.size() * (z + 1) / count, {}, 0, {} });
     }
-    return places;
+    execution_.forEach(count, 1, [&](std::size_t z, std::size_t) {
+      for (std::size_t i = zones_[z].begin; i < zones_[z].end; ++i)
+      {
+        order_[i] = places[i].cell;
+        store_.cells[places[i].cell].zone = static_cast<std::uint32_t>(z);
+      }
+      std::sort(order_.begin() + static_cast<std::ptrdiff_t>(zones_[z].begin),
+        order_.begin() + static_cast<std::ptrdiff_t>(zones_[z].end));
+    });
+  }
+
+  std::uint64_t keyOf(const Vector& centre, const Vector& shift) const
+  {
+    std::uint64_t key = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      constexpr double Steps = 1 << 20;
+      const double along = std::clamp((centre[axis] - low_[axis]) / extent_, 0.0, 1.0);
+      key |= spread(static_cast<std::uint64_t>((along + shift[axis]) * Steps)) << axis;
+    }
+    return key;
   }
 
   // Each connected group of what is left, with its surroundings.
   void divideByGroups()
   {
-    zones_.clear();
-    order_.clear();
-    for (EditCell& cell : store_.cells)
-    {
-      cell.zone = None;
-    }
-    std::vector<std::uint32_t> members;
-    std::vector<std::uint8_t> isMember(store_.cells.size(), 0);
-    const auto add = [&](std::uint32_t c) {
-      if (isMember[c] == 0 && isEditable(c))
-      {
-        isMember[c] = 1;
-        members.push_back(c);
-      }
-    };
-    for (std::uint32_t c = 0; c < isOver_.size(); ++c)
-    {
-      isOver_[c] == 0 ? add(c) : void();
-    }
+    setZones(None);
+    std::vector<std::atomic<std::uint8_t>> isMember(store_.cells.size());
+    forEach(left_.size(), [&](std::uint32_t i) { isMember[left_[i]] = 1; });
+    std::vector<std::uint32_t> members = left_;
     std::size_t begin = 0;
     for (int ring = 0; ring < Surroundings; ++ring)
     {
-      const std::size_t end = members.size();
-      for (; begin < end; ++begin)
-      {
-        forEachBeside(members[begin], add);
-      }
+      const std::size_t first = begin;
+      begin = members.size();
+      const std::vector<std::uint32_t> more =
+        find<std::uint32_t>(begin - first, [&](std::uint32_t i, auto& found) {
+          forEachBeside(members[first + i], [&](std::uint32_t c) {
+            if (isEditable(c) && isMember[c].exchange(1, std::memory_order_relaxed) == 0)
+            {
+              found.push_back(c);
+            }
+          });
+        });
+      members.insert(members.end(), more.begin(), more.end());
     }
-    nameGroups(sortedUnique(std::move(members)));
+    sortAll(members, execution_);
+    nameGroups(members);
   }
 
   void nameGroups(const std::vector<std::uint32_t>& members)
   {
+    forEach(members.size(), [&](std::uint32_t i) { store_.cells[members[i]].zone = 0; });
     DisjointSets groups(store_.cells.size());
     for (const std::uint32_t c : members)
     {
-      store_.cells[c].zone = 0;
-    }
-    for (const std::uint32_t c : members)
-    {
       forEachBeside(c, [&](std::uint32_t other) {
-        if (store_.cells[other].zone == 0)
+        if (other < c && store_.cells[other].zone == 0)
         {
           groups.unite(c, other);
         }
       });
     }
-    std::vector<std::array<std::uint32_t, 2>> byGroup;
-    for (const std::uint32_t c : members)
+    std::vector<std::array<std::uint32_t, 2>> byGroup(members.size());
+    for (std::size_t i = 0; i < members.size(); ++i)
     {
-      byGroup.push_back({ groups.find(c), c });
+      byGroup[i] = { groups.find(members[i]), members[i] };
     }
-    std::sort(byGroup.begin(), byGroup.end());
+    sortAll(byGroup, execution_);
+    order_.resize(byGroup.size());
+    zones_.clear();
     for (std::size_t i = 0; i < byGroup.size(); ++i)
     {
       if (i == 0 || byGroup[i][0] != byGroup[i - 1][0])
@@ -231,7 +268,7 @@ private:
       }
       zones_.back().end = i + 1;
       store_.cells[byGroup[i][1]].zone = static_cast<std::uint32_t>(zones_.size() - 1);
-      order_.push_back(byGroup[i][1]);
+      order_[i] = byGroup[i][1];
     }
   }
 
@@ -259,65 +296,92 @@ private:
 
   void look(int margin)
   {
-    if (zones_.empty())
-    {
-      return;
-    }
     fix();
     chooseCells(margin);
     giveSlots();
-    const std::size_t before = isOver_.size();
-    store_.arenas.resize(1 + zones_.size());
-    execution_.forEach(zones_.size(), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t z = begin; z < end; ++z)
-      {
-        Zone& zone = zones_[z];
-        EditMesh editor(store_, static_cast<std::uint32_t>(z), static_cast<std::uint16_t>(z + 1),
-          std::move(zone.slots));
-        const Items all{ order_.data() + zone.begin, order_.data() + zone.end };
-        work_({ editor, zone.cells, all, isOver_ });
-        zone.slots = editor.takeSlots();
-      }
+    // Lists stay in the arenas of zones that made them, as long as there are numbers for more.
+    if (store_.arenas.size() + zones_.size() > MostArenas)
+    {
+      store_.compact(execution_);
+    }
+    const std::size_t firstArena = store_.arenas.size();
+    store_.arenas.resize(firstArena + zones_.size());
+    const std::vector<std::uint32_t> order = dearestFirst();
+    execution_.forEach(order.size(), 1, [&](std::size_t i, std::size_t) {
+      const std::uint32_t z = order[i];
+      Zone& zone = zones_[z];
+      EditMesh editor(store_, z, static_cast<std::uint16_t>(firstArena + z), std::move(zone.slots));
+      const Items all{ order_.data() + zone.begin, order_.data() + zone.end };
+      work_({ editor, zone.cells, all, isOver_ });
+      zone.slots = editor.takeSlots();
     });
     takeSlotsBack();
-    isOver_.resize(std::max(before, store_.cells.size()), 1);
-    for (const Zone& zone : zones_)
-    {
-      for (const std::uint32_t c : zone.cells)
+    execution_.forEach(zones_.size(), 1, [&](std::size_t z, std::size_t) {
+      for (const std::uint32_t c : zones_[z].cells)
       {
         isOver_[c] = 1;
       }
-    }
-    for (std::size_t c = 0; c < before; ++c)
-    {
-      isOver_[c] = store_.cells[c].gone ? 1 : isOver_[c];
-    }
-    store_.compact(execution_);
+    });
+    listLeft();
+  }
+
+  // So that no thread still works at a large one when the others have ended.
+  std::vector<std::uint32_t> dearestFirst() const
+  {
+    const auto work = [&](std::uint32_t z) {
+      return zones_[z].cells.size() + CostlyByCell * zones_[z].costly;
+    };
+    std::vector<std::uint32_t> order(zones_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return work(a) != work(b) ? work(a) > work(b) : a < b;
+    });
+    return order;
   }
 
   // Cells that share a node with another zone belong to none.
   void fix()
   {
-    std::vector<std::uint8_t> isBetween(store_.nodes.size()); // of nodes
-    execution_.forEach(store_.nodes.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n)
+    markRims();
+    isFixed_ = std::vector<std::atomic<std::uint8_t>>(store_.cells.size());
+    forEach(store_.nodes.size(), [&](std::uint32_t n) {
+      if (onRim_[n].load(std::memory_order_relaxed) == 0 || !isBetweenZones(store_.nodes[n]))
       {
-        isBetween[n] = !store_.nodes[n].gone && isBetweenZones(store_.nodes[n]) ? 1 : 0;
+        return;
+      }
+      for (const std::uint32_t f : listOf(store_.nodes[n].faces))
+      {
+        for (const std::uint32_t c : { store_.faces[f].below, store_.faces[f].above })
+        {
+          c != None ? isFixed_[c].store(1, std::memory_order_relaxed) : void();
+        }
       }
     });
-    isFixed_.assign(store_.cells.size(), 0);
-    execution_.forEach(order_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
+    forEach(order_.size(), [&](std::uint32_t i) {
+      EditCell& cell = store_.cells[order_[i]];
+      cell.zone = isFixed_[order_[i]] != 0 ? None : cell.zone;
+    });
+  }
+
+  // Nodes of faces at which a zone, or what can be edited, ends: where two zones touch without a face between them, both
+  // have such faces.
+  void markRims()
+  {
+    onRim_ = std::vector<std::atomic<std::uint8_t>>(store_.nodes.size());
+    forEach(order_.size(), [&](std::uint32_t i) {
+      const EditCell& cell = store_.cells[order_[i]];
+      for (const std::uint32_t f : listOf(cell.faces))
       {
-        EditCell& cell = store_.cells[order_[i]];
-        for (const std::uint32_t f : listOf(cell.faces))
+        const EditFace& face = store_.faces[f];
+        const std::uint32_t other = face.below == order_[i] ? face.above : face.below;
+        if (other != None && isEditable(other) && store_.cells[other].zone == cell.zone)
         {
-          for (const std::uint32_t n : listOf(store_.faces[f].corners))
-          {
-            isFixed_[order_[i]] |= isBetween[n];
-          }
+          continue;
         }
-        cell.zone = isFixed_[order_[i]] != 0 ? None : cell.zone;
+        for (const std::uint32_t n : listOf(face.corners))
+        {
+          onRim_[n].store(1, std::memory_order_relaxed);
+        }
       }
     });
   }
@@ -347,20 +411,17 @@ private:
 
   void chooseCells(int margin)
   {
-    execution_.forEach(zones_.size(), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t z = begin; z < end; ++z)
+    execution_.forEach(zones_.size(), 1, [&](std::size_t z, std::size_t) {
+      const auto first = order_.begin() + static_cast<std::ptrdiff_t>(zones_[z].begin);
+      const auto last = order_.begin() + static_cast<std::ptrdiff_t>(zones_[z].end);
+      for (int ring = 1; ring <= margin; ++ring) // isFixed_: 1 + faces away from a fixed cell
       {
-        const auto first = order_.begin() + static_cast<std::ptrdiff_t>(zones_[z].begin);
-        const auto last = order_.begin() + static_cast<std::ptrdiff_t>(zones_[z].end);
-        for (int ring = 1; ring <= margin; ++ring) // isFixed_: 1 + faces away from a fixed cell
-        {
-          std::for_each(first, last,
-            [&](std::uint32_t c) { extendMargin(c, ring, static_cast<std::uint32_t>(z)); });
-        }
-        std::copy_if(first, last, std::back_inserter(zones_[z].cells),
-          [&](std::uint32_t c) { return isFixed_[c] == 0 && isOver_[c] == 0; });
-        zones_[z].costly = countCostly(zones_[z].cells);
+        std::for_each(first, last,
+          [&](std::uint32_t c) { extendMargin(c, ring, static_cast<std::uint32_t>(z)); });
       }
+      std::copy_if(first, last, std::back_inserter(zones_[z].cells),
+        [&](std::uint32_t c) { return isFixed_[c] == 0 && isOver_[c] == 0; });
+      zones_[z].costly = countCostly(zones_[z].cells);
     });
   }
 
@@ -394,26 +455,38 @@ private:
 
   void giveSlots()
   {
-    const auto give = [](auto& all, std::vector<std::uint32_t>& spare, std::size_t count,
-                        Slots& slots) {
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        if (spare.empty())
-        {
-          spare.push_back(static_cast<std::uint32_t>(all.size()));
-          all.emplace_back().gone = true;
-        }
-        slots.numbers.push_back(spare.back());
-        spare.pop_back();
-      }
-    };
+    give(store_.nodes, spareNodes_, &FreeSlots::nodes,
+      [](const Zone& zone) { return LeastSlots + zone.cells.size() / 16 + 4 * zone.costly; });
+    give(store_.faces, spareFaces_, &FreeSlots::faces,
+      [](const Zone& zone) { return LeastSlots + zone.cells.size() / 16 + 6 * zone.costly; });
+    give(store_.cells, spareCells_, &FreeSlots::cells,
+      [](const Zone& zone) { return LeastSlots + 2 * zone.costly; });
+  }
+
+  // Spare ones first, the last of them before the others.
+  template <class Records, class Count>
+  void give(
+    Records& all, std::vector<std::uint32_t>& spare, Slots FreeSlots::*kind, Count&& countOf)
+  {
+    std::size_t missing = 0;
     for (Zone& zone : zones_)
     {
-      const std::size_t cells = zone.cells.size();
-      give(store_.nodes, spareNodes_, LeastSlots + cells / 16 + 4 * zone.costly, zone.slots.nodes);
-      give(store_.faces, spareFaces_, LeastSlots + cells / 16 + 6 * zone.costly, zone.slots.faces);
-      give(store_.cells, spareCells_, LeastSlots + 2 * zone.costly, zone.slots.cells);
+      const std::size_t count = countOf(zone);
+      std::vector<std::uint32_t>& numbers = (zone.slots.*kind).numbers;
+      const std::size_t known = std::min(count, spare.size());
+      numbers.assign(spare.rbegin(), spare.rbegin() + static_cast<std::ptrdiff_t>(known));
+      spare.resize(spare.size() - known);
+      for (std::size_t i = known; i < count; ++i)
+      {
+        numbers.push_back(static_cast<std::uint32_t>(all.size() + missing++));
+      }
     }
+    const std::size_t before = all.size();
+    all.resize(before + missing);
+    forEach(missing, [&](std::uint32_t i) {
+      all[before + i] = {};
+      all[before + i].gone = true;
+    });
   }
 
   void takeSlotsBack()
@@ -432,15 +505,20 @@ private:
 
   static constexpr std::size_t LeastSlots = 64;
   static constexpr double CostlyFrom = 3;
+  static constexpr std::size_t CostlyByCell = 4; // what it takes to look at a costly face
 
   EditStore& store_;
   Execution& execution_;
   const std::function<void(const ZoneTask&)>& work_;
+  Vector low_{}; // of the centres of cells
+  double extent_ = 1;
   std::vector<std::uint8_t> isOver_; // of cells
+  std::vector<std::uint32_t> left_;  // those that are not
   std::vector<Zone> zones_;
-  std::vector<std::uint32_t> order_;      // cells, by zones
-  std::vector<std::uint8_t> isFixed_;     // of cells, and how near they are
-  std::vector<std::uint32_t> spareNodes_; // gone, and not used
+  std::vector<std::uint32_t> order_;               // cells, by zones
+  std::vector<std::atomic<std::uint8_t>> onRim_;   // of nodes
+  std::vector<std::atomic<std::uint8_t>> isFixed_; // of cells, and how near they are
+  std::vector<std::uint32_t> spareNodes_;          // gone, and not used
   std::vector<std::uint32_t> spareFaces_;
   std::vector<std::uint32_t> spareCells_;
 };
