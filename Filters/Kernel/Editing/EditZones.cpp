@@ -19,6 +19,7 @@ constexpr std::size_t LeastCellsAZone = 3072;
 constexpr std::size_t MostArenas = 1 << 16; // each zone has one of its own
 constexpr std::size_t MostZones = MostArenas - 1;
 constexpr std::size_t ItemsAChunk = 1024;
+constexpr std::size_t CellsASample = 16;
 
 // Cells next to fixed ones by so many faces are looked at in a later round: edits reach no farther, as a rule.
 constexpr int Margin = 3;
@@ -26,32 +27,85 @@ constexpr int Margin = 3;
 // The last zones reach so far beyond what is left.
 constexpr int Surroundings = 5;
 
-// Where the curve begins in each round, by the extent of the mesh: then no two rounds have their zones end in the same
-// places.
-constexpr std::array<Vector, 3> Shifts{ Vector{ 0, 0, 0 }, Vector{ 0.2887, 0.3511, 0.3173 },
-  Vector{ 0.1429, 0.1871, 0.4437 } };
+// The directions across which a round divides, at right angles and of one length: in each round others, so that where its zones end those of
+// no other do, but for few places.
+using Directions = std::array<Vector, 3>;
+constexpr std::array<Directions, 4> Rounds{ Directions{ Vector{ 1, 0, 0 }, Vector{ 0, 1, 0 },
+                                              Vector{ 0, 0, 1 } },
+  Directions{ Vector{ 2, -1, 2 }, Vector{ 2, 2, -1 }, Vector{ -1, 2, 2 } },
+  Directions{ Vector{ 2, 3, 6 }, Vector{ 3, -6, 2 }, Vector{ 6, 2, -3 } },
+  Directions{ Vector{ 1, 4, 8 }, Vector{ 4, 7, -4 }, Vector{ 8, -4, 1 } } };
 
-struct PlaceOnCurve
+// Divides cells by planes, again and again, so that all parts have about as many of a sample.
+class Division
 {
-  std::uint64_t key;
-  std::uint32_t cell;
-
-  bool operator<(const PlaceOnCurve& other) const
+public:
+  Division(std::vector<Vector> sample, std::size_t parts)
+    : sample_(std::move(sample))
   {
-    return key != other.key ? key < other.key : cell < other.cell;
+    divide(0, sample_.size(), 0, parts);
   }
-};
 
-// Every third bit of 63.
-std::uint64_t spread(std::uint64_t x)
-{
-  x &= 0x1fffff;
-  x = (x | x << 32) & 0x1f00000000ffff;
-  x = (x | x << 16) & 0x1f0000ff0000ff;
-  x = (x | x << 8) & 0x100f00f00f00f00f;
-  x = (x | x << 4) & 0x10c30c30c30c30c3;
-  return (x | x << 2) & 0x1249249249249249;
-}
+  std::uint32_t partOf(const Vector& place) const
+  {
+    std::size_t i = 0;
+    while (planes_[i].parts > 1)
+    {
+      i = place[planes_[i].axis] < planes_[i].at ? i + 1 : planes_[i].above;
+    }
+    return static_cast<std::uint32_t>(planes_[i].first);
+  }
+
+private:
+  struct Plane
+  {
+    std::size_t first; // part
+    std::size_t parts;
+    std::size_t axis;
+    double at;
+    std::size_t above; // what follows on this side; on the other, the next
+  };
+
+  void divide(std::size_t begin, std::size_t end, std::size_t first, std::size_t parts)
+  {
+    const std::size_t here = planes_.size();
+    planes_.push_back({ first, parts, 0, 0, 0 });
+    if (parts < 2)
+    {
+      return;
+    }
+    const std::size_t below = parts / 2;
+    const std::size_t middle = begin + (end - begin) * below / parts;
+    const std::size_t axis = longestAxis(begin, end);
+    const auto at = [&](std::size_t i) { return sample_.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::nth_element(at(begin), at(middle), at(end),
+      [&](const Vector& x, const Vector& y) { return x[axis] < y[axis]; });
+    planes_[here].axis = axis;
+    planes_[here].at = sample_[middle][axis];
+    divide(begin, middle, first, below);
+    planes_[here].above = planes_.size();
+    divide(middle, end, first + below, parts - below);
+  }
+
+  std::size_t longestAxis(std::size_t begin, std::size_t end) const
+  {
+    Vector low = sample_[begin];
+    Vector high = low;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        low[axis] = std::min(low[axis], sample_[i][axis]);
+        high[axis] = std::max(high[axis], sample_[i][axis]);
+      }
+    }
+    const Vector size = minus(high, low);
+    return static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+  }
+
+  std::vector<Vector> sample_;
+  std::vector<Plane> planes_;
+};
 
 // What one zone has in a round.
 struct Zone
@@ -74,16 +128,15 @@ public:
     , isOver_(store.cells.size(), 0)
   {
     listLeft();
-    findBounds();
   }
 
   void run()
   {
-    for (const Vector& shift : Shifts)
+    for (const Directions& directions : Rounds)
     {
       if (!left_.empty())
       {
-        divideByCurve(shift);
+        divideByPlanes(directions);
         look(Margin);
       }
     }
@@ -145,71 +198,41 @@ private:
 
   // --- zones
 
-  void findBounds()
+  void divideByPlanes(const Directions& directions)
   {
-    using Bounds = std::array<Vector, 2>;
-    constexpr Bounds Nowhere{ Vector{ HUGE_VAL, HUGE_VAL, HUGE_VAL },
-      Vector{ -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
-    std::vector<Bounds> ofChunks(chunks(left_.size(), ItemsAChunk) + 1, Nowhere);
-    const auto extend = [](Bounds& bounds, const Vector& low, const Vector& high) {
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        bounds[0][axis] = std::min(bounds[0][axis], low[axis]);
-        bounds[1][axis] = std::max(bounds[1][axis], high[axis]);
-      }
+    const auto placeOf = [&](std::uint32_t c) {
+      const Vector& at = store_.cells[c].centre;
+      return Vector{ dot(at, directions[0]), dot(at, directions[1]), dot(at, directions[2]) };
     };
-    forEach(left_.size(), [&](std::uint32_t i) {
-      const Vector& centre = store_.cells[left_[i]].centre;
-      extend(ofChunks[i / ItemsAChunk], centre, centre);
-    });
-    for (const Bounds& bounds : ofChunks)
-    {
-      extend(ofChunks.back(), bounds[0], bounds[1]);
-    }
-    low_ = ofChunks.back()[0];
-    const Vector size = minus(ofChunks.back()[1], low_);
-    extent_ = std::max({ size[0], size[1], size[2], 1e-9 });
-  }
-
-  void divideByCurve(const Vector& shift)
-  {
-    std::vector<PlaceOnCurve> places =
-      find<PlaceOnCurve>(store_.cells.size(), [&](std::uint32_t c, auto& found) {
+    const std::vector<std::uint32_t> cells =
+      find<std::uint32_t>(store_.cells.size(), [&](std::uint32_t c, auto& found) {
         if (isEditable(c))
         {
-          found.push_back({ keyOf(store_.cells[c].centre, shift), c });
+          found.push_back(c);
         }
       });
-    sortAll(places, execution_);
     const std::size_t count =
-      std::max<std::size_t>(1, std::min(places.size() / LeastCellsAZone, MostZones));
-    order_.resize(places.size());
+      std::max<std::size_t>(1, std::min(cells.size() / LeastCellsAZone, MostZones));
+    std::vector<Vector> sample(chunks(cells.size(), CellsASample));
+    forEach(sample.size(), [&](std::uint32_t i) { sample[i] = placeOf(cells[i * CellsASample]); });
+    const Division division(std::move(sample), count);
+    forEach(cells.size(),
+      [&](std::uint32_t i) { store_.cells[cells[i]].zone = division.partOf(placeOf(cells[i])); });
+    const auto byZone = fillBuckets<std::uint32_t>(
+      cells.size(), ItemsAChunk, count,
+      [&](std::size_t begin, std::size_t end, auto&& add) {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          add(store_.cells[cells[i]].zone, cells[i]);
+        }
+      },
+      execution_);
+    order_.assign(byZone.items.begin(), byZone.items.end());
     zones_.clear();
     for (std::size_t z = 0; z < count; ++z)
     {
-      zones_.push_back({ places.size() * z / count, places.size() * (z + 1) / count, {}, 0, {} });
+      zones_.push_back({ byZone.start[z], byZone.start[z + 1], {}, 0, {} });
     }
-    execution_.forEach(count, 1, [&](std::size_t z, std::size_t) {
-      for (std::size_t i = zones_[z].begin; i < zones_[z].end; ++i)
-      {
-        order_[i] = places[i].cell;
-        store_.cells[places[i].cell].zone = static_cast<std::uint32_t>(z);
-      }
-      std::sort(order_.begin() + static_cast<std::ptrdiff_t>(zones_[z].begin),
-        order_.begin() + static_cast<std::ptrdiff_t>(zones_[z].end));
-    });
-  }
-
-  std::uint64_t keyOf(const Vector& centre, const Vector& shift) const
-  {
-    std::uint64_t key = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      constexpr double Steps = 1 << 20;
-      const double along = std::clamp((centre[axis] - low_[axis]) / extent_, 0.0, 1.0);
-      key |= spread(static_cast<std::uint64_t>((along + shift[axis]) * Steps)) << axis;
-    }
-    return key;
   }
 
   // Each connected group of what is left, with its surroundings.
@@ -510,8 +533,6 @@ private:
   EditStore& store_;
   Execution& execution_;
   const std::function<void(const ZoneTask&)>& work_;
-  Vector low_{}; // of the centres of cells
-  double extent_ = 1;
   std::vector<std::uint8_t> isOver_; // of cells
   std::vector<std::uint32_t> left_;  // those that are not
   std::vector<Zone> zones_;
