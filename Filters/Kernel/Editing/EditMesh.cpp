@@ -5,6 +5,8 @@
 #include "Base/Sorting.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -154,6 +156,13 @@ void EditStore::compact(Execution& execution)
   copyLists(cells, arenas, whole, execution);
   arenas.resize(1);
   arenas[0] = std::move(whole);
+}
+
+void EditStore::release(Execution& execution)
+{
+  const std::array<std::function<void()>, 4> parts{ [&] { faces = {}; }, [&] { nodes = {}; },
+    [&] { cells = {}; }, [&] { arenas = {}; } };
+  execution.forEach(parts.size(), 1, [&](std::size_t i, std::size_t) { parts[i](); });
 }
 
 EditMesh::EditMesh()

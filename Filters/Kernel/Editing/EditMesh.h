@@ -224,6 +224,20 @@ struct Unsettled
   }
 };
 
+// Numbers of records that are gone, for what is made: the first are taken first.
+struct Slots
+{
+  std::vector<std::uint32_t> numbers;
+  std::size_t used = 0;
+};
+
+struct FreeSlots
+{
+  Slots nodes;
+  Slots faces;
+  Slots cells;
+};
+
 // Leaves new records unset: all threads write them.
 template <class Record>
 struct UnsetAllocator : RawAllocator<Record>
@@ -258,6 +272,7 @@ struct EditStore
   std::vector<RawVector<std::uint32_t>> arenas{
     {}
   };                // the first, which only compact() changes; each editor's
+  FreeSlots spare;  // all unused
   double level = 1; // the length of a lattice level: a power of two
 
   // The ends of the grid, which nothing leaves.
@@ -269,20 +284,9 @@ struct EditStore
 
   // Puts all lists into the first arena, in the order of nodes, faces and cells; the others go.
   void compact(Execution& execution);
-};
 
-// Numbers of records that are gone, for what is made: the first are taken first.
-struct Slots
-{
-  std::vector<std::uint32_t> numbers;
-  std::size_t used = 0;
-};
-
-struct FreeSlots
-{
-  Slots nodes;
-  Slots faces;
-  Slots cells;
+  // Gives the memory back: of so much of it, this takes a while.
+  void release(Execution& execution);
 };
 
 // An editor: of the whole mesh, or of one zone.

@@ -365,10 +365,10 @@ private:
   // Cells that share a node with another zone belong to none.
   void fix()
   {
-    markRims();
+    markNodes();
     isFixed_ = std::vector<std::atomic<std::uint8_t>>(store_.cells.size());
     forEach(store_.nodes.size(), [&](std::uint32_t n) {
-      if (onRim_[n].load(std::memory_order_relaxed) == 0 || !isBetweenZones(store_.nodes[n]))
+      if (marks_[n].load(std::memory_order_relaxed) != Between)
       {
         return;
       }
@@ -386,50 +386,42 @@ private:
     });
   }
 
-  // Nodes of faces at which a zone, or what can be edited, ends: where two zones touch without a face between them, both
-  // have such faces.
-  void markRims()
+  // Between two zones, or a zone and what is in none: nodes of a face that has one on each side; and those with ends, walls
+  // or faces of what cannot be edited, of several, which touch there without a face between them.
+  void markNodes()
   {
-    onRim_ = std::vector<std::atomic<std::uint8_t>>(store_.nodes.size());
-    forEach(order_.size(), [&](std::uint32_t i) {
-      const EditCell& cell = store_.cells[order_[i]];
-      for (const std::uint32_t f : listOf(cell.faces))
+    RawVector<std::uint32_t> markOf(store_.cells.size());
+    forEach(markOf.size(), [&](std::uint32_t c) {
+      const std::uint32_t zone = store_.cells[c].zone;
+      markOf[c] = !isEditable(c) ? NotEditable : zone == None ? InNone : FirstZone + zone;
+    });
+    marks_ = std::vector<std::atomic<std::uint32_t>>(store_.nodes.size());
+    forEach(store_.faces.size(), [&](std::uint32_t f) {
+      const EditFace& face = store_.faces[f];
+      const std::uint32_t below = face.gone ? NotEditable : markOf[face.below];
+      const std::uint32_t above =
+        face.gone || face.above == None ? NotEditable : markOf[face.above];
+      if (below == above)
       {
-        const EditFace& face = store_.faces[f];
-        const std::uint32_t other = face.below == order_[i] ? face.above : face.below;
-        if (other != None && isEditable(other) && store_.cells[other].zone == cell.zone)
-        {
-          continue;
-        }
-        for (const std::uint32_t n : listOf(face.corners))
-        {
-          onRim_[n].store(1, std::memory_order_relaxed);
-        }
+        return;
+      }
+      const bool isEnd = below == NotEditable || above == NotEditable;
+      for (const std::uint32_t n : listOf(face.corners))
+      {
+        isEnd ? markEnd(n, std::max(below, above))
+              : marks_[n].store(Between, std::memory_order_relaxed);
       }
     });
   }
 
-  bool isBetweenZones(const EditNode& node) const
+  void markEnd(std::uint32_t n, std::uint32_t mark)
   {
-    std::uint32_t zone = None;
-    bool isFirst = true;
-    for (const std::uint32_t f : listOf(node.faces))
+    std::uint32_t before = marks_[n].load(std::memory_order_relaxed);
+    while (before != mark && before != Between &&
+      !marks_[n].compare_exchange_weak(
+        before, before == NotEditable ? mark : Between, std::memory_order_relaxed))
     {
-      for (const std::uint32_t c : { store_.faces[f].below, store_.faces[f].above })
-      {
-        if (c == None || !isEditable(c))
-        {
-          continue;
-        }
-        if (!isFirst && store_.cells[c].zone != zone)
-        {
-          return true;
-        }
-        zone = store_.cells[c].zone;
-        isFirst = false;
-      }
     }
-    return false;
   }
 
   void chooseCells(int margin)
@@ -478,19 +470,19 @@ private:
 
   void giveSlots()
   {
-    give(store_.nodes, spareNodes_, &FreeSlots::nodes,
+    give(store_.nodes, &FreeSlots::nodes,
       [](const Zone& zone) { return LeastSlots + zone.cells.size() / 16 + 4 * zone.costly; });
-    give(store_.faces, spareFaces_, &FreeSlots::faces,
+    give(store_.faces, &FreeSlots::faces,
       [](const Zone& zone) { return LeastSlots + zone.cells.size() / 16 + 6 * zone.costly; });
-    give(store_.cells, spareCells_, &FreeSlots::cells,
+    give(store_.cells, &FreeSlots::cells,
       [](const Zone& zone) { return LeastSlots + 2 * zone.costly; });
   }
 
   // Spare ones first, the last of them before the others.
   template <class Records, class Count>
-  void give(
-    Records& all, std::vector<std::uint32_t>& spare, Slots FreeSlots::*kind, Count&& countOf)
+  void give(Records& all, Slots FreeSlots::*kind, Count&& countOf)
   {
+    std::vector<std::uint32_t>& spare = (store_.spare.*kind).numbers;
     std::size_t missing = 0;
     for (Zone& zone : zones_)
     {
@@ -505,26 +497,48 @@ private:
       }
     }
     const std::size_t before = all.size();
-    all.resize(before + missing);
+    extend(all, before + missing);
     forEach(missing, [&](std::uint32_t i) {
       all[before + i] = {};
       all[before + i].gone = true;
     });
   }
 
+  // On all threads, where records have to move.
+  template <class Records>
+  void extend(Records& all, std::size_t size)
+  {
+    if (size <= all.capacity())
+    {
+      all.resize(size);
+      return;
+    }
+    Records larger;
+    larger.reserve(size + size / 4);
+    larger.resize(size);
+    forEach(all.size(), [&](std::uint32_t i) { larger[i] = all[i]; });
+    all.swap(larger);
+  }
+
   void takeSlotsBack()
   {
-    const auto take = [](const Slots& slots, std::vector<std::uint32_t>& spare) {
-      spare.insert(spare.end(), slots.numbers.begin() + static_cast<std::ptrdiff_t>(slots.used),
-        slots.numbers.end());
-    };
     for (const Zone& zone : zones_)
     {
-      take(zone.slots.nodes, spareNodes_);
-      take(zone.slots.faces, spareFaces_);
-      take(zone.slots.cells, spareCells_);
+      for (Slots FreeSlots::*kind : { &FreeSlots::nodes, &FreeSlots::faces, &FreeSlots::cells })
+      {
+        const Slots& slots = zone.slots.*kind;
+        std::vector<std::uint32_t>& spare = (store_.spare.*kind).numbers;
+        spare.insert(spare.end(), slots.numbers.begin() + static_cast<std::ptrdiff_t>(slots.used),
+          slots.numbers.end());
+      }
     }
   }
+
+  // Marks of nodes and cells.
+  static constexpr std::uint32_t NotEditable = 0; // or unknown
+  static constexpr std::uint32_t Between = 1;
+  static constexpr std::uint32_t InNone = 2;
+  static constexpr std::uint32_t FirstZone = 3;
 
   static constexpr std::size_t LeastSlots = 64;
   static constexpr double CostlyFrom = 3;
@@ -537,11 +551,8 @@ private:
   std::vector<std::uint32_t> left_;  // those that are not
   std::vector<Zone> zones_;
   std::vector<std::uint32_t> order_;               // cells, by zones
-  std::vector<std::atomic<std::uint8_t>> onRim_;   // of nodes
+  std::vector<std::atomic<std::uint32_t>> marks_;  // of nodes
   std::vector<std::atomic<std::uint8_t>> isFixed_; // of cells, and how near they are
-  std::vector<std::uint32_t> spareNodes_;          // gone, and not used
-  std::vector<std::uint32_t> spareFaces_;
-  std::vector<std::uint32_t> spareCells_;
 };
 
 }

@@ -287,7 +287,7 @@ private:
   }
 
   // With room for what edits make: it takes no memory before.
-  static std::size_t withSpare(std::size_t count) { return count + count / 2; }
+  static std::size_t withSpare(std::size_t count) { return 2 * count; }
 
   void setCell(std::uint32_t c, CellKey key, CellState state)
   {

@@ -442,14 +442,17 @@ void removeFragments(Assembly& a, const Options& options, Execution& execution)
 void editInPlace(Assembly& a, const Options& options, Execution& execution)
 {
   constexpr double AfterOpening = 0.9 * AfterShortEdges + 0.1 * AfterShaping;
-  constexpr double AfterEdits = 0.05 * AfterShortEdges + 0.95 * AfterShaping;
+  constexpr double AfterEdits = 0.06 * AfterShortEdges + 0.94 * AfterShaping;
+  constexpr double AfterClosing = 0.02 * AfterShortEdges + 0.98 * AfterShaping;
   execution.stage("Opening of the wall", AfterShortEdges, AfterOpening);
   EditableWall wall = openWall(
     { a.boxes, a.patches, a.sides, a.nodes, a.wall }, options.patches.featureAngle, execution);
   execution.stage("Edits of the wall", AfterOpening, AfterEdits);
   improveWall(wall.mesh.store(), execution);
-  execution.stage("Closing of the wall", AfterEdits, AfterShaping);
+  execution.stage("Closing of the wall", AfterEdits, AfterClosing);
   closeWall(wall, a.boxes, a.sides, a.nodes, a.wall, execution);
+  wall.mesh.store().release(execution);
+  execution.stage("Checks of cells", AfterClosing, AfterShaping);
 }
 
 bool isWhole(const Assembly& a)
