@@ -154,12 +154,7 @@ private:
 
   float& failedAt(const Item& item)
   {
-    std::vector<float>& all = item.isCell ? failedCells_ : failedFaces_;
-    if (item.number >= all.size())
-    {
-      all.resize(item.number + item.number / 8 + 64, 0.F);
-    }
-    return all[item.number];
+    return (item.isCell ? failedCells_ : failedFaces_)[item.number];
   }
 
   // It costs something else now, or did not get better when it cost about as much.
@@ -300,17 +295,10 @@ private:
     {
       return;
     }
-    if (c >= versions_.size())
-    {
-      versions_.resize(c + c / 8 + 64, 0);
-    }
     ++versions_[c];
   }
 
-  std::uint32_t versionOfCell(std::uint32_t c) const
-  {
-    return c < versions_.size() ? versions_[c] : 0;
-  }
+  std::uint32_t versionOfCell(std::uint32_t c) const { return versions_.at(c); }
 
   std::uint32_t versionOfFace(std::uint32_t f) const
   {
@@ -353,9 +341,9 @@ private:
   std::priority_queue<Item> queue_;
   FailedProposals failed_;
   Proposals proposals_;
-  std::vector<float> failedFaces_; // their cost when nothing helped
-  std::vector<float> failedCells_;
-  std::vector<std::uint32_t> versions_; // of cells
+  Zeroes<float> failedFaces_; // their cost when nothing helped
+  Zeroes<float> failedCells_;
+  Zeroes<std::uint32_t> versions_; // of cells
   std::vector<std::uint32_t> changedFaces_;
   std::vector<std::uint32_t> changedCells_;
   LoopCounts counts_;

@@ -21,20 +21,30 @@ constexpr std::size_t MostZones = MostArenas - 1;
 constexpr std::size_t ItemsAChunk = 1024;
 constexpr std::size_t CellsASample = 16;
 
-// Cells next to fixed ones by so many faces are looked at in a later round: edits reach no farther, as a rule.
-constexpr int Margin = 3;
-
 // The last zones reach so far beyond what is left.
 constexpr int Surroundings = 5;
 
-// The directions across which a round divides, at right angles and of one length: in each round others, so that where its zones end those of
-// no other do, but for few places.
 using Directions = std::array<Vector, 3>;
-constexpr std::array<Directions, 4> Rounds{ Directions{ Vector{ 1, 0, 0 }, Vector{ 0, 1, 0 },
-                                              Vector{ 0, 0, 1 } },
-  Directions{ Vector{ 2, -1, 2 }, Vector{ 2, 2, -1 }, Vector{ -1, 2, 2 } },
-  Directions{ Vector{ 2, 3, 6 }, Vector{ 3, -6, 2 }, Vector{ 6, 2, -3 } },
-  Directions{ Vector{ 1, 4, 8 }, Vector{ 4, 7, -4 }, Vector{ 8, -4, 1 } } };
+
+struct Round
+{
+  Directions across; // zones are divided: at right angles, and of one length
+  int margin;        // cells next to fixed ones by so many faces are looked at in a later round
+};
+
+// In each round zones end across other directions, in the same places as those of others but for a few. Edits reach no
+// farther than the first margins, as a rule; for the last cells less must do, so that few are left for one zone.
+constexpr std::array<Round, 6> Rounds{
+  Round{ { Vector{ 1, 0, 0 }, Vector{ 0, 1, 0 }, Vector{ 0, 0, 1 } }, 2 },
+  Round{ { Vector{ 2, -1, 2 }, Vector{ 2, 2, -1 }, Vector{ -1, 2, 2 } }, 2 },
+  Round{ { Vector{ 2, 3, 6 }, Vector{ 3, -6, 2 }, Vector{ 6, 2, -3 } }, 2 },
+  Round{ { Vector{ 1, 4, 8 }, Vector{ 4, 7, -4 }, Vector{ 8, -4, 1 } }, 2 },
+  Round{ { Vector{ 1, 2, 2 }, Vector{ 2, 1, -2 }, Vector{ 2, -2, 1 } }, 1 },
+  Round{ { Vector{ 3, 2, 6 }, Vector{ -6, 3, 2 }, Vector{ 2, 6, -3 } }, 1 }
+};
+
+// Fewer cells than such a part of all are left for the last zones.
+constexpr std::size_t FewOf = 64;
 
 // Divides cells by planes, again and again, so that all parts have about as many of a sample.
 class Division
@@ -120,11 +130,12 @@ struct Zone
 class ZoneRounds
 {
 public:
-  ZoneRounds(
-    EditStore& store, Execution& execution, const std::function<void(const ZoneTask&)>& work)
+  ZoneRounds(EditStore& store, Execution& execution,
+    const std::function<void(const ZoneTask&)>& work, bool looksAgain)
     : store_(store)
     , execution_(execution)
     , work_(work)
+    , looksAgain_(looksAgain)
     , isOver_(store.cells.size(), 0)
   {
     listLeft();
@@ -132,13 +143,17 @@ public:
 
   void run()
   {
-    for (const Directions& directions : Rounds)
+    for (const Round& round : Rounds)
     {
-      if (!left_.empty())
+      if (left_.size() * FewOf > isOver_.size())
       {
-        divideByPlanes(directions);
-        look(Margin);
+        divideByPlanes(round.across);
+        look(round.margin);
       }
+    }
+    if (looksAgain_)
+    {
+      addFailing();
     }
     if (!left_.empty())
     {
@@ -194,6 +209,22 @@ private:
         isOver_[c] = 1;
       }
     });
+  }
+
+  // What still fails is looked at again, now with all its surroundings.
+  void addFailing()
+  {
+    forEach(isOver_.size(), [&](std::uint32_t c) {
+      if (isOver_[c] != 0 && isEditable(c))
+      {
+        const Items faces = listOf(store_.cells[c].faces);
+        isOver_[c] = std::any_of(faces.begin(), faces.end(),
+                       [&](std::uint32_t f) { return store_.faces[f].fails > 0; })
+          ? 0
+          : 1;
+      }
+    });
+    listLeft();
   }
 
   // --- zones
@@ -283,9 +314,12 @@ private:
     sortAll(byGroup, execution_);
     order_.resize(byGroup.size());
     zones_.clear();
+    const std::size_t least =
+      byGroup.size() / MostZones; // one zone has several groups if there are too many
     for (std::size_t i = 0; i < byGroup.size(); ++i)
     {
-      if (i == 0 || byGroup[i][0] != byGroup[i - 1][0])
+      const bool isFirst = i == 0 || byGroup[i][0] != byGroup[i - 1][0];
+      if (zones_.empty() || (isFirst && i - zones_.back().begin >= least))
       {
         zones_.push_back({ i, i, {}, 0, {} });
       }
@@ -547,6 +581,7 @@ private:
   EditStore& store_;
   Execution& execution_;
   const std::function<void(const ZoneTask&)>& work_;
+  bool looksAgain_;
   std::vector<std::uint8_t> isOver_; // of cells
   std::vector<std::uint32_t> left_;  // those that are not
   std::vector<Zone> zones_;
@@ -557,10 +592,10 @@ private:
 
 }
 
-void editInZones(
-  EditStore& store, Execution& execution, const std::function<void(const ZoneTask&)>& work)
+void editInZones(EditStore& store, Execution& execution,
+  const std::function<void(const ZoneTask&)>& work, bool looksAgain)
 {
-  ZoneRounds(store, execution, work).run();
+  ZoneRounds(store, execution, work, looksAgain).run();
 }
 
 }

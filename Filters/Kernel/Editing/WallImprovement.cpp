@@ -70,10 +70,13 @@ void improveWall(EditStore& store, Execution& execution)
     snapEdges(task, general.rules, SnapSpec(), poll);
   });
   payDebts(store, general.rules.spec, execution);
-  editInZones(store, execution, [&](const ZoneTask& task) {
-    improve(task, general, poll);
-    improveFailing(task, thorough, general.rules.spec, poll);
-  });
+  editInZones(
+    store, execution,
+    [&](const ZoneTask& task) {
+      improve(task, general, poll);
+      improveFailing(task, thorough, general.rules.spec, poll);
+    },
+    true);
   payDebts(store, general.rules.spec, execution);
 }
 
