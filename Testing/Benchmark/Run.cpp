@@ -384,13 +384,14 @@ Figures measureGrid(const Triangles& surface, double cellSize, int depth)
   return figures;
 }
 
-Recording record(const Triangles& surface, double cellSize)
+Recording record(const Triangles& surface, double cellSize, bool inPlace)
 {
   Execution execution;
   Recording recording;
   execution.record(recording);
-  const auto assembly =
-    mesh(surface.view(), optionsOf(cellSize, 0, PatchMethod::Automatic), execution);
+  Options options = optionsOf(cellSize, 0, PatchMethod::Automatic);
+  options.shaping.editsInPlace = inPlace;
+  const auto assembly = mesh(surface.view(), options, execution);
   execution.stage("Writing the mesh", AfterLayers, 1);
   const WrittenMesh written(*assembly->mesh, execution);
   recording.end();

@@ -24,7 +24,8 @@ constexpr double SphereCells = 80; // across
 constexpr double FileCells = 60;
 
 // Stages that other work is to replace: the rest is shown apart.
-const std::vector<std::string> WallStages = { "Short edges", "Shaping of cells", "Layers" };
+const std::vector<std::string> WallStages = { "Short edges", "Shaping of cells",
+  "Opening of the wall", "Edits of the wall", "Closing of the wall", "Layers" };
 
 struct Times
 {
@@ -112,17 +113,18 @@ void printScaling(const std::string& name, const Recording& recording)
   const std::vector<Stage> stages = stagesOf(recording);
   Times all;
   Times others;
+  Times wall;
   for (const Stage& stage : stages)
   {
+    const bool isWall =
+      std::find(WallStages.begin(), WallStages.end(), stage.name) != WallStages.end();
     all = all + stage.times;
-    if (std::find(WallStages.begin(), WallStages.end(), stage.name) == WallStages.end())
-    {
-      others = others + stage.times;
-    }
+    (isWall ? wall : others) = (isWall ? wall : others) + stage.times;
   }
   printHead(name + ": speed-up", "serial s", "loops s");
   printSpeedUp("all", all);
   printSpeedUp("all but Collapse, Shaping, Layers", others);
+  printSpeedUp("these", wall);
   printHead("seconds", "serial", "loops");
   for (const Stage& stage : stages)
   {
@@ -163,23 +165,41 @@ Recording recordTask(const std::string& task)
 
 }
 
-void printScaling(const std::vector<std::string>& files)
+void printScaling(const std::vector<std::string>& arguments)
 {
-  if (files.empty())
+  bool inPlace = false;
+  bool isAnyFile = false;
+  double cells = 0; // 0: as usual
+  const auto print = [&](const Triangles& surface, double usual) {
+    const double across = cells > 0 ? cells : usual;
+    printScaling(surface.name + ", 1/" + std::to_string(int(across)),
+      record(surface, lengthOf(surface) / across, inPlace));
+    isAnyFile = true;
+  };
+  for (const std::string& argument : arguments)
   {
-    const Triangles ball = sphere(100);
-    printScaling("sphere, 1/80", record(ball, lengthOf(ball) / SphereCells));
-  }
-  for (const std::string& file : files)
-  {
-    const std::filesystem::path path = std::filesystem::absolute(file);
-    if (path.extension() == ".toml")
+    const std::filesystem::path path = std::filesystem::absolute(argument);
+    if (argument == "in-place")
+    {
+      inPlace = true;
+    }
+    else if (path.extension() == ".toml")
     {
       printScaling(path.filename(), recordTask(path));
-      continue;
+      isAnyFile = true;
     }
-    const Triangles surface = readStl(path);
-    printScaling(surface.name + ", 1/60", record(surface, lengthOf(surface) / FileCells));
+    else if (path.extension() == ".stl")
+    {
+      print(readStl(path), FileCells);
+    }
+    else
+    {
+      cells = std::atof(argument.c_str());
+    }
+  }
+  if (!isAnyFile)
+  {
+    print(sphere(100), SphereCells);
   }
 }
 

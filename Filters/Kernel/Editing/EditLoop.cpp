@@ -134,8 +134,8 @@ private:
   // What items cost when nothing helped.
   struct FailedAt
   {
-    std::vector<float> faces;
-    std::vector<float> cells;
+    Zeroes<float> faces;
+    Zeroes<float> cells;
   };
 
   // By the edit that was made last.
@@ -169,12 +169,7 @@ private:
 
   float& failedAt(const Item& item)
   {
-    std::vector<float>& all = item.isCell ? failedAt_.cells : failedAt_.faces;
-    if (item.number >= all.size())
-    {
-      all.resize(item.number + item.number / 8 + 64, 0.F);
-    }
-    return all[item.number];
+    return (item.isCell ? failedAt_.cells : failedAt_.faces)[item.number];
   }
 
   // It costs something else now, or did not get better when it cost about as much.
@@ -312,17 +307,10 @@ private:
     {
       return;
     }
-    if (c >= versions_.size())
-    {
-      versions_.resize(c + c / 8 + 64, 0);
-    }
     ++versions_[c];
   }
 
-  std::uint32_t versionOfCell(std::uint32_t c) const
-  {
-    return c < versions_.size() ? versions_[c] : 0;
-  }
+  std::uint32_t versionOfCell(std::uint32_t c) const { return versions_.at(c); }
 
   std::uint32_t versionOfFace(std::uint32_t f) const
   {
@@ -367,7 +355,7 @@ private:
   FailedProposals failed_;
   Proposals proposals_;
   FailedAt failedAt_;
-  std::vector<std::uint32_t> versions_; // of cells
+  Zeroes<std::uint32_t> versions_; // of cells
   Changed changed_;
   LoopCounts counts_;
 };

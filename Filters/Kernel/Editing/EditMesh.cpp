@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/EditMesh.h"
 
+#include "Base/Error.h"
+#include "Base/Sorting.h"
+
 #include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
 #include <numeric>
 
 namespace cartesian
@@ -13,7 +19,7 @@ namespace
 constexpr std::size_t RecordsAChunk = 4096;
 
 template <class Record>
-void restore(std::vector<Record>& all, EditMesh::Records<Record>& records, std::size_t count)
+void restore(RecordVector<Record>& all, EditMesh::Records<Record>& records, std::size_t count)
 {
   for (; records.size() > count; records.pop_back())
   {
@@ -23,7 +29,7 @@ void restore(std::vector<Record>& all, EditMesh::Records<Record>& records, std::
 
 // So that no other editor takes them for records of its own epoch.
 template <class Record>
-void forget(std::vector<Record>& all, EditMesh::Records<Record>& records)
+void forget(RecordVector<Record>& all, EditMesh::Records<Record>& records)
 {
   for (const auto& record : records)
   {
@@ -47,8 +53,8 @@ ItemList& listOf(EditCell& cell)
 
 // Copies the lists of all records behind those that are in an arena already.
 template <class Record>
-void copyLists(std::vector<Record>& all, const std::vector<std::vector<std::uint32_t>>& arenas,
-  std::vector<std::uint32_t>& to, Execution& execution)
+void copyLists(RecordVector<Record>& all, const std::vector<RawVector<std::uint32_t>>& arenas,
+  RawVector<std::uint32_t>& to, Execution& execution)
 {
   std::vector<std::size_t> start(chunks(all.size(), RecordsAChunk) + 1, 0);
   execution.forEach(all.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
@@ -79,63 +85,84 @@ void copyLists(std::vector<Record>& all, const std::vector<std::vector<std::uint
 
 }
 
+// A cell of 65,536 faces, or lists of a hundred million cells, do not fit.
+ItemList listAt(std::size_t first, std::size_t size, std::uint16_t arena)
+{
+  if (first + size > std::numeric_limits<std::uint32_t>::max() ||
+    size > std::numeric_limits<std::uint16_t>::max())
+  {
+    throw Error(Fault::TooManyBoxes,
+      "A cell at the surface has too many faces, or there are too many such cells, to improve "
+      "them. Try smaller cells or "
+      "fewer triangles in the first case, larger cells in the second.");
+  }
+  return { static_cast<std::uint32_t>(first), static_cast<std::uint16_t>(size), arena };
+}
+
 // --- the mesh
 
-void EditStore::connect()
+void EditStore::connect(Execution& execution)
 {
-  const auto forEachOwner = [&](const EditFace& face, auto&& visit) {
-    for (const std::uint32_t c : { face.below, face.above })
-    {
-      if (c != None)
+  const auto cornersOf = [&](const EditFace& face) {
+    const std::uint32_t* first = arenas[0].data() + face.corners.first;
+    return Items{ first, first + face.corners.size };
+  };
+  const auto lists = fillBuckets<std::uint32_t>(
+    faces.size(), RecordsAChunk, cells.size() + nodes.size(),
+    [&](std::size_t begin, std::size_t end, auto&& add) {
+      for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f)
       {
-        visit(cells[c].faces);
+        for (const std::uint32_t c : { faces[f].below, faces[f].above })
+        {
+          c != None ? add(c, f) : void();
+        }
+        for (const std::uint32_t n : cornersOf(faces[f]))
+        {
+          add(cells.size() + n, f);
+        }
       }
-    }
-    const std::uint32_t* corners = arenas[0].data() + face.corners.first;
-    for (std::size_t i = 0; i < face.corners.size; ++i)
-    {
-      visit(nodes[corners[i]].faces);
-    }
+    },
+    execution);
+  const std::size_t first = arenas[0].size();
+  arenas[0].resize(first + lists.items.size());
+  const auto copy = [&](std::size_t list) {
+    std::copy(lists.begin(list), lists.end(list),
+      arenas[0].begin() + static_cast<std::ptrdiff_t>(first + lists.start[list]));
+    return listAt(first + lists.start[list], lists.start[list + 1] - lists.start[list], 0);
   };
-  for (const EditFace& face : faces)
-  {
-    forEachOwner(face, [](ItemList& list) { ++list.size; });
-  }
-  auto next = static_cast<std::uint32_t>(arenas[0].size());
-  const auto open = [&](ItemList& list) {
-    const std::uint32_t size = list.size;
-    list = { next, 0, 0 };
-    next += size;
-  };
-  for (EditCell& cell : cells)
-  {
-    open(cell.faces);
-  }
-  for (EditNode& node : nodes)
-  {
-    open(node.faces);
-  }
-  arenas[0].resize(next);
-  for (std::uint32_t f = 0; f < faces.size(); ++f)
-  {
-    forEachOwner(faces[f], [&](ItemList& list) { arenas[0][list.first + list.size++] = f; });
-    const std::uint32_t* corners = arenas[0].data() + faces[f].corners.first;
-    for (std::size_t i = 0; faces[f].above == None && i < faces[f].corners.size; ++i)
+  execution.forEach(cells.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c)
     {
-      nodes[corners[i]].atWall = true;
+      cells[c].faces = copy(c);
     }
-  }
+  });
+  execution.forEach(nodes.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      const std::size_t list = cells.size() + n;
+      nodes[n].faces = copy(list);
+      nodes[n].atWall = std::any_of(lists.begin(list), lists.end(list),
+        [&](std::uint32_t f) { return faces[f].above == None; });
+    }
+  });
 }
 
 void EditStore::compact(Execution& execution)
 {
-  std::vector<std::uint32_t> whole;
+  RawVector<std::uint32_t> whole;
   whole.reserve(arenas[0].size());
   copyLists(nodes, arenas, whole, execution);
   copyLists(faces, arenas, whole, execution);
   copyLists(cells, arenas, whole, execution);
   arenas.resize(1);
   arenas[0] = std::move(whole);
+}
+
+void EditStore::release(Execution& execution)
+{
+  const std::array<std::function<void()>, 4> parts{ [&] { faces = {}; }, [&] { nodes = {}; },
+    [&] { cells = {}; }, [&] { arenas = {}; } };
+  execution.forEach(parts.size(), 1, [&](std::size_t i, std::size_t) { parts[i](); });
 }
 
 EditMesh::EditMesh()
@@ -151,16 +178,6 @@ EditMesh::EditMesh(EditStore& store, std::uint32_t zone, std::uint16_t arena, Fr
   , arena_(arena)
   , slots_(std::move(slots))
 {
-  refresh();
-}
-
-// Lists of the faces of nodes and cells take nearly twice the room of the corners.
-void EditMesh::reserve(std::size_t nodes, std::size_t faces, std::size_t cells, std::size_t corners)
-{
-  store_->nodes.reserve(nodes);
-  store_->faces.reserve(faces);
-  store_->cells.reserve(cells);
-  store_->arenas[0].reserve(2 * corners + 2 * faces);
   refresh();
 }
 
@@ -184,6 +201,13 @@ std::uint32_t EditMesh::addFace(EditFace face, const std::uint32_t* corners, std
   store_->faces.push_back(face);
   refresh();
   return static_cast<std::uint32_t>(faceCount() - 1);
+}
+
+void EditMesh::connect()
+{
+  Execution execution;
+  store_->connect(execution);
+  refresh();
 }
 
 // --- the journal
@@ -232,40 +256,39 @@ void EditMesh::commit()
 
 ItemList EditMesh::store(const std::uint32_t* items, std::size_t size)
 {
-  std::vector<std::uint32_t>& to = arena();
-  const auto first = static_cast<std::uint32_t>(to.size());
+  RawVector<std::uint32_t>& to = arena();
+  const std::size_t first = to.size();
   to.insert(to.end(), items, items + size);
-  return { first, static_cast<std::uint16_t>(size), arena_ };
+  return listAt(first, size, arena_);
 }
 
 ItemList EditMesh::without(const ItemList& list, std::uint32_t item)
 {
-  std::vector<std::uint32_t>& all = arena();
+  RawVector<std::uint32_t>& all = arena();
   const std::size_t first = all.size();
   all.resize(first + list.size);
   const Items items = itemsOf(list);
   const auto end = std::remove_copy(
     items.begin(), items.end(), all.begin() + static_cast<std::ptrdiff_t>(first), item);
   all.erase(end, all.end());
-  return { static_cast<std::uint32_t>(first), static_cast<std::uint16_t>(all.size() - first),
-    arena_ };
+  return listAt(first, all.size() - first, arena_);
 }
 
 ItemList EditMesh::with(const ItemList& list, std::uint32_t item)
 {
-  std::vector<std::uint32_t>& all = arena();
+  RawVector<std::uint32_t>& all = arena();
   const std::size_t first = all.size();
   all.resize(first + list.size + 1);
   const Items items = itemsOf(list);
   std::copy(items.begin(), items.end(), all.begin() + static_cast<std::ptrdiff_t>(first));
   all.back() = item;
-  return { static_cast<std::uint32_t>(first), static_cast<std::uint16_t>(list.size + 1), arena_ };
+  return listAt(first, list.size + 1U, arena_);
 }
 
 // --- changing
 
 template <class Record>
-std::uint32_t EditMesh::takeSlot(std::vector<Record>& all, Slots& slots)
+std::uint32_t EditMesh::takeSlot(RecordVector<Record>& all, Slots& slots)
 {
   if (slots.used == slots.numbers.size())
   {
@@ -274,7 +297,7 @@ std::uint32_t EditMesh::takeSlot(std::vector<Record>& all, Slots& slots)
       return None;
     }
     slots.numbers.push_back(static_cast<std::uint32_t>(all.size()));
-    all.emplace_back().gone = true;
+    all.emplace_back(Record()).gone = true;
     refresh();
   }
   return slots.numbers[slots.used++];

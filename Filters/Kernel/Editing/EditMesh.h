@@ -9,6 +9,7 @@
 #pragma once
 
 #include "Base/Execution.h"
+#include "Base/RawVector.h"
 #include "Boxes/LocalBox.h"
 #include "Lattice/Vector.h"
 
@@ -46,6 +47,9 @@ struct ItemList
   std::uint16_t size = 0;
   std::uint16_t arena = 0;
 };
+
+// Throws if it does not fit.
+ItemList listAt(std::size_t first, std::size_t size, std::uint16_t arena);
 
 struct EditNode
 {
@@ -236,30 +240,6 @@ struct Unsettled
   }
 };
 
-// The mesh itself, which several editors may change at the same time: each in a zone of its own (EditZones.h).
-struct EditStore
-{
-  static constexpr double Beyond = 1e30;
-
-  std::vector<EditNode> nodes;
-  std::vector<EditFace> faces;
-  std::vector<EditCell> cells;
-  std::vector<std::vector<std::uint32_t>> arenas{
-    {}
-  };                // the first, which only compact() changes; each editor's
-  double level = 1; // the length of a lattice level: a power of two
-
-  // The ends of the grid, which nothing leaves.
-  Vector low{ -Beyond, -Beyond, -Beyond };
-  Vector high{ Beyond, Beyond, Beyond };
-
-  // Lists the faces of cells and nodes, once all faces are there; marks nodes at walls.
-  void connect();
-
-  // Puts all lists into the first arena, in the order of nodes, faces and cells; the others go.
-  void compact(Execution& execution);
-};
-
 // Numbers of records that are gone, for what is made: the first are taken first.
 struct Slots
 {
@@ -272,6 +252,57 @@ struct FreeSlots
   Slots nodes;
   Slots faces;
   Slots cells;
+};
+
+// Leaves new records unset: all threads write them.
+template <class Record>
+struct UnsetAllocator : RawAllocator<Record>
+{
+  template <class U>
+  struct rebind // NOLINT(readability-identifier-naming): the standard's name
+  {
+    using other = UnsetAllocator<U>;
+  };
+
+  template <class U, class... Arguments>
+  void construct(U* at, Arguments&&... arguments)
+  {
+    if constexpr (sizeof...(Arguments) > 0)
+    {
+      ::new (static_cast<void*>(at)) U{ std::forward<Arguments>(arguments)... };
+    }
+  }
+};
+
+template <class Record>
+using RecordVector = std::vector<Record, UnsetAllocator<Record>>;
+
+// The mesh itself, which several editors may change at the same time: each in a zone of its own (EditZones.h).
+struct EditStore
+{
+  static constexpr double Beyond = 1e30;
+
+  RecordVector<EditNode> nodes;
+  RecordVector<EditFace> faces;
+  RecordVector<EditCell> cells;
+  std::vector<RawVector<std::uint32_t>> arenas{
+    {}
+  };                // the first, which only compact() changes; each editor's
+  FreeSlots spare;  // all unused
+  double level = 1; // the length of a lattice level: a power of two
+
+  // The ends of the grid, which nothing leaves.
+  Vector low{ -Beyond, -Beyond, -Beyond };
+  Vector high{ Beyond, Beyond, Beyond };
+
+  // Lists the faces of cells and nodes, once all faces are there; marks nodes at walls.
+  void connect(Execution& execution);
+
+  // Puts all lists into the first arena, in the order of nodes, faces and cells; the others go.
+  void compact(Execution& execution);
+
+  // Gives the memory back: of so much of it, this takes a while.
+  void release(Execution& execution);
 };
 
 // An editor: of the whole mesh, or of one zone.
@@ -322,28 +353,23 @@ public:
   // Also of a record in the journal.
   Items itemsOf(const ItemList& list) const
   {
-    const std::uint32_t* base = list.arena == arena_ ? at_.arena->data() : at_.lists;
+    const std::uint32_t* base = at_.arenas[list.arena].data();
     return { base + list.first, base + list.first + list.size };
   }
 
   // --- building: before the first mark, of a mesh of its own
 
-  void reserve(std::size_t nodes, std::size_t faces, std::size_t cells, std::size_t corners);
   std::uint32_t addNode(const EditNode& node);
   std::uint32_t addCell(const EditCell& cell);
   std::uint32_t addFace(EditFace face, const std::uint32_t* corners, std::size_t size);
-  void connect()
-  {
-    store_->connect();
-    refresh();
-  }
+  void connect();
   EditStore& store() { return *store_; }
 
   // To be called where others have changed the store.
   void refresh()
   {
     at_ = { store_->nodes.data(), store_->faces.data(), store_->cells.data(),
-      store_->arenas[0].data(), &store_->arenas[arena_] };
+      store_->arenas.data() };
   }
 
   // For measures, and to set what the journal does not have to know.
@@ -458,9 +484,9 @@ private:
   }
 
   template <class Record>
-  std::uint32_t takeSlot(std::vector<Record>& all, Slots& slots);
+  std::uint32_t takeSlot(RecordVector<Record>& all, Slots& slots);
 
-  std::vector<std::uint32_t>& arena() { return *at_.arena; }
+  RawVector<std::uint32_t>& arena() { return at_.arenas[arena_]; }
   ItemList store(const std::uint32_t* items, std::size_t size);
   ItemList without(const ItemList& list, std::uint32_t item);
   ItemList with(const ItemList& list, std::uint32_t item);
@@ -471,8 +497,7 @@ private:
     EditNode* nodes;
     EditFace* faces;
     EditCell* cells;
-    const std::uint32_t* lists; // the first arena
-    std::vector<std::uint32_t>* arena;
+    RawVector<std::uint32_t>* arenas;
   };
 
   std::unique_ptr<EditStore> own_;

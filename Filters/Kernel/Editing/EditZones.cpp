@@ -5,7 +5,9 @@
 #include "Base/Sorting.h"
 
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <numeric>
 
 namespace cartesian
 {
@@ -14,41 +16,106 @@ namespace
 {
 
 constexpr std::size_t LeastCellsAZone = 3072;
-constexpr std::size_t MostZones = 60000; // each has an arena of its own
-constexpr std::size_t CellsAChunk = 4096;
-
-// Cells next to fixed ones by so many faces are looked at in a later round: edits reach no farther, as a rule.
-constexpr int Margin = 3;
+constexpr std::size_t MostArenas = 1 << 16; // each zone has one of its own
+constexpr std::size_t MostZones = MostArenas - 1;
+constexpr std::size_t ItemsAChunk = 1024;
+constexpr std::size_t CellsASample = 16;
 
 // The last zones reach so far beyond what is left.
 constexpr int Surroundings = 5;
 
-// Where the curve begins in each round, by the extent of the mesh: then no two rounds have their zones end in the same
-// places.
-constexpr std::array<Vector, 3> Shifts{ Vector{ 0, 0, 0 }, Vector{ 0.2887, 0.3511, 0.3173 },
-  Vector{ 0.1429, 0.1871, 0.4437 } };
+using Directions = std::array<Vector, 3>;
 
-struct PlaceOnCurve
+struct Round
 {
-  std::uint64_t key;
-  std::uint32_t cell;
-
-  bool operator<(const PlaceOnCurve& other) const
-  {
-    return key != other.key ? key < other.key : cell < other.cell;
-  }
+  Directions across; // zones are divided: at right angles, and of one length
+  int margin;        // cells next to fixed ones by so many faces are looked at in a later round
 };
 
-// Every third bit of 63.
-std::uint64_t spread(std::uint64_t x)
+// In each round zones end across other directions, in the same places as those of others but for a few. Edits reach no
+// farther than the first margins, as a rule; for the last cells less must do, so that few are left for one zone.
+constexpr std::array<Round, 6> Rounds{
+  Round{ { Vector{ 1, 0, 0 }, Vector{ 0, 1, 0 }, Vector{ 0, 0, 1 } }, 2 },
+  Round{ { Vector{ 2, -1, 2 }, Vector{ 2, 2, -1 }, Vector{ -1, 2, 2 } }, 2 },
+  Round{ { Vector{ 2, 3, 6 }, Vector{ 3, -6, 2 }, Vector{ 6, 2, -3 } }, 2 },
+  Round{ { Vector{ 1, 4, 8 }, Vector{ 4, 7, -4 }, Vector{ 8, -4, 1 } }, 2 },
+  Round{ { Vector{ 1, 2, 2 }, Vector{ 2, 1, -2 }, Vector{ 2, -2, 1 } }, 1 },
+  Round{ { Vector{ 3, 2, 6 }, Vector{ -6, 3, 2 }, Vector{ 2, 6, -3 } }, 1 }
+};
+
+// Fewer cells than such a part of all are left for the last zones.
+constexpr std::size_t FewOf = 64;
+
+// Divides cells by planes, again and again, so that all parts have about as many of a sample.
+class Division
 {
-  x &= 0x1fffff;
-  x = (x | x << 32) & 0x1f00000000ffff;
-  x = (x | x << 16) & 0x1f0000ff0000ff;
-  x = (x | x << 8) & 0x100f00f00f00f00f;
-  x = (x | x << 4) & 0x10c30c30c30c30c3;
-  return (x | x << 2) & 0x1249249249249249;
-}
+public:
+  Division(std::vector<Vector> sample, std::size_t parts)
+    : sample_(std::move(sample))
+  {
+    divide(0, sample_.size(), 0, parts);
+  }
+
+  std::uint32_t partOf(const Vector& place) const
+  {
+    std::size_t i = 0;
+    while (planes_[i].parts > 1)
+    {
+      i = place[planes_[i].axis] < planes_[i].at ? i + 1 : planes_[i].above;
+    }
+    return static_cast<std::uint32_t>(planes_[i].first);
+  }
+
+private:
+  struct Plane
+  {
+    std::size_t first; // part
+    std::size_t parts;
+    std::size_t axis;
+    double at;
+    std::size_t above; // what follows on this side; on the other, the next
+  };
+
+  void divide(std::size_t begin, std::size_t end, std::size_t first, std::size_t parts)
+  {
+    const std::size_t here = planes_.size();
+    planes_.push_back({ first, parts, 0, 0, 0 });
+    if (parts < 2)
+    {
+      return;
+    }
+    const std::size_t below = parts / 2;
+    const std::size_t middle = begin + (end - begin) * below / parts;
+    const std::size_t axis = longestAxis(begin, end);
+    const auto at = [&](std::size_t i) { return sample_.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::nth_element(at(begin), at(middle), at(end),
+      [&](const Vector& x, const Vector& y) { return x[axis] < y[axis]; });
+    planes_[here].axis = axis;
+    planes_[here].at = sample_[middle][axis];
+    divide(begin, middle, first, below);
+    planes_[here].above = planes_.size();
+    divide(middle, end, first + below, parts - below);
+  }
+
+  std::size_t longestAxis(std::size_t begin, std::size_t end) const
+  {
+    Vector low = sample_[begin];
+    Vector high = low;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        low[axis] = std::min(low[axis], sample_[i][axis]);
+        high[axis] = std::max(high[axis], sample_[i][axis]);
+      }
+    }
+    const Vector size = minus(high, low);
+    return static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+  }
+
+  std::vector<Vector> sample_;
+  std::vector<Plane> planes_;
+};
 
 // What one zone has in a round.
 struct Zone
@@ -63,32 +130,38 @@ struct Zone
 class ZoneRounds
 {
 public:
-  ZoneRounds(
-    EditStore& store, Execution& execution, const std::function<void(const ZoneTask&)>& work)
+  ZoneRounds(EditStore& store, Execution& execution,
+    const std::function<void(const ZoneTask&)>& work, bool looksAgain)
     : store_(store)
     , execution_(execution)
     , work_(work)
-    , isOver_(store.cells.size())
+    , looksAgain_(looksAgain)
+    , isOver_(store.cells.size(), 0)
   {
-    for (std::size_t c = 0; c < isOver_.size(); ++c)
-    {
-      isOver_[c] = isEditable(c) ? 0 : 1;
-    }
+    listLeft();
   }
 
   void run()
   {
-    for (const Vector& shift : Shifts)
+    for (const Round& round : Rounds)
     {
-      divideByCurve(shift);
-      look(Margin);
+      if (left_.size() * FewOf > isOver_.size())
+      {
+        divideByPlanes(round.across);
+        look(round.margin);
+      }
     }
-    divideByGroups();
-    look(0);
-    for (EditCell& cell : store_.cells)
+    if (looksAgain_)
     {
-      cell.zone = 0;
+      addFailing();
     }
+    if (!left_.empty())
+    {
+      divideByGroups();
+      look(0);
+    }
+    setZones(0);
+    store_.compact(execution_);
   }
 
 private:
@@ -97,142 +170,162 @@ private:
     return !store_.cells[c].gone && store_.cells[c].state == CellState::Free;
   }
 
-  bool isAnyLeft() const { return std::find(isOver_.begin(), isOver_.end(), 0) != isOver_.end(); }
-
-  // --- zones
-
-  void divideByCurve(const Vector& shift)
+  template <class Visitor>
+  void forEach(std::size_t count, Visitor&& visit)
   {
-    zones_.clear();
-    order_.clear();
-    if (!isAnyLeft())
-    {
-      return;
-    }
-    RawVector<PlaceOnCurve> places = placesOnCurve(shift);
-    sortAll(places, execution_);
-    const std::size_t count =
-      std::max<std::size_t>(1, std::min(places.size() / LeastCellsAZone, MostZones));
-    order_.resize(places.size());
-    for (std::size_t z = 0; z < count; ++z)
-    {
-      zones_.push_back({ places.size() * z / count, places.size() * (z + 1) / count, {}, 0, {} });
-    }
-    execution_.forEach(count, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t z = begin; z < end; ++z)
+    execution_.forEach(count, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
       {
-        for (std::size_t i = zones_[z].begin; i < zones_[z].end; ++i)
-        {
-          order_[i] = places[i].cell;
-          store_.cells[places[i].cell].zone = static_cast<std::uint32_t>(z);
-        }
-        std::sort(order_.begin() + static_cast<std::ptrdiff_t>(zones_[z].begin),
-          order_.begin() + static_cast<std::ptrdiff_t>(zones_[z].end));
+        visit(static_cast<std::uint32_t>(i));
       }
     });
   }
 
-  RawVector<PlaceOnCurve> placesOnCurve(const Vector& shift) const
+  // What visit(i, found) finds, in order.
+  template <class Item, class Visitor>
+  std::vector<Item> find(std::size_t count, Visitor&& visit)
   {
-    Vector low{ HUGE_VAL, HUGE_VAL, HUGE_VAL };
-    Vector high = scaled(low, -1);
-    std::size_t count = 0;
-    for (std::size_t c = 0; c < store_.cells.size(); ++c)
-    {
-      for (std::size_t axis = 0; isEditable(c) && axis < 3; ++axis)
+    std::vector<std::vector<Item>> ofChunks(chunks(count, ItemsAChunk));
+    forEach(count, [&](std::uint32_t i) { visit(i, ofChunks[i / ItemsAChunk]); });
+    return concatenated(ofChunks);
+  }
+
+  void setZones(std::uint32_t zone)
+  {
+    forEach(store_.cells.size(), [&](std::uint32_t c) { store_.cells[c].zone = zone; });
+  }
+
+  // Cells that no zone has looked at; those made in a zone were looked at there.
+  void listLeft()
+  {
+    isOver_.resize(store_.cells.size(), 1);
+    left_ = find<std::uint32_t>(isOver_.size(), [&](std::uint32_t c, auto& found) {
+      if (isOver_[c] == 0 && isEditable(c))
       {
-        low[axis] = std::min(low[axis], store_.cells[c].centre[axis]);
-        high[axis] = std::max(high[axis], store_.cells[c].centre[axis]);
+        found.push_back(c);
       }
-      count += isEditable(c) ? 1 : 0;
-    }
-    const Vector size = minus(high, low);
-    const double extent = std::max({ size[0], size[1], size[2], 1e-9 });
-    RawVector<PlaceOnCurve> places;
-    places.reserve(count);
-    for (std::size_t c = 0; c < store_.cells.size(); ++c)
-    {
-      if (isEditable(c))
+      else
       {
-        std::uint64_t key = 0;
-        for (std::size_t axis = 0; axis < 3; ++axis)
+        isOver_[c] = 1;
+      }
+    });
+  }
+
+  // What still fails is looked at again, now with all its surroundings.
+  void addFailing()
+  {
+    forEach(isOver_.size(), [&](std::uint32_t c) {
+      if (isOver_[c] != 0 && isEditable(c))
+      {
+        const Items faces = listOf(store_.cells[c].faces);
+        isOver_[c] = std::any_of(faces.begin(), faces.end(),
+                       [&](std::uint32_t f) { return store_.faces[f].fails > 0; })
+          ? 0
+          : 1;
+      }
+    });
+    listLeft();
+  }
+
+  // --- zones
+
+  void divideByPlanes(const Directions& directions)
+  {
+    const auto placeOf = [&](std::uint32_t c) {
+      const Vector& at = store_.cells[c].centre;
+      return Vector{ dot(at, directions[0]), dot(at, directions[1]), dot(at, directions[2]) };
+    };
+    const std::vector<std::uint32_t> cells =
+      find<std::uint32_t>(store_.cells.size(), [&](std::uint32_t c, auto& found) {
+        if (isEditable(c))
         {
-          constexpr double Steps = 1 << 20;
-          const double along = (store_.cells[c].centre[axis] - low[axis]) / extent + shift[axis];
-          key |= spread(static_cast<std::uint64_t>(along * Steps)) << axis;
+          found.push_back(c);
         }
-        places.push_back({ key, static_cast<std::uint32_t>(c) });
-      }
+      });
+    const std::size_t count =
+      std::max<std::size_t>(1, std::min(cells.size() / LeastCellsAZone, MostZones));
+    std::vector<Vector> sample(chunks(cells.size(), CellsASample));
+    forEach(sample.size(), [&](std::uint32_t i) { sample[i] = placeOf(cells[i * CellsASample]); });
+    const Division division(std::move(sample), count);
+    forEach(cells.size(),
+      [&](std::uint32_t i) { store_.cells[cells[i]].zone = division.partOf(placeOf(cells[i])); });
+    const auto byZone = fillBuckets<std::uint32_t>(
+      cells.size(), ItemsAChunk, count,
+      [&](std::size_t begin, std::size_t end, auto&& add) {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          add(store_.cells[cells[i]].zone, cells[i]);
+        }
+      },
+      execution_);
+    order_.assign(byZone.items.begin(), byZone.items.end());
+    zones_.clear();
+    for (std::size_t z = 0; z < count; ++z)
+    {
+      zones_.push_back({ byZone.start[z], byZone.start[z + 1], {}, 0, {} });
     }
-    return places;
   }
 
   // Each connected group of what is left, with its surroundings.
   void divideByGroups()
   {
-    zones_.clear();
-    order_.clear();
-    for (EditCell& cell : store_.cells)
-    {
-      cell.zone = None;
-    }
-    std::vector<std::uint32_t> members;
-    std::vector<std::uint8_t> isMember(store_.cells.size(), 0);
-    const auto add = [&](std::uint32_t c) {
-      if (isMember[c] == 0 && isEditable(c))
-      {
-        isMember[c] = 1;
-        members.push_back(c);
-      }
-    };
-    for (std::uint32_t c = 0; c < isOver_.size(); ++c)
-    {
-      isOver_[c] == 0 ? add(c) : void();
-    }
+    setZones(None);
+    std::vector<std::atomic<std::uint8_t>> isMember(store_.cells.size());
+    forEach(left_.size(), [&](std::uint32_t i) { isMember[left_[i]] = 1; });
+    std::vector<std::uint32_t> members = left_;
     std::size_t begin = 0;
     for (int ring = 0; ring < Surroundings; ++ring)
     {
-      const std::size_t end = members.size();
-      for (; begin < end; ++begin)
-      {
-        forEachBeside(members[begin], add);
-      }
+      const std::size_t first = begin;
+      begin = members.size();
+      const std::vector<std::uint32_t> more =
+        find<std::uint32_t>(begin - first, [&](std::uint32_t i, auto& found) {
+          forEachBeside(members[first + i], [&](std::uint32_t c) {
+            if (isEditable(c) && isMember[c].exchange(1, std::memory_order_relaxed) == 0)
+            {
+              found.push_back(c);
+            }
+          });
+        });
+      members.insert(members.end(), more.begin(), more.end());
     }
-    nameGroups(sortedUnique(std::move(members)));
+    sortAll(members, execution_);
+    nameGroups(members);
   }
 
   void nameGroups(const std::vector<std::uint32_t>& members)
   {
+    forEach(members.size(), [&](std::uint32_t i) { store_.cells[members[i]].zone = 0; });
     DisjointSets groups(store_.cells.size());
     for (const std::uint32_t c : members)
     {
-      store_.cells[c].zone = 0;
-    }
-    for (const std::uint32_t c : members)
-    {
       forEachBeside(c, [&](std::uint32_t other) {
-        if (store_.cells[other].zone == 0)
+        if (other < c && store_.cells[other].zone == 0)
         {
           groups.unite(c, other);
         }
       });
     }
-    std::vector<std::array<std::uint32_t, 2>> byGroup;
-    byGroup.reserve(members.size());
-    for (const std::uint32_t c : members)
+    std::vector<std::array<std::uint32_t, 2>> byGroup(members.size());
+    for (std::size_t i = 0; i < members.size(); ++i)
     {
-      byGroup.push_back({ groups.find(c), c });
+      byGroup[i] = { groups.find(members[i]), members[i] };
     }
-    std::sort(byGroup.begin(), byGroup.end());
+    sortAll(byGroup, execution_);
+    order_.resize(byGroup.size());
+    zones_.clear();
+    const std::size_t least =
+      byGroup.size() / MostZones; // one zone has several groups if there are too many
     for (std::size_t i = 0; i < byGroup.size(); ++i)
     {
-      if (i == 0 || byGroup[i][0] != byGroup[i - 1][0])
+      const bool isFirst = i == 0 || byGroup[i][0] != byGroup[i - 1][0];
+      if (zones_.empty() || (isFirst && i - zones_.back().begin >= least))
       {
         zones_.push_back({ i, i, {}, 0, {} });
       }
       zones_.back().end = i + 1;
       store_.cells[byGroup[i][1]].zone = static_cast<std::uint32_t>(zones_.size() - 1);
-      order_.push_back(byGroup[i][1]);
+      order_[i] = byGroup[i][1];
     }
   }
 
@@ -260,108 +353,124 @@ private:
 
   void look(int margin)
   {
-    if (zones_.empty())
-    {
-      return;
-    }
     fix();
     chooseCells(margin);
     giveSlots();
-    const std::size_t before = isOver_.size();
-    store_.arenas.resize(1 + zones_.size());
-    execution_.forEach(zones_.size(), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t z = begin; z < end; ++z)
-      {
-        Zone& zone = zones_[z];
-        EditMesh editor(store_, static_cast<std::uint32_t>(z), static_cast<std::uint16_t>(z + 1),
-          std::move(zone.slots));
-        const Items all{ order_.data() + zone.begin, order_.data() + zone.end };
-        work_({ editor, zone.cells, all, isOver_ });
-        zone.slots = editor.takeSlots();
-      }
+    // Lists stay in the arenas of zones that made them, as long as there are numbers for more.
+    if (store_.arenas.size() + zones_.size() > MostArenas)
+    {
+      store_.compact(execution_);
+    }
+    const std::size_t firstArena = store_.arenas.size();
+    store_.arenas.resize(firstArena + zones_.size());
+    const std::vector<std::uint32_t> order = dearestFirst();
+    execution_.forEach(order.size(), 1, [&](std::size_t i, std::size_t) {
+      const std::uint32_t z = order[i];
+      Zone& zone = zones_[z];
+      EditMesh editor(store_, z, static_cast<std::uint16_t>(firstArena + z), std::move(zone.slots));
+      const Items all{ order_.data() + zone.begin, order_.data() + zone.end };
+      work_({ editor, zone.cells, all, isOver_ });
+      zone.slots = editor.takeSlots();
     });
     takeSlotsBack();
-    isOver_.resize(std::max(before, store_.cells.size()), 1);
-    for (const Zone& zone : zones_)
-    {
-      for (const std::uint32_t c : zone.cells)
+    execution_.forEach(zones_.size(), 1, [&](std::size_t z, std::size_t) {
+      for (const std::uint32_t c : zones_[z].cells)
       {
         isOver_[c] = 1;
       }
-    }
-    for (std::size_t c = 0; c < before; ++c)
-    {
-      isOver_[c] = store_.cells[c].gone ? 1 : isOver_[c];
-    }
-    store_.compact(execution_);
+    });
+    listLeft();
+  }
+
+  // So that no thread still works at a large one when the others have ended.
+  std::vector<std::uint32_t> dearestFirst() const
+  {
+    const auto work = [&](std::uint32_t z) {
+      return zones_[z].cells.size() + CostlyByCell * zones_[z].costly;
+    };
+    std::vector<std::uint32_t> order(zones_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return work(a) != work(b) ? work(a) > work(b) : a < b;
+    });
+    return order;
   }
 
   // Cells that share a node with another zone belong to none.
   void fix()
   {
-    std::vector<std::uint8_t> isBetween(store_.nodes.size()); // of nodes
-    execution_.forEach(store_.nodes.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n)
+    markNodes();
+    isFixed_ = std::vector<std::atomic<std::uint8_t>>(store_.cells.size());
+    forEach(store_.nodes.size(), [&](std::uint32_t n) {
+      if (marks_[n].load(std::memory_order_relaxed) != Between)
       {
-        isBetween[n] = !store_.nodes[n].gone && isBetweenZones(store_.nodes[n]) ? 1 : 0;
+        return;
+      }
+      for (const std::uint32_t f : listOf(store_.nodes[n].faces))
+      {
+        for (const std::uint32_t c : { store_.faces[f].below, store_.faces[f].above })
+        {
+          c != None ? isFixed_[c].store(1, std::memory_order_relaxed) : void();
+        }
       }
     });
-    isFixed_.assign(store_.cells.size(), 0);
-    execution_.forEach(order_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
+    forEach(order_.size(), [&](std::uint32_t i) {
+      EditCell& cell = store_.cells[order_[i]];
+      cell.zone = isFixed_[order_[i]] != 0 ? None : cell.zone;
+    });
+  }
+
+  // Between two zones, or a zone and what is in none: nodes of a face that has one on each side; and those with ends, walls
+  // or faces of what cannot be edited, of several, which touch there without a face between them.
+  void markNodes()
+  {
+    RawVector<std::uint32_t> markOf(store_.cells.size());
+    forEach(markOf.size(), [&](std::uint32_t c) {
+      const std::uint32_t zone = store_.cells[c].zone;
+      markOf[c] = !isEditable(c) ? NotEditable : zone == None ? InNone : FirstZone + zone;
+    });
+    marks_ = std::vector<std::atomic<std::uint32_t>>(store_.nodes.size());
+    forEach(store_.faces.size(), [&](std::uint32_t f) {
+      const EditFace& face = store_.faces[f];
+      const std::uint32_t below = face.gone ? NotEditable : markOf[face.below];
+      const std::uint32_t above =
+        face.gone || face.above == None ? NotEditable : markOf[face.above];
+      if (below == above)
       {
-        EditCell& cell = store_.cells[order_[i]];
-        for (const std::uint32_t f : listOf(cell.faces))
-        {
-          for (const std::uint32_t n : listOf(store_.faces[f].corners))
-          {
-            isFixed_[order_[i]] |= isBetween[n];
-          }
-        }
-        cell.zone = isFixed_[order_[i]] != 0 ? None : cell.zone;
+        return;
+      }
+      const bool isEnd = below == NotEditable || above == NotEditable;
+      for (const std::uint32_t n : listOf(face.corners))
+      {
+        isEnd ? markEnd(n, std::max(below, above))
+              : marks_[n].store(Between, std::memory_order_relaxed);
       }
     });
   }
 
-  bool isBetweenZones(const EditNode& node) const
+  void markEnd(std::uint32_t n, std::uint32_t mark)
   {
-    std::uint32_t zone = None;
-    bool isFirst = true;
-    for (const std::uint32_t f : listOf(node.faces))
+    std::uint32_t before = marks_[n].load(std::memory_order_relaxed);
+    while (before != mark && before != Between &&
+      !marks_[n].compare_exchange_weak(
+        before, before == NotEditable ? mark : Between, std::memory_order_relaxed))
     {
-      for (const std::uint32_t c : { store_.faces[f].below, store_.faces[f].above })
-      {
-        if (c == None || !isEditable(c))
-        {
-          continue;
-        }
-        if (!isFirst && store_.cells[c].zone != zone)
-        {
-          return true;
-        }
-        zone = store_.cells[c].zone;
-        isFirst = false;
-      }
     }
-    return false;
   }
 
   void chooseCells(int margin)
   {
-    execution_.forEach(zones_.size(), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t z = begin; z < end; ++z)
+    execution_.forEach(zones_.size(), 1, [&](std::size_t z, std::size_t) {
+      const auto first = order_.begin() + static_cast<std::ptrdiff_t>(zones_[z].begin);
+      const auto last = order_.begin() + static_cast<std::ptrdiff_t>(zones_[z].end);
+      for (int ring = 1; ring <= margin; ++ring) // isFixed_: 1 + faces away from a fixed cell
       {
-        const auto first = order_.begin() + static_cast<std::ptrdiff_t>(zones_[z].begin);
-        const auto last = order_.begin() + static_cast<std::ptrdiff_t>(zones_[z].end);
-        for (int ring = 1; ring <= margin; ++ring) // isFixed_: 1 + faces away from a fixed cell
-        {
-          std::for_each(first, last,
-            [&](std::uint32_t c) { extendMargin(c, ring, static_cast<std::uint32_t>(z)); });
-        }
-        std::copy_if(first, last, std::back_inserter(zones_[z].cells),
-          [&](std::uint32_t c) { return isFixed_[c] == 0 && isOver_[c] == 0; });
-        zones_[z].costly = countCostly(zones_[z].cells);
+        std::for_each(first, last,
+          [&](std::uint32_t c) { extendMargin(c, ring, static_cast<std::uint32_t>(z)); });
       }
+      std::copy_if(first, last, std::back_inserter(zones_[z].cells),
+        [&](std::uint32_t c) { return isFixed_[c] == 0 && isOver_[c] == 0; });
+      zones_[z].costly = countCostly(zones_[z].cells);
     });
   }
 
@@ -395,63 +504,98 @@ private:
 
   void giveSlots()
   {
-    const auto give = [](auto& all, std::vector<std::uint32_t>& spare, std::size_t count,
-                        Slots& slots) {
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        if (spare.empty())
-        {
-          spare.push_back(static_cast<std::uint32_t>(all.size()));
-          all.emplace_back().gone = true;
-        }
-        slots.numbers.push_back(spare.back());
-        spare.pop_back();
-      }
-    };
+    give(store_.nodes, &FreeSlots::nodes,
+      [](const Zone& zone) { return LeastSlots + zone.cells.size() / 16 + 4 * zone.costly; });
+    give(store_.faces, &FreeSlots::faces,
+      [](const Zone& zone) { return LeastSlots + zone.cells.size() / 16 + 6 * zone.costly; });
+    give(store_.cells, &FreeSlots::cells,
+      [](const Zone& zone) { return LeastSlots + 2 * zone.costly; });
+  }
+
+  // Spare ones first, the last of them before the others.
+  template <class Records, class Count>
+  void give(Records& all, Slots FreeSlots::*kind, Count&& countOf)
+  {
+    std::vector<std::uint32_t>& spare = (store_.spare.*kind).numbers;
+    std::size_t missing = 0;
     for (Zone& zone : zones_)
     {
-      const std::size_t cells = zone.cells.size();
-      give(store_.nodes, spareNodes_, LeastSlots + cells / 16 + 4 * zone.costly, zone.slots.nodes);
-      give(store_.faces, spareFaces_, LeastSlots + cells / 16 + 6 * zone.costly, zone.slots.faces);
-      give(store_.cells, spareCells_, LeastSlots + 2 * zone.costly, zone.slots.cells);
+      const std::size_t count = countOf(zone);
+      std::vector<std::uint32_t>& numbers = (zone.slots.*kind).numbers;
+      const std::size_t known = std::min(count, spare.size());
+      numbers.assign(spare.rbegin(), spare.rbegin() + static_cast<std::ptrdiff_t>(known));
+      spare.resize(spare.size() - known);
+      for (std::size_t i = known; i < count; ++i)
+      {
+        numbers.push_back(static_cast<std::uint32_t>(all.size() + missing++));
+      }
     }
+    const std::size_t before = all.size();
+    extend(all, before + missing);
+    forEach(missing, [&](std::uint32_t i) {
+      all[before + i] = {};
+      all[before + i].gone = true;
+    });
+  }
+
+  // On all threads, where records have to move.
+  template <class Records>
+  void extend(Records& all, std::size_t size)
+  {
+    if (size <= all.capacity())
+    {
+      all.resize(size);
+      return;
+    }
+    Records larger;
+    larger.reserve(size + size / 4);
+    larger.resize(size);
+    forEach(all.size(), [&](std::uint32_t i) { larger[i] = all[i]; });
+    all.swap(larger);
   }
 
   void takeSlotsBack()
   {
-    const auto take = [](const Slots& slots, std::vector<std::uint32_t>& spare) {
-      spare.insert(spare.end(), slots.numbers.begin() + static_cast<std::ptrdiff_t>(slots.used),
-        slots.numbers.end());
-    };
     for (const Zone& zone : zones_)
     {
-      take(zone.slots.nodes, spareNodes_);
-      take(zone.slots.faces, spareFaces_);
-      take(zone.slots.cells, spareCells_);
+      for (Slots FreeSlots::*kind : { &FreeSlots::nodes, &FreeSlots::faces, &FreeSlots::cells })
+      {
+        const Slots& slots = zone.slots.*kind;
+        std::vector<std::uint32_t>& spare = (store_.spare.*kind).numbers;
+        spare.insert(spare.end(), slots.numbers.begin() + static_cast<std::ptrdiff_t>(slots.used),
+          slots.numbers.end());
+      }
     }
   }
 
+  // Marks of nodes and cells.
+  static constexpr std::uint32_t NotEditable = 0; // or unknown
+  static constexpr std::uint32_t Between = 1;
+  static constexpr std::uint32_t InNone = 2;
+  static constexpr std::uint32_t FirstZone = 3;
+
   static constexpr std::size_t LeastSlots = 64;
   static constexpr double CostlyFrom = 3;
+  static constexpr std::size_t CostlyByCell = 4; // what it takes to look at a costly face
 
   EditStore& store_;
   Execution& execution_;
   const std::function<void(const ZoneTask&)>& work_;
+  bool looksAgain_;
   std::vector<std::uint8_t> isOver_; // of cells
+  std::vector<std::uint32_t> left_;  // those that are not
   std::vector<Zone> zones_;
-  std::vector<std::uint32_t> order_;      // cells, by zones
-  std::vector<std::uint8_t> isFixed_;     // of cells, and how near they are
-  std::vector<std::uint32_t> spareNodes_; // gone, and not used
-  std::vector<std::uint32_t> spareFaces_;
-  std::vector<std::uint32_t> spareCells_;
+  std::vector<std::uint32_t> order_;               // cells, by zones
+  std::vector<std::atomic<std::uint32_t>> marks_;  // of nodes
+  std::vector<std::atomic<std::uint8_t>> isFixed_; // of cells, and how near they are
 };
 
 }
 
-void editInZones(
-  EditStore& store, Execution& execution, const std::function<void(const ZoneTask&)>& work)
+void editInZones(EditStore& store, Execution& execution,
+  const std::function<void(const ZoneTask&)>& work, bool looksAgain)
 {
-  ZoneRounds(store, execution, work).run();
+  ZoneRounds(store, execution, work, looksAgain).run();
 }
 
 }

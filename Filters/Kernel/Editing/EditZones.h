@@ -2,9 +2,9 @@
 // Edits on all threads, with the same bits on any number of them: cells are divided into zones, each of which has an editor
 // of its own at the same time as the others.
 //
-// A zone is a range of the cells along a curve that fills space. Cells that share a node with two zones are fixed, and no
-// cell near them is looked at yet: in the next round zones end elsewhere. What is left after some rounds lies in small groups
-// far from each other: these are the last zones. Thus every cell is looked at once, with all its surroundings free.
+// Zones end at planes. Cells that share a node with two zones are fixed, and no cell near them is looked at yet: in the next
+// round zones end across other directions. What is left after some rounds lies in small groups far from each other: these
+// are the last zones. Thus every cell is looked at once, with its surroundings free.
 #pragma once
 
 #include "Editing/EditMesh.h"
@@ -43,8 +43,9 @@ struct ZoneTask
   }
 };
 
-// Calls work for each zone of each round. All cells belong to zone 0 before and afterwards, and all lists to the first arena.
-void editInZones(
-  EditStore& store, Execution& execution, const std::function<void(const ZoneTask&)>& work);
+// Calls work for each zone of each round. All cells belong to zone 0 before and afterwards, and all lists to the first
+// arena. `looksAgain`: the last zones also have the cells of faces that fail then.
+void editInZones(EditStore& store, Execution& execution,
+  const std::function<void(const ZoneTask&)>& work, bool looksAgain = false);
 
 }

@@ -16,6 +16,8 @@ constexpr double MostLeash = 0.4;       // in boxes
 constexpr double Sagitta = 0.012; // in boxes: how far a node may leave the surface on its leash
 constexpr double LeastSine = 1e-3;
 
+constexpr std::size_t NodesAChunk = 1024;
+
 // A face of the wall at a node.
 struct Use
 {
@@ -206,17 +208,21 @@ private:
 
 }
 
-void findNodeKinds(EditMesh& mesh, const RawVector<PointKind>& known, double featureAngle)
+void findNodeKinds(EditStore& store, const RawVector<PointKind>& known, double featureAngle,
+  Execution& execution)
 {
-  KindOfNode kind(mesh, featureAngle);
-  for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
-  {
-    if (mesh.node(n).atWall)
+  execution.forEach(store.nodes.size(), NodesAChunk, [&](std::size_t begin, std::size_t end) {
+    EditMesh mesh(store, 0, 0, {});
+    KindOfNode kind(mesh, featureAngle);
+    for (auto n = static_cast<std::uint32_t>(begin); n < end; ++n)
     {
-      const std::uint32_t number = mesh.node(n).number;
-      kind.find(n, number < known.size() ? known[number] : PointKind::OffSurface);
+      if (mesh.node(n).atWall)
+      {
+        const std::uint32_t number = mesh.node(n).number;
+        kind.find(n, number < known.size() ? known[number] : PointKind::OffSurface);
+      }
     }
-  }
+  });
 }
 
 }

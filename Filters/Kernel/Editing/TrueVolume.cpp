@@ -32,6 +32,7 @@ public:
     , nodes_(store.nodes.size())
   {
     forEach(nodes_.size(), [&](std::uint32_t n) {
+      nodes_[n] = {};
       nodes_[n].mayMove = mayMove(n);
       nodes_[n].before = mesh_.node(n).at;
       nodes_[n].normal = nodes_[n].mayMove ? normalAt(n) : Vector{};
@@ -303,7 +304,7 @@ private:
   const EditMesh mesh_; // to read from
   const ObjectiveSpec& spec_;
   Execution& execution_;
-  std::vector<Mover> nodes_;
+  RecordVector<Mover> nodes_;
   std::vector<std::uint8_t> isNear_; // faces: with a node that moves
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Sorting.h"
 #include "Editing/EditableWall.h"
 #include "Polyhedra/CellGeometry.h"
 
@@ -11,31 +12,45 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t CellsAChunk = 1024;
+constexpr std::size_t ItemsAChunk = 1024;
+
+// A cell that changed. Among the cells of a box: as they were, then those made by edits.
+struct Written
+{
+  std::uint32_t box;
+  std::uint32_t cell;
+  std::uint64_t order;
+
+  bool operator<(const Written& other) const
+  {
+    return std::tie(box, order) < std::tie(other.box, other.order);
+  }
+};
 
 class Closing
 {
 public:
-  Closing(
-    const EditableWall& edited, const Boxes& boxes, Sides& sides, Nodes& nodes, WallMesh& wall)
+  Closing(const EditableWall& edited, const Boxes& boxes, Sides& sides, Nodes& nodes,
+    WallMesh& wall, Execution& execution)
     : edited_(edited)
     , mesh_(edited.mesh)
     , boxes_(boxes)
     , sides_(sides)
     , nodes_(nodes)
     , wall_(wall)
+    , execution_(execution)
   {
   }
 
-  void run(Execution& execution)
+  void run()
   {
     findMoved();
     findChanged();
-    const std::vector<std::uint32_t> before = promote();
+    const RawVector<std::uint32_t> before = promote();
     writeNodes();
     writeFaces();
     writeCells(before);
-    findCellsOfFaces(execution);
+    findCellsOfFaces();
     listSidesOfHexahedra();
   }
 
@@ -43,34 +58,55 @@ private:
   // Of the nodes and faces of cells that changed, in Nodes and WallFaces.
   struct NewNumbers
   {
-    std::vector<std::uint32_t> nodes;
-    std::vector<std::uint32_t> faces;
-    std::uint32_t firstMade = 0; // of faces
+    RawVector<std::uint32_t> nodes;
+    RawVector<std::uint32_t> faces; // those of no such cell have any
+    std::uint32_t firstMade = 0;    // of faces
   };
+
+  template <class Visitor>
+  void forEach(std::size_t count, Visitor&& visit)
+  {
+    execution_.forEach(count, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        visit(static_cast<std::uint32_t>(i));
+      }
+    });
+  }
+
+  // Where each chunk's part begins, if visit(i) is the size of an item's; and the end.
+  template <class Size>
+  std::vector<std::size_t> startOfChunks(std::size_t count, Size&& sizeOf)
+  {
+    std::vector<std::size_t> start(chunks(count, ItemsAChunk) + 1);
+    forEach(count, [&](std::uint32_t i) { start[i / ItemsAChunk] += sizeOf(i); });
+    scan(start);
+    return start;
+  }
 
   // --- what changed
 
   void findMoved()
   {
     moved_.assign(mesh_.nodeCount(), 0);
-    for (std::uint32_t n = 0; n < edited_.opened.nodes; ++n)
-    {
+    forEach(edited_.opened.nodes, [&](std::uint32_t n) {
       const std::uint32_t number = mesh_.node(n).number;
       moved_[n] =
         !mesh_.node(n).gone && number != None && !areSame(edited_.placeOf(n), nodes_.at[number]);
-    }
-    const auto& planes = boxes_.planes;
-    for (const VertexNode& vertex : edited_.opened.onVertices)
-    {
+    });
+    const auto& onVertices = edited_.opened.onVertices;
+    forEach(onVertices.size(), [&](std::uint32_t i) {
+      const auto& planes = boxes_.planes;
+      const VertexNode& vertex = onVertices[i];
       const Point before{ planes[0][vertex.i], planes[1][vertex.j], planes[2][vertex.k] };
       moved_[vertex.node] =
         !mesh_.node(vertex.node).gone && !areSame(edited_.placeOf(vertex.node), before);
-    }
+    });
   }
 
   bool hasCornersAsOpened(std::uint32_t f) const
   {
-    const std::vector<std::uint32_t>& start = edited_.opened.start;
+    const auto& start = edited_.opened.start;
     const Items corners = mesh_.cornersOf(f);
     const auto before = edited_.opened.corners.begin();
     return std::equal(corners.begin(), corners.end(), before + std::ptrdiff_t(start[f]),
@@ -87,50 +123,44 @@ private:
 
   void findChanged()
   {
-    std::vector<std::uint32_t> faces(edited_.opened.cells); // how many each cell had
-    for (const auto& cells : edited_.opened.cellsOf)
-    {
-      for (const std::uint32_t c : cells)
-      {
-        if (c < faces.size())
-        {
-          ++faces[c];
-        }
-      }
-    }
     rewritten_.assign(wall_.size(), 0);
-    for (std::uint32_t c = 0; c < mesh_.cellCount(); ++c)
-    {
+    isWritten_.assign(mesh_.cellCount(), 0);
+    const std::size_t count = chunks(mesh_.cellCount(), ItemsAChunk);
+    std::vector<std::vector<Written>> written(count);
+    std::vector<std::vector<std::uint32_t>> promoted(count);
+    forEach(mesh_.cellCount(), [&](std::uint32_t c) {
       const EditCell& cell = mesh_.cell(c);
-      const bool isNew = c >= edited_.opened.cells;
-      if (mesh_.isGhost(c) || (!isNew && !hasChanged(c, faces[c])))
+      const bool isNew = !wasOpened(c);
+      if (mesh_.isGhost(c) || (!isNew && !hasChanged(c)))
       {
-        continue;
+        return;
       }
       if (!cell.gone)
       {
-        written_.push_back(c);
+        isWritten_[c] = 1;
+        written[c / ItemsAChunk].push_back({ cell.home, c, orderOf(c) });
       }
       if (!isNew && isHexahedron(cell.number))
       {
-        promoted_.push_back(boxOfHexahedron(cell.number));
+        promoted[c / ItemsAChunk].push_back(boxOfHexahedron(cell.number));
       }
       else if (!isNew)
       {
         rewritten_[cell.number] = 1;
       }
-    }
-    std::sort(written_.begin(), written_.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return std::make_pair(mesh_.cell(a).home, orderOf(a)) <
-        std::make_pair(mesh_.cell(b).home, orderOf(b));
     });
-    std::sort(promoted_.begin(), promoted_.end());
+    written_ = concatenated(written);
+    promoted_ = concatenated(promoted);
+    sortAll(written_, execution_);
+    sortAll(promoted_, execution_);
   }
 
-  bool hasChanged(std::uint32_t c, std::size_t facesBefore) const
+  bool wasOpened(std::uint32_t c) const { return c < edited_.opened.cells; }
+
+  bool hasChanged(std::uint32_t c) const
   {
     const Items faces = mesh_.facesOf(c);
-    return mesh_.cell(c).gone || faces.size() != facesBefore ||
+    return mesh_.cell(c).gone || faces.size() != edited_.opened.facesOf[c] ||
       std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
         const Items corners = mesh_.cornersOf(f);
         return !isAsOpened(f) ||
@@ -140,100 +170,119 @@ private:
       });
   }
 
-  // Among the cells of a box: as they were, then those made by edits.
   std::uint64_t orderOf(std::uint32_t c) const
   {
-    return c < edited_.opened.cells ? mesh_.cell(c).number : std::uint64_t(FirstOfCuts) + c;
+    return wasOpened(c) ? mesh_.cell(c).number : std::uint64_t(FirstOfCuts) + c;
   }
 
   // --- nodes and faces
 
-  template <class Visitor>
-  void forEachWrittenFace(Visitor&& visit) const
+  bool isWrittenFace(std::uint32_t f) const
   {
-    for (const std::uint32_t c : written_)
-    {
-      for (const std::uint32_t f : mesh_.facesOf(c))
-      {
-        visit(f);
-      }
-    }
+    const EditFace& face = mesh_.face(f);
+    return !face.gone &&
+      (isWritten_[face.below] != 0 || (face.above != None && isWritten_[face.above] != 0));
+  }
+
+  bool isWrittenNode(std::uint32_t n) const
+  {
+    const Items faces = mesh_.facesAround(n);
+    return !mesh_.node(n).gone &&
+      std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) { return isWrittenFace(f); });
   }
 
   void writeNodes()
   {
-    std::vector<std::uint8_t> used(mesh_.nodeCount());
-    forEachWrittenFace([&](std::uint32_t f) {
-      for (const std::uint32_t n : mesh_.cornersOf(f))
-      {
-        used[n] = 1;
-      }
-    });
-    numbers_.nodes.assign(mesh_.nodeCount(), None);
-    for (std::uint32_t n = 0; n < mesh_.nodeCount(); ++n)
-    {
+    const std::size_t count = mesh_.nodeCount();
+    const auto isNew = [&](std::uint32_t n) {
+      return mesh_.node(n).number == None && isWrittenNode(n);
+    };
+    std::vector<std::size_t> next =
+      startOfChunks(count, [&](std::uint32_t n) { return isNew(n) ? 1 : 0; });
+    const auto first = static_cast<std::uint32_t>(nodes_.at.size());
+    nodes_.at.resize(first + next.back());
+    numbers_.nodes.resize(count);
+    std::vector<std::vector<std::uint32_t>> made(next.size());
+    forEach(count, [&](std::uint32_t n) {
       std::uint32_t& number = numbers_.nodes[n];
       number = mesh_.node(n).number;
       if (number != None && moved_[n])
       {
         nodes_.at[number] = edited_.placeOf(n);
       }
-      else if (number == None && used[n])
+      else if (isNew(n))
       {
-        number = static_cast<std::uint32_t>(nodes_.at.size());
-        nodes_.at.push_back(edited_.placeOf(n));
+        number = first + static_cast<std::uint32_t>(next[n / ItemsAChunk]++);
+        nodes_.at[number] = edited_.placeOf(n);
         if (n >= edited_.opened.nodes)
         {
-          nodes_.ofCuts.push_back(number);
+          made[n / ItemsAChunk].push_back(number);
         }
       }
-    }
+    });
+    listNodes(concatenated(made));
+  }
+
+  // `made`: at no vertex of the global mesh.
+  void listNodes(const std::vector<std::uint32_t>& made)
+  {
     for (VertexNode vertex : edited_.opened.onVertices)
     {
-      if (used[vertex.node])
+      if (numbers_.nodes[vertex.node] != None)
       {
         vertex.node = numbers_.nodes[vertex.node];
         nodes_.moreVertices.push_back(vertex);
       }
     }
-    std::sort(nodes_.moreVertices.begin(), nodes_.moreVertices.end());
+    sortAll(nodes_.moreVertices, execution_);
+    nodes_.ofCuts.insert(nodes_.ofCuts.end(), made.begin(), made.end());
     std::sort(nodes_.ofCuts.begin(), nodes_.ofCuts.end(),
       [&](std::uint32_t a, std::uint32_t b) { return nodes_.at[a] < nodes_.at[b]; });
   }
 
+  bool keepsNumber(std::uint32_t f) const { return mesh_.face(f).number != None && isAsOpened(f); }
+
   void writeFaces()
   {
-    std::vector<std::uint8_t> used(mesh_.faceCount());
-    forEachWrittenFace([&](std::uint32_t f) { used[f] = 1; });
-    numbers_.faces.assign(mesh_.faceCount(), None);
-    numbers_.firstMade = static_cast<std::uint32_t>(wall_.faces.size());
-    for (std::uint32_t f = 0; f < mesh_.faceCount(); ++f)
-    {
+    WallFaces& faces = wall_.faces;
+    const std::size_t count = mesh_.faceCount();
+    const auto isMade = [&](std::uint32_t f) { return isWrittenFace(f) && !keepsNumber(f); };
+    std::vector<std::size_t> next =
+      startOfChunks(count, [&](std::uint32_t f) { return isMade(f) ? 1 : 0; });
+    std::vector<std::size_t> nextCorner = startOfChunks(
+      count, [&](std::uint32_t f) { return isMade(f) ? mesh_.face(f).corners.size : 0; });
+    const std::size_t first = faces.size();
+    const std::size_t firstCorner = faces.corners.size();
+    numbers_.firstMade = static_cast<std::uint32_t>(first);
+    faces.start.resize(first + next.back() + 1);
+    faces.cells.resize(first + next.back());
+    faces.boundary.resize(first + next.back());
+    faces.corners.resize(firstCorner + nextCorner.back());
+    numbers_.faces.resize(count);
+    forEach(count, [&](std::uint32_t f) {
       const EditFace& face = mesh_.face(f);
-      if (!used[f])
+      numbers_.faces[f] = face.number;
+      if (isMade(f))
       {
-        continue;
+        const std::size_t made = first + next[f / ItemsAChunk]++;
+        std::size_t& corner = nextCorner[f / ItemsAChunk];
+        for (const std::uint32_t n : mesh_.cornersOf(f))
+        {
+          faces.corners[firstCorner + corner++] = numbers_.nodes[n];
+        }
+        numbers_.faces[f] = static_cast<std::uint32_t>(made);
+        faces.start[made + 1] = static_cast<std::uint32_t>(firstCorner + corner);
+        faces.cells[made] = { keyBeyond(face.below), keyBeyond(face.above) };
+        faces.boundary[made] = boundaryOf(face);
       }
-      if (face.number != None && isAsOpened(f))
-      {
-        numbers_.faces[f] = face.number;
-        continue;
-      }
-      numbers_.faces[f] = static_cast<std::uint32_t>(wall_.faces.size());
-      for (const std::uint32_t n : mesh_.cornersOf(f))
-      {
-        wall_.faces.corners.push_back(numbers_.nodes[n]);
-      }
-      wall_.faces.add({ keyBeyond(face.below), keyBeyond(face.above) }, boundaryOf(face));
-    }
+    });
   }
 
   // Of a hexahedron that stays one, or None.
   CellKey keyBeyond(std::uint32_t c) const
   {
-    const CellKey key = c == None || (c >= edited_.opened.cells && !mesh_.isGhost(c))
-      ? CellKey(None)
-      : mesh_.cell(c).number;
+    const CellKey key =
+      c == None || (!wasOpened(c) && !mesh_.isGhost(c)) ? CellKey(None) : mesh_.cell(c).number;
     return isStillHexahedron(key) ? key : CellKey(None);
   }
 
@@ -248,82 +297,103 @@ private:
   // --- cells
 
   // Lists changed hexahedra among the polyhedral boxes; returns which of the old list each is, or None.
-  std::vector<std::uint32_t> promote()
+  RawVector<std::uint32_t> promote()
   {
     const std::vector<std::uint32_t> polyhedral = std::move(sides_.polyhedral);
     const std::vector<std::uint32_t> patchBox = std::move(sides_.patchBox);
     const std::vector<std::size_t> ownStart = std::move(sides_.ownStart);
     const std::vector<std::size_t> boxStart = std::move(sides_.boxStart);
-    std::vector<std::uint32_t> before;
-    std::size_t n = 0;
-    const auto put = [&](std::uint32_t box, std::uint32_t patches, std::uint32_t old) {
-      sides_.ordinal[box] = static_cast<std::uint32_t>(before.size());
-      before.push_back(old);
-      sides_.polyhedral.push_back(box);
-      sides_.patchBox.push_back(patches);
-      sides_.ownStart.push_back(ownStart[n]);
-      sides_.boxStart.push_back(boxStart[n]);
+    const std::size_t count = polyhedral.size() + promoted_.size();
+    RawVector<std::uint32_t> before(count);
+    sides_.polyhedral.resize(count);
+    sides_.patchBox.resize(count);
+    sides_.ownStart.resize(count + 1, ownStart.back());
+    sides_.boxStart.resize(count + 1, boxStart.back());
+    const auto put = [&](std::size_t at, std::uint32_t box, std::uint32_t old, std::size_t n) {
+      sides_.ordinal[box] = static_cast<std::uint32_t>(at);
+      before[at] = old;
+      sides_.polyhedral[at] = box;
+      sides_.patchBox[at] = old == None ? None : patchBox[old];
+      sides_.ownStart[at] = ownStart[n];
+      sides_.boxStart[at] = boxStart[n];
     };
-    sides_.polyhedral.clear();
-    sides_.patchBox.clear();
-    sides_.ownStart.clear();
-    sides_.boxStart.clear();
-    auto next = promoted_.begin();
-    for (; n < polyhedral.size(); ++n)
-    {
-      for (; next != promoted_.end() && *next < polyhedral[n]; ++next)
-      {
-        put(*next, None, None);
-      }
-      put(polyhedral[n], patchBox[n], static_cast<std::uint32_t>(n));
-    }
-    for (; next != promoted_.end(); ++next)
-    {
-      put(*next, None, None);
-    }
-    sides_.ownStart.push_back(ownStart.back());
-    sides_.boxStart.push_back(boxStart.back());
+    forEach(polyhedral.size(),
+      [&](std::uint32_t n) { put(n + lowerIn(promoted_, polyhedral[n]), polyhedral[n], n, n); });
+    forEach(promoted_.size(), [&](std::uint32_t i) {
+      const std::size_t n = lowerIn(polyhedral, promoted_[i]);
+      put(i + n, promoted_[i], None, n);
+    });
     return before;
   }
 
+  // How many are lower.
+  static std::size_t lowerIn(const std::vector<std::uint32_t>& boxes, std::uint32_t box)
+  {
+    return static_cast<std::size_t>(
+      std::lower_bound(boxes.begin(), boxes.end(), box) - boxes.begin());
+  }
+
   // `before`: as promote() returns it.
-  void writeCells(const std::vector<std::uint32_t>& before)
+  void writeCells(const RawVector<std::uint32_t>& before)
   {
     const WallMesh old = takeCells();
-    wall_.cells.reserve(old.cells.size() + promoted_.size());
-    wall_.uses.reserve(old.uses.size());
-    auto next = written_.begin();
-    const auto writeUpTo = [&](std::uint32_t box, std::uint64_t order) {
-      for (; next != written_.end() && mesh_.cell(*next).home == box && orderOf(*next) <= order;
-           ++next)
+    const std::size_t count = before.size();
+    wall_.boxStart.resize(count + 1);
+    wall_.flawed.resize(count);
+    std::vector<std::size_t> firstUse(chunks(count, ItemsAChunk) + 1);
+    std::vector<std::size_t> firstCell(firstUse.size());
+    forEach(count, [&](std::uint32_t n) {
+      const std::size_t chunk = n / ItemsAChunk;
+      forEachCellIn(n, before[n], old, [&](std::size_t size, std::uint32_t, std::uint32_t) {
+        ++firstCell[chunk];
+        firstUse[chunk] += size;
+      });
+    });
+    const std::size_t cells = scan(firstCell);
+    const std::size_t uses = scan(firstUse);
+    wall_.cells.resize(cells + 1);
+    wall_.uses.resize(uses);
+    forEach(count, [&](std::uint32_t n) {
+      const std::size_t chunk = n / ItemsAChunk;
+      wall_.boxStart[n] = firstCell[chunk];
+      wall_.flawed[n] = before[n] == None ? std::uint8_t(0) : old.flawed[before[n]];
+      forEachCellIn(n, before[n], old, [&](std::size_t size, std::uint32_t was, std::uint32_t c) {
+        Cell& cell = wall_.cells[firstCell[chunk]++];
+        cell = c == None ? old.cells[was] : cellOf(c);
+        cell.firstUse = firstUse[chunk];
+        writeUses(old, was, c, cell.firstUse);
+        firstUse[chunk] += size;
+      });
+    });
+    wall_.boxStart[count] = cells;
+    wall_.cells[cells] = Cell{};
+    wall_.cells[cells].firstUse = uses;
+  }
+
+  // Calls visit(number of faces, number in the old mesh or None, number in this one or None) for the cells of a box, in
+  // order. `m`: its number among the old polyhedral ones, or None.
+  template <class Visitor>
+  void forEachCellIn(std::uint32_t n, std::uint32_t m, const WallMesh& old, Visitor&& visit) const
+  {
+    const std::uint32_t box = sides_.polyhedral[n];
+    auto next = std::lower_bound(written_.begin(), written_.end(), Written{ box, 0, 0 });
+    const auto visitUpTo = [&](std::uint64_t order) {
+      for (; next != written_.end() && next->box == box && next->order <= order; ++next)
       {
-        writeCell(*next);
+        visit(mesh_.facesOf(next->cell).size(), None, next->cell);
       }
     };
-    for (std::size_t n = 0; n < before.size(); ++n)
+    const std::size_t end = m == None ? 0 : old.boxStart[m + 1];
+    for (std::size_t c = m == None ? 0 : old.boxStart[m]; c < end; ++c)
     {
-      const std::uint32_t m = before[n];
-      const std::uint32_t box = sides_.polyhedral[n];
-      wall_.boxStart.push_back(wall_.cells.size());
-      wall_.flawed.push_back(m == None ? std::uint8_t(0) : old.flawed[m]);
-      for (std::size_t c = m == None ? 0 : old.boxStart[m]; m != None && c < old.boxStart[m + 1];
-           ++c)
+      visitUpTo(c);
+      if (!rewritten_[c])
       {
-        writeUpTo(box, c);
-        if (!rewritten_[c])
-        {
-          Cell cell = old.cells[c];
-          cell.firstUse = wall_.uses.size();
-          wall_.cells.push_back(cell);
-          old.forEachUse(c, [&](const FaceUse& use) { wall_.uses.push_back(use); });
-        }
+        visit(
+          old.cells[c + 1].firstUse - old.cells[c].firstUse, static_cast<std::uint32_t>(c), None);
       }
-      writeUpTo(box, ~std::uint64_t(0));
     }
-    wall_.boxStart.push_back(wall_.cells.size());
-    Cell end{};
-    end.firstUse = wall_.uses.size();
-    wall_.cells.push_back(end);
+    visitUpTo(~std::uint64_t(0));
   }
 
   // All but the faces.
@@ -337,7 +407,7 @@ private:
     return old;
   }
 
-  void writeCell(std::uint32_t c)
+  Cell cellOf(std::uint32_t c) const
   {
     const EditCell& edited = mesh_.cell(c);
     Cell cell{};
@@ -345,15 +415,24 @@ private:
     cell.boundary = edited.wall;
     cell.region = edited.region;
     cell.volumeFraction = shareOf(c);
-    cell.firstUse = wall_.uses.size();
     cell.reach = reachOf(c);
-    wall_.cells.push_back(cell);
+    return cell;
+  }
+
+  // Of a cell as it was, or of one that changed.
+  void writeUses(const WallMesh& old, std::uint32_t was, std::uint32_t c, std::size_t first)
+  {
+    if (c == None)
+    {
+      old.forEachUse(was, [&](const FaceUse& use) { wall_.uses[first++] = use; });
+      return;
+    }
     for (const std::uint32_t f : mesh_.facesOf(c))
     {
       const bool isAbove = mesh_.face(f).above == c;
       const bool isMade = numbers_.faces[f] >= numbers_.firstMade;
-      wall_.uses.emplace_back(
-        numbers_.faces[f], isAbove != (!isMade && edited_.opened.turned[f] != 0));
+      wall_.uses[first++] = { numbers_.faces[f],
+        isAbove != (!isMade && edited_.opened.turned[f] != 0) };
     }
   }
 
@@ -410,24 +489,17 @@ private:
     return isHexahedron(key) && sides_.polyhedralOrdinal(boxOfHexahedron(key)) == None;
   }
 
-  void findCellsOfFaces(Execution& execution)
+  void findCellsOfFaces()
   {
     WallFaces& faces = wall_.faces;
-    execution.forEach(faces.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t f = begin; f < end; ++f)
+    forEach(faces.size(), [&](std::uint32_t f) {
+      for (CellKey& key : faces.cells[f])
       {
-        for (CellKey& key : faces.cells[f])
-        {
-          key = isStillHexahedron(key) ? key : CellKey(None);
-        }
+        key = isStillHexahedron(key) ? key : CellKey(None);
       }
     });
-    execution.forEach(wall_.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t c = begin; c < end; ++c)
-      {
-        wall_.forEachUse(c,
-          [&](const FaceUse& use) { faces.cells[use.face][use.turned] = static_cast<CellKey>(c); });
-      }
+    forEach(wall_.size(), [&](std::uint32_t c) {
+      wall_.forEachUse(c, [&](const FaceUse& use) { faces.cells[use.face][use.turned] = c; });
     });
   }
 
@@ -435,17 +507,21 @@ private:
   void listSidesOfHexahedra()
   {
     const WallFaces& faces = wall_.faces;
-    for (std::uint32_t f = numbers_.firstMade; f < faces.size(); ++f)
-    {
+    const std::size_t count = faces.size() - numbers_.firstMade;
+    std::vector<std::vector<HexahedronSide>> ofChunks(chunks(count, ItemsAChunk));
+    forEach(count, [&](std::uint32_t i) {
+      const std::uint32_t f = numbers_.firstMade + i;
       for (const CellKey key : faces.cells[f])
       {
         if (isHexahedron(key))
         {
           const std::uint32_t box = boxOfHexahedron(key);
-          wall_.hexahedronSides.push_back({ box, sideOf(box, f), f });
+          ofChunks[i / ItemsAChunk].push_back({ box, sideOf(box, f), f });
         }
       }
-    }
+    });
+    const std::vector<HexahedronSide> made = concatenated(ofChunks);
+    wall_.hexahedronSides.insert(wall_.hexahedronSides.end(), made.begin(), made.end());
     std::sort(wall_.hexahedronSides.begin(), wall_.hexahedronSides.end(),
       [](const HexahedronSide& x, const HexahedronSide& y) {
         return std::make_pair(x.box, x.side) < std::make_pair(y.box, y.side);
@@ -476,9 +552,11 @@ private:
   Sides& sides_;
   Nodes& nodes_;
   WallMesh& wall_;
+  Execution& execution_;
   std::vector<std::uint8_t> moved_;     // nodes
   std::vector<std::uint8_t> rewritten_; // cells of the wall mesh that changed or went
-  std::vector<std::uint32_t> written_;  // cells that changed, in the order of boxes
+  std::vector<std::uint8_t> isWritten_; // cells that changed
+  std::vector<Written> written_;        // these, in order
   std::vector<std::uint32_t> promoted_; // boxes of hexahedra that changed, in order
   NewNumbers numbers_;
 };
@@ -488,7 +566,7 @@ private:
 void closeWall(const EditableWall& edited, const Boxes& boxes, Sides& sides, Nodes& nodes,
   WallMesh& wall, Execution& execution)
 {
-  Closing(edited, boxes, sides, nodes, wall).run(execution);
+  Closing(edited, boxes, sides, nodes, wall, execution).run();
 }
 
 }

@@ -86,10 +86,13 @@ void improveWall(EditMesh& mesh, Execution& execution)
     snapEdges(task, general.rules, SnapSpec(), poll);
   });
   payDebts(store, general.rules.spec, execution);
-  editInZones(store, execution, [&](const ZoneTask& task) {
-    improve(task, general, poll);
-    improveFailing(task, general.rules.spec, poll);
-  });
+  editInZones(
+    store, execution,
+    [&](const ZoneTask& task) {
+      improve(task, general, poll);
+      improveFailing(task, general.rules.spec, poll);
+    },
+    true);
   payDebts(store, general.rules.spec, execution);
   mesh.refresh();
 }

@@ -9,7 +9,7 @@ namespace cartesian
 
 // Cells of intersected boxes, others with a wall other than an end of the grid, and those that share a node with one;
 // none that was removed. In the order of their boxes, then of their nodes' places.
-std::vector<CellKey> cellsToEdit(const MeshParts& parts);
+std::vector<CellKey> cellsToEdit(const MeshParts& parts, Execution& execution);
 
 // The box of a cell or hexahedron.
 inline std::uint32_t boxOf(const WallMesh& wall, CellKey key)

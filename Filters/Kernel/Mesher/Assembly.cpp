@@ -449,10 +449,18 @@ bool mayEditInPlace(const Assembly& a, const Options& options, const WallLayerSp
 
 void editInPlace(Assembly& a, const Options& options, Execution& execution)
 {
+  constexpr double AfterOpening = 0.9 * AfterShortEdges + 0.1 * AfterShaping;
+  constexpr double AfterEdits = 0.06 * AfterShortEdges + 0.94 * AfterShaping;
+  constexpr double AfterClosing = 0.02 * AfterShortEdges + 0.98 * AfterShaping;
+  execution.stage("Opening of the wall", AfterShortEdges, AfterOpening);
   EditableWall wall = openWall(
     { a.boxes, a.patches, a.sides, a.nodes, a.wall }, options.patches.featureAngle, execution);
+  execution.stage("Edits of the wall", AfterOpening, AfterEdits);
   improveWall(wall.mesh, execution);
+  execution.stage("Closing of the wall", AfterEdits, AfterClosing);
   closeWall(wall, a.boxes, a.sides, a.nodes, a.wall, execution);
+  wall.mesh.store().release(execution);
+  execution.stage("Checks of cells", AfterClosing, AfterShaping);
 }
 
 bool isWhole(const Assembly& a)
@@ -510,7 +518,6 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   makeInterfaces(a.patches.walls, a.wall);
   if (inPlace)
   {
-    execution.stage("Shaping of cells", AfterShortEdges, AfterShaping);
     editInPlace(a, options, execution);
   }
   else if (shapesCells(options))

@@ -20,8 +20,6 @@ namespace
 constexpr double FeatureAngle = 30;
 constexpr int FirstSide = 10;
 
-Execution alone;
-
 struct Case
 {
   std::string name;
@@ -104,6 +102,12 @@ MeshArrays written(Assembly& a)
   Execution execution;
   a.mesh = std::make_unique<OutputMesh>(partsOf(a), execution);
   return arraysOf(*a.mesh, a.boxes, execution);
+}
+
+EditableWall opened(const Assembly& a)
+{
+  Execution execution;
+  return openWall(partsOf(a), FeatureAngle, execution);
 }
 
 void close(const EditableWall& edited, Assembly& a)
@@ -223,7 +227,7 @@ Soup reversed(Soup soup)
 TEST_P(EditableWallOf, CellsAreClosed)
 {
   const auto a = assembledOf(GetParam());
-  const EditableWall edited = openWall(partsOf(*a), FeatureAngle, alone);
+  const EditableWall edited = opened(*a);
   const EditMesh& mesh = edited.mesh;
   ASSERT_GT(edited.opened.cells, 0u);
   double sum = 0;
@@ -253,7 +257,7 @@ TEST_P(EditableWallOf, NoEditsChangeNothing)
 {
   const auto a = assembledOf(GetParam());
   const MeshArrays before = written(*a);
-  close(openWall(partsOf(*a), FeatureAngle, alone), *a);
+  close(opened(*a), *a);
   EXPECT_TRUE(written(*a) == before);
 }
 
@@ -262,7 +266,7 @@ TEST_P(EditableWallOf, AllIsWritten)
 {
   const auto a = assembledOf(GetParam());
   const MeshArrays before = written(*a);
-  EditableWall edited = openWall(partsOf(*a), FeatureAngle, alone);
+  EditableWall edited = opened(*a);
   for (std::uint32_t f = 0; f < edited.mesh.faceCount(); ++f)
   {
     const Items corners = edited.mesh.cornersOf(f);
@@ -301,7 +305,7 @@ TEST_P(EditableWallOf, EditsAreWritten)
 {
   const auto a = assembledOf(GetParam());
   const MeshArrays before = written(*a);
-  EditableWall edited = openWall(partsOf(*a), FeatureAngle, alone);
+  EditableWall edited = opened(*a);
   moveSome(edited.mesh);
   const std::size_t merged = mergeSome(edited);
   EXPECT_GT(merged, 0u);
@@ -321,7 +325,7 @@ TEST_P(EditableWallOf, EditsAreWritten)
 TEST_P(EditableWallOf, NodesAreHeld)
 {
   const auto a = assembledOf(GetParam());
-  const EditableWall edited = openWall(partsOf(*a), FeatureAngle, alone);
+  const EditableWall edited = opened(*a);
   const EditMesh& mesh = edited.mesh;
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
   {
@@ -371,7 +375,7 @@ TEST(EditableWall, IsNotForAllSettings)
 TEST(EditableWall, KindsOfNodesOfACube)
 {
   const auto a = assembledOf(Case{ "", cube().turned(), plain(0.23, 0) });
-  const EditableWall edited = openWall(partsOf(*a), FeatureAngle, alone);
+  const EditableWall edited = opened(*a);
   std::map<NodeKind, int> kinds;
   for (std::uint32_t n = 0; n < edited.mesh.nodeCount(); ++n)
   {
@@ -395,8 +399,8 @@ TEST(EditableWall, IsTheSameForAnyOrder)
     SCOPED_TRACE(one.name);
     const auto a = assembledOf(one);
     const auto b = assembledOf(Case{ "", reversed(one.soup), one.options });
-    const EditableWall x = openWall(partsOf(*a), FeatureAngle, alone);
-    const EditableWall y = openWall(partsOf(*b), FeatureAngle, alone);
+    const EditableWall x = opened(*a);
+    const EditableWall y = opened(*b);
     ASSERT_EQ(x.opened.corners, y.opened.corners);
     ASSERT_EQ(x.opened.start, y.opened.start);
     ASSERT_EQ(x.opened.cellsOf, y.opened.cellsOf);

@@ -445,8 +445,8 @@ bool isSameList(const EditMesh& mesh, const ItemList& a, const EditMesh& other, 
 
 // A record that only one of them has is of what was made, and is gone again.
 template <class Record, class List>
-std::string differenceIn(const EditMesh& mesh, const std::vector<Record>& all,
-  const EditMesh& other, const std::vector<Record>& others, const char* what, List&& list)
+std::string differenceIn(const EditMesh& mesh, const RecordVector<Record>& all,
+  const EditMesh& other, const RecordVector<Record>& others, const char* what, List&& list)
 {
   for (std::uint32_t i = 0; i < std::max(all.size(), others.size()); ++i)
   {
@@ -523,6 +523,7 @@ EditMesh copyOf(const EditMesh& mesh)
 {
   EditMesh copy;
   copy.store() = storeOf(mesh);
+  copy.refresh();
   copy.ledger = mesh.ledger;
   return copy;
 }
