@@ -125,7 +125,8 @@ private:
     const EditMesh before = isChecked ? copyOf(mesh) : EditMesh();
     const int kind = OftenAs[random_() % OftenAs.size()];
     const EditMesh::Mark mark = mesh.mark();
-    const bool isValid = RandomEdits(mesh, random_).make(kind) && settle(mesh, ObjectiveSpec());
+    const bool isValid = RandomEdits(mesh, random_).make(kind) && settle(mesh, ObjectiveSpec()) &&
+      areAllClosed(mesh, mark);
     if (isValid && random_() % 4 == 0)
     {
       totals.add(mesh.ledger);
