@@ -219,7 +219,7 @@ Number excess(const Number& x)
 }
 
 template <class Number>
-Number atLeast(const Number& x, double least)
+Number notBelow(const Number& x, double least)
 {
   return x > Number(least) ? x : Number(least);
 }
@@ -244,7 +244,7 @@ public:
   FaceCost(const FaceMeasures<Number>& face, const ObjectiveSpec& spec)
     : face_(face)
     , spec_(spec)
-    , area_(atLeast(norm(face.area), Tiny))
+    , area_(notBelow(norm(face.area), Tiny))
     , normal_(scaled(face.area, Number(1) / area_))
     , fails_(face.star < Number(0) || face.warp > Number(FailsBeyond::Warp))
   {
@@ -259,7 +259,7 @@ public:
     const VectorOf<Number> toAbove = minus(above.centre, below.centre);
     const VectorOf<Number> toFace = minus(face_.centre, below.centre);
     const VectorOf<Number> onwards = minus(above.centre, face_.centre);
-    const Number distance = atLeast(norm(toAbove), Tiny);
+    const Number distance = notBelow(norm(toAbove), Tiny);
     const Number whole = dot(toAbove, normal_);
     const Number near = dot(toFace, normal_);
     const Number far = dot(onwards, normal_);
@@ -272,10 +272,10 @@ public:
     const Number slope = excess(squareOf(distance / across) - 1.0);
     const Number weight = smaller(nearer, farther) / across;
     const Number ratio =
-      smaller(below.volume, above.volume) / atLeast(larger(below.volume, above.volume), Tiny);
+      smaller(below.volume, above.volume) / notBelow(larger(below.volume, above.volume), Tiny);
     cost_ += squareOf(slope * (1 / Wanted::Slope));
     cost_ += squareOf(excess(Number(Wanted::FaceWeight) / weight - 1.0));
-    cost_ += squareOf(excess(Number(Wanted::VolumeRatio) / atLeast(ratio, LeastRatio) - 1.0));
+    cost_ += squareOf(excess(Number(Wanted::VolumeRatio) / notBelow(ratio, LeastRatio) - 1.0));
     const Number steepest =
       larger(dot(toFace, toFace) / squareOf(nearer), dot(onwards, onwards) / squareOf(farther));
     cost_ += squareOf(squareOf(Number(Wanted::InnerCosine)) * steepest);
@@ -296,7 +296,7 @@ public:
     const VectorOf<Number> toFace = minus(face_.centre, below.centre);
     const Number height = dot(toFace, normal_);
     const double least = LeastPart * edge;
-    const Number tall = atLeast(height, least);
+    const Number tall = notBelow(height, least);
     cost_ += excess(Number(least) - height) * (CostOfInversion / edge);
     const VectorOf<Number> aside = minus(toFace, scaled(normal_, height));
     const Number square = dot(aside, aside);
@@ -386,11 +386,11 @@ Cost<Number> costOfCell(const Number& share, const Number& determinant)
   constexpr double CostOfShare = 1e4;
   constexpr double CostOfLarge = 4;
   constexpr double LeastDeterminant = 1e-3;
-  Number cost = squareOf(excess(Number(Wanted::Share) / atLeast(share, LeastShare) - 1.0));
+  Number cost = squareOf(excess(Number(Wanted::Share) / notBelow(share, LeastShare) - 1.0));
   cost += excess(Number(LeastShare) - share) * CostOfShare;
   cost += squareOf(excess(share * (1 / Wanted::LargeShare) - 1.0)) * CostOfLarge;
   const Number flat =
-    excess(Number(Wanted::Determinant) / atLeast(determinant, LeastDeterminant) - 1.0);
+    excess(Number(Wanted::Determinant) / notBelow(determinant, LeastDeterminant) - 1.0);
   using std::log1p;
   cost += log1p(flat) * 4.0;
   return { cost, 0, !(valueOf(determinant) > Limits::Determinant) };

@@ -3,7 +3,7 @@
 //
 // The mesh must stay one: cells closed, faces not folded, no two faces alike. No more faces or cells than before may
 // fail the limits of solvers. The wall may not move farther than ObjectiveSpec::mostMoved, sharp edges and corners stay
-// but for a charge. What remains is a matter of cost (WallObjective.h): the gain has to be large enough.
+// except for a charge. What remains is a matter of cost (WallObjective.h): the gain has to be large enough.
 #pragma once
 
 #include "Acceptance/WallObjective.h"

@@ -32,7 +32,7 @@ struct Round
   int margin;        // cells next to fixed ones by so many faces are looked at in a later round
 };
 
-// In each round zones end across other directions, in the same places as those of others but for a few. Edits reach no
+// In each round zones end across other directions, in other places than the others with few exceptions. Edits reach no
 // farther than the first margins, as a rule; for the last cells less must do, so that few are left for one zone.
 constexpr std::array<Round, 6> Rounds{
   Round{ { Vector{ 1, 0, 0 }, Vector{ 0, 1, 0 }, Vector{ 0, 0, 1 } }, 2 },

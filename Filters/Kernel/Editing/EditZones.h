@@ -19,7 +19,7 @@ struct ZoneTask
 {
   EditMesh& mesh;
   const std::vector<std::uint32_t>& cells; // to be looked at, in order
-  Items zone;                              // all of the zone, but for those that are made
+  Items zone;                              // all of the zone, except those that are made
   const std::vector<std::uint8_t>&
     isOver; // of all cells before this round: looked at in an earlier one
 

@@ -208,8 +208,8 @@ private:
 
 }
 
-void findNodeKinds(EditStore& store, const RawVector<PointKind>& known, double featureAngle,
-  Execution& execution)
+void findNodeKinds(
+  EditStore& store, const RawVector<PointKind>& known, double featureAngle, Execution& execution)
 {
   execution.forEach(store.nodes.size(), NodesAChunk, [&](std::size_t begin, std::size_t end) {
     EditMesh mesh(store, 0, 0, {});

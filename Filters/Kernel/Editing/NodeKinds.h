@@ -13,7 +13,7 @@ namespace cartesian
 // Of all nodes at walls and between regions, once faces are measured: EditNode's kind, along, home and leash. Edges at
 // which two boundaries meet, or by which the wall turns by more than `featureAngle` (degrees), are sharp. `known`: of
 // nodes, as Nodes::kinds.
-void findNodeKinds(EditStore& store, const RawVector<PointKind>& known, double featureAngle,
-  Execution& execution);
+void findNodeKinds(
+  EditStore& store, const RawVector<PointKind>& known, double featureAngle, Execution& execution);
 
 }

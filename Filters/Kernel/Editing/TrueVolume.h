@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Facets cut off what a curved surface encloses, and edits what they move: each wall knows that debt. Nodes of smooth
-// walls move along their normals until it is paid, but for those where a face would become poor.
+// walls move along their normals until it is paid, except where a face would become poor.
 #pragma once
 
 #include "Acceptance/WallObjective.h"

@@ -345,7 +345,7 @@ private:
 
   // --- nodes
 
-  // In the order of their places; corners then have their numbers. No two share a place, but for vertices that several
+  // In the order of their places; corners then have their numbers. No two share a place, except vertices that several
   // lists have.
   void addNodes()
   {

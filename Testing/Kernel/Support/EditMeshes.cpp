@@ -642,14 +642,16 @@ EditMesh cellOfBoxes(const std::vector<TestBox>& boxes)
 
 EditMesh randomMesh(std::mt19937& random, double moved)
 {
-  const auto upTo = [&](int most) { return std::uniform_int_distribution<int>(0, most)(random); };
-  const std::vector<TestBox> whole = blockOfBoxes(1 + upTo(2), 1 + upTo(2), 1 + upTo(2), 2);
-  const bool hasRegions = upTo(3) == 0;
+  const auto lessThan = [&](
+                          int most) { return std::uniform_int_distribution<int>(0, most)(random); };
+  const std::vector<TestBox> whole =
+    blockOfBoxes(1 + lessThan(2), 1 + lessThan(2), 1 + lessThan(2), 2);
+  const bool hasRegions = lessThan(3) == 0;
   std::vector<TestBox> boxes;
   for (TestBox box : whole)
   {
     box.region = hasRegions && box.low[0] >= 2 ? 1 : 0;
-    if (upTo(5) != 0)
+    if (lessThan(5) != 0)
     {
       boxes.push_back(box);
       continue;
@@ -667,7 +669,7 @@ EditMesh randomMesh(std::mt19937& random, double moved)
     }
   }
   TestMeshSpec spec;
-  spec.held = static_cast<std::uint8_t>(upTo(3) == 0 ? 1 << upTo(2) : 0);
+  spec.held = static_cast<std::uint8_t>(lessThan(3) == 0 ? 1 << lessThan(2) : 0);
   std::uniform_real_distribution<double> by(-moved, moved);
   spec.place = [&](const Vector& p) {
     Vector at = p;

@@ -25,20 +25,20 @@ public:
   {
     const std::uint32_t f = face();
     const Items ring = mesh_.cornersOf(f);
-    const std::uint32_t i = upTo(ring.size());
+    const std::uint32_t i = lessThan(ring.size());
     const std::uint32_t u = ring[i];
     const std::uint32_t v = ring[(i + 1) % ring.size()];
     switch (kind)
     {
       case 0:
-        return collapseEdge(mesh_, u, v, upTo(2) == 0 ? mesh_.node(v).at : near(v));
+        return collapseEdge(mesh_, u, v, lessThan(2) == 0 ? mesh_.node(v).at : near(v));
       case 1:
       {
         const Items faces = mesh_.facesOf(mesh_.face(f).below);
-        return joinFaces(mesh_, f, faces[upTo(faces.size())]);
+        return joinFaces(mesh_, f, faces[lessThan(faces.size())]);
       }
       case 2:
-        return splitFace(mesh_, f, i, upTo(ring.size())) != None;
+        return splitFace(mesh_, f, i, lessThan(ring.size())) != None;
       case 3:
         return !mesh_.isWall(f) && mergeCells(mesh_, mesh_.face(f).below, mesh_.face(f).above);
       case 4:
@@ -52,7 +52,7 @@ public:
   }
 
 private:
-  std::uint32_t upTo(std::size_t size) { return static_cast<std::uint32_t>(random_() % size); }
+  std::uint32_t lessThan(std::size_t size) { return static_cast<std::uint32_t>(random_() % size); }
 
   double part() { return double(random_() % 2048) / 1024 - 1; }
 
@@ -60,7 +60,7 @@ private:
   {
     for (;;)
     {
-      if (const std::uint32_t f = upTo(mesh_.faceCount()); !mesh_.face(f).gone)
+      if (const std::uint32_t f = lessThan(mesh_.faceCount()); !mesh_.face(f).gone)
       {
         return f;
       }
