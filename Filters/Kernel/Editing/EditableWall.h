@@ -30,7 +30,7 @@ struct AsOpened
   std::uint32_t nodes = 0;
   std::uint32_t cells = 0;
   RawVector<std::uint16_t> facesOf; // how many each cell had
-  RawVector<std::uint32_t> start; // first corner of each face, and the end
+  RawVector<std::uint32_t> start;   // first corner of each face, and the end
   RawVector<std::uint32_t> corners;
   RawVector<std::array<std::uint32_t, 2>> cellsOf; // below and above each face, or None
   RawVector<std::uint8_t> turned;     // 1: the face has the cell below that WallFaces has above
