@@ -1,4 +1,5 @@
 // Walls edited in zones: each cell once, zones apart from each other, and the same bits on any number of threads.
+#include "Base/Error.h"
 #include "Editing/EditZones.h"
 #include "Editing/EditableWall.h"
 #include "Support/MeshChecker.h"
@@ -119,6 +120,14 @@ TEST_P(EditZonesOf, EachCellOnceAndZonesShareNoNode)
     }
     EXPECT_EQ(all.size(), count);
   }
+}
+
+// Numbers that do not fit are an error, not another list.
+TEST(EditStore, ListsThatDoNotFitAreRefused)
+{
+  EXPECT_EQ(listAt(7, 65535, 3).size, 65535);
+  EXPECT_THROW(listAt(7, 65536, 3), Error);
+  EXPECT_THROW(listAt((std::size_t(1) << 32) - 7, 8, 3), Error);
 }
 
 std::string nameOfCase(const ::testing::TestParamInfo<Case>& info)
