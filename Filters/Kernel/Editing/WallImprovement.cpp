@@ -79,7 +79,6 @@ void improveWall(EditMesh& mesh, Execution& execution)
   EditStore& store = mesh.store();
   const LoopSpec general;
   const auto poll = [&] { execution.poll(); };
-  measureAll(store, execution);
   costAll(store, general.rules.spec, execution);
   editInZones(store, execution, [&](const ZoneTask& task) {
     simplifyWalls(task, SimplificationSpec(), general.rules.spec, poll);

@@ -8,6 +8,7 @@
 namespace cartesian
 {
 
+// Faces and cells are measured (EditMeasures.h).
 void improveWall(EditMesh& mesh, Execution& execution);
 
 }
