@@ -40,7 +40,7 @@ LoopSpec lastLoop()
   spec.rules.spec.volume = 200;
   spec.rules.spec.distance = 0.1;
   spec.rules.spec.sharpEdge = 20;
-  spec.rules.spec.mostMoved = 0.4;
+  spec.rules.spec.mostMoved = 0.55;
   spec.search.removedShare = 1;
   spec.search.neighbours = 6;
   spec.failingOnly = true;
