@@ -17,7 +17,7 @@ constexpr double MostMoved = 0.1; // in boxes
 constexpr double LeastMoved = 1e-6;
 constexpr double MostCost = 3;     // that a face may cost more than before
 constexpr int RoundsOfHalving = 2; // then nodes of poor faces go back, and those of their cells
-constexpr int Rounds = 5;
+constexpr int Rounds = 16;
 
 constexpr std::size_t ItemsAChunk = 1024;
 
