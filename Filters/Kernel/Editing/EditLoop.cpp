@@ -185,7 +185,13 @@ private:
     const std::uint32_t c = item.isCell ? item.number : mesh_.face(item.number).below;
     trials_.setBox(c);
     Proposal best{};
-    double gained = bestProposal(item, best);
+    bool isMade = false;
+    double gained = bestProposal(item, best, isMade);
+    if (isMade)
+    {
+      finish(best);
+      return;
+    }
     if (!(gained >= NoMoveBeyond * item.cost))
     {
       const double least = std::max(gained, LeastGainOfMove * item.cost);
@@ -199,7 +205,8 @@ private:
     }
   }
 
-  double bestProposal(const Item& item, Proposal& best)
+  // `isMade`: it gained so much that it is made.
+  double bestProposal(const Item& item, Proposal& best, bool& isMade)
   {
     proposals_.clear();
     item.isCell ? proposeForCell(mesh_, spec_.search, item.number, proposals_)
@@ -213,15 +220,16 @@ private:
         continue;
       }
       ++counts_.tried[std::size_t(proposal.kind)];
-      const double gain = trials_.gain(proposal, std::max(least, gained));
+      const double gain = trials_.gainOrMake(
+        proposal, std::max(least, gained), spec_.search.enough * item.cost, isMade);
       if (gain > gained)
       {
         gained = gain;
         best = proposal;
-        if (gained > spec_.search.enough * item.cost)
-        {
-          break;
-        }
+      }
+      if (isMade)
+      {
+        break;
       }
     }
     return gained;
@@ -257,10 +265,17 @@ private:
 
   bool make(const Proposal& proposal)
   {
-    if (!trials_.make(proposal, 0))
+    const bool isMade = trials_.make(proposal, 0);
+    if (isMade)
     {
-      return false;
+      finish(proposal);
     }
+    return isMade;
+  }
+
+  // What it changed is looked at again.
+  void finish(const Proposal& proposal)
+  {
     ++counts_.made[std::size_t(proposal.kind)];
     passOnDebts(mesh_);
     collectChanged();
@@ -279,7 +294,6 @@ private:
     {
       push({ 0, true, c });
     }
-    return true;
   }
 
   void collectChanged()

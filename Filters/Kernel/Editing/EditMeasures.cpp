@@ -31,23 +31,6 @@ double volumeBehind(const EditMesh& mesh, std::uint32_t f)
   return volume / 6;
 }
 
-void setCostOfCell(EditMesh& mesh, std::uint32_t c)
-{
-  const Cost<double> cost = costOfCell(mesh, c);
-  EditCell& cell = mesh.rawCell(c);
-  cell.cost = cost.value;
-  cell.strains = cost.strains;
-}
-
-void setCostOfFace(EditMesh& mesh, std::uint32_t f, const ObjectiveSpec& spec)
-{
-  const Cost<double> cost = costOfFace(mesh, f, spec);
-  EditFace& face = mesh.rawFace(f);
-  face.cost = cost.value;
-  face.fails = static_cast<std::uint8_t>(cost.fails);
-  face.strains = cost.strains;
-}
-
 // Of the measures around one node, with their gradients by its place.
 class GradientOfNode
 {
@@ -306,6 +289,23 @@ Cost<double> costOfCell(const EditMesh& mesh, std::uint32_t c)
   }
   const EditCell& cell = mesh.cell(c);
   return costOfCell(cell.volume / cell.box, determinant.value());
+}
+
+void setCostOfCell(EditMesh& mesh, std::uint32_t c)
+{
+  const Cost<double> cost = costOfCell(mesh, c);
+  EditCell& cell = mesh.rawCell(c);
+  cell.cost = cost.value;
+  cell.strains = cost.strains;
+}
+
+void setCostOfFace(EditMesh& mesh, std::uint32_t f, const ObjectiveSpec& spec)
+{
+  const Cost<double> cost = costOfFace(mesh, f, spec);
+  EditFace& face = mesh.rawFace(f);
+  face.cost = cost.value;
+  face.fails = static_cast<std::uint8_t>(cost.fails);
+  face.strains = cost.strains;
 }
 
 void measureAll(EditStore& store, Execution& execution)

@@ -18,6 +18,10 @@ void measureCell(EditMesh& mesh, std::uint32_t c);
 Cost<double> costOfFace(const EditMesh& mesh, std::uint32_t f, const ObjectiveSpec& spec);
 Cost<double> costOfCell(const EditMesh& mesh, std::uint32_t c);
 
+// ... as what they cost from now on.
+void setCostOfFace(EditMesh& mesh, std::uint32_t f, const ObjectiveSpec& spec);
+void setCostOfCell(EditMesh& mesh, std::uint32_t c);
+
 // Everything, where no edit is under way; then what that costs, for a specification.
 void measureAll(EditStore& store, Execution& execution);
 void costAll(EditStore& store, const ObjectiveSpec& spec, Execution& execution);

@@ -73,25 +73,29 @@ bool ProposalTrials::withoutLimit(Edit&& edit)
 
 double ProposalTrials::gain(const Proposal& proposal, double least)
 {
+  bool isMade = false;
+  return gainOrMake(proposal, least, AnyCost, isMade);
+}
+
+double ProposalTrials::gainOrMake(
+  const Proposal& proposal, double least, double enough, bool& isMade)
+{
   const EditMesh::Mark mark = mesh_.mark();
   most_ = -least;
   const double gained = apply(proposal) ? decide(mesh_, rules_, mark, box_, least) : NoGain;
-  mesh_.undo(mark);
   most_ = AnyCost;
+  isMade = gained > enough && (proposal.kind == EditKind::Move || areAllClosed(mesh_, mark));
+  if (!isMade)
+  {
+    mesh_.undo(mark);
+  }
   return gained;
 }
 
 bool ProposalTrials::make(const Proposal& proposal, double least)
 {
-  const EditMesh::Mark mark = mesh_.mark();
-  most_ = -least;
-  const bool isMade = apply(proposal) && decide(mesh_, rules_, mark, box_, least) > NoGain &&
-    (proposal.kind == EditKind::Move || areAllClosed(mesh_, mark));
-  most_ = AnyCost;
-  if (!isMade)
-  {
-    mesh_.undo(mark);
-  }
+  bool isMade = false;
+  gainOrMake(proposal, least, least, isMade);
   return isMade;
 }
 

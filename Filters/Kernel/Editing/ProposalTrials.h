@@ -23,6 +23,9 @@ public:
   // What a proposal gains, or NoGain: not more than `least`. The mesh stays as it is.
   double gain(const Proposal& proposal, double least);
 
+  // The same, but where it gains more than `enough`, it is made: the journal has what changed.
+  double gainOrMake(const Proposal& proposal, double least, double enough, bool& isMade);
+
   // Makes it; the journal has what changed. False: it does not gain more than `least`, and is undone.
   bool make(const Proposal& proposal, double least);
 

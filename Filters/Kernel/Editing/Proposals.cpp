@@ -25,7 +25,9 @@ constexpr double ReentrantCosine = 0.94; // 20 degrees
 constexpr double LeastReentrant = 0.01;  // in boxes: how far the one wall is in front of the other
 constexpr double FlatWarp = 0.05;
 constexpr std::size_t MostCornersToSplit = 12;
+constexpr std::size_t MostCornersOfFailing = 24;
 constexpr std::size_t BestChords = 2;
+constexpr double LeastStarOfPart = 0.05;
 constexpr std::size_t MostFacesToCut = 100;
 
 double edgeAt(const EditMesh& mesh, std::uint32_t f)
@@ -146,7 +148,7 @@ struct Chord
   std::uint32_t to = 0;
 };
 
-// Of a part of a face, from corner i to corner j: the smallest triangle around its mean, by the mean one; 0 if too small.
+// Of a part of a face, from corner i to corner j: the smallest triangle around its mean, by the mean one; NoGain if too small.
 double starOfPart(const EditMesh& mesh, std::uint32_t f, std::size_t i, std::size_t j)
 {
   const std::size_t size = mesh.face(f).corners.size;
@@ -169,21 +171,22 @@ double starOfPart(const EditMesh& mesh, std::uint32_t f, std::size_t i, std::siz
     least = std::min(least, area);
   }
   constexpr double LeastArea = 1e-4; // of a box's side
-  constexpr double LeastStar = 0.05;
   const double edge = edgeAt(mesh, f);
-  const double star = least * double(count) / sum;
-  return sum > LeastArea * edge * edge && star > LeastStar ? star : 0;
+  return sum > LeastArea * edge * edge ? least * double(count) / sum : NoGain;
 }
 
 void proposeSplits(const EditMesh& mesh, std::uint32_t f, Proposals& proposals)
 {
   const EditFace& face = mesh.face(f);
   const std::size_t size = face.corners.size;
-  if (size < 5 || size > MostCornersToSplit || (face.star >= Wanted::Star && face.warp <= FlatWarp))
+  const bool isFailing = face.star < 0;
+  if (size < 5 || size > (isFailing ? MostCornersOfFailing : MostCornersToSplit) ||
+    (face.star >= Wanted::Star && face.warp <= FlatWarp))
   {
     return;
   }
-  std::array<Chord, BestChords> best;
+  const double least = isFailing ? double(face.star) : LeastStarOfPart;
+  std::array<Chord, BestChords> best{ Chord{ least }, Chord{ least } };
   for (std::uint32_t i = 0; i < size; ++i)
   {
     for (std::uint32_t j = i + 2; j < size; ++j)
@@ -204,7 +207,7 @@ void proposeSplits(const EditMesh& mesh, std::uint32_t f, Proposals& proposals)
   }
   for (const Chord& chord : best)
   {
-    if (chord.star > 0)
+    if (chord.star > least)
     {
       proposals.push_back({ EditKind::SplitFace, f, chord.from, chord.to });
     }

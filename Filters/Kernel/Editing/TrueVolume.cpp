@@ -179,17 +179,15 @@ private:
   // What nodes have that may move: nothing else has changed.
   void measure()
   {
-    forEach(store_.faces.size(), [&](std::uint32_t f) {
+    forEach(isNear_.size(), [&](std::uint32_t f) {
       if (isNear_[f] != 0)
       {
         EditMesh mesh(store_, 0, 0, {});
         measureFace(mesh, f);
       }
     });
-    forEach(store_.cells.size(), [&](std::uint32_t c) {
-      const Items faces = mesh_.facesOf(c);
-      if (mesh_.isFree(c) &&
-        std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) { return isNear_[f] != 0; }))
+    forEach(isCellNear_.size(), [&](std::uint32_t c) {
+      if (isCellNear_[c] != 0)
       {
         EditMesh mesh(store_, 0, 0, {});
         measureCell(mesh, c);
@@ -208,6 +206,22 @@ private:
         ? 1
         : 0;
     });
+    isCellNear_.assign(store_.cells.size(), 0);
+    forEach(isCellNear_.size(), [&](std::uint32_t c) {
+      const Items faces = mesh_.facesOf(c);
+      isCellNear_[c] = mesh_.isFree(c) &&
+          std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) { return isNear_[f] != 0; })
+        ? 1
+        : 0;
+    });
+  }
+
+  // Whether what a face costs may have changed.
+  bool dependsOnNear(std::uint32_t f) const
+  {
+    const EditFace& face = mesh_.face(f);
+    return !face.gone &&
+      (isCellNear_[face.below] != 0 || (face.above != None && isCellNear_[face.above] != 0));
   }
 
   bool isWorse(std::uint32_t f) const
@@ -221,8 +235,8 @@ private:
   bool takeBack(int round)
   {
     std::vector<std::uint8_t> isPoor(store_.faces.size(), 0);
-    forEach(isPoor.size(),
-      [&](std::uint32_t f) { isPoor[f] = !mesh_.face(f).gone && isWorse(f) ? 1 : 0; });
+    forEach(
+      isPoor.size(), [&](std::uint32_t f) { isPoor[f] = dependsOnNear(f) && isWorse(f) ? 1 : 0; });
     if (std::find(isPoor.begin(), isPoor.end(), 1) == isPoor.end())
     {
       return false;
@@ -266,7 +280,25 @@ private:
       EditNode& node = store_.nodes[n];
       node.home = nodes_[n].height != 0 ? node.at : node.home;
     });
-    costAll(store_, spec_, execution_);
+    cost();
+  }
+
+  void cost()
+  {
+    forEach(isCellNear_.size(), [&](std::uint32_t c) {
+      if (isCellNear_[c] != 0)
+      {
+        EditMesh mesh(store_, 0, 0, {});
+        setCostOfCell(mesh, c);
+      }
+    });
+    forEach(isNear_.size(), [&](std::uint32_t f) {
+      if (dependsOnNear(f))
+      {
+        EditMesh mesh(store_, 0, 0, {});
+        setCostOfFace(mesh, f, spec_);
+      }
+    });
   }
 
   // The volume that a wall has passed over, as the triangles around the mean of its corners enclose it. Their areas are
@@ -305,7 +337,8 @@ private:
   const ObjectiveSpec& spec_;
   Execution& execution_;
   RecordVector<Mover> nodes_;
-  std::vector<std::uint8_t> isNear_; // faces: with a node that moves
+  std::vector<std::uint8_t> isNear_;     // faces: with a node that moves
+  std::vector<std::uint8_t> isCellNear_; // cells: with such a face
 };
 
 }

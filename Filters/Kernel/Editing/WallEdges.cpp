@@ -99,6 +99,7 @@ public:
     collectFaces(mark);
     if (hasChanged_)
     {
+      collectBeside();
       collectNodes(mark);
     }
   }
@@ -109,9 +110,9 @@ public:
     {
       return 0;
     }
-    if (now_.empty())
+    if (now_.empty() && beside_.empty())
     {
-      return std::numeric_limits<double>::infinity();
+      return extent();
     }
     double worst = 0;
     for (const Vector& p : points_)
@@ -161,6 +162,41 @@ private:
     }
   }
 
+  // Of walls by themselves, around next to nothing.
+  double extent() const
+  {
+    double square = 0;
+    for (const Vector& p : points_)
+    {
+      const Vector across = minus(p, points_[0]);
+      square = std::max(square, dot(across, across));
+    }
+    return std::sqrt(square);
+  }
+
+  // Walls that are gone may lie on others that did not change: folds, when they close.
+  void collectBeside()
+  {
+    for (const std::size_t record : before_)
+    {
+      const auto& [f, was] = mesh_.faceRecords()[record];
+      if (isWall(mesh_.face(f)))
+      {
+        continue;
+      }
+      for (const std::uint32_t n : mesh_.itemsOf(was.corners))
+      {
+        for (const std::uint32_t g : mesh_.facesAround(n))
+        {
+          if (mesh_.isWall(g) && !now_.contains(g) && !beside_.contains(g))
+          {
+            beside_.add(g);
+          }
+        }
+      }
+    }
+  }
+
   void collectNodes(const EditMesh::Mark& mark)
   {
     const auto& records = mesh_.nodeRecords();
@@ -177,13 +213,16 @@ private:
   double squareTo(const Vector& p, double enough) const
   {
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < now_.size() && least > enough; ++k)
+    for (const auto* faces : { &now_, &beside_ })
     {
-      const std::uint32_t f = now_[k];
-      least = std::min(least,
-        squareToStar(
-          p, mesh_.face(f).centre, mesh_.face(f).corners.size,
-          [&](std::size_t i) -> const Vector& { return mesh_.corner(f, i); }, enough));
+      for (std::size_t k = 0; k < faces->size() && least > enough; ++k)
+      {
+        const std::uint32_t f = (*faces)[k];
+        least = std::min(least,
+          squareToStar(
+            p, mesh_.face(f).centre, mesh_.face(f).corners.size,
+            [&](std::size_t i) -> const Vector& { return mesh_.corner(f, i); }, enough));
+      }
     }
     return least;
   }
@@ -208,7 +247,8 @@ private:
 
   const EditMesh& mesh_;
   FixedList<std::uint32_t, Most> now_;
-  FixedList<std::size_t, Most> before_; // records
+  FixedList<std::uint32_t, Most> beside_; // walls that did not change
+  FixedList<std::size_t, Most> before_;   // records
   FixedList<Vector, Most> points_;
   bool hasChanged_ = false;
 };

@@ -35,7 +35,7 @@ double squareToTriangle(const Vector& p, const Vector& a, const Vector& b, const
 double distanceToFace(const EditMesh& mesh, const Vector& p, std::uint32_t f);
 
 // The largest distance between the walls that changed since the mark, as they were and as they are: from nodes and
-// centres of the one to faces of the other, both ways. Nothing left of them: infinite.
+// centres of the one to faces of the other, both ways. Nothing left of them: their extent.
 double distanceOfWalls(const EditMesh& mesh, const EditMesh::Mark& mark);
 
 }

@@ -42,6 +42,7 @@ LoopSpec lastLoop()
   spec.rules.spec.sharpEdge = 20;
   spec.rules.spec.mostMoved = 0.55;
   spec.search.removedShare = 1;
+  spec.search.longestEdge = 1.5;
   spec.search.neighbours = 6;
   spec.failingOnly = true;
   return spec;
