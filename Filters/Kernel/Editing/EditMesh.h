@@ -373,9 +373,11 @@ public:
   }
 
   // For measures, and to set what the journal does not have to know.
+  // NOLINTBEGIN(readability-make-member-function-const): what changes is behind pointers
   EditNode& rawNode(std::uint32_t i) { return at_.nodes[i]; }
   EditFace& rawFace(std::uint32_t i) { return at_.faces[i]; }
   EditCell& rawCell(std::uint32_t i) { return at_.cells[i]; }
+  // NOLINTEND(readability-make-member-function-const)
 
   // --- the journal
 
@@ -486,6 +488,7 @@ private:
   template <class Record>
   std::uint32_t takeSlot(RecordVector<Record>& all, Slots& slots);
 
+  // NOLINTNEXTLINE(readability-make-member-function-const): the same
   RawVector<std::uint32_t>& arena() { return at_.arenas[arena_]; }
   ItemList store(const std::uint32_t* items, std::size_t size);
   ItemList without(const ItemList& list, std::uint32_t item);
