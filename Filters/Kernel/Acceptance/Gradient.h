@@ -97,6 +97,15 @@ using VectorOf = std::array<Number, 3>;
 
 using GradientVector = VectorOf<WithGradient>;
 
+inline const Vector& valuesOf(const Vector& v)
+{
+  return v;
+}
+inline Vector valuesOf(const GradientVector& v)
+{
+  return { v[0].value, v[1].value, v[2].value };
+}
+
 inline GradientVector minus(const GradientVector& u, const GradientVector& v)
 {
   return { u[0] - v[0], u[1] - v[1], u[2] - v[2] };

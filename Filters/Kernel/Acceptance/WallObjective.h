@@ -107,39 +107,44 @@ FaceMeasures<Number> measuresOfFace(std::size_t size, Corner&& corner)
     return measuresOfTriangle<Number>(corner);
   }
   const VectorOf<Number> mean = meanOfCorners<Number>(size, corner);
+  const auto triangleAt = [&](std::size_t i) -> VectorOf<Number> {
+    return scaled(
+      cross(minus(corner(i == 0 ? size - 1 : i - 1), mean), minus(corner(i), mean)), 0.5);
+  };
+  constexpr std::size_t Kept = 16;
+  std::array<Vector, Kept> triangles; // the first of them
   VectorOf<Number> area{};
   VectorOf<Number> moment{};
   Number sum(0);
-  const auto forEachTriangle = [&](auto&& visit) {
-    VectorOf<Number> p = minus(corner(size - 1), mean);
-    for (std::size_t i = 0; i < size; ++i)
-    {
-      const VectorOf<Number> q = minus(corner(i), mean);
-      visit(p, q, scaled(cross(p, q), 0.5));
-      p = q;
-    }
-  };
-  forEachTriangle([&](const auto& p, const auto& q, const auto& triangle) {
+  VectorOf<Number> p = minus(corner(size - 1), mean);
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const VectorOf<Number> q = minus(corner(i), mean);
+    const VectorOf<Number> triangle = scaled(cross(p, q), 0.5);
     const Number part = norm(triangle);
     area = plus(area, triangle);
     moment = plus(moment, scaled(plus(p, q), part * (1.0 / 3)));
     sum += part;
-  });
+    triangles[std::min(i, Kept - 1)] = valuesOf(triangle);
+    p = q;
+  }
   if (!(valueOf(sum) > Tiny))
   {
     return { mean, area, Number(-1), Number(1) };
   }
+  const auto productAt = [&](std::size_t i) {
+    return dot(i + 1 < Kept ? triangles[i] : valuesOf(triangleAt(i)), valuesOf(area));
+  };
+  std::size_t smallest = 0;
+  double leastProduct = productAt(0);
+  for (std::size_t i = 1; i < size; ++i)
+  {
+    const double product = productAt(i);
+    smallest = product < leastProduct ? i : smallest;
+    leastProduct = std::min(product, leastProduct);
+  }
   const Number square = dot(area, area);
-  Number least(square);
-  bool isFirst = true;
-  forEachTriangle([&](const auto&, const auto&, const auto& triangle) {
-    const Number product = dot(triangle, area);
-    if (isFirst || product < least)
-    {
-      least = product;
-      isFirst = false;
-    }
-  });
+  const Number least = dot(triangleAt(smallest), area);
   FaceMeasures<Number> measures{ plus(mean, scaled(moment, Number(1) / sum)), area, Number(-1),
     Number(1) };
   if (valueOf(square) > Tiny)
@@ -245,6 +250,23 @@ Number logarithmOfMore(const Number& x)
   return valueOf(x) < Little ? x * (Number(1) - x * (Number(0.5) - x * (1.0 / 3))) : log1p(x);
 }
 
+template <class Number>
+Number saturated(const Number& sum, const ObjectiveSpec& spec)
+{
+  return spec.saturation > 0 ? logarithmOfMore(sum * (1 / spec.saturation)) * spec.saturation : sum;
+}
+
+// What a face that costs `cost` by one specification does by another.
+inline double costBy(
+  const ObjectiveSpec& to, const ObjectiveSpec& from, double cost, bool fails)
+{
+  const double saturatedSum = cost - (fails ? from.failing : 0);
+  const double sum = from.saturation > 0
+    ? std::expm1(saturatedSum / from.saturation) * from.saturation
+    : saturatedSum;
+  return saturated(sum, to) + (fails ? to.failing : 0);
+}
+
 // What a face costs.
 template <class Number>
 class FaceCost
@@ -272,29 +294,31 @@ public:
     const Number whole = dot(toAbove, normal_);
     const Number near = dot(toFace, normal_);
     const Number far = dot(onwards, normal_);
-    cost_ += (excess(distance * LeastHeight - whole) + excess(distance * LeastPart - near) +
-               excess(distance * LeastPart - far)) *
-      CostOfInversion / distance;
+    const Number inversion = excess(distance * LeastHeight - whole) +
+      excess(distance * LeastPart - near) + excess(distance * LeastPart - far);
+    if (valueOf(inversion) > 0)
+    {
+      cost_ += inversion * CostOfInversion / distance;
+    }
     const Number across = larger(whole, distance * LeastHeight);
     const Number nearer = larger(near, distance * LeastPart);
     const Number farther = larger(far, distance * LeastPart);
     const Number slope = excess(squareOf(distance / across) - 1.0);
-    const Number weight = smaller(nearer, farther) / across;
-    const Number ratio =
-      smaller(below.volume, above.volume) / notBelow(larger(below.volume, above.volume), Tiny);
     cost_ += squareOf(slope * (1 / Wanted::Slope));
-    cost_ += squareOf(excess(Number(Wanted::FaceWeight) / weight - 1.0));
-    cost_ += squareOf(excess(Number(Wanted::VolumeRatio) / notBelow(ratio, LeastRatio) - 1.0));
+    addWeight(smaller(nearer, farther), across);
+    addRatio(
+      smaller(below.volume, above.volume), notBelow(larger(below.volume, above.volume), Tiny));
+    const Number nearSquare = dot(toFace, toFace);
+    const Number farSquare = dot(onwards, onwards);
     const Number steepest =
-      larger(dot(toFace, toFace) / squareOf(nearer), dot(onwards, onwards) / squareOf(farther));
+      larger(nearSquare / squareOf(nearer), farSquare / squareOf(farther));
     cost_ += squareOf(squareOf(Number(Wanted::InnerCosine)) * steepest);
     const VectorOf<Number> aside = minus(toFace, scaled(toAbove, nearer / across));
     addSkewness(aside, distance * ShareOfDistance, size, corner);
     fails_ = fails_ || valueOf(slope) > FailsBeyond::Slope ||
-      valueOf(near) < FailsBeyond::InnerCosine * valueOf(norm(toFace)) ||
-      valueOf(far) < FailsBeyond::InnerCosine * valueOf(norm(onwards));
+      isSteep(valueOf(near), valueOf(nearSquare), FailsBeyond::InnerCosine) ||
+      isSteep(valueOf(far), valueOf(farSquare), FailsBeyond::InnerCosine);
     isInverted_ = valueOf(near) < 0 || valueOf(far) < 0;
-    strains_ = !(valueOf(weight) > Limits::FaceWeight) || !(valueOf(ratio) > Limits::VolumeRatio);
   }
 
   // Of a wall. `edge`: the length of a box's edge there; `original`: the area of what the surface has there, or zero.
@@ -311,7 +335,8 @@ public:
     const Number square = dot(aside, aside);
     cost_ += squareOf(square / squareOf(tall) * (1 / Wanted::BoundarySlope));
     addSkewness(aside, tall * ShareOfHeight, size, corner);
-    fails_ = fails_ || valueOf(height) < FailsBeyond::BoundaryCosine * valueOf(norm(toFace));
+    fails_ = fails_ ||
+      isSteep(valueOf(height), valueOf(dot(toFace, toFace)), FailsBeyond::BoundaryCosine);
     isInverted_ = valueOf(height) < 0;
     if (const double length = norm(original); length > NegligibleArea * edge * edge)
     {
@@ -325,9 +350,7 @@ public:
 
   Cost<Number> cost() const
   {
-    const Number sum = spec_.saturation > 0
-      ? logarithmOfMore(cost_ * (1 / spec_.saturation)) * spec_.saturation
-      : cost_;
+    const Number sum = saturated(cost_, spec_);
     return { fails_ ? sum + spec_.failing : sum, isInverted_ ? 2 : fails_ ? 1 : 0, strains_ };
   }
 
@@ -353,6 +376,31 @@ private:
       }
     }
     cost_ += squareOf(face_.warp * (1 / Wanted::Warp));
+  }
+
+  void addWeight(const Number& nearest, const Number& across)
+  {
+    if (valueOf(nearest) < Wanted::FaceWeight * valueOf(across))
+    {
+      cost_ += squareOf(across * Wanted::FaceWeight / nearest - 1.0);
+    }
+    strains_ = strains_ || !(valueOf(nearest) > Limits::FaceWeight * valueOf(across));
+  }
+
+  void addRatio(const Number& smallest, const Number& largest)
+  {
+    if (valueOf(smallest) < Wanted::VolumeRatio * valueOf(largest))
+    {
+      const Number ratio = notBelow(smallest / largest, LeastRatio);
+      cost_ += squareOf(Number(Wanted::VolumeRatio) / ratio - 1.0);
+    }
+    strains_ = strains_ || !(valueOf(smallest) > Limits::VolumeRatio * valueOf(largest));
+  }
+
+  // Whether a height has a smaller cosine than that to a line, of which the length is squared.
+  static bool isSteep(double height, double square, double cosine)
+  {
+    return height < 0 || height * height < cosine * cosine * square;
   }
 
   // `least`: the reach that counts at least (Skewness.h).

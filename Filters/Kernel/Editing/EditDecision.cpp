@@ -118,57 +118,75 @@ class FacesToSettle
 public:
   bool collect(const EditMesh& mesh)
   {
-    for (const bool isChanged : { true, false })
+    FixedList<std::uint32_t, Most> others;
+    std::size_t count = 0;
+    for (const std::uint32_t c : mesh.unsettled.cells)
     {
-      for (const std::uint32_t c : mesh.unsettled.cells)
+      if (!mesh.isFree(c))
       {
-        if (!mesh.isFree(c))
+        continue;
+      }
+      for (const std::uint32_t f : mesh.facesOf(c))
+      {
+        const std::uint32_t other = mesh.beyond(f, c);
+        const bool isSeen = other != None && other < c && mesh.unsettled.cells.contains(other) &&
+          mesh.isFree(other);
+        if (!isSeen)
         {
-          continue;
-        }
-        for (const std::uint32_t f : mesh.facesOf(c))
-        {
-          const std::uint32_t other = mesh.beyond(f, c);
-          const bool isSeen = other != None && other < c && mesh.unsettled.cells.contains(other) &&
-            mesh.isFree(other);
-          if (!isSeen && mesh.unsettled.faces.contains(f) == isChanged)
-          {
-            left_ += mesh.face(f).cost;
-            if (!faces_.add(f))
-            {
-              return false;
-            }
-          }
+          left_ += mesh.face(f).cost;
+          mesh.unsettled.faces.contains(f) ? faces_.add(f) : others.add(f);
+          ++count;
         }
       }
+    }
+    if (count > Most)
+    {
+      return false;
+    }
+    for (const std::uint32_t f : others)
+    {
+      faces_.add(f);
     }
     return true;
   }
 
   bool settle(EditMesh& mesh, const ObjectiveSpec& spec, double most)
   {
+    double sum = mesh.ledger.cost - left_;
+    costs_.clear();
     for (const std::uint32_t f : faces_)
     {
-      EditFace& face = mesh.changeFace(f);
-      const Cost<double> cost = costOfFace(mesh, f, spec);
-      mesh.ledger.cost += cost.value - face.cost;
-      mesh.ledger.failures += cost.fails - int(face.fails);
-      mesh.ledger.strains += int(cost.strains) - int(face.strains);
-      left_ -= face.cost;
-      face.cost = cost.value;
-      face.fails = static_cast<std::uint8_t>(cost.fails);
-      face.strains = cost.strains;
-      if (mesh.ledger.cost - left_ > most)
+      costs_.add(costOfFace(mesh, f, spec));
+      sum += costs_.back().value;
+      if (sum > most)
       {
         return false;
       }
+    }
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+    {
+      setCostOfFace(mesh, faces_[i], costs_[i]);
     }
     return true;
   }
 
 private:
-  FixedList<std::uint32_t, 1024> faces_;
-  double left_ = 0; // what those cost that are not settled yet
+  static void setCostOfFace(EditMesh& mesh, std::uint32_t f, const Cost<double>& cost)
+  {
+    EditFace& face = mesh.changeFace(f);
+    mesh.ledger.cost += cost.value - face.cost;
+    mesh.ledger.failures += cost.fails - int(face.fails);
+    mesh.ledger.strains += int(cost.strains) - int(face.strains);
+    face.cost = cost.value;
+    face.fails = static_cast<std::uint8_t>(cost.fails);
+    face.strains = cost.strains;
+  }
+
+  static constexpr std::size_t Most = 1024;
+
+  FixedList<std::uint32_t, Most> faces_;
+  FixedList<Cost<double>, Most> costs_;
+  double left_ = 0; // what they cost before
 };
 
 // Whether a place is on the planes that hold a node.
@@ -212,11 +230,14 @@ bool mayLeaveEdge(const EditMesh& mesh, const EditRules& rules, std::uint32_t u,
 
 }
 
-bool settle(EditMesh& mesh, const ObjectiveSpec& spec, double most)
+bool settle(EditMesh& mesh, const ObjectiveSpec& spec, const NeededGain& needed)
 {
   FacesToSettle faces;
-  const bool isValid = settleFaces(mesh) && areShapesValid(mesh, isClosedByCount) &&
-    settleCells(mesh) && faces.collect(mesh) && faces.settle(mesh, spec, most);
+  const auto most = [&] { // that all faces and cells may cost, with the volume as it is
+    return mesh.ledger.cost + gainOf(mesh, spec, needed.box) - needed.gain;
+  };
+  const bool isValid = settleFaces(mesh) && settleCells(mesh) && faces.collect(mesh) &&
+    faces.settle(mesh, spec, most()) && areShapesValid(mesh, isClosedByCount);
   mesh.unsettled.clear();
   return isValid;
 }

@@ -13,7 +13,6 @@ namespace cartesian
 {
 
 constexpr double NoGain = -std::numeric_limits<double>::infinity();
-constexpr double AnyCost = std::numeric_limits<double>::infinity();
 
 struct EditRules
 {
@@ -21,9 +20,16 @@ struct EditRules
   bool mayLoseFeatures = true; // corners and sharp edges, for their charge
 };
 
-// Measures what edits left unsettled, and tests it. False: the mesh would not be valid, or costs `most` more than before
-// at least. Nothing is unsettled afterwards.
-bool settle(EditMesh& mesh, const ObjectiveSpec& spec, double most = AnyCost);
+// What edits since the last commit have to gain (gainOf), or more.
+struct NeededGain
+{
+  double gain = NoGain;
+  double box = 1; // the volume of a box there
+};
+
+// Measures what edits left unsettled, and tests it. False: the mesh would not be valid, or does not gain what is needed.
+// Nothing is unsettled afterwards.
+bool settle(EditMesh& mesh, const ObjectiveSpec& spec, const NeededGain& needed = NeededGain());
 
 // The same without costs: those are not valid afterwards. What is unsettled stays listed, to be looked at.
 bool settleShapes(EditMesh& mesh);

@@ -12,9 +12,11 @@ namespace cartesian
 namespace
 {
 
-// In boxes: where the slope would not gain enough over this length, no step is tried.
-constexpr double LongestStep = 0.25;
-constexpr double LittleCost = 0.1; // what costs less is not looked at for directions
+constexpr double LongestStep = 0.25; // in boxes, as far as slopes say anything
+constexpr double LittleCost = 0.1;   // what costs less is not looked at for directions
+
+// A step is tried where its slope promises so much more than is needed: costs are convex, or nearly so.
+constexpr double Promise = 1.5;
 constexpr double FirstStep = 0.1;
 constexpr double Longer = 2;
 constexpr double Shorter = 0.35;
@@ -58,9 +60,14 @@ double search(const EditMesh& mesh, ProposalTrials& trials, const Descent& desce
   bool grows = false;
   for (int i = 0; i < MostSteps; ++i)
   {
+    const double needed = std::max(gained, least);
+    if (descent.slope * step < Promise * needed)
+    {
+      break;
+    }
     const Proposal move{ EditKind::Move, descent.node, 0, 0,
       onLattice(mesh, plus(node.at, scaled(descent.direction, step)), node.held) };
-    const double gain = trials.gain(move, std::max(gained, least));
+    const double gain = trials.gain(move, needed);
     if (gain > NoGain)
     {
       gained = gain;
@@ -99,7 +106,7 @@ double bestMove(EditMesh& mesh, ProposalTrials& trials, const ObjectiveSpec& spe
       continue;
     }
     const Vector way = allowed(node, scaled(gradientAt(mesh, n, spec, LittleCost), -1));
-    if (const double slope = norm(way); slope * LongestStep * edge > least)
+    if (const double slope = norm(way); slope * LongestStep * edge > Promise * least)
     {
       descents.add({ slope, n, scaled(way, 1 / slope) });
     }

@@ -32,6 +32,12 @@ FixedList<std::uint32_t, Capacity> copyOf(Items items)
   return list;
 }
 
+bool isPartToMerge(const EditMesh& mesh, std::uint32_t part)
+{
+  const EditCell& cell = mesh.cell(part);
+  return !cell.gone && cell.volume <= PartToMerge * cell.box;
+}
+
 // Whether all faces around a node have it between the same two others.
 bool isBetween(const EditMesh& mesh, std::uint32_t n, std::uint32_t p, std::uint32_t q)
 {
@@ -51,39 +57,42 @@ template <class Edit>
 bool ProposalTrials::alsoMake(Edit&& edit)
 {
   const double before = gainOf(mesh_, rules_.spec, box_);
-  const double most = most_;
+  const double needed = needed_;
+  const double aim = aim_;
   const EditMesh::Mark mark = mesh_.mark();
-  most_ = -before - mesh_.ledger.fidelity;
-  const bool isMade =
-    edit() && settle() && gainOf(mesh_, rules_.spec, box_) > before + LeastGainOfMore;
+  aim_ = before + LeastGainOfMore;
+  needed_ = aim_;
+  const bool isMade = edit() && settle() && gainOf(mesh_, rules_.spec, box_) > aim_;
   isMade ? mesh_.keep(mark) : mesh_.undo(mark);
-  most_ = most;
+  needed_ = needed;
+  aim_ = aim;
   return isMade;
 }
 
 template <class Edit>
 bool ProposalTrials::withoutLimit(Edit&& edit)
 {
-  const double most = most_;
-  most_ = AnyCost;
+  const double needed = needed_;
+  needed_ = NoGain;
   const bool isMade = edit();
-  most_ = most;
+  needed_ = needed;
   return isMade;
 }
 
 double ProposalTrials::gain(const Proposal& proposal, double least)
 {
   bool isMade = false;
-  return gainOrMake(proposal, least, AnyCost, isMade);
+  return gainOrMake(proposal, least, -NoGain, isMade);
 }
 
 double ProposalTrials::gainOrMake(
   const Proposal& proposal, double least, double enough, bool& isMade)
 {
   const EditMesh::Mark mark = mesh_.mark();
-  most_ = -least;
+  aim_ = least;
+  needed_ = least;
   const double gained = apply(proposal) ? decide(mesh_, rules_, mark, box_, least) : NoGain;
-  most_ = AnyCost;
+  needed_ = NoGain;
   isMade = gained > enough && (proposal.kind == EditKind::Move || areAllClosed(mesh_, mark));
   if (!isMade)
   {
@@ -160,12 +169,7 @@ bool ProposalTrials::join(std::uint32_t f, std::uint32_t g)
 bool ProposalTrials::merge(std::uint32_t a, std::uint32_t b)
 {
   const Faces ofB = copyOf<MostFaces>(mesh_.facesOf(b));
-  if (!mergeCells(mesh_, a, b) || !settle())
-  {
-    return false;
-  }
-  joinFacesOf(a, ofB);
-  return true;
+  return mergeCells(mesh_, a, b) && settle() && joinFacesOf(a, ofB);
 }
 
 bool ProposalTrials::remove(std::uint32_t c)
@@ -195,9 +199,31 @@ bool ProposalTrials::cut(const Proposal& proposal)
   }
   for (std::size_t i = parts.size(); i-- > 0;)
   {
+    if (!mayGainOfMerges(parts, i + 1))
+    {
+      return false;
+    }
     mergePart(parts[i], parts);
   }
   return true;
+}
+
+// Whether what is needed can still be gained: by merges of the first parts, at most what they and their faces cost.
+bool ProposalTrials::mayGainOfMerges(const CutParts& parts, std::size_t count) const
+{
+  double gain = gainOf(mesh_, rules_.spec, box_);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (isPartToMerge(mesh_, parts[i]))
+    {
+      gain += mesh_.cell(parts[i]).cost;
+      for (const std::uint32_t f : mesh_.facesOf(parts[i]))
+      {
+        gain += mesh_.face(f).cost;
+      }
+    }
+  }
+  return gain > aim_;
 }
 
 // The paper's IP patches (4.11): detail that is smaller than its box goes.
@@ -230,7 +256,7 @@ bool ProposalTrials::flatten(std::uint32_t f)
 // A small part of a cut becomes part of a cell that is none.
 void ProposalTrials::mergePart(std::uint32_t part, const CutParts& parts)
 {
-  if (mesh_.cell(part).gone || mesh_.cell(part).volume > PartToMerge * mesh_.cell(part).box)
+  if (!isPartToMerge(mesh_, part))
   {
     return;
   }
@@ -248,38 +274,42 @@ void ProposalTrials::mergePart(std::uint32_t part, const CutParts& parts)
   }
 }
 
-// Joins each of these faces of a cell with others, where they lie between the same two cells and that gains.
-void ProposalTrials::joinFacesOf(std::uint32_t c, const Faces& which)
+// Joins each of these faces of a cell with another, where they lie between the same two cells and that gains. False: not
+// even if all of them cost nothing then, the aim would be reached.
+bool ProposalTrials::joinFacesOf(std::uint32_t c, const Faces& which)
 {
-  for (int round = 0; round < MostRounds && !mesh_.cell(c).gone && joinOneOf(c, which); ++round)
-  {
-  }
-}
-
-bool ProposalTrials::joinOneOf(std::uint32_t c, const Faces& which)
-{
-  const Faces faces = copyOf<MostFaces>(mesh_.facesOf(c));
+  FixedList<std::pair<std::uint32_t, std::uint32_t>, 256> pairs;
+  const Items faces = mesh_.facesOf(c);
+  double gain = gainOf(mesh_, rules_.spec, box_);
   for (const std::uint32_t f : faces)
   {
-    if (!which.contains(f))
+    bool isAny = false;
+    for (std::size_t i = 0; i < faces.size() && which.contains(f); ++i)
     {
-      continue;
-    }
-    for (const std::uint32_t g : faces)
-    {
+      const std::uint32_t g = faces[i];
       const bool isSecond = which.contains(g) && g <= f;
-      if (g == f || isSecond || !couldJoin(mesh_, f, g, c))
+      if (g != f && !isSecond && couldJoin(mesh_, f, g, c))
       {
-        continue;
+        pairs.add({ f, g });
+        gain += mesh_.face(g).cost;
+        isAny = true;
       }
-      if (alsoMake([&] { return join(g, f); }))
-      {
-        dissolveNodes(g);
-        return true;
-      }
+    }
+    gain += isAny ? mesh_.face(f).cost : 0;
+  }
+  if (!(gain > aim_))
+  {
+    return false;
+  }
+  for (const auto& [f, g] : pairs)
+  {
+    if (!mesh_.face(f).gone && !mesh_.face(g).gone && couldJoin(mesh_, f, g, c) &&
+      alsoMake([&, f = f, g = g] { return join(g, f); }))
+    {
+      dissolveNodes(g);
     }
   }
-  return false;
+  return true;
 }
 
 void ProposalTrials::dissolveNodes(std::uint32_t f)

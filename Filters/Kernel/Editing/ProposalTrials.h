@@ -37,27 +37,28 @@ private:
   bool remove(std::uint32_t c);
   bool cut(const Proposal& proposal);
   bool flatten(std::uint32_t f);
+  bool mayGainOfMerges(const FixedList<std::uint32_t, 16>& parts, std::size_t count) const;
   void mergePart(std::uint32_t part, const FixedList<std::uint32_t, 16>& parts);
-  bool settle() { return cartesian::settle(mesh_, rules_.spec, most_); }
+  bool settle() { return cartesian::settle(mesh_, rules_.spec, { needed_, box_ }); }
 
   // Makes a further edit if it gains by itself.
   template <class Edit>
   bool alsoMake(Edit&& edit);
 
-  // Whatever it costs for now, since more follows.
+  // Whatever it gains by itself, since more follows.
   template <class Edit>
   bool withoutLimit(Edit&& edit);
 
   using Faces = FixedList<std::uint32_t, 128>;
-  void joinFacesOf(std::uint32_t c, const Faces& which);
-  bool joinOneOf(std::uint32_t c, const Faces& which);
+  bool joinFacesOf(std::uint32_t c, const Faces& which);
   void dissolveNodes(std::uint32_t f);
   bool dissolveNode(std::uint32_t f);
 
   EditMesh& mesh_;
   const EditRules& rules_;
   double box_ = 1;
-  double most_ = AnyCost; // that edits may cost while they are made
+  double aim_ = NoGain;    // what has to be gained with all that follows, or more
+  double needed_ = NoGain; // ... by the edit itself
 };
 
 }

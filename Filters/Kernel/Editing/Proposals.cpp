@@ -163,7 +163,7 @@ double starOfPart(const EditMesh& mesh, std::uint32_t f, std::size_t i, std::siz
     mean = plus(mean, scaled(at(k), 1.0 / double(count)));
   }
   double sum = 0;
-  double least = AnyCost;
+  double least = -NoGain;
   for (std::size_t k = 0; k < count; ++k)
   {
     const double area = dot(cross(minus(at(k), mean), minus(at(k + 1), mean)), normal);

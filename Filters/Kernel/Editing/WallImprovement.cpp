@@ -51,10 +51,26 @@ LoopSpec lastLoop()
 // From here on a face may cost thoroughLoop()'s leastCost, with costs in full.
 constexpr double MuchCost = 3.5;
 
-void costZone(const ZoneTask& task, const ObjectiveSpec& spec)
+// What faces cost by another specification. Those of a zone that cost next to nothing cost the same.
+void weighAnew(const ZoneTask& task, const ObjectiveSpec& from, const ObjectiveSpec& to)
 {
-  costCells(task.mesh, task.zone, spec);
-  costCells(task.mesh, task.mesh.madeCells(), spec);
+  constexpr double NextToNothing = 1e-3;
+  EditMesh& mesh = task.mesh;
+  for (const Items cells : { task.zone, mesh.madeCells() })
+  {
+    for (const std::uint32_t c : cells)
+    {
+      for (std::size_t i = 0; mesh.isFree(c) && i < mesh.cell(c).faces.size; ++i)
+      {
+        EditFace& face = mesh.rawFace(mesh.facesOf(c)[i]);
+        const bool isFirst = face.below == c || !mesh.isFree(face.below);
+        if (isFirst && face.cost > NextToNothing)
+        {
+          face.cost = costBy(to, from, face.cost, face.fails > 0);
+        }
+      }
+    }
+  }
 }
 
 // Where any face needs it; costs are as before afterwards.
@@ -66,10 +82,10 @@ void improveFailing(
   if (isAny)
   {
     const LoopSpec thorough = thoroughLoop();
-    costZone(task, thorough.rules.spec);
+    weighAnew(task, usual, thorough.rules.spec);
     improve(task, thorough, poll);
     improve(task, lastLoop(), poll);
-    costZone(task, usual);
+    weighAnew(task, thorough.rules.spec, usual);
   }
 }
 

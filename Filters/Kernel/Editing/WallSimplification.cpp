@@ -236,8 +236,11 @@ void simplifyWalls(const ZoneTask& task, const SimplificationSpec& spec,
   weldEdges(task, spec.weld, poll, changed);
   std::vector<std::uint32_t> nodes;
   task.forEachFace([&](std::uint32_t f) {
-    const Items ring = mesh.cornersOf(f);
-    nodes.insert(nodes.end(), ring.begin(), ring.end());
+    if (mesh.isWall(f))
+    {
+      const Items ring = mesh.cornersOf(f);
+      nodes.insert(nodes.end(), ring.begin(), ring.end());
+    }
   });
   nodes = sortedUnique(std::move(nodes));
   WallSimplifier simplifier(mesh, spec, changed);

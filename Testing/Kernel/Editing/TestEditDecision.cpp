@@ -228,16 +228,16 @@ TEST(Decide, RefusesWallsThatMoveFar)
   }
 }
 
-// The limit of costs ends a trial early; what remains is undone.
-TEST(Settle, StopsWhereItCostsTooMuch)
+// A trial ends where it cannot gain enough; what remains is undone.
+TEST(Settle, StopsWhereItGainsTooLittle)
 {
   EditMesh mesh = block();
   const EditMesh before = copyOf(mesh);
-  for (const double most : { 0.01, 100.0 })
+  for (const double gain : { -0.01, -100.0 })
   {
     const EditMesh::Mark mark = mesh.mark();
     mesh.moveNode(nodeAt(mesh, { 1, 1, 1 }), { 1.5, 1.5, 1.5 });
-    EXPECT_EQ(settle(mesh, ObjectiveSpec(), most), most > 1);
+    EXPECT_EQ(settle(mesh, ObjectiveSpec(), { gain, 1 }), gain < -1);
     EXPECT_EQ(mesh.unsettled.faces.size(), 0);
     mesh.undo(mark);
     EXPECT_EQ(differenceOf(mesh, before), "");
