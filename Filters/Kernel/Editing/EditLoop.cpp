@@ -160,7 +160,9 @@ private:
   void push(Item item)
   {
     item.cost = costOf(item);
-    const bool isWanted = !spec_.failingOnly || (!item.isCell && mesh_.face(item.number).fails > 0);
+    const bool fails =
+      item.isCell ? mesh_.cell(item.number).strains : mesh_.face(item.number).fails > 0;
+    const bool isWanted = !spec_.failingOnly || fails;
     if (isWanted && item.cost > spec_.leastCost)
     {
       queue_.push(item);

@@ -14,7 +14,7 @@ struct LoopSpec
   EditRules rules;
   SearchSpec search;
   double leastCost = 1.5;   // of what is looked at
-  bool failingOnly = false; // of that, faces that fail
+  bool failingOnly = false; // of that, faces that fail and cells without a third direction
 };
 
 struct LoopCounts

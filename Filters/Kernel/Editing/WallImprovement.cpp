@@ -33,10 +33,13 @@ LoopSpec thoroughLoop()
   return spec;
 }
 
-// For faces that fail even then: what is left of the wall there may give way, last of all whole cells.
+// For faces that fail even then: what only is poor counts little, what is left of the wall there may give way, last of all
+// whole cells.
 LoopSpec lastLoop()
 {
   LoopSpec spec = thoroughLoop();
+  spec.rules.spec.saturation = ObjectiveSpec().saturation;
+  spec.rules.spec.failing = 200;
   spec.rules.spec.volume = 200;
   spec.rules.spec.distance = 0.1;
   spec.rules.spec.sharpEdge = 20;
@@ -84,8 +87,10 @@ void improveFailing(
     const LoopSpec thorough = thoroughLoop();
     weighAnew(task, usual, thorough.rules.spec);
     improve(task, thorough, poll);
-    improve(task, lastLoop(), poll);
-    weighAnew(task, thorough.rules.spec, usual);
+    const LoopSpec last = lastLoop();
+    weighAnew(task, thorough.rules.spec, last.rules.spec);
+    improve(task, last, poll);
+    weighAnew(task, last.rules.spec, usual);
   }
 }
 
