@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/CellClosure.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace cartesian
@@ -99,13 +100,24 @@ private:
 
 }
 
-bool isClosedByCount(EditMesh& mesh, std::uint32_t c)
+namespace
 {
-  const Items faces = mesh.facesOf(c);
+
+// By which a cell with these faces and so many nodes misses Euler's formula; less than 0 also where it is too large.
+int missesOf(const EditMesh& mesh, std::uint32_t c, std::size_t corners, std::size_t nodes)
+{
+  const std::size_t faces = mesh.facesOf(c).size();
+  const bool isPossible =
+    faces >= LeastFaces && faces <= MostFaces && corners <= MostCorners && corners % 2 == 0;
+  return isPossible ? int(corners / 2) + 2 - int(nodes + faces) : -1;
+}
+
+int missesOf(EditMesh& mesh, std::uint32_t c)
+{
   std::size_t corners = 0;
   std::size_t nodes = 0;
   const std::uint32_t stamp = mesh.newStamp();
-  for (const std::uint32_t f : faces)
+  for (const std::uint32_t f : mesh.facesOf(c))
   {
     const Items ring = mesh.cornersOf(f);
     corners += ring.size();
@@ -114,8 +126,49 @@ bool isClosedByCount(EditMesh& mesh, std::uint32_t c)
       nodes += mesh.stampNode(n, stamp) ? 1 : 0;
     }
   }
-  return faces.size() >= LeastFaces && faces.size() <= MostFaces && corners <= MostCorners &&
-    corners % 2 == 0 && nodes + faces.size() == corners / 2 + 2;
+  return missesOf(mesh, c, corners, nodes);
+}
+
+}
+
+void noteMisses(EditStore& store, Execution& execution)
+{
+  constexpr std::size_t CellsAChunk = 1024;
+  execution.forEach(store.cells.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    EditMesh mesh(store, 0, 0, {});
+    std::vector<std::uint32_t> corners;
+    for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c)
+    {
+      corners.clear();
+      for (std::size_t i = 0; mesh.isFree(c) && i < mesh.cell(c).faces.size; ++i)
+      {
+        const Items ring = mesh.cornersOf(mesh.facesOf(c)[i]);
+        corners.insert(corners.end(), ring.begin(), ring.end());
+      }
+      const std::size_t count = corners.size();
+      if (mesh.cell(c).faces.size > 6 || count > 24) // more than a hexahedron has
+      {
+        std::sort(corners.begin(), corners.end());
+        corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+        mesh.rawCell(c).misses =
+          static_cast<std::int16_t>(std::max(0, missesOf(mesh, c, count, corners.size())));
+      }
+    }
+  });
+}
+
+void lowerMisses(EditMesh& mesh, std::uint32_t c)
+{
+  if (mesh.cell(c).misses > 0)
+  {
+    mesh.changeCell(c).misses = static_cast<std::int16_t>(missesOf(mesh, c));
+  }
+}
+
+bool isClosedByCount(EditMesh& mesh, std::uint32_t c)
+{
+  const int misses = missesOf(mesh, c);
+  return misses >= 0 && misses <= mesh.cell(c).misses;
 }
 
 bool isClosed(EditMesh& mesh, std::uint32_t c)

@@ -7,12 +7,19 @@
 namespace cartesian
 {
 
-// The first test, which nearly all that are not closed fail: Euler's formula. False also of cells with more faces or corners
+// By how much a cell misses Euler's formula: nodes - edges + faces = 2. By 2 for each handle, as where a rod goes through it,
+// and 1 for each node at which it touches itself; by less than 0: it is in pieces, or open. Cells are cut from boxes with handles;
+// edits may take these away, but make no more.
+void noteMisses(EditStore& store, Execution& execution);
+
+// Where edits took a handle away.
+void lowerMisses(EditMesh& mesh, std::uint32_t c);
+
+// The first test, which nearly all that are not closed fail: that formula. False also of cells with more faces or corners
 // than edits look at.
 bool isClosedByCount(EditMesh& mesh, std::uint32_t c);
 
-// Each edge is one of two faces, in opposite directions; all faces are one shell, which nowhere touches itself and has no
-// handle: then Euler's formula holds.
+// Each edge is one of two faces, in opposite directions; all faces are one shell, with no more handles than noted.
 bool isClosed(EditMesh& mesh, std::uint32_t c);
 
 }

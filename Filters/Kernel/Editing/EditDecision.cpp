@@ -89,6 +89,17 @@ bool areShapesValid(EditMesh& mesh, IsClosed&& isClosed)
         [&](std::uint32_t f) { return !mesh.face(f).gone && hasTwin(mesh, f); }));
 }
 
+void lowerAllMisses(EditMesh& mesh)
+{
+  for (const std::uint32_t c : mesh.unsettled.shapes)
+  {
+    if (mesh.isFree(c))
+    {
+      lowerMisses(mesh, c);
+    }
+  }
+}
+
 bool settleCells(EditMesh& mesh)
 {
   for (const std::uint32_t c : mesh.unsettled.cells)
@@ -238,13 +249,22 @@ bool settle(EditMesh& mesh, const ObjectiveSpec& spec, const NeededGain& needed)
   };
   const bool isValid = settleFaces(mesh) && settleCells(mesh) && faces.collect(mesh) &&
     faces.settle(mesh, spec, most()) && areShapesValid(mesh, isClosedByCount);
+  if (isValid)
+  {
+    lowerAllMisses(mesh);
+  }
   mesh.unsettled.clear();
   return isValid;
 }
 
 bool settleShapes(EditMesh& mesh)
 {
-  return settleFaces(mesh) && areShapesValid(mesh, isClosed);
+  const bool isValid = settleFaces(mesh) && areShapesValid(mesh, isClosed);
+  if (isValid)
+  {
+    lowerAllMisses(mesh);
+  }
+  return isValid;
 }
 
 bool areAllClosed(EditMesh& mesh, const EditMesh::Mark& mark)

@@ -397,6 +397,8 @@ bool mergeCells(EditMesh& mesh, std::uint32_t a, std::uint32_t b)
       mesh.giveFace(f, b, a);
     }
   }
+  EditCell& merged = mesh.changeCell(a);
+  merged.misses = static_cast<std::int16_t>(merged.misses + mesh.cell(b).misses);
   mesh.removeCell(b);
   mesh.setFaces(a, kept.data(), kept.size());
   return true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/EdgeTable.h"
 #include "Base/Sorting.h"
+#include "Editing/CellClosure.h"
 #include "Editing/EditMeasures.h"
 #include "Editing/EditableWall.h"
 #include "Editing/NodeKinds.h"
@@ -619,6 +620,7 @@ private:
 
   void measure()
   {
+    noteMisses(store_, execution_);
     measureAll(store_, execution_);
     const Patches& patches = parts_.patches;
     std::vector<float> missing(patches.missing.empty() ? 0 : patches.size());
