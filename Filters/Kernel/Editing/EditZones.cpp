@@ -15,7 +15,7 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t LeastCellsAZone = 3072;
+constexpr std::size_t LeastCellsAZone = 2048;
 constexpr std::size_t MostArenas = 1 << 16; // each zone has one of its own
 constexpr std::size_t MostZones = MostArenas - 1;
 constexpr std::size_t ItemsAChunk = 1024;
@@ -34,13 +34,17 @@ struct Round
 
 // In each round zones end across other directions, in other places than the others with few exceptions. Edits reach no
 // farther than the first margins, as a rule; for the last cells less must do, so that few are left for one zone.
-constexpr std::array<Round, 6> Rounds{
+constexpr std::array<Round, 10> Rounds{
   Round{ { Vector{ 1, 0, 0 }, Vector{ 0, 1, 0 }, Vector{ 0, 0, 1 } }, 2 },
   Round{ { Vector{ 2, -1, 2 }, Vector{ 2, 2, -1 }, Vector{ -1, 2, 2 } }, 2 },
   Round{ { Vector{ 2, 3, 6 }, Vector{ 3, -6, 2 }, Vector{ 6, 2, -3 } }, 2 },
   Round{ { Vector{ 1, 4, 8 }, Vector{ 4, 7, -4 }, Vector{ 8, -4, 1 } }, 2 },
   Round{ { Vector{ 1, 2, 2 }, Vector{ 2, 1, -2 }, Vector{ 2, -2, 1 } }, 1 },
-  Round{ { Vector{ 3, 2, 6 }, Vector{ -6, 3, 2 }, Vector{ 2, 6, -3 } }, 1 }
+  Round{ { Vector{ 3, 2, 6 }, Vector{ -6, 3, 2 }, Vector{ 2, 6, -3 } }, 1 },
+  Round{ { Vector{ 4, 4, 7 }, Vector{ 1, -8, 4 }, Vector{ 8, -1, -4 } }, 1 },
+  Round{ { Vector{ 6, 2, 3 }, Vector{ -2, -3, 6 }, Vector{ 3, -6, -2 } }, 1 },
+  Round{ { Vector{ 8, 1, 4 }, Vector{ -4, 4, 7 }, Vector{ -1, -8, 4 } }, 1 },
+  Round{ { Vector{ 2, 6, 9 }, Vector{ 6, 7, -6 }, Vector{ -9, 6, -2 } }, 1 }
 };
 
 // Fewer cells than such a part of all are left for the last zones.

@@ -5,6 +5,7 @@
 #include "Editing/PrimitiveEdits.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cartesian
 {
@@ -14,6 +15,7 @@ namespace
 
 constexpr int Steps = 4;          // of Jacobi's method
 constexpr double MostMoved = 0.1; // in boxes
+constexpr double MostSlope = 0.1; // ... by the length of the walls around
 constexpr double LeastMoved = 1e-6;
 constexpr double MostCost = 3;     // that a face may cost more than before
 constexpr int RoundsOfHalving = 2; // then nodes of poor faces go back, and those of their cells
@@ -143,7 +145,7 @@ private:
       }
     }
     Mover& node = nodes_[n];
-    const double most = MostMoved * edgeAt(n);
+    const double most = std::min(MostMoved * edgeAt(n), MostSlope * std::sqrt(area));
     const double height = std::clamp(node.height + (area > 0 ? debt / area : 0), -most, most);
     node.rise = height - node.height;
     node.height = height;
