@@ -303,31 +303,33 @@ std::uint32_t EditMesh::takeSlot(RecordVector<Record>& all, Slots& slots)
   return slots.numbers[slots.used++];
 }
 
+template <class Record>
+std::uint32_t EditMesh::make(
+  const Record& record, RecordVector<Record>& all, Slots& slots, Records<Record>& records)
+{
+  const std::uint32_t i = takeSlot(all, slots);
+  if (i != None)
+  {
+    Record& made = change(all.data(), records, i);
+    const std::uint32_t epoch = made.epoch;
+    made = record;
+    made.epoch = epoch;
+    listOf(made).size = 0;
+  }
+  return i;
+}
+
 std::uint32_t EditMesh::makeNode(const EditNode& node)
 {
-  const std::uint32_t n = takeSlot(store_->nodes, slots_.nodes);
-  if (n != None)
-  {
-    EditNode& made = changeNode(n);
-    const std::uint32_t epoch = made.epoch;
-    made = node;
-    made.epoch = epoch;
-    made.faces.size = 0;
-  }
-  return n;
+  return make(node, store_->nodes, slots_.nodes, journal_.nodes);
 }
 
 std::uint32_t EditMesh::makeCell(const EditCell& cell)
 {
-  const std::uint32_t c = takeSlot(store_->cells, slots_.cells);
+  const std::uint32_t c = make(cell, store_->cells, slots_.cells, journal_.cells);
   if (c != None)
   {
-    EditCell& made = changeCell(c);
-    const std::uint32_t epoch = made.epoch;
-    made = cell;
-    made.epoch = epoch;
-    made.zone = zone_;
-    made.faces.size = 0;
+    rawCell(c).zone = zone_;
     unsettled.cells.add(c);
     unsettled.shapes.add(c);
   }
@@ -337,16 +339,12 @@ std::uint32_t EditMesh::makeCell(const EditCell& cell)
 std::uint32_t EditMesh::makeFace(
   const EditFace& face, const std::uint32_t* corners, std::size_t size)
 {
-  const std::uint32_t f = takeSlot(store_->faces, slots_.faces);
+  const std::uint32_t f = make(face, store_->faces, slots_.faces, journal_.faces);
   if (f == None)
   {
     return None;
   }
-  EditFace& made = changeFace(f);
-  const std::uint32_t epoch = made.epoch;
-  made = face;
-  made.epoch = epoch;
-  made.corners = store(corners, size);
+  rawFace(f).corners = store(corners, size);
   for (std::size_t i = 0; i < size; ++i)
   {
     EditNode& node = changeNode(corners[i]);

@@ -488,6 +488,11 @@ private:
   template <class Record>
   std::uint32_t takeSlot(RecordVector<Record>& all, Slots& slots);
 
+  // A copy with an empty list, or None.
+  template <class Record>
+  std::uint32_t make(
+    const Record& record, RecordVector<Record>& all, Slots& slots, Records<Record>& records);
+
   // NOLINTNEXTLINE(readability-make-member-function-const): the same
   RawVector<std::uint32_t>& arena() { return at_.arenas[arena_]; }
   ItemList store(const std::uint32_t* items, std::size_t size);
