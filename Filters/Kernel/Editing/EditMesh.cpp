@@ -169,7 +169,6 @@ EditMesh::EditMesh()
   : own_(std::make_unique<EditStore>())
   , store_(own_.get())
 {
-  refresh();
 }
 
 EditMesh::EditMesh(EditStore& store, std::uint32_t zone, std::uint16_t arena, FreeSlots slots)
@@ -178,20 +177,17 @@ EditMesh::EditMesh(EditStore& store, std::uint32_t zone, std::uint16_t arena, Fr
   , arena_(arena)
   , slots_(std::move(slots))
 {
-  refresh();
 }
 
 std::uint32_t EditMesh::addNode(const EditNode& node)
 {
   store_->nodes.push_back(node);
-  refresh();
   return static_cast<std::uint32_t>(nodeCount() - 1);
 }
 
 std::uint32_t EditMesh::addCell(const EditCell& cell)
 {
   store_->cells.push_back(cell);
-  refresh();
   return static_cast<std::uint32_t>(cellCount() - 1);
 }
 
@@ -199,7 +195,6 @@ std::uint32_t EditMesh::addFace(EditFace face, const std::uint32_t* corners, std
 {
   face.corners = store(corners, size);
   store_->faces.push_back(face);
-  refresh();
   return static_cast<std::uint32_t>(faceCount() - 1);
 }
 
@@ -207,7 +202,6 @@ void EditMesh::connect()
 {
   Execution execution;
   store_->connect(execution);
-  refresh();
 }
 
 // --- the journal
@@ -298,7 +292,6 @@ std::uint32_t EditMesh::takeSlot(RecordVector<Record>& all, Slots& slots)
     }
     slots.numbers.push_back(static_cast<std::uint32_t>(all.size()));
     all.emplace_back(Record()).gone = true;
-    refresh();
   }
   return slots.numbers[slots.used++];
 }
@@ -310,7 +303,7 @@ std::uint32_t EditMesh::make(
   const std::uint32_t i = takeSlot(all, slots);
   if (i != None)
   {
-    Record& made = change(all.data(), records, i);
+    Record& made = change(all, records, i);
     const std::uint32_t epoch = made.epoch;
     made = record;
     made.epoch = epoch;

@@ -110,7 +110,6 @@ void improveWall(EditMesh& mesh, Execution& execution)
     },
     true);
   payDebts(store, general.rules.spec, execution);
-  mesh.refresh();
 }
 
 }

@@ -44,7 +44,6 @@ public:
     addNodes();
     addFaces();
     store_.connect(execution_);
-    result_.mesh.refresh();
     hold();
     freeze();
     measure();

@@ -119,7 +119,6 @@ TEST(WallImprovement, DebtsAreWhatTheVolumeLacks)
     openWall({ a->boxes, a->patches, a->sides, a->nodes, a->wall }, 30, execution);
   EditStore& store = wall.mesh.store();
   const auto together = [&] {
-    wall.mesh.refresh();
     double sum = 0;
     for (const EditFace& face : store.faces)
     {
