@@ -3,7 +3,7 @@
 
 #include "Base/Sorting.h"
 #include "Cells/Cells.h"
-#include "Repair/NearbyTriangles.h"
+#include "Lattice/NearestPlace.h"
 
 #include <algorithm>
 #include <functional>

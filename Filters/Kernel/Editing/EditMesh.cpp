@@ -169,7 +169,6 @@ EditMesh::EditMesh()
   : own_(std::make_unique<EditStore>())
   , store_(own_.get())
 {
-  refresh();
 }
 
 EditMesh::EditMesh(EditStore& store, std::uint32_t zone, std::uint16_t arena, FreeSlots slots)
@@ -178,20 +177,17 @@ EditMesh::EditMesh(EditStore& store, std::uint32_t zone, std::uint16_t arena, Fr
   , arena_(arena)
   , slots_(std::move(slots))
 {
-  refresh();
 }
 
 std::uint32_t EditMesh::addNode(const EditNode& node)
 {
   store_->nodes.push_back(node);
-  refresh();
   return static_cast<std::uint32_t>(nodeCount() - 1);
 }
 
 std::uint32_t EditMesh::addCell(const EditCell& cell)
 {
   store_->cells.push_back(cell);
-  refresh();
   return static_cast<std::uint32_t>(cellCount() - 1);
 }
 
@@ -199,7 +195,6 @@ std::uint32_t EditMesh::addFace(EditFace face, const std::uint32_t* corners, std
 {
   face.corners = store(corners, size);
   store_->faces.push_back(face);
-  refresh();
   return static_cast<std::uint32_t>(faceCount() - 1);
 }
 
@@ -207,7 +202,6 @@ void EditMesh::connect()
 {
   Execution execution;
   store_->connect(execution);
-  refresh();
 }
 
 // --- the journal
@@ -298,36 +292,37 @@ std::uint32_t EditMesh::takeSlot(RecordVector<Record>& all, Slots& slots)
     }
     slots.numbers.push_back(static_cast<std::uint32_t>(all.size()));
     all.emplace_back(Record()).gone = true;
-    refresh();
   }
   return slots.numbers[slots.used++];
 }
 
+template <class Record>
+std::uint32_t EditMesh::make(
+  const Record& record, RecordVector<Record>& all, Slots& slots, Records<Record>& records)
+{
+  const std::uint32_t i = takeSlot(all, slots);
+  if (i != None)
+  {
+    Record& made = change(all, records, i);
+    const std::uint32_t epoch = made.epoch;
+    made = record;
+    made.epoch = epoch;
+    listOf(made).size = 0;
+  }
+  return i;
+}
+
 std::uint32_t EditMesh::makeNode(const EditNode& node)
 {
-  const std::uint32_t n = takeSlot(store_->nodes, slots_.nodes);
-  if (n != None)
-  {
-    EditNode& made = changeNode(n);
-    const std::uint32_t epoch = made.epoch;
-    made = node;
-    made.epoch = epoch;
-    made.faces.size = 0;
-  }
-  return n;
+  return make(node, store_->nodes, slots_.nodes, journal_.nodes);
 }
 
 std::uint32_t EditMesh::makeCell(const EditCell& cell)
 {
-  const std::uint32_t c = takeSlot(store_->cells, slots_.cells);
+  const std::uint32_t c = make(cell, store_->cells, slots_.cells, journal_.cells);
   if (c != None)
   {
-    EditCell& made = changeCell(c);
-    const std::uint32_t epoch = made.epoch;
-    made = cell;
-    made.epoch = epoch;
-    made.zone = zone_;
-    made.faces.size = 0;
+    rawCell(c).zone = zone_;
     unsettled.cells.add(c);
     unsettled.shapes.add(c);
   }
@@ -337,16 +332,12 @@ std::uint32_t EditMesh::makeCell(const EditCell& cell)
 std::uint32_t EditMesh::makeFace(
   const EditFace& face, const std::uint32_t* corners, std::size_t size)
 {
-  const std::uint32_t f = takeSlot(store_->faces, slots_.faces);
+  const std::uint32_t f = make(face, store_->faces, slots_.faces, journal_.faces);
   if (f == None)
   {
     return None;
   }
-  EditFace& made = changeFace(f);
-  const std::uint32_t epoch = made.epoch;
-  made = face;
-  made.epoch = epoch;
-  made.corners = store(corners, size);
+  rawFace(f).corners = store(corners, size);
   for (std::size_t i = 0; i < size; ++i)
   {
     EditNode& node = changeNode(corners[i]);

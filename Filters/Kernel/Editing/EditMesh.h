@@ -321,9 +321,9 @@ public:
   std::size_t nodeCount() const { return store_->nodes.size(); }
   std::size_t faceCount() const { return store_->faces.size(); }
   std::size_t cellCount() const { return store_->cells.size(); }
-  const EditNode& node(std::uint32_t i) const { return at_.nodes[i]; }
-  const EditFace& face(std::uint32_t i) const { return at_.faces[i]; }
-  const EditCell& cell(std::uint32_t i) const { return at_.cells[i]; }
+  const EditNode& node(std::uint32_t i) const { return store_->nodes[i]; }
+  const EditFace& face(std::uint32_t i) const { return store_->faces[i]; }
+  const EditCell& cell(std::uint32_t i) const { return store_->cells[i]; }
   double level() const { return store_->level; }
   const Vector& low() const { return store_->low; }
   const Vector& high() const { return store_->high; }
@@ -354,7 +354,7 @@ public:
   // Also of a record in the journal.
   Items itemsOf(const ItemList& list) const
   {
-    const std::uint32_t* base = at_.arenas[list.arena].data();
+    const std::uint32_t* base = store_->arenas[list.arena].data();
     return { base + list.first, base + list.first + list.size };
   }
 
@@ -366,18 +366,11 @@ public:
   void connect();
   EditStore& store() { return *store_; }
 
-  // To be called where others have changed the store.
-  void refresh()
-  {
-    at_ = { store_->nodes.data(), store_->faces.data(), store_->cells.data(),
-      store_->arenas.data() };
-  }
-
   // For measures, and to set what the journal does not have to know.
   // NOLINTBEGIN(readability-make-member-function-const): what changes is behind pointers
-  EditNode& rawNode(std::uint32_t i) { return at_.nodes[i]; }
-  EditFace& rawFace(std::uint32_t i) { return at_.faces[i]; }
-  EditCell& rawCell(std::uint32_t i) { return at_.cells[i]; }
+  EditNode& rawNode(std::uint32_t i) { return store_->nodes[i]; }
+  EditFace& rawFace(std::uint32_t i) { return store_->faces[i]; }
+  EditCell& rawCell(std::uint32_t i) { return store_->cells[i]; }
   // NOLINTEND(readability-make-member-function-const)
 
   // --- the journal
@@ -409,9 +402,9 @@ public:
 
   // --- changing
 
-  EditNode& changeNode(std::uint32_t i) { return change(at_.nodes, journal_.nodes, i); }
-  EditFace& changeFace(std::uint32_t i) { return change(at_.faces, journal_.faces, i); }
-  EditCell& changeCell(std::uint32_t i) { return change(at_.cells, journal_.cells, i); }
+  EditNode& changeNode(std::uint32_t i) { return change(store_->nodes, journal_.nodes, i); }
+  EditFace& changeFace(std::uint32_t i) { return change(store_->faces, journal_.faces, i); }
+  EditCell& changeCell(std::uint32_t i) { return change(store_->cells, journal_.cells, i); }
 
   // New ones, with their places in the lists of corners and cells; None: there is no slot for them any more.
   std::uint32_t makeNode(const EditNode& node);
@@ -475,7 +468,7 @@ private:
   };
 
   template <class Record>
-  Record& change(Record* all, Records<Record>& records, std::uint32_t i)
+  Record& change(RecordVector<Record>& all, Records<Record>& records, std::uint32_t i)
   {
     Record& record = all[i];
     if (journal_.marks > 0 && record.epoch != journal_.epoch)
@@ -489,24 +482,19 @@ private:
   template <class Record>
   std::uint32_t takeSlot(RecordVector<Record>& all, Slots& slots);
 
+  // A copy with an empty list, or None.
+  template <class Record>
+  std::uint32_t make(
+    const Record& record, RecordVector<Record>& all, Slots& slots, Records<Record>& records);
+
   // NOLINTNEXTLINE(readability-make-member-function-const): the same
-  RawVector<std::uint32_t>& arena() { return at_.arenas[arena_]; }
+  RawVector<std::uint32_t>& arena() { return store_->arenas[arena_]; }
   ItemList store(const std::uint32_t* items, std::size_t size);
   ItemList without(const ItemList& list, std::uint32_t item);
   ItemList with(const ItemList& list, std::uint32_t item);
 
-  // Where all that is, which is read so often.
-  struct Places
-  {
-    EditNode* nodes;
-    EditFace* faces;
-    EditCell* cells;
-    RawVector<std::uint32_t>* arenas;
-  };
-
   std::unique_ptr<EditStore> own_;
   EditStore* store_;
-  Places at_{};
   std::uint32_t zone_ = 0;
   std::uint16_t arena_ = 0;
   FreeSlots slots_;

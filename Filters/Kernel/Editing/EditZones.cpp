@@ -3,10 +3,11 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Sorting.h"
+#include "Editing/ZoneDivision.h"
+#include "Editing/ZoneSlots.h"
 
 #include <array>
 #include <atomic>
-#include <cmath>
 #include <numeric>
 
 namespace cartesian
@@ -50,77 +51,6 @@ constexpr std::array<Round, 10> Rounds{
 // Fewer cells than such a part of all are left for the last zones.
 constexpr std::size_t FewOf = 64;
 
-// Divides cells by planes, again and again, so that all parts have about as many of a sample.
-class Division
-{
-public:
-  Division(std::vector<Vector> sample, std::size_t parts)
-    : sample_(std::move(sample))
-  {
-    divide(0, sample_.size(), 0, parts);
-  }
-
-  std::uint32_t partOf(const Vector& place) const
-  {
-    std::size_t i = 0;
-    while (planes_[i].parts > 1)
-    {
-      i = place[planes_[i].axis] < planes_[i].at ? i + 1 : planes_[i].above;
-    }
-    return static_cast<std::uint32_t>(planes_[i].first);
-  }
-
-private:
-  struct Plane
-  {
-    std::size_t first; // part
-    std::size_t parts;
-    std::size_t axis;
-    double at;
-    std::size_t above; // what follows on this side; on the other, the next
-  };
-
-  void divide(std::size_t begin, std::size_t end, std::size_t first, std::size_t parts)
-  {
-    const std::size_t here = planes_.size();
-    planes_.push_back({ first, parts, 0, 0, 0 });
-    if (parts < 2)
-    {
-      return;
-    }
-    const std::size_t below = parts / 2;
-    const std::size_t middle = begin + (end - begin) * below / parts;
-    const std::size_t axis = longestAxis(begin, end);
-    const auto at = [&](std::size_t i) { return sample_.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(begin), at(middle), at(end),
-      [&](const Vector& x, const Vector& y) { return x[axis] < y[axis]; });
-    planes_[here].axis = axis;
-    planes_[here].at = sample_[middle][axis];
-    divide(begin, middle, first, below);
-    planes_[here].above = planes_.size();
-    divide(middle, end, first + below, parts - below);
-  }
-
-  std::size_t longestAxis(std::size_t begin, std::size_t end) const
-  {
-    Vector low = sample_[begin];
-    Vector high = low;
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        low[axis] = std::min(low[axis], sample_[i][axis]);
-        high[axis] = std::max(high[axis], sample_[i][axis]);
-      }
-    }
-    const Vector size = minus(high, low);
-    return static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
-  }
-
-  std::vector<Vector> sample_;
-  std::vector<Plane> planes_;
-};
-
 // What one zone has in a round.
 struct Zone
 {
@@ -128,7 +58,6 @@ struct Zone
   std::size_t end;
   std::vector<std::uint32_t> cells; // to be looked at
   std::size_t costly = 0;           // how many faces of theirs cost much
-  FreeSlots slots;
 };
 
 class ZoneRounds
@@ -250,9 +179,9 @@ private:
       std::max<std::size_t>(1, std::min(cells.size() / LeastCellsAZone, MostZones));
     std::vector<Vector> sample(chunks(cells.size(), CellsASample));
     forEach(sample.size(), [&](std::uint32_t i) { sample[i] = placeOf(cells[i * CellsASample]); });
-    const Division division(std::move(sample), count);
+    const ZoneDivision division(std::move(sample), count);
     forEach(cells.size(),
-      [&](std::uint32_t i) { store_.cells[cells[i]].zone = division.partOf(placeOf(cells[i])); });
+      [&](std::uint32_t i) { store_.cells[cells[i]].zone = division.zoneOf(placeOf(cells[i])); });
     const auto byZone = fillBuckets<std::uint32_t>(
       cells.size(), ItemsAChunk, count,
       [&](std::size_t begin, std::size_t end, auto&& add) {
@@ -266,7 +195,7 @@ private:
     zones_.clear();
     for (std::size_t z = 0; z < count; ++z)
     {
-      zones_.push_back({ byZone.start[z], byZone.start[z + 1], {}, 0, {} });
+      zones_.push_back({ byZone.start[z], byZone.start[z + 1], {}, 0 });
     }
   }
 
@@ -325,7 +254,7 @@ private:
       const bool isFirst = i == 0 || byGroup[i][0] != byGroup[i - 1][0];
       if (zones_.empty() || (isFirst && i - zones_.back().begin >= least))
       {
-        zones_.push_back({ i, i, {}, 0, {} });
+        zones_.push_back({ i, i, {}, 0 });
       }
       zones_.back().end = i + 1;
       store_.cells[byGroup[i][1]].zone = static_cast<std::uint32_t>(zones_.size() - 1);
@@ -359,7 +288,7 @@ private:
   {
     fix();
     chooseCells(margin);
-    giveSlots();
+    std::vector<FreeSlots> slots = giveSlots(store_, slotCounts(), execution_);
     // Lists stay in the arenas of zones that made them, as long as there are numbers for more.
     if (store_.arenas.size() + zones_.size() > MostArenas)
     {
@@ -370,13 +299,13 @@ private:
     const std::vector<std::uint32_t> order = dearestFirst();
     execution_.forEach(order.size(), 1, [&](std::size_t i, std::size_t) {
       const std::uint32_t z = order[i];
-      Zone& zone = zones_[z];
-      EditMesh editor(store_, z, static_cast<std::uint16_t>(firstArena + z), std::move(zone.slots));
+      const Zone& zone = zones_[z];
+      EditMesh editor(store_, z, static_cast<std::uint16_t>(firstArena + z), std::move(slots[z]));
       const Items all{ order_.data() + zone.begin, order_.data() + zone.end };
       work_({ editor, zone.cells, all, isOver_ });
-      zone.slots = editor.takeSlots();
+      slots[z] = editor.takeSlots();
     });
-    takeSlotsBack();
+    takeSlotsBack(store_, slots);
     execution_.forEach(zones_.size(), 1, [&](std::size_t z, std::size_t) {
       for (const std::uint32_t c : zones_[z].cells)
       {
@@ -384,6 +313,18 @@ private:
       }
     });
     listLeft();
+  }
+
+  std::vector<SlotCounts> slotCounts() const
+  {
+    std::vector<SlotCounts> counts;
+    for (const Zone& zone : zones_)
+    {
+      const std::size_t few = LeastSlots + zone.cells.size() / 16;
+      counts.push_back(
+        { few + 4 * zone.costly, few + 6 * zone.costly, LeastSlots + 2 * zone.costly });
+    }
+    return counts;
   }
 
   // So that no thread still works at a large one when the others have ended.
@@ -501,74 +442,6 @@ private:
           isFixed_[other] = static_cast<std::uint8_t>(ring + 1);
         }
       });
-    }
-  }
-
-  // --- slots
-
-  void giveSlots()
-  {
-    give(store_.nodes, &FreeSlots::nodes,
-      [](const Zone& zone) { return LeastSlots + zone.cells.size() / 16 + 4 * zone.costly; });
-    give(store_.faces, &FreeSlots::faces,
-      [](const Zone& zone) { return LeastSlots + zone.cells.size() / 16 + 6 * zone.costly; });
-    give(store_.cells, &FreeSlots::cells,
-      [](const Zone& zone) { return LeastSlots + 2 * zone.costly; });
-  }
-
-  // Spare ones first, the last of them before the others.
-  template <class Records, class Count>
-  void give(Records& all, Slots FreeSlots::*kind, Count&& countOf)
-  {
-    std::vector<std::uint32_t>& spare = (store_.spare.*kind).numbers;
-    std::size_t missing = 0;
-    for (Zone& zone : zones_)
-    {
-      const std::size_t count = countOf(zone);
-      std::vector<std::uint32_t>& numbers = (zone.slots.*kind).numbers;
-      const std::size_t known = std::min(count, spare.size());
-      numbers.assign(spare.rbegin(), spare.rbegin() + static_cast<std::ptrdiff_t>(known));
-      spare.resize(spare.size() - known);
-      for (std::size_t i = known; i < count; ++i)
-      {
-        numbers.push_back(static_cast<std::uint32_t>(all.size() + missing++));
-      }
-    }
-    const std::size_t before = all.size();
-    extend(all, before + missing);
-    forEach(missing, [&](std::uint32_t i) {
-      all[before + i] = {};
-      all[before + i].gone = true;
-    });
-  }
-
-  // On all threads, where records have to move.
-  template <class Records>
-  void extend(Records& all, std::size_t size)
-  {
-    if (size <= all.capacity())
-    {
-      all.resize(size);
-      return;
-    }
-    Records larger;
-    larger.reserve(size + size / 4);
-    larger.resize(size);
-    forEach(all.size(), [&](std::uint32_t i) { larger[i] = all[i]; });
-    all.swap(larger);
-  }
-
-  void takeSlotsBack()
-  {
-    for (const Zone& zone : zones_)
-    {
-      for (Slots FreeSlots::*kind : { &FreeSlots::nodes, &FreeSlots::faces, &FreeSlots::cells })
-      {
-        const Slots& slots = zone.slots.*kind;
-        std::vector<std::uint32_t>& spare = (store_.spare.*kind).numbers;
-        spare.insert(spare.end(), slots.numbers.begin() + static_cast<std::ptrdiff_t>(slots.used),
-          slots.numbers.end());
-      }
     }
   }
 

@@ -55,6 +55,16 @@ public:
   }
 
 private:
+  // Of what was opened, and what edits made.
+  struct Changes
+  {
+    std::vector<std::uint8_t> moved;     // nodes
+    std::vector<std::uint8_t> rewritten; // cells of the wall mesh that changed or went
+    std::vector<std::uint8_t> isWritten; // cells that changed
+    std::vector<Written> written;        // these, in order
+    std::vector<std::uint32_t> promoted; // boxes of hexahedra that changed, in order
+  };
+
   // Of the nodes and faces of cells that changed, in Nodes and WallFaces.
   struct NewNumbers
   {
@@ -88,10 +98,10 @@ private:
 
   void findMoved()
   {
-    moved_.assign(mesh_.nodeCount(), 0);
+    changes_.moved.assign(mesh_.nodeCount(), 0);
     forEach(edited_.opened.nodes, [&](std::uint32_t n) {
       const std::uint32_t number = mesh_.node(n).number;
-      moved_[n] =
+      changes_.moved[n] =
         !mesh_.node(n).gone && number != None && !areSame(edited_.placeOf(n), nodes_.at[number]);
     });
     const auto& onVertices = edited_.opened.onVertices;
@@ -99,7 +109,7 @@ private:
       const auto& planes = boxes_.planes;
       const VertexNode& vertex = onVertices[i];
       const Point before{ planes[0][vertex.i], planes[1][vertex.j], planes[2][vertex.k] };
-      moved_[vertex.node] =
+      changes_.moved[vertex.node] =
         !mesh_.node(vertex.node).gone && !areSame(edited_.placeOf(vertex.node), before);
     });
   }
@@ -123,8 +133,8 @@ private:
 
   void findChanged()
   {
-    rewritten_.assign(wall_.size(), 0);
-    isWritten_.assign(mesh_.cellCount(), 0);
+    changes_.rewritten.assign(wall_.size(), 0);
+    changes_.isWritten.assign(mesh_.cellCount(), 0);
     const std::size_t count = chunks(mesh_.cellCount(), ItemsAChunk);
     std::vector<std::vector<Written>> written(count);
     std::vector<std::vector<std::uint32_t>> promoted(count);
@@ -137,7 +147,7 @@ private:
       }
       if (!cell.gone)
       {
-        isWritten_[c] = 1;
+        changes_.isWritten[c] = 1;
         written[c / ItemsAChunk].push_back({ cell.home, c, orderOf(c) });
       }
       if (!isNew && isHexahedron(cell.number))
@@ -146,13 +156,13 @@ private:
       }
       else if (!isNew)
       {
-        rewritten_[cell.number] = 1;
+        changes_.rewritten[cell.number] = 1;
       }
     });
-    written_ = concatenated(written);
-    promoted_ = concatenated(promoted);
-    sortAll(written_, execution_);
-    sortAll(promoted_, execution_);
+    changes_.written = concatenated(written);
+    changes_.promoted = concatenated(promoted);
+    sortAll(changes_.written, execution_);
+    sortAll(changes_.promoted, execution_);
   }
 
   bool wasOpened(std::uint32_t c) const { return c < edited_.opened.cells; }
@@ -165,8 +175,8 @@ private:
         const Items corners = mesh_.cornersOf(f);
         return !isAsOpened(f) ||
           (edited_.opened.cellsOf[f][0] != c && edited_.opened.cellsOf[f][1] != c) ||
-          std::any_of(
-            corners.begin(), corners.end(), [&](std::uint32_t n) { return moved_[n] != 0; });
+          std::any_of(corners.begin(), corners.end(),
+            [&](std::uint32_t n) { return changes_.moved[n] != 0; });
       });
   }
 
@@ -181,7 +191,8 @@ private:
   {
     const EditFace& face = mesh_.face(f);
     return !face.gone &&
-      (isWritten_[face.below] != 0 || (face.above != None && isWritten_[face.above] != 0));
+      (changes_.isWritten[face.below] != 0 ||
+        (face.above != None && changes_.isWritten[face.above] != 0));
   }
 
   bool isWrittenNode(std::uint32_t n) const
@@ -206,7 +217,7 @@ private:
     forEach(count, [&](std::uint32_t n) {
       std::uint32_t& number = numbers_.nodes[n];
       number = mesh_.node(n).number;
-      if (number != None && moved_[n])
+      if (number != None && changes_.moved[n])
       {
         nodes_.at[number] = edited_.placeOf(n);
       }
@@ -303,7 +314,7 @@ private:
     const std::vector<std::uint32_t> patchBox = std::move(sides_.patchBox);
     const std::vector<std::size_t> ownStart = std::move(sides_.ownStart);
     const std::vector<std::size_t> boxStart = std::move(sides_.boxStart);
-    const std::size_t count = polyhedral.size() + promoted_.size();
+    const std::size_t count = polyhedral.size() + changes_.promoted.size();
     RawVector<std::uint32_t> before(count);
     sides_.polyhedral.resize(count);
     sides_.patchBox.resize(count);
@@ -317,11 +328,12 @@ private:
       sides_.ownStart[at] = ownStart[n];
       sides_.boxStart[at] = boxStart[n];
     };
-    forEach(polyhedral.size(),
-      [&](std::uint32_t n) { put(n + lowerIn(promoted_, polyhedral[n]), polyhedral[n], n, n); });
-    forEach(promoted_.size(), [&](std::uint32_t i) {
-      const std::size_t n = lowerIn(polyhedral, promoted_[i]);
-      put(i + n, promoted_[i], None, n);
+    forEach(polyhedral.size(), [&](std::uint32_t n) {
+      put(n + lowerIn(changes_.promoted, polyhedral[n]), polyhedral[n], n, n);
+    });
+    forEach(changes_.promoted.size(), [&](std::uint32_t i) {
+      const std::size_t n = lowerIn(polyhedral, changes_.promoted[i]);
+      put(i + n, changes_.promoted[i], None, n);
     });
     return before;
   }
@@ -376,9 +388,10 @@ private:
   void forEachCellIn(std::uint32_t n, std::uint32_t m, const WallMesh& old, Visitor&& visit) const
   {
     const std::uint32_t box = sides_.polyhedral[n];
-    auto next = std::lower_bound(written_.begin(), written_.end(), Written{ box, 0, 0 });
+    auto next =
+      std::lower_bound(changes_.written.begin(), changes_.written.end(), Written{ box, 0, 0 });
     const auto visitUpTo = [&](std::uint64_t order) {
-      for (; next != written_.end() && next->box == box && next->order <= order; ++next)
+      for (; next != changes_.written.end() && next->box == box && next->order <= order; ++next)
       {
         visit(mesh_.facesOf(next->cell).size(), None, next->cell);
       }
@@ -387,7 +400,7 @@ private:
     for (std::size_t c = m == None ? 0 : old.boxStart[m]; c < end; ++c)
     {
       visitUpTo(c);
-      if (!rewritten_[c])
+      if (!changes_.rewritten[c])
       {
         visit(
           old.cells[c + 1].firstUse - old.cells[c].firstUse, static_cast<std::uint32_t>(c), None);
@@ -553,11 +566,7 @@ private:
   Nodes& nodes_;
   WallMesh& wall_;
   Execution& execution_;
-  std::vector<std::uint8_t> moved_;     // nodes
-  std::vector<std::uint8_t> rewritten_; // cells of the wall mesh that changed or went
-  std::vector<std::uint8_t> isWritten_; // cells that changed
-  std::vector<Written> written_;        // these, in order
-  std::vector<std::uint32_t> promoted_; // boxes of hexahedra that changed, in order
+  Changes changes_;
   NewNumbers numbers_;
 };
 

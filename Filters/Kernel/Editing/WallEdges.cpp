@@ -2,7 +2,7 @@
 #include "Editing/WallEdges.h"
 
 #include "Editing/PrimitiveEdits.h"
-#include "Polyhedra/CellGeometry.h"
+#include "Lattice/NearestPlace.h"
 
 #include <cmath>
 #include <limits>
@@ -25,51 +25,10 @@ bool isEdgeAt(Items ring, std::size_t i, std::uint32_t v)
   return ring[(i + 1) % ring.size()] == v || ring[(i + ring.size() - 1) % ring.size()] == v;
 }
 
-// p is nearest to corner a, b or c, to the edge between two of them, or to the inside: at a + s (b - a) + t (c - a).
-std::array<double, 2> nearestOfTriangle(
-  const Vector& p, const Vector& a, const Vector& b, const Vector& c)
+double squareToTriangle(const Vector& p, const Vector& a, const Vector& b, const Vector& c)
 {
-  const Vector ab = minus(b, a);
-  const Vector ac = minus(c, a);
-  const Vector ap = minus(p, a);
-  const double d1 = dot(ab, ap);
-  const double d2 = dot(ac, ap);
-  if (d1 <= 0 && d2 <= 0)
-  {
-    return { 0, 0 };
-  }
-  const Vector bp = minus(p, b);
-  const double d3 = dot(ab, bp);
-  const double d4 = dot(ac, bp);
-  if (d3 >= 0 && d4 <= d3)
-  {
-    return { 1, 0 };
-  }
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0)
-  {
-    return { d1 / (d1 - d3 + Tiny), 0 };
-  }
-  const Vector cp = minus(p, c);
-  const double d5 = dot(ab, cp);
-  const double d6 = dot(ac, cp);
-  if (d6 >= 0 && d5 <= d6)
-  {
-    return { 0, 1 };
-  }
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0)
-  {
-    return { 0, d2 / (d2 - d6 + Tiny) };
-  }
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 >= d3 && d5 >= d6)
-  {
-    const double t = (d4 - d3) / ((d4 - d3) + (d5 - d6) + Tiny);
-    return { 1 - t, t };
-  }
-  const double sum = va + vb + vc + Tiny;
-  return { vb / sum, vc / sum };
+  const Vector away = minus(p, nearestPlace(a, b, c, p));
+  return dot(away, away);
 }
 
 // The square of the distance to the triangles around a face's centre, up to `enough`.
@@ -340,13 +299,6 @@ double distanceToSegment(const Vector& p, const Vector& a, const Vector& b)
   const double square = dot(ab, ab);
   const double t = square > 0 ? std::clamp(dot(minus(p, a), ab) / square, 0.0, 1.0) : 0;
   return norm(minus(p, plus(a, scaled(ab, t))));
-}
-
-double squareToTriangle(const Vector& p, const Vector& a, const Vector& b, const Vector& c)
-{
-  const auto [s, t] = nearestOfTriangle(p, a, b, c);
-  const Vector away = minus(minus(p, a), plus(scaled(minus(b, a), s), scaled(minus(c, a), t)));
-  return dot(away, away);
 }
 
 double distanceToFace(const EditMesh& mesh, const Vector& p, std::uint32_t f)

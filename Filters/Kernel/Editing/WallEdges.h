@@ -31,7 +31,6 @@ double sharpnessBetween(const EditMesh& mesh, std::uint32_t f, std::uint32_t g);
 bool areAdjacent(const EditMesh& mesh, std::uint32_t f, std::uint32_t g);
 
 double distanceToSegment(const Vector& p, const Vector& a, const Vector& b);
-double squareToTriangle(const Vector& p, const Vector& a, const Vector& b, const Vector& c);
 double distanceToFace(const EditMesh& mesh, const Vector& p, std::uint32_t f);
 
 // The largest distance between the walls that changed since the mark, as they were and as they are: from nodes and

@@ -115,7 +115,6 @@ void improveWall(EditMesh& mesh, Execution& execution)
     },
     true);
   payDebts(store, general.rules.spec, execution);
-  mesh.refresh();
 }
 
 }

@@ -5,6 +5,7 @@
 #include "Editing/EditMeasures.h"
 #include "Editing/EditableWall.h"
 #include "Editing/NodeKinds.h"
+#include "Editing/OpenedFaces.h"
 #include "Editing/WallRing.h"
 #include "Lattice/PointSortKey.h"
 
@@ -21,188 +22,6 @@ namespace
 
 constexpr float MostMissing = 0.1F; // in boxes: what patches may lack that is believed
 constexpr std::size_t ItemsAChunk = 1024;
-constexpr std::size_t CellsAChunk = 256;
-
-// A face as the cell below has it.
-struct Listed
-{
-  std::size_t begin; // in the list's corners
-  std::size_t end;
-  std::uint32_t number; // in WallFaces, or None
-  CellKey below;
-  CellKey above; // or None
-  std::int32_t wall;
-  bool turned;
-};
-
-// The faces of a chunk of cells. Vertices of the global mesh that are not in Nodes are numbered behind those.
-struct FaceList
-{
-  std::vector<Listed> faces;
-  std::vector<std::uint32_t> corners;
-  std::vector<VertexNode> vertices;
-  std::vector<std::uint64_t> ghosts; // box and key of the cells beyond that are not opened
-};
-
-// Numbers in the mesh of cells that are opened, or None.
-class OpenedCells
-{
-public:
-  OpenedCells(const MeshParts& parts, Execution& execution)
-    : ofCell_(parts.wall.size())
-    , ofHexahedron_(parts.boxes.packed.size())
-  {
-    for (RawVector<std::uint32_t>* numbers : { &ofCell_, &ofHexahedron_ })
-    {
-      execution.forEach(numbers->size(), NumbersAChunk, [&](std::size_t begin, std::size_t end) {
-        std::fill(
-          numbers->begin() + std::ptrdiff_t(begin), numbers->begin() + std::ptrdiff_t(end), None);
-      });
-    }
-  }
-
-  std::uint32_t& operator[](CellKey key)
-  {
-    return isHexahedron(key) ? ofHexahedron_[boxOfHexahedron(key)] : ofCell_[key];
-  }
-  std::uint32_t operator[](CellKey key) const
-  {
-    return isHexahedron(key) ? ofHexahedron_[boxOfHexahedron(key)] : ofCell_[key];
-  }
-
-private:
-  static constexpr std::size_t NumbersAChunk = 1 << 16;
-
-  RawVector<std::uint32_t> ofCell_;
-  RawVector<std::uint32_t> ofHexahedron_; // by box
-};
-
-// Lists the faces of some cells.
-class FaceLister
-{
-public:
-  FaceLister(const MeshParts& parts, const OpenedCells& numbers, std::size_t cells, FaceList& list)
-    : parts_(parts)
-    , numbers_(numbers)
-    , list_(list)
-  {
-    known_.reset(8 * cells);
-  }
-
-  void add(CellKey key)
-  {
-    if (!isHexahedron(key))
-    {
-      parts_.wall.forEachUse(key, [&](const FaceUse& use) { addFace(key, use); });
-      return;
-    }
-    for (unsigned side = 0; side < 6; ++side)
-    {
-      lookBeside(parts_.boxes, parts_.sides, parts_.wall, boxOfHexahedron(key), side, beside_);
-      for (const FaceUse& use : beside_.faces)
-      {
-        addFace(key, use);
-      }
-      if (beside_.faces.empty())
-      {
-        addSide(boxOfHexahedron(key), side);
-      }
-    }
-  }
-
-private:
-  bool isThere(CellKey key) const { return key != None && !parts_.wall.isRemoved(key); }
-
-  // Where both its cells are opened, it is listed to that below.
-  void addFace(CellKey key, const FaceUse& use)
-  {
-    const CellKey other = parts_.wall.faces.beyond(use);
-    const bool isBetween = isThere(other);
-    if (isBetween && use.turned && numbers_[other] != None)
-    {
-      return;
-    }
-    const std::size_t begin = list_.corners.size();
-    parts_.wall.faces.forEachNode(use, [&](std::uint32_t node) { list_.corners.push_back(node); });
-    const std::int32_t wall =
-      isBetween ? parts_.wall.faces.boundary[use.face] : wallBeyond(use, other);
-    close({ begin, 0, use.face, key, isBetween ? other : CellKey(None), wall, use.turned != 0 });
-  }
-
-  // Of a face without a cell beyond.
-  std::int32_t wallBeyond(const FaceUse& use, CellKey removed) const
-  {
-    const WallFaces& faces = parts_.wall.faces;
-    if (removed != None)
-    {
-      const Cell& there = parts_.wall.cells[removed];
-      return exposedWall(parts_, use.face, there.box, there.boundary);
-    }
-    std::uint32_t box = None;
-    if (faces.originOf(use.face) == FaceOrigin::Side)
-    {
-      const auto next = std::upper_bound(faces.sideStart.begin(), faces.sideStart.end(), use.face);
-      const auto s = static_cast<std::size_t>(next - faces.sideStart.begin()) - 1;
-      box = use.turned ? parts_.sides.common[s].low : parts_.sides.common[s].high;
-    }
-    return exposedWall(parts_, use.face, box, faces.boundary[use.face]);
-  }
-
-  // Of a hexahedron: no polyhedron has a face there.
-  void addSide(std::uint32_t box, unsigned side)
-  {
-    const CellKey other =
-      beside_.box == None || beside_.isPolyhedral ? CellKey(None) : keyOfHexahedron(beside_.box);
-    const bool upper = side % 2 == 1;
-    if (!upper && other != None && numbers_[other] != None)
-    {
-      return;
-    }
-    const std::array<unsigned, 4> ring = sideCorners(static_cast<int>(side / 2), upper ? 1 : 0);
-    const std::size_t begin = list_.corners.size();
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-      list_.corners.push_back(cornerNode(box, ring[upper ? i : 3 - i]));
-    }
-    close({ begin, 0, None, keyOfHexahedron(box), other, NoBoundary, false });
-  }
-
-  void close(Listed face)
-  {
-    if (face.above != None && numbers_[face.above] == None)
-    {
-      list_.ghosts.push_back(std::uint64_t(boxOf(parts_.wall, face.above)) << 32 | face.above);
-    }
-    face.end = list_.corners.size();
-    list_.faces.push_back(face);
-  }
-
-  // In Nodes, or behind those: one of `vertices`.
-  std::uint32_t cornerNode(std::uint32_t box, unsigned corner)
-  {
-    const std::uint32_t node = nodeOfCorner(parts_.boxes, parts_.sides, parts_.nodes, box, corner);
-    if (node != None)
-    {
-      return node;
-    }
-    const VertexNode vertex = vertexAt(parts_.boxes, box, corner);
-    const auto row =
-      static_cast<std::uint32_t>(vertex.j + vertex.k * parts_.boxes.planes[1].size());
-    std::uint32_t& number = known_.at(row, vertex.i);
-    if (number == EdgeTable::Fresh)
-    {
-      number = static_cast<std::uint32_t>(parts_.nodes.at.size() + list_.vertices.size());
-      list_.vertices.push_back(vertex);
-    }
-    return number;
-  }
-
-  const MeshParts& parts_;
-  const OpenedCells& numbers_;
-  FaceList& list_;
-  EdgeTable known_; // vertices
-  BesideHexahedron beside_;
-};
 
 class Opening
 {
@@ -214,7 +33,6 @@ public:
     , execution_(execution)
     , keys_(cellsToEdit(parts, execution))
     , numbers_(parts, execution)
-    , lists_(chunks(keys_.size(), CellsAChunk))
   {
   }
 
@@ -222,12 +40,11 @@ public:
   {
     chooseUnit();
     addCells();
-    listFaces();
+    faces_ = listOpenedFaces(parts_, keys_, numbers_, execution_);
     addGhosts();
     addNodes();
     addFaces();
     store_.connect(execution_);
-    result_.mesh.refresh();
     hold();
     freeze();
     measure();
@@ -249,7 +66,7 @@ private:
   template <class Visitor>
   void forEachList(Visitor&& visit)
   {
-    execution_.forEach(lists_.size(), 1, [&](std::size_t i, std::size_t) { visit(i); });
+    execution_.forEach(faces_.lists.size(), 1, [&](std::size_t i, std::size_t) { visit(i); });
   }
 
   // --- cells
@@ -263,15 +80,12 @@ private:
       result_.origin[axis] = parts_.boxes.planes[axis].front();
       end[axis] = parts_.boxes.planes[axis].back();
     }
-    std::vector<double> least(lists_.size(), HUGE_VAL); // volume
-    forEachList([&](std::size_t i) {
-      const std::size_t last = std::min((i + 1) * CellsAChunk, keys_.size());
-      for (std::size_t k = i * CellsAChunk; k < last; ++k)
-      {
-        const Box box = parts_.boxes.box(boxOf(parts_.wall, keys_[k]));
-        const Vector size = minus(box.high, box.low);
-        least[i] = std::min(least[i], size[0] * size[1] * size[2]);
-      }
+    std::vector<double> least(chunks(keys_.size(), ItemsAChunk), HUGE_VAL); // volume
+    forEach(keys_.size(), [&](std::uint32_t c) {
+      const Box box = parts_.boxes.box(boxOf(parts_.wall, keys_[c]));
+      const Vector size = minus(box.high, box.low);
+      double& ofChunk = least[c / ItemsAChunk];
+      ofChunk = std::min(ofChunk, size[0] * size[1] * size[2]);
     });
     store_.level = keys_.empty()
       ? 1
@@ -312,36 +126,13 @@ private:
     numbers_[key] = c;
   }
 
-  // --- faces
-
-  void listFaces()
-  {
-    forEachList([&](std::size_t i) {
-      const std::size_t begin = i * CellsAChunk;
-      const std::size_t end = std::min(begin + CellsAChunk, keys_.size());
-      FaceLister lister(parts_, numbers_, end - begin, lists_[i]);
-      for (std::size_t k = begin; k < end; ++k)
-      {
-        lister.add(keys_[k]);
-      }
-    });
-  }
-
   // Each is all of its box: cells of intersected boxes are no ghosts.
   void addGhosts()
   {
-    std::vector<std::uint64_t> ghosts;
-    for (FaceList& list : lists_)
-    {
-      ghosts.insert(ghosts.end(), list.ghosts.begin(), list.ghosts.end());
-      std::vector<std::uint64_t>().swap(list.ghosts);
-    }
-    sortAll(ghosts, execution_);
-    ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
+    const std::vector<CellKey> ghosts = takeGhosts(faces_, execution_);
     store_.cells.resize(keys_.size() + ghosts.size());
-    forEach(ghosts.size(), [&](std::uint32_t i) {
-      setCell(result_.opened.cells + i, static_cast<CellKey>(ghosts[i]), CellState::Ghost);
-    });
+    forEach(ghosts.size(),
+      [&](std::uint32_t i) { setCell(result_.opened.cells + i, ghosts[i], CellState::Ghost); });
   }
 
   // --- nodes
@@ -350,7 +141,6 @@ private:
   // lists have.
   void addNodes()
   {
-    numberVertices();
     RawVector<PointSortKey> places = findPlaces();
     sortAll(places, execution_);
     const auto isFirst = [&](std::size_t i) { return i == 0 || !places[i].isAt(places[i - 1]); };
@@ -364,7 +154,7 @@ private:
     const std::size_t count = scan(start);
     store_.nodes.reserve(withSpare(count));
     store_.nodes.resize(count);
-    nodeOf_.resize(parts_.nodes.at.size() + vertices_.size());
+    nodeOf_.resize(parts_.nodes.at.size() + faces_.vertices.size());
     std::vector<std::vector<VertexNode>> onVertices(start.size());
     execution_.forEach(places.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
       std::size_t next = start[begin / ItemsAChunk];
@@ -394,27 +184,9 @@ private:
     store_.nodes[n] = node;
     if (from >= known)
     {
-      onVertices.push_back(vertices_[from - known]);
+      onVertices.push_back(faces_.vertices[from - known]);
       onVertices.back().node = n;
     }
-  }
-
-  // Gathers those of all lists.
-  void numberVertices()
-  {
-    std::vector<std::uint32_t> first(lists_.size());
-    for (std::size_t i = 0; i < lists_.size(); ++i)
-    {
-      first[i] = static_cast<std::uint32_t>(vertices_.size());
-      vertices_.insert(vertices_.end(), lists_[i].vertices.begin(), lists_[i].vertices.end());
-    }
-    const std::size_t known = parts_.nodes.at.size();
-    forEachList([&](std::size_t i) {
-      for (std::uint32_t& node : lists_[i].corners)
-      {
-        node += node >= known ? first[i] : 0;
-      }
-    });
   }
 
   // Of all nodes that are used.
@@ -423,7 +195,7 @@ private:
     const std::size_t known = parts_.nodes.at.size();
     std::vector<std::atomic<std::uint8_t>> used(known);
     forEachList([&](std::size_t i) {
-      for (const std::uint32_t node : lists_[i].corners)
+      for (const std::uint32_t node : faces_.lists[i].corners)
       {
         node < known ? used[node].store(1, std::memory_order_relaxed) : void();
       }
@@ -432,16 +204,16 @@ private:
     const auto isUsed = [&](std::size_t n) { return used[n].load(std::memory_order_relaxed) != 0; };
     forEach(known, [&](std::uint32_t n) { start[n / ItemsAChunk] += isUsed(n) ? 1 : 0; });
     const std::size_t count = scan(start);
-    RawVector<PointSortKey> places(count + vertices_.size());
+    RawVector<PointSortKey> places(count + faces_.vertices.size());
     forEach(known, [&](std::uint32_t n) {
       if (isUsed(n))
       {
         places[start[n / ItemsAChunk]++] = { parts_.nodes.at[n], n };
       }
     });
-    forEach(vertices_.size(), [&](std::uint32_t v) {
+    forEach(faces_.vertices.size(), [&](std::uint32_t v) {
       const auto& planes = parts_.boxes.planes;
-      const VertexNode& vertex = vertices_[v];
+      const VertexNode& vertex = faces_.vertices[v];
       places[count + v] = { { planes[0][vertex.i], planes[1][vertex.j], planes[2][vertex.k] },
         static_cast<std::uint32_t>(known + v) };
     });
@@ -454,7 +226,7 @@ private:
   {
     std::vector<std::size_t> first; // of faces, by lists; and of corners
     std::vector<std::size_t> firstCorner;
-    for (const FaceList& list : lists_)
+    for (const OpenedFaceList& list : faces_.lists)
     {
       first.push_back(list.faces.size());
       firstCorner.push_back(list.corners.size());
@@ -471,46 +243,22 @@ private:
     opened.cellsOf.resize(count);
     opened.turned.resize(count);
     forEachList([&](std::size_t i) {
-      FaceList& list = lists_[i];
-      sortFaces(list);
+      OpenedFaceList& list = faces_.lists[i];
+      sortFaces(list, nodeOf_);
       std::size_t f = first[i];
       std::size_t corner = firstCorner[i];
-      for (const Listed& face : list.faces)
+      for (const OpenedFace& face : list.faces)
       {
         setFace(f++, face, list, corner);
         corner += face.end - face.begin;
       }
-      list = FaceList();
+      list = OpenedFaceList();
     });
     opened.corners = store_.arenas[0];
   }
 
-  // By their cells, then by their corners, the first of which is the lowest.
-  void sortFaces(FaceList& list) const
-  {
-    for (std::uint32_t& corner : list.corners)
-    {
-      corner = nodeOf_[corner];
-    }
-    const auto corner = [&](std::size_t i) { return list.corners.begin() + std::ptrdiff_t(i); };
-    for (const Listed& face : list.faces)
-    {
-      std::rotate(corner(face.begin), std::min_element(corner(face.begin), corner(face.end)),
-        corner(face.end));
-    }
-    for (auto begin = list.faces.begin(); begin != list.faces.end();)
-    {
-      const auto end = std::find_if(
-        begin, list.faces.end(), [&](const Listed& face) { return face.below != begin->below; });
-      std::sort(begin, end, [&](const Listed& x, const Listed& y) {
-        return std::lexicographical_compare(
-          corner(x.begin), corner(x.end), corner(y.begin), corner(y.end));
-      });
-      begin = end;
-    }
-  }
-
-  void setFace(std::size_t f, const Listed& listed, const FaceList& list, std::size_t first)
+  void setFace(
+    std::size_t f, const OpenedFace& listed, const OpenedFaceList& list, std::size_t first)
   {
     const std::uint32_t* const corners = list.corners.data() + listed.begin;
     const std::size_t size = listed.end - listed.begin;
@@ -645,9 +393,8 @@ private:
   Execution& execution_;
   std::vector<CellKey> keys_;
   OpenedCells numbers_;
-  std::vector<FaceList> lists_;
-  std::vector<VertexNode> vertices_; // numbered behind Nodes
-  RawVector<std::uint32_t> nodeOf_;  // in the mesh, of those
+  OpenedFaces faces_;               // vertices are numbered behind Nodes
+  RawVector<std::uint32_t> nodeOf_; // in the mesh, of both
 };
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/BaffleRims.h"
 
+#include "Lattice/NearestPlace.h"
 #include "Repair/EdgePoints.h"
 #include "Repair/NearbyTriangles.h"
 #include "Repair/TriangleDivision.h"

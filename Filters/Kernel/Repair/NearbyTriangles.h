@@ -2,16 +2,13 @@
 // Which triangles are near a place, by a grid of cells.
 #pragma once
 
-#include "Lattice/Vector.h"
+#include "Lattice/NearestPlace.h"
 #include "Surface/Surface.h"
 
 #include <unordered_map>
 
 namespace cartesian
 {
-
-// The place of a triangle that is nearest to another place. All in levels.
-Vector nearestPlace(const Corners& triangle, const Vector& place);
 
 class NearbyTriangles
 {

@@ -3,6 +3,7 @@
 #include "Editing/EditZones.h"
 #include "Editing/EditableWall.h"
 #include "Support/MeshChecker.h"
+#include "Support/WallCases.h"
 
 #include <gtest/gtest.h>
 
@@ -16,27 +17,14 @@ namespace cartesian
 namespace
 {
 
-struct Case
-{
-  std::string name;
-  Soup soup;
-  double size;
-  int levels;
-};
-
-std::ostream& operator<<(std::ostream& stream, const Case& one)
-{
-  return stream << one.name;
-}
-
 // Of more than 9216 cells at the wall: three zones.
-std::vector<Case> cases()
+std::vector<WallCase> cases()
 {
   return { { "Ball", sphere(8, 0.7), 0.04, 0 }, { "BallRefined", sphere(8, 0.7), 0.14, 2 },
     { "Cube", cube().turned(), 0.03, 0 }, { "CubeRefined", cube().turned(), 0.11, 2 } };
 }
 
-class EditZonesOf : public ::testing::TestWithParam<Case>
+class EditZonesOf : public ::testing::TestWithParam<WallCase>
 {
 };
 
@@ -47,25 +35,22 @@ Soup reversed(Soup soup)
   return soup;
 }
 
-MeshArrays editedOf(const Soup& soup, const Case& one, int threads)
+MeshArrays editedOf(const Soup& soup, const WallCase& one, int threads)
 {
-  TestOptions options;
-  options.refinement = depth(one.levels);
-  options.shaping.editsInPlace = true;
   Execution execution(threads);
-  const auto assembly = assembledOf(soup, cellsOf(one.size), options, execution);
+  const auto assembly = assembledOf(soup, cellsOf(one.size), optionsInPlace(one), execution);
   return arraysOf(*assembly->mesh, assembly->boxes, execution);
 }
 
 TEST_P(EditZonesOf, NothingDependsOnThreadsOrTheOrderOfTriangles)
 {
-  const Case& one = GetParam();
+  const WallCase& one = GetParam();
   const MeshArrays alone = editedOf(one.soup, one, 1);
   EXPECT_TRUE(alone == editedOf(one.soup, one, 2));
   EXPECT_TRUE(alone == editedOf(reversed(one.soup), one, 5));
 }
 
-EditableWall openedOf(const Case& one)
+EditableWall openedOf(const WallCase& one)
 {
   const TestOptions options = asTheyAre(0, depth(one.levels));
   Execution execution;
@@ -128,11 +113,6 @@ TEST(EditStore, ListsThatDoNotFitAreRefused)
   EXPECT_EQ(listAt(7, 65535, 3).size, 65535);
   EXPECT_THROW(listAt(7, 65536, 3), Error);
   EXPECT_THROW(listAt((std::size_t(1) << 32) - 7, 8, 3), Error);
-}
-
-std::string nameOfCase(const ::testing::TestParamInfo<Case>& info)
-{
-  return info.param.name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, EditZonesOf, ::testing::ValuesIn(cases()), nameOfCase);

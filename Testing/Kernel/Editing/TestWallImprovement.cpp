@@ -6,6 +6,7 @@
 #include "Editing/TrueVolume.h"
 #include "Editing/WallSimplification.h"
 #include "Support/MeshChecker.h"
+#include "Support/WallCases.h"
 
 #include <gtest/gtest.h>
 
@@ -20,31 +21,16 @@ namespace
 // Patches keep off the planes of boxes (PlaneClearance.h), by some millionths of a box.
 constexpr double OffPlanes = 1e-5;
 
-struct Case
+Meshed meshInPlace(const WallCase& one)
 {
-  std::string name;
-  Soup soup;
-  double size;
-  int levels;
-};
-
-std::ostream& operator<<(std::ostream& stream, const Case& one)
-{
-  return stream << one.name;
-}
-
-Meshed meshInPlace(const Case& one)
-{
-  TestOptions options;
-  options.refinement = depth(one.levels);
+  TestOptions options = optionsInPlace(one);
   options.memoryLimit = PlentyOfMemory;
-  options.shaping.editsInPlace = true;
   return meshOf(one.soup, cellsOf(one.size), options);
 }
 
-std::vector<Case> planeCases()
+std::vector<WallCase> planeCases()
 {
-  std::vector<Case> all;
+  std::vector<WallCase> all;
   for (int levels = 0; levels <= 2; ++levels)
   {
     const std::string name = std::to_string(levels);
@@ -56,9 +42,9 @@ std::vector<Case> planeCases()
   return all;
 }
 
-std::vector<Case> smoothCases()
+std::vector<WallCase> smoothCases()
 {
-  std::vector<Case> all;
+  std::vector<WallCase> all;
   for (int levels = 0; levels <= 2; ++levels)
   {
     const std::string name = std::to_string(levels);
@@ -70,11 +56,11 @@ std::vector<Case> smoothCases()
   return all;
 }
 
-class PlaneWallsOf : public ::testing::TestWithParam<Case>
+class PlaneWallsOf : public ::testing::TestWithParam<WallCase>
 {
 };
 
-class SmoothWallsOf : public ::testing::TestWithParam<Case>
+class SmoothWallsOf : public ::testing::TestWithParam<WallCase>
 {
 };
 
@@ -117,10 +103,10 @@ TEST_P(SmoothWallsOf, AreGoodForSolvers)
   EXPECT_EQ(failingCells(mesh), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(WallImprovement, PlaneWallsOf, ::testing::ValuesIn(planeCases()),
-  [](const auto& one) { return one.param.name; });
-INSTANTIATE_TEST_SUITE_P(WallImprovement, SmoothWallsOf, ::testing::ValuesIn(smoothCases()),
-  [](const auto& one) { return one.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+  WallImprovement, PlaneWallsOf, ::testing::ValuesIn(planeCases()), nameOfCase);
+INSTANTIATE_TEST_SUITE_P(
+  WallImprovement, SmoothWallsOf, ::testing::ValuesIn(smoothCases()), nameOfCase);
 
 // What walls have lost and what they owe is always the same together.
 TEST(WallImprovement, DebtsAreWhatTheVolumeLacks)
@@ -133,7 +119,6 @@ TEST(WallImprovement, DebtsAreWhatTheVolumeLacks)
     openWall({ a->boxes, a->patches, a->sides, a->nodes, a->wall }, 30, execution);
   EditStore& store = wall.mesh.store();
   const auto together = [&] {
-    wall.mesh.refresh();
     double sum = 0;
     for (const EditFace& face : store.faces)
     {

@@ -523,7 +523,6 @@ EditMesh copyOf(const EditMesh& mesh)
 {
   EditMesh copy;
   copy.store() = storeOf(mesh);
-  copy.refresh();
   copy.ledger = mesh.ledger;
   return copy;
 }
