@@ -31,6 +31,51 @@ double volumeBehind(const EditMesh& mesh, std::uint32_t f)
   return volume / 6;
 }
 
+// The faces of a cell that do not change: what they add to its sums, and how that changes with the mean.
+class HeldFaces
+{
+public:
+  explicit HeldFaces(const Vector& mean)
+    : mean_(mean)
+  {
+  }
+
+  void add(const Vector& centre, const Vector& area)
+  {
+    const Vector height = minus(centre, mean_);
+    const double product = dot(area, height);
+    sum_ += product;
+    area_ = plus(area_, area);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      moment_[k] += height[k] * product;
+      tensor_[k] = plus(tensor_[k], scaled(area, height[k]));
+    }
+  }
+
+  void addTo(const GradientVector& mean, WithGradient& sum, GradientVector& moment) const
+  {
+    sum.value += sum_;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      sum.slope = minus(sum.slope, scaled(mean[k].slope, area_[k]));
+      moment[k].value += moment_[k];
+      moment[k].slope = minus(moment[k].slope, scaled(mean[k].slope, sum_));
+      for (std::size_t l = 0; l < 3; ++l)
+      {
+        moment[k].slope = minus(moment[k].slope, scaled(mean[l].slope, tensor_[k][l]));
+      }
+    }
+  }
+
+private:
+  Vector mean_;
+  double sum_ = 0;
+  Vector area_{};
+  Vector moment_{};
+  std::array<Vector, 3> tensor_{}; // heights by areas
+};
+
 // Of the measures around one node, with their gradients by its place.
 class GradientOfNode
 {
@@ -156,27 +201,40 @@ private:
     {
       return { constant(mesh_.cell(c).centre), WithGradient(mesh_.cell(c).volume) };
     }
-    // As seen from its centre: what faces add that do not change is known already.
-    const EditCell& cell = mesh_.cell(c);
-    const GradientVector centre = constant(cell.centre);
-    WithGradient volume(cell.volume);
-    GradientVector moment{};
-    for (const std::uint32_t f : mesh_.facesOf(c))
+    return measuresOf(c, mesh_.facesOf(c));
+  }
+
+  // As measuresOfCell of WallObjective.h. Faces that do not change are summed as numbers: of them only the mean moves.
+  Cell measuresOf(std::uint32_t c, Items faces) const
+  {
+    GradientVector mean{};
+    for (const std::uint32_t f : faces)
     {
+      const Face* face = find(faces_, f);
+      mean = face ? plus(mean, face->centre) : plus(mean, constant(mesh_.face(f).centre));
+    }
+    mean = scaled(mean, 1.0 / double(faces.size()));
+    WithGradient sum; // of products
+    GradientVector moment{};
+    HeldFaces held(valuesOf(mean));
+    for (const std::uint32_t f : faces)
+    {
+      const double sign = mesh_.face(f).below == c ? 1 : -1;
       if (const Face* face = find(faces_, f))
       {
-        const GradientVector height = minus(face->centre, centre);
-        const WithGradient product =
-          dot(face->area, height) * (mesh_.face(f).below == c ? 1.0 : -1.0);
-        volume.slope = plus(volume.slope, scaled(product.slope, 1.0 / 3));
-        const GradientVector part = scaled(height, product * 0.25);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-        {
-          moment[axis].slope = plus(moment[axis].slope, part[axis].slope);
-        }
+        const GradientVector height = minus(face->centre, mean);
+        const WithGradient product = dot(face->area, height) * sign;
+        sum += product;
+        moment = plus(moment, scaled(height, product));
+      }
+      else
+      {
+        held.add(mesh_.face(f).centre, scaled(mesh_.face(f).area, sign));
       }
     }
-    return { plus(centre, scaled(moment, 1 / cell.volume)), volume };
+    held.addTo(mean, sum, moment);
+    const WithGradient volume = sum * (1.0 / 3);
+    return { plus(mean, scaled(moment, WithGradient(0.25) / volume)), volume };
   }
 
   void addCostOfCell(std::uint32_t c, const Cell& measures)

@@ -41,7 +41,6 @@ LoopSpec lastLoop()
   spec.rules.spec.saturation = ObjectiveSpec().saturation;
   spec.rules.spec.failing = 200;
   spec.rules.spec.volume = 200;
-  spec.rules.spec.distance = 0.03;
   spec.rules.spec.sharpEdge = 20;
   spec.rules.spec.mostMoved = 0.55;
   spec.search.removedShare = 1;
