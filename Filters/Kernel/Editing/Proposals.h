@@ -43,7 +43,7 @@ struct SearchSpec
   bool cutsFailing = false;    // in the plane of a failing face, through the middle of its cells
   double enough = 0.4;         // the first proposal that gains so much of an item's cost is taken
   double longestEdge = 0.5;    // in boxes: that may collapse
-  double removedShare = 0.05;  // of its box: a cell below may be removed
+  double removedShare = 0;     // of its box: a cell below may be removed
 };
 
 using Proposals = std::vector<Proposal>;

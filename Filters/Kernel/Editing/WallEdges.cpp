@@ -78,9 +78,13 @@ public:
     {
       worst = std::max(worst, squareTo(p, worst));
     }
-    for (const std::uint32_t f : now_)
+    for (std::size_t i = 0; i < now_.size() && !before_.empty(); ++i)
     {
-      worst = std::max(worst, before_.empty() ? 0 : squareToBefore(mesh_.face(f).centre, worst));
+      worst = std::max(worst, squareToBefore(mesh_.face(now_[i]).centre, worst));
+    }
+    for (std::size_t i = 0; i < fresh_.size() && !before_.empty(); ++i)
+    {
+      worst = std::max(worst, squareToBefore(mesh_.node(fresh_[i]).at, worst));
     }
     return std::sqrt(worst);
   }
@@ -162,9 +166,14 @@ private:
     for (std::size_t i = mark.nodeRecords; i < records.size(); ++i)
     {
       const auto& [n, was] = records[i];
-      if (was.atWall && !was.gone && (mesh_.node(n).gone || mesh_.node(n).at != was.at))
+      const EditNode& is = mesh_.node(n);
+      if (was.atWall && !was.gone && (is.gone || is.at != was.at))
       {
         points_.add(was.at);
+      }
+      if (is.atWall && !is.gone && (!was.atWall || was.gone) && !fresh_.contains(n))
+      {
+        fresh_.add(n);
       }
     }
   }
@@ -209,6 +218,7 @@ private:
   FixedList<std::uint32_t, Most> beside_; // walls that did not change
   FixedList<std::size_t, Most> before_;   // records
   FixedList<Vector, Most> points_;
+  FixedList<std::uint32_t, Most> fresh_; // nodes that were not at the wall
   bool hasChanged_ = false;
 };
 

@@ -29,6 +29,7 @@ LoopSpec thoroughLoop()
   spec.search.cutsAlongFaces = true;
   spec.search.cutsFailing = true;
   spec.search.enough = 0.9;
+  spec.search.removedShare = 0.05;
   spec.leastCost = 4;
   return spec;
 }
