@@ -256,15 +256,20 @@ Number saturated(const Number& sum, const ObjectiveSpec& spec)
   return spec.saturation > 0 ? logarithmOfMore(sum * (1 / spec.saturation)) * spec.saturation : sum;
 }
 
-// What a face that costs `cost` by one specification does by another.
-inline double costBy(
-  const ObjectiveSpec& to, const ObjectiveSpec& from, double cost, bool fails)
+// `fails`: as of Cost. To fail without being inverted is a step forward.
+inline double costOfFailing(int fails, const ObjectiveSpec& spec)
 {
-  const double saturatedSum = cost - (fails ? from.failing : 0);
+  return fails == 2 ? 1.5 * spec.failing : fails * spec.failing;
+}
+
+// What a face that costs `cost` by one specification does by another.
+inline double costBy(const ObjectiveSpec& to, const ObjectiveSpec& from, double cost, int fails)
+{
+  const double saturatedSum = cost - costOfFailing(fails, from);
   const double sum = from.saturation > 0
     ? std::expm1(saturatedSum / from.saturation) * from.saturation
     : saturatedSum;
-  return saturated(sum, to) + (fails ? to.failing : 0);
+  return saturated(sum, to) + costOfFailing(fails, to);
 }
 
 // What a face costs.
@@ -310,8 +315,7 @@ public:
       smaller(below.volume, above.volume), notBelow(larger(below.volume, above.volume), Tiny));
     const Number nearSquare = dot(toFace, toFace);
     const Number farSquare = dot(onwards, onwards);
-    const Number steepest =
-      larger(nearSquare / squareOf(nearer), farSquare / squareOf(farther));
+    const Number steepest = larger(nearSquare / squareOf(nearer), farSquare / squareOf(farther));
     cost_ += squareOf(squareOf(Number(Wanted::InnerCosine)) * steepest);
     const VectorOf<Number> aside = minus(toFace, scaled(toAbove, nearer / across));
     addSkewness(aside, distance * ShareOfDistance, size, corner);
@@ -335,8 +339,8 @@ public:
     const Number square = dot(aside, aside);
     cost_ += squareOf(square / squareOf(tall) * (1 / Wanted::BoundarySlope));
     addSkewness(aside, tall * ShareOfHeight, size, corner);
-    fails_ = fails_ ||
-      isSteep(valueOf(height), valueOf(dot(toFace, toFace)), FailsBeyond::BoundaryCosine);
+    fails_ =
+      fails_ || isSteep(valueOf(height), valueOf(dot(toFace, toFace)), FailsBeyond::BoundaryCosine);
     isInverted_ = valueOf(height) < 0;
     if (const double length = norm(original); length > NegligibleArea * edge * edge)
     {
@@ -351,7 +355,8 @@ public:
   Cost<Number> cost() const
   {
     const Number sum = saturated(cost_, spec_);
-    return { fails_ ? sum + spec_.failing : sum, isInverted_ ? 2 : fails_ ? 1 : 0, strains_ };
+    const int fails = isInverted_ ? 2 : fails_ ? 1 : 0;
+    return { sum + costOfFailing(fails, spec_), fails, strains_ };
   }
 
 private:

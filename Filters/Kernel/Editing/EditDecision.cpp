@@ -140,8 +140,8 @@ public:
       for (const std::uint32_t f : mesh.facesOf(c))
       {
         const std::uint32_t other = mesh.beyond(f, c);
-        const bool isSeen = other != None && other < c && mesh.unsettled.cells.contains(other) &&
-          mesh.isFree(other);
+        const bool isSeen =
+          other != None && other < c && mesh.unsettled.cells.contains(other) && mesh.isFree(other);
         if (!isSeen)
         {
           left_ += mesh.face(f).cost;

@@ -128,7 +128,8 @@ struct EditCell : CellOrigin
   ItemList faces;
   std::uint32_t epoch = 0;
   std::uint32_t zone = 0; // which editor may change it (EditMesh::zone), or None
-  std::int16_t misses = 0; // Euler's formula, by 2 for each handle (CellClosure.h): not by more later on
+  std::int16_t misses =
+    0; // Euler's formula, by 2 for each handle (CellClosure.h): not by more later on
   CellState state = CellState::Free;
   bool gone = false;
   bool strains = false; // solvers (WallObjective.h)

@@ -15,6 +15,7 @@ namespace cartesian
 namespace
 {
 
+constexpr double MostRemovedUnasked = 0.05; // of its box: of a cell of which no face fails
 constexpr double SmallShare = 0.5;  // of its box: such a cell has one more neighbour to merge with
 constexpr double LargestMerged = 2; // boxes, together
 constexpr double JoinCosine = 0.5;  // 60 degrees: walls that turn by more are not joined
@@ -129,11 +130,10 @@ void proposeJoins(const EditMesh& mesh, std::uint32_t f, Proposals& proposals)
   }
 }
 
-void proposeRemoval(
-  const EditMesh& mesh, const SearchSpec& search, std::uint32_t c, Proposals& proposals)
+void proposeRemoval(const EditMesh& mesh, std::uint32_t c, double share, Proposals& proposals)
 {
   const Items faces = mesh.facesOf(c);
-  if (mesh.isFree(c) && shareOf(mesh, c) < search.removedShare &&
+  if (mesh.isFree(c) && shareOf(mesh, c) < share &&
     std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) { return mesh.isWall(f); }))
   {
     proposals.push_back({ EditKind::Remove, c });
@@ -370,7 +370,7 @@ void proposeForFace(
     {
       const bool isSmall = shareOf(mesh, c) < SmallShare;
       proposeMerges(mesh, c, search.neighbours - (isSmall ? 0 : 1), proposals);
-      proposeRemoval(mesh, search, c, proposals);
+      proposeRemoval(mesh, c, search.removedShare, proposals);
     }
   }
   proposeJoins(mesh, f, proposals);
@@ -392,7 +392,7 @@ void proposeForCell(
 {
   constexpr std::size_t AllNeighbours = 6;
   proposeMerges(mesh, c, AllNeighbours, proposals);
-  proposeRemoval(mesh, search, c, proposals);
+  proposeRemoval(mesh, c, std::min(search.removedShare, MostRemovedUnasked), proposals);
   const double edge = mesh.cell(c).edge;
   for (const std::uint32_t f : mesh.facesOf(c))
   {

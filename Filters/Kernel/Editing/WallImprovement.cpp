@@ -4,6 +4,7 @@
 #include "Editing/EditLoop.h"
 #include "Editing/EditMeasures.h"
 #include "Editing/EditZones.h"
+#include "Editing/NodePlaces.h"
 #include "Editing/ShortEdges.h"
 #include "Editing/TrueVolume.h"
 #include "Editing/WallSimplification.h"
@@ -41,10 +42,9 @@ LoopSpec lastLoop()
   LoopSpec spec = thoroughLoop();
   spec.rules.spec.saturation = ObjectiveSpec().saturation;
   spec.rules.spec.failing = 200;
-  spec.rules.spec.volume = 200;
   spec.rules.spec.sharpEdge = 20;
   spec.rules.spec.mostMoved = 0.55;
-  spec.search.removedShare = 1;
+  spec.search.removedShare = 0.1;
   spec.search.longestEdge = 1.5;
   spec.search.neighbours = 6;
   spec.failingOnly = true;
@@ -69,7 +69,7 @@ void weighAnew(const ZoneTask& task, const ObjectiveSpec& from, const ObjectiveS
         const bool isFirst = face.below == c || !mesh.isFree(face.below);
         if (isFirst && face.cost > NextToNothing)
         {
-          face.cost = costBy(to, from, face.cost, face.fails > 0);
+          face.cost = costBy(to, from, face.cost, face.fails);
         }
       }
     }
@@ -115,6 +115,7 @@ void improveWall(EditMesh& mesh, Execution& execution)
     },
     true);
   payDebts(store, general.rules.spec, execution);
+  separateNodes(store, execution);
 }
 
 }

@@ -1,6 +1,8 @@
 // Lists and the journal of the editable mesh, on meshes made by hand.
 #include "Editing/CellClosure.h"
+#include "Editing/CellCut.h"
 #include "Editing/EditDecision.h"
+#include "Editing/EditMeasures.h"
 #include "Support/EditMeshes.h"
 #include "Support/RandomEdits.h"
 
@@ -214,6 +216,31 @@ TEST(CellClosure, IsNotThatOfARing)
   ASSERT_TRUE(mergeCells(ring, 0, 9));
   EXPECT_FALSE(isClosed(ring, 0));
   EXPECT_FALSE(settle(ring, ObjectiveSpec()));
+}
+
+// A cell that was a ring before may stay one. Cut across, it is none, and may not become one again.
+TEST(CellClosure, IsThatOfARingThatWasOne)
+{
+  EditMesh ring = meshOfBoxes(ringOfBoxes());
+  for (std::uint32_t c = 1; c < 10; ++c)
+  {
+    ASSERT_TRUE(mergeCells(ring, 0, c));
+  }
+  ring.commit();
+  Execution execution(1);
+  noteMisses(ring.store(), execution);
+  EXPECT_EQ(ring.cell(0).misses, 2);
+  EXPECT_TRUE(isClosed(ring, 0));
+  measureAll(ring.store(), execution);
+  CutParts parts;
+  const Vector centre = ring.cell(0).centre;
+  ASSERT_TRUE(cutCell(ring, 0, { centre, { 1, 0, 0 }, 0.01 }, parts));
+  ASSERT_TRUE(settle(ring, ObjectiveSpec()));
+  for (const std::uint32_t part : parts)
+  {
+    EXPECT_EQ(ring.cell(part).misses, 0);
+    EXPECT_TRUE(isClosed(ring, part));
+  }
 }
 
 }

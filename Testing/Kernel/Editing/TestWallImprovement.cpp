@@ -56,6 +56,20 @@ std::vector<WallCase> smoothCases()
   return all;
 }
 
+// Boxes with rods thinner than a box in them: cells around a rod are rings.
+std::vector<WallCase> rodCases()
+{
+  std::vector<WallCase> all;
+  for (const double thickness : { 0.1, 0.3 })
+  {
+    const Soup rod = box({ 0, 0, 0 }, { 11, thickness, thickness }).flipped();
+    const Soup turned = rod.turned(2, 8.0).turned(1, 11.0).moved({ 4.3, 4.1, 6.2 });
+    all.push_back(
+      { thickness < 0.2 ? "Thin" : "Thick", box({ 0, 0, 0 }, { 20, 10, 10 }).add(turned), 1, 0 });
+  }
+  return all;
+}
+
 class PlaneWallsOf : public ::testing::TestWithParam<WallCase>
 {
 };
@@ -105,6 +119,7 @@ TEST_P(SmoothWallsOf, AreGoodForSolvers)
 
 INSTANTIATE_TEST_SUITE_P(
   WallImprovement, PlaneWallsOf, ::testing::ValuesIn(planeCases()), nameOfCase);
+INSTANTIATE_TEST_SUITE_P(Rods, SmoothWallsOf, ::testing::ValuesIn(rodCases()), nameOfCase);
 INSTANTIATE_TEST_SUITE_P(
   WallImprovement, SmoothWallsOf, ::testing::ValuesIn(smoothCases()), nameOfCase);
 

@@ -1,0 +1,53 @@
+// Nodes at one place, and what becomes of them.
+#include "Editing/NodePlaces.h"
+#include "Support/EditMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace cartesian
+{
+
+namespace
+{
+
+std::vector<Vector> placesOf(const EditMesh& mesh)
+{
+  std::vector<Vector> places;
+  for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
+  {
+    places.push_back(mesh.node(n).at);
+  }
+  return places;
+}
+
+TEST(NodePlaces, DifferFromEachOther)
+{
+  EditMesh mesh = meshOfBoxes(blockOfBoxes(2, 2, 2));
+  mesh.store().level = 1.0 / 1024;
+  const Vector place = mesh.node(5).at;
+  for (const std::uint32_t n : { 7U, 3U, 11U, 20U })
+  {
+    mesh.rawNode(n).at = place;
+  }
+  mesh.rawNode(7).held = HeldFast;
+  mesh.rawNode(11).held = 5; // may move along y alone
+  const std::vector<Vector> before = placesOf(mesh);
+  Execution execution(1);
+  separateNodes(mesh.store(), execution);
+  const std::vector<Vector> after = placesOf(mesh);
+  EXPECT_EQ(std::set<Vector>(after.begin(), after.end()).size(), after.size());
+  EXPECT_EQ(after[7], place);
+  EXPECT_EQ(after[11][0], place[0]);
+  EXPECT_EQ(after[11][2], place[2]);
+  for (std::size_t n = 0; n < after.size(); ++n)
+  {
+    EXPECT_LE(norm(minus(after[n], before[n])), 2.0 / 1024) << n;
+    EXPECT_TRUE(before[n] == place || after[n] == before[n]) << n;
+  }
+}
+
+}
+
+}
