@@ -61,7 +61,8 @@ bool standsOff(const Options& options)
 
 LaterSteps laterStepsOf(const Options& options)
 {
-  return { options.collapse.ratio > 0, standsOff(options), shapesCells(options) };
+  return { options.collapse.ratio > 0, standsOff(options), shapesCells(options),
+    options.shaping.editsInPlace };
 }
 
 void requireValidCells(const Options& options)

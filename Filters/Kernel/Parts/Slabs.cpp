@@ -180,6 +180,10 @@ Layers layersForCollapse(Layers wanted, std::uint32_t all)
 
 Layers layersForCells(Layers core, const LaterSteps& steps, std::uint32_t all)
 {
+  if (steps.editsInPlace)
+  {
+    return { 0, all };
+  }
   Layers layers = steps.shapes ? layersOfShapedCells(core, all) : core.grown(HaloOfCells, all);
   if (steps.shapes)
   {

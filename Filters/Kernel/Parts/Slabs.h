@@ -90,9 +90,10 @@ Layers layersForCollapse(Layers wanted, std::uint32_t allLayers);
 // The steps to come after cells are cut in which cells depend on their neighbours.
 struct LaterSteps
 {
-  bool collapses = false; // short edges are collapsed
-  bool standsOff = false; // nodes move off the surface (StandOff.h)
-  bool shapes = false;    // cells are shaped
+  bool collapses = false;    // short edges are collapsed
+  bool standsOff = false;    // nodes move off the surface (StandOff.h)
+  bool shapes = false;       // cells are shaped
+  bool editsInPlace = false; // each part has the whole wall edited
 };
 
 // Once edges have collapsed, patches reach half a box beyond their box, so that nodes of one patch are up to two layers

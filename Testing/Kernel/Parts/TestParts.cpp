@@ -287,6 +287,18 @@ TEST_P(ShapedParts, AreTheWholeRefinedMeshOfShapedCells)
   expectShapedUnion(soup, cellsAlongLongest(soup, 46.3), 1);
 }
 
+TEST_P(ShapedParts, AreTheWholeMeshOfWallsEditedInPlace)
+{
+  const Soup& soup = GetParam().soup;
+  for (int levels = 0; levels <= 1; ++levels)
+  {
+    TestOptions options;
+    options.refinement = depth(levels);
+    options.shaping.editsInPlace = true;
+    expectUnion(soup, cellsAlongLongest(soup, 12.3 / (1 << levels)), options);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, ShapedParts,
   ::testing::Values(NamedShape{ "BumpySphere", bumpySphere(1, 10) },
     NamedShape{ "TurnedBox", box({ 0, 0, 0 }, { 1, 2, 3 }).turned() },
