@@ -70,6 +70,7 @@ public:
   // `kept`: the layers that stay once the boxes are balanced.
   Boxes generate(Layers kept)
   {
+    boxes_.kept = kept;
     listGlobals();
     Blocks blocks(boxes_, execution_);
     if (refinement_.any())

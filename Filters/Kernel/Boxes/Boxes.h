@@ -85,6 +85,7 @@ struct Boxes
   Lattice lattice;
   Meshlines planes;
   Layers core; // the layers for which cells are made; all layers of a whole grid
+  Layers kept; // the layers that are here: the core and its halo
   RawVector<GlobalBox>
     globals; // by rows along x (J + K * boxes along y), then by I; with a sentinel at the end
   std::vector<std::size_t> rowStart;  // first global box of each row, and the end

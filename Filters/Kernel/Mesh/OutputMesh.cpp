@@ -28,9 +28,12 @@ OutputMesh::OutputMesh(const MeshParts& parts, Execution& execution)
   , ownPoints_(pointCount())
 {
   const Layers core = parts.boxes.core;
-  // Cells that extend into the next layers decide which points of those are used.
+  // Cells that extend into the next layers decide which points of those are used. Those of walls that were edited in place
+  // may extend over more layers: then all are here.
+  const Layers all = parts.boxes.allLayers();
+  const bool areAllHere = parts.boxes.kept.begin == all.begin && parts.boxes.kept.end == all.end;
   const Layers around =
-    core.grown(HaloOfShapedCells + MostLayersOfACell - 1, parts.boxes.allLayers().end);
+    areAllHere ? all : core.grown(HaloOfShapedCells + MostLayersOfACell - 1, all.end);
   if (around.begin != core.begin || around.end != core.end)
   {
     pointsAround_ = std::make_unique<PointNumbers>(parts, around, execution);
