@@ -14,8 +14,6 @@ namespace cartesian
 namespace
 {
 
-constexpr double LeastGain = 0.05;       // of an item's cost, by an edit
-constexpr double LeastGainOfMove = 0.15; // ... by a node that moves
 constexpr double NoMoveBeyond = 0.3; // nodes are not tried where another edit gains so much of it
 constexpr double Retried =
   0.05; // an item that failed is tried again where its cost changed by this part
@@ -196,7 +194,7 @@ private:
     }
     if (!(gained >= NoMoveBeyond * item.cost))
     {
-      const double least = std::max(gained, LeastGainOfMove * item.cost);
+      const double least = std::max(gained, spec_.leastGainOfMove * item.cost);
       gained = std::max(gained,
         bestMove(mesh_, trials_, spec_.rules.spec, spec_.search, nodesOf(item), mesh_.cell(c).edge,
           least, best));
@@ -213,7 +211,7 @@ private:
     proposals_.clear();
     item.isCell ? proposeForCell(mesh_, spec_.search, item.number, proposals_)
                 : proposeForFace(mesh_, spec_.search, item.number, proposals_);
-    const double least = LeastGain * std::max(item.cost, 1.0);
+    const double least = spec_.leastGain * std::max(item.cost, 1.0);
     double gained = NoGain;
     for (const Proposal& proposal : proposals_)
     {

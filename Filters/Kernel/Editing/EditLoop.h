@@ -13,8 +13,10 @@ struct LoopSpec
 {
   EditRules rules;
   SearchSpec search;
-  double leastCost = 1.5;   // of what is looked at
-  bool failingOnly = false; // of that, faces that fail and cells without a third direction
+  double leastCost = 1.5;        // of what is looked at
+  double leastGain = 0.05;       // of an item's cost, by an edit
+  double leastGainOfMove = 0.15; // ... by a node that moves
+  bool failingOnly = false;      // of that, faces that fail and cells without a third direction
 };
 
 struct LoopCounts

@@ -48,6 +48,8 @@ LoopSpec lastLoop()
   spec.search.longestEdge = 1.5;
   spec.search.neighbours = 6;
   spec.failingOnly = true;
+  spec.leastGain = 0.005;
+  spec.leastGainOfMove = 0.005;
   return spec;
 }
 
