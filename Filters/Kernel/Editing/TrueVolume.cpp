@@ -44,12 +44,16 @@ public:
   void run()
   {
     findHeights();
-    findNear();
+    find(near_, [&](std::uint32_t n) { return nodes_[n].height != 0; });
     forEach(nodes_.size(), [&](std::uint32_t n) { place(n); });
-    measure();
+    measure(near_);
+    isPoor_.assign(store_.faces.size(), 0);
+    findPoor(near_);
     for (int round = 0; round < Rounds && takeBack(round); ++round)
     {
-      measure();
+      find(now_, [&](std::uint32_t n) { return nodes_[n].isTakenBack; });
+      measure(now_);
+      findPoor(now_);
     }
     settle();
   }
@@ -62,6 +66,14 @@ private:
     double height = 0;
     double rise = 0; // in this step
     bool mayMove = false;
+    bool isTakenBack = false; // in this round
+  };
+
+  // Faces with a node that moved, cells with such a face.
+  struct Reach
+  {
+    std::vector<std::uint8_t> faces;
+    std::vector<std::uint8_t> cells;
   };
 
   template <class Visitor>
@@ -178,18 +190,18 @@ private:
     node.at = onLattice(mesh_, plus(mover.before, scaled(mover.normal, mover.height)), node.held);
   }
 
-  // What nodes have that may move: nothing else has changed.
-  void measure()
+  // Nothing else has changed.
+  void measure(const Reach& reach)
   {
-    forEach(isNear_.size(), [&](std::uint32_t f) {
-      if (isNear_[f] != 0)
+    forEach(reach.faces.size(), [&](std::uint32_t f) {
+      if (reach.faces[f] != 0)
       {
         EditMesh mesh(store_, 0, 0, {});
         measureFace(mesh, f);
       }
     });
-    forEach(isCellNear_.size(), [&](std::uint32_t c) {
-      if (isCellNear_[c] != 0)
+    forEach(reach.cells.size(), [&](std::uint32_t c) {
+      if (reach.cells[c] != 0)
       {
         EditMesh mesh(store_, 0, 0, {});
         measureCell(mesh, c);
@@ -197,33 +209,42 @@ private:
     });
   }
 
-  void findNear()
+  template <class HasMoved>
+  void find(Reach& reach, HasMoved&& hasMoved)
   {
-    isNear_.assign(store_.faces.size(), 0);
-    forEach(isNear_.size(), [&](std::uint32_t f) {
+    reach.faces.assign(store_.faces.size(), 0);
+    forEach(reach.faces.size(), [&](std::uint32_t f) {
       const Items ring = mesh_.cornersOf(f);
-      isNear_[f] = !mesh_.face(f).gone &&
-          std::any_of(
-            ring.begin(), ring.end(), [&](std::uint32_t n) { return nodes_[n].height != 0; })
-        ? 1
-        : 0;
+      reach.faces[f] =
+        !mesh_.face(f).gone && std::any_of(ring.begin(), ring.end(), hasMoved) ? 1 : 0;
     });
-    isCellNear_.assign(store_.cells.size(), 0);
-    forEach(isCellNear_.size(), [&](std::uint32_t c) {
+    reach.cells.assign(store_.cells.size(), 0);
+    forEach(reach.cells.size(), [&](std::uint32_t c) {
       const Items faces = mesh_.facesOf(c);
-      isCellNear_[c] = mesh_.isFree(c) &&
-          std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) { return isNear_[f] != 0; })
+      reach.cells[c] = mesh_.isFree(c) &&
+          std::any_of(
+            faces.begin(), faces.end(), [&](std::uint32_t f) { return reach.faces[f] != 0; })
         ? 1
         : 0;
     });
   }
 
   // Whether what a face costs may have changed.
-  bool dependsOnNear(std::uint32_t f) const
+  bool dependsOn(const Reach& reach, std::uint32_t f) const
   {
     const EditFace& face = mesh_.face(f);
     return !face.gone &&
-      (isCellNear_[face.below] != 0 || (face.above != None && isCellNear_[face.above] != 0));
+      (reach.cells[face.below] != 0 || (face.above != None && reach.cells[face.above] != 0));
+  }
+
+  void findPoor(const Reach& reach)
+  {
+    forEach(isPoor_.size(), [&](std::uint32_t f) {
+      if (dependsOn(reach, f))
+      {
+        isPoor_[f] = isWorse(f) ? 1 : 0;
+      }
+    });
   }
 
   bool isWorse(std::uint32_t f) const
@@ -236,17 +257,16 @@ private:
   // Halves what nodes of faces that became poor have moved; later takes it back. False: there are none.
   bool takeBack(int round)
   {
-    std::vector<std::uint8_t> isPoor(store_.faces.size(), 0);
-    forEach(
-      isPoor.size(), [&](std::uint32_t f) { isPoor[f] = dependsOnNear(f) && isWorse(f) ? 1 : 0; });
-    if (std::find(isPoor.begin(), isPoor.end(), 1) == isPoor.end())
+    if (std::find(isPoor_.begin(), isPoor_.end(), 1) == isPoor_.end())
     {
       return false;
     }
     forEach(nodes_.size(), [&](std::uint32_t n) {
-      if (nodes_[n].mayMove && isAnyPoor(n, isPoor, round >= RoundsOfHalving))
+      Mover& mover = nodes_[n];
+      mover.isTakenBack = mover.height != 0 && isAnyPoor(n, round >= RoundsOfHalving);
+      if (mover.isTakenBack)
       {
-        nodes_[n].height = round < RoundsOfHalving ? nodes_[n].height / 2 : 0;
+        mover.height = round < RoundsOfHalving ? mover.height / 2 : 0;
         place(n);
       }
     });
@@ -254,9 +274,9 @@ private:
   }
 
   // Of the faces around a node, or also of their cells.
-  bool isAnyPoor(std::uint32_t n, const std::vector<std::uint8_t>& isPoor, bool ofCells) const
+  bool isAnyPoor(std::uint32_t n, bool ofCells) const
   {
-    const auto is = [&](std::uint32_t f) { return isPoor[f] != 0; };
+    const auto is = [&](std::uint32_t f) { return isPoor_[f] != 0; };
     const Items faces = mesh_.facesAround(n);
     bool isAny = std::any_of(faces.begin(), faces.end(), is);
     for (std::size_t i = 0; ofCells && i < faces.size() && !isAny; ++i)
@@ -287,15 +307,15 @@ private:
 
   void cost()
   {
-    forEach(isCellNear_.size(), [&](std::uint32_t c) {
-      if (isCellNear_[c] != 0)
+    forEach(near_.cells.size(), [&](std::uint32_t c) {
+      if (near_.cells[c] != 0)
       {
         EditMesh mesh(store_, 0, 0, {});
         setCostOfCell(mesh, c);
       }
     });
-    forEach(isNear_.size(), [&](std::uint32_t f) {
-      if (dependsOnNear(f))
+    forEach(near_.faces.size(), [&](std::uint32_t f) {
+      if (dependsOn(near_, f))
       {
         EditMesh mesh(store_, 0, 0, {});
         setCostOfFace(mesh, f, spec_);
@@ -339,8 +359,9 @@ private:
   const ObjectiveSpec& spec_;
   Execution& execution_;
   RecordVector<Mover> nodes_;
-  std::vector<std::uint8_t> isNear_;     // faces: with a node that moves
-  std::vector<std::uint8_t> isCellNear_; // cells: with such a face
+  Reach near_;                       // of all that moved
+  Reach now_;                        // of what was taken back in this round
+  std::vector<std::uint8_t> isPoor_; // faces
 };
 
 }
