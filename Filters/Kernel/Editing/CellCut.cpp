@@ -244,7 +244,7 @@ private:
     {
       const Items ring = mesh_.cornersOf(f);
       const std::size_t j = placeOf(ring, b);
-      if (mesh_.isWall(f) && j < ring.size() &&
+      if (mesh_.isSurface(f) && j < ring.size() &&
         (ring[(j + 1) % ring.size()] == a || ring[(j + ring.size() - 1) % ring.size()] == a))
       {
         walls.add(f);

@@ -283,7 +283,8 @@ bool areAllClosed(EditMesh& mesh, const EditMesh::Mark& mark)
 double gainOf(const EditMesh& mesh, const ObjectiveSpec& spec, double box)
 {
   const Ledger& ledger = mesh.ledger;
-  return -ledger.cost - spec.volume * std::abs(ledger.volume) / box - ledger.fidelity;
+  const double moved = std::abs(ledger.volume) + std::abs(ledger.across);
+  return -ledger.cost - spec.volume * moved / box - ledger.fidelity;
 }
 
 bool mayCollapse(const EditMesh& mesh, const EditRules& rules, std::uint32_t u, std::uint32_t v,

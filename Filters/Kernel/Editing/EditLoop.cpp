@@ -248,7 +248,7 @@ private:
     }
     for (const std::uint32_t f : mesh_.facesOf(item.number))
     {
-      if (mesh_.face(f).cost < QuietFace * spec_.leastCost && !mesh_.isWall(f))
+      if (mesh_.face(f).cost < QuietFace * spec_.leastCost && !mesh_.isSurface(f))
       {
         continue;
       }

@@ -31,6 +31,35 @@ double volumeBehind(const EditMesh& mesh, std::uint32_t f)
   return volume / 6;
 }
 
+// A wall costs what it costs its cell; between two regions, both: each side is a wall.
+template <class Number, class CellOf, class Corner>
+Cost<Number> costBetween(const EditMesh& mesh, std::uint32_t f, const ObjectiveSpec& spec,
+  const FaceMeasures<Number>& measures, CellOf&& cellOf, Corner&& corner)
+{
+  const EditFace& face = mesh.face(f);
+  const std::size_t size = face.corners.size;
+  FaceCost<Number> cost(measures, spec);
+  if (!mesh.isSurface(f))
+  {
+    cost.addInner(cellOf(face.below), cellOf(face.above), size, corner);
+    return cost.cost();
+  }
+  cost.addWall(cellOf(face.below), mesh.cell(face.below).edge, face.original, size, corner);
+  if (mesh.isWall(f))
+  {
+    return cost.cost();
+  }
+  FaceMeasures<Number> reversed = measures;
+  reversed.area = scaled(measures.area, -1.0);
+  FaceCost<Number> back(reversed, spec);
+  back.addWall(
+    cellOf(face.above), mesh.cell(face.above).edge, scaled(face.original, -1), size, corner);
+  const Cost<Number> one = cost.cost();
+  const Cost<Number> other = back.cost();
+  return { one.value + other.value, std::max(one.fails, other.fails),
+    one.strains || other.strains };
+}
+
 // The faces of a cell that do not change: what they add to its sums, and how that changes with the mean.
 class HeldFaces
 {
@@ -246,7 +275,7 @@ private:
     DeterminantOfCell<WithGradient> determinant;
     for (const std::uint32_t f : mesh_.facesOf(c))
     {
-      if (!mesh_.isWall(f))
+      if (!mesh_.isSurface(f))
       {
         determinant.add(measuresHeld(f).area);
       }
@@ -258,20 +287,11 @@ private:
 
   void addCostOfFace(std::uint32_t f)
   {
-    const EditFace& face = mesh_.face(f);
     const Face measures = measuresHeld(f);
-    FaceCost<WithGradient> cost(measures, spec_);
-    const auto at = [&](std::size_t i) { return corner(f, i); };
-    const Cell below = cellHeld(face.below);
-    if (face.above == None)
-    {
-      cost.addWall(below, mesh_.cell(face.below).edge, face.original, face.corners.size, at);
-    }
-    else
-    {
-      cost.addInner(below, cellHeld(face.above), face.corners.size, at);
-    }
-    sum_ = plus(sum_, cost.cost().value.slope);
+    const Cost<WithGradient> cost = costBetween(
+      mesh_, f, spec_, measures, [&](std::uint32_t c) { return cellHeld(c); },
+      [&](std::size_t i) { return corner(f, i); });
+    sum_ = plus(sum_, cost.value.slope);
   }
 
   Cell cellHeld(std::uint32_t c) const
@@ -304,10 +324,10 @@ void measureFace(EditMesh& mesh, std::uint32_t f)
   face.area = measures.area;
   face.star = static_cast<float>(measures.star);
   face.warp = static_cast<float>(measures.warp);
-  if (mesh.isWall(f))
+  if (mesh.isSurface(f))
   {
     const double behind = volumeBehind(mesh, f);
-    mesh.ledger.volume += behind - face.behind;
+    (mesh.isWall(f) ? mesh.ledger.volume : mesh.ledger.across) += behind - face.behind;
     face.behind = behind;
   }
 }
@@ -331,21 +351,12 @@ Cost<double> costOfFace(const EditMesh& mesh, std::uint32_t f, const ObjectiveSp
 {
   const EditFace& face = mesh.face(f);
   const FaceMeasures<double> measures{ face.centre, face.area, face.star, face.warp };
-  FaceCost<double> cost(measures, spec);
-  const auto corner = [&](std::size_t i) -> const Vector& { return mesh.corner(f, i); };
-  const EditCell& below = mesh.cell(face.below);
-  if (face.above == None)
-  {
-    cost.addWall(
-      { below.centre, below.volume }, below.edge, face.original, face.corners.size, corner);
-  }
-  else
-  {
-    const EditCell& above = mesh.cell(face.above);
-    cost.addInner(
-      { below.centre, below.volume }, { above.centre, above.volume }, face.corners.size, corner);
-  }
-  return cost.cost();
+  return costBetween(
+    mesh, f, spec, measures,
+    [&](std::uint32_t c) {
+      return CellMeasures<double>{ mesh.cell(c).centre, mesh.cell(c).volume };
+    },
+    [&](std::size_t i) -> const Vector& { return mesh.corner(f, i); });
 }
 
 Cost<double> costOfCell(const EditMesh& mesh, std::uint32_t c)
@@ -353,7 +364,7 @@ Cost<double> costOfCell(const EditMesh& mesh, std::uint32_t c)
   DeterminantOfCell<double> determinant;
   for (const std::uint32_t f : mesh.facesOf(c))
   {
-    if (!mesh.isWall(f))
+    if (!mesh.isSurface(f))
     {
       determinant.add(mesh.face(f).area);
     }

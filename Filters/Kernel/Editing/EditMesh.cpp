@@ -141,8 +141,8 @@ void EditStore::connect(Execution& execution)
     {
       const std::size_t list = cells.size() + n;
       nodes[n].faces = copy(list);
-      nodes[n].atWall = std::any_of(lists.begin(list), lists.end(list),
-        [&](std::uint32_t f) { return faces[f].above == None; });
+      nodes[n].atWall = std::any_of(
+        lists.begin(list), lists.end(list), [&](std::uint32_t f) { return isSurface(faces[f]); });
     }
   });
 }
@@ -420,9 +420,9 @@ void EditMesh::removeFace(std::uint32_t f, bool cellsFollow)
   face.fails = 0;
   face.strains = false;
   face.cost = 0;
-  if (isWall(f))
+  if (isSurface(f))
   {
-    ledger.volume -= face.behind;
+    (isWall(f) ? ledger.volume : ledger.across) -= face.behind;
   }
   face.gone = true;
   for (std::uint32_t i = 0; i < face.corners.size; ++i)

@@ -109,6 +109,12 @@ struct EditFace
   bool strains = false;
 };
 
+// Whether a face is part of what the surface became: a wall, or between two regions, and so a wall of both.
+inline bool isSurface(const EditFace& face)
+{
+  return face.above == None || face.wall >= 0;
+}
+
 // Where a cell is from.
 struct CellOrigin
 {
@@ -140,6 +146,7 @@ struct Ledger
 {
   double cost = 0;     // of all faces and cells
   double volume = 0;   // behind the walls
+  double across = 0;   // behind faces between regions: what one of them gets of the other
   double fidelity = 0; // charges for what the wall lost
   int failures = 0;    // of faces: the sum of EditFace::fails
   int strains = 0;     // faces and cells that strain solvers
@@ -344,6 +351,7 @@ public:
     return face(f).below == c ? face(f).above : face(f).below;
   }
   bool isWall(std::uint32_t f) const { return face(f).above == None; }
+  bool isSurface(std::uint32_t f) const { return cartesian::isSurface(face(f)); }
   bool isGhost(std::uint32_t c) const { return cell(c).state == CellState::Ghost; }
 
   // Whether a cell is there, and this editor may change it.

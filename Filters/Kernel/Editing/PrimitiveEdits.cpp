@@ -73,6 +73,13 @@ bool dropFlat(EditMesh& mesh, std::uint32_t c)
   {
     return false;
   }
+  const auto regionOf = [&](std::uint32_t i) { return mesh.cell(i).region; };
+  const bool isOfX = x != None && regionOf(x) == regionOf(c);
+  const bool isOfY = y != None && regionOf(y) == regionOf(c);
+  if ((x != None || y != None) && !isOfX && (y == None || !isOfY))
+  {
+    return false; // a region would end at walls of another
+  }
   if (x == y) // nothing, or one cell on both sides: then its wall has closed
   {
     mesh.removeFace(stays);
@@ -446,7 +453,7 @@ bool removeCell(EditMesh& mesh, std::uint32_t c)
       continue;
     }
     const std::uint32_t x = mesh.beyond(f, c);
-    if (isFrozen(mesh, x))
+    if (isFrozen(mesh, x) || mesh.isSurface(f))
     {
       return false;
     }

@@ -134,7 +134,9 @@ void proposeRemoval(const EditMesh& mesh, std::uint32_t c, double share, Proposa
 {
   const Items faces = mesh.facesOf(c);
   if (mesh.isFree(c) && shareOf(mesh, c) < share &&
-    std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) { return mesh.isWall(f); }))
+    std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) { return mesh.isWall(f); }) &&
+    std::all_of(faces.begin(), faces.end(),
+      [&](std::uint32_t f) { return mesh.isWall(f) || !mesh.isSurface(f); }))
   {
     proposals.push_back({ EditKind::Remove, c });
   }
@@ -356,8 +358,7 @@ Neighbours largestNeighbours(const EditMesh& mesh, std::uint32_t c, std::uint32_
 bool couldJoin(const EditMesh& mesh, std::uint32_t f, std::uint32_t g, std::uint32_t c)
 {
   return mesh.beyond(f, c) == mesh.beyond(g, c) && mesh.face(f).wall == mesh.face(g).wall &&
-    (!mesh.isWall(f) || dot(unit(mesh.face(f).area), unit(mesh.face(g).area)) >= JoinCosine) &&
-    areAdjacent(mesh, f, g);
+    (!mesh.isSurface(f) || cosineBetween(mesh, f, g) >= JoinCosine) && areAdjacent(mesh, f, g);
 }
 
 void proposeForFace(

@@ -103,7 +103,8 @@ private:
     const Items faces = mesh_.facesAround(n);
     return std::all_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
       const EditFace& face = mesh_.face(f);
-      return mesh_.isFree(face.below) && (face.above == None || mesh_.isFree(face.above));
+      return mesh_.isFree(face.below) &&
+        (face.above == None || (mesh_.isFree(face.above) && !mesh_.isSurface(f)));
     });
   }
 

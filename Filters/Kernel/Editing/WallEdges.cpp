@@ -90,7 +90,7 @@ public:
   }
 
 private:
-  static bool isWall(const EditFace& face) { return !face.gone && face.above == None; }
+  static bool isWall(const EditFace& face) { return !face.gone && isSurface(face); }
 
   // The oldest record of each face counts: later ones are of edits within this one.
   void collectFaces(const EditMesh::Mark& mark)
@@ -151,7 +151,7 @@ private:
       {
         for (const std::uint32_t g : mesh_.facesAround(n))
         {
-          if (mesh_.isWall(g) && !now_.contains(g) && !beside_.contains(g))
+          if (mesh_.isSurface(g) && !now_.contains(g) && !beside_.contains(g))
           {
             beside_.add(g);
           }
@@ -227,22 +227,30 @@ private:
 WallEdge wallEdgeOf(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
 {
   std::array<const EditFace*, 2> sides{};
+  std::array<bool, 2> isForward{}; // from u to v
   std::size_t count = 0;
   for (const std::uint32_t f : mesh.facesAround(u))
   {
-    if (!mesh.isWall(f))
+    if (!mesh.isSurface(f))
     {
       continue;
     }
     const Items ring = mesh.cornersOf(f);
-    if (isEdgeAt(ring, placeOf(ring, u), v))
+    const std::size_t i = placeOf(ring, u);
+    if (isEdgeAt(ring, i, v))
     {
-      sides[std::min<std::size_t>(count, 1)] = &mesh.face(f);
+      const std::size_t side = std::min<std::size_t>(count, 1);
+      sides[side] = &mesh.face(f);
+      isForward[side] = ring[(i + 1) % ring.size()] == v;
       ++count;
     }
   }
-  const bool isSmooth = count == 2 && sides[0]->wall == sides[1]->wall &&
-    dot(unit(sides[0]->area), unit(sides[1]->area)) >= SharpCosine;
+  // Of a wall between regions one face may look the other way.
+  const auto cosine = [&] {
+    return dot(unit(sides[0]->area), unit(sides[1]->area)) *
+      (isForward[0] != isForward[1] ? 1 : -1);
+  };
+  const bool isSmooth = count == 2 && sides[0]->wall == sides[1]->wall && cosine() >= SharpCosine;
   return { count > 0, !isSmooth };
 }
 
@@ -251,11 +259,12 @@ SharpEnds sharpEndsAt(const EditMesh& mesh, std::uint32_t u)
   SharpEnds ends;
   for (const std::uint32_t f : mesh.facesAround(u))
   {
-    if (mesh.isWall(f))
+    const Items ring = mesh.cornersOf(f);
+    const std::size_t i = placeOf(ring, u);
+    for (const std::size_t beside : { (i + 1) % ring.size(), (i + ring.size() - 1) % ring.size() })
     {
-      const Items ring = mesh.cornersOf(f);
-      const std::uint32_t v = ring[(placeOf(ring, u) + 1) % ring.size()];
-      if (wallEdgeOf(mesh, u, v).isSharp)
+      const std::uint32_t v = ring[beside];
+      if (mesh.isSurface(f) && !ends.contains(v) && wallEdgeOf(mesh, u, v).isSharp)
       {
         ends.add(v);
       }
@@ -282,13 +291,21 @@ double sharedLength(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
   return length;
 }
 
+double cosineBetween(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
+{
+  const EditFace& one = mesh.face(f);
+  const EditFace& other = mesh.face(g);
+  const bool areAlike = one.below == other.below || (one.above != None && one.above == other.above);
+  return dot(unit(one.area), unit(other.area)) * (areAlike ? 1 : -1);
+}
+
 double sharpnessBetween(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
 {
-  if (!mesh.isWall(f))
+  if (!mesh.isSurface(f))
   {
     return 0;
   }
-  const double cosine = dot(unit(mesh.face(f).area), unit(mesh.face(g).area));
+  const double cosine = cosineBetween(mesh, f, g);
   return std::clamp((BluntCosine - cosine) / (BluntCosine - SharpFully), 0.0, 1.0);
 }
 

@@ -24,6 +24,9 @@ SharpEnds sharpEndsAt(const EditMesh& mesh, std::uint32_t u);
 // The length of what two faces share, edges of the one that the other has in reverse.
 double sharedLength(const EditMesh& mesh, std::uint32_t f, std::uint32_t g);
 
+// Between the normals of two faces that have a cell in common, both out of it.
+double cosineBetween(const EditMesh& mesh, std::uint32_t f, std::uint32_t g);
+
 // How much two wall faces turn at what they share: 0 where by less than 20 degrees, 1 from 33 degrees on.
 double sharpnessBetween(const EditMesh& mesh, std::uint32_t f, std::uint32_t g);
 

@@ -378,7 +378,7 @@ private:
     });
     forEach(store_.faces.size(), [&](std::uint32_t f) {
       EditFace& face = store_.faces[f];
-      face.original = face.above == None ? face.area : Vector{};
+      face.original = isSurface(face) ? face.area : Vector{};
       if (face.above == None && face.number < missing.size())
       {
         const double most = MostMissing * store_.cells[face.below].edge;

@@ -439,12 +439,19 @@ void removeFragments(Assembly& a, const Options& options, Execution& execution)
   }
 }
 
-// One region without layers, in the usual setting; all else is still edited as before.
+bool hasBaffles(const Walls& walls)
+{
+  std::int32_t wall = 0;
+  return std::any_of(
+    walls.all.begin(), walls.all.end(), [&](const Wall&) { return walls.isBaffle(wall++); });
+}
+
+// Without baffles and layers, in the usual setting; all else is still edited as before.
 bool mayEditInPlace(const Assembly& a, const Options& options, const WallLayerSpec* layers)
 {
   return options.shaping.editsInPlace && options.collapse.ratio > 0 &&
     options.smallCells.handling == SmallCells::Merge && options.shaping.splitConcave &&
-    !isExact(a.patches) && !a.patches.walls.any() && !layers;
+    !isExact(a.patches) && !hasBaffles(a.patches.walls) && !layers;
 }
 
 void editInPlace(Assembly& a, const Options& options, Execution& execution)
