@@ -381,37 +381,49 @@ LoopCounts improve(const ZoneTask& task, const LoopSpec& spec, const std::functi
   return EditLoop(task, spec).run(poll);
 }
 
-void passOnDebts(EditMesh& mesh)
+namespace
 {
-  double total = -mesh.ledger.volume;
+
+// Of walls, or of faces between regions.
+void passOnDebts(EditMesh& mesh, bool ofWalls)
+{
+  double total = ofWalls ? -mesh.ledger.volume : -mesh.ledger.across;
   FixedList<std::uint32_t, 256> seen;
   FixedList<std::uint32_t, 256> walls;
   double area = 0;
-  const auto take = [&](std::uint32_t f) {
-    if (walls.add(f))
-    {
-      area += norm(mesh.face(f).area);
-    }
+  const auto isMeant = [&](const EditFace& face) {
+    return !face.gone && isSurface(face) && (face.above == None) == ofWalls;
   };
-  const auto isWall = [](const EditFace& face) { return !face.gone && face.above == None; };
   for (const auto& [f, was] : mesh.faceRecords())
   {
     const EditFace& is = mesh.face(f);
-    const bool hasMoved =
-      isWall(was) != isWall(is) || was.corners.first != is.corners.first || was.centre != is.centre;
+    const bool hasMoved = isMeant(was) != isMeant(is) || was.corners.first != is.corners.first ||
+      was.centre != is.centre;
     if (seen.contains(f) || !seen.add(f) || !hasMoved)
     {
       continue;
     }
-    total += isWall(was) ? was.debt : 0;
-    if (isWall(is))
+    total += isMeant(was) ? mesh.signOf(was) * was.debt : 0;
+    if (isMeant(is) && walls.add(f))
     {
-      take(f);
+      area += norm(is.area);
     }
   }
   for (const std::uint32_t f : walls)
   {
-    mesh.changeFace(f).debt = area > 0 ? total * norm(mesh.face(f).area) / area : 0;
+    const double share = area > 0 ? norm(mesh.face(f).area) / area : 0;
+    mesh.changeFace(f).debt = mesh.signOf(f) * total * share;
+  }
+}
+
+}
+
+void passOnDebts(EditMesh& mesh)
+{
+  passOnDebts(mesh, true);
+  if (mesh.ledger.across != 0)
+  {
+    passOnDebts(mesh, false);
   }
 }
 

@@ -327,7 +327,8 @@ void measureFace(EditMesh& mesh, std::uint32_t f)
   if (mesh.isSurface(f))
   {
     const double behind = volumeBehind(mesh, f);
-    (mesh.isWall(f) ? mesh.ledger.volume : mesh.ledger.across) += behind - face.behind;
+    (mesh.isWall(f) ? mesh.ledger.volume : mesh.ledger.across) +=
+      mesh.signOf(f) * (behind - face.behind);
     face.behind = behind;
   }
 }

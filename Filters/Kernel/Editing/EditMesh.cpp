@@ -422,7 +422,7 @@ void EditMesh::removeFace(std::uint32_t f, bool cellsFollow)
   face.cost = 0;
   if (isSurface(f))
   {
-    (isWall(f) ? ledger.volume : ledger.across) -= face.behind;
+    (isWall(f) ? ledger.volume : ledger.across) -= signOf(face) * face.behind;
   }
   face.gone = true;
   for (std::uint32_t i = 0; i < face.corners.size; ++i)

@@ -146,7 +146,7 @@ struct Ledger
 {
   double cost = 0;     // of all faces and cells
   double volume = 0;   // behind the walls
-  double across = 0;   // behind faces between regions: what one of them gets of the other
+  double across = 0;   // behind faces between regions: what that with the lower number gets
   double fidelity = 0; // charges for what the wall lost
   int failures = 0;    // of faces: the sum of EditFace::fails
   int strains = 0;     // faces and cells that strain solvers
@@ -352,6 +352,13 @@ public:
   }
   bool isWall(std::uint32_t f) const { return face(f).above == None; }
   bool isSurface(std::uint32_t f) const { return cartesian::isSurface(face(f)); }
+
+  // Which way a face of the surface looks: -1 where it is between two regions and out of that with the higher number.
+  double signOf(const EditFace& face) const
+  {
+    return face.above == None || cell(face.below).region < cell(face.above).region ? 1 : -1;
+  }
+  double signOf(std::uint32_t f) const { return signOf(face(f)); }
   bool isGhost(std::uint32_t c) const { return cell(c).state == CellState::Ghost; }
 
   // Whether a cell is there, and this editor may change it.

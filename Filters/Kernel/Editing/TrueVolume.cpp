@@ -89,7 +89,7 @@ private:
 
   bool isWall(std::uint32_t f) const
   {
-    return !mesh_.face(f).gone && mesh_.isWall(f) && mesh_.isFree(mesh_.face(f).below);
+    return !mesh_.face(f).gone && mesh_.isSurface(f) && mesh_.isFree(mesh_.face(f).below);
   }
 
   // Smooth walls only, and nothing that another cell than free ones has.
@@ -101,11 +101,19 @@ private:
       return false;
     }
     const Items faces = mesh_.facesAround(n);
-    return std::all_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
-      const EditFace& face = mesh_.face(f);
-      return mesh_.isFree(face.below) &&
-        (face.above == None || (mesh_.isFree(face.above) && !mesh_.isSurface(f)));
-    });
+    return std::all_of(faces.begin(), faces.end(),
+             [&](std::uint32_t f) {
+               const EditFace& face = mesh_.face(f);
+               return mesh_.isFree(face.below) && (face.above == None || mesh_.isFree(face.above));
+             }) &&
+      !(isAny(faces, true) && isAny(faces, false));
+  }
+
+  // Whether any is a wall, or between regions.
+  bool isAny(Items faces, bool wall) const
+  {
+    return std::any_of(faces.begin(), faces.end(),
+      [&](std::uint32_t f) { return mesh_.isSurface(f) && mesh_.isWall(f) == wall; });
   }
 
   Vector normalAt(std::uint32_t n) const
@@ -113,7 +121,7 @@ private:
     Vector sum{};
     for (const std::uint32_t f : mesh_.facesAround(n))
     {
-      sum = isWall(f) ? plus(sum, mesh_.face(f).area) : sum;
+      sum = isWall(f) ? plus(sum, scaled(mesh_.face(f).area, mesh_.signOf(f))) : sum;
     }
     return unit(sum);
   }
@@ -139,7 +147,7 @@ private:
       forEach(owed.size(), [&](std::uint32_t f) {
         if (isWall(f))
         {
-          owed[f] -= norm(mesh_.face(f).area) * meanOfCorners(f, &Mover::rise);
+          owed[f] -= mesh_.signOf(f) * norm(mesh_.face(f).area) * meanOfCorners(f, &Mover::rise);
         }
       });
     }
@@ -153,7 +161,7 @@ private:
     {
       if (isWall(f))
       {
-        debt += owed[f];
+        debt += mesh_.signOf(f) * owed[f];
         area += norm(mesh_.face(f).area);
       }
     }

@@ -379,10 +379,13 @@ private:
     forEach(store_.faces.size(), [&](std::uint32_t f) {
       EditFace& face = store_.faces[f];
       face.original = isSurface(face) ? face.area : Vector{};
-      if (face.above == None && face.number < missing.size())
+      if (isSurface(face) && face.number < missing.size())
       {
-        const double most = MostMissing * store_.cells[face.below].edge;
-        face.debt = std::clamp(missing[face.number] * store_.level, -most, most) * norm(face.area);
+        const EditCell& below = store_.cells[face.below];
+        const double most = MostMissing * below.edge;
+        const bool isBehind = face.above == None || below.region == patches.walls.behind(face.wall);
+        face.debt = std::clamp(missing[face.number] * store_.level, -most, most) * norm(face.area) *
+          (isBehind ? 1 : -1);
       }
     });
   }
