@@ -366,16 +366,33 @@ private:
 
   // --- measures
 
+  // Of patches, and of the faces that those between regions became (Interfaces.h), in the order of their numbers.
+  std::vector<float> missingByFace()
+  {
+    const Patches& patches = parts_.patches;
+    const WallFaces& faces = parts_.wall.faces;
+    std::vector<float> missing(patches.missing.empty() ? 0 : faces.firstShaped);
+    forEach(missing.empty() ? 0 : patches.boxStart.size() - 1, [&](std::uint32_t n) {
+      std::fill(missing.begin() + std::ptrdiff_t(patches.boxStart[n]),
+        missing.begin() + std::ptrdiff_t(patches.boxStart[n + 1]), patches.missing[n]);
+    });
+    std::size_t next = faces.firstInterface();
+    for (std::size_t p = 0; !missing.empty() && p < faces.firstOfSides(); ++p)
+    {
+      if (patches.walls.isInterface(faces.boundary[p]))
+      {
+        missing[next++] = missing[p];
+      }
+    }
+    return missing;
+  }
+
   void measure()
   {
     noteMisses(store_, execution_);
     measureAll(store_, execution_);
     const Patches& patches = parts_.patches;
-    std::vector<float> missing(patches.missing.empty() ? 0 : patches.size());
-    forEach(missing.empty() ? 0 : patches.boxStart.size() - 1, [&](std::uint32_t n) {
-      std::fill(missing.begin() + std::ptrdiff_t(patches.boxStart[n]),
-        missing.begin() + std::ptrdiff_t(patches.boxStart[n + 1]), patches.missing[n]);
-    });
+    const std::vector<float> missing = missingByFace();
     forEach(store_.faces.size(), [&](std::uint32_t f) {
       EditFace& face = store_.faces[f];
       face.original = isSurface(face) ? face.area : Vector{};
