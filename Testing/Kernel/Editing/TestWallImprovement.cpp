@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
+#include <tuple>
 
 namespace cartesian
 {
@@ -84,12 +86,12 @@ std::uint32_t bit(Measure measure)
 }
 
 // Of what solvers cannot do with.
-int failingCells(const MeshArrays& mesh)
+int failingCells(const MeshArrays& mesh, std::optional<int> region = {})
 {
   const std::uint32_t hard = bit(Volume) | bit(Openness) | bit(OpenEdges) | bit(BoundaryAngle) |
     bit(InnerAngle) | bit(StarTriangulation) | bit(Skewness) | bit(NonOrthogonality);
   int count = 0;
-  for (const std::uint32_t failures : qualityOf(mesh).cellFailures)
+  for (const std::uint32_t failures : qualityOf(mesh, region).cellFailures)
   {
     count += (failures & hard) != 0 ? 1 : 0;
   }
@@ -122,6 +124,37 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(Rods, SmoothWallsOf, ::testing::ValuesIn(rodCases()), nameOfCase);
 INSTANTIATE_TEST_SUITE_P(
   WallImprovement, SmoothWallsOf, ::testing::ValuesIn(smoothCases()), nameOfCase);
+
+double smallestCell(const MeshArrays& mesh, int region)
+{
+  double least = HUGE_VAL;
+  for (const CellGeometry& cell : qualityOf(mesh, region).cellGeometry)
+  {
+    least = std::min(least, cell.volume);
+  }
+  return least;
+}
+
+// Walls between regions are walls of both.
+TEST(WallImprovement, RegionsKeepVolumesAndAreas)
+{
+  Soup beside = Soup().addRegion(cube()).addRegion(cube().moved({ 1, 0, 0 })).turned();
+  Soup within =
+    Soup().addRegion(box({ 0.25, 0.25, 0.375 }, { 0.75, 0.875, 0.625 })).addRegion(cube()).turned();
+  for (const auto& [soup, size, volume, area] : { std::tuple{ beside, 0.13, 1.0, 1.0 },
+         { within, 0.09, 0.5 * 0.625 * 0.25, 2 * (0.5 * 0.625 + 0.5 * 0.25 + 0.625 * 0.25) } })
+  {
+    const MeshArrays mesh = meshInPlace({ "", soup, size, 0 }).mesh;
+    EXPECT_TRUE(isValid(mesh, true));
+    EXPECT_NEAR(volumesByRegion(mesh).at(1), volume, OffPlanes * volume);
+    EXPECT_NEAR(areasBetweenRegions(mesh).at({ 1, 2 }), area, OffPlanes * area);
+    for (const int region : { 1, 2 })
+    {
+      EXPECT_EQ(failingCells(mesh, region), 0) << region;
+      EXPECT_GT(smallestCell(mesh, region), 0.01 * size * size * size) << region;
+    }
+  }
+}
 
 // What walls have lost and what they owe is always the same together.
 TEST(WallImprovement, DebtsAreWhatTheVolumeLacks)
