@@ -18,16 +18,18 @@ namespace cartesian
 namespace
 {
 
-// The same mesh for QualityMeasures.
+// The same mesh for QualityMeasures: its regions, 0 and 1, do not touch.
 class AsOutput
 {
 public:
   explicit AsOutput(const EditMesh& mesh)
   {
+    const auto count = static_cast<std::uint32_t>(mesh.nodeCount());
     std::vector<double> points;
-    for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
+    for (std::uint32_t n = 0; n < 2 * count; ++n)
     {
-      points.insert(points.end(), mesh.node(n).at.begin(), mesh.node(n).at.end());
+      const Vector& at = mesh.node(n % count).at;
+      points.insert(points.end(), at.begin(), at.end());
     }
     CellFaces cells;
     std::vector<std::uint32_t> numbers; // of the faces of cells
@@ -43,6 +45,10 @@ public:
         {
           std::reverse(corners.begin(), corners.end());
         }
+        for (std::uint32_t& n : corners)
+        {
+          n += mesh.cell(c).region == 0 ? 0 : count;
+        }
         cells.corners.insert(cells.corners.end(), corners.begin(), corners.end());
         numbers.push_back(f);
       }
@@ -50,21 +56,21 @@ public:
     cells.firstFace.push_back(cells.firstCorner.size());
     cells.firstCorner.push_back(cells.corners.size());
     Execution execution;
-    const FaceList list = listFaces(cells, mesh.nodeCount(), Clashes::Refused, execution);
+    const FaceList list = listFaces(cells, 2 * mesh.nodeCount(), Clashes::Refused, execution);
     quality = measureQuality(points.data(), cells, list, execution);
     for (std::size_t i = 0; i < list.face.size(); ++i)
     {
-      place[numbers[list.face[i]]] = i;
+      places[numbers[list.face[i]]].push_back(i);
     }
   }
 
   double value(std::uint32_t f, Measure measure) const
   {
-    return quality.faces[measure][place.at(f)];
+    return quality.faces[measure][places.at(f).front()];
   }
 
   Quality quality;
-  std::map<std::uint32_t, std::size_t> place; // of each face in the list
+  std::map<std::uint32_t, std::vector<std::size_t>> places; // of each face in the list: of walls of two regions, two
 };
 
 // Whether any measure of a face that the objective calls failing is beyond these limits; `limits` may be stricter.
@@ -74,12 +80,14 @@ bool failsBeyond(const AsOutput& output, const EditMesh& mesh, std::uint32_t f, 
   const double inner = withMargin ? std::acos(FailsBeyond::InnerCosine) * 180 / Pi : 75;
   const double orthogonality =
     withMargin ? std::atan(std::sqrt(FailsBeyond::Slope)) * 180 / Pi : Limits::NonOrthogonality;
-  return output.value(f, StarTriangulation) < (withMargin ? 0 : Limits::StarTriangulation) ||
-    (withMargin && mesh.face(f).warp > 0.6F) ||
-    (mesh.isWall(f) ? !(output.value(f, BoundaryAngle) < boundary)
-                    : !(output.value(f, InnerAngle) < inner)) ||
-    !(output.value(f, NonOrthogonality) < orthogonality) ||
-    !(output.value(f, Skewness) < Limits::Skewness);
+  const std::vector<std::size_t>& places = output.places.at(f);
+  return std::any_of(places.begin(), places.end(), [&](std::size_t i) {
+    const auto value = [&](Measure measure) { return output.quality.faces[measure][i]; };
+    return value(StarTriangulation) < (withMargin ? 0 : Limits::StarTriangulation) ||
+      (withMargin && mesh.face(f).warp > 0.6F) ||
+      (mesh.isSurface(f) ? !(value(BoundaryAngle) < boundary) : !(value(InnerAngle) < inner)) ||
+      !(value(NonOrthogonality) < orthogonality) || !(value(Skewness) < Limits::Skewness);
+  });
 }
 
 // What costs around a node, its cells and their faces, of where nodes are.
@@ -111,7 +119,7 @@ public:
       DeterminantOfCell<double> determinant;
       for (const std::uint32_t f : mesh_.facesOf(c))
       {
-        if (!mesh_.isWall(f))
+        if (!mesh_.isSurface(f))
         {
           determinant.add(measuresOf(f).area);
         }
@@ -165,18 +173,27 @@ private:
   double costOfFaceNow(std::uint32_t f) const
   {
     const EditFace& face = mesh_.face(f);
-    const FaceMeasures<double> measures = measuresOf(f);
+    if (!mesh_.isSurface(f))
+    {
+      const FaceMeasures<double> measures = measuresOf(f);
+      FaceCost<double> cost(measures, spec_);
+      cost.addInner(measuresOfOne(face.below), measuresOfOne(face.above), face.corners.size,
+        [&](std::size_t i) { return mesh_.corner(f, i); });
+      return cost.cost().value;
+    }
+    return costOfWall(f, face.below) + (mesh_.isWall(f) ? 0 : costOfWall(f, face.above));
+  }
+
+  // What it costs on the side of this cell.
+  double costOfWall(std::uint32_t f, std::uint32_t c) const
+  {
+    const EditFace& face = mesh_.face(f);
+    const double out = face.below == c ? 1 : -1;
+    FaceMeasures<double> measures = measuresOf(f);
+    measures.area = scaled(measures.area, out);
     FaceCost<double> cost(measures, spec_);
-    const auto corner = [&](std::size_t i) { return mesh_.corner(f, i); };
-    const CellMeasures<double> below = measuresOfOne(face.below);
-    if (face.above == None)
-    {
-      cost.addWall(below, mesh_.cell(face.below).edge, face.original, face.corners.size, corner);
-    }
-    else
-    {
-      cost.addInner(below, measuresOfOne(face.above), face.corners.size, corner);
-    }
+    cost.addWall(measuresOfOne(c), mesh_.cell(c).edge, scaled(face.original, out),
+      face.corners.size, [&](std::size_t i) { return mesh_.corner(f, i); });
     return cost.cost().value;
   }
 
@@ -260,7 +277,7 @@ TEST(WallObjective, StrainsWhereTheMeshsQualitySaysSo)
     const AsOutput output(mesh);
     for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
     {
-      if (mesh.isWall(f) || !isUpright(mesh, f))
+      if (mesh.isSurface(f) || !isUpright(mesh, f))
       {
         continue;
       }
@@ -290,7 +307,7 @@ TEST(WallObjective, MeasuresAreThoseOfCellGeometry)
     const AsOutput output(mesh);
     for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
     {
-      const FaceGeometry& geometry = output.quality.faceGeometry[output.place.at(f)];
+      const FaceGeometry& geometry = output.quality.faceGeometry[output.places.at(f).front()];
       EXPECT_LT(norm(minus(mesh.face(f).centre, geometry.centre)), 1e-12);
       const double turned = dot(mesh.face(f).area, geometry.area) < 0 ? -1 : 1;
       EXPECT_LT(norm(minus(mesh.face(f).area, scaled(geometry.area, turned))), 1e-12);
