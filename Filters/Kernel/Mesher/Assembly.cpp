@@ -439,19 +439,12 @@ void removeFragments(Assembly& a, const Options& options, Execution& execution)
   }
 }
 
-bool hasBaffles(const Walls& walls)
-{
-  std::int32_t wall = 0;
-  return std::any_of(
-    walls.all.begin(), walls.all.end(), [&](const Wall&) { return walls.isBaffle(wall++); });
-}
-
-// Without baffles and layers, in the usual setting; all else is still edited as before.
-bool mayEditInPlace(const Assembly& a, const Options& options, const WallLayerSpec* layers)
+// In the usual setting; all else is still edited as before.
+bool mayEditInPlace(const Assembly& a, const Options& options)
 {
   return options.shaping.editsInPlace && options.collapse.ratio > 0 &&
     options.smallCells.handling == SmallCells::Merge && options.shaping.splitConcave &&
-    !isExact(a.patches) && !hasBaffles(a.patches.walls) && !layers;
+    !isExact(a.patches);
 }
 
 void editInPlace(Assembly& a, const Options& options, Execution& execution)
@@ -505,7 +498,7 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   simplifyDetail(a, execution);
   const BoxFlags flawed =
     keepParts(a, rebuildFlawed(a, makeFaces(a, execution), execution), parts, options, execution);
-  const bool inPlace = mayEditInPlace(a, options, layers);
+  const bool inPlace = mayEditInPlace(a, options);
   if (options.collapse.ratio > 0 && !inPlace)
   {
     CollapseAttempts(a, flawed, options, execution).run();
