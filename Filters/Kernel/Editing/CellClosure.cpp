@@ -10,9 +10,11 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t MostFaces = 256;
-constexpr std::size_t MostCorners = 2048;
 constexpr std::size_t LeastFaces = 4;
+
+// Of cells that are tested without allocating anything.
+constexpr std::size_t UsualFaces = 256;
+constexpr std::size_t UsualCorners = 2048;
 
 // The edges of a cell, and which of its faces are connected over them.
 class Shell
@@ -25,8 +27,15 @@ public:
     {
       ++bits_;
     }
-    std::fill_n(edges_.begin(), std::size_t(1) << bits_, Edge{ 0, 0, 0 });
-    std::iota(group_.begin(), group_.begin() + static_cast<std::ptrdiff_t>(faces), 0U);
+    const std::size_t edges = std::size_t(1) << bits_;
+    if (faces > UsualFaces || edges > UsualCorners)
+    {
+      more_ = { std::vector<Edge>(edges), std::vector<std::uint32_t>(faces) };
+      edges_ = more_.first.data();
+      group_ = more_.second.data();
+    }
+    std::fill_n(edges_, edges, Edge{ 0, 0, 0 });
+    std::iota(group_, group_ + faces, 0U);
   }
 
   // False: another face has it in this direction.
@@ -91,8 +100,11 @@ private:
     group_[one] = other;
   }
 
-  std::array<Edge, MostCorners> edges_;
-  std::array<std::uint32_t, MostFaces> group_;
+  std::array<Edge, UsualCorners> usualEdges_;
+  std::array<std::uint32_t, UsualFaces> usualGroup_;
+  std::pair<std::vector<Edge>, std::vector<std::uint32_t>> more_;
+  Edge* edges_ = usualEdges_.data();
+  std::uint32_t* group_ = usualGroup_.data();
   std::size_t pieces_;
   std::size_t open_ = 0; // edges of one face so far
   unsigned bits_ = 4;
@@ -103,12 +115,11 @@ private:
 namespace
 {
 
-// By which a cell with these faces and so many nodes misses Euler's formula; less than 0 also where it is too large.
+// By which a cell with these faces and so many nodes misses Euler's formula.
 int missesOf(const EditMesh& mesh, std::uint32_t c, std::size_t corners, std::size_t nodes)
 {
   const std::size_t faces = mesh.facesOf(c).size();
-  const bool isPossible =
-    faces >= LeastFaces && faces <= MostFaces && corners <= MostCorners && corners % 2 == 0;
+  const bool isPossible = faces >= LeastFaces && corners % 2 == 0;
   return isPossible ? int(corners / 2) + 2 - int(nodes + faces) : -1;
 }
 

@@ -15,8 +15,7 @@ void noteMisses(EditStore& store, Execution& execution);
 // Where edits took a handle away.
 void lowerMisses(EditMesh& mesh, std::uint32_t c);
 
-// The first test, which nearly all that are not closed fail: that formula. False also of cells with more faces or corners
-// than edits look at.
+// The first test, which nearly all that are not closed fail: that formula.
 bool isClosedByCount(EditMesh& mesh, std::uint32_t c);
 
 // Each edge is one of two faces, in opposite directions; all faces are one shell, with no more handles than noted.

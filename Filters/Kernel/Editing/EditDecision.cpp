@@ -127,10 +127,10 @@ bool settleCells(EditMesh& mesh)
 class FacesToSettle
 {
 public:
+  // False: there are more than is worth a trial.
   bool collect(const EditMesh& mesh)
   {
     FixedList<std::uint32_t, Most> others;
-    std::size_t count = 0;
     for (const std::uint32_t c : mesh.unsettled.cells)
     {
       if (!mesh.isFree(c))
@@ -145,20 +145,15 @@ public:
         if (!isSeen)
         {
           left_ += mesh.face(f).cost;
-          mesh.unsettled.faces.contains(f) ? faces_.add(f) : others.add(f);
-          ++count;
+          if (!(mesh.unsettled.faces.contains(f) ? faces_.add(f) : others.add(f)))
+          {
+            return false;
+          }
         }
       }
     }
-    if (count > Most)
-    {
-      return false;
-    }
-    for (const std::uint32_t f : others)
-    {
-      faces_.add(f);
-    }
-    return true;
+    return std::all_of(
+      others.begin(), others.end(), [&](std::uint32_t f) { return faces_.add(f); });
   }
 
   bool settle(EditMesh& mesh, const ObjectiveSpec& spec, double most)
@@ -193,7 +188,7 @@ private:
     face.strains = cost.strains;
   }
 
-  static constexpr std::size_t Most = 1024;
+  static constexpr std::size_t Most = 512;
 
   FixedList<std::uint32_t, Most> faces_;
   FixedList<Cost<double>, Most> costs_;
@@ -247,7 +242,7 @@ bool settle(EditMesh& mesh, const ObjectiveSpec& spec, const NeededGain& needed)
   const auto most = [&] { // that all faces and cells may cost, with the volume as it is
     return mesh.ledger.cost + gainOf(mesh, spec, needed.box) - needed.gain;
   };
-  const bool isValid = settleFaces(mesh) && settleCells(mesh) && faces.collect(mesh) &&
+  const bool isValid = settleFaces(mesh) && faces.collect(mesh) && settleCells(mesh) &&
     faces.settle(mesh, spec, most()) && areShapesValid(mesh, isClosedByCount);
   if (isValid)
   {
@@ -259,7 +254,11 @@ bool settle(EditMesh& mesh, const ObjectiveSpec& spec, const NeededGain& needed)
 
 bool settleShapes(EditMesh& mesh)
 {
-  const bool isValid = settleFaces(mesh) && areShapesValid(mesh, isClosed);
+  constexpr std::size_t Many = 256; // there are many such edits, and few that are right by the count alone
+  const auto isClosedAsFarAsWorthIt = [](EditMesh& of, std::uint32_t c) {
+    return of.cell(c).faces.size > Many ? isClosedByCount(of, c) : isClosed(of, c);
+  };
+  const bool isValid = settleFaces(mesh) && areShapesValid(mesh, isClosedAsFarAsWorthIt);
   if (isValid)
   {
     lowerAllMisses(mesh);

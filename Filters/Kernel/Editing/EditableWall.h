@@ -51,7 +51,7 @@ struct EditableWall
 EditableWall openWall(const MeshParts& parts, double featureAngle, Execution& execution);
 
 // Writes what changed. Hexahedra that did become polyhedra; all else keeps its numbers.
-void closeWall(const EditableWall& edited, const Boxes& boxes, Sides& sides, Nodes& nodes,
-  WallMesh& wall, Execution& execution);
+void closeWall(const EditableWall& edited, const Boxes& boxes, const Walls& walls, Sides& sides,
+  Nodes& nodes, WallMesh& wall, Execution& execution);
 
 }

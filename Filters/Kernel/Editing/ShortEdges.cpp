@@ -16,7 +16,12 @@ namespace
 
 constexpr double MayGrowBy =
   1.3; // an edge that got longer than this, by edits beside it, is no longer short
-constexpr std::size_t EdgesAPoll = 1024;
+constexpr std::size_t EdgesAPoll = 64;
+
+// Faces of a cell that its box is too large for; edges that go there, in boxes.
+constexpr std::size_t Crowd = 64;
+constexpr double ShortestOfCrowd = 0.02;
+constexpr double LongestOfCrowd = 0.5;
 
 struct ShortEdge
 {
@@ -101,43 +106,116 @@ FixedList<Proposal, 3> waysToCollapse(const EditMesh& mesh, std::uint32_t u, std
   return ways;
 }
 
+// Makes the ends of edges one, whatever that costs.
+class Welding
+{
+public:
+  Welding(const ZoneTask& task, const std::function<void()>& poll,
+    std::vector<std::uint32_t>& changed)
+    : mesh_(task.mesh)
+    , poll_(poll)
+    , changed_(changed)
+  {
+  }
+
+  // If `isSound(mark)` afterwards.
+  template <class IsSound>
+  void weld(const ShortEdge& edge, IsSound&& isSound)
+  {
+    std::uint32_t u = edge.u;
+    std::uint32_t v = edge.v;
+    if (++count_ % EdgesAPoll == 0)
+    {
+      poll_();
+    }
+    if (mesh_.node(u).gone || mesh_.node(v).gone || !isEdge(mesh_, u, v))
+    {
+      return;
+    }
+    if (rankOf(mesh_.node(u)) > rankOf(mesh_.node(v)))
+    {
+      std::swap(u, v);
+    }
+    if ((mesh_.node(u).held & ~mesh_.node(v).held) != 0)
+    {
+      return;
+    }
+    const EditMesh::Mark mark = mesh_.mark();
+    if (collapseEdge(mesh_, u, v, mesh_.node(v).at) && settleShapes(mesh_) && isSound(mark))
+    {
+      passOnDebts(mesh_);
+      listChanged(mesh_, changed_);
+      mesh_.commit();
+    }
+    else
+    {
+      mesh_.undo(mark);
+    }
+  }
+
+private:
+  EditMesh& mesh_;
+  const std::function<void()>& poll_;
+  std::vector<std::uint32_t>& changed_;
+  std::size_t count_ = 0;
+};
+
+bool isCrowded(const EditMesh& mesh, std::uint32_t c)
+{
+  return c != None && mesh.isFree(c) && mesh.cell(c).faces.size > Crowd;
+}
+
+bool isCrowdedAt(const EditMesh& mesh, std::uint32_t n)
+{
+  const Items faces = mesh.facesAround(n);
+  return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
+    return isCrowded(mesh, mesh.face(f).below) || isCrowded(mesh, mesh.face(f).above);
+  });
+}
+
+bool isAnyCrowded(const ZoneTask& task)
+{
+  return std::any_of(task.cells.begin(), task.cells.end(),
+    [&](std::uint32_t c) { return isCrowded(task.mesh, c); });
+}
+
+// Whether no face that changed folds.
+bool keepsShapes(const EditMesh& mesh, const EditMesh::Mark& mark)
+{
+  constexpr float LeastStar = 0.05F;
+  const auto& records = mesh.faceRecords();
+  return std::all_of(
+    records.begin() + std::ptrdiff_t(mark.faceRecords), records.end(), [&](const auto& record) {
+      const EditFace& face = mesh.face(record.first);
+      return face.gone || (face.star > LeastStar && dot(face.area, record.second.area) > 0);
+    });
+}
+
 }
 
 void weldEdges(const ZoneTask& task, double length, const std::function<void()>& poll,
   std::vector<std::uint32_t>& changed)
 {
-  EditMesh& mesh = task.mesh;
-  std::size_t count = 0;
+  Welding welding(task, poll, changed);
   for (const ShortEdge& edge : listShortEdges(task, length, false))
   {
-    std::uint32_t u = edge.u;
-    std::uint32_t v = edge.v;
-    if (++count % EdgesAPoll == 0)
+    welding.weld(edge, [](const EditMesh::Mark&) { return true; });
+  }
+}
+
+void thinCrowdedCells(
+  const ZoneTask& task, const std::function<void()>& poll, std::vector<std::uint32_t>& changed)
+{
+  const EditMesh& mesh = task.mesh;
+  Welding welding(task, poll, changed);
+  for (double length = ShortestOfCrowd; length < LongestOfCrowd && isAnyCrowded(task); length *= 2)
+  {
+    for (const ShortEdge& edge : listShortEdges(task, length, true))
     {
-      poll();
-    }
-    if (mesh.node(u).gone || mesh.node(v).gone || !isEdge(mesh, u, v))
-    {
-      continue;
-    }
-    if (rankOf(mesh.node(u)) > rankOf(mesh.node(v)))
-    {
-      std::swap(u, v);
-    }
-    if ((mesh.node(u).held & ~mesh.node(v).held) != 0)
-    {
-      continue;
-    }
-    const EditMesh::Mark mark = mesh.mark();
-    if (collapseEdge(mesh, u, v, mesh.node(v).at) && settleShapes(mesh))
-    {
-      passOnDebts(mesh);
-      listChanged(mesh, changed);
-      mesh.commit();
-    }
-    else
-    {
-      mesh.undo(mark);
+      if (isCrowdedAt(mesh, edge.u) && lengthOf(mesh, edge.u, edge.v) < length * edgeAt(mesh, edge.u))
+      {
+        welding.weld(edge, [&](const EditMesh::Mark& mark) { return keepsShapes(mesh, mark); });
+      }
     }
   }
 }

@@ -12,6 +12,11 @@ namespace cartesian
 void weldEdges(const ZoneTask& task, double length, const std::function<void()>& poll,
   std::vector<std::uint32_t>& changed);
 
+// The same in cells with very many faces, of a surface with more detail than their boxes can show: longer edges each time,
+// until fewer faces are left.
+void thinCrowdedCells(
+  const ZoneTask& task, const std::function<void()>& poll, std::vector<std::uint32_t>& changed);
+
 struct SnapSpec
 {
   double length = 0.3; // in boxes

@@ -30,11 +30,12 @@ struct Written
 class Closing
 {
 public:
-  Closing(const EditableWall& edited, const Boxes& boxes, Sides& sides, Nodes& nodes,
-    WallMesh& wall, Execution& execution)
+  Closing(const EditableWall& edited, const Boxes& boxes, const Walls& walls, Sides& sides,
+    Nodes& nodes, WallMesh& wall, Execution& execution)
     : edited_(edited)
     , mesh_(edited.mesh)
     , boxes_(boxes)
+    , walls_(walls)
     , sides_(sides)
     , nodes_(nodes)
     , wall_(wall)
@@ -277,6 +278,7 @@ private:
       {
         const std::size_t made = first + next[f / ItemsAChunk]++;
         std::size_t& corner = nextCorner[f / ItemsAChunk];
+        const std::size_t begin = firstCorner + corner;
         for (const std::uint32_t n : mesh_.cornersOf(f))
         {
           faces.corners[firstCorner + corner++] = numbers_.nodes[n];
@@ -284,9 +286,22 @@ private:
         numbers_.faces[f] = static_cast<std::uint32_t>(made);
         faces.start[made + 1] = static_cast<std::uint32_t>(firstCorner + corner);
         faces.cells[made] = { keyBeyond(face.below), keyBeyond(face.above) };
+        if (looksBack(face))
+        {
+          std::reverse(faces.corners.begin() + std::ptrdiff_t(begin),
+            faces.corners.begin() + std::ptrdiff_t(firstCorner + corner));
+          std::swap(faces.cells[made][0], faces.cells[made][1]);
+        }
         faces.boundary[made] = boundaryOf(face);
       }
     });
+  }
+
+  // A wall between two regions has that in front below it: in WallFaces it will be that behind.
+  bool looksBack(const EditFace& face) const
+  {
+    return face.above != None && face.wall >= 0 &&
+      mesh_.cell(face.below).region != walls_.behind(face.wall);
   }
 
   // Of a hexahedron that stays one, or None.
@@ -444,8 +459,8 @@ private:
     {
       const bool isAbove = mesh_.face(f).above == c;
       const bool isMade = numbers_.faces[f] >= numbers_.firstMade;
-      wall_.uses[first++] = { numbers_.faces[f],
-        isAbove != (!isMade && edited_.opened.turned[f] != 0) };
+      const bool isTurned = isMade ? looksBack(mesh_.face(f)) : edited_.opened.turned[f] != 0;
+      wall_.uses[first++] = { numbers_.faces[f], isAbove != isTurned };
     }
   }
 
@@ -562,6 +577,7 @@ private:
   const EditableWall& edited_;
   const EditMesh& mesh_;
   const Boxes& boxes_;
+  const Walls& walls_;
   Sides& sides_;
   Nodes& nodes_;
   WallMesh& wall_;
@@ -572,10 +588,10 @@ private:
 
 }
 
-void closeWall(const EditableWall& edited, const Boxes& boxes, Sides& sides, Nodes& nodes,
-  WallMesh& wall, Execution& execution)
+void closeWall(const EditableWall& edited, const Boxes& boxes, const Walls& walls, Sides& sides,
+  Nodes& nodes, WallMesh& wall, Execution& execution)
 {
-  Closing(edited, boxes, sides, nodes, wall, execution).run();
+  Closing(edited, boxes, walls, sides, nodes, wall, execution).run();
 }
 
 }

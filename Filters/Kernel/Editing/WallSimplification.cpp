@@ -31,16 +31,18 @@ constexpr double MostWarpBetween = 0.2;
 constexpr std::size_t MostTried = 3; // of a wall's neighbours
 constexpr std::size_t MostFacesOfNode = 12;
 constexpr std::size_t Capacity = 128;
+constexpr std::size_t TrialsAPoll = 64; // one takes up to 10 ms in a cell with very many walls
 
 using Walls = FixedList<std::pair<double, std::uint32_t>, Capacity>;
 
 class WallSimplifier
 {
 public:
-  WallSimplifier(
-    EditMesh& mesh, const SimplificationSpec& spec, std::vector<std::uint32_t>& changed)
+  WallSimplifier(EditMesh& mesh, const SimplificationSpec& spec, const std::function<void()>& poll,
+    std::vector<std::uint32_t>& changed)
     : mesh_(mesh)
     , spec_(spec)
+    , poll_(poll)
     , changed_(changed)
   {
   }
@@ -88,6 +90,10 @@ private:
 
   void finish(const EditMesh::Mark& mark, bool isMade)
   {
+    if (++tried_ % TrialsAPoll == 0)
+    {
+      poll_();
+    }
     if (isMade)
     {
       passOnDebts(mesh_);
@@ -115,7 +121,7 @@ private:
     Walls walls;
     for (const std::uint32_t f : mesh_.facesOf(c))
     {
-      if (mesh_.isWall(f))
+      if (mesh_.isSurface(f))
       {
         walls.add({ norm(mesh_.face(f).area), f });
       }
@@ -128,16 +134,16 @@ private:
   // With the wall that has most nearly the same normal.
   bool joinWithNeighbour(std::uint32_t c, std::uint32_t f, double area, const Walls& walls)
   {
-    const Vector normal = unit(mesh_.face(f).area);
     const double edge = mesh_.cell(c).edge;
     Walls others;
     for (const auto& [itsArea, g] : walls)
     {
-      if (g == f || mesh_.face(g).wall != mesh_.face(f).wall || !areAdjacent(mesh_, f, g))
+      if (g == f || mesh_.face(g).wall != mesh_.face(f).wall ||
+        mesh_.beyond(g, c) != mesh_.beyond(f, c) || !areAdjacent(mesh_, f, g))
       {
         continue;
       }
-      const double cosine = dot(normal, unit(mesh_.face(g).area));
+      const double cosine = cosineBetween(mesh_, f, g);
       if (cosine > LeastCosine || area < SmallWall * edge * edge)
       {
         others.add({ -cosine, g });
@@ -223,7 +229,9 @@ private:
 
   EditMesh& mesh_;
   const SimplificationSpec& spec_;
+  const std::function<void()>& poll_;
   std::vector<std::uint32_t>& changed_; // cells
+  std::size_t tried_ = 0;
 };
 
 }
@@ -234,16 +242,17 @@ void simplifyWalls(const ZoneTask& task, const SimplificationSpec& spec,
   EditMesh& mesh = task.mesh;
   std::vector<std::uint32_t> changed;
   weldEdges(task, spec.weld, poll, changed);
+  thinCrowdedCells(task, poll, changed);
   std::vector<std::uint32_t> nodes;
   task.forEachFace([&](std::uint32_t f) {
-    if (mesh.isWall(f))
+    if (mesh.isSurface(f))
     {
       const Items ring = mesh.cornersOf(f);
       nodes.insert(nodes.end(), ring.begin(), ring.end());
     }
   });
   nodes = sortedUnique(std::move(nodes));
-  WallSimplifier simplifier(mesh, spec, changed);
+  WallSimplifier simplifier(mesh, spec, poll, changed);
   for (int round = 0; round < Rounds; ++round)
   {
     for (const std::uint32_t c : task.cells)
@@ -253,12 +262,10 @@ void simplifyWalls(const ZoneTask& task, const SimplificationSpec& spec,
         simplifier.joinWallsOf(c);
       }
     }
-    poll();
     for (const std::uint32_t n : nodes)
     {
       simplifier.removeBetween(n);
     }
-    poll();
   }
   changed = sortedUnique(std::move(changed));
   for (const std::uint32_t c : changed)

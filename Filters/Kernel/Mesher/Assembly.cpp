@@ -458,7 +458,7 @@ void editInPlace(Assembly& a, const Options& options, Execution& execution)
   execution.stage("Edits of the wall", AfterOpening, AfterEdits);
   improveWall(wall.mesh, execution);
   execution.stage("Closing of the wall", AfterEdits, AfterClosing);
-  closeWall(wall, a.boxes, a.sides, a.nodes, a.wall, execution);
+  closeWall(wall, a.boxes, a.patches.walls, a.sides, a.nodes, a.wall, execution);
   wall.mesh.store().release(execution);
   execution.stage("Checks of cells", AfterClosing, AfterShaping);
 }

@@ -33,7 +33,7 @@ struct ShapingSpec
   double refusedCellRatio = 4;
 
   // Whether one mesh is edited in place instead of all that (Editing/EditableWall.h): hidden while it is built.
-  bool editsInPlace = false;
+  bool editsInPlace = true;
 };
 
 }

@@ -113,7 +113,7 @@ EditableWall opened(const Assembly& a)
 void close(const EditableWall& edited, Assembly& a)
 {
   Execution execution;
-  closeWall(edited, a.boxes, a.sides, a.nodes, a.wall, execution);
+  closeWall(edited, a.boxes, a.patches.walls, a.sides, a.nodes, a.wall, execution);
 }
 
 class EditableWallOf : public ::testing::TestWithParam<Case>
