@@ -40,6 +40,7 @@ struct ObjectiveSpec
   double distance = 0.01; // in boxes: of a wall that moves by so much, a half
   double sharpEdge = 200; // of a box's edge's length of a sharp edge that goes
   double mostMoved = 0.2; // in boxes: no wall moves farther in one edit
+  double mostDrift = 0.05; // in boxes: how far walls may have moved in the mean, by all edits
 };
 
 // Both walls and cells closer to the limits than this have failed: solvers do not agree on the centre of a face.

@@ -2,6 +2,7 @@
 #include "Editing/EditDecision.h"
 
 #include "Editing/CellClosure.h"
+#include "Editing/Debts.h"
 #include "Editing/EditMeasures.h"
 #include "Editing/PrimitiveEdits.h"
 #include "Editing/WallEdges.h"
@@ -234,6 +235,17 @@ bool mayLeaveEdge(const EditMesh& mesh, const EditRules& rules, std::uint32_t u,
   return worst <= rules.spec.mostMoved;
 }
 
+// Whether walls have not drifted too far, or owe less than before.
+bool mayOwe(const EditMesh& mesh, const ObjectiveSpec& spec, double box)
+{
+  const auto may = [&](bool ofWalls) {
+    const ChangedDebt debt = changedDebt(mesh, ofWalls);
+    const double after = std::abs(debt.after);
+    return after <= spec.mostDrift * std::cbrt(box) * debt.area || after <= std::abs(debt.before);
+  };
+  return may(true) && (mesh.ledger.across == 0 || may(false));
+}
+
 }
 
 bool settle(EditMesh& mesh, const ObjectiveSpec& spec, const NeededGain& needed)
@@ -347,7 +359,7 @@ double decide(const EditMesh& mesh, const EditRules& rules, const EditMesh::Mark
   }
   const double distance = distanceOfWalls(mesh, mark) / std::cbrt(box);
   const double net = gain - chargeOfDistance(distance, rules.spec);
-  if (distance > rules.spec.mostMoved || !(net > least))
+  if (distance > rules.spec.mostMoved || !(net > least) || !mayOwe(mesh, rules.spec, box))
   {
     return NoGain;
   }

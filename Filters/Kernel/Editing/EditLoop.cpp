@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Editing/Debts.h"
 #include "Editing/EditLoop.h"
 
 #include "Editing/NodeMoves.h"
@@ -379,52 +380,6 @@ private:
 LoopCounts improve(const ZoneTask& task, const LoopSpec& spec, const std::function<void()>& poll)
 {
   return EditLoop(task, spec).run(poll);
-}
-
-namespace
-{
-
-// Of walls, or of faces between regions.
-void passOnDebts(EditMesh& mesh, bool ofWalls)
-{
-  double total = ofWalls ? -mesh.ledger.volume : -mesh.ledger.across;
-  FixedList<std::uint32_t, 256> seen;
-  FixedList<std::uint32_t, 256> walls;
-  double area = 0;
-  const auto isMeant = [&](const EditFace& face) {
-    return !face.gone && isSurface(face) && (face.above == None) == ofWalls;
-  };
-  for (const auto& [f, was] : mesh.faceRecords())
-  {
-    const EditFace& is = mesh.face(f);
-    const bool hasMoved = isMeant(was) != isMeant(is) || was.corners.first != is.corners.first ||
-      was.centre != is.centre;
-    if (seen.contains(f) || !seen.add(f) || !hasMoved)
-    {
-      continue;
-    }
-    total += isMeant(was) ? mesh.signOf(was) * was.debt : 0;
-    if (isMeant(is) && walls.add(f))
-    {
-      area += norm(is.area);
-    }
-  }
-  for (const std::uint32_t f : walls)
-  {
-    const double share = area > 0 ? norm(mesh.face(f).area) / area : 0;
-    mesh.changeFace(f).debt = mesh.signOf(f) * total * share;
-  }
-}
-
-}
-
-void passOnDebts(EditMesh& mesh)
-{
-  passOnDebts(mesh, true);
-  if (mesh.ledger.across != 0)
-  {
-    passOnDebts(mesh, false);
-  }
 }
 
 }

@@ -29,7 +29,4 @@ struct LoopCounts
 // Costs are of the same objective (costAll). `poll`: called now and then; may throw.
 LoopCounts improve(const ZoneTask& task, const LoopSpec& spec, const std::function<void()>& poll);
 
-// After edits are made and before they are committed: what walls lost of the volume becomes the debt of those now there.
-void passOnDebts(EditMesh& mesh);
-
 }

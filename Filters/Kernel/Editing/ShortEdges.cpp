@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/ShortEdges.h"
 
+#include "Editing/Debts.h"
 #include "Editing/EdgeArea.h"
 #include "Editing/EditMeasures.h"
 #include "Editing/PrimitiveEdits.h"

@@ -23,6 +23,7 @@ LoopSpec thoroughLoop()
   spec.rules.spec.distance = 0.03;
   spec.rules.spec.sharpEdge = 50;
   spec.rules.spec.mostMoved = 0.25;
+  spec.rules.spec.mostDrift = 0.08;
   spec.search.edges = 9;
   spec.search.neighbours = 4;
   spec.search.nodes = 4;
@@ -44,6 +45,7 @@ LoopSpec lastLoop()
   spec.rules.spec.failing = 200;
   spec.rules.spec.sharpEdge = 20;
   spec.rules.spec.mostMoved = 0.55;
+  spec.rules.spec.mostDrift = 0.2;
   spec.search.removedShare = 0.1;
   spec.search.longestEdge = 1.5;
   spec.search.neighbours = 6;

@@ -2,6 +2,7 @@
 #include "Editing/WallSimplification.h"
 
 #include "Base/Sorting.h"
+#include "Editing/Debts.h"
 #include "Editing/EdgeArea.h"
 #include "Editing/EditDecision.h"
 #include "Editing/EditLoop.h"

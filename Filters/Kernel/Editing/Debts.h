@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What walls owe of the volume that the surface encloses: they pass it on to those that edits put in their place.
+#pragma once
+
+#include "Editing/EditMesh.h"
+
+namespace cartesian
+{
+
+// Of the walls that changed since the last commit: what they owed, what those there now would owe (signed, in volume), and
+// the area of these.
+struct ChangedDebt
+{
+  double before = 0;
+  double after = 0;
+  double area = 0;
+};
+
+// `ofWalls`: or of faces between regions.
+ChangedDebt changedDebt(const EditMesh& mesh, bool ofWalls);
+
+// After edits are made and before they are committed.
+void passOnDebts(EditMesh& mesh);
+
+}
