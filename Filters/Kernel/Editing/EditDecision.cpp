@@ -235,6 +235,19 @@ bool mayLeaveEdge(const EditMesh& mesh, const EditRules& rules, std::uint32_t u,
   return worst <= rules.spec.mostMoved;
 }
 
+// Whether most of what the cells that changed held stays theirs: a body thinner than boxes is all that is there.
+bool keepsBody(const EditMesh& mesh)
+{
+  constexpr double MostLost = 0.1;
+  double held = 0;
+  for (const auto& [c, was] : mesh.cellRecords())
+  {
+    held += was.gone ? 0 : was.volume;
+  }
+  return std::max(std::abs(mesh.ledger.volume), 2 * std::abs(mesh.ledger.across)) <=
+    MostLost * held;
+}
+
 // Whether walls have not drifted too far, or owe less than before.
 bool mayOwe(const EditMesh& mesh, const ObjectiveSpec& spec, double box)
 {
@@ -359,7 +372,8 @@ double decide(const EditMesh& mesh, const EditRules& rules, const EditMesh::Mark
   }
   const double distance = distanceOfWalls(mesh, mark) / std::cbrt(box);
   const double net = gain - chargeOfDistance(distance, rules.spec);
-  if (distance > rules.spec.mostMoved || !(net > least) || !mayOwe(mesh, rules.spec, box))
+  if (distance > rules.spec.mostMoved || !(net > least) || !keepsBody(mesh) ||
+    !mayOwe(mesh, rules.spec, box))
   {
     return NoGain;
   }

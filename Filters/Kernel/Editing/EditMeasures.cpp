@@ -439,6 +439,16 @@ void costAll(EditStore& store, const ObjectiveSpec& spec, Execution& execution)
   });
 }
 
+bool isThinThere(const EditMesh& mesh, std::uint32_t c)
+{
+  constexpr double LeastOfHost = 0.15; // of its box
+  const Items faces = mesh.facesOf(c);
+  return std::none_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
+    const std::uint32_t other = mesh.beyond(f, c);
+    return other != None && mesh.cell(other).volume >= LeastOfHost * mesh.cell(other).box;
+  });
+}
+
 void listChanged(const EditMesh& mesh, std::vector<std::uint32_t>& cells)
 {
   for (const auto& record : mesh.faceRecords())

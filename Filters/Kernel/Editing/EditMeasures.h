@@ -26,6 +26,9 @@ void setCostOfCell(EditMesh& mesh, std::uint32_t c);
 void measureAll(EditStore& store, Execution& execution);
 void costAll(EditStore& store, const ObjectiveSpec& spec, Execution& execution);
 
+// Whether the body is as thin as the cell: there is no larger one beside it.
+bool isThinThere(const EditMesh& mesh, std::uint32_t c);
+
 // The cells beside faces that changed since the last commit; they are appended.
 void listChanged(const EditMesh& mesh, std::vector<std::uint32_t>& cells);
 

@@ -2,6 +2,7 @@
 #include "Editing/Proposals.h"
 
 #include "Editing/EdgeArea.h"
+#include "Editing/EditMeasures.h"
 #include "Editing/PrimitiveEdits.h"
 #include "Editing/WallEdges.h"
 
@@ -133,7 +134,7 @@ void proposeJoins(const EditMesh& mesh, std::uint32_t f, Proposals& proposals)
 void proposeRemoval(const EditMesh& mesh, std::uint32_t c, double share, Proposals& proposals)
 {
   const Items faces = mesh.facesOf(c);
-  if (mesh.isFree(c) && shareOf(mesh, c) < share &&
+  if (mesh.isFree(c) && shareOf(mesh, c) < share && !isThinThere(mesh, c) &&
     std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) { return mesh.isWall(f); }) &&
     std::all_of(faces.begin(), faces.end(),
       [&](std::uint32_t f) { return mesh.isWall(f) || !mesh.isSurface(f); }))

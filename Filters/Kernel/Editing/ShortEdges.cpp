@@ -18,6 +18,8 @@ namespace
 constexpr double MayGrowBy =
   1.3; // an edge that got longer than this, by edits beside it, is no longer short
 constexpr std::size_t EdgesAPoll = 64;
+constexpr double ThinCell = 0.15;   // of its box
+constexpr double KeptOfThin = 0.99; // of its volume
 
 // Faces of a cell that its box is too large for; edges that go there, in boxes.
 constexpr std::size_t Crowd = 64;
@@ -107,6 +109,34 @@ FixedList<Proposal, 3> waysToCollapse(const EditMesh& mesh, std::uint32_t u, std
   return ways;
 }
 
+// Whether a cell at a node is as thin as the body: an edge may be all that lies between its walls.
+bool isInThinBody(const EditMesh& mesh, std::uint32_t n)
+{
+  const auto isThin = [&](std::uint32_t c) {
+    return c != None && mesh.isFree(c) && mesh.cell(c).volume < ThinCell * mesh.cell(c).box &&
+      isThinThere(mesh, c);
+  };
+  const Items faces = mesh.facesAround(n);
+  return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
+    return isThin(mesh.face(f).below) || isThin(mesh.face(f).above);
+  });
+}
+
+// Whether no cell that changed lost more of itself than rounding.
+bool keepsVolumes(EditMesh& mesh, const EditMesh::Mark& mark)
+{
+  const auto& records = mesh.cellRecords();
+  const bool isAnyGone = std::any_of(records.begin() + std::ptrdiff_t(mark.cellRecords),
+    records.end(),
+    [&](const auto& record) { return mesh.cell(record.first).gone && !record.second.gone; });
+  return !isAnyGone &&
+    std::all_of(mesh.unsettled.cells.begin(), mesh.unsettled.cells.end(), [&](std::uint32_t c) {
+      const double before = mesh.changeCell(c).volume;
+      measureCell(mesh, c);
+      return mesh.cell(c).volume > KeptOfThin * before;
+    });
+}
+
 // Makes the ends of edges one, whatever that costs.
 class Welding
 {
@@ -141,8 +171,10 @@ public:
     {
       return;
     }
+    const bool isThin = isInThinBody(mesh_, u);
     const EditMesh::Mark mark = mesh_.mark();
-    if (collapseEdge(mesh_, u, v, mesh_.node(v).at) && settleShapes(mesh_) && isSound(mark))
+    if (collapseEdge(mesh_, u, v, mesh_.node(v).at) && settleShapes(mesh_) &&
+      (!isThin || keepsVolumes(mesh_, mark)) && isSound(mark))
     {
       passOnDebts(mesh_);
       listChanged(mesh_, changed_);
