@@ -29,6 +29,8 @@ struct Wanted
   static constexpr double Share = 0.35; // of its box's volume
   static constexpr double LargeShare = 1.6;
   static constexpr double Determinant = 0.04;
+  static constexpr double EdgeSlope = 1; // square of a tangent (FaceCost::addLayers): 45 degrees
+  static constexpr double LayeredArea = 0.1; // of a box's side
 };
 
 // How costs of an edit are weighed.
@@ -353,6 +355,28 @@ public:
     }
   }
 
+  // Of a wall that will have layers: the sides of thin prisms on it have the angles of its edges. These are good where the
+  // way from the face's centre to an edge's middle is across the edge; small faces between large ones are not.
+  template <class Corner>
+  void addLayers(double edge, std::size_t size, Corner&& corner)
+  {
+    VectorOf<Number> p = corner(size - 1);
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      const VectorOf<Number> q = corner(i);
+      const VectorOf<Number> along = minus(q, p);
+      const VectorOf<Number> way = minus(scaled(plus(p, q), 0.5), face_.centre);
+      const Number length = notBelow(dot(along, along), Tiny);
+      const Number shift = squareOf(dot(way, along)) / length;
+      const Number square = dot(way, way);
+      const Number height = notBelow(square - shift, LeastOfWay * edge * edge);
+      cost_ += squareOf(shift / height * (1 / Wanted::EdgeSlope));
+      p = q;
+    }
+    const double least = Wanted::LayeredArea * edge * edge;
+    cost_ += squareOf(excess(Number(least) / notBelow(area_, LeastOfWay * least) - 1.0));
+  }
+
   Cost<Number> cost() const
   {
     const Number sum = saturated(cost_, spec_);
@@ -361,6 +385,7 @@ public:
   }
 
 private:
+  static constexpr double LeastOfWay = 1e-3;
   static constexpr double LeastHeight = 0.15; // of the distance between centres
   static constexpr double LeastPart = 0.02;   // of that, or of a box's edge
   static constexpr double LeastRatio = 1e-3;

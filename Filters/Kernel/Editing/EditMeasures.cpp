@@ -45,6 +45,10 @@ Cost<Number> costBetween(const EditMesh& mesh, std::uint32_t f, const ObjectiveS
     return cost.cost();
   }
   cost.addWall(cellOf(face.below), mesh.cell(face.below).edge, face.original, size, corner);
+  if (mesh.hasLayers(face.wall))
+  {
+    cost.addLayers(mesh.cell(face.below).edge, size, corner);
+  }
   if (mesh.isWall(f))
   {
     return cost.cost();

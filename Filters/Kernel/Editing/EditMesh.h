@@ -299,6 +299,7 @@ struct EditStore
   };                // the first, which only compact() changes; each editor's
   FreeSlots spare;  // all unused
   double level = 1; // the length of a lattice level: a power of two
+  std::vector<std::uint8_t> layered; // of each wall's index, whether it will have layers; none beyond
 
   // The ends of the grid, which nothing leaves.
   Vector low{ -Beyond, -Beyond, -Beyond };
@@ -359,6 +360,11 @@ public:
     return face.above == None || cell(face.below).region < cell(face.above).region ? 1 : -1;
   }
   double signOf(std::uint32_t f) const { return signOf(face(f)); }
+  bool hasLayers(std::int32_t wall) const
+  {
+    const auto i = static_cast<std::size_t>(wall);
+    return wall >= 0 && i < store_->layered.size() && store_->layered[i] != 0;
+  }
   bool isGhost(std::uint32_t c) const { return cell(c).state == CellState::Ghost; }
 
   // Whether a cell is there, and this editor may change it.

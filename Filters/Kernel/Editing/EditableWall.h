@@ -9,6 +9,7 @@
 
 #include "Cells/Boundary.h"
 #include "Editing/EditMesh.h"
+#include "Surface/WallLayerSpec.h"
 
 namespace cartesian
 {
@@ -47,8 +48,13 @@ struct EditableWall
   Point placeOf(std::uint32_t node) const;
 };
 
-// `featureAngle` in degrees: edges of the wall that turn by more are sharp.
-EditableWall openWall(const MeshParts& parts, double featureAngle, Execution& execution);
+struct OpeningSpec
+{
+  double featureAngle = 30;              // degrees: edges of the wall that turn by more are sharp
+  const WallLayerSpec* layers = nullptr; // that some walls will have, or null
+};
+
+EditableWall openWall(const MeshParts& parts, const OpeningSpec& spec, Execution& execution);
 
 // Writes what changed. Hexahedra that did become polyhedra; all else keeps its numbers.
 void closeWall(const EditableWall& edited, const Boxes& boxes, const Walls& walls, Sides& sides,

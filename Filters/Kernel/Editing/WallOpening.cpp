@@ -417,6 +417,19 @@ private:
   RawVector<std::uint32_t> nodeOf_; // in the mesh, of both
 };
 
+// Of each wall's index, whether it has layers on any side.
+std::vector<std::uint8_t> findLayered(const WallLayerSpec& layers, const MeshParts& parts)
+{
+  const std::vector<std::int32_t>& of = parts.wall.faces.boundary;
+  const std::int32_t count = of.empty() ? 0 : *std::max_element(of.begin(), of.end()) + 1;
+  std::vector<std::uint8_t> layered;
+  for (std::int32_t wall = 0; wall < count; ++wall)
+  {
+    layered.push_back(hasLayersOn(layers, parts.patches.walls, wall) ? 1 : 0);
+  }
+  return layered;
+}
+
 }
 
 Point EditableWall::placeOf(std::uint32_t node) const
@@ -431,10 +444,14 @@ Point EditableWall::placeOf(std::uint32_t node) const
   return place;
 }
 
-EditableWall openWall(const MeshParts& parts, double featureAngle, Execution& execution)
+EditableWall openWall(const MeshParts& parts, const OpeningSpec& spec, Execution& execution)
 {
   EditableWall result;
-  Opening(parts, result, execution).run(featureAngle);
+  if (spec.layers)
+  {
+    result.mesh.store().layered = findLayered(*spec.layers, parts);
+  }
+  Opening(parts, result, execution).run(spec.featureAngle);
   return result;
 }
 

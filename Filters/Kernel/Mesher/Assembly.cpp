@@ -447,14 +447,15 @@ bool mayEditInPlace(const Assembly& a, const Options& options)
     !isExact(a.patches);
 }
 
-void editInPlace(Assembly& a, const Options& options, Execution& execution)
+void editInPlace(
+  Assembly& a, const Options& options, const WallLayerSpec* layers, Execution& execution)
 {
   constexpr double AfterOpening = 0.9 * AfterShortEdges + 0.1 * AfterShaping;
   constexpr double AfterEdits = 0.06 * AfterShortEdges + 0.94 * AfterShaping;
   constexpr double AfterClosing = 0.02 * AfterShortEdges + 0.98 * AfterShaping;
   execution.stage("Opening of the wall", AfterShortEdges, AfterOpening);
-  EditableWall wall = openWall(
-    { a.boxes, a.patches, a.sides, a.nodes, a.wall }, options.patches.featureAngle, execution);
+  EditableWall wall = openWall({ a.boxes, a.patches, a.sides, a.nodes, a.wall },
+    { options.patches.featureAngle, layers }, execution);
   execution.stage("Edits of the wall", AfterOpening, AfterEdits);
   improveWall(wall.mesh, execution);
   execution.stage("Closing of the wall", AfterEdits, AfterClosing);
@@ -518,7 +519,7 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   makeInterfaces(a.patches.walls, a.wall);
   if (inPlace)
   {
-    editInPlace(a, options, execution);
+    editInPlace(a, options, layers, execution);
   }
   else if (shapesCells(options))
   {

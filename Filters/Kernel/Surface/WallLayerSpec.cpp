@@ -46,6 +46,13 @@ bool WallLayerSpec::isIn(std::int32_t region) const
   return regions.empty() || std::find(regions.begin(), regions.end(), region) != regions.end();
 }
 
+bool hasLayersOn(const WallLayerSpec& spec, const Walls& walls, std::int32_t wall)
+{
+  return (spec.isIn(walls.behind(wall)) && spec.hasLayers(walls.boundary(wall))) ||
+    (walls.isInterface(wall) && spec.isIn(walls.front(wall)) &&
+      spec.hasLayers(walls.boundaryInFront(wall)));
+}
+
 void requireValid(const WallLayerSpec& spec)
 {
   requireInRange(WallLayerSpec::Counts, spec.count, "Layers");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Surface/WallFlow.h"
+#include "Surface/Walls.h"
 
 #include <cstdint>
 #include <vector>
@@ -49,6 +50,9 @@ struct WallLayerSpec
   bool any() const { return count != 0; }
   bool hasLayers(std::int32_t boundary) const { return thicknessAt(boundary, 1) > 0; }
 };
+
+// Whether there are layers on any side of a wall.
+bool hasLayersOn(const WallLayerSpec& spec, const Walls& walls, std::int32_t wall);
 
 // Throws Error: BadParameter.
 void requireValid(const WallLayerSpec& spec);

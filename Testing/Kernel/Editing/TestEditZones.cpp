@@ -55,7 +55,7 @@ EditableWall openedOf(const WallCase& one)
   const TestOptions options = asTheyAre(0, depth(one.levels));
   Execution execution;
   const auto a = assembledOf(one.soup, cellsOf(one.size), options, execution);
-  return openWall({ a->boxes, a->patches, a->sides, a->nodes, a->wall }, 30, execution);
+  return openWall({ a->boxes, a->patches, a->sides, a->nodes, a->wall }, {}, execution);
 }
 
 // The nodes of the cells that an editor may change.

@@ -107,7 +107,7 @@ MeshArrays written(Assembly& a)
 EditableWall opened(const Assembly& a)
 {
   Execution execution;
-  return openWall(partsOf(a), FeatureAngle, execution);
+  return openWall(partsOf(a), { FeatureAngle, nullptr }, execution);
 }
 
 void close(const EditableWall& edited, Assembly& a)

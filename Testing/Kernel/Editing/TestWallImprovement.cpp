@@ -164,7 +164,7 @@ TEST(WallImprovement, DebtsAreWhatTheVolumeLacks)
   Execution execution(1);
   const auto a = assembledOf(soup, cellsOf(0.13), options, execution);
   EditableWall wall =
-    openWall({ a->boxes, a->patches, a->sides, a->nodes, a->wall }, 30, execution);
+    openWall({ a->boxes, a->patches, a->sides, a->nodes, a->wall }, {}, execution);
   EditStore& store = wall.mesh.store();
   const auto together = [&] {
     double sum = 0;
