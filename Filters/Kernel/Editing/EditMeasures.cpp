@@ -445,12 +445,21 @@ void costAll(EditStore& store, const ObjectiveSpec& spec, Execution& execution)
 
 bool isThinThere(const EditMesh& mesh, std::uint32_t c)
 {
-  constexpr double LeastOfHost = 0.15; // of its box
-  const Items faces = mesh.facesOf(c);
-  return std::none_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
-    const std::uint32_t other = mesh.beyond(f, c);
-    return other != None && mesh.cell(other).volume >= LeastOfHost * mesh.cell(other).box;
-  });
+  constexpr double LeastOfHost = 0.15;  // of its box
+  constexpr double MostToHosts = 0.6; // of its area inside: more is a layer on larger cells
+  double area = 0;
+  double toHosts = 0;
+  for (const std::uint32_t f : mesh.facesOf(c))
+  {
+    if (!mesh.isSurface(f))
+    {
+      const EditCell& other = mesh.cell(mesh.beyond(f, c));
+      const double part = norm(mesh.face(f).area);
+      area += part;
+      toHosts += other.volume >= LeastOfHost * other.box ? part : 0;
+    }
+  }
+  return toHosts <= MostToHosts * area;
 }
 
 void listChanged(const EditMesh& mesh, std::vector<std::uint32_t>& cells)

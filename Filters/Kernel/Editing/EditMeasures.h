@@ -26,7 +26,7 @@ void setCostOfCell(EditMesh& mesh, std::uint32_t c);
 void measureAll(EditStore& store, Execution& execution);
 void costAll(EditStore& store, const ObjectiveSpec& spec, Execution& execution);
 
-// Whether the body is as thin as the cell: there is no larger one beside it.
+// Whether the body is as thin as the cell: most of what it shares with others is with such as are no larger.
 bool isThinThere(const EditMesh& mesh, std::uint32_t c);
 
 // The cells beside faces that changed since the last commit; they are appended.

@@ -102,9 +102,8 @@ bool dropFlat(EditMesh& mesh, std::uint32_t c)
     mesh.giveFace(stays, c, y);
     mesh.addFaceTo(y, stays);
     mesh.unsettled.faces.add(stays);
-    const bool isBorder = mesh.cell(x).region != mesh.cell(y).region;
     EditFace& face = mesh.changeFace(stays);
-    face.wall = isBorder ? std::max(face.wall, wall.wall) : -1;
+    face.wall = std::max(face.wall, wall.wall);
   }
   touch(mesh, x);
   mesh.removeCell(c);

@@ -55,6 +55,23 @@ LoopSpec lastLoop()
   return spec;
 }
 
+// All of them, as far as is asked for.
+struct Loops
+{
+  explicit Loops(const ImprovementSpec& asked)
+  {
+    for (LoopSpec* spec : { &general, &thorough, &last })
+    {
+      spec->search.nodes = asked.movesNodes ? spec->search.nodes : 0;
+      spec->search.removedShare = asked.removesCells ? spec->search.removedShare : 0;
+    }
+  }
+
+  LoopSpec general;
+  LoopSpec thorough = thoroughLoop();
+  LoopSpec last = lastLoop();
+};
+
 // From here on a face may cost thoroughLoop()'s leastCost, with costs in full.
 constexpr double MuchCost = 3.5;
 
@@ -82,43 +99,51 @@ void weighAnew(const ZoneTask& task, const ObjectiveSpec& from, const ObjectiveS
 
 // Where any face needs it; costs are as before afterwards.
 void improveFailing(
-  const ZoneTask& task, const ObjectiveSpec& usual, const std::function<void()>& poll)
+  const ZoneTask& task, const Loops& loops, const std::function<void()>& poll)
 {
+  const ObjectiveSpec& usual = loops.general.rules.spec;
   bool isAny = false;
   task.forEachFace([&](std::uint32_t f) { isAny = isAny || task.mesh.face(f).cost > MuchCost; });
   if (isAny)
   {
-    const LoopSpec thorough = thoroughLoop();
-    weighAnew(task, usual, thorough.rules.spec);
-    improve(task, thorough, poll);
-    const LoopSpec last = lastLoop();
-    weighAnew(task, thorough.rules.spec, last.rules.spec);
-    improve(task, last, poll);
-    weighAnew(task, last.rules.spec, usual);
+    const ObjectiveSpec& thorough = loops.thorough.rules.spec;
+    const ObjectiveSpec& last = loops.last.rules.spec;
+    weighAnew(task, usual, thorough);
+    improve(task, loops.thorough, poll);
+    weighAnew(task, thorough, last);
+    improve(task, loops.last, poll);
+    weighAnew(task, last, usual);
   }
 }
 
 }
 
-void improveWall(EditMesh& mesh, Execution& execution)
+void improveWall(EditMesh& mesh, const ImprovementSpec& spec, Execution& execution)
 {
   EditStore& store = mesh.store();
-  const LoopSpec general;
+  const Loops loops(spec);
+  const LoopSpec& general = loops.general;
   const auto poll = [&] { execution.poll(); };
+  const auto pay = [&] {
+    if (spec.trueVolume)
+    {
+      payDebts(store, general.rules.spec, execution);
+    }
+  };
   costAll(store, general.rules.spec, execution);
   editInZones(store, execution, [&](const ZoneTask& task) {
     simplifyWalls(task, SimplificationSpec(), general.rules.spec, poll);
     snapEdges(task, general.rules, SnapSpec(), poll);
   });
-  payDebts(store, general.rules.spec, execution);
+  pay();
   editInZones(
     store, execution,
     [&](const ZoneTask& task) {
       improve(task, general, poll);
-      improveFailing(task, general.rules.spec, poll);
+      improveFailing(task, loops, poll);
     },
     true);
-  payDebts(store, general.rules.spec, execution);
+  pay();
   separateNodes(store, execution);
 }
 

@@ -8,7 +8,14 @@
 namespace cartesian
 {
 
+struct ImprovementSpec
+{
+  bool movesNodes = true;  // also for what faces and cells cost
+  bool trueVolume = true;  // nodes rise until the mesh has the volume of the surface
+  bool removesCells = true; // small ones, where nothing else helps
+};
+
 // Faces and cells are measured (EditMeasures.h).
-void improveWall(EditMesh& mesh, Execution& execution);
+void improveWall(EditMesh& mesh, const ImprovementSpec& spec, Execution& execution);
 
 }

@@ -457,7 +457,9 @@ void editInPlace(
   EditableWall wall = openWall({ a.boxes, a.patches, a.sides, a.nodes, a.wall },
     { options.patches.featureAngle, layers }, execution);
   execution.stage("Edits of the wall", AfterOpening, AfterEdits);
-  improveWall(wall.mesh, execution);
+  improveWall(wall.mesh,
+    { options.shaping.optimiseNodes, standsOff(options), options.shaping.refusedCellRatio > 0 },
+    execution);
   execution.stage("Closing of the wall", AfterEdits, AfterClosing);
   closeWall(wall, a.boxes, a.patches.walls, a.sides, a.nodes, a.wall, execution);
   wall.mesh.store().release(execution);

@@ -353,6 +353,7 @@ TEST_P(EditableWallOf, NodesAreHeld)
 TEST(EditableWall, IsNotForAllSettings)
 {
   const auto changesNothing = [](const Soup& soup, double size, TestOptions options) {
+    options.shaping.editsInPlace = false;
     const Meshed without = meshOf(soup, cellsOf(size), options);
     options.shaping.editsInPlace = true;
     return meshOf(soup, cellsOf(size), options).mesh == without.mesh;

@@ -558,7 +558,7 @@ void runLoop(EditMesh& mesh, const LoopSpec& spec)
 void improveWhole(EditMesh& mesh)
 {
   Execution execution;
-  improveWall(mesh, execution);
+  improveWall(mesh, {}, execution);
 }
 
 void scaleBy(EditMesh& mesh, double factor)
