@@ -157,7 +157,7 @@ protected:                                                                      
   bool SplitConcaveCells = true;                                                                   \
   bool TrueVolume = true;                                                                          \
   bool OptimiseNodes = true;                                                                       \
-  bool EditInPlace = true; /* hidden while it is built */                                         \
+  bool EditInPlace = false; /* hidden while it is built */                                         \
   double RefusedCellRatio = 4
 
 /**

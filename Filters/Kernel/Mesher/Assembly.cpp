@@ -439,14 +439,6 @@ void removeFragments(Assembly& a, const Options& options, Execution& execution)
   }
 }
 
-// In the usual setting; all else is still edited as before.
-bool mayEditInPlace(const Assembly& a, const Options& options)
-{
-  return options.shaping.editsInPlace && options.collapse.ratio > 0 &&
-    options.smallCells.handling == SmallCells::Merge && options.shaping.splitConcave &&
-    !isExact(a.patches);
-}
-
 void editInPlace(
   Assembly& a, const Options& options, const WallLayerSpec* layers, Execution& execution)
 {
@@ -501,7 +493,7 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   simplifyDetail(a, execution);
   const BoxFlags flawed =
     keepParts(a, rebuildFlawed(a, makeFaces(a, execution), execution), parts, options, execution);
-  const bool inPlace = mayEditInPlace(a, options);
+  const bool inPlace = editsInPlace(options, a.patches.walls);
   if (options.collapse.ratio > 0 && !inPlace)
   {
     CollapseAttempts(a, flawed, options, execution).run();

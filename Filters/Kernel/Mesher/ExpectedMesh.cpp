@@ -41,7 +41,7 @@ constexpr double OfAddedBoxes = 0.7;
 
 // For each box that the surface passes through: small cells that are merged, and the cells of a layer at the wall. Measured
 // on five surfaces: 0.3 to 0.5, and 0.8 to 1.25.
-constexpr double CellsMerged = 0.37;
+constexpr double CellsMerged = 0.35;
 constexpr double CellsOfALayer = 0.95;
 
 // The double next to these digits, which is shown without others.

@@ -59,10 +59,17 @@ bool standsOff(const Options& options)
     options.patches.method == PatchMethod::Automatic;
 }
 
-LaterSteps laterStepsOf(const Options& options)
+LaterSteps laterStepsOf(const Options& options, const Walls& walls)
 {
   return { options.collapse.ratio > 0, standsOff(options), shapesCells(options),
-    options.shaping.editsInPlace };
+    editsInPlace(options, walls) };
+}
+
+bool editsInPlace(const Options& options, const Walls& walls)
+{
+  return (options.shaping.editsInPlace || walls.any()) && options.collapse.ratio > 0 &&
+    options.smallCells.handling == SmallCells::Merge && options.shaping.splitConcave &&
+    options.patches.method != PatchMethod::ExactFit;
 }
 
 void requireValidCells(const Options& options)

@@ -32,8 +32,9 @@ struct ShapingSpec
   // 0: none.
   double refusedCellRatio = 4;
 
-  // Whether one mesh is edited in place instead of all that (Editing/EditableWall.h): hidden while it is built.
-  bool editsInPlace = true;
+  // Whether one mesh is edited in place instead of all that (Editing/EditableWall.h), as it is between several regions:
+  // hidden while it is built.
+  bool editsInPlace = false;
 };
 
 }

@@ -85,7 +85,7 @@ TEST(Resources, ANodeOfManyTriangles)
   soup.points.push_back({ 0, 0, -0.5 });
   const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, 0.8), TestOptions());
   EXPECT_TRUE(isValid(meshed.mesh, true));
-  EXPECT_NEAR(volumeOf(meshed.mesh) / soup.volume(), 1, 0.2); // of a body in one box
+  EXPECT_NEAR(volumeOf(meshed.mesh) / soup.volume(), 1, 1e-3);
 }
 
 // A ring of triangular section, of too many faces to be cut: its centre lies outside of it.

@@ -19,7 +19,6 @@ namespace
 Meshed meshed(const Soup& soup, double cells, bool optimises)
 {
   TestOptions options;
-  options.shaping.editsInPlace = false;
   options.shaping.optimiseNodes = optimises;
   options.shaping.refusedCellRatio = 0;
   return meshOf(soup, cellsAlongLongest(soup, cells), options);
