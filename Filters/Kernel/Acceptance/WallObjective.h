@@ -36,12 +36,12 @@ struct Wanted
 // How costs of an edit are weighed.
 struct ObjectiveSpec
 {
-  double saturation = 15; // sums beyond this count by their logarithm; 0: all counts
-  double failing = 20;    // of a face or cell beyond the limits of solvers
-  double volume = 1000;   // of a box's volume that the mesh loses or gains
-  double distance = 0.01; // in boxes: of a wall that moves by so much, a half
-  double sharpEdge = 200; // of a box's edge's length of a sharp edge that goes
-  double mostMoved = 0.2; // in boxes: no wall moves farther in one edit
+  double saturation = 15;  // sums beyond this count by their logarithm; 0: all counts
+  double failing = 20;     // of a face or cell beyond the limits of solvers
+  double volume = 1000;    // of a box's volume that the mesh loses or gains
+  double distance = 0.01;  // in boxes: of a wall that moves by so much, a half
+  double sharpEdge = 200;  // of a box's edge's length of a sharp edge that goes
+  double mostMoved = 0.2;  // in boxes: no wall moves farther in one edit
   double mostDrift = 0.05; // in boxes: how far walls may have moved in the mean, by all edits
 };
 

@@ -279,7 +279,8 @@ bool settle(EditMesh& mesh, const ObjectiveSpec& spec, const NeededGain& needed)
 
 bool settleShapes(EditMesh& mesh)
 {
-  constexpr std::size_t Many = 256; // there are many such edits, and few that are right by the count alone
+  constexpr std::size_t Many =
+    256; // there are many such edits, and few that are right by the count alone
   const auto isClosedAsFarAsWorthIt = [](EditMesh& of, std::uint32_t c) {
     return of.cell(c).faces.size > Many ? isClosedByCount(of, c) : isClosed(of, c);
   };

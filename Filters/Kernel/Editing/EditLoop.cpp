@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Editing/Debts.h"
 #include "Editing/EditLoop.h"
+#include "Editing/Debts.h"
 
 #include "Editing/NodeMoves.h"
 

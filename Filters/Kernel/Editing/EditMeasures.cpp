@@ -445,8 +445,8 @@ void costAll(EditStore& store, const ObjectiveSpec& spec, Execution& execution)
 
 bool isThinThere(const EditMesh& mesh, std::uint32_t c)
 {
-  constexpr double LeastOfHost = 0.15;  // of its box
-  constexpr double MostToHosts = 0.6; // of its area inside: more is a layer on larger cells
+  constexpr double LeastOfHost = 0.15; // of its box
+  constexpr double MostToHosts = 0.6;  // of its area inside: more is a layer on larger cells
   double area = 0;
   double toHosts = 0;
   for (const std::uint32_t f : mesh.facesOf(c))

@@ -299,7 +299,8 @@ struct EditStore
   };                // the first, which only compact() changes; each editor's
   FreeSlots spare;  // all unused
   double level = 1; // the length of a lattice level: a power of two
-  std::vector<std::uint8_t> layered; // of each wall's index, whether it will have layers; none beyond
+  std::vector<std::uint8_t>
+    layered; // of each wall's index, whether it will have layers; none beyond
 
   // The ends of the grid, which nothing leaves.
   Vector low{ -Beyond, -Beyond, -Beyond };

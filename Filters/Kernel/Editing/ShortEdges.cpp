@@ -117,18 +117,17 @@ bool isInThinBody(const EditMesh& mesh, std::uint32_t n)
       isThinThere(mesh, c);
   };
   const Items faces = mesh.facesAround(n);
-  return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
-    return isThin(mesh.face(f).below) || isThin(mesh.face(f).above);
-  });
+  return std::any_of(faces.begin(), faces.end(),
+    [&](std::uint32_t f) { return isThin(mesh.face(f).below) || isThin(mesh.face(f).above); });
 }
 
 // Whether no cell that changed lost more of itself than rounding.
 bool keepsVolumes(EditMesh& mesh, const EditMesh::Mark& mark)
 {
   const auto& records = mesh.cellRecords();
-  const bool isAnyGone = std::any_of(records.begin() + std::ptrdiff_t(mark.cellRecords),
-    records.end(),
-    [&](const auto& record) { return mesh.cell(record.first).gone && !record.second.gone; });
+  const bool isAnyGone =
+    std::any_of(records.begin() + std::ptrdiff_t(mark.cellRecords), records.end(),
+      [&](const auto& record) { return mesh.cell(record.first).gone && !record.second.gone; });
   return !isAnyGone &&
     std::all_of(mesh.unsettled.cells.begin(), mesh.unsettled.cells.end(), [&](std::uint32_t c) {
       const double before = mesh.changeCell(c).volume;
@@ -141,8 +140,8 @@ bool keepsVolumes(EditMesh& mesh, const EditMesh::Mark& mark)
 class Welding
 {
 public:
-  Welding(const ZoneTask& task, const std::function<void()>& poll,
-    std::vector<std::uint32_t>& changed)
+  Welding(
+    const ZoneTask& task, const std::function<void()>& poll, std::vector<std::uint32_t>& changed)
     : mesh_(task.mesh)
     , poll_(poll)
     , changed_(changed)
@@ -208,8 +207,8 @@ bool isCrowdedAt(const EditMesh& mesh, std::uint32_t n)
 
 bool isAnyCrowded(const ZoneTask& task)
 {
-  return std::any_of(task.cells.begin(), task.cells.end(),
-    [&](std::uint32_t c) { return isCrowded(task.mesh, c); });
+  return std::any_of(
+    task.cells.begin(), task.cells.end(), [&](std::uint32_t c) { return isCrowded(task.mesh, c); });
 }
 
 // Whether no face that changed folds.
@@ -245,7 +244,8 @@ void thinCrowdedCells(
   {
     for (const ShortEdge& edge : listShortEdges(task, length, true))
     {
-      if (isCrowdedAt(mesh, edge.u) && lengthOf(mesh, edge.u, edge.v) < length * edgeAt(mesh, edge.u))
+      if (isCrowdedAt(mesh, edge.u) &&
+        lengthOf(mesh, edge.u, edge.v) < length * edgeAt(mesh, edge.u))
       {
         welding.weld(edge, [&](const EditMesh::Mark& mark) { return keepsShapes(mesh, mark); });
       }

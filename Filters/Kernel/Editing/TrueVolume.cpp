@@ -17,7 +17,8 @@ constexpr int Steps = 4;          // of Jacobi's method
 constexpr double MostMoved = 0.1; // in boxes
 constexpr double MostSlope = 0.1; // ... by the length of the walls around
 constexpr double LeastMoved = 1e-6;
-constexpr double MostCost = 3;     // that a face may cost more than before
+constexpr double FlatCosine = 1 - 1e-6; // between walls: 0.08 degrees
+constexpr double MostCost = 3;          // that a face may cost more than before
 constexpr int RoundsOfHalving = 2; // then nodes of poor faces go back, and those of their cells
 constexpr int Rounds = 16;
 
@@ -38,6 +39,7 @@ public:
       nodes_[n].mayMove = mayMove(n);
       nodes_[n].before = mesh_.node(n).at;
       nodes_[n].normal = nodes_[n].mayMove ? normalAt(n) : Vector{};
+      nodes_[n].mayMove = nodes_[n].mayMove && !isFlatAt(n);
     });
   }
 
@@ -124,6 +126,16 @@ private:
       sum = isWall(f) ? plus(sum, scaled(mesh_.face(f).area, mesh_.signOf(f))) : sum;
     }
     return unit(sum);
+  }
+
+  // What flat walls owe was lost at their edges.
+  bool isFlatAt(std::uint32_t n) const
+  {
+    const Items faces = mesh_.facesAround(n);
+    return std::all_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
+      const Vector& area = mesh_.face(f).area;
+      return !isWall(f) || mesh_.signOf(f) * dot(area, nodes_[n].normal) >= FlatCosine * norm(area);
+    });
   }
 
   double edgeAt(std::uint32_t n) const

@@ -98,8 +98,7 @@ void weighAnew(const ZoneTask& task, const ObjectiveSpec& from, const ObjectiveS
 }
 
 // Where any face needs it; costs are as before afterwards.
-void improveFailing(
-  const ZoneTask& task, const Loops& loops, const std::function<void()>& poll)
+void improveFailing(const ZoneTask& task, const Loops& loops, const std::function<void()>& poll)
 {
   const ObjectiveSpec& usual = loops.general.rules.spec;
   bool isAny = false;

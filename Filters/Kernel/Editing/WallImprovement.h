@@ -10,8 +10,8 @@ namespace cartesian
 
 struct ImprovementSpec
 {
-  bool movesNodes = true;  // also for what faces and cells cost
-  bool trueVolume = true;  // nodes rise until the mesh has the volume of the surface
+  bool movesNodes = true;   // also for what faces and cells cost
+  bool trueVolume = true;   // nodes rise until the mesh has the volume of the surface
   bool removesCells = true; // small ones, where nothing else helps
 };
 

@@ -422,10 +422,11 @@ std::vector<std::uint8_t> findLayered(const WallLayerSpec& layers, const MeshPar
 {
   const std::vector<std::int32_t>& of = parts.wall.faces.boundary;
   const std::int32_t count = of.empty() ? 0 : *std::max_element(of.begin(), of.end()) + 1;
-  std::vector<std::uint8_t> layered;
+  std::vector<std::uint8_t> layered(static_cast<std::size_t>(count));
   for (std::int32_t wall = 0; wall < count; ++wall)
   {
-    layered.push_back(hasLayersOn(layers, parts.patches.walls, wall) ? 1 : 0);
+    layered[static_cast<std::size_t>(wall)] =
+      hasLayersOn(layers, parts.patches.walls, wall) ? 1 : 0;
   }
   return layered;
 }

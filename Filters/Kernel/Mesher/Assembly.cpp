@@ -493,7 +493,7 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   simplifyDetail(a, execution);
   const BoxFlags flawed =
     keepParts(a, rebuildFlawed(a, makeFaces(a, execution), execution), parts, options, execution);
-  const bool inPlace = editsInPlace(options, a.patches.walls);
+  const bool inPlace = editsInPlace(options);
   if (options.collapse.ratio > 0 && !inPlace)
   {
     CollapseAttempts(a, flawed, options, execution).run();

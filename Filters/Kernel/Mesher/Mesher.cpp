@@ -232,7 +232,7 @@ std::unique_ptr<Decomposition> decompose(
   refinement.sizing.featureAngle = options.patches.featureAngle;
   refinement.transitionLayers = transitionLayersOf(options);
   return std::make_unique<Decomposition>(prepared.surface, prepared.planes, refinement,
-    prepared.memoryLimit, laterStepsOf(options, prepared.surface.walls), execution);
+    prepared.memoryLimit, laterStepsOf(options), execution);
 }
 
 Patches makePatches(const PreparedSurface& prepared, const Decomposition& decomposition,

@@ -59,15 +59,15 @@ bool standsOff(const Options& options)
     options.patches.method == PatchMethod::Automatic;
 }
 
-LaterSteps laterStepsOf(const Options& options, const Walls& walls)
+LaterSteps laterStepsOf(const Options& options)
 {
   return { options.collapse.ratio > 0, standsOff(options), shapesCells(options),
-    editsInPlace(options, walls) };
+    editsInPlace(options) };
 }
 
-bool editsInPlace(const Options& options, const Walls& walls)
+bool editsInPlace(const Options& options)
 {
-  return (options.shaping.editsInPlace || walls.any()) && options.collapse.ratio > 0 &&
+  return options.shaping.editsInPlace && options.collapse.ratio > 0 &&
     options.smallCells.handling == SmallCells::Merge && options.shaping.splitConcave &&
     options.patches.method != PatchMethod::ExactFit;
 }

@@ -58,11 +58,10 @@ struct Options
 MemoryLimit memoryLimitOf(const Options& options, int threads);
 
 // How far the cells of a part depend on others.
-LaterSteps laterStepsOf(const Options& options, const Walls& walls);
+LaterSteps laterStepsOf(const Options& options);
 
-// Whether one mesh of the wall is edited in place (Editing/WallImprovement.h): of several regions, or where that is asked for,
-// in the usual setting.
-bool editsInPlace(const Options& options, const Walls& walls);
+// Whether one mesh of the wall is edited in place (Editing/WallImprovement.h): where that is asked for, in the usual setting.
+bool editsInPlace(const Options& options);
 
 // Boxes that double in size right at a wall smear separating flow, so outside there are 3 layers between, unless the
 // user says otherwise.

@@ -32,8 +32,7 @@ struct ShapingSpec
   // 0: none.
   double refusedCellRatio = 4;
 
-  // Whether one mesh is edited in place instead of all that (Editing/EditableWall.h), as it is between several regions:
-  // hidden while it is built.
+  // Whether one mesh is edited in place instead of all that (Editing/EditableWall.h): hidden while it is built.
   bool editsInPlace = false;
 };
 

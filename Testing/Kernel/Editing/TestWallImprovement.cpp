@@ -157,6 +157,53 @@ TEST(WallImprovement, RegionsKeepVolumesAndAreas)
 }
 
 // What walls have lost and what they owe is always the same together.
+// A plate of a hundredth of a box, and a rod: nothing is left of them where their cells go.
+TEST(WallImprovement, ThinBodiesStay)
+{
+  for (const Soup& body :
+    { box({ 0, 0, 0.4 }, { 1, 0.8, 0.403 }), box({ 0, 0, 0 }, { 1, 0.01, 0.02 }) })
+  {
+    for (const Soup& soup : { body, body.turned() })
+    {
+      const Meshed meshed = meshInPlace({ "", soup, 0.3, 0 });
+      EXPECT_TRUE(isValid(meshed.mesh, true));
+      EXPECT_NEAR(volumeOf(meshed.mesh), soup.volume(), 1e-3 * soup.volume());
+    }
+  }
+}
+
+// More triangles in a few boxes than these can show: what they enclose is still there.
+TEST(WallImprovement, CrowdedCellsAreThinned)
+{
+  Soup soup = box({ -1, -1, -1 }, { 1, 1, 1 });
+  soup.boundary.clear();
+  Soup hole = sphere(24, 0.05).moved({ 0.02, 0.03, 0.05 }).flipped();
+  hole.boundary.clear();
+  const double volume = -hole.volume();
+  soup.add(hole);
+  const Meshed meshed = meshInPlace({ "", soup, 2.0 / 15, 0 });
+  EXPECT_TRUE(isValid(meshed.mesh, true));
+  EXPECT_LT(volumeOf(meshed.mesh), 8 - volume / 2);
+  EXPECT_LT(meshed.mesh.boundaryStart.size(), 2000U);
+}
+
+// They lie on one side of the wall in front of the faces that they stand on, whichever way edits turned these.
+TEST(WallImprovement, LayersStandOnWallsOfRegions)
+{
+  Soup soup;
+  soup.addRegion(box({ 0.25, 0.25, 0.375 }, { 0.75, 0.875, 0.625 })).addRegion(cube());
+  TestOptions options = optionsInPlace({ "", soup, 0, 1 });
+  options.grid = cellsAlongLongest(soup, 8);
+  options.layers.count = 2;
+  options.memoryLimit = PlentyOfMemory;
+  Execution execution(options.threads);
+  const auto assembly = mesh(soup.turned().view(), options, execution);
+  const MeshArrays plain = arraysOf(*assembly->mesh, assembly->boxes, execution);
+  const MeshArrays layered = withLayers(plain, *assembly->layers);
+  EXPECT_GT(layered.cells(), plain.cells());
+  EXPECT_TRUE(isValid(layered, true));
+}
+
 TEST(WallImprovement, DebtsAreWhatTheVolumeLacks)
 {
   const TestOptions options = asTheyAre();

@@ -70,7 +70,8 @@ public:
   }
 
   Quality quality;
-  std::map<std::uint32_t, std::vector<std::size_t>> places; // of each face in the list: of walls of two regions, two
+  std::map<std::uint32_t, std::vector<std::size_t>>
+    places; // of each face in the list: of walls of two regions, two
 };
 
 // Whether any measure of a face that the objective calls failing is beyond these limits; `limits` may be stricter.
@@ -192,8 +193,13 @@ private:
     FaceMeasures<double> measures = measuresOf(f);
     measures.area = scaled(measures.area, out);
     FaceCost<double> cost(measures, spec_);
-    cost.addWall(measuresOfOne(c), mesh_.cell(c).edge, scaled(face.original, out),
-      face.corners.size, [&](std::size_t i) { return mesh_.corner(f, i); });
+    const auto corner = [&](std::size_t i) { return mesh_.corner(f, i); };
+    cost.addWall(
+      measuresOfOne(c), mesh_.cell(c).edge, scaled(face.original, out), face.corners.size, corner);
+    if (face.below == c && mesh_.hasLayers(face.wall))
+    {
+      cost.addLayers(mesh_.cell(c).edge, face.corners.size, corner);
+    }
     return cost.cost().value;
   }
 
@@ -334,6 +340,26 @@ TEST(WallObjective, CubesCostNextToNothing)
   EXPECT_FALSE(mesh.cell(0).strains);
 }
 
+// Prisms on squares are good; not so on faces that lean along a wall, and small ones.
+TEST(WallObjective, WallsWithLayersCostByTheirEdges)
+{
+  const ObjectiveSpec spec;
+  const auto costOf = [&](double lean, double height) {
+    const std::array<Vector, 4> corners{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1 + lean, height, 0 },
+      { lean, height, 0 } } };
+    const auto corner = [&](std::size_t i) { return corners[i]; };
+    const FaceMeasures<double> measures = measuresOfFace<double>(4, corner);
+    FaceCost<double> cost(measures, spec);
+    const double before = cost.cost().value;
+    cost.addLayers(1, 4, corner);
+    return cost.cost().value - before;
+  };
+  EXPECT_EQ(costOf(0, 1), 0);
+  EXPECT_GT(costOf(1, 1), 1);
+  EXPECT_GT(costOf(2, 1), costOf(1, 1));
+  EXPECT_GT(costOf(0, 0.02), 5);
+}
+
 // No unit of length: all twice as large costs the same, to the bit.
 TEST(WallObjective, HasNoUnit)
 {
@@ -387,6 +413,7 @@ TEST(WallObjective, GradientsAreDifferences)
     ObjectiveSpec spec;
     spec.saturation = i % 2 == 0 ? 15 : 0;
     EditMesh mesh = randomMesh(random, 0.35);
+    mesh.store().layered.assign(i % 3 == 0 ? 8 : 0, 1);
     for (std::uint32_t n = 0; n < mesh.nodeCount(); n += 3)
     {
       const CostAround around(mesh, n, spec);

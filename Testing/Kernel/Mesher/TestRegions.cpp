@@ -90,7 +90,7 @@ void expectExactly(const Soup& soup, const Expected& expected, double contactTol
   }
 }
 
-// With the user's defaults. Coarse boxes are larger than some regions; fine ones show edges but for a few near corners.
+// With the user's defaults.
 void expectNearly(const Soup& soup, const Expected& expected, double slack)
 {
   for (const double cells : { 3.7, 8.0, 11.3 })
@@ -99,15 +99,14 @@ void expectNearly(const Soup& soup, const Expected& expected, double slack)
     {
       SCOPED_TRACE(std::to_string(cells) + " cells along the longest dimension, depth " +
         std::to_string(levels));
-      const double most = cells < 5 ? std::max(5 * slack, 0.02) : std::max(slack, 5e-4);
       TestOptions options;
       options.refinement = depth(levels);
       const Meshed meshed = meshOf(soup, cellsAlongLongest(soup, cells), options);
       EXPECT_TRUE(isValid(meshed.mesh, true));
-      expectRegions(meshed.mesh, expected, most);
+      expectRegions(meshed.mesh, expected, slack);
       if (cells == 8.0)
       {
-        expectWithLayers(soup, cellsAlongLongest(soup, cells), options, expected, most);
+        expectWithLayers(soup, cellsAlongLongest(soup, cells), options, expected, slack);
       }
     }
   }
