@@ -21,16 +21,17 @@ struct Wanted
   static constexpr double FaceWeight = 0.25;
   static constexpr double VolumeRatio = 0.2;
   static constexpr double InnerCosine = Fair::InnerCosine;
-  static constexpr double BoundarySlope = Fair::BoundarySlope;
+  static constexpr double BoundarySlope = 0.5;
   static constexpr double Star = 0.15; // a face's smallest triangle, by the mean one
   static constexpr double Warp = 0.1;  // 1 - a face's area by the sum of its triangles'
   static constexpr double Turn =
     0.034; // 1 - the cosine between a wall and what it stands for: 15 degrees
-  static constexpr double Share = 0.35; // of its box's volume
+  static constexpr double Share = 0.35;           // of its box's volume
+  static constexpr double ShareByRatio = 7.0 / 6; // ... by Merge Ratio
   static constexpr double LargeShare = 1.6;
   static constexpr double Determinant = 0.04;
-  static constexpr double EdgeSlope = 1; // square of a tangent (FaceCost::addLayers): 45 degrees
-  static constexpr double LayeredArea = 0.1; // of a box's side
+  static constexpr double EdgeSlope = 0.5; // square of a tangent (FaceCost::addLayers): 45 degrees
+  static constexpr double LayeredArea = 0.2; // of a box's side
 };
 
 // How costs of an edit are weighed.
@@ -41,6 +42,7 @@ struct ObjectiveSpec
   double volume = 1000;    // of a box's volume that the mesh loses or gains
   double distance = 0.01;  // in boxes: of a wall that moves by so much, a half
   double sharpEdge = 200;  // of a box's edge's length of a sharp edge that goes
+  double mostLost = 5;     // of charges for sharp edges, in one edit
   double mostMoved = 0.2;  // in boxes: no wall moves farther in one edit
   double mostDrift = 0.05; // in boxes: how far walls may have moved in the mean, by all edits
 };
@@ -466,15 +468,15 @@ private:
   bool strains_ = false;
 };
 
-// What a cell costs: `share`, its volume by its box's; `determinant`, of its inner faces.
+// What a cell costs: `share`, its volume by its box's; `wanted`, of those; `determinant`, of its inner faces.
 template <class Number>
-Cost<Number> costOfCell(const Number& share, const Number& determinant)
+Cost<Number> costOfCell(const Number& share, double wanted, const Number& determinant)
 {
   constexpr double LeastShare = 0.003;
   constexpr double CostOfShare = 1e4;
   constexpr double CostOfLarge = 4;
   constexpr double LeastDeterminant = 1e-3;
-  Number cost = squareOf(excess(Number(Wanted::Share) / notBelow(share, LeastShare) - 1.0));
+  Number cost = squareOf(excess(Number(wanted) / notBelow(share, LeastShare) - 1.0));
   cost += excess(Number(LeastShare) - share) * CostOfShare;
   cost += squareOf(excess(share * (1 / Wanted::LargeShare) - 1.0)) * CostOfLarge;
   const Number flat =

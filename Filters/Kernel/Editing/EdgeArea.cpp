@@ -24,6 +24,36 @@ std::uint32_t nextOnEdge(const EditMesh& mesh, std::uint32_t node, std::uint32_t
   return ends[0] == except ? ends[1] : ends[0];
 }
 
+// What an edge goes through: from `from` to v, u, and along the chord back.
+struct Stretch
+{
+  Vector from{};
+  Vector chord{};
+  bool isKnown = false;
+};
+
+Stretch stretchAt(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
+{
+  const std::uint32_t before = nextOnEdge(mesh, v, u);
+  const std::uint32_t behind = nextOnEdge(mesh, u, v);
+  if (before == None || behind == None || before == behind)
+  {
+    return {};
+  }
+  const Vector& from = mesh.node(before).at;
+  return { from, minus(mesh.node(behind).at, from), true };
+}
+
+// Twice the area.
+Vector lostBy(
+  const EditMesh& mesh, const Stretch& stretch, std::uint32_t u, std::uint32_t v, const Vector& at)
+{
+  const Vector toU = minus(mesh.node(u).at, stretch.from);
+  const Vector was =
+    plus(cross(minus(mesh.node(v).at, stretch.from), toU), cross(toU, stretch.chord));
+  return minus(was, cross(minus(at, stretch.from), stretch.chord));
+}
+
 }
 
 Vector placeKeepingArea(const EditMesh& mesh, std::uint32_t u, std::uint32_t v, const Vector& at)
@@ -33,25 +63,21 @@ Vector placeKeepingArea(const EditMesh& mesh, std::uint32_t u, std::uint32_t v, 
   {
     return at;
   }
-  const std::uint32_t before = nextOnEdge(mesh, v, u);
-  const std::uint32_t behind = nextOnEdge(mesh, u, v);
-  if (before == None || behind == None || before == behind)
+  const Stretch stretch = stretchAt(mesh, u, v);
+  const double edge = mesh.edgeAt(v);
+  const double square = dot(stretch.chord, stretch.chord);
+  if (!stretch.isKnown || square < ShortChord * ShortChord * edge * edge)
   {
     return at;
   }
-  const Vector& from = mesh.node(before).at;
-  const Vector chord = minus(mesh.node(behind).at, from);
-  const Vector toU = minus(mesh.node(u).at, from);
-  const double edge = mesh.cell(mesh.face(mesh.facesAround(v)[0]).below).edge;
-  const double square = dot(chord, chord);
-  if (square < ShortChord * ShortChord * edge * edge)
-  {
-    return at;
-  }
-  const Vector was = plus(cross(minus(to.at, from), toU), cross(toU, chord));
-  const Vector lost = minus(was, cross(minus(at, from), chord)); // twice the area
-  const Vector aside = scaled(cross(chord, lost), 1 / square);
+  const Vector aside = scaled(cross(stretch.chord, lostBy(mesh, stretch, u, v, at)), 1 / square);
   return norm(aside) > MostAside * edge ? at : onLattice(mesh, plus(at, aside), to.held);
+}
+
+double areaLost(const EditMesh& mesh, std::uint32_t u, std::uint32_t v, const Vector& at)
+{
+  const Stretch stretch = stretchAt(mesh, u, v);
+  return stretch.isKnown ? norm(lostBy(mesh, stretch, u, v, at)) / 2 : 0;
 }
 
 }

@@ -12,4 +12,7 @@ namespace cartesian
 // edge does not go on from both, or v must not leave its place.
 Vector placeKeepingArea(const EditMesh& mesh, std::uint32_t u, std::uint32_t v, const Vector& at);
 
+// The area between the edge as it is and as it would be with v at `at`; 0 where it does not go on from both.
+double areaLost(const EditMesh& mesh, std::uint32_t u, std::uint32_t v, const Vector& at);
+
 }

@@ -3,6 +3,7 @@
 
 #include "Editing/CellClosure.h"
 #include "Editing/Debts.h"
+#include "Editing/EdgeArea.h"
 #include "Editing/EditMeasures.h"
 #include "Editing/PrimitiveEdits.h"
 #include "Editing/WallEdges.h"
@@ -231,30 +232,40 @@ bool mayLeaveEdge(const EditMesh& mesh, const EditRules& rules, std::uint32_t u,
       worst = std::max(worst, distanceToSegment(mesh.node(u).at, at, mesh.node(end).at) / edge);
     }
   }
-  charge += 2 * chargeOfDistance(worst, rules.spec) + (ends.size() > 2 ? ChargeOfCorner : 0);
+  charge += 2 * chargeOfDistance(worst, rules.spec) + (ends.size() > 2 ? ChargeOfCorner : 0) +
+    rules.spec.volume * areaLost(mesh, u, v, at) / (edge * edge);
   return worst <= rules.spec.mostMoved;
 }
 
-// Whether most of what the cells that changed held stays theirs: a body thinner than boxes is all that is there.
-bool keepsBody(const EditMesh& mesh)
+constexpr double MostLost = 0.1; // of what cells held, by one edit and by all
+
+// What the cells that changed held.
+double heldBefore(const EditMesh& mesh)
 {
-  constexpr double MostLost = 0.1;
   double held = 0;
   for (const auto& [c, was] : mesh.cellRecords())
   {
     held += was.gone ? 0 : was.volume;
   }
+  return held;
+}
+
+// Whether most of that stays theirs: a body thinner than boxes is all that is there.
+bool keepsBody(const EditMesh& mesh, double held)
+{
   return std::max(std::abs(mesh.ledger.volume), 2 * std::abs(mesh.ledger.across)) <=
     MostLost * held;
 }
 
 // Whether walls have not drifted too far, or owe less than before.
-bool mayOwe(const EditMesh& mesh, const ObjectiveSpec& spec, double box)
+bool mayOwe(const EditMesh& mesh, const ObjectiveSpec& spec, double box, double held)
 {
+  const double most = MostLost * held;
   const auto may = [&](bool ofWalls) {
     const ChangedDebt debt = changedDebt(mesh, ofWalls);
     const double after = std::abs(debt.after);
-    return after <= spec.mostDrift * std::cbrt(box) * debt.area || after <= std::abs(debt.before);
+    return after <= std::min(spec.mostDrift * std::cbrt(box) * debt.area, most) ||
+      after <= std::abs(debt.before);
   };
   return may(true) && (mesh.ledger.across == 0 || may(false));
 }
@@ -362,7 +373,8 @@ double decide(const EditMesh& mesh, const EditRules& rules, const EditMesh::Mark
   double least)
 {
   const Ledger& ledger = mesh.ledger;
-  if (ledger.failures > 0 || (ledger.failures == 0 && ledger.strains > 0))
+  if (ledger.failures > 0 || (ledger.failures == 0 && ledger.strains > 0) ||
+    ledger.fidelity > rules.spec.mostLost)
   {
     return NoGain;
   }
@@ -373,8 +385,9 @@ double decide(const EditMesh& mesh, const EditRules& rules, const EditMesh::Mark
   }
   const double distance = distanceOfWalls(mesh, mark) / std::cbrt(box);
   const double net = gain - chargeOfDistance(distance, rules.spec);
-  if (distance > rules.spec.mostMoved || !(net > least) || !keepsBody(mesh) ||
-    !mayOwe(mesh, rules.spec, box))
+  const double held = heldBefore(mesh);
+  if (distance > rules.spec.mostMoved || !(net > least) || !keepsBody(mesh, held) ||
+    !mayOwe(mesh, rules.spec, box, held))
   {
     return NoGain;
   }

@@ -21,7 +21,7 @@ constexpr double Retried =
 constexpr double QuietFace =
   0.3; // of a cell, faces that cost less of leastCost have no nodes that move
 constexpr std::size_t NodesOfCell = 8;
-constexpr std::size_t ItemsAPoll = 256;
+constexpr std::size_t ItemsAPoll = 4; // one takes up to 20 ms in a cell with very many faces
 
 // Failed proposals, by what they were and the versions of the cells that they look at. A later one may push one out.
 class FailedProposals
@@ -278,6 +278,7 @@ private:
   void finish(const Proposal& proposal)
   {
     ++counts_.made[std::size_t(proposal.kind)];
+    note(proposal);
     passOnDebts(mesh_);
     collectChanged();
     mesh_.commit();
@@ -294,6 +295,23 @@ private:
     for (const std::uint32_t c : changed_.cells)
     {
       push({ 0, true, c });
+    }
+  }
+
+  void note(const Proposal& proposal)
+  {
+    switch (proposal.kind)
+    {
+      case EditKind::Merge:
+      case EditKind::Remove:
+      case EditKind::Cut:
+        counts_.edits.push_back({ mesh_.cell(proposal.a).home, proposal.kind });
+        break;
+      case EditKind::Flatten:
+        counts_.edits.push_back({ mesh_.cell(mesh_.face(proposal.a).below).home, proposal.kind });
+        break;
+      default:
+        break;
     }
   }
 

@@ -19,8 +19,21 @@ struct LoopSpec
   bool failingOnly = false;      // of that, faces that fail and cells without a third direction
 };
 
+// Of cells, and of what detail they show.
+struct MadeEdit
+{
+  std::uint32_t home; // the box of the cell
+  EditKind kind;      // Merge, Remove, Cut or Flatten
+
+  bool operator<(const MadeEdit& other) const
+  {
+    return home != other.home ? home < other.home : kind < other.kind;
+  }
+};
+
 struct LoopCounts
 {
+  std::vector<MadeEdit> edits;
   std::size_t items = 0;
   std::array<std::size_t, 8> tried{}; // by EditKind
   std::array<std::size_t, 8> made{};

@@ -285,7 +285,8 @@ private:
       }
     }
     sum_ = plus(sum_,
-      cartesian::costOfCell(measures.volume * (1 / mesh_.cell(c).box), determinant.value())
+      cartesian::costOfCell(
+        measures.volume * (1 / mesh_.cell(c).box), mesh_.wantedShare(), determinant.value())
         .value.slope);
   }
 
@@ -375,7 +376,7 @@ Cost<double> costOfCell(const EditMesh& mesh, std::uint32_t c)
     }
   }
   const EditCell& cell = mesh.cell(c);
-  return costOfCell(cell.volume / cell.box, determinant.value());
+  return costOfCell(cell.volume / cell.box, mesh.wantedShare(), determinant.value());
 }
 
 void setCostOfCell(EditMesh& mesh, std::uint32_t c)
@@ -460,6 +461,48 @@ bool isThinThere(const EditMesh& mesh, std::uint32_t c)
     }
   }
   return toHosts <= MostToHosts * area;
+}
+
+bool isBridge(const EditMesh& mesh, std::uint32_t c)
+{
+  using Cells = FixedList<std::uint32_t, 256>;
+  Cells beside;
+  const auto addNeighbours = [&](std::uint32_t of, Cells& to) {
+    for (const std::uint32_t f : mesh.facesOf(of))
+    {
+      const std::uint32_t other = mesh.beyond(f, of);
+      if (other != None && other != c && !mesh.isSurface(f) && !to.contains(other))
+      {
+        to.add(other);
+      }
+    }
+  };
+  addNeighbours(c, beside);
+  if (beside.size() < 2)
+  {
+    return false;
+  }
+  Cells reached; // from the first
+  reached.add(beside[0]);
+  for (std::size_t i = 0; i < reached.size(); ++i)
+  {
+    Cells next;
+    addNeighbours(reached[i], next);
+    for (const std::uint32_t other : next)
+    {
+      Cells around; // only through what has a face of them
+      addNeighbours(other, around);
+      const bool isNear = beside.contains(other) ||
+        std::any_of(
+          around.begin(), around.end(), [&](std::uint32_t cell) { return beside.contains(cell); });
+      if (isNear && !reached.contains(other))
+      {
+        reached.add(other);
+      }
+    }
+  }
+  return !std::all_of(
+    beside.begin(), beside.end(), [&](std::uint32_t cell) { return reached.contains(cell); });
 }
 
 void listChanged(const EditMesh& mesh, std::vector<std::uint32_t>& cells)

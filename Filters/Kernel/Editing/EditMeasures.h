@@ -29,6 +29,9 @@ void costAll(EditStore& store, const ObjectiveSpec& spec, Execution& execution);
 // Whether the body is as thin as the cell: most of what it shares with others is with such as are no larger.
 bool isThinThere(const EditMesh& mesh, std::uint32_t c);
 
+// Whether the cells beside a cell are connected nowhere near but through it.
+bool isBridge(const EditMesh& mesh, std::uint32_t c);
+
 // The cells beside faces that changed since the last commit; they are appended.
 void listChanged(const EditMesh& mesh, std::vector<std::uint32_t>& cells);
 

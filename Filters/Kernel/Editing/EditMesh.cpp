@@ -248,6 +248,61 @@ void EditMesh::commit()
 
 // --- lists
 
+void EditMesh::reclaim(Items zone)
+{
+  if (arena_ == 0 || arena().size() < mostItems_)
+  {
+    return;
+  }
+  RawVector<std::uint32_t> kept;
+  MarkedSet nodes;
+  MarkedSet faces;
+  for (const Items cells : { zone, madeCells() })
+  {
+    for (const std::uint32_t c : cells)
+    {
+      moveLists(c, kept, nodes, faces);
+    }
+  }
+  arena().swap(kept);
+  mostItems_ = std::max(mostItems_, 2 * arena().size());
+}
+
+// Of a cell, its faces and their nodes, each once: an editor changes no others.
+void EditMesh::moveLists(
+  std::uint32_t c, RawVector<std::uint32_t>& to, MarkedSet& nodes, MarkedSet& faces)
+{
+  EditCell& cell = store_->cells[c];
+  for (const std::uint32_t f : cell.gone ? Items{ nullptr, nullptr } : facesOf(c))
+  {
+    if (faces.contains(f))
+    {
+      continue;
+    }
+    faces.add(f);
+    for (const std::uint32_t n : cornersOf(f))
+    {
+      if (!nodes.contains(n))
+      {
+        nodes.add(n);
+        moveList(store_->nodes[n].faces, to);
+      }
+    }
+    moveList(store_->faces[f].corners, to);
+  }
+  cell.gone ? void() : moveList(cell.faces, to);
+}
+
+void EditMesh::moveList(ItemList& list, RawVector<std::uint32_t>& to) const
+{
+  if (list.arena == arena_)
+  {
+    const Items items = itemsOf(list);
+    list.first = static_cast<std::uint32_t>(to.size());
+    to.insert(to.end(), items.begin(), items.end());
+  }
+}
+
 ItemList EditMesh::store(const std::uint32_t* items, std::size_t size)
 {
   RawVector<std::uint32_t>& to = arena();

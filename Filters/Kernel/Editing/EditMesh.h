@@ -296,9 +296,10 @@ struct EditStore
   RecordVector<EditCell> cells;
   std::vector<RawVector<std::uint32_t>> arenas{
     {}
-  };                // the first, which only compact() changes; each editor's
-  FreeSlots spare;  // all unused
-  double level = 1; // the length of a lattice level: a power of two
+  };                         // the first, which only compact() changes; each editor's
+  FreeSlots spare;           // all unused
+  double level = 1;          // the length of a lattice level: a power of two
+  double wantedShare = 0.35; // of its box: of cells that are large enough
   std::vector<std::uint8_t>
     layered; // of each wall's index, whether it will have layers; none beyond
 
@@ -335,6 +336,7 @@ public:
   const EditFace& face(std::uint32_t i) const { return store_->faces[i]; }
   const EditCell& cell(std::uint32_t i) const { return store_->cells[i]; }
   double level() const { return store_->level; }
+  double wantedShare() const { return store_->wantedShare; }
   const Vector& low() const { return store_->low; }
   const Vector& high() const { return store_->high; }
 
@@ -353,6 +355,9 @@ public:
     return face(f).below == c ? face(f).above : face(f).below;
   }
   bool isWall(std::uint32_t f) const { return face(f).above == None; }
+
+  // The edge of a cube of the volume of a box at a node.
+  double edgeAt(std::uint32_t n) const { return cell(face(facesAround(n)[0]).below).edge; }
   bool isSurface(std::uint32_t f) const { return cartesian::isSurface(face(f)); }
 
   // Which way a face of the surface looks: -1 where it is between two regions and out of that with the higher number.
@@ -415,6 +420,9 @@ public:
 
   // All changes stay; without marks.
   void commit();
+
+  // Gives back what old lists take, once that is much; after a commit. `zone`: all cells of this editor's but those it made.
+  void reclaim(Items zone);
 
   // What nodes, faces and cells were at the marks: number and record, the oldest first. Those made since were gone.
   template <class Record>
@@ -515,6 +523,8 @@ private:
   ItemList store(const std::uint32_t* items, std::size_t size);
   ItemList without(const ItemList& list, std::uint32_t item);
   ItemList with(const ItemList& list, std::uint32_t item);
+  void moveLists(std::uint32_t c, RawVector<std::uint32_t>& to, MarkedSet& nodes, MarkedSet& faces);
+  void moveList(ItemList& list, RawVector<std::uint32_t>& to) const;
 
   std::unique_ptr<EditStore> own_;
   EditStore* store_;
@@ -523,6 +533,7 @@ private:
   FreeSlots slots_;
   Journal journal_;
   Stamps stamps_;
+  std::size_t mostItems_ = std::size_t(1) << 24; // of the arena, before lists are moved together
 };
 
 }

@@ -297,6 +297,7 @@ private:
     const std::size_t firstArena = store_.arenas.size();
     store_.arenas.resize(firstArena + zones_.size());
     const std::vector<std::uint32_t> order = dearestFirst();
+    execution_.nextLoop(ShareOfRound);
     execution_.forEach(order.size(), 1, [&](std::size_t i, std::size_t) {
       const std::uint32_t z = order[i];
       const Zone& zone = zones_[z];
@@ -451,6 +452,7 @@ private:
   static constexpr std::uint32_t InNone = 2;
   static constexpr std::uint32_t FirstZone = 3;
 
+  static constexpr double ShareOfRound = 0.35; // of what is left of the stage: for its progress
   static constexpr std::size_t LeastSlots = 64;
   static constexpr double CostlyFrom = 3;
   static constexpr std::size_t CostlyByCell = 4; // what it takes to look at a costly face

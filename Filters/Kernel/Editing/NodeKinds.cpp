@@ -50,7 +50,7 @@ public:
     node.along = unit(mean());
     if (isSheet &&
       (sharp_.empty() || (sharp_.size() == 1 && isFlat(node.along)) ||
-        known == PointKind::OnSurface))
+        (known == PointKind::OnSurface && !isBorder_)))
     {
       node.kind = NodeKind::OnSurface;
       node.leash = static_cast<float>(leash(node.along) * edge_);
@@ -61,8 +61,11 @@ public:
     {
       const Vector a = unit(minus(mesh_.node(sharp_[0]).at, node.at));
       const Vector b = unit(minus(mesh_.node(sharp_[1]).at, node.at));
-      const bool isStraight =
-        known == PointKind::OffSurface ? dot(a, b) < StraightCosine : known == PointKind::OnEdge;
+      // At an end of the grid, only the mesh knows whether the edge goes on straight.
+      const bool isKnown =
+        node.held == 0 && (known == PointKind::OnEdge || known == PointKind::Corner);
+      const bool isStraight = isKnown ? known == PointKind::OnEdge
+                                      : known != PointKind::Corner && dot(a, b) < StraightCosine;
       node.kind = isStraight ? NodeKind::OnEdge : NodeKind::Corner;
       node.along = unit(minus(a, b));
     }
@@ -97,6 +100,7 @@ private:
   {
     sharp_.clear();
     isClosed_ = true;
+    isBorder_ = false;
     ends_.clear();
     for (const Use& use : uses_)
     {
@@ -129,11 +133,13 @@ private:
     if (count != 2)
     {
       isClosed_ = isClosed_ && count > 2; // where regions meet, an edge has three faces
+      isBorder_ = true;
       return true;
     }
     // Of a wall between regions one face may look the other way.
     const bool areAlike = (at[0]->ends[0] == end) != (at[1]->ends[0] == end);
     const double cosine = dot(at[0]->normal, at[1]->normal) * (areAlike ? 1 : -1);
+    isBorder_ = isBorder_ || at[0]->wall != at[1]->wall;
     return at[0]->wall != at[1]->wall ||
       (cosine < featureCosine_ && at[0]->area > NoArea && at[1]->area > NoArea);
   }
@@ -204,6 +210,7 @@ private:
   std::vector<std::uint8_t> seen_;
   double edge_ = 0; // of the smallest box
   bool isClosed_ = true;
+  bool isBorder_ = false; // two walls meet, also where one is an end of the grid
 };
 
 }

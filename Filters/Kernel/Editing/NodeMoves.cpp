@@ -13,6 +13,7 @@ namespace
 {
 
 constexpr double LongestStep = 0.25; // in boxes, as far as slopes say anything
+constexpr double Parallel = 1e-8;    // square of a sine: to a plane, or across it
 constexpr double LittleCost = 0.1;   // what costs less is not looked at for directions
 
 // A step is tried where its slope promises so much more than is needed: costs are convex, or nearly so.
@@ -29,24 +30,30 @@ struct Descent
   Vector direction; // of length 1
 };
 
+Vector within(const Vector& way, std::uint8_t held)
+{
+  Vector left = way;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    left[axis] = (held >> axis & 1) != 0 ? 0 : left[axis];
+  }
+  return left;
+}
+
 // Where the node may go: not across its surface, off its edge or the planes that hold it.
 Vector allowed(const EditNode& node, const Vector& wanted)
 {
-  Vector way = wanted;
+  const Vector way = within(wanted, node.held);
+  const Vector along = within(node.along, node.held);
   if (node.kind == NodeKind::OnSurface)
   {
-    way = minus(way, scaled(node.along, dot(way, node.along)));
+    const double square = dot(along, along);
+    return square > Parallel ? minus(way, scaled(along, dot(way, along) / square)) : way;
   }
   if (node.kind == NodeKind::OnEdge)
   {
-    way = scaled(node.along, dot(way, node.along));
-  }
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    if ((node.held >> axis & 1) != 0)
-    {
-      way[axis] = 0;
-    }
+    const Vector off = minus(node.along, along);
+    return dot(off, off) > Parallel ? Vector{} : scaled(along, dot(way, along));
   }
   return way;
 }

@@ -2,6 +2,7 @@
 #include "Editing/ProposalTrials.h"
 
 #include "Editing/CellCut.h"
+#include "Editing/EdgeArea.h"
 #include "Editing/PrimitiveEdits.h"
 #include "Editing/WallEdges.h"
 
@@ -333,7 +334,8 @@ bool ProposalTrials::dissolveNode(std::uint32_t f)
       continue;
     }
     const std::uint32_t to = mesh_.node(p).atWall || !mesh_.node(q).atWall ? p : q;
-    if (alsoMake([&] { return collapse(n, to, mesh_.node(to).at); }))
+    if (alsoMake(
+          [&] { return collapse(n, to, placeKeepingArea(mesh_, n, to, mesh_.node(to).at)); }))
     {
       return true;
     }

@@ -134,7 +134,7 @@ void proposeJoins(const EditMesh& mesh, std::uint32_t f, Proposals& proposals)
 void proposeRemoval(const EditMesh& mesh, std::uint32_t c, double share, Proposals& proposals)
 {
   const Items faces = mesh.facesOf(c);
-  if (mesh.isFree(c) && shareOf(mesh, c) < share && !isThinThere(mesh, c) &&
+  if (mesh.isFree(c) && shareOf(mesh, c) < share && !isThinThere(mesh, c) && !isBridge(mesh, c) &&
     std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) { return mesh.isWall(f); }) &&
     std::all_of(faces.begin(), faces.end(),
       [&](std::uint32_t f) { return mesh.isWall(f) || !mesh.isSurface(f); }))
@@ -228,10 +228,16 @@ struct ReentrantEdge
 
 using ReentrantEdges = FixedList<ReentrantEdge, 64>;
 
-void addReentrant(const EditMesh& mesh, std::uint32_t f, std::uint32_t g, ReentrantEdges& edges)
+Vector outOf(const EditMesh& mesh, std::uint32_t c, std::uint32_t f)
 {
-  const Vector one = unit(mesh.face(f).area);
-  const Vector other = unit(mesh.face(g).area);
+  return scaled(unit(mesh.face(f).area), mesh.face(f).below == c ? 1 : -1);
+}
+
+void addReentrant(
+  const EditMesh& mesh, std::uint32_t c, std::uint32_t f, std::uint32_t g, ReentrantEdges& edges)
+{
+  const Vector one = outOf(mesh, c, f);
+  const Vector other = outOf(mesh, c, g);
   if (dot(one, other) > ReentrantCosine ||
     dot(one, minus(mesh.face(g).centre, mesh.face(f).centre)) < LeastReentrant * edgeAt(mesh, f))
   {
@@ -239,12 +245,13 @@ void addReentrant(const EditMesh& mesh, std::uint32_t f, std::uint32_t g, Reentr
   }
   const Items a = mesh.cornersOf(f);
   const Items b = mesh.cornersOf(g);
+  const bool isTurned = (mesh.face(f).below == c) != (mesh.face(g).below == c);
   for (std::size_t i = 0; i < a.size(); ++i)
   {
     const std::uint32_t p = a[i];
     const std::uint32_t q = a[(i + 1) % a.size()];
-    const std::size_t j = placeOf(b, q);
-    if (j < b.size() && b[(j + 1) % b.size()] == p)
+    const std::size_t j = placeOf(b, isTurned ? p : q);
+    if (j < b.size() && b[(j + 1) % b.size()] == (isTurned ? q : p))
     {
       const Vector& from = mesh.node(p).at;
       const Vector& to = mesh.node(q).at;
@@ -265,11 +272,11 @@ void proposeCuts(
   ReentrantEdges edges;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    for (std::size_t j = i + 1; j < faces.size() && mesh.isWall(faces[i]); ++j)
+    for (std::size_t j = i + 1; j < faces.size() && mesh.isSurface(faces[i]); ++j)
     {
-      if (mesh.isWall(faces[j]))
+      if (mesh.isSurface(faces[j]))
       {
-        addReentrant(mesh, faces[i], faces[j], edges);
+        addReentrant(mesh, c, faces[i], faces[j], edges);
       }
     }
   }
@@ -377,9 +384,12 @@ void proposeForFace(
   }
   proposeJoins(mesh, f, proposals);
   proposeShortEdges(mesh, search, f, proposals);
-  if (face.cost > CostOfCuts && mesh.isWall(f))
+  for (const std::uint32_t c : { face.below, face.above })
   {
-    proposeCuts(mesh, search, face.below, proposals);
+    if (c != None && face.cost > CostOfCuts && mesh.isSurface(f))
+    {
+      proposeCuts(mesh, search, c, proposals);
+    }
   }
   if (search.cutsFailing && face.fails > 0)
   {

@@ -17,9 +17,9 @@ namespace
 
 constexpr double MayGrowBy =
   1.3; // an edge that got longer than this, by edits beside it, is no longer short
-constexpr std::size_t EdgesAPoll = 64;
-constexpr double ThinCell = 0.15;   // of its box
-constexpr double KeptOfThin = 0.99; // of its volume
+constexpr std::size_t EdgesAPoll = 2; // one takes up to 10 ms in a cell with very many faces
+constexpr double ThinCell = 0.15;     // of its box
+constexpr double KeptOfThin = 0.99;   // of its volume
 
 // Faces of a cell that its box is too large for; edges that go there, in boxes.
 constexpr std::size_t Crowd = 64;
@@ -42,11 +42,6 @@ struct ShortEdge
 double lengthOf(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
 {
   return norm(minus(mesh.node(u).at, mesh.node(v).at));
-}
-
-double edgeAt(const EditMesh& mesh, std::uint32_t n)
-{
-  return mesh.cell(mesh.face(mesh.facesAround(n)[0]).below).edge;
 }
 
 std::vector<ShortEdge> listShortEdges(const ZoneTask& task, double length, bool atWallOnly)
@@ -143,6 +138,7 @@ public:
   Welding(
     const ZoneTask& task, const std::function<void()>& poll, std::vector<std::uint32_t>& changed)
     : mesh_(task.mesh)
+    , zone_(task.zone)
     , poll_(poll)
     , changed_(changed)
   {
@@ -178,6 +174,7 @@ public:
       passOnDebts(mesh_);
       listChanged(mesh_, changed_);
       mesh_.commit();
+      mesh_.reclaim(zone_);
     }
     else
     {
@@ -187,6 +184,7 @@ public:
 
 private:
   EditMesh& mesh_;
+  const Items zone_;
   const std::function<void()>& poll_;
   std::vector<std::uint32_t>& changed_;
   std::size_t count_ = 0;
@@ -245,7 +243,7 @@ void thinCrowdedCells(
     for (const ShortEdge& edge : listShortEdges(task, length, true))
     {
       if (isCrowdedAt(mesh, edge.u) &&
-        lengthOf(mesh, edge.u, edge.v) < length * edgeAt(mesh, edge.u))
+        lengthOf(mesh, edge.u, edge.v) < length * mesh.edgeAt(edge.u))
       {
         welding.weld(edge, [&](const EditMesh::Mark& mark) { return keepsShapes(mesh, mark); });
       }
@@ -266,7 +264,7 @@ void snapEdges(const ZoneTask& task, const EditRules& rules, const SnapSpec& spe
       poll();
     }
     if (mesh.node(edge.u).gone || mesh.node(edge.v).gone || !isEdge(mesh, edge.u, edge.v) ||
-      lengthOf(mesh, edge.u, edge.v) > MayGrowBy * spec.length * edgeAt(mesh, edge.u))
+      lengthOf(mesh, edge.u, edge.v) > MayGrowBy * spec.length * mesh.edgeAt(edge.u))
     {
       continue;
     }

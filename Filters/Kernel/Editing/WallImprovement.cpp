@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/WallImprovement.h"
 
-#include "Editing/EditLoop.h"
+#include "Base/Sorting.h"
 #include "Editing/EditMeasures.h"
 #include "Editing/EditZones.h"
 #include "Editing/NodePlaces.h"
 #include "Editing/ShortEdges.h"
+#include "Editing/SmallCells.h"
 #include "Editing/TrueVolume.h"
+#include "Editing/WallCentring.h"
 #include "Editing/WallSimplification.h"
+
+#include <cmath>
+#include <mutex>
 
 namespace cartesian
 {
@@ -22,6 +27,7 @@ LoopSpec thoroughLoop()
   spec.rules.spec.saturation = 0;
   spec.rules.spec.distance = 0.03;
   spec.rules.spec.sharpEdge = 50;
+  spec.rules.spec.mostLost = 10;
   spec.rules.spec.mostMoved = 0.25;
   spec.rules.spec.mostDrift = 0.08;
   spec.search.edges = 9;
@@ -44,6 +50,7 @@ LoopSpec lastLoop()
   spec.rules.spec.saturation = ObjectiveSpec().saturation;
   spec.rules.spec.failing = 200;
   spec.rules.spec.sharpEdge = 20;
+  spec.rules.spec.mostLost = HUGE_VAL;
   spec.rules.spec.mostMoved = 0.55;
   spec.rules.spec.mostDrift = 0.2;
   spec.search.removedShare = 0.1;
@@ -72,6 +79,8 @@ struct Loops
   LoopSpec last = lastLoop();
 };
 
+constexpr double LongestSnapped = 0.5; // in boxes
+
 // From here on a face may cost thoroughLoop()'s leastCost, with costs in full.
 constexpr double MuchCost = 3.5;
 
@@ -97,8 +106,14 @@ void weighAnew(const ZoneTask& task, const ObjectiveSpec& from, const ObjectiveS
   }
 }
 
+void append(std::vector<MadeEdit>& all, LoopCounts counts)
+{
+  all.insert(all.end(), counts.edits.begin(), counts.edits.end());
+}
+
 // Where any face needs it; costs are as before afterwards.
-void improveFailing(const ZoneTask& task, const Loops& loops, const std::function<void()>& poll)
+void improveFailing(const ZoneTask& task, const Loops& loops, const std::function<void()>& poll,
+  std::vector<MadeEdit>& edits)
 {
   const ObjectiveSpec& usual = loops.general.rules.spec;
   bool isAny = false;
@@ -108,16 +123,16 @@ void improveFailing(const ZoneTask& task, const Loops& loops, const std::functio
     const ObjectiveSpec& thorough = loops.thorough.rules.spec;
     const ObjectiveSpec& last = loops.last.rules.spec;
     weighAnew(task, usual, thorough);
-    improve(task, loops.thorough, poll);
+    append(edits, improve(task, loops.thorough, poll));
     weighAnew(task, thorough, last);
-    improve(task, loops.last, poll);
+    append(edits, improve(task, loops.last, poll));
     weighAnew(task, last, usual);
   }
 }
 
 }
 
-void improveWall(EditMesh& mesh, const ImprovementSpec& spec, Execution& execution)
+std::vector<MadeEdit> improveWall(EditMesh& mesh, const ImprovementSpec& spec, Execution& execution)
 {
   EditStore& store = mesh.store();
   const Loops loops(spec);
@@ -129,21 +144,36 @@ void improveWall(EditMesh& mesh, const ImprovementSpec& spec, Execution& executi
       payDebts(store, general.rules.spec, execution);
     }
   };
+  store.wantedShare = spec.mergeRatio * Wanted::ShareByRatio;
+  SnapSpec snap;
+  snap.length = std::min(3 * spec.collapseRatio, LongestSnapped);
+  std::mutex mutex;
+  std::vector<MadeEdit> edits;
   costAll(store, general.rules.spec, execution);
   editInZones(store, execution, [&](const ZoneTask& task) {
     simplifyWalls(task, SimplificationSpec(), general.rules.spec, poll);
-    snapEdges(task, general.rules, SnapSpec(), poll);
+    snapEdges(task, general.rules, snap, poll);
   });
   pay();
   editInZones(
     store, execution,
     [&](const ZoneTask& task) {
-      improve(task, general, poll);
-      improveFailing(task, loops, poll);
+      std::vector<MadeEdit> ofZone;
+      append(ofZone, improve(task, general, poll));
+      improveFailing(task, loops, poll, ofZone);
+      takeSmallCells(task, general.rules, { spec.mergeRatio / 10, spec.removesCells }, ofZone);
+      const std::lock_guard<std::mutex> lock(mutex);
+      edits.insert(edits.end(), ofZone.begin(), ofZone.end());
     },
     true);
+  if (spec.movesNodes)
+  {
+    centreWalls(store, general.rules.spec, execution);
+  }
   pay();
   separateNodes(store, execution);
+  sortAll(edits, execution); // zones end in any order
+  return edits;
 }
 
 }

@@ -32,7 +32,7 @@ constexpr double MostWarpBetween = 0.2;
 constexpr std::size_t MostTried = 3; // of a wall's neighbours
 constexpr std::size_t MostFacesOfNode = 12;
 constexpr std::size_t Capacity = 128;
-constexpr std::size_t TrialsAPoll = 64; // one takes up to 10 ms in a cell with very many walls
+constexpr std::size_t TrialsAPoll = 4; // one takes up to 10 ms in a cell with very many walls
 
 using Walls = FixedList<std::pair<double, std::uint32_t>, Capacity>;
 
@@ -68,7 +68,7 @@ public:
     const double strayed = distanceToSegment(node.at, mesh_.node(p).at, mesh_.node(q).at) +
       double(std::max({ node.strayed, mesh_.node(p).strayed, mesh_.node(q).strayed }));
     const double tolerance = node.kind >= NodeKind::OnEdge ? spec_.ofEdges : spec_.tolerance;
-    if (strayed > tolerance * edgeAt(n) || (node.held & ~mesh_.node(p).held) != 0)
+    if (strayed > tolerance * mesh_.edgeAt(n) || (node.held & ~mesh_.node(p).held) != 0)
     {
       return;
     }
@@ -84,11 +84,6 @@ public:
   }
 
 private:
-  double edgeAt(std::uint32_t n) const
-  {
-    return mesh_.cell(mesh_.face(mesh_.facesAround(n)[0]).below).edge;
-  }
-
   void finish(const EditMesh::Mark& mark, bool isMade)
   {
     if (++tried_ % TrialsAPoll == 0)

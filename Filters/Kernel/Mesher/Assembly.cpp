@@ -439,6 +439,21 @@ void removeFragments(Assembly& a, const Options& options, Execution& execution)
   }
 }
 
+// What was done to cells of the core.
+void count(Assembly& a, const std::vector<MadeEdit>& edits)
+{
+  for (const MadeEdit& edit : edits)
+  {
+    if (a.boxes.isCore(a.boxes.packed[edit.home]))
+    {
+      a.shaping.cellsMerged += edit.kind == EditKind::Merge ? 1 : 0;
+      a.shaping.cellsSplit += edit.kind == EditKind::Cut ? 1 : 0;
+      a.shaping.cellsSimplified += edit.kind == EditKind::Flatten ? 1 : 0;
+      a.shaping.cellsRemoved += edit.kind == EditKind::Remove ? 1 : 0;
+    }
+  }
+}
+
 void editInPlace(
   Assembly& a, const Options& options, const WallLayerSpec* layers, Execution& execution)
 {
@@ -449,9 +464,11 @@ void editInPlace(
   EditableWall wall = openWall({ a.boxes, a.patches, a.sides, a.nodes, a.wall },
     { options.patches.featureAngle, layers }, execution);
   execution.stage("Edits of the wall", AfterOpening, AfterEdits);
-  improveWall(wall.mesh,
-    { options.shaping.optimiseNodes, standsOff(options), options.shaping.refusedCellRatio > 0 },
-    execution);
+  count(a,
+    improveWall(wall.mesh,
+      { options.collapse.ratio, options.shaping.mergeRatio, options.shaping.optimiseNodes,
+        standsOff(options), options.shaping.refusedCellRatio > 0 },
+      execution));
   execution.stage("Closing of the wall", AfterEdits, AfterClosing);
   closeWall(wall, a.boxes, a.patches.walls, a.sides, a.nodes, a.wall, execution);
   wall.mesh.store().release(execution);
@@ -479,7 +496,8 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
 {
   requireValidCells(given);
   Options options = forWalls(given, patches.walls);
-  if (layers && options.collapse.ratio > 0)
+  const bool inPlace = editsInPlace(options) && !isExact(patches);
+  if (layers && options.collapse.ratio > 0 && !inPlace)
   {
     options.collapse.ratio = std::max(options.collapse.ratio, CollapseSpec::WithLayers);
   }
@@ -493,7 +511,6 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   simplifyDetail(a, execution);
   const BoxFlags flawed =
     keepParts(a, rebuildFlawed(a, makeFaces(a, execution), execution), parts, options, execution);
-  const bool inPlace = editsInPlace(options);
   if (options.collapse.ratio > 0 && !inPlace)
   {
     CollapseAttempts(a, flawed, options, execution).run();

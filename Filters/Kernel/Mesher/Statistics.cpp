@@ -196,7 +196,8 @@ private:
     n_.surfaceVolume = a_.patches.surfaceVolume;
     const std::vector<double> volumes = regionVolumes(a_);
     n_.meshVolume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
-    n_.smallCellsRemoved -= n_.refusedCellsRemoved + n_.fragmentCellsRemoved;
+    n_.smallCellsRemoved += static_cast<double>(a_.shaping.cellsRemoved) - n_.refusedCellsRemoved -
+      n_.fragmentCellsRemoved;
     n_.sizesRelaxed = a_.relaxation - 1;
     n_.partsLeftOut = static_cast<double>(a_.separate.leftOut);
     n_.isolatedCells = static_cast<double>(a_.separate.isolatedCells);

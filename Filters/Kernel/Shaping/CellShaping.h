@@ -17,6 +17,7 @@ struct Shaping
 {
   std::size_t cellsSplit = 0; // cuts
   std::size_t cellsMerged = 0;
+  std::size_t cellsRemoved = 0; // small ones, by edits in place
   std::size_t cellsSimplified =
     0; // they failed: faces are joined at any angle: the paper's IP patches
   std::vector<RemovedCell> refused; // and removed

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Editing/SmallCells.h"
+
+#include "Editing/Debts.h"
+#include "Editing/EditMeasures.h"
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr double Whatever = -1e30; // no gain is less
+
+class SmallCellTaker
+{
+public:
+  SmallCellTaker(const ZoneTask& task, const EditRules& rules, const SmallCellLimits& limits,
+    std::vector<MadeEdit>& edits)
+    : mesh_(task.mesh)
+    , limits_(limits)
+    , trials_(task.mesh, rules)
+    , edits_(edits)
+  {
+  }
+
+  void take(std::uint32_t c)
+  {
+    if (!isSmall(c))
+    {
+      return;
+    }
+    trials_.setBox(c);
+    if (!merge(c) && limits_.removes && mayRemove(c))
+    {
+      make({ EditKind::Remove, c });
+    }
+  }
+
+private:
+  bool isSmall(std::uint32_t c) const
+  {
+    return mesh_.isFree(c) && mesh_.cell(c).volume < limits_.share * mesh_.cell(c).box;
+  }
+
+  // Into the neighbour where that costs least.
+  bool merge(std::uint32_t c)
+  {
+    Proposal best{};
+    double gained = Whatever;
+    for (const std::uint32_t other : largestNeighbours(mesh_, c))
+    {
+      const Proposal merge{ EditKind::Merge, other, c };
+      if (const double gain = trials_.gain(merge, gained); gain > gained)
+      {
+        gained = gain;
+        best = merge;
+      }
+    }
+    return gained > Whatever && make(best);
+  }
+
+  // Only walls, and cells that go on; bodies as thin stay.
+  bool mayRemove(std::uint32_t c) const
+  {
+    bool isAnyWall = false;
+    for (const std::uint32_t f : mesh_.facesOf(c))
+    {
+      if (mesh_.isSurface(f) && !mesh_.isWall(f))
+      {
+        return false;
+      }
+      isAnyWall = isAnyWall || mesh_.isWall(f);
+    }
+    return isAnyWall && !isThinThere(mesh_, c) && !isBridge(mesh_, c);
+  }
+
+  bool make(const Proposal& proposal)
+  {
+    const std::uint32_t home = mesh_.cell(proposal.a).home;
+    if (!trials_.make(proposal, Whatever))
+    {
+      return false;
+    }
+    edits_.push_back({ home, proposal.kind });
+    passOnDebts(mesh_);
+    mesh_.commit();
+    return true;
+  }
+
+  EditMesh& mesh_;
+  const SmallCellLimits& limits_;
+  ProposalTrials trials_;
+  std::vector<MadeEdit>& edits_;
+};
+
+}
+
+void takeSmallCells(const ZoneTask& task, const EditRules& rules, const SmallCellLimits& limits,
+  std::vector<MadeEdit>& edits)
+{
+  SmallCellTaker taker(task, rules, limits, edits);
+  for (const std::uint32_t c : task.cells)
+  {
+    taker.take(c);
+  }
+}
+
+}

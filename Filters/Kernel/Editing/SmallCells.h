@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells at the wall that still are much too small become part of a neighbour, whatever that costs, or go (section 4.10).
+#pragma once
+
+#include "Editing/EditLoop.h"
+
+namespace cartesian
+{
+
+struct SmallCellLimits
+{
+  double share = 0.03; // of its box: cells below
+  bool removes = true; // those that no neighbour can take
+};
+
+// Costs are valid before and afterwards. Appends what was done.
+void takeSmallCells(const ZoneTask& task, const EditRules& rules, const SmallCellLimits& limits,
+  std::vector<MadeEdit>& edits);
+
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Nodes slide along the wall until its faces lie under the centres of their cells: solvers take the gradient at a wall along
+// the line between them as if it were across.
+#pragma once
+
+#include "Acceptance/WallObjective.h"
+#include "Editing/EditMesh.h"
+
+namespace cartesian
+{
+
+void centreWalls(EditStore& store, const ObjectiveSpec& spec, Execution& execution);
+
+}
