@@ -157,7 +157,7 @@ protected:                                                                      
   bool SplitConcaveCells = true;                                                                   \
   bool TrueVolume = true;                                                                          \
   bool OptimiseNodes = true;                                                                       \
-  bool EditInPlace = false; /* hidden while it is built */                                         \
+  bool EditInPlace = true; /* hidden, until the steps before it go */                              \
   double RefusedCellRatio = 4
 
 /**

@@ -175,8 +175,9 @@ TEST(Pipeline, ProgressGrowsAndNamesTheStages)
   }
   EXPECT_EQ(last, 1);
   const std::vector<std::string> expected = { "Scaling and Dual Levels", "Defects of the surface",
-    "Boxes", "Patches", "Common sides of boxes", "Inner faces", "Cells", "Short edges",
-    "Shaping of cells", "Numbering", "Writing the mesh" };
+    "Boxes", "Patches", "Common sides of boxes", "Inner faces", "Cells", "Opening of the wall",
+    "Edits of the wall", "Closing of the wall", "Checks of cells", "Numbering",
+    "Writing the mesh" };
   EXPECT_EQ(stages, expected);
 }
 

@@ -80,7 +80,7 @@ foam.write_field(folder, "T", "[0 0 0 1 0 0 0]", "0.5", {
     "inlet": "fixedValue; value uniform 0;", "outlet": "fixedValue; value uniform 1;", '".*"': "zeroGradient;"})
 foam.write(folder, "constant/transportProperties", "DT [0 2 -1 0 0 0 0] 1;")
 foam.write(folder, "system/fvSolution", "solvers { T { solver PCG; preconditioner DIC; tolerance 1e-14; relTol 0; } }\n"
-           "SIMPLE { nNonOrthogonalCorrectors 3; }")
+           "SIMPLE { nNonOrthogonalCorrectors 8; }")
 foam.control(folder, 1)
 foam.run(folder, "laplacianFoam")
 values, places = foam.read_field(folder, 1, "T"), files.centres()

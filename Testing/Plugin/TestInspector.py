@@ -57,7 +57,7 @@ for size, kind, name in (0.9, HOLE, "Holes"), (0.2, LEAK, "Leaks"):
 
 # Two bodies cross: each pair of cells with the line that they share.
 both = merged(clean, octahedron(1, (0.3, 0.4, 0.1)))
-defects, code = inspected(producer(both), CellSize=0.2)
+defects, code = inspected(producer(both), CellSize=0.19)
 kinds = cell_array(defects, "DefectKind")
 assert set(kinds) == {INTERSECTION, OVERLAP}, kinds
 assert count(defects, "Intersections") == (kinds == INTERSECTION).sum() > 5
@@ -82,14 +82,14 @@ assert count(wing, "Holes") + count(wing, "Leaks") == 2
 
 # What a mesh of it lacks: a box for each cell that is left out.
 with Messages():
-    mesher = simple.CartesianMesher(Input=read("HD_airframe_aileron_gap.stl"), CellSize=327)
+    mesher = simple.CartesianMesher(Input=read("HD_airframe_aileron_gap.stl"), CellSize=327, SmallCells="Remove")
     mesher.UpdatePipeline()
 mesh, defects = (mesher.GetClientSideObject().GetOutputDataObject(port) for port in (0, 2))
 left_out = count(defects, "CellsLeftOut")
 assert left_out == count(mesh, "RefusedCellsRemoved") + count(mesh, "FragmentCellsRemoved") > 0
 kinds, volumes = cell_array(defects, "DefectKind"), cell_array(defects, "Volume")
 assert (kinds == LEFT_OUT).sum() == 6 * left_out
-assert ((volumes > 0) == (kinds == LEFT_OUT)).all() and volumes.max() < 327 ** 3
+assert ((volumes > 0) <= (kinds == LEFT_OUT)).all() and 0 < volumes.max() < 327 ** 3
 assert defects.GetNumberOfCells() == len(kinds)
 for side in np.flatnonzero(kinds == LEFT_OUT):
     extent = np.ptp(places(defects, int(side)), axis=0)

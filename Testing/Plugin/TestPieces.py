@@ -78,9 +78,10 @@ with tempfile.TemporaryDirectory() as folder:
     assert writer.Write()
     pieces.assert_union(whole, [pieces.load(folder / f"streamed_{i}.vtu") for i in range(PIECES)])
 
-    # Layers enough that a piece does not depend on all of them.
+    # Layers enough that a piece does not depend on all of them; where walls are edited in place, each has all of the wall.
     size = 4.0
     alone = mesher(size, 0, 0)
+    alone.SetSmallCellsToRemove()
     alone.Update()
     whole = alone.GetOutputDataObject(0)
 
@@ -88,6 +89,7 @@ with tempfile.TemporaryDirectory() as folder:
         (folder / "task.toml").write_text(f"""
             surface.file = "{EXHAUST}"
             grid.cell_size = {size}
+            cells.small_cells = "Remove"
             performance.memory_limit = {limit}
             output.mesh = "{limit}/mesh.pvtu"
             output.boundary = "{limit}/boundary.pvtp"

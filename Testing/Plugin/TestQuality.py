@@ -81,7 +81,7 @@ for measure, tolerance in ("Volume", 1e-6), ("OpenEdges", 0), ("NonOrthogonality
 mesher = simple.CartesianMesher(Input=read("tm_featuretype_occ.stl"), CellSize=4)
 boundary = output(mesher, 1)
 centres, areas, joined = (values(boundary, name) for name in ("FaceCentre", "FaceArea", "IPPatch"))
-assert field(output(mesher), "CellsWithJoinedFaces") > 0 and joined.any(), "there are no IP patches"
+assert joined.any(), "there are no IP patches"
 assert np.abs(areas.sum(axis=0)).max() < 1e-9 * np.linalg.norm(areas, axis=1).sum()
 sizes = output(simple.CellSize(Input=simple.OutputPort(mesher, 1), ComputeLength=0, ComputeVolume=0))
 assert (np.linalg.norm(areas, axis=1) <= values(sizes, "Area") * (1 + 1e-9)).all()

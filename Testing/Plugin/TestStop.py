@@ -8,7 +8,7 @@ from pipeline import error_code, output, read
 
 BEFORE = ["Scaling and Dual Levels", "Defects of the surface", "Boxes", "Patches",
           "Common sides of boxes", "Inner faces", "Cells"]
-SHAPING, AFTER = ["Short edges", "Shaping of cells"], ["Numbering", "Writing the mesh"]
+SHAPING, AFTER = ["Opening of the wall", "Edits of the wall", "Closing of the wall", "Checks of cells"], ["Numbering", "Writing the mesh"]
 STOPPED = 40009
 STEP = 0.1  # most of the whole that is done from one report to the next
 LEAST = 50  # reports at different progress: one for each 2 % of the work, whatever the clock says

@@ -88,7 +88,7 @@ def ends_soon(ranks):
     with tempfile.TemporaryDirectory() as name:
         program = Program(pathlib.Path(name), ranks, "mesh.pvtu", 2)  # a minute of work
         said = ""
-        while "Shaping" not in said:
+        while "Edits of the wall" not in said:
             line = program.process.stdout.readline()
             assert line, said
             said += line

@@ -28,7 +28,7 @@ struct Wanted
     0.034; // 1 - the cosine between a wall and what it stands for: 15 degrees
   static constexpr double Share = 0.35;           // of its box's volume
   static constexpr double ShareByRatio = 7.0 / 6; // ... by Merge Ratio
-  static constexpr double LargeShare = 1.6;
+  static constexpr double LargeShare = 1.2;
   static constexpr double Determinant = 0.04;
   static constexpr double EdgeSlope = 0.5; // square of a tangent (FaceCost::addLayers): 45 degrees
   static constexpr double LayeredArea = 0.2; // of a box's side
@@ -474,7 +474,7 @@ Cost<Number> costOfCell(const Number& share, double wanted, const Number& determ
 {
   constexpr double LeastShare = 0.003;
   constexpr double CostOfShare = 1e4;
-  constexpr double CostOfLarge = 4;
+  constexpr double CostOfLarge = 16;
   constexpr double LeastDeterminant = 1e-3;
   Number cost = squareOf(excess(Number(wanted) / notBelow(share, LeastShare) - 1.0));
   cost += excess(Number(LeastShare) - share) * CostOfShare;

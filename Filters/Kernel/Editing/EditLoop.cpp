@@ -20,6 +20,7 @@ constexpr double Retried =
   0.05; // an item that failed is tried again where its cost changed by this part
 constexpr double QuietFace =
   0.3; // of a cell, faces that cost less of leastCost have no nodes that move
+constexpr double LargeCell = 1.3; // of its box
 constexpr std::size_t NodesOfCell = 8;
 constexpr std::size_t ItemsAPoll = 4; // one takes up to 20 ms in a cell with very many faces
 
@@ -221,8 +222,8 @@ private:
         continue;
       }
       ++counts_.tried[std::size_t(proposal.kind)];
-      const double gain = trials_.gainOrMake(
-        proposal, std::max(least, gained), spec_.search.enough * item.cost, isMade);
+      const double enough = makesLargeCell(proposal) ? -NoGain : spec_.search.enough * item.cost;
+      const double gain = trials_.gainOrMake(proposal, std::max(least, gained), enough, isMade);
       if (gain > gained)
       {
         gained = gain;
@@ -234,6 +235,13 @@ private:
       }
     }
     return gained;
+  }
+
+  // A cut may be better.
+  bool makesLargeCell(const Proposal& proposal) const
+  {
+    const auto share = [&](std::uint32_t c) { return mesh_.cell(c).volume / mesh_.cell(c).box; };
+    return proposal.kind == EditKind::Merge && share(proposal.a) + share(proposal.b) > LargeCell;
   }
 
   FixedList<std::uint32_t, 16> nodesOf(const Item& item) const

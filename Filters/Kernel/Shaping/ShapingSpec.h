@@ -32,8 +32,9 @@ struct ShapingSpec
   // 0: none.
   double refusedCellRatio = 4;
 
-  // Whether one mesh is edited in place instead of all that (Editing/EditableWall.h): hidden while it is built.
-  bool editsInPlace = false;
+  // Whether one mesh is edited in place instead of all that (Editing/EditableWall.h): hidden, until it does
+  // everything.
+  bool editsInPlace = true;
 };
 
 }

@@ -19,6 +19,7 @@ namespace
 Meshed meshed(const Soup& soup, double cells, bool optimises)
 {
   TestOptions options;
+  options.shaping.editsInPlace = false;
   options.shaping.optimiseNodes = optimises;
   options.shaping.refusedCellRatio = 0;
   return meshOf(soup, cellsAlongLongest(soup, cells), options);
