@@ -133,11 +133,7 @@ void proposeJoins(const EditMesh& mesh, std::uint32_t f, Proposals& proposals)
 
 void proposeRemoval(const EditMesh& mesh, std::uint32_t c, double share, Proposals& proposals)
 {
-  const Items faces = mesh.facesOf(c);
-  if (mesh.isFree(c) && shareOf(mesh, c) < share && !isThinThere(mesh, c) && !isBridge(mesh, c) &&
-    std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) { return mesh.isWall(f); }) &&
-    std::all_of(faces.begin(), faces.end(),
-      [&](std::uint32_t f) { return mesh.isWall(f) || !mesh.isSurface(f); }))
+  if (mesh.isFree(c) && shareOf(mesh, c) < share && couldRemove(mesh, c))
   {
     proposals.push_back({ EditKind::Remove, c });
   }
@@ -361,6 +357,15 @@ Neighbours largestNeighbours(const EditMesh& mesh, std::uint32_t c, std::uint32_
     neighbours.add(other);
   }
   return neighbours;
+}
+
+bool couldRemove(const EditMesh& mesh, std::uint32_t c)
+{
+  const Items faces = mesh.facesOf(c);
+  return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) { return mesh.isWall(f); }) &&
+    std::all_of(faces.begin(), faces.end(),
+      [&](std::uint32_t f) { return mesh.isWall(f) || !mesh.isSurface(f); }) &&
+    !isThinThere(mesh, c) && !isBridge(mesh, c);
 }
 
 bool couldJoin(const EditMesh& mesh, std::uint32_t f, std::uint32_t g, std::uint32_t c)

@@ -2,7 +2,6 @@
 #include "Editing/SmallCells.h"
 
 #include "Editing/Debts.h"
-#include "Editing/EditMeasures.h"
 
 namespace cartesian
 {
@@ -31,7 +30,7 @@ public:
       return;
     }
     trials_.setBox(c);
-    if (!merge(c) && limits_.removes && mayRemove(c))
+    if (!merge(c) && limits_.removes && couldRemove(mesh_, c))
     {
       make({ EditKind::Remove, c });
     }
@@ -58,21 +57,6 @@ private:
       }
     }
     return gained > Whatever && make(best);
-  }
-
-  // Only walls, and cells that go on; bodies as thin stay.
-  bool mayRemove(std::uint32_t c) const
-  {
-    bool isAnyWall = false;
-    for (const std::uint32_t f : mesh_.facesOf(c))
-    {
-      if (mesh_.isSurface(f) && !mesh_.isWall(f))
-      {
-        return false;
-      }
-      isAnyWall = isAnyWall || mesh_.isWall(f);
-    }
-    return isAnyWall && !isThinThere(mesh_, c) && !isBridge(mesh_, c);
   }
 
   bool make(const Proposal& proposal)
