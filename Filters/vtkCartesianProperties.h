@@ -143,9 +143,6 @@ public:                                                                         
   vtkSetMacro(OptimiseNodes, bool);                                                                \
   vtkGetMacro(OptimiseNodes, bool);                                                                \
   vtkBooleanMacro(OptimiseNodes, bool);                                                            \
-  vtkSetMacro(EditInPlace, bool);                                                                  \
-  vtkGetMacro(EditInPlace, bool);                                                                  \
-  vtkBooleanMacro(EditInPlace, bool);                                                              \
   vtkSetMacro(RefusedCellRatio, double);                                                           \
   vtkGetMacro(RefusedCellRatio, double);                                                           \
                                                                                                    \
@@ -157,7 +154,6 @@ protected:                                                                      
   bool SplitConcaveCells = true;                                                                   \
   bool TrueVolume = true;                                                                          \
   bool OptimiseNodes = true;                                                                       \
-  bool EditInPlace = true; /* hidden, until the steps before it go */                              \
   double RefusedCellRatio = 4
 
 /**

@@ -12,7 +12,7 @@
  * the surface meets a side in a closed polyline, 3 a sharp feature passes through or the surface turns within the box
  * by more than twice Feature Angle, 4 there are several boundaries, 5 the surface in the box is not a set of discs, 6
  * of Patch Method), EnclosedVolume (double: of the connected piece of the surface that it belongs to; Cell Assembler
- * uses it to tell small bodies from fragments that the grid cuts off), StandOff (double: how far the patches of its
+ * uses it to tell small bodies from fragments that the grid cuts off), VolumeGap (double: how far the patches of its
  * box would have to move outwards to enclose the surface's volume there; Cell Assembler moves them). Point array:
  * PointKind (unsigned char: 1 on the surface, 2 on a sharp edge or a border between boundaries, 3 a corner). Field data, for
  * vtkCellAssembler: FeatureAngle (double), SurfaceVolume (double: the part of the domain that the surface encloses;

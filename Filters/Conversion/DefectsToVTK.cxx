@@ -273,13 +273,16 @@ void setRepairs(const SurfaceRepair& repair, vtkDataObject* output)
 
 void addCellsLeftOut(const Assembly& assembly, vtkPolyData* output)
 {
-  const std::size_t count = assembly.shaping.refused.size() + assembly.separate.fragments.size();
+  const auto& removed = assembly.edits.removed;
+  const auto& overlapping = assembly.edits.overlapping;
+  const std::size_t count =
+    removed.size() + overlapping.size() + assembly.separate.fragments.size();
   if (!isToAdd(count, output))
   {
     return;
   }
   CellAdder adder(DefectKind::CellLeftOut, CellsLeftOut, output);
-  for (const auto* cells : { &assembly.shaping.refused, &assembly.separate.fragments })
+  for (const auto* cells : { &removed, &overlapping, &assembly.separate.fragments })
   {
     for (const RemovedCell& cell : *cells)
     {

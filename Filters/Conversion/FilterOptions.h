@@ -78,7 +78,6 @@ void setCellOptions(Filter* filter, Options& options)
   options.shaping.trueVolume = filter->GetTrueVolume();
   options.shaping.splitConcave = filter->GetSplitConcaveCells();
   options.shaping.optimiseNodes = filter->GetOptimiseNodes();
-  options.shaping.editsInPlace = filter->GetEditInPlace();
   options.shaping.refusedCellRatio = filter->GetRefusedCellRatio();
 }
 
@@ -101,7 +100,6 @@ void printCellProperties(Filter* filter, ostream& os, vtkIndent indent)
   os << indent << "TrueVolume: " << filter->GetTrueVolume() << "\n";
   os << indent << "SplitConcaveCells: " << filter->GetSplitConcaveCells() << "\n";
   os << indent << "OptimiseNodes: " << filter->GetOptimiseNodes() << "\n";
-  os << indent << "EditInPlace: " << filter->GetEditInPlace() << "\n";
   os << indent << "RefusedCellRatio: " << filter->GetRefusedCellRatio() << "\n";
 }
 

@@ -66,7 +66,7 @@ public:
     , box_(cellArray(input, "BoxId"))
     , reason_(cellArray(input, "PatchReason"))
     , enclosed_(cellArray(input, "EnclosedVolume"))
-    , missing_(cellArray(input, "StandOff"))
+    , missing_(cellArray(input, "VolumeGap"))
     , kind_(pointKinds(input))
   {
   }
@@ -229,7 +229,7 @@ void toVTK(const Patches& patches, const Boxes& boxes, const std::vector<vtkIdTy
   box->SetName("BoxId");
   box->SetNumberOfValues(count);
   vtkNew<vtkDoubleArray> missing;
-  missing->SetName("StandOff");
+  missing->SetName("VolumeGap");
   missing->SetNumberOfValues(count);
   vtkNew<vtkUnsignedCharArray> reason;
   reason->SetName("PatchReason");

@@ -9,9 +9,9 @@
 //
 // Benchmark depth: what the grid takes of the processor if boxes of one size at a sphere are halved 0 to 10 times.
 //
-// Benchmark scaling [in-place] [CELLS] [FILE.stl... | TASK.toml...]: what 1 to 128 threads would speed up, by the processor time of each chunk
+// Benchmark scaling [CELLS] [FILE.stl... | TASK.toml...]: what 1 to 128 threads would speed up, by the processor time of each chunk
 // on one thread (Scaling.h): of surfaces in cells of a 60th (or CELLS) of their length, and of tasks of cartesian-mesher;
-// by default of a sphere in cells of an 80th. in-place: with walls edited in place.
+// by default of a sphere in cells of an 80th.
 #include "Base/Error.h"
 #include "Run.h"
 #include "Scaling.h"

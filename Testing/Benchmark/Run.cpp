@@ -384,13 +384,12 @@ Figures measureGrid(const Triangles& surface, double cellSize, int depth)
   return figures;
 }
 
-Recording record(const Triangles& surface, double cellSize, bool inPlace)
+Recording record(const Triangles& surface, double cellSize)
 {
   Execution execution;
   Recording recording;
   execution.record(recording);
-  Options options = optionsOf(cellSize, 0, PatchMethod::Automatic);
-  options.shaping.editsInPlace = inPlace;
+  const Options options = optionsOf(cellSize, 0, PatchMethod::Automatic);
   const auto assembly = mesh(surface.view(), options, execution);
   execution.stage("Writing the mesh", AfterLayers, 1);
   const WrittenMesh written(*assembly->mesh, execution);

@@ -71,7 +71,7 @@ Figures measure(
 // The grid alone, as far as inner faces: of stages, the processor's seconds.
 Figures measureGrid(const Triangles& surface, double cellSize, int depth);
 
-// Automatic patches, depth 0. `inPlace`: with ShapingSpec::editsInPlace.
-Recording record(const Triangles& surface, double cellSize, bool inPlace);
+// Automatic patches, depth 0.
+Recording record(const Triangles& surface, double cellSize);
 
 }

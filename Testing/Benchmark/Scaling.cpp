@@ -23,9 +23,9 @@ constexpr std::size_t Threads[] = { 1, 2, 4, 8, 16, 32, 64, 128 };
 constexpr double SphereCells = 80; // across
 constexpr double FileCells = 60;
 
-// Stages that other work is to replace: the rest is shown apart.
-const std::vector<std::string> WallStages = { "Short edges", "Shaping of cells",
-  "Opening of the wall", "Edits of the wall", "Closing of the wall", "Layers" };
+// Of the wall and layers: the rest is shown apart.
+const std::vector<std::string> WallStages = { "Opening of the wall", "Edits of the wall",
+  "Closing of the wall", "Layers" };
 
 struct Times
 {
@@ -123,7 +123,7 @@ void printScaling(const std::string& name, const Recording& recording)
   }
   printHead(name + ": speed-up", "serial s", "loops s");
   printSpeedUp("all", all);
-  printSpeedUp("all but Collapse, Shaping, Layers", others);
+  printSpeedUp("all but the wall and layers", others);
   printSpeedUp("these", wall);
   printHead("seconds", "serial", "loops");
   for (const Stage& stage : stages)
@@ -167,23 +167,18 @@ Recording recordTask(const std::string& task)
 
 void printScaling(const std::vector<std::string>& arguments)
 {
-  bool inPlace = false;
   bool isAnyFile = false;
   double cells = 0; // 0: as usual
   const auto print = [&](const Triangles& surface, double usual) {
     const double across = cells > 0 ? cells : usual;
     printScaling(surface.name + ", 1/" + std::to_string(int(across)),
-      record(surface, lengthOf(surface) / across, inPlace));
+      record(surface, lengthOf(surface) / across));
     isAnyFile = true;
   };
   for (const std::string& argument : arguments)
   {
     const std::filesystem::path path = std::filesystem::absolute(argument);
-    if (argument == "in-place")
-    {
-      inPlace = true;
-    }
-    else if (path.extension() == ".toml")
+    if (path.extension() == ".toml")
     {
       printScaling(path.filename(), recordTask(path));
       isAnyFile = true;

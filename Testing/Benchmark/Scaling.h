@@ -11,7 +11,7 @@ namespace cartesian
 {
 
 // Prints two tables for each file: speed-ups by the number of threads; and seconds by stage, serial, in loops, and on
-// numbers of threads. Among the arguments, `in-place`: surfaces with ShapingSpec::editsInPlace; a number: how many cells
+// numbers of threads. Among the arguments, a number: how many cells
 // across surfaces, from there on. Without files, for a sphere.
 void printScaling(const std::vector<std::string>& arguments);
 

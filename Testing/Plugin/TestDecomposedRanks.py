@@ -26,11 +26,6 @@ with tempfile.TemporaryDirectory() as temporary:
     assert not (again / "processor0" / "constant" / "polyMesh.old").exists()
     print([piece.files.cells for piece in pieces], "cells")
 
-    mesher.EditInPlace = 1
-    whole = foam.Files(foam.save(mesher, pathlib.Path(temporary) / "in place"))
-    decomposed.check(foam.save(mesher, pathlib.Path(temporary) / "pieces in place", Pieces=ranks), whole, ranks)
-    mesher.EditInPlace = 0
-
     mesher.Layers = 2
     whole = foam.Files(foam.save(mesher, pathlib.Path(temporary) / "layered"))
     decomposed.check(foam.save(mesher, pathlib.Path(temporary) / "layers", Pieces=ranks), whole, ranks)

@@ -104,7 +104,7 @@ for case in whole, fan:
     foam.run(case, "laplacianFoam")
     error = np.abs(foam.read_field(case, 1, "T") - files.centres()[:, 0]).max()
     print(f"{files.cells} cells: largest error {error:.1e}")
-    assert error < 1e-5, error
+    assert error < 1e-4, error
 
 # What cannot be is refused.
 for properties, words in (

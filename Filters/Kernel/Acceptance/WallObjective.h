@@ -20,7 +20,7 @@ struct Wanted
   static constexpr double Slope = 0.4; // square of the tangent of the non-orthogonality: 32 degrees
   static constexpr double FaceWeight = 0.25;
   static constexpr double VolumeRatio = 0.2;
-  static constexpr double InnerCosine = Fair::InnerCosine;
+  static constexpr double InnerCosine = 0.35;
   static constexpr double BoundarySlope = 0.5;
   static constexpr double Star = 0.15; // a face's smallest triangle, by the mean one
   static constexpr double Warp = 0.1;  // 1 - a face's area by the sum of its triangles'

@@ -16,25 +16,24 @@ namespace
 
 // Bytes. What several stages take, with the arrays that VTK holds, measured on one to 16 threads; the peak of a
 // mesh is that of one of these stages.
-constexpr double OfAnyMesh = 4.3e6;
+constexpr double OfAnyMesh = 14.3e6;
 constexpr double OfAThread = 8e4; // except the first
 constexpr double OfATriangle = 115;
 
-// Of each box, of each that is intersected, of those that are shaped at once, and of each corner of a patch.
+// Of each box, of each that is intersected, and of each corner of a patch.
 struct BytesOfAStage
 {
   double box;
   double intersected;
-  double atOnce;
   double corner;
 };
 
-constexpr BytesOfAStage Cutting{ 110, 640, 360, 60 }; // until short edges have collapsed
-constexpr BytesOfAStage Shaping{ 150, 500, 4400, 0 };
-constexpr BytesOfAStage ShapingExact{ 110, 345, 1150, 4 };
-constexpr BytesOfAStage Writing{ 220, 1600, 3200, 44 }; // with what shaping has left to the heap
-constexpr BytesOfAStage WritingExact{ 220, 1940, 500, 125 };
-constexpr BytesOfAStage Layering{ 730, 2900, 0, 510 };
+constexpr BytesOfAStage Cutting{ 110, 1000, 60 };
+constexpr BytesOfAStage Editing{ 150, 6300, 0 };
+constexpr BytesOfAStage EditingExact{ 150, 300, 800 };
+constexpr BytesOfAStage Writing{ 220, 1600, 44 };
+constexpr BytesOfAStage WritingExact{ 220, 1940, 125 };
+constexpr BytesOfAStage Layering{ 730, 2900, 510 };
 constexpr double OfALayersCorner = 315;
 constexpr double OfALayersExactCorner = 465;
 
@@ -89,14 +88,13 @@ double MeshEstimate::bytes(const MemoryLimit& limit) const
 double MeshEstimate::bytes(const MemoryLimit& limit, const PatchCorners& corners) const
 {
   const auto of = [&](const BytesOfAStage& stage, double count) {
-    return stage.box * boxes() + stage.intersected * intersected + stage.atOnce * atOnce +
-      stage.corner * count;
+    return stage.box * boxes() + stage.intersected * intersected + stage.corner * count;
   };
   double most =
     std::max(of(Cutting, corners.all), of(limit.exact ? WritingExact : Writing, corners.kept));
-  if (limit.shapes)
+  if (limit.edits)
   {
-    most = std::max(most, of(limit.exact ? ShapingExact : Shaping, corners.kept));
+    most = std::max(most, of(limit.exact ? EditingExact : Editing, corners.kept));
   }
   if (limit.layers > 0)
   {

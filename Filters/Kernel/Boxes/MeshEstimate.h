@@ -17,7 +17,7 @@ struct MemoryLimit
 
   // What determines the memory.
   bool exact = false; // all patches are exact
-  bool shapes = true; // cells are shaped
+  bool edits = true;  // cells are edited
   int layers = 0;     // of prisms at walls
   int threads = 1;
 };
@@ -35,16 +35,13 @@ struct MeshEstimate
   double pieces = 0;      // of triangles in one box each
   double triangles = 0;   // of the surface
 
-  // Intersected boxes whose cells are shaped at the same time (Parts/Slabs.h).
-  double atOnce = 0;
-
   double boxes() const { return inside + intersected; }
   double bytes(const MemoryLimit& limit) const;
 
   // Where the corners of all patches are counted.
   double bytes(const MemoryLimit& limit, const PatchCorners& corners) const;
 
-  // Except for the triangles, which all parts of a mesh share, and what is in work at the same time.
+  // Except for the triangles, which all parts of a mesh share.
   void add(const MeshEstimate& part);
 };
 

@@ -145,7 +145,7 @@ void BoxFaces::listEdges()
   std::sort(edges_.begin(), edges_.end());
 }
 
-// A patch that lies on an inner face (EdgeCollapse.h) forms a cell without volume with it, whatever
+// A patch that lies on an inner face forms a cell without volume with it, whatever
 // other faces share its edges.
 void BoxFaces::joinFlatCells()
 {

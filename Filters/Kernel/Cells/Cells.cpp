@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/Cells.h"
 
-#include "Acceptance/CellFaults.h"
 #include "Base/Error.h"
 #include "Base/Sorting.h"
 #include "Cells/BoxVolumes.h"
@@ -14,9 +13,10 @@ namespace cartesian
 namespace
 {
 
+constexpr std::size_t LeastFaces = 4; // of a cell
 constexpr std::size_t BoxesAChunk = 128;
 
-// Shaping adds about half as many faces. Unused space costs no memory.
+// Edits add about half as many faces. Unused space costs no memory.
 constexpr std::size_t WithShapedFaces = 2;
 
 // The cells of a chunk of boxes.
@@ -337,7 +337,7 @@ WallMesh assembleCells(const Boxes& boxes, const Patches& patches, const Sides& 
   const Nodes& nodes, const InnerFaces& inner, const SmallCellSpec& spec, Execution& execution)
 {
   if (WithShapedFaces * (patches.corners.size() + inner.nodes.size()) > None ||
-    boxes.packed.size() > FirstOfCuts - FirstHexahedron)
+    boxes.packed.size() > EndOfKeys - FirstHexahedron)
   {
     throw Error(Fault::TooManyBoxes,
       "The mesh has more boxes or boundary faces than can be numbered: choose a larger Cell Size.");

@@ -2,7 +2,6 @@
 #include "Cells/Fragments.h"
 
 #include "Lattice/Vector.h"
-#include "Parts/Slabs.h"
 
 #include <algorithm>
 #include <unordered_set>
@@ -72,34 +71,15 @@ private:
   bool collect(std::uint32_t c)
   {
     part_.assign(1, c);
-    Layers layers = layersOf(c);
-    std::size_t next = 0;
-    while (next < part_.size())
+    for (std::size_t next = 0; next < part_.size(); ++next)
     {
-      const std::uint32_t cell = part_[next++];
-      const Layers own = layersOf(cell);
-      layers = { std::min(layers.begin, own.begin), std::max(layers.end, own.end) };
-      if (layers.end - layers.begin > MostLayersOfAFragment ||
-        anyBeyond(cell, [&](std::uint32_t other) { return !add(other); }))
+      if (anyBeyond(part_[next], [&](std::uint32_t other) { return !add(other); }))
       {
         return false;
       }
     }
     std::sort(part_.begin(), part_.end());
-    const std::uint32_t all = boxes_.allLayers().end;
-    bool isBeside = false;
-    for (std::uint32_t layer = layers.begin; layer < layers.end; ++layer)
-    {
-      isBeside = isBeside || isBesideDivide(layer, all);
-    }
-    return !isBeside;
-  }
-
-  Layers layersOf(std::uint32_t c) const
-  {
-    const Cell& cell = wall_.cells[c];
-    const std::uint32_t layer = boxes_.globalOf(boxes_.packed[cell.box]).index[2];
-    return { layer - cell.reach[0], layer + cell.reach[1] + 1 };
+    return true;
   }
 
   // False: with this cell the part is too large.

@@ -8,7 +8,7 @@
 namespace cartesian
 {
 
-// A small part has at most so many cells, none a whole box, in layers as Slabs.h says.
+// A small part has at most so many cells, none a whole box.
 constexpr std::size_t MostCellsOfSmallPart = 16;
 
 // It is a fragment if it holds less than this part of the volume that the surface around it encloses.

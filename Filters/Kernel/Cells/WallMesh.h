@@ -8,11 +8,11 @@
 namespace cartesian
 {
 
-// A cell of the wall mesh; or FirstHexahedron + box; or, in shaping, FirstOfCuts and more: made by a cut; or None.
+// A cell of the wall mesh; or FirstHexahedron + box; or None.
 using CellKey = std::uint32_t;
 
 constexpr CellKey FirstHexahedron = 1u << 30;
-constexpr CellKey FirstOfCuts = 3u << 30;
+constexpr CellKey EndOfKeys = 3u << 30;
 
 constexpr CellKey keyOfHexahedron(std::uint32_t box)
 {
@@ -20,7 +20,7 @@ constexpr CellKey keyOfHexahedron(std::uint32_t box)
 }
 constexpr bool isHexahedron(CellKey key)
 {
-  return key >= FirstHexahedron && key < FirstOfCuts;
+  return key >= FirstHexahedron && key < EndOfKeys;
 }
 constexpr std::uint32_t boxOfHexahedron(CellKey key)
 {
@@ -50,7 +50,7 @@ enum class FaceOrigin : std::uint8_t
   Patch,
   Side,      // of two boxes (InnerFaces.h)
   Interface, // a patch between two regions (Interfaces.h)
-  Shaped, // made by shaping (CellShaping.h): a piece of one of those, one with other nodes, or a cut
+  Shaped,    // made by edits (Editing): a piece of one of those, one with other nodes, or a cut
 };
 
 // In order of their origins: patches, as Patches has them; then those of sides; ...
@@ -121,9 +121,6 @@ struct Cell
   std::size_t firstUse;  // in WallMesh::uses; up to the next cell's first
   bool sliver;           // its volume is mere rounding
   bool removed;          // a sliver, or smaller than R of its box (4.10)
-
-  // The number of layers of global boxes that it extends below and above its box's, by merging.
-  std::array<std::uint8_t, 2> reach{ 0, 0 };
 };
 
 // The face that shaping made on a side of a hexahedron (0: low x, 1: high x, low y, ...).

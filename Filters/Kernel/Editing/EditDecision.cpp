@@ -132,7 +132,7 @@ public:
   // False: there are more than is worth a trial.
   bool collect(const EditMesh& mesh)
   {
-    FixedList<std::uint32_t, Most> others;
+    FixedList<std::uint32_t, MostFacesChanged> others;
     for (const std::uint32_t c : mesh.unsettled.cells)
     {
       if (!mesh.isFree(c))
@@ -190,10 +190,8 @@ private:
     face.strains = cost.strains;
   }
 
-  static constexpr std::size_t Most = 512;
-
-  FixedList<std::uint32_t, Most> faces_;
-  FixedList<Cost<double>, Most> costs_;
+  FixedList<std::uint32_t, MostFacesChanged> faces_;
+  FixedList<Cost<double>, MostFacesChanged> costs_;
   double left_ = 0; // what they cost before
 };
 
@@ -235,6 +233,82 @@ bool mayLeaveEdge(const EditMesh& mesh, const EditRules& rules, std::uint32_t u,
   charge += 2 * chargeOfDistance(worst, rules.spec) + (ends.size() > 2 ? ChargeOfCorner : 0) +
     rules.spec.volume * areaLost(mesh, u, v, at) / (edge * edge);
   return worst <= rules.spec.mostMoved;
+}
+
+// --- what walls that must not change may still lose
+
+constexpr double Rounding = 2; // levels
+
+// Whether a node lies on a straight line from another to a third, as seen from all faces around it.
+bool liesOnLine(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
+{
+  const Items faces = mesh.facesAround(u);
+  const auto beside = [&](std::uint32_t f, std::size_t by) {
+    const Items ring = mesh.cornersOf(f);
+    return ring[(placeOf(ring, u) + by) % ring.size()];
+  };
+  const auto besideV = [&](std::uint32_t f) {
+    const std::uint32_t before = beside(f, mesh.face(f).corners.size - 1);
+    return before == v ? beside(f, 1) : before;
+  };
+  const std::uint32_t end = besideV(faces[0]);
+  return distanceToSegment(mesh.node(u).at, mesh.node(v).at, mesh.node(end).at) <=
+    Rounding * mesh.level() &&
+    std::all_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
+      return besideV(f) == end &&
+        (beside(f, 1) == v || beside(f, mesh.face(f).corners.size - 1) == v);
+    });
+}
+
+// Whether a wall stays in its plane, and looks the same way, when one of its nodes moves.
+bool staysInPlane(const EditMesh& mesh, std::uint32_t f, std::uint32_t n, const Vector& way)
+{
+  const Vector normal = unit(mesh.face(f).area);
+  const Items ring = mesh.cornersOf(f);
+  const std::size_t i = placeOf(ring, n);
+  const Vector across = minus(mesh.node(ring[(i + 1) % ring.size()]).at,
+    mesh.node(ring[(i + ring.size() - 1) % ring.size()]).at);
+  return std::abs(dot(normal, way)) <= Rounding * mesh.level() &&
+    norm(mesh.face(f).area) + dot(normal, cross(way, across)) / 2 >= 0;
+}
+
+// Whether a node may become another without a wall that leaves its plane, or a sharp edge its line.
+bool staysInWalls(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
+{
+  const double rounding = Rounding * mesh.level();
+  const EditNode& node = mesh.node(u);
+  const Vector way = minus(mesh.node(v).at, node.at);
+  const Items faces = mesh.facesAround(u);
+  if (node.kind == NodeKind::Corner ||
+    !std::all_of(faces.begin(), faces.end(),
+      [&](std::uint32_t f) { return !mesh.isSurface(f) || staysInPlane(mesh, f, u, way); }))
+  {
+    return false;
+  }
+  const SharpEnds ends = sharpEndsAt(mesh, u);
+  if (ends.size() != 2)
+  {
+    return ends.empty();
+  }
+  const Vector& from = mesh.node(ends[0]).at;
+  const Vector& to = mesh.node(ends[1]).at;
+  return distanceToSegment(node.at, from, to) <= rounding &&
+    distanceToSegment(mesh.node(v).at, from, to) <= rounding;
+}
+
+bool areInOnePlane(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
+{
+  if (norm(mesh.face(f).area) < norm(mesh.face(g).area))
+  {
+    std::swap(f, g);
+  }
+  const Vector normal = unit(mesh.face(f).area);
+  const Items ring = mesh.cornersOf(g);
+  return cosineBetween(mesh, f, g) > 0 &&
+    std::all_of(ring.begin(), ring.end(), [&](std::uint32_t n) {
+      return std::abs(dot(normal, minus(mesh.node(n).at, mesh.face(f).centre))) <=
+        Rounding * mesh.level();
+    });
 }
 
 constexpr double MostLost = 0.1; // of what cells held, by one edit and by all
@@ -334,7 +408,7 @@ bool mayCollapse(const EditMesh& mesh, const EditRules& rules, std::uint32_t u, 
   {
     return false;
   }
-  if (moves && to.kind == NodeKind::Corner)
+  if (moves && (to.kind == NodeKind::Corner || (to.atWall && !rules.mayChangeWalls)))
   {
     return false;
   }
@@ -343,6 +417,10 @@ bool mayCollapse(const EditMesh& mesh, const EditRules& rules, std::uint32_t u, 
     return true;
   }
   const WallEdge edge = wallEdgeOf(mesh, u, v);
+  if (!rules.mayChangeWalls)
+  {
+    return liesOnLine(mesh, u, v) || (edge.isWall && staysInWalls(mesh, u, v));
+  }
   if (!edge.isWall || (from.kind == NodeKind::Corner && !rules.mayLoseFeatures))
   {
     return false;
@@ -350,16 +428,21 @@ bool mayCollapse(const EditMesh& mesh, const EditRules& rules, std::uint32_t u, 
   return from.kind < NodeKind::OnEdge || mayLeaveEdge(mesh, rules, u, v, at, edge.isSharp, charge);
 }
 
-bool mayMove(const EditMesh& mesh, std::uint32_t n, const Vector& to)
+bool mayMove(const EditMesh& mesh, const EditRules& rules, std::uint32_t n, const Vector& to)
 {
   const EditNode& node = mesh.node(n);
-  return isOnPlanesOf(node, to) && node.kind != NodeKind::Corner &&
+  return (rules.mayChangeWalls || !node.atWall) && isOnPlanesOf(node, to) &&
+    node.kind != NodeKind::Corner &&
     (node.kind == NodeKind::Free || norm(minus(to, node.home)) <= double(node.leash));
 }
 
 bool mayJoin(
   const EditMesh& mesh, const EditRules& rules, std::uint32_t f, std::uint32_t g, double& charge)
 {
+  if (!rules.mayChangeWalls && mesh.isSurface(f))
+  {
+    return areInOnePlane(mesh, f, g);
+  }
   if (const double sharpness = sharpnessBetween(mesh, f, g); sharpness > 0)
   {
     const double edge = mesh.cell(mesh.face(f).below).edge;

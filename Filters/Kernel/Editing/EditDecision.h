@@ -14,10 +14,16 @@ namespace cartesian
 
 constexpr double NoGain = -std::numeric_limits<double>::infinity();
 
+// Edits that change more faces in all are not tried, nor are cells of more.
+constexpr std::size_t MostFacesChanged = 512;
+
 struct EditRules
 {
   ObjectiveSpec spec;
   bool mayLoseFeatures = true; // corners and sharp edges, for their charge
+  bool mayChangeWalls = true;  // false: what is on the surface stays (Exact Fit)
+  bool mayMerge = true;        // cells
+  bool mayCut = true;          // cells, and join walls of failing ones at any angle
 };
 
 // What edits since the last commit have to gain (gainOf), or more.
@@ -45,7 +51,7 @@ bool mayCollapse(const EditMesh& mesh, const EditRules& rules, std::uint32_t u, 
   const Vector& at, double& charge);
 
 // Whether a node may move there: on its surface or edge, not too far from where that was known.
-bool mayMove(const EditMesh& mesh, std::uint32_t n, const Vector& to);
+bool mayMove(const EditMesh& mesh, const EditRules& rules, std::uint32_t n, const Vector& to);
 
 // Whether two faces may become one; `charge` for a sharp edge between them.
 bool mayJoin(

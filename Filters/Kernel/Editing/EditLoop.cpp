@@ -162,11 +162,21 @@ private:
     item.cost = costOf(item);
     const bool fails =
       item.isCell ? mesh_.cell(item.number).strains : mesh_.face(item.number).fails > 0;
-    const bool isWanted = !spec_.failingOnly || fails;
+    const bool isWanted = (!spec_.failingOnly || fails) && mayChange(item);
     if (isWanted && item.cost > spec_.leastCost)
     {
       queue_.push(item);
     }
+  }
+
+  bool mayChange(const Item& item) const
+  {
+    const auto isSmall = [&](std::uint32_t c) {
+      return c != None && mesh_.cell(c).faces.size < MostFacesChanged;
+    };
+    return item.isCell
+      ? isSmall(item.number)
+      : isSmall(mesh_.face(item.number).below) || isSmall(mesh_.face(item.number).above);
   }
 
   float& failedAt(const Item& item)
@@ -313,10 +323,10 @@ private:
       case EditKind::Merge:
       case EditKind::Remove:
       case EditKind::Cut:
-        counts_.edits.push_back({ mesh_.cell(proposal.a).home, proposal.kind });
+        counts_.edits.push_back(madeEdit(mesh_, proposal.kind, proposal.a));
         break;
       case EditKind::Flatten:
-        counts_.edits.push_back({ mesh_.cell(mesh_.face(proposal.a).below).home, proposal.kind });
+        counts_.edits.push_back(madeEdit(mesh_, proposal.kind, mesh_.face(proposal.a).below));
         break;
       default:
         break;
@@ -401,6 +411,13 @@ private:
   LoopCounts counts_;
 };
 
+}
+
+MadeEdit madeEdit(const EditMesh& mesh, EditKind kind, std::uint32_t c)
+{
+  const EditCell& cell = mesh.cell(c);
+  const double level = mesh.level();
+  return { cell.home, kind, kind == EditKind::Remove ? cell.volume / (level * level * level) : 0 };
 }
 
 LoopCounts improve(const ZoneTask& task, const LoopSpec& spec, const std::function<void()>& poll)

@@ -24,12 +24,16 @@ struct MadeEdit
 {
   std::uint32_t home; // the box of the cell
   EditKind kind;      // Merge, Remove, Cut or Flatten
+  double removed;     // what the cell held, if it was removed, in levels
 
   bool operator<(const MadeEdit& other) const
   {
-    return home != other.home ? home < other.home : kind < other.kind;
+    return std::tie(home, kind, removed) < std::tie(other.home, other.kind, other.removed);
   }
 };
+
+// Of the cell that was kept, or is gone.
+MadeEdit madeEdit(const EditMesh& mesh, EditKind kind, std::uint32_t c);
 
 struct LoopCounts
 {

@@ -11,6 +11,7 @@
 #include "Base/Execution.h"
 #include "Base/RawVector.h"
 #include "Boxes/LocalBox.h"
+#include "Cells/SmallCellSpec.h"
 #include "Lattice/Vector.h"
 
 #include <algorithm>
@@ -300,6 +301,7 @@ struct EditStore
   FreeSlots spare;           // all unused
   double level = 1;          // the length of a lattice level: a power of two
   double wantedShare = 0.35; // of its box: of cells that are large enough
+  SmallCellSpec small;       // which cells go at any cost
   std::vector<std::uint8_t>
     layered; // of each wall's index, whether it will have layers; none beyond
 
@@ -393,6 +395,7 @@ public:
   std::uint32_t addFace(EditFace face, const std::uint32_t* corners, std::size_t size);
   void connect();
   EditStore& store() { return *store_; }
+  const EditStore& store() const { return *store_; }
 
   // For measures, and to set what the journal does not have to know.
   // NOLINTBEGIN(readability-make-member-function-const): what changes is behind pointers

@@ -105,6 +105,10 @@ double bestMove(EditMesh& mesh, ProposalTrials& trials, const ObjectiveSpec& spe
   double least, Proposal& best)
 {
   FixedList<Descent, 16> descents;
+  if (searchSpec.nodes == 0)
+  {
+    return NoGain;
+  }
   for (const std::uint32_t n : nodes)
   {
     const EditNode& node = mesh.node(n);

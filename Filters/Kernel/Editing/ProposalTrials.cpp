@@ -125,11 +125,11 @@ bool ProposalTrials::apply(const Proposal& proposal)
         return true;
       });
     case EditKind::Merge:
-      return withoutLimit([&] { return merge(proposal.a, proposal.b); });
+      return rules_.mayMerge && withoutLimit([&] { return merge(proposal.a, proposal.b); });
     case EditKind::Remove:
-      return withoutLimit([&] { return remove(proposal.a); });
+      return rules_.mayChangeWalls && withoutLimit([&] { return remove(proposal.a); });
     case EditKind::Move:
-      if (!mayMove(mesh_, proposal.a, proposal.at))
+      if (!mayMove(mesh_, rules_, proposal.a, proposal.at))
       {
         return false;
       }
@@ -138,9 +138,9 @@ bool ProposalTrials::apply(const Proposal& proposal)
     case EditKind::SplitFace:
       return splitFace(mesh_, proposal.a, proposal.b, proposal.c) != None && settle();
     case EditKind::Flatten:
-      return withoutLimit([&] { return flatten(proposal.a); });
+      return rules_.mayCut && withoutLimit([&] { return flatten(proposal.a); });
     case EditKind::Cut:
-      return withoutLimit([&] { return cut(proposal); });
+      return rules_.mayCut && withoutLimit([&] { return cut(proposal); });
   }
   return false;
 }
@@ -257,7 +257,7 @@ bool ProposalTrials::flatten(std::uint32_t f)
 // A small part of a cut becomes part of a cell that is none.
 void ProposalTrials::mergePart(std::uint32_t part, const CutParts& parts)
 {
-  if (!isPartToMerge(mesh_, part))
+  if (!rules_.mayMerge || !isPartToMerge(mesh_, part))
   {
     return;
   }

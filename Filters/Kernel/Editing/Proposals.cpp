@@ -361,6 +361,11 @@ Neighbours largestNeighbours(const EditMesh& mesh, std::uint32_t c, std::uint32_
 
 bool couldRemove(const EditMesh& mesh, std::uint32_t c)
 {
+  constexpr double Any = 1e30;
+  if (shareOf(mesh, c) >= ratioOf(mesh.store().small, mesh.cell(c).wall, Any))
+  {
+    return false;
+  }
   const Items faces = mesh.facesOf(c);
   return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) { return mesh.isWall(f); }) &&
     std::all_of(faces.begin(), faces.end(),

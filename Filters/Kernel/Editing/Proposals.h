@@ -57,7 +57,8 @@ void proposeForCell(
 using Neighbours = FixedList<std::uint32_t, 64>;
 Neighbours largestNeighbours(const EditMesh& mesh, std::uint32_t c, std::uint32_t except = None);
 
-// Whether a cell may be removed as far as its place goes: at a wall, at no other region; the body is not as thin there.
+// Whether a cell may be removed as far as its place goes: at a wall, at no other region; the body is not as thin there, and
+// its boundary's own ratio allows it.
 bool couldRemove(const EditMesh& mesh, std::uint32_t c);
 
 // Whether faces may be joined as far as their place goes: adjacent, between the same cells, walls not across a sharp turn.

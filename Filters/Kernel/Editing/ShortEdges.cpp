@@ -135,9 +135,10 @@ bool keepsVolumes(EditMesh& mesh, const EditMesh::Mark& mark)
 class Welding
 {
 public:
-  Welding(
-    const ZoneTask& task, const std::function<void()>& poll, std::vector<std::uint32_t>& changed)
+  Welding(const ZoneTask& task, const EditRules& rules, const std::function<void()>& poll,
+    std::vector<std::uint32_t>& changed)
     : mesh_(task.mesh)
+    , rules_(rules)
     , zone_(task.zone)
     , poll_(poll)
     , changed_(changed)
@@ -162,6 +163,14 @@ public:
     {
       std::swap(u, v);
     }
+    if (!rules_.mayChangeWalls && !mayBecome(u, v))
+    {
+      std::swap(u, v);
+      if (!mayBecome(u, v))
+      {
+        return;
+      }
+    }
     if ((mesh_.node(u).held & ~mesh_.node(v).held) != 0)
     {
       return;
@@ -183,7 +192,14 @@ public:
   }
 
 private:
+  bool mayBecome(std::uint32_t u, std::uint32_t v) const
+  {
+    double charge = 0;
+    return mayCollapse(mesh_, rules_, u, v, mesh_.node(v).at, charge);
+  }
+
   EditMesh& mesh_;
+  const EditRules& rules_;
   const Items zone_;
   const std::function<void()>& poll_;
   std::vector<std::uint32_t>& changed_;
@@ -223,10 +239,10 @@ bool keepsShapes(const EditMesh& mesh, const EditMesh::Mark& mark)
 
 }
 
-void weldEdges(const ZoneTask& task, double length, const std::function<void()>& poll,
-  std::vector<std::uint32_t>& changed)
+void weldEdges(const ZoneTask& task, const EditRules& rules, double length,
+  const std::function<void()>& poll, std::vector<std::uint32_t>& changed)
 {
-  Welding welding(task, poll, changed);
+  Welding welding(task, rules, poll, changed);
   for (const ShortEdge& edge : listShortEdges(task, length, false))
   {
     welding.weld(edge, [](const EditMesh::Mark&) { return true; });
@@ -237,7 +253,8 @@ void thinCrowdedCells(
   const ZoneTask& task, const std::function<void()>& poll, std::vector<std::uint32_t>& changed)
 {
   const EditMesh& mesh = task.mesh;
-  Welding welding(task, poll, changed);
+  const EditRules rules;
+  Welding welding(task, rules, poll, changed);
   for (double length = ShortestOfCrowd; length < LongestOfCrowd && isAnyCrowded(task); length *= 2)
   {
     for (const ShortEdge& edge : listShortEdges(task, length, true))

@@ -14,10 +14,10 @@ constexpr double Whatever = -1e30; // no gain is less
 class SmallCellTaker
 {
 public:
-  SmallCellTaker(const ZoneTask& task, const EditRules& rules, const SmallCellLimits& limits,
-    std::vector<MadeEdit>& edits)
+  SmallCellTaker(
+    const ZoneTask& task, const EditRules& rules, bool removes, std::vector<MadeEdit>& edits)
     : mesh_(task.mesh)
-    , limits_(limits)
+    , removes_(removes)
     , trials_(task.mesh, rules)
     , edits_(edits)
   {
@@ -30,7 +30,7 @@ public:
       return;
     }
     trials_.setBox(c);
-    if (!merge(c) && limits_.removes && couldRemove(mesh_, c))
+    if (!merge(c) && removes_ && couldRemove(mesh_, c))
     {
       make({ EditKind::Remove, c });
     }
@@ -39,7 +39,9 @@ public:
 private:
   bool isSmall(std::uint32_t c) const
   {
-    return mesh_.isFree(c) && mesh_.cell(c).volume < limits_.share * mesh_.cell(c).box;
+    const EditCell& cell = mesh_.cell(c);
+    const SmallCellSpec& spec = mesh_.store().small;
+    return mesh_.isFree(c) && cell.volume < ratioOf(spec, cell.wall, spec.ratio) * cell.box;
   }
 
   // Into the neighbour where that costs least.
@@ -61,29 +63,28 @@ private:
 
   bool make(const Proposal& proposal)
   {
-    const std::uint32_t home = mesh_.cell(proposal.a).home;
     if (!trials_.make(proposal, Whatever))
     {
       return false;
     }
-    edits_.push_back({ home, proposal.kind });
+    edits_.push_back(madeEdit(mesh_, proposal.kind, proposal.a));
     passOnDebts(mesh_);
     mesh_.commit();
     return true;
   }
 
   EditMesh& mesh_;
-  const SmallCellLimits& limits_;
+  const bool removes_;
   ProposalTrials trials_;
   std::vector<MadeEdit>& edits_;
 };
 
 }
 
-void takeSmallCells(const ZoneTask& task, const EditRules& rules, const SmallCellLimits& limits,
-  std::vector<MadeEdit>& edits)
+void takeSmallCells(
+  const ZoneTask& task, const EditRules& rules, bool removes, std::vector<MadeEdit>& edits)
 {
-  SmallCellTaker taker(task, rules, limits, edits);
+  SmallCellTaker taker(task, rules, removes, edits);
   for (const std::uint32_t c : task.cells)
   {
     taker.take(c);

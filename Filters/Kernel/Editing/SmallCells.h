@@ -7,14 +7,9 @@
 namespace cartesian
 {
 
-struct SmallCellLimits
-{
-  double share = 0.03; // of its box: cells below
-  bool removes = true; // those that no neighbour can take
-};
-
-// Costs are valid before and afterwards. Appends what was done.
-void takeSmallCells(const ZoneTask& task, const EditRules& rules, const SmallCellLimits& limits,
-  std::vector<MadeEdit>& edits);
+// By EditStore::small. `removes`: those that no neighbour can take. Costs are valid before and afterwards. Appends what was
+// done.
+void takeSmallCells(
+  const ZoneTask& task, const EditRules& rules, bool removes, std::vector<MadeEdit>& edits);
 
 }

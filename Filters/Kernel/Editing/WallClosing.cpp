@@ -183,7 +183,7 @@ private:
 
   std::uint64_t orderOf(std::uint32_t c) const
   {
-    return wasOpened(c) ? mesh_.cell(c).number : std::uint64_t(FirstOfCuts) + c;
+    return wasOpened(c) ? mesh_.cell(c).number : std::uint64_t(EndOfKeys) + c;
   }
 
   // --- nodes and faces
@@ -443,7 +443,6 @@ private:
     cell.boundary = edited.wall;
     cell.region = edited.region;
     cell.volumeFraction = shareOf(c);
-    cell.reach = reachOf(c);
     return cell;
   }
 
@@ -480,34 +479,6 @@ private:
       volume += dot(minus(mean, low), area) * (mesh_.face(f).below == c ? 1 : -1) / 3;
     }
     return volume / (size[0] * size[1] * size[2]);
-  }
-
-  // The layers of global boxes that a cell's nodes are in, below and above its own.
-  std::array<std::uint8_t, 2> reachOf(std::uint32_t c) const
-  {
-    Level low = ~Level(0);
-    Level high = 0;
-    for (const std::uint32_t f : mesh_.facesOf(c))
-    {
-      for (const std::uint32_t n : mesh_.cornersOf(f))
-      {
-        const Level level = edited_.placeOf(n)[2];
-        low = std::min(low, level);
-        high = std::max(high, level);
-      }
-    }
-    const std::vector<Level>& planes = boxes_.planes[2];
-    const std::uint32_t layer = boxes_.globalOf(boxes_.packed[mesh_.cell(c).home]).index[2];
-    std::array<std::uint8_t, 2> reach{ 0, 0 };
-    while (planes[layer - reach[0]] > low && layer > reach[0])
-    {
-      ++reach[0];
-    }
-    while (layer + reach[1] + 1u < planes.size() - 1 && planes[layer + reach[1] + 1u] < high)
-    {
-      ++reach[1];
-    }
-    return reach;
   }
 
   // --- what lies on both sides of faces

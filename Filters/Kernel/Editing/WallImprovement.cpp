@@ -67,8 +67,13 @@ struct Loops
 {
   explicit Loops(const ImprovementSpec& asked)
   {
+    thorough.failingOnly = !asked.mayChangeWalls;
     for (LoopSpec* spec : { &general, &thorough, &last })
     {
+      spec->rules.mayChangeWalls = asked.mayChangeWalls;
+      spec->rules.mayMerge = asked.merges();
+      spec->rules.mayCut = asked.cuts;
+      spec->search.longestEdge = asked.collapseRatio > 0 ? spec->search.longestEdge : 0;
       spec->search.nodes = asked.movesNodes ? spec->search.nodes : 0;
       spec->search.removedShare = asked.removesCells ? spec->search.removedShare : 0;
     }
@@ -144,24 +149,36 @@ std::vector<MadeEdit> improveWall(EditMesh& mesh, const ImprovementSpec& spec, E
       payDebts(store, general.rules.spec, execution);
     }
   };
-  store.wantedShare = spec.mergeRatio * Wanted::ShareByRatio;
+  store.wantedShare = spec.smallShare * Wanted::ShareByRatio;
+  store.small = spec.small;
   SnapSpec snap;
   snap.length = std::min(3 * spec.collapseRatio, LongestSnapped);
   std::mutex mutex;
   std::vector<MadeEdit> edits;
   costAll(store, general.rules.spec, execution);
   editInZones(store, execution, [&](const ZoneTask& task) {
-    simplifyWalls(task, SimplificationSpec(), general.rules.spec, poll);
+    if (spec.improves() && (spec.mayChangeWalls || spec.collapseRatio > 0))
+    {
+      simplifyWalls(task, SimplificationSpec(), general.rules, poll);
+    }
     snapEdges(task, general.rules, snap, poll);
   });
+  if (!spec.improves())
+  {
+    return edits;
+  }
   pay();
   editInZones(
     store, execution,
     [&](const ZoneTask& task) {
       std::vector<MadeEdit> ofZone;
+      if (!spec.mayChangeWalls)
+      {
+        takeSmallCells(task, general.rules, false, ofZone); // what edges could not take
+      }
       append(ofZone, improve(task, general, poll));
       improveFailing(task, loops, poll, ofZone);
-      takeSmallCells(task, general.rules, { spec.mergeRatio / 10, spec.removesCells }, ofZone);
+      takeSmallCells(task, general.rules, spec.removesCells, ofZone);
       const std::lock_guard<std::mutex> lock(mutex);
       edits.insert(edits.end(), ofZone.begin(), ofZone.end());
     },

@@ -3,6 +3,7 @@
 // for what still fails, and last the volume made true.
 #pragma once
 
+#include "Cells/SmallCellSpec.h"
 #include "Editing/EditLoop.h"
 
 namespace cartesian
@@ -10,11 +11,17 @@ namespace cartesian
 
 struct ImprovementSpec
 {
-  double collapseRatio = 0.1;
-  double mergeRatio = 0.3;  // of its box: where a cell is small
-  bool movesNodes = true;   // also for what faces and cells cost
-  bool trueVolume = true;   // nodes rise until the mesh has the volume of the surface
-  bool removesCells = true; // small ones, where nothing else helps
+  double collapseRatio = 0.1; // 0: no edge goes for its length alone
+  double smallShare = 0.3;    // of its box: where a cell is small
+  SmallCellSpec small;    // cells below its ratios go at any cost: into a neighbour, if they merge
+  bool cuts = true;       // concave cells; and joins walls of failing ones at any angle
+  bool movesNodes = true; // also for what faces and cells cost
+  bool trueVolume = true; // nodes rise until the mesh has the volume of the surface
+  bool removesCells = true;   // small ones, where nothing else helps
+  bool mayChangeWalls = true; // false: they stay as they are
+
+  bool merges() const { return small.handling == SmallCells::Merge; }
+  bool improves() const { return merges() || cuts; } // else only short edges go
 };
 
 // Faces and cells are measured (EditMeasures.h). Returns what was done to cells, by boxes.

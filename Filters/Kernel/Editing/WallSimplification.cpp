@@ -39,10 +39,11 @@ using Walls = FixedList<std::pair<double, std::uint32_t>, Capacity>;
 class WallSimplifier
 {
 public:
-  WallSimplifier(EditMesh& mesh, const SimplificationSpec& spec, const std::function<void()>& poll,
-    std::vector<std::uint32_t>& changed)
+  WallSimplifier(EditMesh& mesh, const SimplificationSpec& spec, const EditRules& rules,
+    const std::function<void()>& poll, std::vector<std::uint32_t>& changed)
     : mesh_(mesh)
     , spec_(spec)
+    , rules_(rules)
     , poll_(poll)
     , changed_(changed)
   {
@@ -158,6 +159,11 @@ private:
 
   bool join(std::uint32_t f, std::uint32_t g, double edge)
   {
+    double charge = 0;
+    if (!rules_.mayChangeWalls && !mayJoin(mesh_, rules_, f, g, charge))
+    {
+      return false;
+    }
     if (sharpnessBetween(mesh_, f, g) * sharedLength(mesh_, f, g) > MostOfSharpEdge * edge)
     {
       return false;
@@ -189,7 +195,7 @@ private:
       }
       const double strayed = double(mesh_.face(f).strayed) + farthest;
       mesh_.changeFace(f).strayed = static_cast<float>(strayed);
-      isMade = strayed < spec_.tolerance * edge;
+      isMade = !rules_.mayChangeWalls || strayed < spec_.tolerance * edge;
     }
     finish(mark, isMade);
     return isMade;
@@ -225,20 +231,29 @@ private:
 
   EditMesh& mesh_;
   const SimplificationSpec& spec_;
+  const EditRules& rules_;
   const std::function<void()>& poll_;
   std::vector<std::uint32_t>& changed_; // cells
   std::size_t tried_ = 0;
 };
 
+void joinInPlanes(const ZoneTask& task, const SimplificationSpec& spec, const EditRules& rules,
+  const std::function<void()>& poll, std::vector<std::uint32_t>& changed)
+{
+  WallSimplifier simplifier(task.mesh, spec, rules, poll, changed);
+  for (const std::uint32_t c : task.cells)
+  {
+    if (task.mesh.isFree(c))
+    {
+      simplifier.joinWallsOf(c);
+    }
+  }
 }
 
-void simplifyWalls(const ZoneTask& task, const SimplificationSpec& spec,
-  const ObjectiveSpec& objective, const std::function<void()>& poll)
+void joinWalls(const ZoneTask& task, const SimplificationSpec& spec, const EditRules& rules,
+  const std::function<void()>& poll, std::vector<std::uint32_t>& changed)
 {
   EditMesh& mesh = task.mesh;
-  std::vector<std::uint32_t> changed;
-  weldEdges(task, spec.weld, poll, changed);
-  thinCrowdedCells(task, poll, changed);
   std::vector<std::uint32_t> nodes;
   task.forEachFace([&](std::uint32_t f) {
     if (mesh.isSurface(f))
@@ -248,7 +263,7 @@ void simplifyWalls(const ZoneTask& task, const SimplificationSpec& spec,
     }
   });
   nodes = sortedUnique(std::move(nodes));
-  WallSimplifier simplifier(mesh, spec, poll, changed);
+  WallSimplifier simplifier(mesh, spec, rules, poll, changed);
   for (int round = 0; round < Rounds; ++round)
   {
     for (const std::uint32_t c : task.cells)
@@ -263,6 +278,29 @@ void simplifyWalls(const ZoneTask& task, const SimplificationSpec& spec,
       simplifier.removeBetween(n);
     }
   }
+}
+
+}
+
+void simplifyWalls(const ZoneTask& task, const SimplificationSpec& spec, const EditRules& rules,
+  const std::function<void()>& poll)
+{
+  EditMesh& mesh = task.mesh;
+  std::vector<std::uint32_t> changed;
+  if (!rules.mayChangeWalls)
+  {
+    joinInPlanes(task, spec, rules, poll, changed);
+  }
+  weldEdges(task, rules, spec.weld, poll, changed);
+  if (!rules.mayChangeWalls)
+  {
+    joinInPlanes(task, spec, rules, poll, changed);
+  }
+  else
+  {
+    thinCrowdedCells(task, poll, changed);
+    joinWalls(task, spec, rules, poll, changed);
+  }
   changed = sortedUnique(std::move(changed));
   for (const std::uint32_t c : changed)
   {
@@ -271,7 +309,7 @@ void simplifyWalls(const ZoneTask& task, const SimplificationSpec& spec,
       measureCell(mesh, c);
     }
   }
-  costCells(mesh, { changed.data(), changed.data() + changed.size() }, objective);
+  costCells(mesh, { changed.data(), changed.data() + changed.size() }, rules.spec);
 }
 
 }

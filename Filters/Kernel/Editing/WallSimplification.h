@@ -3,7 +3,7 @@
 // become one, nodes between two edges go, where the wall moves less than a tolerance, all that happens to it together.
 #pragma once
 
-#include "Acceptance/WallObjective.h"
+#include "Editing/EditDecision.h"
 #include "Editing/EditZones.h"
 
 namespace cartesian
@@ -16,8 +16,8 @@ struct SimplificationSpec
   double ofEdges = 0.002;  // ... at a sharp edge or border: there areas of flat walls depend on it
 };
 
-// Costs are valid before and afterwards.
-void simplifyWalls(const ZoneTask& task, const SimplificationSpec& spec,
-  const ObjectiveSpec& objective, const std::function<void()>& poll);
+// Costs are valid before and afterwards. Where walls may not change, those in one plane become one.
+void simplifyWalls(const ZoneTask& task, const SimplificationSpec& spec, const EditRules& rules,
+  const std::function<void()>& poll);
 
 }

@@ -31,7 +31,7 @@ inline VertexNode vertexAt(const Boxes& boxes, std::uint32_t box, unsigned corne
   return { low[2] + (corner >> 2 & 1), low[1] + (corner >> 1 & 1), low[0] + (corner & 1), None };
 }
 
-// A hexahedron with a corner that moved (EdgeCollapse.h).
+// A hexahedron with a corner that moved (Editing/ShortEdges.h).
 struct WarpedHexahedron
 {
   std::uint32_t box;
@@ -39,13 +39,13 @@ struct WarpedHexahedron
 };
 
 // First the points of patches; then grid nodes: corners of sides, nodes that hang on their borders and
-// corners of divided hexahedra; then the nodes that shaping adds (CellShaping.h).
+// corners of divided hexahedra; then the nodes that edits add (Editing).
 struct Nodes
 {
   std::vector<Point> at;
   RawVector<PointKind> kinds; // of all but those that shaping adds
   std::size_t patchPoints = 0;
-  std::vector<Point> grid; // where grid nodes were before edges collapsed (EdgeCollapse.h)
+  std::vector<Point> grid;           // where grid nodes were before edits moved them
   std::vector<std::size_t> rowStart; // first grid node of each row of points (Numbering.h), from 0
   std::vector<std::size_t> borderStart; // first node of each side's border, and the end
   std::vector<std::uint32_t> border;    // grid nodes counter-clockwise from the lowest corner

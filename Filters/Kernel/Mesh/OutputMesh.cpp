@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/OutputMesh.h"
 
-#include "Parts/Slabs.h"
+#include "Parts/Halos.h"
 
 #include <algorithm>
 #include <atomic>
@@ -28,12 +28,10 @@ OutputMesh::OutputMesh(const MeshParts& parts, Execution& execution)
   , ownPoints_(pointCount())
 {
   const Layers core = parts.boxes.core;
-  // Cells that extend into the next layers decide which points of those are used. Those of walls that were edited in place
-  // may extend over more layers: then all are here.
+  // Cells that extend into other layers decide which points of those are used: where walls were edited, all are here.
   const Layers all = parts.boxes.allLayers();
   const bool areAllHere = parts.boxes.kept.begin == all.begin && parts.boxes.kept.end == all.end;
-  const Layers around =
-    areAllHere ? all : core.grown(HaloOfShapedCells + MostLayersOfACell - 1, all.end);
+  const Layers around = areAllHere ? all : core.grown(HaloOfCells, all.end);
   if (around.begin != core.begin || around.end != core.end)
   {
     pointsAround_ = std::make_unique<PointNumbers>(parts, around, execution);

@@ -4,13 +4,10 @@
 #include "Base/Error.h"
 #include "Cells/Cells.h"
 #include "Cells/ConnectedCells.h"
-#include "Cells/FlatBorders.h"
 #include "Cells/Fragments.h"
 #include "Cells/Interfaces.h"
 #include "Cells/OverlappingCells.h"
-#include "Collapse/EdgeCollapse.h"
-#include "Collapse/StandOff.h"
-#include "Collapse/WarpedHexahedra.h"
+#include "Cells/WarpedHexahedra.h"
 #include "Editing/EditableWall.h"
 #include "Editing/WallImprovement.h"
 #include "Faces/BoxRebuilding.h"
@@ -245,152 +242,6 @@ BoxFlags keepParts(Assembly& a, BoxFlags flawed, const PartsToKeep& which, const
   return makeFaces(a, execution);
 }
 
-// Where the surface has a crease, a cell that was to become flat may end on its other side: without
-// it the mesh would be too large.
-BoxFlags findTurned(const Assembly& a, const WallMesh& wall)
-{
-  constexpr double RoundingLevels = 2;
-  BoxFlags turned(a.sides.polyhedral.size());
-  for (std::size_t n = 0; n < turned.size(); ++n)
-  {
-    const Box box = a.boxes.box(a.sides.polyhedral[n]);
-    const Vector size = minus(box.high, box.low);
-    const double height = *std::min_element(size.begin(), size.end());
-    const auto first = wall.cells.begin();
-    turned[n] = std::any_of(first + std::ptrdiff_t(wall.boxStart[n]),
-      first + std::ptrdiff_t(wall.boxStart[n + 1]),
-      [&](const Cell& cell) { return cell.volumeFraction * height < -RoundingLevels; });
-  }
-  return turned;
-}
-
-// Boxes where a cell became flat at a wall on which two boundaries meet: without it their border is lost, with the areas
-// on either side.
-BoxFlags findLostBorders(const Assembly& a, const WallMesh& wall)
-{
-  BoxFlags lost(a.sides.polyhedral.size());
-  for (std::size_t n = 0; n < lost.size(); ++n)
-  {
-    for (std::size_t c = wall.boxStart[n]; c < wall.boxStart[n + 1]; ++c)
-    {
-      const Cell& cell = wall.cells[c];
-      lost[n] = lost[n] ||
-        ((cell.sliver || cell.volumeFraction < LeastOfThick) && hasBorderInPlane(a.nodes, wall, c));
-    }
-  }
-  return lost;
-}
-
-// Collapses short edges, first between the seams, then across them (EdgeCollapse.h), and makes the cells. Boxes whose
-// faces then do not close, or whose cells are inverted, keep their edges in another attempt; this changes nothing
-// beyond the seams.
-class CollapseAttempts
-{
-public:
-  CollapseAttempts(
-    Assembly& a, const BoxFlags& flawed, const Options& options, Execution& execution)
-    : a_(a)
-    , flawed_(flawed)
-    , options_(options)
-    , execution_(execution)
-    , before_(a.patches)
-    , between_{ options.collapse.ratio, options.patches.featureAngle, isExact(before_), flawed,
-      false }
-    , across_(between_)
-    , turnedMatter_(between_.exact || before_.walls.any())
-  {
-    across_.acrossSeams = true;
-  }
-
-  void run()
-  {
-    beginStage();
-    while (!collapseBetweenSeams() || !collapseAcrossSeams())
-    {
-      a_.patches = before_;
-      makeInnerFaces(a_, execution_);
-      beginStage();
-    }
-  }
-
-private:
-  void beginStage() { execution_.stage("Short edges", AfterCells, AfterShortEdges); }
-
-  std::size_t collapse(const EdgeCollapseSpec& edges)
-  {
-    return collapseShortEdges(
-      a_.boxes, a_.sides, edges, a_.patches, a_.nodes, a_.inner, execution_);
-  }
-
-  // False: other boxes than before are flawed, and will keep their edges.
-  bool keepsFlawed(EdgeCollapseSpec& edges, const BoxFlags& flawed) const
-  {
-    unite(edges.keeps, flawed);
-    return flawed == flawed_;
-  }
-
-  // False: there are boxes with inverted cells that will keep their edges.
-  bool keepsTurned(EdgeCollapseSpec& edges, const WallMesh& wall) const
-  {
-    const BoxFlags before = edges.keeps;
-    unite(edges.keeps, findTurned(a_, wall));
-    return edges.keeps == before;
-  }
-
-  // False: there are boxes that would lose a border between boundaries, and will keep their edges.
-  bool keepsBorders(const WallMesh& wall)
-  {
-    const BoxFlags before = between_.keeps;
-    const BoxFlags lost = findLostBorders(a_, wall);
-    unite(between_.keeps, lost);
-    unite(across_.keeps, lost);
-    return between_.keeps == before;
-  }
-
-  bool collapseBetweenSeams()
-  {
-    if (collapse(between_) == 0)
-    {
-      return true;
-    }
-    bool done = keepsFlawed(between_, findFlawed(a_, execution_));
-    if (turnedMatter_)
-    {
-      done = keepsTurned(between_, makeCells(a_, options_, execution_)) && done;
-    }
-    return done;
-  }
-
-  bool collapseAcrossSeams()
-  {
-    const std::size_t collapsed = collapse(across_);
-    a_.wall = makeCells(a_, options_, execution_);
-    bool done = keepsBorders(a_.wall);
-    if (collapsed == 0)
-    {
-      return done;
-    }
-    done = keepsFlawed(across_, a_.wall.flawed) && done;
-    if (turnedMatter_)
-    {
-      done = keepsTurned(across_, a_.wall) && done;
-    }
-    return done;
-  }
-
-  Assembly& a_;
-  const BoxFlags& flawed_; // before any collapse
-  const Options& options_;
-  Execution& execution_;
-  const Patches before_;
-  EdgeCollapseSpec between_;
-  EdgeCollapseSpec across_;
-
-  // Whether an inverted cell cannot just be left out: the mesh would be too large, or have a hole between two
-  // regions.
-  const bool turnedMatter_;
-};
-
 // Returns nothing for one beyond the core: another part reports it.
 std::optional<RemovedCell> remove(Assembly& a, std::uint32_t c)
 {
@@ -413,7 +264,7 @@ void removeOverlapping(Assembly& a, Execution& execution)
   {
     if (const auto removed = remove(a, c))
     {
-      a.shaping.refused.push_back(*removed);
+      a.edits.overlapping.push_back(*removed);
     }
   }
 }
@@ -446,33 +297,49 @@ void count(Assembly& a, const std::vector<MadeEdit>& edits)
   {
     if (a.boxes.isCore(a.boxes.packed[edit.home]))
     {
-      a.shaping.cellsMerged += edit.kind == EditKind::Merge ? 1 : 0;
-      a.shaping.cellsSplit += edit.kind == EditKind::Cut ? 1 : 0;
-      a.shaping.cellsSimplified += edit.kind == EditKind::Flatten ? 1 : 0;
-      a.shaping.cellsRemoved += edit.kind == EditKind::Remove ? 1 : 0;
+      a.edits.merged += edit.kind == EditKind::Merge ? 1 : 0;
+      a.edits.split += edit.kind == EditKind::Cut ? 1 : 0;
+      a.edits.simplified += edit.kind == EditKind::Flatten ? 1 : 0;
+      if (edit.kind == EditKind::Remove)
+      {
+        a.edits.removed.push_back({ edit.home, edit.removed });
+      }
     }
   }
 }
 
-void editInPlace(
+ImprovementSpec improvementOf(const Options& options, bool exact)
+{
+  const bool merges = options.smallCells.handling == SmallCells::Merge;
+  const ShapingSpec& shaping = options.shaping;
+  ImprovementSpec spec;
+  spec.collapseRatio = options.collapse.ratio;
+  spec.smallShare = merges ? shaping.mergeRatio : options.smallCells.ratio;
+  spec.small = options.smallCells;
+  spec.small.ratio = merges ? shaping.strandedRatio() : options.smallCells.ratio;
+  spec.cuts = shaping.splitConcave;
+  spec.mayChangeWalls = !exact;
+  spec.movesNodes = shaping.optimiseNodes && !exact;
+  spec.trueVolume = keepsTrueVolume(options) && !exact;
+  spec.removesCells = shaping.refusedCellRatio > 0 && !exact;
+  return spec;
+}
+
+void editWall(
   Assembly& a, const Options& options, const WallLayerSpec* layers, Execution& execution)
 {
-  constexpr double AfterOpening = 0.9 * AfterShortEdges + 0.1 * AfterShaping;
-  constexpr double AfterEdits = 0.06 * AfterShortEdges + 0.94 * AfterShaping;
-  constexpr double AfterClosing = 0.02 * AfterShortEdges + 0.98 * AfterShaping;
-  execution.stage("Opening of the wall", AfterShortEdges, AfterOpening);
+  constexpr double AfterOpening = 0.9 * AfterCells + 0.1 * AfterEditing;
+  constexpr double AfterEdits = 0.06 * AfterCells + 0.94 * AfterEditing;
+  constexpr double AfterClosing = 0.02 * AfterCells + 0.98 * AfterEditing;
+  execution.stage("Opening of the wall", AfterCells, AfterOpening);
   EditableWall wall = openWall({ a.boxes, a.patches, a.sides, a.nodes, a.wall },
     { options.patches.featureAngle, layers }, execution);
   execution.stage("Edits of the wall", AfterOpening, AfterEdits);
-  count(a,
-    improveWall(wall.mesh,
-      { options.collapse.ratio, options.shaping.mergeRatio, options.shaping.optimiseNodes,
-        standsOff(options), options.shaping.refusedCellRatio > 0 },
-      execution));
+  count(a, improveWall(wall.mesh, improvementOf(options, isExact(a.patches)), execution));
   execution.stage("Closing of the wall", AfterEdits, AfterClosing);
   closeWall(wall, a.boxes, a.patches.walls, a.sides, a.nodes, a.wall, execution);
   wall.mesh.store().release(execution);
-  execution.stage("Checks of cells", AfterClosing, AfterShaping);
+  execution.stage("Checks of cells", AfterClosing, AfterEditing);
 }
 
 bool isWhole(const Assembly& a)
@@ -495,12 +362,7 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   Execution& execution, const WallLayerSpec* layers, const PartsToKeep& parts)
 {
   requireValidCells(given);
-  Options options = forWalls(given, patches.walls);
-  const bool inPlace = editsInPlace(options) && !isExact(patches);
-  if (layers && options.collapse.ratio > 0 && !inPlace)
-  {
-    options.collapse.ratio = std::max(options.collapse.ratio, CollapseSpec::WithLayers);
-  }
+  const Options options = forWalls(given, patches.walls);
   auto assembly = std::make_unique<Assembly>();
   Assembly& a = *assembly;
   a.boxes = std::move(boxes);
@@ -509,36 +371,15 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   execution.stage("Common sides of boxes", AfterPatches, AfterSides);
   a.sides = findSides(a.boxes, execution);
   simplifyDetail(a, execution);
-  const BoxFlags flawed =
-    keepParts(a, rebuildFlawed(a, makeFaces(a, execution), execution), parts, options, execution);
-  if (options.collapse.ratio > 0 && !inPlace)
-  {
-    CollapseAttempts(a, flawed, options, execution).run();
-  }
-  else
-  {
-    a.wall = makeCells(a, options, execution);
-  }
-  if (standsOff(options) && !inPlace &&
-    standOff(a.boxes, a.patches, a.inner, options.patches.featureAngle, a.nodes, execution))
-  {
-    a.wall = makeCells(a, options, execution);
-  }
+  keepParts(a, rebuildFlawed(a, makeFaces(a, execution), execution), parts, options, execution);
+  a.wall = makeCells(a, options, execution);
   a.inner = InnerFaces();
   a.patches.forgetPolygons();
   removeOverlapping(a, execution);
   makeInterfaces(a.patches.walls, a.wall);
-  if (inPlace)
+  if (editsWall(options))
   {
-    editInPlace(a, options, layers, execution);
-  }
-  else if (shapesCells(options))
-  {
-    execution.stage("Shaping of cells", AfterShortEdges, AfterShaping);
-    a.shaping = shapeCells(a.boxes, a.patches, a.sides, a.nodes, a.wall,
-      { options.smallCells, options.shaping, options.patches.featureAngle, layers,
-        options.domain.isOutside() },
-      execution);
+    editWall(a, options, layers, execution);
   }
   for (const std::uint32_t c : overlappingCells(a.boxes, a.nodes.at.size(), a.wall, execution))
   {
@@ -557,7 +398,7 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
     a.separate.ofRegions = countParts(a.boxes, a.patches.walls, a.sides, a.wall);
   }
   a.nodes.warped = warpedHexahedra(a.boxes, a.sides, a.nodes, execution);
-  execution.stage("Numbering", AfterShaping, AfterNumbering);
+  execution.stage("Numbering", AfterEditing, AfterNumbering);
   a.mesh = std::make_unique<OutputMesh>(
     MeshParts{ a.boxes, a.patches, a.sides, a.nodes, a.wall }, execution);
   requireCells(a, options);

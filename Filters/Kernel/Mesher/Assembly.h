@@ -3,10 +3,10 @@
 #pragma once
 
 #include "Cells/KeptParts.h"
+#include "Cells/RemovedCell.h"
 #include "Layers/BoundaryLayers.h"
 #include "Mesh/OutputMesh.h"
 #include "Mesher/Options.h"
-#include "Shaping/CellShaping.h"
 
 #include <memory>
 
@@ -23,6 +23,16 @@ struct SeparateParts
     ofRegions; // how many there are in each (ConnectedCells.h); of the whole mesh only
 };
 
+// What happened to cells of the core.
+struct CellEdits
+{
+  std::size_t split = 0; // cuts
+  std::size_t merged = 0;
+  std::vector<RemovedCell> removed; // small ones
+  std::size_t simplified = 0; // they failed: faces were joined at any angle: the paper's IP patches
+  std::vector<RemovedCell> overlapping; // they overlapped others as they were cut, and were removed
+};
+
 // The results of the steps for a part of the grid, or all of it. `mesh` refers to the others.
 struct Assembly
 {
@@ -33,9 +43,9 @@ struct Assembly
   InnerFaces inner; // until cells are assembled of them and the patches
   WallMesh wall;
   std::vector<std::uint32_t> rebuilt; // boxes whose patches were rebuilt, in order
-  Shaping shaping;
+  CellEdits edits;
   SeparateParts separate;
-  std::vector<std::uint32_t> overlapping; // boxes of cells that overlap others, once shaped
+  std::vector<std::uint32_t> overlapping; // boxes of cells that overlap others in the end
   double relaxation = 1;                  // of sizes, for the cell budget
   std::unique_ptr<OutputMesh> mesh;
   std::unique_ptr<BoundaryLayers> layers; // on the mesh, or null

@@ -203,10 +203,8 @@ ExpectedMesh expected(
   mesh.cells = std::max(1.0,
     std::round(boxes.all - (merges ? CellsMerged : 0) * boxes.intersected +
       layers.count * CellsOfALayer * boxes.atLayers));
-  MeshEstimate estimate =
+  const MeshEstimate estimate =
     estimateOf(mesh.boxes, boxes.intersected, static_cast<double>(surface.triangleCount));
-  estimate.atOnce =
-    boxes.intersected * shareAtOnce(areas.longest() / mesh.size, execution.threads());
   mesh.bytes = estimate.bytes(memoryLimitOf(options, execution.threads()));
   return mesh;
 }

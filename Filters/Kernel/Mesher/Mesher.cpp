@@ -37,14 +37,12 @@ WallLayerSpec forWalls(WallLayerSpec layers, const Walls& walls)
   return layers;
 }
 
-// Of one of some parts that have as much each, and as much in each of the grid's layers.
-MeshEstimate ofAPart(MeshEstimate estimate, int parts, std::size_t layers, int threads)
+// Of one of some parts that have as much each.
+MeshEstimate ofAPart(MeshEstimate estimate, int parts)
 {
   estimate.inside /= parts;
   estimate.intersected /= parts;
   estimate.pieces /= parts;
-  estimate.atOnce =
-    estimate.intersected * shareAtOnce(static_cast<double>(layers) / parts, threads);
   return estimate;
 }
 
@@ -210,9 +208,8 @@ PreparedSurface prepareSurface(
     prepared.surface.around = Winding{ 1, false };
     prepared.surface.ends = options.domain.sides;
   }
-  checkMemory(ofAPart(estimateMesh(prepared.surface, prepared.planes), parts,
-                prepared.planes[2].size() - 1, execution.threads()),
-    prepared.memoryLimit);
+  checkMemory(
+    ofAPart(estimateMesh(prepared.surface, prepared.planes), parts), prepared.memoryLimit);
   prepared.boundariesGiven = countsOf(prepared.surface.boundary);
   separate(prepared, view, options, execution);
   chooseDomain(options.domain, prepared);
@@ -232,7 +229,7 @@ std::unique_ptr<Decomposition> decompose(
   refinement.sizing.featureAngle = options.patches.featureAngle;
   refinement.transitionLayers = transitionLayersOf(options);
   return std::make_unique<Decomposition>(prepared.surface, prepared.planes, refinement,
-    prepared.memoryLimit, laterStepsOf(options), execution);
+    prepared.memoryLimit, editsWall(options), execution);
 }
 
 Patches makePatches(const PreparedSurface& prepared, const Decomposition& decomposition,

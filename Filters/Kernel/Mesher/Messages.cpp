@@ -221,7 +221,7 @@ std::string describeLeftOut(const Assembly& a, const std::map<std::int32_t, std:
   {
     boxes.push_back(cell.box);
   }
-  const std::size_t refused = a.shaping.refused.size();
+  const std::size_t refused = a.edits.overlapping.size();
   const std::size_t fragments = a.separate.fragments.size();
   return counted(cells.size(), "cell is", "cells are") + " left out, " +
     number(std::round(share * Percent * 100) / 100) + " % of the volume: " +
@@ -261,8 +261,9 @@ std::string describeNothing(const Assembly& assembly, const Options& options)
         ? "a tenth of Merge Ratio (" + number(options.shaping.strandedRatio())
         : "Small Cell Ratio (" + number(options.smallCells.ratio)) +
     " of the volume of their boxes)";
-  return assembly.shaping.refused.empty() ? all + ". Choose a smaller ratio or a smaller Cell Size."
-                                          : all +
+  return assembly.edits.overlapping.empty()
+    ? all + ". Choose a smaller ratio or a smaller Cell Size."
+    : all +
       ", or are failing cells, which solvers would reject. Choose a smaller Cell Size, or set "
       "Refused Cell Ratio to 0 to keep them.";
 }

@@ -64,7 +64,6 @@ std::vector<NamedOption> optionTable()
     { "True Volume", double(d.shaping.trueVolume), { 0, 1 }, "" },
     { "Split Concave Cells", double(d.shaping.splitConcave), { 0, 1 }, "" },
     { "Optimise Nodes", double(d.shaping.optimiseNodes), { 0, 1 }, "" },
-    { "Edit In Place", double(d.shaping.editsInPlace), { 0, 1 }, "" },
     { "Refused Cell Ratio", d.shaping.refusedCellRatio, ShapingSpec::RefusedCellRatios, "" },
     { "Layers", double(d.layers.count), WallLayerSpec::Counts, "" },
     { "Layer Expansion Ratio", d.layers.ratio, WallLayerSpec::Ratios, "" },

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesher/Options.h"
 
-#include "Shaping/CellShaping.h"
-
 #if __has_include(<unistd.h>)
 #include <unistd.h>
 #endif
@@ -37,7 +35,7 @@ MemoryLimit memoryLimitOf(const Options& options, int threads)
 {
   const double bytes =
     options.memoryLimit > 0 ? options.memoryLimit * BytesOfAGiB : ShareOfMemory * machineMemory();
-  return { bytes, options.patches.method == PatchMethod::ExactFit, shapesCells(options),
+  return { bytes, options.patches.method == PatchMethod::ExactFit, editsWall(options),
     options.layers.any() ? 1 : 0, threads };
 }
 
@@ -50,26 +48,18 @@ int transitionLayersOf(const Options& options)
 
 bool shapesCells(const Options& options)
 {
-  return shapesCells(options.smallCells, options.shaping);
+  return options.smallCells.handling == SmallCells::Merge || options.shaping.splitConcave;
 }
 
-bool standsOff(const Options& options)
+bool editsWall(const Options& options)
+{
+  return shapesCells(options) || options.collapse.ratio > 0;
+}
+
+bool keepsTrueVolume(const Options& options)
 {
   return options.shaping.trueVolume && shapesCells(options) &&
     options.patches.method == PatchMethod::Automatic;
-}
-
-LaterSteps laterStepsOf(const Options& options)
-{
-  return { options.collapse.ratio > 0, standsOff(options), shapesCells(options),
-    editsInPlace(options) };
-}
-
-bool editsInPlace(const Options& options)
-{
-  return options.shaping.editsInPlace && options.collapse.ratio > 0 &&
-    options.smallCells.handling == SmallCells::Merge && options.shaping.splitConcave &&
-    options.patches.method != PatchMethod::ExactFit;
 }
 
 void requireValidCells(const Options& options)

@@ -6,13 +6,12 @@
 #include "Boxes/MeshEstimate.h"
 #include "Boxes/Refinement.h"
 #include "Cells/SmallCellSpec.h"
-#include "Collapse/CollapseSpec.h"
+#include "Editing/CollapseSpec.h"
+#include "Editing/ShapingSpec.h"
 #include "Lattice/Meshlines.h"
-#include "Parts/Slabs.h"
 #include "Patches/PatchSpec.h"
 #include "Repair/Baffles.h"
 #include "Repair/ThinSheets.h"
-#include "Shaping/ShapingSpec.h"
 #include "Surface/FlowDomain.h"
 #include "Surface/WallLayerSpec.h"
 
@@ -57,20 +56,17 @@ struct Options
 // The memory that a mesh may take; unlimited if this machine's memory is unknown.
 MemoryLimit memoryLimitOf(const Options& options, int threads);
 
-// How far the cells of a part depend on others.
-LaterSteps laterStepsOf(const Options& options);
-
-// Whether one mesh of the wall is edited in place (Editing/WallImprovement.h): where that is asked for, in the usual setting.
-bool editsInPlace(const Options& options);
+// Whether the cells at the wall are edited (Editing/WallImprovement.h), or stay as they are cut.
+bool editsWall(const Options& options);
 
 // Boxes that double in size right at a wall smear separating flow, so outside there are 3 layers between, unless the
 // user says otherwise.
 int transitionLayersOf(const Options& options);
 
-// Whether nodes move off the surface (StandOff.h).
-bool standsOff(const Options& options);
+// Whether nodes rise from the surface until the mesh has its volume (Editing/TrueVolume.h).
+bool keepsTrueVolume(const Options& options);
 
-// Whether any step of shaping has work to do.
+// Whether cells are merged or cut, not only short edges collapse.
 bool shapesCells(const Options& options);
 
 // Throws Error (BadParameter) where an option about cells is out of its range; other groups are checked

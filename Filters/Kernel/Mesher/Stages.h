@@ -16,16 +16,17 @@ constexpr double AfterPatches = 0.1085;
 constexpr double AfterSides = 0.133;
 constexpr double AfterInnerFaces = 0.147;
 constexpr double AfterCells = 0.154;
-constexpr double AfterShortEdges = 0.21;
-constexpr double AfterShaping = 0.616;
+constexpr double AfterEditing = 0.616;
 constexpr double AfterNumbering = 0.651;
 constexpr double AfterLayers = 0.951;
 
 // Excludes from the progress the stages that the options do not need; before the first stage.
 inline void planStages(const Options& options, Execution& execution)
 {
-  execution.leaveOut(options.collapse.ratio > 0 ? AfterShortEdges : AfterCells,
-    shapesCells(options) ? AfterShortEdges : AfterShaping);
+  if (!editsWall(options))
+  {
+    execution.leaveOut(AfterCells, AfterEditing);
+  }
   if (!options.layers.any())
   {
     execution.leaveOut(AfterNumbering, AfterLayers);

@@ -77,7 +77,7 @@ constexpr std::array<Row, 30> Table{ {
   { "RefusedCellsRemoved", "failing cells left out", &Counts::refusedCellsRemoved },
   { "FragmentCellsRemoved", "cells left out, as the grid cuts them off from the rest",
     &Counts::fragmentCellsRemoved },
-  { "VolumeLeftOut", "volume of the cells of these three kinds, in user units cubed",
+  { "VolumeLeftOut", "volume of the cells that were left out, in user units cubed",
     &Counts::volumeLeftOut },
   { "SurfaceVolume", "what the surface encloses of the domain, in user units cubed; 0: not known",
     &Counts::surfaceVolume },
@@ -187,16 +187,16 @@ private:
 
   void countChanges()
   {
-    n_.cellsSplit = static_cast<double>(a_.shaping.cellsSplit);
-    n_.cellsWithJoinedFaces = static_cast<double>(a_.shaping.cellsSimplified);
-    n_.smallCellsMerged = static_cast<double>(a_.shaping.cellsMerged);
-    n_.refusedCellsRemoved = static_cast<double>(a_.shaping.refused.size());
+    n_.cellsSplit = static_cast<double>(a_.edits.split);
+    n_.cellsWithJoinedFaces = static_cast<double>(a_.edits.simplified);
+    n_.smallCellsMerged = static_cast<double>(a_.edits.merged);
+    n_.refusedCellsRemoved = static_cast<double>(a_.edits.overlapping.size());
     n_.fragmentCellsRemoved = static_cast<double>(a_.separate.fragments.size());
     n_.volumeLeftOut = volumeLeftOut(a_);
     n_.surfaceVolume = a_.patches.surfaceVolume;
     const std::vector<double> volumes = regionVolumes(a_);
     n_.meshVolume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
-    n_.smallCellsRemoved += static_cast<double>(a_.shaping.cellsRemoved) - n_.refusedCellsRemoved -
+    n_.smallCellsRemoved += static_cast<double>(a_.edits.removed.size()) - n_.refusedCellsRemoved -
       n_.fragmentCellsRemoved;
     n_.sizesRelaxed = a_.relaxation - 1;
     n_.partsLeftOut = static_cast<double>(a_.separate.leftOut);

@@ -8,7 +8,7 @@ namespace
 {
 
 // Layers of global boxes around a part on which its cells depend, directly or not. Up to where
-// cells are cut, that is layersForCells() (Slabs.h). Before that, in three rounds, flawed boxes
+// cells are cut, that is layersForCells() (Halos.h). Before that, in three rounds, flawed boxes
 // change their neighbours and are flawed by them (BoxRebuilding.h); faces towards the next layer
 // depend on its surface, and on how each box there is patched; and where boxes are divided, on the
 // split lines of the layer after that.
@@ -17,21 +17,14 @@ constexpr std::uint32_t HaloOfUndivided = HaloOfRebuilding + 1;
 constexpr std::uint32_t HaloOfDivided = HaloOfUndivided + 1;
 
 // The layers that a part needs of the balanced boxes; balancing takes balanceReach() more.
-Layers layersFor(
-  Layers core, const LaterSteps& laterSteps, const Refinement& refinement, std::uint32_t allLayers)
+Layers layersFor(Layers core, bool editsWall, const Refinement& refinement, std::uint32_t allLayers)
 {
-  return layersForCells(core, laterSteps, allLayers)
+  return layersForCells(core, editsWall, allLayers)
     .grown(refinement.any() ? HaloOfDivided : HaloOfUndivided, allLayers);
 }
 
 // The time for an intersected box relative to one inside (see Testing/Benchmark).
 constexpr double WorkOfAnIntersectedBox = 30;
-
-// Where it costs least to divide shaped cells.
-std::uint32_t nearestDivide(std::uint32_t layer)
-{
-  return layer / DivideDistance * DivideDistance + FirstDivide;
-}
 
 double workOf(const MeshEstimate& estimate)
 {
@@ -41,12 +34,11 @@ double workOf(const MeshEstimate& estimate)
 }
 
 Decomposition::Decomposition(const Surface& surface, const Meshlines& planes,
-  const RefinementSpec& spec, const MemoryLimit& limit, const LaterSteps& laterSteps,
-  Execution& execution)
+  const RefinementSpec& spec, const MemoryLimit& limit, bool editsWall, Execution& execution)
   : surface_(surface)
   , planes_(planes)
   , limit_(limit)
-  , laterSteps_(laterSteps)
+  , editsWall_(editsWall)
   , shoeboxes_(fillShoeboxes(surface, planes, execution))
   , refinement_(spec, surface, shoeboxes_, planes, execution)
   , statuses_(surface, planes, shoeboxes_, execution)
@@ -64,7 +56,7 @@ void Decomposition::relax(double factor, Execution& execution)
 
 Boxes Decomposition::boxes(Layers core, Execution& execution) const
 {
-  const Layers kept = layersFor(core, laterSteps_, refinement_, allLayers().end);
+  const Layers kept = layersFor(core, editsWall_, refinement_, allLayers().end);
   if (refinement_.any())
   {
     checkMemory(together(estimateLayers(execution), kept), limit_);
@@ -98,14 +90,11 @@ std::vector<MeshEstimate> Decomposition::estimateLayers(Execution& execution) co
 MeshEstimate Decomposition::together(const std::vector<MeshEstimate>& ofLayers, Layers layers) const
 {
   MeshEstimate sum;
-  std::vector<double> intersected(ofLayers.size());
   for (std::uint32_t k = layers.begin; k < layers.end; ++k)
   {
     sum.add(ofLayers[k]);
-    intersected[k] = ofLayers[k].intersected;
   }
   sum.triangles = static_cast<double>(surface_.triangles.size());
-  sum.atOnce = mostAtOnce(intersected, layers, limit_.threads);
   return sum;
 }
 
@@ -115,8 +104,6 @@ std::vector<Layers> Decomposition::split(
   const auto end = static_cast<std::uint32_t>(layers.size());
   const double all = workOf(together(layers, { 0, end }));
   std::vector<Layers> parts(count);
-  // Thin parts would become too uneven.
-  const bool moves = laterSteps_.shapes && end >= 2 * std::size_t(DivideDistance) * count;
   std::uint32_t k = 0;
   double before = 0;
   for (std::size_t part = 0; part < count; ++part)
@@ -127,7 +114,7 @@ std::vector<Layers> Decomposition::split(
     {
       before += workOf(layers[k++]);
     }
-    parts[part].end = moves && part + 1 < count ? std::min(nearestDivide(k), end) : k;
+    parts[part].end = k;
   }
   return parts;
 }
@@ -140,7 +127,7 @@ std::size_t Decomposition::partsNeeded(const std::vector<MeshEstimate>& layers) 
     MeshEstimate largest;
     for (const Layers& core : split(layers, count))
     {
-      const MeshEstimate part = together(layers, layersFor(core, laterSteps_, refinement_, all));
+      const MeshEstimate part = together(layers, layersFor(core, editsWall_, refinement_, all));
       largest = part.bytes(limit_) > largest.bytes(limit_) ? part : largest;
     }
     if (largest.bytes(limit_) <= limit_.bytes)

@@ -3,7 +3,7 @@
 //
 // A part is a range of layers of global boxes along z, its core, that is meshed by itself: one part
 // after the other if the mesh is larger than memory (7.2), or each on its own rank. All decisions
-// of the mesher are local and exact, so with some layers around its core (Slabs.h) a part has
+// of the mesher are local and exact, so with some layers around its core (Halos.h) a part has
 // exactly the cells and points of the whole mesh, and the parts together are that mesh, bit for
 // bit. Parts are layers because cells and points are numbered along z last: each part's numbers
 // follow those of the part before it.
@@ -11,7 +11,7 @@
 
 #include "Boxes/BoxGeneration.h"
 #include "Boxes/MeshEstimate.h"
-#include "Parts/Slabs.h"
+#include "Parts/Halos.h"
 
 namespace cartesian
 {
@@ -19,11 +19,11 @@ namespace cartesian
 class Decomposition
 {
 public:
-  // Borrows `surface` and `planes`. `limit`: of one part; `laterSteps`:
-  // what will be done to the cells. Throws Error: BadParameter (of the refinement); of a region's
+  // Borrows `surface` and `planes`. `limit`: of one part; `editsWall`: whether cells will be
+  // edited. Throws Error: BadParameter (of the refinement); of a region's
   // surface EmptySurface, BadCoordinate, FlawedSurface.
   Decomposition(const Surface& surface, const Meshlines& planes, const RefinementSpec& spec,
-    const MemoryLimit& limit, const LaterSteps& laterSteps, Execution& execution);
+    const MemoryLimit& limit, bool editsWall, Execution& execution);
 
   Decomposition(const Decomposition&) = delete;
   Decomposition& operator=(const Decomposition&) = delete;
@@ -53,15 +53,14 @@ public:
   // if a single layer does.
   std::size_t partsNeeded(const std::vector<MeshEstimate>& layers) const;
 
-  // Divides the layers into `count` parts that take about equally long; some may be empty. If cells
-  // are shaped, the parts are divided where they need the smallest halo.
+  // Divides the layers into `count` parts that take about equally long; some may be empty.
   std::vector<Layers> split(const std::vector<MeshEstimate>& layers, std::size_t count) const;
 
 private:
   const Surface& surface_;
   const Meshlines& planes_;
   MemoryLimit limit_;
-  LaterSteps laterSteps_;
+  bool editsWall_;
   Shoeboxes shoeboxes_;
   Refinement refinement_;
   double relaxation_ = 1; // of its sizes

@@ -112,22 +112,6 @@ FaceGeometry measureFace(std::size_t size, Corner&& corner)
   return measureFace(size, corner, [](const Vector&) {});
 }
 
-// The centre as later versions of OpenFOAM define it: with the areas of the triangles projected
-// along the face's normal. It differs for warped faces.
-template <class Corner>
-Vector projectedCentre(std::size_t size, Corner&& corner, const Vector& area)
-{
-  Vector moment{ 0, 0, 0 };
-  double sum = 0;
-  const Vector mean = forEachStarTriangle(
-    size, corner, [&](const Vector& p, const Vector& q, const Vector& triangle) {
-      const double part = dot(triangle, area);
-      moment = plus(moment, scaled(plus(p, q), part / 3));
-      sum += part;
-    });
-  return sum < Tiny ? mean : plus(mean, scaled(moment, 1 / sum));
-}
-
 // The least of a star's triangles, by the products of their areas with that of the whole.
 class StarShare
 {

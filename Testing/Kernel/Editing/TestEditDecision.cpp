@@ -141,23 +141,33 @@ TEST(MayMove, AlongTheLeashOnly)
   EditMesh mesh = block();
   const std::uint32_t surface = nodeAt(mesh, { 1, 1, 0 });
   mesh.rawNode(surface).leash = 0.25F;
-  EXPECT_TRUE(mayMove(mesh, surface, { 1.25, 1, 0 }));
-  EXPECT_FALSE(mayMove(mesh, surface, { 1.26, 1, 0 }));
+  EXPECT_TRUE(mayMove(mesh, EditRules(), surface, { 1.25, 1, 0 }));
+  EXPECT_FALSE(mayMove(mesh, EditRules(), surface, { 1.26, 1, 0 }));
   mesh.rawNode(surface).home = { 1.125, 1, 0 };
-  EXPECT_TRUE(mayMove(mesh, surface, { 1.26, 1, 0 }));
-  EXPECT_TRUE(mayMove(mesh, nodeAt(mesh, { 1, 1, 1 }), { 1.75, 1, 1 }));
-  EXPECT_FALSE(mayMove(mesh, nodeAt(mesh, { 0, 0, 0 }), { 0.01, 0, 0 }));
+  EXPECT_TRUE(mayMove(mesh, EditRules(), surface, { 1.26, 1, 0 }));
+  EXPECT_TRUE(mayMove(mesh, EditRules(), nodeAt(mesh, { 1, 1, 1 }), { 1.75, 1, 1 }));
+  EXPECT_FALSE(mayMove(mesh, EditRules(), nodeAt(mesh, { 0, 0, 0 }), { 0.01, 0, 0 }));
+}
+
+TEST(MayMove, NotAlongWallsThatMustNotChange)
+{
+  EditMesh mesh = block();
+  mesh.rawNode(nodeAt(mesh, { 1, 1, 0 })).leash = 0.25F;
+  EditRules rules;
+  rules.mayChangeWalls = false;
+  EXPECT_FALSE(mayMove(mesh, rules, nodeAt(mesh, { 1, 1, 0 }), { 1.25, 1, 0 }));
+  EXPECT_TRUE(mayMove(mesh, rules, nodeAt(mesh, { 1, 1, 1 }), { 1.25, 1, 1 }));
 }
 
 TEST(MayMove, HeldNodesStayOnTheirPlanes)
 {
   EditMesh mesh = block(4);
   const std::uint32_t n = nodeAt(mesh, { 1, 1, 0 });
-  EXPECT_TRUE(mayMove(mesh, n, { 1.125, 1, 0 }));
-  EXPECT_FALSE(mayMove(mesh, n, { 1.125, 1, 0.01 }));
+  EXPECT_TRUE(mayMove(mesh, EditRules(), n, { 1.125, 1, 0 }));
+  EXPECT_FALSE(mayMove(mesh, EditRules(), n, { 1.125, 1, 0.01 }));
   const std::uint32_t inside = nodeAt(mesh, { 1, 1, 1 });
   mesh.rawNode(inside).held = HeldFast;
-  EXPECT_FALSE(mayMove(mesh, inside, { 1.125, 1, 1 }));
+  EXPECT_FALSE(mayMove(mesh, EditRules(), inside, { 1.125, 1, 1 }));
 }
 
 TEST(MayJoin, ChargesForSharpEdges)

@@ -349,27 +349,6 @@ TEST_P(EditableWallOf, NodesAreHeld)
   }
 }
 
-// The paper's setting and Exact Fit are edited as without the option.
-TEST(EditableWall, IsNotForAllSettings)
-{
-  const auto changesNothing = [](const Soup& soup, double size, TestOptions options) {
-    options.shaping.editsInPlace = false;
-    const Meshed without = meshOf(soup, cellsOf(size), options);
-    options.shaping.editsInPlace = true;
-    return meshOf(soup, cellsOf(size), options).mesh == without.mesh;
-  };
-  const Soup ball = sphere(6, 0.7);
-  TestOptions paper;
-  paper.smallCells.handling = SmallCells::Remove;
-  EXPECT_TRUE(changesNothing(ball, 0.21, paper));
-  paper.collapse.ratio = 0;
-  EXPECT_TRUE(changesNothing(ball, 0.21, paper));
-  TestOptions exact;
-  exact.patches = exactFit();
-  EXPECT_TRUE(changesNothing(cube().turned(), 0.31, exact));
-  EXPECT_FALSE(changesNothing(ball, 0.21, TestOptions()));
-}
-
 TEST(EditableWall, KindsOfNodesOfACube)
 {
   const auto a = assembledOf(Case{ "", cube().turned(), plain(0.23, 0) });

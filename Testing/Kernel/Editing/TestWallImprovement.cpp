@@ -241,7 +241,7 @@ TEST(WallImprovement, WallsAreCentred)
   const ObjectiveSpec spec;
   costAll(store, spec, execution);
   editInZones(store, execution, [&](const ZoneTask& task) {
-    simplifyWalls(task, SimplificationSpec(), spec, [] {});
+    simplifyWalls(task, SimplificationSpec(), { spec }, [] {});
     improve(task, LoopSpec(), [] {});
   });
   const double tangentsBefore = tangents();
@@ -273,7 +273,7 @@ TEST(WallImprovement, DebtsAreWhatTheVolumeLacks)
   costAll(store, spec.rules.spec, execution);
   const double before = together();
   editInZones(store, execution, [&](const ZoneTask& task) {
-    simplifyWalls(task, SimplificationSpec(), spec.rules.spec, poll);
+    simplifyWalls(task, SimplificationSpec(), spec.rules, poll);
     snapEdges(task, spec.rules, SnapSpec(), poll);
   });
   EXPECT_NEAR(together(), before, 1e-9 * before);

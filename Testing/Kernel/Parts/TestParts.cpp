@@ -287,12 +287,11 @@ TEST_P(ShapedParts, AreTheWholeRefinedMeshOfShapedCells)
   expectShapedUnion(soup, cellsAlongLongest(soup, 46.3), 1);
 }
 
-TEST_P(ShapedParts, AreTheWholeMeshOfWallsEditedInPlace)
+TEST_P(ShapedParts, AreTheWholeMeshByDefault)
 {
   const Soup& soup = GetParam().soup;
   TestOptions options;
   options.refinement = depth(1);
-  options.shaping.editsInPlace = true;
   expectUnion(soup, cellsAlongLongest(soup, 4.7), options);
 }
 

@@ -297,17 +297,15 @@ std::size_t cornersAtTheWall(const Assembly& assembly)
   return corners.size();
 }
 
-// What a wall of nodes that only collapsed is made with.
+// Cells as they are cut.
 TestOptions unshaped()
 {
   TestOptions options = asTheyAre();
   options.patches = {};
-  options.collapse = {};
   return options;
 }
 
-// Edges collapse onto nodes of the grid, too.
-TEST(PointKinds, OfNodesOutliveCollapsedEdges)
+TEST(PointKinds, AreKnownOfNodesAtTheWall)
 {
   for (const Case& shape : shapes())
   {

@@ -32,7 +32,6 @@ inline TestOptions optionsInPlace(const WallCase& one)
 {
   TestOptions options;
   options.refinement = depth(one.levels);
-  options.shaping.editsInPlace = true;
   return options;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hexahedra with corners that moved onto the surface (EdgeCollapse.h), and their volumes.
+// Hexahedra with corners that moved onto the surface (Editing/ShortEdges.h), and their volumes.
 #pragma once
 
 #include "Faces/Nodes.h"

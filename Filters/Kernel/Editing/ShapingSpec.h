@@ -19,10 +19,10 @@ struct ShapingSpec
   // where cells merge.
   double strandedRatio() const { return mergeRatio / 10; }
 
-  // Whether nodes at the wall move to within preferred quality limits (NodeOptimisation.h); not with Exact Fit.
+  // Whether nodes at the wall move to within preferred quality limits (NodeMoves.h, WallCentring.h); not with Exact Fit.
   bool optimiseNodes = true;
 
-  // Whether nodes of curved walls move off the surface, so that the mesh has its volume (StandOff.h); not with Exact Fit,
+  // Whether nodes of curved walls move off the surface, so that the mesh has its volume (TrueVolume.h); not with Exact Fit,
   // nor where cells stay as they are cut.
   bool trueVolume = true;
 
@@ -31,10 +31,6 @@ struct ShapingSpec
   // Where cells are split: failing cells that cannot be repaired are removed, up to this many volumes of their box;
   // 0: none.
   double refusedCellRatio = 4;
-
-  // Whether one mesh is edited in place instead of all that (Editing/EditableWall.h): hidden, until it does
-  // everything.
-  bool editsInPlace = true;
 };
 
 }

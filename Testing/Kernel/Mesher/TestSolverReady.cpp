@@ -1,7 +1,6 @@
 // With the default properties no cell is left that section 3 or OpenFOAM's checkMesh refuses.
 #include "Base/Error.h"
 #include "Polyhedra/CellGeometry.h"
-#include "Polyhedra/Polyhedron.h"
 #include "Support/MeshChecker.h"
 
 #include <gtest/gtest.h>
@@ -44,6 +43,22 @@ std::map<Face, int> usesOfFaces(const MeshArrays& mesh)
   return uses;
 }
 
+// The centre as later versions of OpenFOAM define it: with the areas of the triangles projected
+// along the face's normal. It differs for warped faces.
+template <class Corner>
+Vector projectedCentre(std::size_t size, Corner&& corner, const Vector& area)
+{
+  Vector moment{ 0, 0, 0 };
+  double sum = 0;
+  const Vector mean = forEachStarTriangle(
+    size, corner, [&](const Vector& p, const Vector& q, const Vector& triangle) {
+      const double part = dot(triangle, area);
+      moment = plus(moment, scaled(plus(p, q), part / 3));
+      sum += part;
+    });
+  return sum < Tiny ? mean : plus(mean, scaled(moment, 1 / sum));
+}
+
 // Faces that break a rule of section 3 by the centres that later versions of OpenFOAM give bent faces.
 std::size_t failuresByProjectedCentres(const MeshArrays& mesh)
 {
@@ -51,24 +66,23 @@ std::size_t failuresByProjectedCentres(const MeshArrays& mesh)
   std::size_t failures = 0;
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
   {
-    Polyhedron polyhedron;
+    std::vector<FaceGeometry> shapes;
+    std::vector<bool> isBoundary;
     for (const Face& face : facesOf(mesh, cell))
     {
-      for (const Id point : face)
-      {
-        const double* const p = &mesh.points[3 * static_cast<std::size_t>(point)];
-        polyhedron.addCorner(static_cast<std::uint32_t>(polyhedron.nodes.size()));
-        polyhedron.nodes.push_back({ p[0], p[1], p[2] });
-      }
-      polyhedron.closeFace(uses.at(nodesOf(face)) == 1);
+      const auto corner = [&](std::size_t i) {
+        const double* const p = &mesh.points[3 * static_cast<std::size_t>(face[i])];
+        return Vector{ p[0], p[1], p[2] };
+      };
+      shapes.push_back(measureFace(face.size(), corner));
+      shapes.back().centre = projectedCentre(face.size(), corner, shapes.back().area);
+      isBoundary.push_back(uses.at(nodesOf(face)) == 1);
     }
-    CellShape shape;
-    measure(polyhedron, shape);
-    projectCentres(polyhedron, shape);
-    for (std::size_t f = 0; f < polyhedron.faces(); ++f)
+    const CellGeometry geometry =
+      measureCell(shapes.size(), [&](std::size_t f) -> const FaceGeometry& { return shapes[f]; });
+    for (std::size_t f = 0; f < shapes.size(); ++f)
     {
-      const double degrees = angle(minus(shape.faces[f].centre, shape.centre), shape.faces[f].area);
-      failures += degrees >= (polyhedron.isBoundary[f] != 0 ? 90 : 75) ? 1 : 0;
+      failures += faceAngle(geometry, shapes[f]) >= (isBoundary[f] ? 90 : 75) ? 1 : 0;
     }
   }
   return failures;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Collapse/WarpedHexahedra.h"
+#include "Cells/WarpedHexahedra.h"
 
 #include "Faces/UsedVertices.h"
-#include "Polyhedra/Polyhedron.h"
+#include "Polyhedra/CellGeometry.h"
 
 #include <algorithm>
 
@@ -149,29 +149,21 @@ private:
   WarpedHexahedron measured(std::uint32_t box, Corner&& corner) const
   {
     const Box whole = boxes_.box(box);
-    Polyhedron polyhedron;
-    polyhedron.reserve(8, 6, 24);
-    for (unsigned c = 0; c < 8; ++c)
-    {
-      polyhedron.nodes.push_back(minus(corner(c), whole.low));
-    }
+    std::array<FaceGeometry, 6> faces;
     for (int axis = 0; axis < 3; ++axis)
     {
       for (const unsigned upper : { 0u, 1u })
       {
-        std::array<unsigned, 4> ring = sideCorners(axis, upper);
-        if (!upper)
-        {
-          std::reverse(ring.begin(), ring.end());
-        }
-        std::for_each(ring.begin(), ring.end(), [&](unsigned c) { polyhedron.addCorner(c); });
-        polyhedron.closeFace(false);
+        const std::array<unsigned, 4> ring = sideCorners(axis, upper);
+        faces[2 * std::size_t(axis) + upper] = measureFace(ring.size(), [&](std::size_t i) {
+          return minus(corner(ring[upper != 0 ? i : ring.size() - 1 - i]), whole.low);
+        });
       }
     }
-    CellShape shape;
-    measure(polyhedron, shape);
+    const CellGeometry geometry =
+      measureCell(faces.size(), [&](std::size_t i) -> const FaceGeometry& { return faces[i]; });
     const Vector size = minus(whole.high, whole.low);
-    return { box, shape.volume / (size[0] * size[1] * size[2]) };
+    return { box, geometry.volume / (size[0] * size[1] * size[2]) };
   }
 
   const Boxes& boxes_;
