@@ -10,7 +10,7 @@ from wallsurfaces import Surface, from_proxy
 
 CONDUCTIVITIES = np.array([1.0, 10.0])
 HOLE, MIDDLE, RADIUS = 0.4, 0.7, 1.0
-WHAT = "chtMultiRegionSimpleFoam, non-orthogonal corrections limited by 0.5 (without, it diverges on most of ours). Errors of temperature relative to its range, of the heat flow through the interface, and the mean over its faces."
+WHAT = "chtMultiRegionSimpleFoam, non-orthogonal corrections in full. Errors of temperature relative to its range, of the heat flow through the interface, and the mean over its faces."
 
 
 def joined(name, inner, outer, interface):

@@ -11,12 +11,9 @@ import harness  # before what it finds
 import foam
 import snappy
 from conduction import Walls, exact
-from conduction import SCHEMES as CORRECTED
+from conduction import SCHEMES
 from wallsurfaces import polydata
 
-# With plain `corrected` it died on 7 of 12 of our meshes; temperatures ran away first in cells of less than a thousandth of a box
-# at the interface.
-SCHEMES = CORRECTED.replace("corrected", "limited 0.5")
 REGIONS, INTERFACE = ("inner", "outer"), "interface"
 SWEEPS = 200  # of the solver over both solids
 SOLUTION = """solvers { h { solver PCG; preconditioner DIC; tolerance 1e-12; relTol 0.001; } }

@@ -71,9 +71,10 @@ private:
   bool collect(std::uint32_t c)
   {
     part_.assign(1, c);
-    for (std::size_t next = 0; next < part_.size(); ++next)
+    std::size_t next = 0;
+    while (next < part_.size()) // it grows
     {
-      if (anyBeyond(part_[next], [&](std::uint32_t other) { return !add(other); }))
+      if (anyBeyond(part_[next++], [&](std::uint32_t other) { return !add(other); }))
       {
         return false;
       }

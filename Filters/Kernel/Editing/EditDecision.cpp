@@ -452,6 +452,12 @@ bool mayJoin(
   return true;
 }
 
+bool mayMerge(const EditMesh& mesh, const EditRules& rules, std::uint32_t a, std::uint32_t b)
+{
+  const auto share = [&](std::uint32_t c) { return mesh.cell(c).volume / mesh.cell(c).box; };
+  return std::min(share(a), share(b)) < rules.mostMerged;
+}
+
 double decide(const EditMesh& mesh, const EditRules& rules, const EditMesh::Mark& mark, double box,
   double least)
 {

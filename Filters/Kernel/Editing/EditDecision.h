@@ -22,7 +22,7 @@ struct EditRules
   ObjectiveSpec spec;
   bool mayLoseFeatures = true; // corners and sharp edges, for their charge
   bool mayChangeWalls = true;  // false: what is on the surface stays (Exact Fit)
-  bool mayMerge = true;        // cells
+  double mostMerged = 2;       // of its box: of the smaller of two cells that merge; 0: none do
   bool mayCut = true;          // cells, and join walls of failing ones at any angle
 };
 
@@ -56,6 +56,9 @@ bool mayMove(const EditMesh& mesh, const EditRules& rules, std::uint32_t n, cons
 // Whether two faces may become one; `charge` for a sharp edge between them.
 bool mayJoin(
   const EditMesh& mesh, const EditRules& rules, std::uint32_t f, std::uint32_t g, double& charge);
+
+// Whether two cells may become one, as far as their size goes.
+bool mayMerge(const EditMesh& mesh, const EditRules& rules, std::uint32_t a, std::uint32_t b);
 
 // The gain of settled edits since the mark, or NoGain: not more than `least`.
 double decide(const EditMesh& mesh, const EditRules& rules, const EditMesh::Mark& mark, double box,

@@ -125,7 +125,8 @@ bool ProposalTrials::apply(const Proposal& proposal)
         return true;
       });
     case EditKind::Merge:
-      return rules_.mayMerge && withoutLimit([&] { return merge(proposal.a, proposal.b); });
+      return mayMerge(mesh_, rules_, proposal.a, proposal.b) &&
+        withoutLimit([&] { return merge(proposal.a, proposal.b); });
     case EditKind::Remove:
       return rules_.mayChangeWalls && withoutLimit([&] { return remove(proposal.a); });
     case EditKind::Move:
@@ -257,7 +258,7 @@ bool ProposalTrials::flatten(std::uint32_t f)
 // A small part of a cut becomes part of a cell that is none.
 void ProposalTrials::mergePart(std::uint32_t part, const CutParts& parts)
 {
-  if (!rules_.mayMerge || !isPartToMerge(mesh_, part))
+  if (rules_.mostMerged == 0 || !isPartToMerge(mesh_, part))
   {
     return;
   }

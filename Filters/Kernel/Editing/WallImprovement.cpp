@@ -62,6 +62,12 @@ LoopSpec lastLoop()
   return spec;
 }
 
+// Walls that stay cost much however large cells are: then only small ones merge.
+double mostMergedOf(const ImprovementSpec& asked, double usual)
+{
+  return !asked.merges() ? 0 : asked.mayChangeWalls ? usual : asked.smallShare;
+}
+
 // All of them, as far as is asked for.
 struct Loops
 {
@@ -71,7 +77,7 @@ struct Loops
     for (LoopSpec* spec : { &general, &thorough, &last })
     {
       spec->rules.mayChangeWalls = asked.mayChangeWalls;
-      spec->rules.mayMerge = asked.merges();
+      spec->rules.mostMerged = mostMergedOf(asked, spec->rules.mostMerged);
       spec->rules.mayCut = asked.cuts;
       spec->search.longestEdge = asked.collapseRatio > 0 ? spec->search.longestEdge : 0;
       spec->search.nodes = asked.movesNodes ? spec->search.nodes : 0;

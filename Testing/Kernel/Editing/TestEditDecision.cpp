@@ -170,6 +170,17 @@ TEST(MayMove, HeldNodesStayOnTheirPlanes)
   EXPECT_FALSE(mayMove(mesh, EditRules(), inside, { 1.125, 1, 1 }));
 }
 
+TEST(MayMerge, AsTheSmallerCellIsSmall)
+{
+  const EditMesh mesh = block(); // of whole boxes
+  EditRules rules;
+  EXPECT_TRUE(mayMerge(mesh, rules, 0, 1));
+  rules.mostMerged = 1.5;
+  EXPECT_TRUE(mayMerge(mesh, rules, 0, 1));
+  rules.mostMerged = 0.3;
+  EXPECT_FALSE(mayMerge(mesh, rules, 0, 1));
+}
+
 TEST(MayJoin, ChargesForSharpEdges)
 {
   EditRules rules;
