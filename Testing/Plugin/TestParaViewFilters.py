@@ -19,7 +19,8 @@ ALONG = np.array([math.cos(ANGLE), math.sin(ANGLE), 0])  # a side's normal
 
 turned = simple.Transform(Input=simple.Triangulate(Input=simple.Box()))
 turned.Transform.Rotate = [0, 0, 30]
-mesher = simple.CartesianMesher(Input=turned, CellSize=0.11, PatchMethod="Exact Fit", RefinementDepth=1)
+mesher = simple.CartesianMesher(Input=turned, CellSize=0.11, PatchMethod="Exact Fit", RefinementDepth=1, CollapseRatio=0,
+                                SmallCells="Remove", SmallCellRatio=0, SplitConcaveCells=0)  # convex: VTK cuts them right
 mesh = output(mesher)
 assert (cell_types(mesh) == VTK_POLYHEDRON).sum() > 300
 

@@ -268,7 +268,16 @@ bool staysInPlane(const EditMesh& mesh, std::uint32_t f, std::uint32_t n, const 
   const std::size_t i = placeOf(ring, n);
   const Vector across = minus(mesh.node(ring[(i + 1) % ring.size()]).at,
     mesh.node(ring[(i + ring.size() - 1) % ring.size()]).at);
-  return std::abs(dot(normal, way)) <= Rounding * mesh.level() &&
+  // Of a narrow wall the normal is known less well than that.
+  double longest = 0;
+  for (std::size_t j = 0; j < ring.size(); ++j)
+  {
+    longest =
+      std::max(longest, norm(minus(mesh.corner(f, (j + 1) % ring.size()), mesh.corner(f, j))));
+  }
+  const bool isKnown =
+    norm(way) <= 2 * Rounding * mesh.level() || 2 * norm(mesh.face(f).area) >= norm(way) * longest;
+  return isKnown && std::abs(dot(normal, way)) <= Rounding * mesh.level() &&
     norm(mesh.face(f).area) + dot(normal, cross(way, across)) / 2 >= 0;
 }
 
@@ -288,7 +297,7 @@ bool staysInWalls(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
   const SharpEnds ends = sharpEndsAt(mesh, u);
   if (ends.size() != 2)
   {
-    return ends.empty();
+    return ends.empty() && node.kind == NodeKind::OnSurface;
   }
   const Vector& from = mesh.node(ends[0]).at;
   const Vector& to = mesh.node(ends[1]).at;
@@ -329,6 +338,31 @@ bool keepsBody(const EditMesh& mesh, double held)
 {
   return std::max(std::abs(mesh.ledger.volume), 2 * std::abs(mesh.ledger.across)) <=
     MostLost * held;
+}
+
+// Whether the walls that changed are as large as before: none is folded, or lies on another.
+bool keepsAreas(const EditMesh& mesh)
+{
+  constexpr std::size_t Most = 256;
+  constexpr double Little = 1e-7; // of the area
+  FixedList<std::uint32_t, Most> seen;
+  double before = 0;
+  double after = 0;
+  for (const auto& [f, was] : mesh.faceRecords())
+  {
+    if (seen.contains(f))
+    {
+      continue;
+    }
+    if (!seen.add(f))
+    {
+      return false;
+    }
+    const EditFace& is = mesh.face(f);
+    before += !was.gone && isSurface(was) ? norm(was.area) : 0;
+    after += !is.gone && isSurface(is) ? norm(is.area) : 0;
+  }
+  return std::abs(after - before) <= Little * before;
 }
 
 // Whether walls have not drifted too far, or owe less than before.
@@ -468,7 +502,7 @@ double decide(const EditMesh& mesh, const EditRules& rules, const EditMesh::Mark
     return NoGain;
   }
   const double gain = gainOf(mesh, rules.spec, box);
-  if (!(gain > least))
+  if (!(gain > least) || (!rules.mayChangeWalls && !keepsAreas(mesh)))
   {
     return NoGain;
   }

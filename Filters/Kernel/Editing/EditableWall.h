@@ -11,18 +11,22 @@
 #include "Editing/EditMesh.h"
 #include "Surface/WallLayerSpec.h"
 
+#include <limits>
+
 namespace cartesian
 {
 
 // EditFace::wall of what lies on an end of the grid (0: low x, 1: high x, low y, ...): neither an index of Walls nor
 // NoBoundary.
+constexpr std::int32_t FirstOfEnds = std::numeric_limits<std::int32_t>::min();
+
 constexpr std::int32_t wallOfEnd(std::size_t side)
 {
-  return NoBoundary - 1 - static_cast<std::int32_t>(side);
+  return FirstOfEnds + static_cast<std::int32_t>(side);
 }
 constexpr bool isWallOfEnd(std::int32_t wall)
 {
-  return wall < NoBoundary;
+  return wall < FirstOfEnds + 6;
 }
 
 // What the mesh was when it was opened: cells before the ghosts, and the corners of faces.

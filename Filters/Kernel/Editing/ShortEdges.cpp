@@ -245,7 +245,9 @@ void weldEdges(const ZoneTask& task, const EditRules& rules, double length,
   Welding welding(task, rules, poll, changed);
   for (const ShortEdge& edge : listShortEdges(task, length, false))
   {
-    welding.weld(edge, [](const EditMesh::Mark&) { return true; });
+    welding.weld(edge, [&](const EditMesh::Mark& mark) {
+      return rules.mayChangeWalls || keepsShapes(task.mesh, mark);
+    });
   }
 }
 

@@ -339,7 +339,7 @@ TEST_P(EditableWallOf, NodesAreHeld)
       }
       else if (isWallOfEnd(face.wall))
       {
-        const auto axis = static_cast<std::size_t>(wallOfEnd(0) - face.wall) / 2;
+        const auto axis = static_cast<std::size_t>(face.wall - wallOfEnd(0)) / 2;
         const auto& planes = a->boxes.planes[axis];
         const Level level = edited.placeOf(n)[axis];
         EXPECT_TRUE(held >> axis & 1);
