@@ -317,8 +317,7 @@ private:
     {
       return result_.mesh.isGhost(face.above) ? HeldFast : std::uint8_t(0);
     }
-    const int side = face.wall - FirstOfEnds;
-    return isWallOfEnd(face.wall) ? static_cast<std::uint8_t>(1 << side / 2)
+    return isWallOfEnd(face.wall) ? static_cast<std::uint8_t>(1 << (face.wall - FirstOfEnds) / 2)
       : face.wall == NoBoundary   ? HeldFast
                                   : std::uint8_t(0);
   }
