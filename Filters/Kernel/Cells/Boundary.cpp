@@ -195,7 +195,7 @@ private:
     }
   }
 
-  // A face between two regions one of which has lost its cell there, or of a baffle; or one that shaping made.
+  // A face between two regions one of which has lost its cell there, or of a baffle; or one that edits made.
   void exposeOther(std::size_t f, std::vector<BoundaryFace>& faces) const
   {
     const OtherSide below = sideOf(f, 0);

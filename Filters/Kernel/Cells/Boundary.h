@@ -41,7 +41,7 @@ struct BoundaryFace
     Patch,       // a polygon of the patches
     Inner,       // a face of a side, or between two regions
     TurnedInner, // ... reversed
-    Shaped,      // a face that shaping made
+    Shaped,      // a face that edits made
     TurnedShaped,
     BoxSide, // of a hexahedron: 6 * box + (low x, high x, low y, high y, low z, high z)
   };

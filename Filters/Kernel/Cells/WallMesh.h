@@ -123,7 +123,7 @@ struct Cell
   bool removed;          // a sliver, or smaller than R of its box (4.10)
 };
 
-// The face that shaping made on a side of a hexahedron (0: low x, 1: high x, low y, ...).
+// The face that edits made on a side of a hexahedron (0: low x, 1: high x, low y, ...).
 struct HexahedronSide
 {
   std::uint32_t box;

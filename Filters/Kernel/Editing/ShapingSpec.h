@@ -28,8 +28,8 @@ struct ShapingSpec
 
   bool splitConcave = true; // cells that fail an angle condition of section 3
 
-  // Where cells are split: failing cells that cannot be repaired are removed, up to this many volumes of their box;
-  // 0: none.
+  // Whether cells that still fail, up to a tenth of their box, and small ones that no neighbour can take are removed; 0: none.
+  // How far above 0 it is makes no difference any more.
   double refusedCellRatio = 4;
 };
 

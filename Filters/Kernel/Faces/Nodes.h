@@ -43,15 +43,15 @@ struct WarpedHexahedron
 struct Nodes
 {
   std::vector<Point> at;
-  RawVector<PointKind> kinds; // of all but those that shaping adds
+  RawVector<PointKind> kinds; // of all but those that edits add
   std::size_t patchPoints = 0;
   std::vector<Point> grid;           // where grid nodes were before edits moved them
   std::vector<std::size_t> rowStart; // first grid node of each row of points (Numbering.h), from 0
   std::vector<std::size_t> borderStart; // first node of each side's border, and the end
   std::vector<std::uint32_t> border;    // grid nodes counter-clockwise from the lowest corner
   std::vector<std::array<std::uint32_t, 8>> ofDivided; // corners of Sides::divided
-  std::vector<VertexNode> moreVertices; // nodes that shaping adds at vertices of the global mesh
-  std::vector<std::uint32_t> ofCuts;    // the other nodes that shaping adds, in order of places
+  std::vector<VertexNode> moreVertices; // nodes that edits add at vertices of the global mesh
+  std::vector<std::uint32_t> ofCuts;    // the other nodes that edits add, in order of places
   std::vector<WarpedHexahedron> warped;
 };
 

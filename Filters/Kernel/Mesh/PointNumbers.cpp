@@ -46,7 +46,7 @@ private:
 
 }
 
-// A node that shaping added between the grid's vertices.
+// A node that edits added between the grid's vertices.
 struct PointNumbers::AddedNode
 {
   std::size_t row;

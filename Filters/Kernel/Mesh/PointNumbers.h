@@ -2,7 +2,7 @@
 // Numbers of the points that cells use (section 6, step 11).
 //
 // Points are numbered row by row (Numbering.h). Each row has first the vertices of the global mesh, then
-// other grid nodes, points of patches and nodes that shaping added. Thus the numbers of a part's points
+// other grid nodes, points of patches and nodes that edits added. Thus the numbers of a part's points
 // (Decomposition.h) follow those of the part before.
 #pragma once
 

@@ -205,7 +205,7 @@ BoxFlags rebuildFlawed(Assembly& a, BoxFlags flawed, Execution& execution)
   {
     if (all[n] != 0)
     {
-      a.rebuilt.push_back(a.sides.polyhedral[n]); // shaping may renumber polyhedral boxes
+      a.rebuilt.push_back(a.sides.polyhedral[n]); // edits may renumber polyhedral boxes
     }
   }
   return flawed;
@@ -256,7 +256,7 @@ std::optional<RemovedCell> remove(Assembly& a, std::uint32_t c)
   return RemovedCell{ cell.box, cell.volumeFraction * size[0] * size[1] * size[2] };
 }
 
-// Solvers cannot use overlapping cells, however exactly they represent the surface. If shaping has made some
+// Solvers cannot use overlapping cells, however exactly they represent the surface. If edits have made some
 // nevertheless, their neighbours cannot be repaired any more: a warning says so.
 void removeOverlapping(Assembly& a, Execution& execution)
 {

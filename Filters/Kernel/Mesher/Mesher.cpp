@@ -17,7 +17,7 @@ namespace cartesian
 namespace
 {
 
-// As shaping sees them: of walls instead of boundaries. It makes no room at interfaces.
+// As edits see them: of walls instead of boundaries. It makes no room at interfaces.
 WallLayerSpec forWalls(WallLayerSpec layers, const Walls& walls)
 {
   if (!walls.any())
