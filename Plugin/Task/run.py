@@ -136,6 +136,8 @@ def set_properties(mesher, task):
 def build(task):
     """The pipeline of a task, not yet run."""
     source = surface(task, task.surfaces, "surface", "file")
+    for properties in task.splits:
+        source = simple.SplitSurface(Input=source, **properties)
     regions = [simple.RefinementRegion(
                    Input=surface(task, [region.file], "regions", i, "file") if region.file else source,
                    **({"Shape": "Input"} if region.file else {}) | region.properties)

@@ -2,6 +2,7 @@
 
     [surface]
     file = "header.stl"        # any that ParaView opens; or a list: each a boundary, called as its file
+    split = "Flat Caps"        # into boundaries; or a table of Split Surface's properties, or a list of them, one after the other
 
     [grid]                     # these tables have the groups of Cartesian Mesher's panel, and its
     cell_size = 4.0            # properties: see `cartesian-mesher --template`
@@ -44,8 +45,10 @@ import tomllib
 
 from parameters import BadValue, collections, parameters, shown
 
-MESHER, REGION, CASE_WRITER = "CartesianMesher", "RefinementRegion", "PolyMeshWriter"
-FILE_KEYS = {"surface": {"file"}, "refinement": {"size_field"}}  # beside the properties, by table
+MESHER, REGION, SPLIT, CASE_WRITER = "CartesianMesher", "RefinementRegion", "SplitSurface", "PolyMeshWriter"
+FILE_KEYS = {"surface": {"file", "split"}, "refinement": {"size_field"}}  # beside the properties, by table
+# Of Split Surface, not in tasks: what belongs to a selection in a view, and what the mesher has too.
+NOT_OF_SPLIT = "SelectionName", "SelectWholePatches", "NumberOfThreads"
 
 
 def printable(text):
@@ -70,6 +73,7 @@ class Region:
 class Task:
     path: pathlib.Path
     surfaces: list
+    splits: list  # properties of Split Surface, one after the other
     properties: dict  # of Cartesian Mesher, by their names in Python
     regions: list
     size_field: pathlib.Path | None
@@ -171,12 +175,12 @@ class _Reader:
                     self.fail(where + (parameter.key,), error)
         return found
 
-    def collection(self, content, of):
+    def collection(self, content, of, within=()):
         """{name in Python: list} of tables [[key]]; what one leaves out is as without it, which the columns' defaults say."""
         first, *others = of.columns
         rows = []
-        for i, table in enumerate(self.tables(content, of.key)):
-            where = (of.key, i)
+        for i, table in enumerate(self.tables(content, *within, of.key)):
+            where = (*within, of.key, i)
             self.table(table, where, {column.key for column in of.columns})
             if first.key not in table:
                 self.fail(where, f"needs the key {first.key}")
@@ -186,11 +190,28 @@ class _Reader:
         return {column.name: sum(values[column.name], []) if column.count > 1 else values[column.name]
             for column in of.columns if rows}
 
-    def tables(self, content, key):
+    def tables(self, content, *where):
         """The content itself, if it is written [[key]]."""
         if not isinstance(content, list):
-            self.fail((key,), f"must be written [[{key}]], once for each")
+            name = ".".join(part for part in where if isinstance(part, str))
+            self.fail(where, f"must be written [[{name}]], once for each")
         return content
+
+    def splits(self, content):
+        """Properties of Split Surface, for each time that it divides the surface."""
+        of, rows = split_parameters(), collections(SPLIT)
+        where = ("surface", "split")
+        several = isinstance(content, list)
+        found = []
+        for i, table in enumerate(content if several else [content]):
+            here = (*where, i) if several else where
+            table = {"split_by": table} if isinstance(table, str) else table
+            self.table(table, here, {parameter.key for parameter in of} | {row.key for row in rows})
+            properties = self.values(table, here, of)
+            for row in rows:
+                properties |= self.collection(table.get(row.key, []), row, here)
+            found.append(properties)
+        return found
 
     def files(self, content, where, *, exist):
         """One file or a list of them, relative to the task file."""
@@ -258,6 +279,11 @@ def case_parameters():
     return [parameter for parameter in parameters(CASE_WRITER, "writers") if parameter.name not in ("FileName", "Pieces")]
 
 
+def split_parameters():
+    """Those of Split Surface that tasks have."""
+    return [parameter for parameter in parameters(SPLIT) if parameter.name not in NOT_OF_SPLIT]
+
+
 def read_task(path):
     """The task in a file, checked as far as can be without its surface. Throws TaskError."""
     reader = _Reader(pathlib.Path(path))
@@ -281,6 +307,7 @@ def read_task(path):
     if "file" not in content.get("surface", {}):
         reader.fail(("surface",), "needs the key file: a surface to mesh")
     surfaces = reader.files(content["surface"]["file"], ("surface", "file"), exist=True)
+    splits = reader.splits(content["surface"].get("split", []))
     regions = [reader.region(table, ("regions", i), region)
         for i, table in enumerate(reader.tables(content.get("regions", []), "regions"))]
     size_field = content.get("refinement", {}).get("size_field")
@@ -289,5 +316,5 @@ def read_task(path):
             reader.fail(("refinement", "size_field"), "must be the name of a file")
         size_field = reader.file(size_field, ("refinement", "size_field"), True)
     inputs = [reader.path, *surfaces, *([size_field] if size_field else []), *(region.file for region in regions if region.file)]
-    return Task(path=reader.path, surfaces=surfaces, properties=properties, regions=regions, size_field=size_field,
+    return Task(path=reader.path, surfaces=surfaces, splits=splits, properties=properties, regions=regions, size_field=size_field,
         case=case, reader=reader, **outputs(reader, content.get("output", {}), inputs))

@@ -4,7 +4,7 @@ import json
 import textwrap
 
 from parameters import collections, parameters
-from task import MESHER, REGION, case_parameters
+from task import MESHER, REGION, SPLIT, case_parameters, split_parameters
 
 HEAD = """\
 # A task for cartesian-mesher. All keys but surface.file are optional; the values below are the
@@ -15,6 +15,13 @@ SURFACE_FILE = """
 # A closed surface, in any format that ParaView opens; or a list of files: each is a boundary with
 # the name of its file.
 file = "surface.stl\""""
+
+SPLIT_HEAD = """
+# Divides the surface into boundaries, as Split Surface does; or [[surface.split]], once for each time.
+# [surface.split]"""
+
+SPLIT_ROWS = """
+# [[surface.split.{}]]"""
 
 SIZE_FIELD = """
 # Data of any kind, such as a solution on an earlier mesh, with the size_array.
@@ -58,6 +65,12 @@ def entry(parameter, commented=""):
     return "\n".join(["", *lines, f"{commented}{parameter.key} = {value(parameter)}"])
 
 
+def split():
+    return [SPLIT_HEAD, *[entry(parameter, "# ") for parameter in split_parameters()],
+        *[part for rows in collections(SPLIT) for part in
+            (SPLIT_ROWS.format(rows.key), *[entry(column, "# ") for column in rows.columns])]]
+
+
 def template():
     parts = [HEAD]
     tables = {}
@@ -70,6 +83,8 @@ def template():
         if name == "surface":
             parts.append(SURFACE_FILE)
         parts += [entry(parameter) for parameter in of]
+        if name == "surface":
+            parts += split()
         if name == "refinement":
             parts.append(SIZE_FIELD)
     for collection in collections(MESHER):

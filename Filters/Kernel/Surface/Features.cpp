@@ -47,8 +47,8 @@ public:
     {
       return;
     }
-    neighbours_[first->triangle()][edgeOf(*first, lower)] = first[1].triangle();
-    neighbours_[first[1].triangle()][edgeOf(first[1], lower)] = first->triangle();
+    neighbours_[first->triangle()][edgeOf(surface_, *first, lower)] = first[1].triangle();
+    neighbours_[first[1].triangle()][edgeOf(surface_, first[1], lower)] = first->triangle();
   }
 
   void markEdges(std::size_t begin, std::size_t end)
@@ -72,13 +72,6 @@ public:
   }
 
 private:
-  std::size_t edgeOf(const EdgeUse& use, std::uint32_t lower) const
-  {
-    const auto& v = surface_.triangles[use.triangle()];
-    const std::uint32_t from = use.down() ? use.upper : lower;
-    return v[0] == from ? 0 : (v[1] == from ? 1 : 2);
-  }
-
   // A triangle without area has no normal: the neighbours behind it are compared instead.
   bool turns(std::size_t t, std::size_t other) const
   {

@@ -78,6 +78,14 @@ private:
   Buckets<EdgeUse> uses_; // of each lower vertex
 };
 
+// Which edge of its triangle a use is: 0 from the first corner to the second, and so on. `lower`: the edge's lower vertex.
+inline unsigned edgeOf(const Surface& surface, const EdgeUse& use, std::uint32_t lower)
+{
+  const auto& v = surface.triangles[use.triangle()];
+  const std::uint32_t from = use.down() ? use.upper : lower;
+  return v[0] == from ? 0 : (v[1] == from ? 1 : 2);
+}
+
 inline bool namesAVertexTwice(const std::array<std::uint32_t, 3>& triangle)
 {
   return triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];

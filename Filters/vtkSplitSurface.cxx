@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSplitSurface.h"
+
+#include "FieldData.h"
+#include "SplitNames.h"
+#include "SurfaceFromVTK.h"
+#include "SurfaceParts.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkExtractSelection.h"
+#include "vtkInformation.h"
+#include "vtkIntArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSelection.h"
+#include "vtkStringArray.h"
+
+#include <array>
+#include <numeric>
+
+vtkStandardNewMacro(vtkSplitSurface);
+
+namespace
+{
+
+static_assert(static_cast<int>(cartesian::SplitBy::Boundaries) == vtkSplitSurface::BOUNDARIES);
+
+// The triangles of several blocks in one piece.
+void SetTriangles(const cartesian::SurfaceView& view, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(view.pointCount));
+  for (std::size_t i = 0; i < view.pointCount; ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), view.points + 3 * i);
+  }
+  vtkNew<vtkCellArray> triangles;
+  triangles->AllocateExact(
+    static_cast<vtkIdType>(view.triangleCount), static_cast<vtkIdType>(3 * view.triangleCount));
+  for (std::size_t t = 0; t < view.triangleCount; ++t)
+  {
+    triangles->InsertNextCell({ vtkIdType(view.triangles[3 * t]),
+      vtkIdType(view.triangles[3 * t + 1]), vtkIdType(view.triangles[3 * t + 2]) });
+  }
+  output->SetPoints(points);
+  output->SetPolys(triangles);
+}
+
+// Which cells are selected.
+std::vector<bool> selectedCells(vtkPolyData* surface, vtkSelection* selection)
+{
+  vtkNew<vtkExtractSelection> extraction;
+  extraction->PreserveTopologyOn();
+  extraction->SetInputData(0, surface);
+  extraction->SetInputData(1, selection);
+  extraction->Update();
+  auto* output = vtkPolyData::SafeDownCast(extraction->GetOutputDataObject(0));
+  vtkDataArray* inside = output ? output->GetCellData()->GetArray("vtkInsidedness") : nullptr;
+  std::vector<bool> cells(static_cast<std::size_t>(surface->GetNumberOfCells()));
+  for (std::size_t i = 0; inside && i < cells.size(); ++i)
+  {
+    cells[i] = inside->GetTuple1(static_cast<vtkIdType>(i)) > 0;
+  }
+  return cells;
+}
+
+void SetBoundaries(const cartesian::SurfaceParts& parts, vtkPolyData* output)
+{
+  const std::vector<std::string> names = parts.names();
+  const std::vector<std::int32_t> ofCells = parts.ofCells(output->GetNumberOfCells());
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(cartesian::BoundaryIdArray);
+  ids->SetNumberOfValues(static_cast<vtkIdType>(ofCells.size()));
+  vtkNew<vtkStringArray> texts;
+  texts->SetName("BoundaryName");
+  texts->SetNumberOfValues(static_cast<vtkIdType>(ofCells.size()));
+  const std::string none = cartesian::unnamedBoundary(cartesian::NoBoundary);
+  for (std::size_t i = 0; i < ofCells.size(); ++i)
+  {
+    ids->SetValue(static_cast<vtkIdType>(i), ofCells[i]);
+    texts->SetValue(static_cast<vtkIdType>(i),
+      ofCells[i] < 0 ? none : names[static_cast<std::size_t>(ofCells[i])]);
+  }
+  output->GetCellData()->RemoveArray(cartesian::StlSolids);
+  output->GetCellData()->AddArray(ids);
+  output->GetCellData()->AddArray(texts);
+  cartesian::BoundaryNames numbered;
+  for (const std::string& name : names)
+  {
+    numbered.emplace(static_cast<std::int32_t>(numbered.size()), name);
+  }
+  cartesian::setBoundaryNames(output, numbered);
+}
+
+std::vector<double> AreasOf(const cartesian::SurfaceView& view)
+{
+  std::vector<double> areas(view.triangleCount);
+  for (std::size_t t = 0; t < view.triangleCount; ++t)
+  {
+    std::array<cartesian::Vector, 3> c;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const double* p = view.points + 3 * std::size_t(view.triangles[3 * t + i]);
+      c[i] = { p[0], p[1], p[2] };
+    }
+    areas[t] = cartesian::norm(
+                 cartesian::cross(cartesian::minus(c[1], c[0]), cartesian::minus(c[2], c[0]))) /
+      2;
+  }
+  return areas;
+}
+
+}
+
+vtkSplitSurface::vtkSplitSurface()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+int vtkSplitSurface::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    AcceptAnything(info);
+    return 1;
+  }
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkSelection");
+  return 1;
+}
+
+int vtkSplitSurface::FillOutputPortInformation(int /*port*/, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
+  return 1;
+}
+
+int vtkSplitSurface::RequestData(
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
+{
+  this->FoundBoundaries->Reset();
+  if (IsLeftToFirstProcess(request, output))
+  {
+    return 1;
+  }
+  this->Run(0, 1, [&](cartesian::Execution& execution) {
+    vtkDataObject* data = vtkDataObject::GetData(input[0]);
+    const cartesian::SurfaceFromVTK surface(data, this->BoundaryArray);
+    this->Warn(surface.describeUndivided());
+    vtkNew<vtkPolyData> result;
+    std::vector<vtkIdType> cells = surface.cells();
+    if (auto* whole = vtkPolyData::SafeDownCast(data))
+    {
+      result->ShallowCopy(whole);
+    }
+    else
+    {
+      SetTriangles(surface.view(), result);
+      std::iota(cells.begin(), cells.end(), 0);
+    }
+    const cartesian::SplitSpec spec{ static_cast<cartesian::SplitBy>(this->SplitBy),
+      this->FeatureAngle };
+    const cartesian::SurfaceSplit split = cartesian::splitSurface(surface.view(), spec, execution);
+    cartesian::SurfaceParts parts(
+      split, cartesian::patchNames(split, surface.names(), spec.by, this->CapNames), cells);
+    if (vtkSelection* selection = vtkSelection::GetData(input[1]))
+    {
+      parts.select(selectedCells(result, selection), this->SelectWholePatches, this->SelectionName);
+    }
+    cartesian::BoundarySettings settings;
+    settings.names = this->BoundaryNames;
+    settings.mergedNames = this->BoundaryMergedNames;
+    parts.rename(settings);
+    SetBoundaries(parts, result);
+    this->Describe(parts, AreasOf(surface.view()), result);
+    vtkPolyData::GetData(output)->ShallowCopy(result);
+  });
+  return 1;
+}
+
+void vtkSplitSurface::Describe(
+  const cartesian::SurfaceParts& parts, const std::vector<double>& areas, vtkPolyData* output)
+{
+  const std::vector<std::string> names = parts.names();
+  const std::vector<std::string> former = parts.formerNames();
+  const std::vector<std::int32_t> of = parts.ofTriangles();
+  std::vector<double> area(names.size());
+  std::vector<double> triangles(names.size());
+  for (std::size_t t = 0; t < of.size(); ++t)
+  {
+    area[static_cast<std::size_t>(of[t])] += areas[t];
+    triangles[static_cast<std::size_t>(of[t])] += 1;
+  }
+  cartesian::setField(output, "BoundaryAreas", area);
+  cartesian::setField(output, "BoundaryFaceCounts", triangles);
+  for (const char* title : { "Boundary", "Before", "Area", "Triangles" })
+  {
+    this->FoundBoundaries->InsertNextValue(title);
+  }
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    this->FoundBoundaries->InsertNextValue(names[i]);
+    this->FoundBoundaries->InsertNextValue(former[i]);
+    this->FoundBoundaries->InsertNextValue(cartesian::number(area[i]));
+    this->FoundBoundaries->InsertNextValue(std::to_string(static_cast<long long>(triangles[i])));
+  }
+}
+
+vtkStringArray* vtkSplitSurface::GetFoundBoundaries()
+{
+  return this->FoundBoundaries;
+}
+
+void vtkSplitSurface::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SplitBy: " << this->SplitBy << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "CapNames: " << this->CapNames << "\n";
+  os << indent << "BoundaryArray: " << this->BoundaryArray << "\n";
+  os << indent << "SelectionName: " << this->SelectionName << "\n";
+  os << indent << "SelectWholePatches: " << this->SelectWholePatches << "\n";
+  this->PrintColumn(os, indent, "BoundaryNames", this->BoundaryNames);
+  this->PrintColumn(os, indent, "BoundaryMergedNames", this->BoundaryMergedNames);
+}
