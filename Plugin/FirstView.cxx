@@ -3,6 +3,7 @@
 
 #include "Registration.h"
 
+#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -298,8 +299,39 @@ void prepareLegend(vtkSMProxy* legend)
   }
 }
 
+// Names that a source has since it was made anew, in the legends that its names are in; and what its panel tells of its
+// output, which ParaView asks for too early.
+class Renewal : public vtkCommand
+{
+public:
+  static Renewal* New() { return new Renewal; }
+
+  void Execute(vtkObject* caller, unsigned long /*event*/, void* /*data*/) override
+  {
+    auto* source = vtkSMSourceProxy::SafeDownCast(caller);
+    vtkSMSessionProxyManager* proxies = source->GetSessionProxyManager();
+    for (const char* array : Arrays)
+    {
+      vtkSMProxy* colours = proxies->GetProxy(ColoursGroup, nameOfColours(array).c_str());
+      const std::vector<Category> categories = categoriesOf(source, array);
+      if (colours && !categories.empty())
+      {
+        addCategories(colours, categories, sidesOf(source), array == Defects);
+      }
+    }
+    if (vtkSMProperty* found = source->GetProperty("FoundBoundaries"))
+    {
+      source->UpdatePropertyInformation(found);
+    }
+  }
+};
+
 void prepareNew(vtkSMProxy* proxy, const std::string& group)
 {
+  if (group == "sources" && proxy->GetProperty("LegendInfo"))
+  {
+    proxy->AddObserver(vtkCommand::UpdateDataEvent, vtkNew<Renewal>());
+  }
   if (proxy->GetSessionProxyManager()->GetInLoadXMLState())
   {
     if (group == ColoursGroup)

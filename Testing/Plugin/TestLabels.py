@@ -35,6 +35,7 @@ patcher = simple.Patcher(Input=surface, Boxes=boxer)
 assembler = simple.CellAssembler(Input=boxer, Patches=patcher)
 mesher = simple.CartesianMesher(Input=surface)
 inspector = simple.SurfaceInspector(Input=surface)
+split = simple.SplitSurface(Input=surface)
 quality = simple.FiniteVolumeQuality(Input=mesher)
 summary = simple.MeshSummary(Input=mesher)
 region = simple.RefinementRegion(Input=cube)
@@ -48,6 +49,9 @@ expected = {
              boundaries | grid | refinement | patches | cells | settings | threads | memory
              | pieces | regions | domain | layers),
     inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
+    split: ("Split Surface", ["Input", "Selection"], boundaries | threads | {"SplitBy": "Flat Caps", "FeatureAngle": 30.0,
+        "CapNames": "cap", "BoundaryNames": [], "BoundaryMergedNames": [], "SelectionName": "selected",
+        "SelectWholePatches": 1}),
     quality: ("Finite Volume Quality", ["Input"], threads | {"OpennessLimit": 1e-6, "BoundaryAngleLimit": 90,
         "InnerAngleLimit": 75, "NonOrthogonalityLimit": 70, "SkewnessLimit": 4, "FaceWeightLimit": 0.05,
         "VolumeRatioLimit": 0.01, "DeterminantLimit": 0.001, "AspectRatioLimit": 1000}),

@@ -13,7 +13,7 @@ import sys
 
 from paraview import simple
 
-from events import advanced, apply, boundary_row, look_along_x, macro, meshing_menu, number, open_file, redo, rows, script, table_row, undo
+from events import advanced, apply, boundary_row, look, macro, meshing_menu, number, open_file, redo, rows, script, table_row, undo
 from window import Screen
 
 sys.path.insert(0, str(pathlib.Path(sys.argv[1]) / "Testing" / "Plugin"))
@@ -87,7 +87,7 @@ with Screen() as screen:
         table_row("BoundaryRefinement", 0, [1, 2, 1, 0]), apply(), rows("BoundaryRefinement", 1),
         undo(), rows("BoundaryRefinement", 0), redo(), rows("BoundaryRefinement", 1), apply(), macro("note"),
         boundary_row(0, "outlet_1", "symmetry", 0.3), boundary_row(1, "wall_2", "patch", 1e-100), apply(),
-        look_along_x(), macro("picture"), macro("save")))
+        look("PositiveX"), macro("picture"), macro("save")))
     assert "ERR|" not in said, said
     notes = (screen.folder / "notes.txt").read_text().splitlines()
     assert notes == ["[20.5, []]", "[20.5, [1.0, 2.0, 1.0, 0.0]]"], notes

@@ -74,8 +74,35 @@ def boundary_row(row, name, type, ratio):
         event(f"{fields}/SmallCellRatio/DoubleLineEdit0", "set_string", ratio)])
 
 
-def look_along_x():
-    return event("pqClientMainWindow/cameraToolbar/actionPositiveX", "activate")
+VIEW = ("pqClientMainWindow/centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1"
+    "/Container/Frame.0")
+
+
+def look(direction):
+    """By a button of the camera's toolbar, such as PositiveX or IsometricView."""
+    return event(f"pqClientMainWindow/cameraToolbar/action{direction}", "activate")
+
+
+def select_cells(x, y):
+    """Those that are seen near a place of the view, from 0 to 1."""
+    inside = f"{VIEW}/CentralWidgetFrame/Viewport/1QVTKOpenGLNativeWidget0"
+    return "\n".join([event(f"{VIEW}/actionSelectSurfaceCells", "set_boolean", "true"),
+        event(inside, "mousePress", f"({x},{y},1,1,0)"), event(inside, "mouseMove", f"({x + .01},{y + .01},0,1,0)"),
+        event(inside, "mouseRelease", f"({x + .01},{y + .01},1,0,0)")])
+
+
+def copy_selection():
+    return event(f"{PROPERTIES}/Selection/Selection/pushButtonCopySelection", "activate")
+
+
+def text(property, value):
+    return event(f"{PROPERTIES}/{property}/{property}", "set_string", value)
+
+
+def save_as(file):
+    """Up to the dialog of the writer."""
+    return "\n".join([event("pqClientMainWindow/menubar/menu_File", "activate", "actionFileSaveData"),
+                      event("pqClientMainWindow/FileSaveDialog", "filesSelected", file)])
 
 
 def undo():

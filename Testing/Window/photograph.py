@@ -3,7 +3,10 @@
 import pathlib
 import sys
 
-from events import advanced, apply, boundary_row, event, look_along_x, meshing_menu, number, open_file, script, table_row
+from paraview import simple
+
+from events import advanced, apply, boundary_row, copy_selection, event, look, meshing_menu, number, open_file, script, \
+    select_cells, table_row, text
 from window import Screen
 
 REPOSITORY = pathlib.Path(sys.argv[1])
@@ -14,7 +17,17 @@ PANEL = {"rows": slice(172, 3040), "columns": slice(296)}
 
 with Screen(1400, 900) as screen:
     screen.photograph(script(*BEGIN, number("CellSize", 12), apply(),
-        look_along_x()), HELP / "window.png")
+        look("PositiveX")), HELP / "window.png")
+
+# The same surface without names, divided; and with one end picked.
+with Screen(1400, 900) as screen:
+    plain = screen.folder / "header.stl"
+    simple.SaveData(str(plain), proxy=simple.PassArrays(Input=simple.OpenDataFile(str(SURFACE)), CellDataArrays=[],
+        PointDataArrays=[], FieldDataArrays=[]))
+    split = [open_file(plain), apply(), meshing_menu("SplitSurface"), apply(), look("NegativeY")]
+    screen.photograph(script(*split), HELP / "split.png")
+    screen.photograph(script(*split, select_cells(0.53, 0.67), copy_selection(), text("SelectionName", "inlet"), apply()),
+        HELP / "splitpick.png")
 
 with Screen(1400, 3700) as screen:
     screen.photograph(script(*BEGIN, advanced(), table_row("RefinementBlocks", 0, [0, 4, 0, 9, 2, 2, 3, 1]),
