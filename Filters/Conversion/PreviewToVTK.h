@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What will be meshed, as views show it before.
+#pragma once
+
+#include "Mesher/ExpectedDepths.h"
+#include "Surface/FlowDomain.h"
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+class vtkStringArray;
+
+namespace cartesian
+{
+
+// The cell arrays of the surface and, of zones, Depth.
+constexpr const char* DepthArray = "Depth";     // int
+constexpr const char* BoxSizeArray = "BoxSize"; // double, user units
+constexpr const char* LabelArray = "Label";     // of points
+
+// The triangles of a view; with depths, those arrays.
+void surfaceToVTK(const SurfaceView& view, const ExpectedDepths& expected, vtkPolyData* surface);
+
+// The edges of a flow domain, and an arrow that points from upstream to its inlet.
+void domainToVTK(const Bounds& box, FlowDirection flow, vtkPolyData* domain);
+
+// Points with a text each: the names of the sides at their centres, and the points to keep.
+void labelsToVTK(const Bounds& box, const DomainSpec& domain, vtkPolyData* labels);
+
+struct ZoneShape
+{
+  vtkPolyData* shape;
+  int depth;
+};
+
+// In one piece.
+void zonesToVTK(const std::vector<ZoneShape>& shapes, vtkPolyData* zones);
+
+// Two texts a row: each depth that triangles have, and the sizes of boxes there, as a number or a range. Ascending.
+void sizesToVTK(const ExpectedDepths& expected, vtkStringArray* rows);
+
+}

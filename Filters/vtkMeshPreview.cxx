@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMeshPreview.h"
+
+#include "AskedMesh.h"
+#include "PreviewToVTK.h"
+#include "ReportErrors.h"
+
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkMeshPreview);
+
+namespace
+{
+
+// The work itself will report errors.
+template <class Work>
+bool Try(Work&& work)
+{
+  return cartesian::reportErrors(work, [](unsigned long, const std::string&) {});
+}
+
+}
+
+int vtkMeshPreview::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
+  return 1;
+}
+
+int vtkMeshPreview::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
+{
+  return this->vtkCartesianAlgorithm::RequestUpdateExtent(request, input, output);
+}
+
+vtkStringArray* vtkMeshPreview::GetBoxSizes()
+{
+  return this->BoxSizes;
+}
+
+int vtkMeshPreview::RequestData(
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
+{
+  this->BoxSizes->Initialize();
+  if (IsLeftToFirstProcess(request, output))
+  {
+    return 1;
+  }
+  Try([&] {
+    const cartesian::SurfaceFromVTK surface = this->ReadWithSides(vtkDataObject::GetData(input[0]));
+    const Asked asked = this->Ask(surface);
+    std::vector<cartesian::ZoneShape> zones;
+    for (const RegionSurface& region : asked.regions)
+    {
+      zones.push_back({ region.shape, region.depth });
+    }
+    cartesian::zonesToVTK(zones, vtkPolyData::GetData(output, 3));
+    this->Show(surface.view(), asked.options, output);
+  });
+  return 1;
+}
+
+// Where the grid ends is known with box sizes; if there is no grid, as yet, the box as it is asked for.
+void vtkMeshPreview::Show(const cartesian::SurfaceView& surface, const cartesian::Options& options,
+  vtkInformationVector* output)
+{
+  const cartesian::DomainSpec& domain = options.domain;
+  cartesian::ExpectedDepths expected;
+  const bool hasGrid = Try([&] {
+    cartesian::Execution execution(this->NumberOfThreads);
+    expected = cartesian::expectedDepths(surface, options, execution);
+  });
+  cartesian::surfaceToVTK(surface, expected, vtkPolyData::GetData(output, 0));
+  cartesian::sizesToVTK(expected, this->BoxSizes);
+  if (!hasGrid && domain.isOutside())
+  {
+    expected.grid = cartesian::boxAround(domain, cartesian::boundsOf(surface));
+  }
+  if (domain.isOutside())
+  {
+    cartesian::domainToVTK(expected.grid, domain.flow, vtkPolyData::GetData(output, 1));
+  }
+  cartesian::labelsToVTK(expected.grid, domain, vtkPolyData::GetData(output, 2));
+}
+
+void vtkMeshPreview::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
