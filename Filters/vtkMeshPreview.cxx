@@ -14,6 +14,9 @@ vtkStandardNewMacro(vtkMeshPreview);
 namespace
 {
 
+// Colours differ within triangles that are larger than the longest side of the surface by this.
+constexpr double PiecesAlongSurface = 64;
+
 // The work itself will report errors.
 template <class Work>
 bool Try(Work&& work)
@@ -40,6 +43,28 @@ vtkStringArray* vtkMeshPreview::GetBoxSizes()
   return this->BoxSizes;
 }
 
+double* vtkMeshPreview::GetBoxAroundSurface()
+{
+  this->BoxAroundSurface = {};
+  const vtkBoundingBox bounds = this->BoundsOfInput();
+  Try([&] {
+    if (bounds.IsValid())
+    {
+      cartesian::DomainSpec domain = this->MakeOptions().domain;
+      domain.boxFrom = cartesian::BoxSource::Surface;
+      domain.ground = cartesian::DomainSide::NoSide;
+      domain.half = cartesian::Half::Whole;
+      cartesian::Bounds surface{};
+      bounds.GetMinPoint(surface.low.data());
+      bounds.GetMaxPoint(surface.high.data());
+      const cartesian::Bounds box = cartesian::boxAround(domain, surface);
+      this->BoxAroundSurface = { box.low[0], box.high[0], box.low[1], box.high[1], box.low[2],
+        box.high[2] };
+    }
+  });
+  return this->BoxAroundSurface.data();
+}
+
 int vtkMeshPreview::RequestData(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
@@ -57,23 +82,25 @@ int vtkMeshPreview::RequestData(
       zones.push_back({ region.shape, region.depth });
     }
     cartesian::zonesToVTK(zones, vtkPolyData::GetData(output, 3));
-    this->Show(surface.view(), asked.options, output);
+    const cartesian::ExpectedDepths expected = this->Show(surface.view(), asked.options, output);
+    cartesian::sizesToVTK(expected, zones, this->BoxSizes);
   });
   return 1;
 }
 
 // Where the grid ends is known with box sizes; if there is no grid, as yet, the box as it is asked for.
-void vtkMeshPreview::Show(const cartesian::SurfaceView& surface, const cartesian::Options& options,
-  vtkInformationVector* output)
+cartesian::ExpectedDepths vtkMeshPreview::Show(const cartesian::SurfaceView& surface,
+  const cartesian::Options& options, vtkInformationVector* output)
 {
   const cartesian::DomainSpec& domain = options.domain;
+  const cartesian::SurfacePieces pieces = cartesian::piecesOf(
+    surface, cartesian::hasSeveralDepths(options.refinement) ? PiecesAlongSurface : 0);
   cartesian::ExpectedDepths expected;
   const bool hasGrid = Try([&] {
     cartesian::Execution execution(this->NumberOfThreads);
-    expected = cartesian::expectedDepths(surface, options, execution);
+    expected = cartesian::expectedDepths(surface, options, pieces.centres(), execution);
   });
-  cartesian::surfaceToVTK(surface, expected, vtkPolyData::GetData(output, 0));
-  cartesian::sizesToVTK(expected, this->BoxSizes);
+  cartesian::surfaceToVTK(pieces, expected, vtkPolyData::GetData(output, 0));
   if (!hasGrid && domain.isOutside())
   {
     expected.grid = cartesian::boxAround(domain, cartesian::boundsOf(surface));
@@ -83,6 +110,7 @@ void vtkMeshPreview::Show(const cartesian::SurfaceView& surface, const cartesian
     cartesian::domainToVTK(expected.grid, domain.flow, vtkPolyData::GetData(output, 1));
   }
   cartesian::labelsToVTK(expected.grid, domain, vtkPolyData::GetData(output, 2));
+  return expected;
 }
 
 void vtkMeshPreview::PrintSelf(ostream& os, vtkIndent indent)

@@ -5,10 +5,10 @@
  *
  * Inputs and properties: those of vtkCartesianMesher. Outputs, all vtkPolyData and empty where there is nothing to show:
  *
- * Port 0: the triangles of the surface. Cell arrays Depth (int), how many times boxes are halved at the centre of each
- * triangle, and BoxSize (double), the longest edge of these boxes in units of the surface; both 0 for a triangle without
- * an area. No arrays if the surface passes through millions of boxes. Boxes beside smaller ones may be smaller still, for the
- * transition.
+ * Port 0: the triangles of the surface, large ones in pieces. Cell arrays Depth (int), how many times the box at the centre
+ * of each is halved, and BoxSize (double), the longest edge of that box in units of the surface. Boxes beside smaller ones may
+ * be smaller still, for the transition. There are no arrays if they would take seconds: for more than half a million
+ * triangles, or 100,000 with refinement by shape or Size Array, or millions of boxes.
  *
  * Port 1: the edges of the box that Domain Outside meshes, where its grid ends; and an arrow along the flow.
  *
@@ -26,6 +26,13 @@
 #include "vtkCartesianMesher.h"
 #include "vtkCartesianMesherFiltersModule.h" // for the export macro
 
+#include <array> // for std::array
+
+namespace cartesian
+{
+struct ExpectedDepths;
+}
+
 class VTKCARTESIANMESHERFILTERS_EXPORT vtkMeshPreview : public vtkCartesianMesher
 {
 public:
@@ -34,9 +41,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Of the last update: two texts for each Depth of the surface, the depth and the size of boxes, in ascending order.
+   * Of the last update: two texts for each Depth of the surface and of zones, the depth and the size of boxes, in ascending order.
    */
   vtkStringArray* GetBoxSizes();
+
+  /**
+   * The box that Domain Outside meshes with BoxFrom Surface, without Ground and Half: lower and upper x, y and z. All 0
+   * without a surface.
+   */
+  double* GetBoxAroundSurface() VTK_SIZEHINT(6);
 
 protected:
   vtkMeshPreview() = default;
@@ -52,10 +65,11 @@ private:
   vtkMeshPreview(const vtkMeshPreview&) = delete;
   void operator=(const vtkMeshPreview&) = delete;
 
-  void Show(const cartesian::SurfaceView& surface, const cartesian::Options& options,
-    vtkInformationVector* output);
+  cartesian::ExpectedDepths Show(const cartesian::SurfaceView& surface,
+    const cartesian::Options& options, vtkInformationVector* output);
 
   vtkNew<vtkStringArray> BoxSizes;
+  std::array<double, 6> BoxAroundSurface{};
 };
 
 #endif

@@ -4,20 +4,18 @@
 #include "PanelValues.h"
 #include "PreviewScene.h"
 #include "Registration.h"
+#include "Window.h"
 
 #include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkPVXMLElement.h"
-#include "vtkRenderWindowInteractor.h"
-#include "vtkSMOutputPort.h"
 #include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
-#include "vtkSMProxyManager.h"
 #include "vtkSMProxySelectionModel.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
-#include "vtkSMUndoStackBuilder.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
@@ -29,51 +27,6 @@ namespace cartesian
 
 namespace
 {
-
-// While it lives, nothing that changes can be undone.
-class WithoutUndo
-{
-public:
-  WithoutUndo()
-    : builder_(vtkSMProxyManager::GetProxyManager()->GetUndoStackBuilder())
-    , before_(builder_ && builder_->GetIgnoreAllChanges())
-  {
-    if (builder_)
-    {
-      builder_->SetIgnoreAllChanges(true);
-    }
-  }
-  ~WithoutUndo()
-  {
-    if (builder_)
-    {
-      builder_->SetIgnoreAllChanges(before_);
-    }
-  }
-  WithoutUndo(const WithoutUndo&) = delete;
-  WithoutUndo& operator=(const WithoutUndo&) = delete;
-
-private:
-  vtkSMUndoStackBuilder* builder_;
-  bool before_;
-};
-
-// The source or view that is selected; null: none.
-vtkSMProxy* selected(vtkSMSessionProxyManager* proxies, const char* kind)
-{
-  vtkSMProxySelectionModel* model = proxies->GetSelectionModel(kind);
-  vtkSMProxy* current = model ? model->GetCurrentProxy() : nullptr;
-  auto* port = vtkSMOutputPort::SafeDownCast(current);
-  return port ? port->GetSourceProxy() : current;
-}
-
-// The active view, if it is a window's: those of scripts have other interactors.
-vtkSMRenderViewProxy* windowOf(vtkSMSessionProxyManager* proxies)
-{
-  auto* view = vtkSMRenderViewProxy::SafeDownCast(selected(proxies, "ActiveView"));
-  vtkRenderWindowInteractor* interactor = view ? view->GetInteractor() : nullptr;
-  return interactor && interactor->IsA("QVTKInteractor") ? view : nullptr;
-}
 
 // Of one source.
 class Look : public vtkCommand
@@ -112,8 +65,10 @@ public:
 private:
   bool IsWanted(vtkSMSessionProxyManager* proxies)
   {
-    return !proxies->GetInLoadXMLState() && selected(proxies, "ActiveSources") == this->Source &&
-      this->Source->GetObjectsCreated() &&
+    vtkSMPropertyHelper preview(this->Source, "Preview");
+    preview.SetUseUnchecked(true);
+    return preview.GetAsInt() != 0 && !proxies->GetInLoadXMLState() &&
+      selectedSource(proxies) == this->Source && this->Source->GetObjectsCreated() &&
       (!this->IsApplied || textOf(this->Source, true) != textOf(this->Source, false));
   }
 
@@ -121,7 +76,8 @@ private:
   {
     vtkSMSessionProxyManager* proxies =
       this->Source ? this->Source->GetSessionProxyManager() : nullptr;
-    vtkSMRenderViewProxy* view = proxies && this->IsWanted(proxies) ? windowOf(proxies) : nullptr;
+    vtkSMRenderViewProxy* view =
+      proxies && this->IsWanted(proxies) ? activeWindow(proxies) : nullptr;
     if (this->Scene && this->Scene->view() != view)
     {
       this->Scene.reset();

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PreviewScene.h"
 
+#include "Window.h"
+
 #include "vtkClientServerStream.h"
 #include "vtkDataObject.h"
 #include "vtkPVDataInformation.h"
-#include "vtkSMInputProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSession.h"
@@ -91,12 +92,10 @@ PreviewScene::~PreviewScene()
   {
     return;
   }
-  auto* hidden = vtkSMProxyProperty::SafeDownCast(view_->GetProperty("HiddenRepresentations"));
   for (const auto& representation : representations_)
   {
-    hidden->RemoveProxy(representation);
+    removeHidden(representation, view_);
   }
-  view_->UpdateVTKObjects();
   this->showOthers(true);
   view_->StillRender();
 }
@@ -120,20 +119,13 @@ vtkSMProxy* PreviewScene::add(const char* name, int port)
   return proxy;
 }
 
-void show(vtkSMProxy* representation, vtkSMRenderViewProxy* view)
-{
-  representation->UpdateVTKObjects();
-  vtkSMPropertyHelper(view, "HiddenRepresentations").Add(representation);
-  view->UpdateVTKObjects();
-}
-
 void PreviewScene::addSurface()
 {
   vtkSMProxy* surface = this->add("GeometryRepresentation", Surface);
   vtkSMPropertyHelper(surface, "ColorArrayName")
     .SetInputArrayToProcess(vtkDataObject::CELL, DepthArray);
   vtkSMPropertyHelper(surface, "LookupTable").Set(colours_);
-  show(surface, view_);
+  addHidden(surface, view_);
 }
 
 void PreviewScene::addDomain()
@@ -142,7 +134,7 @@ void PreviewScene::addDomain()
   set(domain, "LineWidth", LineWidth);
   setPaletteColour(domain, "AmbientColor", "ForegroundColor");
   setPaletteColour(domain, "DiffuseColor", "ForegroundColor");
-  show(domain, view_);
+  addHidden(domain, view_);
 }
 
 void PreviewScene::addLabels()
@@ -154,7 +146,7 @@ void PreviewScene::addLabels()
   set(labels, "PointLabelJustification", Centred);
   set(labels, "MaximumNumberOfLabels", MostLabels);
   setPaletteColour(labels, "PointLabelColor", "TextAnnotationColor");
-  show(labels, view_);
+  addHidden(labels, view_);
 }
 
 void PreviewScene::addZones()
@@ -165,7 +157,7 @@ void PreviewScene::addZones()
   vtkSMPropertyHelper(zones, "ColorArrayName")
     .SetInputArrayToProcess(vtkDataObject::CELL, DepthArray);
   vtkSMPropertyHelper(zones, "LookupTable").Set(colours_);
-  show(zones, view_);
+  addHidden(zones, view_);
 }
 
 void PreviewScene::addLegend()
@@ -178,7 +170,7 @@ void PreviewScene::addLegend()
   set(legend_, "Visibility", 1);
   setPaletteColour(legend_, "TitleColor", "TextAnnotationColor");
   setPaletteColour(legend_, "LabelColor", "TextAnnotationColor");
-  show(legend_, view_);
+  addHidden(legend_, view_);
 }
 
 // Only in the view: the user's choice, and the state, stay.
@@ -218,7 +210,8 @@ void PreviewScene::nameSizes()
   for (unsigned int i = 0; i + 1 < sizes.GetNumberOfElements(); i += 2)
   {
     annotations.Set(i, sizes.GetAsString(i));
-    annotations.Set(i + 1, sizes.GetAsString(i + 1));
+    annotations.Set(i + 1,
+      (std::string(sizes.GetAsString(i + 1)) + " (depth " + sizes.GetAsString(i) + ")").c_str());
     const Rgb& rgb = ColoursOfDepths.at(static_cast<std::size_t>(std::stoi(sizes.GetAsString(i))));
     for (unsigned int c = 0; c < 3; ++c)
     {

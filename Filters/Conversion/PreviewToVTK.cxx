@@ -18,7 +18,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -32,7 +34,10 @@ namespace
 constexpr double LengthOfArrow = 0.15;
 constexpr double GapBeforeInlet = 0.02;
 
-constexpr int Facets = 24; // of the arrow, once around
+// Of the arrow, by its length; facets once around.
+constexpr double ShaftRadius = 0.06;
+constexpr double TipRadius = 0.18;
+constexpr int Facets = 24;
 
 std::array<double, 3> centreOf(const Bounds& box)
 {
@@ -65,6 +70,8 @@ vtkSmartPointer<vtkPolyData> arrowTo(const Bounds& box, FlowDirection flow)
   vtkNew<vtkArrowSource> arrow; // along x, of length 1
   arrow->SetShaftResolution(Facets);
   arrow->SetTipResolution(Facets);
+  arrow->SetShaftRadius(ShaftRadius);
+  arrow->SetTipRadius(TipRadius);
   vtkNew<vtkTransform> place;
   place->Translate(tail.data());
   if (inlet / 2 == 1)
@@ -88,6 +95,35 @@ vtkSmartPointer<vtkPolyData> arrowTo(const Bounds& box, FlowDirection flow)
   return filter->GetOutput();
 }
 
+using Points = std::vector<std::array<double, 3>>;
+
+// Of the first edge of a triangle.
+double lengthOf(const std::array<vtkIdType, 3>& triangle, const Points& points)
+{
+  const auto& p = points[static_cast<std::size_t>(triangle[0])];
+  const auto& q = points[static_cast<std::size_t>(triangle[1])];
+  return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+}
+
+std::array<double, 3> middleOf(const std::array<vtkIdType, 3>& triangle, const Points& points)
+{
+  const auto& p = points[static_cast<std::size_t>(triangle[0])];
+  const auto& q = points[static_cast<std::size_t>(triangle[1])];
+  return { (p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2 };
+}
+
+// The same triangle.
+std::array<vtkIdType, 3> longestEdgeFirst(std::array<vtkIdType, 3> triangle, const Points& points)
+{
+  std::array<vtkIdType, 3> result = triangle;
+  for (int i = 0; i < 2; ++i)
+  {
+    std::rotate(triangle.begin(), triangle.begin() + 1, triangle.end());
+    result = lengthOf(triangle, points) > lengthOf(result, points) ? triangle : result;
+  }
+  return result;
+}
+
 std::string inText(double value)
 {
   std::array<char, 32> text;
@@ -97,21 +133,70 @@ std::string inText(double value)
 
 }
 
-void surfaceToVTK(const SurfaceView& view, const ExpectedDepths& expected, vtkPolyData* surface)
+std::vector<std::array<double, 3>> SurfacePieces::centres() const
+{
+  std::vector<std::array<double, 3>> centres;
+  centres.reserve(triangles.size());
+  for (const auto& [a, b, c] : triangles)
+  {
+    const auto& p = points[static_cast<std::size_t>(a)];
+    const auto& q = points[static_cast<std::size_t>(b)];
+    const auto& r = points[static_cast<std::size_t>(c)];
+    centres.push_back(
+      { (p[0] + q[0] + r[0]) / 3, (p[1] + q[1] + r[1]) / 3, (p[2] + q[2] + r[2]) / 3 });
+  }
+  return centres;
+}
+
+SurfacePieces piecesOf(const SurfaceView& view, double along)
+{
+  SurfacePieces pieces;
+  for (std::size_t i = 0; i < view.pointCount; ++i)
+  {
+    pieces.points.push_back({ view.points[3 * i], view.points[3 * i + 1], view.points[3 * i + 2] });
+  }
+  const double longest =
+    along > 0 ? boundsOf(view).longest() / along : std::numeric_limits<double>::max();
+  std::vector<std::array<vtkIdType, 3>> parts; // of one triangle, not small enough
+  for (std::size_t t = 0; t < view.triangleCount; ++t)
+  {
+    const std::uint32_t* corner = view.triangles + 3 * t;
+    parts.push_back({ corner[0], corner[1], corner[2] });
+    while (!parts.empty())
+    {
+      const std::array<vtkIdType, 3> part = longestEdgeFirst(parts.back(), pieces.points);
+      parts.pop_back();
+      if (lengthOf(part, pieces.points) <= longest)
+      {
+        pieces.triangles.push_back(part);
+        continue;
+      }
+      const auto middle = static_cast<vtkIdType>(pieces.points.size());
+      pieces.points.push_back(middleOf(part, pieces.points));
+      parts.push_back({ part[0], middle, part[2] });
+      parts.push_back({ middle, part[1], part[2] });
+    }
+  }
+  return pieces;
+}
+
+void surfaceToVTK(const SurfacePieces& pieces, const ExpectedDepths& expected, vtkPolyData* surface)
 {
   vtkNew<vtkDoubleArray> coordinates;
   coordinates->SetNumberOfComponents(3);
-  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(view.pointCount));
-  std::copy(view.points, view.points + 3 * view.pointCount, coordinates->GetPointer(0));
+  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(pieces.points.size()));
+  for (std::size_t i = 0; i < pieces.points.size(); ++i)
+  {
+    coordinates->SetTypedTuple(static_cast<vtkIdType>(i), pieces.points[i].data());
+  }
   vtkNew<vtkPoints> points;
   points->SetData(coordinates);
   vtkNew<vtkCellArray> triangles;
-  triangles->AllocateExact(
-    static_cast<vtkIdType>(view.triangleCount), static_cast<vtkIdType>(3 * view.triangleCount));
-  for (std::size_t t = 0; t < view.triangleCount; ++t)
+  const auto count = static_cast<vtkIdType>(pieces.triangles.size());
+  triangles->AllocateExact(count, 3 * count);
+  for (const std::array<vtkIdType, 3>& triangle : pieces.triangles)
   {
-    triangles->InsertNextCell({ vtkIdType(view.triangles[3 * t]),
-      vtkIdType(view.triangles[3 * t + 1]), vtkIdType(view.triangles[3 * t + 2]) });
+    triangles->InsertNextCell(3, triangle.data());
   }
   surface->SetPoints(points);
   surface->SetPolys(triangles);
@@ -199,24 +284,37 @@ void zonesToVTK(const std::vector<ZoneShape>& shapes, vtkPolyData* zones)
   zones->GetCellData()->AddArray(depths);
 }
 
-void sizesToVTK(const ExpectedDepths& expected, vtkStringArray* rows)
+void sizesToVTK(
+  const ExpectedDepths& expected, const std::vector<ZoneShape>& zones, vtkStringArray* rows)
 {
   constexpr double Alike = 1.01;
-  std::map<int, std::pair<double, double>> ranges;
+  using Sizes = std::pair<double, double>; // the least and the largest
+  std::map<int, Sizes> ofDepths;
+  Sizes undivided{ std::numeric_limits<double>::max(), 0 };
+  const auto include = [](Sizes& sizes, double size) {
+    sizes = { std::min(sizes.first, size), std::max(sizes.second, size) };
+  };
   for (std::size_t t = 0; t < expected.depths.size(); ++t)
   {
-    if (const double size = expected.sizes[t]; size > 0) // not of a triangle without an area
+    const double size = expected.sizes[t];
+    include(ofDepths.emplace(expected.depths[t], Sizes{ size, size }).first->second, size);
+    include(undivided, std::ldexp(size, expected.depths[t]));
+  }
+  for (const ZoneShape& zone : zones)
+  {
+    if (undivided.second > 0)
     {
-      auto& [low, high] = ranges.emplace(expected.depths[t], std::pair(size, size)).first->second;
-      low = std::min(low, size);
-      high = std::max(high, size);
+      ofDepths.emplace(zone.depth,
+        Sizes{
+          std::ldexp(undivided.first, -zone.depth), std::ldexp(undivided.second, -zone.depth) });
     }
   }
-  for (const auto& [depth, range] : ranges)
+  for (const auto& [depth, sizes] : ofDepths)
   {
-    const auto& [low, high] = range;
+    const auto& [least, largest] = sizes;
     rows->InsertNextValue(std::to_string(depth));
-    rows->InsertNextValue(high <= Alike * low ? inText(high) : inText(low) + " to " + inText(high));
+    rows->InsertNextValue(
+      largest <= Alike * least ? inText(largest) : inText(least) + " to " + inText(largest));
   }
 }
 

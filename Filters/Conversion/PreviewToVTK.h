@@ -5,6 +5,9 @@
 #include "Mesher/ExpectedDepths.h"
 #include "Surface/FlowDomain.h"
 
+#include "vtkType.h"
+
+#include <array>
 #include <string>
 #include <vector>
 
@@ -19,8 +22,21 @@ constexpr const char* DepthArray = "Depth";     // int
 constexpr const char* BoxSizeArray = "BoxSize"; // double, user units
 constexpr const char* LabelArray = "Label";     // of points
 
-// The triangles of a view; with depths, those arrays.
-void surfaceToVTK(const SurfaceView& view, const ExpectedDepths& expected, vtkPolyData* surface);
+// Triangles of a surface, each small enough to have one colour.
+struct SurfacePieces
+{
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<vtkIdType, 3>> triangles;
+
+  std::vector<std::array<double, 3>> centres() const;
+};
+
+// Triangles with edges longer than the surface's longest side by `along` are halved; 0: none are.
+SurfacePieces piecesOf(const SurfaceView& view, double along);
+
+// `expected`: at the centres of the pieces; without depths, there are no arrays.
+void surfaceToVTK(
+  const SurfacePieces& pieces, const ExpectedDepths& expected, vtkPolyData* surface);
 
 // The edges of a flow domain, and an arrow that points from upstream to its inlet.
 void domainToVTK(const Bounds& box, FlowDirection flow, vtkPolyData* domain);
@@ -37,7 +53,9 @@ struct ZoneShape
 // In one piece.
 void zonesToVTK(const std::vector<ZoneShape>& shapes, vtkPolyData* zones);
 
-// Two texts a row: each depth that triangles have, and the sizes of boxes there, as a number or a range. Ascending.
-void sizesToVTK(const ExpectedDepths& expected, vtkStringArray* rows);
+// Two texts a row: each depth that triangles or zones have, ascending, and the sizes of boxes there, as a number or a
+// range.
+void sizesToVTK(
+  const ExpectedDepths& expected, const std::vector<ZoneShape>& zones, vtkStringArray* rows);
 
 }

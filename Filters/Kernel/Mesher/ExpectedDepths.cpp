@@ -15,33 +15,35 @@ namespace
 // If the surface passes through more global boxes than these, it takes seconds to find them.
 constexpr double MostLookedAt = 2e6;
 
-constexpr std::size_t Grain = 4096; // triangles
+// What is curved or narrow is found in a repaired surface, which takes longer.
+constexpr std::size_t MostRepaired = 100000; // triangles
+constexpr std::size_t MostTriangles = 500000;
+
+constexpr std::size_t Grain = 4096; // places
 
 using Index = std::array<std::uint32_t, 3>;
 
-// The centre of a triangle.
 struct Place
 {
   Index global;                     // the global box that it is in
   std::array<std::int64_t, 3> fine; // where in that box
-  std::uint32_t triangle;
+  std::size_t number;
 };
 
 using Places = std::vector<Place>::iterator;
 
-Place placeOf(const Surface& surface, const Meshlines& planes, std::uint32_t triangle)
+Place placeOf(const std::array<double, 3>& point, std::size_t number, const Lattice& lattice,
+  const Meshlines& planes)
 {
-  const Corners c = surface.corners(triangle);
-  Place place{ {}, {}, triangle };
+  Place place{ {}, {}, number };
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const std::vector<Level>& lines = planes[axis];
-    const auto centre =
-      static_cast<Level>((std::uint64_t(c[0][axis]) + c[1][axis] + c[2][axis]) / 3);
+    const Level level = lattice.vertex(static_cast<int>(axis), point[axis]);
     const std::int64_t last = static_cast<std::int64_t>(lines.size()) - 2;
     const auto i =
-      static_cast<std::size_t>(std::clamp<std::int64_t>(intervalOf(lines, centre), 0, last));
-    const double part = (double(centre) - lines[i]) / (double(lines[i + 1]) - lines[i]);
+      static_cast<std::size_t>(std::clamp<std::int64_t>(intervalOf(lines, level), 0, last));
+    const double part = (double(level) - lines[i]) / (double(lines[i + 1]) - lines[i]);
     place.global[axis] = static_cast<std::uint32_t>(i);
     place.fine[axis] = std::clamp<std::int64_t>(
       static_cast<std::int64_t>(part * double(FinePerBox)), 0, FinePerBox - 1);
@@ -112,7 +114,7 @@ private:
   {
     for (; begin != end; ++begin)
     {
-      std::uint8_t& own = depths_[begin->triangle];
+      std::uint8_t& own = depths_[begin->number];
       own = std::max(own, static_cast<std::uint8_t>(depth));
     }
   }
@@ -122,7 +124,6 @@ private:
   std::vector<std::uint8_t> forced_;
 };
 
-// Of the triangles on the lattice.
 std::vector<std::uint8_t> depthsOf(
   const std::vector<Place>& places, const Refinement& refinement, Execution& execution)
 {
@@ -139,7 +140,7 @@ std::vector<std::uint8_t> depthsOf(
   });
   std::vector<Place> some;
   std::copy_if(places.begin(), places.end(), std::back_inserter(some),
-    [&](const Place& place) { return inPart[place.triangle] != 0; });
+    [&](const Place& place) { return inPart[place.number] != 0; });
   std::sort(
     some.begin(), some.end(), [](const Place& a, const Place& b) { return a.global < b.global; });
   DepthsInParts parts(depths);
@@ -182,39 +183,41 @@ double longestEdge(const Index& global, const Meshlines& planes, const Lattice& 
 
 }
 
-ExpectedDepths expectedDepths(const SurfaceView& view, const Options& options, Execution& execution)
+bool hasSeveralDepths(const RefinementSpec& spec)
 {
-  // What is curved or narrow only a repaired surface tells.
-  const PreparedSurface prepared = options.refinement.sizing.any()
-    ? prepareSurface(view, options, execution)
-    : placeOnGrid(view, options, execution);
+  return !spec.blocks.empty() || !spec.boundaries.empty() || !spec.regions.empty() ||
+    spec.sizing.any();
+}
+
+ExpectedDepths expectedDepths(const SurfaceView& view, const Options& options,
+  const std::vector<std::array<double, 3>>& given, Execution& execution)
+{
+  const bool isRepaired = options.refinement.sizing.any() && view.triangleCount <= MostRepaired;
+  const PreparedSurface prepared =
+    isRepaired ? prepareSurface(view, options, execution) : placeOnGrid(view, options, execution);
   const Surface& surface = prepared.surface;
   const Meshlines& planes = prepared.planes;
   ExpectedDepths result{ endsOf(planes, surface.lattice), {}, {} };
-  if (estimateMesh(surface, planes).intersected > MostLookedAt)
+  if ((options.refinement.sizing.any() && !isRepaired) || view.triangleCount > MostTriangles ||
+    estimateMesh(surface, planes).intersected > MostLookedAt)
   {
     return result;
   }
   const Shoeboxes shoeboxes = fillShoeboxes(surface, planes, execution);
   const Refinement refinement(refinementOf(options), surface, shoeboxes, planes, execution);
-  std::vector<Place> places(surface.triangles.size());
+  std::vector<Place> places(given.size());
   execution.forEach(places.size(), Grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t)
+    for (std::size_t i = begin; i < end; ++i)
     {
-      places[t] = placeOf(surface, planes, static_cast<std::uint32_t>(t));
+      places[i] = placeOf(given[i], i, surface.lattice, planes);
     }
   });
-  const std::vector<std::uint8_t> depths = depthsOf(places, refinement, execution);
-  result.depths.resize(view.triangleCount);
-  result.sizes.resize(view.triangleCount);
-  for (std::size_t t = 0; t < surface.given.size(); ++t)
+  result.depths = depthsOf(places, refinement, execution);
+  result.sizes.resize(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
   {
-    const std::uint32_t given = surface.given[t];
-    const double size =
-      std::ldexp(longestEdge(places[t].global, planes, surface.lattice), -depths[t]);
-    const bool isSmaller = result.sizes[given] == 0 || size < result.sizes[given];
-    result.sizes[given] = isSmaller ? size : result.sizes[given];
-    result.depths[given] = isSmaller ? depths[t] : result.depths[given];
+    result.sizes[i] =
+      std::ldexp(longestEdge(places[i].global, planes, surface.lattice), -result.depths[i]);
   }
   return result;
 }

@@ -6,6 +6,7 @@
 #include "Mesher/Options.h"
 #include "Surface/Surface.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -16,15 +17,18 @@ struct ExpectedDepths
 {
   Bounds grid; // user units
 
-  // Of each triangle of the view, at its centre: the depth of the box there, and its longest edge in user units. Empty
-  // if too many boxes would have to be examined.
+  // At each place: how many times the box there is halved, and its longest edge in user units. Empty if that would take
+  // too long.
   std::vector<std::uint8_t> depths;
   std::vector<double> sizes;
 };
 
-// With all refinement in the options. Boxes next to smaller ones may be smaller still, for the transition between them.
-// Throws Error: as prepareSurface() and decompose().
-ExpectedDepths expectedDepths(
-  const SurfaceView& surface, const Options& options, Execution& execution);
+// At places on the surface, in user units, with all refinement in the options. Boxes next to smaller ones may be smaller
+// still, for the transition between them. Throws Error: as prepareSurface() and decompose().
+ExpectedDepths expectedDepths(const SurfaceView& surface, const Options& options,
+  const std::vector<std::array<double, 3>>& places, Execution& execution);
+
+// Whether boxes along the surface may differ in depth.
+bool hasSeveralDepths(const RefinementSpec& spec);
 
 }
