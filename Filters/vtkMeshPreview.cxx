@@ -75,42 +75,51 @@ int vtkMeshPreview::RequestData(
   }
   Try([&] {
     const cartesian::SurfaceFromVTK surface = this->ReadWithSides(vtkDataObject::GetData(input[0]));
-    const Asked asked = this->Ask(surface);
-    std::vector<cartesian::ZoneShape> zones;
-    for (const RegionSurface& region : asked.regions)
+    if (!Try([&] { this->ShowBoxes(surface, output); }))
     {
-      zones.push_back({ region.shape, region.depth });
+      this->ShowWithoutBoxes(surface, output);
     }
-    cartesian::zonesToVTK(zones, vtkPolyData::GetData(output, 3));
-    const cartesian::ExpectedDepths expected = this->Show(surface.view(), asked.options, output);
-    cartesian::sizesToVTK(expected, zones, this->BoxSizes);
   });
   return 1;
 }
 
-// Where the grid ends is known with box sizes; if there is no grid, as yet, the box as it is asked for.
-cartesian::ExpectedDepths vtkMeshPreview::Show(const cartesian::SurfaceView& surface,
-  const cartesian::Options& options, vtkInformationVector* output)
+void vtkMeshPreview::ShowBoxes(
+  const cartesian::SurfaceFromVTK& surface, vtkInformationVector* output)
 {
-  const cartesian::DomainSpec& domain = options.domain;
-  const cartesian::SurfacePieces pieces = cartesian::piecesOf(
-    surface, cartesian::hasSeveralDepths(options.refinement) ? PiecesAlongSurface : 0);
-  cartesian::ExpectedDepths expected;
-  const bool hasGrid = Try([&] {
-    cartesian::Execution execution(this->NumberOfThreads);
-    expected = cartesian::expectedDepths(surface, options, pieces.centres(), execution);
-  });
-  cartesian::surfaceToVTK(pieces, expected, vtkPolyData::GetData(output, 0));
-  if (!hasGrid && domain.isOutside())
+  const Asked asked = this->Ask(surface);
+  std::vector<cartesian::ZoneShape> zones;
+  for (const RegionSurface& region : asked.regions)
   {
-    expected.grid = cartesian::boxAround(domain, cartesian::boundsOf(surface));
+    zones.push_back({ region.shape, region.depth });
   }
+  cartesian::zonesToVTK(zones, vtkPolyData::GetData(output, 3));
+  const cartesian::SurfacePieces pieces = cartesian::piecesOf(
+    surface.view(), cartesian::hasSeveralDepths(asked.options.refinement) ? PiecesAlongSurface : 0);
+  cartesian::Execution execution(this->NumberOfThreads);
+  const cartesian::ExpectedDepths expected =
+    cartesian::expectedDepths(surface.view(), asked.options, pieces.centres(), execution);
+  cartesian::surfaceToVTK(pieces, expected, vtkPolyData::GetData(output, 0));
+  cartesian::sizesToVTK(expected, zones, this->BoxSizes);
+  ShowDomain(expected.grid, asked.options.domain, output);
+}
+
+void vtkMeshPreview::ShowWithoutBoxes(
+  const cartesian::SurfaceFromVTK& surface, vtkInformationVector* output)
+{
+  cartesian::surfaceToVTK(
+    cartesian::piecesOf(surface.view(), 0), {}, vtkPolyData::GetData(output, 0));
+  const cartesian::DomainSpec domain = this->MakeOptions().domain;
+  ShowDomain(cartesian::boxAround(domain, cartesian::boundsOf(surface.view())), domain, output);
+}
+
+void vtkMeshPreview::ShowDomain(
+  const cartesian::Bounds& box, const cartesian::DomainSpec& domain, vtkInformationVector* output)
+{
   if (domain.isOutside())
   {
-    cartesian::domainToVTK(expected.grid, domain.flow, vtkPolyData::GetData(output, 1));
+    cartesian::domainToVTK(box, domain.flow, vtkPolyData::GetData(output, 1));
   }
-  cartesian::labelsToVTK(expected.grid, domain, vtkPolyData::GetData(output, 2));
-  return expected;
+  cartesian::labelsToVTK(box, domain, vtkPolyData::GetData(output, 2));
 }
 
 void vtkMeshPreview::PrintSelf(ostream& os, vtkIndent indent)

@@ -16,7 +16,7 @@
  *
  * Port 3: the shapes of refinement zones (cell array Depth), those of BoxesAlongBody included.
  *
- * Errors are not reported: outputs are empty. The work itself will report them. On several ranks the first one makes all.
+ * Errors are not reported, as the work itself will report them: then there are no box sizes and zones, or nothing. On several ranks the first one makes all.
  *
  * @sa vtkCartesianMesher
  */
@@ -30,7 +30,7 @@
 
 namespace cartesian
 {
-struct ExpectedDepths;
+struct Bounds;
 }
 
 class VTKCARTESIANMESHERFILTERS_EXPORT vtkMeshPreview : public vtkCartesianMesher
@@ -65,8 +65,10 @@ private:
   vtkMeshPreview(const vtkMeshPreview&) = delete;
   void operator=(const vtkMeshPreview&) = delete;
 
-  cartesian::ExpectedDepths Show(const cartesian::SurfaceView& surface,
-    const cartesian::Options& options, vtkInformationVector* output);
+  void ShowBoxes(const cartesian::SurfaceFromVTK& surface, vtkInformationVector* output);
+  void ShowWithoutBoxes(const cartesian::SurfaceFromVTK& surface, vtkInformationVector* output);
+  static void ShowDomain(const cartesian::Bounds& box, const cartesian::DomainSpec& domain,
+    vtkInformationVector* output);
 
   vtkNew<vtkStringArray> BoxSizes;
   std::array<double, 6> BoxAroundSurface{};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesher/ExpectedDepths.h"
 
+#include "Boxes/PlanesAside.h"
 #include "Mesher/Mesher.h"
 
 #include <algorithm>
@@ -181,6 +182,19 @@ double longestEdge(const Index& global, const Meshlines& planes, const Lattice& 
   return longest * lattice.step();
 }
 
+// As prepareSurface(), if the surface is oriented outwards.
+PreparedSurface prepareQuickly(
+  const SurfaceView& view, const Options& options, Execution& execution)
+{
+  PreparedSurface prepared = placeOnGrid(view, options, execution);
+  if (options.domain.isOutside())
+  {
+    turnInsideOut(prepared.surface);
+  }
+  stepAside(prepared.surface, options.refinement.deepest(), prepared.planes, execution);
+  return prepared;
+}
+
 }
 
 bool hasSeveralDepths(const RefinementSpec& spec)
@@ -193,8 +207,8 @@ ExpectedDepths expectedDepths(const SurfaceView& view, const Options& options,
   const std::vector<std::array<double, 3>>& given, Execution& execution)
 {
   const bool isRepaired = options.refinement.sizing.any() && view.triangleCount <= MostRepaired;
-  const PreparedSurface prepared =
-    isRepaired ? prepareSurface(view, options, execution) : placeOnGrid(view, options, execution);
+  const PreparedSurface prepared = isRepaired ? prepareSurface(view, options, execution)
+                                              : prepareQuickly(view, options, execution);
   const Surface& surface = prepared.surface;
   const Meshlines& planes = prepared.planes;
   ExpectedDepths result{ endsOf(planes, surface.lattice), {}, {} };
