@@ -57,7 +57,7 @@ def check_property(property, page, where):
 
 
 for name, proxy in known.items():
-    if name.startswith("misc."):
+    if name.startswith(("misc.", "internal_filters.")):
         continue
     assert f"{name}.html" in ours, f"{proxy.get('label')} has no page in {HELP.relative_to(REPOSITORY)}"
     page = pages[f"{name}.html"]

@@ -21,7 +21,7 @@ layers = {"Layers": 0, "LayerExpansionRatio": 1.2, "FirstLayerThickness": 0.0, "
 settings = {"BoundaryNames": [], "BoundaryTypes": [], "BoundarySmallCellRatios": []}
 threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}
-pieces = {"InPieces": 1}
+pieces = {"InPieces": 1, "Preview": 1}
 regions = {"RegionsFrom": "One", "RegionArray": "", "ContactTolerance": 0.0, "Sheets": "Keep"}
 domain = {"Domain": "Inside", "BoxFrom": "Surface", "DomainBounds": [0, 1, 0, 1, 0, 1],
           "FlowDirection": "Plus X", "LengthsBefore": 3, "LengthsBehind": 5, "LengthsBeside": 3,
