@@ -14,6 +14,9 @@ vtkStandardNewMacro(vtkMeshPreview);
 namespace
 {
 
+// Of more, box sizes take too long.
+constexpr std::size_t MostTriangles = 500000;
+
 // Colours differ within triangles that are larger than the longest side of the surface by this.
 constexpr double PiecesAlongSurface = 64;
 
@@ -75,7 +78,8 @@ int vtkMeshPreview::RequestData(
   }
   Try([&] {
     const cartesian::SurfaceFromVTK surface = this->ReadWithSides(vtkDataObject::GetData(input[0]));
-    if (!Try([&] { this->ShowBoxes(surface, output); }))
+    const bool isSmall = surface.view().triangleCount <= MostTriangles;
+    if (!isSmall || !Try([&] { this->ShowBoxes(surface, output); }))
     {
       this->ShowWithoutBoxes(surface, output);
     }
@@ -106,8 +110,11 @@ void vtkMeshPreview::ShowBoxes(
 void vtkMeshPreview::ShowWithoutBoxes(
   const cartesian::SurfaceFromVTK& surface, vtkInformationVector* output)
 {
-  cartesian::surfaceToVTK(
-    cartesian::piecesOf(surface.view(), 0), {}, vtkPolyData::GetData(output, 0));
+  if (surface.view().triangleCount <= MostTriangles)
+  {
+    cartesian::surfaceToVTK(
+      cartesian::piecesOf(surface.view(), 0), {}, vtkPolyData::GetData(output, 0));
+  }
   const cartesian::DomainSpec domain = this->MakeOptions().domain;
   ShowDomain(cartesian::boxAround(domain, cartesian::boundsOf(surface.view())), domain, output);
 }

@@ -7,8 +7,8 @@
  *
  * Port 0: the triangles of the surface, large ones in pieces. Cell arrays Depth (int), how many times the box at the centre
  * of each is halved, and BoxSize (double), the longest edge of that box in units of the surface. Boxes beside smaller ones may
- * be smaller still, for the transition. There are no arrays if they would take seconds: for more than half a million
- * triangles, or 100,000 with refinement by shape or Size Array, or millions of boxes.
+ * be smaller still, for the transition. Where this would take seconds, there are no arrays (more than 100,000 triangles with
+ * refinement by shape or Size Array; millions of boxes) or nothing but the box of port 1 (more than half a million triangles).
  *
  * Port 1: the edges of the box that Domain Outside meshes, where its grid ends; and an arrow along the flow.
  *

@@ -11,7 +11,6 @@
 #include "vtkSMDoubleVectorProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
-#include "vtkSMProxySelectionModel.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSmartPointer.h"
@@ -70,14 +69,7 @@ public:
     {
       source->GetProperty(property)->AddObserver(vtkCommand::UncheckedPropertyModifiedEvent, this);
     }
-    for (const char* model : { "ActiveSources", "ActiveView" })
-    {
-      if (vtkSMProxySelectionModel* selection =
-            source->GetSessionProxyManager()->GetSelectionModel(model))
-      {
-        selection->AddObserver(vtkCommand::CurrentChangedEvent, this);
-      }
-    }
+    observeSelections(source->GetSessionProxyManager(), this);
   }
 
   void Execute(vtkObject* caller, unsigned long event, void* /*data*/) override

@@ -15,6 +15,8 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkWeakPointer.h"
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
 namespace cartesian

@@ -12,7 +12,6 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
-#include "vtkSMProxySelectionModel.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
@@ -43,11 +42,7 @@ public:
       changing->AddObserver(vtkCommand::UncheckedPropertyModifiedEvent, this);
     });
     source->AddObserver(vtkCommand::UpdateDataEvent, this);
-    if (vtkSMProxySelectionModel* sources =
-          source->GetSessionProxyManager()->GetSelectionModel("ActiveSources"))
-    {
-      sources->AddObserver(vtkCommand::CurrentChangedEvent, this);
-    }
+    observeSelections(source->GetSessionProxyManager(), this);
     this->IsApplied = source->GetSessionProxyManager()->GetInLoadXMLState();
   }
 

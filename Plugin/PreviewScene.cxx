@@ -83,7 +83,6 @@ PreviewScene::PreviewScene(
   this->addLabels();
   this->addZones();
   this->addLegend();
-  this->showOthers(false);
 }
 
 PreviewScene::~PreviewScene()
@@ -223,18 +222,19 @@ void PreviewScene::nameSizes()
   legend_->UpdateVTKObjects();
 }
 
-bool PreviewScene::hasDomain() const
+bool PreviewScene::has(int output) const
 {
-  return preview_->GetDataInformation(Domain)->GetNumberOfCells() > 0;
+  return preview_->GetDataInformation(static_cast<unsigned int>(output))->GetNumberOfCells() > 0;
 }
 
 void PreviewScene::draw()
 {
   preview_->UpdatePipeline();
   this->nameSizes();
+  this->showOthers(!this->has(Surface));
   // A flow domain is much larger than what was in view.
-  const bool isNew = this->hasDomain() && !hadDomain_;
-  hadDomain_ = this->hasDomain();
+  const bool isNew = this->has(Domain) && !hadDomain_;
+  hadDomain_ = this->has(Domain);
   static_cast<vtkSMProxy*>(view_)->MarkDirty(nullptr);
   if (isNew)
   {

@@ -20,7 +20,7 @@ class PreviewScene
 {
 public:
   // `preview`: with the outputs of vtkMeshPreview. What the view shows of `source` and of its input is hidden until the
-  // end, as it would cover the preview; their properties stay.
+  // end if there is a surface in its place; their properties stay.
   PreviewScene(vtkSMSourceProxy* preview, vtkSMProxy* source, vtkSMRenderViewProxy* view);
   ~PreviewScene();
 
@@ -42,7 +42,7 @@ private:
   void addLegend();
   void showOthers(bool shown);
   void nameSizes();
-  bool hasDomain() const;
+  bool has(int output) const;
 
   vtkSmartPointer<vtkSMSourceProxy> preview_;
   vtkWeakPointer<vtkSMProxy> source_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Window.h"
 
+#include "vtkCommand.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkSMOutputPort.h"
 #include "vtkSMPropertyHelper.h"
@@ -19,6 +20,8 @@ namespace
 {
 
 constexpr const char* Hidden = "HiddenRepresentations";
+constexpr const char* Sources = "ActiveSources";
+constexpr const char* Views = "ActiveView";
 
 vtkSMProxy* selected(vtkSMSessionProxyManager* proxies, const char* kind)
 {
@@ -30,16 +33,27 @@ vtkSMProxy* selected(vtkSMSessionProxyManager* proxies, const char* kind)
 
 vtkSMProxy* selectedSource(vtkSMSessionProxyManager* proxies)
 {
-  vtkSMProxy* current = selected(proxies, "ActiveSources");
+  vtkSMProxy* current = selected(proxies, Sources);
   auto* port = vtkSMOutputPort::SafeDownCast(current);
   return port ? port->GetSourceProxy() : current;
 }
 
 vtkSMRenderViewProxy* activeWindow(vtkSMSessionProxyManager* proxies)
 {
-  auto* view = vtkSMRenderViewProxy::SafeDownCast(selected(proxies, "ActiveView"));
+  auto* view = vtkSMRenderViewProxy::SafeDownCast(selected(proxies, Views));
   vtkRenderWindowInteractor* interactor = view ? view->GetInteractor() : nullptr;
   return interactor && interactor->IsA("QVTKInteractor") ? view : nullptr;
+}
+
+void observeSelections(vtkSMSessionProxyManager* proxies, vtkCommand* command)
+{
+  for (const char* kind : { Sources, Views })
+  {
+    if (vtkSMProxySelectionModel* model = proxies->GetSelectionModel(kind))
+    {
+      model->AddObserver(vtkCommand::CurrentChangedEvent, command);
+    }
+  }
 }
 
 void addHidden(vtkSMProxy* representation, vtkSMRenderViewProxy* view)

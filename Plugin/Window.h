@@ -2,6 +2,7 @@
 // What the user has selected in ParaView's window, and how things are shown there that are not the user's.
 #pragma once
 
+class vtkCommand;
 class vtkSMProxy;
 class vtkSMRenderViewProxy;
 class vtkSMSessionProxyManager;
@@ -15,6 +16,9 @@ vtkSMProxy* selectedSource(vtkSMSessionProxyManager* proxies);
 
 // The active view, if it is a window's: null in scripts.
 vtkSMRenderViewProxy* activeWindow(vtkSMSessionProxyManager* proxies);
+
+// Calls the command (CurrentChangedEvent) when another source or view is selected.
+void observeSelections(vtkSMSessionProxyManager* proxies, vtkCommand* command);
 
 // A representation that no list or state has, as those of ParaView's own widgets.
 void addHidden(vtkSMProxy* representation, vtkSMRenderViewProxy* view);

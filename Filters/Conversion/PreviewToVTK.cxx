@@ -34,6 +34,8 @@ namespace
 constexpr double LengthOfArrow = 0.15;
 constexpr double GapBeforeInlet = 0.02;
 
+constexpr std::size_t MostHalved = 200000; // pieces of a surface
+
 // Of the arrow, by its length; facets once around.
 constexpr double ShaftRadius = 0.06;
 constexpr double TipRadius = 0.18;
@@ -162,6 +164,10 @@ SurfacePieces piecesOf(const SurfaceView& view, double along)
   {
     const std::uint32_t* corner = view.triangles + 3 * t;
     parts.push_back({ corner[0], corner[1], corner[2] });
+    if (pieces.triangles.size() > view.triangleCount + MostHalved)
+    {
+      return piecesOf(view, along > 1 ? along / 2 : 0);
+    }
     while (!parts.empty())
     {
       const std::array<vtkIdType, 3> part = longestEdgeFirst(parts.back(), pieces.points);

@@ -31,7 +31,8 @@ struct SurfacePieces
   std::vector<std::array<double, 3>> centres() const;
 };
 
-// Triangles with edges longer than the surface's longest side by `along` are halved; 0: none are.
+// Triangles with edges longer than the surface's longest side by `along` are halved, as far as they do not become too many; 0:
+// none are.
 SurfacePieces piecesOf(const SurfaceView& view, double along);
 
 // `expected`: at the centres of the pieces; without depths, there are no arrays.

@@ -59,6 +59,14 @@ SAVE = """
 from paraview import simple
 simple.SaveState("FOLDER/state.pvsm")
 """
+BEGIN_TRACE = """
+from paraview import smtrace
+smtrace.start_trace()
+"""
+END_TRACE = """
+from paraview import smtrace
+open("FOLDER/trace.py", "w").write(smtrace.stop_trace())
+"""
 SCENE = ["DataLabelRepresentation"] + ["GeometryRepresentation"] * 3 + ["ScalarBarWidgetRepresentation"]
 NEW_SHAPE = event(f"{PROPERTIES}/PropertyCollection1/addItemButton", "activate")
 NO_PREVIEW = event(f"{PROPERTIES}/Preview/CheckBox", "set_boolean", "false")
@@ -71,7 +79,7 @@ def close(a, b):
 
 
 with Screen() as screen:
-    for name, text in ("note", NOTE), ("drag", DRAG), ("save", SAVE):
+    for name, text in ("note", NOTE), ("drag", DRAG), ("save", SAVE), ("begin", BEGIN_TRACE), ("end", END_TRACE):
         screen.add_macro(name, text.replace("FOLDER", str(screen.folder)))
 
     def play(*steps):
@@ -83,6 +91,10 @@ with Screen() as screen:
         return [json.loads(line) for line in notes.read_text().splitlines()]
 
     note = macro("note")
+    (traced,) = play(macro("begin"), choose("Domain", "Outside"), number("CellSize", 100), choose("BoxFrom", "Bounds"), note, apply(), macro("end"))
+    trace = (screen.folder / "trace.py").read_text()
+    assert traced["hidden"] == ["BoxWidgetRepresentation"] + SCENE and "CellSize = 100" in trace, trace
+    assert not any(word in trace for word in ("Preview", "Widget", "PVLookupTable(", "DataLabel")), trace
     first, typed, outside, saved, applied, again, reset = play(note, number("CellSize", 20), note, choose("Domain", "Outside"), note,
         macro("save"), note, number("CellSize", 80), apply(), note, choose("Ground", "zMin"), note, RESET, note)
     for shown in first, typed, outside, saved:
@@ -115,5 +127,7 @@ with Screen() as screen:
     assert deleted["hidden"] == [] and deleted["surface"] == [1, 1], deleted
 
     # Undo knows the filter and what was applied only.
-    made, undone, redone = play(number("CellSize", 40), apply(), note, undo(), note, redo(), note)
+    made, undone, redone, boxer = play(number("CellSize", 40), apply(), note, undo(), note, redo(), note,
+        meshing_menu("CartesianBoxer", "Meshing in Steps"), number("CellSize", 30), note)  # the window closes with a preview in it
     assert made["hidden"] == undone["hidden"] == redone["hidden"] == [], (made, undone, redone)
+    assert boxer["hidden"] == SCENE and boxer["sizes"] == ["0", "30"], boxer

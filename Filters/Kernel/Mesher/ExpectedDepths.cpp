@@ -18,7 +18,6 @@ constexpr double MostLookedAt = 2e6;
 
 // What is curved or narrow is found in a repaired surface, which takes longer.
 constexpr std::size_t MostRepaired = 100000; // triangles
-constexpr std::size_t MostTriangles = 500000;
 
 constexpr std::size_t Grain = 4096; // places
 
@@ -212,7 +211,7 @@ ExpectedDepths expectedDepths(const SurfaceView& view, const Options& options,
   const Surface& surface = prepared.surface;
   const Meshlines& planes = prepared.planes;
   ExpectedDepths result{ endsOf(planes, surface.lattice), {}, {} };
-  if ((options.refinement.sizing.any() && !isRepaired) || view.triangleCount > MostTriangles ||
+  if ((options.refinement.sizing.any() && !isRepaired) ||
     estimateMesh(surface, planes).intersected > MostLookedAt)
   {
     return result;
