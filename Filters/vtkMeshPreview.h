@@ -14,7 +14,8 @@
  *
  * Port 2: points with the names of the box's sides, and at KeepPoints (point array Label).
  *
- * Port 3: the shapes of refinement zones (cell array Depth), those of BoxesAlongBody included.
+ * Port 3: lines of the shapes of refinement zones (cell array Depth), those of BoxesAlongBody included: their sharp edges, or
+ * sections if they are round.
  *
  * Errors are not reported, as the work itself will report them: then there are no box sizes and zones, or nothing. On several ranks the first one makes all.
  *

@@ -151,7 +151,6 @@ void PreviewScene::addLabels()
 void PreviewScene::addZones()
 {
   vtkSMProxy* zones = this->add("GeometryRepresentation", Zones);
-  setText(zones, "Representation", "Wireframe");
   set(zones, "LineWidth", LineWidth);
   vtkSMPropertyHelper(zones, "ColorArrayName")
     .SetInputArrayToProcess(vtkDataObject::CELL, DepthArray);

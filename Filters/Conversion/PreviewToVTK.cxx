@@ -5,13 +5,17 @@
 #include "vtkArrowSource.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCleanPolyData.h"
+#include "vtkContourFilter.h"
 #include "vtkDoubleArray.h"
+#include "vtkFeatureEdges.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkOutlineSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
@@ -124,6 +128,55 @@ std::array<vtkIdType, 3> longestEdgeFirst(std::array<vtkIdType, 3> triangle, con
     result = lengthOf(triangle, points) > lengthOf(result, points) ? triangle : result;
   }
   return result;
+}
+
+// Where it is cut in the middle, along an axis. (vtkCutter tells the user each time that it cuts.)
+vtkSmartPointer<vtkPolyData> sectionOf(vtkPolyData* shape, int axis)
+{
+  vtkNew<vtkDoubleArray> heights;
+  for (vtkIdType i = 0; i < shape->GetNumberOfPoints(); ++i)
+  {
+    heights->InsertNextValue(shape->GetPoint(i)[axis]);
+  }
+  vtkNew<vtkPolyData> withHeights;
+  withHeights->CopyStructure(shape);
+  withHeights->GetPointData()->SetScalars(heights);
+  vtkNew<vtkContourFilter> section;
+  section->SetInputData(withHeights);
+  section->SetValue(0, shape->GetCenter()[axis]);
+  section->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  section->Update();
+  return section->GetOutput();
+}
+
+// The sharp edges of a shape; of a round one, sections.
+vtkSmartPointer<vtkPolyData> linesOf(vtkPolyData* shape)
+{
+  vtkNew<vtkPolyData> polygons;
+  polygons->SetPoints(shape->GetPoints());
+  polygons->SetPolys(shape->GetPolys());
+  vtkNew<vtkCleanPolyData> joined; // sides of a box have corners of their own
+  joined->SetInputData(polygons);
+  joined->SetTolerance(0);
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputConnection(joined->GetOutputPort());
+  edges->ColoringOff();
+  edges->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  edges->Update();
+  vtkNew<vtkPolyData> lines;
+  lines->CopyStructure(edges->GetOutput());
+  if (lines->GetNumberOfCells() > 0)
+  {
+    return lines;
+  }
+  vtkNew<vtkAppendPolyData> sections;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    sections->AddInputData(sectionOf(polygons, axis));
+  }
+  sections->Update();
+  lines->CopyStructure(sections->GetOutput());
+  return lines;
 }
 
 std::string inText(double value)
@@ -272,11 +325,9 @@ void zonesToVTK(const std::vector<ZoneShape>& shapes, vtkPolyData* zones)
   depths->SetName(DepthArray);
   for (const ZoneShape& zone : shapes)
   {
-    vtkNew<vtkPolyData> polygons;
-    polygons->SetPoints(zone.shape->GetPoints());
-    polygons->SetPolys(zone.shape->GetPolys());
-    all->AddInputData(polygons);
-    for (vtkIdType i = 0; i < polygons->GetNumberOfCells(); ++i)
+    const vtkSmartPointer<vtkPolyData> lines = linesOf(zone.shape);
+    all->AddInputData(lines);
+    for (vtkIdType i = 0; i < lines->GetNumberOfCells(); ++i)
     {
       depths->InsertNextValue(zone.depth);
     }

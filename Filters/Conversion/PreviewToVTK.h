@@ -51,7 +51,7 @@ struct ZoneShape
   int depth;
 };
 
-// In one piece.
+// Lines: the sharp edges of the shapes, and sections of round ones.
 void zonesToVTK(const std::vector<ZoneShape>& shapes, vtkPolyData* zones);
 
 // Two texts a row: each depth that triangles or zones have, ascending, and the sizes of boxes there, as a number or a

@@ -70,6 +70,9 @@ compare(False, CellSize=0.2, RefinementDepth=1, BoundaryNames=["*"], BoundaryDep
 compare(True, CellSize=0.1, RefinementBlocks=[0, 4, 0, 9, 0, 9, 2, 0])
 shape = {"RefinementShapes": ["sphere"], "RefinementPositions": [0.1, -0.3, -0.3], "RefinementLengths": [0.6, 0.6, 0.6],
     "RefinementShapeDepths": [3]}
+(_, _, _, zones), legend = preview(simple.CartesianBoxer(Input=body, CellSize=0.2, **shape))
+assert zones.GetNumberOfLines() == zones.GetNumberOfCells() > 0 and legend[3] == "0.025", legend
+assert np.allclose(zones.GetBounds(), [0.1, 0.7, -0.3, 0.3, -0.3, 0.3], atol=0.01), zones.GetBounds()  # of a sphere, sections
 depths = compare(True, CellSize=0.2, **shape)
 assert set(depths) <= {0, 1, 2, 3} and {0, 3} <= set(depths)
 compare(True, CellSize=0.25, RefinementRegions=[simple.RefinementRegion(Input=body, Shape="Sphere", Center=[0.4, 0, 0], Radius=0.2, Depth=2)])
@@ -104,7 +107,7 @@ for properties in ({}, {"Ground": "zMin"}, {"Half": "Across X", "FlowDirection":
     mesher.UpdatePipelineInformation()
     told = list(mesher.FlowZones)[8:]  # rows of four: after the titles, and what is along the surface
     shown = vtk_to_numpy(zones.GetCellData().GetArray("Depth")) if zones.GetNumberOfCells() > 0 else []
-    assert list(shown) == [int(depth) for depth in told[1::4] for _ in range(6)], (properties, shown, told)
+    assert list(shown) == [int(depth) for depth in told[1::4] for _ in range(12)], (properties, shown, told)
     assert set(shown) <= set(legend), (properties, shown, legend)
     assert int(list(mesher.FlowZones)[5]) == depths.max() == depths.min(), properties
 

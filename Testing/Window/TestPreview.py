@@ -108,7 +108,7 @@ with Screen() as screen:
     assert "CartesianMesher" in state and "MeshPreview" not in state and "BoxWidget" not in state
     for hidden in applied, reset:
         assert hidden["hidden"] == [], hidden
-    assert again["hidden"] == SCENE and again["labels"][4] == "ground" and abs(again["box"][4] - BODY[4]) < 1e-3, again
+    assert again["zones"] == 24 and again["hidden"] == SCENE and again["labels"][4] == "ground" and abs(again["box"][4] - BODY[4]) < 1e-3, again
 
     box, dragged, after, row, off = play(choose("Domain", "Outside"), choose("BoxFrom", "Bounds"), note, macro("drag"), note,
         choose("BoxFrom", "Surface"), note, NEW_SHAPE, note, NO_PREVIEW, note)
