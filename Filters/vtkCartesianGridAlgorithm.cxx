@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCartesianGridAlgorithm.h"
 
+#include "AskedMesh.h"
 #include "Base/Error.h"
 #include "BoundarySettings.h"
 #include "Boxes/FlowRefinement.h"
@@ -63,19 +64,6 @@ int WholeNumber(double value, const std::string& where)
 
 }
 
-struct vtkCartesianGridAlgorithm::RegionSurface
-{
-  std::unique_ptr<cartesian::SurfaceFromVTK> surface;
-  int depth;
-};
-
-// All options, with the surfaces of regions that they borrow.
-struct vtkCartesianGridAlgorithm::Asked
-{
-  std::vector<RegionSurface> regions;
-  cartesian::Options options;
-};
-
 std::vector<vtkCartesianGridAlgorithm::RegionSurface> vtkCartesianGridAlgorithm::RegionSurfaces(
   const std::vector<vtkSmartPointer<vtkDataObject>>& given) const
 {
@@ -86,6 +74,7 @@ std::vector<vtkCartesianGridAlgorithm::RegionSurface> vtkCartesianGridAlgorithm:
     {
       vtkDataArray* own = block.surface->GetFieldData()->GetArray(cartesian::RegionDepthField);
       RegionSurface& region = regions.emplace_back();
+      region.shape = block.surface;
       region.surface = std::make_unique<cartesian::SurfaceFromVTK>(block.surface, "");
       region.depth = own && own->GetNumberOfTuples() == 1
         ? WholeNumber(own->GetComponent(0, 0), "the field data of Refinement Regions")
@@ -105,6 +94,7 @@ std::vector<vtkCartesianGridAlgorithm::RegionSurface> vtkCartesianGridAlgorithm:
     const auto shape = cartesian::shapeInBox(
       this->RefinementShapes[row], this->RefinementPositions[row], this->RefinementLengths[row]);
     RegionSurface& region = regions.emplace_back();
+    region.shape = shape;
     region.surface = std::make_unique<cartesian::SurfaceFromVTK>(shape, "");
     region.depth = this->RefinementShapeDepths[row];
   }
@@ -142,7 +132,8 @@ void vtkCartesianGridAlgorithm::AddFlowRefinement(const cartesian::SurfaceFromVT
     const auto& [low, high] = zone.box;
     const auto shape =
       cartesian::shapeInBox("box", low, { high[0] - low[0], high[1] - low[1], high[2] - low[2] });
-    regions.push_back({ std::make_unique<cartesian::SurfaceFromVTK>(shape, ""), zone.depth });
+    regions.push_back(
+      { shape, std::make_unique<cartesian::SurfaceFromVTK>(shape, ""), zone.depth });
   }
 }
 

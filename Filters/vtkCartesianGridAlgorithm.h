@@ -353,6 +353,19 @@ protected:
    */
   std::vector<vtkSmartPointer<vtkDataObject>> OptionalRegions();
 
+  /**
+   * A closed surface around a refinement zone, with its own level or RegionDepth.
+   */
+  struct RegionSurface;
+
+  ///@{
+  /**
+   * All options, by the current properties and inputs, for the surface.
+   */
+  struct Asked;
+  Asked Ask(const cartesian::SurfaceFromVTK& surface);
+  ///@}
+
   double CellSize = 0;
   std::array<std::vector<double>, 3> Meshlines;
   std::string BoundaryArray;
@@ -386,8 +399,7 @@ private:
     const cartesian::SurfaceView&, const cartesian::Options&, cartesian::Execution&);
   void Expect(Estimate* estimate);
 
-  // A closed surface around a refinement zone, with its own level or RegionDepth: given ones, then the shapes.
-  struct RegionSurface;
+  // Given ones, then the shapes.
   std::vector<RegionSurface> RegionSurfaces(
     const std::vector<vtkSmartPointer<vtkDataObject>>& given) const;
   // Empty if the user sets other box sizes.
@@ -397,10 +409,6 @@ private:
     std::vector<RegionSurface>& regions) const;
   void AddRefinement(const cartesian::SurfaceFromVTK& source, std::vector<RegionSurface>& regions,
     cartesian::AskedSizes sizes, cartesian::Options& options);
-
-  // Options of the current properties and inputs for the surface.
-  struct Asked;
-  Asked Ask(const cartesian::SurfaceFromVTK& surface);
 
   vtkMTimeType ExpectedTime = 0;
   vtkNew<vtkStringArray> ExpectedBoxes;

@@ -41,6 +41,14 @@ namespace
 constexpr const char* HowToSee = "\nTo see these places, show the output Defects and use Zoom to "
                                  "Data; for one of them, Find Data and Zoom to Selection.";
 
+cartesian::Bounds BoundsOf(const vtkBoundingBox& box)
+{
+  cartesian::Bounds bounds{};
+  box.GetMinPoint(bounds.low.data());
+  box.GetMaxPoint(bounds.high.data());
+  return bounds;
+}
+
 }
 
 // What all pieces of a mesh have in common.
@@ -128,9 +136,7 @@ vtkStringArray* vtkCartesianMesher::GetFlowZones()
   {
     return this->FlowZones;
   }
-  cartesian::Bounds surface{};
-  box.GetMinPoint(surface.low.data());
-  box.GetMaxPoint(surface.high.data());
+  const cartesian::Bounds surface = BoundsOf(box);
   // What is out of range the work itself will say.
   cartesian::reportErrors(
     [&] {
@@ -144,6 +150,14 @@ vtkStringArray* vtkCartesianMesher::GetFlowZones()
     },
     [](unsigned long, const std::string&) {});
   return this->FlowZones;
+}
+
+const char* vtkCartesianMesher::GetDomainNote()
+{
+  const vtkBoundingBox box = this->BoundsOfInput();
+  this->DomainNote =
+    box.IsValid() ? cartesian::describeAcross(this->MakeOptions().domain, BoundsOf(box)) : "";
+  return this->DomainNote.c_str();
 }
 
 vtkStringArray* vtkCartesianMesher::GetExpectedLayers()

@@ -329,6 +329,12 @@ public:
   vtkStringArray* GetFlowZones();
 
   /**
+   * With Outside, a note if the surface is clearly longer along another axis than along FlowDirection, unless it stands on
+   * the Ground along that axis. Empty if there is nothing to note.
+   */
+  const char* GetDomainNote();
+
+  /**
    * Of the layers that are asked for: the thickness of the first one, their number and their total thickness, for boxes of
    * the largest depth that boundaries ask for; empty without layers.
    */
@@ -418,6 +424,7 @@ protected:
   int Half = 0;
   int SideNames = 1;
   int BoxesAlongBody = 60;
+  std::string DomainNote;
   vtkNew<vtkStringArray> FlowZones;
   vtkNew<vtkStringArray> ExpectedLayers;
 

@@ -1,26 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PanelEstimate.h"
 
+#include "PanelValues.h"
 #include "Registration.h"
 
 #include "vtkClientServerStream.h"
 #include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkPVXMLElement.h"
-#include "vtkSMDoubleVectorProperty.h"
-#include "vtkSMIntVectorProperty.h"
-#include "vtkSMPropertyHelper.h"
-#include "vtkSMPropertyIterator.h"
+#include "vtkSMProperty.h"
 #include "vtkSMProxy.h"
-#include "vtkSMProxyProperty.h"
 #include "vtkSMSession.h"
 #include "vtkSMSessionProxyManager.h"
-#include "vtkSMStringVectorProperty.h"
 #include "vtkSmartPointer.h"
-#include "vtkVariant.h"
 #include "vtkWeakPointer.h"
 
-#include <functional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -30,70 +24,6 @@ namespace cartesian
 
 namespace
 {
-
-// All that can be set, by name.
-void forEachProperty(
-  vtkSMProxy* proxy, const std::function<void(const char*, vtkSMProperty*)>& action)
-{
-  vtkSmartPointer<vtkSMPropertyIterator> properties;
-  properties.TakeReference(proxy->NewPropertyIterator());
-  for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
-  {
-    if (properties->GetProperty()->GetInformationOnly() == 0)
-    {
-      action(properties->GetKey(), properties->GetProperty());
-    }
-  }
-}
-
-// The values in the panel, or those that were applied.
-std::string textOf(vtkSMProxy* proxy, bool inPanel)
-{
-  std::string text;
-  forEachProperty(proxy, [&](const char* name, vtkSMProperty* property) {
-    if (vtkSMVectorProperty::SafeDownCast(property))
-    {
-      vtkSMPropertyHelper helper(proxy, name);
-      helper.SetUseUnchecked(inPanel);
-      text += name;
-      for (unsigned int i = 0; i < helper.GetNumberOfElements(); ++i)
-      {
-        text += "\n" + helper.GetAsVariant(i).ToString();
-      }
-      text += "\n\n";
-    }
-  });
-  return text;
-}
-
-template <class Number>
-void takeNumbers(vtkSMProperty* panel, vtkSMProperty* property)
-{
-  vtkSMPropertyHelper from(panel);
-  from.SetUseUnchecked(true);
-  const std::vector<Number> numbers = from.GetArray<Number>();
-  vtkSMPropertyHelper(property).Set(numbers.data(), static_cast<unsigned int>(numbers.size()));
-}
-
-void takeFromPanel(vtkSMProperty* panel, vtkSMProperty* property)
-{
-  if (auto* texts = vtkSMStringVectorProperty::SafeDownCast(panel))
-  {
-    vtkSMStringVectorProperty::SafeDownCast(property)->SetElements(texts->GetUncheckedElements());
-  }
-  else if (vtkSMDoubleVectorProperty::SafeDownCast(panel))
-  {
-    takeNumbers<double>(panel, property);
-  }
-  else if (vtkSMIntVectorProperty::SafeDownCast(panel))
-  {
-    takeNumbers<int>(panel, property);
-  }
-  else
-  {
-    property->Copy(panel);
-  }
-}
 
 // Of one source: asks another of its kind, which has the values in the panel.
 class Follow : public vtkCommand
@@ -157,9 +87,7 @@ private:
     other.TakeReference(
       source->GetSessionProxyManager()->NewProxy(source->GetXMLGroup(), source->GetXMLName()));
     other->SetLocation(source->GetLocation());
-    forEachProperty(source, [&](const char* name, vtkSMProperty* property) {
-      takeFromPanel(property, other->GetProperty(name));
-    });
+    takeFromPanel(source, other);
     other->UpdateVTKObjects();
     vtkClientServerStream command;
     command << vtkClientServerStream::Invoke << VTKOBJECT(other) << this->Command

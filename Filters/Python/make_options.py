@@ -15,7 +15,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Plugin" / 
 from reference import every, panel, proxies  # noqa: E402
 
 MESHER = "filters.CartesianMesher"
-NO_OPTIONS = "Input", "InPieces"  # an argument; for ranks
+NO_OPTIONS = "Input", "InPieces", "Preview"  # an argument; for ranks; for the window
 INPUTS = "Inputs"  # which have no group in the panel
 WIDTH = 96  # help() indents by 4
 

@@ -234,7 +234,7 @@ def parameters(name, group="filters"):
     while not properties.IsAtEnd():
         property = properties.GetProperty()
         if not property.IsA("vtkSMInputProperty") and not property.GetInformationOnly() and \
-                not property.GetIsInternal() and properties.GetKey() not in columns:
+                not property.GetIsInternal() and not _has_hint(property, "PanelOnly") and properties.GetKey() not in columns:
             found[properties.GetKey()] = _parameter(property, tables.get(properties.GetKey(), ""))
         properties.Next()
     return [found.pop(name) for name in tables if name in found] + list(found.values())

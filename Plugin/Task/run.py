@@ -342,6 +342,8 @@ def check(task):
     boxes, cells, bytes_taken = listener.algorithm.EstimateSize()
     if boxes > 0:
         print(f"about {float(f'{boxes:.2g}'):.0f} boxes, {float(f'{cells:.2g}'):.0f} cells, {bytes_taken / 1024 ** 3:.1g} GiB of memory")
+        if note := listener.algorithm.GetDomainNote():
+            print(note)
     return REFUSED if boxes == 0 else WARNINGS if listener.warnings else SUCCESS
 
 

@@ -22,6 +22,7 @@ settings = {"BoundaryNames": [], "BoundaryTypes": [], "BoundarySmallCellRatios":
 threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}
 pieces = {"InPieces": 1}
+preview = {"Preview": 1}
 regions = {"RegionsFrom": "One", "RegionArray": "", "ContactTolerance": 0.0, "Sheets": "Keep"}
 domain = {"Domain": "Inside", "BoxFrom": "Surface", "DomainBounds": [0, 1, 0, 1, 0, 1],
           "FlowDirection": "Plus X", "LengthsBefore": 3, "LengthsBehind": 5, "LengthsBeside": 3,
@@ -42,12 +43,12 @@ region = simple.RefinementRegion(Input=cube)
 
 expected = {
     boxer: ("Cartesian Boxer", ["Input", "RefinementRegions", "SizeField"],
-            boundaries | grid | refinement | threads | memory),
+            boundaries | grid | refinement | threads | memory | preview),
     patcher: ("Patcher", ["Input", "Boxes"], boundaries | patches | threads),
     assembler: ("Cell Assembler", ["Input", "Patches"], cells | settings | threads),
     mesher: ("Cartesian Mesher", ["Input", "RefinementRegions", "SizeField"],
              boundaries | grid | refinement | patches | cells | settings | threads | memory
-             | pieces | regions | domain | layers),
+             | pieces | regions | domain | layers | preview),
     inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
     split: ("Split Surface", ["Input", "Selection"], boundaries | threads | {"SplitBy": "Flat Caps", "FeatureAngle": 30.0,
         "CapNames": "cap", "BoundaryNames": [], "BoundaryMergedNames": [], "SelectionName": "selected",

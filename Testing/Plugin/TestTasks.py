@@ -86,7 +86,8 @@ def read(name, reader=simple.XMLUnstructuredGridReader):
 # back, it is what a new filter has.
 mesher = simple.CartesianMesher(Input=simple.Sphere())
 assert set(names(MESHER)) == \
-    set(mesher.ListProperties()) - {"Input", "RefinementRegions", "SizeField", "LegendInfo", "ExpectedBoxes", "SurfaceSize", "FlowZones", "ExpectedLayers"}
+    set(mesher.ListProperties()) - {"Input", "RefinementRegions", "SizeField", "LegendInfo", "ExpectedBoxes", "SurfaceSize", "FlowZones", "ExpectedLayers",
+        "DomainNote", "Preview"}
 region = simple.RefinementRegion(Input=simple.Sphere())
 assert {parameter.name for parameter in parameters(REGION)} == set(region.ListProperties()) - {"Input"}
 for parameter in parameters(MESHER):
@@ -183,6 +184,8 @@ made = statistics["mesh"]["BoxesInside"] + statistics["mesh"]["BoxesIntersected"
 assert 0.8 < boxes / made < 1.25, f"{boxes} estimated, {made} made"
 assert 0.7 < cells / statistics["mesh"]["Cells"] < 1.4, f"{cells} estimated, {statistics['mesh']['Cells']} made"
 assert not (folder / "out").exists()
+said = run(f'[surface]\nfile = "{EXHAUST}"\n[domain]\ndomain = "Outside"\n', "--check")  # with a note, which is no warning
+assert re.search(r"\nThe body is 387\.\d* long along y, but 191\.\d* along x, where the flow goes\.", said), said
 
 # Several files are boundaries of their names.
 points, triangles = [octahedron().GetPoint(i) for i in range(6)], [

@@ -13,7 +13,7 @@ from window import Screen
 
 REPOSITORY = pathlib.Path(sys.argv[1])
 PROXIES = {proxy.get("name") for group in ElementTree.fromstring(re.sub("@[A-Za-z]+@", "",
-    (REPOSITORY / "Plugin" / "CartesianMesher.xml.in").read_text())) for proxy in group.iter("SourceProxy")}
+    (REPOSITORY / "Plugin" / "CartesianMesher.xml.in").read_text())) for proxy in group.iter("SourceProxy") if group.get("name") != "internal_filters"}
 NAMED = "BoundaryName", "DefectName", "Region"  # arrays whose values have names
 
 # A cube of two named solids, with a triangle missing and another there twice; two regions; and flow around a body whose

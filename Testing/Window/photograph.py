@@ -5,8 +5,8 @@ import sys
 
 from paraview import simple
 
-from events import advanced, apply, boundary_row, copy_selection, event, look, meshing_menu, number, open_file, script, \
-    select_cells, table_row, text
+from events import PROPERTIES, advanced, apply, boundary_row, choose, copy_selection, event, look, macro, meshing_menu, number, \
+    open_file, script, select_cells, table_row, text
 from window import Screen
 
 REPOSITORY = pathlib.Path(sys.argv[1])
@@ -28,6 +28,23 @@ with Screen(1400, 900) as screen:
     screen.photograph(script(*split), HELP / "split.png")
     screen.photograph(script(*split, select_cells(0.53, 0.67), copy_selection(), text("SelectionName", "inlet"), apply()),
         HELP / "splitpick.png")
+
+# A car in its flow domain, not applied yet.
+CAMERA = """
+from paraview import simple
+view = simple.GetActiveView()
+view.CameraViewUp, view.CameraFocalPoint, view.CameraPosition = [0, 0, 1], [0, 0, 0], [1.3, -0.6, 0.5]
+simple.ResetCamera(view)
+simple.GetActiveCamera().Zoom(1.4)
+simple.Render(view)
+"""
+with Screen(1400, 1000) as screen:
+    screen.add_macro("camera", CAMERA)
+    screen.photograph(script(open_file(REPOSITORY / "Data" / "prius_hybrid_body.obj", choose_reader=True), apply(),
+        meshing_menu("CartesianMesher"), event(f"{PROPERTIES}/LargestDepth/IntRangeWidget/LineEdit", "set_string", 6),
+        event(f"{PROPERTIES}/CurvatureAngle/DoubleRangeWidget/DoubleLineEdit", "set_string", 15), choose("Domain", "Outside"),
+        choose("FlowDirection", "Plus Y"), choose("Ground", "zMin"), *[number(f"Lengths{side}", length) for side, length in
+            (("Before", 1.5), ("Behind", 3), ("Beside", 1))], macro("camera")), HELP / "look.png")
 
 with Screen(1400, 3700) as screen:
     screen.photograph(script(*BEGIN, advanced(), table_row("RefinementBlocks", 0, [0, 4, 0, 9, 2, 2, 3, 1]),

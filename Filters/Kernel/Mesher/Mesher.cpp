@@ -188,7 +188,7 @@ std::unique_ptr<Assembly> mesh(
   return meshPart(prepared, *decomposition, decomposition->allLayers(), options, execution);
 }
 
-PreparedSurface prepareSurface(
+PreparedSurface placeOnGrid(
   const SurfaceView& view, const Options& options, Execution& execution, int parts)
 {
   execution.stage("Scaling and Dual Levels", 0, AfterSurface);
@@ -211,6 +211,13 @@ PreparedSurface prepareSurface(
   checkMemory(
     ofAPart(estimateMesh(prepared.surface, prepared.planes), parts), prepared.memoryLimit);
   prepared.boundariesGiven = countsOf(prepared.surface.boundary);
+  return prepared;
+}
+
+PreparedSurface prepareSurface(
+  const SurfaceView& view, const Options& options, Execution& execution, int parts)
+{
+  PreparedSurface prepared = placeOnGrid(view, options, execution, parts);
   separate(prepared, view, options, execution);
   chooseDomain(options.domain, prepared);
   if (options.layers.any())
@@ -221,14 +228,19 @@ PreparedSurface prepareSurface(
   return prepared;
 }
 
+RefinementSpec refinementOf(const Options& options)
+{
+  RefinementSpec refinement = options.refinement;
+  refinement.sizing.featureAngle = options.patches.featureAngle;
+  refinement.transitionLayers = transitionLayersOf(options);
+  return refinement;
+}
+
 std::unique_ptr<Decomposition> decompose(
   const PreparedSurface& prepared, const Options& options, Execution& execution)
 {
   execution.stage("Boxes", AfterSurface, AfterBoxes);
-  RefinementSpec refinement = options.refinement;
-  refinement.sizing.featureAngle = options.patches.featureAngle;
-  refinement.transitionLayers = transitionLayersOf(options);
-  return std::make_unique<Decomposition>(prepared.surface, prepared.planes, refinement,
+  return std::make_unique<Decomposition>(prepared.surface, prepared.planes, refinementOf(options),
     prepared.memoryLimit, editsWall(options), execution);
 }
 

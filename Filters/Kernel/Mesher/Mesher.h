@@ -54,6 +54,14 @@ struct PreparedSurface
 PreparedSurface prepareSurface(
   const SurfaceView& view, const Options& options, Execution& execution, int parts = 1);
 
+// The same without check and repair, which takes a fraction of the time: the surface is neither oriented nor closed.
+// Throws Error: as prepareSurface().
+PreparedSurface placeOnGrid(
+  const SurfaceView& view, const Options& options, Execution& execution, int parts = 1);
+
+// All that refines the grid.
+RefinementSpec refinementOf(const Options& options);
+
 // How the grid is divided; borrows `prepared`. Throws Error: BadParameter (of the refinement); of a
 // region's surface EmptySurface, BadCoordinate, FlawedSurface.
 std::unique_ptr<Decomposition> decompose(

@@ -3,6 +3,7 @@
 
 #include "Base/Error.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -14,6 +15,9 @@ namespace
 
 // A surface this many times smaller than the box would lose its shape on a lattice that holds the box.
 constexpr double LargestBox = 1e5;
+
+// A body this many times longer along another axis than along the flow lies across it.
+constexpr double ClearlyLonger = 1.5;
 
 Bounds lengthsAround(const DomainSpec& spec, const Bounds& surface)
 {
@@ -109,6 +113,32 @@ std::array<std::string, 6> namesOfSides(const DomainSpec& spec)
     names[2 * (static_cast<std::size_t>(spec.half) - 1)] = "symmetry";
   }
   return names;
+}
+
+std::string describeAcross(const DomainSpec& spec, const Bounds& surface)
+{
+  const bool hasFlow =
+    spec.isOutside() && (spec.boxFrom == BoxSource::Surface || spec.sideNames == SideNames::Flow);
+  std::array<double, 3> lengths{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    lengths[axis] = surface.high[axis] - surface.low[axis];
+  }
+  const auto longest =
+    static_cast<std::size_t>(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
+  const std::size_t along = static_cast<std::size_t>(spec.flow) / 2;
+  const bool stands =
+    spec.ground != DomainSide::NoSide && (static_cast<std::size_t>(spec.ground) - 1) / 2 == longest;
+  if (!hasFlow || stands || lengths[longest] < ClearlyLonger * lengths[along])
+  {
+    return "";
+  }
+  const char axis = "xyz"[longest];
+  const char upper = "XYZ"[longest];
+  return std::string("The body is ") + number(lengths[longest]) + " long along " + axis + ", but " +
+    number(lengths[along]) + " along " + "xyz"[along] +
+    ", where the flow goes. If that is not meant, " + "choose Flow Direction Plus " + upper +
+    " or Minus " + upper + ".";
 }
 
 void turnInsideOut(Surface& surface)

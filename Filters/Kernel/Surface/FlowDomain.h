@@ -98,6 +98,10 @@ Bounds boxAround(const DomainSpec& spec, const Bounds& surface);
 // Of the sides in the order of DomainSide. Sides of the same name are one boundary.
 std::array<std::string, 6> namesOfSides(const DomainSpec& spec);
 
+// A note if bodies with these bounds lie across the flow, which may be meant; or empty. A body that is longest away from
+// the ground stands on it.
+std::string describeAcross(const DomainSpec& spec, const Bounds& surface);
+
 // Turns the oriented surface into the boundary of the space around it.
 void turnInsideOut(Surface& surface);
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How deeply boxes at the surface will be divided, and where the grid ends, before meshing.
+#pragma once
+
+#include "Base/Execution.h"
+#include "Mesher/Options.h"
+#include "Surface/Surface.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace cartesian
+{
+
+struct ExpectedDepths
+{
+  Bounds grid; // user units
+
+  // At each place: how many times the box there is halved, and its longest edge in user units. Empty if that would take
+  // too long.
+  std::vector<std::uint8_t> depths;
+  std::vector<double> sizes;
+};
+
+// At places on the surface, in user units, with all refinement in the options. Boxes next to smaller ones may be smaller
+// still, for the transition between them. Throws Error: as prepareSurface() and decompose().
+ExpectedDepths expectedDepths(const SurfaceView& surface, const Options& options,
+  const std::vector<std::array<double, 3>>& places, Execution& execution);
+
+// Whether boxes along the surface may differ in depth.
+bool hasSeveralDepths(const RefinementSpec& spec);
+
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The values in a source's panel, also those that were not applied yet.
+#pragma once
+
+#include <functional>
+#include <string>
+
+class vtkSMProperty;
+class vtkSMProxy;
+
+namespace cartesian
+{
+
+// All that can be set, by name.
+void forEachProperty(
+  vtkSMProxy* proxy, const std::function<void(const char*, vtkSMProperty*)>& action);
+
+// The values in the panel, or those that were applied.
+std::string textOf(vtkSMProxy* proxy, bool inPanel);
+
+// Gives another proxy, which has the same properties, the values in the panel.
+void takeFromPanel(vtkSMProxy* source, vtkSMProxy* other);
+
+}
