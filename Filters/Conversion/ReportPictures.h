@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures of a mesh for its report: its boundary, a cut along whole cells, and cells to look at.
+#pragma once
+
+#include "GridFaces.h"
+#include "Report/ReportPage.h"
+
+#include <array>
+
+namespace cartesian
+{
+
+// Every face of a mesh once, with what it is drawn in.
+struct DrawnMesh
+{
+  const double* points; // three coordinates each
+  const CellFaces& cells;
+  const FaceList& faces;
+  std::vector<Colour> colours; // of each boundary face
+};
+
+ReportPicture pictureOfBoundary(const DrawnMesh& mesh);
+
+// The cells on one side of the middle of the shortest of the mesh's sides.
+ReportPicture pictureOfCut(const DrawnMesh& mesh);
+
+// `which`: cells in red, in front of the pale boundary, the first ones in circles.
+ReportPicture pictureOfCells(const DrawnMesh& mesh, const std::vector<std::uint32_t>& which);
+
+}
