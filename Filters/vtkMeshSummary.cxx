@@ -123,7 +123,8 @@ int vtkMeshSummary::RequestData(
   this->Text = words.verdict + words.size + words.worst(cartesian::MeasureCount) + words.regions +
     words.boundaries + words.done;
   this->WorstMeasure = quality->GetWorstMeasure();
-  AddText("Brief", words.verdict + words.size + words.worst(MostOfABriefText), vtkTable::GetData(output, 0));
+  AddText("Brief", words.verdict + words.size + words.worst(MostOfABriefText),
+    vtkTable::GetData(output, 0));
   AddText("Text", this->Text, vtkTable::GetData(output, 0));
   if (this->ErrorCode == 0)
   {

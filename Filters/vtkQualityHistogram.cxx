@@ -87,7 +87,8 @@ void FillBins(const cartesian::Histogram& histogram, vtkTable* table)
   AddColumn<vtkIdTypeArray>(table, "Cells", cells);
 }
 
-void FillOutline(const cartesian::Histogram& histogram, const cartesian::MeshValues& of, vtkTable* table)
+void FillOutline(
+  const cartesian::Histogram& histogram, const cartesian::MeshValues& of, vtkTable* table)
 {
   std::vector<double> at{ histogram.range.low };
   std::vector<double> cells{ NoCell };

@@ -147,6 +147,9 @@ void prepareChart(vtkSMProxy* representation, vtkSMSourceProxy* source, vtkPVXML
   const std::string measure = title.substr(0, title.find(" ("));
   vtkSMPropertyHelper(representation, "UseIndexForXAxis", true).Set(0);
   vtkSMPropertyHelper(representation, "XArrayName", true).Set(measure.c_str());
+  vtkSMPropertyHelper shown(representation, "SeriesVisibility", true);
+  shown.Set(0, measure.c_str());
+  shown.Set(1, "0");
   representation->UpdateVTKObjects();
   if (vtkSMProxy* chart = chartFor(representation->GetSessionProxyManager()))
   {

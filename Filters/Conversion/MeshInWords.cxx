@@ -206,10 +206,13 @@ std::vector<WorstValue> worstValues(vtkUnstructuredGrid* mesh)
     Place worst;
     if (worstPlace(mesh, spec, worst) && std::isfinite(worst[0]) && worst[0] != spec.best)
     {
-      values.push_back({ nearnessToLimit(static_cast<Measure>(m), worst[0], standardLimits()),
-        wordsOf(spec.name), number(worst[0]), limitOf(spec),
+      const double failing = field(mesh, std::string(spec.name) + "Failures");
+      const bool isFailure = failing > 0 && (FailuresForSolvers >> m & 1U) != 0;
+      const double nearness = nearnessToLimit(static_cast<Measure>(m), worst[0], standardLimits());
+      values.push_back({ std::max(nearness, isFailure ? 1.0 : 0.0), wordsOf(spec.name),
+        number(worst[0]), limitOf(spec),
         "(" + number(worst[1]) + ", " + number(worst[2]) + ", " + number(worst[3]) + ")",
-        field(mesh, std::string(spec.name) + "Failures") });
+        failing });
     }
   }
   std::stable_sort(values.begin(), values.end(),
@@ -269,9 +272,8 @@ void tellBoundaries(vtkDataObject* mesh, std::ostream& text)
     text << (i == 0 ? "Boundaries:\n" : "") << "  " << names->GetValue(n) << ": area "
          << number(areaOf(n))
          << (hasLayers && coverage > 0 ? ", layers on " + inPercent(coverage) + ", " +
-                  number(field(mesh, "BoundaryLayerThicknesses", n)) +
-                  " thick, whole stacks on " + inPercent(field(mesh, "BoundaryWholeStacks", n)) +
-                  ", the last layer 1:" +
+                  number(field(mesh, "BoundaryLayerThicknesses", n)) + " thick, whole stacks on " +
+                  inPercent(field(mesh, "BoundaryWholeStacks", n)) + ", the last layer 1:" +
                   number(
                     std::round(1 / std::max(1e-9, field(mesh, "BoundaryLastLayerRatios", n)))) +
                   " of the cell beside it"
@@ -304,8 +306,7 @@ void tellWhatWasDone(vtkDataObject* mesh, std::ostream& text)
   }
   if (const double enclosed = field(mesh, "SurfaceVolume"); enclosed > 0)
   {
-    text << "Volume error: "
-         << number(Percent * (field(mesh, "TotalVolume") / enclosed - 1))
+    text << "Volume error: " << number(Percent * (field(mesh, "TotalVolume") / enclosed - 1))
          << " % of what the surface encloses\n";
   }
   if (const double relaxed = field(mesh, "SizesRelaxed"); relaxed > 0)

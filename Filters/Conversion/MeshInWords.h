@@ -27,8 +27,8 @@ struct MeshInWords
   std::string verdict; // the first line: whether OpenFOAM accepts all cells
   std::string size;
   std::string regions;
-  std::string boundaries; // the largest
-  std::string done;       // to surface and cells
+  std::string boundaries;              // the largest
+  std::string done;                    // to surface and cells
   std::vector<WorstValue> worstValues; // the nearest to its limit first
 
   // The first of the worst values.

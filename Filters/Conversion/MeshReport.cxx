@@ -88,15 +88,16 @@ public:
     mesh_ = vtkUnstructuredGrid::SafeDownCast(quality_->GetOutputDataObject(0));
     if (quality_->GetErrorCode() != 0 || mesh_->GetNumberOfCells() == 0)
     {
-      throw Error(Fault::BadMesh, "There are no cells to report of, or their quality cannot be measured.");
+      throw Error(
+        Fault::BadMesh, "There are no cells to report of, or their quality cannot be measured.");
     }
     cells_ = facesOfCells(mesh_);
     faces_ = listFaces(cells_, static_cast<std::size_t>(mesh_->GetNumberOfPoints()),
       Clashes::AreBoundary, execution_);
     std::vector<vtkIdType> cellOf(cells_.cellCount());
     std::iota(cellOf.begin(), cellOf.end(), 0);
-    const bool isKnown = readBoundaryOfFaces(mesh_, cells_, cellOf, faces_, boundary_) ==
-      BoundaryKnowledge::All;
+    const bool isKnown =
+      readBoundaryOfFaces(mesh_, cells_, cellOf, faces_, boundary_) == BoundaryKnowledge::All;
     boundary_.resize(faces_.face.size() - faces_.neighbour.size(), UnknownBoundary);
     if (!isKnown)
     {
@@ -137,29 +138,28 @@ private:
       const std::size_t face = faces_.face[faces_.neighbour.size() + i];
       const std::size_t first = cells_.firstCorner[face];
       row.faces += 1;
-      row.area +=
-        norm(measureFace(cells_.firstCorner[face + 1] - first, [&](std::size_t corner) {
-          const double* p = points_ + 3 * static_cast<std::size_t>(cells_.corners[first + corner]);
-          return Vector{ p[0], p[1], p[2] };
-        }).area);
+      row.area += norm(measureFace(cells_.firstCorner[face + 1] - first, [&](std::size_t corner) {
+        const double* p = points_ + 3 * static_cast<std::size_t>(cells_.corners[first + corner]);
+        return Vector{ p[0], p[1], p[2] };
+      }).area);
     }
   }
 
   // As the window has them: in the order of the boundaries' numbers.
   Colour colourOf(vtkIdType boundary) const
   {
-    return boundary == UnknownBoundary
-      ? Colour{ 0.8, 0.8, 0.8 }
-      : colourOfBoundary(static_cast<std::size_t>(boundary == NoBoundary ? rows_.size() : boundary));
+    return boundary == UnknownBoundary ? Colour{ 0.8, 0.8, 0.8 }
+                                       : colourOfBoundary(static_cast<std::size_t>(
+                                           boundary == NoBoundary ? rows_.size() : boundary));
   }
 
   std::string nameOf(vtkIdType boundary, const std::map<vtkIdType, std::string>& names) const
   {
     const auto name = names.find(boundary);
-    return name != names.end()     ? name->second
-      : boundary == NoBoundary     ? "no_surface"
+    return name != names.end()      ? name->second
+      : boundary == NoBoundary      ? "no_surface"
       : boundary == UnknownBoundary ? "(not of a surface)"
-                                   : "boundary_" + std::to_string(boundary);
+                                    : "boundary_" + std::to_string(boundary);
   }
 
   // In the field data of boundaries.
@@ -225,8 +225,7 @@ private:
     if (which.empty())
     {
       which.assign(ranked.begin(),
-        ranked.begin() +
-          static_cast<std::ptrdiff_t>(std::min(ranked.size(), WorstCellsShown)));
+        ranked.begin() + static_cast<std::ptrdiff_t>(std::min(ranked.size(), WorstCellsShown)));
       caption = "No cell fails; the worst " + std::to_string(which.size()) + " by " + measure;
     }
     return which;
@@ -279,7 +278,8 @@ private:
   {
     if (!words.regions.empty())
     {
-      page.lists.push_back({ "Regions", linesOf(words.regions.substr(words.regions.find('\n') + 1)) });
+      page.lists.push_back(
+        { "Regions", linesOf(words.regions.substr(words.regions.find('\n') + 1)) });
     }
     if (!words.done.empty())
     {
@@ -291,7 +291,8 @@ private:
         { "Not known: save the report from the output of Cartesian Mesher itself." } });
       return;
     }
-    ReportTable settings{ "Settings that differ from the defaults", { "Of", "Property", "Value" }, {} };
+    ReportTable settings{ "Settings that differ from the defaults", { "Of", "Property", "Value" },
+      {} };
     for (const UpstreamSetting& setting : upstream_.settings)
     {
       settings.rows.push_back({ setting.filter, setting.property, setting.value });

@@ -89,12 +89,11 @@ std::optional<MeshValues> valuesOf(vtkUnstructuredGrid* mesh, vtkPolyData* faces
   if (which == FirstLayerHeight)
   {
     vtkDataArray* layer = data->GetArray("Layer");
-    return layer ? std::optional(
-                     MeshValues{ "First Layer Height", "", 0, firstHeights(mesh, faces, layer) })
-                 : std::nullopt;
+    return layer
+      ? std::optional(MeshValues{ "First Layer Height", "", 0, firstHeights(mesh, faces, layer) })
+      : std::nullopt;
   }
-  const std::string array =
-    which == VolumeFraction ? "VolumeFraction" : MeasureSpecs[which].name;
+  const std::string array = which == VolumeFraction ? "VolumeFraction" : MeasureSpecs[which].name;
   vtkDataArray* values = data->GetArray(array.c_str());
   if (!values)
   {
@@ -104,7 +103,8 @@ std::optional<MeshValues> valuesOf(vtkUnstructuredGrid* mesh, vtkPolyData* faces
   if (which < MeasureCount && MeasureSpecs[which].limit != NoLimit)
   {
     const MeasureSpec& spec = MeasureSpecs[which];
-    result.limit = (spec.largeIsWorse ? "limit: at most " : "limit: at least ") + number(spec.limit);
+    result.limit =
+      (spec.largeIsWorse ? "limit: at most " : "limit: at least ") + number(spec.limit);
     result.limitAt = spec.limit;
   }
   return result;

@@ -28,10 +28,12 @@ struct MeshValues
   std::string name;  // as in the panel
   std::string limit; // in words, or empty
   double limitAt = 0;
-  std::vector<double> values; // of each cell that is no ghost (of first layers only, for their height)
+  std::vector<double>
+    values; // of each cell that is no ghost (of first layers only, for their height)
 };
 
 // `mesh` and `faces`: those of vtkFiniteVolumeQuality, with its standard limits. None: the mesh lacks the array.
-std::optional<MeshValues> valuesOf(vtkUnstructuredGrid* mesh, vtkPolyData* faces, std::size_t which);
+std::optional<MeshValues> valuesOf(
+  vtkUnstructuredGrid* mesh, vtkPolyData* faces, std::size_t which);
 
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReportPictures.h"
 
+#include "Base/Error.h"
+#include "Polyhedra/CellGeometry.h"
 #include "Report/Canvas.h"
 
 #include "vtkBase64Utilities.h"
@@ -10,7 +12,9 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace cartesian
 {
@@ -75,36 +79,23 @@ std::vector<Vector> polygonOf(const DrawnMesh& mesh, std::size_t face)
   return polygon;
 }
 
-Bounds3 boundsOf(const DrawnMesh& mesh, std::size_t firstCorner, std::size_t endCorner)
+// Of the box around a cell.
+Vector middleOf(const DrawnMesh& mesh, std::size_t cell)
 {
   constexpr double Infinity = std::numeric_limits<double>::infinity();
-  Bounds3 box{ { Infinity, Infinity, Infinity }, { -Infinity, -Infinity, -Infinity } };
-  for (std::size_t i = firstCorner; i < endCorner; ++i)
+  Vector low{ Infinity, Infinity, Infinity };
+  Vector high = scaled(low, -1);
+  for (std::size_t i = mesh.cells.firstCorner[mesh.cells.firstFace[cell]];
+       i < mesh.cells.firstCorner[mesh.cells.firstFace[cell + 1]]; ++i)
   {
     const Vector at = pointOf(mesh, mesh.cells.corners[i]);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      box.low[axis] = std::min(box.low[axis], at[axis]);
-      box.high[axis] = std::max(box.high[axis], at[axis]);
+      low[axis] = std::min(low[axis], at[axis]);
+      high[axis] = std::max(high[axis], at[axis]);
     }
   }
-  return box;
-}
-
-Bounds3 boundsOf(const DrawnMesh& mesh)
-{
-  return boundsOf(mesh, 0, mesh.cells.corners.size());
-}
-
-Bounds3 boundsOfCell(const DrawnMesh& mesh, std::size_t cell)
-{
-  return boundsOf(mesh, mesh.cells.firstCorner[mesh.cells.firstFace[cell]],
-    mesh.cells.firstCorner[mesh.cells.firstFace[cell + 1]]);
-}
-
-Vector middleOf(const Bounds3& box)
-{
-  return scaled(plus(box.low, box.high), 0.5);
+  return scaled(plus(low, high), 0.5);
 }
 
 // Faces, filled first: edges are hidden by all of them.
@@ -113,6 +104,17 @@ struct DrawnFace
   std::size_t face; // of the cells
   Colour colour;
 };
+
+Canvas canvasFor(const DrawnMesh& mesh, const std::vector<DrawnFace>& drawn, const Vector& towards)
+{
+  std::vector<Vector> points;
+  for (const DrawnFace& face : drawn)
+  {
+    const std::vector<Vector> polygon = polygonOf(mesh, face.face);
+    points.insert(points.end(), polygon.begin(), polygon.end());
+  }
+  return { Width, Height, points, towards };
+}
 
 void draw(const DrawnMesh& mesh, const std::vector<DrawnFace>& drawn, Canvas& canvas)
 {
@@ -137,43 +139,117 @@ std::vector<DrawnFace> boundaryOf(const DrawnMesh& mesh)
   return drawn;
 }
 
+struct Cut
+{
+  std::size_t axis;
+  double at;
+};
+
+// Across the most material: of planes along each axis, nearer to the middle where others are not much better.
+class CutSearch
+{
+public:
+  explicit CutSearch(const DrawnMesh& mesh)
+    : mesh_(mesh)
+  {
+    for (std::size_t cell = 0; cell < mesh.cells.cellCount(); ++cell)
+    {
+      const bool hasFaces = mesh.cells.firstFace[cell] < mesh.cells.firstFace[cell + 1];
+      middles_.push_back(hasFaces ? middleOf(mesh, cell) : Vector{ 0, 0, 0 });
+    }
+  }
+
+  const std::vector<Vector>& middles() const { return middles_; }
+
+  Cut run() const
+  {
+    constexpr double Better = 1.1;
+    Cut best{ 0, 0 };
+    double most = -1;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const auto [low, high] = ends(axis);
+      const std::vector<double> areas = sections(axis, low, high);
+      for (const double share : { 0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8 })
+      {
+        const double area = areas[static_cast<std::size_t>(std::lround(10 * share))];
+        if (area > Better * most)
+        {
+          most = area;
+          best = { axis, low + share * (high - low) };
+        }
+      }
+    }
+    return best;
+  }
+
+private:
+  std::pair<double, double> ends(std::size_t axis) const
+  {
+    const auto [low, high] = std::minmax_element(middles_.begin(), middles_.end(),
+      [&](const Vector& a, const Vector& b) { return a[axis] < b[axis]; });
+    return { (*low)[axis], (*high)[axis] };
+  }
+
+  // The area of the faces between cells on both sides of planes at each tenth of the way.
+  std::vector<double> sections(std::size_t axis, double low, double high) const
+  {
+    std::vector<double> areas(11);
+    for (std::size_t f = 0; f < mesh_.faces.neighbour.size(); ++f)
+    {
+      const auto [from, to] =
+        std::minmax(middles_[mesh_.faces.owner[f]][axis], middles_[mesh_.faces.neighbour[f]][axis]);
+      const std::vector<Vector> polygon = polygonOf(mesh_, mesh_.faces.face[f]);
+      for (std::size_t i = 1; i < 10; ++i)
+      {
+        const double at = low + static_cast<double>(i) / 10 * (high - low);
+        if (from <= at && at < to)
+        {
+          const auto corner = [&](std::size_t c) { return polygon[c]; };
+          areas[i] += std::abs(measureFace(polygon.size(), corner).area[axis]);
+        }
+      }
+    }
+    return areas;
+  }
+
+  const DrawnMesh& mesh_;
+  std::vector<Vector> middles_; // of cells
+};
+
 }
 
 ReportPicture pictureOfBoundary(const DrawnMesh& mesh)
 {
-  Canvas canvas(Width, Height, boundsOf(mesh), FromCorner);
-  draw(mesh, boundaryOf(mesh), canvas);
+  const std::vector<DrawnFace> drawn = boundaryOf(mesh);
+  Canvas canvas = canvasFor(mesh, drawn, FromCorner);
+  draw(mesh, drawn, canvas);
   return { "The boundary, in the colours of the table of boundaries", pngOf(canvas) };
 }
 
 ReportPicture pictureOfCut(const DrawnMesh& mesh)
 {
-  const Bounds3 box = boundsOf(mesh);
-  const Vector sides = minus(box.high, box.low);
-  const auto axis = static_cast<std::size_t>(
-    std::min_element(sides.begin(), sides.end()) - sides.begin());
-  std::vector<bool> isKept;
-  for (std::size_t cell = 0; cell < mesh.cells.cellCount(); ++cell)
-  {
-    const bool hasFaces = mesh.cells.firstFace[cell] < mesh.cells.firstFace[cell + 1];
-    const double middle = hasFaces ? middleOf(boundsOfCell(mesh, cell))[axis] : 0;
-    isKept.push_back(hasFaces && (axis == 1 ? middle >= middleOf(box)[1] : middle <= middleOf(box)[axis]));
-  }
+  const CutSearch search(mesh);
+  const auto [axis, at] = search.run();
+  const double side = axis == 1 ? -1 : 1; // of the eye
+  const auto isKept = [&, axis = axis, at = at](std::size_t cell) {
+    return side * (search.middles()[cell][axis] - at) <= 0;
+  };
   std::vector<DrawnFace> drawn;
   const std::size_t inner = mesh.faces.neighbour.size();
   for (std::size_t f = 0; f < mesh.faces.face.size(); ++f)
   {
-    const bool owner = isKept[mesh.faces.owner[f]];
-    if (f < inner ? owner != isKept[mesh.faces.neighbour[f]] : owner)
+    const bool owner = isKept(mesh.faces.owner[f]);
+    if (f < inner ? owner != isKept(mesh.faces.neighbour[f]) : owner)
     {
       drawn.push_back({ mesh.faces.face[f], f < inner ? CutColour : mesh.colours[f - inner] });
     }
   }
   Vector towards = scaled(FromCorner, 0.3);
-  towards[axis] = axis == 1 ? -1 : 1;
-  Canvas canvas(Width, Height, box, towards);
+  towards[axis] = side;
+  Canvas canvas = canvasFor(mesh, drawn, towards);
   draw(mesh, drawn, canvas);
-  return { std::string("Whole cells on one side of the middle, along ") + "xyz"[axis], pngOf(canvas) };
+  return { std::string("Whole cells up to ") + "xyz"[axis] + " = " + number(at), pngOf(canvas) };
 }
 
 ReportPicture pictureOfCells(const DrawnMesh& mesh, const std::vector<std::uint32_t>& which)
@@ -181,10 +257,11 @@ ReportPicture pictureOfCells(const DrawnMesh& mesh, const std::vector<std::uint3
   constexpr double Pale = 0.75;
   constexpr std::size_t MostCircles = 40;
   constexpr double Radius = 11;
-  Canvas canvas(Width, Height, boundsOf(mesh), FromCorner);
-  draw(mesh, boundaryOf(mesh), canvas);
+  std::vector<DrawnFace> drawn = boundaryOf(mesh);
+  Canvas canvas = canvasFor(mesh, drawn, FromCorner);
+  draw(mesh, drawn, canvas);
   canvas.fade(Pale);
-  std::vector<DrawnFace> drawn;
+  drawn.clear();
   for (const std::uint32_t cell : which)
   {
     for (std::size_t f = mesh.cells.firstFace[cell]; f < mesh.cells.firstFace[cell + 1]; ++f)
@@ -193,9 +270,9 @@ ReportPicture pictureOfCells(const DrawnMesh& mesh, const std::vector<std::uint3
     }
   }
   draw(mesh, drawn, canvas);
-  for (std::size_t i = 0; i < std::min(which.size(), MostCircles); ++i)
+  for (std::size_t i = 0; which.size() <= MostCircles && i < which.size(); ++i)
   {
-    canvas.circle(middleOf(boundsOfCell(mesh, which[i])), Radius, Red);
+    canvas.circle(middleOf(mesh, which[i]), Radius, Red);
   }
   return { "", pngOf(canvas) };
 }

@@ -21,10 +21,10 @@ struct DrawnMesh
 
 ReportPicture pictureOfBoundary(const DrawnMesh& mesh);
 
-// The cells on one side of the middle of the shortest of the mesh's sides.
+// The cells on one side of a plane, across the most material.
 ReportPicture pictureOfCut(const DrawnMesh& mesh);
 
-// `which`: cells in red, in front of the pale boundary, the first ones in circles.
+// `which`: cells in red, in front of the pale boundary; in circles, if they are not many.
 ReportPicture pictureOfCells(const DrawnMesh& mesh, const std::vector<std::uint32_t>& which);
 
 }

@@ -35,7 +35,16 @@ Lines printed(vtkAlgorithm* algorithm)
   for (std::string line; std::getline(text, line);)
   {
     const std::size_t colon = line.find(':');
-    if (colon != std::string::npos && line[0] != ' ')
+    if (line.empty() || line[0] == ' ') // of a table
+    {
+      const std::size_t row = line.find_first_not_of(' ');
+      if (!lines.empty() && row != std::string::npos)
+      {
+        std::string& value = lines.back().second;
+        value += (value.empty() ? "" : "; ") + line.substr(row);
+      }
+    }
+    else if (colon != std::string::npos)
     {
       const std::size_t value = line.find_first_not_of(' ', colon + 1);
       lines.emplace_back(
@@ -118,10 +127,14 @@ private:
       defaults.erase(name); // what all algorithms have
     }
     defaults.erase("NumberOfThreads"); // the mesh does not depend on it
+    if (defaults.count("BoundaryArray") == 1)
+    {
+      defaults["BoundaryArray"] = "Automatic"; // so the panel writes none
+    }
     for (const auto& [name, value] : printed(algorithm))
     {
       const auto known = defaults.find(name);
-      if (known != defaults.end() && known->second != value)
+      if (known != defaults.end() && known->second != value && !value.empty())
       {
         const std::string label = wordsOf(name);
         found_.settings.push_back({ nameInPanel(algorithm), label, valueInWords(label, value) });

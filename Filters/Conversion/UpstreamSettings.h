@@ -19,8 +19,9 @@ struct UpstreamSetting
 
 struct Upstream
 {
-  std::vector<UpstreamSetting> settings; // properties of our filters that differ from their defaults, and files read
-  std::vector<std::string> warnings;     // of their last updates
+  std::vector<UpstreamSetting>
+    settings; // properties of our filters that differ from their defaults, and files read
+  std::vector<std::string> warnings; // of their last updates
   bool hasMesher = false;
 };
 

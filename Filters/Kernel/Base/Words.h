@@ -8,14 +8,19 @@
 namespace cartesian
 {
 
-// NonOrthogonality: Non Orthogonality, as the panel has it.
+// NonOrthogonality: Non Orthogonality, as the panel has it; NamedSTLReader: Named STL Reader.
 inline std::string wordsOf(const std::string& name)
 {
+  const auto isCapital = [&](std::size_t i) {
+    return i < name.size() && std::isupper(static_cast<unsigned char>(name[i])) != 0;
+  };
   std::string words;
-  for (const char c : name)
+  for (std::size_t i = 0; i < name.size(); ++i)
   {
-    words += std::isupper(static_cast<unsigned char>(c)) != 0 && !words.empty() ? " " : "";
-    words += c;
+    const bool begins =
+      isCapital(i) && (!isCapital(i - 1) || (i + 1 < name.size() && !isCapital(i + 1)));
+    words += i > 0 && begins ? " " : "";
+    words += name[i];
   }
   return words;
 }

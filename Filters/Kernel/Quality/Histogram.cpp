@@ -55,8 +55,7 @@ Histogram histogramOf(const std::vector<double>& values, ValueRange range, std::
 {
   Histogram histogram{ withExtent(range), std::vector<std::size_t>(bins) };
   const double last = static_cast<double>(bins) - 1;
-  const double scale =
-    static_cast<double>(bins) / (histogram.range.high - histogram.range.low);
+  const double scale = static_cast<double>(bins) / (histogram.range.high - histogram.range.low);
   for (const double value : values)
   {
     if (!std::isnan(value))

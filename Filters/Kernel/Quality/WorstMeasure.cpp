@@ -12,8 +12,8 @@ namespace
 
 double valueOf(const std::vector<SummaryValue>& summary, const std::string& name)
 {
-  const auto found = std::find_if(summary.begin(), summary.end(),
-    [&](const SummaryValue& entry) { return entry.name == name; });
+  const auto found = std::find_if(
+    summary.begin(), summary.end(), [&](const SummaryValue& entry) { return entry.name == name; });
   return found == summary.end() ? 0 : found->value;
 }
 
@@ -35,7 +35,8 @@ Measure worstMeasure(const std::vector<SummaryValue>& summary, const QualityLimi
   using Rank = std::pair<double, double>; // failures, nearness
   const auto rankOf = [&](std::size_t m) {
     const MeasureSpec& spec = MeasureSpecs[m];
-    const double worst = valueOf(summary, std::string(spec.largeIsWorse ? "Max" : "Min") + spec.name);
+    const double worst =
+      valueOf(summary, std::string(spec.largeIsWorse ? "Max" : "Min") + spec.name);
     return Rank{ valueOf(summary, std::string(spec.name) + "Failures"),
       nearnessToLimit(static_cast<Measure>(m), worst, limits) };
   };

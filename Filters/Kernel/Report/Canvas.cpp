@@ -12,8 +12,8 @@ namespace
 {
 
 constexpr float Farthest = -std::numeric_limits<float>::infinity();
-constexpr double Margin = 0.94; // of the picture that the box may fill
-constexpr double LineLift = 2e-3; // of the box
+constexpr double Margin = 0.94;   // of the picture that the points may fill
+constexpr double LineLift = 1e-3; // of the extent
 constexpr double Ambient = 0.5;   // light from everywhere
 
 std::uint8_t byteOf(double share)
@@ -24,12 +24,11 @@ std::uint8_t byteOf(double share)
 }
 
 Canvas::Canvas(
-  std::size_t width, std::size_t height, const Bounds3& box, const Vector& towards)
+  std::size_t width, std::size_t height, const std::vector<Vector>& points, const Vector& towards)
   : width_(width)
   , height_(height)
   , columns_(Samples * width)
   , rows_(Samples * height)
-  , centre_(scaled(plus(box.low, box.high), 0.5))
   , towards_(unit(towards))
   , depth_(columns_ * rows_, Farthest)
   , samples_(3 * columns_ * rows_, 255)
@@ -37,15 +36,25 @@ Canvas::Canvas(
   const Vector vertical = std::abs(towards_[2]) < 0.9 ? Vector{ 0, 0, 1 } : Vector{ 0, 1, 0 };
   right_ = unit(cross(vertical, towards_));
   up_ = cross(towards_, right_);
-  const Vector half = scaled(minus(box.high, box.low), 0.5);
-  const auto extent = [&](const Vector& axis) {
-    return std::abs(half[0] * axis[0]) + std::abs(half[1] * axis[1]) + std::abs(half[2] * axis[2]);
-  };
-  const double least = std::numeric_limits<double>::min();
-  scale_ = Margin / 2 *
-    std::min(static_cast<double>(columns_) / std::max(extent(right_), least),
-      static_cast<double>(rows_) / std::max(extent(up_), least));
-  lineLift_ = LineLift * norm(half);
+  const std::array<Vector, 3> axes{ right_, up_, towards_ };
+  Vector extent;
+  centre_ = points.front();
+  for (std::size_t a = 0; a < axes.size(); ++a)
+  {
+    double low = 0;
+    double high = 0;
+    for (const Vector& point : points)
+    {
+      const double at = dot(minus(point, points.front()), axes[a]);
+      low = std::min(low, at);
+      high = std::max(high, at);
+    }
+    extent[a] = high > low ? high - low : 1;
+    centre_ = plus(centre_, scaled(axes[a], (low + high) / 2));
+  }
+  scale_ = Margin *
+    std::min(static_cast<double>(columns_) / extent[0], static_cast<double>(rows_) / extent[1]);
+  lineLift_ = LineLift * norm(extent);
 }
 
 Vector Canvas::project(const Vector& point) const
@@ -88,7 +97,7 @@ void Canvas::fillTriangle(const std::array<Vector, 3>& corners, const Colour& co
 {
   const auto& [a, b, c] = corners;
   const double area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
-  if (area == 0)
+  if (!(std::abs(area) > 0) || !std::isfinite(area))
   {
     return;
   }
@@ -127,6 +136,10 @@ void Canvas::outline(const std::vector<Vector>& polygon, const Colour& colour)
 void Canvas::drawLine(const Vector& from, const Vector& to, const Colour& colour)
 {
   const double length = std::max(std::abs(to[0] - from[0]), std::abs(to[1] - from[1]));
+  if (!(length < static_cast<double>(2 * (columns_ + rows_)))) // of a point that is not a number
+  {
+    return;
+  }
   const auto steps = static_cast<std::size_t>(std::ceil(length)) + 1;
   for (std::size_t i = 0; i <= steps; ++i)
   {

@@ -12,18 +12,13 @@
 namespace cartesian
 {
 
-struct Bounds3
-{
-  Vector low;
-  Vector high;
-};
-
-// Looks from afar, without perspective, at all of a box.
+// Looks from afar, without perspective, at some points, which fill it.
 class Canvas
 {
 public:
-  // `towards`: where the eye is, seen from the box.
-  Canvas(std::size_t width, std::size_t height, const Bounds3& box, const Vector& towards);
+  // `towards`: where the eye is, seen from the points, of which there are some.
+  Canvas(std::size_t width, std::size_t height, const std::vector<Vector>& points,
+    const Vector& towards);
 
   // Fills a polygon with a colour, shaded by its slope; hides what is behind it.
   void fill(const std::vector<Vector>& polygon, const Colour& colour);

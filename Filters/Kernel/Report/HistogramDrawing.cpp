@@ -48,7 +48,8 @@ public:
     , axis_(of.histogram.range)
   {
     const std::vector<std::size_t>& counts = of.histogram.counts;
-    most_ = static_cast<double>(std::max<std::size_t>(2, *std::max_element(counts.begin(), counts.end())));
+    most_ = static_cast<double>(
+      std::max<std::size_t>(2, *std::max_element(counts.begin(), counts.end())));
     if (of.hasLimit)
     {
       axis_ = { std::min(axis_.low, of.limitAt), std::max(axis_.high, of.limitAt) };
@@ -76,7 +77,8 @@ private:
   }
   double y(double count) const
   {
-    const double share = std::log(std::max(count, LeastCount) / LeastCount) / std::log(most_ / LeastCount);
+    const double share =
+      std::log(std::max(count, LeastCount) / LeastCount) / std::log(most_ / LeastCount);
     return Height - Bottom - (Height - Top - Bottom) * share;
   }
   void text(double x, double y, const char* anchor, const std::string& words)

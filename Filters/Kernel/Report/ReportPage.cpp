@@ -94,11 +94,11 @@ std::string escaped(const std::string& text)
   for (const char c : text)
   {
     const auto code = static_cast<unsigned char>(c);
-    result += c == '&' ? "&amp;"
-      : c == '<'       ? "&lt;"
-      : c == '>'       ? "&gt;"
-      : c == '"'       ? "&quot;"
-      : c == '\''      ? "&#39;"
+    result += c == '&'                           ? "&amp;"
+      : c == '<'                                 ? "&lt;"
+      : c == '>'                                 ? "&gt;"
+      : c == '"'                                 ? "&quot;"
+      : c == '\''                                ? "&#39;"
       : (code < ' ' && c != '\n') || code == 127 ? " "
                                                  : std::string(1, c);
   }
